@@ -1,6 +1,6 @@
-/* Fourier and cosine transforms of many lines, there and back: poisson/transform.h beside FFTW (plans by estimate, lines
- * one after the other or interleaved, whichever is faster) and GSL (real transforms, Fourier only). Nanoseconds
- * of processor time for each value, the least of several passes:
+/* Fourier and cosine transforms of many lines, there and back: poisson/transform.h beside FFTW (plans by
+ * estimate, lines one after the other or interleaved, whichever is faster) and GSL (real transforms, Fourier
+ * only). Nanoseconds of processor time for each value, the least of several passes:
  *
  *   cc -O2 -fopenmp -Isrc bench/transforms.c BUILD/libtsim.a -lfftw3 -lgsl -lgslcblas -lz -lm && ./a.out
  */
@@ -90,13 +90,15 @@ static void make_grid(struct ts_grid *grid, struct ts_poisson *problem, int dime
 	*problem = (struct ts_poisson){ .grid = grid, .singular = true, .threads = 1 };
 	for (int d = 0; d < dimensions; d++)
 		for (int side = 0; side < 2; side++)
-			problem->condition[d][side] = periodic ? TS_PRESSURE_PERIODIC : TS_PRESSURE_NO_GRADIENT;
+			problem->condition[d][side] =
+				periodic ? TS_PRESSURE_PERIODIC : TS_PRESSURE_NO_GRADIENT;
 	free(face);
 }
 
 static double of_fftw(double *values, int n, bool periodic)
 {
-	const fftw_r2r_kind kind[2] = { periodic ? FFTW_R2HC : FFTW_REDFT10, periodic ? FFTW_HC2R : FFTW_REDFT01 };
+	const fftw_r2r_kind kind[2] = { periodic ? FFTW_R2HC : FFTW_REDFT10,
+					periodic ? FFTW_HC2R : FFTW_REDFT01 };
 	double best = INFINITY;
 
 	for (int apart = 1; apart <= TS_LINES; apart += TS_LINES - 1) {
@@ -117,7 +119,8 @@ static double of_fftw(double *values, int n, bool periodic)
 
 static double of_gsl(double *values, int n)
 {
-	void *c[3] = { gsl_fft_real_wavetable_alloc((size_t)n), gsl_fft_halfcomplex_wavetable_alloc((size_t)n),
+	void *c[3] = { gsl_fft_real_wavetable_alloc((size_t)n),
+		       gsl_fft_halfcomplex_wavetable_alloc((size_t)n),
 		       gsl_fft_real_workspace_alloc((size_t)n) };
 
 	return best_of(gsl, c, values, n);
@@ -135,9 +138,10 @@ static void compare(int n)
 		make_grid(&grid, &problem, 2, n, periodic);
 		if (ts_transform_make(&o.transform, &problem, 0) != TS_OK)
 			exit(1);
-		o.spare = aligned_alloc(64, (ts_transform_work_size(&o.transform) * sizeof(double) + 63) / 64 * 64);
-		printf("%6d %-10s %8.2f %8.2f", n, periodic ? "Fourier" : "cosine", best_of(ours, &o, values, n),
-		       of_fftw(values, n, periodic));
+		o.spare = aligned_alloc(64, (ts_transform_work_size(&o.transform) * sizeof(double) + 63) /
+						    64 * 64);
+		printf("%6d %-10s %8.2f %8.2f", n, periodic ? "Fourier" : "cosine",
+		       best_of(ours, &o, values, n), of_fftw(values, n, periodic));
 		if (periodic)
 			printf(" %8.2f", of_gsl(values, n));
 		printf("\n");

@@ -95,7 +95,8 @@ static int open_output(struct tsim *sim, struct ts_setup *setup)
 	} else if (setup->screen) {
 		setup->screen_file = sim->log.screen = ts_files_open(&sim->files, setup->screen, "w");
 		if (!sim->log.screen)
-			return ts_usage_error("cannot open screen file '%s': %s", setup->screen, ts_files_why(&sim->files));
+			return ts_usage_error("cannot open screen file '%s': %s", setup->screen,
+					      ts_files_why(&sim->files));
 	}
 	sim->log.progress = sim->log.screen == stdout && isatty(STDOUT_FILENO);
 	return ts_streq(log, "none") ? 0 : tsim_log(sim, log);
@@ -124,11 +125,13 @@ static void print_bill(struct tsim *sim)
 	ts_str_add(&text, " and ");
 	ts_price_bytes(sim->cost.bytes, &text);
 	ts_log(&sim->log,
-	       "\nAll runs together: %s of files%s.\nNothing was run: values that only a run can give are unknown, "
-	       "and a run is priced from the state that\n"
-	       "the script has without the runs before it, and for the case that its particles come to "
-	       "lie together.\n",
-	       ts_str_text(&text), sim->cost.open ? " (how many turns loops take, or how long a run is, only a run can tell)" : "");
+	       "\nAll runs together: %s of files%s.\nNothing was run: values that only a run can give are "
+	       "unknown, and a run is priced from the state that\n"
+	       "the script has without the runs before it, and for the case that its particles come to lie "
+	       "together.\n",
+	       ts_str_text(&text),
+	       sim->cost.open ? " (how many turns loops take, or how long a run is, only a run can tell)"
+			      : "");
 	ts_str_release(&text);
 }
 
@@ -180,21 +183,23 @@ static enum ts_status save_and_go_on(struct ts_saver *self, struct tsim *sim)
 		return TS_OK;
 	saved_path(sim, ((struct saver *)self)->setup, &path);
 	if (!path.length)
-		ts_log(&sim->log, "Signal USR1: nothing is saved, because no restart file shall be written on signals\n");
+		ts_log(&sim->log, "Signal USR1: nothing is saved, because no restart file shall be written "
+				  "on signals\n");
 	else if (!ts_sim_has_box(sim))
 		ts_log(&sim->log, "Signal USR1: nothing is saved, because there is no simulation box yet\n");
 	else if (ts_restart_write(sim, ts_str_text(&path), NULL) != TS_OK)
-		ts_warn(&sim->log, NULL, "signal USR1: the state at step %" PRId64 " is not saved: %s", sim->clock.step,
-			sim->error.message);
+		ts_warn(&sim->log, NULL, "signal USR1: the state at step %" PRId64 " is not saved: %s",
+			sim->clock.step, sim->error.message);
 	else
-		ts_log(&sim->log, "Signal USR1: the state at step %" PRId64 " is saved in %s\n", sim->clock.step,
-		       ts_str_text(&path));
+		ts_log(&sim->log, "Signal USR1: the state at step %" PRId64 " is saved in %s\n",
+		       sim->clock.step, ts_str_text(&path));
 	ts_error_clear(&sim->error);
 	ts_str_release(&path);
 	return TS_OK;
 }
 
-/* After a signal that ended the run: saves the state and says how to go on. False: it should, and could not. */
+/* After a signal that ended the run: saves the state and says how to go on. False: it should, and could
+ * not. */
 static bool save_interrupted(struct tsim *sim, const struct ts_setup *setup)
 {
 	struct ts_str path = { 0 };
@@ -207,7 +212,8 @@ static bool save_interrupted(struct tsim *sim, const struct ts_setup *setup)
 		return true;
 	}
 	if (!whole) {
-		ts_log(&sim->log, "The state is not saved: a command of the script was ended before it had done its work.\n");
+		ts_log(&sim->log, "The state is not saved: a command of the script was ended before it had "
+				  "done its work.\n");
 		ts_str_release(&path);
 		return false;
 	}

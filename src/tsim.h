@@ -81,10 +81,10 @@ typedef void tsim_log_fn(void *data, enum tsim_log_level level, const char *text
 /* All zero is what tsim_open does. */
 struct tsim_options {
 	size_t size;
-	int threads;	  /* 0: as OMP_NUM_THREADS says, else 1 */
-	int explain;	  /* run nothing: print the plan of each run */
-	FILE *screen;	  /* stays the caller's; NULL: none */
-	const char *log;  /* path of the log file; NULL: none */
+	int threads;	 /* 0: as OMP_NUM_THREADS says, else 1 */
+	int explain;	 /* run nothing: print the plan of each run */
+	FILE *screen;	 /* stays the caller's; NULL: none */
+	const char *log; /* path of the log file; NULL: none */
 	tsim_log_fn *on_log;
 	void *on_log_data;
 	int check; /* run nothing: scripts are only read, errors gathered for tsim_check_report */
@@ -111,8 +111,7 @@ TSIM_API int tsim_stream(struct tsim *sim, FILE *stream, const char *name);
 /* Of a simulation opened with `check`, after its scripts: how many errors they have, and all of
  * them with places, then what the scripts would do, cut to fit `room` characters; *length: of
  * the whole (may be NULL). */
-TSIM_API int tsim_check_report(struct tsim *sim, int *errors, char *out, size_t room,
-			       size_t *length);
+TSIM_API int tsim_check_report(struct tsim *sim, int *errors, char *out, size_t room, size_t *length);
 /* Whether the script said `quit` (no more lines are run then), and with which status. */
 TSIM_API int tsim_has_quit(struct tsim *sim, int *status);
 /* Lets a simulation that runs stop after its present step, with TSIM_STOPPED. May be called
@@ -130,8 +129,9 @@ TSIM_API int tsim_step(struct tsim *sim, int64_t n);
 
 enum tsim_stage {
 	TSIM_BEFORE_FORCE, /* positions of the new step, velocities of the half step; f is 0 */
-	TSIM_AFTER_FORCE,  /* after all fixes but drags that relax velocities; what is added to f acts in this step */
-	TSIM_END_OF_STEP   /* velocities of the full step; before dumps and the table of the log */
+	/* after all fixes but drags that relax velocities; what is added to f acts in this step */
+	TSIM_AFTER_FORCE,
+	TSIM_END_OF_STEP /* velocities of the full step; before dumps and the table of the log */
 };
 enum { TSIM_STAGES = 3 };
 /* Lets fn take part in all later steps, of `run` and of tsim_step; functions of a stage act in
@@ -165,12 +165,11 @@ struct tsim_table {
 	size_t rows, columns;
 };
 /* Evaluates it now. */
-TSIM_API int tsim_evaluate(struct tsim *sim, const char *name, enum tsim_shape shape,
-			   struct tsim_table *out);
+TSIM_API int tsim_evaluate(struct tsim *sim, const char *name, enum tsim_shape shape, struct tsim_table *out);
 /* The same, copied into the caller's array; rows and columns must be what comes out
  * (TSIM_RANGE). */
-TSIM_API int tsim_read(struct tsim *sim, const char *name, enum tsim_shape shape, double *out,
-		       size_t rows, size_t columns);
+TSIM_API int tsim_read(struct tsim *sim, const char *name, enum tsim_shape shape, double *out, size_t rows,
+		       size_t columns);
 /* How large it is now; evaluates it too. */
 TSIM_API int tsim_extent(struct tsim *sim, const char *name, enum tsim_shape shape, size_t *rows,
 			 size_t *columns);
@@ -193,15 +192,13 @@ TSIM_API int tsim_output(struct tsim *sim, const char *name, size_t k, struct ts
  * option -var does. */
 TSIM_API int tsim_variable(struct tsim *sim, const char *name, const char *value);
 /* As `variable NAME STYLE VALUE`, replacing one of that name: index, string, equal, atom ... */
-TSIM_API int tsim_variable_set(struct tsim *sim, const char *name, const char *style,
-			       const char *value);
+TSIM_API int tsim_variable_set(struct tsim *sim, const char *name, const char *style, const char *value);
 /* Gives the variable a number, exactly; makes one of style equal if there is none. Cheap enough
  * for every step. */
 TSIM_API int tsim_variable_number(struct tsim *sim, const char *name, double value);
 /* What ${NAME} stands for, cut to fit `room` characters; *length: of the whole, without the 0
  * at its end (may be NULL). Numbers: tsim_value "v_NAME". */
-TSIM_API int tsim_variable_text(struct tsim *sim, const char *name, char *out, size_t room,
-				size_t *length);
+TSIM_API int tsim_variable_text(struct tsim *sim, const char *name, char *out, size_t room, size_t *length);
 /* Name of the k-th variable from 0; NULL: there are no more. */
 TSIM_API const char *tsim_variable_name(struct tsim *sim, size_t k);
 
@@ -219,10 +216,8 @@ TSIM_API int tsim_column_read(struct tsim *sim, const char *name, double *out, s
 TSIM_API int tsim_column_write(struct tsim *sim, const char *name, const double *in, size_t n);
 /* The same for the particles with these identities, in this order; id NULL: all by ascending
  * identity (n = tsim_count). */
-TSIM_API int tsim_gather(struct tsim *sim, const char *name, const int32_t *id, double *out,
-			 size_t n);
-TSIM_API int tsim_scatter(struct tsim *sim, const char *name, const int32_t *id, const double *in,
-			  size_t n);
+TSIM_API int tsim_gather(struct tsim *sim, const char *name, const int32_t *id, double *out, size_t n);
+TSIM_API int tsim_scatter(struct tsim *sim, const char *name, const int32_t *id, const double *in, size_t n);
 /* Name of the k-th quantity from 0; NULL: there are no more. */
 TSIM_API const char *tsim_quantity_name(size_t k);
 
@@ -279,8 +274,7 @@ TSIM_API const char *tsim_group_name(struct tsim *sim, int bit);
 /* member[i] becomes 1 where particle i, in the order of memory, is in the group, else 0. */
 TSIM_API int tsim_group_get(struct tsim *sim, const char *name, unsigned char *member, size_t n);
 /* Makes the group if there is none of the name. */
-TSIM_API int tsim_group_set(struct tsim *sim, const char *name, const unsigned char *member,
-			    size_t n);
+TSIM_API int tsim_group_set(struct tsim *sim, const char *name, const unsigned char *member, size_t n);
 
 /* ---- the state of the simulation ---- */
 
@@ -334,24 +328,27 @@ struct tsim_argument {
 	int positive;
 	const char *const *choices; /* of a word, closed by NULL; or NULL */
 };
-TSIM_API int tsim_argument(const char *kind, const char *style, size_t k,
-			   struct tsim_argument *out);
+TSIM_API int tsim_argument(const char *kind, const char *style, size_t k, struct tsim_argument *out);
 
 /* A structure whose size is set: struct tsim_view view = TSIM_INIT(struct tsim_view); */
 #ifdef __cplusplus
 }
-namespace tsim_detail {
+namespace tsim_detail
+{
 template <class T> inline T init()
 {
 	T value = T();
 	value.size = sizeof value;
 	return value;
 }
-}
+} // namespace tsim_detail
 #undef TSIM_INIT
 #define TSIM_INIT(type) tsim_detail::init<type>()
 #else
-#define TSIM_INIT(type) { .size = sizeof(type) }
+#define TSIM_INIT(type)              \
+	{                            \
+		.size = sizeof(type) \
+	}
 #endif
 
 #endif

@@ -178,8 +178,7 @@ static enum ts_status parse(struct trial *t, const struct line *line)
 	tsim_error_clear(t->sim);
 	status = ts_words_split(&arena, where.text, &where, &words);
 	if (status == TS_OK)
-		status = ts_args_parse(t->sim, t->style->name, t->rows, words, &where,
-				       &arena, state);
+		status = ts_args_parse(t->sim, t->style->name, t->rows, words, &where, &arena, state);
 	ts_arena_release(&arena);
 	ts_free(state);
 	return status;
@@ -204,8 +203,8 @@ static const char *script_line(const struct trial *t, const struct line *line)
 		return text;
 	case TS_KIND_FIX:
 	case TS_KIND_COMPUTE:
-		snprintf(text, sizeof text, "%s new all %s%s", ts_kind_name(t->style->kind),
-			 t->style->name, text_of(line));
+		snprintf(text, sizeof text, "%s new all %s%s", ts_kind_name(t->style->kind), t->style->name,
+			 text_of(line));
 		return text;
 	case TS_KIND_REGION:
 		snprintf(text, sizeof text, "region new %s%s", t->style->name, text_of(line));
@@ -236,11 +235,10 @@ static void check_blame(const struct trial *t, const struct line *line)
 		column += (int)strlen(line->item[k].text) + 1;
 	ck_assert_msg(error->place.column == column &&
 			      error->place.length == (int)strlen(line->item[blamed].text),
-		      "%s: column %d, expected %d:%s: %s", t->style->name, error->place.column,
-		      column, text_of(line), error->message);
+		      "%s: column %d, expected %d:%s: %s", t->style->name, error->place.column, column,
+		      text_of(line), error->message);
 	ck_assert_msg(strstr(error->message, line->item[blamed].text) != NULL,
-		      "the message does not show '%s': %s", line->item[blamed].text,
-		      error->message);
+		      "the message does not show '%s': %s", line->item[blamed].text, error->message);
 }
 
 static void refused(struct trial *t, const struct line *line, const char *what)
@@ -250,8 +248,8 @@ static void refused(struct trial *t, const struct line *line, const char *what)
 
 	ck_assert_msg(status != TS_OK, "%s %s: %s is accepted:%s", ts_kind_name(t->style->kind),
 		      t->style->name, what, text_of(line));
-	ck_assert_msg(status == t->sim->error.status && t->sim->error.message[0],
-		      "%s: %s: no message:%s", t->style->name, what, text_of(line));
+	ck_assert_msg(status == t->sim->error.status && t->sim->error.message[0], "%s: %s: no message:%s",
+		      t->style->name, what, text_of(line));
 	ck_assert_msg(t->sim->error.place.line == 7, "%s: %s: no place: %s", t->style->name, what,
 		      t->sim->error.message);
 	ck_assert_msg(strncmp(t->sim->error.message, t->style->name, strlen(t->style->name)) == 0 ||
@@ -314,10 +312,8 @@ static void out_of_range(struct trial *t, const struct line *good, size_t k)
 
 static void wrong_number(struct trial *t, const struct line *good, size_t k)
 {
-	static const char *const words[] = {
-		"1.5x", "x", "--1", "1e", "1e999", "-1e999", "nan", "NaN",
-		"inf", "-inf", "1,5", "0x", "1.5.5"
-	};
+	static const char *const words[] = { "1.5x", "x",   "--1",  "1e",  "1e999", "-1e999", "nan",
+					     "NaN",  "inf", "-inf", "1,5", "0x",    "1.5.5" };
 
 	for (size_t w = 0; w < DECK_LENGTH(words); w++)
 		with_word(t, good, k, "no number", "%s", words[w]);
@@ -326,8 +322,9 @@ static void wrong_number(struct trial *t, const struct line *good, size_t k)
 /* Outputs are looked up when the style is made, not when its line is read. */
 static void unknown_output(struct trial *t, const struct line *good, size_t k)
 {
-	static const char *const names[] = { "c_nothing", "f_nothing", "v_nothing", "nothing",
-					     "c_k[x]", "c_" };
+	static const char *const names[] = {
+		"c_nothing", "f_nothing", "v_nothing", "nothing", "c_k[x]", "c_"
+	};
 	struct line bad = *good;
 
 	for (size_t w = 0; w < DECK_LENGTH(names); w++) {
@@ -571,8 +568,7 @@ int main(void)
 	remove("rejections.count");
 	setenv("TS_REJECTIONS", "rejections.count", 1);
 	status = deck_main(suite);
-	printf("%zu rejections of arguments of %d styles and commands\n",
-	       counted("rejections.count"), n);
+	printf("%zu rejections of arguments of %d styles and commands\n", counted("rejections.count"), n);
 	remove("rejections.count");
 	return status;
 }

@@ -1,5 +1,5 @@
-/* Forces of bonds are those of a plain loop, bit for bit, whatever types and threads there are; each bond stands in the
- * slices once for either partner. */
+/* Forces of bonds are those of a plain loop, bit for bit, whatever types and threads there are; each bond
+ * stands in the slices once for either partner. */
 #include "deck.h"
 
 #include <math.h>
@@ -36,7 +36,8 @@ static struct tsim *network(int threads, double damping)
 			 "create_bonds many a b 3 0 0.09\n"
 			 "fix move all nve/sphere\n"
 			 "timestep 1e-5\n",
-			 threads, STIFFNESS, ULTIMATE, 2 * STIFFNESS, ULTIMATE, 3 * STIFFNESS, ULTIMATE, damping);
+			 threads, STIFFNESS, ULTIMATE, 2 * STIFFNESS, ULTIMATE, 3 * STIFFNESS, ULTIMATE,
+			 damping);
 }
 
 /* So that bonds are strained. */
@@ -50,7 +51,8 @@ static void shake(struct tsim *sim)
 }
 
 /* On particle i by particle j; returns the tension. */
-static double force_of(const struct tsim *sim, size_t bond, size_t i, size_t j, double damping, double force[3])
+static double force_of(const struct tsim *sim, size_t bond, size_t i, size_t j, double damping,
+		       double force[3])
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_bonds *b = sim->bonds;
@@ -85,7 +87,8 @@ START_TEST(plain_loop)
 		double sum[3] = { 0 }, force[3];
 
 		for (size_t k = b->gather.first[i]; k < b->gather.first[i + 1]; k++) {
-			size_t bond = b->gather.entry[k] >> 1, j = (size_t)b->row[bond][!(b->gather.entry[k] & 1)];
+			size_t bond = b->gather.entry[k] >> 1,
+			       j = (size_t)b->row[bond][!(b->gather.entry[k] & 1)];
 
 			ck_assert_double_eq(b->tension[bond], force_of(sim, bond, i, j, damping, force));
 			for (int c = 0; c < 3; c++)
@@ -104,7 +107,8 @@ END_TEST
 static size_t count_lane(const struct ts_bonds *b, const struct ts_bond_slice *slice, size_t lane)
 {
 	const struct ts_bond_slices *s = &b->slices;
-	size_t i = (size_t)slice->particle[lane], first = b->gather.first[i], n = b->gather.first[i + 1] - first;
+	size_t i = (size_t)slice->particle[lane], first = b->gather.first[i],
+	       n = b->gather.first[i + 1] - first;
 
 	ck_assert_uint_le(n, slice->depth);
 	if (lane >= slice->n)

@@ -1,5 +1,5 @@
-/* Contact forces taken apart: the parts are the whole, the part of the normal spring is the slope of the energy that it
- * stores, and slip takes mu |F_n| times the way. For all laws, of pairs and at walls. */
+/* Contact forces taken apart: the parts are the whole, the part of the normal spring is the slope of the
+ * energy that it stores, and slip takes mu |F_n| times the way. For all laws, of pairs and at walls. */
 #include <check.h>
 #include <math.h>
 #include <string.h>
@@ -97,8 +97,8 @@ static double stored(const struct ts_granular_model *m, bool wall, double overla
 static void check_slope(const struct ts_granular_model *m, bool wall, double overlap)
 {
 	double step = 1e-4 * overlap, force, other;
-	double slope = (stored(m, wall, overlap + step, &other) -
-			stored(m, wall, overlap - step, &other)) / (2 * step);
+	double slope = (stored(m, wall, overlap + step, &other) - stored(m, wall, overlap - step, &other)) /
+		       (2 * step);
 
 	stored(m, wall, overlap, &force);
 	if (m->normal != TS_NORMAL_HOOKE_HYSTERESIS)

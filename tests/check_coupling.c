@@ -44,8 +44,7 @@ START_TEST(corners_of_a_ball)
 	DECK_NEAR(ts_ball_corner(-1, -1, -1), 4 * PI / 3, 1e-14);
 	DECK_NEAR(ts_ball_corner(-3, 0.3, -7), PI / 3 * 0.7 * 0.7 * 2.3, 1e-14);
 	DECK_NEAR(ts_disc_corner(0.3, -1), acos(0.3) - 0.3 * sqrt(1 - 0.09), 1e-15);
-	DECK_NEAR(ts_disc_corner(-0.3, 0.2) + ts_disc_corner(0.3, 0.2), acos(0.2) - 0.2 * sqrt(0.96),
-		  1e-15);
+	DECK_NEAR(ts_disc_corner(-0.3, 0.2) + ts_disc_corner(0.3, 0.2), acos(0.2) - 0.2 * sqrt(0.96), 1e-15);
 	for (size_t k = 0; k < DECK_LENGTH(corner); k++) {
 		const double *c = corner[k];
 
@@ -85,7 +84,8 @@ static double control_volume(const struct ts_grid *grid, int c, const int i[3])
 }
 
 /* What a particle at x lays down is all of it, none of it on the boundary. */
-static void lays_down_all(struct ts_fluid *fluid, const double x[3], int c, enum ts_coupling_interpolation how)
+static void lays_down_all(struct ts_fluid *fluid, const double x[3], int c,
+			  enum ts_coupling_interpolation how)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	double *q = ts_grid_field(grid), *source = ts_grid_field(grid), *rate = ts_grid_field(grid);
@@ -199,8 +199,8 @@ static const char bed[] = "units si\n"
 START_TEST(void_fraction_keeps_the_volume)
 {
 	static const char *const methods[] = { "centre", "divided", "kernel reach 1.13" };
-	struct tsim *sim = deck_open("%sfix e all void_fraction method %s least 0.001\nrun 0", bed,
-				     methods[_i]);
+	struct tsim *sim =
+		deck_open("%sfix e all void_fraction method %s least 0.001\nrun 0", bed, methods[_i]);
 	double volume = 1.0 * 1.3 * 0.7, taken = 300 * PI / 6 * pow(0.0731, 3);
 
 	DECK_NEAR(deck_value(sim, "f_e[1]"), 1 - taken / volume, 1e-14);
@@ -224,7 +224,8 @@ START_TEST(fields_do_not_depend_on_order)
 		     "fix d all drag/di_felice scheme implicit\nfix m all nve\nrun 2",
 		     ways[k], _i ? "divided" : "kernel");
 		fluid[k] = fluid_of(sim[k]);
-		ck_assert_mem_eq(fluid[k]->void_fraction, fluid[0]->void_fraction, fluid[0]->grid.size * sizeof(double));
+		ck_assert_mem_eq(fluid[k]->void_fraction, fluid[0]->void_fraction,
+				 fluid[0]->grid.size * sizeof(double));
 		for (int c = 0; c < 3; c++)
 			ck_assert_mem_eq(fluid[k]->u[c], fluid[0]->u[c],
 					 fluid[0]->grid.size * sizeof(double));
@@ -236,7 +237,8 @@ END_TEST
 
 /* ---- what particles gain the fluid loses */
 
-/* Momentum of particles, between steps where velocity Verlet has half of the kick to come, and of the fluid. */
+/* Momentum of particles, between steps where velocity Verlet has half of the kick to come, and of the
+ * fluid. */
 static void momentum(struct tsim *sim, double out[3])
 {
 	const struct ts_particles *p = sim->particles;
@@ -273,25 +275,25 @@ START_TEST(momentum_is_kept)
 		{ "substeps 3 time ab2", "drag/stokes scheme exact", 0.01, 0.13, 1.31, 7 },
 	};
 	double before[3], after[3], size = 2385 * 2000 * PI / 6 * pow(ways[_i].diameter, 3) * 0.5;
-	struct tsim *sim = deck_open("units si\n"
-				     "boundary p p p\n"
-				     "newton off\n"
-				     "communicate single vel yes\n"
-				     "region box block 0 1 0 1.3 0 0.7 units box\n"
-				     "create_box 1 box\n"
-				     "create_atoms 1 random 2000 2385 box\n"
-				     "set group all diameter %g density 2385\n"
-				     "flow_style projection cells %d 5 3 viscosity %g density %g %s\n"
-				     "pressure_style %s\n"
-				     "velocity all create 1 2385\n"
-				     "velocity all set 0.5 -0.3 0.2 sum yes\n"
-				     "fix d all %s\n"
-				     "fix m all nve\n"
-				     "timestep 0.001\n"
-				     "run 0",
-				     ways[_i].diameter, ways[_i].cells, ways[_i].viscosity,
-				     ways[_i].density, ways[_i].fluid,
-				     strstr(ways[_i].drag, "lagged") ? "direct" : "cg", ways[_i].drag);
+	struct tsim *sim =
+		deck_open("units si\n"
+			  "boundary p p p\n"
+			  "newton off\n"
+			  "communicate single vel yes\n"
+			  "region box block 0 1 0 1.3 0 0.7 units box\n"
+			  "create_box 1 box\n"
+			  "create_atoms 1 random 2000 2385 box\n"
+			  "set group all diameter %g density 2385\n"
+			  "flow_style projection cells %d 5 3 viscosity %g density %g %s\n"
+			  "pressure_style %s\n"
+			  "velocity all create 1 2385\n"
+			  "velocity all set 0.5 -0.3 0.2 sum yes\n"
+			  "fix d all %s\n"
+			  "fix m all nve\n"
+			  "timestep 0.001\n"
+			  "run 0",
+			  ways[_i].diameter, ways[_i].cells, ways[_i].viscosity, ways[_i].density,
+			  ways[_i].fluid, strstr(ways[_i].drag, "lagged") ? "direct" : "cg", ways[_i].drag);
 
 	deck(sim, "run 3");
 	momentum(sim, before);
@@ -305,20 +307,22 @@ START_TEST(momentum_is_kept)
 }
 END_TEST
 
-/* Evenly spread spheres and their fluid come to one velocity: the slip dies by exp(-(1 + M) t/tau), M the mass of
- * the spheres by that of the fluid. The error falls with the step. */
+/* Evenly spread spheres and their fluid come to one velocity: the slip dies by exp(-(1 + M) t/tau), M the
+ * mass of the spheres by that of the fluid. The error falls with the step. */
 static double slip_error(const char *scheme, int steps)
 {
-	const double tau = 2385 * 0.05 * 0.05 / (18 * 2.236), load = 512 * 2385 * PI / 6 * pow(0.05, 3) / 238.5;
+	const double tau = 2385 * 0.05 * 0.05 / (18 * 2.236),
+		     load = 512 * 2385 * PI / 6 * pow(0.05, 3) / 238.5;
 	const double time = 0.1;
-	struct tsim *sim = deck_open("units si\nboundary p p p\nnewton off\ncommunicate single vel yes\n"
-				     "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
-				     "lattice sc 0.125 origin 0.5 0.5 0.5\ncreate_atoms 1 box\n"
-				     "set group all diameter 0.05 density 2385\n"
-				     "flow_style projection cells 4 4 4 viscosity 2.236 density 238.5\n"
-				     "velocity all set 0.3 0 0\nfix d all drag/stokes scheme %s\nfix m all nve\n"
-				     "timestep %.17g\nrun %d",
-				     scheme, time / steps, steps);
+	struct tsim *sim =
+		deck_open("units si\nboundary p p p\nnewton off\ncommunicate single vel yes\n"
+			  "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
+			  "lattice sc 0.125 origin 0.5 0.5 0.5\ncreate_atoms 1 box\n"
+			  "set group all diameter 0.05 density 2385\n"
+			  "flow_style projection cells 4 4 4 viscosity 2.236 density 238.5\n"
+			  "velocity all set 0.3 0 0\nfix d all drag/stokes scheme %s\nfix m all nve\n"
+			  "timestep %.17g\nrun %d",
+			  scheme, time / steps, steps);
 	double v[512], slip;
 
 	deck_column(sim, "vx", v, 512, 0);

@@ -52,13 +52,13 @@ static const char *const one_file[] = { "out", NULL };
 
 static struct ts_pairing compared(enum ts_frame_kind kind, const char *a, const char *b)
 {
-	struct ts_pairing p = { .name = "out", .kind = kind, .folder = { "a", "b" },
-				.file = { one_file, one_file } };
+	struct ts_pairing p = {
+		.name = "out", .kind = kind, .folder = { "a", "b" }, .file = { one_file, one_file }
+	};
 
 	put("a/out", a);
 	put("b/out", b);
-	ck_assert_msg(ts_compare(&p, 1e-6, &sim->error, sim->pool) == TS_OK, "%s",
-		      sim->error.message);
+	ck_assert_msg(ts_compare(&p, 1e-6, &sim->error, sim->pool) == TS_OK, "%s", sim->error.message);
 	return p;
 }
 
@@ -79,8 +79,8 @@ START_TEST(digits_of_words)
 		int digits, decimals;
 		bool padded;
 	} cases[] = {
-		{ "2.385", 2.385, 4, 3, false },  { "-0.00120", -0.0012, 3, 5, true },
-		{ "17", 17, 2, -1, false },	   { "1e+06", 1e6, 1, 0, false },
+		{ "2.385", 2.385, 4, 3, false },    { "-0.00120", -0.0012, 3, 5, true },
+		{ "17", 17, 2, -1, false },	    { "1e+06", 1e6, 1, 0, false },
 		{ "1.50e-3", 1.5e-3, 3, 2, false }, { "0", 0, 0, -1, false },
 	};
 
@@ -89,8 +89,7 @@ START_TEST(digits_of_words)
 
 		ck_assert_msg(p.value == cases[k].value && p.digits == cases[k].digits &&
 				      p.decimals == cases[k].decimals && p.padded == cases[k].padded,
-			      "%s: %g %d %d %d", cases[k].word, p.value, p.digits, p.decimals,
-			      p.padded);
+			      "%s: %g %d %d %d", cases[k].word, p.value, p.digits, p.decimals, p.padded);
 	}
 	ck_assert(ts_printed("nan").value == ts_printed("-nan").value);
 	ck_assert(ts_printed("Fe").value != ts_printed("Al").value);
@@ -100,14 +99,14 @@ END_TEST
 /* What stands between the tables is passed over, of whichever program. */
 START_TEST(thermo_of_screens)
 {
-	struct ts_pairing p = compared(
-		TS_FRAMES_THERMO,
-		"tsim 0.1.0\n    Step KinEng CPU 1\n 0 1.5 0 7\nhello 3\n 10 2.5 0.1 7\n"
-		"Loop time of 3 on 1 procs\n4605.6 ns per step\nNlocal: 1\n"
-		"  Step Atoms rotation\n 10 5 3\n 20 5 3\nLoop time of 1\n",
-		"LIGGGHTS (Version)\nMemory usage = 5 Mbytes\n    Step KinEng CPU 1\n 0 1.5 0 7\n"
-		" 10 2.50003 0.2 7\nLoop time of 3 on 1 procs\nHistogram: 1 0 0 0 0 0 0\n"
-		"  Step Atoms c_rotation_all\n 10 5 3\n 20 6 3\nLoop time of 1\n");
+	struct ts_pairing p =
+		compared(TS_FRAMES_THERMO,
+			 "tsim 0.1.0\n    Step KinEng CPU 1\n 0 1.5 0 7\nhello 3\n 10 2.5 0.1 7\n"
+			 "Loop time of 3 on 1 procs\n4605.6 ns per step\nNlocal: 1\n"
+			 "  Step Atoms rotation\n 10 5 3\n 20 5 3\nLoop time of 1\n",
+			 "LIGGGHTS (Version)\nMemory usage = 5 Mbytes\n    Step KinEng CPU 1\n 0 1.5 0 7\n"
+			 " 10 2.50003 0.2 7\nLoop time of 3 on 1 procs\nHistogram: 1 0 0 0 0 0 0\n"
+			 "  Step Atoms c_rotation_all\n 10 5 3\n 20 6 3\nLoop time of 1\n");
 	const struct ts_compared *ke = column(&p, "KinEng"), *atoms = column(&p, "Atoms");
 
 	ck_assert_uint_eq(p.frames, 4);
@@ -124,19 +123,18 @@ START_TEST(thermo_of_screens)
 }
 END_TEST
 
-#define DUMP(step, n, rows)                                                                        \
-	"ITEM: TIMESTEP\n" step "\nITEM: NUMBER OF ATOMS\n" n                                      \
+#define DUMP(step, n, rows)                                   \
+	"ITEM: TIMESTEP\n" step "\nITEM: NUMBER OF ATOMS\n" n \
 	"\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ATOMS id vx vy \n" rows
 
 /* Rows are matched by identity, frames by step. */
 START_TEST(dumps)
 {
-	struct ts_pairing p = compared(
-		TS_FRAMES_DUMP,
-		DUMP("0", "2", "1 1.25 0\n2 2.385 0\n") DUMP("5", "1", "1 1 0\n")
-			DUMP("10", "2", "1 4.5 1e-17\n2 3.25 0\n"),
-		DUMP("0", "2", "2 2.385 0\n1 1.25 0\n")
-			DUMP("10", "3", "3 0 0\n2 3.75 0\n1 4.5 0\n"));
+	struct ts_pairing p = compared(TS_FRAMES_DUMP,
+				       DUMP("0", "2", "1 1.25 0\n2 2.385 0\n") DUMP("5", "1", "1 1 0\n")
+					       DUMP("10", "2", "1 4.5 1e-17\n2 3.25 0\n"),
+				       DUMP("0", "2", "2 2.385 0\n1 1.25 0\n")
+					       DUMP("10", "3", "3 0 0\n2 3.75 0\n1 4.5 0\n"));
 	const struct ts_compared *vx = column(&p, "vx"), *vy = column(&p, "vy");
 
 	ck_assert_uint_eq(p.frames, 2);
@@ -151,15 +149,20 @@ START_TEST(dumps)
 }
 END_TEST
 
-#define CONTACTS(n, rows)                                                                           \
-	"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n" n                                           \
-	"\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ENTRIES c_c[1] c_c[4] c_c[7] c_c[8] c_c[10] c_c[13] c_c[16]\n" rows
+#define CONTACTS(n, rows)                                                                                \
+	"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n" n                                                 \
+	"\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ENTRIES c_c[1] c_c[4] c_c[7] c_c[8] c_c[10] " \
+	"c_c[13] c_c[16]\n" rows
 
 static struct ts_pairing compared_contacts(struct ts_meanings *m, const char *a, const char *b)
 {
-	static const char *const line[] = { "compute", "c", "all", "pair/gran/local", "history", "torque", "force", "id", "pos" };
-	struct ts_pairing p = { .name = "out", .kind = TS_FRAMES_DUMP, .folder = { "a", "b" },
-				.file = { one_file, one_file }, .meanings = m };
+	static const char *const line[] = { "compute", "c",  "all", "pair/gran/local", "history", "torque",
+					    "force",   "id", "pos" };
+	struct ts_pairing p = { .name = "out",
+				.kind = TS_FRAMES_DUMP,
+				.folder = { "a", "b" },
+				.file = { one_file, one_file },
+				.meanings = m };
 
 	*m = (struct ts_meanings){ .err = &sim->error, .pool = sim->pool };
 	ck_assert_int_eq(ts_meanings_take(m, line, 9), TS_OK);
@@ -170,7 +173,8 @@ static struct ts_pairing compared_contacts(struct ts_meanings *m, const char *a,
 	return p;
 }
 
-/* Columns: x of both partners, both ids, force, torque, history. The second contact stands the other way round. */
+/* Columns: x of both partners, both ids, force, torque, history. The second contact stands the other way
+ * round. */
 START_TEST(partners_in_the_other_order)
 {
 	static const char here[] = CONTACTS("2", "0.5 1.5 1 2 7.5 0.25 3.5\n2.5 4.5 3 5 1.5 0.75 2.5\n");
@@ -197,7 +201,9 @@ START_TEST(partners_in_the_other_order)
 		ck_assert_uint_eq(p.rows_alone, 0);
 		ck_assert_uint_eq(p.turned, k < 5);
 		for (size_t n = 0; n < p.columns; n++)
-			ck_assert_msg(p.column[n].parts == (cases[k].parts && (ts_streq(p.column[n].name, cases[k].parts) ||
+			ck_assert_msg(p.column[n].parts ==
+					      (cases[k].parts &&
+					       (ts_streq(p.column[n].name, cases[k].parts) ||
 						(k == 3 && ts_streq(p.column[n].name, "c_c[4]")))),
 				      "%zu: %s", k, p.column[n].name);
 		ts_compare_release(&p);
@@ -213,7 +219,8 @@ START_TEST(empty_frames)
 	struct ts_str text = { 0 };
 
 	ck_assert_uint_eq(p.frames, 1);
-	ck_assert(p.columns == 7 && !ts_compare_lacks(&p.column[0], TS_HERE) && !ts_compare_lacks(&p.column[0], TS_PEER));
+	ck_assert(p.columns == 7 && !ts_compare_lacks(&p.column[0], TS_HERE) &&
+		  !ts_compare_lacks(&p.column[0], TS_PEER));
 	ts_report_pairing(&p, false, "peer", &text);
 	ck_assert_str_eq(ts_str_text(&text), "\nout: 1 step, empty in both\n");
 	ts_str_release(&text);
@@ -229,10 +236,14 @@ END_TEST
 START_TEST(differences_on_purpose)
 {
 	static const char *const lines[][5] = {
-		{ "compute", "stored_energy", "all", "pe" },   { "compute", "one", "all", "pe/atom" },
-		{ "compute", "other", "all", "ke" },	       { "variable", "sum", "equal", "c_stored_energy+1" },
-		{ "variable", "more", "equal", "2*v_sum" },    { "variable", "plain", "equal", "c_other+peak" },
-		{ "variable", "total", "equal", "etotal/atoms" }, { "compute", "x", "all", "pe" },
+		{ "compute", "stored_energy", "all", "pe" },
+		{ "compute", "one", "all", "pe/atom" },
+		{ "compute", "other", "all", "ke" },
+		{ "variable", "sum", "equal", "c_stored_energy+1" },
+		{ "variable", "more", "equal", "2*v_sum" },
+		{ "variable", "plain", "equal", "c_other+peak" },
+		{ "variable", "total", "equal", "etotal/atoms" },
+		{ "compute", "x", "all", "pe" },
 		{ "variable", "x", "equal", "1+1" },
 	};
 	struct ts_meanings m = { .err = &sim->error, .pool = sim->pool };
@@ -241,17 +252,20 @@ START_TEST(differences_on_purpose)
 		const char *column;
 		bool differs;
 	} cases[] = {
-		{ TS_FRAMES_THERMO, "stored_e", true }, { TS_FRAMES_THERMO, "PotEng", true }, { TS_FRAMES_THERMO, "KinEng", false },
-		{ TS_FRAMES_TEXT, "c_stored_energy", true }, { TS_FRAMES_DUMP, "c_one", true }, { TS_FRAMES_DUMP, "c_other", false },
-		{ TS_FRAMES_TEXT, "v_sum", true }, { TS_FRAMES_TEXT, "v_more", true }, { TS_FRAMES_THERMO, "plain", false },
-		{ TS_FRAMES_THERMO, "total", true }, { TS_FRAMES_TEXT, "c_x", true }, { TS_FRAMES_TEXT, "PotEng", false },
+		{ TS_FRAMES_THERMO, "stored_e", true }, { TS_FRAMES_THERMO, "PotEng", true },
+		{ TS_FRAMES_THERMO, "KinEng", false },	{ TS_FRAMES_TEXT, "c_stored_energy", true },
+		{ TS_FRAMES_DUMP, "c_one", true },	{ TS_FRAMES_DUMP, "c_other", false },
+		{ TS_FRAMES_TEXT, "v_sum", true },	{ TS_FRAMES_TEXT, "v_more", true },
+		{ TS_FRAMES_THERMO, "plain", false },	{ TS_FRAMES_THERMO, "total", true },
+		{ TS_FRAMES_TEXT, "c_x", true },	{ TS_FRAMES_TEXT, "PotEng", false },
 		{ TS_FRAMES_THERMO, "x", false }, /* it may be either */
 	};
 
 	for (size_t k = 0; k < sizeof lines / sizeof *lines; k++)
 		ck_assert_int_eq(ts_meanings_take(&m, lines[k], 4), TS_OK);
 	for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
-		ck_assert_msg(ts_meanings_differ(&m, cases[k].kind, cases[k].column) == cases[k].differs, "%s", cases[k].column);
+		ck_assert_msg(ts_meanings_differ(&m, cases[k].kind, cases[k].column) == cases[k].differs,
+			      "%s", cases[k].column);
 	ts_meanings_release(&m);
 }
 END_TEST
@@ -259,8 +273,7 @@ END_TEST
 /* Mean, spread and distribution after parting: the same values in another order have the same profile. */
 START_TEST(statistics)
 {
-	struct ts_pairing p = compared(TS_FRAMES_DUMP,
-				       DUMP("0", "4", "1 1 0\n2 2 0\n3 3 0\n4 4 0\n"),
+	struct ts_pairing p = compared(TS_FRAMES_DUMP, DUMP("0", "4", "1 1 0\n2 2 0\n3 3 0\n4 4 0\n"),
 				       DUMP("0", "4", "1 4 0\n2 3 1\n3 2 1\n4 1 0\n"));
 	const struct ts_compared *vx = column(&p, "vx"), *vy = column(&p, "vy");
 
@@ -279,16 +292,19 @@ END_TEST
 /* Rows of fix ave/time and of blocks have the names of the comment above them. */
 START_TEST(averages)
 {
-	struct ts_pairing p = compared(TS_FRAMES_TEXT,
-				       "# Time-averaged data for fix a\n# TimeStep c_e v_q\n100 2 7\n200 3 7\n",
-				       "# Time-averaged data for fix a\n# TimeStep c_e v_q\n100 2 7\n200 4 7\n");
+	struct ts_pairing p =
+		compared(TS_FRAMES_TEXT,
+			 "# Time-averaged data for fix a\n# TimeStep c_e v_q\n100 2 7\n200 3 7\n",
+			 "# Time-averaged data for fix a\n# TimeStep c_e v_q\n100 2 7\n200 4 7\n");
 
 	ck_assert_int_eq(column(&p, "c_e")->parts_at, 200);
 	ck_assert(!column(&p, "v_q")->parts);
 	ts_compare_release(&p);
 	p = compared(TS_FRAMES_TEXT,
-		     "# Chunks\n# Timestep Number-of-chunks\n# Chunk vx\n100 2\n1 0.5\n2 0.75\n200 1\n1 2.5\n",
-		     "# Chunks\n# Timestep Number-of-chunks\n# Chunk vx\n100 2\n1 0.5\n2 0.75\n200 1\n1 2.75\n");
+		     "# Chunks\n# Timestep Number-of-chunks\n# Chunk vx\n100 2\n1 0.5\n2 0.75\n200 1\n1 "
+		     "2.5\n",
+		     "# Chunks\n# Timestep Number-of-chunks\n# Chunk vx\n100 2\n1 0.5\n2 0.75\n200 1\n1 "
+		     "2.75\n");
 	ck_assert_uint_eq(p.frames, 2);
 	ck_assert_int_eq(column(&p, "vx")->parts_at, 200);
 	ck_assert(!column(&p, "Chunk")->parts);
@@ -317,19 +333,20 @@ END_TEST
 START_TEST(vtk_files)
 {
 	static const char *const file[] = { "v20.vtk", NULL };
-	struct ts_pairing p = { .name = "v", .kind = TS_FRAMES_VTK, .folder = { "a", "b" },
-				.file = { file, file } };
+	struct ts_pairing p = {
+		.name = "v", .kind = TS_FRAMES_VTK, .folder = { "a", "b" }, .file = { file, file }
+	};
 
 	put("a/v20.vtk", "# vtk DataFile Version 3.0\ntsim 5 7\nASCII\nDATASET POLYDATA\n"
 			 "POINTS 2 double\n1 2 3\n4 5 6\nVERTICES 2 4\n1 0\n1 1\nPOINT_DATA 2\n"
 			 "VECTORS v double\n1 0 0 2 0 0\nSCALARS id int 1\nLOOKUP_TABLE default\n1 2\n"
 			 "CELL_DATA 2\nSCALARS area double\nLOOKUP_TABLE default\n3 4\n");
-	put("b/v20.vtk", "# vtk DataFile Version 5.1\nGenerated by LIGGGHTS\nASCII\nDATASET POLYDATA\n"
-			 "POINTS 2 float\n4 5 6 1 2 3\nVERTICES 3 2\nOFFSETS vtktypeint64\n0 1 2\n"
-			 "CONNECTIVITY vtktypeint64\n0 1\nPOINT_DATA 2\nFIELD FieldData 2\nid 1 2 int\n2 1\n"
-			 "v 3 2 double\n2.5 0 0\n1 0 0\nCELL_DATA 2\nFIELD FieldData 1\narea 1 2 double\n3 4\n");
-	ck_assert_msg(ts_compare(&p, 1e-6, &sim->error, sim->pool) == TS_OK, "%s",
-		      sim->error.message);
+	put("b/v20.vtk",
+	    "# vtk DataFile Version 5.1\nGenerated by LIGGGHTS\nASCII\nDATASET POLYDATA\n"
+	    "POINTS 2 float\n4 5 6 1 2 3\nVERTICES 3 2\nOFFSETS vtktypeint64\n0 1 2\n"
+	    "CONNECTIVITY vtktypeint64\n0 1\nPOINT_DATA 2\nFIELD FieldData 2\nid 1 2 int\n2 1\n"
+	    "v 3 2 double\n2.5 0 0\n1 0 0\nCELL_DATA 2\nFIELD FieldData 1\narea 1 2 double\n3 4\n");
+	ck_assert_msg(ts_compare(&p, 1e-6, &sim->error, sim->pool) == TS_OK, "%s", sim->error.message);
 	ck_assert_uint_eq(p.frames, 2);
 	ck_assert_uint_eq(p.columns, 8);
 	ck_assert_int_eq(column(&p, "v[1]")->parts_at, 20);
@@ -396,8 +413,7 @@ START_TEST(numbered_files_go_together)
 			put(path, k == 3 ? "\x01\x02" : k == 2 ? "tsim 0\n" : "ITEM: TIMESTEP\n");
 		}
 		put(who ? "b/theirs" : "a/ours", "1\n");
-		ck_assert_int_eq(ts_folder_list(folder[who], 0, &o.listing[who], sim->pool,
-						&sim->error),
+		ck_assert_int_eq(ts_folder_list(folder[who], 0, &o.listing[who], sim->pool, &sim->error),
 				 TS_OK);
 	}
 	ck_assert_int_eq(ts_outputs_pair(&o, folder, &sim->error, sim->pool), TS_OK);

@@ -1,5 +1,5 @@
-/* Passes over particles that wait for each other: in their order, with the context they were given, and a run with
- * them is the run in which each is done at once. */
+/* Passes over particles that wait for each other: in their order, with the context they were given, and a
+ * run with them is the run in which each is done at once. */
 #include "deck.h"
 
 #include "core/sim.h"
@@ -62,7 +62,8 @@ static struct tsim *fall(const char *more)
 			 "create_box 2 box\n"
 			 "fix y all property/global youngsModulus peratomtype 5e6 5e6\n"
 			 "fix n all property/global poissonsRatio peratomtype 0.3 0.3\n"
-			 "fix e all property/global coefficientRestitution peratomtypepair 2 0.7 0.5 0.5 0.6\n"
+			 "fix e all property/global coefficientRestitution peratomtypepair 2 0.7 0.5 0.5 "
+			 "0.6\n"
 			 "fix c all property/global coefficientFriction peratomtypepair 2 0.4 0.3 0.3 0.2\n"
 			 "pair_style gran model hertz tangential history\n"
 			 "pair_coeff * *\n"

@@ -1,5 +1,5 @@
-/* Laws of drag and lift by themselves: the exchange of a bed against the formulae as they are printed, pressure
- * drops and velocities known otherwise, measurements, limits. */
+/* Laws of drag and lift by themselves: the exchange of a bed against the formulae as they are printed,
+ * pressure drops and velocities known otherwise, measurements, limits. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -68,11 +68,12 @@ START_TEST(one_sphere_is_the_limit)
 	for (s.speed = 0.0031; s.speed < 1; s.speed *= 2.385) {
 		close_to(ts_drag_wen_yu(&s), ts_drag_schiller_naumann(&s), 1e-14);
 		close_to(ts_drag_gidaspow(&s), ts_drag_schiller_naumann(&s), 1e-14);
-		/* Cd = (0.63 + 4.8/sqrt(Re))^2: J. M. Dallavalle, Micromeritics (1948), as R. Di Felice, Int. J.
-		 * Multiphase Flow 20 (1994) 153 takes it */
+		/* Cd = (0.63 + 4.8/sqrt(Re))^2: J. M. Dallavalle, Micromeritics (1948), as R. Di Felice,
+		 * Int. J. Multiphase Flow 20 (1994) 153 takes it */
 		re = 963.0 * s.speed * s.diameter / 1.37e-3;
 		cd = pow(0.63 + 4.8 / sqrt(re), 2);
-		close_to(ts_drag_di_felice(&s), TS_PI / 8 * 963.0 * s.diameter * s.diameter * s.speed * cd, 1e-14);
+		close_to(ts_drag_di_felice(&s), TS_PI / 8 * 963.0 * s.diameter * s.diameter * s.speed * cd,
+			 1e-14);
 	}
 	/* the void fraction is no business of a sphere alone */
 	s.speed = 0.0731;
@@ -123,8 +124,7 @@ static void measured(double *rms, double *most, double from, double to)
 	FILE *f;
 	int n = 0;
 
-	snprintf(name, sizeof name, "%s/tests/data/sphere_drag_roos_willmarth1971.csv",
-		 dir ? dir : ".");
+	snprintf(name, sizeof name, "%s/tests/data/sphere_drag_roos_willmarth1971.csv", dir ? dir : ".");
 	f = fopen(name, "r");
 	ck_assert_ptr_nonnull(f);
 	*rms = *most = 0;

@@ -70,10 +70,12 @@ END_TEST
 /* Two drags relax the particle as one with the sum of their coefficients. */
 START_TEST(drags_together)
 {
-	static const char *const schemes[][2] = { { "exact", "exact" }, { "implicit", "exact" }, { "exact axes z", "exact" } };
+	static const char *const schemes[][2] = { { "exact", "exact" },
+						  { "implicit", "exact" },
+						  { "exact axes z", "exact" } };
 	const double c = 3 * PI * 1e-2 * 1e-3, weight = PI / 6 * 1e-9 * 2385 * 0.5;
-	const char *lines[FIXES] = { NULL, "fix g all gravity 0.5 vector 0 0 -1", NULL, "fix a all addforce 1e-7 0 0",
-				     "fix v all addforce 0 2e-7 0" };
+	const char *lines[FIXES] = { NULL, "fix g all gravity 0.5 vector 0 0 -1", NULL,
+				     "fix a all addforce 1e-7 0 0", "fix v all addforce 0 2e-7 0" };
 	char line[2][80];
 	double first[3];
 
@@ -97,7 +99,8 @@ START_TEST(drags_together)
 }
 END_TEST
 
-/* One relaxation under a constant force is exact at half steps, added mass and drags' order whatever they are. */
+/* One relaxation under a constant force is exact at half steps, added mass and drags' order whatever they
+ * are. */
 START_TEST(added_mass_in_every_order)
 {
 	const double volume = PI / 6 * 1e-9, mass = 2385 * volume, inert = mass + 500 * volume;
@@ -123,26 +126,28 @@ END_TEST
 
 /* ---- a suspension */
 
-static const char suspension[] = "units si\n"
-				 "boundary p p p\n"
-				 "newton off\n"
-				 "communicate single vel yes\n"
-				 "region box block 0 0.004 0 0.004 0 0.004 units box\n"
-				 "create_box 1 box\n"
-				 "lattice sc 0.0005 origin 0.5 0.5 0.5\n"
-				 "create_atoms 1 box\n"
-				 "set group all diameter 0.0003 density 2385\n"
-				 "flow_style projection cells 4 4 4 viscosity 1e-2 density 1000 body_force 0 0 0.1\n"
-				 "pressure_style cg\n"
-				 "fix e all void_fraction\n"
-				 "fix m all nve\n";
+static const char suspension[] =
+	"units si\n"
+	"boundary p p p\n"
+	"newton off\n"
+	"communicate single vel yes\n"
+	"region box block 0 0.004 0 0.004 0 0.004 units box\n"
+	"create_box 1 box\n"
+	"lattice sc 0.0005 origin 0.5 0.5 0.5\n"
+	"create_atoms 1 box\n"
+	"set group all diameter 0.0003 density 2385\n"
+	"flow_style projection cells 4 4 4 viscosity 1e-2 density 1000 body_force 0 0 0.1\n"
+	"pressure_style cg\n"
+	"fix e all void_fraction\n"
+	"fix m all nve\n";
 
 /* The slip of a suspension is that of the law of its void fraction, in every order. */
 START_TEST(suspension_in_every_order)
 {
 	const char *lines[FIXES] = { "fix d all drag/di_felice scheme exact",
-				     "fix p all flow/pressure_gradient", "fix g all gravity 2.0 vector 0 0 -1",
-				     "fix b all addforce 0 0 1e-8", "fix l all lift/saffman" };
+				     "fix p all flow/pressure_gradient",
+				     "fix g all gravity 2.0 vector 0 0 -1", "fix b all addforce 0 0 1e-8",
+				     "fix l all lift/saffman" };
 	double first = 0;
 
 	for (int k = 0; k < ORDERS; k += 17) {
@@ -172,7 +177,8 @@ static const char beads[] = "units si\n"
 			    "velocity all set 0.1 0.2 0.3\n"
 			    "flow_style projection cells 4 4 4 viscosity 1.3 density 131\n";
 
-/* What is held takes nothing, the fluid feels the drag at its velocity and is slowed by the same as by explicit drag. */
+/* What is held takes nothing, the fluid feels the drag at its velocity and is slowed by the same as by
+ * explicit drag. */
 START_TEST(where_motion_is_given)
 {
 	static const struct {
@@ -227,13 +233,17 @@ END_TEST
 
 START_TEST(a_common_force_is_refused)
 {
-	struct tsim *sim = deck_open("%sfix d all drag/stokes scheme exact\nfix s all aveforce 0 0 0\ntimestep 1e-3",
-				     alone);
+	struct tsim *sim =
+		deck_open("%sfix d all drag/stokes scheme exact\nfix s all aveforce 0 0 0\ntimestep 1e-3",
+			  alone);
 
 	ck_assert(!deck_accepts(sim, "run 1"));
-	ck_assert(strstr(tsim_error(sim), "gives particles of this group a common force: put fix aveforce before"));
+	ck_assert(strstr(tsim_error(sim),
+			 "gives particles of this group a common force: put fix aveforce before"));
 	tsim_close(sim);
-	sim = deck_open("%sfix s all aveforce 0 0 0\nfix d all drag/stokes scheme exact\ntimestep 1e-3\nrun 1", alone);
+	sim = deck_open("%sfix s all aveforce 0 0 0\nfix d all drag/stokes scheme exact\ntimestep 1e-3\nrun "
+			"1",
+			alone);
 	tsim_close(sim);
 }
 END_TEST

@@ -166,8 +166,8 @@ static void prepare(struct impact *s, unsigned k, double restitution)
 	s->body[0].v[2] = -speed * cos(tilt);
 	for (unsigned b = 0; b < 2; b++)
 		for (unsigned d = 0; d < 3 && k % 7; d++)
-			s->body[b].w[d] = 4 * (spread(100 + 6 * k + 3 * b + d) - 0.5) * speed /
-					  s->body[b].radius;
+			s->body[b].w[d] =
+				4 * (spread(100 + 6 * k + 3 * b + d) - 0.5) * speed / s->body[b].radius;
 }
 
 /* The numbers of these laws; their restitution is e (D. Antypov, J. A. Elliott, EPL 94 (2011) 50004). */
@@ -228,9 +228,10 @@ START_TEST(energy_never_grows)
 }
 END_TEST
 
-/* The laws by the contact area. Slip that sees the radii, and torques that see less, give no energy, nor do Mindlin's
- * springs at Hertzian contacts. On a linear spring, whose dashpot does not fade with the area, the slider leaves a
- * spring by length at the first touch that later is worth more: that combination is left out. */
+/* The laws by the contact area. Slip that sees the radii, and torques that see less, give no energy, nor
+ * do Mindlin's springs at Hertzian contacts. On a linear spring, whose dashpot does not fade with the
+ * area, the slider leaves a spring by length at the first touch that later is worth more: that combination
+ * is left out. */
 START_TEST(area_laws_lose)
 {
 	struct ts_granular_model m = { .normal = TS_NORMAL_AREA_HOOKE + _i % 4,
@@ -240,8 +241,8 @@ START_TEST(area_laws_lose)
 				       .damping = TS_DAMPING_RESTITUTION,
 				       .full_slip = true };
 
-	if (m.normal == TS_NORMAL_AREA_HOOKE && (m.tangential == TS_TANGENTIAL_MINDLIN ||
-						 m.tangential == TS_TANGENTIAL_MINDLIN_RESCALE))
+	if (m.normal == TS_NORMAL_AREA_HOOKE &&
+	    (m.tangential == TS_TANGENTIAL_MINDLIN || m.tangential == TS_TANGENTIAL_MINDLIN_RESCALE))
 		return;
 	ck_assert_double_le(worst(&m, false), 1e-4);
 	ck_assert_double_le(worst(&m, true), 1e-4);

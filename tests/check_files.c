@@ -124,8 +124,10 @@ START_TEST(closed_door)
 	ck_assert(opens(&files, "in/a", "r") && !opens(&files, "in/a", "a") && !opens(&files, "in/b", "w"));
 	ck_assert(!opens(&files, "run/old", "r"));
 	ck_assert(strstr(ts_files_why(&files), "reads only below") != NULL);
-	ck_assert(opens(&files, "run/new", "w") && opens(&files, "run/new", "r") && opens(&files, "run/old", "a"));
-	ck_assert(!opens(&files, "run/old", "r") && opens(&files, "run/old", "w") && opens(&files, "run/old", "r"));
+	ck_assert(opens(&files, "run/new", "w") && opens(&files, "run/new", "r") &&
+		  opens(&files, "run/old", "a"));
+	ck_assert(!opens(&files, "run/old", "r") && opens(&files, "run/old", "w") &&
+		  opens(&files, "run/old", "r"));
 	ck_assert(!opens(&files, "other/secret", "r") && !opens(&files, "run", "w") && errno == EISDIR);
 	ck_assert_int_eq(ts_files_look(&files, "other/secret", &info), -1);
 	ck_assert_int_eq(errno, EACCES);
@@ -200,7 +202,8 @@ static int attack(struct ts_files *files, bool paths, bool calls)
 	if (paths && (open("/proc/self/environ", O_RDONLY) >= 0 || open("/etc/passwd", O_RDONLY) >= 0))
 		return 4;
 	own = open("run/own", O_RDWR | O_CREAT, 0666);
-	if (own < 0 || write(own, "x", 1) != 1 || open("in/a", O_RDONLY) < 0 || open("/dev/null", O_WRONLY) < 0)
+	if (own < 0 || write(own, "x", 1) != 1 || open("in/a", O_RDONLY) < 0 ||
+	    open("/dev/null", O_WRONLY) < 0)
 		return 5;
 	(void)files;
 	if (!calls)
@@ -209,7 +212,8 @@ static int attack(struct ts_files *files, bool paths, bool calls)
 		return 6;
 	if (socket(AF_UNIX, SOCK_STREAM, 0) >= 0 || socket(AF_INET, SOCK_STREAM, 0) >= 0)
 		return 7;
-	if (symlink("../other", "run/link") == 0 || link("in/a", "run/hard") == 0 || chmod("other/secret", 0) == 0)
+	if (symlink("../other", "run/link") == 0 || link("in/a", "run/hard") == 0 ||
+	    chmod("other/secret", 0) == 0)
 		return 8;
 	return 0;
 }

@@ -33,10 +33,11 @@ static void run_channel(int solid, const char *words, double tolerance)
 	double worst = 0;
 
 	/* u = G/(2 nu) y (1 - y) */
-	deck(sim, "flow_style projection cells 6 9 %d viscosity 0.2385 density 2 body_force 0.7 0 0 %s\n"
-		  "pressure_style cg tolerance 1e-13\n"
-		  "timestep 0.01\n"
-		  "run 2000\n",
+	deck(sim,
+	     "flow_style projection cells 6 9 %d viscosity 0.2385 density 2 body_force 0.7 0 0 %s\n"
+	     "pressure_style cg tolerance 1e-13\n"
+	     "timestep 0.01\n"
+	     "run 2000\n",
 	     solid ? 4 : 1, words);
 	fluid = fluid_of(sim);
 	for (int j = 0; j < 9; j++) {
@@ -97,8 +98,8 @@ static double vortices_error(int n, double dt, int steps, const char *words)
 	for (int j = 0; j < n; j++)
 		for (int i = 0; i < n; i++) {
 			double x = (double)i / n - 0.71 * t, y = (j + 0.5) / n - 0.37 * t;
-			double exact = 0.71 + sin(2 * PI * x) * cos(2 * PI * y) *
-						      exp(-8 * PI * PI * 0.02 * t);
+			double exact =
+				0.71 + sin(2 * PI * x) * cos(2 * PI * y) * exp(-8 * PI * PI * 0.02 * t);
 
 			sum += pow(u[j * n + i] - exact, 2);
 		}
@@ -112,8 +113,8 @@ START_TEST(order_in_space)
 		const char *words;
 		double order;
 	} cases[] = {
-		{ "time rk3 convection central", 2 },	  { "time rk3 convection quick", 2 },
-		{ "time rk3 convection cubista", 2 },	  { "time rk3 convection donor gamma 1", 1 },
+		{ "time rk3 convection central", 2 },	    { "time rk3 convection quick", 2 },
+		{ "time rk3 convection cubista", 2 },	    { "time rk3 convection donor gamma 1", 1 },
 		{ "time rk3 convection donor gamma 0", 2 }, { "time rk3 form fd convection central", 2 },
 	};
 	FILE *table = deck_table("Order in space");
@@ -127,10 +128,10 @@ START_TEST(order_in_space)
 		}
 		order = deck_order(step, error, 3);
 		if (table)
-			fprintf(table, "%s\t%g\t%g\t%g\t%.3f\n", cases[k].words, error[0], error[1],
-				error[2], order);
-		ck_assert_msg(order > cases[k].order - 0.25, "%s: order %g, errors %g %g %g",
-			      cases[k].words, order, error[0], error[1], error[2]);
+			fprintf(table, "%s\t%g\t%g\t%g\t%.3f\n", cases[k].words, error[0], error[1], error[2],
+				order);
+		ck_assert_msg(order > cases[k].order - 0.25, "%s: order %g, errors %g %g %g", cases[k].words,
+			      order, error[0], error[1], error[2]);
 	}
 }
 END_TEST
@@ -174,8 +175,8 @@ static double graded_error(int n, const char *words)
 	fluid = fluid_of(sim);
 	for (int j = 0; j < n; j++)
 		for (int i = 0; i < n; i++) {
-			double exact = sin(PI * fluid->grid.face[0][i]) *
-				       cos(PI * fluid->grid.centre[1][j]) * exp(-2 * PI * PI * 0.02 * 0.2);
+			double exact = sin(PI * fluid->grid.face[0][i]) * cos(PI * fluid->grid.centre[1][j]) *
+				       exp(-2 * PI * PI * 0.02 * 0.2);
 
 			sum += pow(fluid->u[0][ts_at(&fluid->grid, i, j, 0)] - exact, 2);
 		}
@@ -244,9 +245,9 @@ START_TEST(sampling)
 	for (int k = -2; k < 7; k++)
 		for (int j = -2; j < 11; j++)
 			for (int i = -2; i < 9; i++)
-				fluid->p[ts_at(&fluid->grid, i, j, k)] =
-					1.3 + 2 * fluid->grid.centre[0][i] - 3 * fluid->grid.centre[1][j] +
-					5 * fluid->grid.centre[2][k];
+				fluid->p[ts_at(&fluid->grid, i, j, k)] = 1.3 + 2 * fluid->grid.centre[0][i] -
+									 3 * fluid->grid.centre[1][j] +
+									 5 * fluid->grid.centre[2][k];
 	value = ts_fluid_value(fluid, fluid->p, x, gradient);
 	DECK_NEAR(value, 1.3 + 2 * x[0] - 3 * x[1] + 5 * x[2], 1e-13);
 	DECK_NEAR(gradient[0], 2, 1e-12);
@@ -341,7 +342,8 @@ START_TEST(even_room)
 			deck(sim[k], cavity, solid ? 4 : 1, "convection quick time rk3");
 			fluid[k] = fluid_of(sim[k]);
 			if (k == 1) {
-				ck_assert_int_eq(ts_fluid_require_fields(fluid[k], sim[k], TS_FLUID_VOID), TS_OK);
+				ck_assert_int_eq(ts_fluid_require_fields(fluid[k], sim[k], TS_FLUID_VOID),
+						 TS_OK);
 				set_room(fluid[k], 0.385, 0);
 			}
 			deck(sim[k], "run 20");
@@ -392,13 +394,15 @@ START_TEST(bed)
 		struct ts_fluid *fluid;
 		double slope;
 
-		deck(sim, "flow_style projection cells 10 4 1 viscosity 0.05 density 1.7 time %s\n"
-			  "flow_boundary xlo inlet velocity %g 0 0\nflow_boundary xhi outlet\n"
-			  "flow_boundary ylo slip\nflow_boundary yhi slip\n"
-			  "pressure_style cg tolerance 1e-13\ntimestep 0.01\n",
+		deck(sim,
+		     "flow_style projection cells 10 4 1 viscosity 0.05 density 1.7 time %s\n"
+		     "flow_boundary xlo inlet velocity %g 0 0\nflow_boundary xhi outlet\n"
+		     "flow_boundary ylo slip\nflow_boundary yhi slip\n"
+		     "pressure_style cg tolerance 1e-13\ntimestep 0.01\n",
 		     times[s], u0);
 		fluid = fluid_of(sim);
-		ck_assert_int_eq(ts_fluid_require_fields(fluid, sim, TS_FLUID_VOID | TS_FLUID_EXCHANGE), TS_OK);
+		ck_assert_int_eq(ts_fluid_require_fields(fluid, sim, TS_FLUID_VOID | TS_FLUID_EXCHANGE),
+				 TS_OK);
 		set_room(fluid, e, 0);
 		for (int step = 0; step < 5; step++) {
 			set_exchange(fluid, k);
@@ -441,19 +445,21 @@ static int use_all(struct tsim *sim)
 	struct ts_instance *flow;
 	int code;
 
-	code = tsim_string(sim,
-			   "units si\nboundary f f p\ndimension 2\n"
-			   "region box block 0 2 0 1 -0.5 0.5 units box\ncreate_box 1 box\n"
-			   "variable y internal 0\nvariable u equal v_y*(1-v_y)\n"
-			   "flow_style projection cells 4 3 1 viscosity 0.05 density 1.7 time ab2 viscous implicit\n"
-			   "flow_grid y tanh 1.1\n"
-			   "flow_boundary xlo inlet velocity v_u 0 0 set y y\nflow_boundary xhi outlet\n"
-			   "flow_set velocity v_u 0 0 set y y\ntimestep 0.01\nrun 1\n"
-			   "flow_style none\nflow_style projection cells 4 3 1 viscosity 0.05 density 1.7 time rk3\n");
+	code = tsim_string(sim, "units si\nboundary f f p\ndimension 2\n"
+				"region box block 0 2 0 1 -0.5 0.5 units box\ncreate_box 1 box\n"
+				"variable y internal 0\nvariable u equal v_y*(1-v_y)\n"
+				"flow_style projection cells 4 3 1 viscosity 0.05 density 1.7 time ab2 "
+				"viscous implicit\n"
+				"flow_grid y tanh 1.1\n"
+				"flow_boundary xlo inlet velocity v_u 0 0 set y y\nflow_boundary xhi outlet\n"
+				"flow_set velocity v_u 0 0 set y y\ntimestep 0.01\nrun 1\n"
+				"flow_style none\nflow_style projection cells 4 3 1 viscosity 0.05 density "
+				"1.7 time rk3\n");
 	if (code)
 		return code;
 	flow = ts_sim_only(sim, TS_KIND_FLOW);
-	if (ts_fluid_require_fields(ts_flow_style_of(flow)->fluid(flow), sim, TS_FLUID_VOID | TS_FLUID_EXCHANGE) != TS_OK)
+	if (ts_fluid_require_fields(ts_flow_style_of(flow)->fluid(flow), sim,
+				    TS_FLUID_VOID | TS_FLUID_EXCHANGE) != TS_OK)
 		return TSIM_NOMEM;
 	return tsim_string(sim, "run 1");
 }

@@ -1,5 +1,5 @@
-/* Numbers out of the fields of a fluid: interpolation, energy, vorticity, fluxes, forces on faces; on a graded
- * grid with fields of which the answer is known. */
+/* Numbers out of the fields of a fluid: interpolation, energy, vorticity, fluxes, forces on faces; on a
+ * graded grid with fields of which the answer is known. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* Forces of contacts that nobody looks at stand in few slots, each used by one row at a time, and are the same. */
+/* Forces of contacts that nobody looks at stand in few slots, each used by one row at a time, and are the
+ * same. */
 #include "deck.h"
 
 #include "base/alloc.h"
@@ -43,7 +44,8 @@ struct watch {
 static void add_chunk(const struct watch *w, size_t c)
 {
 	const struct ts_contact_list *rows = w->rows;
-	size_t last = (c + 1) * TS_CONTACT_CHUNK < rows->particles ? (c + 1) * TS_CONTACT_CHUNK : rows->particles;
+	size_t last =
+		(c + 1) * TS_CONTACT_CHUNK < rows->particles ? (c + 1) * TS_CONTACT_CHUNK : rows->particles;
 	size_t at = rows->sum_first[c * TS_CONTACT_CHUNK];
 
 	for (size_t k = rows->gather.first[c * TS_CONTACT_CHUNK]; k < rows->gather.first[last]; k++) {
@@ -159,7 +161,8 @@ START_TEST(same_bits)
 }
 END_TEST
 
-/* A formula that names the pressure may be asked within a run, and the last step of each run can be looked at. */
+/* A formula that names the pressure may be asked within a run, and the last step of each run can be looked
+ * at. */
 START_TEST(looked_at)
 {
 	struct tsim *kept = shake("f f f", 1, "compute c all pair/local force\nrun 12");

@@ -4,8 +4,8 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-/* Three spheres of mass 2, 1 and 1 at (1,0,0), (-1,1,0), (-1,-1,0), turning about z with rate 2.5, all of them
- * moving with (0.5, 0, 0.25). Their centre of mass is the origin. */
+/* Three spheres of mass 2, 1 and 1 at (1,0,0), (-1,1,0), (-1,-1,0), turning about z with rate 2.5, all of
+ * them moving with (0.5, 0, 0.25). Their centre of mass is the origin. */
 static const char turning[] =
 	"boundary f f f\nregion box block -3 3 -3 3 -3 3 units box\ncreate_box 2 box\n"
 	"create_atoms 1 single 1 0 0 units box\ncreate_atoms 2 single -1 1 0 units box\n"
@@ -69,8 +69,7 @@ static void sequence(const char *function, const char *steps, const char *values
 			 value(function));
 		at += n;
 	}
-	ck_assert_msg(strcmp(got, values) == 0, "%s at %s is %s, not %s", function, steps, got,
-		      values);
+	ck_assert_msg(strcmp(got, values) == 0, "%s at %s is %s, not %s", function, steps, got, values);
 }
 
 START_TEST(steps)
@@ -81,8 +80,7 @@ START_TEST(steps)
 	sequence("logfreq2(10,7,3)", "0 10 11 30 56", "10 13 13 39 65");
 	sequence("logfreq3(10,25,1000)", "0 10 11 55 99 400", "10 13 13 57 100 465");
 	sequence("stride(100,1000,7)", "0 100 995 996", "100 107 996 9e+18");
-	sequence("stride2(0,1000,100,140,180,7)", "100 140 174 175 200 1000",
-		 "140 147 175 200 300 9e+18");
+	sequence("stride2(0,1000,100,140,180,7)", "100 140 174 175 200 1000", "140 147 175 200 300 9e+18");
 	expect_error("print $(stagger(3,5))", 1, 9, 12, "x > y > 0");
 	expect_error("print $(logfreq(10,10,10))", 1, 9, 17, "needs y < z");
 	expect_error("print $(logfreq2(0,1,10))", 1, 9, 16, "needs x > 0");

@@ -9,8 +9,7 @@
 
 enum { N = 400 };
 
-static bool near_directly(double x[][3], int n, const struct ts_box *box, const double at[3],
-			  double distance)
+static bool near_directly(double x[][3], int n, const struct ts_box *box, const double at[3], double distance)
 {
 	for (int i = 0; i < n; i++) {
 		double d[3];

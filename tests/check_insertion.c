@@ -62,8 +62,8 @@ static void compare_means(const struct ts_spread *s, int power)
 START_TEST(spreads_have_their_means)
 {
 	const struct ts_spread spreads[] = {
-		{ TS_SPREAD_UNIFORM, false, 0.7, 2.385 }, { TS_SPREAD_UNIFORM, true, 0.7, 2.385 },
-		{ TS_SPREAD_NORMAL, false, 2.385, 0.31 }, { TS_SPREAD_NORMAL, true, 2.385, 0.31 },
+		{ TS_SPREAD_UNIFORM, false, 0.7, 2.385 },   { TS_SPREAD_UNIFORM, true, 0.7, 2.385 },
+		{ TS_SPREAD_NORMAL, false, 2.385, 0.31 },   { TS_SPREAD_NORMAL, true, 2.385, 0.31 },
 		{ TS_SPREAD_LOGNORMAL, false, 2.385, 0.2 }, { TS_SPREAD_LOGNORMAL, true, 2.385, 0.2 },
 	};
 	struct ts_spread constant = { TS_SPREAD_CONSTANT, false, 2.385, 0 };
@@ -85,20 +85,16 @@ START_TEST(uniform_means_are_exact)
 	const struct ts_spread number = { TS_SPREAD_UNIFORM, false, a, b };
 	const struct ts_spread mass = { TS_SPREAD_UNIFORM, true, a, b };
 
-	ck_assert_double_eq_tol(ts_spread_mean(&number, 3),
-				(a + b) * (a * a + b * b) / 4, 1e-13);
-	ck_assert_double_eq_tol(ts_spread_mean(&mass, 3),
-				2 * (b - a) / (1 / (a * a) - 1 / (b * b)), 1e-10);
+	ck_assert_double_eq_tol(ts_spread_mean(&number, 3), (a + b) * (a * a + b * b) / 4, 1e-13);
+	ck_assert_double_eq_tol(ts_spread_mean(&mass, 3), 2 * (b - a) / (1 / (a * a) - 1 / (b * b)), 1e-10);
 }
 END_TEST
 
-/* Two unit spheres that touch, and a small one within: a body of volume 2 x 4 pi / 3 whose moments follow from
- * Steiner's theorem; the sphere around it is exact. To four standard errors. */
+/* Two unit spheres that touch, and a small one within: a body of volume 2 x 4 pi / 3 whose moments follow
+ * from Steiner's theorem; the sphere around it is exact. To four standard errors. */
 START_TEST(clump_has_the_moments_of_its_spheres)
 {
-	struct ts_clump_sphere spheres[] = { { { 1, 2, 3 }, 1 },
-					     { { 1, 2, 5 }, 1 },
-					     { { 1, 2, 3.1 }, 0.3 } };
+	struct ts_clump_sphere spheres[] = { { { 1, 2, 3 }, 1 }, { { 1, 2, 5 }, 1 }, { { 1, 2, 3.1 }, 0.3 } };
 	struct ts_clump clump = { .sphere = spheres, .n = 3 };
 	struct ts_minstd r = ts_minstd_start(15485863);
 	const int n = 200000;

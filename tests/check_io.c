@@ -346,8 +346,7 @@ START_TEST(base64)
 {
 	/* RFC 4648, section 10 */
 	static const char *const plain[] = { "", "f", "fo", "foo", "foob", "fooba", "foobar" };
-	static const char *const coded[] = { "",	 "Zg==",     "Zm8=",	"Zm9v",
-					     "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy" };
+	static const char *const coded[] = { "", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy" };
 	struct ts_str out = { 0 };
 
 	for (size_t k = 0; k < sizeof plain / sizeof *plain; k++) {
@@ -388,16 +387,40 @@ static void same_as_printf(double value)
 	size_t n = ts_decimal_g(value, text);
 
 	snprintf(expected, sizeof expected, "%g", value);
-	ck_assert_msg(n == strlen(expected) && memcmp(text, expected, n) == 0, "%.17g is '%.*s', expected '%s'", value,
-		      (int)n, text, expected);
+	ck_assert_msg(n == strlen(expected) && memcmp(text, expected, n) == 0,
+		      "%.17g is '%.*s', expected '%s'", value, (int)n, text, expected);
 }
 
 /* Of all sizes, just half way between two roundings, and at the ends of both ways to write them. */
 START_TEST(decimals)
 {
-	static const double some[] = { 0, 1, 0.5, 100000, 999999, 999999.5, 1e6, 1234565, 1234575, 0.0001, 0.00009999995,
-				       9.9999995e-5, 1e-5, 1e22, 1e23, 9.999995e26, 1e27, 1e-17, 9.99e-18, 1e-22, 5e-324,
-				       2.2250738585072014e-308, 1.7976931348623157e308, 4.35, 0.1, 2.5e-4, INFINITY };
+	static const double some[] = { 0,
+				       1,
+				       0.5,
+				       100000,
+				       999999,
+				       999999.5,
+				       1e6,
+				       1234565,
+				       1234575,
+				       0.0001,
+				       0.00009999995,
+				       9.9999995e-5,
+				       1e-5,
+				       1e22,
+				       1e23,
+				       9.999995e26,
+				       1e27,
+				       1e-17,
+				       9.99e-18,
+				       1e-22,
+				       5e-324,
+				       2.2250738585072014e-308,
+				       1.7976931348623157e308,
+				       4.35,
+				       0.1,
+				       2.5e-4,
+				       INFINITY };
 	uint64_t bits = 88172645463325252u;
 
 	for (size_t k = 0; k < sizeof some / sizeof *some; k++)
@@ -415,8 +438,8 @@ START_TEST(decimals)
 		bits ^= bits << 17;
 		memcpy(&value, &bits, sizeof value);
 		same_as_printf(value);
-		same_as_printf((double)(bits % 4000001) * power);		/* few digits */
-		same_as_printf(((double)(bits % 1000000) + 0.5) * power);	/* half way, or nearly */
+		same_as_printf((double)(bits % 4000001) * power);	  /* few digits */
+		same_as_printf(((double)(bits % 1000000) + 0.5) * power); /* half way, or nearly */
 		same_as_printf((double)(bits >> 11) / 9007199254740992.0 * power);
 	}
 }

@@ -80,8 +80,7 @@ START_TEST(hertz_and_hooke_at_rest)
 	struct ts_touch t = touch(0.0123, 0.0231, 0.00037, false);
 	double a = sqrt(t.r_eff) * stuff.young, v2 = stuff.velocity * stuff.velocity;
 
-	close_to(contact(&m, t, still, still, still, NULL).normal,
-		 4.0 / 3 * a * pow(t.overlap, 1.5), 1e-14);
+	close_to(contact(&m, t, still, still, still, NULL).normal, 4.0 / 3 * a * pow(t.overlap, 1.5), 1e-14);
 	m.normal = TS_NORMAL_HOOKE;
 	/* as deep as hertz at the characteristic velocity: k d^2 / 2 = 8/15 a d^2.5 = m* V^2 / 2 */
 	close_to(contact(&m, t, still, still, still, NULL).normal,
@@ -214,8 +213,7 @@ START_TEST(wall_is_the_limit_of_areas)
 END_TEST
 
 /* A head-on impact: the energy falls all the time, and the speed after it is e times that before. */
-static double restitution(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-			  double speed)
+static double restitution(const struct ts_granular_model *m, const struct ts_granular_pair *c, double speed)
 {
 	struct ts_touch t = touch(0.0123, 0.0231, 0, false);
 	double h = 1e-8, memory[TS_GRANULAR_MEMORY] = { 0 }, v = -speed, f = 0;

@@ -1,5 +1,5 @@
-/* Laws in stages give what they give for one contact after the other, bit for bit: all combinations of laws, between
- * particles and at walls. */
+/* Laws in stages give what they give for one contact after the other, bit for bit: all combinations of
+ * laws, between particles and at walls. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
@@ -13,11 +13,30 @@ enum { N = 24 };
 static const double DT = 1e-3;
 
 static const struct ts_granular_pair law = {
-	.young = 5e4, .shear = 1.9e4, .log_restitution = -0.51, .damping = -0.16, .velocity = 1.3,
-	.kn = 3e4, .kt = 2e4, .gamman = 21, .gammat = 0.7, .gamman_root = 3, .friction = 0.4,
-	.rolling_friction = 0.1, .rolling_viscosity = 0.3, .rolling_stiffness = 1.7, .cohesion = 30,
-	.unloading = 2.5, .adhesion = 0.6, .plasticity = 0.05, .surface_energy = 0.2,
-	.roll_stiffness = 900, .roll_damping = 7, .twist_stiffness = 500, .twist_damping = 3, .twist_friction = 0.2,
+	.young = 5e4,
+	.shear = 1.9e4,
+	.log_restitution = -0.51,
+	.damping = -0.16,
+	.velocity = 1.3,
+	.kn = 3e4,
+	.kt = 2e4,
+	.gamman = 21,
+	.gammat = 0.7,
+	.gamman_root = 3,
+	.friction = 0.4,
+	.rolling_friction = 0.1,
+	.rolling_viscosity = 0.3,
+	.rolling_stiffness = 1.7,
+	.cohesion = 30,
+	.unloading = 2.5,
+	.adhesion = 0.6,
+	.plasticity = 0.05,
+	.surface_energy = 0.2,
+	.roll_stiffness = 900,
+	.roll_damping = 7,
+	.twist_stiffness = 500,
+	.twist_damping = 3,
+	.twist_friction = 0.2,
 };
 
 /* Numbers between a and b. */
@@ -42,7 +61,8 @@ static void draw_memory(const struct ts_granular_model *m, double memory[])
 {
 	for (int c = 0; c < TS_GRANULAR_MEMORY; c++)
 		memory[c] = draw(-0.02, 0.02);
-	memory[ts_granular_depth_at(m)] = m->rolling == TS_ROLLING_SDS ? memory[ts_granular_depth_at(m)] : draw(0, 0.1);
+	memory[ts_granular_depth_at(m)] =
+		m->rolling == TS_ROLLING_SDS ? memory[ts_granular_depth_at(m)] : draw(0, 0.1);
 	if (ts_tangential_rescales(m))
 		memory[ts_granular_area_at(m)] = draw(0, 0.2);
 }
@@ -52,10 +72,10 @@ static void same(const char *what, int k, const double *one, const double *colum
 {
 	for (int c = 0; c < n; c++)
 		if (memcmp(&one[c], &column[c][k], sizeof *one) != 0)
-			ck_abort_msg("%s[%d] of contact %d: %.17g, in stages %.17g; normal %d, cohesion %d, tangential %d, "
-				     "rolling %d, twisting %d",
-				     what, c, k, one[c], column[c][k], m->normal, m->cohesion, m->tangential, m->rolling,
-				     m->twisting);
+			ck_abort_msg("%s[%d] of contact %d: %.17g, in stages %.17g; normal %d, cohesion %d, "
+				     "tangential %d, rolling %d, twisting %d",
+				     what, c, k, one[c], column[c][k], m->normal, m->cohesion, m->tangential,
+				     m->rolling, m->twisting);
 }
 
 /* ---- particles */
@@ -72,7 +92,8 @@ static void draw_ends(struct ts_contact_ends *e, bool touches)
 	e->imass = 1 / e->mass[0] + 1 / e->mass[1];
 	draw_vector(1, e->v);
 	draw_vector(1, e->d);
-	length = (e->radius[0] + e->radius[1]) * (touches ? draw(0.9, 0.999) : draw(1.001, 1.1)) / ts_norm(e->d);
+	length = (e->radius[0] + e->radius[1]) * (touches ? draw(0.9, 0.999) : draw(1.001, 1.1)) /
+		 ts_norm(e->d);
 	ts_scale(length, e->d, e->d);
 }
 
@@ -133,7 +154,10 @@ static void check_pairs(const struct ts_granular_model *m)
 				double whole[3] = { one.force[c], one.turn[c], one.roll[c] };
 
 				for (int q = 0; q < 3; q++)
-					same(q == 0 ? "force" : q == 1 ? "turn" : "roll", 0, &whole[q], &part[q], 1, m);
+					same(q == 0   ? "force"
+					     : q == 1 ? "turn"
+						      : "roll",
+					     0, &whole[q], &part[q], 1, m);
 			}
 		}
 		same("memory", k, p.memory[k], memory, ts_granular_memory(m), m);
@@ -144,7 +168,9 @@ static void check_pairs(const struct ts_granular_model *m)
 
 static void draw_wall(struct ts_wall_ends *e, struct ts_wall_batch *b, int k)
 {
-	*e = (struct ts_wall_ends){ .radius = draw(0.3, 0.7), .mass = draw(0.5, 2), .curvature = k % 3 ? 0 : draw(-1, 1) };
+	*e = (struct ts_wall_ends){ .radius = draw(0.3, 0.7),
+				    .mass = draw(0.5, 2),
+				    .curvature = k % 3 ? 0 : draw(-1, 1) };
 	e->distance = e->radius * draw(0.9, 0.999);
 	draw_vector(1, e->n);
 	ts_scale(1 / ts_norm(e->n), e->n, e->n);
@@ -240,7 +266,9 @@ END_TEST
 
 START_TEST(all_flags)
 {
-	struct ts_granular_model m = { .normal = _i, .tangential = TS_TANGENTIAL_HISTORY, .rolling = TS_ROLLING_EPSD,
+	struct ts_granular_model m = { .normal = _i,
+				       .tangential = TS_TANGENTIAL_HISTORY,
+				       .rolling = TS_ROLLING_EPSD,
 				       .cohesion = TS_COHESION_SJKR };
 
 	for (int bits = 0; bits < 1024; bits++) {

@@ -1,4 +1,5 @@
-/* Particles that leave through fixed faces and are ignored are deleted in the same steps, whatever skin is in use. */
+/* Particles that leave through fixed faces and are ignored are deleted in the same steps, whatever skin is
+ * in use. */
 #include "deck.h"
 
 #include "core/sim.h"

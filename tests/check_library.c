@@ -168,20 +168,17 @@ START_TEST(values_are_checked)
 		double value;
 		int status;
 	} cases[] = {
-		{ "x", NAN, TSIM_RANGE },    { "vx", INFINITY, TSIM_RANGE },
-		{ "type", 3, TSIM_RANGE },   { "type", 1.5, TSIM_RANGE },
-		{ "type", 0, TSIM_RANGE },   { "radius", 0, TSIM_RANGE },
-		{ "mass", -1, TSIM_RANGE },  { "ix", 0.5, TSIM_RANGE },
-		{ "ix", 1e10, TSIM_RANGE },  { "id", 7, TSIM_STATE },
-		{ "radios", 1, TSIM_UNKNOWN }, { "density", 2385, TSIM_OK },
+		{ "x", NAN, TSIM_RANGE },     { "vx", INFINITY, TSIM_RANGE }, { "type", 3, TSIM_RANGE },
+		{ "type", 1.5, TSIM_RANGE },  { "type", 0, TSIM_RANGE },      { "radius", 0, TSIM_RANGE },
+		{ "mass", -1, TSIM_RANGE },   { "ix", 0.5, TSIM_RANGE },      { "ix", 1e10, TSIM_RANGE },
+		{ "id", 7, TSIM_STATE },      { "radios", 1, TSIM_UNKNOWN },  { "density", 2385, TSIM_OK },
 		{ "omegaz", 2.385, TSIM_OK }, { "type", 2, TSIM_OK },
 	};
 	int32_t id = 3, none[2] = { 3, 999999 };
 	double x[2] = { 0 };
 
 	for (size_t k = 0; k < DECK_LENGTH(cases); k++) {
-		ck_assert_int_eq(tsim_scatter(sim, cases[k].name, &id, &cases[k].value, 1),
-				 cases[k].status);
+		ck_assert_int_eq(tsim_scatter(sim, cases[k].name, &id, &cases[k].value, 1), cases[k].status);
 		tsim_error_clear(sim);
 	}
 	DECK_NEAR(deck_value(sim, "type[3]"), 2, 0);
@@ -233,8 +230,7 @@ START_TEST(held_memory)
 
 	ck_assert_int_eq(tsim_column_view(sim, "x", &x), 0);
 	ck_assert_int_eq(tsim_column_view(sim, "f", &f), 0);
-	ck_assert(tsim_hold(sim, x.data) == 0 && tsim_hold(sim, x.data) == 0 &&
-		  tsim_hold(sim, f.data) == 0);
+	ck_assert(tsim_hold(sim, x.data) == 0 && tsim_hold(sim, x.data) == 0 && tsim_hold(sim, f.data) == 0);
 	data = x.data;
 	first = data[0];
 	deck(sim, "run 300\n");
@@ -255,8 +251,9 @@ START_TEST(particles_made)
 	double x[6] = { 0.1, 0.2, 0.3, 0.2, 0.2, 0.9 }, v[6] = { 0, 0, 1, 0, 0, -1 };
 	double radius[2] = { 0.01, 0.02385 }, density[2] = { 1000, 2000 };
 	int32_t type[2] = { 2, 1 }, id[2];
-	struct tsim_particles p = { .size = sizeof p, .n = 2, .x = x, .v = v, .type = type,
-				    .radius = radius, .density = density };
+	struct tsim_particles p = {
+		.size = sizeof p, .n = 2, .x = x, .v = v, .type = type, .radius = radius, .density = density
+	};
 	size_t n = tsim_count(sim);
 	double mass[2];
 
@@ -385,8 +382,9 @@ static void hear(void *data, enum tsim_log_level level, const char *text)
 START_TEST(options_and_log)
 {
 	static struct heard heard;
-	struct tsim_options options = { .size = sizeof options, .threads = 2, .on_log = hear,
-					.on_log_data = &heard };
+	struct tsim_options options = {
+		.size = sizeof options, .threads = 2, .on_log = hear, .on_log_data = &heard
+	};
 	struct tsim_error_place place = TSIM_INIT(struct tsim_error_place);
 	struct tsim *other;
 	double threads;
@@ -401,8 +399,7 @@ START_TEST(options_and_log)
 	ck_assert_ptr_nonnull(strstr(heard.all, "lies outside the box"));
 	ck_assert_int_eq(tsim_text(other, "print 1\n\nprnt 2\n", "notes"), TSIM_UNKNOWN);
 	tsim_error_where(other, &place);
-	ck_assert(place.status == TSIM_UNKNOWN && place.line == 3 && place.column == 1 &&
-		  place.length == 4);
+	ck_assert(place.status == TSIM_UNKNOWN && place.line == 3 && place.column == 1 && place.length == 4);
 	ck_assert_str_eq(place.file, "notes");
 	ck_assert_str_eq(place.text, "prnt 2");
 	tsim_close(other);
@@ -477,10 +474,10 @@ static int use_all(struct tsim *one)
 	char text[16];
 	int code;
 
-#define FIRST(call)                                                                                \
-	code = (call);                                                                             \
-	if (code)                                                                                  \
-		return code
+#define FIRST(call)    \
+	code = (call); \
+	if (code)      \
+	return code
 	FIRST(tsim_string(one, tiny));
 	FIRST(tsim_create(one, &p, id));
 	FIRST(tsim_group_set(one, "two", member, 3));
@@ -517,8 +514,7 @@ START_TEST(out_of_memory)
 		one = tsim_open();
 		code = one ? use_all(one) : TSIM_NOMEM;
 		ts_alloc_fail_at(0);
-		ck_assert_msg(code == 0 || code == TSIM_NOMEM, "allocation %ld: %s", k,
-			      tsim_error(one));
+		ck_assert_msg(code == 0 || code == TSIM_NOMEM, "allocation %ld: %s", k, tsim_error(one));
 		tsim_close(one);
 		ck_assert_int_eq(ts_alloc_balance(), before);
 	}

@@ -35,68 +35,64 @@ static int told(const char *what)
 
 /* What a call returns is the status of functions that have one; of others 0. */
 #define VOID(call) ((call), 0)
-#define ROWS                                                                                       \
-	ROW(tsim_error, 0, VOID(tsim_error(S)))                                                    \
-	ROW(tsim_error_where, 0, VOID(tsim_error_where(S, P(1, &place))))                          \
-	ROW(tsim_error_clear, 0, VOID(tsim_error_clear(S)))                                        \
-	ROW(tsim_status_text, 0, VOID(tsim_status_text(-7)))                                       \
-	ROW(tsim_open, 0, VOID(tsim_close(tsim_open())))                                           \
-	ROW(tsim_close, 0, VOID(tsim_close(NULL)))                                                 \
-	ROW(tsim_open_with, 3, tsim_open_with(P(0, &options), P(1, &opened)))                      \
-	ROW(tsim_screen, 0, VOID(tsim_screen(S, NULL)))                                            \
-	ROW(tsim_log, 1, tsim_log(S, NULL))                                                        \
-	ROW(tsim_on_log, 0, VOID(tsim_on_log(S, NULL, NULL)))                                      \
-	ROW(tsim_line, 3, tsim_line(S, P(1, "print a")))                                           \
-	ROW(tsim_string, 3, tsim_string(S, P(1, "print a")))                                       \
-	ROW(tsim_text, 7, tsim_text(S, P(1, "print a"), P(2, "b")))                                \
-	ROW(tsim_file, 3, tsim_file(S, P(1, "/dev/null")))                                         \
-	ROW(tsim_stream, 7, tsim_stream(S, P(1, empty), P(2, "b")))                                \
-	ROW(tsim_check_report, 7,                                                                  \
-	    tsim_check_report(S, P(1, &whole), P(2, text), sizeof text, P(3, &size)))              \
-	ROW(tsim_has_quit, 0, VOID(tsim_has_quit(S, P(1, &whole))))                                \
-	ROW(tsim_stop, 0, VOID((tsim_stop(S), tsim_error_clear(sim))))                             \
-	ROW(tsim_step, 1, tsim_step(S, 1))                                                         \
-	ROW(tsim_on_step, 3, tsim_on_step(S, TSIM_END_OF_STEP, P(1, nothing), P(2, text)))         \
-	ROW(tsim_off_step, 3, tsim_off_step(S, TSIM_END_OF_STEP, P(1, nothing), NULL))             \
-	ROW(tsim_value, 7, tsim_value(S, P(1, "ke"), P(2, number)))                                \
-	ROW(tsim_evaluate, 7, tsim_evaluate(S, P(1, "x"), TSIM_PER_PARTICLE, P(2, &table)))        \
-	ROW(tsim_read, 7, tsim_read(S, P(1, "x"), TSIM_PER_PARTICLE, P(2, number), 2, 1))          \
-	ROW(tsim_extent, 15,                                                                       \
-	    tsim_extent(S, P(1, "x"), TSIM_PER_PARTICLE, P(2, &size), P(3, &columns)))             \
-	ROW(tsim_output, 7, tsim_output(S, P(1, "c_total"), 0, P(2, &output)))                     \
-	ROW(tsim_variable, 7, tsim_variable(S, P(1, "a"), P(2, "b")))                              \
-	ROW(tsim_variable_set, 15, tsim_variable_set(S, P(1, "a"), P(2, "string"), P(3, "b")))     \
-	ROW(tsim_variable_number, 3, tsim_variable_number(S, P(1, "n"), 2.385))                    \
-	ROW(tsim_variable_text, 7,                                                                 \
-	    tsim_variable_text(S, P(1, "n"), P(2, text), sizeof text, P(3, &size)))                \
-	ROW(tsim_variable_name, 0, VOID(tsim_variable_name(S, 0)))                                 \
-	ROW(tsim_count, 0, VOID(tsim_count(S)))                                                    \
-	ROW(tsim_column_read, 7, tsim_column_read(S, P(1, "x"), P(2, number), 2))                  \
-	ROW(tsim_column_write, 7, tsim_column_write(S, P(1, "vx"), P(2, number), 2))               \
-	ROW(tsim_gather, 7, tsim_gather(S, P(1, "x"), P(3, id), P(2, number), 2))                  \
-	ROW(tsim_scatter, 7, tsim_scatter(S, P(1, "vx"), P(3, id), P(2, number), 2))               \
-	ROW(tsim_quantity_name, 0, VOID(tsim_quantity_name(0)))                                    \
-	ROW(tsim_column_view, 7, tsim_column_view(S, P(1, "x"), P(2, &view)))                      \
-	ROW(tsim_hold, 1, tsim_hold(S, NULL))                                                      \
-	ROW(tsim_release, 0, VOID(tsim_release(S, P(1, text))))                                    \
-	ROW(tsim_generation, 0, VOID(tsim_generation(S)))                                          \
-	ROW(tsim_column_name, 0, VOID(tsim_column_name(S, 0)))                                     \
-	ROW(tsim_create, 3, tsim_create(S, P(1, &particles), P(2, id)))                            \
-	ROW(tsim_delete, 3, tsim_delete(S, P(1, id), 1))                                           \
-	ROW(tsim_group_bit, 7, tsim_group_bit(S, P(1, "all"), P(2, &whole)))                       \
-	ROW(tsim_group_name, 0, VOID(tsim_group_name(S, 0)))                                       \
-	ROW(tsim_group_get, 7, tsim_group_get(S, P(1, "all"), P(2, member), 2))                    \
-	ROW(tsim_group_set, 7, tsim_group_set(S, P(1, "some"), P(2, member), 2))                   \
-	ROW(tsim_box, 0, VOID(tsim_box(S, P(1, &box))))                                            \
-	ROW(tsim_clock, 0, VOID(tsim_clock(S, NULL, P(1, number), P(2, number))))                  \
-	ROW(tsim_setting, 7, tsim_setting(S, P(1, "dt"), P(2, number)))                            \
-	ROW(tsim_setting_name, 0, VOID(tsim_setting_name(0, P(1, &name))))                         \
-	ROW(tsim_live, 0, VOID(tsim_live(S, P(1, "compute"), 0, P(2, &name))))                     \
-	ROW(tsim_version, 0, VOID(tsim_version()))                                                 \
-	ROW(tsim_kind, 0, VOID(tsim_kind(0)))                                                      \
-	ROW(tsim_style, 0, VOID(told(tsim_style(P(1, "fix"), 0, P(2, &name)))))                    \
-	ROW(tsim_help, 7,                                                                          \
-	    tsim_help(P(0, "fix"), P(1, "nve"), 0, P(2, text), sizeof text, P(3, &size)))          \
+#define ROWS                                                                                                \
+	ROW(tsim_error, 0, VOID(tsim_error(S)))                                                             \
+	ROW(tsim_error_where, 0, VOID(tsim_error_where(S, P(1, &place))))                                   \
+	ROW(tsim_error_clear, 0, VOID(tsim_error_clear(S)))                                                 \
+	ROW(tsim_status_text, 0, VOID(tsim_status_text(-7)))                                                \
+	ROW(tsim_open, 0, VOID(tsim_close(tsim_open())))                                                    \
+	ROW(tsim_close, 0, VOID(tsim_close(NULL)))                                                          \
+	ROW(tsim_open_with, 3, tsim_open_with(P(0, &options), P(1, &opened)))                               \
+	ROW(tsim_screen, 0, VOID(tsim_screen(S, NULL)))                                                     \
+	ROW(tsim_log, 1, tsim_log(S, NULL))                                                                 \
+	ROW(tsim_on_log, 0, VOID(tsim_on_log(S, NULL, NULL)))                                               \
+	ROW(tsim_line, 3, tsim_line(S, P(1, "print a")))                                                    \
+	ROW(tsim_string, 3, tsim_string(S, P(1, "print a")))                                                \
+	ROW(tsim_text, 7, tsim_text(S, P(1, "print a"), P(2, "b")))                                         \
+	ROW(tsim_file, 3, tsim_file(S, P(1, "/dev/null")))                                                  \
+	ROW(tsim_stream, 7, tsim_stream(S, P(1, empty), P(2, "b")))                                         \
+	ROW(tsim_check_report, 7, tsim_check_report(S, P(1, &whole), P(2, text), sizeof text, P(3, &size))) \
+	ROW(tsim_has_quit, 0, VOID(tsim_has_quit(S, P(1, &whole))))                                         \
+	ROW(tsim_stop, 0, VOID((tsim_stop(S), tsim_error_clear(sim))))                                      \
+	ROW(tsim_step, 1, tsim_step(S, 1))                                                                  \
+	ROW(tsim_on_step, 3, tsim_on_step(S, TSIM_END_OF_STEP, P(1, nothing), P(2, text)))                  \
+	ROW(tsim_off_step, 3, tsim_off_step(S, TSIM_END_OF_STEP, P(1, nothing), NULL))                      \
+	ROW(tsim_value, 7, tsim_value(S, P(1, "ke"), P(2, number)))                                         \
+	ROW(tsim_evaluate, 7, tsim_evaluate(S, P(1, "x"), TSIM_PER_PARTICLE, P(2, &table)))                 \
+	ROW(tsim_read, 7, tsim_read(S, P(1, "x"), TSIM_PER_PARTICLE, P(2, number), 2, 1))                   \
+	ROW(tsim_extent, 15, tsim_extent(S, P(1, "x"), TSIM_PER_PARTICLE, P(2, &size), P(3, &columns)))     \
+	ROW(tsim_output, 7, tsim_output(S, P(1, "c_total"), 0, P(2, &output)))                              \
+	ROW(tsim_variable, 7, tsim_variable(S, P(1, "a"), P(2, "b")))                                       \
+	ROW(tsim_variable_set, 15, tsim_variable_set(S, P(1, "a"), P(2, "string"), P(3, "b")))              \
+	ROW(tsim_variable_number, 3, tsim_variable_number(S, P(1, "n"), 2.385))                             \
+	ROW(tsim_variable_text, 7, tsim_variable_text(S, P(1, "n"), P(2, text), sizeof text, P(3, &size)))  \
+	ROW(tsim_variable_name, 0, VOID(tsim_variable_name(S, 0)))                                          \
+	ROW(tsim_count, 0, VOID(tsim_count(S)))                                                             \
+	ROW(tsim_column_read, 7, tsim_column_read(S, P(1, "x"), P(2, number), 2))                           \
+	ROW(tsim_column_write, 7, tsim_column_write(S, P(1, "vx"), P(2, number), 2))                        \
+	ROW(tsim_gather, 7, tsim_gather(S, P(1, "x"), P(3, id), P(2, number), 2))                           \
+	ROW(tsim_scatter, 7, tsim_scatter(S, P(1, "vx"), P(3, id), P(2, number), 2))                        \
+	ROW(tsim_quantity_name, 0, VOID(tsim_quantity_name(0)))                                             \
+	ROW(tsim_column_view, 7, tsim_column_view(S, P(1, "x"), P(2, &view)))                               \
+	ROW(tsim_hold, 1, tsim_hold(S, NULL))                                                               \
+	ROW(tsim_release, 0, VOID(tsim_release(S, P(1, text))))                                             \
+	ROW(tsim_generation, 0, VOID(tsim_generation(S)))                                                   \
+	ROW(tsim_column_name, 0, VOID(tsim_column_name(S, 0)))                                              \
+	ROW(tsim_create, 3, tsim_create(S, P(1, &particles), P(2, id)))                                     \
+	ROW(tsim_delete, 3, tsim_delete(S, P(1, id), 1))                                                    \
+	ROW(tsim_group_bit, 7, tsim_group_bit(S, P(1, "all"), P(2, &whole)))                                \
+	ROW(tsim_group_name, 0, VOID(tsim_group_name(S, 0)))                                                \
+	ROW(tsim_group_get, 7, tsim_group_get(S, P(1, "all"), P(2, member), 2))                             \
+	ROW(tsim_group_set, 7, tsim_group_set(S, P(1, "some"), P(2, member), 2))                            \
+	ROW(tsim_box, 0, VOID(tsim_box(S, P(1, &box))))                                                     \
+	ROW(tsim_clock, 0, VOID(tsim_clock(S, NULL, P(1, number), P(2, number))))                           \
+	ROW(tsim_setting, 7, tsim_setting(S, P(1, "dt"), P(2, number)))                                     \
+	ROW(tsim_setting_name, 0, VOID(tsim_setting_name(0, P(1, &name))))                                  \
+	ROW(tsim_live, 0, VOID(tsim_live(S, P(1, "compute"), 0, P(2, &name))))                              \
+	ROW(tsim_version, 0, VOID(tsim_version()))                                                          \
+	ROW(tsim_kind, 0, VOID(tsim_kind(0)))                                                               \
+	ROW(tsim_style, 0, VOID(told(tsim_style(P(1, "fix"), 0, P(2, &name)))))                             \
+	ROW(tsim_help, 7, tsim_help(P(0, "fix"), P(1, "nve"), 0, P(2, text), sizeof text, P(3, &size)))     \
 	ROW(tsim_argument, 7, tsim_argument(P(0, "fix"), P(1, "gravity"), 0, P(2, &argument)))
 
 static void open_sim(void)
@@ -142,9 +138,9 @@ static int call(enum function function)
 	int status = -1;
 
 	switch (function) {
-#define ROW(function, needed, call)                                                                \
-	case of_##function:                                                                        \
-		status = (call);                                                                   \
+#define ROW(function, needed, call) \
+	case of_##function:         \
+		status = (call);    \
 		break;
 		ROWS
 #undef ROW
@@ -210,8 +206,7 @@ START_TEST(all_functions_are_here)
 		while (begin > line && (isalnum((unsigned char)begin[-1]) || begin[-1] == '_'))
 			begin--;
 		*end = '\0';
-		ck_assert_msg(is_listed(begin), "%s has no row in tests/check_library_null.c",
-			      begin);
+		ck_assert_msg(is_listed(begin), "%s has no row in tests/check_library_null.c", begin);
 		n++;
 	}
 	fclose(header);

@@ -97,8 +97,7 @@ static int push_up(struct tsim *s, void *data)
 	struct tsim_view f = TSIM_INIT(struct tsim_view), m = TSIM_INIT(struct tsim_view);
 
 	r->calls[1]++;
-	if (tsim_column_view(s, "f", &f) || tsim_column_view(s, "mass", &m) || !f.writable ||
-	    m.writable)
+	if (tsim_column_view(s, "f", &f) || tsim_column_view(s, "mass", &m) || !f.writable || m.writable)
 		return 1;
 	for (size_t i = 0; i < f.count; i++)
 		((double(*)[3])f.data)[i][2] += 9.81 * ((double *)m.data)[i];
@@ -198,8 +197,8 @@ static int try_forbidden(struct tsim *s, void *data)
 
 	p.n = 1;
 	p.x = many;
-#define REFUSED(call)                                                                              \
-	ck_assert_int_eq(call, TSIM_STATE);                                                        \
+#define REFUSED(call)                       \
+	ck_assert_int_eq(call, TSIM_STATE); \
 	tsim_error_clear(s)
 	REFUSED(tsim_line(s, "print no"));
 	REFUSED(tsim_file(s, "none"));

@@ -182,8 +182,8 @@ START_TEST(vectors)
 	ts_cross(a, b, c);
 	ck_assert_double_eq_tol(ts_dot(a, c), 0, 1e-14);
 	ck_assert_double_eq_tol(ts_dot(b, c), 0, 1e-14);
-	ck_assert_double_eq_tol(ts_dot(c, c) + ts_dot(a, b) * ts_dot(a, b),
-				ts_dot(a, a) * ts_dot(b, b), 1e-12);
+	ck_assert_double_eq_tol(ts_dot(c, c) + ts_dot(a, b) * ts_dot(a, b), ts_dot(a, a) * ts_dot(b, b),
+				1e-12);
 	ts_cross(d, b, d);
 	ck_assert(d[0] == c[0] && d[1] == c[1] && d[2] == c[2]);
 }

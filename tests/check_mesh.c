@@ -22,8 +22,7 @@ static void make_cuboid(struct ts_mesh *m)
 
 	for (int t = 0; t < 12; t++)
 		for (int k = 0; k < 9; k++)
-			soup[t][k / 3][k % 3] =
-				(cuboid[t][k / 3] >> k % 3 & 1 ? 1 : -1) * half[k % 3];
+			soup[t][k / 3][k % 3] = (cuboid[t][k / 3] >> k % 3 & 1 ? 1 : -1) * half[k % 3];
 	ck_assert(ts_mesh_build(m, (const double(*)[3][3])soup, 12, 1e-8, 0.256235) == TS_OK);
 }
 
@@ -108,12 +107,13 @@ START_TEST(floor_of_a_periodic_box_has_no_rim)
 }
 END_TEST
 
-/* Beyond both edges of a corner of 135 degrees, before one of them: in the edge; LIGGGHTS takes the corner, but for
- * the last of the three. */
+/* Beyond both edges of a corner of 135 degrees, before one of them: in the edge; LIGGGHTS takes the
+ * corner, but for the last of the three. */
 START_TEST(beyond_an_obtuse_corner)
 {
 	static const double corner[3][3] = { { -1, 0, 0 }, { 0, 0, 0 }, { 1, 1, 0 } };
-	static const double x[3] = { -0.0385, -0.2385, 0.3 }; /* -0.0385 from the corner along the first edge */
+	/* -0.0385 from the corner along the first edge */
+	static const double x[3] = { -0.0385, -0.2385, 0.3 };
 	double soup[1][3][3];
 	struct ts_mesh_contact_point at;
 	struct ts_mesh m = { 0 };

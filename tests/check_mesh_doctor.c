@@ -45,8 +45,20 @@ static const struct ts_mesh_finding *only(enum ts_mesh_ill ill, size_t n)
 	return NULL;
 }
 
-#define A { { 0, 0, 0 }, { 2.5, 0, 0 }, { 0, 2.5, 0 } }
-#define B { { 2.5, 0, 0 }, { 2.5, 2.5, 0 }, { 0, 2.5, 0 } }
+#define A                                   \
+	{                                   \
+		{ 0, 0, 0 }, { 2.5, 0, 0 }, \
+		{                           \
+			0, 2.5, 0           \
+		}                           \
+	}
+#define B                                       \
+	{                                       \
+		{ 2.5, 0, 0 }, { 2.5, 2.5, 0 }, \
+		{                               \
+			0, 2.5, 0               \
+		}                               \
+	}
 
 START_TEST(healthy)
 {
@@ -100,8 +112,11 @@ END_TEST
 
 START_TEST(duplicates)
 {
-	const double soup[][3][3] = { A, B, { { 2.5, 0, 0 }, { 0, 2.5, 0 }, { 0, 0, 0 } },
-				      { { 2.5, 2.5, 0 }, { 2.5, 0, 0 }, { 0, 2.5, 0 } }, A };
+	const double soup[][3][3] = { A,
+				      B,
+				      { { 2.5, 0, 0 }, { 0, 2.5, 0 }, { 0, 0, 0 } },
+				      { { 2.5, 2.5, 0 }, { 2.5, 0, 0 }, { 0, 2.5, 0 } },
+				      A };
 	const int other[] = { 0, 1, 0 };
 	const struct ts_mesh_finding *f;
 
@@ -130,7 +145,8 @@ static void blades(size_t n)
 START_TEST(edges)
 {
 	const double folded[][3][3] = { A, { { 0, 0, 0 }, { 2.5, 0, 0 }, { 0.3, 1.5, 0 } } };
-	const double flipped[][3][3] = { A, { { 2.5, 0, 0 }, { 0, 2.5, 0 }, { 2.5, 2.5, 0 } },
+	const double flipped[][3][3] = { A,
+					 { { 2.5, 0, 0 }, { 0, 2.5, 0 }, { 2.5, 2.5, 0 } },
 					 { { 2.5, 0, 0 }, { 5, 0, 0 }, { 2.5, 2.5, 0 } } };
 	const struct ts_mesh_finding *f;
 

@@ -64,8 +64,8 @@ static void refuse(const char *name, const char *text, int line, const char *mes
 	refuse_n(name, text, strlen(text), line, message);
 }
 
-#define FACET                                                                                      \
-	"facet normal 0 0 1\n outer loop\n  vertex 2.385 0 0\n  vertex 2.385 1.7 0\n  vertex 0 "   \
+#define FACET                                                                                    \
+	"facet normal 0 0 1\n outer loop\n  vertex 2.385 0 0\n  vertex 2.385 1.7 0\n  vertex 0 " \
 	"1.7 -0.31\n endloop\nendfacet\n"
 
 START_TEST(stl_text)
@@ -89,8 +89,10 @@ START_TEST(stl_text)
 	       1);
 	corner(0, 0, 0.125, 25, -0.5);
 	corner(0, 1, 1, 0.2, 3);
-	expect("a.stl", "solid\rfacet normal 0 0 1\router loop\rvertex 0 0 0\rvertex 1 0 0\rvertex 0 1 0\r"
-			"endloop\rendfacet\rendsolid\r", 1);
+	expect("a.stl",
+	       "solid\rfacet normal 0 0 1\router loop\rvertex 0 0 0\rvertex 1 0 0\rvertex 0 1 0\r"
+	       "endloop\rendfacet\rendsolid\r",
+	       1);
 	ck_assert_int_eq(soup.t[0].line, 2);
 	/* neither a head nor loops nor normals */
 	expect("a.stl", "facet vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endfacet", 1);
@@ -116,8 +118,9 @@ START_TEST(stl_text_broken)
 	refuse("a.stl", "solid\nfacet normal 0 0 1\nvertex 0 0 nan\n", 3, "'nan'");
 	refuse("a.stl", "solid\nfacet normal 0 0 1\nvertex 0 0 1e999\n", 3, "'1e999'");
 	refuse("a.stl", "<html><body>404</body>", 0, "no STL file");
-	refuse("a.stl", "<html><body>The page that you asked for is not where it was, so here is some text, "
-			"which is much longer than a binary head would be, but no file of triangles at all",
+	refuse("a.stl",
+	       "<html><body>The page that you asked for is not where it was, so here is some text, "
+	       "which is much longer than a binary head would be, but no file of triangles at all",
 	       0, "cut short, or no STL file");
 }
 END_TEST
@@ -199,8 +202,9 @@ END_TEST
 
 START_TEST(vtk_text)
 {
-	expect("d.vtk", HEAD("ASCII", "POLYDATA") POINTS "POLYGONS 2 9\n3 0 1 2\n4 0 1 2 3\nCELL_DATA 2\n"
-							 "SCALARS x float\n...\n",
+	expect("d.vtk",
+	       HEAD("ASCII", "POLYDATA") POINTS "POLYGONS 2 9\n3 0 1 2\n4 0 1 2 3\nCELL_DATA 2\n"
+						"SCALARS x float\n...\n",
 	       3);
 	corner(2, 1, 1, 1.5, 0);
 	corner(2, 2, 0, 1.5, 0);
@@ -239,12 +243,13 @@ START_TEST(vtk_broken)
 	refuse("d.vtk", HEAD("ASCII", "POLYDATA") POINTS "POLYGONS 1 3\n2 0 1\n", 0, "2 corners");
 	refuse("d.vtk", HEAD("ASCII", "POLYDATA") POINTS "PLANES 1 4\n", 9, "'PLANES'");
 	refuse("d.vtk", HEAD("ASCII", "UNSTRUCTURED_GRID") POINTS "CELLS 1 4\n3 0 1 2\n", 0, "CELL_TYPES");
-	refuse("d.vtk", HEAD("ASCII", "UNSTRUCTURED_GRID") POINTS "CELLS 1 4\n3 0 1 2\nCELL_TYPES 2\n5 5",
-	       11, "1 cells, but 2 types");
+	refuse("d.vtk", HEAD("ASCII", "UNSTRUCTURED_GRID") POINTS "CELLS 1 4\n3 0 1 2\nCELL_TYPES 2\n5 5", 11,
+	       "1 cells, but 2 types");
 	refuse("d.vtk", HEAD("ASCII", "UNSTRUCTURED_GRID") POINTS "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n",
 	       0, "type 10, which is no plane surface");
-	refuse("d.vtk", "# vtk DataFile Version 5.1\nt\nASCII\nDATASET POLYDATA\n" POINTS
-			"POLYGONS 2 3\nOFFSETS int\n0 2\nCONNECTIVITY int\n0 1 2\n",
+	refuse("d.vtk",
+	       "# vtk DataFile Version 5.1\nt\nASCII\nDATASET POLYDATA\n" POINTS
+	       "POLYGONS 2 3\nOFFSETS int\n0 2\nCONNECTIVITY int\n0 1 2\n",
 	       11, "the offsets end at 2, but there are 3 corners");
 }
 END_TEST
@@ -317,10 +322,8 @@ END_TEST
 /* Whatever allocation fails, it is said and nothing is lost. */
 START_TEST(out_of_memory)
 {
-	static const char *const text[] = {
-		"solid x\n" FACET, "v 0 0 0\nv 1 0 0\nv 0 1 0\ng x\nf 1 2 3\n",
-		HEAD("ASCII", "POLYDATA") POINTS "POLYGONS 1 4\n3 0 1 2\n"
-	};
+	static const char *const text[] = { "solid x\n" FACET, "v 0 0 0\nv 1 0 0\nv 0 1 0\ng x\nf 1 2 3\n",
+					    HEAD("ASCII", "POLYDATA") POINTS "POLYGONS 1 4\n3 0 1 2\n" };
 
 	for (size_t f = 0; f < 3; f++)
 		for (long k = 1;; k++) {

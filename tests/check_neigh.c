@@ -144,8 +144,7 @@ static int compare(const struct tsim *sim, bool forces)
 	for (int a = 1; a <= N; a++)
 		for (int b = 1; b <= N; b++)
 			if (found.count[a][b] != truth.count[a][b])
-				ck_abort_msg("step %d: particles %d and %d have %d contacts, rows "
-					     "show %d",
+				ck_abort_msg("step %d: particles %d and %d have %d contacts, rows show %d",
 					     (int)sim->clock.step, a, b, truth.count[a][b],
 					     found.count[a][b]);
 	for (int a = 1; a <= N; a++)
@@ -219,8 +218,7 @@ START_TEST(gas)
 	deck(sim, "fix slow all viscous 0.3\nrun 800 post no\nunfix slow");
 	for (size_t i = 0; i < sim->particles->n; i++)
 		for (int k = 0; k < 3; k++)
-			sim->particles->v[i][k] =
-				c.speed * sin((double)sim->particles->tag[i] * (k + 1.3));
+			sim->particles->v[i][k] = c.speed * sin((double)sim->particles->tag[i] * (k + 1.3));
 	for (int step = 0; step < 400; step++) {
 		deck(sim, "run 1 post no");
 		builds += (int)sim->neigh->builds - 1;
@@ -367,8 +365,7 @@ START_TEST(history_through_face)
 		for (size_t r = 0; r < rows->n; r++) {
 			ck_assert_msg(rows->touching[r], "lost at step %d", step);
 			ck_assert_double_eq(rows->history[2 * r], 23.85);
-			ck_assert_double_eq(rows->history[2 * r + 1],
-					    rows->tag[0][r] == 1 ? 3.7 : -3.7);
+			ck_assert_double_eq(rows->history[2 * r + 1], rows->tag[0][r] == 1 ? 3.7 : -3.7);
 		}
 	}
 	ck_assert_int_eq(sim->particles->image[0][0] + sim->particles->image[1][0], 2);

@@ -81,8 +81,7 @@ END_TEST
 /* Flat, thin and coincident clouds have an order too. */
 START_TEST(degenerate)
 {
-	static const char *const regions[] = { "0 1 0 1 0 0", "0.5 0.5 0.3 0.3 -1 2",
-					       "0 0 0 0 0 0" };
+	static const char *const regions[] = { "0 1 0 1 0 0", "0.5 0.5 0.3 0.3 -1 2", "0 0 0 0 0 0" };
 	struct tsim *sim = deck_open("boundary f f f\n"
 				     "region box block -1 2 -1 2 -1 2 units box\n"
 				     "create_box 1 box\n"

@@ -23,8 +23,7 @@ static struct ts_box box_of(int periodic)
 	struct ts_box box = { .lo = { -0.1, 0.2, 0 }, .hi = { 0.9, 1.1, 0.7 } };
 
 	for (int d = 0; d < 3; d++)
-		box.face[d][0] = box.face[d][1] =
-			periodic >> d & 1 ? TS_FACE_PERIODIC : TS_FACE_FIXED;
+		box.face[d][0] = box.face[d][1] = periodic >> d & 1 ? TS_FACE_PERIODIC : TS_FACE_FIXED;
 	return box;
 }
 
@@ -82,8 +81,7 @@ START_TEST(pairs)
 	struct found found = { { 0 }, { 0 } };
 
 	scatter(&box);
-	ck_assert_int_eq(ts_pairs_visit(&box, (const double(*)[3])x, POINTS, cutoff, visit, &found),
-			 TS_OK);
+	ck_assert_int_eq(ts_pairs_visit(&box, (const double(*)[3])x, POINTS, cutoff, visit, &found), TS_OK);
 	for (int i = 0; i < POINTS; i++)
 		ck_assert_int_eq(found.count[i], brute(&box, cutoff, i));
 	for (int k = 0; k < 3; k++)

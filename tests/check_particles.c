@@ -32,16 +32,15 @@ static const struct shape shapes[] = {
 	/* spherical cap etc.: textbook formulas */
 	{ "region a block 0.1 0.73 0.2 0.61 0.31 0.94 units box", 0.63 * 0.41 * 0.63, 2.1 },
 	{ "region a block INF 0.73 EDGE INF 0.31 INF units box", 0.73 * 0.69, 2 },
-	{ "region a block 4.1 28.7 2.3 10.9 0 12.3 units lattice",
-	  24.6 * 8.6 * 12.3 * 0.025 * 0.025 * 0.025, 1 },
-	{ "region a sphere 0.487 0.493 0.501 0.385 units box",
-	  4. / 3 * 3.14159265358979 * 0.057066625, 1.9 },
+	{ "region a block 4.1 28.7 2.3 10.9 0 12.3 units lattice", 24.6 * 8.6 * 12.3 * 0.025 * 0.025 * 0.025,
+	  1 },
+	{ "region a sphere 0.487 0.493 0.501 0.385 units box", 4. / 3 * 3.14159265358979 * 0.057066625, 1.9 },
 	{ "region a sphere 0.487 0.493 0.501 0.385 side out units box",
 	  1 - 4. / 3 * 3.14159265358979 * 0.057066625, 1.9 },
 	{ "region a cylinder z 0.487 0.493 0.2385 0.11 0.83 units box",
 	  3.14159265358979 * 0.2385 * 0.2385 * 0.72, 1.5 },
-	{ "region a cylinder x 0.487 0.493 0.2385 INF INF units box",
-	  3.14159265358979 * 0.2385 * 0.2385, 1.5 },
+	{ "region a cylinder x 0.487 0.493 0.2385 INF INF units box", 3.14159265358979 * 0.2385 * 0.2385,
+	  1.5 },
 	{ "region a cylinder y 0.487 0.493 0.2385 0.3 INF side out units box",
 	  1 - 3.14159265358979 * 0.2385 * 0.2385 * 0.7, 1.5 },
 	{ "region a cone z 0.487 0.493 0.1 0.4 0.11 0.83 units box",
@@ -98,8 +97,7 @@ START_TEST(random_points)
 				     "group ball region ball");
 	double share = 4. / 3 * pi * 0.512 / 8;
 
-	DECK_NEAR(deck_value(sim, "count(ball)"), 20000 * share,
-		  5 * sqrt(20000 * share * (1 - share)));
+	DECK_NEAR(deck_value(sim, "count(ball)"), 20000 * share, 5 * sqrt(20000 * share * (1 - share)));
 	deck(sim, "delete_atoms group all\ncreate_atoms 1 random 500 86028157 ball overlap 0.05\n"
 		  "group in region ball");
 	ck_assert_double_eq(deck_value(sim, "count(in)"), 500);
@@ -113,16 +111,15 @@ END_TEST
 
 START_TEST(groups)
 {
-	struct tsim *sim =
-		deck_open("units si\nlattice sc 0.25\n"
-			  "region box block 0 0.99 0 0.99 0 0.99 units box\n"
-			  "create_box 3 box\ncreate_atoms 2 box\n"
-			  "set atom 1*7 type 1\nset atom 60* type 3\n"
-			  "group one type 1\ngroup two type 2:3\ngroup ids id 3 5 9:12:3 64\n"
-			  "group low id <= 10\ngroup mid id <> 5 8\ngroup not type != 2\n"
-			  "group u union one ids\ngroup i intersect one ids\n"
-			  "group s subtract all one ids\n"
-			  "variable even atom id%%2==0\ngroup even variable even\n");
+	struct tsim *sim = deck_open("units si\nlattice sc 0.25\n"
+				     "region box block 0 0.99 0 0.99 0 0.99 units box\n"
+				     "create_box 3 box\ncreate_atoms 2 box\n"
+				     "set atom 1*7 type 1\nset atom 60* type 3\n"
+				     "group one type 1\ngroup two type 2:3\ngroup ids id 3 5 9:12:3 64\n"
+				     "group low id <= 10\ngroup mid id <> 5 8\ngroup not type != 2\n"
+				     "group u union one ids\ngroup i intersect one ids\n"
+				     "group s subtract all one ids\n"
+				     "variable even atom id%%2==0\ngroup even variable even\n");
 
 	ck_assert_uint_eq(tsim_count(sim), 64);
 	ck_assert_double_eq(deck_value(sim, "count(one)"), 7);
@@ -225,7 +222,8 @@ START_TEST(faces)
 }
 END_TEST
 
-/* A particle is lost in the very step in which it passes the face; with `lost ignore`, at the next rebuild. */
+/* A particle is lost in the very step in which it passes the face; with `lost ignore`, at the next
+ * rebuild. */
 START_TEST(lost_at_once)
 {
 	static const char *const modes[] = { "warn", "ignore" };

@@ -61,8 +61,7 @@ static void set_conditions(struct ts_poisson *poisson, int axes, int code)
 	}
 }
 
-static void make(struct problem *q, int axes, const int n[3], int code, const double grading[3],
-		 bool weights)
+static void make(struct problem *q, int axes, const int n[3], int code, const double grading[3], bool weights)
 {
 	static const double lengths[3] = { 2.385, 1.7, 1.13 };
 	static double face[3][MOST + 1];
@@ -100,16 +99,17 @@ static void done(struct problem *q)
 	ts_grid_release(&q->grid);
 }
 
-#define EACH_CELL(grid, i, j, k)                                                                   \
-	for (int k = 0; k < (grid)->n[2]; k++)                                                     \
-		for (int j = 0; j < (grid)->n[1]; j++)                                             \
+#define EACH_CELL(grid, i, j, k)                       \
+	for (int k = 0; k < (grid)->n[2]; k++)         \
+		for (int j = 0; j < (grid)->n[1]; j++) \
 			for (int i = 0; i < (grid)->n[0]; i++)
 
 static double mean(const struct problem *q, const double *p)
 {
 	double sum = 0, volume = 0;
 
-	EACH_CELL(&q->grid, i, j, k) {
+	EACH_CELL(&q->grid, i, j, k)
+	{
 		sum += ts_grid_volume(&q->grid, i, j, k) * p[ts_at(&q->grid, i, j, k)];
 		volume += ts_grid_volume(&q->grid, i, j, k);
 	}
@@ -121,7 +121,8 @@ static double difference(const struct problem *q, const double *a, const double 
 {
 	double shift = q->poisson.singular ? mean(q, a) - mean(q, b) : 0, most = 0;
 
-	EACH_CELL(&q->grid, i, j, k) {
+	EACH_CELL(&q->grid, i, j, k)
+	{
 		size_t at = ts_at(&q->grid, i, j, k);
 
 		most = fmax(most, fabs(a[at] - b[at] - shift));
@@ -134,7 +135,7 @@ static double largest(const struct problem *q, const double *a)
 	double most = 0;
 
 	EACH_CELL(&q->grid, i, j, k)
-		most = fmax(most, fabs(a[ts_at(&q->grid, i, j, k)]));
+	most = fmax(most, fabs(a[ts_at(&q->grid, i, j, k)]));
 	return most;
 }
 
@@ -151,8 +152,8 @@ static struct ts_instance *solver(struct tsim *sim, const char *line, const stru
 	for (char *w; (w = strsep(&rest, " "));)
 		word[words.n++] = (struct ts_word){ .text = w };
 	ck_assert(ts_sim_choose(sim, TS_KIND_PRESSURE, words, &(struct ts_place){ .line = 1 }) == TS_OK);
-	ck_assert_msg(ts_pressure_choose(sim, poisson, &(struct ts_place){ .line = 1 }, &inst) == TS_OK,
-		      "%s", sim->error.message);
+	ck_assert_msg(ts_pressure_choose(sim, poisson, &(struct ts_place){ .line = 1 }, &inst) == TS_OK, "%s",
+		      sim->error.message);
 	ck_assert_msg(ts_pressure_style_of(inst)->prepare(inst, sim, poisson) == TS_OK, "%s",
 		      sim->error.message);
 	return inst;
@@ -233,8 +234,8 @@ START_TEST(gives_back_what_the_operator_made)
 			scale = largest(&q, q.p);
 			solve(sim, solver(sim, solvers[_i].line, &q.poisson), &q);
 			ck_assert_msg(difference(&q, q.p, q.solution) <= limit * scale,
-				      "%s, %s, conditions %d: off by %g", solvers[_i].line, shape->name,
-				      code, difference(&q, q.p, q.solution) / scale);
+				      "%s, %s, conditions %d: off by %g", solvers[_i].line, shape->name, code,
+				      difference(&q, q.p, q.solution) / scale);
 			if (q.poisson.singular)
 				ck_assert_double_le(fabs(mean(&q, q.solution)), 1e-14 * scale);
 			done(&q);
@@ -244,8 +245,8 @@ START_TEST(gives_back_what_the_operator_made)
 }
 END_TEST
 
-/* A solution that is smooth: cosines and sines that meet the conditions; the error falls with the square of the width
- * of cells. */
+/* A solution that is smooth: cosines and sines that meet the conditions; the error falls with the square
+ * of the width of cells. */
 static double smooth_error(struct tsim *sim, const char *line, int n)
 {
 	const double a = 3.14159265358979323846 / 2.385;
@@ -260,7 +261,8 @@ static double smooth_error(struct tsim *sim, const char *line, int n)
 	}
 	for (int d = 0; d < 2; d++) /* from 0, of length n/20 times 2.385 or 1.7 */
 		ck_assert(q.grid.uniform[d]);
-	EACH_CELL(&q.grid, i, j, k) {
+	EACH_CELL(&q.grid, i, j, k)
+	{
 		double x = (q.grid.centre[0][i] - q.grid.face[0][0]) * 20 / n;
 		double y = (q.grid.centre[1][j] - q.grid.face[1][0]) * 20 / n;
 		double b = 2 * 3.14159265358979323846 / 1.7;

@@ -30,7 +30,8 @@ static double wave_error(int n, const char *scheme)
 	snprintf(box, sizeof box, plane, "p p p");
 	sim = deck_open("%svariable xx internal 0\nvariable yy internal 0\n"
 			"variable T0 equal 2.385+sin(2*PI*v_xx)*cos(2*PI*v_yy)\n"
-			"flow_style projection cells %d %d 1 viscosity 0 density 731 convection central time rk3\n"
+			"flow_style projection cells %d %d 1 viscosity 0 density 731 convection central time "
+			"rk3\n"
 			"flow_set velocity 0.7 0.3 0\n"
 			"fix T all flow/scalar conductivity $(0.003*731*5) capacity 5 initial v_T0 set x xx "
 			"set y yy convection %s\n"
@@ -57,7 +58,8 @@ START_TEST(orders)
 	} schemes[] = { { "central", 1.95 }, { "vanleer", 1.6 }, { "donor", 0.6 } };
 	double coarse = wave_error(16, schemes[_i].scheme), fine = wave_error(32, schemes[_i].scheme);
 
-	ck_assert_msg(log2(coarse / fine) > schemes[_i].order, "%s: %g, %g", schemes[_i].scheme, coarse, fine);
+	ck_assert_msg(log2(coarse / fine) > schemes[_i].order, "%s: %g, %g", schemes[_i].scheme, coarse,
+		      fine);
 	ck_assert(fine < (_i == 2 ? 0.2 : 0.02));
 }
 END_TEST
@@ -71,8 +73,8 @@ START_TEST(conduction)
 
 	snprintf(box, sizeof box, plane, "f p p");
 	sim = deck_open("%sflow_style projection cells 10 2 1 viscosity 1e-3 density 731\n"
-			"fix T all flow/scalar conductivity 7.31 capacity 0.5 initial 3 xlo value 2.385 xhi value "
-			"4.1\ntimestep 0.5\nrun 500",
+			"fix T all flow/scalar conductivity 7.31 capacity 0.5 initial 3 xlo value 2.385 xhi "
+			"value 4.1\ntimestep 0.5\nrun 500",
 			box);
 	table = cells(sim);
 	for (size_t i = 0; i < table->rows; i++)
@@ -80,11 +82,11 @@ START_TEST(conduction)
 	tsim_close(sim);
 	sim = deck_open("%sflow_style projection cells 10 2 1 viscosity 1e-3 density 731\n"
 			"variable q equal 3+step\n"
-			"fix T all flow/scalar conductivity 7.31 capacity 0.5 initial 3 xlo flux 2.385 xhi flux v_q "
-			"source 0.13\ntimestep 0.01\nrun 10",
+			"fix T all flow/scalar conductivity 7.31 capacity 0.5 initial 3 xlo flux 2.385 xhi "
+			"flux v_q source 0.13\ntimestep 0.01\nrun 10",
 			box);
-	DECK_NEAR(deck_value(sim, "f_T[1]"),
-		  731 * 0.5 * 3 + 0.01 * (10 * 2.385 + 10 * 3 + 55 + 10 * 0.13), 1e-11);
+	DECK_NEAR(deck_value(sim, "f_T[1]"), 731 * 0.5 * 3 + 0.01 * (10 * 2.385 + 10 * 3 + 55 + 10 * 0.13),
+		  1e-11);
 	tsim_close(sim);
 }
 END_TEST
@@ -158,16 +160,17 @@ END_TEST
 /* One hot sphere in much cold fluid at rest: T - T_f dies by exp(-pi d^2 h t/(m c)), Nu = 2. */
 START_TEST(one_sphere_cools)
 {
-	struct tsim *sim = deck_open("units si\nboundary p p p\nnewton off\ncommunicate single vel yes\n"
-				     "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
-				     "create_atoms 1 single 0.43 0.57 0.61 units box\n"
-				     "set group all diameter 0.01 density 2385\n"
-				     "fix k all property/global thermalConductivity peratomtype 0\n"
-				     "fix c all property/global thermalCapacity peratomtype 31\n"
-				     "fix heat all heat/gran initial_temperature 500\n"
-				     "flow_style projection cells 4 4 4 viscosity 1.3 density 731\n"
-				     "fix T all flow/scalar conductivity 0.73 capacity 4e9 initial 300 exchange "
-				     "ranz_marshall\ntimestep 1e-3\nrun 2000");
+	struct tsim *sim =
+		deck_open("units si\nboundary p p p\nnewton off\ncommunicate single vel yes\n"
+			  "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
+			  "create_atoms 1 single 0.43 0.57 0.61 units box\n"
+			  "set group all diameter 0.01 density 2385\n"
+			  "fix k all property/global thermalConductivity peratomtype 0\n"
+			  "fix c all property/global thermalCapacity peratomtype 31\n"
+			  "fix heat all heat/gran initial_temperature 500\n"
+			  "flow_style projection cells 4 4 4 viscosity 1.3 density 731\n"
+			  "fix T all flow/scalar conductivity 0.73 capacity 4e9 initial 300 exchange "
+			  "ranz_marshall\ntimestep 1e-3\nrun 2000");
 	double rate = 12 * 0.73 / (2385 * 31 * 0.01 * 0.01), temperature;
 
 	temperature = deck_value(sim, "f_heat/(31*mass(all))");
@@ -183,22 +186,23 @@ START_TEST(gas_through_a_bed)
 {
 	const double d = 0.001, u = 3.1, rho = 1.21, mu = 1.85e-5, k = 0.026, c = 1005;
 	const double by_volume = 1 / pow(0.0015, 3); /* spheres */
-	struct tsim *sim = deck_open("units si\nboundary p p f\nnewton off\ncommunicate single vel yes\n"
-				     "region box block 0 0.003 0 0.003 0 0.06 units box\n"
-				     "region bed block 0 0.003 0 0.003 0.015 0.045 units box\n"
-				     "create_box 1 box\nlattice sc 0.0015 origin 0.5 0.5 0.5\n"
-				     "create_atoms 1 region bed\nset group all diameter 0.001 density 2385\n"
-				     "group none empty\nfix hold all freeze\n"
-				     "fix k all property/global thermalConductivity peratomtype 0\n"
-				     "fix c all property/global thermalCapacity peratomtype 31\n"
-				     "fix heat none heat/gran initial_temperature 300\n"
-				     "flow_style projection cells 1 1 160 viscosity 1.85e-5 density 1.21\n"
-				     "flow_boundary zlo inlet velocity 0 0 3.1\nflow_boundary zhi outlet\n"
-				     "fix e all void_fraction method kernel reach 1.5\n"
-				     "fix d all drag/ergun scheme exact\n"
-				     "fix T all flow/scalar conductivity 0.026 capacity 1005 initial 300 zlo value 400 "
-				     "exchange ranz_marshall\n"
-				     "timestep 2e-5\nrun 2500");
+	struct tsim *sim =
+		deck_open("units si\nboundary p p f\nnewton off\ncommunicate single vel yes\n"
+			  "region box block 0 0.003 0 0.003 0 0.06 units box\n"
+			  "region bed block 0 0.003 0 0.003 0.015 0.045 units box\n"
+			  "create_box 1 box\nlattice sc 0.0015 origin 0.5 0.5 0.5\n"
+			  "create_atoms 1 region bed\nset group all diameter 0.001 density 2385\n"
+			  "group none empty\nfix hold all freeze\n"
+			  "fix k all property/global thermalConductivity peratomtype 0\n"
+			  "fix c all property/global thermalCapacity peratomtype 31\n"
+			  "fix heat none heat/gran initial_temperature 300\n"
+			  "flow_style projection cells 1 1 160 viscosity 1.85e-5 density 1.21\n"
+			  "flow_boundary zlo inlet velocity 0 0 3.1\nflow_boundary zhi outlet\n"
+			  "fix e all void_fraction method kernel reach 1.5\n"
+			  "fix d all drag/ergun scheme exact\n"
+			  "fix T all flow/scalar conductivity 0.026 capacity 1005 initial 300 zlo value 400 "
+			  "exchange ranz_marshall\n"
+			  "timestep 2e-5\nrun 2500");
 	double re = rho * u * d / mu, nu = 2 + 0.6 * sqrt(re) * cbrt(mu * c / k);
 	double rate = PI * d * nu * k * by_volume / (rho * c * u), here[2];
 	const struct ts_table *table = cells(sim);

@@ -73,8 +73,7 @@ START_TEST(formula_errors)
 	expect_error("print \"$(10^400)\"", 1, 12, 1, "too large");
 	expect_error("print \"$(sqr(4))\"", 1, 10, 3, "did you mean 'sqrt'");
 	expect_error("print \"$(2*v_widht)\"", 1, 12, 7, "unknown variable 'widht'");
-	expect_error("variable width equal 2\nprint \"$(2*v_widht)\"", 2, 12, 7,
-		     "did you mean 'width'");
+	expect_error("variable width equal 2\nprint \"$(2*v_widht)\"", 2, 12, 7, "did you mean 'width'");
 	expect_error("print \"$(2*width)\"", 1, 12, 5, "did you mean 'v_width'");
 	expect_error("print \"$(atan2(1))\"", 1, 10, 8, "takes 2 arguments, found 1");
 	expect_error("print \"$(sin(1,2))\"", 1, 10, 6, "takes 1 argument");
@@ -119,8 +118,7 @@ START_TEST(substitution)
 		      "7.25 abab 14.5\n");
 	expect_output("variable third equal 1/3\nprint \"${third} $(1/3)\"\n",
 		      "0.333333333333333 0.33333333333333331483\n");
-	expect_output("print \"$(2/3:%.3f) $(1e5:%g) $(-2:%+08.2e)\"\n",
-		      "0.667 100000 -2.00e+00\n");
+	expect_output("print \"$(2/3:%.3f) $(1e5:%g) $(-2:%+08.2e)\"\n", "0.667 100000 -2.00e+00\n");
 	/* quotes inside the text of print keep what is in them */
 	expect_output("print \"'$x' $x don't $x\"\n", "'$x' ab don't ab\n");
 	/* v_ follows, ${} is frozen */
@@ -172,12 +170,11 @@ END_TEST
 
 START_TEST(echo_shows_each_step)
 {
-	expect_output("echo screen\nvariable a index 5\nprint $a/$a   # twice\n",
-		      "variable a index 5\n"
-		      "print $a/$a   # twice\n"
-		      "print 5/$a   \n"
-		      "print 5/5   \n"
-		      "5/5\n");
+	expect_output("echo screen\nvariable a index 5\nprint $a/$a   # twice\n", "variable a index 5\n"
+										  "print $a/$a   # twice\n"
+										  "print 5/$a   \n"
+										  "print 5/5   \n"
+										  "5/5\n");
 }
 END_TEST
 
@@ -190,8 +187,7 @@ START_TEST(variable_rules)
 	expect_output("variable n delete\nvariable n loop 2\nprint $n\n", "1\n");
 	expect_error("shell putenv TS_TEST=north", 1, 7, 6, "only with the option -shell yes");
 	ts_script_allow_programs(sim->script_api_data, true);
-	expect_output("shell putenv TS_TEST=north\nvariable e getenv TS_TEST\nprint $e\n",
-		      "north\n");
+	expect_output("shell putenv TS_TEST=north\nvariable e getenv TS_TEST\nprint $e\n", "north\n");
 	ts_script_allow_programs(sim->script_api_data, false);
 	expect_output("variable u universe 4\nprint $u\n", "4\n");
 	expect_error("variable wob equal 3", 1, 10, 3, "exists with style index");
@@ -230,15 +226,12 @@ END_TEST
 
 START_TEST(conditions)
 {
-	expect_output(
-		"variable n index 4\n"
-		"if \"${n} > 3 && ${n} != 5\" then \"print yes\" \"print again\" else 'print no'\n",
-		"yes\nagain\n");
-	expect_output("if \"$n == 3\" then \"print 3\" elif \"$n == 4\" \"print four\" else "
-		      "\"print e\"\n",
+	expect_output("variable n index 4\n"
+		      "if \"${n} > 3 && ${n} != 5\" then \"print yes\" \"print again\" else 'print no'\n",
+		      "yes\nagain\n");
+	expect_output("if \"$n == 3\" then \"print 3\" elif \"$n == 4\" \"print four\" else \"print e\"\n",
 		      "four\n");
-	expect_output("if \"$n == 1\" then \"print 1\" elif \"$n == 2\" then \"print 2\" else "
-		      "\"print e\"\n",
+	expect_output("if \"$n == 1\" then \"print 1\" elif \"$n == 2\" then \"print 2\" else \"print e\"\n",
 		      "e\n");
 	expect_output("if \"0\" then \"print 0\"\nif 1 then \"print 1\"\n", "1\n");
 	expect_output("variable mode index drill\nif \"${mode} == drill\" then \"print a\"\n"
@@ -246,7 +239,8 @@ START_TEST(conditions)
 		      "if \"${mode} == 'drill'\" then \"print d\" &\n\n",
 		      "a\nc\nd\n");
 	/* bare words may be paths; in formulas the same signs calculate */
-	expect_output("variable f index /tmp/x-1/rock.7\nif \"${f} == make\" then \"print m\" else \"print r\"\n"
+	expect_output("variable f index /tmp/x-1/rock.7\nif \"${f} == make\" then \"print m\" else \"print "
+		      "r\"\n"
 		      "if \"${f} == /tmp/x-1/rock.7\" then \"print same\"\n"
 		      "variable g index ../q\nif \"${g} != ../q\" then \"print wrong\"\n"
 		      "variable v equal 7\nif \"v_v/2 == 3.5 && 4-1 == 3\" then \"print half\"\n",
@@ -297,8 +291,7 @@ START_TEST(files)
 	write_file("self.in", "include self.in\n");
 	write_file("other.in", "print lost\nlabel here\nprint found\n");
 	write_file("bad.in", "print fine\n  prnit x\n");
-	expect_output("variable v index 9\ninclude inner.in\nprint outer\n",
-		      "inner 9\n1\n2\nouter\n");
+	expect_output("variable v index 9\ninclude inner.in\nprint outer\n", "inner 9\n1\n2\nouter\n");
 	expect_output("jump other.in here\nprint never\n", "found\n");
 	expect_error("include self.in", 1, 9, 7, "more than 50 deep");
 	expect_error("include none.in", 1, 9, 7, "cannot open script 'none.in'");
@@ -310,10 +303,9 @@ START_TEST(files)
 	ck_assert_ptr_nonnull(fgets(line, sizeof line, file));
 	ck_assert_str_eq(line, "y\n");
 	fclose(file);
-	expect_output(
-		"shell mkdir post\nshell mkdir post\nshell mv out.txt post/a\nshell rm post/a\n"
-		"shell rmdir post\nshell rm inner.in self.in other.in bad.in\n",
-		"");
+	expect_output("shell mkdir post\nshell mkdir post\nshell mv out.txt post/a\nshell rm post/a\n"
+		      "shell rmdir post\nshell rm inner.in self.in other.in bad.in\n",
+		      "");
 	expect_output("log one.log\nprint a\nlog none\nprint b\nlog one.log append\nprint c\nlog none\n",
 		      "a\nb\nc\n");
 	file = fopen("one.log", "r");
@@ -438,8 +430,7 @@ START_TEST(out_of_memory)
 			ck_assert_int_gt(failures, 20);
 			return;
 		}
-		ck_assert_msg(!one || status == (int)TS_NOMEM, "allocation %ld: %s", k,
-			      tsim_error(one));
+		ck_assert_msg(!one || status == (int)TS_NOMEM, "allocation %ld: %s", k, tsim_error(one));
 		failures++;
 		tsim_close(one);
 		ck_assert_int_eq(ts_alloc_balance(), before);

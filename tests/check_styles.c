@@ -13,8 +13,8 @@ static char here[256];
 
 static void at(const struct ts_style *style, const char *row)
 {
-	snprintf(here, sizeof here, "%s %s%s%s", ts_kind_name(style->kind), style->name,
-		 row ? ": " : "", row ? row : "");
+	snprintf(here, sizeof here, "%s %s%s%s", ts_kind_name(style->kind), style->name, row ? ": " : "",
+		 row ? row : "");
 }
 
 #define EXPECT(condition, what) ck_assert_msg(condition, "%s: %s", here, what)
@@ -159,8 +159,7 @@ START_TEST(manual_page)
 	FILE *file;
 
 	at(s, NULL);
-	ts_str_addf(&path, "%s/doc/styles/%s_%s.md", top ? top : ".", ts_kind_name(s->kind),
-		    s->name);
+	ts_str_addf(&path, "%s/doc/styles/%s_%s.md", top ? top : ".", ts_kind_name(s->kind), s->name);
 	for (char *c = strstr(path.text, "/doc/styles/") + strlen("/doc/styles/"); *c; c++)
 		if (*c == '/')
 			*c = '_';
@@ -188,7 +187,8 @@ START_TEST(accelerated_variant)
 {
 	here[0] = '\0';
 	EXPECT(ts_style_find(&ts_tables, TS_KIND_FIX, "gravity/omp") ==
-		       ts_style_find(&ts_tables, TS_KIND_FIX, "gravity"), "gravity/omp is not gravity");
+		       ts_style_find(&ts_tables, TS_KIND_FIX, "gravity"),
+	       "gravity/omp is not gravity");
 	EXPECT(!ts_style_find(&ts_tables, TS_KIND_FIX, "gravit"), "the start of a name was found");
 	EXPECT(!ts_style_find(&ts_tables, TS_KIND_FIX, "/omp"), "an ending alone was found");
 }

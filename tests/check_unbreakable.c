@@ -1,4 +1,5 @@
-/* Scripts that are too deep, too long, circular, or torn: each ends with an error that names the place, or runs. */
+/* Scripts that are too deep, too long, circular, or torn: each ends with an error that names the place, or
+ * runs. */
 #include "script_case.h"
 
 #include <time.h>
@@ -23,8 +24,7 @@ static char *repeated(const char *before, const char *piece, size_t n, const cha
 static void expect_failure(char *script, const char *message)
 {
 	ck_assert_msg(tsim_string(sim, script) != 0, "no error: %.60s", script);
-	ck_assert_msg(strstr(tsim_error(sim), message) != NULL, "%.60s gives: %s", script,
-		      tsim_error(sim));
+	ck_assert_msg(strstr(tsim_error(sim), message) != NULL, "%.60s gives: %s", script, tsim_error(sim));
 	ck_assert_msg(strncmp(tsim_error(sim), "string:", 7) == 0, "no place: %s", tsim_error(sim));
 	ck_assert_uint_lt(strlen(tsim_error(sim)), 3000);
 	tsim_error_clear(sim);
@@ -39,7 +39,8 @@ static void expect_success(char *script)
 
 START_TEST(deep_formulas)
 {
-	static const char *const openings[] = { "(", "sqrt(", "1+(", "2^(-", "min([", "ternary(1,", "x[", "1 == (" };
+	static const char *const openings[] = { "(",	 "sqrt(",      "1+(", "2^(-",
+						"min([", "ternary(1,", "x[",  "1 == (" };
 
 	for (size_t k = 0; k < sizeof openings / sizeof *openings; k++)
 		expect_failure(repeated("variable a equal '", openings[k], DEEP, "1'\nprint ${a}\n"),
@@ -81,12 +82,11 @@ START_TEST(circles)
 {
 	static const char uses_itself[] = "uses itself";
 
-	expect_error("variable a equal v_b\nvariable b equal v_c\nvariable c equal v_a\nprint ${a}",
-		     3, 18, 3, uses_itself);
+	expect_error("variable a equal v_b\nvariable b equal v_c\nvariable c equal v_a\nprint ${a}", 3, 18, 3,
+		     uses_itself);
 	expect_error("variable v vector v_v\nprint ${v}", 1, 19, 3, uses_itself);
 	expect_error("variable v vector sum(v_v)\nprint $(v_v[1])", 1, 23, 3, uses_itself);
-	expect_error("variable f format g %g\nvariable g format f %g\nprint ${f}", 2, 19, 1,
-		     uses_itself);
+	expect_error("variable f format g %g\nvariable g format f %g\nprint ${f}", 2, 19, 1, uses_itself);
 	expect_error("variable s index x\nvariable s delete\nvariable s equal ${s}", 3, 18, 4,
 		     "unknown variable 's'");
 	expect_error("variable t equal v_t\nif \"v_t > 1\" then \"print x\"", 1, 18, 3, uses_itself);

@@ -40,8 +40,7 @@ START_TEST(lists_of_words)
 		      "a\nb\ngone\n");
 	expect_output("variable u uloop 9 11\n", "");
 	expect_output("variable n loop 9 10 pad\nprint $n\nnext n\nprint $n\n", "09\n10\n");
-	expect_output("variable m loop -1 1\nprint $m\nnext m\nprint $m\nnext m\nprint $m\n",
-		      "-1\n0\n1\n");
+	expect_output("variable m loop -1 1\nprint $m\nnext m\nprint $m\nnext m\nprint $m\n", "-1\n0\n1\n");
 	expect_error("variable v world a b", 1, 20, 1, "takes one word");
 	expect_error("variable v loop 1 2 3", 1, 21, 1, "takes 'N', 'N1 N2'");
 	expect_error("variable v loop 1 2 3 pad", 1, 23, 3, "takes 3 words");
@@ -138,8 +137,7 @@ START_TEST(vectors)
 	expect_error("print $(sort([1,2]))", 1, 9, 11, "gives a list");
 	expect_error("print $(slope(7))", 1, 15, 1, "expected a list");
 	expect_error("print $(slope([7]))", 1, 9, 10, "at least 2 numbers");
-	expect_error("variable q vector v_v+[1,2]\nprint ${q}", 1, 19, 9,
-		     "lists of 3 and 2 numbers");
+	expect_error("variable q vector v_v+[1,2]\nprint ${q}", 1, 19, 9, "lists of 3 and 2 numbers");
 	expect_error("variable q vector [1,]\nprint ${q}", 1, 22, 1, "expected a number or a name");
 	expect_error("variable q vector [1\nprint ${q}", 1, 20, 1, "found the end");
 	expect_error("print $(v_n[1])", 1, 9, 6, "has one value");

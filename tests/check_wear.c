@@ -21,7 +21,8 @@ START_TEST(known_angles)
 {
 	const double normal[3] = { 0, 0, 1 };
 	const double steep[3] = { 0.3, 0, -0.4 }, flat[3] = { 2.385, 0, -0.2385 }, straight[3] = { 0, 0, -7 };
-	const double resting[3] = { 0, 0, 0 }, slow[3] = { 0.3e-12, 0, -0.4e-12 }, turned[3] = { 0, 0.3, 0.4 };
+	const double resting[3] = { 0, 0, 0 }, slow[3] = { 0.3e-12, 0, -0.4e-12 },
+		     turned[3] = { 0, 0.3, 0.4 };
 
 	/* 2 k v F f h / A with v = 0.5 and f = 0.33333 * 0.6^2 */
 	ck_assert_double_eq_tol(ts_wear_finnie(1.7, steep, normal, 31, 0.35, 1e-3),

@@ -17,22 +17,19 @@ struct cloud cloud_start(void)
 	int count = 0;
 
 	for (int i = 0; i < CLOUD; i++) {
-		int cell[3] = { i % CLOUD_EDGE, i / CLOUD_EDGE % CLOUD_EDGE,
-				i / CLOUD_EDGE / CLOUD_EDGE };
+		int cell[3] = { i % CLOUD_EDGE, i / CLOUD_EDGE % CLOUD_EDGE, i / CLOUD_EDGE / CLOUD_EDGE };
 
 		c.r[i] = 0.0101 + 0.0019 * noise(&count);
 		c.m[i] = 0.013 + 0.009 * noise(&count);
 		for (int k = 0; k < 3; k++) {
-			c.x[k][i] =
-				SPACING * (cell[k] - 0.5 * (CLOUD_EDGE - 1)) + 5e-4 * noise(&count);
+			c.x[k][i] = SPACING * (cell[k] - 0.5 * (CLOUD_EDGE - 1)) + 5e-4 * noise(&count);
 			c.v[k][i] = -10 * c.x[k][i] + 0.4 * noise(&count);
 		}
 	}
 	return c;
 }
 
-struct tsim *cloud_open(const char *boundary, const char *options, const char *integrator,
-			struct cloud start)
+struct tsim *cloud_open(const char *boundary, const char *options, const char *integrator, struct cloud start)
 {
 	double b = CLOUD_BOX / 2;
 	struct tsim *sim = deck_open("units si\n"

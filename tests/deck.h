@@ -10,12 +10,12 @@
 
 #include "tsim.h"
 
-/* ck_assert for loops over very many numbers: ck_assert itself reports its line to the parent process each time, which
- * costs some microseconds. */
-#define deck_assert(condition)                                                                               \
-	do {                                                                                                 \
-		if (!(condition))                                                                            \
-			ck_abort_msg("'%s' is false", #condition);                                           \
+/* ck_assert for loops over very many numbers: ck_assert itself reports its line to the parent process each
+ * time, which costs some microseconds. */
+#define deck_assert(condition)                                     \
+	do {                                                       \
+		if (!(condition))                                  \
+			ck_abort_msg("'%s' is false", #condition); \
 	} while (0)
 
 /* A simulation that has run the script; the test fails where the script does. */
@@ -45,12 +45,11 @@ int deck_main(Suite *suite);
 #define DECK_LENGTH(array) (sizeof(array) / sizeof *(array))
 
 /* |a - b| <= tolerance, with all digits said if not. */
-#define DECK_NEAR(a, b, tolerance)                                                                 \
-	do {                                                                                       \
-		double near_a = (a), near_b = (b);                                                 \
-		ck_assert_msg(fabs(near_a - near_b) <= (tolerance),                                \
-			      "%s = %.17g, expected %.17g within %g", #a, near_a, near_b,          \
-			      (double)(tolerance));                                                \
+#define DECK_NEAR(a, b, tolerance)                                                                          \
+	do {                                                                                                \
+		double near_a = (a), near_b = (b);                                                          \
+		ck_assert_msg(fabs(near_a - near_b) <= (tolerance), "%s = %.17g, expected %.17g within %g", \
+			      #a, near_a, near_b, (double)(tolerance));                                     \
 	} while (0)
 
 #endif

@@ -1,5 +1,5 @@
 # Other ways to look for faults, each in a folder of its own below the build folder.
-.PHONY: sanitize coverage analyze
+.PHONY: sanitize coverage analyze format
 
 # configure_in FOLDER,OPTIONS: once; later calls build what has changed
 configure_in = $(MKDIR_P) $(1) && cd $(1) && { test -f Makefile || CC='$(CC)' $(abs_top_srcdir)/configure -q $(2); }
@@ -38,3 +38,8 @@ analyze:
 		exit $$status; \
 	fi
 	@echo 'make analyze: nothing found'
+
+# Lays out all C files but the generated one as .clang-format says.
+format:
+	cd $(top_srcdir) && find src tests bench examples -name '*.[ch]' ! -path src/library/style_table.c \
+		-exec clang-format -i {} +

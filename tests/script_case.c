@@ -42,8 +42,8 @@ void expect_error(const char *script, int line, int column, int length, const ch
 		      sim->error.message);
 	ck_assert_msg(sim->error.place.line == line && sim->error.place.column == column &&
 			      sim->error.place.length == length,
-		      "'%s' points to %d:%d+%d: %s", script, sim->error.place.line,
-		      sim->error.place.column, sim->error.place.length, sim->error.message);
+		      "'%s' points to %d:%d+%d: %s", script, sim->error.place.line, sim->error.place.column,
+		      sim->error.place.length, sim->error.message);
 	tsim_error_clear(sim);
 }
 
@@ -59,8 +59,8 @@ void expect_value(const char *formula, double wanted)
 {
 	double got = value(formula);
 
-	ck_assert_msg(fabs(got - wanted) <= 1e-15 * fabs(wanted), "%s is %.17g, not %.17g", formula,
-		      got, wanted);
+	ck_assert_msg(fabs(got - wanted) <= 1e-15 * fabs(wanted), "%s is %.17g, not %.17g", formula, got,
+		      wanted);
 }
 
 void write_file(const char *path, const char *text)

@@ -122,6 +122,7 @@ shell_tests = \
 	tests/flow_cases.sh \
 	tests/flow_restart.sh \
 	tests/flow_threads.sh \
+	tests/format.sh \
 	tests/full_disk.sh \
 	tests/fuzz/fuzz.sh \
 	tests/grammar.sh \

@@ -44,8 +44,7 @@ static int servo(struct tsim *sim, void *data)
 	v = -(force - f) / press->viscosity;
 	tsim_clock(sim, NULL, NULL, &dt);
 	z += v * dt; /* nobody else moves the ram */
-	return tsim_scatter(sim, "vz", &press->ram, &v, 1) ||
-	       tsim_scatter(sim, "z", &press->ram, &z, 1);
+	return tsim_scatter(sim, "vz", &press->ram, &v, 1) || tsim_scatter(sim, "z", &press->ram, &z, 1);
 }
 
 /* The grains, touching, from the bottom up, and the groups of those that are not free. */
@@ -74,8 +73,8 @@ static int prepare(struct tsim *sim, struct press *press)
 {
 	int32_t id[GRAINS];
 
-	if (tsim_text(sim, box, "box") || make_grains(sim, id) ||
-	    tsim_variable_number(sim, "k", stiffness) || tsim_text(sim, physics, "physics"))
+	if (tsim_text(sim, box, "box") || make_grains(sim, id) || tsim_variable_number(sim, "k", stiffness) ||
+	    tsim_text(sim, physics, "physics"))
 		return 1;
 	press->ram = id[GRAINS - 1];
 	press->viscosity = 5 * sqrt(stiffness * 0.017); /* slow against waves in the column */
@@ -109,8 +108,7 @@ int main(void)
 	double z;
 	int bad;
 
-	if (!sim || prepare(sim, &press) || run(sim, &press) ||
-	    tsim_gather(sim, "z", &press.ram, &z, 1)) {
+	if (!sim || prepare(sim, &press) || run(sim, &press) || tsim_gather(sim, "z", &press.ram, &z, 1)) {
 		fputs(tsim_error(sim), stderr);
 		tsim_close(sim);
 		return EXIT_FAILURE;

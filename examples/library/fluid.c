@@ -1,9 +1,9 @@
 /* A fluid that this program computes, coupled to grains of tsim by fix couple/cfd.
  *
- * The "fluid" is a plug that grains slow down: one velocity u, of mass M. Every ten steps the program reads the
- * velocities of the grains, gives each the coefficient of Stokes' drag and the velocity of the fluid, and takes from
- * the fluid what the grains have got of it since. Both go to the velocity of their common momentum, with exp(-t/T),
- * 1/T = K/m (1 + n m/M).
+ * The "fluid" is a plug that grains slow down: one velocity u, of mass M. Every ten steps the program
+ * reads the velocities of the grains, gives each the coefficient of Stokes' drag and the velocity of the
+ * fluid, and takes from the fluid what the grains have got of it since. Both go to the velocity of their
+ * common momentum, with exp(-t/T), 1/T = K/m (1 + n m/M).
  *
  *   cc fluid.c $(pkg-config --cflags --libs tsim) -o fluid */
 #include <math.h>

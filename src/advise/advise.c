@@ -35,8 +35,8 @@ static const struct ts_arg rows[] = {
 	TS_REAL("seconds", struct options, seconds, .flags = TS_POSITIONAL, .fallback = "60",
 		.range = TS_POSITIVE, .unit = "s", .help = "how long all of it may take, about"),
 	TS_INT("at", struct options, at, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE, .unit = "step",
-	       .help = "the step at which trials start; without it, as far as the script comes in a third of the "
-		       "time, or where the run begins that does most"),
+	       .help = "the step at which trials start; without it, as far as the script comes in a third of "
+		       "the time, or where the run begins that does most"),
 	TS_INT("steps", struct options, steps, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "step",
 	       .help = "length of a trial in steps of the script; without it, as long as the time allows"),
 	TS_REAL("tolerance", struct options, tolerance, .fallback = "0.01", .range = TS_POSITIVE, .unit = "",
@@ -77,8 +77,8 @@ static enum ts_status arrive(struct way *w, struct tsim *sim)
 	return ts_fail(&sim->error, TS_STOPPED, NULL, "here the trials start");
 }
 
-static enum ts_status before(struct ts_run_watch *watch, struct tsim *sim,
-			     const struct ts_place *where, int64_t *last)
+static enum ts_status before(struct ts_run_watch *watch, struct tsim *sim, const struct ts_place *where,
+			     int64_t *last)
 {
 	struct way *w = (struct way *)watch;
 	struct ts_board *b = w->board;
@@ -122,8 +122,7 @@ static int64_t round_steps(double n)
 	double lead = n / power;
 
 	n = (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
-	return n < TS_TRIAL_LOOKS ? TS_TRIAL_LOOKS
-				  : (int64_t)n / TS_TRIAL_LOOKS * TS_TRIAL_LOOKS;
+	return n < TS_TRIAL_LOOKS ? TS_TRIAL_LOOKS : (int64_t)n / TS_TRIAL_LOOKS * TS_TRIAL_LOOKS;
 }
 
 /* What a trial costs in parts of the scene as it is. */
@@ -164,8 +163,8 @@ static void try_one(struct advise *a, int k, struct ts_log *screen)
 	ts_trial_run(a->sim, b, k, a->o.steps > 0 ? 1e9 : fmax(2, 15 * expected));
 }
 
-/* What seems worth it, but by no more than times differ, is measured again, with the scene as it is and its twin, until
- * it is decided or the time is over. */
+/* What seems worth it, but by no more than times differ, is measured again, with the scene as it is and
+ * its twin, until it is decided or the time is over. */
 static void decide(struct advise *a, struct ts_log *screen)
 {
 	struct ts_board *b = a->board;
@@ -233,7 +232,9 @@ static void be_child(struct advise *a, const char *place, int64_t wanted)
 {
 	struct tsim *sim = a->sim;
 	struct ts_log screen = sim->log;
-	struct way w = { .watch = { before, after }, .board = a->board, .wanted = wanted,
+	struct way w = { .watch = { before, after },
+			 .board = a->board,
+			 .wanted = wanted,
 			 .at = a->o.at >= 0 ? a->o.at : -1 };
 	enum ts_status status;
 

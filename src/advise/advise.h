@@ -9,8 +9,9 @@
 
 #include "core/sim.h"
 
-/* `words` follow -advise; `vars` is -var NAME VALUE ... What is to be said is added to `text`. Returns an exit
- * status: 0, 1 after an error, 2 for wrong words. sim->error is set, or the scene's error is in `trouble`. */
+/* `words` follow -advise; `vars` is -var NAME VALUE ... What is to be said is added to `text`. Returns an
+ * exit status: 0, 1 after an error, 2 for wrong words. sim->error is set, or the scene's error is in
+ * `trouble`. */
 struct ts_advise_input {
 	const char *script;
 	struct ts_words words, vars;

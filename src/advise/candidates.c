@@ -16,8 +16,9 @@ static const double SAFE = 0.8; /* part of the limit of the step up to which ste
 static const double steps[] = { 0.25, 0.5, 2, 4 }, skins[] = { 0.5, 2 };
 enum { MOST_THREADS = 8 };
 
-/* Arguments of styles worth trying. A value is tried if the scene has one of `from`, "*" being any; `needs` is a
- * material property that has to be there, made up from the speeds of the particles if it is not. */
+/* Arguments of styles worth trying. A value is tried if the scene has one of `from`, "*" being any;
+ * `needs` is a material property that has to be there, made up from the speeds of the particles if it is
+ * not. */
 static const struct {
 	enum ts_kind kind;
 	const char *style, *keyword;
@@ -32,7 +33,12 @@ static const struct {
 	{ TS_KIND_PAIR, "*", "located", { "*" }, { "yes" }, NULL },
 	{ TS_KIND_FLOW, "projection", "time", { "*" }, { "euler", "rk2" }, NULL },
 	{ TS_KIND_FLOW, "projection", "viscous", { "explicit" }, { "implicit" }, NULL },
-	{ TS_KIND_FLOW, "projection", "convection", { "*" }, { "donor", "central", "quick", "cubista" }, NULL },
+	{ TS_KIND_FLOW,
+	  "projection",
+	  "convection",
+	  { "*" },
+	  { "donor", "central", "quick", "cubista" },
+	  NULL },
 	{ TS_KIND_FLOW, "projection", "every", { "1" }, { "2", "5" }, NULL },
 	{ TS_KIND_FLOW, "projection", "substeps", { "1" }, { "2", "auto" }, NULL },
 };
@@ -195,9 +201,8 @@ static void list_pressures(struct tsim *sim, struct ts_board *b)
 	if (!flow || !ts_streq(flow->style->name, "projection"))
 		return;
 	for (const char *const *s = solvers; *s; s++) {
-		struct ts_trial *t = now && ts_streq(now->style->name, *s)
-					     ? NULL
-					     : add(b, TS_SUBJECT_PRESSURE);
+		struct ts_trial *t =
+			now && ts_streq(now->style->name, *s) ? NULL : add(b, TS_SUBJECT_PRESSURE);
 
 		if (t)
 			snprintf(t->label, sizeof t->label, "pressure_style %s", *s);
@@ -247,10 +252,9 @@ static enum ts_status meet_need(struct tsim *sim, const char *property)
 	if (!property || ts_property_has(sim, property))
 		return TS_OK;
 	if (!(speed > 0))
-		return ts_fail(&sim->error, TS_STATE, NULL,
-			       "needs %s, and nothing moves to estimate it from", property);
-	return run_line(sim, "fix advise_%s all property/global %s scalar %.3g", property, property,
-			speed);
+		return ts_fail(&sim->error, TS_STATE, NULL, "needs %s, and nothing moves to estimate it from",
+			       property);
+	return run_line(sim, "fix advise_%s all property/global %s scalar %.3g", property, property, speed);
 }
 
 /* The value in the style and, where they have laws of their own that were the same, in the walls. */
@@ -279,8 +283,7 @@ static enum ts_status make_choice(struct tsim *sim, int c, const char *value)
 	return TS_OK;
 }
 
-enum ts_status ts_settings_apply(struct tsim *sim, const struct ts_board *b,
-				 const struct ts_trial *t)
+enum ts_status ts_settings_apply(struct tsim *sim, const struct ts_board *b, const struct ts_trial *t)
 {
 	if (t->threads > 0)
 		sim->threads = t->threads;

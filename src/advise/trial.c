@@ -1,6 +1,6 @@
-/* A trial runs in a copy of the process (fork), as explain/price.c does it: nothing it does can touch the scene,
- * and all trials start from the same bits. The copy works in a new thread, since OpenMP's do not survive a
- * fork. */
+/* A trial runs in a copy of the process (fork), as explain/price.c does it: nothing it does can touch the
+ * scene, and all trials start from the same bits. The copy works in a new thread, since OpenMP's do not
+ * survive a fork. */
 #include "advise/trial.h"
 
 #include <errno.h>
@@ -37,11 +37,10 @@ struct copy {
 /* Columns that say nothing about the physics: clocks, and how well a solver does. */
 static bool tells_nothing(const char *name)
 {
-	static const char *const names[] = { "step",	   "elapsed",	 "elaplong",  "time",
-					     "dt",	   "cpu",	 "tpcpu",     "spcpu",
-					     "cpuremain",  "timeremain", "cu",	      "flow_div",
-					     "flow_cfl",   "flow_iter",	 "flow_res",  "flow_dt",
-					     "flow_steps", NULL };
+	static const char *const names[] = { "step",	"elapsed",    "elaplong", "time",      "dt",
+					     "cpu",	"tpcpu",      "spcpu",	  "cpuremain", "timeremain",
+					     "cu",	"flow_div",   "flow_cfl", "flow_iter", "flow_res",
+					     "flow_dt", "flow_steps", NULL };
 	const char *const *n = names;
 
 	while (*n && !ts_streq(*n, name))
@@ -153,8 +152,8 @@ static int list_titles(struct tsim *sim, struct ts_board *board)
 	for (size_t k = 0; k < t->n && n < TS_TRIAL_COLUMNS; k++)
 		if (!tells_nothing(t->column[k].input.name)) {
 			board->counts[n] = counts_steps(&t->column[k].input.ref);
-			snprintf(board->title[n], sizeof board->title[0], "%s%s",
-				 board->counts[n] ? "#" : "", t->column[k].title);
+			snprintf(board->title[n], sizeof board->title[0], "%s%s", board->counts[n] ? "#" : "",
+				 t->column[k].title);
 			n++;
 		}
 	return n;

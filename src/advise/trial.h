@@ -45,8 +45,8 @@ struct ts_trial {
 	double column[TS_TRIAL_LOOKS + 1][TS_TRIAL_COLUMNS]; /* the first: at the start */
 
 	/* what it means */
-	bool undecided; /* it seems cheaper, but by no more than times differ anyway */
-	bool idle;	/* another law of contacts, and nothing touched */
+	bool undecided;	     /* it seems cheaper, but by no more than times differ anyway */
+	bool idle;	     /* another law of contacts, and nothing touched */
 	bool advised, front; /* front: nothing is both cheaper and closer to the finest */
 	double change[TS_TRIAL_COLUMNS], worst; /* against the finest, in units of the column's scale */
 	int worst_column;
@@ -69,12 +69,13 @@ struct ts_board {
 	double step_seconds; /* of one step, before the trials */
 
 	/* the trials */
-	int64_t steps; /* of the present dt */
-	int repeats;   /* the least time counts */
+	int64_t steps;			  /* of the present dt */
+	int repeats;			  /* the least time counts */
 	char counters[2 * TS_TRIAL_TEXT]; /* fixes that act every so many steps */
 	int columns;
 	char title[TS_TRIAL_COLUMNS][16];
-	bool counts[TS_TRIAL_COLUMNS]; /* by the steps, so with another step it is another thing: not judged */
+	/* by the steps, so with another step it is another thing: not judged */
+	bool counts[TS_TRIAL_COLUMNS];
 	int n;
 	struct ts_trial trial[TS_TRIAL_MOST];
 };
@@ -92,8 +93,8 @@ void ts_settings_list(struct tsim *sim, struct ts_board *board);
 enum ts_status ts_settings_apply(struct tsim *sim, const struct ts_board *board,
 				 const struct ts_trial *trial);
 
-/* verdict.c: whether trial k seems worth it, but its time differs from the present one by no more than times of the
- * same differ. */
+/* verdict.c: whether trial k seems worth it, but its time differs from the present one by no more than
+ * times of the same differ. */
 bool ts_verdict_open(struct ts_board *b, int k);
 /* Fills in the trial with all that is advised; false: there is nothing, or only one thing. */
 bool ts_verdict_combine(struct ts_board *board, double tolerance);

@@ -11,9 +11,10 @@
 #include "base/banned.h"
 
 static const double WORTH = 0.9;   /* advised from this part of the cost on */
-static const double NOISE = 3;     /* a change counts if it is so many times that of the twin */
+static const double NOISE = 3;	   /* a change counts if it is so many times that of the twin */
 static const double FLOOR = 1e-12; /* a difference of round-off, in parts of the magnitude */
-static const double SURE = 2;	   /* a saving counts if it is so many times what times of the same differ by */
+/* a saving counts if it is so many times what times of the same differ by */
+static const double SURE = 2;
 static const double SHORTEST = 2e-3; /* seconds: less is the clock's own */
 enum { COLUMNS_SHOWN = 7, LABEL_WIDTH = 30 };
 
@@ -44,7 +45,8 @@ static double spread_of(const struct ts_trial *t)
 	return t && t->done ? (t->longest - t->seconds) / t->seconds : 0;
 }
 
-/* How much times of the same differ, in parts of them: the scene and its twin do the same work, and so do repeats. */
+/* How much times of the same differ, in parts of them: the scene and its twin do the same work, and so do
+ * repeats. */
 static double time_noise(const struct ts_board *b, const struct ts_trial *t)
 {
 	const struct ts_trial *here = first_of(b, TS_SUBJECT_PRESENT);
@@ -79,7 +81,8 @@ bool ts_verdict_open(struct ts_board *b, int k)
 {
 	const struct ts_trial *t = &b->trial[k];
 
-	return t->subject >= TS_SUBJECT_STEP && !law_of_nothing(b, t) && seems_worth(b, t) && !surely_worth(b, t);
+	return t->subject >= TS_SUBJECT_STEP && !law_of_nothing(b, t) && seems_worth(b, t) &&
+	       !surely_worth(b, t);
 }
 
 /* The trial with the smallest step, all else as the scene has it. */
@@ -139,8 +142,8 @@ static double noise_of(const struct ts_board *b, int column, double scale)
 }
 
 /* The largest change of a trial from another that is more than round-off grown large. */
-static double worst_change(const struct ts_board *b, const struct ts_trial *t,
-			   const struct ts_trial *from, int *column)
+static double worst_change(const struct ts_board *b, const struct ts_trial *t, const struct ts_trial *from,
+			   int *column)
 {
 	const struct ts_trial *finer = finest(b);
 	double worst = 0;
@@ -182,8 +185,8 @@ static void mark_front(struct ts_board *b)
 			const struct ts_trial *o = &b->trial[m];
 			bool better = o->seconds < t->seconds || o->worst < t->worst;
 
-			if (o->done && o->subject != TS_SUBJECT_TWIN && better &&
-			    o->seconds <= t->seconds && o->worst <= t->worst)
+			if (o->done && o->subject != TS_SUBJECT_TWIN && better && o->seconds <= t->seconds &&
+			    o->worst <= t->worst)
 				t->front = false;
 		}
 	}
@@ -310,8 +313,7 @@ static void add_row(const struct ts_board *b, const struct ts_trial *t, const in
 {
 	const struct ts_trial *here = first_of(b, TS_SUBJECT_PRESENT), *finer = finest(b);
 
-	ts_str_addf(out, "%s%s %-*s", t->front ? "*" : " ", t->advised ? ">" : " ", LABEL_WIDTH,
-		    t->label);
+	ts_str_addf(out, "%s%s %-*s", t->front ? "*" : " ", t->advised ? ">" : " ", LABEL_WIDTH, t->label);
 	if (!t->done) {
 		ts_str_addf(out, " %.76s%s\n", *t->trouble ? t->trouble : "not tried, no time was left",
 			    strlen(t->trouble) > 76 ? " ..." : "");
@@ -340,19 +342,22 @@ static void add_table(const struct ts_board *b, struct ts_str *out)
 	ts_str_add(out, "\n");
 	for (int k = 0; k < b->n; k++)
 		add_row(b, &b->trial[k], shown, n, out);
-	ts_str_add(out, "s/time: seconds of computing for a unit of time of the script; cost: the same, the scene as it "
-			"is being 1. Then\nchanges of the columns of its table from the finest trial, the largest "
-			"at any look, in parts of what the column goes\nthrough in a trial; ~ no more than "
-			"round-off grows to. * nothing is both cheaper and closer. > advised\n");
+	ts_str_add(out,
+		   "s/time: seconds of computing for a unit of time of the script; cost: the same, the scene "
+		   "as it is being 1. Then\nchanges of the columns of its table from the finest trial, the "
+		   "largest at any look, in parts of what the column goes\nthrough in a trial; ~ no more "
+		   "than round-off grows to. * nothing is both cheaper and closer. > advised\n");
 	for (int c = 0; c < b->columns; c++)
 		if (b->counts[c]) {
-			ts_str_add(out, "# of a fix that counts or measures steps, so another thing with another step: not "
-					"judged\n");
+			ts_str_add(out, "# of a fix that counts or measures steps, so another thing with "
+					"another step: not judged\n");
 			break;
 		}
 	if (*b->counters)
-		ts_str_addf(out, "with another step, these numbers of steps were changed to stand for the same time: "
-				 "%s\n", b->counters);
+		ts_str_addf(out,
+			    "with another step, these numbers of steps were changed to stand for the same "
+			    "time: %s\n",
+			    b->counters);
 	if (n < b->columns)
 		ts_str_addf(out, "%d columns that change less are not shown\n", b->columns - n);
 }
@@ -379,8 +384,8 @@ static void add_change(const struct ts_board *b, double worst, int column, struc
 		ts_str_addf(out, "the largest change is %.2g %% (%s)", 100 * worst, b->title[column]);
 }
 
-static void add_duration(const struct ts_board *b, const struct ts_trial *here,
-			 const struct ts_trial *t, struct ts_str *out)
+static void add_duration(const struct ts_board *b, const struct ts_trial *here, const struct ts_trial *t,
+			 struct ts_str *out)
 {
 	double per_run = (double)b->left / (double)b->steps;
 
@@ -400,13 +405,13 @@ static int add_undecided(const struct ts_board *b, struct ts_str *out)
 		const struct ts_trial *t = &b->trial[k];
 
 		if (t->idle && !idle)
-			ts_str_add(out, "laws of contacts: not decided, since nothing touched in the trials; begin them later "
-					"(-advise at STEP)\n");
+			ts_str_add(out, "laws of contacts: not decided, since nothing touched in the trials; "
+					"begin them later (-advise at STEP)\n");
 		idle |= t->idle;
 		if (t->undecided)
 			ts_str_addf(out,
-				    "%s: not decided, %.2f of the cost, but times of the same differ by %.2g %%; give it "
-				    "more time\n",
+				    "%s: not decided, %.2f of the cost, but times of the same differ by %.2g "
+				    "%%; give it more time\n",
 				    t->label, t->seconds / present_seconds(b), 100 * time_noise(b, t));
 		n += t->undecided;
 	}
@@ -432,16 +437,18 @@ static void add_advice(const struct ts_board *b, double tolerance, struct ts_str
 			worst = worst_change(b, t, here, &column);
 		ts_str_addf(out, "%s: %.2f of the cost, ", t->label, t->seconds / here->seconds);
 		add_change(b, worst, column, out);
-		ts_str_addf(out, "%s\n", step && here->worst > tolerance
-						 ? "; the present step is too long for the tolerance"
-						 : "");
+		ts_str_addf(out, "%s\n",
+			    step && here->worst > tolerance
+				    ? "; the present step is too long for the tolerance"
+				    : "");
 		only = t;
 		step_advised |= step;
 		n++;
 	}
 	if (here && here->worst > tolerance && !step_advised)
-		ts_str_addf(out, "The step decides: as it is, %s is off by %.2g %%, and no step tried is within %g %% "
-				 "of the finest. Try smaller ones.\n",
+		ts_str_addf(out,
+			    "The step decides: as it is, %s is off by %.2g %%, and no step tried is within "
+			    "%g %% of the finest. Try smaller ones.\n",
 			    b->title[here->worst_column], 100 * here->worst, 100 * tolerance);
 	else if (!add_undecided(b, out) && !n)
 		ts_str_add(out, "Nothing that was tried is better than what the script has.\n");

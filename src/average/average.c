@@ -27,8 +27,7 @@ enum ts_status ts_average_init(struct ts_instance *self, struct tsim *sim, struc
 	return TS_OK;
 }
 
-enum ts_status ts_average_resize(struct ts_instance *self, struct tsim *sim, struct ts_average *a,
-				 size_t n)
+enum ts_status ts_average_resize(struct ts_instance *self, struct tsim *sim, struct ts_average *a, size_t n)
 {
 	size_t ring = a->ave == TS_AVE_WINDOW ? n * (size_t)a->window : 0;
 
@@ -102,8 +101,7 @@ void ts_average_combine(struct ts_average *a)
 		double value = a->sum[k];
 
 		if (a->ave == TS_AVE_RUNNING)
-			value = a->total[k] = a->averages == 1 ? value
-							       : both(a, k, a->total[k], value);
+			value = a->total[k] = a->averages == 1 ? value : both(a, k, a->total[k], value);
 		if (a->ave == TS_AVE_WINDOW) {
 			a->history[place + k] = value;
 			value = a->history[k];
@@ -114,19 +112,18 @@ void ts_average_combine(struct ts_average *a)
 	}
 }
 
-enum ts_status ts_average_archive(struct ts_instance *self, struct tsim *sim,
-				  struct ts_archive *archive, struct ts_average *a)
+enum ts_status ts_average_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive,
+				  struct ts_average *a)
 {
 	size_t expected;
 
-	TS_TRY(ts_archive_array(archive, "sum", TS_SAVED_F64, (void **)&a->sum, &a->sum_capacity,
-				&a->sum_n));
-	TS_TRY(ts_archive_array(archive, "total", TS_SAVED_F64, (void **)&a->total,
-				&a->total_capacity, &a->total_n));
-	TS_TRY(ts_archive_array(archive, "history", TS_SAVED_F64, (void **)&a->history,
-				&a->history_capacity, &a->history_n));
-	TS_TRY(ts_archive_array(archive, "result", TS_SAVED_F64, (void **)&a->result,
-				&a->result_capacity, &a->result_n));
+	TS_TRY(ts_archive_array(archive, "sum", TS_SAVED_F64, (void **)&a->sum, &a->sum_capacity, &a->sum_n));
+	TS_TRY(ts_archive_array(archive, "total", TS_SAVED_F64, (void **)&a->total, &a->total_capacity,
+				&a->total_n));
+	TS_TRY(ts_archive_array(archive, "history", TS_SAVED_F64, (void **)&a->history, &a->history_capacity,
+				&a->history_n));
+	TS_TRY(ts_archive_array(archive, "result", TS_SAVED_F64, (void **)&a->result, &a->result_capacity,
+				&a->result_n));
 	if (ts_archive_writing(archive))
 		return TS_OK;
 	a->n = a->result_n;

@@ -27,23 +27,28 @@ struct ts_average {
 };
 
 /* Rows for a state of type T in which A is the struct ts_average. */
-#define TS_AVERAGE_STEPS(T, A)                                                                        \
-	TS_INT("Nevery", T, A.every, .flags = TS_POSITIONAL | TS_STATEFUL,                   \
-	       .range = TS_WITHIN, .lo = 1, .hi = 1e15, .help = "steps between samples"),          \
-		TS_INT("Nrepeat", T, A.repeat, .flags = TS_POSITIONAL | TS_STATEFUL,         \
-		       .range = TS_WITHIN, .lo = 1, .hi = 1e15, .help = "samples per average"),    \
-		TS_INT("Nfreq", T, A.freq, .flags = TS_POSITIONAL | TS_STATEFUL,             \
-		       .range = TS_WITHIN, .lo = 1, .hi = 1e15, .help = "steps between averages")
-#define TS_AVERAGE_WINDOW_ROW(T, A)                                                                   \
-	TS_INT("M", T, A.window, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN,   \
-	       .lo = 1, .hi = 1e6, .help = "how many averages")
+#define TS_AVERAGE_STEPS(T, A)                                                                           \
+	TS_INT("Nevery", T, A.every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1,  \
+	       .hi = 1e15, .help = "steps between samples"),                                             \
+		TS_INT("Nrepeat", T, A.repeat, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, \
+		       .lo = 1, .hi = 1e15, .help = "samples per average"),                              \
+		TS_INT("Nfreq", T, A.freq, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN,     \
+		       .lo = 1, .hi = 1e15, .help = "steps between averages")
+#define TS_AVERAGE_WINDOW_ROW(T, A)                                                                 \
+	TS_INT("M", T, A.window, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1, \
+	       .hi = 1e6, .help = "how many averages")
 /* Needs: static const struct ts_arg window_row[] = { TS_AVERAGE_WINDOW_ROW(T, A), TS_ARGS_END }; and
  * static const struct ts_mode combinations[] = TS_AVERAGE_MODES; */
-#define TS_AVERAGE_MODES                                                                           \
-	{ [TS_AVE_ONE] = { "one", "each average by itself", NULL },                                \
-	  [TS_AVE_RUNNING] = { "running", "all averages so far together", NULL },                  \
-	  [TS_AVE_WINDOW] = { "window", "the last M averages together", window_row },              \
-	  { .name = NULL } }
+#define TS_AVERAGE_MODES                                                                    \
+	{                                                                                   \
+		[TS_AVE_ONE] = { "one", "each average by itself", NULL },                   \
+		[TS_AVE_RUNNING] = { "running", "all averages so far together", NULL },     \
+		[TS_AVE_WINDOW] = { "window", "the last M averages together", window_row }, \
+		{                                                                           \
+			.name = NULL                                                        \
+		}                                                                           \
+	}
+/* clang-format off */
 #define TS_AVERAGE_KEYWORDS(T, A)                                                                     \
 	{ .name = "ave",                                                                           \
 	  .type = TS_ARG_MODE,                                                                     \
@@ -55,6 +60,8 @@ struct ts_average {
 		TS_INT("start", T, A.start, .flags = TS_STATEFUL, .range = TS_WITHIN,        \
 		       .lo = 0, .hi = 1e15, .fallback = "0",                                       \
 		       .help = "no average before this step")
+/* clang-format on */
+/* clang-format off */
 #define TS_AVERAGE_SAVED(T, A)                                                                        \
 	{ "next", TS_SAVED_I64, offsetof(T, A.next), 1 },                                    \
 		{ "samples", TS_SAVED_I64, offsetof(T, A.samples), 1 },                      \
@@ -62,12 +69,12 @@ struct ts_average {
 	{                                                                                          \
 		"averages", TS_SAVED_I64, offsetof(T, A.averages), 1                         \
 	}
+/* clang-format on */
 
 /* In init: checks the numbers of steps; the first time finds the step of the first sample. */
 enum ts_status ts_average_init(struct ts_instance *self, struct tsim *sim, struct ts_average *a);
 /* Room for n numbers. With `ave` other than one it must stay the same. */
-enum ts_status ts_average_resize(struct ts_instance *self, struct tsim *sim, struct ts_average *a,
-				 size_t n);
+enum ts_status ts_average_resize(struct ts_instance *self, struct tsim *sim, struct ts_average *a, size_t n);
 /* Is a sample to be taken at this step? Before the first one of an average the sums are cleared. */
 bool ts_average_due(struct ts_average *a, const struct tsim *sim);
 /* A sample has been added to the sums; true: it was the last of an average, which the style now completes
@@ -77,8 +84,8 @@ void ts_average_combine(struct ts_average *a);
 /* How many averages the result stands for. */
 int64_t ts_average_weight(const struct ts_average *a);
 
-enum ts_status ts_average_archive(struct ts_instance *self, struct tsim *sim,
-				  struct ts_archive *archive, struct ts_average *a);
+enum ts_status ts_average_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive,
+				  struct ts_average *a);
 void ts_average_release(struct ts_average *a);
 
 #endif

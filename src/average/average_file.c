@@ -2,13 +2,11 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_average_file_init(struct ts_instance *self, struct tsim *sim,
-				    struct ts_average_file *f)
+enum ts_status ts_average_file_init(struct ts_instance *self, struct tsim *sim, struct ts_average_file *f)
 {
 	if (f->file && f->append)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix %s: expected either file or append, found both",
-			       self->style->name);
+			       "fix %s: expected either file or append, found both", self->style->name);
 	if (f->overwrite && f->append)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix %s: overwrite goes with file, not with append", self->style->name);
@@ -24,8 +22,8 @@ bool ts_average_file_wanted(const struct ts_average_file *f)
 	return f->file || f->append;
 }
 
-enum ts_status ts_average_file_begin(struct ts_instance *self, struct tsim *sim,
-				     struct ts_average_file *f, bool *titles)
+enum ts_status ts_average_file_begin(struct ts_instance *self, struct tsim *sim, struct ts_average_file *f,
+				     bool *titles)
 {
 	const char *path = f->file ? f->file : f->append;
 
@@ -33,8 +31,7 @@ enum ts_status ts_average_file_begin(struct ts_instance *self, struct tsim *sim,
 	if (f->overwrite)
 		TS_TRY(ts_textfile_close(&f->out));
 	*titles = !ts_textfile_is_open(&f->out);
-	return *titles ? ts_textfile_open(&f->out, sim, ts_instance_word(self, path), path,
-					  f->append != NULL)
+	return *titles ? ts_textfile_open(&f->out, sim, ts_instance_word(self, path), path, f->append != NULL)
 		       : TS_OK;
 }
 

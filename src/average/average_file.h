@@ -13,29 +13,22 @@ struct ts_average_file {
 	struct ts_str text;
 	char checked[TS_FORMAT_SIZE];
 };
-#define TS_AVERAGE_FILE_ARGS(T, F)                                                                   \
-	TS_WORD("file", T, F.file, .flags = TS_OPTIONAL | TS_WRITES,                            \
-		.help = "file to write anew"),                                                     \
-		TS_WORD("append", T, F.append, .flags = TS_OPTIONAL | TS_WRITES,                \
-			.help = "file to continue"),                                               \
-		TS_FLAG("overwrite", T, F.overwrite,                                            \
-			.help = "the file holds only the last average"),                           \
-		TS_WORD("format", T, F.format, .fallback = "%g",                                \
-			.help = "format of a number in the file"),                                 \
-		TS_WORD("title1", T, F.title[0], .flags = TS_OPTIONAL,                          \
-			.help = "first line of the file"),                                         \
-		TS_WORD("title2", T, F.title[1], .flags = TS_OPTIONAL,                          \
-			.help = "second line of the file"),                                        \
-		TS_WORD("title3", T, F.title[2], .flags = TS_OPTIONAL,                          \
-			.help = "third line of the file")
+#define TS_AVERAGE_FILE_ARGS(T, F)                                                                          \
+	TS_WORD("file", T, F.file, .flags = TS_OPTIONAL | TS_WRITES, .help = "file to write anew"),         \
+		TS_WORD("append", T, F.append, .flags = TS_OPTIONAL | TS_WRITES,                            \
+			.help = "file to continue"),                                                        \
+		TS_FLAG("overwrite", T, F.overwrite, .help = "the file holds only the last average"),       \
+		TS_WORD("format", T, F.format, .fallback = "%g", .help = "format of a number in the file"), \
+		TS_WORD("title1", T, F.title[0], .flags = TS_OPTIONAL, .help = "first line of the file"),   \
+		TS_WORD("title2", T, F.title[1], .flags = TS_OPTIONAL, .help = "second line of the file"),  \
+		TS_WORD("title3", T, F.title[2], .flags = TS_OPTIONAL, .help = "third line of the file")
 
 /* In init. */
-enum ts_status ts_average_file_init(struct ts_instance *self, struct tsim *sim,
-				    struct ts_average_file *f);
+enum ts_status ts_average_file_init(struct ts_instance *self, struct tsim *sim, struct ts_average_file *f);
 bool ts_average_file_wanted(const struct ts_average_file *f);
 /* Begins a block in f->text; true: titles are to be added first, each with ts_average_file_title. */
-enum ts_status ts_average_file_begin(struct ts_instance *self, struct tsim *sim,
-				     struct ts_average_file *f, bool *titles);
+enum ts_status ts_average_file_begin(struct ts_instance *self, struct tsim *sim, struct ts_average_file *f,
+				     bool *titles);
 /* Line k (0, 1, 2) is the user's, or this. */
 void ts_average_file_title(struct ts_average_file *f, int k, const char *usual);
 /* A blank and a number. */

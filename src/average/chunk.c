@@ -33,8 +33,7 @@ static enum ts_status find_ids(const struct ts_instance *self, struct ts_chunks 
 		double value;
 
 		id[i] = 0;
-		if (!ts_in_group(p, i, self->group) ||
-		    (c->region && !ts_region_contains(c->region, p->x[i])))
+		if (!ts_in_group(p, i, self->group) || (c->region && !ts_region_contains(c->region, p->x[i])))
 			continue;
 		value = c->style == TS_CHUNK_VALUE ? c->values.data[i] : p->type[i];
 		if (c->style != TS_CHUNK_VALUE && c->style != TS_CHUNK_TYPE)
@@ -91,8 +90,7 @@ static enum ts_status compress(struct ts_chunks *c, int64_t *id)
 			c->original[kinds++] = c->original[i];
 	c->n = kinds;
 	for (size_t i = 0; i < n && kinds; i++) {
-		const int64_t *found =
-			bsearch(&id[i], c->original, kinds, sizeof *c->original, compare);
+		const int64_t *found = bsearch(&id[i], c->original, kinds, sizeof *c->original, compare);
 
 		id[i] = found ? found - c->original + 1 : 0;
 	}
@@ -136,7 +134,7 @@ static int compare_tags(const void *a, const void *b)
 static enum ts_status list_members(struct ts_chunks *c, const int64_t *id)
 {
 	const struct ts_particles *p = c->sim->particles;
-	int32_t (*order)[2] = ts_alloc(p->n, sizeof *order);
+	int32_t(*order)[2] = ts_alloc(p->n, sizeof *order);
 
 	if (!order)
 		return TS_NOMEM;
@@ -185,8 +183,7 @@ static enum ts_status assign(const struct ts_instance *self, struct ts_chunks *c
 	return list_members(c, id);
 }
 
-enum ts_status ts_chunks_assign(struct ts_instance *self, struct ts_chunks *c,
-				enum ts_chunk_moment moment)
+enum ts_status ts_chunks_assign(struct ts_instance *self, struct ts_chunks *c, enum ts_chunk_moment moment)
 {
 	int64_t *id = ts_alloc(c->sim->particles->n, sizeof *id);
 	enum ts_status status = id ? assign(self, c, moment, id) : TS_NOMEM;
@@ -218,8 +215,7 @@ enum ts_status ts_chunks_find(struct tsim *sim, const struct ts_instance *user, 
 	if (!ts_streq((*owner)->style->name, "chunk/atom"))
 		return ts_fail(&sim->error, TS_STATE, &user->where,
 			       "%s %s: compute %s is of style %s, expected chunk/atom",
-			       ts_kind_name(user->style->kind), user->style->name, id,
-			       (*owner)->style->name);
+			       ts_kind_name(user->style->kind), user->style->name, id, (*owner)->style->name);
 	*chunks = (*owner)->state;
 	return TS_OK;
 }

@@ -59,36 +59,36 @@ struct ts_chunks {
 	bool has_column;
 
 	/* as assigned last */
-	size_t n;          /* chunks */
-	int32_t *id;       /* of each local particle: 1 .. n; 0: in none */
+	size_t n;	   /* chunks */
+	int32_t *id;	   /* of each local particle: 1 .. n; 0: in none */
 	int64_t *original; /* with compress: the identity before, of chunk k at [k - 1] */
-	size_t *first;     /* particles of chunk k: member[first[k]] .. member[first[k + 1] - 1], in */
+	size_t *first;	   /* particles of chunk k: member[first[k]] .. member[first[k + 1] - 1], in */
 	int32_t *member;   /* the order of their identities */
 	size_t id_capacity, original_capacity, first_capacity, member_capacity;
 	struct ts_table values;
 	struct tsim *sim;
 };
-#define TS_CHUNK_KEYWORDS(T)                                                                       \
-	TS_REGION("region", T, chunks.region, .flags = TS_OPTIONAL | TS_STATEFUL,                  \
-		  .help = "particles outside are in no chunk"),                                    \
-		TS_ENUM("discard", T, chunks.discard, ts_chunk_discards, .fallback = "default",    \
-			.flags = TS_STATEFUL,                                                      \
-			.help = "whether particles beyond the bins are in no chunk (yes) or in "   \
-				"the nearest bin (no); mixed, the default for bins: yes where "    \
-				"there is a bound"),                                               \
-		TS_LIST_KEYWORD("bound", T, chunks.bound_words,                                    \
-				.flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT | TS_STATEFUL,  \
-				.help = "dim lo hi: bins reach from lo to hi, numbers or lower, "  \
-					"upper; again for other dims"),                            \
-		TS_ENUM("units", T, chunks.units, ts_chunk_units, .fallback = "lattice",           \
-			.flags = TS_STATEFUL,                                                      \
-			.help = "whether lengths are in lattice spacings, as they are, or parts "  \
+#define TS_CHUNK_KEYWORDS(T)                                                                      \
+	TS_REGION("region", T, chunks.region, .flags = TS_OPTIONAL | TS_STATEFUL,                 \
+		  .help = "particles outside are in no chunk"),                                   \
+		TS_ENUM("discard", T, chunks.discard, ts_chunk_discards, .fallback = "default",   \
+			.flags = TS_STATEFUL,                                                     \
+			.help = "whether particles beyond the bins are in no chunk (yes) or in "  \
+				"the nearest bin (no); mixed, the default for bins: yes where "   \
+				"there is a bound"),                                              \
+		TS_LIST_KEYWORD("bound", T, chunks.bound_words,                                   \
+				.flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT | TS_STATEFUL,   \
+				.help = "dim lo hi: bins reach from lo to hi, numbers or lower, " \
+					"upper; again for other dims"),                           \
+		TS_ENUM("units", T, chunks.units, ts_chunk_units, .fallback = "lattice",          \
+			.flags = TS_STATEFUL,                                                     \
+			.help = "whether lengths are in lattice spacings, as they are, or parts " \
 				"of the box")
 extern const char *const ts_chunk_discards[], *const ts_chunk_units[];
 extern const char *const ts_chunk_numbers[], *const ts_chunk_id_words[];
-#define TS_CHUNK_SAVED(T)                                                                          \
-	TS_SAVE_I64(T, chunks.started), TS_SAVE_I64(T, chunks.once),                               \
-		TS_SAVE_F64(T, chunks.once_lo), TS_SAVE_I64(T, chunks.once_n)
+#define TS_CHUNK_SAVED(T)                                                                            \
+	TS_SAVE_I64(T, chunks.started), TS_SAVE_I64(T, chunks.once), TS_SAVE_F64(T, chunks.once_lo), \
+		TS_SAVE_I64(T, chunks.once_n)
 
 /* For init: reads the words the first time, finds anew what names stand for. */
 enum ts_status ts_chunks_init(struct ts_instance *self, struct tsim *sim, struct ts_chunks *chunks);
@@ -97,12 +97,11 @@ enum ts_status ts_chunks_init(struct ts_instance *self, struct tsim *sim, struct
 enum ts_chunk_moment { TS_CHUNK_LOOK, TS_CHUNK_FIRST_SAMPLE, TS_CHUNK_NEXT_SAMPLE };
 enum ts_status ts_chunks_assign(struct ts_instance *self, struct ts_chunks *chunks,
 				enum ts_chunk_moment moment);
-enum ts_status ts_chunks_archive(struct ts_archive *archive, struct tsim *sim,
-				 struct ts_chunks *chunks);
+enum ts_status ts_chunks_archive(struct ts_archive *archive, struct tsim *sim, struct ts_chunks *chunks);
 void ts_chunks_release(struct ts_chunks *chunks);
 
-/* How many coordinates a chunk has, and the k-th of the middle of a chunk (counted from 1), as a user would give
- * it. */
+/* How many coordinates a chunk has, and the k-th of the middle of a chunk (counted from 1), as a user
+ * would give it. */
 int ts_chunks_dimension(const struct ts_chunks *chunks);
 double ts_chunks_coordinate(const struct ts_chunks *c, size_t chunk, int k);
 /* Volume of a bin, in two dimensions its area; of chunks that are no bins that of the box. */
@@ -113,9 +112,8 @@ enum ts_status ts_chunks_find(struct tsim *sim, const struct ts_instance *user, 
 			      struct ts_instance **owner, struct ts_chunks **chunks);
 
 /* For each chunk, from 1, the sums over its particles in the group of `width` numbers: rounded once. */
-typedef void ts_chunk_term(const struct tsim *sim, size_t i, size_t chunk, const void *context,
-			   double *term);
-enum ts_status ts_chunk_sum(const struct ts_chunks *chunks, int group, size_t width,
-			    ts_chunk_term *term, const void *context, struct ts_table *out);
+typedef void ts_chunk_term(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term);
+enum ts_status ts_chunk_sum(const struct ts_chunks *chunks, int group, size_t width, ts_chunk_term *term,
+			    const void *context, struct ts_table *out);
 
 #endif

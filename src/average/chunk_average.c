@@ -56,8 +56,7 @@ enum ts_status ts_chunk_average_init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(read_columns(self, sim));
 	for (size_t k = 0; k < s->ncolumns; k++)
 		if (s->column[k].kind == VALUE)
-			TS_TRY(ts_ref_input_resolve(sim, what, TS_WANT(PERATOM),
-						    &s->column[k].input));
+			TS_TRY(ts_ref_input_resolve(sim, what, TS_WANT(PERATOM), &s->column[k].input));
 	return TS_OK;
 }
 
@@ -75,12 +74,11 @@ static enum ts_status gather(struct ts_chunk_average *s, struct tsim *sim)
 		if (kind == VALUE)
 			TS_TRY(ts_ref_input_eval(sim, &s->column[k].input, &s->one));
 		for (size_t i = 0; i < p->n; i++)
-			s->each.data[i * m + k] =
-				kind == VALUE		 ? s->one.data[i]
-				: kind == DENSITY_NUMBER ? 1
-				: kind == DENSITY_MASS
-					? p->mass[i]
-					: p->mass[i] * ts_dot(p->v[i], p->v[i]);
+			s->each.data[i * m + k] = kind == VALUE		   ? s->one.data[i]
+						  : kind == DENSITY_NUMBER ? 1
+						  : kind == DENSITY_MASS
+							  ? p->mass[i]
+							  : p->mass[i] * ts_dot(p->v[i], p->v[i]);
 	}
 	return TS_OK;
 }
@@ -105,8 +103,8 @@ static double temperature(const struct tsim *sim, const struct ts_chunk_average 
 }
 
 /* What a sample adds for one value of one chunk. */
-static double share(const struct tsim *sim, const struct ts_chunk_average *s, enum kind kind,
-		    double volume, double count, double sum)
+static double share(const struct tsim *sim, const struct ts_chunk_average *s, enum kind kind, double volume,
+		    double count, double sum)
 {
 	if (kind == DENSITY_NUMBER || kind == DENSITY_MASS)
 		return sum / volume;
@@ -118,8 +116,8 @@ static double share(const struct tsim *sim, const struct ts_chunk_average *s, en
 }
 
 /* The value of a chunk over all samples of an average. */
-static double outcome(const struct tsim *sim, const struct ts_chunk_average *s, enum kind kind,
-		      double count, double sum)
+static double outcome(const struct tsim *sim, const struct ts_chunk_average *s, enum kind kind, double count,
+		      double sum)
 {
 	double samples = (double)s->average.repeat;
 
@@ -130,8 +128,7 @@ static double outcome(const struct tsim *sim, const struct ts_chunk_average *s, 
 	return sum / samples;
 }
 
-static enum ts_status remember_places(struct ts_chunk_average *s, struct tsim *sim,
-				      const struct ts_chunks *c)
+static enum ts_status remember_places(struct ts_chunk_average *s, struct tsim *sim, const struct ts_chunks *c)
 {
 	size_t coordinates = (size_t)ts_chunks_dimension(c), width = coordinates + c->compress;
 
@@ -291,14 +288,13 @@ enum ts_status ts_chunk_average_archive(struct ts_instance *self, struct tsim *s
 	size_t width = 1 + s->ncolumns;
 
 	TS_TRY(ts_average_archive(self, sim, archive, &s->average));
-	TS_TRY(ts_archive_array(archive, "place", TS_SAVED_F64, (void **)&s->place,
-				&s->place_capacity, &s->place_n));
+	TS_TRY(ts_archive_array(archive, "place", TS_SAVED_F64, (void **)&s->place, &s->place_capacity,
+				&s->place_n));
 	if (s->average.n % width || s->ncoordinates < 0 || s->ncoordinates > 3 ||
-	    s->place_n != s->average.n / width *
-				  (size_t)(s->ncoordinates + (s->compressed != 0)))
+	    s->place_n != s->average.n / width * (size_t)(s->ncoordinates + (s->compressed != 0)))
 		return ts_fail(&sim->error, TS_DAMAGED, &self->where,
-			       "fix %s %s: the saved averages do not fit together",
-			       self->style->name, self->id);
+			       "fix %s %s: the saved averages do not fit together", self->style->name,
+			       self->id);
 	return TS_OK;
 }
 

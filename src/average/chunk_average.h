@@ -39,8 +39,7 @@ struct ts_chunk_average {
 			.help = "for temp: degrees of freedom of a particle; else the dimension"), \
 		TS_REAL("cdof", T, common.cdof, .flags = TS_STATEFUL, .unit = "", .fallback = "0", \
 			.help = "for temp: degrees of freedom of a chunk besides; < 0 takes off")
-#define TS_CHUNK_AVERAGE_SAVED(T)                                                                  \
-	TS_SAVE_I64(T, common.ncoordinates), TS_SAVE_I64(T, common.compressed)
+#define TS_CHUNK_AVERAGE_SAVED(T) TS_SAVE_I64(T, common.ncoordinates), TS_SAVE_I64(T, common.compressed)
 extern const char *const ts_chunk_norms[];
 extern const struct ts_value ts_chunk_average_values[];
 

@@ -30,8 +30,8 @@ static void cover(struct ts_chunk_axis *a, double origin, double lo, double hi)
 	a->n = (int64_t)floor((to - from) / w + 0.5);
 }
 
-static enum ts_status place_axis(struct tsim *sim, const struct ts_instance *self,
-				 struct ts_chunks *c, struct ts_chunk_axis *a)
+static enum ts_status place_axis(struct tsim *sim, const struct ts_instance *self, struct ts_chunks *c,
+				 struct ts_chunk_axis *a)
 {
 	const struct ts_box *box = &sim->domain->box;
 	const struct ts_chunk_side *bound = c->bound[a->dim];
@@ -85,9 +85,8 @@ enum ts_status ts_chunk_bins_place(const struct ts_instance *self, struct ts_chu
 	}
 	c->once = c->number == TS_NUMBER_ONCE;
 	if (total > 1e9)
-		return ts_fail(&c->sim->error, TS_RANGE, &self->where,
-			       "%s %s: %g bins are too many", ts_kind_name(self->style->kind),
-			       self->style->name, total);
+		return ts_fail(&c->sim->error, TS_RANGE, &self->where, "%s %s: %g bins are too many",
+			       ts_kind_name(self->style->kind), self->style->name, total);
 	c->n = (size_t)total;
 	return TS_OK;
 }
@@ -111,10 +110,8 @@ static int64_t bin_along(const struct ts_chunks *c, const struct ts_chunk_axis *
 
 	/* between rebuilds a particle may be a little outside of a periodic box */
 	if (ts_box_periodic(box, a->dim))
-		at -= floor((at - box->lo[a->dim]) / ts_box_length(box, a->dim)) *
-		      ts_box_length(box, a->dim);
-	return settle(floor((at - a->lo) * (1 / a->width)), a->n,
-		      all || (mixed && c->bound[a->dim][0].given),
+		at -= floor((at - box->lo[a->dim]) / ts_box_length(box, a->dim)) * ts_box_length(box, a->dim);
+	return settle(floor((at - a->lo) * (1 / a->width)), a->n, all || (mixed && c->bound[a->dim][0].given),
 		      all || (mixed && c->bound[a->dim][1].given));
 }
 
@@ -181,13 +178,11 @@ double ts_chunks_coordinate(const struct ts_chunks *c, size_t chunk, int k)
 
 	indices(c, chunk, index);
 	if (k < shells)
-		return c->inner +
-		       ((double)index[0] + 0.5) * (c->outer - c->inner) / (double)c->shells;
+		return c->inner + ((double)index[0] + 0.5) * (c->outer - c->inner) / (double)c->shells;
 	a = &c->axis[k - shells];
 	x = a->lo + ((double)index[k] + 0.5) * a->width;
 	if (c->units == TS_LENGTHS_REDUCED)
-		x = (x - c->sim->domain->box.lo[a->dim]) /
-		    ts_box_length(&c->sim->domain->box, a->dim);
+		x = (x - c->sim->domain->box.lo[a->dim]) / ts_box_length(&c->sim->domain->box, a->dim);
 	return x;
 }
 
@@ -197,8 +192,7 @@ static double shell_volume(const struct ts_chunks *c, int64_t shell, bool ball)
 	double width = (c->outer - c->inner) / (double)c->shells;
 	double from = c->inner + (double)shell * width, to = c->inner + (double)(shell + 1) * width;
 
-	return ball ? 4 * TS_PI / 3 * (to * to * to - from * from * from)
-		    : TS_PI * (to * to - from * from);
+	return ball ? 4 * TS_PI / 3 * (to * to * to - from * from * from) : TS_PI * (to * to - from * from);
 }
 
 double ts_chunks_volume(const struct ts_chunks *c, size_t chunk)
@@ -211,8 +205,7 @@ double ts_chunks_volume(const struct ts_chunks *c, size_t chunk)
 
 	if (round) {
 		indices(c, chunk, index);
-		volume = shell_volume(c, index[0],
-				      c->style == TS_CHUNK_SPHERE && sim->dimension == 3);
+		volume = shell_volume(c, index[0], c->style == TS_CHUNK_SPHERE && sim->dimension == 3);
 		for (int dim = 0; dim < 3; dim++)
 			done[dim] |= c->style == TS_CHUNK_SPHERE || dim != c->axis[0].dim;
 	}

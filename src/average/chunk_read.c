@@ -14,31 +14,28 @@ const char *const ts_chunk_numbers[] = { "default", "once", "every", NULL };
 const char *const ts_chunk_id_words[] = { "every", "once", "nfreq", NULL };
 static const char *const dims[] = { "x", "y", "z", NULL };
 
-#define AXIS_ROWS(k, suffix)                                                                       \
-	TS_ENUM("dim" suffix, struct ts_chunks, axis[k].dim, dims, .flags = TS_POSITIONAL,         \
-		.help = "axis along which there are bins"),                                        \
-		TS_WORD("origin" suffix, struct ts_chunks, axis[k].origin_word,                    \
-			.flags = TS_POSITIONAL,                                                    \
-			.help = "where a bin begins: lower, center, upper or a coordinate"),       \
-		TS_REAL("delta" suffix, struct ts_chunks, axis[k].delta, .flags = TS_POSITIONAL,   \
+#define AXIS_ROWS(k, suffix)                                                                            \
+	TS_ENUM("dim" suffix, struct ts_chunks, axis[k].dim, dims, .flags = TS_POSITIONAL,              \
+		.help = "axis along which there are bins"),                                             \
+		TS_WORD("origin" suffix, struct ts_chunks, axis[k].origin_word, .flags = TS_POSITIONAL, \
+			.help = "where a bin begins: lower, center, upper or a coordinate"),            \
+		TS_REAL("delta" suffix, struct ts_chunks, axis[k].delta, .flags = TS_POSITIONAL,        \
 			.range = TS_POSITIVE, .unit = "length", .help = "width of the bins")
-#define CENTRE(k, text)                                                                            \
-	TS_REAL(text, struct ts_chunks, centre[k], .flags = TS_POSITIONAL, .unit = "length",       \
-		.help = "centre")
-#define RADII                                                                                      \
-	TS_REAL("rmin", struct ts_chunks, inner, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE, \
-		.unit = "length", .help = "where the bins begin"),                                 \
-		TS_REAL("rmax", struct ts_chunks, outer, .flags = TS_POSITIONAL,                   \
-			.range = TS_POSITIVE, .unit = "length", .help = "where they end"),         \
-		TS_INT("nbin", struct ts_chunks, shells, .flags = TS_POSITIONAL,                   \
-		       .range = TS_WITHIN, .lo = 1, .hi = 1e6, .help = "number of shells")
+#define CENTRE(k, text) \
+	TS_REAL(text, struct ts_chunks, centre[k], .flags = TS_POSITIONAL, .unit = "length", .help = "centre")
+#define RADII                                                                                          \
+	TS_REAL("rmin", struct ts_chunks, inner, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,     \
+		.unit = "length", .help = "where the bins begin"),                                     \
+		TS_REAL("rmax", struct ts_chunks, outer, .flags = TS_POSITIONAL, .range = TS_POSITIVE, \
+			.unit = "length", .help = "where they end"),                                   \
+		TS_INT("nbin", struct ts_chunks, shells, .flags = TS_POSITIONAL, .range = TS_WITHIN,   \
+		       .lo = 1, .hi = 1e6, .help = "number of shells")
 
 static const struct ts_arg one_axis[] = { AXIS_ROWS(0, ""), TS_ARGS_END };
 static const struct ts_arg two_axes[] = { AXIS_ROWS(0, "1"), AXIS_ROWS(1, "2"), TS_ARGS_END };
 static const struct ts_arg three_axes[] = { AXIS_ROWS(0, "1"), AXIS_ROWS(1, "2"), AXIS_ROWS(2, "3"),
 					    TS_ARGS_END };
-static const struct ts_arg sphere[] = { CENTRE(0, "x"), CENTRE(1, "y"), CENTRE(2, "z"), RADII,
-					TS_ARGS_END };
+static const struct ts_arg sphere[] = { CENTRE(0, "x"), CENTRE(1, "y"), CENTRE(2, "z"), RADII, TS_ARGS_END };
 static const struct ts_arg cylinder[] = { AXIS_ROWS(0, ""), CENTRE(0, "c1"), CENTRE(1, "c2"), RADII,
 					  TS_ARGS_END };
 
@@ -48,17 +45,14 @@ static const struct {
 	int axes;
 	const struct ts_arg *rows;
 } styles[] = {
-	{ "bin/1d", TS_CHUNK_BINS, 1, one_axis },
-	{ "bin/2d", TS_CHUNK_BINS, 2, two_axes },
-	{ "bin/3d", TS_CHUNK_BINS, 3, three_axes },
-	{ "bin/sphere", TS_CHUNK_SPHERE, 0, sphere },
-	{ "bin/cylinder", TS_CHUNK_CYLINDER, 1, cylinder },
-	{ "type", TS_CHUNK_TYPE, 0, NULL },
+	{ "bin/1d", TS_CHUNK_BINS, 1, one_axis },	    { "bin/2d", TS_CHUNK_BINS, 2, two_axes },
+	{ "bin/3d", TS_CHUNK_BINS, 3, three_axes },	    { "bin/sphere", TS_CHUNK_SPHERE, 0, sphere },
+	{ "bin/cylinder", TS_CHUNK_CYLINDER, 1, cylinder }, { "type", TS_CHUNK_TYPE, 0, NULL },
 };
 enum { NSTYLES = sizeof styles / sizeof *styles };
 
-static enum ts_status refuse(struct tsim *sim, const struct ts_instance *self,
-			     const struct ts_word *word, const char *why)
+static enum ts_status refuse(struct tsim *sim, const struct ts_instance *self, const struct ts_word *word,
+			     const char *why)
 {
 	return ts_fail(&sim->error, TS_SYNTAX, word ? &word->place : &self->where, "%s %s: %s",
 		       ts_kind_name(self->style->kind), self->style->name, why);
@@ -93,10 +87,10 @@ static enum ts_status read_style(struct ts_instance *self, struct tsim *sim, str
 			continue;
 		c->style = styles[k].style;
 		c->naxes = styles[k].axes;
-		snprintf(what, sizeof what, "%s %s %s", ts_kind_name(self->style->kind),
-			 self->style->name, styles[k].name);
-		return ts_args_parse(sim, what, styles[k].rows, rest, &c->words.word[0].place,
-				     &self->arena, c);
+		snprintf(what, sizeof what, "%s %s %s", ts_kind_name(self->style->kind), self->style->name,
+			 styles[k].name);
+		return ts_args_parse(sim, what, styles[k].rows, rest, &c->words.word[0].place, &self->arena,
+				     c);
 	}
 	TS_TRY(read_value(self, sim, c));
 	return rest.n ? refuse(sim, self, &rest.word[0], "the line should end or go on with a keyword")
@@ -190,9 +184,9 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim, const st
 		return TS_OK;
 	if (!(c->outer > c->inner))
 		return refuse(sim, self, c->words.word, "rmax must be larger than rmin");
-	return c->units == TS_LENGTHS_REDUCED ? refuse(sim, self, c->words.word,
-					    "spheres and cylinders have no reduced units")
-				   : TS_OK;
+	return c->units == TS_LENGTHS_REDUCED
+		       ? refuse(sim, self, c->words.word, "spheres and cylinders have no reduced units")
+		       : TS_OK;
 }
 
 /* Words to numbers in the units of the box, for spheres and cylinders once and for all. */
@@ -230,8 +224,7 @@ static enum ts_status add_column(struct ts_instance *self, struct tsim *sim, str
 
 	ts_str_addf(&name, "chunks of %s %s", ts_kind_name(self->style->kind), self->id);
 	status = name.failed ? ts_nomem(&sim->error)
-			     : ts_particles_add_column(sim, ts_str_text(&name), 1, TS_COL_RESULT,
-						       &c->column);
+			     : ts_particles_add_column(sim, ts_str_text(&name), 1, TS_COL_RESULT, &c->column);
 	ts_str_release(&name);
 	/* 0: not yet known; the column may be left over from one that is gone */
 	for (size_t i = 0; status == TS_OK && !c->has_column && i < sim->particles->n; i++)

@@ -10,9 +10,8 @@ struct ts_chunk_user {
 	struct ts_table centre; /* of mass, and mass */
 	struct tsim *sim;
 };
-#define TS_CHUNK_USER_ARG(T)                                                                       \
-	TS_WORD("chunkID", T, user.id, .flags = TS_POSITIONAL | TS_STATEFUL,                       \
-		.help = "the compute chunk/atom")
+#define TS_CHUNK_USER_ARG(T) \
+	TS_WORD("chunkID", T, user.id, .flags = TS_POSITIONAL | TS_STATEFUL, .help = "the compute chunk/atom")
 
 /* Slots of struct ts_style. */
 enum ts_status ts_chunk_user_init(struct ts_instance *self, struct tsim *sim);

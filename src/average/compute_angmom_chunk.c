@@ -31,8 +31,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 static const char *const names[] = { "x", "y", "z", NULL };
 
 static const struct ts_value values[] = {
-	{ "momenta", "mass*length*velocity", "angular momentum of each chunk", TS_ARRAY, 3, names,
-	  eval },
+	{ "momenta", "mass*length*velocity", "angular momentum of each chunk", TS_ARRAY, 3, names, eval },
 	{ .name = NULL },
 };
 
@@ -46,9 +45,9 @@ const struct ts_style ts_compute_angmom_chunk = {
 	.name = "angmom/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Angular momentum of each chunk",
-	.doc = "sum m d x v over the particles of the group in each chunk of compute chunk/atom, d from the centre of mass "
-	       "of the\nchunk, positions without periodic wrapping: the spin of the particles themselves is not in "
-	       "it. c_ID[i][1],\nc_ID[i][2], c_ID[i][3] belong to chunk i.",
+	.doc = "sum m d x v over the particles of the group in each chunk of compute chunk/atom, d from the "
+	       "centre of mass of the\nchunk, positions without periodic wrapping: the spin of the particles "
+	       "themselves is not in it. c_ID[i][1],\nc_ID[i][2], c_ID[i][3] belong to chunk i.",
 	.example = "compute l all angmom/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

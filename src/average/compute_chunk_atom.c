@@ -59,8 +59,7 @@ static const struct ts_arg args[] = {
 	TS_LIST_KEYWORD("limit", struct state, chunks.limit_words,
 			.flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_STATEFUL,
 			.help = "0: none; N max: at most N chunks; N exact: just N"),
-	TS_ENUM("ids", struct state, chunks.ids, ts_chunk_id_words, .fallback = "every",
-		.flags = TS_STATEFUL,
+	TS_ENUM("ids", struct state, chunks.ids, ts_chunk_id_words, .fallback = "every", .flags = TS_STATEFUL,
 		.help = "whether particles are sorted whenever chunks are needed, once, or once in each "
 			"average of a fix (nfreq)"),
 	TS_BOOL("compress", struct state, chunks.compress, .flags = TS_STATEFUL, .fallback = "no",
@@ -77,8 +76,8 @@ const struct ts_style ts_compute_chunk_atom = {
 	.name = "chunk/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Sorts particles into chunks",
-	.doc = "Gives each particle of the group the number of a chunk, from 1 on, or 0 if it is in none. fix "
-	       "ave/chunk and\n"
+	.doc = "Gives each particle of the group the number of a chunk, from 1 on, or 0 if it is in none. "
+	       "fix ave/chunk and\n"
 	       "the computes with /chunk in their names sum over the particles of each chunk.\n\n"
 	       "Bins along an axis are delta wide; one of them begins at the origin, and they reach just "
 	       "beyond the box, or\n"
@@ -88,16 +87,18 @@ const struct ts_style ts_compute_chunk_atom = {
 	       "centre along\n"
 	       "the other two axes in alphabetical order. Coordinates across periodic faces are wrapped "
 	       "first. Particles\n"
-	       "beyond the bins are in the nearest one, but with `discard yes`, or beyond a `bound`, in none.\n\n"
-	       "With `compress yes` the chunks that have particles are numbered from 1. `limit` says how many "
-	       "chunks there are\n"
+	       "beyond the bins are in the nearest one, but with `discard yes`, or beyond a `bound`, in "
+	       "none.\n\n"
+	       "With `compress yes` the chunks that have particles are numbered from 1. `limit` says how "
+	       "many chunks there are\n"
 	       "at most or exactly; of bins only together with `compress yes`; particles of chunks beyond it "
 	       "are in none, with\n"
 	       "`discard no` in the last.",
-	.example = "compute layers all chunk/atom bin/1d z lower 0.01 units box\n"
-		   "compute rings all chunk/atom bin/cylinder z lower 0.1 0 0 0 0.05 10 units box discard yes\n"
-		   "compute pieces all chunk/atom c_cluster compress yes\n"
-		   "fix profile all ave/chunk 10 10 1000 layers vx density/mass file post/profile.txt",
+	.example =
+		"compute layers all chunk/atom bin/1d z lower 0.01 units box\n"
+		"compute rings all chunk/atom bin/cylinder z lower 0.1 0 0 0 0.05 10 units box discard yes\n"
+		"compute pieces all chunk/atom c_cluster compress yes\n"
+		"fix profile all ave/chunk 10 10 1000 layers vx density/mass file post/profile.txt",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

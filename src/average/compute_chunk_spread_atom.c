@@ -17,8 +17,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	TS_TRY(ts_chunk_user_init(self, sim));
-	return ts_ref_list_init(sim, "compute chunk/spread/atom", &self->arena, s->words,
-				TS_WANT(VECTOR), &s->input);
+	return ts_ref_list_init(sim, "compute chunk/spread/atom", &self->arena, s->words, TS_WANT(VECTOR),
+				&s->input);
 }
 
 static enum ts_status spread(struct ts_instance *self, const struct ts_chunks *chunks, size_t k,
@@ -66,8 +66,8 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_value values[] = {
-	{ "values", "", "those of its chunk, one for each input; 0 outside chunks and group", TS_PERATOM,
-	  0, NULL, eval },
+	{ "values", "", "those of its chunk, one for each input; 0 outside chunks and group", TS_PERATOM, 0,
+	  NULL, eval },
 	{ .name = NULL },
 };
 
@@ -84,9 +84,10 @@ const struct ts_style ts_compute_chunk_spread_atom = {
 	.name = "chunk/spread/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Gives each particle the numbers of its chunk",
-	.doc = "Each particle of the group has as its numbers those that the chunk has in which compute chunk/atom "
-	       "puts it; particles in no chunk have 0. So the size of a cluster, or the mean velocity of a layer, "
-	       "can colour its particles in a dump, or be used by an atom-style variable.",
+	.doc = "Each particle of the group has as its numbers those that the chunk has in which compute "
+	       "chunk/atom puts it; particles in no chunk have 0. So the size of a cluster, or the mean "
+	       "velocity of a layer, can colour its particles in a dump, or be used by an atom-style "
+	       "variable.",
 	.example = "compute heap all cluster/atom 0.01\n"
 		   "compute heaps all chunk/atom c_heap compress yes\n"
 		   "compute mass all reduce/chunk heaps sum mass\n"

@@ -25,8 +25,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 static const char *const names[] = { "x", "y", "z", NULL };
 
 static const struct ts_value values[] = {
-	{ "centers", "length", "centre of mass of each chunk", TS_ARRAY, 3, names,
-	  eval },
+	{ "centers", "length", "centre of mass of each chunk", TS_ARRAY, 3, names, eval },
 	{ .name = NULL },
 };
 
@@ -40,8 +39,10 @@ const struct ts_style ts_compute_com_chunk = {
 	.name = "com/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Center of mass of each chunk",
-	.doc = "Of the particles of the group in each chunk of compute chunk/atom, with positions without periodic\n"
-	       "wrapping. c_ID[i][1], c_ID[i][2], c_ID[i][3] belong to chunk i; a chunk without particles has 0.",
+	.doc = "Of the particles of the group in each chunk of compute chunk/atom, with positions without "
+	       "periodic\n"
+	       "wrapping. c_ID[i][1], c_ID[i][2], c_ID[i][3] belong to chunk i; a chunk without particles "
+	       "has 0.",
 	.example = "compute c all com/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

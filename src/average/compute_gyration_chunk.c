@@ -13,8 +13,7 @@ struct state {
 	bool tensor;
 };
 
-static void second_moment(const struct tsim *sim, size_t i, size_t chunk, const void *context,
-			  double *term)
+static void second_moment(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
 {
 	double d[3];
 
@@ -23,8 +22,7 @@ static void second_moment(const struct tsim *sim, size_t i, size_t chunk, const 
 		term[k] = sim->particles->mass[i] * d[ts_tensor_row[k]] * d[ts_tensor_column[k]];
 }
 
-static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 	struct ts_chunks *chunks;
@@ -39,8 +37,7 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-static enum ts_status eval_radius(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_radius(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	TS_TRY(eval_tensor(self, sim, out));
 	for (size_t k = 0; k < out->rows; k++)
@@ -53,10 +50,8 @@ static bool gives(const struct ts_instance *self, const struct ts_value *value)
 	return (value->shape == TS_ARRAY) == ((const struct state *)self->state)->tensor;
 }
 
-
 static const struct ts_value values[] = {
-	{ "radii", "length", "radius of gyration of each chunk", TS_VECTOR, 0, NULL,
-	  eval_radius },
+	{ "radii", "length", "radius of gyration of each chunk", TS_VECTOR, 0, NULL, eval_radius },
 	{ "tensors", "length^2", "with `tensor`: the tensor of each chunk", TS_ARRAY, 6, ts_tensor_names,
 	  eval_tensor },
 	{ .name = NULL },
@@ -73,9 +68,9 @@ const struct ts_style ts_compute_gyration_chunk = {
 	.name = "gyration/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Radius of gyration of each chunk",
-	.doc = "As compute gyration, of the particles of the group in each chunk of compute chunk/atom: c_ID[i] is the "
-	       "radius of\nchunk i, or with `tensor` c_ID[i][1] ... c_ID[i][6] are xx, yy, zz, xy, xz, yz. A chunk "
-	       "without particles has 0.",
+	.doc = "As compute gyration, of the particles of the group in each chunk of compute chunk/atom: "
+	       "c_ID[i] is the radius of\nchunk i, or with `tensor` c_ID[i][1] ... c_ID[i][6] are xx, yy, "
+	       "zz, xy, xz, yz. A chunk without particles has 0.",
 	.example = "compute size all gyration/chunk pieces\ncompute shape all gyration/chunk pieces tensor",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -36,8 +36,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 }
 
 static const struct ts_value values[] = {
-	{ "inertia", "mass*length^2", "tensor of inertia of each chunk", TS_ARRAY, 6, names,
-	  eval },
+	{ "inertia", "mass*length^2", "tensor of inertia of each chunk", TS_ARRAY, 6, names, eval },
 	{ .name = NULL },
 };
 
@@ -51,9 +50,10 @@ const struct ts_style ts_compute_inertia_chunk = {
 	.name = "inertia/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Tensor of inertia of each chunk",
-	.doc = "I_ab = sum m (d^2 delta_ab - d_a d_b) over the particles of the group in each chunk of compute "
-	       "chunk/atom, d from\nthe centre of mass of the chunk, positions without periodic wrapping: particles "
-	       "count as points. c_ID[i][1] ...\nc_ID[i][6] are xx, yy, zz, xy, yz, xz of chunk i.",
+	.doc = "I_ab = sum m (d^2 delta_ab - d_a d_b) over the particles of the group in each chunk of "
+	       "compute chunk/atom, d from\nthe centre of mass of the chunk, positions without periodic "
+	       "wrapping: particles count as points. c_ID[i][1] ...\nc_ID[i][6] are xx, yy, zz, xy, yz, xz "
+	       "of chunk i.",
 	.example = "compute i all inertia/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

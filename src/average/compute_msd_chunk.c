@@ -74,8 +74,8 @@ static void fini(struct ts_instance *self)
 static const char *const names[] = { "x", "y", "z", "total", NULL };
 
 static const struct ts_value values[] = {
-	{ "msd", "length^2", "squared displacement of each chunk along the axes, and their sum", TS_ARRAY, 4, names,
-	  eval },
+	{ "msd", "length^2", "squared displacement of each chunk along the axes, and their sum", TS_ARRAY, 4,
+	  names, eval },
 	{ .name = NULL },
 };
 
@@ -89,10 +89,10 @@ const struct ts_style ts_compute_msd_chunk = {
 	.name = "msd/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Squared displacement of each chunk",
-	.doc = "The square of how far the centre of mass of each chunk of compute chunk/atom has come since this "
-	       "compute was\ndefined, along x, y, z and in all: c_ID[i][1] ... c_ID[i][4] of chunk i. Periodic "
-	       "wrapping does not count. The\nchunks should be of the same particles all the time (`ids once`, or "
-	       "types). The first places are kept in restart\nfiles.",
+	.doc = "The square of how far the centre of mass of each chunk of compute chunk/atom has come since "
+	       "this compute was\ndefined, along x, y, z and in all: c_ID[i][1] ... c_ID[i][4] of chunk i. "
+	       "Periodic wrapping does not count. The\nchunks should be of the same particles all the time "
+	       "(`ids once`, or types). The first places are kept in restart\nfiles.",
 	.example = "compute way all msd/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -45,8 +45,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	TS_TRY(ts_chunk_moments(self, 9, both, &chunks, &s->sums));
 	TS_TRY(ts_table_resize(out, chunks->n, 3));
 	for (size_t k = 0; k < chunks->n; k++)
-		ts_symmetric3_solve(s->sums.data + 9 * k, s->sums.data + 9 * k + 6,
-				    out->data + 3 * k);
+		ts_symmetric3_solve(s->sums.data + 9 * k, s->sums.data + 9 * k + 6, out->data + 3 * k);
 	return TS_OK;
 }
 
@@ -59,8 +58,7 @@ static void fini(struct ts_instance *self)
 static const char *const names[] = { "x", "y", "z", NULL };
 
 static const struct ts_value values[] = {
-	{ "omega", "1/time", "angular velocity of each chunk", TS_ARRAY, 3, names,
-	  eval },
+	{ "omega", "1/time", "angular velocity of each chunk", TS_ARRAY, 3, names, eval },
 	{ .name = NULL },
 };
 
@@ -74,7 +72,8 @@ const struct ts_style ts_compute_omega_chunk = {
 	.name = "omega/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Angular velocity of each chunk",
-	.doc = "omega = I^-1 L with the tensor of inertia of compute inertia/chunk and the angular momentum of compute\n"
+	.doc = "omega = I^-1 L with the tensor of inertia of compute inertia/chunk and the angular momentum "
+	       "of compute\n"
 	       "angmom/chunk. About an axis without inertia, as that of two particles, it is 0. c_ID[i][1], "
 	       "c_ID[i][2],\nc_ID[i][3] belong to chunk i.",
 	.example = "compute w all omega/chunk pieces",

@@ -13,20 +13,19 @@ struct state {
 };
 
 enum { COUNT, ID, COORD1 };
-static const char *const words[] = { [COUNT] = "count", [ID] = "id", [COORD1] = "coord1", "coord2",
-				     "coord3", NULL };
+static const char *const words[] = { [COUNT] = "count", [ID] = "id", [COORD1] = "coord1",
+				     "coord2",		"coord3",    NULL };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
 	TS_TRY(ts_chunk_user_init(self, sim));
-	return ts_name_list_read(sim, "compute property/chunk", &self->arena, s->words, words,
-				 sizeof *words, &s->list);
+	return ts_name_list_read(sim, "compute property/chunk", &self->arena, s->words, words, sizeof *words,
+				 &s->list);
 }
 
-static double number_of(const struct ts_instance *self, const struct ts_chunks *c, size_t chunk,
-			int what)
+static double number_of(const struct ts_instance *self, const struct ts_chunks *c, size_t chunk, int what)
 {
 	const struct ts_particles *p = c->sim->particles;
 	double n = 0;
@@ -55,13 +54,11 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	TS_TRY(ts_table_resize(out, c->n, s->list.n));
 	for (size_t chunk = 1; chunk <= c->n; chunk++)
 		for (size_t k = 0; k < s->list.n; k++)
-			out->data[(chunk - 1) * s->list.n + k] =
-				number_of(self, c, chunk, s->list.item[k]);
+			out->data[(chunk - 1) * s->list.n + k] = number_of(self, c, chunk, s->list.item[k]);
 	return TS_OK;
 }
 
-static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	TS_TRY(eval(self, sim, out));
 	return ts_table_resize(out, 1, out->rows);
@@ -72,12 +69,9 @@ static bool gives(const struct ts_instance *self, const struct ts_value *value)
 	return (value->shape == TS_VECTOR) == (((const struct state *)self->state)->words.n == 1);
 }
 
-
 static const struct ts_value values[] = {
-	{ "property", "", "of each chunk, where one word is given", TS_VECTOR, 0, NULL,
-	  eval_vector },
-	{ "properties", "", "of each chunk, a column for each word", TS_ARRAY, 0, NULL,
-	  eval },
+	{ "property", "", "of each chunk, where one word is given", TS_VECTOR, 0, NULL, eval_vector },
+	{ "properties", "", "of each chunk, a column for each word", TS_ARRAY, 0, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -92,9 +86,9 @@ const struct ts_style ts_compute_property_chunk = {
 	.name = "property/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "What chunks are",
-	.doc = "Of each chunk of compute chunk/atom: count, how many particles of the group are in it; id, its number "
-	       "before\n`compress`; coord1, coord2, coord3, the middle of its bin. c_ID[i] belongs to chunk i; with "
-	       "several words\nc_ID[i][j] is the j-th.",
+	.doc = "Of each chunk of compute chunk/atom: count, how many particles of the group are in it; id, "
+	       "its number before\n`compress`; coord1, coord2, coord3, the middle of its bin. c_ID[i] "
+	       "belongs to chunk i; with several words\nc_ID[i][j] is the j-th.",
 	.example = "compute n all property/chunk layers count coord1",
 	.args = args,
 	.state_size = sizeof(struct state),

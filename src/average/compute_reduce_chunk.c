@@ -19,8 +19,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	TS_TRY(ts_chunk_user_init(self, sim));
-	return ts_ref_list_init(sim, "compute reduce/chunk", &self->arena, s->words,
-				TS_WANT(PERATOM), &s->input);
+	return ts_ref_list_init(sim, "compute reduce/chunk", &self->arena, s->words, TS_WANT(PERATOM),
+				&s->input);
 }
 
 /* One input is a vector of chunks, several are an array. */
@@ -92,10 +92,10 @@ const struct ts_style ts_compute_reduce_chunk = {
 	.name = "reduce/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "One number for each chunk out of one for each of its particles",
-	.doc = "As compute reduce, over the particles of the group in each chunk of compute chunk/atom: their sum, "
-	       "least (min), largest (max), mean (ave) and so on. c_ID[i] belongs to chunk i; with several inputs "
-	       "c_ID[i][k], that of input k. Sums are rounded once and do not depend on the order. A chunk "
-	       "without particles of the group has 0.",
+	.doc = "As compute reduce, over the particles of the group in each chunk of compute chunk/atom: "
+	       "their sum, least (min), largest (max), mean (ave) and so on. c_ID[i] belongs to chunk i; "
+	       "with several inputs c_ID[i][k], that of input k. Sums are rounded once and do not depend on "
+	       "the order. A chunk without particles of the group has 0.",
 	.example = "compute heap all cluster/atom 0.01\n"
 		   "compute heaps all chunk/atom c_heap compress yes\n"
 		   "compute mass all reduce/chunk heaps sum mass\n"

@@ -21,12 +21,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "compute slice: Nstart (%lld) is larger than Nstop (%lld)",
 			       (long long)s->start, (long long)s->stop);
-	return ts_ref_list_init(sim, "compute slice", &self->arena, s->words, TS_WANT(VECTOR),
-				&s->input);
+	return ts_ref_list_init(sim, "compute slice", &self->arena, s->words, TS_WANT(VECTOR), &s->input);
 }
 
-static enum ts_status eval_array(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_array(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct state *s = self->state;
 	size_t n = (size_t)((s->stop - s->start) / s->skip + 1);
@@ -41,8 +39,8 @@ static enum ts_status eval_array(struct ts_instance *self, const struct tsim *si
 		length = s->each.rows * s->each.columns;
 		if ((int64_t)length < s->stop)
 			return ts_fail(&s->sim->error, TS_RANGE, &input->where,
-				       "compute slice: '%s' has %zu elements, Nstop is %lld",
-				       input->name, length, (long long)s->stop);
+				       "compute slice: '%s' has %zu elements, Nstop is %lld", input->name,
+				       length, (long long)s->stop);
 		for (size_t i = 0; i < n; i++)
 			out->data[i * s->input.n + k] =
 				s->each.data[(size_t)(s->start - 1 + (int64_t)i * s->skip)];
@@ -51,8 +49,7 @@ static enum ts_status eval_array(struct ts_instance *self, const struct tsim *si
 }
 
 /* The slice of the first input. */
-static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	TS_TRY(eval_array(self, sim, out));
 	for (size_t i = 1; i < out->rows; i++)
@@ -76,9 +73,9 @@ static const struct ts_value values[] = {
 	{ .name = NULL },
 };
 
-#define INDEX(name, field, text)                                                                   \
-	TS_INT(name, struct state, field, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,     \
-	       .hi = 1e9, .help = text)
+#define INDEX(name, field, text)                                                                          \
+	TS_INT(name, struct state, field, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e9, \
+	       .help = text)
 static const struct ts_arg args[] = {
 	INDEX("Nstart", start, "first element"),
 	INDEX("Nstop", stop, "last element"),
@@ -92,8 +89,8 @@ const struct ts_style ts_compute_slice = {
 	.name = "slice",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Every n-th element of vectors",
-	.doc = "Takes the elements Nstart, Nstart + Nskip ... up to Nstop of each input. c_ID[i] is the i-th of the "
-	       "first\n"
+	.doc = "Takes the elements Nstart, Nstart + Nskip ... up to Nstop of each input. c_ID[i] is the i-th "
+	       "of the first\n"
 	       "input's, c_ID[i][j] the i-th of the j-th input's.",
 	.example = "compute tail all slice 50 100 5 c_g[2]",
 	.args = args,

@@ -20,8 +20,7 @@ struct state {
 };
 
 enum { TEMP, KECOM, INTERNAL };
-static const char *const words[] = { [TEMP] = "temp", [KECOM] = "kecom", [INTERNAL] = "internal",
-				     NULL };
+static const char *const words[] = { [TEMP] = "temp", [KECOM] = "kecom", [INTERNAL] = "internal", NULL };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
@@ -103,8 +102,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
-static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct state *s = self->state;
 	struct ts_chunks *chunks;
@@ -119,8 +117,7 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct state *s = self->state;
 	double twice = 0, n = 0, used = 0;
@@ -149,14 +146,10 @@ static void fini(struct ts_instance *self)
 	ts_chunk_user_fini(self);
 }
 
-
 static const struct ts_value values[] = {
-	{ "temperature", "temperature", "of all particles in chunks", TS_SCALAR, 1, NULL,
-	  eval_scalar },
-	{ "tensor", "energy", "sum of m u_a u_b over them", TS_VECTOR, 6, ts_tensor_names,
-	  eval_tensor },
-	{ "chunks", "", "of each chunk, a column for each word", TS_ARRAY, 0, NULL,
-	  eval },
+	{ "temperature", "temperature", "of all particles in chunks", TS_SCALAR, 1, NULL, eval_scalar },
+	{ "tensor", "energy", "sum of m u_a u_b over them", TS_VECTOR, 6, ts_tensor_names, eval_tensor },
+	{ "chunks", "", "of each chunk, a column for each word", TS_ARRAY, 0, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -181,11 +174,12 @@ const struct ts_style ts_compute_temp_chunk = {
 	.name = "temp/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Temperature of chunks",
-	.doc = "Of each chunk of compute chunk/atom, for each word a column: temp, T = sum m u^2 / (k_B (adof N + cdof)); "
-	       "kecom, the\nkinetic energy of its centre of mass; internal, that of the motion relative to it. u is "
-	       "v, with `com yes` the\nvelocity relative to the centre of mass of the chunk. adof is 3, in two "
-	       "dimensions 2, cdof 0. c_ID alone is the\ntemperature of all particles in chunks together, the list "
-	       "c_ID[k] their sums of m u_a u_b for xx, yy, zz, xy, xz,\nyz.",
+	.doc = "Of each chunk of compute chunk/atom, for each word a column: temp, T = sum m u^2 / (k_B "
+	       "(adof N + cdof)); kecom, the\nkinetic energy of its centre of mass; internal, that of the "
+	       "motion relative to it. u is v, with `com yes` the\nvelocity relative to the centre of mass "
+	       "of the chunk. adof is 3, in two dimensions 2, cdof 0. c_ID alone is the\ntemperature of all "
+	       "particles in chunks together, the list c_ID[k] their sums of m u_a u_b for xx, yy, zz, xy, "
+	       "xz,\nyz.",
 	.example = "compute t all temp/chunk layers temp com yes cdof -3",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -29,8 +29,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 static const char *const names[] = { "x", "y", "z", NULL };
 
 static const struct ts_value values[] = {
-	{ "torques", "force*length", "torque on each chunk", TS_ARRAY, 3, names,
-	  eval },
+	{ "torques", "force*length", "torque on each chunk", TS_ARRAY, 3, names, eval },
 	{ .name = NULL },
 };
 
@@ -44,9 +43,9 @@ const struct ts_style ts_compute_torque_chunk = {
 	.name = "torque/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Torque on each chunk",
-	.doc = "sum d x F over the particles of the group in each chunk of compute chunk/atom, F the whole force on the "
-	       "particle,\nd from the centre of mass of the chunk, positions without periodic wrapping. c_ID[i][1], "
-	       "c_ID[i][2],\nc_ID[i][3] belong to chunk i.",
+	.doc = "sum d x F over the particles of the group in each chunk of compute chunk/atom, F the whole "
+	       "force on the particle,\nd from the centre of mass of the chunk, positions without periodic "
+	       "wrapping. c_ID[i][1], c_ID[i][2],\nc_ID[i][3] belong to chunk i.",
 	.example = "compute t all torque/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

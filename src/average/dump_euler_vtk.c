@@ -26,8 +26,7 @@ static enum ts_status find_owner(struct ts_instance *self, struct tsim *sim)
 			s->owner = inst;
 	if (s->owner)
 		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE,
-		       s->fix ? ts_instance_word(self, s->fix) : &self->where,
+	return ts_fail(&sim->error, TS_STATE, s->fix ? ts_instance_word(self, s->fix) : &self->where,
 		       "dump euler/vtk needs a fix ave/euler%s%s", s->fix ? ", and there is none of id " : "",
 		       s->fix ? s->fix : "");
 }
@@ -45,9 +44,9 @@ static void fill(struct state *s, const struct ts_euler *euler)
 		int column;
 		size_t components;
 	} what[NARRAYS] = {
-		{ "v_avg", TS_EULER_V, 3 },	   { "volumefraction", TS_EULER_FRACTION, 1 },
-		{ "radius", TS_EULER_RADIUS, 1 },  { "pressure", TS_EULER_PRESSURE, 1 },
-		{ "count", TS_EULER_COUNT, 1 },	   { "mass", TS_EULER_MASS, 1 },
+		{ "v_avg", TS_EULER_V, 3 },	  { "volumefraction", TS_EULER_FRACTION, 1 },
+		{ "radius", TS_EULER_RADIUS, 1 }, { "pressure", TS_EULER_PRESSURE, 1 },
+		{ "count", TS_EULER_COUNT, 1 },	  { "mass", TS_EULER_MASS, 1 },
 		{ "stress", TS_EULER_STRESS, 6 },
 	};
 	double *to = s->vtk.merged.data, *point = s->vtk.points.data;
@@ -96,9 +95,10 @@ const struct ts_style ts_dump_euler_vtk = {
 	.name = "euler/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "The cells of fix ave/euler as points for ParaView",
-	.doc = "A point in the middle of each cell, with the values of the last evaluation: v_avg, volumefraction, "
-	       "radius, pressure, count, mass, and stress (xx yy zz xy xz yz). Files as with dump "
-	       "custom/vtk; .vtk as text is of version 2.0, with SCALARS and VECTORS as LIGGGHTS writes them.",
+	.doc = "A point in the middle of each cell, with the values of the last evaluation: v_avg, "
+	       "volumefraction, radius, pressure, count, mass, and stress (xx yy zz xy xz yz). Files as with "
+	       "dump custom/vtk; .vtk as text is of version 2.0, with SCALARS and VECTORS as LIGGGHTS writes "
+	       "them.",
 	.example = "fix cells all ave/euler nevery 1000 cell_size_relative 4 parallel no\n"
 		   "dump cells all euler/vtk 1000 post/cells*.vtk",
 	.args = args,

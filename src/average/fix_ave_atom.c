@@ -31,9 +31,9 @@ static enum ts_status add_column(struct ts_instance *self, struct tsim *sim)
 	enum ts_status status;
 
 	ts_str_addf(&name, "fix ave/atom %s %zu", self->id, width);
-	status = name.failed ? ts_nomem(&sim->error)
-			     : ts_particles_add_column(sim, ts_str_text(&name), width, TS_COL_RESULT,
-						       &s->column);
+	status = name.failed
+			 ? ts_nomem(&sim->error)
+			 : ts_particles_add_column(sim, ts_str_text(&name), width, TS_COL_RESULT, &s->column);
 	ts_str_release(&name);
 	/* a column of this name may be left over from a fix that is gone */
 	for (size_t i = 0; status == TS_OK && !s->cleared && i < sim->particles->n; i++)
@@ -48,8 +48,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	TS_TRY(ts_average_init(self, sim, &s->average));
-	TS_TRY(ts_ref_list_init(sim, "fix ave/atom", &self->arena, s->words, TS_WANT(PERATOM),
-				&s->input));
+	TS_TRY(ts_ref_list_init(sim, "fix ave/atom", &self->arena, s->words, TS_WANT(PERATOM), &s->input));
 	return add_column(self, sim);
 }
 
@@ -68,8 +67,7 @@ static enum ts_status sample(struct ts_instance *self, struct tsim *sim)
 		for (size_t i = 0; i < p->n; i++) {
 			double *sum = row_of(sim, s, i) + k;
 
-			*sum = (first ? 0 : *sum) +
-			       (ts_in_group(p, i, self->group) ? s->one.data[i] : 0);
+			*sum = (first ? 0 : *sum) + (ts_in_group(p, i, self->group) ? s->one.data[i] : 0);
 			if (last)
 				sum[m] = *sum / (double)s->average.repeat;
 		}
@@ -128,14 +126,15 @@ const struct ts_style ts_fix_ave_atom = {
 	.name = "ave/atom",
 	.kind = TS_KIND_FIX,
 	.summary = "Averages over time of numbers of each particle",
-	.doc = "Every Nfreq steps, for each particle of the group, the mean of Nrepeat samples, Nevery steps apart, "
-	       "the last\n"
-	       "at the step itself. f_ID[k] is that of the k-th value, f_ID that of a single one; 0 before the "
-	       "first\n"
+	.doc = "Every Nfreq steps, for each particle of the group, the mean of Nrepeat samples, Nevery steps "
+	       "apart, the last\n"
+	       "at the step itself. f_ID[k] is that of the k-th value, f_ID that of a single one; 0 before "
+	       "the first\n"
 	       "average. A particle that comes in the middle of an average counts 0 for the samples it has "
 	       "missed. Averages\n"
 	       "under way are saved in restart files.",
-	.example = "fix slow all ave/atom 10 100 1000 vx vy vz\ndump d all custom 1000 post/slow*.txt id f_slow[1]",
+	.example = "fix slow all ave/atom 10 100 1000 vx vy vz\ndump d all custom 1000 post/slow*.txt id "
+		   "f_slow[1]",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

@@ -56,17 +56,17 @@ const struct ts_style ts_fix_ave_chunk = {
 	.name = "ave/chunk",
 	.kind = TS_KIND_FIX,
 	.summary = "Averages over chunks of particles and over time",
-	.doc = "Every Nfreq steps, of Nrepeat samples Nevery steps apart, the last at the step itself: for each "
-	       "chunk of\n"
+	.doc = "Every Nfreq steps, of Nrepeat samples Nevery steps apart, the last at the step itself: for "
+	       "each chunk of\n"
 	       "compute chunk/atom the mean of each value over the particles of the group in it. "
 	       "density/number and\n"
-	       "density/mass are the particles and their mass by the volume of the bin (of chunks that are no "
-	       "bins, of the\n"
+	       "density/mass are the particles and their mass by the volume of the bin (of chunks that are "
+	       "no bins, of the\n"
 	       "box); temp is sum m v^2 / (k_B (adof N + cdof)).\n\n"
 	       "`norm all` divides the sums of all samples by their particles, `norm sample` those of each "
 	       "sample and\n"
-	       "averages that, `norm none` divides by the number of samples only. `ave` combines averages. The "
-	       "file has a\n"
+	       "averages that, `norm none` divides by the number of samples only. `ave` combines averages. "
+	       "The file has a\n"
 	       "block for each average: step, number of chunks and total count, then for each chunk its "
 	       "number, with\n"
 	       "compress that before, coordinates, mean count, values; f_ID[i][j] are the same columns from "

@@ -26,10 +26,10 @@ struct state {
 	int64_t started, last; /* step of the last sample */
 	int64_t samples;       /* in the ring, at most `repeat`; the newest is number `newest` */
 	int64_t newest;
-	double *ring;	       /* input k of sample j at [j * inputs + k] */
-	double *sum;	       /* of pair k at lag j at [j * pairs + k] */
-	double *count;	       /* of lag j */
-	double *result;	       /* lag, count, then the pairs */
+	double *ring;	/* input k of sample j at [j * inputs + k] */
+	double *sum;	/* of pair k at lag j at [j * pairs + k] */
+	double *count;	/* of lag j */
+	double *result; /* lag, count, then the pairs */
 	size_t ring_n, sum_n, count_n, result_n;
 	size_t ring_capacity, sum_capacity, count_capacity, result_capacity;
 };
@@ -130,9 +130,9 @@ static void conclude(struct state *s)
 		row[0] = (double)lag * (double)s->every;
 		row[1] = s->count[lag];
 		for (size_t k = 0; k < s->npairs; k++)
-			row[2 + k] = s->count[lag] > 0 ? s->prefactor * s->sum[lag * s->npairs + k] /
-								 s->count[lag]
-						       : 0;
+			row[2 + k] = s->count[lag] > 0
+					     ? s->prefactor * s->sum[lag * s->npairs + k] / s->count[lag]
+					     : 0;
 	}
 }
 
@@ -145,8 +145,7 @@ static void add_titles(const struct ts_instance *self)
 		ts_str_addf(&s->text, "%s\n", s->title[0]);
 	else
 		ts_str_addf(&s->text, "# Time-correlated data for fix %s\n", self->id);
-	ts_str_addf(&s->text, "%s\n",
-		    s->title[1] ? s->title[1] : "# Timestep Number-of-time-windows");
+	ts_str_addf(&s->text, "%s\n", s->title[1] ? s->title[1] : "# Timestep Number-of-time-windows");
 	ts_str_addf(&s->text, "%s", s->title[2] ? s->title[2] : "# Index TimeDelta Ncount");
 	for (size_t k = 0; !s->title[2] && k < s->npairs; k++)
 		ts_str_addf(&s->text, " %s*%s", s->input.item[s->pair[k][0]].name,
@@ -244,37 +243,38 @@ static void fini(struct ts_instance *self)
 }
 
 static const char *const types[] = {
-	[AUTO] = "auto",	     [UPPER] = "upper",		  [LOWER] = "lower",
-	[AUTO_UPPER] = "auto/upper", [AUTO_LOWER] = "auto/lower", [FULL] = "full", NULL,
+	[AUTO] = "auto",
+	[UPPER] = "upper",
+	[LOWER] = "lower",
+	[AUTO_UPPER] = "auto/upper",
+	[AUTO_LOWER] = "auto/lower",
+	[FULL] = "full",
+	NULL,
 };
 static const char *const averages[] = { [ONE] = "one", [RUNNING] = "running", NULL };
 
-#define STEPS(name_, field, help_)                                                                 \
-	TS_INT(name_, struct state, field, .flags = TS_POSITIONAL | TS_STATEFUL,                   \
-	       .range = TS_WITHIN, .lo = 1, .hi = 1e9, .help = help_)
+#define STEPS(name_, field, help_)                                                                   \
+	TS_INT(name_, struct state, field, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, \
+	       .lo = 1, .hi = 1e9, .help = help_)
 static const struct ts_arg args[] = {
 	STEPS("Nevery", every, "steps between samples"),
 	STEPS("Nrepeat", repeat, "how many lags: 0, Nevery, 2 Nevery ..."),
 	STEPS("Nfreq", freq, "steps between results"),
 	TS_LIST_STATEFUL("values", struct state, words,
-		.help = "c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k], v_NAME or thermo keywords"),
+			 .help = "c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k], v_NAME or thermo keywords"),
 	TS_ENUM("type", struct state, type, types, .flags = TS_STATEFUL, .fallback = "auto",
 		.help = "which pairs: each value with itself, those above or below the diagonal, or all"),
 	TS_ENUM("ave", struct state, ave, averages, .flags = TS_STATEFUL, .fallback = "one",
 		.help = "one: each result is of the samples since the one before; running: of all"),
-	TS_INT("start", struct state, start, .flags = TS_STATEFUL, .range = TS_NOT_NEGATIVE,
-	       .fallback = "0", .help = "no samples before this step"),
+	TS_INT("start", struct state, start, .flags = TS_STATEFUL, .range = TS_NOT_NEGATIVE, .fallback = "0",
+	       .help = "no samples before this step"),
 	TS_REAL("prefactor", struct state, prefactor, .flags = TS_STATEFUL, .fallback = "1",
 		.help = "factor of the results"),
-	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL | TS_WRITES,
-		.help = "file to write"),
+	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL | TS_WRITES, .help = "file to write"),
 	TS_FLAG("overwrite", struct state, overwrite, .help = "the file has the last result only"),
-	TS_WORD("title1", struct state, title[0], .flags = TS_OPTIONAL,
-		.help = "first line of the file"),
-	TS_WORD("title2", struct state, title[1], .flags = TS_OPTIONAL,
-		.help = "second line of the file"),
-	TS_WORD("title3", struct state, title[2], .flags = TS_OPTIONAL,
-		.help = "third line of the file"),
+	TS_WORD("title1", struct state, title[0], .flags = TS_OPTIONAL, .help = "first line of the file"),
+	TS_WORD("title2", struct state, title[1], .flags = TS_OPTIONAL, .help = "second line of the file"),
+	TS_WORD("title3", struct state, title[2], .flags = TS_OPTIONAL, .help = "third line of the file"),
 	TS_ARGS_END,
 };
 
@@ -289,8 +289,10 @@ static const struct ts_value values[] = {
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_I64(struct state, started), TS_SAVE_I64(struct state, last),
-	TS_SAVE_I64(struct state, samples), TS_SAVE_I64(struct state, newest),
+	TS_SAVE_I64(struct state, started),
+	TS_SAVE_I64(struct state, last),
+	TS_SAVE_I64(struct state, samples),
+	TS_SAVE_I64(struct state, newest),
 	TS_SAVED_ROWS_END,
 };
 
@@ -299,11 +301,15 @@ const struct ts_style ts_fix_ave_correlate = {
 	.name = "ave/correlate",
 	.kind = TS_KIND_FIX,
 	.summary = "Correlates numbers in time",
-	.doc = "C_ij(lag) is the mean of V_i(t) V_j(t + lag) over all samples taken, times the prefactor. Every Nfreq\n"
-	       "steps the results are renewed and written to the file; with `ave one` counting then begins again\n"
-	       "with the sample of that step. trap(f_ID[3]) is the integral of the first correlation in units of\n"
+	.doc = "C_ij(lag) is the mean of V_i(t) V_j(t + lag) over all samples taken, times the prefactor. "
+	       "Every Nfreq\n"
+	       "steps the results are renewed and written to the file; with `ave one` counting then begins "
+	       "again\n"
+	       "with the sample of that step. trap(f_ID[3]) is the integral of the first correlation in "
+	       "units of\n"
 	       "Nevery steps.",
-	.example = "fix memory all ave/correlate 5 20 1000 c_force[1] c_force[2] type auto ave running file acf.txt",
+	.example = "fix memory all ave/correlate 5 20 1000 c_force[1] c_force[2] type auto ave running file "
+		   "acf.txt",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

@@ -172,8 +172,7 @@ static void add_means(const struct state *s, const struct tsim *sim, size_t c, d
 }
 
 /* stress = -1/V sum (m (v - vmean)(v - vmean) + virial of the particle) */
-static void add_stress(const struct state *s, const struct tsim *sim, size_t c, double volume,
-		       double *cell)
+static void add_stress(const struct state *s, const struct tsim *sim, size_t c, double volume, double *cell)
 {
 	static const struct ts_virial_parts parts = { .pair = true, .bond = true };
 	const struct ts_particles *p = sim->particles;
@@ -270,8 +269,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	e->ncells = e->size / TS_EULER_COLUMNS;
 	if (ts_archive_writing(a))
 		return TS_OK;
-	return TS_GROW(s->share, s->share_capacity, e->ncells) == TS_OK ? TS_OK
-									 : ts_nomem(&sim->error);
+	return TS_GROW(s->share, s->share_capacity, e->ncells) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
 static void fini(struct ts_instance *self)
@@ -284,17 +282,17 @@ static void fini(struct ts_instance *self)
 	ts_free(s->list);
 }
 
-static const char *const names[] = { "x",  "y",		      "z",	"vx",	    "vy",    "vz",
-				     "volumefraction", "radius", "pressure", "count", "mass",
-				     "sxx", "syy",	      "szz",	"sxy",	    "sxz",   "syz", NULL };
+static const char *const names[] = { "x",      "y",	   "z",	    "vx",   "vy",  "vz",  "volumefraction",
+				     "radius", "pressure", "count", "mass", "sxx", "syy", "szz",
+				     "sxy",    "sxz",	   "syz",   NULL };
 
 static const struct ts_value values[] = {
 	{ "cells", "", "a row for each cell, x counts fastest", TS_ARRAY, TS_EULER_COLUMNS, names, eval },
 	{ .name = NULL },
 };
 
-static const struct ts_saved saved[] = { TS_SAVE_I64(struct state, euler.n),
-					 TS_SAVE_I64(struct state, done), TS_SAVED_ROWS_END };
+static const struct ts_saved saved[] = { TS_SAVE_I64(struct state, euler.n), TS_SAVE_I64(struct state, done),
+					 TS_SAVED_ROWS_END };
 
 static const struct ts_arg args[] = {
 	TS_INT("nevery", struct state, every, .flags = TS_STATEFUL, .range = TS_POSITIVE,
@@ -313,17 +311,18 @@ const struct ts_style ts_fix_ave_euler = {
 	.name = "ave/euler",
 	.kind = TS_KIND_FIX,
 	.summary = "Velocity, volume fraction, pressure ... in the cells of a grid",
-	.doc = "The box is divided into cells of equal size, the smallest not below cell_size_relative diameters "
-	       "of the largest particle there is when the first values are found; then their number stays. For "
-	       "the particles of the group whose centres are in a cell of volume V, every nevery steps:\n\n"
+	.doc = "The box is divided into cells of equal size, the smallest not below cell_size_relative "
+	       "diameters of the largest particle there is when the first values are found; then their "
+	       "number stays. For the particles of the group whose centres are in a cell of volume V, every "
+	       "nevery steps:\n\n"
 	       "    v = sum m v / sum m\n"
 	       "    volumefraction = sum 4/3 pi R^3 / V\n"
 	       "    radius = mean R\n"
 	       "    stress = -1/V sum (m (v_i - v)(v_i - v) + 1/2 sum (x_i - x_j) F_ij)\n"
 	       "    pressure = -1/3 trace of the stress\n\n"
 	       "with F_ij the force of a contact or bond with particle j; walls do not count. Cells without "
-	       "particles have 0. In two dimensions areas take the place of volumes. Values are those of the last "
-	       "evaluation: f_ID[i][k] is number k of cell i, in the order centre (3), velocity (3), "
+	       "particles have 0. In two dimensions areas take the place of volumes. Values are those of the "
+	       "last evaluation: f_ID[i][k] is number k of cell i, in the order centre (3), velocity (3), "
 	       "volumefraction, radius, pressure, number of particles, mass, stress xx yy zz xy xz yz. `dump "
 	       "euler/vtk` writes them.",
 	.example = "fix cells all ave/euler nevery 1000 cell_size_relative 4 parallel no\n"

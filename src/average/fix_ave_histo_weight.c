@@ -13,14 +13,12 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_histogram_init(self, sim);
 }
 
-static const struct ts_arg window_row[] = {
-	TS_AVERAGE_WINDOW_ROW(struct state, histogram.average), TS_ARGS_END
-};
+static const struct ts_arg window_row[] = { TS_AVERAGE_WINDOW_ROW(struct state, histogram.average),
+					    TS_ARGS_END };
 static const struct ts_mode combinations[] = TS_AVERAGE_MODES;
 
 static const struct ts_arg args[] = {
-	TS_HISTOGRAM_ARGS(struct state,
-			  "two values: what is sorted into bins, and its weight"),
+	TS_HISTOGRAM_ARGS(struct state, "two values: what is sorted into bins, and its weight"),
 	TS_ARGS_END,
 };
 
@@ -32,7 +30,8 @@ const struct ts_style ts_fix_ave_histo_weight = {
 	.name = "ave/histo/weight",
 	.kind = TS_KIND_FIX,
 	.summary = "Histograms of weighted values, over time",
-	.doc = "As fix ave/histo of the first value; each of its numbers counts as much as the second value says.",
+	.doc = "As fix ave/histo of the first value; each of its numbers counts as much as the second value "
+	       "says.",
 	.example = "fix heights all ave/histo/weight 10 100 1000 0 0.1 20 z mass file post/heights.txt",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -8,8 +8,8 @@
 #include "base/alloc.h"
 #include "base/banned.h"
 
-/* Of one value: sums since the last crossing, those up to it, and extremes. Sums are integrals over time of the
- * difference from the first sample, so that small swings about a large mean keep their digits. */
+/* Of one value: sums since the last crossing, those up to it, and extremes. Sums are integrals over time
+ * of the difference from the first sample, so that small swings about a large mean keep their digits. */
 struct tally {
 	double first, last; /* samples */
 	double open[2];	    /* integrals of the value and of its square */
@@ -34,8 +34,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	TS_TRY(ts_ref_list_init(sim, "fix ave/period", &self->arena, s->words, TS_WANT(SCALAR),
-				&s->input));
+	TS_TRY(ts_ref_list_init(sim, "fix ave/period", &self->arena, s->words, TS_WANT(SCALAR), &s->input));
 	if (!s->now)
 		s->now = ts_arena_alloc(&self->arena, s->input.n, sizeof *s->now);
 	if (!s->now || TS_GROW(s->tally, s->capacity, s->input.n) != TS_OK)
@@ -95,8 +94,7 @@ static void add_sample(struct state *s, double time)
 		struct tally *t = &s->tally[k];
 
 		if (crosses)
-			add_piece(t, t->last + part * (s->now[k] - t->last), s->now[k],
-				  (1 - part) * dt);
+			add_piece(t, t->last + part * (s->now[k] - t->last), s->now[k], (1 - part) * dt);
 		t->open_least = fmin(t->open_least, s->now[k]);
 		t->open_most = fmax(t->open_most, s->now[k]);
 		t->last = s->now[k];
@@ -107,9 +105,12 @@ static void begin(struct state *s)
 {
 	s->begin = s->end = NAN;
 	for (size_t k = 0; k < s->n; k++)
-		s->tally[k] = (struct tally){ .first = s->now[k], .last = s->now[k],
-					      .open_least = s->now[k], .open_most = s->now[k],
-					      .least = INFINITY, .most = -INFINITY };
+		s->tally[k] = (struct tally){ .first = s->now[k],
+					      .last = s->now[k],
+					      .open_least = s->now[k],
+					      .open_most = s->now[k],
+					      .least = INFINITY,
+					      .most = -INFINITY };
 	s->seen = 1;
 }
 
@@ -143,9 +144,9 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	memcpy(data, s->tally, n * sizeof *data);
 	status = ts_archive_array(archive, "tally", TS_SAVED_F64, (void **)&data, &capacity, &n);
 	if (status == TS_OK && n != s->n * TALLY)
-		status = ts_fail(&sim->error, TS_STATE, &self->where,
-				 "fix ave/period %s: the restart file has another number of values",
-				 self->id);
+		status =
+			ts_fail(&sim->error, TS_STATE, &self->where,
+				"fix ave/period %s: the restart file has another number of values", self->id);
 	else if (status == TS_OK)
 		memcpy(s->tally, data, n * sizeof *data);
 	ts_free(data);
@@ -162,8 +163,7 @@ static void fini(struct ts_instance *self)
 
 /* ---- outputs */
 
-static enum ts_status eval_signal(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_signal(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 
@@ -173,8 +173,7 @@ static enum ts_status eval_signal(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-static enum ts_status eval_values(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_values(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 
@@ -197,8 +196,8 @@ static enum ts_status eval_values(struct ts_instance *self, const struct tsim *s
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("every", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL,
-	       .range = TS_POSITIVE, .help = "steps between samples"),
+	TS_INT("every", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_POSITIVE,
+	       .help = "steps between samples"),
 	TS_LIST_STATEFUL("values", struct state, words,
 			 .help = "the signal, then more values to be averaged: c_ID, c_ID[k], f_ID, "
 				 "f_ID[k], v_NAME or thermo keywords"),
@@ -229,9 +228,12 @@ static const struct ts_value values[] = {
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_I64(struct state, periods), TS_SAVE_I64(struct state, seen),
-	TS_SAVE_I64(struct state, step),    TS_SAVE_F64(struct state, time),
-	TS_SAVE_F64(struct state, begin),   TS_SAVE_F64(struct state, end),
+	TS_SAVE_I64(struct state, periods),
+	TS_SAVE_I64(struct state, seen),
+	TS_SAVE_I64(struct state, step),
+	TS_SAVE_F64(struct state, time),
+	TS_SAVE_F64(struct state, begin),
+	TS_SAVE_F64(struct state, end),
 	TS_SAVED_ROWS_END,
 };
 
@@ -240,10 +242,14 @@ const struct ts_style ts_fix_ave_period = {
 	.name = "ave/period",
 	.kind = TS_KIND_FIX,
 	.summary = "Frequency of a signal, and averages of values over its whole periods",
-	.doc = "Samples are taken at the start of a run and at the end of each step that is a multiple of N. The\n"
-	       "signal, the first value, begins a period where it rises through `level`; between samples all\n"
-	       "values are taken as straight lines. f_ID[1] is the number of whole periods by the time from the\n"
-	       "first to the last beginning, f_ID[2] that number; f_ID[i][1..4] are the mean, the extremes and the\n"
+	.doc = "Samples are taken at the start of a run and at the end of each step that is a multiple of N. "
+	       "The\n"
+	       "signal, the first value, begins a period where it rises through `level`; between samples "
+	       "all\n"
+	       "values are taken as straight lines. f_ID[1] is the number of whole periods by the time from "
+	       "the\n"
+	       "first to the last beginning, f_ID[2] that number; f_ID[i][1..4] are the mean, the extremes "
+	       "and the\n"
 	       "rms of value i over this time. All are 0 before the first period is whole.",
 	.example = "fix ib all immersed/boundary region rod\n"
 		   "fix wake all ave/period 1 f_ib[2] f_ib[1] start 20000\n"

@@ -37,8 +37,7 @@ static enum ts_status divide(struct ts_instance *self, struct tsim *sim)
 	while (axes < 3 && 3 * axes < s->words.n && names_axis(s->words.word[3 * axes].text))
 		axes++;
 	if (axes == 0 || 3 * axes >= s->words.n)
-		return ts_fail(&sim->error, TS_SYNTAX,
-			       axes ? &self->where : &s->words.word[0].place,
+		return ts_fail(&sim->error, TS_SYNTAX, axes ? &self->where : &s->words.word[0].place,
 			       axes ? "fix ave/spatial: no value is named"
 				    : "fix ave/spatial: expected x, y or z");
 	style.text = styles[axes - 1];
@@ -94,14 +93,15 @@ const struct ts_style ts_fix_ave_spatial = {
 	.name = "ave/spatial",
 	.kind = TS_KIND_FIX,
 	.summary = "Averages over bins of space and over time",
-	.doc = "As fix ave/chunk with the bins of compute chunk/atom bin/1d, bin/2d or bin/3d, in the words of "
-	       "LIGGGHTS\n"
-	       "and older LAMMPS. Particles beyond the bins count in the nearest one, but beyond a `bound` in "
-	       "none. The\n"
+	.doc = "As fix ave/chunk with the bins of compute chunk/atom bin/1d, bin/2d or bin/3d, in the words "
+	       "of LIGGGHTS\n"
+	       "and older LAMMPS. Particles beyond the bins count in the nearest one, but beyond a `bound` "
+	       "in none. The\n"
 	       "file has a block for each average: step and number of bins, then for each bin its number, "
 	       "coordinates,\n"
 	       "mean count, values; f_ID[i][j] are the same columns from the coordinates on.",
-	.example = "fix profile all ave/spatial 10 10 1000 z lower 0.01 vx density/mass units box file post/p.txt",
+	.example = "fix profile all ave/spatial 10 10 1000 z lower 0.01 vx density/mass units box file "
+		   "post/p.txt",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

@@ -92,8 +92,8 @@ static enum ts_status sample_vectors(struct ts_instance *self, struct tsim *sim)
 	}
 	if ((int64_t)length != s->rows)
 		return ts_fail(&sim->error, TS_STATE, &s->input.item[0].where,
-			       "fix ave/time: '%s' has %zu elements, expected %lld",
-			       s->input.item[0].name, length, (long long)s->rows);
+			       "fix ave/time: '%s' has %zu elements, expected %lld", s->input.item[0].name,
+			       length, (long long)s->rows);
 	for (size_t k = 0; k < n; k++)
 		for (size_t i = 0; i < length; i++)
 			add(s, k, i, s->vector.data[i * n + k]);
@@ -144,8 +144,7 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 	if (s->mode == VECTOR)
 		ts_str_addf(text, "%lld %zu\n", (long long)sim->clock.step, rows);
 	for (size_t i = 0; i < rows; i++) {
-		ts_str_addf(text, "%lld",
-			    s->mode == VECTOR ? (long long)i + 1 : (long long)sim->clock.step);
+		ts_str_addf(text, "%lld", s->mode == VECTOR ? (long long)i + 1 : (long long)sim->clock.step);
 		for (size_t k = 0; k < s->input.n; k++)
 			ts_average_file_number(&s->file, s->average.result[k * rows + i]);
 		ts_str_add(text, "\n");
@@ -193,8 +192,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return TS_OK;
 }
 
-static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 
@@ -204,8 +202,7 @@ static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *s
 }
 
 /* Scalars: one element per value. Vectors: the elements of the first value. */
-static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 	size_t n = s->mode == VECTOR ? (size_t)s->rows : s->average.n;
@@ -217,8 +214,7 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 	const char *path = s->file.file ? s->file.file : s->file.append;
@@ -232,8 +228,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 		       : ts_nomem(&sim->error);
 }
 
-static enum ts_status eval_array(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_array(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 	size_t rows = (size_t)s->rows, n = s->input.n;
@@ -311,12 +306,14 @@ const struct ts_style ts_fix_ave_time = {
 	.name = "ave/time",
 	.kind = TS_KIND_FIX,
 	.summary = "Averages numbers over time",
-	.doc = "Every Nfreq steps the mean of Nrepeat samples, Nevery steps apart, the last at the step itself:\n"
-	       "with 2 6 100 those of steps 90, 92, 94, 96, 98, 100. Results are read as f_ID[k], or f_ID for\n"
-	       "the first; with `mode vector` f_ID[i] is element i of the first vector, f_ID[i][k] that of the "
-	       "k-th. They\n"
-	       "are 0 before the first average. A value that is `off` is that of the last sample. Averages under "
-	       "way are\n"
+	.doc = "Every Nfreq steps the mean of Nrepeat samples, Nevery steps apart, the last at the step "
+	       "itself:\n"
+	       "with 2 6 100 those of steps 90, 92, 94, 96, 98, 100. Results are read as f_ID[k], or f_ID "
+	       "for\n"
+	       "the first; with `mode vector` f_ID[i] is element i of the first vector, f_ID[i][k] that of "
+	       "the k-th. They\n"
+	       "are 0 before the first average. A value that is `off` is that of the last sample. Averages "
+	       "under way are\n"
 	       "saved in restart files.",
 	.example = "fix speed all ave/time 10 100 1000 v_rop c_energy file post/speed.txt ave window 5",
 	.args = args,

@@ -10,17 +10,16 @@ struct state {
 	int64_t every, start;
 	struct ts_words words;
 	struct ts_ref_list input;
-	double *sample; /* of all inputs, sample after sample */
+	double *sample;	    /* of all inputs, sample after sample */
 	size_t n, capacity; /* numbers: samples times inputs */
-	int64_t last; /* step of the last sample, if n > 0 */
+	int64_t last;	    /* step of the last sample, if n > 0 */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	return ts_ref_list_init(sim, "fix vector", &self->arena, s->words, TS_WANT(SCALAR),
-				&s->input);
+	return ts_ref_list_init(sim, "fix vector", &self->arena, s->words, TS_WANT(SCALAR), &s->input);
 }
 
 static enum ts_status collect(struct ts_instance *self, struct tsim *sim)
@@ -38,18 +37,15 @@ static enum ts_status collect(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status archive(struct ts_instance *self, struct tsim *sim,
-			      struct ts_archive *archive)
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
 	struct state *s = self->state;
 
-	TS_TRY(ts_archive_array(archive, "sample", TS_SAVED_F64, (void **)&s->sample, &s->capacity,
-				&s->n));
+	TS_TRY(ts_archive_array(archive, "sample", TS_SAVED_F64, (void **)&s->sample, &s->capacity, &s->n));
 	if (s->n % s->input.n == 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "fix vector %s: the restart file holds samples of another number of values",
-		       self->id);
+		       "fix vector %s: the restart file holds samples of another number of values", self->id);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -79,10 +75,10 @@ static bool gives(const struct ts_instance *self, const struct ts_value *value)
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("every", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL,
-	       .range = TS_POSITIVE, .help = "steps between samples"),
+	TS_INT("every", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_POSITIVE,
+	       .help = "steps between samples"),
 	TS_LIST_STATEFUL("values", struct state, words,
-		.help = "c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k], v_NAME or thermo keywords"),
+			 .help = "c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k], v_NAME or thermo keywords"),
 	TS_INT("start", struct state, start, .flags = TS_STATEFUL, .fallback = "0",
 	       .help = "no samples before this step"),
 	TS_ARGS_END,
@@ -110,7 +106,8 @@ const struct ts_style ts_fix_vector = {
 	.name = "vector",
 	.kind = TS_KIND_FIX,
 	.summary = "Collects numbers at intervals into a growing vector or array",
-	.doc = "Samples are taken at the start of a run and at the end of each step that is a multiple of N,\n"
+	.doc = "Samples are taken at the start of a run and at the end of each step that is a multiple of "
+	       "N,\n"
 	       "once per step. One value makes a vector, several make an array with a column for each:\n"
 	       "slope(f_ID[2]) is that of the second. All is saved in restart files.",
 	.example = "fix heights all vector 100 f_bit[1]\n"

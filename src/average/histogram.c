@@ -9,14 +9,15 @@
 #include "base/banned.h"
 
 enum { DEFAULT, SCALAR, VECTOR };
-const char *const ts_histogram_modes[] = { [DEFAULT] = "default", [SCALAR] = "scalar",
-					   [VECTOR] = "vector", NULL };
+const char *const ts_histogram_modes[] = {
+	[DEFAULT] = "default", [SCALAR] = "scalar", [VECTOR] = "vector", NULL
+};
 enum { ANY, GLOBAL, PERATOM, LOCAL };
-const char *const ts_histogram_kinds[] = { [ANY] = "any", [GLOBAL] = "global", [PERATOM] = "peratom",
-					   [LOCAL] = "local", NULL };
+const char *const ts_histogram_kinds[] = {
+	[ANY] = "any", [GLOBAL] = "global", [PERATOM] = "peratom", [LOCAL] = "local", NULL
+};
 enum { IGNORE, END, EXTRA };
-const char *const ts_histogram_beyond[] = { [IGNORE] = "ignore", [END] = "end", [EXTRA] = "extra",
-					    NULL };
+const char *const ts_histogram_beyond[] = { [IGNORE] = "ignore", [END] = "end", [EXTRA] = "extra", NULL };
 /* behind the bins */
 enum { TOTAL, MISSING, LEAST, LARGEST, NSTATISTICS };
 
@@ -51,8 +52,7 @@ enum ts_status ts_histogram_init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_ref_list_init(sim, what, &self->arena, h->words, shapes_of(h), &h->input));
 	/* what can be a single number is one, unless the user says otherwise */
 	for (size_t k = 0; k < h->input.n && h->mode == DEFAULT && h->kind == ANY; k++)
-		if (!h->input.item[k].quantity &&
-		    ts_ref_shapes(sim, &h->input.item[k].ref) & TS_WANT(SCALAR))
+		if (!h->input.item[k].quantity && ts_ref_shapes(sim, &h->input.item[k].ref) & TS_WANT(SCALAR))
 			h->input.item[k].shape = TS_SCALAR;
 	if (h->weighted && h->input.n != 2)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
@@ -95,8 +95,7 @@ static void count(struct ts_histogram *h, double value, double weight)
 		h->average.sum[bin] += weight;
 }
 
-static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim, size_t k,
-			       struct ts_table *out)
+static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim, size_t k, struct ts_table *out)
 {
 	const struct ts_histogram *h = self->state;
 
@@ -158,8 +157,7 @@ static enum ts_status add_titles(struct ts_instance *self, struct tsim *sim)
 		return ts_nomem(&sim->error);
 	ts_average_file_title(&h->file, 0, ts_str_text(&line));
 	ts_average_file_title(&h->file, 1,
-			      "# TimeStep Number-of-bins Total-counts Missing-counts Min-value "
-			      "Max-value");
+			      "# TimeStep Number-of-bins Total-counts Missing-counts Min-value Max-value");
 	ts_average_file_title(&h->file, 2, "# Bin Coord Count Count/Total");
 	ts_str_release(&line);
 	return TS_OK;
@@ -226,13 +224,12 @@ enum ts_status ts_histogram_archive(struct ts_instance *self, struct tsim *sim, 
 	TS_TRY(ts_average_archive(self, sim, a, &h->average));
 	if (h->average.n != bins_of(h) + NSTATISTICS)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix %s %s: the restart file holds another number of bins",
-			       self->style->name, self->id);
+			       "fix %s %s: the restart file holds another number of bins", self->style->name,
+			       self->id);
 	return TS_OK;
 }
 
-static enum ts_status eval_statistics(struct ts_instance *self, const struct tsim *sim,
-				      struct ts_table *out)
+static enum ts_status eval_statistics(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_histogram *h = self->state;
 
@@ -260,10 +257,9 @@ static enum ts_status eval_bins(struct ts_instance *self, const struct tsim *sim
 static const char *const statistics[] = { "total", "missing", "min", "max", NULL };
 static const char *const columns[] = { "coord", "count", "fraction", NULL };
 const struct ts_value ts_histogram_values[] = {
-	{ "statistics", "", "counts in all bins, values outside of them, least and largest value",
-	  TS_VECTOR, NSTATISTICS, statistics, eval_statistics },
-	{ "bins", "", "middle, count, and part of the total of each bin", TS_ARRAY, 3, columns,
-	  eval_bins },
+	{ "statistics", "", "counts in all bins, values outside of them, least and largest value", TS_VECTOR,
+	  NSTATISTICS, statistics, eval_statistics },
+	{ "bins", "", "middle, count, and part of the total of each bin", TS_ARRAY, 3, columns, eval_bins },
 	{ .name = NULL },
 };
 

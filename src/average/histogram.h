@@ -18,37 +18,33 @@ struct ts_histogram {
 	struct ts_ref_list input;
 	struct ts_table values, weights;
 };
-#define TS_HISTOGRAM_ARGS(T, text)                                                                 \
-	TS_AVERAGE_STEPS(T, histogram.average),                                                    \
-		TS_REAL("lo", T, histogram.lo, .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "",   \
-			.help = "where the bins begin"),                                           \
-		TS_REAL("hi", T, histogram.hi, .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "",   \
-			.help = "where they end"),                                                 \
-		TS_INT("Nbin", T, histogram.bins, .flags = TS_POSITIONAL | TS_STATEFUL,            \
-		       .range = TS_WITHIN, .lo = 1, .hi = 1e7, .help = "number of bins"),          \
-		TS_LIST_STATEFUL("values", T, histogram.words, .help = text),                      \
-		TS_ENUM("mode", T, histogram.mode, ts_histogram_modes, .flags = TS_STATEFUL,       \
-			.fallback = "default",                                                     \
-			.help = "whether values are single numbers or lists, particles and "       \
-				"tables; default: numbers where they can be"),                     \
-		TS_ENUM("kind", T, histogram.kind, ts_histogram_kinds, .flags = TS_STATEFUL,       \
-			.fallback = "any",                                                         \
-			.help = "of outputs that have several shapes, which one"),                 \
-		TS_ENUM("beyond", T, histogram.beyond, ts_histogram_beyond, .flags = TS_STATEFUL,  \
-			.fallback = "ignore",                                                      \
-			.help = "whether values outside are left out, are in the bins at the "     \
-				"ends, or in two extra bins"),                                     \
-		TS_AVERAGE_KEYWORDS(T, histogram.average),                                         \
-		TS_AVERAGE_FILE_ARGS(T, histogram.file)
-extern const char *const ts_histogram_modes[], *const ts_histogram_kinds[],
-	*const ts_histogram_beyond[];
+#define TS_HISTOGRAM_ARGS(T, text)                                                                          \
+	TS_AVERAGE_STEPS(T, histogram.average),                                                             \
+		TS_REAL("lo", T, histogram.lo, .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "",            \
+			.help = "where the bins begin"),                                                    \
+		TS_REAL("hi", T, histogram.hi, .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "",            \
+			.help = "where they end"),                                                          \
+		TS_INT("Nbin", T, histogram.bins, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, \
+		       .lo = 1, .hi = 1e7, .help = "number of bins"),                                       \
+		TS_LIST_STATEFUL("values", T, histogram.words, .help = text),                               \
+		TS_ENUM("mode", T, histogram.mode, ts_histogram_modes, .flags = TS_STATEFUL,                \
+			.fallback = "default",                                                              \
+			.help = "whether values are single numbers or lists, particles and "                \
+				"tables; default: numbers where they can be"),                              \
+		TS_ENUM("kind", T, histogram.kind, ts_histogram_kinds, .flags = TS_STATEFUL,                \
+			.fallback = "any", .help = "of outputs that have several shapes, which one"),       \
+		TS_ENUM("beyond", T, histogram.beyond, ts_histogram_beyond, .flags = TS_STATEFUL,           \
+			.fallback = "ignore",                                                               \
+			.help = "whether values outside are left out, are in the bins at the "              \
+				"ends, or in two extra bins"),                                              \
+		TS_AVERAGE_KEYWORDS(T, histogram.average), TS_AVERAGE_FILE_ARGS(T, histogram.file)
+extern const char *const ts_histogram_modes[], *const ts_histogram_kinds[], *const ts_histogram_beyond[];
 extern const struct ts_value ts_histogram_values[];
 
 enum ts_status ts_histogram_init(struct ts_instance *self, struct tsim *sim);
 /* For SETUP and END_OF_STEP. */
 enum ts_status ts_histogram_sample(struct ts_instance *self, struct tsim *sim);
-enum ts_status ts_histogram_archive(struct ts_instance *self, struct tsim *sim,
-				    struct ts_archive *archive);
+enum ts_status ts_histogram_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive);
 void ts_histogram_fini(struct ts_instance *self);
 
 #endif

@@ -23,9 +23,8 @@ enum ts_status ts_particle_tally_start(struct tsim *sim, struct ts_particle_tall
 const double *ts_particle_tally_sums(struct ts_particle_tally *tally)
 {
 	for (size_t k = 0; tally->fresh && k < TS_PARTICLE_TALLY_MOST; k++)
-		tally->sum[k] = tally->n ? ts_exactsum_of(&tally->note[0][k], tally->n,
-							  TS_PARTICLE_TALLY_MOST)
-					 : 0;
+		tally->sum[k] =
+			tally->n ? ts_exactsum_of(&tally->note[0][k], tally->n, TS_PARTICLE_TALLY_MOST) : 0;
 	tally->fresh = false;
 	return tally->sum;
 }

@@ -11,8 +11,8 @@ enum { TS_PARTICLE_TALLY_MOST = 4 };
 struct ts_particle_tally {
 	double (*note)[TS_PARTICLE_TALLY_MOST]; /* by particle */
 	size_t n, capacity;
-	bool fresh;			/* noted since the last sum */
-	double sum[TS_PARTICLE_TALLY_MOST];	/* saved */
+	bool fresh;			    /* noted since the last sum */
+	double sum[TS_PARTICLE_TALLY_MOST]; /* saved */
 };
 
 /* Makes room for all particles; all notes are 0. */

@@ -15,8 +15,8 @@ static enum ts_status bad_replace(struct ts_instance *self, struct tsim *sim, co
 {
 	const struct ts_reduce *r = self->state;
 
-	return ts_fail(&sim->error, TS_SYNTAX, &r->replace.word[0].place,
-		       "compute %s: replace %s", self->style->name, why);
+	return ts_fail(&sim->error, TS_SYNTAX, &r->replace.word[0].place, "compute %s: replace %s",
+		       self->style->name, why);
 }
 
 /* Pairs of numbers, with `replace` between them. */
@@ -36,8 +36,8 @@ static enum ts_status read_replace(struct ts_instance *self, struct tsim *sim)
 		int64_t m, n;
 
 		if (rest.n < 2 || !ts_parse_int(rest.word[0].text, &m) ||
-		    !ts_parse_int(rest.word[1].text, &n) || m < 1 || n < 1 ||
-		    m > (int64_t)r->input.n || n > (int64_t)r->input.n || m == n)
+		    !ts_parse_int(rest.word[1].text, &n) || m < 1 || n < 1 || m > (int64_t)r->input.n ||
+		    n > (int64_t)r->input.n || m == n)
 			return bad_replace(self, sim, "takes the numbers of two of the inputs");
 		if (r->input.item[m - 1].shape != r->input.item[n - 1].shape)
 			return bad_replace(self, sim, "takes inputs of the same kind");
@@ -71,8 +71,7 @@ static bool counts(const struct ts_instance *self, const struct ts_ref_input *in
 
 	if (input->shape == TS_LOCAL)
 		return true;
-	return ts_in_group(p, i, self->group) &&
-	       (!r->region || ts_region_contains(r->region, p->x[i]));
+	return ts_in_group(p, i, self->group) && (!r->region || ts_region_contains(r->region, p->x[i]));
 }
 
 /* The row of the extreme value; of equal ones that of the smallest identity or, of local tables, the
@@ -89,8 +88,7 @@ static int64_t extreme(const struct ts_instance *self, const struct ts_ref_input
 		double value = sign * values->data[i];
 		bool earlier = input->shape != TS_LOCAL && found >= 0 && tag[i] < tag[found];
 
-		if (counts(self, input, i) &&
-		    (found < 0 || value > most || (earlier && !(value < most)))) {
+		if (counts(self, input, i) && (found < 0 || value > most || (earlier && !(value < most)))) {
 			found = (int64_t)i;
 			most = value;
 		}
@@ -108,8 +106,8 @@ static enum ts_status replaced(struct ts_instance *self, size_t k, double *out)
 	TS_TRY(ts_ref_input_eval(r->sim, &r->input.item[k], &r->each));
 	if (r->other.rows != r->each.rows)
 		return ts_fail(&r->sim->error, TS_STATE, &judge->where,
-			       "compute %s: '%s' has %zu rows, '%s' has %zu", self->style->name,
-			       judge->name, r->other.rows, r->input.item[k].name, r->each.rows);
+			       "compute %s: '%s' has %zu rows, '%s' has %zu", self->style->name, judge->name,
+			       r->other.rows, r->input.item[k].name, r->each.rows);
 	row = extreme(self, judge, &r->other);
 	*out = row >= 0 ? r->each.data[row] : 0;
 	return TS_OK;
@@ -133,15 +131,13 @@ static enum ts_status reduce_one(struct ts_instance *self, size_t k, double *out
 	return TS_OK;
 }
 
-static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
 	return reduce_one(self, 0, out->data);
 }
 
-static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_reduce *r = self->state;
 
@@ -167,10 +163,6 @@ const struct ts_value ts_reduce_values[] = {
 	  .help = "of the first input",
 	  .shape = TS_SCALAR,
 	  .eval = eval_scalar },
-	{ .name = "all",
-	  .unit = "",
-	  .help = "of each input",
-	  .shape = TS_VECTOR,
-	  .eval = eval_vector },
+	{ .name = "all", .unit = "", .help = "of each input", .shape = TS_VECTOR, .eval = eval_vector },
 	{ .name = NULL },
 };

@@ -21,15 +21,15 @@ void ts_free(void *p);
 /* Makes room for `need` elements in *array (of *capacity elements of `size` bytes), at least
  * doubling it. Old contents are kept, new elements are zero. */
 enum ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size);
-#define TS_GROW(array, capacity, need)                                                             \
-	ts_grow((void **)&(array), &(capacity), (need), sizeof *(array))
+#define TS_GROW(array, capacity, need) ts_grow((void **)&(array), &(capacity), (need), sizeof *(array))
 
-/* The same where the old contents are not needed: they are lost, and there is little more room than asked for. */
+/* The same where the old contents are not needed: they are lost, and there is little more room than asked
+ * for. */
 enum ts_status ts_renew(void **array, size_t *capacity, size_t need, size_t size);
-#define TS_RENEW(array, capacity, need)                                                            \
-	ts_renew((void **)&(array), &(capacity), (need), sizeof *(array))
+#define TS_RENEW(array, capacity, need) ts_renew((void **)&(array), &(capacity), (need), sizeof *(array))
 
-/* For a program that is tsim alone: large blocks go back to the system when they are freed, and leave no holes. */
+/* For a program that is tsim alone: large blocks go back to the system when they are freed, and leave no
+ * holes. */
 void ts_alloc_tune(void);
 
 /* For tests. Blocks now allocated and not freed; let the k-th allocation from now fail (0: never). */

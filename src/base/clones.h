@@ -5,11 +5,11 @@
 #ifndef TS_BASE_CLONES_H
 #define TS_BASE_CLONES_H
 
-#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&           \
+#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) && \
 	defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__AVX2__)
 #define TS_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
-/* For the rest of a file: small inner loops are unrolled first, also with -O2; else loops around them stay as they
- * are. Before all other includes. */
+/* For the rest of a file: small inner loops are unrolled first, also with -O2; else loops around them stay
+ * as they are. Before all other includes. */
 #define TS_UNROLLED _Pragma("GCC optimize(\"O3\")")
 #else
 #define TS_UNROLLED

@@ -164,8 +164,9 @@ static const struct ts_files_root *root_of(const struct ts_files *files, const c
 	return NULL;
 }
 
-/* The folder of a resolved path, reached from that of the root name by name, no link followed: nobody can put one
- * in the way after the path was resolved. *name: the last one; "." where the path is the root itself. */
+/* The folder of a resolved path, reached from that of the root name by name, no link followed: nobody can
+ * put one in the way after the path was resolved. *name: the last one; "." where the path is the root
+ * itself. */
 static int walk(const struct ts_files_root *root, const char *path, const char **name)
 {
 	const char *rest = path + strlen(root->path);
@@ -279,8 +280,9 @@ static int check_plain(struct ts_files *files, int descriptor, struct stat *info
 	if (!S_ISREG(info->st_mode))
 		return refuse(files, "with -sandbox a script opens plain files only");
 	if (info->st_nlink > 1)
-		return refuse(files, "the file has other names (hard links), which may lie anywhere; with -sandbox "
-				     "a script does not open it");
+		return refuse(files,
+			      "the file has other names (hard links), which may lie anywhere; with -sandbox "
+			      "a script does not open it");
 	return 0;
 }
 

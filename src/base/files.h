@@ -1,6 +1,7 @@
-/* The one door to files: whoever opens, makes, moves, removes or looks at a path does it here (tests/door.sh). It
- * stands open until it is closed for -sandbox; then it lets through only what lies below the folders that it was
- * given, all links resolved. Functions set errno as the calls of the system do. */
+/* The one door to files: whoever opens, makes, moves, removes or looks at a path does it here
+ * (tests/door.sh). It stands open until it is closed for -sandbox; then it lets through only what lies
+ * below the folders that it was given, all links resolved. Functions set errno as the calls of the system
+ * do. */
 #ifndef TS_BASE_FILES_H
 #define TS_BASE_FILES_H
 
@@ -30,7 +31,7 @@ struct ts_files {
 	int64_t most, written;	  /* bytes; what a file or folder takes by itself counts as well */
 	struct ts_files_own *own; /* files that were written through here: they can be read again */
 	size_t nown, own_capacity;
-	char why[512]; /* the last refusal */
+	char why[512];		  /* the last refusal */
 	volatile const int *stop; /* not 0: whoever reads for long shall end; NULL: never */
 };
 
@@ -46,9 +47,9 @@ const char *ts_files_why(const struct ts_files *files);
 
 /* As fopen: r, w, a; x behind w: the file must not be there, not even as a link. */
 FILE *ts_files_open(struct ts_files *files, const char *path, const char *mode);
-void *ts_files_open_gz(struct ts_files *files, const char *path); /* gzFile, to read */
-FILE *ts_files_nowhere(void);					  /* swallows what is written */
-void *ts_files_list(struct ts_files *files, const char *folder); /* DIR */
+void *ts_files_open_gz(struct ts_files *files, const char *path);	       /* gzFile, to read */
+FILE *ts_files_nowhere(void);						       /* swallows what is written */
+void *ts_files_list(struct ts_files *files, const char *folder);	       /* DIR */
 int ts_files_look(struct ts_files *files, const char *path, struct stat *out); /* stat */
 /* Whether the rights of the folder let files be made in it; a closed door may still refuse. */
 bool ts_files_may_make_in(const struct ts_files *files, const char *folder);
@@ -56,7 +57,7 @@ int ts_files_make_folder(struct ts_files *files, const char *path);
 int ts_files_remove(struct ts_files *files, const char *path);
 int ts_files_remove_folder(struct ts_files *files, const char *path);
 int ts_files_move(struct ts_files *files, const char *from, const char *to);
-int ts_files_enter(struct ts_files *files, const char *folder); /* chdir */
+int ts_files_enter(struct ts_files *files, const char *folder);		 /* chdir */
 int ts_files_sync(struct ts_files *files, const char *path, FILE *file); /* that was flushed */
 int ts_files_sync_folder(struct ts_files *files, const char *folder);
 double ts_files_free_space(struct ts_files *files, const char *path); /* bytes; -1: errno */

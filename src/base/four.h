@@ -1,4 +1,5 @@
-/* Four doubles at once, and the turning of rows into columns: compilers make of them what the processor has. */
+/* Four doubles at once, and the turning of rows into columns: compilers make of them what the processor
+ * has. */
 #ifndef TS_BASE_FOUR_H
 #define TS_BASE_FOUR_H
 
@@ -9,12 +10,13 @@
 typedef double ts_four __attribute__((vector_size(32)));
 typedef double ts_four_anywhere __attribute__((vector_size(32), aligned(8), may_alias));
 
-typedef long long ts_four_marks __attribute__((vector_size(32))); /* of a comparison: -1 where it holds, else 0 */
+/* of a comparison: -1 where it holds, else 0 */
+typedef long long ts_four_marks __attribute__((vector_size(32)));
 
 typedef long long ts_four_marks_anywhere __attribute__((vector_size(32), aligned(8), may_alias));
 
-/* Four numbers from any place; of a row of three also the first of the next row is read: columns of particles and
- * rows have room behind their last number. */
+/* Four numbers from any place; of a row of three also the first of the next row is read: columns of
+ * particles and rows have room behind their last number. */
 #define TS_FOUR_AT(from) (*(const ts_four_anywhere *)(from))
 
 #if defined(__clang__) || __GNUC__ >= 12

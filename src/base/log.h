@@ -16,9 +16,9 @@ struct ts_log {
 	struct ts_files *files; /* the door for the file; or NULL */
 	FILE *screen, *file;
 	bool echo_screen, echo_file; /* what `echo` says about input lines */
-	bool progress;               /* the screen is a terminal: show a progress line */
-	bool progress_shown;         /* a progress line now stands on the screen        */
-	bool quiet; /* only warnings */
+	bool progress;		     /* the screen is a terminal: show a progress line */
+	bool progress_shown;	     /* a progress line now stands on the screen        */
+	bool quiet;		     /* only warnings */
 	int warnings;
 	ts_log_sink_fn *sink; /* gets all that goes to the screen, screen or not; or NULL */
 	void *sink_data;
@@ -26,8 +26,7 @@ struct ts_log {
 };
 
 void ts_log(struct ts_log *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
-void ts_log_screen(struct ts_log *log, const char *format, ...)
-	__attribute__((format(printf, 2, 3)));
+void ts_log_screen(struct ts_log *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void ts_log_file(struct ts_log *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* "file:line: warning: ..." on both. place may be NULL. */
 void ts_warn(struct ts_log *log, const struct ts_place *place, const char *format, ...)

@@ -19,8 +19,8 @@ _Noreturn static void become(const struct ts_process *p, int in, int out, int re
 	ssize_t told;
 	int code;
 
-	if (dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0 &&
-	    dup2(out, STDERR_FILENO) >= 0 && (!p->folder || chdir(p->folder) == 0))
+	if (dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0 && dup2(out, STDERR_FILENO) >= 0 &&
+	    (!p->folder || chdir(p->folder) == 0))
 		execvp(p->words[0], (char *const *)p->words);
 	code = errno;
 	told = write(report, &code, sizeof code);
@@ -74,8 +74,7 @@ enum ts_status ts_process_run(struct ts_process *p, struct ts_error *err)
 	if (out >= 0)
 		close(out);
 	if (code)
-		return ts_fail(err, TS_IO, NULL, "cannot start '%s': %s", p->words[0],
-			       strerror(code));
+		return ts_fail(err, TS_IO, NULL, "cannot start '%s': %s", p->words[0], strerror(code));
 	p->status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 	p->seconds = ts_clock() - begin;
 	return TS_OK;

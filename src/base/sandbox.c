@@ -44,7 +44,8 @@ int ts_sandbox_limit(const struct ts_sandbox_limits *limits)
 
 #ifdef __linux__
 
-/* ---- Landlock: the interface of the kernel, which many headers lack. The numbers are those of all processors. */
+/* ---- Landlock: the interface of the kernel, which many headers lack. The numbers are those of all
+ * processors. */
 
 enum { CREATE_RULESET = 444, ADD_RULE = 445, RESTRICT_SELF = 446 };
 enum { ASK_VERSION = 1, PATH_BENEATH = 1 };
@@ -53,7 +54,8 @@ enum { ASK_VERSION = 1, PATH_BENEATH = 1 };
 #define FILES_WRITE RIGHT(1)
 #define FILES_READ RIGHT(2)
 #define FOLDERS_READ RIGHT(3)
-/* remove folders and files, make folders and files; from version 2 on move between folders, from 3 on truncate */
+/* remove folders and files, make folders and files; from version 2 on move between folders, from 3 on
+ * truncate */
 #define CHANGES (FILES_WRITE | RIGHT(4) | RIGHT(5) | RIGHT(7) | RIGHT(8) | RIGHT(13) | RIGHT(14))
 
 struct ruleset {
@@ -111,8 +113,9 @@ int ts_sandbox_paths(const struct ts_files *files)
 	if (version < 1)
 		return 0;
 	all = everything(version);
-	size = version >= 6 ? sizeof all : version >= 4 ? offsetof(struct ruleset, scopes)
-							 : offsetof(struct ruleset, network);
+	size = version >= 6   ? sizeof all
+	       : version >= 4 ? offsetof(struct ruleset, scopes)
+			      : offsetof(struct ruleset, network);
 	rules = (int)syscall(CREATE_RULESET, &all, size, 0);
 	if (rules < 0)
 		return 0;
@@ -137,15 +140,53 @@ int ts_sandbox_paths(const struct ts_files *files)
 #define DENIED (SECCOMP_RET_ERRNO | EPERM)
 
 static const int denied[] = {
-	__NR_execve, __NR_execveat, __NR_socket, __NR_socketpair, __NR_ptrace, __NR_process_vm_readv,
-	__NR_process_vm_writev, __NR_mount, __NR_umount2, __NR_pivot_root, __NR_chroot, __NR_unshare, __NR_setns,
-	__NR_bpf, __NR_perf_event_open, __NR_keyctl, __NR_add_key, __NR_request_key, __NR_init_module,
-	__NR_finit_module, __NR_delete_module, __NR_kexec_load, __NR_reboot, __NR_userfaultfd,
-	__NR_open_by_handle_at, __NR_symlinkat, __NR_linkat, __NR_mknodat, __NR_fchmod, __NR_fchmodat, __NR_fchown,
-	__NR_fchownat, __NR_setxattr, __NR_lsetxattr, __NR_fsetxattr, __NR_utimensat, __NR_truncate,
+	__NR_execve,
+	__NR_execveat,
+	__NR_socket,
+	__NR_socketpair,
+	__NR_ptrace,
+	__NR_process_vm_readv,
+	__NR_process_vm_writev,
+	__NR_mount,
+	__NR_umount2,
+	__NR_pivot_root,
+	__NR_chroot,
+	__NR_unshare,
+	__NR_setns,
+	__NR_bpf,
+	__NR_perf_event_open,
+	__NR_keyctl,
+	__NR_add_key,
+	__NR_request_key,
+	__NR_init_module,
+	__NR_finit_module,
+	__NR_delete_module,
+	__NR_kexec_load,
+	__NR_reboot,
+	__NR_userfaultfd,
+	__NR_open_by_handle_at,
+	__NR_symlinkat,
+	__NR_linkat,
+	__NR_mknodat,
+	__NR_fchmod,
+	__NR_fchmodat,
+	__NR_fchown,
+	__NR_fchownat,
+	__NR_setxattr,
+	__NR_lsetxattr,
+	__NR_fsetxattr,
+	__NR_utimensat,
+	__NR_truncate,
 	425 /* io_uring_setup */,
 #ifdef __x86_64__
-	__NR_symlink, __NR_link, __NR_mknod, __NR_chmod, __NR_chown, __NR_lchown, __NR_utime, __NR_utimes,
+	__NR_symlink,
+	__NR_link,
+	__NR_mknod,
+	__NR_chmod,
+	__NR_chown,
+	__NR_lchown,
+	__NR_utime,
+	__NR_utimes,
 	__NR_vfork,
 #endif
 };
@@ -175,10 +216,14 @@ static unsigned short add_clones(struct sock_filter *f, bool copies)
 bool ts_sandbox_calls(bool copies)
 {
 	struct sock_filter f[2 * NDENIED + 20] = {
-		LOAD(arch), BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, MACHINE, 1, 0), ANSWER(DENIED), LOAD(nr),
+		LOAD(arch),
+		BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, MACHINE, 1, 0),
+		ANSWER(DENIED),
+		LOAD(nr),
 #ifdef __x86_64__
 		/* the numbers of x32 */
-		BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 0, 1), ANSWER(DENIED),
+		BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 0, 1),
+		ANSWER(DENIED),
 #endif
 	};
 	struct sock_fprog program = { .filter = f };

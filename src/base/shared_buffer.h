@@ -1,5 +1,5 @@
-/* Buffers that a caller of the library may still read: freed when their owner and the last reader have released
- * them. */
+/* Buffers that a caller of the library may still read: freed when their owner and the last reader have
+ * released them. */
 #ifndef TS_BASE_SHARED_BUFFER_H
 #define TS_BASE_SHARED_BUFFER_H
 

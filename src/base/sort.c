@@ -9,11 +9,12 @@
 
 enum { SHORT = 32, WIDE = 8 };
 
-/* Each key goes to the place that has as many before it as there are smaller keys: more comparisons than other ways
- * need, but several at once, and none that has to be guessed. */
+/* Each key goes to the place that has as many before it as there are smaller keys: more comparisons than
+ * other ways need, but several at once, and none that has to be guessed. */
 TS_CLONES static void sort_short(uint64_t *key, size_t n)
 {
-	const uint64_t sign = (uint64_t)1 << 63; /* signed numbers are compared at once by older processors, too */
+	/* signed numbers are compared at once by older processors, too */
+	const uint64_t sign = (uint64_t)1 << 63;
 	union {
 		ts_four_marks four[SHORT / 4];
 		long long one[SHORT];

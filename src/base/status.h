@@ -8,6 +8,7 @@
 
 #include <stdarg.h>
 
+/* clang-format off */
 #define TS_STATUS_LIST(X)                                                                          \
 	X(OK, "success")                                                                           \
 	X(SYNTAX, "syntax error")                                                                  \
@@ -19,6 +20,7 @@
 	X(NOMEM, "out of memory")                                                                  \
 	X(PHYSICS, "the simulation left its valid region")                                         \
 	X(STOPPED, "stopped on request")
+/* clang-format on */
 
 #define TS_STATUS_ENUM(name, text) TS_##name,
 enum ts_status { TS_STATUS_LIST(TS_STATUS_ENUM) TS_NSTATUS };
@@ -27,8 +29,8 @@ enum ts_status { TS_STATUS_LIST(TS_STATUS_ENUM) TS_NSTATUS };
 /* A stretch of one line of a script. The strings belong to the simulation's string pool and live
  * as long as the simulation. line == 0: no place known; column == 0: the whole line. */
 struct ts_place {
-	const char *file; /* name as the user gave it, "stdin", "-var" ... */
-	const char *text; /* the line as written, before substitution       */
+	const char *file;	  /* name as the user gave it, "stdin", "-var" ... */
+	const char *text;	  /* the line as written, before substitution       */
 	int line, column, length; /* all counted from 1                     */
 };
 
@@ -43,10 +45,9 @@ struct ts_error {
 
 /* Records the message unless one is already there; returns code, so one writes
  * `return ts_fail(&sim->error, TS_RANGE, &word->place, "...", ...);`. place may be NULL. */
-#define ts_fail(err, code, place, ...)                                                             \
-	ts_fail_at(err, code, place, __FILE__, __LINE__, __VA_ARGS__)
+#define ts_fail(err, code, place, ...) ts_fail_at(err, code, place, __FILE__, __LINE__, __VA_ARGS__)
 /* TS_UNKNOWN: no thing of this kind (variable, fix, group ...) has this name. */
-#define ts_missing(err, kind, name, place, ...)                                                    \
+#define ts_missing(err, kind, name, place, ...) \
 	ts_missing_at(err, kind, name, place, __FILE__, __LINE__, __VA_ARGS__)
 enum ts_status ts_missing_at(struct ts_error *err, const char *kind, const char *name,
 			     const struct ts_place *place, const char *source, int source_line,
@@ -63,11 +64,11 @@ enum ts_status ts_vfail_at(struct ts_error *err, enum ts_status code, const stru
 void ts_error_clear(struct ts_error *err);
 const char *ts_status_text(enum ts_status status);
 
-#define TS_TRY(expr)                                                                               \
-	do {                                                                                       \
-		enum ts_status ts_try_status = (expr);                                             \
-		if (ts_try_status != TS_OK)                                                        \
-			return ts_try_status;                                                      \
+#define TS_TRY(expr)                                   \
+	do {                                           \
+		enum ts_status ts_try_status = (expr); \
+		if (ts_try_status != TS_OK)            \
+			return ts_try_status;          \
 	} while (0)
 
 #endif

@@ -21,8 +21,7 @@ struct ts_str {
 void ts_str_add(struct ts_str *s, const char *text);
 void ts_str_add_n(struct ts_str *s, const char *text, size_t n);
 void ts_str_addf(struct ts_str *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
-void ts_str_vaddf(struct ts_str *s, const char *format, va_list args)
-	__attribute__((format(printf, 2, 0)));
+void ts_str_vaddf(struct ts_str *s, const char *format, va_list args) __attribute__((format(printf, 2, 0)));
 void ts_str_clear(struct ts_str *s);   /* empty, memory kept */
 void ts_str_release(struct ts_str *s); /* empty, memory freed */
 const char *ts_str_text(const struct ts_str *s);

@@ -73,8 +73,7 @@ enum ts_status ts_words_split(struct ts_arena *arena, const char *line, const st
 	if (!copy || !word)
 		return TS_NOMEM;
 	n = 0;
-	for (size_t at = next_word(line, 0, &length); length;
-	     at = next_word(line, at + length, &length)) {
+	for (size_t at = next_word(line, 0, &length); length; at = next_word(line, at + length, &length)) {
 		word[n].text = copy + at;
 		word[n].place = *place;
 		word[n].place.column = (int)at + 1;

@@ -82,15 +82,14 @@ const struct ts_bond_style ts_bond_contact = {
 	.style = { .name = "contact",
 		   .kind = TS_KIND_BOND,
 		   .summary = "contact bond: a breakable linear spring between two centres",
-		   .doc = "F = -K U along the line of centres, U the extension from the length the "
-			  "bond was made with. No shear force, no moment. The bond breaks for good when "
-			  "|F| > ultimate, in tension or compression; breakages are counted (thermo "
-			  "keyword brokenbonds) and listed with time and place (fix bond/breakage).\n\n"
-			  "Bonded particles that overlap also feel the pair style. A single bond is "
-			  "stable for steps below 2 sqrt(m*/K), with damping below "
-			  "2 (sqrt(w^2 + g^2) - g)/w^2, w^2 = K/m*, g = damping/(2 m*); the limit of a "
-			  "network, which is lower, is found about its stiffest places, see "
-			  "doc/stability.md.",
+		   .doc = "F = -K U along the line of centres, U the extension from the length the bond was "
+			  "made with. No shear force, no moment. The bond breaks for good when |F| > "
+			  "ultimate, in tension or compression; breakages are counted (thermo keyword "
+			  "brokenbonds) and listed with time and place (fix bond/breakage).\n\n"
+			  "Bonded particles that overlap also feel the pair style. A single bond is stable "
+			  "for steps below 2 sqrt(m*/K), with damping below 2 (sqrt(w^2 + g^2) - g)/w^2, w^2 "
+			  "= K/m*, g = damping/(2 m*); the limit of a network, which is lower, is found "
+			  "about its stiffest places, see doc/stability.md.",
 		   .example = "bond_style contact\n"
 			      "bond_coeff 1 stiffness 2.0e5 ultimate 3.0\n"
 			      "create_bonds many rock rock 1 0.0 1.05e-3",

@@ -64,8 +64,8 @@ static bool damped(const struct ts_instance *self, const struct tsim *sim)
 enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_bond *bond = self->state;
-	struct ts_bond_task t = { sim->particles, sim->bonds, &bond->coeffs, &sim->domain->box, damped(self, sim),
-				  sim->complete || sim->bonds->shown };
+	struct ts_bond_task t = { sim->particles,    sim->bonds,	&bond->coeffs,
+				  &sim->domain->box, damped(self, sim), sim->complete || sim->bonds->shown };
 	size_t slices = sim->bonds->slices.n;
 
 	if (!sim->bonds->n ||
@@ -92,14 +92,12 @@ enum ts_status ts_bond_set(struct tsim *sim, struct ts_types types, struct ts_wo
 	int most = sim->bonds->ntypes > 0 ? sim->bonds->ntypes : 1;
 
 	if (!self)
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "bond_coeff needs a bond_style before it");
+		return ts_fail(&sim->error, TS_STATE, where, "bond_coeff needs a bond_style before it");
 	bond = self->state;
 	if (!types.hi)
 		types.hi = most;
 	if (types.hi > 1000)
-		return ts_fail(&sim->error, TS_RANGE, where, "bond type %d: at most 1000",
-			       types.hi);
+		return ts_fail(&sim->error, TS_RANGE, where, "bond type %d: at most 1000", types.hi);
 	if (types.hi > sim->bonds->ntypes)
 		sim->bonds->ntypes = types.hi;
 	TS_TRY(prepare(sim, self));
@@ -140,16 +138,14 @@ enum ts_status ts_bond_archive(struct ts_instance *self, struct tsim *sim, struc
 	return TS_OK;
 }
 
-void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim,
-			 struct ts_hash *hash)
+void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct ts_bond *bond = self->state;
 
 	ts_coeffs_fingerprint(&bond->coeffs, sim, hash);
 }
 
-enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim,
-			    struct ts_plan_report *report)
+enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_bond_style *style = ts_bond_style_of(self);
 	const struct ts_bond *bond = self->state;
@@ -163,9 +159,8 @@ enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim,
 		double imass = p->imass[bonds->row[b][0]] + p->imass[bonds->row[b][1]];
 
 		if (imass > 0)
-			least = fmin(least,
-				     style->limit(ts_coeff(&bond->coeffs, (size_t)bonds->type[b]),
-						  1 / imass, sim->explicit_euler));
+			least = fmin(least, style->limit(ts_coeff(&bond->coeffs, (size_t)bonds->type[b]),
+							 1 / imass, sim->explicit_euler));
 	}
 	return ts_report_limit(report, least, !sim->explicit_euler, &self->where, "a single bond%s",
 			       sim->explicit_euler ? " under fix nve/euler" : "");

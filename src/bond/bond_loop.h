@@ -1,5 +1,6 @@
-/* The loop over bonds, written once. A bond style makes two functions: one calls ts_bond_laws with
- * its law, which as a constant function is inlined, and has no branches; the other ts_bond_share with the first. */
+/* The loop over bonds, written once. A bond style makes two functions: one calls ts_bond_laws with its
+ * law, which as a constant function is inlined, and has no branches; the other ts_bond_share with the
+ * first. */
 #ifndef TS_BOND_BOND_LOOP_H
 #define TS_BOND_BOND_LOOP_H
 
@@ -37,8 +38,8 @@ struct ts_bond_batch {
 typedef long ts_bond_batch_fn(struct ts_bond_batch *b, const double *rest, size_t n, const void *coeff);
 
 /* Returns whether it holds. */
-TS_INLINE bool ts_bond_one(struct ts_bond_batch *b, const double *rest, size_t k, const void *coeff, ts_bond_law *law,
-			   bool moving)
+TS_INLINE bool ts_bond_one(struct ts_bond_batch *b, const double *rest, size_t k, const void *coeff,
+			   ts_bond_law *law, bool moving)
 {
 	double x = b->d[0][k], y = b->d[1][k], z = b->d[2][k];
 	double length = sqrt(x * x + y * y + z * z), inverse = length > 0 ? 1 / length : 0, tension;
@@ -110,10 +111,11 @@ TS_INLINE void ts_bond_columns(const double (*x)[3], const int32_t *particle, ts
 	ts_four_turn(column);
 }
 
-/* What the particles have more than their partners, in n rows from `row` on; what later rows need is sent for, there is
- * more of it than the nearer caches hold. */
+/* What the particles have more than their partners, in n rows from `row` on; what later rows need is sent
+ * for, there is more of it than the nearer caches hold. */
 TS_INLINE void ts_bond_difference(const double (*x)[3], const struct ts_bond_slice *slice,
-				  const struct ts_bond_slices *s, size_t row, size_t n, double (*to)[TS_BOND_COLUMN])
+				  const struct ts_bond_slices *s, size_t row, size_t n,
+				  double (*to)[TS_BOND_COLUMN])
 {
 	const int32_t(*partner)[TS_BOND_LANES] = (const int32_t(*)[TS_BOND_LANES])s->partner + row;
 	const double(*rest)[TS_BOND_LANES] = (const double(*)[TS_BOND_LANES])s->rest + row;
@@ -170,7 +172,8 @@ TS_INLINE void ts_bond_add(double (*f)[3], const struct ts_bond_slice *slice, ts
 }
 
 /* Of bonds whose first partner stands here, so that each is kept once. */
-static inline void ts_bond_keep(const struct ts_bond_batch *b, const uint32_t *bond, size_t n, struct ts_bonds *bonds)
+static inline void ts_bond_keep(const struct ts_bond_batch *b, const uint32_t *bond, size_t n,
+				struct ts_bonds *bonds)
 {
 	for (size_t k = 0; k < n; k++) {
 		if (bond[k] & 1)
@@ -183,8 +186,8 @@ static inline void ts_bond_keep(const struct ts_bond_batch *b, const uint32_t *b
 /* ---- */
 
 /* n rows of a slice; returns the number of bonds that break. */
-TS_INLINE long ts_bond_work(const struct ts_bond_task *t, const struct ts_bond_slice *slice, size_t row, size_t n,
-			    ts_bond_batch_fn *laws, struct ts_bond_batch *b)
+TS_INLINE long ts_bond_work(const struct ts_bond_task *t, const struct ts_bond_slice *slice, size_t row,
+			    size_t n, ts_bond_batch_fn *laws, struct ts_bond_batch *b)
 {
 	const struct ts_bond_slices *s = &t->bonds->slices;
 	const uint32_t *bond = s->bond[row];

@@ -1,9 +1,10 @@
 /* Bonds as their particles see them, for the loop over them (bond_loop.h).
  *
- * Each bond is computed twice, once for either partner: a particle adds up its own as they come, and no force is stored
- * and looked for again. Particles stand side by side in slices, so many as are computed at once, those with about as many
- * bonds together (sliced ELLPACK: M. Kreutzer et al., SIAM J. Sci. Comput. 36 (2014) C401). Row k of a slice has the
- * k-th bond of each particle, in the order of the partners' identities. */
+ * Each bond is computed twice, once for either partner: a particle adds up its own as they come, and no
+ * force is stored and looked for again. Particles stand side by side in slices, so many as are computed at
+ * once, those with about as many bonds together (sliced ELLPACK: M. Kreutzer et al., SIAM J. Sci. Comput.
+ * 36 (2014) C401). Row k of a slice has the k-th bond of each particle, in the order of the partners'
+ * identities. */
 #ifndef TS_BOND_BOND_SLICES_H
 #define TS_BOND_BOND_SLICES_H
 

@@ -19,10 +19,10 @@ static enum ts_status reserve(struct ts_bonds *b, size_t n)
 {
 	size_t start = b->capacity, capacity = start;
 
-#define GROW_COLUMN(column)                                                                        \
-	do {                                                                                       \
-		capacity = start;                                                                  \
-		TS_TRY(TS_GROW(b->column, capacity, n));                                           \
+#define GROW_COLUMN(column)                              \
+	do {                                             \
+		capacity = start;                        \
+		TS_TRY(TS_GROW(b->column, capacity, n)); \
 	} while (0)
 	GROW_COLUMN(tag);
 	GROW_COLUMN(type);
@@ -120,8 +120,7 @@ void ts_bonds_delete(struct ts_bonds *b, const unsigned char *flag)
 	b->n = kept;
 }
 
-static enum ts_status drop_lost(struct tsim *sim, struct ts_bonds *b,
-				const struct ts_identities *map)
+static enum ts_status drop_lost(struct tsim *sim, struct ts_bonds *b, const struct ts_identities *map)
 {
 	unsigned char *lost = ts_alloc(b->n, 1);
 
@@ -213,9 +212,9 @@ static enum ts_status check_bonds(struct tsim *sim, const struct ts_bonds *b)
 	int32_t most = sim->particles->max_tag;
 
 	for (size_t k = 0; k < b->n; k++)
-		if (b->tag[k][0] < 1 || b->tag[k][0] > most || b->tag[k][1] < 1 ||
-		    b->tag[k][1] > most || b->tag[k][0] == b->tag[k][1] || b->type[k] < 1 ||
-		    b->type[k] > b->ntypes || !isfinite(b->rest[k]))
+		if (b->tag[k][0] < 1 || b->tag[k][0] > most || b->tag[k][1] < 1 || b->tag[k][1] > most ||
+		    b->tag[k][0] == b->tag[k][1] || b->type[k] < 1 || b->type[k] > b->ntypes ||
+		    !isfinite(b->rest[k]))
 			return ts_fail(&sim->error, TS_DAMAGED, NULL,
 				       "bond %zu has an impossible partner or type", k + 1);
 	return TS_OK;
@@ -234,8 +233,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible number of bonds");
 	TS_TRY(ts_archive_expect(a, "tag", TS_SAVED_I32, 2 * (size_t)n[0]));
 	TS_TRY(ts_archive_expect(a, "events", TS_SAVED_U8, (size_t)n[1] * sizeof *b->event));
-	if (reserve(b, (size_t)n[0]) != TS_OK ||
-	    TS_GROW(b->event, b->event_capacity, (size_t)n[1]) != TS_OK)
+	if (reserve(b, (size_t)n[0]) != TS_OK || TS_GROW(b->event, b->event_capacity, (size_t)n[1]) != TS_OK)
 		return ts_nomem(&sim->error);
 	b->n = (size_t)n[0];
 	b->nevents = (size_t)n[1];
@@ -247,8 +245,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_archive_writing(a) ? TS_OK : check_bonds(sim, b);
 }
 
-static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
-			struct ts_hash *hash)
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct ts_bonds *b = self->state;
 
@@ -261,8 +258,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_hash_add(hash, b->rest, b->n * sizeof *b->rest);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_bonds *b = self->state;
 	size_t bytes = 4 * sizeof(double) + 11 * sizeof(int32_t);

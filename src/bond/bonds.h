@@ -1,7 +1,7 @@
 /* Bonds: an explicit list of pairs that hold together until they break.
  *
- * Each particle adds up the forces of its bonds in the order of partners' identities, as for contact rows, so results do
- * not depend on threads or order in memory. */
+ * Each particle adds up the forces of its bonds in the order of partners' identities, as for contact rows,
+ * so results do not depend on threads or order in memory. */
 #ifndef TS_BOND_BONDS_H
 #define TS_BOND_BONDS_H
 
@@ -21,11 +21,12 @@ struct ts_bond_event {
 struct ts_bonds {
 	size_t n, capacity;
 	int32_t (*tag)[2]; /* identities, smaller first */
-	int32_t *type;     /* 1..ntypes */
-	double *rest;      /* length without force */
+	int32_t *type;	   /* 1..ntypes */
+	double *rest;	   /* length without force */
 	int32_t (*row)[2]; /* rows of the particle columns; made at each rebuild */
-	double *tension;   /* along the bond, > 0 pulling: of the last step of which all is left (sim->complete) */
-	bool shown;	   /* an output may look at tensions at any step: they are left always */
+	/* along the bond, > 0 pulling: of the last step of which all is left (sim->complete) */
+	double *tension;
+	bool shown;	       /* an output may look at tensions at any step: they are left always */
 	unsigned char *breaks; /* in this step */
 
 	struct ts_gather gather; /* of the local particles */
@@ -33,7 +34,7 @@ struct ts_bonds {
 
 	int ntypes;
 	int64_t created, broken; /* ever */
-	int64_t gone;            /* lost because a partner left the simulation */
+	int64_t gone;		 /* lost because a partner left the simulation */
 	struct ts_bond_event *event;
 	size_t nevents, event_capacity;
 };
@@ -41,17 +42,18 @@ struct ts_bonds {
 /* One bond, as bond laws see it. */
 struct ts_bond_state {
 	double extension; /* length - rest */
-	double rate;      /* of extension; 0 unless a bond is damped */
+	double rate;	  /* of extension; 0 unless a bond is damped */
 };
 
-/* Tension (> 0 pulls the partners together) into *tension; false if the bond breaks, which one at rest does not. */
+/* Tension (> 0 pulls the partners together) into *tension; false if the bond breaks, which one at rest
+ * does not. */
 typedef bool ts_bond_law(const void *coeff, const struct ts_bond_state *state, double *tension);
 
 struct ts_bond_style {
 	struct ts_style style;
 	size_t coeff_size; /* bytes that the rows style.coeff fill, the arguments of bond_coeff */
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
-	ts_count_fn *share; /* ts_bond_share with its law: bond/bond_loop.h */
+	ts_count_fn *share;		   /* ts_bond_share with its law: bond/bond_loop.h */
 	bool (*damped)(const void *coeff); /* tension depends on the rate */
 	double (*stiffness)(const void *coeff);
 	/* Elastic energy at this extension; NULL: the law has no potential. */
@@ -90,10 +92,8 @@ enum ts_status ts_bond_set(struct tsim *sim, struct ts_types types, struct ts_wo
 enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_bond_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
-void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim,
-			 struct ts_hash *hash);
-enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim,
-			    struct ts_plan_report *report);
+void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash);
+enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
 void ts_bond_fini(struct ts_instance *self);
 
 extern const struct ts_system_style ts_bonds_system;

@@ -17,7 +17,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 static const struct ts_arg args[] = {
 	TS_TYPES("T", struct bond_coeff, types, .flags = TS_POSITIONAL, .help = "bond types"),
 	TS_REST_OPTIONAL("coefficients", struct bond_coeff, words,
-		.help = "coefficients as the bond style defines them, or `file NAME`"),
+			 .help = "coefficients as the bond style defines them, or `file NAME`"),
 	TS_ARGS_END,
 };
 

@@ -48,8 +48,7 @@ static enum ts_status bond_particle(struct tsim *sim, const struct create_bonds 
 		for (int y = lo[1]; y <= hi[1]; y++) {
 			int row = level->cells[0] * (y + level->cells[1] * z);
 
-			for (int32_t k = level->start[row + lo[0]];
-			     k < level->start[row + hi[0] + 1]; k++) {
+			for (int32_t k = level->start[row + lo[0]]; k < level->start[row + hi[0] + 1]; k++) {
 				size_t j = (size_t)level->list[k];
 				double d;
 
@@ -137,15 +136,14 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "create_bonds: there is no `bond_coeff %" PRId64 " ...` yet", c->type);
 	if (c->mode == MANY && c->least > c->most)
-		return ts_fail(&sim->error, TS_RANGE, where,
-			       "create_bonds: rmin (%g) is above rmax (%g)", c->least, c->most);
+		return ts_fail(&sim->error, TS_RANGE, where, "create_bonds: rmin (%g) is above rmax (%g)",
+			       c->least, c->most);
 	if (c->mode == MANY)
 		TS_TRY(bond_many(sim, c));
 	else
 		TS_TRY(bond_single(sim, c, where));
 	TS_TRY(drop_repeated(sim));
-	ts_log(&sim->log, "Added %zu bonds, total bonds = %zu\n", sim->bonds->n - before,
-	       sim->bonds->n);
+	ts_log(&sim->log, "Added %zu bonds, total bonds = %zu\n", sim->bonds->n - before, sim->bonds->n);
 	if (sim->bonds->n == before)
 		ts_warn(&sim->log, where, "create_bonds made no bond: distances %g to %g fit no pair",
 			c->least, c->most);
@@ -191,8 +189,8 @@ const struct ts_command_style ts_command_create_bonds = {
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "bonds pairs of particles at their present distance",
 		   .doc = "The present distance of the centres becomes the rest length of the bond. Pairs "
-			  "that are bonded already are left as they are. Particles at the same place cannot be "
-			  "bonded: the bond would have no direction.",
+			  "that are bonded already are left as they are. Particles at the same place cannot "
+			  "be bonded: the bond would have no direction.",
 		   .example = "create_bonds many rock rock 1 0.0 1.05e-3\ncreate_bonds single/bond 1 12 17",
 		   .args = args,
 		   .state_size = sizeof(struct create_bonds) },

@@ -46,8 +46,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 	if (c->undo)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "delete_bonds: bonds are removed, not switched off: there is nothing "
-			       "to undo");
+			       "delete_bonds: bonds are removed, not switched off: there is nothing to undo");
 	if (c->mode == STATS) {
 		ts_log(&sim->log, "%zu bonds of %d types\n", b->n, b->ntypes);
 		return TS_OK;
@@ -57,8 +56,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (!drop)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < b->n; k++)
-		drop[k] = goes(c, sim, k, ts_contact_of(&map, b->tag[k][0]),
-			       ts_contact_of(&map, b->tag[k][1]));
+		drop[k] =
+			goes(c, sim, k, ts_contact_of(&map, b->tag[k][0]), ts_contact_of(&map, b->tag[k][1]));
 	ts_bonds_delete(b, drop);
 	ts_free(drop);
 	ts_log(&sim->log, "Deleted %zu bonds, total bonds = %zu\n", before - b->n, b->n);
@@ -96,8 +95,7 @@ static const struct ts_arg args[] = {
 	  .help = "which of them" },
 	TS_FLAG("any", struct delete_bonds, any, .help = "one partner in the group is enough"),
 	TS_FLAG("remove", struct delete_bonds, remove, .help = "no effect: bonds are always removed"),
-	TS_FLAG("special", struct delete_bonds, special,
-		.help = "no effect: who is bonded is always known"),
+	TS_FLAG("special", struct delete_bonds, special, .help = "no effect: who is bonded is always known"),
 	TS_FLAG("undo", struct delete_bonds, undo, .help = "refused: removed bonds are gone"),
 	TS_ARGS_END,
 };

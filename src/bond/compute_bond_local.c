@@ -16,9 +16,7 @@ static double rest(const struct tsim *sim, const struct ts_contact_view *view)
 	return sim->bonds->rest[view->row];
 }
 
-static const struct ts_pair_column columns[] = { TS_PAIR_COLUMNS,
-						 { "rest", rest },
-						 { .name = NULL } };
+static const struct ts_pair_column columns[] = { TS_PAIR_COLUMNS, { "rest", rest }, { .name = NULL } };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
@@ -26,8 +24,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	s->sim = sim;
 	sim->bonds->shown = true;
-	return ts_name_list_read(sim, "compute bond/local", &self->arena, s->words, columns,
-				 sizeof *columns, &s->list);
+	return ts_name_list_read(sim, "compute bond/local", &self->arena, s->words, columns, sizeof *columns,
+				 &s->list);
 }
 
 static bool wanted(const struct ts_instance *self, const struct tsim *sim, size_t r)
@@ -74,10 +72,10 @@ const struct ts_style ts_compute_bond_local = {
 	.name = "bond/local",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Length and force of each bond",
-	.doc = "A table with a row for each bond whose partners are both in the group: dist is its length, rest that "
-	       "without\nforce, force the force along it, > 0 repelling, fx fy fz the force on the partner with "
-	       "the smaller id, dx dy\ndz the vector to it from the other. Forces are those of the last force "
-	       "computation; compute property/local\ntells the partners, in the same order.",
+	.doc = "A table with a row for each bond whose partners are both in the group: dist is its length, "
+	       "rest that without\nforce, force the force along it, > 0 repelling, fx fy fz the force on the "
+	       "partner with the smaller id, dx dy\ndz the vector to it from the other. Forces are those of "
+	       "the last force computation; compute property/local\ntells the partners, in the same order.",
 	.example = "compute b all bond/local dist force",
 	.args = args,
 	.state_size = sizeof(struct state),

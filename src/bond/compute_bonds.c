@@ -15,8 +15,7 @@ static bool counts(const struct ts_instance *self, const struct tsim *sim, size_
 	       ts_in_group(sim->particles, (size_t)row[1], self->group);
 }
 
-static enum ts_status eval_count(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_count(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	out->data[0] = 0;
 	for (size_t b = 0; b < sim->bonds->n; b++)
@@ -24,8 +23,7 @@ static enum ts_status eval_count(struct ts_instance *self, const struct tsim *si
 	return TS_OK;
 }
 
-static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *sim,
-				   struct ts_table *out)
+static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	TS_TRY(ts_table_resize(out, sim->particles->n, 1));
 	for (size_t i = 0; i < sim->particles->n; i++)
@@ -36,8 +34,7 @@ static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *
 	return TS_OK;
 }
 
-static enum ts_status eval_local(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_local(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_bonds *bonds = sim->bonds;
 	const struct ts_particles *p = sim->particles;
@@ -70,13 +67,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static const char *const names[] = { "i",  "j",	 "type", "rest", "tension", "xi",
-				     "yi", "zi", "xj",	 "yj",	 "zj" };
+static const char *const names[] = {
+	"i", "j", "type", "rest", "tension", "xi", "yi", "zi", "xj", "yj", "zj"
+};
 static const struct ts_value values[] = {
 	{ "count", "", "bonds that hold", TS_SCALAR, 1, NULL, eval_count },
 	{ "coordination", "", "bonds of each particle", TS_PERATOM, 1, NULL, eval_peratom },
-	{ "list", "", "one row per bond, with the places of both partners", TS_LOCAL, COLUMNS,
-	  names, eval_local },
+	{ "list", "", "one row per bond, with the places of both partners", TS_LOCAL, COLUMNS, names,
+	  eval_local },
 	{ .name = NULL },
 };
 
@@ -85,11 +83,9 @@ const struct ts_style ts_compute_bonds = {
 	.name = "bonds",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "number, coordination and list of the bonds",
-	.doc = "Of bonds with both partners in the group: c_ID is their number, c_ID per particle "
-	       "the "
-	       "number of its bonds, c_ID[k] in dump local the list. Tension is that of the last "
-	       "force "
-	       "computation, > 0 pulling.",
+	.doc = "Of bonds with both partners in the group: c_ID is their number, c_ID per particle the number "
+	       "of its bonds, c_ID[k] in dump local the list. Tension is that of the last force computation, "
+	       "> 0 pulling.",
 	.example = "compute nb rock bonds\ndump b all local/vtk 1000 post/bonds*.vtp c_nb",
 	.values = values,
 	.init = init,

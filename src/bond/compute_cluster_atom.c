@@ -25,12 +25,14 @@ static enum ts_status eval_aggregate(struct ts_instance *self, const struct tsim
 }
 
 static const struct ts_value clusters[] = {
-	{ "cluster", "", "smallest id of its cluster; 0 outside the group", TS_PERATOM, 1, NULL, eval_cluster },
+	{ "cluster", "", "smallest id of its cluster; 0 outside the group", TS_PERATOM, 1, NULL,
+	  eval_cluster },
 	{ .name = NULL },
 };
 
 static const struct ts_value aggregates[] = {
-	{ "cluster", "", "smallest id of its aggregate; 0 outside the group", TS_PERATOM, 1, NULL, eval_aggregate },
+	{ "cluster", "", "smallest id of its aggregate; 0 outside the group", TS_PERATOM, 1, NULL,
+	  eval_aggregate },
 	{ .name = NULL },
 };
 
@@ -45,9 +47,9 @@ const struct ts_style ts_compute_cluster_atom = {
 	.name = "cluster/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Which cluster each particle belongs to",
-	.doc = "Particles of the group whose centres are nearer than the cutoff belong to one cluster, and so on from "
-	       "one\nto the next; periodic images count. A cluster is known by the smallest id in it; particles "
-	       "outside the\ngroup have 0.",
+	.doc = "Particles of the group whose centres are nearer than the cutoff belong to one cluster, and "
+	       "so on from one\nto the next; periodic images count. A cluster is known by the smallest id in "
+	       "it; particles outside the\ngroup have 0.",
 	.example = "compute piece all cluster/atom 0.0105",
 	.args = args,
 	.state_size = sizeof(struct state),
@@ -59,7 +61,8 @@ const struct ts_style ts_compute_aggregate_atom = {
 	.name = "aggregate/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Which aggregate each particle belongs to",
-	.doc = "As compute cluster/atom, but particles that are bonded belong together too, however far apart they are. "
+	.doc = "As compute cluster/atom, but particles that are bonded belong together too, however far "
+	       "apart they are. "
 	       "An\naggregate is known by the smallest id in it; particles outside the group have 0.",
 	.example = "compute piece all aggregate/atom 0.0105",
 	.args = args,

@@ -15,8 +15,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 }
 
 static const struct ts_value values[] = {
-	{ "cluster", "", "smallest id of its fragment, or 0",
-	  TS_PERATOM, 1, NULL, eval },
+	{ "cluster", "", "smallest id of its fragment, or 0", TS_PERATOM, 1, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -31,9 +30,9 @@ const struct ts_style ts_compute_fragment_atom = {
 	.name = "fragment/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Which fragment each particle belongs to",
-	.doc = "Particles of the group that are bonded belong to one fragment, and so on from one to the next. A fragment "
-	       "is\nknown by the smallest id in it; particles outside the group have 0, and those without bonds "
-	       "too unless\n`single yes`.",
+	.doc = "Particles of the group that are bonded belong to one fragment, and so on from one to the "
+	       "next. A fragment is\nknown by the smallest id in it; particles outside the group have 0, and "
+	       "those without bonds too unless\n`single yes`.",
 	.example = "compute piece rock fragment/atom single yes",
 	.args = args,
 	.state_size = sizeof(struct state),

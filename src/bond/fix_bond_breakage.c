@@ -34,23 +34,21 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	for (; s->written < (int64_t)bonds->nevents; s->written++) {
 		const struct ts_bond_event *e = &bonds->event[s->written];
 
-		TS_TRY(ts_textfile_printf(
-			&s->file, "%" PRId64 " %.9g %d %d %d %.9g %.9g %.9g %.9g\n", e->step,
-			e->time, e->tag[0], e->tag[1], e->type, e->x[0], e->x[1], e->x[2], e->force));
+		TS_TRY(ts_textfile_printf(&s->file, "%" PRId64 " %.9g %d %d %d %.9g %.9g %.9g %.9g\n",
+					  e->step, e->time, e->tag[0], e->tag[1], e->type, e->x[0], e->x[1],
+					  e->x[2], e->force));
 	}
 	return ts_textfile_flush(&s->file);
 }
 
-static enum ts_status eval_count(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_count(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)self;
 	out->data[0] = (double)sim->bonds->broken;
 	return TS_OK;
 }
 
-static enum ts_status eval_events(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_events(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_bonds *bonds = sim->bonds;
 
@@ -58,8 +56,8 @@ static enum ts_status eval_events(struct ts_instance *self, const struct tsim *s
 	TS_TRY(ts_table_resize(out, bonds->nevents, 9));
 	for (size_t k = 0; k < bonds->nevents; k++) {
 		const struct ts_bond_event *e = &bonds->event[k];
-		const double row[9] = { (double)e->step, e->time,	e->tag[0], e->tag[1], e->type,
-					e->x[0],	 e->x[1],	e->x[2],   e->force };
+		const double row[9] = { (double)e->step, e->time, e->tag[0], e->tag[1], e->type,
+					e->x[0],	 e->x[1], e->x[2],   e->force };
 
 		memcpy(out->data + 9 * k, row, sizeof row);
 	}
@@ -80,8 +78,7 @@ static const struct ts_arg args[] = {
 static const char *const event_names[] = { "step", "time", "i", "j", "type", "x", "y", "z", "force" };
 static const struct ts_value values[] = {
 	{ "count", "", "bonds broken so far", TS_SCALAR, 1, NULL, eval_count },
-	{ "events", "", "one row per broken bond", TS_LOCAL, 9,
-	  event_names, eval_events },
+	{ "events", "", "one row per broken bond", TS_LOCAL, 9, event_names, eval_events },
 	{ .name = NULL },
 };
 

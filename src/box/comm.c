@@ -6,8 +6,7 @@
 
 const char *const ts_comm_modes[] = { "single", "multi", "multi/old", NULL };
 
-enum ts_status ts_comm_accept(struct tsim *sim, const struct ts_comm *comm,
-			      const struct ts_place *where)
+enum ts_status ts_comm_accept(struct tsim *sim, const struct ts_comm *comm, const struct ts_place *where)
 {
 	sim->still_ghosts = !comm->velocity;
 	if (!comm->group)

@@ -9,8 +9,8 @@ struct state {
 };
 
 static const struct ts_arg args[] = {
-	TS_REAL("threshold", struct state, threshold, .flags = TS_POSITIONAL,
-		.range = TS_NOT_NEGATIVE, .help = "no effect"),
+	TS_REAL("threshold", struct state, threshold, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+		.help = "no effect"),
 	TS_REST_OPTIONAL("how", struct state, rest, .help = "no effect"),
 	TS_ARGS_END,
 };
@@ -21,7 +21,8 @@ const struct ts_command_style ts_command_balance = {
 		.name = "balance",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "Elsewhere it shifts the borders between processes. Here threads always share the particles\n"
+		.doc = "Elsewhere it shifts the borders between processes. Here threads always share the "
+		       "particles\n"
 		       "evenly.",
 		.example = "balance 1.1 shift xy 10 1.05",
 		.args = args,

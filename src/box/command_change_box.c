@@ -39,7 +39,7 @@ struct work {
 	struct ts_arena arena;
 	struct box now, set; /* set: where remap starts from */
 	struct box before;   /* the last x, y or z that was not `volume` */
-	int changed;         /* the dimension of that one, or -1 */
+	int changed;	     /* the dimension of that one, or -1 */
 };
 
 static double length(const struct box *b, int dim)
@@ -64,8 +64,7 @@ static enum ts_status keep_volume(struct work *w, int dim, bool shared)
 
 	if (w->changed < 0 || w->changed == dim)
 		return ts_fail(&w->sim->error, TS_SYNTAX, w->where,
-			       "change_box: %c volume must follow a change of another dimension",
-			       'x' + dim);
+			       "change_box: %c volume must follow a change of another dimension", 'x' + dim);
 	ratio = length(&w->before, w->changed) / length(&w->now, w->changed);
 	set_length(&w->now, dim, length(&w->before, dim) * (shared ? sqrt(ratio) : ratio));
 	return TS_OK;
@@ -110,9 +109,8 @@ static void remap(struct work *w)
 
 	for (size_t i = 0; i < p->n; i++)
 		for (int d = 0; ts_in_group(p, i, w->state->group) && d < 3; d++)
-			p->x[i][d] = w->now.lo[d] + (p->x[i][d] - w->set.lo[d]) /
-							    length(&w->set, d) *
-							    length(&w->now, d);
+			p->x[i][d] = w->now.lo[d] +
+				     (p->x[i][d] - w->set.lo[d]) / length(&w->set, d) * length(&w->now, d);
 	w->set = w->now;
 }
 
@@ -143,10 +141,8 @@ static enum ts_status apply(struct work *w, const struct change *c, bool shared)
 /* ---- reading them */
 
 static const struct ts_arg final_rows[] = {
-	TS_REAL("lo", struct change, lo, .flags = TS_POSITIONAL, .unit = "length",
-		.help = "lower face"),
-	TS_REAL("hi", struct change, hi, .flags = TS_POSITIONAL, .unit = "length",
-		.help = "upper face"),
+	TS_REAL("lo", struct change, lo, .flags = TS_POSITIONAL, .unit = "length", .help = "lower face"),
+	TS_REAL("hi", struct change, hi, .flags = TS_POSITIONAL, .unit = "length", .help = "upper face"),
 	TS_ARGS_END,
 };
 
@@ -227,8 +223,7 @@ static enum ts_status next_change(struct work *w, struct ts_words *rest, struct 
 
 	*c = (struct change){ 0 };
 	*rest = ts_words_from(*rest, part.n);
-	return ts_args_parse(w->sim, "change_box", change_rows, part, &part.word[0].place, &w->arena,
-			     c);
+	return ts_args_parse(w->sim, "change_box", change_rows, part, &part.word[0].place, &w->arena, c);
 }
 
 static bool keeps_volume(const struct change *c)
@@ -274,15 +269,13 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	TS_TRY(status);
 	TS_TRY(ts_domain_set_box(sim, w.now.lo, w.now.hi, where));
 	TS_TRY(ts_exchange_migrate(sim));
-	ts_log(&sim->log, "Changed box = (%g %g %g) to (%g %g %g)\n", domain->box.lo[0],
-	       domain->box.lo[1], domain->box.lo[2], domain->box.hi[0], domain->box.hi[1],
-	       domain->box.hi[2]);
+	ts_log(&sim->log, "Changed box = (%g %g %g) to (%g %g %g)\n", domain->box.lo[0], domain->box.lo[1],
+	       domain->box.lo[2], domain->box.hi[0], domain->box.hi[1], domain->box.hi[2]);
 	return TS_OK;
 }
 
 static const struct ts_arg args[] = {
-	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL,
-		 .help = "particles that remap moves"),
+	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "particles that remap moves"),
 	TS_LIST("operations", struct state, operations,
 		.help = "x, y or z final lo hi | delta dlo dhi | scale factor | volume; boundary x y z; "
 			"set; remap"),
@@ -298,14 +291,19 @@ const struct ts_command_style ts_command_change_box = {
 		.kind = TS_KIND_COMMAND,
 		.summary = "Changes lengths and faces of the box",
 		.doc = "The operations act one after another. scale and volume keep the middle of the box.\n"
-		       "volume makes up for the change of volume by the last x, y or z before it; two of them in\n"
+		       "volume makes up for the change of volume by the last x, y or z before it; two of "
+		       "them in\n"
 		       "a row share it, each by the square root.\n\n"
-		       "Particles stay where they are unless remap says otherwise: it moves those of the group\n"
+		       "Particles stay where they are unless remap says otherwise: it moves those of the "
+		       "group\n"
 		       "from the box at the beginning, or at the last set or remap, to the present one,\n"
 		       "x -> lo' + (x - lo) l'/l.\n\n"
-		       "At the end positions are wrapped into periodic faces, particles outside of fixed faces\n"
-		       "are lost (see thermo_modify lost), faces of boundary s and m are fitted to the particles,\n"
-		       "and the box is the least one of m faces. Where a dimension is no longer periodic, the\n"
+		       "At the end positions are wrapped into periodic faces, particles outside of fixed "
+		       "faces\n"
+		       "are lost (see thermo_modify lost), faces of boundary s and m are fitted to the "
+		       "particles,\n"
+		       "and the box is the least one of m faces. Where a dimension is no longer periodic, "
+		       "the\n"
 		       "counts of crossings (ix iy iz) become 0.",
 		.example = "change_box all x scale 1.1 y volume z volume remap units box\n"
 			   "change_box all z final 0 0.5 boundary p p f units box",

@@ -25,8 +25,10 @@ const struct ts_command_style ts_command_communicate = {
 		.name = "communicate",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "Elsewhere it says how processes exchange ghost particles. Here there is one process; ghosts are\n"
-		       "images across periodic faces, always carry velocities, and reach as far as the contacts need,\n"
+		.doc = "Elsewhere it says how processes exchange ghost particles. Here there is one process; "
+		       "ghosts are\n"
+		       "images across periodic faces, always carry velocities, and reach as far as the "
+		       "contacts need,\n"
 		       "so no word of it changes a result.",
 		.example = "communicate single vel yes",
 		.args = args,

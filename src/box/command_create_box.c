@@ -29,20 +29,20 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 				       "or impropers");
 	if (ts_streq(s->region->style->name, "prism"))
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "region '%s' is a prism: boxes with tilted faces are known, but not "
-			       "built", s->region->id);
+			       "region '%s' is a prism: boxes with tilted faces are known, but not built",
+			       s->region->id);
 	TS_TRY(ts_region_update(s->region, sim));
 	ts_region_bounds(s->region, lo, hi);
 	TS_TRY(ts_particles_make_box(sim, (int)s->ntypes, lo, hi, where));
 	if (s->bond_types > sim->bonds->ntypes)
 		sim->bonds->ntypes = (int)s->bond_types;
-	ts_log(&sim->log, "Created orthogonal box = (%g %g %g) to (%g %g %g)\n", lo[0], lo[1],
-	       lo[2], hi[0], hi[1], hi[2]);
+	ts_log(&sim->log, "Created orthogonal box = (%g %g %g) to (%g %g %g)\n", lo[0], lo[1], lo[2], hi[0],
+	       hi[1], hi[2]);
 	return TS_OK;
 }
 
-#define NONE(k, name)                                                                              \
-	TS_INT(name, struct state, none[k], .fallback = "0", .range = TS_NOT_NEGATIVE,             \
+#define NONE(k, name)                                                                  \
+	TS_INT(name, struct state, none[k], .fallback = "0", .range = TS_NOT_NEGATIVE, \
 	       .help = "must be 0: particles have bonds only")
 static const struct ts_arg args[] = {
 	TS_INT("types", struct state, ntypes, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
@@ -51,8 +51,8 @@ static const struct ts_arg args[] = {
 		  .help = "region whose bounding box becomes the simulation box"),
 	TS_INT("bond/types", struct state, bond_types, .fallback = "0", .range = TS_WITHIN, .lo = 0,
 	       .hi = 10000, .help = "number of bond types; they can also be made by bond_coeff"),
-	TS_INT("extra/bond/per/atom", struct state, bonds_per_atom, .fallback = "0",
-	       .range = TS_NOT_NEGATIVE, .help = "no effect: there is room for any number"),
+	TS_INT("extra/bond/per/atom", struct state, bonds_per_atom, .fallback = "0", .range = TS_NOT_NEGATIVE,
+	       .help = "no effect: there is room for any number"),
 	TS_INT("extra/special/per/atom", struct state, specials_per_atom, .fallback = "0",
 	       .range = TS_NOT_NEGATIVE, .help = "no effect: there is room for any number"),
 	NONE(0, "angle/types"),
@@ -70,8 +70,10 @@ const struct ts_command_style ts_command_create_box = {
 		.name = "create_box",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Creates the simulation box",
-		.doc = "The box is the bounding box of the region, which must end on all sides. Particles have\n"
-		       "types from 1 to the number given. Faces of boundary s start 1e-4 of the length outside.\n"
+		.doc = "The box is the bounding box of the region, which must end on all sides. Particles "
+		       "have\n"
+		       "types from 1 to the number given. Faces of boundary s start 1e-4 of the length "
+		       "outside.\n"
 		       "With dimension 2 the box must be periodic in z and contain the plane z = 0.",
 		.example = "region box block 0 1 0 1 0 1 units box\n"
 		       "create_box 2 box",

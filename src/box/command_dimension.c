@@ -21,8 +21,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("dimension", struct state, dimension, .flags = TS_POSITIONAL, .range = TS_WITHIN,
-	       .lo = 2, .hi = 3, .help = "2 or 3"),
+	TS_INT("dimension", struct state, dimension, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 2,
+	       .hi = 3, .help = "2 or 3"),
 	TS_ARGS_END,
 };
 
@@ -33,9 +33,11 @@ const struct ts_command_style ts_command_dimension = {
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the number of dimensions",
 		.doc = "In two dimensions particles are discs in the plane z = 0: mass is density times\n"
-		       "pi r^2, and fix nve/sphere turns them as discs unless told otherwise. The box must be\n"
+		       "pi r^2, and fix nve/sphere turns them as discs unless told otherwise. The box must "
+		       "be\n"
 		       "periodic in z and contain the plane; thermo keyword vol is its area. Forces and\n"
-		       "velocities out of the plane are the script's to avoid (fix enforce2d takes them away); a\n"
+		       "velocities out of the plane are the script's to avoid (fix enforce2d takes them "
+		       "away); a\n"
 		       "run warns where a particle is out of the plane or moves out of it.",
 		.example = "dimension 2",
 		.args = args,

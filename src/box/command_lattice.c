@@ -35,8 +35,8 @@ struct point {
 	double x[3];
 };
 
-#define COORDINATE(name, k)                                                                        \
-	TS_REAL(name, struct point, x[k], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0,     \
+#define COORDINATE(name, k)                                                                    \
+	TS_REAL(name, struct point, x[k], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0, \
 		.hi = 0.9999999999999999, .help = "coordinate along an edge, from 0 to below 1")
 static const struct ts_arg point_rows[] = {
 	COORDINATE("x", 0),
@@ -47,8 +47,8 @@ static const struct ts_arg point_rows[] = {
 
 /* Reads the words of a repeated keyword, n at a time. */
 static enum ts_status next_group(struct tsim *sim, const char *what, const struct ts_arg *rows,
-				 struct ts_words words, size_t k, size_t n,
-				 const struct ts_place *where, void *out)
+				 struct ts_words words, size_t k, size_t n, const struct ts_place *where,
+				 void *out)
 {
 	struct ts_arena arena = { 0 };
 	struct ts_words part = ts_words_from(words, k);
@@ -61,8 +61,8 @@ static enum ts_status next_group(struct tsim *sim, const char *what, const struc
 	return status;
 }
 
-static enum ts_status set_orientation(struct tsim *sim, const struct state *s,
-				      struct ts_lattice *l, const struct ts_place *where)
+static enum ts_status set_orientation(struct tsim *sim, const struct state *s, struct ts_lattice *l,
+				      const struct ts_place *where)
 {
 	double cross[3];
 
@@ -74,16 +74,14 @@ static enum ts_status set_orientation(struct tsim *sim, const struct state *s,
 			l->turn[o.dim][j] = (double)o.index[j];
 	}
 	for (int d = 0; d < 3; d++)
-		if (!(ts_norm(l->turn[d]) > 0) ||
-		    ts_dot(l->turn[d], l->turn[(d + 1) % 3]) != 0)
+		if (!(ts_norm(l->turn[d]) > 0) || ts_dot(l->turn[d], l->turn[(d + 1) % 3]) != 0)
 			return ts_fail(&sim->error, TS_RANGE, where,
 				       "lattice: the directions of orient must be at right angles to "
 				       "each other");
 	ts_cross(l->turn[0], l->turn[1], cross);
 	if (!(ts_dot(cross, l->turn[2]) > 0))
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "lattice: the directions of orient must be right-handed: x cross y "
-			       "along z");
+			       "lattice: the directions of orient must be right-handed: x cross y along z");
 	if (sim->dimension == 2 && (l->turn[2][0] != 0 || l->turn[2][1] != 0))
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "lattice: with dimension 2 the crystal can be turned about z only");
@@ -93,11 +91,10 @@ static enum ts_status set_orientation(struct tsim *sim, const struct state *s,
 }
 
 /* In two dimensions the unit cell is a plane one: a3 = (0 0 1), the rest without z. */
-static enum ts_status check_plane(struct tsim *sim, const struct ts_lattice *l,
-				  const struct ts_place *where)
+static enum ts_status check_plane(struct tsim *sim, const struct ts_lattice *l, const struct ts_place *where)
 {
-	bool plane = l->edge[0][2] == 0 && l->edge[1][2] == 0 && l->edge[2][0] == 0 &&
-		     l->edge[2][1] == 0 && l->edge[2][2] == 1;
+	bool plane = l->edge[0][2] == 0 && l->edge[1][2] == 0 && l->edge[2][0] == 0 && l->edge[2][1] == 0 &&
+		     l->edge[2][2] == 1;
 
 	for (size_t k = 0; k < l->nbasis; k++)
 		plane = plane && l->basis[k][2] == 0;
@@ -190,14 +187,14 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	return TS_OK;
 }
 
-#define EDGE(name, k)                                                                              \
-	TS_VEC3(name, struct state, edge[k], .flags = TS_OPTIONAL,                                 \
+#define EDGE(name, k)                                              \
+	TS_VEC3(name, struct state, edge[k], .flags = TS_OPTIONAL, \
 		.help = "edge of the unit cell, in scales (custom)")
 static const struct ts_arg args[] = {
 	TS_ENUM("style", struct state, style, ts_lattice_names, .flags = TS_POSITIONAL,
 		.help = "kind of lattice"),
-	TS_REAL("scale", struct state, scale, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-		.unit = "length", .help = "lattice constant; in lj units the reduced density"),
+	TS_REAL("scale", struct state, scale, .flags = TS_POSITIONAL, .range = TS_POSITIVE, .unit = "length",
+		.help = "lattice constant; in lj units the reduced density"),
 	TS_VEC3("origin", struct state, origin, .fallback = "0 0 0",
 		.help = "shift of the lattice in spacings, each from 0 to below 1"),
 	TS_SOME_KEYWORD("orient", struct state, orient, TS_REPEAT,
@@ -222,15 +219,21 @@ const struct ts_command_style ts_command_lattice = {
 		.summary = "Defines a lattice",
 		.doc = "Particles of create_atoms box and region stand on its points\n"
 		       "x = R c (n1 a1 + n2 a2 + n3 a3 + basis) + origin, with whole numbers n, the lattice\n"
-		       "constant c and the rotation R that orient says. The constant is the scale; in lj units\n"
-		       "the scale is a density, and c = (points per cell / cell volume / scale)^(1/dimension).\n\n"
+		       "constant c and the rotation R that orient says. The constant is the scale; in lj "
+		       "units\n"
+		       "the scale is a density, and c = (points per cell / cell volume / "
+		       "scale)^(1/dimension).\n\n"
 		       "The spacings are the extents along x, y and z of the turned unit cell. Lengths with\n"
-		       "`units lattice` are multiplied by them, each by that of its dimension; with `units box`\n"
-		       "they are taken as they are. Where a line says neither, it is box, as in LIGGGHTS, but\n"
+		       "`units lattice` are multiplied by them, each by that of its dimension; with `units "
+		       "box`\n"
+		       "they are taken as they are. Where a line says neither, it is box, as in LIGGGHTS, "
+		       "but\n"
 		       "with units lj lattice, as in LAMMPS, and a warning says so where it matters.\n"
-		       "With none there are no points, and the spacings are the scale; without the command they\n"
+		       "With none there are no points, and the spacings are the scale; without the command "
+		       "they\n"
 		       "are 1.\n\n"
-		       "The cells of hex and hcp have the edges 1, sqrt(3) and sqrt(8/3). sq, sq2 and hex are for\n"
+		       "The cells of hex and hcp have the edges 1, sqrt(3) and sqrt(8/3). sq, sq2 and hex "
+		       "are for\n"
 		       "dimension 2, sc, bcc, fcc, hcp and diamond for dimension 3.",
 		.example = "lattice sc 0.002\n"
 		       "lattice none 1.0\n"

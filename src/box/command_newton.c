@@ -15,7 +15,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_BOOL("pair", struct state, pair, .flags = TS_POSITIONAL, .help = "on or off: no effect; pair gran with history wants off"),
+	TS_BOOL("pair", struct state, pair, .flags = TS_POSITIONAL,
+		.help = "on or off: no effect; pair gran with history wants off"),
 	TS_BOOL("bond", struct state, bond, .flags = TS_POSITIONAL | TS_OPTIONAL,
 		.help = "on or off: no effect"),
 	TS_ARGS_END,
@@ -27,8 +28,10 @@ const struct ts_command_style ts_command_newton = {
 		.name = "newton",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect on results",
-		.doc = "Elsewhere it says whether forces between processes are computed once or twice. Here each\n"
-		       "force is computed once, and results do not depend on it. As LIGGGHTS does, pair_style gran with\n"
+		.doc = "Elsewhere it says whether forces between processes are computed once or twice. Here "
+		       "each\n"
+		       "force is computed once, and results do not depend on it. As LIGGGHTS does, "
+		       "pair_style gran with\n"
 		       "tangential history refuses `newton on`.",
 		.example = "newton off",
 		.args = args,

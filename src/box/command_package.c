@@ -25,8 +25,7 @@ static const struct ts_arg args[] = {
 		.help = "the only way there is: threads of one process"),
 	TS_INT("threads", struct package, threads, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
 	       .hi = 1024, .help = "number of threads"),
-	TS_INT("grain", struct package, grain, .range = TS_WITHIN, .lo = 1, .hi = 1e9,
-	       .fallback = "8192",
+	TS_INT("grain", struct package, grain, .range = TS_WITHIN, .lo = 1, .hi = 1e9, .fallback = "8192",
 	       .help = "a loop is shared only as far as each thread gets so many rounds of it"),
 	TS_ARGS_END,
 };

@@ -15,8 +15,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	for (size_t k = 0; k < s->grid.n; k++) {
 		const struct ts_word *word = &s->grid.word[k];
 
-		if (k == 3 || (!ts_streq(word->text, "*") &&
-			       (!ts_parse_int(word->text, &n) || n < 1)))
+		if (k == 3 || (!ts_streq(word->text, "*") && (!ts_parse_int(word->text, &n) || n < 1)))
 			return ts_fail(&sim->error, TS_SYNTAX, &word->place,
 				       "processors: found '%s', expected three numbers > 0 or *, and then "
 				       "grid, map, part, numa or file with their words",
@@ -49,7 +48,8 @@ const struct ts_command_style ts_command_processors = {
 		.name = "processors",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "Elsewhere it says how processes share the box. Here threads share the particles, whatever their\n"
+		.doc = "Elsewhere it says how processes share the box. Here threads share the particles, "
+		       "whatever their\n"
 		       "places, and results do not depend on their number.",
 		.example = "processors 2 2 1",
 		.args = args,

@@ -21,9 +21,9 @@ struct state {
 struct before {
 	const struct state *state;
 	struct ts_box box;
-	size_t n;        /* particles */
+	size_t n;	 /* particles */
 	int32_t max_tag; /* copy k of particle t is t + k max_tag */
-	double (*x)[3];  /* positions without wrapping */
+	double (*x)[3];	 /* positions without wrapping */
 };
 
 static int64_t copies(const struct state *s)
@@ -55,16 +55,15 @@ static enum ts_status check(struct tsim *sim, const struct state *s, const struc
 	double most = (double)copies(s) * fmax((double)p->max_tag, (double)p->n);
 
 	if (sim->dimension == 2 && s->n[2] != 1)
-		return ts_fail(&sim->error, TS_RANGE, where,
-			       "replicate: in two dimensions nz must be 1");
+		return ts_fail(&sim->error, TS_RANGE, where, "replicate: in two dimensions nz must be 1");
 	if (most > INT32_MAX)
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "replicate: %g identities would be needed, there are %d", most,
-			       INT32_MAX);
+			       "replicate: %g identities would be needed, there are %d", most, INT32_MAX);
 	for (int d = 0; d < 3; d++)
 		if (s->n[d] > 1 && !ts_box_periodic(&sim->domain->box, d))
-			ts_warn(&sim->log, where, "the box is not periodic in %c: what stands at its "
-				"faces may overlap", 'x' + d);
+			ts_warn(&sim->log, where,
+				"the box is not periodic in %c: what stands at its faces may overlap",
+				'x' + d);
 	return TS_OK;
 }
 
@@ -91,8 +90,7 @@ static void copy_columns(struct ts_particles *p, size_t from, size_t n, size_t t
 		size_t bytes = c->element * c->width;
 
 		if (c->active && n)
-			memcpy((char *)c->data + to * bytes, (char *)c->data + from * bytes,
-			       n * bytes);
+			memcpy((char *)c->data + to * bytes, (char *)c->data + from * bytes, n * bytes);
 	}
 }
 
@@ -114,8 +112,7 @@ static enum ts_status copy_particles(struct tsim *sim, const struct before *b)
 		for (size_t i = 0; i < b->n; i++) {
 			p->tag[row + i] = (int32_t)(p->tag[i] + k * b->max_tag);
 			for (int d = 0; d < 3; d++) {
-				p->x[row + i][d] = b->x[i][d] +
-						   (double)at[d] * ts_box_length(&b->box, d);
+				p->x[row + i][d] = b->x[i][d] + (double)at[d] * ts_box_length(&b->box, d);
 				p->image[row + i][d] = 0;
 			}
 		}
@@ -131,9 +128,8 @@ static void bond_turns(const struct before *b, size_t i, size_t j, int64_t turns
 	for (int d = 0; d < 3; d++) {
 		double length = ts_box_length(&b->box, d);
 
-		turns[d] = ts_box_periodic(&b->box, d)
-				   ? (int64_t)rint((b->x[i][d] - b->x[j][d]) / length)
-				   : 0;
+		turns[d] =
+			ts_box_periodic(&b->box, d) ? (int64_t)rint((b->x[i][d] - b->x[j][d]) / length) : 0;
 	}
 }
 
@@ -208,16 +204,16 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	status = replicate(sim, &b, where);
 	ts_free(b.x);
 	TS_TRY(status);
-	ts_log(&sim->log, "Replicated box = (%g %g %g) to (%g %g %g)\n  %zu atoms\n", box->lo[0],
-	       box->lo[1], box->lo[2], box->hi[0], box->hi[1], box->hi[2], sim->particles->n);
+	ts_log(&sim->log, "Replicated box = (%g %g %g) to (%g %g %g)\n  %zu atoms\n", box->lo[0], box->lo[1],
+	       box->lo[2], box->hi[0], box->hi[1], box->hi[2], sim->particles->n);
 	if (sim->bonds->n)
 		ts_log(&sim->log, "  %zu bonds\n", sim->bonds->n);
 	return TS_OK;
 }
 
-#define NUMBER(name, d, help_)                                                                     \
-	TS_INT(name, struct state, n[d], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,      \
-	       .hi = 1000000, .help = help_)
+#define NUMBER(name, d, help_)                                                                               \
+	TS_INT(name, struct state, n[d], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1000000, \
+	       .help = help_)
 static const struct ts_arg args[] = {
 	NUMBER("nx", 0, "number of boxes along x"),
 	NUMBER("ny", 1, "number of boxes along y"),
@@ -232,12 +228,17 @@ const struct ts_command_style ts_command_replicate = {
 		.name = "replicate",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Makes the box several times as large, filled with copies",
-		.doc = "All that particles have is copied, groups included. Copy k of the particle with identity\n"
-		       "t has the identity t + k N, N being the largest identity before and k counting the boxes\n"
-		       "with x fastest. Bonds join the copies that are neighbours as their originals were, also\n"
-		       "across periodic faces: a periodic block of bonded particles becomes a larger one without\n"
+		.doc = "All that particles have is copied, groups included. Copy k of the particle with "
+		       "identity\n"
+		       "t has the identity t + k N, N being the largest identity before and k counting the "
+		       "boxes\n"
+		       "with x fastest. Bonds join the copies that are neighbours as their originals were, "
+		       "also\n"
+		       "across periodic faces: a periodic block of bonded particles becomes a larger one "
+		       "without\n"
 		       "seams.\n\n"
-		       "Copies begin their contacts anew. Fixes made before that remember places of particles\n"
+		       "Copies begin their contacts anew. Fixes made before that remember places of "
+		       "particles\n"
 		       "remember those of the original; make them afterwards.",
 		.example = "replicate 4 4 1",
 		.args = args,

@@ -12,8 +12,7 @@ struct state {
 };
 
 /* In the order of enum ts_units. */
-static const char *const names[] = { "lj", "si", "cgs", "micro", "real", "metal", "electron", "nano",
-				     NULL };
+static const char *const names[] = { "lj", "si", "cgs", "micro", "real", "metal", "electron", "nano", NULL };
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
@@ -33,8 +32,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_ENUM("system", struct state, units, names, .flags = TS_POSITIONAL,
-		.help = "the system of units"),
+	TS_ENUM("system", struct state, units, names, .flags = TS_POSITIONAL, .help = "the system of units"),
 	TS_ARGS_END,
 };
 
@@ -45,8 +43,10 @@ const struct ts_command_style ts_command_units = {
 		.kind = TS_KIND_COMMAND,
 		.summary = "Chooses the system of units",
 		.doc = "The program computes with plain numbers; the units say what they mean, and set the\n"
-		       "default time step: lj 0.005, si 1e-8 s, cgs 1e-8 s, micro 2 microseconds. Without the command: lj,\n"
-		       "which, given, also divides energies in the table of the log by the number of particles (see\n"
+		       "default time step: lj 0.005, si 1e-8 s, cgs 1e-8 s, micro 2 microseconds. Without "
+		       "the command: lj,\n"
+		       "which, given, also divides energies in the table of the log by the number of "
+		       "particles (see\n"
 		       "thermo_modify norm). real, metal, electron and nano are for atoms and refused.",
 		.example = "units si",
 		.args = args,

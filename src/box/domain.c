@@ -55,8 +55,8 @@ double ts_domain_margin(const struct ts_domain *d, int dim)
 }
 
 /* "p", "f", "fs": one letter for both faces of a dimension, or one for each. */
-static enum ts_status read_faces(struct tsim *sim, const char *text, char dim,
-				 const struct ts_place *where, enum ts_face face[2])
+static enum ts_status read_faces(struct tsim *sim, const char *text, char dim, const struct ts_place *where,
+				 enum ts_face face[2])
 {
 	static const char letters[] = "pfsm"; /* in the order of enum ts_face */
 	size_t n = strlen(text);
@@ -66,23 +66,22 @@ static enum ts_status read_faces(struct tsim *sim, const char *text, char dim,
 
 		if (!letter)
 			return ts_fail(&sim->error, TS_SYNTAX, where,
-				       "boundary: %c is '%s', expected p, f, s or m, or two of f, s, m",
-				       dim, text);
+				       "boundary: %c is '%s', expected p, f, s or m, or two of f, s, m", dim,
+				       text);
 		face[side] = (enum ts_face)(letter - letters);
 	}
 	if ((face[0] == TS_FACE_PERIODIC) != (face[1] == TS_FACE_PERIODIC))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "boundary: %c is '%s', but both faces must be periodic or none", dim,
-			       text);
+			       "boundary: %c is '%s', but both faces must be periodic or none", dim, text);
 	return TS_OK;
 }
 
-enum ts_status ts_domain_read_faces(struct tsim *sim, const char *const text[3],
-				    const struct ts_place *where, enum ts_face face[3][2])
+enum ts_status ts_domain_read_faces(struct tsim *sim, const char *const text[3], const struct ts_place *where,
+				    enum ts_face face[3][2])
 {
 	for (int d = 0; d < 3; d++)
-		TS_TRY(read_faces(sim, text[d], (char)('x' + d),
-				  ts_sim_word_of(sim, text[d], where), face[d]));
+		TS_TRY(read_faces(sim, text[d], (char)('x' + d), ts_sim_word_of(sim, text[d], where),
+				  face[d]));
 	return TS_OK;
 }
 
@@ -97,8 +96,8 @@ static enum ts_status check_plane(struct tsim *sim, const double lo[3], const do
 	if (lo[2] < 0 && hi[2] > 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, where,
-		       "the box reaches from z = %g to %g; with dimension 2 it must contain the plane "
-		       "z = 0", lo[2], hi[2]);
+		       "the box reaches from z = %g to %g; with dimension 2 it must contain the plane z = 0",
+		       lo[2], hi[2]);
 }
 
 enum ts_status ts_domain_set_box(struct tsim *sim, const double lo[3], const double hi[3],
@@ -108,9 +107,8 @@ enum ts_status ts_domain_set_box(struct tsim *sim, const double lo[3], const dou
 
 	for (int k = 0; k < 3; k++)
 		if (!isfinite(lo[k]) || !isfinite(hi[k]) || !(lo[k] < hi[k]))
-			return ts_fail(&sim->error, TS_RANGE, where,
-				       "the box would reach from %c = %g to %g", 'x' + k, lo[k],
-				       hi[k]);
+			return ts_fail(&sim->error, TS_RANGE, where, "the box would reach from %c = %g to %g",
+				       'x' + k, lo[k], hi[k]);
 	TS_TRY(check_plane(sim, lo, hi, where));
 	for (int k = 0; k < 3; k++) {
 		d->first_lo[k] = lo[k];
@@ -166,8 +164,7 @@ static void fini(struct ts_instance *self)
 	ts_lattice_release(&((struct ts_domain *)self->state)->lattice);
 }
 
-static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
-			struct ts_hash *hash)
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct ts_domain *d = self->state;
 
@@ -177,8 +174,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_hash_add(hash, d->box.face, sizeof d->box.face);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_domain *d = self->state;
 	static const char letters[] = "pfsm";
@@ -190,8 +186,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 		if (k % 2)
 			faces[k + k / 2 + 1] = ' ';
 	}
-	ts_report_line(report, "box", "(%g %g %g) to (%g %g %g), faces %.8s", d->box.lo[0],
-		       d->box.lo[1], d->box.lo[2], d->box.hi[0], d->box.hi[1], d->box.hi[2], faces);
+	ts_report_line(report, "box", "(%g %g %g) to (%g %g %g), faces %.8s", d->box.lo[0], d->box.lo[1],
+		       d->box.lo[2], d->box.hi[0], d->box.hi[1], d->box.hi[2], faces);
 	return TS_OK;
 }
 
@@ -240,8 +236,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		return TS_OK;
 	for (int k = 0; k < 3; k++)
 		if (!(d->box.lo[k] < d->box.hi[k]) || !isfinite(d->box.hi[k] - d->box.lo[k]) ||
-		    !(d->first_lo[k] < d->first_hi[k]) ||
-		    d->box.face[k][0] > TS_FACE_MINIMUM || d->box.face[k][1] > TS_FACE_MINIMUM ||
+		    !(d->first_lo[k] < d->first_hi[k]) || d->box.face[k][0] > TS_FACE_MINIMUM ||
+		    d->box.face[k][1] > TS_FACE_MINIMUM ||
 		    ts_box_periodic(&d->box, k) != (d->box.face[k][1] == TS_FACE_PERIODIC))
 			return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible simulation box");
 	sim->has_box = true;
@@ -249,12 +245,9 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 }
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_F64(struct ts_domain, box.lo),
-	TS_SAVE_F64(struct ts_domain, box.hi),
-	TS_SAVE_I32(struct ts_domain, box.face),
-	TS_SAVE_F64(struct ts_domain, first_lo),
-	TS_SAVE_F64(struct ts_domain, first_hi),
-	TS_SAVED_ROWS_END,
+	TS_SAVE_F64(struct ts_domain, box.lo),	 TS_SAVE_F64(struct ts_domain, box.hi),
+	TS_SAVE_I32(struct ts_domain, box.face), TS_SAVE_F64(struct ts_domain, first_lo),
+	TS_SAVE_F64(struct ts_domain, first_hi), TS_SAVED_ROWS_END,
 };
 
 const struct ts_system_style ts_domain_system = {

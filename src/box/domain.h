@@ -9,10 +9,10 @@
 struct ts_domain {
 	struct ts_box box;
 	double first_lo[3], first_hi[3]; /* as created or changed: the least box of `m` faces */
-	double held_lo[3], held_hi[3];   /* as the rows were built: periodic images are of this box */
-	double drift[3]; /* velocity of an image relative to its original, for fix deform remap v */
-	int drift_group; /* whose velocities change so when they cross a face */
-	struct ts_lattice lattice;       /* of constant 1 without `lattice` command */
+	double held_lo[3], held_hi[3];	 /* as the rows were built: periodic images are of this box */
+	double drift[3];	   /* velocity of an image relative to its original, for fix deform remap v */
+	int drift_group;	   /* whose velocities change so when they cross a face */
+	struct ts_lattice lattice; /* of constant 1 without `lattice` command */
 	bool units_warned;
 };
 
@@ -20,8 +20,8 @@ struct ts_domain {
 enum ts_status ts_domain_require(struct tsim *sim, const struct ts_place *where);
 
 /* The faces that three words of the boundary command mean: p, f, s, m, or two letters. */
-enum ts_status ts_domain_read_faces(struct tsim *sim, const char *const text[3],
-				    const struct ts_place *where, enum ts_face face[3][2]);
+enum ts_status ts_domain_read_faces(struct tsim *sim, const char *const text[3], const struct ts_place *where,
+				    enum ts_face face[3][2]);
 
 /* Makes lo to hi the box, the least one of `m` faces as well; `s` faces start a margin outside. Refused
  * where it has no volume, or does not fit `dimension 2`. */

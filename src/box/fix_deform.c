@@ -16,7 +16,7 @@ enum { REMAP_X, REMAP_V, REMAP_NONE };
 
 struct side {
 	int mode;
-	double a, b;			  /* the numbers of the mode */
+	double a, b;		       /* the numbers of the mode */
 	struct ts_number length, rate; /* VARIABLE */
 };
 
@@ -67,9 +67,9 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	}
 	if (ts_flow_fluid(sim))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix deform: the grid of the fluid (flow_style, line %d) does not change with the box: "
-			       "change the box before flow_style (`change_box`, or a run with this fix and `unfix`), or "
-			       "use flow_style uniform",
+			       "fix deform: the grid of the fluid (flow_style, line %d) does not change with "
+			       "the box: change the box before flow_style (`change_box`, or a run with this "
+			       "fix and `unfix`), or use flow_style uniform",
 			       ts_sim_only(sim, TS_KIND_FLOW)->where.line);
 	if (!sides)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
@@ -187,8 +187,7 @@ static void keep_volume(const struct state *s, struct span span[3])
 		double lo = s->made_lo[k], hi = s->made_hi[k];
 
 		if (s->side[k].mode == VOLUME)
-			span[k] = around(lo, hi, factor * (hi - lo),
-					 log_rate / n * factor * (hi - lo));
+			span[k] = around(lo, hi, factor * (hi - lo), log_rate / n * factor * (hi - lo));
 	}
 }
 
@@ -202,8 +201,7 @@ static enum ts_status targets(struct ts_instance *self, struct tsim *sim, struct
 		TS_TRY(target(self, sim, k, &span[k]));
 		if (!(span[k].lo < span[k].hi))
 			return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-				       "fix deform: the box would reach from %g to %g in %c at step "
-				       "%lld",
+				       "fix deform: the box would reach from %g to %g in %c at step %lld",
 				       span[k].lo, span[k].hi, names[k], (long long)sim->clock.step);
 	}
 	keep_volume(s, span);
@@ -300,72 +298,71 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-#define NUMBER(k, field_, name_, unit_, help_, range_)                                                \
-	TS_REAL(name_, struct state, side[k].field_, .flags = TS_POSITIONAL | TS_STATEFUL,         \
-		.unit = unit_, .help = help_, .range = (range_))
-#define SIDE_ROWS(k)                                                                               \
-	static const struct ts_arg final_##k[] = {                                                 \
-		NUMBER(k, a, "lo", "length", "low face at the end of the run", TS_ANY),                    \
-		NUMBER(k, b, "hi", "length", "high face at the end of the run", TS_ANY), TS_ARGS_END       \
-	};                                                                                         \
-	static const struct ts_arg delta_##k[] = {                                                 \
-		NUMBER(k, a, "dlo", "length", "by how much the low face moves over the run", TS_ANY),      \
-		NUMBER(k, b, "dhi", "length", "by how much the high face moves", TS_ANY), TS_ARGS_END      \
-	};                                                                                         \
-	static const struct ts_arg scale_##k[] = {                                                 \
-		NUMBER(k, a, "factor", "", "of the length over the run", TS_POSITIVE),    \
-		TS_ARGS_END                                                                        \
-	};                                                                                         \
-	static const struct ts_arg vel_##k[] = {                                                   \
-		NUMBER(k, a, "V", "velocity", "rate of change of the length", TS_ANY), TS_ARGS_END         \
-	};                                                                                         \
-	static const struct ts_arg rate_##k[] = {                                                  \
-		NUMBER(k, a, "R", "1/time", "strain rate", TS_ANY), TS_ARGS_END                            \
-	};                                                                                         \
-	static const struct ts_arg wiggle_##k[] = {                                                \
-		NUMBER(k, a, "A", "length", "amplitude of the length", TS_ANY),                            \
-		NUMBER(k, b, "period", "time", "of the oscillation", TS_POSITIVE),        \
-		TS_ARGS_END                                                                        \
-	};                                                                                         \
-	static const struct ts_arg variable_##k[] = {                                              \
-		TS_NUMBER("length", struct state, side[k].length, .flags = TS_POSITIONAL,          \
-			  .unit = "length", .help = "v_NAME: change of the length"),               \
-		TS_NUMBER("rate", struct state, side[k].rate, .flags = TS_POSITIONAL,              \
-			  .unit = "velocity", .help = "v_NAME: its rate of change"),               \
-		TS_ARGS_END                                                                        \
-	};                                                                                         \
-	static const struct ts_mode modes_##k[] = {                                                \
-		[FINAL] = { "final", "to given faces at the end of the run", final_##k },          \
-		[DELTA] = { "delta", "by given amounts over the run", delta_##k },                 \
-		[SCALE] = { "scale", "by a factor over the run", scale_##k },                      \
-		[VEL] = { "vel", "at constant velocity", vel_##k },                                \
-		[ERATE] = { "erate", "engineering strain rate: L = L0 (1 + R t)", rate_##k },      \
-		[TRATE] = { "trate", "true strain rate: L = L0 exp(R t)", rate_##k },              \
-		[VOLUME] = { "volume", "so that the volume stays", NULL },                         \
-		[WIGGLE] = { "wiggle", "L = L0 + A sin(2 pi t/period)", wiggle_##k },              \
-		[VARIABLE] = { "variable", "as variables say", variable_##k },                     \
-		{ .name = NULL },                                                                  \
+#define NUMBER(k, field_, name_, unit_, help_, range_)                                                    \
+	TS_REAL(name_, struct state, side[k].field_, .flags = TS_POSITIONAL | TS_STATEFUL, .unit = unit_, \
+		.help = help_, .range = (range_))
+#define SIDE_ROWS(k)                                                                                        \
+	static const struct ts_arg final_##k[] = {                                                          \
+		NUMBER(k, a, "lo", "length", "low face at the end of the run", TS_ANY),                     \
+		NUMBER(k, b, "hi", "length", "high face at the end of the run", TS_ANY), TS_ARGS_END        \
+	};                                                                                                  \
+	static const struct ts_arg delta_##k[] = {                                                          \
+		NUMBER(k, a, "dlo", "length", "by how much the low face moves over the run", TS_ANY),       \
+		NUMBER(k, b, "dhi", "length", "by how much the high face moves", TS_ANY), TS_ARGS_END       \
+	};                                                                                                  \
+	static const struct ts_arg scale_##k[] = {                                                          \
+		NUMBER(k, a, "factor", "", "of the length over the run", TS_POSITIVE), TS_ARGS_END          \
+	};                                                                                                  \
+	static const struct ts_arg vel_##k[] = {                                                            \
+		NUMBER(k, a, "V", "velocity", "rate of change of the length", TS_ANY), TS_ARGS_END          \
+	};                                                                                                  \
+	static const struct ts_arg rate_##k[] = { NUMBER(k, a, "R", "1/time", "strain rate", TS_ANY),       \
+						  TS_ARGS_END };                                            \
+	static const struct ts_arg wiggle_##k[] = {                                                         \
+		NUMBER(k, a, "A", "length", "amplitude of the length", TS_ANY),                             \
+		NUMBER(k, b, "period", "time", "of the oscillation", TS_POSITIVE), TS_ARGS_END              \
+	};                                                                                                  \
+	static const struct ts_arg variable_##k[] = {                                                       \
+		TS_NUMBER("length", struct state, side[k].length, .flags = TS_POSITIONAL, .unit = "length", \
+			  .help = "v_NAME: change of the length"),                                          \
+		TS_NUMBER("rate", struct state, side[k].rate, .flags = TS_POSITIONAL, .unit = "velocity",   \
+			  .help = "v_NAME: its rate of change"),                                            \
+		TS_ARGS_END                                                                                 \
+	};                                                                                                  \
+	static const struct ts_mode modes_##k[] = {                                                         \
+		[FINAL] = { "final", "to given faces at the end of the run", final_##k },                   \
+		[DELTA] = { "delta", "by given amounts over the run", delta_##k },                          \
+		[SCALE] = { "scale", "by a factor over the run", scale_##k },                               \
+		[VEL] = { "vel", "at constant velocity", vel_##k },                                         \
+		[ERATE] = { "erate", "engineering strain rate: L = L0 (1 + R t)", rate_##k },               \
+		[TRATE] = { "trate", "true strain rate: L = L0 exp(R t)", rate_##k },                       \
+		[VOLUME] = { "volume", "so that the volume stays", NULL },                                  \
+		[WIGGLE] = { "wiggle", "L = L0 + A sin(2 pi t/period)", wiggle_##k },                       \
+		[VARIABLE] = { "variable", "as variables say", variable_##k },                              \
+		{ .name = NULL },                                                                           \
 	};
 SIDE_ROWS(0)
 SIDE_ROWS(1)
 SIDE_ROWS(2)
 
-#define SIDE(k, name_)                                                                             \
-	{ .name = name_, .type = TS_ARG_MODE, .flags = TS_OPTIONAL | TS_STATEFUL,                  \
-	  .offset = TS_FIELD(struct state, side[k].mode, int *), .modes = modes_##k,               \
-	  .help = "how the box changes in this direction" }
-#define TILT(k, name_)                                                                             \
-	{ .name = name_, .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD,                \
-	  .offset = TS_FIELD(struct state, tilt[k], struct ts_words *),                            \
-	  .help = "refused: boxes are never tilted" }
+#define SIDE(k, name_)                                                                     \
+	{                                                                                  \
+		.name = name_, .type = TS_ARG_MODE, .flags = TS_OPTIONAL | TS_STATEFUL,    \
+		.offset = TS_FIELD(struct state, side[k].mode, int *), .modes = modes_##k, \
+		.help = "how the box changes in this direction"                            \
+	}
+#define TILT(k, name_)                                                                    \
+	{                                                                                 \
+		.name = name_, .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD, \
+		.offset = TS_FIELD(struct state, tilt[k], struct ts_words *),             \
+		.help = "refused: boxes are never tilted"                                 \
+	}
 
-static const char *const remaps[] = {
-	[REMAP_X] = "x", [REMAP_V] = "v", [REMAP_NONE] = "none", NULL
-};
+static const char *const remaps[] = { [REMAP_X] = "x", [REMAP_V] = "v", [REMAP_NONE] = "none", NULL };
 
 static const struct ts_arg args[] = {
-	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1e15, .help = "steps between changes of the box"),
+	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
+	       .help = "steps between changes of the box"),
 	SIDE(0, "x"),
 	SIDE(1, "y"),
 	SIDE(2, "z"),
@@ -393,15 +390,22 @@ const struct ts_style ts_fix_deform = {
 	.name = "deform",
 	.kind = TS_KIND_FIX,
 	.summary = "Changes the lengths of the box during a run",
-	.doc = "At the end of each step that is a multiple of N the faces move. `final`, `delta` and `scale` are\n"
-	       "reached at the end of each run, linearly (see `run N start S stop E` for several runs that are one);\n"
-	       "all others count the time t, and the length L0, from when the fix was made, however many runs there\n"
-	       "are. Except with `final` and `delta` the middle of the box stays. Where one or two sides have\n"
+	.doc = "At the end of each step that is a multiple of N the faces move. `final`, `delta` and `scale` "
+	       "are\n"
+	       "reached at the end of each run, linearly (see `run N start S stop E` for several runs that "
+	       "are one);\n"
+	       "all others count the time t, and the length L0, from when the fix was made, however many "
+	       "runs there\n"
+	       "are. Except with `final` and `delta` the middle of the box stays. Where one or two sides "
+	       "have\n"
 	       "`volume`, they change so that the volume stays what it was when the fix was made.\n\n"
-	       "With `remap x` positions of the group keep their place relative to the faces; velocities are left\n"
-	       "alone. With `remap v` positions are left alone, and the velocity of a particle that crosses a\n"
+	       "With `remap x` positions of the group keep their place relative to the faces; velocities are "
+	       "left\n"
+	       "alone. With `remap v` positions are left alone, and the velocity of a particle that crosses "
+	       "a\n"
 	       "periodic face changes by the rate of that length, as the contacts across the face see it.\n\n"
-	       "Refused together with a fluid that is solved for (flow_style projection): its grid does not change with\n"
+	       "Refused together with a fluid that is solved for (flow_style projection): its grid does not "
+	       "change with\n"
 	       "the box in a run. change_box before a run does change it.",
 	.example = "fix squeeze all deform 1 z erate -0.02 x volume y volume remap x\n"
 		   "fix shake all deform 10 x wiggle 0.001 0.1 remap v units box",

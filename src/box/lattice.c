@@ -12,7 +12,7 @@
 
 enum { SC, BCC, FCC, HCP, DIAMOND, SQ, SQ2, HEX, NNAMED };
 
-const char *const ts_lattice_names[] = { "sc",	"bcc", "fcc", "hcp",  "diamond", "sq",
+const char *const ts_lattice_names[] = { "sc",	"bcc", "fcc",  "hcp",	 "diamond", "sq",
 					 "sq2", "hex", "none", "custom", NULL };
 
 struct named {
@@ -25,10 +25,7 @@ struct named {
 static const struct named named[NNAMED] = {
 	[SC] = { 3, { 1, 1, 1 }, 1, { { 0, 0, 0 } } },
 	[BCC] = { 3, { 1, 1, 1 }, 2, { { 0, 0, 0 }, { 0.5, 0.5, 0.5 } } },
-	[FCC] = { 3,
-		  { 1, 1, 1 },
-		  4,
-		  { { 0, 0, 0 }, { 0.5, 0.5, 0 }, { 0.5, 0, 0.5 }, { 0, 0.5, 0.5 } } },
+	[FCC] = { 3, { 1, 1, 1 }, 4, { { 0, 0, 0 }, { 0.5, 0.5, 0 }, { 0.5, 0, 0.5 }, { 0, 0.5, 0.5 } } },
 	[HCP] = { 3,
 		  { 1, SQRT3, SQRT_8_3 },
 		  4,
@@ -99,8 +96,8 @@ void ts_lattice_to_space(const struct ts_lattice *l, const double cell[3], doubl
 	double y[3];
 
 	for (int d = 0; d < 3; d++)
-		y[d] = l->constant * (l->edge[0][d] * cell[0] + l->edge[1][d] * cell[1] +
-				      l->edge[2][d] * cell[2]);
+		y[d] = l->constant *
+		       (l->edge[0][d] * cell[0] + l->edge[1][d] * cell[1] + l->edge[2][d] * cell[2]);
 	for (int d = 0; d < 3; d++)
 		x[d] = ts_dot(l->turn[d], y) + l->spacing[d] * l->origin[d];
 }
@@ -182,8 +179,8 @@ enum ts_status ts_lattice_archive(struct ts_lattice *l, struct tsim *sim, struct
 	TS_TRY(ts_archive_fixed(a, "lattice_origin", TS_SAVED_F64, l->origin, 3));
 	TS_TRY(ts_archive_fixed(a, "lattice_spacing", TS_SAVED_F64, l->spacing, 3));
 	TS_TRY(ts_archive_fixed(a, "lattice_inverse", TS_SAVED_F64, l->inverse, 9));
-	TS_TRY(ts_archive_array(a, "lattice_basis", TS_SAVED_F64, (void **)(void *)&l->basis,
-				&capacity, &count));
+	TS_TRY(ts_archive_array(a, "lattice_basis", TS_SAVED_F64, (void **)(void *)&l->basis, &capacity,
+				&count));
 	l->style = style;
 	l->capacity = capacity / 3;
 	l->nbasis = count / 3;

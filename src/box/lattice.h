@@ -8,14 +8,14 @@
 #include "core/sim.h"
 
 struct ts_lattice {
-	int style;             /* index into ts_lattice_names; -1: none defined */
-	double constant;       /* length of 1 in the edges below */
-	double edge[3][3];     /* of the unit cell: a1, a2, a3 */
-	double turn[3][3];     /* row d: what of the crystal points along d, a unit vector */
-	double origin[3];      /* in spacings */
-	double spacing[3];     /* extent of the unit cell along x, y, z: the unit of lengths */
-	double inverse[3][3];  /* of the matrix with columns a1, a2, a3 */
-	double (*basis)[3];    /* in units of the edges */
+	int style;	      /* index into ts_lattice_names; -1: none defined */
+	double constant;      /* length of 1 in the edges below */
+	double edge[3][3];    /* of the unit cell: a1, a2, a3 */
+	double turn[3][3];    /* row d: what of the crystal points along d, a unit vector */
+	double origin[3];     /* in spacings */
+	double spacing[3];    /* extent of the unit cell along x, y, z: the unit of lengths */
+	double inverse[3][3]; /* of the matrix with columns a1, a2, a3 */
+	double (*basis)[3];   /* in units of the edges */
 	size_t nbasis, capacity;
 };
 
@@ -34,8 +34,7 @@ double ts_lattice_cell_volume(const struct ts_lattice *lattice);
 /* After edges, turn, constant have been set: fills inverse and spacing. */
 void ts_lattice_finish(struct ts_lattice *lattice);
 void ts_lattice_release(struct ts_lattice *lattice);
-enum ts_status ts_lattice_archive(struct ts_lattice *lattice, struct tsim *sim,
-				  struct ts_archive *archive);
+enum ts_status ts_lattice_archive(struct ts_lattice *lattice, struct tsim *sim, struct ts_archive *archive);
 
 /* From coordinates along a1, a2, a3 to space, and back. */
 void ts_lattice_to_space(const struct ts_lattice *lattice, const double cell[3], double x[3]);

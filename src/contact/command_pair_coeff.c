@@ -18,7 +18,7 @@ static const struct ts_arg args[] = {
 	TS_TYPES("I", struct pair_coeff, a, .flags = TS_POSITIONAL, .help = "types of one partner"),
 	TS_TYPES("J", struct pair_coeff, b, .flags = TS_POSITIONAL, .help = "types of the other"),
 	TS_REST_OPTIONAL("coefficients", struct pair_coeff, words,
-		.help = "coefficients as the pair style defines them, or `file NAME`"),
+			 .help = "coefficients as the pair style defines them, or `file NAME`"),
 	TS_ARGS_END,
 };
 

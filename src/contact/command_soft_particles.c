@@ -26,8 +26,10 @@ const struct ts_command_style ts_command_soft_particles = {
 		.name = "soft_particles",
 		.kind = TS_KIND_COMMAND,
 		.summary = "lets Young's modulus be below 5e6 Pa",
-		.doc = "With units si and cgs, the models of pair_style gran that need youngsModulus want it from 5e6\n"
-		       "to 1e9 Pa (5e7 to 1e10 in cgs). Softer particles overlap so far that they are no spheres\n"
+		.doc = "With units si and cgs, the models of pair_style gran that need youngsModulus want it "
+		       "from 5e6\n"
+		       "to 1e9 Pa (5e7 to 1e10 in cgs). Softer particles overlap so far that they are no "
+		       "spheres\n"
 		       "any more.\n"
 		       "Other units have no such limit, nor have laws whose stiffness is given.",
 		.example = "soft_particles yes",

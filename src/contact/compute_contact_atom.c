@@ -39,13 +39,12 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	}
 	if (!(most > 0))
 		return TS_OK;
-	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, 2 * most, count,
-			      &task);
+	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, 2 * most, count, &task);
 }
 
 static const struct ts_value values[] = {
-	{ "contacts", "", "number of particles that overlap it; 0 outside the group", TS_PERATOM, 1,
-	  NULL, eval },
+	{ "contacts", "", "number of particles that overlap it; 0 outside the group", TS_PERATOM, 1, NULL,
+	  eval },
 	{ .name = NULL },
 };
 
@@ -60,8 +59,8 @@ const struct ts_style ts_compute_contact_atom = {
 	.name = "contact/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Number of contacts of each particle",
-	.doc = "Counts for each particle of the group the others, of whatever group, that are nearer than the "
-	       "sum of\n"
+	.doc = "Counts for each particle of the group the others, of whatever group, that are nearer than "
+	       "the sum of\n"
 	       "the radii. It looks at positions and radii only, so it also counts overlaps that have no "
 	       "force\n"
 	       "(excluded pairs, no pair_style). Periodic images count.",

@@ -41,15 +41,13 @@ static size_t count(const struct ts_instance *self, const struct tsim *sim)
 	return n;
 }
 
-static enum ts_status eval_count(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_count(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	out->data[0] = (double)count(self, sim);
 	return TS_OK;
 }
 
-static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *sim,
-				   struct ts_table *out)
+static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
@@ -94,8 +92,7 @@ static void list_row(const struct tsim *sim, size_t r, double row[COLUMNS])
 	row[2] = p->radius[i] + p->radius[j] - sqrt(d2);
 }
 
-static enum ts_status eval_local(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_local(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_contact_list *rows = &sim->neigh->rows;
 	size_t n = 0;
@@ -111,11 +108,10 @@ static enum ts_status eval_local(struct ts_instance *self, const struct tsim *si
 static const char *const names[] = { "i",  "j",	 "overlap", "xi", "yi", "zi", "xj", "yj",
 				     "zj", "fx", "fy",	    "fz", "x",	"y",  "z" };
 static const struct ts_value values[] = {
-	{ "count", "", "number of contacts between particles of the group", TS_SCALAR, 1, NULL,
-	  eval_count },
+	{ "count", "", "number of contacts between particles of the group", TS_SCALAR, 1, NULL, eval_count },
 	{ "coordination", "", "contacts of each particle", TS_PERATOM, 1, NULL, eval_peratom },
-	{ "list", "", "one row per contact, with the force on i and the place of the contact",
-	  TS_LOCAL, COLUMNS, names, eval_local },
+	{ "list", "", "one row per contact, with the force on i and the place of the contact", TS_LOCAL,
+	  COLUMNS, names, eval_local },
 	{ .name = NULL },
 };
 
@@ -126,10 +122,9 @@ const struct ts_style ts_compute_contacts = {
 	.name = "contacts",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "number, coordination and list of the contacts",
-	.doc = "c_ID is the number of touching pairs with both partners in the group, c_ID per particle "
-	       "its number of contacts, and c_ID[k] in dump local the list: identities, overlap, both "
-	       "positions, force on the first, middle. Contacts are those of the last force "
-	       "computation.",
+	.doc = "c_ID is the number of touching pairs with both partners in the group, c_ID per particle its "
+	       "number of contacts, and c_ID[k] in dump local the list: identities, overlap, both positions, "
+	       "force on the first, middle. Contacts are those of the last force computation.",
 	.example = "compute nc all contacts\ndump c all local 1000 post/contacts*.txt c_nc[1] c_nc[2]",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -19,8 +19,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 }
 
 /* Force on the group: +1 where a is in it and b in the other, -1 the other way round; both: 0. */
-static void add(const struct ts_instance *self, const struct tsim *sim,
-		const struct ts_contact_view *view, struct ts_exactsum sum[3])
+static void add(const struct ts_instance *self, const struct tsim *sim, const struct ts_contact_view *view,
+		struct ts_exactsum sum[3])
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -76,10 +76,10 @@ const struct ts_style ts_compute_group_group = {
 	.name = "group/group",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Force between two groups",
-	.doc = "The sum of the forces that particles of the other group exert on those of the compute's group "
-	       "in contacts,\n"
-	       "and with `bond yes` also through bonds. A pair whose partners are each in both groups "
-	       "counts from either\n"
+	.doc = "The sum of the forces that particles of the other group exert on those of the compute's "
+	       "group in contacts,\n"
+	       "and with `bond yes` also through bonds. A pair whose partners are each in both groups counts "
+	       "from either\n"
 	       "side, so adds nothing. The sum is rounded once. No contact law here has an energy, so there "
 	       "is only the\n"
 	       "force.",

@@ -31,8 +31,7 @@ static bool listed(const struct ts_instance *self, const struct tsim *sim, size_
 }
 
 /* The tangential force turns both partners the same way, each about its own arm. */
-static void add_torque(const struct tsim *sim, const struct ts_contact_view *v,
-		       struct ts_contact_facts *f)
+static void add_torque(const struct tsim *sim, const struct ts_contact_view *v, struct ts_contact_facts *f)
 {
 	const struct ts_contact_list *rows = &sim->neigh->rows;
 
@@ -55,8 +54,7 @@ static double heat_of(const struct tsim *sim, const struct ts_contact_view *v)
 
 /* With `legacy`: the force that the velocities at the end of the step would give. Of images only the
  * velocities within the step are known; theirs is the force that acted. */
-static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v,
-			 struct ts_contact_facts *f)
+static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v, struct ts_contact_facts *f)
 {
 	const struct ts_pair *pair = ts_sim_only(sim, TS_KIND_PAIR)->state;
 	const struct ts_contact_list *rows = &sim->neigh->rows;
@@ -71,13 +69,12 @@ static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v
 		memory[k] = rows->history[v->row * rows->history_width + k];
 	ts_contact_touch(p, i, j, model, &t);
 	ts_granular_stand_out(model, memory, &t);
-	ts_granular_contact(model, ts_pair_law(pair, p->type[i], p->type[j]), &t,
-			    sim->clock.dt, false, memory, &acting);
+	ts_granular_contact(model, ts_pair_law(pair, p->type[i], p->type[j]), &t, sim->clock.dt, false,
+			    memory, &acting);
 	for (int k = 0; k < 3; k++) {
 		f->force[k] = v->sign * acting.force[k];
 		if (rows->parts > 1)
-			f->torque[k] = (p->radius[v->a] - ts_granular_short(model, &t)) *
-				       acting.turn[k];
+			f->torque[k] = (p->radius[v->a] - ts_granular_short(model, &t)) * acting.turn[k];
 	}
 }
 
@@ -103,8 +100,8 @@ static void look(const struct tsim *sim, size_t r, const bool *wanted, struct ts
 		f->point[k] = p->x[v.a][k] - v.d[k] * (a / (a + b));
 	}
 	for (size_t k = 0; k < rows->history_width; k++)
-		f->history[k] = rows->history[r * rows->history_width + k] *
-				(v.sign < 0 ? rows->history_sign[k] : 1);
+		f->history[k] =
+			rows->history[r * rows->history_width + k] * (v.sign < 0 ? rows->history_sign[k] : 1);
 	f->area = ts_contact_area(a, b, v.distance);
 	f->delta = a + b - v.distance;
 	add_torque(sim, &v, f);
@@ -150,18 +147,19 @@ const struct ts_style ts_compute_pair_gran_local = {
 	.name = "pair/gran/local",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "What is known of each contact",
-	.doc = "A table with a row for each contact whose partners are both in the group, and these columns, in "
-	       "this order whatever that of the words: pos, places of both (6); vel, velocities of both (6); id, "
-	       "both ids, and 1 if they meet across a periodic face, else 0 (3); force on the first (3), its "
-	       "parts force_normal (3) and force_tangential (3); torque on the first by the tangential force, "
-	       "about its centre and without rolling friction (3); history, what the contact law remembers; "
-	       "contactArea, of the circle in which the spheres meet (1); delta, the overlap (1); contactPoint, "
-	       "which divides the line of centres as the radii are to each other (3); heatFlux, what fix heat/gran "
-	       "conducts to the first (1). Without words: pos vel id "
-	       "force history contactArea. The partner with the smaller id is the first.\n\n"
-	       "Contacts and forces are those of the last force computation, which acted; places and velocities "
-	       "those of now. LIGGGHTS computes forces anew from the velocities at the end of the step: the two "
-	       "differ by half a step of damping; with `legacy yes` tsim does the same. With these columns `dump local/gran/vtk` draws force chains.",
+	.doc = "A table with a row for each contact whose partners are both in the group, and these columns, "
+	       "in this order whatever that of the words: pos, places of both (6); vel, velocities of both "
+	       "(6); id, both ids, and 1 if they meet across a periodic face, else 0 (3); force on the first "
+	       "(3), its parts force_normal (3) and force_tangential (3); torque on the first by the "
+	       "tangential force, about its centre and without rolling friction (3); history, what the "
+	       "contact law remembers; contactArea, of the circle in which the spheres meet (1); delta, the "
+	       "overlap (1); contactPoint, which divides the line of centres as the radii are to each other "
+	       "(3); heatFlux, what fix heat/gran conducts to the first (1). Without words: pos vel id force "
+	       "history contactArea. The partner with the smaller id is the first.\n\n"
+	       "Contacts and forces are those of the last force computation, which acted; places and "
+	       "velocities those of now. LIGGGHTS computes forces anew from the velocities at the end of the "
+	       "step: the two differ by half a step of damping; with `legacy yes` tsim does the same. With "
+	       "these columns `dump local/gran/vtk` draws force chains.",
 	.example = "compute c all pair/gran/local id pos force delta\n"
 		   "dump d all local 100 post/contacts*.txt c_c[7] c_c[8] c_c[10] c_c[13]",
 	.args = args,

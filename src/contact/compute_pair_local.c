@@ -11,8 +11,7 @@ struct state {
 	struct tsim *sim;
 };
 
-static const struct ts_pair_column columns[] = { TS_PAIR_COLUMNS,
-						 { .name = NULL } };
+static const struct ts_pair_column columns[] = { TS_PAIR_COLUMNS, { .name = NULL } };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
@@ -20,8 +19,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	s->sim = sim;
 	sim->neigh->shown = true;
-	return ts_name_list_read(sim, "compute pair/local", &self->arena, s->words, columns,
-				 sizeof *columns, &s->list);
+	return ts_name_list_read(sim, "compute pair/local", &self->arena, s->words, columns, sizeof *columns,
+				 &s->list);
 }
 
 static bool wanted(const struct ts_instance *self, const struct tsim *sim, size_t r)
@@ -69,11 +68,12 @@ const struct ts_style ts_compute_pair_local = {
 	.name = "pair/local",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Distance and force of each contact",
-	.doc = "A table with a row for each contact whose partners are both in the group: dist is the distance of the "
-	       "centres,\nforce the force along the line of centres, > 0 repelling, fx fy fz the force on the "
-	       "partner with the\nsmaller id, dx dy dz the vector to it from the other. Periodic images are taken "
-	       "into account. The\ncontacts are those of the last force computation; compute property/local tells "
-	       "the partners, in the same\norder. No contact law here has an energy, so there is no `eng`.",
+	.doc = "A table with a row for each contact whose partners are both in the group: dist is the "
+	       "distance of the centres,\nforce the force along the line of centres, > 0 repelling, fx fy fz "
+	       "the force on the partner with the\nsmaller id, dx dy dz the vector to it from the other. "
+	       "Periodic images are taken into account. The\ncontacts are those of the last force "
+	       "computation; compute property/local tells the partners, in the same\norder. No contact law "
+	       "here has an energy, so there is no `eng`.",
 	.example = "compute f all pair/local dist force fx fy fz",
 	.args = args,
 	.state_size = sizeof(struct state),

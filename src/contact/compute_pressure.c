@@ -79,8 +79,7 @@ static enum ts_status tensor(struct ts_instance *self, double out[6])
 	return TS_OK;
 }
 
-static enum ts_status eval_pressure(struct ts_instance *self, const struct tsim *sim,
-				    struct ts_table *out)
+static enum ts_status eval_pressure(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	double t[6];
 
@@ -89,8 +88,7 @@ static enum ts_status eval_pressure(struct ts_instance *self, const struct tsim 
 	return TS_OK;
 }
 
-static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
 	return tensor(self, out->data);
@@ -102,8 +100,7 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_value values[] = {
-	{ "pressure", "pressure", "mean of the diagonal of the tensor", TS_SCALAR, 1, NULL,
-	  eval_pressure },
+	{ "pressure", "pressure", "mean of the diagonal of the tensor", TS_SCALAR, 1, NULL, eval_pressure },
 	{ "tensor", "pressure", "pressure tensor", TS_VECTOR, 6, ts_tensor_names, eval_tensor },
 	{ .name = NULL },
 };

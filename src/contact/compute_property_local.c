@@ -39,12 +39,10 @@ static const struct column {
 	column_fn *value;
 	enum list list;
 } columns[] = {
-	{ "natom1", id1, NEIGHBOURS },	 { "natom2", id2, NEIGHBOURS },
-	{ "ntype1", type1, NEIGHBOURS }, { "ntype2", type2, NEIGHBOURS },
-	{ "patom1", id1, CONTACTS },	 { "patom2", id2, CONTACTS },
-	{ "ptype1", type1, CONTACTS },	 { "ptype2", type2, CONTACTS },
-	{ "batom1", id1, BONDS },	 { "batom2", id2, BONDS },
-	{ "btype", bond_type, BONDS },	 { .name = NULL },
+	{ "natom1", id1, NEIGHBOURS },	 { "natom2", id2, NEIGHBOURS }, { "ntype1", type1, NEIGHBOURS },
+	{ "ntype2", type2, NEIGHBOURS }, { "patom1", id1, CONTACTS },	{ "patom2", id2, CONTACTS },
+	{ "ptype1", type1, CONTACTS },	 { "ptype2", type2, CONTACTS }, { "batom1", id1, BONDS },
+	{ "batom2", id2, BONDS },	 { "btype", bond_type, BONDS }, { .name = NULL },
 };
 
 struct property {
@@ -77,8 +75,7 @@ static bool wanted(const struct ts_instance *self, const struct tsim *sim, enum 
 	if (list == BONDS)
 		return ts_in_group(p, (size_t)sim->bonds->row[r][0], self->group) &&
 		       ts_in_group(p, (size_t)sim->bonds->row[r][1], self->group);
-	return (list == NEIGHBOURS || sim->neigh->rows.touching[r]) &&
-	       ts_contact_counts(sim, r, self->group);
+	return (list == NEIGHBOURS || sim->neigh->rows.touching[r]) && ts_contact_counts(sim, r, self->group);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -99,8 +96,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 		else
 			ts_contact_view(sim, r, &view);
 		for (size_t k = 0; k < s->list.n; k++)
-			out->data[n * s->list.n + k] =
-				columns[s->list.item[k]].value(sim, &view);
+			out->data[n * s->list.n + k] = columns[s->list.item[k]].value(sim, &view);
 		n++;
 	}
 	out->rows = n;
@@ -116,8 +112,7 @@ static const char *const cutoffs[] = { "type", "radius", NULL };
 
 static const struct ts_arg args[] = {
 	TS_LIST("columns", struct property, words,
-		.help = "natom1 natom2 ntype1 ntype2, patom1 patom2 ptype1 ptype2, or batom1 batom2 "
-			"btype"),
+		.help = "natom1 natom2 ntype1 ntype2, patom1 patom2 ptype1 ptype2, or batom1 batom2 btype"),
 	TS_ENUM("cutoff", struct property, cutoff, cutoffs, .fallback = "radius",
 		.help = "accepted: contacts are always told by the radii"),
 	TS_ARGS_END,

@@ -46,8 +46,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 			ts_virial_of(sim, i, &s->parts, w);
 		for (int k = 0; k < 6; k++)
 			out->data[6 * i + (size_t)k] =
-				member ? -(m * p->v[i][ts_tensor_row[k]] *
-						   p->v[i][ts_tensor_column[k]] +
+				member ? -(m * p->v[i][ts_tensor_row[k]] * p->v[i][ts_tensor_column[k]] +
 					   w[k])
 				       : 0;
 	}
@@ -55,8 +54,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 }
 
 static const struct ts_value values[] = {
-	{ "stress", "pressure*volume", "stress times volume, > 0 pulling; 0 outside the group",
-	  TS_PERATOM, 6, ts_tensor_names, eval },
+	{ "stress", "pressure*volume", "stress times volume, > 0 pulling; 0 outside the group", TS_PERATOM, 6,
+	  ts_tensor_names, eval },
 	{ .name = NULL },
 };
 

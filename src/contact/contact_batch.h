@@ -1,6 +1,6 @@
-/* Batches of active pairs: the inputs of the contact law are copied into columns, so that a law written for one contact
- * is computed for several contacts at once by vector instructions. All pairs of a batch have the same law. Results
- * equal those of the loop over single rows, bit for bit. */
+/* Batches of active pairs: the inputs of the contact law are copied into columns, so that a law written
+ * for one contact is computed for several contacts at once by vector instructions. All pairs of a batch
+ * have the same law. Results equal those of the loop over single rows, bit for bit. */
 #ifndef TS_CONTACT_CONTACT_BATCH_H
 #define TS_CONTACT_CONTACT_BATCH_H
 
@@ -23,8 +23,8 @@ static const ts_four ts_contact_signs = { -1, -1, -1, 1 };
 
 /* Four rows become those at .. at+3 of the batch. */
 TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_contact_list *rows,
-			     const struct ts_granular_model *m, const struct ts_active_pair near[4], size_t at,
-			     struct ts_batch *b)
+			     const struct ts_granular_model *m, const struct ts_active_pair near[4],
+			     size_t at, struct ts_batch *b)
 {
 	ts_four d[4], v[4], wi[4], wj[4];
 
@@ -117,8 +117,8 @@ TS_INLINE void ts_batch_result(const double (*column)[TS_BATCH], int columns, si
 }
 
 /* The n rows of the batch from `at` on, up to four. */
-TS_INLINE void ts_batch_store(const struct ts_batch *b, size_t parts, const struct ts_active_pair *near, size_t at, size_t n,
-			      const struct ts_contact_list *rows)
+TS_INLINE void ts_batch_store(const struct ts_batch *b, size_t parts, const struct ts_active_pair *near,
+			      size_t at, size_t n, const struct ts_contact_list *rows)
 {
 	ts_four *to[4], nowhere[3];
 
@@ -131,9 +131,10 @@ TS_INLINE void ts_batch_store(const struct ts_batch *b, size_t parts, const stru
 		ts_batch_result(b->roll, 3, at, to, 2);
 }
 
-/* The last rows of a batch of n, as so many as fill a vector: the last one again and again. Returns how many of the
- * batch come before. */
-TS_INLINE size_t ts_batch_tail(const struct ts_active_pair *near, size_t n, struct ts_active_pair tail[TS_MEMORY_VECTOR])
+/* The last rows of a batch of n, as so many as fill a vector: the last one again and again. Returns how
+ * many of the batch come before. */
+TS_INLINE size_t ts_batch_tail(const struct ts_active_pair *near, size_t n,
+			       struct ts_active_pair tail[TS_MEMORY_VECTOR])
 {
 	size_t from = n & ~(size_t)(TS_MEMORY_VECTOR - 1);
 
@@ -146,8 +147,7 @@ TS_INLINE size_t ts_batch_tail(const struct ts_active_pair *near, size_t n, stru
 typedef void ts_batch_fn(struct ts_batch *b, size_t n, const struct ts_granular_model *m,
 			 const struct ts_granular_pair *law, double dt);
 
-TS_INLINE void ts_batch_contacts(struct ts_batch *restrict b, size_t n,
-				 const struct ts_granular_model *m,
+TS_INLINE void ts_batch_contacts(struct ts_batch *restrict b, size_t n, const struct ts_granular_model *m,
 				 const struct ts_granular_pair *restrict law, double dt)
 {
 	if (!(dt > 0)) /* never; but so the compiler knows */
@@ -157,14 +157,14 @@ TS_INLINE void ts_batch_contacts(struct ts_batch *restrict b, size_t n,
 		ts_batch_contact(b, k, m, law, dt);
 }
 
-/* The first n of up to 64 marks as bits. These come from a table: the oldest processors cannot shift several numbers by
- * different widths at once. */
+/* The first n of up to 64 marks as bits. These come from a table: the oldest processors cannot shift
+ * several numbers by different widths at once. */
 TS_INLINE uint64_t ts_batch_bits(const long long *mark, size_t n)
 {
 #define BIT(n) (uint64_t)1 << (n)
 #define BITS(n) BIT(n), BIT(n + 1), BIT(n + 2), BIT(n + 3), BIT(n + 4), BIT(n + 5), BIT(n + 6), BIT(n + 7)
 	static const uint64_t bit[TS_BATCH] = { BITS(0),  BITS(8),  BITS(16), BITS(24),
-						 BITS(32), BITS(40), BITS(48), BITS(56) };
+						BITS(32), BITS(40), BITS(48), BITS(56) };
 #undef BITS
 #undef BIT
 	uint64_t bits = 0;
@@ -184,7 +184,8 @@ TS_INLINE void ts_batch_touch(const struct ts_contact_list *rows, const struct t
 	for (size_t k = 0; k < 4; k++) { /* d and the sum of the radii */
 		const struct ts_active_pair *row = near + (k < n ? k : 0);
 
-		d[k] = TS_ALIGNED_FOUR(rows->sphere[row->i].place) + ts_contact_signs * TS_ALIGNED_FOUR(rows->sphere[row->j].place);
+		d[k] = TS_ALIGNED_FOUR(rows->sphere[row->i].place) +
+		       ts_contact_signs * TS_ALIGNED_FOUR(rows->sphere[row->j].place);
 	}
 	ts_four_turn(d);
 	*touch = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < d[3] * d[3];
@@ -212,7 +213,8 @@ TS_INLINE void ts_batch_meet(const struct ts_contact_list *rows, struct ts_activ
 }
 
 /* Active rows that do not touch any more wait again, the last first; the bits say which of them touch. */
-TS_INLINE void ts_batch_part(const struct ts_contact_list *rows, struct ts_active_block *block, const uint64_t *bits, bool keep)
+TS_INLINE void ts_batch_part(const struct ts_contact_list *rows, struct ts_active_block *block,
+			     const uint64_t *bits, bool keep)
 {
 	for (size_t part = TS_ACTIVE_BLOCK / TS_BATCH, active = block->active; part-- > 0;) {
 		size_t n = active > part * TS_BATCH ? active - part * TS_BATCH : 0;
@@ -227,8 +229,8 @@ TS_INLINE void ts_batch_part(const struct ts_contact_list *rows, struct ts_activ
 	}
 }
 
-/* What active rows will need of their second partners and remember is sent for, so that many come at a time, and where
- * those of the others are; first partners follow each other in memory. */
+/* What active rows will need of their second partners and remember is sent for, so that many come at a
+ * time, and where those of the others are; first partners follow each other in memory. */
 TS_INLINE void ts_batch_prefetch(const struct ts_contact_list *rows, const struct ts_granular_model *m,
 				 const struct ts_active_block *block)
 {
@@ -260,8 +262,9 @@ TS_INLINE void ts_batch_prefetch_list(const struct ts_contact_list *rows, const 
 
 /* The active rows of a part of a block; says which of them touch, as bits. */
 TS_INLINE uint64_t ts_batch_work(const struct ts_contact_task *task, const struct ts_particles *p,
-				 const struct ts_contact_list *rows, const struct ts_granular_model *m, size_t parts,
-				 ts_batch_fn *contacts, const struct ts_active_block *block, size_t part)
+				 const struct ts_contact_list *rows, const struct ts_granular_model *m,
+				 size_t parts, ts_batch_fn *contacts, const struct ts_active_block *block,
+				 size_t part)
 {
 	const struct ts_active_pair *near = rows->near + block->first + part * TS_BATCH;
 	const struct ts_granular_pair *law = ts_pair_law(task->pair, block->type[0], block->type[1]);
@@ -287,9 +290,9 @@ TS_INLINE uint64_t ts_batch_work(const struct ts_contact_task *task, const struc
 }
 
 /* One block, behind which there are others (TS_BLOCKS_AHEAD); `parts` as in struct ts_contact_list. */
-TS_INLINE void ts_batch_block(const struct ts_contact_task *task, const struct ts_particles *p, const struct ts_contact_list *rows,
-			      const struct ts_granular_model *m, size_t parts, ts_batch_fn *contacts,
-			      struct ts_active_block *block)
+TS_INLINE void ts_batch_block(const struct ts_contact_task *task, const struct ts_particles *p,
+			      const struct ts_contact_list *rows, const struct ts_granular_model *m,
+			      size_t parts, ts_batch_fn *contacts, struct ts_active_block *block)
 {
 	const struct ts_active_pair *near = rows->near + block->first;
 	uint64_t touching[TS_ACTIVE_BLOCK / TS_BATCH];
@@ -306,7 +309,7 @@ TS_INLINE void ts_batch_block(const struct ts_contact_task *task, const struct t
 
 /* The share of a constant model; see ts_contact_share_generic. */
 TS_INLINE void ts_contact_share_batched(const struct ts_contact_task *task, size_t from, size_t to,
-				    const struct ts_granular_model *m, ts_batch_fn *contacts)
+					const struct ts_granular_model *m, ts_batch_fn *contacts)
 {
 	const struct ts_particles p = *task->p;
 	const struct ts_contact_list rows = *task->rows;

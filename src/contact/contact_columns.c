@@ -179,8 +179,7 @@ size_t ts_contact_columns_arrays(const struct ts_contact_columns *c, size_t widt
 			parts++;
 		for (size_t j = 0; columns && j < parts; j++)
 			array[n++] = (struct ts_contact_array){ quantities[k].array[j],
-								at + j * (columns / parts),
-								columns / parts };
+								at + j * (columns / parts), columns / parts };
 		at += columns;
 	}
 	return n;

@@ -44,7 +44,8 @@ struct ts_contact_array {
 	size_t first, components; /* columns of the row */
 };
 enum { TS_CONTACT_ARRAYS = 15 };
-/* *pos: first column of the places of both, SIZE_MAX: they are not among them. Returns the number of others. */
+/* *pos: first column of the places of both, SIZE_MAX: they are not among them. Returns the number of
+ * others. */
 size_t ts_contact_columns_arrays(const struct ts_contact_columns *columns, size_t width,
 				 struct ts_contact_array array[TS_CONTACT_ARRAYS], size_t *pos);
 

@@ -49,9 +49,8 @@ static double of_bonds(const struct tsim *sim, size_t i)
 		struct ts_contact_view view;
 
 		ts_bond_view(sim, b, &view);
-		sum += ts_bond_style_of(inst)->energy(
-			ts_coeff(&state->coeffs, (size_t)bonds->type[b]),
-			view.distance - bonds->rest[b]);
+		sum += ts_bond_style_of(inst)->energy(ts_coeff(&state->coeffs, (size_t)bonds->type[b]),
+						      view.distance - bonds->rest[b]);
 	}
 	return sum;
 }
@@ -73,17 +72,16 @@ enum ts_status ts_elastic_require(struct tsim *sim, const struct ts_instance *se
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	const struct ts_instance *bond = ts_sim_only(sim, TS_KIND_BOND);
 
-	if (parts->pair && pair &&
-	    !ts_granular_has_energy(&((const struct ts_pair *)pair->state)->model))
+	if (parts->pair && pair && !ts_granular_has_energy(&((const struct ts_pair *)pair->state)->model))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       ts_cohesion_bridges(&((const struct ts_pair *)pair->state)->model)
-				       ? "bridges of liquid have no potential energy: what they give back depends on the "
-					 "liquid that there is when they break"
-				       : "hooke/hysteresis has no potential energy: what a contact that has yielded "
-					 "gives back depends on the way it opens");
+				       ? "bridges of liquid have no potential energy: what they give back "
+					 "depends on the liquid that there is when they break"
+				       : "hooke/hysteresis has no potential energy: what a contact that has "
+					 "yielded gives back depends on the way it opens");
 	if (parts->bond && bond && sim->bonds->n && !ts_bond_style_of(bond)->energy)
-		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "bond style %s has no potential energy", bond->style->name);
+		return ts_fail(&sim->error, TS_STATE, &self->where, "bond style %s has no potential energy",
+			       bond->style->name);
 	return ts_contacts_require(sim, self);
 }
 

@@ -6,14 +6,17 @@
 
 #include "base/banned.h"
 
-/* What one row remembers, for laws that are written for one contact: from the columns of its block, and back. */
-static void remember(const struct ts_contact_list *rows, const struct ts_active_block *block, size_t at, double memory[])
+/* What one row remembers, for laws that are written for one contact: from the columns of its block, and
+ * back. */
+static void remember(const struct ts_contact_list *rows, const struct ts_active_block *block, size_t at,
+		     double memory[])
 {
 	for (size_t c = 0; c < rows->history_width; c++)
 		memory[c] = *ts_contact_memory(rows, block, at, c);
 }
 
-static void note(const struct ts_contact_list *rows, const struct ts_active_block *block, size_t at, const double memory[])
+static void note(const struct ts_contact_list *rows, const struct ts_active_block *block, size_t at,
+		 const double memory[])
 {
 	for (size_t c = 0; c < rows->history_width; c++)
 		*ts_contact_memory(rows, block, at, c) = memory[c];
@@ -42,7 +45,8 @@ static double beyond(const struct ts_contact_task *task, const struct ts_active_
 static void store(const struct ts_contact_list *rows, size_t slot, const struct ts_granular_model *m,
 		  const struct ts_touch *t, const struct ts_granular_force *f)
 {
-	double *force = ts_contact_force(rows, slot), *turn = ts_contact_tangential_torque(rows, slot), *roll = ts_contact_rolling_torque(rows, slot);
+	double *force = ts_contact_force(rows, slot), *turn = ts_contact_tangential_torque(rows, slot),
+	       *roll = ts_contact_rolling_torque(rows, slot);
 
 	force[3] = turn ? ts_granular_short(m, t) : 0;
 	for (int k = 0; k < 3; k++) {
@@ -83,8 +87,8 @@ static void work(const struct ts_contact_task *task, const struct ts_active_bloc
 		memory[ts_granular_multi_at(m) + TS_MULTI_RADIUS] = rows->bulge[near->row].r_eff;
 		ts_granular_stand_out(m, memory, &t);
 	}
-	ts_granular_contact(m, ts_pair_law(pair, block->type[0], block->type[1]), &t, task->dt, task->advance, memory,
-			    &f);
+	ts_granular_contact(m, ts_pair_law(pair, block->type[0], block->type[1]), &t, task->dt, task->advance,
+			    memory, &f);
 	note(rows, block, at, memory);
 	store(rows, near->slot, m, &t, &f);
 }
@@ -95,7 +99,8 @@ static void part(const struct ts_contact_task *task, struct ts_active_block *blo
 	const struct ts_granular_model *m = &task->pair->model;
 	struct ts_contact_list *rows = task->rows;
 	size_t met = rows->near[block->first + at].row * rows->history_width + (size_t)ts_granular_met_at(m);
-	bool breaks = ts_cohesion_bridges(m) && *ts_contact_memory(rows, block, at, (size_t)ts_granular_met_at(m)) > 0;
+	bool breaks = ts_cohesion_bridges(m) &&
+		      *ts_contact_memory(rows, block, at, (size_t)ts_granular_met_at(m)) > 0;
 
 	ts_contact_end(rows, block, at, task->keep);
 	if (!breaks)

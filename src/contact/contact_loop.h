@@ -1,5 +1,5 @@
-/* The loop over contact rows: for any model here, for one that is known when tsim is compiled in contact_batch.h. Both
- * give the same bits. */
+/* The loop over contact rows: for any model here, for one that is known when tsim is compiled in
+ * contact_batch.h. Both give the same bits. */
 #ifndef TS_CONTACT_CONTACT_LOOP_H
 #define TS_CONTACT_CONTACT_LOOP_H
 
@@ -28,14 +28,16 @@ TS_INLINE void ts_contact_begin(const struct ts_contact_list *rows, struct ts_ac
 	near[at] = near[block->active];
 	near[block->active] = row;
 	for (size_t c = 0; c < rows->history_width; c++)
-		*ts_contact_memory(rows, block, block->active, c) = *ts_contact_history(rows, block, block->active, c);
+		*ts_contact_memory(rows, block, block->active, c) =
+			*ts_contact_history(rows, block, block->active, c);
 	block->active++;
 	rows->touching[row.row] = 1;
 }
 
-/* The active row that stands at `at` does not touch any more: it becomes the first of the waiting ones. Its history is
- * gone; where `keep` says so it stays until the next rebuild. */
-TS_INLINE void ts_contact_end(const struct ts_contact_list *rows, struct ts_active_block *block, size_t at, bool keep)
+/* The active row that stands at `at` does not touch any more: it becomes the first of the waiting ones.
+ * Its history is gone; where `keep` says so it stays until the next rebuild. */
+TS_INLINE void ts_contact_end(const struct ts_contact_list *rows, struct ts_active_block *block, size_t at,
+			      bool keep)
 {
 	struct ts_active_pair *near = rows->near + block->first, row = near[at];
 
@@ -71,9 +73,8 @@ struct ts_contact_ends {
 	double imass; /* 1/m_i + 1/m_j */
 };
 
-TS_INLINE void
-ts_contact_ends(const struct ts_particles *p, size_t i, size_t j, const struct ts_granular_model *m,
-	    struct ts_contact_ends *e)
+TS_INLINE void ts_contact_ends(const struct ts_particles *p, size_t i, size_t j,
+			       const struct ts_granular_model *m, struct ts_contact_ends *e)
 {
 	for (int c = 0; c < 3; c++) {
 		e->d[c] = p->x[i][c] - p->x[j][c];
@@ -125,7 +126,7 @@ TS_INLINE void ts_ends_touch(const struct ts_contact_ends *e, const struct ts_gr
 }
 
 TS_INLINE void ts_contact_touch(const struct ts_particles *p, size_t i, size_t j,
-			    const struct ts_granular_model *m, struct ts_touch *t)
+				const struct ts_granular_model *m, struct ts_touch *t)
 {
 	struct ts_contact_ends e = { 0 };
 

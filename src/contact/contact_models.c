@@ -9,18 +9,18 @@ TS_UNROLLED
 
 #include "base/banned.h"
 
-#define LOOP(name, ...)                                                                            \
-	static const struct ts_granular_model name = { __VA_ARGS__ };                              \
-	TS_CLONES static void name##_contacts(struct ts_batch *restrict b, size_t n,               \
-					      const struct ts_granular_model *m,                   \
-					      const struct ts_granular_pair *restrict law, double dt)  \
-	{                                                                                          \
-		(void)m;                                                                           \
-		ts_batch_contacts(b, n, &name, law, dt);                                           \
-	}                                                                                          \
-	TS_CLONES static void name##_share(void *task, size_t from, size_t to)                     \
-	{                                                                                          \
-		ts_contact_share_batched(task, from, to, &name, name##_contacts);                      \
+#define LOOP(name, ...)                                                                               \
+	static const struct ts_granular_model name = { __VA_ARGS__ };                                 \
+	TS_CLONES static void name##_contacts(struct ts_batch *restrict b, size_t n,                  \
+					      const struct ts_granular_model *m,                      \
+					      const struct ts_granular_pair *restrict law, double dt) \
+	{                                                                                             \
+		(void)m;                                                                              \
+		ts_batch_contacts(b, n, &name, law, dt);                                              \
+	}                                                                                             \
+	TS_CLONES static void name##_share(void *task, size_t from, size_t to)                        \
+	{                                                                                             \
+		ts_contact_share_batched(task, from, to, &name, name##_contacts);                     \
 	}
 TS_GRANULAR_MODELS(LOOP)
 

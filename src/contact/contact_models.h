@@ -5,8 +5,8 @@
 #include "base/parallel.h"
 #include "contact/pair.h"
 
-/* That of the pair's model, or by its stages (law_stages.h); the generic one where there is no faster, or where it is
- * wanted (`generic`). */
+/* That of the pair's model, or by its stages (law_stages.h); the generic one where there is no faster, or
+ * where it is wanted (`generic`). */
 ts_share_fn *ts_contact_share_of(const struct ts_pair *pair, bool generic);
 
 #endif

@@ -15,7 +15,8 @@ struct walking {
 static void sum_chunk(const struct walking *w, size_t c)
 {
 	const struct ts_contact_list *rows = w->rows;
-	size_t from = c * TS_CONTACT_CHUNK, n = rows->particles, to = n - from < TS_CONTACT_CHUNK ? n : from + TS_CONTACT_CHUNK;
+	size_t from = c * TS_CONTACT_CHUNK, n = rows->particles,
+	       to = n - from < TS_CONTACT_CHUNK ? n : from + TS_CONTACT_CHUNK;
 
 	for (int k = 0; k < 2; k++)
 		if (w->walk[k] && (w->walk[k]->all || rows->chunk[c].end > 0))
@@ -23,8 +24,8 @@ static void sum_chunk(const struct walking *w, size_t c)
 	rows->gathered[c] = 1;
 }
 
-/* Rows are computed some at a time, and particles whose rows are all done are gathered while these are still near
- * in the caches. Chunks whose rows lie in the shares of several threads wait for the end. */
+/* Rows are computed some at a time, and particles whose rows are all done are gathered while these are
+ * still near in the caches. Chunks whose rows lie in the shares of several threads wait for the end. */
 static void walk_share(const struct walking *w, size_t share)
 {
 	const struct ts_contact_list *rows = w->rows;
@@ -37,7 +38,8 @@ static void walk_share(const struct walking *w, size_t share)
 
 		for (int k = 0; k < 2 && w->walk[k]; k++)
 			w->walk[k]->rows(w->walk[k]->context, b, end);
-		while ((done = ts_contact_chunk_done(rows, span->near, (size_t)last->first + last->n, &c)) < rows->chunks)
+		while ((done = ts_contact_chunk_done(rows, span->near, (size_t)last->first + last->n, &c)) <
+		       rows->chunks)
 			sum_chunk(w, done);
 	}
 }

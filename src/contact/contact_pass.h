@@ -1,6 +1,6 @@
-/* A pass over the active pairs: something is computed for each pair, stored in its slot, and summed over the particles. Forces are
- * such a pass; another one, such as conduction of heat, can be fused with it, block by block, while the data are in the
- * caches. */
+/* A pass over the active pairs: something is computed for each pair, stored in its slot, and summed over
+ * the particles. Forces are such a pass; another one, such as conduction of heat, can be fused with it,
+ * block by block, while the data are in the caches. */
 #ifndef TS_CONTACT_CONTACT_PASS_H
 #define TS_CONTACT_CONTACT_PASS_H
 
@@ -14,11 +14,12 @@ struct ts_contacts_pass {
 	bool all;	   /* sums also for particles without active pairs */
 };
 
-/* A pass that is fused with that of the forces, if there are rows: touching pairs come first in each block. */
+/* A pass that is fused with that of the forces, if there are rows: touching pairs come first in each
+ * block. */
 struct ts_fused_pass {
 	struct ts_contacts_pass walk;
 	enum ts_status (*start)(struct tsim *sim, void *context); /* called when slots are assigned */
-	bool begun; /* in this step */
+	bool begun;						  /* in this step */
 };
 
 /* Fuses a pass with the forces of this step; to be called in PRE_FORCE, by one at most. */

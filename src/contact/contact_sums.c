@@ -14,7 +14,8 @@ TS_INLINE void add(double to[3], const ts_four *sum, bool sets)
 }
 
 /* `parts` as in struct ts_contact_list. */
-TS_INLINE void gather(const struct ts_contact_list *rows, const struct ts_particles *p, size_t from, size_t to, size_t parts)
+TS_INLINE void gather(const struct ts_contact_list *rows, const struct ts_particles *p, size_t from,
+		      size_t to, size_t parts)
 {
 	const uint32_t *first = rows->sum_first, *sum = rows->sum;
 	const ts_four *results = (const ts_four *)rows->result;
@@ -40,11 +41,11 @@ TS_INLINE void gather(const struct ts_contact_list *rows, const struct ts_partic
 	}
 }
 
-#define GATHER(name, parts)                                                                                  \
-	TS_CLONES static void name(const struct ts_contact_list *rows, const struct ts_particles *p, size_t from,    \
-				   size_t to)                                                                \
-	{                                                                                                    \
-		gather(rows, p, from, to, parts);                                                            \
+#define GATHER(name, parts)                                                                          \
+	TS_CLONES static void name(const struct ts_contact_list *rows, const struct ts_particles *p, \
+				   size_t from, size_t to)                                           \
+	{                                                                                            \
+		gather(rows, p, from, to, parts);                                                    \
 	}
 GATHER(gather_forces, 1)
 GATHER(gather_turns, 2)

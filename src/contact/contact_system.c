@@ -49,10 +49,10 @@ static enum ts_status component(struct tsim *sim, int k, double *out)
 	return TS_OK;
 }
 
-#define COMPONENT(name, k)                                                                         \
-	static enum ts_status name(struct tsim *sim, double *out)                                  \
-	{                                                                                          \
-		return component(sim, k, out);                                                     \
+#define COMPONENT(name, k)                                        \
+	static enum ts_status name(struct tsim *sim, double *out) \
+	{                                                         \
+		return component(sim, k, out);                    \
 	}
 COMPONENT(pxx, 0)
 COMPONENT(pyy, 1)
@@ -62,7 +62,8 @@ COMPONENT(pxz, 4)
 COMPONENT(pyz, 5)
 
 static const struct ts_keyword keywords[] = {
-	{ "press", "Press", "pressure", "pressure of all particles, see compute pressure", TS_KEYWORD_CONTACTS, press },
+	{ "press", "Press", "pressure", "pressure of all particles, see compute pressure",
+	  TS_KEYWORD_CONTACTS, press },
 	{ "pxx", "Pxx", "pressure", "its tensor, xx", TS_KEYWORD_CONTACTS, pxx },
 	{ "pyy", "Pyy", "pressure", "its tensor, yy", TS_KEYWORD_CONTACTS, pyy },
 	{ "pzz", "Pzz", "pressure", "its tensor, zz", TS_KEYWORD_CONTACTS, pzz },
@@ -81,7 +82,8 @@ static void connect_contacts(struct tsim *sim)
 const struct ts_system_style ts_contact_system = {
 	.style = { .name = "contact",
 		   .kind = TS_KIND_SYSTEM,
-		   .summary = "what the search for neighbours asks of contact laws; the pressure in the log" },
+		   .summary =
+			   "what the search for neighbours asks of contact laws; the pressure in the log" },
 	.keywords = keywords,
 	.no_instance = true,
 	.connect = connect_contacts,

@@ -1,4 +1,5 @@
-/* The system of contacts: what the search for neighbours asks of their laws, and the pressure in the table of the log. */
+/* The system of contacts: what the search for neighbours asks of their laws, and the pressure in the table
+ * of the log. */
 #ifndef TS_CONTACT_CONTACT_SYSTEM_H
 #define TS_CONTACT_CONTACT_SYSTEM_H
 

@@ -120,9 +120,8 @@ void ts_bond_view(const struct tsim *sim, size_t b, struct ts_contact_view *view
 	view->distance = ts_norm(view->d);
 	/* as the bond loop does it; after a restart the tension is known, the force not yet */
 	for (int k = 0; k < 3; k++)
-		view->force[k] = view->distance > 0
-					 ? -bonds->tension[b] * (view->d[k] * (1 / view->distance))
-					 : 0;
+		view->force[k] =
+			view->distance > 0 ? -bonds->tension[b] * (view->d[k] * (1 / view->distance)) : 0;
 }
 
 /* The product is the same seen from either side: both factors change their sign. */

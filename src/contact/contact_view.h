@@ -20,9 +20,9 @@ enum ts_status ts_contacts_forces(struct tsim *sim, const struct ts_instance *se
 struct ts_contact_view {
 	size_t row; /* of contact rows or bonds */
 	size_t a, b;
-	bool image;	 /* a and b meet across a periodic face */
-	double sign;	 /* +1: a is the row's first partner, -1: its second */
-	double d[3];	 /* from b to a, images taken into account */
+	bool image;  /* a and b meet across a periodic face */
+	double sign; /* +1: a is the row's first partner, -1: its second */
+	double d[3]; /* from b to a, images taken into account */
 	double distance;
 	double force[3]; /* on a */
 };

@@ -23,13 +23,13 @@ static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 	return ts_multicontact_update(self->state, sim, &self->where);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 
 	(void)report;
-	if ((pair && ((const struct ts_pair *)pair->state)->model.multi) || sim->neigh->multicontact_walls->any(sim))
+	if ((pair && ((const struct ts_pair *)pair->state)->model.multi) ||
+	    sim->neigh->multicontact_walls->any(sim))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
 		       "fix multicontact/halfspace: no contacts know of each other; they do with `surface "

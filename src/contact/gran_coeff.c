@@ -11,18 +11,17 @@
 /* ---- words ---- */
 
 enum { HOOKE, HERTZ, MATERIAL, DMT, JKR };
-#define NUMBER(name_, field, unit_, range_, help_)                                                 \
-	TS_REAL(name_, struct ts_gran_coeff, field, .flags = TS_POSITIONAL, .unit = unit_,         \
-		.range = range_, .help = help_)
-#define PREFACTOR                                                                                  \
-	NUMBER("d", prefactor, "", TS_NOT_NEGATIVE,                                                \
+#define NUMBER(name_, field, unit_, range_, help_)                                                          \
+	TS_REAL(name_, struct ts_gran_coeff, field, .flags = TS_POSITIONAL, .unit = unit_, .range = range_, \
+		.help = help_)
+#define PREFACTOR                                   \
+	NUMBER("d", prefactor, "", TS_NOT_NEGATIVE, \
 	       "of the dashpot, see `damping`; with tsuji and coeff_restitution the restitution")
-#define ELASTIC                                                                                    \
-	NUMBER("E", stiffness, "pressure", TS_POSITIVE, "Young's modulus"), PREFACTOR,             \
-		TS_REAL("nu", struct ts_gran_coeff, poisson, .flags = TS_POSITIONAL, .unit = "",   \
+#define ELASTIC                                                                                  \
+	NUMBER("E", stiffness, "pressure", TS_POSITIVE, "Young's modulus"), PREFACTOR,           \
+		TS_REAL("nu", struct ts_gran_coeff, poisson, .flags = TS_POSITIONAL, .unit = "", \
 			.range = TS_WITHIN, .lo = -1, .hi = 0.5, .help = "Poisson's ratio")
-#define SURFACE                                                                                    \
-	NUMBER("w", surface_energy, "energy/length^2", TS_NOT_NEGATIVE, "surface energy per area")
+#define SURFACE NUMBER("w", surface_energy, "energy/length^2", TS_NOT_NEGATIVE, "surface energy per area")
 
 static const struct ts_arg hooke_rows[] = {
 	NUMBER("k", stiffness, "force/length", TS_NOT_NEGATIVE, "stiffness"),
@@ -44,7 +43,7 @@ static const struct ts_mode normals[] = {
 	[JKR] = { "jkr", "surfaces that stick, and pull beyond their touch", surface_rows },
 	{ .name = NULL },
 };
-static const char *const dampings[] = { "velocity", "mass_velocity",	   "viscoelastic",
+static const char *const dampings[] = { "velocity", "mass_velocity",	 "viscoelastic",
 					"tsuji",    "coeff_restitution", NULL };
 
 const struct ts_arg ts_gran_coeff_rows[] = {
@@ -60,8 +59,7 @@ const struct ts_arg ts_gran_coeff_rows[] = {
 			.help = "none | sds k gamma mu | marshall: friction of twisting"),
 	TS_SOME_KEYWORD("heat", struct ts_gran_coeff, heat, 0,
 			.help = "none: see fix heat/gran for conduction"),
-	TS_FLAG("limit_damping", struct ts_gran_coeff, limit_damping,
-		.help = "the normal force never pulls"),
+	TS_FLAG("limit_damping", struct ts_gran_coeff, limit_damping, .help = "the normal force never pulls"),
 	TS_REAL("cutoff", struct ts_gran_coeff, cutoff, .flags = TS_OPTIONAL, .unit = "length",
 		.help = "no effect: contacts are found by the radii"),
 	TS_ARGS_END,
@@ -75,11 +73,11 @@ struct parts {
 	struct ts_number kt;
 	double x, mu, k, gamma;
 };
-#define PART(name_, field, unit_, help_)                                                           \
-	TS_REAL(name_, struct parts, field, .flags = TS_POSITIONAL, .unit = unit_,                 \
-		.range = TS_NOT_NEGATIVE, .help = help_)
-#define PART_FRICTION                                                                              \
-	PART("x", x, "", "tangential dashpot, in parts of the normal one"),                        \
+#define PART(name_, field, unit_, help_)                                                                     \
+	TS_REAL(name_, struct parts, field, .flags = TS_POSITIONAL, .unit = unit_, .range = TS_NOT_NEGATIVE, \
+		.help = help_)
+#define PART_FRICTION                                                       \
+	PART("x", x, "", "tangential dashpot, in parts of the normal one"), \
 		PART("mu", mu, "", "coefficient of friction")
 
 static const struct ts_arg nohistory_rows[] = { PART_FRICTION, TS_ARGS_END };
@@ -89,9 +87,8 @@ static const struct ts_arg linear_rows[] = {
 	TS_ARGS_END,
 };
 static const struct ts_arg mindlin_rows[] = {
-	TS_NUMBER("k_t", struct parts, kt, .flags = TS_POSITIONAL | TS_NULLABLE,
-		  .range = TS_NOT_NEGATIVE, .unit = "pressure",
-		  .help = "tangential stiffness; NULL: 8 G*"),
+	TS_NUMBER("k_t", struct parts, kt, .flags = TS_POSITIONAL | TS_NULLABLE, .range = TS_NOT_NEGATIVE,
+		  .unit = "pressure", .help = "tangential stiffness; NULL: 8 G*"),
 	PART_FRICTION,
 	TS_ARGS_END,
 };
@@ -125,9 +122,9 @@ static const struct ts_mode twistings[] = {
 	[TS_TWISTING_MARSHALL] = { "marshall", "from the friction of slip", NULL },
 	{ .name = NULL },
 };
-#define PART_OF(modes, text)                                                                       \
-	{                                                                                          \
-		TS_MODE(text, struct parts, kind, modes, .help = "law"), TS_ARGS_END               \
+#define PART_OF(modes, text)                                                         \
+	{                                                                            \
+		TS_MODE(text, struct parts, kind, modes, .help = "law"), TS_ARGS_END \
 	}
 static const struct ts_arg tangential_rows[] = PART_OF(tangentials, "tangential");
 static const struct ts_arg rolling_rows[] = PART_OF(rollings, "rolling");
@@ -156,8 +153,8 @@ static enum ts_status read_parts(struct tsim *sim, const struct ts_arg *rows, st
 /* Y* = 1/((1 - nu_a^2)/E_a + (1 - nu_b^2)/E_b) */
 static double young(const struct ts_gran_coeff *a, const struct ts_gran_coeff *b)
 {
-	return 1 / ((1 - a->poisson * a->poisson) / a->stiffness +
-		    (1 - b->poisson * b->poisson) / b->stiffness);
+	return 1 /
+	       ((1 - a->poisson * a->poisson) / a->stiffness + (1 - b->poisson * b->poisson) / b->stiffness);
 }
 
 /* G* = 1/(2(2 - nu_a)(1 + nu_a)/E_a + ...) */
@@ -197,9 +194,8 @@ static double prefactor(const struct ts_gran_coeff *c)
 
 static void set_normal(struct ts_gran_coeff *c)
 {
-	static const int laws[] = { TS_NORMAL_AREA_HOOKE, TS_NORMAL_AREA_HERTZ,
-				    TS_NORMAL_AREA_HERTZ, TS_NORMAL_AREA_DMT,
-				    TS_NORMAL_AREA_JKR };
+	static const int laws[] = { TS_NORMAL_AREA_HOOKE, TS_NORMAL_AREA_HERTZ, TS_NORMAL_AREA_HERTZ,
+				    TS_NORMAL_AREA_DMT, TS_NORMAL_AREA_JKR };
 
 	c->model = (struct ts_granular_model){ .normal = laws[c->normal],
 					       .damping = c->damping,
@@ -212,8 +208,7 @@ static void set_normal(struct ts_gran_coeff *c)
 	};
 }
 
-static enum ts_status set_tangential(struct tsim *sim, struct ts_gran_coeff *c,
-				     const struct ts_place *where)
+static enum ts_status set_tangential(struct tsim *sim, struct ts_gran_coeff *c, const struct ts_place *where)
 {
 	struct parts part;
 	bool mindlin;
@@ -235,8 +230,7 @@ static enum ts_status set_tangential(struct tsim *sim, struct ts_gran_coeff *c,
 		       "hertz/material, dmt or jkr");
 }
 
-static enum ts_status set_turning(struct tsim *sim, struct ts_gran_coeff *c,
-				  const struct ts_place *where)
+static enum ts_status set_turning(struct tsim *sim, struct ts_gran_coeff *c, const struct ts_place *where)
 {
 	struct parts part;
 
@@ -253,14 +247,12 @@ static enum ts_status set_turning(struct tsim *sim, struct ts_gran_coeff *c,
 	return TS_OK;
 }
 
-static enum ts_status refuse(struct tsim *sim, const struct ts_gran_coeff *c,
-			     const struct ts_place *where)
+static enum ts_status refuse(struct tsim *sim, const struct ts_gran_coeff *c, const struct ts_place *where)
 {
 	bool restitution = c->damping == TS_DAMPING_RESTITUTION;
 
 	if ((c->limit_damping || restitution) && c->normal >= DMT)
-		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "granular: %s does not go with %s, which pulls",
+		return ts_fail(&sim->error, TS_SYNTAX, where, "granular: %s does not go with %s, which pulls",
 			       restitution ? "damping coeff_restitution" : "limit_damping",
 			       normals[c->normal].name);
 	if (restitution && !(c->prefactor > 0 && c->prefactor <= 1))
@@ -284,8 +276,7 @@ enum ts_status ts_gran_coeff_complete(struct tsim *sim, void *coeff, const struc
 	set_normal(c);
 	TS_TRY(set_tangential(sim, c, where));
 	TS_TRY(set_turning(sim, c, where));
-	if (c->model.twisting != TS_TWISTING_MARSHALL ||
-	    c->model.tangential != TS_TANGENTIAL_NO_HISTORY)
+	if (c->model.twisting != TS_TWISTING_MARSHALL || c->model.tangential != TS_TANGENTIAL_NO_HISTORY)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, &c->twisting.word[0].place,
 		       "granular: twisting marshall takes its spring from the tangential law, and "
@@ -306,9 +297,8 @@ bool ts_gran_coeff_alike(const struct ts_gran_coeff *a, const struct ts_gran_coe
 {
 	const struct ts_granular_model *m = &a->model, *n = &b->model;
 
-	return a->normal == b->normal && m->damping == n->damping &&
-	       m->tangential == n->tangential && m->rolling == n->rolling &&
-	       m->twisting == n->twisting && m->no_tension == n->no_tension;
+	return a->normal == b->normal && m->damping == n->damping && m->tangential == n->tangential &&
+	       m->rolling == n->rolling && m->twisting == n->twisting && m->no_tension == n->no_tension;
 }
 
 /* Geometric means, but for the elasticity of materials. */

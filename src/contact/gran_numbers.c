@@ -27,15 +27,14 @@ enum ts_status ts_gran_numbers_law(struct tsim *sim, const struct ts_gran_number
 	if (!numbers->gammat.null)
 		TS_TRY(ts_number_now(sim, &numbers->gammat, where, &out->gammat));
 	if (out->kt < 0 || out->gammat < 0)
-		return ts_fail(&sim->error, TS_RANGE, where,
-			       "kt and gamma_t must be >= 0, found %g and %g", out->kt, out->gammat);
+		return ts_fail(&sim->error, TS_RANGE, where, "kt and gamma_t must be >= 0, found %g and %g",
+			       out->kt, out->gammat);
 	if (!numbers->damping)
 		out->gammat = 0;
 	return TS_OK;
 }
 
-enum ts_status ts_gran_numbers_init(struct ts_instance *self, struct tsim *sim, int normal,
-				    int tangential)
+enum ts_status ts_gran_numbers_init(struct ts_instance *self, struct tsim *sim, int normal, int tangential)
 {
 	struct ts_gran_numbers_pair *g = self->state;
 	struct ts_granular_pair law;

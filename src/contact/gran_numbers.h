@@ -13,23 +13,21 @@ struct ts_gran_numbers {
 	bool limit_damping;
 };
 
-#define TS_GRAN_NUMBERS_ARGS(T, f)                                                                 \
-	TS_REAL("kn", T, f.kn, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,                   \
-		.unit = "force/length", .help = "normal stiffness (hertz: a pressure)"),           \
-		TS_NUMBER("kt", T, f.kt, .flags = TS_POSITIONAL | TS_NULLABLE,                     \
-			  .range = TS_NOT_NEGATIVE, .unit = "force/length",                        \
-			  .help = "tangential stiffness; NULL: 2/7 of kn"),                        \
-		TS_REAL("gamma_n", T, f.gamman, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,  \
-			.unit = "1/time", .help = "normal damping (hertz: per length)"),           \
-		TS_NUMBER("gamma_t", T, f.gammat, .flags = TS_POSITIONAL | TS_NULLABLE,            \
-			  .range = TS_NOT_NEGATIVE, .unit = "1/time",                              \
-			  .help = "tangential damping; NULL: half of gamma_n"),                    \
-		TS_REAL("xmu", T, f.xmu, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0,      \
-			.hi = 10000, .unit = "", .help = "coefficient of friction"),               \
-		TS_INT("dampflag", T, f.damping, .flags = TS_POSITIONAL, .range = TS_WITHIN,       \
-		       .lo = 0, .hi = 1, .help = "0: no tangential damping, 1: with"),             \
-		TS_FLAG("limit_damping", T, f.limit_damping,                                       \
-			.help = "the normal force never pulls")
+#define TS_GRAN_NUMBERS_ARGS(T, f)                                                                         \
+	TS_REAL("kn", T, f.kn, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE, .unit = "force/length",   \
+		.help = "normal stiffness (hertz: a pressure)"),                                           \
+		TS_NUMBER("kt", T, f.kt, .flags = TS_POSITIONAL | TS_NULLABLE, .range = TS_NOT_NEGATIVE,   \
+			  .unit = "force/length", .help = "tangential stiffness; NULL: 2/7 of kn"),        \
+		TS_REAL("gamma_n", T, f.gamman, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,          \
+			.unit = "1/time", .help = "normal damping (hertz: per length)"),                   \
+		TS_NUMBER("gamma_t", T, f.gammat, .flags = TS_POSITIONAL | TS_NULLABLE,                    \
+			  .range = TS_NOT_NEGATIVE, .unit = "1/time",                                      \
+			  .help = "tangential damping; NULL: half of gamma_n"),                            \
+		TS_REAL("xmu", T, f.xmu, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0, .hi = 10000, \
+			.unit = "", .help = "coefficient of friction"),                                    \
+		TS_INT("dampflag", T, f.damping, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0,      \
+		       .hi = 1, .help = "0: no tangential damping, 1: with"),                              \
+		TS_FLAG("limit_damping", T, f.limit_damping, .help = "the normal force never pulls")
 
 /* The three laws: gran/hooke, gran/hooke/history, gran/hertz/history. */
 struct ts_granular_model ts_gran_numbers_model(int normal, int tangential,
@@ -43,18 +41,16 @@ struct ts_gran_numbers_pair {
 	struct ts_gran_numbers numbers;
 	bool generic;
 };
-enum ts_status ts_gran_numbers_init(struct ts_instance *self, struct tsim *sim, int normal,
-				    int tangential);
+enum ts_status ts_gran_numbers_init(struct ts_instance *self, struct tsim *sim, int normal, int tangential);
 /* The hook of stage FORCE. */
 enum ts_status ts_gran_numbers_force(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_gran_numbers_complete(struct tsim *sim, void *coeff, const struct ts_place *where);
 extern const struct ts_arg ts_gran_numbers_args[], ts_gran_numbers_coeff[];
 
-#define TS_GRAN_NUMBERS_DOC                                                                        \
-	"kn and gamma_n are those of the normal force, kt and gamma_t of the tangential one; all "  \
-	"pairs of types have the same. `kt NULL` is 2/7 kn, `gamma_t NULL` half of gamma_n, and "   \
-	"dampflag 0 makes gamma_t 0. With delta the overlap, n the normal towards i, m* = m_i "     \
-	"m_j/(m_i+m_j), v_n the normal velocity (negative while approaching) and v_t the slip at "  \
-	"the contact, "
+#define TS_GRAN_NUMBERS_DOC                                                                                 \
+	"kn and gamma_n are those of the normal force, kt and gamma_t of the tangential one; all pairs of " \
+	"types have the same. `kt NULL` is 2/7 kn, `gamma_t NULL` half of gamma_n, and dampflag 0 makes "   \
+	"gamma_t 0. With delta the overlap, n the normal towards i, m* = m_i m_j/(m_i+m_j), v_n the "       \
+	"normal velocity (negative while approaching) and v_t the slip at the contact, "
 
 #endif

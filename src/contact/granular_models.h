@@ -1,29 +1,28 @@
-/* The most frequent models, whose loops over contacts are compiled as a whole, TS_GRANULAR_MODELS(M) writes M(name, model)
- * for each: somewhat faster than laws in stages (law_stages.h), which all others have; but contacts that are
- * located have no stages. */
+/* The most frequent models, whose loops over contacts are compiled as a whole, TS_GRANULAR_MODELS(M)
+ * writes M(name, model) for each: somewhat faster than laws in stages (law_stages.h), which all others
+ * have; but contacts that are located have no stages. */
 #ifndef TS_CONTACT_GRANULAR_MODELS_H
 #define TS_CONTACT_GRANULAR_MODELS_H
 
-#define TS_GRANULAR_MODELS(M)                                                                      \
-	M(spring, .normal = TS_NORMAL_SPRING)                                                      \
-	M(spring_located, .normal = TS_NORMAL_SPRING, .located = true)                             \
-	M(hertz_located, .normal = TS_NORMAL_HERTZ, .located = true)                               \
-	M(hertz_history_located, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,   \
-	  .located = true)                                                                         \
-	M(hertz_history, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY)           \
-	M(hertz_history_cdt, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,       \
-	  .rolling = TS_ROLLING_CDT)                                                               \
-	M(hertz_history_epsd2, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,     \
-	  .rolling = TS_ROLLING_EPSD2)                                                             \
-	M(hooke_stiffness_history, .normal = TS_NORMAL_HOOKE_STIFFNESS,                            \
-	  .tangential = TS_TANGENTIAL_HISTORY)                                                     \
-	M(hooke_stiffness_history_undamped, .normal = TS_NORMAL_HOOKE_STIFFNESS,                   \
-	  .tangential = TS_TANGENTIAL_HISTORY, .no_tangential_damping = true)                      \
-	M(hooke_stiffness_history_absolute, .normal = TS_NORMAL_HOOKE_STIFFNESS,                   \
-	  .tangential = TS_TANGENTIAL_HISTORY, .absolute_damping = true)                           \
-	M(numbers_hooke_history, .normal = TS_NORMAL_HOOKE_STIFFNESS,                              \
-	  .tangential = TS_TANGENTIAL_SLIDER, .full_arms = true)                                   \
-	M(numbers_hertz_history, .normal = TS_NORMAL_HERTZ_STIFFNESS,                              \
-	  .tangential = TS_TANGENTIAL_SLIDER, .full_arms = true)
+#define TS_GRANULAR_MODELS(M)                                                                                \
+	M(spring, .normal = TS_NORMAL_SPRING)                                                                \
+	M(spring_located, .normal = TS_NORMAL_SPRING, .located = true)                                       \
+	M(hertz_located, .normal = TS_NORMAL_HERTZ, .located = true)                                         \
+	M(hertz_history_located, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,             \
+	  .located = true)                                                                                   \
+	M(hertz_history, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY)                     \
+	M(hertz_history_cdt, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,                 \
+	  .rolling = TS_ROLLING_CDT)                                                                         \
+	M(hertz_history_epsd2, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,               \
+	  .rolling = TS_ROLLING_EPSD2)                                                                       \
+	M(hooke_stiffness_history, .normal = TS_NORMAL_HOOKE_STIFFNESS, .tangential = TS_TANGENTIAL_HISTORY) \
+	M(hooke_stiffness_history_undamped, .normal = TS_NORMAL_HOOKE_STIFFNESS,                             \
+	  .tangential = TS_TANGENTIAL_HISTORY, .no_tangential_damping = true)                                \
+	M(hooke_stiffness_history_absolute, .normal = TS_NORMAL_HOOKE_STIFFNESS,                             \
+	  .tangential = TS_TANGENTIAL_HISTORY, .absolute_damping = true)                                     \
+	M(numbers_hooke_history, .normal = TS_NORMAL_HOOKE_STIFFNESS, .tangential = TS_TANGENTIAL_SLIDER,    \
+	  .full_arms = true)                                                                                 \
+	M(numbers_hertz_history, .normal = TS_NORMAL_HERTZ_STIFFNESS, .tangential = TS_TANGENTIAL_SLIDER,    \
+	  .full_arms = true)
 
 #endif

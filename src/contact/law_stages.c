@@ -38,8 +38,12 @@ TS_INLINE void load_touch(const struct ts_stages *s, size_t k, const struct tool
 
 TS_INLINE void load_normal(const struct ts_stages *s, size_t k, struct ts_normal *f)
 {
-	*f = (struct ts_normal){ .kn = s->kn[k], .kt = s->kt[k], .gamman = s->gamman[k], .gammat = s->gammat[k],
-				 .limit = s->limit[k], .area = s->area[k] };
+	*f = (struct ts_normal){ .kn = s->kn[k],
+				 .kt = s->kt[k],
+				 .gamman = s->gamman[k],
+				 .gammat = s->gammat[k],
+				 .limit = s->limit[k],
+				 .area = s->area[k] };
 }
 
 TS_INLINE void recall(double *const column[], int numbers, size_t k, double *memory)
@@ -48,7 +52,8 @@ TS_INLINE void recall(double *const column[], int numbers, size_t k, double *mem
 		memory[c] = column[c][k];
 }
 
-TS_INLINE void note(const struct tools *o, double *const column[], int numbers, size_t k, const double *memory)
+TS_INLINE void note(const struct tools *o, double *const column[], int numbers, size_t k,
+		    const double *memory)
 {
 	for (int c = 0; c < numbers; c++) {
 		double before = column[c][k];
@@ -147,8 +152,9 @@ static void solve_hooke(struct ts_stages *s, size_t n, const struct ts_granular_
 	for (size_t k = 0; k < n; k++) {
 		bool same = k && r[k] == r[k - 1] && m[k] == m[k - 1];
 
-		s->solved[k] = same ? s->solved[k - 1]
-				    : ts_hooke_stiffness(law, &(struct ts_touch){ .r_eff = r[k], .m_eff = m[k] });
+		s->solved[k] =
+			same ? s->solved[k - 1]
+			     : ts_hooke_stiffness(law, &(struct ts_touch){ .r_eff = r[k], .m_eff = m[k] });
 	}
 }
 
@@ -217,33 +223,37 @@ static void meet(struct ts_stages *s, size_t n, double *met)
 		met[k] = s->touch[k] ? 1 : met[k];
 }
 
-/* ---- the loops: each has a constant law, which leaves of the functions only what it needs, and some flags of the model */
+/* ---- the loops: each has a constant law, which leaves of the functions only what it needs, and some
+ * flags of the model */
 
 typedef void stage_fn(struct ts_stages *restrict s, size_t n, const struct ts_granular_model *restrict m,
 		      const struct ts_granular_pair *restrict law, double dt);
-#define STAGE(name, what_at, at, is_wall, ...)                                                               \
-	TS_CLONES static void name(struct ts_stages *restrict s, size_t n,                                   \
-				   const struct ts_granular_model *restrict m,                               \
-				   const struct ts_granular_pair *restrict law, double dt)                   \
-	{                                                                                                    \
-		const struct ts_granular_model own = { __VA_ARGS__ };                                        \
-		double *const *memory = s->memory + (at);                                                    \
-		const struct tools tools = {                                                                 \
-			&own, law, dt, { memory[0], memory[1], memory[2] },                                  \
-			s->memory[ts_granular_area_at(m)], { s->radius[0], s->radius[1] },                   \
-			{ s->mass[0], s->mass[1] }, s->touch, (is_wall)                                      \
-		};                                                                                           \
-                                                                                                             \
-		if (!(dt > 0)) /* never; but so the compiler knows */                                        \
-			return;                                                                              \
-		_Pragma("omp simd") for (size_t k = 0; k < n; k++) what_at(s, k, &tools);                    \
+#define STAGE(name, what_at, at, is_wall, ...)                                             \
+	TS_CLONES static void name(struct ts_stages *restrict s, size_t n,                 \
+				   const struct ts_granular_model *restrict m,             \
+				   const struct ts_granular_pair *restrict law, double dt) \
+	{                                                                                  \
+		const struct ts_granular_model own = { __VA_ARGS__ };                      \
+		double *const *memory = s->memory + (at);                                  \
+		const struct tools tools = { &own,                                         \
+					     law,                                          \
+					     dt,                                           \
+					     { memory[0], memory[1], memory[2] },          \
+					     s->memory[ts_granular_area_at(m)],            \
+					     { s->radius[0], s->radius[1] },               \
+					     { s->mass[0], s->mass[1] },                   \
+					     s->touch,                                     \
+					     (is_wall) };                                  \
+                                                                                           \
+		if (!(dt > 0)) /* never; but so the compiler knows */                      \
+			return;                                                            \
+		_Pragma("omp simd") for (size_t k = 0; k < n; k++) what_at(s, k, &tools);  \
 	}
 
-#define NORMAL(name, law)                                                                                    \
-	STAGE(name, normal_at, ts_granular_depth_at(m), false, .normal = (law),                              \
-	      .solved = true,                                                                                \
-	      .damping = m->damping, .tangential = m->tangential, .no_tension = m->no_tension,               \
-	      .no_tangential_damping = m->no_tangential_damping, .absolute_damping = m->absolute_damping,    \
+#define NORMAL(name, law)                                                                                 \
+	STAGE(name, normal_at, ts_granular_depth_at(m), false, .normal = (law), .solved = true,           \
+	      .damping = m->damping, .tangential = m->tangential, .no_tension = m->no_tension,            \
+	      .no_tangential_damping = m->no_tangential_damping, .absolute_damping = m->absolute_damping, \
 	      .tangential_stiffness_2_7 = m->tangential_stiffness_2_7)
 NORMAL(spring, TS_NORMAL_SPRING)
 NORMAL(hooke, TS_NORMAL_HOOKE)
@@ -256,8 +266,8 @@ NORMAL(area_hertz, TS_NORMAL_AREA_HERTZ)
 NORMAL(area_dmt, TS_NORMAL_AREA_DMT)
 NORMAL(area_jkr, TS_NORMAL_AREA_JKR)
 
-#define COHESION(name, law)                                                                                  \
-	STAGE(name, cohesion_at, 0, false, .cohesion = (law), .reduce = m->reduce)                           \
+#define COHESION(name, law)                                                        \
+	STAGE(name, cohesion_at, 0, false, .cohesion = (law), .reduce = m->reduce) \
 	STAGE(name##_wall, cohesion_at, 0, true, .cohesion = (law), .reduce = m->reduce)
 COHESION(sjkr, TS_COHESION_SJKR)
 COHESION(sjkr2, TS_COHESION_SJKR2)
@@ -274,13 +284,13 @@ TANGENTIAL(mindlin_force, TS_TANGENTIAL_MINDLIN_FORCE)
 TANGENTIAL(mindlin_rescale, TS_TANGENTIAL_MINDLIN_RESCALE)
 TANGENTIAL(mindlin_rescale_force, TS_TANGENTIAL_MINDLIN_RESCALE_FORCE)
 
-#define ROLLING(name, law)                                                                                   \
-	ROLLING_AT(name, law, false, false)                                                                  \
-	ROLLING_AT(name##_torsion, law, false, true)                                                         \
-	ROLLING_AT(name##_wall, law, true, false)                                                            \
+#define ROLLING(name, law)                           \
+	ROLLING_AT(name, law, false, false)          \
+	ROLLING_AT(name##_torsion, law, false, true) \
+	ROLLING_AT(name##_wall, law, true, false)    \
 	ROLLING_AT(name##_wall_torsion, law, true, true)
-#define ROLLING_AT(name, law, wall, turns)                                                                   \
-	STAGE(name, rolling_at, ts_granular_rolling_at(m), wall, .rolling = (law), .plane = m->plane,        \
+#define ROLLING_AT(name, law, wall, turns)                                                            \
+	STAGE(name, rolling_at, ts_granular_rolling_at(m), wall, .rolling = (law), .plane = m->plane, \
 	      .torsion = (turns))
 ROLLING(no_rolling, TS_ROLLING_OFF)
 ROLLING(cdt, TS_ROLLING_CDT)
@@ -327,20 +337,28 @@ static stage_fn *const tangentials[TS_NTANGENTIAL] = {
 	[TS_TANGENTIAL_MINDLIN_RESCALE] = mindlin_rescale,
 	[TS_TANGENTIAL_MINDLIN_RESCALE_FORCE] = mindlin_rescale_force,
 };
-#define OF(name) { { name, name##_torsion }, { name##_wall, name##_wall_torsion } }
+#define OF(name)                                         \
+	{                                                \
+		{ name, name##_torsion },                \
+		{                                        \
+			name##_wall, name##_wall_torsion \
+		}                                        \
+	}
 static stage_fn *const rollings[][2][2] = {
 	[TS_ROLLING_OFF] = OF(no_rolling), [TS_ROLLING_CDT] = OF(cdt),	   [TS_ROLLING_EPSD] = OF(epsd),
 	[TS_ROLLING_EPSD2] = OF(epsd2),	   [TS_ROLLING_EPSD3] = OF(epsd3), [TS_ROLLING_SDS] = OF(sds),
 };
-static stage_fn *const twistings[] = { [TS_TWISTING_SDS] = twist_sds, [TS_TWISTING_MARSHALL] = twist_marshall };
+static stage_fn *const twistings[] = {
+	[TS_TWISTING_SDS] = twist_sds, [TS_TWISTING_MARSHALL] = twist_marshall
+};
 
 bool ts_stages_for(const struct ts_granular_model *m)
 {
 	return normals[m->normal] && !m->located && !m->viscous && !m->multi && !ts_cohesion_bridges(m);
 }
 
-void ts_stages_work(struct ts_stages *s, size_t n, const struct ts_granular_model *m, const struct ts_granular_pair *law,
-		    double dt)
+void ts_stages_work(struct ts_stages *s, size_t n, const struct ts_granular_model *m,
+		    const struct ts_granular_pair *law, double dt)
 {
 	if (solvers[m->normal])
 		solvers[m->normal](s, n, law);

@@ -1,7 +1,7 @@
-/* Laws of contacts in stages: normal force, cohesion, tangential force, rolling, twisting. Each is a loop of its own over
- * columns, which any stage of the next kind may follow: so all combinations of laws are computed several contacts at
- * once, though only the most frequent ones have one loop for the whole (granular_models.h). Numbers are those of
- * ts_granular_contact, one contact after the other, bit for bit. */
+/* Laws of contacts in stages: normal force, cohesion, tangential force, rolling, twisting. Each is a loop
+ * of its own over columns, which any stage of the next kind may follow: so all combinations of laws are
+ * computed several contacts at once, though only the most frequent ones have one loop for the whole
+ * (granular_models.h). Numbers are those of ts_granular_contact, one contact after the other, bit for bit. */
 #ifndef TS_CONTACT_LAW_STAGES_H
 #define TS_CONTACT_LAW_STAGES_H
 
@@ -13,7 +13,8 @@ struct ts_stages {
 	/* given */
 	const double *radius[2], *mass[2]; /* of i and j; at a wall [1] is not looked at */
 	double *const *memory;		   /* columns of what contacts remember, which advances */
-	const long long *touch;		   /* 0: do not touch, and remember what they did; else all bits are set */
+	/* 0: do not touch, and remember what they did; else all bits are set */
+	const long long *touch;
 	bool wall;
 
 	/* how they touch: ts_stages_note_touch */
@@ -28,13 +29,13 @@ struct ts_stages {
 	double tangential[3][TS_BATCH], rolling[3][TS_BATCH], twist[TS_BATCH];
 } __attribute__((aligned(64)));
 
-/* Whether there are stages for all laws of the model: not for contacts that are located, for restitution by the Stokes
- * number, nor for bridges of liquid. */
+/* Whether there are stages for all laws of the model: not for contacts that are located, for restitution
+ * by the Stokes number, nor for bridges of liquid. */
 bool ts_stages_for(const struct ts_granular_model *m);
 
 /* Contacts 0 .. n-1, n whole vectors; the time step is positive. */
-void ts_stages_work(struct ts_stages *s, size_t n, const struct ts_granular_model *m, const struct ts_granular_pair *law,
-		    double dt);
+void ts_stages_work(struct ts_stages *s, size_t n, const struct ts_granular_model *m,
+		    const struct ts_granular_pair *law, double dt);
 
 TS_INLINE void ts_stages_note_touch(struct ts_stages *s, size_t k, const struct ts_granular_model *m,
 				    const struct ts_touch *t)
@@ -68,30 +69,32 @@ TS_INLINE void ts_stages_force(const struct ts_stages *s, size_t k, bool twists,
 	}
 }
 
-/* The loops that come before and after the laws, of a file that has touch_at(b, s, k, m), which calls ts_stages_note_touch,
- * and finish_at(b, s, k, twists), which calls ts_stages_force. Where arms end is a constant of each loop. */
-#define TS_STAGES_TOUCH(batch, name, arms, slips)                                                            \
-	TS_CLONES static void name(struct batch *restrict b, struct ts_stages *restrict s, size_t n)         \
-	{                                                                                                    \
-		const struct ts_granular_model m = { .tangential = TS_TANGENTIAL_HISTORY,                    \
-						     .full_arms = (arms), .full_slip = (slips) };            \
-                                                                                                             \
-		_Pragma("omp simd") for (size_t k = 0; k < n; k++) touch_at(b, s, k, &m);                    \
+/* The loops that come before and after the laws, of a file that has touch_at(b, s, k, m), which calls
+ * ts_stages_note_touch, and finish_at(b, s, k, twists), which calls ts_stages_force. Where arms end is a
+ * constant of each loop. */
+#define TS_STAGES_TOUCH(batch, name, arms, slips)                                                    \
+	TS_CLONES static void name(struct batch *restrict b, struct ts_stages *restrict s, size_t n) \
+	{                                                                                            \
+		const struct ts_granular_model m = { .tangential = TS_TANGENTIAL_HISTORY,            \
+						     .full_arms = (arms),                            \
+						     .full_slip = (slips) };                         \
+                                                                                                     \
+		_Pragma("omp simd") for (size_t k = 0; k < n; k++) touch_at(b, s, k, &m);            \
 	}
-#define TS_STAGES_FINISH(batch, name, twists)                                                                \
-	TS_CLONES static void name(struct batch *restrict b, struct ts_stages *restrict s, size_t n)         \
-	{                                                                                                    \
-		_Pragma("omp simd") for (size_t k = 0; k < n; k++) finish_at(b, s, k, twists);               \
+#define TS_STAGES_FINISH(batch, name, twists)                                                        \
+	TS_CLONES static void name(struct batch *restrict b, struct ts_stages *restrict s, size_t n) \
+	{                                                                                            \
+		_Pragma("omp simd") for (size_t k = 0; k < n; k++) finish_at(b, s, k, twists);       \
 	}
-#define TS_STAGES_LOOPS(batch)                                                                               \
-	TS_STAGES_TOUCH(batch, touch, false, false)                                                          \
-	TS_STAGES_TOUCH(batch, touch_full_slip, false, true)                                                 \
-	TS_STAGES_TOUCH(batch, touch_full_arms, true, false)                                                 \
-	TS_STAGES_TOUCH(batch, touch_full, true, true)                                                       \
-	TS_STAGES_FINISH(batch, finish, false)                                                               \
-	TS_STAGES_FINISH(batch, finish_twist, true)                                                          \
-	static void (*const touches[2][2])(struct batch *restrict b, struct ts_stages *restrict s, size_t n) = { \
-		{ touch, touch_full_slip }, { touch_full_arms, touch_full }                                  \
-	};
+#define TS_STAGES_LOOPS(batch)                                                                     \
+	TS_STAGES_TOUCH(batch, touch, false, false)                                                \
+	TS_STAGES_TOUCH(batch, touch_full_slip, false, true)                                       \
+	TS_STAGES_TOUCH(batch, touch_full_arms, true, false)                                       \
+	TS_STAGES_TOUCH(batch, touch_full, true, true)                                             \
+	TS_STAGES_FINISH(batch, finish, false)                                                     \
+	TS_STAGES_FINISH(batch, finish_twist, true)                                                \
+	static void (*const touches[2][2])(struct batch *restrict b, struct ts_stages *restrict s, \
+					   size_t n) = { { touch, touch_full_slip },               \
+							 { touch_full_arms, touch_full } };
 
 #endif

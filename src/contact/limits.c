@@ -35,8 +35,7 @@ struct ts_lightest *ts_lightest(const struct tsim *sim, int group)
 		list[t].inverse_mass[0] = list[t].inverse_mass[1] = -1;
 	for (size_t i = 0; list && i < p->n; i++)
 		if (ts_in_group(p, i, group))
-			insert(&list[p->type[i]], p->mask[i] & prescribed ? 0 : p->imass[i],
-			       p->radius[i]);
+			insert(&list[p->type[i]], p->mask[i] & prescribed ? 0 : p->imass[i], p->radius[i]);
 	for (int t = 1; list && t <= p->ntypes; t++) {
 		double radius, inverse_mass = ts_template_inverse_mass(sim, t, &radius);
 
@@ -67,29 +66,27 @@ enum ts_status ts_report_contact(struct ts_plan_report *report, const struct tsi
 	char depth[48] = "";
 
 	if (stiffens) {
-		overlap = fmax(c->overlap,
-			       ts_granular_depth(c->model, c->law, c->r_eff, c->m_eff, c->speed));
+		overlap = fmax(c->overlap, ts_granular_depth(c->model, c->law, c->r_eff, c->m_eff, c->speed));
 		snprintf(depth, sizeof depth, ", overlap %.3g", overlap);
 	}
 	if (!(overlap > 0) || !isfinite(overlap) || !moves(sim))
 		return TS_OK;
 	limit = ts_granular_limit(c->model, c->law, c->r_eff, c->m_eff, overlap, euler);
-	slip = ts_granular_slip_limit(c->model, c->law, c->r_eff, c->m_eff, overlap,
-				      ts_inertia_factor(sim), euler);
+	slip = ts_granular_slip_limit(c->model, c->law, c->r_eff, c->m_eff, overlap, ts_inertia_factor(sim),
+				      euler);
 	if (isfinite(limit))
 		TS_TRY(ts_report_limit(report, limit, !euler && !stiffens, where,
 				       "a contact %s (m* = %.4g%s)%s", what, c->m_eff, depth, how));
 	if (isfinite(slip))
-		TS_TRY(ts_report_limit(report, slip, false, where,
-				       "the slip of a contact %s (m* = %.4g%s)%s", what, c->m_eff,
-				       depth, how));
+		TS_TRY(ts_report_limit(report, slip, false, where, "the slip of a contact %s (m* = %.4g%s)%s",
+				       what, c->m_eff, depth, how));
 	return TS_OK;
 }
 
 /* ---- times that granular codes go by ---- */
 
-static enum ts_status elastic(struct tsim *sim, int type, const char *who,
-			      const struct ts_place *where, double *young, double *nu)
+static enum ts_status elastic(struct tsim *sim, int type, const char *who, const struct ts_place *where,
+			      double *young, double *nu)
 {
 	TS_TRY(ts_property_value(sim, "youngsModulus", type, 0, who, where, young));
 	return ts_property_value(sim, "poissonsRatio", type, 0, who, where, nu);
@@ -116,8 +113,8 @@ static double radius_root_density(const struct tsim *sim, size_t i)
 	return sim->particles->radius[i] * sqrt(ts_material_density(sim, i));
 }
 
-static enum ts_status rayleigh(struct tsim *sim, int group, const char *who,
-			       const struct ts_place *where, double *out)
+static enum ts_status rayleigh(struct tsim *sim, int group, const char *who, const struct ts_place *where,
+			       double *out)
 {
 	double *least = least_by_type(sim, group, radius_root_density), young, nu;
 	enum ts_status status = least ? TS_OK : ts_nomem(&sim->error);
@@ -135,8 +132,8 @@ static enum ts_status rayleigh(struct tsim *sim, int group, const char *who,
 }
 
 /* Y* of two types. */
-static enum ts_status young_of(struct tsim *sim, int a, int b, const char *who,
-			       const struct ts_place *where, double *out)
+static enum ts_status young_of(struct tsim *sim, int a, int b, const char *who, const struct ts_place *where,
+			       double *out)
 {
 	double young[2], nu[2];
 
@@ -148,8 +145,8 @@ static enum ts_status young_of(struct tsim *sim, int a, int b, const char *who,
 
 /* m*^2/R* grows with either partner, so the lightest are enough: of one type the two lightest, or one and
  * itself where it is alone. */
-static enum ts_status hertz(struct tsim *sim, const struct ts_lightest *list, double speed,
-			    const char *who, const struct ts_place *where, double *out)
+static enum ts_status hertz(struct tsim *sim, const struct ts_lightest *list, double speed, const char *who,
+			    const struct ts_place *where, double *out)
 {
 	int n = sim->particles->ntypes;
 
@@ -195,9 +192,8 @@ static enum ts_status legacy_hertz(struct tsim *sim, int group, double speed, co
 	return status;
 }
 
-enum ts_status ts_granular_times(struct tsim *sim, int group, double speed, bool legacy,
-				 const char *who, const struct ts_place *where,
-				 struct ts_granular_times *out)
+enum ts_status ts_granular_times(struct tsim *sim, int group, double speed, bool legacy, const char *who,
+				 const struct ts_place *where, struct ts_granular_times *out)
 {
 	struct ts_lightest *list;
 	enum ts_status status;

@@ -25,13 +25,13 @@ enum ts_status ts_report_contact(struct ts_plan_report *report, const struct tsi
 				 const struct ts_place *where, const struct ts_contact_case *c,
 				 const char *what);
 
-/* Rayleigh's time of the smallest sphere and the duration of the shortest Hertz collision in the group; infinite
- * where there is none. `legacy`: as LIGGGHTS takes it, each sphere with one like itself, and m for m*. */
+/* Rayleigh's time of the smallest sphere and the duration of the shortest Hertz collision in the group;
+ * infinite where there is none. `legacy`: as LIGGGHTS takes it, each sphere with one like itself, and m
+ * for m*. */
 struct ts_granular_times {
 	double rayleigh, hertz;
 };
-enum ts_status ts_granular_times(struct tsim *sim, int group, double speed, bool legacy,
-				 const char *who, const struct ts_place *where,
-				 struct ts_granular_times *out);
+enum ts_status ts_granular_times(struct tsim *sim, int group, double speed, bool legacy, const char *who,
+				 const struct ts_place *where, struct ts_granular_times *out);
 
 #endif

@@ -13,8 +13,7 @@
 
 /* ---- columns */
 
-static const char CONTENT[] = "surfaceLiquidContent", FLUX[] = "liquidFlux",
-		  SOURCE[] = "liquidSource";
+static const char CONTENT[] = "surfaceLiquidContent", FLUX[] = "liquidFlux", SOURCE[] = "liquidSource";
 
 static enum ts_status add(struct tsim *sim, struct ts_liquid *l, double initial)
 {
@@ -41,8 +40,7 @@ static enum ts_status initial_of(struct tsim *sim, const struct ts_place *where,
 }
 
 /* What is not known yet is NaN. */
-enum ts_status ts_liquid_columns(struct tsim *sim, const struct ts_instance *self,
-				 struct ts_liquid *l)
+enum ts_status ts_liquid_columns(struct tsim *sim, const struct ts_instance *self, struct ts_liquid *l)
 {
 	double initial = NAN;
 
@@ -146,8 +144,8 @@ static enum ts_status put(struct parts *list, const struct ts_particles *p,
 
 	if (TS_GROW(list->part, list->capacity, list->n + 1) != TS_OK)
 		return TS_NOMEM;
-	list->part[list->n++] = (struct part){ rows->tag[side][r], rows->tag[!side][r],
-					       rows->winding[r], i, amount };
+	list->part[list->n++] =
+		(struct part){ rows->tag[side][r], rows->tag[!side][r], rows->winding[r], i, amount };
 	return TS_OK;
 }
 
@@ -158,17 +156,16 @@ static enum ts_status book(struct parts *list, const struct ts_particles *p,
 {
 	size_t i = (size_t)rows->i[r], j = original(p, (size_t)rows->j[r]);
 	const struct ts_granular_pair *law = ts_pair_law(pair, p->type[i], p->type[j]);
-	const double liquid[2] = { p->liquid[i], p->liquid[j] },
-		     radius[2] = { p->radius[i], p->radius[j] };
+	const double liquid[2] = { p->liquid[i], p->liquid[j] }, radius[2] = { p->radius[i], p->radius[j] };
 	double cube[2], volume = ts_bridge_volume(&pair->model, law, liquid, radius, false);
 
 	for (int k = 0; k < 2; k++)
 		cube[k] = ts_sphere_volume(radius[k]);
 	for (int k = 0; k < 1 + both; k++)
 		if (put(list, p, rows, r, k,
-			volume / (cube[0] + cube[1]) - ts_bridge_part(&pair->model, law, liquid[k],
-								      radius[k], radius[!k]) /
-							       cube[k]) != TS_OK)
+			volume / (cube[0] + cube[1]) -
+				ts_bridge_part(&pair->model, law, liquid[k], radius[k], radius[!k]) /
+					cube[k]) != TS_OK)
 			return TS_NOMEM;
 	return TS_OK;
 }

@@ -18,12 +18,9 @@ struct ts_liquid {
 
 /* The columns; then, in init, what particles start with that have no liquid yet:
  * surfaceLiquidContentInitial. */
-enum ts_status ts_liquid_columns(struct tsim *sim, const struct ts_instance *self,
-				 struct ts_liquid *liquid);
-enum ts_status ts_liquid_init(struct tsim *sim, const struct ts_instance *self,
-			      struct ts_liquid *liquid);
-enum ts_status ts_liquid_archive(struct tsim *sim, struct ts_archive *archive,
-				 struct ts_liquid *liquid);
+enum ts_status ts_liquid_columns(struct tsim *sim, const struct ts_instance *self, struct ts_liquid *liquid);
+enum ts_status ts_liquid_init(struct tsim *sim, const struct ts_instance *self, struct ts_liquid *liquid);
+enum ts_status ts_liquid_archive(struct tsim *sim, struct ts_archive *archive, struct ts_liquid *liquid);
 /* In INITIAL_INTEGRATE: what is under way arrives. */
 void ts_liquid_advance(struct tsim *sim, const struct ts_liquid *liquid);
 

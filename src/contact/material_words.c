@@ -5,8 +5,7 @@
 
 #include "base/banned.h"
 
-static const char *const order[] = { "model", "tangential", "cohesion", "rolling_friction", "surface",
-				     NULL };
+static const char *const order[] = { "model", "tangential", "cohesion", "rolling_friction", "surface", NULL };
 
 /* Which models a keyword belongs to. */
 static bool has_normal(const struct ts_granular_words *w)
@@ -71,7 +70,9 @@ static const struct {
 } keywords[] = {
 	{ "limitForce", "a normal model", has_normal },
 	{ "tangential_damping", "a normal model", has_normal },
-	{ "located", "a normal model without adhesion or bridges of liquid, and tangential off, history or no_history", can_be_located },
+	{ "located",
+	  "a normal model without adhesion or bridges of liquid, and tangential off, history or no_history",
+	  can_be_located },
 	{ "absolute_damping", "model hooke/stiffness", is_stiffness },
 	{ "ktToKnUser", "model hooke or hooke/hysteresis", is_hooke },
 	{ "viscous", "model hooke or hooke/hysteresis", is_hooke },
@@ -92,19 +93,21 @@ static enum ts_status check_laws(struct tsim *sim, const struct ts_instance *sel
 
 	if (w->surface == TS_SURFACE_MULTICONTACT && !knows_others(w))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "multicontact"),
-			       "%s: surface multicontact goes with model hertz, hooke or hooke/hysteresis, without cohesion and "
-			       "located",
+			       "%s: surface multicontact goes with model hertz, hooke or hooke/hysteresis, "
+			       "without cohesion and located",
 			       who);
 	if (w->tangential == TS_WORD_JKR_TAN && !jkr)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "jkr_tan"),
 			       "%s: 'jkr_tan' belongs to model jkr, which is not chosen here", who);
 	if (jkr && w->cohesion != TS_COHESION_OFF)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "cohesion"),
-			       "%s: model jkr has its own adhesion (workOfAdhesion); leave cohesion out", who);
+			       "%s: model jkr has its own adhesion (workOfAdhesion); leave cohesion out",
+			       who);
 	if (w->limit_liquid)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "limitLiquidContent"),
-			       "%s: limitLiquidContent on is known, but not built: particles take what liquid comes to "
-			       "them; `limitLiquidContent off`", who);
+			       "%s: limitLiquidContent on is known, but not built: particles take what "
+			       "liquid comes to them; `limitLiquidContent off`",
+			       who);
 	if (w->cohesion >= TS_COHESION_EASO && !has_normal(w))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "cohesion"),
 			       "%s: bridges of liquid need a normal model: `model hertz`", who);
@@ -131,8 +134,8 @@ static enum ts_status misplaced(struct tsim *sim, const char *who, const struct 
 		       who, word->text, before);
 }
 
-enum ts_status ts_granular_words_check(struct tsim *sim, const struct ts_instance *self,
-				       const char *who, const struct ts_granular_words *words)
+enum ts_status ts_granular_words_check(struct tsim *sim, const struct ts_instance *self, const char *who,
+				       const struct ts_granular_words *words)
 {
 	int last = -1;
 	const char *keyword = NULL;

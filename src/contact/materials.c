@@ -20,8 +20,7 @@ const char *const ts_cohesion_names[] = {
 };
 const char *const ts_surface_names[] = { "default", "multicontact", NULL };
 
-struct ts_granular_model ts_granular_model_of(const struct tsim *sim,
-					      const struct ts_granular_words *w)
+struct ts_granular_model ts_granular_model_of(const struct tsim *sim, const struct ts_granular_words *w)
 {
 	bool sticks = w->normal == TS_WORD_JKR;
 
@@ -103,9 +102,18 @@ struct bounds {
 	double lo, hi;
 	bool above;
 };
-#define ANY { -INFINITY, INFINITY, false }
-#define POSITIVE { 0, INFINITY, true }
-#define NOT_NEGATIVE { 0, INFINITY, false }
+#define ANY                                \
+	{                                  \
+		-INFINITY, INFINITY, false \
+	}
+#define POSITIVE                  \
+	{                         \
+		0, INFINITY, true \
+	}
+#define NOT_NEGATIVE               \
+	{                          \
+		0, INFINITY, false \
+	}
 
 struct property {
 	unsigned needs;
@@ -114,13 +122,13 @@ struct property {
 	struct bounds bounds;
 	bool for_all; /* one number, whatever the types */
 };
-#define PAIR(needs, name, field, ...)                                                              \
-	{                                                                                          \
-		needs, name, offsetof(struct ts_granular_pair, field), __VA_ARGS__, false          \
+#define PAIR(needs, name, field, ...)                                                     \
+	{                                                                                 \
+		needs, name, offsetof(struct ts_granular_pair, field), __VA_ARGS__, false \
 	}
-#define FOR_ALL(needs, name, field, ...)                                                           \
-	{                                                                                          \
-		needs, name, offsetof(struct ts_granular_pair, field), __VA_ARGS__, true           \
+#define FOR_ALL(needs, name, field, ...)                                                 \
+	{                                                                                \
+		needs, name, offsetof(struct ts_granular_pair, field), __VA_ARGS__, true \
 	}
 
 static const struct property of_pairs[] = {
@@ -170,12 +178,11 @@ static enum ts_status in_range(struct tsim *sim, const struct given *g, const st
 	const char *relation = bounds->above ? ">" : ">=";
 	char expected[96];
 
-	if (g->value >= bounds->lo && g->value <= bounds->hi &&
-	    !(bounds->above && g->value <= bounds->lo))
+	if (g->value >= bounds->lo && g->value <= bounds->hi && !(bounds->above && g->value <= bounds->lo))
 		return TS_OK;
 	if (bounds->hi < INFINITY)
-		snprintf(expected, sizeof expected, "a number %s %g and <= %g", relation,
-			 bounds->lo, bounds->hi);
+		snprintf(expected, sizeof expected, "a number %s %g and <= %g", relation, bounds->lo,
+			 bounds->hi);
 	else
 		snprintf(expected, sizeof expected, "a number %s %g", relation, bounds->lo);
 	return refuse(sim, g, expected);
@@ -224,8 +231,8 @@ static enum ts_status look_up(struct tsim *sim, struct given *g, const char *who
 }
 
 /* 1/Y* = (1-nu_a^2)/Y_a + (1-nu_b^2)/Y_b; 1/G* = 2(2-nu_a)(1+nu_a)/Y_a + 2(2-nu_b)(1+nu_b)/Y_b */
-static enum ts_status elastic(struct tsim *sim, int a, int b, const char *who,
-			      const struct ts_place *where, struct ts_granular_pair *out)
+static enum ts_status elastic(struct tsim *sim, int a, int b, const char *who, const struct ts_place *where,
+			      struct ts_granular_pair *out)
 {
 	static const struct bounds positive = POSITIVE, ratio = { 0, 0.5, false };
 	const int types[2] = { a, b };
@@ -247,10 +254,10 @@ static enum ts_status elastic(struct tsim *sim, int a, int b, const char *who,
 	return TS_OK;
 }
 
-/* The constants of law/normal_area.h for a material: k = 4/3 Y*, k_t = 8 G*; the work of adhesion W parts two surfaces
- * of energy w = W/2, so that they part at 3 pi w R* = 3/2 pi W R*. The dashpots are those of model hertz with the
- * radius of the contact area instead of sqrt(R* delta): 2 sqrt(5/6) |beta| sqrt(2 Y* a m*) = sqrt(5) |beta| sqrt(k a m*),
- * and with 8 G* instead of 2 Y*. */
+/* The constants of law/normal_area.h for a material: k = 4/3 Y*, k_t = 8 G*; the work of adhesion W parts
+ * two surfaces of energy w = W/2, so that they part at 3 pi w R* = 3/2 pi W R*. The dashpots are those of
+ * model hertz with the radius of the contact area instead of sqrt(R* delta): 2 sqrt(5/6) |beta| sqrt(2 Y*
+ * a m*) = sqrt(5) |beta| sqrt(k a m*), and with 8 G* instead of 2 Y*. */
 static void stick(struct ts_granular_pair *out)
 {
 	out->kn = 4.0 / 3.0 * out->young;
@@ -270,12 +277,13 @@ static enum ts_status wet(struct tsim *sim, int a, int b, const char *who, const
 
 	TS_TRY(look_up(sim, &one, who, where, &angle));
 	TS_TRY(look_up(sim, &other, who, where, &angle));
-	out->contact_angle = 0.5 * (sim->legacy ? one.value * degree * other.value : one.value + other.value) * degree;
+	out->contact_angle =
+		0.5 * (sim->legacy ? one.value * degree * other.value : one.value + other.value) * degree;
 	return TS_OK;
 }
 
-enum ts_status ts_granular_material(struct tsim *sim, const struct ts_granular_model *model, int a,
-				    int b, const char *who, const struct ts_place *where,
+enum ts_status ts_granular_material(struct tsim *sim, const struct ts_granular_model *model, int a, int b,
+				    const char *who, const struct ts_place *where,
 				    struct ts_granular_pair *out)
 {
 	unsigned needs = needs_of(model);

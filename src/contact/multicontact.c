@@ -33,8 +33,7 @@ enum ts_status ts_multicontact_prepare(struct ts_multicontact *m, struct tsim *s
 static bool loads(const struct ts_pair *pair, const struct ts_contact_list *rows,
 		  const struct ts_particles *p, size_t r)
 {
-	return rows->touching[r] &&
-	       ts_pair_model(pair, p->type[rows->i[r]], p->type[rows->j[r]])->multi;
+	return rows->touching[r] && ts_pair_model(pair, p->type[rows->i[r]], p->type[rows->j[r]])->multi;
 }
 
 /* Where the partners of row r touch, as its partner of that side sees it. */
@@ -54,10 +53,8 @@ static void place_of(const struct ts_contact_list *rows, const struct ts_particl
 static struct ts_multicontact_load row_load(const struct ts_pair *pair, const struct ts_contact_list *rows,
 					    const struct ts_particles *p, size_t r, int side)
 {
-	const struct ts_granular_model *model =
-		ts_pair_model(pair, p->type[rows->i[r]], p->type[rows->j[r]]);
-	const double *memory =
-		rows->history + r * rows->history_width + ts_granular_multi_at(model);
+	const struct ts_granular_model *model = ts_pair_model(pair, p->type[rows->i[r]], p->type[rows->j[r]]);
+	const double *memory = rows->history + r * rows->history_width + ts_granular_multi_at(model);
 	double a = p->radius[rows->i[r]], b = p->radius[rows->j[r]], gap;
 	struct ts_multicontact_load one = { .load.force = memory[TS_MULTI_FORCE] };
 
@@ -66,8 +63,7 @@ static struct ts_multicontact_load row_load(const struct ts_pair *pair, const st
 	return one;
 }
 
-static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim,
-			    const struct ts_pair *pair)
+static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim, const struct ts_pair *pair)
 {
 	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_gather *g = &rows->gather;
@@ -78,8 +74,7 @@ static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim,
 		return TS_NOMEM;
 	for (size_t i = 0; i < n; i++) {
 		m->next[i] = 0;
-		for (size_t k = g->first ? g->first[i] : 0; pair && rows->n && k < g->first[i + 1];
-		     k++)
+		for (size_t k = g->first ? g->first[i] : 0; pair && rows->n && k < g->first[i + 1]; k++)
 			m->next[i] += loads(pair, rows, sim->particles, g->entry[k] >> 1);
 	}
 	sim->neigh->multicontact_walls->count(m, sim);
@@ -91,8 +86,8 @@ static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim,
 	return TS_GROW(m->load, m->load_capacity, m->first[n] + 1);
 }
 
-static enum ts_status collect(struct ts_multicontact *m, struct tsim *sim,
-			      const struct ts_pair *pair, const struct ts_place *where)
+static enum ts_status collect(struct ts_multicontact *m, struct tsim *sim, const struct ts_pair *pair,
+			      const struct ts_place *where)
 {
 	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_gather *g = &rows->gather;
@@ -102,9 +97,8 @@ static enum ts_status collect(struct ts_multicontact *m, struct tsim *sim,
 	for (size_t i = 0; i < sim->particles->n && pair && rows->n; i++)
 		for (size_t k = g->first[i]; k < g->first[i + 1]; k++)
 			if (loads(pair, rows, sim->particles, g->entry[k] >> 1))
-				m->load[m->next[i]++] =
-					row_load(pair, rows, sim->particles, g->entry[k] >> 1,
-						 (int)(g->entry[k] & 1));
+				m->load[m->next[i]++] = row_load(pair, rows, sim->particles, g->entry[k] >> 1,
+								 (int)(g->entry[k] & 1));
 	return sim->neigh->multicontact_walls->collect(m, sim, where);
 }
 
@@ -187,11 +181,10 @@ enum ts_status ts_multicontact_update(struct ts_multicontact *m, struct tsim *si
 		if (m->bulge[r].bulge <= TS_BULGE_MOST * sum)
 			continue;
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "fix multicontact/halfspace: the surfaces of particles %d and %d stand out by %.3g "
-			       "of the sum of their radii, the limit is %g: the grains are pressed too far for the "
-			       "theory of small strains",
-			       rows->tag[0][r], rows->tag[1][r], m->bulge[r].bulge / sum,
-			       TS_BULGE_MOST);
+			       "fix multicontact/halfspace: the surfaces of particles %d and %d stand out by "
+			       "%.3g of the sum of their radii, the limit is %g: the grains are pressed too "
+			       "far for the theory of small strains",
+			       rows->tag[0][r], rows->tag[1][r], m->bulge[r].bulge / sum, TS_BULGE_MOST);
 	}
 	return TS_OK;
 }
@@ -227,6 +220,6 @@ enum ts_status ts_multicontact_check(struct tsim *sim, const struct ts_granular_
 	if (!model->multi || sim->neigh->multicontact)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, where,
-		       "surface multicontact needs `fix ID all multicontact/halfspace`, which says how contacts of "
-		       "one grain act on each other");
+		       "surface multicontact needs `fix ID all multicontact/halfspace`, which says how "
+		       "contacts of one grain act on each other");
 }

@@ -31,8 +31,7 @@ enum ts_status ts_pair_prepare(struct tsim *sim, struct ts_instance *self)
 	return ts_coeffs_resize(sim, &pair->coeffs, n * n);
 }
 
-static enum ts_status limit_types(struct tsim *sim, struct ts_types *t,
-				  const struct ts_place *where)
+static enum ts_status limit_types(struct tsim *sim, struct ts_types *t, const struct ts_place *where)
 {
 	int most = sim->particles->ntypes;
 
@@ -45,8 +44,8 @@ static enum ts_status limit_types(struct tsim *sim, struct ts_types *t,
 	return TS_OK;
 }
 
-enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types b,
-			   struct ts_words words, const struct ts_place *where)
+enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types b, struct ts_words words,
+			   const struct ts_place *where)
 {
 	struct ts_instance *self = ts_sim_only(sim, TS_KIND_PAIR);
 	struct ts_pair *pair;
@@ -54,8 +53,7 @@ enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types 
 	void *entry;
 
 	if (!self)
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "pair_coeff needs a pair_style before it");
+		return ts_fail(&sim->error, TS_STATE, where, "pair_coeff needs a pair_style before it");
 	pair = self->state;
 	TS_TRY(ts_pair_prepare(sim, self));
 	TS_TRY(limit_types(sim, &a, where));
@@ -68,10 +66,8 @@ enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types 
 		status = ts_pair_style_of(self)->complete(sim, entry, where);
 	for (int i = a.lo; status == TS_OK && i <= a.hi; i++) {
 		for (int j = b.lo; j <= b.hi; j++) {
-			memcpy(ts_coeff(&pair->coeffs, entry_of(pair, i, j)), entry,
-			       pair->coeffs.size);
-			memcpy(ts_coeff(&pair->coeffs, entry_of(pair, j, i)), entry,
-			       pair->coeffs.size);
+			memcpy(ts_coeff(&pair->coeffs, entry_of(pair, i, j)), entry, pair->coeffs.size);
+			memcpy(ts_coeff(&pair->coeffs, entry_of(pair, j, i)), entry, pair->coeffs.size);
 			pair->coeffs.given[entry_of(pair, i, j)] = true;
 			pair->coeffs.given[entry_of(pair, j, i)] = true;
 		}
@@ -104,8 +100,7 @@ static double *number_of(const struct tsim *sim, const struct ts_arg *row, int a
 {
 	const struct ts_pair *pair = ts_sim_only(sim, TS_KIND_PAIR)->state;
 
-	return (double *)(void *)((char *)ts_coeff(&pair->coeffs, entry_of(pair, a, b)) +
-				  row->offset);
+	return (double *)(void *)((char *)ts_coeff(&pair->coeffs, entry_of(pair, a, b)) + row->offset);
 }
 
 double ts_pair_number(const struct tsim *sim, const struct ts_arg *row, int a, int b)
@@ -113,8 +108,8 @@ double ts_pair_number(const struct tsim *sim, const struct ts_arg *row, int a, i
 	return *number_of(sim, row, a, b);
 }
 
-enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, int a, int b,
-				  double value, const struct ts_place *where)
+enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, int a, int b, double value,
+				  const struct ts_place *where)
 {
 	struct ts_instance *self = ts_sim_only(sim, TS_KIND_PAIR);
 	const struct ts_pair *pair = self->state;
@@ -122,12 +117,11 @@ enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, in
 
 	if (!isfinite(value) || (row->range == TS_POSITIVE && !(value > 0)) ||
 	    (row->range == TS_NOT_NEGATIVE && value < 0))
-		return ts_fail(&sim->error, TS_RANGE, where, "%s of types %d and %d would be %g",
-			       row->name, a, b, value);
+		return ts_fail(&sim->error, TS_RANGE, where, "%s of types %d and %d would be %g", row->name,
+			       a, b, value);
 	*number_of(sim, row, a, b) = *number_of(sim, row, b, a) = value;
 	for (int k = 0; k < 2; k++)
-		TS_TRY(ts_pair_style_of(self)->complete(sim, ts_coeff(&pair->coeffs, entry[k]),
-							where));
+		TS_TRY(ts_pair_style_of(self)->complete(sim, ts_coeff(&pair->coeffs, entry[k]), where));
 	return TS_OK;
 }
 
@@ -147,7 +141,8 @@ double ts_pair_reach(const struct tsim *sim, double radius)
 
 	for (int a = 1; pair && pair->sticks && a <= pair->ntypes; a++)
 		for (int b = a; b <= pair->ntypes; b++)
-			most = fmax(most, reach_of(ts_pair_model(pair, a, b), ts_pair_law(pair, a, b), radius));
+			most = fmax(most,
+				    reach_of(ts_pair_model(pair, a, b), ts_pair_law(pair, a, b), radius));
 	return pair && pair->model.multi ? 2 * TS_BULGE_MOST * radius : most;
 }
 
@@ -182,8 +177,7 @@ static enum ts_status check_given(struct tsim *sim, struct ts_instance *self)
 			bool mixed = pair->mixes && pair->coeffs.given[entry_of(pair, a, a)] &&
 				     pair->coeffs.given[entry_of(pair, b, b)];
 
-			if (!present[a] || !present[b] || mixed ||
-			    pair->coeffs.given[entry_of(pair, a, b)])
+			if (!present[a] || !present[b] || mixed || pair->coeffs.given[entry_of(pair, a, b)])
 				continue;
 			ts_free(present);
 			return ts_fail(&sim->error, TS_STATE, &self->where,
@@ -209,9 +203,10 @@ enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim)
 	if (!memory && sim->full & TS_FULL_HISTORY)
 		memory = 3;
 	TS_TRY(ts_contact_list_set_history(sim, &sim->neigh->rows, memory, pair->memory_sign));
-	sim->neigh->rows.bridged = ts_cohesion_bridges(&pair->model) ? (size_t)ts_granular_met_at(&pair->model) + 1 : 0;
+	sim->neigh->rows.bridged =
+		ts_cohesion_bridges(&pair->model) ? (size_t)ts_granular_met_at(&pair->model) + 1 : 0;
 	ts_contact_list_set_torques(&sim->neigh->rows, ts_granular_turns(&pair->model),
-				   ts_granular_rolls(&pair->model));
+				    ts_granular_rolls(&pair->model));
 	if (ts_granular_turns(&pair->model))
 		TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE)));
 	return check_given(sim, self);
@@ -230,8 +225,7 @@ enum ts_status ts_pair_archive(struct ts_instance *self, struct tsim *sim, struc
 	return TS_OK;
 }
 
-enum ts_status ts_pair_archive_given(struct ts_instance *self, struct tsim *sim,
-				     struct ts_archive *a)
+enum ts_status ts_pair_archive_given(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct ts_pair *pair = self->state;
 
@@ -241,8 +235,7 @@ enum ts_status ts_pair_archive_given(struct ts_instance *self, struct tsim *sim,
 	return ts_archive_fixed(a, "given", TS_SAVED_U8, pair->coeffs.given, pair->coeffs.n);
 }
 
-void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim,
-			 struct ts_hash *hash)
+void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct ts_pair *pair = self->state;
 
@@ -275,10 +268,10 @@ static enum ts_status report_types(const struct ts_instance *self, struct tsim *
 	const struct ts_pair *pair = self->state;
 	const struct ts_lightest *one = &lightest[a], *other = &lightest[b];
 	double sum = one->inverse_mass[0] + other->inverse_mass[a == b];
-	double r = one->radius[0] * other->radius[a == b] /
-		   (one->radius[0] + other->radius[a == b]);
-	struct ts_contact_case c = { ts_pair_model(pair, a, b), ts_pair_law(pair, a, b), r, 1 / sum,
-				     overlap, speed };
+	double r = one->radius[0] * other->radius[a == b] / (one->radius[0] + other->radius[a == b]);
+	struct ts_contact_case c = {
+		ts_pair_model(pair, a, b), ts_pair_law(pair, a, b), r, 1 / sum, overlap, speed
+	};
 	char what[48];
 
 	/* no such pair, or both are held */
@@ -288,8 +281,7 @@ static enum ts_status report_types(const struct ts_instance *self, struct tsim *
 	return ts_report_contact(report, sim, &self->where, &c, what);
 }
 
-enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
-			    struct ts_plan_report *report)
+enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_pair *pair = self->state;
 	struct ts_lightest *lightest = ts_lightest(sim, 0);
@@ -303,8 +295,8 @@ enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
 
 	for (int a = 1; status == TS_OK && a <= pair->ntypes; a++)
 		for (int b = a; status == TS_OK && b <= pair->ntypes; b++)
-			status = report_types(self, sim, lightest, overlap[entry_of(pair, a, b)], a,
-					      b, speed, report);
+			status = report_types(self, sim, lightest, overlap[entry_of(pair, a, b)], a, b, speed,
+					      report);
 	ts_free(lightest);
 	ts_free(overlap);
 	return status;

@@ -15,7 +15,8 @@ struct ts_pair_style {
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
 	/* Where in an entry the constants of the law are. */
 	size_t law_offset;
-	enum ts_status (*chosen)(struct ts_instance *self, struct tsim *sim); /* makes what scripts may name from now on; or NULL */
+	/* makes what scripts may name from now on; or NULL */
+	enum ts_status (*chosen)(struct ts_instance *self, struct tsim *sim);
 };
 
 /* First member of every pair style's state. */
@@ -58,27 +59,24 @@ double ts_pair_reach(const struct tsim *sim, double radius);
 bool ts_pair_interact(const struct tsim *sim, size_t i, size_t j);
 
 /* What pair_coeff does. */
-enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types b,
-			   struct ts_words words, const struct ts_place *where);
+enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types b, struct ts_words words,
+			   const struct ts_place *where);
 /* One number of the coefficients, changed while a run goes on. The row of the live pair style with this
  * name; then its value for two types, read and written. */
 enum ts_status ts_pair_row(struct tsim *sim, const struct ts_word *style, const struct ts_word *name,
 			   const struct ts_arg **row);
 double ts_pair_number(const struct tsim *sim, const struct ts_arg *row, int a, int b);
-enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, int a, int b,
-				  double value, const struct ts_place *where);
+enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, int a, int b, double value,
+				  const struct ts_place *where);
 /* Makes room for the coefficients of all types. */
 enum ts_status ts_pair_prepare(struct tsim *sim, struct ts_instance *self);
 /* Shared by all pair styles: slots of struct ts_style. */
 enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_pair_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
 /* For styles whose coefficients stand elsewhere: only for which types pair_coeff was given. */
-enum ts_status ts_pair_archive_given(struct ts_instance *self, struct tsim *sim,
-				     struct ts_archive *a);
-void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim,
-			 struct ts_hash *hash);
-enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
-			    struct ts_plan_report *report);
+enum ts_status ts_pair_archive_given(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
+void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash);
+enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
 void ts_pair_fini(struct ts_instance *self);
 
 #endif

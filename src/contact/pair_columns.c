@@ -16,11 +16,11 @@ double ts_pair_force(const struct tsim *sim, const struct ts_contact_view *view)
 	return view->distance > 0 ? ts_dot(view->force, view->d) / view->distance : 0;
 }
 
-#define COMPONENT(name, field, k)                                                                  \
-	double name(const struct tsim *sim, const struct ts_contact_view *view)                    \
-	{                                                                                          \
-		(void)sim;                                                                         \
-		return view->field[k];                                                             \
+#define COMPONENT(name, field, k)                                               \
+	double name(const struct tsim *sim, const struct ts_contact_view *view) \
+	{                                                                       \
+		(void)sim;                                                      \
+		return view->field[k];                                          \
 	}
 COMPONENT(ts_pair_fx, force, 0)
 COMPONENT(ts_pair_fy, force, 1)

@@ -15,9 +15,11 @@ struct ts_pair_column {
 ts_pair_column_fn ts_pair_dist, ts_pair_force; /* force > 0 repels */
 ts_pair_column_fn ts_pair_fx, ts_pair_fy, ts_pair_fz, ts_pair_dx, ts_pair_dy, ts_pair_dz;
 
-#define TS_PAIR_COLUMNS                                                                            \
-	{ "dist", ts_pair_dist }, { "force", ts_pair_force }, { "fx", ts_pair_fx },                \
-		{ "fy", ts_pair_fy }, { "fz", ts_pair_fz }, { "dx", ts_pair_dx },                  \
-		{ "dy", ts_pair_dy }, { "dz", ts_pair_dz }
+#define TS_PAIR_COLUMNS                                                                                   \
+	{ "dist", ts_pair_dist }, { "force", ts_pair_force }, { "fx", ts_pair_fx }, { "fy", ts_pair_fy }, \
+		{ "fz", ts_pair_fz }, { "dx", ts_pair_dx }, { "dy", ts_pair_dy },                         \
+	{                                                                                                 \
+		"dz", ts_pair_dz                                                                          \
+	}
 
 #endif

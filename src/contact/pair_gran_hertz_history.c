@@ -5,8 +5,7 @@
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	return ts_gran_numbers_init(self, sim, TS_NORMAL_HERTZ_STIFFNESS,
-				    TS_TANGENTIAL_SLIDER);
+	return ts_gran_numbers_init(self, sim, TS_NORMAL_HERTZ_STIFFNESS, TS_TANGENTIAL_SLIDER);
 }
 
 TS_STYLE(pair, ts_pair_style, ts_pair_gran_hertz_history)
@@ -15,14 +14,14 @@ const struct ts_pair_style ts_pair_gran_hertz_history = {
 		   .kind = TS_KIND_PAIR,
 		   .summary = "Hertzian springs and dashpots, normal and tangential, as LAMMPS writes it",
 		   .doc = TS_GRAN_NUMBERS_DOC
-			  "s = sqrt(R* delta), F_n = s (kn delta - m* gamma_n v_n) and F_t = s (-kt xi - m* gamma_t "
-			  "v_t), xi the slip since the first touch in the plane of contact. Where |F_t| would be beyond "
-			  "xmu |F_n| it is shortened to that, and xi to what the dashpot leaves of it. kn = 4/3 Y* is "
-			  "the contact of elastic spheres."
-			  "\n\nThe torque of F_t has the full radii as arms, as in LAMMPS, with whose results it agrees to "
-			  "round-off; `pair_style gran` takes the distance to the contact point. pair_coeff has no "
-			  "coefficients.",
-		   .cite = "L. E. Silbert et al., Phys. Rev. E 64 (2001) 051302; H. P. Zhang, H. A. Makse, Phys. Rev. E 72 (2005) 011301",
+		   "s = sqrt(R* delta), F_n = s (kn delta - m* gamma_n v_n) and F_t = s (-kt xi - m* gamma_t "
+		   "v_t), xi the slip since the first touch in the plane of contact. Where |F_t| would be "
+		   "beyond xmu |F_n| it is shortened to that, and xi to what the dashpot leaves of it. kn = "
+		   "4/3 Y* is the contact of elastic spheres.\n\nThe torque of F_t has the full radii as "
+		   "arms, as in LAMMPS, with whose results it agrees to round-off; `pair_style gran` takes "
+		   "the distance to the contact point. pair_coeff has no coefficients.",
+		   .cite = "L. E. Silbert et al., Phys. Rev. E 64 (2001) 051302; H. P. Zhang, H. A. Makse, "
+			   "Phys. Rev. E 72 (2005) 011301",
 		   .example = "pair_style gran/hertz/history 200000.0 NULL 50.0 NULL 0.5 1\n"
 			      "pair_coeff * *",
 		   .args = ts_gran_numbers_args,

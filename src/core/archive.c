@@ -93,8 +93,7 @@ static enum ts_status find_typed(struct ts_archive *a, const char *name, enum ts
 	const struct field *field = find(a, name, &at);
 
 	if (!field)
-		return ts_fail(&a->sim->error, TS_DAMAGED, NULL,
-			       "saved state: field '%s' is missing", name);
+		return ts_fail(&a->sim->error, TS_DAMAGED, NULL, "saved state: field '%s' is missing", name);
 	if (field->type != type)
 		return ts_fail(&a->sim->error, TS_DAMAGED, NULL,
 			       "saved state: field '%s' is of another type than expected", name);
@@ -109,13 +108,13 @@ static enum ts_status find_counted(struct ts_archive *a, const char *name, enum 
 	TS_TRY(find_typed(a, name, type, out));
 	if ((*out)->count != count)
 		return ts_fail(&a->sim->error, TS_DAMAGED, NULL,
-			       "saved state: field '%s' has %zu elements, expected %zu", name,
-			       (*out)->count, count);
+			       "saved state: field '%s' has %zu elements, expected %zu", name, (*out)->count,
+			       count);
 	return TS_OK;
 }
 
-enum ts_status ts_archive_expect(struct ts_archive *archive, const char *name,
-				 enum ts_saved_type type, size_t count)
+enum ts_status ts_archive_expect(struct ts_archive *archive, const char *name, enum ts_saved_type type,
+				 size_t count)
 {
 	size_t next = archive->next;
 	const struct field *field;
@@ -127,8 +126,8 @@ enum ts_status ts_archive_expect(struct ts_archive *archive, const char *name,
 	return TS_OK;
 }
 
-enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name,
-				enum ts_saved_type type, void *data, size_t count)
+enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name, enum ts_saved_type type,
+				void *data, size_t count)
 {
 	const struct field *field;
 
@@ -140,9 +139,8 @@ enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name,
 	return TS_OK;
 }
 
-enum ts_status ts_archive_array(struct ts_archive *archive, const char *name,
-				enum ts_saved_type type, void **data, size_t *capacity,
-				size_t *count)
+enum ts_status ts_archive_array(struct ts_archive *archive, const char *name, enum ts_saved_type type,
+				void **data, size_t *capacity, size_t *count)
 {
 	const struct field *field;
 	size_t size = element_size(type);
@@ -182,13 +180,11 @@ bool ts_archive_has(const struct ts_archive *archive, const char *name)
 	return archive->writing || find(archive, name, &at);
 }
 
-enum ts_status ts_archive_instance(struct ts_archive *archive, struct ts_instance *inst,
-				   struct tsim *sim)
+enum ts_status ts_archive_instance(struct ts_archive *archive, struct ts_instance *inst, struct tsim *sim)
 {
-	for (const struct ts_saved *row = inst->style->saved; row && row->type != TS_SAVED_END;
-	     row++)
-		TS_TRY(ts_archive_fixed(archive, row->name, row->type,
-					(char *)inst->state + row->offset, row->count));
+	for (const struct ts_saved *row = inst->style->saved; row && row->type != TS_SAVED_END; row++)
+		TS_TRY(ts_archive_fixed(archive, row->name, row->type, (char *)inst->state + row->offset,
+					row->count));
 	if (inst->style->archive)
 		return inst->style->archive(inst, sim, archive);
 	return TS_OK;

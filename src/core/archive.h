@@ -26,31 +26,35 @@ struct ts_saved {
 
 /* A row for a number, an array, or a table with rows of 2 or 3; does not compile for a field of another
  * type, whose bytes would be saved as something else, or not at all. */
-#define TS_SAVED_OF(T, f, type, columns)                                                           \
-	(sizeof(((T *)0)->f) < (columns) * sizeof(type) ?                                          \
-		 1 :                                                                               \
-		 sizeof(((T *)0)->f) / ((columns) * sizeof(type)))
-#define TS_SAVED_IS(T, f, type)                                                                    \
-	_Generic(&((T *)0)->f, type *: 1, type(*)[TS_SAVED_OF(T, f, type, 1)]: 1,                  \
-		 type(*)[TS_SAVED_OF(T, f, type, 2)][2]: 1,                                        \
-		 type(*)[TS_SAVED_OF(T, f, type, 3)][3]: 1, default: 0)
-#define TS_SAVED_ROW(T, f, saved_type, size, matches)                                              \
-	{ #f, saved_type,                                                                          \
-	  offsetof(T, f) + 0 * sizeof(struct {                                                     \
-		  int ok;                                                                          \
-		  _Static_assert(matches, "saved row and field differ in type");                   \
-	  }),                                                                                      \
-	  sizeof(((T *)0)->f) / (size) }
+#define TS_SAVED_OF(T, f, type, columns)                    \
+	(sizeof(((T *)0)->f) < (columns) * sizeof(type) ? 1 \
+							: sizeof(((T *)0)->f) / ((columns) * sizeof(type)))
+#define TS_SAVED_IS(T, f, type)                                                                          \
+	_Generic(&((T *)0)->f, type * : 1, type(*)[TS_SAVED_OF(T, f, type, 1)] : 1,                      \
+		 type(*)[TS_SAVED_OF(T, f, type, 2)][2] : 1, type(*)[TS_SAVED_OF(T, f, type, 3)][3] : 1, \
+		 default : 0)
+#define TS_SAVED_ROW(T, f, saved_type, size, matches)                                                  \
+	{                                                                                              \
+#f, saved_type,                                                                        \
+			offsetof(T, f) +                                                               \
+				0 * sizeof(struct {                                                    \
+					int ok;                                                        \
+					_Static_assert(matches, "saved row and field differ in type"); \
+				}),                                                                    \
+			sizeof(((T *)0)->f) / (size)                                                   \
+	}
 #define TS_SAVE_F64(T, f) TS_SAVED_ROW(T, f, TS_SAVED_F64, 8, TS_SAVED_IS(T, f, double))
-#define TS_SAVE_I64(T, f)                                                                          \
-	TS_SAVED_ROW(T, f, TS_SAVED_I64, 8,                                                        \
-		     TS_SAVED_IS(T, f, int64_t) || TS_SAVED_IS(T, f, uint64_t))
-#define TS_SAVE_I32(T, f)                                                                          \
-	TS_SAVED_ROW(T, f, TS_SAVED_I32, 4,                                                        \
+#define TS_SAVE_I64(T, f) \
+	TS_SAVED_ROW(T, f, TS_SAVED_I64, 8, TS_SAVED_IS(T, f, int64_t) || TS_SAVED_IS(T, f, uint64_t))
+#define TS_SAVE_I32(T, f)                   \
+	TS_SAVED_ROW(T, f, TS_SAVED_I32, 4, \
 		     TS_SAVED_IS(T, f, int32_t) || TS_SAVED_IS(T, f, uint32_t)) /* enums, too */
-#define TS_SAVE_U8(T, f)                                                                           \
+#define TS_SAVE_U8(T, f) \
 	TS_SAVED_ROW(T, f, TS_SAVED_U8, 1, TS_SAVED_IS(T, f, bool) || TS_SAVED_IS(T, f, uint8_t))
-#define TS_SAVED_ROWS_END { .type = TS_SAVED_END }
+#define TS_SAVED_ROWS_END            \
+	{                            \
+		.type = TS_SAVED_END \
+	}
 
 /* An archive holds named fields {name, type, element count, bytes}. Opaque. */
 bool ts_archive_writing(const struct ts_archive *archive);
@@ -62,14 +66,13 @@ enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name, en
 
 /* Before memory is taken for what a number in the file promises: is the field there with as many
  * elements? TS_DAMAGED where not; when writing always TS_OK. */
-enum ts_status ts_archive_expect(struct ts_archive *archive, const char *name,
-				 enum ts_saved_type type, size_t count);
+enum ts_status ts_archive_expect(struct ts_archive *archive, const char *name, enum ts_saved_type type,
+				 size_t count);
 
 /* Writes *count elements of *data; or reads as many as there are, growing *data as ts_grow does and
  * setting *count. */
-enum ts_status ts_archive_array(struct ts_archive *archive, const char *name,
-				enum ts_saved_type type, void **data, size_t *capacity,
-				size_t *count);
+enum ts_status ts_archive_array(struct ts_archive *archive, const char *name, enum ts_saved_type type,
+				void **data, size_t *capacity, size_t *count);
 
 /* A string; when reading it lives in the simulation's string pool. */
 enum ts_status ts_archive_string(struct ts_archive *archive, const char *name, const char **text);
@@ -78,8 +81,7 @@ enum ts_status ts_archive_string(struct ts_archive *archive, const char *name, c
 bool ts_archive_has(const struct ts_archive *archive, const char *name);
 
 /* The rows of a style and then its archive function. */
-enum ts_status ts_archive_instance(struct ts_archive *archive, struct ts_instance *inst,
-				   struct tsim *sim);
+enum ts_status ts_archive_instance(struct ts_archive *archive, struct ts_instance *inst, struct tsim *sim);
 
 /* In memory: for restart/restart.c and for pending state of styles not yet defined again. */
 struct ts_archive *ts_archive_new(struct tsim *sim, bool writing); /* NULL: out of memory */

@@ -45,8 +45,8 @@ enum ts_arg_type {
 struct ts_number {
 	double value;
 	const char *variable; /* NULL: constant */
-	bool null;            /* the user wrote NULL */
-	size_t at;            /* which word of the line it was, from 1; 0: a default */
+	bool null;	      /* the user wrote NULL */
+	size_t at;	      /* which word of the line it was, from 1; 0: a default */
 };
 
 /* Inclusive range of particle types, counted from 1. hi == 0: up to the last. */
@@ -65,9 +65,9 @@ enum ts_arg_flags {
 	TS_NULLABLE = 4,
 	TS_TO_KEYWORD = 8, /* TS_ARG_REST: ends before the first word that is a keyword of the table */
 	TS_STATEFUL = 16,  /* state saved in a restart file has a meaning only with the same value */
-	TS_WRITES = 32,    /* TS_ARG_WORD: a file that will be written */
-	TS_REPEAT = 64,    /* a TS_ARG_REST keyword that may be given again, and then adds words */
-	TS_NAMED = 128     /* the keyword itself is the first of its words, so that one without others shows;
+	TS_WRITES = 32,	   /* TS_ARG_WORD: a file that will be written */
+	TS_REPEAT = 64,	   /* a TS_ARG_REST keyword that may be given again, and then adds words */
+	TS_NAMED = 128	   /* the keyword itself is the first of its words, so that one without others shows;
 			    * where its name ends in NAME, that stands for anything: d_NAME is met by d_heat */
 };
 
@@ -78,17 +78,17 @@ struct ts_arg {
 	enum ts_arg_type type;
 	unsigned flags;
 	size_t offset;
-	const char *unit;     /* dimension: "length", "force/length", "" ... */
+	const char *unit; /* dimension: "length", "force/length", "" ... */
 	enum ts_range range;
-	double lo, hi;        /* for TS_WITHIN */
-	const char *fallback; /* default, as the user would write it; NULL: required or TS_OPTIONAL */
+	double lo, hi;		     /* for TS_WITHIN */
+	const char *fallback;	     /* default, as the user would write it; NULL: required or TS_OPTIONAL */
 	const char *const *choices;  /* TS_ARG_ENUM, closed by NULL */
 	const struct ts_mode *modes; /* TS_ARG_MODE, closed by .name NULL */
 	/* TS_ARG_REST with TS_TO_KEYWORD: the TS_ARG_INT row that says, where it was given before, how many
 	 * words there are at least, whatever they are. */
 	const char *count;
-	/* TS_ARG_REST with TS_TO_KEYWORD: keywords and choices of these rows belong to the words, though the table
-	 * has keywords of the same name. */
+	/* TS_ARG_REST with TS_TO_KEYWORD: keywords and choices of these rows belong to the words, though
+	 * the table has keywords of the same name. */
 	const struct ts_arg *inner;
 };
 
@@ -98,82 +98,124 @@ struct ts_mode {
 };
 
 /* offsetof that does not compile when the field has another type than the row says. */
-#define TS_FIELD(T, field, type)                                                                   \
-	(offsetof(T, field) +                                                                      \
-	 0 * sizeof(struct {                                                                       \
-		 int ok;                                                                           \
-		 _Static_assert(_Generic(&((T *)0)->field, type: 1, default: 0),                   \
-				"argument row and field differ in type");                          \
-	 }))
+#define TS_FIELD(T, field, type)                                                                        \
+	(offsetof(T, field) + 0 * sizeof(struct {                                                       \
+				      int ok;                                                           \
+				      _Static_assert(_Generic(&((T *)0)->field, type : 1, default : 0), \
+						     "argument row and field differ in type");          \
+			      }))
 
-#define TS_REAL(name_, T, f, ...)                                                                  \
-	{ .name = (name_), .type = TS_ARG_REAL, .offset = TS_FIELD(T, f, double *), __VA_ARGS__ }
-#define TS_INT(name_, T, f, ...)                                                                   \
-	{ .name = (name_), .type = TS_ARG_INT, .offset = TS_FIELD(T, f, int64_t *), __VA_ARGS__ }
-#define TS_BOOL(name_, T, f, ...)                                                                  \
-	{ .name = (name_), .type = TS_ARG_BOOL, .offset = TS_FIELD(T, f, bool *), __VA_ARGS__ }
-#define TS_FLAG(name_, T, f, ...)                                                                  \
-	{ .name = (name_), .type = TS_ARG_FLAG, .offset = TS_FIELD(T, f, bool *), __VA_ARGS__ }
-#define TS_WORD(name_, T, f, ...)                                                                  \
-	{ .name = (name_), .type = TS_ARG_WORD, .offset = TS_FIELD(T, f, const char **), __VA_ARGS__ }
-#define TS_ENUM(name_, T, f, choices_, ...)                                                        \
-	{ .name = (name_), .type = TS_ARG_ENUM, .offset = TS_FIELD(T, f, int *),                   \
-	  .choices = (choices_), __VA_ARGS__ }
-#define TS_VEC3(name_, T, f, ...)                                                                  \
-	{ .name = (name_), .type = TS_ARG_VEC3, .offset = TS_FIELD(T, f, double(*)[3]), __VA_ARGS__ }
-#define TS_COORD(name_, T, f, ...)                                                                 \
-	{ .name = (name_), .type = TS_ARG_COORD, .offset = TS_FIELD(T, f, double *), __VA_ARGS__ }
-#define TS_NUMBER(name_, T, f, ...)                                                                \
-	{ .name = (name_), .type = TS_ARG_NUMBER,                                                  \
-	  .offset = TS_FIELD(T, f, struct ts_number *), __VA_ARGS__ }
-#define TS_TYPES(name_, T, f, ...)                                                                 \
-	{ .name = (name_), .type = TS_ARG_TYPES, .offset = TS_FIELD(T, f, struct ts_types *),      \
-	  __VA_ARGS__ }
-#define TS_GROUP(name_, T, f, ...)                                                                 \
-	{ .name = (name_), .type = TS_ARG_GROUP, .offset = TS_FIELD(T, f, int *), __VA_ARGS__ }
-#define TS_REGION(name_, T, f, ...)                                                                \
-	{ .name = (name_), .type = TS_ARG_REGION,                                                  \
-	  .offset = TS_FIELD(T, f, struct ts_instance **), __VA_ARGS__ }
-#define TS_REF(name_, T, f, ...)                                                                   \
-	{ .name = (name_), .type = TS_ARG_REF, .offset = TS_FIELD(T, f, const char **), __VA_ARGS__ }
-#define TS_MODE(name_, T, f, modes_, ...)                                                          \
-	{ .name = (name_), .type = TS_ARG_MODE, .flags = TS_POSITIONAL,                            \
-	  .offset = TS_FIELD(T, f, int *), .modes = (modes_), __VA_ARGS__ }
-#define TS_REST(name_, T, f, ...)                                                                  \
-	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL,                            \
-	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
-#define TS_LIST(name_, T, f, ...)                                                                  \
-	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_TO_KEYWORD,            \
-	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
-#define TS_LIST_STATEFUL(name_, T, f, ...)                                                         \
-	{ .name = (name_), .type = TS_ARG_REST,                                                    \
-	  .flags = TS_POSITIONAL | TS_TO_KEYWORD | TS_STATEFUL,                                    \
-	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
+#define TS_REAL(name_, T, f, ...)                                                                     \
+	{                                                                                             \
+		.name = (name_), .type = TS_ARG_REAL, .offset = TS_FIELD(T, f, double *), __VA_ARGS__ \
+	}
+#define TS_INT(name_, T, f, ...)                                                                      \
+	{                                                                                             \
+		.name = (name_), .type = TS_ARG_INT, .offset = TS_FIELD(T, f, int64_t *), __VA_ARGS__ \
+	}
+#define TS_BOOL(name_, T, f, ...)                                                                   \
+	{                                                                                           \
+		.name = (name_), .type = TS_ARG_BOOL, .offset = TS_FIELD(T, f, bool *), __VA_ARGS__ \
+	}
+#define TS_FLAG(name_, T, f, ...)                                                                   \
+	{                                                                                           \
+		.name = (name_), .type = TS_ARG_FLAG, .offset = TS_FIELD(T, f, bool *), __VA_ARGS__ \
+	}
+#define TS_WORD(name_, T, f, ...)                                                                          \
+	{                                                                                                  \
+		.name = (name_), .type = TS_ARG_WORD, .offset = TS_FIELD(T, f, const char **), __VA_ARGS__ \
+	}
+#define TS_ENUM(name_, T, f, choices_, ...)                                            \
+	{                                                                              \
+		.name = (name_), .type = TS_ARG_ENUM, .offset = TS_FIELD(T, f, int *), \
+		.choices = (choices_), __VA_ARGS__                                     \
+	}
+#define TS_VEC3(name_, T, f, ...)                                                                         \
+	{                                                                                                 \
+		.name = (name_), .type = TS_ARG_VEC3, .offset = TS_FIELD(T, f, double(*)[3]), __VA_ARGS__ \
+	}
+#define TS_COORD(name_, T, f, ...)                                                                     \
+	{                                                                                              \
+		.name = (name_), .type = TS_ARG_COORD, .offset = TS_FIELD(T, f, double *), __VA_ARGS__ \
+	}
+#define TS_NUMBER(name_, T, f, ...)                                                                   \
+	{                                                                                             \
+		.name = (name_), .type = TS_ARG_NUMBER, .offset = TS_FIELD(T, f, struct ts_number *), \
+		__VA_ARGS__                                                                           \
+	}
+#define TS_TYPES(name_, T, f, ...)                                                                  \
+	{                                                                                           \
+		.name = (name_), .type = TS_ARG_TYPES, .offset = TS_FIELD(T, f, struct ts_types *), \
+		__VA_ARGS__                                                                         \
+	}
+#define TS_GROUP(name_, T, f, ...)                                                                  \
+	{                                                                                           \
+		.name = (name_), .type = TS_ARG_GROUP, .offset = TS_FIELD(T, f, int *), __VA_ARGS__ \
+	}
+#define TS_REGION(name_, T, f, ...)                                                                      \
+	{                                                                                                \
+		.name = (name_), .type = TS_ARG_REGION, .offset = TS_FIELD(T, f, struct ts_instance **), \
+		__VA_ARGS__                                                                              \
+	}
+#define TS_REF(name_, T, f, ...)                                                                          \
+	{                                                                                                 \
+		.name = (name_), .type = TS_ARG_REF, .offset = TS_FIELD(T, f, const char **), __VA_ARGS__ \
+	}
+#define TS_MODE(name_, T, f, modes_, ...)                                       \
+	{                                                                       \
+		.name = (name_), .type = TS_ARG_MODE, .flags = TS_POSITIONAL,   \
+		.offset = TS_FIELD(T, f, int *), .modes = (modes_), __VA_ARGS__ \
+	}
+#define TS_REST(name_, T, f, ...)                                             \
+	{                                                                     \
+		.name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL, \
+		.offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__      \
+	}
+#define TS_LIST(name_, T, f, ...)                                                             \
+	{                                                                                     \
+		.name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_TO_KEYWORD, \
+		.offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__                      \
+	}
+#define TS_LIST_STATEFUL(name_, T, f, ...)                                                                  \
+	{                                                                                                   \
+		.name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_TO_KEYWORD | TS_STATEFUL, \
+		.offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__                                    \
+	}
 /* As TS_REST, but the line may end before it. */
-#define TS_REST_OPTIONAL(name_, T, f, ...)                                                         \
-	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_OPTIONAL,              \
-	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
+#define TS_REST_OPTIONAL(name_, T, f, ...)                                                  \
+	{                                                                                   \
+		.name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_OPTIONAL, \
+		.offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__                    \
+	}
 /* A keyword that takes the words after it up to the next keyword, where its flags say TS_TO_KEYWORD. */
 #define TS_LIST_KEYWORD(name_, T, f, ...)                                                          \
-	{ .name = (name_), .type = TS_ARG_REST,                                                    \
-	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
+	{                                                                                          \
+		.name = (name_), .type = TS_ARG_REST, .offset = TS_FIELD(T, f, struct ts_words *), \
+		__VA_ARGS__                                                                        \
+	}
 /* A keyword that takes all words after it. */
-#define TS_REST_KEYWORD(name_, T, f, ...)                                                          \
-	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_OPTIONAL,                              \
-	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
+#define TS_REST_KEYWORD(name_, T, f, ...)                                   \
+	{                                                                   \
+		.name = (name_), .type = TS_ARG_REST, .flags = TS_OPTIONAL, \
+		.offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__    \
+	}
 /* A keyword that takes the words up to the next keyword, none or more of them; `flags_` adds TS_REPEAT. */
-#define TS_SOME_KEYWORD(name_, T, f, flags_, ...)                                                  \
-	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD | (flags_),   \
-	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
-#define TS_ARGS_END                                                                                \
-	{ .type = TS_ARG_END }
+#define TS_SOME_KEYWORD(name_, T, f, flags_, ...)                                                      \
+	{                                                                                              \
+		.name = (name_), .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD | (flags_), \
+		.offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__                               \
+	}
+#define TS_ARGS_END                \
+	{                          \
+		.type = TS_ARG_END \
+	}
 
 /* Reads words into base after filling in the defaults. `what` names the owner in messages ("fix
  * gravity"); `where` is its place for a word that is missing. Strings are copied to the arena.
  * Rows NULL: no arguments allowed. */
 enum ts_status ts_args_parse(struct tsim *sim, const char *what, const struct ts_arg *rows,
-			     struct ts_words words, const struct ts_place *where,
-			     struct ts_arena *arena, void *base);
+			     struct ts_words words, const struct ts_place *where, struct ts_arena *arena,
+			     void *base);
 
 /* Only the defaults. */
 enum ts_status ts_args_defaults(struct tsim *sim, const struct ts_arg *rows, struct ts_arena *arena,
@@ -181,17 +223,14 @@ enum ts_status ts_args_defaults(struct tsim *sim, const struct ts_arg *rows, str
 
 /* "stiffness 20000 restitution 0.8 ..." with the resolved values of all rows, given or default;
  * numbers with 17 digits. Used in the log and to recognise a changed setting at restart. */
-void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const void *base,
-		    struct ts_str *out);
+void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const void *base, struct ts_str *out);
 
 /* The value alone, " 20000"; false where the argument is absent. A flag that is set: " yes". */
-bool ts_arg_record(const struct tsim *sim, const struct ts_arg *row, const void *base,
-		   struct ts_str *out);
+bool ts_arg_record(const struct tsim *sim, const struct ts_arg *row, const void *base, struct ts_str *out);
 
 /* -check: tells the host of the files that rows marked TS_WRITES name. */
 enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct ts_arg *rows,
-			       const void *base, struct ts_words words,
-			       const struct ts_place *where);
+			       const void *base, struct ts_words words, const struct ts_place *where);
 
 /* How a row is written in a synopsis: "stiffness K", "[side in|out]", "x y z" ... */
 void ts_arg_synopsis(const struct ts_arg *row, struct ts_str *out);
@@ -200,7 +239,7 @@ void ts_arg_synopsis(const struct ts_arg *row, struct ts_str *out);
 bool ts_parse_types(const char *text, struct ts_types *out);
 
 /* The number as it is now: evaluates its variable if it has one. */
-enum ts_status ts_number_now(struct tsim *sim, const struct ts_number *number,
-			     const struct ts_place *where, double *out);
+enum ts_status ts_number_now(struct tsim *sim, const struct ts_number *number, const struct ts_place *where,
+			     double *out);
 
 #endif

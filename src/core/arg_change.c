@@ -15,8 +15,7 @@ struct comparison {
 	struct ts_str before, now; /* the values of the row at hand */
 };
 
-static void add_line(const struct tsim *sim, const struct ts_arg *row, const void *base,
-		     struct ts_str *out)
+static void add_line(const struct tsim *sim, const struct ts_arg *row, const void *base, struct ts_str *out)
 {
 	struct ts_str value = { 0 };
 
@@ -30,12 +29,10 @@ static void add_line(const struct tsim *sim, const struct ts_arg *row, const voi
 	ts_str_release(&value);
 }
 
-void ts_args_lines(const struct tsim *sim, const struct ts_arg *rows, const void *base,
-		   struct ts_str *out)
+void ts_args_lines(const struct tsim *sim, const struct ts_arg *rows, const void *base, struct ts_str *out)
 {
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
-		int mode = row->type == TS_ARG_MODE ? *(const int *)((const char *)base + row->offset)
-						    : -1;
+		int mode = row->type == TS_ARG_MODE ? *(const int *)((const char *)base + row->offset) : -1;
 
 		add_line(sim, row, base, out);
 		if (mode >= 0)
@@ -112,9 +109,8 @@ static enum ts_status refuse(const struct comparison *c, const struct ts_arg *ro
 	const char *kind = ts_kind_name(c->inst->style->kind);
 
 	return ts_fail(&c->sim->error, TS_STATE, blame(c, row),
-		       "%s: %s is '%s' here but '%s' in the restart file, and what was saved has a "
-		       "meaning only with that; give it as before, or start afresh with another id "
-		       "for this %s",
+		       "%s: %s is '%s' here but '%s' in the restart file, and what was saved has a meaning "
+		       "only with that; give it as before, or start afresh with another id for this %s",
 		       c->what, row->name, is ? ts_str_text(&c->now) : "not given",
 		       was ? ts_str_text(&c->before) : "not given", kind);
 }
@@ -157,8 +153,9 @@ static enum ts_status compare_rows(struct comparison *c, const struct ts_arg *ro
 enum ts_status ts_args_changes(struct tsim *sim, const struct ts_instance *inst, const char *what,
 			       const char *lines, struct ts_words words, struct ts_str *out)
 {
-	struct comparison c = { .sim = sim, .inst = inst, .what = what, .lines = lines,
-				.words = words, .out = out };
+	struct comparison c = {
+		.sim = sim, .inst = inst, .what = what, .lines = lines, .words = words, .out = out
+	};
 	enum ts_status status = compare_rows(&c, inst->style->args);
 
 	ts_str_release(&c.before);

@@ -5,8 +5,7 @@
 #include "core/style.h"
 
 /* One line "name value" per argument that is set, with 17 digits. */
-void ts_args_lines(const struct tsim *sim, const struct ts_arg *rows, const void *base,
-		   struct ts_str *out);
+void ts_args_lines(const struct tsim *sim, const struct ts_arg *rows, const void *base, struct ts_str *out);
 
 /* Compares with the lines of a restart file. A TS_STATEFUL argument with another value is refused, at
  * its word; other changes are collected as "bit 0.4 -> 0.5, ...". `what`: "fix mean (ave/time)". */

@@ -69,8 +69,7 @@ static enum ts_status read_rest(struct ts_parse *p, const struct ts_arg *row, st
 	rest = ts_words_from(p->words, p->next);
 	for (size_t k = least; k < rest.n && (row->flags & TS_TO_KEYWORD); k++)
 		if (!has_word(row->inner, rest.word[k].text) &&
-		    (find_keyword(common, rest.word[k].text) ||
-		     find_keyword(p->rows, rest.word[k].text)))
+		    (find_keyword(common, rest.word[k].text) || find_keyword(p->rows, rest.word[k].text)))
 			rest.n = k;
 	if (!rest.n && !(row->flags & TS_OPTIONAL))
 		return ts_arg_refuse(p, row, NULL, row->help);
@@ -82,8 +81,7 @@ static enum ts_status read_rest(struct ts_parse *p, const struct ts_arg *row, st
 	return TS_OK;
 }
 
-static enum ts_status read_rows(struct ts_parse *p, const struct ts_arg *rows,
-				const struct ts_arg *common);
+static enum ts_status read_rows(struct ts_parse *p, const struct ts_arg *rows, const struct ts_arg *common);
 
 static enum ts_status read_mode(struct ts_parse *p, const struct ts_arg *row, int *out,
 				const struct ts_arg *common)
@@ -108,8 +106,7 @@ static enum ts_status read_mode(struct ts_parse *p, const struct ts_arg *row, in
 	return status;
 }
 
-static enum ts_status read_row(struct ts_parse *p, const struct ts_arg *row,
-			       const struct ts_arg *common)
+static enum ts_status read_row(struct ts_parse *p, const struct ts_arg *row, const struct ts_arg *common)
 {
 	void *field = p->base + row->offset;
 
@@ -170,15 +167,15 @@ static enum ts_status unknown_keyword(struct ts_parse *p, const struct ts_arg *r
 		any |= !(r->flags & TS_POSITIONAL);
 	if (!any)
 		return ts_fail(&p->sim->error, TS_SYNTAX, &word->place,
-			       "%s: unexpected '%s', the line should end before it", p->what,
-			       word->text);
+			       "%s: unexpected '%s', the line should end before it", p->what, word->text);
 	if (remark)
 		return ts_fail(&p->sim->error, TS_UNKNOWN, &word->place,
-			       "%s: keyword '%s' is known, but tsim does not have it: %s", p->what, word->text, remark);
+			       "%s: keyword '%s' is known, but tsim does not have it: %s", p->what,
+			       word->text, remark);
 	suggest_keywords(rows, &suggest);
 	suggest_keywords(common, &suggest);
-	return ts_fail(&p->sim->error, TS_UNKNOWN, &word->place, "%s: unknown keyword '%s'%s",
-		       p->what, word->text, ts_suggest_text(&suggest));
+	return ts_fail(&p->sim->error, TS_UNKNOWN, &word->place, "%s: unknown keyword '%s'%s", p->what,
+		       word->text, ts_suggest_text(&suggest));
 }
 
 /* A keyword given twice: stands earlier among the words already read as keywords. */
@@ -224,16 +221,14 @@ static bool has_mode(const struct ts_arg *rows)
 }
 
 /* Is the next word the keyword of a row? Then optional positional rows before it are absent. */
-static bool at_keyword(const struct ts_parse *p, const struct ts_arg *rows,
-		       const struct ts_arg *common)
+static bool at_keyword(const struct ts_parse *p, const struct ts_arg *rows, const struct ts_arg *common)
 {
 	const char *text = p->words.word[p->next].text;
 
 	return find_keyword(rows, text) || find_keyword(common, text);
 }
 
-static enum ts_status read_rows(struct ts_parse *p, const struct ts_arg *rows,
-				const struct ts_arg *common)
+static enum ts_status read_rows(struct ts_parse *p, const struct ts_arg *rows, const struct ts_arg *common)
 {
 	p->rows = rows;
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
@@ -257,15 +252,13 @@ static enum ts_status check_required(struct ts_parse *p, const struct ts_arg *ro
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		bool found = false;
 
-		if ((row->flags & (TS_POSITIONAL | TS_OPTIONAL)) || row->fallback ||
-		    row->type == TS_ARG_FLAG)
+		if ((row->flags & (TS_POSITIONAL | TS_OPTIONAL)) || row->fallback || row->type == TS_ARG_FLAG)
 			continue;
 		for (size_t k = 0; k < p->words.n; k++)
 			found |= ts_streq(p->words.word[k].text, row->name);
 		if (!found)
 			return ts_fail(&p->sim->error, TS_SYNTAX, p->where,
-				       "%s: keyword '%s' is missing (%s)", p->what, row->name,
-				       row->help);
+				       "%s: keyword '%s' is missing (%s)", p->what, row->name, row->help);
 	}
 	return TS_OK;
 }
@@ -297,8 +290,8 @@ static void set_absent(const struct ts_arg *row, void *field)
 	}
 }
 
-static enum ts_status set_default(struct tsim *sim, const struct ts_arg *row,
-				  struct ts_arena *arena, void *base)
+static enum ts_status set_default(struct tsim *sim, const struct ts_arg *row, struct ts_arena *arena,
+				  void *base)
 {
 	const struct ts_place nowhere = { .file = "default" };
 	struct ts_parse p = { sim, "default", { NULL, 0 }, 0, &nowhere, arena, base, NULL, NULL };
@@ -324,8 +317,8 @@ enum ts_status ts_args_defaults(struct tsim *sim, const struct ts_arg *rows, str
 }
 
 enum ts_status ts_args_parse(struct tsim *sim, const char *what, const struct ts_arg *rows,
-			     struct ts_words words, const struct ts_place *where,
-			     struct ts_arena *arena, void *base)
+			     struct ts_words words, const struct ts_place *where, struct ts_arena *arena,
+			     void *base)
 {
 	struct ts_parse p = { sim, what, words, 0, where, arena, base, NULL, NULL };
 
@@ -334,13 +327,12 @@ enum ts_status ts_args_parse(struct tsim *sim, const char *what, const struct ts
 	TS_TRY(check_required(&p, rows));
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++)
 		if (row->type == TS_ARG_MODE && *(int *)((char *)base + row->offset) >= 0)
-			TS_TRY(check_required(
-				&p, row->modes[*(int *)((char *)base + row->offset)].args));
+			TS_TRY(check_required(&p, row->modes[*(int *)((char *)base + row->offset)].args));
 	return TS_OK;
 }
 
-enum ts_status ts_number_now(struct tsim *sim, const struct ts_number *number,
-			     const struct ts_place *where, double *out)
+enum ts_status ts_number_now(struct tsim *sim, const struct ts_number *number, const struct ts_place *where,
+			     double *out)
 {
 	if (number->variable)
 		return sim->script_api->scalar(sim->script_api_data, number->variable, where, out);

@@ -24,9 +24,8 @@ enum ts_status ts_arg_refuse(struct ts_parse *p, const struct ts_arg *row, const
 	    row->type != TS_ARG_ENUM && row->type != TS_ARG_MODE)
 		snprintf(meaning, sizeof meaning, " (%s)", row->help);
 	if (word)
-		return ts_fail(&p->sim->error, TS_SYNTAX, &word->place,
-			       "%s: %s is '%s', expected %s%s", p->what, row->name, word->text,
-			       expected, meaning);
+		return ts_fail(&p->sim->error, TS_SYNTAX, &word->place, "%s: %s is '%s', expected %s%s",
+			       p->what, row->name, word->text, expected, meaning);
 	if (!(row->flags & TS_POSITIONAL) && p->words.n)
 		where = &p->words.word[p->words.n - 1].place;
 	return ts_fail(&p->sim->error, TS_SYNTAX, where,
@@ -35,8 +34,8 @@ enum ts_status ts_arg_refuse(struct ts_parse *p, const struct ts_arg *row, const
 		       p->what, row->name, expected, meaning);
 }
 
-static enum ts_status check_range(struct ts_parse *p, const struct ts_arg *row,
-				  const struct ts_word *word, double value)
+static enum ts_status check_range(struct ts_parse *p, const struct ts_arg *row, const struct ts_word *word,
+				  double value)
 {
 	bool ok = true;
 	char expected[96];
@@ -175,16 +174,16 @@ enum ts_status ts_arg_read_number(struct ts_parse *p, const struct ts_arg *row, 
 			if (host)
 				host->suggest_variable(p->sim->script_api_data, &suggest);
 			return ts_missing(&p->sim->error, "variable", word->text + 2, &word->place,
-					  "%s: %s names an unknown variable '%s'%s", p->what,
-					  row->name, word->text + 2, ts_suggest_text(&suggest));
+					  "%s: %s names an unknown variable '%s'%s", p->what, row->name,
+					  word->text + 2, ts_suggest_text(&suggest));
 		}
 		out->variable = ts_arena_strdup(p->arena, word->text + 2);
 		return out->variable ? TS_OK : ts_nomem(&p->sim->error);
 	}
 	if (!word || !ts_parse_real(word->text, &out->value))
 		return ts_arg_refuse(p, row, word,
-			      row->flags & TS_NULLABLE ? "a number, v_name or NULL"
-						       : "a number or v_name");
+				     row->flags & TS_NULLABLE ? "a number, v_name or NULL"
+							      : "a number or v_name");
 	return check_range(p, row, word, out->value);
 }
 
@@ -249,8 +248,7 @@ enum ts_status ts_arg_read_group(struct ts_parse *p, const struct ts_arg *row, i
 	return status;
 }
 
-enum ts_status ts_arg_read_region(struct ts_parse *p, const struct ts_arg *row,
-				  struct ts_instance **out)
+enum ts_status ts_arg_read_region(struct ts_parse *p, const struct ts_arg *row, struct ts_instance **out)
 {
 	const struct ts_word *word = ts_arg_take(p);
 

@@ -13,7 +13,7 @@ struct ts_parse {
 	const struct ts_place *where;
 	struct ts_arena *arena;
 	char *base;
-	bool *is_keyword; /* by word */
+	bool *is_keyword;	   /* by word */
 	const struct ts_arg *rows; /* being read: those of the innermost mode */
 };
 
@@ -32,8 +32,7 @@ enum ts_status ts_arg_read_coord(struct ts_parse *p, const struct ts_arg *row, d
 enum ts_status ts_arg_read_number(struct ts_parse *p, const struct ts_arg *row, struct ts_number *out);
 enum ts_status ts_arg_read_types(struct ts_parse *p, const struct ts_arg *row, struct ts_types *out);
 enum ts_status ts_arg_read_group(struct ts_parse *p, const struct ts_arg *row, int *out);
-enum ts_status ts_arg_read_region(struct ts_parse *p, const struct ts_arg *row,
-				  struct ts_instance **out);
+enum ts_status ts_arg_read_region(struct ts_parse *p, const struct ts_arg *row, struct ts_instance **out);
 enum ts_status ts_arg_read_vec3(struct ts_parse *p, const struct ts_arg *row, double out[3]);
 
 #endif

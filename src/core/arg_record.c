@@ -77,8 +77,7 @@ static bool absent(const struct ts_arg *row, const void *field)
 	}
 }
 
-static void add_value(const struct tsim *sim, const struct ts_arg *row, const void *field,
-		      struct ts_str *out)
+static void add_value(const struct tsim *sim, const struct ts_arg *row, const void *field, struct ts_str *out)
 {
 	switch (row->type) {
 	case TS_ARG_REAL:
@@ -126,8 +125,7 @@ static void add_value(const struct tsim *sim, const struct ts_arg *row, const vo
 	}
 }
 
-bool ts_arg_record(const struct tsim *sim, const struct ts_arg *row, const void *base,
-		   struct ts_str *out)
+bool ts_arg_record(const struct tsim *sim, const struct ts_arg *row, const void *base, struct ts_str *out)
 {
 	const void *field = (const char *)base + row->offset;
 
@@ -140,8 +138,7 @@ bool ts_arg_record(const struct tsim *sim, const struct ts_arg *row, const void 
 	return true;
 }
 
-void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const void *base,
-		    struct ts_str *out)
+void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const void *base, struct ts_str *out)
 {
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)base + row->offset;
@@ -156,8 +153,8 @@ void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const voi
 	}
 }
 
-static enum ts_status would_write(struct tsim *sim, const char *what, const char *path,
-				  struct ts_words words, const struct ts_place *where)
+static enum ts_status would_write(struct tsim *sim, const char *what, const char *path, struct ts_words words,
+				  const struct ts_place *where)
 {
 	for (size_t k = 0; k < words.n; k++)
 		if (ts_streq(words.word[k].text, path))
@@ -166,8 +163,7 @@ static enum ts_status would_write(struct tsim *sim, const char *what, const char
 }
 
 enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct ts_arg *rows,
-			       const void *base, struct ts_words words,
-			       const struct ts_place *where)
+			       const void *base, struct ts_words words, const struct ts_place *where)
 {
 	if (!sim->check || !sim->script_api)
 		return TS_OK;
@@ -179,8 +175,8 @@ enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct 
 		if (row->flags & TS_WRITES)
 			TS_TRY(would_write(sim, what, *(const char *const *)field, words, where));
 		if (row->type == TS_ARG_MODE)
-			TS_TRY(ts_args_outputs(sim, what, row->modes[*(const int *)field].args,
-					       base, words, where));
+			TS_TRY(ts_args_outputs(sim, what, row->modes[*(const int *)field].args, base, words,
+					       where));
 	}
 	return TS_OK;
 }

@@ -60,8 +60,9 @@ static bool folder_of(const char *path, char *folder, size_t room)
 
 enum { PLACES = 5, LONGEST = 1024 };
 
-/* Where coefficient files are: beside the script, in the folder of TSIM_POTENTIALS, in potentials/ here and of
- * the tree that the program has been built in, and where it was installed. Places that are not there are "". */
+/* Where coefficient files are: beside the script, in the folder of TSIM_POTENTIALS, in potentials/ here
+ * and of the tree that the program has been built in, and where it was installed. Places that are not
+ * there are "". */
 static void list_places(const char *script, char place[PLACES][LONGEST])
 {
 	const char *given = getenv("TSIM_POTENTIALS");
@@ -79,7 +80,8 @@ static void list_places(const char *script, char place[PLACES][LONGEST])
 	ts_str_release(&self);
 }
 
-static FILE *open_potential(struct tsim *sim, const char *name, const char *ending, char place[PLACES][LONGEST])
+static FILE *open_potential(struct tsim *sim, const char *name, const char *ending,
+			    char place[PLACES][LONGEST])
 {
 	struct ts_str path = { 0 };
 	FILE *file = NULL;
@@ -109,15 +111,14 @@ static enum ts_status not_found(struct tsim *sim, const struct ts_word *name, co
 		ts_str_add(&places, "; the folder TSIM_POTENTIALS may name another place");
 	status = ts_fail(&sim->error, TS_IO, &name->place,
 			 "cannot read coefficient file '%s'%s%s: %s; looked for here%s", name->text,
-			 *ending ? " nor with the ending " : "", ending, why,
-			 ts_str_text(&places));
+			 *ending ? " nor with the ending " : "", ending, why, ts_str_text(&places));
 	ts_str_release(&places);
 	return status;
 }
 
 /* All words of the file, one after the other, each with its place. */
-static enum ts_status read_words(struct tsim *sim, FILE *file, const char *name,
-				 struct ts_arena *arena, struct ts_words *out)
+static enum ts_status read_words(struct tsim *sim, FILE *file, const char *name, struct ts_arena *arena,
+				 struct ts_words *out)
 {
 	struct ts_word *all = NULL;
 	size_t capacity = 0, n = 0;
@@ -130,7 +131,8 @@ static enum ts_status read_words(struct tsim *sim, FILE *file, const char *name,
 
 		if (!strchr(line, '\n') && !feof(file)) { /* its rest would be taken for another line */
 			place.line++;
-			status = ts_fail(&sim->error, TS_RANGE, &place, "a line of a coefficient file has at most %zu bytes",
+			status = ts_fail(&sim->error, TS_RANGE, &place,
+					 "a line of a coefficient file has at most %zu bytes",
 					 sizeof line - 2);
 			break;
 		}
@@ -177,8 +179,8 @@ static enum ts_status parse_file(struct tsim *sim, const char *what, const struc
 	return ts_args_parse(sim, what, c->rows, words, &name->place, arena, entry);
 }
 
-enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, struct ts_coeffs *c,
-			      struct ts_words words, const struct ts_place *where, void *entry)
+enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, struct ts_coeffs *c, struct ts_words words,
+			      const struct ts_place *where, void *entry)
 {
 	enum ts_status status;
 
@@ -191,8 +193,8 @@ enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, struct ts_coef
 	return status;
 }
 
-static enum ts_status archive_entry(struct ts_archive *archive, struct tsim *sim,
-				    struct ts_coeffs *c, size_t k)
+static enum ts_status archive_entry(struct ts_archive *archive, struct tsim *sim, struct ts_coeffs *c,
+				    size_t k)
 {
 	const struct ts_place where = { .file = "restart file" };
 	struct ts_str record = { 0 };
@@ -209,8 +211,8 @@ static enum ts_status archive_entry(struct ts_archive *archive, struct tsim *sim
 	if (status == TS_OK && !ts_archive_writing(archive) && *text) {
 		status = ts_words_split(&c->arena, text, &where, &words);
 		if (status == TS_OK)
-			status = ts_args_parse(sim, "restart file", c->rows, words, &where,
-					       &c->arena, ts_coeff(c, k));
+			status = ts_args_parse(sim, "restart file", c->rows, words, &where, &c->arena,
+					       ts_coeff(c, k));
 		c->given[k] = status == TS_OK;
 	}
 	ts_str_release(&record);
@@ -230,8 +232,7 @@ enum ts_status ts_coeffs_archive(struct ts_archive *archive, struct tsim *sim, s
 	return TS_OK;
 }
 
-void ts_coeffs_fingerprint(const struct ts_coeffs *c, const struct tsim *sim,
-			    struct ts_hash *hash)
+void ts_coeffs_fingerprint(const struct ts_coeffs *c, const struct tsim *sim, struct ts_hash *hash)
 {
 	for (size_t k = 0; k < c->n; k++) {
 		struct ts_str record = { 0 };

@@ -7,8 +7,8 @@
 
 struct ts_coeffs {
 	const struct ts_arg *rows; /* the arguments of one entry */
-	size_t size;               /* bytes of one entry */
-	size_t n;                  /* entries */
+	size_t size;		   /* bytes of one entry */
+	size_t n;		   /* entries */
 	char *data;
 	bool *given;
 	struct ts_arena arena; /* strings of the arguments */
@@ -27,8 +27,8 @@ static inline void *ts_coeff(const struct ts_coeffs *c, size_t k)
  * coefficient file: keyword-value lines, `#` comments, searched as given, then beside the script, in the
  * folder of TSIM_POTENTIALS, in potentials/ here and of the tree that the program was built in, and where the
  * potentials have been installed. */
-enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, struct ts_coeffs *c,
-			      struct ts_words words, const struct ts_place *where, void *entry);
+enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, struct ts_coeffs *c, struct ts_words words,
+			      const struct ts_place *where, void *entry);
 
 /* All words of such a file, found in the same places, also with the ending added to its name. */
 enum ts_status ts_coeff_words(struct tsim *sim, const struct ts_word *name, const char *ending,
@@ -36,7 +36,6 @@ enum ts_status ts_coeff_words(struct tsim *sim, const struct ts_word *name, cons
 
 /* As text that parses back to the same bits. */
 enum ts_status ts_coeffs_archive(struct ts_archive *archive, struct tsim *sim, struct ts_coeffs *c);
-void ts_coeffs_fingerprint(const struct ts_coeffs *c, const struct tsim *sim,
-			    struct ts_hash *hash);
+void ts_coeffs_fingerprint(const struct ts_coeffs *c, const struct tsim *sim, struct ts_hash *hash);
 
 #endif

@@ -11,8 +11,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	(void)where;
 	/* behind the style's name: `reduce update_on_run_end yes sum ...` */
 	if (made->line.n > 1 && ts_streq(word[1].text, "update_on_run_end")) {
-		if (made->line.n == 2 ||
-		    !(ts_streq(word[2].text, "yes") || ts_streq(word[2].text, "no")))
+		if (made->line.n == 2 || !(ts_streq(word[2].text, "yes") || ts_streq(word[2].text, "no")))
 			return ts_fail(&sim->error, TS_SYNTAX, &word[made->line.n == 2 ? 1 : 2].place,
 				       "compute: update_on_run_end takes yes or no");
 		made->passed = 2;
@@ -31,7 +30,8 @@ const struct ts_command_style ts_command_compute = {
 		.name = "compute",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Defines a quantity computed from particles",
-		.doc = "It is evaluated when something asks for it by the name c_ID. See the pages of the compute\n"
+		.doc = "It is evaluated when something asks for it by the name c_ID. See the pages of the "
+		       "compute\n"
 		       "styles. `update_on_run_end yes` of LIGGGHTS, behind the style, is not needed.",
 		.example = "compute energy all ke",
 		.args = args,

@@ -11,8 +11,7 @@ struct state {
 /* Computes that always exist elsewhere: the keywords temp, press and pe. */
 static bool is_standard(const char *id)
 {
-	return ts_streq(id, "thermo_temp") || ts_streq(id, "thermo_press") ||
-	       ts_streq(id, "thermo_pe");
+	return ts_streq(id, "thermo_temp") || ts_streq(id, "thermo_press") || ts_streq(id, "thermo_pe");
 }
 
 /* dynamic: particles are counted whenever a temperature is taken. */
@@ -30,8 +29,8 @@ static enum ts_status without_effect(struct tsim *sim, struct ts_words words, si
 			continue;
 		if (words.n > 1 && (ts_streq(word[1].text, "yes") || ts_streq(word[1].text, "no")))
 			return TS_OK;
-		return ts_fail(&sim->error, TS_SYNTAX, &word->place,
-			       "compute_modify: %s takes yes or no", word->text);
+		return ts_fail(&sim->error, TS_SYNTAX, &word->place, "compute_modify: %s takes yes or no",
+			       word->text);
 	}
 	return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
 		       "compute_modify: the compute has no word '%s'%s", word->text,
@@ -78,8 +77,10 @@ const struct ts_command_style ts_command_compute_modify = {
 		.name = "compute_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Degrees of freedom of a temperature",
-		.doc = "extra M: a temperature is taken with D N - M degrees of freedom in place of D (N - 1).\n"
-		       "thermo_temp is the temperature of the keyword temp; thermo_press and thermo_pe are taken to\n"
+		.doc = "extra M: a temperature is taken with D N - M degrees of freedom in place of D (N - "
+		       "1).\n"
+		       "thermo_temp is the temperature of the keyword temp; thermo_press and thermo_pe are "
+		       "taken to\n"
 		       "exist.",
 		.example = "compute_modify thermo_temp dynamic yes\ncompute_modify heat extra 0",
 		.args = args,

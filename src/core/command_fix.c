@@ -20,7 +20,8 @@ const struct ts_command_style ts_command_fix = {
 		.name = "fix",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Makes something act on particles during runs",
-		.doc = "Fixes act in the order in which they are made. An id in use by the same style is replaced\n"
+		.doc = "Fixes act in the order in which they are made. An id in use by the same style is "
+		       "replaced\n"
 		       "in its place. See the pages of the fix styles.",
 		.example = "fix fall all gravity 9.81 vector 0 0 -1",
 		.args = args,

@@ -8,16 +8,15 @@ struct state {
 	struct ts_words words;
 };
 
-typedef enum ts_status answer_fn(struct tsim *sim, struct ts_instance *fix,
-				 const struct ts_word *answer);
+typedef enum ts_status answer_fn(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer);
 
 static enum ts_status read_answer(struct tsim *sim, const struct ts_word *word, bool *out)
 {
 	*out = ts_streq(word->text, "yes");
 	if (*out || ts_streq(word->text, "no"))
 		return TS_OK;
-	return ts_fail(&sim->error, TS_SYNTAX, &word->place,
-		       "fix_modify: found '%s', expected yes or no", word->text);
+	return ts_fail(&sim->error, TS_SYNTAX, &word->place, "fix_modify: found '%s', expected yes or no",
+		       word->text);
 }
 
 static enum ts_status energy(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer)
@@ -41,8 +40,7 @@ static enum ts_status virial(struct tsim *sim, struct ts_instance *fix, const st
 	if (!yes)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &answer->place,
-		       "fix_modify: pressures are of contacts, bonds and motion; fix %s has no part in "
-		       "them",
+		       "fix_modify: pressures are of contacts, bonds and motion; fix %s has no part in them",
 		       fix->style->name);
 }
 
@@ -67,8 +65,7 @@ static enum ts_status respa(struct tsim *sim, struct ts_instance *fix, const str
 		       "fix_modify: respa is '%s', expected an integer >= 0", answer->text);
 }
 
-static enum ts_status other_compute(struct tsim *sim, struct ts_instance *fix,
-				    const struct ts_word *answer)
+static enum ts_status other_compute(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer)
 {
 	return ts_fail(&sim->error, TS_RANGE, &answer->place,
 		       "fix_modify: fix %s takes no temperature or pressure from another compute",
@@ -79,14 +76,13 @@ static const struct {
 	const char *name;
 	answer_fn *take;
 } common[] = {
-	{ "energy", energy },	    { "virial", virial },      { "dynamic", dynamic },
-	{ "dynamic/dof", dynamic }, { "respa", respa },	       { "temp", other_compute },
+	{ "energy", energy },	    { "virial", virial }, { "dynamic", dynamic },
+	{ "dynamic/dof", dynamic }, { "respa", respa },	  { "temp", other_compute },
 	{ "press", other_compute },
 };
 enum { NCOMMON = sizeof common / sizeof *common };
 
-static enum ts_status unknown(struct tsim *sim, const struct ts_instance *fix,
-			      const struct ts_word *word)
+static enum ts_status unknown(struct tsim *sim, const struct ts_instance *fix, const struct ts_word *word)
 {
 	struct ts_suggest suggest = ts_suggest_start(word->text);
 
@@ -97,8 +93,7 @@ static enum ts_status unknown(struct tsim *sim, const struct ts_instance *fix,
 }
 
 /* The first words, which belong together; *used of them. */
-static enum ts_status modify(struct tsim *sim, struct ts_instance *fix, struct ts_words words,
-			     size_t *used)
+static enum ts_status modify(struct tsim *sim, struct ts_instance *fix, struct ts_words words, size_t *used)
 {
 	const struct ts_word *word = words.word;
 	int k = 0;
@@ -113,8 +108,8 @@ static enum ts_status modify(struct tsim *sim, struct ts_instance *fix, struct t
 	if (k == NCOMMON)
 		return unknown(sim, fix, word);
 	if (words.n < 2)
-		return ts_fail(&sim->error, TS_SYNTAX, &word->place,
-			       "fix_modify: %s lacks its value", word->text);
+		return ts_fail(&sim->error, TS_SYNTAX, &word->place, "fix_modify: %s lacks its value",
+			       word->text);
 	*used = 2;
 	return common[k].take(sim, fix, &word[1]);
 }
@@ -146,11 +141,16 @@ const struct ts_command_style ts_command_fix_modify = {
 		.name = "fix_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Whether the energy of a fix counts, and words of the fix itself",
-		.doc = "energy yes: the potential energy of the fix (gravity, addforce, spring, spring/self) is part\n"
-		       "of pe, etotal and compute pe; from the start it is not. dynamic/dof and respa have no effect:\n"
-		       "degrees of freedom are counted whenever a temperature is taken, and there is one time step.\n"
-		       "virial yes, temp and press are refused: pressures are of contacts, bonds and motion, and no\n"
-		       "fix takes a temperature or a pressure from another compute. What else there is, the pages of\n"
+		.doc = "energy yes: the potential energy of the fix (gravity, addforce, spring, spring/self) "
+		       "is part\n"
+		       "of pe, etotal and compute pe; from the start it is not. dynamic/dof and respa have "
+		       "no effect:\n"
+		       "degrees of freedom are counted whenever a temperature is taken, and there is one "
+		       "time step.\n"
+		       "virial yes, temp and press are refused: pressures are of contacts, bonds and motion, "
+		       "and no\n"
+		       "fix takes a temperature or a pressure from another compute. What else there is, the "
+		       "pages of\n"
 		       "the fixes say.",
 		.example = "fix_modify fall energy yes",
 		.args = args,

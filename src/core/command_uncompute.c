@@ -9,7 +9,8 @@ struct state {
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
-	const struct ts_word id = { .text = ((const struct state *)state)->id, .place = *ts_sim_word(sim, 1, where) };
+	const struct ts_word id = { .text = ((const struct state *)state)->id,
+				    .place = *ts_sim_word(sim, 1, where) };
 
 	return ts_sim_destroy(sim, TS_KIND_COMPUTE, &id);
 }

@@ -1,12 +1,12 @@
 /* Short loops over the particles, deferred and fused.
  *
- * Gravity, integrators and the rebuild check do little arithmetic on long columns; their cost is memory traffic. Such a
- * loop is deferred until something may read what it writes, across the end of a step, too. All deferred loops are then
- * executed together, in their order, on one small block of particles after the other, so that each column is read from
- * memory once.
+ * Gravity, integrators and the rebuild check do little arithmetic on long columns; their cost is memory
+ * traffic. Such a loop is deferred until something may read what it writes, across the end of a step, too.
+ * All deferred loops are then executed together, in their order, on one small block of particles after the
+ * other, so that each column is read from memory once.
  *
- * The plan executes them before each hook, but not before hooks that defer loops themselves (`defers` in struct ts_style):
- * these call ts_run_deferred_loops before they read columns of particles. */
+ * The plan executes them before each hook, but not before hooks that defer loops themselves (`defers` in
+ * struct ts_style): these call ts_run_deferred_loops before they read columns of particles. */
 #ifndef TS_CORE_DEFERRED_LOOPS_H
 #define TS_CORE_DEFERRED_LOOPS_H
 
@@ -29,10 +29,11 @@ struct ts_deferred_loops {
 };
 
 /* Defers body(context, from, to) for 0 .. rounds-1. The context is copied; what it points to must stay. */
-#define TS_DEFER_LOOP(sim, rounds, body, context)									\
-	do {														\
-		_Static_assert(sizeof *(context) <= TS_DEFERRED_CONTEXT * sizeof(double), "room for a context");	\
-		ts_defer_loop(sim, rounds, body, context, sizeof *(context));						\
+#define TS_DEFER_LOOP(sim, rounds, body, context)                                         \
+	do {                                                                              \
+		_Static_assert(sizeof *(context) <= TS_DEFERRED_CONTEXT * sizeof(double), \
+			       "room for a context");                                     \
+		ts_defer_loop(sim, rounds, body, context, sizeof *(context));             \
 	} while (0)
 void ts_defer_loop(struct tsim *sim, size_t rounds, ts_share_fn *body, const void *context, size_t size);
 

@@ -13,6 +13,6 @@ enum ts_status ts_define(struct tsim *sim, enum ts_kind kind, const struct ts_de
 		return ts_fail(&sim->error, TS_STATE, &name->place,
 			       "%s %s needs a simulation box: use create_box or read_restart first",
 			       ts_kind_name(kind), style->name);
-	return ts_sim_create(sim, kind, style, made->id, made->group, ts_words_from(made->line, 1 + made->passed),
-			     &name->place, NULL);
+	return ts_sim_create(sim, kind, style, made->id, made->group,
+			     ts_words_from(made->line, 1 + made->passed), &name->place, NULL);
 }

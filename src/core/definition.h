@@ -10,10 +10,10 @@ struct ts_definition {
 	struct ts_words line; /* style and its arguments */
 	size_t passed;	      /* words behind the style that are the command's own */
 };
-#define TS_DEFINITION_ARGS(group_help, line_help)                                                  \
-	TS_WORD("id", struct ts_definition, id, .flags = TS_POSITIONAL, .help = "its name"),       \
-		TS_GROUP("group", struct ts_definition, group, .flags = TS_POSITIONAL,             \
-			 .help = (group_help)),                                                    \
+#define TS_DEFINITION_ARGS(group_help, line_help)                                            \
+	TS_WORD("id", struct ts_definition, id, .flags = TS_POSITIONAL, .help = "its name"), \
+		TS_GROUP("group", struct ts_definition, group, .flags = TS_POSITIONAL,       \
+			 .help = (group_help)),                                              \
 		TS_REST("style", struct ts_definition, line, .help = (line_help))
 
 enum ts_status ts_define(struct tsim *sim, enum ts_kind kind, const struct ts_definition *made);

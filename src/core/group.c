@@ -36,8 +36,7 @@ enum ts_status ts_group_require(struct tsim *sim, const struct ts_word *name, in
 			  name->text, ts_suggest_text(&suggest));
 }
 
-enum ts_status ts_group_make(struct tsim *sim, const char *name, const struct ts_place *where,
-			     int *bit)
+enum ts_status ts_group_make(struct tsim *sim, const char *name, const struct ts_place *where, int *bit)
 {
 	const char **names = sim->groups.name;
 
@@ -46,8 +45,8 @@ enum ts_status ts_group_make(struct tsim *sim, const char *name, const struct ts
 		if (!names[g])
 			*bit = g;
 	if (*bit < 0)
-		return ts_fail(&sim->error, TS_RANGE, where, "no room for group '%s': there can be %d",
-			       name, TS_MAX_GROUPS);
+		return ts_fail(&sim->error, TS_RANGE, where, "no room for group '%s': there can be %d", name,
+			       TS_MAX_GROUPS);
 	names[*bit] = ts_pool_get(sim->pool, name);
 	return names[*bit] ? TS_OK : ts_nomem(&sim->error);
 }

@@ -1,5 +1,5 @@
-/* Groups as all know them: named sets of particles, a bit for each. Which particles are in a group is a column of
- * particles: particle/particles.h. */
+/* Groups as all know them: named sets of particles, a bit for each. Which particles are in a group is a
+ * column of particles: particle/particles.h. */
 #ifndef TS_CORE_GROUP_H
 #define TS_CORE_GROUP_H
 
@@ -23,7 +23,6 @@ bool ts_group_exists(const struct tsim *sim, const char *name);
 /* NULL: there is no group of that bit. */
 const char *ts_group_name(const struct tsim *sim, int bit);
 /* The bit of the group of that name, which is made if there is none. */
-enum ts_status ts_group_make(struct tsim *sim, const char *name, const struct ts_place *where,
-			     int *bit);
+enum ts_status ts_group_make(struct tsim *sim, const char *name, const struct ts_place *where, int *bit);
 
 #endif

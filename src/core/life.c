@@ -22,9 +22,8 @@ static void instance_free(struct ts_instance *inst)
 	ts_free(inst);
 }
 
-static enum ts_status instance_new(struct tsim *sim, const struct ts_style *style, const char *id,
-				   int group, const struct ts_place *where,
-				   struct ts_instance **out)
+static enum ts_status instance_new(struct tsim *sim, const struct ts_style *style, const char *id, int group,
+				   const struct ts_place *where, struct ts_instance **out)
 {
 	struct ts_instance *inst = ts_alloc(1, sizeof *inst);
 
@@ -87,8 +86,7 @@ static void set_defaults(struct tsim *sim)
 	sim->hard_particles = sim->soft_particles = sim->newton_on = sim->still_ghosts = false;
 	sim->running = sim->rebuild = sim->in_setup = sim->resuming = sim->halted = false;
 	if (sim->threads == 0)
-		sim->threads = threads && ts_parse_int(threads, &n) && n > 0 && n < 1024 ? (int)n
-											 : 1;
+		sim->threads = threads && ts_parse_int(threads, &n) && n > 0 && n < 1024 ? (int)n : 1;
 	ts_review_set(sim, NULL, TS_REVIEW_WARN);
 	sim->review.made = sim->review.stale = sim->review.doubtful = false;
 	sim->units_given = false;
@@ -180,17 +178,16 @@ static enum ts_status place_of_new(struct tsim *sim, enum ts_kind kind, const st
 			break;
 	if (*at < list->n && *id && list->item[*at]->style != style)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "%s id '%s' is already in use by style %s (line %d)",
-			       ts_kind_name(kind), id, list->item[*at]->style->name,
-			       list->item[*at]->where.line);
+			       "%s id '%s' is already in use by style %s (line %d)", ts_kind_name(kind), id,
+			       list->item[*at]->style->name, list->item[*at]->where.line);
 	if (*at == list->n && TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	return TS_OK;
 }
 
 enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,
-			     const char *id, int group, struct ts_words args,
-			     const struct ts_place *where, struct ts_instance **out)
+			     const char *id, int group, struct ts_words args, const struct ts_place *where,
+			     struct ts_instance **out)
 {
 	struct ts_instances *list = &sim->instances[kind];
 	struct ts_instance *inst = NULL;
@@ -203,8 +200,7 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 	snprintf(what, sizeof what, "%s %s", ts_kind_name(kind), style->name);
 	status = ts_words_copy(&inst->arena, args, &inst->words) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	if (status == TS_OK)
-		status = ts_args_parse(sim, what, style->args, args, where, &inst->arena,
-				       inst->state);
+		status = ts_args_parse(sim, what, style->args, args, where, &inst->arena, inst->state);
 	if (status == TS_OK)
 		status = ts_args_outputs(sim, what, style->args, inst->state, args, where);
 	if (status == TS_OK)
@@ -275,8 +271,8 @@ enum ts_status ts_sim_retire(struct tsim *sim, enum ts_kind kind, const struct t
 }
 
 /* Commands can run others. */
-static enum ts_status run_command(struct tsim *sim, const struct ts_command_style *command,
-				  void *state, struct ts_words words)
+static enum ts_status run_command(struct tsim *sim, const struct ts_command_style *command, void *state,
+				  struct ts_words words)
 {
 	struct ts_words outer = sim->line;
 	enum ts_status status;
@@ -310,8 +306,7 @@ enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
 	state = ts_alloc_aligned(1, style->state_size ? style->state_size : 1);
 	if (!state)
 		return ts_nomem(&sim->error);
-	status = ts_args_parse(sim, style->name, style->args, ts_words_from(words, 1), &where, &arena,
-			       state);
+	status = ts_args_parse(sim, style->name, style->args, ts_words_from(words, 1), &where, &arena, state);
 	if (status == TS_OK)
 		status = ts_args_outputs(sim, style->name, style->args, state, words, &where);
 	if (status == TS_OK && command->run)

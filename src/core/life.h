@@ -14,8 +14,8 @@ enum ts_status ts_sim_clear(struct tsim *sim);
  * replaced in place if it is of the same style (LIGGGHTS), else refused. `id` may be "" (pair, bond,
  * flow: replaces the one that lives). `out` may be NULL. */
 enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,
-			     const char *id, int group, struct ts_words args,
-			     const struct ts_place *where, struct ts_instance **out);
+			     const char *id, int group, struct ts_words args, const struct ts_place *where,
+			     struct ts_instance **out);
 /* For kinds of which one lives at most: creates it from a line `STYLE arguments`; `none`: there is none. */
 enum ts_status ts_sim_choose(struct tsim *sim, enum ts_kind kind, struct ts_words line,
 			     const struct ts_place *where);

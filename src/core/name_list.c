@@ -20,12 +20,11 @@ static enum ts_status unknown(struct tsim *sim, const char *what, const struct t
 
 	for (int k = 0; name_at(table, stride, k); k++)
 		ts_suggest_try(&suggest, name_at(table, stride, k));
-	return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "%s: unknown quantity '%s'%s", what,
-		       word->text, ts_suggest_text(&suggest));
+	return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "%s: unknown quantity '%s'%s", what, word->text,
+		       ts_suggest_text(&suggest));
 }
 
-enum ts_status ts_name_list_room(struct tsim *sim, struct ts_arena *arena, size_t n,
-				 struct ts_name_list *out)
+enum ts_status ts_name_list_room(struct tsim *sim, struct ts_arena *arena, size_t n, struct ts_name_list *out)
 {
 	if (!out->item)
 		out->item = ts_arena_alloc(arena, n ? n : 1, sizeof *out->item);

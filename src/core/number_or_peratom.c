@@ -5,7 +5,7 @@
 #include "base/banned.h"
 
 enum ts_status ts_number_or_peratom_now(struct tsim *sim, const struct ts_number *number,
-			   const struct ts_place *where, struct ts_number_or_peratom *each)
+					const struct ts_place *where, struct ts_number_or_peratom *each)
 {
 	each->list = NULL;
 	if (!number->variable || !sim->script_api->is_peratom(sim->script_api_data, number->variable))

@@ -14,7 +14,7 @@ struct ts_number_or_peratom {
 
 /* The number as it is now. */
 enum ts_status ts_number_or_peratom_now(struct tsim *sim, const struct ts_number *number,
-			   const struct ts_place *where, struct ts_number_or_peratom *each);
+					const struct ts_place *where, struct ts_number_or_peratom *each);
 static inline double ts_number_or_peratom_of(const struct ts_number_or_peratom *each, size_t i)
 {
 	return each->list ? each->list[i] : each->value;

@@ -14,24 +14,27 @@
 #include "base/banned.h"
 
 /* Within a stage, kinds act in this order. */
-static const enum ts_kind kind_order[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
+static const enum ts_kind kind_order[] = { TS_KIND_SYSTEM, TS_KIND_PAIR,     TS_KIND_BOND,
 					   TS_KIND_FLOW,   TS_KIND_PRESSURE, TS_KIND_REGION,
 					   TS_KIND_FIX,	   TS_KIND_COMPUTE,  TS_KIND_DUMP };
 enum { NORDER = sizeof kind_order / sizeof *kind_order };
 /* The site of random numbers that only the fingerprint sees. */
 enum { LOOKING = 2 };
 
-static enum ts_status add_action(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst,
-				 int stage, ts_hook_fn *hook)
+static enum ts_status add_action(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst, int stage,
+				 ts_hook_fn *hook)
 {
 	bool usual = hook == inst->style->hook[stage], watches = hook == inst->style->watch;
 
 	if (TS_GROW(plan->actions[stage], plan->capacity[stage], plan->n[stage] + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	plan->actions[stage][plan->n[stage]++] = (struct ts_action){
-		hook, inst, ts_instance_site(inst, stage), watches,
-		usual && inst->style->defers >> stage & 1u, !usual && !watches
-	};
+	plan->actions[stage][plan->n[stage]++] =
+		(struct ts_action){ hook,
+				    inst,
+				    ts_instance_site(inst, stage),
+				    watches,
+				    usual && inst->style->defers >> stage & 1u,
+				    !usual && !watches };
 	return TS_OK;
 }
 
@@ -63,8 +66,7 @@ static enum ts_status add_late(struct ts_plan *plan, struct tsim *sim, int when)
 }
 
 /* The stage with looks of this one at its beginning and after each action of others. */
-static enum ts_status watch_stage(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst,
-				  int stage)
+static enum ts_status watch_stage(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst, int stage)
 {
 	struct ts_action *before = plan->actions[stage];
 	size_t n = plan->n[stage];
@@ -205,8 +207,7 @@ enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_sta
 	return ts_plan_stages(plan, sim, stage, stage);
 }
 
-enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
-			      enum ts_stage last)
+enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first, enum ts_stage last)
 {
 	enum ts_status status = act_in(plan, sim, first, last);
 
@@ -343,12 +344,11 @@ enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
 	return ts_plan_stopped(sim);
 }
 
-static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *inst,
-				    struct ts_hash *hash);
+static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *inst, struct ts_hash *hash);
 
 /* Variables that move a region, and the regions a region is made of, stand in it as words. */
-static enum ts_status hash_words(struct tsim *sim, const struct ts_instance *inst,
-				 struct ts_words words, struct ts_hash *hash)
+static enum ts_status hash_words(struct tsim *sim, const struct ts_instance *inst, struct ts_words words,
+				 struct ts_hash *hash)
 {
 	for (size_t k = 0; k < words.n; k++) {
 		const char *text = words.word[k].text;
@@ -399,8 +399,7 @@ static enum ts_status hash_meaning(struct tsim *sim, const struct ts_instance *i
 	return TS_OK;
 }
 
-static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *inst,
-				    struct ts_hash *hash)
+static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *inst, struct ts_hash *hash)
 {
 	struct ts_str record = { 0 };
 
@@ -427,8 +426,8 @@ static bool only_looks(const struct ts_instance *inst)
 static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
 {
 	/* Not who solves for the pressure: the fluid that is there does not depend on it. */
-	static const enum ts_kind kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
-					      TS_KIND_FLOW, TS_KIND_FIX };
+	static const enum ts_kind kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND, TS_KIND_FLOW,
+					      TS_KIND_FIX };
 	struct ts_hash hash = ts_hash_start();
 
 	ts_hash_add(&hash, &sim->clock.dt, sizeof sim->clock.dt);

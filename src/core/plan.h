@@ -42,8 +42,8 @@ enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup);
 enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup);
 enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim);
 enum ts_status ts_plan_finish(struct ts_plan *plan, struct tsim *sim);
-/* The one definition of a step. Loops may still be deferred when it returns: call ts_run_deferred_loops() before reading
- * particles. */
+/* The one definition of a step. Loops may still be deferred when it returns: call ts_run_deferred_loops()
+ * before reading particles. */
 enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim);
 /* What comes before the first one: forces, if they are to be computed anew, and SETUP. */
 enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool anew);

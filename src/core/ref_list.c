@@ -35,17 +35,16 @@ static const char *advice(unsigned found, unsigned shapes, const struct ts_ref *
 	return ref->index ? "; is the index right?" : "";
 }
 
-static enum ts_status wrong_shape(struct tsim *sim, const char *what, unsigned found,
-				  unsigned shapes, const struct ts_ref_input *input)
+static enum ts_status wrong_shape(struct tsim *sim, const char *what, unsigned found, unsigned shapes,
+				  const struct ts_ref_input *input)
 {
 	struct ts_str has = { 0 }, wanted = { 0 };
 	enum ts_status status;
 
 	describe(found, &has);
 	describe(shapes, &wanted);
-	status = ts_fail(&sim->error, TS_STATE, &input->where,
-			 "%s: '%s' is %s, expected %s%s", what, input->name,
-			 has.length ? has.text : "no output", ts_str_text(&wanted),
+	status = ts_fail(&sim->error, TS_STATE, &input->where, "%s: '%s' is %s, expected %s%s", what,
+			 input->name, has.length ? has.text : "no output", ts_str_text(&wanted),
 			 advice(found, shapes, &input->ref));
 	ts_str_release(&has);
 	ts_str_release(&wanted);
@@ -61,7 +60,8 @@ static enum ts_status unknown_quantity(struct tsim *sim, const char *what, unsig
 
 	if (remark && shapes & TS_WANT(PERATOM))
 		return ts_fail(&sim->error, TS_UNKNOWN, &input->where,
-			       "%s: quantity '%s' is known, but tsim does not have it: %s", what, input->name, remark);
+			       "%s: quantity '%s' is known, but tsim does not have it: %s", what, input->name,
+			       remark);
 	if (shapes & TS_WANT(PERATOM))
 		ts_quantity_suggest(sim, &suggest);
 	return ts_fail(&sim->error, TS_UNKNOWN, &input->where,
@@ -81,8 +81,7 @@ enum ts_status ts_ref_input_resolve(struct tsim *sim, const char *what, unsigned
 	unsigned found = TS_WANT(PERATOM);
 
 	input->quantity = shapes & TS_WANT(PERATOM) && ts_quantity_has(sim, input->name);
-	if (!input->quantity && shapes & (TS_WANT(PERATOM) | TS_WANT(LOCAL)) &&
-	    !has_prefix(input->name))
+	if (!input->quantity && shapes & (TS_WANT(PERATOM) | TS_WANT(LOCAL)) && !has_prefix(input->name))
 		return unknown_quantity(sim, what, shapes, input);
 	if (!input->quantity) {
 		TS_TRY(ts_ref_resolve(sim, input->name, &input->where, &input->ref));
@@ -129,8 +128,7 @@ static bool cut_wildcard(const char *name, struct wildcard *w)
 }
 
 /* How many columns or elements the `*` may stand for: of the shape that [k] turns into one wanted. */
-static enum ts_status extent(struct tsim *sim, const struct ts_ref_input *input, unsigned shapes,
-			     size_t *n)
+static enum ts_status extent(struct tsim *sim, const struct ts_ref_input *input, unsigned shapes, size_t *n)
 {
 	static const struct {
 		enum ts_shape whole, part;
@@ -145,8 +143,7 @@ static enum ts_status extent(struct tsim *sim, const struct ts_ref_input *input,
 		const struct ts_value *value = ts_value_find(input->ref.inst, parts[k].whole);
 		struct ts_table *table = &input->ref.inst->table;
 
-		if (!value || !(shapes & 1u << parts[k].part) ||
-		    parts[k].second != (input->ref.index != 0))
+		if (!value || !(shapes & 1u << parts[k].part) || parts[k].second != (input->ref.index != 0))
 			continue;
 		*n = value->columns;
 		if (*n)
@@ -155,14 +152,13 @@ static enum ts_status extent(struct tsim *sim, const struct ts_ref_input *input,
 		*n = parts[k].whole == TS_VECTOR ? table->rows * table->columns : table->columns;
 		return TS_OK;
 	}
-	return ts_fail(&sim->error, TS_STATE, &input->where,
-		       "'%s': nothing here for * to stand for", input->name);
+	return ts_fail(&sim->error, TS_STATE, &input->where, "'%s': nothing here for * to stand for",
+		       input->name);
 }
 
 /* The names a word stands for are appended to the list (list NULL: only counted). */
-static enum ts_status expand_one(struct tsim *sim, struct ts_arena *arena,
-				 const struct ts_word *word, unsigned shapes, struct ts_word *list,
-				 size_t *n)
+static enum ts_status expand_one(struct tsim *sim, struct ts_arena *arena, const struct ts_word *word,
+				 unsigned shapes, struct ts_word *list, size_t *n)
 {
 	struct ts_ref_input whole = { .where = word->place };
 	struct wildcard w;
@@ -178,8 +174,8 @@ static enum ts_status expand_one(struct tsim *sim, struct ts_arena *arena,
 	TS_TRY(ts_ref_resolve(sim, w.head, &word->place, &whole.ref));
 	TS_TRY(extent(sim, &whole, shapes, &count));
 	if (w.hi > (int64_t)count || w.lo > (w.hi ? w.hi : (int64_t)count))
-		return ts_fail(&sim->error, TS_RANGE, &word->place, "'%s': '%s' has %zu", word->text,
-			       w.head, count);
+		return ts_fail(&sim->error, TS_RANGE, &word->place, "'%s': '%s' has %zu", word->text, w.head,
+			       count);
 	for (int64_t k = w.lo; k <= (w.hi ? w.hi : (int64_t)count); k++, ++*n) {
 		struct ts_str name = { 0 };
 
@@ -246,13 +242,16 @@ enum ts_status ts_refs_read(struct tsim *sim, const struct ts_instance *inst)
 		const struct ts_word *word = &inst->words.word[k];
 		const char *name = word->text + 2;
 
-		if (strncmp(word->text, "v_", 2) != 0 || !sim->script_api->has_variable(sim->script_api_data, name))
+		if (strncmp(word->text, "v_", 2) != 0 ||
+		    !sim->script_api->has_variable(sim->script_api_data, name))
 			continue;
 		TS_TRY(sim->script_api->reads(sim->script_api_data, name,
-					sim->script_api->is_peratom(sim->script_api_data, name)  ? TS_PERATOM
-					: sim->script_api->is_vector(sim->script_api_data, name) ? TS_VECTOR
-										     : TS_SCALAR,
-					&word->place));
+					      sim->script_api->is_peratom(sim->script_api_data, name)
+						      ? TS_PERATOM
+					      : sim->script_api->is_vector(sim->script_api_data, name)
+						      ? TS_VECTOR
+						      : TS_SCALAR,
+					      &word->place));
 	}
 	return TS_OK;
 }
@@ -268,8 +267,7 @@ enum ts_status ts_ref_input_scalar(struct tsim *sim, const struct ts_ref_input *
 	return ts_ref_scalar(sim, &input->ref, &input->where, out);
 }
 
-enum ts_status ts_ref_input_eval(struct tsim *sim, const struct ts_ref_input *input,
-				 struct ts_table *out)
+enum ts_status ts_ref_input_eval(struct tsim *sim, const struct ts_ref_input *input, struct ts_table *out)
 {
 	const struct ts_value *array;
 

@@ -14,7 +14,7 @@ struct ts_ref_input {
 	const char *name; /* one of those a `*` stood for: "c_ID[3]" */
 	struct ts_place where;
 	enum ts_shape shape; /* what it gives here */
-	bool quantity;       /* x, vx ...: no ref */
+	bool quantity;	     /* x, vx ...: no ref */
 	struct ts_ref ref;
 };
 
@@ -42,13 +42,13 @@ enum ts_status ts_ref_input_resolve(struct tsim *sim, const char *what, unsigned
  * the names stand for. */
 enum ts_status ts_ref_list_init(struct tsim *sim, const char *what, struct ts_arena *arena,
 				struct ts_words words, unsigned shapes, struct ts_ref_list *list);
-/* Variables among the words of a fix, compute or dump: are their formulas right, as far as names and shapes tell? */
+/* Variables among the words of a fix, compute or dump: are their formulas right, as far as names and
+ * shapes tell? */
 enum ts_status ts_refs_read(struct tsim *sim, const struct ts_instance *inst);
 void ts_ref_list_release(struct ts_ref_list *list);
 
 /* The numbers of one input: one column; of an ARRAY all columns. */
-enum ts_status ts_ref_input_eval(struct tsim *sim, const struct ts_ref_input *input,
-				 struct ts_table *out);
+enum ts_status ts_ref_input_eval(struct tsim *sim, const struct ts_ref_input *input, struct ts_table *out);
 enum ts_status ts_ref_input_scalar(struct tsim *sim, const struct ts_ref_input *input, double *out);
 /* One row of numbers, one for each input; all inputs are SCALAR. */
 enum ts_status ts_ref_list_scalars(struct tsim *sim, const struct ts_ref_list *list, double *out);

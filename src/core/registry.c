@@ -102,8 +102,7 @@ enum ts_status ts_style_require(struct tsim *sim, enum ts_kind kind, const struc
 		return TS_OK;
 	if (known)
 		return ts_fail(&sim->error, TS_UNKNOWN, &name->place,
-			       "%s%s '%s' is known from LIGGGHTS or LAMMPS, but tsim does not have "
-			       "it: %s",
+			       "%s%s '%s' is known from LIGGGHTS or LAMMPS, but tsim does not have it: %s",
 			       ts_kind_name(kind), kind_noun(kind), name->text, known->remark);
 	for (const struct ts_style *const *s = sim->tables->styles; *s; s++)
 		if ((*s)->kind == kind)
@@ -112,8 +111,7 @@ enum ts_status ts_style_require(struct tsim *sim, enum ts_kind kind, const struc
 		if (aliases[k].kind == kind)
 			ts_suggest_try(&suggest, aliases[k].other);
 	suggestion = ts_suggest_text(&suggest);
-	return ts_fail(&sim->error, TS_UNKNOWN, &name->place, "unknown %s%s '%s'%s%s",
-		       ts_kind_name(kind), kind_noun(kind), name->text,
-		       *suggestion ? suggestion : "; for a list: tsim -help ",
+	return ts_fail(&sim->error, TS_UNKNOWN, &name->place, "unknown %s%s '%s'%s%s", ts_kind_name(kind),
+		       kind_noun(kind), name->text, *suggestion ? suggestion : "; for a list: tsim -help ",
 		       *suggestion ? "" : ts_kind_name(kind));
 }

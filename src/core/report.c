@@ -56,8 +56,7 @@ int64_t ts_report_times(const struct tsim *sim, int64_t every)
 	return every > 0 ? sim->clock.last_step / every - sim->clock.step / every : 0;
 }
 
-enum ts_status ts_report_output(struct ts_plan_report *report, const char *name, int64_t frames,
-				double bytes)
+enum ts_status ts_report_output(struct ts_plan_report *report, const char *name, int64_t frames, double bytes)
 {
 	struct ts_output *output;
 
@@ -118,7 +117,7 @@ enum ts_status ts_report_collect(struct ts_plan_report *report, struct tsim *sim
 		for (size_t k = 0; k < list->n; k++)
 			if (list->item[k]->style->plan)
 				TS_TRY(ts_defer_error(sim, list->item[k]->style->plan(list->item[k], sim,
-										 report)));
+										      report)));
 	}
 	return TS_OK;
 }

@@ -1,5 +1,5 @@
-/* What styles report of a run before it starts, and of limits while it goes on: lines of the plan, limits of the time
- * step, outputs, what is left out. explain/plan_report.c prints it. */
+/* What styles report of a run before it starts, and of limits while it goes on: lines of the plan, limits
+ * of the time step, outputs, what is left out. explain/plan_report.c prints it. */
 #ifndef TS_CORE_REPORT_H
 #define TS_CORE_REPORT_H
 
@@ -7,11 +7,11 @@
 
 /* What a style may add to the report of -explain and to the checks before a run. */
 struct ts_limit {
-	double dt;           /* the largest stable step */
-	bool fatal;          /* beyond it the run is refused; else only warned */
-	bool watched;	     /* who reported it stops the run itself, at the very step */
-	uint64_t cause;      /* the same for the same sort of limit of the same line */
-	char text[160];      /* "contact of types 1-1: 2/omega0, k* = ..., m* = ..." */
+	double dt;	/* the largest stable step */
+	bool fatal;	/* beyond it the run is refused; else only warned */
+	bool watched;	/* who reported it stops the run itself, at the very step */
+	uint64_t cause; /* the same for the same sort of limit of the same line */
+	char text[160]; /* "contact of types 1-1: 2/omega0, k* = ..., m* = ..." */
 	struct ts_place where;
 };
 /* A file, or a series of them, that the run writes. */
@@ -30,13 +30,13 @@ struct ts_left_out {
 struct ts_plan_report {
 	struct ts_limit *limit;
 	size_t nlimits, limit_capacity;
-	bool limits_only;      /* while running: nothing but limits is asked for */
-	bool advice;	       /* limits that are advice are wanted, too */
-	double enough;	       /* limits that are surely larger need not be exact; infinite: all must */
-	struct ts_str lines;   /* "  particles    3100 ..." */
+	bool limits_only;    /* while running: nothing but limits is asked for */
+	bool advice;	     /* limits that are advice are wanted, too */
+	double enough;	     /* limits that are surely larger need not be exact; infinite: all must */
+	struct ts_str lines; /* "  particles    3100 ..." */
 	struct ts_left_out *left_out;
 	size_t nleft_out, left_out_capacity;
-	double bytes;          /* memory */
+	double bytes; /* memory */
 	struct ts_output *output;
 	size_t noutputs, output_capacity;
 };

@@ -82,8 +82,7 @@ enum ts_status ts_review_find(struct tsim *sim, const char *check, const struct 
 	va_end(args);
 	TS_TRY(note(sim, cause, &new));
 	if (sim->review.answer[k] == TS_REVIEW_ERROR && (new || !sim->check))
-		return ts_fail_at(&sim->error, TS_STATE, where, check, 0, "%s (review: %s)", text,
-				  check);
+		return ts_fail_at(&sim->error, TS_STATE, where, check, 0, "%s (review: %s)", text, check);
 	if (new)
 		ts_warn(&sim->log, where, "%s (review: %s)", text, check);
 	return TS_OK;
@@ -98,8 +97,7 @@ static enum ts_status ask_styles(struct tsim *sim)
 
 		for (size_t k = 0; k < list->n; k++)
 			if (list->item[k]->style->review)
-				TS_TRY(ts_defer_error(sim,
-						 list->item[k]->style->review(list->item[k], sim)));
+				TS_TRY(ts_defer_error(sim, list->item[k]->style->review(list->item[k], sim)));
 	}
 	return TS_OK;
 }

@@ -14,8 +14,7 @@ struct ts_script_api {
 	enum ts_status (*substitute)(void *host, const char *text, const struct ts_place *where,
 				     struct ts_str *out);
 	/* The number an equal-, index-, loop- or string-style variable stands for now. */
-	enum ts_status (*scalar)(void *host, const char *variable, const struct ts_place *where,
-				 double *out);
+	enum ts_status (*scalar)(void *host, const char *variable, const struct ts_place *where, double *out);
 	/* The values of an atom-style variable, one per local particle (one column). */
 	enum ts_status (*peratom)(void *host, const char *variable, const struct ts_place *where,
 				  struct ts_table *out);
@@ -25,19 +24,19 @@ struct ts_script_api {
 	bool (*has_variable)(void *host, const char *variable);
 	bool (*is_peratom)(void *host, const char *variable);
 	bool (*is_vector)(void *host, const char *variable);
-	/* Whether the variable can give a value of this shape as far as names and shapes in its formula say, before it
-	 * is asked for one. */
+	/* Whether the variable can give a value of this shape as far as names and shapes in its formula
+	 * say, before it is asked for one. */
 	enum ts_status (*reads)(void *host, const char *variable, enum ts_shape shape,
 				const struct ts_place *where);
 	/* The same of commands that are to be executed later, one after the other. */
 	enum ts_status (*reads_commands)(void *host, struct ts_words commands);
 	/* The same of a text whose variables and formulas are to be replaced later. */
 	enum ts_status (*reads_text)(void *host, const char *text, const struct ts_place *where);
-	/* Commands that are executed while a run goes on: what they define may be named before it is there. */
+	/* Commands that are executed while a run goes on: what they define may be named before it is
+	 * there. */
 	void (*expects)(void *host, struct ts_words commands);
 	/* Gives a variable of style internal its number, for the formulas that use it. */
-	enum ts_status (*set)(void *host, const char *variable, const struct ts_place *where,
-			      double value);
+	enum ts_status (*set)(void *host, const char *variable, const struct ts_place *where, double value);
 	/* Writes or reads what the script must remember between runs: its streams of random numbers. */
 	enum ts_status (*archive)(void *host, struct ts_archive *archive);
 	/* A line for each variable: name, style, definition, place. */

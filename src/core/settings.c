@@ -6,7 +6,6 @@
 
 #include "base/banned.h"
 
-
 void ts_setting(struct ts_str *out, bool is_default, const char *format, ...)
 {
 	va_list args;
@@ -52,8 +51,7 @@ static void add_rows(const struct tsim *sim, const struct ts_arg *row, const voi
 		ts_str_release(&value);
 		position += row->type == TS_ARG_VEC3 ? 3 : (row->flags & TS_POSITIONAL) != 0;
 		if (row->type == TS_ARG_MODE && *(const int *)field >= 0)
-			add_rows(sim, row->modes[*(const int *)field].args, base, words, position,
-				 out);
+			add_rows(sim, row->modes[*(const int *)field].args, base, words, position, out);
 	}
 }
 
@@ -82,12 +80,10 @@ void ts_settings_log_run(struct tsim *sim)
 		return;
 	ts_setting(&line, sim->units == TS_UNITS_LJ, "units %s", ts_units_name(sim->units));
 	ts_setting(&line, sim->dimension == 3, "dimension %d", sim->dimension);
-	ts_setting(&line, !(sim->clock.dt < dt || sim->clock.dt > dt), "timestep %.15g",
-		   sim->clock.dt);
+	ts_setting(&line, !(sim->clock.dt < dt || sim->clock.dt > dt), "timestep %.15g", sim->clock.dt);
 	ts_setting(&line, sim->threads == 1, "threads %d", sim->threads);
 	for (size_t k = 0; k < systems->n; k++) {
-		const struct ts_system_style *style =
-			(const struct ts_system_style *)systems->item[k]->style;
+		const struct ts_system_style *style = (const struct ts_system_style *)systems->item[k]->style;
 
 		if (style->settings)
 			style->settings(systems->item[k], sim, &line);

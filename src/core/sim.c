@@ -39,8 +39,7 @@ struct ts_instance *ts_sim_only(const struct tsim *sim, enum ts_kind kind)
 	return list->n ? list->item[0] : NULL;
 }
 
-struct ts_instance *ts_sim_next_of(const struct tsim *sim, enum ts_kind kind, const char *family,
-				   size_t *k)
+struct ts_instance *ts_sim_next_of(const struct tsim *sim, enum ts_kind kind, const char *family, size_t *k)
 {
 	const struct ts_instances *list = &sim->instances[kind];
 
@@ -64,9 +63,8 @@ enum ts_status ts_sim_require(struct tsim *sim, enum ts_kind kind, const struct 
 		return TS_OK;
 	for (size_t k = 0; k < list->n; k++)
 		ts_suggest_try(&suggest, list->item[k]->id);
-	return ts_missing(&sim->error, ts_kind_name(kind), id->text, &id->place,
-			  "there is no %s '%s'%s", ts_kind_name(kind), id->text,
-			  ts_suggest_text(&suggest));
+	return ts_missing(&sim->error, ts_kind_name(kind), id->text, &id->place, "there is no %s '%s'%s",
+			  ts_kind_name(kind), id->text, ts_suggest_text(&suggest));
 }
 
 enum ts_status ts_defer_error(struct tsim *sim, enum ts_status status)
@@ -100,8 +98,7 @@ const struct ts_place *ts_sim_word(const struct tsim *sim, size_t k, const struc
 	return k < sim->line.n ? &sim->line.word[k].place : where;
 }
 
-const struct ts_place *ts_sim_word_of(const struct tsim *sim, const char *text,
-				      const struct ts_place *where)
+const struct ts_place *ts_sim_word_of(const struct tsim *sim, const char *text, const struct ts_place *where)
 {
 	for (size_t k = 1; k < sim->line.n; k++)
 		if (ts_streq(sim->line.word[k].text, text))

@@ -46,11 +46,11 @@ struct ts_total_cost {
 	bool open;		     /* there are runs whose number or length is not known */
 };
 
-/* Looks at run commands (-advise): told before one of them how far it goes, which it may shorten, and after it;
- * an error ends the script. */
+/* Looks at run commands (-advise): told before one of them how far it goes, which it may shorten, and
+ * after it; an error ends the script. */
 struct ts_run_watch {
-	enum ts_status (*before)(struct ts_run_watch *self, struct tsim *sim,
-				 const struct ts_place *where, int64_t *last);
+	enum ts_status (*before)(struct ts_run_watch *self, struct tsim *sim, const struct ts_place *where,
+				 int64_t *last);
 	enum ts_status (*after)(struct ts_run_watch *self, struct tsim *sim);
 };
 
@@ -68,16 +68,16 @@ struct ts_draws {
 };
 
 struct ts_clock {
-	int64_t step;       /* the step counter                                    */
+	int64_t step;	    /* the step counter                                    */
 	int64_t first_step; /* of the current run                                  */
 	int64_t last_step;  /* of the current run                                  */
 	int64_t ramp_first; /* where what changes over a run begins and ends: the  */
 	int64_t ramp_last;  /* run command's own, or as `run N start S stop E` says */
-	int64_t goal;       /* where the last run command is to end                */
+	int64_t goal;	    /* where the last run command is to end                */
 	int64_t base_step;  /* time = base_time + (step - base_step) dt: exact for */
 	double base_time;   /* a constant dt, whatever the number of steps         */
 	double dt;
-	double wall_start;  /* ts_clock() at the start of the current run */
+	double wall_start; /* ts_clock() at the start of the current run */
 };
 
 /* Who has acted last, for styles that watch. */
@@ -105,65 +105,66 @@ struct tsim {
 	struct ts_error error;
 	struct ts_log log;
 	struct ts_files files; /* the one door to files; closed for -sandbox */
-	struct ts_pool *pool; /* file names and script lines of places */
+	struct ts_pool *pool;  /* file names and script lines of places */
 
 	struct ts_clock clock;
 	enum ts_units units;
-	bool units_given;  /* by the command */
+	bool units_given; /* by the command */
 	int dimension;
 	int threads;
-	int grain; /* a loop is shared among threads only as far as each gets so many rounds */
+	int grain;	   /* a loop is shared among threads only as far as each gets so many rounds */
 	unsigned full;	   /* bits of enum ts_full */
-	bool explain;      /* -explain: plan runs, do not step or write */
-	bool check;        /* -check: as explain, but errors do not end the script */
-	bool planned;      /* -explain: a run would have changed the state by now */
+	bool explain;	   /* -explain: plan runs, do not step or write */
+	bool check;	   /* -check: as explain, but errors do not end the script */
+	bool planned;	   /* -explain: a run would have changed the state by now */
 	bool dry;	   /* formulas are only read: do names exist, are shapes right? */
-	bool unreached;    /* -check: reads a line that is not run: names are not looked up */
+	bool unreached;	   /* -check: reads a line that is not run: names are not looked up */
 	bool open_clock;   /* -explain: how many steps were made before, only a run can tell */
 	bool has_box;	   /* there is a simulation box; set by the domain */
 	bool box_moves;	   /* a run changes the box */
 	char from_run[48]; /* -explain: a value read by this line that only a run can give */
 	bool hard_particles, soft_particles; /* Young's moduli beyond the usual are meant */
-	bool newton_on, still_ghosts; /* said by the script, of no effect; pair_style gran refuses */
-	bool legacy;       /* LIGGGHTS' numbers: see the command of this name */
-	bool unsafe;       /* this run only warns of a step beyond the stability limit */
-	bool running;      /* inside a run */
-	bool in_pieces;    /* this run is stepped from outside, its end not known: core/stepping.h */
-	bool halted;       /* by fix halt: later runs do nothing */
+	bool newton_on, still_ghosts;	     /* said by the script, of no effect; pair_style gran refuses */
+	bool legacy;			     /* LIGGGHTS' numbers: see the command of this name */
+	bool unsafe;			     /* this run only warns of a step beyond the stability limit */
+	bool running;			     /* inside a run */
+	bool in_pieces;	     /* this run is stepped from outside, its end not known: core/stepping.h */
+	bool halted;	     /* by fix halt: later runs do nothing */
 	bool explicit_euler; /* a live integrator is explicit Euler, which has limits of its own */
-	bool clamped; /* a live integrator bounds how far particles move in a step */
-	bool rebuild;      /* this step exchanges particles and rebuilds the contact rows */
-	uint64_t removals; /* of instances, ever: what refers to one must look again */
-	bool complete;     /* this step leaves all that may be looked at when a run has ended */
-	bool shows_contacts; /* a keyword was named that looks at the forces of contacts, or a program may name one */
-	bool in_setup;     /* forces before the first step: contact history stands still */
-	bool resuming;     /* nothing forces depend on has changed since the last step: the run
+	bool clamped;	     /* a live integrator bounds how far particles move in a step */
+	bool rebuild;	     /* this step exchanges particles and rebuilds the contact rows */
+	uint64_t removals;   /* of instances, ever: what refers to one must look again */
+	bool complete;	     /* this step leaves all that may be looked at when a run has ended */
+	/* a keyword was named that looks at the forces of contacts, or a program may name one */
+	bool shows_contacts;
+	bool in_setup; /* forces before the first step: contact history stands still */
+	bool resuming; /* nothing forces depend on has changed since the last step: the run
 			    * goes on with the forces and the rows of that step */
-	bool looking;      /* a value is read that does not count: next() stays where it is */
+	bool looking;  /* a value is read that does not count: next() stays where it is */
 	struct ts_deferred_loops deferred;
 	struct ts_draws draws;
 	struct ts_acted acted;
-	int64_t era; /* how often steps have begun to be counted anew, by reset_timestep or clear: random
+	int64_t era;	/* how often steps have begun to be counted anew, by reset_timestep or clear: random
 		      * numbers do not come again */
 	uint64_t epoch; /* while somebody acts in a stage, nothing changes that he reads: outputs are
 			 * evaluated once. 0: something may change at any time */
 	uint64_t epochs;
 	struct ts_total_cost cost;
-	volatile int stop; /* set from a signal handler: finish the step, then stop */
-	bool stopped_whole; /* it stopped between two steps or commands, and can be saved */
-	volatile int save;  /* set from a signal handler: save the state after this step or command */
-	bool saving;	    /* this step ends so */
+	volatile int stop;	/* set from a signal handler: finish the step, then stop */
+	bool stopped_whole;	/* it stopped between two steps or commands, and can be saved */
+	volatile int save;	/* set from a signal handler: save the state after this step or command */
+	bool saving;		/* this step ends so */
 	struct ts_saver *saver; /* who does it; NULL: nobody */
-	uint64_t generation; /* grows when particles are added, deleted, reordered or their columns
+	uint64_t generation;	/* grows when particles are added, deleted, reordered or their columns
 			      * move in memory; never goes back, not by `clear` either */
-	const char *restart_on_signal; /* file written when a signal stops the run; "": none,
+	const char *restart_on_signal;	/* file written when a signal stops the run; "": none,
 					* NULL: tsim.interrupted.restart beside the log */
 	struct ts_shared_buffers holds; /* columns that the library has given away */
-	uint64_t fingerprint; /* of all that forces depend on, at the end of the last run */
+	uint64_t fingerprint;		/* of all that forces depend on, at the end of the last run */
 
-	unsigned columns;     /* all that live styles need */
+	unsigned columns;			 /* all that live styles need */
 	struct ts_instances instances[TS_NKIND]; /* systems, pair, bond, flow, pressure: at most one live  */
-	struct ts_instances retired; /* deleted, but others may still refer to them */
+	struct ts_instances retired;		 /* deleted, but others may still refer to them */
 
 	struct ts_groups groups;
 
@@ -179,12 +180,12 @@ struct tsim {
 
 	struct ts_unclaimed *unclaimed; /* state from a restart file for styles not yet defined again */
 
-	struct ts_instance *outside; /* acts last in its stages: the program around the library */
+	struct ts_instance *outside;	/* acts last in its stages: the program around the library */
 	struct ts_run_watch *run_watch; /* or NULL */
-	struct ts_library *library;  /* what the C library keeps; NULL without it */
+	struct ts_library *library;	/* what the C library keeps; NULL without it */
 
-	double timeout; /* ts_clock() when runs are to end (timer timeout); 0: never */
-	int64_t timeout_every; /* steps between looks */
+	double timeout;			    /* ts_clock() when runs are to end (timer timeout); 0: never */
+	int64_t timeout_every;		    /* steps between looks */
 	const char *standard[TS_NSTANDARD]; /* names of computes; NULL: none */
 
 	struct ts_review review; /* of the scene before a run */
@@ -213,8 +214,7 @@ enum ts_status ts_sim_require(struct tsim *sim, enum ts_kind kind, const struct 
 			      struct ts_instance **out);
 /* Live styles of a family in script order, from the k-th of the kind on: start with *k = 0, call until
  * NULL. */
-struct ts_instance *ts_sim_next_of(const struct tsim *sim, enum ts_kind kind, const char *family,
-				   size_t *k);
+struct ts_instance *ts_sim_next_of(const struct tsim *sim, enum ts_kind kind, const char *family, size_t *k);
 /* The one live pair, bond or flow, or NULL. */
 struct ts_instance *ts_sim_only(const struct tsim *sim, enum ts_kind kind);
 
@@ -226,7 +226,8 @@ static inline bool ts_sim_has_box(const struct tsim *sim)
 
 /* For reporting several errors at once: with -check an error is noted and becomes TS_OK. */
 enum ts_status ts_defer_error(struct tsim *sim, enum ts_status status);
-/* Whether the value of this name, which is read now, hangs on a run that was only planned; notes that it was. */
+/* Whether the value of this name, which is read now, hangs on a run that was only planned; notes that it
+ * was. */
 bool ts_from_run(struct tsim *sim, const char *name);
 
 /* Hash of who acts in which stage, for random numbers: see struct ts_draws; never 0. */
@@ -235,6 +236,5 @@ uint64_t ts_instance_site(const struct ts_instance *inst, int stage);
 /* The place of the k-th word of the command that runs (word 0 is its name), or `where`; and of the word
  * that is written so. */
 const struct ts_place *ts_sim_word(const struct tsim *sim, size_t k, const struct ts_place *where);
-const struct ts_place *ts_sim_word_of(const struct tsim *sim, const char *text,
-				      const struct ts_place *where);
+const struct ts_place *ts_sim_word_of(const struct tsim *sim, const char *text, const struct ts_place *where);
 #endif

@@ -21,8 +21,7 @@ enum ts_status ts_standard_set(struct tsim *sim, enum ts_standard which, const s
 	return sim->standard[which] ? TS_OK : ts_nomem(&sim->error);
 }
 
-enum ts_status ts_standard_value(struct tsim *sim, enum ts_standard which, int k, bool *replaced,
-				 double *out)
+enum ts_status ts_standard_value(struct tsim *sim, enum ts_standard which, int k, bool *replaced, double *out)
 {
 	const struct ts_word id = { .text = sim->standard[which] };
 	const struct ts_value *value;
@@ -35,8 +34,7 @@ enum ts_status ts_standard_value(struct tsim *sim, enum ts_standard which, int k
 	value = ts_value_find(inst, k < 0 ? TS_SCALAR : TS_VECTOR);
 	if (!value)
 		return ts_fail(&sim->error, TS_STATE, &inst->where,
-			       "compute %s stands for the %s, but has no components", id.text,
-			       units[which]);
+			       "compute %s stands for the %s, but has no components", id.text, units[which]);
 	TS_TRY(ts_value_eval(inst, sim, value, &inst->table));
 	*out = inst->table.data[k < 0 ? 0 : k];
 	return TS_OK;

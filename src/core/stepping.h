@@ -8,9 +8,9 @@
 
 struct ts_stepping {
 	bool open;
-	bool watched;	  /* at the end of the last piece the fingerprint was taken: someone can
+	bool watched; /* at the end of the last piece the fingerprint was taken: someone can
 			   * change the state without our knowledge */
-	bool always;	  /* watch after each piece: pointers to columns have been given away */
+	bool always;  /* watch after each piece: pointers to columns have been given away */
 	uint64_t fingerprint;
 	struct ts_plan plan;
 };

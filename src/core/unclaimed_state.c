@@ -24,9 +24,8 @@ static void pending_free(struct ts_unclaimed *p)
 	ts_free(p);
 }
 
-enum ts_status ts_unclaimed_add(struct tsim *sim, enum ts_kind kind, const char *style,
-			      const char *id, const char *group, const unsigned char *bytes,
-			      size_t n)
+enum ts_status ts_unclaimed_add(struct tsim *sim, enum ts_kind kind, const char *style, const char *id,
+				const char *group, const unsigned char *bytes, size_t n)
 {
 	struct ts_unclaimed *p = ts_alloc(1, sizeof *p);
 
@@ -51,8 +50,7 @@ enum ts_status ts_unclaimed_add(struct tsim *sim, enum ts_kind kind, const char 
 /* In the block of a style, before its state. Files of version 1 do not have it. */
 static const char arguments_field[] = "/arguments";
 
-enum ts_status ts_unclaimed_write(struct tsim *sim, struct ts_instance *inst,
-				struct ts_archive *archive)
+enum ts_status ts_unclaimed_write(struct tsim *sim, struct ts_instance *inst, struct ts_archive *archive)
 {
 	struct ts_str lines = { 0 };
 	const char *text;
@@ -80,14 +78,13 @@ static enum ts_status check_arguments(struct tsim *sim, struct ts_instance *inst
 	TS_TRY(ts_archive_string(archive, arguments_field, &lines));
 	status = ts_args_changes(sim, inst, what, lines, args, &changes);
 	if (status == TS_OK && changes.length)
-		ts_log(&sim->log, "%s, changed since the restart file: %s\n", what,
-		       ts_str_text(&changes));
+		ts_log(&sim->log, "%s, changed since the restart file: %s\n", what, ts_str_text(&changes));
 	ts_str_release(&changes);
 	return status;
 }
 
-static enum ts_status restore(struct tsim *sim, struct ts_instance *inst,
-			      const struct ts_unclaimed *p, const char *what, struct ts_words args)
+static enum ts_status restore(struct tsim *sim, struct ts_instance *inst, const struct ts_unclaimed *p,
+			      const char *what, struct ts_words args)
 {
 	struct ts_archive *archive = ts_archive_new(sim, false);
 	const char *kind = ts_kind_name(p->kind);
@@ -102,10 +99,8 @@ static enum ts_status restore(struct tsim *sim, struct ts_instance *inst,
 		status = ts_archive_instance(archive, inst, sim);
 	ts_archive_free(archive);
 	if (status == TS_OK)
-		ts_log(&sim->log,
-		       "Resetting global state of %c%s %s%sStyle %s from restart file info\n",
-		       toupper((unsigned char)kind[0]), kind + 1, p->id, *p->id ? " " : "",
-		       p->style);
+		ts_log(&sim->log, "Resetting global state of %c%s %s%sStyle %s from restart file info\n",
+		       toupper((unsigned char)kind[0]), kind + 1, p->id, *p->id ? " " : "", p->style);
 	return status;
 }
 
@@ -122,12 +117,12 @@ static enum ts_status check_identity(struct tsim *sim, const struct ts_instance 
 		return TS_OK;
 	if (ts_style_find(sim->tables, p->kind, p->style) != inst->style)
 		return ts_fail(&sim->error, TS_STATE, &inst->where,
-			       "%s: in the restart file this id is of style %s, and %s", what,
-			       p->style, hint);
+			       "%s: in the restart file this id is of style %s, and %s", what, p->style,
+			       hint);
 	if (!ts_streq(p->group, group))
 		return ts_fail(&sim->error, TS_STATE, &inst->where,
-			       "%s: its group is '%s' here but '%s' in the restart file, and %s",
-			       what, group, p->group, hint);
+			       "%s: its group is '%s' here but '%s' in the restart file, and %s", what, group,
+			       p->group, hint);
 	return TS_OK;
 }
 
@@ -150,8 +145,8 @@ enum ts_status ts_unclaimed_apply(struct tsim *sim, struct ts_instance *inst, st
 	found = *p;
 	if (!found)
 		return TS_OK;
-	snprintf(what, sizeof what, "%s %s%s(%s)", ts_kind_name(found->kind), inst->id,
-		 *inst->id ? " " : "", inst->style->name);
+	snprintf(what, sizeof what, "%s %s%s(%s)", ts_kind_name(found->kind), inst->id, *inst->id ? " " : "",
+		 inst->style->name);
 	TS_TRY(check_identity(sim, inst, found, what));
 	if (ts_style_find(sim->tables, found->kind, found->style) != inst->style) {
 		ts_log(&sim->log, "%s, changed since the restart file: it was of style %s\n", what,

@@ -18,20 +18,18 @@ static inline double ts_boltzmann(const struct tsim *sim)
 /* The time step that `units` sets. */
 static inline double ts_units_dt(enum ts_units units)
 {
-	static const double dt[] = { [TS_UNITS_LJ] = 0.005,
-				     [TS_UNITS_SI] = 1e-8,
-				     [TS_UNITS_CGS] = 1e-8,
-				     [TS_UNITS_MICRO] = 2 };
+	static const double dt[] = {
+		[TS_UNITS_LJ] = 0.005, [TS_UNITS_SI] = 1e-8, [TS_UNITS_CGS] = 1e-8, [TS_UNITS_MICRO] = 2
+	};
 
 	return dt[units];
 }
 
 static inline const char *ts_units_name(enum ts_units units)
 {
-	static const char *const names[] = { [TS_UNITS_LJ] = "lj",
-					     [TS_UNITS_SI] = "si",
-					     [TS_UNITS_CGS] = "cgs",
-					     [TS_UNITS_MICRO] = "micro" };
+	static const char *const names[] = {
+		[TS_UNITS_LJ] = "lj", [TS_UNITS_SI] = "si", [TS_UNITS_CGS] = "cgs", [TS_UNITS_MICRO] = "micro"
+	};
 
 	return names[units];
 }

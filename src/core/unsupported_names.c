@@ -6,19 +6,20 @@
 
 #define MOLECULAR "force fields of molecules are beyond grains"
 #define SPH "smoothed-particle hydrodynamics is not built; the fluid is solved on a grid (flow_style)"
-#define COUPLING                                                                                   \
-	"of the exchange with other programs there are couple/cfd, couple/cfd/force, /force/implicit and "  \
+#define COUPLING                                                                                           \
+	"of the exchange with other programs there are couple/cfd, couple/cfd/force, /force/implicit and " \
 	"/convection; a fluid is also solved by tsim (flow_style)"
 #define SHAPES "grains are spheres; other shapes are made of bonded spheres (bond_style)"
 #define CHEMISTRY "chemical reactions are not built"
-#define BONDS                                                                                      \
-	"bonds are made by create_bonds and break as bond_style says (bond_style contact), not by "  \
+#define BONDS                                                                                       \
+	"bonds are made by create_bonds and break as bond_style says (bond_style contact), not by " \
 	"cohesion models or fixes"
 #define FRAGMENTS "particles do not break into others; bonded spheres do (bond_style)"
 #define OTHER_EDITION "it belongs to another edition of LIGGGHTS: 3.8 does not have it either"
 #define UNPUBLISHED "it belongs to another edition of LIGGGHTS, and no description of it is public"
-#define RESOLUTION                                                                                 \
-	"it belongs to the coupling of coarse and fine grains across the faces of a mesh, which is not built"
+#define RESOLUTION                                                                                       \
+	"it belongs to the coupling of coarse and fine grains across the faces of a mesh, which is not " \
+	"built"
 #define ACCELERATORS "all styles use threads by themselves; see -threads"
 
 const struct ts_unsupported ts_unsupported_table[] = {
@@ -73,37 +74,39 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_COMMAND, "extract_surface", OTHER_EDITION },
 	{ TS_KIND_COMMAND, "extrude_surface", OTHER_EDITION },
 	{ TS_KIND_FIX, "ave/euler/region",
-	  "cells of a mesh of hexahedra are not averaged one by one; `fix ID GROUP ave/euler nevery N cell_size_relative "
-	  "C parallel no` has cells of its own, `compute ID GROUP reduce/region REGION ave vx vy vz` a region" },
+	  "cells of a mesh of hexahedra are not averaged one by one; `fix ID GROUP ave/euler nevery N "
+	  "cell_size_relative C parallel no` has cells of its own, `compute ID GROUP reduce/region REGION "
+	  "ave vx vy vz` a region" },
 	{ TS_KIND_FIX, "bond/create", BONDS },
 	{ TS_KIND_FIX, "bond/create/gran", BONDS },
 	{ TS_KIND_FIX, "bond/break", BONDS },
 	{ TS_KIND_FIX, "break/particle", FRAGMENTS },
-	{ TS_KIND_FIX, "check/timestep/bond", "each run is refused that steps beyond the stability limit of its bonds" },
+	{ TS_KIND_FIX, "check/timestep/bond",
+	  "each run is refused that steps beyond the stability limit of its bonds" },
 	{ TS_KIND_FIX, "forcecontrol/region", RESOLUTION },
 	{ TS_KIND_FIX, "insert/pack/face", RESOLUTION },
 	{ TS_KIND_FIX, "mesh/surface/stress/6dof",
-	  "write `fix M all mesh/surface/stress file FILE type T` and `fix ID all move/mesh/free mesh M density D`: the "
-	  "body moves in all six degrees of freedom" },
+	  "write `fix M all mesh/surface/stress file FILE type T` and `fix ID all move/mesh/free mesh M "
+	  "density D`: the body moves in all six degrees of freedom" },
 	{ TS_KIND_FIX, "particletemplate/fragments", FRAGMENTS },
 	{ TS_KIND_FIX, "pour/legacy",
-	  "write `fix ID GROUP pour N TYPE SEED region REGION vol FRACTION TRIES diam range LO HI dens LO HI vel VXLO "
-	  "VXHI VYLO VYHI VZ`" },
+	  "write `fix ID GROUP pour N TYPE SEED region REGION vol FRACTION TRIES diam range LO HI dens LO HI "
+	  "vel VXLO VXHI VYLO VYHI VZ`" },
 	{ TS_KIND_FIX, "pour/dev",
-	  "write `fix ID GROUP insert/rate/region seed S distributiontemplate D nparticles N particlerate RATE "
-	  "insert_every STEPS region REGION`" },
+	  "write `fix ID GROUP insert/rate/region seed S distributiontemplate D nparticles N particlerate "
+	  "RATE insert_every STEPS region REGION`" },
 	{ TS_KIND_FIX, "property/atom/timetracer", "it is called property/atom/regiontracer/time now" },
 	{ TS_KIND_BOND, "gran", "bonded grains are bond_style contact here" },
 	{ TS_KIND_BOND, "harmonic*", MOLECULAR },
 	{ TS_KIND_COMPUTE, "bond/counter",
-	  "write `compute ID GROUP bonds`: c_ID is the number of bonds that hold; `fix ID GROUP bond/breakage` tells of "
-	  "those that broke" },
+	  "write `compute ID GROUP bonds`: c_ID is the number of bonds that hold; `fix ID GROUP "
+	  "bond/breakage` tells of those that broke" },
 	{ TS_KIND_FIX, "massflow/mesh/face",
-	  "meshes have no faces with numbers of their own; write a `fix mesh/surface` for each face, and for each of them `fix ID "
-	  "GROUP massflow/mesh mesh MESH vec_side X Y Z`" },
+	  "meshes have no faces with numbers of their own; write a `fix mesh/surface` for each face, and for "
+	  "each of them `fix ID GROUP massflow/mesh mesh MESH vec_side X Y Z`" },
 	{ TS_KIND_COMPUTE, "pair/gran/local/bond",
-	  "write `compute ID GROUP bond/local dist force fx fy fz`, and `compute ID2 GROUP property/local batom1 batom2 "
-	  "btype` for the partners" },
+	  "write `compute ID GROUP bond/local dist force fx fy fz`, and `compute ID2 GROUP property/local "
+	  "batom1 batom2 btype` for the partners" },
 	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process, the box is not cut into parts" },
 	{ TS_KIND_DUMP, "image", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
 	{ TS_KIND_DUMP, "movie", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
@@ -130,11 +133,11 @@ static const struct {
 	{ "fix wall/gran", "createBondAlways", BONDS },
 	{ "fix wall/gran", "stressBreak", BONDS },
 	{ "fix wall/gran", "general_plane",
-	  "planes at any angle are regions: `region W plane PX PY PZ NX NY NZ` and `fix ID GROUP wall/gran/region model "
-	  "... type T region W`" },
+	  "planes at any angle are regions: `region W plane PX PY PZ NX NY NZ` and `fix ID GROUP "
+	  "wall/gran/region model ... type T region W`" },
 	{ "fix wall/gran", "general_cylinder",
-	  "cylinders along x, y or z are `primitive ... zcylinder R X Y`; one at another angle is a region (region "
-	  "cylinder with rotate, fix wall/gran/region) or a mesh" },
+	  "cylinders along x, y or z are `primitive ... zcylinder R X Y`; one at another angle is a region "
+	  "(region cylinder with rotate, fix wall/gran/region) or a mesh" },
 	{ "set", "blockiness", SHAPES },
 	{ "set", "quat", SHAPES },
 	{ "set", "shape", SHAPES },
@@ -145,7 +148,8 @@ static const struct {
 	{ TS_UNSUPPORTED_QUANTITY, "blockiness*", SHAPES },
 	{ TS_UNSUPPORTED_QUANTITY, "quat*", SHAPES },
 	{ TS_UNSUPPORTED_QUANTITY, "shape*", SHAPES },
-	{ TS_UNSUPPORTED_QUANTITY, "i_cg_level", "grains of several levels of coarse graining are not built" },
+	{ TS_UNSUPPORTED_QUANTITY, "i_cg_level",
+	  "grains of several levels of coarse graining are not built" },
 	{ .of = NULL },
 };
 

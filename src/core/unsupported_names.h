@@ -16,8 +16,9 @@ extern const struct ts_unsupported ts_unsupported_table[]; /* closed by .name NU
 /* NULL: not known either. */
 const struct ts_unsupported *ts_unsupported_find(enum ts_kind kind, const char *name);
 
-/* The same for words in lines, the remark or NULL. `of` is the keyword whose choice it is (`model` of contact laws), the
- * line it is a keyword of ("set", "fix wall/gran"), or, for quantities of particles, TS_UNSUPPORTED_QUANTITY. */
+/* The same for words in lines, the remark or NULL. `of` is the keyword whose choice it is (`model` of
+ * contact laws), the line it is a keyword of ("set", "fix wall/gran"), or, for quantities of particles,
+ * TS_UNSUPPORTED_QUANTITY. */
 #define TS_UNSUPPORTED_QUANTITY "quantity"
 const char *ts_unsupported_word_remark(const char *of, const char *word);
 

@@ -18,8 +18,7 @@ static bool rest_names(struct ts_words rest, const char *id)
 	return false;
 }
 
-static bool rows_name(const struct ts_arg *row, const struct ts_instance *inst,
-		      const struct target *target)
+static bool rows_name(const struct ts_arg *row, const struct ts_instance *inst, const struct target *target)
 {
 	for (; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)inst->state + row->offset;
@@ -27,8 +26,7 @@ static bool rows_name(const struct ts_arg *row, const struct ts_instance *inst,
 		if (row->type == TS_ARG_REGION && target->region &&
 		    *(struct ts_instance *const *)field == target->region)
 			return true;
-		if (row->type == TS_ARG_GROUP && !target->region &&
-		    *(const int *)field == target->bit)
+		if (row->type == TS_ARG_GROUP && !target->region && *(const int *)field == target->bit)
 			return true;
 		if (row->type == TS_ARG_REST && target->region && !target->retired &&
 		    inst->style->kind == TS_KIND_REGION &&

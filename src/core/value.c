@@ -84,8 +84,7 @@ const struct ts_function *ts_function_find(const struct ts_tables *tables, const
 	return NULL;
 }
 
-static const struct ts_system_style *quantity_owner(const struct tsim *sim,
-						      const char *name)
+static const struct ts_system_style *quantity_owner(const struct tsim *sim, const char *name)
 {
 	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
 		if ((*s)->has_quantity && (*s)->has_quantity(sim, name))
@@ -112,8 +111,7 @@ enum ts_status ts_quantity_eval(struct tsim *sim, const char *name, struct ts_ta
 	const struct ts_system_style *owner = quantity_owner(sim, name);
 
 	if (!owner)
-		return ts_fail(&sim->error, TS_UNKNOWN, NULL, "unknown per-particle quantity '%s'",
-			       name);
+		return ts_fail(&sim->error, TS_UNKNOWN, NULL, "unknown per-particle quantity '%s'", name);
 	return owner->quantity(sim, name, out);
 }
 
@@ -173,8 +171,8 @@ static bool split_index(const char *text, char *name, size_t size, long *index, 
 }
 
 /* v_name or, of a list, v_name[k] */
-static enum ts_status resolve_variable(struct tsim *sim, const char *name,
-				       const struct ts_place *where, struct ts_ref *ref)
+static enum ts_status resolve_variable(struct tsim *sim, const char *name, const struct ts_place *where,
+				       struct ts_ref *ref)
 {
 	struct ts_suggest suggest;
 	char plain[128];
@@ -190,13 +188,12 @@ static enum ts_status resolve_variable(struct tsim *sim, const char *name,
 		suggest = ts_suggest_start(plain);
 		if (sim->script_api)
 			sim->script_api->suggest_variable(sim->script_api_data, &suggest);
-		return ts_missing(&sim->error, "variable", plain, where, "unknown variable '%s'%s",
-				  plain, ts_suggest_text(&suggest));
+		return ts_missing(&sim->error, "variable", plain, where, "unknown variable '%s'%s", plain,
+				  ts_suggest_text(&suggest));
 	}
 	if (ref->index && !sim->script_api->is_vector(sim->script_api_data, plain))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "variable '%s' is not of style vector: v_%s[k] has no meaning",
-			       plain, plain);
+			       "variable '%s' is not of style vector: v_%s[k] has no meaning", plain, plain);
 	return TS_OK;
 }
 
@@ -217,8 +214,8 @@ void ts_keywords_named(struct tsim *sim, const char *text)
 	}
 }
 
-static enum ts_status resolve_keyword(struct tsim *sim, const char *name,
-				      const struct ts_place *where, struct ts_ref *ref)
+static enum ts_status resolve_keyword(struct tsim *sim, const char *name, const struct ts_place *where,
+				      struct ts_ref *ref)
 {
 	struct ts_suggest suggest = ts_suggest_start(name);
 
@@ -232,8 +229,8 @@ static enum ts_status resolve_keyword(struct tsim *sim, const char *name,
 		for (const struct ts_keyword *k = (*s)->keywords; k && k->name; k++)
 			ts_suggest_try(&suggest, k->name);
 	return ts_fail(&sim->error, TS_UNKNOWN, where,
-		       "unknown quantity '%s', expected a thermo keyword, c_ID, f_ID or v_name%s",
-		       name, ts_suggest_text(&suggest));
+		       "unknown quantity '%s', expected a thermo keyword, c_ID, f_ID or v_name%s", name,
+		       ts_suggest_text(&suggest));
 }
 
 static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum ts_kind kind,
@@ -247,8 +244,8 @@ static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum 
 	ref->kind = kind == TS_KIND_COMPUTE ? TS_REF_COMPUTE : TS_REF_FIX;
 	if (!split_index(name + 2, id, sizeof id, &ref->index, &ref->column))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "'%s' is malformed, expected %.2sID, %.2sID[k] or %.2sID[i][j]", name,
-			       name, name, name);
+			       "'%s' is malformed, expected %.2sID, %.2sID[k] or %.2sID[i][j]", name, name,
+			       name, name);
 	if (kind == TS_KIND_FIX && !ts_sim_find(sim, kind, id) && ts_quantity_kept(sim, name + 2)) {
 		ref->kind = TS_REF_COLUMN;
 		ref->quantity = name + 2;
@@ -267,10 +264,10 @@ static const char *standard_keyword(const struct tsim *sim, const char *name)
 	static const struct {
 		const char *name, *keyword;
 	} rows[] = {
-		{ "c_thermo_temp", "temp" },	 { "c_thermo_pe", "pe" },
-		{ "c_thermo_press", "press" },	 { "c_thermo_press[1]", "pxx" },
-		{ "c_thermo_press[2]", "pyy" },	 { "c_thermo_press[3]", "pzz" },
-		{ "c_thermo_press[4]", "pxy" },	 { "c_thermo_press[5]", "pxz" },
+		{ "c_thermo_temp", "temp" },	{ "c_thermo_pe", "pe" },
+		{ "c_thermo_press", "press" },	{ "c_thermo_press[1]", "pxx" },
+		{ "c_thermo_press[2]", "pyy" }, { "c_thermo_press[3]", "pzz" },
+		{ "c_thermo_press[4]", "pxy" }, { "c_thermo_press[5]", "pxz" },
 		{ "c_thermo_press[6]", "pyz" },
 	};
 	char id[16];
@@ -302,8 +299,8 @@ enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct t
 }
 
 /* The ref as it is now: instances may have been deleted since it was resolved. */
-static enum ts_status refresh(struct tsim *sim, const struct ts_ref *ref,
-			      const struct ts_place *where, struct ts_ref *now)
+static enum ts_status refresh(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+			      struct ts_ref *now)
 {
 	*now = *ref;
 	return ref->removals == sim->removals ? TS_OK : ts_ref_resolve(sim, ref->name, where, now);
@@ -358,26 +355,22 @@ unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref)
 	return shapes;
 }
 
-static enum ts_status no_such_output(struct tsim *sim, const struct ts_ref *ref,
-				     const struct ts_place *where, const char *wanted)
+static enum ts_status no_such_output(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+				     const char *wanted)
 {
 	return ts_fail(&sim->error, TS_STATE, where, "%s %s (style %s) has no %s output",
-		       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->inst->style->name,
-		       wanted);
+		       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->inst->style->name, wanted);
 }
 
 /* Column k of the rows: *column counted from 0. */
-static enum ts_status pick_column(struct tsim *sim, const struct ts_ref *ref,
-				  const struct ts_place *where, size_t columns, size_t *column)
+static enum ts_status pick_column(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+				  size_t columns, size_t *column)
 {
 	if (ref->index > (long)columns)
-		return ts_fail(&sim->error, TS_RANGE, where,
-			       "%s %s: column [%ld] asked for, it has %zu",
-			       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->index,
-			       columns);
+		return ts_fail(&sim->error, TS_RANGE, where, "%s %s: column [%ld] asked for, it has %zu",
+			       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->index, columns);
 	if (!ref->index && columns > 1)
-		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "%s %s has %zu columns, choose one with [k]",
+		return ts_fail(&sim->error, TS_SYNTAX, where, "%s %s has %zu columns, choose one with [k]",
 			       ts_kind_name(ref->inst->style->kind), ref->inst->id, columns);
 	*column = ref->index ? (size_t)ref->index - 1 : 0;
 	return TS_OK;
@@ -395,10 +388,9 @@ static enum ts_status instance_element(struct tsim *sim, const struct ts_ref *re
 	TS_TRY(ts_value_held(ref->inst, sim, value));
 	if (ref->index > (long)table->rows || ref->column > (long)table->columns)
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "%s %s: element [%ld][%ld] asked for, the array has %zu rows and %zu "
-			       "columns",
-			       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->index,
-			       ref->column, table->rows, table->columns);
+			       "%s %s: element [%ld][%ld] asked for, the array has %zu rows and %zu columns",
+			       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->index, ref->column,
+			       table->rows, table->columns);
 	*out = table->data[(size_t)(ref->index - 1) * table->columns + (size_t)ref->column - 1];
 	return TS_OK;
 }
@@ -412,15 +404,13 @@ static enum ts_status instance_scalar(struct tsim *sim, const struct ts_ref *ref
 	size_t count;
 
 	if (!value)
-		return no_such_output(sim, ref, where,
-				      ref->index ? "vector" : "scalar (use an index [k]?)");
+		return no_such_output(sim, ref, where, ref->index ? "vector" : "scalar (use an index [k]?)");
 	TS_TRY(ts_value_held(ref->inst, sim, value));
 	count = table->rows * table->columns;
 	if (ref->index > (long)count)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "%s %s: element [%ld] asked for, the vector has %zu",
-			       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->index,
-			       count);
+			       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->index, count);
 	*out = table->data[ref->index ? ref->index - 1 : 0];
 	return TS_OK;
 }
@@ -436,16 +426,16 @@ static enum ts_status variable_scalar(struct tsim *sim, const struct ts_ref *ref
 	status = sim->script_api->vector(sim->script_api_data, ref->variable, where, &table);
 	if (status == TS_OK && (size_t)ref->index > table.rows)
 		status = ts_fail(&sim->error, TS_RANGE, where,
-				 "element [%ld] asked for, variable '%s' has %zu", ref->index,
-				 ref->variable, table.rows);
+				 "element [%ld] asked for, variable '%s' has %zu", ref->index, ref->variable,
+				 table.rows);
 	if (status == TS_OK)
 		*out = table.data[ref->index - 1];
 	ts_table_release(&table);
 	return status;
 }
 
-enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
-			     const struct ts_place *where, double *out)
+enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+			     double *out)
 {
 	struct ts_ref now;
 
@@ -463,20 +453,19 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
 		break;
 	}
 	TS_TRY(refresh(sim, ref, where, &now));
-	return now.column ? instance_element(sim, &now, where, out)
-			  : instance_scalar(sim, &now, where, out);
+	return now.column ? instance_element(sim, &now, where, out) : instance_scalar(sim, &now, where, out);
 }
 
 enum ts_status ts_ref_reads(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where)
 {
 	if (ref->kind != TS_REF_VARIABLE)
 		return TS_OK;
-	return sim->script_api->reads(sim->script_api_data, ref->variable, ref->index ? TS_VECTOR : TS_SCALAR, where);
+	return sim->script_api->reads(sim->script_api_data, ref->variable, ref->index ? TS_VECTOR : TS_SCALAR,
+				      where);
 }
 
-static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref,
-				 const struct ts_place *where, enum ts_shape shape,
-				 struct ts_table *out)
+static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+				 enum ts_shape shape, struct ts_table *out)
 {
 	const struct ts_value *value = ts_value_find(ref->inst, shape);
 	const struct ts_table *table = &ref->inst->table;
@@ -496,8 +485,8 @@ static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref,
 	return TS_OK;
 }
 
-static enum ts_status copy_held(struct tsim *sim, struct ts_instance *inst,
-				const struct ts_value *value, struct ts_table *out)
+static enum ts_status copy_held(struct tsim *sim, struct ts_instance *inst, const struct ts_value *value,
+				struct ts_table *out)
 {
 	const struct ts_table *table = &inst->table;
 
@@ -509,8 +498,8 @@ static enum ts_status copy_held(struct tsim *sim, struct ts_instance *inst,
 	return TS_OK;
 }
 
-static enum ts_status repeat_scalar(struct tsim *sim, const struct ts_ref *ref,
-				    const struct ts_place *where, struct ts_table *out)
+static enum ts_status repeat_scalar(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+				    struct ts_table *out)
 {
 	double value;
 
@@ -521,8 +510,8 @@ static enum ts_status repeat_scalar(struct tsim *sim, const struct ts_ref *ref,
 	return TS_OK;
 }
 
-enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref,
-			      const struct ts_place *where, struct ts_table *out)
+enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+			      struct ts_table *out)
 {
 	struct ts_ref now;
 
@@ -537,8 +526,8 @@ enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref,
 	return one_column(sim, &now, where, TS_PERATOM, out);
 }
 
-enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref,
-			     const struct ts_place *where, struct ts_table *out)
+enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+			     struct ts_table *out)
 {
 	const struct ts_value *value;
 	struct ts_ref now;
@@ -556,14 +545,13 @@ enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref,
 	return copy_held(sim, now.inst, value, out);
 }
 
-enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref,
-			    const struct ts_place *where, struct ts_table *out)
+enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+			    struct ts_table *out)
 {
 	struct ts_ref now;
 
 	TS_TRY(refresh(sim, ref, where, &now));
 	if (!now.inst)
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "expected a compute or fix with a local output");
+		return ts_fail(&sim->error, TS_STATE, where, "expected a compute or fix with a local output");
 	return one_column(sim, &now, where, TS_LOCAL, out);
 }

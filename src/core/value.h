@@ -37,11 +37,10 @@ void ts_table_release(struct ts_table *table);
 struct ts_value {
 	const char *name, *unit, *help;
 	enum ts_shape shape;
-	size_t columns;                /* 0: not known before evaluation */
+	size_t columns;			 /* 0: not known before evaluation */
 	const char *const *column_names; /* may be NULL */
 	/* Fills `out` (already resized for TS_SCALAR and, with columns > 0, TS_VECTOR). */
-	enum ts_status (*eval)(struct ts_instance *self, const struct tsim *sim,
-			       struct ts_table *out);
+	enum ts_status (*eval)(struct ts_instance *self, const struct tsim *sim, struct ts_table *out);
 };
 /* Whether an instance has this output of its style, with its arguments. */
 bool ts_value_given(const struct ts_instance *inst, const struct ts_value *value);
@@ -64,7 +63,7 @@ struct ts_keyword;
 struct ts_ref {
 	enum ts_ref_kind kind;
 	const char *name;
-	uint64_t removals;        /* sim->removals when it was resolved */
+	uint64_t removals;	  /* sim->removals when it was resolved */
 	struct ts_instance *inst; /* compute or fix */
 	const struct ts_keyword *keyword;
 	const char *variable, *quantity;
@@ -76,19 +75,19 @@ struct ts_ref {
  * names be deleted and defined anew, the ref goes on with the new one. */
 enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct ts_place *where,
 			      struct ts_ref *ref);
-enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
-			     const struct ts_place *where, double *out);
+enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+			     double *out);
 /* One value per local particle, in local order. A scalar is repeated. */
-enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref,
-			      const struct ts_place *where, struct ts_table *out);
+enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+			      struct ts_table *out);
 /* A whole global vector (c_ID, f_ID without index), or column j of an array (c_ID[j]). */
-enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref,
-			     const struct ts_place *where, struct ts_table *out);
+enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+			     struct ts_table *out);
 /* One column of a local table: c_ID[k], or c_ID where it has one column. */
-enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref,
-			    const struct ts_place *where, struct ts_table *out);
-/* Before it is asked for a number for the first time: is the formula of a variable right, as far as names and shapes
- * tell? */
+enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+			    struct ts_table *out);
+/* Before it is asked for a number for the first time: is the formula of a variable right, as far as names
+ * and shapes tell? */
 enum ts_status ts_ref_reads(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where);
 /* Which of the shapes a ref can give: bit (1 << shape) set. */
 unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref);
@@ -97,8 +96,8 @@ enum ts_keyword_flags {
 	TS_KEYWORD_INTEGER = 1,	 /* printed as %8ld */
 	TS_KEYWORD_CONTACTS = 2, /* looks at the forces of contacts */
 	/* what is known of it before a run that changes it: */
-	TS_KEYWORD_CLOCK = 4,	 /* all, if it is known how many steps are made */
-	TS_KEYWORD_BOX = 8,	 /* all, if nothing changes the box */
+	TS_KEYWORD_CLOCK = 4, /* all, if it is known how many steps are made */
+	TS_KEYWORD_BOX = 8,   /* all, if nothing changes the box */
 	TS_KEYWORD_CONSTANT = 16
 };
 

@@ -8,7 +8,8 @@ struct ts_added_masses ts_added_mass_find(const struct tsim *sim)
 	struct ts_added_masses added = { 0 };
 
 	for (size_t k = 0; added.n < sizeof added.of / sizeof *added.of &&
-			   (inst = ts_flow_part_named(sim, "added_mass", &k)); added.n++) {
+			   (inst = ts_flow_part_named(sim, "added_mass", &k));
+	     added.n++) {
 		added.of[added.n].group = inst->group;
 		added.of[added.n].density = ((const struct ts_added_mass *)inst->state)->coefficient *
 					    ts_flow_style_of(flow)->density(flow);

@@ -1,5 +1,5 @@
-/* Added mass of particles that are smaller than the cells of the fluid (fix added_mass), for drag fixes that relax the
- * velocity. The inertia of the fluid around resolved bodies is another matter:
+/* Added mass of particles that are smaller than the cells of the fluid (fix added_mass), for drag fixes
+ * that relax the velocity. The inertia of the fluid around resolved bodies is another matter:
  * immersed/virtual_mass_stabilization.h. */
 #ifndef TS_COUPLING_ADDED_MASS_H
 #define TS_COUPLING_ADDED_MASS_H
@@ -10,7 +10,7 @@
 /* First member of the state of fix added_mass. */
 struct ts_added_mass {
 	struct ts_coupling_force force; /* first */
-	double coefficient;	    /* added mass by displaced mass */
+	double coefficient;		/* added mass by displaced mass */
 };
 
 /* Added mass per volume of particle, by group; groups of several fixes have no particle in common. */
@@ -25,7 +25,8 @@ struct ts_added_masses {
 /* Finds all fixes added_mass. A flow style exists. */
 struct ts_added_masses ts_added_mass_find(const struct tsim *sim);
 
-static inline double ts_added_mass_density(const struct ts_added_masses *added, const struct ts_particles *p, size_t i)
+static inline double ts_added_mass_density(const struct ts_added_masses *added, const struct ts_particles *p,
+					   size_t i)
 {
 	double density = 0;
 

@@ -8,8 +8,8 @@
 
 #include "base/banned.h"
 
-static void find_cells(struct ts_cell_order *order, const struct tsim *sim,
-		       const struct ts_fluid *fluid, int group)
+static void find_cells(struct ts_cell_order *order, const struct tsim *sim, const struct ts_fluid *fluid,
+		       int group)
 {
 	const struct ts_particles *p = sim->particles;
 	const int *n = fluid->grid.n;
@@ -37,7 +37,8 @@ static void sort_cell(int32_t *row, size_t from, size_t to, const int32_t *tag)
 	}
 }
 
-/* Counting sort by cell, then by identity in each cell. start[c + 1] is used as the next free index of cell c. */
+/* Counting sort by cell, then by identity in each cell. start[c + 1] is used as the next free index of
+ * cell c. */
 static void sort_particles(struct ts_cell_order *order, const struct ts_particles *p, size_t ncells)
 {
 	size_t *start = order->start;
@@ -70,8 +71,8 @@ static void cut_slabs(struct ts_cell_order *order, const struct ts_grid *grid, i
 	order->slab[order->nslabs] = order->n;
 }
 
-enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim,
-				  const struct ts_fluid *fluid, int group, int reach)
+enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim, const struct ts_fluid *fluid,
+				  int group, int reach)
 {
 	size_t n = sim->particles->n, ncells = ts_grid_cells(&fluid->grid);
 
@@ -96,8 +97,7 @@ void ts_cell_order_release(struct ts_cell_order *order)
 }
 
 /* Even slabs, then odd slabs; with an odd number along a periodic axis the last slab by itself. */
-void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_order_fn *add,
-			void *context)
+void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_order_fn *add, void *context)
 {
 	int n = order->nslabs, alone = order->ring && n % 2 && n > 1;
 

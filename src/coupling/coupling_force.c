@@ -53,7 +53,7 @@ static void velocity_at(const struct ts_coupling_force *s, const double x[3], do
 
 /* du/dx_a by a difference over the width of a cell, at a boundary over the part of it inside the grid. */
 static void gradient_along(const struct ts_coupling_force *s, int a, double radius,
-			struct ts_coupling_local_flow *around)
+			   struct ts_coupling_local_flow *around)
 {
 	const struct ts_grid *grid = s->fluid ? &s->fluid->grid : NULL;
 	double half = grid ? 0.5 * grid->width[a][around->cell[a]] : radius;
@@ -80,7 +80,7 @@ static void gradient_along(const struct ts_coupling_force *s, int a, double radi
 
 /* Finds the flow at particle i; false if it is outside the fluid. */
 static bool find_local_flow(const struct ts_instance *self, const struct ts_particles *p, size_t i,
-			struct ts_coupling_local_flow *around)
+			    struct ts_coupling_local_flow *around)
 {
 	const struct ts_coupling_force *s = self->state;
 
@@ -113,8 +113,8 @@ static void add_reaction(void *data, size_t i)
 		struct ts_coupling_weights weights;
 
 		ts_coupling_weights_face(fluid, c, place, cell, TS_INTERPOLATE_LINEAR, &weights);
-		ts_coupling_distribute_force(&fluid->grid, &weights, c, fluid->u[c], context->force->total.note[i][c], 0,
-			       fluid->force[c], NULL);
+		ts_coupling_distribute_force(&fluid->grid, &weights, c, fluid->u[c],
+					     context->force->total.note[i][c], 0, fluid->force[c], NULL);
 	}
 }
 

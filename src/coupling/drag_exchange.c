@@ -1,4 +1,5 @@
-/* Momentum exchange of drag: the reaction on the fluid, and the correction of the forces on particles after its step. */
+/* Momentum exchange of drag: the reaction on the fluid, and the correction of the forces on particles
+ * after its step. */
 #include "coupling/drag_force.h"
 
 #include <math.h>
@@ -32,11 +33,12 @@ static void add_reaction(void *context, size_t i)
 
 		if (!ts_drag_acts_along(s, c))
 			continue;
-		ts_coupling_weights_face(fluid, c, place, cell, (enum ts_coupling_interpolation)s->interpolation, &st);
-		s->exchange[i].fluid_velocity[c] = ts_coupling_distribute_force(&fluid->grid, &st, c, fluid->u[c],
-						    s->total.note[i][c], s->exchange[i].slope[c],
-						    fluid->force[c],
-						    s->lagged ? NULL : fluid->exchange[c]);
+		ts_coupling_weights_face(fluid, c, place, cell,
+					 (enum ts_coupling_interpolation)s->interpolation, &st);
+		s->exchange[i].fluid_velocity[c] =
+			ts_coupling_distribute_force(&fluid->grid, &st, c, fluid->u[c], s->total.note[i][c],
+						     s->exchange[i].slope[c], fluid->force[c],
+						     s->lagged ? NULL : fluid->exchange[c]);
 	}
 }
 
@@ -52,8 +54,8 @@ enum ts_status ts_drag_add_to_fluid(struct ts_instance *self, struct tsim *sim)
 }
 
 /* Adds B (u' - u) to the force on particle i. */
-static void correct_particle(const struct ts_instance *self, const struct tsim *sim, const struct ts_fluid *fluid,
-		       size_t i, double share)
+static void correct_particle(const struct ts_instance *self, const struct tsim *sim,
+			     const struct ts_fluid *fluid, size_t i, double share)
 {
 	struct ts_drag *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -70,8 +72,11 @@ static void correct_particle(const struct ts_instance *self, const struct tsim *
 
 		if (slope[c] == 0)
 			continue;
-		ts_coupling_weights_face(fluid, c, place, cell, (enum ts_coupling_interpolation)s->interpolation, &st);
-		more[c] = slope[c] * (ts_coupling_interpolate(&fluid->grid, &st, fluid->exchange_velocity[c]) - s->exchange[i].fluid_velocity[c]);
+		ts_coupling_weights_face(fluid, c, place, cell,
+					 (enum ts_coupling_interpolation)s->interpolation, &st);
+		more[c] =
+			slope[c] * (ts_coupling_interpolate(&fluid->grid, &st, fluid->exchange_velocity[c]) -
+				    s->exchange[i].fluid_velocity[c]);
 		s->total.note[i][c] += more[c];
 	}
 	ts_restraints_leave(&s->restraints, sim, i, more);
@@ -80,7 +85,8 @@ static void correct_particle(const struct ts_instance *self, const struct tsim *
 			p->f[i][c] += share * more[c];
 }
 
-enum ts_status ts_drag_correct(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length)
+enum ts_status ts_drag_correct(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+			       double length)
 {
 	struct ts_drag *s = self->state;
 	size_t n = sim->particles->n;

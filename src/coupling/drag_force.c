@@ -77,7 +77,8 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 	s->part.after_step = s->fluid && s->two_way && !s->lagged ? ts_drag_correct : NULL;
 	if (s->fluid && s->two_way)
 		TS_TRY(ts_fluid_require_fields(s->fluid, sim,
-				     s->lagged ? TS_FLUID_FORCE : TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
+					       s->lagged ? TS_FLUID_FORCE
+							 : TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
 	s->added = ts_added_mass_find(sim);
 	TS_TRY(find_relaxing_drags(self, sim));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, ts_drag_is_late(self)));
@@ -92,8 +93,9 @@ struct drag_diagnostics {
 	bool outside;		    /* the particle is outside the fluid */
 };
 
-/* Slope of the force for the exchange over several steps: not larger than `most`, which takes the particle to the velocity
- * of the fluid; `part`: fraction of the force that is effective, the rest of the motion is prescribed. */
+/* Slope of the force for the exchange over several steps: not larger than `most`, which takes the particle
+ * to the velocity of the fluid; `part`: fraction of the force that is effective, the rest of the motion is
+ * prescribed. */
 static double exchange_slope(double steps, double slope, double most, double c, double part)
 {
 	double moving = fmin(steps * slope, fmax(slope, most));
@@ -112,10 +114,10 @@ static void unrestrained_fractions(const struct ts_drag *s, const struct tsim *s
 	}
 }
 
-/* Applies the explicit force to particle i. With schemes exact and implicit only the part that restraints remove, so that
- * the fix that removes it accounts for it. */
+/* Applies the explicit force to particle i. With schemes exact and implicit only the part that restraints
+ * remove, so that the fix that removes it accounts for it. */
 static void apply_drag(const struct ts_instance *self, struct tsim *sim, size_t i, struct ts_slip *slip,
-		    struct drag_diagnostics *found)
+		       struct drag_diagnostics *found)
 {
 	struct ts_drag *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -240,9 +242,9 @@ static double drag_component(int scheme, double c, double w, double f, double ma
 	return *slope * (w - h * f / mass);
 }
 
-/* Combines several drags on one particle into one with the coefficient C = sum c and the fluid velocity (sum c u)/C. Its
- * force minus sum c (u - v) is C times the change of the mean slip over the step, which is the same for all of them. The
- * scheme is implicit if one of them is. */
+/* Combines several drags on one particle into one with the coefficient C = sum c and the fluid velocity
+ * (sum c u)/C. Its force minus sum c (u - v) is C times the change of the mean slip over the step, which
+ * is the same for all of them. The scheme is implicit if one of them is. */
 static void combine_drags(const struct ts_drag *first, const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
@@ -269,7 +271,7 @@ static void combine_drags(const struct ts_drag *first, const struct tsim *sim, s
 		if (c == 0)
 			continue;
 		force = drag_component(scheme, c, cw / c, p->f[i][k], ts_drag_mass(first, sim, i),
-				  sim->clock.dt, &slope);
+				       sim->clock.dt, &slope);
 		combined->slip[k] = (force - cw) / c;
 		combined->part[k] = slope / c;
 		combined->c[k] = c;
@@ -308,11 +310,12 @@ static void relax_particle(const struct ts_instance *self, struct tsim *sim, siz
 			force[k] = mine->c * (mine->w[k] + combined->slip[k]);
 			slope = mine->c * combined->part[k];
 		} else {
-			force[k] = drag_component(s->scheme, mine->c, mine->w[k], p->f[i][k], mass, h, &slope);
+			force[k] =
+				drag_component(s->scheme, mine->c, mine->w[k], p->f[i][k], mass, h, &slope);
 		}
 		if (s->part.after_step)
-			s->exchange[i].slope[k] = exchange_slope(steps, slope, mine->c / all * mass / h,
-							     mine->c, part[k]);
+			s->exchange[i].slope[k] =
+				exchange_slope(steps, slope, mine->c / all * mass / h, mine->c, part[k]);
 	}
 	ts_restraints_leave(&s->restraints, sim, i, force);
 	for (int k = 0; k < 3; k++) {
@@ -360,8 +363,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 static const char *const columns[] = { "x", "y", "z", "Re" };
 const struct ts_value ts_drag_values[] = {
-	{ "drag", "force", "total drag on the particles (x y z), the largest Reynolds number", TS_VECTOR,
-	  4, columns, eval },
+	{ "drag", "force", "total drag on the particles (x y z), the largest Reynolds number", TS_VECTOR, 4,
+	  columns, eval },
 	{ .name = NULL },
 };
 

@@ -45,14 +45,15 @@ static void sum_coefficients(const struct ts_instance *self, const struct tsim *
 		if (!ts_in_group(p, i, self->group) || !ts_drag_slip_at(self, p, i, &slip, w) ||
 		    !ts_coupling_locate(fluid, p->x[i], place, cell))
 			continue;
-		ts_coupling_weights_face(fluid, c, place, cell, (enum ts_coupling_interpolation)s->interpolation, &st);
-		ts_coupling_distribute_force(&fluid->grid, &st, c, fluid->u[c], -ts_drag_style_of(self)->coefficient(s, &slip), 0, k,
-			       NULL);
+		ts_coupling_weights_face(fluid, c, place, cell,
+					 (enum ts_coupling_interpolation)s->interpolation, &st);
+		ts_coupling_distribute_force(&fluid->grid, &st, c, fluid->u[c],
+					     -ts_drag_style_of(self)->coefficient(s, &slip), 0, k, NULL);
 	}
 }
 
-/* Largest rate k/(e rho) of du/dt = -k (u - v)/(e rho), for drag that is explicit in the fluid. Weights sum to 1, so no mode
- * of the velocities relaxes faster. */
+/* Largest rate k/(e rho) of du/dt = -k (u - v)/(e rho), for drag that is explicit in the fluid. Weights
+ * sum to 1, so no mode of the velocities relaxes faster. */
 static enum ts_status lagged_rate(const struct ts_instance *self, struct tsim *sim, double *rate)
 {
 	const struct ts_drag *s = self->state;
@@ -68,7 +69,10 @@ static enum ts_status lagged_rate(const struct ts_instance *self, struct tsim *s
 			continue;
 		sum_coefficients(self, sim, c, k);
 		for (size_t at = stride; at < fluid->grid.size; at++) {
-			double e = fluid->void_fraction ? 0.5 * (fluid->void_fraction[at] + fluid->void_fraction[at - stride]) : 1;
+			double e =
+				fluid->void_fraction
+					? 0.5 * (fluid->void_fraction[at] + fluid->void_fraction[at - stride])
+					: 1;
 
 			if (k[at] > 0)
 				*rate = fmax(*rate, k[at] / (e * fluid->density));
@@ -78,8 +82,8 @@ static enum ts_status lagged_rate(const struct ts_instance *self, struct tsim *s
 	return TS_OK;
 }
 
-/* With scheme explicit the velocity of the particle relaxes as well: the slip decays at most at the sum of both rates. The
- * fluid makes one step of `every` steps of the simulation. */
+/* With scheme explicit the velocity of the particle relaxes as well: the slip decays at most at the sum of
+ * both rates. The fluid makes one step of `every` steps of the simulation. */
 static enum ts_status limit_lagged(struct ts_instance *self, struct tsim *sim, double relaxation,
 				   struct ts_plan_report *report)
 {
@@ -94,7 +98,8 @@ static enum ts_status limit_lagged(struct ts_instance *self, struct tsim *sim, d
 	if (s->scheme == TS_DRAG_EXPLICIT)
 		rate += 1 / relaxation;
 	return ts_report_limit(report, rate > 0 ? 2 / rate : INFINITY, false, &self->where,
-			       "what lagged fix %s gives to the fluid, 2 e rho/k (lagged no has no such limit)",
+			       "what lagged fix %s gives to the fluid, 2 e rho/k (lagged no has no such "
+			       "limit)",
 			       self->style->name);
 }
 
@@ -130,7 +135,7 @@ static struct relaxation_times relaxation_times_of(const struct ts_instance *sel
 }
 
 enum ts_status ts_drag_report_limits(struct ts_instance *self, struct tsim *sim,
-			    struct ts_plan_report *report)
+				     struct ts_plan_report *report)
 {
 	const struct ts_drag *s = self->state;
 	const struct relaxation_times t = relaxation_times_of(self, sim);

@@ -1,4 +1,5 @@
-/* Slip velocity between a particle and the fluid, and mass of the particle: used by all other files drag_*.c. */
+/* Slip velocity between a particle and the fluid, and mass of the particle: used by all other files
+ * drag_*.c. */
 #include "coupling/drag_force.h"
 
 #include <math.h>
@@ -34,8 +35,8 @@ static double weighted_mean(double wa, double wb, double a, double b)
 	return (wa * a + wb * b) / (wa + wb);
 }
 
-/* Velocity of a cell: mean over its faces; with a void fraction the mean of e u divided by e of the cell, so that the slip
- * in a layer of a bed is the superficial velocity by the void fraction of that layer. */
+/* Velocity of a cell: mean over its faces; with a void fraction the mean of e u divided by e of the cell,
+ * so that the slip in a layer of a bed is the superficial velocity by the void fraction of that layer. */
 static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], double u[3])
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -57,7 +58,7 @@ static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], doubl
 }
 
 bool ts_drag_slip_at(const struct ts_instance *self, const struct ts_particles *p, size_t i,
-		    struct ts_slip *slip, double w[3])
+		     struct ts_slip *slip, double w[3])
 {
 	const struct ts_drag *s = self->state;
 	double place[3];
@@ -92,5 +93,6 @@ bool ts_drag_motion_prescribed(const struct ts_drag *s, const struct tsim *sim, 
 {
 	const struct ts_particles *p = sim->particles;
 
-	return p->imass[i] == 0 || (!(p->mask[i] & s->moving_groups) && !sim->outside && !ts_rigid_member(p, i));
+	return p->imass[i] == 0 ||
+	       (!(p->mask[i] & s->moving_groups) && !sim->outside && !ts_rigid_member(p, i));
 }

@@ -20,7 +20,8 @@ struct state {
 };
 
 /* Du/Dt at the particle. */
-static void fluid_acceleration(const struct state *s, const struct ts_coupling_local_flow *around, double a[3])
+static void fluid_acceleration(const struct state *s, const struct ts_coupling_local_flow *around,
+			       double a[3])
 {
 	const struct ts_fluid *fluid = s->mass.force.fluid;
 
@@ -34,7 +35,8 @@ static void fluid_acceleration(const struct state *s, const struct ts_coupling_l
 			a[c] += around->u[k] * around->gradient[c][k];
 		if (!s->size || c >= fluid->grid.dimensions)
 			continue;
-		ts_coupling_weights_face(fluid, c, around->place, around->cell, TS_INTERPOLATE_LINEAR, &weights);
+		ts_coupling_weights_face(fluid, c, around->place, around->cell, TS_INTERPOLATE_LINEAR,
+					 &weights);
 		a[c] += ts_coupling_interpolate(&fluid->grid, &weights, s->rate[c]);
 	}
 }
@@ -43,14 +45,13 @@ static double added_to(const struct ts_instance *self, const struct tsim *sim, s
 {
 	const struct state *s = self->state;
 
-	return s->mass.coefficient *
-	       ts_flow_style_of(s->mass.force.flow)->density(s->mass.force.flow) *
+	return s->mass.coefficient * ts_flow_style_of(s->mass.force.flow)->density(s->mass.force.flow) *
 	       ts_particle_volume(sim, sim->particles->radius[i]);
 }
 
 /* The part C rho V_p Du/Dt, which does not depend on the motion of the particle. */
 static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
-		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
+		      const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
 	double added = added_to(self, sim, i);
 
@@ -95,7 +96,8 @@ static enum ts_status apply_inertia(struct ts_instance *self, struct tsim *sim)
 	return ts_coupling_force_add_to_fluid(self, sim);
 }
 
-static enum ts_status store_fluid_acceleration(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt)
+static enum ts_status store_fluid_acceleration(struct ts_instance *self, struct tsim *sim,
+					       struct ts_fluid *fluid, double dt)
 {
 	struct state *s = self->state;
 	size_t size = fluid->grid.size;
@@ -114,8 +116,8 @@ static enum ts_status store_fluid_acceleration(struct ts_instance *self, struct 
 	return TS_OK;
 }
 
-/* Refuses two of these fixes on one particle, as each would count the force of the other as an accelerating force; and
- * members of rigid bodies, whose acceleration is not f/m. */
+/* Refuses two of these fixes on one particle, as each would count the force of the other as an
+ * accelerating force; and members of rigid bodies, whose acceleration is not f/m. */
 static enum ts_status check_particles(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
@@ -124,13 +126,14 @@ static enum ts_status check_particles(struct ts_instance *self, struct tsim *sim
 	for (size_t k = 0; (other = ts_flow_part_named(sim, "added_mass", &k));)
 		if (other != self && ts_groups_meet(p, other->group, self->group))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix added_mass: fix %s (line %d) gives particles of this group an added mass "
-				       "already: a particle can have one",
+				       "fix added_mass: fix %s (line %d) gives particles of this group an "
+				       "added mass already: a particle can have one",
 				       other->id, other->where.line);
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group) && ts_rigid_member(p, i))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix added_mass: particle %lld belongs to a rigid body, which does not move as "
+				       "fix added_mass: particle %lld belongs to a rigid body, which does "
+				       "not move as "
 				       "the force on one of its spheres says: give a group without bodies",
 				       (long long)p->tag[i]);
 	return TS_OK;
@@ -143,7 +146,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_coupling_force_init(self, sim));
 	TS_TRY(check_particles(self, sim));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, true));
-	s->mass.force.part.after_substep = s->mass.force.fluid && s->accelerates ? store_fluid_acceleration : NULL;
+	s->mass.force.part.after_substep =
+		s->mass.force.fluid && s->accelerates ? store_fluid_acceleration : NULL;
 	if (!s->mass.force.fluid || s->size != s->mass.force.fluid->grid.size)
 		s->size = 0;
 	return TS_OK;
@@ -191,12 +195,17 @@ const struct ts_coupling_force_style ts_fix_added_mass = {
 	.style = {
 		.name = "added_mass",
 		.summary = "the fluid that an accelerated particle takes with it",
-		.doc = "F = C rho V_p (Du/Dt - dv/dt), C = 1/2 for a sphere. dv/dt is that by all forces, this one among them:\n"
-		       "(f + C rho V_p Du/Dt)/(m + C rho V_p), so the particle moves as one of mass m + C rho V_p, stably also\n"
-		       "where it is lighter than the fluid. Whatever the order in the script, it acts after all other\n"
-		       "forces, and schemes exact and implicit of drags know of it. Refused: two of them on one particle,\n"
+		.doc = "F = C rho V_p (Du/Dt - dv/dt), C = 1/2 for a sphere. dv/dt is that by all forces, "
+		       "this one among them:\n"
+		       "(f + C rho V_p Du/Dt)/(m + C rho V_p), so the particle moves as one of mass m + C "
+		       "rho V_p, stably also\n"
+		       "where it is lighter than the fluid. Whatever the order in the script, it acts after "
+		       "all other\n"
+		       "forces, and schemes exact and implicit of drags know of it. Refused: two of them on "
+		       "one particle,\n"
 		       "members of rigid bodies. Du/Dt is that of the fluid at the\n"
-		       "particle, du/dt over its last step and u grad u. A fluid that is solved for loses what the particles\n"
+		       "particle, du/dt over its last step and u grad u. A fluid that is solved for loses "
+		       "what the particles\n"
 		       "gain. f_ID[1] ... [3] is the total.",
 		.example = "flow_style uniform velocity 0 0 0 viscosity 1.0e-3 density 1000\n"
 			   "fix heavy all added_mass",

@@ -43,8 +43,8 @@ static enum ts_status find_gravity(struct ts_instance *self, struct tsim *sim)
 		       "fix buoyancy: the fluid needs the weight of one fix gravity, there are %d", n);
 }
 
-/* Fixes by which the pressure of the fluid acts on particles: a pressure that balances the weight of the fluid contains the
- * buoyancy already. */
+/* Fixes by which the pressure of the fluid acts on particles: a pressure that balances the weight of the
+ * fluid contains the buoyancy already. */
 static const struct ts_instance *pressed(const struct tsim *sim, const struct ts_instance *self)
 {
 	const struct ts_instance *fix;
@@ -73,9 +73,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	    (!p->body_force[s->dim].variable && p->body_force[s->dim].value == 0))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "fix buoyancy: buoyancy would count twice: the pressure of the fluid holds its weight (body_force along "
-		       "%s, flow_style in line %d) and acts on the particles by fix %s (line %d): leave out fix buoyancy, or "
-		       "the body_force",
+		       "fix buoyancy: buoyancy would count twice: the pressure of the fluid holds its weight "
+		       "(body_force along %s, flow_style in line %d) and acts on the particles by fix %s "
+		       "(line %d): leave out fix buoyancy, or the body_force",
 		       axes[s->dim], flow->where.line, fix->style->name, fix->where.line);
 }
 
@@ -91,8 +91,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	for (size_t i = 0; i < p->n; i++) {
 		double depth = s->down * (p->x[i][s->dim] - s->level) + p->radius[i], force;
 
-		if (!ts_in_group(p, i, self->group) ||
-		    (s->region && !ts_region_contains(s->region, p->x[i])))
+		if (!ts_in_group(p, i, self->group) || (s->region && !ts_region_contains(s->region, p->x[i])))
 			continue;
 		force = -s->down * magnitude * s->density *
 			ts_immersed(p->radius[i], depth, sim->dimension == 2);
@@ -112,8 +111,7 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 	for (int d = 0; d < 3; d++)
 		if (d != s->dim && s->gravity->direction[d] != 0)
 			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "dim"),
-				       "fix buoyancy: gravity does not point along %s",
-				       axes[s->dim]);
+				       "fix buoyancy: gravity does not point along %s", axes[s->dim]);
 	return TS_OK;
 }
 
@@ -142,8 +140,7 @@ static const struct ts_arg args[] = {
 		.help = "where the surface is"),
 	TS_REAL("density", struct state, density, .range = TS_POSITIVE, .unit = "density",
 		.help = "of the fluid"),
-	TS_REGION("region", struct state, region, .flags = TS_OPTIONAL,
-		  .help = "there is fluid here only"),
+	TS_REGION("region", struct state, region, .flags = TS_OPTIONAL, .help = "there is fluid here only"),
 	TS_ARGS_END,
 };
 
@@ -158,13 +155,19 @@ const struct ts_style ts_fix_buoyancy = {
 	.name = "buoyancy",
 	.kind = TS_KIND_FIX,
 	.summary = "lifts particles by the weight of the fluid at rest that they displace",
-	.doc = "f -= rho V g, V the volume of the part of the particle that is below the level (where gravity\n"
-	       "points): the whole sphere or a cap of it, pi h^2 (3 R - h)/3. g is that of the one fix gravity, which\n"
-	       "points along `dim`. In two dimensions V is the area of a segment of the disc. f_ID[1] ... [3] is the\n"
+	.doc = "f -= rho V g, V the volume of the part of the particle that is below the level (where "
+	       "gravity\n"
+	       "points): the whole sphere or a cap of it, pi h^2 (3 R - h)/3. g is that of the one fix "
+	       "gravity, which\n"
+	       "points along `dim`. In two dimensions V is the area of a segment of the disc. f_ID[1] ... "
+	       "[3] is the\n"
 	       "total.\n\n"
-	       "Where a fluid that is solved for has a body_force along `dim`, held by boundaries, its pressure contains the\n"
-	       "buoyancy: together with fix flow/pressure_gradient (or fix immersed/boundary of particles) this fix would\n"
-	       "count it twice and is refused. In a grid that is periodic along `dim` no pressure holds the weight.",
+	       "Where a fluid that is solved for has a body_force along `dim`, held by boundaries, its "
+	       "pressure contains the\n"
+	       "buoyancy: together with fix flow/pressure_gradient (or fix immersed/boundary of particles) "
+	       "this fix would\n"
+	       "count it twice and is refused. In a grid that is periodic along `dim` no pressure holds the "
+	       "weight.",
 	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0\n"
 		   "fix pond all buoyancy level 0.06 dim z density 1000",
 	.args = args,

@@ -1,6 +1,6 @@
-/* Fixes couple/cfd and its family: a program that uses the library computes the fluid and the force on each particle, as
- * with LIGGGHTS. Data are exchanged in columns of the particles, which the program reads and writes by name; without such
- * a program they stay zero.
+/* Fixes couple/cfd and its family: a program that uses the library computes the fluid and the force on
+ * each particle, as with LIGGGHTS. Data are exchanged in columns of the particles, which the program reads
+ * and writes by name; without such a program they stay zero.
  *
  * The names are those of LIGGGHTS: dragforce (3), Ksl, uf (3), convectiveHeatFlux. */
 #include "core/report.h"
@@ -31,8 +31,8 @@ static enum ts_status init_partner(struct ts_instance *self, struct tsim *sim)
 	if (!s->file)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "file"),
-		       "fix couple/cfd: exchange through files is not built; say `mpi`, and let a program of the "
-		       "library (doc/library.md) read and write the numbers");
+		       "fix couple/cfd: exchange through files is not built; say `mpi`, and let a program of "
+		       "the library (doc/library.md) read and write the numbers");
 }
 
 static enum ts_status setup_partner(struct ts_instance *self, struct tsim *sim)
@@ -41,8 +41,8 @@ static enum ts_status setup_partner(struct ts_instance *self, struct tsim *sim)
 
 	if (!sim->in_pieces && !sim->outside && !s->told)
 		ts_warn(&sim->log, &self->where,
-			"fix couple/cfd: no program is coupled: dragforce, Ksl, uf and convectiveHeatFlux stay what "
-			"the script makes them, 0 else");
+			"fix couple/cfd: no program is coupled: dragforce, Ksl, uf and convectiveHeatFlux "
+			"stay what the script makes them, 0 else");
 	s->told = true;
 	return TS_OK;
 }
@@ -83,7 +83,8 @@ static bool has_partner(const struct tsim *sim)
 	return ts_sim_next_of(sim, TS_KIND_FIX, FAMILY_PARTNER, &k);
 }
 
-static enum ts_status add_columns(struct ts_instance *self, struct tsim *sim, const struct field *field, int n)
+static enum ts_status add_columns(struct ts_instance *self, struct tsim *sim, const struct field *field,
+				  int n)
 {
 	struct force *s = self->state;
 	const double zero[3] = { 0 };
@@ -92,13 +93,15 @@ static enum ts_status add_columns(struct ts_instance *self, struct tsim *sim, co
 	s->nfields = n;
 	if (!has_partner(sim))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix %s needs a fix couple/cfd before it: `fix cfd all couple/cfd couple_every 10 mpi`",
+			       "fix %s needs a fix couple/cfd before it: `fix cfd all couple/cfd "
+			       "couple_every 10 mpi`",
 			       self->style->name);
 	for (int k = 0; k < n && !s->ready; k++) {
 		struct ts_particles *p = sim->particles;
 		size_t known = p->ncolumns;
 
-		TS_TRY(ts_particles_add_column(sim, field[k].name, field[k].width, TS_COL_NAMED, &s->column[k]));
+		TS_TRY(ts_particles_add_column(sim, field[k].name, field[k].width, TS_COL_NAMED,
+					       &s->column[k]));
 		if (p->column[s->column[k]].width != field[k].width)
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix %s: '%s' has %zu numbers of each particle already, expected %zu",
@@ -129,14 +132,14 @@ static enum ts_status init_implicit(struct ts_instance *self, struct tsim *sim)
 		s->alpha = 0.5;
 	else if (!ts_parse_real(s->weight, &s->alpha) || !(s->alpha >= 0 && s->alpha <= 1))
 		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "CrankNicolson"),
-			       "fix couple/cfd/force/implicit: CrankNicolson takes no, yes (0.5) or a number from 0 "
-			       "to 1, found '%s'",
+			       "fix couple/cfd/force/implicit: CrankNicolson takes no, yes (0.5) or a number "
+			       "from 0 to 1, found '%s'",
 			       s->weight);
 	return add_columns(self, sim, force_fields, 3);
 }
 
-/* F = dragforce + Ksl (uf - v); with CrankNicolson a the drag is that of the velocity (1 - a) v + a v', v' being
- * what it makes of v in this step, m (v' - v) = h Ksl (uf - (1 - a) v - a v'). */
+/* F = dragforce + Ksl (uf - v); with CrankNicolson a the drag is that of the velocity (1 - a) v + a v', v'
+ * being what it makes of v in this step, m (v' - v) = h Ksl (uf - (1 - a) v - a v'). */
 static void force_of(const struct force *s, const struct tsim *sim, size_t i, double f[3])
 {
 	const struct ts_particles *p = sim->particles;
@@ -186,7 +189,8 @@ static enum ts_status plan_force(struct ts_instance *self, struct tsim *sim, str
 						  (isnan(s->alpha) ? 1 : 1 - 2 * fmin(s->alpha, 0.5)));
 	if (!(most > 0))
 		return TS_OK;
-	return ts_report_limit(report, 2 / most, true, &self->where, "fix couple/cfd/force/implicit, 2 m/Ksl");
+	return ts_report_limit(report, 2 / most, true, &self->where,
+			       "fix couple/cfd/force/implicit, 2 m/Ksl");
 }
 
 static enum ts_status eval_sum(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -224,7 +228,8 @@ static enum ts_status post_force_heat(struct ts_instance *self, struct tsim *sim
 
 	if (!heat)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix couple/cfd/convection needs fix heat/gran, whose temperatures it changes");
+			       "fix couple/cfd/convection needs fix heat/gran, whose temperatures it "
+			       "changes");
 	flux = p->column[heat->flux].data;
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
@@ -235,7 +240,8 @@ static enum ts_status post_force_heat(struct ts_instance *self, struct tsim *sim
 /* ---- the styles */
 
 static const struct ts_value sums[] = {
-	{ "force", "force", "sum of the forces that it has added in the last step", TS_VECTOR, 3, NULL, eval_sum },
+	{ "force", "force", "sum of the forces that it has added in the last step", TS_VECTOR, 3, NULL,
+	  eval_sum },
 	{ .name = NULL },
 };
 
@@ -253,13 +259,18 @@ const struct ts_style ts_fix_couple_cfd = {
 	.kind = TS_KIND_FIX,
 	.family = FAMILY_PARTNER,
 	.summary = "particles are coupled to a fluid that another program computes",
-	.doc = "The fixes couple/cfd/force, couple/cfd/force/implicit and couple/cfd/convection need it before them.\n"
+	.doc = "The fixes couple/cfd/force, couple/cfd/force/implicit and couple/cfd/convection need it "
+	       "before them.\n"
 	       "They give each particle numbers that the other program writes: dragforce, Ksl, uf,\n"
-	       "convectiveHeatFlux. It uses the C library (doc/library.md) or Python: tsim_column_write(sim, \"uf[1]\",\n"
-	       "numbers, n), positions, velocities and radii by tsim_column_read, and tsim_step for the steps in\n"
-	       "between. examples/library/fluid.c is such a program. Dumps and formulas read them as f_dragforce[1],\n"
+	       "convectiveHeatFlux. It uses the C library (doc/library.md) or Python: tsim_column_write(sim, "
+	       "\"uf[1]\",\n"
+	       "numbers, n), positions, velocities and radii by tsim_column_read, and tsim_step for the "
+	       "steps in\n"
+	       "between. examples/library/fluid.c is such a program. Dumps and formulas read them as "
+	       "f_dragforce[1],\n"
 	       "f_Ksl ..., restart files keep them.\n\n"
-	       "Where a script runs without such a program they are zero, as in LIGGGHTS, which is told once. For a\n"
+	       "Where a script runs without such a program they are zero, as in LIGGGHTS, which is told "
+	       "once. For a\n"
 	       "fluid that tsim computes itself see flow_style and fix drag/gidaspow.",
 	.example = "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix drag all couple/cfd/force/implicit",
@@ -299,11 +310,16 @@ const struct ts_style ts_fix_couple_cfd_force_implicit = {
 	.name = "couple/cfd/force/implicit",
 	.kind = TS_KIND_FIX,
 	.summary = "a drag by the coefficient and the velocity of the fluid that another program gives",
-	.doc = "f += dragforce + Ksl (uf - v), in each step with the velocity v of the particle: the force follows it\n"
-	       "between two exchanges. dragforce (3), Ksl and uf (3) are numbers of each particle that the program\n"
-	       "coupled to tsim writes (fix couple/cfd). With CrankNicolson a the drag is that of the velocity (1 - a)\n"
-	       "v + a v', v' being the velocity after a step of the drag alone, m (v' - v) = h Ksl (uf - (1 - a) v - a\n"
-	       "v'). Without it steps must be shorter than 2 m/Ksl. f_ID is the sum of the forces over the group.",
+	.doc = "f += dragforce + Ksl (uf - v), in each step with the velocity v of the particle: the force "
+	       "follows it\n"
+	       "between two exchanges. dragforce (3), Ksl and uf (3) are numbers of each particle that the "
+	       "program\n"
+	       "coupled to tsim writes (fix couple/cfd). With CrankNicolson a the drag is that of the "
+	       "velocity (1 - a)\n"
+	       "v + a v', v' being the velocity after a step of the drag alone, m (v' - v) = h Ksl (uf - (1 "
+	       "- a) v - a\n"
+	       "v'). Without it steps must be shorter than 2 m/Ksl. f_ID is the sum of the forces over the "
+	       "group.",
 	.example = "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix drag all couple/cfd/force/implicit CrankNicolson 0.5",
 	.args = implicit_args,
@@ -326,8 +342,10 @@ const struct ts_style ts_fix_couple_cfd_convection = {
 	.name = "couple/cfd/convection",
 	.kind = TS_KIND_FIX,
 	.summary = "heat that each particle takes from the fluid, by another program",
-	.doc = "convectiveHeatFlux, a number of each particle that the program coupled to tsim writes (fix couple/cfd),\n"
-	       "in energy by time, is added to the heat flux of fix heat/gran. The program reads temperatures as Temp.",
+	.doc = "convectiveHeatFlux, a number of each particle that the program coupled to tsim writes (fix "
+	       "couple/cfd),\n"
+	       "in energy by time, is added to the heat flux of fix heat/gran. The program reads "
+	       "temperatures as Temp.",
 	.example = "fix heat all heat/gran initial_temperature 300\n"
 		   "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix warm all couple/cfd/convection T0 300",

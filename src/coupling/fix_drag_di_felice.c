@@ -18,7 +18,8 @@ const struct ts_drag_style ts_fix_drag_di_felice = {
 	.style = {
 		.name = "drag/di_felice",
 		.summary = "drag among spheres by Di Felice",
-		.doc = "F = pi/8 d^2 Cd rho e^(2-X) |w| w, w = u - v, Cd = (0.63 + 4.8/sqrt(Re))^2, Re = rho e |w| d/mu,\n"
+		.doc = "F = pi/8 d^2 Cd rho e^(2-X) |w| w, w = u - v, Cd = (0.63 + 4.8/sqrt(Re))^2, Re = rho "
+		       "e |w| d/mu,\n"
 		       "X = 3.7 - 0.65 exp(-(1.5 - log10 Re)^2/2).\n\n"
 		       TS_DRAG_CROWD_DOC TS_DRAG_DOC,
 		.example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3 density 1000\n"

@@ -21,9 +21,12 @@ const struct ts_drag_style ts_fix_drag_ergun = {
 	.style = {
 		.name = "drag/ergun",
 		.summary = "drag in dense beds by Ergun's equation",
-		.doc = "F = V_p (C1 (1-e) mu/(e d^2) + C2 rho |w|/d) w, w = u - v the slip between the particles, e the void\n"
-		       "fraction: the bed resists by f = C1 (1-e)^2 mu w/(e d^2) + C2 (1-e) rho |w| w/d and has the pressure\n"
-		       "gradient f/e, which with U = e w is Ergun's C1 mu (1-e)^2 U/(e^3 d^2) + C2 rho (1-e) U^2/(e^3 d).\n"
+		.doc = "F = V_p (C1 (1-e) mu/(e d^2) + C2 rho |w|/d) w, w = u - v the slip between the "
+		       "particles, e the void\n"
+		       "fraction: the bed resists by f = C1 (1-e)^2 mu w/(e d^2) + C2 (1-e) rho |w| w/d and "
+		       "has the pressure\n"
+		       "gradient f/e, which with U = e w is Ergun's C1 mu (1-e)^2 U/(e^3 d^2) + C2 rho (1-e) "
+		       "U^2/(e^3 d).\n"
 		       "C1 = 180 and C2 = 0 are Carman's and Kozeny's.\n\n"
 		       TS_DRAG_CROWD_DOC TS_DRAG_DOC,
 		.example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3 density 1000\n"

@@ -18,7 +18,8 @@ const struct ts_drag_style ts_fix_drag_stokes = {
 	.style = {
 		.name = "drag/stokes",
 		.summary = "Stokes drag of the fluid on each particle of the group",
-		.doc = "F = 3 pi mu d (u - v), u the velocity of the fluid at the particle's centre, mu its viscosity, both from\n"
+		.doc = "F = 3 pi mu d (u - v), u the velocity of the fluid at the particle's centre, mu its "
+		       "viscosity, both from\n"
 		       "flow_style, d the diameter. `axes z` keeps only that component.\n\n"
 		       TS_DRAG_DOC,
 		.example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3\n"

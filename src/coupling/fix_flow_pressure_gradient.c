@@ -25,8 +25,8 @@ struct state {
 
 /* ---- interpolation volume: the gradients of cells weighted by the volume of the particle in them
  *
- * A face belongs half to each of its two cells. So the particles together take the fraction (1 - e) of the gradient at
- * each face, and the fluid the rest. */
+ * A face belongs half to each of its two cells. So the particles together take the fraction (1 - e) of the
+ * gradient at each face, and the fluid the rest. */
 
 struct gradient_sum {
 	const struct ts_fluid *fluid;
@@ -48,9 +48,11 @@ static void add_cell(void *context, const int cell[3], double volume)
 	const size_t at = ts_at(grid, cell[0], cell[1], cell[2]);
 
 	for (int d = 0; d < grid->dimensions; d++) {
-		bool low = grid->periodic[d] || cell[d] > 0, high = grid->periodic[d] || cell[d] < grid->n[d] - 1;
+		bool low = grid->periodic[d] || cell[d] > 0,
+		     high = grid->periodic[d] || cell[d] < grid->n[d] - 1;
 		double below = low ? face_gradient(sum, d, at, cell[d]) : 0;
-		double above = high ? face_gradient(sum, d, at + (size_t)grid->stride[d], cell[d] + 1) : below;
+		double above =
+			high ? face_gradient(sum, d, at + (size_t)grid->stride[d], cell[d] + 1) : below;
 
 		sum->f[d] -= volume * 0.5 * ((low ? below : above) + above);
 	}
@@ -64,13 +66,14 @@ static void by_volume(const struct state *s, const struct tsim *sim, size_t i, c
 	struct ts_coupling_volume how;
 
 	((const struct ts_flow_part *)s->void_fix->state)->volume_distribution(s->void_fix, sim, &how);
-	ts_coupling_volume_each_cell(&fluid->grid, &how, place, cell, sim->particles->radius[i], add_cell, &sum);
+	ts_coupling_volume_each_cell(&fluid->grid, &how, place, cell, sim->particles->radius[i], add_cell,
+				     &sum);
 	for (int d = 0; d < 3; d++)
 		f[d] = fluid->grid.by_depth ? sum.f[d] / fluid->grid.width[2][0] : sum.f[d];
 }
 
 static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
-		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
+		      const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
 	const struct state *s = self->state;
 	const struct ts_fluid *fluid = s->force.fluid;
@@ -84,7 +87,8 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 	for (int c = 0; c < fluid->grid.dimensions; c++) {
 		struct ts_coupling_weights weights;
 
-		ts_coupling_weights_face(fluid, c, around->place, around->cell, (enum ts_coupling_interpolation)s->how, &weights);
+		ts_coupling_weights_face(fluid, c, around->place, around->cell,
+					 (enum ts_coupling_interpolation)s->how, &weights);
 		f[c] = -volume * ts_coupling_interpolate_gradient(&fluid->grid, &weights, c, fluid->p);
 	}
 }
@@ -110,7 +114,8 @@ static void correct_particle(struct ts_instance *self, const struct tsim *sim, s
 		p->f[i][k] += share * more[k];
 }
 
-static enum ts_status correct_forces(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length)
+static enum ts_status correct_forces(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+				     double length)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -153,14 +158,16 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->how = s->interpolation >= 0 ? s->interpolation : whole ? BY_VOLUME : TS_INTERPOLATE_LINEAR;
 	if (s->how == BY_VOLUME && !s->void_fix)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "volume"),
-			       "fix flow/pressure_gradient: interpolation volume needs a fix void_fraction, which says where "
-			       "the volume is");
+			       "fix flow/pressure_gradient: interpolation volume needs a fix void_fraction, "
+			       "which says where the volume is");
 	s->force.part.after_step = s->how == BY_VOLUME && whole ? correct_forces : NULL;
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, false));
-	return s->force.part.after_step ? ts_fluid_require_fields(s->force.fluid, sim, TS_FLUID_P_MEAN) : TS_OK;
+	return s->force.part.after_step ? ts_fluid_require_fields(s->force.fluid, sim, TS_FLUID_P_MEAN)
+					: TS_OK;
 }
 
-/* In a box that is periodic on all sides total momentum should be constant: reports settings that do not conserve it. */
+/* In a box that is periodic on all sides total momentum should be constant: reports settings that do not
+ * conserve it. */
 static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
@@ -172,9 +179,10 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	if (!s->void_fix || s->force.part.after_step || sim->review.steps <= 1)
 		return TS_OK;
 	return ts_review_find(sim, "momentum", &self->where,
-			      "the box is periodic on all sides, but with fix %s beside fix %s the momentum of particles and fluid "
-			      "together drifts, by 1e-3 to 1e-2 of what they exchange; use `flow_style projection ... form "
-			      "conservative` and leave `interpolation` here to its default: it is kept to round-off then",
+			      "the box is periodic on all sides, but with fix %s beside fix %s the momentum "
+			      "of particles and fluid together drifts, by 1e-3 to 1e-2 of what they "
+			      "exchange; use `flow_style projection ... form conservative` and leave "
+			      "`interpolation` here to its default: it is kept to round-off then",
 			      self->style->name, s->void_fix->style->name);
 }
 
@@ -186,8 +194,8 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_ENUM("interpolation", struct state, interpolation, interpolations, .flags = TS_OPTIONAL,
-		.help = "of the gradient to the particle: between faces, mean of its cell, or by its volume in cells; "
-			"default: linear, with form conservative and fix void_fraction volume"),
+		.help = "of the gradient to the particle: between faces, mean of its cell, or by its volume "
+			"in cells; default: linear, with form conservative and fix void_fraction volume"),
 	TS_ARGS_END,
 };
 
@@ -196,17 +204,26 @@ const struct ts_coupling_force_style ts_fix_flow_pressure_gradient = {
 	.style = {
 		.name = "flow/pressure_gradient",
 		.summary = "force of the fluid's pressure gradient on each particle",
-		.doc = "F = -V_p grad p, the gradient interpolated from the faces of cells; next to a boundary that of\n"
-		       "the nearest face inside. Where the weight of the fluid is in its equations (flow_style projection\n"
+		.doc = "F = -V_p grad p, the gradient interpolated from the faces of cells; next to a "
+		       "boundary that of\n"
+		       "the nearest face inside. Where the weight of the fluid is in its equations "
+		       "(flow_style projection\n"
 		       "body_force) and held by walls, that contains the buoyancy; else add fix buoyancy.\n\n"
-		       "The reaction needs nothing: with fix void_fraction the fluid has -e grad p, and the particles the\n"
-		       "rest of -grad p. Without, the fluid is also where the particle is, and that part of it feels and\n"
-		       "follows the gradient. With flow_style projection form conservative and fix void_fraction the gradient is\n"
-		       "that of the cells in which the volume of the particle lies (interpolation volume), of the pressure that\n"
-		       "the fluid takes in the same step: momentum of particles and fluid together is kept to round-off. Else\n"
-		       "it is kept to 1e-3 to 1e-2 of it: doc/coupling.md says why. Held particles and members of rigid bodies\n"
+		       "The reaction needs nothing: with fix void_fraction the fluid has -e grad p, and the "
+		       "particles the\n"
+		       "rest of -grad p. Without, the fluid is also where the particle is, and that part of "
+		       "it feels and\n"
+		       "follows the gradient. With flow_style projection form conservative and fix "
+		       "void_fraction the gradient is\n"
+		       "that of the cells in which the volume of the particle lies (interpolation volume), "
+		       "of the pressure that\n"
+		       "the fluid takes in the same step: momentum of particles and fluid together is kept "
+		       "to round-off. Else\n"
+		       "it is kept to 1e-3 to 1e-2 of it: doc/coupling.md says why. Held particles and "
+		       "members of rigid bodies\n"
 		       "get the pressure of the step before. f_ID[1] ... [3] is the total.",
-		.example = "flow_style projection cells 10 10 40 viscosity 1.8e-5 density 1.2 body_force 0 0 -9.81\n"
+		.example = "flow_style projection cells 10 10 40 viscosity 1.8e-5 density 1.2 body_force 0 0 "
+			   "-9.81\n"
 			   "fix lift all flow/pressure_gradient",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -16,7 +16,7 @@ struct state {
 };
 
 static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
-		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
+		      const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -50,15 +50,18 @@ const struct ts_coupling_force_style ts_fix_lift_magnus = {
 	.style = {
 		.name = "lift/magnus",
 		.summary = "lift on particles that spin, and the torque of the fluid on them",
-		.doc = "F = pi/8 rho d^3 C (S x w), w = u - v, S = curl u/2 - spin of the particle, with C = 1 (law rubinow)\n"
+		.doc = "F = pi/8 rho d^3 C (S x w), w = u - v, S = curl u/2 - spin of the particle, with C = "
+		       "1 (law rubinow)\n"
 		       "or, with Re = rho |w| d/mu and Re_s = rho d^2 |S|/mu,\n"
-		       "C = Re/Re_s (0.45 + (Re_s/Re - 0.45) exp(-0.05684 Re_s^0.4 Re^0.3)) (law oesterle). The torque is\n"
-		       "pi mu d^3 S. A fluid that is solved for loses the momentum that the particles gain (not the\n"
+		       "C = Re/Re_s (0.45 + (Re_s/Re - 0.45) exp(-0.05684 Re_s^0.4 Re^0.3)) (law oesterle). "
+		       "The torque is\n"
+		       "pi mu d^3 S. A fluid that is solved for loses the momentum that the particles gain "
+		       "(not the\n"
 		       "spin). f_ID[1] ... [3] is the total force.",
 		.example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3 density 1000\n"
 			   "fix curve all lift/magnus",
-		.cite = "S. I. Rubinow, J. B. Keller, J. Fluid Mech. 11 (1961) 447; B. Oesterle, T. Bui Dinh, Exp. Fluids "
-			"25 (1998) 16",
+		.cite = "S. I. Rubinow, J. B. Keller, J. Fluid Mech. 11 (1961) 447; B. Oesterle, T. Bui "
+			"Dinh, Exp. Fluids 25 (1998) 16",
 		.args = args,
 		.state_size = sizeof(struct state),
 		.columns = TS_NEED(OMEGA) | TS_NEED(TORQUE),

@@ -15,7 +15,7 @@ struct state {
 };
 
 static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
-		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
+		      const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
 	const struct state *s = self->state;
 	double d = 2 * sim->particles->radius[i], curl[3], vorticity, c;
@@ -43,14 +43,19 @@ const struct ts_coupling_force_style ts_fix_lift_saffman = {
 	.style = {
 		.name = "lift/saffman",
 		.summary = "lift of a sheared flow on particles that slip",
-		.doc = "F = 1.615 d^2 sqrt(rho mu/|W|) C (w x W), w = u - v, W = curl u, with C = 1 (law saffman) or, with\n"
-		       "Re = rho |w| d/mu and a = |W| d/(2 |w|), C = (1 - 0.3314 sqrt a) exp(-Re/10) + 0.3314 sqrt a up to\n"
-		       "Re = 40 and 0.0524 sqrt(a Re) beyond (law mei). A sphere that lags behind the flow is drawn to where\n"
-		       "this is faster. A fluid that is solved for loses what the particles gain. f_ID[1] ... [3] is the\n"
+		.doc = "F = 1.615 d^2 sqrt(rho mu/|W|) C (w x W), w = u - v, W = curl u, with C = 1 (law "
+		       "saffman) or, with\n"
+		       "Re = rho |w| d/mu and a = |W| d/(2 |w|), C = (1 - 0.3314 sqrt a) exp(-Re/10) + "
+		       "0.3314 sqrt a up to\n"
+		       "Re = 40 and 0.0524 sqrt(a Re) beyond (law mei). A sphere that lags behind the flow "
+		       "is drawn to where\n"
+		       "this is faster. A fluid that is solved for loses what the particles gain. f_ID[1] "
+		       "... [3] is the\n"
 		       "total.",
 		.example = "flow_style projection cells 10 10 40 viscosity 1.0e-3 density 1000\n"
 			   "fix lift all lift/saffman",
-		.cite = "P. G. Saffman, J. Fluid Mech. 22 (1965) 385; R. Mei, Int. J. Multiphase Flow 18 (1992) 145",
+		.cite = "P. G. Saffman, J. Fluid Mech. 22 (1965) 385; R. Mei, Int. J. Multiphase Flow 18 "
+			"(1992) 145",
 		.args = args,
 		.state_size = sizeof(struct state),
 		.init = ts_coupling_force_init,

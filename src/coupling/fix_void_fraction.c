@@ -23,8 +23,8 @@ struct state {
 	struct ts_fluid *fluid;
 	struct ts_cell_order order;
 	bool warned;
-	bool told; /* warned that the cells do not resolve the kernel */
-	double found; /* smallest value of a cell, before the lower limit */
+	bool told;		     /* warned that the cells do not resolve the kernel */
+	double found;		     /* smallest value of a cell, before the lower limit */
 	double (*last_particles)[4]; /* positions and radii from which the field was computed; owned */
 	size_t nlast, last_capacity;
 	struct tsim *sim; /* evaluation may fail */
@@ -32,10 +32,12 @@ struct state {
 
 static struct ts_coupling_volume distribution_of(const struct state *s, const struct tsim *sim)
 {
-	return (struct ts_coupling_volume){ (enum ts_coupling_volume_method)s->method, sim->dimension == 2, s->reach };
+	return (struct ts_coupling_volume){ (enum ts_coupling_volume_method)s->method, sim->dimension == 2,
+					    s->reach };
 }
 
-static void volume_distribution(const struct ts_instance *self, const struct tsim *sim, struct ts_coupling_volume *how)
+static void volume_distribution(const struct ts_instance *self, const struct tsim *sim,
+				struct ts_coupling_volume *how)
 {
 	*how = distribution_of(self->state, sim);
 }
@@ -55,7 +57,7 @@ static void add_particle(void *data, size_t i)
 
 	if (ts_coupling_locate(c->state->fluid, p->x[i], place, cell))
 		ts_coupling_volume_add(&c->state->fluid->grid, &how, place, cell, p->radius[i],
-				 c->state->fluid->void_fraction);
+				       c->state->fluid->void_fraction);
 }
 
 static double largest_radius(const struct ts_instance *self, const struct ts_particles *p)
@@ -81,14 +83,15 @@ static enum ts_status check_centre(struct ts_instance *self, struct tsim *sim, d
 	if (s->method != TS_VOLUME_CENTRE || !(least < diameter))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
-		       "fix void_fraction: method centre puts all of a particle into one cell, and cells are down to "
-		       "%g wide, narrower than the particles of up to %g; use method divided or kernel, or cells of "
-		       "several diameters",
+		       "fix void_fraction: method centre puts all of a particle into one cell, and cells are "
+		       "down to %g wide, narrower than the particles of up to %g; use method divided or "
+		       "kernel, or cells of several diameters",
 		       least, diameter);
 }
 
-/* Cells wider than the kernel contain it completely, and the field is the mean over the cell. Warned from two diameters
- * on, where the default kernel of 1.5 diameters lies in one cell for some positions of the centre. */
+/* Cells wider than the kernel contain it completely, and the field is the mean over the cell. Warned from
+ * two diameters on, where the default kernel of 1.5 diameters lies in one cell for some positions of the
+ * centre. */
 static void check_kernel(struct ts_instance *self, struct tsim *sim, double diameter)
 {
 	static const double MOST = 2; /* diameters */
@@ -103,9 +106,10 @@ static void check_kernel(struct ts_instance *self, struct tsim *sim, double diam
 		return;
 	s->told = true;
 	ts_warn(&sim->log, &self->where,
-		"fix void_fraction: cells are up to %.4g wide, %.3g diameters of the largest particle, and do not "
-		"resolve the kernel, which reaches %.4g to either side: the void fraction is the mean over cells, as "
-		"with method divided; use cells of at most %.4g, or method divided (not said again)",
+		"fix void_fraction: cells are up to %.4g wide, %.3g diameters of the largest particle, and "
+		"do not resolve the kernel, which reaches %.4g to either side: the void fraction is the mean "
+		"over cells, as with method divided; use cells of at most %.4g, or method divided (not said "
+		"again)",
 		most, most / diameter, s->reach * diameter, fits);
 }
 
@@ -151,8 +155,8 @@ static void limit_void_fraction(struct ts_instance *self, struct tsim *sim)
 	s->found = least;
 	if (cells && !s->warned) {
 		ts_warn(&sim->log, &self->where,
-			"fix void_fraction: %lld cells have a void fraction down to %g, below `least` %g, which "
-			"is used instead (not said again)",
+			"fix void_fraction: %lld cells have a void fraction down to %g, below `least` %g, "
+			"which is used instead (not said again)",
 			(long long)cells, least, s->least);
 		s->warned = true;
 	}
@@ -229,8 +233,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 	if (!fluid || !fluid->void_fraction)
 		return ts_fail(&s->sim->error, TS_STATE, &self->where,
-			       "fix void_fraction: the fluid is another one now, which has no void fraction before "
-			       "a run");
+			       "fix void_fraction: the fluid is another one now, which has no void fraction "
+			       "before a run");
 	grid = &fluid->grid;
 	for (int k = 0; k < grid->n[2]; k++)
 		for (int j = 0; j < grid->n[1]; j++)
@@ -247,19 +251,17 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 static const char *const columns[] = { "mean", "least" };
 static const struct ts_value values[] = {
-	{ "void_fraction", "", "mean of the grid, and the least of a cell before it is limited", TS_VECTOR,
-	  2, columns, eval },
+	{ "void_fraction", "", "mean of the grid, and the least of a cell before it is limited", TS_VECTOR, 2,
+	  columns, eval },
 	{ .name = NULL },
 };
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 
 	(void)sim;
-	ts_report_line(report, "void fraction", "%s, at present down to %g", methods[s->method],
-		       s->found);
+	ts_report_line(report, "void fraction", "%s, at present down to %g", methods[s->method], s->found);
 	return TS_OK;
 }
 
@@ -287,17 +289,26 @@ const struct ts_style ts_fix_void_fraction = {
 	.name = "void_fraction",
 	.kind = TS_KIND_FIX,
 	.summary = "the part of each cell that particles leave to the fluid",
-	.doc = "e = 1 - (volume of particles in the cell)/(volume of the cell), for the equations of the fluid,\n"
-	       "d(e)/dt + div(e u) = 0 and e rho (du/dt + u.grad u) = -e grad p + ..., and for the drags that depend\n"
+	.doc = "e = 1 - (volume of particles in the cell)/(volume of the cell), for the equations of the "
+	       "fluid,\n"
+	       "d(e)/dt + div(e u) = 0 and e rho (du/dt + u.grad u) = -e grad p + ..., and for the drags "
+	       "that depend\n"
 	       "on it, which come after this fix. u is the velocity between the particles.\n\n"
-	       "method divided gives each cell what of a sphere lies in it, exactly; centre all of it to the cell\n"
-	       "that holds the centre, so that e jumps when that moves on; kernel smears it along each axis by\n"
-	       "(1 + cos(pi s/b))/(2 b), b `reach` diameters: the choice for cells that are not much larger than\n"
-	       "particles. method centre needs cells that are at least as wide as the largest particle, else it is\n"
-	       "refused; a warning says once that cells are wider than 2 diameters and than b, which do not resolve the\n"
-	       "kernel (the axis of a single cell does not count). The volume of the particles is kept by all of them. In two dimensions particles are\n"
+	       "method divided gives each cell what of a sphere lies in it, exactly; centre all of it to the "
+	       "cell\n"
+	       "that holds the centre, so that e jumps when that moves on; kernel smears it along each axis "
+	       "by\n"
+	       "(1 + cos(pi s/b))/(2 b), b `reach` diameters: the choice for cells that are not much larger "
+	       "than\n"
+	       "particles. method centre needs cells that are at least as wide as the largest particle, else "
+	       "it is\n"
+	       "refused; a warning says once that cells are wider than 2 diameters and than b, which do not "
+	       "resolve the\n"
+	       "kernel (the axis of a single cell does not count). The volume of the particles is kept by "
+	       "all of them. In two dimensions particles are\n"
 	       "discs, and e is a part of the area.\n\n"
-	       "e is not allowed below `least`; a warning says so once. f_ID[1] is the mean over the grid, f_ID[2]\n"
+	       "e is not allowed below `least`; a warning says so once. f_ID[1] is the mean over the grid, "
+	       "f_ID[2]\n"
 	       "the least of a cell.",
 	.example = "flow_style projection cells 10 10 40 viscosity 1.8e-5 density 1.2\n"
 		   "fix e all void_fraction method divided\n"

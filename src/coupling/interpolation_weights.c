@@ -58,7 +58,7 @@ static void along_faces(const struct ts_grid *grid, int d, double x, int cell,
 	int n = grid->n[d], last = grid->periodic[d] || n == 1 ? 0 : n - 1;
 
 	set_axis(s, d, cell, cell + 1,
-	    how == TS_INTERPOLATE_CELL ? 0.5 : (x - grid->face[d][cell]) / grid->width[d][cell]);
+		 how == TS_INTERPOLATE_CELL ? 0.5 : (x - grid->face[d][cell]) / grid->width[d][cell]);
 	if (cell == 0 && !grid->periodic[d] && n > 1)
 		s->index[d][0] = 1;
 	if (cell == n - 1)
@@ -66,7 +66,7 @@ static void along_faces(const struct ts_grid *grid, int d, double x, int cell,
 }
 
 void ts_coupling_weights_face(const struct ts_fluid *fluid, int c, const double place[3], const int cell[3],
-		     enum ts_coupling_interpolation how, struct ts_coupling_weights *out)
+			      enum ts_coupling_interpolation how, struct ts_coupling_weights *out)
 {
 	for (int d = 0; d < 3; d++) {
 		if (d == c && fluid->grid.ghosts[d])
@@ -77,14 +77,15 @@ void ts_coupling_weights_face(const struct ts_fluid *fluid, int c, const double 
 }
 
 void ts_coupling_weights_centre(const struct ts_fluid *fluid, const double place[3], const int cell[3],
-		       enum ts_coupling_interpolation how, struct ts_coupling_weights *out)
+				enum ts_coupling_interpolation how, struct ts_coupling_weights *out)
 {
 	for (int d = 0; d < 3; d++)
 		along_centres(&fluid->grid, d, place[d], cell[d], how, out);
 }
 
 /* Field index and weight of corner b of eight. */
-static double corner_weight(const struct ts_grid *grid, const struct ts_coupling_weights *s, int b, size_t *at)
+static double corner_weight(const struct ts_grid *grid, const struct ts_coupling_weights *s, int b,
+			    size_t *at)
 {
 	int x = b & 1, y = b >> 1 & 1, z = b >> 2 & 1;
 
@@ -92,7 +93,8 @@ static double corner_weight(const struct ts_grid *grid, const struct ts_coupling
 	return s->weight[0][x] * s->weight[1][y] * s->weight[2][z];
 }
 
-double ts_coupling_interpolate(const struct ts_grid *grid, const struct ts_coupling_weights *s, const double *field)
+double ts_coupling_interpolate(const struct ts_grid *grid, const struct ts_coupling_weights *s,
+			       const double *field)
 {
 	double sum = 0;
 
@@ -106,8 +108,8 @@ double ts_coupling_interpolate(const struct ts_grid *grid, const struct ts_coupl
 	return sum;
 }
 
-double ts_coupling_interpolate_gradient(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c,
-					const double *field)
+double ts_coupling_interpolate_gradient(const struct ts_grid *grid, const struct ts_coupling_weights *s,
+					int c, const double *field)
 {
 	size_t stride = (size_t)grid->stride[c];
 	double sum = 0;
@@ -123,8 +125,9 @@ double ts_coupling_interpolate_gradient(const struct ts_grid *grid, const struct
 	return sum;
 }
 
-double ts_coupling_distribute_force(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c, const double *q,
-			double amount, double slope, double *source, double *rate)
+double ts_coupling_distribute_force(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c,
+				    const double *q, double amount, double slope, double *source,
+				    double *rate)
 {
 	double sum = 0;
 

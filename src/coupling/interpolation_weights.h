@@ -1,9 +1,9 @@
-/* Interpolation of the fluid's fields to a particle, and distribution of the particle's force to the fluid by the same
- * weights.
+/* Interpolation of the fluid's fields to a particle, and distribution of the particle's force to the fluid
+ * by the same weights.
  *
- * The weights of a particle sum to 1. Forces are distributed over faces whose velocity is solved for: the part of
- * ghosts and boundary faces goes to the nearest face inside, or to the other end of a periodic axis. So the fluid
- * receives the whole force. */
+ * The weights of a particle sum to 1. Forces are distributed over faces whose velocity is solved for: the
+ * part of ghosts and boundary faces goes to the nearest face inside, or to the other end of a periodic
+ * axis. So the fluid receives the whole force. */
 #ifndef TS_COUPLING_INTERPOLATION_WEIGHTS_H
 #define TS_COUPLING_INTERPOLATION_WEIGHTS_H
 
@@ -11,7 +11,8 @@
 
 enum ts_coupling_interpolation {
 	TS_INTERPOLATE_LINEAR, /* trilinear between neighbouring points */
-	TS_INTERPOLATE_CELL    /* value of the cell that contains the particle's centre; velocities: mean of its faces */
+	/* value of the cell that contains the particle's centre; velocities: mean of its faces */
+	TS_INTERPOLATE_CELL
 };
 extern const char *const ts_coupling_interpolation_names[];
 
@@ -25,23 +26,25 @@ bool ts_coupling_locate(const struct ts_fluid *fluid, const double x[3], double 
 
 /* Weights for component c of the velocity, at a place found by ts_coupling_locate. */
 void ts_coupling_weights_face(const struct ts_fluid *fluid, int c, const double place[3], const int cell[3],
-		     enum ts_coupling_interpolation how, struct ts_coupling_weights *out);
+			      enum ts_coupling_interpolation how, struct ts_coupling_weights *out);
 /* Weights for a field at centres. */
 void ts_coupling_weights_centre(const struct ts_fluid *fluid, const double place[3], const int cell[3],
-		       enum ts_coupling_interpolation how, struct ts_coupling_weights *out);
+				enum ts_coupling_interpolation how, struct ts_coupling_weights *out);
 
 /* Returns sum of weight * field. */
-double ts_coupling_interpolate(const struct ts_grid *grid, const struct ts_coupling_weights *s, const double *field);
+double ts_coupling_interpolate(const struct ts_grid *grid, const struct ts_coupling_weights *s,
+			       const double *field);
 /* Returns sum of weight * gradient along axis c of a centred field, taken at the faces of component c. */
-double ts_coupling_interpolate_gradient(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c,
-					const double *field);
+double ts_coupling_interpolate_gradient(const struct ts_grid *grid, const struct ts_coupling_weights *s,
+					int c, const double *field);
 
-/* Distributes the reaction to the force F = `amount` of field q (at faces across axis c, or at centres: c == -1) on a
- * particle, with dF/dq = slope. For each point with weight w and control volume V
+/* Distributes the reaction to the force F = `amount` of field q (at faces across axis c, or at centres: c
+ * == -1) on a particle, with dF/dq = slope. For each point with weight w and control volume V
  *   source += w (slope q - F)/V,  rate += w slope/V,
- * so that source - rate q sums to -F for the present q, and for a later q to -(F + slope sum w (change of q)).
- * Without `rate` (NULL) slope must be 0. Returns sum of w q. */
-double ts_coupling_distribute_force(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c, const double *q,
-			double amount, double slope, double *source, double *rate);
+ * so that source - rate q sums to -F for the present q, and for a later q to -(F + slope sum w (change of
+ * q)). Without `rate` (NULL) slope must be 0. Returns sum of w q. */
+double ts_coupling_distribute_force(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c,
+				    const double *q, double amount, double slope, double *source,
+				    double *rate);
 
 #endif

@@ -14,14 +14,16 @@ static void warn_outside(struct tsim *sim, const struct ts_instance *self, size_
 	while (i + 1 < p->n && p->tag[i] != tag)
 		i++;
 	ts_warn(&sim->log, &self->where,
-		"fix %s: at step %" PRId64 " %zu of its particles are outside the grid of the fluid, where no force of "
-		"the fluid acts (particle %" PRId64 " at %g %g %g); let the region of flow_style reach as far as the "
+		"fix %s: at step %" PRId64
+		" %zu of its particles are outside the grid of the fluid, where no force of "
+		"the fluid acts (particle %" PRId64
+		" at %g %g %g); let the region of flow_style reach as far as the "
 		"particles do (not said again in this run)",
 		self->style->name, sim->clock.step, n, tag, p->x[i][0], p->x[i][1], p->x[i][2]);
 }
 
-void ts_coupling_count_outside(struct ts_fluid *fluid, struct tsim *sim, const struct ts_instance *self, size_t n,
-			   int64_t tag)
+void ts_coupling_count_outside(struct ts_fluid *fluid, struct tsim *sim, const struct ts_instance *self,
+			       size_t n, int64_t tag)
 {
 	struct ts_fluid_outside *o = &fluid->outside;
 
@@ -40,7 +42,8 @@ void ts_coupling_report_outside(struct ts_fluid *fluid, struct tsim *sim)
 	const struct ts_fluid_outside *o = &fluid->outside;
 
 	if (o->most)
-		ts_log(&sim->log, "Up to %zu particles were outside the grid of the fluid, in %" PRId64 " steps\n", o->most,
-		       o->steps);
+		ts_log(&sim->log,
+		       "Up to %zu particles were outside the grid of the fluid, in %" PRId64 " steps\n",
+		       o->most, o->steps);
 	fluid->outside = (struct ts_fluid_outside){ 0 };
 }

@@ -24,8 +24,8 @@ int ts_coupling_volume_reach(const struct ts_grid *grid, const struct ts_couplin
 	return (int)fmin(ceil(reach_of(how, radius) / least), 1e6);
 }
 
-/* Cells along an axis that the particle reaches; face: coordinates of their faces relative to the centre of the particle,
- * in units of the reach, from the lower face of cell `first`. */
+/* Cells along an axis that the particle reaches; face: coordinates of their faces relative to the centre
+ * of the particle, in units of the reach, from the lower face of cell `first`. */
 struct span {
 	int first, n;
 	double face[TS_VOLUME_MAX_CELLS + 2];
@@ -66,8 +66,8 @@ struct visitor {
 	void *context;
 };
 
-static void add_to_cell(const struct ts_grid *grid, const struct span s[3], int i, int j, int k, double volume,
-		const struct visitor *to)
+static void add_to_cell(const struct ts_grid *grid, const struct span s[3], int i, int j, int k,
+			double volume, const struct visitor *to)
 {
 	int index[3] = { s[0].first + i, s[1].first + j, s[2].first + k };
 
@@ -93,7 +93,7 @@ static double cell_difference(double (*a)[TS_VOLUME_MAX_CELLS + 2], int i, int j
 }
 
 static void distribute_exactly(const struct ts_grid *grid, const struct span s[3], bool disc, double unit,
-		   const struct visitor *to)
+			       const struct visitor *to)
 {
 	layer layers[2];
 
@@ -106,7 +106,8 @@ static void distribute_exactly(const struct ts_grid *grid, const struct span s[3
 			corner_volumes(s, disc, s[2].face[k + 1], high);
 		for (int j = 0; j < s[1].n; j++)
 			for (int i = 0; i < s[0].n; i++) {
-				double part = cell_difference(low, i, j) - (disc ? 0 : cell_difference(high, i, j));
+				double part =
+					cell_difference(low, i, j) - (disc ? 0 : cell_difference(high, i, j));
 
 				add_to_cell(grid, s, i, j, k, fmax(part, 0) * unit, to);
 			}
@@ -120,14 +121,16 @@ static double kernel_fraction(const struct span *s, int i)
 	return b > a ? 0.5 * (b - a + (sin(TS_PI * b) - sin(TS_PI * a)) / TS_PI) : 0;
 }
 
-static void distribute_by_kernel(const struct ts_grid *grid, const struct span s[3], double volume, const struct visitor *to)
+static void distribute_by_kernel(const struct ts_grid *grid, const struct span s[3], double volume,
+				 const struct visitor *to)
 {
 	for (int k = 0; k < s[2].n; k++)
 		for (int j = 0; j < s[1].n; j++)
 			for (int i = 0; i < s[0].n; i++)
 				add_to_cell(grid, s, i, j, k,
-				    volume * kernel_fraction(&s[0], i) * kernel_fraction(&s[1], j) * kernel_fraction(&s[2], k),
-				    to);
+					    volume * kernel_fraction(&s[0], i) * kernel_fraction(&s[1], j) *
+						    kernel_fraction(&s[2], k),
+					    to);
 }
 
 /* Along an axis of one cell the whole particle is in it. */
@@ -139,8 +142,9 @@ static void span_one_cell(int d, struct span s[3])
 	s[d].face[1] = 1;
 }
 
-void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_coupling_volume *how, const double place[3],
-		    const int cell[3], double radius, ts_coupling_volume_fn *visit, void *context)
+void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_coupling_volume *how,
+				  const double place[3], const int cell[3], double radius,
+				  ts_coupling_volume_fn *visit, void *context)
 {
 	double reach = reach_of(how, radius);
 	double unit = how->disc ? radius * radius * grid->width[2][cell[2]] : radius * radius * radius;
@@ -178,7 +182,7 @@ static void add_fraction(void *context, const int cell[3], double volume)
 }
 
 void ts_coupling_volume_add(const struct ts_grid *grid, const struct ts_coupling_volume *how,
-		      const double place[3], const int cell[3], double radius, double *fraction)
+			    const double place[3], const int cell[3], double radius, double *fraction)
 {
 	struct sum sum = { grid, fraction };
 

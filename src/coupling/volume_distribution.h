@@ -4,7 +4,8 @@
  * divided   each cell contains the part of the sphere (in two dimensions: of the disc) that lies in it, exactly
  * kernel    the volume is distributed along each axis with the density (1 + cos(pi s/b))/(2 b), |s| < b, integrated
  *           over each cell: smooth in space and time, and independent of the grid
- * The part beyond a boundary goes to the cells along it: the sum over the cells is the volume of the particle. */
+ * The part beyond a boundary goes to the cells along it: the sum over the cells is the volume of the
+ * particle. */
 #ifndef TS_COUPLING_VOLUME_DISTRIBUTION_H
 #define TS_COUPLING_VOLUME_DISTRIBUTION_H
 
@@ -24,12 +25,13 @@ int ts_coupling_volume_reach(const struct ts_grid *grid, const struct ts_couplin
 
 /* Called for each cell with a part of the volume. */
 typedef void ts_coupling_volume_fn(void *context, const int cell[3], double volume);
-void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_coupling_volume *how, const double place[3],
-		    const int cell[3], double radius, ts_coupling_volume_fn *visit, void *context);
+void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_coupling_volume *how,
+				  const double place[3], const int cell[3], double radius,
+				  ts_coupling_volume_fn *visit, void *context);
 
-/* Adds to the field `fraction`: part of the volume in the cell / volume of the cell. `place`: centre of the particle, in
- * the grid and in `cell`. */
+/* Adds to the field `fraction`: part of the volume in the cell / volume of the cell. `place`: centre of
+ * the particle, in the grid and in `cell`. */
 void ts_coupling_volume_add(const struct ts_grid *grid, const struct ts_coupling_volume *how,
-		      const double place[3], const int cell[3], double radius, double *fraction);
+			    const double place[3], const int cell[3], double radius, double *fraction);
 
 #endif

@@ -12,8 +12,8 @@
 enum { LEAST_DIGITS = 6 };
 
 /* Names of wall times, as titles and as keywords. */
-static const char *const wall_times[] = { "CPU",  "T/CPU", "S/CPU",    "CPULeft",
-					  "cpu", "tpcpu", "spcpu", "cpuremain", NULL };
+static const char *const wall_times[] = { "CPU",   "T/CPU", "S/CPU",	 "CPULeft", "cpu",
+					  "tpcpu", "spcpu", "cpuremain", NULL };
 
 static bool is_wall_time(const char *name)
 {
@@ -157,8 +157,7 @@ static double resolution(const struct ts_side *side, double value)
 	return pow(10, floor(log10(fabs(value))) + 1 - digits);
 }
 
-static double difference(const struct ts_compared *c, const struct ts_printed *a,
-			 const struct ts_printed *b)
+static double difference(const struct ts_compared *c, const struct ts_printed *a, const struct ts_printed *b)
 {
 	double open;
 
@@ -243,16 +242,17 @@ static enum ts_status order_rows(struct walk *w, int who, const size_t *key, siz
 	if (TS_GROW(w->row[who], w->row_capacity[who], f->rows + 1) != TS_OK)
 		return ts_nomem(w->reader[who].err);
 	for (size_t k = 0; k < f->rows; k++)
-		w->row[who][k] = (struct row){ f->cell + k * f->columns, key, keys, f->turns && f->turned[k] };
+		w->row[who][k] =
+			(struct row){ f->cell + k * f->columns, key, keys, f->turns && f->turned[k] };
 	if (keys)
 		qsort(w->row[who], f->rows, sizeof *w->row[who], by_key);
 	return TS_OK;
 }
 
-/* Numbers of one contact of which the programs name the partners the other way round; 0 where what they shall be
- * cannot be known. */
-static double difference_turned(const struct ts_compared *c, enum ts_turning turning, const struct ts_printed *a,
-				const struct ts_printed *b)
+/* Numbers of one contact of which the programs name the partners the other way round; 0 where what they
+ * shall be cannot be known. */
+static double difference_turned(const struct ts_compared *c, enum ts_turning turning,
+				const struct ts_printed *a, const struct ts_printed *b)
 {
 	struct ts_printed opposite = *b;
 
@@ -381,8 +381,8 @@ static enum ts_status gather_statistics(struct walk *w)
 			continue;
 		TS_TRY(sort_column(w, TS_HERE, c, k));
 		TS_TRY(sort_column(w, TS_PEER, c, m));
-		c->profile += distance(w->sorted[TS_HERE], here->rows, w->sorted[TS_PEER],
-				       peer->rows) / c->scale;
+		c->profile +=
+			distance(w->sorted[TS_HERE], here->rows, w->sorted[TS_PEER], peer->rows) / c->scale;
 		c->frames++;
 	}
 	return TS_OK;
@@ -422,8 +422,8 @@ static enum ts_status walk(struct walk *w, enum ts_status (*visit)(struct walk *
 	return TS_OK;
 }
 
-static enum ts_status pass(struct ts_pairing *p, struct walk *w, struct ts_error *err,
-			   struct ts_pool *pool, enum ts_status (*visit)(struct walk *w))
+static enum ts_status pass(struct ts_pairing *p, struct walk *w, struct ts_error *err, struct ts_pool *pool,
+			   enum ts_status (*visit)(struct walk *w))
 {
 	enum ts_status status;
 
@@ -439,8 +439,7 @@ static enum ts_status pass(struct ts_pairing *p, struct walk *w, struct ts_error
 	return status;
 }
 
-enum ts_status ts_compare(struct ts_pairing *p, double tolerance, struct ts_error *err,
-			  struct ts_pool *pool)
+enum ts_status ts_compare(struct ts_pairing *p, double tolerance, struct ts_error *err, struct ts_pool *pool)
 {
 	struct walk w = { .tolerance = tolerance };
 

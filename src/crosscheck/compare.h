@@ -46,15 +46,14 @@ struct ts_pairing {
 	size_t columns, column_capacity;
 	size_t frames, alone[TS_BOTH]; /* in both; only in one of them */
 	size_t rows_alone;
-	size_t turned; /* contacts whose partners the programs name the other way round */
+	size_t turned;	  /* contacts whose partners the programs name the other way round */
 	int64_t alone_at; /* the first step of which one has a frame or row that the other lacks */
-	bool lines;    /* steps are not known: numbers of lines stand for them */
-	bool left_out; /* wall times are in the file and not compared */
+	bool lines;	  /* steps are not known: numbers of lines stand for them */
+	bool left_out;	  /* wall times are in the file and not compared */
 };
 
 /* Fills in all but the statistics. */
-enum ts_status ts_compare(struct ts_pairing *p, double tolerance, struct ts_error *err,
-			  struct ts_pool *pool);
+enum ts_status ts_compare(struct ts_pairing *p, double tolerance, struct ts_error *err, struct ts_pool *pool);
 /* Those, from this step on. */
 enum ts_status ts_compare_statistics(struct ts_pairing *p, int64_t from, struct ts_error *err,
 				     struct ts_pool *pool);

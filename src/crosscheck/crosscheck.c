@@ -35,15 +35,12 @@ static const struct {
 static const struct ts_arg rows[] = {
 	TS_ENUM("program", struct options, program, program_names, .flags = TS_POSITIONAL,
 		.help = "the program to compare with"),
-	TS_REAL("tolerance", struct options, tolerance, .fallback = "1e-6", .unit = "",
-		.range = TS_POSITIVE,
+	TS_REAL("tolerance", struct options, tolerance, .fallback = "1e-6", .unit = "", .range = TS_POSITIVE,
 		.help = "from which difference on, in units of a column's range, it parts"),
-	TS_INT("until", struct options, until, .flags = TS_OPTIONAL, .unit = "step",
-	       .range = TS_NOT_NEGATIVE,
+	TS_INT("until", struct options, until, .flags = TS_OPTIONAL, .unit = "step", .range = TS_NOT_NEGATIVE,
 	       .help = "runs that part after this step are compared by their statistics alone"),
 	TS_REAL("statistics", struct options, statistics, .fallback = "0.05", .unit = "",
-		.range = TS_POSITIVE,
-		.help = "how far apart mean, spread and profile may be then"),
+		.range = TS_POSITIVE, .help = "how far apart mean, spread and profile may be then"),
 	TS_BOOL("legacy", struct options, legacy, .fallback = "yes",
 		.help = "beside liggghts tsim runs with -legacy"),
 	TS_WORD("peer", struct options, peer, .flags = TS_OPTIONAL,
@@ -189,8 +186,7 @@ static enum ts_status run_one(struct crosscheck *c, int who)
 	*p = (struct ts_process){ .folder = c->place[who], .output = c->screen[who] };
 	TS_TRY(words_of(c, who));
 	TS_TRY(ts_process_run(p, &c->sim->error));
-	ts_str_addf(c->text, "%-10s %s in %.2f s\n", c->name[who],
-		    p->status ? "failed" : "ran", p->seconds);
+	ts_str_addf(c->text, "%-10s %s in %.2f s\n", c->name[who], p->status ? "failed" : "ran", p->seconds);
 	if (!p->status)
 		return TS_OK;
 	ts_str_addf(c->text, "    exit status %d; its last words:\n", p->status);
@@ -226,8 +222,7 @@ static struct ts_pairing *pairing(struct crosscheck *c, size_t k)
 	return k ? &c->outputs.pairing[k - 1] : &c->thermo;
 }
 
-static void take_parting(struct crosscheck *c, const struct ts_pairing *p, int64_t step,
-			 const char *column)
+static void take_parting(struct crosscheck *c, const struct ts_pairing *p, int64_t step, const char *column)
 {
 	if (p->lines ? c->parts_in[0] != NULL : c->parts_at >= 0 && step >= c->parts_at)
 		return;
@@ -316,12 +311,11 @@ static enum ts_verdict judge_statistics(struct crosscheck *c)
 	bool near = statistics_near(c, &worst);
 	bool good = near && c->o.until != INT64_MIN && c->parts_at > c->o.until;
 
-	ts_str_addf(c->text, "%s: %s of %s is off by more than %g of its range",
-		    good ? "agree" : "part", c->parts_in[0], c->parts_in[1], c->o.tolerance);
+	ts_str_addf(c->text, "%s: %s of %s is off by more than %g of its range", good ? "agree" : "part",
+		    c->parts_in[0], c->parts_in[1], c->o.tolerance);
 	if (c->parts_at >= 0)
 		ts_str_addf(c->text, " at step %" PRId64, c->parts_at);
-	ts_str_addf(c->text, "; from there statistics within %s\n",
-		    worst.length ? ts_str_text(&worst) : "0");
+	ts_str_addf(c->text, "; from there statistics within %s\n", worst.length ? ts_str_text(&worst) : "0");
 	ts_str_release(&worst);
 	return good ? TS_AGREE : TS_PART;
 }
@@ -332,7 +326,8 @@ static bool columns_lost(struct crosscheck *c)
 		const struct ts_pairing *p = pairing(c, k);
 
 		for (size_t m = 0; m < p->columns; m++)
-			if (ts_compare_lacks(&p->column[m], TS_HERE) || ts_compare_lacks(&p->column[m], TS_PEER))
+			if (ts_compare_lacks(&p->column[m], TS_HERE) ||
+			    ts_compare_lacks(&p->column[m], TS_PEER))
 				return true;
 	}
 	return false;
@@ -351,7 +346,8 @@ static enum ts_verdict judge(struct crosscheck *c)
 	list_files(c->o.program ? "only lammps wrote " : "only liggghts wrote ", o->only[TS_PEER],
 		   o->nonly[TS_PEER], c->text);
 	list_files("left empty by tsim, not compared: ", o->empty[TS_HERE], o->nempty[TS_HERE], c->text);
-	list_files(c->o.program ? "left empty by lammps, not compared: " : "left empty by liggghts, not compared: ",
+	list_files(c->o.program ? "left empty by lammps, not compared: "
+				: "left empty by liggghts, not compared: ",
 		   o->empty[TS_PEER], o->nempty[TS_PEER], c->text);
 	list_files("no plain text, not compared: ", o->skipped, o->nskipped, c->text);
 	if (!columns) {
@@ -387,8 +383,7 @@ static enum ts_verdict compare(struct crosscheck *c)
 		return TS_FAILED;
 	for (size_t k = 0; k <= c->outputs.n; k++)
 		if (pairing(c, k)->columns || k)
-			ts_report_pairing(pairing(c, k), c->parts_in[0] != NULL,
-					  c->name[TS_PEER], c->text);
+			ts_report_pairing(pairing(c, k), c->parts_in[0] != NULL, c->name[TS_PEER], c->text);
 	return judge(c);
 }
 
@@ -413,8 +408,7 @@ static enum ts_verdict run_both(struct crosscheck *c, struct ts_str *path)
 		c->root = NULL;
 	if (!c->root)
 		return TS_FAILED;
-	verdict = run_one(c, TS_HERE) == TS_OK && run_one(c, TS_PEER) == TS_OK ? compare(c)
-										: TS_FAILED;
+	verdict = run_one(c, TS_HERE) == TS_OK && run_one(c, TS_PEER) == TS_OK ? compare(c) : TS_FAILED;
 	if (c->o.keep)
 		ts_str_addf(c->text, "all is kept in %s\n", c->root);
 	else
@@ -422,20 +416,21 @@ static enum ts_verdict run_both(struct crosscheck *c, struct ts_str *path)
 	return verdict;
 }
 
-enum ts_verdict ts_crosscheck(struct tsim *sim, const struct ts_crosscheck_input *input,
-			      struct ts_str *text)
+enum ts_verdict ts_crosscheck(struct tsim *sim, const struct ts_crosscheck_input *input, struct ts_str *text)
 {
-	struct crosscheck c = { .sim = sim, .in = input, .text = text,
+	struct crosscheck c = { .sim = sim,
+				.in = input,
+				.text = text,
 				.meanings = { .err = &sim->error, .pool = sim->pool },
-				.inputs = { .err = &sim->error, .pool = sim->pool, .meanings = &c.meanings } };
+				.inputs = {
+					.err = &sim->error, .pool = sim->pool, .meanings = &c.meanings } };
 	struct ts_place where = { .file = "-crosscheck" };
 	struct ts_str path = { 0 };
 	enum ts_verdict verdict = TS_USAGE;
 
 	if (!input->script) {
 		ts_fail(&sim->error, TS_SYNTAX, NULL, "-crosscheck needs a script: -in FILE");
-	} else if (ts_args_parse(sim, "-crosscheck", rows, input->words, &where, &c.arena, &c.o) ==
-		   TS_OK) {
+	} else if (ts_args_parse(sim, "-crosscheck", rows, input->words, &where, &c.arena, &c.o) == TS_OK) {
 		c.name[TS_HERE] = "tsim";
 		c.name[TS_PEER] = program_names[c.o.program];
 		verdict = run_both(&c, &path);

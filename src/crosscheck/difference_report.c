@@ -49,25 +49,22 @@ static void add_alone(const struct ts_pairing *p, const char *const who[TS_BOTH]
 			ts_str_addf(out, "  %zu %s%s only from %s\n", p->alone[k], unit(p),
 				    plural(p->alone[k]), who[k]);
 	if (p->rows_alone)
-		ts_str_addf(out, "  %zu row%s without a partner\n", p->rows_alone,
-			    plural(p->rows_alone));
+		ts_str_addf(out, "  %zu row%s without a partner\n", p->rows_alone, plural(p->rows_alone));
 	if (p->alone_at >= 0)
-		ts_str_addf(out, "  the first of them at %s %" PRId64 "\n", unit(p),
-			    p->alone_at);
+		ts_str_addf(out, "  the first of them at %s %" PRId64 "\n", unit(p), p->alone_at);
 	for (size_t k = 0; k < p->columns; k++)
 		for (int side = 0; side < TS_BOTH; side++)
 			if (ts_compare_lacks(&p->column[k], side))
-				ts_str_addf(out, "  column %s only from %s\n", p->column[k].name,
-					    who[!side]);
+				ts_str_addf(out, "  column %s only from %s\n", p->column[k].name, who[!side]);
 }
 
-void ts_report_pairing(const struct ts_pairing *p, bool statistics, const char *peer,
-		       struct ts_str *out)
+void ts_report_pairing(const struct ts_pairing *p, bool statistics, const char *peer, struct ts_str *out)
 {
 	const char *const who[TS_BOTH] = { "tsim", peer };
 
 	if (all_empty(p)) {
-		ts_str_addf(out, "\n%s: %zu %s%s, empty in both\n", p->name, p->frames, unit(p), plural(p->frames));
+		ts_str_addf(out, "\n%s: %zu %s%s, empty in both\n", p->name, p->frames, unit(p),
+			    plural(p->frames));
 		return;
 	}
 	ts_str_addf(out, "\n%s: %zu %s%s%s\n", p->name, p->frames, unit(p), plural(p->frames),
@@ -81,8 +78,8 @@ void ts_report_pairing(const struct ts_pairing *p, bool statistics, const char *
 			add_row(&p->column[k], statistics, out);
 	if (p->turned)
 		ts_str_addf(out,
-			    "  %zu contact%s with the partners in the other order: forces are compared with the opposite sign, "
-			    "history without sign, torques not\n",
+			    "  %zu contact%s with the partners in the other order: forces are compared with "
+			    "the opposite sign, history without sign, torques not\n",
 			    p->turned, plural(p->turned));
 	add_alone(p, who, out);
 }

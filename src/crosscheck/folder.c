@@ -38,8 +38,8 @@ enum ts_status ts_folder_make(const char *path, struct ts_error *err)
 enum ts_status ts_folder_new(const char *path, struct ts_error *err)
 {
 	if (is_folder(path))
-		return ts_fail(err, TS_STATE, NULL,
-			       "there is a folder '%s' already; a new one is needed", path);
+		return ts_fail(err, TS_STATE, NULL, "there is a folder '%s' already; a new one is needed",
+			       path);
 	return ts_folder_make(path, err);
 }
 
@@ -211,8 +211,8 @@ static enum ts_status search(const struct search *s, const char *inner, int dept
 	return status;
 }
 
-enum ts_status ts_folder_list(const char *path, int64_t except, struct ts_listing *out,
-			      struct ts_pool *pool, struct ts_error *err)
+enum ts_status ts_folder_list(const char *path, int64_t except, struct ts_listing *out, struct ts_pool *pool,
+			      struct ts_error *err)
 {
 	struct search s = { path, except, out, pool, err };
 

@@ -21,7 +21,7 @@ struct ts_listing {
 	const char **name;
 	size_t n, capacity;
 };
-enum ts_status ts_folder_list(const char *path, int64_t except, struct ts_listing *out,
-			      struct ts_pool *pool, struct ts_error *err);
+enum ts_status ts_folder_list(const char *path, int64_t except, struct ts_listing *out, struct ts_pool *pool,
+			      struct ts_error *err);
 
 #endif

@@ -44,7 +44,8 @@ struct ts_frame {
 	struct ts_printed *cell; /* cell[row * columns + column] */
 	bool entries;		 /* rows of a dump that is not of particles */
 	size_t name_capacity, cell_capacity;
-	/* Rows of contacts, meaning.h: what each column does, and which rows named the partners the other way round. */
+	/* Rows of contacts, meaning.h: what each column does, and which rows named the partners the other
+	 * way round. */
 	bool turns;
 	enum ts_turning *turning;
 	size_t *partner;
@@ -65,7 +66,7 @@ struct ts_reader {
 	struct ts_frame frame;
 	/* the rest is for the readers */
 	struct ts_lines lines;
-	bool open, table;       /* a file; a table in it */
+	bool open, table;      /* a file; a table in it */
 	struct ts_frame title; /* the words above, which may be names */
 	struct ts_frame inner; /* the same, of the last comment */
 	int64_t line;

@@ -14,9 +14,8 @@
 enum { DEEPEST = 10 };
 
 /* Commands whose files are written: of these only the folders are needed. */
-static const char *const writers[] = { "dump",	"dump_modify", "restart",    "write_restart",
-				       "log",	"write_data",  "write_dump", "thermo_log",
-				       "print", NULL };
+static const char *const writers[] = { "dump",	     "dump_modify", "restart",	  "write_restart", "log",
+				       "write_data", "write_dump",  "thermo_log", "print",	   NULL };
 /* Commands whose file is a script too. */
 static const char *const readers[] = { "include", "jump", NULL };
 
@@ -67,8 +66,7 @@ static const char *value_of(struct ts_words vars, const char *name, size_t n)
 	for (size_t k = 0; k + 2 < vars.n; k++) {
 		bool more = k + 3 < vars.n && !ts_streq(vars.word[k + 3].text, "-var");
 
-		if (ts_streq(vars.word[k].text, "-var") && !more &&
-		    strlen(vars.word[k + 1].text) == n &&
+		if (ts_streq(vars.word[k].text, "-var") && !more && strlen(vars.word[k + 1].text) == n &&
 		    strncmp(vars.word[k + 1].text, name, n) == 0)
 			return vars.word[k + 2].text;
 	}
@@ -175,8 +173,7 @@ static enum ts_status keep_words(struct ts_inputs *in, const struct ts_lines *l,
 	return TS_OK;
 }
 
-static enum ts_status scan_lines(struct ts_inputs *in, struct ts_lines *l, struct ts_words vars,
-				 int depth)
+static enum ts_status scan_lines(struct ts_inputs *in, struct ts_lines *l, struct ts_words vars, int depth)
 {
 	bool more;
 

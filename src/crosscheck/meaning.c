@@ -46,8 +46,7 @@ struct contacts {
 	bool known;
 };
 
-static enum ts_status remember(struct ts_meanings *m, struct ts_map *map, const char *key,
-			       void *value)
+static enum ts_status remember(struct ts_meanings *m, struct ts_map *map, const char *key, void *value)
 {
 	const char *kept = ts_pool_get(m->pool, key);
 
@@ -74,8 +73,7 @@ static enum ts_status take_contacts(struct ts_meanings *m, const char *const *wo
 			c->wanted[q] = true;
 	}
 	if (before) /* an ID that is used twice, after `clear` */
-		c->known &=
-			before->known && memcmp(before->wanted, c->wanted, sizeof c->wanted) == 0;
+		c->known &= before->known && memcmp(before->wanted, c->wanted, sizeof c->wanted) == 0;
 	return remember(m, &m->contacts, word[1], c);
 }
 
@@ -118,8 +116,7 @@ static enum ts_status take_title(struct ts_meanings *m, const char *kept)
 
 	snprintf(title, sizeof title, "%s", kept + 2);
 	before = ts_map_get(&m->titles, title);
-	return remember(m, &m->titles, title,
-			(void *)(uintptr_t)(!before || before == kept ? kept : "two"));
+	return remember(m, &m->titles, title, (void *)(uintptr_t)(!before || before == kept ? kept : "two"));
 }
 
 enum ts_status ts_meanings_take(struct ts_meanings *m, const char *const *word, size_t n)
@@ -188,8 +185,8 @@ static enum ts_turning turning_of(const struct contacts *c, int k, int *partner)
 }
 
 /* Column "c_ID[k]" of a compute of contacts: its ID and k. */
-static const struct contacts *contacts_of(const struct ts_meanings *m, const char *column,
-					  char id[64], int *k)
+static const struct contacts *contacts_of(const struct ts_meanings *m, const char *column, char id[64],
+					  int *k)
 {
 	const struct contacts *c;
 	char rest;
@@ -200,8 +197,7 @@ static const struct contacts *contacts_of(const struct ts_meanings *m, const cha
 	return c && c->known ? c : NULL;
 }
 
-static size_t column_at(const struct ts_meanings *m, const struct ts_frame *f, const char *id,
-			int k)
+static size_t column_at(const struct ts_meanings *m, const struct ts_frame *f, const char *id, int k)
 {
 	char name[96];
 	const char *kept;
@@ -243,8 +239,7 @@ static void learn(const struct ts_meanings *m, struct ts_frame *f, size_t id[2])
 		if (f->partner[k] == SIZE_MAX)
 			f->turning[k] = TS_TURN_NOT;
 		first = ids_in(c);
-		for (int who = 0; who < 2 && first && (id[0] == SIZE_MAX || id[1] == SIZE_MAX);
-		     who++)
+		for (int who = 0; who < 2 && first && (id[0] == SIZE_MAX || id[1] == SIZE_MAX); who++)
 			id[who] = column_at(m, f, name, first + who);
 	}
 }

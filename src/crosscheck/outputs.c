@@ -76,8 +76,8 @@ static bool has(const struct ts_listing *list, const char *name)
 /* What is no output to compare: logs, and the lists of frames that only tsim writes for ParaView. */
 static bool is_apart(const char *folder, const char *name)
 {
-	return strncmp(name, "log.", 4) == 0 || ts_ends_with(name, ".series") ||
-	       ts_ends_with(name, ".pvd") || sort_of(folder, name) == SORT_LOG;
+	return strncmp(name, "log.", 4) == 0 || ts_ends_with(name, ".series") || ts_ends_with(name, ".pvd") ||
+	       sort_of(folder, name) == SORT_LOG;
 }
 
 static enum ts_status keep(const char ***list, size_t *n, size_t *capacity, const char *name,
@@ -90,8 +90,8 @@ static enum ts_status keep(const char ***list, size_t *n, size_t *capacity, cons
 }
 
 /* All files in both folders that have the pattern of the k-th name; that one only, if it is the first. */
-static enum ts_status pair(struct ts_outputs *o, const char *const folder[TS_BOTH], size_t k,
-			   enum sort sort, struct ts_error *err, struct ts_pool *pool)
+static enum ts_status pair(struct ts_outputs *o, const char *const folder[TS_BOTH], size_t k, enum sort sort,
+			   struct ts_error *err, struct ts_pool *pool)
 {
 	const struct ts_listing *list = &o->listing[TS_HERE];
 	const char *pattern = pattern_of(list->name[k], pool), **names;
@@ -127,7 +127,8 @@ static enum ts_status pair(struct ts_outputs *o, const char *const folder[TS_BOT
 }
 
 /* Takes those out of the list of tsim that one of the programs leaves empty: there is nothing to compare. */
-static enum ts_status set_aside_empty(struct ts_outputs *o, const char *const folder[TS_BOTH], struct ts_error *err)
+static enum ts_status set_aside_empty(struct ts_outputs *o, const char *const folder[TS_BOTH],
+				      struct ts_error *err)
 {
 	struct ts_listing *list = &o->listing[TS_HERE];
 	size_t kept = 0;
@@ -140,7 +141,8 @@ static enum ts_status set_aside_empty(struct ts_outputs *o, const char *const fo
 			empty[who] = both && sort_of(folder[who], name) == SORT_EMPTY;
 		for (int who = 0; who < TS_BOTH; who++)
 			if (empty[who] && !empty[!who])
-				TS_TRY(keep(&o->empty[who], &o->nempty[who], &o->empty_capacity[who], name, err));
+				TS_TRY(keep(&o->empty[who], &o->nempty[who], &o->empty_capacity[who], name,
+					    err));
 		if (empty[TS_HERE] == empty[TS_PEER])
 			list->name[kept++] = name;
 	}
@@ -148,8 +150,8 @@ static enum ts_status set_aside_empty(struct ts_outputs *o, const char *const fo
 	return TS_OK;
 }
 
-enum ts_status ts_outputs_pair(struct ts_outputs *o, const char *const folder[TS_BOTH],
-			       struct ts_error *err, struct ts_pool *pool)
+enum ts_status ts_outputs_pair(struct ts_outputs *o, const char *const folder[TS_BOTH], struct ts_error *err,
+			       struct ts_pool *pool)
 {
 	for (int who = 0; who < TS_BOTH; who++) {
 		const struct ts_listing *list = &o->listing[who];

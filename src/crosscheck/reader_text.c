@@ -172,8 +172,7 @@ static enum ts_status next_dump(struct ts_reader *r, bool *got)
 		count = ts_streq(l->word[1], "NUMBER");
 		if (!*got && (step || count)) {
 			TS_TRY(ts_lines_next_filled(l, &more));
-			TS_TRY(ts_lines_int(l, 0, "the count", 0, INT64_MAX,
-					    step ? &r->frame.step : &n));
+			TS_TRY(ts_lines_int(l, 0, "the count", 0, INT64_MAX, step ? &r->frame.step : &n));
 		}
 	}
 	return TS_OK;
@@ -259,8 +258,7 @@ static enum ts_status next_text(struct ts_reader *r, bool *got)
 		}
 	}
 	*got = true;
-	if (l->nwords > 1 && r->title.columns > 1 &&
-	    strncmp(r->title.name[1], "Number-of-", 10) == 0)
+	if (l->nwords > 1 && r->title.columns > 1 && strncmp(r->title.name[1], "Number-of-", 10) == 0)
 		return block(r);
 	TS_TRY(text_names(r));
 	r->frame.rows = 0;

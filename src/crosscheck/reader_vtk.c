@@ -113,8 +113,8 @@ static enum ts_status read_attribute(struct ts_reader *r, bool vector)
  * another table, and is read again then. */
 static enum ts_status read_keyword(struct ts_reader *r, const char *word, bool *done)
 {
-	static const char *const tables[] = { "POINTS",	       "X_COORDINATES", "Y_COORDINATES",
-					      "Z_COORDINATES", "CELL_DATA" };
+	static const char *const tables[] = { "POINTS", "X_COORDINATES", "Y_COORDINATES", "Z_COORDINATES",
+					      "CELL_DATA" };
 	size_t k = 0, n = sizeof tables / sizeof *tables, rows;
 
 	if (ts_streq(word, "FIELD"))

@@ -20,7 +20,8 @@ const struct ts_command_style ts_command_dump = {
 		.name = "dump",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Writes snapshots to files during runs",
-		.doc = "See the pages of the dump styles. dump_modify changes a dump, undump ends it. Missing folders on\n"
+		.doc = "See the pages of the dump styles. dump_modify changes a dump, undump ends it. "
+		       "Missing folders on\n"
 		       "the way to the file are made.",
 		.example = "dump rock all custom 1000 post/rock.dump id type x y z radius",
 		.args = args,

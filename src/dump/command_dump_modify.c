@@ -30,8 +30,10 @@ const struct ts_command_style ts_command_dump_modify = {
 		.name = "dump_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Changes how a dump writes",
-		.doc = "Defaults: sort id, pad 0, first no, append no, format float %g, format int %d. A format of a\n"
-		       "column goes before those of a kind, and those before the line's. Conditions, region and\n"
+		.doc = "Defaults: sort id, pad 0, first no, append no, format float %g, format int %d. A "
+		       "format of a\n"
+		       "column goes before those of a kind, and those before the line's. Conditions, region "
+		       "and\n"
 		       "order by columns are for dumps of particles.",
 		.example = "dump_modify rock pad 8 format float %.15g format 1 %08d\n"
 			   "dump_modify fast thresh vz < -0.5 thresh c_load >= 2.385 region shaft sort -4",

@@ -70,8 +70,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL,
-		 .help = "particles to write"),
+	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "particles to write"),
 	TS_LIST("style", struct state, rest, .help = "style of dump, file, columns"),
 	TS_REST_KEYWORD("modify", struct state, modify, .help = "words as of dump_modify, to the end"),
 	TS_ARGS_END,
@@ -83,7 +82,8 @@ const struct ts_command_style ts_command_write_dump = {
 		.name = "write_dump",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Writes one snapshot now",
-		.doc = "The words are those of dump without name and interval. Forces are those of the last step.",
+		.doc = "The words are those of dump without name and interval. Forces are those of the last "
+		       "step.",
 		.example = "write_dump all custom post/rock.dump id type x y z radius\n"
 			   "write_dump all atom post/rock.*.dump modify scale no sort id pad 8",
 		.args = args,

@@ -28,7 +28,7 @@ struct ts_dump_common {
 	int64_t pad, delay;
 	int64_t sort_by; /* 0: identity; k or -k: column k, up or down */
 	bool unsorted, first, append, time, units;
-	bool binary; /* of legacy VTK files */
+	bool binary;	   /* of legacy VTK files */
 	bool plain, image; /* of dump atom: positions as they are, image flags too */
 	const char *label, *region, *refresh;
 	struct ts_formats formats;
@@ -37,7 +37,7 @@ struct ts_dump_common {
 	size_t nthresholds;
 	bool headless;	 /* header no: rows alone */
 	size_t restored; /* columns of values of the last frame that a restart file gave back */
-	char **old; /* names of the last frames, a ring */
+	char **old;	 /* names of the last frames, a ring */
 	int64_t nold;
 	/* workings */
 	int64_t next; /* with a variable: step of the next frame, found anew by each run */
@@ -48,11 +48,11 @@ struct ts_dump_common {
 	struct ts_textfile out;
 	struct ts_str text, path;
 };
-#define TS_DUMP_ARGS(T)                                                                            \
-	TS_INT("every", T, common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,             \
-	       .help = "steps between frames"),                                                    \
-		TS_WORD("file", T, common.file, .flags = TS_POSITIONAL | TS_WRITES,                            \
-			.help = "name of the file; `*` stands for the step, one file per frame; "  \
+#define TS_DUMP_ARGS(T)                                                                           \
+	TS_INT("every", T, common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,            \
+	       .help = "steps between frames"),                                                   \
+		TS_WORD("file", T, common.file, .flags = TS_POSITIONAL | TS_WRITES,               \
+			.help = "name of the file; `*` stands for the step, one file per frame; " \
 				"compressed if it ends in .gz")
 #define TS_DUMP_SAVED(T) TS_SAVE_I64(T, common.last), TS_SAVE_I64(T, common.frames)
 
@@ -79,20 +79,18 @@ struct ts_dump_threshold {
 	size_t column;
 };
 /* From triples of words; `none` forgets all before it. */
-enum ts_status ts_dump_set_thresholds(struct ts_instance *self, struct tsim *sim,
-				      struct ts_words words);
+enum ts_status ts_dump_set_thresholds(struct ts_instance *self, struct tsim *sim, struct ts_words words);
 /* For the slot archive of dumps of particles: the values at the last frame. */
 enum ts_status ts_dump_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive);
 void ts_dump_release_thresholds(struct ts_dump_common *d);
 
 /* One per-particle input by its name; `c->input` has name and place. */
-enum ts_status ts_dump_make_column(struct ts_instance *self, struct tsim *sim,
-				   struct ts_dump_column *c, bool local);
+enum ts_status ts_dump_make_column(struct ts_instance *self, struct tsim *sim, struct ts_dump_column *c,
+				   bool local);
 enum ts_status ts_dump_evaluate(struct ts_dump_column *c, struct tsim *sim);
 
 /* Makes the columns from their words; `local`: index, c_ID[k], f_ID[k], else per-particle names. */
-enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struct ts_words names,
-			       bool local);
+enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struct ts_words names, bool local);
 /* Whether a frame must be written at this step; if so it counts as written. */
 enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due);
 /* Evaluates all columns, selects and sorts the rows. */

@@ -19,8 +19,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_word word[8];
 
 	for (size_t k = 0; k < 8; k++)
-		word[k] = (struct ts_word){ .text = d->plain ? plain[k] : scaled[k],
-					    .place = self->where };
+		word[k] = (struct ts_word){ .text = d->plain ? plain[k] : scaled[k], .place = self->where };
 	if (d->column && (s->plain != d->plain || s->image != d->image)) {
 		for (size_t k = 0; k < d->ncolumns; k++)
 			ts_table_release(&d->column[k].values);

@@ -10,8 +10,7 @@
 
 static bool names_integer(const char *name)
 {
-	static const char *const integers[] = { "id", "type", "ix",   "iy",
-						"iz", "mol",  "proc", "index" };
+	static const char *const integers[] = { "id", "type", "ix", "iy", "iz", "mol", "proc", "index" };
 
 	for (size_t k = 0; k < sizeof integers / sizeof *integers; k++)
 		if (ts_streq(name, integers[k]))
@@ -19,8 +18,8 @@ static bool names_integer(const char *name)
 	return strncmp(name, "i_", 2) == 0; /* of fix property/atom */
 }
 
-enum ts_status ts_dump_make_column(struct ts_instance *self, struct tsim *sim,
-				   struct ts_dump_column *c, bool local)
+enum ts_status ts_dump_make_column(struct ts_instance *self, struct tsim *sim, struct ts_dump_column *c,
+				   bool local)
 {
 	char what[64];
 
@@ -32,32 +31,29 @@ enum ts_status ts_dump_make_column(struct ts_instance *self, struct tsim *sim,
 	if (c->index)
 		return TS_OK;
 	snprintf(what, sizeof what, "dump %s", self->style->name);
-	return ts_ref_input_resolve(sim, what,
-				    local ? TS_WANT(LOCAL) : TS_WANT(PERATOM) | TS_WANT(SCALAR),
+	return ts_ref_input_resolve(sim, what, local ? TS_WANT(LOCAL) : TS_WANT(PERATOM) | TS_WANT(SCALAR),
 				    &c->input);
 }
 
 /* Once: c_ID[*] becomes several columns. */
-static enum ts_status name_columns(struct ts_instance *self, struct tsim *sim,
-				   struct ts_words names, bool local)
+static enum ts_status name_columns(struct ts_instance *self, struct tsim *sim, struct ts_words names,
+				   bool local)
 {
 	struct ts_dump_common *d = self->state;
 	struct ts_words all;
 
-	TS_TRY(ts_refs_expand(sim, &self->arena, names, local ? TS_WANT(LOCAL) : TS_WANT(PERATOM),
-			      &all));
+	TS_TRY(ts_refs_expand(sim, &self->arena, names, local ? TS_WANT(LOCAL) : TS_WANT(PERATOM), &all));
 	d->column = ts_arena_alloc(&self->arena, all.n, sizeof *d->column);
 	if (!d->column)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < all.n; k++)
-		d->column[k].input = (struct ts_ref_input){ .name = all.word[k].text,
-							    .where = all.word[k].place };
+		d->column[k].input =
+			(struct ts_ref_input){ .name = all.word[k].text, .where = all.word[k].place };
 	d->ncolumns = all.n;
 	return TS_OK;
 }
 
-enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struct ts_words names,
-			       bool local)
+enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struct ts_words names, bool local)
 {
 	struct ts_dump_common *d = self->state;
 

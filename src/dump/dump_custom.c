@@ -21,8 +21,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	return ts_dump_frame(self, sim, false);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	return ts_dump_price(self, sim, false, false, report);
 }
@@ -30,8 +29,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 static const struct ts_arg args[] = {
 	TS_DUMP_ARGS(struct state),
 	TS_REST("columns", struct state, names,
-		.help = "what to write: id, type, x, y, z, vx, radius ..., c_ID[k], f_ID[k], "
-			"v_NAME"),
+		.help = "what to write: id, type, x, y, z, vx, radius ..., c_ID[k], f_ID[k], v_NAME"),
 	TS_ARGS_END,
 };
 
@@ -42,14 +40,12 @@ const struct ts_style ts_dump_custom = {
 	.name = "custom",
 	.kind = TS_KIND_DUMP,
 	.summary = "Chosen quantities of particles as text that OVITO reads",
-	.doc = "A frame is written when the step is a multiple of N, also at the start of a run, "
-	       "never twice\n"
-	       "for the same step. Each begins with ITEM lines: step, number of particles, bounds "
-	       "of the box,\n"
-	       "names of the columns. Particles are written in order of id (see dump_modify sort), "
-	       "so the\n"
-	       "file does not depend on threads or on the order in memory. When a run stops, all "
-	       "frames\n"
+	.doc = "A frame is written when the step is a multiple of N, also at the start of a run, never "
+	       "twice\n"
+	       "for the same step. Each begins with ITEM lines: step, number of particles, bounds of the "
+	       "box,\n"
+	       "names of the columns. Particles are written in order of id (see dump_modify sort), so the\n"
+	       "file does not depend on threads or on the order in memory. When a run stops, all frames\n"
 	       "before are complete.",
 	.example = "dump rock all custom 1000 post/rock.dump id type x y z vx vy vz radius\n"
 		   "dump rock all custom 1000 post/rock*.dump.gz id x y z c_strain",

@@ -45,11 +45,9 @@ static enum ts_status write_box(struct ts_instance *self, struct tsim *sim)
 	else
 		ts_str_add(&name, "_boundingBox.vtk");
 	ts_step_path(&d->path, ts_str_text(&name), (long long)sim->clock.step, (int)d->pad);
-	ts_vtk_legacy_box(&text, sim->domain->box.lo, sim->domain->box.hi, ts_sim_time(sim),
-			  d->binary);
-	status = name.failed || d->path.failed
-			 ? ts_nomem(&sim->error)
-			 : ts_vtk_put(sim, ts_str_text(&d->path), &self->where, &text);
+	ts_vtk_legacy_box(&text, sim->domain->box.lo, sim->domain->box.hi, ts_sim_time(sim), d->binary);
+	status = name.failed || d->path.failed ? ts_nomem(&sim->error)
+					       : ts_vtk_put(sim, ts_str_text(&d->path), &self->where, &text);
 	ts_str_release(&name);
 	ts_str_release(&text);
 	return status;
@@ -66,16 +64,14 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	return ts_dump_vtk_frame(self, sim, false, place);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	return ts_dump_price(self, sim, false, true, report);
 }
 
 static const struct ts_arg args[] = {
-	TS_DUMP_VTK_ARGS(struct state,
-			 "what to write: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], "
-			 "v_NAME"),
+	TS_DUMP_VTK_ARGS(struct state, "what to write: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], "
+				       "v_NAME"),
 	TS_ARGS_END,
 };
 
@@ -86,19 +82,21 @@ const struct ts_style ts_dump_custom_vtk = {
 	.name = "custom/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "Particles as points with quantities for ParaView",
-	.doc = "One file per frame; the ending of its name says the format. .vtp: compressed VTK XML (PolyData), "
-	       "the best choice; .vtu: the same as UnstructuredGrid; .vtk: the legacy format as text, or with "
-	       "dump_modify binary yes as bytes; .pvtp, .pvtu: a list of pieces, of which there is one. A "
-	       "collection, named like the frames without the `*`, gives each its time: .pvd, or .vtk.series; open "
-	       "that in ParaView. It is renamed into place, so it is complete at any time. With .vtk the "
-	       "simulation box goes to a file with boundingBox_ before the step, as LIGGGHTS does it.\n\n"
-	       "Positions are always written, a column that is named twice once. Components become vectors: vx vy vz is "
-	       "written as v, fx fy fz as f, three columns c_ID[1] c_ID[2] c_ID[3] as c_ID[1-3]. The order of the arrays "
-	       "is that of LIGGGHTS, not of the command: id, type, mass, v, f, radius, omega and so on, then c_, f_ and v_ as "
-	       "they are named. A variable v_NAME is written as NAME.\n\n"
-	       "Files .vtk are of version 5.1, as VTK 9 has it (ParaView 5.9): what LIGGGHTS writes, byte for byte but for "
-	       "the title, which tells the time, and positions, which are in double precision; with `legacy yes` "
-	       "in single precision as there.",
+	.doc = "One file per frame; the ending of its name says the format. .vtp: compressed VTK XML "
+	       "(PolyData), the best choice; .vtu: the same as UnstructuredGrid; .vtk: the legacy format as "
+	       "text, or with dump_modify binary yes as bytes; .pvtp, .pvtu: a list of pieces, of which "
+	       "there is one. A collection, named like the frames without the `*`, gives each its time: "
+	       ".pvd, or .vtk.series; open that in ParaView. It is renamed into place, so it is complete at "
+	       "any time. With .vtk the simulation box goes to a file with boundingBox_ before the step, as "
+	       "LIGGGHTS does it.\n\n"
+	       "Positions are always written, a column that is named twice once. Components become vectors: "
+	       "vx vy vz is written as v, fx fy fz as f, three columns c_ID[1] c_ID[2] c_ID[3] as c_ID[1-3]. "
+	       "The order of the arrays is that of LIGGGHTS, not of the command: id, type, mass, v, f, "
+	       "radius, omega and so on, then c_, f_ and v_ as they are named. A variable v_NAME is written "
+	       "as NAME.\n\n"
+	       "Files .vtk are of version 5.1, as VTK 9 has it (ParaView 5.9): what LIGGGHTS writes, byte "
+	       "for byte but for the title, which tells the time, and positions, which are in double "
+	       "precision; with `legacy yes` in single precision as there.",
 	.example = "dump rock all custom/vtk 1000 post/rock*.vtp id type x y z vx vy vz radius\n"
 		   "dump old all custom/vtk 1000 post/old*.vtk id type radius",
 	.args = args,

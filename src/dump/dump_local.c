@@ -21,8 +21,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	return ts_dump_frame(self, sim, true);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	return ts_dump_price(self, sim, true, false, report);
 }
@@ -43,8 +42,7 @@ const struct ts_style ts_dump_local = {
 	.doc = "All columns must have the same number of rows. Rows are ordered by their columns "
 	       "from left to\n"
 	       "right (dump_modify sort off: as they come); index counts them as they are written.",
-	.example =
-		"dump bonds all local 1000 post/bonds.dump index c_bonds[1] c_bonds[2] c_bonds[3]",
+	.example = "dump bonds all local 1000 post/bonds.dump index c_bonds[1] c_bonds[2] c_bonds[3]",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

@@ -29,8 +29,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status fill_points(struct state *s, struct tsim *sim, const struct ts_table *table,
-				  size_t pos)
+static enum ts_status fill_points(struct state *s, struct tsim *sim, const struct ts_table *table, size_t pos)
 {
 	if (ts_table_resize(&s->vtk.points, 2 * table->rows, 3) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -99,11 +98,11 @@ const struct ts_style ts_dump_local_gran_vtk = {
 	.name = "local/gran/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "Contacts as lines with forces and more, for ParaView",
-	.doc = "A line for each row of the compute, from the first partner to the nearest image of the second, "
-	       "or from the wall to the particle; what else the compute gives are data of the lines: vel1, vel2, "
-	       "id1, id2, id3, force, force_normal, force_tangential, torque, history, contact_area, delta, "
-	       "contact_point. ParaView's filter Tube makes force chains of them. Files as with dump "
-	       "custom/vtk.\n\n"
+	.doc = "A line for each row of the compute, from the first partner to the nearest image of the "
+	       "second, or from the wall to the particle; what else the compute gives are data of the lines: "
+	       "vel1, vel2, id1, id2, id3, force, force_normal, force_tangential, torque, history, "
+	       "contact_area, delta, contact_point. ParaView's filter Tube makes force chains of them. Files "
+	       "as with dump custom/vtk.\n\n"
 	       "LIGGGHTS draws the triangle of both centres and the contact point, with the same data three "
 	       "times; here a contact is one line.",
 	.example = "compute chain all pair/gran/local pos id force\n"

@@ -26,15 +26,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status find_row(struct ts_instance *self, struct tsim *sim,
-			       const struct ts_identities *map, double id, int32_t *row)
+static enum ts_status find_row(struct ts_instance *self, struct tsim *sim, const struct ts_identities *map,
+			       double id, int32_t *row)
 {
 	*row = id >= 1 && id <= map->max && floor(id) == id ? ts_contact_of(map, (int32_t)id) : -1;
 	if (*row >= 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "dump local/vtk: %g in the first two columns is not the id of a particle",
-		       id);
+		       "dump local/vtk: %g in the first two columns is not the id of a particle", id);
 }
 
 static enum ts_status fill_points(struct ts_instance *self, struct tsim *sim)
@@ -64,16 +63,14 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	return ts_dump_vtk_frame(self, sim, true, fill_points);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	return ts_dump_price(self, sim, true, true, report);
 }
 
 static const struct ts_arg args[] = {
 	TS_DUMP_VTK_ARGS(struct state,
-			 "c_ID[k] or f_ID[k]; the first two are the ids of the particles at the "
-			 "ends"),
+			 "c_ID[k] or f_ID[k]; the first two are the ids of the particles at the ends"),
 	TS_ARGS_END,
 };
 
@@ -84,10 +81,9 @@ const struct ts_style ts_dump_local_vtk = {
 	.name = "local/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "Bonds or contacts as lines between particles for ParaView",
-	.doc = "The first two columns are the ids of the particles at the ends; a line is drawn "
-	       "from the first\n"
-	       "to the nearest image of the second. All columns are written as data of the lines. "
-	       "Files as\n"
+	.doc = "The first two columns are the ids of the particles at the ends; a line is drawn from the "
+	       "first\n"
+	       "to the nearest image of the second. All columns are written as data of the lines. Files as\n"
 	       "with dump custom/vtk.",
 	.example = "dump bonds all local/vtk 1000 post/bonds*.vtp c_bonds[1] c_bonds[2] c_bonds[3]",
 	.args = args,

@@ -12,8 +12,7 @@ static enum ts_status add(struct ts_dump_mesh *d, struct tsim *sim, struct ts_me
 	return TS_OK;
 }
 
-static enum ts_status find_named(struct ts_instance *self, struct tsim *sim,
-				 ts_dump_mesh_word_fn *word)
+static enum ts_status find_named(struct ts_instance *self, struct tsim *sim, ts_dump_mesh_word_fn *word)
 {
 	struct ts_dump_mesh *d = self->state;
 	struct ts_mesh_surface *surface;
@@ -29,8 +28,7 @@ static enum ts_status find_named(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
-enum ts_status ts_dump_mesh_init(struct ts_instance *self, struct tsim *sim,
-				 ts_dump_mesh_word_fn *word)
+enum ts_status ts_dump_mesh_init(struct ts_instance *self, struct tsim *sim, ts_dump_mesh_word_fn *word)
 {
 	struct ts_dump_mesh *d = self->state;
 	struct ts_mesh_surface *surface;

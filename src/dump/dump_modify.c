@@ -9,15 +9,14 @@
 const char *const ts_dump_answers[] = { "no", "yes", NULL };
 const char *const ts_dump_compressors[] = { "none", "zlib", "lz4", NULL };
 
-static enum ts_status keep(struct tsim *sim, struct ts_instance *dump, const char *text,
-			   const char **out)
+static enum ts_status keep(struct tsim *sim, struct ts_instance *dump, const char *text, const char **out)
 {
 	*out = ts_arena_strdup(&dump->arena, text);
 	return *out ? TS_OK : ts_nomem(&sim->error);
 }
 
-static enum ts_status set_every(struct tsim *sim, struct ts_instance *dump,
-				const struct ts_number *every, const struct ts_place *where)
+static enum ts_status set_every(struct tsim *sim, struct ts_instance *dump, const struct ts_number *every,
+				const struct ts_place *where)
 {
 	struct ts_dump_common *d = dump->state;
 
@@ -28,8 +27,7 @@ static enum ts_status set_every(struct tsim *sim, struct ts_instance *dump,
 		return keep(sim, dump, every->variable, &d->variable);
 	if (every->value != floor(every->value) || every->value > 9e15)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "dump_modify: every is %g, expected an integer > 0 or v_name",
-			       every->value);
+			       "dump_modify: every is %g, expected an integer > 0 or v_name", every->value);
 	d->every = dump->every = (int64_t)every->value;
 	return TS_OK;
 }
@@ -134,8 +132,8 @@ static void set_answers(struct ts_dump_common *d, const struct ts_dump_changes *
 		d->delay = c->delay;
 }
 
-enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump,
-			      const struct ts_dump_changes *c, const struct ts_place *where)
+enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump, const struct ts_dump_changes *c,
+			      const struct ts_place *where)
 {
 	struct ts_dump_common *d = dump->state;
 

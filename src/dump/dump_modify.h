@@ -6,14 +6,16 @@
 
 extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 
-#define TS_DUMP_ANSWER(T, name, field, help_)                                                      \
+#define TS_DUMP_ANSWER(T, name, field, help_) \
 	TS_ENUM(name, T, changes.field, ts_dump_answers, .flags = TS_OPTIONAL, .help = help_)
-#define TS_DUMP_COUNT(T, name, field, least, most, help_)                                          \
-	TS_INT(name, T, changes.field, .flags = TS_OPTIONAL, .range = TS_WITHIN, .lo = least,      \
-	       .hi = most, .help = help_)
-#define TS_DUMP_WORDS(T, name_, field, flags_, help_)                                              \
-	{ .name = name_, .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD | (flags_),     \
-	  .offset = TS_FIELD(T, changes.field, struct ts_words *), .help = help_ }
+#define TS_DUMP_COUNT(T, name, field, least, most, help_)                                                 \
+	TS_INT(name, T, changes.field, .flags = TS_OPTIONAL, .range = TS_WITHIN, .lo = least, .hi = most, \
+	       .help = help_)
+#define TS_DUMP_WORDS(T, name_, field, flags_, help_)                                                \
+	{                                                                                            \
+		.name = name_, .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD | (flags_), \
+		.offset = TS_FIELD(T, changes.field, struct ts_words *), .help = help_               \
+	}
 
 /* clang-format off */
 #define TS_DUMP_MODIFY_ROWS(T)                                                                  \
@@ -41,8 +43,10 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 	TS_DUMP_ANSWER(T, "units", units, "an additional ITEM: UNITS of the first frame"),      \
 	TS_DUMP_COUNT(T, "maxfiles", maxfiles, -1, 1000000,                                     \
 	      "keep only so many of the files of single frames, the last; -1: all"),            \
-	TS_DUMP_WORDS(T, "element", element, 0, "names of the types, for the column element and for dump xyz"), \
-	TS_DUMP_ANSWER(T, "scale", scale, "dump atom: positions from 0 to 1 across the box (as from the start)"), \
+	TS_DUMP_WORDS(T, "element", element, 0, "names of the types, for the column element and for dump " \
+						"xyz"), \
+	TS_DUMP_ANSWER(T, "scale", scale, "dump atom: positions from 0 to 1 across the box (as from the " \
+					  "start)"), \
 	TS_DUMP_ANSWER(T, "image", image, "dump atom: image flags too"),                        \
 	TS_WORD("refresh", T, changes.refresh, .flags = TS_OPTIONAL,                            \
 		.help = "c_ID of a compute displace/atom that starts anew after each frame, as its own " \
@@ -53,7 +57,8 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 		.help = "no effect: VTK files are compressed with zlib"),                       \
 	TS_DUMP_ANSWER(T, "flush", flush, "no effect: every frame is handed to the system at once"), \
 	TS_DUMP_ANSWER(T, "pbc", pbc, "no effect: positions are wrapped when neighbours are searched"), \
-	TS_DUMP_ANSWER(T, "binary", binary, "numbers of .vtk files as bytes, not as text; other VTK files always"),      \
+	TS_DUMP_ANSWER(T, "binary", binary, "numbers of .vtk files as bytes, not as text; other VTK files " \
+					    "always"),      \
 	TS_DUMP_COUNT(T, "fileper", fileper, 1, 1000000, "no effect: there is one process"),    \
 	TS_DUMP_COUNT(T, "nfile", nfile, 1, 1000000, "no effect: there is one process")
 /* clang-format on */

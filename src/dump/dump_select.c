@@ -53,8 +53,7 @@ static enum ts_status last_column(struct ts_instance *self, struct tsim *sim, si
 
 	ts_str_addf(&name, "dump %s last %zu", self->id, k);
 	status = name.failed ? ts_nomem(&sim->error)
-			     : ts_particles_add_column(sim, ts_str_text(&name), WIDTH, TS_COL_RESULT,
-						       column);
+			     : ts_particles_add_column(sim, ts_str_text(&name), WIDTH, TS_COL_RESULT, column);
 	ts_str_release(&name);
 	return status;
 }
@@ -101,8 +100,8 @@ enum ts_status ts_dump_archive(struct ts_instance *self, struct tsim *sim, struc
 	return TS_OK;
 }
 
-static enum ts_status read_threshold(struct ts_instance *self, struct tsim *sim,
-				     struct ts_words words, struct ts_dump_threshold *t)
+static enum ts_status read_threshold(struct ts_instance *self, struct tsim *sim, struct ts_words words,
+				     struct ts_dump_threshold *t)
 {
 	const char *name;
 
@@ -114,8 +113,7 @@ static enum ts_status read_threshold(struct ts_instance *self, struct tsim *sim,
 		t->operator++;
 	if (!operators[t->operator])
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[1].place,
-			       "dump_modify: thresh: '%s' is none of < <= > >= == != |^",
-			       words.word[1].text);
+			       "dump_modify: thresh: '%s' is none of < <= > >= == != |^", words.word[1].text);
 	t->last = ts_streq(words.word[2].text, "LAST");
 	if (!t->last && !ts_parse_real(words.word[2].text, &t->limit))
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[2].place,
@@ -129,8 +127,7 @@ static enum ts_status read_threshold(struct ts_instance *self, struct tsim *sim,
 	return ts_dump_make_column(self, sim, &t->value, false);
 }
 
-enum ts_status ts_dump_set_thresholds(struct ts_instance *self, struct tsim *sim,
-				      struct ts_words words)
+enum ts_status ts_dump_set_thresholds(struct ts_instance *self, struct tsim *sim, struct ts_words words)
 {
 	struct ts_dump_common *d = self->state;
 
@@ -156,16 +153,15 @@ enum ts_status ts_dump_set_thresholds(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
-static enum ts_status find_region(struct ts_instance *self, struct tsim *sim,
-				  struct ts_instance **out)
+static enum ts_status find_region(struct ts_instance *self, struct tsim *sim, struct ts_instance **out)
 {
 	const struct ts_dump_common *d = self->state;
 
 	*out = d->region ? ts_sim_find(sim, TS_KIND_REGION, d->region) : NULL;
 	if (*out || !d->region)
 		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, &self->where, "dump %s: its region '%s' is gone",
-		       self->id, d->region);
+	return ts_fail(&sim->error, TS_STATE, &self->where, "dump %s: its region '%s' is gone", self->id,
+		       d->region);
 }
 
 /* With LAST the value becomes that of the last frame, for all particles. */
@@ -217,8 +213,8 @@ static enum ts_status sort(struct ts_instance *self, struct tsim *sim)
 
 	if ((size_t)column > d->ncolumns)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "dump %s: sort by column %lld, but there are %zu", self->id,
-			       (long long)column, d->ncolumns);
+			       "dump %s: sort by column %lld, but there are %zu", self->id, (long long)column,
+			       d->ncolumns);
 	if (column)
 		by.value = d->column[column - 1].values.data;
 	if (!d->unsorted && d->nrows)

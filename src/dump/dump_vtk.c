@@ -23,10 +23,10 @@ enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim
 static int place_of(const struct ts_dump_column *c)
 {
 	static const char *const order[] = {
-		"id",	  "mol",    "type", "element", "mass", "xs",	 "ys",	     "zs",     "xu",
-		"yu",	  "zu",	    "xsu",  "ysu",     "zsu",  "ix",	 "iy",	     "iz",     "vx",
-		"vy",	  "vz",	    "fx",   "fy",      "fz",   "radius", "diameter", "omegax", "omegay",
-		"omegaz", "tqx",    "tqy",  "tqz",     "density",
+		"id",	    "mol",    "type",	"element", "mass", "xs",  "ys",	 "zs",
+		"xu",	    "yu",     "zu",	"xsu",	   "ysu",  "zsu", "ix",	 "iy",
+		"iz",	    "vx",     "vy",	"vz",	   "fx",   "fy",  "fz",	 "radius",
+		"diameter", "omegax", "omegay", "omegaz",  "tqx",  "tqy", "tqz", "density",
 	};
 	enum { N = sizeof order / sizeof *order };
 	int k = 0;
@@ -132,8 +132,7 @@ static size_t take_array(struct ts_instance *self, size_t k, bool vectors, doubl
 	const struct ts_dump_common *d = &s->common;
 	struct ts_vtk_array *a = &s->array[s->narrays];
 	char name[256];
-	bool vector =
-		vectors && k + 2 < d->ncolumns && vector_name(&d->column[k], name, sizeof name);
+	bool vector = vectors && k + 2 < d->ncolumns && vector_name(&d->column[k], name, sizeof name);
 
 	if (!vector)
 		snprintf(name, sizeof name, "%s", array_name(s, d->column[k].input.name));
@@ -208,8 +207,7 @@ void ts_dump_vtk_line(const struct tsim *sim, const double a[3], const double b[
 	}
 }
 
-enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,
-				 struct ts_vtk_poly *poly)
+enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim, struct ts_vtk_poly *poly)
 {
 	struct ts_dump_common *d = self->state;
 
@@ -248,8 +246,7 @@ enum ts_status ts_dump_vtk_frame(struct ts_instance *self, struct tsim *sim, boo
 	return ts_dump_vtk_write(self, sim, &poly);
 }
 
-enum ts_status ts_dump_vtk_archive(struct ts_instance *self, struct tsim *sim,
-				   struct ts_archive *archive)
+enum ts_status ts_dump_vtk_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
 	struct ts_dump_vtk *s = self->state;
 

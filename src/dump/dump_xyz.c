@@ -46,8 +46,8 @@ const struct ts_style ts_dump_xyz = {
 	.name = "xyz",
 	.kind = TS_KIND_DUMP,
 	.summary = "Type and position of particles for simple viewers",
-	.doc = "Each frame has the number of particles, a line with the step, and a line `type x y z` for each "
-	       "particle.\n"
+	.doc = "Each frame has the number of particles, a line with the step, and a line `type x y z` for "
+	       "each particle.\n"
 	       "dump_modify element gives the types names.",
 	.example = "dump rock all xyz 1000 post/rock.xyz\ndump_modify rock element granite bit",
 	.args = args,

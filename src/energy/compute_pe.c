@@ -46,13 +46,19 @@ const struct ts_style ts_compute_pe = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Potential energy: elastic energy of contacts and bonds, and of fixes",
 	.doc = "`pair`: the elastic energy of contacts, what they would give back if they opened without\n"
-	       "losses. Normal springs: k_n delta^2/2 for linear laws, 2/5 k_n delta^2 for Hertz' law, whose k_n\n"
-	       "grows with sqrt(delta). Springs of slip and of rolling at the present overlap: k_t xi^2/2 and\n"
-	       "M^2/(2 k_r). Cohesion: the integral of its pull over the overlap, < 0. Dashpots and friction\n"
-	       "store nothing. A contact of hooke/hysteresis yields and has no potential: the line is refused\n"
-	       "at the run. `bond`: K U^2/2 of bond style contact. `fix`: what the fixes give that `fix_modify\n"
+	       "losses. Normal springs: k_n delta^2/2 for linear laws, 2/5 k_n delta^2 for Hertz' law, whose "
+	       "k_n\n"
+	       "grows with sqrt(delta). Springs of slip and of rolling at the present overlap: k_t xi^2/2 "
+	       "and\n"
+	       "M^2/(2 k_r). Cohesion: the integral of its pull over the overlap, < 0. Dashpots and "
+	       "friction\n"
+	       "store nothing. A contact of hooke/hysteresis yields and has no potential: the line is "
+	       "refused\n"
+	       "at the run. `bond`: K U^2/2 of bond style contact. `fix`: what the fixes give that "
+	       "`fix_modify\n"
 	       "ID energy yes` counts in (gravity: -sum m g.x, positions unwrapped). Walls are fixes.\n\n"
-	       "LAMMPS and LIGGGHTS have no energy of granular contacts: their compute pe is 0 for that part\n"
+	       "LAMMPS and LIGGGHTS have no energy of granular contacts: their compute pe is 0 for that "
+	       "part\n"
 	       "(see `legacy`). LIGGGHTS has no keyword pe of thermo_style.",
 	.example = "compute stored all pe pair bond",
 	.args = args,

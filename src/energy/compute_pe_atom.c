@@ -34,14 +34,15 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 }
 
 static const struct ts_value values[] = {
-	{ "energy", "energy", "half the energy of each contact and bond; 0 outside the group",
-	  TS_PERATOM, 1, NULL, eval },
+	{ "energy", "energy", "half the energy of each contact and bond; 0 outside the group", TS_PERATOM, 1,
+	  NULL, eval },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
 	TS_REST_OPTIONAL("parts", struct pe_atom, words,
-			 .help = "pair, bond; none: both. fix, angle, dihedral, improper, kspace add nothing"),
+			 .help = "pair, bond; none: both. fix, angle, dihedral, improper, kspace add "
+				 "nothing"),
 	TS_ARGS_END,
 };
 
@@ -50,7 +51,8 @@ const struct ts_style ts_compute_pe_atom = {
 	.name = "pe/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Potential energy of each particle",
-	.doc = "Half the elastic energy of each of its contacts and bonds; compute pe has the equations. The sum\n"
+	.doc = "Half the elastic energy of each of its contacts and bonds; compute pe has the equations. The "
+	       "sum\n"
 	       "over all particles is c_ID of compute pe pair bond.",
 	.example = "compute e all pe/atom\ncompute stored all reduce sum c_e",
 	.args = args,

@@ -57,7 +57,7 @@ static void sources(struct tsim *sim, const struct ts_ledger *l)
 	ts_log(&sim->log, "  came from\n");
 	for (size_t a = 0; a < l->nactors; a++)
 		named(sim,
-		      a == l->rest ? "forces made before, or changed later, than"
+		      a == l->rest				? "forces made before, or changed later, than"
 		      : l->actor[a].pushes == TS_LEDGER_IS_WALL ? "motion of"
 								: "forces of",
 		      l->actor[a].name, ts_compensated_value(&l->actor[a].work));
@@ -89,8 +89,8 @@ static double share(const double v[], int value)
 
 static void heat(struct tsim *sim, const struct ts_ledger *l, const double v[])
 {
-	ts_log(&sim->log, "  heat\n    %-52s %16.8g, %.8g more than at the start\n", texts[TS_LEDGER_HEAT_VALUE],
-	       v[TS_LEDGER_HEAT_VALUE], v[TS_LEDGER_HEAT_VALUE] - l->heat.start);
+	ts_log(&sim->log, "  heat\n    %-52s %16.8g, %.8g more than at the start\n",
+	       texts[TS_LEDGER_HEAT_VALUE], v[TS_LEDGER_HEAT_VALUE], v[TS_LEDGER_HEAT_VALUE] - l->heat.start);
 	for (size_t a = 0; a < l->nactors; a++)
 		named(sim, "from", l->actor[a].name, ts_compensated_value(&l->actor[a].heat));
 	line(sim, "from sources", ts_compensated_value(&l->heat.source));
@@ -100,10 +100,14 @@ static void heat(struct tsim *sim, const struct ts_ledger *l, const double v[])
 
 static enum ts_status summary(struct ts_instance *self, struct tsim *sim)
 {
-	static const char *const suspects[] = {
-		"in normal springs between particles", "", "", "in normal springs at walls", "", "",
-		"in bonds", "in turning bodies"
-	};
+	static const char *const suspects[] = { "in normal springs between particles",
+						"",
+						"",
+						"in normal springs at walls",
+						"",
+						"",
+						"in bonds",
+						"in turning bodies" };
 	const struct ledger *s = self->state;
 	double v[TS_LEDGER_VALUES], drift[TS_NSTORE + 1];
 
@@ -111,8 +115,8 @@ static enum ts_status summary(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	ts_ledger_values(&s->books, v);
 	ts_ledger_drifts(&s->books, drift);
-	ts_log(&sim->log, "\nEnergy ledger fix %s, steps %" PRId64 " to %" PRId64 ", %g of time\n",
-	       self->id, s->books.first, sim->clock.step, ts_sim_time(sim) - s->books.first_time);
+	ts_log(&sim->log, "\nEnergy ledger fix %s, steps %" PRId64 " to %" PRId64 ", %g of time\n", self->id,
+	       s->books.first, sim->clock.step, ts_sim_time(sim) - s->books.first_time);
 	energies(sim, &s->books, v);
 	sources(sim, &s->books);
 	losses(sim, v);
@@ -132,10 +136,10 @@ static enum ts_status summary(struct ts_instance *self, struct tsim *sim)
 
 static const char *suspect(const struct ts_ledger *l)
 {
-	static const char *const text[] = { "normal springs between particles",
-					    "normal springs at walls", "bonds", "turning bodies" };
-	static const int store[] = { TS_STORE_NORMAL, TS_NCONTACT_STORE + TS_STORE_NORMAL,
-				     TS_LEDGER_BOND, TS_NSTORE };
+	static const char *const text[] = { "normal springs between particles", "normal springs at walls",
+					    "bonds", "turning bodies" };
+	static const int store[] = { TS_STORE_NORMAL, TS_NCONTACT_STORE + TS_STORE_NORMAL, TS_LEDGER_BOND,
+				     TS_NSTORE };
 	double drift[TS_NSTORE + 1];
 	int worst = 0;
 
@@ -155,9 +159,8 @@ static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(summary(self, sim));
 	if (fabs(share(v, TS_LEDGER_DRIFT_VALUE)) > s->tolerance)
 		ts_warn(&sim->log, &self->where,
-			"fix %s %s: the energy of springs drifted by %.2g of the largest turnover, "
-			"tolerance %g; mostly %s. A smaller time step helps, by its square where forces "
-			"have no jumps",
+			"fix %s %s: the energy of springs drifted by %.2g of the largest turnover, tolerance "
+			"%g; mostly %s. A smaller time step helps, by its square where forces have no jumps",
 			self->id, self->style->name, share(v, TS_LEDGER_DRIFT_VALUE), s->tolerance,
 			suspect(&s->books));
 	return TS_OK;
@@ -207,8 +210,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return write(self, sim);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ledger *s = self->state;
 	size_t numbers = TS_LEDGER_COLUMN;
@@ -231,8 +233,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
-static enum ts_status eval_residual(struct ts_instance *self, const struct tsim *sim,
-				    struct ts_table *out)
+static enum ts_status eval_residual(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	double v[TS_LEDGER_VALUES];
 
@@ -251,10 +252,9 @@ static void fini(struct ts_instance *self)
 static const struct ts_arg args[] = {
 	TS_INT("every", struct ledger, every, .range = TS_POSITIVE, .fallback = "1000",
 	       .help = "steps between lines of the file"),
-	TS_WORD("file", struct ledger, path, .flags = TS_OPTIONAL | TS_WRITES,
-		.help = "table of all values"),
-	TS_REAL("tolerance", struct ledger, tolerance, .range = TS_POSITIVE, .fallback = "0.01",
-		.unit = "", .help = "a warning where the drift is a larger part of the largest turnover"),
+	TS_WORD("file", struct ledger, path, .flags = TS_OPTIONAL | TS_WRITES, .help = "table of all values"),
+	TS_REAL("tolerance", struct ledger, tolerance, .range = TS_POSITIVE, .fallback = "0.01", .unit = "",
+		.help = "a warning where the drift is a larger part of the largest turnover"),
 	TS_BOOL("summary", struct ledger, summary, .fallback = "yes",
 		.help = "a table in the log at the end of each run"),
 	TS_ARGS_END,
@@ -273,14 +273,20 @@ const struct ts_style ts_fix_energy_ledger = {
 	.name = "energy/ledger",
 	.kind = TS_KIND_FIX,
 	.summary = "Books where the energy of the particles comes from and where it goes",
-	.doc = "Splits the work of all forces by cause and adds up what the springs store; it only looks, and results\n"
-	       "are the same with it. Each half kick v' = v + s F/m changes the kinetic energy by s F.(v + v')/2\n"
-	       "exactly, so the works of all causes close to rounding: closure. What springs store differs from\n"
-	       "the work put in by the error of the time step: drift, of second order in the step for forces\n"
+	.doc = "Splits the work of all forces by cause and adds up what the springs store; it only looks, "
+	       "and results\n"
+	       "are the same with it. Each half kick v' = v + s F/m changes the kinetic energy by s F.(v + "
+	       "v')/2\n"
+	       "exactly, so the works of all causes close to rounding: closure. What springs store differs "
+	       "from\n"
+	       "the work put in by the error of the time step: drift, of second order in the step for "
+	       "forces\n"
 	       "without jumps. With the values f_ID[k] listed below,\n\n"
 	       "  TOTAL - TOTAL(0) = FORCES + DRIVE + MOVED - LOST + CLOSURE + DRIFT\n\n"
-	       "The table at the end of a run names who has brought what; a warning says if the drift is more than\n"
-	       "`tolerance` of the largest turnover, and where most of it is. The group has no effect: the books are\n"
+	       "The table at the end of a run names who has brought what; a warning says if the drift is "
+	       "more than\n"
+	       "`tolerance` of the largest turnover, and where most of it is. The group has no effect: the "
+	       "books are\n"
 	       "those of all particles. doc/energy.md has the details.",
 	.example = "fix books all energy/ledger every 100 file post/energy.txt tolerance 0.001",
 	.args = args,

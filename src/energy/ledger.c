@@ -25,8 +25,7 @@ static const char *name_of(struct tsim *sim, const struct ts_instance *by)
 	return ts_pool_get(sim->pool, name);
 }
 
-enum ts_status ts_ledger_actor(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *by,
-			       size_t *k)
+enum ts_status ts_ledger_actor(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *by, size_t *k)
 {
 	const char *name = name_of(sim, by);
 
@@ -150,8 +149,8 @@ static enum ts_status clear(struct tsim *sim, struct ts_ledger *l)
 	return TS_OK;
 }
 
-/* What acts on a body as a whole goes through the first of its members: a force with a torque that moves it to the
- * centre of mass. */
+/* What acts on a body as a whole goes through the first of its members: a force with a torque that moves
+ * it to the centre of mass. */
 static void book_external(struct tsim *sim, struct ts_ledger *l, const struct ts_column *column)
 {
 	struct ts_rigid *rigid = sim->rigid;
@@ -283,7 +282,8 @@ static enum ts_status begin_run(struct tsim *sim, struct ts_ledger *l)
 enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
 {
 	static const enum ts_kind kinds[] = { TS_KIND_SYSTEM, TS_KIND_FLOW, TS_KIND_FIX };
-	const struct ts_instance *bond = ts_sim_only(sim, TS_KIND_BOND), *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_instance *bond = ts_sim_only(sim, TS_KIND_BOND),
+				 *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct ts_ledger *l = self->state;
 
 	if (bond && !ts_bond_style_of(bond)->energy)
@@ -292,7 +292,8 @@ enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
 			       bond->style->name);
 	if (pair && ts_cohesion_bridges(&((const struct ts_pair *)pair->state)->model))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix %s: bridges of liquid (cohesion) have no potential energy, so there are no books of it",
+			       "fix %s: bridges of liquid (cohesion) have no potential energy, so there are "
+			       "no books of it",
 			       self->style->name);
 	l->name = self->id;
 	sim->neigh->shown = true;
@@ -305,15 +306,15 @@ enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
 	return begin_run(sim, l);
 }
 
-/* Forces changed after they were made, before their first kick of the next step: of particles that are in a stream yet, or
- * get the drag of a fluid that has made its step. Bodies are kicked by their own. */
+/* Forces changed after they were made, before their first kick of the next step: of particles that are in
+ * a stream yet, or get the drag of a fluid that has made its step. Bodies are kicked by their own. */
 static enum ts_status watch_late(struct tsim *sim, struct ts_ledger *l)
 {
 	struct ts_particles *p = sim->particles;
 	size_t bytes = p->n * sizeof *p->f;
 
-	if (!p->n || (memcmp(l->f, p->f, bytes) == 0 &&
-		      (!p->torque || memcmp(l->torque, p->torque, bytes) == 0)))
+	if (!p->n ||
+	    (memcmp(l->f, p->f, bytes) == 0 && (!p->torque || memcmp(l->torque, p->torque, bytes) == 0)))
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++) {
 		const struct ts_column *c = &p->column[l->actor[l->rest].column];
@@ -413,8 +414,8 @@ enum ts_status ts_ledger_settle(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* A run that goes on with the forces of the last step: what their contacts and bonds store is known, and what they
- * did if the ledger was there. */
+/* A run that goes on with the forces of the last step: what their contacts and bonds store is known, and
+ * what they did if the ledger was there. */
 static enum ts_status take_all(struct tsim *sim, struct ts_ledger *l)
 {
 	const struct ts_instance *wall;

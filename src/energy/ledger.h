@@ -4,14 +4,15 @@
  *
  *   m v'^2/2 - m v^2/2 = s F.(v + v')/2
  *
- * exactly, and the same with T and omega. So the work of each cause, s F_c.(v + v')/2 with sum F_c = F, adds up to
- * the change of kinetic energy to rounding: the closure. What springs store is known from where particles are. It
- * differs from minus the work of the springs by the error of the integrator: the drift, O(h^2) for velocity
- * Verlet and forces without jumps.
+ * exactly, and the same with T and omega. So the work of each cause, s F_c.(v + v')/2 with sum F_c = F,
+ * adds up to the change of kinetic energy to rounding: the closure. What springs store is known from where
+ * particles are. It differs from minus the work of the springs by the error of the integrator: the drift,
+ * O(h^2) for velocity Verlet and forces without jumps.
  *
- * The ledger watches (style.h): forces by what each action adds to f and torque; those of contacts and bonds by
- * taking them apart, law/contact_parts.h; kicks from the velocities before and after each stage. It
- * changes nothing but columns of its own, which carry F_c from one step into the first kick of the next. */
+ * The ledger watches (style.h): forces by what each action adds to f and torque; those of contacts and
+ * bonds by taking them apart, law/contact_parts.h; kicks from the velocities before and after each stage.
+ * It changes nothing but columns of its own, which carry F_c from one step into the first kick of the
+ * next. */
 #ifndef TS_ENERGY_LEDGER_H
 #define TS_ENERGY_LEDGER_H
 
@@ -20,7 +21,8 @@
 #include "neigh/neigh.h"
 #include "rigid/rigid.h"
 
-/* Causes that all ledgers have: each part of contacts, of particles among themselves and with walls, and bonds. */
+/* Causes that all ledgers have: each part of contacts, of particles among themselves and with walls, and
+ * bonds. */
 enum { TS_LEDGER_PAIR, TS_LEDGER_WALL, TS_LEDGER_SIDES };
 enum {
 	TS_CAUSE_BOND = TS_LEDGER_SIDES * TS_NPART,
@@ -33,11 +35,7 @@ enum {
 enum { TS_CAUSE_FORCE = 0, TS_CAUSE_TORQUE = 3, TS_CAUSE_DRIVE = 6, TS_CAUSE_NUMBERS };
 
 /* After the causes: 1 where an integrator makes whole kicks; where some cause is not 0. */
-enum {
-	TS_LEDGER_WHOLE = TS_NCAUSE * TS_CAUSE_NUMBERS,
-	TS_LEDGER_BUSY,
-	TS_LEDGER_COLUMN
-};
+enum { TS_LEDGER_WHOLE = TS_NCAUSE * TS_CAUSE_NUMBERS, TS_LEDGER_BUSY, TS_LEDGER_COLUMN };
 
 static inline int ts_ledger_cause(int side, int part)
 {
@@ -48,8 +46,8 @@ static inline int ts_ledger_store(int side, int store)
 	return side * TS_NCONTACT_STORE + store;
 }
 
-/* A sum over many steps that keeps what rounding cuts off (A. Neumaier, ZAMM 54 (1974) 39), and how much has gone
- * through it in either direction. */
+/* A sum over many steps that keeps what rounding cuts off (A. Neumaier, ZAMM 54 (1974) 39), and how much
+ * has gone through it in either direction. */
 struct ts_compensated_sum {
 	double sum, lost, turnover;
 };
@@ -61,13 +59,14 @@ static inline double ts_compensated_value(const struct ts_compensated_sum *r)
 
 /* Somebody who acts on particles. */
 struct ts_ledger_actor {
-	const char *name; /* "fix ID", "pair" ...: of the string pool */
+	const char *name;	/* "fix ID", "pair" ...: of the string pool */
 	struct ts_instance *by; /* NULL: it is gone */
-	int pushes;		/* acts in the stages of forces, has a column: 1; or as a wall that moves: 2 */
+	/* acts in the stages of forces, has a column: 1; or as a wall that moves: 2 */
+	int pushes;
 	size_t column;
 	struct ts_compensated_sum work, own; /* of its forces; what it changed directly */
-	struct ts_compensated_sum heat;      /* it has brought */
-	double heat_rate;	     /* in this step, heat by time */
+	struct ts_compensated_sum heat;	     /* it has brought */
+	double heat_rate;		     /* in this step, heat by time */
 };
 
 enum { TS_LEDGER_PUSHES = 1, TS_LEDGER_IS_WALL = 2 };
@@ -77,7 +76,7 @@ struct ts_ledger_heat {
 	double known; /* 1: there is such a fix, and start and now are of it */
 	double start, now;
 	struct ts_compensated_sum source, moved; /* of heatSource; come, gone or set with particles */
-	double seen;			 /* flux into all particles as of the last action */
+	double seen;				 /* flux into all particles as of the last action */
 };
 
 struct ts_ledger_note { /* of a bond or of the contacts of a particle with walls, in the last forces */
@@ -87,16 +86,18 @@ struct ts_ledger_note { /* of a bond or of the contacts of a particle with walls
 
 struct ts_ledger {
 	/* saved */
-	int64_t open;	  /* the books are: the start is known */
-	int64_t split;	  /* forces in the columns are those of the last step */
-	int64_t plastic[TS_LEDGER_SIDES]; /* some contacts yield or stick: what springs do not store is lost */
-	int64_t first;	  /* step at the start */
+	int64_t open;  /* the books are: the start is known */
+	int64_t split; /* forces in the columns are those of the last step */
+	/* some contacts yield or stick: what springs do not store is lost */
+	int64_t plastic[TS_LEDGER_SIDES];
+	int64_t first; /* step at the start */
 	double first_time;
 	double start_kinetic[2], start_store[TS_NSTORE];
 	double kinetic[2], store[TS_NSTORE]; /* now */
 	struct ts_compensated_sum work[TS_NCAUSE], drive, box, broken, turning, held, between;
 	struct ts_compensated_sum slip[TS_LEDGER_SIDES]; /* what it takes of springs */
-	struct ts_compensated_sum moved[TS_NSTORE];  /* energy of springs that came or went with particles, or between runs */
+	/* energy of springs that came or went with particles, or between runs */
+	struct ts_compensated_sum moved[TS_NSTORE];
 	double most; /* energy at any time */
 	struct ts_ledger_heat heat;
 	int32_t newest; /* the largest identity when forces were last made */
@@ -105,22 +106,24 @@ struct ts_ledger {
 	size_t rest; /* the actor that stands for forces of nobody known: the ledger's own fix */
 
 	/* of this step only */
-	bool stepping; /* in a step; else in the set-up of a run */
-	bool made;     /* forces were made in the set-up */
+	bool stepping;			/* in a step; else in the set-up of a run */
+	bool made;			/* forces were made in the set-up */
 	double store_before[TS_NSTORE]; /* the set-up */
-	bool looking; /* at a step that is booked already: energies of contacts are noted, nothing is booked */
+	/* at a step that is booked already: energies of contacts are noted, nothing is booked */
+	bool looking;
 	const char *name; /* of its columns */
-	size_t column; /* causes of each particle, and TS_LEDGER_WHOLE, TS_LEDGER_BUSY */
+	size_t column;	  /* causes of each particle, and TS_LEDGER_WHOLE, TS_LEDGER_BUSY */
 	size_t n, capacity;
 	uint64_t generation;
-	double (*v)[3], (*omega)[3];	   /* as the stage began */
+	double (*v)[3], (*omega)[3];	       /* as the stage began */
 	double (*seen_v)[3], (*seen_omega)[3]; /* after the last action */
-	double (*f)[3], (*torque)[3];	   /* the same */
-	int32_t *kicker;		   /* actor that has changed the velocity, or -1 */
-	struct ts_body *body;		   /* as the stage began */
+	double (*f)[3], (*torque)[3];	       /* the same */
+	int32_t *kicker;		       /* actor that has changed the velocity, or -1 */
+	struct ts_body *body;		       /* as the stage began */
 	size_t body_capacity, bodies;
-	int due;			   /* stage of kicks that has not been booked; -1: none */
-	double *memory, *wall_memory; /* of the contacts before their forces are made; walls' in their order */
+	int due; /* stage of kicks that has not been booked; -1: none */
+	/* of the contacts before their forces are made; walls' in their order */
+	double *memory, *wall_memory;
 	size_t memory_n, memory_capacity, wall_memory_n, wall_memory_capacity;
 	double (*row_energy)[TS_NCONTACT_STORE];
 	size_t rows, row_capacity;
@@ -162,12 +165,13 @@ enum ts_status ts_ledger_work_start(struct tsim *sim, struct ts_ledger *l);
 /* Who has changed which velocities. */
 void ts_ledger_work_mark(struct tsim *sim, struct ts_ledger *l, size_t actor);
 
-/* ledger_heat.c: what particles have now, that others than conduction have changed; before forces are made; what the
- * last action has added to the fluxes; the temperatures have been advanced. */
+/* ledger_heat.c: what particles have now, that others than conduction have changed; before forces are
+ * made; what the last action has added to the fluxes; the temperatures have been advanced. */
 void ts_ledger_heat_look(struct tsim *sim, struct ts_ledger *l);
 void ts_ledger_heat_clear(struct ts_ledger *l);
 void ts_ledger_heat_flux(struct tsim *sim, struct ts_ledger *l, size_t actor);
-void ts_ledger_heat_advance(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *by, size_t actor);
+void ts_ledger_heat_advance(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *by,
+			    size_t actor);
 double ts_ledger_heat_closure(const struct ts_ledger *l);
 
 static inline double *ts_ledger_causes(const struct ts_ledger *l, const struct ts_particles *p, size_t i)
@@ -178,6 +182,7 @@ static inline double *ts_ledger_causes(const struct ts_ledger *l, const struct t
 }
 
 /* What a user reads, in the order of f_ID[k]. E - E(0) = forces + walls + moved - lost + closure + drift. */
+/* clang-format off */
 #define TS_LEDGER_LIST(X)                                                                          \
 	X(TRANSLATION, "kinetic energy of translation")                                            \
 	X(ROTATION, "kinetic energy of rotation")                                                  \
@@ -204,6 +209,7 @@ static inline double *ts_ledger_causes(const struct ts_ledger *l, const struct t
 	X(HEAT_IN, "heat from walls, fluid and sources")                                           \
 	X(HEAT_MOVED, "heat set, brought in or taken away with particles")                         \
 	X(HEAT_CLOSURE, "heat that is not explained")
+/* clang-format on */
 #define TS_LEDGER_ENUM(name, text) TS_LEDGER_##name##_VALUE,
 enum { TS_LEDGER_LIST(TS_LEDGER_ENUM) TS_LEDGER_VALUES };
 #undef TS_LEDGER_ENUM

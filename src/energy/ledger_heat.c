@@ -1,9 +1,9 @@
-/* The heat of the particles, sum m c T: who has brought it. The kinetic energy that is lost does not become heat, so
- * these books are apart from the others.
+/* The heat of the particles, sum m c T: who has brought it. The kinetic energy that is lost does not
+ * become heat, so these books are apart from the others.
  *
- * Explicit Euler adds h times the flux of each particle, so the fluxes that each action adds, times h, are the gain
- * to rounding; what conducts among particles adds nothing. `scheme exact` lets fluxes change within the step:
- * the difference is booked on the fix of the heat. */
+ * Explicit Euler adds h times the flux of each particle, so the fluxes that each action adds, times h, are
+ * the gain to rounding; what conducts among particles adds nothing. `scheme exact` lets fluxes change
+ * within the step: the difference is booked on the fix of the heat. */
 #include "energy/ledger.h"
 #include "heat/heat.h"
 #include "particle/particles.h"

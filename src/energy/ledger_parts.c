@@ -49,8 +49,8 @@ static void end_sums(const struct sums *s, struct ts_ledger *l, int side, bool f
 	}
 }
 
-/* The parts on one partner: sign and arm are his. `drive`: velocity of the other's surface that is not in the columns
- * of particles. */
+/* The parts on one partner: sign and arm are his. `drive`: velocity of the other's surface that is not in
+ * the columns of particles. */
 static void book(double *own, int side, const struct ts_contact_parts *parts, double sign, double arm,
 		 const double drive[3])
 {
@@ -96,7 +96,8 @@ static void book_row(struct row_work *w, size_t r, int side, size_t own)
 
 	ts_contact_touch(p, i, j, m, &t);
 	ts_granular_stand_out(m, memory, &t);
-	ts_contact_split(m, ts_pair_law(w->pair, p->type[i], p->type[j]), &t, memory, ts_contact_force(rows, r),
+	ts_contact_split(m, ts_pair_law(w->pair, p->type[i], p->type[j]), &t, memory,
+			 ts_contact_force(rows, r),
 			 rows->parts > 2 ? ts_contact_rolling_torque(rows, r) : still, &parts);
 	if (j >= p->n) { /* an image may move as its original does not; the other half is the mirror row's */
 		ts_sub(p->v[j], p->v[p->ghost_owner[j - p->n]], drive);
@@ -108,8 +109,8 @@ static void book_row(struct row_work *w, size_t r, int side, size_t own)
 	if (w->l->stepping && (r + 1) * rows->history_width <= w->l->memory_n)
 		ts_exactsum_add(&w->sums.slip,
 				0.5 * ts_slip_loss(m, ts_pair_law(w->pair, p->type[i], p->type[j]), &t,
-						   w->sim->clock.dt,
-						   w->l->memory + r * rows->history_width, memory));
+						   w->sim->clock.dt, w->l->memory + r * rows->history_width,
+						   memory));
 	memcpy(w->l->row_energy[r], parts.energy, sizeof parts.energy);
 	w->l->plastic[TS_LEDGER_PAIR] |= loses(m);
 }
@@ -158,7 +159,7 @@ static const double *held_memory(const struct tsim *sim, const struct ts_ledger 
 	while ((other = ts_walls_next(sim, &k, NULL)) && other != wall)
 		at += other->contacts.n * other->contacts.width;
 	return at + wall->contacts.width <= l->wall_memory_n && wall->contacts.width ? l->wall_memory + at
-										       : NULL;
+										     : NULL;
 }
 
 enum ts_status ts_ledger_take_pairs(struct tsim *sim, struct ts_ledger *l)
@@ -182,8 +183,8 @@ enum ts_status ts_ledger_take_pairs(struct tsim *sim, struct ts_ledger *l)
 	return TS_OK;
 }
 
-static enum ts_status note(struct tsim *sim, struct ts_ledger_note **list, size_t *n,
-			   size_t *capacity, struct ts_ledger_note entry)
+static enum ts_status note(struct tsim *sim, struct ts_ledger_note **list, size_t *n, size_t *capacity,
+			   struct ts_ledger_note entry)
 {
 	if (TS_GROW(*list, *capacity, *n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -202,8 +203,8 @@ static void book_drive(const struct ts_ledger *l, const struct ts_particles *p, 
 		to[TS_CAUSE_DRIVE] -= ts_dot(parts->force[part], velocity);
 }
 
-static enum ts_status book_wall(struct tsim *sim, struct ts_ledger *l, const struct ts_wall *wall,
-				size_t k, size_t actor, struct sums *sums)
+static enum ts_status book_wall(struct tsim *sim, struct ts_ledger *l, const struct ts_wall *wall, size_t k,
+				size_t actor, struct sums *sums)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_wall_report *r = &wall->contacts.report[k];
@@ -214,19 +215,17 @@ static enum ts_status book_wall(struct tsim *sim, struct ts_ledger *l, const str
 	const double *before;
 
 	ts_wall_view(wall, sim, k, &view);
-	ts_contact_split(view.model, view.law, &view.touch, ts_wall_memory(&wall->contacts, k),
-			 r->force, r->rolling, &parts);
+	ts_contact_split(view.model, view.law, &view.touch, ts_wall_memory(&wall->contacts, k), r->force,
+			 r->rolling, &parts);
 	if (!l->looking)
-		book(ts_ledger_causes(l, p, i), TS_LEDGER_WALL, &parts, 1, view.touch.arm[0],
-		     r->velocity);
+		book(ts_ledger_causes(l, p, i), TS_LEDGER_WALL, &parts, 1, view.touch.arm[0], r->velocity);
 	if (!l->looking)
 		book_drive(l, p, i, actor, &parts, r->velocity);
 	add_energy(sums, parts.energy, 1, p->tag[i] > l->newest);
 	before = held_memory(sim, l, wall, k);
 	if (l->stepping && before)
-		ts_exactsum_add(&sums->slip,
-				ts_slip_loss(view.model, view.law, &view.touch, sim->clock.dt, before,
-					     ts_wall_memory(&wall->contacts, k)));
+		ts_exactsum_add(&sums->slip, ts_slip_loss(view.model, view.law, &view.touch, sim->clock.dt,
+							  before, ts_wall_memory(&wall->contacts, k)));
 	memcpy(entry.energy, parts.energy, sizeof parts.energy);
 	l->plastic[TS_LEDGER_WALL] |= loses(view.model);
 	return note(sim, &l->note, &l->notes, &l->note_capacity, entry);
@@ -246,7 +245,8 @@ enum ts_status ts_ledger_take_wall(struct tsim *sim, struct ts_ledger *l, const 
 	return TS_OK;
 }
 
-/* What a bond stores that is no more: half before and half after the last move, since its force ended between. */
+/* What a bond stores that is no more: half before and half after the last move, since its force ended
+ * between. */
 static double broken_energy(const struct tsim *sim, const struct ts_ledger_note *was)
 {
 	const struct ts_bonds *bonds = sim->bonds;
@@ -347,7 +347,7 @@ static void take_rows(struct tsim *sim, struct ts_ledger *l, const struct ts_ide
 	}
 	for (int k = 0; k < TS_NCONTACT_STORE; k++)
 		ts_compensated_add(&l->moved[ts_ledger_store(TS_LEDGER_PAIR, k)],
-			       ts_exactsum_value(&gone[k]));
+				   ts_exactsum_value(&gone[k]));
 }
 
 /* Drops the notes of those that are gone; their energy by store. */

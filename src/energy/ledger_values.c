@@ -38,10 +38,10 @@ static void side_values(const struct ts_ledger *l, int side, double out[])
 	out[TS_LEDGER_NORMAL_DASHPOTS_VALUE] -= work(l, side, TS_PART_DASHPOT);
 	out[TS_LEDGER_TANGENTIAL_DASHPOTS_VALUE] -= work(l, side, TS_PART_VISCOUS);
 	out[TS_LEDGER_FRICTION_VALUE] += slip - work(l, side, TS_PART_SLIP);
-	out[TS_LEDGER_SPRINGS_VALUE] -= work(l, side, TS_PART_SHEAR) +
-					gain(l, ts_ledger_store(side, TS_STORE_SHEAR)) + slip;
-	out[TS_LEDGER_ROLLING_VALUE] -= work(l, side, TS_PART_ROLLING) +
-					gain(l, ts_ledger_store(side, TS_STORE_ROLLING));
+	out[TS_LEDGER_SPRINGS_VALUE] -=
+		work(l, side, TS_PART_SHEAR) + gain(l, ts_ledger_store(side, TS_STORE_SHEAR)) + slip;
+	out[TS_LEDGER_ROLLING_VALUE] -=
+		work(l, side, TS_PART_ROLLING) + gain(l, ts_ledger_store(side, TS_STORE_ROLLING));
 	out[l->plastic[side] ? TS_LEDGER_PLASTIC_VALUE : TS_LEDGER_DRIFT_VALUE] +=
 		l->plastic[side] ? -spring(l, side) : spring(l, side);
 	for (int k = 0; k < TS_NCONTACT_STORE; k++)
@@ -52,8 +52,8 @@ static void side_values(const struct ts_ledger *l, int side, double out[])
 /* The change of kinetic energy that no book explains. */
 static double closure(const struct ts_ledger *l, const double v[])
 {
-	double sum = v[TS_LEDGER_TRANSLATION_VALUE] - l->start_kinetic[0] +
-		     v[TS_LEDGER_ROTATION_VALUE] - l->start_kinetic[1];
+	double sum = v[TS_LEDGER_TRANSLATION_VALUE] - l->start_kinetic[0] + v[TS_LEDGER_ROTATION_VALUE] -
+		     l->start_kinetic[1];
 
 	for (int c = 0; c < TS_NCAUSE; c++)
 		sum -= ts_compensated_value(&l->work[c]);
@@ -153,9 +153,9 @@ static enum ts_status archive_numbers(struct ts_archive *a, struct ts_ledger *l)
 static enum ts_status archive_actor(struct ts_archive *a, struct tsim *sim, struct ts_ledger *l, size_t k)
 {
 	struct ts_ledger_actor *actor = &l->actor[k];
-	double number[10] = { actor->work.sum,	   actor->work.lost,  actor->work.turnover,
-			      actor->own.sum,	   actor->own.lost,   actor->own.turnover,
-			      actor->heat.sum,	   actor->heat.lost,  actor->heat.turnover,
+	double number[10] = { actor->work.sum,	    actor->work.lost, actor->work.turnover,
+			      actor->own.sum,	    actor->own.lost,  actor->own.turnover,
+			      actor->heat.sum,	    actor->heat.lost, actor->heat.turnover,
 			      (double)actor->pushes };
 	char name[40];
 

@@ -44,12 +44,11 @@ void ts_ledger_kinetic(struct tsim *sim, double out[2])
 			continue;
 		ts_exactsum_add(&moves, 0.5 * p->mass[i] * ts_dot(p->v[i], p->v[i]));
 		if (p->omega)
-			ts_exactsum_add(&turns, 0.5 * ts_inertia(sim, i) *
-							ts_dot(p->omega[i], p->omega[i]));
+			ts_exactsum_add(&turns, 0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]));
 	}
 	for (size_t b = 0; b < rigid->n; b++) {
-		ts_exactsum_add(&moves, 0.5 * rigid->body[b].mass *
-						ts_dot(rigid->body[b].v, rigid->body[b].v));
+		ts_exactsum_add(&moves,
+				0.5 * rigid->body[b].mass * ts_dot(rigid->body[b].v, rigid->body[b].v));
 		ts_exactsum_add(&turns, body_rotation(&rigid->body[b]));
 	}
 	out[0] = ts_exactsum_value(&moves);
@@ -61,7 +60,8 @@ struct kick {
 	struct tsim *sim;
 	struct ts_ledger *l;
 	double h; /* half a step */
-	struct ts_exactsum cause[TS_NCAUSE], drive, box, turning, *work, *own; /* of actors; own[nactors]: of nobody */
+	/* of actors; own[nactors]: of nobody */
+	struct ts_exactsum cause[TS_NCAUSE], drive, box, turning, *work, *own;
 };
 
 static enum ts_status start(struct kick *k, struct tsim *sim, struct ts_ledger *l)
@@ -114,8 +114,7 @@ static void book(struct kick *k, size_t i, const double v[3], const double omega
 		if (work != 0)
 			ts_exactsum_add(&k->cause[c], work);
 		if (cause[TS_CAUSE_DRIVE] != 0)
-			ts_exactsum_add(c < TS_NPART ? &k->box : &k->drive,
-					s * cause[TS_CAUSE_DRIVE]);
+			ts_exactsum_add(c < TS_NPART ? &k->box : &k->drive, s * cause[TS_CAUSE_DRIVE]);
 	}
 	for (size_t a = 0; a < l->nactors; a++) {
 		const struct ts_column *column = &p->column[l->actor[a].column];

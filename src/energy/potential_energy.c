@@ -16,9 +16,8 @@ static enum ts_status add(struct tsim *sim, struct ts_instance *inst, double *ou
 	if (!inst)
 		return TS_OK;
 	if (!inst->style->energy)
-		return ts_fail(&sim->error, TS_STATE, &inst->where,
-			       "%s style %s has no potential energy", ts_kind_name(inst->style->kind),
-			       inst->style->name);
+		return ts_fail(&sim->error, TS_STATE, &inst->where, "%s style %s has no potential energy",
+			       ts_kind_name(inst->style->kind), inst->style->name);
 	TS_TRY(inst->style->energy(inst, sim, &energy));
 	*out += energy;
 	return TS_OK;
@@ -39,8 +38,8 @@ enum ts_status ts_potential_energy(struct tsim *sim, const struct ts_energy_part
 	return TS_OK;
 }
 
-enum ts_status ts_energy_read(struct tsim *sim, const struct ts_instance *self,
-			      struct ts_words words, struct ts_energy_parts *parts)
+enum ts_status ts_energy_read(struct tsim *sim, const struct ts_instance *self, struct ts_words words,
+			      struct ts_energy_parts *parts)
 {
 	/* of the last four there is nothing */
 	static const char *const names[] = { "pair",	 "bond",     "fix",    "angle",

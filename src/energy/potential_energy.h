@@ -10,12 +10,11 @@ struct ts_energy_parts {
 };
 
 /* Their sum. An error where a style has none. */
-enum ts_status ts_potential_energy(struct tsim *sim, const struct ts_energy_parts *parts,
-				   double *out);
+enum ts_status ts_potential_energy(struct tsim *sim, const struct ts_energy_parts *parts, double *out);
 /* The slot of fixes whose scalar output it is. */
 enum ts_status ts_energy_output(struct ts_instance *self, struct tsim *sim, double *out);
 /* Words pair, bond, fix ..., as those of compute pe; none: all. */
-enum ts_status ts_energy_read(struct tsim *sim, const struct ts_instance *self,
-			      struct ts_words words, struct ts_energy_parts *parts);
+enum ts_status ts_energy_read(struct tsim *sim, const struct ts_instance *self, struct ts_words words,
+			      struct ts_energy_parts *parts);
 
 #endif

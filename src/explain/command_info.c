@@ -23,20 +23,19 @@ static void system_now(struct tsim *sim, struct ts_str *out)
 	const struct ts_box *box = &sim->domain->box;
 	const struct ts_particles *p = sim->particles;
 
-	ts_str_addf(out,
-	       "System:\n  units %s, %d dimensions, step %" PRId64 ", time %g, time step %g\n",
-	       ts_units_name(sim->units), sim->dimension, sim->clock.step, ts_sim_time(sim),
-	       sim->clock.dt);
+	ts_str_addf(out, "System:\n  units %s, %d dimensions, step %" PRId64 ", time %g, time step %g\n",
+		    ts_units_name(sim->units), sim->dimension, sim->clock.step, ts_sim_time(sim),
+		    sim->clock.dt);
 	if (!ts_sim_has_box(sim)) {
 		ts_str_addf(out, "  no box yet\n");
 		return;
 	}
-	ts_str_addf(out, "  box (%g %g %g) to (%g %g %g), faces", box->lo[0], box->lo[1],
-	       box->lo[2], box->hi[0], box->hi[1], box->hi[2]);
+	ts_str_addf(out, "  box (%g %g %g) to (%g %g %g), faces", box->lo[0], box->lo[1], box->lo[2],
+		    box->hi[0], box->hi[1], box->hi[2]);
 	for (int d = 0; d < 3; d++)
 		ts_str_addf(out, " %c%c", letter[box->face[d][0]], letter[box->face[d][1]]);
-	ts_str_addf(out, "\n  %zu particles of %d types, %zu bonds of %d types, %" PRId64 " lost\n",
-	       p->n, p->ntypes, sim->bonds->n, sim->bonds->ntypes, p->lost);
+	ts_str_addf(out, "\n  %zu particles of %d types, %zu bonds of %d types, %" PRId64 " lost\n", p->n,
+		    p->ntypes, sim->bonds->n, sim->bonds->ntypes, p->lost);
 }
 
 static void groups(struct tsim *sim, struct ts_str *out)
@@ -52,7 +51,7 @@ static void groups(struct tsim *sim, struct ts_str *out)
 		for (size_t i = 0; i < p->n; i++)
 			count += ts_in_group(p, i, bit);
 		ts_str_addf(out, "  %s, %s, %zu particles\n", ts_group_name(sim, bit),
-		       p->dynamic[bit].every ? "dynamic" : "static", count);
+			    p->dynamic[bit].every ? "dynamic" : "static", count);
 	}
 }
 
@@ -111,13 +110,13 @@ static void memory(struct tsim *sim, struct ts_str *out)
 		if (p->column[k].active)
 			bytes += (double)(p->capacity * p->column[k].width * p->column[k].element);
 	ts_str_addf(out, "Memory:\n  particles %.3g Mbytes, contact rows %zu\n", bytes / 1048576,
-	       sim->neigh->rows.n);
+		    sim->neigh->rows.n);
 }
 
 static void communication(struct tsim *sim, struct ts_str *out)
 {
-	ts_str_addf(out, "Communication:\n  1 process, %d threads, %zu ghosts, skin %g\n",
-	       sim->threads, sim->particles->nghost, sim->neigh->skin);
+	ts_str_addf(out, "Communication:\n  1 process, %d threads, %zu ghosts, skin %g\n", sim->threads,
+		    sim->particles->nghost, sim->neigh->skin);
 }
 
 static enum ts_status variables(struct tsim *sim, struct ts_str *out)
@@ -183,13 +182,19 @@ struct subject {
 };
 
 static const struct subject subjects[] = {
-	{ "system", system_now, true },	    { "communication", communication, true },
-	{ "memory", memory, true },	    { "groups", groups, true },
-	{ "regions", regions, true },	    { "computes", computes, true },
-	{ "fixes", fixes, true },	    { "dumps", dumps, true },
-	{ "coeffs", laws, true },	    { "time", times, true },
+	{ "system", system_now, true },
+	{ "communication", communication, true },
+	{ "memory", memory, true },
+	{ "groups", groups, true },
+	{ "regions", regions, true },
+	{ "computes", computes, true },
+	{ "fixes", fixes, true },
+	{ "dumps", dumps, true },
+	{ "coeffs", laws, true },
+	{ "time", times, true },
 	{ "configuration", configuration, true },
-	{ "config", configuration, false }, { "accelerator", accelerators, false },
+	{ "config", configuration, false },
+	{ "accelerator", accelerators, false },
 	{ "fft", transforms, false },
 };
 enum { NSUBJECTS = sizeof subjects / sizeof *subjects };
@@ -203,8 +208,8 @@ static enum ts_status unknown(struct tsim *sim, const struct ts_word *word)
 	ts_suggest_try(&suggest, "variables");
 	ts_suggest_try(&suggest, "styles");
 	ts_suggest_try(&suggest, "out");
-	return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "info: unknown subject '%s'%s",
-		       word->text, ts_suggest_text(&suggest));
+	return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "info: unknown subject '%s'%s", word->text,
+		       ts_suggest_text(&suggest));
 }
 
 static enum ts_status print(struct tsim *sim, const struct ts_word *word, struct ts_str *out)
@@ -271,7 +276,7 @@ static enum ts_status deliver(struct tsim *sim, const struct target *target, con
 	}
 	if (sim->script_api)
 		TS_TRY(sim->script_api->would_write(sim->script_api_data, &target->file->place, "info",
-					      target->file->text));
+						    target->file->text));
 	TS_TRY(ts_textfile_open(&file, sim, &target->file->place, target->file->text, target->append));
 	status = ts_textfile_write(&file, ts_str_text(text), text->length);
 	closed = ts_textfile_close(&file);
@@ -327,8 +332,10 @@ const struct ts_command_style ts_command_info = {
 		.name = "info",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Says what there is now",
-		.doc = "Prints the present state in the log: box and particles, the names of groups, regions, computes,\n"
-		       "fixes, dumps and variables with the lines that made them, the pair and bond styles. all leaves\n"
+		.doc = "Prints the present state in the log: box and particles, the names of groups, "
+		       "regions, computes,\n"
+		       "fixes, dumps and variables with the lines that made them, the pair and bond styles. "
+		       "all leaves\n"
 		       "out styles, the list of everything a script can name, or of one kind (styles fix).",
 		.example = "info system groups\ninfo all out overwrite state.txt\ninfo styles compute",
 		.args = args,

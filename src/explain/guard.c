@@ -1,10 +1,10 @@
-/* Looks come after the first step, 128 steps later, then at intervals that double, up to 4096 steps, but are no longer than it would take to
- * come near the limit at the rate of the last interval: together they cost less than half a per cent. What is only advice is asked for at the first
- * look and at the rarest.
+/* Looks come after the first step, 128 steps later, then at intervals that double, up to 4096 steps, but
+ * are no longer than it would take to come near the limit at the rate of the last interval: together they
+ * cost less than half a per cent. What is only advice is asked for at the first look and at the rarest.
  *
- * Beyond a limit a mode z grows by |z| = 1 + 2 sqrt(2 (h/h_max - 1)) or so in every step, but a collision that is
- * over in a step or two has no time for it, and a flow that starts slows down: a run is stopped only if
- * it is beyond at four of nine successive steps. */
+ * Beyond a limit a mode z grows by |z| = 1 + 2 sqrt(2 (h/h_max - 1)) or so in every step, but a collision
+ * that is over in a step or two has no time for it, and a flow that starts slows down: a run is stopped
+ * only if it is beyond at four of nine successive steps. */
 #include "explain/guard.h"
 
 #include <inttypes.h>
@@ -118,9 +118,8 @@ static void say(struct tsim *sim, const struct ts_limit *limit, int level)
 
 	if (note(&g->told, limit, level) != TS_OK || note(&g->heard, limit, level) != TS_OK)
 		return;
-	ts_warn(&sim->log, &limit->where,
-		"at step %" PRId64 " the time step %g is %.0f %% of %s%g of %s", sim->clock.step,
-		sim->clock.dt, 100 * sim->clock.dt / limit->dt,
+	ts_warn(&sim->log, &limit->where, "at step %" PRId64 " the time step %g is %.0f %% of %s%g of %s",
+		sim->clock.step, sim->clock.dt, 100 * sim->clock.dt / limit->dt,
 		limit->fatal ? "the stability limit " : "", limit->dt, limit->text);
 }
 
@@ -197,7 +196,8 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	if (sim->clock.step < g->next)
 		return TS_OK;
 	ts_run_deferred_loops(sim);
-	status = limits_now(sim, ts_guard_enough(sim), g->interval == FIRST / 2 || g->interval == LONGEST, &report);
+	status = limits_now(sim, ts_guard_enough(sim), g->interval == FIRST / 2 || g->interval == LONGEST,
+			    &report);
 	if (status == TS_OK)
 		status = look(sim, &report);
 	ts_report_release(&report);
@@ -224,16 +224,21 @@ static enum ts_status stable_fraction(struct tsim *sim, double *out)
 
 static const struct ts_keyword keywords[] = {
 	{ "stable_fraction", "StabFrac", "",
-	  "time step by the smallest limit of stability there is now; outside of runs, at the guard's last look", 0,
-	  stable_fraction },
+	  "time step by the smallest limit of stability there is now; outside of runs, at the guard's last "
+	  "look",
+	  0, stable_fraction },
 	{ .name = NULL },
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_F64(struct ts_guard, dt),	  TS_SAVE_F64(struct ts_guard, fraction),
-	TS_SAVE_I64(struct ts_guard, next),	  TS_SAVE_I64(struct ts_guard, interval),
-	TS_SAVE_I64(struct ts_guard, until),	  TS_SAVE_I32(struct ts_guard, seen),
-	TS_SAVE_I64(struct ts_guard, told.cause), TS_SAVE_I32(struct ts_guard, told.n),
+	TS_SAVE_F64(struct ts_guard, dt),
+	TS_SAVE_F64(struct ts_guard, fraction),
+	TS_SAVE_I64(struct ts_guard, next),
+	TS_SAVE_I64(struct ts_guard, interval),
+	TS_SAVE_I64(struct ts_guard, until),
+	TS_SAVE_I32(struct ts_guard, seen),
+	TS_SAVE_I64(struct ts_guard, told.cause),
+	TS_SAVE_I32(struct ts_guard, told.n),
 	TS_SAVED_ROWS_END,
 };
 

@@ -17,12 +17,12 @@ struct ts_told {
 };
 
 struct ts_guard {
-	double dt;	   /* the time step that all below is about */
-	double fraction;   /* of the smallest limit of stability, at the last look */
-	int64_t next;	   /* step of the next look; 0: there has been none */
-	int64_t interval;  /* to the one after it */
-	int64_t until;	   /* beyond a limit: looks at every step up to this one */
-	int32_t seen;	   /* how often it was beyond since then */
+	double dt;	      /* the time step that all below is about */
+	double fraction;      /* of the smallest limit of stability, at the last look */
+	int64_t next;	      /* step of the next look; 0: there has been none */
+	int64_t interval;     /* to the one after it */
+	int64_t until;	      /* beyond a limit: looks at every step up to this one */
+	int32_t seen;	      /* how often it was beyond since then */
 	struct ts_told told;  /* saved */
 	struct ts_told heard; /* what starts of runs have said; not saved */
 };

@@ -26,9 +26,8 @@ static void print_stages(const struct ts_plan *plan, struct tsim *sim)
 
 			if (k && plan->actions[stage][k].watches) /* once a stage */
 				continue;
-			ts_log(&sim->log, "%s%s%s%s",
-			       plan->actions[stage][k].late ? " then " : " ", inst->style->name,
-			       *inst->id && inst->style->kind != TS_KIND_SYSTEM ? ":" : "",
+			ts_log(&sim->log, "%s%s%s%s", plan->actions[stage][k].late ? " then " : " ",
+			       inst->style->name, *inst->id && inst->style->kind != TS_KIND_SYSTEM ? ":" : "",
 			       inst->style->kind != TS_KIND_SYSTEM ? inst->id : "");
 		}
 		ts_log(&sim->log, "\n");
@@ -110,8 +109,8 @@ static void print_price(const struct ts_plan *plan, struct tsim *sim, const stru
 }
 
 /* What each omission would add to a step, from trials with it. */
-static enum ts_status price_left_out(struct ts_plan_report *report, struct ts_plan *plan,
-				     struct tsim *sim, const struct ts_price *price)
+static enum ts_status price_left_out(struct ts_plan_report *report, struct ts_plan *plan, struct tsim *sim,
+				     const struct ts_price *price)
 {
 	for (size_t k = 0; k < report->nleft_out; k++) {
 		struct ts_left_out *left = &report->left_out[k];
@@ -151,22 +150,20 @@ static void print_left_out(const struct ts_plan_report *report, struct tsim *sim
 	ts_str_release(&text);
 }
 
-static void print_report(const struct ts_plan *plan, const struct ts_plan_report *report,
-			 struct tsim *sim, int64_t steps)
+static void print_report(const struct ts_plan *plan, const struct ts_plan_report *report, struct tsim *sim,
+			 int64_t steps)
 {
 	const struct ts_limit *hard = ts_report_binding(report, true);
 
 	ts_log(&sim->log, "\nPlan of a run of %" PRId64 " steps of %g (time %g to %g)\n", steps,
-	       sim->clock.dt, ts_sim_time(sim),
-	       ts_sim_time(sim) + (double)steps * sim->clock.dt);
+	       sim->clock.dt, ts_sim_time(sim), ts_sim_time(sim) + (double)steps * sim->clock.dt);
 	ts_log(&sim->log, "modelled:\n%s", ts_str_text(&report->lines));
 	print_left_out(report, sim);
 	ts_log(&sim->log, "memory: about %.3g MB\n", report->bytes / 1e6);
 	ts_log(&sim->log, "limits of the time step (now %g):\n", sim->clock.dt);
 	for (size_t k = 0; k < report->nlimits; k++)
 		ts_log(&sim->log, "%s %-12.6g %s%s\n", &report->limit[k] == hard ? "->" : "  ",
-		       report->limit[k].dt, report->limit[k].text,
-		       report->limit[k].fatal ? "" : " (advice)");
+		       report->limit[k].dt, report->limit[k].text, report->limit[k].fatal ? "" : " (advice)");
 	print_outputs(report, sim);
 	print_stages(plan, sim);
 }
@@ -181,7 +178,8 @@ static bool has_price(const struct ts_plan_report *report, const struct tsim *si
 
 enum ts_status ts_plan_judge(struct ts_plan *plan, struct tsim *sim, int64_t steps)
 {
-	struct ts_plan_report report = { .advice = true, .enough = sim->explain ? INFINITY : ts_guard_enough(sim) };
+	struct ts_plan_report report = { .advice = true,
+					 .enough = sim->explain ? INFINITY : ts_guard_enough(sim) };
 	enum ts_status status = ts_report_collect(&report, sim);
 	struct ts_price price;
 	bool priced = status == TS_OK && has_price(&report, sim);

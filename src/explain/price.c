@@ -61,7 +61,8 @@ static void add_rare_frames(struct trial *t, const double *seconds)
 	}
 }
 
-/* Steps for so many seconds; the first one finds cold memory: it counts only if there is time for no other. */
+/* Steps for so many seconds; the first one finds cold memory: it counts only if there is time for no
+ * other. */
 static enum ts_status try_for(struct trial *t, double budget, double *seconds, int64_t *steps)
 {
 	double start = ts_clock(), first = start;
@@ -86,8 +87,7 @@ static enum ts_status try_crowd(struct trial *t)
 	int64_t steps;
 
 	for (size_t k = 0; k < systems->n; k++) {
-		const struct ts_system_style *style =
-			(const struct ts_system_style *)systems->item[k]->style;
+		const struct ts_system_style *style = (const struct ts_system_style *)systems->item[k]->style;
 
 		if (style->crowd)
 			TS_TRY(style->crowd(systems->item[k], t->sim));

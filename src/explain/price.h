@@ -4,8 +4,8 @@
 
 #include "core/plan.h"
 
-/* Tries some steps of the run that is about to start in a copy of the process: whatever it does leaves no trace,
- * and what it writes goes nowhere. Then the same with the particles moved together. */
+/* Tries some steps of the run that is about to start in a copy of the process: whatever it does leaves no
+ * trace, and what it writes goes nowhere. Then the same with the particles moved together. */
 enum ts_status ts_price_steps(struct ts_plan *plan, struct tsim *sim, struct ts_price *out);
 
 /* The seconds of a step that does also what is left out, bits of enum ts_full; NaN: not known. */

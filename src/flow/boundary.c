@@ -9,8 +9,9 @@
 
 /* ---- types */
 
-/* Weights of the ghost value of a tangential component at a wall: extrapolation by the parabola through the wall and two
- * points inside, which makes the slope at the wall of second order; or linear through the first point. */
+/* Weights of the ghost value of a tangential component at a wall: extrapolation by the parabola through
+ * the wall and two points inside, which makes the slope at the wall of second order; or linear through the
+ * first point. */
 static void set_ghost_weights(struct ts_fluid *fluid, int d, enum ts_grid_side side, bool straight)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -25,10 +26,10 @@ static void set_ghost_weights(struct ts_fluid *fluid, int d, enum ts_grid_side s
 }
 
 static enum ts_status refuse_condition(struct tsim *sim, const struct ts_flow_condition *condition, int d,
-			     enum ts_grid_side side, const char *why)
+				       enum ts_grid_side side, const char *why)
 {
-	return ts_fail(&sim->error, TS_STATE, &condition->where, "flow_boundary %c%s: %s",
-		       "xyz"[d], side == TS_LOW ? "lo" : "hi", why);
+	return ts_fail(&sim->error, TS_STATE, &condition->where, "flow_boundary %c%s: %s", "xyz"[d],
+		       side == TS_LOW ? "lo" : "hi", why);
 }
 
 static enum ts_status set_face_type(struct ts_projection *p, struct tsim *sim, int d, enum ts_grid_side side)
@@ -37,16 +38,18 @@ static enum ts_status set_face_type(struct ts_projection *p, struct tsim *sim, i
 	const struct ts_flow_condition *condition = &p->condition[d][side];
 	bool flat = d >= fluid->grid.dimensions;
 
-	fluid->face[d][side] = condition->said		  ? condition->kind
+	fluid->face[d][side] = condition->said		 ? condition->kind
 			       : fluid->grid.periodic[d] ? TS_FLOW_PERIODIC
-			       : flat			  ? TS_FLOW_SLIP
-							  : TS_FLOW_WALL;
+			       : flat			 ? TS_FLOW_SLIP
+							 : TS_FLOW_WALL;
 	if (condition->said && fluid->grid.periodic[d])
 		return refuse_condition(sim, condition, d, side,
-			      "the box is periodic there; choose other faces with the boundary command");
+					"the box is periodic there; choose other faces with the boundary "
+					"command");
 	if (flat && fluid->face[d][side] != TS_FLOW_SLIP && fluid->face[d][side] != TS_FLOW_PERIODIC)
 		return refuse_condition(sim, condition, d, side,
-			      "with one cell along z nothing varies there: slip or a periodic box only");
+					"with one cell along z nothing varies there: slip or a periodic box "
+					"only");
 	if (!flat)
 		set_ghost_weights(fluid, d, side, p->wall == TS_WALL_LINEAR);
 	return TS_OK;
@@ -65,9 +68,9 @@ enum ts_status ts_projection_set_face_types(struct ts_instance *self, struct tsi
 
 			TS_TRY(set_face_type(p, sim, d, (enum ts_grid_side)side));
 			kind = p->fluid.face[d][side];
-			poisson->condition[d][side] = kind == TS_FLOW_PERIODIC ? TS_PRESSURE_PERIODIC
-						      : ts_flow_face_open(kind)	  ? TS_PRESSURE_GIVEN
-										  : TS_PRESSURE_NO_GRADIENT;
+			poisson->condition[d][side] = kind == TS_FLOW_PERIODIC	? TS_PRESSURE_PERIODIC
+						      : ts_flow_face_open(kind) ? TS_PRESSURE_GIVEN
+										: TS_PRESSURE_NO_GRADIENT;
 			if (ts_flow_face_open(kind))
 				poisson->singular = false;
 		}
@@ -94,8 +97,10 @@ static double value_of(const struct ts_flow_face_velocity *given, int c, size_t 
 	return given->plane[c] ? given->plane[c][k] : given->constant[c];
 }
 
-/* Allocates the planes of component c if it varies over the face now, else frees them. Values of the last step are kept. */
-static enum ts_status allocate_planes(struct ts_projection *p, int d, enum ts_grid_side side, int c, bool over_face)
+/* Allocates the planes of component c if it varies over the face now, else frees them. Values of the last
+ * step are kept. */
+static enum ts_status allocate_planes(struct ts_projection *p, int d, enum ts_grid_side side, int c,
+				      bool over_face)
 {
 	struct ts_flow_face_velocity *now = &p->velocity_now[d][side], *before = &p->velocity_before[d][side];
 	struct ts_flow_face_velocity *given = &p->fluid.face_velocity[d][side];
@@ -152,7 +157,7 @@ enum ts_status ts_projection_evaluate_boundary(struct ts_instance *self, struct 
 }
 
 static void store_velocity(const struct ts_grid *grid, int d, const struct ts_flow_face_velocity *now,
-		   struct ts_flow_face_velocity *before)
+			   struct ts_flow_face_velocity *before)
 {
 	for (int c = 0; c < grid->dimensions; c++) {
 		before->constant[c] = now->constant[c];
@@ -167,20 +172,24 @@ enum ts_status ts_projection_store_boundary(struct ts_projection *p)
 {
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
-			store_velocity(&p->fluid.grid, d, &p->velocity_now[d][side], &p->velocity_before[d][side]);
+			store_velocity(&p->fluid.grid, d, &p->velocity_now[d][side],
+				       &p->velocity_before[d][side]);
 	p->before_known = 1;
 	return ts_projection_store_pressure(p);
 }
 
-static void interpolate_velocity(const struct ts_grid *grid, int d, const struct ts_flow_face_velocity *before,
-		  const struct ts_flow_face_velocity *now, double fraction, struct ts_flow_face_velocity *out)
+static void interpolate_velocity(const struct ts_grid *grid, int d,
+				 const struct ts_flow_face_velocity *before,
+				 const struct ts_flow_face_velocity *now, double fraction,
+				 struct ts_flow_face_velocity *out)
 {
 	for (int c = 0; c < grid->dimensions; c++) {
 		size_t n = out->plane[c] ? ts_flow_plane_size(grid, d) : 0;
 
 		out->constant[c] = ts_flow_interpolate_time(before->constant[c], now->constant[c], fraction);
 		for (size_t k = 0; k < n; k++)
-			out->plane[c][k] = ts_flow_interpolate_time(value_of(before, c, k), value_of(now, c, k), fraction);
+			out->plane[c][k] = ts_flow_interpolate_time(value_of(before, c, k),
+								    value_of(now, c, k), fraction);
 	}
 }
 
@@ -188,12 +197,13 @@ void ts_projection_interpolate_boundary(struct ts_projection *p, double fraction
 {
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
-			interpolate_velocity(&p->fluid.grid, d, &p->velocity_before[d][side], &p->velocity_now[d][side], fraction,
-			      &p->fluid.face_velocity[d][side]);
+			interpolate_velocity(&p->fluid.grid, d, &p->velocity_before[d][side],
+					     &p->velocity_now[d][side], fraction,
+					     &p->fluid.face_velocity[d][side]);
 }
 
 enum ts_status ts_projection_archive_boundary(struct ts_projection *p, struct tsim *sim,
-					   struct ts_archive *archive)
+					      struct ts_archive *archive)
 {
 	for (int face = 0; face < 6; face++) {
 		struct ts_flow_face_velocity *given = &p->velocity_before[face / 2][face % 2];
@@ -221,8 +231,7 @@ static double outflow_through(const struct ts_fluid *fluid, int d, enum ts_grid_
 {
 	const struct ts_grid *grid = &fluid->grid;
 	int a = d == 0, b = d == 2 ? 1 : 2;
-	size_t first = ts_at(grid, 0, 0, 0) +
-		       (side == TS_LOW ? 0 : (size_t)(grid->n[d] * grid->stride[d]));
+	size_t first = ts_at(grid, 0, 0, 0) + (side == TS_LOW ? 0 : (size_t)(grid->n[d] * grid->stride[d]));
 	double sum = 0;
 
 	for (int ib = 0; ib < grid->n[b]; ib++)
@@ -238,8 +247,8 @@ static double outflow_through(const struct ts_fluid *fluid, int d, enum ts_grid_
 	return side == TS_LOW ? -sum : sum;
 }
 
-/* The line of the script for an error about the net flow: the flow_boundary command of the face with the largest part of
- * it. */
+/* The line of the script for an error about the net flow: the flow_boundary command of the face with the
+ * largest part of it. */
 static const struct ts_place *place_of_flow(const struct ts_instance *self, double net)
 {
 	const struct ts_projection *p = self->state;
@@ -249,7 +258,8 @@ static const struct ts_place *place_of_flow(const struct ts_instance *self, doub
 
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++) {
-			double part = outflow_through(&p->fluid, d, (enum ts_grid_side)side, &size) * (net < 0 ? -1 : 1);
+			double part = outflow_through(&p->fluid, d, (enum ts_grid_side)side, &size) *
+				      (net < 0 ? -1 : 1);
 
 			if (p->condition[d][side].said && part > most) {
 				most = part;

@@ -16,13 +16,13 @@ double ts_flow_coordinate(const struct ts_grid *grid, int a, int c, int i)
 }
 
 enum ts_status ts_flow_formula_value(struct tsim *sim, const struct ts_flow_condition *condition,
-				   const struct ts_flow_formula *formula, double *out)
+				     const struct ts_flow_formula *formula, double *out)
 {
 	TS_TRY(ts_number_now(sim, formula->number, &condition->where, out));
 	if (!isfinite(*out))
 		return ts_fail(&sim->error, TS_RANGE, &condition->where,
-			       "flow_boundary: the %s v_%s is %g, which is not a finite number", formula->what,
-			       formula->number->variable, *out);
+			       "flow_boundary: the %s v_%s is %g, which is not a finite number",
+			       formula->what, formula->number->variable, *out);
 	return TS_OK;
 }
 
@@ -40,7 +40,7 @@ enum ts_status ts_flow_fill_plane(struct tsim *sim, const struct ts_flow_conditi
 			x[b] = ts_flow_coordinate(grid, b, formula->component, ib);
 			TS_TRY(ts_flow_set_coordinates(sim, condition->set, x, &condition->where));
 			TS_TRY(ts_flow_formula_value(sim, condition, formula,
-						   &plane[ts_flow_plane_at(grid, d, ia, ib)]));
+						     &plane[ts_flow_plane_at(grid, d, ia, ib)]));
 		}
 	return TS_OK;
 }

@@ -50,8 +50,9 @@ static void drop_plane(struct ts_flow_face_pressure *p)
 	p->plane = NULL;
 }
 
-static enum ts_status copy_pressure(const struct ts_grid *grid, int d, const struct ts_flow_face_pressure *from,
-			   struct ts_flow_face_pressure *to)
+static enum ts_status copy_pressure(const struct ts_grid *grid, int d,
+				    const struct ts_flow_face_pressure *from,
+				    struct ts_flow_face_pressure *to)
 {
 	to->constant = from->constant;
 	if (!from->plane) {
@@ -72,12 +73,11 @@ static bool is_open(const struct ts_projection *p, int face)
 /* ---- values given */
 
 enum ts_status ts_projection_evaluate_pressure(struct ts_projection *p, struct tsim *sim, int d,
-					   enum ts_grid_side side)
+					       enum ts_grid_side side)
 {
 	const struct ts_flow_condition *condition = &p->condition[d][side];
 	struct ts_flow_face_pressure *now = &p->pressure_now[d][side];
-	const struct ts_flow_formula formula = { &condition->pressure, "pressure",
-						 TS_FLOW_CENTRES };
+	const struct ts_flow_formula formula = { &condition->pressure, "pressure", TS_FLOW_CENTRES };
 
 	if (!ts_flow_face_open(p->fluid.face[d][side])) {
 		drop_plane(now);
@@ -97,12 +97,12 @@ enum ts_status ts_projection_store_pressure(struct ts_projection *p)
 {
 	for (int face = 0; face < 6; face++)
 		TS_TRY(copy_pressure(&p->fluid.grid, face / 2, &p->pressure_now[face / 2][face % 2],
-			    &p->pressure_before[face / 2][face % 2]));
+				     &p->pressure_before[face / 2][face % 2]));
 	return TS_OK;
 }
 
-/* Hydrostatic pressure at x of a fluid at rest under the body force, 0 at the upper end of the grid. Along a periodic axis
- * the body force is not balanced by a pressure. */
+/* Hydrostatic pressure at x of a fluid at rest under the body force, 0 at the upper end of the grid. Along
+ * a periodic axis the body force is not balanced by a pressure. */
 static double weight_above(const struct ts_fluid *fluid, const double x[3])
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -122,7 +122,7 @@ static enum ts_status make_next(struct ts_projection *p, int d, int side, double
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 	const struct ts_flow_face_pressure *before = &p->pressure_before[d][side],
-				      *now = &p->pressure_now[d][side];
+					   *now = &p->pressure_now[d][side];
 	struct ts_flow_face_pressure *next = &p->pressure_next[d][side];
 	const struct face_points s = face_points_of(grid, d);
 	bool deep = p->condition[d][side].hydrostatic == TS_FLOW_HYDROSTATIC;
@@ -144,7 +144,7 @@ static enum ts_status make_next(struct ts_projection *p, int d, int side, double
 			size_t k = ts_flow_plane_at(grid, d, ia, ib);
 			double value =
 				ts_flow_interpolate_time(ts_flow_face_pressure_at(before, k),
-						ts_flow_face_pressure_at(now, k), p->pressure_time);
+							 ts_flow_face_pressure_at(now, k), p->pressure_time);
 
 			x[s.a] = ts_flow_coordinate(grid, s.a, TS_FLOW_CENTRES, ia);
 			x[s.b] = ts_flow_coordinate(grid, s.b, TS_FLOW_CENTRES, ib);
@@ -157,8 +157,7 @@ static enum ts_status make_next(struct ts_projection *p, int d, int side, double
 }
 
 /* Subtracts `base`. */
-static void make_relative(const struct ts_grid *grid, int d, struct ts_flow_face_pressure *p,
-			  double base)
+static void make_relative(const struct ts_grid *grid, int d, struct ts_flow_face_pressure *p, double base)
 {
 	p->constant -= base;
 	for (size_t k = 0; p->plane && k < ts_flow_plane_size(grid, d); k++)
@@ -184,8 +183,8 @@ static enum ts_status make_all_next(struct ts_projection *p)
 		p->next_pressure_base = 0.5 * (extreme[0] + extreme[1]);
 	for (int face = 0; face < 6; face++)
 		if (is_open(p, face) && !p->initial_projection)
-			make_relative(&p->fluid.grid, face / 2,
-				      &p->pressure_next[face / 2][face % 2], p->next_pressure_base);
+			make_relative(&p->fluid.grid, face / 2, &p->pressure_next[face / 2][face % 2],
+				      p->next_pressure_base);
 	return TS_OK;
 }
 
@@ -193,7 +192,8 @@ static enum ts_status make_all_next(struct ts_projection *p)
 
 /* of <- next - of */
 static enum ts_status make_difference(const struct ts_grid *grid, int d,
-				 const struct ts_flow_face_pressure *next, struct ts_flow_face_pressure *of)
+				      const struct ts_flow_face_pressure *next,
+				      struct ts_flow_face_pressure *of)
 {
 	if (next->plane)
 		TS_TRY(want_plane(grid, d, of));
@@ -214,8 +214,7 @@ static void swap_pressure(struct ts_flow_face_pressure *a, struct ts_flow_face_p
 static void swap_all_pressures(struct ts_projection *p)
 {
 	for (int face = 0; face < 6; face++)
-		swap_pressure(&p->fluid.pressure[face / 2][face % 2],
-			 &p->pressure_next[face / 2][face % 2]);
+		swap_pressure(&p->fluid.pressure[face / 2][face % 2], &p->pressure_next[face / 2][face % 2]);
 }
 
 static void shift_field(const struct ts_projection *p, double *field, double by)
@@ -236,8 +235,7 @@ static void add_face_to_rhs(struct ts_projection *p, int d, int side, double sig
 	const struct ts_flow_face_pressure *given = &p->fluid.pressure[d][side];
 	const int a = d == 0, b = d == 2 ? 1 : 2, cell = side == TS_LOW ? 0 : grid->n[d] - 1;
 	const size_t to_face = side == TS_LOW ? 0 : (size_t)grid->stride[d];
-	const double factor = sign *
-			      ts_poisson_conductance(&p->poisson, d, side == TS_LOW ? 0 : grid->n[d]) /
+	const double factor = sign * ts_poisson_conductance(&p->poisson, d, side == TS_LOW ? 0 : grid->n[d]) /
 			      grid->width[d][cell];
 	const double *weight = p->poisson.weight[d];
 
@@ -245,9 +243,9 @@ static void add_face_to_rhs(struct ts_projection *p, int d, int side, double sig
 		return;
 	for (int ib = 0; ib < grid->n[b]; ib++)
 		for (int ia = 0; ia < grid->n[a]; ia++) {
-			size_t at = ts_at(grid, 0, 0, 0) +
-				    (size_t)(cell * grid->stride[d] + ia * grid->stride[a] +
-					     ib * grid->stride[b]);
+			size_t at =
+				ts_at(grid, 0, 0, 0) + (size_t)(cell * grid->stride[d] +
+								ia * grid->stride[a] + ib * grid->stride[b]);
 			double w = weight ? weight[at + to_face] : 1;
 
 			p->rhs[at] -= factor * w *
@@ -269,9 +267,8 @@ enum ts_status ts_projection_impose_pressure(struct ts_projection *p)
 	TS_TRY(make_all_next(p));
 	if (fluid->incremental)
 		for (int face = 0; face < 6; face++)
-			TS_TRY(make_difference(&fluid->grid, face / 2,
-					  &p->pressure_next[face / 2][face % 2],
-					  &fluid->pressure[face / 2][face % 2]));
+			TS_TRY(make_difference(&fluid->grid, face / 2, &p->pressure_next[face / 2][face % 2],
+					       &fluid->pressure[face / 2][face % 2]));
 	else {
 		swap_all_pressures(p);
 		shift_field(p, fluid->p, -fluid->pressure_base);
@@ -296,9 +293,8 @@ void ts_projection_restore_pressure(struct ts_projection *p)
 
 /* ---- restart */
 
-static enum ts_status archive_one(struct ts_projection *p, struct tsim *sim,
-				  struct ts_archive *archive, const char *what, int face,
-				  struct ts_flow_face_pressure *given)
+static enum ts_status archive_one(struct ts_projection *p, struct tsim *sim, struct ts_archive *archive,
+				  const char *what, int face, struct ts_flow_face_pressure *given)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 	bool writing = ts_archive_writing(archive);
@@ -323,10 +319,8 @@ enum ts_status ts_projection_archive_pressure(struct ts_projection *p, struct ts
 	double *base = &p->fluid.pressure_base;
 
 	for (int face = 0; face < 6; face++) {
-		TS_TRY(archive_one(p, sim, archive, "before", face,
-				   &p->pressure_before[face / 2][face % 2]));
-		TS_TRY(archive_one(p, sim, archive, "held", face,
-				   &p->fluid.pressure[face / 2][face % 2]));
+		TS_TRY(archive_one(p, sim, archive, "before", face, &p->pressure_before[face / 2][face % 2]));
+		TS_TRY(archive_one(p, sim, archive, "held", face, &p->fluid.pressure[face / 2][face % 2]));
 	}
 	if (ts_archive_writing(archive) ? *base == 0 : !ts_archive_has(archive, "pressure_base"))
 		return TS_OK;
@@ -344,8 +338,8 @@ void ts_projection_release_pressure(struct ts_projection *p)
 
 /* ---- checks */
 
-/* An axis along the face, not periodic, with a body force; -1 if there is none. A formula counts as a body force whatever
- * its present value. */
+/* An axis along the face, not periodic, with a body force; -1 if there is none. A formula counts as a body
+ * force whatever its present value. */
 static int force_along(const struct ts_projection *p, int d)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
@@ -370,17 +364,17 @@ enum ts_status ts_projection_check_pressure(struct ts_instance *self, struct tsi
 			continue;
 		if (a >= 0 && condition->hydrostatic == TS_FLOW_PRESSURE_UNSAID && !formula)
 			return ts_fail(&sim->error, TS_STATE, &condition->where,
-				       "flow_boundary %s: the body_force of flow_style acts along this face, along "
-				       "%c, and the pressure is the same all over it: that would drive a jet "
-				       "through it; give it `hydrostatic yes`, with which a fluid at rest stays at "
-				       "rest, or `hydrostatic no` where nothing weighs outside",
+				       "flow_boundary %s: the body_force of flow_style acts along this face, "
+				       "along %c, and the pressure is the same all over it: that would drive "
+				       "a jet through it; give it `hydrostatic yes`, with which a fluid at "
+				       "rest stays at rest, or `hydrostatic no` where nothing weighs outside",
 				       ts_flow_face_names[face], "xyz"[a]);
 		if (p->level.variable || p->level.value != 0)
-			return ts_fail(
-				&sim->error, TS_STATE, ts_instance_word(self, "pressure_level"),
-				"flow_style projection: pressure_level is for a fluid without open faces; here "
-				"flow_boundary %s gives the pressure: use `pressure P` there",
-				ts_flow_face_names[face]);
+			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "pressure_level"),
+				       "flow_style projection: pressure_level is for a fluid without open "
+				       "faces; here "
+				       "flow_boundary %s gives the pressure: use `pressure P` there",
+				       ts_flow_face_names[face]);
 	}
 	return TS_OK;
 }

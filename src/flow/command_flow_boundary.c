@@ -11,7 +11,8 @@ static const char *const updates[] = { "step", "once", NULL };
 
 /* Conditions that can be chosen; periodic faces follow from the boundary command of the box. */
 static const char *const kinds[] = { "wall", "slip", "inlet", "outlet", NULL };
-_Static_assert(TS_FLOW_PERIODIC == 0 && TS_FLOW_OUTLET == 4 && TS_FLOW_INTAKE == 5, "kinds begin after the periodic one");
+_Static_assert(TS_FLOW_PERIODIC == 0 && TS_FLOW_OUTLET == 4 && TS_FLOW_INTAKE == 5,
+	       "kinds begin after the periodic one");
 
 static const char *const depths[] = { "no", "yes", NULL };
 
@@ -41,12 +42,12 @@ static enum ts_status refuse(struct tsim *sim, const struct state *s, const stru
 			       kinds[s->kind]);
 	if (kind_of(s) == TS_FLOW_INLET && !s->velocity.n)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "flow_boundary: an inlet needs a velocity or a pressure: velocity VX VY VZ, or "
-			       "pressure P");
+			       "flow_boundary: an inlet needs a velocity or a pressure: velocity VX VY VZ, "
+			       "or pressure P");
 	if (!ts_flow_face_open(kind_of(s)) && (!s->pressure.null || s->hydrostatic >= 0))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "flow_boundary: %s is for an outlet, or an inlet without velocity; at %s faces no "
-			       "pressure is given",
+			       "flow_boundary: %s is for an outlet, or an inlet without velocity; at %s "
+			       "faces no pressure is given",
 			       s->pressure.null ? "hydrostatic" : "pressure", kinds[s->kind]);
 	if (s->set.n && !s->velocity.n && s->pressure.null)
 		return ts_fail(&sim->error, TS_SYNTAX, &s->set.word[0].place,
@@ -57,8 +58,9 @@ static enum ts_status refuse(struct tsim *sim, const struct state *s, const stru
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
-	struct ts_flow_condition condition = { .kind = kind_of(s), .said = true, .once = s->update == ONCE,
-					       .where = *where };
+	struct ts_flow_condition condition = {
+		.kind = kind_of(s), .said = true, .once = s->update == ONCE, .where = *where
+	};
 	const enum ts_flow_depth depth[] = { TS_FLOW_PRESSURE_UNSAID, TS_FLOW_EVEN, TS_FLOW_HYDROSTATIC };
 	struct ts_projection *projection;
 	struct ts_instance *flow;
@@ -90,22 +92,22 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 static const struct ts_arg args[] = {
 	TS_ENUM("face", struct state, face, face_names, .flags = TS_POSITIONAL,
 		.help = "face of the grid; all: those that are not periodic"),
-	TS_ENUM("kind", struct state, kind, kinds, .flags = TS_POSITIONAL,
-		.help = "what is there"),
+	TS_ENUM("kind", struct state, kind, kinds, .flags = TS_POSITIONAL, .help = "what is there"),
 	TS_SOME_KEYWORD("velocity", struct state, velocity, 0,
 			.help = "VX VY VZ of the wall or of the fluid that comes in: numbers or v_NAME"),
 	TS_NUMBER("pressure", struct state, pressure, .flags = TS_OPTIONAL, .unit = "pressure",
-		  .help = "of an outlet (default 0), or of an inlet instead of its velocity: on the face, a number "
-			  "or v_NAME"),
+		  .help = "of an outlet (default 0), or of an inlet instead of its velocity: on the face, a "
+			  "number or v_NAME"),
 	TS_ENUM("hydrostatic", struct state, hydrostatic, depths, .flags = TS_OPTIONAL,
-		.help = "yes: to the pressure on the face comes that of the fluid above at rest under body_force, "
-			"from the top of the grid on; no: it does not, though body_force acts along the face"),
+		.help = "yes: to the pressure on the face comes that of the fluid above at rest under "
+			"body_force, from the top of the grid on; no: it does not, though body_force acts "
+			"along the face"),
 	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
 			.help = "x|y|z name: internal-style variable that gets the coordinate of each point "
 				"of the face before velocity or pressure are evaluated; may be repeated"),
 	TS_ENUM("update", struct state, update, updates, .fallback = "step",
-		.help = "when variables are evaluated: in each step, or once when a run begins, which is enough "
-			"for formulas of the place alone"),
+		.help = "when variables are evaluated: in each step, or once when a run begins, which is "
+			"enough for formulas of the place alone"),
 	TS_ARGS_END,
 };
 
@@ -114,25 +116,28 @@ const struct ts_command_style ts_command_flow_boundary = {
 	.style = { .name = "flow_boundary",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "Sets what is at a face of the fluid's grid",
-		   .doc = "After flow_style projection. Faces where nothing is said are periodic where the box "
-			  "is, else walls at rest.\n\n"
-			  "wall: the fluid sticks to it; its velocity may be given. slip: no flow across, no shear, "
-			  "as in a plane of symmetry. inlet: the velocity is given, or the pressure. outlet: the "
-			  "pressure is given, 0 by default, and the velocity does not change along the normal; where "
-			  "fluid comes back in, it brings no momentum. An inlet with a pressure is the same, but what "
-			  "comes in has the velocity across the face that it has inside: a developed flow. The pressure "
-			  "is the static one, on the face itself. With both ends given, a channel is driven by their "
-			  "difference; a side of the box may be an inlet at times and an outlet at others.\n\n"
-			  "hydrostatic yes adds the weight of the fluid above, rho g (x - x_top), g the body_force of "
-			  "flow_style and x_top the top of the grid, along axes that are not periodic: a fluid at rest "
-			  "stays at rest, whatever faces are open, if all have the same pressure P, which is that at the "
-			  "top. Where body_force acts along a face of even pressure one of hydrostatic yes and no must "
-			  "be said, since the fluid would be driven through the face as a jet.\n\n"
-			  "Velocities and the pressure may be equal-style variables, evaluated in each step; with `update "
-			  "once` when a run begins. With `set y yy` the internal-style variable yy gets the coordinate of "
-			  "each point of the face before, for profiles. Between two steps they change linearly; a pressure "
-			  "acts as its mean over the step (time euler, ab2), or as the scheme weighs it (rk2, rk3), so that "
-			  "all schemes are of second order in it.",
+		   .doc = "After flow_style projection. Faces where nothing is said are periodic where the "
+			  "box is, else walls at rest.\n\n"
+			  "wall: the fluid sticks to it; its velocity may be given. slip: no flow across, no "
+			  "shear, as in a plane of symmetry. inlet: the velocity is given, or the pressure. "
+			  "outlet: the pressure is given, 0 by default, and the velocity does not change "
+			  "along the normal; where fluid comes back in, it brings no momentum. An inlet with "
+			  "a pressure is the same, but what comes in has the velocity across the face that "
+			  "it has inside: a developed flow. The pressure is the static one, on the face "
+			  "itself. With both ends given, a channel is driven by their difference; a side of "
+			  "the box may be an inlet at times and an outlet at others.\n\n"
+			  "hydrostatic yes adds the weight of the fluid above, rho g (x - x_top), g the "
+			  "body_force of flow_style and x_top the top of the grid, along axes that are not "
+			  "periodic: a fluid at rest stays at rest, whatever faces are open, if all have the "
+			  "same pressure P, which is that at the top. Where body_force acts along a face of "
+			  "even pressure one of hydrostatic yes and no must be said, since the fluid would "
+			  "be driven through the face as a jet.\n\n"
+			  "Velocities and the pressure may be equal-style variables, evaluated in each step; "
+			  "with `update once` when a run begins. With `set y yy` the internal-style variable "
+			  "yy gets the coordinate of each point of the face before, for profiles. Between "
+			  "two steps they change linearly; a pressure acts as its mean over the step (time "
+			  "euler, ab2), or as the scheme weighs it (rk2, rk3), so that all schemes are of "
+			  "second order in it.",
 		   .example = "flow_boundary yhi wall velocity 1 0 0\n"
 			      "variable yy internal 0\n"
 			      "variable profile equal 4*v_yy*(1-v_yy)\n"

@@ -75,9 +75,9 @@ const struct ts_command_style ts_command_flow_set = {
 	.style = { .name = "flow_set",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "Sets the velocity of the fluid",
-		   .doc = "Each component is evaluated at its own points on the faces of the cells. The field is "
-			  "then made free of divergence by a projection, so flow_boundary comes before. Without "
-			  "flow_set the fluid begins at rest.",
+		   .doc = "Each component is evaluated at its own points on the faces of the cells. The "
+			  "field is then made free of divergence by a projection, so flow_boundary comes "
+			  "before. Without flow_set the fluid begins at rest.",
 		   .example = "variable xx internal 0\n"
 			      "variable yy internal 0\n"
 			      "variable u equal sin(v_xx)*cos(v_yy)\n"

@@ -28,14 +28,15 @@ static enum ts_status refuse_loss(struct tsim *sim, const struct ts_place *where
 	condition = first_condition(p);
 	if (p->moved)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "flow_style: the fluid of line %d has moved in a run; another flow_style would begin "
-			       "at rest and without its flow_boundary lines: leave it, use `clear`, or `flow_style "
-			       "none` before this line if that is what you want",
+			       "flow_style: the fluid of line %d has moved in a run; another flow_style "
+			       "would begin at rest and without its flow_boundary lines: leave it, use "
+			       "`clear`, or `flow_style none` before this line if that is what you want",
 			       flow->where.line);
 	if (condition)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "flow_style: another one would drop the flow_boundary of line %d, which belongs to the "
-			       "fluid of line %d: put flow_boundary after this line, or `flow_style none` before it",
+			       "flow_style: another one would drop the flow_boundary of line %d, which "
+			       "belongs to the fluid of line %d: put flow_boundary after this line, or "
+			       "`flow_style none` before it",
 			       condition->where.line, flow->where.line);
 	return TS_OK;
 }
@@ -59,10 +60,10 @@ const struct ts_command_style ts_command_flow_style = {
 	.style = { .name = "flow_style",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "chooses the fluid around the particles",
-		   .doc = "Replaces the flow style there was. Without one there is no fluid and drag "
-			  "fixes are refused. A fluid that is solved for is not replaced without a word: after a "
-			  "run with it, or where flow_boundary lines would be lost, another flow_style is refused; "
-			  "`flow_style none` takes it away, `clear` everything.",
+		   .doc = "Replaces the flow style there was. Without one there is no fluid and drag fixes "
+			  "are refused. A fluid that is solved for is not replaced without a word: after a "
+			  "run with it, or where flow_boundary lines would be lost, another flow_style is "
+			  "refused; `flow_style none` takes it away, `clear` everything.",
 		   .example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3",
 		   .args = args,
 		   .state_size = sizeof(struct style_line) },

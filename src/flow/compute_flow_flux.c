@@ -114,9 +114,9 @@ const struct ts_style ts_compute_flow_flux = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Volume of fluid that crosses a plane per time",
 	.doc = "The sum of e u A over the faces of cells in the plane, u the velocity across it, e the void "
-	       "fraction (1 without particles\nthat take room). Between two planes of faces it is interpolated "
-	       "linearly. c_ID is the flux, > 0 along the axis, at both\nfaces of the grid; c_ID[2] the area, "
-	       "c_ID[3] the flux by the area.",
+	       "fraction (1 without particles\nthat take room). Between two planes of faces it is "
+	       "interpolated linearly. c_ID is the flux, > 0 along the axis, at both\nfaces of the grid; "
+	       "c_ID[2] the area, c_ID[3] the flux by the area.",
 	.example = "compute in all flow/flux xlo\ncompute half all flow/flux z 0.5 region inner",
 	.args = args,
 	.state_size = sizeof(struct state),

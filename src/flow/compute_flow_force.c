@@ -23,7 +23,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, ts_flow_face_names[s->side]),
 		       "compute flow/force: nothing bounds the fluid at %s, %s", ts_flow_face_names[s->side],
-		       s->side / 2 < fluid->grid.dimensions ? "which is periodic" : "the flow is in two dimensions");
+		       s->side / 2 < fluid->grid.dimensions ? "which is periodic"
+							    : "the flow is in two dimensions");
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -45,8 +46,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
-static const char *const columns[] = { "fx",  "fy",  "fz",  "fpx", "fpy",
-				       "fpz", "fsx", "fsy", "fsz", "area" };
+static const char *const columns[] = { "fx", "fy", "fz", "fpx", "fpy", "fpz", "fsx", "fsy", "fsz", "area" };
 
 static const struct ts_value values[] = {
 	{ "force", "force", "force (3 numbers), its part of pressure (3), of shear (3); area", TS_VECTOR, 10,
@@ -67,11 +67,12 @@ const struct ts_style ts_compute_flow_force = {
 	.name = "flow/force",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Force of the fluid on a face of its grid",
-	.doc = "What the fluid does to a wall, lid, inlet or outlet: c_ID[1] to [3] the force, [4] to [6] its part of "
-	       "the pressure,\n[7] to [9] that of the shear, mu du/dn, [10] the area. The pressure on the face is "
-	       "extrapolated from the two cells before\nit; shear is what the fluid loses there in the same step, so "
-	       "in a steady flow the balance of momentum along the face holds\nto the last digits. Without an "
-	       "outlet the level of the pressure is not known: its mean is zero. Bodies in the fluid report\n"
+	.doc = "What the fluid does to a wall, lid, inlet or outlet: c_ID[1] to [3] the force, [4] to [6] "
+	       "its part of the pressure,\n[7] to [9] that of the shear, mu du/dn, [10] the area. The "
+	       "pressure on the face is extrapolated from the two cells before\nit; shear is what the fluid "
+	       "loses there in the same step, so in a steady flow the balance of momentum along the face "
+	       "holds\nto the last digits. Without an outlet the level of the pressure is not known: its "
+	       "mean is zero. Bodies in the fluid report\n"
 	       "their forces themselves.",
 	.example = "compute lid all flow/force yhi\nthermo_style custom step c_lid[7]",
 	.args = args,

@@ -72,8 +72,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
-static enum ts_status eval_first(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_first(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	return ts_flow_sampler_first_row(self, sim, out, eval);
 }
@@ -85,8 +84,7 @@ static const struct ts_value values[] = {
 };
 
 static const struct ts_arg between[] = {
-	TS_VEC3("from", struct state, from, .flags = TS_POSITIONAL, .unit = "length",
-		.help = "first point"),
+	TS_VEC3("from", struct state, from, .flags = TS_POSITIONAL, .unit = "length", .help = "first point"),
 	TS_VEC3("to", struct state, to, .flags = TS_POSITIONAL, .unit = "length", .help = "last point"),
 	TS_INT("N", struct state, n, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 2, .hi = 1e7,
 	       .help = "number of points, both ends counted"),
@@ -120,12 +118,13 @@ const struct ts_style ts_compute_flow_line = {
 	.name = "flow/line",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "The fluid along a line",
-	.doc = "A row for each point of the line: N points between two places, or the middles of the cells along "
-	       "an axis.\nc_ID[i][j] is the j-th number of the i-th point, c_ID[j] as a list that of all points. \n"
-	       TS_FLOW_SAMPLE_DOC,
-	.example = "compute profile all flow/line cells y 0.5 0.5 values y vx\n"
-		   "compute axis all flow/line between 0 0.5 0.5 1 0.5 0.5 129 values s vy interpolation cubic\n"
-		   "fix out all ave/time 100 1 100 c_profile[*] mode vector file profile.txt",
+	.doc = "A row for each point of the line: N points between two places, or the middles of the cells "
+	       "along an axis.\nc_ID[i][j] is the j-th number of the i-th point, c_ID[j] as a list that of "
+	       "all points. \n" TS_FLOW_SAMPLE_DOC,
+	.example =
+		"compute profile all flow/line cells y 0.5 0.5 values y vx\n"
+		"compute axis all flow/line between 0 0.5 0.5 1 0.5 0.5 129 values s vy interpolation cubic\n"
+		"fix out all ave/time 100 1 100 c_profile[*] mode vector file profile.txt",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.values = values,

@@ -15,8 +15,7 @@ static enum ts_status read_points(struct ts_instance *self, struct tsim *sim)
 
 	if (s->words.n % 3)
 		return ts_fail(&sim->error, TS_SYNTAX, &s->words.word[s->words.n - 1].place,
-			       "compute flow/probe: %zu numbers, expected three for each point",
-			       s->words.n);
+			       "compute flow/probe: %zu numbers, expected three for each point", s->words.n);
 	if (!s->point)
 		s->point = ts_arena_alloc(&self->arena, s->words.n, sizeof *s->point);
 	if (!s->point)
@@ -53,8 +52,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
-static enum ts_status eval_first(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_first(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	return ts_flow_sampler_first_row(self, sim, out, eval);
 }
@@ -76,8 +74,8 @@ const struct ts_style ts_compute_flow_probe = {
 	.name = "flow/probe",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "The fluid at points",
-	.doc = "A row for each point: c_ID[i][j]; c_ID[k] alone is the k-th number of the first point.\n"
-	       TS_FLOW_SAMPLE_DOC,
+	.doc = "A row for each point: c_ID[i][j]; c_ID[k] alone is the k-th number of the first "
+	       "point.\n" TS_FLOW_SAMPLE_DOC,
 	.example = "compute wake all flow/probe 0.5 0.25 0 0.8 0.25 0 values vx vy p",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -26,9 +26,10 @@ const struct ts_convection_scheme ts_convection_schemes[TS_NCONVECTION] = {
 };
 
 const char *const ts_convection_names[] = {
-	[TS_CONVECTION_DONOR] = "donor",     [TS_CONVECTION_CENTRAL] = "central",
-	[TS_CONVECTION_QUICK] = "quick",     [TS_CONVECTION_CUBISTA] = "cubista",
+	[TS_CONVECTION_DONOR] = "donor", [TS_CONVECTION_CENTRAL] = "central",
+	[TS_CONVECTION_QUICK] = "quick", [TS_CONVECTION_CUBISTA] = "cubista",
 	[TS_NCONVECTION] = NULL,
 };
-const char *const ts_flow_form_names[] = { [TS_FORM_VOLUME] = "fv", [TS_FORM_DIFFERENCE] = "fd",
-				      [TS_FORM_CONSERVATIVE] = "conservative", NULL };
+const char *const ts_flow_form_names[] = {
+	[TS_FORM_VOLUME] = "fv", [TS_FORM_DIFFERENCE] = "fd", [TS_FORM_CONSERVATIVE] = "conservative", NULL
+};

@@ -200,19 +200,19 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	struct ts_fluid *fluid;
 
 	TS_TRY(ts_flow_require_fluid(sim, "dump flow/vtk", &self->where, &fluid));
-	return ts_dump_price_frame(self, sim,
-				   8 * left * (double)(columns(s) * ts_grid_cells(&fluid->grid)), report);
+	return ts_dump_price_frame(self, sim, 8 * left * (double)(columns(s) * ts_grid_cells(&fluid->grid)),
+				   report);
 }
 
 static const struct ts_arg args[] = {
 	TS_INT("every", struct state, vtk.common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "steps between frames"),
 	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,
-		.help = "name of the frames, ending in .vti (uniform grids) or .vtr (any), with a `*` for the "
-			"step"),
+		.help = "name of the frames, ending in .vti (uniform grids) or .vtr (any), with a `*` for "
+			"the step"),
 	TS_REST_OPTIONAL("fields", struct state, words,
-			 .help = "velocity, pressure, void, vorticity, f_ID (a scalar that a fix carries with "
-				 "the fluid); without: all there are"),
+			 .help = "velocity, pressure, void, vorticity, f_ID (a scalar that a fix carries "
+				 "with the fluid); without: all there are"),
 	TS_ARGS_END,
 };
 
@@ -223,11 +223,12 @@ const struct ts_style ts_dump_flow_vtk = {
 	.name = "flow/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "The fields of the fluid for ParaView",
-	.doc = "Values of the cells: velocity (in the middle of the cell: mean of its faces), pressure, void fraction, "
-	       "vorticity\ncurl u (mean of the edges of the cell), what fix flow/scalar carries (f_ID). A .vti file is an image, three spacings instead "
-	       "of coordinates, for uniform\ngrids; .vtr has the faces of all axes. With a `*` in the name there is "
-	       "one file for each frame and a collection\nNAME.pvd with the times of all of them, which is what to "
-	       "open. Files and collection appear when they are complete.",
+	.doc = "Values of the cells: velocity (in the middle of the cell: mean of its faces), pressure, void "
+	       "fraction, vorticity\ncurl u (mean of the edges of the cell), what fix flow/scalar carries "
+	       "(f_ID). A .vti file is an image, three spacings instead of coordinates, for uniform\ngrids; "
+	       ".vtr has the faces of all axes. With a `*` in the name there is one file for each frame and "
+	       "a collection\nNAME.pvd with the times of all of them, which is what to open. Files and "
+	       "collection appear when they are complete.",
 	.example = "dump fields all flow/vtk 1000 post/flow*.vti\n"
 		   "dump speed all flow/vtk 1000 post/speed*.vtr velocity",
 	.args = args,

@@ -40,8 +40,8 @@ struct state {
 	struct ts_transport transport;
 	struct ts_cell_order order;
 	bool arguments_read, known; /* known: the field T has values */
-	int64_t steps;	  /* number of steps of the simulation whose heat is in transport.source */
-	double *heat_rate; /* heat flux into each particle (energy/time); owned */
+	int64_t steps;		    /* number of steps of the simulation whose heat is in transport.source */
+	double *heat_rate;	    /* heat flux into each particle (energy/time); owned */
 	size_t heat_rate_capacity;
 	double exchanged; /* sum of heat_rate in the last step */
 	size_t size;	  /* of the fields, in doubles */
@@ -113,8 +113,8 @@ static enum ts_status set_initial_field(struct ts_instance *self, struct tsim *s
 	const struct ts_grid *grid = &s->fluid->grid;
 	const char *set[3] = { NULL };
 	struct ts_arena arena = { 0 };
-	enum ts_status status = ts_flow_read_set(sim, "fix flow/scalar: set", s->set, &self->where, &arena,
-						 set);
+	enum ts_status status =
+		ts_flow_read_set(sim, "fix flow/scalar: set", s->set, &self->where, &arena, set);
 
 	for (int k = 0; k < grid->n[2] && status == TS_OK; k++)
 		for (int j = 0; j < grid->n[1] && status == TS_OK; j++)
@@ -134,9 +134,10 @@ static enum ts_status set_initial_field(struct ts_instance *self, struct tsim *s
 
 /* ---- set-up */
 
-static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt);
+static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+				     double dt);
 static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-			     double length);
+				  double length);
 
 static enum ts_status find_heat(struct ts_instance *self, struct tsim *sim)
 {
@@ -147,8 +148,8 @@ static enum ts_status find_heat(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	if (!s->heat || s->heat->scheme == TS_HEAT_EXACT)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "exchange"),
-			       "fix flow/scalar: exchange needs particles with temperatures: put a fix heat/gran "
-			       "with scheme euler before it");
+			       "fix flow/scalar: exchange needs particles with temperatures: put a fix "
+			       "heat/gran with scheme euler before it");
 	if (!(s->conductivity > 0 && s->fluid->viscosity > 0))
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "exchange"),
 			       "fix flow/scalar: exchange needs a conductivity and a viscosity of the fluid");
@@ -247,7 +248,8 @@ static void add_heat_source(void *data, size_t i)
 		return;
 	ts_coupling_weights_centre(s->fluid, place, cell, TS_INTERPOLATE_LINEAR, &weights);
 	ts_coupling_distribute_force(&s->fluid->grid, &weights, -1, s->transport.value,
-		       s->heat_rate[i] / (s->fluid->density * s->capacity), 0, s->transport.source, NULL);
+				     s->heat_rate[i] / (s->fluid->density * s->capacity), 0,
+				     s->transport.source, NULL);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
@@ -282,7 +284,8 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 
 /* ---- with each step of the fluid */
 
-static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt)
+static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+				     double dt)
 {
 	struct state *s = self->state;
 
@@ -295,7 +298,7 @@ static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim,
 }
 
 static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-			     double length)
+				  double length)
 {
 	struct state *s = self->state;
 
@@ -304,7 +307,8 @@ static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, st
 	memset(s->transport.source, 0, s->size * sizeof *s->transport.source);
 	s->steps = 0;
 	if (fluid->void_fraction)
-		memcpy(s->transport.void_fraction, fluid->void_fraction, s->size * sizeof *fluid->void_fraction);
+		memcpy(s->transport.void_fraction, fluid->void_fraction,
+		       s->size * sizeof *fluid->void_fraction);
 	return TS_OK;
 }
 
@@ -318,7 +322,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	(void)sim;
 	TS_TRY(ts_archive_fixed(a, "value", TS_SAVED_F64, t->value, s->size));
 	TS_TRY(ts_archive_fixed(a, "source", TS_SAVED_F64, t->source, s->size));
-	return t->void_fraction ? ts_archive_fixed(a, "empty", TS_SAVED_F64, t->void_fraction, s->size) : TS_OK;
+	return t->void_fraction ? ts_archive_fixed(a, "empty", TS_SAVED_F64, t->void_fraction, s->size)
+				: TS_OK;
 }
 
 static const struct ts_saved saved[] = {
@@ -355,8 +360,10 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 				size_t at = ts_at(grid, i, j, k);
 				double value = s->transport.value[at];
 
-				ts_exactsum_add(&sum, (s->transport.void_fraction ? s->transport.void_fraction[at] : 1) *
-							      value * ts_grid_volume(grid, i, j, k));
+				ts_exactsum_add(&sum,
+						(s->transport.void_fraction ? s->transport.void_fraction[at]
+									    : 1) *
+							value * ts_grid_volume(grid, i, j, k));
 				least = fmin(least, value);
 				most = fmax(most, value);
 			}
@@ -392,19 +399,19 @@ static enum ts_status eval_cells(struct ts_instance *self, const struct tsim *si
 static const char *const columns[] = { "heat", "exchange", "least", "most" };
 static const char *const cell_columns[] = { "x", "y", "z", "T" };
 static const struct ts_value values[] = {
-	{ "scalar", "", "heat in the fluid, heat by time into particles, the least and the largest T", TS_VECTOR,
-	  4, columns, eval },
+	{ "scalar", "", "heat in the fluid, heat by time into particles, the least and the largest T",
+	  TS_VECTOR, 4, columns, eval },
 	{ "cells", "", "of each cell: its centre and T", TS_ARRAY, 4, cell_columns, eval_cells },
 	{ .name = NULL },
 };
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 
 	(void)sim;
-	ts_report_line(report, "scalar", "convection %s, diffusivity %g, at present stable up to %g (shorter steps "
+	ts_report_line(report, "scalar",
+		       "convection %s, diffusivity %g, at present stable up to %g (shorter steps "
 		       "are made by itself)",
 		       ts_scalar_schemes[s->scheme], s->transport.diffusivity,
 		       ts_transport_limit(&s->transport, s->fluid));
@@ -421,8 +428,8 @@ static void fini(struct ts_instance *self)
 	ts_free(s->heat_rate);
 }
 
-#define FACE(name, k)                                                                              \
-	TS_SOME_KEYWORD(name, struct state, face_words[k], 0,                                      \
+#define FACE(name, k)                                                                                      \
+	TS_SOME_KEYWORD(name, struct state, face_words[k], 0,                                              \
 			.help = "value T, flux Q (heat by area and time into the fluid) or none, numbers " \
 				"or v_NAME: at this face")
 static const struct ts_arg args[] = {
@@ -433,8 +440,8 @@ static const struct ts_arg args[] = {
 	TS_NUMBER("initial", struct state, initial, .fallback = "0", .unit = "temperature",
 		  .help = "T at the beginning, or v_NAME of a formula"),
 	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
-			.help = "x|y|z name: internal-style variable that gets the coordinate of each cell before "
-				"that is evaluated; may be repeated"),
+			.help = "x|y|z name: internal-style variable that gets the coordinate of each cell "
+				"before that is evaluated; may be repeated"),
 	TS_NUMBER("source", struct state, source, .fallback = "0", .unit = "",
 		  .help = "heat by volume and time everywhere, or v_NAME"),
 	FACE("xlo", 0),
@@ -455,20 +462,28 @@ const struct ts_style ts_fix_flow_scalar = {
 	.name = "flow/scalar",
 	.kind = TS_KIND_FIX,
 	.summary = "temperature, or another scalar, that the fluid carries",
-	.doc = "rho c (d(e T)/dt + div(e u T)) = div(e k grad T) + source + exchange, e the void fraction (fix\n"
-	       "void_fraction; else 1). With capacity 1 and a conductivity of rho D, T is any concentration of\n"
-	       "diffusivity D. What leaves a cell enters its neighbour. The steps of the fluid are divided where the\n"
+	.doc = "rho c (d(e T)/dt + div(e u T)) = div(e k grad T) + source + exchange, e the void fraction "
+	       "(fix\n"
+	       "void_fraction; else 1). With capacity 1 and a conductivity of rho D, T is any concentration "
+	       "of\n"
+	       "diffusivity D. What leaves a cell enters its neighbour. The steps of the fluid are divided "
+	       "where the\n"
 	       "scheme asks for it.\n\n"
-	       "At faces of the grid T is given (`value`), or what comes in by conduction (`flux`), or nothing does\n"
+	       "At faces of the grid T is given (`value`), or what comes in by conduction (`flux`), or "
+	       "nothing does\n"
 	       "(`none`, the default). Inflow needs a value; else it has the T of the cell it enters.\n\n"
-	       "exchange ranz_marshall gives each particle of the group Q = pi d^2 h (T - T_p) by h = Nu k/d,\n"
-	       "Nu = 2 + 0.6 Re^(1/2) Pr^(1/3), Re = rho e |u - v| d/mu, and takes it from the fluid; T_p is that of fix\n"
+	       "exchange ranz_marshall gives each particle of the group Q = pi d^2 h (T - T_p) by h = Nu "
+	       "k/d,\n"
+	       "Nu = 2 + 0.6 Re^(1/2) Pr^(1/3), Re = rho e |u - v| d/mu, and takes it from the fluid; T_p is "
+	       "that of fix\n"
 	       "heat/gran.\n\n"
-	       "f_ID[1] is the heat in the fluid, rho c e T over its volume, f_ID[2] the heat by time into all\n"
-	       "particles, f_ID[3] and f_ID[4] the least and the largest T; f_ID[i][j] of cell i the centre (j = 1, 2, "
-	       "3) and T (4).",
-	.example = "flow_style projection cells 32 32 1 viscosity 1.8e-5 density 1.2\n"
-		   "fix T all flow/scalar conductivity 0.026 capacity 1005 initial 300 xlo value 320 xhi flux 5",
+	       "f_ID[1] is the heat in the fluid, rho c e T over its volume, f_ID[2] the heat by time into "
+	       "all\n"
+	       "particles, f_ID[3] and f_ID[4] the least and the largest T; f_ID[i][j] of cell i the centre "
+	       "(j = 1, 2, 3) and T (4).",
+	.example =
+		"flow_style projection cells 32 32 1 viscosity 1.8e-5 density 1.2\n"
+		"fix T all flow/scalar conductivity 0.026 capacity 1005 initial 300 xlo value 320 xhi flux 5",
 	.cite = "W. E. Ranz, W. R. Marshall, Chem. Eng. Prog. 48 (1952) 141",
 	.family = TS_FAMILY_FLOW_PART,
 	.args = args,

@@ -12,7 +12,8 @@ struct ts_flow_style {
 	void (*velocity)(const struct ts_instance *self, const double x[3], double u[3]);
 	double (*viscosity)(const struct ts_instance *self); /* dynamic */
 	double (*density)(const struct ts_instance *self);
-	/* Its fields on a grid, which exist (flow/fluid.h); NULL: the velocity is imposed and particles do not change it. */
+	/* Its fields on a grid, which exist (flow/fluid.h); NULL: the velocity is imposed and particles do
+	 * not change it. */
 	struct ts_fluid *(*fluid)(const struct ts_instance *self);
 };
 
@@ -21,8 +22,8 @@ static inline const struct ts_flow_style *ts_flow_style_of(const struct ts_insta
 	return (const struct ts_flow_style *)inst->style;
 }
 
-/* The fields of the live flow style; an error in the name of `who` ("fix drag/ergun") if there is no fluid that is solved
- * for. fluid.c */
+/* The fields of the live flow style; an error in the name of `who` ("fix drag/ergun") if there is no fluid
+ * that is solved for. fluid.c */
 enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const struct ts_place *where,
 				     struct ts_fluid **out);
 
@@ -31,7 +32,8 @@ extern const struct ts_system_style ts_flow_system;
 
 /* The same; NULL in place of an error. fluid.c */
 struct ts_fluid *ts_flow_fluid(const struct tsim *sim);
-/* Iterates over the fixes of a style that take part in the steps of the fluid: start with *k = 0; NULL at the end. */
+/* Iterates over the fixes of a style that take part in the steps of the fluid: start with *k = 0; NULL at
+ * the end. */
 const struct ts_instance *ts_flow_part_named(const struct tsim *sim, const char *style, size_t *k);
 
 #endif

@@ -40,8 +40,7 @@ static const struct ts_arg setting_rows[] = {
 };
 
 enum ts_status ts_flow_read_set(struct tsim *sim, const char *what, struct ts_words words,
-				const struct ts_place *where, struct ts_arena *arena,
-				const char *out[3])
+				const struct ts_place *where, struct ts_arena *arena, const char *out[3])
 {
 	for (size_t k = 0; k < words.n; k += 2) {
 		struct ts_words pair = ts_words_from(words, k);

@@ -6,14 +6,14 @@
 
 #include "base/banned.h"
 
-#define OF_FLUID(name, value)                                                                      \
-	static enum ts_status name(struct tsim *sim, double *out)                                  \
-	{                                                                                          \
-		struct ts_fluid *fluid;                                                            \
-                                                                                                   \
-		TS_TRY(ts_flow_require_fluid(sim, "keyword flow_" #name, NULL, &fluid));           \
-		*out = (value);                                                                    \
-		return TS_OK;                                                                      \
+#define OF_FLUID(name, value)                                                            \
+	static enum ts_status name(struct tsim *sim, double *out)                        \
+	{                                                                                \
+		struct ts_fluid *fluid;                                                  \
+                                                                                         \
+		TS_TRY(ts_flow_require_fluid(sim, "keyword flow_" #name, NULL, &fluid)); \
+		*out = (value);                                                          \
+		return TS_OK;                                                            \
 	}
 OF_FLUID(ke, ts_flow_kinetic_energy(fluid))
 OF_FLUID(px, ts_flow_momentum(fluid, 0))

@@ -1,16 +1,17 @@
 /* Stability limits of the time step of the fluid.
  *
- * Von Neumann analysis with velocities and widths frozen: a wave of du/dt = -u grad u + nu lap u has a frequency of
- * at most C = sum |u|/h and a decay rate of at most D = sum (nu lambda + kappa |u|/h), with lambda = 4/h^2 the
- * largest eigenvalue of the second difference, 8/(sqrt(3) h^2) beside a wall with the quadratic profile, and kappa
- * the contribution of the convection scheme. A time scheme is stable for dt D up to its limit on the real axis and dt C
- * up to that on the imaginary axis.
+ * Von Neumann analysis with velocities and widths frozen: a wave of du/dt = -u grad u + nu lap u has a
+ * frequency of at most C = sum |u|/h and a decay rate of at most D = sum (nu lambda + kappa |u|/h), with
+ * lambda = 4/h^2 the largest eigenvalue of the second difference, 8/(sqrt(3) h^2) beside a wall with the
+ * quadratic profile, and kappa the contribution of the convection scheme. A time scheme is stable for dt D
+ * up to its limit on the real axis and dt C up to that on the imaginary axis.
  *
- * With explicit Euler and central differences waves of too little decay grow slowly: stable for
- * dt sum u^2/(2 nu) <= 1, with nu + gamma |u| h/2 in place of nu for donor cells: A. C. Hindmarsh, P. M. Gresho &
- * D. F. Griffiths, Int. J. Numer. Meth. Fluids 4 (1984) 853. The schemes of second order, ab2 and rk2, amplify by (dt C)^4/4 and
- * (dt C)^4/8 per step: stable for 1.185/8 (dt C)^4 <= dt nu_least/h^2, rk2 for half of it; QUICK itself damps these
- * waves, of wave number k, at the rate C (k h)^4/16: sufficient for (dt C)^3 <= 0.2 (measured), 1/2 with rk2. */
+ * With explicit Euler and central differences waves of too little decay grow slowly: stable for dt sum
+ * u^2/(2 nu) <= 1, with nu + gamma |u| h/2 in place of nu for donor cells: A. C. Hindmarsh, P. M. Gresho &
+ * D. F. Griffiths, Int. J. Numer. Meth. Fluids 4 (1984) 853. The schemes of second order, ab2 and rk2,
+ * amplify by (dt C)^4/4 and (dt C)^4/8 per step: stable for 1.185/8 (dt C)^4 <= dt nu_least/h^2, rk2 for
+ * half of it; QUICK itself damps these waves, of wave number k, at the rate C (k h)^4/16: sufficient for
+ * (dt C)^3 <= 0.2 (measured), 1/2 with rk2. */
 #include <math.h>
 
 #include "flow/flow_limits.h"
@@ -51,8 +52,8 @@ static double decay_of(const struct ts_projection *p)
 
 /* Rates at a cell (1/time), and the largest ones over the grid. */
 struct rates {
-	double frequency;  /* C */
-	double growth; /* 1/(largest step by the limit of slow growth) */
+	double frequency; /* C */
+	double growth;	  /* 1/(largest step by the limit of slow growth) */
 };
 
 struct weak_damping {
@@ -61,7 +62,8 @@ struct weak_damping {
 	double most; /* largest Courant number with the damping by QUICK alone */
 };
 
-static double growth_rate(const struct weak_damping *weak, const double u[3], const double h[3], double frequency)
+static double growth_rate(const struct weak_damping *weak, const double u[3], const double h[3],
+			  double frequency)
 {
 	double sum = 0, least = INFINITY;
 
@@ -92,8 +94,7 @@ static struct rates look_at_row(const struct ts_fluid *fluid, const struct weak_
 		double h[3] = { grid->width[0][i], grid->width[1][j], solid ? grid->width[2][k] : INFINITY };
 
 		for (int d = 0; d < grid->dimensions; d++) {
-			u[d] = fmax(fabs(fluid->u[d][at]),
-				    fabs(fluid->u[d][at + (size_t)grid->stride[d]]));
+			u[d] = fmax(fabs(fluid->u[d][at]), fabs(fluid->u[d][at + (size_t)grid->stride[d]]));
 			frequency += u[d] / h[d];
 		}
 		most.frequency = fmax(most.frequency, frequency);
@@ -150,7 +151,7 @@ static struct weak_damping weak_damping_of(const struct ts_projection *p)
 	static const double FOURTH = 1.185 / 8, QUICK_AB2 = 0.58, QUICK_RK2 = 0.79;
 	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
 	struct weak_damping weak = { .nu = p->viscosity / p->density,
-			     .gamma = p->convection == TS_CONVECTION_DONOR ? p->gamma : 0 };
+				     .gamma = p->convection == TS_CONVECTION_DONOR ? p->gamma : 0 };
 
 	if (scheme->order == 1)
 		weak.kind = WEAK_EULER;
@@ -190,8 +191,8 @@ struct ts_flow_limits ts_flow_limits(const struct ts_projection *p)
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static) reduction(max : frequency, growth)
 	for (long line = 0; line < rows; line++) {
-		struct rates row = look_at_row(fluid, &weak, (int)(line % grid->n[1]),
-					       (int)(line / grid->n[1]));
+		struct rates row =
+			look_at_row(fluid, &weak, (int)(line % grid->n[1]), (int)(line / grid->n[1]));
 
 		frequency = fmax(frequency, row.frequency);
 		growth = fmax(growth, row.growth);

@@ -26,8 +26,8 @@ static double row_energy(const struct ts_fluid *fluid, int j, int k)
 	return sum;
 }
 
-/* Sum of e u on the two faces of a cell across axis d. With the e of the cell the sum over all cells is the same, since e of
- * a face is the mean of the halves of two cells. */
+/* Sum of e u on the two faces of a cell across axis d. With the e of the cell the sum over all cells is
+ * the same, since e of a face is the mean of the halves of two cells. */
 static double flow_of_cell(const struct ts_fluid *fluid, int d, size_t low)
 {
 	const size_t high = low + (size_t)fluid->grid.stride[d];
@@ -128,7 +128,7 @@ static double face_flow(const struct ts_fluid *fluid, int d, size_t at)
 }
 
 static void sum_flux(const struct ts_fluid *fluid, int d, double x, const struct ts_instance *region,
-		 struct ts_flow_flux_sums *out)
+		     struct ts_flow_flux_sums *out)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	int b = (d + 1) % 3, c = (d + 2) % 3, cell[3];
@@ -186,11 +186,12 @@ static double face_pressure(const struct edge *e, const int cell[3], ptrdiff_t a
 	if (ts_flow_face_open(e->fluid->face[e->d][e->sign > 0]))
 		return e->fluid->pressure_base +
 		       ts_flow_face_pressure_at(&e->fluid->pressure[e->d][e->sign > 0],
-					   ts_flow_plane_at(grid, e->d, cell[e->d == 0], cell[e->d == 2 ? 1 : 2]));
+						ts_flow_plane_at(grid, e->d, cell[e->d == 0],
+								 cell[e->d == 2 ? 1 : 2]));
 	if (grid->n[e->d] < 2)
 		return p[at];
-	return p[at] + (p[at] - p[at - e->outward]) * width[e->cell] /
-			       (width[e->cell] + width[e->cell + inward]);
+	return p[at] +
+	       (p[at] - p[at - e->outward]) * width[e->cell] / (width[e->cell] + width[e->cell + inward]);
 }
 
 static void add_pressure(const struct edge *e, struct ts_flow_face_load *out)
@@ -247,7 +248,8 @@ static void add_shear(const struct edge *e, int t, struct ts_flow_face_load *out
 			along[e->d] = grid->face[e->d][e->cell + (e->sign > 0)];
 			if (!e->region || ts_region_contains(e->region, along))
 				row += face_length(grid, t, cell[t]) * grid->width[c][cell[c]] *
-				       (e->fluid->void_fraction_face[t] ? e->fluid->void_fraction_face[t][at] : 1) *
+				       (e->fluid->void_fraction_face[t] ? e->fluid->void_fraction_face[t][at]
+									: 1) *
 				       (u[at] - u[at + e->outward]) / gap;
 		}
 		out->shear[t] += e->fluid->viscosity * row;
@@ -260,12 +262,10 @@ enum ts_status ts_flow_face_force(const struct ts_fluid *fluid, struct tsim *sim
 {
 	const struct ts_grid *grid = &fluid->grid;
 	bool high = side == TS_HIGH;
-	struct edge e = { fluid,
-			  d,
-			  high ? grid->n[d] - 1 : 0,
-			  high ? grid->stride[d] : -grid->stride[d],
-			  high ? 1 : -1,
-			  region };
+	struct edge e = {
+		fluid,	       d,     high ? grid->n[d] - 1 : 0, high ? grid->stride[d] : -grid->stride[d],
+		high ? 1 : -1, region
+	};
 
 	*out = (struct ts_flow_face_load){ 0 };
 	if (d >= grid->dimensions)

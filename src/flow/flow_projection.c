@@ -35,8 +35,8 @@ static enum ts_status check_viscous(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	if (ts_flow_time_schemes[p->time].stages > 1)
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "flow_style projection: viscous %s goes with time ab2 or euler, not %s", viscous,
-			       ts_flow_time_names[p->time]);
+			       "flow_style projection: viscous %s goes with time ab2 or euler, not %s",
+			       viscous, ts_flow_time_names[p->time]);
 	if (!(p->viscosity > 0))
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "flow_style projection: viscous %s has no viscosity to work on: it is 0; use "
@@ -74,13 +74,15 @@ static enum ts_status derive(struct ts_instance *self, struct tsim *sim)
 			       "flow_style projection: substeps is a number from 1 on, or auto, not '%s'",
 			       p->substeps_word);
 	if (p->form == TS_FORM_DIFFERENCE && !ts_convection_schemes[p->convection].difference)
-		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, ts_convection_names[p->convection]),
+		return ts_fail(&sim->error, TS_RANGE,
+			       ts_instance_word(self, ts_convection_names[p->convection]),
 			       "flow_style projection: convection %s is for form fv; form fd has donor and "
 			       "central",
 			       ts_convection_names[p->convection]);
 	if (p->form == TS_FORM_CONSERVATIVE && (p->time == TS_TIME_AB2 || p->every > 1))
 		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, ts_flow_form_names[p->form]),
-			       "flow_style projection: form conservative goes with time euler, rk2 or rk3 and every 1, not with %s",
+			       "flow_style projection: form conservative goes with time euler, rk2 or rk3 "
+			       "and every 1, not with %s",
 			       p->every > 1 ? "every of more than 1" : "time ab2");
 	return check_viscous(self, sim);
 }
@@ -119,7 +121,8 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Sets the ghosts with which the next run begins, so that a saved state and one that continues are the same. */
+/* Sets the ghosts with which the next run begins, so that a saved state and one that continues are the
+ * same. */
 static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_fluid *fluid = &((struct ts_projection *)self->state)->fluid;
@@ -158,9 +161,12 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	const struct {
 		const char *name;
 		double **field;
-	} vectors[] = { { "u", fluid->u },		 { "force", fluid->force },
-			{ "exchange", fluid->exchange }, { "used", fluid->exchange_velocity },
-			{ "history", p->history },	 { "empty_face", fluid->void_fraction_face },
+	} vectors[] = { { "u", fluid->u },
+			{ "force", fluid->force },
+			{ "exchange", fluid->exchange },
+			{ "used", fluid->exchange_velocity },
+			{ "history", p->history },
+			{ "empty_face", fluid->void_fraction_face },
 			{ "inertia", fluid->momentum_void_fraction } },
 	  scalars[] = { { "p", &fluid->p },
 			{ "empty", &fluid->void_fraction },
@@ -172,7 +178,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 	for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++)
 		for (int d = 0; d < 3 && status == TS_OK; d++)
-			status = archive_field(archive, vectors[k].name, "xyz"[d], &fluid->grid,
+			status = archive_field(archive, vectors[k].name, "xyz"[d], &fluid -> grid,
 					       &vectors[k].field[d], !writing || vectors[k].field[d]);
 	for (size_t k = 0; k < sizeof scalars / sizeof *scalars && status == TS_OK; k++)
 		status = archive_field(archive, scalars[k].name, '\0', &fluid->grid, scalars[k].field,
@@ -188,8 +194,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim, 
 
 	(void)sim;
 	for (int d = 0; d < 3; d++)
-		ts_hash_add(hash, p->fluid.grid.face[d],
-			    (size_t)(p->fluid.grid.n[d] + 1) * sizeof(double));
+		ts_hash_add(hash, p->fluid.grid.face[d], (size_t)(p->fluid.grid.n[d] + 1) * sizeof(double));
 	for (int d = 0; d < 3; d++)
 		for (int side = 0; side < 2; side++) {
 			const struct ts_flow_face_velocity *given = &p->velocity_before[d][side];
@@ -245,8 +250,8 @@ static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
 		return;
 	p->warned_walls = true;
 	ts_warn(&sim->log, ts_instance_word(self, "viscosity"),
-		"flow_style projection: a fluid with viscosity 0 does not stick to walls and bodies, but they "
-		"set its velocity; use flow_boundary FACE slip, or a viscosity");
+		"flow_style projection: a fluid with viscosity 0 does not stick to walls and bodies, but "
+		"they set its velocity; use flow_boundary FACE slip, or a viscosity");
 }
 
 enum { VOID_FIELDS = 6 }; /* void fraction at centres and on faces, its rate, and that of the last step */
@@ -264,20 +269,22 @@ static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struc
 	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.void_fraction)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, viscous_names[p->viscous]),
 			       "flow_style projection: viscous %s does not know the room between particles "
-			       "(fix void_fraction): use viscous explicit, with substeps auto if it limits the step",
+			       "(fix void_fraction): use viscous explicit, with substeps auto if it limits "
+			       "the step",
 			       viscous_names[p->viscous]);
 	warn_of_walls(self, sim);
 	ts_report_line(report, "fluid", "%d x %d x %d cells, convection %s (%s), time %s", grid->n[0],
-		       grid->n[1], grid->n[2], ts_convection_names[p->convection], ts_flow_form_names[p->form],
-		       ts_flow_time_names[p->time]);
+		       grid->n[1], grid->n[2], ts_convection_names[p->convection],
+		       ts_flow_form_names[p->form], ts_flow_time_names[p->time]);
 	ts_pressure_explain(sim, &p->poisson, p->fluid.void_fraction || p->fluid.exchange[0], report);
 	report->bytes += 8 * fields * (double)grid->size;
 	if (!p->fluid.void_fraction)
 		ts_report_left_out(report, "void fraction", 0, 8 * VOID_FIELDS * (double)grid->size,
 				   "no fix says that particles take room from the fluid");
 	if (!p->substeps)
-		ts_report_line(report, "fluid's steps", "as its limits want, %g of the stable one, which is %g",
-			       p->courant, ts_flow_limit(p));
+		ts_report_line(report, "fluid's steps",
+			       "as its limits want, %g of the stable one, which is %g", p->courant,
+			       ts_flow_limit(p));
 	return TS_OK;
 }
 
@@ -302,7 +309,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 			       "the fluid's Courant number, %g h/u, or use substeps auto", scheme->courant));
 	ts_report_watched(report, before);
 	return ts_report_limit(report, limits.growth / steps, false, &self->where,
-			       "slow growth where convection moves waves that viscosity does not damp (time %s)",
+			       "slow growth where convection moves waves that viscosity does not damp (time "
+			       "%s)",
 			       scheme->name);
 }
 
@@ -333,8 +341,8 @@ static const struct ts_arg args[] = {
 	TS_ENUM("time", struct ts_projection, time, ts_flow_time_names, .fallback = "euler",
 		.help = "scheme in time"),
 	TS_ENUM("viscous", struct ts_projection, viscous, viscous_names, .fallback = "explicit",
-		.help = "viscosity explicit; implicit: Crank-Nicolson, or backward Euler, which do not limit the "
-			"step: with time ab2 or euler"),
+		.help = "viscosity explicit; implicit: Crank-Nicolson, or backward Euler, which do not limit "
+			"the step: with time ab2 or euler"),
 	TS_INT("every", struct ts_projection, every, .fallback = "1", .range = TS_POSITIVE, .unit = "steps",
 	       .flags = TS_STATEFUL,
 	       .help = "steps of the simulation to one of the fluid, which takes the mean of their forces"),
@@ -366,48 +374,51 @@ const struct ts_flow_style ts_flow_projection = {
 		   .kind = TS_KIND_FLOW,
 		   .family = TS_FAMILY_PROJECTION,
 		   .summary = "an incompressible fluid whose flow is solved for on a staggered grid",
-		   .doc =
-			   "du/dt + div(u u) = -grad p/rho + nu lap u + g, div u = 0, on a grid of cells that fills the "
-			   "box or the bounds of a region. Pressure lives in the centres of cells, velocities on their "
-			   "faces. Each step predicts a velocity without pressure and projects it onto the fields "
-			   "without divergence; who solves for the pressure says pressure_style. flow_grid grades the "
-			   "cells, flow_boundary says what is at the faces, flow_set with which velocity the fluid "
-			   "begins. Without an outlet, or an inlet by its pressure, the pressure is known up to a constant: "
-			   "pressure_level is its mean over the grid.\n\n"
-			   "Where fixes ask for it, the volume-averaged equations are solved: de/dt + div(e u) = 0 and "
-			   "e rho (du/dt + u grad u) = -e grad p + div(e mu grad u) + e rho g + f - k u, e the void "
-			   "fraction, f and k what particles put on the fluid; k u is taken at the new velocity.\n\n"
-			   "convection: donor takes gamma of the velocity on the side of a control volume from "
-			   "upstream and the rest from the mean; central, the mean; quick, a parabola; cubista is "
-			   "quick kept within its neighbours. All are of second order in space but donor, of first as "
-			   "far as gamma goes. form fd takes u grad u by finite differences in place of div(u u) by "
-			   "finite volumes, and does not conserve momentum. form conservative steps e u forward in place of u, with "
-			   "fluxes that close the balance of e on the volumes of faces: with fix void_fraction and fix "
-			   "flow/pressure_gradient momentum of particles and fluid is kept to round-off (flow_px, flow_py, flow_pz; "
-			   "doc/coupling.md); without void fraction it is fv. It goes with time euler, rk2 and rk3. With wall quadratic the shear at walls is "
-			   "of second order: the parabola of a channel is exact.\n\n"
-			   "time: euler is of first order, ab2 and rk2 of second, rk3 of third; values at faces that "
-			   "change are linear in time within a step. viscous implicit (Crank-Nicolson) and backward "
-			   "are factored by axes and stable for any viscosity; of second and first order.\n\n"
-			   "Limits of the step: explicit viscosity dt <= 2/(nu sum 4/h^2) (ab2 half of it, rk3 1.26 of "
-			   "it), less upwind's own viscosity; Courant number sum |u| dt/h below 1 (ab2 0.7, rk3 1.73); "
-			   "and for euler dt <= 2 nu/u^2, without which waves grow slowly. A run beyond them is "
-			   "refused or warned, and stopped with the cause when the flow gets there. The fluid makes one "
-			   "step in each of the simulation, or one `every` N of them, or `substeps` in one.",
-		   .example =
-			   "flow_style projection cells 64 64 1 viscosity 0.01 density 1.0\n"
-			   "flow_style projection cells 80 10 10 viscosity 1.0e-3 density 1000 convection donor gamma "
-			   "0.5 time rk3 substeps auto body_force 0 0 -9.81",
-		   .cite = "A. J. Chorin, Math. Comp. 22 (1968) 745; F. H. Harlow & J. E. Welch, Phys. Fluids 8 "
-			   "(1965) 2182",
+		   .doc = "du/dt + div(u u) = -grad p/rho + nu lap u + g, div u = 0, on a grid of cells that "
+			  "fills the box or the bounds of a region. Pressure lives in the centres of cells, "
+			  "velocities on their faces. Each step predicts a velocity without pressure and "
+			  "projects it onto the fields without divergence; who solves for the pressure says "
+			  "pressure_style. flow_grid grades the cells, flow_boundary says what is at the "
+			  "faces, flow_set with which velocity the fluid begins. Without an outlet, or an "
+			  "inlet by its pressure, the pressure is known up to a constant: pressure_level is "
+			  "its mean over the grid.\n\n"
+			  "Where fixes ask for it, the volume-averaged equations are solved: de/dt + div(e "
+			  "u) = 0 and e rho (du/dt + u grad u) = -e grad p + div(e mu grad u) + e rho g + f "
+			  "- k u, e the void fraction, f and k what particles put on the fluid; k u is taken "
+			  "at the new velocity.\n\n"
+			  "convection: donor takes gamma of the velocity on the side of a control volume "
+			  "from upstream and the rest from the mean; central, the mean; quick, a parabola; "
+			  "cubista is quick kept within its neighbours. All are of second order in space but "
+			  "donor, of first as far as gamma goes. form fd takes u grad u by finite "
+			  "differences in place of div(u u) by finite volumes, and does not conserve "
+			  "momentum. form conservative steps e u forward in place of u, with fluxes that "
+			  "close the balance of e on the volumes of faces: with fix void_fraction and fix "
+			  "flow/pressure_gradient momentum of particles and fluid is kept to round-off "
+			  "(flow_px, flow_py, flow_pz; doc/coupling.md); without void fraction it is fv. It "
+			  "goes with time euler, rk2 and rk3. With wall quadratic the shear at walls is of "
+			  "second order: the parabola of a channel is exact.\n\n"
+			  "time: euler is of first order, ab2 and rk2 of second, rk3 of third; values at "
+			  "faces that change are linear in time within a step. viscous implicit "
+			  "(Crank-Nicolson) and backward are factored by axes and stable for any viscosity; "
+			  "of second and first order.\n\n"
+			  "Limits of the step: explicit viscosity dt <= 2/(nu sum 4/h^2) (ab2 half of it, "
+			  "rk3 1.26 of it), less upwind's own viscosity; Courant number sum |u| dt/h below 1 "
+			  "(ab2 0.7, rk3 1.73); and for euler dt <= 2 nu/u^2, without which waves grow "
+			  "slowly. A run beyond them is refused or warned, and stopped with the cause when "
+			  "the flow gets there. The fluid makes one step in each of the simulation, or one "
+			  "`every` N of them, or `substeps` in one.",
+		   .example = "flow_style projection cells 64 64 1 viscosity 0.01 density 1.0\n"
+			      "flow_style projection cells 80 10 10 viscosity 1.0e-3 density 1000 convection "
+			      "donor gamma 0.5 time rk3 substeps auto body_force 0 0 -9.81",
+		   .cite = "A. J. Chorin, Math. Comp. 22 (1968) 745; F. H. Harlow & J. E. Welch, Phys. "
+			   "Fluids 8 (1965) 2182",
 		   .args = args,
 		   .state_size = sizeof(struct ts_projection),
 		   .saved = saved,
 		   .archive = archive,
 		   .fingerprint = fingerprint,
 		   .init = init,
-		   .hook = { [TS_STAGE_END_OF_STEP] = end_of_step,
-			     [TS_STAGE_FINISH] = finish },
+		   .hook = { [TS_STAGE_END_OF_STEP] = end_of_step, [TS_STAGE_FINISH] = finish },
 		   .plan = plan,
 		   .fini = fini },
 	.velocity = velocity,

@@ -25,7 +25,8 @@ static const double ALTERNATES = 0.02, MISSES = 0.35, MATTERS = 0.1, STEEP = 0.5
 
 /* A velocity that alternates from cell to cell along an axis. */
 struct wiggle {
-	double size; /* amplitude: half of the smallest of three consecutive differences of alternating sign */
+	/* amplitude: half of the smallest of three consecutive differences of alternating sign */
+	double size;
 	double reynolds; /* |u| h/nu there */
 	double x[3], width;
 	int axis;
@@ -63,8 +64,7 @@ static void check_wiggle(const struct ts_fluid *fluid, int c, int d, const int c
 	const struct ts_grid *grid = &fluid->grid;
 	const size_t at = ts_at(grid, cell[0], cell[1], cell[2]), s = (size_t)grid->stride[d];
 	const double *u = fluid->u[c];
-	double below = u[at] - u[at - s], here = u[at + s] - u[at],
-	       above = u[at + 2 * s] - u[at + s];
+	double below = u[at] - u[at - s], here = u[at + s] - u[at], above = u[at + 2 * s] - u[at + s];
 	double size, reynolds;
 
 	if (!(below * here < 0 && here * above < 0))
@@ -72,8 +72,7 @@ static void check_wiggle(const struct ts_fluid *fluid, int c, int d, const int c
 	size = 0.5 * fmin(fabs(below), fmin(fabs(here), fabs(above)));
 	if (size <= most->size)
 		return;
-	reynolds =
-		fabs(fluid->u[d][at]) * grid->width[d][cell[d]] * fluid->density / fluid->viscosity;
+	reynolds = fabs(fluid->u[d][at]) * grid->width[d][cell[d]] * fluid->density / fluid->viscosity;
 	if (!(reynolds > 2))
 		return;
 	most->size = size;
@@ -123,9 +122,7 @@ static struct wall wall_at(const struct ts_fluid *fluid, int d, enum ts_grid_sid
 	const struct ts_grid *grid = &fluid->grid;
 	const int n = grid->n[d];
 	const double at = grid->face[d][side == TS_LOW ? 0 : n];
-	struct wall out = {
-		.fluid = fluid, .d = d, .a = d == 0, .b = d == 2 ? 1 : 2, .side = side
-	};
+	struct wall out = { .fluid = fluid, .d = d, .a = d == 0, .b = d == 2 ? 1 : 2, .side = side };
 
 	for (int m = 0; m < 3; m++) {
 		out.row[m] = side == TS_LOW ? m : n - 1 - m;
@@ -178,7 +175,8 @@ static struct layer layer_at(const struct wall *wall, double fastest)
 			       .width = grid->width[wall->d][wall->row[0]] };
 }
 
-/* Whether the flow has developed: viscosity has diffused over four cells, or the fluid has crossed the grid. */
+/* Whether the flow has developed: viscosity has diffused over four cells, or the fluid has crossed the
+ * grid. */
 static bool is_grown(const struct ts_fluid *fluid, double width, double fastest)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -208,17 +206,17 @@ static enum ts_status report_wiggle(const struct ts_instance *self, struct tsim 
 		snprintf(remedy, sizeof remedy, "use `convection %s`, or smaller cells",
 			 p->convection == TS_CONVECTION_QUICK ? "cubista" : "quick");
 	return ts_review_find(sim, "flow_resolution", &self->where,
-			      "the cells are too wide for the flow: at time %.4g the velocity alternates from cell "
-			      "to cell along %c by %.2g %% of the largest speed %.4g at (%.4g %.4g %.4g), where "
-			      "the cell Reynolds number |u| h/nu is %.3g (convection %s oscillates above 2 where "
-			      "the flow changes within a cell); %s there (flow_grid)",
-			      fluid->time, "xyz"[w.axis], 100 * w.size / fastest, fastest, w.x[0],
-			      w.x[1], w.x[2], w.reynolds, ts_convection_names[p->convection],
-			      remedy);
+			      "the cells are too wide for the flow: at time %.4g the velocity alternates "
+			      "from cell to cell along %c by %.2g %% of the largest speed %.4g at (%.4g %.4g "
+			      "%.4g), where the cell Reynolds number |u| h/nu is %.3g (convection %s "
+			      "oscillates above 2 where the flow changes within a cell); %s there "
+			      "(flow_grid)",
+			      fluid->time, "xyz"[w.axis], 100 * w.size / fastest, fastest, w.x[0], w.x[1],
+			      w.x[2], w.reynolds, ts_convection_names[p->convection], remedy);
 }
 
-static enum ts_status report_wall(const struct ts_instance *self, struct tsim *sim,
-				const struct wall *wall, double fastest)
+static enum ts_status report_wall(const struct ts_instance *self, struct tsim *sim, const struct wall *wall,
+				  double fastest)
 {
 	const struct ts_fluid *fluid = wall->fluid;
 	const struct layer layer = layer_at(wall, fastest);
@@ -227,14 +225,15 @@ static enum ts_status report_wall(const struct ts_instance *self, struct tsim *s
 	if (!(layer.share > STEEP || (layer.miss > MISSES && layer.share > MATTERS)) ||
 	    !is_grown(fluid, layer.width, fastest))
 		return TS_OK;
-	return ts_review_find(sim, "flow_resolution", &self->where,
-			      "the cells are too wide for the flow beside the wall %s: at time %.4g the velocity "
-			      "changes by %.2g %% of the largest speed %.4g from the wall to the first centres, "
-			      "and is there %.2g %% off the parabola through the wall and the next two (y+ is "
-			      "%.3g); shear and flow are wrong by several per cent: take more cells along %c, or "
-			      "finer ones at the wall (`flow_grid %c tanh 1.5`)",
-			      ts_flow_face_names[2 * wall->d + (wall->side != TS_LOW)], fluid->time,
-			      100 * layer.share, fastest, 100 * layer.miss, layer.plus, axis, axis);
+	return ts_review_find(
+		sim, "flow_resolution", &self->where,
+		"the cells are too wide for the flow beside the wall %s: at time %.4g the velocity "
+		"changes by %.2g %% of the largest speed %.4g from the wall to the first centres, "
+		"and is there %.2g %% off the parabola through the wall and the next two (y+ is "
+		"%.3g); shear and flow are wrong by several per cent: take more cells along %c, or "
+		"finer ones at the wall (`flow_grid %c tanh 1.5`)",
+		ts_flow_face_names[2 * wall->d + (wall->side != TS_LOW)], fluid->time, 100 * layer.share,
+		fastest, 100 * layer.miss, layer.plus, axis, axis);
 }
 
 enum ts_status ts_projection_check_resolution(const struct ts_instance *self, struct tsim *sim)

@@ -4,8 +4,8 @@
 
 #include "flow/projection.h"
 
-/* Reports velocities that alternate from cell to cell, and walls whose first cells do not resolve the velocity profile
- * (review: flow_resolution). */
+/* Reports velocities that alternate from cell to cell, and walls whose first cells do not resolve the
+ * velocity profile (review: flow_resolution). */
 enum ts_status ts_projection_check_resolution(const struct ts_instance *self, struct tsim *sim);
 
 #endif

@@ -13,10 +13,10 @@ enum { LINEAR, CUBIC };
 const char *const ts_flow_interpolations[] = { [LINEAR] = "linear", [CUBIC] = "cubic", NULL };
 
 enum { X, Y, Z, S, VX, VY, VZ, SPEED, P, VOID, WX, WY, WZ };
-static const char *const names[] = { [X] = "x",	      [Y] = "y",   [Z] = "z",	[S] = "s",
-				     [VX] = "vx",     [VY] = "vy", [VZ] = "vz", [SPEED] = "speed",
-				     [P] = "p",	      [VOID] = "void",
-				     [WX] = "wx",     [WY] = "wy", [WZ] = "wz", NULL };
+static const char *const names[] = {
+	[X] = "x",	   [Y] = "y", [Z] = "z",       [S] = "s",   [VX] = "vx", [VY] = "vy", [VZ] = "vz",
+	[SPEED] = "speed", [P] = "p", [VOID] = "void", [WX] = "wx", [WY] = "wy", [WZ] = "wz", NULL
+};
 static const int default_columns[] = { VX, VY, VZ, P };
 enum { NUSUAL = sizeof default_columns / sizeof *default_columns };
 
@@ -70,8 +70,8 @@ static void add_node(struct stencil *s, int index, double weight)
 	s->weight[s->n++] = weight;
 }
 
-/* Adds the value on the boundary itself: at walls and inlets the velocity given, recovered from the ghost; else, with zero
- * gradient, that of the cell. */
+/* Adds the value on the boundary itself: at walls and inlets the velocity given, recovered from the ghost;
+ * else, with zero gradient, that of the cell. */
 static void add_boundary(struct stencil *s, const struct axis *a, bool high, double weight)
 {
 	const double *mirror = a->fluid->ghost_weights[a->d][high];
@@ -130,7 +130,7 @@ static struct stencil stencil_around(const struct axis *a, double x, int count)
 typedef double value_fn(const struct ts_fluid *fluid, const void *what, const int cell[3]);
 
 static double sum_stencils(const struct stencil s[3], const struct ts_fluid *fluid, value_fn *value,
-		      const void *what)
+			   const void *what)
 {
 	double sum = 0;
 
@@ -186,13 +186,13 @@ static double vorticity(const struct ts_fluid *fluid, int component, const doubl
 		return 0;
 	for (int d = 0; d < 3; d++)
 		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d,
-					      d == component ? IN_CENTRES : ON_FACES },
-			      x[d], 2);
+						      d == component ? IN_CENTRES : ON_FACES },
+				      x[d], 2);
 	return sum_stencils(s, fluid, of_edge, &component);
 }
 
-void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid *fluid,
-		    const double x[3], double s, double *out)
+void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid *fluid, const double x[3],
+		    double s, double *out)
 {
 	int count = sampler->interpolation == CUBIC ? 4 : 2;
 	double u[3];
@@ -215,7 +215,8 @@ void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid
 		else if (what == P)
 			out[k] = sample_centred(fluid, fluid->p, x, count);
 		else if (what == VOID)
-			out[k] = fluid->void_fraction ? sample_centred(fluid, fluid->void_fraction, x, count) : 1;
+			out[k] = fluid->void_fraction ? sample_centred(fluid, fluid->void_fraction, x, count)
+						      : 1;
 		else
 			out[k] = vorticity(fluid, what - WX, x);
 	}
@@ -280,15 +281,14 @@ enum ts_status ts_flow_sampler_begin(struct ts_instance *self, size_t rows, stru
 	for (size_t k = 0; k < s->list.n; k++)
 		if (s->list.item[k] == TS_FLOW_SCALAR)
 			TS_TRY(ts_flow_scalar_field(s->sim, self->style->name, &s->words.word[k],
-					       &s->carried[k]));
+						    &s->carried[k]));
 	return ts_table_resize(out, rows, s->list.n);
 }
 
 enum ts_status ts_flow_sampler_first_row(struct ts_instance *self, const struct tsim *sim,
 					 struct ts_table *out,
 					 enum ts_status (*eval)(struct ts_instance *self,
-								const struct tsim *sim,
-								struct ts_table *out))
+								const struct tsim *sim, struct ts_table *out))
 {
 	TS_TRY(eval(self, sim, out));
 	out->rows = 1;

@@ -1,8 +1,9 @@
-/* Sampling of a fluid at any position by names of quantities: computes flow/probe, flow/line and flow/plane.
+/* Sampling of a fluid at any position by names of quantities: computes flow/probe, flow/line and
+ * flow/plane.
  *
- * Along each axis values are interpolated by the Lagrange polynomial through the nearest 2 or 4 points; for velocities
- * along a boundary the value on the boundary is one of them. The error is of order h^2 or h^4. Vorticity is always
- * interpolated linearly between the edges on which it is defined. */
+ * Along each axis values are interpolated by the Lagrange polynomial through the nearest 2 or 4 points;
+ * for velocities along a boundary the value on the boundary is one of them. The error is of order h^2 or
+ * h^4. Vorticity is always interpolated linearly between the edges on which it is defined. */
 #ifndef TS_FLOW_FLOW_SAMPLING_H
 #define TS_FLOW_FLOW_SAMPLING_H
 
@@ -14,21 +15,21 @@ struct ts_flow_sampler {
 	struct ts_words words; /* argument */
 	int interpolation;     /* argument */
 	struct ts_name_list list;
-	const double **carried; /* of each column f_ID: the scalar field, valid while a table is made; else NULL */
+	/* of each column f_ID: the scalar field, valid while a table is made; else NULL */
+	const double **carried;
 	struct tsim *sim;
 };
 extern const char *const ts_flow_interpolations[];
-#define TS_FLOW_SAMPLE_ARGS(T)                                                                     \
-	TS_SOME_KEYWORD("values", T, sampler.words, 0,                                             \
-			.help = "columns: x, y, z, s (distance from the first point), vx, vy, vz, "   \
-				"speed, p, void, wx, wy, wz (vorticity), f_ID (a scalar that a fix "    \
-				"carries with the fluid); without: vx vy vz p"),                   \
-		TS_ENUM("interpolation", T, sampler.interpolation, ts_flow_interpolations,         \
-			.fallback = "linear",                                                      \
-			.help = "through the nearest 2 or 4 values along each axis")
-#define TS_FLOW_SAMPLE_DOC                                                                         \
-	"The columns are chosen by `values`: coordinates, components of the velocity, speed, "    \
-	"pressure, void fraction (1 without particles\nthat take room), vorticity. Places between "  \
+#define TS_FLOW_SAMPLE_ARGS(T)                                                                       \
+	TS_SOME_KEYWORD("values", T, sampler.words, 0,                                               \
+			.help = "columns: x, y, z, s (distance from the first point), vx, vy, vz, "  \
+				"speed, p, void, wx, wy, wz (vorticity), f_ID (a scalar that a fix " \
+				"carries with the fluid); without: vx vy vz p"),                     \
+		TS_ENUM("interpolation", T, sampler.interpolation, ts_flow_interpolations,           \
+			.fallback = "linear", .help = "through the nearest 2 or 4 values along each axis")
+#define TS_FLOW_SAMPLE_DOC                                                                             \
+	"The columns are chosen by `values`: coordinates, components of the velocity, speed, "         \
+	"pressure, void fraction (1 without particles\nthat take room), vorticity. Places between "    \
 	"the values of the grid are interpolated through the nearest 2 values along\neach axis, with " \
 	"`interpolation cubic` 4, the velocity on a wall being one of them; vorticity always through 2."
 
@@ -38,16 +39,14 @@ enum ts_status ts_flow_sampler_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_flow_sampler_inside(struct ts_instance *self, struct tsim *sim, const double x[3],
 				      const struct ts_place *where);
 /* Computes one row of the table; `s`: distance along a line. */
-void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid *fluid,
-		    const double x[3], double s, double *out);
+void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid *fluid, const double x[3],
+		    double s, double *out);
 /* Finds the fluid, and makes the table for that number of rows. */
 enum ts_status ts_flow_sampler_begin(struct ts_instance *self, size_t rows, struct ts_table *out,
 				     struct ts_fluid **fluid);
 /* The values c_ID[k], which are the first row of the table that `eval` makes. */
-enum ts_status ts_flow_sampler_first_row(struct ts_instance *self, const struct tsim *sim,
-					 struct ts_table *out,
-					 enum ts_status (*eval)(struct ts_instance *self,
-								const struct tsim *sim,
-								struct ts_table *out));
+enum ts_status ts_flow_sampler_first_row(
+	struct ts_instance *self, const struct tsim *sim, struct ts_table *out,
+	enum ts_status (*eval)(struct ts_instance *self, const struct tsim *sim, struct ts_table *out));
 
 #endif

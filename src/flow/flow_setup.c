@@ -16,8 +16,8 @@ enum ts_status ts_projection_require(struct tsim *sim, const char *who, const st
 	TS_TRY(ts_flow_require_fluid(sim, who, where, &fluid));
 	*instance = ts_sim_only(sim, TS_KIND_FLOW);
 	if (!ts_streq((*instance)->style->family, TS_FAMILY_PROJECTION))
-		return ts_fail(&sim->error, TS_STATE, where, "%s needs flow_style projection, not %s",
-			       who, (*instance)->style->name);
+		return ts_fail(&sim->error, TS_STATE, where, "%s needs flow_style projection, not %s", who,
+			       (*instance)->style->name);
 	*out = (*instance)->state;
 	return TS_OK;
 }
@@ -39,15 +39,17 @@ static enum ts_status grid_bounds(struct ts_instance *self, struct tsim *sim, do
 	for (int d = 0; d < 3 && !p->region; d++)
 		if (box->face[d][0] > TS_FACE_FIXED || box->face[d][1] > TS_FACE_FIXED)
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "flow_style projection: the box follows the particles along %c, the grid "
-				       "cannot: use boundary p or f, or a region for the grid", "xyz"[d]);
+				       "flow_style projection: the box follows the particles along %c, the "
+				       "grid cannot: use boundary p or f, or a region for the grid",
+				       "xyz"[d]);
 	for (int d = 0; d < 3; d++) { /* an unbounded region (INF) ends at the box */
 		lo[d] = fmax(lo[d], box->lo[d]);
 		hi[d] = fmin(hi[d], box->hi[d]);
 		if (!(hi[d] > lo[d]))
 			return ts_fail(&sim->error, TS_RANGE, &self->where,
 				       "flow_style projection: the region of the grid has no part in the "
-				       "box along %c", "xyz"[d]);
+				       "box along %c",
+				       "xyz"[d]);
 	}
 	return TS_OK;
 }
@@ -88,9 +90,10 @@ static bool same_grid(const struct ts_grid *grid, const double *const face[3], c
 	return true;
 }
 
-/* Makes the grid anew if it has changed. Fields depend only on the numbers of cells: they are kept if lengths change. */
+/* Makes the grid anew if it has changed. Fields depend only on the numbers of cells: they are kept if
+ * lengths change. */
 static enum ts_status remake_grid(struct ts_projection *p, const double *const face[3],
-			     const bool periodic[3])
+				  const bool periodic[3])
 {
 	struct ts_fluid *fluid = &p->fluid;
 	const int n[3] = { (int)p->cells[0], (int)p->cells[1], (int)p->cells[2] };
@@ -143,8 +146,8 @@ static enum ts_status make_grid(struct ts_instance *self, struct tsim *sim)
 
 		face[d] = ts_arena_alloc(&arena, (size_t)n + 1, sizeof *face[d]);
 		for (int i = 0; face[d] && i <= n; i++)
-			face[d][i] = lo[d] + (hi[d] - lo[d]) *
-						     (p->graded[d] ? p->graded[d][i] : (double)i / n);
+			face[d][i] =
+				lo[d] + (hi[d] - lo[d]) * (p->graded[d] ? p->graded[d][i] : (double)i / n);
 		if (!face[d])
 			status = TS_NOMEM;
 		else

@@ -124,7 +124,8 @@ static void add_adams_bashforth(struct ts_projection *p, double *const out[3], d
 
 static enum ts_status allocate_vector(const struct ts_grid *grid, double *field[3])
 {
-	/* Three components in two dimensions, too: the third is 0, and these fields are swapped with the velocities. */
+	/* Three components in two dimensions, too: the third is 0, and these fields are swapped with the
+	 * velocities. */
 	for (int d = 0; d < 3; d++)
 		if (!field[d] && !(field[d] = ts_grid_field(grid)))
 			return TS_NOMEM;
@@ -132,7 +133,8 @@ static enum ts_status allocate_vector(const struct ts_grid *grid, double *field[
 }
 
 /* Allocates the fields that only some schemes need. */
-static enum ts_status allocate_scheme_fields(struct ts_projection *p, const struct ts_flow_time_scheme *scheme)
+static enum ts_status allocate_scheme_fields(struct ts_projection *p,
+					     const struct ts_flow_time_scheme *scheme)
 {
 	if (p->viscous != TS_VISCOUS_EXPLICIT && !p->increment &&
 	    !(p->increment = ts_grid_field(&p->fluid.grid)))
@@ -159,7 +161,8 @@ static enum ts_status implicit_step(struct ts_projection *p, double dt)
 	return ts_viscous_step(&step, p->work);
 }
 
-/* Computes stage s; `old`: velocities at the beginning of the substep. Those of the last stage are in p->work afterwards. */
+/* Computes stage s; `old`: velocities at the beginning of the substep. Those of the last stage are in
+ * p->work afterwards. */
 static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 				 const struct ts_flow_time_scheme *scheme, int s, double *const old[3],
 				 double dt, double carry)
@@ -228,15 +231,16 @@ static enum ts_status choose_substeps(struct ts_instance *self, struct tsim *sim
 	limit = p->courant * fmin(ts_flow_limit(p), part_limit(sim, &p->fluid));
 	if (!(length <= MOST * limit))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-			       "the fluid's stable step is %g, less than a millionth of the %g it is to make: "
-			       "time %s does not damp convection without viscosity; use time rk3",
+			       "the fluid's stable step is %g, less than a millionth of the %g it is to "
+			       "make: time %s does not damp convection without viscosity; use time rk3",
 			       limit / p->courant, length, ts_flow_time_names[p->time]);
 	p->done = length > limit ? (int64_t)ceil(length / limit) : 1;
 	return TS_OK;
 }
 
-/* In a step of several stages the weight of u in exchange_velocity is multiplied by `take` of all later stages; the sum of
- * the earlier substeps is multiplied by the inverse of all of them, so that substeps have equal weights. */
+/* In a step of several stages the weight of u in exchange_velocity is multiplied by `take` of all later
+ * stages; the sum of the earlier substeps is multiplied by the inverse of all of them, so that substeps
+ * have equal weights. */
 static double initial_carry(const struct ts_flow_time_scheme *scheme)
 {
 	double product = 1;

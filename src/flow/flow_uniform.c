@@ -50,13 +50,12 @@ static double estimated_cells(const struct tsim *sim)
 	return n;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct uniform *flow = self->state;
 
-	ts_report_line(report, "fluid", "uniform velocity (%g %g %g), viscosity %g",
-		       flow->velocity[0], flow->velocity[1], flow->velocity[2], flow->viscosity);
+	ts_report_line(report, "fluid", "uniform velocity (%g %g %g), viscosity %g", flow->velocity[0],
+		       flow->velocity[1], flow->velocity[2], flow->viscosity);
 	ts_report_left_out(report, "fluid solver", 0, FIELDS * sizeof(double) * estimated_cells(sim),
 			   "the velocity is imposed, particles do not act on it (cells of two diameters)");
 	return TS_OK;
@@ -65,10 +64,10 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 static const struct ts_arg args[] = {
 	TS_VEC3("velocity", struct uniform, velocity, .unit = "velocity",
 		.help = "velocity of the fluid everywhere"),
-	TS_REAL("viscosity", struct uniform, viscosity, .range = TS_NOT_NEGATIVE,
-		.unit = "pressure time", .help = "dynamic viscosity"),
-	TS_REAL("density", struct uniform, density, .range = TS_NOT_NEGATIVE,
-		.unit = "mass/length^3", .fallback = "0", .help = "density of the fluid"),
+	TS_REAL("viscosity", struct uniform, viscosity, .range = TS_NOT_NEGATIVE, .unit = "pressure time",
+		.help = "dynamic viscosity"),
+	TS_REAL("density", struct uniform, density, .range = TS_NOT_NEGATIVE, .unit = "mass/length^3",
+		.fallback = "0", .help = "density of the fluid"),
 	TS_ARGS_END,
 };
 

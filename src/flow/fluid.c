@@ -14,7 +14,8 @@ static void release_vector(double *field[3])
 
 void ts_fluid_release(struct ts_fluid *fluid)
 {
-	double **const scalars[] = { &fluid->p, &fluid->void_fraction, &fluid->void_fraction_rate, &fluid->p_mean };
+	double **const scalars[] = { &fluid->p, &fluid->void_fraction, &fluid->void_fraction_rate,
+				     &fluid->p_mean };
 
 	release_vector(fluid->u);
 	release_vector(fluid->force);

@@ -1,16 +1,18 @@
-/* The fields of a fluid whose flow is solved for, and the interface of the fixes that take part in its steps.
+/* The fields of a fluid whose flow is solved for, and the interface of the fixes that take part in its
+ * steps.
  *
- * Incompressible and Newtonian. With particles the equations are averaged over volumes; e is the void fraction and
- * u the interstitial velocity:
+ * Incompressible and Newtonian. With particles the equations are averaged over volumes; e is the void
+ * fraction and u the interstitial velocity:
  *   de/dt + div(e u) = 0
  *   e rho (du/dt + u.grad u) = -e grad p + div(e tau) + e rho g + f - k u
- * The particles exert f and k, per volume of the cell: f is the explicit part of their force, k >= 0 the coefficient
- * of the semi-implicit part. Forces of immersed bodies are applied between predictor and projection.
+ * The particles exert f and k, per volume of the cell: f is the explicit part of their force, k >= 0 the
+ * coefficient of the semi-implicit part. Forces of immersed bodies are applied between predictor and
+ * projection.
  *
- * Order of a time step of the simulation: particles move; in POST_FORCE the coupling fixes compute forces with the
- * velocity of the last step of the fluid and add the reaction to f and k; in END_OF_STEP, before all fixes, the fluid
- * makes its step (or several, or one every N steps: `substeps`, `every`). The fields f and k are set to zero after
- * the step that used them. */
+ * Order of a time step of the simulation: particles move; in POST_FORCE the coupling fixes compute forces
+ * with the velocity of the last step of the fluid and add the reaction to f and k; in END_OF_STEP, before
+ * all fixes, the fluid makes its step (or several, or one every N steps: `substeps`, `every`). The fields
+ * f and k are set to zero after the step that used them. */
 #ifndef TS_FLOW_FLUID_H
 #define TS_FLOW_FLUID_H
 
@@ -23,7 +25,8 @@ enum ts_flow_face {
 	TS_FLOW_WALL,  /* no slip; the wall may move */
 	TS_FLOW_SLIP,  /* no flow across, no shear; also a plane of symmetry */
 	TS_FLOW_INLET, /* velocity given */
-	TS_FLOW_OUTLET, /* pressure given, zero normal gradient of velocity; backflow enters without momentum */
+	/* pressure given, zero normal gradient of velocity; backflow enters without momentum */
+	TS_FLOW_OUTLET,
 	TS_FLOW_INTAKE /* pressure given; fluid that enters has the normal velocity of the first cell */
 };
 
@@ -36,13 +39,15 @@ static inline bool ts_flow_face_open(enum ts_flow_face face)
 /* Pressure given on one face of the grid. */
 struct ts_flow_face_pressure {
 	double constant;
-	double *plane; /* if it varies over the face: values indexed by ts_flow_plane_at; NULL: constant. Owned */
+	/* if it varies over the face: values indexed by ts_flow_plane_at; NULL: constant. Owned */
+	double *plane;
 };
 
 /* Velocity given at one face of the grid, for walls and inlets. */
 struct ts_flow_face_velocity {
 	double constant[3];
-	double *plane[3]; /* if it varies over the face: values indexed by ts_flow_plane_at; NULL: constant. Owned */
+	/* if it varies over the face: values indexed by ts_flow_plane_at; NULL: constant. Owned */
+	double *plane[3];
 };
 
 struct ts_fluid {
@@ -52,37 +57,41 @@ struct ts_fluid {
 	/* Pressure on open faces in the last projection, without pressure_base (pressure units). */
 	struct ts_flow_face_pressure pressure[3][2];
 	double pressure_base;
-	/* Tangential component in the first ghost cell at a wall or inlet: ghost_weights[0] times the velocity given
-	 * plus ghost_weights[1] and [2] times the velocities in the first and second cell inside. */
+	/* Tangential component in the first ghost cell at a wall or inlet: ghost_weights[0] times the
+	 * velocity given plus ghost_weights[1] and [2] times the velocities in the first and second cell
+	 * inside. */
 	double ghost_weights[3][2][3];
 	double density, viscosity; /* viscosity: dynamic */
-	double *u[3]; /* at lower faces; ghosts hold what the boundary conditions say */
-	double *p;    /* at centres */
+	double *u[3];		   /* at lower faces; ghosts hold what the boundary conditions say */
+	double *p;		   /* at centres */
 
-	/* Optional fields, allocated by ts_fluid_require_fields; NULL if no fix needs them. Particles add to f and k in each
-	 * step of the simulation, but not in its set-up (sim->in_setup); the fluid takes the means over the steps
-	 * since its last one. */
+	/* Optional fields, allocated by ts_fluid_require_fields; NULL if no fix needs them. Particles add
+	 * to f and k in each step of the simulation, but not in its set-up (sim->in_setup); the fluid
+	 * takes the means over the steps since its last one. */
 	double *force[3];    /* f above, at lower faces: force per volume */
 	double *exchange[3]; /* k above, at lower faces: force per volume and velocity */
-	double *exchange_velocity[3]; /* with exchange: mean of the velocity that multiplied k in the last step, as the
-				       * projection has it; with time euler the velocity at the end of the step */
-	double *void_fraction;        /* e at centres; fix void_fraction sets it in the inner cells */
-	double *void_fraction_rate;   /* de/dt since the last step of the fluid, at centres; set by the fluid */
+	/* With exchange: mean of the velocity that multiplied k in the last step, as the projection has
+	 * it; with time euler the velocity at the end of the step. */
+	double *exchange_velocity[3];
+	double *void_fraction; /* e at centres; fix void_fraction sets it in the inner cells */
+	/* de/dt since the last step of the fluid, at centres; set by the fluid */
+	double *void_fraction_rate;
 	double *void_fraction_face[3]; /* e at lower faces; set by the fluid */
-	double *momentum_void_fraction[3]; /* form conservative, at lower faces: e in the product e u after the last step */
-	double *p_mean;	       /* mean of the pressure over the stages and substeps of the last step */
+	/* form conservative, at lower faces: e in the product e u after the last step */
+	double *momentum_void_fraction[3];
+	double *p_mean; /* mean of the pressure over the stages and substeps of the last step */
 
-	double dt;       /* length of the last step of the fluid (time units); 0: there was none */
-	double time;     /* of the fields */
-	int64_t steps;   /* number of steps of the fluid since its beginning */
-	double courant;  /* largest sum |u| dt/h in the last step */
+	double dt;	   /* length of the last step of the fluid (time units); 0: there was none */
+	double time;	   /* of the fields */
+	int64_t steps;	   /* number of steps of the fluid since its beginning */
+	double courant;	   /* largest sum |u| dt/h in the last step */
 	double divergence; /* largest |div(e u) + de/dt| after the last projection (1/time) */
 	double residual;   /* largest |change of u|/dt in the last step (velocity/time) */
-	int iterations;    /* of the pressure solver in the last projection */
-	bool incremental;  /* incremental projection: the predictor contains the old pressure gradient, and the
+	int iterations;	   /* of the pressure solver in the last projection */
+	bool incremental; /* incremental projection: the predictor contains the old pressure gradient, and the
 			    * projection solves for the change of the pressure */
 	double body_force[3]; /* acceleration of all fluid, at this time (body_force of the style) */
-	int threads, grain; /* of the simulation; 0: one thread */
+	int threads, grain;   /* of the simulation; 0: one thread */
 	struct ts_fluid_outside {
 		size_t most;   /* largest number of particles outside the grid at once in this run */
 		int64_t steps; /* number of steps of the simulation with particles outside */
@@ -95,13 +104,15 @@ static inline int ts_fluid_team(const struct ts_fluid *fluid, size_t n)
 {
 	size_t most = fluid->grain > 0 ? n / (size_t)fluid->grain : 1;
 
-	return fluid->threads < 1 || most < 1 ? 1 : most < (size_t)fluid->threads ? (int)most : fluid->threads;
+	return fluid->threads < 1 || most < 1  ? 1
+	       : most < (size_t)fluid->threads ? (int)most
+					       : fluid->threads;
 }
 
 enum ts_fluid_field { TS_FLUID_FORCE = 1, TS_FLUID_EXCHANGE = 2, TS_FLUID_VOID = 4, TS_FLUID_P_MEAN = 8 };
 
-/* Index of a point of a face across axis d in the planes of its values; ia, ib: its indices along the other two axes,
- * a < b. */
+/* Index of a point of a face across axis d in the planes of its values; ia, ib: its indices along the
+ * other two axes, a < b. */
 static inline size_t ts_flow_plane_at(const struct ts_grid *grid, int d, int ia, int ib)
 {
 	int a = d == 0, b = d == 2 ? 1 : 2;
@@ -128,8 +139,8 @@ static inline double ts_flow_face_pressure_at(const struct ts_flow_face_pressure
 enum ts_status ts_fluid_make(struct ts_fluid *fluid);
 void ts_fluid_release(struct ts_fluid *fluid);
 
-/* Fraction of a force that is added in END_OF_STEP which the velocities still receive before the next forces are
- * computed: 1/2 with velocity Verlet, whose first half kick has already been made, else 1. */
+/* Fraction of a force that is added in END_OF_STEP which the velocities still receive before the next
+ * forces are computed: 1/2 with velocity Verlet, whose first half kick has already been made, else 1. */
 double ts_fluid_kick_fraction(const struct tsim *sim);
 
 /* Allocates optional fields (enum ts_fluid_field). Called in the init of fixes that need them. */
@@ -139,12 +150,13 @@ struct ts_mesh_surface;
 struct ts_coupling_volume;
 struct ts_closed_search;
 
-/* Interface of the fixes that take part in a step of the fluid. The state of such a fix begins with this struct, and
- * the family of its style is TS_FAMILY_FLOW_PART. The slots are called in script order; NULL: nothing to do. */
+/* Interface of the fixes that take part in a step of the fluid. The state of such a fix begins with this
+ * struct, and the family of its style is TS_FAMILY_FLOW_PART. The slots are called in script order; NULL:
+ * nothing to do. */
 #define TS_FAMILY_FLOW_PART "flow part"
 struct ts_flow_part {
-	/* After each predictor, before its projection: may change u to u + dt f (direct forcing). `dt` is that of
-	 * the (sub)step, `time` the time of the fields after it. */
+	/* After each predictor, before its projection: may change u to u + dt f (direct forcing). `dt` is
+	 * that of the (sub)step, `time` the time of the fields after it. */
 	enum ts_status (*force)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				double time, double dt);
 	/* After each substep of the fluid, of length dt: advances scalars, sums forces. */
@@ -155,29 +167,31 @@ struct ts_flow_part {
 				    struct ts_coupling_volume *how);
 	/* The largest stable dt of the fluid as far as this fix is concerned, or INFINITY. */
 	double (*limit)(const struct ts_instance *self, const struct ts_fluid *fluid);
-	/* After all substeps, of total length `length`: exchange_velocity is the mean over them, and f and k still hold
-	 * the values that were used. */
+	/* After all substeps, of total length `length`: exchange_velocity is the mean over them, and f and
+	 * k still hold the values that were used. */
 	enum ts_status (*after_step)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				     double length);
-	/* Adds the faces whose velocity the body gives to the search for closed regions (immersed/closed_regions.h). */
+	/* Adds the faces whose velocity the body gives to the search for closed regions
+	 * (immersed/closed_regions.h). */
 	void (*mark_closed)(const struct ts_instance *self, struct ts_closed_search *search);
 	/* The scalar field that the fix advances, at centres, ghosts set: f_ID in dumps and probes
 	 * (flow/transported_scalars.h). */
 	const double *(*scalar)(struct ts_instance *self);
-	/* Adds the force of the last step on the mesh (load[0]) and the torque about the anchor of the mesh (load[1]);
-	 * raises *virtual_density to the virtual mass per volume of a freely moving body
+	/* Adds the force of the last step on the mesh (load[0]) and the torque about the anchor of the
+	 * mesh (load[1]); raises *virtual_density to the virtual mass per volume of a freely moving body
 	 * (immersed/virtual_mass_stabilization.h). */
 	void (*mesh_load)(const struct ts_instance *self, const struct ts_mesh_surface *mesh,
 			  double load[2][3], double *virtual_density);
-	/* Called when a step of length dt has become unstable: returns whether the speed of freely moving bodies may be
-	 * the cause, and writes the cause and the remedy to `cause`. */
-	bool (*explain_instability)(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
-				    size_t size);
+	/* Called when a step of length dt has become unstable: returns whether the speed of freely moving
+	 * bodies may be the cause, and writes the cause and the remedy to `cause`. */
+	bool (*explain_instability)(const struct ts_instance *self, const struct ts_fluid *fluid, double dt,
+				    char *cause, size_t size);
 };
 
 /* ---- ghosts.c */
 
-/* Sets the ghosts of a velocity field (fluid->u or another), and the components across boundaries that give them. */
+/* Sets the ghosts of a velocity field (fluid->u or another), and the components across boundaries that
+ * give them. */
 void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3]);
 /* Sets only the ghosts: components on the boundary keep their values. */
 void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3]);
@@ -192,8 +206,8 @@ void ts_fluid_fill_periodic(const struct ts_fluid *fluid, double *field);
 
 /* ---- fluid_interpolation.c */
 
-/* Velocity at x: each component is interpolated trilinearly between its points; exact at boundary faces with their
- * conditions. A place outside the grid gets the velocity of the nearest place in it. */
+/* Velocity at x: each component is interpolated trilinearly between its points; exact at boundary faces
+ * with their conditions. A place outside the grid gets the velocity of the nearest place in it. */
 void ts_fluid_velocity(const struct ts_fluid *fluid, const double x[3], double u[3]);
 /* Value of a centred field at x, interpolated likewise, and its gradient (NULL: not computed). */
 double ts_fluid_value(const struct ts_fluid *fluid, const double *field, const double x[3],

@@ -44,7 +44,8 @@ static struct stencil at_centres(const struct ts_grid *grid, int d, double x)
 	return linear_stencil(grid->centre[d], x < grid->centre[d][i] ? i - 1 : i, x);
 }
 
-/* Between a wall and the first point inside: linear from the velocity given, which is recovered from the ghost. */
+/* Between a wall and the first point inside: linear from the velocity given, which is recovered from the
+ * ghost. */
 static struct stencil beside_wall(const struct ts_grid *grid, int d, enum ts_grid_side side, double x,
 				  const double mirror[3])
 {
@@ -81,9 +82,10 @@ static struct stencil velocity_stencil(const struct ts_fluid *fluid, int c, int 
 	return at_centres(grid, d, x);
 }
 
-/* Sum over the points of three stencils; along axis `derived` (-1: none) with the weights of the derivative. */
+/* Sum over the points of three stencils; along axis `derived` (-1: none) with the weights of the
+ * derivative. */
 static double sum_stencil(const struct ts_grid *grid, const double *field, const struct stencil s[3],
-		     int derived)
+			  int derived)
 {
 	const double *w[3];
 	double sum = 0;

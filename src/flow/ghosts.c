@@ -52,8 +52,8 @@ static struct plane plane_across(const struct ts_grid *grid, int d)
 	return plane;
 }
 
-/* Rows [from, to) of the plane; a row is along its axis a. A line across d reads of other lines only values that do not
- * change, so that rows can be processed in parallel. */
+/* Rows [from, to) of the plane; a row is along its axis a. A line across d reads of other lines only
+ * values that do not change, so that rows can be processed in parallel. */
 static struct plane rows_across(const struct ts_grid *grid, int d, size_t from, size_t to)
 {
 	struct plane plane = plane_across(grid, d);
@@ -63,9 +63,10 @@ static struct plane rows_across(const struct ts_grid *grid, int d, size_t from, 
 	return plane;
 }
 
-/* Calls `share` for ranges of rows of the plane across d, in parallel; `rounds`: work per line, for the number of
- * threads. */
-static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, int rounds, ts_share_fn *share, void *task)
+/* Calls `share` for ranges of rows of the plane across d, in parallel; `rounds`: work per line, for the
+ * number of threads. */
+static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, int rounds, ts_share_fn *share,
+				  void *task)
 {
 	struct plane plane = plane_across(&fluid->grid, d);
 	size_t rows = (size_t)(plane.to[plane.b] - plane.from[plane.b]);
@@ -75,8 +76,7 @@ static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, int round
 	ts_parallel(rows < (size_t)team ? (int)rows : team, rows, share, task);
 }
 
-static inline ptrdiff_t plane_offset(const struct ts_grid *grid, const struct plane *plane, int ia,
-				     int ib)
+static inline ptrdiff_t plane_offset(const struct ts_grid *grid, const struct plane *plane, int ia, int ib)
 {
 	return (ptrdiff_t)grid->origin + ia * grid->stride[plane->a] + ib * grid->stride[plane->b];
 }
@@ -100,14 +100,13 @@ static void wrap_periodic(const struct ts_grid *grid, double *field, const struc
 static double given_at(const struct ts_flow_face_velocity *given, const struct ts_grid *grid, int d, int c,
 		       int ia, int ib)
 {
-	return given->plane[c] ? given->plane[c][ts_flow_plane_at(grid, d, ia, ib)]
-			       : given->constant[c];
+	return given->plane[c] ? given->plane[c][ts_flow_plane_at(grid, d, ia, ib)] : given->constant[c];
 }
 
 /* ---- the component across the face */
 
-static void fill_across(const struct ts_fluid *fluid, double *u, const struct plane *plane, enum ts_grid_side side,
-			bool keep)
+static void fill_across(const struct ts_fluid *fluid, double *u, const struct plane *plane,
+			enum ts_grid_side side, bool keep)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	int d = plane->d;
@@ -134,15 +133,15 @@ static void fill_across(const struct ts_fluid *fluid, double *u, const struct pl
 
 /* 1 where the fluid leaves through an open face beside a point of component c, else 0. */
 static double flows_out(const struct ts_grid *grid, const double *across, ptrdiff_t at, int c,
-		     enum ts_grid_side side)
+			enum ts_grid_side side)
 {
 	double u = across[at] + across[at - grid->stride[c]];
 
 	return (side == TS_LOW ? -u : u) > 0;
 }
 
-static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c,
-		       const struct plane *plane, enum ts_grid_side side)
+static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c, const struct plane *plane,
+		       enum ts_grid_side side)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	int d = plane->d;
@@ -189,13 +188,15 @@ static void velocity_rows(void *context, size_t from, size_t to)
 		}
 		for (int side = 0; side < 2; side++)
 			if (turn == 0)
-				fill_across(task->fluid, task->u[c], &plane, (enum ts_grid_side)side, task->keep);
+				fill_across(task->fluid, task->u[c], &plane, (enum ts_grid_side)side,
+					    task->keep);
 			else
 				fill_along(task->fluid, task->u, c, &plane, (enum ts_grid_side)side);
 	}
 }
 
-/* Axis by axis, each including the ghosts of the axes before it, so that edges and corners are set as well. */
+/* Axis by axis, each including the ghosts of the axes before it, so that edges and corners are set as
+ * well. */
 static void fill_velocity(const struct ts_fluid *fluid, double *const u[3], bool keep)
 {
 	struct velocity_task task = { .fluid = fluid, .u = u, .keep = keep };
@@ -218,8 +219,8 @@ void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3])
 
 /* `given` + `base`: value on the face, for RULE_ODD; NULL: 0. */
 static void fill_centred_side(const struct ts_grid *grid, double *field, const struct plane *plane,
-		      enum ts_grid_side side, enum rule rule, const struct ts_flow_face_pressure *given,
-		      double base)
+			      enum ts_grid_side side, enum rule rule,
+			      const struct ts_flow_face_pressure *given, double base)
 {
 	int d = plane->d;
 	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
@@ -230,7 +231,8 @@ static void fill_centred_side(const struct ts_grid *grid, double *field, const s
 			double value = 0;
 
 			if (given)
-				value = base + ts_flow_face_pressure_at(given, ts_flow_plane_at(grid, d, ia, ib));
+				value = base +
+					ts_flow_face_pressure_at(given, ts_flow_plane_at(grid, d, ia, ib));
 			fill_line(rule, field + plane_offset(grid, plane, ia, ib) + first, s, value, NULL);
 		}
 }
@@ -256,15 +258,17 @@ static void centred_rows(void *context, size_t from, size_t to)
 	for (int side = 0; side < 2; side++) {
 		bool given = task->is_pressure && ts_flow_face_open(task->fluid->face[task->d][side]);
 
-		fill_centred_side(grid, task->field, &plane, (enum ts_grid_side)side, given ? RULE_ODD : RULE_EVEN,
-			  given ? &task->fluid->pressure[task->d][side] : NULL, task->base);
+		fill_centred_side(grid, task->field, &plane, (enum ts_grid_side)side,
+				  given ? RULE_ODD : RULE_EVEN,
+				  given ? &task->fluid->pressure[task->d][side] : NULL, task->base);
 	}
 }
 
 static void fill_centred(const struct ts_fluid *fluid, double *field, bool is_pressure, double base)
 {
-	struct centred_task task = { .fluid = fluid, .field = field, .is_pressure = is_pressure,
-				     .base = base };
+	struct centred_task task = {
+		.fluid = fluid, .field = field, .is_pressure = is_pressure, .base = base
+	};
 
 	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
 		fill_rows_in_parallel(fluid, task.d, 2, centred_rows, &task);

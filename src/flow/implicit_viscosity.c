@@ -7,7 +7,8 @@
 
 #include "base/banned.h"
 
-/* ---- right-hand side: the change of u by the full viscous term and the pressure gradient at the beginning */
+/* ---- right-hand side: the change of u by the full viscous term and the pressure gradient at the
+ * beginning */
 
 struct second {
 	double below, above;
@@ -44,12 +45,12 @@ static void change_row(const struct ts_viscous_step *s, int c, int j, int k, int
 
 /* ---- tridiagonal systems */
 
-/* (1 - lambda lap) along one axis for the points of one component, factored. Periodic axes use the Sherman-Morrison
- * formula. Arrays are indexed by point. */
+/* (1 - lambda lap) along one axis for the points of one component, factored. Periodic axes use the
+ * Sherman-Morrison formula. Arrays are indexed by point. */
 struct system {
 	int from, to;
 	double *lower, *inverse, *upper; /* of the elimination */
-	double *loop; /* periodic: the solution for the corners; else NULL */
+	double *loop;			 /* periodic: the solution for the corners; else NULL */
 	double tail, scale;
 	double *memory;
 };
@@ -105,7 +106,8 @@ static enum ts_status make_system(const struct ts_viscous_step *step, int c, int
 {
 	const struct ts_fluid *fluid = step->fluid;
 	const struct ts_grid *grid = &fluid->grid;
-	const struct ts_operator_line *line = c == d ? &step->operators->staggered[d] : &step->operators->centred[d];
+	const struct ts_operator_line *line =
+		c == d ? &step->operators->staggered[d] : &step->operators->centred[d];
 	const double lambda = step->theta * step->dt * step->nu;
 	const size_t n = (size_t)grid->n[d] + 1;
 	double *diagonal, *upper;
@@ -206,7 +208,8 @@ static void solve_row(const struct system *sys, double *x)
 
 /* ---- one component */
 
-static void solve_component(const struct ts_viscous_step *step, int c, const struct system sys[3], double *out)
+static void solve_component(const struct ts_viscous_step *step, int c, const struct system sys[3],
+			    double *out)
 {
 	const struct ts_grid *grid = &step->fluid->grid;
 	const struct system *x = &sys[0], *y = &sys[1], *z = &sys[2];

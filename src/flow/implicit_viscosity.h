@@ -1,10 +1,10 @@
-/* Implicit viscosity: (1 - theta dt nu lap) d = dt (rate of u with the full viscous term and the old pressure), factored
- * by axes into tridiagonal systems; u* = u + d.
+/* Implicit viscosity: (1 - theta dt nu lap) d = dt (rate of u with the full viscous term and the old
+ * pressure), factored by axes into tridiagonal systems; u* = u + d.
  *
- * theta 1/2 (Crank-Nicolson) is of second order; theta 1 (backward Euler) is of first order and damps short waves
- * best. Neither limits the step. Kim & Moin, J. Comput. Phys. 59 (1985) 308. With the old pressure in the predictor
- * (incremental projection) the projection solves for its change phi, and p <- p + phi - theta mu div u*: Brown, Cortez &
- * Minion, J. Comput. Phys. 168 (2001) 464. */
+ * theta 1/2 (Crank-Nicolson) is of second order; theta 1 (backward Euler) is of first order and damps
+ * short waves best. Neither limits the step. Kim & Moin, J. Comput. Phys. 59 (1985) 308. With the old
+ * pressure in the predictor (incremental projection) the projection solves for its change phi, and p <- p
+ * + phi - theta mu div u*: Brown, Cortez & Minion, J. Comput. Phys. 168 (2001) 464. */
 #ifndef TS_FLOW_IMPLICIT_VISCOSITY_H
 #define TS_FLOW_IMPLICIT_VISCOSITY_H
 
@@ -19,7 +19,8 @@ struct ts_viscous_step {
 	double nu, dt, theta;
 	int threads;
 };
-/* out: on entry u + dt (convection and body force), on return u*, at faces where the velocity is not given. */
+/* out: on entry u + dt (convection and body force), on return u*, at faces where the velocity is not
+ * given. */
 enum ts_status ts_viscous_step(const struct ts_viscous_step *step, double *const out[3]);
 
 #endif

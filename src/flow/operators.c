@@ -16,10 +16,10 @@ static void quadratic(const double x[3], double y, double weight[3])
 	}
 }
 
-/* point: coordinates of the values; side[m]: coordinate of the side between point[m - 1] and point[m]; low, high: lowest
- * and highest index of the points. */
-static void make_line(struct ts_operator_line *line, const double *point, const double *side, int low, int high,
-		      double **memory)
+/* point: coordinates of the values; side[m]: coordinate of the side between point[m - 1] and point[m];
+ * low, high: lowest and highest index of the points. */
+static void make_line(struct ts_operator_line *line, const double *point, const double *side, int low,
+		      int high, double **memory)
 {
 	double *array[NARRAYS];
 
@@ -41,13 +41,16 @@ static void make_line(struct ts_operator_line *line, const double *point, const 
 		for (int k = 0; k < 3; k++)
 			array[4 + k][m] = weight[k];
 		if (m < high) /* no flow enters from beyond the last point */
-			quadratic((const double[]){ point[m + 1], point[m], point[m - 1] }, side[m],
-				  weight);
+			quadratic((const double[]){ point[m + 1], point[m], point[m - 1] }, side[m], weight);
 		for (int k = 0; k < 3 && m < high; k++)
 			array[7 + k][m] = weight[k];
 	}
-	*line = (struct ts_operator_line){ array[0], array[1], array[2], array[3],
-				  { array[4], array[5], array[6] }, { array[7], array[8], array[9] } };
+	*line = (struct ts_operator_line){ array[0],
+					   array[1],
+					   array[2],
+					   array[3],
+					   { array[4], array[5], array[6] },
+					   { array[7], array[8], array[9] } };
 }
 
 enum ts_status ts_operators_make(struct ts_operators *operators, const struct ts_grid *grid)
@@ -65,8 +68,7 @@ enum ts_status ts_operators_make(struct ts_operators *operators, const struct ts
 		double *centre = memory + g, *mass = memory + length + g;
 
 		memory += 2 * length;
-		make_line(&operators->centred[d], grid->centre[d], grid->face[d], -g, n + g - 1,
-			  &memory);
+		make_line(&operators->centred[d], grid->centre[d], grid->face[d], -g, n + g - 1, &memory);
 		/* The sides of the volume around face m are centres m - 1 and m. */
 		for (int m = -g + 1; m < n + g; m++) {
 			centre[m] = grid->centre[d][m - 1];

@@ -1,5 +1,5 @@
-/* Forces of particles on the fluid: explicit force f, semi-implicit coefficient k, and the weights of faces in the
- * projection that follow from them. */
+/* Forces of particles on the fluid: explicit force f, semi-implicit coefficient k, and the weights of
+ * faces in the projection that follow from them. */
 #include <string.h>
 
 #include "flow/projection.h"
@@ -11,15 +11,17 @@ static const double *momentum_void_fraction(const struct ts_projection *p, int d
 {
 	const double *momentum = p->fluid.momentum_void_fraction[d];
 
-	return ts_projection_conservative(p) && momentum && !p->initial_projection ? momentum
-									  : p->fluid.void_fraction_face[d];
+	return ts_projection_conservative(p) && momentum && !p->initial_projection
+		       ? momentum
+		       : p->fluid.void_fraction_face[d];
 }
 
 /* w = e e/E/(1 + dt k/(E rho)) for all faces across d, with E the void fraction in the product e u. */
 static void make_weights(const struct ts_projection *p, int d, double dt)
 {
 	const struct ts_fluid *fluid = &p->fluid;
-	const double *e = fluid->void_fraction_face[d], *k = fluid->exchange[d], *mass = momentum_void_fraction(p, d);
+	const double *e = fluid->void_fraction_face[d], *k = fluid->exchange[d],
+		     *mass = momentum_void_fraction(p, d);
 	const double share = dt / fluid->density * p->source_scale;
 	double *weight = p->weight[d];
 	const size_t size = fluid->grid.size;
@@ -87,7 +89,8 @@ void ts_projection_apply_particle_forces(struct ts_projection *p, double dt)
 
 			ts_flow_unknowns(fluid, c, from, to);
 			if (j >= from[1] && j < to[1] && k >= from[2] && k < to[2])
-				apply_forces_to_row(p, c, ts_at(grid, from[0], j, k), ts_at(grid, to[0], j, k), dt);
+				apply_forces_to_row(p, c, ts_at(grid, from[0], j, k),
+						    ts_at(grid, to[0], j, k), dt);
 		}
 	}
 }

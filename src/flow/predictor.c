@@ -22,21 +22,21 @@ void ts_flow_unknowns(const struct ts_fluid *fluid, int c, int from[3], int to[3
 	to[c] = ts_flow_face_open(fluid->face[c][TS_HIGH]) ? grid->n[c] + 1 : grid->n[c];
 }
 
-/* Coefficients of a line at one point, the line, and the index of the point. They are passed to the functions below one by
- * one: a structure made within a loop keeps compilers from vectorizing it. */
+/* Coefficients of a line at one point, the line, and the index of the point. They are passed to the
+ * functions below one by one: a structure made within a loop keeps compilers from vectorizing it. */
 struct at_point {
 	double inverse, below, above, part_low, part_high;
 	const struct ts_operator_line *line;
 	int m;
 };
-#define AT(line, m)                                                                                \
-	(line)->inverse[m], (line)->below[m], (line)->above[m], (line)->part[m],                   \
-		(line)->part[(m) + 1], (line), (m)
+#define AT(line, m)                                                                                     \
+	(line)->inverse[m], (line)->below[m], (line)->above[m], (line)->part[m], (line)->part[(m) + 1], \
+		(line), (m)
 #define OF(p) p.inverse, p.below, p.above, p.part_low, p.part_high, p.line, p.m
 
 /* Constants of a row for one direction e. */
 struct direction {
-	const double *q;     /* velocity in this direction */
+	const double *q;	 /* velocity in this direction */
 	const double *void_face; /* void fraction on the faces across e, and at cell centres */
 	const double *void_centre;
 	const double *flow; /* form conservative: void fraction of the fluxes */
@@ -46,8 +46,8 @@ struct direction {
 };
 
 /* Void fractions on the lower and upper side of the control volume. */
-TS_INLINE void void_fractions(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, double mass,
-		      double *low, double *high)
+TS_INLINE void void_fractions(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, double mass, double *low,
+			      double *high)
 {
 	if (e->same) {
 		*low = e->void_centre[at - sc];
@@ -58,9 +58,10 @@ TS_INLINE void void_fractions(const struct direction *e, ptrdiff_t at, ptrdiff_t
 	}
 }
 
-/* Fluxes e q on the lower and upper side: means of those through the faces of cells, so that they satisfy the continuity
- * equation of the control volume. */
-TS_INLINE void fluxes(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, double mass, double *low, double *high)
+/* Fluxes e q on the lower and upper side: means of those through the faces of cells, so that they satisfy
+ * the continuity equation of the control volume. */
+TS_INLINE void fluxes(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, double mass, double *low,
+		      double *high)
 {
 	const double *q = e->q, *f = e->flow;
 	const ptrdiff_t se = e->se;
@@ -75,11 +76,10 @@ TS_INLINE void fluxes(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, dou
 }
 
 /* Contribution of direction e to the rate of change of component c at index `at`. */
-TS_INLINE double along(double inverse, double below, double above, double part_low,
-		       double part_high, const struct ts_operator_line *line, int m,
-		       const struct direction *e, const double *u, ptrdiff_t at, ptrdiff_t sc,
-		       double mass, double nu, double gamma, enum ts_convection scheme,
-		       enum ts_flow_form form, bool with_void)
+TS_INLINE double along(double inverse, double below, double above, double part_low, double part_high,
+		       const struct ts_operator_line *line, int m, const struct direction *e, const double *u,
+		       ptrdiff_t at, ptrdiff_t sc, double mass, double nu, double gamma,
+		       enum ts_convection scheme, enum ts_flow_form form, bool with_void)
 {
 	const double *q = e->q;
 	const ptrdiff_t se = e->se;
@@ -96,10 +96,10 @@ TS_INLINE double along(double inverse, double below, double above, double part_l
 		q_high = mass * q[at - sc + se] + (1 - mass) * q[at + se];
 	}
 	if (form != TS_FORM_DIFFERENCE) {
-		double phi_low = ts_convection_face_value(scheme, gamma, q_low, u[at - 2 * se], low, here, high,
-					       part_low, line, m);
-		double phi_high = ts_convection_face_value(scheme, gamma, q_high, low, here, high, u[at + 2 * se],
-						part_high, line, m + 1);
+		double phi_low = ts_convection_face_value(scheme, gamma, q_low, u[at - 2 * se], low, here,
+							  high, part_low, line, m);
+		double phi_high = ts_convection_face_value(scheme, gamma, q_high, low, here, high,
+							   u[at + 2 * se], part_high, line, m + 1);
 
 		if (form == TS_FORM_CONSERVATIVE) {
 			fluxes(e, at, sc, mass, &q_low, &q_high);
@@ -111,8 +111,8 @@ TS_INLINE double along(double inverse, double below, double above, double part_l
 		}
 		rate = (q_low * phi_low - q_high * phi_high) * inverse;
 	} else {
-		rate = ts_convection_difference(scheme, gamma, e->same ? here : 0.5 * (q_low + q_high), high - here,
-				    here - low, above, below, inverse);
+		rate = ts_convection_difference(scheme, gamma, e->same ? here : 0.5 * (q_low + q_high),
+						high - here, here - low, above, below, inverse);
 	}
 	if (!with_void)
 		return rate + nu * (above * (high - here) - below * (here - low));
@@ -125,8 +125,7 @@ struct row {
 	ptrdiff_t at; /* field index of i = 0 */
 };
 
-TS_INLINE struct direction direction(const struct row *row, int d, int c, int dimensions,
-				     bool with_void)
+TS_INLINE struct direction direction(const struct row *row, int d, int c, int dimensions, bool with_void)
 {
 	const struct ts_fluid *fluid = row->p->fluid;
 
@@ -149,8 +148,8 @@ TS_INLINE void predict_row(const struct row *row, int c, int dimensions, enum ts
 	const struct at_point y = { AT(c == 1 ? &o->staggered[1] : &o->centred[1], row->j) };
 	/* In two dimensions there is no line along z; this one is not used. */
 	const struct ts_operator_line *line_z = dimensions < 3 ? &o->centred[1]
-				       : c == 2	      ? &o->staggered[2]
-						      : &o->centred[2];
+						: c == 2       ? &o->staggered[2]
+							       : &o->centred[2];
 	const struct at_point z = { AT(line_z, dimensions < 3 ? 0 : row->k) };
 	const struct direction along_x = direction(row, 0, c, dimensions, with_void);
 	const struct direction along_y = direction(row, 1, c, dimensions, with_void);
@@ -164,13 +163,15 @@ TS_INLINE void predict_row(const struct row *row, int c, int dimensions, enum ts
 	const double nu = p->nu, gamma = p->gamma, keep = p->keep, take = p->take, dt = p->dt;
 	const double acceleration = p->acceleration[c];
 	const bool conservative = form == TS_FORM_CONSERVATIVE;
-	const double *start = conservative ? p->start[c] + row->at : NULL, *last = conservative ? p->last[c] + row->at : NULL;
+	const double *start = conservative ? p->start[c] + row->at : NULL,
+		     *last = conservative ? p->last[c] + row->at : NULL;
 	const double *next = conservative ? p->next[c] + row->at : NULL;
 
 #pragma omp simd
 	for (int i = row->from; i < row->to; i++) {
 		double mass = c == 0 ? mass_x[i] : mass_c;
-		double rate = along(AT(line, i), &along_x, u, i, sc, mass, nu, gamma, scheme, form, with_void);
+		double rate =
+			along(AT(line, i), &along_x, u, i, sc, mass, nu, gamma, scheme, form, with_void);
 
 		rate += along(OF(y), &along_y, u, i, sc, mass, nu, gamma, scheme, form, with_void);
 		if (dimensions == 3)
@@ -188,29 +189,32 @@ TS_INLINE void predict_row(const struct row *row, int c, int dimensions, enum ts
 
 typedef void row_fn(const struct row *row);
 
-#define ROW(name, c, dimensions, scheme, form, with_void)                                             \
-	TS_CLONES                                                                                  \
-	static void name##_##c(const struct row *row)                                              \
-	{                                                                                          \
-		predict_row(row, c, dimensions, scheme, form, with_void);                             \
+#define ROW(name, c, dimensions, scheme, form, with_void)                 \
+	TS_CLONES                                                         \
+	static void name##_##c(const struct row *row)                     \
+	{                                                                 \
+		predict_row(row, c, dimensions, scheme, form, with_void); \
 	}
-#define ROWS(name, scheme, form, with_void)                                                           \
-	ROW(name##_2, 0, 2, scheme, form, with_void)                                                  \
-	ROW(name##_2, 1, 2, scheme, form, with_void)                                                  \
-	ROW(name##_3, 0, 3, scheme, form, with_void)                                                  \
-	ROW(name##_3, 1, 3, scheme, form, with_void)                                                  \
+#define ROWS(name, scheme, form, with_void)          \
+	ROW(name##_2, 0, 2, scheme, form, with_void) \
+	ROW(name##_2, 1, 2, scheme, form, with_void) \
+	ROW(name##_3, 0, 3, scheme, form, with_void) \
+	ROW(name##_3, 1, 3, scheme, form, with_void) \
 	ROW(name##_3, 2, 3, scheme, form, with_void)
-#define VARIANTS(name, scheme, form)                                                               \
-	ROWS(name##_free, scheme, form, false)                                                     \
+#define VARIANTS(name, scheme, form)           \
+	ROWS(name##_free, scheme, form, false) \
 	ROWS(name##_void, scheme, form, true)
 #define CONSERVATIVE(name, scheme) ROWS(name##_conservative, scheme, TS_FORM_CONSERVATIVE, true)
-#define ENTRY(name)                                                                                \
-	{                                                                                          \
-		{ name##_2_0, name##_2_1, NULL }, { name##_3_0, name##_3_1, name##_3_2 }           \
+#define ENTRY(name)                                        \
+	{                                                  \
+		{ name##_2_0, name##_2_1, NULL },          \
+		{                                          \
+			name##_3_0, name##_3_1, name##_3_2 \
+		}                                          \
 	}
-#define ENTRIES(name)                                                                              \
-	{                                                                                          \
-		ENTRY(name##_free), ENTRY(name##_void)                                           \
+#define ENTRIES(name)                                  \
+	{                                              \
+		ENTRY(name##_free), ENTRY(name##_void) \
 	}
 
 VARIANTS(donor, TS_CONVECTION_DONOR, TS_FORM_VOLUME)
@@ -243,10 +247,9 @@ void ts_flow_predict(const struct ts_predictor *p)
 {
 	const struct ts_grid *grid = &p->fluid->grid;
 	bool with_void = p->fluid->void_fraction, solid = grid->dimensions == 3;
-	row_fn *const *row_of = p->form == TS_FORM_DIFFERENCE
-					? difference_rows[with_void][solid]
-				: p->next[0] ? conservative_rows[p->convection][solid]
-					: volume_rows[p->convection][with_void][solid];
+	row_fn *const *row_of = p->form == TS_FORM_DIFFERENCE ? difference_rows[with_void][solid]
+				: p->next[0]		      ? conservative_rows[p->convection][solid]
+							      : volume_rows[p->convection][with_void][solid];
 	int from[3][3], to[3][3], height = grid->n[1] + 1;
 	long total = (long)height * (grid->n[2] + (grid->dimensions == 3));
 

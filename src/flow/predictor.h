@@ -1,23 +1,24 @@
-/* The explicit predictor of a stage: convection, diffusion and body force in one pass over the rows of the grid. */
+/* The explicit predictor of a stage: convection, diffusion and body force in one pass over the rows of the
+ * grid. */
 #ifndef TS_FLOW_PREDICTOR_H
 #define TS_FLOW_PREDICTOR_H
 
 #include "flow/operators.h"
 
-/* out = keep * old + take * (u + dt rate(u)) at all faces where the velocity is not given. Arrays belong to the
- * caller. */
+/* out = keep * old + take * (u + dt rate(u)) at all faces where the velocity is not given. Arrays belong
+ * to the caller. */
 struct ts_predictor {
 	const struct ts_fluid *fluid;
 	const struct ts_operators *operators;
 	enum ts_convection convection;
 	enum ts_flow_form form;
-	double gamma;	    /* donor cell: fraction of upwind differences */
-	double nu;	    /* kinematic viscosity */
+	double gamma; /* donor cell: fraction of upwind differences */
+	double nu;    /* kinematic viscosity */
 	double acceleration[3];
 	double dt, keep, take;
 	const double *u[3], *old[3];
-	/* form conservative (flow/void_fraction.c): e of the fluxes e u, and the e that multiplies u at the beginning of the
-	 * step, u of the last stage and the new u. NULL in other forms. */
+	/* form conservative (flow/void_fraction.c): e of the fluxes e u, and the e that multiplies u at
+	 * the beginning of the step, u of the last stage and the new u. NULL in other forms. */
 	const double *flow[3], *start[3], *last[3], *next[3];
 	double *out[3];
 	int threads;

@@ -75,11 +75,11 @@ static void make_right_hand_side(const struct ts_projection *p, double scale, do
 	}
 }
 
-/* u -= factor grad p on the faces of component c where the velocity is not given. With an exchange coefficient the factor
- * is multiplied by weight/void fraction of the face. */
+/* u -= factor grad p on the faces of component c where the velocity is not given. With an exchange
+ * coefficient the factor is multiplied by weight/void fraction of the face. */
 TS_CLONES
-static void subtract_gradient_row(const struct ts_projection *projection, const double *pressure, int c, int j, int k,
-			int from, int to, double factor)
+static void subtract_gradient_row(const struct ts_projection *projection, const double *pressure, int c,
+				  int j, int k, int from, int to, double factor)
 {
 	const struct ts_fluid *fluid = &projection->fluid;
 	const struct ts_grid *grid = &fluid->grid;
@@ -95,7 +95,10 @@ static void subtract_gradient_row(const struct ts_projection *projection, const 
 
 		for (int i = from; i < to; i++)
 			u[i] -= factor * weight[at + (size_t)i] / (e ? e[at + (size_t)i] : 1) *
-				(p[i] - p[i - s]) / grid->gap[c][c == 0 ? i : c == 1 ? j : k];
+				(p[i] - p[i - s]) /
+				grid->gap[c][c == 0   ? i
+					     : c == 1 ? j
+						      : k];
 	} else if (c == 0) {
 #pragma omp simd
 		for (int i = from; i < to; i++)
@@ -163,7 +166,8 @@ static void add_increment(struct ts_projection *p, double dt)
 	ts_fluid_fill_pressure(fluid, fluid->p);
 }
 
-enum ts_status ts_projection_project_velocity(struct ts_instance *self, struct tsim *sim, double dt, double held)
+enum ts_status ts_projection_project_velocity(struct ts_instance *self, struct tsim *sim, double dt,
+					      double held)
 {
 	struct ts_projection *p = self->state;
 	struct ts_fluid *fluid = &p->fluid;

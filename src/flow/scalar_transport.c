@@ -64,8 +64,8 @@ static double face_value(enum ts_scalar_scheme scheme, double far, double up, do
 }
 
 /* Flux of T (T times velocity) through the lower face m across d of the cell at `at`. */
-static double flux_inside(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int m,
-			  size_t at, const double *value)
+static double flux_inside(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int m, size_t at,
+			  const double *value)
 {
 	const ptrdiff_t s = fluid->grid.stride[d];
 	const double *q = value + at, e = fluid->void_fraction ? fluid->void_fraction_face[d][at] : 1;
@@ -93,7 +93,7 @@ static double flux_at_boundary(const struct ts_transport *t, const struct ts_flu
 }
 
 static double scalar_flux(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int m, size_t at,
-		   const double *value)
+			  const double *value)
 {
 	const struct ts_grid *grid = &fluid->grid;
 
@@ -119,7 +119,8 @@ static void find_rate(const struct ts_transport *t, const struct ts_fluid *fluid
 
 			for (int d = 0; d < grid->dimensions; d++)
 				sum += (scalar_flux(t, fluid, d, i[d], at, value) -
-					scalar_flux(t, fluid, d, i[d] + 1, at + (size_t)grid->stride[d], value)) /
+					scalar_flux(t, fluid, d, i[d] + 1, at + (size_t)grid->stride[d],
+						    value)) /
 				       grid->width[d][i[d]];
 			t->rate[at] = sum;
 		}
@@ -152,14 +153,15 @@ double ts_transport_limit(const struct ts_transport *t, const struct ts_fluid *f
 
 /* Returns `part` times T after dt, from the rate of e T; t->void_fraction is not changed. */
 static double value_after(const struct ts_transport *t, const struct ts_fluid *fluid, size_t k, double part,
-		    double content, double dt)
+			  double content, double dt)
 {
 	double e = t->void_fraction ? t->void_fraction[k] + dt * fluid->void_fraction_rate[k] : 1;
 
 	return e > 0 ? part * (content + dt * t->rate[k]) / e : 0; /* e is 0 in the padding between rows */
 }
 
-/* Heun's method: `stage` is T after an Euler step; the result is the mean of T and of `stage` after a second Euler step. */
+/* Heun's method: `stage` is T after an Euler step; the result is the mean of T and of `stage` after a
+ * second Euler step. */
 static void heun_step(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
 {
 	const size_t size = fluid->grid.size;
@@ -176,7 +178,8 @@ static void heun_step(struct ts_transport *t, const struct ts_fluid *fluid, doub
 	for (size_t k = 0; k < size; k++) {
 		double then = e ? e[k] + dt * fluid->void_fraction_rate[k] : 1;
 
-		t->value[k] = value_after(t, fluid, k, 0.5, (e ? e[k] : 1) * t->value[k] + then * t->stage[k], dt);
+		t->value[k] =
+			value_after(t, fluid, k, 0.5, (e ? e[k] : 1) * t->value[k] + then * t->stage[k], dt);
 		if (e)
 			e[k] = then;
 	}

@@ -1,9 +1,9 @@
 /* Transport of a scalar T by the fluid: d(e T)/dt + div(e u T) = div(e D grad T) + s, T at cell centres.
  *
- * Conservative finite volumes. Convection by donor cell, central differences, or van Leer's limiter, which is of second
- * order and bounded (J. Comput. Phys. 14 (1974) 361); in time Heun's method, which preserves the bounds
- * (Shu & Osher, J. Comput. Phys. 77 (1988) 439) for steps up to 1/(max of sum 2 |u|/h + 2 D/h^2). The velocity is
- * that at the end of the step of the fluid. */
+ * Conservative finite volumes. Convection by donor cell, central differences, or van Leer's limiter, which
+ * is of second order and bounded (J. Comput. Phys. 14 (1974) 361); in time Heun's method, which preserves
+ * the bounds (Shu & Osher, J. Comput. Phys. 77 (1988) 439) for steps up to 1/(max of sum 2 |u|/h + 2
+ * D/h^2). The velocity is that at the end of the step of the fluid. */
 #ifndef TS_FLOW_SCALAR_TRANSPORT_H
 #define TS_FLOW_SCALAR_TRANSPORT_H
 
@@ -24,7 +24,7 @@ struct ts_transport {
 	struct ts_scalar_face face[3][2];
 	double *value, *source; /* T; s without its constant part (T/time). Owned */
 	double constant;	/* constant part of s (T/time) */
-	double *void_fraction;		/* at the time of T; NULL: 1 everywhere. Owned */
+	double *void_fraction;	/* at the time of T; NULL: 1 everywhere. Owned */
 	double *rate, *stage;	/* work fields; owned */
 };
 

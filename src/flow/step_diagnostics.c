@@ -1,5 +1,5 @@
-/* Diagnostics of a substep: Courant number, residual, divergence; and the error if it was unstable. Computed in each
- * substep. */
+/* Diagnostics of a substep: Courant number, residual, divergence; and the error if it was unstable.
+ * Computed in each substep. */
 #include <math.h>
 #include <stdio.h>
 
@@ -15,7 +15,8 @@ struct row_diagnostics {
 };
 
 TS_CLONES
-static struct row_diagnostics diagnose_row(const struct ts_fluid *fluid, double *const before[3], int j, int k)
+static struct row_diagnostics diagnose_row(const struct ts_fluid *fluid, double *const before[3], int j,
+					   int k)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	const size_t at = ts_at(grid, 0, j, k);
@@ -66,7 +67,8 @@ static void fastest_cell(const struct ts_fluid *fluid, double x[3])
 				double sum = 0;
 
 				for (int d = 0; d < grid->dimensions; d++)
-					sum += fabs(fluid->u[d][ts_at(grid, i, j, k)]) / grid->width[d][at[d]];
+					sum += fabs(fluid->u[d][ts_at(grid, i, j, k)]) /
+					       grid->width[d][at[d]];
 				if (!(sum > most))
 					continue;
 				most = sum;
@@ -76,14 +78,16 @@ static void fastest_cell(const struct ts_fluid *fluid, double x[3])
 }
 
 /* Whether freely moving bodies may be the cause of the instability. */
-static bool bodies_explain(const struct tsim *sim, const struct ts_fluid *fluid, double dt, char *cause, size_t size)
+static bool bodies_explain(const struct tsim *sim, const struct ts_fluid *fluid, double dt, char *cause,
+			   size_t size)
 {
 	const struct ts_instance *part;
 
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
 		const struct ts_flow_part *flow_part = part->state;
 
-		if (flow_part->explain_instability && flow_part->explain_instability(part, fluid, dt, cause, size))
+		if (flow_part->explain_instability &&
+		    flow_part->explain_instability(part, fluid, dt, cause, size))
 			return true;
 	}
 	return false;
@@ -106,14 +110,13 @@ static enum ts_status fail_unstable(struct ts_instance *self, struct tsim *sim, 
 	if (broken)
 		snprintf(cause, sizeof cause, "a velocity is not a number any more");
 	else if (dt > limits.viscous && p->viscosity > 0 && ts_flow_viscous_limit(p) < dt)
-		snprintf(cause, sizeof cause,
-			 "viscosity %g with time %s is stable for steps up to %g only", p->viscosity, time,
-			 ts_flow_viscous_limit(p));
+		snprintf(cause, sizeof cause, "viscosity %g with time %s is stable for steps up to %g only",
+			 p->viscosity, time, ts_flow_viscous_limit(p));
 	else {
 		fastest_cell(fluid, x);
 		snprintf(cause, sizeof cause,
-			 "the Courant number sum |u| dt/h is %g in the cell at (%.4g %.4g %.4g), and with time %s it must stay "
-			 "below %g",
+			 "the Courant number sum |u| dt/h is %g in the cell at (%.4g %.4g %.4g), and with "
+			 "time %s it must stay below %g",
 			 fluid->courant, x[0], x[1], x[2], time, ts_flow_time_schemes[p->time].courant);
 	}
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
@@ -121,13 +124,13 @@ static enum ts_status fail_unstable(struct ts_instance *self, struct tsim *sim, 
 		       "smaller `timestep`, or `substeps auto` in flow_style",
 		       fluid->time, dt, cause,
 		       limits.growth < dt && !broken
-			       ? " (it may have grown so: convection is damped too little for this step, which "
-				 "a scheme `time rk3` or `convection donor` would stand)"
+			       ? " (it may have grown so: convection is damped too little for this step, "
+				 "which a scheme `time rk3` or `convection donor` would stand)"
 			       : "");
 }
 
-enum ts_status ts_projection_check_substep(struct ts_instance *self, struct tsim *sim, double *const before[3],
-				   double dt)
+enum ts_status ts_projection_check_substep(struct ts_instance *self, struct tsim *sim,
+					   double *const before[3], double dt)
 {
 	struct ts_projection *p = self->state;
 	struct ts_fluid *fluid = &p->fluid;
@@ -136,8 +139,10 @@ enum ts_status ts_projection_check_substep(struct ts_instance *self, struct tsim
 	double speed = 0, change = 0, divergence = 0;
 	int broken = 0;
 
-#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)                          \
-	reduction(max : speed, change, divergence) reduction(| : broken)
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static) \
+	reduction(max                                                     \
+		  : speed, change, divergence) reduction(|                \
+							 : broken)
 	for (long line = 0; line < rows; line++) {
 		int j = (int)(line % grid->n[1]), k = (int)(line / grid->n[1]);
 		struct row_diagnostics row = diagnose_row(fluid, before, j, k);
@@ -145,8 +150,7 @@ enum ts_status ts_projection_check_substep(struct ts_instance *self, struct tsim
 		speed = fmax(speed, row.speed);
 		change = fmax(change, row.change);
 		broken |= row.broken;
-		divergence = fmax(divergence, largest_divergence(fluid, j, k,
-								 p->rhs + ts_at(grid, 0, j, k)));
+		divergence = fmax(divergence, largest_divergence(fluid, j, k, p->rhs + ts_at(grid, 0, j, k)));
 	}
 	fluid->courant = speed * dt;
 	fluid->residual = change / dt;

@@ -49,6 +49,6 @@ const struct ts_flow_time_scheme ts_flow_time_schemes[TS_NTIME] = {
 };
 
 const char *const ts_flow_time_names[] = {
-	[TS_TIME_EULER] = "euler", [TS_TIME_AB2] = "ab2",   [TS_TIME_RK2] = "rk2",
+	[TS_TIME_EULER] = "euler", [TS_TIME_AB2] = "ab2", [TS_TIME_RK2] = "rk2",
 	[TS_TIME_RK3] = "rk3",	   [TS_NTIME] = NULL,
 };

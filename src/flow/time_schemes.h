@@ -11,13 +11,14 @@ struct ts_flow_time_scheme {
 	const char *name, *help;
 	int order, stages;
 	double keep[TS_MOST_STAGES], take[TS_MOST_STAGES];
-	double at[TS_MOST_STAGES]; /* time at the end of a stage, in steps */
+	double at[TS_MOST_STAGES];	    /* time at the end of a stage, in steps */
 	double pressure_at[TS_MOST_STAGES]; /* time of the pressure given on faces in a stage, in steps */
-	bool history;              /* uses the rate of change in the step before */
-	/* Extent of the stability region of du/dt = z u along the negative real and along the imaginary axis; 0: none. */
+	bool history;			    /* uses the rate of change in the step before */
+	/* Extent of the stability region of du/dt = z u along the negative real and along the imaginary
+	 * axis; 0: none. */
 	double real, imaginary;
-	/* Largest Courant number sum |u| dt/h: 1 for euler, where it follows from the limits of decay and growth; for schemes
-	 * of second order the value that is stable with little viscosity. */
+	/* Largest Courant number sum |u| dt/h: 1 for euler, where it follows from the limits of decay and
+	 * growth; for schemes of second order the value that is stable with little viscosity. */
 	double courant;
 };
 

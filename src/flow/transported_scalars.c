@@ -18,7 +18,7 @@ static bool is_fix(const struct ts_word *word)
 }
 
 enum ts_status ts_flow_scalar_field(struct tsim *sim, const char *what, const struct ts_word *word,
-			       const double **out)
+				    const double **out)
 {
 	const struct ts_word id = { .text = word->text + 2, .place = word->place };
 	struct ts_instance *fix;

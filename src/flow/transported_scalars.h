@@ -5,8 +5,8 @@
 #include "core/name_list.h"
 #include "flow/fluid.h"
 
-/* Reads a list of words, each a name of the table (ts_name_list_read) or f_ID of a fix that transports a scalar, whose
- * index is TS_FLOW_SCALAR. */
+/* Reads a list of words, each a name of the table (ts_name_list_read) or f_ID of a fix that transports a
+ * scalar, whose index is TS_FLOW_SCALAR. */
 enum { TS_FLOW_SCALAR = -1 };
 enum ts_status ts_flow_read_names(struct tsim *sim, const char *what, struct ts_arena *arena,
 				  struct ts_words words, const void *table, size_t stride,
@@ -14,7 +14,7 @@ enum ts_status ts_flow_read_names(struct tsim *sim, const char *what, struct ts_
 
 /* The present field of the scalar, at centres. */
 enum ts_status ts_flow_scalar_field(struct tsim *sim, const char *what, const struct ts_word *word,
-			       const double **out);
+				    const double **out);
 /* The next fix that transports a scalar, *k as in ts_sim_next_of; NULL at the end. */
 struct ts_instance *ts_flow_next_scalar(const struct tsim *sim, size_t *k);
 

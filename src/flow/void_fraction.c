@@ -1,5 +1,5 @@
-/* The void fraction e as the equations of the fluid use it: on faces, its rate of change, and its values in the
- * momentum if e u is stepped forward (form conservative). */
+/* The void fraction e as the equations of the fluid use it: on faces, its rate of change, and its values
+ * in the momentum if e u is stepped forward (form conservative). */
 #include <string.h>
 
 #include "flow/projection.h"
@@ -52,9 +52,9 @@ static void to_faces(const struct ts_projection *p, int d, const double *e, doub
  * behind e by the weight of the first stage in the step (the product of all `take`) times the length of
  * the step. The change of E u is then exactly the sum of fluxes and forces.
  *
- * On a face e is the mean of the two cells, weighted by their halves, and so are the fluxes through the sides of
- * the control volume of the face: continuity of the cells implies that of the control volumes (staggered grid of
- * Harlow & Welch; F. N. Felten & T. S. Lund, J. Comput. Phys. 215 (2006) 465). */
+ * On a face e is the mean of the two cells, weighted by their halves, and so are the fluxes through the
+ * sides of the control volume of the face: continuity of the cells implies that of the control volumes
+ * (staggered grid of Harlow & Welch; F. N. Felten & T. S. Lund, J. Comput. Phys. 215 (2006) 465). */
 
 static enum ts_status allocate_vector(const struct ts_projection *p, double *field[3])
 {
@@ -164,8 +164,7 @@ static void begin_substep(struct ts_projection *p, int d, double dt)
 	for (size_t at = 0; at < size; at++) {
 		double own = (now[at] - before[at]) / p->void_elapsed;
 
-		start[at] =
-			before[at] + dt * (p->now_at > 0 ? (done - lag) * own : -lag * rate[at]);
+		start[at] = before[at] + dt * (p->now_at > 0 ? (done - lag) * own : -lag * rate[at]);
 		mass[at] = start[at];
 	}
 }

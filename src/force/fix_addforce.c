@@ -24,8 +24,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if (s->energy.null || s->energy.variable)
 		return TS_OK;
-	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-		       "fix addforce: energy takes a variable, v_NAME");
+	return ts_fail(&sim->error, TS_SYNTAX, &self->where, "fix addforce: energy takes a variable, v_NAME");
 }
 
 static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
@@ -82,8 +81,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_particle_tally_archive(a, &s->before);
 }
 
-static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct addforce *s = self->state;
 
@@ -92,8 +90,7 @@ static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-static enum ts_status eval_before(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_before(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct addforce *s = self->state;
 
@@ -116,12 +113,10 @@ static const struct ts_arg args[] = {
 	TS_NUMBER("fx", struct addforce, f[0], .flags = TS_POSITIONAL, .unit = "force",
 		  .help = "x force on each particle; v_name makes it a variable (also one for each "
 			  "particle)"),
-	TS_NUMBER("fy", struct addforce, f[1], .flags = TS_POSITIONAL, .unit = "force",
-		  .help = "y force"),
-	TS_NUMBER("fz", struct addforce, f[2], .flags = TS_POSITIONAL, .unit = "force",
-		  .help = "z force"),
-	TS_INT("every", struct addforce, every, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
-	       .fallback = "1", .help = "only in steps that are multiples of this"),
+	TS_NUMBER("fy", struct addforce, f[1], .flags = TS_POSITIONAL, .unit = "force", .help = "y force"),
+	TS_NUMBER("fz", struct addforce, f[2], .flags = TS_POSITIONAL, .unit = "force", .help = "z force"),
+	TS_INT("every", struct addforce, every, .range = TS_WITHIN, .lo = 1, .hi = 1e15, .fallback = "1",
+	       .help = "only in steps that are multiples of this"),
 	TS_REGION_KEYWORD(struct addforce),
 	TS_NUMBER("energy", struct addforce, energy, .flags = TS_OPTIONAL, .unit = "energy",
 		  .help = "v_NAME: the potential energy of each particle in a force that varies"),
@@ -130,10 +125,10 @@ static const struct ts_arg args[] = {
 
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "energy", "energy", "potential energy of all particles in the added force", TS_SCALAR, 1,
-	  NULL, eval_energy },
-	{ "before", "force", "total force on the particles before it was added", TS_VECTOR, 3,
-	  components, eval_before },
+	{ "energy", "energy", "potential energy of all particles in the added force", TS_SCALAR, 1, NULL,
+	  eval_energy },
+	{ "before", "force", "total force on the particles before it was added", TS_VECTOR, 3, components,
+	  eval_before },
 	{ .name = NULL },
 };
 

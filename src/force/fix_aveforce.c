@@ -77,8 +77,8 @@ static const struct ts_arg args[] = {
 
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "before", "force", "total force on the particles before it was averaged", TS_VECTOR, 3,
-	  components, eval },
+	{ "before", "force", "total force on the particles before it was averaged", TS_VECTOR, 3, components,
+	  eval },
 	{ .name = NULL },
 };
 
@@ -90,7 +90,8 @@ const struct ts_style ts_fix_aveforce = {
 	.name = "aveforce",
 	.kind = TS_KIND_FIX,
 	.summary = "Gives all particles of the group their mean force",
-	.doc = "Each component that is not NULL becomes f = (sum of f) / n + (fx, fy, fz) for all n particles\n"
+	.doc = "Each component that is not NULL becomes f = (sum of f) / n + (fx, fy, fz) for all n "
+	       "particles\n"
 	       "of the group (in the region): particles of equal mass then move as one body without turning.",
 	.example = "fix lid top aveforce NULL NULL -2.5",
 	.args = args,

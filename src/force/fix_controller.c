@@ -32,8 +32,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->input.name = s->process;
 	s->input.where = self->where;
 	TS_TRY(ts_ref_input_resolve(sim, "fix controller", TS_WANT(SCALAR), &s->input));
-	if (strncmp(s->process, "c_", 2) && strncmp(s->process, "f_", 2) &&
-	    strncmp(s->process, "v_", 2))
+	if (strncmp(s->process, "c_", 2) && strncmp(s->process, "f_", 2) && strncmp(s->process, "v_", 2))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix controller: '%s' is to be c_ID, c_ID[k], f_ID, f_ID[k] or v_NAME",
 			       s->process);
@@ -61,16 +60,14 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return set_control(self, sim);
 }
 
-static enum ts_status eval_value(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_value(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
 	out->data[0] = ((const struct state *)self->state)->value;
 	return TS_OK;
 }
 
-static enum ts_status eval_terms(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_terms(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
 	for (int k = 0; k < 3; k++)
@@ -78,11 +75,11 @@ static enum ts_status eval_terms(struct ts_instance *self, const struct tsim *si
 	return TS_OK;
 }
 
-#define CONSTANT(name_, field, help_)                                                              \
+#define CONSTANT(name_, field, help_) \
 	TS_REAL(name_, struct state, field, .flags = TS_POSITIONAL, .help = help_)
 static const struct ts_arg args[] = {
-	TS_INT("Nevery", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL,
-	       .range = TS_WITHIN, .lo = 1, .hi = 1e15, .help = "steps between changes"),
+	TS_INT("Nevery", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN,
+	       .lo = 1, .hi = 1e15, .help = "steps between changes"),
 	CONSTANT("alpha", alpha, "factor of all changes"),
 	CONSTANT("Kp", proportional, "constant of the proportional term"),
 	CONSTANT("Ki", integral, "constant of the integral term"),
@@ -113,10 +110,13 @@ const struct ts_style ts_fix_controller = {
 	.name = "controller",
 	.kind = TS_KIND_FIX,
 	.summary = "Steers something to a value by changing a variable",
-	.doc = "With e the deviation of pvar from the setpoint and tau the time between changes, at the end of each\n"
+	.doc = "With e the deviation of pvar from the setpoint and tau the time between changes, at the end "
+	       "of each\n"
 	       "step that is a multiple of Nevery\n\n"
-	       "    c += -Kp alpha tau e - Ki alpha tau^2 (e2 + e3 + ... + e) - Kd alpha (e - e of the time before)\n\n"
-	       "where c is the variable cvar, of style internal, and e1 the first deviation. The value is saved in\n"
+	       "    c += -Kp alpha tau e - Ki alpha tau^2 (e2 + e3 + ... + e) - Kd alpha (e - e of the time "
+	       "before)\n\n"
+	       "where c is the variable cvar, of style internal, and e1 the first deviation. The value is "
+	       "saved in\n"
 	       "restart files.",
 	.example = "variable push internal 0.0\n"
 		   "fix speed all controller 10 1.0 0.5 0.0 0.1 c_fast[1] 2.385 push\n"

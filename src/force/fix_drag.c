@@ -96,7 +96,8 @@ const struct ts_style ts_fix_drag = {
 	.name = "drag",
 	.kind = TS_KIND_FIX,
 	.summary = "A force of constant size towards a point",
-	.doc = "f -= fmag d/|d| for particles farther than delta from the point, d leading from the (nearest image\n"
+	.doc = "f -= fmag d/|d| for particles farther than delta from the point, d leading from the (nearest "
+	       "image\n"
 	       "of the) point to the particle. The drag of a fluid is another matter: fix drag/stokes.",
 	.example = "fix gather all drag 0.5 NULL 0.0 2.385 0.01",
 	.args = args,

@@ -44,7 +44,8 @@ const struct ts_style ts_fix_enforce2d = {
 	.name = "enforce2d",
 	.kind = TS_KIND_FIX,
 	.summary = "Keeps the particles of the group in the x-y plane",
-	.doc = "In each step v_z, f_z and the x and y components of spin and torque become 0. Define it after\n"
+	.doc = "In each step v_z, f_z and the x and y components of spin and torque become 0. Define it "
+	       "after\n"
 	       "the fixes whose forces it cancels. Only with `dimension 2`.",
 	.example = "dimension 2\nfix flat all enforce2d",
 	.init = init,

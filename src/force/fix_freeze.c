@@ -81,8 +81,8 @@ static void fini(struct ts_instance *self)
 
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "before", "force", "total force on the particles before it was cancelled", TS_VECTOR, 3,
-	  components, eval },
+	{ "before", "force", "total force on the particles before it was cancelled", TS_VECTOR, 3, components,
+	  eval },
 	{ .name = NULL },
 };
 

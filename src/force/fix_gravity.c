@@ -177,8 +177,8 @@ static const struct ts_mode modes[] = {
 };
 
 static const struct ts_arg args[] = {
-	TS_NUMBER("magnitude", struct gravity, base.magnitude, .flags = TS_POSITIONAL,
-		  .unit = "acceleration", .help = "size of the acceleration; may be v_name"),
+	TS_NUMBER("magnitude", struct gravity, base.magnitude, .flags = TS_POSITIONAL, .unit = "acceleration",
+		  .help = "size of the acceleration; may be v_name"),
 	TS_MODE("mode", struct gravity, mode, modes, .help = "how its direction is given"),
 	TS_ARGS_END,
 };
@@ -188,10 +188,11 @@ const struct ts_style ts_fix_gravity = {
 	.name = "gravity",
 	.kind = TS_KIND_FIX,
 	.summary = "constant acceleration of all particles of the group",
-	.doc = "f += m g. The direction is given by `vector x y z` (normalised), `chute angle` "
-	       "(from -z towards +x, in degrees) or `spherical phi theta`; in two dimensions y stands for z, and phi\n"
+	.doc = "f += m g. The direction is given by `vector x y z` (normalised), `chute angle` (from -z "
+	       "towards +x, in degrees) or `spherical phi theta`; in two dimensions y stands for z, and phi\n"
 	       "has no effect. f_ID is the potential energy, which\n"
-	       "`fix_modify ID energy yes` counts in pe. Rigid bodies with a member in the group are accelerated as\n"
+	       "`fix_modify ID energy yes` counts in pe. Rigid bodies with a member in the group are "
+	       "accelerated as\n"
 	       "a whole, with their own mass.",
 	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0",
 	.args = args,

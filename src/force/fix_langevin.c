@@ -40,8 +40,7 @@ static enum ts_status temperature(struct ts_instance *self, struct tsim *sim, do
 		*t += (s->stop - *t) * (double)(c->step - c->ramp_first) / steps;
 	if (*t >= 0)
 		return TS_OK;
-	return ts_fail(&sim->error, TS_RANGE, &self->where,
-		       "fix langevin: the temperature would be %g", *t);
+	return ts_fail(&sim->error, TS_RANGE, &self->where, "fix langevin: the temperature would be %g", *t);
 }
 
 /* The noise of particle i in this step: variance 2 k T m/(damp h), uniformly distributed as in Duenweg
@@ -94,8 +93,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -114,8 +112,8 @@ static const struct ts_arg args[] = {
 		  .help = "temperature at the start of a run; v_NAME: at all times"),
 	TS_REAL("Tstop", struct state, stop, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
 		.unit = "temperature", .help = "temperature at its end"),
-	TS_REAL("damp", struct state, damp, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-		.unit = "time", .help = "time in which velocities decay"),
+	TS_REAL("damp", struct state, damp, .flags = TS_POSITIONAL, .range = TS_POSITIVE, .unit = "time",
+		.help = "time in which velocities decay"),
 	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "seed of the random numbers"),
 	TS_BOOL("zero", struct state, zero, .fallback = "no",
@@ -129,9 +127,12 @@ const struct ts_style ts_fix_langevin = {
 	.name = "langevin",
 	.kind = TS_KIND_FIX,
 	.summary = "A heat bath: friction and noise",
-	.doc = "f += -m v/damp + sqrt(24 k T m/(damp h)) u, each component of u uniform in (-1/2, 1/2): friction and\n"
-	       "noise of the strength that makes the particles' translation have the temperature T. Numbers depend\n"
-	       "on seed, step and identity only. Integrate with fix nve. The temperature goes linearly from Tstart\n"
+	.doc = "f += -m v/damp + sqrt(24 k T m/(damp h)) u, each component of u uniform in (-1/2, 1/2): "
+	       "friction and\n"
+	       "noise of the strength that makes the particles' translation have the temperature T. Numbers "
+	       "depend\n"
+	       "on seed, step and identity only. Integrate with fix nve. The temperature goes linearly from "
+	       "Tstart\n"
 	       "to Tstop over each run (see `run N start S stop E`).",
 	.example = "fix bath all langevin 300 300 0.1 86028157",
 	.args = args,

@@ -25,8 +25,8 @@ struct state {
 	double unit[3]; /* along the axis */
 	struct ts_number_or_peratom shift_now[3], rate_now[3];
 	struct ts_reference start; /* where each particle would be at t = 0, not wrapped */
-	double origin;	   /* saved: time when the fix was made */
-	int64_t started;   /* saved */
+	double origin;		   /* saved: time when the fix was made */
+	int64_t started;	   /* saved */
 };
 
 /* The time since the start, and factors common to all particles. */
@@ -63,8 +63,8 @@ static struct moment moment_of(const struct state *s, const struct tsim *sim)
 }
 
 /* x = P + C + A cos wt + B sin wt + V t, where x0 - P = C + A, C along the axis, B = e x A. */
-static void turn(const struct state *s, const struct tsim *sim, const struct moment *m,
-		 const double x0[3], double x[3], double v[3])
+static void turn(const struct state *s, const struct tsim *sim, const struct moment *m, const double x0[3],
+		 double x[3], double v[3])
 {
 	double point[3], a[3], b[3], along;
 
@@ -79,8 +79,7 @@ static void turn(const struct state *s, const struct tsim *sim, const struct mom
 	for (int k = 0; k < 3; k++) {
 		double drift = s->mode == TRANSROT ? scale_of(s, sim, k) * s->drift[k] : 0;
 
-		x[k] = point[k] + along * s->unit[k] + m->cosine * a[k] + m->sine * b[k] +
-		       drift * m->t;
+		x[k] = point[k] + along * s->unit[k] + m->cosine * a[k] + m->sine * b[k] + drift * m->t;
 		v[k] = m->omega * (m->cosine * b[k] - m->sine * a[k]) + drift;
 	}
 }
@@ -124,8 +123,7 @@ static enum ts_status check_numbers(struct ts_instance *self, struct tsim *sim)
 	if (s->mode != ROTATE && s->mode != TRANSROT)
 		return TS_OK;
 	if (!(length > 0))
-		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "fix move: the axis has no length");
+		return ts_fail(&sim->error, TS_RANGE, &self->where, "fix move: the axis has no length");
 	for (int k = 0; k < 3; k++)
 		s->unit[k] = s->axis[k] / length;
 	if (sim->dimension == 2 && (s->axis[0] != 0 || s->axis[1] != 0))
@@ -165,8 +163,7 @@ static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
 /* Component k of particle i moves as the forces say. */
 static bool is_free(const struct state *s, int k)
 {
-	return (s->mode == LINEAR && s->velocity[k].null) ||
-	       (s->mode == WIGGLE && s->amplitude[k].null) ||
+	return (s->mode == LINEAR && s->velocity[k].null) || (s->mode == WIGGLE && s->amplitude[k].null) ||
 	       (s->mode == VARIABLE && s->shift[k].null && s->rate[k].null);
 }
 
@@ -180,8 +177,8 @@ static void kick(const struct state *s, const struct tsim *sim, size_t i)
 }
 
 /* The new place, not wrapped, and velocity of a component that is not given as a rotation. */
-static void move_component(const struct state *s, const struct tsim *sim, const struct moment *m,
-			   size_t i, int k, double start, double *x, double *v)
+static void move_component(const struct state *s, const struct tsim *sim, const struct moment *m, size_t i,
+			   int k, double start, double *x, double *v)
 {
 	double scale = scale_of(s, sim, k);
 
@@ -305,9 +302,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	TS_TRY(ts_table_resize(out, p->n, 3));
 	for (size_t i = 0; i < p->n; i++)
 		for (size_t k = 0; k < 3; k++)
-			out->data[3 * i + k] = ts_in_group(p, i, self->group)
-						       ? ts_reference_of(sim, &s->start, i)[k]
-						       : 0;
+			out->data[3 * i + k] =
+				ts_in_group(p, i, self->group) ? ts_reference_of(sim, &s->start, i)[k] : 0;
 	return TS_OK;
 }
 
@@ -321,8 +317,8 @@ static void fini(struct ts_instance *self)
 	}
 }
 
-#define COMPONENT(name_, field, unit_, help_)                                                      \
-	TS_NUMBER(name_, struct state, field, .flags = TS_POSITIONAL | TS_NULLABLE | TS_STATEFUL,  \
+#define COMPONENT(name_, field, unit_, help_)                                                     \
+	TS_NUMBER(name_, struct state, field, .flags = TS_POSITIONAL | TS_NULLABLE | TS_STATEFUL, \
 		  .unit = unit_, .help = help_)
 #define FREE "; NULL: this component moves as forces say"
 static const struct ts_arg linear_args[] = {
@@ -331,9 +327,9 @@ static const struct ts_arg linear_args[] = {
 	COMPONENT("Vz", velocity[2], "velocity", "z velocity"),
 	TS_ARGS_END,
 };
-#define PERIOD                                                                                     \
-	TS_REAL("period", struct state, period, .flags = TS_POSITIONAL | TS_STATEFUL,              \
-		.range = TS_POSITIVE, .unit = "time", .help = "time of one oscillation or turn")
+#define PERIOD                                                                                              \
+	TS_REAL("period", struct state, period, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_POSITIVE, \
+		.unit = "time", .help = "time of one oscillation or turn")
 static const struct ts_arg wiggle_args[] = {
 	COMPONENT("Ax", amplitude[0], "length", "x amplitude" FREE),
 	COMPONENT("Ay", amplitude[1], "length", "y amplitude"),
@@ -341,16 +337,16 @@ static const struct ts_arg wiggle_args[] = {
 	PERIOD,
 	TS_ARGS_END,
 };
-#define AXIS                                                                                       \
-	TS_VEC3("point", struct state, point, .flags = TS_POSITIONAL | TS_STATEFUL,                \
-		.unit = "length", .help = "a point on the axis"),                                  \
-		TS_VEC3("axis", struct state, axis, .flags = TS_POSITIONAL | TS_STATEFUL,          \
-			.help = "direction of the axis, any length; turns by the right hand"),      \
+#define AXIS                                                                                          \
+	TS_VEC3("point", struct state, point, .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "length", \
+		.help = "a point on the axis"),                                                       \
+		TS_VEC3("axis", struct state, axis, .flags = TS_POSITIONAL | TS_STATEFUL,             \
+			.help = "direction of the axis, any length; turns by the right hand"),        \
 		PERIOD
 static const struct ts_arg rotate_args[] = { AXIS, TS_ARGS_END };
 static const struct ts_arg transrot_args[] = {
-	TS_VEC3("drift", struct state, drift, .flags = TS_POSITIONAL | TS_STATEFUL,
-		.unit = "velocity", .help = "velocity of the axis"),
+	TS_VEC3("drift", struct state, drift, .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "velocity",
+		.help = "velocity of the axis"),
 	AXIS,
 	TS_ARGS_END,
 };
@@ -383,8 +379,8 @@ static const struct ts_arg args[] = {
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
 	{ "start", "length",
-	  "where each particle was when the fix was made, not wrapped; 0 outside the group",
-	  TS_PERATOM, 3, components, eval },
+	  "where each particle was when the fix was made, not wrapped; 0 outside the group", TS_PERATOM, 3,
+	  components, eval },
 	{ .name = NULL },
 };
 
@@ -399,15 +395,20 @@ const struct ts_style ts_fix_move = {
 	.name = "move",
 	.kind = TS_KIND_FIX,
 	.summary = "Moves particles along prescribed paths",
-	.doc = "Takes the place of an integrator for the particles of the group: where they are is a function of the\n"
+	.doc = "Takes the place of an integrator for the particles of the group: where they are is a "
+	       "function of the\n"
 	       "time t since the fix was made, whatever forces act on them. With x0 the place at t = 0\n\n"
 	       "    linear    x = x0 + V t\n"
 	       "    wiggle    x = x0 + A sin(2 pi t/period)\n"
-	       "    rotate    x = P + C + A cos(wt) + B sin(wt), x0 - P = C + A, C along the axis e, B = e x A\n"
+	       "    rotate    x = P + C + A cos(wt) + B sin(wt), x0 - P = C + A, C along the axis e, B = e x "
+	       "A\n"
 	       "    transrot  the same + V t\n"
-	       "    variable  x = x0 + (dx, dy, dz), or x += h (vx, vy, vz) where no displacement is given\n\n"
-	       "and velocities to match; particles that turn also spin with w = 2 pi/period. With `variable`\n"
-	       "displacements and velocities should agree, which is not checked. Particles that come later take part\n"
+	       "    variable  x = x0 + (dx, dy, dz), or x += h (vx, vy, vz) where no displacement is "
+	       "given\n\n"
+	       "and velocities to match; particles that turn also spin with w = 2 pi/period. With "
+	       "`variable`\n"
+	       "displacements and velocities should agree, which is not checked. Particles that come later "
+	       "take part\n"
 	       "from where they are.",
 	.example = "fix shake floor move wiggle NULL NULL 0.001 0.02\n"
 		   "fix stir blade move rotate 0 0 0 0 0 1 2.385",

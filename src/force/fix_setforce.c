@@ -80,8 +80,7 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_NUMBER("fx", struct setforce, f[0], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
-		  .help = "x force; NULL leaves it, v_name makes it a variable (also one for each "
-			  "particle)"),
+		  .help = "x force; NULL leaves it, v_name makes it a variable (also one for each particle)"),
 	TS_NUMBER("fy", struct setforce, f[1], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
 		  .help = "y force"),
 	TS_NUMBER("fz", struct setforce, f[2], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
@@ -92,8 +91,8 @@ static const struct ts_arg args[] = {
 
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "before", "force", "total force on the particles before it was set", TS_VECTOR, 3,
-	  components, eval },
+	{ "before", "force", "total force on the particles before it was set", TS_VECTOR, 3, components,
+	  eval },
 	{ .name = NULL },
 };
 
@@ -102,8 +101,7 @@ const struct ts_style ts_fix_setforce = {
 	.name = "setforce",
 	.kind = TS_KIND_FIX,
 	.summary = "sets components of the force on each particle of the group",
-	.doc = "Replaces whatever earlier styles have added in this step. NULL leaves a component "
-	       "alone.",
+	.doc = "Replaces whatever earlier styles have added in this step. NULL leaves a component alone.",
 	.example = "fix guide tool setforce 0.0 0.0 NULL",
 	.args = args,
 	.state_size = sizeof(struct setforce),

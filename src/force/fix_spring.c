@@ -14,7 +14,7 @@ enum { TETHER, COUPLE };
 struct state {
 	int mode, partner;
 	double stiffness, rest;
-	struct ts_number at[3]; /* NULL: free in this direction */
+	struct ts_number at[3];	 /* NULL: free in this direction */
 	double force[4], energy; /* saved: on the group, and its size with sign */
 };
 
@@ -69,8 +69,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 	double mass = ts_group_mass(sim, self->group), other;
@@ -85,16 +84,14 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			       "fix spring, 2 sqrt(m/K)");
 }
 
-static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
 	out->data[0] = ((const struct state *)self->state)->energy;
 	return TS_OK;
 }
 
-static enum ts_status eval_force(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_force(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
 	for (int k = 0; k < 4; k++)
@@ -102,23 +99,21 @@ static enum ts_status eval_force(struct ts_instance *self, const struct tsim *si
 	return TS_OK;
 }
 
-#define K_ROW                                                                                      \
-	TS_REAL("K", struct state, stiffness, .flags = TS_POSITIONAL, .range = TS_POSITIVE,        \
+#define K_ROW                                                                               \
+	TS_REAL("K", struct state, stiffness, .flags = TS_POSITIONAL, .range = TS_POSITIVE, \
 		.unit = "force/length", .help = "spring constant")
-#define END_ROWS(help_)                                                                            \
-	TS_NUMBER("x", struct state, at[0], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "length", \
-		  .help = help_ ", a number or v_NAME; NULL: no force in x"),                      \
-		TS_NUMBER("y", struct state, at[1], .flags = TS_POSITIONAL | TS_NULLABLE,          \
-			  .unit = "length", .help = "y"),                                          \
-		TS_NUMBER("z", struct state, at[2], .flags = TS_POSITIONAL | TS_NULLABLE,          \
-			  .unit = "length", .help = "z"),                                          \
-		TS_REAL("R0", struct state, rest, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE, \
+#define END_ROWS(help_)                                                                                     \
+	TS_NUMBER("x", struct state, at[0], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "length",         \
+		  .help = help_ ", a number or v_NAME; NULL: no force in x"),                               \
+		TS_NUMBER("y", struct state, at[1], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "length", \
+			  .help = "y"),                                                                     \
+		TS_NUMBER("z", struct state, at[2], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "length", \
+			  .help = "z"),                                                                     \
+		TS_REAL("R0", struct state, rest, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,         \
 			.unit = "length", .help = "length without force")
-static const struct ts_arg tether_args[] = { K_ROW, END_ROWS("x of the point it pulls to"),
-					     TS_ARGS_END };
+static const struct ts_arg tether_args[] = { K_ROW, END_ROWS("x of the point it pulls to"), TS_ARGS_END };
 static const struct ts_arg couple_args[] = {
-	TS_GROUP("partner", struct state, partner, .flags = TS_POSITIONAL,
-		 .help = "the other group"),
+	TS_GROUP("partner", struct state, partner, .flags = TS_POSITIONAL, .help = "the other group"),
 	K_ROW,
 	END_ROWS("x of the partner relative to the group at rest"),
 	TS_ARGS_END,
@@ -138,8 +133,8 @@ static const struct ts_arg args[] = {
 static const char *const components[] = { "x", "y", "z", "size" };
 static const struct ts_value values[] = {
 	{ "energy", "energy", "energy of the spring", TS_SCALAR, 1, NULL, eval_energy },
-	{ "force", "force", "force on the group, and its size, < 0 where it pushes", TS_VECTOR, 4,
-	  components, eval_force },
+	{ "force", "force", "force on the group, and its size, < 0 where it pushes", TS_VECTOR, 4, components,
+	  eval_force },
 	{ .name = NULL },
 };
 
@@ -154,8 +149,10 @@ const struct ts_style ts_fix_spring = {
 	.name = "spring",
 	.kind = TS_KIND_FIX,
 	.summary = "A spring on the centre of mass of a group",
-	.doc = "F = -K (|d| - R0) d/|d|, where d leads from the point, or from the centre of mass of the partner\n"
-	       "minus (x, y, z), to the centre of mass of the group, positions not wrapped. The force is shared out by\n"
+	.doc = "F = -K (|d| - R0) d/|d|, where d leads from the point, or from the centre of mass of the "
+	       "partner\n"
+	       "minus (x, y, z), to the centre of mass of the group, positions not wrapped. The force is "
+	       "shared out by\n"
 	       "mass, so it moves the group as a whole and does not turn it; a partner gets the opposite.\n"
 	       "Stable with velocity Verlet for steps below 2 sqrt(m/K).",
 	.example = "fix tow ball spring tether 25 0.5 NULL v_height 0.0\n"

@@ -75,8 +75,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -118,8 +117,8 @@ static void fini(struct ts_instance *self)
 static const struct ts_arg args[] = {
 	TS_REAL("K", struct state, stiffness, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 		.unit = "force/length", .help = "spring constant"),
-	TS_ENUM("dir", struct state, direction, directions, .flags = TS_POSITIONAL,
-		.fallback = "xyz", .help = "directions in which it pulls"),
+	TS_ENUM("dir", struct state, direction, directions, .flags = TS_POSITIONAL, .fallback = "xyz",
+		.help = "directions in which it pulls"),
 	TS_ARGS_END,
 };
 
@@ -133,7 +132,8 @@ const struct ts_style ts_fix_spring_self = {
 	.name = "spring/self",
 	.kind = TS_KIND_FIX,
 	.summary = "A spring from each particle to where it was",
-	.doc = "f -= K (x - x0) with x0 the place, not wrapped, when the fix was made, or when the particle came.\n"
+	.doc = "f -= K (x - x0) with x0 the place, not wrapped, when the fix was made, or when the particle "
+	       "came.\n"
 	       "Stable with velocity Verlet for steps below 2 sqrt(m/K).",
 	.example = "fix hold frame spring/self 2.5 xy",
 	.args = args,

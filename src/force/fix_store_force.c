@@ -24,8 +24,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	ts_str_addf(&name, "fix store/force %s", self->id);
 	status = name.failed ? ts_nomem(&sim->error)
-			     : ts_particles_add_column(sim, ts_str_text(&name), 3, TS_COL_RESULT,
-						       &s->column);
+			     : ts_particles_add_column(sim, ts_str_text(&name), 3, TS_COL_RESULT, &s->column);
 	ts_str_release(&name);
 	return status;
 }
@@ -62,8 +61,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "force", "force", "force on each particle at this point; 0 outside the group", TS_PERATOM,
-	  3, components, eval },
+	{ "force", "force", "force on each particle at this point; 0 outside the group", TS_PERATOM, 3,
+	  components, eval },
 	{ .name = NULL },
 };
 
@@ -72,7 +71,8 @@ const struct ts_style ts_fix_store_force = {
 	.name = "store/force",
 	.kind = TS_KIND_FIX,
 	.summary = "Remembers the forces on particles before later fixes change them",
-	.doc = "Fixes act in the order in which they are made: what contacts, bonds and the fixes before this one have\n"
+	.doc = "Fixes act in the order in which they are made: what contacts, bonds and the fixes before "
+	       "this one have\n"
 	       "added up to is kept, e.g. before fix setforce or fix freeze takes it away.",
 	.example = "fix felt wall store/force\nfix hold wall freeze\ncompute load wall reduce sum f_felt[*]",
 	.state_size = sizeof(struct state),

@@ -36,7 +36,7 @@ struct task {
 TS_CLONES static void share(void *context, size_t from, size_t to)
 {
 	const struct task t = *(const struct task *)context;
-	double (*restrict f)[3] = t.p->f, (*restrict v)[3] = t.p->v;
+	double(*restrict f)[3] = t.p->f, (*restrict v)[3] = t.p->v;
 	const int32_t *restrict type = t.p->type;
 	bool all = ts_group_members(t.p, t.group, from, to) == to - from;
 
@@ -59,8 +59,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct viscous *s = self->state;
 	const struct ts_particles *p = sim->particles;

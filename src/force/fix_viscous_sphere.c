@@ -35,8 +35,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -47,8 +46,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			least = fmin(least, ts_inertia(sim, i) / (s->gamma * s->factor[p->type[i]]));
 	if (!isfinite(least))
 		return TS_OK;
-	return ts_report_limit(report, 2 * least, true, &self->where,
-			       "fix viscous/sphere, 2 I/gamma");
+	return ts_report_limit(report, 2 * least, true, &self->where, "fix viscous/sphere, 2 I/gamma");
 }
 
 static const struct ts_arg args[] = {

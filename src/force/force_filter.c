@@ -11,8 +11,8 @@ enum ts_status ts_force_filter_init(struct ts_instance *self, struct tsim *sim)
 	double length = ts_norm(s->direction);
 
 	if (!(length > 0))
-		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "fix %s: the direction has no length", self->style->name);
+		return ts_fail(&sim->error, TS_RANGE, &self->where, "fix %s: the direction has no length",
+			       self->style->name);
 	for (int k = 0; k < 3; k++)
 		s->unit[k] = s->direction[k] / length;
 	return TS_OK;

@@ -11,14 +11,14 @@ static enum ts_status refuse_sharing(struct tsim *sim, const struct ts_instance 
 	if (fix->style->restraint->leave || !ts_groups_meet(sim->particles, self->group, fix->group))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "fix %s: its force depends on how each particle will move by itself, but fix %s %s (line %d) "
-		       "gives particles of this group a common force: put fix %s before this fix, or use a drag of "
-		       "scheme explicit",
+		       "fix %s: its force depends on how each particle will move by itself, but fix %s %s "
+		       "(line %d) gives particles of this group a common force: put fix %s before this fix, "
+		       "or use a drag of scheme explicit",
 		       self->style->name, fix->style->name, fix->id, fix->where.line, fix->style->name);
 }
 
-enum ts_status ts_restraints_find(struct ts_restraints *list, struct tsim *sim, const struct ts_instance *self,
-				  bool alone)
+enum ts_status ts_restraints_find(struct ts_restraints *list, struct tsim *sim,
+				  const struct ts_instance *self, bool alone)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	bool after = false;

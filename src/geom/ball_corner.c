@@ -1,11 +1,12 @@
-/* With the corner inside the ball, the piece is bounded by three parts of planes and one of the sphere. By Gauss'
- * theorem about the centre its volume is (S - a A_a - b A_b - c A_c)/3: S the area on the sphere, A_a that of the
- * plane x = a, a sector of the disc of radius s = sqrt(1 - a^2). S follows from the theorem of Gauss and
- * Bonnet: its edges are arcs of small circles, of angle t_a and geodesic curvature a/s, which meet at the
- * exterior angles acos(-ab/sqrt((1 - a^2)(1 - b^2))):
+/* With the corner inside the ball, the piece is bounded by three parts of planes and one of the sphere. By
+ * Gauss' theorem about the centre its volume is (S - a A_a - b A_b - c A_c)/3: S the area on the sphere,
+ * A_a that of the plane x = a, a sector of the disc of radius s = sqrt(1 - a^2). S follows from the
+ * theorem of Gauss and Bonnet: its edges are arcs of small circles, of angle t_a and geodesic curvature
+ * a/s, which meet at the exterior angles acos(-ab/sqrt((1 - a^2)(1 - b^2))):
  *   S = 2 pi - sum of exterior angles - sum of a t_a.
- * A corner outside the ball, with no negative coordinate, has nothing of it beyond; a negative coordinate is
- * turned round: what lies beyond (a, b, -c) is what lies beyond (a, b), less what lies beyond (a, b, c). */
+ * A corner outside the ball, with no negative coordinate, has nothing of it beyond; a negative coordinate
+ * is turned round: what lies beyond (a, b, -c) is what lies beyond (a, b), less what lies beyond (a, b,
+ * c). */
 #include "geom/ball_corner.h"
 
 #include <math.h>
@@ -25,8 +26,8 @@ static double sector(double s2, double b, double c, double *angle)
 	double s = sqrt(s2);
 
 	*angle = s > 0 ? acos(clamp(b / s)) - asin(clamp(c / s)) : 0;
-	return 0.5 * (s2 * *angle - b * (sqrt(fmax(s2 - b * b, 0)) - c) -
-		      c * (sqrt(fmax(s2 - c * c, 0)) - b));
+	return 0.5 *
+	       (s2 * *angle - b * (sqrt(fmax(s2 - b * b, 0)) - c) - c * (sqrt(fmax(s2 - c * c, 0)) - b));
 }
 
 static double exterior(double a, double b)

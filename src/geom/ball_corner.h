@@ -1,5 +1,6 @@
-/* How much of the unit ball lies beyond a corner: the volume of x >= a, y >= b, z >= c, x^2 + y^2 + z^2 <= 1, for
- * any a, b, c. What lies in a box is the alternating sum over its eight corners. Exact to round-off. */
+/* How much of the unit ball lies beyond a corner: the volume of x >= a, y >= b, z >= c, x^2 + y^2 + z^2 <=
+ * 1, for any a, b, c. What lies in a box is the alternating sum over its eight corners. Exact to
+ * round-off. */
 #ifndef TS_GEOM_BALL_CORNER_H
 #define TS_GEOM_BALL_CORNER_H
 

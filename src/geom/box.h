@@ -9,9 +9,9 @@
 /* Behaviour of a face, by the letter of the `boundary` command. */
 enum ts_face {
 	TS_FACE_PERIODIC, /* p */
-	TS_FACE_FIXED,    /* f: particles that leave are deleted */
-	TS_FACE_SHRINK,   /* s: follows the particles */
-	TS_FACE_MINIMUM   /* m: follows them, never inside the first box */
+	TS_FACE_FIXED,	  /* f: particles that leave are deleted */
+	TS_FACE_SHRINK,	  /* s: follows the particles */
+	TS_FACE_MINIMUM	  /* m: follows them, never inside the first box */
 };
 
 struct ts_box {

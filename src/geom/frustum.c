@@ -10,7 +10,7 @@ static void side(const struct ts_frustum *f, double r, double s, struct ts_frust
 	double dr = f->radius[1] - f->radius[0], ds = f->hi - f->lo, t;
 
 	*out = (struct ts_frustum_contact_point){ TS_FRUSTUM_SIDE, f->radius[0],
-					 fmin(fmax(s, f->lo), f->hi) };
+						  fmin(fmax(s, f->lo), f->hi) };
 	if (dr == 0) /* a cylinder, which may have no ends */
 		return;
 	t = ((r - f->radius[0]) * dr + (s - f->lo) * ds) / (dr * dr + ds * ds);

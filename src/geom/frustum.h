@@ -1,4 +1,5 @@
-/* The surface of a cylinder or a truncated cone, in the half-plane through its axis: r from the axis, s along it. */
+/* The surface of a cylinder or a truncated cone, in the half-plane through its axis: r from the axis, s
+ * along it. */
 #ifndef TS_GEOM_FRUSTUM_H
 #define TS_GEOM_FRUSTUM_H
 

@@ -60,8 +60,7 @@ static inline void ts_motion_undo(const struct ts_motion *m, const double y[3], 
 
 /* What `first` and then `then` do; origin 0. The turn stays a rotation to round-off, however often this is
  * repeated: its rows are made orthogonal and of length 1 again. */
-static inline struct ts_motion ts_motion_after(const struct ts_motion *first,
-					       const struct ts_motion *then)
+static inline struct ts_motion ts_motion_after(const struct ts_motion *first, const struct ts_motion *then)
 {
 	static const double zero[3] = { 0 };
 	struct ts_motion m = { .origin = { 0 } };

@@ -58,8 +58,8 @@ static void locate(const struct axis *a, double x, int32_t *cell, int32_t *turns
 
 static size_t cell_number(const struct grid *g, const int32_t c[3])
 {
-	return (size_t)c[0] + (size_t)g->axis[0].cells *
-				      ((size_t)c[1] + (size_t)g->axis[1].cells * (size_t)c[2]);
+	return (size_t)c[0] +
+	       (size_t)g->axis[0].cells * ((size_t)c[1] + (size_t)g->axis[1].cells * (size_t)c[2]);
 }
 
 /* A counting sort. */
@@ -70,9 +70,8 @@ static void fill(struct grid *g, const double (*x)[3], size_t n)
 			locate(&g->axis[d], x[i][d], &g->place[i][d], &g->turns[i][d]);
 		g->start[cell_number(g, g->place[i]) + 2]++;
 	}
-	for (size_t c = 2; c < 2 + (size_t)g->axis[0].cells * (size_t)g->axis[1].cells *
-					   (size_t)g->axis[2].cells;
-	     c++)
+	for (size_t c = 2;
+	     c < 2 + (size_t)g->axis[0].cells * (size_t)g->axis[1].cells * (size_t)g->axis[2].cells; c++)
 		g->start[c] += g->start[c - 1];
 	for (size_t i = 0; i < n; i++)
 		g->list[g->start[cell_number(g, g->place[i]) + 1]++] = (int32_t)i;

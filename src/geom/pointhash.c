@@ -86,7 +86,8 @@ static int32_t visit_all(const struct ts_pointhash *hash, ts_pointhash_fn *visit
 	return -1;
 }
 
-/* The square of the distance from x to a cell, in one direction; where cells cannot be told apart, less than any. */
+/* The square of the distance from x to a cell, in one direction; where cells cannot be told apart, less
+ * than any. */
 static double gap2_of(const struct ts_pointhash *hash, double x, int64_t cell)
 {
 	double lo = (double)cell * hash->cell, hi = lo + hash->cell;
@@ -168,14 +169,13 @@ bool ts_pointhash_near(const struct ts_pointhash *hash, const double x[3], doubl
 	return ts_pointhash_find(hash, x, distance) >= 0;
 }
 
-bool ts_pointhash_near_periodic(const struct ts_pointhash *hash, const struct ts_box *box,
-				const double x[3], double distance)
+bool ts_pointhash_near_periodic(const struct ts_pointhash *hash, const struct ts_box *box, const double x[3],
+				double distance)
 {
 	for (int k = 0; k < 27; k++) {
 		double image[3];
 
-		if (ts_box_image(box, x, k, distance, image) &&
-		    ts_pointhash_near(hash, image, distance))
+		if (ts_box_image(box, x, k, distance, image) && ts_pointhash_near(hash, image, distance))
 			return true;
 	}
 	return false;

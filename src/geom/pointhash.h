@@ -35,7 +35,7 @@ int32_t ts_pointhash_find(const struct ts_pointhash *hash, const double x[3], do
 /* Is there one? */
 bool ts_pointhash_near(const struct ts_pointhash *hash, const double x[3], double distance);
 /* The same with the images of x across the periodic faces of the box. */
-bool ts_pointhash_near_periodic(const struct ts_pointhash *hash, const struct ts_box *box,
-				const double x[3], double distance);
+bool ts_pointhash_near_periodic(const struct ts_pointhash *hash, const struct ts_box *box, const double x[3],
+				double distance);
 
 #endif

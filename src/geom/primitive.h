@@ -2,19 +2,12 @@
 #ifndef TS_GEOM_PRIMITIVE_H
 #define TS_GEOM_PRIMITIVE_H
 
-enum ts_primitive_shape {
-	TS_XPLANE,
-	TS_YPLANE,
-	TS_ZPLANE,
-	TS_XCYLINDER,
-	TS_YCYLINDER,
-	TS_ZCYLINDER
-};
+enum ts_primitive_shape { TS_XPLANE, TS_YPLANE, TS_ZPLANE, TS_XCYLINDER, TS_YCYLINDER, TS_ZCYLINDER };
 
 struct ts_primitive {
 	enum ts_primitive_shape shape;
 	double position;  /* of a plane */
-	double radius;    /* of a cylinder */
+	double radius;	  /* of a cylinder */
 	double centre[2]; /* of a cylinder, along the next two axes in cyclic order: y,z | z,x | x,y */
 };
 

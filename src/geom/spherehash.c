@@ -18,16 +18,14 @@ void ts_spherehash_release(struct ts_spherehash *hash)
 }
 
 /* The level of a size; with no more room for levels, the one of the most similar size. */
-static enum ts_status level_of(struct ts_spherehash *hash, double radius,
-			       struct ts_spherehash_level **out)
+static enum ts_status level_of(struct ts_spherehash *hash, double radius, struct ts_spherehash_level **out)
 {
 	int exponent = 0, best = 0;
 	struct ts_spherehash_level *level;
 
 	(void)frexp(radius, &exponent);
 	for (int k = 0; k < hash->nlevels; k++) {
-		if (abs(hash->level[k].exponent - exponent) <
-		    abs(hash->level[best].exponent - exponent))
+		if (abs(hash->level[k].exponent - exponent) < abs(hash->level[best].exponent - exponent))
 			best = k;
 	}
 	*out = &hash->level[best];
@@ -95,8 +93,7 @@ bool ts_spherehash_overlaps_periodic(const struct ts_spherehash *hash, const str
 	for (int k = 0; k < 27; k++) {
 		double image[3];
 
-		if (ts_box_image(box, x, k, reach, image) &&
-		    ts_spherehash_overlaps(hash, image, radius))
+		if (ts_box_image(box, x, k, reach, image) && ts_spherehash_overlaps(hash, image, radius))
 			return true;
 	}
 	return false;

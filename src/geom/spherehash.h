@@ -10,7 +10,7 @@ enum { TS_SPHEREHASH_LEVELS = 24 };
 struct ts_spherehash {
 	int nlevels;
 	struct ts_spherehash_level {
-		int exponent; /* of two: 2^exponent <= radius < 2^(exponent + 1), about */
+		int exponent;	/* of two: 2^exponent <= radius < 2^(exponent + 1), about */
 		double largest; /* radius */
 		struct ts_pointhash points;
 		double *radius;

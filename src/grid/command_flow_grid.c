@@ -71,7 +71,8 @@ static void make_tanh(const struct state *s, double *face, int n)
 	face[n] = 1;
 }
 
-/* The factor q for which h (q + q^2 + ... + q^n) = length, by bisection; NaN if there is none between 0.2 and 5. */
+/* The factor q for which h (q + q^2 + ... + q^n) = length, by bisection; NaN if there is none between 0.2
+ * and 5. */
 static double growth_factor(double h, int64_t n, double length)
 {
 	double lo = 0.2, hi = 5;
@@ -88,8 +89,8 @@ static double growth_factor(double h, int64_t n, double length)
 	return lo > 0.21 && hi < 4.9 ? 0.5 * (lo + hi) : NAN;
 }
 
-/* Sets n faces beyond face[0] in the direction `sign` (1 or -1), each cell wider than the one before by q; the cell before
- * the first has width h. */
+/* Sets n faces beyond face[0] in the direction `sign` (1 or -1), each cell wider than the one before by q;
+ * the cell before the first has width h. */
 static void set_growing_faces(double *face, int64_t n, int sign, double h, double q)
 {
 	for (int64_t i = 1; i <= n; i++)
@@ -108,8 +109,8 @@ static enum ts_status make_around(struct tsim *sim, const struct state *s, const
 
 	if (!(lo >= 0 && hi <= 1 && hi > lo) || after < 0)
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "flow_grid: %g to %g with %lld cells before and %lld inside do not fit into the "
-			       "%d cells from %g to %g",
+			       "flow_grid: %g to %g with %lld cells before and %lld inside do not fit into "
+			       "the %d cells from %g to %g",
 			       s->lo, s->hi, (long long)s->before, (long long)s->inside, n, origin,
 			       origin + length);
 	below = growth_factor(h, s->before, lo);
@@ -160,7 +161,7 @@ static enum ts_status read_faces(struct tsim *sim, const struct state *s, const 
 }
 
 static enum ts_status make_faces(struct tsim *sim, const struct state *s, const struct ts_grid *grid,
-			   double *face, const struct ts_place *where)
+				 double *face, const struct ts_place *where)
 {
 	int n = grid->n[s->axis];
 
@@ -217,10 +218,8 @@ static const struct ts_arg tanh_args[] = {
 static const struct ts_arg around_args[] = {
 	TS_REAL("lo", struct state, lo, .flags = TS_POSITIONAL, .unit = "length",
 		.help = "where the even cells begin"),
-	TS_REAL("hi", struct state, hi, .flags = TS_POSITIONAL, .unit = "length",
-		.help = "and end"),
-	TS_INT("before", struct state, before, .range = TS_NOT_NEGATIVE,
-	       .help = "number of cells before lo"),
+	TS_REAL("hi", struct state, hi, .flags = TS_POSITIONAL, .unit = "length", .help = "and end"),
+	TS_INT("before", struct state, before, .range = TS_NOT_NEGATIVE, .help = "number of cells before lo"),
 	TS_INT("inside", struct state, inside, .range = TS_POSITIVE,
 	       .help = "number of even cells; the others come after hi"),
 	TS_ARGS_END,
@@ -254,10 +253,10 @@ const struct ts_command_style ts_command_flow_grid = {
 	.style = { .name = "flow_grid",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "Sets the widths of the fluid's cells along an axis",
-		   .doc = "After flow_style projection, which says how many cells there are. Without it all are "
-			  "of the same width. Each axis is graded by itself, so cells line up.\n\n"
-			  "Schemes are of second order where widths change smoothly: by a few per cent from cell "
-			  "to cell.",
+		   .doc = "After flow_style projection, which says how many cells there are. Without it all "
+			  "are of the same width. Each axis is graded by itself, so cells line up.\n\n"
+			  "Schemes are of second order where widths change smoothly: by a few per cent from "
+			  "cell to cell.",
 		   .example = "flow_grid y tanh 1.7\nflow_grid x geometric 4.0 fine hi\n"
 			      "flow_grid x around -1 2 before 40 inside 90\n"
 			      "flow_grid z faces 0 0.1 0.25 0.5 1.0",

@@ -57,8 +57,8 @@ static void make_axis(struct ts_grid *grid, int d, const double *face, double *m
 	w[n + g] = gap[n + g] = w[n + g - 1];
 }
 
-enum ts_status ts_grid_make(struct ts_grid *grid, int dimensions, const int n[3],
-			    const double *const face[3], const bool periodic[3])
+enum ts_status ts_grid_make(struct ts_grid *grid, int dimensions, const int n[3], const double *const face[3],
+			    const bool periodic[3])
 {
 	size_t lengths[3], total = 0;
 

@@ -1,10 +1,10 @@
 /* The staggered (MAC) grid: Cartesian, each axis uniform or graded by itself.
  *
  * Fields are arrays of doubles of grid.size, ghost cells included; cell (i,j,k), 0 <= i < n[0] ..., is at
- * ts_at(grid, i, j, k). Pressure, void fraction and scalars are stored at cell centres; velocity component d
- * is stored at the lower faces across axis d: u[0] of cell (i,j,k) is at (face[0][i], centre[1][j], centre[2][k]).
- * The faces of the upper boundary are the lower faces of the first ghost cells, i = n[0]; two layers of faces
- * follow beyond each boundary. Lengths are in the units of the script. */
+ * ts_at(grid, i, j, k). Pressure, void fraction and scalars are stored at cell centres; velocity component
+ * d is stored at the lower faces across axis d: u[0] of cell (i,j,k) is at (face[0][i], centre[1][j],
+ * centre[2][k]). The faces of the upper boundary are the lower faces of the first ghost cells, i = n[0];
+ * two layers of faces follow beyond each boundary. Lengths are in the units of the script. */
 #ifndef TS_GRID_GRID_H
 #define TS_GRID_GRID_H
 
@@ -18,28 +18,30 @@
 enum ts_grid_side { TS_LOW, TS_HIGH }; /* of an axis: its lower and its upper boundary */
 
 struct ts_grid {
-	int dimensions;      /* 2: one cell along z and no gradient along z; or 3 */
-	bool by_depth;	     /* `dimension 2`: particles are discs; masses, forces and volumes are per unit of depth */
-	int n[3];            /* number of cells, without ghosts */
-	int ghosts[3];       /* layers on either side: TS_GRID_GHOSTS, none along z in two dimensions */
-	ptrdiff_t stride[3]; /* distance in a field between neighbours along an axis, in doubles; stride[0] == 1 */
-	size_t size;         /* of a field, in doubles */
-	size_t origin;       /* index of cell (0,0,0) in a field */
+	int dimensions; /* 2: one cell along z and no gradient along z; or 3 */
+	/* `dimension 2`: particles are discs; masses, forces and volumes are per unit of depth */
+	bool by_depth;
+	int n[3];      /* number of cells, without ghosts */
+	int ghosts[3]; /* layers on either side: TS_GRID_GHOSTS, none along z in two dimensions */
+	/* distance in a field between neighbours along an axis, in doubles; stride[0] == 1 */
+	ptrdiff_t stride[3];
+	size_t size;   /* of a field, in doubles */
+	size_t origin; /* index of cell (0,0,0) in a field */
 	bool periodic[3];
-	bool uniform[3];     /* all cells along the axis have the same width */
-	/* Indexed from -ghosts to n + ghosts: face[d][i] is the coordinate of the lower face of cell i. Ghost cells
-	 * have the widths of the cells they mirror at a boundary, or of their periodic images. */
+	bool uniform[3]; /* all cells along the axis have the same width */
+	/* Indexed from -ghosts to n + ghosts: face[d][i] is the coordinate of the lower face of cell i.
+	 * Ghost cells have the widths of the cells they mirror at a boundary, or of their periodic images. */
 	double *face[3];
 	double *centre[3];
 	double *width[3]; /* face[i+1] - face[i] */
-	double *gap[3];   /* centre[i] - centre[i-1] */
-	double *memory;   /* of all these arrays; owned */
+	double *gap[3];	  /* centre[i] - centre[i-1] */
+	double *memory;	  /* of all these arrays; owned */
 };
 
-/* Makes the grid from the coordinates of the faces of each axis: n[d] + 1 each, increasing. With `dimensions` 2
- * n[2] must be 1. Released by ts_grid_release. */
-enum ts_status ts_grid_make(struct ts_grid *grid, int dimensions, const int n[3],
-			    const double *const face[3], const bool periodic[3]);
+/* Makes the grid from the coordinates of the faces of each axis: n[d] + 1 each, increasing. With
+ * `dimensions` 2 n[2] must be 1. Released by ts_grid_release. */
+enum ts_status ts_grid_make(struct ts_grid *grid, int dimensions, const int n[3], const double *const face[3],
+			    const bool periodic[3]);
 void ts_grid_release(struct ts_grid *grid);
 
 static inline size_t ts_at(const struct ts_grid *grid, int i, int j, int k)
@@ -57,8 +59,8 @@ static inline size_t ts_grid_cells(const struct ts_grid *grid)
 	return (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
 }
 
-/* The index of the cell along axis d that contains the coordinate x, from 0 to n - 1; -1 if x is outside the grid. The
- * upper boundary belongs to cell n - 1. Constant time on uniform axes, else a bisection. */
+/* The index of the cell along axis d that contains the coordinate x, from 0 to n - 1; -1 if x is outside
+ * the grid. The upper boundary belongs to cell n - 1. Constant time on uniform axes, else a bisection. */
 int ts_grid_find(const struct ts_grid *grid, int d, double x);
 
 /* Allocates a field of zeros, aligned to 64 bytes; NULL if out of memory. Freed by ts_grid_field_free. */

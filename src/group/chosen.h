@@ -11,8 +11,8 @@ static inline bool ts_chosen(const struct ts_particles *p, size_t i, int group,
 	return ts_in_group(p, i, group) && (!region || ts_region_contains(region, p->x[i]));
 }
 
-#define TS_REGION_KEYWORD(T)                                                                       \
-	TS_REGION("region", T, region, .flags = TS_OPTIONAL,                                       \
+#define TS_REGION_KEYWORD(T)                                 \
+	TS_REGION("region", T, region, .flags = TS_OPTIONAL, \
 		  .help = "only on particles whose centres are in it now")
 
 #endif

@@ -90,8 +90,7 @@ static bool compare(int op, int64_t value, int64_t a, int64_t b)
 }
 
 /* Types or identities: "< 10", "<> 3 8", or a list of numbers and ranges. */
-static enum ts_status add_numbers(struct tsim *sim, struct ts_words words, const int32_t *number,
-				  int bit)
+static enum ts_status add_numbers(struct tsim *sim, struct ts_words words, const int32_t *number, int bit)
 {
 	static const char *const operators[] = { "<", ">", "<=", ">=", "==", "!=", "<>", NULL };
 	struct ts_particles *p = sim->particles;
@@ -119,8 +118,7 @@ static enum ts_status add_numbers(struct tsim *sim, struct ts_words words, const
 				       "group: '%s' is not a number n or a range n:m or n:m:step",
 				       words.word[k].text);
 		for (size_t i = 0; i < p->n; i++)
-			if (number[i] >= r[0] && number[i] <= r[1] &&
-			    (number[i] - r[0]) % r[2] == 0)
+			if (number[i] >= r[0] && number[i] <= r[1] && (number[i] - r[0]) % r[2] == 0)
 				add(p, i, bit);
 	}
 	return TS_OK;
@@ -176,19 +174,17 @@ static enum ts_status make_dynamic(struct tsim *sim, const struct state *s, int 
 	struct ts_table value = { 0 };
 
 	if (s->parent == bit || p->dynamic[s->parent].every)
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "group %s: its parent group %s is %s", s->id, ts_group_name(sim, s->parent),
-			       s->parent == bit ? "itself" : "dynamic too");
+		return ts_fail(&sim->error, TS_STATE, where, "group %s: its parent group %s is %s", s->id,
+			       ts_group_name(sim, s->parent), s->parent == bit ? "itself" : "dynamic too");
 	if (s->variable) { /* blamed here, where it is written */
 		TS_TRY(ts_group_variable(sim, s->variable, where, &value));
 		ts_table_release(&value);
 	}
-	*g = (struct ts_dynamic_group){
-		.every = s->every,
-		.parent = s->parent,
-		.region = s->region ? ts_pool_get(sim->pool, s->region->id) : NULL,
-		.variable = s->variable ? ts_pool_get(sim->pool, s->variable) : NULL
-	};
+	*g = (struct ts_dynamic_group){ .every = s->every,
+					.parent = s->parent,
+					.region = s->region ? ts_pool_get(sim->pool, s->region->id) : NULL,
+					.variable =
+						s->variable ? ts_pool_get(sim->pool, s->variable) : NULL };
 	if ((s->region && !g->region) || (s->variable && !g->variable))
 		return ts_nomem(&sim->error);
 	return ts_group_choose(sim, bit);
@@ -200,8 +196,7 @@ static void remove_all(struct ts_particles *p, int bit)
 		p->mask[i] &= ~(1u << bit);
 }
 
-static enum ts_status delete_group(struct tsim *sim, const struct state *s,
-				   const struct ts_place *where)
+static enum ts_status delete_group(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	const struct ts_word word = { .text = s->id, .place = *where };
 	const struct ts_instance *user;
@@ -210,12 +205,10 @@ static enum ts_status delete_group(struct tsim *sim, const struct state *s,
 	TS_TRY(ts_group_require(sim, &word, &bit));
 	user = ts_uses_group(sim, bit);
 	if (user)
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "group '%s' is in use by %s %s (line %d)", s->id,
+		return ts_fail(&sim->error, TS_STATE, where, "group '%s' is in use by %s %s (line %d)", s->id,
 			       ts_kind_name(user->style->kind), user->id, user->where.line);
 	for (int child = 1; child < TS_MAX_GROUPS; child++)
-		if (sim->particles->dynamic[child].every &&
-		    sim->particles->dynamic[child].parent == bit)
+		if (sim->particles->dynamic[child].every && sim->particles->dynamic[child].parent == bit)
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "group '%s' is the parent of the dynamic group '%s'", s->id,
 				       ts_group_name(sim, child));
@@ -268,8 +261,7 @@ static enum ts_status add_molecules(struct tsim *sim, const struct state *s, int
 	return status;
 }
 
-static enum ts_status fill(struct tsim *sim, const struct state *s, int bit,
-			   const struct ts_place *where)
+static enum ts_status fill(struct tsim *sim, const struct state *s, int bit, const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
 
@@ -408,8 +400,10 @@ const struct ts_command_style ts_command_group = {
 		.summary = "Puts particles into a group",
 		.doc = "The particles that fit now are added to those already in the group; particles made\n"
 		       "later are not. There can be 31 groups besides all.\n"
-		       "The members of a dynamic group are chosen anew when a run starts, unless it goes on where the\n"
-		       "one before has ended, and after the particles have moved in each step that is a multiple of\n"
+		       "The members of a dynamic group are chosen anew when a run starts, unless it goes on "
+		       "where the\n"
+		       "one before has ended, and after the particles have moved in each step that is a "
+		       "multiple of\n"
 		       "every.",
 		.example = "group wall type 2\n"
 			   "group left id <= 100\n"

@@ -22,8 +22,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 		for (int d = 0; d < 3; d++)
 			ts_exactsum_add(&moment[d],
 					p->mass[i] * (p->x[i][d] +
-						      p->image[i][d] *
-							      ts_box_length(&sim->domain->box, d)));
+						      p->image[i][d] * ts_box_length(&sim->domain->box, d)));
 	}
 	for (int d = 0; d < 3; d++)
 		out->data[d] = ts_exactsum_value(&mass) > 0
@@ -50,8 +49,7 @@ const struct ts_style ts_compute_com = {
 	.name = "com",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Center of mass",
-	.doc = "c_ID[1], c_ID[2], c_ID[3] are the sums of m x over the group divided by its mass, "
-	       "with x as\n"
+	.doc = "c_ID[1], c_ID[2], c_ID[3] are the sums of m x over the group divided by its mass, with x as\n"
 	       "it would be without periodic wrapping. An empty group has its center at 0.",
 	.example = "compute center all com",
 	.values = values,

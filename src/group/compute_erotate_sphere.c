@@ -23,9 +23,10 @@ const struct ts_style ts_compute_erotate_sphere = {
 	.name = "erotate/sphere",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Kinetic energy of rotation",
-	.doc = "The sum of I omega^2 / 2 over the group with I = 0.4 m R^2 (0.5 m R^2 for discs), rounded once. It is 0 where "
-	       "nothing\n"
-	       "makes particles rotate. The spheres of a clump of fix multisphere are not counted: see compute\n"
+	.doc = "The sum of I omega^2 / 2 over the group with I = 0.4 m R^2 (0.5 m R^2 for discs), rounded "
+	       "once. It is 0 where nothing\n"
+	       "makes particles rotate. The spheres of a clump of fix multisphere are not counted: see "
+	       "compute\n"
 	       "erotate/multisphere.",
 	.example = "compute rotation all erotate/sphere",
 	.values = values,

@@ -30,8 +30,7 @@ static void tensor(const struct ts_instance *self, const struct tsim *sim, doubl
 		out[k] = sum[6] > 0 ? sum[k] / sum[6] : 0;
 }
 
-static enum ts_status eval_radius(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_radius(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	double t[6];
 
@@ -40,8 +39,7 @@ static enum ts_status eval_radius(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	tensor(self, sim, out->data);
 	return TS_OK;

@@ -23,8 +23,7 @@ const struct ts_style ts_compute_ke = {
 	.name = "ke",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Kinetic energy of translation",
-	.doc = "The sum of m v^2 / 2 over the group, rounded once, so that it does not depend on "
-	       "the order\n"
+	.doc = "The sum of m v^2 / 2 over the group, rounded once, so that it does not depend on the order\n"
 	       "of the particles. Rotation is not in it. A clump of fix\n"
 	       "multisphere counts as one particle.",
 	.example = "compute energy all ke",

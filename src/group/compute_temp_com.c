@@ -3,8 +3,7 @@
 
 #include "base/banned.h"
 
-static enum ts_status eval_temperature(struct ts_instance *self, const struct tsim *sim,
-				       struct ts_table *out)
+static enum ts_status eval_temperature(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	double sum[7], mean[3];
 
@@ -14,8 +13,7 @@ static enum ts_status eval_temperature(struct ts_instance *self, const struct ts
 	return TS_OK;
 }
 
-static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	double sum[7], mean[3];
 
@@ -27,7 +25,8 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 }
 
 static const struct ts_value values[] = {
-	{ "temperature", "temperature", "of the motion relative to the centre of mass", TS_SCALAR, 1, NULL, eval_temperature },
+	{ "temperature", "temperature", "of the motion relative to the centre of mass", TS_SCALAR, 1, NULL,
+	  eval_temperature },
 	{ "tensor", "energy", "sum of m u_a u_b", TS_VECTOR, 6, ts_tensor_names, eval_tensor },
 	{ .name = NULL },
 };
@@ -37,9 +36,9 @@ const struct ts_style ts_compute_temp_com = {
 	.name = "temp/com",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Temperature relative to the centre of mass",
-	.doc = "As compute temp, of the velocities u relative to that of the centre of mass of the group. With the "
-	       "factor k_B\nby the mass of a grain it is the granular temperature of a cloud that drifts as "
-	       "a whole.",
+	.doc = "As compute temp, of the velocities u relative to that of the centre of mass of the group. "
+	       "With the factor k_B\nby the mass of a grain it is the granular temperature of a cloud that "
+	       "drifts as a whole.",
 	.example = "compute heat gas temp/com",
 	.state_size = sizeof(struct ts_freedom),
 	.values = values,

@@ -24,8 +24,7 @@ enum ts_status ts_group_variable(struct tsim *sim, const char *name, const struc
 
 	/* LAMMPS writes the bare name */
 	ts_str_addf(&text, "%s%s", strncmp(name, "v_", 2) == 0 ? "" : "v_", name);
-	status = text.failed ? ts_nomem(&sim->error)
-			     : ts_ref_resolve(sim, ts_str_text(&text), where, &ref);
+	status = text.failed ? ts_nomem(&sim->error) : ts_ref_resolve(sim, ts_str_text(&text), where, &ref);
 	if (status == TS_OK)
 		status = ts_ref_peratom(sim, &ref, where, out);
 	ts_str_release(&text);
@@ -37,11 +36,11 @@ static enum ts_status check(struct tsim *sim, int bit)
 	const struct ts_dynamic_group *g = &sim->particles->dynamic[bit];
 
 	if (!ts_group_name(sim, g->parent))
-		return ts_fail(&sim->error, TS_STATE, NULL,
-			       "dynamic group %s: its parent group is gone", ts_group_name(sim, bit));
+		return ts_fail(&sim->error, TS_STATE, NULL, "dynamic group %s: its parent group is gone",
+			       ts_group_name(sim, bit));
 	if (g->region && !region_of(sim, bit))
-		return ts_fail(&sim->error, TS_STATE, NULL,
-			       "dynamic group %s: there is no region %s", ts_group_name(sim, bit), g->region);
+		return ts_fail(&sim->error, TS_STATE, NULL, "dynamic group %s: there is no region %s",
+			       ts_group_name(sim, bit), g->region);
 	return TS_OK;
 }
 
@@ -59,8 +58,7 @@ enum ts_status ts_group_choose(struct tsim *sim, int bit)
 	if (g->variable)
 		status = ts_group_variable(sim, g->variable, NULL, &value);
 	for (size_t i = 0; status == TS_OK && i < p->n; i++) {
-		bool in = ts_in_group(p, i, g->parent) &&
-			  (!region || ts_region_contains(region, p->x[i])) &&
+		bool in = ts_in_group(p, i, g->parent) && (!region || ts_region_contains(region, p->x[i])) &&
 			  (!g->variable || value.data[i] != 0);
 
 		p->mask[i] = (p->mask[i] & ~(1u << bit)) | (uint32_t)in << bit;
@@ -74,8 +72,7 @@ enum ts_status ts_group_choose_due(struct tsim *sim, bool all)
 	const struct ts_particles *p = sim->particles;
 
 	for (int bit = 1; bit < TS_MAX_GROUPS; bit++)
-		if (p->dynamic[bit].every &&
-		    (all || sim->clock.step % p->dynamic[bit].every == 0)) {
+		if (p->dynamic[bit].every && (all || sim->clock.step % p->dynamic[bit].every == 0)) {
 			ts_run_deferred_loops(sim);
 			TS_TRY(ts_group_choose(sim, bit));
 		}

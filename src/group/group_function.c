@@ -27,8 +27,7 @@ typedef double term_fn(const struct chosen *c, size_t i, int a, int b);
 
 static bool is_chosen(const struct chosen *c, size_t i)
 {
-	return ts_in_group(c->p, i, c->group) &&
-	       (!c->region || ts_region_contains(c->region, c->p->x[i]));
+	return ts_in_group(c->p, i, c->group) && (!c->region || ts_region_contains(c->region, c->p->x[i]));
 }
 
 /* Exactly rounded, so that it does not depend on the order of particles. */
@@ -63,8 +62,7 @@ static enum ts_status choose(struct tsim *sim, struct ts_words args, size_t most
 /* Position without wrapping. */
 static double unwrapped(const struct chosen *c, size_t i, int dim)
 {
-	return c->p->x[i][dim] +
-	       c->p->image[i][dim] * ts_box_length(&c->sim->domain->box, dim);
+	return c->p->x[i][dim] + c->p->image[i][dim] * ts_box_length(&c->sim->domain->box, dim);
 }
 
 static double one(const struct chosen *c, size_t i, int a, int b)
@@ -153,8 +151,8 @@ static enum ts_status find_centre(struct chosen *c, const struct ts_word *name)
 	c->mass = sum(c, mass, 0, 0);
 	if (!(c->mass > 0))
 		return ts_fail(&c->sim->error, TS_STATE, &name->place,
-			       "group '%s' has no particles%s: its centre is not defined",
-			       name->text, c->region ? " in that region" : "");
+			       "group '%s' has no particles%s: its centre is not defined", name->text,
+			       c->region ? " in that region" : "");
 	for (int k = 0; k < 3; k++)
 		c->centre[k] = sum(c, mass_x, k, 0) / c->mass;
 	return TS_OK;
@@ -167,8 +165,7 @@ static enum ts_status pick(struct tsim *sim, const struct ts_word *word, const c
 	for (*out = 0; names[*out]; ++*out)
 		if (ts_streq(word->text, names[*out]))
 			return TS_OK;
-	return ts_fail(&sim->error, TS_SYNTAX, &word->place, "expected %s, found '%s'", expected,
-		       word->text);
+	return ts_fail(&sim->error, TS_SYNTAX, &word->place, "expected %s, found '%s'", expected, word->text);
 }
 
 static enum ts_status read_dim(struct tsim *sim, const struct ts_word *word, int *dim)
@@ -334,9 +331,8 @@ static enum ts_status eval_bound(struct tsim *sim, struct ts_words args, double 
 		found = true;
 	}
 	if (!found)
-		return ts_fail(&sim->error, TS_STATE, &args.word[0].place,
-			       "group '%s' has no particles%s", args.word[0].text,
-			       c.region ? " in that region" : "");
+		return ts_fail(&sim->error, TS_STATE, &args.word[0].place, "group '%s' has no particles%s",
+			       args.word[0].text, c.region ? " in that region" : "");
 	return TS_OK;
 }
 
@@ -388,12 +384,16 @@ static enum ts_status eval_property(struct tsim *sim, struct ts_words args, doub
 	return ts_property_value(sim, args.word[0].text, a, b, "property()", &args.word[0].place, out);
 }
 
-#define WHOLE(name_, f, help_)                                                                     \
-	{ .name = (name_), .arguments = "group[,region]", .help = (help_), .least = 1, .most = 2,  \
-	  .eval = (f) }
-#define PART(name_, part, f, help_)                                                                \
-	{ .name = (name_), .arguments = "group," part "[,region]", .help = (help_), .least = 2,    \
-	  .most = 3, .eval = (f) }
+#define WHOLE(name_, f, help_)                                                                          \
+	{                                                                                               \
+		.name = (name_), .arguments = "group[,region]", .help = (help_), .least = 1, .most = 2, \
+		.eval = (f)                                                                             \
+	}
+#define PART(name_, part, f, help_)                                                                   \
+	{                                                                                             \
+		.name = (name_), .arguments = "group," part "[,region]", .help = (help_), .least = 2, \
+		.most = 3, .eval = (f)                                                                \
+	}
 
 static const struct ts_function functions[] = {
 	WHOLE("count", eval_count, "number of particles"),
@@ -403,22 +403,35 @@ static const struct ts_function functions[] = {
 	PART("xcm", "x|y|z", eval_xcm, "centre of mass"),
 	PART("vcm", "x|y|z", eval_vcm, "velocity of the centre of mass"),
 	PART("fcm", "x|y|z", eval_fcm, "total force"),
-	PART("angmom", "x|y|z", eval_angmom,
-	     "angular momentum about the centre of mass, without spin"),
+	PART("angmom", "x|y|z", eval_angmom, "angular momentum about the centre of mass, without spin"),
 	PART("torque", "x|y|z", eval_torque, "torque of the forces about the centre of mass"),
 	PART("inertia", "xx|yy|zz|xy|yz|xz", eval_inertia,
 	     "tensor of inertia about the centre of mass, of points"),
 	PART("omega", "x|y|z", eval_omega, "angular velocity: inertia omega = angmom"),
 	PART("bound", "xmin|xmax|ymin|ymax|zmin|zmax", eval_bound, "extreme coordinate of centres"),
-	{ .name = "property", .arguments = "name,type[,type]",
+	{ .name = "property",
+	  .arguments = "name,type[,type]",
 	  .help = "property of a material or of a pair of materials, see fix property/global",
-	  .least = 2, .most = 3, .eval = eval_property },
-	{ .name = "gmask", .arguments = "group", .help = "1 for particles of the group, else 0",
-	  .least = 1, .most = 1, .peratom = each_gmask },
-	{ .name = "rmask", .arguments = "region", .help = "1 for particles in the region, else 0",
-	  .least = 1, .most = 1, .peratom = each_rmask },
-	{ .name = "grmask", .arguments = "group,region",
-	  .help = "1 for particles of the group in the region, else 0", .least = 2, .most = 2,
+	  .least = 2,
+	  .most = 3,
+	  .eval = eval_property },
+	{ .name = "gmask",
+	  .arguments = "group",
+	  .help = "1 for particles of the group, else 0",
+	  .least = 1,
+	  .most = 1,
+	  .peratom = each_gmask },
+	{ .name = "rmask",
+	  .arguments = "region",
+	  .help = "1 for particles in the region, else 0",
+	  .least = 1,
+	  .most = 1,
+	  .peratom = each_rmask },
+	{ .name = "grmask",
+	  .arguments = "group,region",
+	  .help = "1 for particles of the group in the region, else 0",
+	  .least = 2,
+	  .most = 2,
 	  .peratom = each_gmask },
 	{ .name = NULL },
 };

@@ -45,8 +45,7 @@ enum ts_status ts_heat_read_area(struct tsim *sim, const char *who, struct ts_wo
 					      out->constant > 0 && isfinite(out->constant)))
 			return TS_OK;
 		return ts_fail(&sim->error, TS_RANGE, &words.word[1].place,
-			       "%s: contact_area is '%s', expected an area > 0", who,
-			       words.word[1].text);
+			       "%s: contact_area is '%s', expected an area > 0", who, words.word[1].text);
 	}
 	return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 		       "%s: contact_area is '%s', expected overlap, constant A or projection%s", who,
@@ -59,15 +58,16 @@ static enum ts_status add_columns(struct ts_heat *h, struct tsim *sim)
 {
 	const unsigned result = TS_COL_NAMED | TS_COL_RESULT;
 
-	TS_TRY(ts_particles_style_column(sim, "Temp", 1, TS_COL_NAMED | TS_COL_BORDER | TS_COL_FORWARD, h->initial,
-			  &h->temperature));
+	TS_TRY(ts_particles_style_column(sim, "Temp", 1, TS_COL_NAMED | TS_COL_BORDER | TS_COL_FORWARD,
+					 h->initial, &h->temperature));
 	TS_TRY(ts_particles_style_column(sim, "heatFlux", 1, result, 0, &h->flux));
 	TS_TRY(ts_particles_style_column(sim, "heatSource", 1, TS_COL_NAMED, 0, &h->source));
 	TS_TRY(ts_particles_style_column(sim, "directionalHeatFlux", 3, result, 0, &h->directed));
 	TS_TRY(ts_particles_style_column(sim, "heat at walls", 1, TS_COL_RESULT, 0, &h->wall_conductance));
 	if (h->scheme == TS_HEAT_EXACT)
 		TS_TRY(ts_particles_style_column(sim, "heat rate", 1,
-				  TS_COL_RESULT | TS_COL_BORDER | TS_COL_FORWARD, 0, &h->rate));
+						 TS_COL_RESULT | TS_COL_BORDER | TS_COL_FORWARD, 0,
+						 &h->rate));
 	if (!h->store)
 		return TS_OK;
 	TS_TRY(ts_particles_style_column(sim, "nContactsConduction", 1, result, 0, &h->contacts));
@@ -102,8 +102,8 @@ enum ts_status ts_heat_init(struct ts_instance *self, struct tsim *sim)
 
 /* ---- materials ---- */
 
-enum ts_status ts_heat_conductivity(struct tsim *sim, int type, const char *who,
-				    const struct ts_place *where, double *out)
+enum ts_status ts_heat_conductivity(struct tsim *sim, int type, const char *who, const struct ts_place *where,
+				    double *out)
 {
 	const struct ts_instance *by;
 
@@ -126,8 +126,7 @@ static enum ts_status stiffness(struct tsim *sim, const char *name, int a, int b
 		double young, nu;
 
 		TS_TRY(ts_property_value(sim, name, types[k], 0, "fix heat/gran", where, &young));
-		TS_TRY(ts_property_value(sim, "poissonsRatio", types[k], 0, "fix heat/gran", where,
-					 &nu));
+		TS_TRY(ts_property_value(sim, "poissonsRatio", types[k], 0, "fix heat/gran", where, &nu));
 		sum += (1 - nu * nu) / young;
 	}
 	*out = 1 / sum;
@@ -176,8 +175,7 @@ static enum ts_status make_room(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status capacity_of(struct tsim *sim, int type, const struct ts_place *where,
-				  double *out)
+static enum ts_status capacity_of(struct tsim *sim, int type, const struct ts_place *where, double *out)
 {
 	const struct ts_instance *by;
 
@@ -196,8 +194,7 @@ enum ts_status ts_heat_materials(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(make_room(self, sim));
 	for (int t = 1; t <= most; t++) {
-		TS_TRY(ts_heat_conductivity(sim, t, "fix heat/gran", &self->where,
-					    &h->conductivity[t]));
+		TS_TRY(ts_heat_conductivity(sim, t, "fix heat/gran", &self->where, &h->conductivity[t]));
 		TS_TRY(capacity_of(sim, t, &self->where, &h->capacity[t]));
 	}
 	for (int a = 1; a <= most; a++)
@@ -220,13 +217,11 @@ static void energy_of(const struct tsim *sim, size_t i, void *context, double *t
 	double capacity = 0;
 
 	if (e->status == TS_OK)
-		e->status = capacity_of(e->h->sim, sim->particles->type[i], &e->self->where,
-					&capacity);
+		e->status = capacity_of(e->h->sim, sim->particles->type[i], &e->self->where, &capacity);
 	*term = sim->particles->mass[i] * capacity * ts_heat_column(sim, e->h->temperature)[i];
 }
 
-static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct energy e = { self->state, self, TS_OK };
 

@@ -9,7 +9,8 @@
 #include "neigh/contact_list.h"
 #include "particle/particles.h"
 
-/* Heat per time from the partner into the first of a row, and half of it times the vector from the partner. */
+/* Heat per time from the partner into the first of a row, and half of it times the vector from the
+ * partner. */
 struct ts_heat_flow {
 	double number[4];
 };
@@ -17,7 +18,8 @@ struct ts_heat_flow {
 /* Conductances of a list of pairs. */
 struct ts_heat_pairs {
 	const struct ts_contact_list *rows;
-	double *conductance; /* h of each row; 0 where it does not touch. Of a step only if somebody will look */
+	/* h of each row; 0 where it does not touch. Of a step only if somebody will look */
+	double *conductance;
 	size_t capacity;
 	struct ts_heat_flow *flow; /* of each slot */
 	size_t flow_capacity;
@@ -54,11 +56,11 @@ struct ts_heat {
 	size_t inner_capacity;
 	double *work; /* of scheme exact: two numbers a particle */
 	size_t work_capacity;
-	bool keeps;	/* the conductances of this step */
-	bool examine;	/* the contacts are new: is the step below the limit? */
+	bool keeps;   /* the conductances of this step */
+	bool examine; /* the contacts are new: is the step below the limit? */
 	bool warned;
-	double bound;	/* temperatures beyond it are looked at twice */
-	long beyond;	/* how many there are, as far as passes have not waited */
+	double bound;	  /* temperatures beyond it are looked at twice */
+	long beyond;	  /* how many there are, as far as passes have not waited */
 	int64_t advanced; /* the step they have come to */
 	struct tsim *sim; /* evaluation may fail */
 };
@@ -67,15 +69,15 @@ struct ts_heat {
 enum ts_status ts_heat_read_area(struct tsim *sim, const char *who, struct ts_words words,
 				 struct ts_heat_contact *out);
 
-#define TS_HEAT_AREA_ARG(T, f)                                                                     \
-	TS_SOME_KEYWORD("contact_area", T, f, 0,                                                   \
-			.help = "overlap (where the surfaces cut, the default), constant A, or "  \
+#define TS_HEAT_AREA_ARG(T, f)                                                                   \
+	TS_SOME_KEYWORD("contact_area", T, f, 0,                                                 \
+			.help = "overlap (where the surfaces cut, the default), constant A, or " \
 				"projection (of the larger sphere)")
 
 /* The live fix heat/gran; NULL: there is none. */
 struct ts_heat *ts_heat_of(const struct tsim *sim);
-enum ts_status ts_heat_conductivity(struct tsim *sim, int type, const char *who,
-				    const struct ts_place *where, double *out);
+enum ts_status ts_heat_conductivity(struct tsim *sim, int type, const char *who, const struct ts_place *where,
+				    double *out);
 /* Particle i touches a wall of this temperature: h from the law. In stage POST_FORCE. */
 void ts_heat_from_wall(const struct ts_heat *heat, struct tsim *sim, size_t i, double conductance,
 		       double temperature);
@@ -84,8 +86,7 @@ void ts_heat_from_wall(const struct ts_heat *heat, struct tsim *sim, size_t i, d
 extern const struct ts_value ts_heat_values[];
 enum ts_status ts_heat_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_heat_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
-enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim,
-			    struct ts_plan_report *report);
+enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
 void ts_heat_fini(struct ts_instance *self);
 /* Stages. */
 enum ts_status ts_heat_built(struct ts_instance *self, struct tsim *sim);

@@ -1,4 +1,5 @@
-/* Contacts that conduct heat, some dozens at once: what the law needs is brought into columns, as in contact_batch.h. */
+/* Contacts that conduct heat, some dozens at once: what the law needs is brought into columns, as in
+ * contact_batch.h. */
 #ifndef TS_HEAT_HEAT_BLOCK_H
 #define TS_HEAT_HEAT_BLOCK_H
 
@@ -29,8 +30,15 @@ static inline struct ts_heat_task ts_heat_task(const struct ts_instance *self, i
 	const struct ts_heat *h = self->state;
 	const struct ts_particles *p = h->sim->particles;
 
-	return (struct ts_heat_task){ h, p, &h->pairs[list], self->group, ts_heat_column(h->sim, h->temperature),
-				      (const double (*)[3])p->x, p->radius, p->type, h->keeps };
+	return (struct ts_heat_task){ h,
+				      p,
+				      &h->pairs[list],
+				      self->group,
+				      ts_heat_column(h->sim, h->temperature),
+				      (const double(*)[3])p->x,
+				      p->radius,
+				      p->type,
+				      h->keeps };
 }
 
 TS_INLINE size_t ts_heat_types(const struct ts_heat_task *t, size_t i, size_t j)
@@ -48,15 +56,16 @@ TS_INLINE double ts_heat_area(const struct ts_heat_task *t, size_t i, size_t j)
 	d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
 	return d2 < sum * sum
 		       ? ts_heat_area_of_spheres(&t->h->contact, sqrt(d2), t->radius[i], t->radius[j],
-						 t->h->softening ? t->h->softening[ts_heat_types(t, i, j)] : 1)
+						 t->h->softening ? t->h->softening[ts_heat_types(t, i, j)]
+								 : 1)
 		       : 0;
 }
 
 /* Rows, filled up to whole vectors with the last one. */
 struct ts_heat_block {
-	double d[4][TS_BATCH], other[TS_BATCH];     /* vector from j to i and radius of i; radius of j */
+	double d[4][TS_BATCH], other[TS_BATCH];	    /* vector from j to i and radius of i; radius of j */
 	double pair[TS_BATCH], softening[TS_BATCH]; /* by types */
-	double h[TS_BATCH], rise[TS_BATCH];	      /* conductance; T_j - T_i */
+	double h[TS_BATCH], rise[TS_BATCH];	    /* conductance; T_j - T_i */
 	double flow[4][TS_BATCH];
 	const struct ts_active_pair *near; /* n rows */
 	size_t n, whole;
@@ -83,7 +92,8 @@ TS_INLINE void ts_heat_list(struct ts_heat_block *b, const struct ts_active_pair
 }
 
 /* Row k of those listed, by the types of its partners. */
-TS_INLINE void ts_heat_constants(const struct ts_heat_task *t, size_t types, struct ts_heat_block *b, size_t k)
+TS_INLINE void ts_heat_constants(const struct ts_heat_task *t, size_t types, struct ts_heat_block *b,
+				 size_t k)
 {
 	b->pair[k] = t->h->pair[types];
 	b->softening[k] = t->h->softening ? t->h->softening[types] : 1;
@@ -147,7 +157,8 @@ TS_INLINE void ts_heat_find_block(const struct ts_heat_task *t, struct ts_heat_b
 		for (size_t k = 0; k < b->whole; k++) {
 			const struct ts_active_pair *row = ts_heat_row(b, k);
 
-			b->h[k] = ts_heat_conductance(b->pair[k], ts_heat_area(t, (size_t)row->i, (size_t)row->j));
+			b->h[k] = ts_heat_conductance(b->pair[k],
+						      ts_heat_area(t, (size_t)row->i, (size_t)row->j));
 		}
 	}
 	for (size_t k = 0; k < b->whole && t->group; k++)
@@ -169,8 +180,8 @@ TS_INLINE void ts_heat_scan(const struct ts_heat_task *t, size_t from, size_t to
 	for (size_t n; from < to; from += n) {
 		n = to - from < TS_BATCH ? to - from : TS_BATCH;
 		for (size_t k = 0; k < n; k++)
-			near[k] = (struct ts_active_pair){ (uint32_t)(from + k), (uint32_t)(from + k), rows->i[from + k],
-							rows->j[from + k] };
+			near[k] = (struct ts_active_pair){ (uint32_t)(from + k), (uint32_t)(from + k),
+							   rows->i[from + k], rows->j[from + k] };
 		ts_heat_list(&b, near, n);
 		for (size_t k = 0; k < b.whole; k++) {
 			const struct ts_active_pair *row = ts_heat_row(&b, k);

@@ -18,9 +18,9 @@ static enum ts_status list_held(struct ts_heat *h, struct tsim *sim)
 		held += p->imass[i] == 0;
 	h->held.both_frozen = true;
 	h->held.n = 0;
-	return held < 2 ? TS_OK
-			: ts_contact_list_build(sim, &h->held, sim->neigh->built_skin,
-					ts_neigh_excluded(sim));
+	return held < 2
+		       ? TS_OK
+		       : ts_contact_list_build(sim, &h->held, sim->neigh->built_skin, ts_neigh_excluded(sim));
 }
 
 enum ts_status ts_heat_built(struct ts_instance *self, struct tsim *sim)

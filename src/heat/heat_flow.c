@@ -1,9 +1,9 @@
 /* The heat that flows through contacts, and what of it comes to each particle.
  *
- * Temperatures change at the end of a step alone, so heat flows as soon as the forces of a block of rows have been
- * computed (contact_pass.h): it is known then which of them touch, and they are near in the caches. It waits for its stage
- * in a column of its own, for walls may act before. Without a pair style, and for partners that are both held, all
- * rows are looked at. */
+ * Temperatures change at the end of a step alone, so heat flows as soon as the forces of a block of rows
+ * have been computed (contact_pass.h): it is known then which of them touch, and they are near in the
+ * caches. It waits for its stage in a column of its own, for walls may act before. Without a pair style,
+ * and for partners that are both held, all rows are looked at. */
 #include "base/clones.h"
 TS_UNROLLED
 
@@ -20,8 +20,8 @@ TS_UNROLLED
 
 /* ---- through rows */
 
-/* What flows into i; half of it along the line of centres is either partner's share of the vector, since flux and line
- * change sign together. */
+/* What flows into i; half of it along the line of centres is either partner's share of the vector, since
+ * flux and line change sign together. */
 TS_INLINE void flow_block(const struct ts_heat_task *t, struct ts_heat_block *b)
 {
 	ts_four *flow = (ts_four *)t->pairs->flow;
@@ -38,7 +38,7 @@ TS_INLINE void flow_block(const struct ts_heat_task *t, struct ts_heat_block *b)
 		const struct ts_active_pair *near = ts_heat_row(b, at);
 		ts_four row[4];
 
-		ts_four_rows((const double (*)[TS_BATCH])b->flow, at, row);
+		ts_four_rows((const double(*)[TS_BATCH])b->flow, at, row);
 		for (size_t k = 0; k < 4; k++)
 			flow[near[k].slot] = row[k];
 	}
@@ -52,7 +52,8 @@ TS_CLONES static void scan_share(void *context, size_t from, size_t to)
 	ts_heat_scan(&t, from, to, flow_block);
 }
 
-/* What the active rows of a block will need, so that it comes together; first partners follow each other in memory. */
+/* What the active rows of a block will need, so that it comes together; first partners follow each other
+ * in memory. */
 TS_INLINE void send_for(const struct ts_heat_task *t, const struct ts_active_block *block)
 {
 	const struct ts_active_pair *near = t->pairs->rows->near + block->first, *end = near + block->active;
@@ -83,7 +84,8 @@ TS_CLONES static void blocks_share(void *context, size_t from, size_t to)
 		for (size_t k = 0; k < TS_BATCH; k++)
 			ts_heat_constants(&t, types, &b, k);
 		for (size_t at = 0; at < block->active; at += TS_BATCH) {
-			ts_heat_list(&b, near + at, block->active - at < TS_BATCH ? block->active - at : TS_BATCH);
+			ts_heat_list(&b, near + at,
+				     block->active - at < TS_BATCH ? block->active - at : TS_BATCH);
 			ts_heat_load(&t, true, &b);
 			ts_heat_find_block(&t, &b);
 			flow_block(&t, &b);
@@ -190,7 +192,8 @@ static enum ts_status start(struct tsim *sim, void *context)
 
 	h->keeps = h->scheme == TS_HEAT_EXACT || h->store || sim->complete;
 	if (TS_RENEW(h->inner, h->inner_capacity, sim->particles->n) != TS_OK ||
-	    clear_list(h, &h->pairs[0], h->fused_pass.begun ? rows->room / (size_t)rows->parts : rows->n) != TS_OK ||
+	    clear_list(h, &h->pairs[0], h->fused_pass.begun ? rows->room / (size_t)rows->parts : rows->n) !=
+		    TS_OK ||
 	    clear_list(h, &h->pairs[1], n) != TS_OK)
 		return ts_nomem(&sim->error);
 	held = ts_heat_task(self, 1);

@@ -43,8 +43,7 @@ static double limit_of(const struct ts_instance *self, const struct tsim *sim)
 	return least;
 }
 
-enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim,
-			    struct ts_plan_report *report)
+enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	struct ts_heat *h = self->state;
 	double limit;
@@ -173,9 +172,7 @@ static void first_rate(const struct ts_instance *self, struct tsim *sim)
 	double *rate = ts_heat_column(sim, h->rate);
 
 	for (size_t i = 0; i < p->n; i++)
-		rate[i] = ts_in_group(p, i, self->group)
-				  ? (flux[i] + source[i]) / heat_capacity(h, p, i)
-				  : 0;
+		rate[i] = ts_in_group(p, i, self->group) ? (flux[i] + source[i]) / heat_capacity(h, p, i) : 0;
 }
 
 struct stage {
@@ -194,9 +191,7 @@ static void stage_share(void *context, size_t from, size_t to)
 
 	for (size_t i = from; i < to; i++)
 		s.after[i] = ts_in_group(p, i, s.task.self->group)
-				     ? s.factor *
-					       (ts_heat_sum(h, i, s.before) -
-						wall[i] * s.before[i]) /
+				     ? s.factor * (ts_heat_sum(h, i, s.before) - wall[i] * s.before[i]) /
 					       heat_capacity(h, p, i)
 				     : 0;
 }
@@ -265,5 +260,5 @@ enum ts_status ts_heat_start(struct ts_instance *self, struct tsim *sim)
 enum ts_status ts_heat_advance(struct ts_instance *self, struct tsim *sim)
 {
 	return ((const struct ts_heat *)self->state)->scheme == TS_HEAT_EXACT ? exact(self, sim)
-									       : euler(self, sim);
+									      : euler(self, sim);
 }

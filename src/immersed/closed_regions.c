@@ -9,8 +9,8 @@
 
 #include "base/banned.h"
 
-/* Largest net flow of bodies into a region, by the sum of the magnitudes, that may be an error of the staircase shape
- * of the surface on the grid. */
+/* Largest net flow of bodies into a region, by the sum of the magnitudes, that may be an error of the
+ * staircase shape of the surface on the grid. */
 static const double STEPS = 0.1;
 
 /* Relative imbalance of flows that is not round-off. */
@@ -23,15 +23,16 @@ enum { WIDE = 3 };
 enum { OUTSIDE = -1, UNLABELLED = 0, FREE = 1, FIRST_REGION = 2 };
 
 struct region {
-	double net, gross;   /* flow into it through faces of the grid (volume/time): sum, and sum of magnitudes */
+	/* flow into it through faces of the grid (volume/time): sum, and sum of magnitudes */
+	double net, gross;
 	double pushed, push; /* the same for flow from bodies */
-	int lo[3], hi[3]; /* range of its cells */
-	int face; /* face of the grid with the largest flow: 2 d + side; -1: none */
-	double most; /* that flow */
-	bool unknown;	 /* the motion of a body beside it is not known yet */
-	uint16_t body;	 /* a body beside it, counted from 1; 0: none */
-	double place[3]; /* mean position of the faces between the region and that body */
-	size_t ends;	 /* number of these faces */
+	int lo[3], hi[3];    /* range of its cells */
+	int face;	     /* face of the grid with the largest flow: 2 d + side; -1: none */
+	double most;	     /* that flow */
+	bool unknown;	     /* the motion of a body beside it is not known yet */
+	uint16_t body;	     /* a body beside it, counted from 1; 0: none */
+	double place[3];     /* mean position of the faces between the region and that body */
+	size_t ends;	     /* number of these faces */
 };
 
 struct body {
@@ -56,8 +57,8 @@ struct ts_closed_search {
 };
 
 void ts_closed_search_add_body(struct ts_closed_search *s, const struct ts_instance *self,
-		     const struct ts_immersed *ib, const struct ts_solid *solid,
-		     enum ts_immersed_motion motion)
+			       const struct ts_immersed *ib, const struct ts_solid *solid,
+			       enum ts_immersed_motion motion)
 {
 	if (s->status != TS_OK || s->nbodies == UINT16_MAX)
 		return;
@@ -93,8 +94,7 @@ static struct link link_of(const struct ts_grid *grid, size_t at, const int i[3]
 {
 	const size_t s = (size_t)grid->stride[d], all = (size_t)grid->n[d] * s;
 	bool last = i[d] == (side ? grid->n[d] - 1 : 0);
-	struct link link = { side ? at + s : at, side ? at + s : at - s,
-			     last && !grid->periodic[d] };
+	struct link link = { side ? at + s : at, side ? at + s : at - s, last && !grid->periodic[d] };
 
 	if (last && grid->periodic[d]) {
 		link.face = side ? at + s - all : at;
@@ -125,8 +125,7 @@ static double given_there(const struct ts_closed_search *s, const int i[3], int 
 
 	if (is_open(s, d, side) || s->p->fluid.face[d][side] == TS_FLOW_SLIP)
 		return 0;
-	return now->plane[d] ? now->plane[d][ts_flow_plane_at(s->grid, d, i[a], i[b])]
-			     : now->constant[d];
+	return now->plane[d] ? now->plane[d][ts_flow_plane_at(s->grid, d, i[a], i[b])] : now->constant[d];
 }
 
 /* Whether that velocity may change in the next step. */
@@ -148,7 +147,7 @@ static void label_cell(struct ts_closed_search *s, size_t cell, int32_t label)
 }
 
 static void add_body_face(struct ts_closed_search *s, struct region *region, const int i[3], int d, int side,
-		     uint16_t body)
+			  uint16_t body)
 {
 	double x[3];
 
@@ -165,7 +164,7 @@ static void add_body_face(struct ts_closed_search *s, struct region *region, con
 }
 
 static void add_boundary_face(struct ts_closed_search *s, struct region *region, const int i[3], int d,
-			  int side)
+			      int side)
 {
 	double flow = given_there(s, i, d, side) * area_of(s->grid, i, d) * (side ? -1 : 1);
 
@@ -204,13 +203,13 @@ static void fill_closed_region(struct ts_closed_search *s, int32_t label, struct
 	}
 }
 
-#define EACH_CELL(grid, i)                                                                         \
-	for (i[2] = 0; i[2] < (grid)->n[2]; i[2]++)                                                \
-		for (i[1] = 0; i[1] < (grid)->n[1]; i[1]++)                                        \
+#define EACH_CELL(grid, i)                                  \
+	for (i[2] = 0; i[2] < (grid)->n[2]; i[2]++)         \
+		for (i[1] = 0; i[1] < (grid)->n[1]; i[1]++) \
 			for (i[0] = 0; i[0] < (grid)->n[0]; i[0]++)
 
-/* Labels the cell across a face of a free cell as free, unless a body prescribes the velocity of the face. In most cases
- * the cell across is the neighbour in memory. */
+/* Labels the cell across a face of a free cell as free, unless a body prescribes the velocity of the face.
+ * In most cases the cell across is the neighbour in memory. */
 static inline void label_neighbor(struct ts_closed_search *s, size_t at, int d, int side)
 {
 	const size_t stride = (size_t)s->grid->stride[d];
@@ -351,7 +350,7 @@ static bool is_resolved(const struct ts_closed_search *s, const struct region *r
 }
 
 static enum ts_status check_region(const struct ts_closed_search *s, struct tsim *sim,
-			    const struct region *region)
+				   const struct region *region)
 {
 	const struct ts_instance *self = region->body ? s->body[region->body - 1].self : NULL;
 	double net = region->net + region->pushed, gross = region->gross + region->push;
@@ -363,34 +362,34 @@ static enum ts_status check_region(const struct ts_closed_search *s, struct tsim
 	body_name(&s->body[region->body - 1], name, sizeof name);
 	if (region->gross > UNEVEN * gross)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-			       "%s: the body closes off the fluid beside flow_boundary %s about (%.4g %.4g %.4g): "
-			       "through the faces of the grid it flows %s there at %g per time, and there is no "
-			       "way to an outlet; leave a gap of a cell or more, or make the velocities given "
-			       "there balance",
-			       name, ts_flow_face_names[region->face],
-			       x[0], x[1], x[2], region->net < 0 ? "out" : "in", fabs(region->net));
+			       "%s: the body closes off the fluid beside flow_boundary %s about (%.4g %.4g "
+			       "%.4g): through the faces of the grid it flows %s there at %g per time, and "
+			       "there is no way to an outlet; leave a gap of a cell or more, or make the "
+			       "velocities given there balance",
+			       name, ts_flow_face_names[region->face], x[0], x[1], x[2],
+			       region->net < 0 ? "out" : "in", fabs(region->net));
 	if (!is_resolved(s, region))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-		       "%s: the body %s fluid at %g per time that it closes off about (%.4g %.4g %.4g), and which "
-		       "has no way to an outlet; leave a gap of a cell or more, or give that part an outlet "
-		       "(flow_boundary)",
+		       "%s: the body %s fluid at %g per time that it closes off about (%.4g %.4g %.4g), and "
+		       "which has no way to an outlet; leave a gap of a cell or more, or give that part an "
+		       "outlet (flow_boundary)",
 		       name, net > 0 ? "pushes" : "draws", fabs(net), x[0], x[1], x[2]);
 }
 
 /* ---- bodies on inlets */
 
-static bool near_face(const struct ts_grid *grid, int d, int side, const double lo[3],
-		      const double hi[3])
+static bool near_face(const struct ts_grid *grid, int d, int side, const double lo[3], const double hi[3])
 {
 	double x = grid->face[d][side ? grid->n[d] : 0];
 
 	return lo[d] <= x && x <= hi[d];
 }
 
-/* Refuses a part of a body that covers an inlet where the fluid enters with another velocity than that of the body. */
+/* Refuses a part of a body that covers an inlet where the fluid enters with another velocity than that of
+ * the body. */
 static enum ts_status check_inlet(struct ts_closed_search *s, struct tsim *sim, const struct body *body,
-				    size_t part, int d, int side)
+				  size_t part, int d, int side)
 {
 	const struct ts_grid *grid = s->grid;
 	const struct ts_solid *solid = body->solid;
@@ -415,11 +414,11 @@ static enum ts_status check_inlet(struct ts_closed_search *s, struct tsim *sim, 
 				continue;
 			body_name(body, name, sizeof name);
 			return ts_fail(&sim->error, TS_PHYSICS, &body->self->where,
-				       "%s: the body stands on flow_boundary %s, at (%.4g %.4g %.4g), where fluid "
-				       "is to cross the face with velocity %g and the body has %g: move it off, or "
-				       "give there the velocity of the body, by a formula with `set`",
-				       name, ts_flow_face_names[2 * d + side], x[0], x[1], x[2], given,
-				       v[d]);
+				       "%s: the body stands on flow_boundary %s, at (%.4g %.4g %.4g), where "
+				       "fluid is to cross the face with velocity %g and the body has %g: "
+				       "move it off, or give there the velocity of the body, by a formula "
+				       "with `set`",
+				       name, ts_flow_face_names[2 * d + side], x[0], x[1], x[2], given, v[d]);
 		}
 	return TS_OK;
 }
@@ -435,8 +434,7 @@ static enum ts_status check_inlets(struct ts_closed_search *s, struct tsim *sim)
 			for (int face = 0; face < 2 * s->grid->dimensions; face++)
 				if (!s->grid->periodic[face / 2] &&
 				    near_face(s->grid, face / 2, face % 2, lo, hi))
-					TS_TRY(check_inlet(s, sim, &s->body[k], part, face / 2,
-							     face % 2));
+					TS_TRY(check_inlet(s, sim, &s->body[k], part, face / 2, face % 2));
 		}
 	return TS_OK;
 }
@@ -473,8 +471,7 @@ static void mark_outside(struct ts_closed_search *s)
 	memset(s->label, 0xff, grid->size * sizeof *s->label); /* OUTSIDE, -1, in all bytes */
 	for (int k = 0; k < grid->n[2]; k++)
 		for (int j = 0; j < grid->n[1]; j++)
-			memset(s->label + ts_at(grid, 0, j, k), 0,
-			       (size_t)grid->n[0] * sizeof *s->label);
+			memset(s->label + ts_at(grid, 0, j, k), 0, (size_t)grid->n[0] * sizeof *s->label);
 }
 
 static enum ts_status search_all(struct ts_closed_search *s, struct tsim *sim)

@@ -24,9 +24,9 @@ enum { REGION, MESH, SPHERES };
 
 /* Data of a part from the last step of the fluid. */
 struct record {
-	double force[3], torque[3];	/* of the fluid on the part */
-	double velocity[3], spin[3];	/* of the fluid inside (struct ts_immersed_sums) */
-	double known; /* 0: nothing is set; INSIDE: velocity and spin; 1: all */
+	double force[3], torque[3];  /* of the fluid on the part */
+	double velocity[3], spin[3]; /* of the fluid inside (struct ts_immersed_sums) */
+	double known;		     /* 0: nothing is set; INSIDE: velocity and spin; 1: all */
 };
 static const double INSIDE = 0.5;
 enum { RECORD = sizeof(struct record) / sizeof(double) };
@@ -47,18 +47,20 @@ struct state {
 	struct ts_solid_pose stand; /* saved */
 	struct ts_immersed immersed;
 	bool placed, told;
-	bool stepped;	       /* its points have been found in a step of this run */
-	double seen_at, drift; /* time of the last search for points; cells moved since the last search for closed regions */
-	size_t seen_inside;    /* number of points inside at that search */
+	bool stepped; /* its points have been found in a step of this run */
+	/* time of the last search for points; cells moved since the last search for closed regions */
+	double seen_at, drift;
+	size_t seen_inside; /* number of points inside at that search */
 	const struct ts_fluid *fluid;
-	bool begun; /* a step of the fluid is in progress */
-	struct record own; /* saved: of a region or a mesh */
+	bool begun;			       /* a step of the fluid is in progress */
+	struct record own;		       /* saved: of a region or a mesh */
 	const struct ts_mesh_surface *surface; /* of a mesh */
-	double lever[3]; /* saved: position of the torque's reference point relative to the mean of the corners */
+	/* saved: position of the torque's reference point relative to the mean of the corners */
+	double lever[3];
 	size_t column, net_column; /* of spheres: columns of struct record and struct ts_net_force */
 	struct ts_restraints restraints;
 	bool free_mesh; /* a mesh that the fluid moves */
-	double slip;	   /* saved */
+	double slip;	/* saved */
 };
 
 static struct record *record_of(struct state *s, const struct tsim *sim, size_t part)
@@ -77,16 +79,16 @@ static struct ts_net_force *net_force_of(const struct state *s, const struct tsi
 }
 
 static enum ts_status apply_forcing(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-			    double time, double dt);
+				    double time, double dt);
 static enum ts_status end_substep(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-			    double dt);
+				  double dt);
 static double limit(const struct ts_instance *self, const struct ts_fluid *fluid);
 static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-			     double length);
-static void add_mesh_load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3],
-		 double *virtual_density);
-static bool explain_instability(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
-		  size_t size);
+				    double length);
+static void add_mesh_load(const struct ts_instance *self, const struct ts_mesh_surface *mesh,
+			  double out[2][3], double *virtual_density);
+static bool explain_instability(const struct ts_instance *self, const struct ts_fluid *fluid, double dt,
+				char *cause, size_t size);
 static void mark_closed_faces(const struct ts_instance *self, struct ts_closed_search *search);
 
 /* ---- before a run */
@@ -102,8 +104,8 @@ static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_flow_read_vector(sim, "fix immersed/boundary: velocity", s->velocity_words,
 					   &self->where, &self->arena, s->velocity));
 	if (s->prescribed.omega)
-		TS_TRY(ts_flow_read_vector(sim, "fix immersed/boundary: omega", s->omega_words,
-					   &self->where, &self->arena, s->omega));
+		TS_TRY(ts_flow_read_vector(sim, "fix immersed/boundary: omega", s->omega_words, &self->where,
+					   &self->arena, s->omega));
 	return TS_OK;
 }
 
@@ -114,9 +116,9 @@ static enum ts_status make_region(struct ts_instance *self, struct tsim *sim, in
 
 	if (isnan(ts_region_depth(s->region, somewhere)))
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->region->id),
-			       "fix immersed/boundary: how far a place is from the surface is not known for a "
-			       "region of style %s; take block, cone, cylinder, plane, prism, sphere, wedge, "
-			       "or a union or intersect of these, or a mesh",
+			       "fix immersed/boundary: how far a place is from the surface is not known for "
+			       "a region of style %s; take block, cone, cylinder, plane, prism, sphere, "
+			       "wedge, or a union or intersect of these, or a mesh",
 			       s->region->style->name);
 	s->solid = ts_solid_of_region(s->region, dimensions, &s->prescribed, &s->stand);
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
@@ -132,10 +134,10 @@ static enum ts_status make_mesh(struct ts_instance *self, struct tsim *sim, int 
 	TS_TRY(ts_mesh_surface_require(sim, &id, &surface));
 	if (!ts_mesh_closed(&surface->mesh, &t))
 		return ts_fail(&sim->error, TS_STATE, &id.place,
-			       "fix immersed/boundary: mesh %s is not closed: triangle %zu, about (%g, %g, %g), "
-			       "has an edge that it does not share with exactly one other",
-			       s->mesh, t + 1, surface->mesh.centre[t][0],
-			       surface->mesh.centre[t][1], surface->mesh.centre[t][2]);
+			       "fix immersed/boundary: mesh %s is not closed: triangle %zu, about (%g, %g, "
+			       "%g), has an edge that it does not share with exactly one other",
+			       s->mesh, t + 1, surface->mesh.centre[t][0], surface->mesh.centre[t][1],
+			       surface->mesh.centre[t][2]);
 	s->surface = surface;
 	s->solid = ts_solid_of_mesh(surface, dimensions, &s->prescribed);
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
@@ -163,8 +165,13 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_fluid *fluid;
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix immersed/boundary", &self->where, &fluid));
-	s->part = (struct ts_flow_part){ .force = apply_forcing, .after_substep = end_substep, .limit = limit,
-					.after_step = update_forces, .mesh_load = add_mesh_load, .mark_closed = mark_closed_faces, .explain_instability = explain_instability };
+	s->part = (struct ts_flow_part){ .force = apply_forcing,
+					 .after_substep = end_substep,
+					 .limit = limit,
+					 .after_step = update_forces,
+					 .mesh_load = add_mesh_load,
+					 .mark_closed = mark_closed_faces,
+					 .explain_instability = explain_instability };
 	TS_TRY(read_motion(self, sim));
 	ts_solid_free(s->solid);
 	s->solid = NULL;
@@ -230,8 +237,8 @@ static bool velocity_unknown(const struct state *s)
 {
 	if (s->stepped || s->prescribed.velocity || s->prescribed.omega)
 		return false;
-	return s->body == REGION ? ((const struct ts_region *)s->region->state)->moves :
-				   s->surface && s->surface->v;
+	return s->body == REGION ? ((const struct ts_region *)s->region->state)->moves
+				 : s->surface && s->surface->v;
 }
 
 static void mark_closed_faces(const struct ts_instance *self, struct ts_closed_search *search)
@@ -240,7 +247,9 @@ static void mark_closed_faces(const struct ts_instance *self, struct ts_closed_s
 
 	if (s->placed)
 		ts_closed_search_add_body(search, self, &s->immersed, s->solid,
-				s->body == SPHERES ? TS_BODY_FREE : velocity_unknown(s) ? TS_BODY_UNKNOWN : TS_BODY_DRIVEN);
+					  s->body == SPHERES	? TS_BODY_FREE
+					  : velocity_unknown(s) ? TS_BODY_UNKNOWN
+								: TS_BODY_DRIVEN);
 }
 
 /* Checks for closed regions of fluid with a net inflow. */
@@ -269,7 +278,8 @@ static enum ts_status check_closed_if_moved(struct ts_instance *self, struct tsi
 }
 
 /* Sets velocity and spin of the fluid inside before the first step, of which the force needs the change. */
-static enum ts_status initialize_inner_fluid(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
+static enum ts_status initialize_inner_fluid(struct ts_instance *self, struct tsim *sim,
+					     const struct ts_fluid *fluid)
 {
 	struct state *s = self->state;
 	bool all = true;
@@ -292,8 +302,7 @@ static enum ts_status initialize_inner_fluid(struct ts_instance *self, struct ts
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	struct state *s = self->state;
 	struct ts_fluid *fluid;
@@ -314,7 +323,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 /* ---- in a step of the fluid */
 
 static enum ts_status apply_forcing(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-			    double time, double dt)
+				    double time, double dt)
 {
 	struct state *s = self->state;
 
@@ -330,7 +339,7 @@ static enum ts_status apply_forcing(struct ts_instance *self, struct tsim *sim, 
 }
 
 static enum ts_status end_substep(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-			    double dt)
+				  double dt)
 {
 	struct state *s = self->state;
 
@@ -340,8 +349,8 @@ static enum ts_status end_substep(struct ts_instance *self, struct tsim *sim, st
 }
 
 /* Updates force and torque on a part from the forcing and the change of the fluid inside, per `depth`. */
-static void update_part_force(const struct ts_immersed_sums *sums, double density, double share, double length,
-		 double depth, struct record *r)
+static void update_part_force(const struct ts_immersed_sums *sums, double density, double share,
+			      double length, double depth, struct record *r)
 {
 	for (int k = 0; k < 3; k++) {
 		double rate = (sums->velocity[k] - r->velocity[k]) / length;
@@ -365,7 +374,7 @@ static void mean_of_corners(const struct ts_mesh *mesh, double mean[3])
 }
 
 static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-			     double length)
+				    double length)
 {
 	struct state *s = self->state;
 	double share = s->body == REGION ? 1 : s->relax;
@@ -393,10 +402,11 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 	return TS_OK;
 }
 
-/* The mesh has moved since the step of the fluid; the reference point of the torque moves with the mean of its corners,
- * which is near the body (the anchor may be far away), so that the rotation since then has little effect. */
-static void add_mesh_load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3],
-		 double *virtual_density)
+/* The mesh has moved since the step of the fluid; the reference point of the torque moves with the mean of
+ * its corners, which is near the body (the anchor may be far away), so that the rotation since then has
+ * little effect. */
+static void add_mesh_load(const struct ts_instance *self, const struct ts_mesh_surface *mesh,
+			  double out[2][3], double *virtual_density)
 {
 	struct state *s = self->state;
 	double arm[3], torque[3];
@@ -424,8 +434,8 @@ static double limit(const struct ts_instance *self, const struct ts_fluid *fluid
 }
 
 /* The added-mass instability of a light body grows until the speed exceeds the limit of the step. */
-static bool explain_instability(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
-		  size_t size)
+static bool explain_instability(const struct ts_instance *self, const struct ts_fluid *fluid, double dt,
+				char *cause, size_t size)
 {
 	static const double FAST = 0.25; /* cells per step, by the Courant number of the fluid */
 	const struct state *s = self->state;
@@ -433,9 +443,9 @@ static bool explain_instability(const struct ts_instance *self, const struct ts_
 	if (!(s->body == SPHERES || s->free_mesh) || s->immersed.rate * dt < FAST * fluid->courant)
 		return false;
 	snprintf(cause, size,
-		 "the bodies of fix immersed/boundary %s have come to %.3g cells a step, and where they are light the "
-		 "force of the fluid and their motion may have excited each other; use `relax` below its %g there, "
-		 "a larger `virtual_mass` than %g, or a smaller `timestep`",
+		 "the bodies of fix immersed/boundary %s have come to %.3g cells a step, and where they are "
+		 "light the force of the fluid and their motion may have excited each other; use `relax` "
+		 "below its %g there, a larger `virtual_mass` than %g, or a smaller `timestep`",
 		 self->id, s->immersed.rate * dt, s->relax, s->virtual_mass);
 	return true;
 }
@@ -516,8 +526,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 /* ---- outputs */
 
 /* Force and torque on all parts. */
-static enum ts_status eval_total(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_total(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct state *s = self->state;
 	struct ts_exactsum sum[6];
@@ -542,8 +551,7 @@ static enum ts_status eval_total(struct ts_instance *self, const struct tsim *si
 	return TS_OK;
 }
 
-static enum ts_status eval_parts(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_parts(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -552,8 +560,7 @@ static enum ts_status eval_parts(struct ts_instance *self, const struct tsim *si
 	memset(out->data, 0, p->n * 6 * sizeof *out->data);
 	for (size_t i = 0; s->body == SPHERES && i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
-			memcpy(&out->data[6 * i],
-			       ((const struct record *)p->column[s->column].data)[i].force,
+			memcpy(&out->data[6 * i], ((const struct record *)p->column[s->column].data)[i].force,
 			       6 * sizeof *out->data);
 	return TS_OK;
 }
@@ -589,21 +596,21 @@ static void fini(struct ts_instance *self)
 		TS_VEC3("centre", struct state, centre, .flags = TS_OPTIONAL, .unit = "length",    \
 			.help = "about which it turns and torques are taken; default: the middle " \
 				"of the region's bounds, the mean of the mesh's corners")
-#define ITERATIONS                                                                                 \
-	TS_INT("iterations", struct state, iterations, .fallback = "3", .range = TS_WITHIN,        \
-	       .lo = 1, .hi = 100,                                                                 \
-	       .help = "how often the values beside the surface, which hang on each other, are "   \
+#define ITERATIONS                                                                                   \
+	TS_INT("iterations", struct state, iterations, .fallback = "3", .range = TS_WITHIN, .lo = 1, \
+	       .hi = 100,                                                                            \
+	       .help = "how often the values beside the surface, which hang on each other, are "     \
 		       "found anew in a step")
 #define MIN_CELLS                                                                                  \
 	TS_REAL("min_cells", struct state, least_cells, .fallback = "4", .range = TS_NOT_NEGATIVE, \
 		.unit = "", .help = "a body with fewer cells across is refused")
-#define RELAX                                                                                      \
-	TS_REAL("relax", struct state, relax, .fallback = "1", .range = TS_WITHIN, .lo = 1e-3,     \
-		.hi = 1,                                                                           \
-		.help = "how much of the force of a step replaces that of the step before"),       \
-	TS_REAL("virtual_mass", struct state, virtual_mass, .fallback = "1.5",                     \
-		.range = TS_NOT_NEGATIVE, .unit = "",                                              \
-		.help = "by the mass of the fluid that a body displaces: for bodies that move freely")
+#define RELAX                                                                                           \
+	TS_REAL("relax", struct state, relax, .fallback = "1", .range = TS_WITHIN, .lo = 1e-3, .hi = 1, \
+		.help = "how much of the force of a step replaces that of the step before"),            \
+		TS_REAL("virtual_mass", struct state, virtual_mass, .fallback = "1.5",                  \
+			.range = TS_NOT_NEGATIVE, .unit = "",                                           \
+			.help = "by the mass of the fluid that a body displaces: for bodies that move " \
+				"freely")
 static const struct ts_arg region_args[] = {
 	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL, .help = "the solid"),
 	GIVEN_ROWS,
@@ -645,24 +652,18 @@ static const struct ts_value values[] = {
 	  "difference of the velocity in the body from that of the body",
 	  TS_VECTOR, 7, components, eval_total },
 	{ "force on each", "force",
-	  "force and torque of the fluid on each particle; 0 for those that are no bodies",
-	  TS_PERATOM, 6, components, eval_parts },
+	  "force and torque of the fluid on each particle; 0 for those that are no bodies", TS_PERATOM, 6,
+	  components, eval_parts },
 	{ .name = NULL },
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_F64(struct state, own.force),
-	TS_SAVE_F64(struct state, own.torque),
-	TS_SAVE_F64(struct state, own.velocity),
-	TS_SAVE_F64(struct state, own.spin),
-	TS_SAVE_F64(struct state, own.known),
-	TS_SAVE_F64(struct state, lever),
-	TS_SAVE_F64(struct state, stand.shift),
-	TS_SAVE_F64(struct state, stand.turn),
-	TS_SAVE_F64(struct state, stand.time),
-	TS_SAVE_U8(struct state, stand.seen),
-	TS_SAVE_F64(struct state, slip),
-	TS_SAVED_ROWS_END,
+	TS_SAVE_F64(struct state, own.force),	 TS_SAVE_F64(struct state, own.torque),
+	TS_SAVE_F64(struct state, own.velocity), TS_SAVE_F64(struct state, own.spin),
+	TS_SAVE_F64(struct state, own.known),	 TS_SAVE_F64(struct state, lever),
+	TS_SAVE_F64(struct state, stand.shift),	 TS_SAVE_F64(struct state, stand.turn),
+	TS_SAVE_F64(struct state, stand.time),	 TS_SAVE_U8(struct state, stand.seen),
+	TS_SAVE_F64(struct state, slip),	 TS_SAVED_ROWS_END,
 };
 
 TS_STYLE(fix, ts_style, ts_fix_immersed_boundary)
@@ -670,51 +671,79 @@ const struct ts_style ts_fix_immersed_boundary = {
 	.name = "immersed/boundary",
 	.kind = TS_KIND_FIX,
 	.summary = "A solid body in a fluid that is solved for: direct forcing on the grid",
-	.doc = "The velocity of the fluid is made that of the body inside it, and beside its surface that on the\n"
+	.doc = "The velocity of the fluid is made that of the body inside it, and beside its surface that on "
+	       "the\n"
 	       "parabola along the normal n through the surface and the fluid farther out,\n\n"
 	       "    u(x) = v_s + 2 d/(d + l) (u(x + l n) - v_s) - d/(d + 2 l) (u(x + 2 l n) - v_s)\n\n"
-	       "d the distance from the surface, l the spacing of the grid along n: no slip to second order. The grid\n"
-	       "need not follow the body, any pressure_style will do, and bodies may move over it. Make the fix\n"
+	       "d the distance from the surface, l the spacing of the grid along n: no slip to second order. "
+	       "The grid\n"
+	       "need not follow the body, any pressure_style will do, and bodies may move over it. Make the "
+	       "fix\n"
 	       "after flow_style; several bodies take a fix each.\n\n"
-	       "`region`: the place is that of the region, with its `move` and `rotate`; so is the velocity, from\n"
-	       "the difference of two steps of the fluid. `velocity` and `omega` say it instead: exactly where\n"
-	       "formulas know it, or of a surface that slides in itself, as of a turning cylinder. A region of\n"
-	       "`side out` encloses the fluid. Where not the region but its members or sizes change, the surface moves\n"
-	       "with no velocity but what `velocity` and `omega` say. Lengths along which a body goes through the\n"
+	       "`region`: the place is that of the region, with its `move` and `rotate`; so is the velocity, "
+	       "from\n"
+	       "the difference of two steps of the fluid. `velocity` and `omega` say it instead: exactly "
+	       "where\n"
+	       "formulas know it, or of a surface that slides in itself, as of a turning cylinder. A region "
+	       "of\n"
+	       "`side out` encloses the fluid. Where not the region but its members or sizes change, the "
+	       "surface moves\n"
+	       "with no velocity but what `velocity` and `omega` say. Lengths along which a body goes "
+	       "through the\n"
 	       "whole box end at INF, not at EDGE.\n"
-	       "`mesh`: a closed surface of fix mesh/surface; it is where it is, and moves as its corners do. Particles\n"
-	       "feel the same mesh by fix wall/gran mesh; fix move/mesh/free lets it go where the fluid takes it.\n"
-	       "`spheres`: each particle of the group is a body (in two dimensions a disc, with its force and torque by unit\n"
-	       "of depth, as its mass is), large against the grid. The force on it is added in the next step, so its integrator, contacts, fix rigid and\n"
-	       "multisphere go on as ever. Weight and buoyancy are those of the script: the pressure here is\n"
-	       "without the hydrostatic part, unless flow_style has a body_force. A virtual mass, `virtual_mass`\n"
-	       "times that of the fluid displaced, stands on both sides of the equation of motion of particles and of meshes\n"
+	       "`mesh`: a closed surface of fix mesh/surface; it is where it is, and moves as its corners "
+	       "do. Particles\n"
+	       "feel the same mesh by fix wall/gran mesh; fix move/mesh/free lets it go where the fluid "
+	       "takes it.\n"
+	       "`spheres`: each particle of the group is a body (in two dimensions a disc, with its force "
+	       "and torque by unit\n"
+	       "of depth, as its mass is), large against the grid. The force on it is added in the next "
+	       "step, so its integrator, contacts, fix rigid and\n"
+	       "multisphere go on as ever. Weight and buoyancy are those of the script: the pressure here "
+	       "is\n"
+	       "without the hydrostatic part, unless flow_style has a body_force. A virtual mass, "
+	       "`virtual_mass`\n"
+	       "times that of the fluid displaced, stands on both sides of the equation of motion of "
+	       "particles and of meshes\n"
 	       "of fix move/mesh/free,\n\n"
 	       "    (m + m_v) a = F + (all other forces) + m_v a',\n\n"
-	       "a' the mean acceleration over the last step of the fluid: so bodies lighter than the fluid, or as heavy, move\n"
-	       "stably, with an error of first order in the step. The fix does this when all other forces are known, wherever\n"
-	       "they stand in the script. Bodies whose added mass is more than 4.5 times the mass of the fluid displaced (light\n"
+	       "a' the mean acceleration over the last step of the fluid: so bodies lighter than the fluid, "
+	       "or as heavy, move\n"
+	       "stably, with an error of first order in the step. The fix does this when all other forces "
+	       "are known, wherever\n"
+	       "they stand in the script. Bodies whose added mass is more than 4.5 times the mass of the "
+	       "fluid displaced (light\n"
 	       "ones in narrow channels) want a larger one, or `relax`.\n\n"
-	       "The force is what the forcing gave to the fluid, with the opposite sign, and the rate of the momentum\n"
+	       "The force is what the forcing gave to the fluid, with the opposite sign, and the rate of the "
+	       "momentum\n"
 	       "of the fluid inside,\n\n"
 	       "    F = -sum rho (u_forced - u) V/dt + d/dt int rho u dV,\n\n"
-	       "0 before the first step. With `viscous implicit` velocities beside the body lag behind by an error of\n"
-	       "first order in the step: keep that near h^2/nu. Bodies of fewer than `min_cells` cells across, along the\n"
-	       "axis where they are fewest, are refused: with 4 the drag is wrong by 5 to 13 %, with 8 by 1 to 4 %; a clump is\n"
-	       "as thick as its largest sphere. A body nowhere thicker than two cells leaks, with a warning.\n\n"
-	       "No pressure can bring fluid through a body. When a run begins, and as bodies move, cells are filled from the\n"
-	       "outlets (and inlets by pressure) through all faces of cells whose centre is in the fluid. A body that\n"
-	       "closes off a part into which faces of the grid bring more than they take is refused, with the place; so is\n"
-	       "a region or mesh that pushes or draws fluid there, in a part at least three cells wide. Parts into which\n"
-	       "nothing flows are legal. A body may stand on walls and outlets; on an inlet by velocity only where that\n"
+	       "0 before the first step. With `viscous implicit` velocities beside the body lag behind by an "
+	       "error of\n"
+	       "first order in the step: keep that near h^2/nu. Bodies of fewer than `min_cells` cells "
+	       "across, along the\n"
+	       "axis where they are fewest, are refused: with 4 the drag is wrong by 5 to 13 %, with 8 by 1 "
+	       "to 4 %; a clump is\n"
+	       "as thick as its largest sphere. A body nowhere thicker than two cells leaks, with a "
+	       "warning.\n\n"
+	       "No pressure can bring fluid through a body. When a run begins, and as bodies move, cells are "
+	       "filled from the\n"
+	       "outlets (and inlets by pressure) through all faces of cells whose centre is in the fluid. A "
+	       "body that\n"
+	       "closes off a part into which faces of the grid bring more than they take is refused, with "
+	       "the place; so is\n"
+	       "a region or mesh that pushes or draws fluid there, in a part at least three cells wide. "
+	       "Parts into which\n"
+	       "nothing flows are legal. A body may stand on walls and outlets; on an inlet by velocity only "
+	       "where that\n"
 	       "is the velocity of the body.",
 	.example = "region rod cylinder z 0 0 0.5 INF INF units box\n"
 		   "fix rod all immersed/boundary region rod\n"
 		   "fix spin all immersed/boundary region rod omega 0 0 2.385\n"
 		   "fix balls heavy immersed/boundary spheres",
-	.cite = "E. A. Fadlun, R. Verzicco, P. Orlandi, J. Mohd-Yusof, J. Comput. Phys. 161 (2000) 35; "
-		"E. Balaras, Comput. Fluids 33 (2004) 375; M. Uhlmann, J. Comput. Phys. 209 (2005) 448; S. Schwarz, "
-		"T. Kempe, J. Froehlich, J. Comput. Phys. 281 (2015) 591",
+	.cite = "E. A. Fadlun, R. Verzicco, P. Orlandi, J. Mohd-Yusof, J. Comput. Phys. 161 (2000) 35; E. "
+		"Balaras, Comput. Fluids 33 (2004) 375; M. Uhlmann, J. Comput. Phys. 209 (2005) 448; S. "
+		"Schwarz, T. Kempe, J. Froehlich, J. Comput. Phys. 281 (2015) 591",
 	.family = TS_FAMILY_FLOW_PART,
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -10,15 +10,17 @@
 
 #include "base/banned.h"
 
-/* Fraction of the old pressure gradient that is added in advance to the velocities of outer points. These are not exactly
- * free of divergence, as those inside are: with the whole gradient their pressure would grow in each step. */
+/* Fraction of the old pressure gradient that is added in advance to the velocities of outer points. These
+ * are not exactly free of divergence, as those inside are: with the whole gradient their pressure would
+ * grow in each step. */
 static const double OUTER_PRESSURE = 0.5;
 
 /* Work of an outer point in iterations of a simple loop, for the number of threads. */
 enum { OUTER_ROUNDS = 8 };
 
-/* Velocity to be added at a point of component c for the fraction `share` of the old pressure gradient, dt/rho dp/dx, which
- * the projection subtracts again. 0 with the incremental projection, whose predictor contains that gradient. */
+/* Velocity to be added at a point of component c for the fraction `share` of the old pressure gradient,
+ * dt/rho dp/dx, which the projection subtracts again. 0 with the incremental projection, whose predictor
+ * contains that gradient. */
 static double pressure_part(const struct ts_fluid *fluid, int c, size_t at, int index, double dt,
 			    double share)
 {
@@ -31,7 +33,7 @@ static double pressure_part(const struct ts_fluid *fluid, int c, size_t at, int 
 
 /* Velocity at a sample, trilinear between the points around it, minus their pressure parts. */
 static double sample_velocity(const struct ts_fluid *fluid, int c, const struct ts_immersed_sample *b,
-			     double dt)
+			      double dt)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	double sum = 0;
@@ -49,8 +51,7 @@ static double sample_velocity(const struct ts_fluid *fluid, int c, const struct 
 				}
 				if (w != 0)
 					sum += w * (fluid->u[c][at] -
-						    pressure_part(fluid, c, at, b->index + step[c], dt,
-								  1));
+						    pressure_part(fluid, c, at, b->index + step[c], dt, 1));
 			}
 	return sum;
 }
@@ -68,8 +69,8 @@ static void force_inside(struct ts_immersed *ib, struct ts_fluid *fluid, int c, 
 	}
 }
 
-static double outer_target_velocity(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c, double dt,
-			    const struct ts_immersed_outer *b)
+static double outer_target_velocity(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c,
+				    double dt, const struct ts_immersed_outer *b)
 {
 	const struct ts_immersed_point *p = &ib->point[b->point];
 	double u = b->surface + pressure_part(fluid, c, p->at, p->index, dt, OUTER_PRESSURE);
@@ -79,12 +80,13 @@ static double outer_target_velocity(const struct ts_immersed *ib, const struct t
 	return p->before + b->weight * (u - p->before);
 }
 
-/* All new values are computed from the old velocities: samples of an outer point may include other outer points. */
+/* All new values are computed from the old velocities: samples of an outer point may include other outer
+ * points. */
 static void force_outer(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
 {
 	size_t first = ib->outer_first[c], end = ib->outer_first[c + 1];
 
-#pragma omp parallel num_threads(ts_fluid_team(fluid, OUTER_ROUNDS * (end - first)))
+#pragma omp parallel num_threads(ts_fluid_team(fluid, OUTER_ROUNDS *(end - first)))
 	{
 #pragma omp for schedule(static)
 		for (size_t k = first; k < end; k++)
@@ -99,7 +101,8 @@ static void force_outer(struct ts_immersed *ib, struct ts_fluid *fluid, int c, d
 static void add_impulse(struct ts_immersed *ib, const struct ts_fluid *fluid, int c, size_t k)
 {
 	const struct ts_immersed_point *p = &ib->point[k];
-	double *sum = ib->sums[p->part].stage, e = fluid->void_fraction ? fluid->void_fraction_face[c][p->at] : 1;
+	double *sum = ib->sums[p->part].stage,
+	       e = fluid->void_fraction ? fluid->void_fraction_face[c][p->at] : 1;
 	double impulse = fluid->density * e * p->volume * (fluid->u[c][p->at] - p->before);
 	int a = (c + 1) % 3, b = (c + 2) % 3;
 
@@ -131,7 +134,7 @@ struct part_task {
 };
 
 static void parts_in_parallel(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts,
-			ts_share_fn *share, void *task)
+			      ts_share_fn *share, void *task)
 {
 	int team = ts_fluid_team(fluid, ib->npoints);
 
@@ -166,8 +169,8 @@ void ts_immersed_end_substep(struct ts_immersed *ib, size_t parts)
 	ib->first_dt = 0;
 }
 
-/* A step of several stages s, each u <- keep_s u_0 + take_s (u + dt ...) with dt_s = take_s dt and take_0 = 1:
- * the impulses of earlier stages are multiplied by take_s. */
+/* A step of several stages s, each u <- keep_s u_0 + take_s (u + dt ...) with dt_s = take_s dt and take_0
+ * = 1: the impulses of earlier stages are multiplied by take_s. */
 static void scale_stage_sums(struct ts_immersed *ib, double dt, size_t parts)
 {
 	if (!(ib->first_dt > 0))
@@ -271,7 +274,9 @@ double ts_immersed_slip(const struct ts_immersed *ib, const struct ts_fluid *flu
 	double most = 0;
 
 	for (int c = 0; c < fluid->grid.dimensions; c++)
-#pragma omp parallel for num_threads(ts_fluid_team(fluid, ib->npoints / 3)) schedule(static) reduction(max : most)
+#pragma omp parallel for num_threads(ts_fluid_team(fluid, ib->npoints / 3)) schedule(static) \
+	reduction(max                                                                        \
+		  : most)
 		for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
 			const struct ts_immersed_point *p = &ib->point[k];
 

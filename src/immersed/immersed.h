@@ -1,25 +1,25 @@
 /* Immersed boundary method by direct forcing: the fluid takes the velocity of the solids in it.
  *
- * Every point of a velocity component inside a solid gets the velocity of the solid. A point in the fluid with a
- * neighbour inside (an outer point) gets the value on the parabola along the normal n through the velocity v_s of
- * the surface and the velocities of the fluid at two positions farther out,
+ * Every point of a velocity component inside a solid gets the velocity of the solid. A point in the fluid
+ * with a neighbour inside (an outer point) gets the value on the parabola along the normal n through the
+ * velocity v_s of the surface and the velocities of the fluid at two positions farther out,
  *
  *   u(x) = v_s + 2 d/(d + l) (u(x + l n) - v_s) - d/(d + 2 l) (u(x + 2 l n) - v_s),
  *
- * with d the distance of x from the surface and l = 1/sqrt(sum n_i^2/h_i^2) the spacing along n (Fadlun et al., J.
- * Comput. Phys. 161 (2000) 35; along the normal Balaras, Comput. Fluids 33 (2004) 375, with straight lines): the
- * velocity on the surface is of second order in h. The weight of the value is 1 near the surface and decreases to 0 at
- * d = max |n_i| h_i, where no neighbour is inside any more, so that forces stay smooth as the solid moves over the
- * points (Luo et al., Comput. Fluids 56 (2012) 61).
+ * with d the distance of x from the surface and l = 1/sqrt(sum n_i^2/h_i^2) the spacing along n (Fadlun et
+ * al., J. Comput. Phys. 161 (2000) 35; along the normal Balaras, Comput. Fluids 33 (2004) 375, with
+ * straight lines): the velocity on the surface is of second order in h. The weight of the value is 1 near
+ * the surface and decreases to 0 at d = max |n_i| h_i, where no neighbour is inside any more, so that
+ * forces stay smooth as the solid moves over the points (Luo et al., Comput. Fluids 56 (2012) 61).
  *
- * The predictor does not contain the pressure gradient, so the projection changes the forced velocities by it.
- * Inside, to a depth of about one cell, the gradient of the old pressure is added in advance: after the first steps
- * the velocity of a solid at rest is met exactly. Deeper points do without, so that the pressure inside is a smooth
- * continuation of that at the surface.
+ * The predictor does not contain the pressure gradient, so the projection changes the forced velocities by
+ * it. Inside, to a depth of about one cell, the gradient of the old pressure is added in advance: after
+ * the first steps the velocity of a solid at rest is met exactly. Deeper points do without, so that the
+ * pressure inside is a smooth continuation of that at the surface.
  *
- * Force on a solid: the opposite of the forcing, and the rate of change of the momentum of the fluid inside,
- * which does not exist in fact (Uhlmann, J. Comput. Phys. 209 (2005) 448; Kempe & Froehlich,
- * J. Comput. Phys. 231 (2012) 3663):
+ * Force on a solid: the opposite of the forcing, and the rate of change of the momentum of the fluid
+ * inside, which does not exist in fact (Uhlmann, J. Comput. Phys. 209 (2005) 448; Kempe & Froehlich, J.
+ * Comput. Phys. 231 (2012) 3663):
  *
  *   F = -sum rho (u_forced - u_before) V/dt + d/dt integral_inside rho u dV */
 #ifndef TS_IMMERSED_IMMERSED_H
@@ -44,10 +44,10 @@ struct ts_immersed_point {
 
 /* A position in the fluid at which the velocity is sampled, relative to the points of the component. */
 struct ts_immersed_sample {
-	size_t corner;	/* field index of the lowest of the points around it */
-	int32_t index;	/* of that point along the axis of the component */
-	double t[3];	/* position between the points, 0 to 1 along each axis */
-	double count;	/* coefficient of (u - v_s) in the parabola */
+	size_t corner; /* field index of the lowest of the points around it */
+	int32_t index; /* of that point along the axis of the component */
+	double t[3];   /* position between the points, 0 to 1 along each axis */
+	double count;  /* coefficient of (u - v_s) in the parabola */
 };
 
 /* A forced point in the fluid, beside the surface, and the two positions farther out. */
@@ -56,11 +56,12 @@ struct ts_immersed_outer {
 	double weight;	/* of the forcing, 0 to 1 */
 	double surface; /* component of v_s */
 	struct ts_immersed_sample out[2];
-	double next;	/* velocity after this iteration */
+	double next; /* velocity after this iteration */
 };
 
 struct ts_immersed_sums {
-	double impulse[3], angular_impulse[3]; /* of the forcing on the fluid in this step, completed substeps */
+	/* of the forcing on the fluid in this step, completed substeps */
+	double impulse[3], angular_impulse[3];
 	double stage[6];	     /* the same of the present substep: impulse, angular impulse */
 	double volume;		     /* volume inside, as sum over control volumes */
 	double velocity[3], spin[3]; /* inside: mean of u, and of (x - X) x u about the mean position X */
@@ -80,10 +81,10 @@ struct ts_immersed {
 	int32_t *owner;	  /* and that part, from 1 */
 	struct ts_immersed_sums *sums; /* of each part */
 	size_t sums_capacity;
-	size_t inside;	  /* number of points inside solids */
-	double thickness; /* thickness of the solid in cells: twice the largest depth of a point */
-	double rate;	  /* largest velocity of a solid by spacing (cells/time) */
-	double first_dt;  /* dt of the first stage of this substep; 0: it has not begun */
+	size_t inside;		   /* number of points inside solids */
+	double thickness;	   /* thickness of the solid in cells: twice the largest depth of a point */
+	double rate;		   /* largest velocity of a solid by spacing (cells/time) */
+	double first_dt;	   /* dt of the first stage of this substep; 0: it has not begun */
 	struct ts_immersed *chunk; /* work memory: the points each thread has found, */
 	size_t chunks, chunk_capacity;
 	struct ts_immersed_candidate *candidate; /* and data of these points */
@@ -100,7 +101,7 @@ enum ts_status ts_immersed_check_size(struct tsim *sim, const struct ts_place *w
 /* ---- immersed_points.c
  * Finds the forced points, after the solid has moved. */
 enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *solid,
-				 const struct ts_fluid *fluid);
+				       const struct ts_fluid *fluid);
 void ts_immersed_release(struct ts_immersed *ib);
 
 /* ---- immersed.c

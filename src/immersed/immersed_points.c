@@ -11,9 +11,9 @@
 
 #include "base/banned.h"
 
-/* The weight of outer points is 1 up to the fraction 1 - 1/FADING of the distance at which it is 0. With a smaller value the
- * force on moving bodies is a little smoother, but the error of a staircase surface, of first order in the spacing,
- * returns. */
+/* The weight of outer points is 1 up to the fraction 1 - 1/FADING of the distance at which it is 0. With a
+ * smaller value the force on moving bodies is a little smoother, but the error of a staircase surface, of
+ * first order in the spacing, returns. */
 static const double FADING = 10;
 
 /* The search for the points of one velocity component. */
@@ -26,7 +26,7 @@ struct search {
 	size_t worker, part;
 	double lo[3], hi[3]; /* bounding box of the part */
 	int from[3], to[3];  /* ranges of indices; along periodic axes also beyond the grid */
-	bool parallel; /* several threads: the part of a point is determined later */
+	bool parallel;	     /* several threads: the part of a point is determined later */
 	struct ts_immersed_point *last;
 };
 
@@ -66,8 +66,8 @@ static int cell_of(const struct ts_grid *grid, int d, double x)
 	return (int)turns * grid->n[d] + ts_grid_find(grid, d, x - turns * period(grid, d));
 }
 
-/* Sets the ranges of points near the part: its bounding box and two cells around it. Along axes that are not periodic only
- * points inside the boundaries, and on open faces. */
+/* Sets the ranges of points near the part: its bounding box and two cells around it. Along axes that are
+ * not periodic only points inside the boundaries, and on open faces. */
 static void find_ranges(struct search *s)
 {
 	const struct ts_grid *grid = s->grid;
@@ -106,7 +106,8 @@ static size_t field_index(const struct ts_grid *grid, const int i[3])
 	return ts_at(grid, at[0], at[1], at[2]);
 }
 
-/* Whether this part is the nearest to the point so far; marks it. keep_nearest removes the points of the others. */
+/* Whether this part is the nearest to the point so far; marks it. keep_nearest removes the points of the
+ * others. */
 static bool nearest_yet(struct search *s, size_t at, double distance)
 {
 	struct ts_immersed *ib = s->ib;
@@ -169,7 +170,8 @@ static void update_thickness(struct search *s, double thickness)
 }
 
 /* Distance from x along n to the boundary of the grid, at most `most`. */
-static double distance_to_boundary(const struct ts_grid *grid, const double x[3], const double n[3], double most)
+static double distance_to_boundary(const struct ts_grid *grid, const double x[3], const double n[3],
+				   double most)
 {
 	for (int d = 0; d < 3; d++) {
 		double face = grid->face[d][n[d] > 0 ? grid->n[d] : 0];
@@ -182,7 +184,7 @@ static double distance_to_boundary(const struct ts_grid *grid, const double x[3]
 
 /* Finds the points of the component around the position x + l n. */
 static void find_sample(const struct search *s, const double x[3], const double n[3], double l,
-		     struct ts_immersed_sample *out)
+			struct ts_immersed_sample *out)
 {
 	const struct ts_grid *grid = s->grid;
 	int i[3];
@@ -205,8 +207,8 @@ static void find_sample(const struct search *s, const double x[3], const double 
 	out->index = i[s->component];
 }
 
-/* Of the cell around a point: extent along n, spacing l along n, and largest distance from the surface at which a neighbour
- * may be inside. */
+/* Of the cell around a point: extent along n, spacing l along n, and largest distance from the surface at
+ * which a neighbour may be inside. */
 struct extent {
 	double across, along, reach;
 };
@@ -228,7 +230,7 @@ static struct extent extent_of(const struct search *s, const int i[3], const dou
 
 /* Adds the outer point for the forced point that was added last. */
 static enum ts_status add_outer(struct search *s, const double x[3], const struct ts_solid_surface *surface,
-			       const struct extent *e)
+				const struct extent *e)
 {
 	struct ts_immersed *ib = s->ib;
 	double d = surface->distance, l = distance_to_boundary(s->grid, x, surface->n, 2 * e->along) / 2;
@@ -249,7 +251,7 @@ static enum ts_status add_outer(struct search *s, const double x[3], const struc
 
 /* Completes the point that was added last from the nearest point of the surface. */
 static enum ts_status describe_near_point(struct search *s, const int i[3], const double x[3],
-			       const struct ts_solid_surface *surface)
+					  const struct ts_solid_surface *surface)
 {
 	struct extent e = extent_of(s, i, surface->n);
 	struct ts_immersed_point *p = s->last;
@@ -349,12 +351,14 @@ static enum ts_status search_rows(struct search *s, size_t from, size_t to)
 		end = to - first < rows ? to - first : rows;
 		height = (size_t)(s->to[1] - s->from[1]);
 		for (size_t row = begin; row < end; row++)
-			TS_TRY(search_row(s, s->from[1] + (int)(row % height), s->from[2] + (int)(row / height)));
+			TS_TRY(search_row(s, s->from[1] + (int)(row % height),
+					  s->from[2] + (int)(row / height)));
 	}
 	return TS_OK;
 }
 
-/* ---- in parallel: each thread searches its own range of rows; the results are joined in the order of the ranges */
+/* ---- in parallel: each thread searches its own range of rows; the results are joined in the order of the
+ * ranges */
 
 struct search_task {
 	const struct search *search;
@@ -440,7 +444,7 @@ static enum ts_status find_component_points(struct search *s)
 }
 
 static enum ts_status allocate_scratch(struct ts_immersed *ib, const struct ts_solid *solid,
-				const struct ts_grid *grid)
+				       const struct ts_grid *grid)
 {
 	TS_TRY(TS_GROW(ib->sums, ib->sums_capacity, solid->parts));
 	if (solid->parts < 2 || ib->owner)
@@ -451,7 +455,7 @@ static enum ts_status allocate_scratch(struct ts_immersed *ib, const struct ts_s
 }
 
 enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *solid,
-				 const struct ts_fluid *fluid)
+				       const struct ts_fluid *fluid)
 {
 	struct search s = { .ib = ib, .solid = solid, .fluid = fluid, .grid = &fluid->grid };
 

@@ -29,20 +29,18 @@ static double thickest(const struct tsim *sim, size_t i)
 }
 
 static enum ts_status fail_too_small(struct tsim *sim, const struct ts_place *where, const char *what,
-			     int axis, double cells, double least)
+				     int axis, double cells, double least)
 {
 	return ts_fail(&sim->error, TS_RANGE, where,
-		       "fix immersed/boundary: %s is %.3g cells across along %c, fewer than %g: "
-		       "its drag and torque "
-		       "would be wrong by 10 %% and more; make the grid finer there, or say "
-		       "`min_cells %g` to take it "
-		       "as it is",
+		       "fix immersed/boundary: %s is %.3g cells across along %c, fewer than %g: its drag and "
+		       "torque would be wrong by 10 %% and more; make the grid finer there, or say "
+		       "`min_cells %g` to take it as it is",
 		       what, cells, "xyz"[axis], least, floor(10 * cells) / 10);
 }
 
 enum ts_status ts_immersed_check_size(struct tsim *sim, const struct ts_place *where,
-				      const struct ts_solid *solid, const struct ts_grid *grid,
-				      bool spheres, double least)
+				      const struct ts_solid *solid, const struct ts_grid *grid, bool spheres,
+				      double least)
 {
 	if (spheres)
 		TS_TRY(ts_rigid_list(sim));
@@ -61,8 +59,8 @@ enum ts_status ts_immersed_check_size(struct tsim *sim, const struct ts_place *w
 			cells *= thickest(sim, i) / sim->particles->radius[i];
 			if (!(cells < (1 - ROUNDING) * least))
 				continue;
-			snprintf(what, sizeof what, "particle %d of diameter %.4g",
-				 sim->particles->tag[i], 2 * sim->particles->radius[i]);
+			snprintf(what, sizeof what, "particle %d of diameter %.4g", sim->particles->tag[i],
+				 2 * sim->particles->radius[i]);
 		}
 		return fail_too_small(sim, where, what, axis, cells, least);
 	}

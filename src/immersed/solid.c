@@ -7,7 +7,7 @@
 #include "base/banned.h"
 
 void ts_solid_rigid_velocity(const struct ts_solid_motion *motion, const double x[3],
-			 struct ts_solid_surface *surface)
+			     struct ts_solid_surface *surface)
 {
 	double at[3] = { x[0], x[1], x[2] };
 

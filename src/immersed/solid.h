@@ -1,5 +1,5 @@
-/* Solids in a fluid: distance from their surface, and its velocity. One interface for regions, closed meshes and spheres
- * (particles). */
+/* Solids in a fluid: distance from their surface, and its velocity. One interface for regions, closed
+ * meshes and spheres (particles). */
 #ifndef TS_IMMERSED_SOLID_H
 #define TS_IMMERSED_SOLID_H
 
@@ -25,8 +25,9 @@ struct ts_solid_kind {
 	enum ts_status (*update)(struct ts_solid *solid, struct tsim *sim);
 	/* Bounding box of a part; infinite along axes without bound. */
 	void (*bounds)(const struct ts_solid *solid, size_t part, double lo[3], double hi[3]);
-	/* Finds the surface point nearest to x. TS_SOLID_FAR: the surface is farther than `reach`; *surface is undefined, also
-	 * the side on which x lies. Called in parallel, with a different `worker` (0, 1, ...) in each thread. */
+	/* Finds the surface point nearest to x. TS_SOLID_FAR: the surface is farther than `reach`;
+	 * *surface is undefined, also the side on which x lies. Called in parallel, with a different
+	 * `worker` (0, 1, ...) in each thread. */
 	enum ts_status (*find_surface)(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
 				       double reach, enum ts_solid_side *side,
 				       struct ts_solid_surface *surface);
@@ -44,7 +45,7 @@ struct ts_solid_motion {
 /* Common part, first member of each kind of solid. */
 struct ts_solid {
 	const struct ts_solid_kind *kind;
-	size_t parts; /* number of parts with a force of their own: spheres; else 1 */
+	size_t parts;			/* number of parts with a force of their own: spheres; else 1 */
 	struct ts_solid_motion *motion; /* of each part; torques are about the centre. Owned */
 	size_t motion_capacity;
 	int dimensions;
@@ -62,7 +63,7 @@ static inline void ts_solid_velocity(const struct ts_solid_motion *m, const doub
 
 /* Sets surface->v for a solid that moves rigidly; distance and n are known. */
 void ts_solid_rigid_velocity(const struct ts_solid_motion *motion, const double x[3],
-			 struct ts_solid_surface *surface);
+			     struct ts_solid_surface *surface);
 
 /* Motion of a region or mesh as prescribed by the keywords velocity, omega, centre of the fix. */
 struct ts_solid_prescribed {
@@ -70,15 +71,15 @@ struct ts_solid_prescribed {
 	struct ts_solid_motion motion;
 };
 
-/* Position and orientation of a region at the last step of the fluid, from which its velocity is computed. Owned by the
- * fix, in its saved state. */
+/* Position and orientation of a region at the last step of the fluid, from which its velocity is computed.
+ * Owned by the fix, in its saved state. */
 struct ts_solid_pose {
 	double shift[3], turn[3][3], time; /* translation, rotation matrix, time of the simulation */
-	bool seen; /* false: not set yet */
+	bool seen;			   /* false: not set yet */
 };
 
-/* Each makes a solid, to be freed by ts_solid_free; NULL if out of memory. `prescribed` is read in each update and stays
- * with the caller. */
+/* Each makes a solid, to be freed by ts_solid_free; NULL if out of memory. `prescribed` is read in each
+ * update and stays with the caller. */
 struct ts_solid *ts_solid_of_region(struct ts_instance *region, int dimensions,
 				    const struct ts_solid_prescribed *prescribed,
 				    struct ts_solid_pose *before);
@@ -87,8 +88,8 @@ struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *mesh, int dimensions,
 struct ts_solid *ts_solid_of_spheres(int group, int dimensions);
 void ts_solid_free(struct ts_solid *solid);
 
-/* Number of cells of the grid between lo and hi along the axis where it is smallest, which is *axis; INFINITY if no axis
- * has two finite bounds. Beyond the grid cells have the width of the last one. */
+/* Number of cells of the grid between lo and hi along the axis where it is smallest, which is *axis;
+ * INFINITY if no axis has two finite bounds. Beyond the grid cells have the width of the last one. */
 double ts_solid_cells(const struct ts_grid *grid, const double lo[3], const double hi[3], int *axis);
 
 /* Index of the particle that is part k. */

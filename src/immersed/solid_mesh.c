@@ -38,8 +38,8 @@ static bool solve(const double a[3][3], const double b[3], double x[3])
 	return true;
 }
 
-/* Least-squares fit of a rigid motion to the velocities of the corners: with r the positions relative to their mean,
- * the velocity is the mean, and sum (r^2 1 - r r) omega = sum r x v. */
+/* Least-squares fit of a rigid motion to the velocities of the corners: with r the positions relative to
+ * their mean, the velocity is the mean, and sum (r^2 1 - r r) omega = sum r x v. */
 static void fit_rigid_motion(const struct ts_mesh_surface *s, struct ts_solid_motion *m)
 {
 	size_t corners = 3 * s->mesh.n;
@@ -94,8 +94,7 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 	s->moves = s->surface->moves;
 	ts_mesh_bounds(&s->surface->mesh, s->lo, s->hi);
 	ts_mesh_tree_release(&s->tree);
-	return ts_mesh_tree_build(&s->tree, &s->surface->mesh) == TS_OK ? TS_OK
-									: ts_nomem(&sim->error);
+	return ts_mesh_tree_build(&s->tree, &s->surface->mesh) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
 static void bounds(const struct ts_solid *solid, size_t part, double lo[3], double hi[3])
@@ -115,7 +114,8 @@ static enum ts_status team(struct ts_solid *solid, size_t workers)
 }
 
 static enum ts_status find_surface(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
-			   double reach, enum ts_solid_side *side, struct ts_solid_surface *surface_point)
+				   double reach, enum ts_solid_side *side,
+				   struct ts_solid_surface *surface_point)
 {
 	struct closed *s = (struct closed *)solid;
 	struct ts_mesh_distance d;

@@ -26,7 +26,8 @@ static struct ts_solid_pose pose_of(const struct ts_region *r, double time)
 }
 
 /* A point y of the shape is at turn (y - pivot) + pivot + shift. */
-static void transform_point(const struct ts_region *r, const struct ts_solid_pose *s, const double y[3], double x[3])
+static void transform_point(const struct ts_region *r, const struct ts_solid_pose *s, const double y[3],
+			    double x[3])
 {
 	double arm[3];
 
@@ -36,8 +37,8 @@ static void transform_point(const struct ts_region *r, const struct ts_solid_pos
 }
 
 /* Mean velocity and angular velocity between two poses; the rotation between them by its angle and axis. */
-static void motion_between(const struct ts_region *r, const struct ts_solid_pose *a, const struct ts_solid_pose *b,
-			   const double home[3], struct ts_solid_motion *m)
+static void motion_between(const struct ts_region *r, const struct ts_solid_pose *a,
+			   const struct ts_solid_pose *b, const double home[3], struct ts_solid_motion *m)
 {
 	double x[2][3], q[3][3] = { { 0 } }, axis[3], angle, dt = b->time - a->time;
 
@@ -59,8 +60,7 @@ static void motion_between(const struct ts_region *r, const struct ts_solid_pose
 /* Centre of the shape as defined, before it moves. */
 static void shape_centre(const struct region *s, double home[3])
 {
-	const struct ts_region_style *style =
-		(const struct ts_region_style *)s->instance->style;
+	const struct ts_region_style *style = (const struct ts_region_style *)s->instance->style;
 	double lo[3], hi[3];
 
 	style->bounds(s->instance, lo, hi);
@@ -126,9 +126,9 @@ static void normal(const struct region *s, const double x[3], double reach, doub
 
 		a[k] -= step;
 		b[k] += step;
-		n[k] = k < s->solid.dimensions ? ts_region_depth(s->instance, a) -
-							ts_region_depth(s->instance, b)
-					       : 0;
+		n[k] = k < s->solid.dimensions
+			       ? ts_region_depth(s->instance, a) - ts_region_depth(s->instance, b)
+			       : 0;
 	}
 	length = ts_norm(n);
 	if (!(length > 0)) { /* the distance has no gradient there, deep inside */
@@ -139,7 +139,8 @@ static void normal(const struct region *s, const double x[3], double reach, doub
 }
 
 static enum ts_status find_surface(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
-			   double reach, enum ts_solid_side *side, struct ts_solid_surface *surface_point)
+				   double reach, enum ts_solid_side *side,
+				   struct ts_solid_surface *surface_point)
 {
 	const struct region *s = (const struct region *)solid;
 

@@ -30,7 +30,8 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 	if (TS_GROW(s->row, s->capacity, p->n) != TS_OK ||
 	    TS_GROW(solid->motion, solid->motion_capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	for (size_t a = 0; a < all.n; a++) { /* in the order of identities, which decides between two equally near spheres */
+	/* in the order of identities, which decides between two equally near spheres */
+	for (size_t a = 0; a < all.n; a++) {
 		size_t i = (size_t)all.row[a];
 		struct ts_solid_motion *m = &solid->motion[solid->parts];
 
@@ -65,7 +66,8 @@ static double arm_of(const struct ts_solid *solid, size_t part, const double x[3
 }
 
 static enum ts_status find_surface(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
-			   double reach, enum ts_solid_side *side, struct ts_solid_surface *surface_point)
+				   double reach, enum ts_solid_side *side,
+				   struct ts_solid_surface *surface_point)
 {
 	const struct spheres *s = (const struct spheres *)solid;
 	double length = arm_of(solid, part, x, surface_point->n);

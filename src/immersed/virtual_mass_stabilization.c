@@ -4,8 +4,7 @@
 
 #include "base/banned.h"
 
-void ts_net_force_stabilize(const struct ts_net_force *net, double share, double force[3],
-			double torque[3])
+void ts_net_force_stabilize(const struct ts_net_force *net, double share, double force[3], double torque[3])
 {
 	for (int k = 0; k < 6; k++) {
 		double *f = k < 3 ? &force[k] : &torque[k - 3];
@@ -15,7 +14,7 @@ void ts_net_force_stabilize(const struct ts_net_force *net, double share, double
 }
 
 void ts_net_force_record(struct ts_net_force *net, bool in_setup, const double force[3],
-		       const double torque[3])
+			 const double torque[3])
 {
 	for (int k = 0; k < 6; k++) {
 		double f = k < 3 ? force[k] : torque[k - 3];

@@ -1,6 +1,6 @@
-/* Stabilization of the coupling of fluid and freely moving resolved bodies by a virtual mass. It is a numerical device:
- * the added mass itself is part of the resolved flow. (The added mass of unresolved particles is a model:
- * coupling/added_mass.h.)
+/* Stabilization of the coupling of fluid and freely moving resolved bodies by a virtual mass. It is a
+ * numerical device: the added mass itself is part of the resolved flow. (The added mass of unresolved
+ * particles is a model: coupling/added_mass.h.)
  *
  * The force of the fluid in a step is that of the last step of the fluid, when the body had the
  * acceleration a'. It contains -m_a a', m_a the added mass. A body of less mass than about m_a/2
@@ -25,17 +25,17 @@
 
 #include <stdbool.h>
 
-/* Net force and torque on a body; [0..2] force, [3..5] torque. Kept as a column of doubles in restart files. */
+/* Net force and torque on a body; [0..2] force, [3..5] torque. Kept as a column of doubles in restart
+ * files. */
 struct ts_net_force {
 	double last[6]; /* at the end of the last step */
-	double sum[6];	/* sum over the steps since the last step of the fluid, of the mean of beginning and end */
+	/* sum over the steps since the last step of the fluid, of the mean of beginning and end */
+	double sum[6];
 	double steps;	/* number of these steps */
 	double mean[6]; /* mean over the last step of the fluid */
 	double begun;	/* 0: `last` is not set yet */
 };
-enum {
-	TS_NET_FORCE_NUMBERS = sizeof(struct ts_net_force) / sizeof(double)
-}; /* all members are doubles */
+enum { TS_NET_FORCE_NUMBERS = sizeof(struct ts_net_force) / sizeof(double) }; /* all members are doubles */
 
 /* s = m/(m + m_v) of a body, with m_v = coefficient * density of the fluid * volume. */
 static inline double ts_virtual_mass_ratio(double density, double coefficient, double fluid)
@@ -44,11 +44,10 @@ static inline double ts_virtual_mass_ratio(double density, double coefficient, d
 }
 
 /* Replaces force and torque by s (F' + G) + (1 - s) m a'; `share`: s. */
-void ts_net_force_stabilize(const struct ts_net_force *net, double share, double force[3],
-			double torque[3]);
+void ts_net_force_stabilize(const struct ts_net_force *net, double share, double force[3], double torque[3]);
 /* Records the net force and torque of this step. `in_setup`: no step ends with it. */
 void ts_net_force_record(struct ts_net_force *net, bool in_setup, const double force[3],
-		       const double torque[3]);
+			 const double torque[3]);
 /* After a step of the fluid: computes the mean and restarts the sum. */
 void ts_net_force_average(struct ts_net_force *net);
 

@@ -21,8 +21,8 @@ static enum ts_status put(struct ts_instance *self, struct tsim *sim, const stru
 	if (value > 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, where,
-		       "fix %s: the radius of sphere %zu is %g, expected a number > 0",
-		       self->style->name, k / 4 + 1, value);
+		       "fix %s: the radius of sphere %zu is %g, expected a number > 0", self->style->name,
+		       k / 4 + 1, value);
 }
 
 static enum ts_status read_lines(struct ts_instance *self, struct tsim *sim, struct ts_lines *l,
@@ -49,12 +49,11 @@ static enum ts_status read_lines(struct ts_instance *self, struct tsim *sim, str
 	}
 	if (row == out->n)
 		return TS_OK;
-	return ts_lines_fail(l, TS_RANGE, 0, "the file ends after %zu spheres, nspheres is %zu", row,
-			     out->n);
+	return ts_lines_fail(l, TS_RANGE, 0, "the file ends after %zu spheres, nspheres is %zu", row, out->n);
 }
 
-static enum ts_status read_file(struct ts_instance *self, struct tsim *sim,
-				const struct ts_word *name, struct ts_clump *out)
+static enum ts_status read_file(struct ts_instance *self, struct tsim *sim, const struct ts_word *name,
+				struct ts_clump *out)
 {
 	struct ts_lines lines = { 0 };
 	enum ts_status status =
@@ -71,24 +70,23 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim, str
 {
 	if (words.n != 4 * out->n)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
-			       "fix %s: spheres has %zu numbers, expected x y z r for each of %zu "
-			       "spheres",
+			       "fix %s: spheres has %zu numbers, expected x y z r for each of %zu spheres",
 			       self->style->name, words.n, out->n);
 	for (size_t k = 0; k < words.n; k++) {
 		const struct ts_word *word = &words.word[k];
 		double value;
 
 		if (!ts_parse_real(word->text, &value))
-			return ts_fail(&sim->error, TS_SYNTAX, &word->place,
-				       "fix %s: '%s' is not a number", self->style->name, word->text);
+			return ts_fail(&sim->error, TS_SYNTAX, &word->place, "fix %s: '%s' is not a number",
+				       self->style->name, word->text);
 		TS_TRY(put(self, sim, &word->place, value, k, out));
 	}
 	return TS_OK;
 }
 
 /* "x y z r" n times, or "file NAME" with n such lines; then perhaps "scale FACTOR". */
-static enum ts_status read_spheres(struct ts_instance *self, struct tsim *sim,
-				   struct ts_words words, int64_t n, struct ts_clump *out)
+static enum ts_status read_spheres(struct ts_instance *self, struct tsim *sim, struct ts_words words,
+				   int64_t n, struct ts_clump *out)
 {
 	double factor = 1;
 
@@ -101,8 +99,8 @@ static enum ts_status read_spheres(struct ts_instance *self, struct tsim *sim,
 
 		if (!ts_parse_real(word->text, &factor) || !(factor > 0))
 			return ts_fail(&sim->error, TS_RANGE, &word->place,
-				       "fix %s: scale is '%s', expected a number > 0",
-				       self->style->name, word->text);
+				       "fix %s: scale is '%s', expected a number > 0", self->style->name,
+				       word->text);
 		words.n -= 2;
 	}
 	if (words.n == 2 && ts_streq(words.word[0].text, "file"))
@@ -127,8 +125,7 @@ enum ts_status ts_clump_template_init(struct ts_instance *self, struct tsim *sim
 	TS_TRY(ts_template_start(self, sim));
 	if (t->density.shape != TS_SPREAD_CONSTANT)
 		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "density"),
-			       "fix %s: expected density constant, the clumps are alike",
-			       self->style->name);
+			       "fix %s: expected density constant, the clumps are alike", self->style->name);
 	TS_TRY(read_spheres(self, sim, c->sphere_words, c->nspheres, &c->clump));
 	random = ts_minstd_start(t->seed);
 	status = ts_clump_measure(&c->clump, c->ntry, &random);

@@ -33,8 +33,8 @@ struct state {
 
 /* Reads the words of a keyword, of a repeated one from the k-th on. */
 static enum ts_status read_part(struct tsim *sim, const char *what, const struct ts_arg *rows,
-				struct ts_words words, size_t k, size_t n,
-				const struct ts_place *where, struct ts_arena *arena, void *out)
+				struct ts_words words, size_t k, size_t n, const struct ts_place *where,
+				struct ts_arena *arena, void *out)
 {
 	struct ts_words part = ts_words_from(words, k);
 
@@ -60,8 +60,8 @@ static enum ts_status single(struct tsim *sim, const struct state *s, struct ts_
 	}
 	if (ts_sites_in_box(sim, x))
 		return ts_sites_add(sim, to, x, (int)s->type);
-	ts_warn(&sim->log, where, "(%g %g %g) lies outside the box: no particle is created", x[0],
-		x[1], x[2]);
+	ts_warn(&sim->log, where, "(%g %g %g) lies outside the box: no particle is created", x[0], x[1],
+		x[2]);
 	return TS_OK;
 }
 
@@ -109,8 +109,8 @@ static void tell_progress(struct tsim *sim, int64_t done, int64_t placed, int64_
 	if (!sim->log.progress || ts_clock() < *next)
 		return;
 	*next = ts_clock() + 0.2;
-	snprintf(text, sizeof text, "create_atoms: %lld of %lld tried, %lld placed", (long long)done, (long long)count,
-		 (long long)placed);
+	snprintf(text, sizeof text, "create_atoms: %lld of %lld tried, %lld placed", (long long)done,
+		 (long long)count, (long long)placed);
 	ts_log_progress(&sim->log, text);
 }
 
@@ -129,22 +129,20 @@ static enum ts_status at_random(struct tsim *sim, const struct state *s, struct 
 	for (int64_t k = 0; k < s->count && status == TS_OK; k++) {
 		bool placed = false;
 
-		status = place_one(sim, s, &hash, ts_rng_start((uint64_t)s->seed, (uint64_t)k), to,
-				   &placed);
+		status = place_one(sim, s, &hash, ts_rng_start((uint64_t)s->seed, (uint64_t)k), to, &placed);
 		missing += !placed;
 		tell_progress(sim, k + 1, k + 1 - missing, s->count, &next);
 		if (status == TS_OK && sim->stop && k + 1 < s->count)
 			status = ts_fail(&sim->error, TS_STOPPED, where,
-					 "stopped on request: %lld of %lld particles had been placed, none is made",
+					 "stopped on request: %lld of %lld particles had been placed, none "
+					 "is made",
 					 (long long)(k + 1 - missing), (long long)s->count);
 	}
 	ts_log_progress(&sim->log, "");
 	ts_pointhash_release(&hash);
 	if (status == TS_OK && missing)
-		ts_warn(&sim->log, where,
-			"only %lld of %lld particles could be placed, with %lld tries each",
-			(long long)(s->count - missing), (long long)s->count,
-			(long long)s->most_tries);
+		ts_warn(&sim->log, where, "only %lld of %lld particles could be placed, with %lld tries each",
+			(long long)(s->count - missing), (long long)s->count, (long long)s->most_tries);
 	return status;
 }
 
@@ -162,8 +160,8 @@ static const struct ts_arg basis_rows[] = {
 	TS_ARGS_END,
 };
 
-static enum ts_status read_basis(struct tsim *sim, const struct state *s,
-				 const struct ts_place *where, struct ts_arena *arena, int *type)
+static enum ts_status read_basis(struct tsim *sim, const struct state *s, const struct ts_place *where,
+				 struct ts_arena *arena, int *type)
 {
 	size_t nbasis = sim->domain->lattice.nbasis;
 
@@ -172,14 +170,12 @@ static enum ts_status read_basis(struct tsim *sim, const struct state *s,
 	for (size_t k = 0; k < s->basis.n; k += 2) {
 		struct basis_type b = { 0 };
 
-		TS_TRY(read_part(sim, "create_atoms: basis", basis_rows, s->basis, k, 2, where,
-				 arena, &b));
+		TS_TRY(read_part(sim, "create_atoms: basis", basis_rows, s->basis, k, 2, where, arena, &b));
 		if (b.point > (int64_t)nbasis || b.type > sim->particles->ntypes)
 			return ts_fail(&sim->error, TS_RANGE, &s->basis.word[k].place,
 				       "create_atoms: basis %lld %lld: the unit cell has %zu points, "
 				       "and types go from 1 to %d",
-				       (long long)b.point, (long long)b.type, nbasis,
-				       sim->particles->ntypes);
+				       (long long)b.point, (long long)b.type, nbasis, sim->particles->ntypes);
 		type[b.point - 1] = (int)b.type;
 	}
 	return TS_OK;
@@ -215,12 +211,12 @@ static enum ts_status choose(struct tsim *sim, const struct state *s, struct ts_
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "create_atoms: ratio and subset exclude each other");
 	if (s->ratio.n) {
-		TS_TRY(read_part(sim, "create_atoms: ratio", ratio_rows, s->ratio, 0, s->ratio.n,
-				 where, arena, &share));
+		TS_TRY(read_part(sim, "create_atoms: ratio", ratio_rows, s->ratio, 0, s->ratio.n, where,
+				 arena, &share));
 		share.count = (int64_t)(share.ratio * (double)sites->n);
 	} else if (s->subset.n) {
-		TS_TRY(read_part(sim, "create_atoms: subset", subset_rows, s->subset, 0,
-				 s->subset.n, where, arena, &share));
+		TS_TRY(read_part(sim, "create_atoms: subset", subset_rows, s->subset, 0, s->subset.n, where,
+				 arena, &share));
 		if ((size_t)share.count > sites->n)
 			return ts_fail(&sim->error, TS_RANGE, &s->subset.word[0].place,
 				       "create_atoms: subset asks for %lld of %zu lattice points",
@@ -237,8 +233,7 @@ struct setting {
 };
 
 static const struct ts_arg setting_rows[] = {
-	TS_ENUM("dim", struct setting, dim, ts_region_axes, .flags = TS_POSITIONAL,
-		.help = "coordinate"),
+	TS_ENUM("dim", struct setting, dim, ts_region_axes, .flags = TS_POSITIONAL, .help = "coordinate"),
 	TS_WORD("name", struct setting, name, .flags = TS_POSITIONAL,
 		.help = "internal-style variable that gets it"),
 	TS_ARGS_END,
@@ -257,8 +252,7 @@ static enum ts_status filter(struct tsim *sim, const struct state *s, struct ts_
 	for (size_t k = 0; k < s->set.n; k += 2) {
 		struct setting one = { 0 };
 
-		TS_TRY(read_part(sim, "create_atoms: set", setting_rows, s->set, k, 2, where, arena,
-				 &one));
+		TS_TRY(read_part(sim, "create_atoms: set", setting_rows, s->set, k, 2, where, arena, &one));
 		name[one.dim] = one.name;
 	}
 	for (size_t k = 0; k < sites->n && s->variable; k++) {
@@ -267,7 +261,7 @@ static enum ts_status filter(struct tsim *sim, const struct state *s, struct ts_
 		for (int d = 0; d < 3; d++)
 			if (name[d])
 				TS_TRY(sim->script_api->set(sim->script_api_data, name[d], where,
-						      sites->site[k].x[d]));
+							    sites->site[k].x[d]));
 		TS_TRY(sim->script_api->scalar(sim->script_api_data, s->variable, where, &wanted));
 		if (wanted != 0)
 			sites->site[kept++] = sites->site[k];
@@ -285,9 +279,8 @@ static enum ts_status on_lattice(struct tsim *sim, const struct state *s, struct
 	enum ts_status status = type ? TS_OK : ts_nomem(&sim->error);
 
 	if (!sim->domain->lattice.nbasis)
-		status = ts_fail(
-			&sim->error, TS_STATE, where,
-			"create_atoms needs lattice points: use the lattice command first");
+		status = ts_fail(&sim->error, TS_STATE, where,
+				 "create_atoms needs lattice points: use the lattice command first");
 	if (status == TS_OK)
 		status = read_basis(sim, s, where, &arena, type);
 	if (status == TS_OK)
@@ -325,8 +318,8 @@ static double memory_there_is(void)
 	return all;
 }
 
-/* Says what n particles take before it is taken, and refuses what there is not: the system grants more than it has, and
- * ends the process when it is used. */
+/* Says what n particles take before it is taken, and refuses what there is not: the system grants more
+ * than it has, and ends the process when it is used. */
 static enum ts_status weigh(struct tsim *sim, const struct state *s, double n, const struct ts_place *where)
 {
 	static const double MUCH = 1e9;
@@ -335,8 +328,8 @@ static enum ts_status weigh(struct tsim *sim, const struct state *s, double n, c
 
 	if (bytes > there && there > 0)
 		return ts_fail(&sim->error, TS_NOMEM, where,
-			       "create_atoms: out of memory: %.10g particles take %.3g GB, and there are %.3g GB; create "
-			       "fewer",
+			       "create_atoms: out of memory: %.10g particles take %.3g GB, and there are "
+			       "%.3g GB; create fewer",
 			       n, bytes / 1e9, there / 1e9);
 	if (bytes > MUCH)
 		ts_log(&sim->log, "create_atoms: %.10g particles take %.3g GB\n", n, bytes / 1e9);
@@ -373,8 +366,7 @@ static enum ts_status refuse(struct tsim *sim, const struct state *s, const stru
 			       "create_atoms: there is no type %lld, types go from 1 to %d",
 			       (long long)s->type, sim->particles->ntypes);
 	if (s->mode == MESH)
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "create_atoms mesh is known, but not built");
+		return ts_fail(&sim->error, TS_STATE, where, "create_atoms mesh is known, but not built");
 	if (s->molecule.n || s->rotate.n)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "create_atoms: molecules are not built; make particles and bond them "
@@ -421,16 +413,15 @@ static const struct ts_arg region_args[] = {
 };
 
 static const struct ts_arg single_args[] = {
-	TS_VEC3("position", struct state, x, .flags = TS_POSITIONAL, .unit = "length",
-		.help = "the center"),
+	TS_VEC3("position", struct state, x, .flags = TS_POSITIONAL, .unit = "length", .help = "the center"),
 	TS_BOOL("remap", struct state, remap, .fallback = "no",
 		.help = "wrap a position outside a periodic box into it"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg random_args[] = {
-	TS_INT("count", struct state, count, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0,
-	       .hi = 1e9, .help = "number of particles"),
+	TS_INT("count", struct state, count, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0, .hi = 1e9,
+	       .help = "number of particles"),
 	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "seed of the random numbers"),
 	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL | TS_NULLABLE,
@@ -485,17 +476,25 @@ const struct ts_command_style ts_command_create_atoms = {
 		.name = "create_atoms",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Makes particles",
-		.doc = "New particles are at rest, with diameter 1 and density 1 or the mass given by the mass\n"
-		       "command; use set to change them. Their identities go on from the largest there is, on\n"
+		.doc = "New particles are at rest, with diameter 1 and density 1 or the mass given by the "
+		       "mass\n"
+		       "command; use set to change them. Their identities go on from the largest there is, "
+		       "on\n"
 		       "a lattice in the order z, y, x of unit cells, then of the points in the cell.\n"
-		       "Positions lie in the box if lo <= x < hi. Across a periodic face lattice points nearer\n"
-		       "to the upper face than 2e-6 lengths are left out, for they are those of the lower one.\n\n"
-		       "var and set choose lattice points by a formula: `variable v equal \"v_xx^2+v_yy^2<4\"`\n"
+		       "Positions lie in the box if lo <= x < hi. Across a periodic face lattice points "
+		       "nearer\n"
+		       "to the upper face than 2e-6 lengths are left out, for they are those of the lower "
+		       "one.\n\n"
+		       "var and set choose lattice points by a formula: `variable v equal "
+		       "\"v_xx^2+v_yy^2<4\"`\n"
 		       "with internal-style variables xx and yy and `var v set x xx set y yy`.\n\n"
-		       "random draws the tries for its k-th particle from a random stream of its own, keyed by\n"
-		       "seed and k, and with overlap rejects positions that are too near to a particle. That\n"
+		       "random draws the tries for its k-th particle from a random stream of its own, keyed "
+		       "by\n"
+		       "seed and k, and with overlap rejects positions that are too near to a particle. "
+		       "That\n"
 		       "fills space up to about a third.\n\n"
-		       "More than 1 GB of memory for the particles is told before it is taken; more than the machine has, or\n"
+		       "More than 1 GB of memory for the particles is told before it is taken; more than the "
+		       "machine has, or\n"
 		       "the process may take, is refused.",
 		.example = "create_atoms 1 box\n"
 			   "create_atoms 1 region bed basis 2 3 ratio 0.5 7919\n"

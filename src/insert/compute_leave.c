@@ -5,9 +5,9 @@
 
 struct leave {
 	struct ts_instance *region;
-	int64_t seen;   /* entries into the region, those there at the start included */
+	int64_t seen;	/* entries into the region, those there at the start included */
 	int64_t inside; /* now */
-	size_t column;  /* per particle: 1 inside, 0 not */
+	size_t column;	/* per particle: 1 inside, 0 not */
 	bool started;
 };
 
@@ -36,8 +36,7 @@ static enum ts_status look(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_region_update(s->region, sim));
 	s->inside = 0;
 	for (size_t i = 0; i < p->n; i++) {
-		bool inside = ts_in_group(p, i, self->group) &&
-			      ts_region_contains(s->region, p->x[i]);
+		bool inside = ts_in_group(p, i, self->group) && ts_region_contains(s->region, p->x[i]);
 
 		s->seen += inside && flag[i] == 0;
 		s->inside += inside;
@@ -46,8 +45,7 @@ static enum ts_status look(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status eval_left(struct ts_instance *self, const struct tsim *sim,
-				struct ts_table *out)
+static enum ts_status eval_left(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct leave *s = self->state;
 
@@ -56,8 +54,7 @@ static enum ts_status eval_left(struct ts_instance *self, const struct tsim *sim
 	return TS_OK;
 }
 
-static enum ts_status eval_counts(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_counts(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct leave *s = self->state;
 
@@ -83,7 +80,8 @@ static const char *const names[] = { "left", "inside", "entered" };
 static const struct ts_value values[] = {
 	{ "left", "", "how often a particle of the group has left the region", TS_SCALAR, 1, NULL,
 	  eval_left },
-	{ "counts", "", "how many have left, are inside now, have entered", TS_VECTOR, 3, names, eval_counts },
+	{ "counts", "", "how many have left, are inside now, have entered", TS_VECTOR, 3, names,
+	  eval_counts },
 	{ .name = NULL },
 };
 

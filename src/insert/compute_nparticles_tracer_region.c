@@ -17,7 +17,7 @@ struct state {
 
 	struct tsim *sim;
 	struct ts_tracer *tracer;
-	int dim;       /* in which only one image counts; -1: all count */
+	int dim; /* in which only one image counts; -1: all count */
 	int64_t image;
 	/* saved: in one step the answer stays */
 	double answer[NVALUES];
@@ -55,8 +55,7 @@ static enum ts_status read_periodic(struct ts_instance *self, struct tsim *sim)
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_word tracer = { .text = s->tracer_id,
-				  .place = *ts_instance_word(self, s->tracer_id) };
+	struct ts_word tracer = { .text = s->tracer_id, .place = *ts_instance_word(self, s->tracer_id) };
 
 	s->sim = sim;
 	TS_TRY(read_periodic(self, sim));
@@ -119,7 +118,8 @@ static const struct ts_arg args[] = {
 		.help = "the fix property/atom/tracer or property/atom/tracer/stream that marks"),
 	TS_SOME_KEYWORD("periodic", struct state, periodic, TS_REPEAT,
 			.help = "x|y|z IMAGE: only particles that have crossed the periodic faces so often "
-				"count, upwards less downwards; all: whatever they have crossed; of several the last counts"),
+				"count, upwards less downwards; all: whatever they have crossed; of several "
+				"the last counts"),
 	TS_BOOL("reset_marker", struct state, reset, .fallback = "yes",
 		.help = "who has been counted loses the mark"),
 	TS_ARGS_END,
@@ -145,7 +145,8 @@ const struct ts_style ts_compute_nparticles_tracer_region = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Counts the particles in a region, and those that a tracer has marked",
 	.doc = "c_ID[1], c_ID[2]: number of particles of the group in the region, and of marked ones among\n"
-	       "them; c_ID[3], c_ID[4]: their masses. With reset_marker yes a marked particle is counted once:\n"
+	       "them; c_ID[3], c_ID[4]: their masses. With reset_marker yes a marked particle is counted "
+	       "once:\n"
 	       "it loses the mark when the value is asked for. In one step all who ask get the same answer.\n"
 	       "Rows of the table that only begin or end a run take no marks away.\n\n"
 	       "LIGGGHTS 3.8 counts nothing where `periodic` says all; here that is no restriction.",

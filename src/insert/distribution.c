@@ -11,15 +11,14 @@
 const struct ts_arg ts_distribution_args[] = {
 	TS_INT("seed", struct ts_distribution, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = TS_SEED_HELP),
-	TS_INT("n", struct ts_distribution, n, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1e6, .help = "number of templates"),
+	TS_INT("n", struct ts_distribution, n, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e6,
+	       .help = "number of templates"),
 	TS_REST("pairs", struct ts_distribution, pairs,
 		.help = "ID weight, n times: a fix particletemplate/... and its share"),
 	TS_ARGS_END,
 };
 
-enum ts_status ts_distribution_archive(struct ts_instance *self, struct tsim *sim,
-				       struct ts_archive *archive)
+enum ts_status ts_distribution_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
 	struct ts_distribution *d = self->state;
 
@@ -28,7 +27,7 @@ enum ts_status ts_distribution_archive(struct ts_instance *self, struct tsim *si
 
 static const struct ts_template *template_of(const struct ts_distribution *d, int64_t k)
 {
-	return d->template[k]->state;
+	return d->template[k] -> state;
 }
 
 static enum ts_status read_pair(struct ts_instance *self, struct tsim *sim, int64_t k)
@@ -53,15 +52,14 @@ static void report(const struct ts_instance *self, struct tsim *sim, bool by_mas
 {
 	const struct ts_distribution *d = self->state;
 
-	ts_log(&sim->log, "Fix %s (id %s): distribution based on %s%%:\n", self->style->name,
-	       self->id, by_mass ? "mass" : "number");
+	ts_log(&sim->log, "Fix %s (id %s): distribution based on %s%%:\n", self->style->name, self->id,
+	       by_mass ? "mass" : "number");
 	for (int64_t k = 0; k < d->n; k++) {
 		const struct ts_template *t = template_of(d, k);
 		double share = by_mass ? d->share[k] * t->mass / d->mass : d->share[k];
 
-		ts_log(&sim->log, "    %s: d=%e (max. bounding sphere) %s%%=%f%%\n",
-		       d->template[k]->id, 2 * t->largest, by_mass ? "mass" : "number",
-		       100 * share);
+		ts_log(&sim->log, "    %s: d=%e (max. bounding sphere) %s%%=%f%%\n", d->template[k] -> id,
+		       2 * t -> largest, by_mass ? "mass" : "number", 100 * share);
 	}
 }
 
@@ -94,8 +92,7 @@ static enum ts_status define(struct ts_instance *self, struct tsim *sim, bool by
 
 	if (d->pairs.n != 2 * (size_t)d->n)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix %s: expected %lld pairs of a template and its weight, found %zu "
-			       "words",
+			       "fix %s: expected %lld pairs of a template and its weight, found %zu words",
 			       self->style->name, (long long)d->n, d->pairs.n);
 	TS_TRY(ts_seed_check(sim, self->style->name, d->seed,
 			     ts_instance_word(self, self->words.word[0].text)));
@@ -109,8 +106,8 @@ static enum ts_status define(struct ts_instance *self, struct tsim *sim, bool by
 		sum += d->share[k];
 	}
 	if (!(sum > 0))
-		return ts_fail(&sim->error, TS_RANGE, &d->pairs.word[1].place,
-			       "fix %s: all weights are 0", self->style->name);
+		return ts_fail(&sim->error, TS_RANGE, &d->pairs.word[1].place, "fix %s: all weights are 0",
+			       self->style->name);
 	if (fabs(sum - 1) > 1e-5)
 		ts_warn(&sim->log, &d->pairs.word[1].place,
 			"fix %s: the weights add up to %g, they are taken as shares of that",
@@ -135,8 +132,7 @@ enum ts_status ts_distribution_init(struct ts_instance *self, struct tsim *sim, 
 	return TS_OK;
 }
 
-enum ts_status ts_distribution_require(struct tsim *sim, const struct ts_word *id,
-				       struct ts_instance **out)
+enum ts_status ts_distribution_require(struct tsim *sim, const struct ts_word *id, struct ts_instance **out)
 {
 	static const char prefix[] = "particledistribution/";
 
@@ -172,8 +168,8 @@ static void fill_gap(struct ts_distribution *d, int64_t n, int64_t *count)
 	}
 }
 
-static enum ts_status append(struct tsim *sim, const struct ts_instance *self,
-			     struct ts_instance *template, struct ts_newcomers *out)
+static enum ts_status append(struct tsim *sim, const struct ts_instance *self, struct ts_instance *template,
+			     struct ts_newcomers *out)
 {
 	struct ts_template *t = template->state;
 

@@ -11,8 +11,8 @@ struct ts_distribution {
 
 	/* set by ts_distribution_init */
 	struct ts_instance **template;
-	double *share;		/* of number; they add up to 1 */
-	double volume, mass;	/* means of a particle */
+	double *share;	       /* of number; they add up to 1 */
+	double volume, mass;   /* means of a particle */
 	double least, largest; /* radii of spheres around particles */
 	int largest_type;
 
@@ -25,13 +25,12 @@ enum ts_status ts_distribution_archive(struct ts_instance *self, struct tsim *si
 enum ts_status ts_distribution_init(struct ts_instance *self, struct tsim *sim, bool by_mass);
 
 /* The distribution that the word names, or an error. */
-enum ts_status ts_distribution_require(struct tsim *sim, const struct ts_word *id,
-				       struct ts_instance **out);
+enum ts_status ts_distribution_require(struct tsim *sim, const struct ts_word *id, struct ts_instance **out);
 
 /* A particle that is to be made. */
 struct ts_newcomer {
 	struct ts_instance *template; /* NULL: a sphere of nobody's */
-	uint32_t mask; /* groups of template and distribution */
+	uint32_t mask;		      /* groups of template and distribution */
 	int32_t type;
 	double radius, density;
 	bool placed;

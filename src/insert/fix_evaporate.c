@@ -112,12 +112,11 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1e15, .help = "steps between"),
-	TS_INT("M", struct state, number, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1e9, .help = "how many particles vanish each time"),
-	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL,
-		  .help = "where they must be"),
+	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
+	       .help = "steps between"),
+	TS_INT("M", struct state, number, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e9,
+	       .help = "how many particles vanish each time"),
+	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL, .help = "where they must be"),
 	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "seed of the random numbers"),
 	TS_BOOL("molecule", struct state, molecule, .fallback = "no",
@@ -137,8 +136,10 @@ const struct ts_style ts_fix_evaporate = {
 	.name = "evaporate",
 	.kind = TS_KIND_FIX,
 	.summary = "Lets particles vanish at random",
-	.doc = "In each step that is a multiple of N, M particles of the group whose centres are in the region are\n"
-	       "chosen at random and deleted; all of them if there are fewer. Each particle's lot depends on seed, step\n"
+	.doc = "In each step that is a multiple of N, M particles of the group whose centres are in the "
+	       "region are\n"
+	       "chosen at random and deleted; all of them if there are fewer. Each particle's lot depends on "
+	       "seed, step\n"
 	       "and identity only, so the choice is the same on any number of threads and after a restart.",
 	.example = "fix dry all evaporate 1000 10 top 49892",
 	.args = args,

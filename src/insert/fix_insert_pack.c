@@ -73,36 +73,44 @@ static const struct ts_arg args[] = {
 	TS_WORD("insert_every", struct state, base.every_word,
 		.help = "steps between events, or once: in the step after the fix is defined"),
 	TS_INSERTION_REGION_ARGS(struct state),
-	TS_INT("particles_in_region", struct state, number, .flags = TS_OPTIONAL,
-	       .range = TS_POSITIVE, .help = "particles are inserted until the region has so many"),
-	TS_REAL("volumefraction_region", struct state, fraction, .flags = TS_OPTIONAL,
-		.range = TS_WITHIN, .lo = 0, .hi = 1,
-		.help = "... until they fill this part of its volume"),
+	TS_INT("particles_in_region", struct state, number, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+	       .help = "particles are inserted until the region has so many"),
+	TS_REAL("volumefraction_region", struct state, fraction, .flags = TS_OPTIONAL, .range = TS_WITHIN,
+		.lo = 0, .hi = 1, .help = "... until they fill this part of its volume"),
 	TS_REAL("mass_in_region", struct state, mass, .flags = TS_OPTIONAL, .unit = "mass",
 		.range = TS_POSITIVE, .help = "... until they have this mass"),
 	TS_ARGS_END,
 };
 
-static const struct ts_saved saved[] = { TS_INSERTION_REGION_SAVED(struct state),
-					 TS_SAVED_ROWS_END };
+static const struct ts_saved saved[] = { TS_INSERTION_REGION_SAVED(struct state), TS_SAVED_ROWS_END };
 
 TS_STYLE(fix, ts_style, ts_fix_insert_pack)
 const struct ts_style ts_fix_insert_pack = {
 	.name = "insert/pack",
 	.kind = TS_KIND_FIX,
 	.summary = "Fills a region with particles",
-	.doc = "In the step after the definition, or at the step start, and then every insert_every steps as many particles\n"
-	       "are made as the region lacks to reach a number, a mass or a share of its volume. What is in the region\n"
-	       "is counted by centres. Numbers that follow from a mass or a volume are rounded up or down by lot.\n\n"
-	       "Particles come from a mixture, fix particledistribution/discrete, large ones first. Each is tried at\n"
-	       "random points of the region until it overlaps no other particle. All tries together are at most the\n"
-	       "number of particles times maxattempt, divided by the part of the target that is missing; then a warning\n"
-	       "says how many found no place. New particles are members of the group of the fix and of the groups of\n"
+	.doc = "In the step after the definition, or at the step start, and then every insert_every steps as "
+	       "many particles\n"
+	       "are made as the region lacks to reach a number, a mass or a share of its volume. What is in "
+	       "the region\n"
+	       "is counted by centres. Numbers that follow from a mass or a volume are rounded up or down by "
+	       "lot.\n\n"
+	       "Particles come from a mixture, fix particledistribution/discrete, large ones first. Each is "
+	       "tried at\n"
+	       "random points of the region until it overlaps no other particle. All tries together are at "
+	       "most the\n"
+	       "number of particles times maxattempt, divided by the part of the target that is missing; "
+	       "then a warning\n"
+	       "says how many found no place. New particles are members of the group of the fix and of the "
+	       "groups of\n"
 	       "the mixture and the template, and feel forces from this step on.\n\n"
-	       "The random streams are those of LIGGGHTS 3.8: a script gives the same particles at the same places.\n"
-	       "Regions that share a surface are not seen as one by all_in yes: a particle must lie wholly in one of the\n"
+	       "The random streams are those of LIGGGHTS 3.8: a script gives the same particles at the same "
+	       "places.\n"
+	       "Regions that share a surface are not seen as one by all_in yes: a particle must lie wholly "
+	       "in one of the\n"
 	       "members of a union.",
-	.example = "fix fill all insert/pack seed 32452867 distributiontemplate mix insert_every once overlapcheck yes all_in yes vel constant 0 0 -0.5 region bed volumefraction_region 0.3",
+	.example = "fix fill all insert/pack seed 32452867 distributiontemplate mix insert_every once "
+		   "overlapcheck yes all_in yes vel constant 0 0 -0.5 region bed volumefraction_region 0.3",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

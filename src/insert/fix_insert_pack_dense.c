@@ -45,10 +45,9 @@ static enum ts_status refuse_clumps(struct ts_instance *self, struct tsim *sim)
 
 	for (int64_t k = 0; k < d->n; k++)
 		if (((const struct ts_template *)d->template[k] -> state)->clump)
-			return ts_fail(&sim->error, TS_STATE,
-				       ts_instance_word(self, s->distribution_id),
-				       "fix insert/pack/dense: fix %s makes clumps; spheres are packed, only. For "
-				       "clumps take insert/pack and let them settle",
+			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->distribution_id),
+				       "fix insert/pack/dense: fix %s makes clumps; spheres are packed, "
+				       "only. For clumps take insert/pack and let them settle",
 				       d->template[k] -> id);
 	return TS_OK;
 }
@@ -92,8 +91,7 @@ static enum ts_status gather(struct state *s, struct tsim *sim, struct packing *
 	if (!p->x || !p->v || !p->f || !p->radius)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < p->n; k++) {
-		const struct ts_newcomer *one =
-			k < p->fixed ? NULL : &s->base.list.item[k - p->fixed];
+		const struct ts_newcomer *one = k < p->fixed ? NULL : &s->base.list.item[k - p->fixed];
 
 		ts_scale(1, one ? one->x : all->x[order.row[k]], p->x[k]);
 		p->radius[k] = one ? one->radius : all->radius[order.row[k]];
@@ -121,8 +119,7 @@ static void push(void *context, size_t i, size_t j, const double d[3])
 /* The surface of the region pushes, too, in the direction in which the depth grows. */
 static void push_in(struct packing *p, size_t i)
 {
-	double reach = (1 + MARGIN) * p->radius[i],
-	       miss = reach - ts_region_depth(p->region, p->x[i]);
+	double reach = (1 + MARGIN) * p->radius[i], miss = reach - ts_region_depth(p->region, p->x[i]);
 	double up[3], size;
 
 	if (!(miss > 0))
@@ -194,9 +191,9 @@ static enum ts_status move_apart(struct ts_instance *self, struct tsim *sim, str
 		move(p);
 	}
 	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "volumefraction_region"),
-		       "fix insert/pack/dense: %zu particles that fill %g of region %s were not moved apart: after "
-		       "%lld rounds two overlap by %.3g %% of their radii. Ask for less (spheres at random fill at "
-		       "most 0.64, near walls less), or raise max_rounds",
+		       "fix insert/pack/dense: %zu particles that fill %g of region %s were not moved apart: "
+		       "after %lld rounds two overlap by %.3g %% of their radii. Ask for less (spheres at "
+		       "random fill at most 0.64, near walls less), or raise max_rounds",
 		       s->base.list.n, s->fraction, s->place.region->id, (long long)s->most_rounds,
 		       100 * p->worst);
 }
@@ -243,31 +240,27 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 
 static const struct ts_arg args[] = {
 	TS_INT("seed", struct state, base.seed, .range = TS_POSITIVE,
-	       .help = TS_SEED_HELP
-	       " - and another one than those of the distribution and its templates"),
+	       .help = TS_SEED_HELP " - and another one than those of the distribution and its templates"),
 	TS_WORD("distributiontemplate", struct state, base.distribution_id,
 		.help = "the fix particledistribution/discrete whose particles are inserted"),
 	TS_REGION("region", struct state, place.region, .help = "what is filled"),
-	TS_REAL("volumefraction_region", struct state, fraction, .range = TS_WITHIN, .lo = 0,
-		.hi = 0.74, .unit = "", .help = "part of its volume that particles fill"),
+	TS_REAL("volumefraction_region", struct state, fraction, .range = TS_WITHIN, .lo = 0, .hi = 0.74,
+		.unit = "", .help = "part of its volume that particles fill"),
 	TS_INT("max_rounds", struct state, most_rounds, .fallback = "5000", .range = TS_POSITIVE,
 	       .help = "how often particles are moved before that is given up"),
 	TS_INT("start", struct state, base.start, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
 	       .help = "step of the event; without it the next one"),
-	TS_LIST_KEYWORD("vel", struct state, base.velocity_words,
-			.flags = TS_TO_KEYWORD | TS_OPTIONAL,
+	TS_LIST_KEYWORD("vel", struct state, base.velocity_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,
 			.help = "constant vx vy vz | uniform vx vy vz dx dy dz | gaussian vx vy vz "
 				"sx sy sz: velocity; 0 by default"),
-	TS_LIST_KEYWORD("omega", struct state, base.omega_words,
-			.flags = TS_TO_KEYWORD | TS_OPTIONAL,
+	TS_LIST_KEYWORD("omega", struct state, base.omega_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,
 			.help = "constant wx wy wz: angular velocity, 0 by default"),
 	TS_BOOL("verbose", struct state, base.verbose, .fallback = "yes",
 		.help = "the event is told in the log"),
 	TS_ARGS_END,
 };
 
-static const struct ts_saved saved[] = { TS_INSERTION_REGION_SAVED(struct state),
-					 TS_SAVED_ROWS_END };
+static const struct ts_saved saved[] = { TS_INSERTION_REGION_SAVED(struct state), TS_SAVED_ROWS_END };
 
 TS_STYLE(fix, ts_style, ts_fix_insert_pack_dense)
 const struct ts_style ts_fix_insert_pack_dense = {

@@ -19,8 +19,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_insertion_region_init(self, sim));
 	if (s->base.every < 1)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "insert_every"),
-			       "fix insert/rate/region: insert_every is '%s', expected a number of "
-			       "steps > 0",
+			       "fix insert/rate/region: insert_every is '%s', expected a number of steps > 0",
 			       s->base.every_word);
 	return ts_insertion_rate_init(self, sim, &s->rate);
 }
@@ -57,19 +56,22 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
-static const struct ts_saved saved[] = { TS_INSERTION_REGION_SAVED(struct state),
-					 TS_SAVED_ROWS_END };
+static const struct ts_saved saved[] = { TS_INSERTION_REGION_SAVED(struct state), TS_SAVED_ROWS_END };
 
 TS_STYLE(fix, ts_style, ts_fix_insert_rate_region)
 const struct ts_style ts_fix_insert_rate_region = {
 	.name = "insert/rate/region",
 	.kind = TS_KIND_FIX,
 	.summary = "Particles come into a region at a rate",
-	.doc = "Every insert_every steps, the first time in the step after the definition or at the step start, as many\n"
-	       "particles are made at random places of a region as the rate gives in that time, rounded up or down by\n"
-	       "lot, until a number or a mass is reached. Particles that find no place come later. The rest is as with\n"
+	.doc = "Every insert_every steps, the first time in the step after the definition or at the step "
+	       "start, as many\n"
+	       "particles are made at random places of a region as the rate gives in that time, rounded up "
+	       "or down by\n"
+	       "lot, until a number or a mass is reached. Particles that find no place come later. The rest "
+	       "is as with\n"
 	       "fix insert/pack.",
-	.example = "fix rain all insert/rate/region seed 32452867 distributiontemplate mix nparticles 1000 particlerate 5000 insert_every 1000 overlapcheck yes region sky",
+	.example = "fix rain all insert/rate/region seed 32452867 distributiontemplate mix nparticles 1000 "
+		   "particlerate 5000 insert_every 1000 overlapcheck yes region sky",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

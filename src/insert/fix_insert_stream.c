@@ -28,7 +28,8 @@ struct state {
 	double length;	  /* of the space behind the face that is filled */
 	double normal[3]; /* of the face, against the stream */
 	double speed;	  /* through the face */
-	int32_t *way;	  /* the particles on their way to the face, maybe some who are free; of this generation */
+	/* the particles on their way to the face, maybe some who are free; of this generation */
+	int32_t *way;
 	size_t nway, way_capacity;
 	uint64_t generation;
 	/* saved */
@@ -38,8 +39,8 @@ struct state {
 
 /* LIGGGHTS seeds the stream of points on a mesh with this; fixes with the same face share it. */
 static const int64_t MESH_SEED = 179424799;
-/* A quotient this near to the next integer is taken as this, so that a stream of 1 m/s takes 1500 steps of 2e-5 s for
- * 0.03 m. LIGGGHTS adds 1e-14 in units of length to the length. */
+/* A quotient this near to the next integer is taken as this, so that a stream of 1 m/s takes 1500 steps of
+ * 2e-5 s for 0.03 m. LIGGGHTS adds 1e-14 in units of length to the length. */
 static const double ROUNDING = 1e-13;
 /* A stream whose velocity includes a smaller angle with the face, in radian, does not go through it. */
 static const double ALONG = 1e-6;
@@ -252,8 +253,7 @@ static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct s
 		do {
 			TS_TRY(draw_place(self, sim, one->radius, one->x));
 			search->tries++;
-		} while (search->tries < search->most_tries &&
-			 !in_box(search->box, one->x, one->radius));
+		} while (search->tries < search->most_tries && !in_box(search->box, one->x, one->radius));
 		if (search->tries == search->most_tries)
 			return TS_OK;
 		ts_insertion_draw_orientation(&s->base, one);
@@ -341,8 +341,7 @@ static void start(struct ts_instance *self, struct tsim *sim, size_t from)
 		memory[TS_STREAM_START] = (double)s->stream.age;
 		memory[TS_STREAM_WAY] = ts_dot(d, s->normal);
 		memory[TS_STREAM_RELEASE] =
-			(double)s->stream.age +
-			floor(memory[TS_STREAM_WAY] / (s->speed * sim->clock.dt));
+			(double)s->stream.age + floor(memory[TS_STREAM_WAY] / (s->speed * sim->clock.dt));
 		s->release = (int64_t)fmax((double)s->release, memory[TS_STREAM_RELEASE]);
 		if (body)
 			steer_body(s, sim, body, memory, false);
@@ -366,8 +365,8 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 	n = ts_insertion_rate_count(self, sim, &s->rate);
 	if (n > 0) {
 		TS_TRY(measure(self, sim));
-		TS_TRY(ts_distribution_draw(s->base.distribution, sim, n,
-					    s->base.random_distribute == 0, &s->base.list));
+		TS_TRY(ts_distribution_draw(s->base.distribution, sim, n, s->base.random_distribute == 0,
+					    &s->base.list));
 		TS_TRY(place_all(self, sim));
 		TS_TRY(ts_insertion_make(self, sim, &from));
 		start(self, sim, from);
@@ -378,8 +377,8 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 
 /* Counted from where it began: neither rounding nor the forces of a set-up push a particle off its way, as in
  * LIGGGHTS. One that has been wrapped into a periodic box is left alone. */
-static void keep_on_its_way(struct ts_particles *p, size_t i, const double start[3],
-			    const double v[3], double time, double dt)
+static void keep_on_its_way(struct ts_particles *p, size_t i, const double start[3], const double v[3],
+			    double time, double dt)
 {
 	for (int k = 0; k < 3; k++) {
 		double to = start[k] + time * v[k];
@@ -389,16 +388,14 @@ static void keep_on_its_way(struct ts_particles *p, size_t i, const double start
 	}
 }
 
-static void steer_sphere(const struct state *s, struct tsim *sim, size_t i, const double *memory,
-			 bool free)
+static void steer_sphere(const struct state *s, struct tsim *sim, size_t i, const double *memory, bool free)
 {
 	struct ts_particles *p = sim->particles;
 	double v[3];
 
 	ts_scale(-s->speed, s->normal, v);
 	keep_on_its_way(p, i, memory + TS_STREAM_PLACE, v,
-			((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt,
-			sim->clock.dt);
+			((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt, sim->clock.dt);
 	for (int k = 0; k < 3; k++) {
 		p->v[i][k] = free ? memory[TS_STREAM_VELOCITY + k] : v[k];
 		p->f[i][k] = 0;
@@ -507,17 +504,16 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 	TS_TRY(ts_insertion_archive(self, sim, a));
 	TS_TRY(ts_minstd_archive(a, sim, "face", &s->face->random));
-	return ts_particles_archive_column(
-		a, sim, sim->particles->column[s->stream.column].name, s->stream.column);
+	return ts_particles_archive_column(a, sim, sim->particles->column[s->stream.column].name,
+					   s->stream.column);
 }
 
 static const struct ts_arg args[] = {
 	TS_INSERTION_ARGS(struct state),
 	TS_INSERTION_RATE_ARGS(struct state),
-	TS_WORD("insertion_face", struct state, face_id,
-		.help = "a plane mesh through which particles come"),
-	TS_REAL("extrude_length", struct state, given_length, .flags = TS_OPTIONAL,
-		.range = TS_POSITIVE, .unit = "length",
+	TS_WORD("insertion_face", struct state, face_id, .help = "a plane mesh through which particles come"),
+	TS_REAL("extrude_length", struct state, given_length, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+		.unit = "length",
 		.help = "length of the space behind the face that an event fills; the next event comes "
 			"when the stream has left it"),
 	TS_WORD("insert_every", struct state, base.every_word, .flags = TS_OPTIONAL,
@@ -530,8 +526,10 @@ static const struct ts_arg args[] = {
 };
 
 static const struct ts_saved saved[] = {
-	TS_INSERTION_SAVED(struct state),	TS_SAVE_I64(struct state, stream.age),
-	TS_SAVE_I64(struct state, release), TS_SAVE_I32(struct state, measured),
+	TS_INSERTION_SAVED(struct state),
+	TS_SAVE_I64(struct state, stream.age),
+	TS_SAVE_I64(struct state, release),
+	TS_SAVE_I32(struct state, measured),
 	TS_SAVED_ROWS_END,
 };
 
@@ -540,21 +538,34 @@ const struct ts_style ts_fix_insert_stream = {
 	.name = "insert/stream",
 	.kind = TS_KIND_FIX,
 	.summary = "Particles come through a face, in a stream",
-	.doc = "As many particles as the rate gives in an interval are placed at random in the space behind a plane\n"
-	       "mesh: the face moved by the length L against the velocity. They move towards the face with the part of\n"
-	       "the velocity that is normal to it, whatever the forces on them, and when their centers reach it they get\n"
-	       "the velocity and the angular velocity asked for, and are free. The interval is L over the normal speed;\n"
+	.doc = "As many particles as the rate gives in an interval are placed at random in the space behind "
+	       "a plane\n"
+	       "mesh: the face moved by the length L against the velocity. They move towards the face with "
+	       "the part of\n"
+	       "the velocity that is normal to it, whatever the forces on them, and when their centers reach "
+	       "it they get\n"
+	       "the velocity and the angular velocity asked for, and are free. The interval is L over the "
+	       "normal speed;\n"
 	       "extrude_length gives L, or insert_every the interval, of which only duration is filled.\n\n"
-	       "Places, numbers and velocities are drawn from the random streams of LIGGGHTS 3.8, in its order. With\n"
-	       "overlapcheck yes centers lie from R to L + R behind the face and are tried anew if particles overlap or\n"
-	       "reach out of the box; else from R to L - R. all_in yes keeps particles within the outer edges of the\n"
+	       "Places, numbers and velocities are drawn from the random streams of LIGGGHTS 3.8, in its "
+	       "order. With\n"
+	       "overlapcheck yes centers lie from R to L + R behind the face and are tried anew if particles "
+	       "overlap or\n"
+	       "reach out of the box; else from R to L - R. all_in yes keeps particles within the outer "
+	       "edges of the\n"
 	       "face. The number in an event is rounded up or down by lot. The face must not move.\n\n"
-	       "A rigid clump goes to the face by its centre of mass, without turning. LIGGGHTS gives it no angular\n"
+	       "A rigid clump goes to the face by its centre of mass, without turning. LIGGGHTS gives it no "
+	       "angular\n"
 	       "velocity there either, which `legacy yes` follows.\n\n"
-	       "As in LIGGGHTS, f_release_fix_insert_stream[1] to [14] are of each particle: the place where it was\n"
-	       "inserted (1 to 3), the step of that (4), the step in which it is free (5), its velocity until then (6 to\n"
-	       "8), and the velocity (9 to 11) and angular velocity (12 to 14) that it gets then; 0 of other particles.",
-	.example = "fix pour all insert/stream seed 32452867 distributiontemplate mix nparticles 5000 vel constant 0 -0.5 -2 particlerate 1000 overlapcheck yes insertion_face hole extrude_length 0.6",
+	       "As in LIGGGHTS, f_release_fix_insert_stream[1] to [14] are of each particle: the place where "
+	       "it was\n"
+	       "inserted (1 to 3), the step of that (4), the step in which it is free (5), its velocity "
+	       "until then (6 to\n"
+	       "8), and the velocity (9 to 11) and angular velocity (12 to 14) that it gets then; 0 of other "
+	       "particles.",
+	.example = "fix pour all insert/stream seed 32452867 distributiontemplate mix nparticles 5000 vel "
+		   "constant 0 -0.5 -2 particlerate 1000 overlapcheck yes insertion_face hole extrude_length "
+		   "0.6",
 	.family = TS_FAMILY_STREAM,
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -1,4 +1,5 @@
-/* Fixes particledistribution/discrete and .../numberbased: a mixture of particle templates by mass, or by number. */
+/* Fixes particledistribution/discrete and .../numberbased: a mixture of particle templates by mass, or by
+ * number. */
 #include "insert/distribution.h"
 
 #include "base/banned.h"
@@ -13,11 +14,15 @@ static enum ts_status init_by_number(struct ts_instance *self, struct tsim *sim)
 	return ts_distribution_init(self, sim, false);
 }
 
-#define DOC(share)                                                                                                     \
-	"Names n fixes particletemplate/... and the share of each in the " share " of what is inserted. If the shares\n" \
-	"do not add up to 1 a warning is given and they are divided by their sum. Of N particles each template gets\n"  \
-	"the whole part of its number; what is left goes to templates drawn in proportion to their remainders, as\n"    \
-	"in LIGGGHTS. Larger ones are placed before smaller ones. The group of the fix is one more group that\n"        \
+#define DOC(share)                                                                                         \
+	"Names n fixes particletemplate/... and the share of each in the " share                           \
+	" of what is inserted. If the shares\n"                                                            \
+	"do not add up to 1 a warning is given and they are divided by their sum. Of N particles each "    \
+	"template gets\n"                                                                                  \
+	"the whole part of its number; what is left goes to templates drawn in proportion to their "       \
+	"remainders, as\n"                                                                                 \
+	"in LIGGGHTS. Larger ones are placed before smaller ones. The group of the fix is one more group " \
+	"that\n"                                                                                           \
 	"inserted particles become members of."
 
 TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete)

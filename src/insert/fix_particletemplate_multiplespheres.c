@@ -32,12 +32,17 @@ const struct ts_style ts_fix_particletemplate_multiplespheres = {
 	.name = "particletemplate/multiplespheres",
 	.kind = TS_KIND_FIX,
 	.summary = "Several spheres that are inserted together",
-	.doc = "The spheres keep their places to each other only while they are inserted; after that each moves on its\n"
-	       "own. A clump counts as one particle in numbers, with the mass of the space that its spheres fill; that\n"
-	       "volume, and the sphere around the clump by which places in a region are judged, are found by lot with the\n"
-	       "random stream of LIGGGHTS. orientation of fix insert/... turns the clump. Velocity and angular velocity\n"
+	.doc = "The spheres keep their places to each other only while they are inserted; after that each "
+	       "moves on its\n"
+	       "own. A clump counts as one particle in numbers, with the mass of the space that its spheres "
+	       "fill; that\n"
+	       "volume, and the sphere around the clump by which places in a region are judged, are found by "
+	       "lot with the\n"
+	       "random stream of LIGGGHTS. orientation of fix insert/... turns the clump. Velocity and "
+	       "angular velocity\n"
 	       "are given to each sphere.",
-	.example = "fix twins all particletemplate/multiplespheres 15485863 atom_type 1 density constant 2500 nspheres 2 ntry 100000 spheres 0 0 0 0.005 0.011 0 0 0.005",
+	.example = "fix twins all particletemplate/multiplespheres 15485863 atom_type 1 density constant "
+		   "2500 nspheres 2 ntry 100000 spheres 0 0 0 0.005 0.011 0 0 0.005",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.archive = ts_template_archive,

@@ -22,8 +22,7 @@ static enum ts_status read_moments(struct ts_instance *self, struct tsim *sim, d
 	const struct state *s = self->state;
 
 	for (size_t k = 0; k < s->moment_words.n; k++)
-		if (s->moment_words.n != 6 ||
-		    !ts_parse_real(s->moment_words.word[k].text, &tensor[place[k]]))
+		if (s->moment_words.n != 6 || !ts_parse_real(s->moment_words.word[k].text, &tensor[place[k]]))
 			return ts_fail(&sim->error, TS_SYNTAX, &s->moment_words.word[k].place,
 				       "fix particletemplate/multisphere: inertia_tensor is followed by the "
 				       "six numbers xx xy xz yy yz zz");
@@ -117,8 +116,7 @@ static const struct ts_arg args[] = {
 		.help = "mass of a clump, instead of density times volume"),
 	TS_SOME_KEYWORD("inertia_tensor", struct state, moment_words, 0,
 			.help = "xx xy xz yy yz zz: with mass, moments of inertia about the centre"),
-	TS_FLAG("use_volume", struct state, use_volume,
-		.help = "with mass: the density is mass over volume"),
+	TS_FLAG("use_volume", struct state, use_volume, .help = "with mass: the density is mass over volume"),
 	TS_FLAG("use_density", struct state, use_density,
 		.help = "with mass: the volume is mass over density"),
 	TS_SOME_KEYWORD("fflag", struct state, shift_words, 0,
@@ -133,12 +131,18 @@ const struct ts_style ts_fix_particletemplate_multisphere = {
 	.name = "particletemplate/multisphere",
 	.kind = TS_KIND_FIX,
 	.summary = "Clumps of spheres that are inserted as rigid bodies",
-	.doc = "Spheres that may overlap make a body of the given density; fix multisphere moves it. Its volume, centre of\n"
-	       "mass and moments of inertia are found with ntry random points each, from the random stream of LIGGGHTS:\n"
-	       "the relative error is about 1/sqrt(ntry). Places of fix insert/... are those of the centre of mass;\n"
+	.doc = "Spheres that may overlap make a body of the given density; fix multisphere moves it. Its "
+	       "volume, centre of\n"
+	       "mass and moments of inertia are found with ntry random points each, from the random stream "
+	       "of LIGGGHTS:\n"
+	       "the relative error is about 1/sqrt(ntry). Places of fix insert/... are those of the centre "
+	       "of mass;\n"
 	       "orientation turns the clump, omega is its angular velocity.\n\n"
-	       "LIGGGHTS 3.8 takes for the product of inertia yz the mean of yz and xz; so does `legacy yes`.",
-	.example = "fix stone all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 nspheres 3 ntry 1000000 spheres 0 0 0 0.01 0.012 0 0 0.008 0.015 0.011 0.003 0.009 type 1",
+	       "LIGGGHTS 3.8 takes for the product of inertia yz the mean of yz and xz; so does `legacy "
+	       "yes`.",
+	.example =
+		"fix stone all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 "
+		"nspheres 3 ntry 1000000 spheres 0 0 0 0.01 0.012 0 0 0.008 0.015 0.011 0.003 0.009 type 1",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.archive = ts_template_archive,

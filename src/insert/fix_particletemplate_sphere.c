@@ -41,15 +41,22 @@ const struct ts_style ts_fix_particletemplate_sphere = {
 	.name = "particletemplate/sphere",
 	.kind = TS_KIND_FIX,
 	.summary = "What spheres look like that other fixes insert",
-	.doc = "Radius and density of the particles that a fix particledistribution/discrete mixes and a fix\n"
+	.doc = "Radius and density of the particles that a fix particledistribution/discrete mixes and a "
+	       "fix\n"
 	       "insert/... inserts. The group of the fix is one more group that they become members of.\n\n"
-	       "Radius and density are the same for all, or spread: uniform between two values, gaussian with mean\n"
-	       "and standard deviation, cut off three deviations from the mean, or lognormal: median and standard\n"
-	       "deviation of the logarithm, cut off in the same way. number, the default, or mass says what the\n"
-	       "spread counts: with uniform mass 1 2 the particles of each interval of radius have the same mass\n"
+	       "Radius and density are the same for all, or spread: uniform between two values, gaussian "
+	       "with mean\n"
+	       "and standard deviation, cut off three deviations from the mean, or lognormal: median and "
+	       "standard\n"
+	       "deviation of the logarithm, cut off in the same way. number, the default, or mass says what "
+	       "the\n"
+	       "spread counts: with uniform mass 1 2 the particles of each interval of radius have the same "
+	       "mass\n"
 	       "together. LIGGGHTS 3.8 has constant only.",
-	.example = "fix grains all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.0015\n"
-		   "fix sand all particletemplate/sphere 15485867 density constant 2650 radius uniform mass 2e-4 6e-4",
+	.example = "fix grains all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius "
+		   "constant 0.0015\n"
+		   "fix sand all particletemplate/sphere 15485867 density constant 2650 radius uniform mass "
+		   "2e-4 6e-4",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.archive = ts_template_archive,

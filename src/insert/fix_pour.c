@@ -1,7 +1,7 @@
 /* Fix pour: particles rain into a region, as LAMMPS pours them.
  *
- * The random numbers, and the order in which they are drawn, are those of LAMMPS: the same seed gives the same
- * particles at the same places. */
+ * The random numbers, and the order in which they are drawn, are those of LAMMPS: the same seed gives the
+ * same particles at the same places. */
 #include <math.h>
 
 #include "box/domain.h"
@@ -29,15 +29,15 @@ struct pour {
 	double rate; /* of the region, upwards */
 
 	/* set in init */
-	int up;		       /* the dimension against which they fall */
-	double lo[3], hi[3];   /* of the region */
-	int spread;	       /* of diameters */
-	double diameter[2];    /* one; from, to */
+	int up;		     /* the dimension against which they fall */
+	double lo[3], hi[3]; /* of the region */
+	int spread;	     /* of diameters */
+	double diameter[2];  /* one; from, to */
 	int64_t nsizes;
 	struct ts_words sizes; /* diameter, share, diameter, share ... */
 	double density[2], fraction;
 	double sideways[2][2], along; /* velocities: from, to in x and y; on entering at the top */
-	int64_t each;	       /* how many in an event */
+	int64_t each;		      /* how many in an event */
 	bool told;
 
 	double risen; /* saved: how far the region has moved */
@@ -45,15 +45,15 @@ struct pour {
 
 /* ---- arguments ---- */
 
-#define PAIR_ROWS(what, field, unit_)                                                              \
-	TS_REAL("lo", struct pour, field[0], .flags = TS_POSITIONAL, .unit = unit_,                \
-		.range = TS_POSITIVE, .help = "least " what),                                      \
-	TS_REAL("hi", struct pour, field[1], .flags = TS_POSITIONAL, .unit = unit_,                \
-		.range = TS_POSITIVE, .help = "largest " what)
+#define PAIR_ROWS(what, field, unit_)                                                                     \
+	TS_REAL("lo", struct pour, field[0], .flags = TS_POSITIONAL, .unit = unit_, .range = TS_POSITIVE, \
+		.help = "least " what),                                                                   \
+		TS_REAL("hi", struct pour, field[1], .flags = TS_POSITIONAL, .unit = unit_,               \
+			.range = TS_POSITIVE, .help = "largest " what)
 
 static const struct ts_arg one_rows[] = {
-	TS_REAL("D", struct pour, diameter[0], .flags = TS_POSITIONAL, .unit = "length",
-		.range = TS_POSITIVE, .help = "diameter"),
+	TS_REAL("D", struct pour, diameter[0], .flags = TS_POSITIONAL, .unit = "length", .range = TS_POSITIVE,
+		.help = "diameter"),
 	TS_ARGS_END,
 };
 static const struct ts_arg range_rows[] = { PAIR_ROWS("diameter", diameter, "length"), TS_ARGS_END };
@@ -73,27 +73,29 @@ static const struct ts_arg diameter_rows[] = {
 	TS_MODE("spread", struct pour, spread, spreads, .help = "how they are spread"),
 	TS_ARGS_END,
 };
-static const struct ts_arg density_rows[] = { PAIR_ROWS("density", density, "mass/volume"),
-					      TS_ARGS_END };
+static const struct ts_arg density_rows[] = { PAIR_ROWS("density", density, "mass/volume"), TS_ARGS_END };
 static const struct ts_arg fill_rows[] = {
-	TS_REAL("fraction", struct pour, fraction, .flags = TS_POSITIONAL, .range = TS_WITHIN,
-		.lo = 1e-12, .hi = 1, .unit = "", .help = "part of the volume of the region"),
-	TS_INT("attempts", struct pour, base.maxattempt, .flags = TS_POSITIONAL,
-	       .range = TS_POSITIVE, .help = "tries for a particle, on average"),
+	TS_REAL("fraction", struct pour, fraction, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1e-12,
+		.hi = 1, .unit = "", .help = "part of the volume of the region"),
+	TS_INT("attempts", struct pour, base.maxattempt, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "tries for a particle, on average"),
 	TS_ARGS_END,
 };
-#define SIDEWAYS(name, k, side)                                                                    \
-	TS_REAL(name, struct pour, sideways[k][side], .flags = TS_POSITIONAL,                      \
-		.unit = "velocity", .help = "velocity across")
+#define SIDEWAYS(name, k, side)                                                                   \
+	TS_REAL(name, struct pour, sideways[k][side], .flags = TS_POSITIONAL, .unit = "velocity", \
+		.help = "velocity across")
 static const struct ts_arg velocity_rows[] = {
-	SIDEWAYS("vxlo", 0, 0), SIDEWAYS("vxhi", 0, 1), SIDEWAYS("vylo", 1, 0),
+	SIDEWAYS("vxlo", 0, 0),
+	SIDEWAYS("vxhi", 0, 1),
+	SIDEWAYS("vylo", 1, 0),
 	SIDEWAYS("vyhi", 1, 1),
 	TS_REAL("vz", struct pour, along, .flags = TS_POSITIONAL, .unit = "velocity",
 		.help = "velocity upwards at the top"),
 	TS_ARGS_END,
 };
 static const struct ts_arg velocity_rows_2d[] = {
-	SIDEWAYS("vxlo", 0, 0), SIDEWAYS("vxhi", 0, 1),
+	SIDEWAYS("vxlo", 0, 0),
+	SIDEWAYS("vxhi", 0, 1),
 	TS_REAL("vy", struct pour, along, .flags = TS_POSITIONAL, .unit = "velocity",
 		.help = "velocity upwards at the top"),
 	TS_ARGS_END,
@@ -107,8 +109,7 @@ static enum ts_status read_part(struct ts_instance *self, struct tsim *sim, cons
 	if (!words.n)
 		return TS_OK;
 	snprintf(what, sizeof what, "fix pour: %s", keyword);
-	return ts_args_parse(sim, what, rows, words, &words.word[0].place, &self->arena,
-			     self->state);
+	return ts_args_parse(sim, what, rows, words, &words.word[0].place, &self->arena, self->state);
 }
 
 /* The k-th size of `poly`, and its share. */
@@ -116,8 +117,8 @@ static bool read_size(const struct pour *s, int64_t k, double *diameter, double 
 {
 	const struct ts_word *word = s->sizes.word + 2 * k;
 
-	return ts_parse_real(word[0].text, diameter) && *diameter > 0 &&
-	       ts_parse_real(word[1].text, share) && *share >= 0;
+	return ts_parse_real(word[0].text, diameter) && *diameter > 0 && ts_parse_real(word[1].text, share) &&
+	       *share >= 0;
 }
 
 static enum ts_status check_sizes(struct ts_instance *self, struct tsim *sim)
@@ -156,11 +157,9 @@ static enum ts_status refuse_molecules(struct ts_instance *self, struct tsim *si
 
 	for (int k = 0; k < MOLECULES; k++)
 		if (s->refused[k].n)
-			return ts_fail(&sim->error, TS_STATE,
-				       ts_instance_word(self, molecule_words[k]),
-				       "fix pour: '%s' is known, but not built: molecules are clumps "
-				       "here, poured by fix insert/stream from fix "
-				       "particletemplate/multisphere",
+			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, molecule_words[k]),
+				       "fix pour: '%s' is known, but not built: molecules are clumps here, "
+				       "poured by fix insert/stream from fix particletemplate/multisphere",
 				       molecule_words[k]);
 	return TS_OK;
 }
@@ -178,12 +177,11 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(read_part(self, sim, "diam", diameter_rows, s->diameter_words));
 	TS_TRY(read_part(self, sim, "dens", density_rows, s->density_words));
 	TS_TRY(read_part(self, sim, "vol", fill_rows, s->fill_words));
-	TS_TRY(read_part(self, sim, "vel", flat ? velocity_rows_2d : velocity_rows,
-			 s->velocity_words));
+	TS_TRY(read_part(self, sim, "vel", flat ? velocity_rows_2d : velocity_rows, s->velocity_words));
 	if (s->density[0] > s->density[1])
 		return ts_fail(&sim->error, TS_RANGE, &s->density_words.word[0].place,
-			       "fix pour: dens goes from %g to %g, expected the smaller first",
-			       s->density[0], s->density[1]);
+			       "fix pour: dens goes from %g to %g, expected the smaller first", s->density[0],
+			       s->density[1]);
 	return check_sizes(self, sim);
 }
 
@@ -226,8 +224,8 @@ static bool is_block(const struct pour *s)
 	return ts_region_volume(s->region) == box_volume(s, 3);
 }
 
-/* Whether it is as wide at the top and the bottom as anywhere: a block, an upright cylinder. Of other shapes heights
- * would be drawn where there is hardly any room. */
+/* Whether it is as wide at the top and the bottom as anywhere: a block, an upright cylinder. Of other
+ * shapes heights would be drawn where there is hardly any room. */
 static bool is_upright(const struct pour *s)
 {
 	const double *edge[2] = { s->lo, s->hi };
@@ -279,8 +277,7 @@ static enum ts_status find_gravity(struct ts_instance *self, struct tsim *sim, d
 	*out = gravity->magnitude.value;
 	if (*out > 0 && gravity->direction[s->up] < -1 + 1e-3)
 		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, &fix->where,
-		       "fix pour needs gravity along -%c", 'x' + s->up);
+	return ts_fail(&sim->error, TS_STATE, &fix->where, "fix pour needs gravity along -%c", 'x' + s->up);
 }
 
 /* How long a particle that enters at the top needs to leave the region, which itself rises. */
@@ -311,8 +308,7 @@ static enum ts_status check_region(struct ts_instance *self, struct tsim *sim)
 			return ts_fail(&sim->error, TS_RANGE, where,
 				       "fix pour: region %s reaches from %c = %g to %g, beyond the box "
 				       "from %g to %g",
-				       s->region->id, 'x' + d, s->lo[d], s->hi[d], box->lo[d],
-				       box->hi[d]);
+				       s->region->id, 'x' + d, s->lo[d], s->hi[d], box->lo[d], box->hi[d]);
 	if (!(room(s) > 0) || !(s->up == 1 ? is_block(s) : is_upright(s)))
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "fix pour: region %s is of style %s, expected %s", s->region->id,
@@ -396,8 +392,8 @@ static void draw_place(struct pour *s, struct ts_newcomer *one)
 
 	for (int k = 0; k < MOST; k++) {
 		for (int d = 0; d < s->up; d++)
-			one->x[d] = x[d] = s->lo[d] + ts_minstd_uniform(&s->base.random) *
-							      (s->hi[d] - s->lo[d]);
+			one->x[d] = x[d] =
+				s->lo[d] + ts_minstd_uniform(&s->base.random) * (s->hi[d] - s->lo[d]);
 		if (s->up == 1 || ts_region_contains(s->region, x))
 			break;
 	}
@@ -414,8 +410,7 @@ static void draw_motion(struct pour *s, double g, struct ts_newcomer *one)
 }
 
 /* All tries count together, and a particle is tried until it finds a place. */
-static enum ts_status place_all(struct pour *s, struct tsim *sim, double g,
-				struct ts_spherehash *crowd)
+static enum ts_status place_all(struct pour *s, struct tsim *sim, double g, struct ts_spherehash *crowd)
 {
 	struct ts_newcomers *list = &s->base.list;
 	int64_t tries = (int64_t)list->n * s->base.maxattempt;
@@ -504,8 +499,7 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status eval_number(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_number(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
 	out->data[0] = (double)((const struct pour *)self->state)->base.inserted;
@@ -518,10 +512,9 @@ static const struct ts_value values[] = {
 };
 
 static const char *const numberings[] = { "max", "next", NULL };
-#define REFUSED(name, k)                                                                           \
-	TS_SOME_KEYWORD(name, struct pour, refused[k], 0,                                          \
-			.help = "known, but not built: molecules are clumps, see fix "             \
-				"insert/stream")
+#define REFUSED(name, k)                                  \
+	TS_SOME_KEYWORD(name, struct pour, refused[k], 0, \
+			.help = "known, but not built: molecules are clumps, see fix insert/stream")
 
 static const struct ts_arg args[] = {
 	TS_INT("N", struct pour, n, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
@@ -542,9 +535,8 @@ static const struct ts_arg args[] = {
 	TS_REAL("rate", struct pour, rate, .fallback = "0", .unit = "velocity",
 		.help = "velocity at which the region rises"),
 	TS_SOME_KEYWORD("vel", struct pour, velocity_words, 0, .unit = "velocity",
-			.help = "vxlo vxhi vylo vyhi vz, in two dimensions vxlo vxhi vy: velocities "
-				"across, uniform between, and along gravity at the top of the "
-				"region; 0 by default"),
+			.help = "vxlo vxhi vylo vyhi vz, in two dimensions vxlo vxhi vy: velocities across, "
+				"uniform between, and along gravity at the top of the region; 0 by default"),
 	TS_ENUM("id", struct pour, numbering, numberings, .fallback = "max",
 		.help = "no effect: a new particle has a number that none had before"),
 	TS_FLAG("ignore", struct pour, ignore,
@@ -557,25 +549,30 @@ static const struct ts_arg args[] = {
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_I64(struct pour, base.wait),
-	TS_SAVE_I64(struct pour, base.every),
-	TS_SAVE_I64(struct pour, base.inserted),
-	TS_SAVE_F64(struct pour, base.mass),
-	TS_SAVE_F64(struct pour, risen),
-	TS_SAVED_ROWS_END,
+	TS_SAVE_I64(struct pour, base.wait),	 TS_SAVE_I64(struct pour, base.every),
+	TS_SAVE_I64(struct pour, base.inserted), TS_SAVE_F64(struct pour, base.mass),
+	TS_SAVE_F64(struct pour, risen),	 TS_SAVED_ROWS_END,
 };
 
 static const char doc[] =
-	"From the next step on particles are made at random places of a region, without overlaps, as in a stream\n"
-	"that falls: with u uniform in (0, 1) the height is that of the top less u^2 h, h the height of the region,\n"
-	"and the velocity along gravity -sqrt(v^2 + 2 g d) at the depth d. The next ones come when the first have\n"
-	"fallen out of the region, after (w + sqrt(w^2 + 2 g h))/g, w = v - rate, in steps as they are when the fix is\n"
+	"From the next step on particles are made at random places of a region, without overlaps, as in a "
+	"stream\n"
+	"that falls: with u uniform in (0, 1) the height is that of the top less u^2 h, h the height of the "
+	"region,\n"
+	"and the velocity along gravity -sqrt(v^2 + 2 g d) at the depth d. The next ones come when the first "
+	"have\n"
+	"fallen out of the region, after (w + sqrt(w^2 + 2 g h))/g, w = v - rate, in steps as they are when "
+	"the fix is\n"
 	"defined (like LAMMPS; a warning tells where they change), until there are N. An event makes\n"
-	"fraction V/V_1 of them, rounded down: V the volume of the region, V_1 that of a particle (of `range` of the\n"
+	"fraction V/V_1 of them, rounded down: V the volume of the region, V_1 that of a particle (of "
+	"`range` of the\n"
 	"largest, of `poly` the mean). Where an event finds no place for some, later ones make up for it.\n\n"
-	"As in LAMMPS, V of a block less than 1 thick in y counts as if it were 1 thick, whatever the units; the\n"
-	"places are those of LAMMPS, too. Fix gravity must act along -z, in two dimensions along -y. The region has\n"
-	"side in and stands still, but for `rate`; it is a block, or in three dimensions a cylinder along z. f_ID is the\n"
+	"As in LAMMPS, V of a block less than 1 thick in y counts as if it were 1 thick, whatever the units; "
+	"the\n"
+	"places are those of LAMMPS, too. Fix gravity must act along -z, in two dimensions along -y. The "
+	"region has\n"
+	"side in and stands still, but for `rate`; it is a block, or in three dimensions a cylinder along z. "
+	"f_ID is the\n"
 	"number of particles made so far.";
 
 TS_STYLE(fix, ts_style, ts_fix_pour)

@@ -28,8 +28,8 @@ static double *inside(const struct state *s, const struct tsim *sim, size_t i)
 	return (double *)sim->particles->column[s->in].data + i;
 }
 
-static enum ts_status add_column(struct ts_instance *self, struct tsim *sim, const char *what,
-				 size_t width, size_t *column)
+static enum ts_status add_column(struct ts_instance *self, struct tsim *sim, const char *what, size_t width,
+				 size_t *column)
 {
 	struct ts_str name = { 0 };
 	enum ts_status status;
@@ -152,12 +152,16 @@ const struct ts_style ts_fix_property_atom_regiontracer_time = {
 	.name = "property/atom/regiontracer/time",
 	.kind = TS_KIND_FIX,
 	.summary = "How long particles have been in the box and in regions",
-	.doc = "Each step adds dt to the time in the box of the particles of the group, and to the time in a\n"
+	.doc = "Each step adds dt to the time in the box of the particles of the group, and to the time in "
+	       "a\n"
 	       "region of those that were there at the last look. Particles that come later start at 0.\n\n"
-	       "f_ID, or f_ID[1], f_ID[2] ... with regions, of a particle: time in the box and in the regions as\n"
-	       "they were given. f_ID[k] as numbers: their means over all particles, those outside the group,\n"
+	       "f_ID, or f_ID[1], f_ID[2] ... with regions, of a particle: time in the box and in the "
+	       "regions as\n"
+	       "they were given. f_ID[k] as numbers: their means over all particles, those outside the "
+	       "group,\n"
 	       "whose times are 0, included.",
-	.example = "fix stay all property/atom/regiontracer/time add_region mixer add_region chute check_region_every 5\n"
+	.example = "fix stay all property/atom/regiontracer/time add_region mixer add_region chute "
+		   "check_region_every 5\n"
 		   "thermo_style custom step f_stay[1] f_stay[2]",
 	.args = args,
 	.state_size = sizeof(struct state),

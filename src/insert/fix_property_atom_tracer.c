@@ -34,8 +34,7 @@ static const struct ts_arg args[] = {
 	TS_REGION("region_mark", struct state, region, .help = "where particles are marked"),
 	TS_INT("mark_step", struct state, step, .range = TS_NOT_NEGATIVE, .flags = TS_STATEFUL,
 	       .help = "step from which on particles are marked"),
-	TS_ENUM("marker_style", struct state, when, when_names, .fallback = "dirac",
-		.flags = TS_STATEFUL,
+	TS_ENUM("marker_style", struct state, when, when_names, .fallback = "dirac", .flags = TS_STATEFUL,
 		.help = "dirac: at that step only; heaviside: from then on, whoever comes by"),
 	TS_INT("check_mark_every", struct state, every, .fallback = "10", .range = TS_POSITIVE,
 	       .help = "steps between looks: particles are marked in steps that are multiples of it"),
@@ -54,13 +53,17 @@ const struct ts_style ts_fix_property_atom_tracer = {
 	.kind = TS_KIND_FIX,
 	.summary = "Marks the particles that are in a region",
 	.doc = "At the end of the first step that is not before mark_step and is a multiple of\n"
-	       "check_mark_every, the particles of the group with their centers in the region are marked; with\n"
+	       "check_mark_every, the particles of the group with their centers in the region are marked; "
+	       "with\n"
 	       "heaviside at every such step. The mark goes with the particle until compute\n"
-	       "nparticles/tracer/region takes it away. Together they measure distributions of residence times.\n\n"
-	       "f_ID of a particle: 1 marked, 0 not. f_ID as a number: how many have been marked since it was\n"
+	       "nparticles/tracer/region takes it away. Together they measure distributions of residence "
+	       "times.\n\n"
+	       "f_ID of a particle: 1 marked, 0 not. f_ID as a number: how many have been marked since it "
+	       "was\n"
 	       "last asked for in another step.",
 	.example = "region mark block INF INF INF INF 0.2 0.25 units box\n"
-		   "fix tracer all property/atom/tracer region_mark mark mark_step 10000 marker_style dirac check_mark_every 10",
+		   "fix tracer all property/atom/tracer region_mark mark mark_step 10000 marker_style dirac "
+		   "check_mark_every 10",
 	.family = TS_FAMILY_TRACER,
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -66,8 +66,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	TS_TRY(find_stream(self, sim));
-	if (!ts_streq(s->every_word, "once") &&
-	    (!ts_parse_int(s->every_word, &s->every) || s->every < 1))
+	if (!ts_streq(s->every_word, "once") && (!ts_parse_int(s->every_word, &s->every) || s->every < 1))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, s->every_word),
 			       "fix property/atom/tracer/stream: every is '%s', expected once or a number "
 			       "of steps > 0",
@@ -133,9 +132,9 @@ static enum ts_status list_passages(struct ts_instance *self, struct tsim *sim, 
 			continue;
 		if (TS_GROW(s->passage, s->passage_capacity, *n + 1) != TS_OK)
 			return ts_nomem(&sim->error);
-		s->passage[(*n)++] = (struct passage){
-			sim->clock.step + (int64_t)(memory[TS_STREAM_RELEASE] - age),
-			memory[TS_STREAM_WAY], i };
+		s->passage[(*n)++] =
+			(struct passage){ sim->clock.step + (int64_t)(memory[TS_STREAM_RELEASE] - age),
+					  memory[TS_STREAM_WAY], i };
 	}
 	if (*n)
 		qsort(s->passage, *n, sizeof *s->passage, by_passage);
@@ -206,8 +205,11 @@ static const struct ts_arg args[] = {
 };
 
 static const struct ts_saved saved[] = {
-	TS_TRACER_SAVED(struct state), TS_SAVE_I64(struct state, next),
-	TS_SAVE_I64(struct state, seen), TS_SAVE_I32(struct state, started), TS_SAVED_ROWS_END,
+	TS_TRACER_SAVED(struct state),
+	TS_SAVE_I64(struct state, next),
+	TS_SAVE_I64(struct state, seen),
+	TS_SAVE_I32(struct state, started),
+	TS_SAVED_ROWS_END,
 };
 
 TS_STYLE(fix, ts_style, ts_fix_property_atom_tracer_stream)
@@ -215,14 +217,20 @@ const struct ts_style ts_fix_property_atom_tracer_stream = {
 	.name = "property/atom/tracer/stream",
 	.kind = TS_KIND_FIX,
 	.summary = "Marks particles that come through the face of a stream",
-	.doc = "Of the particles of the group that fix insert/stream lets through its face in the step mark_step\n"
-	       "or later, the first n_tracer are marked; with `every E` so many again from mark_step + E on, and\n"
-	       "so on. They are marked when they are made, since it is known then when they pass. If an event of\n"
-	       "the stream has too few, those of the next one are taken; what is missing then is given up with a\n"
+	.doc = "Of the particles of the group that fix insert/stream lets through its face in the step "
+	       "mark_step\n"
+	       "or later, the first n_tracer are marked; with `every E` so many again from mark_step + E on, "
+	       "and\n"
+	       "so on. They are marked when they are made, since it is known then when they pass. If an "
+	       "event of\n"
+	       "the stream has too few, those of the next one are taken; what is missing then is given up "
+	       "with a\n"
 	       "warning, except with `every once`. Of a rigid clump the first sphere is marked.\n\n"
-	       "f_ID of a particle: 1 marked, 0 not. f_ID as a number: how many have been marked since it was\n"
+	       "f_ID of a particle: 1 marked, 0 not. f_ID as a number: how many have been marked since it "
+	       "was\n"
 	       "last asked for in another step.",
-	.example = "fix tracer all property/atom/tracer/stream mark_step 10000 insert_stream pour n_tracer 20 every 10000",
+	.example = "fix tracer all property/atom/tracer/stream mark_step 10000 insert_stream pour n_tracer "
+		   "20 every 10000",
 	.family = TS_FAMILY_TRACER,
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -15,14 +15,14 @@ const char *const ts_insertion_shares[] = { "exact", "uncorrelated", NULL };
 enum { CONSTANT, UNIFORM, GAUSSIAN };
 
 static const struct ts_arg mean_rows[] = {
-	TS_VEC3("v", struct ts_insertion_velocity, mean, .flags = TS_POSITIONAL,
-		.unit = "length/time", .help = "velocity"),
+	TS_VEC3("v", struct ts_insertion_velocity, mean, .flags = TS_POSITIONAL, .unit = "length/time",
+		.help = "velocity"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg fluctuation_rows[] = {
-	TS_VEC3("v", struct ts_insertion_velocity, mean, .flags = TS_POSITIONAL,
-		.unit = "length/time", .help = "mean velocity"),
+	TS_VEC3("v", struct ts_insertion_velocity, mean, .flags = TS_POSITIONAL, .unit = "length/time",
+		.help = "mean velocity"),
 	TS_VEC3("dv", struct ts_insertion_velocity, fluctuation, .flags = TS_POSITIONAL,
 		.unit = "length/time", .help = "largest or standard deviation"),
 	TS_ARGS_END,
@@ -36,8 +36,7 @@ static const struct ts_mode velocity_modes[] = {
 };
 
 static const struct ts_arg velocity_rows[] = {
-	TS_MODE("spread", struct ts_insertion_velocity, spread, velocity_modes,
-		.help = "how it is spread"),
+	TS_MODE("spread", struct ts_insertion_velocity, spread, velocity_modes, .help = "how it is spread"),
 	TS_ARGS_END,
 };
 
@@ -106,8 +105,8 @@ static enum ts_status read_every(struct ts_instance *self, struct tsim *sim)
 	if (ts_parse_int(s->every_word, &s->every) && s->every >= 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, s->every_word),
-		       "fix %s: insert_every is '%s', expected a number of steps or once",
-		       self->style->name, s->every_word);
+		       "fix %s: insert_every is '%s', expected a number of steps or once", self->style->name,
+		       s->every_word);
 }
 
 static enum ts_status read_property(struct ts_instance *self, struct tsim *sim)
@@ -123,8 +122,7 @@ static enum ts_status read_property(struct ts_instance *self, struct tsim *sim)
 		       "fix %s: set_property is followed by a name and a number", self->style->name);
 }
 
-static enum ts_status read_quaternion(struct ts_instance *self, struct tsim *sim,
-				      const struct orientation *o)
+static enum ts_status read_quaternion(struct ts_instance *self, struct tsim *sim, const struct orientation *o)
 {
 	struct ts_insertion *s = self->state;
 	double norm = 0;
@@ -155,25 +153,25 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(read_part(self, sim, "omega", omega_rows, s->omega_words, &omega));
 	for (int d = 0; d < 3; d++)
 		s->omega[d] = omega.omega[d];
-	TS_TRY(read_part(self, sim, "orientation", orientation_rows, s->orientation_words,
-			 &orientation));
+	TS_TRY(read_part(self, sim, "orientation", orientation_rows, s->orientation_words, &orientation));
 	s->turns = orientation.mode == RANDOM;
 	TS_TRY(read_quaternion(self, sim, &orientation));
 	return read_property(self, sim);
 }
 
-/* The fix whose stream begins where the k-th does: the insertion, its distribution, its templates in order. */
+/* The fix whose stream begins where the k-th does: the insertion, its distribution, its templates in
+ * order. */
 static int64_t seed_of(const struct ts_insertion *s, size_t k)
 {
 	const struct ts_distribution *d = s->distribution->state;
 
-	return k == 0 ? s->seed
+	return k == 0	? s->seed
 	       : k == 1 ? d->seed
-			: ((const struct ts_template *)d->template[k - 2]->state)->seed;
+			: ((const struct ts_template *)d->template[k - 2] -> state)->seed;
 }
 
-/* Fixes with the same seed draw the same numbers: sizes and places go together, which nobody wants. LIGGGHTS 3.8
- * refuses that, older editions do not. */
+/* Fixes with the same seed draw the same numbers: sizes and places go together, which nobody wants.
+ * LIGGGHTS 3.8 refuses that, older editions do not. */
 static void check_seeds(const struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_insertion *s = self->state;
@@ -189,8 +187,8 @@ static void check_seeds(const struct ts_instance *self, struct tsim *sim)
 				"random numbers, so sizes and places may depend on each other; give each "
 				"fix a seed of its own%s",
 				self->style->name, (long long)seed_of(s, k),
-				k == 1 ? s->distribution->id : d->template[k - 2]->id,
-				sim->legacy ? " (LIGGGHTS 3.8 refuses it)" : "");
+				k == 1 ? s->distribution->id : d->template[k - 2] -> id,
+				sim -> legacy ? " (LIGGGHTS 3.8 refuses it)" : "");
 			return;
 		}
 }
@@ -252,11 +250,9 @@ enum ts_status ts_insertion_init(struct ts_instance *self, struct tsim *sim, boo
 	return TS_OK;
 }
 
-enum ts_status ts_insertion_archive(struct ts_instance *self, struct tsim *sim,
-				    struct ts_archive *archive)
+enum ts_status ts_insertion_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
-	return ts_minstd_archive(archive, sim, "random",
-				 &((struct ts_insertion *)self->state)->random);
+	return ts_minstd_archive(archive, sim, "random", &((struct ts_insertion *)self->state)->random);
 }
 
 void ts_insertion_fini(struct ts_instance *self)
@@ -331,7 +327,6 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 static const char *const names[] = { "number", "mass", NULL };
 
 const struct ts_value ts_insertion_values[] = {
-	{ "inserted", "", "number and mass of the particles inserted so far", TS_VECTOR, 2, names,
-	  eval },
+	{ "inserted", "", "number and mass of the particles inserted so far", TS_VECTOR, 2, names, eval },
 	{ .name = NULL },
 };

@@ -1,4 +1,5 @@
-/* Newcomers of the fixes that insert: their spheres, whether they overlap others, and the particles made of them. */
+/* Newcomers of the fixes that insert: their spheres, whether they overlap others, and the particles made
+ * of them. */
 #include "insert/insertion.h"
 
 #include <inttypes.h>
@@ -66,8 +67,7 @@ bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *c
 	return false;
 }
 
-enum ts_status ts_insertion_join(struct tsim *sim, struct ts_spherehash *crowd,
-				 const struct ts_newcomer *one)
+enum ts_status ts_insertion_join(struct tsim *sim, struct ts_spherehash *crowd, const struct ts_newcomer *one)
 {
 	for (size_t k = 0; k < spheres_of(one); k++) {
 		double x[3], radius = sphere_of(one, k, x);
@@ -88,8 +88,8 @@ static double sphere_mass(const struct tsim *sim, const struct ts_newcomer *one,
 	return one->density * (r * r * r * 4 * TS_PI / 3);
 }
 
-static void fill_in(struct ts_instance *self, struct tsim *sim, const struct ts_newcomer *one,
-		    size_t k, size_t i)
+static void fill_in(struct ts_instance *self, struct tsim *sim, const struct ts_newcomer *one, size_t k,
+		    size_t i)
 {
 	struct ts_particles *p = sim->particles;
 
@@ -116,8 +116,8 @@ static void share_mass(struct ts_particles *p, double mass, size_t from, size_t 
 		p->mass[i] *= mass / sum;
 }
 
-static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
-				const struct ts_newcomer *one, size_t from, size_t n)
+static enum ts_status make_body(struct ts_instance *self, struct tsim *sim, const struct ts_newcomer *one,
+				size_t from, size_t n)
 {
 	const struct ts_template *t = one->template->state;
 	const struct ts_instance *fix = NULL;
@@ -151,8 +151,8 @@ static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
 	return status;
 }
 
-static enum ts_status make_one(struct ts_instance *self, struct tsim *sim,
-			       const struct ts_newcomer *one, size_t from)
+static enum ts_status make_one(struct ts_instance *self, struct tsim *sim, const struct ts_newcomer *one,
+			       size_t from)
 {
 	const struct ts_template *t = template_of(one);
 	struct ts_insertion *s = self->state;

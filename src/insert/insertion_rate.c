@@ -2,8 +2,7 @@
 
 #include "base/banned.h"
 
-static enum ts_status read_total(struct ts_instance *self, struct tsim *sim,
-				 struct ts_insertion_rate *rate)
+static enum ts_status read_total(struct ts_instance *self, struct tsim *sim, struct ts_insertion_rate *rate)
 {
 	const struct ts_distribution *d = ((struct ts_insertion *)self->state)->distribution->state;
 	const char *word = rate->number_word ? rate->number_word : rate->mass_word;
@@ -33,8 +32,7 @@ enum ts_status ts_insertion_rate_init(struct ts_instance *self, struct tsim *sim
 			       "fix %s: expected one of nparticles and mass", self->style->name);
 	if (isnan(rate->particlerate) == isnan(rate->massrate))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix %s: expected one of particlerate and massrate",
-			       self->style->name);
+			       "fix %s: expected one of particlerate and massrate", self->style->name);
 	rate->rate = isnan(rate->massrate) ? rate->particlerate : rate->massrate / d->mass;
 	return read_total(self, sim, rate);
 }
@@ -45,8 +43,7 @@ static double per_event(const struct ts_insertion *s, const struct tsim *sim,
 	return rate->rate * (double)s->every * sim->clock.dt;
 }
 
-void ts_insertion_rate_tell(struct ts_instance *self, struct tsim *sim,
-			    struct ts_insertion_rate *rate)
+void ts_insertion_rate_tell(struct ts_instance *self, struct tsim *sim, struct ts_insertion_rate *rate)
 {
 	const struct ts_insertion *s = self->state;
 	const struct ts_distribution *d = s->distribution->state;
@@ -61,12 +58,10 @@ void ts_insertion_rate_tell(struct ts_instance *self, struct tsim *sim,
 	       self->id, each, (long long)s->every, rate->rate, rate->rate * d->mass);
 	if (rate->total >= 0)
 		ts_log(&sim->log, "      %lld particles (mass %e) within %.0f steps\n",
-		       (long long)rate->total, total * d->mass,
-		       floor(total / each) * (double)s->every);
+		       (long long)rate->total, total * d->mass, floor(total / each) * (double)s->every);
 }
 
-int64_t ts_insertion_rate_count(struct ts_instance *self, struct tsim *sim,
-				struct ts_insertion_rate *rate)
+int64_t ts_insertion_rate_count(struct ts_instance *self, struct tsim *sim, struct ts_insertion_rate *rate)
 {
 	struct ts_insertion *s = self->state;
 	double n = floor(per_event(s, sim, rate) + ts_minstd_uniform(&s->random));
@@ -77,8 +72,8 @@ int64_t ts_insertion_rate_count(struct ts_instance *self, struct tsim *sim,
 		ts_warn(&sim->log, &self->where,
 			"fix %s %s: no particle is due in the event of step %lld, for the rate gives %g "
 			"in %lld steps; a larger interval draws less often (said once)",
-			self->style->name, self->id, (long long)sim->clock.step,
-			per_event(s, sim, rate), (long long)s->every);
+			self->style->name, self->id, (long long)sim->clock.step, per_event(s, sim, rate),
+			(long long)s->every);
 	}
 	return n < (double)left ? (int64_t)n : left;
 }

@@ -64,8 +64,7 @@ static enum ts_status measure(struct ts_instance *self, struct tsim *sim)
 	}
 	if (!deep)
 		return no_volume(self, sim);
-	s->volume = (double)hits / (double)s->ntry_mc * (hi[0] - lo[0]) * (hi[1] - lo[1]) *
-		    (hi[2] - lo[2]);
+	s->volume = (double)hits / (double)s->ntry_mc * (hi[0] - lo[0]) * (hi[1] - lo[1]) * (hi[2] - lo[2]);
 	if (s->volume >= ((const struct ts_region *)s->region->state)->volume_limit)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &s->region->where,
@@ -90,22 +89,21 @@ static enum ts_status refuse(struct ts_instance *self, struct tsim *sim)
 
 	if (((const struct ts_region *)s->region->state)->moves)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->region->id),
-			       "fix %s: region %s moves, expected one that stands still",
-			       self->style->name, s->region->id);
+			       "fix %s: region %s moves, expected one that stands still", self->style->name,
+			       s->region->id);
 	ts_region_bounds(s->region, lo, hi);
 	for (int d = 0; d < 3; d++) {
 		if (!isfinite(lo[d]) || !isfinite(hi[d]))
 			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, s->region->id),
-				       "fix %s: region %s has no end in %c; give its faces numbers, or "
-				       "EDGE",
+				       "fix %s: region %s has no end in %c; give its faces numbers, or EDGE",
 				       self->style->name, s->region->id, 'x' + d);
 		if ((box->face[d][0] == TS_FACE_FIXED && lo[d] < box->lo[d]) ||
 		    (box->face[d][1] == TS_FACE_FIXED && hi[d] > box->hi[d]))
 			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, s->region->id),
 				       "fix %s: region %s reaches from %c = %g to %g, beyond the fixed "
 				       "faces of the box at %g and %g; make it smaller, or the boundary m",
-				       self->style->name, s->region->id, 'x' + d, lo[d], hi[d],
-				       box->lo[d], box->hi[d]);
+				       self->style->name, s->region->id, 'x' + d, lo[d], hi[d], box->lo[d],
+				       box->hi[d]);
 	}
 	if (s->base.all_in && isnan(ts_region_depth(s->region, box->lo)))
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "all_in"),
@@ -166,8 +164,8 @@ static bool near_border(const struct ts_box *box, const double x[3], double radi
 	return false;
 }
 
-static enum ts_status draw_in_region(struct ts_instance *self, struct tsim *sim,
-				     const struct search *search, struct ts_newcomer *one)
+static enum ts_status draw_in_region(struct ts_instance *self, struct tsim *sim, const struct search *search,
+				     struct ts_newcomer *one)
 {
 	const struct ts_insertion_region *s = self->state;
 
@@ -226,8 +224,8 @@ static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct s
 	return one->placed ? ts_insertion_join(sim, &search->crowd, one) : TS_OK;
 }
 
-static enum ts_status place_anywhere(struct ts_instance *self, struct tsim *sim,
-				     struct search *search, struct ts_newcomer *one)
+static enum ts_status place_anywhere(struct ts_instance *self, struct tsim *sim, struct search *search,
+				     struct ts_newcomer *one)
 {
 	struct ts_insertion_region *s = self->state;
 

@@ -15,16 +15,16 @@ struct ts_insertion_region {
 	double volume; /* of the region; saved */
 };
 #define TS_INSERTION_REGION_SAVED(T) TS_INSERTION_SAVED(T), TS_SAVE_F64(T, place.volume)
-#define TS_INSERTION_REGION_ARGS(T)                                                                \
-	TS_REGION("region", T, place.region, .help = "where particles are inserted"),              \
-	TS_INT("ntry_mc", T, place.ntry_mc, .fallback = "100000", .range = TS_WITHIN, .lo = 1001,  \
-	       .hi = 1e9,                                                                          \
-	       .help = "random points for the volume of the region, which LIGGGHTS finds by lot"), \
-	TS_BOOL("check_dist_from_subdomain_border", T, place.check_border, .fallback = "yes",      \
-		.help = "with overlapcheck yes no particle is placed nearer to a face of the box " \
-			"than its radius"),                                                        \
-	TS_BOOL("warn_region", T, place.warn_region, .fallback = "yes",                            \
-		.help = "no effect: a region that does not fit is an error")
+#define TS_INSERTION_REGION_ARGS(T)                                                                        \
+	TS_REGION("region", T, place.region, .help = "where particles are inserted"),                      \
+		TS_INT("ntry_mc", T, place.ntry_mc, .fallback = "100000", .range = TS_WITHIN, .lo = 1001,  \
+		       .hi = 1e9,                                                                          \
+		       .help = "random points for the volume of the region, which LIGGGHTS finds by lot"), \
+		TS_BOOL("check_dist_from_subdomain_border", T, place.check_border, .fallback = "yes",      \
+			.help = "with overlapcheck yes no particle is placed nearer to a face of the box " \
+				"than its radius"),                                                        \
+		TS_BOOL("warn_region", T, place.warn_region, .fallback = "yes",                            \
+			.help = "no effect: a region that does not fit is an error")
 
 enum ts_status ts_insertion_region_init(struct ts_instance *self, struct tsim *sim);
 /* The region and what is in it at the beginning of an event. */

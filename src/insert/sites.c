@@ -41,8 +41,7 @@ bool ts_sites_in_box(const struct tsim *sim, const double x[3])
 	return within(sim->domain->box.lo, sim->domain->box.hi, x);
 }
 
-void ts_sites_limits(const struct tsim *sim, const struct ts_instance *region, double lo[3],
-		     double hi[3])
+void ts_sites_limits(const struct tsim *sim, const struct ts_instance *region, double lo[3], double hi[3])
 {
 	const struct ts_box *box = &sim->domain->box;
 	double a[3] = { -INFINITY, -INFINITY, -INFINITY }, b[3] = { INFINITY, INFINITY, INFINITY };
@@ -86,9 +85,8 @@ static enum ts_status find_cells(struct tsim *sim, const double lo[3], const dou
 	return TS_OK;
 }
 
-static enum ts_status fill_cell(struct tsim *sim, const struct ts_instance *region,
-				const int *type_of_basis, const struct ts_box *fill,
-				const long cell[3], struct ts_sites *sites)
+static enum ts_status fill_cell(struct tsim *sim, const struct ts_instance *region, const int *type_of_basis,
+				const struct ts_box *fill, const long cell[3], struct ts_sites *sites)
 {
 	const struct ts_lattice *l = &sim->domain->lattice;
 	const double *lo = sim->domain->box.lo;
@@ -132,7 +130,8 @@ enum ts_status ts_sites_on_lattice(struct tsim *sim, const struct ts_instance *r
 		for (c[1] = first[1]; c[1] <= last[1]; c[1]++) {
 			if (sim->stop)
 				return ts_fail(&sim->error, TS_STOPPED, where,
-					       "stopped on request: the lattice was not filled yet, no particle is made");
+					       "stopped on request: the lattice was not filled yet, no "
+					       "particle is made");
 			for (c[0] = first[0]; c[0] <= last[0]; c[0]++)
 				TS_TRY(fill_cell(sim, region, type_of_basis, &fill, c, sites));
 		}

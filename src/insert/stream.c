@@ -32,8 +32,8 @@ static double value_of(const struct ts_stream *stream, const struct tsim *sim, c
 {
 	double first = (double)(sim->clock.step - stream->age); /* step of age 0 */
 
-	return k < START     ? memory[TS_STREAM_PLACE + k]
-	       : k == START  ? first + memory[TS_STREAM_START]
+	return k < START      ? memory[TS_STREAM_PLACE + k]
+	       : k == START   ? first + memory[TS_STREAM_START]
 	       : k == RELEASE ? first + fabs(memory[TS_STREAM_RELEASE])
 	       : k < VELOCITY ? stream->drift[k - DRIFT]
 	       : k < OMEGA    ? memory[TS_STREAM_VELOCITY + k - VELOCITY]
@@ -72,7 +72,9 @@ static enum ts_status quantity(struct tsim *sim, const char *name, struct ts_tab
 }
 
 const struct ts_system_style ts_stream_system = {
-	.style = { .name = "stream", .kind = TS_KIND_SYSTEM, .summary = "quantities of the particles of a stream" },
+	.style = { .name = "stream",
+		   .kind = TS_KIND_SYSTEM,
+		   .summary = "quantities of the particles of a stream" },
 	.no_instance = true,
 	.has_quantity = has_quantity,
 	.keeps_quantity = has_quantity,

@@ -12,15 +12,13 @@
 static const int64_t SEED_LIMIT = 2147483646;
 static const int64_t LEAST_LIGGGHTS = 10000; /* it takes primes above this one only */
 
-/* The stream starts at the seed as it is, which gives LIGGGHTS' numbers for the seeds that it takes, and those of
- * older editions, which took all, for others. */
-enum ts_status ts_seed_check(struct tsim *sim, const char *what, int64_t seed,
-			     const struct ts_place *where)
+/* The stream starts at the seed as it is, which gives LIGGGHTS' numbers for the seeds that it takes, and
+ * those of older editions, which took all, for others. */
+enum ts_status ts_seed_check(struct tsim *sim, const char *what, int64_t seed, const struct ts_place *where)
 {
 	if (seed > SEED_LIMIT)
-		return ts_fail(&sim->error, TS_RANGE, where,
-			       "%s: the seed is %lld, expected 1 to %lld", what, (long long)seed,
-			       (long long)SEED_LIMIT);
+		return ts_fail(&sim->error, TS_RANGE, where, "%s: the seed is %lld, expected 1 to %lld", what,
+			       (long long)seed, (long long)SEED_LIMIT);
 	if (sim->legacy && !(seed > LEAST_LIGGGHTS && ts_is_prime(seed)))
 		ts_warn(&sim->log, where,
 			"%s: LIGGGHTS 3.8 refuses the seed %lld: it takes primes above %lld only", what,
@@ -43,8 +41,7 @@ enum ts_status ts_minstd_archive(struct ts_archive *archive, struct tsim *sim, c
 	return TS_OK;
 }
 
-enum ts_status ts_template_archive(struct ts_instance *self, struct tsim *sim,
-				   struct ts_archive *archive)
+enum ts_status ts_template_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
 	return ts_minstd_archive(archive, sim, "random", &((struct ts_template *)self->state)->random);
 }
@@ -79,8 +76,7 @@ static enum ts_status check_spread(struct tsim *sim, const char *what, const str
 {
 	if (s->shape == TS_SPREAD_UNIFORM && !(s->a < s->b))
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "%s: uniform from %g to %g, expected an ascending range", what, s->a,
-			       s->b);
+			       "%s: uniform from %g to %g, expected an ascending range", what, s->a, s->b);
 	if (s->shape >= TS_SPREAD_NORMAL && s->b < 0)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "%s: the deviation is %g, expected a number >= 0", what, s->b);
@@ -91,8 +87,7 @@ static enum ts_status check_spread(struct tsim *sim, const char *what, const str
 			       "%s: three deviations below the mean are %g, expected a number > 0; "
 			       "take a smaller deviation, or lognormal",
 			       what, ts_spread_least(s));
-	return ts_fail(&sim->error, TS_RANGE, where, "%s: found %g, expected a number > 0", what,
-		       s->a);
+	return ts_fail(&sim->error, TS_RANGE, where, "%s: found %g, expected a number > 0", what, s->a);
 }
 
 enum ts_status ts_template_spread(struct ts_instance *self, struct tsim *sim, const char *what,
@@ -106,22 +101,19 @@ enum ts_status ts_template_spread(struct ts_instance *self, struct tsim *sim, co
 	TS_TRY(ts_args_parse(sim, what, shape_rows, words, where, &self->arena, &given));
 	*out = (struct ts_spread){ .shape = given.shape };
 	if (given.shape != TS_SPREAD_CONSTANT && given.words.n &&
-	    (ts_streq(given.words.word[0].text, "number") ||
-	     ts_streq(given.words.word[0].text, "mass"))) {
+	    (ts_streq(given.words.word[0].text, "number") || ts_streq(given.words.word[0].text, "mass"))) {
 		out->by_mass = ts_streq(given.words.word[0].text, "mass");
 		first = 1;
 	}
 	numbers = given.shape == TS_SPREAD_CONSTANT ? 1 : 2;
 	if (given.words.n != first + numbers)
-		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "%s: expected %zu number%s after %s, found %zu", what, numbers,
-			       numbers > 1 ? "s" : "", shapes[given.shape].name,
+		return ts_fail(&sim->error, TS_SYNTAX, where, "%s: expected %zu number%s after %s, found %zu",
+			       what, numbers, numbers > 1 ? "s" : "", shapes[given.shape].name,
 			       given.words.n - first);
 	for (size_t k = 0; k < numbers; k++)
 		if (!ts_parse_real(given.words.word[first + k].text, &value[k]))
 			return ts_fail(&sim->error, TS_SYNTAX, &given.words.word[first + k].place,
-				       "%s: '%s' is not a number", what,
-				       given.words.word[first + k].text);
+				       "%s: '%s' is not a number", what, given.words.word[first + k].text);
 	out->a = value[0];
 	out->b = value[1];
 	return check_spread(sim, what, out, where);
@@ -136,8 +128,8 @@ enum ts_status ts_template_start(struct ts_instance *self, struct tsim *sim)
 
 	if (t->type > sim->particles->ntypes)
 		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "atom_type"),
-			       "fix %s: there is no type %lld, types go from 1 to %d",
-			       self->style->name, (long long)t->type, sim->particles->ntypes);
+			       "fix %s: there is no type %lld, types go from 1 to %d", self->style->name,
+			       (long long)t->type, sim->particles->ntypes);
 	snprintf(what, sizeof what, "fix %s", self->style->name);
 	TS_TRY(ts_seed_check(sim, what, t->seed, ts_instance_word(self, self->words.word[0].text)));
 	t->random = ts_minstd_start(t->seed);
@@ -164,8 +156,7 @@ static bool is_template(const struct ts_instance *fix)
 	return strncmp(fix->style->name, prefix, sizeof prefix - 1) == 0;
 }
 
-enum ts_status ts_template_require(struct tsim *sim, const struct ts_word *id,
-				   struct ts_instance **out)
+enum ts_status ts_template_require(struct tsim *sim, const struct ts_word *id, struct ts_instance **out)
 {
 	TS_TRY(ts_sim_require(sim, TS_KIND_FIX, id, out));
 	if (is_template(*out))
@@ -214,8 +205,7 @@ double ts_template_inverse_mass(const struct tsim *sim, int type, double *radius
 	for (size_t k = 0; k < fixes->n; k++) {
 		struct ts_prospect one;
 
-		if (!prospect_of(fixes->item[k], &one) || one.type != type ||
-		    !(1 / one.lightest > most))
+		if (!prospect_of(fixes->item[k], &one) || one.type != type || !(1 / one.lightest > most))
 			continue;
 		most = 1 / one.lightest;
 		if (radius)

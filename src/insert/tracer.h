@@ -8,16 +8,16 @@
 
 /* First member of the state of every style of the family. */
 struct ts_tracer {
-	size_t column;	/* of the particles: 1 marked, 0 not */
+	size_t column; /* of the particles: 1 marked, 0 not */
 	bool started;
 	/* saved */
-	int64_t marked; /* so far */
-	int64_t told;	/* of them, when they were last asked for */
+	int64_t marked;		  /* so far */
+	int64_t told;		  /* of them, when they were last asked for */
 	int64_t answer, answered; /* in one step the answer stays; the step + 1 */
 };
 #define TS_TRACER_SAVED(T)                                                                         \
-	TS_SAVE_I64(T, tracer.marked), TS_SAVE_I64(T, tracer.told),                                \
-		TS_SAVE_I64(T, tracer.answer), TS_SAVE_I64(T, tracer.answered)
+	TS_SAVE_I64(T, tracer.marked), TS_SAVE_I64(T, tracer.told), TS_SAVE_I64(T, tracer.answer), \
+		TS_SAVE_I64(T, tracer.answered)
 
 enum ts_status ts_tracer_init(struct ts_instance *self, struct tsim *sim);
 /* For the archive function of the fix. */

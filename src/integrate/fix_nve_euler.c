@@ -24,9 +24,9 @@ const struct ts_style ts_fix_nve_euler = {
 	.name = "nve/euler",
 	.kind = TS_KIND_FIX,
 	.summary = "moves the particles of the group by the explicit Euler scheme",
-	.doc = "x += h v; v += h f/m (both with the values at the beginning of the step). First "
-	       "order. An undamped oscillator gains energy at every step, its amplitude growing by "
-	       "sqrt(1 + omega^2 h^2); one with a dashpot is stable for h < beta/k. A larger step is only warned of. Kept to "
+	.doc = "x += h v; v += h f/m (both with the values at the beginning of the step). First order. An "
+	       "undamped oscillator gains energy at every step, its amplitude growing by sqrt(1 + omega^2 "
+	       "h^2); one with a dashpot is stable for h < beta/k. A larger step is only warned of. Kept to "
 	       "reproduce work done with it; prefer fix nve.",
 	.example = "fix move rock nve/euler",
 	.init = init,

@@ -116,8 +116,10 @@ const struct ts_style ts_fix_nve_limit = {
 	.name = "nve/limit",
 	.kind = TS_KIND_FIX,
 	.summary = "moves particles by velocity Verlet, but never far in a step",
-	.doc = "As fix nve; after each half kick a velocity that would move its particle farther than the limit in a\n"
-	       "step is made smaller. For scenes that begin with overlaps: energy is not conserved while it acts.",
+	.doc = "As fix nve; after each half kick a velocity that would move its particle farther than the "
+	       "limit in a\n"
+	       "step is made smaller. For scenes that begin with overlaps: energy is not conserved while it "
+	       "acts.",
 	.example = "fix part all nve/limit radius_ratio 0.01\nfix part all nve/limit 1e-4",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -4,13 +4,14 @@
 
 #include "core/sim.h"
 
-/* One pass over the particles, which may wait (core/deferred_loops.h); what is 0 is not done. In this order: */
+/* One pass over the particles, which may wait (core/deferred_loops.h); what is 0 is not done. In this
+ * order: */
 struct ts_integration {
-	double early;	/* x += early v */
-	double kick;	/* v += kick f/m */
-	double turn;	/* omega += turn T/I, for spheres or discs as ts_inertia_factor says; nobody turns where
+	double early; /* x += early v */
+	double kick;  /* v += kick f/m */
+	double turn;  /* omega += turn T/I, for spheres or discs as ts_inertia_factor says; nobody turns where
 			 * nothing makes torques */
-	double drift;	/* x += drift v */
+	double drift; /* x += drift v */
 };
 void ts_integrate(struct tsim *sim, int group, const struct ts_integration *step);
 

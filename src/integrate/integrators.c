@@ -35,20 +35,22 @@ static enum ts_status refuse_two(struct tsim *sim, size_t i, const struct ts_ins
 				 const struct ts_instance *second)
 {
 	return ts_fail(&sim->error, TS_STATE, &second->where,
-		       "fix %s (%s) moves particle %d (type %d), which fix %s (%s, line %d) moves, too: it would be moved "
-		       "twice in each step; give the fixes groups that share no particles, or `unfix` one of them",
-		       second->id, second->style->name, sim->particles->tag[i], sim->particles->type[i], first->id,
-		       first->style->name, first->where.line);
+		       "fix %s (%s) moves particle %d (type %d), which fix %s (%s, line %d) moves, too: it "
+		       "would be moved twice in each step; give the fixes groups that share no particles, or "
+		       "`unfix` one of them",
+		       second->id, second->style->name, sim->particles->tag[i], sim->particles->type[i],
+		       first->id, first->style->name, first->where.line);
 }
 
-/* The body places its members anew in each step, so nothing adds up; but what the fix adds within the step is seen by
- * contacts and outputs. LIGGGHTS and LAMMPS do the same, and scripts with clumps and single particles rely on it. */
+/* The body places its members anew in each step, so nothing adds up; but what the fix adds within the step
+ * is seen by contacts and outputs. LIGGGHTS and LAMMPS do the same, and scripts with clumps and single
+ * particles rely on it. */
 static enum ts_status tell_member(struct tsim *sim, size_t i, const struct ts_instance *fix)
 {
 	return ts_review_find(sim, "members", &fix->where,
-			      "fix %s (%s) moves particle %d, which belongs to a rigid body and moves with that: within a "
-			      "step it is moved twice, by one step more than the body; give the fix a group without the "
-			      "members of rigid bodies",
+			      "fix %s (%s) moves particle %d, which belongs to a rigid body and moves with "
+			      "that: within a step it is moved twice, by one step more than the body; give "
+			      "the fix a group without the members of rigid bodies",
 			      fix->id, fix->style->name, sim->particles->tag[i]);
 }
 

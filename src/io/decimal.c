@@ -43,8 +43,9 @@ static long double scaled(double a, int power)
 	return power < 0 ? a / ten[-power] : a * ten[power];
 }
 
-/* The first six digits of a > 0, rounded, and the exponent of the first of them. false: these cannot be told so: very
- * large and small numbers, and those that are nearly, or just, half way between two roundings. */
+/* The first six digits of a > 0, rounded, and the exponent of the first of them. false: these cannot be
+ * told so: very large and small numbers, and those that are nearly, or just, half way between two
+ * roundings. */
 static int six_digits(double a, uint32_t *digits, int *exponent)
 {
 	int binary, e;

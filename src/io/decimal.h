@@ -1,5 +1,5 @@
-/* Numbers as text, as printf writes them with %g and %lld, but several times faster: most of the time of a large dump goes
- * into that. */
+/* Numbers as text, as printf writes them with %g and %lld, but several times faster: most of the time of a
+ * large dump goes into that. */
 #ifndef TS_IO_DECIMAL_H
 #define TS_IO_DECIMAL_H
 

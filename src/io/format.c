@@ -32,16 +32,15 @@ bool ts_format_check(const char *format, bool integer, char out[TS_FORMAT_SIZE])
 	kind = format[head + n];
 	if (!kind || !strchr(integer ? "di" : "eEfFgG", kind) || strchr(format + head + n, '%'))
 		return false;
-	wrote = snprintf(out, TS_FORMAT_SIZE, "%.*s%s%c%s", (int)head, format, integer ? "ll" : "",
-			 kind, format + head + n + 1);
+	wrote = snprintf(out, TS_FORMAT_SIZE, "%.*s%s%c%s", (int)head, format, integer ? "ll" : "", kind,
+			 format + head + n + 1);
 	return wrote > 0 && wrote < TS_FORMAT_SIZE;
 }
 
 static enum ts_status refuse(struct ts_error *err, const struct ts_word *word, bool integer)
 {
-	return ts_fail(err, TS_SYNTAX, &word->place,
-		       "'%s' is no format for one %s, expected for instance %s", word->text,
-		       integer ? "integer" : "number", integer ? "%8d" : "%14.8g");
+	return ts_fail(err, TS_SYNTAX, &word->place, "'%s' is no format for one %s, expected for instance %s",
+		       word->text, integer ? "integer" : "number", integer ? "%8d" : "%14.8g");
 }
 
 static enum ts_status set_kind(struct ts_error *err, const struct ts_word *word, bool integer,
@@ -64,8 +63,8 @@ static enum ts_status set_line(struct ts_formats *f, struct ts_error *err, struc
 		((struct ts_word *)f->line.word)[k].place = word->place;
 	if (f->line.n == columns)
 		return TS_OK;
-	return ts_fail(err, TS_SYNTAX, &word->place,
-		       "format line has %zu formats, but there are %zu columns", f->line.n, columns);
+	return ts_fail(err, TS_SYNTAX, &word->place, "format line has %zu formats, but there are %zu columns",
+		       f->line.n, columns);
 }
 
 static enum ts_status set_column(struct ts_formats *f, struct ts_error *err, struct ts_arena *arena,
@@ -106,8 +105,8 @@ enum ts_status ts_formats_change(struct ts_formats *f, struct ts_error *err, str
 			continue;
 		}
 		if (words.n < 2)
-			return ts_fail(err, TS_SYNTAX, &words.word[0].place,
-				       "%s: format %s lacks its text", what, kind);
+			return ts_fail(err, TS_SYNTAX, &words.word[0].place, "%s: format %s lacks its text",
+				       what, kind);
 		if (ts_streq(kind, "float"))
 			TS_TRY(set_kind(err, &words.word[1], false, f->real));
 		else if (ts_streq(kind, "int"))
@@ -115,15 +114,14 @@ enum ts_status ts_formats_change(struct ts_formats *f, struct ts_error *err, str
 		else if (ts_streq(kind, "line"))
 			TS_TRY(set_line(f, err, arena, &words.word[1], columns));
 		else
-			TS_TRY(set_column(f, err, arena, (struct ts_words){ words.word, 2 },
-					  columns));
+			TS_TRY(set_column(f, err, arena, (struct ts_words){ words.word, 2 }, columns));
 		words = ts_words_from(words, 2);
 	}
 	return TS_OK;
 }
 
-enum ts_status ts_formats_choose(const struct ts_formats *f, struct ts_error *err, size_t k,
-				 bool integer, const char *fallback, char out[TS_FORMAT_SIZE])
+enum ts_status ts_formats_choose(const struct ts_formats *f, struct ts_error *err, size_t k, bool integer,
+				 const char *fallback, char out[TS_FORMAT_SIZE])
 {
 	const char *kind = integer ? f->whole : f->real;
 	const struct ts_word *word = k < f->line.n && !*kind ? &f->line.word[k] : NULL;

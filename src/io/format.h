@@ -20,11 +20,10 @@ struct ts_formats {
 	struct ts_words line;				  /* one for each column */
 	struct ts_words column;				  /* pairs: number from 1, format */
 };
-/* Words in pairs: float F, int F, line "F F ..." or only "F F ...", N F; or none, which forgets all. They are kept in the
- * arena. Earlier ones stay where they are not replaced. */
-enum ts_status ts_formats_change(struct ts_formats *formats, struct ts_error *err,
-				 struct ts_arena *arena, const char *what, struct ts_words words,
-				 size_t columns);
+/* Words in pairs: float F, int F, line "F F ..." or only "F F ...", N F; or none, which forgets all. They
+ * are kept in the arena. Earlier ones stay where they are not replaced. */
+enum ts_status ts_formats_change(struct ts_formats *formats, struct ts_error *err, struct ts_arena *arena,
+				 const char *what, struct ts_words words, size_t columns);
 /* The format of column k of n, counted from 0: the one for the column, for the kind, of the line, or
  * the fallback. */
 enum ts_status ts_formats_choose(const struct ts_formats *formats, struct ts_error *err, size_t k,

@@ -12,8 +12,7 @@
 
 enum { CHUNK = 1 << 16 };
 
-static enum ts_status start(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,
-			    const char *name)
+static enum ts_status start(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool, const char *name)
 {
 	*l = (struct ts_lines){ .err = err, .pool = pool, .file = ts_pool_get(pool, name) };
 	l->comment = "";
@@ -22,8 +21,8 @@ static enum ts_status start(struct ts_lines *l, struct ts_error *err, struct ts_
 	return l->file ? TS_OK : ts_nomem(err);
 }
 
-enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct ts_error *err, struct ts_pool *pool,
-			     const struct ts_place *where, const char *path)
+enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct ts_error *err,
+			     struct ts_pool *pool, const struct ts_place *where, const char *path)
 {
 	TS_TRY(start(l, err, pool, path));
 	l->buffer = ts_alloc(CHUNK, 1);
@@ -68,7 +67,8 @@ static enum ts_status refill(struct ts_lines *l)
 	if (!l->gz)
 		return TS_OK;
 	if (ts_files_stopped(l->files))
-		return ts_lines_fail(l, TS_STOPPED, SIZE_MAX, "stopped on request while '%s' was read", l->file);
+		return ts_lines_fail(l, TS_STOPPED, SIZE_MAX, "stopped on request while '%s' was read",
+				     l->file);
 	errno = 0;
 	got = gzread(l->gz, l->buffer, CHUNK);
 	text = gzerror(l->gz, &code);
@@ -84,7 +84,8 @@ static enum ts_status refill(struct ts_lines *l)
 	l->unfolded += gzdirect(l->gz) ? 0 : got;
 	if (l->unfolded > l->most_unfolded)
 		return ts_lines_fail(l, TS_RANGE, SIZE_MAX,
-				     "'%s' unfolds to more than %.6g GB; if that is meant, start tsim with -input-limit GB",
+				     "'%s' unfolds to more than %.6g GB; if that is meant, start tsim with "
+				     "-input-limit GB",
 				     l->file, l->most_unfolded / 1e9);
 	return TS_OK;
 }
@@ -95,8 +96,9 @@ static enum ts_status append(struct ts_lines *l, size_t n)
 		const struct ts_place place = { .file = l->file, .text = "", .line = l->number + 1 };
 
 		return ts_fail(l->err, TS_RANGE, &place,
-			       "the line has more than %zu bytes; if that is meant, start tsim with -input-limit GB, of "
-			       "which a line may have a thousandth", l->longest);
+			       "the line has more than %zu bytes; if that is meant, start tsim with "
+			       "-input-limit GB, of which a line may have a thousandth",
+			       l->longest);
 	}
 	if (TS_GROW(l->line, l->capacity, l->length + n + 1) != TS_OK)
 		return ts_nomem(l->err);
@@ -168,8 +170,7 @@ enum ts_status ts_lines_next(struct ts_lines *l, bool *more)
 	if (!*more)
 		return TS_OK;
 	if (l->length && memchr(l->line, '\0', l->length))
-		return ts_lines_fail(l, TS_DAMAGED, SIZE_MAX,
-				     "this is no text: the line holds a zero byte");
+		return ts_lines_fail(l, TS_DAMAGED, SIZE_MAX, "this is no text: the line holds a zero byte");
 	return cut(l);
 }
 
@@ -221,13 +222,12 @@ enum ts_status ts_lines_int(struct ts_lines *l, size_t k, const char *what, int6
 	if (k >= l->nwords)
 		return ts_lines_fail(l, TS_SYNTAX, k, "%s is missing, expected an integer", what);
 	if (!ts_parse_int(l->word[k], out))
-		return ts_lines_fail(l, TS_SYNTAX, k, "%s is '%.60s', expected an integer", what,
-				     l->word[k]);
+		return ts_lines_fail(l, TS_SYNTAX, k, "%s is '%.60s', expected an integer", what, l->word[k]);
 	if (*out >= lo && *out <= hi)
 		return TS_OK;
 	return ts_lines_fail(l, TS_RANGE, k,
-			     "%s is %" PRId64 ", expected an integer from %" PRId64 " to %" PRId64,
-			     what, *out, lo, hi);
+			     "%s is %" PRId64 ", expected an integer from %" PRId64 " to %" PRId64, what,
+			     *out, lo, hi);
 }
 
 bool ts_lines_match(const struct ts_lines *l, size_t k, const char *text)

@@ -48,8 +48,8 @@ static enum ts_status folder_of(const char *path, struct ts_str *out)
 	return out->failed ? TS_NOMEM : TS_OK;
 }
 
-/* NAME.tmp.PROCESS.RANDOM of a process that is no more. Processes of other machines are not seen from here, but they
- * go on writing. */
+/* NAME.tmp.PROCESS.RANDOM of a process that is no more. Processes of other machines are not seen from
+ * here, but they go on writing. */
 static bool is_stale(int folder, const char *name, const char *entry)
 {
 	enum { IDLE = 600 }; /* seconds */
@@ -88,8 +88,8 @@ static void remove_stale(struct ts_files *files, const char *path)
 	ts_str_release(&folder);
 }
 
-enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim,
-				const struct ts_place *where, const char *path)
+enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim, const struct ts_place *where,
+				const char *path)
 {
 	uint64_t random = 0;
 
@@ -101,8 +101,7 @@ enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim,
 		return r->file ? TS_OK : ts_open_failed(&sim->error, &sim->files, where, "/dev/null");
 	}
 	if (!replaceable(&sim->files, path))
-		return ts_fail(&sim->error, TS_IO, where,
-			       "cannot write '%s': it is not a plain file", path);
+		return ts_fail(&sim->error, TS_IO, where, "cannot write '%s': it is not a plain file", path);
 	remove_stale(&sim->files, path);
 	ts_str_add(&r->path, path);
 	if (getrandom(&random, sizeof random, GRND_NONBLOCK) < 0)
@@ -146,11 +145,12 @@ enum ts_status ts_replace_commit(struct ts_replace *r, bool durable)
 	bool nowhere = !r->temporary.length;
 
 	errno = 0;
-	if (fflush(file) != 0 || (durable && !nowhere && ts_files_sync(&r->sim->files, ts_str_text(&r->temporary), file) != 0))
+	if (fflush(file) != 0 ||
+	    (durable && !nowhere && ts_files_sync(&r->sim->files, ts_str_text(&r->temporary), file) != 0))
 		return failed(r);
 	r->file = NULL;
-	if (fclose(file) != 0 ||
-	    (!nowhere && ts_files_move(&r->sim->files, ts_str_text(&r->temporary), ts_str_text(&r->path)) != 0)) {
+	if (fclose(file) != 0 || (!nowhere && ts_files_move(&r->sim->files, ts_str_text(&r->temporary),
+							    ts_str_text(&r->path)) != 0)) {
 		failed(r);
 		return TS_IO;
 	}

@@ -15,10 +15,10 @@ struct ts_replace {
 	struct ts_place where;
 };
 
-/* Opens PATH.tmp.<process>.<random>, which is not there yet; what killed processes have left of the same file is removed. With -explain all
- * goes nowhere. */
-enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim,
-				const struct ts_place *where, const char *path);
+/* Opens PATH.tmp.<process>.<random>, which is not there yet; what killed processes have left of the same
+ * file is removed. With -explain all goes nowhere. */
+enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim, const struct ts_place *where,
+				const char *path);
 enum ts_status ts_replace_write(struct ts_replace *r, const void *bytes, size_t n);
 /* Puts the file in its place. `durable`: waits until it is on the disk, and after
  * that its name too. On failure the old

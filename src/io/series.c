@@ -41,8 +41,7 @@ static bool number_in(const char *name, const struct pattern *p, int64_t *out)
 	return ts_parse_int(text, out);
 }
 
-static enum ts_status add(struct ts_series *series, const struct pattern *p, const char *name,
-			  int64_t step)
+static enum ts_status add(struct ts_series *series, const struct pattern *p, const char *name, int64_t step)
 {
 	struct ts_str path = { 0 };
 

@@ -19,7 +19,8 @@ struct ts_series {
 /* `*` counts in the last part of the path only. Without `*` the path itself, whether there is such a file
  * or not. */
 bool ts_series_is(const char *pattern);
-enum ts_status ts_series_find(struct ts_files *files, const char *pattern, struct ts_series *out); /* TS_OK or TS_NOMEM */
+/* TS_OK or TS_NOMEM */
+enum ts_status ts_series_find(struct ts_files *files, const char *pattern, struct ts_series *out);
 void ts_series_release(struct ts_series *series);
 
 #endif

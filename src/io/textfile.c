@@ -14,7 +14,8 @@
 /* MOST_HELD: no more is kept for one piece. MEMBER: text after which a .gz file begins a new member. */
 enum { MOST_HELD = 1 << 24, MEMBER = 1 << 20, LARGEST_PART = 1 << 30, ROOM = 1 << 16 };
 
-/* Folders of files that are written are made on the way: here is one to be read. A closed door says itself why. */
+/* Folders of files that are written are made on the way: here is one to be read. A closed door says itself
+ * why. */
 enum ts_status ts_open_failed(struct ts_error *err, struct ts_files *files, const struct ts_place *where,
 			      const char *path)
 {
@@ -25,7 +26,8 @@ enum ts_status ts_open_failed(struct ts_error *err, struct ts_files *files, cons
 
 	if (slash && slash > path && (size_t)(slash - path) < sizeof folder)
 		memcpy(folder, path, (size_t)(slash - path));
-	if (code == ENOENT && folder[0] && !ts_files_closed(files) && ts_files_look(files, folder, &info) != 0)
+	if (code == ENOENT && folder[0] && !ts_files_closed(files) &&
+	    ts_files_look(files, folder, &info) != 0)
 		return ts_fail(err, TS_IO, where, "cannot open '%s': there is no folder '%s'", path, folder);
 	errno = code;
 	return ts_fail(err, TS_IO, where, "cannot open '%s': %s", path, ts_files_why(files));
@@ -38,8 +40,8 @@ enum ts_status ts_write_failed(struct ts_error *err, struct ts_files *files, con
 	char folder[256];
 
 	if (!ts_files_closed(files) && ts_mkdirs_blocked(files, path, folder, sizeof folder))
-		return ts_fail(err, TS_IO, where, "cannot write '%s': '%s' is no folder that one can be made in",
-			       path, folder);
+		return ts_fail(err, TS_IO, where,
+			       "cannot write '%s': '%s' is no folder that one can be made in", path, folder);
 	errno = code;
 	return ts_fail(err, TS_IO, where, "cannot write '%s': %s", path, ts_files_why(files));
 }
@@ -56,8 +58,8 @@ static void drop(struct ts_textfile *file)
 
 /* ---- what a killed run has left is not written on to */
 
-/* Ends the last line, which would else go on with the next one; the mark is a word more than a dump has in a row, so
- * that no number that was cut is taken for a whole one. */
+/* Ends the last line, which would else go on with the next one; the mark is a word more than a dump has in
+ * a row, so that no number that was cut is taken for a whole one. */
 static void end_line(struct ts_textfile *file, const char *path)
 {
 	FILE *old = ts_files_open(file->files, path, "r");
@@ -83,9 +85,10 @@ static enum ts_status check_gz(struct ts_textfile *file, const char *path)
 	if (code == Z_OK || code == Z_STREAM_END)
 		return TS_OK;
 	return ts_fail(file->err, TS_DAMAGED, &file->where,
-		       "cannot add to '%s': its last part is not whole, as a run that was killed leaves it, and what "
-		       "is added could not be unpacked; write to another file (rerun takes several), or make it "
-		       "whole: zcat %s | gzip >NEW", path, path);
+		       "cannot add to '%s': its last part is not whole, as a run that was killed leaves it, "
+		       "and what is added could not be unpacked; write to another file (rerun takes "
+		       "several), or make it whole: zcat %s | gzip >NEW",
+		       path, path);
 }
 
 /* ---- opening */
@@ -94,7 +97,8 @@ static enum ts_status begin_gz(struct ts_textfile *file)
 {
 	z_stream *gz = ts_alloc(1, sizeof *gz);
 
-	if (gz && deflateInit2(gz, Z_DEFAULT_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK) {
+	if (gz &&
+	    deflateInit2(gz, Z_DEFAULT_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK) {
 		file->gz = gz;
 		return TS_OK;
 	}
@@ -102,13 +106,15 @@ static enum ts_status begin_gz(struct ts_textfile *file)
 	return ts_nomem(file->err);
 }
 
-static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *sim, const char *path, bool append)
+static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *sim, const char *path,
+				  bool append)
 {
 	struct stat info;
 
 	file->file = sim->explain ? ts_files_nowhere() : ts_files_open(file->files, path, append ? "a" : "w");
 	if (!file->file)
-		return errno ? ts_write_failed(file->err, file->files, &file->where, path) : ts_nomem(file->err);
+		return errno ? ts_write_failed(file->err, file->files, &file->where, path)
+			     : ts_nomem(file->err);
 	setvbuf(file->file, NULL, _IONBF, 0);
 	file->whole = -1;
 	if (fileno(file->file) >= 0 && fstat(fileno(file->file), &info) == 0 && S_ISREG(info.st_mode))
@@ -120,8 +126,8 @@ static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *s
 	return TS_OK;
 }
 
-enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim,
-				const struct ts_place *where, const char *path, bool append)
+enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim, const struct ts_place *where,
+				const char *path, bool append)
 {
 	enum ts_status status = TS_OK;
 
@@ -227,8 +233,7 @@ enum ts_status ts_textfile_printf(struct ts_textfile *file, const char *format, 
 	va_start(args, format);
 	ts_str_vaddf(&text, format, args);
 	va_end(args);
-	status = text.failed ? ts_nomem(file->err)
-			     : ts_textfile_write(file, ts_str_text(&text), text.length);
+	status = text.failed ? ts_nomem(file->err) : ts_textfile_write(file, ts_str_text(&text), text.length);
 	ts_str_release(&text);
 	return status;
 }

@@ -85,8 +85,7 @@ static enum ts_status add_cell_types(struct tsim *sim, struct ts_str *out, size_
 	return status;
 }
 
-static enum ts_status add_unstructured(struct tsim *sim, struct ts_str *out,
-				       const struct ts_vtk_poly *poly)
+static enum ts_status add_unstructured(struct tsim *sim, struct ts_str *out, const struct ts_vtk_poly *poly)
 {
 	size_t size = ts_vtk_cell_size(poly), n = poly->npoints / size;
 
@@ -119,8 +118,7 @@ static void declare_data(struct ts_str *out, const char *element, const struct t
 {
 	ts_str_addf(out, "<P%s>\n", element);
 	for (size_t k = 0; k < narrays; k++) {
-		ts_str_addf(out, "<PDataArray type=\"%s\" Name=\"",
-			    array[k].integer ? "Int64" : "Float64");
+		ts_str_addf(out, "<PDataArray type=\"%s\" Name=\"", array[k].integer ? "Int64" : "Float64");
 		ts_vtk_add_name(out, array[k].name);
 		ts_str_addf(out, "\" NumberOfComponents=\"%zu\"/>\n", array[k].components);
 	}
@@ -213,14 +211,12 @@ enum ts_status ts_vtk_write_poly(struct tsim *sim, const char *path, const struc
 
 	if (!format)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "'%s': the name of a VTK file ends in .vtk, .vtp, .vtu, .pvtp or .pvtu",
-			       path);
+			       "'%s': the name of a VTK file ends in .vtk, .vtp, .vtu, .pvtp or .pvtu", path);
 	return format->pieces ? write_pieces(sim, path, where, poly, format)
 			      : write_one(sim, path, where, poly, format->build);
 }
 
-enum ts_status ts_vtk_series_add(struct tsim *sim, struct ts_vtk_series *s, int64_t step,
-				 double time)
+enum ts_status ts_vtk_series_add(struct tsim *sim, struct ts_vtk_series *s, int64_t step, double time)
 {
 	if (TS_GROW(s->step, s->step_capacity, s->n + 1) != TS_OK ||
 	    TS_GROW(s->time, s->time_capacity, s->n + 1) != TS_OK)
@@ -242,8 +238,8 @@ static void add_collection_path(struct ts_str *out, const char *pattern, const c
 }
 
 /* Name and time of the frames, in XML, or in JSON for legacy files. */
-static void add_frames(struct ts_str *out, const struct ts_vtk_series *series, const char *base,
-		       int pad, bool legacy)
+static void add_frames(struct ts_str *out, const struct ts_vtk_series *series, const char *base, int pad,
+		       bool legacy)
 {
 	struct ts_str path = { 0 };
 
@@ -252,8 +248,7 @@ static void add_frames(struct ts_str *out, const struct ts_vtk_series *series, c
 		if (legacy)
 			ts_str_add(out, k ? ",\n{ \"name\": \"" : "{ \"name\": \"");
 		else
-			ts_str_addf(out, "<DataSet timestep=\"%.17g\" part=\"0\" file=\"",
-				    series->time[k]);
+			ts_str_addf(out, "<DataSet timestep=\"%.17g\" part=\"0\" file=\"", series->time[k]);
 		ts_vtk_add_name(out, ts_str_text(&path));
 		if (legacy)
 			ts_str_addf(out, "\", \"time\": %.17g }", series->time[k]);
@@ -264,8 +259,8 @@ static void add_frames(struct ts_str *out, const struct ts_vtk_series *series, c
 	ts_str_release(&path);
 }
 
-enum ts_status ts_vtk_series_write(struct tsim *sim, const struct ts_vtk_series *series,
-				   const char *pattern, int pad, const struct ts_place *where)
+enum ts_status ts_vtk_series_write(struct tsim *sim, const struct ts_vtk_series *series, const char *pattern,
+				   int pad, const struct ts_place *where)
 {
 	const char *slash = strrchr(pattern, '/'), *base = slash ? slash + 1 : pattern;
 	bool legacy = ts_ends_with(pattern, ".vtk");
@@ -281,8 +276,7 @@ enum ts_status ts_vtk_series_write(struct tsim *sim, const struct ts_vtk_series 
 	add_frames(&text, series, base, pad, legacy);
 	ts_str_add(&text, legacy ? "\n] }\n" : "</Collection>\n</VTKFile>\n");
 	add_collection_path(&path, pattern, legacy ? ".vtk.series" : ".pvd");
-	status = path.failed ? ts_nomem(&sim->error)
-			     : ts_vtk_put(sim, ts_str_text(&path), where, &text);
+	status = path.failed ? ts_nomem(&sim->error) : ts_vtk_put(sim, ts_str_text(&path), where, &text);
 	ts_str_release(&text);
 	ts_str_release(&path);
 	return status;

@@ -17,7 +17,7 @@ struct ts_vtk_array {
 
 /* Vertices (each point is one), lines of two points each: 2k, 2k+1, or triangles: 3k, 3k+1, 3k+2. */
 struct ts_vtk_poly {
-	const double *points; /* npoints * 3 */
+	const double *points;		    /* npoints * 3 */
 	size_t npoints, nlines, ntriangles; /* of the last two at most one is not 0 */
 	const struct ts_vtk_array *point_data, *cell_data;
 	size_t npoint_data, ncell_data;
@@ -59,11 +59,10 @@ struct ts_vtk_series {
 	double *time;
 	size_t n, step_capacity, time_capacity;
 };
-enum ts_status ts_vtk_series_add(struct tsim *sim, struct ts_vtk_series *series, int64_t step,
-				 double time);
+enum ts_status ts_vtk_series_add(struct tsim *sim, struct ts_vtk_series *series, int64_t step, double time);
 /* Writes the collection anew. `pattern` is the name of the frames with its `*`. */
-enum ts_status ts_vtk_series_write(struct tsim *sim, const struct ts_vtk_series *series,
-				   const char *pattern, int pad, const struct ts_place *where);
+enum ts_status ts_vtk_series_write(struct tsim *sim, const struct ts_vtk_series *series, const char *pattern,
+				   int pad, const struct ts_place *where);
 enum ts_status ts_vtk_series_archive(struct ts_archive *archive, struct ts_vtk_series *series);
 void ts_vtk_series_release(struct ts_vtk_series *series);
 

@@ -37,21 +37,18 @@ static void begin(struct ts_str *out, const struct ts_vtk_grid *grid, bool image
 	ts_str_add(out, ">\n");
 }
 
-static enum ts_status add_coordinates(struct tsim *sim, struct ts_str *out,
-				      const struct ts_vtk_grid *grid)
+static enum ts_status add_coordinates(struct tsim *sim, struct ts_str *out, const struct ts_vtk_grid *grid)
 {
 	static const char *const axis[] = { "x", "y", "z" };
 
 	ts_str_add(out, "<Coordinates>\n");
 	for (int d = 0; d < 3; d++)
-		TS_TRY(ts_vtk_add_array(sim, out, axis[d], "Float64", 1, grid->face[d],
-					grid->n[d] + 1));
+		TS_TRY(ts_vtk_add_array(sim, out, axis[d], "Float64", 1, grid->face[d], grid->n[d] + 1));
 	ts_str_add(out, "</Coordinates>\n");
 	return TS_OK;
 }
 
-static enum ts_status build(struct tsim *sim, struct ts_str *out, const struct ts_vtk_grid *grid,
-			    bool image)
+static enum ts_status build(struct tsim *sim, struct ts_str *out, const struct ts_vtk_grid *grid, bool image)
 {
 	begin(out, grid, image);
 	TS_TRY(ts_vtk_add_data(sim, out, "CellData", grid->cell_data, grid->ncell_data,

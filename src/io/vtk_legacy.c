@@ -1,5 +1,5 @@
-/* Legacy VTK files (.vtk): what LIGGGHTS writes by default, and what small programs read easily; plain text, or
- * binary with the most significant byte first. */
+/* Legacy VTK files (.vtk): what LIGGGHTS writes by default, and what small programs read easily; plain
+ * text, or binary with the most significant byte first. */
 #include "io/vtk_legacy.h"
 
 #include <string.h>
@@ -109,8 +109,8 @@ static void add_cells(struct ts_str *out, size_t n, size_t size, bool binary)
 	add_indices(out, "CONNECTIVITY", n * size, 1, binary);
 }
 
-static void add_data(struct ts_str *out, const char *what, const struct ts_vtk_array *array,
-		     size_t narrays, size_t n, bool binary)
+static void add_data(struct ts_str *out, const char *what, const struct ts_vtk_array *array, size_t narrays,
+		     size_t n, bool binary)
 {
 	if (!narrays || !n)
 		return;
@@ -179,8 +179,7 @@ void ts_vtk_legacy_plain(struct ts_str *out, const struct ts_vtk_poly *poly)
 }
 
 /* The faces of a box as the corners of one cell. */
-void ts_vtk_legacy_box(struct ts_str *out, const double lo[3], const double hi[3], double time,
-		       bool binary)
+void ts_vtk_legacy_box(struct ts_str *out, const double lo[3], const double hi[3], double time, bool binary)
 {
 	add_head(out, "5.1", time, binary);
 	ts_str_add(out, "DATASET RECTILINEAR_GRID\nDIMENSIONS 2 2 2\n");

@@ -9,12 +9,10 @@ enum { BLOCK = 1 << 20 };
 
 void ts_base64(struct ts_str *out, const unsigned char *bytes, size_t n)
 {
-	static const char digit[] =
-		"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+	static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 	for (size_t i = 0; i < n; i += 3) {
-		unsigned a = bytes[i], b = i + 1 < n ? bytes[i + 1] : 0,
-			 c = i + 2 < n ? bytes[i + 2] : 0;
+		unsigned a = bytes[i], b = i + 1 < n ? bytes[i + 1] : 0, c = i + 2 < n ? bytes[i + 2] : 0;
 		char four[4] = { digit[a >> 2], digit[(a & 3) << 4 | b >> 4],
 				 i + 1 < n ? digit[(b & 15) << 2 | c >> 6] : '=',
 				 i + 2 < n ? digit[c & 63] : '=' };
@@ -57,8 +55,8 @@ void ts_vtk_add_name(struct ts_str *out, const char *name)
 		ts_str_add_n(out, strchr("<>&\"'\\", *name) ? "_" : name, 1);
 }
 
-enum ts_status ts_vtk_add_array(struct tsim *sim, struct ts_str *out, const char *name,
-				const char *type, size_t components, const void *data, size_t n)
+enum ts_status ts_vtk_add_array(struct tsim *sim, struct ts_str *out, const char *name, const char *type,
+				size_t components, const void *data, size_t n)
 {
 	ts_str_addf(out, "<DataArray type=\"%s\" Name=\"", type);
 	ts_vtk_add_name(out, name);
@@ -68,8 +66,8 @@ enum ts_status ts_vtk_add_array(struct tsim *sim, struct ts_str *out, const char
 	return TS_OK;
 }
 
-static enum ts_status add_integers(struct tsim *sim, struct ts_str *out,
-				   const struct ts_vtk_array *array, size_t n)
+static enum ts_status add_integers(struct tsim *sim, struct ts_str *out, const struct ts_vtk_array *array,
+				   size_t n)
 {
 	int64_t *whole = ts_alloc(n * array->components, sizeof *whole);
 	enum ts_status status;
@@ -92,7 +90,7 @@ enum ts_status ts_vtk_add_data(struct tsim *sim, struct ts_str *out, const char 
 			TS_TRY(add_integers(sim, out, &array[k], n));
 		else
 			TS_TRY(ts_vtk_add_array(sim, out, array[k].name, "Float64", array[k].components,
-					 array[k].data, n));
+						array[k].data, n));
 	ts_str_addf(out, "</%s>\n", element);
 	return TS_OK;
 }
@@ -102,9 +100,8 @@ void ts_vtk_add_opening(struct ts_str *out, const char *type)
 	const uint16_t one = 1;
 
 	ts_str_addf(out,
-		    "<?xml version=\"1.0\"?>\n<VTKFile type=\"%s\" version=\"1.0\" "
-		    "byte_order=\"%s\" header_type=\"UInt64\" "
-		    "compressor=\"vtkZLibDataCompressor\">\n",
+		    "<?xml version=\"1.0\"?>\n<VTKFile type=\"%s\" version=\"1.0\" byte_order=\"%s\" "
+		    "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n",
 		    type, *(const unsigned char *)&one ? "LittleEndian" : "BigEndian");
 }
 

@@ -16,8 +16,8 @@ void ts_vtk_add_name(struct ts_str *out, const char *name);
  * blocks; each of the two in base64. */
 enum ts_status ts_vtk_add_packed(struct tsim *sim, struct ts_str *out, const void *data, size_t n);
 /* n tuples of numbers of 8 bytes; `type`: "Float64" or "Int64". */
-enum ts_status ts_vtk_add_array(struct tsim *sim, struct ts_str *out, const char *name,
-				const char *type, size_t components, const void *data, size_t n);
+enum ts_status ts_vtk_add_array(struct tsim *sim, struct ts_str *out, const char *name, const char *type,
+				size_t components, const void *data, size_t n);
 /* All arrays of an element, "PointData" or "CellData". */
 enum ts_status ts_vtk_add_data(struct tsim *sim, struct ts_str *out, const char *element,
 			       const struct ts_vtk_array *array, size_t narrays, size_t n);

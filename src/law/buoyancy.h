@@ -1,5 +1,6 @@
-/* The part of a body below the surface of a fluid: of a sphere that is `depth` deep (0 .. 2 R) the volume of
- * the cap, pi h^2 (3 R - h)/3; of a disc the area of the segment, R^2 acos(1 - h/R) - (R - h) sqrt(2 R h - h^2). */
+/* The part of a body below the surface of a fluid: of a sphere that is `depth` deep (0 .. 2 R) the volume
+ * of the cap, pi h^2 (3 R - h)/3; of a disc the area of the segment, R^2 acos(1 - h/R) - (R - h) sqrt(2 R
+ * h - h^2). */
 #ifndef TS_LAW_BUOYANCY_H
 #define TS_LAW_BUOYANCY_H
 
@@ -14,8 +15,7 @@ static inline double ts_immersed(double radius, double depth, bool disc)
 	double h = fmin(fmax(depth, 0), 2 * radius);
 
 	if (disc)
-		return radius * radius * acos(1 - h / radius) -
-		       (radius - h) * sqrt(h * (2 * radius - h));
+		return radius * radius * acos(1 - h / radius) - (radius - h) * sqrt(h * (2 * radius - h));
 	return TS_PI / 3 * h * h * (3 * radius - h);
 }
 

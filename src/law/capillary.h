@@ -54,9 +54,8 @@ TS_INLINE double ts_bridge_part(const struct ts_granular_model *m, const struct 
 }
 
 /* V; at a plane the limit of a large partner, which has none. */
-TS_INLINE double ts_bridge_volume(const struct ts_granular_model *m,
-				  const struct ts_granular_pair *c, const double liquid[2],
-				  const double radius[2], bool wall)
+TS_INLINE double ts_bridge_volume(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				  const double liquid[2], const double radius[2], bool wall)
 {
 	if (wall)
 		return 0.5 * ts_sphere_volume(radius[0]) * liquid[0];
@@ -65,14 +64,12 @@ TS_INLINE double ts_bridge_volume(const struct ts_granular_model *m,
 }
 
 /* The gap at which a bridge breaks; no bridges between dry surfaces. */
-TS_INLINE double ts_bridge_reach(const struct ts_granular_model *m,
-				 const struct ts_granular_pair *c, const double liquid[2],
-				 const double radius[2], bool wall)
+TS_INLINE double ts_bridge_reach(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				 const double liquid[2], const double radius[2], bool wall)
 {
 	double sum = radius[0] + radius[!wall]; /* a wall is as a particle of the same radius */
 
-	return fmin((1 + 0.5 * c->contact_angle) *
-			    cbrt(ts_bridge_volume(m, c, liquid, radius, wall)),
+	return fmin((1 + 0.5 * c->contact_angle) * cbrt(ts_bridge_volume(m, c, liquid, radius, wall)),
 		    (c->most_gap - 1) * sum);
 }
 
@@ -81,21 +78,17 @@ TS_INLINE double ts_bridge_gap(const struct ts_touch *t)
 	return fmax(-t->overlap, 0);
 }
 
-TS_INLINE double ts_easo_pull(const struct ts_granular_pair *c, const struct ts_touch *t,
-			      double volume)
+TS_INLINE double ts_easo_pull(const struct ts_granular_pair *c, const struct ts_touch *t, double volume)
 {
 	double larger = fmax(t->radius[0], t->radius[1]), theta = c->contact_angle;
 	double v = volume / (larger * larger * larger), l = log(v);
-	double a = -1.1 * pow(v, -0.53),
-	       b = (-0.148 * l - 0.96) * theta * theta - 0.0082 * l + 0.48;
+	double a = -1.1 * pow(v, -0.53), b = (-0.148 * l - 0.96) * theta * theta - 0.0082 * l + 0.48;
 
-	return TS_PI * c->surface_tension *
-	       sqrt(t->radius[0] * (t->wall ? t->radius[0] : t->radius[1])) *
+	return TS_PI * c->surface_tension * sqrt(t->radius[0] * (t->wall ? t->radius[0] : t->radius[1])) *
 	       (exp(a * ts_bridge_gap(t) / larger + b) + 0.0018 * l + 0.078);
 }
 
-TS_INLINE double ts_washino_pull(const struct ts_granular_pair *c, const struct ts_touch *t,
-				 double volume)
+TS_INLINE double ts_washino_pull(const struct ts_granular_pair *c, const struct ts_touch *t, double volume)
 {
 	double d = ts_bridge_gap(t), theta = c->contact_angle,
 	       most = 2 * TS_PI * t->r_eff * c->surface_tension;
@@ -108,8 +101,8 @@ TS_INLINE double ts_washino_pull(const struct ts_granular_pair *c, const struct 
 }
 
 /* The pull of the bridge, > 0. */
-TS_INLINE double ts_capillary_pull(const struct ts_granular_model *m,
-				   const struct ts_granular_pair *c, const struct ts_touch *t)
+TS_INLINE double ts_capillary_pull(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				   const struct ts_touch *t)
 {
 	double volume = ts_bridge_volume(m, c, t->liquid, t->radius, t->wall);
 
@@ -118,14 +111,12 @@ TS_INLINE double ts_capillary_pull(const struct ts_granular_model *m,
 }
 
 /* Drag by speed, along n and across, at a gap of `relative` R*. */
-TS_INLINE double ts_bridge_normal_drag(const struct ts_granular_pair *c, double r_eff,
-				       double relative)
+TS_INLINE double ts_bridge_normal_drag(const struct ts_granular_pair *c, double r_eff, double relative)
 {
 	return 6 * TS_PI * c->liquid_viscosity * r_eff / fmax(c->least_gap, relative);
 }
 
-TS_INLINE double ts_bridge_tangential_drag(const struct ts_granular_pair *c, double r_eff,
-					   double relative)
+TS_INLINE double ts_bridge_tangential_drag(const struct ts_granular_pair *c, double r_eff, double relative)
 {
 	double shape = 0.9588 - 8.0 / 15.0 * log(fmax(c->least_gap, relative));
 
@@ -144,20 +135,18 @@ TS_INLINE bool ts_bridge_wet(const struct ts_touch *t)
 }
 
 /* What the bridge adds to F_n. */
-TS_INLINE double ts_bridge_force(const struct ts_granular_model *m,
-				 const struct ts_granular_pair *c, const struct ts_touch *t)
+TS_INLINE double ts_bridge_force(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				 const struct ts_touch *t)
 {
 	double r = ts_bridge_radius(t);
 
 	if (!ts_bridge_wet(t))
 		return 0;
-	return -ts_capillary_pull(m, c, t) -
-	       ts_bridge_normal_drag(c, r, ts_bridge_gap(t) / r) * t->vn;
+	return -ts_capillary_pull(m, c, t) - ts_bridge_normal_drag(c, r, ts_bridge_gap(t) / r) * t->vn;
 }
 
 /* Its drag against slip, added to `force`. */
-TS_INLINE void ts_bridge_slip(const struct ts_granular_pair *c, const struct ts_touch *t,
-			      double force[3])
+TS_INLINE void ts_bridge_slip(const struct ts_granular_pair *c, const struct ts_touch *t, double force[3])
 {
 	double r = ts_bridge_radius(t);
 

@@ -22,15 +22,14 @@ TS_INLINE double ts_lens_area(const struct ts_touch *t)
 }
 
 /* The force to be added to F_n. */
-TS_INLINE double ts_cohesion_force(const struct ts_granular_model *m,
-				       const struct ts_granular_pair *c, const struct ts_touch *t)
+TS_INLINE double ts_cohesion_force(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				   const struct ts_touch *t)
 {
 	switch (m->cohesion) {
 	case TS_COHESION_SJKR:
 		return -c->cohesion * ts_lens_area(t);
 	case TS_COHESION_SJKR2:
-		return -c->cohesion * 2 * TS_PI * t->overlap *
-		       (t->wall ? t->radius[0] : 2 * t->r_eff);
+		return -c->cohesion * 2 * TS_PI * t->overlap * (t->wall ? t->radius[0] : 2 * t->r_eff);
 	case TS_COHESION_EASO:
 	case TS_COHESION_WASHINO:
 		return ts_bridge_force(m, c, t);

@@ -2,17 +2,17 @@
  *
  *   h = 4 k_i k_j / (k_i + k_j) sqrt(A),
  *
- * A the area of contact (B. Chaudhuri, F. J. Muzzio, M. S. Tomassone, Chem. Eng. Sci. 61 (2006) 6348; after
- * G. K. Batchelor, R. W. O'Brien, Proc. R. Soc. London A 355 (1977) 313, whose 2 k* a with the radius a
- * of that circle is smaller by sqrt(pi)).
+ * A the area of contact (B. Chaudhuri, F. J. Muzzio, M. S. Tomassone, Chem. Eng. Sci. 61 (2006) 6348;
+ * after G. K. Batchelor, R. W. O'Brien, Proc. R. Soc. London A 355 (1977) 313, whose 2 k* a with the
+ * radius a of that circle is smaller by sqrt(pi)).
  *
  * overlap     A = the circle in which the surfaces cut each other; pi min(R)^2 once the centre of the smaller
  *             sphere is inside the larger one
  * constant    A as given
  * projection  A = pi R^2 of the larger sphere, as LIGGGHTS takes it (its manual says the smaller one)
  *
- * The flux of explicit Euler's step, dT_i = dt/(m c) sum_j h_ij (T_j - T_i), makes T_i a weighted mean of what
- * T_i and T_j were as long as dt sum_j h_ij <= m c; beyond, temperatures swing past those of the
+ * The flux of explicit Euler's step, dT_i = dt/(m c) sum_j h_ij (T_j - T_i), makes T_i a weighted mean of
+ * what T_i and T_j were as long as dt sum_j h_ij <= m c; beyond, temperatures swing past those of the
  * neighbours, and by Gershgorin's theorem they cannot grow without bound before it. */
 #ifndef TS_LAW_CONDUCTION_H
 #define TS_LAW_CONDUCTION_H
@@ -31,8 +31,8 @@ struct ts_heat_contact {
 
 /* `softening` makes the overlap what it would be were the material as stiff as it is in nature:
  * (Y* / Y*_original)^(1/a) where F ~ overlap^a. */
-static inline double ts_heat_area_of_spheres(const struct ts_heat_contact *c, double r, double ri,
-					     double rj, double softening)
+static inline double ts_heat_area_of_spheres(const struct ts_heat_contact *c, double r, double ri, double rj,
+					     double softening)
 {
 	switch (c->kind) {
 	case TS_HEAT_CONSTANT:
@@ -41,8 +41,7 @@ static inline double ts_heat_area_of_spheres(const struct ts_heat_contact *c, do
 		return TS_PI * fmax(ri, rj) * fmax(ri, rj);
 	default:
 		r = ri + rj - softening * (ri + rj - r);
-		return r < fmax(ri, rj) ? TS_PI * fmin(ri, rj) * fmin(ri, rj)
-					: ts_lens_of_spheres(r, ri, rj);
+		return r < fmax(ri, rj) ? TS_PI * fmin(ri, rj) * fmin(ri, rj) : ts_lens_of_spheres(r, ri, rj);
 	}
 }
 

@@ -44,9 +44,9 @@ static inline double ts_hysteretic_energy(const struct ts_granular_pair *c, cons
 	return k2 > 0 ? 0.5 * elastic * elastic / k2 : 0;
 }
 
-static inline void ts_parts_normal(const struct ts_granular_model *m,
-				   const struct ts_granular_pair *c, const struct ts_touch *t,
-				   const double *memory, double force, struct ts_contact_parts *out)
+static inline void ts_parts_normal(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				   const struct ts_touch *t, const double *memory, double force,
+				   struct ts_contact_parts *out)
 {
 	struct ts_granular_model at_rest = *m;
 	struct ts_touch still = *t;
@@ -63,18 +63,16 @@ static inline void ts_parts_normal(const struct ts_granular_model *m,
 	ts_scale(elastic + pull, t->n, out->force[TS_PART_NORMAL]);
 	ts_scale(force - elastic - pull, t->n, out->force[TS_PART_DASHPOT]);
 	out->energy[TS_STORE_NORMAL] =
-		ts_cohesion_energy(m, c, t) +
-		(m->normal == TS_NORMAL_HOOKE_HYSTERESIS
-			 ? ts_hysteretic_energy(c, t, n.kn, elastic, deepest)
-			 : ts_normal_energy(m, c, t, &n));
+		ts_cohesion_energy(m, c, t) + (m->normal == TS_NORMAL_HOOKE_HYSTERESIS
+						       ? ts_hysteretic_energy(c, t, n.kn, elastic, deepest)
+						       : ts_normal_energy(m, c, t, &n));
 	out->energy[TS_STORE_SHEAR] = ts_tangential_energy(m, c, &n, memory);
 	out->energy[TS_STORE_ROLLING] = ts_turning_energy(m, c, t, &n, memory);
 }
 
 /* The force of the spring of slip. */
-static inline void ts_parts_spring(const struct ts_granular_model *m,
-				   const struct ts_granular_pair *c, const struct ts_normal *n,
-				   const double *memory, double force[3])
+static inline void ts_parts_spring(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				   const struct ts_normal *n, const double *memory, double force[3])
 {
 	struct ts_slider slider = ts_tangential_slider_of(m, c, n);
 
@@ -83,9 +81,8 @@ static inline void ts_parts_spring(const struct ts_granular_model *m,
 }
 
 /* `total` on i, `roll` its torque of rolling; `memory` after the force was made. */
-static inline void ts_contact_split(const struct ts_granular_model *m,
-				    const struct ts_granular_pair *c, const struct ts_touch *t,
-				    const double *memory, const double total[3],
+static inline void ts_contact_split(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				    const struct ts_touch *t, const double *memory, const double total[3],
 				    const double roll[3], struct ts_contact_parts *out)
 {
 	double normal = ts_dot(total, t->n), deepest = 0, limit, friction[3];
@@ -98,8 +95,7 @@ static inline void ts_contact_split(const struct ts_granular_model *m,
 	ts_normal_force(m, c, t, false, &deepest, &n);
 	ts_parts_spring(m, c, &n, memory, out->force[TS_PART_SHEAR]);
 	for (int k = 0; k < 3; k++)
-		out->force[TS_PART_VISCOUS][k] =
-			total[k] - normal * t->n[k] - out->force[TS_PART_SHEAR][k];
+		out->force[TS_PART_VISCOUS][k] = total[k] - normal * t->n[k] - out->force[TS_PART_SHEAR][k];
 	limit = c->friction * fabs(n.limit + (m->reduce ? ts_cohesion_force(m, c, t) : 0));
 	for (int k = 0; k < 3; k++)
 		friction[k] = total[k] - normal * t->n[k];
@@ -112,9 +108,9 @@ static inline void ts_contact_split(const struct ts_granular_model *m,
 		ts_cross(out->force[part], t->n, out->turn[part]);
 }
 
-/* What slip takes in a step: the mean force of the spring at its ends by what the limit has cut off it, the way that it
- * would have gone less that it has gone. `before`, `after`: the memory at the ends. A spring that a contact
- * has from another one (of the next triangle) has no step. */
+/* What slip takes in a step: the mean force of the spring at its ends by what the limit has cut off it,
+ * the way that it would have gone less that it has gone. `before`, `after`: the memory at the ends. A
+ * spring that a contact has from another one (of the next triangle) has no step. */
 static inline double ts_slip_loss(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				  const struct ts_touch *t, double dt, const double *before,
 				  const double *after)
@@ -129,8 +125,8 @@ static inline double ts_slip_loss(const struct ts_granular_model *m, const struc
 		deepest = after[ts_granular_depth_at(m)];
 	ts_normal_force(m, c, t, false, &deepest, &n);
 	slider = ts_tangential_slider_of(m, c, &n);
-	if (!(n.kt > 0) ||
-	    (ts_norm(before) == 0 && ts_norm(after) > 1.001 * dt * ts_norm(t->slip) * (slider.force ? n.kt : 1)))
+	if (!(n.kt > 0) || (ts_norm(before) == 0 &&
+			    ts_norm(after) > 1.001 * dt * ts_norm(t->slip) * (slider.force ? n.kt : 1)))
 		return 0;
 	ts_scale(1, before, start);
 	if (m->tangential < TS_TANGENTIAL_LINEAR)

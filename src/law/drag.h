@@ -1,15 +1,15 @@
-/* Drag of a fluid on a sphere, alone or among others: the coefficient c of F = c w, w = u - v the slip between
- * the fluid between the particles (interstitial velocity) and the sphere.
+/* Drag of a fluid on a sphere, alone or among others: the coefficient c of F = c w, w = u - v the slip
+ * between the fluid between the particles (interstitial velocity) and the sphere.
  *
  * Among others F is the drag without the force V_p (-grad p) of the pressure, which particles feel besides
- * ("model A": -e grad p in the balance of the fluid): then a bed at rest has the exchange beta = (1-e) c/V_p by
- * volume and the pressure gradient -grad p = beta w/e. Here d is the diameter, e the void fraction, mu the
- * dynamic viscosity, rho the density of the fluid, and
+ * ("model A": -e grad p in the balance of the fluid): then a bed at rest has the exchange beta = (1-e)
+ * c/V_p by volume and the pressure gradient -grad p = beta w/e. Here d is the diameter, e the void
+ * fraction, mu the dynamic viscosity, rho the density of the fluid, and
  *
  *   Re = rho e |w| d/mu,
  *
- * that of the superficial velocity e w. All coefficients are finite at w = 0. With e = 1 those of Schiller and
- * Naumann, Wen and Yu, and Gidaspow are the same. */
+ * that of the superficial velocity e w. All coefficients are finite at w = 0. With e = 1 those of Schiller
+ * and Naumann, Wen and Yu, and Gidaspow are the same. */
 #ifndef TS_LAW_DRAG_H
 #define TS_LAW_DRAG_H
 
@@ -93,8 +93,7 @@ static inline double ts_drag_koch_hill(const struct ts_slip *s)
 	double phi = 1 - s->empty, e3 = s->empty * s->empty * s->empty, f0, f3;
 
 	if (phi < 0.4)
-		f0 = (1 + 3 * sqrt(phi / 2) + (phi > 0 ? 135.0 / 64 * phi * log(phi) : 0) +
-		      16.14 * phi) /
+		f0 = (1 + 3 * sqrt(phi / 2) + (phi > 0 ? 135.0 / 64 * phi * log(phi) : 0) + 16.14 * phi) /
 		     (1 + phi * (0.681 + phi * (-8.48 + phi * 8.16)));
 	else
 		f0 = 10 * phi / e3;

@@ -13,8 +13,8 @@
  *   spring of slip, of rolling       1/2 k_t xi^2, 1/2 M^2/k_r: at the present overlap
  *   of twisting, of rolling by sds   1/2 k phi^2, 1/2 k xi^2
  *
- * hooke/hysteresis yields: what it gives back depends on the way it opens. Bridges of liquid have none either: their liquid
- * comes and goes. */
+ * hooke/hysteresis yields: what it gives back depends on the way it opens. Bridges of liquid have none
+ * either: their liquid comes and goes. */
 #ifndef TS_LAW_ELASTIC_ENERGY_H
 #define TS_LAW_ELASTIC_ENERGY_H
 
@@ -26,8 +26,8 @@ static inline bool ts_granular_has_energy(const struct ts_granular_model *m)
 	return m->normal != TS_NORMAL_HOOKE_HYSTERESIS && !ts_cohesion_bridges(m);
 }
 
-static inline double ts_cohesion_energy(const struct ts_granular_model *m,
-					const struct ts_granular_pair *c, const struct ts_touch *t)
+static inline double ts_cohesion_energy(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+					const struct ts_touch *t)
 {
 	double r = t->distance, sum = t->radius[0] + t->radius[1], d = t->radius[0] - t->radius[1];
 	double area = TS_PI * t->overlap * t->overlap;
@@ -45,25 +45,23 @@ static inline double ts_spring_energy(double stiffness, const double x[3])
 	return 0.5 * stiffness * ts_dot(x, x);
 }
 
-static inline double ts_normal_energy(const struct ts_granular_model *m,
-				      const struct ts_granular_pair *c, const struct ts_touch *t,
-				      const struct ts_normal *n)
+static inline double ts_normal_energy(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				      const struct ts_touch *t, const struct ts_normal *n)
 {
 	bool hertz = m->normal == TS_NORMAL_HERTZ || m->normal == TS_NORMAL_HERTZ_STIFFNESS ||
 		     m->normal > TS_NORMAL_AREA_HOOKE;
 	double w = c->surface_energy, r = t->r_eff, e = ts_jkr_modulus(c), a = n->area, a2 = a * a;
 
 	if (m->normal == TS_NORMAL_AREA_JKR)
-		return a2 * (8 * e * a2 * a / (15 * r * r) -
-			     8.0 / 3 * sqrt(TS_PI * w * e * a) * a / r + 2 * TS_PI * w);
+		return a2 * (8 * e * a2 * a / (15 * r * r) - 8.0 / 3 * sqrt(TS_PI * w * e * a) * a / r +
+			     2 * TS_PI * w);
 	return (hertz ? 0.4 : 0.5) * n->kn * t->overlap * t->overlap -
 	       (m->normal == TS_NORMAL_AREA_DMT ? ts_pull_off_force(m, c, r) * t->overlap : 0);
 }
 
 /* Of the spring of slip. */
-static inline double ts_tangential_energy(const struct ts_granular_model *m,
-					  const struct ts_granular_pair *c, const struct ts_normal *n,
-					  const double *memory)
+static inline double ts_tangential_energy(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+					  const struct ts_normal *n, const double *memory)
 {
 	if (ts_tangential_slider_of(m, c, n).force)
 		return n->kt > 0 ? ts_spring_energy(1 / n->kt, memory) : 0;
@@ -71,9 +69,9 @@ static inline double ts_tangential_energy(const struct ts_granular_model *m,
 }
 
 /* Of the springs of rolling and twisting. */
-static inline double ts_turning_energy(const struct ts_granular_model *m,
-				       const struct ts_granular_pair *c, const struct ts_touch *t,
-				       const struct ts_normal *n, const double *memory)
+static inline double ts_turning_energy(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				       const struct ts_touch *t, const struct ts_normal *n,
+				       const double *memory)
 {
 	double energy = 0, k = ts_rolling_remembers_torque(m) ? ts_rolling_stiffness(m, c, t, n) : 0;
 
@@ -90,9 +88,8 @@ static inline double ts_turning_energy(const struct ts_granular_model *m,
 }
 
 /* `memory`: of the contact, as in ts_granular_contact. */
-static inline double ts_granular_energy(const struct ts_granular_model *m,
-					const struct ts_granular_pair *c, const struct ts_touch *t,
-					const double *memory)
+static inline double ts_granular_energy(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+					const struct ts_touch *t, const double *memory)
 {
 	struct ts_normal n;
 	double deepest = 0;

@@ -62,26 +62,28 @@ enum ts_cohesion_law {
 
 struct ts_granular_model {
 	int normal, tangential, rolling, cohesion, twisting;
-	int damping; /* of the laws by the contact area */
+	int damping;		       /* of the laws by the contact area */
 	bool no_tension;	       /* limitForce: F_n >= 0 */
 	bool no_tangential_damping;    /* tangential_damping off */
 	bool absolute_damping;	       /* of the stiffness laws: gamma is not multiplied by m* */
 	bool tangential_stiffness_2_7; /* ktToKnUser: k_t = 2/7 k_n */
 	bool viscous;		       /* hooke: restitution by the Stokes number */
-	bool shares;  /* modifyLbVolume: the user says which share of its liquid a particle gives to a bridge */
-	bool reduce;  /* tangential_reduce: cohesion lowers the limit of friction */
-	bool torsion; /* torsionTorque: rolling friction resists spinning too */
-	bool plane;   /* two dimensions: discs roll */
+	/* modifyLbVolume: the user says which share of its liquid a particle gives to a bridge */
+	bool shares;
+	bool reduce;	/* tangential_reduce: cohesion lowers the limit of friction */
+	bool torsion;	/* torsionTorque: rolling friction resists spinning too */
+	bool plane;	/* two dimensions: discs roll */
 	bool full_arms; /* the arms of torque are the radii, not those less delta/2 */
 	bool full_slip; /* the arms of slip alone are */
-	bool located; /* begin and end of contacts are found within the step: law/substep.h */
+	bool located;	/* begin and end of contacts are found within the step: law/substep.h */
 	bool solved; /* touch.solved has what takes a root or an iteration: k_n of hooke, the area of jkr */
-	bool multi; /* contacts of one grain act on each other: law/halfspace.h */
-	bool wide; /* memory has room for all laws, as contacts of other types may have others */
+	bool multi;  /* contacts of one grain act on each other: law/halfspace.h */
+	bool wide;   /* memory has room for all laws, as contacts of other types may have others */
 };
 
 /* Member by member: between them there may be anything. */
-static inline bool ts_granular_same_model(const struct ts_granular_model *a, const struct ts_granular_model *b)
+static inline bool ts_granular_same_model(const struct ts_granular_model *a,
+					  const struct ts_granular_model *b)
 {
 	return a->normal == b->normal && a->tangential == b->tangential && a->rolling == b->rolling &&
 	       a->cohesion == b->cohesion && a->twisting == b->twisting && a->damping == b->damping &&
@@ -113,10 +115,10 @@ struct ts_granular_pair {
 	double viscosity, critical_stokes, largest_restitution;	       /* of the fluid between */
 	double unloading, adhesion, plasticity;			       /* k2max/k1, kc/k1, phi */
 	double surface_energy;					       /* energy per area */
-	double surface_tension, contact_angle, liquid_viscosity; /* of bridges; the angle in radians */
-	double least_gap, most_gap;	/* minSeparationDistanceRatio, maxSeparationDistanceRatio */
-	double bridge_share;		/* of the liquid of a particle in a bridge, of washino */
-	double roll_stiffness, roll_damping;   /* of sds; its limit is rolling_friction |F_n| */
+	double surface_tension, contact_angle, liquid_viscosity;       /* of bridges; the angle in radians */
+	double least_gap, most_gap;	     /* minSeparationDistanceRatio, maxSeparationDistanceRatio */
+	double bridge_share;		     /* of the liquid of a particle in a bridge, of washino */
+	double roll_stiffness, roll_damping; /* of sds; its limit is rolling_friction |F_n| */
 	double twist_stiffness, twist_damping, twist_friction;
 };
 

@@ -112,7 +112,8 @@ static inline int ts_granular_multi_at(const struct ts_granular_model *m)
 }
 
 /* The surfaces stand out as the contact remembers it. */
-static inline void ts_granular_stand_out(const struct ts_granular_model *m, const double *memory, struct ts_touch *t)
+static inline void ts_granular_stand_out(const struct ts_granular_model *m, const double *memory,
+					 struct ts_touch *t)
 {
 	if (!m->multi || !memory)
 		return;
@@ -121,8 +122,8 @@ static inline void ts_granular_stand_out(const struct ts_granular_model *m, cons
 	t->r_eff = memory[ts_granular_multi_at(m) + TS_MULTI_RADIUS];
 }
 
-static inline void ts_granular_note_load(const struct ts_granular_model *m, const struct ts_touch *t, double force,
-					 double *memory)
+static inline void ts_granular_note_load(const struct ts_granular_model *m, const struct ts_touch *t,
+					 double force, double *memory)
 {
 	double *own = memory + ts_granular_multi_at(m);
 
@@ -153,10 +154,10 @@ TS_INLINE void ts_granular_memory_signs(const struct ts_granular_model *m, signe
 		sign[ts_granular_multi_at(m) + TS_MULTI_ARM + k] = -1;
 }
 
-/* The distance at which a contact ends, less the sum of the radii: > 0 for surfaces that stick and have met. */
-TS_INLINE double ts_granular_beyond(const struct ts_granular_model *m,
-					const struct ts_granular_pair *c, double r_eff,
-					const double *memory)
+/* The distance at which a contact ends, less the sum of the radii: > 0 for surfaces that stick and have
+ * met. */
+TS_INLINE double ts_granular_beyond(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				    double r_eff, const double *memory)
 {
 	if (!ts_normal_sticks(m) || !(memory[ts_granular_met_at(m)] > 0))
 		return 0;
@@ -165,7 +166,8 @@ TS_INLINE double ts_granular_beyond(const struct ts_granular_model *m,
 
 /* The same of bridges: easo's are made where surfaces touch, washino's wherever they are near enough. */
 TS_INLINE double ts_granular_bridged(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-				     const double liquid[2], const double radius[2], bool wall, const double *memory)
+				     const double liquid[2], const double radius[2], bool wall,
+				     const double *memory)
 {
 	if (m->cohesion == TS_COHESION_EASO && !(memory[ts_granular_met_at(m)] > 0))
 		return 0;
@@ -173,17 +175,16 @@ TS_INLINE double ts_granular_bridged(const struct ts_granular_model *m, const st
 }
 
 /* The normal force and the slip, as of the time of the positions, of a contact that is located. */
-static inline void ts_granular_locate(const struct ts_granular_model *m, const struct ts_touch *t,
-				      double dt, bool advance, double *memory, struct ts_normal *n,
-				      struct ts_touch *now)
+static inline void ts_granular_locate(const struct ts_granular_model *m, const struct ts_touch *t, double dt,
+				      bool advance, double *memory, struct ts_normal *n, struct ts_touch *now)
 {
 	double *own = memory + ts_granular_located_at(m), stage = own[TS_LOCATED_STAGE];
 	struct ts_substep l = ts_substep_force(m, t, dt, advance, own, n);
 
 	*now = *t;
 	if (m->tangential != TS_TANGENTIAL_OFF)
-		ts_substep_slip(m, n, &l, stage, ts_tangential_remembers(m), advance ? dt : 0, own,
-				memory, now);
+		ts_substep_slip(m, n, &l, stage, ts_tangential_remembers(m), advance ? dt : 0, own, memory,
+				now);
 }
 
 /* A bridge between surfaces that do not touch: springs are gone. */
@@ -204,10 +205,9 @@ TS_INLINE void ts_granular_bridge(const struct ts_granular_model *m, const struc
 }
 
 /* `dt`: the time step; `advance`: false in the set-up of a run, when memory stands still. */
-TS_INLINE void
-ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-		    const struct ts_touch *t, double dt, bool advance, double *memory,
-		    struct ts_granular_force *out)
+TS_INLINE void ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				   const struct ts_touch *t, double dt, bool advance, double *memory,
+				   struct ts_granular_force *out)
 {
 	struct ts_normal n;
 	struct ts_touch now;
@@ -227,8 +227,8 @@ ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_
 	out->normal = n.force + pull;
 	if (m->reduce)
 		n.limit += pull;
-	ts_tangential_force(m, c, t, &n, advance ? dt : 0, memory,
-			    memory + ts_granular_area_at(m), tangential);
+	ts_tangential_force(m, c, t, &n, advance ? dt : 0, memory, memory + ts_granular_area_at(m),
+			    tangential);
 	if (ts_cohesion_bridges(m))
 		ts_bridge_slip(c, t, tangential);
 	if (m->located && m->tangential != TS_TANGENTIAL_OFF)

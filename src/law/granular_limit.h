@@ -1,18 +1,18 @@
 /* How long a step a contact bears.
  *
- * Near an overlap delta a contact is an oscillator with k = dF_n/d delta, the dashpot gamma_n and the mass m*;
- * slipping with rotation one with k_t, gamma_t and the mass m_t,
+ * Near an overlap delta a contact is an oscillator with k = dF_n/d delta, the dashpot gamma_n and the mass
+ * m*; slipping with rotation one with k_t, gamma_t and the mass m_t,
  *
  *   1/m_t = sum over the partners of (1/m + R^2/I) = (1 + m R^2/I)/m*,    I = 2/5 m R^2, of discs 1/2 m R^2.
  *
- * Leapfrog-like schemes (velocity Verlet and symplectic Euler, the damping force taken at the half step) bear
- * |z| <= 1 for z^2 - (2 - w^2 h^2 - 2 g h) z + 1 - 2 g h = 0, w^2 = k/m, g = gamma/(2 m): that is
- * h = 2 (sqrt(w^2 + g^2) - g)/w^2 = 2/(sqrt(w^2 + g^2) + g). Explicit Euler, z^2 - (2 - 2 g h) z + 1 - 2 g h + w^2 h^2, is stable for
- * h < 2 g/w^2 = gamma/k only.
+ * Leapfrog-like schemes (velocity Verlet and symplectic Euler, the damping force taken at the half step)
+ * bear |z| <= 1 for z^2 - (2 - w^2 h^2 - 2 g h) z + 1 - 2 g h = 0, w^2 = k/m, g = gamma/(2 m): that is h =
+ * 2 (sqrt(w^2 + g^2) - g)/w^2 = 2/(sqrt(w^2 + g^2) + g). Explicit Euler, z^2 - (2 - 2 g h) z + 1 - 2 g h +
+ * w^2 h^2, is stable for h < 2 g/w^2 = gamma/k only.
  *
- * Besides, what granular codes go by: the time that a surface wave takes along a sphere (J. W. S. Rayleigh;
- * C. O'Sullivan, J. D. Bray, Eng. Comput. 21 (2004) 278) and the duration of an elastic Hertz collision
- * (K. L. Johnson, Contact Mechanics, 1985, 11.4). */
+ * Besides, what granular codes go by: the time that a surface wave takes along a sphere (J. W. S.
+ * Rayleigh; C. O'Sullivan, J. D. Bray, Eng. Comput. 21 (2004) 278) and the duration of an elastic Hertz
+ * collision (K. L. Johnson, Contact Mechanics, 1985, 11.4). */
 #ifndef TS_LAW_GRANULAR_LIMIT_H
 #define TS_LAW_GRANULAR_LIMIT_H
 
@@ -20,8 +20,7 @@
 #include "law/normal.h"
 #include "math/constants.h"
 
-static inline double ts_oscillator_limit(double stiffness, double damping, double mass,
-					 bool explicit_euler)
+static inline double ts_oscillator_limit(double stiffness, double damping, double mass, bool explicit_euler)
 {
 	double w2 = stiffness / mass, g = damping / (2 * mass);
 
@@ -39,8 +38,8 @@ static inline bool ts_granular_stiffens(const struct ts_granular_model *m)
 
 /* Constants of a contact of these partners at rest. */
 static inline struct ts_normal ts_granular_at(const struct ts_granular_model *m,
-					      const struct ts_granular_pair *c, double r_eff,
-					      double m_eff, double overlap)
+					      const struct ts_granular_pair *c, double r_eff, double m_eff,
+					      double overlap)
 {
 	struct ts_touch t = { .r_eff = r_eff, .m_eff = m_eff, .overlap = overlap };
 	struct ts_granular_model dry = *m;
@@ -64,9 +63,8 @@ static inline struct ts_normal ts_granular_at(const struct ts_granular_model *m,
 }
 
 /* Of the motion along the normal. */
-static inline double ts_granular_limit(const struct ts_granular_model *m,
-				       const struct ts_granular_pair *c, double r_eff, double m_eff,
-				       double overlap, bool explicit_euler)
+static inline double ts_granular_limit(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				       double r_eff, double m_eff, double overlap, bool explicit_euler)
 {
 	struct ts_normal f = ts_granular_at(m, c, r_eff, m_eff, overlap);
 
@@ -75,24 +73,22 @@ static inline double ts_granular_limit(const struct ts_granular_model *m,
 
 /* Of slip; `inertia` is I/(m R^2). Friction keeps the forces bounded beyond it. */
 static inline double ts_granular_slip_limit(const struct ts_granular_model *m,
-					    const struct ts_granular_pair *c, double r_eff,
-					    double m_eff, double overlap, double inertia,
-					    bool explicit_euler)
+					    const struct ts_granular_pair *c, double r_eff, double m_eff,
+					    double overlap, double inertia, bool explicit_euler)
 {
 	struct ts_normal f = ts_granular_at(m, c, r_eff, m_eff, overlap);
 	double mass = m_eff / (1 + 1 / inertia);
 
 	if (m->tangential == TS_TANGENTIAL_OFF || !(c->friction > 0))
 		return INFINITY;
-	return ts_oscillator_limit(m->tangential == TS_TANGENTIAL_NO_HISTORY ? 0 : f.kt, f.gammat,
-				   mass, explicit_euler);
+	return ts_oscillator_limit(m->tangential == TS_TANGENTIAL_NO_HISTORY ? 0 : f.kt, f.gammat, mass,
+				   explicit_euler);
 }
 
 /* The largest overlap of an elastic collision at this speed, m* v^2/2 = 2/5 K delta^(5/2), of laws that
  * stiffen. */
-static inline double ts_granular_depth(const struct ts_granular_model *m,
-				       const struct ts_granular_pair *c, double r_eff, double m_eff,
-				       double speed)
+static inline double ts_granular_depth(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				       double r_eff, double m_eff, double speed)
 {
 	/* F = K delta^(3/2): at delta = 1 the tangent is 3/2 K */
 	double stiffness = ts_granular_at(m, c, r_eff, m_eff, 1).kn / 1.5;

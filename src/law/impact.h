@@ -2,8 +2,9 @@
  *
  *   m q'' = -F(q, q') + m g,   F = k q + c q'  (linear),   k ~ q^(1/2), c ~ q^(1/4) or q^(1/2)  (Hertz)
  *
- * q the overlap, m the effective mass, g what all other forces accelerate it by. Integrated by the classical
- * Runge-Kutta scheme of fourth order in eighths of a step: only steps in which a contact begins or ends need it. */
+ * q the overlap, m the effective mass, g what all other forces accelerate it by. Integrated by the
+ * classical Runge-Kutta scheme of fourth order in eighths of a step: only steps in which a contact begins
+ * or ends need it. */
 #ifndef TS_LAW_IMPACT_H
 #define TS_LAW_IMPACT_H
 
@@ -17,8 +18,8 @@ struct ts_impact {
 	bool no_tension;  /* the contact ends where the force is 0, else where the overlap is */
 };
 
-static inline struct ts_impact ts_impact_of(const struct ts_granular_model *m,
-					    const struct ts_touch *t, const struct ts_normal *n)
+static inline struct ts_impact ts_impact_of(const struct ts_granular_model *m, const struct ts_touch *t,
+					    const struct ts_normal *n)
 {
 	return (struct ts_impact){ .mass = t->m_eff,
 				   .k = n->kn,

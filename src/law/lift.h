@@ -21,12 +21,9 @@
 #include "math/constants.h"
 
 /* What w x W is multiplied by; 0 where nothing is sheared. */
-static inline double ts_lift_saffman(double diameter, double density, double viscosity,
-				     double vorticity)
+static inline double ts_lift_saffman(double diameter, double density, double viscosity, double vorticity)
 {
-	return vorticity > 0
-		       ? 1.615 * diameter * diameter * sqrt(density * viscosity / vorticity)
-		       : 0;
+	return vorticity > 0 ? 1.615 * diameter * diameter * sqrt(density * viscosity / vorticity) : 0;
 }
 
 static inline double ts_lift_mei(double diameter, double density, double viscosity, double speed,
@@ -37,8 +34,7 @@ static inline double ts_lift_mei(double diameter, double density, double viscosi
 	if (!(speed > 0))
 		return 1;
 	a = 0.5 * vorticity * diameter / speed;
-	return re <= 40 ? (1 - 0.3314 * sqrt(a)) * exp(-re / 10) + 0.3314 * sqrt(a)
-			: 0.0524 * sqrt(a * re);
+	return re <= 40 ? (1 - 0.3314 * sqrt(a)) * exp(-re / 10) + 0.3314 * sqrt(a) : 0.0524 * sqrt(a * re);
 }
 
 /* What S x w is multiplied by. */
@@ -47,16 +43,15 @@ static inline double ts_lift_magnus(double diameter, double density)
 	return TS_PI / 8 * density * diameter * diameter * diameter;
 }
 
-static inline double ts_lift_oesterle(double diameter, double density, double viscosity,
-				      double speed, double spin)
+static inline double ts_lift_oesterle(double diameter, double density, double viscosity, double speed,
+				      double spin)
 {
 	double re = density * speed * diameter / viscosity;
 	double re_s = density * spin * diameter * diameter / viscosity;
 
 	if (!(re_s > 0 && re > 0))
 		return 1;
-	return re / re_s * (0.45 + (re_s / re - 0.45) *
-					   exp(-0.05684 * pow(re_s, 0.4) * pow(re, 0.3)));
+	return re / re_s * (0.45 + (re_s / re - 0.45) * exp(-0.05684 * pow(re_s, 0.4) * pow(re, 0.3)));
 }
 
 /* What S is multiplied by. */

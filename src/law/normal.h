@@ -25,7 +25,7 @@
 #define TS_SQRT_5_6 0.91287092917527685576
 
 TS_INLINE void ts_normal_hertz(const struct ts_granular_pair *c, const struct ts_touch *t,
-				   struct ts_normal *f)
+			       struct ts_normal *f)
 {
 	double s = sqrt(t->r_eff * t->overlap), sn = 2 * c->young * s, st = 8 * c->shear * s;
 
@@ -52,17 +52,15 @@ TS_INLINE double ts_hooke_damping(double kn, double mass, double log_restitution
 
 /* Between wet grains the restitution falls with the Stokes number: ln e = ln e_max + St_c / St
  * (J. A. Simeonov, J. Calantoni, Granul. Matter 14 (2012) 1). */
-TS_INLINE double ts_viscous_log_restitution(const struct ts_granular_pair *c,
-						const struct ts_touch *t)
+TS_INLINE double ts_viscous_log_restitution(const struct ts_granular_pair *c, const struct ts_touch *t)
 {
 	double stokes = t->m_eff * t->vn / (6 * TS_PI * c->viscosity * t->r_eff * t->r_eff);
 
 	return log(c->largest_restitution) + c->critical_stokes / stokes;
 }
 
-TS_INLINE void ts_normal_hooke(const struct ts_granular_model *m,
-				   const struct ts_granular_pair *c, const struct ts_touch *t,
-				   struct ts_normal *f)
+TS_INLINE void ts_normal_hooke(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+			       const struct ts_touch *t, struct ts_normal *f)
 {
 	double log_e = m->viscous ? ts_viscous_log_restitution(c, t) : c->log_restitution;
 
@@ -71,9 +69,8 @@ TS_INLINE void ts_normal_hooke(const struct ts_granular_model *m,
 	f->gamman = f->gammat = ts_hooke_damping(f->kn, t->m_eff, log_e);
 }
 
-TS_INLINE void ts_normal_given(const struct ts_granular_model *m,
-				   const struct ts_granular_pair *c, const struct ts_touch *t,
-				   double factor, struct ts_normal *f)
+TS_INLINE void ts_normal_given(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+			       const struct ts_touch *t, double factor, struct ts_normal *f)
 {
 	double damping = m->absolute_damping ? 1 : factor * t->m_eff;
 
@@ -85,8 +82,8 @@ TS_INLINE void ts_normal_given(const struct ts_granular_model *m,
 
 /* The elastic force of hooke/hysteresis. *deepest: the largest overlap so far; it changes only when
  * `advance` is set. */
-TS_INLINE double ts_hysteretic_force(const struct ts_granular_pair *c, const struct ts_touch *t,
-					 double k1, bool advance, double *deepest)
+TS_INLINE double ts_hysteretic_force(const struct ts_granular_pair *c, const struct ts_touch *t, double k1,
+				     bool advance, double *deepest)
 {
 	double k2max = c->unloading * k1, kc = c->adhesion * k1, delta = t->overlap;
 	double softening = k2max / (k2max - k1), most = *deepest > delta ? *deepest : delta, k2, force, least;
@@ -106,9 +103,8 @@ TS_INLINE double ts_hysteretic_force(const struct ts_granular_pair *c, const str
 	return force;
 }
 
-TS_INLINE void ts_normal_force(const struct ts_granular_model *m,
-				   const struct ts_granular_pair *c, const struct ts_touch *t,
-				   bool advance, double *deepest, struct ts_normal *f)
+TS_INLINE void ts_normal_force(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+			       const struct ts_touch *t, bool advance, double *deepest, struct ts_normal *f)
 {
 	double elastic;
 

@@ -1,4 +1,5 @@
-/* Normal laws of contact by the radius a of the contact area, R the effective radius R*, m the effective mass:
+/* Normal laws of contact by the radius a of the contact area, R the effective radius R*, m the effective
+ * mass:
  *
  * hooke   F_e = k delta,                  k_a = k
  * hertz   F_e = k a delta,                k_a = k a, a = sqrt(R delta); k = 4/3 E of elastic spheres
@@ -10,14 +11,16 @@
  *
  * Dashpot gamma_n = gamma_0 f, gamma_t = x gamma_n:
  *
- * velocity f = 1; mass_velocity f = m; viscoelastic f = a m (N. V. Brilliantov et al., Phys. Rev. E 53 (1996) 5382);
+ * velocity f = 1; mass_velocity f = m; viscoelastic f = a m (N. V. Brilliantov et al., Phys. Rev. E 53
+ * (1996) 5382);
  * tsuji   f = sqrt(m k_a), gamma_0 a polynomial of the restitution
  *         (Y. Tsuji, T. Tanaka, T. Ishida, Powder Technol. 71 (1992) 239)
  * coeff_restitution  the same f, gamma_0 = 2 beta of hooke, sqrt(5) beta of hertz, beta = -ln e/sqrt(ln^2 e + pi^2): the
  *         restitution is e (D. Antypov, J. A. Elliott, EPL 94 (2011) 50004)
  *
- * k_t as given, or times a for the laws of Mindlin and those of LIGGGHTS. Friction of surfaces that stick is limited by F_e + 2 F_p, F_p the
- * force that parts them, 4 pi w R and 3 pi w R (C. Thornton, J. Phys. D 24 (1991) 1942). */
+ * k_t as given, or times a for the laws of Mindlin and those of LIGGGHTS. Friction of surfaces that stick
+ * is limited by F_e + 2 F_p, F_p the force that parts them, 4 pi w R and 3 pi w R (C. Thornton, J. Phys. D
+ * 24 (1991) 1942). */
 #ifndef TS_LAW_NORMAL_AREA_H
 #define TS_LAW_NORMAL_AREA_H
 
@@ -46,8 +49,8 @@ TS_INLINE bool ts_normal_sticks(const struct ts_granular_model *m)
 	return m->normal == TS_NORMAL_AREA_JKR;
 }
 
-TS_INLINE double ts_pull_off_force(const struct ts_granular_model *m,
-				       const struct ts_granular_pair *c, double r_eff)
+TS_INLINE double ts_pull_off_force(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				   double r_eff)
 {
 	return (m->normal == TS_NORMAL_AREA_JKR ? 3 : 4) * TS_PI * c->surface_energy * r_eff;
 }
@@ -108,7 +111,7 @@ TS_INLINE double ts_jkr_radius(const struct ts_granular_pair *c, double r_eff, d
 }
 
 TS_INLINE double ts_damping_factor(const struct ts_granular_model *m, const struct ts_touch *t,
-				       const struct ts_normal *f)
+				   const struct ts_normal *f)
 {
 	double root = sqrt(t->m_eff * f->kn);
 
@@ -120,7 +123,7 @@ TS_INLINE double ts_damping_factor(const struct ts_granular_model *m, const stru
 }
 
 TS_INLINE void ts_normal_area(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-				  const struct ts_touch *t, struct ts_normal *f)
+			      const struct ts_touch *t, struct ts_normal *f)
 {
 	*f = (struct ts_normal){ .kn = c->kn, .kt = c->kt };
 	if (m->normal == TS_NORMAL_AREA_JKR)
@@ -136,16 +139,14 @@ TS_INLINE void ts_normal_area(const struct ts_granular_model *m, const struct ts
 	f->gammat = c->gammat * f->gamman;
 }
 
-TS_INLINE double ts_normal_area_force(const struct ts_granular_model *m,
-					  const struct ts_granular_pair *c, const struct ts_touch *t,
-					  const struct ts_normal *f)
+TS_INLINE double ts_normal_area_force(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				      const struct ts_touch *t, const struct ts_normal *f)
 {
 	double a2 = f->area * f->area;
 
 	if (m->normal == TS_NORMAL_AREA_JKR)
 		return f->kn * a2 / t->r_eff -
-		       2 * TS_PI * a2 *
-			       sqrt(4 * c->surface_energy * ts_jkr_modulus(c) / (TS_PI * f->area));
+		       2 * TS_PI * a2 * sqrt(4 * c->surface_energy * ts_jkr_modulus(c) / (TS_PI * f->area));
 	if (m->normal == TS_NORMAL_AREA_DMT)
 		return f->kn * t->overlap - ts_pull_off_force(m, c, t->r_eff);
 	return f->kn * t->overlap;

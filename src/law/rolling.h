@@ -19,9 +19,8 @@
 
 /* Friction of constant torque follows the elastic force k_n delta, and projects the torque after it
  * has been made from the whole of |w_r|. */
-TS_INLINE void ts_rolling_constant(const struct ts_granular_model *m,
-				       const struct ts_granular_pair *c, const struct ts_touch *t,
-				       const struct ts_normal *n, double torque[3])
+TS_INLINE void ts_rolling_constant(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				   const struct ts_touch *t, const struct ts_normal *n, double torque[3])
 {
 	double speed = ts_norm(t->roll), most = c->rolling_friction * n->kn * t->overlap * t->r_eff;
 
@@ -30,9 +29,8 @@ TS_INLINE void ts_rolling_constant(const struct ts_granular_model *m,
 		ts_project(t->n, torque);
 }
 
-TS_INLINE double ts_rolling_stiffness(const struct ts_granular_model *m,
-					  const struct ts_granular_pair *c,
-					  const struct ts_touch *t, const struct ts_normal *n)
+TS_INLINE double ts_rolling_stiffness(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				      const struct ts_touch *t, const struct ts_normal *n)
 {
 	double r2 = t->r_eff * t->r_eff, mu2 = c->rolling_friction * c->rolling_friction;
 
@@ -57,10 +55,9 @@ TS_INLINE double ts_rolling_inertia(const struct ts_granular_model *m, const str
 }
 
 /* The spring is advanced in set-up too, as LIGGGHTS does, but kept only in steps. */
-TS_INLINE void ts_rolling_spring(const struct ts_granular_model *m,
-				     const struct ts_granular_pair *c, const struct ts_touch *t,
-				     const struct ts_normal *n, double dt, bool advance,
-				     double stored[3], double torque[3])
+TS_INLINE void ts_rolling_spring(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				 const struct ts_touch *t, const struct ts_normal *n, double dt, bool advance,
+				 double stored[3], double torque[3])
 {
 	double k = ts_rolling_stiffness(m, c, t, n), length, share, dashpot = 0;
 	double limit = fabs(n->limit) * t->r_eff * c->rolling_friction;
@@ -83,10 +80,10 @@ TS_INLINE void ts_rolling_spring(const struct ts_granular_model *m,
 }
 
 TS_INLINE void ts_rolling_slider(const struct ts_granular_pair *c, const struct ts_touch *t,
-				     const struct ts_normal *n, double step, double stored[3],
-				     double torque[3])
+				 const struct ts_normal *n, double step, double stored[3], double torque[3])
 {
-	struct ts_slider slider = { .k = c->roll_stiffness, .gamma = c->roll_damping,
+	struct ts_slider slider = { .k = c->roll_stiffness,
+				    .gamma = c->roll_damping,
 				    .limit = c->rolling_friction * fabs(n->limit) };
 	double velocity[3], force[3], turned[3];
 
@@ -98,10 +95,9 @@ TS_INLINE void ts_rolling_slider(const struct ts_granular_pair *c, const struct 
 	ts_scale(-t->r_eff, turned, torque);
 }
 
-TS_INLINE void ts_rolling_torque(const struct ts_granular_model *m,
-				     const struct ts_granular_pair *c, const struct ts_touch *t,
-				     const struct ts_normal *n, double dt, bool advance,
-				     double *stored, double torque[3])
+TS_INLINE void ts_rolling_torque(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				 const struct ts_touch *t, const struct ts_normal *n, double dt, bool advance,
+				 double *stored, double torque[3])
 {
 	if (m->rolling == TS_ROLLING_OFF)
 		torque[0] = torque[1] = torque[2] = 0;

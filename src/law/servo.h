@@ -1,13 +1,14 @@
 /* Stability of a surface whose speed is set after each step by the force that it has met.
  *
- * With the stiffness K and the damping C of all its contacts together, particles held (in a step of a stable run
- * they hardly move), the surface goes on by x += v h and the force of the next step is F = K x + C v. The
- * controller gives, with the gains as speed by force, v = -(p F + i h sum(F) + d (F - F_last)/h). In z that is
+ * With the stiffness K and the damping C of all its contacts together, particles held (in a step of a
+ * stable run they hardly move), the surface goes on by x += v h and the force of the next step is F = K x
+ * + C v. The controller gives, with the gains as speed by force, v = -(p F + i h sum(F) + d (F -
+ * F_last)/h). In z that is
  *
  *   z^2 (z - 1)^2 + (K h z + C (z - 1)) (p z (z - 1) + i h z^2 + d/h (z - 1)^2) = 0,
  *
- * stable where all |z| <= 1; with p alone where p (K h + 2 C) < 2: the force must not change by more within a
- * step than twice what has caused it. */
+ * stable where all |z| <= 1; with p alone where p (K h + 2 C) < 2: the force must not change by more
+ * within a step than twice what has caused it. */
 #ifndef TS_LAW_SERVO_H
 #define TS_LAW_SERVO_H
 
@@ -37,8 +38,8 @@ static inline bool ts_zeros_within(double *c, int n)
 	return true;
 }
 
-/* With the gains times `factor`. Without integral the polynomial has a zero at 1, the place, which is divided out.
- * Growth by 1e-6 in a step is let be: an integral alone swings without end. */
+/* With the gains times `factor`. Without integral the polynomial has a zero at 1, the place, which is
+ * divided out. Growth by 1e-6 in a step is let be: an integral alone swings without end. */
 static inline bool ts_servo_stable(const struct ts_servo_loop *s, double factor, double h)
 {
 	double p = factor * s->gain[0], i = factor * s->gain[1] * h, d = factor * s->gain[2] / h;

@@ -19,9 +19,9 @@
  * end      foreseen when the motion ends the contact in the next step: the force aims at the velocity with which
  *          they part, and what is left of the overlap has none.
  *
- * Each is of second order or better for linear laws; Hertz' dashpot, ~ q^(1/4), leaves order 5/4. Without a dashpot there
- * is nothing to correct, and the force is left as it is. What a contact remembers: the velocity u aimed at, how much too
- * far the flight was, its stage. */
+ * Each is of second order or better for linear laws; Hertz' dashpot, ~ q^(1/4), leaves order 5/4. Without
+ * a dashpot there is nothing to correct, and the force is left as it is. What a contact remembers: the
+ * velocity u aimed at, how much too far the flight was, its stage. */
 #ifndef TS_LAW_SUBSTEP_H
 #define TS_LAW_SUBSTEP_H
 
@@ -41,16 +41,17 @@ static inline int ts_substep_memory(const struct ts_granular_model *m)
 	return m->tangential == TS_TANGENTIAL_OFF ? TS_LOCATED_SLIP : TS_LOCATED_MEMORY;
 }
 enum ts_substep_stage {
-	TS_LOCATED_NEW,	    /* no step yet */
-	TS_LOCATED_SET_UP,  /* the force before the first step has aimed half a step ahead */
+	TS_LOCATED_NEW,	   /* no step yet */
+	TS_LOCATED_SET_UP, /* the force before the first step has aimed half a step ahead */
 	TS_LOCATED_TOUCHES,
-	TS_LOCATED_LEFT	    /* ended, but for what is left of the overlap */
+	TS_LOCATED_LEFT /* ended, but for what is left of the overlap */
 };
 
 /* How much of the step whose force this is the contact lasts. */
 struct ts_substep {
 	double before; /* of the time since the last force: what tangential memory advances by */
-	double around; /* of the time from half a step before to half a step later, or more where a contact begins */
+	/* of the time from half a step before to half a step later, or more where a contact begins */
+	double around;
 };
 
 /* Whether the law is one that can be located. */
@@ -59,23 +60,23 @@ static inline bool ts_substep_knows(const struct ts_granular_model *m)
 	return m->normal > TS_NORMAL_OFF && m->normal < TS_NORMAL_HOOKE_HYSTERESIS && !m->viscous;
 }
 
-/* phi and psi. With z = gamma h, y = omega h: |1 - exp(-lambda h)|^2 = 2 exp(-z) (cosh z - cos y), a series of
- * z^2 + y^2 = (omega0 h)^2 that needs no case for overdamped contacts, y^2 < 0. exp(-z) = (even - odd)/(even + odd), Pade's
- * approximation of order (4, 4): exact to 4e-13 for z < 0.3, to 4e-8 for z < 1. */
+/* phi and psi. With z = gamma h, y = omega h: |1 - exp(-lambda h)|^2 = 2 exp(-z) (cosh z - cos y), a
+ * series of z^2 + y^2 = (omega0 h)^2 that needs no case for overdamped contacts, y^2 < 0. exp(-z) = (even
+ * - odd)/(even + odd), Pade's approximation of order (4, 4): exact to 4e-13 for z < 0.3, to 4e-8 for z <
+ * 1. */
 static inline void ts_substep_factors(double z, double w2, double *phi, double *psi)
 {
 	double a = z * z, b = w2 - a, half = 0.5 + a / 84, even = 1 + a * (3.0 / 28 + a / 1680);
 	double inverse = 1 / (even + z * half);
-	double series = 1 + (a - b) / 12 + (a * a - a * b + b * b) / 360 +
-			(a - b) * (a * a + b * b) / 20160;
+	double series = 1 + (a - b) / 12 + (a * a - a * b + b * b) / 360 + (a - b) * (a * a + b * b) / 20160;
 
 	*phi = (even - z * half) * inverse * series;
 	*psi = 2 * half * even * inverse * inverse;
 }
 
 /* The velocity aimed at in a step that ends with a contact begun for q/u. */
-static inline double ts_substep_begin(const struct ts_impact *o, double h, double q, double u,
-				      double *memory, struct ts_substep *l)
+static inline double ts_substep_begin(const struct ts_impact *o, double h, double q, double u, double *memory,
+				      struct ts_substep *l)
 {
 	double at = 0, v = u, from, time;
 	bool ended;
@@ -91,21 +92,20 @@ static inline double ts_substep_begin(const struct ts_impact *o, double h, doubl
 }
 
 /* Whether the contact may end in the next step, which `force` would begin. */
-static inline bool ts_substep_near_end(const struct ts_impact *o, double h, double q, double u,
-				       double force)
+static inline bool ts_substep_near_end(const struct ts_impact *o, double h, double q, double u, double force)
 {
 	double next = u + h * (o->g - force / o->mass), there = q + h * next;
 
 	return there <= 0 ||
-	       (o->no_tension &&
-		ts_impact_force(o, there, next + 0.5 * (next - u)) < 0.25 * force);
+	       (o->no_tension && ts_impact_force(o, there, next + 0.5 * (next - u)) < 0.25 * force);
 }
 
-/* The velocity aimed at, if the contact ends; else *ended is false. `u`: as if the flight had not been too far. The velocity
- * at t is the one with which the motion a step back was at q - h u. The velocity v when they part is that of the middle of
- * the step, less what g adds from there on, g (h/2 - time), and without the g h that comes besides. */
-static inline double ts_substep_leave(const struct ts_impact *o, double h, double q, double u,
-				      double force, struct ts_substep *l, bool *ended)
+/* The velocity aimed at, if the contact ends; else *ended is false. `u`: as if the flight had not been too
+ * far. The velocity at t is the one with which the motion a step back was at q - h u. The velocity v when
+ * they part is that of the middle of the step, less what g adds from there on, g (h/2 - time), and without
+ * the g h that comes besides. */
+static inline double ts_substep_leave(const struct ts_impact *o, double h, double q, double u, double force,
+				      struct ts_substep *l, bool *ended)
 {
 	double at, v = u + 0.5 * h * (o->g - force / o->mass), time;
 
@@ -152,9 +152,8 @@ static inline double ts_substep_within(struct ts_impact *o, const struct ts_touc
 }
 
 /* The normal force of a step, instead of that of ts_normal_force, which has filled *n. */
-static inline struct ts_substep ts_substep_force(const struct ts_granular_model *m,
-						 const struct ts_touch *t, double h, bool advance,
-						 double *memory, struct ts_normal *n)
+static inline struct ts_substep ts_substep_force(const struct ts_granular_model *m, const struct ts_touch *t,
+						 double h, bool advance, double *memory, struct ts_normal *n)
 {
 	struct ts_impact o = ts_impact_of(m, t, n);
 	struct ts_substep l = { advance ? h : 0, 1 };
@@ -188,13 +187,13 @@ static inline double ts_substep_slip_mass(const struct ts_granular_model *m, con
 	return t->m_eff / (m->plane ? 3 : 3.5);
 }
 
-/* The slip s at t, as far as springs and dashpots make it: s = u + h/2 (g + F/m), F = -k_t xi - gamma_t s, with the slip u of
- * half a step before and, as above, g what all else changes it by. The spring xi will be advanced by s for the whole of
- * *step: what is too much is taken back first. `stage`: before this step. */
+/* The slip s at t, as far as springs and dashpots make it: s = u + h/2 (g + F/m), F = -k_t xi - gamma_t s,
+ * with the slip u of half a step before and, as above, g what all else changes it by. The spring xi will
+ * be advanced by s for the whole of *step: what is too much is taken back first. `stage`: before this
+ * step. */
 static inline void ts_substep_slip(const struct ts_granular_model *m, const struct ts_normal *n,
-				   const struct ts_substep *l, double stage, bool remembers,
-				   double step, const double *memory, double *xi,
-				   struct ts_touch *t)
+				   const struct ts_substep *l, double stage, bool remembers, double step,
+				   const double *memory, double *xi, struct ts_touch *t)
 {
 	double mass = ts_substep_slip_mass(m, t), z = 0.5 * step * n->gammat / mass;
 	bool known = stage == TS_LOCATED_SET_UP || stage == TS_LOCATED_TOUCHES;
@@ -213,12 +212,10 @@ static inline void ts_substep_slip(const struct ts_granular_model *m, const stru
 
 /* Afterwards: the slip that the force on i aims at. `u`: half a step before. */
 static inline void ts_substep_slips(const struct ts_granular_model *m, const struct ts_touch *t,
-				    const double u[3], double time, const double force[3],
-				    double *memory)
+				    const double u[3], double time, const double force[3], double *memory)
 {
 	for (int k = 0; k < 3; k++)
-		memory[TS_LOCATED_SLIP + k] =
-			u[k] + time * force[k] / ts_substep_slip_mass(m, t);
+		memory[TS_LOCATED_SLIP + k] = u[k] + time * force[k] / ts_substep_slip_mass(m, t);
 }
 
 #endif

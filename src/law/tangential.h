@@ -19,8 +19,7 @@
 #include "law/tangential_turning.h"
 
 TS_INLINE void ts_tangential_history(const struct ts_granular_pair *c, const struct ts_touch *t,
-					 const struct ts_normal *n, double step, double xi[3],
-					 double force[3])
+				     const struct ts_normal *n, double step, double xi[3], double force[3])
 {
 	double limit = c->friction * fabs(n->limit), spring, share, gamma;
 	bool slides;
@@ -40,8 +39,8 @@ TS_INLINE void ts_tangential_history(const struct ts_granular_pair *c, const str
 }
 
 TS_INLINE void ts_tangential_incremental(const struct ts_granular_pair *c, const struct ts_touch *t,
-					     const struct ts_normal *n, double step, double spring[3],
-					     double force[3])
+					 const struct ts_normal *n, double step, double spring[3],
+					 double force[3])
 {
 	double limit = c->friction * fabs(n->limit), size, share, gamma;
 	bool slides;
@@ -61,8 +60,7 @@ TS_INLINE void ts_tangential_incremental(const struct ts_granular_pair *c, const
 }
 
 TS_INLINE void ts_tangential_slider(const struct ts_granular_pair *c, const struct ts_touch *t,
-					const struct ts_normal *n, double step, double xi[3],
-					double force[3])
+				    const struct ts_normal *n, double step, double xi[3], double force[3])
 {
 	double limit = c->friction * fabs(n->limit), size, share;
 	bool fresh;
@@ -82,9 +80,8 @@ TS_INLINE void ts_tangential_slider(const struct ts_granular_pair *c, const stru
 		xi[k] = -(force[k] + n->gammat * t->slip[k]) / n->kt;
 }
 
-TS_INLINE void ts_tangential_no_history(const struct ts_granular_pair *c,
-					    const struct ts_touch *t, const struct ts_normal *n,
-					    double force[3])
+TS_INLINE void ts_tangential_no_history(const struct ts_granular_pair *c, const struct ts_touch *t,
+					const struct ts_normal *n, double force[3])
 {
 	double limit = c->friction * fabs(n->limit), speed = ts_norm(t->slip), gamma = n->gammat;
 
@@ -98,12 +95,11 @@ TS_INLINE bool ts_tangential_remembers(const struct ts_granular_model *m)
 	return m->tangential != TS_TANGENTIAL_OFF && m->tangential != TS_TANGENTIAL_NO_HISTORY;
 }
 
-/* The force on i. `step`: by how much time the memory advances, 0 in set-up; *last: radius of the contact area in
- * the last step. */
-TS_INLINE void ts_tangential_force(const struct ts_granular_model *m,
-				       const struct ts_granular_pair *c, const struct ts_touch *t,
-				       const struct ts_normal *n, double step, double *xi,
-				       double *last, double force[3])
+/* The force on i. `step`: by how much time the memory advances, 0 in set-up; *last: radius of the contact
+ * area in the last step. */
+TS_INLINE void ts_tangential_force(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				   const struct ts_touch *t, const struct ts_normal *n, double step,
+				   double *xi, double *last, double force[3])
 {
 	if (m->tangential == TS_TANGENTIAL_HISTORY)
 		ts_tangential_history(c, t, n, step, xi, force);

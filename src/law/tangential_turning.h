@@ -25,8 +25,8 @@ TS_INLINE double ts_slider_factor(const struct ts_slider *s)
 	return s->force ? 1 : -s->k;
 }
 
-TS_INLINE void ts_slider_advance(const struct ts_slider *s, const double n[3],
-				     const double velocity[3], double step, double xi[3])
+TS_INLINE void ts_slider_advance(const struct ts_slider *s, const double n[3], const double velocity[3],
+				 double step, double xi[3])
 {
 	double before = ts_norm(xi), after;
 
@@ -41,7 +41,7 @@ TS_INLINE void ts_slider_advance(const struct ts_slider *s, const double n[3],
 
 /* A spring without length and a dashpot beyond the limit give no force. */
 TS_INLINE void ts_slider_force(const struct ts_slider *s, const double velocity[3], double xi[3],
-				   double force[3])
+			       double force[3])
 {
 	double factor = ts_slider_factor(s), size;
 
@@ -66,8 +66,8 @@ TS_INLINE bool ts_tangential_rescales(const struct ts_granular_model *m)
 }
 
 TS_INLINE struct ts_slider ts_tangential_slider_of(const struct ts_granular_model *m,
-						       const struct ts_granular_pair *c,
-						       const struct ts_normal *n)
+						   const struct ts_granular_pair *c,
+						   const struct ts_normal *n)
 {
 	return (struct ts_slider){ .k = n->kt,
 				   .gamma = n->gammat,
@@ -78,10 +78,9 @@ TS_INLINE struct ts_slider ts_tangential_slider_of(const struct ts_granular_mode
 }
 
 /* *last: a in the last step. */
-TS_INLINE void ts_tangential_turning(const struct ts_granular_model *m,
-					 const struct ts_granular_pair *c, const struct ts_touch *t,
-					 const struct ts_normal *n, double step, double xi[3],
-					 double *last, double force[3])
+TS_INLINE void ts_tangential_turning(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				     const struct ts_touch *t, const struct ts_normal *n, double step,
+				     double xi[3], double *last, double force[3])
 {
 	struct ts_slider slider = ts_tangential_slider_of(m, c, n);
 

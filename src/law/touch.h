@@ -25,8 +25,9 @@ struct ts_touch {
 	double slip[3];	     /* tangential velocity of i relative to j at the contact point */
 	double roll[3];	     /* relative rotation that rolling friction resists */
 	double spin[3];	     /* w_i - w_j */
-	double liquid[2];    /* on i and j, by their own volumes, where the model has bridges; [1] = 0 for a wall */
-	double solved;	     /* where the model says that it is known; see struct ts_granular_model */
+	/* on i and j, by their own volumes, where the model has bridges; [1] = 0 for a wall */
+	double liquid[2];
+	double solved; /* where the model says that it is known; see struct ts_granular_model */
 	bool wall;
 };
 
@@ -38,8 +39,7 @@ TS_INLINE void ts_project(const double n[3], double v[3])
 
 /* Velocities at the contact: slip = v_t + n x (lever_i w_i + lever_j w_j). `v` is v_i - v_j. n, lever
  * and wall are set. */
-TS_INLINE void ts_touch_motion(struct ts_touch *t, const double v[3], const double wi[3],
-				   const double wj[3])
+TS_INLINE void ts_touch_motion(struct ts_touch *t, const double v[3], const double wi[3], const double wj[3])
 {
 	double turn[3], lift[3];
 

@@ -1,5 +1,5 @@
-/* Friction of twisting: a torque T n on i, -T n on j, against the relative rotation w about the normal. A spring along
- * the angle phi, phi += w h, with dashpot and slider: T = -k phi - gamma w, |T| <= mu |F_n|
+/* Friction of twisting: a torque T n on i, -T n on j, against the relative rotation w about the normal. A
+ * spring along the angle phi, phi += w h, with dashpot and slider: T = -k phi - gamma w, |T| <= mu |F_n|
  * (J. S. Marshall, J. Comput. Phys. 228 (2009) 1541, eqs. 29 to 33).
  *
  * sds       k, gamma and mu as given
@@ -13,21 +13,20 @@ struct ts_twist {
 	double k, gamma, friction;
 };
 
-TS_INLINE struct ts_twist ts_twist_of(const struct ts_granular_model *m,
-					  const struct ts_granular_pair *c, const struct ts_normal *n)
+TS_INLINE struct ts_twist ts_twist_of(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				      const struct ts_normal *n)
 {
 	double a2 = n->area * n->area;
 
 	if (m->twisting == TS_TWISTING_SDS)
 		return (struct ts_twist){ c->twist_stiffness, c->twist_damping, c->twist_friction };
-	return (struct ts_twist){ 0.5 * n->kt * a2, 0.5 * n->gammat * a2,
-				  2.0 / 3.0 * n->area * c->friction };
+	return (struct ts_twist){ 0.5 * n->kt * a2, 0.5 * n->gammat * a2, 2.0 / 3.0 * n->area * c->friction };
 }
 
 /* T. `step`: by how much time the memory advances, 0 in set-up. */
-TS_INLINE double ts_twisting_torque(const struct ts_granular_model *m,
-					const struct ts_granular_pair *c, const struct ts_touch *t,
-					const struct ts_normal *n, double step, double *phi)
+TS_INLINE double ts_twisting_torque(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				    const struct ts_touch *t, const struct ts_normal *n, double step,
+				    double *phi)
 {
 	struct ts_twist twist;
 	double rate, torque, limit;

@@ -30,16 +30,16 @@ struct ts_library {
 int ts_library_settle(struct tsim *sim, enum ts_status status);
 /* Refuses a pointer that is NULL and may not be; sim itself may be that. */
 int ts_library_null(struct tsim *sim, const char *function, const char *argument);
-#define TS_LIBRARY_NEEDS(sim, pointer)                                                             \
-	do {                                                                                       \
-		if (!(pointer))                                                                    \
-			return ts_library_null((sim), __func__, #pointer);                         \
+#define TS_LIBRARY_NEEDS(sim, pointer)                                     \
+	do {                                                               \
+		if (!(pointer))                                            \
+			return ts_library_null((sim), __func__, #pointer); \
 	} while (0)
 /* An array without elements may be NULL. */
-#define TS_LIBRARY_NEEDS_ARRAY(sim, pointer, n)                                                    \
-	do {                                                                                       \
-		if ((n) && !(pointer))                                                             \
-			return ts_library_null((sim), __func__, #pointer);                         \
+#define TS_LIBRARY_NEEDS_ARRAY(sim, pointer, n)                            \
+	do {                                                               \
+		if ((n) && !(pointer))                                     \
+			return ts_library_null((sim), __func__, #pointer); \
 	} while (0)
 /* Refuses what is not possible inside a step. */
 enum ts_status ts_library_idle(struct tsim *sim, const char *what);

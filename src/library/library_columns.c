@@ -29,8 +29,8 @@ static enum ts_status check_count(struct tsim *sim, size_t n)
 {
 	if (n == tsim_count(sim))
 		return TS_OK;
-	return ts_fail(&sim->error, TS_RANGE, NULL,
-		       "the array has room for %zu particles, there are %zu", n, tsim_count(sim));
+	return ts_fail(&sim->error, TS_RANGE, NULL, "the array has room for %zu particles, there are %zu", n,
+		       tsim_count(sim));
 }
 
 enum ts_status ts_library_rows(struct tsim *sim, const int32_t *id, size_t n, int32_t **rows)
@@ -50,8 +50,8 @@ enum ts_status ts_library_rows(struct tsim *sim, const int32_t *id, size_t n, in
 		if ((*rows)[k] < 0) {
 			ts_free(*rows);
 			*rows = NULL;
-			return ts_fail(&sim->error, TS_UNKNOWN, NULL,
-				       "there is no particle with identity %d", id[k]);
+			return ts_fail(&sim->error, TS_UNKNOWN, NULL, "there is no particle with identity %d",
+				       id[k]);
 		}
 	}
 	return TS_OK;
@@ -69,8 +69,7 @@ static enum ts_status quantity(struct tsim *sim, const char *name, struct ts_tab
 }
 
 /* row NULL: in the order of memory. */
-static enum ts_status get(struct tsim *sim, const char *name, const int32_t *row, double *out,
-			  size_t n)
+static enum ts_status get(struct tsim *sim, const char *name, const int32_t *row, double *out, size_t n)
 {
 	struct ts_table table = { 0 };
 	enum ts_status status = quantity(sim, name, &table);
@@ -96,14 +95,12 @@ static enum ts_status may_write(struct tsim *sim, const char *name)
 		return ts_fail(&sim->error, TS_STATE, NULL,
 			       "inside a step '%s' can be written only at its end", name);
 	if (kind == TS_ASSIGN_PROPERTY && stage >= 0)
-		return ts_fail(&sim->error, TS_STATE, NULL,
-			       "'%s' can be written only between runs", name);
+		return ts_fail(&sim->error, TS_STATE, NULL, "'%s' can be written only between runs", name);
 	return TS_OK;
 }
 
 /* What forces depend on is compared before each run, so new values need no further notice. */
-static enum ts_status put(struct tsim *sim, const char *name, const int32_t *row, const double *in,
-			  size_t n)
+static enum ts_status put(struct tsim *sim, const char *name, const int32_t *row, const double *in, size_t n)
 {
 	TS_TRY(may_write(sim, name));
 	if (!sim->running)
@@ -207,8 +204,7 @@ static enum ts_status no_column(struct tsim *sim, const char *name)
 	for (size_t c = 0; c < p->ncolumns; c++) {
 		if (!p->column[c].active && ts_streq(p->column[c].name, name))
 			return ts_fail(&sim->error, TS_STATE, NULL,
-				       "column '%s' is not kept: no style of the script needs it",
-				       name);
+				       "column '%s' is not kept: no style of the script needs it", name);
 		if (p->column[c].active)
 			ts_suggest_try(&suggest, p->column[c].name);
 	}

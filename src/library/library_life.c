@@ -126,8 +126,7 @@ void ts_library_give(void *out, const void *full, size_t size)
 	if (room > size)
 		room = size;
 	if (room > sizeof room)
-		memcpy((char *)out + sizeof room, (const char *)full + sizeof room,
-		       room - sizeof room);
+		memcpy((char *)out + sizeof room, (const char *)full + sizeof room, room - sizeof room);
 }
 
 void ts_library_copy(const char *text, char *out, size_t room, size_t *length)

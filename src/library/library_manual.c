@@ -61,8 +61,7 @@ static const struct ts_style *find(const char *kind, const char *style, struct t
 	return NULL;
 }
 
-int tsim_help(const char *kind, const char *style, int markdown, char *out, size_t room,
-	      size_t *length)
+int tsim_help(const char *kind, const char *style, int markdown, char *out, size_t room, size_t *length)
 {
 	struct ts_str text = { 0 };
 	const struct ts_style *found = find(kind, style, &text);
@@ -104,13 +103,20 @@ static const struct ts_arg *find_row(const struct ts_arg *row, size_t *k, const 
 static const char *type_name(const struct ts_arg *row)
 {
 	static const char *const names[] = {
-		[TS_ARG_REAL] = "number",     [TS_ARG_INT] = "whole number",
-		[TS_ARG_BOOL] = "yes or no",  [TS_ARG_FLAG] = "keyword without value",
-		[TS_ARG_WORD] = "word",	      [TS_ARG_ENUM] = "one of the choices",
-		[TS_ARG_VEC3] = "3 numbers",  [TS_ARG_COORD] = "number, INF or EDGE",
-		[TS_ARG_NUMBER] = "number or v_NAME", [TS_ARG_TYPES] = "types",
-		[TS_ARG_GROUP] = "group",     [TS_ARG_REGION] = "region",
-		[TS_ARG_REF] = "reference",   [TS_ARG_MODE] = "mode",
+		[TS_ARG_REAL] = "number",
+		[TS_ARG_INT] = "whole number",
+		[TS_ARG_BOOL] = "yes or no",
+		[TS_ARG_FLAG] = "keyword without value",
+		[TS_ARG_WORD] = "word",
+		[TS_ARG_ENUM] = "one of the choices",
+		[TS_ARG_VEC3] = "3 numbers",
+		[TS_ARG_COORD] = "number, INF or EDGE",
+		[TS_ARG_NUMBER] = "number or v_NAME",
+		[TS_ARG_TYPES] = "types",
+		[TS_ARG_GROUP] = "group",
+		[TS_ARG_REGION] = "region",
+		[TS_ARG_REF] = "reference",
+		[TS_ARG_MODE] = "mode",
 		[TS_ARG_REST] = "words",
 	};
 

@@ -24,19 +24,18 @@ static enum ts_status check_position(struct tsim *sim, size_t k, const double x[
 				       x[2]);
 		if (box->face[d][0] == TS_FACE_FIXED && !(x[d] >= box->lo[d] && x[d] <= box->hi[d]))
 			return ts_fail(&sim->error, TS_RANGE, NULL,
-				       "particle %zu of the new lies outside the box: (%g %g %g)", k,
-				       x[0], x[1], x[2]);
+				       "particle %zu of the new lies outside the box: (%g %g %g)", k, x[0],
+				       x[1], x[2]);
 	}
 	return TS_OK;
 }
 
-static enum ts_status check_positive(struct tsim *sim, size_t k, const double *value,
-				     const char *name)
+static enum ts_status check_positive(struct tsim *sim, size_t k, const double *value, const char *name)
 {
 	if (!value || (value[k] > 0 && isfinite(value[k])))
 		return TS_OK;
-	return ts_fail(&sim->error, TS_RANGE, NULL, "particle %zu of the new: %s is %g, expected > 0",
-		       k, name, value[k]);
+	return ts_fail(&sim->error, TS_RANGE, NULL, "particle %zu of the new: %s is %g, expected > 0", k,
+		       name, value[k]);
 }
 
 static enum ts_status check_new(struct tsim *sim, const struct tsim_particles *from)
@@ -167,8 +166,8 @@ static enum ts_status check_members(struct tsim *sim, size_t n)
 {
 	if (n == sim->particles->n)
 		return TS_OK;
-	return ts_fail(&sim->error, TS_RANGE, NULL,
-		       "the array has room for %zu particles, there are %zu", n, sim->particles->n);
+	return ts_fail(&sim->error, TS_RANGE, NULL, "the array has room for %zu particles, there are %zu", n,
+		       sim->particles->n);
 }
 
 int tsim_group_get(struct tsim *sim, const char *name, unsigned char *member, size_t n)
@@ -187,8 +186,7 @@ int tsim_group_get(struct tsim *sim, const char *name, unsigned char *member, si
 	return ts_library_settle(sim, status);
 }
 
-static enum ts_status set_group(struct tsim *sim, const char *name, const unsigned char *member,
-				size_t n)
+static enum ts_status set_group(struct tsim *sim, const char *name, const unsigned char *member, size_t n)
 {
 	uint32_t *mask = sim->particles->mask;
 	int bit;

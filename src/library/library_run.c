@@ -113,8 +113,7 @@ int tsim_step(struct tsim *sim, int64_t n)
 
 	if (status == TS_OK && !ts_sim_has_box(sim))
 		status = ts_fail(&sim->error, TS_STATE, NULL,
-				 "tsim_step needs a simulation box: use create_box or read_restart "
-				 "first");
+				 "tsim_step needs a simulation box: use create_box or read_restart first");
 	if (status == TS_OK && (n < 0 || n > INT64_MAX - sim->clock.step))
 		status = ts_fail(&sim->error, TS_RANGE, NULL,
 				 "tsim_step: %" PRId64 " steps asked for, expected 0 or more", n);
@@ -207,8 +206,7 @@ static enum ts_status add_call(struct tsim *sim, enum tsim_stage stage, struct t
 	return TS_OK;
 }
 
-static enum ts_status remove_call(struct tsim *sim, enum tsim_stage stage,
-				  struct ts_library_call call)
+static enum ts_status remove_call(struct tsim *sim, enum tsim_stage stage, struct ts_library_call call)
 {
 	struct ts_library_calls *calls = &sim->library->calls[stage];
 	size_t k = 0;

@@ -26,16 +26,15 @@ int tsim_value(struct tsim *sim, const char *formula, double *out)
 static enum ts_status whole_output(struct tsim *sim, struct ts_instance *inst, enum ts_shape shape,
 				   struct ts_table *out)
 {
-	static const char *const shapes[] = { [TSIM_PER_PARTICLE] = "per-particle",
-					      [TSIM_LOCAL] = "local",
-					      [TSIM_ARRAY] = "array" };
+	static const char *const shapes[] = {
+		[TSIM_PER_PARTICLE] = "per-particle", [TSIM_LOCAL] = "local", [TSIM_ARRAY] = "array"
+	};
 	const struct ts_value *value = ts_value_find(inst, shape);
 
 	if (value)
 		return ts_value_eval(inst, sim, value, out);
 	return ts_fail(&sim->error, TS_STATE, NULL, "%s %s (style %s) has no %s output",
-		       ts_kind_name(inst->style->kind), inst->id, inst->style->name,
-		       shapes[shape]);
+		       ts_kind_name(inst->style->kind), inst->id, inst->style->name, shapes[shape]);
 }
 
 static enum ts_status by_reference(struct tsim *sim, const char *name, enum ts_shape shape,
@@ -52,8 +51,7 @@ static enum ts_status by_reference(struct tsim *sim, const char *name, enum ts_s
 	}
 	if (ref.inst && !ref.index)
 		return whole_output(sim, ref.inst, shape, out);
-	return shape == TS_LOCAL ? ts_ref_local(sim, &ref, NULL, out)
-				 : ts_ref_peratom(sim, &ref, NULL, out);
+	return shape == TS_LOCAL ? ts_ref_local(sim, &ref, NULL, out) : ts_ref_peratom(sim, &ref, NULL, out);
 }
 
 static enum ts_status evaluate(struct tsim *sim, const char *name, enum tsim_shape shape,
@@ -98,15 +96,14 @@ int tsim_read(struct tsim *sim, const char *name, enum tsim_shape shape, double 
 
 	if (status == TS_OK && (rows != table->rows || columns != table->columns))
 		status = ts_fail(&sim->error, TS_RANGE, NULL,
-				 "%s has %zu rows and %zu columns, the array %zu and %zu", name,
-				 table->rows, table->columns, rows, columns);
+				 "%s has %zu rows and %zu columns, the array %zu and %zu", name, table->rows,
+				 table->columns, rows, columns);
 	if (status == TS_OK && rows && columns)
 		memcpy(out, table->data, rows * columns * sizeof *out);
 	return ts_library_settle(sim, status);
 }
 
-int tsim_extent(struct tsim *sim, const char *name, enum tsim_shape shape, size_t *rows,
-		size_t *columns)
+int tsim_extent(struct tsim *sim, const char *name, enum tsim_shape shape, size_t *rows, size_t *columns)
 {
 	TS_LIBRARY_NEEDS(sim, sim);
 	TS_LIBRARY_NEEDS(sim, name);
@@ -168,8 +165,7 @@ int tsim_variable(struct tsim *sim, const char *name, const char *value)
 	return ts_library_settle(sim, status);
 }
 
-static enum ts_status define(struct tsim *sim, const char *name, const char *style,
-			     const char *value)
+static enum ts_status define(struct tsim *sim, const char *name, const char *style, const char *value)
 {
 	TS_TRY(before_change(sim));
 	return ts_script_define(sim->script_api_data, name, style, value);
@@ -193,8 +189,7 @@ int tsim_variable_number(struct tsim *sim, const char *name, double value)
 
 	if (!isfinite(value))
 		return (int)ts_fail(&sim->error, TS_RANGE, NULL,
-				    "variable '%s' would be %g, expected a finite number", name,
-				    value);
+				    "variable '%s' would be %g, expected a finite number", name, value);
 	snprintf(text, sizeof text, "%.17g", value);
 	return ts_library_settle(sim, define(sim, name, "equal", text));
 }
@@ -211,7 +206,7 @@ int tsim_variable_text(struct tsim *sim, const char *name, char *out, size_t roo
 	ts_str_addf(&wanted, "${%s}", name);
 	status = wanted.failed ? ts_nomem(&sim->error)
 			       : sim->script_api->substitute(sim->script_api_data, ts_str_text(&wanted), NULL,
-						       &text);
+							     &text);
 	if (status == TS_OK && text.failed)
 		status = ts_nomem(&sim->error);
 	if (status == TS_OK)

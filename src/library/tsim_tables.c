@@ -23,11 +23,23 @@
 
 /* In the order in which they act within a stage. */
 static const struct ts_system_style *const systems[] = {
-	&ts_domain_system, &ts_particles_system, &ts_neigh_system,  &ts_bonds_system, &ts_rigid_system,
-	&ts_flow_system,   &ts_thermo_system,	 &ts_guard_system,
+	&ts_domain_system,
+	&ts_particles_system,
+	&ts_neigh_system,
+	&ts_bonds_system,
+	&ts_rigid_system,
+	&ts_flow_system,
+	&ts_thermo_system,
+	&ts_guard_system,
 	/* without an instance; their order is that of the manual's lists */
-	&ts_regions_system, &ts_groups_system, &ts_integrators_system, &ts_stream_system, &ts_contact_system,
-	&ts_walls_system,  &ts_limits_system,	 NULL,
+	&ts_regions_system,
+	&ts_groups_system,
+	&ts_integrators_system,
+	&ts_stream_system,
+	&ts_contact_system,
+	&ts_walls_system,
+	&ts_limits_system,
+	NULL,
 };
 
 const struct ts_tables ts_tables = {

@@ -47,8 +47,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (at) /* as LIGGGHTS: whole steps, at least one */
 		s->every = (int64_t)fmax(1, floor(s->interval / sim->clock.dt));
 	for (size_t k = 0; k < 2; k++)
-		if (!ts_parse_real(w.word[at + 1 + k].text, &s->fraction[k]) ||
-		    !(s->fraction[k] > 0))
+		if (!ts_parse_real(w.word[at + 1 + k].text, &s->fraction[k]) || !(s->fraction[k] > 0))
 			return expected(sim, w, at + 1 + k);
 	return TS_OK;
 }
@@ -78,8 +77,7 @@ static enum ts_status complain(struct ts_instance *self, struct tsim *sim, int w
 			       self->style->name, s->ratio[which]);
 	if (s->error)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-			       "fix %s: the time step is %.4g %% %s at step %" PRId64
-			       ", more than %.4g %%",
+			       "fix %s: the time step is %.4g %% %s at step %" PRId64 ", more than %.4g %%",
 			       self->style->name, percent, of[which], sim->clock.step, 100 * limit);
 	/* again only if it gets worse */
 	if (!s->warn || !(s->ratio[which] > 1.1 * s->warned[which]))
@@ -108,8 +106,8 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	v = fmax(ts_fastest(sim, self->group), s->vmax);
 	speed = fmax(2 * v, v + fastest_mesh(sim));
-	TS_TRY(ts_granular_times(sim, self->group, speed, legacy, "fix check/timestep/gran",
-				 &self->where, &times));
+	TS_TRY(ts_granular_times(sim, self->group, speed, legacy, "fix check/timestep/gran", &self->where,
+				 &times));
 	if (legacy && isinf(times.hertz))
 		times.hertz = 1e6;
 	s->ratio[RAYLEIGH] = dt / times.rayleigh;
@@ -135,8 +133,8 @@ static const struct ts_arg args[] = {
 			"Rayleigh's time and the Hertz time"),
 	TS_BOOL("warn", struct state, warn, .fallback = "yes", .help = "say so beyond them"),
 	TS_BOOL("error", struct state, error, .fallback = "no", .help = "stop beyond them"),
-	TS_REAL("vmax", struct state, vmax, .fallback = "0", .range = TS_NOT_NEGATIVE,
-		.unit = "velocity", .help = "particles are expected to be that fast at least"),
+	TS_REAL("vmax", struct state, vmax, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "velocity",
+		.help = "particles are expected to be that fast at least"),
 	TS_BOOL("legacy", struct state, legacy, .fallback = "no",
 		.help = "the numbers of LIGGGHTS, see below"),
 	TS_ARGS_END,
@@ -144,8 +142,8 @@ static const struct ts_arg args[] = {
 
 static const char *const names[] = { "rayleigh", "hertz", "skin" };
 static const struct ts_value values[] = {
-	{ "ratios", "", "time step by Rayleigh's time and by the Hertz time; distance by skin",
-	  TS_VECTOR, NRATIOS, names, eval },
+	{ "ratios", "", "time step by Rayleigh's time and by the Hertz time; distance by skin", TS_VECTOR,
+	  NRATIOS, names, eval },
 	{ .name = NULL },
 };
 static const struct ts_saved saved[] = { TS_SAVE_F64(struct state, ratio), TS_SAVED_ROWS_END };
@@ -155,14 +153,21 @@ const struct ts_style ts_fix_check_timestep_gran = {
 	.name = "check/timestep/gran",
 	.kind = TS_KIND_FIX,
 	.summary = "looks how the time step compares with Rayleigh's time and the duration of collisions",
-	.doc = "Every N steps: f_ID[1] = dt/t_R, t_R = pi R sqrt(rho/G)/(0.1631 nu + 0.8766) with G = Y/(2(1+nu)) of\n"
-	       "the particle of the group for which it is least; f_ID[2] = dt/t_H, t_H = 2.87 (m*^2/(R* Y*^2 v))^(1/5)\n"
-	       "for which pair of particles it is least; f_ID[3] = v dt/skin. v is twice the largest speed in the\n"
+	.doc = "Every N steps: f_ID[1] = dt/t_R, t_R = pi R sqrt(rho/G)/(0.1631 nu + 0.8766) with G = "
+	       "Y/(2(1+nu)) of\n"
+	       "the particle of the group for which it is least; f_ID[2] = dt/t_H, t_H = 2.87 (m*^2/(R* Y*^2 "
+	       "v))^(1/5)\n"
+	       "for which pair of particles it is least; f_ID[3] = v dt/skin. v is twice the largest speed "
+	       "in the\n"
 	       "group, or that and the speed of a mesh. All are 0 before the first look.\n\n"
-	       "With `legacy yes` (or the command) t_H is LIGGGHTS': each particle with one of its own kind, but its\n"
-	       "mass m in place of m* = m/2, so that t_H is 1.32 times as long, and 1e6 where all is at rest;\n"
-	       "f_ID[3] > 1 counts as well, which says little here: no contact is missed whatever the skin.\n\n"
-	       "The plan of a run (tsim -explain) knows these times, too, and the limits of stability themselves.",
+	       "With `legacy yes` (or the command) t_H is LIGGGHTS': each particle with one of its own kind, "
+	       "but its\n"
+	       "mass m in place of m* = m/2, so that t_H is 1.32 times as long, and 1e6 where all is at "
+	       "rest;\n"
+	       "f_ID[3] > 1 counts as well, which says little here: no contact is missed whatever the "
+	       "skin.\n\n"
+	       "The plan of a run (tsim -explain) knows these times, too, and the limits of stability "
+	       "themselves.",
 	.example = "fix ts all check/timestep/gran 1000 0.1 0.1\nthermo_style custom step f_ts[1] f_ts[2]",
 	.cite = "C. O'Sullivan, J. D. Bray, Eng. Comput. 21 (2004) 278",
 	.args = args,

@@ -210,7 +210,8 @@ enum ts_status ts_lanczos_limit(struct ts_lanczos *linkage, bool slip, double ne
 	double stiffness, damping, before;
 
 	*limit = near;
-	if (TS_GROW(linkage->u, linkage->u_capacity, n) != TS_OK || TS_GROW(linkage->f, linkage->f_capacity, n) != TS_OK ||
+	if (TS_GROW(linkage->u, linkage->u_capacity, n) != TS_OK ||
+	    TS_GROW(linkage->f, linkage->f_capacity, n) != TS_OK ||
 	    TS_GROW(linkage->basis, linkage->basis_capacity, ROUNDS * n) != TS_OK ||
 	    TS_GROW(linkage->momentum, linkage->momentum_capacity, ROUNDS * n) != TS_OK)
 		return TS_NOMEM;

@@ -1,5 +1,5 @@
-/* The system of what ends a run whose time step is too large: the limit of the network of contacts in plans, and
- * particles that move farther than their radius in a step. */
+/* The system of what ends a run whose time step is too large: the limit of the network of contacts in
+ * plans, and particles that move farther than their radius in a step. */
 #ifndef TS_LIMITS_LIMITS_SYSTEM_H
 #define TS_LIMITS_LIMITS_SYSTEM_H
 

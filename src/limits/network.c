@@ -1,11 +1,11 @@
-/* The fastest mode sits where contacts are stiff and many and bodies are light: no squared frequency is larger than the
- * largest s_a + s_b of partners,
+/* The fastest mode sits where contacts are stiff and many and bodies are light: no squared frequency is
+ * larger than the largest s_a + s_b of partners,
  *
  *   s_a = sum over the contacts of a of k times the acceleration that a unit force there gives a
  *
- * (W. N. Anderson, T. D. Morley, Linear Multilinear Algebra 18 (1985) 141). So it is enough to look at a few places: about
- * the bodies with the largest s the modes of those MOST bodies that are nearest, by contacts, are found with the
- * others held (limits/lanczos.h). */
+ * (W. N. Anderson, T. D. Morley, Linear Multilinear Algebra 18 (1985) 141). So it is enough to look at a
+ * few places: about the bodies with the largest s the modes of those MOST bodies that are nearest, by
+ * contacts, are found with the others held (limits/lanczos.h). */
 #include "limits/network.h"
 
 #include <math.h>
@@ -37,7 +37,7 @@ struct network {
 	int32_t list[MOST]; /* nodes: particles, then rigid bodies */
 	int n;
 	uint32_t moving, prescribed; /* groups that integrators move, and those that go as they are told */
-	bool turns; /* contacts turn particles */
+	bool turns;		     /* contacts turn particles */
 	struct ts_lanczos linkage;
 };
 
@@ -148,8 +148,10 @@ static bool row_case(const struct network *w, size_t r, struct ts_contact_case *
 	ts_scale(1 / distance, n, n);
 	*c = (struct ts_contact_case){ ts_pair_model(w->pair, p->type[i], p->type[j]),
 				       ts_pair_law(w->pair, p->type[i], p->type[j]),
-				       p->radius[i] * p->radius[j] / sum, 1 / (p->imass[i] + p->imass[j]),
-				       sum - distance, 0 };
+				       p->radius[i] * p->radius[j] / sum,
+				       1 / (p->imass[i] + p->imass[j]),
+				       sum - distance,
+				       0 };
 	return true;
 }
 
@@ -201,7 +203,8 @@ static double share_of(const struct network *w, size_t i, double k)
 	if (node < p->n)
 		return k * inverse_mass(w, node);
 	arm_to(w, i, arm);
-	least = fmin(w->sim->rigid->body[node - p->n].inertia[1], w->sim->rigid->body[node - p->n].inertia[2]);
+	least = fmin(w->sim->rigid->body[node - p->n].inertia[1],
+		     w->sim->rigid->body[node - p->n].inertia[2]);
 	return k * (p->imass[local_of(p, i)] + (least > 0 ? ts_dot(arm, arm) / least : 0));
 }
 
@@ -283,7 +286,8 @@ static void take_partners(struct network *w, size_t i)
 		size_t r = rows->gather.entry[e] >> 1;
 
 		if (w->k[r] > 0)
-			take_node(w, node_of(w, (size_t)(rows->gather.entry[e] & 1 ? rows->i[r] : rows->j[r])));
+			take_node(w,
+				  node_of(w, (size_t)(rows->gather.entry[e] & 1 ? rows->i[r] : rows->j[r])));
 	}
 	for (size_t e = w->bond ? bonds->gather.first[i] : 0; w->bond && e < bonds->gather.first[i + 1]; e++)
 		take_node(w, node_of(w, (size_t)bonds->row[bonds->gather.entry[e] >> 1]
@@ -308,8 +312,12 @@ static void take_law(const struct network *w, const struct ts_contact_case *c, s
 {
 	const struct ts_particles *p = w->sim->particles;
 	struct ts_normal f = ts_granular_at(c->model, c->law, c->r_eff, c->m_eff, c->overlap);
-	struct ts_touch t = { .r_eff = c->r_eff, .m_eff = c->m_eff, .overlap = c->overlap, .wall = i == j,
-			      .mass = { p->mass[i], p->mass[j] }, .radius = { p->radius[i], p->radius[j] } };
+	struct ts_touch t = { .r_eff = c->r_eff,
+			      .m_eff = c->m_eff,
+			      .overlap = c->overlap,
+			      .wall = i == j,
+			      .mass = { p->mass[i], p->mass[j] },
+			      .radius = { p->radius[i], p->radius[j] } };
 
 	link->k[0] = f.kn;
 	link->c[0] = f.gamman;
@@ -428,8 +436,8 @@ static enum ts_status gather_place(struct network *w, size_t node)
 
 /* ---- what comes out ---- */
 
-/* A pair alone has a limit of its own that says the same and more: ts_report_contact, a single bond. Not where
- * it stiffens or resists rolling. */
+/* A pair alone has a limit of its own that says the same and more: ts_report_contact, a single bond. Not
+ * where it stiffens or resists rolling. */
 static bool tells_more(const struct network *w, bool slip)
 {
 	const struct ts_lanczos *l = &w->linkage;
@@ -459,10 +467,12 @@ static enum ts_status report_place(struct network *w, struct ts_plan_report *rep
 	for (size_t k = 0; k < w->linkage.nlinks; k++)
 		links += w->linkage.link[k].a == worst;
 	return ts_report_limit(report, limit, !slip && !w->sim->clamped, &by->where,
-			       slip ? "all contacts with slip and rolling, about %s %d of type %d (%zu contacts) at (%.4g %.4g %.4g)"
-				    : "all contacts together, about %s %d of type %d (%zu contacts) at (%.4g %.4g %.4g)",
-			       n > 1 ? "the body of particle" : "particle", p->tag[i], p->type[i], links, p->x[i][0],
-			       p->x[i][1], p->x[i][2]);
+			       slip ? "all contacts with slip and rolling, about %s %d of type %d (%zu "
+				      "contacts) at (%.4g %.4g %.4g)"
+				    : "all contacts together, about %s %d of type %d (%zu contacts) at (%.4g "
+				      "%.4g %.4g)",
+			       n > 1 ? "the body of particle" : "particle", p->tag[i], p->type[i], links,
+			       p->x[i][0], p->x[i][1], p->x[i][2]);
 }
 
 /* Gershgorin: no squared frequency is larger than twice the largest s. */
@@ -470,7 +480,8 @@ static enum ts_status report_bound(const struct network *w, struct ts_plan_repor
 {
 	const struct ts_instance *by = w->pair ? ts_sim_only(w->sim, TS_KIND_PAIR) : w->bond;
 
-	return ts_report_limit(report, bound, !w->sim->clamped, &by->where, "all contacts together, at least");
+	return ts_report_limit(report, bound, !w->sim->clamped, &by->where,
+			       "all contacts together, at least");
 }
 
 static enum ts_status look(struct network *w, struct ts_plan_report *report)
@@ -524,7 +535,8 @@ enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim
 	w.prescribed = ts_prescribed(sim);
 	w.moving = moving_groups(sim);
 	w.turns = sim->particles->omega && sim->particles->torque;
-	if (sim->explicit_euler || (!w.pair && !w.bond) || (w.pair && sim->neigh->rows.particles != sim->particles->n))
+	if (sim->explicit_euler || (!w.pair && !w.bond) ||
+	    (w.pair && sim->neigh->rows.particles != sim->particles->n))
 		return TS_OK;
 	TS_TRY(ts_rigid_list(sim));
 	status = find(&w);

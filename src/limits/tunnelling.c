@@ -37,7 +37,8 @@ static bool meet(const struct tsim *sim, size_t i, size_t j)
 	return ts_pair_interact(sim, i, j) && !(excluded && excluded(sim, i, j));
 }
 
-/* Seen from j the particle i goes along a line, farther than its radius, and comes near enough; or it pulls at a bond. */
+/* Seen from j the particle i goes along a line, farther than its radius, and comes near enough; or it
+ * pulls at a bond. */
 static bool hits(const struct tsim *sim, size_t i, size_t j, double reach)
 {
 	const struct ts_particles *p = sim->particles;
@@ -71,11 +72,13 @@ static bool hits_particle(struct tsim *sim, size_t i, char *what, size_t room)
 	return false;
 }
 
-/* ---- surfaces: the sphere goes on by the gap in front of it until there is none or the way is at its end ---- */
+/* ---- surfaces: the sphere goes on by the gap in front of it until there is none or the way is at its end
+ * ---- */
 
 typedef double gap_fn(const struct tsim *sim, const void *surface, const double x[3]);
 
-/* A gap of less than this part of the radius is none, and along a surface that is not left it is not followed for ever. */
+/* A gap of less than this part of the radius is none, and along a surface that is not left it is not
+ * followed for ever. */
 static const double CLOSE = 0.01;
 enum { MOST = 10000 };
 
@@ -176,7 +179,8 @@ static bool hits_mesh(struct tsim *sim, size_t i, char *what, size_t room)
 
 /* ---- the box ---- */
 
-/* It has left, which particles may where nobody asks for the lost ones; or so far that images are hard to tell apart. */
+/* It has left, which particles may where nobody asks for the lost ones; or so far that images are hard to
+ * tell apart. */
 static bool leaves(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;

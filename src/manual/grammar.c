@@ -55,9 +55,8 @@ static void add_rows(struct word_list *list, const struct ts_arg *row)
 
 static void add_keywords(const struct ts_tables *tables, struct word_list *list)
 {
-	static const char *const fixed[] = { "all", "NULL", "INF", "EDGE", "SELF",
-					     "yes", "no",   "on",  "off",  "then",
-					     "elif", "else" };
+	static const char *const fixed[] = { "all", "NULL", "INF", "EDGE", "SELF", "yes",
+					     "no",  "on",   "off", "then", "elif", "else" };
 
 	for (size_t k = 0; k < sizeof fixed / sizeof *fixed; k++)
 		add(list, fixed[k]);
@@ -127,9 +126,8 @@ enum { NPLACES = sizeof places / sizeof *places };
 /* `contained` and the like in a list of keywords would be read as options. */
 static bool is_vim_option(const char *word)
 {
-	static const char *const options[] = { "contained", "transparent", "skipwhite", "skipnl",
-					       "skipempty", "conceal",	   "display",	"extend",
-					       "fold",	    "oneline" };
+	static const char *const options[] = { "contained", "transparent", "skipwhite", "skipnl", "skipempty",
+					       "conceal",   "display",	   "extend",	"fold",	  "oneline" };
 
 	for (size_t k = 0; k < sizeof options / sizeof *options; k++)
 		if (ts_streq(options[k], word))
@@ -146,16 +144,14 @@ static void vim_alternatives(struct ts_str *out, const struct word_list *list)
 }
 
 /* A keyword wins over every match: one that is a command too would never be seen as one. */
-static void vim_keywords(const struct ts_tables *tables, struct ts_str *out, const char *group, const char *options,
-			 const struct word_list *list)
+static void vim_keywords(const struct ts_tables *tables, struct ts_str *out, const char *group,
+			 const char *options, const struct word_list *list)
 {
 	size_t column = 100;
 
 	for (size_t k = 0; k < list->n; k++) {
-		if (is_vim_option(list->word[k]) ||
-		    ts_style_find(tables, TS_KIND_COMMAND, list->word[k])) {
-			ts_str_addf(out, "\nsyn match %s /\\<%s\\>/ %s", group, list->word[k],
-				    options);
+		if (is_vim_option(list->word[k]) || ts_style_find(tables, TS_KIND_COMMAND, list->word[k])) {
+			ts_str_addf(out, "\nsyn match %s /\\<%s\\>/ %s", group, list->word[k], options);
 			column = 100;
 			continue;
 		}
@@ -210,13 +206,12 @@ void ts_grammar_vim(const struct ts_tables *tables, struct ts_str *out)
 		"syn region tsimString start=/\"\"\"/ end=/\"\"\"/ contains=tsimVariable,tsimFormula\n"
 		"syn match tsimContinuation /&\\s*$/\n"
 		"syn match tsimComment /#.*$/ contains=@Spell\n";
-	static const char end[] =
-		"\nhi def link tsimCommand Statement\nhi def link tsimKeyword Identifier\n"
-		"hi def link tsimName Constant\nhi def link tsimFunction Function\n"
-		"hi def link tsimNumber Number\nhi def link tsimReference Special\n"
-		"hi def link tsimVariable PreProc\nhi def link tsimString String\n"
-		"hi def link tsimContinuation Delimiter\nhi def link tsimComment Comment\n"
-		"\nlet b:current_syntax = \"tsim\"\n";
+	static const char end[] = "\nhi def link tsimCommand Statement\nhi def link tsimKeyword Identifier\n"
+				  "hi def link tsimName Constant\nhi def link tsimFunction Function\n"
+				  "hi def link tsimNumber Number\nhi def link tsimReference Special\n"
+				  "hi def link tsimVariable PreProc\nhi def link tsimString String\n"
+				  "hi def link tsimContinuation Delimiter\nhi def link tsimComment Comment\n"
+				  "\nlet b:current_syntax = \"tsim\"\n";
 	struct word_list list = { 0 };
 
 	ts_str_add(out, start);
@@ -257,8 +252,8 @@ static void json_alternatives(struct ts_str *out, const struct word_list *list)
 	out->failed |= list->failed;
 }
 
-static void json_rule(struct ts_str *out, const char *scope, const char *before,
-		      const struct word_list *list, const char *after)
+static void json_rule(struct ts_str *out, const char *scope, const char *before, const struct word_list *list,
+		      const char *after)
 {
 	ts_str_addf(out, "    { \"name\": \"%s.tsim\", \"match\": \"%s(?:", scope, before);
 	json_alternatives(out, list);
@@ -276,9 +271,9 @@ static void json_styles(const struct ts_tables *tables, struct ts_str *out)
 		ts_str_add(out, "(");
 		add_styles(tables, &list, places[k].kind);
 		json_alternatives(out, &list);
-		ts_str_addf(out, ")(?=\\\\s|$)\", \"captures\": { \"1\": { \"name\": "
-				 "\"keyword.control.tsim\" }, \"2\": { \"name\": "
-				 "\"support.type.%s.tsim\" } } },\n",
+		ts_str_addf(out,
+			    ")(?=\\\\s|$)\", \"captures\": { \"1\": { \"name\": \"keyword.control.tsim\" }, "
+			    "\"2\": { \"name\": \"support.type.%s.tsim\" } } },\n",
 			    ts_kind_name(places[k].kind));
 		release(&list);
 	}

@@ -132,8 +132,8 @@ static void add_notes(const struct ts_arg *row, struct ts_str *out)
 }
 
 /* A name and what it is: one item of a list. */
-static void add_item(const struct ts_str *name, const struct ts_str *text, size_t depth,
-		     bool markdown, struct ts_str *out)
+static void add_item(const struct ts_str *name, const struct ts_str *text, size_t depth, bool markdown,
+		     struct ts_str *out)
 {
 	if (markdown) {
 		ts_str_addf(out, "%*s- `%s` — %s\n", (int)(2 * depth), "", ts_str_text(name),
@@ -172,8 +172,7 @@ static void add_rows(const struct ts_arg *row, size_t depth, bool markdown, stru
 }
 
 /* How scripts read an output: c_ID, f_ID[k] ... */
-static void add_reference(const struct ts_style *style, const struct ts_value *v,
-			  struct ts_str *out)
+static void add_reference(const struct ts_style *style, const struct ts_value *v, struct ts_str *out)
 {
 	bool indexed = v->shape == TS_VECTOR || (v->shape != TS_SCALAR && v->column_names);
 	const char *brackets = v->shape == TS_ARRAY ? "[i][j]" : indexed ? "[k]" : "";
@@ -197,12 +196,10 @@ static void add_values(const struct ts_style *style, bool markdown, struct ts_st
 		ts_str_clear(&name);
 		ts_str_clear(&text);
 		add_reference(style, v, &name);
-		ts_str_addf(&text, "%s: %s (%s%s%s)", v->name, v->help ? v->help : "",
-			    shapes[v->shape], v->unit && *v->unit ? ", in " : "",
-			    v->unit ? v->unit : "");
+		ts_str_addf(&text, "%s: %s (%s%s%s)", v->name, v->help ? v->help : "", shapes[v->shape],
+			    v->unit && *v->unit ? ", in " : "", v->unit ? v->unit : "");
 		for (size_t k = 0; v->column_names && k < v->columns; k++)
-			ts_str_addf(&text, "%s[%zu] %s", k ? ", " : ": ", k + 1,
-				    v->column_names[k]);
+			ts_str_addf(&text, "%s[%zu] %s", k ? ", " : ": ", k + 1, v->column_names[k]);
 		add_item(&name, &text, 0, markdown, out);
 	}
 	out->failed |= name.failed || text.failed;
@@ -300,8 +297,7 @@ static void add_syntax(const struct ts_style *style, bool markdown, struct ts_st
 	ts_str_release(&lines);
 }
 
-static void add_table(const char *title, const struct ts_arg *rows, bool markdown,
-		      struct ts_str *out)
+static void add_table(const char *title, const struct ts_arg *rows, bool markdown, struct ts_str *out)
 {
 	if (!rows || rows->type == TS_ARG_END)
 		return;
@@ -322,14 +318,14 @@ static void add_other_names(const struct ts_style *style, bool markdown, struct 
 	const char *name;
 
 	for (size_t k = 0; (name = ts_style_other_name(style, k)); k++)
-		ts_str_addf(out, markdown ? "\n`%s` is another name of it.\n" : "\n  %s is another name of it.\n",
+		ts_str_addf(out,
+			    markdown ? "\n`%s` is another name of it.\n" : "\n  %s is another name of it.\n",
 			    name);
 }
 
 void ts_help_page(const struct ts_style *style, bool markdown, struct ts_str *out)
 {
-	ts_str_addf(out, markdown ? "# %s %s\n\n" : "%s %s: ", ts_kind_name(style->kind),
-		    style->name);
+	ts_str_addf(out, markdown ? "# %s %s\n\n" : "%s %s: ", ts_kind_name(style->kind), style->name);
 	add_summary(style, out);
 	ts_str_add(out, markdown ? ".\n" : "\n");
 	add_syntax(style, markdown, out);

@@ -58,14 +58,14 @@ static void find_words(const struct ts_tables *tables, const char *name, struct 
 		for (size_t i = 0; (*s)->quantity_text && (q = (*s)->quantity_text(i)); i++)
 			if (ts_streq(q->name, name))
 				ts_topic_entry(q->name, NULL, q->help, "quantity of each particle", false,
-				     out);
+					       out);
 	for (const struct ts_variable_style *const *v = ts_variable_styles; *v; v++)
 		if (ts_streq((*v)->name, name))
 			ts_topic_entry((*v)->name, NULL, (*v)->help, "style of variables", false, out);
 	for (const struct ts_unsupported *w = ts_unsupported_table; w->name; w++)
 		if (ts_glob(w->name, name))
-			ts_str_addf(out, "  %s %s of LIGGGHTS or LAMMPS: %s\n", ts_kind_name(w->kind),
-				    name, w->remark);
+			ts_str_addf(out, "  %s %s of LIGGGHTS or LAMMPS: %s\n", ts_kind_name(w->kind), name,
+				    w->remark);
 }
 
 /* Styles in whose name the word stands, and further pages with it. */
@@ -79,7 +79,8 @@ static void find_similar(const struct ts_tables *tables, const char *name, struc
 	ts_manual_search(tables, name, out);
 }
 
-static void find_pages(const struct ts_tables *tables, const char *name, const enum ts_kind *of, struct ts_str *out)
+static void find_pages(const struct ts_tables *tables, const char *name, const enum ts_kind *of,
+		       struct ts_str *out)
 {
 	for (const struct ts_style *const *s = tables->styles; *s; s++)
 		if ((!of || (*s)->kind == *of) && ts_style_find(tables, (*s)->kind, name) == *s) {
@@ -99,12 +100,12 @@ static void suggest(const struct ts_tables *tables, const char *name, const char
 		ts_suggest_try(&suggest, t->name);
 	for (int kind = TS_KIND_COMMAND; !of && kind < TS_NKIND; kind++)
 		ts_suggest_try(&suggest, ts_kind_name((enum ts_kind)kind));
-	ts_str_addf(out, "there is no %s '%s'%s", of ? of : "kind or style", name,
-		    ts_suggest_text(&suggest));
+	ts_str_addf(out, "there is no %s '%s'%s", of ? of : "kind or style", name, ts_suggest_text(&suggest));
 }
 
 /* A style of a kind: its page, or why there is none. */
-static bool find_style(const struct ts_tables *tables, const char *name, enum ts_kind kind, struct ts_str *out)
+static bool find_style(const struct ts_tables *tables, const char *name, enum ts_kind kind,
+		       struct ts_str *out)
 {
 	const struct ts_unsupported *known = ts_unsupported_find(kind, name);
 

@@ -34,7 +34,8 @@ static size_t count_of(const char *text, const char *word)
 	return n;
 }
 
-/* How often the words stand there one after the other or, where they do not, the one of them that is rarest. */
+/* How often the words stand there one after the other or, where they do not, the one of them that is
+ * rarest. */
 static size_t occurrences(const char *text, const char *words)
 {
 	size_t least = count_of(text, words);
@@ -77,8 +78,8 @@ static void quote(const char *page, const char *small, const char *words, char l
 }
 
 /* Appends the page if the words stand there. */
-static void look(const struct ts_tables *tables, struct hit hit, const char *words, struct ts_str *page, struct ts_str *small,
-		 struct hit *hits, size_t *n)
+static void look(const struct ts_tables *tables, struct hit hit, const char *words, struct ts_str *page,
+		 struct ts_str *small, struct hit *hits, size_t *n)
 {
 	ts_str_clear(page);
 	ts_str_clear(small);
@@ -114,8 +115,7 @@ static void list(const struct hit *hits, size_t n, const char *words, struct ts_
 	ts_str_addf(out, "'%s' stands on %zu page%s of the manual:\n\n", words, n, n == 1 ? "" : "s");
 	for (size_t k = 0; k < n && k < SHOWN; k++)
 		ts_str_addf(out, "  tsim -help %s%s%s\n      %s\n",
-			    hits[k].style ? ts_kind_name(hits[k].style->kind) : "",
-			    hits[k].style ? " " : "",
+			    hits[k].style ? ts_kind_name(hits[k].style->kind) : "", hits[k].style ? " " : "",
 			    hits[k].style ? hits[k].style->name : hits[k].topic->name, hits[k].line);
 	if (n > SHOWN)
 		ts_str_addf(out, "\nand %zu that have it less often\n", n - SHOWN);

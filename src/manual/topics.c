@@ -30,8 +30,7 @@ static void title(const char *text, const char *summary, bool markdown, struct t
 static void functions(const struct ts_tables *tables, bool markdown, struct ts_str *out)
 {
 	static const char *const groups[] = { "Of numbers", "Of the step",
-					      "Of lists of numbers (v_NAME, c_ID, f_ID)",
-					      "Of names" };
+					      "Of lists of numbers (v_NAME, c_ID, f_ID)", "Of names" };
 	size_t group = 0;
 
 	title("Functions", "what formulas can call", markdown, out);
@@ -48,7 +47,7 @@ static void functions(const struct ts_tables *tables, bool markdown, struct ts_s
 	for (const struct ts_operator *o = ts_operators; o->text; o++)
 		ts_topic_entry(o->text, NULL, o->help, NULL, markdown, out);
 	ts_topic_entry("-x !x", NULL, "negative; 1 if 0. They bind before all others: -2^2 is 4", NULL,
-	     markdown, out);
+		       markdown, out);
 	ts_help_heading("Constants", markdown, out);
 	for (const struct ts_constant *c = ts_constants; c->name; c++)
 		ts_topic_entry(c->name, NULL, c->help, NULL, markdown, out);
@@ -70,16 +69,15 @@ static void variables(const struct ts_tables *tables, bool markdown, struct ts_s
 	ts_str_release(&name);
 	ts_help_heading("Use", markdown, out);
 	ts_topic_entry("${name} $x", NULL, "puts the value into the line before it is run", NULL, markdown,
-	     out);
+		       out);
 	ts_topic_entry("$(formula)", NULL, "the value of a formula; $(formula:%.3f) with that format", NULL,
-	     markdown, out);
+		       markdown, out);
 	ts_topic_entry("v_name", NULL, "the value inside a formula or as an argument", NULL, markdown, out);
 }
 
 static void keywords(const struct ts_tables *tables, bool markdown, struct ts_str *out)
 {
-	title("Keywords", "numbers of the whole simulation, for thermo_style and formulas", markdown,
-	      out);
+	title("Keywords", "numbers of the whole simulation, for thermo_style and formulas", markdown, out);
 	for (const struct ts_system_style *const *s = tables->systems; *s; s++) {
 		if (!(*s)->keywords)
 			continue;
@@ -94,8 +92,8 @@ static void quantities(const struct ts_tables *tables, bool markdown, struct ts_
 	const struct ts_quantity *q;
 
 	title("Quantities",
-	      "numbers of each particle, for dumps, atom-style variables and compute property/atom",
-	      markdown, out);
+	      "numbers of each particle, for dumps, atom-style variables and compute property/atom", markdown,
+	      out);
 	ts_str_add(out, "\n");
 	for (const struct ts_system_style *const *s = tables->systems; *s; s++)
 		for (size_t k = 0; (*s)->quantity_text && (q = (*s)->quantity_text(k)); k++)

@@ -14,7 +14,7 @@ struct ts_topic {
 extern const struct ts_topic ts_topics[]; /* closed by .name NULL */
 
 /* One entry of such a page: "name(arguments)  help (unit)"; arguments and unit may be NULL. */
-void ts_topic_entry(const char *name, const char *arguments, const char *help, const char *unit, bool markdown,
-		    struct ts_str *out);
+void ts_topic_entry(const char *name, const char *arguments, const char *help, const char *unit,
+		    bool markdown, struct ts_str *out);
 
 #endif

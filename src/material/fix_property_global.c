@@ -31,8 +31,8 @@ static enum ts_status read_columns(struct tsim *sim, struct state *s, struct ts_
 	s->property.columns = (size_t)columns;
 	if (!values->n || values->n % (size_t)columns)
 		return ts_fail(&sim->error, TS_SYNTAX, &s->words.word[0].place,
-			       "fix property/global %s: %zu values are no rows of %zu",
-			       s->property.name, values->n, s->property.columns);
+			       "fix property/global %s: %zu values are no rows of %zu", s->property.name,
+			       values->n, s->property.columns);
 	return TS_OK;
 }
 
@@ -44,17 +44,16 @@ static enum ts_status check_symmetry(struct tsim *sim, const struct state *s)
 		return TS_OK;
 	if (p->n != p->columns * p->columns)
 		return ts_fail(&sim->error, TS_SYNTAX, &s->words.word[0].place,
-			       "fix property/global %s: %zu types make %zu pairs, found %zu values",
-			       p->name, p->columns, p->columns * p->columns, p->n);
+			       "fix property/global %s: %zu types make %zu pairs, found %zu values", p->name,
+			       p->columns, p->columns * p->columns, p->n);
 	for (size_t a = 0; a < p->columns; a++)
 		for (size_t b = 0; b < a; b++)
 			if (fabs(p->value[a * p->columns + b] - p->value[b * p->columns + a]) > 0)
-				return ts_fail(
-					&sim->error, TS_RANGE,
-					&s->words.word[1 + a * p->columns + b].place,
-					"fix property/global %s: the value of types %zu and %zu "
-					"must be that of types %zu and %zu",
-					p->name, a + 1, b + 1, b + 1, a + 1);
+				return ts_fail(&sim->error, TS_RANGE,
+					       &s->words.word[1 + a * p->columns + b].place,
+					       "fix property/global %s: the value of types %zu and %zu "
+					       "must be that of types %zu and %zu",
+					       p->name, a + 1, b + 1, b + 1, a + 1);
 	return TS_OK;
 }
 
@@ -93,8 +92,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return check_symmetry(sim, s);
 }
 
-static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
-			struct ts_hash *hash)
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct ts_property *p = self->state;
 
@@ -102,8 +100,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_hash_add(hash, p->value, p->n * sizeof *p->value);
 }
 
-static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_property *p = self->state;
 
@@ -112,8 +109,7 @@ static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_property *p = self->state;
 
@@ -126,11 +122,7 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 }
 
 static const struct ts_value values[] = {
-	{ .name = "first",
-	  .unit = "",
-	  .help = "the first value",
-	  .shape = TS_SCALAR,
-	  .eval = eval_scalar },
+	{ .name = "first", .unit = "", .help = "the first value", .shape = TS_SCALAR, .eval = eval_scalar },
 	{ .name = "all",
 	  .unit = "",
 	  .help = "all values, row by row",
@@ -145,8 +137,7 @@ static const struct ts_arg list_rows[] = {
 };
 static const struct ts_arg matrix_rows[] = {
 	TS_REST("values", struct state, words,
-		.help = "number of types N, then N rows of N numbers, the same above and below the "
-			"diagonal"),
+		.help = "number of types N, then N rows of N numbers, the same above and below the diagonal"),
 	TS_ARGS_END,
 };
 /* In the order of enum ts_property_kind; then LIGGGHTS' other words for the same. */
@@ -162,8 +153,7 @@ static const struct ts_mode kinds[] = {
 static const struct ts_arg args[] = {
 	TS_WORD("name", struct state, property.name, .flags = TS_POSITIONAL,
 		.help = "youngsModulus, coefficientFriction ..., or any name that scripts use"),
-	TS_MODE("kind", struct state, property.kind, kinds,
-		.help = "for what the values are given"),
+	TS_MODE("kind", struct state, property.kind, kinds, .help = "for what the values are given"),
 	TS_ARGS_END,
 };
 
@@ -172,18 +162,16 @@ const struct ts_style ts_fix_property_global = {
 	.name = "property/global",
 	.kind = TS_KIND_FIX,
 	.summary = "A property of materials, by name",
-	.doc = "Contact laws take the properties of materials from here, by particle types: "
-	       "youngsModulus and\n"
-	       "poissonsRatio per type, coefficientRestitution, coefficientFriction and others per "
-	       "pair of types;\n"
-	       "each law says on its page what it needs. Other names are free for the script, "
-	       "which "
-	       "reads the\n"
+	.doc = "Contact laws take the properties of materials from here, by particle types: youngsModulus "
+	       "and\n"
+	       "poissonsRatio per type, coefficientRestitution, coefficientFriction and others per pair of "
+	       "types;\n"
+	       "each law says on its page what it needs. Other names are free for the script, which reads "
+	       "the\n"
 	       "values as f_ID or f_ID[k]. A property given twice has the later value.",
-	.example =
-		"fix m1 all property/global youngsModulus peratomtype 5.0e6 8.7e9\n"
-		"fix m2 all property/global coefficientFriction peratomtypepair 2 0.5 0.3 0.3 0.4\n"
-		"fix m3 all property/global characteristicVelocity scalar 2.0",
+	.example = "fix m1 all property/global youngsModulus peratomtype 5.0e6 8.7e9\n"
+		   "fix m2 all property/global coefficientFriction peratomtypepair 2 0.5 0.3 0.3 0.4\n"
+		   "fix m3 all property/global characteristicVelocity scalar 2.0",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.fingerprint = fingerprint,

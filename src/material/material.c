@@ -15,12 +15,8 @@ static double factor_of(const struct tsim *sim, const char *unit)
 		const char *name;
 		double si, cgs, micro;
 	} units[] = {
-		{ "1", 1, 1, 1 },
-		{ "Pa", 1, 10, 1e-3 },
-		{ "J/m3", 1, 10, 1e-3 },
-		{ "kg/m3", 1, 1e-3, 1e-3 },
-		{ "m/s", 1, 100, 1 },
-		{ "W/m/K", 1, 1e5, 1e3 },
+		{ "1", 1, 1, 1 },	    { "Pa", 1, 10, 1e-3 }, { "J/m3", 1, 10, 1e-3 },
+		{ "kg/m3", 1, 1e-3, 1e-3 }, { "m/s", 1, 100, 1 },  { "W/m/K", 1, 1e5, 1e3 },
 		{ "J/kg/K", 1, 1e4, 1 },
 	};
 
@@ -35,8 +31,8 @@ static double factor_of(const struct tsim *sim, const char *unit)
 	return NAN;
 }
 
-static enum ts_status read_value(struct tsim *sim, const struct ts_word *number,
-				 const struct ts_word *unit, double *out)
+static enum ts_status read_value(struct tsim *sim, const struct ts_word *number, const struct ts_word *unit,
+				 double *out)
 {
 	double factor = factor_of(sim, unit->text);
 
@@ -64,14 +60,13 @@ static enum ts_status add(struct tsim *sim, struct ts_material *m, const struct 
 				       partner ? ts_pool_get(sim->pool, partner->text) : NULL, value,
 				       name->place };
 
-	if (!v.name || (partner && !v.partner) ||
-	    TS_GROW(m->value, m->capacity, m->n + 1) != TS_OK)
+	if (!v.name || (partner && !v.partner) || TS_GROW(m->value, m->capacity, m->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < m->n; k++)
 		if (ts_streq(m->value[k].name, v.name) && !v.partner == !m->value[k].partner &&
 		    (!v.partner || ts_streq(v.partner, m->value[k].partner)))
-			return ts_fail(&sim->error, TS_SYNTAX, &name->place,
-				       "material: '%s' is given twice", name->text);
+			return ts_fail(&sim->error, TS_SYNTAX, &name->place, "material: '%s' is given twice",
+				       name->text);
 	m->value[m->n++] = v;
 	return TS_OK;
 }
@@ -176,8 +171,8 @@ static enum ts_status check_agreement(struct tsim *sim, const struct ts_material
 	if (!one || !other || !(one->value < other->value || one->value > other->value))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &one->where,
-		       "material: %s with %s is %g here, but %g in the other file (line %d)",
-		       one->name, one->partner, one->value, other->value, other->where.line);
+		       "material: %s with %s is %g here, but %g in the other file (line %d)", one->name,
+		       one->partner, one->value, other->value, other->where.line);
 }
 
 /* The contact of the two was not measured: said once. */
@@ -197,14 +192,13 @@ static enum ts_status tell_mean(struct tsim *sim, const struct ts_material *a, c
 	if (ts_map_get(told, kept))
 		return TS_OK;
 	ts_warn(&sim->log, &own->where,
-		"material: no file gives %s; the mean of their own, %g, is taken. A line `%s with %s VALUE 1` in a file, or "
-		"fix property/global, gives what was measured",
+		"material: no file gives %s; the mean of their own, %g, is taken. A line `%s with %s VALUE "
+		"1` in a file, or fix property/global, gives what was measured",
 		kept, mean, own->name, b->name);
 	return ts_map_set(told, kept, told) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
-enum ts_status ts_material_find(struct tsim *sim, const char *name, int a, int b, bool *found,
-				double *out)
+enum ts_status ts_material_find(struct tsim *sim, const char *name, int a, int b, bool *found, double *out)
 {
 	const struct ts_material *ma = material_of(sim, a), *mb = material_of(sim, b);
 	const struct ts_material_value *own = value_of(ma, name, NULL), *others = own;
@@ -221,7 +215,8 @@ enum ts_status ts_material_find(struct tsim *sim, const char *name, int a, int b
 		*out = mutual[mutual[0] ? 0 : 1]->value;
 	else if (*found)
 		*out = 0.5 * (own->value + others->value);
-	if (*found && !mutual[0] && !mutual[1] && b > 0 && ma->name && mb->name && !ts_streq(ma->name, mb->name))
+	if (*found && !mutual[0] && !mutual[1] && b > 0 && ma->name && mb->name &&
+	    !ts_streq(ma->name, mb->name))
 		return tell_mean(sim, ma, mb, own, *out);
 	return TS_OK;
 }

@@ -33,8 +33,7 @@ struct ts_materials {
 enum ts_status ts_material_read(struct tsim *sim, int type, const struct ts_word *file);
 
 /* The value for a type (b = 0) or a pair of types, if the files give it; and where. */
-enum ts_status ts_material_find(struct tsim *sim, const char *name, int a, int b, bool *found,
-				double *out);
+enum ts_status ts_material_find(struct tsim *sim, const char *name, int a, int b, bool *found, double *out);
 const struct ts_place *ts_material_place(const struct tsim *sim, const char *name, int a, int b);
 /* Of the material of a type; NULL: none was given. */
 const char *ts_material_name(const struct tsim *sim, int type);

@@ -14,8 +14,7 @@ const struct ts_property *ts_property_find(const struct tsim *sim, const char *n
 	for (size_t k = fixes->n; k-- > 0;) { /* the last one given */
 		const struct ts_property *p = fixes->item[k]->state;
 
-		if (!ts_streq(fixes->item[k]->style->name, "property/global") ||
-		    !ts_streq(p->name, name))
+		if (!ts_streq(fixes->item[k]->style->name, "property/global") || !ts_streq(p->name, name))
 			continue;
 		if (by)
 			*by = fixes->item[k];
@@ -29,7 +28,8 @@ bool ts_property_given(const struct tsim *sim, const char *name)
 	return ts_property_find(sim, name, NULL) != NULL || ts_material_given(sim, name);
 }
 
-/* One that is defined may be this one misspelt, but kn is not meant by kt, nor is a restitution by a friction. */
+/* One that is defined may be this one misspelt, but kn is not meant by kt, nor is a restitution by a
+ * friction. */
 static void try_misspelt(struct ts_suggest *suggest, const char *defined)
 {
 	struct ts_suggest strict = ts_suggest_start(suggest->word);
@@ -49,10 +49,13 @@ static void files_lack(const struct tsim *sim, int a, int b, char *out, size_t s
 	if (sim->materials->n)
 		snprintf(out, size, ", or a line in the files of the materials");
 	if (one && (b == 0 || (other && ts_streq(one, other))))
-		snprintf(out, size, ", or a line in the files of the materials; that of %.60s gives none", one);
+		snprintf(out, size, ", or a line in the files of the materials; that of %.60s gives none",
+			 one);
 	else if (one && other)
-		snprintf(out, size, ", or a line in the files of the materials; those of %.60s and %.60s give none for "
-			 "the two, nor both their own", one, other);
+		snprintf(out, size,
+			 ", or a line in the files of the materials; those of %.60s and %.60s give none for "
+			 "the two, nor both their own",
+			 one, other);
 }
 
 static enum ts_status missing(struct tsim *sim, const char *name, int a, int b, const char *who,
@@ -65,12 +68,10 @@ static enum ts_status missing(struct tsim *sim, const char *name, int a, int b, 
 
 	for (size_t k = 0; k < fixes->n; k++)
 		if (ts_streq(fixes->item[k]->style->name, "property/global"))
-			try_misspelt(&suggest,
-				     ((const struct ts_property *)fixes->item[k]->state)->name);
+			try_misspelt(&suggest, ((const struct ts_property *)fixes->item[k]->state)->name);
 	files_lack(sim, a, b, files, sizeof files);
-	return ts_fail(&sim->error, TS_STATE, where,
-		       "%s needs `fix ID all property/global %s %s ...`%s%s", who, name, kind, files,
-		       ts_suggest_text(&suggest));
+	return ts_fail(&sim->error, TS_STATE, where, "%s needs `fix ID all property/global %s %s ...`%s%s",
+		       who, name, kind, files, ts_suggest_text(&suggest));
 }
 
 static size_t index_of(const struct ts_property *p, int a, int b)
@@ -116,10 +117,9 @@ enum ts_status ts_property_value(struct tsim *sim, const char *name, int a, int 
 			       p->kind >= TS_PROPERTY_PAIR ? "per pair of types" : "per type", who,
 			       b > 0 ? "pair of types (peratomtypepair)" : "type (peratomtype)");
 	if (row >= p->n / p->columns || column >= p->columns)
-		return ts_fail(
-			&sim->error, TS_RANGE, &by->where,
-			"property/global %s has values for %zu types, but there is a type %d", name,
-			p->kind >= TS_PROPERTY_PAIR ? p->columns : p->n, a > b ? a : b);
+		return ts_fail(&sim->error, TS_RANGE, &by->where,
+			       "property/global %s has values for %zu types, but there is a type %d", name,
+			       p->kind >= TS_PROPERTY_PAIR ? p->columns : p->n, a > b ? a : b);
 	*out = p->value[row * p->columns + column];
 	return TS_OK;
 }

@@ -6,6 +6,7 @@
 
 #include "math/exactsum.h"
 
+/* clang-format off */
 #define TS_REDUCTION_LIST(X)                                                                           \
 	X(SUM, "sum")                                                                              \
 	X(MIN, "min")                                                                              \
@@ -17,6 +18,7 @@
 	X(AVEABS, "aveabs")                                                                        \
 	X(MINABS, "minabs")                                                                        \
 	X(MAXABS, "maxabs")
+/* clang-format on */
 #define TS_REDUCTION_ENUM(name, text) TS_REDUCTION_##name,
 enum ts_reduction_mode { TS_REDUCTION_LIST(TS_REDUCTION_ENUM) TS_NREDUCTION };
 #undef TS_REDUCTION_ENUM

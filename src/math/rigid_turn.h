@@ -45,8 +45,8 @@ static inline void ts_rigid_turn_by(const double omega[3], double dt, double q[4
 /* The orientation a step dt later, L constant meanwhile: one whole step and two half steps, from which
  * Richardson's extrapolation 2 half - whole takes the first error away. `omega` is that at the start,
  * and afterwards that in the middle of the step. */
-static inline void ts_rigid_turn(const double inertia[3], const double spin[3], double omega[3],
-				 double dt, double q[4])
+static inline void ts_rigid_turn(const double inertia[3], const double spin[3], double omega[3], double dt,
+				 double q[4])
 {
 	double half[4] = { q[0], q[1], q[2], q[3] }, rate[4];
 

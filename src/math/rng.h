@@ -9,9 +9,8 @@
 #include <stdint.h>
 
 struct ts_rng {
-	uint64_t seed,
-		stream;	  /* streams of one seed are independent: one per purpose or particle */
-	uint64_t counter; /* draws so far */
+	uint64_t seed, stream; /* streams of one seed are independent: one per purpose or particle */
+	uint64_t counter;      /* draws so far */
 };
 
 static inline struct ts_rng ts_rng_start(uint64_t seed, uint64_t stream)

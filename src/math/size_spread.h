@@ -12,7 +12,7 @@
 enum ts_spread_shape { TS_SPREAD_CONSTANT, TS_SPREAD_UNIFORM, TS_SPREAD_NORMAL, TS_SPREAD_LOGNORMAL };
 
 struct ts_spread {
-	int shape;    /* enum ts_spread_shape */
+	int shape; /* enum ts_spread_shape */
 	bool by_mass;
 	double a, b; /* the value; least and largest; mean and deviation; median and deviation of ln */
 };

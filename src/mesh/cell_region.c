@@ -31,8 +31,7 @@ static void place(const struct ts_cell_region *r, const struct ts_motion turn[3]
 		  double x[3])
 {
 	for (int d = 0; d < 3; d++)
-		x[d] = r->factor * (given[d] * r->region.scale[d] +
-				    r->offset[d] * r->region.scale[d]);
+		x[d] = r->factor * (given[d] * r->region.scale[d] + r->offset[d] * r->region.scale[d]);
 	for (int d = 0; d < 3; d++)
 		ts_motion_apply(&turn[d], x, x);
 }
@@ -81,8 +80,7 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 	for (size_t k = 0; k < cells->ncells; k++) {
 		if (has_no_volume(cells->type[k]))
 			continue;
-		if (cells->type[k] != shape ||
-		    cells->offset[k + 1] - cells->offset[k] != (tet ? 4 : 8))
+		if (cells->type[k] != shape || cells->offset[k + 1] - cells->offset[k] != (tet ? 4 : 8))
 			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, r->file),
 				       "region %s: cell %zu of '%s' is of type %d, expected %s only",
 				       self->style->name, k + 1, r->file, cells->type[k],
@@ -125,7 +123,8 @@ static void enter(const struct ts_cell_region *r, size_t k, uint32_t *count, int
 		for (c[1] = from[1]; c[1] <= to[1]; c[1]++)
 			for (c[2] = from[2]; c[2] <= to[2]; c[2]++) {
 				size_t cell = ((size_t)c[0] * (size_t)r->grid[1] + (size_t)c[1]) *
-						      (size_t)r->grid[2] + (size_t)c[2];
+						      (size_t)r->grid[2] +
+					      (size_t)c[2];
 
 				if (item)
 					item[count[cell]++] = (int32_t)k;
@@ -170,8 +169,8 @@ enum ts_status ts_cell_region_init(struct ts_instance *self, struct tsim *sim, i
 	r->closed = shape == HEXAHEDRON;
 	if (r->item)
 		return TS_OK;
-	status = ts_vtk_cells_read(&cells, &sim->files, &sim->error, sim->pool, ts_instance_word(self, r->file),
-				   r->file);
+	status = ts_vtk_cells_read(&cells, &sim->files, &sim->error, sim->pool,
+				   ts_instance_word(self, r->file), r->file);
 	if (status == TS_OK)
 		status = take(self, sim, &cells, shape);
 	ts_vtk_cells_release(&cells);

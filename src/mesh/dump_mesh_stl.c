@@ -45,11 +45,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static void add_facet(struct ts_str *out, const struct ts_mesh *m, size_t t)
 {
-	ts_str_addf(out, "  facet normal %g %g %g\n    outer loop\n", m->normal[t][0],
-		    m->normal[t][1], m->normal[t][2]);
+	ts_str_addf(out, "  facet normal %g %g %g\n    outer loop\n", m->normal[t][0], m->normal[t][1],
+		    m->normal[t][2]);
 	for (int k = 0; k < 3; k++)
-		ts_str_addf(out, "      vertex %g %g %g\n", m->x[t][k][0], m->x[t][k][1],
-			    m->x[t][k][2]);
+		ts_str_addf(out, "      vertex %g %g %g\n", m->x[t][k][0], m->x[t][k][1], m->x[t][k][2]);
 	ts_str_add(out, "    endloop\n  endfacet\n");
 }
 

@@ -40,13 +40,13 @@ struct state {
 	struct ts_mesh_list list;
 	struct passage *passage; /* of this step */
 	size_t npassages, passage_capacity;
-	size_t column; /* of the marks of particles */
+	size_t column;		  /* of the marks of particles */
 	size_t summed, component; /* of the property */
 	struct ts_textfile out;
 	/* saved */
 	double mass, number, deleted_mass, deleted_number, sum;
 	struct mark before; /* when the present interval began */
-	int64_t *doomed;	 /* particles that have passed and are deleted at the next rebuild */
+	int64_t *doomed;    /* particles that have passed and are deleted at the next rebuild */
 	size_t ndoomed, capacity;
 };
 
@@ -178,8 +178,8 @@ static enum ts_status write_passage(struct state *s, struct tsim *sim, size_t i)
 	const struct ts_particles *p = sim->particles;
 	char text[256], time[40] = "";
 
-	snprintf(text, sizeof text, "%4.4g %4.4g %4.4g %4.4g %4.4g %4.4g %4.4g", 2 * p->radius[i],
-		 p->x[i][0], p->x[i][1], p->x[i][2], p->v[i][0], p->v[i][1], p->v[i][2]);
+	snprintf(text, sizeof text, "%4.4g %4.4g %4.4g %4.4g %4.4g %4.4g %4.4g", 2 * p->radius[i], p->x[i][0],
+		 p->x[i][1], p->x[i][2], p->v[i][0], p->v[i][1], p->v[i][2]);
 	if (s->write_time)
 		snprintf(time, sizeof time, " %4.4g  ", ts_sim_time(sim));
 	if (s->screen)
@@ -260,8 +260,8 @@ static bool is_outside(const struct state *s, const double x[3], const struct ts
 	return s->inside_out ? side < 0 : side > 0;
 }
 
-/* The particle is near a triangle. Beside the mesh, at a rim, it may come to the inner side, but it does not pass
- * there. */
+/* The particle is near a triangle. Beside the mesh, at a rim, it may come to the inner side, but it does
+ * not pass there. */
 static bool meet(const struct state *s, double *mark, enum ts_mesh_part part, bool outside)
 {
 	bool inside_before = *mark > INSIDE - 0.5 && *mark < INSIDE + 0.5;
@@ -329,8 +329,8 @@ static int by_tag(const void *a, const void *b)
 	return (*p > *q) - (*p < *q);
 }
 
-/* Whether the step before this one ended an interval: as `interval` says, else a row of the table that is asked for;
- * where only the ends of runs are, the run began. Reading the rates does not matter. */
+/* Whether the step before this one ended an interval: as `interval` says, else a row of the table that is
+ * asked for; where only the ends of runs are, the run began. Reading the rates does not matter. */
 static bool ended(const struct state *s, const struct tsim *sim)
 {
 	const struct ts_thermo *t = sim->thermo;
@@ -458,9 +458,9 @@ static const struct ts_arg args[] = {
 	TS_WORD("mesh", struct state, mesh, .help = "ID of the fix mesh/surface"),
 	TS_VEC3("vec_side", struct state, side, .flags = TS_OPTIONAL,
 		.help = "points to the outer side of a planar mesh"),
-	TS_ENUM("count", struct state, count, count_names, .fallback = "multiple",
-		.flags = TS_STATEFUL,
-		.help = "once: no particle counts twice; multiple: it does if it comes back and passes again"),
+	TS_ENUM("count", struct state, count, count_names, .fallback = "multiple", .flags = TS_STATEFUL,
+		.help = "once: no particle counts twice; multiple: it does if it comes back and passes "
+			"again"),
 	TS_VEC3("point_at_outlet", struct state, outlet, .flags = TS_OPTIONAL, .unit = "length",
 		.help = "a point on the outer side of any mesh"),
 	TS_FLAG("inside_out", struct state, inside_out, .help = "the point is on the inner side"),
@@ -473,30 +473,27 @@ static const struct ts_arg args[] = {
 	TS_BOOL("delete_atoms", struct state, deletes, .fallback = "no",
 		.help = "whether particles that pass are deleted, when neighbours are next listed anew"),
 	TS_INT("interval", struct state, interval, .flags = TS_OPTIONAL | TS_STATEFUL, .range = TS_POSITIVE,
-	       .help = "f_ID[3], f_ID[4] are rates since the last multiple of so many steps, before this one; without it, "
-		       "since the last row of the table in the log"),
+	       .help = "f_ID[3], f_ID[4] are rates since the last multiple of so many steps, before this "
+		       "one; without it, since the last row of the table in the log"),
 	TS_WORD("sum_property", struct state, property, .flags = TS_OPTIONAL | TS_STATEFUL,
-		.help = "NAME or NAME[k], a number of fix property/atom that is summed over the particles that pass"),
+		.help = "NAME or NAME[k], a number of fix property/atom that is summed over the particles "
+			"that pass"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
 	{ "passed", "mass, 1, mass/time, 1/time, mass, 1, that of the property",
-	  "mass and number that have passed, both per time since the last row of the table, mass and number deleted; with "
-	  "sum_property its sum",
+	  "mass and number that have passed, both per time since the last row of the table, mass and number "
+	  "deleted; with sum_property its sum",
 	  TS_VECTOR, 0, NULL, eval },
 	{ .name = NULL },
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_F64(struct state, mass),
-	TS_SAVE_F64(struct state, number),
-	TS_SAVE_F64(struct state, deleted_mass),
-	TS_SAVE_F64(struct state, deleted_number),
-	TS_SAVE_F64(struct state, sum),
-	TS_SAVE_F64(struct state, before.mass),
-	TS_SAVE_F64(struct state, before.number),
-	TS_SAVED_ROWS_END,
+	TS_SAVE_F64(struct state, mass),	  TS_SAVE_F64(struct state, number),
+	TS_SAVE_F64(struct state, deleted_mass),  TS_SAVE_F64(struct state, deleted_number),
+	TS_SAVE_F64(struct state, sum),		  TS_SAVE_F64(struct state, before.mass),
+	TS_SAVE_F64(struct state, before.number), TS_SAVED_ROWS_END,
 };
 
 TS_STYLE(fix, ts_style, ts_fix_massflow_mesh)
@@ -504,19 +501,30 @@ const struct ts_style ts_fix_massflow_mesh = {
 	.name = "massflow/mesh",
 	.kind = TS_KIND_FIX,
 	.summary = "Counts the particles that pass a mesh, with their mass",
-	.doc = "A particle of the group passes when it is before a face of the mesh with its centre on the outer\n"
-	       "side, having been on the inner side when it was near the mesh last. Near is what is not farther\n"
-	       "than the radius and half of the skin of the neighbour list. The mesh is no wall for it, unless a fix\n"
-	       "wall/gran makes it one. Who gets round the rim does not count. The outer side is where vec_side points to, or, for any\n"
-	       "mesh, where (x - p).(point_at_outlet - x) > 0 for a centre x and the nearest point p of the mesh.\n\n"
-	       "f_ID[1], f_ID[2]: mass and number that have passed; f_ID[3], f_ID[4]: the same per time, over the\n"
-	       "steps since the last row of the table in the log that `thermo N` asked for, before this step (thermo 0: since\n"
-	       "the run began), or since the last multiple of `interval`. In rows of the table these are LIGGGHTS' numbers;\n"
-	       "there, who reads them in between begins a new interval for all, here reading changes nothing.\n"
+	.doc = "A particle of the group passes when it is before a face of the mesh with its centre on the "
+	       "outer\n"
+	       "side, having been on the inner side when it was near the mesh last. Near is what is not "
+	       "farther\n"
+	       "than the radius and half of the skin of the neighbour list. The mesh is no wall for it, "
+	       "unless a fix\n"
+	       "wall/gran makes it one. Who gets round the rim does not count. The outer side is where "
+	       "vec_side points to, or, for any\n"
+	       "mesh, where (x - p).(point_at_outlet - x) > 0 for a centre x and the nearest point p of the "
+	       "mesh.\n\n"
+	       "f_ID[1], f_ID[2]: mass and number that have passed; f_ID[3], f_ID[4]: the same per time, "
+	       "over the\n"
+	       "steps since the last row of the table in the log that `thermo N` asked for, before this step "
+	       "(thermo 0: since\n"
+	       "the run began), or since the last multiple of `interval`. In rows of the table these are "
+	       "LIGGGHTS' numbers;\n"
+	       "there, who reads them in between begins a new interval for all, here reading changes "
+	       "nothing.\n"
 	       "f_ID[5], f_ID[6]: mass and number deleted;\n"
-	       "f_ID[7]: with sum_property, its sum over what has passed. A sphere of a rigid body counts as the\n"
+	       "f_ID[7]: with sum_property, its sum over what has passed. A sphere of a rigid body counts as "
+	       "the\n"
 	       "part of the body that its mass is; delete_atoms deletes a body when all of it has passed.\n"
-	       "f_massflow_ID of a particle: -1 not met, 0 last on the inner side, 1 on the outer side, 2 done\n"
+	       "f_massflow_ID of a particle: -1 not met, 0 last on the inner side, 1 on the outer side, 2 "
+	       "done\n"
 	       "with (count once).",
 	.example = "fix outlet all massflow/mesh mesh gate vec_side 0 0 -1 count once file post/outlet.txt",
 	.args = args,

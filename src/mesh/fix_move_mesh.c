@@ -44,8 +44,7 @@ static enum ts_status linear(struct ts_instance *self, struct tsim *sim, double 
 	return TS_OK;
 }
 
-static enum ts_status linear_variable(struct ts_instance *self, struct tsim *sim, double t,
-				      struct rate *r)
+static enum ts_status linear_variable(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
 {
 	struct state *s = self->state;
 
@@ -65,8 +64,7 @@ static enum ts_status rotate(struct ts_instance *self, struct tsim *sim, double 
 	return TS_OK;
 }
 
-static enum ts_status rotate_variable(struct ts_instance *self, struct tsim *sim, double t,
-				      struct rate *r)
+static enum ts_status rotate_variable(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
 {
 	struct state *s = self->state;
 
@@ -127,10 +125,10 @@ static const struct kind {
 	rate_fn *rate;
 	bool steady, turns, vibrates;
 } kinds[] = {
-	{ linear, true, false, false },	   { linear_variable, false, false, false },
-	{ rotate, true, true, false },	   { rotate_variable, false, true, false },
-	{ wiggle, false, false, false },   { riggle, false, true, false },
-	{ viblin, false, false, true },	   { vibrot, false, true, true },
+	{ linear, true, false, false },	 { linear_variable, false, false, false },
+	{ rotate, true, true, false },	 { rotate_variable, false, true, false },
+	{ wiggle, false, false, false }, { riggle, false, true, false },
+	{ viblin, false, false, true },	 { vibrot, false, true, true },
 };
 enum { NKINDS = sizeof kinds / sizeof *kinds };
 
@@ -249,7 +247,8 @@ static bool is_alone(const struct ts_instance *self, const struct tsim *sim)
 	const struct ts_instance *other;
 
 	for (size_t k = 0; (other = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));)
-		if (other != self && ts_streq(((const struct ts_mesh_mover *)other->state)->mesh, s->mover.mesh))
+		if (other != self &&
+		    ts_streq(((const struct ts_mesh_mover *)other->state)->mesh, s->mover.mesh))
 			return false;
 	return true;
 }
@@ -274,41 +273,43 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	const struct ts_mesh_surface *surface = ts_mesh_surface_find(sim, s->mover.mesh);
 	double first = INFINITY, time = (double)sim->review.steps * sim->clock.dt;
 
-	if (!surface || kind_of(s)->rate != linear || !is_alone(self, sim) || sim->review.stale || sim->in_pieces)
+	if (!surface || kind_of(s)->rate != linear || !is_alone(self, sim) || sim->review.stale ||
+	    sim->in_pieces)
 		return TS_OK;
 	for (size_t t = 0; t < surface->mesh.n; t++)
 		first = fmin(first, exit_time(&sim->domain->box, surface->mesh.centre[t], s->velocity));
 	if (!(first < time))
 		return TS_OK;
 	return ts_review_find(sim, "mesh_leaves", &self->where,
-			      "mesh %s leaves the box %g from now, after %.0f of the %" PRId64 " steps of this run, which stops "
-			      "there; make the run shorter, the box larger, or its face `m`, which follows the mesh",
+			      "mesh %s leaves the box %g from now, after %.0f of the %" PRId64
+			      " steps of this run, which stops there; make the run shorter, the box larger, "
+			      "or its face `m`, which follows the mesh",
 			      s->mover.mesh, first, floor(first / sim->clock.dt + 1e-6), sim->review.steps);
 }
 
-#define VELOCITY_ROW                                                                               \
-	TS_VEC3("velocity", struct state, velocity, .flags = TS_POSITIONAL, .unit = "velocity",    \
+#define VELOCITY_ROW                                                                            \
+	TS_VEC3("velocity", struct state, velocity, .flags = TS_POSITIONAL, .unit = "velocity", \
 		.help = "Vx Vy Vz")
-#define RATE_ROW(k, c)                                                                             \
-	TS_NUMBER("V" c, struct state, rate[k], .flags = TS_POSITIONAL, .unit = "velocity",        \
+#define RATE_ROW(k, c)                                                                      \
+	TS_NUMBER("V" c, struct state, rate[k], .flags = TS_POSITIONAL, .unit = "velocity", \
 		  .help = c " velocity, usually a variable")
-#define ORIGIN_ROW                                                                                 \
+#define ORIGIN_ROW \
 	TS_VEC3("origin", struct state, mover.origin, .unit = "length", .help = "a point of the axis")
 #define AXIS_ROW(help_) TS_VEC3("axis", struct state, axis, .help = help_)
-#define PERIOD_ROW                                                                                 \
-	TS_REAL("period", struct state, period, .range = TS_POSITIVE, .unit = "time",              \
+#define PERIOD_ROW                                                                    \
+	TS_REAL("period", struct state, period, .range = TS_POSITIVE, .unit = "time", \
 		.help = "time of one turn or oscillation")
 #define TERM_ROWS                                                                                  \
 	TS_INT("order", struct state, nterms, .range = TS_WITHIN, .lo = 1, .hi = MOST_TERMS,       \
 	       .help = "number of terms"),                                                         \
 		TS_SOME_KEYWORD("amplitude", struct state, amplitudes, 0,                          \
 				.help = "of each term: length, or radian"),                        \
-		TS_SOME_KEYWORD("phase", struct state, phases, 0, .help = "of each term, radian"),  \
+		TS_SOME_KEYWORD("phase", struct state, phases, 0, .help = "of each term, radian"), \
 		TS_SOME_KEYWORD("period", struct state, periods, 0, .help = "of each term")
 
 static const struct ts_arg linear_rows[] = { VELOCITY_ROW, TS_ARGS_END };
-static const struct ts_arg linear_variable_rows[] = { RATE_ROW(0, "x"), RATE_ROW(1, "y"),
-						      RATE_ROW(2, "z"), TS_ARGS_END };
+static const struct ts_arg linear_variable_rows[] = { RATE_ROW(0, "x"), RATE_ROW(1, "y"), RATE_ROW(2, "z"),
+						      TS_ARGS_END };
 static const struct ts_arg rotate_rows[] = {
 	ORIGIN_ROW,
 	AXIS_ROW("direction of the axis; turns by the right hand"),
@@ -328,10 +329,8 @@ static const struct ts_arg wiggle_rows[] = {
 	TS_ARGS_END,
 };
 static const struct ts_arg riggle_rows[] = {
-	ORIGIN_ROW,
-	AXIS_ROW("direction of the axis"),
-	PERIOD_ROW,
-	TS_REAL("amplitude", struct state, swing, .unit = "degrees", .help = "largest angle"),
+	ORIGIN_ROW,  AXIS_ROW("direction of the axis"),
+	PERIOD_ROW,  TS_REAL("amplitude", struct state, swing, .unit = "degrees", .help = "largest angle"),
 	TS_ARGS_END,
 };
 static const struct ts_arg viblin_rows[] = {
@@ -346,16 +345,17 @@ static const struct ts_arg vibrot_rows[] = {
 	TS_ARGS_END,
 };
 
-#define MODES(ending)                                                                              \
-	{ "linear" ending, "at constant velocity", linear_rows },                                  \
-		{ "linear/variable" ending, "as variables say", linear_variable_rows },            \
-		{ "rotate" ending, "around an axis", rotate_rows },                                \
-		{ "rotate/variable" ending, "around an axis, as a variable says",                  \
-		  rotate_variable_rows },                                                          \
-		{ "wiggle" ending, "to and fro", wiggle_rows },                                    \
-		{ "riggle" ending, "to and fro around an axis", riggle_rows },                     \
-		{ "viblin" ending, "a sum of oscillations along a line", viblin_rows },            \
-		{ "vibrot" ending, "a sum of oscillations around an axis", vibrot_rows }
+#define MODES(ending)                                                                                     \
+	{ "linear" ending, "at constant velocity", linear_rows },                                         \
+		{ "linear/variable" ending, "as variables say", linear_variable_rows },                   \
+		{ "rotate" ending, "around an axis", rotate_rows },                                       \
+		{ "rotate/variable" ending, "around an axis, as a variable says", rotate_variable_rows }, \
+		{ "wiggle" ending, "to and fro", wiggle_rows },                                           \
+		{ "riggle" ending, "to and fro around an axis", riggle_rows },                            \
+		{ "viblin" ending, "a sum of oscillations along a line", viblin_rows },                   \
+	{                                                                                                 \
+		"vibrot" ending, "a sum of oscillations around an axis", vibrot_rows                      \
+	}
 static const struct ts_mode modes[] = { MODES(""), MODES("/superposable"), { .name = NULL } };
 
 static const char *const movable[] = { "mesh", NULL };
@@ -368,9 +368,12 @@ static const struct ts_arg args[] = {
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_I64(struct state, mover.serial), TS_SAVE_F64(struct state, base),
-	TS_SAVE_F64(struct state, dt),		 TS_SAVE_F64(struct state, shift),
-	TS_SAVE_F64(struct state, angle),	 TS_SAVE_I64(struct state, steps),
+	TS_SAVE_I64(struct state, mover.serial),
+	TS_SAVE_F64(struct state, base),
+	TS_SAVE_F64(struct state, dt),
+	TS_SAVE_F64(struct state, shift),
+	TS_SAVE_F64(struct state, angle),
+	TS_SAVE_I64(struct state, steps),
 	TS_SAVED_ROWS_END,
 };
 
@@ -379,23 +382,30 @@ const struct ts_style ts_fix_move_mesh = {
 	.name = "move/mesh",
 	.kind = TS_KIND_FIX,
 	.summary = "Moves a mesh",
-	.doc = "Moves the mesh of a `fix mesh/surface` as a rigid body; t is the time since the fix was made.\n\n"
+	.doc = "Moves the mesh of a `fix mesh/surface` as a rigid body; t is the time since the fix was "
+	       "made.\n\n"
 	       "    linear           x = x0 + V t\n"
 	       "    rotate           turned about the axis by 2 pi t/period\n"
 	       "    wiggle           velocity A w cos(w t), w = 2 pi/period\n"
 	       "    riggle           angular velocity A w cos(w t)\n"
-	       "    viblin, vibrot   velocity along, angular velocity about the axis: -sum C_n w_n sin(w_n t + phase_n),\n"
+	       "    viblin, vibrot   velocity along, angular velocity about the axis: -sum C_n w_n sin(w_n t "
+	       "+ phase_n),\n"
 	       "                     w_n = 2 pi/period_n\n"
 	       "    linear/variable, rotate/variable   velocity, angular velocity as variables say\n\n"
-	       "linear and rotate are exact at any time. The others advance the mesh in each step by the velocity at\n"
-	       "its end times the time step, as LIGGGHTS does, so that wiggle differs from A sin(w t) in the\n"
+	       "linear and rotate are exact at any time. The others advance the mesh in each step by the "
+	       "velocity at\n"
+	       "its end times the time step, as LIGGGHTS does, so that wiggle differs from A sin(w t) in "
+	       "the\n"
 	       "order of the time step. Particles see the velocity of the surface where they touch it.\n\n"
-	       "Several fixes may move one mesh: they act one after the other in each step, and each carries the\n"
-	       "origins of those after it along. Where a fix is deleted, the mesh stays where it is. A mesh with surface_vel or surface_ang_vel cannot move.",
-	.example = "fix lift all move/mesh mesh cad linear 0 0 0.1\n"
-		   "fix spin all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 1 period 2.385\n"
-		   "fix shake all move/mesh mesh cad viblin axis 0 0 1 order 2 amplitude 0.01 0.002 phase 0 1.3 "
-		   "period 0.1 0.031",
+	       "Several fixes may move one mesh: they act one after the other in each step, and each carries "
+	       "the\n"
+	       "origins of those after it along. Where a fix is deleted, the mesh stays where it is. A mesh "
+	       "with surface_vel or surface_ang_vel cannot move.",
+	.example =
+		"fix lift all move/mesh mesh cad linear 0 0 0.1\n"
+		"fix spin all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 1 period 2.385\n"
+		"fix shake all move/mesh mesh cad viblin axis 0 0 1 order 2 amplitude 0.01 0.002 phase 0 1.3 "
+		"period 0.1 0.031",
 	.args = args,
 	.family = TS_FAMILY_MESH_MOVER,
 	.state_size = sizeof(struct state),

@@ -40,8 +40,7 @@ static enum ts_status fails(struct ts_instance *self, struct tsim *sim, const ch
 		       "fix move/mesh/free: mesh %s %s", s->mover.mesh, what);
 }
 
-static enum ts_status check(struct ts_instance *self, struct tsim *sim,
-			    const struct ts_mesh_surface *surface)
+static enum ts_status check(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_surface *surface)
 {
 	const struct state *s = self->state;
 	const struct ts_instance *inst;
@@ -50,9 +49,11 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim,
 		return fails(self, sim,
 			     "does not know what particles do to it; make it by fix mesh/surface/stress");
 	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));)
-		if (inst != self && ts_streq(((const struct ts_mesh_mover *)inst->state)->mesh, s->mover.mesh))
-			return fails(self, sim, "is moved by another fix, too; a body that is free is "
-						"moved by this one alone");
+		if (inst != self &&
+		    ts_streq(((const struct ts_mesh_mover *)inst->state)->mesh, s->mover.mesh))
+			return fails(self, sim,
+				     "is moved by another fix, too; a body that is free is "
+				     "moved by this one alone");
 	if (isnan(s->density) == isnan(s->mass))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix move/mesh/free: say either `density` or `mass`");
@@ -100,8 +101,7 @@ static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
-static enum ts_status surface_of(struct ts_instance *self, struct tsim *sim,
-				 struct ts_mesh_surface **out)
+static enum ts_status surface_of(struct ts_instance *self, struct tsim *sim, struct ts_mesh_surface **out)
 {
 	const char *mesh = ((const struct state *)self->state)->mover.mesh;
 	struct ts_word id = { .text = mesh, .place = *ts_instance_word(self, mesh) };
@@ -175,7 +175,8 @@ static enum ts_status act(struct ts_instance *self, struct tsim *sim, bool in_se
 	if (sim->dimension == 2)
 		b->force[2] = b->torque[0] = b->torque[1] = 0;
 	if (virtual_density > 0) {
-		ts_net_force_stabilize(&s->net, ts_virtual_mass_ratio(b->density, 1, virtual_density), b->force, b->torque);
+		ts_net_force_stabilize(&s->net, ts_virtual_mass_ratio(b->density, 1, virtual_density),
+				       b->force, b->torque);
 		ts_net_force_record(&s->net, in_setup, b->force, b->torque);
 	}
 	return TS_OK;
@@ -229,8 +230,8 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* What acts at the start. A run that goes on computes no forces before its first step: the body has what acted
- * in the last one. */
+/* What acts at the start. A run that goes on computes no forces before its first step: the body has what
+ * acted in the last one. */
 static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 {
 	return ((struct state *)self->state)->due ? act(self, sim, true) : TS_OK;
@@ -276,12 +277,13 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
-static const char *const columns[] = { "x",  "y",  "z",	 "vx", "vy", "vz", "wx", "wy", "wz",   "lx", "ly",
+static const char *const columns[] = { "x",  "y",  "z",	 "vx", "vy", "vz", "wx", "wy",	 "wz", "lx", "ly",
 				       "lz", "fx", "fy", "fz", "tx", "ty", "tz", "mass", "ke", NULL };
 static const struct ts_value values[] = {
 	{ "motion", "",
-	  "[1..3] centre of mass, not wrapped, [4..6] velocity, [7..9] angular velocity, [10..12] angular momentum "
-	  "about the centre, [13..15] force, [16..18] torque about the centre, [19] mass, [20] kinetic energy",
+	  "[1..3] centre of mass, not wrapped, [4..6] velocity, [7..9] angular velocity, [10..12] angular "
+	  "momentum about the centre, [13..15] force, [16..18] torque about the centre, [19] mass, [20] "
+	  "kinetic energy",
 	  TS_VECTOR, 20, columns, eval },
 	{ .name = NULL },
 };
@@ -291,8 +293,8 @@ static const struct ts_arg args[] = {
 	TS_ENUM("what", struct state, what, movable, .flags = TS_POSITIONAL, .help = "what moves"),
 	TS_WORD("mesh-ID", struct state, mover.mesh, .flags = TS_POSITIONAL,
 		.help = "ID of a fix mesh/surface/stress, a closed surface"),
-	TS_REAL("density", struct state, density, .flags = TS_OPTIONAL | TS_STATEFUL,
-		.range = TS_POSITIVE, .unit = "density", .help = "of what fills it"),
+	TS_REAL("density", struct state, density, .flags = TS_OPTIONAL | TS_STATEFUL, .range = TS_POSITIVE,
+		.unit = "density", .help = "of what fills it"),
 	TS_REAL("mass", struct state, mass, .flags = TS_OPTIONAL | TS_STATEFUL, .range = TS_POSITIVE,
 		.unit = "mass", .help = "instead of density: spread evenly through it"),
 	TS_VEC3("velocity", struct state, velocity, .fallback = "0 0 0", .unit = "velocity",
@@ -315,20 +317,30 @@ const struct ts_style ts_fix_move_mesh_free = {
 	.name = "move/mesh/free",
 	.kind = TS_KIND_FIX,
 	.summary = "A closed mesh that moves as a free rigid body",
-	.doc = "The body that the mesh of a `fix mesh/surface/stress` encloses moves as contacts with particles, fluids\n"
+	.doc = "The body that the mesh of a `fix mesh/surface/stress` encloses moves as contacts with "
+	       "particles, fluids\n"
 	       "and gravity make it:\n\n"
 	       "    m dv/dt = F,  dL/dt = T,  omega = R I^-1 R^T L\n\n"
-	       "by velocity Verlet, the orientation as with fix rigid. Mass m, centre and moments I are the integrals over the\n"
-	       "tetrahedra of each triangle and a place amid them, exact to round-off, for an even density.\n\n"
-	       "F and T are those of the particles that touch it by `fix wall/gran ... mesh`; those of each `fix\n"
-	       "immersed/boundary mesh` made of the mesh, of the last step of the fluid, with its virtual mass\n"
+	       "by velocity Verlet, the orientation as with fix rigid. Mass m, centre and moments I are the "
+	       "integrals over the\n"
+	       "tetrahedra of each triangle and a place amid them, exact to round-off, for an even "
+	       "density.\n\n"
+	       "F and T are those of the particles that touch it by `fix wall/gran ... mesh`; those of each "
+	       "`fix\n"
+	       "immersed/boundary mesh` made of the mesh, of the last step of the fluid, with its virtual "
+	       "mass\n"
 	       "beside the body's; and the weight. Buoyancy is that of the script: the\n"
-	       "pressure of the fluid is without the hydrostatic part, unless flow_style has a body_force.\n\n"
-	       "A contact damps as between the grain and a wall that does not give way, with the grain's mass alone. With\n"
-	       "friction the grain's lever ends between its surface and that of the mesh, the mesh's at its own\n"
+	       "pressure of the fluid is without the hydrostatic part, unless flow_style has a "
+	       "body_force.\n\n"
+	       "A contact damps as between the grain and a wall that does not give way, with the grain's "
+	       "mass alone. With\n"
+	       "friction the grain's lever ends between its surface and that of the mesh, the mesh's at its "
+	       "own\n"
 	       "surface, so angular momentum is kept to half an overlap, else to round-off.\n\n"
-	       "Meshes do not feel each other, nor walls. In two dimensions the body keeps to the plane, with the\n"
-	       "mass of all of the mesh, also of what is beyond the box along z (say `mass` then). No other fix may move it.",
+	       "Meshes do not feel each other, nor walls. In two dimensions the body keeps to the plane, "
+	       "with the\n"
+	       "mass of all of the mesh, also of what is beyond the box along z (say `mass` then). No other "
+	       "fix may move it.",
 	.example = "fix box all mesh/surface/stress file box.stl type 2\n"
 		   "fix free all move/mesh/free mesh box density 700 velocity 0.1 0 0",
 	.args = args,

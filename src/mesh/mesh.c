@@ -27,14 +27,14 @@ static enum ts_status reserve(struct ts_mesh *m)
 	m->vertex = ts_alloc(n, sizeof *m->vertex);
 	m->neighbour = ts_alloc(n, sizeof *m->neighbour);
 	m->active = ts_alloc(n, sizeof *m->active);
-	return m->x && m->normal && m->along && m->length && m->area && m->centre && m->reach &&
-			       m->vertex && m->neighbour && m->active
+	return m->x && m->normal && m->along && m->length && m->area && m->centre && m->reach && m->vertex &&
+			       m->neighbour && m->active
 		       ? TS_OK
 		       : TS_NOMEM;
 }
 
-enum ts_status ts_mesh_build(struct ts_mesh *m, const double (*soup)[3][3], size_t n,
-			     double precision, double curvature)
+enum ts_status ts_mesh_build(struct ts_mesh *m, const double (*soup)[3][3], size_t n, double precision,
+			     double curvature)
 {
 	enum ts_status status = TS_RANGE;
 
@@ -101,7 +101,8 @@ TS_INLINE double reach_of(const double x[9], const double centre[3])
 
 /* What a mesh knows of some triangles, in columns. */
 struct columns {
-	double x[9][TS_BATCH], along[9][TS_BATCH], length[3][TS_BATCH], normal[3][TS_BATCH], centre[3][TS_BATCH];
+	double x[9][TS_BATCH], along[9][TS_BATCH], length[3][TS_BATCH], normal[3][TS_BATCH],
+		centre[3][TS_BATCH];
 	double area[TS_BATCH], reach[TS_BATCH];
 };
 

@@ -39,8 +39,9 @@ struct ts_mesh {
 				  * TS_MESH_MANY: several */
 	uint8_t *active;	 /* bit k: edge k, bit 3 + k: corner k */
 	double flat;		 /* cosine of the angle `curvature` */
-	double loose;		 /* corners of the same number are no farther apart than this; with rounding */
-	bool legacy;		 /* beyond an obtuse corner as in LIGGGHTS: ts_mesh_nearest */
+	/* corners of the same number are no farther apart than this; with rounding */
+	double loose;
+	bool legacy; /* beyond an obtuse corner as in LIGGGHTS: ts_mesh_nearest */
 };
 
 enum { TS_MESH_MANY = -2 };
@@ -58,8 +59,8 @@ static inline bool ts_mesh_corner_active(const struct ts_mesh *mesh, size_t t, i
 /* Makes a mesh of n triangles given by their corners. `precision`: corners nearer to each other than this
  * are the same; `curvature` in degrees. The mesh must be zero or released before; on failure (no
  * memory, more than INT32_MAX / 64 triangles: TS_RANGE) it is released. */
-enum ts_status ts_mesh_build(struct ts_mesh *mesh, const double (*soup)[3][3], size_t n,
-			     double precision, double curvature);
+enum ts_status ts_mesh_build(struct ts_mesh *mesh, const double (*soup)[3][3], size_t n, double precision,
+			     double curvature);
 /* Across periodic faces of the box triangles hang together with images of others: corners that differ by
  * lengths of the box become the same. */
 enum ts_status ts_mesh_link_images(struct ts_mesh *mesh, const struct ts_box *box, double precision);

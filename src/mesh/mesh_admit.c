@@ -132,20 +132,19 @@ static enum ts_status write_exclusions(struct admission *a)
 
 static enum ts_status build(struct admission *a)
 {
-	double (*x)[3][3] = ts_alloc(a->soup->n, sizeof *x);
+	double(*x)[3][3] = ts_alloc(a->soup->n, sizeof *x);
 	enum ts_status status = x ? TS_OK : ts_nomem(&a->sim->error);
 
 	for (size_t t = 0; x && t < a->soup->n; t++)
 		memcpy(x[t], a->soup->t[t].v, sizeof x[t]);
 	ts_mesh_release(a->mesh);
 	if (x)
-		status = ts_mesh_build(a->mesh, (const double(*)[3][3])x, a->soup->n,
-				       a->how->precision, a->how->curvature);
+		status = ts_mesh_build(a->mesh, (const double(*)[3][3])x, a->soup->n, a->how->precision,
+				       a->how->curvature);
 	ts_free(x);
 	if (status == TS_RANGE)
 		return ts_fail(&a->sim->error, TS_RANGE, a->where,
-			       "%s: %zu triangles are more than can be handled", a->soup->file,
-			       a->soup->n);
+			       "%s: %zu triangles are more than can be handled", a->soup->file, a->soup->n);
 	return status == TS_NOMEM ? ts_nomem(&a->sim->error) : status;
 }
 

@@ -29,8 +29,7 @@ struct search {
 	void *context;
 };
 
-static double distance_to_edge(const double x[3], const double a[3], const double along[3],
-			       double length)
+static double distance_to_edge(const double x[3], const double a[3], const double along[3], double length)
 {
 	double d[3], s;
 

@@ -10,8 +10,8 @@ struct ts_mesh_edge {
 };
 
 /* A crack: the triangle has a corner at distance `width` of an edge of the other. */
-typedef enum ts_status ts_mesh_crack_fn(void *context, int32_t triangle, int32_t other,
-					const double at[3], double width);
+typedef enum ts_status ts_mesh_crack_fn(void *context, int32_t triangle, int32_t other, const double at[3],
+					double width);
 
 /* The edges come sorted by their vertices; those that are there once are open. A crack is narrower than a
  * thousandth of the edge it runs along. */

@@ -73,8 +73,8 @@ double ts_mesh_distance(const struct ts_mesh *mesh, size_t t, const double x[3])
 }
 
 enum ts_status ts_mesh_signed_distance(const struct ts_mesh *mesh, const struct ts_mesh_tree *tree,
-				       const double x[3], double reach, struct ts_mesh_list *list,
-				       bool *near, struct ts_mesh_distance *out)
+				       const double x[3], double reach, struct ts_mesh_list *list, bool *near,
+				       struct ts_mesh_distance *out)
 {
 	double front = 0; /* cosine of the angle between the normal and the way */
 
@@ -99,9 +99,8 @@ enum ts_status ts_mesh_signed_distance(const struct ts_mesh *mesh, const struct 
 	if (!*near)
 		return TS_OK;
 	for (int k = 0; k < 3; k++)
-		out->n[k] = out->distance > 1e-12 * reach
-				    ? (front < 0 ? -1 : 1) * out->n[k] / out->distance
-				    : mesh->normal[out->triangle][k];
+		out->n[k] = out->distance > 1e-12 * reach ? (front < 0 ? -1 : 1) * out->n[k] / out->distance
+							  : mesh->normal[out->triangle][k];
 	out->distance *= front < 0 ? -1 : 1;
 	return TS_OK;
 }

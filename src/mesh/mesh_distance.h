@@ -22,8 +22,8 @@ double ts_mesh_distance(const struct ts_mesh *mesh, size_t t, const double x[3])
  * nearest to an edge or a corner - the one seen most from the front decides on which side x is. `list` is
  * scratch. */
 enum ts_status ts_mesh_signed_distance(const struct ts_mesh *mesh, const struct ts_mesh_tree *tree,
-				       const double x[3], double reach, struct ts_mesh_list *list,
-				       bool *near, struct ts_mesh_distance *out);
+				       const double x[3], double reach, struct ts_mesh_list *list, bool *near,
+				       struct ts_mesh_distance *out);
 
 /* Inside at any distance, from the solid angle under which the triangles are seen, 4 pi or 0 (A. Van Oosterom
  * & J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125). Goes through all triangles. */

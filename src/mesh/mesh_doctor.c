@@ -18,8 +18,8 @@ struct doctor {
 	const struct ts_mesh *m;
 	double curvature;
 	struct ts_mesh_findings *out;
-	uint8_t *dead;		/* collapsed or duplicate: no more to be said of it */
-	int32_t *neighbours;	/* how many, over all edges */
+	uint8_t *dead;	     /* collapsed or duplicate: no more to be said of it */
+	int32_t *neighbours; /* how many, over all edges */
 	struct ts_mesh_edge *edge;
 	size_t nedges;
 };
@@ -158,10 +158,10 @@ static enum ts_status list_edges(struct doctor *d)
 		int32_t a = m->vertex[c / 3][c % 3], b = m->vertex[c / 3][(c + 1) % 3];
 
 		if (!d->dead[c / 3])
-			d->edge[d->nedges++] = (struct ts_mesh_edge){
-				.lo = a < b ? a : b, .hi = a < b ? b : a,
-				.triangle = (int32_t)(c / 3), .k = (int32_t)(c % 3)
-			};
+			d->edge[d->nedges++] = (struct ts_mesh_edge){ .lo = a < b ? a : b,
+								      .hi = a < b ? b : a,
+								      .triangle = (int32_t)(c / 3),
+								      .k = (int32_t)(c % 3) };
 	}
 	qsort(d->edge, d->nedges, sizeof *d->edge, by_edge);
 	return TS_OK;
@@ -323,8 +323,7 @@ static enum ts_status examine(struct doctor *d, uint8_t *side, int32_t *queue)
 	return ts_mesh_cracks(d->m, d->edge, d->nedges, crack, d);
 }
 
-enum ts_status ts_mesh_examine(const struct ts_mesh *mesh, double curvature,
-			       struct ts_mesh_findings *out)
+enum ts_status ts_mesh_examine(const struct ts_mesh *mesh, double curvature, struct ts_mesh_findings *out)
 {
 	struct doctor d = { .m = mesh, .curvature = curvature, .out = out };
 	uint8_t *side = ts_alloc(mesh->n, 1);

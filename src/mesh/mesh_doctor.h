@@ -12,7 +12,7 @@
 #define TS_MESH_ILL_LIST(X)                                                                        \
 	X(COLLAPSED, "has two corners at the same place and is left out", "",                      \
 	  "take a smaller `precision`, or export the surface with more digits")                    \
-	X(NEEDLE, "has hardly any area: its smallest angle is below 0.0181185 degrees", "degrees",  \
+	X(NEEDLE, "has hardly any area: its smallest angle is below 0.0181185 degrees", "degrees", \
 	  "mesh that part anew, or remove the triangle")                                           \
 	X(SHARP, "has an angle smaller than `curvature`", "degrees",                               \
 	  "mesh that part anew, reduce `curvature`, or say `curvature_tolerant yes`")              \
@@ -49,8 +49,7 @@ struct ts_mesh_findings {
 };
 
 /* `curvature` in degrees, as the mesh was built with. */
-enum ts_status ts_mesh_examine(const struct ts_mesh *mesh, double curvature,
-			       struct ts_mesh_findings *out);
+enum ts_status ts_mesh_examine(const struct ts_mesh *mesh, double curvature, struct ts_mesh_findings *out);
 void ts_mesh_findings_release(struct ts_mesh_findings *findings);
 
 struct ts_mesh_ill_text {

@@ -120,8 +120,8 @@ static bool flat(const struct ts_mesh *m, int32_t a, int32_t b)
 
 static void set_edge(struct ts_mesh *m, const struct edge *e, bool active)
 {
-	m->active[e->triangle] = (uint8_t)((m->active[e->triangle] & ~(1u << e->k)) |
-					   (unsigned)active << e->k);
+	m->active[e->triangle] =
+		(uint8_t)((m->active[e->triangle] & ~(1u << e->k)) | (unsigned)active << e->k);
 }
 
 /* n triangles share an edge: the last one has it, unless it has a flat neighbour there. */
@@ -133,9 +133,7 @@ static void share_edge(struct ts_mesh *m, const struct edge *e, size_t n)
 		for (size_t b = 0; b < n; b++)
 			active &= a == b || !flat(m, e[a].triangle, e[b].triangle);
 		set_edge(m, &e[a], active);
-		m->neighbour[e[a].triangle][e[a].k] = n == 1   ? -1
-						      : n == 2 ? e[1 - a].triangle
-							       : TS_MESH_MANY;
+		m->neighbour[e[a].triangle][e[a].k] = n == 1 ? -1 : n == 2 ? e[1 - a].triangle : TS_MESH_MANY;
 	}
 }
 
@@ -209,8 +207,7 @@ static bool any_edge_active(const struct ts_mesh *m, const int32_t *corner, size
 	for (size_t i = 0; i < n; i++) {
 		int32_t t = corner[i] / 3, k = corner[i] % 3;
 
-		if (ts_mesh_edge_active(m, (size_t)t, k) ||
-		    ts_mesh_edge_active(m, (size_t)t, (k + 2) % 3))
+		if (ts_mesh_edge_active(m, (size_t)t, k) || ts_mesh_edge_active(m, (size_t)t, (k + 2) % 3))
 			return true;
 	}
 	return false;

@@ -38,8 +38,7 @@ static void lay_down(const double normal[3], double v[3])
 	ts_scale(length > 0 ? speed / length : 0, v, v);
 }
 
-static void corner_velocity(const struct conveyor *c, const struct ts_mesh *m, size_t t, int k,
-			    double v[3])
+static void corner_velocity(const struct conveyor *c, const struct ts_mesh *m, size_t t, int k, double v[3])
 {
 	double arm[3];
 
@@ -51,8 +50,8 @@ static void corner_velocity(const struct conveyor *c, const struct ts_mesh *m, s
 }
 
 /* A surface that moves in itself. */
-static enum ts_status convey(struct ts_instance *self, struct tsim *sim,
-			     const struct ts_mesh_words *w, struct ts_mesh_surface *s)
+static enum ts_status convey(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_words *w,
+			     struct ts_mesh_surface *s)
 {
 	struct conveyor c = { 0 };
 	double length;
@@ -66,8 +65,8 @@ static enum ts_status convey(struct ts_instance *self, struct tsim *sim,
 		TS_TRY(ts_args_parse(sim, "surface_vel", linear_rows, w->surface_vel, &self->where,
 				     &self->arena, &c));
 	else
-		TS_TRY(ts_args_parse(sim, "surface_ang_vel", angular_rows, w->surface_ang_vel,
-				     &self->where, &self->arena, &c));
+		TS_TRY(ts_args_parse(sim, "surface_ang_vel", angular_rows, w->surface_ang_vel, &self->where,
+				     &self->arena, &c));
 	length = ts_norm(c.axis);
 	ts_scale(length > 0 ? 1 / length : 0, c.axis, c.axis);
 	s->v = ts_alloc(s->mesh.n, sizeof *s->v);
@@ -95,8 +94,8 @@ static struct ts_word source_of(const struct ts_instance *self, const struct ts_
 	return (struct ts_word){ .text = text, .place = *ts_instance_word(self, text) };
 }
 
-static enum ts_status read_soup(struct ts_instance *self, struct tsim *sim,
-				const struct ts_mesh_words *w, struct ts_triangles *soup)
+static enum ts_status read_soup(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_words *w,
+				struct ts_triangles *soup)
 {
 	struct ts_word source;
 
@@ -111,8 +110,8 @@ static enum ts_status read_soup(struct ts_instance *self, struct tsim *sim,
 		TS_TRY(ts_mesh_soup_extrude(self, sim, &source, soup));
 	TS_TRY(ts_mesh_soup_choose(self, sim, w, soup));
 	if (!soup->n)
-		return ts_fail(&sim->error, TS_RANGE, &source.place,
-			       "mesh %s: there is no triangle in %s", self->id, source.text);
+		return ts_fail(&sim->error, TS_RANGE, &source.place, "mesh %s: there is no triangle in %s",
+			       self->id, source.text);
 	return ts_mesh_soup_transform(self, sim, soup);
 }
 
@@ -129,11 +128,13 @@ static enum ts_status check_extrusion(struct ts_instance *self, struct tsim *sim
 		       self->id, bend / 3 + 1);
 }
 
-/* Corners nearer to each other than this are the same. Without the word it goes with the size of the mesh: as files in
- * single precision round (LIGGGHTS: 1e-8 in units of length, too much for a mesh of micrometres in m). */
+/* Corners nearer to each other than this are the same. Without the word it goes with the size of the mesh:
+ * as files in single precision round (LIGGGHTS: 1e-8 in units of length, too much for a mesh of
+ * micrometres in m). */
 static double precision_of(const struct ts_mesh_words *w, const struct ts_triangles *soup)
 {
-	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY }, longest = 0;
+	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY },
+	       longest = 0;
 
 	if (!isnan(w->precision))
 		return w->precision;
@@ -147,8 +148,8 @@ static double precision_of(const struct ts_mesh_words *w, const struct ts_triang
 	return longest > 0 ? 1e-7 * longest : 1;
 }
 
-static enum ts_status load(struct ts_instance *self, struct tsim *sim,
-			   const struct ts_mesh_words *w, struct ts_mesh_surface *surface)
+static enum ts_status load(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_words *w,
+			   struct ts_mesh_surface *surface)
 {
 	struct ts_mesh_admission how = {
 		.curvature = w->curvature,
@@ -165,7 +166,8 @@ static enum ts_status load(struct ts_instance *self, struct tsim *sim,
 		source = source_of(self, w);
 		how.precision = precision_of(w, &soup);
 		if (sim->stop)
-			status = ts_fail(&sim->error, TS_STOPPED, &source.place, "stopped on request before the mesh was built");
+			status = ts_fail(&sim->error, TS_STOPPED, &source.place,
+					 "stopped on request before the mesh was built");
 	}
 	if (status == TS_OK) {
 		status = ts_mesh_admit(sim, &source.place, &how, &soup, &surface->mesh);
@@ -173,8 +175,7 @@ static enum ts_status load(struct ts_instance *self, struct tsim *sim,
 	ts_triangles_release(&soup);
 	if (status == TS_OK)
 		status = check_extrusion(self, sim, surface);
-	if (status == TS_OK && ts_mesh_link_images(&surface->mesh, &sim->domain->box,
-						   how.precision) != TS_OK)
+	if (status == TS_OK && ts_mesh_link_images(&surface->mesh, &sim->domain->box, how.precision) != TS_OK)
 		status = ts_nomem(&sim->error);
 	if (status == TS_OK)
 		status = convey(self, sim, w, surface);

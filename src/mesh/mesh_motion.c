@@ -39,8 +39,8 @@ TS_INLINE double place_corner(const struct ts_motion *m, const double *home, dou
 }
 
 /* Corners from .. to-1; returns how far one has gone, at most, squared. */
-TS_CLONES static double place_corners(const struct ts_motion *motion, const double *restrict home, double *restrict x,
-				      size_t from, size_t to)
+TS_CLONES static double place_corners(const struct ts_motion *motion, const double *restrict home,
+				      double *restrict x, size_t from, size_t to)
 {
 	const struct ts_motion m = *motion;
 	double most = 0;
@@ -120,8 +120,8 @@ TS_INLINE void add_at_corner(const struct ts_mesh_motion *m, bool first, const d
 		v[d] = (first ? 0 : v[d]) + m->drift[d] + turning[d];
 }
 
-TS_CLONES static void add_at_corners(const struct ts_mesh_motion *motion, bool first, const double *restrict x,
-				     double *restrict v, size_t n)
+TS_CLONES static void add_at_corners(const struct ts_mesh_motion *motion, bool first,
+				     const double *restrict x, double *restrict v, size_t n)
 {
 	const struct ts_mesh_motion m = *motion;
 
@@ -191,8 +191,7 @@ static enum ts_status enter_new(struct tsim *sim, struct ts_mesh_surface *s, con
 	return TS_OK;
 }
 
-static enum ts_status mesh_of(struct ts_instance *self, struct tsim *sim,
-			      struct ts_mesh_surface **out)
+static enum ts_status mesh_of(struct ts_instance *self, struct tsim *sim, struct ts_mesh_surface **out)
 {
 	const struct ts_mesh_mover *mover = self->state;
 	struct ts_word id = { .text = mover->mesh, .place = *ts_instance_word(self, mover->mesh) };
@@ -213,8 +212,7 @@ enum ts_status ts_mesh_mover_check(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim,
-				  const struct ts_mesh_motion *m)
+enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_motion *m)
 {
 	struct ts_mesh_mover *mover = self->state;
 	struct ts_mesh_surface *s;
@@ -326,8 +324,7 @@ static enum ts_status archive_list(struct ts_mesh_surface *s, struct tsim *sim, 
 	return numbers == count * TS_MESH_MOTION ? TS_OK : damaged(sim);
 }
 
-enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *s, struct tsim *sim,
-				       struct ts_archive *a)
+enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *s, struct tsim *sim, struct ts_archive *a)
 {
 	bool writing = ts_archive_writing(a), moving;
 
@@ -339,8 +336,7 @@ enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *s, struct tsim *s
 	TS_TRY(ts_archive_fixed(a, "given", TS_SAVED_I64, &s->serials, 1));
 	TS_TRY(ts_archive_fixed(a, "travelled", TS_SAVED_F64, &s->travelled, 1));
 	TS_TRY(ts_archive_fixed(a, "anchor", TS_SAVED_F64, s->anchor_home, 3));
-	TS_TRY(ts_archive_fixed(a, "carried", TS_SAVED_F64, &s->carried,
-				sizeof s->carried / sizeof(double)));
+	TS_TRY(ts_archive_fixed(a, "carried", TS_SAVED_F64, &s->carried, sizeof s->carried / sizeof(double)));
 	TS_TRY(archive_list(s, sim, a));
 	moving = writing ? s->v != NULL : ts_archive_has(a, "velocity");
 	if (moving)

@@ -1,7 +1,7 @@
-/* Meshes that move. A mesh has a place where it is at home. One mover alone carries it from there by its motion
- * so far, which it knows exactly. Several act in each step one after the other, in script order, as LIGGGHTS
- * has it: each moves what the mesh is by then, and the centres, but not the axes, of those after it. When a
- * mover is gone, the mesh is at home where it stands. */
+/* Meshes that move. A mesh has a place where it is at home. One mover alone carries it from there by its
+ * motion so far, which it knows exactly. Several act in each step one after the other, in script order, as
+ * LIGGGHTS has it: each moves what the mesh is by then, and the centres, but not the axes, of those after
+ * it. When a mover is gone, the mesh is at home where it stands. */
 #ifndef TS_MESH_MESH_MOTION_H
 #define TS_MESH_MESH_MOTION_H
 
@@ -19,8 +19,7 @@ struct ts_mesh_mover {
 /* In init: the mesh exists and may move. */
 enum ts_status ts_mesh_mover_check(struct ts_instance *self, struct tsim *sim);
 /* In INITIAL_INTEGRATE: this is its motion now. */
-enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim,
-				  const struct ts_mesh_motion *m);
+enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_motion *m);
 
 /* Later in the step: its velocity has changed, not its place. */
 enum ts_status ts_mesh_mover_drift(struct ts_instance *self, struct tsim *sim, const double drift[3],

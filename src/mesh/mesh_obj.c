@@ -26,8 +26,7 @@ static enum ts_status read_point(struct obj *o)
 		return ts_nomem(o->s->err);
 	for (int k = 0; k < 3; k++) {
 		if (!ts_scan_word_in_line(o->s))
-			return ts_scan_fail(o->s, TS_DAMAGED, "the point ends before its %c",
-					    "xyz"[k]);
+			return ts_scan_fail(o->s, TS_DAMAGED, "the point ends before its %c", "xyz"[k]);
 		TS_TRY(ts_scan_this_real(o->s, what[k], &o->point[o->npoints][k]));
 	}
 	o->npoints++;
@@ -44,13 +43,13 @@ static enum ts_status read_corner(struct obj *o, double *out)
 	while (n < o->s->length && o->s->word[n] != '/')
 		n++;
 	snprintf(text, sizeof text, "%.*s", n < sizeof text ? (int)n : 0, o->s->word);
-	if ( !ts_parse_int(text, &index) || index == 0)
+	if (!ts_parse_int(text, &index) || index == 0)
 		return ts_scan_fail(o->s, TS_SYNTAX, "%s is no corner, expected the number of a point",
 				    ts_scan_found(o->s).text);
 	if (index > 0 ? (uint64_t)index > o->npoints : (uint64_t)-index > o->npoints)
 		return ts_scan_fail(o->s, TS_RANGE,
-				    "the face needs point %" PRId64 ", but there are %zu so far",
-				    index, o->npoints);
+				    "the face needs point %" PRId64 ", but there are %zu so far", index,
+				    o->npoints);
 	memcpy(out, o->point[index > 0 ? index - 1 : (int64_t)o->npoints + index], 3 * sizeof *out);
 	return TS_OK;
 }

@@ -29,8 +29,8 @@ static enum ts_status read(struct ts_scan *s, struct ts_triangles *soup)
 	return TS_OK;
 }
 
-enum ts_status ts_mesh_read(struct ts_triangles *soup, struct ts_files *files, struct ts_error *err, struct ts_pool *pool,
-			    const struct ts_place *where, const char *path)
+enum ts_status ts_mesh_read(struct ts_triangles *soup, struct ts_files *files, struct ts_error *err,
+			    struct ts_pool *pool, const struct ts_place *where, const char *path)
 {
 	struct ts_scan s;
 	enum ts_status status = ts_scan_open(&s, files, err, pool, where, path);
@@ -51,16 +51,14 @@ enum ts_status ts_mesh_parse(struct ts_triangles *soup, struct ts_error *err, st
 }
 
 enum ts_status ts_vtk_cells_read(struct ts_vtk_cells *cells, struct ts_files *files, struct ts_error *err,
-				 struct ts_pool *pool, const struct ts_place *where,
-				 const char *path)
+				 struct ts_pool *pool, const struct ts_place *where, const char *path)
 {
 	struct ts_scan s;
 	enum ts_status status = ts_scan_open(&s, files, err, pool, where, path);
 
 	if (status == TS_OK && !begins(&s, "# vtk DataFile"))
 		status = ts_scan_refuse(&s, TS_DAMAGED,
-					"'%s' is no VTK file: it does not begin with '# vtk DataFile'",
-					path);
+					"'%s' is no VTK file: it does not begin with '# vtk DataFile'", path);
 	if (status == TS_OK)
 		status = ts_vtk_read(&s, cells);
 	ts_scan_close(&s);

@@ -12,8 +12,8 @@ struct ts_pool;
 
 /* Adds the triangles of the file to the soup. `where` is blamed if it cannot be opened; what is wrong in
  * the file is shown with its line there. */
-enum ts_status ts_mesh_read(struct ts_triangles *soup, struct ts_files *files, struct ts_error *err, struct ts_pool *pool,
-			    const struct ts_place *where, const char *path);
+enum ts_status ts_mesh_read(struct ts_triangles *soup, struct ts_files *files, struct ts_error *err,
+			    struct ts_pool *pool, const struct ts_place *where, const char *path);
 /* The same from memory; `name` stands for the file in messages. */
 enum ts_status ts_mesh_parse(struct ts_triangles *soup, struct ts_error *err, struct ts_pool *pool,
 			     const char *name, const char *bytes, size_t n);
@@ -30,8 +30,7 @@ struct ts_vtk_cells {
 	const char *file;
 };
 enum ts_status ts_vtk_cells_read(struct ts_vtk_cells *cells, struct ts_files *files, struct ts_error *err,
-				 struct ts_pool *pool, const struct ts_place *where,
-				 const char *path);
+				 struct ts_pool *pool, const struct ts_place *where, const char *path);
 void ts_vtk_cells_release(struct ts_vtk_cells *cells);
 
 #endif

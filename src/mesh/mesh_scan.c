@@ -15,8 +15,7 @@
 
 enum { CHUNK = 1 << 16, LONGEST_NUMBER = 63 };
 
-static enum ts_status start(struct ts_scan *s, struct ts_error *err, struct ts_pool *pool,
-			    const char *name)
+static enum ts_status start(struct ts_scan *s, struct ts_error *err, struct ts_pool *pool, const char *name)
 {
 	*s = (struct ts_scan){ .err = err, .pool = pool, .file = ts_pool_get(pool, name), .line = 1 };
 	return s->file ? TS_OK : ts_nomem(err);
@@ -58,13 +57,14 @@ static enum ts_status load(struct ts_scan *s, gzFile gz)
 		s->n += (size_t)got;
 		if (!gzdirect(gz) && (double)s->n > ts_input_limit())
 			return ts_scan_refuse(s, TS_RANGE,
-					      "'%s' unfolds to more than %.6g GB; if that is meant, start tsim with "
-					      "-input-limit GB", s->file, ts_input_limit() / 1e9);
+					      "'%s' unfolds to more than %.6g GB; if that is meant, start "
+					      "tsim with -input-limit GB",
+					      s->file, ts_input_limit() / 1e9);
 	}
 }
 
-enum ts_status ts_scan_open(struct ts_scan *s, struct ts_files *files, struct ts_error *err, struct ts_pool *pool,
-			    const struct ts_place *where, const char *path)
+enum ts_status ts_scan_open(struct ts_scan *s, struct ts_files *files, struct ts_error *err,
+			    struct ts_pool *pool, const struct ts_place *where, const char *path)
 {
 	enum ts_status status;
 	gzFile gz;
@@ -82,8 +82,8 @@ enum ts_status ts_scan_open(struct ts_scan *s, struct ts_files *files, struct ts
 	return status;
 }
 
-enum ts_status ts_scan_memory(struct ts_scan *s, struct ts_error *err, struct ts_pool *pool,
-			      const char *name, const char *bytes, size_t n)
+enum ts_status ts_scan_memory(struct ts_scan *s, struct ts_error *err, struct ts_pool *pool, const char *name,
+			      const char *bytes, size_t n)
 {
 	TS_TRY(start(s, err, pool, name));
 	s->bytes = bytes;
@@ -101,8 +101,7 @@ void ts_scan_close(struct ts_scan *s)
 /* Lines end as in Unix, DOS or the first Macintosh. */
 static bool ends_line(const struct ts_scan *s, size_t at)
 {
-	return s->bytes[at] == '\n' ||
-	       (s->bytes[at] == '\r' && !(at + 1 < s->n && s->bytes[at + 1] == '\n'));
+	return s->bytes[at] == '\n' || (s->bytes[at] == '\r' && !(at + 1 < s->n && s->bytes[at + 1] == '\n'));
 }
 
 static bool blank(char c)
@@ -160,8 +159,7 @@ const char *ts_scan_rest(struct ts_scan *s)
 bool ts_scan_is(const struct ts_scan *s, const char *text)
 {
 	for (size_t k = 0; k < s->length; k++)
-		if (!text[k] ||
-		    tolower((unsigned char)s->word[k]) != tolower((unsigned char)text[k]))
+		if (!text[k] || tolower((unsigned char)s->word[k]) != tolower((unsigned char)text[k]))
 			return false;
 	return !text[s->length];
 }
@@ -228,8 +226,7 @@ enum ts_status ts_scan_real(struct ts_scan *s, const char *what, double *out)
 	return ts_scan_this_real(s, what, out);
 }
 
-enum ts_status ts_scan_this_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi,
-				int64_t *out)
+enum ts_status ts_scan_this_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi, int64_t *out)
 {
 	char text[LONGEST_NUMBER + 1];
 
@@ -239,12 +236,11 @@ enum ts_status ts_scan_this_int(struct ts_scan *s, const char *what, int64_t lo,
 	if (*out >= lo && *out <= hi)
 		return TS_OK;
 	return ts_scan_fail(s, TS_RANGE,
-			    "%s is %" PRId64 ", expected an integer from %" PRId64 " to %" PRId64,
-			    what, *out, lo, hi);
+			    "%s is %" PRId64 ", expected an integer from %" PRId64 " to %" PRId64, what, *out,
+			    lo, hi);
 }
 
-enum ts_status ts_scan_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi,
-			   int64_t *out)
+enum ts_status ts_scan_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi, int64_t *out)
 {
 	ts_scan_word(s);
 	return ts_scan_this_int(s, what, lo, hi, out);
@@ -255,6 +251,5 @@ enum ts_status ts_scan_expect(struct ts_scan *s, const char *text)
 	ts_scan_word(s);
 	if (ts_scan_is(s, text))
 		return TS_OK;
-	return ts_scan_fail(s, TS_SYNTAX, "expected '%s', but here is %s", text,
-			    ts_scan_found(s).text);
+	return ts_scan_fail(s, TS_SYNTAX, "expected '%s', but here is %s", text, ts_scan_found(s).text);
 }

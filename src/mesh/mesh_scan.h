@@ -23,10 +23,10 @@ struct ts_scan {
 };
 
 /* Zero-initialise. The whole file is read. */
-enum ts_status ts_scan_open(struct ts_scan *s, struct ts_files *files, struct ts_error *err, struct ts_pool *pool,
-			    const struct ts_place *where, const char *path);
-enum ts_status ts_scan_memory(struct ts_scan *s, struct ts_error *err, struct ts_pool *pool,
-			      const char *name, const char *bytes, size_t n);
+enum ts_status ts_scan_open(struct ts_scan *s, struct ts_files *files, struct ts_error *err,
+			    struct ts_pool *pool, const struct ts_place *where, const char *path);
+enum ts_status ts_scan_memory(struct ts_scan *s, struct ts_error *err, struct ts_pool *pool, const char *name,
+			      const char *bytes, size_t n);
 void ts_scan_close(struct ts_scan *s);
 
 /* TS_STOPPED if someone asked for it. */
@@ -41,10 +41,10 @@ bool ts_scan_is(const struct ts_scan *s, const char *text);
 
 /* A message about the last word. */
 struct ts_place ts_scan_place(const struct ts_scan *s);
-#define ts_scan_fail(s, code, ...)                                                                 \
+#define ts_scan_fail(s, code, ...) \
 	ts_fail((s)->err, code, (struct ts_place[]){ ts_scan_place(s) }, __VA_ARGS__)
 /* A message about the file as a whole. */
-#define ts_scan_refuse(s, code, ...)                                                               \
+#define ts_scan_refuse(s, code, ...) \
 	ts_fail((s)->err, code, (struct ts_place[]){ { .file = (s)->file } }, __VA_ARGS__)
 /* "'word'" or "the end of the file", for messages: what was found. */
 struct ts_scan_found {
@@ -55,10 +55,8 @@ struct ts_scan_found ts_scan_found(const struct ts_scan *s);
 /* The last word as a number, or the next one; `what` names it in the complaint. */
 enum ts_status ts_scan_this_real(struct ts_scan *s, const char *what, double *out);
 enum ts_status ts_scan_real(struct ts_scan *s, const char *what, double *out);
-enum ts_status ts_scan_this_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi,
-				int64_t *out);
-enum ts_status ts_scan_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi,
-			   int64_t *out);
+enum ts_status ts_scan_this_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi, int64_t *out);
+enum ts_status ts_scan_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi, int64_t *out);
 /* The next word must be this one. */
 enum ts_status ts_scan_expect(struct ts_scan *s, const char *text);
 

@@ -45,8 +45,8 @@ static enum ts_status leave_out_listed(struct ts_instance *self, struct tsim *si
 	return ts_mesh_exclude(sim, &words->word[1].place, words->word[1].text, soup);
 }
 
-enum ts_status ts_mesh_soup_choose(struct ts_instance *self, struct tsim *sim,
-				   const struct ts_mesh_words *w, struct ts_triangles *soup)
+enum ts_status ts_mesh_soup_choose(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_words *w,
+				   struct ts_triangles *soup)
 {
 	unsigned char *flag;
 	enum ts_status status;
@@ -64,8 +64,8 @@ enum ts_status ts_mesh_soup_choose(struct ts_instance *self, struct tsim *sim,
 }
 
 /* Edge a b of a triangle: b a b' and a a' b'. */
-static enum ts_status sweep(struct tsim *sim, const double a[3], const double b[3],
-			    const double shift[3], struct ts_triangles *soup)
+static enum ts_status sweep(struct tsim *sim, const double a[3], const double b[3], const double shift[3],
+			    struct ts_triangles *soup)
 {
 	struct ts_triangle upper = { .solid = "" }, lower = { .solid = "" };
 
@@ -90,8 +90,8 @@ static void normal_of(const double x[3][3], double normal[3])
 	ts_scale(1 / ts_norm(normal), normal, normal);
 }
 
-enum ts_status ts_mesh_soup_extrude(struct ts_instance *self, struct tsim *sim,
-				    const struct ts_word *id, struct ts_triangles *soup)
+enum ts_status ts_mesh_soup_extrude(struct ts_instance *self, struct tsim *sim, const struct ts_word *id,
+				    struct ts_triangles *soup)
 {
 	const struct ts_mesh *m;
 	struct ts_mesh_surface *other;
@@ -99,15 +99,15 @@ enum ts_status ts_mesh_soup_extrude(struct ts_instance *self, struct tsim *sim,
 
 	TS_TRY(ts_mesh_surface_require(sim, id, &other));
 	if (isnan(other->extrusion) || other == self->state)
-		return ts_fail(&sim->error, TS_STATE, &id->place,
-			       "mesh %s: mesh %s has no extrude_planar", self->id, id->text);
+		return ts_fail(&sim->error, TS_STATE, &id->place, "mesh %s: mesh %s has no extrude_planar",
+			       self->id, id->text);
 	m = &other->mesh;
 	soup->file = ts_pool_get(sim->pool, id->text);
 	if (!soup->file)
 		return ts_nomem(&sim->error);
 	for (size_t t = 0; t < m->n; t++) {
-		const double(*x)[3] = other->home ? (const double(*)[3])other->home[t] :
-						    (const double(*)[3])m->x[t];
+		const double(*x)[3] =
+			other->home ? (const double(*)[3])other->home[t] : (const double(*)[3])m->x[t];
 
 		normal_of(x, shift);
 		ts_scale(-other->extrusion, shift, shift);
@@ -174,9 +174,8 @@ static const struct transform_word {
 	{ "rotate", 6, rotate_rows, rotate },
 };
 
-static enum ts_status transform(struct ts_instance *self, struct tsim *sim,
-				const struct transform_word *word, const struct ts_word *at,
-				struct ts_words args, struct ts_triangles *soup)
+static enum ts_status transform(struct ts_instance *self, struct tsim *sim, const struct transform_word *word,
+				const struct ts_word *at, struct ts_words args, struct ts_triangles *soup)
 {
 	struct ts_motion motion = ts_motion_none();
 	struct transform t = { 0 };
@@ -188,8 +187,7 @@ static enum ts_status transform(struct ts_instance *self, struct tsim *sim,
 		args.n = word->nwords;
 	TS_TRY(ts_args_parse(sim, what, word->rows, args, &at->place, &self->arena, &t));
 	if (word->set(&t, &motion, &factor) != TS_OK)
-		return ts_fail(&sim->error, TS_RANGE, &at->place, "%s: the axis has no length",
-			       what);
+		return ts_fail(&sim->error, TS_RANGE, &at->place, "%s: the axis has no length", what);
 	for (size_t k = 0; k < 3 * soup->n; k++) {
 		double *x = soup->t[k / 3].v[k % 3];
 
@@ -199,15 +197,14 @@ static enum ts_status transform(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
-enum ts_status ts_mesh_soup_transform(struct ts_instance *self, struct tsim *sim,
-				      struct ts_triangles *soup)
+enum ts_status ts_mesh_soup_transform(struct ts_instance *self, struct tsim *sim, struct ts_triangles *soup)
 {
 	const struct ts_words *words = &self->words;
 	size_t n = sizeof transform_words / sizeof *transform_words;
 
 	for (size_t k = 0; k < words->n; k++) {
-		if (k > 0 && (ts_streq(words->word[k - 1].text, "file") ||
-			      ts_streq(words->word[k - 1].text, "fix")))
+		if (k > 0 &&
+		    (ts_streq(words->word[k - 1].text, "file") || ts_streq(words->word[k - 1].text, "fix")))
 			continue; /* it may be called so */
 		for (size_t j = 0; j < n; j++)
 			if (ts_streq(words->word[k].text, transform_words[j].name))
@@ -216,4 +213,3 @@ enum ts_status ts_mesh_soup_transform(struct ts_instance *self, struct tsim *sim
 	}
 	return TS_OK;
 }
-

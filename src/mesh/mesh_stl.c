@@ -105,8 +105,7 @@ static enum ts_status read_facet(struct ts_scan *s, struct ts_triangle *t)
 		ts_scan_word(s);
 	if (ts_scan_is(s, "endfacet"))
 		return TS_OK;
-	return ts_scan_fail(s, TS_DAMAGED,
-			    "the facet of line %d should end with 'endfacet', but here is %s",
+	return ts_scan_fail(s, TS_DAMAGED, "the facet of line %d should end with 'endfacet', but here is %s",
 			    t->line, ts_scan_found(s).text);
 }
 
@@ -137,8 +136,8 @@ static enum ts_status read_text(struct ts_scan *s, struct ts_triangles *soup)
 	return TS_OK;
 }
 
-/* Does the file, as text, have a `solid` or `facet` that begins a line? Lines before it are a title or comments:
- * the scan is left before the word. */
+/* Does the file, as text, have a `solid` or `facet` that begins a line? Lines before it are a title or
+ * comments: the scan is left before the word. */
 static bool find_text(struct ts_scan *s)
 {
 	struct ts_scan before = *s;

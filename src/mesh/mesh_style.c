@@ -29,14 +29,12 @@ enum ts_status ts_mesh_surface_post_build(struct ts_instance *self, struct tsim 
 	return TS_OK;
 }
 
-enum ts_status ts_mesh_surface_archive(struct ts_instance *self, struct tsim *sim,
-				       struct ts_archive *archive)
+enum ts_status ts_mesh_surface_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
 	return ts_mesh_motions_archive(self->state, sim, archive);
 }
 
-void ts_mesh_surface_fingerprint(const struct ts_instance *self, const struct tsim *sim,
-				 struct ts_hash *hash)
+void ts_mesh_surface_fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct ts_mesh_surface *s = self->state;
 
@@ -46,16 +44,15 @@ void ts_mesh_surface_fingerprint(const struct ts_instance *self, const struct ts
 		ts_hash_add(hash, s->v, s->mesh.n * sizeof *s->v);
 }
 
-enum ts_status ts_mesh_surface_plan(struct ts_instance *self, struct tsim *sim,
-				    struct ts_plan_report *report)
+enum ts_status ts_mesh_surface_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_mesh_surface *s = self->state;
 	char name[48];
 
 	(void)sim;
 	snprintf(name, sizeof name, "mesh %s", self->id);
-	ts_report_line(report, name, "%zu triangles, %zu corners, area %.6g", s->mesh.n,
-		       s->mesh.nvertices, ts_mesh_area(&s->mesh));
+	ts_report_line(report, name, "%zu triangles, %zu corners, area %.6g", s->mesh.n, s->mesh.nvertices,
+		       ts_mesh_area(&s->mesh));
 	return TS_OK;
 }
 
@@ -64,8 +61,8 @@ void ts_mesh_surface_fini(struct ts_instance *self)
 	ts_mesh_surface_release(self->state);
 }
 
-/* A flat mesh in a face of the box may miss it by the rounding of its file: 26 * 0.001 > 0.026, and binary files
- * have 24 bits. */
+/* A flat mesh in a face of the box may miss it by the rounding of its file: 26 * 0.001 > 0.026, and binary
+ * files have 24 bits. */
 static bool is_outside(const struct ts_box *box, const double x[3])
 {
 	static const double ROUNDING = 1e-6;

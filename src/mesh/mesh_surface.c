@@ -2,8 +2,7 @@
 
 #include "base/banned.h"
 
-struct ts_mesh_surface *ts_mesh_surface_next(const struct tsim *sim, size_t *k,
-					     struct ts_instance **by)
+struct ts_mesh_surface *ts_mesh_surface_next(const struct tsim *sim, size_t *k, struct ts_instance **by)
 {
 	struct ts_instance *inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH, k);
 
@@ -41,6 +40,6 @@ enum ts_status ts_mesh_surface_require(struct tsim *sim, const struct ts_word *i
 	for (size_t k = 0; ts_mesh_surface_next(sim, &k, &by);)
 		ts_suggest_try(&suggest, by->id);
 	return ts_fail(&sim->error, TS_UNKNOWN, &id->place,
-		       "there is no mesh '%s' of `fix %s all mesh/surface ...`%s", id->text,
-		       id->text, ts_suggest_text(&suggest));
+		       "there is no mesh '%s' of `fix %s all mesh/surface ...`%s", id->text, id->text,
+		       ts_suggest_text(&suggest));
 }

@@ -27,8 +27,8 @@ static void look_from(const double point[3], const double x[3], struct ts_mesh_c
 	ts_scale(s->distance > 0 ? 1 / s->distance : 0, s->n, s->n);
 }
 
-static enum ts_mesh_part at_face(const struct ts_mesh *m, size_t t, const double x[3],
-				 const double arm[3], struct ts_mesh_contact_point *s)
+static enum ts_mesh_part at_face(const struct ts_mesh *m, size_t t, const double x[3], const double arm[3],
+				 struct ts_mesh_contact_point *s)
 {
 	double foot[3] = { x[0], x[1], x[2] };
 
@@ -71,8 +71,9 @@ static enum ts_mesh_part at_edge(const struct ts_mesh *m, size_t t, int k, const
 	return TS_MESH_EDGE;
 }
 
-/* Beyond both edges of a corner; if its angle is obtuse the nearest point may still be in one of them. LIGGGHTS
- * looks for it at the last corner of a triangle only: where the corner is not active, a contact ends there. */
+/* Beyond both edges of a corner; if its angle is obtuse the nearest point may still be in one of them.
+ * LIGGGHTS looks for it at the last corner of a triangle only: where the corner is not active, a contact
+ * ends there. */
 static enum ts_mesh_part beyond_corner(const struct ts_mesh *m, size_t t, int k, const double x[3],
 				       struct ts_mesh_contact_point *s)
 {

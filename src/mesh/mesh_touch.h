@@ -17,8 +17,9 @@ struct ts_mesh_contact_point {
 	double distance;
 };
 
-/* A point that is beyond an edge by less than this is taken as on the side where the triangle is, so that between
- * neighbours there is no gap: a small part of the triangle, and what the corners that neighbours share are apart. */
+/* A point that is beyond an edge by less than this is taken as on the side where the triangle is, so that
+ * between neighbours there is no gap: a small part of the triangle, and what the corners that neighbours
+ * share are apart. */
 static inline double ts_mesh_tolerance(const struct ts_mesh *mesh, size_t t)
 {
 	return 1e-9 * mesh->reach[t] + mesh->loose;

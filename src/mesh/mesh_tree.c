@@ -133,9 +133,8 @@ static bool may_reach(const struct ts_mesh *m, size_t t, const double x[3], doub
 	return !apart(lo, hi, x, distance);
 }
 
-static enum ts_status look_in_leaf(const struct ts_mesh_tree *tree, const struct ts_mesh *m,
-				   size_t leaf, const double x[3], double distance,
-				   struct ts_mesh_list *list)
+static enum ts_status look_in_leaf(const struct ts_mesh_tree *tree, const struct ts_mesh *m, size_t leaf,
+				   const double x[3], double distance, struct ts_mesh_list *list)
 {
 	for (size_t at = leaf * LEAF; at < tree->n && at < (leaf + 1) * LEAF; at++) {
 		if (!may_reach(m, (size_t)tree->triangle[at], x, distance))
@@ -154,7 +153,8 @@ static int ascending(const void *a, const void *b)
 }
 
 /* Whether nothing between from and to is as near. */
-static bool all_apart(const double lo[3], const double hi[3], const double from[3], const double to[3], double distance)
+static bool all_apart(const double lo[3], const double hi[3], const double from[3], const double to[3],
+		      double distance)
 {
 	bool are = false;
 
@@ -204,8 +204,9 @@ static bool covers(const struct ts_mesh_vicinity *v, const double x[3], double d
 	return does;
 }
 
-enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const struct ts_mesh *m, const double x[3],
-				       double distance, struct ts_mesh_vicinity *v, struct ts_mesh_list *list)
+enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const struct ts_mesh *m,
+				       const double x[3], double distance, struct ts_mesh_vicinity *v,
+				       struct ts_mesh_list *list)
 {
 	list->n = 0;
 	if (!covers(v, x, distance))
@@ -221,8 +222,8 @@ enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const st
 	return TS_OK;
 }
 
-enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct ts_mesh *m,
-				 const double x[3], double distance, struct ts_mesh_list *list)
+enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct ts_mesh *m, const double x[3],
+				 double distance, struct ts_mesh_list *list)
 {
 	size_t stack[STACK], depth = 0;
 

@@ -7,8 +7,8 @@
 #include "mesh/mesh.h"
 
 struct ts_mesh_tree {
-	size_t n, leaves;      /* leaves: a power of two */
-	int32_t *triangle;     /* in the order of the curve */
+	size_t n, leaves;	   /* leaves: a power of two */
+	int32_t *triangle;	   /* in the order of the curve */
 	double (*lo)[3], (*hi)[3]; /* boxes; node k has the children 2k and 2k + 1, from node 1 on */
 };
 
@@ -31,7 +31,8 @@ struct ts_mesh_vicinity {
 	struct ts_mesh_list leaf;      /* these nodes may be near enough */
 };
 /* The same as ts_mesh_tree_near, quicker for one place after the other if these are near each other. */
-enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const struct ts_mesh *mesh, const double x[3],
-				       double distance, struct ts_mesh_vicinity *vicinity, struct ts_mesh_list *list);
+enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const struct ts_mesh *mesh,
+				       const double x[3], double distance, struct ts_mesh_vicinity *vicinity,
+				       struct ts_mesh_list *list);
 
 #endif

@@ -25,10 +25,18 @@ static const struct type {
 	size_t size;
 	enum form form;
 } types[] = {
-	{ "float", 4, FLOATING },      { "double", 8, FLOATING },	{ "int", 4, SIGNED },
-	{ "vtktypeint64", 8, SIGNED }, { "vtkIdType", 4, SIGNED },	{ "long", 8, SIGNED },
-	{ "vtktypeint32", 4, SIGNED }, { "unsigned_int", 4, UNSIGNED }, { "unsigned_char", 1, UNSIGNED },
-	{ "char", 1, SIGNED },	       { "short", 2, SIGNED },		{ "unsigned_short", 2, UNSIGNED },
+	{ "float", 4, FLOATING },
+	{ "double", 8, FLOATING },
+	{ "int", 4, SIGNED },
+	{ "vtktypeint64", 8, SIGNED },
+	{ "vtkIdType", 4, SIGNED },
+	{ "long", 8, SIGNED },
+	{ "vtktypeint32", 4, SIGNED },
+	{ "unsigned_int", 4, UNSIGNED },
+	{ "unsigned_char", 1, UNSIGNED },
+	{ "char", 1, SIGNED },
+	{ "short", 2, SIGNED },
+	{ "unsigned_short", 2, UNSIGNED },
 	{ "unsigned_long", 8, UNSIGNED },
 };
 
@@ -52,8 +60,7 @@ static enum ts_status enter(struct vtk *v, uint64_t n, const struct type *type)
 
 	if (v->binary) {
 		if (ts_scan_word_in_line(s))
-			return ts_scan_fail(s, TS_SYNTAX, "%s is one word too many",
-					    ts_scan_found(s).text);
+			return ts_scan_fail(s, TS_SYNTAX, "%s is one word too many", ts_scan_found(s).text);
 		s->at += s->at < s->n && s->bytes[s->at] == '\r';
 		s->at += s->at < s->n && s->bytes[s->at] == '\n';
 	}
@@ -97,8 +104,7 @@ static double as_real(uint64_t bits, const struct type *type)
 	return real;
 }
 
-static enum ts_status next_real(struct vtk *v, const struct type *type, const char *what,
-				double *out)
+static enum ts_status next_real(struct vtk *v, const struct type *type, const char *what, double *out)
 {
 	TS_TRY(ts_scan_go_on(v->s));
 	if (!v->binary)
@@ -119,8 +125,8 @@ static enum ts_status next_int(struct vtk *v, const struct type *type, const cha
 	if (*out >= lo && *out <= hi)
 		return TS_OK;
 	return ts_scan_fail(v->s, TS_RANGE,
-			    "%s is %" PRId64 ", expected an integer from %" PRId64 " to %" PRId64,
-			    what, *out, lo, hi);
+			    "%s is %" PRId64 ", expected an integer from %" PRId64 " to %" PRId64, what, *out,
+			    lo, hi);
 }
 
 /* ---- sections ---- */
@@ -209,8 +215,8 @@ static enum ts_status read_offsets(struct vtk *v, int64_t n, int64_t size, int s
 	}
 	if (last != size)
 		return ts_scan_fail(v->s, TS_DAMAGED,
-				    "the offsets end at %" PRId64 ", but there are %" PRId64 " corners",
-				    last, size);
+				    "the offsets end at %" PRId64 ", but there are %" PRId64 " corners", last,
+				    size);
 	TS_TRY(ts_scan_expect(v->s, "CONNECTIVITY"));
 	TS_TRY(read_type(v, &type));
 	TS_TRY(enter(v, (uint64_t)size, type));
@@ -227,8 +233,8 @@ static enum ts_status read_cells(struct vtk *v, int shape)
 	if (v->version >= 5)
 		return n ? read_offsets(v, n, size, shape) : TS_OK;
 	if (size < n)
-		return ts_scan_fail(s, TS_DAMAGED, "%" PRId64 " cells need more than %" PRId64 " numbers",
-				    n, size);
+		return ts_scan_fail(s, TS_DAMAGED, "%" PRId64 " cells need more than %" PRId64 " numbers", n,
+				    size);
 	return read_counted(v, n, size, shape);
 }
 
@@ -294,9 +300,10 @@ static const struct section {
 	enum ts_status (*read)(struct vtk *v);
 	int shape; /* 0: told later */
 } sections[] = {
-	{ "POINTS", read_points, 0 },	   { "CELLS", NULL, 0 },	    { "CELL_TYPES", read_shapes, 0 },
-	{ "POLYGONS", NULL, POLYGON },	   { "TRIANGLE_STRIPS", NULL, STRIP }, { "VERTICES", NULL, VERTICES },
-	{ "LINES", NULL, POLYLINE },	   { "FIELD", pass_field, 0 },
+	{ "POINTS", read_points, 0 },	    { "CELLS", NULL, 0 },
+	{ "CELL_TYPES", read_shapes, 0 },   { "POLYGONS", NULL, POLYGON },
+	{ "TRIANGLE_STRIPS", NULL, STRIP }, { "VERTICES", NULL, VERTICES },
+	{ "LINES", NULL, POLYLINE },	    { "FIELD", pass_field, 0 },
 	{ "METADATA", pass_metadata, 0 },
 };
 
@@ -304,9 +311,9 @@ static enum ts_status read_section(struct vtk *v)
 {
 	for (size_t k = 0; k < sizeof sections / sizeof *sections; k++)
 		if (ts_scan_is(v->s, sections[k].name))
-			return sections[k].read ? sections[k].read(v)
-						: read_cells(v, sections[k].shape);
-	return ts_scan_fail(v->s, TS_UNKNOWN, "%s is no part of a file of cells; known: POINTS, CELLS, "
+			return sections[k].read ? sections[k].read(v) : read_cells(v, sections[k].shape);
+	return ts_scan_fail(v->s, TS_UNKNOWN,
+			    "%s is no part of a file of cells; known: POINTS, CELLS, "
 			    "CELL_TYPES, POLYGONS, TRIANGLE_STRIPS, CELL_DATA, POINT_DATA",
 			    ts_scan_found(v->s).text);
 }
@@ -392,8 +399,10 @@ static enum ts_status cut(struct ts_scan *s, const struct ts_vtk_cells *c, size_
 
 	if (n < 3 || (c->type[k] == TRIANGLE && n != 3) ||
 	    ((c->type[k] == PIXEL || c->type[k] == QUAD) && n != 4))
-		return ts_scan_refuse(s, TS_DAMAGED, "'%s': cell %zu has %" PRId64 " corners, which does "
-				      "not fit its type %d", s->file, k + 1, n, c->type[k]);
+		return ts_scan_refuse(s, TS_DAMAGED,
+				      "'%s': cell %zu has %" PRId64 " corners, which does "
+				      "not fit its type %d",
+				      s->file, k + 1, n, c->type[k]);
 	if (c->type[k] == PIXEL) {
 		memcpy(pixel, (int64_t[]){ at[0], at[1], at[3], at[2] }, sizeof pixel);
 		at = pixel;
@@ -402,14 +411,12 @@ static enum ts_status cut(struct ts_scan *s, const struct ts_vtk_cells *c, size_
 		int64_t turn = strip && m % 2;
 
 		TS_TRY(add_triangle(s, c, c->line[k], soup,
-				    (int64_t[]){ at[strip ? m : 0], at[m + 1 + turn],
-						 at[m + 2 - turn] }));
+				    (int64_t[]){ at[strip ? m : 0], at[m + 1 + turn], at[m + 2 - turn] }));
 	}
 	return TS_OK;
 }
 
-static enum ts_status to_triangles(struct ts_scan *s, const struct ts_vtk_cells *c,
-				   struct ts_triangles *soup)
+static enum ts_status to_triangles(struct ts_scan *s, const struct ts_vtk_cells *c, struct ts_triangles *soup)
 {
 	for (size_t k = 0; k < c->ncells; k++) {
 		if (c->type[k] < TRIANGLE) /* points and lines */

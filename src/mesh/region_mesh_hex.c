@@ -19,8 +19,10 @@ const struct ts_region_style ts_region_mesh_hex = {
 		.name = "mesh/hex",
 		.kind = TS_KIND_REGION,
 		.summary = "The hexahedra of a file",
-		.doc = "All points in one of the cells of a legacy VTK file (text or binary) that has hexahedra\n"
-		       "only, each cut into six tetrahedra. The file's coordinates are shifted, then scaled, then turned about the axes x, y, z\n"
+		.doc = "All points in one of the cells of a legacy VTK file (text or binary) that has "
+		       "hexahedra\n"
+		       "only, each cut into six tetrahedra. The file's coordinates are shifted, then scaled, "
+		       "then turned about the axes x, y, z\n"
 		       "through the origin. The volume is the sum of those of the cells.",
 		.example = "region part mesh/hex file part.vtk scale 0.001 move 0 0 0 rotate 0 0 0 units box",
 		.args = args,

@@ -19,8 +19,10 @@ const struct ts_region_style ts_region_mesh_tet = {
 		.name = "mesh/tet",
 		.kind = TS_KIND_REGION,
 		.summary = "The tetrahedra of a file",
-		.doc = "All points in one of the cells of a legacy VTK file (text or binary) that has tetrahedra;\n"
-		       "points, lines and surfaces in it do not count. The file's coordinates are shifted, then scaled, then turned about the axes x, y, z\n"
+		.doc = "All points in one of the cells of a legacy VTK file (text or binary) that has "
+		       "tetrahedra;\n"
+		       "points, lines and surfaces in it do not count. The file's coordinates are shifted, "
+		       "then scaled, then turned about the axes x, y, z\n"
 		       "through the origin. The volume is the sum of those of the cells. Points\n"
 		       "that lie exactly in a face do not belong to the cell.",
 		.example = "region part mesh/tet file part.vtk scale 0.001 move 0 0 0 rotate 0 0 0 units box",

@@ -14,8 +14,8 @@
 /* ---- how far particles go */
 
 /* The squares of the largest steps from the places noted before, in each direction and of the radius. */
-TS_CLONES static void place(const struct ts_particles *p, struct ts_contact_sphere *out, size_t from, size_t to,
-			    double most[4])
+TS_CLONES static void place(const struct ts_particles *p, struct ts_contact_sphere *out, size_t from,
+			    size_t to, double most[4])
 {
 	ts_four all = { 0 };
 
@@ -95,8 +95,8 @@ bool ts_active_pairs_outdated(const struct ts_contact_list *rows)
 
 /* ---- which rows are near */
 
-/* Rows are sorted by laws so many at a time: FEW, or where that would make blocks of few rows ALIKE for each law, up to
- * GROUP. */
+/* Rows are sorted by laws so many at a time: FEW, or where that would make blocks of few rows ALIKE for
+ * each law, up to GROUP. */
 enum { FEW = 512, ALIKE = 128, GROUP = 4096 };
 
 struct choice {
@@ -114,7 +114,8 @@ static size_t collect(const struct choice *c, size_t *r, size_t end, uint32_t *l
 
 	for (; k < end && n < c->group; k++) {
 		const double *a = rows->sphere[rows->i[k]].place, *b = rows->sphere[rows->j[k]].place;
-		double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2], reach = a[3] + b[3] + rows->inner_skin;
+		double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2],
+		       reach = a[3] + b[3] + rows->inner_skin;
 
 		list[n] = (uint32_t)k;
 		rows->at[k] = TS_PAIR_INACTIVE;
@@ -124,8 +125,8 @@ static size_t collect(const struct choice *c, size_t *r, size_t end, uint32_t *l
 	return n;
 }
 
-/* Brings those of the listed rows whose partners are of these types to the front; returns how many. Which partner is of
- * which type is all the same to the laws. */
+/* Brings those of the listed rows whose partners are of these types to the front; returns how many. Which
+ * partner is of which type is all the same to the laws. */
 static size_t alike(const struct choice *c, const int32_t type[2], uint32_t *list, size_t n)
 {
 	size_t same = 0;
@@ -157,7 +158,8 @@ static size_t touching_first(const struct ts_contact_list *rows, uint32_t *list,
 	return active;
 }
 
-static void add_near(struct ts_contact_list *rows, struct ts_contact_span *span, const uint32_t *list, size_t n)
+static void add_near(struct ts_contact_list *rows, struct ts_contact_span *span, const uint32_t *list,
+		     size_t n)
 {
 	for (size_t k = 0; k < n; k++) {
 		uint32_t r = list[k];
@@ -167,12 +169,12 @@ static void add_near(struct ts_contact_list *rows, struct ts_contact_span *span,
 	}
 }
 
-/* The listed rows, which have one law, as blocks at the end of the span: of so many that touch that some can join
- * them and the columns of a batch are full all the same. */
+/* The listed rows, which have one law, as blocks at the end of the span: of so many that touch that some
+ * can join them and the columns of a batch are full all the same. */
 enum { ACTIVE = TS_BATCH - 8, WAITING = TS_ACTIVE_BLOCK - ACTIVE };
 
-static void add_blocks(struct ts_contact_list *rows, struct ts_contact_span *span, const int32_t type[2], uint32_t *list,
-		       size_t n)
+static void add_blocks(struct ts_contact_list *rows, struct ts_contact_span *span, const int32_t type[2],
+		       uint32_t *list, size_t n)
 {
 	size_t active = touching_first(rows, list, n), waiting = n - active;
 	size_t blocks = (active + ACTIVE - 1) / ACTIVE, least = (waiting + WAITING - 1) / WAITING;
@@ -183,8 +185,10 @@ static void add_blocks(struct ts_contact_list *rows, struct ts_contact_span *spa
 		size_t rest = waiting * b / blocks, others = waiting * (b + 1) / blocks - rest;
 
 		rows->block[span->block_end++] = (struct ts_active_block){
-			.first = (uint32_t)span->near_end, .n = (uint32_t)(some + others),
-			.active = (uint32_t)some, .type = { type[0], type[1] },
+			.first = (uint32_t)span->near_end,
+			.n = (uint32_t)(some + others),
+			.active = (uint32_t)some,
+			.type = { type[0], type[1] },
 		};
 		add_near(rows, span, list + from, some);
 		add_near(rows, span, list + active + rest, others);
@@ -210,7 +214,8 @@ static void choose(const struct choice *c, size_t share)
 		}
 	}
 	for (size_t k = 0; k < TS_BLOCKS_AHEAD; k++)
-		rows->block[span->block_end + k] = (struct ts_active_block){ .first = (uint32_t)span->near_end };
+		rows->block[span->block_end + k] =
+			(struct ts_active_block){ .first = (uint32_t)span->near_end };
 }
 
 static void choose_shares(void *context, size_t from, size_t to)
@@ -219,8 +224,8 @@ static void choose_shares(void *context, size_t from, size_t to)
 		choose(context, k);
 }
 
-/* Makes room for the lists of the shares: of near rows as many as there are rows, and of blocks as many as their
- * groups can have, and those behind. */
+/* Makes room for the lists of the shares: of near rows as many as there are rows, and of blocks as many as
+ * their groups can have, and those behind. */
 static enum ts_status spread(const struct choice *c)
 {
 	struct ts_contact_list *rows = c->rows;
@@ -239,8 +244,9 @@ static enum ts_status spread(const struct choice *c)
 	return TS_RENEW(rows->block, rows->block_capacity, blocks);
 }
 
-/* With a gap g some share g/skin of the rows is looked at in vain in each step, and all are looked at again after
- * g/2 at the present pace, which costs as much as `LOOK` vain looks at all: least of g/skin + LOOK 2 pace/g. */
+/* With a gap g some share g/skin of the rows is looked at in vain in each step, and all are looked at
+ * again after g/2 at the present pace, which costs as much as `LOOK` vain looks at all: least of g/skin +
+ * LOOK 2 pace/g. */
 static const double LOOK = 12;
 static const double LEAST = 0.02, MOST = 0.7; /* of the skin; beyond the most it is not worth it */
 

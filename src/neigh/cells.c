@@ -147,8 +147,7 @@ enum ts_status ts_cells_fill(struct tsim *sim, struct ts_cells *cells, double sk
 	return TS_OK;
 }
 
-void ts_cells_range(const struct ts_level *level, const double x[3], double distance, int lo[3],
-		    int hi[3])
+void ts_cells_range(const struct ts_level *level, const double x[3], double distance, int lo[3], int hi[3])
 {
 	for (int d = 0; d < 3; d++) {
 		lo[d] = cell_index(level, d, x[d] - distance);

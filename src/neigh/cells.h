@@ -9,10 +9,11 @@
 enum { TS_MAX_LEVELS = 16 };
 
 struct ts_level {
-	double reach;    /* the largest radius on this level */
+	double reach;		  /* the largest radius on this level */
 	double lo[3], inverse[3]; /* cell number = (x - lo) * inverse */
 	int cells[3];
-	/* particles of cell c: list[start[c]] .. list[start[c+1]-1]; behind the last, three more can be read */
+	/* particles of cell c: list[start[c]] .. list[start[c+1]-1]; behind the last, three more can be
+	 * read */
 	int32_t *start;
 	long long *list;
 	double *place[4]; /* of those in the list: where they are held, and their radius */
@@ -32,7 +33,6 @@ enum ts_status ts_cells_fill(struct tsim *sim, struct ts_cells *cells, double sk
 void ts_cells_release(struct ts_cells *cells);
 
 /* Range of cells of a level within `distance` of x. */
-void ts_cells_range(const struct ts_level *level, const double x[3], double distance, int lo[3],
-		    int hi[3]);
+void ts_cells_range(const struct ts_level *level, const double x[3], double distance, int lo[3], int hi[3]);
 
 #endif

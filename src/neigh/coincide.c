@@ -13,8 +13,7 @@
 
 static bool same_place(const struct ts_particles *p, size_t i, size_t j)
 {
-	return ts_coincide(sqrt(ts_distance2(p->xhold[i], p->xhold[j])),
-			   fmin(p->radius[i], p->radius[j]));
+	return ts_coincide(sqrt(ts_distance2(p->xhold[i], p->xhold[j])), fmin(p->radius[i], p->radius[j]));
 }
 
 /* Whether nobody moves it but its own prescription. */
@@ -61,15 +60,12 @@ enum ts_status ts_coincide_rows(struct tsim *sim, const struct ts_contact_list *
 	x = p->x[rows->i[first]];
 	for (int k = 0; k < 2; k++)
 		tag[k] = rows->tag[k][first];
-	return ts_fail(
-		&sim->error, TS_PHYSICS, NULL,
-		"at step %" PRId64
-		" particles %d and %d are at the same place (%g %g %g)%s: a contact force has "
-		"no direction there; delete one of them (`delete_atoms overlap`), or create them "
-		"apart",
-		sim->clock.step, tag[0] < tag[1] ? tag[0] : tag[1],
-		tag[0] < tag[1] ? tag[1] : tag[0], x[0], x[1], x[2],
-		n > 1 ? ", and so are others" : "");
+	return ts_fail(&sim->error, TS_PHYSICS, NULL,
+		       "at step %" PRId64
+		       " particles %d and %d are at the same place (%g %g %g)%s: a contact force has no "
+		       "direction there; delete one of them (`delete_atoms overlap`), or create them apart",
+		       sim->clock.step, tag[0] < tag[1] ? tag[0] : tag[1], tag[0] < tag[1] ? tag[1] : tag[0],
+		       x[0], x[1], x[2], n > 1 ? ", and so are others" : "");
 }
 
 /* ---- bonds */
@@ -83,24 +79,22 @@ enum ts_status ts_coincide_bond(struct tsim *sim, const struct ts_place *where, 
 	if (!ts_coincide(distance, fmin(p->radius[i], p->radius[j])))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_PHYSICS, where,
-		       "particles %d and %d are at the same place (%g %g %g): a bond between them "
-		       "has no direction; "
-		       "delete one of them (`delete_atoms overlap`), or create them apart",
+		       "particles %d and %d are at the same place (%g %g %g): a bond between them has no "
+		       "direction; delete one of them (`delete_atoms overlap`), or create them apart",
 		       a < b ? a : b, a < b ? b : a, p->x[i][0], p->x[i][1], p->x[i][2]);
 }
 
 /* ---- surfaces that move too far in a step: the bound is that of particles, a radius */
 
-enum ts_status ts_coincide_passed(struct tsim *sim, const struct ts_place *where, size_t i,
-				  double way, const char *what)
+enum ts_status ts_coincide_passed(struct tsim *sim, const struct ts_place *where, size_t i, double way,
+				  const char *what)
 {
 	const struct ts_particles *p = sim->particles;
 
 	return ts_fail(&sim->error, TS_PHYSICS, where,
 		       "%s moves by %.3g in step %" PRId64
-		       ", more than the radius %g of particle %d (type %d) near it at "
-		       "(%g %g %g): it passes through particles without a contact; use `timestep "
-		       "%.2g` or less",
+		       ", more than the radius %g of particle %d (type %d) near it at (%g %g %g): it passes "
+		       "through particles without a contact; use `timestep %.2g` or less",
 		       what, way, sim->clock.step, p->radius[i], p->tag[i], p->type[i], p->x[i][0],
 		       p->x[i][1], p->x[i][2], 0.9 * sim->clock.dt * p->radius[i] / way);
 }

@@ -1,6 +1,7 @@
-/* Centres at the same place, or in the surface of a wall (wall/wall_coincide.h): a contact has no direction there, and
- * so no force. Such a scene is refused, for it would go on without a word. Rows of particles are looked at when they are
- * built, contacts with walls in each step. On the axis of a cylinder there is no force by symmetry: that is right. */
+/* Centres at the same place, or in the surface of a wall (wall/wall_coincide.h): a contact has no
+ * direction there, and so no force. Such a scene is refused, for it would go on without a word. Rows of
+ * particles are looked at when they are built, contacts with walls in each step. On the axis of a cylinder
+ * there is no force by symmetry: that is right. */
 #ifndef TS_NEIGH_COINCIDE_H
 #define TS_NEIGH_COINCIDE_H
 
@@ -22,8 +23,9 @@ enum ts_status ts_coincide_rows(struct tsim *sim, const struct ts_contact_list *
 enum ts_status ts_coincide_bond(struct tsim *sim, const struct ts_place *where, size_t i, size_t j,
 				double distance);
 
-/* Refuses a surface that passes through a particle in one step: one that moves by `way`, more than the radius of particle
- * i, which is as near as that. `what`: the surface. */
-enum ts_status ts_coincide_passed(struct tsim *sim, const struct ts_place *where, size_t i, double way, const char *what);
+/* Refuses a surface that passes through a particle in one step: one that moves by `way`, more than the
+ * radius of particle i, which is as near as that. `what`: the surface. */
+enum ts_status ts_coincide_passed(struct tsim *sim, const struct ts_place *where, size_t i, double way,
+				  const char *what);
 
 #endif

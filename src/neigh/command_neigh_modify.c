@@ -52,8 +52,8 @@ static enum ts_status add(struct tsim *sim, const struct ts_exclude *pair, const
 		if (memcmp(&neigh->exclude[k], pair, sizeof *pair) == 0)
 			return TS_OK;
 	if (neigh->nexclude == TS_MAX_EXCLUDE)
-		return ts_fail(&sim->error, TS_RANGE, where,
-			       "neigh_modify exclude: there can be %d pairs", TS_MAX_EXCLUDE);
+		return ts_fail(&sim->error, TS_RANGE, where, "neigh_modify exclude: there can be %d pairs",
+			       TS_MAX_EXCLUDE);
 	neigh->exclude[neigh->nexclude++] = *pair;
 	return TS_OK;
 }
@@ -63,8 +63,10 @@ static const struct {
 	size_t words; /* after the name */
 	enum ts_exclude_by by;
 } kinds[] = {
-	{ "type", 2, TS_EXCLUDE_TYPES },	     { "group", 2, TS_EXCLUDE_GROUPS },
-	{ "molecule/intra", 1, TS_EXCLUDE_WITHIN },  { "molecule", 1, TS_EXCLUDE_WITHIN },
+	{ "type", 2, TS_EXCLUDE_TYPES },
+	{ "group", 2, TS_EXCLUDE_GROUPS },
+	{ "molecule/intra", 1, TS_EXCLUDE_WITHIN },
+	{ "molecule", 1, TS_EXCLUDE_WITHIN },
 	{ "molecule/inter", 1, TS_EXCLUDE_BETWEEN },
 };
 
@@ -114,18 +116,17 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("every", struct state, every, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
-	       .unit = "steps", .help = "no effect: each step is checked"),
-	TS_INT("delay", struct state, delay, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
-	       .unit = "steps", .help = "no effect: each step is checked"),
+	TS_INT("every", struct state, every, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "steps",
+	       .help = "no effect: each step is checked"),
+	TS_INT("delay", struct state, delay, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE, .unit = "steps",
+	       .help = "no effect: each step is checked"),
 	TS_BOOL("check", struct state, check, .fallback = "yes",
 		.help = "no effect: neighbours are searched when a particle has moved half the skin, which "
 			"is when they must be"),
 	TS_REAL("binsize", struct state, binsize, .flags = TS_OPTIONAL, .unit = "length",
 		.help = "no effect: cells adapt to the radii"),
-	TS_REAL("contact_distance_factor", struct state, factor, .flags = TS_OPTIONAL,
-		.range = TS_POSITIVE, .unit = "",
-		.help = "no effect: pairs are looked for as far as the laws of contact reach"),
+	TS_REAL("contact_distance_factor", struct state, factor, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+		.unit = "", .help = "no effect: pairs are looked for as far as the laws of contact reach"),
 	TS_INT("page", struct state, page, .flags = TS_OPTIONAL,
 	       .help = "no effect: room is made as it is needed"),
 	TS_INT("one", struct state, one, .flags = TS_OPTIONAL,
@@ -152,9 +153,12 @@ const struct ts_command_style ts_command_neigh_modify = {
 		.name = "neigh_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets which pairs never touch",
-		.doc = "Neighbours are searched anew exactly when a particle has moved half the skin, so that no\n"
-		       "contact is missed: when to look need not be said. exclude takes pairs of particles of two\n"
-		       "types or two groups out of the search: they pass through each other. molecule/intra does\n"
+		.doc = "Neighbours are searched anew exactly when a particle has moved half the skin, so "
+		       "that no\n"
+		       "contact is missed: when to look need not be said. exclude takes pairs of particles "
+		       "of two\n"
+		       "types or two groups out of the search: they pass through each other. molecule/intra "
+		       "does\n"
 		       "so for members of a group that have the same molecule, molecule/inter for those of\n"
 		       "different ones (`fix property/atom mol`).",
 		.example = "neigh_modify delay 0\n"

@@ -28,8 +28,7 @@ static const struct ts_arg args[] = {
 		.unit = "length", .help = "extra distance, at most; 0: chosen from the radii"),
 	TS_ENUM("style", struct state, style, styles, .flags = TS_POSITIONAL, .fallback = "bin",
 		.help = "no effect: the method adapts to the radii"),
-	TS_BOOL("fixed", struct state, fixed, .fallback = "no",
-		.help = "never less than that"),
+	TS_BOOL("fixed", struct state, fixed, .fallback = "no", .help = "never less than that"),
 	TS_ARGS_END,
 };
 
@@ -39,15 +38,24 @@ const struct ts_command_style ts_command_neighbor = {
 		.name = "neighbor",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the extra distance of the neighbour search",
-		.doc = "Pairs nearer than the sum of their radii plus the skin are remembered until a particle has\n"
-		       "moved half the skin. A large skin means fewer searches and longer lists; results do not\n"
-		       "depend on it. At each search the skin is chosen that suits the speeds as they are, v dt being the\n"
-		       "way of the fastest particle in a step and d the smallest diameter: s = sqrt(6 v dt d), at least a\n"
-		       "hundredth of d and at most what is given. Where a search would be due again in less than 40\n"
-		       "steps, and all faces are fixed, it is more than given, up to s = 1.6 d (v dt/d)^(1/4). It is not\n"
-		       "less than given where meshes, walls or the box move, and as given with `fixed yes`, with `legacy\n"
-		       "yes`, where outputs depend on it, and with `thermo_modify lost ignore`: particles that have left\n"
-		       "are deleted, and others wrapped into a periodic box, when some particle has moved half the skin\n"
+		.doc = "Pairs nearer than the sum of their radii plus the skin are remembered until a "
+		       "particle has\n"
+		       "moved half the skin. A large skin means fewer searches and longer lists; results do "
+		       "not\n"
+		       "depend on it. At each search the skin is chosen that suits the speeds as they are, v "
+		       "dt being the\n"
+		       "way of the fastest particle in a step and d the smallest diameter: s = sqrt(6 v dt "
+		       "d), at least a\n"
+		       "hundredth of d and at most what is given. Where a search would be due again in less "
+		       "than 40\n"
+		       "steps, and all faces are fixed, it is more than given, up to s = 1.6 d (v "
+		       "dt/d)^(1/4). It is not\n"
+		       "less than given where meshes, walls or the box move, and as given with `fixed yes`, "
+		       "with `legacy\n"
+		       "yes`, where outputs depend on it, and with `thermo_modify lost ignore`: particles "
+		       "that have left\n"
+		       "are deleted, and others wrapped into a periodic box, when some particle has moved "
+		       "half the skin\n"
 		       "given; if all faces are fixed, that is watched apart from searches.",
 		.example = "neighbor 0.001 bin\nneighbor 0.001 bin fixed yes",
 		.args = args,

@@ -47,8 +47,9 @@ static enum ts_status read_cutoff(struct reader *r)
 static enum ts_status read_types(struct reader *r)
 {
 	static const struct ts_arg row[] = {
-		TS_TYPES("type", struct { struct ts_types types; }, types, .flags = TS_POSITIONAL,
-			 .help = "types of the partners"),
+		TS_TYPES(
+			"type", struct { struct ts_types types; }, types, .flags = TS_POSITIONAL,
+			.help = "types of the partners"),
 		TS_ARGS_END,
 	};
 	struct coord *s = r->self->state;
@@ -60,8 +61,8 @@ static enum ts_status read_types(struct reader *r)
 		return ts_nomem(&r->sim->error);
 	for (size_t k = 0; k < r->rest.n; k++)
 		TS_TRY(ts_args_parse(r->sim, "compute coord/atom", row,
-				     (struct ts_words){ r->rest.word + k, 1 },
-				     &r->rest.word[k].place, &r->self->arena, &s->types[k]));
+				     (struct ts_words){ r->rest.word + k, 1 }, &r->rest.word[k].place,
+				     &r->self->arena, &s->types[k]));
 	return TS_OK;
 }
 
@@ -119,13 +120,12 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	task.count = out->data;
 	for (size_t k = 0; k < p->n * s->ncolumns; k++)
 		out->data[k] = 0;
-	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, s->cutoff, count,
-			      &task);
+	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, s->cutoff, count, &task);
 }
 
 static const struct ts_value values[] = {
-	{ "neighbours", "", "number of particles within the cutoff; 0 outside the group", TS_PERATOM, 0,
-	  NULL, eval },
+	{ "neighbours", "", "number of particles within the cutoff; 0 outside the group", TS_PERATOM, 0, NULL,
+	  eval },
 	{ .name = NULL },
 };
 

@@ -47,9 +47,9 @@ const struct ts_style ts_compute_neighbor_atom = {
 	.name = "neighbor/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Number of neighbours of each particle",
-	.doc = "How many other particles, of whatever group, were nearer than the sum of the radii and the skin "
-	       "(command neighbor) when neighbours were searched last. Periodic images count, excluded pairs "
-	       "do not. While there is this compute, searches take the skin given.",
+	.doc = "How many other particles, of whatever group, were nearer than the sum of the radii and the "
+	       "skin (command neighbor) when neighbours were searched last. Periodic images count, excluded "
+	       "pairs do not. While there is this compute, searches take the skin given.",
 	.example = "compute n all neighbor/atom\ncompute mean all reduce ave c_n",
 	.args = args,
 	.state_size = sizeof(struct state),

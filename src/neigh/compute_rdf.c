@@ -44,8 +44,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	for (size_t k = 0; k < s->words.n; k += 2) {
 		struct ts_words two = { s->words.word + k, s->words.n - k < 2 ? 1 : 2 };
 
-		TS_TRY(ts_args_parse(sim, "compute rdf", rows, two, &s->words.word[k].place,
-				     &self->arena, &s->pair[k / 2]));
+		TS_TRY(ts_args_parse(sim, "compute rdf", rows, two, &s->words.word[k].place, &self->arena,
+				     &s->pair[k / 2]));
 	}
 	return TS_OK;
 }
@@ -68,12 +68,11 @@ static void count(void *context, size_t i, size_t j, const double d[3])
 	double r = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 	int64_t bin = (int64_t)(r / t->cutoff * (double)s->bins);
 
-	if (bin >= s->bins || !ts_in_group(t->p, i, t->self->group) ||
-	    !ts_in_group(t->p, j, t->self->group))
+	if (bin >= s->bins || !ts_in_group(t->p, i, t->self->group) || !ts_in_group(t->p, j, t->self->group))
 		return;
 	for (size_t k = 0; k < s->npairs; k++)
-		s->count[(size_t)bin * s->npairs + k] += is_of(&s->pair[k].a, t->p->type[i]) &&
-							 is_of(&s->pair[k].b, t->p->type[j]);
+		s->count[(size_t)bin * s->npairs + k] +=
+			is_of(&s->pair[k].a, t->p->type[i]) && is_of(&s->pair[k].b, t->p->type[j]);
 }
 
 /* How many particles stand in the centre, and how many others each of them has on average. */
@@ -110,8 +109,7 @@ static double shell(const struct tsim *sim, double inner, double outer)
 	return 4 * TS_PI / 3 * (outer * outer * outer - inner * inner * inner) / box;
 }
 
-static void fill(const struct ts_instance *self, const struct tsim *sim, double cutoff,
-		 struct ts_table *out)
+static void fill(const struct ts_instance *self, const struct tsim *sim, double cutoff, struct ts_table *out)
 {
 	const struct rdf *s = self->state;
 	double width = cutoff / (double)s->bins;
@@ -125,8 +123,8 @@ static void fill(const struct ts_instance *self, const struct tsim *sim, double 
 		for (size_t b = 0; b < (size_t)s->bins; b++) {
 			double *row = out->data + b * out->columns + 1 + 2 * k;
 			double counted = s->count[b * s->npairs + k];
-			double expected = shell(sim, (double)b * width, (double)(b + 1) * width) *
-					  others * centres;
+			double expected =
+				shell(sim, (double)b * width, (double)(b + 1) * width) * others * centres;
 
 			within += counted;
 			row[0] = expected > 0 ? counted / expected : 0;
@@ -152,8 +150,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 			task.cutoff = fmax(task.cutoff, 2 * p->radius[i]);
 	}
 	if (task.cutoff > 0)
-		TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, task.cutoff,
-				      count, &task));
+		TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, task.cutoff, count,
+				      &task));
 	fill(self, sim, task.cutoff, out);
 	return TS_OK;
 }
@@ -177,8 +175,8 @@ static const struct ts_arg args[] = {
 	  .flags = TS_POSITIONAL | TS_OPTIONAL | TS_TO_KEYWORD,
 	  .offset = TS_FIELD(struct rdf, words, struct ts_words *),
 	  .help = "pairs itype jtype of types, each with a g of its own; none: * *" },
-	TS_REAL("cutoff", struct rdf, cutoff, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
-		.unit = "length", .help = "largest distance; else that of two of the largest radius"),
+	TS_REAL("cutoff", struct rdf, cutoff, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "length",
+		.help = "largest distance; else that of two of the largest radius"),
 	TS_ARGS_END,
 };
 
@@ -187,12 +185,13 @@ const struct ts_style ts_compute_rdf = {
 	.name = "rdf",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Radial distribution function",
-	.doc = "A table with a row for each of Nbin distances. c_ID[i][1] is the middle r of bin i; then for each "
-	       "pair of\n"
+	.doc = "A table with a row for each of Nbin distances. c_ID[i][1] is the middle r of bin i; then for "
+	       "each pair of\n"
 	       "types two columns:\n\n"
-	       "    g(r) = V n(r) / (4/3 pi (r_o^3 - r_i^3) N_i N_j'),  coord(r) = sum n(r') / N_i, r' <= r\n\n"
-	       "n(r) being the number of ordered pairs i, j of the group with a distance in the bin, from r_i "
-	       "to r_o, N_i\n"
+	       "    g(r) = V n(r) / (4/3 pi (r_o^3 - r_i^3) N_i N_j'),  coord(r) = sum n(r') / N_i, r' <= "
+	       "r\n\n"
+	       "n(r) being the number of ordered pairs i, j of the group with a distance in the bin, from "
+	       "r_i to r_o, N_i\n"
 	       "the particles of the first types, N_j' those of the second types without the centre itself, "
 	       "V the volume\n"
 	       "of the box. In two dimensions it is pi (r_o^2 - r_i^2) and the area. Periodic images count, "

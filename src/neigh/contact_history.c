@@ -12,8 +12,7 @@
 
 static int32_t opposite(int32_t winding)
 {
-	const int32_t turns[3] = { -(winding & 1023), -(winding >> 10 & 1023),
-				   -(winding >> 20 & 1023) };
+	const int32_t turns[3] = { -(winding & 1023), -(winding >> 10 & 1023), -(winding >> 20 & 1023) };
 
 	return ts_winding(turns);
 }
@@ -35,8 +34,7 @@ static struct ts_contact_key key_of(const struct ts_contact_list *rows, size_t r
 	return (struct ts_contact_key){ { a, b }, there };
 }
 
-static void copy_signed(double *to, const double *from, size_t width, const signed char *sign,
-			bool swapped)
+static void copy_signed(double *to, const double *from, size_t width, const signed char *sign, bool swapped)
 {
 	for (size_t c = 0; c < width; c++)
 		to[c] = swapped && sign[c] < 0 ? -from[c] : from[c];
@@ -91,21 +89,21 @@ static enum ts_status take(struct tsim *sim, struct ts_contact_list *rows, bool 
 		if (forces && kept)
 			copy_force(h->force[h->n], ts_contact_force(rows, r), swapped);
 		if (h->width)
-			copy_signed(h->value + h->n * h->width, rows->history + r * h->width,
-				    h->width, rows->history_sign, swapped);
+			copy_signed(h->value + h->n * h->width, rows->history + r * h->width, h->width,
+				    rows->history_sign, swapped);
 		h->n++;
 	}
 	return TS_OK;
 }
 
 enum ts_status ts_contact_history_take(struct tsim *sim, struct ts_contact_list *rows, bool forces,
-				   struct ts_contact_history *h)
+				       struct ts_contact_history *h)
 {
 	return take(sim, rows, forces, false, h);
 }
 
 enum ts_status ts_contact_history_take_memories(struct tsim *sim, struct ts_contact_list *rows, bool forces,
-					    struct ts_contact_history *h)
+						struct ts_contact_history *h)
 {
 	return take(sim, rows, forces, true, h);
 }
@@ -133,7 +131,7 @@ struct giving {
 	int32_t *first; /* of each particle: index of key + 1, 0 none */
 	struct link {
 		int32_t larger, next; /* the other tag; the next key, alike */
-	} *link;	/* of each key */
+	} * link;		      /* of each key */
 };
 
 static enum ts_status make_chains(struct tsim *sim, struct giving *g)
@@ -215,16 +213,15 @@ static void give_share(void *context, size_t from, size_t to)
 			continue;
 		rows->touching[r] = 1;
 		if (h->width)
-			copy_signed(rows->history + r * h->width,
-				    h->value + (size_t)(k - 1) * h->width, h->width,
-				    rows->history_sign, swapped);
+			copy_signed(rows->history + r * h->width, h->value + (size_t)(k - 1) * h->width,
+				    h->width, rows->history_sign, swapped);
 		if (h->force)
 			copy_force(ts_contact_force(rows, r), h->force[k - 1], swapped);
 	}
 }
 
 enum ts_status ts_contact_history_give(struct tsim *sim, const struct ts_contact_history *h,
-				   struct ts_contact_list *rows)
+				       struct ts_contact_list *rows)
 {
 	struct giving g = { .h = h, .p = sim->particles, .rows = rows };
 	enum ts_status status;
@@ -250,7 +247,7 @@ void ts_contact_history_release(struct ts_contact_history *h)
 }
 
 enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_list *rows, size_t width,
-				   const signed char *sign)
+					   const signed char *sign)
 {
 	double *history = NULL;
 
@@ -270,7 +267,7 @@ enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_l
 }
 
 enum ts_status ts_contact_history_archive(struct ts_archive *archive, struct tsim *sim,
-				      struct ts_contact_history *h)
+					  struct ts_contact_history *h)
 {
 	int64_t size[2] = { (int64_t)h->n, (int64_t)h->width };
 
@@ -278,8 +275,7 @@ enum ts_status ts_contact_history_archive(struct ts_archive *archive, struct tsi
 	if (size[0] < 0 || size[0] > INT32_MAX || size[1] < 0 || size[1] > 1024)
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible contact history");
 	TS_TRY(ts_archive_expect(archive, "history_keys", TS_SAVED_I32, 3 * (size_t)size[0]));
-	TS_TRY(ts_archive_expect(archive, "history", TS_SAVED_F64,
-				 (size_t)size[0] * (size_t)size[1]));
+	TS_TRY(ts_archive_expect(archive, "history", TS_SAVED_F64, (size_t)size[0] * (size_t)size[1]));
 	if (!ts_archive_writing(archive)) {
 		ts_contact_history_release(h);
 		h->width = (size_t)size[1];

@@ -18,8 +18,7 @@ static int32_t winding_of(const struct ts_particles *p, size_t i, size_t j)
 	int32_t turns[3];
 
 	for (int k = 0; k < 3; k++)
-		turns[k] = p->image[i][k] - p->image[owner][k] +
-			   (j < p->n ? 0 : p->ghost_shift[j - p->n][k]);
+		turns[k] = p->image[i][k] - p->image[owner][k] + (j < p->n ? 0 : p->ghost_shift[j - p->n][k]);
 	return ts_winding(turns);
 }
 
@@ -32,10 +31,10 @@ static enum ts_status reserve(struct ts_contact_list *rows, size_t n)
 	if (n <= held)
 		return TS_OK;
 	rows->n = rows->capacity = 0; /* should it fail */
-#define RENEW_COLUMN(column)                                                                       \
-	do {                                                                                       \
-		capacity = held;                                                                   \
-		TS_TRY(TS_RENEW(rows->column, capacity, n));                                       \
+#define RENEW_COLUMN(column)                                 \
+	do {                                                 \
+		capacity = held;                             \
+		TS_TRY(TS_RENEW(rows->column, capacity, n)); \
 	} while (0)
 	RENEW_COLUMN(i);
 	RENEW_COLUMN(j);
@@ -121,10 +120,7 @@ static enum ts_status index_rows(struct tsim *sim, struct ts_contact_list *rows)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_gather *g = &rows->gather;
-	struct ts_gather_pairs pairs = { rows->n,
-					 1,
-					 { rows->i, rows->j },
-					 { rows->tag[0], rows->tag[1] } };
+	struct ts_gather_pairs pairs = { rows->n, 1, { rows->i, rows->j }, { rows->tag[0], rows->tag[1] } };
 
 	if (ts_gather_index(sim, &rows->gather, &pairs) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -165,10 +161,11 @@ static enum ts_status build(struct tsim *sim, struct ts_contact_list *rows, stru
 }
 
 enum ts_status ts_contact_list_build(struct tsim *sim, struct ts_contact_list *rows, double skin,
-			     ts_excluded_fn *excluded)
+				     ts_excluded_fn *excluded)
 {
-	struct ts_contact_search found = { .skin = skin, .both_frozen = rows->both_frozen,
-				       .excluded = excluded, .expected = rows->n };
+	struct ts_contact_search found = {
+		.skin = skin, .both_frozen = rows->both_frozen, .excluded = excluded, .expected = rows->n
+	};
 	struct ts_contact_history old = { 0 };
 	enum ts_status status = build(sim, rows, &found, &old);
 
@@ -190,8 +187,8 @@ size_t ts_contact_list_bytes(const struct ts_contact_list *rows)
 {
 	size_t entry = sizeof *rows->gather.entry + sizeof *rows->sum;
 	size_t row = sizeof *rows->i + sizeof *rows->j + 2 * sizeof *rows->tag[0] + sizeof *rows->image +
-		     sizeof *rows->winding + sizeof *rows->touching + sizeof *rows->near +
-		     sizeof *rows->at + sizeof *rows->waiting + rows->history_width * sizeof *rows->history + 2 * entry;
+		     sizeof *rows->winding + sizeof *rows->touching + sizeof *rows->near + sizeof *rows->at +
+		     sizeof *rows->waiting + rows->history_width * sizeof *rows->history + 2 * entry;
 	size_t results = rows->n * (size_t)rows->parts; /* at the ends of runs all are kept */
 
 	return rows->n * row + (results > rows->room ? results : rows->room) * sizeof *rows->result +

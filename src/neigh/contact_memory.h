@@ -1,8 +1,8 @@
 /* Where the history of contacts is stored.
  *
- * rows->history holds it by row, and is carried over when the list is rebuilt. While active pairs are computed, that of touching
- * pairs stands in columns of their blocks (rows->memory) instead, so that the vector loops of contact laws load it for several
- * contacts at once. */
+ * rows->history holds it by row, and is carried over when the list is rebuilt. While active pairs are
+ * computed, that of touching pairs stands in columns of their blocks (rows->memory) instead, so that the
+ * vector loops of contact laws load it for several contacts at once. */
 #ifndef TS_NEIGH_CONTACT_MEMORY_H
 #define TS_NEIGH_CONTACT_MEMORY_H
 
@@ -18,13 +18,15 @@ TS_INLINE size_t ts_contact_column(const struct ts_active_block *block)
 }
 
 /* History number c of the touching pair at `at` of the block; that of the next pair follows in memory. */
-TS_INLINE double *ts_contact_memory(const struct ts_contact_list *rows, const struct ts_active_block *block, size_t at, size_t c)
+TS_INLINE double *ts_contact_memory(const struct ts_contact_list *rows, const struct ts_active_block *block,
+				    size_t at, size_t c)
 {
 	return &rows->memory[block->memory + c * ts_contact_column(block) + at];
 }
 
 /* The same number in the history by row. */
-TS_INLINE double *ts_contact_history(const struct ts_contact_list *rows, const struct ts_active_block *block, size_t at, size_t c)
+TS_INLINE double *ts_contact_history(const struct ts_contact_list *rows, const struct ts_active_block *block,
+				     size_t at, size_t c)
 {
 	return &rows->history[rows->near[block->first + at].row * rows->history_width + c];
 }

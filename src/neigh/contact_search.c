@@ -26,14 +26,15 @@ static int32_t bound_of(const struct ts_contact_search *s, int level, size_t i)
 
 /* Whom a particle searches for. */
 struct wanted {
-	double at[4], skin; /* its place and radius */
-	int32_t bound;	    /* see above */
+	double at[4], skin;  /* its place and radius */
+	int32_t bound;	     /* see above */
 	ts_four_marks *same; /* whether somebody is at the same place */
 };
 
-/* Those of the places from .. to-1 that are near; written without branches, as most are not. There must be room for
- * three more. */
-TS_INLINE size_t near(const struct ts_level *level, int32_t from, int32_t to, const struct wanted *w, int32_t *out)
+/* Those of the places from .. to-1 that are near; written without branches, as most are not. There must be
+ * room for three more. */
+TS_INLINE size_t near(const struct ts_level *level, int32_t from, int32_t to, const struct wanted *w,
+		      int32_t *out)
 {
 	static const ts_four_marks next = { 0, 1, 2, 3 };
 	const ts_four skin = TS_FOUR_ALL(w->skin), radius = TS_FOUR_ALL(w->at[3]);
@@ -57,8 +58,8 @@ TS_INLINE size_t near(const struct ts_level *level, int32_t from, int32_t to, co
 
 			square += d * d;
 		}
-		hit.all = (square < reach * reach) & (*(const ts_four_marks_anywhere *)(level->list + k) > bound) &
-			  (next < left);
+		hit.all = (square < reach * reach) &
+			  (*(const ts_four_marks_anywhere *)(level->list + k) > bound) & (next < left);
 		same |= hit.all & (square <= close);
 		for (int q = 0; q < 4; q++) {
 			out[n] = (int32_t)level->list[k + q];
@@ -69,13 +70,16 @@ TS_INLINE size_t near(const struct ts_level *level, int32_t from, int32_t to, co
 	return n;
 }
 
-TS_CLONES static void search_level(const struct ts_contact_search *s, int l, size_t i, struct ts_contact_found *f)
+TS_CLONES static void search_level(const struct ts_contact_search *s, int l, size_t i,
+				   struct ts_contact_found *f)
 {
 	const struct ts_particles *p = s->sim->particles;
 	const struct ts_level *level = &s->cells.level[l];
 	ts_four_marks same = { 0 };
-	const struct wanted w = { { p->xhold[i][0], p->xhold[i][1], p->xhold[i][2], p->radius[i] }, s->skin,
-				  bound_of(s, l, i), &same };
+	const struct wanted w = { { p->xhold[i][0], p->xhold[i][1], p->xhold[i][2], p->radius[i] },
+				  s->skin,
+				  bound_of(s, l, i),
+				  &same };
 	int lo[3], hi[3];
 
 	ts_cells_range(level, w.at, w.at[3] + level->reach + s->skin, lo, hi);
@@ -114,8 +118,8 @@ static size_t admit(const struct ts_contact_search *s, size_t i, int32_t *partne
 	return kept;
 }
 
-static enum ts_status sort_partners(const struct ts_contact_search *s, struct ts_contact_found *f, int32_t *partner,
-				    size_t n)
+static enum ts_status sort_partners(const struct ts_contact_search *s, struct ts_contact_found *f,
+				    int32_t *partner, size_t n)
 {
 	const struct ts_particles *p = s->sim->particles;
 

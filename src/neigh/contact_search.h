@@ -8,8 +8,8 @@
 
 /* What one share of the particles has found. */
 struct ts_contact_found {
-	size_t from, to; /* these particles */
-	size_t first;	 /* number of its first row among all */
+	size_t from, to;  /* these particles */
+	size_t first;	  /* number of its first row among all */
 	int32_t *partner; /* of its particles in turn, in the order of identities */
 	size_t n, capacity;
 	uint64_t *key, *spare; /* to sort partners */

@@ -70,7 +70,8 @@ static enum ts_status list_sums(struct tsim *sim, struct ts_contact_list *rows)
 	rows->sum_first[0] = 0;
 	for (size_t i = 0; i < n; i++)
 		rows->sum_first[i + 1] += rows->sum_first[i];
-	TS_TRY(TS_RENEW(rows->sum, rows->sum_capacity, rows->sum_first[n] + 1)); /* never NULL: offsets are taken of it */
+	/* never NULL: offsets are taken of it */
+	TS_TRY(TS_RENEW(rows->sum, rows->sum_capacity, rows->sum_first[n] + 1));
 	ts_parallel(ts_team(sim, rows->n), rows->chunks, sum_share, rows);
 	return TS_OK;
 }

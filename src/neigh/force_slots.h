@@ -1,9 +1,10 @@
 /* Slots: where the forces and torques of active pairs are stored.
  *
- * In most steps a force is needed only until both particles have summed it. Then slots are assigned as a compiler assigns
- * registers: chunks of particles are summed as soon as all their pairs are computed, and the slots of pairs that both particles
- * have summed are reused. So few slots are in use at any time, and they stay in the cache. At steps where an output may read
- * forces of contacts all results are kept: row r has slot r. */
+ * In most steps a force is needed only until both particles have summed it. Then slots are assigned as a
+ * compiler assigns registers: chunks of particles are summed as soon as all their pairs are computed, and
+ * the slots of pairs that both particles have summed are reused. So few slots are in use at any time, and
+ * they stay in the cache. At steps where an output may read forces of contacts all results are kept: row r
+ * has slot r. */
 #ifndef TS_NEIGH_FORCE_SLOTS_H
 #define TS_NEIGH_FORCE_SLOTS_H
 
@@ -13,15 +14,16 @@
 /* Blocks that are computed before the next chunks of particles are summed. */
 enum { TS_BLOCKS_A_TURN = 8 };
 
-/* Chooses the rows that are looked at, if they have to be chosen anew, and gives them slots; `kept`: all results
- * will be looked at. */
+/* Chooses the rows that are looked at, if they have to be chosen anew, and gives them slots; `kept`: all
+ * results will be looked at. */
 enum ts_status ts_contact_forces_prepare(struct tsim *sim, struct ts_contact_list *rows, bool kept);
 /* Results of all rows that can be looked at, though no force has been computed: zero. */
 enum ts_status ts_contact_forces_keep(struct tsim *sim, struct ts_contact_list *rows);
 
-/* The next chunk, from the *c-th on, whose near rows are all among from .. done-1; behind the last: rows->chunks.
- * *c goes on to the first that has to wait. */
-TS_INLINE size_t ts_contact_chunk_done(const struct ts_contact_list *rows, size_t from, size_t done, size_t *c)
+/* The next chunk, from the *c-th on, whose near rows are all among from .. done-1; behind the last:
+ * rows->chunks. *c goes on to the first that has to wait. */
+TS_INLINE size_t ts_contact_chunk_done(const struct ts_contact_list *rows, size_t from, size_t done,
+				       size_t *c)
 {
 	for (; *c < rows->chunks && rows->chunk[*c].end <= done; ++*c)
 		if (rows->chunk[*c].first >= from && rows->chunk[*c].end > 0)

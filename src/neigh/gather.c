@@ -42,7 +42,8 @@ static void list_share(void *context, size_t from, size_t to)
 					(uint32_t)(2 * r + (size_t)side);
 }
 
-static void sort_list(const struct ts_gather_pairs *p, uint32_t *entry, size_t n, uint64_t *key, uint64_t *spare)
+static void sort_list(const struct ts_gather_pairs *p, uint32_t *entry, size_t n, uint64_t *key,
+		      uint64_t *spare)
 {
 	for (size_t k = 0; k < n; k++)
 		key[k] = (uint64_t)p->tag[!(entry[k] & 1)][(entry[k] >> 1) * p->stride] << 32 | entry[k];

@@ -65,8 +65,8 @@ void ts_leaving_watch(struct tsim *sim, long *moved)
 		TS_DEFER_LOOP(sim, sim->particles->n, share, &w);
 }
 
-/* Of each look some is lost, as it comes in the step after half the skin has been passed; from one to the next there is
- * to be a little more room than that. */
+/* Of each look some is lost, as it comes in the step after half the skin has been passed; from one to the
+ * next there is to be a little more room than that. */
 static const double LOOK = 1.1, NEXT = 1.08;
 
 double ts_leaving_skin(double given, double wanted)

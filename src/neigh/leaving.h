@@ -1,6 +1,7 @@
-/* Particles that leave through fixed faces and are ignored (thermo_modify lost ignore) are deleted at rebuilds, and so
- * wait, as in LIGGGHTS, until some particle has moved half the skin given. Where the skin in use is larger, this is
- * watched apart: whether anyone has left is looked at then, and rows are rebuilt only if so. */
+/* Particles that leave through fixed faces and are ignored (thermo_modify lost ignore) are deleted at
+ * rebuilds, and so wait, as in LIGGGHTS, until some particle has moved half the skin given. Where the skin
+ * in use is larger, this is watched apart: whether anyone has left is looked at then, and rows are rebuilt
+ * only if so. */
 #ifndef TS_NEIGH_LEAVING_H
 #define TS_NEIGH_LEAVING_H
 
@@ -16,7 +17,8 @@ void ts_leaving_hold(struct tsim *sim);
 void ts_leaving_watch(struct tsim *sim, long *moved);
 /* The skin, for one that is wanted larger than given, in which whole numbers of looks have room. */
 double ts_leaving_skin(double given, double wanted);
-/* When some have: whether to rebuild, as one has left or there will not be time enough for another such look. */
+/* When some have: whether to rebuild, as one has left or there will not be time enough for another such
+ * look. */
 bool ts_leaving_due(struct tsim *sim);
 
 #endif

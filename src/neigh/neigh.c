@@ -37,7 +37,8 @@ static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
 	}
 }
 
-/* Whether nobody acts on forces or looks at them before the loop over rows: then this need not add to zeros. */
+/* Whether nobody acts on forces or looks at them before the loop over rows: then this need not add to
+ * zeros. */
 static bool rows_come_first(const struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
@@ -82,11 +83,10 @@ static enum ts_status runaway(struct tsim *sim, size_t i, const char *past)
 				: "has a position or velocity that is not a number",
 			 sim->clock.step, past, x[0], x[1], x[2], v[0], v[1], v[2],
 			 contacts.length ? contacts.text : "none",
-			 contacts.length
-				 ? "the time step is too large for the stiffness, or particles "
-				   "overlapped when they were created"
-				 : "a force or a velocity that was set is too large for the "
-				   "time step");
+			 contacts.length ? "the time step is too large for the stiffness, or particles "
+					   "overlapped when they were created"
+					 : "a force or a velocity that was set is too large for the "
+					   "time step");
 	ts_str_release(&contacts);
 	return status;
 }
@@ -115,8 +115,8 @@ static enum ts_status stop_runaways(struct tsim *sim, double dt2)
 	char past[100] = "";
 
 	for (size_t i = 0; i < p->n; i++)
-		if (runs_away(p, i, dt2) &&
-		    (!isfinite(ts_norm(p->v[i]) + ts_norm(p->x[i])) || sim->neigh->ask.hits(sim, i, past, sizeof past)))
+		if (runs_away(p, i, dt2) && (!isfinite(ts_norm(p->v[i]) + ts_norm(p->x[i])) ||
+					     sim->neigh->ask.hits(sim, i, past, sizeof past)))
 			return runaway(sim, i, past);
 	return TS_OK;
 }
@@ -138,9 +138,9 @@ static void check_share(void *context, size_t from, size_t to)
 		double va = v[3 * i], vb = v[3 * i + 1], vc = v[3 * i + 2];
 		double d2 = da * da + db * db + dc * dc, v2 = va * va + vb * vb + vc * vc;
 		/* written so that what is no number is not within */
-		int64_t within = (d2 <= l.moved2) & (v2 * l.dt2 <= radius[i] * radius[i]) &
-				 (a >= l.lo[0]) & (a <= l.hi[0]) & (b >= l.lo[1]) &
-				 (b <= l.hi[1]) & (c >= l.lo[2]) & (c <= l.hi[2]);
+		int64_t within = (d2 <= l.moved2) & (v2 * l.dt2 <= radius[i] * radius[i]) & (a >= l.lo[0]) &
+				 (a <= l.hi[0]) & (b >= l.lo[1]) & (b <= l.hi[1]) & (c >= l.lo[2]) &
+				 (c <= l.hi[2]);
 
 		beyond += 1 - within;
 	}
@@ -219,8 +219,7 @@ static bool excluded(const struct tsim *sim, size_t i, size_t j)
 	const struct ts_particles *p = sim->particles;
 	const struct ts_neigh *nb = sim->neigh;
 
-	if (ts_rigid_same(p, i, j) || !ts_in_group(p, i, nb->include) ||
-	    !ts_in_group(p, j, nb->include))
+	if (ts_rigid_same(p, i, j) || !ts_in_group(p, i, nb->include) || !ts_in_group(p, j, nb->include))
 		return true;
 	for (int k = 0; k < nb->nexclude; k++)
 		if (excludes(&nb->exclude[k], p, i, j))
@@ -286,8 +285,9 @@ static bool shows(const struct tsim *sim)
 	const struct ts_neigh *nb = sim->neigh;
 	int64_t step = sim->clock.step;
 
-	return nb->shown || sim->shows_contacts || sim->in_setup || sim->saving || step == sim->clock.last_step ||
-	       sim->timeout > 0 || (nb->show_every && step % nb->show_every == 0);
+	return nb->shown || sim->shows_contacts || sim->in_setup || sim->saving ||
+	       step == sim->clock.last_step || sim->timeout > 0 ||
+	       (nb->show_every && step % nb->show_every == 0);
 }
 
 static enum ts_status forward(struct ts_instance *self, struct tsim *sim)
@@ -305,7 +305,7 @@ static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 	(void)self;
 	sim->complete = shows(sim);
 	sim->neigh->fused_pass = NULL; /* who wants to says so in each step */
-	if (sim->outside) { /* the program around may do anything */
+	if (sim->outside) {	       /* the program around may do anything */
 		ts_contacts_store_history(sim, rows);
 		rows->looked = rows->placed = false;
 	}
@@ -384,8 +384,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return status;
 }
 
-static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
-			struct ts_hash *hash)
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct ts_neigh *nb = self->state;
 
@@ -424,8 +423,7 @@ static double image_bytes(const struct tsim *sim)
 	return images * bytes;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_neigh *nb = self->state;
 	size_t rows = nb->rows.n;
@@ -436,15 +434,13 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 		return TS_OK;
 	}
 	report->bytes += (double)ts_contact_list_bytes(&nb->rows);
-	ts_report_line(
-		report, "contact rows", "%zu within the skin %g (%.1f a particle), %zu bytes each",
-		rows, nb->built_skin,
-		sim->particles->n ? (double)rows / (double)sim->particles->n : 0.0,
-		rows ? ts_contact_list_bytes(&nb->rows) / rows : 0);
+	ts_report_line(report, "contact rows", "%zu within the skin %g (%.1f a particle), %zu bytes each",
+		       rows, nb->built_skin,
+		       sim->particles->n ? (double)rows / (double)sim->particles->n : 0.0,
+		       rows ? ts_contact_list_bytes(&nb->rows) / rows : 0);
 	if (!nb->rows.history_width)
 		ts_report_left_out(report, "contact history", TS_FULL_HISTORY,
-				   3.0 * sizeof(double) * (double)rows,
-				   "the contact law remembers nothing");
+				   3.0 * sizeof(double) * (double)rows, "the contact law remembers nothing");
 	if (nb->skip_bonded)
 		ts_report_line(report, "contacts", "none between bonded particles (special_bonds)");
 	ts_report_left_out(report, "rebuilds", TS_FULL_REBUILDS, 0,

@@ -8,8 +8,8 @@
 
 #include "base/banned.h"
 
-/* About as many cells as particles, of equal edges, numbered along the shortest way first, along the longest last: so
- * partners are as near each other as layers are small. */
+/* About as many cells as particles, of equal edges, numbered along the shortest way first, along the
+ * longest last: so partners are as near each other as layers are small. */
 struct grid {
 	double lo[3], inverse;
 	size_t cells[3], stride[3], n;
@@ -71,8 +71,8 @@ static size_t cell_of(const struct grid *g, const double x[3])
 }
 
 /* Counting sort, the particles taken by identity. */
-static void sort(const struct ts_particles *p, const struct grid *g,
-		 const struct ts_identities *map, int32_t *start, int32_t *order)
+static void sort(const struct ts_particles *p, const struct grid *g, const struct ts_identities *map,
+		 int32_t *start, int32_t *order)
 {
 	for (size_t i = 0; i < p->n; i++)
 		start[cell_of(g, p->x[i]) + 1]++;
@@ -82,8 +82,8 @@ static void sort(const struct ts_particles *p, const struct grid *g,
 		order[start[cell_of(g, p->x[map->row[k]])]++] = map->row[k];
 }
 
-/* Particles that have just gone from one cell to the next are no reason to move all columns: in a random order
- * half of the particles are in an earlier cell than the one before them. */
+/* Particles that have just gone from one cell to the next are no reason to move all columns: in a random
+ * order half of the particles are in an earlier cell than the one before them. */
 static bool well_ordered(const struct ts_particles *p, const struct grid *g)
 {
 	size_t before = 0, descents = 0;

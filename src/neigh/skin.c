@@ -41,18 +41,19 @@ static bool surroundings_move(const struct tsim *sim)
 	return move;
 }
 
-/* Where a particle goes v dt in a step, a rebuild is due after s/2. Rows that do not touch, 10 s/d a particle in a dense
- * bed, are looked at in a part of the steps only, the rarer the slower particles are (see choose_inner_skin in active_pairs.c):
- * the sum of rebuilds and looks is least about BEST d (v dt/d)^(1/4), and changes little below. As rows take memory,
- * the skin is smaller than that, sqrt(ROWS v dt d), where rebuilds are seldom, and never more than the one given; but
- * where one would be due every few steps, it is larger. */
+/* Where a particle goes v dt in a step, a rebuild is due after s/2. Rows that do not touch, 10 s/d a
+ * particle in a dense bed, are looked at in a part of the steps only, the rarer the slower particles are
+ * (see choose_inner_skin in active_pairs.c): the sum of rebuilds and looks is least about BEST d (v
+ * dt/d)^(1/4), and changes little below. As rows take memory, the skin is smaller than that, sqrt(ROWS v
+ * dt d), where rebuilds are seldom, and never more than the one given; but where one would be due every
+ * few steps, it is larger. */
 static const double BEST = 1.6, ROWS = 6;
 enum { SELDOM = 40 };
 /* Where everything rests now, it may begin to move. */
 static const double LEAST = 0.02; /* of the smallest radius */
 
-/* At other faces rebuilds do what can be seen, particles are wrapped and faces fitted: if they are more seldom than
- * with the skin given, this is a surprise. */
+/* At other faces rebuilds do what can be seen, particles are wrapped and faces fitted: if they are more
+ * seldom than with the skin given, this is a surprise. */
 static double quick_skin(const struct tsim *sim, double skin, double pace, double size)
 {
 	double quick = fmin(2 * SELDOM * pace, BEST * size * pow(pace / size, 0.25));
@@ -68,9 +69,10 @@ double ts_neigh_choose_skin(const struct tsim *sim)
 	double skin = ts_neigh_skin(sim), least, most, pace, small;
 	bool waits = p->lost_policy == TS_LOST_IGNORE;
 
-	/* what waits for a rebuild, as in LIGGGHTS: contacts that end and are remembered, particles that have left */
-	if (sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_counts || (waits && !ts_leaving_apart(sim)) ||
-	    !p->n)
+	/* what waits for a rebuild, as in LIGGGHTS: contacts that end and are remembered, particles that
+	 * have left */
+	if (sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_counts ||
+	    (waits && !ts_leaving_apart(sim)) || !p->n)
 		return skin;
 	ts_neigh_radii(p, &least, &most);
 	pace = ts_fastest(sim, 0) * sim->clock.dt;

@@ -51,9 +51,11 @@ struct target {
 	assign_fn *assign;
 };
 
-#define VECTOR_TARGETS(x_, y_, z_, kind, id)                                                       \
-	{ x_, kind, TS_COL_##id, 0, NULL }, { y_, kind, TS_COL_##id, 1, NULL },                    \
-		{ z_, kind, TS_COL_##id, 2, NULL }
+#define VECTOR_TARGETS(x_, y_, z_, kind, id)                                    \
+	{ x_, kind, TS_COL_##id, 0, NULL }, { y_, kind, TS_COL_##id, 1, NULL }, \
+	{                                                                       \
+		z_, kind, TS_COL_##id, 2, NULL                                  \
+	}
 
 static const struct target targets[] = {
 	VECTOR_TARGETS("x", "y", "z", TS_ASSIGN_MOTION, X),
@@ -85,8 +87,7 @@ enum ts_assign ts_particles_assignable(const struct tsim *sim, const char *name)
 
 	if (target)
 		return target->kind;
-	return ts_particles_named_column(sim->particles, name, &k) ? TS_ASSIGN_MOTION
-								    : TS_ASSIGN_NOT;
+	return ts_particles_named_column(sim->particles, name, &k) ? TS_ASSIGN_MOTION : TS_ASSIGN_NOT;
 }
 
 /* What was expected instead of the value; NULL: it is good. */
@@ -120,12 +121,11 @@ static enum ts_status unknown(struct tsim *sim, const char *name)
 	struct ts_suggest suggest = ts_suggest_start(name);
 
 	if (ts_quantity_has(sim, name))
-		return ts_fail(&sim->error, TS_STATE, NULL, "'%s' of particles cannot be written",
-			       name);
+		return ts_fail(&sim->error, TS_STATE, NULL, "'%s' of particles cannot be written", name);
 	for (int k = 0; k < NTARGETS; k++)
 		ts_suggest_try(&suggest, targets[k].name);
-	return ts_fail(&sim->error, TS_UNKNOWN, NULL, "particles have no '%s' that can be written%s",
-		       name, ts_suggest_text(&suggest));
+	return ts_fail(&sim->error, TS_UNKNOWN, NULL, "particles have no '%s' that can be written%s", name,
+		       ts_suggest_text(&suggest));
 }
 
 /* Columns of styles. */
@@ -134,8 +134,8 @@ static enum ts_status assign_named(struct tsim *sim, const struct ts_column *c, 
 {
 	for (size_t k = 0; k < n; k++)
 		if (!isfinite(value[k]))
-			return ts_fail(&sim->error, TS_RANGE, NULL,
-				       "value %zu for '%s' is not finite", k, c->name);
+			return ts_fail(&sim->error, TS_RANGE, NULL, "value %zu for '%s' is not finite", k,
+				       c->name);
 	for (size_t k = 0; k < n; k++)
 		((double *)c->data)[(row ? (size_t)row[k] : k) * c->width + component] = value[k];
 	return TS_OK;

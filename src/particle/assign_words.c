@@ -41,8 +41,7 @@ struct part {
 	double amount; /* fraction or number */
 };
 
-static enum ts_status read_part(struct tsim *sim, enum ts_part part, struct ts_words w,
-				struct part *out)
+static enum ts_status read_part(struct tsim *sim, enum ts_part part, struct ts_words w, struct part *out)
 {
 	static const char *const names[] = { "type/fraction", "type/ratio", "type/subset" };
 	bool subset = part == TS_PART_SUBSET;
@@ -52,8 +51,7 @@ static enum ts_status read_part(struct tsim *sim, enum ts_part part, struct ts_w
 		return ts_fail(&sim->error, TS_SYNTAX, &w.word[w.n ? w.n - 1 : 0].place,
 			       "set: %s takes a type, a %s and a seed", names[part],
 			       subset ? "number" : "fraction");
-	if (!ts_parse_int(w.word[0].text, &out->type) || out->type < 1 ||
-	    out->type > sim->particles->ntypes)
+	if (!ts_parse_int(w.word[0].text, &out->type) || out->type < 1 || out->type > sim->particles->ntypes)
 		bad = &w.word[0];
 	else if (!ts_parse_real(w.word[1].text, &out->amount) || !(out->amount >= 0) ||
 		 (!subset && out->amount > 1) || (subset && out->amount != floor(out->amount)))
@@ -62,8 +60,8 @@ static enum ts_status read_part(struct tsim *sim, enum ts_part part, struct ts_w
 		bad = &w.word[2];
 	if (!bad)
 		return TS_OK;
-	return ts_fail(&sim->error, TS_RANGE, &bad->place,
-		       "set: %s is '%s', expected %s", names[part], bad->text,
+	return ts_fail(&sim->error, TS_RANGE, &bad->place, "set: %s is '%s', expected %s", names[part],
+		       bad->text,
 		       bad == &w.word[0]   ? "a type, 1 or more and at most what create_box says"
 		       : bad == &w.word[2] ? "a seed, an integer > 0"
 		       : subset		   ? "how many get the type, an integer >= 0"
@@ -86,8 +84,8 @@ enum ts_status ts_assign_type(struct tsim *sim, enum ts_part part, struct ts_wor
 	if (wanted > n) {
 		ts_free(draw);
 		return ts_fail(&sim->error, TS_RANGE, &words.word[1].place,
-			       "set: type/subset wants %.0f particles, but only %zu are chosen",
-			       want.amount, n);
+			       "set: type/subset wants %.0f particles, but only %zu are chosen", want.amount,
+			       n);
 	}
 	for (size_t k = 0; k < wanted; k++)
 		p->type[draw[k].row] = (int32_t)want.type;
@@ -112,14 +110,13 @@ enum ts_status ts_assign_image(struct tsim *sim, struct ts_words words, const un
 				       "set: image takes three integers, or NULL to leave one");
 		if (ts_streq(word->text, "NULL"))
 			continue;
-		if (!ts_parse_int(word->text, &flag) || flag < -TS_TURNS_MOST ||
-		    flag > TS_TURNS_MOST)
+		if (!ts_parse_int(word->text, &flag) || flag < -TS_TURNS_MOST || flag > TS_TURNS_MOST)
 			return ts_fail(&sim->error, TS_SYNTAX, &word->place,
 				       "set: image is '%s', expected an integer or NULL", word->text);
 		if (flag && !ts_box_periodic(&sim->domain->box, d))
 			return ts_fail(&sim->error, TS_STATE, &word->place,
-				       "set: image is %s, but the box is not periodic in %c",
-				       word->text, 'x' + d);
+				       "set: image is %s, but the box is not periodic in %c", word->text,
+				       'x' + d);
 		for (size_t i = 0; i < p->n; i++)
 			if (chosen[i])
 				p->image[i][d] = (int32_t)flag;
@@ -168,8 +165,7 @@ struct part_of_column {
 	size_t first, n;
 };
 
-static enum ts_status find_part(struct tsim *sim, const struct ts_word *word,
-				struct part_of_column *out)
+static enum ts_status find_part(struct tsim *sim, const struct ts_word *word, struct part_of_column *out)
 {
 	struct ts_particles *p = sim->particles;
 	size_t length = strcspn(word->text, "[");
@@ -191,8 +187,7 @@ static enum ts_status find_part(struct tsim *sim, const struct ts_word *word,
 	return TS_OK;
 }
 
-static enum ts_status read_value(struct tsim *sim, const struct ts_word *word,
-				 struct ts_number *out)
+static enum ts_status read_value(struct tsim *sim, const struct ts_word *word, struct ts_number *out)
 {
 	const char *name = strncmp(word->text, "v_", 2) == 0 ? word->text + 2 : NULL;
 
@@ -204,9 +199,8 @@ static enum ts_status read_value(struct tsim *sim, const struct ts_word *word,
 		       "set: property/atom is '%s', expected a number or v_name", word->text);
 }
 
-static enum ts_status assign_number(struct tsim *sim, const struct ts_word *word,
-				    const unsigned char *chosen, const struct part_of_column *to,
-				    size_t k, struct ts_table *value)
+static enum ts_status assign_number(struct tsim *sim, const struct ts_word *word, const unsigned char *chosen,
+				    const struct part_of_column *to, size_t k, struct ts_table *value)
 {
 	const struct ts_column *c = to->column;
 	bool integer = strncmp(c->name, "i_", 2) == 0 || strncmp(c->name, "i2_", 3) == 0;
@@ -218,8 +212,8 @@ static enum ts_status assign_number(struct tsim *sim, const struct ts_word *word
 		double x = value->data[i];
 
 		if (chosen[i] && integer && x != floor(x))
-			return ts_fail(&sim->error, TS_RANGE, &word->place,
-				       "set: %s is an integer, found %g", c->name, x);
+			return ts_fail(&sim->error, TS_RANGE, &word->place, "set: %s is an integer, found %g",
+				       c->name, x);
 		if (chosen[i])
 			((double *)c->data)[i * c->width + to->first + k] = x;
 	}
@@ -232,14 +226,14 @@ static size_t count_values(struct ts_words words)
 	size_t n = 0;
 	double value;
 
-	while (n < words.n && (strncmp(words.word[n].text, "v_", 2) == 0 ||
-			       ts_parse_real(words.word[n].text, &value)))
+	while (n < words.n &&
+	       (strncmp(words.word[n].text, "v_", 2) == 0 || ts_parse_real(words.word[n].text, &value)))
 		n++;
 	return n;
 }
 
-static enum ts_status assign_column(struct tsim *sim, struct ts_words words,
-				    const unsigned char *chosen, size_t *used)
+static enum ts_status assign_column(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
+				    size_t *used)
 {
 	size_t given = count_values(ts_words_from(words, 1));
 	struct ts_table value = { 0 };
@@ -252,16 +246,16 @@ static enum ts_status assign_column(struct tsim *sim, struct ts_words words,
 	*used = given + 1;
 	if (given != to.n)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
-			       "set: property '%s' takes %zu number%s, but %zu are given",
-			       words.word[0].text, to.n, to.n > 1 ? "s" : "", given);
+			       "set: property '%s' takes %zu number%s, but %zu are given", words.word[0].text,
+			       to.n, to.n > 1 ? "s" : "", given);
 	for (size_t k = 0; k < to.n && status == TS_OK; k++)
 		status = assign_number(sim, &words.word[k + 1], chosen, &to, k, &value);
 	ts_table_release(&value);
 	return status;
 }
 
-enum ts_status ts_assign_properties(struct tsim *sim, struct ts_words words,
-				    const unsigned char *chosen, size_t *count)
+enum ts_status ts_assign_properties(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
+				    size_t *count)
 {
 	for (size_t used; words.n; words = ts_words_from(words, used))
 		TS_TRY(assign_column(sim, words, chosen, &used));

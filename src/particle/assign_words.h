@@ -16,8 +16,8 @@ enum ts_status ts_assign_image(struct tsim *sim, struct ts_words words, const un
 			       size_t *count);
 /* NAME VALUES ...: columns that fix property/atom or another fix keeps, as many numbers or v_names as each
  * is wide; NAME[k] VALUE: one of them. Those of i_NAME are integers. */
-enum ts_status ts_assign_properties(struct tsim *sim, struct ts_words words,
-				    const unsigned char *chosen, size_t *count);
+enum ts_status ts_assign_properties(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
+				    size_t *count);
 
 /* A number for each particle: a constant, or a variable of either kind. */
 enum ts_status ts_assign_values(struct tsim *sim, const struct ts_number *number,

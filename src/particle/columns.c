@@ -66,8 +66,8 @@ enum ts_status ts_particles_need(struct tsim *sim, unsigned columns)
 	return TS_OK;
 }
 
-enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_t width,
-				       unsigned flags, size_t *index)
+enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_t width, unsigned flags,
+				       size_t *index)
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_column *c;
@@ -86,8 +86,11 @@ enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_
 	if (TS_GROW(p->column, p->column_capacity, p->ncolumns + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	c = &p->column[p->ncolumns];
-	*c = (struct ts_column){ .name = ts_pool_get(sim->pool, name), .type = TS_SAVED_F64,
-				 .element = sizeof(double), .width = width, .flags = flags,
+	*c = (struct ts_column){ .name = ts_pool_get(sim->pool, name),
+				 .type = TS_SAVED_F64,
+				 .element = sizeof(double),
+				 .width = width,
+				 .flags = flags,
 				 .active = true };
 	if (!c->name || (p->capacity && enlarge(sim, c, 0, p->capacity) != TS_OK))
 		return ts_nomem(&sim->error);
@@ -114,8 +117,8 @@ void ts_particles_fill_initial(struct ts_column *column, size_t from, size_t to)
 }
 
 /* Gives the numbers of each identity to the particle that has it now. */
-static enum ts_status distribute(struct tsim *sim, const struct ts_column *c, const int32_t *tag,
-				 size_t n, const double *data)
+static enum ts_status distribute(struct tsim *sim, const struct ts_column *c, const int32_t *tag, size_t n,
+				 const double *data)
 {
 	struct ts_identities map;
 
@@ -127,8 +130,8 @@ static enum ts_status distribute(struct tsim *sim, const struct ts_column *c, co
 	return TS_OK;
 }
 
-enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct tsim *sim,
-					   const char *name, size_t index)
+enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct tsim *sim, const char *name,
+					   size_t index)
 {
 	struct ts_particles *p = sim->particles;
 	const struct ts_column *c = &p->column[index];
@@ -148,14 +151,14 @@ enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct ts
 		if (status == TS_OK)
 			status = ts_archive_fixed(archive, name, TS_SAVED_F64, c->data, numbers);
 	} else {
-		status = ts_archive_array(archive, ts_str_text(&key), TS_SAVED_I32, (void **)&tag,
-					  &room, &tags);
+		status = ts_archive_array(archive, ts_str_text(&key), TS_SAVED_I32, (void **)&tag, &room,
+					  &tags);
 		if (status == TS_OK)
-			status = ts_archive_array(archive, name, TS_SAVED_F64, (void **)&data,
-						  &space, &numbers);
+			status = ts_archive_array(archive, name, TS_SAVED_F64, (void **)&data, &space,
+						  &numbers);
 		if (status == TS_OK && numbers != tags * c->width)
-			status = ts_fail(&sim->error, TS_DAMAGED, NULL,
-					 "'%s' does not fit its particles", name);
+			status = ts_fail(&sim->error, TS_DAMAGED, NULL, "'%s' does not fit its particles",
+					 name);
 		if (status == TS_OK)
 			status = distribute(sim, c, tag, tags, data);
 	}

@@ -55,9 +55,12 @@ const struct ts_command_style ts_command_atom_modify = {
 		.name = "atom_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "Elsewhere it says how particles are found by identity and when they are sorted. Here both are\n"
-		       "settled, and results do not depend on them: sums go by identity, and dumps are sorted by\n"
-		       "identity unless `dump_modify sort off` asks for the order in memory, which is that of this\n"
+		.doc = "Elsewhere it says how particles are found by identity and when they are sorted. Here "
+		       "both are\n"
+		       "settled, and results do not depend on them: sums go by identity, and dumps are "
+		       "sorted by\n"
+		       "identity unless `dump_modify sort off` asks for the order in memory, which is that "
+		       "of this\n"
 		       "program and not of another.",
 		.example = "atom_modify map array sort 0 0",
 		.args = args,

@@ -46,7 +46,8 @@ const struct ts_command_style ts_command_atom_style = {
 		.name = "atom_style",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Says which columns the particles of a data file have",
-		.doc = "Particles are spheres with a radius, mass and velocity. Rotation, bonds and all else\n"
+		.doc = "Particles are spheres with a radius, mass and velocity. Rotation, bonds and all "
+		       "else\n"
 		       "exist as soon as something in the script needs them.",
 		.example = "atom_style granular\n"
 		       "atom_style hybrid granular bond/gran n_bondtypes 1 bonds_per_atom 6",

@@ -29,8 +29,8 @@ enum part { FRACTION, COUNT };
 
 /* In order of identity, so that the result does not depend on the order of rows: a member of
  * `group` goes if a particle of `other` that stays is nearer than the cutoff. */
-static enum ts_status mark_overlaps(struct tsim *sim, const struct state *s,
-				    struct ts_pointhash *hash, unsigned char *flag)
+static enum ts_status mark_overlaps(struct tsim *sim, const struct state *s, struct ts_pointhash *hash,
+				    unsigned char *flag)
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_identities map;
@@ -46,8 +46,7 @@ static enum ts_status mark_overlaps(struct tsim *sim, const struct state *s,
 		if (!ts_in_group(p, i, s->group))
 			continue;
 		flag[i] = ts_pointhash_near_periodic(hash, &sim->domain->box, p->x[i], s->cutoff);
-		if (!flag[i] && ts_in_group(p, i, s->other) &&
-		    ts_pointhash_add(hash, p->x[i]) != TS_OK)
+		if (!flag[i] && ts_in_group(p, i, s->other) && ts_pointhash_add(hash, p->x[i]) != TS_OK)
 			return ts_nomem(&sim->error);
 	}
 	return TS_OK;
@@ -71,25 +70,22 @@ static enum ts_status read_porosity(struct tsim *sim, struct state *s)
 		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &w.word[0], &s->region));
 	if (!ts_parse_real(w.word[1].text, &s->amount) || s->amount < 0 || s->amount > 1)
 		return ts_fail(&sim->error, TS_RANGE, &w.word[1].place,
-			       "delete_atoms porosity: '%s' is no fraction from 0 to 1",
-			       w.word[1].text);
+			       "delete_atoms porosity: '%s' is no fraction from 0 to 1", w.word[1].text);
 	if (!ts_parse_int(w.word[2].text, &s->seed) || s->seed < 1)
 		return ts_fail(&sim->error, TS_RANGE, &w.word[2].place,
-			       "delete_atoms porosity: '%s' is no seed, an integer > 0",
-			       w.word[2].text);
+			       "delete_atoms porosity: '%s' is no seed, an integer > 0", w.word[2].text);
 	return TS_OK;
 }
 
 /* How many of those drawn go. */
-static enum ts_status wanted(struct tsim *sim, const struct state *s, const struct ts_draw *draw,
-			     size_t n, const struct ts_place *where, size_t *out)
+static enum ts_status wanted(struct tsim *sim, const struct state *s, const struct ts_draw *draw, size_t n,
+			     const struct ts_place *where, size_t *out)
 {
 	bool count = s->mode == RANDOM && s->part == COUNT;
 
 	if (count && s->amount > (double)n && s->exact)
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "delete_atoms random: %.0f are to go, but there are only %zu",
-			       s->amount, n);
+			       "delete_atoms random: %.0f are to go, but there are only %zu", s->amount, n);
 	if (count)
 		*out = s->amount < (double)n ? (size_t)s->amount : n;
 	else if (s->mode == RANDOM && s->exact)
@@ -109,8 +105,8 @@ static enum ts_status mark_random(struct tsim *sim, const struct state *s, unsig
 	enum ts_status status;
 
 	for (size_t i = 0; i < p->n; i++)
-		flag[i] = ts_in_group(p, i, s->group) &&
-			  (!s->region || ts_region_contains(s->region, p->x[i]));
+		flag[i] =
+			ts_in_group(p, i, s->group) && (!s->region || ts_region_contains(s->region, p->x[i]));
 	TS_TRY(ts_draw(sim, flag, s->seed, &draw, &n));
 	status = wanted(sim, s, draw, n, where, &gone);
 	for (size_t k = gone; status == TS_OK && k < n; k++)
@@ -259,8 +255,10 @@ const struct ts_command_style ts_command_delete_atoms = {
 		.name = "delete_atoms",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Removes particles",
-		.doc = "Bonds of removed particles go with them. overlap looks at the particles in the order\n"
-		       "of their identities; of two members of both groups that are too near the first stays.",
+		.doc = "Bonds of removed particles go with them. overlap looks at the particles in the "
+		       "order\n"
+		       "of their identities; of two members of both groups that are too near the first "
+		       "stays.",
 		.example = "delete_atoms group loose\n"
 			   "delete_atoms region hole\n"
 			   "delete_atoms overlap 0.001 all all\n"

@@ -18,9 +18,9 @@ enum { MOVE, RAMP, RANDOM, ROTATE };
 struct state {
 	int group, mode, units;
 	struct ts_number shift[3];
-	int component, dim;  /* of ramp */
+	int component, dim; /* of ramp */
 	double d[2], at[2];
-	double most[3];      /* of random */
+	double most[3]; /* of random */
 	int64_t seed;
 	double point[3], axis[3], angle; /* of rotate; degrees */
 };
@@ -35,7 +35,8 @@ static enum ts_status move(struct tsim *sim, const struct state *s, const struct
 		status = ts_number_or_peratom_now(sim, &s->shift[d], where, &each[d]);
 	for (size_t i = 0; i < p->n && status == TS_OK; i++)
 		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
-			p->x[i][d] += ts_domain_scale(sim, s->units, d) * ts_number_or_peratom_of(&each[d], i);
+			p->x[i][d] +=
+				ts_domain_scale(sim, s->units, d) * ts_number_or_peratom_of(&each[d], i);
 	for (int d = 0; d < 3; d++)
 		ts_number_or_peratom_release(&each[d]);
 	return status;
@@ -48,8 +49,8 @@ static enum ts_status ramp(struct tsim *sim, const struct state *s, const struct
 	double along = ts_domain_scale(sim, s->units, s->dim);
 
 	if (s->at[0] == s->at[1])
-		return ts_fail(&sim->error, TS_RANGE, where,
-			       "displace_atoms ramp: both ends lie at %g", s->at[0]);
+		return ts_fail(&sim->error, TS_RANGE, where, "displace_atoms ramp: both ends lie at %g",
+			       s->at[0]);
 	for (size_t i = 0; i < p->n; i++) {
 		double part = (p->x[i][s->dim] / along - s->at[0]) / (s->at[1] - s->at[0]);
 
@@ -99,14 +100,12 @@ static enum ts_status rotate(struct tsim *sim, const struct state *s, const stru
 		ts_axpy(-along, axis, a);
 		ts_cross(axis, a, b);
 		for (int d = 0; d < 3; d++)
-			p->x[i][d] = point[d] + along * axis[d] + cos(angle) * a[d] +
-				     sin(angle) * b[d];
+			p->x[i][d] = point[d] + along * axis[d] + cos(angle) * a[d] + sin(angle) * b[d];
 	}
 	return TS_OK;
 }
 
-static enum ts_status displace(struct tsim *sim, const struct state *s,
-			       const struct ts_place *where)
+static enum ts_status displace(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	switch (s->mode) {
 	case MOVE:
@@ -131,8 +130,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	return ts_exchange_migrate(sim);
 }
 
-#define SHIFT(name, k)                                                                             \
-	TS_NUMBER(name, struct state, shift[k], .flags = TS_POSITIONAL, .unit = "length",          \
+#define SHIFT(name, k)                                                                    \
+	TS_NUMBER(name, struct state, shift[k], .flags = TS_POSITIONAL, .unit = "length", \
 		  .help = "displacement, or v_name; an atom-style variable gives each its own")
 static const struct ts_arg move_args[] = {
 	SHIFT("dx", 0),
@@ -150,10 +149,8 @@ static const struct ts_arg ramp_args[] = {
 		.help = "displacement at the high end and above"),
 	TS_ENUM("dim", struct state, dim, ts_region_axes, .flags = TS_POSITIONAL,
 		.help = "coordinate along which it changes"),
-	TS_REAL("clo", struct state, at[0], .flags = TS_POSITIONAL, .unit = "length",
-		.help = "the low end"),
-	TS_REAL("chi", struct state, at[1], .flags = TS_POSITIONAL, .unit = "length",
-		.help = "the high end"),
+	TS_REAL("clo", struct state, at[0], .flags = TS_POSITIONAL, .unit = "length", .help = "the low end"),
+	TS_REAL("chi", struct state, at[1], .flags = TS_POSITIONAL, .unit = "length", .help = "the high end"),
 	TS_ARGS_END,
 };
 
@@ -196,9 +193,11 @@ const struct ts_command_style ts_command_displace_atoms = {
 		.name = "displace_atoms",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Moves particles at once",
-		.doc = "rotate turns positions as they are in the box, not unwrapped ones. random draws each component uniformly from -most to +most, keyed by seed and\n"
+		.doc = "rotate turns positions as they are in the box, not unwrapped ones. random draws each "
+		       "component uniformly from -most to +most, keyed by seed and\n"
 		       "identity. Particles do not turn about themselves, and velocities stay. Afterwards\n"
-		       "positions are wrapped into periodic faces, particles outside of fixed faces are lost\n"
+		       "positions are wrapped into periodic faces, particles outside of fixed faces are "
+		       "lost\n"
 		       "(see thermo_modify lost), and faces of boundary s and m are fitted to the particles.",
 		.example = "displace_atoms top move 0 0 0.05 units box\n"
 		       "displace_atoms all ramp x 0 0.01 z 0 0.2 units box\n"

@@ -30,8 +30,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_TYPES("types", struct state, types, .flags = TS_POSITIONAL, .help = "particle types"),
-	TS_REAL("mass", struct state, mass, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-		.unit = "mass", .help = "mass of one particle"),
+	TS_REAL("mass", struct state, mass, .flags = TS_POSITIONAL, .range = TS_POSITIVE, .unit = "mass",
+		.help = "mass of one particle"),
 	TS_ARGS_END,
 };
 
@@ -41,7 +41,8 @@ const struct ts_command_style ts_command_mass = {
 		.name = "mass",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the mass of particles of a type",
-		.doc = "All particles of these types get the mass, also those that create_atoms makes later.\n"
+		.doc = "All particles of these types get the mass, also those that create_atoms makes "
+		       "later.\n"
 		       "`set ... density`, `diameter` or `mass` afterwards overrides it.",
 		.example = "mass 1 1.0\n"
 		       "mass * 0.5",

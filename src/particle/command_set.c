@@ -43,10 +43,9 @@ struct state {
 	struct ts_words words[NWORDS];
 };
 
-static const char *const names[NPROPERTIES] = {
-	"type", "diameter", "density", "density/disc", "mass",	 "x",	   "y",
-	"z",	"vx",	    "vy",      "vz",	       "omegax", "omegay", "omegaz"
-};
+static const char *const names[NPROPERTIES] = { "type", "diameter", "density", "density/disc", "mass",
+						"x",	"y",	    "z",       "vx",	       "vy",
+						"vz",	"omegax",   "omegay",  "omegaz" };
 static const char *const word_names[NWORDS] = { "type/fraction", "type/ratio", "type/subset",
 						"image",	 "omega",      "property/atom",
 						"named numbers", "mol",	       "bond" };
@@ -112,9 +111,8 @@ static void apply(struct tsim *sim, size_t i, int what, double value)
 	}
 }
 
-static enum ts_status set_number(struct tsim *sim, const struct state *s,
-				 const unsigned char *chosen, int what, const struct ts_place *where,
-				 struct ts_table *table)
+static enum ts_status set_number(struct tsim *sim, const struct state *s, const unsigned char *chosen,
+				 int what, const struct ts_place *where, struct ts_table *table)
 {
 	struct ts_particles *p = sim->particles;
 
@@ -130,8 +128,8 @@ static enum ts_status set_number(struct tsim *sim, const struct state *s,
 		expected = problem(p, what, table->data[i]);
 		if (expected)
 			return ts_fail(&sim->error, TS_RANGE, where,
-				       "set: %s of particle %d would be %g, expected %s",
-				       names[what], p->tag[i], table->data[i], expected);
+				       "set: %s of particle %d would be %g, expected %s", names[what],
+				       p->tag[i], table->data[i], expected);
 		apply(sim, i, what, table->data[i]);
 	}
 	return TS_OK;
@@ -151,8 +149,8 @@ static int next_number(const struct state *s, size_t *at)
 	return next;
 }
 
-static enum ts_status set_omega(struct tsim *sim, struct ts_words words,
-				const unsigned char *chosen, size_t *count)
+static enum ts_status set_omega(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
+				size_t *count)
 {
 	struct ts_particles *p = sim->particles;
 	double omega[3];
@@ -178,8 +176,7 @@ static enum ts_status set_bond(struct tsim *sim, struct ts_words words, const un
 	struct ts_identities map;
 	int64_t type;
 
-	if (words.n != 1 || !ts_parse_int(words.word[0].text, &type) || type < 1 ||
-	    type > b->ntypes)
+	if (words.n != 1 || !ts_parse_int(words.word[0].text, &type) || type < 1 || type > b->ntypes)
 		return ts_fail(&sim->error, TS_RANGE, &words.word[0].place,
 			       "set: bond takes a type of bonds from 1 to %d", b->ntypes);
 	TS_TRY(ts_identities(sim, false, &map));
@@ -195,8 +192,8 @@ static enum ts_status set_bond(struct tsim *sim, struct ts_words words, const un
 }
 
 /* What `fix property/atom mol` keeps. */
-static enum ts_status set_molecule(struct tsim *sim, struct ts_words words,
-				   const unsigned char *chosen, size_t *count)
+static enum ts_status set_molecule(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
+				   size_t *count)
 {
 	struct ts_word both[2] = { { .text = "mol", .place = words.word[0].place }, words.word[0] };
 
@@ -222,8 +219,8 @@ static enum ts_status set_words(struct tsim *sim, const struct state *s, const u
 	case BOND:
 		return set_bond(sim, s->words[what], chosen, count);
 	default:
-		return ts_assign_type(sim, (enum ts_part)(what - TYPE_FRACTION), s->words[what],
-				      chosen, count);
+		return ts_assign_type(sim, (enum ts_part)(what - TYPE_FRACTION), s->words[what], chosen,
+				      count);
 	}
 }
 
@@ -245,8 +242,7 @@ static enum ts_status set_all(struct tsim *sim, const struct state *s, const uns
 			continue;
 		status = set_words(sim, s, chosen, what, &changed);
 		if (status == TS_OK)
-			ts_log(&sim->log, "  %zu settings made for %s\n", changed,
-			       word_names[what]);
+			ts_log(&sim->log, "  %zu settings made for %s\n", changed, word_names[what]);
 	}
 	return status;
 }
@@ -283,8 +279,7 @@ static const struct ts_arg by_id[] = {
 };
 
 static const struct ts_arg by_type[] = {
-	TS_TYPES("types", struct state, range, .flags = TS_POSITIONAL,
-		 .help = "types: n, *, n*, *m or n*m"),
+	TS_TYPES("types", struct state, range, .flags = TS_POSITIONAL, .help = "types: n, *, n*, *m or n*m"),
 	TS_ARGS_END,
 };
 
@@ -313,13 +308,14 @@ static const struct ts_mode modes[] = {
 	{ .name = NULL },
 };
 
-#define VALUE(name, what, unit_, help_)                                                            \
-	TS_NUMBER(name, struct state, value[what], .flags = TS_OPTIONAL, .unit = unit_,            \
-		  .help = help_)
+#define VALUE(name, what, unit_, help_) \
+	TS_NUMBER(name, struct state, value[what], .flags = TS_OPTIONAL, .unit = unit_, .help = help_)
 
-#define WORDS(name_, what, help_)                                                                  \
-	{ .name = name_, .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD,                \
-	  .offset = TS_FIELD(struct state, words[what], struct ts_words *), .help = help_ }
+#define WORDS(name_, what, help_)                                                               \
+	{                                                                                       \
+		.name = name_, .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD,       \
+		.offset = TS_FIELD(struct state, words[what], struct ts_words *), .help = help_ \
+	}
 
 static const struct ts_arg args[] = {
 	TS_MODE("style", struct state, mode, modes, .help = "how particles are chosen"),
@@ -342,8 +338,7 @@ static const struct ts_arg args[] = {
 	WORDS("image", IMAGE, "three integers or NULL: image flags; 0 where the box is not periodic"),
 	WORDS("type/fraction", TYPE_FRACTION,
 	      "type, fraction, seed: each gets the type with this probability"),
-	WORDS("type/ratio", TYPE_RATIO,
-	      "type, fraction, seed: exactly this part of them gets the type"),
+	WORDS("type/ratio", TYPE_RATIO, "type, fraction, seed: exactly this part of them gets the type"),
 	WORDS("type/subset", TYPE_SUBSET, "type, number, seed: so many of them get the type"),
 	TS_SOME_KEYWORD("property/atom", struct state, words[PROPERTY], TS_REPEAT,
 			.help = "name of a property that a fix keeps, and its numbers or v_names"),
@@ -366,9 +361,12 @@ const struct ts_command_style ts_command_set = {
 		.name = "set",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Gives particles properties",
-		.doc = "Numbers may be v_name; an atom-style variable gives each particle a value of its own. They\n"
-		       "are set from left to right: `diameter 2 mass 1` ends with the mass 1, `mass 1 diameter 2` with\n"
-		       "the density that mass 1 gave. The words that take more than one number come last. Random\n"
+		.doc = "Numbers may be v_name; an atom-style variable gives each particle a value of its "
+		       "own. They\n"
+		       "are set from left to right: `diameter 2 mass 1` ends with the mass 1, `mass 1 "
+		       "diameter 2` with\n"
+		       "the density that mass 1 gave. The words that take more than one number come last. "
+		       "Random\n"
 		       "choices are keyed by seed and identity.",
 		.example = "set group all diameter 0.005 density 2500\n"
 			   "set type 2 vz -1\n"

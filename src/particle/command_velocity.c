@@ -79,8 +79,8 @@ static double temperature(const struct tsim *sim, int group, double *count)
 	return ts_temperature(sim, tensor, NULL);
 }
 
-static enum ts_status thermometer(struct tsim *sim, const struct state *s,
-				  const struct ts_place *where, struct ts_instance **out)
+static enum ts_status thermometer(struct tsim *sim, const struct state *s, const struct ts_place *where,
+				  struct ts_instance **out)
 {
 	const struct ts_word id = { .text = s->temp, .place = *ts_sim_word_of(sim, s->temp, where) };
 	const struct ts_value *value;
@@ -88,8 +88,8 @@ static enum ts_status thermometer(struct tsim *sim, const struct state *s,
 	TS_TRY(ts_sim_require(sim, TS_KIND_COMPUTE, &id, out));
 	value = ts_value_find(*out, TS_SCALAR);
 	if (!value || !ts_streq(value->unit, "temperature"))
-		return ts_fail(&sim->error, TS_RANGE, &id.place,
-			       "velocity: compute %s gives no temperature", s->temp);
+		return ts_fail(&sim->error, TS_RANGE, &id.place, "velocity: compute %s gives no temperature",
+			       s->temp);
 	if (s->bias && !ts_streq((*out)->style->name, "temp/com"))
 		return ts_fail(&sim->error, TS_RANGE, &id.place,
 			       "velocity: bias yes needs a temperature of what is left of the velocities "
@@ -174,8 +174,8 @@ static enum ts_status set(struct tsim *sim, const struct state *s, const struct 
 			      : ts_number_now(sim, &s->value[d], where, &constant);
 		for (size_t i = 0; i < p->n && status == TS_OK; i++)
 			if (ts_in_group(p, i, s->group))
-				p->v[i][d] = (s->sum ? p->v[i][d] : 0) +
-					     scale * (each ? table.data[i] : constant);
+				p->v[i][d] =
+					(s->sum ? p->v[i][d] : 0) + scale * (each ? table.data[i] : constant);
 	}
 	ts_table_release(&table);
 	return status;
@@ -192,8 +192,8 @@ static void draw(struct tsim *sim, const struct state *s)
 		if (!ts_in_group(p, i, s->group))
 			continue;
 		for (int d = 0; d < 3; d++) {
-			double u = s->gaussian ? ts_rng_normal(&rng)
-					       : sqrt(12) * (ts_rng_uniform(&rng) - 0.5);
+			double u =
+				s->gaussian ? ts_rng_normal(&rng) : sqrt(12) * (ts_rng_uniform(&rng) - 0.5);
 
 			p->v[i][d] = d < sim->dimension ? u / sqrt(p->mass[i]) : 0;
 		}
@@ -242,8 +242,7 @@ static enum ts_status ramp(struct tsim *sim, const struct state *s, const struct
 	double scale = scale_of(sim, s, s->component), along = scale_of(sim, s, s->dim);
 
 	if (s->x[0] == s->x[1])
-		return ts_fail(&sim->error, TS_RANGE, where, "velocity ramp: both ends lie at %g",
-			       s->x[0]);
+		return ts_fail(&sim->error, TS_RANGE, where, "velocity ramp: both ends lie at %g", s->x[0]);
 	for (size_t i = 0; i < p->n; i++) {
 		double at = (p->x[i][s->dim] / along - s->x[0]) / (s->x[1] - s->x[0]);
 
@@ -287,9 +286,9 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	return TS_OK;
 }
 
-#define COMPONENT(name, d)                                                                         \
-	TS_NUMBER(name, struct state, value[d], .flags = TS_POSITIONAL | TS_NULLABLE,              \
-		  .unit = "velocity", .help = "component, v_name, or NULL: leave it")
+#define COMPONENT(name, d)                                                                                \
+	TS_NUMBER(name, struct state, value[d], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "velocity", \
+		  .help = "component, v_name, or NULL: leave it")
 static const struct ts_arg set_args[] = {
 	COMPONENT("vx", 0),
 	COMPONENT("vy", 1),
@@ -300,18 +299,16 @@ static const struct ts_arg set_args[] = {
 static const char *const distributions[] = { "uniform", "gaussian", NULL };
 static const char *const loops[] = { "all", "local", "geom", NULL };
 static const struct ts_arg create_args[] = {
-	TS_REAL("temperature", struct state, temperature, .flags = TS_POSITIONAL,
-		.range = TS_NOT_NEGATIVE, .unit = "temperature",
-		.help = "temperature of the translation"),
+	TS_REAL("temperature", struct state, temperature, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+		.unit = "temperature", .help = "temperature of the translation"),
 	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "seed of the random numbers"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg scale_args[] = {
-	TS_REAL("temperature", struct state, temperature, .flags = TS_POSITIONAL,
-		.range = TS_NOT_NEGATIVE, .unit = "temperature",
-		.help = "temperature of the translation"),
+	TS_REAL("temperature", struct state, temperature, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+		.unit = "temperature", .help = "temperature of the translation"),
 	TS_ARGS_END,
 };
 
@@ -326,10 +323,8 @@ static const struct ts_arg ramp_args[] = {
 		.help = "its value at the high end"),
 	TS_ENUM("dim", struct state, dim, dims, .flags = TS_POSITIONAL,
 		.help = "coordinate along which it changes"),
-	TS_REAL("lo", struct state, x[0], .flags = TS_POSITIONAL, .unit = "length",
-		.help = "the low end"),
-	TS_REAL("hi", struct state, x[1], .flags = TS_POSITIONAL, .unit = "length",
-		.help = "the high end"),
+	TS_REAL("lo", struct state, x[0], .flags = TS_POSITIONAL, .unit = "length", .help = "the low end"),
+	TS_REAL("hi", struct state, x[1], .flags = TS_POSITIONAL, .unit = "length", .help = "the high end"),
 	TS_ARGS_END,
 };
 
@@ -351,8 +346,7 @@ static const struct ts_mode modes[] = {
 };
 
 static const struct ts_arg args[] = {
-	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL,
-		 .help = "particles that are changed"),
+	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "particles that are changed"),
 	TS_MODE("style", struct state, mode, modes, .help = "which velocities they get"),
 	TS_BOOL("sum", struct state, sum, .fallback = "no",
 		.help = "add to the velocities they have (not scale and zero)"),
@@ -381,10 +375,14 @@ const struct ts_command_style ts_command_velocity = {
 		.name = "velocity",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Gives particles velocities",
-		.doc = "create draws each component with the variance 1/m, keyed by seed and identity, takes away the\n"
-		       "momentum, and scales to the exact temperature T = sum m v^2 / (D (N - 1) k), D dimensions, N\n"
-		       "particles. ramp interpolates linearly between the ends and is constant beyond them. zero\n"
-		       "angular takes away the turn as a rigid body, omega x (x - x_cm), that has the angular momentum\n"
+		.doc = "create draws each component with the variance 1/m, keyed by seed and identity, takes "
+		       "away the\n"
+		       "momentum, and scales to the exact temperature T = sum m v^2 / (D (N - 1) k), D "
+		       "dimensions, N\n"
+		       "particles. ramp interpolates linearly between the ends and is constant beyond them. "
+		       "zero\n"
+		       "angular takes away the turn as a rigid body, omega x (x - x_cm), that has the "
+		       "angular momentum\n"
 		       "of the group.",
 		.example = "velocity all set 0 0 -1.5\n"
 			   "velocity gas create 300 86028157 dist gaussian\n"

@@ -27,8 +27,7 @@ static void count_particles(const struct ts_instance *self, const struct ts_part
 }
 
 /* Partners are found by identity: bonds know their rows only during a run. */
-static enum ts_status count_bonds(const struct ts_instance *self, struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status count_bonds(const struct ts_instance *self, struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_bonds *bonds = sim->bonds;
 	const struct ts_particles *p = sim->particles;

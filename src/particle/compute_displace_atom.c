@@ -13,8 +13,7 @@ struct displace {
 	const char *variable; /* who starts anew where a dump says so; NULL: all */
 };
 
-static void place(const struct ts_instance *self, const struct tsim *sim, size_t i,
-		  double now[3])
+static void place(const struct ts_instance *self, const struct tsim *sim, size_t i, double now[3])
 {
 	(void)self;
 	ts_unwrapped(sim, i, now);
@@ -95,8 +94,8 @@ static const struct ts_arg args[] = {
 
 static const char *const names[] = { "dx", "dy", "dz", "distance", NULL };
 static const struct ts_value values[] = {
-	{ "displacement", "length", "displacement and its length; 0 outside the group", TS_PERATOM, 4,
-	  names, eval },
+	{ "displacement", "length", "displacement and its length; 0 outside the group", TS_PERATOM, 4, names,
+	  eval },
 	{ .name = NULL },
 };
 

@@ -29,7 +29,8 @@ const struct ts_style ts_compute_erotate_sphere_atom = {
 	.name = "erotate/sphere/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Kinetic energy of rotation of each particle",
-	.doc = "I omega^2 / 2 with I = 0.4 m R^2 (0.5 m R^2 for discs); 0 where nothing makes particles rotate.",
+	.doc = "I omega^2 / 2 with I = 0.4 m R^2 (0.5 m R^2 for discs); 0 where nothing makes particles "
+	       "rotate.",
 	.example = "compute rotation all erotate/sphere/atom",
 	.values = values,
 };

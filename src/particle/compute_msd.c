@@ -15,8 +15,7 @@ struct msd {
 	struct tsim *sim;
 };
 
-static void place(const struct ts_instance *self, const struct tsim *sim, size_t i,
-		  double now[3])
+static void place(const struct ts_instance *self, const struct tsim *sim, size_t i, double now[3])
 {
 	(void)self;
 	ts_unwrapped(sim, i, now);
@@ -111,8 +110,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 static const char *const names[] = { "x", "y", "z", "total", NULL };
 static const struct ts_value values[] = {
-	{ "msd", "length^2", "mean squared displacement along the axes, and their sum", TS_VECTOR, 4,
-	  names, eval },
+	{ "msd", "length^2", "mean squared displacement along the axes, and their sum", TS_VECTOR, 4, names,
+	  eval },
 	{ .name = NULL },
 };
 

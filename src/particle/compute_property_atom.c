@@ -23,9 +23,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		if (ts_quantity_has(sim, word->text))
 			continue;
 		ts_quantity_suggest(sim, &suggest);
-		return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
-			       "particles have no property '%s'%s", word->text,
-			       ts_suggest_text(&suggest));
+		return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "particles have no property '%s'%s",
+			       word->text, ts_suggest_text(&suggest));
 	}
 	return TS_OK;
 }
@@ -40,8 +39,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	for (size_t k = 0; k < c->names.n; k++) {
 		TS_TRY(ts_quantity_eval(c->sim, c->names.word[k].text, &c->one));
 		for (size_t i = 0; i < p->n; i++)
-			out->data[i * c->names.n + k] =
-				ts_in_group(p, i, self->group) ? c->one.data[i] : 0;
+			out->data[i * c->names.n + k] = ts_in_group(p, i, self->group) ? c->one.data[i] : 0;
 	}
 	return TS_OK;
 }
@@ -63,8 +61,7 @@ static const struct ts_value values[] = {
 };
 
 static const struct ts_arg args[] = {
-	TS_REST("names", struct property, names,
-		.help = "properties: id, type, x, vx, fx, radius, mass ..."),
+	TS_REST("names", struct property, names, .help = "properties: id, type, x, vx, fx, radius, mass ..."),
 	TS_ARGS_END,
 };
 
@@ -73,8 +70,7 @@ const struct ts_style ts_compute_property_atom = {
 	.name = "property/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Properties of each particle",
-	.doc = "Makes what is known of the particles by name available as c_ID[k], k counting the "
-	       "names; of\n"
+	.doc = "Makes what is known of the particles by name available as c_ID[k], k counting the names; of\n"
 	       "a single name also as c_ID. Particles outside the group have 0.",
 	.example = "compute size all property/atom radius mass",
 	.args = args,

@@ -9,8 +9,7 @@ struct vacf {
 	struct tsim *sim;
 };
 
-static void velocity(const struct ts_instance *self, const struct tsim *sim, size_t i,
-		     double now[3])
+static void velocity(const struct ts_instance *self, const struct tsim *sim, size_t i, double now[3])
 {
 	(void)self;
 	for (int d = 0; d < 3; d++)
@@ -60,8 +59,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 static const char *const names[] = { "x", "y", "z", "total", NULL };
 static const struct ts_value values[] = {
-	{ "vacf", "velocity^2", "mean of v v0 along the axes, and their sum", TS_VECTOR, 4, names,
-	  eval },
+	{ "vacf", "velocity^2", "mean of v v0 along the axes, and their sum", TS_VECTOR, 4, names, eval },
 	{ .name = NULL },
 };
 

@@ -1,5 +1,5 @@
-/* Particles moved together, for -explain: a run that begins with scattered grains may end with a bed of them, and
- * costs more then. */
+/* Particles moved together, for -explain: a run that begins with scattered grains may end with a bed of
+ * them, and costs more then. */
 #include "particle/particles.h"
 
 #include <math.h>
@@ -22,8 +22,8 @@ static double mean_diameter(const struct ts_particles *p, size_t *mobile)
 	return *mobile ? sum / (double)*mobile : 0;
 }
 
-/* A simple cubic lattice from the low corner of the box up, neighbours just touching: six contacts each, as in a
- * bed. Where there is no room for that the particles are together already. */
+/* A simple cubic lattice from the low corner of the box up, neighbours just touching: six contacts each,
+ * as in a bed. Where there is no room for that the particles are together already. */
 enum ts_status ts_particles_crowd(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_particles *p = self->state;

@@ -17,8 +17,8 @@ static int compare(const void *a, const void *b)
 	return (p->tag > q->tag) - (p->tag < q->tag);
 }
 
-enum ts_status ts_draw(struct tsim *sim, const unsigned char *chosen, int64_t seed,
-		       struct ts_draw **out, size_t *n)
+enum ts_status ts_draw(struct tsim *sim, const unsigned char *chosen, int64_t seed, struct ts_draw **out,
+		       size_t *n)
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_draw *draw = ts_alloc(p->n, sizeof *draw);
@@ -31,8 +31,7 @@ enum ts_status ts_draw(struct tsim *sim, const unsigned char *chosen, int64_t se
 		struct ts_rng rng = ts_rng_start((uint64_t)seed, (uint64_t)p->tag[i]);
 
 		if (chosen[i])
-			draw[(*n)++] = (struct ts_draw){ ts_rng_uniform(&rng), p->tag[i],
-							 (int32_t)i };
+			draw[(*n)++] = (struct ts_draw){ ts_rng_uniform(&rng), p->tag[i], (int32_t)i };
 	}
 	qsort(draw, *n, sizeof *draw, compare);
 	return TS_OK;

@@ -79,15 +79,16 @@ static enum ts_status report_lost(struct tsim *sim, size_t i, int face)
 	if (p->describe_contacts)
 		p->describe_contacts(sim, i, &contacts);
 	if (travel > 0.1)
-		ts_str_add(&cause, "it moves a large part of its radius in a step: the time step is too large or "
-				   "something is too stiff");
+		ts_str_add(&cause,
+			   "it moves a large part of its radius in a step: the time step is too large or "
+			   "something is too stiff");
 	else if (p->explain_loss)
 		p->explain_loss(sim, i, face, &cause);
 	snprintf(text, sizeof text,
 		 "particle %d (type %d) left the box through its fixed face %s at step %" PRId64
 		 ": position (%g %g %g), velocity (%g %g %g); last contacts: %.300s; probable cause: %.400s",
-		 p->tag[i], p->type[i], faces[face], sim->clock.step, p->x[i][0], p->x[i][1],
-		 p->x[i][2], v[0], v[1], v[2], contacts.length ? contacts.text : "none",
+		 p->tag[i], p->type[i], faces[face], sim->clock.step, p->x[i][0], p->x[i][1], p->x[i][2],
+		 v[0], v[1], v[2], contacts.length ? contacts.text : "none",
 		 cause.length ? cause.text : "no wall stands at that face");
 	ts_str_release(&contacts);
 	ts_str_release(&cause);
@@ -95,8 +96,7 @@ static enum ts_status report_lost(struct tsim *sim, size_t i, int face)
 		status = ts_fail(&sim->error, TS_PHYSICS, NULL, "%s", text);
 	else
 		ts_warn(&sim->log, NULL,
-			"%s (said once; `thermo_modify lost ignore` is silent, `lost error` stops)",
-			text);
+			"%s (said once; `thermo_modify lost ignore` is silent, `lost error` stops)", text);
 	p->lost_warned = true;
 	return status;
 }
@@ -230,8 +230,8 @@ static void hold_ghost(const struct ts_particles *p, const struct ts_domain *dom
 	size_t owner = (size_t)p->ghost_owner[k];
 
 	for (int d = 0; d < 3; d++)
-		p->xhold[p->n + k][d] = p->xhold[owner][d] +
-					p->ghost_shift[k][d] * (domain->held_hi[d] - domain->held_lo[d]);
+		p->xhold[p->n + k][d] =
+			p->xhold[owner][d] + p->ghost_shift[k][d] * (domain->held_hi[d] - domain->held_lo[d]);
 }
 
 static enum ts_status add_ghost(struct tsim *sim, size_t from, int dim, int shift)
@@ -298,8 +298,8 @@ static void copy_column(const struct ts_particles *p, const struct ts_column *c,
 	size_t bytes = c->element * c->width;
 	char *data = c->data;
 
-#define COPY(bytes)                                                                                          \
-	for (size_t k = from; k < to; k++)                                                                   \
+#define COPY(bytes)                        \
+	for (size_t k = from; k < to; k++) \
 	memcpy(data + (p->n + k) * (bytes), data + (size_t)p->ghost_owner[k] * (bytes), bytes)
 	if (bytes == sizeof(double))
 		COPY(sizeof(double));

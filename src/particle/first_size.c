@@ -9,8 +9,8 @@ enum ts_status ts_first_size_start(struct tsim *sim, const struct ts_instance *s
 
 	ts_str_addf(&name, "fix %s %s", self->style->name, self->id);
 	status = name.failed ? ts_nomem(&sim->error)
-			     : ts_particles_add_column(sim, ts_str_text(&name), TS_FIRST_WIDTH,
-						       TS_COL_RESULT, column);
+			     : ts_particles_add_column(sim, ts_str_text(&name), TS_FIRST_WIDTH, TS_COL_RESULT,
+						       column);
 	ts_str_release(&name);
 	TS_TRY(status);
 	for (size_t i = 0; i < sim->particles->n; i++) /* of a fix of this name that is gone */

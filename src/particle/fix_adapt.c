@@ -12,7 +12,7 @@
 #include "base/banned.h"
 
 enum { DIAMETER, DENSITY, MASS, PAIR };
-enum { MOST = 8 };			       /* changes in a line */
+enum { MOST = 8 }; /* changes in a line */
 
 struct change {
 	int what;
@@ -35,12 +35,11 @@ struct state {
 	int64_t applied, epoch; /* saved; the epoch makes forces be computed anew */
 };
 
-static enum ts_status expected(struct tsim *sim, const struct ts_instance *self,
-			       const struct ts_word *word, const char *what)
+static enum ts_status expected(struct tsim *sim, const struct ts_instance *self, const struct ts_word *word,
+			       const char *what)
 {
 	return ts_fail(&sim->error, TS_SYNTAX, word ? &word->place : &self->where,
-		       "fix adapt: found '%s', expected %s", word ? word->text : "the end of the line",
-		       what);
+		       "fix adapt: found '%s', expected %s", word ? word->text : "the end of the line", what);
 }
 
 static const struct ts_word *take(struct ts_words *words)
@@ -51,8 +50,8 @@ static const struct ts_word *take(struct ts_words *words)
 	return word;
 }
 
-static enum ts_status take_variable(struct ts_instance *self, struct tsim *sim,
-				    struct ts_words *words, struct change *c)
+static enum ts_status take_variable(struct ts_instance *self, struct tsim *sim, struct ts_words *words,
+				    struct change *c)
 {
 	const struct ts_word *word = take(words);
 	const char *name = word && word->text[0] == 'v' && word->text[1] == '_' ? word->text + 2 : NULL;
@@ -65,8 +64,8 @@ static enum ts_status take_variable(struct ts_instance *self, struct tsim *sim,
 		return TS_OK;
 	if (sim->script_api)
 		sim->script_api->suggest_variable(sim->script_api_data, &suggest);
-	return ts_missing(&sim->error, "variable", name, &word->place,
-			  "fix adapt: unknown variable '%s'%s", name, ts_suggest_text(&suggest));
+	return ts_missing(&sim->error, "variable", name, &word->place, "fix adapt: unknown variable '%s'%s",
+			  name, ts_suggest_text(&suggest));
 }
 
 /* atom diameter|density|mass v_NAME */
@@ -139,8 +138,7 @@ static enum ts_status keep_first(struct ts_instance *self, struct tsim *sim)
 
 	for (size_t k = 0; k < s->n; k++)
 		if (s->change[k].what == PAIR)
-			TS_TRY(ts_pair_row(sim, s->change[k].style, s->change[k].number,
-					   &s->change[k].row));
+			TS_TRY(ts_pair_row(sim, s->change[k].style, s->change[k].number, &s->change[k].row));
 	if (TS_GROW(s->first, s->first_capacity, s->n * room) != TS_OK)
 		return ts_nomem(&sim->error);
 	s->first_n = s->n * room;
@@ -150,8 +148,7 @@ static enum ts_status keep_first(struct ts_instance *self, struct tsim *sim)
 		c->first = s->first + k * room;
 		for (int a = c->a.lo; fresh && c->what == PAIR && a <= c->a.hi; a++)
 			for (int b = c->b.lo; b <= c->b.hi; b++)
-				c->first[(size_t)a * types + (size_t)b] =
-					ts_pair_number(sim, c->row, a, b);
+				c->first[(size_t)a * types + (size_t)b] = ts_pair_number(sim, c->row, a, b);
 	}
 	return TS_OK;
 }
@@ -196,16 +193,15 @@ static void set_particle(const struct state *s, struct tsim *sim, size_t i, int 
 	} else if (what == MASS) {
 		p->mass[i] = s->scale ? value * first[TS_FIRST_MASS] : value;
 	} else {
-		p->mass[i] = s->scale ? value * first[TS_FIRST_MASS] / ts_particle_volume(sim, first[TS_FIRST_RADIUS]) *
-						volume
+		p->mass[i] = s->scale ? value * first[TS_FIRST_MASS] /
+						ts_particle_volume(sim, first[TS_FIRST_RADIUS]) * volume
 				      : value * volume;
 	}
 	if (p->imass[i] > 0)
 		p->imass[i] = 1 / p->mass[i];
 }
 
-static enum ts_status change_particles(struct ts_instance *self, struct tsim *sim,
-				       const struct change *c)
+static enum ts_status change_particles(struct ts_instance *self, struct tsim *sim, const struct change *c)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -282,7 +278,8 @@ static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
 	if (!s->reset)
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_in_group(p, i, self->group) || !(ts_first_size(sim, s->column, i)[TS_FIRST_KNOWN] > 0))
+		if (!ts_in_group(p, i, self->group) ||
+		    !(ts_first_size(sim, s->column, i)[TS_FIRST_KNOWN] > 0))
 			continue;
 		p->radius[i] = ts_first_size(sim, s->column, i)[TS_FIRST_RADIUS];
 		p->mass[i] = ts_first_size(sim, s->column, i)[TS_FIRST_MASS];
@@ -316,8 +313,8 @@ static enum ts_status archive_present(struct ts_instance *self, struct tsim *sim
 	status = ts_archive_fixed(a, name, TS_SAVED_F64, now, n);
 	for (int i = c->a.lo; !ts_archive_writing(a) && status == TS_OK && i <= c->a.hi; i++)
 		for (int j = c->b.lo; status == TS_OK && j <= c->b.hi; j++)
-			status = ts_pair_set_number(sim, c->row, i, j,
-						    now[(size_t)i * types + (size_t)j], &self->where);
+			status = ts_pair_set_number(sim, c->row, i, j, now[(size_t)i * types + (size_t)j],
+						    &self->where);
 	ts_free(now);
 	return status;
 }
@@ -354,10 +351,11 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1e15, .help = "steps between changes"),
+	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
+	       .help = "steps between changes"),
 	TS_LIST_STATEFUL("changes", struct state, words,
-		.help = "atom diameter|density|mass v_NAME, or pair STYLE NUMBER I J v_NAME, one or more"),
+			 .help = "atom diameter|density|mass v_NAME, or pair STYLE NUMBER I J v_NAME, one or "
+				 "more"),
 	TS_BOOL("scale", struct state, scale, .flags = TS_STATEFUL, .fallback = "no",
 		.help = "the variables are factors of what there was when the fix was made"),
 	TS_BOOL("reset", struct state, reset, .fallback = "no",
@@ -378,10 +376,14 @@ const struct ts_style ts_fix_adapt = {
 	.name = "adapt",
 	.kind = TS_KIND_FIX,
 	.summary = "Changes particles or coefficients of contacts during a run",
-	.doc = "At the start of the first run and in each step that is a multiple of N the variables are evaluated\n"
-	       "and what they stand for is set: diameter, density or mass of the particles of the group, or a number\n"
-	       "of `pair_coeff` for all pairs of types I and J. `scale yes` counts from when the fix was made,\n"
-	       "however many runs there have been. The limit of the time step is checked only when a run begins.",
+	.doc = "At the start of the first run and in each step that is a multiple of N the variables are "
+	       "evaluated\n"
+	       "and what they stand for is set: diameter, density or mass of the particles of the group, or "
+	       "a number\n"
+	       "of `pair_coeff` for all pairs of types I and J. `scale yes` counts from when the fix was "
+	       "made,\n"
+	       "however many runs there have been. The limit of the time step is checked only when a run "
+	       "begins.",
 	.example = "variable size equal ramp(0.01,0.012)\n"
 		   "fix grow beads adapt 10 atom diameter v_size\n"
 		   "fix soft all adapt 100 pair spring/dashpot stiffness 1 1* v_factor scale yes",

@@ -96,8 +96,8 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1e15, .help = "steps between"),
+	TS_INT("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
+	       .help = "steps between"),
 	TS_VEC3("linear", struct state, linear, .flags = TS_OPTIONAL, .range = TS_FRACTION,
 		.help = "three numbers, 1 for the components of the momentum that are taken away, 0 "
 			"for the others"),
@@ -112,8 +112,10 @@ const struct ts_style ts_fix_momentum = {
 	.name = "momentum",
 	.kind = TS_KIND_FIX,
 	.summary = "Takes away the motion of a group as a whole",
-	.doc = "Every N steps v -= v of the centre of mass (linear), then v -= omega x (x - centre) (angular), where\n"
-	       "omega is the turn of a rigid body with the same angular momentum, L = I omega. The spin of the\n"
+	.doc = "Every N steps v -= v of the centre of mass (linear), then v -= omega x (x - centre) "
+	       "(angular), where\n"
+	       "omega is the turn of a rigid body with the same angular momentum, L = I omega. The spin of "
+	       "the\n"
 	       "particles themselves is left alone.",
 	.example = "fix still all momentum 100 linear 1 1 0 angular",
 	.args = args,

@@ -15,7 +15,7 @@ struct state {
 	struct ts_words words;
 	bool ghost, write_data; /* as LAMMPS says */
 	bool keep;		/* in restart files */
-	double initial[MOST]; /* of the numbers of LIGGGHTS' grammar */
+	double initial[MOST];	/* of the numbers of LIGGGHTS' grammar */
 };
 
 static bool is_yes_or_no(const struct ts_word *word)
@@ -54,8 +54,8 @@ static enum ts_status add(struct ts_instance *self, struct tsim *sim, const stru
 	size_t known = p->ncolumns;
 
 	if (s->columns.n == MOST)
-		return ts_fail(&sim->error, TS_RANGE, &name->place,
-			       "fix property/atom: at most %d names", MOST);
+		return ts_fail(&sim->error, TS_RANGE, &name->place, "fix property/atom: at most %d names",
+			       MOST);
 	TS_TRY(ts_particles_add_column(sim, column, width, flags, &s->columns.column[s->columns.n]));
 	if (s->columns.column[s->columns.n] < TS_NCOLUMN_BUILTIN ||
 	    (p->ncolumns == known && p->column[s->columns.column[s->columns.n]].width != width))
@@ -77,8 +77,8 @@ static enum ts_status read_liggghts(struct ts_instance *self, struct tsim *sim)
 		known |= ts_streq(word[1].text, shapes[k]);
 	if (!known)
 		return ts_fail(&sim->error, TS_SYNTAX, &word[1].place,
-			       "fix property/atom: found '%s', expected scalar, vector or "
-			       "vector_one_entry", word[1].text);
+			       "fix property/atom: found '%s', expected scalar, vector or vector_one_entry",
+			       word[1].text);
 	if (!values || values > MOST || (!vector && values != 1))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix property/atom: expected NAME %s restart ghost reverse and %s",
@@ -119,9 +119,8 @@ static enum ts_status read_lammps(struct ts_instance *self, struct tsim *sim)
 				       "d_NAME, i2_NAME N or d2_NAME N, or NAME scalar|vector restart "
 				       "ghost reverse value ...",
 				       name);
-		if (several && (k + 1 == s->words.n ||
-				!ts_parse_int(s->words.word[++k].text, &width) || width < 1 ||
-				width > MOST))
+		if (several && (k + 1 == s->words.n || !ts_parse_int(s->words.word[++k].text, &width) ||
+				width < 1 || width > MOST))
 			return ts_fail(&sim->error, TS_SYNTAX, &word->place,
 				       "fix property/atom: %s is followed by the number of its columns",
 				       name);
@@ -173,8 +172,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	const struct state *s = self->state;
 
 	for (size_t k = 0; s->keep && k < s->columns.n; k++)
-		TS_TRY(ts_particles_archive_column(
-			a, sim, sim->particles->column[s->columns.column[k]].name, s->columns.column[k]));
+		TS_TRY(ts_particles_archive_column(a, sim, sim->particles->column[s->columns.column[k]].name,
+						   s->columns.column[k]));
 	return TS_OK;
 }
 
@@ -190,14 +189,14 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 static const struct ts_arg args[] = {
 	TS_LIST_STATEFUL("names", struct state, words,
-		.help = "NAME scalar|vector|vector_one_entry, then yes or no for restart files, ghosts and reverse "
-			"(no effect), then the first value or values, none for 0; or mol, q, rmass, i_NAME, "
-			"d_NAME, i2_NAME N, d2_NAME N"),
+			 .help = "NAME scalar|vector|vector_one_entry, then yes or no for restart files, "
+				 "ghosts and reverse (no effect), then the first value or values, none for "
+				 "0; or mol, q, rmass, i_NAME, d_NAME, i2_NAME N, d2_NAME N"),
 	TS_BOOL("ghost", struct state, ghost, .fallback = "no",
 		.help = "periodic images have the numbers, too"),
 	TS_BOOL("writedata", struct state, write_data, .fallback = "yes",
-		.help = "with the names of LAMMPS: write_data writes a section Molecules (mol alone), Charges "
-			"(q alone) or with the name of the fix"),
+		.help = "with the names of LAMMPS: write_data writes a section Molecules (mol alone), "
+			"Charges (q alone) or with the name of the fix"),
 	TS_ARGS_END,
 };
 
@@ -215,9 +214,12 @@ const struct ts_style ts_fix_property_atom = {
 	.name = "property/atom",
 	.kind = TS_KIND_FIX,
 	.summary = "Gives particles numbers for the user's own purposes",
-	.doc = "All particles get the numbers, whatever the group, and particles that come later get the first\n"
-	       "values again. `set ... property/atom NAME value` changes them; f_ID reads them. The names of LAMMPS\n"
-	       "(d_NAME ...) are 0 at first and can also be read as such in formulas, computes and dumps. The fix\n"
+	.doc = "All particles get the numbers, whatever the group, and particles that come later get the "
+	       "first\n"
+	       "values again. `set ... property/atom NAME value` changes them; f_ID reads them. The names of "
+	       "LAMMPS\n"
+	       "(d_NAME ...) are 0 at first and can also be read as such in formulas, computes and dumps. "
+	       "The fix\n"
 	       "may stand before the box is made.",
 	.example = "fix age all property/atom age scalar yes no no 0.0\n"
 		   "set region top property/atom age 2.385\n"

@@ -13,7 +13,7 @@ enum { LATTICE, BOX, FRACTION };
 
 struct state {
 	const char *word[3]; /* a number, INIT or NULL */
-	int shifted, units;	     /* group; -1: that of the fix */
+	int shifted, units;  /* group; -1: that of the fix */
 	bool held[3], initial[3];
 	double given[3];
 	double at_first[3], shift[3]; /* saved */
@@ -29,8 +29,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		s->initial[k] = ts_streq(s->word[k], "INIT");
 		if (s->held[k] && !s->initial[k] && !ts_parse_real(s->word[k], &s->given[k]))
 			return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-				       "fix recenter: %c is '%s', expected a number, INIT or NULL",
-				       'x' + k, s->word[k]);
+				       "fix recenter: %c is '%s', expected a number, INIT or NULL", 'x' + k,
+				       s->word[k]);
 	}
 	if (sim->dimension == 2 && s->held[2])
 		return ts_fail(&sim->error, TS_STATE, &self->where,
@@ -71,16 +71,14 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	return TS_OK;
 }
 
-static enum ts_status eval_distance(struct ts_instance *self, const struct tsim *sim,
-				    struct ts_table *out)
+static enum ts_status eval_distance(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
 	out->data[0] = ts_norm(((const struct state *)self->state)->shift);
 	return TS_OK;
 }
 
-static enum ts_status eval_shift(struct ts_instance *self, const struct tsim *sim,
-				 struct ts_table *out)
+static enum ts_status eval_shift(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
 	for (int k = 0; k < 3; k++)
@@ -88,12 +86,10 @@ static enum ts_status eval_shift(struct ts_instance *self, const struct tsim *si
 	return TS_OK;
 }
 
-static const char *const units[] = {
-	[LATTICE] = "lattice", [BOX] = "box", [FRACTION] = "fraction", NULL
-};
+static const char *const units[] = { [LATTICE] = "lattice", [BOX] = "box", [FRACTION] = "fraction", NULL };
 
-#define COMPONENT(name_, k)                                                                        \
-	TS_WORD(name_, struct state, word[k], .flags = TS_POSITIONAL,                              \
+#define COMPONENT(name_, k)                                                                         \
+	TS_WORD(name_, struct state, word[k], .flags = TS_POSITIONAL,                               \
 		.help = "where the centre is to be: a number, INIT (where it was when the fix was " \
 			"made) or NULL (anywhere)")
 static const struct ts_arg args[] = {
@@ -110,8 +106,8 @@ static const struct ts_arg args[] = {
 
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "distance", "length", "by which particles were moved at the last step", TS_SCALAR, 1,
-	  NULL, eval_distance },
+	{ "distance", "length", "by which particles were moved at the last step", TS_SCALAR, 1, NULL,
+	  eval_distance },
 	{ "shift", "length", "its components", TS_VECTOR, 3, components, eval_shift },
 	{ .name = NULL },
 };
@@ -128,8 +124,10 @@ const struct ts_style ts_fix_recenter = {
 	.name = "recenter",
 	.kind = TS_KIND_FIX,
 	.summary = "Keeps the centre of mass of a group where it should be",
-	.doc = "After particles have been moved in a step, those of the shifted group are moved together so that the\n"
-	       "centre of mass of the group (positions not wrapped) is where it should be. Velocities stay as they\n"
+	.doc = "After particles have been moved in a step, those of the shifted group are moved together so "
+	       "that the\n"
+	       "centre of mass of the group (positions not wrapped) is where it should be. Velocities stay "
+	       "as they\n"
 	       "are. Define it after the fixes that integrate.",
 	.example = "fix still ball recenter INIT INIT NULL shift all",
 	.args = args,

@@ -51,9 +51,8 @@ static enum ts_status find_variable(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	}
 	sim->script_api->suggest_variable(sim->script_api_data, &suggest);
-	return ts_missing(
-		&sim->error, "variable", s->rate_variable, ts_instance_word(self, s->rate_variable),
-		"fix remove: unknown variable '%s'%s", s->rate_variable, ts_suggest_text(&suggest));
+	return ts_missing(&sim->error, "variable", s->rate_variable, ts_instance_word(self, s->rate_variable),
+			  "fix remove: unknown variable '%s'%s", s->rate_variable, ts_suggest_text(&suggest));
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -67,8 +66,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       has_rate ? "both" : "none");
 	if (s->mode == SHRINK && isnan(s->least))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "shrink"),
-			       "fix remove: style shrink needs delete_below, the radius below which particles are "
-			       "deleted");
+			       "fix remove: style shrink needs delete_below, the radius below which "
+			       "particles are deleted");
 	if (s->mode == DELETE && !isnan(s->least))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "delete_below"),
 			       "fix remove: delete_below has a meaning with style shrink only");
@@ -110,13 +109,12 @@ static enum ts_status find_candidates(struct ts_instance *self, struct tsim *sim
 		struct ts_rng rng = ts_rng_start((uint64_t)s->seed, (uint64_t)p->tag[i]);
 
 		s->gone[i] = 0;
-		if (!ts_chosen(p, i, self->group, s->region) ||
-		    (s->type > 0 && p->type[i] != s->type))
+		if (!ts_chosen(p, i, self->group, s->region) || (s->type > 0 && p->type[i] != s->type))
 			continue;
 		if (ts_rigid_member(p, i))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix remove: particle %d belongs to a rigid body, of which no part can be "
-				       "taken; give the fix a group without such particles",
+				       "fix remove: particle %d belongs to a rigid body, of which no part "
+				       "can be taken; give the fix a group without such particles",
 				       p->tag[i]);
 		rng.counter = (uint64_t)sim->clock.step;
 		s->candidate[s->n++] = (struct candidate){ ts_rng_uniform(&rng), p->tag[i], i };
@@ -216,10 +214,9 @@ static enum ts_status remove_mass(struct ts_instance *self, struct tsim *sim)
 		shrink_all(self, sim);
 	if (s->verbose)
 		ts_log(&sim->log,
-		       "fix remove %s: step %lld, mass %g removed, %lld particles deleted, %zu "
-		       "chosen from\n",
-		       self->id, (long long)sim->clock.step, s->mass - mass,
-		       (long long)(s->number - number), s->n);
+		       "fix remove %s: step %lld, mass %g removed, %lld particles deleted, %zu chosen from\n",
+		       self->id, (long long)sim->clock.step, s->mass - mass, (long long)(s->number - number),
+		       s->n);
 	return s->number > number ? ts_particles_delete(sim, s->gone) : TS_OK;
 }
 
@@ -270,8 +267,7 @@ static const struct ts_arg args[] = {
 	TS_WORD("massratevariable", struct state, rate_variable, .flags = TS_OPTIONAL,
 		.help = "NAME of an equal-style variable for that; the same as massrate v_NAME"),
 	TS_ENUM("style", struct state, mode, modes,
-		.help = "shrink: all particles become smaller; delete: some, chosen at random, are "
-			"deleted"),
+		.help = "shrink: all particles become smaller; delete: some, chosen at random, are deleted"),
 	TS_REAL("delete_below", struct state, least, .flags = TS_OPTIONAL, .unit = "length",
 		.range = TS_NOT_NEGATIVE,
 		.help = "with shrink: the radius below which a particle is deleted"),
@@ -281,18 +277,16 @@ static const struct ts_arg args[] = {
 	TS_INT("atomtype", struct state, type, .fallback = "0", .range = TS_NOT_NEGATIVE,
 	       .help = "only particles of this type; 0: of any"),
 	TS_BOOL("integrated_error", struct state, carries, .fallback = "yes", .flags = TS_STATEFUL,
-		.help = "what an event has removed too much, or could not remove, counts in the "
-			"next"),
-	TS_BOOL("verbose", struct state, verbose, .fallback = "no",
-		.help = "each event is told in the log"),
+		.help = "what an event has removed too much, or could not remove, counts in the next"),
+	TS_BOOL("verbose", struct state, verbose, .fallback = "no", .help = "each event is told in the log"),
 	TS_BOOL("compress", struct state, compress, .fallback = "no",
 		.help = "no effect: a particle keeps its number"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
-	{ "removed", "mass, 1, mass", "mass removed, particles deleted, mass still to be removed",
-	  TS_VECTOR, 3, NULL, eval },
+	{ "removed", "mass, 1, mass", "mass removed, particles deleted, mass still to be removed", TS_VECTOR,
+	  3, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -309,36 +303,33 @@ const struct ts_style ts_fix_remove = {
 	.name = "remove",
 	.kind = TS_KIND_FIX,
 	.summary = "Removes mass of particles at a given rate",
-	.doc = "In each step that is a multiple of nevery the mass rate*t is to be removed from "
-	       "the particles of the\n"
-	       "group whose centres are in the region, t being the time since the last event or "
-	       "since the fix was\n"
+	.doc = "In each step that is a multiple of nevery the mass rate*t is to be removed from the "
+	       "particles of the\n"
+	       "group whose centres are in the region, t being the time since the last event or since the "
+	       "fix was\n"
 	       "defined.\n\n"
-	       "style delete: particles are chosen at random, and deleted until that mass is "
-	       "reached; the last one may\n"
-	       "exceed it. With `integrated_error yes` what was too much, or what could not be "
-	       "removed because there\n"
-	       "was no particle, counts in the next event, so that the mass removed differs from "
-	       "the integral of the\n"
-	       "rate by less than one particle. With `no` each event stands for itself, and the "
-	       "last particle is deleted with the\n"
+	       "style delete: particles are chosen at random, and deleted until that mass is reached; the "
+	       "last one may\n"
+	       "exceed it. With `integrated_error yes` what was too much, or what could not be removed "
+	       "because there\n"
+	       "was no particle, counts in the next event, so that the mass removed differs from the "
+	       "integral of the\n"
+	       "rate by less than one particle. With `no` each event stands for itself, and the last "
+	       "particle is deleted with the\n"
 	       "probability (mass left)/(mass of the particle): the mean is right.\n\n"
-	       "style shrink: all particles lose the same part of their mass, M being the mass of "
-	       "all of them:\n\n"
+	       "style shrink: all particles lose the same part of their mass, M being the mass of all of "
+	       "them:\n\n"
 	       "    m' = m (1 - rate*t/M),   R' = R (m'/m)^(1/3)   (in two dimensions 1/2)\n\n"
-	       "The density stays. Who would be smaller than delete_below is deleted as a "
-	       "whole.\n\n"
-	       "f_ID[1], f_ID[2], f_ID[3]: the mass removed, the number of particles deleted, the "
-	       "mass still to be removed (< 0:\n"
-	       "too much was). Lots depend on seed, step and identity only: results are the same "
-	       "on any number of\n"
-	       "threads and after a restart. Particles of rigid bodies are refused. Another "
-	       "edition of\n"
+	       "The density stays. Who would be smaller than delete_below is deleted as a whole.\n\n"
+	       "f_ID[1], f_ID[2], f_ID[3]: the mass removed, the number of particles deleted, the mass still "
+	       "to be removed (< 0:\n"
+	       "too much was). Lots depend on seed, step and identity only: results are the same on any "
+	       "number of\n"
+	       "threads and after a restart. Particles of rigid bodies are refused. Another edition of\n"
 	       "LIGGGHTS (PFM) has this fix; which particles it chooses is its own.",
-	.example = "fix out all remove nevery 500 massrate 3.5 style delete seed 5143 region hole "
-		   "atomtype 1\n"
-		   "fix burn all remove nevery 500 massrate v_rate style shrink delete_below 0.001 "
-		   "seed 7543",
+	.example = "fix out all remove nevery 500 massrate 3.5 style delete seed 5143 region hole atomtype "
+		   "1\n"
+		   "fix burn all remove nevery 500 massrate v_rate style shrink delete_below 0.001 seed 7543",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

@@ -58,7 +58,8 @@ static void resize(const struct state *s, struct tsim *sim, size_t i, double f)
 	double volume;
 
 	ts_first_size_note(sim, s->column, i);
-	volume = ts_particle_volume(sim, f * first[TS_FIRST_RADIUS]) / ts_particle_volume(sim, first[TS_FIRST_RADIUS]);
+	volume = ts_particle_volume(sim, f * first[TS_FIRST_RADIUS]) /
+		 ts_particle_volume(sim, first[TS_FIRST_RADIUS]);
 	p->radius[i] = f * first[TS_FIRST_RADIUS];
 	p->mass[i] = f < 1 || f > 1 ? volume * first[TS_FIRST_MASS] : first[TS_FIRST_MASS];
 	if (p->imass[i] > 0)
@@ -81,11 +82,11 @@ static enum ts_status change(struct ts_instance *self, struct tsim *sim)
 		if (!ts_in_group(p, i, self->group))
 			continue;
 		if (ts_rigid_member(p, i))
-			return ts_fail(
-				&sim->error, TS_STATE, &self->where,
-				"fix scale/diameter: particle %d belongs to a rigid body, whose mass and inertia "
-				"would not follow; give the fix a group without such particles",
-				p->tag[i]);
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix scale/diameter: particle %d belongs to a rigid body, whose mass "
+				       "and inertia "
+				       "would not follow; give the fix a group without such particles",
+				       p->tag[i]);
 		resize(s, sim, i, factor(s, p->x[i], scale));
 	}
 	s->applied = 1;
@@ -113,12 +114,10 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
-	return ts_particles_archive_column(a, sim, "particles",
-					   ((struct state *)self->state)->column);
+	return ts_particles_archive_column(a, sim, "particles", ((struct state *)self->state)->column);
 }
 
-static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
-			struct ts_hash *hash)
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct state *s = self->state;
 
@@ -127,13 +126,12 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0,
-	       .hi = 1e15, .help = "steps between changes; 0: once, when the first run begins"),
+	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0, .hi = 1e15,
+	       .help = "steps between changes; 0: once, when the first run begins"),
 	TS_REGION("region", struct state, region, .help = "a sphere or a cylinder"),
 	TS_NUMBER("scale", struct state, scale, .fallback = "1.0", .unit = "", .range = TS_POSITIVE,
 		  .help = "factor of the diameter in the middle"),
-	TS_REAL("scale_width", struct state, width, .fallback = "1.0", .range = TS_FRACTION,
-		.unit = "",
+	TS_REAL("scale_width", struct state, width, .fallback = "1.0", .range = TS_FRACTION, .unit = "",
 		.help = "part of the radius of the region, from its surface on, over which the "
 			"factor changes"),
 	TS_ARGS_END,

@@ -46,9 +46,7 @@ static enum ts_status store(struct ts_instance *self, struct tsim *sim)
 
 		TS_TRY(ts_ref_input_eval(sim, input, &s->now));
 		for (size_t i = 0; i < p->n; i++)
-			row_of(s, sim, i)[k] = ts_in_group(p, i, self->group)
-						       ? s->now.data[i] - origin
-						       : 0;
+			row_of(s, sim, i)[k] = ts_in_group(p, i, self->group) ? s->now.data[i] - origin : 0;
 	}
 	return TS_OK;
 }
@@ -59,14 +57,13 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_str name = { 0 };
 	enum ts_status status;
 
-	TS_TRY(ts_ref_list_init(sim, "fix store/state", &self->arena, s->words, TS_WANT(PERATOM),
-				&s->input));
+	TS_TRY(ts_ref_list_init(sim, "fix store/state", &self->arena, s->words, TS_WANT(PERATOM), &s->input));
 	if (s->started)
 		return TS_OK;
 	ts_str_addf(&name, "fix store/state %s of %zu", self->id, s->input.n);
 	status = name.failed ? ts_nomem(&sim->error)
-			     : ts_particles_add_column(sim, ts_str_text(&name), s->input.n,
-						       TS_COL_RESULT, &s->column);
+			     : ts_particles_add_column(sim, ts_str_text(&name), s->input.n, TS_COL_RESULT,
+						       &s->column);
 	ts_str_release(&name);
 	TS_TRY(status);
 	s->started = true;
@@ -110,10 +107,11 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("N", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL,
-	       .range = TS_NOT_NEGATIVE, .help = "steps between; 0: only when the fix is made"),
+	TS_INT("N", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_NOT_NEGATIVE,
+	       .help = "steps between; 0: only when the fix is made"),
 	TS_LIST_STATEFUL("inputs", struct state, words,
-		.help = "id, x, xu, vx, radius ..., c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k] or v_NAME"),
+			 .help = "id, x, xu, vx, radius ..., c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k] or "
+				 "v_NAME"),
 	TS_BOOL("com", struct state, com, .flags = TS_STATEFUL, .fallback = "no",
 		.help = "count xu, yu, zu from the centre of mass of the group"),
 	TS_ARGS_END,
@@ -134,7 +132,8 @@ const struct ts_style ts_fix_store_state = {
 	.name = "store/state",
 	.kind = TS_KIND_FIX,
 	.summary = "Remembers what particles were like",
-	.doc = "The inputs are stored when the fix is made and, unless N is 0, at the end of each step that is a\n"
+	.doc = "The inputs are stored when the fix is made and, unless N is 0, at the end of each step that "
+	       "is a\n"
 	       "multiple of N. What is stored goes with the particles, also into restart files.",
 	.example = "fix before all store/state 0 xu yu zu com yes\n"
 		   "variable gone atom sqrt((xu-f_before[1])^2+(yu-f_before[2])^2)",

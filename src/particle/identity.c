@@ -5,8 +5,8 @@
 
 #include "base/banned.h"
 
-/* A table of all identities costs 4 bytes for each, a search more time: the table may have so many entries for
- * each particle. */
+/* A table of all identities costs 4 bytes for each, a search more time: the table may have so many entries
+ * for each particle. */
 enum { LARGEST_RATIO = 16, ALWAYS = 1 << 20 };
 
 static int by_tag(const void *a, const void *b)

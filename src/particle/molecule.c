@@ -11,8 +11,7 @@ const double *ts_particles_molecules(const struct ts_particles *p)
 	return c && c->width == 1 ? c->data : NULL;
 }
 
-enum ts_status ts_particles_need_molecules(struct tsim *sim, const char *what,
-					   const struct ts_place *where)
+enum ts_status ts_particles_need_molecules(struct tsim *sim, const char *what, const struct ts_place *where)
 {
 	if (!sim->particles->n || ts_particles_molecules(sim->particles))
 		return TS_OK;

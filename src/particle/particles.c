@@ -8,14 +8,18 @@
 #include "base/banned.h"
 
 /* Type of a column's numbers in files, by their C type. */
-#define SAVED_TYPE(type)                                                                           \
-	_Generic((type)0, double: TS_SAVED_F64, int32_t: TS_SAVED_I32, uint32_t: TS_SAVED_I32)
+#define SAVED_TYPE(type) \
+	_Generic((type)0, double : TS_SAVED_F64, int32_t : TS_SAVED_I32, uint32_t : TS_SAVED_I32)
 
 static enum ts_status describe_columns(struct tsim *sim, struct ts_particles *p)
 {
-#define COLUMN_ROW(id, name_, ctype, width_, flags_)                                               \
-	{ .name = #name_, .type = SAVED_TYPE(ctype), .element = sizeof(ctype), .width = (width_),  \
-	  .flags = (flags_), .bound = (void **)(void *)&p->name_ },
+#define COLUMN_ROW(id, name_, ctype, width_, flags_) \
+	{ .name = #name_,                            \
+	  .type = SAVED_TYPE(ctype),                 \
+	  .element = sizeof(ctype),                  \
+	  .width = (width_),                         \
+	  .flags = (flags_),                         \
+	  .bound = (void **)(void *)&p->name_ },
 	const struct ts_column builtin[] = { TS_COLUMN_LIST(COLUMN_ROW) };
 #undef COLUMN_ROW
 
@@ -120,8 +124,7 @@ static enum ts_status archive_dynamic(struct tsim *sim, struct ts_particles *p, 
 	return TS_OK;
 }
 
-static enum ts_status archive_columns(struct tsim *sim, struct ts_particles *p,
-				      struct ts_archive *a)
+static enum ts_status archive_columns(struct tsim *sim, struct ts_particles *p, struct ts_archive *a)
 {
 	for (size_t k = 0; k < p->ncolumns; k++) {
 		struct ts_column *c = &p->column[k];
@@ -149,11 +152,9 @@ static enum ts_status check_particles(struct tsim *sim, const struct ts_particle
 			far |= p->image[i][d] < -TS_TURNS_MOST || p->image[i][d] > TS_TURNS_MOST;
 		}
 		if (far || p->type[i] < 1 || p->type[i] > p->ntypes || p->tag[i] < 1 ||
-		    p->tag[i] > p->max_tag || !(p->radius[i] > 0) || !(p->mass[i] > 0) ||
-		    !isfinite(sum))
+		    p->tag[i] > p->max_tag || !(p->radius[i] > 0) || !(p->mass[i] > 0) || !isfinite(sum))
 			return ts_fail(&sim->error, TS_DAMAGED, NULL,
-				       "particle %zu has an impossible identity, type, size or place",
-				       i + 1);
+				       "particle %zu has an impossible identity, type, size or place", i + 1);
 	}
 	return TS_OK;
 }
@@ -167,11 +168,10 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 	TS_TRY(ts_archive_fixed(a, "n", TS_SAVED_I64, &n, 1));
 	TS_TRY(ts_archive_fixed(a, "ntypes", TS_SAVED_I32, &ntypes, 1));
-	TS_TRY(ts_archive_array(a, "type_mass", TS_SAVED_F64, (void **)(void *)&p->type_mass,
-				&capacity, &count));
+	TS_TRY(ts_archive_array(a, "type_mass", TS_SAVED_F64, (void **)(void *)&p->type_mass, &capacity,
+				&count));
 	if (!ts_archive_writing(a)) {
-		if (n < 0 || n > INT32_MAX || ntypes < 0 ||
-		    (count && count != (size_t)ntypes + 1))
+		if (n < 0 || n > INT32_MAX || ntypes < 0 || (count && count != (size_t)ntypes + 1))
 			return ts_fail(&sim->error, TS_DAMAGED, NULL,
 				       "impossible number of particles or types");
 		TS_TRY(ts_archive_expect(a, "tag", TS_SAVED_I32, (size_t)n));
@@ -190,8 +190,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_archive_writing(a) ? TS_OK : check_particles(sim, p);
 }
 
-static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
-			struct ts_hash *hash)
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct ts_particles *p = self->state;
 
@@ -222,8 +221,7 @@ static void warn_out_of_plane(struct tsim *sim)
 	}
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_particles *p = self->state;
 	double bytes = 0, saved_bytes = 0;
@@ -258,8 +256,8 @@ static enum ts_status choose_due(struct ts_instance *self, struct tsim *sim)
 	return p->choose_members(sim, false);
 }
 
-/* Exchange comes before the first step only if something has changed since the last: then the members of dynamic
- * groups are chosen anew. A run that goes on keeps those it has. */
+/* Exchange comes before the first step only if something has changed since the last: then the members of
+ * dynamic groups are chosen anew. A run that goes on keeps those it has. */
 static enum ts_status choose_all(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_particles *p = self->state;

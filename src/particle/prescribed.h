@@ -4,7 +4,8 @@
 
 #include "particle/particles.h"
 
-/* Family of fixes that move particles whatever acts on them, unless they are free: to contacts they are walls. */
+/* Family of fixes that move particles whatever acts on them, unless they are free: to contacts they are
+ * walls. */
 #define TS_FAMILY_PRESCRIBED "prescribed"
 struct ts_prescribed_motion {
 	bool free; /* some component moves as forces say; set in init */

@@ -14,24 +14,24 @@ struct quantity {
 	quantity_fn *value;
 };
 
-#define VECTOR_QUANTITY(name, column)                                                              \
-	static double name##_x(const struct tsim *sim, size_t i)                                   \
-	{                                                                                          \
-		const struct ts_particles *p = sim->particles;                                     \
-                                                                                                   \
-		return p->column ? (double)p->column[i][0] : 0.0;                                  \
-	}                                                                                          \
-	static double name##_y(const struct tsim *sim, size_t i)                                   \
-	{                                                                                          \
-		const struct ts_particles *p = sim->particles;                                     \
-                                                                                                   \
-		return p->column ? (double)p->column[i][1] : 0.0;                                  \
-	}                                                                                          \
-	static double name##_z(const struct tsim *sim, size_t i)                                   \
-	{                                                                                          \
-		const struct ts_particles *p = sim->particles;                                     \
-                                                                                                   \
-		return p->column ? (double)p->column[i][2] : 0.0;                                  \
+#define VECTOR_QUANTITY(name, column)                             \
+	static double name##_x(const struct tsim *sim, size_t i)  \
+	{                                                         \
+		const struct ts_particles *p = sim->particles;    \
+                                                                  \
+		return p->column ? (double)p->column[i][0] : 0.0; \
+	}                                                         \
+	static double name##_y(const struct tsim *sim, size_t i)  \
+	{                                                         \
+		const struct ts_particles *p = sim->particles;    \
+                                                                  \
+		return p->column ? (double)p->column[i][1] : 0.0; \
+	}                                                         \
+	static double name##_z(const struct tsim *sim, size_t i)  \
+	{                                                         \
+		const struct ts_particles *p = sim->particles;    \
+                                                                  \
+		return p->column ? (double)p->column[i][2] : 0.0; \
 	}
 VECTOR_QUANTITY(position, x)
 VECTOR_QUANTITY(velocity, v)
@@ -56,18 +56,18 @@ static double scaled(const struct tsim *sim, double x, int k)
 	return (x - box->lo[k]) / ts_box_length(box, k);
 }
 
-#define POSITION_QUANTITY(name, k)                                                                 \
-	static double name##_unwrapped(const struct tsim *sim, size_t i)                           \
-	{                                                                                          \
-		return unwrapped(sim, i, k);                                                       \
-	}                                                                                          \
-	static double name##_scaled(const struct tsim *sim, size_t i)                              \
-	{                                                                                          \
-		return scaled(sim, sim->particles->x[i][k], k);                                    \
-	}                                                                                          \
-	static double name##_scaled_unwrapped(const struct tsim *sim, size_t i)                    \
-	{                                                                                          \
-		return scaled(sim, unwrapped(sim, i, k), k);                                       \
+#define POSITION_QUANTITY(name, k)                                              \
+	static double name##_unwrapped(const struct tsim *sim, size_t i)        \
+	{                                                                       \
+		return unwrapped(sim, i, k);                                    \
+	}                                                                       \
+	static double name##_scaled(const struct tsim *sim, size_t i)           \
+	{                                                                       \
+		return scaled(sim, sim->particles->x[i][k], k);                 \
+	}                                                                       \
+	static double name##_scaled_unwrapped(const struct tsim *sim, size_t i) \
+	{                                                                       \
+		return scaled(sim, unwrapped(sim, i, k), k);                    \
 	}
 POSITION_QUANTITY(x, 0)
 POSITION_QUANTITY(y, 1)
@@ -189,8 +189,7 @@ static const struct quantity *find(const char *name)
 	return NULL;
 }
 
-const struct ts_column *ts_particles_named_column(const struct ts_particles *p, const char *name,
-						  size_t *k)
+const struct ts_column *ts_particles_named_column(const struct ts_particles *p, const char *name, size_t *k)
 {
 	size_t n = strcspn(name, "["), digits = strcspn(name + n, "]");
 	char index[16] = "";
@@ -207,8 +206,7 @@ const struct ts_column *ts_particles_named_column(const struct ts_particles *p, 
 	for (size_t j = TS_NCOLUMN_BUILTIN; j < p->ncolumns; j++) {
 		const struct ts_column *c = &p->column[j];
 
-		if (!(c->flags & TS_COL_NAMED) || strlen(c->name) != n ||
-		    strncmp(c->name, name, n) != 0)
+		if (!(c->flags & TS_COL_NAMED) || strlen(c->name) != n || strncmp(c->name, name, n) != 0)
 			continue;
 		if (!name[n] || !column) /* LIGGGHTS: [0] is the number where there is one */
 			return c->width == 1 ? c : NULL;
@@ -259,7 +257,6 @@ enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct 
 		return ts_nomem(&sim->error);
 	named = ts_particles_named_column(p, name, &k); /* first: `mol` may be one */
 	for (size_t i = 0; i < p->n; i++)
-		out->data[i] = named ? ((const double *)named->data)[i * named->width + k]
-				     : q->value(sim, i);
+		out->data[i] = named ? ((const double *)named->data)[i * named->width + k] : q->value(sim, i);
 	return TS_OK;
 }

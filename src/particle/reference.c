@@ -29,8 +29,8 @@ enum ts_status ts_reference_init(struct ts_instance *self, struct tsim *sim, str
 
 	ts_str_addf(&name, "%s %s %s", ts_kind_name(self->style->kind), self->style->name, self->id);
 	status = name.failed ? ts_nomem(&sim->error)
-			     : ts_particles_add_column(sim, ts_str_text(&name), WIDTH,
-						       TS_COL_RESULT, &ref->column);
+			     : ts_particles_add_column(sim, ts_str_text(&name), WIDTH, TS_COL_RESULT,
+						       &ref->column);
 	ts_str_release(&name);
 	if (status != TS_OK || ref->started)
 		return status;

@@ -1,5 +1,5 @@
-/* What each particle was like when a compute or fix was defined (its place, its velocity): a column of its own,
- * so that it goes with the particle, also into restart files. Particles that come later are taken as
+/* What each particle was like when a compute or fix was defined (its place, its velocity): a column of its
+ * own, so that it goes with the particle, also into restart files. Particles that come later are taken as
  * they are when they come. */
 #ifndef TS_PARTICLE_REFERENCE_H
 #define TS_PARTICLE_REFERENCE_H
@@ -7,8 +7,7 @@
 #include "particle/particles.h"
 
 /* Three numbers of particle i, as it is now. */
-typedef void ts_reference_fn(const struct ts_instance *self, const struct tsim *sim, size_t i,
-			     double now[3]);
+typedef void ts_reference_fn(const struct ts_instance *self, const struct tsim *sim, size_t i, double now[3]);
 
 struct ts_reference {
 	const struct ts_instance *owner;

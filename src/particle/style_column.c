@@ -14,8 +14,8 @@ static bool is_users(const struct tsim *sim, const char *name)
 	return false;
 }
 
-enum ts_status ts_particles_style_column(struct tsim *sim, const char *name, size_t width,
-					 unsigned flags, double initial, size_t *column)
+enum ts_status ts_particles_style_column(struct tsim *sim, const char *name, size_t width, unsigned flags,
+					 double initial, size_t *column)
 {
 	struct ts_particles *p = sim->particles;
 	double first[3] = { initial, initial, initial };

@@ -6,7 +6,7 @@
 
 /* Values that are there stay: of the style's own earlier life. A fix property/atom of this name
  * says what particles start with, `initial` otherwise; the width is at most three. */
-enum ts_status ts_particles_style_column(struct tsim *sim, const char *name, size_t width,
-					 unsigned flags, double initial, size_t *column);
+enum ts_status ts_particles_style_column(struct tsim *sim, const char *name, size_t width, unsigned flags,
+					 double initial, size_t *column);
 
 #endif

@@ -8,8 +8,8 @@
 enum ts_status ts_type_factors(struct tsim *sim, const char *what, struct ts_arena *arena,
 			       struct ts_words words, double **out);
 
-#define TS_TYPE_FACTORS(T, field, what)                                                            \
-	TS_SOME_KEYWORD("scale", T, field, TS_REPEAT,                                              \
+#define TS_TYPE_FACTORS(T, field, what)                                                                 \
+	TS_SOME_KEYWORD("scale", T, field, TS_REPEAT,                                                   \
 			.help = "TYPE FACTOR: " what " is that many times larger for particles of the " \
 				"type; may be given again")
 

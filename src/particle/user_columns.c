@@ -13,9 +13,8 @@ enum ts_status ts_user_columns_of(struct tsim *sim, const struct ts_word *id, co
 	*out = fix->state;
 	if (ts_streq(fix->style->name, "property/atom"))
 		return TS_OK;
-	return ts_fail(&sim->error, TS_RANGE, &id->place,
-		       "%s: fix %s is of style %s, expected property/atom", what, id->text,
-		       fix->style->name);
+	return ts_fail(&sim->error, TS_RANGE, &id->place, "%s: fix %s is of style %s, expected property/atom",
+		       what, id->text, fix->style->name);
 }
 
 void ts_user_columns_get(const struct ts_particles *p, const struct ts_user_columns *columns, size_t i,

@@ -10,7 +10,7 @@ enum { TS_MOST_USER_COLUMNS = 64 };
 struct ts_user_columns {
 	size_t column[TS_MOST_USER_COLUMNS], n; /* columns of the particles */
 	size_t width;				/* numbers in all of them */
-	const char *title; /* of their section in data files; NULL: not written */
+	const char *title;			/* of their section in data files; NULL: not written */
 };
 
 /* Of a fix of this style; an error says that another was named. */

@@ -45,7 +45,7 @@ static void update_direction(const double *restrict z, double beta, double *rest
 /* p += alpha d, r -= alpha q */
 TS_CLONES
 static void update_solution(double alpha, const double *restrict d, const double *restrict q,
-		    double *restrict p, double *restrict r, int n)
+			    double *restrict p, double *restrict r, int n)
 {
 #pragma omp simd
 	for (int i = 0; i < n; i++) {
@@ -85,8 +85,8 @@ static void diagonal(const struct ts_stencil *s, const double *r, double *z)
 	}
 }
 
-/* One iteration; `before`: r.z of the last one, 0 to restart the direction. Returns r.z; 0 if the residual cannot be reduced
- * further, or if there is a NaN. */
+/* One iteration; `before`: r.z of the last one, 0 to restart the direction. Returns r.z; 0 if the residual
+ * cannot be reduced further, or if there is a NaN. */
 static double iterate(struct ts_conjugate_gradient *c, const struct ts_stencil *s,
 		      ts_precondition_fn *precondition, void *context, double before, double *p)
 {
@@ -105,9 +105,10 @@ static double iterate(struct ts_conjugate_gradient *c, const struct ts_stencil *
 	return now;
 }
 
-struct ts_poisson_report ts_conjugate_gradient_solve(struct ts_conjugate_gradient *c, const struct ts_stencil *s,
-					    ts_precondition_fn *precondition, void *context,
-					    const double *b, double *p, double goal, int most)
+struct ts_poisson_report ts_conjugate_gradient_solve(struct ts_conjugate_gradient *c,
+						     const struct ts_stencil *s,
+						     ts_precondition_fn *precondition, void *context,
+						     const double *b, double *p, double goal, int most)
 {
 	struct ts_poisson_report report = { .iterations = 0 };
 	double rz = 0;

@@ -1,8 +1,8 @@
 /* The preconditioned conjugate gradient method, for positive (semi)definite systems of struct ts_stencil.
  *
- * Hestenes & Stiefel, J. Res. Nat. Bur. Stand. 49 (1952) 409. An iteration reduces the error in the energy norm by
- * about (sqrt(c) - 1)/(sqrt(c) + 1), c the condition number of the preconditioned system; without a preconditioner
- * sqrt(c) is 2/pi times the number of cells along the longest axis. */
+ * Hestenes & Stiefel, J. Res. Nat. Bur. Stand. 49 (1952) 409. An iteration reduces the error in the energy
+ * norm by about (sqrt(c) - 1)/(sqrt(c) + 1), c the condition number of the preconditioned system; without
+ * a preconditioner sqrt(c) is 2/pi times the number of cells along the longest axis. */
 #ifndef TS_POISSON_CONJUGATE_GRADIENT_H
 #define TS_POISSON_CONJUGATE_GRADIENT_H
 
@@ -20,8 +20,9 @@ void ts_conjugate_gradient_release(struct ts_conjugate_gradient *c);
 
 /* Solves A p = b from the guess in p until the largest residual per volume is at most `goal`, or for `most`
  * iterations. The residual in the report is recomputed from p at the end. */
-struct ts_poisson_report ts_conjugate_gradient_solve(struct ts_conjugate_gradient *c, const struct ts_stencil *s,
-					    ts_precondition_fn *precondition, void *context,
-					    const double *b, double *p, double goal, int most);
+struct ts_poisson_report ts_conjugate_gradient_solve(struct ts_conjugate_gradient *c,
+						     const struct ts_stencil *s,
+						     ts_precondition_fn *precondition, void *context,
+						     const double *b, double *p, double goal, int most);
 
 #endif

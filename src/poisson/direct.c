@@ -43,8 +43,9 @@ static int third_axis(const struct ts_poisson *problem)
 	return best;
 }
 
-/* Measured: per cell 2 ns for wave transforms, forward and backward, 0.11 ns times the number of cells along the axis for a
- * matrix, and 3 ns for the rest; the modes of a matrix take 10 ns times the cube of that number. */
+/* Measured: per cell 2 ns for wave transforms, forward and backward, 0.11 ns times the number of cells
+ * along the axis for a matrix, and 3 ns for the rest; the modes of a matrix take 10 ns times the cube of
+ * that number. */
 double ts_direct_cost(const struct ts_poisson *problem)
 {
 	int third = third_axis(problem);
@@ -94,9 +95,9 @@ static void fill_modes(struct ts_direct *s, const struct ts_poisson *problem)
 	size_t first = (size_t)s->n[0];
 
 	for (size_t m = 0; m < first * (size_t)s->n[1]; m++)
-		s->eigenvalue[m] = t[0].eigenvalue[m % first] +
-				   (s->n[1] > 1 || problem->grid->dimensions > 2 ?
-					    t[1].eigenvalue[m / first] : 0);
+		s->eigenvalue[m] =
+			t[0].eigenvalue[m % first] +
+			(s->n[1] > 1 || problem->grid->dimensions > 2 ? t[1].eigenvalue[m / first] : 0);
 	s->singular = SIZE_MAX;
 	if (problem->singular)
 		s->singular = (size_t)t[0].constant +
@@ -112,8 +113,9 @@ static enum ts_status make_transforms(struct ts_direct *s, const struct ts_poiss
 			continue;
 		TS_TRY(ts_transform_make(&s->transform[k], problem, s->axis[k]));
 		longest = (size_t)s->n[k] > longest ? (size_t)s->n[k] : longest;
-		most = ts_transform_work_size(&s->transform[k]) > most ? ts_transform_work_size(&s->transform[k]) :
-								     most;
+		most = ts_transform_work_size(&s->transform[k]) > most
+			       ? ts_transform_work_size(&s->transform[k])
+			       : most;
 	}
 	/* lines and work memory of their transforms, or coefficients of an elimination */
 	s->line_size = longest * TS_LINES;
@@ -162,13 +164,13 @@ struct task {
 	const struct ts_direct *s;
 	const double *rhs;
 	double *p;
-	int planes;     /* that a share is made of */
+	int planes;	/* that a share is made of */
 	size_t threads; /* whose spare is whose */
 	size_t shares;
 };
 
-/* Rows along the first axis in a field of the grid, and in the work memory: those of a plane, in two dimensions those of
- * several planes. */
+/* Rows along the first axis in a field of the grid, and in the work memory: those of a plane, in two
+ * dimensions those of several planes. */
 struct rows {
 	int count;
 	ptrdiff_t apart, step; /* from row to row, from cell to cell */
@@ -247,8 +249,7 @@ static void load(const double *work, size_t stride, int n, int count, double *li
 	for (int j = 0; j < n; j++) {
 		memcpy(lines + j * TS_LINES, work + (size_t)j * stride, (size_t)count * sizeof *lines);
 		if (count < TS_LINES)
-			memset(lines + j * TS_LINES + count, 0,
-			       (size_t)(TS_LINES - count) * sizeof *lines);
+			memset(lines + j * TS_LINES + count, 0, (size_t)(TS_LINES - count) * sizeof *lines);
 	}
 }
 
@@ -258,8 +259,7 @@ static void store(const double *lines, size_t stride, int n, int count, double *
 		memcpy(work + (size_t)j * stride, lines + j * TS_LINES, (size_t)count * sizeof *lines);
 }
 
-static void second(const struct ts_direct *s, transform_fn *transform, int c, double *lines,
-		   double *spare)
+static void second(const struct ts_direct *s, transform_fn *transform, int c, double *lines, double *spare)
 {
 	double *work = s->work + (size_t)c * s->plane;
 
@@ -329,8 +329,8 @@ static void eliminate(const double *restrict eigenvalue, double below, double ab
 }
 
 TS_CLONES
-static void substitute(const double *restrict factor, const double *restrict row_above,
-		       double *restrict row, size_t n)
+static void substitute(const double *restrict factor, const double *restrict row_above, double *restrict row,
+		       size_t n)
 {
 #pragma omp simd
 	for (size_t m = 0; m < n; m++)

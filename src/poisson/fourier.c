@@ -123,9 +123,9 @@ struct pass {
 };
 
 /* The k-th term of butterfly p, and its k-th result. */
-#define TERM(x, k) ((x) + (size_t)(p + (k) * s->rest) * s->block)
+#define TERM(x, k) ((x) + (size_t)(p + (k)*s->rest) * s->block)
 #define RESULT(y, k) ((y) + (size_t)(p * s->radix + (k)) * s->block)
-#define TURN(k, part) (s->root[p * (k) * s->apart][part])
+#define TURN(k, part) (s->root[p * (k)*s->apart][part])
 
 TS_CLONES
 static void radix2(const struct pass *s)
@@ -290,11 +290,10 @@ static void radix_any(const struct ts_fourier *f, const struct pass *s)
 			memset(yr, 0, s->block * sizeof *yr);
 			memset(yi, 0, s->block * sizeof *yi);
 			for (int j = 0; j < s->radix; j++) {
-				long turn = (long)step * ((long)j * k % s->radix) +
-					    (long)p * k * s->apart;
+				long turn = (long)step * ((long)j * k % s->radix) + (long)p * k * s->apart;
 
-				add_turned(TERM(s->xr, j), TERM(s->xi, j), f->root[turn % f->n], yr,
-					   yi, s->block);
+				add_turned(TERM(s->xr, j), TERM(s->xi, j), f->root[turn % f->n], yr, yi,
+					   s->block);
 			}
 		}
 }
@@ -302,11 +301,20 @@ static void radix_any(const struct ts_fourier *f, const struct pass *s)
 static void make_pass(const struct ts_fourier *f, const struct pass *s)
 {
 	switch (s->radix) {
-	case 2: radix2(s); break;
-	case 3: radix3(s); break;
-	case 4: radix4(s); break;
-	case 5: radix5(s); break;
-	default: radix_any(f, s);
+	case 2:
+		radix2(s);
+		break;
+	case 3:
+		radix3(s);
+		break;
+	case 4:
+		radix4(s);
+		break;
+	case 5:
+		radix5(s);
+		break;
+	default:
+		radix_any(f, s);
 	}
 }
 
@@ -335,14 +343,14 @@ static void convolve(const struct ts_fourier *f, int lines, double *re, double *
 	size_t part = (size_t)g->n * (size_t)lines, used = (size_t)f->n * (size_t)lines;
 	double *ar = spare, *ai = ar + part, *rest = ai + part;
 
-	turn_rows((const double (*)[2])f->chirp, f->n, lines, re, im, ar, ai);
+	turn_rows((const double(*)[2])f->chirp, f->n, lines, re, im, ar, ai);
 	memset(ar + used, 0, (part - used) * sizeof *ar);
 	memset(ai + used, 0, (part - used) * sizeof *ai);
 	ts_fourier_apply(g, lines, ar, ai, rest);
 	/* times the filter, with re and im exchanged: (i a) conj(f), so the inverse has them exchanged too */
-	turn_rows((const double (*)[2])f->filter, g->n, lines, ai, ar, ai, ar);
+	turn_rows((const double(*)[2])f->filter, g->n, lines, ai, ar, ai, ar);
 	ts_fourier_apply(g, lines, ai, ar, rest);
-	turn_rows((const double (*)[2])f->chirp, f->n, lines, ar, ai, re, im);
+	turn_rows((const double(*)[2])f->chirp, f->n, lines, ar, ai, re, im);
 }
 
 void ts_fourier_apply(const struct ts_fourier *f, int lines, double *re, double *im, double *spare)

@@ -1,10 +1,11 @@
-/* Complex Fourier transforms of many lines at once: the innermost index is that of the line, so that arithmetic
- * vectorizes over lines for any length. Mixed radix (4, 2, 3, 5, other small primes by direct sums), self-sorting;
- * lengths with a large prime as a convolution of a longer, smooth length (L. I. Bluestein, IEEE Trans. AU 18 (1970)
- * 451).
+/* Complex Fourier transforms of many lines at once: the innermost index is that of the line, so that
+ * arithmetic vectorizes over lines for any length. Mixed radix (4, 2, 3, 5, other small primes by direct
+ * sums), self-sorting; lengths with a large prime as a convolution of a longer, smooth length (L. I.
+ * Bluestein, IEEE Trans. AU 18 (1970) 451).
  *
- * Stockham's algorithm: Cochran et al., Proc. IEEE 55 (1967) 1664; C. Van Loan, Computational Frameworks for the
- * Fast Fourier Transform (1992), section 1.7. The order of operations depends on nothing but the length. */
+ * Stockham's algorithm: Cochran et al., Proc. IEEE 55 (1967) 1664; C. Van Loan, Computational Frameworks
+ * for the Fast Fourier Transform (1992), section 1.7. The order of operations depends on nothing but the
+ * length. */
 #ifndef TS_POISSON_FOURIER_H
 #define TS_POISSON_FOURIER_H
 
@@ -32,8 +33,8 @@ void ts_fourier_release(struct ts_fourier *f);
 
 /* Size of the work memory for `lines` lines, in doubles. */
 size_t ts_fourier_work_size(const struct ts_fourier *f, int lines);
-/* X_k = sum_j x_j exp(-2 pi i j k/n) of each line: x_j of line l at [j lines + l]. In place. The inverse is the
- * same transform with re and im exchanged, divided by n. */
+/* X_k = sum_j x_j exp(-2 pi i j k/n) of each line: x_j of line l at [j lines + l]. In place. The inverse
+ * is the same transform with re and im exchanged, divided by n. */
 void ts_fourier_apply(const struct ts_fourier *f, int lines, double *re, double *im, double *spare);
 
 #endif

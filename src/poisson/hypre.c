@@ -118,14 +118,15 @@ void ts_hypre_release(struct ts_hypre *h)
 	ts_free(h);
 }
 
-/* Matrix entries of a cell: the sum of its links, and those to its upper neighbours. A singular matrix is made definite by a
- * small relative change. */
+/* Matrix entries of a cell: the sum of its links, and those to its upper neighbours. A singular matrix is
+ * made definite by a small relative change. */
 static void fill_cell(const struct ts_stencil *s, size_t at, const int upper[3], double *value)
 {
 	value[0] = s->inverse[at] > 0 ? 1 / s->inverse[at] : 1;
 	value[0] *= s->singular ? 1 + 1e-12 : 1;
 	for (int d = 0; d < s->axes; d++)
-		value[d + 1] = upper[d] < s->n[d] || s->periodic[d] ? -s->link[d][at + (size_t)s->stride[d]] : 0;
+		value[d + 1] =
+			upper[d] < s->n[d] || s->periodic[d] ? -s->link[d][at + (size_t)s->stride[d]] : 0;
 }
 
 enum ts_status ts_hypre_set_weights(struct ts_hypre *h)
@@ -138,7 +139,8 @@ enum ts_status ts_hypre_set_weights(struct ts_hypre *h)
 	for (int k = 0; k < s->n[2]; k++)
 		for (int j = 0; j < s->n[1]; j++)
 			for (int i = 0; i < s->n[0]; i++, value += s->axes + 1)
-				fill_cell(s, ts_stencil_at(s, i, j, k), (int[3]){ i + 1, j + 1, k + 1 }, value);
+				fill_cell(s, ts_stencil_at(s, i, j, k), (int[3]){ i + 1, j + 1, k + 1 },
+					  value);
 	HYPRE_StructMatrixSetBoxValues(h->matrix, all.low, all.high, s->axes + 1, entry, h->values);
 	HYPRE_StructMatrixAssemble(h->matrix);
 	destroy_solver(h);

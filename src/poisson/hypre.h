@@ -1,6 +1,6 @@
-/* One V-cycle of hypre's PFMG, as a preconditioner: R. D. Falgout & J. E. Jones, Multigrid Methods VI (2000) 101. Semi-
- * coarsening, Galerkin operators, red and black smoothing. Available if configure --with-hypre has found the
- * library, which needs MPI; the process is then the only MPI rank. */
+/* One V-cycle of hypre's PFMG, as a preconditioner: R. D. Falgout & J. E. Jones, Multigrid Methods VI
+ * (2000) 101. Semi- coarsening, Galerkin operators, red and black smoothing. Available if configure
+ * --with-hypre has found the library, which needs MPI; the process is then the only MPI rank. */
 #ifndef TS_POISSON_HYPRE_H
 #define TS_POISSON_HYPRE_H
 

@@ -59,10 +59,11 @@ static enum ts_status make_stencil(const struct ts_multigrid_level *fine, struct
 			s->conductance[d][c] = 2 / (s->width[d][c - 1] + s->width[d][c]);
 		/* as the finer level: periodic, across half a cell, or not at all */
 		if (f->conductance[d][0] > 0)
-			s->conductance[d][0] = 2 / (s->width[d][0] + (f->periodic[d] ? s->width[d][n[d] - 1] : 0));
+			s->conductance[d][0] =
+				2 / (s->width[d][0] + (f->periodic[d] ? s->width[d][n[d] - 1] : 0));
 		if (f->conductance[d][f->n[d]] > 0)
-			s->conductance[d][n[d]] = 2 / (s->width[d][n[d] - 1] +
-						   (f->periodic[d] ? s->width[d][0] : 0));
+			s->conductance[d][n[d]] =
+				2 / (s->width[d][n[d] - 1] + (f->periodic[d] ? s->width[d][0] : 0));
 	}
 	return TS_OK;
 }
@@ -87,8 +88,7 @@ static double cell_centre(const struct ts_stencil *s, int d, int i)
 
 /* Prolongation: the coarse cells beside each fine cell. */
 static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *coarse,
-		       struct ts_multigrid_transfer *transfer,
-		       int d)
+		       struct ts_multigrid_transfer *transfer, int d)
 {
 	for (int c = 0; c < coarse->n[d]; c++)
 		for (int i = transfer->begin[c]; i < transfer->begin[c + 1]; i++) {
@@ -105,8 +105,8 @@ static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *c
 }
 
 /* The coarse cell on one side, and its weight; -1: there is none, or the value beyond is given. */
-static int coarse_neighbour(const struct ts_multigrid_transfer *transfer, const struct ts_stencil *coarse, int d, int i, int side,
-		  double *share)
+static int coarse_neighbour(const struct ts_multigrid_transfer *transfer, const struct ts_stencil *coarse,
+			    int d, int i, int side, double *share)
 {
 	int at = transfer->below[i] + side, n = coarse->n[d];
 
@@ -119,8 +119,7 @@ static int coarse_neighbour(const struct ts_multigrid_transfer *transfer, const 
 }
 
 /* Restriction: the transpose, for each coarse cell. */
-static void fill_cells(const struct ts_stencil *coarse,
-		       struct ts_multigrid_transfer *transfer, int d, int n)
+static void fill_cells(const struct ts_stencil *coarse, struct ts_multigrid_transfer *transfer, int d, int n)
 {
 	double share;
 	int at = 0;
@@ -203,8 +202,8 @@ void ts_multigrid_release(struct ts_multigrid *m)
 }
 
 /* Link of a coarse face: sum of the fine links in it, scaled by the larger distance. */
-static double joined_link(const struct ts_multigrid_level *fine, const struct ts_stencil *coarse, int d, int i,
-			  int j, int k)
+static double joined_link(const struct ts_multigrid_level *fine, const struct ts_stencil *coarse, int d,
+			  int i, int j, int k)
 {
 	const int face[3] = { i, j, k };
 	int from[3], to[3];
@@ -252,9 +251,10 @@ static void add_scaled(const double *restrict x, double scale, double *restrict 
 		y[i] += scale * x[i];
 }
 
-/* Adds to p of a row the interpolated correction. `row`: work memory for a row of the coarse level, with ghosts. */
-static void prolong_row(const struct ts_multigrid_level *fine, const struct ts_multigrid_level *coarse, int j, int k,
-			double *row)
+/* Adds to p of a row the interpolated correction. `row`: work memory for a row of the coarse level, with
+ * ghosts. */
+static void prolong_row(const struct ts_multigrid_level *fine, const struct ts_multigrid_level *coarse, int j,
+			int k, double *row)
 {
 	const int *below = fine->transfer[0].below;
 	const double *above = fine->transfer[0].above;
@@ -267,18 +267,19 @@ static void prolong_row(const struct ts_multigrid_level *fine, const struct ts_m
 		int z = coarse_neighbour(&fine->transfer[2], &coarse->s, 2, k, side >> 1, &share[1]);
 
 		if (y >= 0 && z >= 0)
-			add_scaled(coarse->p + ts_stencil_at(&coarse->s, -1, y, z), share[0] * share[1],
-				   row, coarse->s.n[0] + 2);
+			add_scaled(coarse->p + ts_stencil_at(&coarse->s, -1, y, z), share[0] * share[1], row,
+				   coarse->s.n[0] + 2);
 	}
 	for (int i = 0; i < fine->s.n[0]; i++)
 		p[i] += (1 - above[i]) * row[below[i] + 1] + above[i] * row[below[i] + 2];
 }
 
 /* The transpose: a row of coarse cells sums over the fine cells beside them. */
-static void restrict_row(const struct ts_multigrid_level *fine, const struct ts_multigrid_level *coarse, int j, int k,
-			 double *row)
+static void restrict_row(const struct ts_multigrid_level *fine, const struct ts_multigrid_level *coarse,
+			 int j, int k, double *row)
 {
-	const struct ts_multigrid_transfer *x = &fine->transfer[0], *y = &fine->transfer[1], *z = &fine->transfer[2];
+	const struct ts_multigrid_transfer *x = &fine->transfer[0], *y = &fine->transfer[1],
+					   *z = &fine->transfer[2];
 	double *b = coarse->b + ts_stencil_at(&coarse->s, 0, j, k);
 
 	memset(row, 0, (size_t)fine->s.n[0] * sizeof *row);

@@ -1,11 +1,13 @@
-/* A symmetric multigrid V-cycle for systems of struct ts_stencil, as preconditioner of the conjugate gradient method.
+/* A symmetric multigrid V-cycle for systems of struct ts_stencil, as preconditioner of the conjugate
+ * gradient method.
  *
- * Levels: neighbouring cells are merged in pairs (the last three if the number is odd) along the axes on which they are
- * narrow, so that coarse cells approach cubes; the links of a coarse level are sums of those of the finer level,
- * scaled by the larger distance. Corrections are interpolated linearly, residuals are distributed by the
- * transpose of that. Smoothing: one sweep of Gauss-Seidel in red and black order before, one in reverse after.
- * Work is 8/7 (4/3 in two dimensions) of that on the finest level; the number of iterations hardly depends on
- * the number of cells. A. Brandt, Math. Comp. 31 (1977) 333; O. Tatebe, NASA CP-3224 (1993) 621. */
+ * Levels: neighbouring cells are merged in pairs (the last three if the number is odd) along the axes on
+ * which they are narrow, so that coarse cells approach cubes; the links of a coarse level are sums of
+ * those of the finer level, scaled by the larger distance. Corrections are interpolated linearly,
+ * residuals are distributed by the transpose of that. Smoothing: one sweep of Gauss-Seidel in red and
+ * black order before, one in reverse after. Work is 8/7 (4/3 in two dimensions) of that on the finest
+ * level; the number of iterations hardly depends on the number of cells. A. Brandt, Math. Comp. 31 (1977)
+ * 333; O. Tatebe, NASA CP-3224 (1993) 621. */
 #ifndef TS_POISSON_MULTIGRID_H
 #define TS_POISSON_MULTIGRID_H
 
@@ -13,12 +15,12 @@
 
 enum { TS_LEVELS = 32 };
 
-/* Grid transfer along an axis between two levels. Prolongation: fine cell i receives (1 - above[i]) of coarse cell
- * below[i] and above[i] of the next one. Restriction: coarse cell c receives weight[k] of the fine cell[k],
- * first[c] <= k < first[c + 1]. Arrays are owned. */
+/* Grid transfer along an axis between two levels. Prolongation: fine cell i receives (1 - above[i]) of
+ * coarse cell below[i] and above[i] of the next one. Restriction: coarse cell c receives weight[k] of the
+ * fine cell[k], first[c] <= k < first[c + 1]. Arrays are owned. */
 struct ts_multigrid_transfer {
 	bool joined; /* cells are merged along this axis; else both levels have the same cells */
-	int *begin; /* first fine cell of each coarse one, and the end */
+	int *begin;  /* first fine cell of each coarse one, and the end */
 	int *below;
 	double *above;
 	int *first, *cell;
@@ -28,7 +30,7 @@ struct ts_multigrid_transfer {
 struct ts_multigrid_level {
 	struct ts_stencil s;
 	double *p, *b, *r;
-	const double *rhs; /* b, or on the finest level the caller's */
+	const double *rhs;			  /* b, or on the finest level the caller's */
 	struct ts_multigrid_transfer transfer[3]; /* to the next level */
 	double *row; /* work memory: a row of this level for each row of the next */
 };

@@ -23,8 +23,8 @@ static double weight(const struct ts_poisson *problem, int d, size_t at)
 	return problem->weight[d] ? problem->weight[d][at] : 1;
 }
 
-/* The flux across the lower face `i` of axis d, for the cell at `at` with index i there. The last face of a periodic
- * axis is the first one. */
+/* The flux across the lower face `i` of axis d, for the cell at `at` with index i there. The last face of
+ * a periodic axis is the first one. */
 static double flux(const struct ts_poisson *problem, const double *p, int d, int i, size_t at)
 {
 	const struct ts_grid *grid = problem->grid;

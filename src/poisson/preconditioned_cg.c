@@ -8,11 +8,12 @@
 const char *const ts_preconditioner_names[] = { "auto", "diagonal", "direct", "multigrid", NULL };
 
 /* Ratio of weights above which multigrid is faster, by measurement (doc/pressure.md): with the direct
- * solver the iterations for 8 digits are 11 for a ratio of 2.5, 29 for 30, 40 for 100; with multigrid 11 to 14, each
- * of twice the time. */
+ * solver the iterations for 8 digits are 11 for a ratio of 2.5, 29 for 30, 40 for 100; with multigrid 11
+ * to 14, each of twice the time. */
 static const double CONTRAST = 30;
 
-/* Ratio of the largest to the smallest weight of faces that the flow can cross; INFINITY if the smallest is 0. */
+/* Ratio of the largest to the smallest weight of faces that the flow can cross; INFINITY if the smallest
+ * is 0. */
 static double contrast(const struct ts_stencil *s, const struct ts_poisson *problem)
 {
 	double most = 0, least = INFINITY;
@@ -112,8 +113,9 @@ enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *si
 
 	TS_TRY(ts_iteration_begin(it, self, sim, rhs, p, &goal));
 	if (kind == TS_PRECONDITION_AUTO)
-		kind = c->multigrid.levels && contrast(&it->stencil, it->problem) > CONTRAST ?
-			       TS_PRECONDITION_MULTIGRID : TS_PRECONDITION_DIRECT;
+		kind = c->multigrid.levels && contrast(&it->stencil, it->problem) > CONTRAST
+			       ? TS_PRECONDITION_MULTIGRID
+			       : TS_PRECONDITION_DIRECT;
 	if (kind == TS_PRECONDITION_DIRECT)
 		precondition = without_weights;
 	if (kind == TS_PRECONDITION_MULTIGRID) {
@@ -130,7 +132,7 @@ enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *si
 		precondition = ts_hypre_cycle;
 		context = c->hypre;
 	}
-	*report = ts_conjugate_gradient_solve(&c->conjugate, &it->stencil, precondition, context, it->b, it->p, goal,
-				     (int)it->most);
+	*report = ts_conjugate_gradient_solve(&c->conjugate, &it->stencil, precondition, context, it->b,
+					      it->p, goal, (int)it->most);
 	return ts_iteration_end(it, self, sim, goal, report, p);
 }

@@ -1,4 +1,5 @@
-/* The conjugate gradient method with a choice of preconditioners: state and slots of pressure styles cg and others. */
+/* The conjugate gradient method with a choice of preconditioners: state and slots of pressure styles cg
+ * and others. */
 #ifndef TS_POISSON_PRECONDITIONED_CG_H
 #define TS_POISSON_PRECONDITIONED_CG_H
 

@@ -21,17 +21,18 @@ const struct ts_pressure_style ts_pressure_cg = {
 	.style = { .name = "cg",
 		   .kind = TS_KIND_PRESSURE,
 		   .summary = "conjugate gradients",
-		   .doc = "Solves for the pressure by conjugate gradients (M. R. Hestenes and E. Stiefel, J. Res. "
-			  "Nat. Bur. Stand. 49 (1952) 409), whatever the void fraction, on any grid. "
-			  "Preconditioners: `diagonal`, cheap, but the number of iterations grows with the cells "
-			  "along an axis; `direct`, the solution of the problem without void fraction by "
-			  "pressure_style direct: the number of iterations depends only on the ratio of the largest "
-			  "to the smallest weight of a face (about 10 for a packed bed under free fluid); "
-			  "`multigrid`, the cycle of pressure_style multigrid, for weights that differ by orders of "
-			  "magnitude, as with a strong semi-implicit drag. `auto` takes for each solve direct, or "
-			  "multigrid where the ratio is above 30: that is where, by measurement, it is the faster. "
-			  "The first guess is the pressure of the step before. Iterations end when the largest "
-			  "residual is below `tolerance` by the largest right-hand side.",
+		   .doc = "Solves for the pressure by conjugate gradients (M. R. Hestenes and E. Stiefel, J. "
+			  "Res. Nat. Bur. Stand. 49 (1952) 409), whatever the void fraction, on any grid. "
+			  "Preconditioners: `diagonal`, cheap, but the number of iterations grows with the "
+			  "cells along an axis; `direct`, the solution of the problem without void fraction "
+			  "by pressure_style direct: the number of iterations depends only on the ratio of "
+			  "the largest to the smallest weight of a face (about 10 for a packed bed under "
+			  "free fluid); `multigrid`, the cycle of pressure_style multigrid, for weights that "
+			  "differ by orders of magnitude, as with a strong semi-implicit drag. `auto` takes "
+			  "for each solve direct, or multigrid where the ratio is above 30: that is where, "
+			  "by measurement, it is the faster. The first guess is the pressure of the step "
+			  "before. Iterations end when the largest residual is below `tolerance` by the "
+			  "largest right-hand side.",
 		   .example = "pressure_style cg tolerance 1e-8\npressure_style cg preconditioner direct",
 		   .cite = "M. R. Hestenes and E. Stiefel, J. Res. Nat. Bur. Stand. 49 (1952) 409",
 		   .args = args,

@@ -41,8 +41,7 @@ enum ts_status ts_pressure_choose(struct tsim *sim, const struct ts_poisson *pro
 		style = ts_pressure_style_of(chosen);
 		if (!ts_pressure_suits(style, problem, &why))
 			return ts_fail(&sim->error, TS_STATE, &chosen->where,
-				       "pressure_style %s cannot be used here: %s", style->style.name,
-				       why);
+				       "pressure_style %s cannot be used here: %s", style->style.name, why);
 		return TS_OK;
 	}
 	style = cheapest(sim, problem);
@@ -52,8 +51,8 @@ enum ts_status ts_pressure_choose(struct tsim *sim, const struct ts_poisson *pro
 	}
 	if (guess)
 		TS_TRY(ts_sim_destroy(sim, TS_KIND_PRESSURE, &automatic));
-	return ts_sim_create(sim, TS_KIND_PRESSURE, &style->style, AUTOMATIC, 0,
-			     (struct ts_words){ 0 }, where, out);
+	return ts_sim_create(sim, TS_KIND_PRESSURE, &style->style, AUTOMATIC, 0, (struct ts_words){ 0 },
+			     where, out);
 }
 
 void ts_pressure_explain(const struct tsim *sim, const struct ts_poisson *problem, bool weights,
@@ -69,8 +68,9 @@ void ts_pressure_explain(const struct tsim *sim, const struct ts_poisson *proble
 	style = chosen ? ts_pressure_style_of(chosen) : cheapest(sim, &now);
 	ts_report_line(report, "pressure", "%s (%s), %s: about %.2g s a solve", style->style.name,
 		       style->style.summary,
-		       chosen ? "chosen by the script" : weights ? "the cheapest here, where void fractions vary" :
-								   "the cheapest here",
+		       chosen	 ? "chosen by the script"
+		       : weights ? "the cheapest here, where void fractions vary"
+				 : "the cheapest here",
 		       style->cost(chosen, &now));
 	report->bytes += 8.0 * style->fields * (double)ts_grid_cells(problem->grid);
 }

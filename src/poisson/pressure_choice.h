@@ -9,7 +9,8 @@
 enum ts_status ts_pressure_choose(struct tsim *sim, const struct ts_poisson *problem,
 				  const struct ts_place *where, struct ts_instance **out);
 
-/* Adds a line to the plan: the solver, the reason, and the estimated time of a solve. `weights`: faces have weights. */
+/* Adds a line to the plan: the solver, the reason, and the estimated time of a solve. `weights`: faces
+ * have weights. */
 struct ts_plan_report;
 void ts_pressure_explain(const struct tsim *sim, const struct ts_poisson *problem, bool weights,
 			 struct ts_plan_report *report);

@@ -22,8 +22,7 @@ static bool suits(const struct ts_poisson *problem, const char **why)
 	return !problem->weight[0];
 }
 
-static enum ts_status prepare(struct ts_instance *self, struct tsim *sim,
-			      const struct ts_poisson *problem)
+static enum ts_status prepare(struct ts_instance *self, struct tsim *sim, const struct ts_poisson *problem)
 {
 	struct direct *d = self->state;
 
@@ -48,21 +47,21 @@ static double cost(const struct ts_instance *self, const struct ts_poisson *prob
 	return ts_direct_cost(problem);
 }
 
-
 TS_STYLE(pressure, ts_pressure_style, ts_pressure_direct)
 const struct ts_pressure_style ts_pressure_direct = {
 	.style = { .name = "direct",
 		   .kind = TS_KIND_PRESSURE,
 		   .summary = "solves mode by mode, to round-off, without iterations",
-		   .doc = "The operator div grad of a Cartesian grid is a sum of one-dimensional ones. Along all axes "
-			  "but one the pressure is written as a sum of their modes: waves, by fast Fourier "
-			  "transforms, on axes with even cells, eigenvectors on graded ones. What is left is a "
-			  "tridiagonal system along the last axis for each mode (R. W. Hockney, J. ACM 12 (1965) "
-			  "95; R. E. Lynch, J. R. Rice and D. H. Thomas, Numer. Math. 6 (1964) 185). The divergence "
-			  "that is left is round-off. Serves all conditions at boundaries, any number of cells "
-			  "(best: products of 2, 3 and 5), and one graded axis at no cost; each further one costs "
-			  "as many operations a cell as it has cells. The void fraction must be 1 everywhere; for "
-			  "beds see pressure_style cg, which can use this solver as its preconditioner.",
+		   .doc = "The operator div grad of a Cartesian grid is a sum of one-dimensional ones. Along "
+			  "all axes but one the pressure is written as a sum of their modes: waves, by fast "
+			  "Fourier transforms, on axes with even cells, eigenvectors on graded ones. What is "
+			  "left is a tridiagonal system along the last axis for each mode (R. W. Hockney, J. "
+			  "ACM 12 (1965) 95; R. E. Lynch, J. R. Rice and D. H. Thomas, Numer. Math. 6 (1964) "
+			  "185). The divergence that is left is round-off. Serves all conditions at "
+			  "boundaries, any number of cells (best: products of 2, 3 and 5), and one graded "
+			  "axis at no cost; each further one costs as many operations a cell as it has "
+			  "cells. The void fraction must be 1 everywhere; for beds see pressure_style cg, "
+			  "which can use this solver as its preconditioner.",
 		   .cite = "R. W. Hockney, J. ACM 12 (1965) 95",
 		   .example = "pressure_style direct",
 		   .state_size = sizeof(struct direct),

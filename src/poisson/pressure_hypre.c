@@ -29,8 +29,7 @@ static bool suits(const struct ts_poisson *problem, const char **why)
 	return true;
 }
 
-static enum ts_status prepare(struct ts_instance *self, struct tsim *sim,
-			      const struct ts_poisson *problem)
+static enum ts_status prepare(struct ts_instance *self, struct tsim *sim, const struct ts_poisson *problem)
 {
 	((struct ts_preconditioned *)self->state)->wanted = TS_PRECONDITION_HYPRE;
 	return ts_preconditioned_prepare(self, sim, problem);
@@ -55,10 +54,10 @@ const struct ts_pressure_style ts_pressure_hypre = {
 		   .kind = TS_KIND_PRESSURE,
 		   .summary = "multigrid of the library hypre within conjugate gradients",
 		   .doc = "The iterations of pressure_style cg, each with a V-cycle of hypre's PFMG as the "
-			  "preconditioner: semi-coarsening with Galerkin operators; about as fast as pressure_style "
-			  "multigrid (doc/pressure.md). Only in programs that were "
-			  "configured with --with-hypre; hypre brings MPI, which is begun for the one process "
-			  "when the style is first used. Periodic axes must have a power of two of cells. One thread.",
+			  "preconditioner: semi-coarsening with Galerkin operators; about as fast as "
+			  "pressure_style multigrid (doc/pressure.md). Only in programs that were configured "
+			  "with --with-hypre; hypre brings MPI, which is begun for the one process when the "
+			  "style is first used. Periodic axes must have a power of two of cells. One thread.",
 		   .example = "pressure_style hypre",
 		   .cite = "R. D. Falgout and J. E. Jones, Multigrid Methods VI (2000) 101",
 		   .args = args,

@@ -35,8 +35,7 @@ static void fini(struct ts_instance *self)
 	s->spare = NULL;
 }
 
-static enum ts_status prepare(struct ts_instance *self, struct tsim *sim,
-			      const struct ts_poisson *problem)
+static enum ts_status prepare(struct ts_instance *self, struct tsim *sim, const struct ts_poisson *problem)
 {
 	struct sor *s = self->state;
 
@@ -78,12 +77,13 @@ const struct ts_pressure_style ts_pressure_sor = {
 	.style = { .name = "sor",
 		   .kind = TS_KIND_PRESSURE,
 		   .summary = "successive over-relaxation in red and black order",
-		   .doc = "Goes over the cells, first the red then the black ones of a chess board, and changes each "
-			  "pressure by `relaxation` times what would balance the cell. Converges for values between "
-			  "0 and 2; the best is 2/(1 + sqrt(1 - rho^2)), rho = 1 - q/sum(2/h^2) with q the "
-			  "smallest eigenvalue of -div grad: 2/(1 + sin(pi/N)) for a square of N by N cells (D. M. "
-			  "Young, Trans. AMS 76 (1954) 92). The number of iterations grows with N: the reference that "
-			  "others are compared with, not the choice for large grids.",
+		   .doc = "Goes over the cells, first the red then the black ones of a chess board, and "
+			  "changes each pressure by `relaxation` times what would balance the cell. "
+			  "Converges for values between 0 and 2; the best is 2/(1 + sqrt(1 - rho^2)), rho = "
+			  "1 - q/sum(2/h^2) with q the smallest eigenvalue of -div grad: 2/(1 + sin(pi/N)) "
+			  "for a square of N by N cells (D. M. Young, Trans. AMS 76 (1954) 92). The number "
+			  "of iterations grows with N: the reference that others are compared with, not the "
+			  "choice for large grids.",
 		   .example = "pressure_style sor\npressure_style sor relaxation 1.7 tolerance 1e-6",
 		   .cite = "D. M. Young, Trans. AMS 76 (1954) 92",
 		   .args = args,

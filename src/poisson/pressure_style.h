@@ -13,31 +13,32 @@ enum ts_iteration_unfinished { TS_UNFINISHED_STOP, TS_UNFINISHED_WARN };
 /* First member of the state of iterative solvers. */
 struct ts_iteration {
 	double tolerance; /* largest residual by largest right-hand side */
-	int64_t most;   /* largest number of iterations */
-	int unfinished; /* enum ts_iteration_unfinished */
-	bool told;    /* the warning has been written */
-	bool weighed; /* the links have been set; without weights that is done once */
-	bool changed; /* the last ts_iteration_begin has changed the links */
+	int64_t most;	  /* largest number of iterations */
+	int unfinished;	  /* enum ts_iteration_unfinished */
+	bool told;	  /* the warning has been written */
+	bool weighed;	  /* the links have been set; without weights that is done once */
+	bool changed;	  /* the last ts_iteration_begin has changed the links */
 	struct ts_stencil stencil;
 	const struct ts_poisson *problem;
 	double *b, *p; /* right-hand side and solution, fields of the stencil; owned */
 };
 
 extern const char *const ts_iteration_unfinished_names[];
-#define TS_ITERATION_ARGS(T, f, tolerance_, most_)                                                 \
-	TS_REAL("tolerance", T, f.tolerance, .range = TS_WITHIN, .lo = 1e-16, .hi = 1e-3,          \
-		.fallback = tolerance_, .unit = "",                                                \
-		.help = "largest residual that is left, by the largest right-hand side; with more " \
-			"than 1e-3 the fluid gains and loses volume"),                             \
-	TS_INT("iterations", T, f.most, .range = TS_POSITIVE, .fallback = most_, .unit = "",       \
-	       .help = "so many at most"),                                                         \
-	TS_ENUM("unfinished", T, f.unfinished, ts_iteration_unfinished_names, .fallback = "stop",            \
-		.help = "stop the run, or warn once, if they do not suffice")
+#define TS_ITERATION_ARGS(T, f, tolerance_, most_)                                                        \
+	TS_REAL("tolerance", T, f.tolerance, .range = TS_WITHIN, .lo = 1e-16, .hi = 1e-3,                 \
+		.fallback = tolerance_, .unit = "",                                                       \
+		.help = "largest residual that is left, by the largest right-hand side; with more "       \
+			"than 1e-3 the fluid gains and loses volume"),                                    \
+		TS_INT("iterations", T, f.most, .range = TS_POSITIVE, .fallback = most_, .unit = "",      \
+		       .help = "so many at most"),                                                        \
+		TS_ENUM("unfinished", T, f.unfinished, ts_iteration_unfinished_names, .fallback = "stop", \
+			.help = "stop the run, or warn once, if they do not suffice")
 
 enum ts_status ts_iteration_prepare(struct ts_iteration *it, struct tsim *sim,
 				    const struct ts_poisson *problem);
 void ts_iteration_release(struct ts_iteration *it);
-/* Sets links, right-hand side and initial guess, and the residual to be reached; *goal 0: the solution is 0. */
+/* Sets links, right-hand side and initial guess, and the residual to be reached; *goal 0: the solution is
+ * 0. */
 enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *self, struct tsim *sim,
 				  const double *rhs, const double *p, double *goal);
 /* Copies the solution to `p`; an error or a warning if the residual is larger than the goal. */

@@ -6,7 +6,8 @@
 
 #include "base/banned.h"
 
-enum { LOOK = 8 }; /* iterations between computations of the residual, each of which costs as much as an iteration */
+/* iterations between computations of the residual, each of which costs as much as an iteration */
+enum { LOOK = 8 };
 
 double ts_relaxation_optimal(const struct ts_poisson *problem)
 {
@@ -19,7 +20,9 @@ double ts_relaxation_optimal(const struct ts_poisson *problem)
 
 		/* phase of the longest wave along the axis that is not constant: a = 2 pi/n, pi/n or pi/2n */
 		given = (end[0] == TS_PRESSURE_GIVEN) + (end[1] == TS_PRESSURE_GIVEN);
-		angle = end[0] == TS_PRESSURE_PERIODIC ? 2 * TS_PI / n : given == 1 ? 0.5 * TS_PI / n : TS_PI / n;
+		angle = end[0] == TS_PRESSURE_PERIODIC ? 2 * TS_PI / n
+			: given == 1		       ? 0.5 * TS_PI / n
+						       : TS_PI / n;
 		diagonal += 2 / (h * h);
 		slow = pow(2 / h * sin(angle / 2), 2);
 		if (given)

@@ -70,8 +70,7 @@ enum ts_status ts_stencil_make(struct ts_stencil *s, const struct ts_poisson *pr
 	bool periodic[3];
 
 	for (int d = 0; d < 3; d++)
-		periodic[d] = d < grid->dimensions &&
-			      problem->condition[d][0] == TS_PRESSURE_PERIODIC;
+		periodic[d] = d < grid->dimensions && problem->condition[d][0] == TS_PRESSURE_PERIODIC;
 	TS_TRY(ts_stencil_shape(s, grid->n, grid->dimensions, periodic));
 	s->threads = problem->threads;
 	s->singular = problem->singular;
@@ -154,7 +153,7 @@ static double row_area(const struct ts_stencil *s, int row)
 }
 
 void ts_stencil_from_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
-		     bool volumes, double *out)
+			  bool volumes, double *out)
 {
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++) {
@@ -167,12 +166,12 @@ void ts_stencil_from_grid(const struct ts_stencil *s, const struct ts_grid *grid
 }
 
 void ts_stencil_to_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
-		     double *out)
+			double *out)
 {
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
-		memcpy(out + ts_at(grid, 0, row % s->n[1], row / s->n[1]),
-		       field + ts_stencil_row(s, row), (size_t)s->n[0] * sizeof *out);
+		memcpy(out + ts_at(grid, 0, row % s->n[1], row / s->n[1]), field + ts_stencil_row(s, row),
+		       (size_t)s->n[0] * sizeof *out);
 }
 
 TS_CLONES
@@ -301,8 +300,8 @@ static double apply_row(const struct ts_stencil *s, size_t at, const double *p, 
 }
 
 TS_CLONES
-static double residual_row(const struct ts_stencil *s, size_t at, const double *p,
-			   const double *restrict b, double *restrict out)
+static double residual_row(const struct ts_stencil *s, size_t at, const double *p, const double *restrict b,
+			   double *restrict out)
 {
 	if (s->axes > 2)
 		apply_axes(s, at, p, out, 3);
@@ -315,8 +314,8 @@ static double residual_row(const struct ts_stencil *s, size_t at, const double *
 }
 
 /* Gauss-Seidel in the cells of a row that have one colour along it, */
-TS_INLINE void sweep_axes(const struct ts_stencil *s, size_t at, double *p, const double *b,
-			  double wanted, double omega, int axes)
+TS_INLINE void sweep_axes(const struct ts_stencil *s, size_t at, double *p, const double *b, double wanted,
+			  double omega, int axes)
 {
 	const double *cx = s->link[0] + at, *cy = s->link[1] + at, *inverse = s->inverse + at;
 	const double *cz = axes > 2 ? s->link[2] + at : NULL;
@@ -403,8 +402,8 @@ double ts_stencil_largest(const struct ts_stencil *s, const double *r)
 {
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
-		s->rows[row] = largest_of_row(r + ts_stencil_row(s, row), s->width[0], s->n[0]) /
-			       row_area(s, row);
+		s->rows[row] =
+			largest_of_row(r + ts_stencil_row(s, row), s->width[0], s->n[0]) / row_area(s, row);
 	return ts_stencil_max_rows(s);
 }
 
@@ -438,8 +437,8 @@ void ts_stencil_centre(const struct ts_stencil *s, double *p)
 
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
-		s->rows[row] = row_area(s, row) *
-			       dot_of_row(p + ts_stencil_row(s, row), s->width[0], s->n[0]);
+		s->rows[row] =
+			row_area(s, row) * dot_of_row(p + ts_stencil_row(s, row), s->width[0], s->n[0]);
 	mean = ts_stencil_sum_rows(s) / volume(s);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++)

@@ -1,9 +1,10 @@
-/* The system of equations of iterative solvers: a 5- or 7-point stencil with a coefficient (link) for each face.
+/* The system of equations of iterative solvers: a 5- or 7-point stencil with a coefficient (link) for each
+ * face.
  *
- * For a cell P with the neighbours N across its faces, (A p)_P = sum_f link_f (p_P - p_N), link = w A/d: the
- * operator of poisson/poisson.h multiplied by -V, symmetric and positive (semi)definite. Fields have one layer of ghost
- * cells, which hold the periodic image, or 0, the value on a face with a given pressure; the link across a face with
- * zero gradient is 0. So inner loops need no case for boundaries. */
+ * For a cell P with the neighbours N across its faces, (A p)_P = sum_f link_f (p_P - p_N), link = w A/d:
+ * the operator of poisson/poisson.h multiplied by -V, symmetric and positive (semi)definite. Fields have
+ * one layer of ghost cells, which hold the periodic image, or 0, the value on a face with a given
+ * pressure; the link across a face with zero gradient is 0. So inner loops need no case for boundaries. */
 #ifndef TS_POISSON_STENCIL_H
 #define TS_POISSON_STENCIL_H
 
@@ -15,14 +16,15 @@ struct ts_stencil {
 	bool periodic[3], singular;
 	ptrdiff_t stride[3];
 	size_t origin, size;
-	double *width[3];    /* of cells */
-	double *conductance[3];  /* 1/d of lower faces 0 .. n; 0 with zero gradient */
-	double *link[3];     /* fields: links of lower faces, including the upper boundary */
-	double *inverse;     /* field: 1/sum of the links of a cell; 0 if it has none */
-	int colours;         /* number of colours, such that neighbours differ: 2, or 3 if a periodic axis has an odd
+	double *width[3];	/* of cells */
+	double *conductance[3]; /* 1/d of lower faces 0 .. n; 0 with zero gradient */
+	double *link[3];	/* fields: links of lower faces, including the upper boundary */
+	double *inverse;	/* field: 1/sum of the links of a cell; 0 if it has none */
+	int colours; /* number of colours, such that neighbours differ: 2, or 3 if a periodic axis has an odd
 			      * number of cells */
-	double *colour[3];   /* 0, 1 or 2 by index along each axis; the colour of a cell is their sum modulo `colours` */
-	double *rows;        /* partial sums, one for each row of cells */
+	/* 0, 1 or 2 by index along each axis; the colour of a cell is their sum modulo `colours` */
+	double *colour[3];
+	double *rows;		 /* partial sums, one for each row of cells */
 	double *memory, *fields; /* of the arrays and of the fields above; owned */
 };
 
@@ -53,12 +55,12 @@ void ts_stencil_set_weights(struct ts_stencil *s, const struct ts_poisson *probl
 void ts_stencil_invert_diagonal(struct ts_stencil *s);
 
 double *ts_stencil_field(const struct ts_stencil *s);
-/* Copies between fields of the grid and fields of the stencil. `volumes`: multiplied by minus the volume, as for
- * right-hand sides. */
+/* Copies between fields of the grid and fields of the stencil. `volumes`: multiplied by minus the volume,
+ * as for right-hand sides. */
 void ts_stencil_from_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
-		     bool volumes, double *out);
+			  bool volumes, double *out);
 void ts_stencil_to_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
-		     double *out);
+			double *out);
 
 /* out = -r/V */
 void ts_stencil_per_volume(const struct ts_stencil *s, const double *r, double *out);
@@ -66,8 +68,8 @@ void ts_stencil_per_volume(const struct ts_stencil *s, const double *r, double *
 void ts_stencil_ghosts(const struct ts_stencil *s, double *p);
 /* out = A p, after ts_stencil_ghosts(p); returns p.Ap */
 double ts_stencil_apply(const struct ts_stencil *s, const double *p, double *out);
-/* A Gauss-Seidel sweep over the cells of one colour: p += omega (p_GS - p), with p_GS the value that solves the equation
- * of the cell. Ghosts must be set before, and are set afterwards. */
+/* A Gauss-Seidel sweep over the cells of one colour: p += omega (p_GS - p), with p_GS the value that
+ * solves the equation of the cell. Ghosts must be set before, and are set afterwards. */
 void ts_stencil_sweep(const struct ts_stencil *s, double *p, const double *b, int colour, double omega);
 /* out = b - A p, after ts_stencil_ghosts(p); returns the largest |out|/V, NaN if a value is NaN. */
 double ts_stencil_residual(const struct ts_stencil *s, const double *p, const double *b, double *out);

@@ -221,8 +221,9 @@ static void unpack(const struct ts_transform *t, const double *re, const double 
 	}
 }
 
-/* Z = V + i W, V and W the spectra of two real lines: V_k = (Z_k + Z*_{n-k})/2, i W_k = (Z_k - Z*_{n-k})/2. Turned
- * by exp(-i a_k), real parts are the amplitudes of modes k, negative imaginary parts those of n - k. */
+/* Z = V + i W, V and W the spectra of two real lines: V_k = (Z_k + Z*_{n-k})/2, i W_k = (Z_k -
+ * Z*_{n-k})/2. Turned by exp(-i a_k), real parts are the amplitudes of modes k, negative imaginary parts
+ * those of n - k. */
 TS_CLONES
 static void separate(const struct ts_transform *t, const double *re, const double *im, double *lines)
 {
@@ -286,8 +287,8 @@ static void unite(const struct ts_transform *t, const double *lines, double *re,
 	}
 }
 
-/* Quarter waves by a transform of half the length, of (x_2m + i x_{n-1-2m}) exp(-i pi (8m+1)/8n); its k-th result,
- * turned in the same way, is (X_2k - i X_{n-1-2k}). Its own inverse, but for 2/n. */
+/* Quarter waves by a transform of half the length, of (x_2m + i x_{n-1-2m}) exp(-i pi (8m+1)/8n); its k-th
+ * result, turned in the same way, is (X_2k - i X_{n-1-2k}). Its own inverse, but for 2/n. */
 TS_CLONES
 static void turn_quarters(const struct ts_transform *t, const double *x, const double *y, double scale,
 			  double *re, double *im)

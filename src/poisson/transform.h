@@ -1,4 +1,5 @@
-/* Transforms to the modes of an axis, the eigenvectors of the second difference with the conditions at its ends.
+/* Transforms to the modes of an axis, the eigenvectors of the second difference with the conditions at its
+ * ends.
  *
  *   (T p)_i = [ (p_{i+1} - p_i)/d_{i+1} - (p_i - p_{i-1})/d_i ]/h_i
  *
@@ -7,9 +8,9 @@
  *   no gradient at both ends     a = pi k/n            cosine, DCT-II
  *   given at both ends           a = pi (k+1)/n        sine, DST-II
  *   no gradient | given          a = pi (k+1/2)/n      cosine of quarter waves, DCT-IV; reversed: mirrored
- * They are computed by complex Fourier transforms; two lines are the real and imaginary part of one complex line (J.
- * Makhoul, IEEE Trans. ASSP 28 (1980) 27, for the cosines). Graded axes, and quarter waves with odd n, use the matrix
- * of eigenvectors of the symmetric h^1/2 T h^-1/2. */
+ * They are computed by complex Fourier transforms; two lines are the real and imaginary part of one
+ * complex line (J. Makhoul, IEEE Trans. ASSP 28 (1980) 27, for the cosines). Graded axes, and quarter
+ * waves with odd n, use the matrix of eigenvectors of the symmetric h^1/2 T h^-1/2. */
 #ifndef TS_POISSON_TRANSFORM_H
 #define TS_POISSON_TRANSFORM_H
 
@@ -23,7 +24,7 @@ enum ts_transform_kind { TS_WAVES_FOURIER, TS_WAVES_HALF, TS_WAVES_QUARTER, TS_W
 struct ts_transform {
 	enum ts_transform_kind waves;
 	int n;
-	bool odd;      /* signs alternate: sines are computed from cosines */
+	bool odd; /* signs alternate: sines are computed from cosines */
 	bool mirrored;
 	struct ts_fourier fourier;
 	double (*turn)[2];
@@ -38,7 +39,8 @@ void ts_transform_release(struct ts_transform *t);
 
 /* Size of the work memory of a transform, in doubles. */
 size_t ts_transform_work_size(const struct ts_transform *t);
-/* lines: value i of line l at [i TS_LINES + l]; forward replaces it by the amplitude of mode i, backward the reverse. */
+/* lines: value i of line l at [i TS_LINES + l]; forward replaces it by the amplitude of mode i, backward
+ * the reverse. */
 void ts_transform_forward(const struct ts_transform *t, double *lines, double *spare);
 void ts_transform_backward(const struct ts_transform *t, double *lines, double *spare);
 

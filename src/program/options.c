@@ -45,13 +45,21 @@ static const struct {
 	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are shown (log)", 1 },
 	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
 	[OPT_LEGACY] = { "legacy", "", "the numbers of LIGGGHTS where they differ, see -help legacy", 0 },
-	[OPT_LIMIT] = { "input-limit", "GB", "most that a compressed input may unfold to, a frame of a dump; a line: a thousandth (4)", 1 },
-	[OPT_SHELL] = { "shell", "yes|no", "whether `shell` may start programs, set the environment, remove and move files anywhere (no)", 1 },
-	[OPT_SANDBOX] = { "sandbox", "[WORDS]", "for scripts of somebody else: files of their folder only, limits", 0 },
+	[OPT_LIMIT] = { "input-limit", "GB",
+			"most that a compressed input may unfold to, a frame of a dump; a line: a thousandth "
+			"(4)",
+			1 },
+	[OPT_SHELL] = { "shell", "yes|no",
+			"whether `shell` may start programs, set the environment, remove and move files "
+			"anywhere (no)",
+			1 },
+	[OPT_SANDBOX] = { "sandbox", "[WORDS]",
+			  "for scripts of somebody else: files of their folder only, limits", 0 },
 	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
 	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "where an interrupted run saves its state", 1 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
-	[OPT_FULL] = { "full", "[PART ...]", "do also what -explain says is left out: slower, the same results", 0 },
+	[OPT_FULL] = { "full", "[PART ...]",
+		       "do also what -explain says is left out: slower, the same results", 0 },
 	[OPT_ADVISE] = { "advise", "[SECONDS] [WORDS]",
 			 "try settings on the scene: what each costs and changes", 0 },
 	[OPT_CROSSCHECK] = { "crosscheck", "PROGRAM [WORDS]",
@@ -104,7 +112,8 @@ static int set_threads(struct tsim *sim, const char *text)
 	int64_t n;
 
 	if (!ts_parse_int(text, &n) || n < 1 || n > 1024)
-		return ts_usage_error("expected a number from 1 to 1024 after -threads, found '%s'%s", text, "");
+		return ts_usage_error("expected a number from 1 to 1024 after -threads, found '%s'%s", text,
+				      "");
 	sim->threads = (int)n;
 	return 0;
 }
@@ -114,7 +123,9 @@ static int set_limit(const char *text)
 	double value;
 
 	if (!ts_parse_real(text, &value) || value < 1e-6 || value > 1e6)
-		return ts_usage_error("expected a number of GB from 1e-6 to 1e6 after -input-limit, found '%s'%s", text, "");
+		return ts_usage_error("expected a number of GB from 1e-6 to 1e6 after -input-limit, found "
+				      "'%s'%s",
+				      text, "");
 	if (setenv(TS_INPUT_LIMIT, text, 1) != 0)
 		return ts_usage_error("-input-limit: the environment is full%s%s", "", "");
 	return 0;
@@ -123,7 +134,8 @@ static int set_limit(const char *text)
 /* No parts: all. */
 static int set_full(struct tsim *sim, char *const *value, int n)
 {
-	static const char *const parts[] = { "columns", "rows", "history", "rebuilds", "threads", "looks", NULL };
+	static const char *const parts[] = { "columns", "rows",	 "history", "rebuilds",
+					     "threads", "looks", NULL };
 
 	sim->full |= n ? 0 : TS_FULL_ALL;
 	for (int k = 0; k < n; k++) {
@@ -132,8 +144,9 @@ static int set_full(struct tsim *sim, char *const *value, int n)
 		while (parts[part] && !ts_streq(parts[part], value[k]))
 			part++;
 		if (!parts[part])
-			return ts_usage_error("expected columns, rows, history, rebuilds, threads or looks after -full, "
-					      "found '%s'%s", value[k], "");
+			return ts_usage_error("expected columns, rows, history, rebuilds, threads or looks "
+					      "after -full, found '%s'%s",
+					      value[k], "");
 		sim->full |= 1u << part;
 	}
 	if (sim->full & TS_FULL_THREADS)
@@ -189,16 +202,14 @@ static void apply_page(struct ts_setup *setup, enum option_id id, char *const *v
 	}
 }
 
-static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, char *const *value,
-		 int n)
+static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, char *const *value, int n)
 {
 	switch (id) {
 	case OPT_IN:
 		setup->input = value[0];
 		break;
 	case OPT_VAR:
-		return usage(add_words(&setup->variables, "-var", value, n) ||
-			     set_variable(sim, value, n));
+		return usage(add_words(&setup->variables, "-var", value, n) || set_variable(sim, value, n));
 	case OPT_LOG:
 		setup->log = value[0];
 		setup->log_given = true;
@@ -278,8 +289,8 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 
 		if (name == text)
 			return ts_usage_error("expected an option, found '%s'%s; a script is given by "
-					   "-in FILE",
-					   text, "");
+					      "-in FILE",
+					      text, "");
 		while (id < NOPTIONS && !ts_streq(options[id].name, name) &&
 		       !(name[0] == options[id].name[0] && !name[1] && strchr("ivleh", name[0])))
 			id++;
@@ -287,12 +298,10 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 			return unknown_option(text);
 		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_ADVISE || id == OPT_FULL ||
 			   id == OPT_CROSSCHECK || id == OPT_SANDBOX;
-		while (k + n < argc && !is_option(argv[k + n]) &&
-		       (variadic || n < options[id].least))
+		while (k + n < argc && !is_option(argv[k + n]) && (variadic || n < options[id].least))
 			n++;
 		if (n < options[id].least)
-			return ts_usage_error("option -%s needs %s", options[id].name,
-					   options[id].values);
+			return ts_usage_error("option -%s needs %s", options[id].name, options[id].values);
 		status = apply(sim, setup, (enum option_id)id, argv + k, n);
 		if (status)
 			return status;

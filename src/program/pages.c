@@ -38,9 +38,9 @@ static void print_usage(void)
 	puts("\nafter -crosscheck liggghts or -crosscheck lammps");
 	ts_crosscheck_help(&text);
 	ts_program_print(&text);
-	puts("\nmanual pages: tsim -help NAME for anything that has a name, tsim -help KIND for a "
-	     "list of its styles,\ntsim -help KIND STYLE for one of them, tsim -help \"some words\" for pages "
-	     "with them. Kinds are");
+	puts("\nmanual pages: tsim -help NAME for anything that has a name, tsim -help KIND for a list of "
+	     "its styles,\ntsim -help KIND STYLE for one of them, tsim -help \"some words\" for pages with "
+	     "them. Kinds are");
 	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++)
 		printf("  %s\n", ts_kind_name((enum ts_kind)kind));
 	puts("and further pages");

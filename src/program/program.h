@@ -1,5 +1,5 @@
-/* The program around the library: its command line, and the pages that it prints. Functions return an exit status;
- * only main.c ends the program. */
+/* The program around the library: its command line, and the pages that it prints. Functions return an exit
+ * status; only main.c ends the program. */
 #ifndef TS_PROGRAM_PROGRAM_H
 #define TS_PROGRAM_PROGRAM_H
 
@@ -20,7 +20,8 @@ struct ts_setup {
 	bool help, version, log_given, check, explain, advised, programs, sandboxed;
 	const char *help_kind, *help_style;
 	FILE *screen_file; /* of -screen, to be closed */
-	struct ts_word_list crosscheck, advise, sandbox, variables, own; /* the last two: for the programs that it runs */
+	/* the last two: for the programs that it runs */
+	struct ts_word_list crosscheck, advise, sandbox, variables, own;
 };
 
 /* Reads the options into the setup and, those that are settings of it, into the simulation. */

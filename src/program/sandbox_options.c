@@ -17,24 +17,32 @@ struct options {
 };
 
 static const struct ts_arg rows[] = {
-	TS_REAL("memory", struct options, memory, .fallback = "8", .range = TS_WITHIN, .lo = 0.1, .hi = 1e6, .unit = "GB",
-		.help = "address space of the program; what needs more is out of memory"),
-	TS_REAL("time", struct options, time, .fallback = "86400", .range = TS_WITHIN, .lo = 1, .hi = 1e9, .unit = "s",
+	TS_REAL("memory", struct options, memory, .fallback = "8", .range = TS_WITHIN, .lo = 0.1, .hi = 1e6,
+		.unit = "GB", .help = "address space of the program; what needs more is out of memory"),
+	TS_REAL("time", struct options, time, .fallback = "86400", .range = TS_WITHIN, .lo = 1, .hi = 1e9,
+		.unit = "s",
 		.help = "processor time of all threads together; then the state is saved and the run ends"),
-	TS_REAL("disk", struct options, disk, .fallback = "10", .range = TS_WITHIN, .lo = 1e-6, .hi = 1e6, .unit = "GB",
-		.help = "bytes that are written in all, what is written over or removed later included; a file or folder "
-			"by itself counts as 4096"),
+	TS_REAL("disk", struct options, disk, .fallback = "10", .range = TS_WITHIN, .lo = 1e-6, .hi = 1e6,
+		.unit = "GB",
+		.help = "bytes that are written in all, what is written over or removed later included; a "
+			"file or folder by itself counts as 4096"),
 	TS_BOOL("kernel", struct options, kernel, .fallback = "yes",
-		.help = "no: do without what the kernel enforces, as where it has neither Landlock nor seccomp"),
+		.help = "no: do without what the kernel enforces, as where it has neither Landlock nor "
+			"seccomp"),
 	TS_ARGS_END,
 };
 
 /* What would be a way out. */
 static int refuse_others(const struct ts_setup *setup)
 {
-	const char *other = setup->programs ? "-shell yes" : setup->crosscheck.n ? "-crosscheck" : setup->advised ? "-advise" : NULL;
+	const char *other = setup->programs	  ? "-shell yes"
+			    : setup->crosscheck.n ? "-crosscheck"
+			    : setup->advised	  ? "-advise"
+						  : NULL;
 
-	return other ? ts_usage_error("-sandbox and %s cannot be given together: %s starts processes", other, other) : 0;
+	return other ? ts_usage_error("-sandbox and %s cannot be given together: %s starts processes", other,
+				      other)
+		     : 0;
 }
 
 static int admit_failed(const char *folder)
@@ -63,7 +71,8 @@ static int admit_all(struct ts_files *files, const char *input)
 
 	if (!status && potentials && ts_files_admit(files, potentials, false) != 0)
 		status = admit_failed(potentials);
-	if (!status && ts_files_admit(files, TS_POTENTIALS, false) != 0 && errno != ENOENT && errno != ENOTDIR)
+	if (!status && ts_files_admit(files, TS_POTENTIALS, false) != 0 && errno != ENOENT &&
+	    errno != ENOTDIR)
 		status = admit_failed(TS_POTENTIALS);
 	if (!status && ts_files_admit(files, ".", true) != 0)
 		status = admit_failed(".");
@@ -91,7 +100,8 @@ static int empty_environment(void)
 	return 0;
 }
 
-static void tell(const struct ts_files *files, const struct options *o, int paths, bool calls, struct ts_str *out)
+static void tell(const struct ts_files *files, const struct options *o, int paths, bool calls,
+		 struct ts_str *out)
 {
 	ts_str_add(out, "sandbox: reads below");
 	for (int k = 0; k < files->n; k++)
@@ -100,15 +110,21 @@ static void tell(const struct ts_files *files, const struct options *o, int path
 	ts_str_addf(out, "; writes below '%s'; at most %.6g GB of memory, %.6g s, %.6g GB of files\n",
 		    files->root[files->n - 1].path, o->memory, o->time, o->disk);
 	if (paths)
-		ts_str_addf(out, "sandbox: files are kept by the kernel (Landlock %d) and by tsim, which resolves and checks each path\n", paths);
+		ts_str_addf(out,
+			    "sandbox: files are kept by the kernel (Landlock %d) and by tsim, which resolves "
+			    "and checks each path\n",
+			    paths);
 	else
-		ts_str_addf(out, "sandbox: files are kept by tsim alone, which resolves and checks each path: %s\n",
+		ts_str_addf(out,
+			    "sandbox: files are kept by tsim alone, which resolves and checks each path: "
+			    "%s\n",
 			    o->kernel ? "this kernel has no Landlock" : "kernel no");
 	ts_str_addf(out, "sandbox: processes and sockets are kept away by %s\n",
 		    calls ? "the kernel (seccomp) and by tsim" : "tsim alone");
 }
 
-static int close_door(struct tsim *sim, const struct ts_setup *setup, const struct options *o, struct ts_str *said)
+static int close_door(struct tsim *sim, const struct ts_setup *setup, const struct options *o,
+		      struct ts_str *said)
 {
 	const struct ts_sandbox_limits limits = { 1e9 * o->memory, o->time, 1e9 * o->disk };
 	int status = admit_all(&sim->files, setup->input), paths;
@@ -157,8 +173,9 @@ void ts_program_sandbox_help(struct ts_str *out)
 		out->failed |= synopsis.failed;
 		ts_str_release(&synopsis);
 	}
-	ts_str_add(out,
-		   "The script reads only below its own folder and the installed potentials, and what it has written itself;\n"
-		   "it writes only below the folder that tsim was started in. It does not see or change the environment and\n"
-		   "starts no processes. doc/language.md says exactly what holds.\n");
+	ts_str_add(out, "The script reads only below its own folder and the installed potentials, and what "
+			"it has written itself;\n"
+			"it writes only below the folder that tsim was started in. It does not see or change "
+			"the environment and\n"
+			"starts no processes. doc/language.md says exactly what holds.\n");
 }

@@ -16,8 +16,7 @@ static enum ts_status delete_region(struct tsim *sim, const char *id, const stru
 	struct ts_instance *region;
 
 	TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &word, &region));
-	return (ts_uses_region(sim, region) ? ts_sim_retire : ts_sim_destroy)(sim, TS_KIND_REGION,
-									      &word);
+	return (ts_uses_region(sim, region) ? ts_sim_retire : ts_sim_destroy)(sim, TS_KIND_REGION, &word);
 }
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
@@ -49,7 +48,8 @@ const struct ts_command_style ts_command_region = {
 		.name = "region",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Names a set of points",
-		.doc = "Other commands refer to it by its name. `region ID delete` forgets it; what refers to it\n"
+		.doc = "Other commands refer to it by its name. `region ID delete` forgets it; what refers "
+		       "to it\n"
 		       "must go, too, before the next run. See the pages of the region styles.",
 		.example = "region bed block 0 1 0 1 0 0.5 units box\n"
 		       "region bed delete",

@@ -43,8 +43,7 @@ static void to_shape(const struct ts_region *r, const double x[3], double y[3])
 	for (int k = 0; k < 3; k++)
 		d[k] = x[k] - r->shift[k] - r->pivot[k];
 	for (int k = 0; k < 3; k++)
-		y[k] = r->pivot[k] + r->turn[0][k] * d[0] + r->turn[1][k] * d[1] +
-		       r->turn[2][k] * d[2];
+		y[k] = r->pivot[k] + r->turn[0][k] * d[0] + r->turn[1][k] * d[1] + r->turn[2][k] * d[2];
 }
 
 enum ts_status ts_region_update(struct ts_instance *region, struct tsim *sim)
@@ -147,7 +146,7 @@ int ts_region_movers(const struct ts_instance *region, const struct ts_instance 
 }
 
 int ts_region_contact_points_all(const struct ts_instance *region, const double x[3],
-			struct ts_region_contact_point *out)
+				 struct ts_region_contact_point *out)
 {
 	const struct ts_region *r = region->state;
 	double y[3];
@@ -169,7 +168,8 @@ int ts_region_contact_points_all(const struct ts_instance *region, const double 
 	return n;
 }
 
-int ts_region_contact_points(const struct ts_instance *region, const double x[3], struct ts_region_contact_point *out)
+int ts_region_contact_points(const struct ts_instance *region, const double x[3],
+			     struct ts_region_contact_point *out)
 {
 	const struct ts_region *r = region->state;
 
@@ -237,9 +237,9 @@ double ts_region_volume(const struct ts_instance *region)
 
 /* ---- the definition */
 
-#define MOVE_ROW(name, k)                                                                          \
-	TS_NUMBER(name, struct ts_region, move[k], .flags = TS_POSITIONAL | TS_NULLABLE,           \
-		  .unit = "length", .help = "v_name or NULL")
+#define MOVE_ROW(name, k)                                                                                  \
+	TS_NUMBER(name, struct ts_region, move[k], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "length", \
+		  .help = "v_name or NULL")
 static const struct ts_arg move_rows[] = {
 	MOVE_ROW("v_x", 0),
 	MOVE_ROW("v_y", 1),
@@ -251,8 +251,7 @@ static const struct ts_arg rotate_rows[] = {
 	TS_NUMBER("v_theta", struct ts_region, angle, .flags = TS_POSITIONAL, .help = "angle"),
 	TS_VEC3("P", struct ts_region, pivot, .flags = TS_POSITIONAL, .unit = "length",
 		.help = "a point of the axis"),
-	TS_VEC3("R", struct ts_region, axis, .flags = TS_POSITIONAL,
-		.help = "direction of the axis"),
+	TS_VEC3("R", struct ts_region, axis, .flags = TS_POSITIONAL, .help = "direction of the axis"),
 	TS_ARGS_END,
 };
 
@@ -268,8 +267,8 @@ static enum ts_status define_motion(struct ts_instance *self, struct tsim *sim)
 	}
 	if (!r->rotate_words.n)
 		return TS_OK;
-	TS_TRY(ts_args_parse(sim, "region: rotate", rotate_rows, r->rotate_words, &self->where,
-			     &self->arena, r));
+	TS_TRY(ts_args_parse(sim, "region: rotate", rotate_rows, r->rotate_words, &self->where, &self->arena,
+			     r));
 	length = ts_norm(r->axis);
 	if (!(length > 0))
 		return ts_fail(&sim->error, TS_RANGE, &r->rotate_words.word[4].place,
@@ -332,8 +331,7 @@ enum ts_status ts_region_init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-enum ts_status ts_region_coord(struct ts_instance *self, struct tsim *sim, double given, int dim,
-			       double *out)
+enum ts_status ts_region_coord(struct ts_instance *self, struct tsim *sim, double given, int dim, double *out)
 {
 	const struct ts_region *r = self->state;
 	double edge = r->edge[given > 0][dim];
@@ -347,8 +345,8 @@ enum ts_status ts_region_coord(struct ts_instance *self, struct tsim *sim, doubl
 		       self->style->name);
 }
 
-enum ts_status ts_region_length(struct ts_instance *self, struct tsim *sim,
-				const struct ts_number *given, int dim, double *out)
+enum ts_status ts_region_length(struct ts_instance *self, struct tsim *sim, const struct ts_number *given,
+				int dim, double *out)
 {
 	const struct ts_region *r = self->state;
 
@@ -383,7 +381,9 @@ static const struct ts_function functions[] = {
 };
 
 const struct ts_system_style ts_regions_system = {
-	.style = { .name = "regions", .kind = TS_KIND_SYSTEM, .summary = "functions of formulas over regions" },
+	.style = { .name = "regions",
+		   .kind = TS_KIND_SYSTEM,
+		   .summary = "functions of formulas over regions" },
 	.no_instance = true,
 	.functions = functions,
 };

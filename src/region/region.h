@@ -23,7 +23,7 @@ struct ts_region {
 	double edge[2][3]; /* faces of the box: low, high; NaN before there is one */
 	struct ts_number move[3], angle;
 	double pivot[3], axis[3]; /* of the rotation; |axis| = 1 */
-	unsigned open;            /* bit k: face k + 1 is open, for walls made of the region */
+	unsigned open;		  /* bit k: face k + 1 is open, for walls made of the region */
 	struct ts_minstd random;  /* of who draws points in it; state 0: nobody yet */
 
 	/* as of the last ts_region_update: a point y of the shape stands at
@@ -34,34 +34,35 @@ struct ts_region {
 	bool varies;   /* the surface may change with time */
 	bool reshapes; /* not only by moving */
 };
-#define TS_REGION_SIDE_ARGS(T)                                                                     \
-	TS_ENUM("side", T, region.side, ts_region_sides, .fallback = "in",                         \
-		.help = "which side belongs to the region"),                                       \
-	TS_ENUM("units", T, region.units, ts_region_units, .flags = TS_OPTIONAL,                   \
-		.help = "whether lengths are given in lattice spacings or as they are; see the "   \
-			"command lattice for the default"),                                        \
-	TS_REAL("volume_limit", T, region.volume_limit, .fallback = "0",                           \
-		.range = TS_NOT_NEGATIVE, .unit = "length^3",                                      \
-		.help = "insertion is refused where the region's volume is smaller"),              \
-	TS_INT("seed", T, region.seed, .flags = TS_OPTIONAL, .range = TS_POSITIVE,                 \
-	       .help = "no effect: who draws points in a region has a seed of its own")
-#define TS_REGION_ARGS(T)                                                                          \
-	TS_REGION_SIDE_ARGS(T),                                                                    \
-	TS_SOME_KEYWORD("move", T, region.move_words, 0,                                           \
-			.help = "v_x v_y v_z: displacement by equal-style variables, or NULL"),    \
-	TS_SOME_KEYWORD("rotate", T, region.rotate_words, 0,                                       \
-			.help = "v_theta Px Py Pz Rx Ry Rz: turned by the angle theta (radians) "  \
-				"about the axis R through P"),                                     \
-	TS_SOME_KEYWORD("open", T, region.open_words, TS_REPEAT,                                   \
-			.help = "number of a face, from 1, without wall where the region is "      \
-				"used as one; may be repeated")
+#define TS_REGION_SIDE_ARGS(T)                                                                             \
+	TS_ENUM("side", T, region.side, ts_region_sides, .fallback = "in",                                 \
+		.help = "which side belongs to the region"),                                               \
+		TS_ENUM("units", T, region.units, ts_region_units, .flags = TS_OPTIONAL,                   \
+			.help = "whether lengths are given in lattice spacings or as they are; see the "   \
+				"command lattice for the default"),                                        \
+		TS_REAL("volume_limit", T, region.volume_limit, .fallback = "0", .range = TS_NOT_NEGATIVE, \
+			.unit = "length^3",                                                                \
+			.help = "insertion is refused where the region's volume is smaller"),              \
+		TS_INT("seed", T, region.seed, .flags = TS_OPTIONAL, .range = TS_POSITIVE,                 \
+		       .help = "no effect: who draws points in a region has a seed of its own")
+#define TS_REGION_ARGS(T)                                                                                 \
+	TS_REGION_SIDE_ARGS(T),                                                                           \
+		TS_SOME_KEYWORD("move", T, region.move_words, 0,                                          \
+				.help = "v_x v_y v_z: displacement by equal-style variables, or NULL"),   \
+		TS_SOME_KEYWORD("rotate", T, region.rotate_words, 0,                                      \
+				.help = "v_theta Px Py Pz Rx Ry Rz: turned by the angle theta (radians) " \
+					"about the axis R through P"),                                    \
+		TS_SOME_KEYWORD("open", T, region.open_words, TS_REPEAT,                                  \
+				.help = "number of a face, from 1, without wall where the region is "     \
+					"used as one; may be repeated")
 extern const char *const ts_region_sides[], *const ts_region_units[];
 
 /* Where the surface is nearest to a point. */
 struct ts_region_contact_point {
-	double distance, n[3]; /* n: unit vector towards the point; 0 on the surface where none is distinguished */
-	double curvature;      /* mean curvature of the surface, > 0: bulging towards the point */
-	int face;	       /* counted from 0 */
+	/* n: unit vector towards the point; 0 on the surface where none is distinguished */
+	double distance, n[3];
+	double curvature;		 /* mean curvature of the surface, > 0: bulging towards the point */
+	int face;			 /* counted from 0 */
 	const struct ts_instance *mover; /* the region with whose move and rotate it goes; NULL: none */
 };
 
@@ -103,14 +104,16 @@ double ts_region_volume(const struct ts_instance *region);
 /* The surface of a region as a wall. How many spots a point may have on it; 0: it cannot be a wall. */
 int ts_region_faces(const struct ts_instance *region);
 /* The spots of x on the surface; returns how many. A region without open faces is met from its side only. */
-int ts_region_contact_points(const struct ts_instance *region, const double x[3], struct ts_region_contact_point *out);
+int ts_region_contact_points(const struct ts_instance *region, const double x[3],
+			     struct ts_region_contact_point *out);
 /* The same from whatever side x is on. */
 int ts_region_contact_points_all(const struct ts_instance *region, const double x[3],
-			struct ts_region_contact_point *out);
+				 struct ts_region_contact_point *out);
 bool ts_region_varies(const struct ts_instance *region);
 /* Whether it may otherwise than by moving. */
 bool ts_region_reshapes(const struct ts_instance *region);
-/* The region and those that it is made of that have move or rotate, at most `room`; returns how many there are. */
+/* The region and those that it is made of that have move or rotate, at most `room`; returns how many there
+ * are. */
 int ts_region_movers(const struct ts_instance *region, const struct ts_instance **out, int room);
 
 /* For region styles. Call first in init: the first time it fixes scale, edges and motion. */
@@ -119,8 +122,8 @@ enum ts_status ts_region_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_region_coord(struct ts_instance *self, struct tsim *sim, double given, int dim,
 			       double *out);
 /* The value of a length that may be a variable, times the scale of a dimension. */
-enum ts_status ts_region_length(struct ts_instance *self, struct tsim *sim,
-				const struct ts_number *given, int dim, double *out);
+enum ts_status ts_region_length(struct ts_instance *self, struct tsim *sim, const struct ts_number *given,
+				int dim, double *out);
 
 extern const char *const ts_region_axes[];
 

@@ -23,8 +23,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_region_coord(self, sim, b->given[2 * d + 1], d, &b->hi[d]));
 		if (b->lo[d] > b->hi[d])
 			return ts_fail(&sim->error, TS_RANGE, &self->where,
-				       "region block: %clo = %g is above %chi = %g", 'x' + d,
-				       b->lo[d], 'x' + d, b->hi[d]);
+				       "region block: %clo = %g is above %chi = %g", 'x' + d, b->lo[d],
+				       'x' + d, b->hi[d]);
 	}
 	return TS_OK;
 }

@@ -8,7 +8,7 @@
 
 struct cone {
 	struct ts_region region;
-	int axis, c[2];            /* the axis and the other two dimensions, ascending */
+	int axis, c[2];		   /* the axis and the other two dimensions, ascending */
 	struct ts_number given[4]; /* center, radius at the lower and upper end */
 	double given_lo, given_hi;
 	double center[2], radius[2], lo, hi;
@@ -23,8 +23,7 @@ static enum ts_status update(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_region_length(self, sim, &z->given[2 + k], z->c[0], &z->radius[k]));
 		if (!(z->radius[k] >= 0))
 			return ts_fail(&sim->error, TS_RANGE, &self->where,
-				       "region cone: a radius is %g, expected a number >= 0",
-				       z->radius[k]);
+				       "region cone: a radius is %g, expected a number >= 0", z->radius[k]);
 	}
 	return TS_OK;
 }

@@ -6,8 +6,8 @@
 
 struct cylinder {
 	struct ts_region region;
-	int axis, c[2];             /* the axis and the other two dimensions, ascending */
-	struct ts_number given[3];  /* center, radius */
+	int axis, c[2];		   /* the axis and the other two dimensions, ascending */
+	struct ts_number given[3]; /* center, radius */
 	double given_lo, given_hi;
 	double center[2], radius, lo, hi;
 };

@@ -61,9 +61,9 @@ static double volume(const struct ts_instance *self)
 	return 4 * TS_PI / 3 * e->half[0] * e->half[1] * e->half[2];
 }
 
-#define NUMBER(name, k, help_, ...)                                                                \
-	TS_NUMBER(name, struct ellipsoid, given[k], .flags = TS_POSITIONAL, .unit = "length",      \
-		  .help = help_, __VA_ARGS__)
+#define NUMBER(name, k, help_, ...)                                                                          \
+	TS_NUMBER(name, struct ellipsoid, given[k], .flags = TS_POSITIONAL, .unit = "length", .help = help_, \
+		  __VA_ARGS__)
 static const struct ts_arg args[] = {
 	NUMBER("x", 0, "x of the center", .range = TS_ANY),
 	NUMBER("y", 1, "y of the center", .range = TS_ANY),
@@ -81,7 +81,8 @@ const struct ts_region_style ts_region_ellipsoid = {
 		.name = "ellipsoid",
 		.kind = TS_KIND_REGION,
 		.summary = "An ellipsoid",
-		.doc = "All points with ((x - x0)/a)^2 + ((y - y0)/b)^2 + ((z - z0)/c)^2 <= 1. Center and half\n"
+		.doc = "All points with ((x - x0)/a)^2 + ((y - y0)/b)^2 + ((z - z0)/c)^2 <= 1. Center and "
+		       "half\n"
 		       "axes may be variables; `rotate` turns it.",
 		.example = "region egg ellipsoid 0 0 0.5 0.1 0.1 0.15 units box",
 		.args = args,

@@ -7,7 +7,7 @@
 
 /* `c`: the dimensions across the axis, `center` along them. */
 int ts_region_frustum_contact_points(const struct ts_region *region, const struct ts_frustum *shape, int axis,
-			    const int c[2], const double center[2], const double x[3], bool inside,
-			    struct ts_region_contact_point *out);
+				     const int c[2], const double center[2], const double x[3], bool inside,
+				     struct ts_region_contact_point *out);
 
 #endif

@@ -25,12 +25,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_region_coord(self, sim, p->given[2 * d + 1], d, &p->hi[d]));
 		if (isinf(p->lo[d]) || isinf(p->hi[d]))
 			return ts_fail(&sim->error, TS_RANGE, &self->where,
-				       "region prism: it must end on all sides; where the box ends "
-				       "is EDGE");
+				       "region prism: it must end on all sides; where the box ends is EDGE");
 		if (p->lo[d] >= p->hi[d])
 			return ts_fail(&sim->error, TS_RANGE, &self->where,
-				       "region prism: %clo = %g is not below %chi = %g", 'x' + d,
-				       p->lo[d], 'x' + d, p->hi[d]);
+				       "region prism: %clo = %g is not below %chi = %g", 'x' + d, p->lo[d],
+				       'x' + d, p->hi[d]);
 	}
 	p->xy = p->region.scale[0] * p->given_tilt[0];
 	p->xz = p->region.scale[0] * p->given_tilt[1];
@@ -87,12 +86,10 @@ static double volume(const struct ts_instance *self)
 	return (p->hi[0] - p->lo[0]) * (p->hi[1] - p->lo[1]) * (p->hi[2] - p->lo[2]);
 }
 
-#define END(name, k, help_)                                                                        \
-	TS_COORD(name, struct prism, given[k], .flags = TS_POSITIONAL, .unit = "length",           \
-		 .help = help_)
-#define TILT(name, k, help_)                                                                       \
-	TS_REAL(name, struct prism, given_tilt[k], .flags = TS_POSITIONAL, .unit = "length",       \
-		.help = help_)
+#define END(name, k, help_) \
+	TS_COORD(name, struct prism, given[k], .flags = TS_POSITIONAL, .unit = "length", .help = help_)
+#define TILT(name, k, help_) \
+	TS_REAL(name, struct prism, given_tilt[k], .flags = TS_POSITIONAL, .unit = "length", .help = help_)
 static const struct ts_arg args[] = {
 	END("xlo", 0, "least x before the tilt, or EDGE"),
 	END("xhi", 1, "largest x before the tilt, or EDGE"),
@@ -114,7 +111,8 @@ const struct ts_region_style ts_region_prism = {
 		.kind = TS_KIND_REGION,
 		.summary = "A parallelepiped",
 		.doc = "The body spanned from the corner (xlo ylo zlo) by the edges (xhi-xlo 0 0),\n"
-		       "(xy yhi-ylo 0) and (xz yz zhi-zlo). Faces 1 to 6 are the low and high ones along the\n"
+		       "(xy yhi-ylo 0) and (xz yz zhi-zlo). Faces 1 to 6 are the low and high ones along "
+		       "the\n"
 		       "three edges.",
 		.example = "region ramp prism 0 1 0 1 0 0.5 0.2 0 0 units box",
 		.args = args,

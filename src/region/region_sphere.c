@@ -65,7 +65,7 @@ static int spots(const struct ts_instance *self, const double x[3], bool inside,
 	if (b->region.open || !(r > 0) || !(b->radius > 0))
 		return 0;
 	*out = (struct ts_region_contact_point){ .distance = fabs(r - b->radius),
-					.curvature = sign / b->radius };
+						 .curvature = sign / b->radius };
 	ts_scale(sign / r, d, out->n);
 	return 1;
 }

@@ -36,8 +36,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if ((size_t)s->n != s->names.n)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "region %s: expected the names of %lld regions, found %zu",
-			       self->style->name, (long long)s->n, s->names.n);
+			       "region %s: expected the names of %lld regions, found %zu", self->style->name,
+			       (long long)s->n, s->names.n);
 	if (!s->member)
 		s->member = ts_arena_alloc(&self->arena, s->names.n, sizeof *s->member);
 	if (!s->member)
@@ -52,8 +52,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	}
 	if (s->parts > MOST_PARTS)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "region %s: with its members and theirs it is made of %.3g regions, of which each point "
-			       "is asked; at most %g are allowed: name each region once",
+			       "region %s: with its members and theirs it is made of %.3g regions, of which "
+			       "each point is asked; at most %g are allowed: name each region once",
 			       self->style->name, s->parts, MOST_PARTS);
 	return TS_OK;
 }
@@ -172,8 +172,10 @@ const struct ts_region_style ts_region_union = {
 		.name = "union",
 		.kind = TS_KIND_REGION,
 		.summary = "All points of any of several regions",
-		.doc = "A point belongs to it if it belongs to at least one of the n regions; the side of each\n"
-		       "counts. With the members of members, each counted as often as it is named, at most 2e6 regions.",
+		.doc = "A point belongs to it if it belongs to at least one of the n regions; the side of "
+		       "each\n"
+		       "counts. With the members of members, each counted as often as it is named, at most "
+		       "2e6 regions.",
 		.example = "region both union 2 left right",
 		.args = args,
 		.state_size = sizeof(struct state),
@@ -193,7 +195,8 @@ const struct ts_region_style ts_region_intersect = {
 		.name = "intersect",
 		.kind = TS_KIND_REGION,
 		.summary = "All points that several regions share",
-		.doc = "A point belongs to it if it belongs to all of the n regions; the side of each counts, so\n"
+		.doc = "A point belongs to it if it belongs to all of the n regions; the side of each "
+		       "counts, so\n"
 		       "that a region with `side out` cuts a hole.",
 		.example = "region ring intersect 2 outer_cylinder not_inner_cylinder",
 		.args = args,

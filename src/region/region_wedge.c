@@ -62,10 +62,10 @@ static enum ts_status read_pairs(struct ts_instance *self, struct tsim *sim)
 {
 	struct wedge *w = self->state;
 
-	TS_TRY(ts_args_parse(sim, "region wedge: center", center_rows, w->center_words,
-			     &self->where, &self->arena, w));
-	return ts_args_parse(sim, "region wedge: bounds", bounds_rows, w->bounds_words,
-			     &self->where, &self->arena, w);
+	TS_TRY(ts_args_parse(sim, "region wedge: center", center_rows, w->center_words, &self->where,
+			     &self->arena, w));
+	return ts_args_parse(sim, "region wedge: bounds", bounds_rows, w->bounds_words, &self->where,
+			     &self->arena, w);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -83,12 +83,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_region_coord(self, sim, w->given.bounds[0], w->axis, &w->lo));
 	TS_TRY(ts_region_coord(self, sim, w->given.bounds[1], w->axis, &w->hi));
 	if (w->lo > w->hi)
-		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "region wedge: lo = %g is above hi = %g", w->lo, w->hi);
+		return ts_fail(&sim->error, TS_RANGE, &self->where, "region wedge: lo = %g is above hi = %g",
+			       w->lo, w->hi);
 	if (!(w->given.angle > 0))
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "region wedge: angle is %g, expected a number > 0, to 360",
-			       w->given.angle);
+			       "region wedge: angle is %g, expected a number > 0, to 360", w->given.angle);
 	direction(w->given.angle0, w->start);
 	direction(w->given.angle0 + w->given.angle, w->end);
 	return TS_OK;
@@ -156,8 +155,8 @@ static const struct ts_arg args[] = {
 	TS_REAL("angle0", struct wedge, given.angle0, .unit = "degrees",
 		.help = "where the sector begins, counted from the first of the other dimensions "
 			"towards the second"),
-	TS_REAL("angle", struct wedge, given.angle, .unit = "degrees", .range = TS_WITHIN, .lo = 0,
-		.hi = 360, .help = "angle between its two flat faces"),
+	TS_REAL("angle", struct wedge, given.angle, .unit = "degrees", .range = TS_WITHIN, .lo = 0, .hi = 360,
+		.help = "angle between its two flat faces"),
 	TS_REGION_ARGS(struct wedge),
 	TS_ARGS_END,
 };
@@ -168,10 +167,13 @@ const struct ts_region_style ts_region_wedge = {
 		.name = "wedge",
 		.kind = TS_KIND_REGION,
 		.summary = "A sector of a cylinder",
-		.doc = "All points of a cylinder between two half-planes through its axis, one at angle0 and\n"
-		       "one at angle0 + angle. Angles are in degrees and count from y to z about axis x, from\n"
+		.doc = "All points of a cylinder between two half-planes through its axis, one at angle0 "
+		       "and\n"
+		       "one at angle0 + angle. Angles are in degrees and count from y to z about axis x, "
+		       "from\n"
 		       "z to x about y, from x to y about z.",
-		.example = "region slice wedge axis z center 0 0 radius 0.25 bounds 0 1 angle0 -22.5 angle 45 &\n"
+		.example = "region slice wedge axis z center 0 0 radius 0.25 bounds 0 1 angle0 -22.5 angle "
+			   "45 &\n"
 			   "  units box",
 		.args = args,
 		.state_size = sizeof(struct wedge),

@@ -33,8 +33,7 @@ static enum ts_status read_add(struct tsim *sim, struct read_data *c, const stru
 		return TS_OK;
 	if (c->add.n > 2)
 		return ts_fail(&sim->error, TS_SYNTAX, &c->add.word[2].place,
-			       "read_data: add takes one word, found '%s' behind it",
-			       c->add.word[2].text);
+			       "read_data: add takes one word, found '%s' behind it", c->add.word[2].text);
 	c->options.keep_box = c->add.n == 1;
 	if (ts_streq(how, "append")) {
 		c->options.add = TS_DATA_APPEND;
@@ -72,8 +71,8 @@ static enum ts_status read_offset(struct tsim *sim, struct read_data *c)
 	return TS_OK;
 }
 
-static enum ts_status read_file(struct tsim *sim, const struct read_data *c,
-				const struct ts_place *where, struct ts_data *data)
+static enum ts_status read_file(struct tsim *sim, const struct read_data *c, const struct ts_place *where,
+				struct ts_data *data)
 {
 	const char *style = sim->particles->atom_style;
 	struct ts_lines lines = { 0 };
@@ -93,8 +92,8 @@ static enum ts_status refuse_repeated(struct tsim *sim, const struct ts_data *da
 	for (size_t k = 1; k < b->n; k++)
 		if (b->tag[k][0] == b->tag[k - 1][0] && b->tag[k][1] == b->tag[k - 1][1])
 			return ts_fail(&sim->error, TS_DAMAGED, &file,
-				       "section Bonds: particles %d and %d are bonded twice",
-				       b->tag[k][0], b->tag[k][1]);
+				       "section Bonds: particles %d and %d are bonded twice", b->tag[k][0],
+				       b->tag[k][1]);
 	return TS_OK;
 }
 
@@ -137,10 +136,9 @@ static enum ts_status apply(struct tsim *sim, struct read_data *c, const struct 
 	struct ts_data_options *o = &c->options;
 
 	TS_TRY(ts_data_apply(sim, data, o));
-	ts_log(&sim->log,
-	       "  orthogonal box = (%g %g %g) to (%g %g %g)\n  reading atoms ...\n  %zu atoms\n",
-	       sim->domain->box.lo[0], sim->domain->box.lo[1], sim->domain->box.lo[2],
-	       sim->domain->box.hi[0], sim->domain->box.hi[1], sim->domain->box.hi[2], data->n);
+	ts_log(&sim->log, "  orthogonal box = (%g %g %g) to (%g %g %g)\n  reading atoms ...\n  %zu atoms\n",
+	       sim->domain->box.lo[0], sim->domain->box.lo[1], sim->domain->box.lo[2], sim->domain->box.hi[0],
+	       sim->domain->box.hi[1], sim->domain->box.hi[2], data->n);
 	if (data->moving)
 		ts_log(&sim->log, "  reading velocities ...\n  %zu velocities\n", data->n);
 	if (data->nbond_types)
@@ -169,11 +167,10 @@ static enum ts_status name_sections(struct tsim *sim, struct read_data *c, struc
 		const struct ts_user_columns *columns;
 
 		TS_TRY(ts_user_columns_of(sim, &words.word[k], "read_data", &columns));
-		data->section[k / 3] = (struct ts_data_section){
-			.title = words.word[k + 2].text,
-			.header = ts_streq(header, "NULL") ? NULL : header,
-			.width = columns->width
-		};
+		data->section[k / 3] =
+			(struct ts_data_section){ .title = words.word[k + 2].text,
+						  .header = ts_streq(header, "NULL") ? NULL : header,
+						  .width = columns->width };
 		data->nsections++;
 	}
 	return TS_OK;
@@ -223,8 +220,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	return status;
 }
 
-#define UNUSED(name, k)                                                                            \
-	TS_INT(name, struct read_data, unused[k], .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,  \
+#define UNUSED(name, k)                                                                           \
+	TS_INT(name, struct read_data, unused[k], .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE, \
 	       .help = "no effect: room is made as it is needed, and there are only bonds")
 
 static const struct ts_arg args[] = {
@@ -244,9 +241,8 @@ static const struct ts_arg args[] = {
 	TS_WORD("group", struct read_data, group, .flags = TS_OPTIONAL,
 		.help = "group the particles come into besides all; it is made where there is none"),
 	TS_FLAG("nocoeff", struct read_data, nocoeff, .help = "passes over coefficients of pairs and bonds"),
-	TS_INT("extra/atom/types", struct read_data, options.extra_types, .fallback = "0",
-	       .range = TS_WITHIN, .lo = 0, .hi = 10000,
-	       .help = "types of particles there are besides those of the file"),
+	TS_INT("extra/atom/types", struct read_data, options.extra_types, .fallback = "0", .range = TS_WITHIN,
+	       .lo = 0, .hi = 10000, .help = "types of particles there are besides those of the file"),
 	TS_INT("extra/bond/types", struct read_data, options.extra_bond_types, .fallback = "0",
 	       .range = TS_WITHIN, .lo = 0, .hi = 10000,
 	       .help = "types of bonds there are besides those of the file"),
@@ -260,7 +256,8 @@ static const struct ts_arg args[] = {
 	UNUSED("extra/special/per/atom", 7),
 	TS_SOME_KEYWORD("fix", struct read_data, fix, TS_REPEAT,
 			.help = "name of a fix property/atom, NULL or a text of lines of the header that are "
-				"passed over, and the title of the section with its numbers; may be repeated"),
+				"passed over, and the title of the section with its numbers; may be "
+				"repeated"),
 	TS_ARGS_END,
 };
 
@@ -270,17 +267,26 @@ const struct ts_command_style ts_command_read_data = {
 		.name = "read_data",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Reads a box and particles from a data file",
-		.doc = "The format is that of LAMMPS and LIGGGHTS: a title line, a header (`N atoms`, `N atom types`,\n"
-		       "`N bonds`, `N bond types`, `LO HI xlo xhi` ...), then sections in any order, Atoms first: Atoms\n"
-		       "(id type diameter density x y z [ix iy iz] for atom_style sphere and granular; a comment such\n"
-		       "as `Atoms # bpm/sphere` names another style: atomic, bond, molecular, bpm/sphere, hybrid),\n"
-		       "Velocities (id vx vy vz omegax omegay omegaz), Bonds (number type id id), Masses (type mass),\n"
+		.doc = "The format is that of LAMMPS and LIGGGHTS: a title line, a header (`N atoms`, `N "
+		       "atom types`,\n"
+		       "`N bonds`, `N bond types`, `LO HI xlo xhi` ...), then sections in any order, Atoms "
+		       "first: Atoms\n"
+		       "(id type diameter density x y z [ix iy iz] for atom_style sphere and granular; a "
+		       "comment such\n"
+		       "as `Atoms # bpm/sphere` names another style: atomic, bond, molecular, bpm/sphere, "
+		       "hybrid),\n"
+		       "Velocities (id vx vy vz omegax omegay omegaz), Bonds (number type id id), Masses "
+		       "(type mass),\n"
 		       "Pair Coeffs, PairIJ Coeffs and Bond Coeffs, whose lines are those of pair_coeff and\n"
-		       "bond_coeff. Molecules are read and forgotten. The mass is the density times 4/3 pi R^3. A bond\n"
-		       "gets the present distance of its partners as its length without force. Positions are wrapped\n"
-		       "into periodic boxes; outside of fixed faces they are refused. Nothing changes when the file\n"
+		       "bond_coeff. Molecules are read and forgotten. The mass is the density times 4/3 pi "
+		       "R^3. A bond\n"
+		       "gets the present distance of its partners as its length without force. Positions are "
+		       "wrapped\n"
+		       "into periodic boxes; outside of fixed faces they are refused. Nothing changes when "
+		       "the file\n"
 		       "is refused.\n\n"
-		       "`fix ID NULL TITLE`: the section TITLE has the numbers that fix property/atom ID keeps, lines\n"
+		       "`fix ID NULL TITLE`: the section TITLE has the numbers that fix property/atom ID "
+		       "keeps, lines\n"
 		       "of an identity and the numbers in the order of the fix, one for each particle.",
 		.example = "read_data bed.data\n"
 			   "read_data rock.data.gz add append shift 0 0 0.25 group rock\n"

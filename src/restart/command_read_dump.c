@@ -17,9 +17,8 @@ static enum ts_status read_frame(struct tsim *sim, const struct read_dump *c, st
 	do {
 		TS_TRY(ts_frames_next(f, &got));
 		if (!got)
-			return ts_fail(&sim->error, TS_UNKNOWN, where,
-				       "'%s' has no %sframe of step %lld", c->file, f->broken ? "whole " : "",
-				       (long long)c->step);
+			return ts_fail(&sim->error, TS_UNKNOWN, where, "'%s' has no %sframe of step %lld",
+				       c->file, f->broken ? "whole " : "", (long long)c->step);
 	} while (f->step != c->step);
 	return ts_frame_apply(sim, f, &c->use, where);
 }
@@ -71,8 +70,10 @@ const struct ts_command_style ts_command_read_dump = {
 		.name = "read_dump",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Gives particles what a frame of a dump says",
-		.doc = "Particles are found by their identities, which may stand in a frame once. Frames that are not\n"
-		       "whole, as a run leaves them that was killed or had a full disk, are told and left out. Positions come from columns x, xs, xu or xsu. Numbers\n"
+		.doc = "Particles are found by their identities, which may stand in a frame once. Frames "
+		       "that are not\n"
+		       "whole, as a run leaves them that was killed or had a full disk, are told and left "
+		       "out. Positions come from columns x, xs, xu or xsu. Numbers\n"
 		       "are those of the text: what a dump wrote with %g has six digits.",
 		.example = "read_dump post/rock.dump 1000 x y z vx vy vz\n"
 			   "read_dump post/rock.dump.gz 1000 x y z radius box no purge yes add yes",

@@ -54,9 +54,12 @@ const struct ts_command_style ts_command_read_restart = {
 		.name = "read_restart",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Continues from a saved state",
-		.doc = "Takes the place of create_box. Restored at once: box, particles, groups, bonds, contacts, clock,\n"
-		       "units. The script defines styles again; each whose kind, style and id match gets its state\n"
-		       "back, coefficients of pairs and bonds included. A damaged file is refused and changes nothing.",
+		.doc = "Takes the place of create_box. Restored at once: box, particles, groups, bonds, "
+		       "contacts, clock,\n"
+		       "units. The script defines styles again; each whose kind, style and id match gets its "
+		       "state\n"
+		       "back, coefficients of pairs and bonds included. A damaged file is refused and "
+		       "changes nothing.",
 		.example = "read_restart rock.restart\nread_restart rock.*.restart",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -13,8 +13,7 @@ struct rerun {
 	int64_t seen, done; /* frames within first .. last; those computed */
 };
 
-static enum ts_status stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
-			     enum ts_stage last)
+static enum ts_status stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first, enum ts_stage last)
 {
 	for (int stage = (int)first; stage <= (int)last; stage++)
 		TS_TRY(ts_plan_stage(plan, sim, (enum ts_stage)stage));
@@ -52,14 +51,14 @@ static enum ts_status take_frame(struct tsim *sim, struct rerun *c, struct ts_pl
 		sim->clock.first_step = c->start >= 0 ? c->start : f->step;
 	if (!first && f->step <= sim->clock.first_step)
 		return ts_fail(&sim->error, TS_DAMAGED, where,
-			       "'%s': the frame of step %lld comes after one of a later step",
-			       f->lines.file, (long long)f->step);
+			       "'%s': the frame of step %lld comes after one of a later step", f->lines.file,
+			       (long long)f->step);
 	TS_TRY(ts_frame_apply(sim, f, &c->use, where));
 	return compute(sim, plan, first);
 }
 
-static enum ts_status run_file(struct tsim *sim, struct rerun *c, struct ts_plan *plan,
-			       const char *path, const struct ts_place *where)
+static enum ts_status run_file(struct tsim *sim, struct rerun *c, struct ts_plan *plan, const char *path,
+			       const struct ts_place *where)
 {
 	struct ts_frames f = { 0 };
 	bool got = true;
@@ -129,7 +128,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	return status;
 }
 
-#define STEP(name, field, default_, help_)                                                         \
+#define STEP(name, field, default_, help_) \
 	TS_INT(name, struct rerun, field, .fallback = default_, .range = TS_NOT_NEGATIVE, .help = help_)
 
 static const struct ts_arg args[] = {
@@ -151,8 +150,7 @@ static const struct ts_arg args[] = {
 	  .offset = TS_FIELD(struct rerun, use.fields, struct ts_words *),
 	  .help = "what is taken from the frames, as in read_dump: x y z vx ..." },
 	TS_BOOL("post", struct rerun, post, .fallback = "yes", .help = "no effect: no times are shown"),
-	TS_BOOL("box", struct rerun, use.box, .fallback = "yes",
-		.help = "the box becomes that of the frame"),
+	TS_BOOL("box", struct rerun, use.box, .fallback = "yes", .help = "the box becomes that of the frame"),
 	TS_BOOL("trim", struct rerun, use.trim, .fallback = "no",
 		.help = "particles that are not in the frame go"),
 	TS_BOOL("purge", struct rerun, use.purge, .fallback = "no", .help = "all go before"),
@@ -172,11 +170,16 @@ const struct ts_command_style ts_command_rerun = {
 		.name = "rerun",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Computes forces and output anew for the frames of dumps",
-		.doc = "For each frame the particles get what the frame says, neighbours and forces are computed as at\n"
-		       "the start of a run (contact histories stand still), fixes act that act at the end of steps, and\n"
-		       "the table of the log and the dumps are written as they are due. Nothing is integrated.\n"
-		       "Frames that are not whole, as a run leaves them that was killed or had a full disk, are told and left\n"
-		       "out; a .gz file is read up to where it is torn. A frame in which an identity stands twice is refused.",
+		.doc = "For each frame the particles get what the frame says, neighbours and forces are "
+		       "computed as at\n"
+		       "the start of a run (contact histories stand still), fixes act that act at the end of "
+		       "steps, and\n"
+		       "the table of the log and the dumps are written as they are due. Nothing is "
+		       "integrated.\n"
+		       "Frames that are not whole, as a run leaves them that was killed or had a full disk, "
+		       "are told and left\n"
+		       "out; a .gz file is read up to where it is torn. A frame in which an identity stands "
+		       "twice is refused.",
 		.example = "rerun post/rock.dump first 1000 every 500 dump x y z vx vy vz\n"
 			   "rerun post/rock_*.dump.gz dump x y z",
 		.args = args,

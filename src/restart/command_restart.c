@@ -12,19 +12,17 @@ struct state {
 
 static enum ts_status stop(struct tsim *sim, const struct ts_word *id)
 {
-	return ts_sim_find(sim, TS_KIND_DUMP, id->text) ? ts_sim_destroy(sim, TS_KIND_DUMP, id)
-							: TS_OK;
+	return ts_sim_find(sim, TS_KIND_DUMP, id->text) ? ts_sim_destroy(sim, TS_KIND_DUMP, id) : TS_OK;
 }
 
-static enum ts_status start(struct tsim *sim, const struct ts_word *id, const struct ts_word *word,
-			    size_t n)
+static enum ts_status start(struct tsim *sim, const struct ts_word *id, const struct ts_word *word, size_t n)
 {
 	struct ts_word style_name = { .text = "restart", .place = id->place };
 	const struct ts_style *style;
 
 	TS_TRY(ts_style_require(sim, TS_KIND_DUMP, &style_name, &style));
-	return ts_sim_create(sim, TS_KIND_DUMP, style, id->text, 0, (struct ts_words){ word, n },
-			     &id->place, NULL);
+	return ts_sim_create(sim, TS_KIND_DUMP, style, id->text, 0, (struct ts_words){ word, n }, &id->place,
+			     NULL);
 }
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
@@ -75,9 +73,12 @@ const struct ts_command_style ts_command_restart = {
 		.name = "restart",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Saves the state at intervals during runs",
-		.doc = "Makes dump style restart with the id restart, which acts after the dumps defined before it. Of two\n"
-		       "names written in turn one is whole at any moment; so is any other, since files are written beside\n"
-		       "their place and renamed. To write a single file again and again use dump style restart.",
+		.doc = "Makes dump style restart with the id restart, which acts after the dumps defined "
+		       "before it. Of two\n"
+		       "names written in turn one is whole at any moment; so is any other, since files are "
+		       "written beside\n"
+		       "their place and renamed. To write a single file again and again use dump style "
+		       "restart.",
 		.example = "restart 10000 a.restart b.restart\n"
 			   "restart 50000 post/rock.*.restart\n"
 			   "restart 0",

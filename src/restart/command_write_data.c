@@ -48,13 +48,11 @@ static void add_pair_coeffs(const struct tsim *sim, int pairs, struct ts_str *ou
 
 	if (!pair || !pair->ntypes || !has_coefficients(&pair->coeffs) || !all_given(pair, pairs == II))
 		return;
-	ts_str_addf(out, "\n%s # %s\n\n", pairs == II ? "Pair Coeffs" : "PairIJ Coeffs",
-		    inst->style->name);
+	ts_str_addf(out, "\n%s # %s\n\n", pairs == II ? "Pair Coeffs" : "PairIJ Coeffs", inst->style->name);
 	for (int a = 1; a <= pair->ntypes; a++) {
 		for (int b = a; b <= (pairs == II ? a : pair->ntypes); b++) {
 			snprintf(types, sizeof types, pairs == II ? "%d" : "%d %d", a, b);
-			add_coeff(sim, &pair->coeffs, (size_t)(a * (pair->ntypes + 1) + b), types,
-				  out);
+			add_coeff(sim, &pair->coeffs, (size_t)(a * (pair->ntypes + 1) + b), types, out);
 		}
 	}
 }
@@ -115,8 +113,8 @@ static enum ts_status write(struct tsim *sim, const struct write_data *c, struct
 		add_pair_coeffs(sim, c->pairs, &text);
 		add_bond_coeffs(sim, &text);
 	}
-	status = text.failed ? ts_nomem(&sim->error)
-			     : ts_textfile_write(out, ts_str_text(&text), text.length);
+	status =
+		text.failed ? ts_nomem(&sim->error) : ts_textfile_write(out, ts_str_text(&text), text.length);
 	ts_str_release(&text);
 	return status;
 }
@@ -149,7 +147,8 @@ static const struct ts_arg args[] = {
 	TS_ENUM("pair", struct write_data, pairs, pair_choices, .fallback = "ij",
 		.help = "coefficients of equal types only, or of all pairs of types"),
 	TS_FLAG("nocoeff", struct write_data, nocoeff, .help = "without coefficients of pairs and bonds"),
-	TS_FLAG("nofix", struct write_data, nofix, .help = "without the numbers that fixes property/atom keep"),
+	TS_FLAG("nofix", struct write_data, nofix,
+		.help = "without the numbers that fixes property/atom keep"),
 	TS_ARGS_END,
 };
 
@@ -159,11 +158,16 @@ const struct ts_command_style ts_command_write_data = {
 		.name = "write_data",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Writes box and particles to a data file",
-		.doc = "The file is text for read_data, here and in LAMMPS and LIGGGHTS, which understand the\n"
-		       "coefficients of few pair styles: give them `nocoeff`. Particles stand in the order of their\n"
-		       "identities, numbers have as many digits as they need, and what is read back and written\n"
-		       "again is the same file, byte for byte. Contact histories, lengths of bonds without force,\n"
-		       "groups and fixes are not kept: that is what write_restart is for. With bonds the columns\n"
+		.doc = "The file is text for read_data, here and in LAMMPS and LIGGGHTS, which understand "
+		       "the\n"
+		       "coefficients of few pair styles: give them `nocoeff`. Particles stand in the order "
+		       "of their\n"
+		       "identities, numbers have as many digits as they need, and what is read back and "
+		       "written\n"
+		       "again is the same file, byte for byte. Contact histories, lengths of bonds without "
+		       "force,\n"
+		       "groups and fixes are not kept: that is what write_restart is for. With bonds the "
+		       "columns\n"
 		       "are those of atom_style hybrid sphere bond.",
 		.example = "write_data bed.data\n"
 			   "write_data rock.*.data.gz nocoeff",

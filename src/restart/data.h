@@ -79,13 +79,12 @@ struct ts_data {
 
 /* Reads a file that is open; touches no file system. `style`: words of atom_style, for files that do
  * not name theirs. */
-enum ts_status ts_data_read(struct tsim *sim, struct ts_lines *lines, const char *style,
-			    struct ts_data *out);
+enum ts_status ts_data_read(struct tsim *sim, struct ts_lines *lines, const char *style, struct ts_data *out);
 void ts_data_release(struct ts_data *data);
 
 enum ts_data_add { TS_DATA_NEW, TS_DATA_APPEND, TS_DATA_MERGE };
 struct ts_data_options {
-	int add;		   /* enum ts_data_add */
+	int add; /* enum ts_data_add */
 	int64_t type_offset, bond_type_offset, tag_offset;
 	int64_t extra_types, extra_bond_types;
 	bool keep_box; /* a box there is does not grow */
@@ -93,8 +92,7 @@ struct ts_data_options {
 	int group;
 };
 /* The box and the particles; adds what append adds to options->tag_offset, for the bonds. */
-enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data,
-			     struct ts_data_options *options);
+enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data, struct ts_data_options *options);
 
 /* The parts of a data file as text. `bonds` etc. are what the caller adds after them. */
 struct ts_data_counts {

@@ -12,10 +12,9 @@
 #include "base/banned.h"
 
 /* Everything that can be refused is, before anything changes. */
-static enum ts_status refuse(struct tsim *sim, const struct ts_data *data, int line,
-			     const char *format, ...) __attribute__((format(printf, 4, 5)));
-static enum ts_status refuse(struct tsim *sim, const struct ts_data *data, int line,
-			     const char *format, ...)
+static enum ts_status refuse(struct tsim *sim, const struct ts_data *data, int line, const char *format, ...)
+	__attribute__((format(printf, 4, 5)));
+static enum ts_status refuse(struct tsim *sim, const struct ts_data *data, int line, const char *format, ...)
 {
 	struct ts_place place = { .file = data->file, .line = line };
 	char text[200];
@@ -27,18 +26,16 @@ static enum ts_status refuse(struct tsim *sim, const struct ts_data *data, int l
 	return ts_fail(&sim->error, TS_RANGE, &place, "%s", text);
 }
 
-static enum ts_status check_position(struct tsim *sim, const struct ts_data *data,
-				     const struct ts_box *box, const struct ts_data_atom *a,
-				     const double shift[3])
+static enum ts_status check_position(struct tsim *sim, const struct ts_data *data, const struct ts_box *box,
+				     const struct ts_data_atom *a, const double shift[3])
 {
 	for (int d = 0; d < 3; d++) {
 		double x = a->x[d] + shift[d];
 
 		if ((box->face[d][0] == TS_FACE_FIXED && x < box->lo[d]) ||
 		    (box->face[d][1] == TS_FACE_FIXED && x > box->hi[d]))
-			return refuse(sim, data, a->line,
-				      "%c = %g lies outside the box, whose face is fixed", "xyz"[d],
-				      x);
+			return refuse(sim, data, a->line, "%c = %g lies outside the box, whose face is fixed",
+				      "xyz"[d], x);
 		if (!(fabs(x - box->lo[d]) <= 1e9 * ts_box_length(box, d)))
 			return refuse(sim, data, a->line,
 				      "a coordinate of %g is too far from the box, which is %g long", x,
@@ -47,9 +44,8 @@ static enum ts_status check_position(struct tsim *sim, const struct ts_data *dat
 	return TS_OK;
 }
 
-static enum ts_status check_atoms(struct tsim *sim, const struct ts_data *data,
-				  const struct ts_box *box, int ntypes,
-				  const struct ts_data_options *o)
+static enum ts_status check_atoms(struct tsim *sim, const struct ts_data *data, const struct ts_box *box,
+				  int ntypes, const struct ts_data_options *o)
 {
 	struct ts_identities map;
 
@@ -59,19 +55,18 @@ static enum ts_status check_atoms(struct tsim *sim, const struct ts_data *data,
 		int64_t tag = a->tag + o->tag_offset, type = a->type + o->type_offset;
 
 		if (tag < 1 || tag > INT32_MAX - 1)
-			return refuse(sim, data, a->line, "id %d with its offset is %lld",
-				      (int)a->tag, (long long)tag);
+			return refuse(sim, data, a->line, "id %d with its offset is %lld", (int)a->tag,
+				      (long long)tag);
 		if (type < 1 || type > ntypes)
 			return refuse(sim, data, a->line,
-				      "type %d with its offset is more than the %d there are",
-				      (int)a->type, ntypes);
+				      "type %d with its offset is more than the %d there are", (int)a->type,
+				      ntypes);
 		if (ts_contact_of(&map, tag) >= 0)
 			return refuse(sim, data, a->line,
-				      "there is a particle %lld already: use `add append`",
-				      (long long)tag);
+				      "there is a particle %lld already: use `add append`", (long long)tag);
 		if (!data->layout.sized && !(data->mass && data->mass[a->type] > 0))
-			return refuse(sim, data, a->line,
-				      "type %d has no mass: a section Masses is needed", (int)a->type);
+			return refuse(sim, data, a->line, "type %d has no mass: a section Masses is needed",
+				      (int)a->type);
 		TS_TRY(check_position(sim, data, box, a, o->shift));
 	}
 	return TS_OK;
@@ -97,8 +92,8 @@ static void place_atom(struct tsim *sim, const struct ts_data *data, const struc
 	p->tag[i] = (int32_t)(a->tag + o->tag_offset);
 	p->type[i] = (int32_t)(a->type + o->type_offset);
 	p->radius[i] = 0.5 * a->diameter;
-	p->mass[i] = data->layout.sized ? a->density * ts_particle_volume(sim, p->radius[i])
-					: data->mass[a->type];
+	p->mass[i] =
+		data->layout.sized ? a->density * ts_particle_volume(sim, p->radius[i]) : data->mass[a->type];
 	p->mask[i] |= 1u << o->group;
 	for (int d = 0; d < 3; d++) {
 		p->x[i][d] = a->x[d] + o->shift[d];
@@ -139,8 +134,7 @@ static enum ts_status make_atoms(struct tsim *sim, const struct ts_data *data,
 	return TS_OK;
 }
 
-enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data,
-			     struct ts_data_options *o)
+enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data, struct ts_data_options *o)
 {
 	struct ts_domain *domain = sim->domain;
 	struct ts_domain wanted = *domain;

@@ -15,8 +15,8 @@ struct layout {
 };
 
 static const struct layout layouts[] = {
-	{ "sphere", "itdrx", "dr" },	  { "granular", "itdrx", "dr" }, { "atomic", "itx", "" },
-	{ "bond", "imtx", "m" },	  { "molecular", "imtx", "m" },	 { "bond/gran", "imtx", "m" },
+	{ "sphere", "itdrx", "dr" },	   { "granular", "itdrx", "dr" }, { "atomic", "itx", "" },
+	{ "bond", "imtx", "m" },	   { "molecular", "imtx", "m" },  { "bond/gran", "imtx", "m" },
 	{ "bpm/sphere", "imtdrx", "mdr" },
 };
 
@@ -80,9 +80,8 @@ bool ts_data_layout(const char *style, struct ts_data_layout *out)
 
 enum ts_status ts_data_refuse_style(struct tsim *sim, const struct ts_word *word)
 {
-	static const char *const others[] = { "superquadric", "sph", "ellipsoid", "line",
-					      "tri",	      "body", "dipole",	 "charge",
-					      "full",	      "angle", NULL };
+	static const char *const others[] = { "superquadric", "sph",	"ellipsoid", "line",  "tri", "body",
+					      "dipole",	      "charge", "full",	     "angle", NULL };
 	struct ts_suggest suggest = ts_suggest_start(word->text);
 
 	for (size_t k = 0; others[k]; k++)
@@ -93,6 +92,6 @@ enum ts_status ts_data_refuse_style(struct tsim *sim, const struct ts_word *word
 	for (size_t k = 0; k < sizeof layouts / sizeof *layouts; k++)
 		ts_suggest_try(&suggest, layouts[k].style);
 	ts_suggest_try(&suggest, "hybrid");
-	return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "unknown atom style '%.60s'%s",
-		       word->text, ts_suggest_text(&suggest));
+	return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "unknown atom style '%.60s'%s", word->text,
+		       ts_suggest_text(&suggest));
 }

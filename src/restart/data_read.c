@@ -61,9 +61,9 @@ static enum ts_status read_count(struct reader *r, const struct header_row *row)
 	snprintf(what, sizeof what, "the number of %s", row->words);
 	TS_TRY(ts_lines_int(r->l, 0, what, 0, INT64_MAX, &value));
 	if (value > row->largest)
-		return ts_lines_fail(r->l, TS_RANGE, 0,
-				     "%s is %" PRId64 ", but there can be %" PRId64 "%s", what, value,
-				     row->largest, row->largest ? "" : ": tsim has no such thing");
+		return ts_lines_fail(r->l, TS_RANGE, 0, "%s is %" PRId64 ", but there can be %" PRId64 "%s",
+				     what, value, row->largest,
+				     row->largest ? "" : ": tsim has no such thing");
 	if (row->offset != NOWHERE)
 		*(int64_t *)((char *)r->d + row->offset) = value;
 	return TS_OK;
@@ -160,8 +160,7 @@ static enum ts_status read_header(struct reader *r)
 /* ---- sections ---- */
 
 /* Places hold file names and lines of the string pool. */
-static enum ts_status keep_words(struct reader *r, const char *command, size_t repeat,
-				 struct ts_words *out)
+static enum ts_status keep_words(struct reader *r, const char *command, size_t repeat, struct ts_words *out)
 {
 	size_t n = r->l->nwords, first = 1 + repeat;
 	struct ts_word *word = ts_arena_alloc(&r->d->arena, n + first, sizeof *word);
@@ -212,8 +211,8 @@ static enum ts_status check_length(struct reader *r, size_t n)
 {
 	if (r->l->nwords <= n)
 		return TS_OK;
-	return ts_lines_fail(r->l, TS_SYNTAX, n, "'%.60s' is one word too many, expected %zu",
-			     r->l->word[n], n);
+	return ts_lines_fail(r->l, TS_SYNTAX, n, "'%.60s' is one word too many, expected %zu", r->l->word[n],
+			     n);
 }
 
 static enum ts_status mass(struct reader *r)
@@ -242,8 +241,7 @@ static enum ts_status positive(struct reader *r, size_t k, int column, double *o
 	TS_TRY(ts_lines_real(r->l, k, name, out));
 	if (*out > 0)
 		return TS_OK;
-	return ts_lines_fail(r->l, TS_RANGE, k, "%s is %s, expected a number > 0", name,
-			     r->l->word[k]);
+	return ts_lines_fail(r->l, TS_RANGE, k, "%s is %s, expected a number > 0", name, r->l->word[k]);
 }
 
 static enum ts_status atom_column(struct reader *r, size_t k, int column, struct ts_data_atom *a)
@@ -287,8 +285,7 @@ static enum ts_status atom(struct reader *r)
 	for (size_t k = 0; r->l->nwords > n && k < 3; k++) {
 		int64_t image;
 
-		TS_TRY(ts_lines_int(r->l, n + k, images[k], -TS_TURNS_MOST, TS_TURNS_MOST,
-				    &image));
+		TS_TRY(ts_lines_int(r->l, n + k, images[k], -TS_TURNS_MOST, TS_TURNS_MOST, &image));
 		a->image[k] = (int32_t)image;
 	}
 	d->n++;
@@ -316,13 +313,11 @@ static enum ts_status sort_atoms(struct reader *r)
 	qsort(r->by_tag, d->n, sizeof(struct ts_data_atom *), compare_atoms);
 	for (size_t k = 1; k < d->n; k++) {
 		const struct ts_data_atom *a = r->by_tag[k - 1], *b = r->by_tag[k];
-		struct ts_place place = { .file = r->l->file,
-					  .line = a->line > b->line ? a->line : b->line };
+		struct ts_place place = { .file = r->l->file, .line = a->line > b->line ? a->line : b->line };
 
 		if (a->tag == b->tag)
-			return ts_fail(&r->sim->error, TS_DAMAGED, &place,
-				       "id %d stands in line %d already", a->tag,
-				       a->line < b->line ? a->line : b->line);
+			return ts_fail(&r->sim->error, TS_DAMAGED, &place, "id %d stands in line %d already",
+				       a->tag, a->line < b->line ? a->line : b->line);
 	}
 	return TS_OK;
 }
@@ -375,8 +370,7 @@ static enum ts_status bond(struct reader *r)
 	for (size_t k = 0; k < 2; k++)
 		TS_TRY(find_atom(r, 2 + k, k ? "second particle" : "first particle", &b->tag[k], &a));
 	if (b->tag[0] == b->tag[1])
-		return ts_lines_fail(r->l, TS_DAMAGED, 3, "particle %d is bonded to itself",
-				     b->tag[0]);
+		return ts_lines_fail(r->l, TS_DAMAGED, 3, "particle %d is bonded to itself", b->tag[0]);
 	d->nbond++;
 	return check_length(r, 4);
 }
@@ -481,8 +475,8 @@ static enum ts_status choose_layout(struct reader *r)
 	if (ts_data_layout(style, &r->d->layout))
 		return TS_OK;
 	style[strcspn(style, " ")] = '\0';
-	return ts_data_refuse_style(
-		r->sim, &(struct ts_word){ .text = style, .place = ts_lines_place(r->l, SIZE_MAX) });
+	return ts_data_refuse_style(r->sim, &(struct ts_word){ .text = style,
+							       .place = ts_lines_place(r->l, SIZE_MAX) });
 }
 
 static enum ts_status read_lines(struct reader *r, const struct section *s)
@@ -499,8 +493,8 @@ static enum ts_status read_lines(struct reader *r, const struct section *s)
 		for (int other = 0; other < NSECTIONS; other++)
 			if (ts_lines_match(r->l, 0, sections[other].title))
 				return ts_lines_fail(r->l, TS_DAMAGED, 0,
-						     "section %s begins, but section %s has only "
-						     "%" PRId64 " of %" PRId64 " lines",
+						     "section %s begins, but section %s has only %" PRId64
+						     " of %" PRId64 " lines",
 						     sections[other].title, s->title, k, wanted);
 		TS_TRY(s->line(r));
 	}
@@ -541,8 +535,7 @@ static enum ts_status read_section(struct reader *r, unsigned *seen)
 	if (!s)
 		return unknown_section(r);
 	if (!s->line)
-		return ts_lines_fail(r->l, TS_UNKNOWN, 0, "section %s: tsim has no such thing",
-				     s->title);
+		return ts_lines_fail(r->l, TS_UNKNOWN, 0, "section %s: tsim has no such thing", s->title);
 	if (*seen & 1u << (s - sections))
 		return ts_lines_fail(r->l, TS_DAMAGED, 0, "there is a section %s already", s->title);
 	if (s->after_atoms && !(*seen & 1u))
@@ -555,8 +548,7 @@ static enum ts_status read_section(struct reader *r, unsigned *seen)
 	return s == sections ? sort_atoms(r) : TS_OK;
 }
 
-enum ts_status ts_data_read(struct tsim *sim, struct ts_lines *lines, const char *style,
-			    struct ts_data *out)
+enum ts_status ts_data_read(struct tsim *sim, struct ts_lines *lines, const char *style, struct ts_data *out)
 {
 	struct reader r = { .sim = sim, .l = lines, .d = out, .style = style };
 	unsigned seen = 0;
@@ -569,8 +561,8 @@ enum ts_status ts_data_read(struct tsim *sim, struct ts_lines *lines, const char
 	}
 	for (int k = 0; k < 3; k += 2)
 		if (sections[k].wanted(out) && !(seen & 1u << k))
-			return ts_lines_fail(lines, TS_DAMAGED, SIZE_MAX,
-					     "the file ends without section %s", sections[k].title);
+			return ts_lines_fail(lines, TS_DAMAGED, SIZE_MAX, "the file ends without section %s",
+					     sections[k].title);
 	return TS_OK;
 }
 

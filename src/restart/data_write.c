@@ -56,8 +56,8 @@ static void add_header(struct tsim *sim, struct ts_str *out, struct ts_data_coun
 {
 	const struct ts_box *box = &sim->domain->box;
 
-	ts_str_addf(out, "LAMMPS data file by tsim\n\n%zu atoms\n%d atom types\n",
-		    sim->particles->n, sim->particles->ntypes);
+	ts_str_addf(out, "LAMMPS data file by tsim\n\n%zu atoms\n%d atom types\n", sim->particles->n,
+		    sim->particles->ntypes);
 	if (counts.bond_types)
 		ts_str_addf(out, "%zu bonds\n%d bond types\n", counts.bonds, counts.bond_types);
 	ts_str_add(out, "\n");
@@ -114,7 +114,7 @@ enum ts_status ts_data_write(struct tsim *sim, struct ts_textfile *out, struct t
 	TS_TRY(ts_identities(sim, true, &map));
 	add_header(sim, &text, counts);
 	for (int section = 0; p->n && section < 2 && status == TS_OK; section++) {
-		ts_str_add(&text, section ? "\nVelocities\n\n"
+		ts_str_add(&text, section  ? "\nVelocities\n\n"
 				  : hybrid ? "\nAtoms # hybrid sphere bond\n\n"
 					   : "\nAtoms # sphere\n\n");
 		for (size_t k = 0; k < map.n && status == TS_OK; k++) {

@@ -14,9 +14,9 @@ struct use {
 	const struct ts_frames *f;
 	const struct ts_frame_use *use;
 	const struct ts_place *where;
-	int32_t *row;	  /* local row of each row of the frame; -1: none */
-	double *value;	  /* of one field, for the rows that have a particle */
-	int32_t *target;  /* and their local rows */
+	int32_t *row;	 /* local row of each row of the frame; -1: none */
+	double *value;	 /* of one field, for the rows that have a particle */
+	int32_t *target; /* and their local rows */
 	size_t n;
 };
 
@@ -73,8 +73,9 @@ static enum ts_status refuse_twice(const struct use *u)
 	ts_free(ids);
 	if (twice == 0)
 		return TS_OK;
-	return ts_fail(&u->sim->error, TS_DAMAGED, u->where, "'%s', step %lld: identity %.0f stands there twice",
-		       u->f->lines.file, (long long)u->f->step, twice);
+	return ts_fail(&u->sim->error, TS_DAMAGED, u->where,
+		       "'%s', step %lld: identity %.0f stands there twice", u->f->lines.file,
+		       (long long)u->f->step, twice);
 }
 
 /* The row of each identity of the frame; particles without one get a flag. */
@@ -140,8 +141,7 @@ static enum ts_status add_missing(struct use *u)
 		if (!(kind >= 1 && kind <= p->ntypes && kind == floor(kind)))
 			return ts_fail(&u->sim->error, TS_RANGE, u->where,
 				       "'%s', step %lld: row %zu has the type %g, types go from 1 to %d",
-				       u->f->lines.file, (long long)u->f->step, r + 1, kind,
-				       p->ntypes);
+				       u->f->lines.file, (long long)u->f->step, r + 1, kind, p->ntypes);
 		p->type[next] = (int32_t)kind;
 		p->tag[next] = (int32_t)at(u, r, id);
 		if (p->tag[next] > p->max_tag)
@@ -195,10 +195,9 @@ static enum ts_status apply_field(struct use *u, const struct ts_word *field)
 			continue;
 		if (!isfinite(value))
 			return ts_fail(&u->sim->error, TS_DAMAGED, &field->place,
-				       "'%s', step %lld: row %zu has no number for '%s'",
-				       u->f->lines.file, (long long)u->f->step, r + 1, field->text);
-		u->value[u->n] = scaled ? u->f->lo[dim] + value * (u->f->hi[dim] - u->f->lo[dim])
-					: value;
+				       "'%s', step %lld: row %zu has no number for '%s'", u->f->lines.file,
+				       (long long)u->f->step, r + 1, field->text);
+		u->value[u->n] = scaled ? u->f->lo[dim] + value * (u->f->hi[dim] - u->f->lo[dim]) : value;
 		u->target[u->n++] = u->row[r];
 	}
 	return ts_particles_assign(u->sim, field->text, u->target, u->value, u->n);
@@ -217,8 +216,8 @@ static enum ts_status check_box(const struct use *u)
 	for (int d = 0; u->use->box && d < 3; d++)
 		if (!(u->f->lo[d] < u->f->hi[d]))
 			return ts_fail(&u->sim->error, TS_DAMAGED, u->where,
-				       "'%s', step %lld: the box has no extent in %c",
-				       u->f->lines.file, (long long)u->f->step, 'x' + d);
+				       "'%s', step %lld: the box has no extent in %c", u->f->lines.file,
+				       (long long)u->f->step, 'x' + d);
 	return TS_OK;
 }
 
@@ -238,8 +237,8 @@ static enum ts_status apply(struct use *u)
 	return TS_OK;
 }
 
-enum ts_status ts_frame_apply(struct tsim *sim, const struct ts_frames *f,
-			      const struct ts_frame_use *use, const struct ts_place *where)
+enum ts_status ts_frame_apply(struct tsim *sim, const struct ts_frames *f, const struct ts_frame_use *use,
+			      const struct ts_place *where)
 {
 	struct use u = { .sim = sim, .f = f, .use = use, .where = where };
 	enum ts_status status = TS_NOMEM;

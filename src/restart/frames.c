@@ -69,8 +69,7 @@ static enum ts_status read_bounds(struct ts_frames *f)
 		TS_TRY(ts_lines_real(l, 0, "the lower bound", &f->lo[d]));
 		TS_TRY(ts_lines_real(l, 1, "the upper bound", &f->hi[d]));
 		if (f->hi[d] < f->lo[d])
-			return ts_lines_fail(l, TS_RANGE, 1,
-					     "the upper bound lies below the lower bound");
+			return ts_lines_fail(l, TS_RANGE, 1, "the upper bound lies below the lower bound");
 	}
 	return TS_OK;
 }
@@ -101,7 +100,8 @@ static enum ts_status refuse_row(struct ts_frames *f)
 	TS_TRY(ts_lines_next_filled(l, &f->more));
 	if (f->more && at_item(f))
 		return cut_off(f);
-	return ts_fail(l->err, TS_DAMAGED, &place, "a row of %zu words, but there are %zu columns", n, f->ncolumns);
+	return ts_fail(l->err, TS_DAMAGED, &place, "a row of %zu words, but there are %zu columns", n,
+		       f->ncolumns);
 }
 
 static enum ts_status read_rows(struct ts_frames *f)
@@ -159,7 +159,8 @@ static enum ts_status read_item(struct ts_frames *f, bool *last)
 	if (ts_streq(l->word[1], "ATOMS")) {
 		*last = true;
 		if (!f->begun || !f->counted)
-			return ts_lines_fail(l, TS_DAMAGED, 1, "a frame without its step and number of particles");
+			return ts_lines_fail(l, TS_DAMAGED, 1,
+					     "a frame without its step and number of particles");
 		TS_TRY(read_names(f));
 		return read_rows(f);
 	}
@@ -189,14 +190,16 @@ static void tell_broken(struct ts_frames *f)
 	f->broken++;
 	if (f->begun && f->counted)
 		ts_warn(&f->sim->log, &f->where,
-			"'%s', line %d%s: the frame of step %lld is not whole, it has %zu of %zu rows; it is left out",
+			"'%s', line %d%s: the frame of step %lld is not whole, it has %zu of %zu rows; it is "
+			"left out",
 			f->lines.file, f->lines.number, why, (long long)f->step, f->rows, f->n);
 	else if (f->begun)
-		ts_warn(&f->sim->log, &f->where, "'%s', line %d%s: the frame of step %lld is not whole; it is left out",
-			f->lines.file, f->lines.number, why, (long long)f->step);
+		ts_warn(&f->sim->log, &f->where,
+			"'%s', line %d%s: the frame of step %lld is not whole; it is left out", f->lines.file,
+			f->lines.number, why, (long long)f->step);
 	else
-		ts_warn(&f->sim->log, &f->where, "'%s', line %d%s: a frame that has only begun is left out", f->lines.file,
-			f->lines.number, why);
+		ts_warn(&f->sim->log, &f->where, "'%s', line %d%s: a frame that has only begun is left out",
+			f->lines.file, f->lines.number, why);
 }
 
 enum ts_status ts_frames_next(struct ts_frames *f, bool *got)
@@ -215,5 +218,6 @@ enum ts_status ts_frames_next(struct ts_frames *f, bool *got)
 	if (*got || f->whole || !f->broken)
 		return TS_OK;
 	return ts_fail(&f->sim->error, TS_DAMAGED, &f->where,
-		       "'%s' has no whole frame: it ends before the last row of its first one", f->lines.file);
+		       "'%s' has no whole frame: it ends before the last row of its first one",
+		       f->lines.file);
 }

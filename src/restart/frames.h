@@ -10,11 +10,11 @@ struct ts_frames {
 	struct tsim *sim;
 	struct ts_lines lines;
 	struct ts_place where; /* blamed for frames that are not whole */
-	bool more; /* `lines` stands at the beginning of a frame */
-	bool begun, counted; /* of the frame that is read: its step, its number of rows is known */
-	bool cut;	     /* it is not whole */
-	size_t rows;	     /* of it that were read */
-	size_t whole, broken; /* frames so far */
+	bool more;	       /* `lines` stands at the beginning of a frame */
+	bool begun, counted;   /* of the frame that is read: its step, its number of rows is known */
+	bool cut;	       /* it is not whole */
+	size_t rows;	       /* of it that were read */
+	size_t whole, broken;  /* frames so far */
 	/* the present frame */
 	int64_t step;
 	double lo[3], hi[3];
@@ -26,9 +26,9 @@ struct ts_frames {
 
 enum ts_status ts_frames_open(struct ts_frames *f, struct tsim *sim, const char *path,
 			      const struct ts_place *where);
-/* The next whole frame; *got is false after the last. Frames that are not whole, as a run leaves them that was killed or
- * had a full disk, are told in a warning and left out, at the end of the file and within (where a later run has gone
- * on); a file without any whole one is refused. */
+/* The next whole frame; *got is false after the last. Frames that are not whole, as a run leaves them that
+ * was killed or had a full disk, are told in a warning and left out, at the end of the file and within
+ * (where a later run has gone on); a file without any whole one is refused. */
 enum ts_status ts_frames_next(struct ts_frames *f, bool *got);
 void ts_frames_close(struct ts_frames *f);
 /* Which column has this name, or -1. */
@@ -44,7 +44,7 @@ struct ts_frame_use {
 	bool purge;		/* all go before */
 	bool add;		/* those that are only in the frame are made */
 };
-enum ts_status ts_frame_apply(struct tsim *sim, const struct ts_frames *f,
-			      const struct ts_frame_use *use, const struct ts_place *where);
+enum ts_status ts_frame_apply(struct tsim *sim, const struct ts_frames *f, const struct ts_frame_use *use,
+			      const struct ts_place *where);
 
 #endif

@@ -24,9 +24,8 @@ enum { BYTE_ORDER_MARK = 0x01020304, VERSION = 2, MAGIC_LENGTH = sizeof MAGIC - 
 enum { CLOCK_SECTION = 1000, HOST_SECTION = 1001, END_SECTION = 0 };
 enum { NNAMES = 3, LONGEST_NAME = 4096, LARGEST_RATIO = 1040 /* zlib compresses no better */ };
 
-static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
-					    TS_KIND_FLOW,   TS_KIND_FIX,  TS_KIND_COMPUTE,
-					    TS_KIND_DUMP,   TS_KIND_PRESSURE };
+static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR,    TS_KIND_BOND, TS_KIND_FLOW,
+					    TS_KIND_FIX,    TS_KIND_COMPUTE, TS_KIND_DUMP, TS_KIND_PRESSURE };
 
 _Static_assert(TS_KIND_FIX == 2 && TS_KIND_FLOW == 8, "files know kinds by these numbers");
 
@@ -133,8 +132,7 @@ static enum ts_status put_host(struct writer *w)
 static enum ts_status put_clock(struct writer *w)
 {
 	struct tsim *sim = w->sim;
-	struct run_state s = { sim->clock, (int32_t)sim->units, sim->dimension, sim->fingerprint,
-			       sim->era };
+	struct run_state s = { sim->clock, (int32_t)sim->units, sim->dimension, sim->fingerprint, sim->era };
 	struct ts_archive *archive = ts_archive_new(sim, true);
 	enum ts_status status;
 
@@ -231,8 +229,8 @@ static enum ts_status load_stream(struct reader *r, FILE *file)
 
 	do {
 		if (r->sim->stop)
-			return ts_fail(&r->sim->error, TS_STOPPED, r->where, "stopped on request while '%s' was read",
-				       r->path);
+			return ts_fail(&r->sim->error, TS_STOPPED, r->where,
+				       "stopped on request while '%s' was read", r->path);
 		if (TS_GROW(r->bytes, r->capacity, r->n + (1u << 16)) != TS_OK)
 			return ts_nomem(&r->sim->error);
 		got = fread(r->bytes + r->n, 1, r->capacity - r->n, file);
@@ -250,8 +248,8 @@ static enum ts_status load(struct reader *r)
 	enum ts_status status;
 
 	if (!file)
-		return ts_fail(&r->sim->error, TS_IO, r->where, "cannot open restart file '%s': %s",
-			       r->path, ts_files_why(&r->sim->files));
+		return ts_fail(&r->sim->error, TS_IO, r->where, "cannot open restart file '%s': %s", r->path,
+			       ts_files_why(&r->sim->files));
 	status = load_stream(r, file);
 	fclose(file);
 	return status;
@@ -324,8 +322,7 @@ static enum ts_status unpack(struct reader *r, struct section *s)
 	s->plain = ts_arena_alloc(&r->arena, (size_t)s->head.plain, 1);
 	if (!s->plain)
 		return ts_nomem(&r->sim->error);
-	if (uncompress(s->plain, &length, packed, (uLong)s->head.packed) != Z_OK ||
-	    length != s->head.plain)
+	if (uncompress(s->plain, &length, packed, (uLong)s->head.packed) != Z_OK || length != s->head.plain)
 		return refuse(r, "is damaged: a section cannot be expanded");
 	return TS_OK;
 }
@@ -367,8 +364,8 @@ static enum ts_status read_sections(struct reader *r)
 	}
 }
 
-static enum ts_status with_archive(struct reader *r, const struct section *s,
-				   struct run_state *clock, struct ts_instance *inst)
+static enum ts_status with_archive(struct reader *r, const struct section *s, struct run_state *clock,
+				   struct ts_instance *inst)
 {
 	struct ts_archive *archive = ts_archive_new(r->sim, false);
 	enum ts_status status;
@@ -397,18 +394,17 @@ static enum ts_status restore_clock(struct reader *r)
 	TS_TRY(with_archive(r, &r->section[0], &s, NULL));
 	if (s.units < 0 || s.units > TS_UNITS_MICRO || (s.dimension != 2 && s.dimension != 3))
 		return refuse(r, "is damaged: unknown units or dimension");
-	if (s.clock.base_step < 0 || s.clock.step < s.clock.base_step ||
-	    !isfinite(s.clock.base_time) || !isfinite(s.clock.dt))
+	if (s.clock.base_step < 0 || s.clock.step < s.clock.base_step || !isfinite(s.clock.base_time) ||
+	    !isfinite(s.clock.dt))
 		return refuse(r, "is damaged: impossible step or time");
 	if (sim->units != TS_UNITS_LJ && (int32_t)sim->units != s.units)
 		return ts_fail(&sim->error, TS_STATE, r->where,
-			       "restart file '%s' is in units %s, but the script says units %s",
-			       r->path, units[s.units], units[sim->units]);
+			       "restart file '%s' is in units %s, but the script says units %s", r->path,
+			       units[s.units], units[sim->units]);
 	if (sim->dimension != 3 && sim->dimension != s.dimension)
-		return ts_fail(
-			&sim->error, TS_STATE, r->where,
-			"restart file '%s' has dimension %d, but the script says dimension %d",
-			r->path, (int)s.dimension, sim->dimension);
+		return ts_fail(&sim->error, TS_STATE, r->where,
+			       "restart file '%s' has dimension %d, but the script says dimension %d",
+			       r->path, (int)s.dimension, sim->dimension);
 	sim->clock = s.clock;
 	sim->clock.first_step = sim->clock.last_step = s.clock.step;
 	sim->units = (enum ts_units)s.units;
@@ -425,7 +421,8 @@ static enum ts_status restore_system(struct reader *r, const struct section *s)
 
 	if (!inst)
 		return refuse(r, "holds the state of a system this program does not have");
-	while (r->sim->tables->systems[r->system] && &r->sim->tables->systems[r->system]->style != inst->style)
+	while (r->sim->tables->systems[r->system] &&
+	       &r->sim->tables->systems[r->system]->style != inst->style)
 		r->system++;
 	if (!r->sim->tables->systems[r->system])
 		return refuse(r, "is damaged: its sections are out of order");
@@ -440,8 +437,8 @@ static enum ts_status restore_section(struct reader *r, const struct section *s)
 	if (s->head.kind == 0 || s->head.kind > TS_NKIND)
 		return refuse(r, "holds the state of an unknown kind of style");
 	if (s->head.kind - 1 != TS_KIND_SYSTEM)
-		return ts_unclaimed_add(r->sim, (enum ts_kind)(s->head.kind - 1), s->name[0],
-				      s->name[1], s->name[2], s->plain, (size_t)s->head.plain);
+		return ts_unclaimed_add(r->sim, (enum ts_kind)(s->head.kind - 1), s->name[0], s->name[1],
+					s->name[2], s->plain, (size_t)s->head.plain);
 	return restore_system(r, s);
 }
 

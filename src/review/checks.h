@@ -23,7 +23,6 @@ enum ts_status ts_review_bonds(struct tsim *sim);
 /* walls.c */
 enum ts_status ts_review_wall_overlap(struct tsim *sim);
 
-
 extern const struct ts_review_check ts_review_table[]; /* closed by .name NULL */
 
 #endif

@@ -30,8 +30,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (!s->names.n)
 		ts_review_set(sim, NULL, (enum ts_review_answer)s->answer);
 	for (size_t k = 0; k < s->names.n; k++)
-		if (!ts_review_set(sim, s->names.word[k].text,
-				   (enum ts_review_answer)s->answer))
+		if (!ts_review_set(sim, s->names.word[k].text, (enum ts_review_answer)s->answer))
 			return refuse(sim, &s->names.word[k]);
 	return TS_OK;
 }
@@ -49,13 +48,19 @@ const struct ts_command_style ts_command_review = {
 		.name = "review",
 		.kind = TS_KIND_COMMAND,
 		.summary = "What becomes of the findings of the review of the scene before a run",
-		.doc = "Before the first step of a run the scene is reviewed: is there something that is allowed, but most\n"
-		       "often a mistake? Each finding is told once in a script, as a warning with numbers, the line of the\n"
-		       "script, what to change, and at its end the name of the check: `(review: overlap)`. `tsim -check` tells\n"
-		       "the findings without running. doc/review.md lists all checks and what each of them looks for.\n\n"
-		       "`review error` refuses runs with findings, `review off` does not look; both may name checks. The\n"
+		.doc = "Before the first step of a run the scene is reviewed: is there something that is "
+		       "allowed, but most\n"
+		       "often a mistake? Each finding is told once in a script, as a warning with numbers, "
+		       "the line of the\n"
+		       "script, what to change, and at its end the name of the check: `(review: overlap)`. "
+		       "`tsim -check` tells\n"
+		       "the findings without running. doc/review.md lists all checks and what each of them "
+		       "looks for.\n\n"
+		       "`review error` refuses runs with findings, `review off` does not look; both may name "
+		       "checks. The\n"
 		       "default is `review warn`, also after `clear`.\n\n"
-		       "The review takes as long as a step or less, and changes no result. It is made when a run begins, and\n"
+		       "The review takes as long as a step or less, and changes no result. It is made when a "
+		       "run begins, and\n"
 		       "not again by a run that only goes on.",
 		.example = "review error\n"
 			   "review off overlap wall_overlap",

@@ -54,8 +54,8 @@ static void count(const struct tsim *sim, const struct ts_identities *map, int32
 	}
 }
 
-/* J. C. Maxwell, Phil. Mag. 27 (1864) 294: a frame of n joints needs d n - d (d + 1)/2 bars, one that is held somewhere d
- * for each free joint. */
+/* J. C. Maxwell, Phil. Mag. 27 (1864) 294: a frame of n joints needs d n - d (d + 1)/2 bars, one that is
+ * held somewhere d for each free joint. */
 static size_t needed(const struct tsim *sim, const struct cluster *c)
 {
 	size_t d = (size_t)sim->dimension, all = d * c->nfree, whole = d * (d + 1) / 2;
@@ -85,15 +85,16 @@ static enum ts_status report(struct tsim *sim, const struct cluster *c)
 	if (!n)
 		return TS_OK;
 	return ts_review_find(sim, "bonds", by ? &by->where : NULL,
-			      "bonded structures that keep no shape: %zu, the largest of %zu particles (particle %d is "
-			      "one) with %zu bonds, where %zu are needed: these bonds resist stretching only, so that it "
-			      "shears and bends without resistance; bond particles with more partners (a larger distance "
-			      "of `create_bonds`), or say `review off bonds` if it is to be flexible",
+			      "bonded structures that keep no shape: %zu, the largest of %zu particles "
+			      "(particle %d is one) with %zu bonds, where %zu are needed: these bonds resist "
+			      "stretching only, so that it shears and bends without resistance; bond "
+			      "particles with more partners (a larger distance of `create_bonds`), or say "
+			      "`review off bonds` if it is to be flexible",
 			      n, c[most].n, p->tag[most], c[most].nbonds, needed(sim, &c[most]));
 }
 
-/* Where bonds have broken it is what the simulation is about; and where particles are not where they will be (-check) other
- * bonds would be made. */
+/* Where bonds have broken it is what the simulation is about; and where particles are not where they will
+ * be (-check) other bonds would be made. */
 enum ts_status ts_review_bonds(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;

@@ -35,16 +35,16 @@ enum ts_status ts_review_units(struct tsim *sim)
 	g = earth(sim, &by);
 	if (g != 0)
 		return ts_review_find(sim, "units", &by->where,
-				      "gravity is %g, as on the earth in SI units, but the script has no `units` "
-				      "and runs in units lj (time step %g unless `timestep` says otherwise); begin "
-				      "it with `units si`, or `units lj` if that is meant",
+				      "gravity is %g, as on the earth in SI units, but the script has no "
+				      "`units` and runs in units lj (time step %g unless `timestep` says "
+				      "otherwise); begin it with `units si`, or `units lj` if that is meant",
 				      g, sim->clock.dt);
 	young = ts_property_find(sim, "youngsModulus", &by);
 	if (young && young->n && young->value[0] >= 1e5)
 		return ts_review_find(sim, "units", &by->where,
-				      "youngsModulus is %g, as in SI units, but the script has no `units` and runs "
-				      "in units lj (time step %g unless `timestep` says otherwise); begin it with "
-				      "`units si`, or `units lj` if that is meant",
+				      "youngsModulus is %g, as in SI units, but the script has no `units` "
+				      "and runs in units lj (time step %g unless `timestep` says otherwise); "
+				      "begin it with `units si`, or `units lj` if that is meant",
 				      young->value[0], sim->clock.dt);
 	return TS_OK;
 }
@@ -68,8 +68,7 @@ static bool untouched(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 
-	return !(fabs(p->radius[i] - 0.5) > 0) &&
-	       fabs(p->mass[i] / ts_particle_volume(sim, 0.5) - 1) < 1e-12;
+	return !(fabs(p->radius[i] - 0.5) > 0) && fabs(p->mass[i] / ts_particle_volume(sim, 0.5) - 1) < 1e-12;
 }
 
 enum ts_status ts_review_diameter(struct tsim *sim)
@@ -83,9 +82,9 @@ enum ts_status ts_review_diameter(struct tsim *sim)
 	if (!n)
 		return TS_OK;
 	return ts_review_find(sim, "diameter", NULL,
-			      "%zu of %zu particles have the diameter 1 and the density 1 that create_atoms gives, "
-			      "the first is particle %d (type %d); say `set type %d diameter D density RHO` before "
-			      "the run",
+			      "%zu of %zu particles have the diameter 1 and the density 1 that create_atoms "
+			      "gives, the first is particle %d (type %d); say `set type %d diameter D "
+			      "density RHO` before the run",
 			      n, p->n, p->tag[first], p->type[first], p->type[first]);
 }
 
@@ -115,12 +114,12 @@ enum ts_status ts_review_density(struct tsim *sim)
 	n = count(sim, unlikely, &first);
 	if (!n)
 		return TS_OK;
-	return ts_review_find(
-		sim, "density", NULL,
-		"%zu of %zu particles have densities that no grain has, the first is particle %d (type %d) with %g "
-		"kg/m3; water has 1000, sand 2650, steel 7850 kg/m3: `set type %d density RHO`",
-		n, p->n, p->tag[first], p->type[first],
-		p->mass[first] / ts_particle_volume(sim, p->radius[first]), p->type[first]);
+	return ts_review_find(sim, "density", NULL,
+			      "%zu of %zu particles have densities that no grain has, the first is particle "
+			      "%d (type %d) with %g "
+			      "kg/m3; water has 1000, sand 2650, steel 7850 kg/m3: `set type %d density RHO`",
+			      n, p->n, p->tag[first], p->type[first],
+			      p->mass[first] / ts_particle_volume(sim, p->radius[first]), p->type[first]);
 }
 
 /* ---- moduli ---- */
@@ -140,13 +139,14 @@ static bool unlikely_modulus(double modulus)
 	return modulus > 0 && !(modulus >= 0.5 * SOFTEST && modulus <= HARDEST);
 }
 
-static enum ts_status find_modulus(struct tsim *sim, const struct ts_instance *by, const char *what, double modulus)
+static enum ts_status find_modulus(struct tsim *sim, const struct ts_instance *by, const char *what,
+				   double modulus)
 {
 	return ts_review_find(sim, "modulus", &by->where,
-			      "%s have the modulus E* = %g Pa (1/E* = (1 - nu^2)/E of both partners), which no "
-			      "solid has: rubber has 1e6 to 1e8, glass 7e10, steel 2e11 Pa; check the units of "
-			      "Young's modulus (softened grains seldom have less than 1e5), or say another system "
-			      "by `units`",
+			      "%s have the modulus E* = %g Pa (1/E* = (1 - nu^2)/E of both partners), which "
+			      "no solid has: rubber has 1e6 to 1e8, glass 7e10, steel 2e11 Pa; check the "
+			      "units of Young's modulus (softened grains seldom have less than 1e5), or say "
+			      "another system by `units`",
 			      what, modulus);
 }
 

@@ -28,12 +28,10 @@ static double gap_of(const struct ts_box *box, const struct ts_primitive *wall)
 	double near2 = 0, far2 = 0;
 
 	if (shape <= TS_ZPLANE)
-		return fmax(0,
-			    fmax(box->lo[shape] - wall->position, wall->position - box->hi[shape]));
+		return fmax(0, fmax(box->lo[shape] - wall->position, wall->position - box->hi[shape]));
 	for (int k = 0; k < 2; k++) {
 		int dim = k ? b : a;
-		double below = box->lo[dim] - wall->centre[k],
-		       above = box->hi[dim] - wall->centre[k];
+		double below = box->lo[dim] - wall->centre[k], above = box->hi[dim] - wall->centre[k];
 		double near = fmax(0, fmax(below, -above)), far = fmax(fabs(below), fabs(above));
 
 		near2 += near * near;
@@ -74,11 +72,12 @@ static enum ts_status look_at_primitives(struct tsim *sim, const struct ts_insta
 
 		if (gap > radius && stands_in_fixed_box(box, &w->primitive[k]))
 			return ts_review_find(sim, "reach", &by->where,
-					      "this wall is %g away from the box (%g %g %g) to (%g %g %g), so that "
-					      "no particle can touch it: particles are lost at the fixed faces of "
-					      "the box; check the units of its numbers, or take a larger box",
-					      gap, box->lo[0], box->lo[1], box->lo[2], box->hi[0],
-					      box->hi[1], box->hi[2]);
+					      "this wall is %g away from the box (%g %g %g) to (%g %g %g), "
+					      "so that no particle can touch it: particles are lost at the "
+					      "fixed faces of the box; check the units of its numbers, or "
+					      "take a larger box",
+					      gap, box->lo[0], box->lo[1], box->lo[2], box->hi[0], box->hi[1],
+					      box->hi[2]);
 	}
 	return TS_OK;
 }
@@ -97,8 +96,8 @@ enum ts_status ts_review_reach(struct tsim *sim)
 
 /* ---- gravity and no floor ---- */
 
-/* Particles that fall out of the box in the time of the run, and the space that they may pass, as far as their surfaces
- * reach. */
+/* Particles that fall out of the box in the time of the run, and the space that they may pass, as far as
+ * their surfaces reach. */
 struct fall {
 	size_t n;
 	double time, lo[3], hi[3];
@@ -142,8 +141,10 @@ static struct fall fall_of(const struct tsim *sim, const struct ts_instance *by,
 	return fall;
 }
 
-/* A mesh that no falling particle can meet is above or beside all of them; across a periodic face it may be met. */
-static bool mesh_stops(const struct tsim *sim, const struct ts_mesh_part_of_wall *part, const struct fall *fall)
+/* A mesh that no falling particle can meet is above or beside all of them; across a periodic face it may
+ * be met. */
+static bool mesh_stops(const struct tsim *sim, const struct ts_mesh_part_of_wall *part,
+		       const struct fall *fall)
 {
 	const struct ts_mesh_surface *s = part->surface;
 	double lo[3], hi[3];
@@ -155,7 +156,8 @@ static bool mesh_stops(const struct tsim *sim, const struct ts_mesh_part_of_wall
 		return true;
 	ts_mesh_bounds(&s->mesh, lo, hi);
 	for (int k = 0; k < 3; k++)
-		meets &= ts_box_periodic(&sim->domain->box, k) || (hi[k] >= fall->lo[k] && lo[k] <= fall->hi[k]);
+		meets &= ts_box_periodic(&sim->domain->box, k) ||
+			 (hi[k] >= fall->lo[k] && lo[k] <= fall->hi[k]);
 	return meets;
 }
 
@@ -203,8 +205,8 @@ static bool something_lifts(const struct tsim *sim)
 	for (size_t k = 0; k < fixes->n; k++) {
 		const struct ts_style *style = fixes->item[k]->style;
 		const char *family = style->family;
-		bool known = family && (ts_streq(family, TS_FAMILY_GRAVITY) ||
-					ts_streq(family, TS_FAMILY_WALL));
+		bool known =
+			family && (ts_streq(family, TS_FAMILY_GRAVITY) || ts_streq(family, TS_FAMILY_WALL));
 
 		lifts |= !known && style->hook[TS_STAGE_POST_FORCE] != NULL;
 	}
@@ -220,10 +222,10 @@ static enum ts_status look_below(struct tsim *sim, const struct ts_instance *by,
 	if (!fall.n || something_stops(sim, dim, &fall))
 		return TS_OK;
 	return ts_review_find(sim, "floor", &by->where,
-			      "gravity pulls particles to the fixed face %c%s, and there is no wall, mesh or held "
-			      "particle below them: in the time %g of this run %zu of %zu particles fall out of "
-			      "the box; add `fix ID all wall/gran primitive type 1 %cplane %g`, or say "
-			      "`thermo_modify lost ignore`",
+			      "gravity pulls particles to the fixed face %c%s, and there is no wall, mesh or "
+			      "held particle below them: in the time %g of this run %zu of %zu particles "
+			      "fall out of the box; add `fix ID all wall/gran primitive type 1 %cplane %g`, "
+			      "or say `thermo_modify lost ignore`",
 			      'x' + dim, g[dim] < 0 ? "lo" : "hi", fall.time, fall.n, p->n, 'x' + dim,
 			      g[dim] < 0 ? box->lo[dim] : box->hi[dim]);
 }
@@ -232,8 +234,7 @@ enum ts_status ts_review_floor(struct tsim *sim)
 {
 	const struct ts_instance *by;
 
-	if (sim->review.stale || sim->particles->lost_policy == TS_LOST_IGNORE ||
-	    something_lifts(sim))
+	if (sim->review.stale || sim->particles->lost_policy == TS_LOST_IGNORE || something_lifts(sim))
 		return TS_OK;
 	for (size_t k = 0; (by = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_GRAVITY, &k));) {
 		const struct ts_gravity *g = by->state;
@@ -271,7 +272,8 @@ enum ts_status ts_review_mesh_size(struct tsim *sim)
 			size = fmax(size, hi[dim] - lo[dim]);
 		if (size < 0.2 * least)
 			TS_TRY(ts_review_find(sim, "mesh_size", &by->where,
-					      "mesh %s is %g long, less than a tenth of the diameter %g of the "
+					      "mesh %s is %g long, less than a tenth of the diameter %g of "
+					      "the "
 					      "smallest particle; check the units of its file, and `scale`",
 					      by->id, size, 2 * least));
 	}

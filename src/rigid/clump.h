@@ -1,9 +1,9 @@
-/* Clumps of spheres that may overlap: the sphere around them, and volume, centre of mass and moments of the
- * body they make, by lot.
+/* Clumps of spheres that may overlap: the sphere around them, and volume, centre of mass and moments of
+ * the body they make, by lot.
  *
- * All random numbers come from one minimal standard generator, in the order of LIGGGHTS 3.8: first the orders in
- * which spheres are put into the sphere around them, then `tries` points in their box for volume and centre, then
- * as many for the moments. */
+ * All random numbers come from one minimal standard generator, in the order of LIGGGHTS 3.8: first the
+ * orders in which spheres are put into the sphere around them, then `tries` points in their box for volume
+ * and centre, then as many for the moments. */
 #ifndef TS_RIGID_CLUMP_H
 #define TS_RIGID_CLUMP_H
 

@@ -49,15 +49,16 @@ static void make_ez(const struct ts_rigid *r, size_t b, double *out)
 }
 
 /* F(name, field of the body), M(name, columns, function) */
+/* clang-format off */
 #define PROPERTY_LIST(F, M)                                                                        \
 	F("xcm", x) F("vcm", v) F("fcm", force) F("torque", torque) F("quat", q)                   \
 	F("angmom", spin) F("omega", omega) F("density", density) F("masstotal", mass)             \
 	F("inertia", inertia) F("clumptype", kind) F("type", kind) M("id_multisphere", 1, make_id) \
 	M("id", 1, make_id) M("ex_space", 3, make_ex) M("ey_space", 3, make_ey)                    \
 	M("ez_space", 3, make_ez)
+/* clang-format on */
 
-#define FIELD_ROW(name, f)                                                                         \
-	{ name, sizeof(((struct ts_body *)0)->f) / 8, offsetof(struct ts_body, f), NULL },
+#define FIELD_ROW(name, f) { name, sizeof(((struct ts_body *)0)->f) / 8, offsetof(struct ts_body, f), NULL },
 #define MADE_ROW(name, columns, make) { name, columns, 0, make },
 #define FIELD_NAME(name, f) name,
 #define MADE_NAME(name, columns, make) name,
@@ -93,7 +94,8 @@ static const struct ts_value values[] = {
 static const struct ts_arg args[] = {
 	TS_ENUM("property", struct state, property, names,
 		.help = "of the centre of mass: place, velocity, force, torque; orientation, angular "
-			"momentum and velocity; mass, principal moments and axes; number of the template; id"),
+			"momentum and velocity; mass, principal moments and axes; number of the template; "
+			"id"),
 	TS_ARGS_END,
 };
 
@@ -152,7 +154,8 @@ const struct ts_style ts_compute_multisphere_single = {
 	.name = "multisphere/single",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "A property of one rigid body",
-	.doc = "c_ID, or c_ID[1], c_ID[2] ... where the property is several numbers; 0 while there is no body of\n"
+	.doc = "c_ID, or c_ID[1], c_ID[2] ... where the property is several numbers; 0 while there is no "
+	       "body of\n"
 	       "this number. (LIGGGHTS 3.8 gives the first body, whatever the number.) The group is without\n"
 	       "effect.",
 	.example = "compute centre all multisphere/single id 1 property xcm\n"

@@ -14,8 +14,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 
 	if (sim->dimension != 3)
-		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix multisphere needs dimension 3");
+		return ts_fail(&sim->error, TS_STATE, &self->where, "fix multisphere needs dimension 3");
 	for (size_t k = 0; k < fixes->n; k++)
 		if (fixes->item[k]->style == self->style && fixes->item[k] != self)
 			return ts_fail(&sim->error, TS_STATE, &self->where,

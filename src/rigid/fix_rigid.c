@@ -19,15 +19,14 @@ struct rigid {
 };
 
 /* "*", or a number: bodies from .. to-1 of n. */
-static enum ts_status read_bodies(struct tsim *sim, const struct ts_word *word, size_t n,
-				  size_t *from, size_t *to)
+static enum ts_status read_bodies(struct tsim *sim, const struct ts_word *word, size_t n, size_t *from,
+				  size_t *to)
 {
 	struct ts_types t;
 
 	if (!ts_parse_types(word->text, &t) || t.lo < 1 || (size_t)(t.hi ? t.hi : t.lo) > n)
 		return ts_fail(&sim->error, TS_SYNTAX, &word->place,
-			       "fix rigid: expected one of the %zu bodies or *, found '%s'", n,
-			       word->text);
+			       "fix rigid: expected one of the %zu bodies or *, found '%s'", n, word->text);
 	*from = (size_t)t.lo - 1;
 	*to = t.hi ? (size_t)t.hi : n;
 	return TS_OK;
@@ -56,15 +55,13 @@ static enum ts_status read_freedom(struct tsim *sim, struct ts_words words, size
 		TS_TRY(read_bodies(sim, &words.word[w], n, &from, &to));
 		for (size_t b = from; b < to; b++)
 			for (size_t k = 0; k < 3; k++)
-				TS_TRY(read_switch(sim, &words.word[w + 1 + k],
-						   &body[b].free[first + k]));
+				TS_TRY(read_switch(sim, &words.word[w + 1 + k], &body[b].free[first + k]));
 	}
 	return TS_OK;
 }
 
 /* Rows of the particles in this group and that of the fix; members of another body are refused. */
-static enum ts_status members(struct ts_instance *self, struct tsim *sim, int group, int32_t *row,
-			      size_t *n)
+static enum ts_status members(struct ts_instance *self, struct tsim *sim, int group, int32_t *row, size_t *n)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -74,17 +71,16 @@ static enum ts_status members(struct ts_instance *self, struct tsim *sim, int gr
 			continue;
 		if (ts_rigid_member(p, i))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix rigid: particle %d belongs to a rigid body already",
-				       p->tag[i]);
+				       "fix rigid: particle %d belongs to a rigid body already", p->tag[i]);
 		row[(*n)++] = (int32_t)i;
 	}
 	return *n ? TS_OK
-		  : ts_fail(&sim->error, TS_STATE, &self->where,
-			    "fix rigid: no particles in group %s", ts_group_name(sim, group));
+		  : ts_fail(&sim->error, TS_STATE, &self->where, "fix rigid: no particles in group %s",
+			    ts_group_name(sim, group));
 }
 
-static enum ts_status make_bodies(struct ts_instance *self, struct tsim *sim, const int *group,
-				  size_t n, struct ts_body *body, int32_t *row)
+static enum ts_status make_bodies(struct ts_instance *self, struct tsim *sim, const int *group, size_t n,
+				  struct ts_body *body, int32_t *row)
 {
 	const struct rigid *s = self->state;
 	int64_t owner = ts_rigid_owner(self->id);
@@ -178,9 +174,8 @@ static const char *const columns[] = { "x",  "y",  "z",	 "vx", "vy", "vz", "fx",
 				       "fy", "fz", "tx", "ty", "tz", NULL };
 
 static const struct ts_value values[] = {
-	{ "bodies", "",
-	  "of each body: centre of mass (not wrapped), its velocity, force and torque", TS_ARRAY,
-	  12, columns, eval },
+	{ "bodies", "", "of each body: centre of mass (not wrapped), its velocity, force and torque",
+	  TS_ARRAY, 12, columns, eval },
 	{ .name = NULL },
 };
 

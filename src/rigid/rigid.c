@@ -21,8 +21,7 @@ int64_t ts_rigid_owner(const char *fix)
 
 static enum ts_status reserve(struct tsim *sim, struct ts_rigid *r, size_t n)
 {
-	if (TS_GROW(r->body, r->body_capacity, n) != TS_OK ||
-	    TS_GROW(r->id, r->id_capacity, n) != TS_OK ||
+	if (TS_GROW(r->body, r->body_capacity, n) != TS_OK || TS_GROW(r->id, r->id_capacity, n) != TS_OK ||
 	    TS_GROW(r->size, r->size_capacity, n) != TS_OK ||
 	    TS_GROW(r->owner, r->owner_capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -30,8 +29,8 @@ static enum ts_status reserve(struct tsim *sim, struct ts_rigid *r, size_t n)
 }
 
 /* Places of the members in the frame of the principal axes. */
-static void take_members(struct tsim *sim, const struct ts_body *body, int32_t id,
-			 const int32_t *row, size_t n)
+static void take_members(struct tsim *sim, const struct ts_body *body, int32_t id, const int32_t *row,
+			 size_t n)
 {
 	struct ts_particles *p = sim->particles;
 	double m[3][3], arm[3];
@@ -48,13 +47,12 @@ static void take_members(struct tsim *sim, const struct ts_body *body, int32_t i
 	}
 }
 
-enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_t owner,
-			    const int32_t *row, size_t n)
+enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_t owner, const int32_t *row,
+			    size_t n)
 {
 	struct ts_rigid *r = sim->rigid;
 
-	TS_TRY(ts_particles_need(sim, TS_NEED(BODY) | TS_NEED(BODY_X) | TS_NEED(OMEGA) |
-					      TS_NEED(TORQUE)));
+	TS_TRY(ts_particles_need(sim, TS_NEED(BODY) | TS_NEED(BODY_X) | TS_NEED(OMEGA) | TS_NEED(TORQUE)));
 	TS_TRY(reserve(sim, r, r->n + 1));
 	r->body[r->n] = *body;
 	r->id[r->n] = ++r->last_id;
@@ -143,8 +141,7 @@ double ts_material_density(const struct tsim *sim, size_t i)
 	const struct ts_body *body = ts_rigid_body_of(sim, i);
 	const struct ts_particles *p = sim->particles;
 
-	return body && body->density > 0 ? body->density
-					 : p->mass[i] / ts_particle_volume(sim, p->radius[i]);
+	return body && body->density > 0 ? body->density : p->mass[i] / ts_particle_volume(sim, p->radius[i]);
 }
 
 /* By identity, so that sums over members do not depend on their order in memory. */

@@ -19,18 +19,17 @@ struct ts_body {
 	double omega[3];
 	double force[3], torque[3]; /* of the last step */
 	double external[3];	    /* force on the body itself in this step (gravity) */
-	double free[6]; /* 1: moves along, turns about x, y, z; 0: does not */
-	double density; /* of its material, or 0 */
-	double kind;	/* a clump: number of its template; else 0 */
+	double free[6];		    /* 1: moves along, turns about x, y, z; 0: does not */
+	double density;		    /* of its material, or 0 */
+	double kind;		    /* a clump: number of its template; else 0 */
 };
 
 /* Rows of saved state for a body that is a field of a style's state. */
-#define TS_SAVED_BODY(T, f)                                                                        \
-	TS_SAVE_F64(T, f.mass), TS_SAVE_F64(T, f.inertia), TS_SAVE_F64(T, f.q),                    \
-		TS_SAVE_F64(T, f.x), TS_SAVE_F64(T, f.v), TS_SAVE_F64(T, f.spin),                  \
-		TS_SAVE_F64(T, f.omega), TS_SAVE_F64(T, f.force), TS_SAVE_F64(T, f.torque),        \
-		TS_SAVE_F64(T, f.external), TS_SAVE_F64(T, f.free), TS_SAVE_F64(T, f.density),     \
-		TS_SAVE_F64(T, f.kind)
+#define TS_SAVED_BODY(T, f)                                                                          \
+	TS_SAVE_F64(T, f.mass), TS_SAVE_F64(T, f.inertia), TS_SAVE_F64(T, f.q), TS_SAVE_F64(T, f.x), \
+		TS_SAVE_F64(T, f.v), TS_SAVE_F64(T, f.spin), TS_SAVE_F64(T, f.omega),                \
+		TS_SAVE_F64(T, f.force), TS_SAVE_F64(T, f.torque), TS_SAVE_F64(T, f.external),       \
+		TS_SAVE_F64(T, f.free), TS_SAVE_F64(T, f.density), TS_SAVE_F64(T, f.kind)
 
 enum { TS_BODY_NUMBERS = sizeof(struct ts_body) / sizeof(double) }; /* nothing else is in it */
 
@@ -47,7 +46,8 @@ struct ts_rigid {
 	int32_t *member;
 	size_t *start;
 	size_t member_capacity, start_capacity;
-	int32_t *order; /* the bodies as their members follow each other in memory; those without members are not there */
+	/* the bodies as their members follow each other in memory; those without members are not there */
+	int32_t *order;
 	size_t ordered, order_capacity;
 	uint64_t generation; /* of the particles, as the members were listed; 0: not listed */
 	/* Refuses members, in rows[0..n-1], that fixes would move, too; set by the integrators. */
@@ -59,8 +59,8 @@ int64_t ts_rigid_owner(const char *fix);
 
 /* Makes the particles of these rows members of a new body. Its mass, moments, orientation, centre and
  * motion are given; the members' motion follows. */
-enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_t owner,
-			    const int32_t *row, size_t n);
+enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_t owner, const int32_t *row,
+			    size_t n);
 /* Its bodies come apart; the particles stay. */
 enum ts_status ts_rigid_dissolve(struct tsim *sim, int64_t owner);
 

@@ -16,8 +16,7 @@ static void move_member(struct tsim *sim, const struct ts_body *b, size_t i, con
 
 	ts_cross(b->omega, arm, turn);
 	for (int k = 0; k < 3; k++) {
-		p->x[i][k] = b->x[k] + arm[k] -
-			     p->image[i][k] * ts_box_length(&sim->domain->box, k);
+		p->x[i][k] = b->x[k] + arm[k] - p->image[i][k] * ts_box_length(&sim->domain->box, k);
 		p->v[i][k] = b->v[k] + turn[k];
 		p->omega[i][k] = b->omega[k];
 	}
@@ -70,15 +69,13 @@ void ts_rigid_principal(struct ts_body *body, const double tensor[6])
 	for (int k = 0; k < 3; k++) /* a line of points, to rounding */
 		if (body->inertia[k] < 1e-12 * most)
 			body->inertia[k] = 0;
-	ts_cross((double[]){ m[0][0], m[1][0], m[2][0] }, (double[]){ m[0][1], m[1][1], m[2][1] },
-		 last);
+	ts_cross((double[]){ m[0][0], m[1][0], m[2][0] }, (double[]){ m[0][1], m[1][1], m[2][1] }, last);
 	for (int k = 0; k < 3; k++) /* right-handed */
 		m[k][2] = last[k];
 	ts_quaternion_of_matrix(m, body->q);
 }
 
-enum ts_status ts_rigid_of_spheres(struct tsim *sim, const int32_t *row, size_t n,
-				   struct ts_body *body)
+enum ts_status ts_rigid_of_spheres(struct tsim *sim, const int32_t *row, size_t n, struct ts_body *body)
 {
 	const struct ts_particles *p = sim->particles;
 	double tensor[6] = { 0 }, x[3], d[3], l[3];

@@ -6,8 +6,7 @@
 
 /* Mass, centre, moments, orientation, velocities of the particles as they are, each a sphere; and of a
  * tensor of inertia xx, yy, zz, xy, xz, yz about the centre of mass the moments and the orientation. */
-enum ts_status ts_rigid_of_spheres(struct tsim *sim, const int32_t *row, size_t n,
-				   struct ts_body *body);
+enum ts_status ts_rigid_of_spheres(struct tsim *sim, const int32_t *row, size_t n, struct ts_body *body);
 void ts_rigid_principal(struct ts_body *body, const double tensor[6]);
 
 /* Puts the members, in these rows, where the body is, with its motion. */

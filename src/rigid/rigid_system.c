@@ -73,8 +73,8 @@ static void end_step(struct tsim *sim, size_t b)
 	set_velocities(sim, b);
 }
 
-/* Bodies stand in the order of their identities, but are taken as their members are in memory: so many before their
- * turn they are sent for. */
+/* Bodies stand in the order of their identities, but are taken as their members are in memory: so many
+ * before their turn they are sent for. */
 enum { AHEAD = 4 };
 
 static enum ts_status each_body(struct tsim *sim, void (*work)(struct tsim *sim, size_t b))
@@ -158,16 +158,13 @@ static enum ts_status check_members(struct tsim *sim)
 	const struct ts_rigid *r = sim->rigid;
 
 	for (size_t b = 0; b < r->n; b++)
-		if (r->id[b] <= (b ? r->id[b - 1] : 0) || r->id[b] > r->last_id ||
-		    !(r->body[b].mass > 0))
+		if (r->id[b] <= (b ? r->id[b - 1] : 0) || r->id[b] > r->last_id || !(r->body[b].mass > 0))
 			return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible rigid bodies");
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_rigid_member(p, i) && !ts_rigid_body_of(sim, i))
 			return ts_fail(&sim->error, TS_DAMAGED, NULL,
-				       "particle %d belongs to a body that does not exist",
-				       p->tag[i]);
-	return r->n && !p->body ? ts_fail(&sim->error, TS_DAMAGED, NULL,
-					  "rigid bodies without members")
+				       "particle %d belongs to a body that does not exist", p->tag[i]);
+	return r->n && !p->body ? ts_fail(&sim->error, TS_DAMAGED, NULL, "rigid bodies without members")
 				: TS_OK;
 }
 
@@ -182,10 +179,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	TS_TRY(ts_archive_array(a, "body", TS_SAVED_F64, (void **)&r->body, &room, &numbers));
 	r->body_capacity = room / TS_BODY_NUMBERS;
 	TS_TRY(ts_archive_array(a, "id", TS_SAVED_I32, (void **)&r->id, &r->id_capacity, &ids));
-	TS_TRY(ts_archive_array(a, "size", TS_SAVED_I32, (void **)&r->size, &r->size_capacity,
-				&sizes));
-	TS_TRY(ts_archive_array(a, "owner", TS_SAVED_I64, (void **)&r->owner, &r->owner_capacity,
-				&owners));
+	TS_TRY(ts_archive_array(a, "size", TS_SAVED_I32, (void **)&r->size, &r->size_capacity, &sizes));
+	TS_TRY(ts_archive_array(a, "owner", TS_SAVED_I64, (void **)&r->owner, &r->owner_capacity, &owners));
 	TS_TRY(ts_archive_fixed(a, "last_id", TS_SAVED_I32, &r->last_id, 1));
 	if (numbers != ids * TS_BODY_NUMBERS || sizes != ids || owners != ids)
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible rigid bodies");
@@ -194,8 +189,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return check_members(sim);
 }
 
-static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
-			struct ts_hash *hash)
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct ts_rigid *r = self->state;
 
@@ -205,8 +199,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 			ts_hash_text(hash, "comes apart");
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_rigid *r = self->state;
 

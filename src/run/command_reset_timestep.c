@@ -38,8 +38,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 		if (counts_steps(fix))
 			return ts_fail(&sim->error, TS_STATE, where,
-				       "fix %s (%s, line %d) counts steps: unfix it before "
-				       "reset_timestep",
+				       "fix %s (%s, line %d) counts steps: unfix it before reset_timestep",
 				       fix->id, fix->style->name, fix->where.line);
 	}
 	if (s->step != sim->clock.step) {
@@ -66,7 +65,8 @@ const struct ts_command_style ts_command_reset_timestep = {
 		.name = "reset_timestep",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the step counter",
-		.doc = "The simulated time becomes step times dt unless it is given. Refused while there are fixes that\n"
+		.doc = "The simulated time becomes step times dt unless it is given. Refused while there are "
+		       "fixes that\n"
 		       "average over steps.",
 		.example = "reset_timestep 0",
 		.args = args,

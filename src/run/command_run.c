@@ -51,16 +51,13 @@ static void print_footer(const struct ts_plan *plan, struct tsim *sim, int64_t s
 		ts_log(&sim->log, "%.1f ns per particle-step\n\n",
 		       1e9 * wall / ((double)steps * (double)p->n));
 	print_times(plan, sim, wall);
-	ts_log(&sim->log, "\nNlocal: %zu\nNghost: %zu\nNeighs: %zu\n", p->n, p->nghost,
-	       sim->neigh->rows.n);
-	ts_log(&sim->log, "Neighbor list builds = %" PRId64 "\nDangerous builds = 0\n\n",
-	       sim->neigh->builds);
+	ts_log(&sim->log, "\nNlocal: %zu\nNghost: %zu\nNeighs: %zu\n", p->n, p->nghost, sim->neigh->rows.n);
+	ts_log(&sim->log, "Neighbor list builds = %" PRId64 "\nDangerous builds = 0\n\n", sim->neigh->builds);
 	if (p->lost)
 		ts_log(&sim->log, "Particles lost through fixed faces so far: %" PRId64 "\n", p->lost);
 }
 
-static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t steps,
-			       const struct run *r)
+static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t steps, const struct run *r)
 {
 	sim->clock.first_step = sim->clock.step;
 	sim->clock.last_step = sim->clock.step + steps;
@@ -105,15 +102,15 @@ static enum ts_status each_piece(struct tsim *sim, int64_t last, const struct ru
 	while (left > 0 && !sim->halted) {
 		if (!ts_sim_has_box(sim))
 			return ts_fail(&sim->error, TS_STATE, &word[0].place,
-				       "run: a command of `every` has removed the box, and the run cannot go on "
-				       "for %" PRId64 " steps more; `clear` has its place behind the run",
+				       "run: a command of `every` has removed the box, and the run cannot go "
+				       "on for %" PRId64 " steps more; `clear` has its place behind the run",
 				       left);
 		TS_TRY(run_once(sim, left < every ? left : every, r));
 		left -= every; /* a command may count the steps anew */
 		for (size_t k = 1; k < r->pieces.n; k++)
 			if (!ts_streq(word[k].text, "NULL"))
 				TS_TRY(sim->script_api->execute(sim->script_api_data, word[k].text,
-							  &word[k].place));
+								&word[k].place));
 	}
 	return TS_OK;
 }
@@ -142,8 +139,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		last = sim->clock.step;
 	if (last < sim->clock.step)
 		return ts_fail(&sim->error, TS_RANGE, ts_sim_word(sim, 1, where),
-			       "run upto %" PRId64 ": the simulation is already at step %" PRId64,
-			       r->steps, sim->clock.step);
+			       "run upto %" PRId64 ": the simulation is already at step %" PRId64, r->steps,
+			       sim->clock.step);
 	if ((r->start >= 0 && r->start > sim->clock.step) || (r->stop >= 0 && r->stop < last))
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "run: start must not be after the present step %" PRId64
@@ -188,20 +185,22 @@ const struct ts_command_style ts_command_run = {
 	.style = { .name = "run",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "steps the simulation",
-		   .doc = "Plans the run (see -explain), checks the time step against the stability "
-			  "limits of all live styles, and steps. Forces are computed anew at its start "
-			  "only if something they depend on has changed since the last step, so that a "
-			  "run cut into several is the same, bit for bit.\n\n"
+		   .doc = "Plans the run (see -explain), checks the time step against the stability limits "
+			  "of all live styles, and steps. Forces are computed anew at its start only if "
+			  "something they depend on has changed since the last step, so that a run cut into "
+			  "several is the same, bit for bit.\n\n"
 			  "`every M \"command\" ...` interrupts the run every M steps to execute the "
-			  "commands; variables in them are substituted each time. Before the first step they are "
-			  "read, those of `if` among them, too: that commands, styles, arguments and variables exist.\n\n"
+			  "commands; variables in them are substituted each time. Before the first step they "
+			  "are read, those of `if` among them, too: that commands, styles, arguments and "
+			  "variables exist.\n\n"
 			  "What changes over a run counts from its first to its last step. With `start` and "
 			  "`stop` several runs, or one that goes on from a restart file, count as one.\n\n"
-			  "A step beyond a limit of stability is refused. While the run goes on limits are looked at "
-			  "again, as stiffnesses, masses and velocities change: from 80 % of one on a warning says "
-			  "so, once for each cause, and a run that stays beyond it is stopped, with the cause, the place and a step "
-			  "that is small enough (doc/stability.md; thermo keyword stable_fraction). "
-			  "`unsafe yes` only warns: for tests of the limits themselves.",
+			  "A step beyond a limit of stability is refused. While the run goes on limits are "
+			  "looked at again, as stiffnesses, masses and velocities change: from 80 % of one "
+			  "on a warning says so, once for each cause, and a run that stays beyond it is "
+			  "stopped, with the cause, the place and a step that is small enough "
+			  "(doc/stability.md; thermo keyword stable_fraction). `unsafe yes` only warns: for "
+			  "tests of the limits themselves.",
 		   .example = "run 20000\nrun 100000 upto\nrun 5000 every 1000 \"print 'step $(step)'\"",
 		   .args = args,
 		   .state_size = sizeof(struct run) },

@@ -57,8 +57,7 @@ static enum ts_status timeout(struct tsim *sim, struct ts_words words)
 
 static enum ts_status every(struct tsim *sim, struct ts_words words)
 {
-	if (words.n < 2 || !ts_parse_int(words.word[1].text, &sim->timeout_every) ||
-	    sim->timeout_every < 1) {
+	if (words.n < 2 || !ts_parse_int(words.word[1].text, &sim->timeout_every) || sim->timeout_every < 1) {
 		sim->timeout_every = 10;
 		return wrong(sim, words.word, "a number of steps > 0");
 	}
@@ -67,8 +66,7 @@ static enum ts_status every(struct tsim *sim, struct ts_words words)
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
-	static const char *const ignored[] = { "off",  "loop",	 "normal", "full",
-					       "sync", "nosync", NULL };
+	static const char *const ignored[] = { "off", "loop", "normal", "full", "sync", "nosync", NULL };
 	const struct state *s = state;
 
 	(void)where;
@@ -109,9 +107,12 @@ const struct ts_command_style ts_command_timer = {
 		.name = "timer",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Ends runs after some wall time",
-		.doc = "A run that reaches the limit ends with its step as if it had been asked for no more; later ones\n"
-		       "do nothing until `timer timeout` is said again, so that a script can still write a restart\n"
-		       "file. The clock is looked at every 10 steps of a run, or as `every` says. The times spent in\n"
+		.doc = "A run that reaches the limit ends with its step as if it had been asked for no more; "
+		       "later ones\n"
+		       "do nothing until `timer timeout` is said again, so that a script can still write a "
+		       "restart\n"
+		       "file. The clock is looked at every 10 steps of a run, or as `every` says. The times "
+		       "spent in\n"
 		       "each stage are always taken and shown after a run.",
 		.example = "timer timeout 2:30:00 every 100\ntimer timeout reset",
 		.args = args,

@@ -21,8 +21,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_REAL("dt", struct state, dt, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-		.unit = "time", .help = "length of a step"),
+	TS_REAL("dt", struct state, dt, .flags = TS_POSITIONAL, .range = TS_POSITIVE, .unit = "time",
+		.help = "length of a step"),
 	TS_ARGS_END,
 };
 

@@ -64,8 +64,8 @@ static enum ts_status free_disk(struct ts_instance *self, struct tsim *sim, doub
 	double bytes = ts_files_free_space(&sim->files, s->path);
 
 	if (bytes < 0)
-		return ts_fail(&sim->error, TS_IO, &self->where, "fix halt: no disk at '%s': %s",
-			       s->path, ts_files_why(&sim->files));
+		return ts_fail(&sim->error, TS_IO, &self->where, "fix halt: no disk at '%s': %s", s->path,
+			       ts_files_why(&sim->files));
 	*out = bytes / 1e6;
 	return TS_OK;
 }
@@ -156,8 +156,8 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(s->measure(self, sim, &value));
 	if (!holds(s->comparison, value, s->limit))
 		return TS_OK;
-	snprintf(text, sizeof text, "Fix halt condition for fix-id %s met on step %" PRId64
-		 " with value %g", self->id, sim->clock.step, value);
+	snprintf(text, sizeof text, "Fix halt condition for fix-id %s met on step %" PRId64 " with value %g",
+		 self->id, sim->clock.step, value);
 	if (s->error == HARD)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where, "%s", text);
 	if (s->message)
@@ -168,26 +168,24 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 }
 
 static const char *const comparisons[] = {
-	[LESS] = "<",   [LESS_EQUAL] = "<=", [MORE] = ">", [MORE_EQUAL] = ">=",
+	[LESS] = "<",	[LESS_EQUAL] = "<=", [MORE] = ">", [MORE_EQUAL] = ">=",
 	[EQUAL] = "==", [NOT_EQUAL] = "!=",  [XOR] = "|^", NULL,
 };
 static const char *const errors[] = { "hard", "soft", "continue", NULL };
 
 static const struct ts_arg args[] = {
-	TS_INT("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1e15, .help = "steps between looks"),
+	TS_INT("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
+	       .help = "steps between looks"),
 	TS_WORD("attribute", struct state, attribute, .flags = TS_POSITIONAL,
 		.help = "v_NAME; bondmax: length of the longest bond; tlimit: seconds since the run "
 			"began; diskfree: room on the disk in megabytes"),
 	TS_ENUM("comparison", struct state, comparison, comparisons, .flags = TS_POSITIONAL,
 		.help = "how it is compared; |^: exactly one of the two is not 0"),
-	TS_REAL("limit", struct state, limit, .flags = TS_POSITIONAL,
-		.help = "what it is compared with"),
+	TS_REAL("limit", struct state, limit, .flags = TS_POSITIONAL, .help = "what it is compared with"),
 	TS_ENUM("error", struct state, error, errors, .fallback = "soft",
 		.help = "hard: stop with an error; soft: end this run and skip all later ones; "
 			"continue: end this run"),
-	TS_BOOL("message", struct state, message, .fallback = "yes",
-		.help = "say so (hard always does)"),
+	TS_BOOL("message", struct state, message, .fallback = "yes", .help = "say so (hard always does)"),
 	TS_WORD("path", struct state, path, .fallback = ".",
 		.help = "for diskfree: a file or folder on the disk"),
 	TS_ARGS_END,
@@ -198,9 +196,12 @@ const struct ts_style ts_fix_halt = {
 	.name = "halt",
 	.kind = TS_KIND_FIX,
 	.summary = "Ends a run early when a condition has come true",
-	.doc = "At the end of each step that is a multiple of N the attribute is compared with the limit. If the\n"
-	       "comparison holds, the run ends with this step: its output is written and the script goes on. After\n"
-	       "a soft halt (the default) later `run` commands do nothing, so that a script can write down its\n"
+	.doc = "At the end of each step that is a multiple of N the attribute is compared with the limit. If "
+	       "the\n"
+	       "comparison holds, the run ends with this step: its output is written and the script goes on. "
+	       "After\n"
+	       "a soft halt (the default) later `run` commands do nothing, so that a script can write down "
+	       "its\n"
 	       "state and end; `timer timeout reset` lets them run again.",
 	.example = "variable speed equal vcm(all,z)\n"
 		   "fix calm all halt 100 v_speed > -1e-4 error continue\n"

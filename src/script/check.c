@@ -11,19 +11,18 @@ static const struct {
 	const char *command, *kind;
 	size_t word;
 } makes[] = {
-	{ "variable", "variable", 1 }, { "fix", "fix", 1 },	    { "compute", "compute", 1 },
-	{ "region", "region", 1 },     { "group", "group", 1 },    { "dump", "dump", 1 },
+	{ "variable", "variable", 1 }, { "fix", "fix", 1 },	   { "compute", "compute", 1 },
+	{ "region", "region", 1 },     { "group", "group", 1 },	   { "dump", "dump", 1 },
 	{ "molecule", "molecule", 1 }, { "create_box", "box", 0 }, { "read_data", "box", 0 },
 	{ "read_restart", "box", 0 },
 };
 
 /* Commands on which nothing later builds. */
 static const char *const harmless[] = {
-	"print",	"echo",	       "log",	      "shell",	   "label",	 "jump",
-	"next",		"thermo",      "thermo_style", "thermo_modify", "thermo_log", "dump",
-	"dump_modify",	"undump",      "restart",      "write_restart", "write_dump", "write_data",
-	"info",		"if",	       "run",	      "variable",  "timestep",	 "uncompute",
-	"compute",
+	"print",    "echo",	     "log",	      "shell",	    "label", "jump",	    "next",
+	"thermo",   "thermo_style",  "thermo_modify", "thermo_log", "dump",  "dump_modify", "undump",
+	"restart",  "write_restart", "write_dump",    "write_data", "info",  "if",	    "run",
+	"variable", "timestep",	     "uncompute",     "compute",
 };
 
 enum ts_status ts_check_new(struct ts_script *script)
@@ -113,7 +112,8 @@ static bool is_open(const struct ts_script *script, const struct ts_error *error
 	if (error->status == TS_SYNTAX || error->status == TS_UNKNOWN)
 		return false;
 	snprintf(key, sizeof key, "%s:%d", error->place.file ? error->place.file : "", error->place.line);
-	return check->alternatives || ts_map_get(&check->guessed, key) || names_guess(check, error->place.text);
+	return check->alternatives || ts_map_get(&check->guessed, key) ||
+	       names_guess(check, error->place.text);
 }
 
 /* Whether the error may be there only because of an earlier one. */
@@ -133,7 +133,8 @@ static const char *place_key(struct ts_script *script, const struct ts_error *er
 	struct ts_str key = { 0 };
 	const char *kept;
 
-	if (place->line) /* at the line of a run several findings of the review may be told, which name their check */
+	/* at the line of a run several findings of the review may be told, which name their check */
+	if (place->line)
 		ts_str_addf(&key, "%s:%d:%d%s", place->file, place->line, place->column,
 			    error->source_line ? "" : error->source);
 	else
@@ -264,8 +265,8 @@ enum ts_status ts_check_guess(struct ts_script *script, const struct ts_line *li
 	return TS_OK;
 }
 
-enum ts_status ts_check_recover(struct ts_script *script, const struct ts_line *line,
-				struct ts_words words, enum ts_status status)
+enum ts_status ts_check_recover(struct ts_script *script, const struct ts_line *line, struct ts_words words,
+				enum ts_status status)
 {
 	struct ts_error *error = &script->sim->error;
 	struct ts_arena arena = { 0 };
@@ -273,8 +274,7 @@ enum ts_status ts_check_recover(struct ts_script *script, const struct ts_line *
 	if (status == TS_NOMEM || status == TS_STOPPED)
 		return status;
 	if (error->status == TS_OK)
-		ts_fail(error, status, line->rows ? &line->row[0] : NULL, "%s",
-			ts_status_text(status));
+		ts_fail(error, status, line->rows ? &line->row[0] : NULL, "%s", ts_status_text(status));
 	status = ts_check_defer_error(script, error->status);
 	if (status == TS_OK && !words.n && line->rows)
 		status = ts_words_split(&arena, line->row[0].text, &line->row[0], &words);

@@ -1,6 +1,6 @@
-/* An `if` whose condition only a run can tell: all its branches are gone through, one after the other, and what they
- * define is there afterwards. Then the script goes on where it may: below, or, when it comes here again, behind one of
- * the jumps. */
+/* An `if` whose condition only a run can tell: all its branches are gone through, one after the other, and
+ * what they define is there afterwards. Then the script goes on where it may: below, or, when it comes
+ * here again, behind one of the jumps. */
 #include <string.h>
 
 #include "script/check.h"
@@ -27,11 +27,13 @@ static bool is(const struct ts_word *word, const char *text)
 static const struct {
 	const char *command, *kind, *last;
 } takes[] = {
-	{ "unfix", "fix", NULL },	  { "uncompute", "compute", NULL }, { "undump", "dump", NULL },
-	{ "region", "region", "delete" }, { "group", "group", "delete" },   { "variable", "variable", "delete" },
+	{ "unfix", "fix", NULL },	{ "uncompute", "compute", NULL },
+	{ "undump", "dump", NULL },	{ "region", "region", "delete" },
+	{ "group", "group", "delete" }, { "variable", "variable", "delete" },
 };
 
-/* After a branch that may not be the one: what it has taken away may be there, what it has set may be otherwise. */
+/* After a branch that may not be the one: what it has taken away may be there, what it has set may be
+ * otherwise. */
 static enum ts_status doubt(struct ts_script *script, struct ts_words words)
 {
 	struct ts_variable *variable;
@@ -48,8 +50,8 @@ static enum ts_status doubt(struct ts_script *script, struct ts_words words)
 	return TS_OK;
 }
 
-static enum ts_status note_jump(struct ts_script *script, const struct ts_word *command, struct ts_words words,
-				struct ways *ways)
+static enum ts_status note_jump(struct ts_script *script, const struct ts_word *command,
+				struct ts_words words, struct ways *ways)
 {
 	const char *label = words.n > 2 ? words.word[2].text : NULL;
 	struct ts_check_loop *loop = NULL;
@@ -67,7 +69,8 @@ static enum ts_status note_jump(struct ts_script *script, const struct ts_word *
 }
 
 /* One command of a branch; *end: nothing behind it is run. */
-static enum ts_status go_through(struct ts_script *script, const struct ts_word *command, struct ways *ways, bool *end)
+static enum ts_status go_through(struct ts_script *script, const struct ts_word *command, struct ways *ways,
+				 bool *end)
 {
 	const struct ts_source *source = script->source;
 	size_t at = source ? source->at : 0;
@@ -116,7 +119,8 @@ static enum ts_status branch(struct ts_script *script, struct ts_words words, si
 }
 
 /* Whether the condition of an elif may hold; after one that holds there is no other. */
-static enum ts_status may_hold(struct ts_script *script, const struct ts_word *condition, enum ts_truth *truth)
+static enum ts_status may_hold(struct ts_script *script, const struct ts_word *condition,
+			       enum ts_truth *truth)
 {
 	struct ts_str text = { 0 };
 	enum ts_status status = ts_substitute_text(script, condition->text, &condition->place, &text);
@@ -128,7 +132,8 @@ static enum ts_status may_hold(struct ts_script *script, const struct ts_word *c
 	return ts_check_defer_error(script, status);
 }
 
-static enum ts_status all_branches(struct ts_script *script, struct ts_words words, size_t k, struct ways *ways)
+static enum ts_status all_branches(struct ts_script *script, struct ts_words words, size_t k,
+				   struct ways *ways)
 {
 	bool last = false;
 
@@ -141,7 +146,8 @@ static enum ts_status all_branches(struct ts_script *script, struct ts_words wor
 			TS_TRY(may_hold(script, &words.word[k + 1], &truth));
 		if (!otherwise && first < words.n && is(&words.word[first], "then"))
 			first++;
-		for (end = first; end < words.n && !is(&words.word[end], "elif") && !is(&words.word[end], "else");)
+		for (end = first;
+		     end < words.n && !is(&words.word[end], "elif") && !is(&words.word[end], "else");)
 			end++;
 		if (truth != TS_NO)
 			TS_TRY(branch(script, words, first, end, ways, &ways->below));

@@ -1,6 +1,6 @@
-/* Loops of a script that is gone through without running it. Those that run nothing are followed to their end; others
- * as long as they reach new lines, or when they have few turns. What is left is multiplied if the number of turns is
- * known, and told to be not known else. */
+/* Loops of a script that is gone through without running it. Those that run nothing are followed to their
+ * end; others as long as they reach new lines, or when they have few turns. What is left is multiplied if
+ * the number of turns is known, and told to be not known else. */
 #include <string.h>
 
 #include "script/check.h"
@@ -67,7 +67,9 @@ enum ts_status ts_check_loop_of(struct ts_script *script, const struct ts_place 
 	*out = ts_arena_alloc(&check->arena, 1, sizeof **out);
 	if (!*out)
 		return ts_nomem(&script->sim->error);
-	**out = (struct ts_check_loop){ .next = check->loop, .file = source->name, .from = from, .to = where->line };
+	**out = (struct ts_check_loop){
+		.next = check->loop, .file = source->name, .from = from, .to = where->line
+	};
 	check->loop = *out;
 	return TS_OK;
 }
@@ -124,7 +126,8 @@ static void end_next(struct ts_script *script)
 	struct ts_check *check = script->check;
 
 	for (size_t k = 0; k < sizeof check->stepped / sizeof *check->stepped; k++) {
-		struct ts_variable *variable = check->stepped[k] ? ts_variable_find(script, check->stepped[k]) : NULL;
+		struct ts_variable *variable =
+			check->stepped[k] ? ts_variable_find(script, check->stepped[k]) : NULL;
 
 		if (variable)
 			ts_variable_delete(script, variable);
@@ -150,8 +153,8 @@ static bool again(struct ts_script *script, struct ts_check_loop *loop)
 	return loop->turns < FEW;
 }
 
-static enum ts_status close_loop(struct ts_script *script, struct ts_check_loop *loop, struct ts_check_event *event,
-				 bool *follow)
+static enum ts_status close_loop(struct ts_script *script, struct ts_check_loop *loop,
+				 struct ts_check_event *event, bool *follow)
 {
 	struct ts_check *check = script->check;
 	bool steps = check->nexts != loop->nexts;
@@ -176,8 +179,8 @@ static enum ts_status close_loop(struct ts_script *script, struct ts_check_loop 
 	return TS_OK;
 }
 
-enum ts_status ts_check_jump(struct ts_script *script, const struct ts_place *where,
-			     const char *file, const char *label, bool *follow)
+enum ts_status ts_check_jump(struct ts_script *script, const struct ts_place *where, const char *file,
+			     const char *label, bool *follow)
 {
 	struct ts_check *check = script->check;
 	struct ts_check_event *event;
@@ -203,9 +206,8 @@ enum ts_status ts_check_jump(struct ts_script *script, const struct ts_place *wh
 
 void ts_check_left(struct ts_script *script, const struct ts_place *where)
 {
-	struct ts_check_loop *loop = script->check && where->file
-					     ? find_loop(script->check, where->file, -1, where->line)
-					     : NULL;
+	struct ts_check_loop *loop =
+		script->check && where->file ? find_loop(script->check, where->file, -1, where->line) : NULL;
 
 	if (loop)
 		loop->turns = 0;
@@ -221,7 +223,8 @@ void ts_check_next(struct ts_script *script, struct ts_words names)
 	check->nexts++;
 	check->turns_left = 0;
 	for (size_t k = 0; k < most; k++) {
-		const struct ts_variable *v = k < names.n ? ts_variable_find(script, names.word[k].text) : NULL;
+		const struct ts_variable *v =
+			k < names.n ? ts_variable_find(script, names.word[k].text) : NULL;
 		int64_t left = v && !v->feed ? v->last - v->at + 1 : 0;
 
 		check->stepped[k] = v ? v->name : NULL;

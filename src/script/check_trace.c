@@ -12,8 +12,7 @@
 
 static const char *keep(struct ts_script *script, struct ts_str *text)
 {
-	const char *kept = text->failed ? NULL
-					: ts_pool_get(script->sim->pool, ts_str_text(text));
+	const char *kept = text->failed ? NULL : ts_pool_get(script->sim->pool, ts_str_text(text));
 
 	ts_str_release(text);
 	return kept;
@@ -34,7 +33,8 @@ enum ts_status ts_check_begin_line(struct ts_script *script, const struct ts_pla
 	if (ts_map_get(&script->check->seen, key))
 		return TS_OK;
 	script->check->reached++;
-	return ts_map_set(&script->check->seen, key, script->check) == TS_OK ? TS_OK : ts_nomem(&script->sim->error);
+	return ts_map_set(&script->check->seen, key, script->check) == TS_OK ? TS_OK
+									     : ts_nomem(&script->sim->error);
 }
 
 static struct ts_check_event *add_event(struct ts_check *check, const char *key)
@@ -48,9 +48,8 @@ static struct ts_check_event *add_event(struct ts_check *check, const char *key)
 	return event;
 }
 
-enum ts_status ts_check_note(struct ts_script *script, enum ts_check_kind kind,
-			     const struct ts_place *where, const char *hangs,
-			     struct ts_check_event **out, const char *format, ...)
+enum ts_status ts_check_note(struct ts_script *script, enum ts_check_kind kind, const struct ts_place *where,
+			     const char *hangs, struct ts_check_event **out, const char *format, ...)
 {
 	struct ts_check *check = script->check;
 	struct ts_place place = where ? *where : (struct ts_place){ .file = "" };
@@ -105,8 +104,8 @@ enum ts_status ts_check_run(struct ts_script *script, const struct ts_place *whe
 }
 
 /* Folders are made with the files in them. */
-enum ts_status ts_check_write(struct ts_script *script, const struct ts_place *where,
-			      const char *what, const char *path)
+enum ts_status ts_check_write(struct ts_script *script, const struct ts_place *where, const char *what,
+			      const char *path)
 {
 	struct ts_check_event *event;
 	char by[256];
@@ -119,16 +118,14 @@ enum ts_status ts_check_write(struct ts_script *script, const struct ts_place *w
 	return TS_OK;
 }
 
-enum ts_status ts_check_branch(struct ts_script *script, const struct ts_place *where,
-			       const char *which)
+enum ts_status ts_check_branch(struct ts_script *script, const struct ts_place *where, const char *which)
 {
 	struct ts_check *check = script->check;
 
 	if (!check)
 		return TS_OK;
 	check->branches++;
-	return ts_check_note(script, TS_CHECK_STEP, where, script->sim->from_run, NULL, "if: %s",
-			     which);
+	return ts_check_note(script, TS_CHECK_STEP, where, script->sim->from_run, NULL, "if: %s", which);
 }
 
 static void add_place(struct ts_str *out, const struct ts_place *where)
@@ -180,8 +177,8 @@ static void add_run(const struct ts_check *check, const struct ts_check_event *e
 static void add_jump(const struct ts_check_event *e, struct ts_str *out)
 {
 	if (e->turns)
-		ts_str_addf(out, ": %" PRId64 " turns, all like the %" PRId64 " that were gone through", e->turns,
-			    e->count + 1);
+		ts_str_addf(out, ": %" PRId64 " turns, all like the %" PRId64 " that were gone through",
+			    e->turns, e->count + 1);
 	else
 		add_count(out, ": taken ", e->count, "time");
 	if (e->bounded && !e->turns)
@@ -276,8 +273,8 @@ static enum ts_status add_unreached(struct ts_script *script, const struct ts_sc
 	return status;
 }
 
-enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *errors,
-				      struct ts_str *report, int *nerrors)
+enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *errors, struct ts_str *report,
+				      int *nerrors)
 {
 	struct ts_check *check = script->check;
 	struct ts_str unreached = { 0 };

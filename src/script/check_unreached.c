@@ -19,8 +19,8 @@ static const struct {
 	{ "flow_style", TS_KIND_FLOW, 1 }, { "pressure_style", TS_KIND_PRESSURE, 1 },
 };
 
-static enum ts_status parse(struct ts_script *script, const struct ts_style *style,
-			    struct ts_words words, const struct ts_place *where)
+static enum ts_status parse(struct ts_script *script, const struct ts_style *style, struct ts_words words,
+			    const struct ts_place *where)
 {
 	struct ts_arena arena = { 0 };
 	void *state = ts_alloc_aligned(1, style->state_size + 1);
@@ -64,15 +64,14 @@ static enum ts_status read_command(struct ts_script *script, struct ts_words wor
 		    ts_streq(words.word[n].text, "delete"))
 			continue;
 		TS_TRY(find(script, hands_on[k].kind, &words.word[n], &style));
-		return style && !open ? parse(script, style, ts_words_from(words, n + 1),
-					      &words.word[n].place)
-				      : TS_OK;
+		return style && !open
+			       ? parse(script, style, ts_words_from(words, n + 1), &words.word[n].place)
+			       : TS_OK;
 	}
 	return TS_OK;
 }
 
-enum ts_status ts_check_unreached(struct ts_script *script, const struct ts_line *line,
-				  const char *remark)
+enum ts_status ts_check_unreached(struct ts_script *script, const struct ts_line *line, const char *remark)
 {
 	struct ts_error *error = &script->sim->error;
 	bool open = strchr(ts_str_text(&line->text), '$') != NULL;
@@ -107,8 +106,7 @@ enum ts_status ts_check_commands(struct ts_script *script, struct ts_words words
 		if (ts_line_set(&line, word->text, strlen(word->text), &word->place) != TS_OK)
 			status = ts_nomem(&script->sim->error);
 		else
-			status = ts_check_unreached(script, &line,
-						    " (in a branch that is not taken)");
+			status = ts_check_unreached(script, &line, " (in a branch that is not taken)");
 	}
 	ts_line_release(&line);
 	return status;

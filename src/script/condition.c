@@ -71,8 +71,7 @@ enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const
 			return no_command(sim, &word[k]);
 		if (otherwise && end < words.n)
 			return ts_fail(&sim->error, TS_SYNTAX, &word[end].place,
-				       "nothing may follow the else branch, found '%s'",
-				       word[end].text);
+				       "nothing may follow the else branch, found '%s'", word[end].text);
 	}
 	return TS_OK;
 }
@@ -96,7 +95,8 @@ static enum ts_status run_branch(struct ts_script *script, struct ts_words words
 }
 
 /* -check: once, the commands of all branches, also of those not taken. An error of the condition waits. */
-static enum ts_status also_read(struct ts_script *script, struct ts_words words, bool *read, enum ts_status waiting)
+static enum ts_status also_read(struct ts_script *script, struct ts_words words, bool *read,
+				enum ts_status waiting)
 {
 	struct ts_error *error = &script->sim->error, kept = *error;
 	enum ts_status status;

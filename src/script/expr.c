@@ -8,8 +8,8 @@
 
 enum { DEEPEST = 500, PATIENCE = 10000 /* formulas in one, until a request to stop is heard */ };
 
-enum ts_status ts_expr_fail(struct ts_expr *e, enum ts_status code, size_t at, size_t end,
-			    const char *format, ...)
+enum ts_status ts_expr_fail(struct ts_expr *e, enum ts_status code, size_t at, size_t end, const char *format,
+			    ...)
 {
 	struct ts_place place = ts_place_inside(e->place, e->length, at, end - at);
 	va_list args;
@@ -44,10 +44,8 @@ enum ts_status ts_expr_expect(struct ts_expr *e, char wanted)
 	}
 	if (!found)
 		return ts_expr_fail(e, TS_SYNTAX, e->length ? e->length - 1 : 0, e->length,
-				    "expected '%c' after this, found the end of the formula",
-				    wanted);
-	return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1, "expected '%c', found '%c'", wanted,
-			    found);
+				    "expected '%c' after this, found the end of the formula", wanted);
+	return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1, "expected '%c', found '%c'", wanted, found);
 }
 
 const char *ts_expr_copy(struct ts_expr *e, size_t at, size_t end)
@@ -68,7 +66,8 @@ enum ts_status ts_expr_array(struct ts_expr *e, size_t n, struct ts_operand *out
 	return out->data ? TS_OK : ts_nomem(&e->sim->error);
 }
 
-enum ts_status ts_expr_given(struct ts_expr *e, const char *name, enum ts_status status, struct ts_operand *out)
+enum ts_status ts_expr_given(struct ts_expr *e, const char *name, enum ts_status status,
+			     struct ts_operand *out)
 {
 	if (!ts_unknown_value(e->script, name, &status))
 		return status;
@@ -196,8 +195,8 @@ static enum ts_status read_plain(struct ts_expr *e, struct ts_operand *out)
 		return ts_expr_fail(e, TS_SYNTAX, e->length ? e->length - 1 : 0, e->length,
 				    "expected a number or a name, found the end of the formula");
 	} else {
-		return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1,
-				    "expected a number or a name, found '%c'", c);
+		return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1, "expected a number or a name, found '%c'",
+				    c);
 	}
 	out->end = e->at;
 	return TS_OK;
@@ -268,8 +267,8 @@ enum ts_status ts_expr_read_number(struct ts_expr *e, double *out)
 	return status;
 }
 
-static struct ts_expr start(struct ts_script *script, const char *text,
-			    const struct ts_place *place, enum ts_formula kind)
+static struct ts_expr start(struct ts_script *script, const char *text, const struct ts_place *place,
+			    enum ts_formula kind)
 {
 	static const struct ts_place nowhere;
 
@@ -291,7 +290,8 @@ static enum ts_status evaluate(struct ts_expr *e, struct ts_operand *out)
 	e->script->reading += depth == 0;
 	e->script->formulas = depth ? e->script->formulas + 1 : 0;
 	if (e->sim->stop && e->script->formulas > PATIENCE)
-		return ts_expr_fail(e, TS_STOPPED, 0, e->length, "stopped on request in a formula that takes long");
+		return ts_expr_fail(e, TS_STOPPED, 0, e->length,
+				    "stopped on request in a formula that takes long");
 	status = ts_expr_read(e, 1, out);
 	e->script->formula_depth = depth;
 	if (!depth)
@@ -305,8 +305,8 @@ static enum ts_status evaluate(struct ts_expr *e, struct ts_operand *out)
 	return ts_op_need_number(e, out);
 }
 
-enum ts_status ts_expr_scalar(struct ts_script *script, const char *text,
-			      const struct ts_place *place, double *out)
+enum ts_status ts_expr_scalar(struct ts_script *script, const char *text, const struct ts_place *place,
+			      double *out)
 {
 	struct ts_expr e = start(script, text, place, TS_FORMULA_SCALAR);
 	struct ts_operand value;
@@ -341,8 +341,8 @@ enum ts_status ts_dry_end(struct ts_script *script, struct ts_dry before, enum t
 	return TS_OK;
 }
 
-enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
-				 const struct ts_place *place, enum ts_truth *out)
+enum ts_status ts_expr_condition(struct ts_script *script, const char *text, const struct ts_place *place,
+				 enum ts_truth *out)
 {
 	struct ts_expr e = start(script, text, place, TS_FORMULA_SCALAR);
 	struct ts_operand value;
@@ -352,15 +352,14 @@ enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
 	status = evaluate(&e, &value);
 	ts_arena_release(&e.arena);
 	if (status == TS_OK)
-		*out = ts_unknown(script->sim, value.scalar)	    ? TS_OPEN
+		*out = ts_unknown(script->sim, value.scalar)  ? TS_OPEN
 		       : value.scalar < 0 || value.scalar > 0 ? TS_YES
 							      : TS_NO;
 	return status;
 }
 
 /* Stores n copies of a number, or as many numbers as there are. */
-static enum ts_status store(struct ts_expr *e, const struct ts_operand *value, size_t n,
-			    struct ts_table *out)
+static enum ts_status store(struct ts_expr *e, const struct ts_operand *value, size_t n, struct ts_table *out)
 {
 	if (ts_table_resize(out, n, 1) != TS_OK)
 		return ts_nomem(&e->sim->error);
@@ -369,8 +368,8 @@ static enum ts_status store(struct ts_expr *e, const struct ts_operand *value, s
 	return TS_OK;
 }
 
-enum ts_status ts_expr_peratom(struct ts_script *script, const char *text,
-			       const struct ts_place *place, struct ts_table *out)
+enum ts_status ts_expr_peratom(struct ts_script *script, const char *text, const struct ts_place *place,
+			       struct ts_table *out)
 {
 	struct ts_expr e = start(script, text, place, TS_FORMULA_PERATOM);
 	struct ts_table id = { 0 };
@@ -387,8 +386,8 @@ enum ts_status ts_expr_peratom(struct ts_script *script, const char *text,
 	return status;
 }
 
-enum ts_status ts_expr_vector(struct ts_script *script, const char *text,
-			      const struct ts_place *place, struct ts_table *out)
+enum ts_status ts_expr_vector(struct ts_script *script, const char *text, const struct ts_place *place,
+			      struct ts_table *out)
 {
 	struct ts_expr e = start(script, text, place, TS_FORMULA_VECTOR);
 	struct ts_operand value;

@@ -11,7 +11,7 @@
 
 struct ts_operand {
 	double scalar;
-	double *data;	  /* not NULL: n values, owned by the arena */
+	double *data; /* not NULL: n values, owned by the arena */
 	size_t n;
 	const char *word; /* as written, if it is a bare name or a quoted word */
 	bool is_word;	  /* has no number */
@@ -35,8 +35,8 @@ struct ts_expr {
 };
 
 /* expr.c */
-enum ts_status ts_expr_fail(struct ts_expr *e, enum ts_status code, size_t at, size_t end,
-			    const char *format, ...) __attribute__((format(printf, 5, 6)));
+enum ts_status ts_expr_fail(struct ts_expr *e, enum ts_status code, size_t at, size_t end, const char *format,
+			    ...) __attribute__((format(printf, 5, 6)));
 /* An error of a callee that knew no place gets this one. */
 enum ts_status ts_expr_blame(struct ts_expr *e, enum ts_status status, size_t at, size_t end);
 enum ts_status ts_expr_read(struct ts_expr *e, int level, struct ts_operand *out);
@@ -47,8 +47,10 @@ enum ts_status ts_expr_expect(struct ts_expr *e, char wanted);
 const char *ts_expr_copy(struct ts_expr *e, size_t at, size_t end); /* NULL: out of memory */
 /* Makes the operand a list of n numbers. */
 enum ts_status ts_expr_array(struct ts_expr *e, size_t n, struct ts_operand *out);
-/* A value that was asked of the simulation, whose name is known: if only a run can give it, it is unknown now. */
-enum ts_status ts_expr_given(struct ts_expr *e, const char *name, enum ts_status status, struct ts_operand *out);
+/* A value that was asked of the simulation, whose name is known: if only a run can give it, it is unknown
+ * now. */
+enum ts_status ts_expr_given(struct ts_expr *e, const char *name, enum ts_status status,
+			     struct ts_operand *out);
 /* Makes the operand a copy of the first column, unless status says that the table failed; releases the
  * table. */
 enum ts_status ts_expr_take(struct ts_expr *e, enum ts_status status, struct ts_table *table,
@@ -64,11 +66,10 @@ struct ts_operator {
 	bool compares_words;
 	bool (*decides)(double a, double b); /* what is known of the two is enough; NULL: never */
 };
-extern const struct ts_operator ts_operators[]; /* closed by .text NULL */
+extern const struct ts_operator ts_operators[];		      /* closed by .text NULL */
 const struct ts_operator *ts_operator_find(const char *text); /* the one the text begins with, or NULL */
 enum ts_status ts_op_binary(struct ts_expr *e, const struct ts_operator *op, size_t at,
-			    const struct ts_operand *a, const struct ts_operand *b,
-			    struct ts_operand *out);
+			    const struct ts_operand *a, const struct ts_operand *b, struct ts_operand *out);
 enum ts_status ts_op_unary(struct ts_expr *e, char op, struct ts_operand *a);
 /* Refuses words where numbers are needed. */
 enum ts_status ts_op_need_number(struct ts_expr *e, const struct ts_operand *a);
@@ -85,8 +86,7 @@ extern const struct ts_constant ts_constants[]; /* closed by .name NULL */
 /* expr_argument.c: what stands in the brackets of a call; e->at goes from the opening one to behind the
  * closing one. Formulas, or words such as names of groups. */
 enum ts_status ts_expr_arguments(struct ts_expr *e, struct ts_operand *arg, size_t most, size_t *n);
-enum ts_status ts_expr_words(struct ts_expr *e, size_t at, struct ts_word *word, size_t most,
-			     size_t *n);
+enum ts_status ts_expr_words(struct ts_expr *e, size_t at, struct ts_word *word, size_t most, size_t *n);
 enum ts_status ts_expr_count(struct ts_expr *e, size_t at, const char *name, const char *arguments,
 			     size_t least, size_t most, size_t found);
 enum { TS_MOST_ARGUMENTS = 8 };
@@ -95,14 +95,14 @@ enum { TS_MOST_ARGUMENTS = 8 };
  * the six functions. */
 struct ts_expr_function {
 	const char *name, *arguments, *help;
-	size_t least, most;	   /* how many arguments it takes */
-	double (*pure)(double);	   /* of one number */
+	size_t least, most;	/* how many arguments it takes */
+	double (*pure)(double); /* of one number */
 	enum ts_status (*eval)(struct ts_expr *e, const double *arg, double *out);
 	/* random; the last argument is the seed */
 	enum ts_status (*draw)(struct ts_expr *e, const double *arg, struct ts_rng *rng, double *out);
 	enum ts_status (*series)(const double *x, size_t n, double *out); /* of at least `length` */
 	size_t length;
-	bool lazy;	   /* does not look at all arguments: ternary */
+	bool lazy;			  /* does not look at all arguments: ternary */
 	void (*map)(double *x, size_t n); /* turns a list into another */
 	/* of names */
 	enum ts_status (*words)(struct ts_expr *e, struct ts_words words, struct ts_operand *out);

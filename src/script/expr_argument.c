@@ -12,12 +12,10 @@ enum ts_status ts_expr_count(struct ts_expr *e, size_t at, const char *name, con
 	if (found >= least && found <= most)
 		return TS_OK;
 	if (least < most)
-		return ts_expr_fail(e, TS_SYNTAX, at, e->at,
-				    "%s(%s) takes %zu to %zu arguments, found %s%zu", name,
-				    arguments, least, most, found > most ? "at least " : "", found);
-	return ts_expr_fail(e, TS_SYNTAX, at, e->at, "%s(%s) takes %zu argument%s, found %s%zu",
-			    name, arguments, least, least == 1 ? "" : "s",
-			    found > most ? "at least " : "", found);
+		return ts_expr_fail(e, TS_SYNTAX, at, e->at, "%s(%s) takes %zu to %zu arguments, found %s%zu",
+				    name, arguments, least, most, found > most ? "at least " : "", found);
+	return ts_expr_fail(e, TS_SYNTAX, at, e->at, "%s(%s) takes %zu argument%s, found %s%zu", name,
+			    arguments, least, least == 1 ? "" : "s", found > most ? "at least " : "", found);
 }
 
 enum ts_status ts_expr_arguments(struct ts_expr *e, struct ts_operand *arg, size_t most, size_t *n)
@@ -42,8 +40,7 @@ enum ts_status ts_expr_arguments(struct ts_expr *e, struct ts_operand *arg, size
 	}
 }
 
-enum ts_status ts_expr_words(struct ts_expr *e, size_t at, struct ts_word *word, size_t most,
-			     size_t *n)
+enum ts_status ts_expr_words(struct ts_expr *e, size_t at, struct ts_word *word, size_t most, size_t *n)
 {
 	int depth = 0;
 

@@ -6,9 +6,9 @@
 
 #include "base/banned.h"
 
-const struct ts_expr_function *const ts_expr_functions[] = {
-	ts_math_functions, ts_step_functions, ts_series_functions, ts_special_functions, NULL
-};
+const struct ts_expr_function *const ts_expr_functions[] = { ts_math_functions, ts_step_functions,
+							     ts_series_functions, ts_special_functions,
+							     NULL };
 
 const struct ts_expr_function *ts_expr_function_find(const char *name)
 {
@@ -19,8 +19,8 @@ const struct ts_expr_function *ts_expr_function_find(const char *name)
 	return NULL;
 }
 
-static enum ts_status check_value(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
-				  double x, double value)
+static enum ts_status check_value(struct ts_expr *e, const struct ts_expr_function *f, size_t at, double x,
+				  double value)
 {
 	if (isfinite(value))
 		return TS_OK;
@@ -57,8 +57,8 @@ static enum ts_status of_numbers(struct ts_expr *e, const struct ts_expr_functio
 		number[k] = arg[k].scalar;
 		if (arg[k].data && list && list->n != arg[k].n)
 			return ts_expr_fail(e, TS_RANGE, at, e->at,
-					    "lists of %zu and %zu numbers cannot be combined",
-					    list->n, arg[k].n);
+					    "lists of %zu and %zu numbers cannot be combined", list->n,
+					    arg[k].n);
 		if (arg[k].data)
 			list = &arg[k];
 	}
@@ -114,8 +114,7 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 		out->scalar = NAN;
 		return TS_OK;
 	}
-	TS_TRY(ts_expr_blame(e, ts_script_stream_of(e->script, arg[f->most - 1].scalar, &stream), at,
-			     e->at));
+	TS_TRY(ts_expr_blame(e, ts_script_stream_of(e->script, arg[f->most - 1].scalar, &stream), at, e->at));
 	if (each) {
 		TS_TRY(ts_expr_array(e, e->rows, out));
 		n = e->rows;
@@ -124,8 +123,7 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 	e->script->drawn++;
 	at_number = advance(e->sim, each ? &stream->rounds : &stream->draws);
 	for (size_t i = 0; i < n; i++) {
-		struct ts_rng rng = { (uint64_t)stream->seed, each ? (uint64_t)e->id[i] : 0,
-				      at_number };
+		struct ts_rng rng = { (uint64_t)stream->seed, each ? (uint64_t)e->id[i] : 0, at_number };
 
 		for (size_t k = 0; k < f->most; k++)
 			number[k] = arg[k].data ? arg[k].data[i] : arg[k].scalar;
@@ -136,13 +134,15 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 }
 
 /* A list of which something is unknown, or that only a run can fill. */
-static bool open_list(const struct ts_expr *e, const struct ts_expr_function *f, const struct ts_operand *list)
+static bool open_list(const struct ts_expr *e, const struct ts_expr_function *f,
+		      const struct ts_operand *list)
 {
 	bool open = !list->data && ts_unknown(e->sim, list->scalar);
 
 	for (size_t i = 0; list->data && i < list->n; i++)
 		open |= ts_unknown(e->sim, list->data[i]);
-	return open || e->sim->dry || (list->data && list->n < f->length && e->sim->explain && e->sim->planned);
+	return open || e->sim->dry ||
+	       (list->data && list->n < f->length && e->sim->explain && e->sim->planned);
 }
 
 static enum ts_status of_list(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
@@ -166,12 +166,11 @@ static enum ts_status of_list(struct ts_expr *e, const struct ts_expr_function *
 	}
 	if (n < f->length)
 		return ts_expr_fail(e, TS_RANGE, at, e->at,
-				    "%s needs at least %zu numbers, this list has %zu", f->name,
-				    f->length, n);
+				    "%s needs at least %zu numbers, this list has %zu", f->name, f->length,
+				    n);
 	status = f->series(arg->data, n, &out->scalar);
 	if (status == TS_RANGE || (status == TS_OK && !isfinite(out->scalar)))
-		return ts_expr_fail(e, TS_RANGE, at, e->at, "%s of this list has no finite value",
-				    f->name);
+		return ts_expr_fail(e, TS_RANGE, at, e->at, "%s of this list has no finite value", f->name);
 	return status == TS_NOMEM ? ts_nomem(&e->sim->error) : status;
 }
 
@@ -205,8 +204,8 @@ enum ts_status ts_expr_call(struct ts_expr *e, const struct ts_expr_function *f,
 		return status;
 	TS_TRY(ts_expr_count(e, at, f->name, f->arguments, f->least, f->most, n));
 	if (f->map && kind != TS_FORMULA_VECTOR)
-		return ts_expr_fail(e, TS_SYNTAX, at, e->at,
-				    "%s gives a list; one number is needed here", f->name);
+		return ts_expr_fail(e, TS_SYNTAX, at, e->at, "%s gives a list; one number is needed here",
+				    f->name);
 	if (list)
 		return of_list(e, f, at, arg, out);
 	return f->draw ? drawn(e, f, at, arg, out) : of_numbers(e, f, at, arg, out);

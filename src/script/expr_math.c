@@ -32,16 +32,14 @@ static enum ts_status eval_ternary(struct ts_expr *e, const double *arg, double 
 	return TS_OK;
 }
 
-static enum ts_status draw_uniform(struct ts_expr *e, const double *arg, struct ts_rng *rng,
-				   double *out)
+static enum ts_status draw_uniform(struct ts_expr *e, const double *arg, struct ts_rng *rng, double *out)
 {
 	(void)e;
 	*out = arg[0] + ts_rng_uniform(rng) * (arg[1] - arg[0]);
 	return TS_OK;
 }
 
-static enum ts_status draw_normal(struct ts_expr *e, const double *arg, struct ts_rng *rng,
-				  double *out)
+static enum ts_status draw_normal(struct ts_expr *e, const double *arg, struct ts_rng *rng, double *out)
 {
 	if (arg[1] < 0)
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
@@ -50,8 +48,10 @@ static enum ts_status draw_normal(struct ts_expr *e, const double *arg, struct t
 	return TS_OK;
 }
 
-#define ONE(name_, f, help_)                                                                       \
-	{ .name = (name_), .arguments = "x", .help = (help_), .least = 1, .most = 1, .pure = (f) }
+#define ONE(name_, f, help_)                                                                           \
+	{                                                                                              \
+		.name = (name_), .arguments = "x", .help = (help_), .least = 1, .most = 1, .pure = (f) \
+	}
 
 const struct ts_expr_function ts_math_functions[] = {
 	ONE("sqrt", sqrt, "square root"),

@@ -45,8 +45,7 @@ static enum ts_status read_index(struct ts_expr *e, double least, int64_t *out)
 		return TS_OK;
 	if (!(k >= least && k < 9e15) || floor(k) < k)
 		return ts_expr_fail(e, TS_RANGE, at, e->at,
-				    "expected a whole number from %.0f on between [ and ], found "
-				    "%.15g",
+				    "expected a whole number from %.0f on between [ and ], found %.15g",
 				    least, k);
 	*out = (int64_t)k;
 	return TS_OK;
@@ -69,8 +68,8 @@ static enum ts_status find_particle(struct ts_expr *e, int64_t identity, size_t 
 }
 
 /* v_NAME[k] of a variable of particles: of the one with identity k. */
-static enum ts_status of_one(struct ts_expr *e, struct ts_variable *variable, const struct ts_place *place, int64_t k,
-			     size_t at, struct ts_operand *out)
+static enum ts_status of_one(struct ts_expr *e, struct ts_variable *variable, const struct ts_place *place,
+			     int64_t k, size_t at, struct ts_operand *out)
 {
 	struct ts_table table = { 0 };
 	enum ts_status status;
@@ -86,8 +85,8 @@ static enum ts_status of_one(struct ts_expr *e, struct ts_variable *variable, co
 }
 
 /* Of a list the k-th number. */
-static enum ts_status of_list(struct ts_expr *e, struct ts_variable *variable, const struct ts_place *place, int64_t k,
-			      size_t at, struct ts_operand *out)
+static enum ts_status of_list(struct ts_expr *e, struct ts_variable *variable, const struct ts_place *place,
+			      int64_t k, size_t at, struct ts_operand *out)
 {
 	struct ts_table table = { 0 };
 	enum ts_status status = ts_variable_vector(e->script, variable, place, &table);
@@ -107,8 +106,8 @@ static enum ts_status of_list(struct ts_expr *e, struct ts_variable *variable, c
 	return status;
 }
 
-static enum ts_status element(struct ts_expr *e, struct ts_variable *variable,
-			      const struct ts_place *place, size_t at, struct ts_operand *out)
+static enum ts_status element(struct ts_expr *e, struct ts_variable *variable, const struct ts_place *place,
+			      size_t at, struct ts_operand *out)
 {
 	int64_t k = 0;
 
@@ -123,8 +122,7 @@ static enum ts_status element(struct ts_expr *e, struct ts_variable *variable,
 			    variable->name, variable->style->name);
 }
 
-static enum ts_status variable(struct ts_expr *e, const char *name, size_t at,
-			       struct ts_operand *out)
+static enum ts_status variable(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
 {
 	struct ts_place place = ts_place_inside(e->place, e->length, at, e->at - at);
 	struct ts_table table = { 0 };
@@ -134,17 +132,15 @@ static enum ts_status variable(struct ts_expr *e, const char *name, size_t at,
 	if (e->text[e->at] == '[')
 		return element(e, found, &place, at, out);
 	if (e->kind == TS_FORMULA_PERATOM && found->style->peratom && !found->style->number)
-		return ts_expr_take(e, ts_variable_peratom(e->script, found, &place, &table),
-				    &table, out);
+		return ts_expr_take(e, ts_variable_peratom(e->script, found, &place, &table), &table, out);
 	if (e->kind == TS_FORMULA_VECTOR && found->style->vector)
-		return ts_expr_take(e, ts_variable_vector(e->script, found, &place, &table), &table,
-				    out);
+		return ts_expr_take(e, ts_variable_vector(e->script, found, &place, &table), &table, out);
 	return ts_variable_number(e->script, found, &place, &out->scalar);
 }
 
 /* c_ID[k] of a style that has no such element but values of particles: of the one with identity k. */
-static enum ts_status of_identity(struct ts_expr *e, const char *name, int64_t identity,
-				  int64_t column, size_t at, struct ts_operand *out)
+static enum ts_status of_identity(struct ts_expr *e, const char *name, int64_t identity, int64_t column,
+				  size_t at, struct ts_operand *out)
 {
 	struct ts_place place = ts_place_inside(e->place, e->length, at, e->at - at);
 	struct ts_table table = { 0 };
@@ -156,8 +152,7 @@ static enum ts_status of_identity(struct ts_expr *e, const char *name, int64_t i
 	ts_str_add(&whole, name);
 	if (column)
 		ts_str_addf(&whole, "[%" PRId64 "]", column);
-	status = whole.failed ? ts_nomem(&e->sim->error)
-			      : ts_ref_resolve(e->sim, whole.text, &place, &ref);
+	status = whole.failed ? ts_nomem(&e->sim->error) : ts_ref_resolve(e->sim, whole.text, &place, &ref);
 	if (status == TS_OK)
 		status = find_particle(e, identity, at, &row);
 	if (status == TS_OK)
@@ -170,14 +165,13 @@ static enum ts_status of_identity(struct ts_expr *e, const char *name, int64_t i
 }
 
 /* The values a reference has for this kind of formula. */
-static enum ts_status of_reference(struct ts_expr *e, const struct ts_ref *ref,
-				   const struct ts_place *place, struct ts_operand *out)
+static enum ts_status of_reference(struct ts_expr *e, const struct ts_ref *ref, const struct ts_place *place,
+				   struct ts_operand *out)
 {
 	unsigned shapes = ts_ref_shapes(e->sim, ref);
 	struct ts_table table = { 0 };
 
-	if (e->kind == TS_FORMULA_PERATOM && shapes & (1u << TS_PERATOM) &&
-	    !(shapes & (1u << TS_SCALAR)))
+	if (e->kind == TS_FORMULA_PERATOM && shapes & (1u << TS_PERATOM) && !(shapes & (1u << TS_SCALAR)))
 		return ts_expr_take(e, ts_ref_peratom(e->sim, ref, place, &table), &table, out);
 	if (e->kind == TS_FORMULA_VECTOR && shapes & (1u << TS_VECTOR)) {
 		enum ts_status status = ts_ref_vector(e->sim, ref, place, &table);
@@ -215,8 +209,8 @@ static enum ts_status nothing(struct ts_operand *out)
 	return TS_OK;
 }
 
-static enum ts_status read_output(struct ts_expr *e, const char *name, const char *whole, const int64_t k[2], size_t at,
-				  struct ts_operand *out)
+static enum ts_status read_output(struct ts_expr *e, const char *name, const char *whole, const int64_t k[2],
+				  size_t at, struct ts_operand *out)
 {
 	struct ts_place place = ts_place_inside(e->place, e->length, at, e->at - at);
 	enum ts_status status;
@@ -252,7 +246,8 @@ static enum ts_status output(struct ts_expr *e, const char *name, size_t at, str
 		ts_str_addf(&whole, "[%" PRId64 "]", k[n]);
 	}
 	if (status == TS_OK)
-		status = whole.failed ? ts_nomem(&e->sim->error) : read_output(e, name, whole.text, k, at, out);
+		status = whole.failed ? ts_nomem(&e->sim->error)
+				      : read_output(e, name, whole.text, k, at, out);
 	ts_str_release(&whole);
 	if (status == TS_OK && open)
 		*out = (struct ts_operand){ .scalar = NAN, .at = at };
@@ -260,7 +255,8 @@ static enum ts_status output(struct ts_expr *e, const char *name, size_t at, str
 }
 
 /* Some keywords are known without running. */
-static enum ts_status of_keyword(struct ts_expr *e, const struct ts_keyword *keyword, size_t at, struct ts_operand *out)
+static enum ts_status of_keyword(struct ts_expr *e, const struct ts_keyword *keyword, size_t at,
+				 struct ts_operand *out)
 {
 	bool known = keyword->flags & TS_KEYWORD_CONSTANT ||
 		     (keyword->flags & TS_KEYWORD_CLOCK && !e->sim->open_clock) ||
@@ -287,8 +283,7 @@ static enum ts_status column(struct ts_expr *e, const char *name, size_t at, str
 }
 
 /* A quantity of the particle with a given identity: vx[17]. */
-static enum ts_status of_particle(struct ts_expr *e, const char *name, size_t at,
-				  struct ts_operand *out)
+static enum ts_status of_particle(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
 {
 	struct ts_table table = { 0 };
 	enum ts_status status;

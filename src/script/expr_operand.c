@@ -11,7 +11,8 @@ static bool truth(double a)
 	return a < 0 || a > 0;
 }
 
-/* Operators that may know their result when one side is unknown, a NaN: that is neither true nor false here. */
+/* Operators that may know their result when one side is unknown, a NaN: that is neither true nor false
+ * here. */
 static bool either(double a, double b)
 {
 	return truth(a) || truth(b);
@@ -115,8 +116,8 @@ const struct ts_operator *ts_operator_find(const char *text)
 	return NULL;
 }
 
-static enum ts_status checked(struct ts_expr *e, const struct ts_operator *op, size_t at, double a,
-			      double b, double *out)
+static enum ts_status checked(struct ts_expr *e, const struct ts_operator *op, size_t at, double a, double b,
+			      double *out)
 {
 	size_t end = at + strlen(op->text);
 
@@ -144,8 +145,7 @@ enum ts_status ts_op_need_number(struct ts_expr *e, const struct ts_operand *a)
 }
 
 enum ts_status ts_op_binary(struct ts_expr *e, const struct ts_operator *op, size_t at,
-			    const struct ts_operand *a, const struct ts_operand *b,
-			    struct ts_operand *out)
+			    const struct ts_operand *a, const struct ts_operand *b, struct ts_operand *out)
 {
 	bool words = a->is_word || b->is_word || (a->word && b->word);
 
@@ -169,8 +169,8 @@ enum ts_status ts_op_binary(struct ts_expr *e, const struct ts_operator *op, siz
 				    "lists of %zu and %zu numbers cannot be combined", a->n, b->n);
 	TS_TRY(ts_expr_array(e, a->data ? a->n : b->n, out));
 	for (size_t i = 0; i < out->n; i++)
-		TS_TRY(checked(e, op, at, a->data ? a->data[i] : a->scalar,
-			       b->data ? b->data[i] : b->scalar, &out->data[i]));
+		TS_TRY(checked(e, op, at, a->data ? a->data[i] : a->scalar, b->data ? b->data[i] : b->scalar,
+			       &out->data[i]));
 	return TS_OK;
 }
 

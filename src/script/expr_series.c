@@ -83,9 +83,11 @@ static void map_rsort(double *x, size_t n)
 	qsort(x, n, sizeof *x, descending);
 }
 
-#define SERIES(name_, f, length_, help_)                                                           \
-	{ .name = (name_), .arguments = "list", .help = (help_), .least = 1, .most = 1,            \
-	  .series = (f), .length = (length_) }
+#define SERIES(name_, f, length_, help_)                                                                     \
+	{                                                                                                    \
+		.name = (name_), .arguments = "list", .help = (help_), .least = 1, .most = 1, .series = (f), \
+		.length = (length_)                                                                          \
+	}
 
 const struct ts_expr_function ts_series_functions[] = {
 	SERIES("sum", eval_sum, 0, "sum of all numbers of a list"),
@@ -95,9 +97,17 @@ const struct ts_expr_function ts_series_functions[] = {
 	SERIES("trap", eval_trap, 2, "integral by the trapezoidal rule with unit spacing"),
 	SERIES("slope", eval_slope, 2, "slope of the straight line of least squares, unit spacing"),
 	SERIES("stderr", eval_stderr, 3, "standard error of that slope"),
-	{ .name = "sort", .arguments = "list", .help = "the list in ascending order", .least = 1,
-	  .most = 1, .map = map_sort },
-	{ .name = "rsort", .arguments = "list", .help = "the list in descending order", .least = 1,
-	  .most = 1, .map = map_rsort },
+	{ .name = "sort",
+	  .arguments = "list",
+	  .help = "the list in ascending order",
+	  .least = 1,
+	  .most = 1,
+	  .map = map_sort },
+	{ .name = "rsort",
+	  .arguments = "list",
+	  .help = "the list in descending order",
+	  .least = 1,
+	  .most = 1,
+	  .map = map_rsort },
 	{ .name = NULL },
 };

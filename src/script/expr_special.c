@@ -24,9 +24,8 @@ static enum ts_status eval_next(struct ts_expr *e, struct ts_words words, struct
 	if (variable->style == &ts_var_file)
 		TS_TRY(ts_variable_number(e->script, variable, &word->place, &out->scalar));
 	else if (variable->style == &ts_var_atomfile && e->kind == TS_FORMULA_PERATOM)
-		TS_TRY(ts_expr_take(
-			e, ts_variable_peratom(e->script, variable, &word->place, &table), &table,
-			out));
+		TS_TRY(ts_expr_take(e, ts_variable_peratom(e->script, variable, &word->place, &table), &table,
+				    out));
 	else
 		return ts_fail(&e->sim->error, TS_STATE, &word->place,
 			       "next() needs a variable of style file or, in formulas of particles, "
@@ -41,8 +40,7 @@ static enum ts_status eval_next(struct ts_expr *e, struct ts_words words, struct
 	return TS_OK;
 }
 
-static enum ts_status eval_is_file(struct ts_expr *e, struct ts_words words,
-				   struct ts_operand *out)
+static enum ts_status eval_is_file(struct ts_expr *e, struct ts_words words, struct ts_operand *out)
 {
 	struct ts_files *files = &e->sim->files;
 	struct stat info;
@@ -65,8 +63,7 @@ static enum ts_status eval_is_os(struct ts_expr *e, struct ts_words words, struc
 	if (uname(&name) < 0)
 		return ts_fail(&e->sim->error, TS_IO, &words.word[0].place,
 			       "the operating system does not tell its name");
-	while (word[k] && tolower((unsigned char)word[k]) ==
-				  tolower((unsigned char)name.sysname[k]))
+	while (word[k] && tolower((unsigned char)word[k]) == tolower((unsigned char)name.sysname[k]))
 		k++;
 	out->scalar = word[k] == '\0';
 	return TS_OK;
@@ -75,10 +72,9 @@ static enum ts_status eval_is_os(struct ts_expr *e, struct ts_words words, struc
 /* Categories of LAMMPS of which there is nothing here. */
 static bool is_foreign(const char *category)
 {
-	static const char *const names[] = { "package",	 "newton",   "comm",	 "min_style",
-					     "run_style", "integrate", "minimize", "atom_style",
-					     "atom",	 "angle",    "dihedral", "improper",
-					     "kspace",	 "feature",  "molecule" };
+	static const char *const names[] = { "package",	  "newton",   "comm",	    "min_style", "run_style",
+					     "integrate", "minimize", "atom_style", "atom",	 "angle",
+					     "dihedral",  "improper", "kspace",	    "feature",	 "molecule" };
 
 	for (size_t k = 0; k < sizeof names / sizeof *names; k++)
 		if (ts_streq(names[k], category))
@@ -94,12 +90,11 @@ static enum ts_status find_kind(struct ts_expr *e, const struct ts_word *word, e
 		return TS_OK;
 	for (int k = 0; k < TS_NKIND; k++)
 		ts_suggest_try(&suggest, ts_kind_name((enum ts_kind)k));
-	return ts_fail(&e->sim->error, TS_UNKNOWN, &word->place, "unknown category '%s'%s",
-		       word->text, ts_suggest_text(&suggest));
+	return ts_fail(&e->sim->error, TS_UNKNOWN, &word->place, "unknown category '%s'%s", word->text,
+		       ts_suggest_text(&suggest));
 }
 
-static enum ts_status eval_is_defined(struct ts_expr *e, struct ts_words words,
-				      struct ts_operand *out)
+static enum ts_status eval_is_defined(struct ts_expr *e, struct ts_words words, struct ts_operand *out)
 {
 	const char *category = words.word[0].text, *id = words.word[1].text;
 	enum ts_kind kind;
@@ -115,8 +110,7 @@ static enum ts_status eval_is_defined(struct ts_expr *e, struct ts_words words,
 	return TS_OK;
 }
 
-static enum ts_status eval_is_available(struct ts_expr *e, struct ts_words words,
-					struct ts_operand *out)
+static enum ts_status eval_is_available(struct ts_expr *e, struct ts_words words, struct ts_operand *out)
 {
 	enum ts_kind kind = TS_KIND_COMMAND;
 
@@ -128,8 +122,7 @@ static enum ts_status eval_is_available(struct ts_expr *e, struct ts_words words
 }
 
 /* Is a style of that name in use? */
-static enum ts_status eval_is_active(struct ts_expr *e, struct ts_words words,
-				     struct ts_operand *out)
+static enum ts_status eval_is_active(struct ts_expr *e, struct ts_words words, struct ts_operand *out)
 {
 	enum ts_kind kind = TS_KIND_FIX;
 	const struct ts_instances *all;
@@ -182,8 +175,7 @@ static const struct {
 	{ "newton_bond", setting_zero },    { "newton_pair", setting_zero },
 };
 
-static enum ts_status eval_extract_setting(struct ts_expr *e, struct ts_words words,
-					   struct ts_operand *out)
+static enum ts_status eval_extract_setting(struct ts_expr *e, struct ts_words words, struct ts_operand *out)
 {
 	const struct ts_word *word = &words.word[0];
 	struct ts_suggest suggest = ts_suggest_start(word->text);
@@ -195,20 +187,21 @@ static enum ts_status eval_extract_setting(struct ts_expr *e, struct ts_words wo
 			return TS_OK;
 		}
 	}
-	return ts_fail(&e->sim->error, TS_UNKNOWN, &word->place, "unknown setting '%s'%s",
-		       word->text, ts_suggest_text(&suggest));
+	return ts_fail(&e->sim->error, TS_UNKNOWN, &word->place, "unknown setting '%s'%s", word->text,
+		       ts_suggest_text(&suggest));
 }
 
-#define ASK(name_, arguments_, n, f, help_)                                                        \
-	{ .name = (name_), .arguments = (arguments_), .help = (help_), .least = (n), .most = (n),  \
-	  .words = (f) }
+#define ASK(name_, arguments_, n, f, help_)                                                             \
+	{                                                                                               \
+		.name = (name_), .arguments = (arguments_), .help = (help_), .least = (n), .most = (n), \
+		.words = (f)                                                                            \
+	}
 
 const struct ts_expr_function ts_special_functions[] = {
 	ASK("next", "variable", 1, eval_next,
 	    "present value of a variable of style file or atomfile, which then goes on to the next"),
 	ASK("is_file", "path", 1, eval_is_file, "1 if there is a file of that name"),
-	ASK("is_os", "name", 1, eval_is_os,
-	    "1 if the name of the operating system begins with that"),
+	ASK("is_os", "name", 1, eval_is_os, "1 if the name of the operating system begins with that"),
 	ASK("is_defined", "category,id", 2, eval_is_defined,
 	    "1 if there is a variable, group, region, compute, fix or dump of that id"),
 	ASK("is_active", "category,style", 2, eval_is_active,

@@ -36,8 +36,8 @@ static enum ts_status eval_vdisplace(struct ts_expr *e, const double *arg, doubl
 static enum ts_status periodic(struct ts_expr *e, const double *arg, double *phase)
 {
 	if (!(arg[2] > 0))
-		return ts_fail(&e->sim->error, TS_RANGE, NULL,
-			       "the period must be positive, found %.6g", arg[2]);
+		return ts_fail(&e->sim->error, TS_RANGE, NULL, "the period must be positive, found %.6g",
+			       arg[2]);
 	*phase = two_pi / arg[2] * done(e) * e->sim->clock.dt;
 	return TS_OK;
 }
@@ -81,16 +81,15 @@ static enum ts_status eval_stagger(struct ts_expr *e, const double *arg, double 
 }
 
 /* Checks x, y, z of the logarithmic sequences and finds the start of the present decade. */
-static enum ts_status decade(struct ts_expr *e, const char *name, const double *arg, double *a,
-			     double *out)
+static enum ts_status decade(struct ts_expr *e, const char *name, const double *arg, double *a, double *out)
 {
 	double step = (double)e->sim->clock.step;
 
 	whole(arg, 3, a);
 	if (!(a[0] > 0 && a[1] > 0 && a[2] > 1))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
-			       "%s(x,y,z) needs x > 0, y > 0 and z > 1, found %.6g, %.6g, %.6g",
-			       name, arg[0], arg[1], arg[2]);
+			       "%s(x,y,z) needs x > 0, y > 0 and z > 1, found %.6g, %.6g, %.6g", name, arg[0],
+			       arg[1], arg[2]);
 	for (*out = a[0]; step >= *out * a[2];)
 		*out *= a[2];
 	return TS_OK;
@@ -161,8 +160,8 @@ static enum ts_status eval_stride(struct ts_expr *e, const double *arg, double *
 	whole(arg, 3, a);
 	if (!(a[0] >= 0 && a[1] >= a[0] && a[2] > 0))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
-			       "stride(x,y,z) needs 0 <= x <= y and z > 0, found %.6g, %.6g, %.6g",
-			       arg[0], arg[1], arg[2]);
+			       "stride(x,y,z) needs 0 <= x <= y and z > 0, found %.6g, %.6g, %.6g", arg[0],
+			       arg[1], arg[2]);
 	*out = strided(step, a[0], a[1], a[2]);
 	return TS_OK;
 }
@@ -172,8 +171,8 @@ static enum ts_status eval_stride2(struct ts_expr *e, const double *arg, double 
 	double step = (double)e->sim->clock.step, a[6];
 
 	whole(arg, 6, a);
-	if (!(a[0] >= 0 && a[1] >= a[0] && a[2] > 0 && a[3] >= a[0] && a[4] >= a[3] &&
-	      a[4] <= a[1] && a[5] > 0))
+	if (!(a[0] >= 0 && a[1] >= a[0] && a[2] > 0 && a[3] >= a[0] && a[4] >= a[3] && a[4] <= a[1] &&
+	      a[5] > 0))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
 			       "stride2(x,y,z,a,b,c) needs 0 <= x <= a <= b <= y, z > 0 and c > 0");
 	*out = never;

@@ -83,8 +83,7 @@ struct name {
 	const char *name;
 };
 
-static const struct ts_arg label_args[] = { TS_WORD("name", struct name, name,
-						    .flags = TS_POSITIONAL,
+static const struct ts_arg label_args[] = { TS_WORD("name", struct name, name, .flags = TS_POSITIONAL,
 						    .help = "name that `jump` can look for"),
 					    TS_ARGS_END };
 
@@ -157,8 +156,7 @@ const struct ts_command_style ts_command_next = {
 };
 
 static const struct ts_arg include_args[] = {
-	TS_WORD("file", struct name, name, .flags = TS_POSITIONAL, .help = "script to run"),
-	TS_ARGS_END
+	TS_WORD("file", struct name, name, .flags = TS_POSITIONAL, .help = "script to run"), TS_ARGS_END
 };
 
 static enum ts_status run_include(struct tsim *sim, void *state, const struct ts_place *where)
@@ -192,11 +190,10 @@ struct quit {
 	int64_t status;
 };
 
-static const struct ts_arg quit_args[] = {
-	TS_INT("status", struct quit, status, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0,
-	       .hi = 255, .fallback = "0", .help = "exit status of the program"),
-	TS_ARGS_END
-};
+static const struct ts_arg quit_args[] = { TS_INT("status", struct quit, status, .flags = TS_POSITIONAL,
+						  .range = TS_WITHIN, .lo = 0, .hi = 255, .fallback = "0",
+						  .help = "exit status of the program"),
+					   TS_ARGS_END };
 
 static enum ts_status run_quit(struct tsim *sim, void *state, const struct ts_place *where)
 {

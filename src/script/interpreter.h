@@ -31,25 +31,28 @@ struct ts_script {
 	bool skip_jump;		     /* `next` ran out: the next jump does nothing */
 	bool quit;
 	int quit_status;
-	bool programs;		     /* `shell` may start programs, and act outside of the folder of the run */
-	const char *home;	     /* that folder: where the first `shell` began, links resolved; NULL: none yet */
-	int branches;		     /* commands of `if` that are being run */
+	/* `shell` may start programs, and act outside of the folder of the run */
+	bool programs;
+	/* that folder: where the first `shell` began, links resolved; NULL: none yet */
+	const char *home;
+	int branches;		  /* commands of `if` that are being run */
 	int depth;		  /* of scripts and commands in each other */
 	uint64_t reading;	  /* of formulas, from outside: within one each variable is evaluated once */
 	uint64_t formulas;	  /* evaluated in this one */
 	struct ts_variable *kept; /* those whose columns or lists are kept within it */
 	uint64_t drawn;		  /* values that differ from one look to the next: of random(), next() */
-	bool misfit;		  /* a formula has named an output that is not of the shape that is needed there */
-	int formula_depth;	  /* of formulas, over all variables that use each other */
-	struct ts_words current;  /* the command that runs */
-	struct ts_words expected; /* commands of `run every` */
+	/* a formula has named an output that is not of the shape that is needed there */
+	bool misfit;
+	int formula_depth;		 /* of formulas, over all variables that use each other */
+	struct ts_words current;	 /* the command that runs */
+	struct ts_words expected;	 /* commands of `run every` */
 	struct ts_random_stream *stream; /* one per seed of random() and normal() */
 	size_t nstreams, stream_capacity;
 	struct ts_variable_state *waiting; /* from a restart file, for variables not yet defined */
 	size_t nwaiting, waiting_capacity;
 	struct ts_map waiting_at; /* by name, those not yet taken: where in `waiting`, from 1 */
 	struct ts_script_text *text;
-	struct ts_arena arena; /* of the texts */
+	struct ts_arena arena;	/* of the texts */
 	struct ts_check *check; /* -check: go through all of it, whatever fails */
 };
 
@@ -62,40 +65,38 @@ const struct ts_place *ts_script_place(const struct ts_script *script, size_t k,
 /* Runs a command by its words, word 0 being its name. */
 enum ts_status ts_script_run_words(struct ts_script *script, struct ts_words words);
 /* Runs a line or several, as the argument of a command that stands at `where`. */
-enum ts_status ts_script_execute(struct ts_script *script, const char *text,
-				 const struct ts_place *where);
+enum ts_status ts_script_execute(struct ts_script *script, const char *text, const struct ts_place *where);
 /* Keeps the text of a file or a stream; the same name is kept once. */
 enum ts_status ts_script_keep(struct ts_script *script, struct ts_source *source);
 /* Runs a script inside the one that runs. */
-enum ts_status ts_script_include(struct ts_script *script, const char *path,
-				 const struct ts_place *where);
+enum ts_status ts_script_include(struct ts_script *script, const char *path, const struct ts_place *where);
 
 /* Replaces ${name}, $x and $(expression) outside of quotes. echo: show every step, as LIGGGHTS. */
 enum ts_status ts_substitute(struct ts_script *script, struct ts_line *line, bool echo);
 /* The same for a text that stands at `where`. */
-enum ts_status ts_substitute_text(struct ts_script *script, const char *text,
-				  const struct ts_place *where, struct ts_str *out);
+enum ts_status ts_substitute_text(struct ts_script *script, const char *text, const struct ts_place *where,
+				  struct ts_str *out);
 
 /* TS_OPEN: only a run can tell. */
 enum ts_truth { TS_NO, TS_YES, TS_OPEN };
 
 /* Formulas. The text stands at `place`. */
-enum ts_status ts_expr_scalar(struct ts_script *script, const char *text,
-			      const struct ts_place *place, double *out);
-enum ts_status ts_expr_peratom(struct ts_script *script, const char *text,
-			       const struct ts_place *place, struct ts_table *out);
-enum ts_status ts_expr_vector(struct ts_script *script, const char *text,
-			      const struct ts_place *place, struct ts_table *out);
-/* Begins to read formulas only, and ends it: `status` is that of the formulas. What their numbers have caused is
- * forgiven, and what is not there yet, unless it is asked for now. */
+enum ts_status ts_expr_scalar(struct ts_script *script, const char *text, const struct ts_place *place,
+			      double *out);
+enum ts_status ts_expr_peratom(struct ts_script *script, const char *text, const struct ts_place *place,
+			       struct ts_table *out);
+enum ts_status ts_expr_vector(struct ts_script *script, const char *text, const struct ts_place *place,
+			      struct ts_table *out);
+/* Begins to read formulas only, and ends it: `status` is that of the formulas. What their numbers have
+ * caused is forgiven, and what is not there yet, unless it is asked for now. */
 struct ts_dry {
 	bool dry, looking, misfit;
 };
 struct ts_dry ts_dry_begin(struct ts_script *script);
 enum ts_status ts_dry_end(struct ts_script *script, struct ts_dry before, enum ts_status status, bool now);
 /* A condition of `if`, where bare names are words that can be compared. */
-enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
-				 const struct ts_place *place, enum ts_truth *out);
+enum ts_status ts_expr_condition(struct ts_script *script, const char *text, const struct ts_place *place,
+				 enum ts_truth *out);
 
 /* condition.c: whether conditions, `then` and commands stand as `if` takes them. */
 enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const struct ts_place *where);

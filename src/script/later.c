@@ -46,8 +46,7 @@ static enum ts_status read_text(struct later *later, const char *text, const str
 	return ts_dry_end(later->script, before, forgive(later, status), true);
 }
 
-static enum ts_status read_condition(struct later *later, const struct ts_word *word,
-				     enum ts_truth *truth)
+static enum ts_status read_condition(struct later *later, const struct ts_word *word, enum ts_truth *truth)
 {
 	struct ts_script *script = later->script;
 	struct ts_dry before = ts_dry_begin(script);
@@ -65,8 +64,7 @@ static enum ts_status read_command(struct later *later, const struct ts_word *wo
 
 /* The condition and what follows it: `then`, `elif`, `else` and commands. What cannot be reached as
  * things are now is left to ts_check_unreached. */
-static enum ts_status read_if(struct later *later, struct ts_words words,
-			      const struct ts_place *where)
+static enum ts_status read_if(struct later *later, struct ts_words words, const struct ts_place *where)
 {
 	enum ts_truth truth = TS_OPEN;
 	bool condition = true, reached = true;
@@ -99,8 +97,7 @@ static enum ts_status read_inside(struct later *later, const struct ts_line *lin
 	enum ts_status status = ts_line_cut(line, &later->script->sim->error, &arena, &words);
 
 	later->depth++;
-	if (status == TS_OK && words.n && ts_streq(words.word[0].text, "if") &&
-	    later->depth < DEEPEST_IF)
+	if (status == TS_OK && words.n && ts_streq(words.word[0].text, "if") && later->depth < DEEPEST_IF)
 		status = read_if(later, ts_words_from(words, 1), &words.word[0].place);
 	later->depth--;
 	ts_arena_release(&arena);
@@ -115,8 +112,7 @@ static enum ts_status read_command(struct later *later, const struct ts_word *wo
 	enum ts_status status = read_text(later, word->text, &word->place, &text);
 
 	ts_str_release(&text);
-	if (status == TS_OK &&
-	    ts_line_set(&line, word->text, strlen(word->text), &word->place) != TS_OK)
+	if (status == TS_OK && ts_line_set(&line, word->text, strlen(word->text), &word->place) != TS_OK)
 		status = ts_nomem(&script->sim->error);
 	if (status == TS_OK)
 		status = ts_check_unreached(script, &line, "");
@@ -136,8 +132,7 @@ enum ts_status ts_later_commands(struct ts_script *script, struct ts_words comma
 	return TS_OK;
 }
 
-enum ts_status ts_later_text(struct ts_script *script, const char *text,
-			     const struct ts_place *where)
+enum ts_status ts_later_text(struct ts_script *script, const char *text, const struct ts_place *where)
 {
 	struct later later = { .script = script, .commands = script->expected };
 	struct ts_str out = { 0 };

@@ -51,8 +51,8 @@ void ts_line_add(struct ts_line *line, const char *text, size_t n, int column, i
 	add(line, text, n, mark, length == 0 && column != 0);
 }
 
-void ts_line_add_from(struct ts_line *line, const char *text, size_t n, const struct ts_line *from,
-		      size_t at, size_t m)
+void ts_line_add_from(struct ts_line *line, const char *text, size_t n, const struct ts_line *from, size_t at,
+		      size_t m)
 {
 	struct ts_place place = ts_line_place(from, at, m);
 	struct ts_mark mark = { from->mark[at].row, place.column, place.length };
@@ -67,8 +67,7 @@ enum ts_status ts_line_same_rows(struct ts_line *line, const struct ts_line *fro
 	return TS_OK;
 }
 
-enum ts_status ts_line_set(struct ts_line *line, const char *text, size_t n,
-			   const struct ts_place *where)
+enum ts_status ts_line_set(struct ts_line *line, const char *text, size_t n, const struct ts_place *where)
 {
 	ts_line_clear(line);
 	TS_TRY(ts_line_row(line, where));
@@ -159,9 +158,8 @@ void ts_line_uncomment(struct ts_line *line)
 }
 
 /* The word at `at`, which is no blank; *next is the position behind it. */
-static enum ts_status cut_word(const struct ts_line *line, struct ts_error *error,
-			       struct ts_arena *arena, size_t at, size_t *next,
-			       struct ts_word *word)
+static enum ts_status cut_word(const struct ts_line *line, struct ts_error *error, struct ts_arena *arena,
+			       size_t at, size_t *next, struct ts_word *word)
 {
 	const char *text = line->text.text;
 	size_t end = ts_quote_end(text, at), mark = 0;
@@ -173,8 +171,7 @@ static enum ts_status cut_word(const struct ts_line *line, struct ts_error *erro
 		place = ts_line_place(line, end - 1, 2);
 		if (text[end] && !strchr(blanks, text[end]))
 			return ts_fail(error, TS_SYNTAX, &place,
-				       "a blank must follow the closing quote, found '%c'",
-				       text[end]);
+				       "a blank must follow the closing quote, found '%c'", text[end]);
 	} else if (text[at] == '"' || text[at] == '\'') {
 		place = ts_line_place(line, at, 1);
 		return ts_fail(error, TS_SYNTAX, &place, "this quote %c is never closed", text[at]);
@@ -190,8 +187,8 @@ static enum ts_status cut_word(const struct ts_line *line, struct ts_error *erro
 	return TS_OK;
 }
 
-enum ts_status ts_line_cut(const struct ts_line *line, struct ts_error *error,
-			   struct ts_arena *arena, struct ts_words *out)
+enum ts_status ts_line_cut(const struct ts_line *line, struct ts_error *error, struct ts_arena *arena,
+			   struct ts_words *out)
 {
 	const char *text = ts_str_text(&line->text);
 	struct ts_word *word = ts_arena_alloc(arena, line->text.length / 2 + 1, sizeof *word);

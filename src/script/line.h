@@ -31,12 +31,11 @@ enum ts_status ts_line_row(struct ts_line *line, const struct ts_place *row);
 void ts_line_add(struct ts_line *line, const char *text, size_t n, int column, int length);
 /* Adds text that stands for the stretch at..at+m of another line with the same rows; exact: it is
  * that stretch, character by character. */
-void ts_line_add_from(struct ts_line *line, const char *text, size_t n, const struct ts_line *from,
-		      size_t at, size_t m);
+void ts_line_add_from(struct ts_line *line, const char *text, size_t n, const struct ts_line *from, size_t at,
+		      size_t m);
 enum ts_status ts_line_same_rows(struct ts_line *line, const struct ts_line *from);
 /* Makes a line from a text that stands at `where`. */
-enum ts_status ts_line_set(struct ts_line *line, const char *text, size_t n,
-			   const struct ts_place *where);
+enum ts_status ts_line_set(struct ts_line *line, const char *text, size_t n, const struct ts_place *where);
 
 /* The place of the characters at..at+n. */
 struct ts_place ts_line_place(const struct ts_line *line, size_t at, size_t n);
@@ -53,7 +52,7 @@ bool ts_quote_open(const char *text);
 /* Cuts off the comment. */
 void ts_line_uncomment(struct ts_line *line);
 /* Cuts the line into words, quotes stripped one level; memory comes from the arena. */
-enum ts_status ts_line_cut(const struct ts_line *line, struct ts_error *error,
-			   struct ts_arena *arena, struct ts_words *out);
+enum ts_status ts_line_cut(const struct ts_line *line, struct ts_error *error, struct ts_arena *arena,
+			   struct ts_words *out);
 
 #endif

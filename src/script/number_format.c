@@ -23,7 +23,7 @@ static const char *conversion(const char *text, const char **end)
 }
 
 enum ts_status ts_number_format_check(struct ts_error *error, const char *format,
-			       const struct ts_place *place)
+				      const struct ts_place *place)
 {
 	bool good = true;
 	int found = 0;
@@ -39,8 +39,7 @@ enum ts_status ts_number_format_check(struct ts_error *error, const char *format
 	if (good && found == 1)
 		return TS_OK;
 	return ts_fail(error, TS_SYNTAX, place,
-		       "expected a format for one number, such as %%.4f or %%g, found '%s'",
-		       format);
+		       "expected a format for one number, such as %%.4f or %%g, found '%s'", format);
 }
 
 #pragma GCC diagnostic push

@@ -18,13 +18,11 @@ static const struct ts_arg args[] = {
 		.help = "yes: those of the range run the command; no: those outside of it"),
 	TS_WORD("range", struct partition, range, .flags = TS_POSITIONAL,
 		.help = "numbers of partitions, N, N*, *M or N*M; there is one, number 1"),
-	TS_REST("command", struct partition, command, .help = "command and its arguments"),
-	TS_ARGS_END
+	TS_REST("command", struct partition, command, .help = "command and its arguments"), TS_ARGS_END
 };
 
 /* Is partition 1 of the range? */
-static enum ts_status has_first(struct tsim *sim, const char *range, const struct ts_place *where,
-				bool *out)
+static enum ts_status has_first(struct tsim *sim, const char *range, const struct ts_place *where, bool *out)
 {
 	struct ts_str low = { 0 };
 	const char *star = strchr(range, '*'), *high = star ? star + 1 : range;

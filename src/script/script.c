@@ -22,8 +22,7 @@ static enum ts_status host_substitute(void *host, const char *text, const struct
 	return ts_substitute_text(host, text, where, out);
 }
 
-static enum ts_status host_scalar(void *host, const char *name, const struct ts_place *where,
-				  double *out)
+static enum ts_status host_scalar(void *host, const char *name, const struct ts_place *where, double *out)
 {
 	struct ts_variable *variable;
 
@@ -115,8 +114,7 @@ static void host_expects(void *host, struct ts_words commands)
 	script->expected = commands;
 }
 
-static enum ts_status host_set(void *host, const char *name, const struct ts_place *where,
-			       double value)
+static enum ts_status host_set(void *host, const char *name, const struct ts_place *where, double value)
 {
 	struct ts_script *script = host;
 	struct ts_variable *variable;
@@ -124,8 +122,8 @@ static enum ts_status host_set(void *host, const char *name, const struct ts_pla
 	TS_TRY(ts_variable_require(script, name, where, &variable));
 	if (variable->style != &ts_var_internal)
 		return ts_fail(&script->sim->error, TS_STATE, where,
-			       "variable '%s' is of style %s; one of style internal is needed here",
-			       name, variable->style->name);
+			       "variable '%s' is of style %s; one of style internal is needed here", name,
+			       variable->style->name);
 	variable->number = value;
 	script->reading++; /* what was read with the number of before is of no use */
 	return TS_OK;
@@ -248,8 +246,7 @@ enum ts_status ts_script_of(struct tsim *sim, const struct ts_place *where, stru
 	return ts_fail(&sim->error, TS_STATE, where, "this command works only in a script");
 }
 
-const struct ts_place *ts_script_place(const struct ts_script *script, size_t k,
-				       const struct ts_place *where)
+const struct ts_place *ts_script_place(const struct ts_script *script, size_t k, const struct ts_place *where)
 {
 	return k < script->current.n ? &script->current.word[k].place : where;
 }
@@ -295,7 +292,8 @@ static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
 		status = ts_substitute(script, line, true);
 	if (status == TS_OK)
 		status = ts_line_cut(line, error, &arena, &words);
-	if (status == TS_OK && words.n && script->check && ts_unknown_text(script->sim, ts_str_text(&line->text)))
+	if (status == TS_OK && words.n && script->check &&
+	    ts_unknown_text(script->sim, ts_str_text(&line->text)))
 		status = ts_check_guess(script, line, words);
 	if (status == TS_OK && words.n)
 		status = ts_script_run_words(script, words);
@@ -335,8 +333,7 @@ static enum ts_status look_for_label(struct ts_script *script, struct ts_line *l
 static enum ts_status no_label(struct ts_script *script)
 {
 	enum ts_status status = ts_fail(&script->sim->error, TS_UNKNOWN, &script->label_place,
-					"there is no 'label %s' in %s", script->label,
-					script->source->name);
+					"there is no 'label %s' in %s", script->label, script->source->name);
 
 	if (!script->sim->check)
 		return status;
@@ -359,8 +356,7 @@ static enum ts_status run_lines(struct ts_script *script)
 		if (end)
 			status = no_label(script);
 		else
-			status = script->label ? look_for_label(script, &line)
-					       : run_line(script, &line);
+			status = script->label ? look_for_label(script, &line) : run_line(script, &line);
 	}
 	ts_line_release(&line);
 	return status;
@@ -412,8 +408,7 @@ static enum ts_status run_source(struct ts_script *script, struct ts_source *sou
 	return status;
 }
 
-enum ts_status ts_script_include(struct ts_script *script, const char *path,
-				 const struct ts_place *where)
+enum ts_status ts_script_include(struct ts_script *script, const char *path, const struct ts_place *where)
 {
 	struct ts_source source;
 
@@ -442,8 +437,7 @@ enum ts_status ts_script_string(struct ts_script *script, const char *text, cons
 	return run_source(script, &source, NULL);
 }
 
-enum ts_status ts_script_execute(struct ts_script *script, const char *text,
-				 const struct ts_place *where)
+enum ts_status ts_script_execute(struct ts_script *script, const char *text, const struct ts_place *where)
 {
 	struct ts_place nowhere = { 0 };
 	struct ts_line line = { 0 };
@@ -453,8 +447,8 @@ enum ts_status ts_script_execute(struct ts_script *script, const char *text,
 	if (!where)
 		where = &nowhere;
 	if (script->depth >= DEEPEST)
-		return ts_fail(&script->sim->error, TS_RANGE, where,
-			       "commands are nested more than %d deep", DEEPEST);
+		return ts_fail(&script->sim->error, TS_RANGE, where, "commands are nested more than %d deep",
+			       DEEPEST);
 	script->depth++;
 	while (status == TS_OK && at < length && !script->quit && !script->label) {
 		struct ts_place part;
@@ -472,8 +466,8 @@ enum ts_status ts_script_execute(struct ts_script *script, const char *text,
 	return status;
 }
 
-enum ts_status ts_script_set(struct ts_script *script, const char *name, const char *const *values,
-			     size_t n, const char *origin)
+enum ts_status ts_script_set(struct ts_script *script, const char *name, const char *const *values, size_t n,
+			     const char *origin)
 {
 	struct ts_error *error = &script->sim->error;
 	struct ts_arena arena = { 0 };
@@ -490,8 +484,7 @@ enum ts_status ts_script_set(struct ts_script *script, const char *name, const c
 	variable = ts_variable_find(script, name);
 	if (variable) /* the last one given wins */
 		ts_variable_delete(script, variable);
-	status = ts_variable_define(script, &word[0], &ts_var_index,
-				    (struct ts_words){ word + 1, n });
+	status = ts_variable_define(script, &word[0], &ts_var_index, (struct ts_words){ word + 1, n });
 	if (status == TS_OK)
 		ts_variable_find(script, name)->given = true;
 	ts_arena_release(&arena);
@@ -501,10 +494,9 @@ enum ts_status ts_script_set(struct ts_script *script, const char *name, const c
 enum ts_status ts_script_define(struct ts_script *script, const char *name, const char *style,
 				const char *value)
 {
-	const struct ts_word word[] = { { .text = "variable" },
-					{ .text = name },
-					{ .text = style },
-					{ .text = value } };
+	const struct ts_word word[] = {
+		{ .text = "variable" }, { .text = name }, { .text = style }, { .text = value }
+	};
 	struct ts_variable *old = ts_variable_find(script, name);
 	enum ts_status status;
 

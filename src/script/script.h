@@ -21,10 +21,10 @@ enum ts_status ts_script_string(struct ts_script *script, const char *text, cons
 
 /* An index variable from outside the script, which wins over the script's own. `origin` stands for
  * the file name in messages. */
-enum ts_status ts_script_set(struct ts_script *script, const char *name, const char *const *values,
-			     size_t n, const char *origin);
-/* The line `variable NAME STYLE VALUE` as it is, nothing substituted, in place of a variable of any style, which
- * stays if the line is wrong. value NULL: none. */
+enum ts_status ts_script_set(struct ts_script *script, const char *name, const char *const *values, size_t n,
+			     const char *origin);
+/* The line `variable NAME STYLE VALUE` as it is, nothing substituted, in place of a variable of any style,
+ * which stays if the line is wrong. value NULL: none. */
 enum ts_status ts_script_define(struct ts_script *script, const char *name, const char *style,
 				const char *value);
 /* Name of the k-th variable; NULL: there are no more. */
@@ -32,8 +32,8 @@ const char *ts_script_variable(struct ts_script *script, size_t k);
 /* A number by an expression: "v_x", "2*PI", "c_ke", "step" ... */
 enum ts_status ts_script_value(struct ts_script *script, const char *expression, double *out);
 
-/* Whether `shell` may start programs, set the environment, remove and move files outside of the folder of the run;
- * at first it may not. */
+/* Whether `shell` may start programs, set the environment, remove and move files outside of the folder of
+ * the run; at first it may not. */
 void ts_script_allow_programs(struct ts_script *script, bool allowed);
 
 /* Whether the script said `quit`, and with which status. */
@@ -45,8 +45,8 @@ void ts_script_warn_unused(struct ts_script *script);
 /* -check: from now on scripts are gone through without running them, and errors do not end them. */
 enum ts_status ts_script_check(struct ts_script *script);
 /* All errors as diagnostics; what the script does and would write; the number of errors. */
-enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *errors,
-				      struct ts_str *report, int *nerrors);
+enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *errors, struct ts_str *report,
+				      int *nerrors);
 
 /* The error as the user sees it: place, message, the line and a mark below the culprit. */
 void ts_diagnostic(const struct ts_error *error, struct ts_str *out);

@@ -1,5 +1,6 @@
-/* The few things scripts ask of the operating system. Only if the user has allowed it with -shell yes are other
- * programs started, the environment changed, and files removed or moved outside of the folder of the run. */
+/* The few things scripts ask of the operating system. Only if the user has allowed it with -shell yes are
+ * other programs started, the environment changed, and files removed or moved outside of the folder of the
+ * run. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,8 +21,8 @@ struct shell {
 
 static const struct ts_arg shell_args[] = {
 	TS_REST("action", struct shell, words,
-		.help = "mkdir DIR ..., mv OLD NEW, rm FILE ..., rmdir DIR ..., or cd DIR; with -shell yes also "
-			"putenv NAME=VALUE ... or a command of the system"),
+		.help = "mkdir DIR ..., mv OLD NEW, rm FILE ..., rmdir DIR ..., or cd DIR; with -shell yes "
+			"also putenv NAME=VALUE ... or a command of the system"),
 	TS_ARGS_END
 };
 
@@ -76,8 +77,8 @@ static enum ts_status keep_below(struct ts_script *script, const char *what, con
 	if (below || !known) /* what is not there cannot be touched */
 		return TS_OK;
 	return ts_fail(err, TS_STATE, &word->place,
-		       "shell %s '%s': this is not below '%s', where tsim was started; files elsewhere are removed "
-		       "and moved only with the option -shell yes",
+		       "shell %s '%s': this is not below '%s', where tsim was started; files elsewhere are "
+		       "removed and moved only with the option -shell yes",
 		       what, word->text, script->home);
 }
 
@@ -86,8 +87,7 @@ static enum ts_status move(struct ts_script *script, struct ts_words words)
 	struct tsim *sim = script->sim;
 
 	if (words.n != 3)
-		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
-			       "expected: shell mv OLD NEW");
+		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place, "expected: shell mv OLD NEW");
 	TS_TRY(keep_below(script, "mv", &words.word[1]));
 	TS_TRY(keep_below(script, "mv", &words.word[2]));
 	if (sim->check)
@@ -152,8 +152,8 @@ static enum ts_status run_action(struct ts_script *script, size_t a, const struc
 	if ((sim->explain && actions[a].writes) || actions[a].act(&sim->files, word->text) == 0)
 		return TS_OK;
 	if (!actions[a].forgiving)
-		return ts_fail(&sim->error, TS_IO, &word->place, "shell %s '%s' failed: %s",
-			       actions[a].name, word->text, ts_files_why(&sim->files));
+		return ts_fail(&sim->error, TS_IO, &word->place, "shell %s '%s' failed: %s", actions[a].name,
+			       word->text, ts_files_why(&sim->files));
 	ts_warn(&sim->log, &word->place, "shell %s '%s' failed: %s", actions[a].name, word->text,
 		ts_files_why(&sim->files));
 	return TS_OK;
@@ -184,11 +184,10 @@ static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_p
 	while (a < n && !ts_streq(actions[a].name, words.word[0].text))
 		a++;
 	if (a == n)
-		return script->programs ? run_program(sim, words)
-					: unknown_action(sim, &words.word[0]);
+		return script->programs ? run_program(sim, words) : unknown_action(sim, &words.word[0]);
 	if (words.n < 2)
-		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
-			       "expected a name after '%s'", actions[a].name);
+		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place, "expected a name after '%s'",
+			       actions[a].name);
 	if (actions[a].act == set_environment && !script->programs)
 		return ts_fail(&sim->error, TS_STATE, &words.word[0].place,
 			       "shell putenv changes the environment only with the option -shell yes");
@@ -202,13 +201,14 @@ const struct ts_command_style ts_command_shell = {
 		.name = "shell",
 		.kind = TS_KIND_COMMAND,
 		.summary = "makes directories, moves and removes files",
-		.doc = "mkdir makes the directories that lead to it too, and a directory that exists is "
-		       "no error. rm or rmdir of what is not there is a warning; rm removes no "
-		       "directories. Options such as -p and -rf have no effect. rm, rmdir and mv act only below the folder "
-		       "in which tsim was started, links resolved. With the option -shell yes of the command line they "
-		       "act anywhere, putenv sets the environment, and any other words are run as a command of the "
-		       "system's shell; without it these are refused. What else a script may do to files is said in "
-		       "doc/language.md; for scripts from elsewhere there is -sandbox.",
+		.doc = "mkdir makes the directories that lead to it too, and a directory that exists is no "
+		       "error. rm or rmdir of what is not there is a warning; rm removes no directories. "
+		       "Options such as -p and -rf have no effect. rm, rmdir and mv act only below the "
+		       "folder in which tsim was started, links resolved. With the option -shell yes of the "
+		       "command line they act anywhere, putenv sets the environment, and any other words are "
+		       "run as a command of the system's shell; without it these are refused. What else a "
+		       "script may do to files is said in doc/language.md; for scripts from elsewhere there "
+		       "is -sandbox.",
 		.example = "shell mkdir post\nshell mv profile.txt post/profile_old.txt",
 		.args = shell_args,
 		.state_size = sizeof(struct shell),

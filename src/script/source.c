@@ -29,8 +29,7 @@ enum ts_status ts_source_open(struct ts_source *source, struct tsim *sim, const 
 	return TS_OK;
 }
 
-enum ts_status ts_source_stream(struct ts_source *source, struct tsim *sim, FILE *stream,
-				const char *name)
+enum ts_status ts_source_stream(struct ts_source *source, struct tsim *sim, FILE *stream, const char *name)
 {
 	TS_TRY(start(source, sim, name));
 	source->stream = stream;
@@ -107,15 +106,15 @@ static enum ts_status fetch(struct ts_source *source, struct tsim *sim)
 				       "the script is not a text file: it has a byte 0 here");
 		if (++n > most)
 			return ts_fail(&sim->error, TS_RANGE, &place,
-				       "the line has more than %zu bytes; if that is meant, start tsim with -input-limit "
-				       "GB, of which a line may have a thousandth", most);
+				       "the line has more than %zu bytes; if that is meant, start tsim with "
+				       "-input-limit GB, of which a line may have a thousandth",
+				       most);
 		ts_str_add_n(&source->text, &byte, 1);
 	}
 	if (source->text.failed)
 		return ts_nomem(&sim->error);
 	if (c == EOF && ferror(source->stream))
-		return ts_fail(&sim->error, TS_IO, &place, "cannot read the script: %s",
-			       strerror(errno));
+		return ts_fail(&sim->error, TS_IO, &place, "cannot read the script: %s", strerror(errno));
 	return TS_OK;
 }
 
@@ -158,8 +157,7 @@ static enum ts_status next_row(struct ts_source *source, struct tsim *sim, struc
 	return place->text ? TS_OK : ts_nomem(&sim->error);
 }
 
-enum ts_status ts_source_line(struct ts_source *source, struct tsim *sim, struct ts_line *line,
-			      bool *end)
+enum ts_status ts_source_line(struct ts_source *source, struct tsim *sim, struct ts_line *line, bool *end)
 {
 	bool more = true;
 

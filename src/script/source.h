@@ -30,8 +30,7 @@ struct ts_source {
 
 enum ts_status ts_source_open(struct ts_source *source, struct tsim *sim, const char *path,
 			      const struct ts_place *where);
-enum ts_status ts_source_stream(struct ts_source *source, struct tsim *sim, FILE *stream,
-				const char *name);
+enum ts_status ts_source_stream(struct ts_source *source, struct tsim *sim, FILE *stream, const char *name);
 enum ts_status ts_source_string(struct ts_source *source, struct tsim *sim, const char *text,
 				const char *name);
 void ts_source_rewind(struct ts_source *source);
@@ -45,7 +44,6 @@ enum ts_status ts_source_rest(struct ts_source *source, struct tsim *sim);
 void ts_source_close(struct ts_source *source);
 
 /* The next logical line, as written; *end: there is none. */
-enum ts_status ts_source_line(struct ts_source *source, struct tsim *sim, struct ts_line *line,
-			      bool *end);
+enum ts_status ts_source_line(struct ts_source *source, struct tsim *sim, struct ts_line *line, bool *end);
 
 #endif

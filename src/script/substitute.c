@@ -45,8 +45,8 @@ static enum ts_status split_format(struct ts_script *script, const struct ts_lin
 }
 
 /* $(formula) or $(formula:%format), whose inside stands at from..to of the line. */
-static enum ts_status expression(struct ts_script *script, const struct ts_line *line, size_t from,
-				 size_t to, struct ts_str *out)
+static enum ts_status expression(struct ts_script *script, const struct ts_line *line, size_t from, size_t to,
+				 struct ts_str *out)
 {
 	struct ts_place place;
 	struct ts_str inner = { 0 };
@@ -70,8 +70,8 @@ static enum ts_status expression(struct ts_script *script, const struct ts_line 
 }
 
 /* ${name} or ${name:%format}, whose inside stands at from..to. */
-static enum ts_status variable(struct ts_script *script, const struct ts_line *line, size_t from,
-			       size_t to, const struct ts_place *where, struct ts_str *out)
+static enum ts_status variable(struct ts_script *script, const struct ts_line *line, size_t from, size_t to,
+			       const struct ts_place *where, struct ts_str *out)
 {
 	struct ts_variable *found;
 	struct ts_str name = { 0 };
@@ -95,8 +95,8 @@ static enum ts_status variable(struct ts_script *script, const struct ts_line *l
 }
 
 /* The value of the reference whose $ stands at `at`; *next is the position behind it. */
-static enum ts_status reference(struct ts_script *script, const struct ts_line *line, size_t at,
-				size_t *next, struct ts_str *out)
+static enum ts_status reference(struct ts_script *script, const struct ts_line *line, size_t at, size_t *next,
+				struct ts_str *out)
 {
 	const char *text = line->text.text, *brace;
 	struct ts_place where;
@@ -114,8 +114,7 @@ static enum ts_status reference(struct ts_script *script, const struct ts_line *
 		brace = strchr(text + at, '}');
 		if (!brace) {
 			where = ts_line_place(line, at, 2);
-			return ts_fail(&script->sim->error, TS_SYNTAX, &where,
-				       "'${' is never closed");
+			return ts_fail(&script->sim->error, TS_SYNTAX, &where, "'${' is never closed");
 		}
 		end = (size_t)(brace - text);
 		where = ts_line_place(line, at, end + 1 - at);
@@ -158,8 +157,7 @@ static enum ts_status replace(struct ts_script *script, const struct ts_line *li
 		if (text[at] == '$') {
 			ts_str_clear(value);
 			TS_TRY(reference(script, line, at, &end, value));
-			ts_line_add_from(out, ts_str_text(value), value->length, line, at,
-					 end - at);
+			ts_line_add_from(out, ts_str_text(value), value->length, line, at, end - at);
 			if (echo && ++steps < MOST_SHOWN)
 				show(script, out, text + end);
 			at = end;
@@ -194,8 +192,8 @@ enum ts_status ts_substitute(struct ts_script *script, struct ts_line *line, boo
 	return status;
 }
 
-enum ts_status ts_substitute_text(struct ts_script *script, const char *text,
-				  const struct ts_place *where, struct ts_str *out)
+enum ts_status ts_substitute_text(struct ts_script *script, const char *text, const struct ts_place *where,
+				  struct ts_str *out)
 {
 	struct ts_place nowhere = { 0 };
 	struct ts_line line = { 0 };

@@ -31,8 +31,8 @@ static const struct ts_arg print_args[] = {
 	TS_ARGS_END
 };
 
-static enum ts_status write_line(struct tsim *sim, const char *path, const char *mode,
-				 const char *text, const struct ts_place *where)
+static enum ts_status write_line(struct tsim *sim, const char *path, const char *mode, const char *text,
+				 const struct ts_place *where)
 {
 	FILE *file;
 	int bad;
@@ -101,11 +101,10 @@ struct echo {
 
 static const char *const echo_choices[] = { "none", "screen", "log", "both", NULL };
 
-static const struct ts_arg echo_args[] = {
-	TS_ENUM("where", struct echo, where, echo_choices, .flags = TS_POSITIONAL,
-		.help = "where input lines are shown before they are run"),
-	TS_ARGS_END
-};
+static const struct ts_arg echo_args[] = { TS_ENUM("where", struct echo, where, echo_choices,
+						   .flags = TS_POSITIONAL,
+						   .help = "where input lines are shown before they are run"),
+					   TS_ARGS_END };
 
 static enum ts_status run_echo(struct tsim *sim, void *state, const struct ts_place *where)
 {
@@ -138,8 +137,7 @@ struct log_to {
 static const struct ts_arg log_args[] = {
 	TS_WORD("file", struct log_to, file, .flags = TS_POSITIONAL | TS_WRITES,
 		.help = "new log file; none: write no log"),
-	TS_FLAG("append", struct log_to, append, .help = "add to the file if it exists"),
-	TS_ARGS_END
+	TS_FLAG("append", struct log_to, append, .help = "add to the file if it exists"), TS_ARGS_END
 };
 
 static enum ts_status run_log(struct tsim *sim, void *state, const struct ts_place *where)

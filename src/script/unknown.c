@@ -18,8 +18,8 @@ bool ts_unknown_read(struct ts_script *script, const char *name)
 
 bool ts_unknown_value(struct ts_script *script, const char *name, enum ts_status *status)
 {
-	if (*status == TS_NOMEM || *status == TS_STOPPED || *status == TS_UNKNOWN ||
-	    *status == TS_SYNTAX || !ts_unknown_read(script, name))
+	if (*status == TS_NOMEM || *status == TS_STOPPED || *status == TS_UNKNOWN || *status == TS_SYNTAX ||
+	    !ts_unknown_read(script, name))
 		return false;
 	if (*status != TS_OK)
 		ts_error_clear(&script->sim->error);

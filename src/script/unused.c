@@ -111,8 +111,7 @@ static void search_line(struct search *s, const char *line, size_t n, bool conti
 	word = strcspn(line + first, " \t\n");
 	id = first + word + strspn(line + first + word, blanks);
 	for (size_t k = 0; !continued && k < sizeof defining / sizeof *defining; k++) {
-		if (strlen(defining[k]) != word || strncmp(defining[k], line + first, word) != 0 ||
-		    id >= n)
+		if (strlen(defining[k]) != word || strncmp(defining[k], line + first, word) != 0 || id >= n)
 			continue;
 		end = id + strcspn(line + id, " \t\n");
 		if (end > n)
@@ -161,8 +160,7 @@ void ts_script_warn_unused(struct ts_script *script)
 
 		if (variable->given && !variable->used)
 			ts_warn(&script->sim->log, NULL,
-				"variable '%s' was set from outside, but the script does not use "
-				"it",
+				"variable '%s' was set from outside, but the script does not use it",
 				variable->name);
 	}
 	for (const struct ts_script_text *t = script->text; t; t = t->next)

@@ -17,8 +17,8 @@ struct ts_variable *ts_variable_find(const struct ts_script *script, const char 
 	return ts_map_get(&script->variables.by_name, name);
 }
 
-enum ts_status ts_variable_require(struct ts_script *script, const char *name,
-				   const struct ts_place *where, struct ts_variable **out)
+enum ts_status ts_variable_require(struct ts_script *script, const char *name, const struct ts_place *where,
+				   struct ts_variable **out)
 {
 	struct ts_suggest suggest = ts_suggest_start(name);
 
@@ -89,8 +89,7 @@ static enum ts_status check_name(struct ts_error *error, const struct ts_word *n
 	if (good)
 		return TS_OK;
 	return ts_fail(error, TS_SYNTAX, &name->place,
-		       "a variable's name is made of letters, digits and _, found '%s'",
-		       name->text);
+		       "a variable's name is made of letters, digits and _, found '%s'", name->text);
 }
 
 static enum ts_status read_values(struct ts_script *script, struct ts_variable *variable,
@@ -106,10 +105,9 @@ static enum ts_status read_values(struct ts_script *script, struct ts_variable *
 			       style->name, style->values);
 	if (style->most && values.n > style->most)
 		return ts_fail(error, TS_SYNTAX, &values.word[style->most].place,
-			       style->most == 1
-				       ? "a variable of style %s takes one word; put quotes around "
-					 "a value with blanks"
-				       : "a variable of style %s takes %zu words",
+			       style->most == 1 ? "a variable of style %s takes one word; put quotes around "
+						  "a value with blanks"
+						: "a variable of style %s takes %zu words",
 			       style->name, style->most);
 	if (ts_words_copy(&variable->arena, values, &variable->values) != TS_OK)
 		return ts_nomem(error);
@@ -117,8 +115,7 @@ static enum ts_status read_values(struct ts_script *script, struct ts_variable *
 }
 
 static enum ts_status check_old(struct ts_script *script, const struct ts_word *name,
-				const struct ts_variable *old,
-				const struct ts_variable_style *style)
+				const struct ts_variable *old, const struct ts_variable_style *style)
 {
 	struct ts_error *error = &script->sim->error;
 
@@ -126,8 +123,7 @@ static enum ts_status check_old(struct ts_script *script, const struct ts_word *
 		return ts_fail(error, TS_STATE, &name->place,
 			       "variable '%s' exists with style %s (%s:%d); 'variable %s delete' "
 			       "first, or declare it here with style index",
-			       name->text, old->style->name, old->where.file, old->where.line,
-			       name->text);
+			       name->text, old->style->name, old->where.file, old->where.line, name->text);
 	if (old->busy)
 		return ts_fail(error, TS_STATE, &name->place,
 			       "variable '%s' cannot change while it is evaluated", name->text);
@@ -181,8 +177,8 @@ static enum ts_status enter(struct ts_script *script, struct ts_variable *variab
 }
 
 /* Says who asked for a formula that failed, if that is not plain from the place. */
-static enum ts_status leave(struct ts_script *script, struct ts_variable *variable,
-			    enum ts_status status, const struct ts_place *where)
+static enum ts_status leave(struct ts_script *script, struct ts_variable *variable, enum ts_status status,
+			    const struct ts_place *where)
 {
 	struct ts_error *error = &script->sim->error;
 	size_t n = strlen(error->message);
@@ -243,13 +239,12 @@ enum ts_status ts_variable_number(struct ts_script *script, struct ts_variable *
 	}
 	if (style->peratom && !style->number)
 		return ts_fail(&script->sim->error, TS_STATE, where,
-			       "variable '%s' has a value for each particle; one number is needed "
-			       "here",
+			       "variable '%s' has a value for each particle; one number is needed here",
 			       variable->name);
 	if (style->vector && !style->number)
 		return ts_fail(&script->sim->error, TS_STATE, where,
-			       "variable '%s' is a list of numbers; choose one with v_%s[k]",
-			       variable->name, variable->name);
+			       "variable '%s' is a list of numbers; choose one with v_%s[k]", variable->name,
+			       variable->name);
 	if (!style->number)
 		return text_as_number(script, variable, where, out);
 	TS_TRY(enter(script, variable, where));
@@ -265,8 +260,7 @@ enum ts_status ts_variable_peratom(struct ts_script *script, struct ts_variable 
 			       "atom or atomfile",
 			       variable->name, variable->style->name);
 	TS_TRY(enter(script, variable, where));
-	return leave(script, variable, variable->style->peratom(script, variable, where, out),
-		     where);
+	return leave(script, variable, variable->style->peratom(script, variable, where, out), where);
 }
 
 enum ts_status ts_variable_vector(struct ts_script *script, struct ts_variable *variable,
@@ -277,8 +271,7 @@ enum ts_status ts_variable_vector(struct ts_script *script, struct ts_variable *
 			       "variable '%s' is of style %s; a list of numbers needs style vector",
 			       variable->name, variable->style->name);
 	TS_TRY(enter(script, variable, where));
-	return leave(script, variable, variable->style->vector(script, variable, where, out),
-		     where);
+	return leave(script, variable, variable->style->vector(script, variable, where, out), where);
 }
 
 enum ts_status ts_variable_next(struct ts_script *script, struct ts_variable *variable,

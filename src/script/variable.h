@@ -15,6 +15,7 @@ struct ts_script;
 struct ts_variable;
 
 /* All styles, in the order of the manual. */
+/* clang-format off */
 #define TS_VARIABLE_STYLES(X)                                                                      \
 	X(index)                                                                                   \
 	X(loop)                                                                                    \
@@ -32,6 +33,7 @@ struct ts_variable;
 	X(equal)                                                                                   \
 	X(atom)                                                                                    \
 	X(vector)
+/* clang-format on */
 
 /* What a restart file keeps of a variable, for the one of the same style, name and first word. */
 struct ts_variable_state {
@@ -58,12 +60,10 @@ struct ts_variable_style {
 	enum ts_status (*vector)(struct ts_script *script, struct ts_variable *variable,
 				 const struct ts_place *where, struct ts_table *out);
 	/* goes on to the next value; *exhausted: there is none */
-	enum ts_status (*next)(struct ts_script *script, struct ts_variable *variable,
-			       bool *exhausted);
+	enum ts_status (*next)(struct ts_script *script, struct ts_variable *variable, bool *exhausted);
 	/* For restart files; false: there is nothing to keep. */
 	bool (*save)(const struct ts_variable *variable, double *number);
-	enum ts_status (*restore)(struct ts_script *script, struct ts_variable *variable,
-				  double number);
+	enum ts_status (*restore)(struct ts_script *script, struct ts_variable *variable, double number);
 	void (*release)(struct ts_variable *variable);
 };
 #define TS_VARIABLE_DECLARE(style) extern const struct ts_variable_style ts_var_##style;
@@ -83,7 +83,7 @@ struct ts_variable {
 	uint64_t reading;	/* of the script, when that was */
 	struct ts_table kept;	/* of a formula of particles or a list: likewise, within a reading */
 	struct ts_variable *next_kept;
-	size_t place;		/* among all */
+	size_t place; /* among all */
 	struct ts_variable_feed *feed;
 	struct ts_arena arena;
 	struct ts_place where;
@@ -103,8 +103,8 @@ struct ts_variables {
 
 struct ts_variable *ts_variable_find(const struct ts_script *script, const char *name);
 /* The same and marks it used; or an error with a suggestion. */
-enum ts_status ts_variable_require(struct ts_script *script, const char *name,
-				   const struct ts_place *where, struct ts_variable **out);
+enum ts_status ts_variable_require(struct ts_script *script, const char *name, const struct ts_place *where,
+				   struct ts_variable **out);
 /* Defines it, or leaves it alone if it exists and its style says so. */
 enum ts_status ts_variable_define(struct ts_script *script, const struct ts_word *name,
 				  const struct ts_variable_style *style, struct ts_words values);
@@ -128,8 +128,7 @@ enum ts_status ts_variable_next(struct ts_script *script, struct ts_variable *va
 void ts_variables_forget(struct ts_script *script);
 
 /* Gives a variable that is being defined what a restart file keeps of it; *resumed: there was something. */
-enum ts_status ts_variable_resume(struct ts_script *script, struct ts_variable *variable,
-				  bool *resumed);
+enum ts_status ts_variable_resume(struct ts_script *script, struct ts_variable *variable, bool *resumed);
 /* The states of all variables, written or read. */
 enum ts_status ts_variables_archive(struct ts_script *script, struct ts_archive *archive);
 

@@ -16,8 +16,7 @@ static const char *const styles[] = { TS_VARIABLE_STYLES(NAME) "delete", NULL };
 #undef NAME
 
 static const struct ts_arg variable_args[] = {
-	TS_WORD("name", struct variable, name, .flags = TS_POSITIONAL,
-		.help = "letters, digits and _"),
+	TS_WORD("name", struct variable, name, .flags = TS_POSITIONAL, .help = "letters, digits and _"),
 	TS_ENUM("style", struct variable, style, styles, .flags = TS_POSITIONAL,
 		.help = "what the variable is; delete: there shall be none of that name"),
 	TS_REST_OPTIONAL("values", struct variable, values,
@@ -28,15 +27,13 @@ static const struct ts_arg variable_args[] = {
 };
 
 /* One that does not exist is no error (LIGGGHTS): scripts delete before they define. */
-static enum ts_status delete(struct ts_script *script, const struct ts_word *name)
-{
+static enum ts_status delete (struct ts_script *script, const struct ts_word *name) {
 	struct ts_variable *found = ts_variable_find(script, name->text);
 
-	if (found && found->busy)
-		return ts_fail(&script->sim->error, TS_STATE, &name->place,
-			       "variable '%s' cannot be deleted while it is evaluated", name->text);
-	if (found)
-		ts_variable_delete(script, found);
+	if (found && found->busy) return ts_fail(&script->sim->error, TS_STATE, &name->place,
+						 "variable '%s' cannot be deleted while it is evaluated",
+						 name->text);
+	if (found) ts_variable_delete(script, found);
 	return TS_OK;
 }
 
@@ -49,8 +46,7 @@ static enum ts_status run_variable(struct tsim *sim, void *state, const struct t
 
 	TS_TRY(ts_script_of(sim, where, &script));
 	name = (struct ts_word){ .text = args->name, .place = *ts_script_place(script, 1, where) };
-	return style ? ts_variable_define(script, &name, style, args->values)
-		     : delete(script, &name);
+	return style ? ts_variable_define(script, &name, style, args->values) : delete (script, &name);
 }
 
 const struct ts_command_style ts_command_variable = {
@@ -61,13 +57,12 @@ const struct ts_command_style ts_command_variable = {
 		.doc = "`tsim -help variables` lists what each style stands for. Those that step through "
 		       "values with `next` (index, loop, world, universe, uloop, file, atomfile) stay as "
 		       "they are if one of that name exists already, so that the option -var wins; the "
-		       "others replace one of the same style. `equal`, `atom` and `vector` keep a "
-		       "formula, which is evaluated each time the variable is used; the page `functions` "
-		       "says what stands in it. `delete` removes the variable, if there is one.\n\n"
-		       "${name} (or $x for a one-letter name) puts the value into a line before it "
-		       "is run, outside of quotes; v_name reads it inside a formula; $(formula) "
-		       "evaluates at once. ${name:%.3f} and $(formula:%.3f) say how the number is "
-		       "written.",
+		       "others replace one of the same style. `equal`, `atom` and `vector` keep a formula, "
+		       "which is evaluated each time the variable is used; the page `functions` says what "
+		       "stands in it. `delete` removes the variable, if there is one.\n\n"
+		       "${name} (or $x for a one-letter name) puts the value into a line before it is run, "
+		       "outside of quotes; v_name reads it inside a formula; $(formula) evaluates at once. "
+		       "${name:%.3f} and $(formula:%.3f) say how the number is written.",
 		.example = "variable wob index 2000\nvariable area equal PI*v_r^2\n"
 			   "variable n loop 5\nvariable deep atom z<0.05\n"
 			   "variable edges vector [0,0.1,0.25]",

@@ -12,10 +12,10 @@
 
 struct ts_variable_feed {
 	FILE *stream;
-	struct ts_str row;     /* the last line read */
-	struct ts_place line;  /* the same as a place */
-	struct ts_str text;    /* file: its first word */
-	double *id, *value;    /* atomfile: the present set */
+	struct ts_str row;    /* the last line read */
+	struct ts_place line; /* the same as a place */
+	struct ts_str text;   /* file: its first word */
+	double *id, *value;   /* atomfile: the present set */
 	size_t n, id_capacity, value_capacity;
 	int64_t position; /* how many values or sets were read */
 };
@@ -52,16 +52,16 @@ static enum ts_status read_row(struct ts_script *script, struct ts_variable_feed
 		if (feed->row.length == most) {
 			feed->line.text = "";
 			return ts_fail(&script->sim->error, TS_RANGE, &feed->line,
-				       "the line has more than %zu bytes; if that is meant, start tsim with -input-limit "
-				       "GB, of which a line may have a thousandth", most);
+				       "the line has more than %zu bytes; if that is meant, start tsim with "
+				       "-input-limit GB, of which a line may have a thousandth",
+				       most);
 		}
 		ts_str_add_n(&feed->row, &byte, 1);
 	}
 	*end = c == EOF && !feed->row.length;
 	feed->line.text = ts_str_text(&feed->row);
 	if (c == EOF && ferror(feed->stream))
-		return ts_fail(&script->sim->error, TS_IO, &feed->line, "cannot read: %s",
-			       strerror(errno));
+		return ts_fail(&script->sim->error, TS_IO, &feed->line, "cannot read: %s", strerror(errno));
 	return feed->row.failed ? ts_nomem(&script->sim->error) : TS_OK;
 }
 
@@ -91,8 +91,7 @@ static enum ts_status keep_line(struct ts_script *script, const struct ts_variab
 	return status;
 }
 
-static enum ts_status next_text(struct ts_script *script, struct ts_variable *variable,
-				bool *exhausted)
+static enum ts_status next_text(struct ts_script *script, struct ts_variable *variable, bool *exhausted)
 {
 	struct ts_variable_feed *feed = variable->feed;
 	struct ts_arena arena = { 0 };
@@ -126,8 +125,7 @@ static enum ts_status read_pair(struct ts_script *script, struct ts_variable_fee
 			       (long long)left);
 	if (words.n != 2)
 		return ts_fail(error, TS_SYNTAX, &words.word[0].place,
-			       "expected the identity of a particle and a value, found %zu words",
-			       words.n);
+			       "expected the identity of a particle and a value, found %zu words", words.n);
 	for (size_t k = 0; k < 2; k++)
 		if (!ts_parse_real(words.word[k].text, &number[k]))
 			return ts_fail(error, TS_SYNTAX, &words.word[k].place,
@@ -140,8 +138,7 @@ static enum ts_status read_pair(struct ts_script *script, struct ts_variable_fee
 	return TS_OK;
 }
 
-static enum ts_status next_set(struct ts_script *script, struct ts_variable *variable,
-			       bool *exhausted)
+static enum ts_status next_set(struct ts_script *script, struct ts_variable *variable, bool *exhausted)
 {
 	struct ts_variable_feed *feed = variable->feed;
 	struct ts_arena arena = { 0 };
@@ -172,8 +169,7 @@ static bool save_feed(const struct ts_variable *variable, double *number)
 }
 
 /* To where the runs before had come. A file that the script itself steps through is the script's. */
-static enum ts_status restore_feed(struct ts_script *script, struct ts_variable *variable,
-				   double number)
+static enum ts_status restore_feed(struct ts_script *script, struct ts_variable *variable, double number)
 {
 	struct ts_variable_feed *feed = variable->feed;
 	bool exhausted = false;
@@ -189,8 +185,8 @@ static enum ts_status restore_feed(struct ts_script *script, struct ts_variable 
 		return ts_fail(&script->sim->error, TS_IO, &variable->where,
 			       "variable '%s': the file '%s' has %lld values, but the run saved in the "
 			       "restart file had come to number %.0f",
-			       variable->name, variable->values.word[0].text,
-			       (long long)feed->position, number);
+			       variable->name, variable->values.word[0].text, (long long)feed->position,
+			       number);
 	variable->in_run = true;
 	return TS_OK;
 }
@@ -213,8 +209,7 @@ static enum ts_status open_feed(struct ts_script *script, struct ts_variable *va
 			       ts_files_why(&script->sim->files));
 	TS_TRY(variable->style->next(script, variable, &empty));
 	if (empty)
-		return ts_fail(error, TS_IO, &path->place, "the file '%s' has no values",
-			       path->text);
+		return ts_fail(error, TS_IO, &path->place, "the file '%s' has no values", path->text);
 	return ts_variable_resume(script, variable, &resumed);
 }
 

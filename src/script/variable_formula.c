@@ -115,8 +115,7 @@ static enum ts_status vector_text(struct ts_script *script, struct ts_variable *
 }
 
 /* What is there already must be of the right shape; what is not may come later. */
-static enum ts_status read_formula(struct ts_script *script, struct ts_variable *variable,
-				   read_table *read)
+static enum ts_status read_formula(struct ts_script *script, struct ts_variable *variable, read_table *read)
 {
 	const struct ts_word *formula = &variable->values.word[0];
 	struct ts_dry before = ts_dry_begin(script);

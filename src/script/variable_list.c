@@ -22,8 +22,7 @@ static enum ts_status list_text(struct ts_script *script, struct ts_variable *va
 	return TS_OK;
 }
 
-static enum ts_status list_next(struct ts_script *script, struct ts_variable *variable,
-				bool *exhausted)
+static enum ts_status list_next(struct ts_script *script, struct ts_variable *variable, bool *exhausted)
 {
 	(void)script;
 	*exhausted = variable->at == variable->last;
@@ -50,8 +49,7 @@ static enum ts_status define_loop(struct ts_script *script, struct ts_variable *
 				       "expected a whole number, found '%s'", values.word[k].text);
 	if (bound[1] < bound[0])
 		return ts_fail(error, TS_RANGE, &values.word[0].place,
-			       "the loop from %" PRId64 " to %" PRId64 " has no values", bound[0],
-			       bound[1]);
+			       "the loop from %" PRId64 " to %" PRId64 " has no values", bound[0], bound[1]);
 	if (pad)
 		variable->pad = (int)strlen(values.word[values.n - 1].text);
 	variable->at = bound[0];

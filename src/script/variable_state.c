@@ -44,8 +44,7 @@ static enum ts_status write_states(struct ts_script *script, struct ts_archive *
 		if (is_kept(script->variables.item[k], &number))
 			ts_str_addf(&names, "%s ", script->variables.item[k]->name);
 	list = ts_str_text(&names);
-	status = names.failed ? ts_nomem(&script->sim->error)
-			      : ts_archive_string(archive, list_field, &list);
+	status = names.failed ? ts_nomem(&script->sim->error) : ts_archive_string(archive, list_field, &list);
 	ts_str_release(&names);
 	for (size_t k = 0; k < script->variables.n && status == TS_OK; k++) {
 		const struct ts_variable *v = script->variables.item[k];
@@ -61,13 +60,11 @@ static enum ts_status write_states(struct ts_script *script, struct ts_archive *
 
 static bool is_for(const struct ts_variable_state *state, const struct ts_variable *variable)
 {
-	return ts_streq(state->name, variable->name) &&
-	       ts_streq(state->style, variable->style->name) &&
+	return ts_streq(state->name, variable->name) && ts_streq(state->style, variable->style->name) &&
 	       ts_streq(state->text, variable->values.word[0].text);
 }
 
-enum ts_status ts_variable_resume(struct ts_script *script, struct ts_variable *variable,
-				  bool *resumed)
+enum ts_status ts_variable_resume(struct ts_script *script, struct ts_variable *variable, bool *resumed)
 {
 	size_t k = (size_t)(uintptr_t)ts_map_get(&script->waiting_at, variable->name);
 
@@ -78,8 +75,7 @@ enum ts_status ts_variable_resume(struct ts_script *script, struct ts_variable *
 	return variable->style->restore(script, variable, script->waiting[k - 1].number);
 }
 
-static enum ts_status read_state(struct ts_script *script, struct ts_archive *archive,
-				 const char *name)
+static enum ts_status read_state(struct ts_script *script, struct ts_archive *archive, const char *name)
 {
 	struct ts_variable_state state = { .name = name };
 	struct ts_variable *variable = ts_variable_find(script, name);
@@ -91,9 +87,7 @@ static enum ts_status read_state(struct ts_script *script, struct ts_archive *ar
 	script->waiting[script->nwaiting++] = state;
 	if (ts_map_set(&script->waiting_at, name, (void *)(uintptr_t)script->nwaiting) != TS_OK)
 		return ts_nomem(&script->sim->error);
-	return variable && variable->style->restore
-		       ? ts_variable_resume(script, variable, &resumed)
-		       : TS_OK;
+	return variable && variable->style->restore ? ts_variable_resume(script, variable, &resumed) : TS_OK;
 }
 
 static enum ts_status read_states(struct ts_script *script, struct ts_archive *archive)
@@ -109,9 +103,8 @@ static enum ts_status read_states(struct ts_script *script, struct ts_archive *a
 	if (!ts_archive_has(archive, list_field))
 		return TS_OK;
 	TS_TRY(ts_archive_string(archive, list_field, &list));
-	status = ts_words_split(&arena, list, &nowhere, &names) == TS_OK
-			 ? TS_OK
-			 : ts_nomem(&script->sim->error);
+	status = ts_words_split(&arena, list, &nowhere, &names) == TS_OK ? TS_OK
+									 : ts_nomem(&script->sim->error);
 	for (size_t k = 0; k < names.n && status == TS_OK; k++) {
 		const char *name = ts_pool_get(script->sim->pool, names.word[k].text);
 
@@ -123,6 +116,5 @@ static enum ts_status read_states(struct ts_script *script, struct ts_archive *a
 
 enum ts_status ts_variables_archive(struct ts_script *script, struct ts_archive *archive)
 {
-	return ts_archive_writing(archive) ? write_states(script, archive)
-					   : read_states(script, archive);
+	return ts_archive_writing(archive) ? write_states(script, archive) : read_states(script, archive);
 }

@@ -31,7 +31,8 @@ static enum ts_status getenv_text(struct ts_script *script, struct ts_variable *
 
 	if (script->sim->files.closed)
 		return ts_fail(&script->sim->error, TS_STATE, where,
-			       "variable '%s': with -sandbox a script does not see the environment", variable->name);
+			       "variable '%s': with -sandbox a script does not see the environment",
+			       variable->name);
 	if (!text)
 		return ts_fail(&script->sim->error, TS_UNKNOWN, where,
 			       "the environment has no '%s', which variable '%s' stands for", name,
@@ -52,7 +53,7 @@ const struct ts_variable_style ts_var_getenv = {
 static enum ts_status define_format(struct ts_script *script, struct ts_variable *variable)
 {
 	return ts_number_format_check(&script->sim->error, variable->values.word[1].text,
-			       &variable->values.word[1].place);
+				      &variable->values.word[1].place);
 }
 
 static enum ts_status format_text(struct ts_script *script, struct ts_variable *variable,
@@ -121,8 +122,7 @@ static enum ts_status define_once(struct ts_script *script, struct ts_variable *
 	bool resumed = false;
 
 	TS_TRY(ts_variable_resume(script, variable, &resumed));
-	return resumed ? TS_OK
-		       : ts_expr_scalar(script, formula->text, &formula->place, &variable->number);
+	return resumed ? TS_OK : ts_expr_scalar(script, formula->text, &formula->place, &variable->number);
 }
 
 static bool save_once(const struct ts_variable *variable, double *number)
@@ -131,12 +131,11 @@ static bool save_once(const struct ts_variable *variable, double *number)
 	return true;
 }
 
-static enum ts_status restore_once(struct ts_script *script, struct ts_variable *variable,
-				   double number)
+static enum ts_status restore_once(struct ts_script *script, struct ts_variable *variable, double number)
 {
 	variable->number = number;
-	ts_log(&script->sim->log, "Variable %s goes on with %.15g from the restart file\n",
-	       variable->name, number);
+	ts_log(&script->sim->log, "Variable %s goes on with %.15g from the restart file\n", variable->name,
+	       number);
 	return TS_OK;
 }
 
@@ -162,8 +161,8 @@ static enum ts_status define_internal(struct ts_script *script, struct ts_variab
 	if (ts_unknown_in(script, word->text))
 		variable->number = NAN;
 	else if (!ts_parse_real(word->text, &variable->number))
-		return ts_fail(&script->sim->error, TS_SYNTAX, &word->place,
-			       "expected a number, found '%s'", word->text);
+		return ts_fail(&script->sim->error, TS_SYNTAX, &word->place, "expected a number, found '%s'",
+			       word->text);
 	return TS_OK;
 }
 

@@ -38,8 +38,10 @@ const struct ts_command_style ts_command_thermo = {
 		.name = "thermo",
 		.kind = TS_KIND_COMMAND,
 		.summary = "How often the table in the log gets a row",
-		.doc = "A row is written at the first and the last step of each run and when the step is a multiple of\n"
-		       "N. Default 0. A variable, v_NAME, is asked at the start of a run and after each row for the step of\n"
+		.doc = "A row is written at the first and the last step of each run and when the step is a "
+		       "multiple of\n"
+		       "N. Default 0. A variable, v_NAME, is asked at the start of a run and after each row "
+		       "for the step of\n"
 		       "the next.",
 		.example = "thermo 1000\nthermo v_next",
 		.args = args,

@@ -59,9 +59,11 @@ static const struct ts_arg args[] = {
 	TS_ENUM("warn", struct state, warn, policies, .flags = TS_OPTIONAL,
 		.help = "no effect: a warning is said once"),
 	TS_WORD("temp", struct state, temperature, .flags = TS_OPTIONAL,
-		.help = "name of a compute that gives what the keyword temp says; thermo_temp: of all particles"),
+		.help = "name of a compute that gives what the keyword temp says; thermo_temp: of all "
+			"particles"),
 	TS_WORD("press", struct state, pressure, .flags = TS_OPTIONAL,
-		.help = "name of a compute pressure that gives what press, pxx ... say; thermo_press: of all"),
+		.help = "name of a compute pressure that gives what press, pxx ... say; thermo_press: of "
+			"all"),
 	{ .name = "format",
 	  .type = TS_ARG_REST,
 	  .flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT,
@@ -77,12 +79,17 @@ const struct ts_command_style ts_command_thermo_modify = {
 		.name = "thermo_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "How the table in the log is written; what to do about lost particles",
-		.doc = "Defaults: format float %14.8g, format int %8d, in blocks %14.4f and %14d; norm yes after the\n"
-		       "command `units lj`, else no. thermo_style brings the defaults back, but for lost. temp and\n"
-		       "press change these keywords alone: ke and etotal are those of all particles. A format of a\n"
+		.doc = "Defaults: format float %14.8g, format int %8d, in blocks %14.4f and %14d; norm yes "
+		       "after the\n"
+		       "command `units lj`, else no. thermo_style brings the defaults back, but for lost. "
+		       "temp and\n"
+		       "press change these keywords alone: ke and etotal are those of all particles. A "
+		       "format of a\n"
 		       "column goes before those of a kind, and those before the line's.\n\n"
-		       "A particle that leaves is taken out in that step. With lost ignore it goes with the next rebuild of\n"
-		       "neighbours, as in LIGGGHTS and LAMMPS, so until then it is counted: where many leave this is faster.",
+		       "A particle that leaves is taken out in that step. With lost ignore it goes with the "
+		       "next rebuild of\n"
+		       "neighbours, as in LIGGGHTS and LAMMPS, so until then it is counted: where many leave "
+		       "this is faster.",
 		.example = "thermo_modify lost warn norm no\n"
 			   "thermo_modify format float %20.15g format 3 %10.4f",
 		.args = args,

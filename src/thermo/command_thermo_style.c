@@ -48,11 +48,14 @@ const struct ts_command_style ts_command_thermo_style = {
 		.name = "thermo_style",
 		.kind = TS_KIND_COMMAND,
 		.summary = "The columns of the table in the log",
-		.doc = "Keywords: step elapsed time dt cpu tpcpu spcpu cpuremain atoms ke erotate fmax fnorm vol\n"
-		       "density lx ly lz xlo xhi ylo yhi zlo zhi, and those of other systems. Columns that are no\n"
-		       "keyword are titled by their name, with `legacy yes` by its first eight characters. Default: one.\n\n"
-		       "Keywords, and computes, fixes and variables that exist, are checked in this line; others may be "
-		       "defined later, before the first run.",
+		.doc = "Keywords: step elapsed time dt cpu tpcpu spcpu cpuremain atoms ke erotate fmax fnorm "
+		       "vol\n"
+		       "density lx ly lz xlo xhi ylo yhi zlo zhi, and those of other systems. Columns that "
+		       "are no\n"
+		       "keyword are titled by their name, with `legacy yes` by its first eight characters. "
+		       "Default: one.\n\n"
+		       "Keywords, and computes, fixes and variables that exist, are checked in this line; "
+		       "others may be defined later, before the first run.",
 		.example = "thermo_style custom step time ke c_energy f_bit[1] v_depth",
 		.args = args,
 		.state_size = sizeof(struct state),

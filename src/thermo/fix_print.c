@@ -50,7 +50,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	ts_str_clear(&s->line);
 	if (sim->script_api)
 		TS_TRY(sim->script_api->substitute(sim->script_api_data, s->text,
-					     ts_instance_word(self, s->text), &s->line));
+						   ts_instance_word(self, s->text), &s->line));
 	else
 		ts_str_add(&s->line, s->text);
 	if (s->line.failed)
@@ -64,18 +64,18 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return ts_textfile_flush(&s->out);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 	const char *path = s->file ? s->file : s->append;
 
 	if (sim->script_api && !report->limits_only)
-		TS_TRY(sim->script_api->reads_text(sim->script_api_data, s->text, ts_instance_word(self, s->text)));
+		TS_TRY(sim->script_api->reads_text(sim->script_api_data, s->text,
+						   ts_instance_word(self, s->text)));
 	if (!sim->explain || !path)
 		return TS_OK;
-	return ts_report_output(report, path, ts_report_times(sim, s->every),
-				(double)strlen(s->text) + 1) == TS_OK
+	return ts_report_output(report, path, ts_report_times(sim, s->every), (double)strlen(s->text) + 1) ==
+			       TS_OK
 		       ? TS_OK
 		       : ts_nomem(&sim->error);
 }

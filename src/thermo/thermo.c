@@ -76,11 +76,10 @@ static enum ts_status set_formats(struct ts_thermo *t, struct tsim *sim)
 		struct ts_thermo_column *c = &t->column[k];
 		const struct ts_keyword *keyword = ts_keyword_find(sim->tables, c->input.name);
 		bool integer = keyword && keyword->flags & TS_KEYWORD_INTEGER;
-		const char *fallback = t->multi ? (integer ? "%14d" : "%14.4f")
-						: (integer ? "%8d" : "%14.8g");
+		const char *fallback =
+			t->multi ? (integer ? "%14d" : "%14.4f") : (integer ? "%8d" : "%14.8g");
 
-		TS_TRY(ts_formats_choose(&t->formats, &sim->error, k, integer, fallback,
-					 c->format));
+		TS_TRY(ts_formats_choose(&t->formats, &sim->error, k, integer, fallback, c->format));
 	}
 	return TS_OK;
 }
@@ -106,8 +105,7 @@ static enum ts_status resolve(struct ts_thermo *t, struct tsim *sim)
 	return set_formats(t, sim);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_thermo *t = self->state;
 
@@ -155,8 +153,7 @@ static enum ts_status header(struct ts_thermo *t, struct tsim *sim)
 {
 	ts_str_clear(&t->line);
 	for (size_t k = 0; k < t->n; k++)
-		ts_str_addf(&t->line, is_integer(&t->column[k]) ? "%8s " : "%14s ",
-			    t->column[k].title);
+		ts_str_addf(&t->line, is_integer(&t->column[k]) ? "%8s " : "%14s ", t->column[k].title);
 	return emit(t, sim);
 }
 
@@ -199,8 +196,7 @@ static enum ts_status row(struct ts_thermo *t, struct tsim *sim)
 	ts_str_clear(&t->line);
 	if (t->multi)
 		ts_str_addf(&t->line,
-			    "---------------- Step %8" PRId64 " ----- CPU = %11.4f (sec) "
-			    "----------------",
+			    "---------------- Step %8" PRId64 " ----- CPU = %11.4f (sec) ----------------",
 			    sim->clock.step, cpu);
 	for (size_t k = 0; k < t->n; k++) {
 		struct ts_thermo_column *c = &t->column[k];
@@ -238,8 +234,8 @@ static enum ts_status ask_next(struct ts_thermo *t, struct tsim *sim)
 static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 {
 	const struct ts_clock *c = &sim->clock;
-	bool asked = (!t->variable && t->every && c->step % t->every == 0) ||
-		     (t->variable && c->step == t->next);
+	bool asked =
+		(!t->variable && t->every && c->step % t->every == 0) || (t->variable && c->step == t->next);
 
 	*due = asked || c->step == c->first_step || (c->step == c->last_step && !sim->in_pieces) ||
 	       (sim->stop && sim->complete);
@@ -262,9 +258,8 @@ static void progress(struct ts_thermo *t, struct tsim *sim)
 	t->progress_due = now + 0.2;
 	percent = 100 * (double)(c->step - c->first_step) / (double)(c->last_step - c->first_step);
 	left = spent * (100 - percent) / percent;
-	snprintf(text, sizeof text,
-		 "%5.1f %%  step %" PRId64 " of %" PRId64 "  %.0f s, %.0f s left", percent, c->step,
-		 c->last_step, spent, left);
+	snprintf(text, sizeof text, "%5.1f %%  step %" PRId64 " of %" PRId64 "  %.0f s, %.0f s left", percent,
+		 c->step, c->last_step, spent, left);
 	ts_log_progress(&sim->log, text);
 }
 
@@ -310,8 +305,7 @@ static void fini(struct ts_instance *self)
 	ts_arena_release(&t->arena);
 }
 
-static const struct ts_saved saved[] = { TS_SAVE_I64(struct ts_thermo, counted),
-					 TS_SAVED_ROWS_END };
+static const struct ts_saved saved[] = { TS_SAVE_I64(struct ts_thermo, counted), TS_SAVED_ROWS_END };
 
 static void settings(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out)
 {

@@ -15,12 +15,12 @@ struct ts_thermo_column {
 };
 
 struct ts_thermo {
-	int64_t every; /* 0: only the first and the last step */
+	int64_t every;	      /* 0: only the first and the last step */
 	const char *variable; /* instead: says the step of the next row; NULL: none */
 	int64_t next;
-	bool multi; /* a row is a block of lines */
+	bool multi;		   /* a row is a block of lines */
 	struct ts_freedom freedom; /* of the keyword temp: compute_modify thermo_temp */
-	bool norm, norm_default; /* energies are divided by the number of particles */
+	bool norm, norm_default;   /* energies are divided by the number of particles */
 	struct ts_thermo_column *column;
 	size_t n;
 	struct ts_arena arena; /* columns and their names */

@@ -179,11 +179,11 @@ static enum ts_status right_angle(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
-#define LATTICE_SPACING(d, name)                                                                   \
-	static enum ts_status name(struct tsim *sim, double *out)                                  \
-	{                                                                                          \
-		*out = sim->domain->lattice.spacing[d];                                            \
-		return TS_OK;                                                                      \
+#define LATTICE_SPACING(d, name)                                  \
+	static enum ts_status name(struct tsim *sim, double *out) \
+	{                                                         \
+		*out = sim->domain->lattice.spacing[d];           \
+		return TS_OK;                                     \
 	}
 LATTICE_SPACING(0, xlat)
 LATTICE_SPACING(1, ylat)
@@ -242,21 +242,21 @@ static enum ts_status density(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
-#define BOX_NUMBERS(d, lo_, hi_, l_)                                                               \
-	static enum ts_status lo_(struct tsim *sim, double *out)                                   \
-	{                                                                                          \
-		*out = sim->domain->box.lo[d];                                                     \
-		return TS_OK;                                                                      \
-	}                                                                                          \
-	static enum ts_status hi_(struct tsim *sim, double *out)                                   \
-	{                                                                                          \
-		*out = sim->domain->box.hi[d];                                                     \
-		return TS_OK;                                                                      \
-	}                                                                                          \
-	static enum ts_status l_(struct tsim *sim, double *out)                                    \
-	{                                                                                          \
-		*out = ts_box_length(&sim->domain->box, d);                                        \
-		return TS_OK;                                                                      \
+#define BOX_NUMBERS(d, lo_, hi_, l_)                             \
+	static enum ts_status lo_(struct tsim *sim, double *out) \
+	{                                                        \
+		*out = sim->domain->box.lo[d];                   \
+		return TS_OK;                                    \
+	}                                                        \
+	static enum ts_status hi_(struct tsim *sim, double *out) \
+	{                                                        \
+		*out = sim->domain->box.hi[d];                   \
+		return TS_OK;                                    \
+	}                                                        \
+	static enum ts_status l_(struct tsim *sim, double *out)  \
+	{                                                        \
+		*out = ts_box_length(&sim->domain->box, d);      \
+		return TS_OK;                                    \
 	}
 BOX_NUMBERS(0, xlo, xhi, lx)
 BOX_NUMBERS(1, ylo, yhi, ly)

@@ -32,8 +32,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_contact_columns_init(self, sim));
 	if (s->columns.wanted[TS_CONTACT_HEAT])
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "heatFlux"),
-			       "compute wall/gran/local does not know the heat of single contacts; what walls "
-			       "give a particle is f_wallHeatFlux of fix heat/gran");
+			       "compute wall/gran/local does not know the heat of single contacts; what "
+			       "walls give a particle is f_wallHeatFlux of fix heat/gran");
 	return TS_OK;
 }
 
@@ -138,14 +138,15 @@ const struct ts_style ts_compute_wall_gran_local = {
 	.name = "wall/gran/local",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "What is known of each contact with a wall",
-	.doc = "A table with a row for each contact of a particle of the group with a triangle of a mesh, in the "
-	       "columns of compute pair/gran/local, in this order whatever that of the words: pos, the point of "
-	       "the surface and the place of the particle (6); vel, the velocities of both (6); id, the number of "
-	       "the mesh, from 0, of the triangle, from 0, and the id of the particle (3); force on the particle "
-	       "(3), its parts force_normal (3) and force_tangential (3); torque on the particle by the "
-	       "tangential force (3); history; contactArea, of the circle in which sphere and plane meet (1); "
-	       "delta, the overlap (1); contactPoint, the point of the surface (3). Meshes are numbered in the "
-	       "order in which fixes wall/gran name them. Without words: pos vel id force history contactArea.\n\n"
+	.doc = "A table with a row for each contact of a particle of the group with a triangle of a mesh, in "
+	       "the columns of compute pair/gran/local, in this order whatever that of the words: pos, the "
+	       "point of the surface and the place of the particle (6); vel, the velocities of both (6); id, "
+	       "the number of the mesh, from 0, of the triangle, from 0, and the id of the particle (3); "
+	       "force on the particle (3), its parts force_normal (3) and force_tangential (3); torque on "
+	       "the particle by the tangential force (3); history; contactArea, of the circle in which "
+	       "sphere and plane meet (1); delta, the overlap (1); contactPoint, the point of the surface "
+	       "(3). Meshes are numbered in the order in which fixes wall/gran name them. Without words: pos "
+	       "vel id force history contactArea.\n\n"
 	       "With `primitives yes` contacts with planes and cylinders are listed, too; their mesh is -1. "
 	       "Contacts and forces are those of the last force computation, or with `legacy` as LIGGGHTS "
 	       "computes them, see compute pair/gran/local. LIGGGHTS gives contactPoint as 0.",

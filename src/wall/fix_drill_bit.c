@@ -47,8 +47,8 @@ static enum ts_status find_rows(struct ts_instance *self, struct tsim *sim)
 	}
 	if (n != NCUTTERS)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix drill/bit: its group has %d cutters, expected %d particles%s",
-			       n, NCUTTERS, sim->running ? ": the bit has left the box" : "");
+			       "fix drill/bit: its group has %d cutters, expected %d particles%s", n,
+			       NCUTTERS, sim->running ? ": the bit has left the box" : "");
 	if (b->body_group >= 0 && b->rows.body < 0)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix drill/bit: the body group is empty, expected one particle%s",
@@ -202,8 +202,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct bit *b = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -214,20 +213,17 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	g = b->damping / (2 * least);
 	if (!(b->spring > 0))
 		return TS_OK;
-	return ts_report_limit(report,
-			       2 * (sqrt(b->spring / least + g * g) - g) / (b->spring / least),
-			       true, &self->where, "the coupling spring of fix drill/bit");
+	return ts_report_limit(report, 2 * (sqrt(b->spring / least + g * g) - g) / (b->spring / least), true,
+			       &self->where, "the coupling spring of fix drill/bit");
 }
 
-static enum ts_status eval_height(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_height(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	out->data[0] = height(self->state, sim->particles);
 	return TS_OK;
 }
 
-static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct bit *b = self->state;
 	const double row[7] = { height(b, sim->particles),
@@ -247,8 +243,8 @@ static const struct ts_arg args[] = {
 		.help = "x of the axis"),
 	TS_REAL("y", struct bit, centre[1], .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "length",
 		.help = "y of the axis"),
-	TS_REAL("diameter", struct bit, diameter, .flags = TS_STATEFUL, .range = TS_POSITIVE, .unit = "length",
-		.help = "of the circle of the cutters' centres"),
+	TS_REAL("diameter", struct bit, diameter, .flags = TS_STATEFUL, .range = TS_POSITIVE,
+		.unit = "length", .help = "of the circle of the cutters' centres"),
 	TS_NUMBER("omega", struct bit, omega, .unit = "radian/time",
 		  .help = "angular velocity; may be v_name"),
 	TS_REAL("wob", struct bit, wob, .unit = "force",
@@ -259,27 +255,26 @@ static const struct ts_arg args[] = {
 		.unit = "force/velocity", .help = "dashpot beside that spring"),
 	TS_GROUP("body", struct bit, body_group, .flags = TS_OPTIONAL | TS_STATEFUL,
 		 .help = "group of the one particle that rides above the cutters"),
-	TS_REAL("clearance", struct bit, clearance, .flags = TS_STATEFUL, .range = TS_NOT_NEGATIVE, .fallback = "0",
-		.unit = "length",
+	TS_REAL("clearance", struct bit, clearance, .flags = TS_STATEFUL, .range = TS_NOT_NEGATIVE,
+		.fallback = "0", .unit = "length",
 		.help = "height of the body particle above the mean of the cutters"),
 	TS_ARGS_END,
 };
 
-static const char *const names[] = { "height", "velocity", "tangential", "radial",
-				     "axial",  "torque",   "angle" };
+static const char *const names[] = {
+	"height", "velocity", "tangential", "radial", "axial", "torque", "angle"
+};
 static const struct ts_value values[] = {
 	{ "height", "length", "mean z of the cutters", TS_SCALAR, 1, NULL, eval_height },
 	{ "state", "",
-	  "of the bit; forces are contact forces on the cutters, tangential > 0 against the "
-	  "rotation",
+	  "of the bit; forces are contact forces on the cutters, tangential > 0 against the rotation",
 	  TS_VECTOR, 7, names, eval_vector },
 	{ .name = NULL },
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_F64(struct bit, angle),	 TS_SAVE_F64(struct bit, tangential),
-	TS_SAVE_F64(struct bit, radial), TS_SAVE_F64(struct bit, axial),
-	TS_SAVE_F64(struct bit, torque), TS_SAVED_ROWS_END,
+	TS_SAVE_F64(struct bit, angle), TS_SAVE_F64(struct bit, tangential), TS_SAVE_F64(struct bit, radial),
+	TS_SAVE_F64(struct bit, axial), TS_SAVE_F64(struct bit, torque),     TS_SAVED_ROWS_END,
 };
 
 static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
@@ -291,16 +286,16 @@ TS_STYLE(fix, ts_style, ts_fix_drill_bit)
 const struct ts_style ts_fix_drill_bit = {
 	.name = "drill/bit",
 	.kind = TS_KIND_FIX,
-	.summary =
-		"a drag bit: four cutter particles that revolve and are pressed down, and a body",
-	.doc = "The group holds the four cutters. Their x and y are prescribed, a quarter turn "
-	       "apart on a circle: x = x_bit + D/2 cos(angle + k pi/2), y with the sine; the angle starts at 0 and "
-	       "grows with omega. Each moves freely in z under a quarter of the weight on bit, the contact forces, "
-	       "and a spring towards the mean z of the four, which is the bit height. The `body` particle rides "
-	       "`clearance` above that mean on the axis and keeps cuttings out of the space of the bit.\n\n"
-	       "The fix moves its particles itself by velocity Verlet: leave them out of fix nve, and define it "
-	       "after the fixes that act on the cutters. Outputs are f_ID = bit height and f_ID[1..7]; forces are "
-	       "those of contacts with the rock, without weight and spring.",
+	.summary = "a drag bit: four cutter particles that revolve and are pressed down, and a body",
+	.doc = "The group holds the four cutters. Their x and y are prescribed, a quarter turn apart on a "
+	       "circle: x = x_bit + D/2 cos(angle + k pi/2), y with the sine; the angle starts at 0 and "
+	       "grows with omega. Each moves freely in z under a quarter of the weight on bit, the contact "
+	       "forces, and a spring towards the mean z of the four, which is the bit height. The `body` "
+	       "particle rides `clearance` above that mean on the axis and keeps cuttings out of the space "
+	       "of the bit.\n\n"
+	       "The fix moves its particles itself by velocity Verlet: leave them out of fix nve, and define "
+	       "it after the fixes that act on the cutters. Outputs are f_ID = bit height and f_ID[1..7]; "
+	       "forces are those of contacts with the rock, without weight and spring.",
 	.example = "fix bit cutters drill/bit 5.0 5.0 diameter 5.0 omega 0.1 wob 0.2 spring 100 &\n"
 		   "    body nose clearance 1.0",
 	.args = args,

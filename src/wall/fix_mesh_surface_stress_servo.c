@@ -1,4 +1,5 @@
-/* Fix mesh/surface/stress/servo: a mesh that a controller presses or turns until it meets a force or torque. */
+/* Fix mesh/surface/stress/servo: a mesh that a controller presses or turns until it meets a force or
+ * torque. */
 #include "core/report.h"
 #include "law/servo.h"
 #include "mesh/mesh_load.h"
@@ -21,16 +22,16 @@ struct state {
 	struct ts_number wanted;
 	int controlled, mode;
 
-	int moves; /* or was stopped by fix_modify */
-	double unit[3]; /* along the axis */
-	double target;	/* what is wanted, now */
-	double lever;	/* of the corner farthest from the axis, for torque */
-	double off;	/* the error after this step */
+	int moves;	      /* or was stopped by fix_modify */
+	double unit[3];	      /* along the axis */
+	double target;	      /* what is wanted, now */
+	double lever;	      /* of the corner farthest from the axis, for torque */
+	double off;	      /* the error after this step */
 	int64_t flips, since; /* how often the speed went from one limit to the other, in how many steps */
-	bool warned;	/* before the run that it will */
+	bool warned;	      /* before the run that it will */
 	/* saved */
-	double speed;	/* for the next step: of the mesh, or of that corner */
-	double gone;	/* way, or angle, so far */
+	double speed;	  /* for the next step: of the mesh, or of that corner */
+	double gone;	  /* way, or angle, so far */
 	double sum, last; /* of the error: integral over time, value of the last step */
 	double gain;	  /* kp where none is given; 0: not chosen yet */
 };
@@ -140,12 +141,15 @@ static struct ts_servo_mesh controlled(const struct state *s)
 static double margin(const struct state *s, const struct tsim *sim, const struct ts_servo_contacts *c)
 {
 	double unit = s->fastest / fabs(s->target);
-	struct ts_servo_loop loop = { c->stiffness, c->damping, { unit * kp_of(s), unit * s->ki, unit * s->kd } };
+	struct ts_servo_loop loop = { c->stiffness,
+				      c->damping,
+				      { unit * kp_of(s), unit * s->ki, unit * s->kd } };
 
 	if (s->mode == AUTO) /* where the error is small */
-		loop = (struct ts_servo_loop){ c->stiffness, c->damping,
-					       { 0.1 * s->ratio * smallest_radius(sim->particles) / sim->clock.dt /
-						 fabs(s->target) } };
+		loop = (struct ts_servo_loop){ c->stiffness,
+					       c->damping,
+					       { 0.1 * s->ratio * smallest_radius(sim->particles) /
+						 sim->clock.dt / fabs(s->target) } };
 	return c->n > 0 ? ts_servo_margin(&loop, sim->clock.dt) : INFINITY;
 }
 
@@ -165,13 +169,13 @@ static void choose_gain(struct ts_instance *self, struct tsim *sim)
 	s->gain = fmin(USUAL_GAIN, SAFE_PART * margin(s, sim, &most) * USUAL_GAIN);
 	if (s->gain < USUAL_GAIN && !sim->explain)
 		ts_log(&sim->log,
-		       "fix %s: kp is %.4g, %g of the largest that is stable with %.0f contacts (stiffness %.3g, damping "
-		       "%.3g by speed)\n",
+		       "fix %s: kp is %.4g, %g of the largest that is stable with %.0f contacts (stiffness "
+		       "%.3g, damping %.3g by speed)\n",
 		       self->id, s->gain, SAFE_PART, most.n, most.stiffness, most.damping);
 }
 
-/* Only what is beyond the limit with the contacts that there are, or with a single one: how many there will be is
- * not known. */
+/* Only what is beyond the limit with the contacts that there are, or with a single one: how many there
+ * will be is not known. */
 static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -190,11 +194,13 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	if (!s->warned)
 		return TS_OK;
 	return ts_review_find(sim, "servo", &self->where,
-			      "the servo of mesh %s cannot come to rest: with %g contact%s at the target (stiffness %.3g, "
-			      "damping %.3g by speed) and the time step %g it is stable with up to %.3g times its %s only; "
-			      "take a smaller %s%.3g, vel_max or `timestep`",
-			      self->id, few.n, few.n > 1 ? "s" : "", few.stiffness, few.damping, sim->clock.dt, part,
-			      s->mode == AUTO ? "ratio" : "gains", s->mode == AUTO ? "ratio, below " : "kp, below ",
+			      "the servo of mesh %s cannot come to rest: with %g contact%s at the target "
+			      "(stiffness %.3g, damping %.3g by speed) and the time step %g it is stable "
+			      "with up to %.3g times its %s only; take a smaller %s%.3g, vel_max or "
+			      "`timestep`",
+			      self->id, few.n, few.n > 1 ? "s" : "", few.stiffness, few.damping,
+			      sim->clock.dt, part, s->mode == AUTO ? "ratio" : "gains",
+			      s->mode == AUTO ? "ratio, below " : "kp, below ",
 			      part * (s->mode == AUTO ? s->ratio : kp_of(s)));
 }
 
@@ -275,8 +281,8 @@ static double pid(struct state *s, double error, double dt)
 	return s->fastest * copysign(1, output);
 }
 
-/* A controller whose gain is too large for the step goes from one limit of its speed to the other and back: force and
- * damping of the contacts follow the speed within a step. Looked at over so many steps. */
+/* A controller whose gain is too large for the step goes from one limit of its speed to the other and
+ * back: force and damping of the contacts follow the speed within a step. Looked at over so many steps. */
 enum { WATCHED = 200, FLIPS = 50 };
 
 static enum ts_status watch(struct ts_instance *self, struct tsim *sim, double before, double error)
@@ -291,9 +297,10 @@ static enum ts_status watch(struct ts_instance *self, struct tsim *sim, double b
 		return TS_OK;
 	if (s->flips >= FLIPS && !s->warned)
 		TS_TRY(ts_review_find(sim, "servo", &self->where,
-				      "the servo of mesh %s went to and fro %d times in %d steps, with its largest speed or "
-				      "by more than half of the target: its gain is too large for the stiffness and damping "
-				      "of the contacts; take a smaller %s (now %g), vel_max (now %g) or `timestep`",
+				      "the servo of mesh %s went to and fro %d times in %d steps, with its "
+				      "largest speed or by more than half of the target: its gain is too "
+				      "large for the stiffness and damping of the contacts; take a smaller "
+				      "%s (now %g), vel_max (now %g) or `timestep`",
 				      self->id, (int)s->flips, WATCHED, s->mode == AUTO ? "ratio" : "kp",
 				      s->mode == AUTO ? s->ratio : kp_of(s), s->fastest));
 	s->flips = s->since = 0;
@@ -387,8 +394,7 @@ static const struct modifier {
 	{ "servo/ctrlParam", 3, gain_rows },
 };
 
-static enum ts_status modify(struct ts_instance *self, struct tsim *sim, struct ts_words words,
-			     size_t *used)
+static enum ts_status modify(struct ts_instance *self, struct tsim *sim, struct ts_words words, size_t *used)
 {
 	struct ts_words rest = ts_words_from(words, 1);
 	struct state *s = self->state;
@@ -423,13 +429,13 @@ static const struct ts_arg args[] = {
 			"about it)"),
 	TS_VEC3("axis", struct state, axis, .flags = TS_STATEFUL, .help = "direction"),
 	TS_NUMBER("target_val", struct state, wanted, .unit = "force or torque",
-		.help = "what the mesh should exert on the particles along the axis; of a variable, anew in "
-			 "each step"),
+		  .help = "what the mesh should exert on the particles along the axis; of a variable, anew "
+			  "in each step"),
 	TS_REAL("vel_max", struct state, fastest, .range = TS_POSITIVE, .unit = "velocity",
 		.help = "largest speed of the mesh; with torque, of its corner farthest from the axis"),
 	TS_REAL("kp", struct state, kp, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE, .unit = "",
-		.help = "gain of the error; without it 0.01, or with neither ki nor kd a tenth of the largest stable "
-			"one if that is smaller"),
+		.help = "gain of the error; without it 0.01, or with neither ki nor kd a tenth of the "
+			"largest stable one if that is smaller"),
 	TS_REAL("ki", struct state, ki, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "1/time",
 		.help = "gain of its integral"),
 	TS_REAL("kd", struct state, kd, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "time",
@@ -461,35 +467,51 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	.name = "mesh/surface/stress/servo",
 	.kind = TS_KIND_FIX,
 	.summary = "A mesh that shifts or turns until particles meet it with a given force or torque",
-	.doc = "A mesh as with fix mesh/surface/stress, with com as its reference point, that moves along the\n"
+	.doc = "A mesh as with fix mesh/surface/stress, with com as its reference point, that moves along "
+	       "the\n"
 	       "axis (ctrlPV force) or turns about the axis through com (ctrlPV torque). After each step\n\n"
 	       "  e = (target_val - P)/|target_val|,\n\n"
 	       "P being what the mesh exerts on particles along the axis, the opposite of f_ID[1..3] or\n"
 	       "f_ID[4..6]; for the next step the speed is vel_max o, with\n\n"
 	       "  o = kp e + ki sum(e h) + kd (e - e_last)/h,  |o| <= 1.\n\n"
-	       "Where o meets its limit, sum(e h) is set so that kp e + ki sum(e h) is the opposite limit, as\n"
-	       "LIGGGHTS does. With ctrlPV torque it is the corner farthest from the axis that has this speed.\n\n"
-	       "`mode auto`: the speed is vel_max where no particle is near (in the neighbour list); else it is\n"
-	       "ratio R_min/h, times min(|e|, 1) g, with g = 0.1 up to |e| = 0.9 and from there linearly to 1.\n\n"
-	       "The force follows the speed within a step: contacts of the stiffness K and the damping C (all together)\n"
+	       "Where o meets its limit, sum(e h) is set so that kp e + ki sum(e h) is the opposite limit, "
+	       "as\n"
+	       "LIGGGHTS does. With ctrlPV torque it is the corner farthest from the axis that has this "
+	       "speed.\n\n"
+	       "`mode auto`: the speed is vel_max where no particle is near (in the neighbour list); else it "
+	       "is\n"
+	       "ratio R_min/h, times min(|e|, 1) g, with g = 0.1 up to |e| = 0.9 and from there linearly to "
+	       "1.\n\n"
+	       "The force follows the speed within a step: contacts of the stiffness K and the damping C "
+	       "(all together)\n"
 	       "give P = K x + C v. With kp alone this is stable below\n\n"
 	       "  kp_max = 2 |target_val| / (vel_max (K h + 2 C)),\n\n"
-	       "with ki and kd where the zeros of the loop's characteristic polynomial are in the unit circle\n"
-	       "(law/servo.h); with ctrlPV torque K and C are those of the torque by the way of the farthest corner.\n"
-	       "Where the script gives no gain, kp is 0.01, as in LIGGGHTS, or kp_max/10 if that is smaller, chosen when a\n"
-	       "run begins: K and C are those of the contact law of the wall at the load target_val/N, with the smallest\n"
-	       "particles (there or to be inserted) and N = A/(4 R^2) of them, A being the area of the mesh as seen along\n"
-	       "the axis (at most as many as there are, where none are inserted); the log tells it. A target by a variable\n"
+	       "with ki and kd where the zeros of the loop's characteristic polynomial are in the unit "
+	       "circle\n"
+	       "(law/servo.h); with ctrlPV torque K and C are those of the torque by the way of the farthest "
+	       "corner.\n"
+	       "Where the script gives no gain, kp is 0.01, as in LIGGGHTS, or kp_max/10 if that is smaller, "
+	       "chosen when a\n"
+	       "run begins: K and C are those of the contact law of the wall at the load target_val/N, with "
+	       "the smallest\n"
+	       "particles (there or to be inserted) and N = A/(4 R^2) of them, A being the area of the mesh "
+	       "as seen along\n"
+	       "the axis (at most as many as there are, where none are inserted); the log tells it. A target "
+	       "by a variable\n"
 	       "counts as it is then. With `legacy yes` it is always 0.01.\n"
-	       "Gains that are given stay as they are. Gains beyond the limit for the contacts that there are when a run\n"
-	       "begins, or for one contact, are told before it, and a speed that goes to and fro while it goes on\n"
+	       "Gains that are given stay as they are. Gains beyond the limit for the contacts that there "
+	       "are when a run\n"
+	       "begins, or for one contact, are told before it, and a speed that goes to and fro while it "
+	       "goes on\n"
 	       "(doc/review.md, servo).\n\n"
 	       "vel_max must be below skin/(2 h). No fix move/mesh can move a servo. Between runs,\n"
-	       "`fix_modify ID servo/integrate stop` holds the mesh and the controller (particles still feel the\n"
+	       "`fix_modify ID servo/integrate stop` holds the mesh and the controller (particles still feel "
+	       "the\n"
 	       "velocity it had, as with LIGGGHTS), `start` lets them go on;\n"
 	       "`servo/target_val T`, `servo/vel_max V` and `servo/ctrlParam kp ki kd` change their values.",
-	.example = "fix lid all mesh/surface/stress/servo file lid.stl type 1 com 0 0 0.1 ctrlPV force axis 0 0 "
-		   "-1 target_val 10 vel_max 0.1",
+	.example =
+		"fix lid all mesh/surface/stress/servo file lid.stl type 1 com 0 0 0.1 ctrlPV force axis 0 0 "
+		"-1 target_val 10 vel_max 0.1",
 	.args = args,
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),

@@ -30,11 +30,10 @@ static enum ts_status check_shape(struct ts_instance *self, struct tsim *sim)
 	if (w->mesh_word)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix wall/gran: a wall is a mesh or a primitive, not both");
-	return ts_fail(
-		&sim->error, TS_SYNTAX, &self->where,
-		"fix wall/gran: expected one of xplane, yplane, zplane, xcylinder, ycylinder, "
-		"zcylinder, found %d of them",
-		given);
+	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+		       "fix wall/gran: expected one of xplane, yplane, zplane, xcylinder, ycylinder, "
+		       "zcylinder, found %d of them",
+		       given);
 }
 
 static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
@@ -46,14 +45,15 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
 			       "fix wall/gran mesh: which meshes? `n_meshes 1 meshes ID`");
 	if (w->nmeshes != INT64_MIN && w->nmeshes != (int64_t)w->meshes.n)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "n_meshes"),
-			       "fix wall/gran: n_meshes is %d, but %zu meshes are named",
-			       (int)w->nmeshes, w->meshes.n);
+			       "fix wall/gran: n_meshes is %d, but %zu meshes are named", (int)w->nmeshes,
+			       w->meshes.n);
 	if (w->type != INT64_MIN)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "type"),
 			       "fix wall/gran: each mesh has the type that its fix says");
 	if (ts_wall_has_law(&w->wall, sim) && ts_cohesion_bridges(ts_wall_model(&w->wall, sim)))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix wall/gran: bridges of liquid reach beyond the touch, which contacts with triangles do "
+			       "fix wall/gran: bridges of liquid reach beyond the touch, which contacts with "
+			       "triangles do "
 			       "not follow; take a plane, a cylinder or a region, or leave cohesion out");
 	TS_TRY(ts_mesh_wall_find(self, sim, &w->mesh, w->meshes));
 	w->wall.contacts.want_reports |= ts_mesh_stress_wanted(&w->mesh);
@@ -79,9 +79,11 @@ static double distance(const struct ts_instance *self, const struct tsim *sim, s
 	const struct ts_wall_contacts *c = &w->wall.contacts;
 	size_t i = (size_t)c->row[k];
 
-	*type = (int)(w->mesh_word ? w->mesh.mesh[ts_mesh_wall_near(&w->mesh, k)->mesh].surface->type : w->type);
-	return w->mesh_word ? ts_mesh_wall_distance(sim, &w->mesh, k, i)
-			    : ts_primitive_wall_distance(&w->primitive, sim, c->key[k][1], sim->particles->x[i]);
+	*type = (int)(w->mesh_word ? w->mesh.mesh[ts_mesh_wall_near(&w->mesh, k)->mesh].surface->type
+				   : w->type);
+	return w->mesh_word
+		       ? ts_mesh_wall_distance(sim, &w->mesh, k, i)
+		       : ts_primitive_wall_distance(&w->primitive, sim, c->key[k][1], sim->particles->x[i]);
 }
 
 static enum ts_status check_type(struct tsim *sim, int64_t type, const struct ts_place *where)
@@ -151,8 +153,7 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
 				      w->mesh_word
 					      ? ts_mesh_wall_list(self, sim, &w->wall, &w->mesh)
-					      : ts_primitive_wall_list(self, sim, &w->wall,
-								       &w->primitive));
+					      : ts_primitive_wall_list(self, sim, &w->wall, &w->primitive));
 }
 
 static enum ts_status check(struct ts_instance *self, struct tsim *sim)
@@ -176,8 +177,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return ts_mesh_stress_collect(sim, &w->wall, &w->mesh);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct wall *w = self->state;
 
@@ -203,8 +203,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 static const struct ts_arg args[] = {
 	TS_GRANULAR_ARGS(struct wall, wall.words),
 	TS_WALL_LAW_ARGS(struct wall, law),
-	TS_FLAG("primitive", struct wall, primitive_word,
-		.help = "the wall is a plane or cylinder"),
+	TS_FLAG("primitive", struct wall, primitive_word, .help = "the wall is a plane or cylinder"),
 	TS_INT("type", struct wall, type, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
 	       .help = "primitive: particle type whose material the wall has"),
 	TS_FLAG("mesh", struct wall, mesh_word, .help = "the wall is made of meshes"),
@@ -232,30 +231,46 @@ static const struct ts_saved saved[] = {
 static const char doc[] =
 	"The particles of the group meet the wall as they would an infinitely heavy partner with a flat\n"
 	"surface: m* = m, R* = R. With `model ...` the wall has contact laws of its own, composed as for\n"
-	"pair_style gran, with the material of its `type`; with `hooke`, `hooke/history` or `hertz/history` and\n"
-	"their numbers, or `granular` and the words of pair_coeff (pair_style granular), those of LAMMPS (but a\n"
-	"material meets the wall as it meets itself, E* = E/(2 (1 - nu^2)), k_t NULL = 8 G*, where LAMMPS of 29 Sep 2021\n"
-	"has E/(2 (1 - nu)) and E (2 - nu)(1 + nu)/4, as `legacy yes` has); with neither, those of the pair style. Planes and cylinders are\n"
-	"two-sided: they push a particle to the side where its centre is. A particle whose centre lies in the surface\n"
-	"itself, within 1e-12 of its radius, is on neither side: the run is refused or stops. On the axis of a cylinder the\n"
-	"distance is the same all around, and there is no force. A plane or mesh that moves by more than the radius of a\n"
-	"particle near it in one step passes through without a contact, and stops the run; the message says which time step\n"
+	"pair_style gran, with the material of its `type`; with `hooke`, `hooke/history` or `hertz/history` "
+	"and\n"
+	"their numbers, or `granular` and the words of pair_coeff (pair_style granular), those of LAMMPS "
+	"(but a\n"
+	"material meets the wall as it meets itself, E* = E/(2 (1 - nu^2)), k_t NULL = 8 G*, where LAMMPS of "
+	"29 Sep 2021\n"
+	"has E/(2 (1 - nu)) and E (2 - nu)(1 + nu)/4, as `legacy yes` has); with neither, those of the pair "
+	"style. Planes and cylinders are\n"
+	"two-sided: they push a particle to the side where its centre is. A particle whose centre lies in "
+	"the surface\n"
+	"itself, within 1e-12 of its radius, is on neither side: the run is refused or stops. On the axis of "
+	"a cylinder the\n"
+	"distance is the same all around, and there is no force. A plane or mesh that moves by more than the "
+	"radius of a\n"
+	"particle near it in one step passes through without a contact, and stops the run; the message says "
+	"which time step\n"
 	"would do. Each particle remembers its contact with the\n"
 	"wall as with a partner. The centre of a cylinder is given along the next two axes in cyclic order:\n"
 	"xcylinder y z, ycylinder z x, zcylinder x y.\n\n"
-	"`shear DIM V`: the surface moves with V along DIM, but stays where it is. Where DIM is not the axis of\n"
-	"a cylinder, it turns about its axis with the angular velocity V, V a x d at d from the axis a, as in\n"
-	"LIGGGHTS (which confuses two components for ycylinder; `legacy yes` does, too); with the laws of LAMMPS\n"
-	"its speed is V, with the clock as seen from the tip of the axis (and nothing is added along DIM, as\n"
+	"`shear DIM V`: the surface moves with V along DIM, but stays where it is. Where DIM is not the axis "
+	"of\n"
+	"a cylinder, it turns about its axis with the angular velocity V, V a x d at d from the axis a, as "
+	"in\n"
+	"LIGGGHTS (which confuses two components for ycylinder; `legacy yes` does, too); with the laws of "
+	"LAMMPS\n"
+	"its speed is V, with the clock as seen from the tip of the axis (and nothing is added along DIM, "
+	"as\n"
 	"LAMMPS' program does). `wiggle DIM A T`: displacement A (1 - cos(2 pi t/T)), t from the\n"
 	"definition of the fix; along the surface only the velocity matters.\n\n"
 	"`temperature T` makes the wall give Q = h (T - T_i), h = 4 k k_wall/(k + k_wall) sqrt(A), to the\n"
-	"particles (fix heat/gran); A is pi (R^2 - r^2) at the distance r from the wall, or as `contact_area`\n"
+	"particles (fix heat/gran); A is pi (R^2 - r^2) at the distance r from the wall, or as "
+	"`contact_area`\n"
 	"says. `store_force yes` keeps the force of the wall on each particle, f_force_ID[1] ... [3].\n\n"
 	"A wall of meshes is met in faces, edges and corners, from both sides; particles of the groups of\n"
-	"both fixes meet it. fix mesh/surface says which edges and corners count, and its temperature. A contact\n"
-	"that moves from one triangle to a flat neighbour goes on with what it remembers. Surfaces that pull beyond the touch\n"
-	"(model jkr) do so on meshes as on planes: each place of the mesh that is nearest to the particle in all triangles\n"
+	"both fixes meet it. fix mesh/surface says which edges and corners count, and its temperature. A "
+	"contact\n"
+	"that moves from one triangle to a flat neighbour goes on with what it remembers. Surfaces that pull "
+	"beyond the touch\n"
+	"(model jkr) do so on meshes as on planes: each place of the mesh that is nearest to the particle in "
+	"all triangles\n"
 	"that meet there is one contact, which also passes over edges and corners and keeps its memory.";
 
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
@@ -265,15 +280,14 @@ const struct ts_style ts_fix_wall_gran = {
 	.summary = "a rigid wall with the contact law of the pair style",
 	.doc = doc,
 	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
-		   "fix belt all wall/gran model hertz tangential history primitive type 1 zplane 0.0 "
-		   "shear x 0.5\n"
+		   "fix belt all wall/gran model hertz tangential history primitive type 1 zplane 0.0 shear "
+		   "x 0.5\n"
 		   "fix drum all wall/gran primitive type 2 zcylinder 0.05 0.0 0.0 temperature 373.15\n"
-		   "fix lid all wall/gran hooke/history 200000.0 NULL 50.0 NULL 0.5 1 zplane 0.0 0.1 "
-		   "wiggle z 0.001 0.02\n"
-		   "fix side all wall/gran granular hertz/material 1e7 0.7 0.3 tangential mindlin NULL 1.0 0.5 damping "
-		   "tsuji xplane 0.0 NULL\n"
-		   "fix walls all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad1 "
-		   "cad2",
+		   "fix lid all wall/gran hooke/history 200000.0 NULL 50.0 NULL 0.5 1 zplane 0.0 0.1 wiggle "
+		   "z 0.001 0.02\n"
+		   "fix side all wall/gran granular hertz/material 1e7 0.7 0.3 tangential mindlin NULL 1.0 "
+		   "0.5 damping tsuji xplane 0.0 NULL\n"
+		   "fix walls all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad1 cad2",
 	.args = args,
 	.family = TS_FAMILY_WALL,
 	.state_size = sizeof(struct wall),

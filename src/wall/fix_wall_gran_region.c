@@ -71,8 +71,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return ts_region_wall_enqueue_contacts(sim, &w->wall, &w->region, (int)w->type);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	return ts_wall_plan(self, sim, (int)((const struct wall *)self->state)->type, report);
 }
@@ -106,20 +105,32 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 }
 
 static const char doc[] =
-	"The particles of the group meet the surface of a region: a block, cone, cylinder, plane or sphere, or a union\n"
-	"or intersection of such. They meet it from the side that the region says: `side in` keeps them in, `side out`\n"
-	"keeps them out, and others feel nothing (one whose centre lies in the surface itself stops the run); where faces are `open` they meet the others from both sides. From\n"
-	"within each face counts (three in a corner of a block), from without the nearest point of the surface. Of a\n"
-	"union or intersection the faces of its members count as far as they bound the whole; two that coincide there\n"
+	"The particles of the group meet the surface of a region: a block, cone, cylinder, plane or sphere, "
+	"or a union\n"
+	"or intersection of such. They meet it from the side that the region says: `side in` keeps them in, "
+	"`side out`\n"
+	"keeps them out, and others feel nothing (one whose centre lies in the surface itself stops the "
+	"run); where faces are `open` they meet the others from both sides. From\n"
+	"within each face counts (three in a corner of a block), from without the nearest point of the "
+	"surface. Of a\n"
+	"union or intersection the faces of its members count as far as they bound the whole; two that "
+	"coincide there\n"
 	"count for nothing, so let one member reach a little farther.\n\n"
-	"Laws are those of fix wall/gran. With the law of Hertz and those by the contact area the surface is curved:\n"
-	"R* = R/(1 + kappa R), kappa its mean curvature, > 0 where it bulges: 1/R_s of a sphere, 1/(2 R_c) of a cylinder\n"
-	"and a cone (of which LAMMPS takes the outer side as hollow, too, and a cylinder with open faces from without\n"
+	"Laws are those of fix wall/gran. With the law of Hertz and those by the contact area the surface is "
+	"curved:\n"
+	"R* = R/(1 + kappa R), kappa its mean curvature, > 0 where it bulges: 1/R_s of a sphere, 1/(2 R_c) "
+	"of a cylinder\n"
+	"and a cone (of which LAMMPS takes the outer side as hollow, too, and a cylinder with open faces "
+	"from without\n"
 	"as flat).\n\n"
-	"A region that moves or turns by variables takes the surface with it, with the velocity by what they were in\n"
-	"the step before (LAMMPS takes the length of the axis of `rotate` into the speed; here it has none); either a union moves, or\n"
-	"its members do (whose velocity LAMMPS leaves out). A surface that only changes its size has no velocity by that.\n"
-	"A surface that moves by more than the radius of a particle near it in one step stops the run (doc/stability.md).";
+	"A region that moves or turns by variables takes the surface with it, with the velocity by what they "
+	"were in\n"
+	"the step before (LAMMPS takes the length of the axis of `rotate` into the speed; here it has none); "
+	"either a union moves, or\n"
+	"its members do (whose velocity LAMMPS leaves out). A surface that only changes its size has no "
+	"velocity by that.\n"
+	"A surface that moves by more than the radius of a particle near it in one step stops the run "
+	"(doc/stability.md).";
 
 TS_STYLE(fix, ts_style, ts_fix_wall_gran_region)
 const struct ts_style ts_fix_wall_gran_region = {
@@ -127,10 +138,11 @@ const struct ts_style ts_fix_wall_gran_region = {
 	.kind = TS_KIND_FIX,
 	.summary = "the surface of a region is a rigid wall",
 	.doc = doc,
-	.example = "fix hopper all wall/gran/region hertz/history 200000.0 NULL 50.0 NULL 0.5 1 region funnel\n"
-		   "fix drum all wall/gran/region granular hertz/material 1e7 0.7 0.3 tangential mindlin NULL 1.0 "
-		   "0.5 damping tsuji region tube\n"
-		   "fix bowl all wall/gran/region model hertz tangential history type 1 region cup",
+	.example =
+		"fix hopper all wall/gran/region hertz/history 200000.0 NULL 50.0 NULL 0.5 1 region funnel\n"
+		"fix drum all wall/gran/region granular hertz/material 1e7 0.7 0.3 tangential mindlin NULL "
+		"1.0 0.5 damping tsuji region tube\n"
+		"fix bowl all wall/gran/region model hertz tangential history type 1 region cup",
 	.args = args,
 	.family = TS_FAMILY_WALL,
 	.state_size = sizeof(struct wall),

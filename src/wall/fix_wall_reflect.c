@@ -26,8 +26,7 @@ static enum ts_status read_face(struct ts_instance *self, struct tsim *sim, int 
 
 	if (ts_box_periodic(&sim->domain->box, k / 2))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix wall/reflect: no wall can be at %s, the box is periodic there",
-			       faces[k]);
+			       "fix wall/reflect: no wall can be at %s, the box is periodic there", faces[k]);
 	if (sim->dimension == 2 && k / 2 == 2)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix wall/reflect: no wall can be at %s in two dimensions", faces[k]);
@@ -40,8 +39,7 @@ static enum ts_status read_face(struct ts_instance *self, struct tsim *sim, int 
 		return TS_OK;
 	}
 	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-		       "fix wall/reflect: %s is '%s', expected a number, EDGE or v_NAME", faces[k],
-		       word);
+		       "fix wall/reflect: %s is '%s', expected a number, EDGE or v_NAME", faces[k], word);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -105,8 +103,8 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-#define FACE(k, name_)                                                                             \
-	TS_WORD(name_, struct state, word[k], .flags = TS_OPTIONAL,                                \
+#define FACE(k, name_)                                              \
+	TS_WORD(name_, struct state, word[k], .flags = TS_OPTIONAL, \
 		.help = "a wall there: its coordinate, EDGE (the face of the box) or v_NAME")
 static const struct ts_arg args[] = {
 	FACE(0, "xlo"),
@@ -125,7 +123,8 @@ const struct ts_style ts_fix_wall_reflect = {
 	.name = "wall/reflect",
 	.kind = TS_KIND_FIX,
 	.summary = "Walls that reflect the centres of particles",
-	.doc = "A particle whose centre has moved past the wall by d in a step is put back to d in front of it and\n"
+	.doc = "A particle whose centre has moved past the wall by d in a step is put back to d in front of "
+	       "it and\n"
 	       "its velocity normal to the wall is reversed. The size of particles does not count: see\n"
 	       "fix wall/gran for walls that do. A wall can move (v_NAME), but its motion is not passed on.",
 	.example = "fix ends all wall/reflect xlo EDGE xhi 0.5\n"

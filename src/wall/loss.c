@@ -17,18 +17,16 @@ static bool explain_plane(struct tsim *sim, size_t i, int dim, struct ts_str *ou
 	double middle = 0.5 * (box->lo[dim] + box->hi[dim]), position;
 
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by));) {
-		if (!w->primitive || !ts_primitive_wall_between(sim, w->primitive, dim,
-								p->x[i][dim], middle, &position))
+		if (!w->primitive ||
+		    !ts_primitive_wall_between(sim, w->primitive, dim, p->x[i][dim], middle, &position))
 			continue;
 		if (!ts_in_group(p, i, by->group))
-			ts_str_addf(out,
-				    "wall %s at %c = %g acts on group %s only, and it is not in it",
+			ts_str_addf(out, "wall %s at %c = %g acts on group %s only, and it is not in it",
 				    by->id, 'x' + dim, position, ts_group_name(sim, by->group));
 		else
 			ts_str_addf(out,
-				    "its centre was beyond wall %s at %c = %g, which pushes away "
-				    "whatever is on either "
-				    "of its sides: it was placed there, or the contact is too soft "
+				    "its centre was beyond wall %s at %c = %g, which pushes away whatever is "
+				    "on either of its sides: it was placed there, or the contact is too soft "
 				    "for its speed",
 				    by->id, 'x' + dim, position);
 		return true;
@@ -46,7 +44,6 @@ void ts_explain_loss(struct tsim *sim, size_t i, int face, struct ts_str *out)
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
 		others |= !w->primitive || w->primitive->primitive[0].shape >= TS_XCYLINDER;
 	if (others)
-		ts_str_add(out, "no plane wall stands at that face, and it was outside of the "
-				"other walls, or these have a "
-				"gap");
+		ts_str_add(out, "no plane wall stands at that face, and it was outside of the other walls, "
+				"or these have a gap");
 }

@@ -37,13 +37,11 @@ static void find_place(const struct tsim *sim, const struct ts_mesh_wall *mw, si
 
 static bool same_place(const struct ts_mesh_wall *mw, size_t j, size_t k)
 {
-	return sqrt(ts_distance2(mw->place[j].point, mw->place[k].point)) <=
-	       slack(mw, j) + slack(mw, k);
+	return sqrt(ts_distance2(mw->place[j].point, mw->place[k].point)) <= slack(mw, j) + slack(mw, k);
 }
 
 /* Whether triangle j has the place of k, but another one that is nearer. */
-static bool comes_nearer(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t i, size_t j,
-			 size_t k)
+static bool comes_nearer(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t i, size_t j, size_t k)
 {
 	double x[3];
 
@@ -54,8 +52,8 @@ static bool comes_nearer(const struct tsim *sim, const struct ts_mesh_wall *mw, 
 	return ts_mesh_distance(mesh_of(mw, j), (size_t)mw->near[j].triangle, x) <= slack(mw, j);
 }
 
-static bool is_own(const struct tsim *sim, const struct ts_mesh_wall *mw,
-		   const struct ts_mesh_neighbor *v, size_t k)
+static bool is_own(const struct tsim *sim, const struct ts_mesh_wall *mw, const struct ts_mesh_neighbor *v,
+		   size_t k)
 {
 	for (size_t j = v->first; j < v->first + v->n; j++) {
 		if (j == k || mw->near[j].mesh != mw->near[k].mesh)
@@ -68,8 +66,8 @@ static bool is_own(const struct tsim *sim, const struct ts_mesh_wall *mw,
 	return true;
 }
 
-void ts_mesh_places(const struct tsim *sim, const struct ts_mesh_wall *mw,
-		    const struct ts_mesh_neighbor *v, double reach)
+void ts_mesh_places(const struct tsim *sim, const struct ts_mesh_wall *mw, const struct ts_mesh_neighbor *v,
+		    double reach)
 {
 	for (size_t k = v->first; k < v->first + v->n; k++)
 		find_place(sim, mw, v->i, k, v->radius + reach);

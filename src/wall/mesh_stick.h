@@ -12,8 +12,8 @@
 
 /* Finds the places of the contacts of a visitor, in mw->place: `own` where the contact has one.
  * Triangles farther than its radius and `reach` have none. */
-void ts_mesh_places(const struct tsim *sim, const struct ts_mesh_wall *mw,
-		    const struct ts_mesh_neighbor *v, double reach);
+void ts_mesh_places(const struct tsim *sim, const struct ts_mesh_wall *mw, const struct ts_mesh_neighbor *v,
+		    double reach);
 /* The contact of the visitor that has ended at its place and goes on at that of contact k;
  * SIZE_MAX: none. */
 size_t ts_mesh_donor(const struct ts_mesh_wall *mw, const struct ts_wall_contacts *c,

@@ -69,8 +69,7 @@ enum ts_status ts_mesh_stress_archive(struct ts_instance *self, struct tsim *sim
 	return ts_archive_fixed(a, "wear", TS_SAVED_F64, s->wear, n);
 }
 
-enum ts_status ts_mesh_stress_eval(struct ts_instance *self, const struct tsim *sim,
-				   struct ts_table *out)
+enum ts_status ts_mesh_stress_eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_mesh_stress *s = surface_of(self)->stress;
 
@@ -184,8 +183,7 @@ static size_t list_touching(const struct ts_wall_contacts *c, struct ts_mesh_wal
 			continue;
 		s->near++;
 		if (ts_wall_report(c, k))
-			mw->touching[n++] =
-				(struct ts_mesh_touching){ c->key[k][1], c->key[k][0], k };
+			mw->touching[n++] = (struct ts_mesh_touching){ c->key[k][1], c->key[k][0], k };
 	}
 	if (n)
 		qsort(mw->touching, n, sizeof *mw->touching, by_element);
@@ -216,8 +214,7 @@ static void wear_down(struct tsim *sim, const struct ts_wall_contacts *c, size_t
 	if (ts_dot(at.n, v) > 0) /* it leaves */
 		return;
 	s->wear[t] += ts_wear_finnie(s->k[p->type[i]], v, surface->mesh.normal[t],
-				     ts_norm(c->report[k].force), surface->mesh.area[t],
-				     sim->clock.dt);
+				     ts_norm(c->report[k].force), surface->mesh.area[t], sim->clock.dt);
 }
 
 static void add(struct tsim *sim, const struct ts_wall_contacts *c, size_t k,
@@ -237,8 +234,7 @@ static void add(struct tsim *sim, const struct ts_wall_contacts *c, size_t k,
 		wear_down(sim, c, k, surface, near);
 }
 
-enum ts_status ts_mesh_stress_collect(struct tsim *sim, const struct ts_wall *w,
-				      struct ts_mesh_wall *mw)
+enum ts_status ts_mesh_stress_collect(struct tsim *sim, const struct ts_wall *w, struct ts_mesh_wall *mw)
 {
 	const struct ts_wall_contacts *c = &w->contacts;
 	size_t n;

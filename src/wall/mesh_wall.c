@@ -63,9 +63,7 @@ static enum ts_status update_tree(struct tsim *sim, struct ts_mesh_part_of_wall 
 		return TS_OK;
 	ts_mesh_tree_release(&part->tree);
 	part->moves = part->surface->moves;
-	return ts_mesh_tree_build(&part->tree, &part->surface->mesh) == TS_OK
-		       ? TS_OK
-		       : ts_nomem(&sim->error);
+	return ts_mesh_tree_build(&part->tree, &part->surface->mesh) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
 static int modulo3(int a)
@@ -91,7 +89,10 @@ static enum ts_status add_neighbor_triangle(struct tsim *sim, struct ts_mesh_wal
 		if (TS_GROW(mw->visitor, mw->visitor_capacity, mw->nvisitors + 1) != TS_OK)
 			return ts_nomem(&sim->error);
 		mw->visitor[mw->nvisitors++] = (struct ts_mesh_neighbor){
-			.i = i, .first = first, .radius = p->radius[i], .until = -INFINITY,
+			.i = i,
+			.first = first,
+			.radius = p->radius[i],
+			.until = -INFINITY,
 			.place = { p->xhold[i][0], p->xhold[i][1], p->xhold[i][2] },
 		};
 	}
@@ -118,17 +119,22 @@ static enum ts_status add(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wa
 		return ts_nomem(&sim->error);
 	if (ts_wall_pulls(w, sim) && TS_GROW(mw->place, mw->place_capacity, k + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	mw->near[k] = (struct ts_mesh_near){ f->mesh, f->triangle, { f->shift[0], f->shift[1], f->shift[2] }, false,
-					     ts_mesh_wall_safe_way(mesh, f->triangle, f->distance,
-						      p->radius[f->i] + ts_mesh_wall_outreach(sim, w, p->radius[f->i])) };
+	mw->near[k] = (struct ts_mesh_near){
+		f->mesh,
+		f->triangle,
+		{ f->shift[0], f->shift[1], f->shift[2] },
+		false,
+		ts_mesh_wall_safe_way(mesh, f->triangle, f->distance,
+				      p->radius[f->i] + ts_mesh_wall_outreach(sim, w, p->radius[f->i]))
+	};
 	TS_TRY(add_neighbor_triangle(sim, mw, f->i, k));
 	return ts_wall_contacts_add(sim, &w->contacts, f->i,
 				    ((int)mw->mesh[f->mesh].first + f->triangle) * IMAGES + code);
 }
 
 /* The images of a mesh, by box lengths, that reach within r of x in one dimension. */
-static void reaching(const struct ts_box *box, const struct ts_mesh_tree *tree, int dim, double x,
-		     double r, int range[2])
+static void reaching(const struct ts_box *box, const struct ts_mesh_tree *tree, int dim, double x, double r,
+		     int range[2])
 {
 	double length = ts_box_length(box, dim);
 
@@ -148,8 +154,8 @@ struct search {
 	bool failed;
 };
 
-static void find_image(struct search *s, const struct ts_mesh_part_of_wall *part, const double at[3], double r,
-		       const struct found *what)
+static void find_image(struct search *s, const struct ts_mesh_part_of_wall *part, const double at[3],
+		       double r, const struct found *what)
 {
 	const struct ts_mesh *mesh = &part->surface->mesh;
 	struct ts_mesh_vicinity *v = &s->vicinity[what->mesh];
@@ -230,7 +236,8 @@ static void search_share(void *context, size_t from, size_t to)
 			for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++)
 				if (concerns(s, mesh, i))
 					find_images(s->sim, s->mw, mesh, i,
-						    pulls ? ts_wall_reach(s->w, s->sim, p->radius[i]) : 0, share);
+						    pulls ? ts_wall_reach(s->w, s->sim, p->radius[i]) : 0,
+						    share);
 		for (size_t mesh = 0; mesh < s->mw->nmeshes && share->vicinity; mesh++)
 			ts_free(share->vicinity[mesh].leaf.item);
 		ts_free(share->vicinity);
@@ -318,8 +325,8 @@ static double way_of(const struct tsim *sim, const struct ts_mesh_surface *s, si
 }
 
 /* Whether a triangle has come to the place of particle i, or through it, in a step longer than its radius. */
-static enum ts_status check_passage(struct tsim *sim, const struct ts_mesh_part_of_wall *part, size_t i, const double x[3],
-				    double step, struct ts_mesh_list *list)
+static enum ts_status check_passage(struct tsim *sim, const struct ts_mesh_part_of_wall *part, size_t i,
+				    const double x[3], double step, struct ts_mesh_list *list)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_mesh *m = &part->surface->mesh;
@@ -341,8 +348,8 @@ static enum ts_status check_passage(struct tsim *sim, const struct ts_mesh_part_
 }
 
 /* The particle and its images across periodic faces. */
-static enum ts_status check_images(struct tsim *sim, const struct ts_mesh_part_of_wall *part, size_t i, double step,
-				   struct ts_mesh_list *list)
+static enum ts_status check_images(struct tsim *sim, const struct ts_mesh_part_of_wall *part, size_t i,
+				   double step, struct ts_mesh_list *list)
 {
 	const struct ts_particles *p = sim->particles;
 	double x[3];
@@ -363,7 +370,8 @@ static bool is_slow(const struct tsim *sim, struct ts_mesh_part_of_wall *part, d
 	return *step <= sim->neigh->least_radius;
 }
 
-enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw)
+enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
+					       struct ts_mesh_wall *mw)
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_mesh_list list = { 0 };

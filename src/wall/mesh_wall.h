@@ -5,8 +5,8 @@
  * at the same time - its centre is over their common edge - the first has the contact. A new contact takes
  * over what the contact with a flat neighbour remembers, unless that was found to go on.
  *
- * Most triangles that are listed are not touched: these are not looked at until particle and mesh may have come as near
- * to each other as they were apart. So no touch is missed. */
+ * Most triangles that are listed are not touched: these are not looked at until particle and mesh may have
+ * come as near to each other as they were apart. So no touch is missed. */
 #ifndef TS_WALL_MESH_WALL_H
 #define TS_WALL_MESH_WALL_H
 
@@ -21,7 +21,7 @@ struct ts_mesh_part_of_wall {
 	const struct ts_mesh_surface *surface;
 	size_t first; /* number of its first triangle among those of all meshes */
 	struct ts_mesh_tree tree;
-	uint64_t moves; /* surface->moves when the tree was built */
+	uint64_t moves;	  /* surface->moves when the tree was built */
 	double travelled; /* surface->travelled when contacts were looked at last */
 	double checked;	  /* the same, when its pace was */
 };
@@ -59,11 +59,11 @@ struct ts_mesh_touching {
 struct ts_mesh_wall {
 	struct ts_mesh_part_of_wall *mesh;
 	size_t nmeshes;
-	struct ts_mesh_near *near; /* of each contact */
+	struct ts_mesh_near *near;   /* of each contact */
 	struct ts_mesh_place *place; /* of each contact, of a wall that acts beyond the touch */
 	struct ts_mesh_neighbor *visitor;
 	size_t nvisitors, near_capacity, place_capacity, visitor_capacity;
-	double length[3]; /* of the box, when contacts were looked at last */
+	double length[3];		   /* of the box, when contacts were looked at last */
 	struct ts_mesh_touching *touching; /* for sums over contacts */
 	size_t touching_capacity;
 };
@@ -80,7 +80,8 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 /* Whether a mesh has moved so far since then that particles must be listed anew. */
 bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *mw);
 /* Refuses a mesh that moves through particles in one step. */
-enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw);
+enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
+					       struct ts_mesh_wall *mw);
 void ts_mesh_wall_release(struct ts_mesh_wall *mw);
 
 /* How far particle i is from the triangle of contact k now. */
@@ -96,21 +97,23 @@ static inline double *ts_mesh_alive(const struct ts_wall_contacts *c, size_t k)
 	return ts_wall_memory(c, k) + c->width - TS_MESH_MEMORY;
 }
 
-/* How far the meshes have gone since the last call, at most; infinite if nothing is known of it: images move with the
- * box. */
+/* How far the meshes have gone since the last call, at most; infinite if nothing is known of it: images
+ * move with the box. */
 double ts_mesh_wall_come_nearer(const struct tsim *sim, struct ts_mesh_wall *mw);
 /* How far from its surface a particle may begin a contact: surfaces that stick have to touch first. */
 double ts_mesh_wall_outreach(const struct tsim *sim, const struct ts_wall *w, double radius);
 
-/* A touch may be found when a particle is farther by so much: twice the tolerance of the triangle, and rounding. */
+/* A touch may be found when a particle is farther by so much: twice the tolerance of the triangle, and
+ * rounding. */
 static inline double ts_mesh_wall_slack(const struct ts_mesh *m, int32_t triangle)
 {
 	return 4 * ts_mesh_tolerance(m, (size_t)triangle);
 }
 
-/* The rest of the gap between a sphere and a triangle both can go in any way; rounding counts less than what is left
- * of it. */
-static inline double ts_mesh_wall_safe_way(const struct ts_mesh *m, int32_t triangle, double distance, double radius)
+/* The rest of the gap between a sphere and a triangle both can go in any way; rounding counts less than
+ * what is left of it. */
+static inline double ts_mesh_wall_safe_way(const struct ts_mesh *m, int32_t triangle, double distance,
+					   double radius)
 {
 	return 0.999 * (distance - radius - ts_mesh_wall_slack(m, triangle));
 }

@@ -21,8 +21,8 @@ static bool same_surface(const struct ts_mesh_wall *mw, size_t a, size_t b)
 }
 
 /* A new contact, among those from..to-1 of the particle. False: a flat neighbour has it. */
-static bool begin_contact(struct ts_wall *w, const struct ts_mesh_wall *mw, size_t from, size_t to,
-			  size_t k, enum ts_mesh_part part)
+static bool begin_contact(struct ts_wall *w, const struct ts_mesh_wall *mw, size_t from, size_t to, size_t k,
+			  enum ts_mesh_part part)
 {
 	const struct ts_wall_contacts *c = &w->contacts;
 
@@ -45,16 +45,18 @@ struct task {
 };
 
 /* Whether there is no touch yet, and when there may be. */
-static bool waits(const struct ts_mesh *m, struct ts_mesh_near *near, const struct ts_mesh_neighbor *v, const double x[3])
+static bool waits(const struct ts_mesh *m, struct ts_mesh_near *near, const struct ts_mesh_neighbor *v,
+		  const double x[3])
 {
-	double far = ts_mesh_wall_safe_way(m, near->triangle, ts_mesh_distance(m, (size_t)near->triangle, x), v->radius);
+	double far = ts_mesh_wall_safe_way(m, near->triangle, ts_mesh_distance(m, (size_t)near->triangle, x),
+					   v->radius);
 
 	near->until = far > 0 ? v->way + far : -INFINITY;
 	return far > 0;
 }
 
-static void make_spot(const struct ts_mesh_surface *s, const struct ts_mesh_near *near, const struct ts_mesh_contact_point *at,
-		      struct ts_wall_contact_point *spot)
+static void make_spot(const struct ts_mesh_surface *s, const struct ts_mesh_near *near,
+		      const struct ts_mesh_contact_point *at, struct ts_wall_contact_point *spot)
 {
 	for (int d = 0; d < 3; d++)
 		spot->n[d] = at->n[d];
@@ -85,7 +87,8 @@ static void push(const struct task *task, struct ts_wall_queue *q, const struct 
 		return;
 	part = ts_mesh_nearest(&s->mesh, t, x, &at);
 	near->done = part != TS_MESH_NOTHING && at.distance <= v->radius &&
-		     (*ts_mesh_alive(&w->contacts, k) > 0 || begin_contact(w, task->mw, v->first, v->first + v->n, k, part));
+		     (*ts_mesh_alive(&w->contacts, k) > 0 ||
+		      begin_contact(w, task->mw, v->first, v->first + v->n, k, part));
 	near->until = -INFINITY;
 	if (!near->done)
 		return;
@@ -108,8 +111,8 @@ static bool moves(const struct task *task, struct ts_mesh_neighbor *v)
 }
 
 /* A surface that acts beyond the touch: whether the contact k, which has a place of its own, is one. */
-static bool meets(const struct task *task, struct ts_wall_queue *q, const struct ts_mesh_neighbor *v, size_t k,
-		  struct ts_wall_contact_point *spot)
+static bool meets(const struct task *task, struct ts_wall_queue *q, const struct ts_mesh_neighbor *v,
+		  size_t k, struct ts_wall_contact_point *spot)
 {
 	const struct ts_wall_contacts *c = &task->w->contacts;
 	const struct ts_mesh_near *near = &task->mw->near[k];
@@ -135,8 +138,8 @@ static void visit_sticking(const struct task *task, struct ts_wall_queue *q, con
 		struct ts_mesh_near *near = &mw->near[k];
 		struct ts_wall_contact_point spot;
 
-		near->until = v->way + ts_mesh_wall_safe_way(&mw->mesh[near->mesh].surface->mesh, near->triangle,
-						mw->place[k].distance, begins);
+		near->until = v->way + ts_mesh_wall_safe_way(&mw->mesh[near->mesh].surface->mesh,
+							     near->triangle, mw->place[k].distance, begins);
 		near->done = mw->place[k].own && meets(task, q, v, k, &spot);
 		if (!near->done)
 			continue;

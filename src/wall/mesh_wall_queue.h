@@ -1,4 +1,5 @@
-/* Forces of a wall of meshes: which of the listed contacts touch, and how one goes on from triangle to triangle. */
+/* Forces of a wall of meshes: which of the listed contacts touch, and how one goes on from triangle to
+ * triangle. */
 #ifndef TS_WALL_MESH_WALL_QUEUE_H
 #define TS_WALL_MESH_WALL_QUEUE_H
 

@@ -20,9 +20,8 @@ static const char *const shape_names[NSHAPES] = { "xplane",    "yplane",    "zpl
 
 /* Reads the words from number `first` on, `least` to `most` of them. NULL stands for a plane that is not
  * there. */
-static enum ts_status numbers_of(struct tsim *sim, struct ts_words words, size_t first,
-				 const char *what, const char *expected, size_t least, size_t most,
-				 double *out)
+static enum ts_status numbers_of(struct tsim *sim, struct ts_words words, size_t first, const char *what,
+				 const char *expected, size_t least, size_t most, double *out)
 {
 	bool good = words.n >= first + least && words.n <= first + most;
 	size_t bad = words.n - 1;
@@ -39,8 +38,7 @@ static enum ts_status numbers_of(struct tsim *sim, struct ts_words words, size_t
 	if (good)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, &words.word[bad].place,
-		       "fix wall/gran: %s takes %s, found '%s'", what, expected,
-		       words.word[bad].text);
+		       "fix wall/gran: %s takes %s, found '%s'", what, expected, words.word[bad].text);
 }
 
 /* `zplane z` or, as in LAMMPS, `zplane lo hi` of which either may be NULL. */
@@ -54,9 +52,8 @@ static enum ts_status read_plane(struct ts_primitive_wall *w, struct tsim *sim, 
 	w->n = 0;
 	for (size_t k = 0; k < words.n; k++)
 		if (!isnan(at[k]))
-			w->primitive[w->n++] = (struct ts_primitive){
-				.shape = (enum ts_primitive_shape)shape, .position = at[k]
-			};
+			w->primitive[w->n++] = (struct ts_primitive){ .shape = (enum ts_primitive_shape)shape,
+								      .position = at[k] };
 	return TS_OK;
 }
 
@@ -88,7 +85,8 @@ int ts_primitive_wall_shapes(const struct ts_primitive_wall *w)
 	return given;
 }
 
-/* LAMMPS refuses it. LIGGGHTS runs it: a particle meets the wall from where it is in the box, images do not. */
+/* LAMMPS refuses it. LIGGGHTS runs it: a particle meets the wall from where it is in the box, images do
+ * not. */
 static enum ts_status accept_periodic(struct ts_instance *self, struct tsim *sim,
 				      const struct ts_primitive_wall *w, int shape)
 {
@@ -120,8 +118,7 @@ static enum ts_status read_shape(struct ts_instance *self, struct tsim *sim, str
 	return read_plane(w, sim, shape);
 }
 
-static enum ts_status read_dimension(struct tsim *sim, const struct ts_word *word, const char *what,
-				     int *out)
+static enum ts_status read_dimension(struct tsim *sim, const struct ts_word *word, const char *what, int *out)
 {
 	for (*out = 0; *out < 3; ++*out)
 		if (word->text[0] == 'x' + *out && !word->text[1])
@@ -130,16 +127,15 @@ static enum ts_status read_dimension(struct tsim *sim, const struct ts_word *wor
 		       "fix wall/gran: %s is along '%s', expected x, y or z", what, word->text);
 }
 
-static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim,
-				      struct ts_primitive_wall *w)
+static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim, struct ts_primitive_wall *w)
 {
 	double value[2];
 
 	w->wiggle_dim = -1;
 	if (w->shear_words.n) {
 		TS_TRY(read_dimension(sim, &w->shear_words.word[0], "shear", &w->shear_dim));
-		TS_TRY(numbers_of(sim, w->shear_words, 1, "shear",
-				  "a dimension and a velocity", 1, 1, &w->shear));
+		TS_TRY(numbers_of(sim, w->shear_words, 1, "shear", "a dimension and a velocity", 1, 1,
+				  &w->shear));
 	}
 	if (!w->wiggle_words.n)
 		return TS_OK;
@@ -147,8 +143,8 @@ static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim,
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "wiggle"),
 			       "fix wall/gran: either wiggle or shear");
 	TS_TRY(read_dimension(sim, &w->wiggle_words.word[0], "wiggle", &w->wiggle_dim));
-	TS_TRY(numbers_of(sim, w->wiggle_words, 1, "wiggle",
-			  "a dimension, an amplitude and a period", 2, 2, value));
+	TS_TRY(numbers_of(sim, w->wiggle_words, 1, "wiggle", "a dimension, an amplitude and a period", 2, 2,
+			  value));
 	w->amplitude = value[0];
 	w->period = value[1];
 	if (!(w->period > 0))
@@ -160,8 +156,7 @@ static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
-enum ts_status ts_primitive_wall_read(struct ts_instance *self, struct tsim *sim,
-				      struct ts_primitive_wall *w)
+enum ts_status ts_primitive_wall_read(struct ts_instance *self, struct tsim *sim, struct ts_primitive_wall *w)
 {
 	TS_TRY(read_shape(self, sim, w));
 	return read_motion(self, sim, w);
@@ -198,7 +193,8 @@ static double wiggle_velocity(const struct ts_primitive_wall *w, const struct ts
  * components of d in wrong order for ycylinder, which `legacy yes` reproduces. LAMMPS' manual: the speed
  * `shear`, with the clock as seen from the tip of the axis; its program (29 Sep 2021) adds the velocity
  * along that dimension. */
-static void spin(const struct ts_primitive_wall *w, const struct tsim *sim, int axis, const double x[3], double v[3])
+static void spin(const struct ts_primitive_wall *w, const struct tsim *sim, int axis, const double x[3],
+		 double v[3])
 {
 	const double *centre = w->primitive[0].centre;
 	int a = (axis + 1) % 3, b = (axis + 2) % 3;
@@ -266,12 +262,11 @@ static double away(const struct ts_primitive *at, const double x[3])
 {
 	double n[3];
 
-	return at->shape <= TS_ZPLANE ? fabs(x[at->shape] - at->position)
-				      : ts_primitive_distance(at, x, n);
+	return at->shape <= TS_ZPLANE ? fabs(x[at->shape] - at->position) : ts_primitive_distance(at, x, n);
 }
 
-bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive_wall *w, int dim, double a, double b,
-			       double *position)
+bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive_wall *w, int dim, double a,
+			       double b, double *position)
 {
 	double moved = displacement(w, sim);
 
@@ -284,7 +279,7 @@ bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive
 }
 
 enum ts_status ts_primitive_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
-					    const struct ts_primitive_wall *w)
+						    const struct ts_primitive_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
 	double now, way;
@@ -368,8 +363,8 @@ static void push_share(void *context, size_t from, size_t to)
 	const struct ts_particles *p = t->sim->particles;
 	struct ts_wall_contacts *c = &t->wall->contacts;
 	struct ts_wall_contact_point spot = { .type = t->type,
-				     .warm = !isnan(w->temperature),
-				     .temperature = w->temperature };
+					      .warm = !isnan(w->temperature),
+					      .temperature = w->temperature };
 	struct ts_wall_queue queue;
 
 	ts_wall_queue_start(&queue, t->wall, t->sim);
@@ -389,8 +384,8 @@ static void push_share(void *context, size_t from, size_t to)
 	ts_wall_queue_end(&queue);
 }
 
-enum ts_status ts_primitive_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
-			    int type)
+enum ts_status ts_primitive_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall,
+						  const struct ts_primitive_wall *w, int type)
 {
 	struct push push = { sim, wall, w, { { 0 } }, type };
 	double moved = displacement(w, sim);
@@ -402,8 +397,7 @@ enum ts_status ts_primitive_wall_enqueue_contacts(struct tsim *sim, struct ts_wa
 	return ts_coincide_wall(sim, wall);
 }
 
-void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim,
-			    const struct ts_primitive_wall *w)
+void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim, const struct ts_primitive_wall *w)
 {
 	if (w->n && w->shear_words.n && (int)w->primitive[0].shape == w->shear_dim)
 		ts_warn(&sim->log, ts_instance_word(self, "shear"),

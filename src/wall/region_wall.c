@@ -11,8 +11,7 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim,
-				   struct ts_region_wall *w)
+enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w)
 {
 	const struct ts_place *where = ts_instance_word(self, w->region->id);
 
@@ -88,8 +87,7 @@ static bool is_near(const struct ts_region_wall *w, const struct tsim *sim, cons
 {
 	double radius = sim->particles->radius[i];
 
-	return !(fabs(ts_region_depth(w->region, x)) >=
-		 radius + further + ts_wall_reach(wall, sim, radius));
+	return !(fabs(ts_region_depth(w->region, x)) >= radius + further + ts_wall_reach(wall, sim, radius));
 }
 
 /* Where the movers are now, and how far from their pivots particles are until they are listed again. */
@@ -112,7 +110,8 @@ static void note_poses(struct ts_region_wall *w, const struct tsim *sim)
 	w->listed_step = sim->clock.step;
 }
 
-/* How far the surface has come towards any particle since, at most: turning it is turning the particle back. */
+/* How far the surface has come towards any particle since, at most: turning it is turning the particle
+ * back. */
 static double gone(const struct ts_region_wall *w)
 {
 	double sum = 0;
@@ -158,7 +157,8 @@ static double carried_most(const struct ts_region_wall *w, const struct tsim *si
 		double turn = fabs(r->turned - m->angle);
 
 		if (m->known > 0 && (int64_t)m->step == sim->clock.step - 1) /* far may be infinite */
-			sum += sqrt(ts_distance2(r->shift, m->shift)) + (turn > 0 ? turn * w->listed[k].far : 0);
+			sum += sqrt(ts_distance2(r->shift, m->shift)) +
+			       (turn > 0 ? turn * w->listed[k].far : 0);
 	}
 	return sum;
 }
@@ -217,7 +217,8 @@ enum ts_status ts_region_wall_update(struct ts_instance *self, struct tsim *sim,
 /* Where it must be done again within some steps, listing all particles is cheaper. */
 enum { QUICK = 8 };
 
-enum ts_status ts_region_wall_follow(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w, bool *list)
+enum ts_status ts_region_wall_follow(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w,
+				     bool *list)
 {
 	TS_TRY(ts_region_wall_update(self, sim, w));
 	*list = gone(w) > w->margin;
@@ -225,8 +226,8 @@ enum ts_status ts_region_wall_follow(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
-/* Lists particles near the surface: of one that moves also those somewhat farther, of one that changes otherwise
- * all. */
+/* Lists particles near the surface: of one that moves also those somewhat farther, of one that changes
+ * otherwise all. */
 enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				   struct ts_region_wall *w)
 {
@@ -247,7 +248,8 @@ enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, s
 	return TS_OK;
 }
 
-static const struct ts_region_contact_point *spot_of(const struct ts_region_contact_point *spot, int n, int face)
+static const struct ts_region_contact_point *spot_of(const struct ts_region_contact_point *spot, int n,
+						     int face)
 {
 	for (int k = 0; k < n; k++)
 		if (spot[k].face == face)
@@ -255,8 +257,8 @@ static const struct ts_region_contact_point *spot_of(const struct ts_region_cont
 	return NULL;
 }
 
-double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim *sim, const struct ts_wall *wall,
-			       size_t k)
+double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim *sim,
+			       const struct ts_wall *wall, size_t k)
 {
 	int n = ts_region_contact_points(w->region, sim->particles->x[wall->contacts.row[k]], w->spot);
 	const struct ts_region_contact_point *on = spot_of(w->spot, n, wall->contacts.key[k][1]);
@@ -268,7 +270,9 @@ double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim
 static void push_face(struct ts_wall_queue *q, struct ts_wall *wall, const struct ts_region_wall *w, size_t k,
 		      const struct ts_region_contact_point *on, int type)
 {
-	struct ts_wall_contact_point spot = { .type = type, .distance = on->distance, .curvature = on->curvature };
+	struct ts_wall_contact_point spot = { .type = type,
+					      .distance = on->distance,
+					      .curvature = on->curvature };
 
 	for (int d = 0; d < 3; d++)
 		spot.n[d] = on->n[d];
@@ -327,7 +331,8 @@ static void push_share(void *context, size_t from, size_t to)
 	push_contacts(context, from, to, spot);
 }
 
-enum ts_status ts_region_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type)
+enum ts_status ts_region_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall,
+					       struct ts_region_wall *w, int type)
 {
 	struct task task = { sim, wall, w, type, ts_region_varies(w->region) };
 
@@ -345,6 +350,5 @@ enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wal
 {
 	if (!w->nmovers)
 		return TS_OK;
-	return ts_archive_fixed(a, "motion", TS_SAVED_F64, w->motion,
-				(size_t)w->nmovers * TS_REGION_MOTION);
+	return ts_archive_fixed(a, "motion", TS_SAVED_F64, w->motion, (size_t)w->nmovers * TS_REGION_MOTION);
 }

@@ -26,27 +26,30 @@ struct ts_region_wall {
 	const struct ts_instance **mover;
 	struct ts_region_motion *motion; /* of each; saved */
 	struct ts_region_pose *listed;	 /* of each */
-	double margin;	     /* the surface may go so far before particles are listed anew; infinite: all are listed */
+	/* the surface may go so far before particles are listed anew; infinite: all are listed */
+	double margin;
 	int64_t listed_step;
-	bool quick;	     /* it goes so fast that all are listed */
-	int64_t seen;	     /* the step after the one in which it was updated last; 0: never */
+	bool quick;   /* it goes so fast that all are listed */
+	int64_t seen; /* the step after the one in which it was updated last; 0: never */
 };
 
 /* In init, when the region is known. */
-enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim,
-				   struct ts_region_wall *w);
-/* Between ts_wall_rebuild_start and _finish, of the region as it was last updated: lists particles of the group. */
+enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w);
+/* Between ts_wall_rebuild_start and _finish, of the region as it was last updated: lists particles of the
+ * group. */
 enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				   struct ts_region_wall *w);
 /* The region as it is now; refuses one that has moved through particles in one step. */
 enum ts_status ts_region_wall_update(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w);
 /* Before the forces: updates it, and says whether it has gone so far that particles must be listed anew. */
-enum ts_status ts_region_wall_follow(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w, bool *list);
+enum ts_status ts_region_wall_follow(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w,
+				     bool *list);
 /* How far the particle of contact k is from its face now; infinite: it does not meet it. */
-double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim *sim, const struct ts_wall *wall,
-			       size_t k);
+double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim *sim,
+			       const struct ts_wall *wall, size_t k);
 /* All forces; the surface has the material of this type. */
-enum ts_status ts_region_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type);
+enum ts_status ts_region_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall,
+					       struct ts_region_wall *w, int type);
 enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w);
 
 #endif

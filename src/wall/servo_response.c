@@ -68,8 +68,8 @@ static double step_of(const struct tsim *sim, const struct ts_servo_contacts *c)
 	return c->stiffness * sim->clock.dt + 2 * c->damping;
 }
 
-struct ts_servo_contacts ts_servo_contacts(const struct tsim *sim, const struct ts_servo_mesh *mesh,
-					   double n, bool most)
+struct ts_servo_contacts ts_servo_contacts(const struct tsim *sim, const struct ts_servo_mesh *mesh, double n,
+					   bool most)
 {
 	struct ts_servo_contacts best = { 0 };
 	double force = mesh->load / (n * (mesh->lever > 0 ? mesh->arm : 1));
@@ -85,8 +85,8 @@ struct ts_servo_contacts ts_servo_contacts(const struct tsim *sim, const struct 
 
 			if (!isfinite(s.radius) || !(s.mass > 0))
 				continue;
-			c = contact(ts_wall_model(w, sim),
-				    ts_wall_law(w, sim, (int)mesh->surface->type, t), &s, force);
+			c = contact(ts_wall_model(w, sim), ts_wall_law(w, sim, (int)mesh->surface->type, t),
+				    &s, force);
 			if (c.n > 0 && (!(best.n > 0) || (step_of(sim, &c) > step_of(sim, &best)) == most))
 				best = c;
 		}

@@ -51,13 +51,15 @@ static enum ts_status check_bridges(struct ts_instance *self, struct tsim *sim, 
 		return TS_OK;
 	if (m->cohesion == TS_COHESION_WASHINO)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix %s: cohesion washino/capillary/viscous is for particles alone; give the wall a model with "
-			       "`cohesion easo/capillary/viscous`, or without cohesion", self->style->name);
+			       "fix %s: cohesion washino/capillary/viscous is for particles alone; give the "
+			       "wall a model with `cohesion easo/capillary/viscous`, or without cohesion",
+			       self->style->name);
 	if (pair && (pair->model.normal || built) ? ts_cohesion_bridges(&pair->model) : !built)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "fix %s: particles are dry: bridges of liquid at a wall need a `pair_style gran ... cohesion "
-		       "easo/capillary/viscous`, which keeps the liquid", self->style->name);
+		       "fix %s: particles are dry: bridges of liquid at a wall need a `pair_style gran ... "
+		       "cohesion easo/capillary/viscous`, which keeps the liquid",
+		       self->style->name);
 }
 
 enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
@@ -75,9 +77,8 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(check_bridges(self, sim, false));
 	if (!w->own_model)
 		return TS_OK;
-	return ts_granular_turns(&w->model)
-		       ? ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE))
-		       : TS_OK;
+	return ts_granular_turns(&w->model) ? ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE))
+					    : TS_OK;
 }
 
 const struct ts_granular_model *ts_wall_model(const struct ts_wall *w, const struct tsim *sim)
@@ -112,6 +113,11 @@ static enum ts_status reserve(struct ts_instance *self, struct tsim *sim, int ty
 	return w->law && w->conductivity ? TS_OK : ts_nomem(&sim->error);
 }
 
+bool ts_wall_heats(const struct tsim *sim)
+{
+	return ts_heat_of(sim) != NULL;
+}
+
 static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int wall, int particle)
 {
 	struct ts_wall *w = self->state;
@@ -122,11 +128,10 @@ static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int w
 	snprintf(who, sizeof who, "fix %s", self->style->name);
 	w->law[k] = w->numbers;
 	if (w->own_model && !w->given)
-		TS_TRY(ts_granular_material(sim, &w->model, particle, wall, who, &self->where,
-					    &w->law[k]));
+		TS_TRY(ts_granular_material(sim, &w->model, particle, wall, who, &self->where, &w->law[k]));
 	if (ts_cohesion_bridges(ts_wall_model(w, sim)))
 		w->bridges = fmax(w->bridges, 2 * (ts_wall_law(w, sim, wall, particle)->most_gap - 1));
-	if (!w->warm || !ts_heat_of(sim))
+	if (!w->warm || !ts_wall_heats(sim))
 		return TS_OK;
 	TS_TRY(ts_heat_conductivity(sim, particle, who, &self->where, &own));
 	TS_TRY(ts_heat_conductivity(sim, wall, who, &self->where, &other));
@@ -154,8 +159,8 @@ void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own
 			       (size_t)ts_granular_memory(ts_wall_model(w, sim)) + own);
 }
 
-enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
-				      struct ts_wall_rebuild *rebuild, enum ts_status status)
+enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim, struct ts_wall_rebuild *rebuild,
+				      enum ts_status status)
 {
 	if (status == TS_OK)
 		return ts_wall_contacts_finish(sim, &w->contacts, rebuild);
@@ -183,7 +188,8 @@ double ts_wall_reach(const struct ts_wall *w, const struct tsim *sim, double rad
 		return most;
 	if (!w->own_model)
 		return ts_pair_reach(sim, 4 * radius); /* that of a pair of this radius: half of it is R* */
-	/* hollow surfaces stick farther; they are found while their curvature is less than half the sphere's */
+	/* hollow surfaces stick farther; they are found while their curvature is less than half the
+	 * sphere's */
 	for (size_t k = 0; k < types * types; k++)
 		if (w->law[k].kn > 0)
 			most = fmax(most, ts_jkr_reach(&w->law[k], 2 * radius));
@@ -227,31 +233,28 @@ static enum ts_status setup_check(struct ts_instance *self, struct tsim *sim, in
 	if (w->own_model)
 		return TS_OK;
 	if (!pair)
-		return ts_fail(
-			&sim->error, TS_STATE, &self->where,
-			"fix %s takes the contact law of the pair_style, and there is none",
-			self->style->name);
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s takes the contact law of the pair_style, and there is none",
+			       self->style->name);
 	state = pair->state;
 	if (type > state->ntypes)
 		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "type"),
-			       "fix %s: type %d does not exist, create_box made %d",
-			       self->style->name, type, state->ntypes);
+			       "fix %s: type %d does not exist, create_box made %d", self->style->name, type,
+			       state->ntypes);
 	for (size_t i = 0; i < sim->particles->n; i++) {
 		int met = sim->particles->type[i];
 
 		if (ts_in_group(sim->particles, i, self->group) &&
 		    !state->coeffs.given[met * (state->ntypes + 1) + type])
-			return ts_fail(
-				&sim->error, TS_STATE, &self->where,
-				"a wall of type %d meets particles of type %d, but there is no "
-				"`pair_coeff %d %d ...`",
-				type, met, met, type);
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "a wall of type %d meets particles of type %d, but there is no "
+				       "`pair_coeff %d %d ...`",
+				       type, met, met, type);
 	}
 	return TS_OK;
 }
 
-enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type,
-			    struct ts_plan_report *plan)
+enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type, struct ts_plan_report *plan)
 {
 	const struct ts_wall *w = self->state;
 	struct ts_lightest *lightest;
@@ -266,9 +269,12 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 	if (!lightest)
 		return ts_nomem(&sim->error);
 	for (int t = 1; t <= sim->particles->ntypes && status == TS_OK; t++) {
-		struct ts_contact_case c = { ts_wall_model(w, sim), ts_wall_law(w, sim, type, t),
-					     lightest[t].radius[0], 1 / lightest[t].inverse_mass[0],
-					     0, speed };
+		struct ts_contact_case c = { ts_wall_model(w, sim),
+					     ts_wall_law(w, sim, type, t),
+					     lightest[t].radius[0],
+					     1 / lightest[t].inverse_mass[0],
+					     0,
+					     speed };
 
 		snprintf(what, sizeof what, "of type %d with wall %.24s", t, self->id);
 		if (lightest[t].inverse_mass[0] > 0)
@@ -285,14 +291,15 @@ bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, str
 
 	if (!(seen->overlap > 0) || !(sim->particles->imass[i] > 0))
 		return false;
-	*out = (struct ts_contact_case){ ts_wall_model(w, sim),
-					 ts_wall_law(w, sim, seen->type, sim->particles->type[i]),
-					 seen->r_eff, 1 / sim->particles->imass[i], seen->overlap, 0 };
+	*out = (struct ts_contact_case){
+		ts_wall_model(w, sim), ts_wall_law(w, sim, seen->type, sim->particles->type[i]),
+		seen->r_eff,	       1 / sim->particles->imass[i],
+		seen->overlap,	       0
+	};
 	return true;
 }
 
-enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out)
+enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_wall *w = self->state;
 
@@ -304,8 +311,7 @@ enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *s
 
 const char *const ts_wall_force_names[] = { "fx", "fy", "fz" };
 
-enum ts_status ts_wall_eval_contacts(struct ts_instance *self, const struct tsim *sim,
-				     struct ts_table *out)
+enum ts_status ts_wall_eval_contacts(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_wall *w = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -332,8 +338,7 @@ enum ts_status ts_wall_eval_contacts(struct ts_instance *self, const struct tsim
 
 bool ts_wall_gives(const struct ts_instance *self, const struct ts_value *value)
 {
-	return value->eval != ts_wall_eval_contacts ||
-	       ((const struct ts_wall *)self->state)->list_contacts;
+	return value->eval != ts_wall_eval_contacts || ((const struct ts_wall *)self->state)->list_contacts;
 }
 
 const char *const ts_wall_contact_names[] = { "touches", "fx", "fy", "fz", "x", "y", "z", "radius" };

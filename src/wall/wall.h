@@ -1,15 +1,17 @@
-/* Walls: rigid bodies of infinite mass that particles touch with a contact law. A style computes the shape, that is the
- * contact points; everything after that is common to all walls:
+/* Walls: rigid bodies of infinite mass that particles touch with a contact law. A style computes the
+ * shape, that is the contact points; everything after that is common to all walls:
  *
  *   POST_BUILD  ts_wall_rebuild_start; ts_wall_contacts_add for each pair of a particle and an element of the wall (a plane,
  *               a triangle) that may touch before the next rebuild; ts_wall_rebuild_finish
  *   POST_FORCE  ts_wall_start; for each listed contact k ts_wall_enqueue_contact (wall/wall_queue.h) if it touches, else
  *               ts_wall_contact_part; ts_wall_finish
  *
- * Contacts of different particles may be enqueued by several threads, each with its own queue: ts_wall_contacts_parallel.
+ * Contacts of different particles may be enqueued by several threads, each with its own queue:
+ * ts_wall_contacts_parallel.
  *
- * Outputs that need the force, the point or the overlap of each contact call ts_walls_want_reports in their init and
- * read the reports by ts_walls_next and ts_wall_report (wall/wall_contacts.h) from POST_FORCE on. */
+ * Outputs that need the force, the point or the overlap of each contact call ts_walls_want_reports in
+ * their init and read the reports by ts_walls_next and ts_wall_report (wall/wall_contacts.h) from
+ * POST_FORCE on. */
 #ifndef TS_WALL_WALL_H
 #define TS_WALL_WALL_H
 
@@ -27,28 +29,29 @@ struct ts_wall {
 	struct ts_granular_words words; /* `model ...`; off: the model of the pair style */
 	struct ts_wall_contacts contacts;
 	double force[3]; /* of all particles on the wall in the last step */
-	size_t inside; /* first contact of the last step whose particle has its centre in the surface, or TS_WALL_NONE */
+	/* first contact of the last step whose particle has its centre in the surface, or TS_WALL_NONE */
+	size_t inside;
 	const struct ts_primitive_wall *primitive; /* its planes or cylinders, or NULL; set in init */
-	int meshes;	 /* number of its meshes; 0: not a mesh wall. Set in init */
-	const struct ts_mesh_wall *mesh; /* its meshes, or NULL; set in init */
-	const struct ts_instance *region; /* the region whose surface it is, or NULL; set in init */
-	/* Distance of the centre of the particle of contact k from the surface now, and the type of the surface; set in init.
-	 * NULL: not available */
+	int meshes;				   /* number of its meshes; 0: not a mesh wall. Set in init */
+	const struct ts_mesh_wall *mesh;	   /* its meshes, or NULL; set in init */
+	const struct ts_instance *region;	   /* the region whose surface it is, or NULL; set in init */
+	/* Distance of the centre of the particle of contact k from the surface now, and the type of the
+	 * surface; set in init. NULL: not available */
 	double (*distance)(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type);
 	struct ts_words area_words;
 	bool store_force, store_contacts[2];
 	bool list_contacts; /* output: the contact of each particle */
-	size_t stored; /* column of particles: force of the wall, with store_force */
+	size_t stored;	    /* column of particles: force of the wall, with store_force */
 
-	bool own_model;	 /* its contact law is given on its line, else it is that of the pair style */
-	bool given;	 /* the constants of the law are given on the line, the same for all types */
+	bool own_model; /* its contact law is given on its line, else it is that of the pair style */
+	bool given;	/* the constants of the law are given on the line, the same for all types */
 	struct ts_granular_pair numbers; /* these constants */
-	struct ts_granular_model model; /* the law, with own_model */
-	ts_wall_batch_fn *batch; /* the loop compiled for the model, or NULL */
-	struct ts_granular_pair *law;	/* of the own model: type of the wall * (ntypes + 1) + type
+	struct ts_granular_model model;	 /* the law, with own_model */
+	ts_wall_batch_fn *batch;	 /* the loop compiled for the model, or NULL */
+	struct ts_granular_pair *law;	 /* of the own model: type of the wall * (ntypes + 1) + type
 					 * of the particle */
-	bool warm;  /* a part of it has a temperature; set in init */
-	bool moves; /* it moves along its normal and is no mesh wall; set in init */
+	bool warm;			 /* a part of it has a temperature; set in init */
+	bool moves;			 /* it moves along its normal and is no mesh wall; set in init */
 	struct ts_heat_contact area;
 	double *conductivity; /* 4 k k'/(k + k'), in the same order */
 	int ntypes;
@@ -88,19 +91,21 @@ struct ts_wall_contact_point {
 /* To be called in the init of the style. */
 enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim);
 
-/* Whether contacts of particle i are listed: it belongs to the group and can move or, at a wall with a temperature, exchanges
- * heat. */
-static inline bool ts_wall_meets(const struct ts_instance *self, const struct tsim *sim, size_t i,
-				 bool warm)
+/* Whether walls with a temperature exchange heat with particles: a fix heat/gran is there. */
+bool ts_wall_heats(const struct tsim *sim);
+
+/* Whether contacts of particle i are listed: it belongs to the group and can move or, at a wall with a
+ * temperature, exchanges heat. */
+static inline bool ts_wall_meets(const struct ts_instance *self, const struct tsim *sim, size_t i, bool warm)
 {
 	return ts_in_group(sim->particles, i, self->group) &&
-	       (sim->particles->imass[i] > 0 || (warm && ts_heat_of(sim)));
+	       (sim->particles->imass[i] > 0 || (warm && ts_wall_heats(sim)));
 }
 
 /* Sets the force on the wall and stored forces to 0. */
 void ts_wall_start(struct ts_wall *w, struct tsim *sim);
-/* Sums the force on the wall in the order of contacts; finds a centre of a particle in the surface (`inside`), which
- * ts_coincide_wall (wall/wall_coincide.h) refuses. */
+/* Sums the force on the wall in the order of contacts; finds a centre of a particle in the surface
+ * (`inside`), which ts_coincide_wall (wall/wall_coincide.h) refuses. */
 void ts_wall_finish(struct ts_wall *w);
 
 /* Checks that the law exists for particles of the group and a wall of this type, and reports the
@@ -108,25 +113,26 @@ void ts_wall_finish(struct ts_wall *w);
 enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type,
 			    struct ts_plan_report *report);
 
-/* The law, masses and radii of contact k in the last force evaluation; false: it did not touch, or the particle cannot
- * move. */
+/* The law, masses and radii of contact k in the last force evaluation; false: it did not touch, or the
+ * particle cannot move. */
 struct ts_contact_case;
 bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_contact_case *out);
 
 /* Whether there is a contact law; if not, no contacts are listed and the plan refuses the run. */
 bool ts_wall_has_law(const struct ts_wall *w, const struct tsim *sim);
-/* Computes the constants of the law for a surface of this type; after each rebuild, before contacts are enqueued. */
+/* Computes the constants of the law for a surface of this type; after each rebuild, before contacts are
+ * enqueued. */
 enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type);
-/* Starts a rebuild of w->contacts, see ts_wall_contacts_start. `own`: history numbers of the style for each contact, stored
- * behind those of the law. */
+/* Starts a rebuild of w->contacts, see ts_wall_contacts_start. `own`: history numbers of the style for
+ * each contact, stored behind those of the law. */
 void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own,
 			   struct ts_wall_rebuild *rebuild);
 /* `status` of the listing: if it is an error, the old contacts are dropped and it is returned. */
-enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
-				      struct ts_wall_rebuild *rebuild, enum ts_status status);
+enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim, struct ts_wall_rebuild *rebuild,
+				      enum ts_status status);
 
-/* Whether the law acts at a distance (bridges, adhesion, displaced surfaces), and up to which distance of the surfaces for a
- * particle of this radius. */
+/* Whether the law acts at a distance (bridges, adhesion, displaced surfaces), and up to which distance of
+ * the surfaces for a particle of this radius. */
 bool ts_wall_pulls(const struct ts_wall *w, const struct tsim *sim);
 double ts_wall_reach(const struct ts_wall *w, const struct tsim *sim, double radius);
 /* Its law, and the constants for a particle of a type and a surface of type `wall`. */
@@ -142,8 +148,8 @@ struct ts_wall_view {
 	struct ts_touch touch;
 };
 void ts_wall_view(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_wall_view *view);
-/* Force and torque (without the rolling torque) that the law gives for the contact of a report with the present
- * velocities. */
+/* Force and torque (without the rolling torque) that the law gives for the contact of a report with the
+ * present velocities. */
 void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k, double force[3],
 		       double torque[3]);
 
@@ -156,26 +162,23 @@ void ts_walls_want_reports(const struct tsim *sim);
 enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
 void ts_wall_fini(struct ts_instance *self);
 
-enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim,
-				  struct ts_table *out);
-enum ts_status ts_wall_eval_contacts(struct ts_instance *self, const struct tsim *sim,
-				     struct ts_table *out);
+enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim, struct ts_table *out);
+enum ts_status ts_wall_eval_contacts(struct ts_instance *self, const struct tsim *sim, struct ts_table *out);
 /* For the slot of the styles: no contacts without the word. */
 bool ts_wall_gives(const struct ts_instance *self, const struct ts_value *value);
 extern const char *const ts_wall_force_names[], *const ts_wall_contact_names[];
 enum { TS_WALL_CONTACT_COLUMNS = 8 };
-#define TS_WALL_CONTACTS_VALUE                                                                     \
-	{                                                                                          \
-		"contacts", "",                                                                    \
-			"1 where a particle touches the wall, the force on it, the point of the "  \
-			"wall, its radius (0 where it does not; of several contacts the last)",    \
-			TS_PERATOM, TS_WALL_CONTACT_COLUMNS, ts_wall_contact_names,                \
-			ts_wall_eval_contacts                                                      \
+#define TS_WALL_CONTACTS_VALUE                                                                            \
+	{                                                                                                 \
+		"contacts", "",                                                                           \
+			"1 where a particle touches the wall, the force on it, the point of the "         \
+			"wall, its radius (0 where it does not; of several contacts the last)",           \
+			TS_PERATOM, TS_WALL_CONTACT_COLUMNS, ts_wall_contact_names, ts_wall_eval_contacts \
 	}
-#define TS_WALL_FORCE_VALUE                                                                        \
-	{                                                                                          \
-		"force", "force", "total force on the wall", TS_VECTOR, 3, ts_wall_force_names,    \
-			ts_wall_eval_force                                                         \
+#define TS_WALL_FORCE_VALUE                                                                     \
+	{                                                                                       \
+		"force", "force", "total force on the wall", TS_VECTOR, 3, ts_wall_force_names, \
+			ts_wall_eval_force                                                      \
 	}
 
 #endif

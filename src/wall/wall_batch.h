@@ -1,6 +1,6 @@
-/* Contacts with walls in columns, as contact_batch.h has those of particles: the law, written for one contact, is computed
- * for several at once. All contacts of a batch have the same law. Numbers are those of one contact after the other, bit
- * for bit. */
+/* Contacts with walls in columns, as contact_batch.h has those of particles: the law, written for one
+ * contact, is computed for several at once. All contacts of a batch have the same law. Numbers are those
+ * of one contact after the other, bit for bit. */
 #ifndef TS_WALL_WALL_BATCH_H
 #define TS_WALL_WALL_BATCH_H
 
@@ -23,7 +23,8 @@ TS_INLINE double ts_wall_effective_radius(double radius, double curvature)
 }
 
 /* The wall is the limit of an infinitely heavy partner. */
-TS_INLINE void ts_wall_ends_touch(const struct ts_wall_ends *e, const struct ts_granular_model *m, struct ts_touch *t)
+TS_INLINE void ts_wall_ends_touch(const struct ts_wall_ends *e, const struct ts_granular_model *m,
+				  struct ts_touch *t)
 {
 	static const double at_rest[3] = { 0 };
 
@@ -48,8 +49,8 @@ struct ts_wall_batch {
 	double force[4][TS_BATCH], torque[4][TS_BATCH], roll[4][TS_BATCH];
 } __attribute__((aligned(64)));
 
-/* The contacts 0 .. n-1 of a batch by a model, which may be a constant one; the time step is positive, and memory
- * advances. */
+/* The contacts 0 .. n-1 of a batch by a model, which may be a constant one; the time step is positive, and
+ * memory advances. */
 typedef void ts_wall_batch_fn(struct ts_wall_batch *b, size_t n, const struct ts_granular_model *m,
 			      const struct ts_granular_pair *law, double dt);
 
@@ -94,7 +95,8 @@ TS_INLINE void ts_wall_batch_contact(struct ts_wall_batch *b, size_t k, const st
 	b->roll[3][k] = 0;
 }
 
-TS_INLINE void ts_wall_batch_contacts(struct ts_wall_batch *restrict b, size_t n, const struct ts_granular_model *m,
+TS_INLINE void ts_wall_batch_contacts(struct ts_wall_batch *restrict b, size_t n,
+				      const struct ts_granular_model *m,
 				      const struct ts_granular_pair *restrict law, double dt)
 {
 	if (!(dt > 0)) /* never; but so the compiler knows */

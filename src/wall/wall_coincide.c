@@ -34,16 +34,16 @@ enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall)
 	by = instance_of(sim, wall);
 	if (wall->mesh)
 		ts_mesh_wall_name(wall->mesh, k, &where);
-	status = ts_fail(
-		&sim->error, TS_PHYSICS, by ? &by->where : NULL,
-		"at step %" PRId64
-		" the centre of particle %d (type %d) at (%g %g %g) lies in the surface of wall "
-		"%s%s: it is on neither side, and no contact force has a direction there; %s",
-		sim->clock.step, p->tag[i], p->type[i], p->x[i][0], p->x[i][1], p->x[i][2],
-		by ? by->id : "", ts_str_text(&where),
-		sim->in_setup || sim->explain ? "place it a radius away from the wall, or move the wall"
-			      : "the time step is too large or the contact too soft, or the "
-				"particle was put there");
+	status = ts_fail(&sim->error, TS_PHYSICS, by ? &by->where : NULL,
+			 "at step %" PRId64
+			 " the centre of particle %d (type %d) at (%g %g %g) lies in the surface of wall "
+			 "%s%s: it is on neither side, and no contact force has a direction there; %s",
+			 sim->clock.step, p->tag[i], p->type[i], p->x[i][0], p->x[i][1], p->x[i][2],
+			 by ? by->id : "", ts_str_text(&where),
+			 sim->in_setup || sim->explain
+				 ? "place it a radius away from the wall, or move the wall"
+				 : "the time step is too large or the contact too soft, or the "
+				   "particle was put there");
 	ts_str_release(&where);
 	return status;
 }
@@ -66,7 +66,8 @@ enum ts_status ts_coincide_foresee(struct ts_instance *self, struct tsim *sim)
 		size_t i = (size_t)w->contacts.row[k];
 		int type;
 
-		if (counts(w, sim, k) && ts_coincide(w->distance(self, sim, k, &type), sim->particles->radius[i]))
+		if (counts(w, sim, k) &&
+		    ts_coincide(w->distance(self, sim, k, &type), sim->particles->radius[i]))
 			w->inside = k;
 	}
 	return ts_coincide_wall(sim, w);

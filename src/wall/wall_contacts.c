@@ -7,20 +7,17 @@
 
 #include "base/banned.h"
 
-void ts_wall_contacts_start(struct ts_wall_contacts *c, struct ts_wall_rebuild *rebuild,
-			    size_t width)
+void ts_wall_contacts_start(struct ts_wall_contacts *c, struct ts_wall_rebuild *rebuild, size_t width)
 {
 	rebuild->old = *c;
 	*c = (struct ts_wall_contacts){ .width = width, .want_reports = rebuild->old.want_reports };
 }
 
-enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c, size_t i,
-				    int element)
+enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c, size_t i, int element)
 {
 	size_t n = c->n + 1;
 
-	if (TS_GROW(c->row, c->row_capacity, n) != TS_OK ||
-	    TS_GROW(c->key, c->key_capacity, n) != TS_OK ||
+	if (TS_GROW(c->row, c->row_capacity, n) != TS_OK || TS_GROW(c->key, c->key_capacity, n) != TS_OK ||
 	    TS_GROW(c->touching, c->touching_capacity, n) != TS_OK ||
 	    TS_GROW(c->seen, c->seen_capacity, n) != TS_OK ||
 	    TS_GROW(c->memory, c->memory_capacity, n * c->width + 1) != TS_OK ||
@@ -85,8 +82,7 @@ static void carry(struct ts_wall_contacts *c, size_t k, const struct ts_wall_con
 {
 	c->touching[k] = 1;
 	if (c->width && c->width == old->width)
-		memcpy(ts_wall_memory(c, k), ts_wall_memory(old, was),
-		       c->width * sizeof *c->memory);
+		memcpy(ts_wall_memory(c, k), ts_wall_memory(old, was), c->width * sizeof *c->memory);
 	if (c->report && old->report)
 		c->report[k] = old->report[was];
 }
@@ -144,8 +140,8 @@ static void whole_particles(void *context, size_t from, size_t to)
 	split->share(split->context, begin(split->c, from), begin(split->c, to));
 }
 
-void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c,
-			       ts_share_fn *share, void *context)
+void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c, ts_share_fn *share,
+			       void *context)
 {
 	struct split split = { c, share, context };
 
@@ -153,7 +149,8 @@ void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_cont
 	ts_parallel(ts_team(sim, 16 * c->n), c->n, whole_particles, &split);
 }
 
-/* Reports are there only if somebody wanted them. Those of older files lack a number: the next step makes new ones. */
+/* Reports are there only if somebody wanted them. Those of older files lack a number: the next step makes
+ * new ones. */
 static enum ts_status archive_reports(struct ts_archive *archive, struct tsim *sim,
 				      struct ts_wall_contacts *c)
 {
@@ -164,8 +161,7 @@ static enum ts_status archive_reports(struct ts_archive *archive, struct tsim *s
 		return TS_OK;
 	if (TS_GROW(c->report, c->report_capacity, c->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	return ts_archive_fixed(archive, name, TS_SAVED_F64, c->report,
-				c->n * TS_WALL_REPORT);
+	return ts_archive_fixed(archive, name, TS_SAVED_F64, c->report, c->n * TS_WALL_REPORT);
 }
 
 enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim *sim,
@@ -179,8 +175,7 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 	if (size[0] < 0 || size[0] > INT32_MAX || size[1] < 0 || size[1] > 1024)
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible contacts with a wall");
 	TS_TRY(ts_archive_expect(archive, "contact_keys", TS_SAVED_I32, 2 * (size_t)size[0]));
-	TS_TRY(ts_archive_expect(archive, "contact_memory", TS_SAVED_F64,
-				 (size_t)size[0] * (size_t)size[1]));
+	TS_TRY(ts_archive_expect(archive, "contact_memory", TS_SAVED_F64, (size_t)size[0] * (size_t)size[1]));
 	if (!ts_archive_writing(archive)) {
 		ts_wall_contacts_release(c);
 		c->n = (size_t)size[0];
@@ -194,8 +189,7 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 			return ts_nomem(&sim->error);
 	}
 	TS_TRY(ts_archive_fixed(archive, "contact_keys", TS_SAVED_I32, c->key, 2 * c->n));
-	TS_TRY(ts_archive_fixed(archive, "contact_memory", TS_SAVED_F64, c->memory,
-				c->n * c->width));
+	TS_TRY(ts_archive_fixed(archive, "contact_memory", TS_SAVED_F64, c->memory, c->n * c->width));
 	return archive_reports(archive, sim, c);
 }
 

@@ -11,8 +11,8 @@
 struct ts_wall_report {
 	double touching; /* 1 */
 	double overlap;
-	double force[3], torque[3]; /* on the particle; torque about its centre */
-	double rolling[3];	    /* the part of the torque that is friction of rolling */
+	double force[3], torque[3];   /* on the particle; torque about its centre */
+	double rolling[3];	      /* the part of the torque that is friction of rolling */
 	double point[3], velocity[3]; /* of the surface, nearest to the centre */
 	double curvature;	      /* of the surface, > 0: bulging towards the particle */
 	double type;		      /* of the surface */
@@ -26,16 +26,19 @@ struct ts_wall_seen {
 	int32_t type;		     /* of the surface */
 };
 
-/* Whether a contact touches: not at all, with a direction, or so that the centre of the particle lies in the surface. */
+/* Whether a contact touches: not at all, with a direction, or so that the centre of the particle lies in
+ * the surface. */
 enum { TS_TOUCH_NOT, TS_TOUCH_BESIDE, TS_TOUCH_INSIDE };
 
 struct ts_wall_contacts {
 	size_t n;
 	int32_t *row;	   /* of the particle */
 	int32_t (*key)[2]; /* identity of the particle, number of the element */
-	uint8_t *touching; /* whether they did when they were looked at last, as above; 0: there is no force, no memory */
+	/* whether they did when they were looked at last, as above; 0: there is no force, no memory */
+	uint8_t *touching;
 	struct ts_wall_seen *seen;
-	double *memory;	   /* width numbers each; zero where they do not touch. With contacts it is never NULL */
+	/* width numbers each; zero where they do not touch. With contacts it is never NULL */
+	double *memory;
 	double (*force)[3]; /* on the particle, in this step */
 	size_t width;
 	bool want_reports;
@@ -49,16 +52,13 @@ struct ts_wall_contacts {
 struct ts_wall_rebuild {
 	struct ts_wall_contacts old;
 };
-void ts_wall_contacts_start(struct ts_wall_contacts *c, struct ts_wall_rebuild *rebuild,
-			    size_t width);
-enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c, size_t i,
-				    int element);
+void ts_wall_contacts_start(struct ts_wall_contacts *c, struct ts_wall_rebuild *rebuild, size_t width);
+enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c, size_t i, int element);
 enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts *c,
 				       struct ts_wall_rebuild *rebuild);
 
 /* NULL if they do not touch, or nobody wanted reports. */
-static inline const struct ts_wall_report *ts_wall_report(const struct ts_wall_contacts *c,
-							  size_t k)
+static inline const struct ts_wall_report *ts_wall_report(const struct ts_wall_contacts *c, size_t k)
 {
 	return c->report && c->report[k].touching > 0 ? &c->report[k] : NULL;
 }
@@ -83,8 +83,8 @@ static inline void ts_wall_contact_rest(const struct ts_wall_contacts *c, size_t
 }
 
 /* Calls the share for ranges of contacts side by side; those of a particle come together, and in order. */
-void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c,
-			       ts_share_fn *share, void *context);
+void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c, ts_share_fn *share,
+			       void *context);
 
 enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim *sim,
 					struct ts_wall_contacts *c);

@@ -34,8 +34,8 @@ static enum ts_status read_coeff(struct ts_instance *self, struct tsim *sim, con
 {
 	const struct ts_place *where = ts_instance_word(self, laws[GRANULAR].name);
 
-	TS_TRY(ts_args_parse(sim, what, ts_gran_coeff_rows, law->words[GRANULAR], where,
-			     &self->arena, &law->coeff));
+	TS_TRY(ts_args_parse(sim, what, ts_gran_coeff_rows, law->words[GRANULAR], where, &self->arena,
+			     &law->coeff));
 	law->coeff.limit_damping |= law->numbers.limit_damping;
 	TS_TRY(ts_gran_coeff_complete(sim, &law->coeff, where));
 	if (sim->legacy)

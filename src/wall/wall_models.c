@@ -9,14 +9,14 @@ TS_UNROLLED
 
 #include "base/banned.h"
 
-#define LOOP(name, ...)                                                                             \
-	static const struct ts_granular_model name = { __VA_ARGS__ };                               \
-	TS_CLONES static void name##_contacts(struct ts_wall_batch *restrict b, size_t n,           \
-					      const struct ts_granular_model *m,                    \
-					      const struct ts_granular_pair *restrict law, double dt)   \
-	{                                                                                           \
-		(void)m;                                                                            \
-		ts_wall_batch_contacts(b, n, &name, law, dt);                                       \
+#define LOOP(name, ...)                                                                               \
+	static const struct ts_granular_model name = { __VA_ARGS__ };                                 \
+	TS_CLONES static void name##_contacts(struct ts_wall_batch *restrict b, size_t n,             \
+					      const struct ts_granular_model *m,                      \
+					      const struct ts_granular_pair *restrict law, double dt) \
+	{                                                                                             \
+		(void)m;                                                                              \
+		ts_wall_batch_contacts(b, n, &name, law, dt);                                         \
 	}
 TS_GRANULAR_MODELS(LOOP)
 

@@ -10,8 +10,7 @@ static enum ts_status wall_load(struct tsim *sim, const struct ts_wall *w, size_
 				const struct ts_place *where, struct ts_multicontact_load *one)
 {
 	const struct ts_particles *p = sim->particles;
-	const double *memory =
-		ts_wall_memory(&w->contacts, k) + ts_granular_multi_at(ts_wall_model(w, sim));
+	const double *memory = ts_wall_memory(&w->contacts, k) + ts_granular_multi_at(ts_wall_model(w, sim));
 	size_t i = (size_t)w->contacts.row[k];
 	double distance = ts_norm(memory + TS_MULTI_ARM), radius = p->radius[i];
 
@@ -24,7 +23,8 @@ static enum ts_status wall_load(struct tsim *sim, const struct ts_wall *w, size_
 	if (memory[TS_MULTI_BULGE] <= TS_BULGE_MOST * radius)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, where,
-		       "fix multicontact/halfspace: the surface of particle %d stands out by %.3g radii at a wall, "
+		       "fix multicontact/halfspace: the surface of particle %d stands out by %.3g radii at a "
+		       "wall, "
 		       "the limit is %g: the grains are pressed too far for the theory of small strains",
 		       p->tag[i], memory[TS_MULTI_BULGE] / radius, TS_BULGE_MOST);
 }
@@ -37,8 +37,7 @@ static bool is_felt(const struct ts_wall *w, const struct tsim *sim)
 
 static bool is_met(const struct ts_wall *w, const struct tsim *sim, size_t k)
 {
-	const double *memory =
-		ts_wall_memory(&w->contacts, k) + ts_granular_multi_at(ts_wall_model(w, sim));
+	const double *memory = ts_wall_memory(&w->contacts, k) + ts_granular_multi_at(ts_wall_model(w, sim));
 
 	return ts_norm(memory + TS_MULTI_ARM) > 0;
 }
@@ -59,8 +58,7 @@ static enum ts_status collect(struct ts_multicontact *m, struct tsim *sim, const
 	for (size_t walls = 0; (w = ts_walls_next(sim, &walls, NULL));)
 		for (size_t k = 0; is_felt(w, sim) && k < w->contacts.n; k++)
 			if (is_met(w, sim, k))
-				TS_TRY(wall_load(sim, w, k, where,
-						 &m->load[m->next[w->contacts.row[k]]++]));
+				TS_TRY(wall_load(sim, w, k, where, &m->load[m->next[w->contacts.row[k]]++]));
 	return TS_OK;
 }
 
@@ -74,4 +72,6 @@ static bool any_knows(const struct tsim *sim)
 	return any;
 }
 
-const struct ts_multicontact_walls ts_wall_multicontact = { .any = any_knows, .count = count, .collect = collect };
+const struct ts_multicontact_walls ts_wall_multicontact = { .any = any_knows,
+							    .count = count,
+							    .collect = collect };

@@ -17,10 +17,14 @@ TS_INLINE double mass_of(const struct ts_particles *p, size_t i)
 	return ts_rigid_member(p, i) ? 1 / p->imass[i] : p->mass[i];
 }
 
-static void ends_of(const struct ts_particles *p, size_t i, const struct ts_wall_contact_point *spot, struct ts_wall_ends *e)
+static void ends_of(const struct ts_particles *p, size_t i, const struct ts_wall_contact_point *spot,
+		    struct ts_wall_ends *e)
 {
-	*e = (struct ts_wall_ends){ .distance = spot->distance, .curvature = spot->curvature, .radius = p->radius[i],
-				    .mass = mass_of(p, i), .liquid = p->liquid ? p->liquid[i] : 0 };
+	*e = (struct ts_wall_ends){ .distance = spot->distance,
+				    .curvature = spot->curvature,
+				    .radius = p->radius[i],
+				    .mass = mass_of(p, i),
+				    .liquid = p->liquid ? p->liquid[i] : 0 };
 	for (int d = 0; d < 3; d++) {
 		e->n[d] = spot->n[d];
 		e->v[d] = p->v[i][d] - spot->velocity[d];
@@ -77,8 +81,11 @@ struct result {
 static void report(struct ts_wall_report *r, const double x[3], const struct ts_wall_contact_point *spot,
 		   const struct result *f)
 {
-	*r = (struct ts_wall_report){ .touching = 1, .overlap = f->force[3], .type = spot->type,
-				      .mesh = spot->mesh, .triangle = spot->triangle,
+	*r = (struct ts_wall_report){ .touching = 1,
+				      .overlap = f->force[3],
+				      .type = spot->type,
+				      .mesh = spot->mesh,
+				      .triangle = spot->triangle,
 				      .curvature = spot->curvature };
 	for (int k = 0; k < 3; k++) {
 		r->force[k] = f->force[k];
@@ -103,8 +110,9 @@ static void act(const struct ts_wall_queue *q, size_t at, const struct result *f
 	}
 	for (int d = 0; d < 3 && ts_granular_turns(q->model); d++)
 		p->torque[i][d] += f->torque[d];
-	w->contacts.seen[k] = (struct ts_wall_seen){ { spot->n[0], spot->n[1], spot->n[2] }, f->force[3], f->torque[3],
-						     spot->type };
+	w->contacts.seen[k] = (struct ts_wall_seen){
+		{ spot->n[0], spot->n[1], spot->n[2] }, f->force[3], f->torque[3], spot->type
+	};
 	for (size_t d = 0; d < 3 && w->store_force; d++)
 		((double *)p->column[w->stored].data)[3 * i + d] += f->force[d];
 	if (w->contacts.report)
@@ -176,8 +184,8 @@ TS_INLINE void load_four(const struct ts_wall_queue *q, const size_t at[4], stru
 	ts_four_columns(omega, b->omega, k);
 }
 
-TS_INLINE void store_four(const struct ts_wall_queue *q, const size_t at[4], const struct ts_wall_batch *b, size_t k,
-			  struct result *result)
+TS_INLINE void store_four(const struct ts_wall_queue *q, const size_t at[4], const struct ts_wall_batch *b,
+			  size_t k, struct result *result)
 {
 	int width = ts_granular_memory(q->model);
 	ts_four force[4], torque[4], roll[4];
@@ -195,22 +203,24 @@ TS_INLINE void store_four(const struct ts_wall_queue *q, const size_t at[4], con
 }
 
 /* The n listed contacts, whole vectors of them. */
-TS_CLONES static void load(const struct ts_wall_queue *q, const size_t *list, size_t n, struct ts_wall_batch *b)
+TS_CLONES static void load(const struct ts_wall_queue *q, const size_t *list, size_t n,
+			   struct ts_wall_batch *b)
 {
 	for (size_t k = 0; k < n; k += 4)
 		load_four(q, list + k, b, k);
 }
 
-TS_CLONES static void store(const struct ts_wall_queue *q, const size_t *list, size_t n, const struct ts_wall_batch *b,
-			    struct result *result)
+TS_CLONES static void store(const struct ts_wall_queue *q, const size_t *list, size_t n,
+			    const struct ts_wall_batch *b, struct result *result)
 {
 	for (size_t k = 0; k < n; k += 4)
 		store_four(q, list + k, b, k, result);
 }
 
-/* Lists which of those that `left` has bits of have the law of the first of them, and takes their bits; returns how
- * many there are. */
-static size_t alike(const struct ts_wall_queue *q, uint64_t *left, const struct ts_granular_pair **law, size_t *list)
+/* Lists which of those that `left` has bits of have the law of the first of them, and takes their bits;
+ * returns how many there are. */
+static size_t alike(const struct ts_wall_queue *q, uint64_t *left, const struct ts_granular_pair **law,
+		    size_t *list)
 {
 	size_t n = 0;
 
@@ -259,7 +269,8 @@ void ts_wall_queue_start(struct ts_wall_queue *q, const struct ts_wall *w, struc
 }
 
 /* How far the surface stands out at the spot: the contact remembers it while it lasts. */
-static double stand_out(const struct ts_wall_queue *q, size_t k, size_t i, const struct ts_wall_contact_point *spot)
+static double stand_out(const struct ts_wall_queue *q, size_t k, size_t i,
+			const struct ts_wall_contact_point *spot)
 {
 	double *memory = ts_wall_memory(&q->w->contacts, k) + ts_granular_multi_at(q->model);
 	double bulge = ts_multicontact_at_wall(q->sim, i, spot->n, spot->distance, q->w);
@@ -283,9 +294,11 @@ bool ts_wall_sticks(const struct ts_wall_queue *q, size_t k, const struct ts_wal
 	if (q->model->multi)
 		return spot->distance < radius + stand_out(q, k, i, spot);
 	if (ts_cohesion_bridges(q->model))
-		beyond = ts_granular_bridged(q->model, law, (double[2]){ p->liquid[i] }, (double[2]){ radius }, true, memory);
+		beyond = ts_granular_bridged(q->model, law, (double[2]){ p->liquid[i] },
+					     (double[2]){ radius }, true, memory);
 	else
-		beyond = ts_granular_beyond(q->model, law, ts_wall_effective_radius(radius, spot->curvature), memory);
+		beyond = ts_granular_beyond(q->model, law, ts_wall_effective_radius(radius, spot->curvature),
+					    memory);
 	return spot->distance < radius + beyond;
 }
 

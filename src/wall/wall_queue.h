@@ -1,6 +1,6 @@
-/* The forces of contacts with walls. Those that touch queue up, and are computed some dozens at a time, in columns
- * (wall/wall_batch.h); where there is no such loop for the model one after the other, with the same bits. Each particle
- * has its contacts added in their order. */
+/* The forces of contacts with walls. Those that touch queue up, and are computed some dozens at a time, in
+ * columns (wall/wall_batch.h); where there is no such loop for the model one after the other, with the
+ * same bits. Each particle has its contacts added in their order. */
 #ifndef TS_WALL_WALL_QUEUE_H
 #define TS_WALL_WALL_QUEUE_H
 
@@ -21,7 +21,8 @@ struct ts_wall_queue {
 void ts_wall_queue_start(struct ts_wall_queue *q, const struct ts_wall *w, struct tsim *sim);
 /* Whether the contact k is one at the spot: they touch, or have met and stick. */
 bool ts_wall_sticks(const struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *spot);
-static inline bool ts_wall_touches(const struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *spot)
+static inline bool ts_wall_touches(const struct ts_wall_queue *q, size_t k,
+				   const struct ts_wall_contact_point *spot)
 {
 	return q->sticks ? ts_wall_sticks(q, k, spot)
 			 : spot->distance < q->sim->particles->radius[q->w->contacts.row[k]];
@@ -31,8 +32,8 @@ void ts_wall_enqueue_contact(struct ts_wall_queue *q, size_t k, const struct ts_
 /* Does all that wait. */
 void ts_wall_queue_end(struct ts_wall_queue *q);
 
-/* Three numbers may lie in two lines of the caches. Inlined always: a function that only asks for memory is taken for
- * one that does nothing, and calls of it are left out. */
+/* Three numbers may lie in two lines of the caches. Inlined always: a function that only asks for memory
+ * is taken for one that does nothing, and calls of it are left out. */
 TS_INLINE void ts_wall_prefetch(const double x[3])
 {
 	__builtin_prefetch(x);
@@ -58,8 +59,8 @@ TS_INLINE void ts_wall_prefetch_particle(const struct ts_particles *p, size_t i,
 
 /* A loop over contacts up to `end` is at k. */
 enum { TS_WALL_AHEAD = 12 };
-TS_INLINE void ts_wall_look_ahead(const struct ts_wall_contacts *c, const struct ts_particles *p,
-				      size_t k, size_t end)
+TS_INLINE void ts_wall_look_ahead(const struct ts_wall_contacts *c, const struct ts_particles *p, size_t k,
+				  size_t end)
 {
 	size_t next = k + TS_WALL_AHEAD < end ? k + TS_WALL_AHEAD : k;
 

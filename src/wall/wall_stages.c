@@ -9,7 +9,8 @@ TS_UNROLLED
 
 #include "base/banned.h"
 
-TS_INLINE void touch_at(const struct ts_wall_batch *b, struct ts_stages *s, size_t k, const struct ts_granular_model *m)
+TS_INLINE void touch_at(const struct ts_wall_batch *b, struct ts_stages *s, size_t k,
+			const struct ts_granular_model *m)
 {
 	struct ts_wall_ends e;
 	struct ts_touch t;

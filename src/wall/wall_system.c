@@ -25,9 +25,7 @@ static void connect_walls(struct tsim *sim)
 }
 
 const struct ts_system_style ts_walls_system = {
-	.style = { .name = "walls",
-		   .kind = TS_KIND_SYSTEM,
-		   .summary = "what others ask of all walls" },
+	.style = { .name = "walls", .kind = TS_KIND_SYSTEM, .summary = "what others ask of all walls" },
 	.no_instance = true,
 	.connect = connect_walls,
 };

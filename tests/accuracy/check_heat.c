@@ -64,8 +64,8 @@ static struct tsim *scene_open(const struct scene *s, const char *words)
 	for (int z = 0; z < s->n[2]; z++)
 		for (int y = 0; y < s->n[1]; y++)
 			for (int x = 0; x < s->n[0]; x++)
-				deck(sim, "create_atoms 1 single %.17g %.17g %.17g units box",
-				     x * DISTANCE, y * DISTANCE, z * DISTANCE);
+				deck(sim, "create_atoms 1 single %.17g %.17g %.17g units box", x * DISTANCE,
+				     y * DISTANCE, z * DISTANCE);
 	deck(sim,
 	     "set group all diameter %.17g density %.17g\n"
 	     "group hot id %d\n"
@@ -84,8 +84,7 @@ static gsl_matrix *matrix_of(const struct scene *s, double t)
 	const size_t stride[3] = { 1, (size_t)s->n[0], (size_t)(s->n[0] * s->n[1]) };
 
 	for (size_t i = 0; i < n; i++) {
-		const size_t at[3] = { i % stride[1], i / stride[1] % (size_t)s->n[1],
-				       i / stride[2] };
+		const size_t at[3] = { i % stride[1], i / stride[1] % (size_t)s->n[1], i / stride[2] };
 
 		for (int side = 0; side < 6; side++) {
 			size_t d = (size_t)side / 2, j = side % 2 ? i - stride[d] : i + stride[d];
@@ -242,8 +241,10 @@ START_TEST(heat_is_conserved)
 		struct tsim *sim = scene_open(&s, words[k]);
 		double before;
 
-		deck(sim, "variable d atom 0.00098+0.00001*id/5\nset group all diameter v_d\n"
-			  "timestep %.17g\nrun 0", 0.05 * tau(&s));
+		deck(sim,
+		     "variable d atom 0.00098+0.00001*id/5\nset group all diameter v_d\n"
+		     "timestep %.17g\nrun 0",
+		     0.05 * tau(&s));
 		before = deck_value(sim, "f_heat");
 		deck(sim, "run 400");
 		DECK_NEAR(deck_value(sim, "f_heat") / before, 1, 2e-15);

@@ -1,4 +1,5 @@
-/* Contacts that are located (pair_style ... located yes): what velocity Verlet then owes to the exact solution.
+/* Contacts that are located (pair_style ... located yes): what velocity Verlet then owes to the exact
+ * solution.
  *
  * TS_TABLE=FILE appends the tables of doc/accuracy.md. */
 #include "../cloud.h"
@@ -16,8 +17,8 @@ static double linear_step(double mass, double e, double steps)
 	return PI / sqrt(STIFFNESS / mass * (1 - ratio * ratio)) / (steps + 0.385);
 }
 
-/* One pair of spheres for each place at which the contact may begin within a step; the second is `ratio` as heavy as
- * the first, 0: held. Largest relative error of the velocity with which they part. */
+/* One pair of spheres for each place at which the contact may begin within a step; the second is `ratio`
+ * as heavy as the first, 0: held. Largest relative error of the velocity with which they part. */
 static double pair_error(const char *pair, double out, double h, int steps, double ratio)
 {
 	static const double n[3] = { 2.0 / 7, 3.0 / 7, 6.0 / 7 };
@@ -33,16 +34,15 @@ static double pair_error(const char *pair, double out, double h, int steps, doub
 		double gap = 2 * RADIUS + (1 + (p + 0.37) / PHASES) * SPEED * h;
 
 		deck(sim, "create_atoms 1 single %.17g %.17g %.17g", x[0], x[1], x[2]);
-		deck(sim, "create_atoms 2 single %.17g %.17g %.17g", x[0] + n[0] * gap,
-		     x[1] + n[1] * gap, x[2] + n[2] * gap);
+		deck(sim, "create_atoms 2 single %.17g %.17g %.17g", x[0] + n[0] * gap, x[1] + n[1] * gap,
+		     x[2] + n[2] * gap);
 	}
 	deck(sim,
 	     "set group all diameter %.17g mass %.17g\nset type 1 mass %.17g\n"
 	     "set type 2 vx %.17g vy %.17g vz %.17g\n"
 	     "group first type 1\ngroup second type 2\nfix move %s nve\n%s",
-	     2 * RADIUS, MASS, ratio > 0 ? MASS * ratio : MASS, -SPEED * n[0], -SPEED * n[1],
-	     -SPEED * n[2], ratio > 0 ? "all" : "second",
-	     ratio > 0 ? "" : "fix hold first freeze");
+	     2 * RADIUS, MASS, ratio > 0 ? MASS * ratio : MASS, -SPEED * n[0], -SPEED * n[1], -SPEED * n[2],
+	     ratio > 0 ? "all" : "second", ratio > 0 ? "" : "fix hold first freeze");
 	deck(sim, "run %d", steps + steps / 2 + 10);
 	for (int k = 0; k < 3; k++)
 		deck_column(sim, names[k], v[k], 2 * PHASES, 0);
@@ -75,28 +75,28 @@ START_TEST(restitution)
 	static const struct {
 		double e, most[3]; /* with 20, 50 and 200 steps */
 	} rows[] = {
-		{ 1, { 3e-3, 5e-4, 3e-5 } },	   { 0.8, { 1e-8, 1e-9, 1e-10 } },
-		{ 0.6, { 1e-7, 3e-9, 1e-10 } },	   { 0.4, { 5e-7, 1e-8, 3e-10 } },
-		{ 0.2, { 2e-6, 3e-8, 1e-9 } },	   { 1e-6, { INFINITY, 5e-3, 1e-5 } },
+		{ 1, { 3e-3, 5e-4, 3e-5 } },	{ 0.8, { 1e-8, 1e-9, 1e-10 } },
+		{ 0.6, { 1e-7, 3e-9, 1e-10 } }, { 0.4, { 5e-7, 1e-8, 3e-10 } },
+		{ 0.2, { 2e-6, 3e-8, 1e-9 } },	{ 1e-6, { INFINITY, 5e-3, 1e-5 } },
 	};
 	static const int steps[3] = { 20, 50, 200 };
 	FILE *out = deck_table("Restitution of a sphere on a held one, located contacts");
 
 	if (out)
-		fprintf(out, "relative error, largest over 16 phases of entry\n%6s %8s %8s %8s\n",
-			"e", "20", "50", "200");
+		fprintf(out, "relative error, largest over 16 phases of entry\n%6s %8s %8s %8s\n", "e", "20",
+			"50", "200");
 	for (size_t r = 0; r < DECK_LENGTH(rows); r++) {
 		double error[3] = { 0 };
 
-		/* 20 steps of the most damped contact: two free spheres would be unstable, the run is refused */
+		/* 20 steps of the most damped contact: two free spheres would be unstable, the run is
+		 * refused */
 		for (int k = rows[r].e < 1e-3; k < 3; k++) {
 			error[k] = linear_error(rows[r].e, steps[k], 0, "yes");
-			ck_assert_msg(error[k] < rows[r].most[k], "e = %g, %d steps: error %g",
-				      rows[r].e, steps[k], error[k]);
+			ck_assert_msg(error[k] < rows[r].most[k], "e = %g, %d steps: error %g", rows[r].e,
+				      steps[k], error[k]);
 		}
 		if (out)
-			fprintf(out, "%6g %8.1e %8.1e %8.1e\n", rows[r].e, error[0], error[1],
-				error[2]);
+			fprintf(out, "%6g %8.1e %8.1e %8.1e\n", rows[r].e, error[0], error[1], error[2]);
 	}
 	if (out)
 		fclose(out);
@@ -119,11 +119,10 @@ START_TEST(two_free)
 }
 END_TEST
 
-static const char hertz[] =
-	"fix a all property/global youngsModulus peratomtype 5e6 5e6\n"
-	"fix b all property/global poissonsRatio peratomtype 0.31 0.31\n"
-	"fix c all property/global coefficientRestitution peratomtypepair 2 %g %g %g %g\n"
-	"pair_style gran model hertz located %s\npair_coeff * *";
+static const char hertz[] = "fix a all property/global youngsModulus peratomtype 5e6 5e6\n"
+			    "fix b all property/global poissonsRatio peratomtype 0.31 0.31\n"
+			    "fix c all property/global coefficientRestitution peratomtypepair 2 %g %g %g %g\n"
+			    "pair_style gran model hertz located %s\npair_coeff * *";
 
 static double hertz_error(double e, int steps, const char *located)
 {
@@ -151,8 +150,8 @@ START_TEST(hertzian)
 }
 END_TEST
 
-/* limitForce: the contact ends where the force does, at tan(w t) = -2 g w/(w^2 - g^2) (T. Schwager, T. Poeschel, Granul.
- * Matter 9 (2007) 465). */
+/* limitForce: the contact ends where the force does, at tan(w t) = -2 g w/(w^2 - g^2) (T. Schwager, T.
+ * Poeschel, Granul. Matter 9 (2007) 465). */
 START_TEST(without_tension)
 {
 	double gamma = 0.31, omega = sqrt(1 - gamma * gamma), error[2];
@@ -189,8 +188,8 @@ static double wall_error(const char *laws, double e, double h, int steps)
 	for (int p = 0; p < PHASES; p++)
 		deck(sim, "create_atoms 1 single %.17g 0 %.17g", -0.9 + 0.1 * p,
 		     -0.011 + RADIUS + (1 + (p + 0.37) / PHASES) * SPEED * h);
-	deck(sim, "set group all diameter %.17g mass %.17g vz %.17g\nrun %d", 2 * RADIUS, MASS,
-	     -SPEED, steps + steps / 2 + 10);
+	deck(sim, "set group all diameter %.17g mass %.17g vz %.17g\nrun %d", 2 * RADIUS, MASS, -SPEED,
+	     steps + steps / 2 + 10);
 	deck_column(sim, "vz", v, PHASES, 0);
 	for (int p = 0; p < PHASES; p++)
 		worst = fmax(worst, fabs(v[p] / SPEED / e - 1));
@@ -238,7 +237,8 @@ START_TEST(wall)
 }
 END_TEST
 
-/* A pile of spheres comes to rest: overlaps are weights over k to rounding, whatever the dashpot and the step. */
+/* A pile of spheres comes to rest: overlaps are weights over k to rounding, whatever the dashpot and the
+ * step. */
 START_TEST(at_rest)
 {
 	enum { HIGH = 4 };
@@ -266,7 +266,8 @@ START_TEST(at_rest)
 }
 END_TEST
 
-/* A row of spheres in collision with each other: largest error of a velocity beside a run with very small steps. */
+/* A row of spheres in collision with each other: largest error of a velocity beside a run with very small
+ * steps. */
 static void row_velocities(const char *located, int steps, double *v)
 {
 	enum { N = 5 };
@@ -281,8 +282,7 @@ static void row_velocities(const char *located, int steps, double *v)
 				     time / steps, located, STIFFNESS);
 
 	for (int p = 0; p < N; p++)
-		deck(sim, "create_atoms 1 single %.17g 0 0",
-		     2 * RADIUS * p + 1e-5 * (p + 0.3 * sin(7 * p)));
+		deck(sim, "create_atoms 1 single %.17g 0 0", 2 * RADIUS * p + 1e-5 * (p + 0.3 * sin(7 * p)));
 	deck(sim, "set group all diameter %.17g mass %.17g", 2 * RADIUS, MASS);
 	for (int p = 0; p < N; p++)
 		deck(sim, "set atom %d vx %.17g", p + 1, speed[p]);

@@ -71,14 +71,13 @@ static struct tsim *collision(const char *integrator, double e, double speed, do
 	     "group flying type 2\n"
 	     "fix move flying %s\n"
 	     "fix hold held freeze",
-	     2 * RADIUS, DENSITY, -speed * DIRECTION[0], -speed * DIRECTION[1],
-	     -speed * DIRECTION[2], integrator);
+	     2 * RADIUS, DENSITY, -speed * DIRECTION[0], -speed * DIRECTION[1], -speed * DIRECTION[2],
+	     integrator);
 	return sim;
 }
 
 /* Largest |output - e| over the phases of entry. */
-static double restitution_error(const char *integrator, double e, double speed, int steps,
-				int phases)
+static double restitution_error(const char *integrator, double e, double speed, int steps, int phases)
 {
 	struct oscillator o = exact(e);
 	/* a whole number of steps per contact would let the errors of entry and exit cancel */
@@ -126,8 +125,7 @@ static void check_row(const char *integrator, double e, const double *error, dou
 	else
 		DECK_NEAR(order, 1, e < 1e-3 ? 0.1 : 0.02);
 	for (int k = 1; k <= 8 && e > 1e-3; k++)
-		ck_assert_msg(error[k] < error[k - 1], "e = %g: the error grows at %d steps", e,
-			      50 << k);
+		ck_assert_msg(error[k] < error[k - 1], "e = %g: the error grows at %d steps", e, 50 << k);
 }
 
 /* With `steps` the thesis' error is reached, counted by doubling from 50; very many steps are
@@ -137,8 +135,8 @@ static void check_thesis(const char *integrator, int steps, double e, double the
 	double error = steps > 25600 ? finest * 12800 / steps
 				     : restitution_error(integrator, e, SPEED, steps, 16) / e;
 
-	ck_assert_msg(error <= thesis, "fix %s, e = %g, %d steps: error %g, the thesis' is %g",
-		      integrator, e, steps, error, thesis);
+	ck_assert_msg(error <= thesis, "fix %s, e = %g, %d steps: error %g, the thesis' is %g", integrator, e,
+		      steps, error, thesis);
 }
 
 START_TEST(table_4_1)
@@ -150,8 +148,7 @@ START_TEST(table_4_1)
 		fprintf(out,
 			"fix %s: relative error, largest over 16 phases of entry\n"
 			"%6s %8s %8s %8s %8s %8s %6s %8s %8s\n",
-			integrator, "e", "50", "200", "800", "3200", "12800", "order", "thesis",
-			"steps");
+			integrator, "e", "50", "200", "800", "3200", "12800", "order", "thesis", "steps");
 	for (size_t r = 0; r < DECK_LENGTH(rows); r++) {
 		double e = rows[r].in, thesis = fabs(rows[r].thesis / e - 1);
 		double h[NSTEPS], error[NSTEPS], order;
@@ -160,16 +157,15 @@ START_TEST(table_4_1)
 
 		for (int k = 0; k < last; k++) {
 			h[k] = 1.0 / (50 << k);
-			error[k] = restitution_error(integrator, e, SPEED, 50 << k,
-						     k > 8 ? 4 : MOST_PHASES) /
-				   e;
+			error[k] =
+				restitution_error(integrator, e, SPEED, 50 << k, k > 8 ? 4 : MOST_PHASES) / e;
 		}
 		order = deck_order(h + first, error + first, (size_t)(last - first));
 		check_row(integrator, e, error, order);
 		check_thesis(integrator, rows[r].steps[_i], e, thesis, error[8]);
 		if (out)
-			fprintf(out, "%6g %8.1e %8.1e %8.1e %8.1e %8.1e %6.2f %8.1e %8d\n", e,
-				error[0], error[2], error[4], error[6], error[8], order, thesis,
+			fprintf(out, "%6g %8.1e %8.1e %8.1e %8.1e %8.1e %6.2f %8.1e %8d\n", e, error[0],
+				error[2], error[4], error[6], error[8], order, thesis,
 				steps_for(integrator, e, thesis * e));
 	}
 	if (out)
@@ -211,10 +207,9 @@ static double overlap_error(const char *integrator, double e, int steps)
 		for (int k = 0; k < 3; k++)
 			deck_column(sim, names[k], x[k], 2 * PHASES, 0);
 		for (int p = 0; p < PHASES; p++)
-			most[p] = fmax(most[p],
-				       2 * RADIUS - hypot(hypot(x[0][2 * p + 1] - x[0][2 * p],
-								x[1][2 * p + 1] - x[1][2 * p]),
-							  x[2][2 * p + 1] - x[2][2 * p]));
+			most[p] = fmax(most[p], 2 * RADIUS - hypot(hypot(x[0][2 * p + 1] - x[0][2 * p],
+									 x[1][2 * p + 1] - x[1][2 * p]),
+								   x[2][2 * p + 1] - x[2][2 * p]));
 	}
 	tsim_close(sim);
 	for (int p = 0; p < PHASES; p++)
@@ -241,8 +236,8 @@ START_TEST(largest_overlap)
 		}
 		order = deck_order(h, error, 4);
 		if (out)
-			fprintf(out, "%6g %8.1e %8.1e %8.1e %8.1e %6.2f\n", e[r], error[0],
-				error[1], error[2], error[3], order);
+			fprintf(out, "%6g %8.1e %8.1e %8.1e %8.1e %6.2f\n", e[r], error[0], error[1],
+				error[2], error[3], order);
 		/* undamped: second order with Verlet and, the positions being the same, with
 		 * symplectic Euler */
 		DECK_NEAR(order, e[r] == 1 && !is_euler(integrators[_i]) ? 2 : 1, 0.2);

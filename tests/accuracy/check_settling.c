@@ -24,8 +24,7 @@ static struct tsim *settling(const char *integrator, const char *scheme, double 
 			 "fix drag all drag/stokes scheme %s\n"
 			 "timestep %.17g\n"
 			 "run 0",
-			 2 * RADIUS, DENSITY, VISCOSITY, integrator, GRAVITY, scheme,
-			 h * relaxation());
+			 2 * RADIUS, DENSITY, VISCOSITY, integrator, GRAVITY, scheme, h * relaxation());
 }
 
 /* Velocity downwards in units of v_t, and that of half a step later. */

@@ -23,8 +23,7 @@ static void parse(const char *name, const uint8_t *data, size_t size)
 
 	if (!pool)
 		return;
-	if (ts_mesh_parse(&soup, &err, pool, name, (const char *)data, size) != TS_OK &&
-	    !err.message[0])
+	if (ts_mesh_parse(&soup, &err, pool, name, (const char *)data, size) != TS_OK && !err.message[0])
 		abort();
 	for (size_t k = 0; k < 9 * soup.n; k++)
 		if (!isfinite(soup.t[k / 9].v[k / 3 % 3][k % 3]))

@@ -70,14 +70,14 @@ void sandbox_leave(void)
 
 /* ---- calls that are let through outside of an input only */
 
-#define WRAPPED(result, name, parameters, arguments, instead)                                      \
-	result __real_##name parameters;                                                           \
-	result __wrap_##name parameters;                                                           \
-	result __wrap_##name parameters                                                            \
-	{                                                                                          \
-		if (!box.inside)                                                                   \
-			return __real_##name arguments;                                            \
-		return instead;                                                                     \
+#define WRAPPED(result, name, parameters, arguments, instead) \
+	result __real_##name parameters;                      \
+	result __wrap_##name parameters;                      \
+	result __wrap_##name parameters                       \
+	{                                                     \
+		if (!box.inside)                              \
+			return __real_##name arguments;       \
+		return instead;                               \
 	}
 
 static int deny(const void *unused)
@@ -134,8 +134,8 @@ WRAPPED(int, setenv, (const char *name, const char *value, int replace), (name, 
 WRAPPED(int, system, (const char *command), (command), deny(command))
 WRAPPED(FILE *, popen, (const char *command, const char *mode), (command, mode), deny_pointer(command))
 WRAPPED(void *, opendir, (const char *path), (path), deny_pointer(path))
-WRAPPED(int, glob, (const char *pattern, int flags, void *failed, void *out),
-	(pattern, flags, failed, out), deny(pattern))
+WRAPPED(int, glob, (const char *pattern, int flags, void *failed, void *out), (pattern, flags, failed, out),
+	deny(pattern))
 WRAPPED(int, fork, (void), (), deny(NULL))
 WRAPPED(int, execvp, (const char *path, char *const *argv), (path, argv), deny(path))
 WRAPPED(int, kill, (int process, int number), (process, number), 0)

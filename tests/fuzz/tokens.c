@@ -11,13 +11,18 @@ enum { MOST_WORDS = 1 << 14, MOST_TOKENS = 1 << 12, LONGEST_WORD = 64, LONGEST_I
 
 /* What breaks programs that read numbers and names. */
 static const char *const awkward[] = {
-	"0",	     "-1",	   "1",		"2",	    "3",       "1e308",	 "-1e308",  "1e-308",
-	"1e-20",     "1e20",	   "nan",	"inf",	    "-inf",    "0.5",	 "1e9",	    "2147483647",
-	"-2147483648", "2147483648", "4294967296", "9223372036854775807", "1e18", "0x10", "", "\"\"",
-	"NULL",	     "INF",	   "EDGE",	"all",	    "none",    "no",	 "yes",	    "*",
-	"1*",	     "*2",	   "v_out",	"v_nothing", "c_1",    "f_1[1]", "c_1[*]",  "$(1/0)",
-	"${out}",    "$x",	   "\"",	"'",	    "&",       "#",	 "SELF",    "input",
-	"1 1 1",     "-0.0",	   "1e-5",	"100000",   "units",   "box",	 "id",	    "1.5",
+	"0",	      "-1",	     "1",	   "2",		 "3",
+	"1e308",      "-1e308",	     "1e-308",	   "1e-20",	 "1e20",
+	"nan",	      "inf",	     "-inf",	   "0.5",	 "1e9",
+	"2147483647", "-2147483648", "2147483648", "4294967296", "9223372036854775807",
+	"1e18",	      "0x10",	     "",	   "\"\"",	 "NULL",
+	"INF",	      "EDGE",	     "all",	   "none",	 "no",
+	"yes",	      "*",	     "1*",	   "*2",	 "v_out",
+	"v_nothing",  "c_1",	     "f_1[1]",	   "c_1[*]",	 "$(1/0)",
+	"${out}",     "$x",	     "\"",	   "'",		 "&",
+	"#",	      "SELF",	     "input",	   "1 1 1",	 "-0.0",
+	"1e-5",	      "100000",	     "units",	   "box",	 "id",
+	"1.5",
 };
 
 static struct {
@@ -101,7 +106,8 @@ static void put(struct text *out, const char *bytes, size_t n, char end)
 }
 
 /* One line with something changed in it. `donor` gives words. */
-static void change_line(struct text *out, const char *line, size_t n, const struct tokens *donor, uint32_t *state)
+static void change_line(struct text *out, const char *line, size_t n, const struct tokens *donor,
+			uint32_t *state)
 {
 	struct tokens *word = malloc(sizeof *word), *other = malloc(sizeof *other);
 	size_t k, from = draw(state, donor->n);
@@ -128,7 +134,7 @@ static void change_line(struct text *out, const char *line, size_t n, const stru
 			put(out, word->at[swap], word->length[swap], ' ');
 		else if (w == k && what == 4)
 			break; /* and nothing after it */
-	} /* what == 5: the word is left out */
+	}		       /* what == 5: the word is left out */
 	put(out, "", 0, '\n');
 	free(word);
 	free(other);

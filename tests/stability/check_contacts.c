@@ -1,5 +1,6 @@
-/* The largest stable time step of granular contacts, found by bisection, beside law/granular_limit.h: two uneven
- * spheres pressed together swing along the line of centres; a sphere that lies on a plane slips and turns.
+/* The largest stable time step of granular contacts, found by bisection, beside law/granular_limit.h: two
+ * uneven spheres pressed together swing along the line of centres; a sphere that lies on a plane slips and
+ * turns.
  *
  * TS_TABLE=FILE appends what is measured. */
 #include "../deck.h"
@@ -34,8 +35,8 @@ static struct contact contact(int law, bool slips, double restitution)
 	c.r_eff = slips ? RADIUS[0] : RADIUS[0] * RADIUS[1] / (RADIUS[0] + RADIUS[1]);
 	c.m_eff = slips ? MASS[0] : MASS[0] * MASS[1] / (MASS[0] + MASS[1]);
 	c.overlap = SINK * c.r_eff;
-	c.model = (struct ts_granular_model){ .normal = law,
-					      .tangential = slips ? TS_TANGENTIAL_HISTORY : 0 };
+	c.model =
+		(struct ts_granular_model){ .normal = law, .tangential = slips ? TS_TANGENTIAL_HISTORY : 0 };
 	c.pair = (struct ts_granular_pair){ .young = YOUNG / (2 * (1 - NU * NU)),
 					    .shear = YOUNG / (4 * (2 - NU) * (1 + NU)),
 					    .log_restitution = log_e,
@@ -47,10 +48,9 @@ static struct contact contact(int law, bool slips, double restitution)
 
 static double theory(const struct contact *c)
 {
-	return c->slips ? ts_granular_slip_limit(&c->model, &c->pair, c->r_eff, c->m_eff,
-						 c->overlap, 0.4, false)
-			: ts_granular_limit(&c->model, &c->pair, c->r_eff, c->m_eff, c->overlap,
-					    false);
+	return c->slips ? ts_granular_slip_limit(&c->model, &c->pair, c->r_eff, c->m_eff, c->overlap, 0.4,
+						 false)
+			: ts_granular_limit(&c->model, &c->pair, c->r_eff, c->m_eff, c->overlap, false);
 }
 
 static double load(const struct contact *c)
@@ -65,28 +65,28 @@ static double load(const struct contact *c)
 
 static struct tsim *pressed(const struct contact *c, double h)
 {
-	struct tsim *sim = deck_open(
-		"units si\n"
-		"boundary f f f\n"
-		"newton off\n"
-		"communicate single vel yes\n"
-		"region box block -1 1 -1 1 -1 1 units box\n"
-		"create_box 1 box\n"
-		"neighbor 0.001 bin\n"
-		"timestep %.17g\n"
-		"create_atoms 1 single 0 0 0\n"
-		"set atom 1 diameter %.17g mass %.17g\n"
-		"group low id 1\n"
-		"fix y all property/global youngsModulus peratomtype %.17g\n"
-		"fix n all property/global poissonsRatio peratomtype %.17g\n"
-		"fix e all property/global coefficientRestitution peratomtypepair 1 %.17g\n"
-		"fix f all property/global coefficientFriction peratomtypepair 1 %.17g\n"
-		"fix v all property/global characteristicVelocity scalar %.17g\n"
-		"pair_style gran model %s tangential %s\n"
-		"pair_coeff * *\n"
-		"fix move all nve/sphere",
-		h, 2 * RADIUS[0], MASS[0], YOUNG, NU, c->restitution, FRICTION, SPEED, name_of(c),
-		c->slips ? "history" : "off");
+	struct tsim *sim =
+		deck_open("units si\n"
+			  "boundary f f f\n"
+			  "newton off\n"
+			  "communicate single vel yes\n"
+			  "region box block -1 1 -1 1 -1 1 units box\n"
+			  "create_box 1 box\n"
+			  "neighbor 0.001 bin\n"
+			  "timestep %.17g\n"
+			  "create_atoms 1 single 0 0 0\n"
+			  "set atom 1 diameter %.17g mass %.17g\n"
+			  "group low id 1\n"
+			  "fix y all property/global youngsModulus peratomtype %.17g\n"
+			  "fix n all property/global poissonsRatio peratomtype %.17g\n"
+			  "fix e all property/global coefficientRestitution peratomtypepair 1 %.17g\n"
+			  "fix f all property/global coefficientFriction peratomtypepair 1 %.17g\n"
+			  "fix v all property/global characteristicVelocity scalar %.17g\n"
+			  "pair_style gran model %s tangential %s\n"
+			  "pair_coeff * *\n"
+			  "fix move all nve/sphere",
+			  h, 2 * RADIUS[0], MASS[0], YOUNG, NU, c->restitution, FRICTION, SPEED, name_of(c),
+			  c->slips ? "history" : "off");
 
 	if (c->slips)
 		deck(sim,
@@ -102,8 +102,7 @@ static struct tsim *pressed(const struct contact *c, double h)
 		     "fix up low addforce 0 0 %.17g\n"
 		     "fix down high addforce 0 0 %.17g\n"
 		     "set atom 1 vz 1e-9",
-		     RADIUS[0] + RADIUS[1] - c->overlap, 2 * RADIUS[1], MASS[1], load(c),
-		     -load(c));
+		     RADIUS[0] + RADIUS[1] - c->overlap, 2 * RADIUS[1], MASS[1], load(c), -load(c));
 	return sim;
 }
 
@@ -155,9 +154,8 @@ static void measure(FILE *out, const struct contact *c)
 			hi = h;
 	}
 	if (out)
-		fprintf(out, "%-6s %-7s %11g %12.5g %12.5g %9.5f\n", name_of(c),
-			c->slips ? "slip" : "normal", c->restitution, sqrt(lo * hi), expected,
-			sqrt(lo * hi) / expected);
+		fprintf(out, "%-6s %-7s %11g %12.5g %12.5g %9.5f\n", name_of(c), c->slips ? "slip" : "normal",
+			c->restitution, sqrt(lo * hi), expected, sqrt(lo * hi) / expected);
 	ck_assert_msg(fabs(sqrt(lo * hi) / expected - 1) < 4e-3,
 		      "%s, %s, e = %g: stable up to %g, theory says %g", name_of(c),
 		      c->slips ? "slip" : "normal", c->restitution, sqrt(lo * hi), expected);
@@ -170,8 +168,8 @@ START_TEST(limits)
 	FILE *out = deck_table("Largest stable time step of granular contacts, by bisection");
 
 	if (out)
-		fprintf(out, "%-6s %-7s %11s %12s %12s %9s\n", "law", "motion", "restitution",
-			"measured", "theory", "ratio");
+		fprintf(out, "%-6s %-7s %11s %12s %12s %9s\n", "law", "motion", "restitution", "measured",
+			"theory", "ratio");
 	for (size_t l = 0; l < DECK_LENGTH(laws); l++) {
 		for (size_t e = 0; e < DECK_LENGTH(restitution); e++) {
 			for (int slips = 0; slips < 2; slips++) {

@@ -1,4 +1,5 @@
-/* Steps of what acts on single particles and between their temperatures, found by bisection, beside theory:
+/* Steps of what acts on single particles and between their temperatures, found by bisection, beside
+ * theory:
  *
  *   heat       dT/dt = A T, explicit Euler: stable for h |lambda| < 2, lambda the largest number of A; the plan advises
  *              the least m c/sum h, to which no temperature swings; both are the same in chains of equal grains
@@ -45,13 +46,15 @@ struct scene {
 	double theory;
 };
 
-#define CHAIN(n)                                                                                   \
-	"boundary p f f\nregion box block 0 " n " -1 1 -1 1 units box\ncreate_box 1 box\n"         \
-	"lattice sc 1.0\nregion line block 0 " n " -0.1 0.1 -0.1 0.1 units box\ncreate_atoms 1 region line\n" \
+#define CHAIN(n)                                                                           \
+	"boundary p f f\nregion box block 0 " n " -1 1 -1 1 units box\ncreate_box 1 box\n" \
+	"lattice sc 1.0\nregion line block 0 " n                                           \
+	" -0.1 0.1 -0.1 0.1 units box\ncreate_atoms 1 region line\n"                       \
 	"set group all diameter 1.01 mass 1\n"
-#define TWO(mass)                                                                                  \
-	"boundary f f f\nregion box block -2 2 -2 2 -2 2 units box\ncreate_box 1 box\n"            \
-	"create_atoms 1 single 0 0 0\ncreate_atoms 1 single 1 0 0\nset group all diameter 1.01 mass 1\nset atom 2 mass " mass "\n"
+#define TWO(mass)                                                                                            \
+	"boundary f f f\nregion box block -2 2 -2 2 -2 2 units box\ncreate_box 1 box\n"                      \
+	"create_atoms 1 single 0 0 0\ncreate_atoms 1 single 1 0 0\nset group all diameter 1.01 mass 1\nset " \
+	"atom 2 mass " mass "\n"
 
 static const struct scene heated[] = {
 	{ "heat: two equal grains", TWO("1"), 1 },
@@ -62,13 +65,14 @@ static const struct scene heated[] = {
 
 static struct tsim *open_heat(const struct scene *s, double h)
 {
-	return deck_open("units si\natom_style granular\nnewton off\ncommunicate single vel yes\nneighbor 0.01 bin\n%s"
-			 "fix k all property/global thermalConductivity peratomtype 0.5\n"
+	return deck_open("units si\natom_style granular\nnewton off\ncommunicate single vel yes\nneighbor "
+			 "0.01 bin\n%sfix k all property/global thermalConductivity peratomtype 0.5\n"
 			 "fix c all property/global thermalCapacity peratomtype 1\n"
 			 "pair_style spring/dashpot\npair_coeff * * stiffness 1 damping 0\n"
 			 "fix heat all heat/gran initial_temperature 1 contact_area constant 1\n"
 			 "set atom 1 property/atom Temp 1.001\n"
-			 "compute hot all reduce max f_Temp\ncompute cold all reduce min f_Temp\ntimestep %.17g",
+			 "compute hot all reduce max f_Temp\ncompute cold all reduce min f_Temp\ntimestep "
+			 "%.17g",
 			 s->grains, h);
 }
 
@@ -114,12 +118,13 @@ static const double TAU = 0.0371, RADIUS = 0.0123, MASS = 0.0186;
 /* A sphere of this mass that begins to sink; its velocity by the final one at the end. */
 static double sink(const char *drag, double h, double mass, int steps)
 {
-	struct tsim *sim = deck_open("units si\nboundary p p p\nregion box block -1 1 -1 1 -1 1 units box\n"
-				     "create_box 1 box\nneighbor 0.001 bin\ncreate_atoms 1 single 0 0 0\n"
-				     "set group all diameter %.17g mass %.17g\nfix move all nve\n"
-				     "flow_style uniform velocity 0 0 0 viscosity %.17g density 1000\n"
-				     "fix weight all addforce 0 0 %.17g\n%s\ntimestep %.17g",
-				     2 * RADIUS, mass, MASS / (6 * acos(-1) * RADIUS * TAU), -1e-9 * mass, drag, h);
+	struct tsim *sim =
+		deck_open("units si\nboundary p p p\nregion box block -1 1 -1 1 -1 1 units box\n"
+			  "create_box 1 box\nneighbor 0.001 bin\ncreate_atoms 1 single 0 0 0\n"
+			  "set group all diameter %.17g mass %.17g\nfix move all nve\n"
+			  "flow_style uniform velocity 0 0 0 viscosity %.17g density 1000\n"
+			  "fix weight all addforce 0 0 %.17g\n%s\ntimestep %.17g",
+			  2 * RADIUS, mass, MASS / (6 * acos(-1) * RADIUS * TAU), -1e-9 * mass, drag, h);
 	double v = INFINITY;
 
 	if (deck_accepts(sim, "run %d unsafe yes post no", steps))
@@ -142,7 +147,8 @@ START_TEST(drag_of_any_step)
 		snprintf(line, sizeof line, "drag %s at 10000 tau: v/v_end", scheme[k]);
 		table(line, v / (-1e-9 * TAU), 1, 1);
 	}
-	ck_assert(!(fabs(sink("fix drag all drag/stokes scheme explicit", 2.1 * TAU, MASS, 500)) < 1e-7 * TAU));
+	ck_assert(
+		!(fabs(sink("fix drag all drag/stokes scheme explicit", 2.1 * TAU, MASS, 500)) < 1e-7 * TAU));
 }
 END_TEST
 
@@ -157,7 +163,8 @@ START_TEST(added_mass_of_any_ratio)
 		double theory = -1e-9 * mass / (mass + 0.5 * fluid) * 0.2;
 		char line[64];
 
-		ck_assert_msg(fabs(v / theory - 1) < 1e-6, "rho_p/rho_f = %g: %g, expected %g", ratio[k], v, theory);
+		ck_assert_msg(fabs(v / theory - 1) < 1e-6, "rho_p/rho_f = %g: %g, expected %g", ratio[k], v,
+			      theory);
 		snprintf(line, sizeof line, "added mass, rho_p/rho_f = %g: v/v_exact", ratio[k]);
 		table(line, v / theory, 1, 1);
 	}

@@ -1,8 +1,10 @@
-/* Drag that gives the fluid the force as it is (`lagged`): the largest stable step, found by bisection, beside the one
- * the plan of a run says. The slip between a fluid and particles spread evenly in it must not grow.
+/* Drag that gives the fluid the force as it is (`lagged`): the largest stable step, found by bisection,
+ * beside the one the plan of a run says. The slip between a fluid and particles spread evenly in it must
+ * not grow.
  *
- * Its rates of relaxation are A = c/m for the particles and K = n c/rho for the fluid, n their number by volume. Explicit
- * drag is stable for h (A + K) < 2; exact for (1 - exp(-A h)) (1 + K/A) < 2, and always where K < A.
+ * Its rates of relaxation are A = c/m for the particles and K = n c/rho for the fluid, n their number by
+ * volume. Explicit drag is stable for h (A + K) < 2; exact for (1 - exp(-A h)) (1 + K/A) < 2, and always
+ * where K < A.
  *
  * TS_TABLE=FILE appends what is measured. */
 #include "../deck.h"
@@ -45,8 +47,8 @@ static struct tsim *open_scene(const struct scene *s)
 			 "flow_style projection cells %d %d 1 viscosity %.17g density %.17g every %d\n"
 			 "flow_set velocity 1e-3 0 0\n"
 			 "fix drag all %s lagged yes\n%s\n",
-			 WIDTH / 3, DIAMETER, s->mass * DENSITY * cell / PER_CELL, N, N, VISCOSITY, DENSITY, s->every,
-			 s->drag, s->fixed ? "" : "fix move all nve/sphere");
+			 WIDTH / 3, DIAMETER, s->mass * DENSITY * cell / PER_CELL, N, N, VISCOSITY, DENSITY,
+			 s->every, s->drag, s->fixed ? "" : "fix move all nve/sphere");
 }
 
 static double slip(struct tsim *sim)
@@ -86,7 +88,8 @@ static bool is_warned(const struct scene *s, double dt)
 	return warned;
 }
 
-static double bisect(const struct scene *s, bool (*fits)(const struct scene *s, double dt), double low, double high)
+static double bisect(const struct scene *s, bool (*fits)(const struct scene *s, double dt), double low,
+		     double high)
 {
 	for (int k = 0; k < 9; k++) {
 		double dt = sqrt(low * high);
@@ -115,11 +118,12 @@ START_TEST(limits)
 	double measured = bisect(s, is_stable, 0.5 * said, 3 * said);
 
 	if (table)
-		fprintf(table, "%s, mass %g, every %d\t%g\t%g\t%.3f\n", s->drag, s->mass, s->every, measured, theory,
-			measured / theory);
-	ck_assert_msg(fabs(measured / theory - 1) < 0.01, "%s: stable up to %g, theory %g", s->drag, measured, theory);
-	ck_assert_msg(measured > 0.99 * said && measured < s->most * said, "%s: stable up to %g, the plan says %g",
-		      s->drag, measured, said);
+		fprintf(table, "%s, mass %g, every %d\t%g\t%g\t%.3f\n", s->drag, s->mass, s->every, measured,
+			theory, measured / theory);
+	ck_assert_msg(fabs(measured / theory - 1) < 0.01, "%s: stable up to %g, theory %g", s->drag, measured,
+		      theory);
+	ck_assert_msg(measured > 0.99 * said && measured < s->most * said,
+		      "%s: stable up to %g, the plan says %g", s->drag, measured, said);
 	ck_assert(!is_warned(s, 0.999 * said) && is_warned(s, 1.001 * said));
 }
 END_TEST

@@ -1,5 +1,5 @@
-/* Steps of the fluid: the largest stable one, found by bisection, beside von Neumann's. A small disturbance of a
- * uniform flow, or of a fluid at rest, must not grow.
+/* Steps of the fluid: the largest stable one, found by bisection, beside von Neumann's. A small
+ * disturbance of a uniform flow, or of a fluid at rest, must not grow.
  *
  * TS_TABLE=FILE appends what is measured. */
 #include <stdlib.h>

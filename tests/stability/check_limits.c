@@ -157,8 +157,8 @@ static void row(FILE *out, struct oscillator o, const char *integrator)
 		fprintf(out, "%-8s %-14s %11g %12.5f %12.5f %9.5f\n", systems[o.system], integrator,
 			o.damping, measured * o.omega, expected * o.omega, measured / expected);
 	ck_assert_msg(fabs(measured / expected - 1) < 2e-3,
-		      "%s, fix %s, gamma/omega = %g: stable up to %g, theory says %g",
-		      systems[o.system], integrator, o.damping, measured, expected);
+		      "%s, fix %s, gamma/omega = %g: stable up to %g, theory says %g", systems[o.system],
+		      integrator, o.damping, measured, expected);
 }
 
 START_TEST(limits)
@@ -167,8 +167,8 @@ START_TEST(limits)
 	FILE *out = deck_table("Largest stable time step h, by bisection");
 
 	if (out)
-		fprintf(out, "%-8s %-14s %11s %12s %12s %9s\n", "system", "fix", "gamma/omega",
-			"omega h", "theory", "ratio");
+		fprintf(out, "%-8s %-14s %11s %12s %12s %9s\n", "system", "fix", "gamma/omega", "omega h",
+			"theory", "ratio");
 	for (enum system s = BOND; s <= CONTACT; s++)
 		for (size_t k = 0; k < DECK_LENGTH(integrators); k++)
 			for (size_t d = k == 2; d < DECK_LENGTH(damping); d++)
@@ -176,8 +176,7 @@ START_TEST(limits)
 	for (size_t k = 0; k < DECK_LENGTH(integrators); k++)
 		row(out, oscillator(DRAG, 0), integrators[k]);
 	if (out)
-		fprintf(out,
-			"(omega = 1/tau for drag; undamped explicit Euler has no stable step)\n");
+		fprintf(out, "(omega = 1/tau for drag; undamped explicit Euler has no stable step)\n");
 	if (out)
 		fclose(out);
 }

@@ -1,5 +1,5 @@
-/* Successive over-relaxation: for which factors it converges, which is the best, and how fast it is, beside theory
- * (D. M. Young, Trans. AMS 76 (1954) 92; W. Kahan, 1958).
+/* Successive over-relaxation: for which factors it converges, which is the best, and how fast it is,
+ * beside theory (D. M. Young, Trans. AMS 76 (1954) 92; W. Kahan, 1958).
  *
  * TS_TABLE=FILE appends what is measured. */
 #include <check.h>
@@ -55,7 +55,8 @@ static void done(struct square *q)
 	ts_grid_release(&q->grid);
 }
 
-/* The size of the error of A p = 0 after so many iterations from noise; in a singular system without its mean. */
+/* The size of the error of A p = 0 after so many iterations from noise; in a singular system without its
+ * mean. */
 static double after(struct square *q, double omega, int iterations)
 {
 	struct ts_rng rng = ts_rng_start(86028157, 1);
@@ -134,7 +135,8 @@ START_TEST(best_factor)
 	ck_assert_double_eq_tol(best, theory, 1e-12);
 	ck_assert_double_eq_tol(factor(&q, best + 0.05), best + 0.05 - 1, 0.01);
 	ck_assert_double_gt(factor(&q, best - 0.05), factor(&q, best + 0.01));
-	/* Gauss-Seidel: the square of Jacobi's, but for the cells at the faces, which count as all others in theory */
+	/* Gauss-Seidel: the square of Jacobi's, but for the cells at the faces, which count as all others
+	 * in theory */
 	ck_assert_double_eq_tol(factor(&q, 1), rho * rho, 5e-3);
 	done(&q);
 }
