@@ -52,7 +52,7 @@ static void on_save(int number)
 
 	(void)number;
 	if (sim)
-		sim->save = 1;
+		sim->requests.save = 1;
 }
 
 /* The kernel says it each second. */
@@ -87,7 +87,7 @@ static void catch_signals(struct tsim *sim)
 
 static int open_output(struct tsim *sim, struct ts_setup *setup)
 {
-	const char *log = setup->log_given ? setup->log : sim->explain ? "none" : "log.tsim";
+	const char *log = setup->log_given ? setup->log : sim->reading.explain ? "none" : "log.tsim";
 
 	sim->log.screen = stdout;
 	if (setup->screen && ts_streq(setup->screen, "none")) {
@@ -166,9 +166,10 @@ static void saved_path(const struct tsim *sim, const struct ts_setup *setup, str
 	const char *log = setup->log_given ? setup->log : "", *slash = strrchr(log, '/');
 	struct ts_str file = { 0 };
 
-	if (!sim->restart_on_signal && slash)
+	if (!sim->requests.restart_file && slash)
 		ts_str_add_n(&file, log, (size_t)(slash + 1 - log));
-	ts_str_add(&file, sim->restart_on_signal ? sim->restart_on_signal : "tsim.interrupted.restart");
+	ts_str_add(&file,
+		   sim->requests.restart_file ? sim->requests.restart_file : "tsim.interrupted.restart");
 	ts_step_path(out, ts_str_text(&file), (long long)sim->clock.step, 0);
 	out->failed |= file.failed;
 	ts_str_release(&file);
@@ -179,7 +180,7 @@ static enum ts_status save_and_go_on(struct ts_saver *self, struct tsim *sim)
 {
 	struct ts_str path = { 0 };
 
-	if (sim->explain)
+	if (sim->reading.explain)
 		return TS_OK;
 	saved_path(sim, ((struct saver *)self)->setup, &path);
 	if (!path.length)
@@ -203,11 +204,11 @@ static enum ts_status save_and_go_on(struct ts_saver *self, struct tsim *sim)
 static bool save_interrupted(struct tsim *sim, const struct ts_setup *setup)
 {
 	struct ts_str path = { 0 };
-	bool good = true, whole = sim->stopped_whole;
+	bool good = true, whole = sim->requests.stopped_whole;
 
 	saved_path(sim, setup, &path);
 	tsim_error_clear(sim);
-	if (!path.length || !ts_sim_has_box(sim) || sim->explain) {
+	if (!path.length || !ts_sim_has_box(sim) || sim->reading.explain) {
 		ts_str_release(&path);
 		return true;
 	}
@@ -242,7 +243,7 @@ static int run(struct tsim *sim, struct ts_setup *setup)
 		ts_str_release(&said);
 		return status;
 	}
-	sim->saver = &saver.base;
+	sim->requests.saver = &saver.base;
 	catch_signals(sim);
 	if (!status)
 		ts_log(&sim->log, "tsim %s\n%s", tsim_version(), ts_str_text(&said));
@@ -275,7 +276,7 @@ static int run(struct tsim *sim, struct ts_setup *setup)
 		}
 	}
 	interrupted = NULL;
-	sim->saver = NULL;
+	sim->requests.saver = NULL;
 	return quit;
 }
 

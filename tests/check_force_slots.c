@@ -199,7 +199,7 @@ START_TEST(stopped)
 	struct tsim *sim = shake("f f f", 1, "");
 
 	ck_assert_int_eq(tsim_on_step(sim, TSIM_END_OF_STEP, stop, NULL), 0);
-	sim->shows_contacts = false; /* the function does not look at any */
+	sim->run.shows_contacts = false; /* the function does not look at any */
 	ck_assert(!deck_accepts(sim, "run 40"));
 	tsim_error_clear(sim);
 	ck_assert_int_eq(sim->clock.step, 8);

@@ -35,9 +35,9 @@ static void no_trace(int threads)
 
 	deck(sim, "run 20");
 	state(sim, before);
-	sim->explain = true;
+	sim->reading.explain = true;
 	deck(sim, "run 1000");
-	sim->explain = false;
+	sim->reading.explain = false;
 	state(sim, after);
 	ck_assert_mem_eq(before, after, sizeof before);
 	ck_assert_msg(sim->cost.last.seconds > 0 && sim->cost.last.seconds < 1, "a step takes %g s",

@@ -98,8 +98,8 @@ static enum ts_status before(struct ts_run_watch *watch, struct tsim *sim, const
 	b->runs++;
 	if (w->at > sim->clock.step && w->at < *last)
 		*last = w->at;
-	sim->timeout = w->deadline;
-	sim->timeout_every = 1;
+	sim->run.timeout = w->deadline;
+	sim->run.timeout_every = 1;
 	return TS_OK;
 }
 
@@ -109,7 +109,7 @@ static enum ts_status after(struct ts_run_watch *watch, struct tsim *sim)
 
 	if (sim->clock.step == w->at && w->last > w->at)
 		return arrive(w, sim);
-	if (!sim->halted || !(w->deadline > 0) || ts_clock() < w->deadline || sim->clock.step >= w->last)
+	if (!sim->run.halted || !(w->deadline > 0) || ts_clock() < w->deadline || sim->clock.step >= w->last)
 		return TS_OK;
 	w->board->cut = true;
 	return arrive(w, sim);
@@ -241,7 +241,7 @@ static void be_child(struct advise *a, const char *place, int64_t wanted)
 	signal(SIGINT, SIG_DFL);
 	sim->log.screen = sim->log.file = NULL;
 	sim->log.progress = false;
-	sim->run_watch = &w.watch;
+	sim->run.watch = &w.watch;
 	w.deadline = w.at < 0 && wanted < 0 ? ts_clock() + WAY * a->o.seconds : 0;
 	ts_log_progress(&screen, "on the way to where trials start");
 	keep_potentials();
@@ -250,7 +250,7 @@ static void be_child(struct advise *a, const char *place, int64_t wanted)
 					     strerror(errno));
 	if (a->board->arrived) {
 		ts_error_clear(&sim->error);
-		sim->run_watch = NULL;
+		sim->run.watch = NULL;
 		try_all(a, &screen);
 	} else if (status != TS_OK) {
 		note_trouble(a);

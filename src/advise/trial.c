@@ -229,9 +229,10 @@ static enum ts_status start(struct copy *c, int64_t steps)
 
 	clock->first_step = clock->step;
 	clock->last_step = clock->goal = clock->step + steps;
-	c->sim->fingerprint = 0;  /* all trials compute forces anew, not only those that change something */
-	c->sim->in_pieces = true; /* no row of the table at the end of each piece */
-	c->sim->unsafe = false;
+	c->sim->run.fingerprint =
+		0; /* all trials compute forces anew, not only those that change something */
+	c->sim->run.in_pieces = true; /* no row of the table at the end of each piece */
+	c->sim->run.unsafe = false;
 	TS_TRY(ts_plan_compile(&c->plan, c->sim));
 	return ts_plan_start(&c->plan, c->sim, true);
 }
@@ -301,7 +302,7 @@ static enum ts_status follow(struct copy *c)
 	look(c->sim, t->column[0]);
 	for (int k = 1; k <= looks; k++) {
 		TS_TRY(go(c, n, &t->seconds));
-		if (c->sim->halted) {
+		if (c->sim->run.halted) {
 			snprintf(t->trouble, sizeof t->trouble, "given up after %.3g s", c->seconds);
 			return TS_OK;
 		}
@@ -316,11 +317,11 @@ static enum ts_status follow(struct copy *c)
 
 static enum ts_status attempt(struct copy *c)
 {
-	c->sim->halted = false;
-	c->sim->timeout = ts_clock() + c->seconds;
-	c->sim->timeout_every = 1;
+	c->sim->run.halted = false;
+	c->sim->run.timeout = ts_clock() + c->seconds;
+	c->sim->run.timeout_every = 1;
 	if (!c->trial) {
-		c->sim->timeout = 0;
+		c->sim->run.timeout = 0;
 		return probe(c);
 	}
 	TS_TRY(ts_settings_apply(c->sim, c->board, c->trial));

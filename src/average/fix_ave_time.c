@@ -220,7 +220,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	const char *path = s->file.file ? s->file.file : s->file.append;
 	double rows = s->rows > 1 ? (double)s->rows : 1;
 
-	if (!sim->explain || !path)
+	if (!sim->reading.explain || !path)
 		return TS_OK;
 	return ts_report_output(report, path, ts_report_times(sim, s->average.freq),
 				rows * (10 + 12 * (double)s->input.n)) == TS_OK

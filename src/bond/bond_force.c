@@ -64,8 +64,10 @@ static bool damped(const struct ts_instance *self, const struct tsim *sim)
 enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_bond *bond = self->state;
-	struct ts_bond_task t = { sim->particles,    sim->bonds,	&bond->coeffs,
-				  &sim->domain->box, damped(self, sim), sim->complete || sim->bonds->shown };
+	struct ts_bond_task t = {
+		sim->particles,	   sim->bonds,	      &bond->coeffs,
+		&sim->domain->box, damped(self, sim), sim->run.complete || sim->bonds->shown
+	};
 	size_t slices = sim->bonds->slices.n;
 
 	if (!sim->bonds->n ||
@@ -160,10 +162,10 @@ enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim, struct t
 
 		if (imass > 0)
 			least = fmin(least, style->limit(ts_coeff(&bond->coeffs, (size_t)bonds->type[b]),
-							 1 / imass, sim->explicit_euler));
+							 1 / imass, sim->run.explicit_euler));
 	}
-	return ts_report_limit(report, least, !sim->explicit_euler, &self->where, "a single bond%s",
-			       sim->explicit_euler ? " under fix nve/euler" : "");
+	return ts_report_limit(report, least, !sim->run.explicit_euler, &self->where, "a single bond%s",
+			       sim->run.explicit_euler ? " under fix nve/euler" : "");
 }
 
 void ts_bond_fini(struct ts_instance *self)

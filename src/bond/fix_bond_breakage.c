@@ -16,7 +16,7 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 {
 	struct breakage *s = self->state;
 
-	if (ts_textfile_is_open(&s->file) || !s->path || sim->explain)
+	if (ts_textfile_is_open(&s->file) || !s->path || sim->reading.explain)
 		return TS_OK;
 	TS_TRY(ts_textfile_open(&s->file, sim, ts_instance_word(self, s->path), s->path, s->written > 0));
 	if (!s->written)

@@ -254,9 +254,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct span span[3];
 
 	TS_TRY(check(self, sim));
-	sim->box_moves = true;
+	sim->run.box_moves = true;
 	remember(self->state, sim);
-	if (sim->explain || ((struct state *)self->state)->remap != REMAP_V)
+	if (sim->reading.explain || ((struct state *)self->state)->remap != REMAP_V)
 		return TS_OK;
 	TS_TRY(targets(self, sim, span));
 	tell_rates(self, sim, span);

@@ -157,14 +157,14 @@ enum ts_status ts_contact_loop(struct tsim *sim, const struct ts_pair *pair, ts_
 {
 	struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
-	struct loop loop = { .task = { p, rows, pair, sim->clock.dt, !sim->in_setup,
+	struct loop loop = { .task = { p, rows, pair, sim->clock.dt, !sim->run.in_setup,
 				       sim->legacy && !pair->mixes }, /* LAMMPS forgets at once */
 			     .share = share };
 	struct ts_contacts_pass walk = { force_share, gather_share, &loop, rows->sets };
 
 	ts_contact_list_locate(sim, rows);
 	rows->all = pair->sticks; /* they pull beyond touch */
-	TS_TRY(ts_contact_forces_prepare(sim, rows, sim->complete));
+	TS_TRY(ts_contact_forces_prepare(sim, rows, sim->run.complete));
 	loop.gather = ts_contacts_sum_of(rows);
 	rows->unsettled = rows->history_width > 0;
 	/* where memory does not advance, there is no loop of its own */

@@ -60,7 +60,7 @@ enum ts_status ts_report_contact(struct ts_plan_report *report, const struct tsi
 				 const struct ts_place *where, const struct ts_contact_case *c,
 				 const char *what)
 {
-	bool stiffens = ts_granular_stiffens(c->model), euler = sim->explicit_euler;
+	bool stiffens = ts_granular_stiffens(c->model), euler = sim->run.explicit_euler;
 	const char *how = euler ? " under fix nve/euler" : "";
 	double overlap = 1, limit, slip;
 	char depth[48] = "";

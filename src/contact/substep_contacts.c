@@ -12,7 +12,7 @@ enum ts_status ts_substep_check(struct tsim *sim, const struct ts_granular_model
 	if (!ts_substep_knows(model))
 		why = "the normal law must be spring, hooke, hertz, hooke/stiffness or hertz/stiffness, "
 		      "and not viscous";
-	else if (sim->explicit_euler)
+	else if (sim->run.explicit_euler)
 		why = "fix nve/euler takes forces where they were a step ago; use fix nve";
 	else if (sim->legacy)
 		why = "`legacy yes` asks for LIGGGHTS' numbers, which it changes";

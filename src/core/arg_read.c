@@ -168,7 +168,7 @@ enum ts_status ts_arg_read_number(struct ts_parse *p, const struct ts_arg *row, 
 	}
 	if (word && strncmp(word->text, "v_", 2) == 0) {
 		suggest = ts_suggest_start(word->text + 2);
-		if (p->sim->unreached)
+		if (p->sim->reading.unreached)
 			return TS_OK;
 		if (!host || !host->has_variable(p->sim->script_api_data, word->text + 2)) {
 			if (host)
@@ -235,7 +235,7 @@ enum ts_status ts_arg_read_group(struct ts_parse *p, const struct ts_arg *row, i
 
 	if (!word)
 		return ts_arg_refuse(p, row, NULL, "the name of a group");
-	if (p->sim->unreached) {
+	if (p->sim->reading.unreached) {
 		*out = 0;
 		return TS_OK;
 	}
@@ -257,7 +257,7 @@ enum ts_status ts_arg_read_region(struct ts_parse *p, const struct ts_arg *row, 
 		return ts_arg_refuse(p, row, NULL, "the name of a region");
 	if ((row->flags & TS_NULLABLE) && ts_streq(word->text, "NULL"))
 		return TS_OK;
-	if (p->sim->unreached)
+	if (p->sim->reading.unreached)
 		return TS_OK;
 	return ts_sim_require(p->sim, TS_KIND_REGION, word, out);
 }

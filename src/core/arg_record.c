@@ -165,7 +165,7 @@ static enum ts_status would_write(struct tsim *sim, const char *what, const char
 enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct ts_arg *rows,
 			       const void *base, struct ts_words words, const struct ts_place *where)
 {
-	if (!sim->check || !sim->script_api)
+	if (!sim->reading.check || !sim->script_api)
 		return TS_OK;
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)base + row->offset;

@@ -80,18 +80,18 @@ static void set_defaults(struct tsim *sim)
 	if (sim->grain == 0)
 		sim->grain = 8192;
 	sim->columns = 0;
-	sim->fingerprint = 0;
-	sim->planned = sim->open_clock = sim->has_box = sim->box_moves = false;
+	sim->run.fingerprint = 0;
+	sim->reading.planned = sim->reading.open_clock = sim->has_box = sim->run.box_moves = false;
 	sim->groups = (struct ts_groups){ .name = { "all" } };
 	sim->hard_particles = sim->soft_particles = sim->newton_on = sim->still_ghosts = false;
-	sim->running = sim->rebuild = sim->in_setup = sim->resuming = sim->halted = false;
+	sim->run.inside = sim->run.rebuild = sim->run.in_setup = sim->run.resuming = sim->run.halted = false;
 	if (sim->threads == 0)
 		sim->threads = threads && ts_parse_int(threads, &n) && n > 0 && n < 1024 ? (int)n : 1;
 	ts_review_set(sim, NULL, TS_REVIEW_WARN);
 	sim->review.made = sim->review.stale = sim->review.doubtful = false;
 	sim->units_given = false;
-	sim->timeout = 0;
-	sim->timeout_every = 10;
+	sim->run.timeout = 0;
+	sim->run.timeout_every = 10;
 	for (int k = 0; k < TS_NSTANDARD; k++)
 		sim->standard[k] = NULL;
 }
@@ -105,7 +105,7 @@ struct tsim *ts_sim_new(const struct ts_tables *tables)
 	ts_math_init();
 	sim->tables = tables;
 	sim->log.files = &sim->files;
-	sim->files.stop = &sim->stop;
+	sim->files.stop = &sim->requests.stop;
 	set_defaults(sim);
 	sim->pool = ts_pool_new();
 	if (!sim->pool || start_systems(sim) != TS_OK) {

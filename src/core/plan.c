@@ -116,7 +116,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 	for (int stage = 0; stage < TS_NSTAGE; stage++)
 		plan->n[stage] = 0;
 	plan->watch = (struct ts_stopwatch){ .first = ts_ticks(), .begin = ts_clock() };
-	sim->explicit_euler = sim->clamped = false; /* their fixes say so in init */
+	sim->run.explicit_euler = sim->run.clamped = false; /* their fixes say so in init */
 	TS_TRY(ts_defer_error(sim, refuse_retired(sim)));
 	for (int k = 0; k < NORDER; k++) {
 		const struct ts_instances *list = &sim->instances[kind_order[k]];
@@ -147,9 +147,9 @@ static void begin_action(struct tsim *sim, const struct ts_action *action, enum 
 {
 	sim->draws = (struct ts_draws){ action->site, 0 };
 	if (action->self == sim->outside)
-		sim->epoch = 0;
-	else if (stage != TS_STAGE_OUTPUT || !sim->epoch)
-		sim->epoch = ++sim->epochs;
+		sim->run.epoch = 0;
+	else if (stage != TS_STAGE_OUTPUT || !sim->run.epoch)
+		sim->run.epoch = ++sim->run.epochs;
 }
 
 /* The time since the last look was spent in this stage, but for passes that have waited: these mostly move
@@ -190,7 +190,7 @@ static enum ts_status act(struct ts_plan *plan, struct tsim *sim, enum ts_stage 
 			sim->acted.self = action->self;
 	}
 	sim->draws = (struct ts_draws){ 0 };
-	sim->epoch = 0;
+	sim->run.epoch = 0;
 	look_at_watch(&plan->watch, sim, stage);
 	return status;
 }
@@ -222,23 +222,23 @@ static enum ts_status set_up(struct ts_plan *plan, struct tsim *sim)
 	uint64_t fingerprint;
 
 	TS_TRY(ts_sim_fingerprint(sim, &fingerprint));
-	sim->resuming = !sim->legacy && fingerprint == sim->fingerprint;
-	if (!sim->resuming)
+	sim->run.resuming = !sim->legacy && fingerprint == sim->run.fingerprint;
+	if (!sim->run.resuming)
 		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_EXCHANGE));
 	TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD));
 	TS_TRY(ts_review_scene(sim, sim->clock.last_step - sim->clock.step));
 	TS_TRY(sim->tables->judge(plan, sim, sim->clock.last_step - sim->clock.step));
-	if (sim->explain)
+	if (sim->reading.explain)
 		return TS_OK;
-	return ts_plan_first_forces(plan, sim, !sim->resuming);
+	return ts_plan_first_forces(plan, sim, !sim->run.resuming);
 }
 
 enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool anew)
 {
-	sim->in_setup |= anew;
+	sim->run.in_setup |= anew;
 	if (anew)
 		TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
-	sim->in_setup = sim->resuming = false;
+	sim->run.in_setup = sim->run.resuming = false;
 	return ts_plan_stage(plan, sim, TS_STAGE_SETUP);
 }
 
@@ -247,13 +247,13 @@ enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 {
 	sim->clock.step++;
 	TS_TRY(act_in(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
-	sim->rebuild |= (sim->full & TS_FULL_REBUILDS) != 0;
-	plan->rebuilds += sim->rebuild;
-	if (sim->rebuild)
+	sim->run.rebuild |= (sim->full & TS_FULL_REBUILDS) != 0;
+	plan->rebuilds += sim->run.rebuild;
+	if (sim->run.rebuild)
 		TS_TRY(act_in(plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
 	else
 		TS_TRY(act(plan, sim, TS_STAGE_FORWARD));
-	sim->rebuild = false;
+	sim->run.rebuild = false;
 	return act_in(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
 }
 
@@ -261,7 +261,8 @@ enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 static enum ts_status leave_run(struct tsim *sim, enum ts_status status)
 {
 	ts_run_deferred_loops(sim);
-	sim->running = sim->in_setup = sim->resuming = sim->rebuild = sim->saving = false;
+	sim->run.inside = sim->run.in_setup = sim->run.resuming = sim->run.rebuild = sim->requests.saving =
+		false;
 	return status;
 }
 
@@ -270,12 +271,12 @@ enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
 	enum ts_status status = TS_OK;
 
 	ts_settings_log_run(sim);
-	sim->running = true;
+	sim->run.inside = true;
 	plan->watch.last = ts_ticks();
 	sim->clock.wall_start = ts_clock();
-	if (setup || sim->explain)
+	if (setup || sim->reading.explain)
 		status = set_up(plan, sim);
-	if (sim->explain)
+	if (sim->reading.explain)
 		sim->clock.step = sim->clock.last_step;
 	else if (status == TS_OK) /* only now have all fixes seen the first state */
 		status = ts_plan_stage(plan, sim, TS_STAGE_OUTPUT);
@@ -287,27 +288,27 @@ static void look_at_clock(struct tsim *sim)
 {
 	int64_t done = sim->clock.step - sim->clock.first_step;
 
-	if (!(sim->timeout > 0) || done % sim->timeout_every != 0 || ts_clock() < sim->timeout)
+	if (!(sim->run.timeout > 0) || done % sim->run.timeout_every != 0 || ts_clock() < sim->run.timeout)
 		return;
 	ts_log(&sim->log, "Wall time limit reached at step %" PRId64 "\n", sim->clock.step);
 	sim->clock.last_step = sim->clock.step;
-	sim->halted = true;
+	sim->run.halted = true;
 }
 
 enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 {
 	enum ts_status status = TS_OK;
 
-	sim->running = true;
+	sim->run.inside = true;
 	plan->watch.last = ts_ticks();
 	while (status == TS_OK && sim->clock.step < sim->clock.last_step) {
-		if (sim->stop && sim->complete)
+		if (sim->requests.stop && sim->run.complete)
 			break;
-		if (sim->stop) /* one more, of which all know that it is the last */
+		if (sim->requests.stop) /* one more, of which all know that it is the last */
 			sim->clock.last_step = sim->clock.step + 1;
-		sim->saving = sim->save && sim->saver;
+		sim->requests.saving = sim->requests.save && sim->requests.saver;
 		status = ts_plan_step(plan, sim);
-		if (status == TS_OK && sim->saving)
+		if (status == TS_OK && sim->requests.saving)
 			status = ts_saver_act(sim);
 		look_at_clock(sim);
 	}
@@ -316,15 +317,15 @@ enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 
 enum ts_status ts_plan_finish(struct ts_plan *plan, struct tsim *sim)
 {
-	sim->running = true;
+	sim->run.inside = true;
 	plan->watch.last = ts_ticks();
 	return leave_run(sim, ts_plan_stage(plan, sim, TS_STAGE_FINISH));
 }
 
 enum ts_status ts_plan_stopped(struct tsim *sim)
 {
-	sim->stopped_whole = sim->stop != 0;
-	if (sim->stop)
+	sim->requests.stopped_whole = sim->requests.stop != 0;
+	if (sim->requests.stop)
 		return ts_fail(&sim->error, TS_STOPPED, NULL,
 			       "stopped on request after step %" PRId64
 			       "; all results up to here are written",
@@ -336,10 +337,10 @@ enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
 {
 	ts_unclaimed_report(sim);
 	TS_TRY(ts_plan_start(plan, sim, setup));
-	if (!sim->explain) {
+	if (!sim->reading.explain) {
 		TS_TRY(ts_plan_steps(plan, sim));
 		TS_TRY(ts_plan_finish(plan, sim));
-		TS_TRY(ts_sim_fingerprint(sim, &sim->fingerprint));
+		TS_TRY(ts_sim_fingerprint(sim, &sim->run.fingerprint));
 	}
 	return ts_plan_stopped(sim);
 }
@@ -449,13 +450,13 @@ static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
 enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
 {
 	const struct ts_draws before = sim->draws;
-	bool looking = sim->looking;
+	bool looking = sim->reading.looking;
 	enum ts_status status;
 
 	sim->draws = (struct ts_draws){ LOOKING, 0 };
-	sim->looking = true;
+	sim->reading.looking = true;
 	status = hash_all(sim, out);
-	sim->looking = looking;
+	sim->reading.looking = looking;
 	sim->draws = before;
 	return status;
 }

@@ -35,7 +35,7 @@ void ts_plan_release(struct ts_plan *plan);
 double ts_plan_seconds(const struct ts_plan *plan, enum ts_stage stage);
 
 /* Steps until sim->clock.last_step or a stop. `setup`: rebuild rows and, unless nothing that forces
- * depend on has changed since the last step, compute forces anew. With sim->explain nothing is
+ * depend on has changed since the last step, compute forces anew. With sim->reading.explain nothing is
  * stepped or written: the plan is printed. */
 enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup);
 /* Its parts, for runs in pieces: until the first output; the steps up to clock.last_step; the end. */

@@ -81,7 +81,7 @@ enum ts_status ts_review_find(struct tsim *sim, const char *check, const struct 
 	vsnprintf(text, sizeof text, format, args);
 	va_end(args);
 	TS_TRY(note(sim, cause, &new));
-	if (sim->review.answer[k] == TS_REVIEW_ERROR && (new || !sim->check))
+	if (sim->review.answer[k] == TS_REVIEW_ERROR && (new || !sim->reading.check))
 		return ts_fail_at(&sim->error, TS_STATE, where, check, 0, "%s (review: %s)", text, check);
 	if (new)
 		ts_warn(&sim->log, where, "%s (review: %s)", text, check);
@@ -106,7 +106,7 @@ enum ts_status ts_review_scene(struct tsim *sim, int64_t steps)
 {
 	struct ts_review *r = &sim->review;
 
-	if ((sim->resuming && r->made) || r->doubtful)
+	if ((sim->run.resuming && r->made) || r->doubtful)
 		return TS_OK;
 	r->steps = steps;
 	for (int k = 0; sim->tables->checks[k].name; k++)
@@ -114,6 +114,6 @@ enum ts_status ts_review_scene(struct tsim *sim, int64_t steps)
 			TS_TRY(ts_defer_error(sim, sim->tables->checks[k].look(sim)));
 	TS_TRY(ask_styles(sim));
 	r->made = true;
-	r->stale = r->stale || (sim->explain && steps > 0);
+	r->stale = r->stale || (sim->reading.explain && steps > 0);
 	return TS_OK;
 }

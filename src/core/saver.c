@@ -6,8 +6,8 @@
 
 enum ts_status ts_saver_act(struct tsim *sim)
 {
-	if (!sim->save || !sim->saver)
+	if (!sim->requests.save || !sim->requests.saver)
 		return TS_OK;
-	sim->save = 0;
-	return sim->saver->save(sim->saver, sim);
+	sim->requests.save = 0;
+	return sim->requests.saver->save(sim->requests.saver, sim);
 }

@@ -69,19 +69,19 @@ enum ts_status ts_sim_require(struct tsim *sim, enum ts_kind kind, const struct 
 
 enum ts_status ts_defer_error(struct tsim *sim, enum ts_status status)
 {
-	if (status == TS_OK || !sim->explain || !sim->script_api)
+	if (status == TS_OK || !sim->reading.explain || !sim->script_api)
 		return status;
 	return sim->script_api->defer_error(sim->script_api_data, status);
 }
 
 bool ts_from_run(struct tsim *sim, const char *name)
 {
-	if (sim->dry)
+	if (sim->reading.dry)
 		return true;
-	if (!sim->explain || !sim->planned)
+	if (!sim->reading.explain || !sim->reading.planned)
 		return false;
-	if (!sim->from_run[0])
-		snprintf(sim->from_run, sizeof sim->from_run, "%s", name);
+	if (!sim->reading.from_run[0])
+		snprintf(sim->reading.from_run, sizeof sim->reading.from_run, "%s", name);
 	return true;
 }
 

@@ -100,72 +100,99 @@ enum ts_full {
 	TS_FULL_ALL = 63
 };
 
+/* How the script is read: to be run, explained or checked. */
+struct ts_reading {
+	bool explain;	   /* -explain: plan runs, do not step or write */
+	bool check;	   /* -check: as explain, but errors do not end the script */
+	bool planned;	   /* -explain: a run would have changed the state by now */
+	bool open_clock;   /* -explain: how many steps were made before, only a run can tell */
+	char from_run[48]; /* -explain: a value read by this line that only a run can give */
+	bool unreached;	   /* -check: reads a line that is not run: names are not looked up */
+	bool dry;	   /* formulas are only read: do names exist, are shapes right? */
+	bool looking;	   /* a value is read that does not count: next() stays where it is */
+};
+
+/* What the run command, live styles and the stages tell each other about the run and the step. */
+struct ts_run_state {
+	bool inside;	     /* between the start and the end of a run */
+	bool in_pieces;	     /* this run is stepped from outside, its end not known: core/stepping.h */
+	bool in_setup;	     /* forces before the first step: contact history stands still */
+	bool halted;	     /* by fix halt: later runs do nothing */
+	bool unsafe;	     /* this run only warns of a step beyond the stability limit */
+	bool box_moves;	     /* a run changes the box */
+	bool explicit_euler; /* a live integrator is explicit Euler, which has limits of its own */
+	bool clamped;	     /* a live integrator bounds how far particles move in a step */
+	bool rebuild;	     /* this step exchanges particles and rebuilds the contact list */
+	bool complete;	     /* this step leaves all that may be looked at when a run has ended */
+	bool shows_contacts; /* somebody looks at the forces of contacts, or a program may do so */
+	/* Nothing forces depend on has changed since the last step: the run goes on with the forces and the contact
+	 * list of that step. */
+	bool resuming;
+	/* While one style acts in a stage, nothing changes that it reads: outputs are evaluated once. 0: something
+	 * may change at any time. */
+	uint64_t epoch;
+	uint64_t epochs;	    /* so far */
+	uint64_t fingerprint;	    /* of all that forces depend on, at the end of the last run */
+	double timeout;		    /* ts_clock() when runs are to end (timer timeout); 0: never */
+	int64_t timeout_every;	    /* steps between looks at the clock */
+	struct ts_run_watch *watch; /* or NULL */
+};
+
+/* Requests from signal handlers. */
+struct ts_requests {
+	volatile int stop;	/* finish the step, then stop */
+	volatile int save;	/* save the state after this step or command */
+	bool stopped_whole;	/* it stopped between two steps or commands, and can be saved */
+	bool saving;		/* this step ends with a restart file */
+	struct ts_saver *saver; /* writes it; NULL: nobody does */
+	/* File written when a signal stops the run; "": none; NULL: tsim.interrupted.restart beside the log. */
+	const char *restart_file;
+};
+
 struct tsim {
 	const struct ts_tables *tables; /* of styles, systems, checks */
+
+	/* services */
 	struct ts_error error;
 	struct ts_log log;
 	struct ts_files files; /* the one door to files; closed for -sandbox */
 	struct ts_pool *pool;  /* file names and script lines of places */
+	int threads;
+	int grain; /* a loop is shared among threads only as far as each gets so many rounds */
+	struct ts_deferred_loops deferred;
+	struct ts_shared_buffers holds; /* columns that the library has given away */
+	struct ts_draws draws;
+	/* How often steps have begun to be counted anew, by reset_timestep or clear: random numbers differ then. */
+	int64_t era;
 
+	/* what the script says of the scene as a whole */
 	struct ts_clock clock;
 	enum ts_units units;
 	bool units_given; /* by the command */
 	int dimension;
-	int threads;
-	int grain;	   /* a loop is shared among threads only as far as each gets so many rounds */
-	unsigned full;	   /* bits of enum ts_full */
-	bool explain;	   /* -explain: plan runs, do not step or write */
-	bool check;	   /* -check: as explain, but errors do not end the script */
-	bool planned;	   /* -explain: a run would have changed the state by now */
-	bool dry;	   /* formulas are only read: do names exist, are shapes right? */
-	bool unreached;	   /* -check: reads a line that is not run: names are not looked up */
-	bool open_clock;   /* -explain: how many steps were made before, only a run can tell */
-	bool has_box;	   /* there is a simulation box; set by the domain */
-	bool box_moves;	   /* a run changes the box */
-	char from_run[48]; /* -explain: a value read by this line that only a run can give */
+	bool has_box;			     /* there is a simulation box; set by the domain */
 	bool hard_particles, soft_particles; /* Young's moduli beyond the usual are meant */
 	bool newton_on, still_ghosts;	     /* said by the script, of no effect; pair_style gran refuses */
 	bool legacy;			     /* LIGGGHTS' numbers: see the command of this name */
-	bool unsafe;			     /* this run only warns of a step beyond the stability limit */
-	bool running;			     /* inside a run */
-	bool in_pieces;	     /* this run is stepped from outside, its end not known: core/stepping.h */
-	bool halted;	     /* by fix halt: later runs do nothing */
-	bool explicit_euler; /* a live integrator is explicit Euler, which has limits of its own */
-	bool clamped;	     /* a live integrator bounds how far particles move in a step */
-	bool rebuild;	     /* this step exchanges particles and rebuilds the contact rows */
-	uint64_t removals;   /* of instances, ever: what refers to one must look again */
-	bool complete;	     /* this step leaves all that may be looked at when a run has ended */
-	/* a keyword was named that looks at the forces of contacts, or a program may name one */
-	bool shows_contacts;
-	bool in_setup; /* forces before the first step: contact history stands still */
-	bool resuming; /* nothing forces depend on has changed since the last step: the run
-			    * goes on with the forces and the rows of that step */
-	bool looking;  /* a value is read that does not count: next() stays where it is */
-	struct ts_deferred_loops deferred;
-	struct ts_draws draws;
+	unsigned full;			     /* bits of enum ts_full */
+
+	struct ts_reading reading;
+	struct ts_run_state run;
+	struct ts_requests requests;
 	struct ts_acted acted;
-	int64_t era;	/* how often steps have begun to be counted anew, by reset_timestep or clear: random
-		      * numbers do not come again */
-	uint64_t epoch; /* while somebody acts in a stage, nothing changes that he reads: outputs are
-			 * evaluated once. 0: something may change at any time */
-	uint64_t epochs;
 	struct ts_total_cost cost;
-	volatile int stop;	/* set from a signal handler: finish the step, then stop */
-	bool stopped_whole;	/* it stopped between two steps or commands, and can be saved */
-	volatile int save;	/* set from a signal handler: save the state after this step or command */
-	bool saving;		/* this step ends so */
-	struct ts_saver *saver; /* who does it; NULL: nobody */
-	uint64_t generation;	/* grows when particles are added, deleted, reordered or their columns
-			      * move in memory; never goes back, not by `clear` either */
-	const char *restart_on_signal;	/* file written when a signal stops the run; "": none,
-					* NULL: tsim.interrupted.restart beside the log */
-	struct ts_shared_buffers holds; /* columns that the library has given away */
-	uint64_t fingerprint;		/* of all that forces depend on, at the end of the last run */
 
-	unsigned columns;			 /* all that live styles need */
-	struct ts_instances instances[TS_NKIND]; /* systems, pair, bond, flow, pressure: at most one live  */
+	/* live instances */
+	struct ts_instances instances[TS_NKIND]; /* systems, pair, bond, flow, pressure: at most one live */
 	struct ts_instances retired;		 /* deleted, but others may still refer to them */
-
+	uint64_t removals;		    /* of instances, ever: who refers to one must look it up again */
+	struct ts_instance *outside;	    /* acts last in its stages: the program around the library */
+	struct ts_unclaimed *unclaimed;	    /* state from a restart file for styles not yet defined again */
+	const char *standard[TS_NSTANDARD]; /* names of computes; NULL: none */
+	unsigned columns;		    /* all that live styles need */
+	/* Grows when particles are added, deleted, reordered or their columns move in memory; never goes back, not
+	 * by `clear` either. */
+	uint64_t generation;
 	struct ts_groups groups;
 
 	/* the systems, by type: set when they are created */
@@ -178,20 +205,10 @@ struct tsim {
 	struct ts_thermo *thermo;
 	struct ts_guard *guard;
 
-	struct ts_unclaimed *unclaimed; /* state from a restart file for styles not yet defined again */
-
-	struct ts_instance *outside;	/* acts last in its stages: the program around the library */
-	struct ts_run_watch *run_watch; /* or NULL */
-	struct ts_library *library;	/* what the C library keeps; NULL without it */
-
-	double timeout;			    /* ts_clock() when runs are to end (timer timeout); 0: never */
-	int64_t timeout_every;		    /* steps between looks */
-	const char *standard[TS_NSTANDARD]; /* names of computes; NULL: none */
-
-	struct ts_review review; /* of the scene before a run */
-
-	const char *settings; /* the last record of settings in the log; core/settings.h */
-	struct ts_words line; /* of the command that runs */
+	struct ts_library *library; /* what the C library keeps; NULL without it */
+	struct ts_review review;    /* of the scene before a run */
+	const char *settings;	    /* the last record of settings in the log; core/settings.h */
+	struct ts_words line;	    /* of the command that runs */
 	const struct ts_script_api *script_api;
 	void *script_api_data;
 };

@@ -15,7 +15,7 @@ static void release(struct ts_stepping *stepping, struct tsim *sim)
 {
 	ts_plan_release(&stepping->plan);
 	stepping->open = stepping->watched = false;
-	sim->in_pieces = false;
+	sim->run.in_pieces = false;
 }
 
 /* What the next run compares itself with is the state at the end of the last piece. */
@@ -28,7 +28,7 @@ enum ts_status ts_stepping_end(struct ts_stepping *stepping, struct tsim *sim)
 	status = ts_stepping_watch(stepping, sim);
 	if (status == TS_OK)
 		status = ts_plan_finish(&stepping->plan, sim);
-	sim->fingerprint = status == TS_OK ? stepping->fingerprint : 0;
+	sim->run.fingerprint = status == TS_OK ? stepping->fingerprint : 0;
 	release(stepping, sim);
 	return status;
 }
@@ -49,8 +49,8 @@ static enum ts_status begin(struct ts_stepping *stepping, struct tsim *sim, int6
 {
 	sim->clock.first_step = sim->clock.ramp_first = sim->clock.step;
 	sim->clock.last_step = sim->clock.ramp_last = sim->clock.step + n;
-	sim->unsafe = false;
-	sim->in_pieces = stepping->open = true;
+	sim->run.unsafe = false;
+	sim->run.in_pieces = stepping->open = true;
 	TS_TRY(ts_plan_compile(&stepping->plan, sim));
 	return ts_plan_start(&stepping->plan, sim, true);
 }
@@ -60,7 +60,7 @@ static enum ts_status go(struct ts_stepping *stepping, struct tsim *sim, int64_t
 	bool on = false;
 	int64_t last;
 
-	if (sim->halted)
+	if (sim->run.halted)
 		return TS_OK;
 	TS_TRY(unchanged(stepping, sim, &on));
 	if (!on) {
@@ -68,11 +68,11 @@ static enum ts_status go(struct ts_stepping *stepping, struct tsim *sim, int64_t
 		TS_TRY(begin(stepping, sim, n));
 	}
 	last = sim->clock.goal = sim->clock.last_step = sim->clock.ramp_last = sim->clock.step + n;
-	if (sim->explain)
+	if (sim->reading.explain)
 		return TS_OK;
 	stepping->watched = false;
 	TS_TRY(ts_plan_steps(&stepping->plan, sim));
-	if (sim->clock.step < last && !sim->stop) /* fix halt */
+	if (sim->clock.step < last && !sim->requests.stop) /* fix halt */
 		return ts_stepping_end(stepping, sim);
 	if (stepping->always)
 		TS_TRY(ts_stepping_watch(stepping, sim));
@@ -85,7 +85,7 @@ enum ts_status ts_stepping_go(struct ts_stepping *stepping, struct tsim *sim, in
 
 	if (status == TS_STOPPED)
 		ts_stepping_end(stepping, sim);
-	else if (status != TS_OK || sim->explain)
+	else if (status != TS_OK || sim->reading.explain)
 		release(stepping, sim);
 	return status;
 }

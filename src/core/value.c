@@ -52,7 +52,7 @@ enum ts_status ts_value_held(struct ts_instance *inst, struct tsim *sim, const s
 	const struct ts_draws draws = sim->draws;
 	enum ts_status status;
 
-	if (sim->epoch && inst->held == value && inst->held_since == sim->epoch)
+	if (sim->run.epoch && inst->held == value && inst->held_since == sim->run.epoch)
 		return TS_OK;
 	inst->held = NULL;
 	if (draws.site) /* random numbers in it do not depend on who reads it first */
@@ -61,7 +61,7 @@ enum ts_status ts_value_held(struct ts_instance *inst, struct tsim *sim, const s
 	sim->draws = draws;
 	if (status == TS_OK) {
 		inst->held = value;
-		inst->held_since = sim->epoch;
+		inst->held_since = sim->run.epoch;
 	}
 	return status;
 }
@@ -210,7 +210,7 @@ void ts_keywords_named(struct tsim *sim, const char *text)
 		memcpy(name, text, n);
 		name[n] = '\0';
 		keyword = ts_keyword_find(sim->tables, name);
-		sim->shows_contacts |= keyword && keyword->flags & TS_KEYWORD_CONTACTS;
+		sim->run.shows_contacts |= keyword && keyword->flags & TS_KEYWORD_CONTACTS;
 	}
 }
 
@@ -222,7 +222,7 @@ static enum ts_status resolve_keyword(struct tsim *sim, const char *name, const 
 	ref->kind = TS_REF_KEYWORD;
 	ref->keyword = ts_keyword_find(sim->tables, name);
 	if (ref->keyword) {
-		sim->shows_contacts |= (ref->keyword->flags & TS_KEYWORD_CONTACTS) != 0;
+		sim->run.shows_contacts |= (ref->keyword->flags & TS_KEYWORD_CONTACTS) != 0;
 		return TS_OK;
 	}
 	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)

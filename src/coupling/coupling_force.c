@@ -123,7 +123,7 @@ enum ts_status ts_coupling_force_add_to_fluid(struct ts_instance *self, struct t
 	struct ts_coupling_force *s = self->state;
 	struct context context = { s, sim->particles };
 
-	if (!s->fluid || !s->two_way || style_of(self)->internal || sim->in_setup)
+	if (!s->fluid || !s->two_way || style_of(self)->internal || sim->run.in_setup)
 		return TS_OK;
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
 	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), add_reaction, &context);

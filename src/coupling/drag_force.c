@@ -183,7 +183,7 @@ static enum ts_status pass_to_fluid(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_drag *s = self->state;
 
-	return s->fluid && s->two_way && !sim->in_setup ? ts_drag_add_to_fluid(self, sim) : TS_OK;
+	return s->fluid && s->two_way && !sim->run.in_setup ? ts_drag_add_to_fluid(self, sim) : TS_OK;
 }
 
 enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
@@ -217,7 +217,7 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 	if (s->fluid)
 		ts_coupling_count_outside(s->fluid, sim, self, outside, tag);
 	s->reynolds = reynolds;
-	if (stiffness > 2 && ts_drag_style_of(self)->inertial && !sim->unsafe)
+	if (stiffness > 2 && ts_drag_style_of(self)->inertial && !sim->run.unsafe)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "fix %s: a particle's velocity relaxes in %g, the explicit drag is stable for "
 			       "steps below twice that, and the step is %g: use scheme exact, or a smaller "

@@ -39,7 +39,7 @@ static enum ts_status setup_partner(struct ts_instance *self, struct tsim *sim)
 {
 	struct partner *s = self->state;
 
-	if (!sim->in_pieces && !sim->outside && !s->told)
+	if (!sim->run.in_pieces && !sim->outside && !s->told)
 		ts_warn(&sim->log, &self->where,
 			"fix couple/cfd: no program is coupled: dragforce, Ksl, uf and convectiveHeatFlux "
 			"stay what the script makes them, 0 else");

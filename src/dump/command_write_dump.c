@@ -52,7 +52,7 @@ static enum ts_status write(struct tsim *sim, const struct state *s, struct ts_a
 	TS_TRY(make_words(sim, arena, s->rest, &words));
 	TS_TRY(ts_sim_create(sim, TS_KIND_DUMP, style, id.text, s->group, words, where, &dump));
 	status = modify(sim, dump, s->modify, arena, where);
-	if (status == TS_OK && !sim->explain)
+	if (status == TS_OK && !sim->reading.explain)
 		status = dump->style->hook[TS_STAGE_OUTPUT](dump, sim);
 	if (status != TS_OK)
 		return status;

@@ -141,7 +141,7 @@ enum ts_status ts_dump_frame_done(struct ts_dump_common *d, struct tsim *sim)
 	if (!one_file_per_frame(d))
 		return ts_textfile_flush(&d->out);
 	TS_TRY(ts_textfile_close(&d->out));
-	return d->nold && !sim->explain ? drop_oldest(d, sim) : TS_OK;
+	return d->nold && !sim->reading.explain ? drop_oldest(d, sim) : TS_OK;
 }
 
 enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool local)

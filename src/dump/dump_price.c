@@ -59,7 +59,7 @@ enum ts_status ts_dump_price_frame(struct ts_instance *self, struct tsim *sim, d
 	struct ts_str name = { 0 };
 	enum ts_status status;
 
-	if (!sim->explain || sim->log.quiet)
+	if (!sim->reading.explain || sim->log.quiet)
 		return TS_OK;
 	ts_str_addf(&name, "dump %s %s", self->id, d->file);
 	status = ts_report_output(report, ts_str_text(&name), frames(d, sim), bytes);
@@ -72,7 +72,7 @@ enum ts_status ts_dump_price(struct ts_instance *self, struct tsim *sim, bool lo
 {
 	struct ts_dump_common *d = self->state;
 
-	if (!sim->explain || sim->log.quiet)
+	if (!sim->reading.explain || sim->log.quiet)
 		return TS_OK;
 	/* what has no value before the first step is not counted */
 	if (ts_dump_gather(self, sim, local) != TS_OK) {

@@ -218,7 +218,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	for (size_t a = 0; a < s->books.nactors; a++)
 		numbers += s->books.actor[a].pushes ? TS_CAUSE_NUMBERS : 0;
 	ts_report_line(report, "energy ledger", "%zu bytes a particle", numbers * sizeof(double));
-	if (!sim->explain || !s->path)
+	if (!sim->reading.explain || !s->path)
 		return TS_OK;
 	return ts_report_output(report, s->path, ts_report_times(sim, s->every),
 				20 + 18.0 * TS_LEDGER_VALUES) == TS_OK

@@ -127,7 +127,7 @@ static enum ts_status variables(struct tsim *sim, struct ts_str *out)
 
 static void times(struct tsim *sim, struct ts_str *out)
 {
-	double wall = sim->running ? ts_clock() - sim->clock.wall_start : 0;
+	double wall = sim->run.inside ? ts_clock() - sim->clock.wall_start : 0;
 
 	ts_str_addf(out, "Times:\n  %.3f s of processors, %.3f s since the start of the run\n",
 		    (double)clock() / CLOCKS_PER_SEC, wall);

@@ -85,7 +85,7 @@ enum ts_status ts_guard_judge(struct tsim *sim, const struct ts_plan_report *rep
 	const struct ts_limit *soft = ts_report_binding(report, false);
 
 	begin(g, sim);
-	if (hard && level_of(sim, hard) == BEYOND && !sim->unsafe)
+	if (hard && level_of(sim, hard) == BEYOND && !sim->run.unsafe)
 		return ts_fail(&sim->error, TS_PHYSICS, &hard->where,
 			       "the time step %g is beyond the stability limit %g of %s; "
 			       "use `timestep` with less than that, a tenth or less for accuracy",
@@ -132,9 +132,9 @@ static enum ts_status judge_hard(struct tsim *sim, const struct ts_limit *hard)
 		level = level ? NEAR : 0;
 	if (level == BEYOND && !g->seen++)
 		g->until = sim->clock.step + WINDOW;
-	if (level == BEYOND && g->seen >= ENOUGH && !sim->unsafe)
+	if (level == BEYOND && g->seen >= ENOUGH && !sim->run.unsafe)
 		return stop(sim, hard);
-	if (level == BEYOND && sim->unsafe)
+	if (level == BEYOND && sim->run.unsafe)
 		say(sim, hard, BEYOND);
 	else if (level)
 		say(sim, hard, NEAR);
@@ -213,7 +213,7 @@ static enum ts_status stable_fraction(struct tsim *sim, double *out)
 	enum ts_status status;
 
 	*out = sim->guard->fraction;
-	if (!sim->running)
+	if (!sim->run.inside)
 		return TS_OK;
 	status = limits_now(sim, INFINITY, false, &report);
 	hard = ts_report_binding(&report, true);

@@ -173,13 +173,14 @@ static bool has_price(const struct ts_plan_report *report, const struct tsim *si
 {
 	const struct ts_limit *hard = ts_report_binding(report, true);
 
-	return sim->explain && !sim->log.quiet && (!hard || sim->clock.dt < hard->dt || sim->unsafe);
+	return sim->reading.explain && !sim->log.quiet &&
+	       (!hard || sim->clock.dt < hard->dt || sim->run.unsafe);
 }
 
 enum ts_status ts_plan_judge(struct ts_plan *plan, struct tsim *sim, int64_t steps)
 {
 	struct ts_plan_report report = { .advice = true,
-					 .enough = sim->explain ? INFINITY : ts_guard_enough(sim) };
+					 .enough = sim->reading.explain ? INFINITY : ts_guard_enough(sim) };
 	enum ts_status status = ts_report_collect(&report, sim);
 	struct ts_price price;
 	bool priced = status == TS_OK && has_price(&report, sim);
@@ -188,7 +189,7 @@ enum ts_status ts_plan_judge(struct ts_plan *plan, struct tsim *sim, int64_t ste
 		status = ts_price_steps(plan, sim, &price);
 	if (priced && status == TS_OK)
 		status = price_left_out(&report, plan, sim, &price);
-	if (status == TS_OK && sim->explain)
+	if (status == TS_OK && sim->reading.explain)
 		print_report(plan, &report, sim, steps);
 	if (status == TS_OK)
 		status = ts_guard_judge(sim, &report);

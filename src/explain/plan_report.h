@@ -6,7 +6,7 @@
 #include "core/plan.h"
 
 /* Asks every live instance for its limits and lines, checks the time step against the limits (refusal or
- * warning), and prints the report when sim->explain. The slot `judge` of struct ts_tables. */
+ * warning), and prints the report when sim->reading.explain. The slot `judge` of struct ts_tables. */
 enum ts_status ts_plan_judge(struct ts_plan *plan, struct tsim *sim, int64_t steps);
 
 #endif

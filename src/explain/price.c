@@ -134,7 +134,7 @@ static void *in_copy(void *data)
 	struct ts_price price;
 	double *frames = ts_alloc(t->plan->n[TS_STAGE_OUTPUT] + 1, sizeof *frames);
 
-	t->sim->planned = false; /* values count here */
+	t->sim->reading.planned = false; /* values count here */
 	t->sim->log.quiet = true;
 	t->sim->log.progress = false;
 	if (!frames || make_full(t) != TS_OK || try_steps(t, frames) != TS_OK)

@@ -128,7 +128,7 @@ static enum ts_status evaluate_face(struct ts_projection *p, struct tsim *sim, i
 	const struct ts_grid *grid = &p->fluid.grid;
 	struct ts_flow_face_velocity *now = &p->velocity_now[d][side];
 
-	if (condition->once && sim->running)
+	if (condition->once && sim->run.inside)
 		return TS_OK;
 	for (int c = 0; c < grid->dimensions; c++) {
 		const struct ts_flow_formula formula = { &condition->velocity[c], "velocity", c };
@@ -151,7 +151,7 @@ enum ts_status ts_projection_evaluate_boundary(struct ts_instance *self, struct 
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
 			TS_TRY(evaluate_face(p, sim, d, (enum ts_grid_side)side));
-	if (!p->before_known || (ts_projection_not_started(p) && !sim->running))
+	if (!p->before_known || (ts_projection_not_started(p) && !sim->run.inside))
 		return ts_projection_store_boundary(p) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	return TS_OK;
 }

@@ -258,7 +258,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	const struct ts_particles *p = sim->particles;
 	struct context context = { s, p };
 
-	if (!s->heat || sim->in_setup)
+	if (!s->heat || sim->run.in_setup)
 		return TS_OK;
 	if (TS_GROW(s->heat_rate, s->heat_rate_capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);

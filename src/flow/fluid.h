@@ -66,7 +66,7 @@ struct ts_fluid {
 	double *p;		   /* at centres */
 
 	/* Optional fields, allocated by ts_fluid_require_fields; NULL if no fix needs them. Particles add
-	 * to f and k in each step of the simulation, but not in its set-up (sim->in_setup); the fluid
+	 * to f and k in each step of the simulation, but not in its set-up (sim->run.in_setup); the fluid
 	 * takes the means over the steps since its last one. */
 	double *force[3];    /* f above, at lower faces: force per volume */
 	double *exchange[3]; /* k above, at lower faces: force per volume and velocity */

@@ -190,7 +190,7 @@ static enum ts_status start(struct tsim *sim, void *context)
 	struct ts_heat_task held;
 	size_t n = h->held.n;
 
-	h->keeps = h->scheme == TS_HEAT_EXACT || h->store || sim->complete;
+	h->keeps = h->scheme == TS_HEAT_EXACT || h->store || sim->run.complete;
 	if (TS_RENEW(h->inner, h->inner_capacity, sim->particles->n) != TS_OK ||
 	    clear_list(h, &h->pairs[0], h->fused_pass.begun ? rows->room / (size_t)rows->parts : rows->n) !=
 		    TS_OK ||
@@ -208,7 +208,7 @@ enum ts_status ts_heat_clear(struct ts_instance *self, struct tsim *sim)
 	struct columns c = columns_of(h);
 
 	TS_TRY(ts_heat_look(self, sim)); /* of the step before */
-	if (sim->in_setup) /* before a run the fluxes stay those of the last step, as in LIGGGHTS */
+	if (sim->run.in_setup) /* before a run the fluxes stay those of the last step, as in LIGGGHTS */
 		return TS_OK;
 	h->fused_pass = (struct ts_fused_pass){ { blocks_share, sum_share, self, true }, start, false };
 	ts_contacts_fuse(sim, &h->fused_pass);
@@ -235,7 +235,7 @@ enum ts_status ts_heat_conduct(struct ts_instance *self, struct tsim *sim)
 	const struct ts_heat *h = self->state;
 	struct columns c;
 
-	if (sim->in_setup)
+	if (sim->run.in_setup)
 		return TS_OK;
 	if (!h->fused_pass.begun)
 		TS_TRY(conduct_alone(self, sim));
@@ -251,7 +251,7 @@ void ts_heat_from_wall(const struct ts_heat *h, struct tsim *sim, size_t i, doub
 {
 	double q = conductance * (temperature - ts_heat_column(sim, h->temperature)[i]);
 
-	if (sim->in_setup)
+	if (sim->run.in_setup)
 		return;
 	ts_heat_column(sim, h->flux)[i] += q;
 	ts_heat_column(sim, h->wall_conductance)[i] += conductance;

@@ -154,7 +154,7 @@ static enum ts_status euler(struct ts_instance *self, struct tsim *sim)
 		examine(self, sim);
 	h->advanced = sim->clock.step;
 	TS_DEFER_LOOP(sim, sim->particles->n, euler_share, &task);
-	if (!sim->complete)
+	if (!sim->run.complete)
 		return TS_OK;
 	ts_run_deferred_loops(sim);
 	return ts_heat_look(self, sim);

@@ -85,7 +85,7 @@ static enum ts_status place_one(struct tsim *sim, const struct state *s, struct 
 
 	ts_sites_limits(sim, s->region, lo, hi);
 	*placed = false;
-	for (int64_t try = 0; try < s->most_tries && !(sim->stop && try % LOOK == 0); try++) {
+	for (int64_t try = 0; try < s->most_tries && !(sim->requests.stop && try % LOOK == 0); try++) {
 		for (int d = 0; d < 3; d++)
 			x[d] = lo[d] + (hi[d] - lo[d]) * ts_rng_uniform(&rng);
 		if (sim->dimension == 2)
@@ -132,7 +132,7 @@ static enum ts_status at_random(struct tsim *sim, const struct state *s, struct 
 		status = place_one(sim, s, &hash, ts_rng_start((uint64_t)s->seed, (uint64_t)k), to, &placed);
 		missing += !placed;
 		tell_progress(sim, k + 1, k + 1 - missing, s->count, &next);
-		if (status == TS_OK && sim->stop && k + 1 < s->count)
+		if (status == TS_OK && sim->requests.stop && k + 1 < s->count)
 			status = ts_fail(&sim->error, TS_STOPPED, where,
 					 "stopped on request: %lld of %lld particles had been placed, none "
 					 "is made",

@@ -87,7 +87,7 @@ static void count(struct ts_instance *self, const struct tsim *sim, double resul
 			continue;
 		result[MARKED]++;
 		ts_exactsum_add(&marked, p->mass[i]);
-		if (s->reset && !sim->looking)
+		if (s->reset && !sim->reading.looking)
 			mark[i] = 0;
 	}
 	result[MASS] = ts_exactsum_value(&mass);
@@ -98,16 +98,16 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 {
 	struct state *s = self->state;
 
-	if (sim->running && s->answered == sim->clock.step + 1) {
+	if (sim->run.inside && s->answered == sim->clock.step + 1) {
 		for (int k = 0; k < NVALUES; k++)
 			out->data[k] = s->answer[k];
 		return TS_OK;
 	}
 	TS_TRY(ts_region_update(s->region, s->sim));
 	count(self, sim, out->data);
-	for (int k = 0; !sim->looking && k < NVALUES; k++)
+	for (int k = 0; !sim->reading.looking && k < NVALUES; k++)
 		s->answer[k] = out->data[k];
-	if (!sim->looking)
+	if (!sim->reading.looking)
 		s->answered = sim->clock.step + 1;
 	return TS_OK;
 }

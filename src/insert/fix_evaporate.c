@@ -72,7 +72,7 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 
-	sim->rebuild |= sim->clock.step % s->every == 0;
+	sim->run.rebuild |= sim->clock.step % s->every == 0;
 	return TS_OK;
 }
 
@@ -83,7 +83,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	enum ts_status status;
 	size_t n = 0;
 
-	if (!sim->rebuild || sim->clock.step % s->every != 0)
+	if (!sim->run.rebuild || sim->clock.step % s->every != 0)
 		return TS_OK;
 	TS_TRY(draw(self, sim, &n));
 	if (!n)

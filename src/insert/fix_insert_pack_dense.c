@@ -182,7 +182,7 @@ static enum ts_status move_apart(struct ts_instance *self, struct tsim *sim, str
 	const struct state *s = self->state;
 
 	for (int64_t round = 0; round < s->most_rounds; round++) {
-		if (sim->stop)
+		if (sim->requests.stop)
 			return ts_fail(&sim->error, TS_STOPPED, &self->where, "stopped on request");
 		if (find_forces(p, sim) != TS_OK)
 			return ts_nomem(&sim->error);

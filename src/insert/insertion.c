@@ -268,7 +268,7 @@ enum ts_status ts_insertion_check(struct ts_instance *self, struct tsim *sim)
 
 	if (s->wait > 0 && --s->wait == 0) {
 		s->due = true;
-		sim->rebuild = true;
+		sim->run.rebuild = true;
 	}
 	return TS_OK;
 }

@@ -191,7 +191,7 @@ static void draw_motion(struct ts_insertion *s, struct ts_newcomer *one)
 /* What ends within a second or so goes on: the step is finished then, and its state can be saved. */
 static enum ts_status look_for_stop(struct ts_instance *self, struct tsim *sim, struct search *search)
 {
-	if (!sim->stop)
+	if (!sim->requests.stop)
 		return TS_OK;
 	if (!search->patience)
 		search->patience = search->tries + PATIENCE;

@@ -128,7 +128,7 @@ enum ts_status ts_sites_on_lattice(struct tsim *sim, const struct ts_instance *r
 	TS_TRY(find_cells(sim, lo, hi, where, first, last));
 	for (c[2] = first[2]; c[2] <= last[2]; c[2]++)
 		for (c[1] = first[1]; c[1] <= last[1]; c[1]++) {
-			if (sim->stop)
+			if (sim->requests.stop)
 				return ts_fail(&sim->error, TS_STOPPED, where,
 					       "stopped on request: the lattice was not filled yet, no "
 					       "particle is made");

@@ -59,9 +59,9 @@ static enum ts_status eval_new(struct ts_instance *self, const struct tsim *sim,
 	struct ts_tracer *t = self->state;
 	int64_t now = sim->clock.step + 1, answer = t->marked - t->told;
 
-	if (sim->running && t->answered == now)
+	if (sim->run.inside && t->answered == now)
 		answer += t->answer;
-	if (!sim->looking) {
+	if (!sim->reading.looking) {
 		t->told = t->marked;
 		t->answer = answer;
 		t->answered = now;

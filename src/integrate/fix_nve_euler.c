@@ -15,7 +15,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	(void)self;
-	sim->explicit_euler = true;
+	sim->run.explicit_euler = true;
 	return TS_OK;
 }
 

@@ -38,7 +38,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       "fix nve/limit: found '%s', expected a length > 0, or radius_ratio and "
 			       "a number > 0",
 			       word[n - 1].text);
-	sim->clamped = true; /* what would run away does not: it is warned of only */
+	sim->run.clamped = true; /* what would run away does not: it is warned of only */
 	return TS_OK;
 }
 

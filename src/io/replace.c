@@ -96,7 +96,7 @@ enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim, const st
 	ts_replace_abandon(r);
 	r->sim = sim;
 	r->where = where ? *where : (struct ts_place){ 0 };
-	if (sim->explain) {
+	if (sim->reading.explain) {
 		r->file = ts_files_nowhere();
 		return r->file ? TS_OK : ts_open_failed(&sim->error, &sim->files, where, "/dev/null");
 	}

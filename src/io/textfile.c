@@ -111,7 +111,8 @@ static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *s
 {
 	struct stat info;
 
-	file->file = sim->explain ? ts_files_nowhere() : ts_files_open(file->files, path, append ? "a" : "w");
+	file->file = sim->reading.explain ? ts_files_nowhere()
+					  : ts_files_open(file->files, path, append ? "a" : "w");
 	if (!file->file)
 		return errno ? ts_write_failed(file->err, file->files, &file->where, path)
 			     : ts_nomem(file->err);
@@ -138,7 +139,7 @@ enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim, cons
 	file->path = ts_strdup(path);
 	if (!file->path)
 		return ts_nomem(&sim->error);
-	if (!sim->explain)
+	if (!sim->reading.explain)
 		ts_mkdirs_for(file->files, path); /* opening tells if that failed */
 	if (ts_ends_with(path, ".gz"))
 		status = begin_gz(file);

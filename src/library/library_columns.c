@@ -103,7 +103,7 @@ static enum ts_status may_write(struct tsim *sim, const char *name)
 static enum ts_status put(struct tsim *sim, const char *name, const int32_t *row, const double *in, size_t n)
 {
 	TS_TRY(may_write(sim, name));
-	if (!sim->running)
+	if (!sim->run.inside)
 		TS_TRY(ts_stepping_watch(&sim->library->stepping, sim));
 	return ts_particles_assign(sim, name, row, in, n);
 }
@@ -242,7 +242,7 @@ int tsim_column_view(struct tsim *sim, const char *name, struct tsim_view *out)
 				   .width = c->width,
 				   .count = sim->particles->n,
 				   .generation = sim->generation };
-	if (full.writable && !sim->running) {
+	if (full.writable && !sim->run.inside) {
 		enum ts_status status = ts_stepping_watch(stepping, sim);
 
 		if (status != TS_OK)

@@ -56,7 +56,7 @@ static void release(struct ts_library *library)
 
 void tsim_close(struct tsim *sim)
 {
-	if (!sim || sim->running)
+	if (!sim || sim->run.inside)
 		return;
 	if (sim->library)
 		ts_stepping_end(&sim->library->stepping, sim);
@@ -82,7 +82,7 @@ int tsim_open_with(const struct tsim_options *options, struct tsim **out)
 				    "%d threads asked for, possible are 1 to 1024", o.threads);
 	if (o.threads)
 		(*out)->threads = o.threads;
-	(*out)->explain = o.explain != 0;
+	(*out)->reading.explain = o.explain != 0;
 	tsim_screen(*out, o.screen);
 	tsim_on_log(*out, o.on_log, o.on_log_data);
 	(*out)->log.quiet = o.check && !o.explain;
@@ -113,7 +113,7 @@ int ts_library_null(struct tsim *sim, const char *function, const char *argument
 
 enum ts_status ts_library_idle(struct tsim *sim, const char *what)
 {
-	if (!sim->running)
+	if (!sim->run.inside)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, NULL, "%s: not possible inside a step", what);
 }
@@ -183,7 +183,7 @@ void tsim_error_clear(struct tsim *sim)
 	if (!sim)
 		return;
 	ts_error_clear(&sim->error);
-	sim->stop = 0;
+	sim->requests.stop = 0;
 }
 
 const char *tsim_status_text(int status)

@@ -77,7 +77,7 @@ int tsim_check_report(struct tsim *sim, int *errors, char *out, size_t room, siz
 	enum ts_status status;
 
 	*errors = 0;
-	if (sim->check)
+	if (sim->reading.check)
 		status = ts_script_check_report(sim->script_api_data, &text, &report, errors);
 	else
 		status = ts_fail(&sim->error, TS_STATE, NULL,
@@ -102,7 +102,7 @@ int tsim_has_quit(struct tsim *sim, int *status)
 void tsim_stop(struct tsim *sim)
 {
 	if (sim)
-		sim->stop = 1;
+		sim->requests.stop = 1;
 }
 
 int tsim_step(struct tsim *sim, int64_t n)
@@ -191,7 +191,7 @@ static void changed(struct tsim *sim, enum tsim_stage stage)
 	library->outside.id = "";
 	sim->outside = n ? &library->outside : NULL;
 	if (stage != TSIM_END_OF_STEP)
-		sim->fingerprint = 0;
+		sim->run.fingerprint = 0;
 }
 
 static enum ts_status add_call(struct tsim *sim, enum tsim_stage stage, struct ts_library_call call)
@@ -232,7 +232,7 @@ int tsim_on_step(struct tsim *sim, enum tsim_stage stage, tsim_step_fn *fn, void
 
 	if (status == TS_OK)
 		status = add_call(sim, stage, (struct ts_library_call){ fn, data });
-	sim->shows_contacts = true; /* the function may ask for any formula */
+	sim->run.shows_contacts = true; /* the function may ask for any formula */
 	return ts_library_settle(sim, status);
 }
 

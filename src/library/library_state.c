@@ -105,12 +105,12 @@ static double threads(const struct tsim *sim)
 
 static double running(const struct tsim *sim)
 {
-	return sim->running;
+	return sim->run.inside;
 }
 
 static double halted(const struct tsim *sim)
 {
-	return sim->halted;
+	return sim->run.halted;
 }
 
 static double warnings(const struct tsim *sim)

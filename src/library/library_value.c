@@ -149,7 +149,7 @@ int tsim_output(struct tsim *sim, const char *name, size_t k, struct tsim_output
 /* Variables may stand in arguments of styles, so forces may depend on them. */
 static enum ts_status before_change(struct tsim *sim)
 {
-	return sim->running ? TS_OK : ts_stepping_watch(&sim->library->stepping, sim);
+	return sim->run.inside ? TS_OK : ts_stepping_watch(&sim->library->stepping, sim);
 }
 
 int tsim_variable(struct tsim *sim, const char *name, const char *value)

@@ -466,7 +466,7 @@ static enum ts_status report_place(struct network *w, struct ts_plan_report *rep
 	i = (size_t)*members_of(w, &w->list[worst], &n);
 	for (size_t k = 0; k < w->linkage.nlinks; k++)
 		links += w->linkage.link[k].a == worst;
-	return ts_report_limit(report, limit, !slip && !w->sim->clamped, &by->where,
+	return ts_report_limit(report, limit, !slip && !w->sim->run.clamped, &by->where,
 			       slip ? "all contacts with slip and rolling, about %s %d of type %d (%zu "
 				      "contacts) at (%.4g %.4g %.4g)"
 				    : "all contacts together, about %s %d of type %d (%zu contacts) at (%.4g "
@@ -480,7 +480,7 @@ static enum ts_status report_bound(const struct network *w, struct ts_plan_repor
 {
 	const struct ts_instance *by = w->pair ? ts_sim_only(w->sim, TS_KIND_PAIR) : w->bond;
 
-	return ts_report_limit(report, bound, !w->sim->clamped, &by->where,
+	return ts_report_limit(report, bound, !w->sim->run.clamped, &by->where,
 			       "all contacts together, at least");
 }
 
@@ -535,7 +535,7 @@ enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim
 	w.prescribed = ts_prescribed(sim);
 	w.moving = moving_groups(sim);
 	w.turns = sim->particles->omega && sim->particles->torque;
-	if (sim->explicit_euler || (!w.pair && !w.bond) ||
+	if (sim->run.explicit_euler || (!w.pair && !w.bond) ||
 	    (w.pair && sim->neigh->rows.particles != sim->particles->n))
 		return TS_OK;
 	TS_TRY(ts_rigid_list(sim));

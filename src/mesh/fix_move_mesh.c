@@ -274,7 +274,7 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	double first = INFINITY, time = (double)sim->review.steps * sim->clock.dt;
 
 	if (!surface || kind_of(s)->rate != linear || !is_alone(self, sim) || sim->review.stale ||
-	    sim->in_pieces)
+	    sim->run.in_pieces)
 		return TS_OK;
 	for (size_t t = 0; t < surface->mesh.n; t++)
 		first = fmin(first, exit_time(&sim->domain->box, surface->mesh.centre[t], s->velocity));

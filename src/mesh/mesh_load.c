@@ -165,7 +165,7 @@ static enum ts_status load(struct ts_instance *self, struct tsim *sim, const str
 	if (status == TS_OK) {
 		source = source_of(self, w);
 		how.precision = precision_of(w, &soup);
-		if (sim->stop)
+		if (sim->requests.stop)
 			status = ts_fail(&sim->error, TS_STOPPED, &source.place,
 					 "stopped on request before the mesh was built");
 	}

@@ -21,7 +21,7 @@ enum ts_status ts_mesh_surface_post_build(struct ts_instance *self, struct tsim 
 {
 	struct ts_mesh_surface *s = self->state;
 
-	if (sim->resuming)
+	if (sim->run.resuming)
 		return TS_OK;
 	if (s->travelled > 0)
 		TS_TRY(ts_mesh_surface_check_box(self, sim, s));

@@ -135,9 +135,9 @@ static enum ts_status build(struct tsim *sim, struct ts_contact_list *rows, stru
 	struct filling filling = { rows, found };
 
 	if (sim->legacy)
-		TS_TRY(ts_contact_history_take_memories(sim, rows, sim->resuming, old));
+		TS_TRY(ts_contact_history_take_memories(sim, rows, sim->run.resuming, old));
 	else
-		TS_TRY(ts_contact_history_take(sim, rows, sim->resuming, old));
+		TS_TRY(ts_contact_history_take(sim, rows, sim->run.resuming, old));
 	TS_TRY(ts_contact_search(sim, found));
 	if (reserve(rows, found->n) != TS_OK ||
 	    TS_GROW(rows->sphere, rows->sphere_capacity, sim->particles->n + sim->particles->nghost) != TS_OK)
@@ -155,7 +155,7 @@ static enum ts_status build(struct tsim *sim, struct ts_contact_list *rows, stru
 	if (found->coincide && !rows->both_frozen)
 		TS_TRY(ts_coincide_rows(sim, rows));
 	TS_TRY(index_rows(sim, rows));
-	if (sim->resuming) /* shown without being computed */
+	if (sim->run.resuming) /* shown without being computed */
 		TS_TRY(ts_contact_forces_keep(sim, rows));
 	return ts_contact_history_give(sim, old, rows);
 }

@@ -160,15 +160,15 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 				 .dt2 = sim->clock.dt * sim->clock.dt };
 
 	ts_exchange_limits(sim, limits.lo, limits.hi);
-	sim->rebuild |= nb->stale;
+	sim->run.rebuild |= nb->stale;
 	TS_DEFER_LOOP(sim, p->n, check_share, &limits);
 	ts_contact_list_locate_locals(sim, &sim->neigh->rows);
 	ts_leaving_watch(sim, &moved);
 	ts_run_deferred_loops(sim);
-	sim->rebuild |= moved && ts_leaving_due(sim);
+	sim->run.rebuild |= moved && ts_leaving_due(sim);
 	if (!beyond)
 		return TS_OK;
-	sim->rebuild = true;
+	sim->run.rebuild = true;
 	return stop_runaways(sim, limits.dt2);
 }
 
@@ -243,20 +243,20 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	ts_neigh_radii(p, &least, &largest);
 	nb->least_radius = least;
 	reach = nb->wanted ? nb->ask.reach(sim, largest) : 0;
-	if (!sim->resuming)
+	if (!sim->run.resuming)
 		TS_TRY(ts_order_by_place(sim));
 	nb->given_skin = ts_neigh_skin(sim);
 	/* a run that goes on keeps the positions and skin of its last build, and so builds the same rows */
-	if (!sim->resuming || !(nb->built_skin > 0))
+	if (!sim->run.resuming || !(nb->built_skin > 0))
 		nb->built_skin = ts_neigh_choose_skin(sim);
-	if (!sim->resuming) {
+	if (!sim->run.resuming) {
 		ts_exchange_hold(sim);
 		ts_leaving_hold(sim);
 	}
 	TS_TRY(ts_exchange_borders(sim, 2 * largest + nb->built_skin + reach,
 				   2 * largest + fmax(nb->given_skin, nb->built_skin) + reach));
 	nb->builds++;
-	nb->stale &= sim->resuming; /* a run that goes on rebuilds where the whole would */
+	nb->stale &= sim->run.resuming; /* a run that goes on rebuilds where the whole would */
 	if (!nb->wanted)
 		return TS_OK;
 	TS_TRY(ts_contact_list_build(sim, &nb->rows, nb->built_skin + reach, ts_neigh_excluded(sim)));
@@ -285,8 +285,8 @@ static bool shows(const struct tsim *sim)
 	const struct ts_neigh *nb = sim->neigh;
 	int64_t step = sim->clock.step;
 
-	return nb->shown || sim->shows_contacts || sim->in_setup || sim->saving ||
-	       step == sim->clock.last_step || sim->timeout > 0 ||
+	return nb->shown || sim->run.shows_contacts || sim->run.in_setup || sim->requests.saving ||
+	       step == sim->clock.last_step || sim->run.timeout > 0 ||
 	       (nb->show_every && step % nb->show_every == 0);
 }
 
@@ -303,7 +303,7 @@ static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 	struct ts_contact_list *rows = &sim->neigh->rows;
 
 	(void)self;
-	sim->complete = shows(sim);
+	sim->run.complete = shows(sim);
 	sim->neigh->fused_pass = NULL; /* who wants to says so in each step */
 	if (sim->outside) {	       /* the program around may do anything */
 		ts_contacts_store_history(sim, rows);

@@ -191,7 +191,7 @@ enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
 		p->mass[i] = ts_particle_volume(sim, 0.5);
 	}
 	p->n += n;
-	if (sim->running) /* inserted, by who looks at overlaps himself */
+	if (sim->run.inside) /* inserted, by who looks at overlaps himself */
 		p->settled = p->max_tag;
 	sim->generation++;
 	return TS_OK;

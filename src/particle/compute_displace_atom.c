@@ -27,7 +27,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->sim = sim;
 	if (name && strncmp(name, "v_", 2) == 0)
 		s->variable = name += 2;
-	if (name && !sim->unreached &&
+	if (name && !sim->reading.unreached &&
 	    !(sim->script_api && sim->script_api->has_variable(sim->script_api_data, name) &&
 	      sim->script_api->is_peratom(sim->script_api_data, name)))
 		return ts_fail(&sim->error, TS_UNKNOWN, ts_instance_word(self, name),

@@ -169,7 +169,7 @@ static void fit_moving_faces(struct tsim *sim)
 	for (int dim = 0; dim < 3; dim++) {
 		const enum ts_face *face = sim->domain->box.face[dim];
 
-		sim->box_moves |= face[0] >= TS_FACE_SHRINK || face[1] >= TS_FACE_SHRINK;
+		sim->run.box_moves |= face[0] >= TS_FACE_SHRINK || face[1] >= TS_FACE_SHRINK;
 		shrink_dimension(sim, dim);
 	}
 }

@@ -226,7 +226,7 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	s->due = sim->clock.step % s->every == 0;
-	sim->rebuild |= s->due;
+	sim->run.rebuild |= s->due;
 	return TS_OK;
 }
 

@@ -100,7 +100,7 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 
 	if (s->every == 0 || sim->clock.step % s->every != 0)
 		return TS_OK;
-	sim->rebuild = true;
+	sim->run.rebuild = true;
 	return change(self, sim);
 }
 

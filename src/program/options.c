@@ -225,7 +225,7 @@ static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, ch
 		sim->legacy = true;
 		break;
 	case OPT_SIGNAL:
-		sim->restart_on_signal = ts_streq(value[0], "none") ? "" : value[0];
+		sim->requests.restart_file = ts_streq(value[0], "none") ? "" : value[0];
 		break;
 	case OPT_SANDBOX:
 		setup->sandboxed = true;
@@ -236,7 +236,7 @@ static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, ch
 		setup->programs = ts_streq(value[0], "yes");
 		return usage(add_words(&setup->own, "-shell", value, n) || set_shell(sim, value[0]));
 	case OPT_EXPLAIN:
-		sim->explain = setup->explain = true;
+		sim->reading.explain = setup->explain = true;
 		break;
 	case OPT_FULL:
 		return set_full(sim, value, n);

@@ -24,9 +24,9 @@ static enum ts_status stages(struct ts_plan *plan, struct tsim *sim, enum ts_sta
 static enum ts_status compute(struct tsim *sim, struct ts_plan *plan, bool first)
 {
 	TS_TRY(stages(plan, sim, TS_STAGE_EXCHANGE, TS_STAGE_POST_BUILD));
-	sim->in_setup = true;
+	sim->run.in_setup = true;
 	TS_TRY(stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
-	sim->in_setup = false;
+	sim->run.in_setup = false;
 	if (first)
 		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_SETUP));
 	else
@@ -64,7 +64,7 @@ static enum ts_status run_file(struct tsim *sim, struct rerun *c, struct ts_plan
 	bool got = true;
 	enum ts_status status = ts_frames_open(&f, sim, path, where);
 
-	while (status == TS_OK && got && !sim->stop) {
+	while (status == TS_OK && got && !sim->requests.stop) {
 		status = ts_frames_next(&f, &got);
 		if (status == TS_OK && got && wanted(c, f.step))
 			status = take_frame(sim, c, plan, &f, where);
@@ -99,17 +99,17 @@ static enum ts_status run_files(struct tsim *sim, struct rerun *c, struct ts_pla
 	sim->clock.base_time = 0;
 	sim->clock.last_step = c->stop >= 0 ? c->stop : INT64_MAX;
 	TS_TRY(ts_plan_compile(plan, sim));
-	if (sim->explain)
+	if (sim->reading.explain)
 		return TS_OK;
-	sim->running = true;
+	sim->run.inside = true;
 	status = TS_OK;
 	for (size_t k = 0; k < c->files.n && status == TS_OK; k++)
 		status = run_word(sim, c, plan, &c->files.word[k]);
 	if (status == TS_OK)
 		status = ts_plan_stage(plan, sim, TS_STAGE_FINISH);
-	sim->running = sim->in_setup = sim->rebuild = false;
+	sim->run.inside = sim->run.in_setup = sim->run.rebuild = false;
 	sim->clock.last_step = sim->clock.step;
-	sim->fingerprint = 0; /* the next run starts from scratch */
+	sim->run.fingerprint = 0; /* the next run starts from scratch */
 	return status == TS_OK ? ts_plan_stopped(sim) : status;
 }
 

@@ -126,7 +126,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	struct ts_str path = { 0 };
 	enum ts_status status;
 
-	if (sim->explain)
+	if (sim->reading.explain)
 		return TS_OK;
 	ts_step_path(&path, c->file, (long long)sim->clock.step, 0);
 	status = path.failed ? ts_nomem(&sim->error)

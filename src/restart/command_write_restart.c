@@ -16,7 +16,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	struct ts_str path = { 0 };
 	enum ts_status status;
 
-	if (sim->explain)
+	if (sim->reading.explain)
 		return TS_OK;
 	ts_step_path(&path, s->file, (long long)sim->clock.step, 0);
 	status = path.failed ? ts_nomem(&sim->error) : ts_restart_write(sim, ts_str_text(&path), where);

@@ -13,11 +13,11 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const struct state *s = state;
 
 	(void)where;
-	sim->restart_on_signal = NULL;
+	sim->requests.restart_file = NULL;
 	if (s->write && !s->file)
 		return TS_OK;
-	sim->restart_on_signal = ts_pool_get(sim->pool, s->write ? s->file : "");
-	return sim->restart_on_signal ? TS_OK : ts_nomem(&sim->error);
+	sim->requests.restart_file = ts_pool_get(sim->pool, s->write ? s->file : "");
+	return sim->requests.restart_file ? TS_OK : ts_nomem(&sim->error);
 }
 
 static const struct ts_arg args[] = {

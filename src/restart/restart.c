@@ -132,7 +132,8 @@ static enum ts_status put_host(struct writer *w)
 static enum ts_status put_clock(struct writer *w)
 {
 	struct tsim *sim = w->sim;
-	struct run_state s = { sim->clock, (int32_t)sim->units, sim->dimension, sim->fingerprint, sim->era };
+	struct run_state s = { sim->clock, (int32_t)sim->units, sim->dimension, sim->run.fingerprint,
+			       sim->era };
 	struct ts_archive *archive = ts_archive_new(sim, true);
 	enum ts_status status;
 
@@ -188,8 +189,8 @@ enum ts_status ts_restart_write(struct tsim *sim, const char *path, const struct
 	enum ts_status status;
 
 	/* between two steps of a run the forces belong to the state as it is now */
-	if (sim->running)
-		TS_TRY(ts_sim_fingerprint(sim, &sim->fingerprint));
+	if (sim->run.inside)
+		TS_TRY(ts_sim_fingerprint(sim, &sim->run.fingerprint));
 	TS_TRY(ts_replace_begin(&w.out, sim, where, path));
 	status = put_all(&w);
 	if (status == TS_OK)
@@ -228,7 +229,7 @@ static enum ts_status load_stream(struct reader *r, FILE *file)
 	size_t got;
 
 	do {
-		if (r->sim->stop)
+		if (r->sim->requests.stop)
 			return ts_fail(&r->sim->error, TS_STOPPED, r->where,
 				       "stopped on request while '%s' was read", r->path);
 		if (TS_GROW(r->bytes, r->capacity, r->n + (1u << 16)) != TS_OK)
@@ -409,7 +410,7 @@ static enum ts_status restore_clock(struct reader *r)
 	sim->clock.first_step = sim->clock.last_step = s.clock.step;
 	sim->units = (enum ts_units)s.units;
 	sim->dimension = s.dimension;
-	sim->fingerprint = s.fingerprint;
+	sim->run.fingerprint = s.fingerprint;
 	sim->era = s.era;
 	return TS_OK;
 }

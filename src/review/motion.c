@@ -92,7 +92,7 @@ enum ts_status ts_review_rotation(struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 
-	if (sim->clamped || sim->review.steps <= SET_UP_STEPS) /* clamped: until overlaps are gone */
+	if (sim->run.clamped || sim->review.steps <= SET_UP_STEPS) /* clamped: until overlaps are gone */
 		return TS_OK;
 	for (size_t k = 0; k < fixes->n; k++)
 		if (fixes->item[k]->style->integrates == (TS_MOVES | TS_OBEYS))

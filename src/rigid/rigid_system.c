@@ -128,7 +128,7 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_rigid *r = self->state;
 
-	if (!r->n || sim->resuming)
+	if (!r->n || sim->run.resuming)
 		return TS_OK;
 	return each_body(sim, gather);
 }
@@ -143,7 +143,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_rigid_dissolve_orphans(sim));
 	TS_TRY(ts_rigid_list(sim));
 	TS_TRY(ts_rigid_drop_incomplete(sim));
-	if (sim->rebuild && r->n)
+	if (sim->run.rebuild && r->n)
 		TS_TRY(r->check_members(sim, r->member, r->start[r->n]));
 	for (size_t b = 0; b < r->n; b++)
 		for (size_t k = r->start[b]; k < r->start[b + 1]; k++)

@@ -61,13 +61,13 @@ static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t s
 {
 	sim->clock.first_step = sim->clock.step;
 	sim->clock.last_step = sim->clock.step + steps;
-	sim->unsafe = r->unsafe;
-	if (sim->explain && sim->script_api)
+	sim->run.unsafe = r->unsafe;
+	if (sim->reading.explain && sim->script_api)
 		TS_TRY(sim->script_api->planned(sim->script_api_data, r->where, steps));
 	TS_TRY(ts_plan_compile(plan, sim));
 	TS_TRY(ts_plan_run(plan, sim, r->pre));
 	steps = sim->clock.step - sim->clock.first_step; /* fix halt may have ended it early */
-	if (sim->explain)
+	if (sim->reading.explain)
 		return TS_OK;
 	if (r->post)
 		print_footer(plan, sim, steps);
@@ -95,11 +95,11 @@ static enum ts_status each_piece(struct tsim *sim, int64_t last, const struct ru
 	if (!ts_parse_int(word[0].text, &every) || every < 1)
 		return ts_fail(&sim->error, TS_SYNTAX, &word[0].place,
 			       "run: every is '%s', expected a number of steps > 0", word[0].text);
-	if (sim->explain) /* the commands once */
+	if (sim->reading.explain) /* the commands once */
 		every = last - sim->clock.step;
 	else
 		TS_TRY(sim->script_api->reads_commands(sim->script_api_data, ts_words_from(r->pieces, 1)));
-	while (left > 0 && !sim->halted) {
+	while (left > 0 && !sim->run.halted) {
 		if (!ts_sim_has_box(sim))
 			return ts_fail(&sim->error, TS_STATE, &word[0].place,
 				       "run: a command of `every` has removed the box, and the run cannot go "
@@ -135,7 +135,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			       "run: the last step would be out of range, at most %" PRId64, INT64_MAX);
 	last = r->upto ? r->steps : sim->clock.step + r->steps;
 	r->where = where;
-	if (last < sim->clock.step && sim->open_clock) /* -explain: or so */
+	if (last < sim->clock.step && sim->reading.open_clock) /* -explain: or so */
 		last = sim->clock.step;
 	if (last < sim->clock.step)
 		return ts_fail(&sim->error, TS_RANGE, ts_sim_word(sim, 1, where),
@@ -146,12 +146,12 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			       "run: start must not be after the present step %" PRId64
 			       ", stop not before the last %" PRId64,
 			       sim->clock.step, last);
-	if (sim->run_watch)
-		TS_TRY(sim->run_watch->before(sim->run_watch, sim, where, &last));
+	if (sim->run.watch)
+		TS_TRY(sim->run.watch->before(sim->run.watch, sim, where, &last));
 	sim->clock.goal = last;
 	sim->clock.ramp_first = r->start >= 0 ? r->start : sim->clock.step;
 	sim->clock.ramp_last = r->stop >= 0 ? r->stop : last;
-	if (sim->halted) {
+	if (sim->run.halted) {
 		ts_log(&sim->log, "This run is skipped: fix halt has ended one before\n");
 		return TS_OK;
 	}
@@ -159,7 +159,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		TS_TRY(run_once(sim, last - sim->clock.step, r));
 	else
 		TS_TRY(run_pieces(sim, last, r));
-	return sim->run_watch ? sim->run_watch->after(sim->run_watch, sim) : TS_OK;
+	return sim->run.watch ? sim->run.watch->after(sim->run.watch, sim) : TS_OK;
 }
 
 static const struct ts_arg args[] = {

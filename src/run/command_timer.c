@@ -46,19 +46,20 @@ static enum ts_status timeout(struct tsim *sim, struct ts_words words)
 {
 	double seconds;
 
-	sim->halted = false;
+	sim->run.halted = false;
 	if (words.n > 1 && ts_streq(words.word[1].text, "reset"))
 		return TS_OK;
 	if (words.n < 2 || !read_time(words.word[1].text, &seconds))
 		return wrong(sim, words.word, "seconds, m:s, h:m:s, off, unlimited or reset");
-	sim->timeout = seconds < 0 ? 0 : ts_clock() + seconds;
+	sim->run.timeout = seconds < 0 ? 0 : ts_clock() + seconds;
 	return TS_OK;
 }
 
 static enum ts_status every(struct tsim *sim, struct ts_words words)
 {
-	if (words.n < 2 || !ts_parse_int(words.word[1].text, &sim->timeout_every) || sim->timeout_every < 1) {
-		sim->timeout_every = 10;
+	if (words.n < 2 || !ts_parse_int(words.word[1].text, &sim->run.timeout_every) ||
+	    sim->run.timeout_every < 1) {
+		sim->run.timeout_every = 10;
 		return wrong(sim, words.word, "a number of steps > 0");
 	}
 	return TS_OK;

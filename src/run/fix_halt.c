@@ -163,7 +163,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	if (s->message)
 		ts_log(&sim->log, "%s\n", text);
 	sim->clock.last_step = sim->clock.step;
-	sim->halted = s->error == SOFT;
+	sim->run.halted = s->error == SOFT;
 	return TS_OK;
 }
 

@@ -36,7 +36,7 @@ enum ts_status ts_check_new(struct ts_script *script)
 
 enum ts_status ts_script_check(struct ts_script *script)
 {
-	script->sim->explain = script->sim->check = true;
+	script->sim->reading.explain = script->sim->reading.check = true;
 	return script->check ? TS_OK : ts_check_new(script);
 }
 
@@ -176,7 +176,7 @@ enum ts_status ts_check_defer_error(struct ts_script *script, enum ts_status sta
 
 	if (status == TS_OK || !script->check || status == TS_NOMEM || status == TS_STOPPED)
 		return status;
-	if (!script->sim->check && !is_open(script, error) && !follows(script->check, error))
+	if (!script->sim->reading.check && !is_open(script, error) && !follows(script->check, error))
 		return status;
 	return ts_check_keep_error(script, "");
 }
@@ -254,8 +254,8 @@ enum ts_status ts_check_guess(struct ts_script *script, const struct ts_line *li
 	char place[300];
 
 	check->weak |= !is_harmless(command) || ts_streq(command, "timestep");
-	if (script->sim->from_run[0])
-		check->why = ts_pool_get(script->sim->pool, script->sim->from_run);
+	if (script->sim->reading.from_run[0])
+		check->why = ts_pool_get(script->sim->pool, script->sim->reading.from_run);
 	snprintf(place, sizeof place, "%s:%d", line->row[0].file, line->row[0].line);
 	TS_TRY(guess(script, place));
 	for (size_t k = 0; k < sizeof makes / sizeof *makes; k++)

@@ -1,6 +1,6 @@
 /* `tsim -check`: a script is gone through without running it, and all its errors are told at once.
  *
- * The interpreter works as with -explain (sim->explain: nothing is stepped or written), but a line that
+ * The interpreter works as with -explain (sim->reading.explain: nothing is stepped or written), but a line that
  * fails does not end it: its message is kept, the names it would have defined are remembered as lost, and
  * messages that only follow from that are left out. Runs, jumps and branches are recorded. Commands of
  * branches not taken and lines never reached are read as far as is possible without knowing what their

@@ -187,7 +187,8 @@ enum ts_status ts_check_branches(struct ts_script *script, struct ts_words words
 	enum ts_status status;
 
 	check->branches++;
-	TS_TRY(ts_check_note(script, TS_CHECK_STEP, where, script->sim->from_run, &event, "if: any branch"));
+	TS_TRY(ts_check_note(script, TS_CHECK_STEP, where, script->sim->reading.from_run, &event,
+			     "if: any branch"));
 	event->open = true;
 	status = all_branches(script, words, k, &ways);
 	check->alternatives = alternatives;

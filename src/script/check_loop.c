@@ -77,7 +77,7 @@ enum ts_status ts_check_loop_of(struct ts_script *script, const struct ts_place 
 void ts_check_open(struct ts_script *script, struct ts_check_loop *loop)
 {
 	loop->open = true;
-	script->sim->open_clock |= script->sim->planned;
+	script->sim->reading.open_clock |= script->sim->reading.planned;
 	script->sim->cost.open = true;
 }
 

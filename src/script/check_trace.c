@@ -23,7 +23,7 @@ enum ts_status ts_check_begin_line(struct ts_script *script, const struct ts_pla
 	struct ts_str text = { 0 };
 	const char *key;
 
-	script->sim->from_run[0] = '\0';
+	script->sim->reading.from_run[0] = '\0';
 	if (!row->line)
 		return TS_OK;
 	ts_str_addf(&text, "%s:%d", row->file, row->line);
@@ -87,19 +87,19 @@ enum ts_status ts_check_run(struct ts_script *script, const struct ts_place *whe
 	struct tsim *sim = script->sim;
 	struct ts_check_event *event;
 
-	TS_TRY(ts_check_note(script, TS_CHECK_RUN, where, sim->from_run, &event, "run"));
+	TS_TRY(ts_check_note(script, TS_CHECK_RUN, where, sim->reading.from_run, &event, "run"));
 	if (event->count == 1) {
 		event->index = script->check->nruns++;
 		event->step = sim->clock.step;
 		event->dt = sim->clock.dt;
-		event->late = sim->open_clock;
+		event->late = sim->reading.open_clock;
 	}
 	event->open |= sim->line.n > 1 && ts_unknown_text(sim, sim->line.word[1].text);
 	event->steps += steps;
 	script->check->runs++;
-	sim->open_clock |= event->open;
+	sim->reading.open_clock |= event->open;
 	sim->cost.open |= event->open;
-	sim->planned = true;
+	sim->reading.planned = true;
 	return TS_OK;
 }
 
@@ -125,7 +125,8 @@ enum ts_status ts_check_branch(struct ts_script *script, const struct ts_place *
 	if (!check)
 		return TS_OK;
 	check->branches++;
-	return ts_check_note(script, TS_CHECK_STEP, where, script->sim->from_run, NULL, "if: %s", which);
+	return ts_check_note(script, TS_CHECK_STEP, where, script->sim->reading.from_run, NULL, "if: %s",
+			     which);
 }
 
 static void add_place(struct ts_str *out, const struct ts_place *where)

@@ -28,9 +28,9 @@ static enum ts_status parse(struct ts_script *script, const struct ts_style *sty
 
 	if (!state)
 		return ts_nomem(&script->sim->error);
-	script->sim->unreached = true;
+	script->sim->reading.unreached = true;
 	status = ts_args_parse(script->sim, style->name, style->args, words, where, &arena, state);
-	script->sim->unreached = false;
+	script->sim->reading.unreached = false;
 	ts_arena_release(&arena);
 	ts_free(state);
 	return status;
@@ -81,7 +81,7 @@ enum ts_status ts_check_unreached(struct ts_script *script, const struct ts_line
 
 	if (status == TS_OK && words.n)
 		status = read_command(script, words, open);
-	if (status != TS_OK && script->sim->check)
+	if (status != TS_OK && script->sim->reading.check)
 		status = ts_check_keep_error(script, remark);
 	ts_arena_release(&arena);
 	return status;

@@ -129,7 +129,7 @@ static enum ts_status run_if(struct tsim *sim, void *state, const struct ts_plac
 
 		if (!otherwise) {
 			status = holds(script, &words.word[test], &yes);
-			if (sim->check && (status != TS_OK || yes != TS_OPEN))
+			if (sim->reading.check && (status != TS_OK || yes != TS_OPEN))
 				TS_TRY(also_read(script, words, &read, status));
 			TS_TRY(status);
 			first += is(&words.word[first], "then");

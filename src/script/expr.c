@@ -289,7 +289,7 @@ static enum ts_status evaluate(struct ts_expr *e, struct ts_operand *out)
 
 	e->script->reading += depth == 0;
 	e->script->formulas = depth ? e->script->formulas + 1 : 0;
-	if (e->sim->stop && e->script->formulas > PATIENCE)
+	if (e->sim->requests.stop && e->script->formulas > PATIENCE)
 		return ts_expr_fail(e, TS_STOPPED, 0, e->length,
 				    "stopped on request in a formula that takes long");
 	status = ts_expr_read(e, 1, out);
@@ -320,9 +320,9 @@ enum ts_status ts_expr_scalar(struct ts_script *script, const char *text, const 
 
 struct ts_dry ts_dry_begin(struct ts_script *script)
 {
-	struct ts_dry before = { script->sim->dry, script->sim->looking, script->misfit };
+	struct ts_dry before = { script->sim->reading.dry, script->sim->reading.looking, script->misfit };
 
-	script->sim->dry = script->sim->looking = true;
+	script->sim->reading.dry = script->sim->reading.looking = true;
 	script->misfit = false;
 	return before;
 }
@@ -332,8 +332,8 @@ enum ts_status ts_dry_end(struct ts_script *script, struct ts_dry before, enum t
 	bool meant = status == TS_NOMEM || script->misfit ||
 		     (now && (status == TS_UNKNOWN || status == TS_SYNTAX));
 
-	script->sim->dry = before.dry;
-	script->sim->looking = before.looking;
+	script->sim->reading.dry = before.dry;
+	script->sim->reading.looking = before.looking;
 	script->misfit = before.misfit;
 	if (status == TS_OK || meant)
 		return status;

@@ -110,7 +110,7 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 		if (arg[k].data && (k + 1 == f->most || !each))
 			return ts_expr_fail(e, TS_SYNTAX, arg[k].at, arg[k].end,
 					    "one number is needed here, found a list");
-	if (e->sim->dry) {
+	if (e->sim->reading.dry) {
 		out->scalar = NAN;
 		return TS_OK;
 	}
@@ -141,8 +141,8 @@ static bool open_list(const struct ts_expr *e, const struct ts_expr_function *f,
 
 	for (size_t i = 0; list->data && i < list->n; i++)
 		open |= ts_unknown(e->sim, list->data[i]);
-	return open || e->sim->dry ||
-	       (list->data && list->n < f->length && e->sim->explain && e->sim->planned);
+	return open || e->sim->reading.dry ||
+	       (list->data && list->n < f->length && e->sim->reading.explain && e->sim->reading.planned);
 }
 
 static enum ts_status of_list(struct ts_expr *e, const struct ts_expr_function *f, size_t at,

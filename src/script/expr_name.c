@@ -224,7 +224,7 @@ static enum ts_status read_output(struct ts_expr *e, const char *name, const cha
 		   (k[1] > 0 || (e->kind == TS_FORMULA_SCALAR && shapes & (1u << TS_PERATOM)));
 	given = gives(e, &ref, shapes, identity);
 	e->script->misfit |= !given;
-	if (e->sim->dry && given)
+	if (e->sim->reading.dry && given)
 		return nothing(out);
 	status = identity ? of_identity(e, name, k[0], k[1], at, out) : of_reference(e, &ref, &place, out);
 	return given ? ts_expr_given(e, name, status, out) : status;
@@ -259,11 +259,11 @@ static enum ts_status of_keyword(struct ts_expr *e, const struct ts_keyword *key
 				 struct ts_operand *out)
 {
 	bool known = keyword->flags & TS_KEYWORD_CONSTANT ||
-		     (keyword->flags & TS_KEYWORD_CLOCK && !e->sim->open_clock) ||
-		     (keyword->flags & TS_KEYWORD_BOX && !e->sim->box_moves);
+		     (keyword->flags & TS_KEYWORD_CLOCK && !e->sim->reading.open_clock) ||
+		     (keyword->flags & TS_KEYWORD_BOX && !e->sim->run.box_moves);
 	enum ts_status status;
 
-	if (e->sim->dry)
+	if (e->sim->reading.dry)
 		return nothing(out);
 	status = keyword->eval(e->sim, &out->scalar);
 	return ts_expr_blame(e, known ? status : ts_expr_given(e, keyword->name, status, out), at, e->at);
@@ -275,7 +275,7 @@ static enum ts_status column(struct ts_expr *e, const char *name, size_t at, str
 	struct ts_table table = { 0 };
 	enum ts_status status;
 
-	if (e->sim->dry)
+	if (e->sim->reading.dry)
 		return nothing(out);
 	status = ts_quantity_eval(e->sim, name, &table);
 	status = ts_expr_take(e, status, &table, out);

@@ -31,9 +31,9 @@ static enum ts_status eval_next(struct ts_expr *e, struct ts_words words, struct
 			       "next() needs a variable of style file or, in formulas of particles, "
 			       "atomfile; '%s' is of style %s",
 			       word->text, variable->style->name);
-	if (e->sim->looking)
+	if (e->sim->reading.looking)
 		return TS_OK;
-	variable->in_run |= e->sim->running;
+	variable->in_run |= e->sim->run.inside;
 	TS_TRY(ts_variable_next(e->script, variable, &word->place, &exhausted));
 	if (exhausted)
 		ts_variable_delete(e->script, variable);

@@ -21,7 +21,7 @@ static enum ts_status eval_ramp(struct ts_expr *e, const double *arg, double *ou
 {
 	double steps = (double)(e->sim->clock.ramp_last - e->sim->clock.ramp_first);
 
-	if (!e->sim->running)
+	if (!e->sim->run.inside)
 		return ts_fail(&e->sim->error, TS_STATE, NULL, "ramp() has a value only in a run");
 	*out = arg[0] + (arg[1] - arg[0]) * (steps > 0 ? done(e) / steps : 0);
 	return TS_OK;

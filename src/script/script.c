@@ -34,7 +34,7 @@ static enum ts_status host_scalar(void *host, const char *name, const struct ts_
 
 static enum ts_status guess(struct ts_script *script, struct ts_table *table)
 {
-	for (size_t k = 0; script->sim->explain && k < table->rows; k++)
+	for (size_t k = 0; script->sim->reading.explain && k < table->rows; k++)
 		table->data[k] = ts_unknown_guess(script, table->data[k]);
 	return TS_OK;
 }
@@ -177,7 +177,7 @@ static enum ts_status host_planned(void *host, const struct ts_place *where, int
 
 	if (script->check)
 		return ts_check_run(host, where, steps);
-	script->sim->planned = true;
+	script->sim->reading.planned = true;
 	return TS_OK;
 }
 
@@ -271,9 +271,9 @@ enum ts_status ts_script_run_words(struct ts_script *script, struct ts_words wor
 
 static enum ts_status begin_line(struct ts_script *script, const struct ts_line *line)
 {
-	if (script->sim->explain && !script->check)
+	if (script->sim->reading.explain && !script->check)
 		TS_TRY(ts_check_new(script));
-	else if (!script->sim->explain)
+	else if (!script->sim->reading.explain)
 		ts_check_free(script);
 	return script->check && line->rows ? ts_check_begin_line(script, &line->row[0]) : TS_OK;
 }
@@ -301,8 +301,8 @@ static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
 		status = ts_log_check(&script->sim->log, error);
 	if (status == TS_OK && words.n)
 		status = ts_saver_act(script->sim);
-	script->sim->stopped_whole |= status == TS_OK && script->sim->stop;
-	if (status == TS_OK && words.n && script->sim->stop)
+	script->sim->requests.stopped_whole |= status == TS_OK && script->sim->requests.stop;
+	if (status == TS_OK && words.n && script->sim->requests.stop)
 		status = ts_fail(error, TS_STOPPED, &words.word[0].place, "stopped on request");
 	if (status != TS_OK && script->check)
 		status = ts_check_recover(script, line, words, status);
@@ -335,7 +335,7 @@ static enum ts_status no_label(struct ts_script *script)
 	enum ts_status status = ts_fail(&script->sim->error, TS_UNKNOWN, &script->label_place,
 					"there is no 'label %s' in %s", script->label, script->source->name);
 
-	if (!script->sim->check)
+	if (!script->sim->reading.check)
 		return status;
 	script->label = NULL;
 	if (ts_streq(script->label_place.file, script->source->name))
@@ -371,7 +371,7 @@ enum ts_status ts_script_keep(struct ts_script *script, struct ts_source *source
 	for (text = script->text; text; text = text->next)
 		if (ts_streq(text->name, source->name))
 			return TS_OK;
-	if (source->owns_stream || script->sim->check)
+	if (source->owns_stream || script->sim->reading.check)
 		TS_TRY(ts_source_rest(source, script->sim));
 	text = ts_arena_alloc(&script->arena, 1, sizeof *text);
 	if (!text)

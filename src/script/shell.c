@@ -90,9 +90,9 @@ static enum ts_status move(struct ts_script *script, struct ts_words words)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place, "expected: shell mv OLD NEW");
 	TS_TRY(keep_below(script, "mv", &words.word[1]));
 	TS_TRY(keep_below(script, "mv", &words.word[2]));
-	if (sim->check)
+	if (sim->reading.check)
 		return note(sim, "shell mv", &words.word[1]);
-	if (sim->explain || ts_files_move(&sim->files, words.word[1].text, words.word[2].text) == 0)
+	if (sim->reading.explain || ts_files_move(&sim->files, words.word[1].text, words.word[2].text) == 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_IO, &words.word[1].place, "cannot move '%s' to '%s': %s",
 		       words.word[1].text, words.word[2].text, ts_files_why(&sim->files));
@@ -113,7 +113,7 @@ static enum ts_status run_program(struct tsim *sim, struct ts_words words)
 		fflush(sim->log.file);
 	if (sim->log.screen)
 		fflush(sim->log.screen);
-	if (!sim->explain)
+	if (!sim->reading.explain)
 		result = system(line.text);
 	ts_str_release(&line);
 	if (result < 0)
@@ -145,11 +145,11 @@ static enum ts_status run_action(struct ts_script *script, size_t a, const struc
 		return TS_OK;
 	if (actions[a].removes)
 		TS_TRY(keep_below(script, actions[a].name, word));
-	if (sim->check && actions[a].writes) {
+	if (sim->reading.check && actions[a].writes) {
 		snprintf(what, sizeof what, "shell %s", actions[a].name);
 		return note(sim, what, word);
 	}
-	if ((sim->explain && actions[a].writes) || actions[a].act(&sim->files, word->text) == 0)
+	if ((sim->reading.explain && actions[a].writes) || actions[a].act(&sim->files, word->text) == 0)
 		return TS_OK;
 	if (!actions[a].forgiving)
 		return ts_fail(&sim->error, TS_IO, &word->place, "shell %s '%s' failed: %s", actions[a].name,

@@ -37,7 +37,7 @@ static enum ts_status write_line(struct tsim *sim, const char *path, const char 
 	FILE *file;
 	int bad;
 
-	if (!path || sim->explain)
+	if (!path || sim->reading.explain)
 		return TS_OK;
 	ts_mkdirs_for(&sim->files, path); /* opening tells if that failed */
 	errno = 0;
@@ -146,7 +146,7 @@ static enum ts_status run_log(struct tsim *sim, void *state, const struct ts_pla
 	struct ts_script *script;
 
 	TS_TRY(ts_script_of(sim, where, &script));
-	if (sim->explain)
+	if (sim->reading.explain)
 		return TS_OK;
 	return ts_log_open(&sim->log, &sim->error, ts_script_place(script, 1, where),
 			   ts_streq(to->file, "none") ? NULL : to->file, to->append);

@@ -37,7 +37,7 @@ void ts_unknown_add(const struct tsim *sim, struct ts_str *out, const char *form
 
 bool ts_unknown_text(const struct tsim *sim, const char *text)
 {
-	return (sim->dry || (sim->explain && sim->planned)) && strstr(text, mark);
+	return (sim->reading.dry || (sim->reading.explain && sim->reading.planned)) && strstr(text, mark);
 }
 
 bool ts_unknown_in(struct ts_script *script, const char *text)

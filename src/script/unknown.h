@@ -1,4 +1,4 @@
-/* Values that only a run can give, in a script that is gone through without running (sim->explain): the
+/* Values that only a run can give, in a script that is gone through without running (sim->reading.explain): the
  * height of a bed that is not there yet. In formulas such a value is a NaN, which no other value can be,
  * and what is computed from it is another. Put into a line it is a number that is written as no other is:
  * the line can be read, and later ones know. */
@@ -11,7 +11,7 @@
 
 static inline bool ts_unknown(const struct tsim *sim, double value)
 {
-	return (sim->explain || sim->dry) && isnan(value);
+	return (sim->reading.explain || sim->reading.dry) && isnan(value);
 }
 
 /* Whether the value of that name, which is read now, is one. */

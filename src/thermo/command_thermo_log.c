@@ -12,7 +12,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 {
 	const struct state *s = state;
 
-	if (sim->explain)
+	if (sim->reading.explain)
 		return TS_OK;
 	TS_TRY(ts_textfile_close(&sim->thermo->file));
 	return ts_textfile_open(&sim->thermo->file, sim, where, s->file, false);

@@ -134,7 +134,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if (!t->n)
 		return set_defaults(sim);
-	return sim->running ? resolve(t, sim) : TS_OK;
+	return sim->run.inside ? resolve(t, sim) : TS_OK;
 }
 
 static enum ts_status emit(struct ts_thermo *t, struct tsim *sim)
@@ -237,9 +237,9 @@ static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 	bool asked =
 		(!t->variable && t->every && c->step % t->every == 0) || (t->variable && c->step == t->next);
 
-	*due = asked || c->step == c->first_step || (c->step == c->last_step && !sim->in_pieces) ||
-	       (sim->stop && sim->complete);
-	sim->looking = !asked || t->counted == c->step + 1;
+	*due = asked || c->step == c->first_step || (c->step == c->last_step && !sim->run.in_pieces) ||
+	       (sim->requests.stop && sim->run.complete);
+	sim->reading.looking = !asked || t->counted == c->step + 1;
 	if (asked)
 		t->counted = c->step + 1;
 	if (t->variable && (c->step == c->first_step || c->step == t->next))
@@ -253,7 +253,7 @@ static void progress(struct ts_thermo *t, struct tsim *sim)
 	double now = ts_clock(), spent = now - c->wall_start, left, percent;
 	char text[128];
 
-	if (now < t->progress_due || sim->in_pieces || c->step == c->first_step)
+	if (now < t->progress_due || sim->run.in_pieces || c->step == c->first_step)
 		return;
 	t->progress_due = now + 0.2;
 	percent = 100 * (double)(c->step - c->first_step) / (double)(c->last_step - c->first_step);
@@ -283,7 +283,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	if (due)
 		ts_run_deferred_loops(sim);
 	status = due ? row(t, sim) : TS_OK;
-	sim->looking = false;
+	sim->reading.looking = false;
 	if (sim->log.progress || sim->log.sink)
 		progress(t, sim);
 	return status;

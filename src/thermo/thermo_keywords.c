@@ -41,7 +41,7 @@ static enum ts_status dt(struct tsim *sim, double *out)
 /* Wall time since the start of the run; 0 at its first step and outside of runs. */
 static enum ts_status cpu(struct tsim *sim, double *out)
 {
-	bool started = sim->running && sim->clock.step > sim->clock.first_step;
+	bool started = sim->run.inside && sim->clock.step > sim->clock.first_step;
 
 	*out = started ? ts_clock() - sim->clock.wall_start : 0;
 	return TS_OK;
@@ -68,7 +68,7 @@ static enum ts_status spcpu(struct tsim *sim, double *out)
 
 static enum ts_status timeremain(struct tsim *sim, double *out)
 {
-	*out = sim->timeout > 0 ? sim->timeout - ts_clock() : 0;
+	*out = sim->run.timeout > 0 ? sim->run.timeout - ts_clock() : 0;
 	return TS_OK;
 }
 

@@ -48,11 +48,11 @@ static enum ts_status find_rows(struct ts_instance *self, struct tsim *sim)
 	if (n != NCUTTERS)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix drill/bit: its group has %d cutters, expected %d particles%s", n,
-			       NCUTTERS, sim->running ? ": the bit has left the box" : "");
+			       NCUTTERS, sim->run.inside ? ": the bit has left the box" : "");
 	if (b->body_group >= 0 && b->rows.body < 0)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix drill/bit: the body group is empty, expected one particle%s",
-			       sim->running ? ": the bit has left the box" : "");
+			       sim->run.inside ? ": the bit has left the box" : "");
 	return TS_OK;
 }
 
@@ -151,7 +151,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	struct bit *b = self->state;
 
 	TS_TRY(find_rows(self, sim));
-	if (!sim->rebuild) /* first of a run: the user may have put the cutters anywhere */
+	if (!sim->run.rebuild) /* first of a run: the user may have put the cutters anywhere */
 		TS_TRY(place_bit(self, sim));
 	if (b->rows.body >= 0)
 		sim->particles->imass[b->rows.body] = 0;

@@ -160,14 +160,14 @@ static void choose_gain(struct ts_instance *self, struct tsim *sim)
 	struct ts_servo_mesh mesh = controlled(s);
 	struct ts_servo_contacts most;
 
-	if (s->mode == AUTO || !has_default_gain(s) || sim->resuming)
+	if (s->mode == AUTO || !has_default_gain(s) || sim->run.resuming)
 		return;
 	s->gain = USUAL_GAIN;
 	if (sim->legacy)
 		return;
 	most = ts_servo_contacts(sim, &mesh, ts_servo_room(sim, &mesh), true);
 	s->gain = fmin(USUAL_GAIN, SAFE_PART * margin(s, sim, &most) * USUAL_GAIN);
-	if (s->gain < USUAL_GAIN && !sim->explain)
+	if (s->gain < USUAL_GAIN && !sim->reading.explain)
 		ts_log(&sim->log,
 		       "fix %s: kp is %.4g, %g of the largest that is stable with %.0f contacts (stiffness "
 		       "%.3g, damping %.3g by speed)\n",

@@ -160,8 +160,8 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
 
-	sim->rebuild |= w->mesh_word ? ts_mesh_wall_has_moved(sim, &w->mesh)
-				     : ts_primitive_wall_has_moved(sim, &w->primitive);
+	sim->run.rebuild |= w->mesh_word ? ts_mesh_wall_has_moved(sim, &w->mesh)
+					 : ts_primitive_wall_has_moved(sim, &w->primitive);
 	return w->mesh_word ? ts_mesh_wall_check_displacement(self, sim, &w->mesh)
 			    : ts_primitive_wall_check_displacement(self, sim, &w->primitive);
 }

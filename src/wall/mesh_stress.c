@@ -230,7 +230,7 @@ static void add(struct tsim *sim, const struct ts_wall_contacts *c, size_t k,
 	ts_sub(arm, surface->anchor, arm);
 	ts_cross(arm, r->force, torque);
 	ts_sub(s->sum[1], torque, s->sum[1]);
-	if (s->wear_law != TS_MESH_WEAR_OFF && !sim->in_setup)
+	if (s->wear_law != TS_MESH_WEAR_OFF && !sim->run.in_setup)
 		wear_down(sim, c, k, surface, near);
 }
 

@@ -332,7 +332,7 @@ enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim
 	bool pulls = ts_wall_pulls(wall, sim);
 	struct ts_primitive at[MOST];
 
-	if (!sim->resuming)
+	if (!sim->run.resuming)
 		w->held = displacement(w, sim);
 	for (int k = 0; k < w->n; k++)
 		at[k] = moved_by(w, k, w->held);

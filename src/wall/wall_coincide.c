@@ -40,7 +40,7 @@ enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall)
 			 "%s%s: it is on neither side, and no contact force has a direction there; %s",
 			 sim->clock.step, p->tag[i], p->type[i], p->x[i][0], p->x[i][1], p->x[i][2],
 			 by ? by->id : "", ts_str_text(&where),
-			 sim->in_setup || sim->explain
+			 sim->run.in_setup || sim->reading.explain
 				 ? "place it a radius away from the wall, or move the wall"
 				 : "the time step is too large or the contact too soft, or the "
 				   "particle was put there");
@@ -59,7 +59,7 @@ enum ts_status ts_coincide_foresee(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
 
-	if (!sim->explain || sim->review.stale)
+	if (!sim->reading.explain || sim->review.stale)
 		return TS_OK;
 	w->inside = TS_WALL_NONE;
 	for (size_t k = 0; w->distance && k < w->contacts.n && w->inside == TS_WALL_NONE; k++) {

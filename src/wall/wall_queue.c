@@ -141,7 +141,7 @@ static void work(const struct ts_wall_queue *q, size_t at)
 	ends_of(q->sim->particles, (size_t)q->w->contacts.row[k], &q->spot[at], &ends);
 	ts_wall_ends_touch(&ends, q->model, &t);
 	ts_granular_stand_out(q->model, ts_wall_memory(&q->w->contacts, k), &t);
-	ts_granular_contact(q->model, law_of(q, at), &t, q->sim->clock.dt, !q->sim->in_setup,
+	ts_granular_contact(q->model, law_of(q, at), &t, q->sim->clock.dt, !q->sim->run.in_setup,
 			    ts_wall_memory(&q->w->contacts, k), &f);
 	for (int d = 0; d < 3; d++) {
 		result.force[d] = f.force[d];
@@ -338,7 +338,7 @@ void ts_wall_enqueue_contact(struct ts_wall_queue *q, size_t k, const struct ts_
 
 void ts_wall_queue_end(struct ts_wall_queue *q)
 {
-	if (q->n && q->w->batch && !q->sim->in_setup && q->sim->clock.dt > 0)
+	if (q->n && q->w->batch && !q->sim->run.in_setup && q->sim->clock.dt > 0)
 		work_in_columns(q);
 	else
 		for (size_t at = 0; at < q->n; at++)

@@ -30,7 +30,7 @@ static void on_timer(int number)
 {
 	(void)number;
 	if (box.sim)
-		box.sim->stop = 1;
+		box.sim->requests.stop = 1;
 }
 
 static void set_timer(long us)
@@ -48,7 +48,7 @@ void sandbox_enter(struct tsim *sim, const uint8_t *input, size_t n)
 	box.input = input;
 	box.n = n;
 	box.inside = true;
-	sim->stop = 0;
+	sim->requests.stop = 0;
 	sim->threads = 1;
 	sim->log.screen = NULL;
 	sigaction(SIGVTALRM, &action, NULL);

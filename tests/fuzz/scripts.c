@@ -29,7 +29,7 @@ void fuzz_as_script(const uint8_t *data, size_t size, enum fuzz_mode mode)
 	if (!sim)
 		return;
 	sandbox_enter(sim, data, size);
-	sim->explain = mode == FUZZ_EXPLAIN;
+	sim->reading.explain = mode == FUZZ_EXPLAIN;
 	if (mode == FUZZ_CHECK)
 		status = ts_script_check(sim->script_api_data);
 	script = size && !status ? fopen("input", "r") : NULL;
