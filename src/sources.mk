@@ -77,6 +77,8 @@ library_sources = \
 	src/base/parallel.h \
 	src/base/process.c \
 	src/base/process.h \
+	src/base/quotes.c \
+	src/base/quotes.h \
 	src/base/sandbox.c \
 	src/base/sandbox.h \
 	src/base/shared_buffer.c \
@@ -419,6 +421,29 @@ library_sources = \
 	src/force/gravity.h \
 	src/force/restraint.c \
 	src/force/restraint.h \
+	src/formula/expr.c \
+	src/formula/expr.h \
+	src/formula/expr_argument.c \
+	src/formula/expr_function.c \
+	src/formula/expr_math.c \
+	src/formula/expr_name.c \
+	src/formula/expr_operand.c \
+	src/formula/expr_series.c \
+	src/formula/expr_special.c \
+	src/formula/expr_step.c \
+	src/formula/formulas.h \
+	src/formula/number_format.c \
+	src/formula/number_format.h \
+	src/formula/random_stream.c \
+	src/formula/unknown.c \
+	src/formula/unknown.h \
+	src/formula/variable.c \
+	src/formula/variable.h \
+	src/formula/variable_file.c \
+	src/formula/variable_formula.c \
+	src/formula/variable_list.c \
+	src/formula/variable_state.c \
+	src/formula/variable_text.c \
 	src/geom/ball_corner.c \
 	src/geom/ball_corner.h \
 	src/geom/box.h \
@@ -846,25 +871,12 @@ library_sources = \
 	src/script/check_unreached.c \
 	src/script/condition.c \
 	src/script/diagnostic.c \
-	src/script/expr.c \
-	src/script/expr.h \
-	src/script/expr_argument.c \
-	src/script/expr_function.c \
-	src/script/expr_math.c \
-	src/script/expr_name.c \
-	src/script/expr_operand.c \
-	src/script/expr_series.c \
-	src/script/expr_special.c \
-	src/script/expr_step.c \
 	src/script/flow_control.c \
 	src/script/interpreter.h \
 	src/script/later.c \
 	src/script/line.c \
 	src/script/line.h \
-	src/script/number_format.c \
-	src/script/number_format.h \
 	src/script/partition.c \
-	src/script/random.c \
 	src/script/script.c \
 	src/script/script.h \
 	src/script/shell.c \
@@ -872,17 +884,8 @@ library_sources = \
 	src/script/source.h \
 	src/script/substitute.c \
 	src/script/text.c \
-	src/script/unknown.c \
-	src/script/unknown.h \
 	src/script/unused.c \
-	src/script/variable.c \
-	src/script/variable.h \
 	src/script/variable_command.c \
-	src/script/variable_file.c \
-	src/script/variable_formula.c \
-	src/script/variable_list.c \
-	src/script/variable_state.c \
-	src/script/variable_text.c \
 	src/thermo/command_thermo.c \
 	src/thermo/command_thermo_log.c \
 	src/thermo/command_thermo_modify.c \

@@ -6,8 +6,8 @@
 #include "base/map.h"
 #include "core/sim.h"
 #include "manual/manual.h"
-#include "script/expr.h"
-#include "script/variable.h"
+#include "formula/expr.h"
+#include "formula/variable.h"
 
 #include "base/banned.h"
 

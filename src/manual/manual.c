@@ -6,8 +6,8 @@
 #include "core/unsupported_names.h"
 #include "manual/help.h"
 #include "manual/topics.h"
-#include "script/expr.h"
-#include "script/variable.h"
+#include "formula/expr.h"
+#include "formula/variable.h"
 
 #include "base/banned.h"
 

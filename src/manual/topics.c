@@ -2,8 +2,8 @@
 
 #include "core/sim.h"
 #include "manual/help.h"
-#include "script/expr.h"
-#include "script/variable.h"
+#include "formula/expr.h"
+#include "formula/variable.h"
 
 #include "base/banned.h"
 

@@ -1,5 +1,5 @@
 #include "script/check.h"
-#include "script/unknown.h"
+#include "formula/unknown.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -255,7 +255,7 @@ enum ts_status ts_check_guess(struct ts_script *script, const struct ts_line *li
 
 	check->weak |= !is_harmless(command) || ts_streq(command, "timestep");
 	if (script->sim->reading.from_run[0])
-		check->why = ts_pool_get(script->sim->pool, script->sim->reading.from_run);
+		script->formulas.unknown = ts_pool_get(script->sim->pool, script->sim->reading.from_run);
 	snprintf(place, sizeof place, "%s:%d", line->row[0].file, line->row[0].line);
 	TS_TRY(guess(script, place));
 	for (size_t k = 0; k < sizeof makes / sizeof *makes; k++)

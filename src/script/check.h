@@ -6,7 +6,7 @@
  * branches not taken and lines never reached are read as far as is possible without knowing what their
  * variables and names would stand for.
  *
- * Values that only a run can give are unknown (script/unknown.h). Where a condition is unknown all
+ * Values that only a run can give are unknown (formula/unknown.h). Where a condition is unknown all
  * branches are gone through; a loop that ends by one, or that runs in many turns, is gone through until it
  * reaches no new lines. -explain goes the same way, but its first error ends it. */
 #ifndef TS_SCRIPT_CHECK_H
@@ -67,7 +67,6 @@ struct ts_check {
 	struct ts_map guessed; /* "file:line" of lines with an unknown value, and the names they define */
 	struct ts_check_event *first, **last;
 	struct ts_check_loop *loop;
-	const char *why;	/* the last unknown value that was put into a line */
 	size_t nruns;		/* events that are runs */
 	int64_t reached;	/* lines so far */
 	int64_t branches;	/* `if` so far */

@@ -3,8 +3,8 @@
  * here again, behind one of the jumps. */
 #include <string.h>
 
+#include "formula/unknown.h"
 #include "script/check.h"
-#include "script/unknown.h"
 
 #include "base/banned.h"
 
@@ -44,7 +44,7 @@ static enum ts_status doubt(struct ts_script *script, struct ts_words words)
 			TS_TRY(ts_check_lose(script, takes[k].kind, words.word[1].text));
 	if (words.n < 3 || !ts_streq(words.word[0].text, "variable"))
 		return TS_OK;
-	variable = ts_variable_find(script, words.word[1].text);
+	variable = ts_variable_find(&script->formulas, words.word[1].text);
 	if (variable)
 		variable->open = true;
 	return TS_OK;
@@ -127,7 +127,7 @@ static enum ts_status may_hold(struct ts_script *script, const struct ts_word *c
 
 	*truth = TS_OPEN;
 	if (status == TS_OK)
-		status = ts_expr_condition(script, ts_str_text(&text), &condition->place, truth);
+		status = ts_expr_condition(&script->formulas, ts_str_text(&text), &condition->place, truth);
 	ts_str_release(&text);
 	return ts_check_defer_error(script, status);
 }

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "script/check.h"
-#include "script/unknown.h"
+#include "formula/unknown.h"
 
 #include "base/banned.h"
 
@@ -127,10 +127,10 @@ static void end_next(struct ts_script *script)
 
 	for (size_t k = 0; k < sizeof check->stepped / sizeof *check->stepped; k++) {
 		struct ts_variable *variable =
-			check->stepped[k] ? ts_variable_find(script, check->stepped[k]) : NULL;
+			check->stepped[k] ? ts_variable_find(&script->formulas, check->stepped[k]) : NULL;
 
 		if (variable)
-			ts_variable_delete(script, variable);
+			ts_variable_delete(&script->formulas, variable);
 		check->stepped[k] = NULL;
 	}
 }
@@ -224,7 +224,7 @@ void ts_check_next(struct ts_script *script, struct ts_words names)
 	check->turns_left = 0;
 	for (size_t k = 0; k < most; k++) {
 		const struct ts_variable *v =
-			k < names.n ? ts_variable_find(script, names.word[k].text) : NULL;
+			k < names.n ? ts_variable_find(&script->formulas, names.word[k].text) : NULL;
 		int64_t left = v && !v->feed ? v->last - v->at + 1 : 0;
 
 		check->stepped[k] = v ? v->name : NULL;

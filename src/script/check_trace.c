@@ -6,7 +6,7 @@
 
 #include "base/mkdirs.h"
 #include "script/check.h"
-#include "script/unknown.h"
+#include "formula/unknown.h"
 
 #include "base/banned.h"
 

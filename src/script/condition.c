@@ -28,7 +28,7 @@ static enum ts_status holds(struct ts_script *script, const struct ts_word *word
 	enum ts_status status = ts_substitute_text(script, word->text, &word->place, &text);
 
 	if (status == TS_OK)
-		status = ts_expr_condition(script, ts_str_text(&text), &word->place, out);
+		status = ts_expr_condition(&script->formulas, ts_str_text(&text), &word->place, out);
 	ts_str_release(&text);
 	return status;
 }

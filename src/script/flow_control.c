@@ -130,12 +130,12 @@ static enum ts_status run_next(struct tsim *sim, void *state, const struct ts_pl
 	for (size_t k = 0; k < next->names.n; k++) {
 		const struct ts_word *name = &next->names.word[k];
 
-		TS_TRY(ts_variable_require(script, name->text, &name->place, &variable));
-		TS_TRY(ts_variable_next(script, variable, &name->place, &exhausted));
+		TS_TRY(ts_variable_require(&script->formulas, name->text, &name->place, &variable));
+		TS_TRY(ts_variable_next(&script->formulas, variable, &name->place, &exhausted));
 		if (!exhausted)
 			continue;
 		script->skip_jump = true;
-		ts_variable_delete(script, variable);
+		ts_variable_delete(&script->formulas, variable);
 	}
 	ts_check_next(script, next->names);
 	return TS_OK;

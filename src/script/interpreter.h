@@ -3,16 +3,10 @@
 #define TS_SCRIPT_INTERPRETER_H
 
 #include "core/sim.h"
-#include "math/rng.h"
+#include "formula/formulas.h"
 #include "script/line.h"
 #include "script/script.h"
 #include "script/source.h"
-#include "script/variable.h"
-
-/* The random numbers of one seed: those of single numbers, and rounds in which each particle draws one. */
-struct ts_random_stream {
-	int64_t seed, draws, rounds;
-};
 
 struct ts_check;
 
@@ -24,7 +18,7 @@ struct ts_script_text {
 
 struct ts_script {
 	struct tsim *sim;
-	struct ts_variables variables;
+	struct ts_formulas formulas;
 	struct ts_source *source;    /* the innermost script that runs */
 	const char *label;	     /* skip lines up to this label; NULL: do not */
 	struct ts_place label_place; /* the jump that wants it */
@@ -37,20 +31,8 @@ struct ts_script {
 	const char *home;
 	int branches;		  /* commands of `if` that are being run */
 	int depth;		  /* of scripts and commands in each other */
-	uint64_t reading;	  /* of formulas, from outside: within one each variable is evaluated once */
-	uint64_t formulas;	  /* evaluated in this one */
-	struct ts_variable *kept; /* those whose columns or lists are kept within it */
-	uint64_t drawn;		  /* values that differ from one look to the next: of random(), next() */
-	/* a formula has named an output that is not of the shape that is needed there */
-	bool misfit;
-	int formula_depth;		 /* of formulas, over all variables that use each other */
-	struct ts_words current;	 /* the command that runs */
-	struct ts_words expected;	 /* commands of `run every` */
-	struct ts_random_stream *stream; /* one per seed of random() and normal() */
-	size_t nstreams, stream_capacity;
-	struct ts_variable_state *waiting; /* from a restart file, for variables not yet defined */
-	size_t nwaiting, waiting_capacity;
-	struct ts_map waiting_at; /* by name, those not yet taken: where in `waiting`, from 1 */
+	struct ts_words current;  /* the command that runs */
+	struct ts_words expected; /* commands of `run every` */
 	struct ts_script_text *text;
 	struct ts_arena arena;	/* of the texts */
 	struct ts_check *check; /* -check: go through all of it, whatever fails */
@@ -77,36 +59,11 @@ enum ts_status ts_substitute(struct ts_script *script, struct ts_line *line, boo
 enum ts_status ts_substitute_text(struct ts_script *script, const char *text, const struct ts_place *where,
 				  struct ts_str *out);
 
-/* TS_OPEN: only a run can tell. */
-enum ts_truth { TS_NO, TS_YES, TS_OPEN };
-
-/* Formulas. The text stands at `place`. */
-enum ts_status ts_expr_scalar(struct ts_script *script, const char *text, const struct ts_place *place,
-			      double *out);
-enum ts_status ts_expr_peratom(struct ts_script *script, const char *text, const struct ts_place *place,
-			       struct ts_table *out);
-enum ts_status ts_expr_vector(struct ts_script *script, const char *text, const struct ts_place *place,
-			      struct ts_table *out);
-/* Begins to read formulas only, and ends it: `status` is that of the formulas. What their numbers have
- * caused is forgiven, and what is not there yet, unless it is asked for now. */
-struct ts_dry {
-	bool dry, looking, misfit;
-};
-struct ts_dry ts_dry_begin(struct ts_script *script);
-enum ts_status ts_dry_end(struct ts_script *script, struct ts_dry before, enum ts_status status, bool now);
-/* A condition of `if`, where bare names are words that can be compared. */
-enum ts_status ts_expr_condition(struct ts_script *script, const char *text, const struct ts_place *place,
-				 enum ts_truth *out);
-
 /* condition.c: whether conditions, `then` and commands stand as `if` takes them. */
 enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const struct ts_place *where);
 
 /* later.c: reads commands, or a text, that are to be executed or substituted later. */
 enum ts_status ts_later_commands(struct ts_script *script, struct ts_words commands);
 enum ts_status ts_later_text(struct ts_script *script, const char *text, const struct ts_place *where);
-
-/* random.c: the stream of a seed; what a restart file keeps of a script, streams and variables. */
-enum ts_status ts_script_stream_of(struct ts_script *script, double seed, struct ts_random_stream **out);
-enum ts_status ts_script_archive(struct ts_script *script, struct ts_archive *archive);
 
 #endif

@@ -40,24 +40,24 @@ static enum ts_status forgive(struct later *later, enum ts_status status)
 static enum ts_status read_text(struct later *later, const char *text, const struct ts_place *where,
 				struct ts_str *out)
 {
-	struct ts_dry before = ts_dry_begin(later->script);
+	struct ts_dry before = ts_dry_begin(&later->script->formulas);
 	enum ts_status status = ts_substitute_text(later->script, text, where, out);
 
-	return ts_dry_end(later->script, before, forgive(later, status), true);
+	return ts_dry_end(&later->script->formulas, before, forgive(later, status), true);
 }
 
 static enum ts_status read_condition(struct later *later, const struct ts_word *word, enum ts_truth *truth)
 {
 	struct ts_script *script = later->script;
-	struct ts_dry before = ts_dry_begin(script);
+	struct ts_dry before = ts_dry_begin(&script->formulas);
 	struct ts_str text = { 0 };
 	enum ts_status status = ts_substitute_text(script, word->text, &word->place, &text);
 
 	*truth = TS_OPEN;
 	if (status == TS_OK)
-		status = ts_expr_condition(script, ts_str_text(&text), &word->place, truth);
+		status = ts_expr_condition(&script->formulas, ts_str_text(&text), &word->place, truth);
 	ts_str_release(&text);
-	return ts_dry_end(script, before, forgive(later, status), true);
+	return ts_dry_end(&script->formulas, before, forgive(later, status), true);
 }
 
 static enum ts_status read_command(struct later *later, const struct ts_word *word);

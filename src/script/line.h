@@ -7,6 +7,7 @@
 
 #include <stddef.h>
 
+#include "base/quotes.h"
 #include "base/str.h"
 #include "base/words.h"
 
@@ -39,13 +40,6 @@ enum ts_status ts_line_set(struct ts_line *line, const char *text, size_t n, con
 
 /* The place of the characters at..at+n. */
 struct ts_place ts_line_place(const struct ts_line *line, size_t at, size_t n);
-/* The place of the characters at..at+n of a text of `length` characters that stands at `whole`,
- * perhaps in quotes. If the text there is not what was written (a variable was put in): whole. */
-struct ts_place ts_place_inside(const struct ts_place *whole, size_t length, size_t at, size_t n);
-
-/* If a quoted stretch ('..', "..", triple) starts at `at`: the position behind it; else `at`. A
- * quote character without partner is an ordinary one. */
-size_t ts_quote_end(const char *text, size_t at);
 /* Whether a triple quote is open at the end of the text. */
 bool ts_quote_open(const char *text);
 

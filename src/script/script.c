@@ -5,7 +5,7 @@
 #include "core/life.h"
 #include "core/saver.h"
 #include "script/check.h"
-#include "script/unknown.h"
+#include "formula/unknown.h"
 
 #include "base/banned.h"
 
@@ -22,20 +22,36 @@ static enum ts_status host_substitute(void *host, const char *text, const struct
 	return ts_substitute_text(host, text, where, out);
 }
 
+static struct ts_formulas *formulas_of(void *host)
+{
+	return &((struct ts_script *)host)->formulas;
+}
+
+/* What the rest of the program gets for a value that is unknown: 1, and -check knows that the lines which use it
+ * cannot be judged. */
+static double guess_unknown(struct ts_script *script, double value)
+{
+	if (!ts_unknown(script->sim, value))
+		return value;
+	if (script->check)
+		script->check->weak = true;
+	return 1;
+}
+
 static enum ts_status host_scalar(void *host, const char *name, const struct ts_place *where, double *out)
 {
 	struct ts_variable *variable;
 
-	TS_TRY(ts_variable_require(host, name, where, &variable));
-	TS_TRY(ts_variable_number(host, variable, where, out));
-	*out = ts_unknown_guess(host, *out);
+	TS_TRY(ts_variable_require(formulas_of(host), name, where, &variable));
+	TS_TRY(ts_variable_number(formulas_of(host), variable, where, out));
+	*out = guess_unknown(host, *out);
 	return TS_OK;
 }
 
 static enum ts_status guess(struct ts_script *script, struct ts_table *table)
 {
 	for (size_t k = 0; script->sim->reading.explain && k < table->rows; k++)
-		table->data[k] = ts_unknown_guess(script, table->data[k]);
+		table->data[k] = guess_unknown(script, table->data[k]);
 	return TS_OK;
 }
 
@@ -44,26 +60,26 @@ static enum ts_status host_peratom(void *host, const char *name, const struct ts
 {
 	struct ts_variable *variable;
 
-	TS_TRY(ts_variable_require(host, name, where, &variable));
-	TS_TRY(ts_variable_peratom(host, variable, where, out));
+	TS_TRY(ts_variable_require(formulas_of(host), name, where, &variable));
+	TS_TRY(ts_variable_peratom(formulas_of(host), variable, where, out));
 	return guess(host, out);
 }
 
 static bool host_has_variable(void *host, const char *name)
 {
-	return ts_variable_find(host, name) != NULL;
+	return ts_variable_find(formulas_of(host), name) != NULL;
 }
 
 static bool host_is_peratom(void *host, const char *name)
 {
-	const struct ts_variable *variable = ts_variable_find(host, name);
+	const struct ts_variable *variable = ts_variable_find(formulas_of(host), name);
 
 	return variable && variable->style->peratom && !variable->style->number;
 }
 
 static bool host_is_vector(void *host, const char *name)
 {
-	const struct ts_variable *variable = ts_variable_find(host, name);
+	const struct ts_variable *variable = ts_variable_find(formulas_of(host), name);
 
 	return variable && variable->style->vector;
 }
@@ -73,28 +89,28 @@ static enum ts_status host_vector(void *host, const char *name, const struct ts_
 {
 	struct ts_variable *variable;
 
-	TS_TRY(ts_variable_require(host, name, where, &variable));
-	TS_TRY(ts_variable_vector(host, variable, where, out));
+	TS_TRY(ts_variable_require(formulas_of(host), name, where, &variable));
+	TS_TRY(ts_variable_vector(formulas_of(host), variable, where, out));
 	return guess(host, out);
 }
 
 static enum ts_status host_reads(void *host, const char *name, enum ts_shape shape,
 				 const struct ts_place *where)
 {
-	struct ts_dry before = ts_dry_begin(host);
+	struct ts_dry before = ts_dry_begin(formulas_of(host));
 	struct ts_table table = { 0 };
 	struct ts_variable *variable;
-	enum ts_status status = ts_variable_require(host, name, where, &variable);
+	enum ts_status status = ts_variable_require(formulas_of(host), name, where, &variable);
 	double number;
 
 	if (status == TS_OK && shape == TS_PERATOM && variable->style->peratom)
-		status = ts_variable_peratom(host, variable, where, &table);
+		status = ts_variable_peratom(formulas_of(host), variable, where, &table);
 	else if (status == TS_OK && shape == TS_VECTOR)
-		status = ts_variable_vector(host, variable, where, &table);
+		status = ts_variable_vector(formulas_of(host), variable, where, &table);
 	else if (status == TS_OK && !variable->style->vector)
-		status = ts_variable_number(host, variable, where, &number);
+		status = ts_variable_number(formulas_of(host), variable, where, &number);
 	ts_table_release(&table);
-	return ts_dry_end(host, before, status, true);
+	return ts_dry_end(formulas_of(host), before, status, true);
 }
 
 static enum ts_status host_reads_commands(void *host, struct ts_words commands)
@@ -119,28 +135,28 @@ static enum ts_status host_set(void *host, const char *name, const struct ts_pla
 	struct ts_script *script = host;
 	struct ts_variable *variable;
 
-	TS_TRY(ts_variable_require(script, name, where, &variable));
+	TS_TRY(ts_variable_require(&script->formulas, name, where, &variable));
 	if (variable->style != &ts_var_internal)
 		return ts_fail(&script->sim->error, TS_STATE, where,
 			       "variable '%s' is of style %s; one of style internal is needed here", name,
 			       variable->style->name);
 	variable->number = value;
-	script->reading++; /* what was read with the number of before is of no use */
+	script->formulas.evaluation++; /* what was read with the number of before is of no use */
 	return TS_OK;
 }
 
 static enum ts_status host_archive(void *host, struct ts_archive *archive)
 {
-	return ts_script_archive(host, archive);
+	return ts_formulas_archive(formulas_of(host), archive);
 }
 
 static void host_suggest_variable(void *host, struct ts_suggest *suggest)
 {
 	const struct ts_script *script = host;
 
-	ts_variables_pack(host);
-	for (size_t k = 0; k < script->variables.n; k++)
-		ts_suggest_try(suggest, script->variables.item[k]->name);
+	ts_variables_pack(formulas_of(host));
+	for (size_t k = 0; k < script->formulas.variables.n; k++)
+		ts_suggest_try(suggest, script->formulas.variables.item[k]->name);
 }
 
 /* "  k, equal, 2*b, in.script:7"; lists say which value is theirs now. */
@@ -148,16 +164,16 @@ static enum ts_status host_list_variables(void *host, struct ts_str *out)
 {
 	struct ts_script *script = host;
 
-	ts_variables_pack(script);
-	for (size_t k = 0; k < script->variables.n; k++) {
-		struct ts_variable *v = script->variables.item[k];
+	ts_variables_pack(&script->formulas);
+	for (size_t k = 0; k < script->formulas.variables.n; k++) {
+		struct ts_variable *v = script->formulas.variables.item[k];
 
 		ts_str_addf(out, "  %s, %s,", v->name, v->style->name);
 		for (size_t j = 0; j < v->values.n; j++)
 			ts_str_addf(out, " %s", v->values.word[j].text);
 		if (v->style->next && !v->feed) {
 			ts_str_add(out, ", now ");
-			TS_TRY(v->style->text(script, v, &v->where, out));
+			TS_TRY(v->style->text(&script->formulas, v, &v->where, out));
 		}
 		if (v->where.file && v->where.line)
 			ts_str_addf(out, ", %s:%d", v->where.file, v->where.line);
@@ -217,7 +233,7 @@ struct ts_script *ts_script_new(struct tsim *sim)
 
 	if (!script)
 		return NULL;
-	script->sim = sim;
+	script->sim = script->formulas.sim = sim;
 	sim->script_api = &host_table;
 	sim->script_api_data = script;
 	return script;
@@ -227,12 +243,9 @@ void ts_script_free(struct ts_script *script)
 {
 	if (!script)
 		return;
-	ts_variables_release(script);
+	ts_formulas_release(&script->formulas);
 	ts_check_free(script);
 	ts_arena_release(&script->arena);
-	ts_free(script->stream);
-	ts_free(script->waiting);
-	ts_map_release(&script->waiting_at);
 	script->sim->script_api = NULL;
 	script->sim->script_api_data = NULL;
 	ts_free(script);
@@ -481,12 +494,13 @@ enum ts_status ts_script_set(struct ts_script *script, const char *name, const c
 		word[k].text = k ? values[k - 1] : name;
 		word[k].place.file = ts_pool_get(script->sim->pool, origin);
 	}
-	variable = ts_variable_find(script, name);
+	variable = ts_variable_find(&script->formulas, name);
 	if (variable) /* the last one given wins */
-		ts_variable_delete(script, variable);
-	status = ts_variable_define(script, &word[0], &ts_var_index, (struct ts_words){ word + 1, n });
+		ts_variable_delete(&script->formulas, variable);
+	status = ts_variable_define(&script->formulas, &word[0], &ts_var_index,
+				    (struct ts_words){ word + 1, n });
 	if (status == TS_OK)
-		ts_variable_find(script, name)->given = true;
+		ts_variable_find(&script->formulas, name)->given = true;
 	ts_arena_release(&arena);
 	return status;
 }
@@ -497,31 +511,31 @@ enum ts_status ts_script_define(struct ts_script *script, const char *name, cons
 	const struct ts_word word[] = {
 		{ .text = "variable" }, { .text = name }, { .text = style }, { .text = value }
 	};
-	struct ts_variable *old = ts_variable_find(script, name);
+	struct ts_variable *old = ts_variable_find(&script->formulas, name);
 	enum ts_status status;
 
 	if (old && old->busy)
 		return ts_fail(&script->sim->error, TS_STATE, NULL,
 			       "variable '%s' cannot change while it is evaluated", name);
 	if (old) /* hidden until the new one is there */
-		ts_map_remove(&script->variables.by_name, old->name);
+		ts_map_remove(&script->formulas.variables.by_name, old->name);
 	status = ts_sim_command(script->sim, (struct ts_words){ word, value ? 4 : 3 });
 	if (old && status == TS_OK)
-		ts_variable_delete(script, old);
-	else if (old && ts_map_set(&script->variables.by_name, old->name, old) != TS_OK)
+		ts_variable_delete(&script->formulas, old);
+	else if (old && ts_map_set(&script->formulas.variables.by_name, old->name, old) != TS_OK)
 		return ts_nomem(&script->sim->error);
 	return status;
 }
 
 const char *ts_script_variable(struct ts_script *script, size_t k)
 {
-	ts_variables_pack(script);
-	return k < script->variables.n ? script->variables.item[k]->name : NULL;
+	ts_variables_pack(&script->formulas);
+	return k < script->formulas.variables.n ? script->formulas.variables.item[k]->name : NULL;
 }
 
 enum ts_status ts_script_value(struct ts_script *script, const char *expression, double *out)
 {
-	return ts_expr_scalar(script, expression, NULL, out);
+	return ts_expr_scalar(&script->formulas, expression, NULL, out);
 }
 
 void ts_script_allow_programs(struct ts_script *script, bool allowed)

@@ -1,8 +1,9 @@
 /* Replaces ${name}, $x and $(formula) in lines and texts. */
-#include "script/number_format.h"
-#include "script/unknown.h"
-
 #include <string.h>
+
+#include "formula/number_format.h"
+#include "formula/unknown.h"
+#include "script/interpreter.h"
 
 #include "base/banned.h"
 
@@ -62,7 +63,7 @@ static enum ts_status expression(struct ts_script *script, const struct ts_line 
 	ts_str_add_n(&inner, line->text.text + from, to - from);
 	status = split_format(script, line, from, &inner, &format, &place);
 	if (status == TS_OK)
-		status = ts_expr_scalar(script, inner.text, &place, &value);
+		status = ts_expr_scalar(&script->formulas, inner.text, &place, &value);
 	if (status == TS_OK)
 		ts_unknown_add(script->sim, out, format, value);
 	ts_str_release(&inner);
@@ -83,11 +84,11 @@ static enum ts_status variable(struct ts_script *script, const struct ts_line *l
 	ts_str_add_n(&name, line->text.text + from, to - from);
 	status = split_format(script, line, from, &name, &format, &place);
 	if (status == TS_OK)
-		status = ts_variable_require(script, ts_str_text(&name), where, &found);
+		status = ts_variable_require(&script->formulas, ts_str_text(&name), where, &found);
 	if (status == TS_OK && !format)
-		status = ts_variable_text(script, found, where, out);
+		status = ts_variable_text(&script->formulas, found, where, out);
 	else if (status == TS_OK)
-		status = ts_variable_number(script, found, where, &value);
+		status = ts_variable_number(&script->formulas, found, where, &value);
 	if (status == TS_OK && format)
 		ts_unknown_add(script->sim, out, format, value);
 	ts_str_release(&name);

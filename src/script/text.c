@@ -4,7 +4,8 @@
 #include <string.h>
 
 #include "base/mkdirs.h"
-#include "script/unknown.h"
+#include "formula/unknown.h"
+#include "script/interpreter.h"
 
 #include "base/banned.h"
 

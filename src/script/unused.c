@@ -154,9 +154,9 @@ void ts_script_warn_unused(struct ts_script *script)
 	struct search s = { .script = script };
 
 	s.last = &s.first;
-	ts_variables_pack(script);
-	for (size_t k = 0; k < script->variables.n; k++) {
-		const struct ts_variable *variable = script->variables.item[k];
+	ts_variables_pack(&script->formulas);
+	for (size_t k = 0; k < script->formulas.variables.n; k++) {
+		const struct ts_variable *variable = script->formulas.variables.item[k];
 
 		if (variable->given && !variable->used)
 			ts_warn(&script->sim->log, NULL,

@@ -1,28 +1,27 @@
-#include "script/unknown.h"
+#include "formula/unknown.h"
 
 #include <stdio.h>
 #include <string.h>
 
-#include "script/check.h"
-#include "script/number_format.h"
+#include "formula/number_format.h"
 
 #include "base/banned.h"
 
 /* The number 1, for whoever takes it as a number. */
 static const char mark[] = "00000000000000001";
 
-bool ts_unknown_read(struct ts_script *script, const char *name)
+bool ts_unknown_read(struct ts_formulas *formulas, const char *name)
 {
-	return ts_from_run(script->sim, name);
+	return ts_from_run(formulas->sim, name);
 }
 
-bool ts_unknown_value(struct ts_script *script, const char *name, enum ts_status *status)
+bool ts_unknown_value(struct ts_formulas *formulas, const char *name, enum ts_status *status)
 {
 	if (*status == TS_NOMEM || *status == TS_STOPPED || *status == TS_UNKNOWN || *status == TS_SYNTAX ||
-	    !ts_unknown_read(script, name))
+	    !ts_unknown_read(formulas, name))
 		return false;
 	if (*status != TS_OK)
-		ts_error_clear(&script->sim->error);
+		ts_error_clear(&formulas->sim->error);
 	*status = TS_OK;
 	return true;
 }
@@ -40,14 +39,13 @@ bool ts_unknown_text(const struct tsim *sim, const char *text)
 	return (sim->reading.dry || (sim->reading.explain && sim->reading.planned)) && strstr(text, mark);
 }
 
-bool ts_unknown_in(struct ts_script *script, const char *text)
+bool ts_unknown_in(struct ts_formulas *formulas, const char *text)
 {
-	struct tsim *sim = script->sim;
-	const struct ts_check *check = script->check;
+	struct tsim *sim = formulas->sim;
 
 	if (!ts_unknown_text(sim, text))
 		return false;
-	ts_from_run(sim, check && check->why ? check->why : "a value");
+	ts_from_run(sim, formulas->unknown ? formulas->unknown : "a value");
 	return true;
 }
 
@@ -62,13 +60,4 @@ void ts_unknown_show(const struct tsim *sim, const char *text, const char *what,
 		text = at + sizeof mark - 1;
 	}
 	ts_str_add(out, text);
-}
-
-double ts_unknown_guess(struct ts_script *script, double value)
-{
-	if (!ts_unknown(script->sim, value))
-		return value;
-	if (script->check)
-		script->check->weak = true;
-	return 1;
 }

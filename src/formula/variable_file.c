@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/input_limit.h"
-#include "script/interpreter.h"
+#include "formula/formulas.h"
 
 #include "base/banned.h"
 
@@ -36,7 +36,7 @@ static void release(struct ts_variable *variable)
 }
 
 /* The bytes up to the end of the line, without it; *end: there were none. */
-static enum ts_status read_row(struct ts_script *script, struct ts_variable_feed *feed, bool *end)
+static enum ts_status read_row(struct ts_formulas *formulas, struct ts_variable_feed *feed, bool *end)
 {
 	size_t most = ts_input_longest_line();
 	int c;
@@ -47,11 +47,11 @@ static enum ts_status read_row(struct ts_script *script, struct ts_variable_feed
 		char byte = (char)c;
 
 		if (!c)
-			return ts_fail(&script->sim->error, TS_SYNTAX, &feed->line,
+			return ts_fail(&formulas->sim->error, TS_SYNTAX, &feed->line,
 				       "this is not a text file: it has a byte 0 here");
 		if (feed->row.length == most) {
 			feed->line.text = "";
-			return ts_fail(&script->sim->error, TS_RANGE, &feed->line,
+			return ts_fail(&formulas->sim->error, TS_RANGE, &feed->line,
 				       "the line has more than %zu bytes; if that is meant, start tsim with "
 				       "-input-limit GB, of which a line may have a thousandth",
 				       most);
@@ -61,64 +61,64 @@ static enum ts_status read_row(struct ts_script *script, struct ts_variable_feed
 	*end = c == EOF && !feed->row.length;
 	feed->line.text = ts_str_text(&feed->row);
 	if (c == EOF && ferror(feed->stream))
-		return ts_fail(&script->sim->error, TS_IO, &feed->line, "cannot read: %s", strerror(errno));
-	return feed->row.failed ? ts_nomem(&script->sim->error) : TS_OK;
+		return ts_fail(&formulas->sim->error, TS_IO, &feed->line, "cannot read: %s", strerror(errno));
+	return feed->row.failed ? ts_nomem(&formulas->sim->error) : TS_OK;
 }
 
 /* The words of the next line that has any. Memory comes from the arena. */
-static enum ts_status next_words(struct ts_script *script, struct ts_variable_feed *feed,
+static enum ts_status next_words(struct ts_formulas *formulas, struct ts_variable_feed *feed,
 				 struct ts_arena *arena, struct ts_words *words, bool *end)
 {
 	*end = false;
 	for (words->n = 0; !words->n;) {
-		TS_TRY(read_row(script, feed, end));
+		TS_TRY(read_row(formulas, feed, end));
 		if (*end)
 			return TS_OK;
 		if (ts_words_split(arena, feed->line.text, &feed->line, words) != TS_OK)
-			return ts_nomem(&script->sim->error);
+			return ts_nomem(&formulas->sim->error);
 	}
 	return TS_OK;
 }
 
 /* The message about a bad line outlives the line. */
-static enum ts_status keep_line(struct ts_script *script, const struct ts_variable_feed *feed,
+static enum ts_status keep_line(struct ts_formulas *formulas, const struct ts_variable_feed *feed,
 				enum ts_status status)
 {
-	struct ts_place *place = &script->sim->error.place;
+	struct ts_place *place = &formulas->sim->error.place;
 
 	if (status != TS_OK && place->text == feed->line.text)
-		place->text = place->text ? ts_pool_get(script->sim->pool, place->text) : NULL;
+		place->text = place->text ? ts_pool_get(formulas->sim->pool, place->text) : NULL;
 	return status;
 }
 
-static enum ts_status next_text(struct ts_script *script, struct ts_variable *variable, bool *exhausted)
+static enum ts_status next_text(struct ts_formulas *formulas, struct ts_variable *variable, bool *exhausted)
 {
 	struct ts_variable_feed *feed = variable->feed;
 	struct ts_arena arena = { 0 };
 	struct ts_words words;
-	enum ts_status status = next_words(script, feed, &arena, &words, exhausted);
+	enum ts_status status = next_words(formulas, feed, &arena, &words, exhausted);
 
 	if (status == TS_OK && !*exhausted) {
 		ts_str_clear(&feed->text);
 		ts_str_add(&feed->text, words.word[0].text);
 		feed->position++;
 		if (feed->text.failed)
-			status = ts_nomem(&script->sim->error);
+			status = ts_nomem(&formulas->sim->error);
 	}
 	ts_arena_release(&arena);
-	return keep_line(script, feed, status);
+	return keep_line(formulas, feed, status);
 }
 
 /* One line `id value` of a set. */
-static enum ts_status read_pair(struct ts_script *script, struct ts_variable_feed *feed,
+static enum ts_status read_pair(struct ts_formulas *formulas, struct ts_variable_feed *feed,
 				struct ts_arena *arena, int64_t left)
 {
-	struct ts_error *error = &script->sim->error;
+	struct ts_error *error = &formulas->sim->error;
 	struct ts_words words;
 	double number[2] = { 0 };
 	bool end;
 
-	TS_TRY(next_words(script, feed, arena, &words, &end));
+	TS_TRY(next_words(formulas, feed, arena, &words, &end));
 	if (end)
 		return ts_fail(error, TS_SYNTAX, &feed->line,
 			       "the file ends within a set of values: %lld more were announced",
@@ -138,28 +138,28 @@ static enum ts_status read_pair(struct ts_script *script, struct ts_variable_fee
 	return TS_OK;
 }
 
-static enum ts_status next_set(struct ts_script *script, struct ts_variable *variable, bool *exhausted)
+static enum ts_status next_set(struct ts_formulas *formulas, struct ts_variable *variable, bool *exhausted)
 {
 	struct ts_variable_feed *feed = variable->feed;
 	struct ts_arena arena = { 0 };
 	struct ts_words words;
 	int64_t count = 0;
-	enum ts_status status = next_words(script, feed, &arena, &words, exhausted);
+	enum ts_status status = next_words(formulas, feed, &arena, &words, exhausted);
 
 	if (status == TS_OK && !*exhausted) {
 		feed->n = 0;
 		feed->position++;
 		if (!ts_parse_int(words.word[0].text, &count) || count < 0)
-			status = ts_fail(&script->sim->error, TS_SYNTAX, &words.word[0].place,
+			status = ts_fail(&formulas->sim->error, TS_SYNTAX, &words.word[0].place,
 					 "expected the number of values that follow, found '%s'",
 					 words.word[0].text);
 	}
 	for (int64_t k = 0; status == TS_OK && k < count; k++) {
 		ts_arena_release(&arena);
-		status = read_pair(script, feed, &arena, count - k);
+		status = read_pair(formulas, feed, &arena, count - k);
 	}
 	ts_arena_release(&arena);
-	return keep_line(script, feed, status);
+	return keep_line(formulas, feed, status);
 }
 
 static bool save_feed(const struct ts_variable *variable, double *number)
@@ -169,7 +169,7 @@ static bool save_feed(const struct ts_variable *variable, double *number)
 }
 
 /* To where the runs before had come. A file that the script itself steps through is the script's. */
-static enum ts_status restore_feed(struct ts_script *script, struct ts_variable *variable, double number)
+static enum ts_status restore_feed(struct ts_formulas *formulas, struct ts_variable *variable, double number)
 {
 	struct ts_variable_feed *feed = variable->feed;
 	bool exhausted = false;
@@ -180,9 +180,9 @@ static enum ts_status restore_feed(struct ts_script *script, struct ts_variable 
 		feed->position = 0;
 	}
 	while ((double)feed->position < number && !exhausted)
-		TS_TRY(variable->style->next(script, variable, &exhausted));
+		TS_TRY(variable->style->next(formulas, variable, &exhausted));
 	if (exhausted)
-		return ts_fail(&script->sim->error, TS_IO, &variable->where,
+		return ts_fail(&formulas->sim->error, TS_IO, &variable->where,
 			       "variable '%s': the file '%s' has %lld values, but the run saved in the "
 			       "restart file had come to number %.0f",
 			       variable->name, variable->values.word[0].text, (long long)feed->position,
@@ -191,32 +191,32 @@ static enum ts_status restore_feed(struct ts_script *script, struct ts_variable 
 	return TS_OK;
 }
 
-static enum ts_status open_feed(struct ts_script *script, struct ts_variable *variable)
+static enum ts_status open_feed(struct ts_formulas *formulas, struct ts_variable *variable)
 {
 	const struct ts_word *path = &variable->values.word[0];
-	struct ts_error *error = &script->sim->error;
+	struct ts_error *error = &formulas->sim->error;
 	bool empty = false, resumed;
 
 	variable->feed = ts_alloc(1, sizeof *variable->feed);
 	if (!variable->feed)
 		return ts_nomem(error);
-	variable->feed->line.file = ts_pool_get(script->sim->pool, path->text);
+	variable->feed->line.file = ts_pool_get(formulas->sim->pool, path->text);
 	if (!variable->feed->line.file)
 		return ts_nomem(error);
-	variable->feed->stream = ts_files_open(&script->sim->files, path->text, "r");
+	variable->feed->stream = ts_files_open(&formulas->sim->files, path->text, "r");
 	if (!variable->feed->stream)
 		return ts_fail(error, TS_IO, &path->place, "cannot open '%s': %s", path->text,
-			       ts_files_why(&script->sim->files));
-	TS_TRY(variable->style->next(script, variable, &empty));
+			       ts_files_why(&formulas->sim->files));
+	TS_TRY(variable->style->next(formulas, variable, &empty));
 	if (empty)
 		return ts_fail(error, TS_IO, &path->place, "the file '%s' has no values", path->text);
-	return ts_variable_resume(script, variable, &resumed);
+	return ts_variable_resume(formulas, variable, &resumed);
 }
 
-static enum ts_status file_text(struct ts_script *script, struct ts_variable *variable,
+static enum ts_status file_text(struct ts_formulas *formulas, struct ts_variable *variable,
 				const struct ts_place *where, struct ts_str *out)
 {
-	(void)script, (void)where;
+	(void)formulas, (void)where;
 	ts_str_add(out, ts_str_text(&variable->feed->text));
 	return TS_OK;
 }
@@ -252,17 +252,17 @@ static double value_of(const struct named *list, size_t n, double id)
 }
 
 /* Particles the set does not name have the value 0. */
-static enum ts_status atomfile_peratom(struct ts_script *script, struct ts_variable *variable,
+static enum ts_status atomfile_peratom(struct ts_formulas *formulas, struct ts_variable *variable,
 				       const struct ts_place *where, struct ts_table *out)
 {
 	const struct ts_variable_feed *feed = variable->feed;
 	struct named *list;
 
 	(void)where;
-	TS_TRY(ts_quantity_eval(script->sim, "id", out));
+	TS_TRY(ts_quantity_eval(formulas->sim, "id", out));
 	list = ts_alloc(feed->n + 1, sizeof *list);
 	if (!list)
-		return ts_nomem(&script->sim->error);
+		return ts_nomem(&formulas->sim->error);
 	for (size_t k = 0; k < feed->n; k++)
 		list[k] = (struct named){ feed->id[k], feed->value[k], k };
 	qsort(list, feed->n, sizeof *list, by_id);

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "math/constants.h"
-#include "script/expr.h"
+#include "formula/expr.h"
 
 #include "base/banned.h"
 
@@ -77,7 +77,7 @@ static enum ts_status of_one(struct ts_expr *e, struct ts_variable *variable, co
 
 	status = find_particle(e, k, at, &row);
 	if (status == TS_OK)
-		status = ts_variable_peratom(e->script, variable, place, &table);
+		status = ts_variable_peratom(e->formulas, variable, place, &table);
 	if (status == TS_OK)
 		out->scalar = table.data[row];
 	ts_table_release(&table);
@@ -89,7 +89,7 @@ static enum ts_status of_list(struct ts_expr *e, struct ts_variable *variable, c
 			      int64_t k, size_t at, struct ts_operand *out)
 {
 	struct ts_table table = { 0 };
-	enum ts_status status = ts_variable_vector(e->script, variable, place, &table);
+	enum ts_status status = ts_variable_vector(e->formulas, variable, place, &table);
 	bool open = k == OPEN_INDEX;
 
 	for (size_t i = 0; i < table.rows; i++)
@@ -128,14 +128,14 @@ static enum ts_status variable(struct ts_expr *e, const char *name, size_t at, s
 	struct ts_table table = { 0 };
 	struct ts_variable *found;
 
-	TS_TRY(ts_variable_require(e->script, name + 2, &place, &found));
+	TS_TRY(ts_variable_require(e->formulas, name + 2, &place, &found));
 	if (e->text[e->at] == '[')
 		return element(e, found, &place, at, out);
 	if (e->kind == TS_FORMULA_PERATOM && found->style->peratom && !found->style->number)
-		return ts_expr_take(e, ts_variable_peratom(e->script, found, &place, &table), &table, out);
+		return ts_expr_take(e, ts_variable_peratom(e->formulas, found, &place, &table), &table, out);
 	if (e->kind == TS_FORMULA_VECTOR && found->style->vector)
-		return ts_expr_take(e, ts_variable_vector(e->script, found, &place, &table), &table, out);
-	return ts_variable_number(e->script, found, &place, &out->scalar);
+		return ts_expr_take(e, ts_variable_vector(e->formulas, found, &place, &table), &table, out);
+	return ts_variable_number(e->formulas, found, &place, &out->scalar);
 }
 
 /* c_ID[k] of a style that has no such element but values of particles: of the one with identity k. */
@@ -223,7 +223,7 @@ static enum ts_status read_output(struct ts_expr *e, const char *name, const cha
 	identity = k[0] > 0 && !(shapes & (1u << TS_SCALAR)) &&
 		   (k[1] > 0 || (e->kind == TS_FORMULA_SCALAR && shapes & (1u << TS_PERATOM)));
 	given = gives(e, &ref, shapes, identity);
-	e->script->misfit |= !given;
+	e->formulas->misfit |= !given;
 	if (e->sim->reading.dry && given)
 		return nothing(out);
 	status = identity ? of_identity(e, name, k[0], k[1], at, out) : of_reference(e, &ref, &place, out);
@@ -322,7 +322,7 @@ static enum ts_status unknown(struct ts_expr *e, const char *name, size_t at, bo
 			ts_suggest_try(&suggest, c->name);
 		if (e->kind == TS_FORMULA_PERATOM)
 			ts_quantity_suggest(e->sim, &suggest);
-		if (ts_variable_find(e->script, name)) /* a forgotten v_ explains best */
+		if (ts_variable_find(e->formulas, name)) /* a forgotten v_ explains best */
 			suggest.distance = 0, suggest.best = ts_str_text(&with_prefix);
 	}
 	status = ts_expr_fail(e, TS_UNKNOWN, at, at + strlen(name), "unknown %s '%s'%s",
@@ -355,7 +355,7 @@ static enum ts_status bare_word(struct ts_expr *e, const char *name, struct ts_o
 	}
 	out->word = name;
 	out->is_word = !constant;
-	out->scalar = constant ? constant->value : ts_unknown_in(e->script, name) ? NAN : 0;
+	out->scalar = constant ? constant->value : ts_unknown_in(e->formulas, name) ? NAN : 0;
 	return TS_OK;
 }
 

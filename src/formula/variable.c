@@ -1,10 +1,10 @@
-#include "script/variable.h"
+#include "formula/variable.h"
 
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "script/unknown.h"
+#include "formula/unknown.h"
 
 #include "base/banned.h"
 
@@ -12,25 +12,25 @@
 const struct ts_variable_style *const ts_variable_styles[] = { TS_VARIABLE_STYLES(STYLE) NULL };
 #undef STYLE
 
-struct ts_variable *ts_variable_find(const struct ts_script *script, const char *name)
+struct ts_variable *ts_variable_find(const struct ts_formulas *formulas, const char *name)
 {
-	return ts_map_get(&script->variables.by_name, name);
+	return ts_map_get(&formulas->variables.by_name, name);
 }
 
-enum ts_status ts_variable_require(struct ts_script *script, const char *name, const struct ts_place *where,
-				   struct ts_variable **out)
+enum ts_status ts_variable_require(struct ts_formulas *formulas, const char *name,
+				   const struct ts_place *where, struct ts_variable **out)
 {
 	struct ts_suggest suggest = ts_suggest_start(name);
 
-	*out = ts_variable_find(script, name);
+	*out = ts_variable_find(formulas, name);
 	if (*out) {
 		(*out)->used = true;
 		return TS_OK;
 	}
-	ts_variables_pack(script);
-	for (size_t k = 0; k < script->variables.n; k++)
-		ts_suggest_try(&suggest, script->variables.item[k]->name);
-	return ts_missing(&script->sim->error, "variable", name, where, "unknown variable '%s'%s", name,
+	ts_variables_pack(formulas);
+	for (size_t k = 0; k < formulas->variables.n; k++)
+		ts_suggest_try(&suggest, formulas->variables.item[k]->name);
+	return ts_missing(&formulas->sim->error, "variable", name, where, "unknown variable '%s'%s", name,
 			  ts_suggest_text(&suggest));
 }
 
@@ -42,21 +42,21 @@ static void release(struct ts_variable *variable)
 	ts_free(variable);
 }
 
-void ts_variable_delete(struct ts_script *script, struct ts_variable *variable)
+void ts_variable_delete(struct ts_formulas *formulas, struct ts_variable *variable)
 {
-	struct ts_variables *all = &script->variables;
+	struct ts_variables *all = &formulas->variables;
 
 	all->item[variable->place] = NULL;
-	if (ts_variable_find(script, variable->name) == variable) /* not replaced */
+	if (ts_variable_find(formulas, variable->name) == variable) /* not replaced */
 		ts_map_remove(&all->by_name, variable->name);
 	release(variable);
 	if (++all->deleted > all->n / 2)
-		ts_variables_pack(script);
+		ts_variables_pack(formulas);
 }
 
-void ts_variables_pack(struct ts_script *script)
+void ts_variables_pack(struct ts_formulas *formulas)
 {
-	struct ts_variables *all = &script->variables;
+	struct ts_variables *all = &formulas->variables;
 	size_t n = 0;
 
 	for (size_t k = 0; k < all->n && all->deleted; k++) {
@@ -70,14 +70,14 @@ void ts_variables_pack(struct ts_script *script)
 	all->deleted = 0;
 }
 
-void ts_variables_release(struct ts_script *script)
+void ts_variables_release(struct ts_formulas *formulas)
 {
-	ts_variables_pack(script);
-	for (size_t k = 0; k < script->variables.n; k++)
-		release(script->variables.item[k]);
-	ts_map_release(&script->variables.by_name);
-	ts_free(script->variables.item);
-	script->variables = (struct ts_variables){ 0 };
+	ts_variables_pack(formulas);
+	for (size_t k = 0; k < formulas->variables.n; k++)
+		release(formulas->variables.item[k]);
+	ts_map_release(&formulas->variables.by_name);
+	ts_free(formulas->variables.item);
+	formulas->variables = (struct ts_variables){ 0 };
 }
 
 static enum ts_status check_name(struct ts_error *error, const struct ts_word *name)
@@ -92,11 +92,11 @@ static enum ts_status check_name(struct ts_error *error, const struct ts_word *n
 		       "a variable's name is made of letters, digits and _, found '%s'", name->text);
 }
 
-static enum ts_status read_values(struct ts_script *script, struct ts_variable *variable,
+static enum ts_status read_values(struct ts_formulas *formulas, struct ts_variable *variable,
 				  struct ts_words values)
 {
 	const struct ts_variable_style *style = variable->style;
-	struct ts_error *error = &script->sim->error;
+	struct ts_error *error = &formulas->sim->error;
 
 	if (values.n < style->least)
 		return ts_fail(error, TS_SYNTAX, &variable->where,
@@ -111,13 +111,13 @@ static enum ts_status read_values(struct ts_script *script, struct ts_variable *
 			       style->name, style->most);
 	if (ts_words_copy(&variable->arena, values, &variable->values) != TS_OK)
 		return ts_nomem(error);
-	return style->define ? style->define(script, variable) : TS_OK;
+	return style->define ? style->define(formulas, variable) : TS_OK;
 }
 
-static enum ts_status check_old(struct ts_script *script, const struct ts_word *name,
+static enum ts_status check_old(struct ts_formulas *formulas, const struct ts_word *name,
 				const struct ts_variable *old, const struct ts_variable_style *style)
 {
-	struct ts_error *error = &script->sim->error;
+	struct ts_error *error = &formulas->sim->error;
 
 	if (old->style != style)
 		return ts_fail(error, TS_STATE, &name->place,
@@ -130,19 +130,19 @@ static enum ts_status check_old(struct ts_script *script, const struct ts_word *
 	return TS_OK;
 }
 
-enum ts_status ts_variable_define(struct ts_script *script, const struct ts_word *name,
+enum ts_status ts_variable_define(struct ts_formulas *formulas, const struct ts_word *name,
 				  const struct ts_variable_style *style, struct ts_words values)
 {
-	struct ts_variables *all = &script->variables;
-	struct ts_error *error = &script->sim->error;
-	struct ts_variable *old = ts_variable_find(script, name->text), *made;
+	struct ts_variables *all = &formulas->variables;
+	struct ts_error *error = &formulas->sim->error;
+	struct ts_variable *old = ts_variable_find(formulas, name->text), *made;
 	enum ts_status status;
 
 	TS_TRY(check_name(error, name));
 	if (old && style->keeps)
 		return TS_OK;
 	if (old)
-		TS_TRY(check_old(script, name, old, style));
+		TS_TRY(check_old(formulas, name, old, style));
 	if (TS_GROW(all->item, all->capacity, all->n + 1) != TS_OK)
 		return ts_nomem(error);
 	made = ts_alloc(1, sizeof *made);
@@ -151,7 +151,7 @@ enum ts_status ts_variable_define(struct ts_script *script, const struct ts_word
 	made->style = style;
 	made->where = name->place;
 	made->name = ts_arena_strdup(&made->arena, name->text);
-	status = made->name ? read_values(script, made, values) : ts_nomem(error);
+	status = made->name ? read_values(formulas, made, values) : ts_nomem(error);
 	if (status == TS_OK && ts_map_set(&all->by_name, made->name, made) != TS_OK)
 		status = ts_nomem(error);
 	if (status != TS_OK) {
@@ -162,25 +162,25 @@ enum ts_status ts_variable_define(struct ts_script *script, const struct ts_word
 	made->place = all->n;
 	all->item[all->n++] = made;
 	if (old)
-		ts_variable_delete(script, old);
+		ts_variable_delete(formulas, old);
 	return TS_OK;
 }
 
-static enum ts_status enter(struct ts_script *script, struct ts_variable *variable,
+static enum ts_status enter(struct ts_formulas *formulas, struct ts_variable *variable,
 			    const struct ts_place *where)
 {
 	if (variable->busy)
-		return ts_fail(&script->sim->error, TS_STATE, where,
+		return ts_fail(&formulas->sim->error, TS_STATE, where,
 			       "the formula of variable '%s' uses itself", variable->name);
 	variable->busy = true;
 	return TS_OK;
 }
 
 /* Says who asked for a formula that failed, if that is not plain from the place. */
-static enum ts_status leave(struct ts_script *script, struct ts_variable *variable, enum ts_status status,
+static enum ts_status leave(struct ts_formulas *formulas, struct ts_variable *variable, enum ts_status status,
 			    const struct ts_place *where)
 {
-	struct ts_error *error = &script->sim->error;
+	struct ts_error *error = &formulas->sim->error;
 	size_t n = strlen(error->message);
 
 	variable->busy = false;
@@ -193,93 +193,93 @@ static enum ts_status leave(struct ts_script *script, struct ts_variable *variab
 	return status;
 }
 
-enum ts_status ts_variable_text(struct ts_script *script, struct ts_variable *variable,
+enum ts_status ts_variable_text(struct ts_formulas *formulas, struct ts_variable *variable,
 				const struct ts_place *where, struct ts_str *out)
 {
-	struct ts_error *error = &script->sim->error;
+	struct ts_error *error = &formulas->sim->error;
 
 	if (!variable->style->text)
 		return ts_fail(error, TS_STATE, where,
 			       "variable '%s' (style %s) has a value for each particle and cannot "
 			       "be put into a line",
 			       variable->name, variable->style->name);
-	if (variable->open && variable->style->number && ts_unknown_read(script, variable->name)) {
-		ts_unknown_add(script->sim, out, "%g", NAN);
+	if (variable->open && variable->style->number && ts_unknown_read(formulas, variable->name)) {
+		ts_unknown_add(formulas->sim, out, "%g", NAN);
 		return TS_OK;
 	}
-	TS_TRY(enter(script, variable, where));
-	TS_TRY(leave(script, variable, variable->style->text(script, variable, where, out), where));
+	TS_TRY(enter(formulas, variable, where));
+	TS_TRY(leave(formulas, variable, variable->style->text(formulas, variable, where, out), where));
 	return out->failed ? ts_nomem(error) : TS_OK;
 }
 
-static enum ts_status text_as_number(struct ts_script *script, struct ts_variable *variable,
+static enum ts_status text_as_number(struct ts_formulas *formulas, struct ts_variable *variable,
 				     const struct ts_place *where, double *out)
 {
 	struct ts_str text = { 0 };
-	enum ts_status status = ts_variable_text(script, variable, where, &text);
+	enum ts_status status = ts_variable_text(formulas, variable, where, &text);
 
-	if (status == TS_OK && ts_unknown_in(script, ts_str_text(&text)))
+	if (status == TS_OK && ts_unknown_in(formulas, ts_str_text(&text)))
 		*out = NAN;
 	else if (status == TS_OK && !ts_parse_real(ts_str_text(&text), out))
-		status = ts_fail(&script->sim->error, TS_SYNTAX, where,
+		status = ts_fail(&formulas->sim->error, TS_SYNTAX, where,
 				 "variable '%s' is '%s', which is no number", variable->name,
 				 ts_str_text(&text));
 	ts_str_release(&text);
 	return status;
 }
 
-enum ts_status ts_variable_number(struct ts_script *script, struct ts_variable *variable,
+enum ts_status ts_variable_number(struct ts_formulas *formulas, struct ts_variable *variable,
 				  const struct ts_place *where, double *out)
 {
 	const struct ts_variable_style *style = variable->style;
 
-	if (variable->open && ts_unknown_read(script, variable->name)) {
+	if (variable->open && ts_unknown_read(formulas, variable->name)) {
 		*out = NAN;
 		return TS_OK;
 	}
 	if (style->peratom && !style->number)
-		return ts_fail(&script->sim->error, TS_STATE, where,
+		return ts_fail(&formulas->sim->error, TS_STATE, where,
 			       "variable '%s' has a value for each particle; one number is needed here",
 			       variable->name);
 	if (style->vector && !style->number)
-		return ts_fail(&script->sim->error, TS_STATE, where,
+		return ts_fail(&formulas->sim->error, TS_STATE, where,
 			       "variable '%s' is a list of numbers; choose one with v_%s[k]", variable->name,
 			       variable->name);
 	if (!style->number)
-		return text_as_number(script, variable, where, out);
-	TS_TRY(enter(script, variable, where));
-	return leave(script, variable, style->number(script, variable, where, out), where);
+		return text_as_number(formulas, variable, where, out);
+	TS_TRY(enter(formulas, variable, where));
+	return leave(formulas, variable, style->number(formulas, variable, where, out), where);
 }
 
-enum ts_status ts_variable_peratom(struct ts_script *script, struct ts_variable *variable,
+enum ts_status ts_variable_peratom(struct ts_formulas *formulas, struct ts_variable *variable,
 				   const struct ts_place *where, struct ts_table *out)
 {
 	if (!variable->style->peratom)
-		return ts_fail(&script->sim->error, TS_STATE, where,
+		return ts_fail(&formulas->sim->error, TS_STATE, where,
 			       "variable '%s' is of style %s; values for each particle need style "
 			       "atom or atomfile",
 			       variable->name, variable->style->name);
-	TS_TRY(enter(script, variable, where));
-	return leave(script, variable, variable->style->peratom(script, variable, where, out), where);
+	TS_TRY(enter(formulas, variable, where));
+	return leave(formulas, variable, variable->style->peratom(formulas, variable, where, out), where);
 }
 
-enum ts_status ts_variable_vector(struct ts_script *script, struct ts_variable *variable,
+enum ts_status ts_variable_vector(struct ts_formulas *formulas, struct ts_variable *variable,
 				  const struct ts_place *where, struct ts_table *out)
 {
 	if (!variable->style->vector)
-		return ts_fail(&script->sim->error, TS_STATE, where,
+		return ts_fail(&formulas->sim->error, TS_STATE, where,
 			       "variable '%s' is of style %s; a list of numbers needs style vector",
 			       variable->name, variable->style->name);
-	TS_TRY(enter(script, variable, where));
-	return leave(script, variable, variable->style->vector(script, variable, where, out), where);
+	TS_TRY(enter(formulas, variable, where));
+	return leave(formulas, variable, variable->style->vector(formulas, variable, where, out), where);
 }
 
-enum ts_status ts_variable_next(struct ts_script *script, struct ts_variable *variable,
+enum ts_status ts_variable_next(struct ts_formulas *formulas, struct ts_variable *variable,
 				const struct ts_place *where, bool *exhausted)
 {
 	if (!variable->style->next)
-		return ts_fail(&script->sim->error, TS_STATE, where,
+		return ts_fail(&formulas->sim->error, TS_STATE, where,
 			       "'next' needs an index, loop or file variable; '%s' is of style %s",
 			       variable->name, variable->style->name);
-	return variable->style->next(script, variable, exhausted);
+	return variable->style->next(formulas, variable, exhausted);
 }

@@ -1,7 +1,7 @@
 /* Functions of numbers. */
 #include <math.h>
 
-#include "script/expr.h"
+#include "formula/expr.h"
 
 #include "base/banned.h"
 

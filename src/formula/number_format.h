@@ -1,6 +1,6 @@
 /* Formats for one number, as users write them: "%.4g", "%08.3f m", "%5.1f%%". */
-#ifndef TS_SCRIPT_NUMBER_FORMAT_H
-#define TS_SCRIPT_NUMBER_FORMAT_H
+#ifndef TS_FORMULA_NUMBER_FORMAT_H
+#define TS_FORMULA_NUMBER_FORMAT_H
 
 #include "base/status.h"
 #include "base/str.h"

@@ -1,11 +1,11 @@
 /* Streams of random numbers: one per seed, which lives as long as the script. */
 #include <math.h>
 
-#include "script/interpreter.h"
+#include "formula/formulas.h"
 
 #include "base/banned.h"
 
-enum ts_status ts_script_stream_of(struct ts_script *s, double seed, struct ts_random_stream **out)
+enum ts_status ts_random_stream_of(struct ts_formulas *s, double seed, struct ts_random_stream **out)
 {
 	size_t k = 0;
 
@@ -25,7 +25,7 @@ enum ts_status ts_script_stream_of(struct ts_script *s, double seed, struct ts_r
 }
 
 /* Streams that the archive does not name go on as they are. */
-static enum ts_status restore(struct ts_script *s, const int64_t *number, size_t n)
+static enum ts_status restore(struct ts_formulas *s, const int64_t *number, size_t n)
 {
 	struct ts_random_stream *stream;
 
@@ -33,14 +33,14 @@ static enum ts_status restore(struct ts_script *s, const int64_t *number, size_t
 		if (number[k] < 1 || number[k + 1] < 0 || number[k + 2] < 0)
 			return ts_fail(&s->sim->error, TS_DAMAGED, NULL,
 				       "the streams of random numbers are damaged");
-		TS_TRY(ts_script_stream_of(s, (double)number[k], &stream));
+		TS_TRY(ts_random_stream_of(s, (double)number[k], &stream));
 		stream->draws = number[k + 1];
 		stream->rounds = number[k + 2];
 	}
 	return TS_OK;
 }
 
-enum ts_status ts_script_archive(struct ts_script *s, struct ts_archive *archive)
+enum ts_status ts_formulas_archive(struct ts_formulas *s, struct ts_archive *archive)
 {
 	size_t n = 0, capacity = 0;
 	int64_t *number = NULL;
@@ -58,4 +58,12 @@ enum ts_status ts_script_archive(struct ts_script *s, struct ts_archive *archive
 		status = restore(s, number, n);
 	ts_free(number);
 	return status == TS_OK ? ts_variables_archive(s, archive) : status;
+}
+
+void ts_formulas_release(struct ts_formulas *formulas)
+{
+	ts_variables_release(formulas);
+	ts_free(formulas->stream);
+	ts_free(formulas->waiting);
+	ts_map_release(&formulas->waiting_at);
 }

@@ -1,4 +1,4 @@
-#include "script/expr.h"
+#include "formula/expr.h"
 
 #include <ctype.h>
 #include <stdarg.h>
@@ -69,7 +69,7 @@ enum ts_status ts_expr_array(struct ts_expr *e, size_t n, struct ts_operand *out
 enum ts_status ts_expr_given(struct ts_expr *e, const char *name, enum ts_status status,
 			     struct ts_operand *out)
 {
-	if (!ts_unknown_value(e->script, name, &status))
+	if (!ts_unknown_value(e->formulas, name, &status))
 		return status;
 	out->scalar = NAN;
 	for (size_t i = 0; out->data && i < out->n; i++)
@@ -104,7 +104,7 @@ static enum ts_status read_number(struct ts_expr *e, struct ts_operand *out)
 	copy = ts_expr_copy(e, e->at, e->at + n);
 	if (!copy)
 		return TS_NOMEM;
-	if (ts_unknown_in(e->script, copy))
+	if (ts_unknown_in(e->formulas, copy))
 		out->scalar = NAN;
 	else if (!ts_parse_real(copy, &out->scalar))
 		return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + n, "'%s' is not a number", copy);
@@ -120,7 +120,7 @@ static enum ts_status read_quoted(struct ts_expr *e, struct ts_operand *out)
 		return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1, "this quote is never closed");
 	out->word = ts_expr_copy(e, e->at + 1, end - 1);
 	out->is_word = true;
-	out->scalar = out->word && ts_unknown_in(e->script, out->word) ? NAN : 0;
+	out->scalar = out->word && ts_unknown_in(e->formulas, out->word) ? NAN : 0;
 	e->at = end;
 	return out->word ? TS_OK : TS_NOMEM;
 }
@@ -229,12 +229,12 @@ enum ts_status ts_expr_read(struct ts_expr *e, int level, struct ts_operand *out
 	struct ts_operand right, result;
 	size_t at;
 
-	int depth = e->script->formula_depth;
+	int depth = e->formulas->depth;
 
 	if (level == 1 && depth > DEEPEST)
 		return ts_expr_fail(e, TS_RANGE, e->at, e->at + 1,
 				    "the formula is nested too deeply, more than %d times", DEEPEST);
-	e->script->formula_depth += level == 1;
+	e->formulas->depth += level == 1;
 	TS_TRY(read_operand(e, out));
 	for (;;) {
 		ts_expr_peek(e);
@@ -247,7 +247,7 @@ enum ts_status ts_expr_read(struct ts_expr *e, int level, struct ts_operand *out
 		TS_TRY(ts_op_binary(e, op, at, out, &right, &result));
 		*out = result;
 	}
-	e->script->formula_depth = depth;
+	e->formulas->depth = depth;
 	return TS_OK;
 }
 
@@ -267,13 +267,13 @@ enum ts_status ts_expr_read_number(struct ts_expr *e, double *out)
 	return status;
 }
 
-static struct ts_expr start(struct ts_script *script, const char *text, const struct ts_place *place,
+static struct ts_expr start(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 			    enum ts_formula kind)
 {
 	static const struct ts_place nowhere;
 
-	return (struct ts_expr){ .script = script,
-				 .sim = script->sim,
+	return (struct ts_expr){ .formulas = formulas,
+				 .sim = formulas->sim,
 				 .text = text,
 				 .length = strlen(text),
 				 .place = place ? place : &nowhere,
@@ -284,18 +284,18 @@ static struct ts_expr start(struct ts_script *script, const char *text, const st
  * cannot exhaust the stack. */
 static enum ts_status evaluate(struct ts_expr *e, struct ts_operand *out)
 {
-	int depth = e->script->formula_depth;
+	int depth = e->formulas->depth;
 	enum ts_status status;
 
-	e->script->reading += depth == 0;
-	e->script->formulas = depth ? e->script->formulas + 1 : 0;
-	if (e->sim->requests.stop && e->script->formulas > PATIENCE)
+	e->formulas->evaluation += depth == 0;
+	e->formulas->evaluated = depth ? e->formulas->evaluated + 1 : 0;
+	if (e->sim->requests.stop && e->formulas->evaluated > PATIENCE)
 		return ts_expr_fail(e, TS_STOPPED, 0, e->length,
 				    "stopped on request in a formula that takes long");
 	status = ts_expr_read(e, 1, out);
-	e->script->formula_depth = depth;
+	e->formulas->depth = depth;
 	if (!depth)
-		ts_variables_forget(e->script);
+		ts_variables_forget(e->formulas);
 	if (status != TS_OK)
 		return status;
 	if (ts_expr_peek(e))
@@ -305,10 +305,10 @@ static enum ts_status evaluate(struct ts_expr *e, struct ts_operand *out)
 	return ts_op_need_number(e, out);
 }
 
-enum ts_status ts_expr_scalar(struct ts_script *script, const char *text, const struct ts_place *place,
+enum ts_status ts_expr_scalar(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 			      double *out)
 {
-	struct ts_expr e = start(script, text, place, TS_FORMULA_SCALAR);
+	struct ts_expr e = start(formulas, text, place, TS_FORMULA_SCALAR);
 	struct ts_operand value;
 	enum ts_status status = evaluate(&e, &value);
 
@@ -318,33 +318,34 @@ enum ts_status ts_expr_scalar(struct ts_script *script, const char *text, const 
 	return status;
 }
 
-struct ts_dry ts_dry_begin(struct ts_script *script)
+struct ts_dry ts_dry_begin(struct ts_formulas *formulas)
 {
-	struct ts_dry before = { script->sim->reading.dry, script->sim->reading.looking, script->misfit };
+	struct ts_dry before = { formulas->sim->reading.dry, formulas->sim->reading.looking,
+				 formulas->misfit };
 
-	script->sim->reading.dry = script->sim->reading.looking = true;
-	script->misfit = false;
+	formulas->sim->reading.dry = formulas->sim->reading.looking = true;
+	formulas->misfit = false;
 	return before;
 }
 
-enum ts_status ts_dry_end(struct ts_script *script, struct ts_dry before, enum ts_status status, bool now)
+enum ts_status ts_dry_end(struct ts_formulas *formulas, struct ts_dry before, enum ts_status status, bool now)
 {
-	bool meant = status == TS_NOMEM || script->misfit ||
+	bool meant = status == TS_NOMEM || formulas->misfit ||
 		     (now && (status == TS_UNKNOWN || status == TS_SYNTAX));
 
-	script->sim->reading.dry = before.dry;
-	script->sim->reading.looking = before.looking;
-	script->misfit = before.misfit;
+	formulas->sim->reading.dry = before.dry;
+	formulas->sim->reading.looking = before.looking;
+	formulas->misfit = before.misfit;
 	if (status == TS_OK || meant)
 		return status;
-	ts_error_clear(&script->sim->error);
+	ts_error_clear(&formulas->sim->error);
 	return TS_OK;
 }
 
-enum ts_status ts_expr_condition(struct ts_script *script, const char *text, const struct ts_place *place,
+enum ts_status ts_expr_condition(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 				 enum ts_truth *out)
 {
-	struct ts_expr e = start(script, text, place, TS_FORMULA_SCALAR);
+	struct ts_expr e = start(formulas, text, place, TS_FORMULA_SCALAR);
 	struct ts_operand value;
 	enum ts_status status;
 
@@ -352,9 +353,9 @@ enum ts_status ts_expr_condition(struct ts_script *script, const char *text, con
 	status = evaluate(&e, &value);
 	ts_arena_release(&e.arena);
 	if (status == TS_OK)
-		*out = ts_unknown(script->sim, value.scalar)  ? TS_OPEN
-		       : value.scalar < 0 || value.scalar > 0 ? TS_YES
-							      : TS_NO;
+		*out = ts_unknown(formulas->sim, value.scalar) ? TS_OPEN
+		       : value.scalar < 0 || value.scalar > 0  ? TS_YES
+							       : TS_NO;
 	return status;
 }
 
@@ -368,10 +369,10 @@ static enum ts_status store(struct ts_expr *e, const struct ts_operand *value, s
 	return TS_OK;
 }
 
-enum ts_status ts_expr_peratom(struct ts_script *script, const char *text, const struct ts_place *place,
+enum ts_status ts_expr_peratom(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 			       struct ts_table *out)
 {
-	struct ts_expr e = start(script, text, place, TS_FORMULA_PERATOM);
+	struct ts_expr e = start(formulas, text, place, TS_FORMULA_PERATOM);
 	struct ts_table id = { 0 };
 	struct ts_operand value;
 	enum ts_status status = ts_quantity_eval(e.sim, "id", &id);
@@ -386,10 +387,10 @@ enum ts_status ts_expr_peratom(struct ts_script *script, const char *text, const
 	return status;
 }
 
-enum ts_status ts_expr_vector(struct ts_script *script, const char *text, const struct ts_place *place,
+enum ts_status ts_expr_vector(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 			      struct ts_table *out)
 {
-	struct ts_expr e = start(script, text, place, TS_FORMULA_VECTOR);
+	struct ts_expr e = start(formulas, text, place, TS_FORMULA_VECTOR);
 	struct ts_operand value;
 	enum ts_status status = evaluate(&e, &value);
 

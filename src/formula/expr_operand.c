@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "script/expr.h"
+#include "formula/expr.h"
 
 #include "base/banned.h"
 

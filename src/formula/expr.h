@@ -4,10 +4,10 @@
  * Precedence from low to high, all left-associative as in LIGGGHTS (ts_operators in expr_operand.c):
  *   ||   &&   == !=   < <= > >=   + -   * / %   ^   then unary - and !
  * so -2^2 is 4 and 2^3^2 is 64. */
-#ifndef TS_SCRIPT_EXPR_H
-#define TS_SCRIPT_EXPR_H
+#ifndef TS_FORMULA_EXPR_H
+#define TS_FORMULA_EXPR_H
 
-#include "script/unknown.h"
+#include "formula/unknown.h"
 
 struct ts_operand {
 	double scalar;
@@ -22,7 +22,7 @@ struct ts_operand {
 enum ts_formula { TS_FORMULA_SCALAR, TS_FORMULA_PERATOM, TS_FORMULA_VECTOR };
 
 struct ts_expr {
-	struct ts_script *script;
+	struct ts_formulas *formulas;
 	struct tsim *sim;
 	struct ts_arena arena;
 	const char *text;

@@ -4,7 +4,7 @@
 
 #include "math/exactsum.h"
 #include "math/fit.h"
-#include "script/expr.h"
+#include "formula/expr.h"
 
 #include "base/banned.h"
 

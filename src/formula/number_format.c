@@ -1,4 +1,4 @@
-#include "script/number_format.h"
+#include "formula/number_format.h"
 
 #include <math.h>
 #include <string.h>

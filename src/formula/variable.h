@@ -1,7 +1,7 @@
 /* Variables of a script. Each style is a constant record in its own file: variable_list.c (index, loop and
  * their kin), variable_text.c, variable_file.c, variable_formula.c. */
-#ifndef TS_SCRIPT_VARIABLE_H
-#define TS_SCRIPT_VARIABLE_H
+#ifndef TS_FORMULA_VARIABLE_H
+#define TS_FORMULA_VARIABLE_H
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -11,7 +11,7 @@
 #include "core/archive.h"
 #include "core/value.h"
 
-struct ts_script;
+struct ts_formulas;
 struct ts_variable;
 
 /* All styles, in the order of the manual. */
@@ -46,24 +46,24 @@ struct ts_variable_style {
 	const char *name, *values, *help;
 	size_t least, most; /* how many words it takes; most 0: any number */
 	bool keeps;	    /* defining one that exists already does nothing */
-	enum ts_status (*define)(struct ts_script *script, struct ts_variable *variable);
+	enum ts_status (*define)(struct ts_formulas *formulas, struct ts_variable *variable);
 	/* what ${name} stands for */
-	enum ts_status (*text)(struct ts_script *script, struct ts_variable *variable,
+	enum ts_status (*text)(struct ts_formulas *formulas, struct ts_variable *variable,
 			       const struct ts_place *where, struct ts_str *out);
 	/* what v_name stands for */
-	enum ts_status (*number)(struct ts_script *script, struct ts_variable *variable,
+	enum ts_status (*number)(struct ts_formulas *formulas, struct ts_variable *variable,
 				 const struct ts_place *where, double *out);
 	/* one value per local particle; rows x 1 */
-	enum ts_status (*peratom)(struct ts_script *script, struct ts_variable *variable,
+	enum ts_status (*peratom)(struct ts_formulas *formulas, struct ts_variable *variable,
 				  const struct ts_place *where, struct ts_table *out);
 	/* a list of numbers; rows x 1 */
-	enum ts_status (*vector)(struct ts_script *script, struct ts_variable *variable,
+	enum ts_status (*vector)(struct ts_formulas *formulas, struct ts_variable *variable,
 				 const struct ts_place *where, struct ts_table *out);
 	/* goes on to the next value; *exhausted: there is none */
-	enum ts_status (*next)(struct ts_script *script, struct ts_variable *variable, bool *exhausted);
+	enum ts_status (*next)(struct ts_formulas *formulas, struct ts_variable *variable, bool *exhausted);
 	/* For restart files; false: there is nothing to keep. */
 	bool (*save)(const struct ts_variable *variable, double *number);
-	enum ts_status (*restore)(struct ts_script *script, struct ts_variable *variable, double number);
+	enum ts_status (*restore)(struct ts_formulas *formulas, struct ts_variable *variable, double number);
 	void (*release)(struct ts_variable *variable);
 };
 #define TS_VARIABLE_DECLARE(style) extern const struct ts_variable_style ts_var_##style;
@@ -80,7 +80,7 @@ struct ts_variable {
 	int64_t at, last;	/* index: which value; loop: the number itself */
 	int pad;		/* loop: digits */
 	double number;		/* internal, once, timer; of a formula: as it was read last */
-	uint64_t reading;	/* of the script, when that was */
+	uint64_t evaluation;	/* of the script, when that was */
 	struct ts_table kept;	/* of a formula of particles or a list: likewise, within a reading */
 	struct ts_variable *next_kept;
 	size_t place; /* among all */
@@ -101,35 +101,35 @@ struct ts_variables {
 	struct ts_map by_name;
 };
 
-struct ts_variable *ts_variable_find(const struct ts_script *script, const char *name);
+struct ts_variable *ts_variable_find(const struct ts_formulas *formulas, const char *name);
 /* The same and marks it used; or an error with a suggestion. */
-enum ts_status ts_variable_require(struct ts_script *script, const char *name, const struct ts_place *where,
-				   struct ts_variable **out);
+enum ts_status ts_variable_require(struct ts_formulas *formulas, const char *name,
+				   const struct ts_place *where, struct ts_variable **out);
 /* Defines it, or leaves it alone if it exists and its style says so. */
-enum ts_status ts_variable_define(struct ts_script *script, const struct ts_word *name,
+enum ts_status ts_variable_define(struct ts_formulas *formulas, const struct ts_word *name,
 				  const struct ts_variable_style *style, struct ts_words values);
-void ts_variable_delete(struct ts_script *script, struct ts_variable *variable);
+void ts_variable_delete(struct ts_formulas *formulas, struct ts_variable *variable);
 /* From now on until one is deleted item[0..n-1] are those that exist. */
-void ts_variables_pack(struct ts_script *script);
-void ts_variables_release(struct ts_script *script);
+void ts_variables_pack(struct ts_formulas *formulas);
+void ts_variables_release(struct ts_formulas *formulas);
 
-enum ts_status ts_variable_text(struct ts_script *script, struct ts_variable *variable,
+enum ts_status ts_variable_text(struct ts_formulas *formulas, struct ts_variable *variable,
 				const struct ts_place *where, struct ts_str *out);
-enum ts_status ts_variable_number(struct ts_script *script, struct ts_variable *variable,
+enum ts_status ts_variable_number(struct ts_formulas *formulas, struct ts_variable *variable,
 				  const struct ts_place *where, double *out);
-enum ts_status ts_variable_peratom(struct ts_script *script, struct ts_variable *variable,
+enum ts_status ts_variable_peratom(struct ts_formulas *formulas, struct ts_variable *variable,
 				   const struct ts_place *where, struct ts_table *out);
-enum ts_status ts_variable_vector(struct ts_script *script, struct ts_variable *variable,
+enum ts_status ts_variable_vector(struct ts_formulas *formulas, struct ts_variable *variable,
 				  const struct ts_place *where, struct ts_table *out);
-enum ts_status ts_variable_next(struct ts_script *script, struct ts_variable *variable,
+enum ts_status ts_variable_next(struct ts_formulas *formulas, struct ts_variable *variable,
 				const struct ts_place *where, bool *exhausted);
 
 /* At the end of a reading: columns and lists that were kept within it. */
-void ts_variables_forget(struct ts_script *script);
+void ts_variables_forget(struct ts_formulas *formulas);
 
 /* Gives a variable that is being defined what a restart file keeps of it; *resumed: there was something. */
-enum ts_status ts_variable_resume(struct ts_script *script, struct ts_variable *variable, bool *resumed);
+enum ts_status ts_variable_resume(struct ts_formulas *formulas, struct ts_variable *variable, bool *resumed);
 /* The states of all variables, written or read. */
-enum ts_status ts_variables_archive(struct ts_script *script, struct ts_archive *archive);
+enum ts_status ts_variables_archive(struct ts_formulas *formulas, struct ts_archive *archive);
 
 #endif

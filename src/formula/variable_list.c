@@ -3,37 +3,37 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "script/interpreter.h"
+#include "formula/formulas.h"
 
 #include "base/banned.h"
 
-static enum ts_status define_list(struct ts_script *script, struct ts_variable *variable)
+static enum ts_status define_list(struct ts_formulas *formulas, struct ts_variable *variable)
 {
-	(void)script;
+	(void)formulas;
 	variable->last = (int64_t)variable->values.n - 1;
 	return TS_OK;
 }
 
-static enum ts_status list_text(struct ts_script *script, struct ts_variable *variable,
+static enum ts_status list_text(struct ts_formulas *formulas, struct ts_variable *variable,
 				const struct ts_place *where, struct ts_str *out)
 {
-	(void)script, (void)where;
+	(void)formulas, (void)where;
 	ts_str_add(out, variable->values.word[variable->at].text);
 	return TS_OK;
 }
 
-static enum ts_status list_next(struct ts_script *script, struct ts_variable *variable, bool *exhausted)
+static enum ts_status list_next(struct ts_formulas *formulas, struct ts_variable *variable, bool *exhausted)
 {
-	(void)script;
+	(void)formulas;
 	*exhausted = variable->at == variable->last;
 	variable->at += !*exhausted;
 	return TS_OK;
 }
 
 /* N | N1 N2, and `pad`. */
-static enum ts_status define_loop(struct ts_script *script, struct ts_variable *variable)
+static enum ts_status define_loop(struct ts_formulas *formulas, struct ts_variable *variable)
 {
-	struct ts_error *error = &script->sim->error;
+	struct ts_error *error = &formulas->sim->error;
 	struct ts_words values = variable->values;
 	int64_t bound[2] = { 1, 0 };
 	bool pad = values.n > 1 && ts_streq(values.word[values.n - 1].text, "pad");
@@ -57,10 +57,10 @@ static enum ts_status define_loop(struct ts_script *script, struct ts_variable *
 	return TS_OK;
 }
 
-static enum ts_status loop_text(struct ts_script *script, struct ts_variable *variable,
+static enum ts_status loop_text(struct ts_formulas *formulas, struct ts_variable *variable,
 				const struct ts_place *where, struct ts_str *out)
 {
-	(void)script, (void)where;
+	(void)formulas, (void)where;
 	ts_str_addf(out, "%0*" PRId64, variable->pad, variable->at);
 	return TS_OK;
 }

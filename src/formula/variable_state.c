@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "script/interpreter.h"
+#include "formula/formulas.h"
 
 #include "base/banned.h"
 
@@ -32,22 +32,23 @@ static bool is_kept(const struct ts_variable *variable, double *number)
 	       variable->style->save(variable, number);
 }
 
-static enum ts_status write_states(struct ts_script *script, struct ts_archive *archive)
+static enum ts_status write_states(struct ts_formulas *formulas, struct ts_archive *archive)
 {
 	struct ts_str names = { 0 };
 	const char *list;
 	double number;
 	enum ts_status status;
 
-	ts_variables_pack(script);
-	for (size_t k = 0; k < script->variables.n; k++)
-		if (is_kept(script->variables.item[k], &number))
-			ts_str_addf(&names, "%s ", script->variables.item[k]->name);
+	ts_variables_pack(formulas);
+	for (size_t k = 0; k < formulas->variables.n; k++)
+		if (is_kept(formulas->variables.item[k], &number))
+			ts_str_addf(&names, "%s ", formulas->variables.item[k]->name);
 	list = ts_str_text(&names);
-	status = names.failed ? ts_nomem(&script->sim->error) : ts_archive_string(archive, list_field, &list);
+	status = names.failed ? ts_nomem(&formulas->sim->error)
+			      : ts_archive_string(archive, list_field, &list);
 	ts_str_release(&names);
-	for (size_t k = 0; k < script->variables.n && status == TS_OK; k++) {
-		const struct ts_variable *v = script->variables.item[k];
+	for (size_t k = 0; k < formulas->variables.n && status == TS_OK; k++) {
+		const struct ts_variable *v = formulas->variables.item[k];
 		struct ts_variable_state state = { v->style->name, v->name, "", 0 };
 
 		if (!is_kept(v, &state.number))
@@ -64,33 +65,34 @@ static bool is_for(const struct ts_variable_state *state, const struct ts_variab
 	       ts_streq(state->text, variable->values.word[0].text);
 }
 
-enum ts_status ts_variable_resume(struct ts_script *script, struct ts_variable *variable, bool *resumed)
+enum ts_status ts_variable_resume(struct ts_formulas *formulas, struct ts_variable *variable, bool *resumed)
 {
-	size_t k = (size_t)(uintptr_t)ts_map_get(&script->waiting_at, variable->name);
+	size_t k = (size_t)(uintptr_t)ts_map_get(&formulas->waiting_at, variable->name);
 
-	*resumed = k && is_for(&script->waiting[k - 1], variable);
+	*resumed = k && is_for(&formulas->waiting[k - 1], variable);
 	if (!*resumed)
 		return TS_OK;
-	ts_map_remove(&script->waiting_at, variable->name);
-	return variable->style->restore(script, variable, script->waiting[k - 1].number);
+	ts_map_remove(&formulas->waiting_at, variable->name);
+	return variable->style->restore(formulas, variable, formulas->waiting[k - 1].number);
 }
 
-static enum ts_status read_state(struct ts_script *script, struct ts_archive *archive, const char *name)
+static enum ts_status read_state(struct ts_formulas *formulas, struct ts_archive *archive, const char *name)
 {
 	struct ts_variable_state state = { .name = name };
-	struct ts_variable *variable = ts_variable_find(script, name);
+	struct ts_variable *variable = ts_variable_find(formulas, name);
 	bool resumed;
 
 	TS_TRY(archive_one(archive, &state));
-	if (TS_GROW(script->waiting, script->waiting_capacity, script->nwaiting + 1) != TS_OK)
-		return ts_nomem(&script->sim->error);
-	script->waiting[script->nwaiting++] = state;
-	if (ts_map_set(&script->waiting_at, name, (void *)(uintptr_t)script->nwaiting) != TS_OK)
-		return ts_nomem(&script->sim->error);
-	return variable && variable->style->restore ? ts_variable_resume(script, variable, &resumed) : TS_OK;
+	if (TS_GROW(formulas->waiting, formulas->waiting_capacity, formulas->nwaiting + 1) != TS_OK)
+		return ts_nomem(&formulas->sim->error);
+	formulas->waiting[formulas->nwaiting++] = state;
+	if (ts_map_set(&formulas->waiting_at, name, (void *)(uintptr_t)formulas->nwaiting) != TS_OK)
+		return ts_nomem(&formulas->sim->error);
+	return variable && variable->style->restore ? ts_variable_resume(formulas, variable, &resumed)
+						    : TS_OK;
 }
 
-static enum ts_status read_states(struct ts_script *script, struct ts_archive *archive)
+static enum ts_status read_states(struct ts_formulas *formulas, struct ts_archive *archive)
 {
 	struct ts_arena arena = { 0 };
 	struct ts_words names = { 0 };
@@ -98,23 +100,23 @@ static enum ts_status read_states(struct ts_script *script, struct ts_archive *a
 	const char *list;
 	enum ts_status status;
 
-	script->nwaiting = 0;
-	ts_map_release(&script->waiting_at);
+	formulas->nwaiting = 0;
+	ts_map_release(&formulas->waiting_at);
 	if (!ts_archive_has(archive, list_field))
 		return TS_OK;
 	TS_TRY(ts_archive_string(archive, list_field, &list));
 	status = ts_words_split(&arena, list, &nowhere, &names) == TS_OK ? TS_OK
-									 : ts_nomem(&script->sim->error);
+									 : ts_nomem(&formulas->sim->error);
 	for (size_t k = 0; k < names.n && status == TS_OK; k++) {
-		const char *name = ts_pool_get(script->sim->pool, names.word[k].text);
+		const char *name = ts_pool_get(formulas->sim->pool, names.word[k].text);
 
-		status = name ? read_state(script, archive, name) : ts_nomem(&script->sim->error);
+		status = name ? read_state(formulas, archive, name) : ts_nomem(&formulas->sim->error);
 	}
 	ts_arena_release(&arena);
 	return status;
 }
 
-enum ts_status ts_variables_archive(struct ts_script *script, struct ts_archive *archive)
+enum ts_status ts_variables_archive(struct ts_formulas *formulas, struct ts_archive *archive)
 {
-	return ts_archive_writing(archive) ? write_states(script, archive) : read_states(script, archive);
+	return ts_archive_writing(archive) ? write_states(formulas, archive) : read_states(formulas, archive);
 }

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "script/expr.h"
+#include "formula/expr.h"
 
 #include "base/banned.h"
 
@@ -114,13 +114,14 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 		out->scalar = NAN;
 		return TS_OK;
 	}
-	TS_TRY(ts_expr_blame(e, ts_script_stream_of(e->script, arg[f->most - 1].scalar, &stream), at, e->at));
+	TS_TRY(ts_expr_blame(e, ts_random_stream_of(e->formulas, arg[f->most - 1].scalar, &stream), at,
+			     e->at));
 	if (each) {
 		TS_TRY(ts_expr_array(e, e->rows, out));
 		n = e->rows;
 		to = out->data;
 	}
-	e->script->drawn++;
+	e->formulas->drawn++;
 	at_number = advance(e->sim, each ? &stream->rounds : &stream->draws);
 	for (size_t i = 0; i < n; i++) {
 		struct ts_rng rng = { (uint64_t)stream->seed, each ? (uint64_t)e->id[i] : 0, at_number };

@@ -2,15 +2,15 @@
 #include <stdlib.h>
 
 #include "base/clock.h"
-#include "script/number_format.h"
-#include "script/unknown.h"
+#include "formula/number_format.h"
+#include "formula/unknown.h"
 
 #include "base/banned.h"
 
-static enum ts_status string_text(struct ts_script *script, struct ts_variable *variable,
+static enum ts_status string_text(struct ts_formulas *formulas, struct ts_variable *variable,
 				  const struct ts_place *where, struct ts_str *out)
 {
-	(void)script, (void)where;
+	(void)formulas, (void)where;
 	ts_str_add(out, variable->values.word[0].text);
 	return TS_OK;
 }
@@ -24,17 +24,17 @@ const struct ts_variable_style ts_var_string = {
 	.text = string_text,
 };
 
-static enum ts_status getenv_text(struct ts_script *script, struct ts_variable *variable,
+static enum ts_status getenv_text(struct ts_formulas *formulas, struct ts_variable *variable,
 				  const struct ts_place *where, struct ts_str *out)
 {
 	const char *name = variable->values.word[0].text, *text = getenv(name);
 
-	if (script->sim->files.closed)
-		return ts_fail(&script->sim->error, TS_STATE, where,
+	if (formulas->sim->files.closed)
+		return ts_fail(&formulas->sim->error, TS_STATE, where,
 			       "variable '%s': with -sandbox a script does not see the environment",
 			       variable->name);
 	if (!text)
-		return ts_fail(&script->sim->error, TS_UNKNOWN, where,
+		return ts_fail(&formulas->sim->error, TS_UNKNOWN, where,
 			       "the environment has no '%s', which variable '%s' stands for", name,
 			       variable->name);
 	ts_str_add(out, text);
@@ -50,13 +50,13 @@ const struct ts_variable_style ts_var_getenv = {
 	.text = getenv_text,
 };
 
-static enum ts_status define_format(struct ts_script *script, struct ts_variable *variable)
+static enum ts_status define_format(struct ts_formulas *formulas, struct ts_variable *variable)
 {
-	return ts_number_format_check(&script->sim->error, variable->values.word[1].text,
+	return ts_number_format_check(&formulas->sim->error, variable->values.word[1].text,
 				      &variable->values.word[1].place);
 }
 
-static enum ts_status format_text(struct ts_script *script, struct ts_variable *variable,
+static enum ts_status format_text(struct ts_formulas *formulas, struct ts_variable *variable,
 				  const struct ts_place *where, struct ts_str *out)
 {
 	const struct ts_word *word = variable->values.word;
@@ -64,9 +64,9 @@ static enum ts_status format_text(struct ts_script *script, struct ts_variable *
 	double value = 0;
 
 	(void)where;
-	TS_TRY(ts_variable_require(script, word[0].text, &word[0].place, &source));
-	TS_TRY(ts_variable_number(script, source, &word[0].place, &value));
-	ts_unknown_add(script->sim, out, word[1].text, value);
+	TS_TRY(ts_variable_require(formulas, word[0].text, &word[0].place, &source));
+	TS_TRY(ts_variable_number(formulas, source, &word[0].place, &value));
+	ts_unknown_add(formulas->sim, out, word[1].text, value);
 	return TS_OK;
 }
 
@@ -80,28 +80,28 @@ const struct ts_variable_style ts_var_format = {
 	.text = format_text,
 };
 
-static enum ts_status define_timer(struct ts_script *script, struct ts_variable *variable)
+static enum ts_status define_timer(struct ts_formulas *formulas, struct ts_variable *variable)
 {
 	if (variable->values.n)
-		return ts_fail(&script->sim->error, TS_SYNTAX, &variable->values.word[0].place,
+		return ts_fail(&formulas->sim->error, TS_SYNTAX, &variable->values.word[0].place,
 			       "a variable of style timer takes no words, found '%s'",
 			       variable->values.word[0].text);
 	variable->number = ts_clock();
 	return TS_OK;
 }
 
-static enum ts_status plain_text(struct ts_script *script, struct ts_variable *variable,
+static enum ts_status plain_text(struct ts_formulas *formulas, struct ts_variable *variable,
 				 const struct ts_place *where, struct ts_str *out)
 {
 	(void)where;
-	ts_unknown_add(script->sim, out, "%.15g", variable->number);
+	ts_unknown_add(formulas->sim, out, "%.15g", variable->number);
 	return TS_OK;
 }
 
-static enum ts_status plain_number(struct ts_script *script, struct ts_variable *variable,
+static enum ts_status plain_number(struct ts_formulas *formulas, struct ts_variable *variable,
 				   const struct ts_place *where, double *out)
 {
-	(void)script, (void)where;
+	(void)formulas, (void)where;
 	*out = variable->number;
 	return TS_OK;
 }
@@ -116,13 +116,13 @@ const struct ts_variable_style ts_var_timer = {
 };
 
 /* In a script that goes on from a restart file the value is that of before. */
-static enum ts_status define_once(struct ts_script *script, struct ts_variable *variable)
+static enum ts_status define_once(struct ts_formulas *formulas, struct ts_variable *variable)
 {
 	const struct ts_word *formula = &variable->values.word[0];
 	bool resumed = false;
 
-	TS_TRY(ts_variable_resume(script, variable, &resumed));
-	return resumed ? TS_OK : ts_expr_scalar(script, formula->text, &formula->place, &variable->number);
+	TS_TRY(ts_variable_resume(formulas, variable, &resumed));
+	return resumed ? TS_OK : ts_expr_scalar(formulas, formula->text, &formula->place, &variable->number);
 }
 
 static bool save_once(const struct ts_variable *variable, double *number)
@@ -131,10 +131,10 @@ static bool save_once(const struct ts_variable *variable, double *number)
 	return true;
 }
 
-static enum ts_status restore_once(struct ts_script *script, struct ts_variable *variable, double number)
+static enum ts_status restore_once(struct ts_formulas *formulas, struct ts_variable *variable, double number)
 {
 	variable->number = number;
-	ts_log(&script->sim->log, "Variable %s goes on with %.15g from the restart file\n", variable->name,
+	ts_log(&formulas->sim->log, "Variable %s goes on with %.15g from the restart file\n", variable->name,
 	       number);
 	return TS_OK;
 }
@@ -154,15 +154,15 @@ const struct ts_variable_style ts_var_once = {
 	.restore = restore_once,
 };
 
-static enum ts_status define_internal(struct ts_script *script, struct ts_variable *variable)
+static enum ts_status define_internal(struct ts_formulas *formulas, struct ts_variable *variable)
 {
 	const struct ts_word *word = variable->values.word;
 
-	if (ts_unknown_in(script, word->text))
+	if (ts_unknown_in(formulas, word->text))
 		variable->number = NAN;
 	else if (!ts_parse_real(word->text, &variable->number))
-		return ts_fail(&script->sim->error, TS_SYNTAX, &word->place, "expected a number, found '%s'",
-			       word->text);
+		return ts_fail(&formulas->sim->error, TS_SYNTAX, &word->place,
+			       "expected a number, found '%s'", word->text);
 	return TS_OK;
 }
 

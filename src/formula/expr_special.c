@@ -6,7 +6,7 @@
 #include <sys/utsname.h>
 
 #include "core/group.h"
-#include "script/expr.h"
+#include "formula/expr.h"
 
 #include "base/banned.h"
 
@@ -19,13 +19,13 @@ static enum ts_status eval_next(struct ts_expr *e, struct ts_words words, struct
 	struct ts_table table = { 0 };
 	bool exhausted = false;
 
-	e->script->drawn++;
-	TS_TRY(ts_variable_require(e->script, word->text, &word->place, &variable));
+	e->formulas->drawn++;
+	TS_TRY(ts_variable_require(e->formulas, word->text, &word->place, &variable));
 	if (variable->style == &ts_var_file)
-		TS_TRY(ts_variable_number(e->script, variable, &word->place, &out->scalar));
+		TS_TRY(ts_variable_number(e->formulas, variable, &word->place, &out->scalar));
 	else if (variable->style == &ts_var_atomfile && e->kind == TS_FORMULA_PERATOM)
-		TS_TRY(ts_expr_take(e, ts_variable_peratom(e->script, variable, &word->place, &table), &table,
-				    out));
+		TS_TRY(ts_expr_take(e, ts_variable_peratom(e->formulas, variable, &word->place, &table),
+				    &table, out));
 	else
 		return ts_fail(&e->sim->error, TS_STATE, &word->place,
 			       "next() needs a variable of style file or, in formulas of particles, "
@@ -34,9 +34,9 @@ static enum ts_status eval_next(struct ts_expr *e, struct ts_words words, struct
 	if (e->sim->reading.looking)
 		return TS_OK;
 	variable->in_run |= e->sim->run.inside;
-	TS_TRY(ts_variable_next(e->script, variable, &word->place, &exhausted));
+	TS_TRY(ts_variable_next(e->formulas, variable, &word->place, &exhausted));
 	if (exhausted)
-		ts_variable_delete(e->script, variable);
+		ts_variable_delete(e->formulas, variable);
 	return TS_OK;
 }
 
@@ -100,7 +100,7 @@ static enum ts_status eval_is_defined(struct ts_expr *e, struct ts_words words, 
 	enum ts_kind kind;
 
 	if (ts_streq(category, "variable")) {
-		out->scalar = ts_variable_find(e->script, id) != NULL;
+		out->scalar = ts_variable_find(e->formulas, id) != NULL;
 	} else if (ts_streq(category, "group")) {
 		out->scalar = ts_group_exists(e->sim, id);
 	} else if (!is_foreign(category)) {

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "math/constants.h"
-#include "script/expr.h"
+#include "formula/expr.h"
 
 #include "base/banned.h"
 

@@ -1,0 +1,174 @@
+/* Variables that keep a formula, evaluated each time they are used: equal, atom, vector. */
+#include <string.h>
+
+#include "formula/unknown.h"
+
+#include "base/banned.h"
+
+static enum ts_status equal_number(struct ts_formulas *formulas, struct ts_variable *variable,
+				   const struct ts_place *where, double *out)
+{
+	const struct ts_word *formula = &variable->values.word[0];
+	uint64_t drawn = formulas->drawn;
+
+	(void)where;
+	if (formulas->depth && variable->evaluation == formulas->evaluation) {
+		*out = variable->number;
+		return TS_OK;
+	}
+	TS_TRY(ts_expr_scalar(formulas, formula->text, &formula->place, out));
+	variable->number = *out;
+	variable->evaluation = drawn == formulas->drawn ? formulas->evaluation : 0;
+	return TS_OK;
+}
+
+static enum ts_status equal_text(struct ts_formulas *formulas, struct ts_variable *variable,
+				 const struct ts_place *where, struct ts_str *out)
+{
+	double value = 0;
+
+	TS_TRY(equal_number(formulas, variable, where, &value));
+	ts_unknown_add(formulas->sim, out, "%.15g", value);
+	return TS_OK;
+}
+
+typedef enum ts_status read_table(struct ts_formulas *formulas, const char *text,
+				  const struct ts_place *place, struct ts_table *out);
+
+static enum ts_status copy_table(struct ts_formulas *formulas, const struct ts_table *from,
+				 struct ts_table *to)
+{
+	if (ts_table_resize(to, from->rows, from->columns) != TS_OK)
+		return ts_nomem(&formulas->sim->error);
+	if (from->rows)
+		memcpy(to->data, from->data, from->rows * from->columns * sizeof *to->data);
+	return TS_OK;
+}
+
+/* Within a reading each column and list is evaluated once, unless it drew random numbers. */
+static enum ts_status table_once(struct ts_formulas *formulas, struct ts_variable *variable, read_table *read,
+				 struct ts_table *out)
+{
+	const struct ts_word *formula = &variable->values.word[0];
+	bool inner = formulas->depth > 0;
+	uint64_t drawn = formulas->drawn;
+
+	if (inner && variable->evaluation == formulas->evaluation)
+		return copy_table(formulas, &variable->kept, out);
+	TS_TRY(read(formulas, formula->text, &formula->place, out));
+	if (!inner || drawn != formulas->drawn)
+		return TS_OK;
+	TS_TRY(copy_table(formulas, out, &variable->kept));
+	variable->evaluation = formulas->evaluation;
+	variable->next_kept = formulas->kept;
+	formulas->kept = variable;
+	return TS_OK;
+}
+
+void ts_variables_forget(struct ts_formulas *formulas)
+{
+	for (struct ts_variable *v = formulas->kept; v; v = v->next_kept) {
+		ts_table_release(&v->kept);
+		v->evaluation = 0;
+	}
+	formulas->kept = NULL;
+}
+
+static enum ts_status formula_peratom(struct ts_formulas *formulas, struct ts_variable *variable,
+				      const struct ts_place *where, struct ts_table *out)
+{
+	(void)where;
+	return table_once(formulas, variable, ts_expr_peratom, out);
+}
+
+/* Asked for from outside only: formulas take its number. */
+static enum ts_status equal_peratom(struct ts_formulas *formulas, struct ts_variable *variable,
+				    const struct ts_place *where, struct ts_table *out)
+{
+	const struct ts_word *formula = &variable->values.word[0];
+
+	(void)where;
+	return ts_expr_peratom(formulas, formula->text, &formula->place, out);
+}
+
+static enum ts_status formula_vector(struct ts_formulas *formulas, struct ts_variable *variable,
+				     const struct ts_place *where, struct ts_table *out)
+{
+	(void)where;
+	return table_once(formulas, variable, ts_expr_vector, out);
+}
+
+/* As LAMMPS shows it: [1,2.5,3] */
+static enum ts_status vector_text(struct ts_formulas *formulas, struct ts_variable *variable,
+				  const struct ts_place *where, struct ts_str *out)
+{
+	struct ts_table table = { 0 };
+	enum ts_status status = formula_vector(formulas, variable, where, &table);
+
+	ts_str_add(out, "[");
+	for (size_t k = 0; status == TS_OK && k < table.rows; k++) {
+		ts_str_add(out, k ? "," : "");
+		ts_unknown_add(formulas->sim, out, "%.15g", table.data[k]);
+	}
+	ts_str_add(out, "]");
+	ts_table_release(&table);
+	return status;
+}
+
+/* What is there already must be of the right shape; what is not may come later. */
+static enum ts_status read_formula(struct ts_formulas *formulas, struct ts_variable *variable,
+				   read_table *read)
+{
+	const struct ts_word *formula = &variable->values.word[0];
+	struct ts_dry before = ts_dry_begin(formulas);
+	struct ts_table table = { 0 };
+	enum ts_status status;
+	double number;
+
+	status = read ? read(formulas, formula->text, &formula->place, &table)
+		      : ts_expr_scalar(formulas, formula->text, &formula->place, &number);
+	ts_table_release(&table);
+	return ts_dry_end(formulas, before, status, false);
+}
+
+static enum ts_status define_equal(struct ts_formulas *formulas, struct ts_variable *variable)
+{
+	return read_formula(formulas, variable, NULL);
+}
+
+static enum ts_status define_vector(struct ts_formulas *formulas, struct ts_variable *variable)
+{
+	return read_formula(formulas, variable, ts_expr_vector);
+}
+
+const struct ts_variable_style ts_var_equal = {
+	.name = "equal",
+	.values = "formula",
+	.help = "a formula with one value",
+	.least = 1,
+	.most = 1,
+	.define = define_equal,
+	.text = equal_text,
+	.number = equal_number,
+	.peratom = equal_peratom,
+};
+
+const struct ts_variable_style ts_var_atom = {
+	.name = "atom",
+	.values = "formula",
+	.help = "a formula with a value for each particle",
+	.least = 1,
+	.most = 1,
+	.peratom = formula_peratom,
+};
+
+const struct ts_variable_style ts_var_vector = {
+	.name = "vector",
+	.values = "formula",
+	.help = "a formula whose value is a list of numbers, such as f_trace or [1,2.5,4]",
+	.least = 1,
+	.most = 1,
+	.define = define_vector,
+	.text = vector_text,
+	.vector = formula_vector,
+};
