@@ -911,12 +911,16 @@ library_sources = \
 	src/wall/mesh_wall.h \
 	src/wall/mesh_wall_queue.c \
 	src/wall/mesh_wall_queue.h \
+	src/wall/mesh_wear.c \
+	src/wall/mesh_wear.h \
 	src/wall/primitive_wall.c \
 	src/wall/primitive_wall.h \
 	src/wall/region_wall.c \
 	src/wall/region_wall.h \
 	src/wall/servo_response.c \
 	src/wall/servo_response.h \
+	src/wall/surface_contacts.c \
+	src/wall/surface_contacts.h \
 	src/wall/wall.c \
 	src/wall/wall.h \
 	src/wall/wall_batch.h \

@@ -130,7 +130,8 @@ START_TEST(values)
 		EXPECT(filled(v->help), "an output without help");
 		EXPECT(v->unit, "an output without unit (\"\" for a pure number)");
 		EXPECT(v->eval, "an output that cannot be evaluated");
-		EXPECT(v->shape >= TS_SCALAR && v->shape <= TS_ARRAY, "impossible shape");
+		EXPECT(v->shape >= TS_SCALAR && v->shape <= TS_SURFACE, "impossible shape");
+		EXPECT((v->shape == TS_SURFACE) <= (s->surface != NULL), "rows of triangles of which mesh?");
 		EXPECT(!(shapes & 1u << v->shape), "two outputs of the same shape");
 		shapes |= 1u << v->shape;
 		for (size_t k = 0; v->column_names && k < v->columns; k++)

@@ -133,6 +133,7 @@ shell_tests = \
 	tests/kill.sh \
 	tests/layers.sh \
 	tests/manual_current.sh \
+	tests/manual_styles.sh \
 	tests/matching.sh \
 	tests/meshes.sh \
 	tests/momentum.sh \

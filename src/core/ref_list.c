@@ -12,7 +12,8 @@ static const struct {
 	const char *text;
 } preference[] = {
 	{ TS_PERATOM, "numbers of particles" },
-	{ TS_LOCAL, "rows of contacts or bonds" },
+	{ TS_SURFACE, "rows of triangles" },
+	{ TS_LOCAL, "rows of contacts, bonds or triangles" },
 	{ TS_ARRAY, "an array" },
 	{ TS_VECTOR, "a vector" },
 	{ TS_SCALAR, "a single number" },
@@ -81,7 +82,8 @@ enum ts_status ts_ref_input_resolve(struct tsim *sim, const char *what, unsigned
 	unsigned found = TS_WANT(PERATOM);
 
 	input->quantity = shapes & TS_WANT(PERATOM) && ts_quantity_has(sim, input->name);
-	if (!input->quantity && shapes & (TS_WANT(PERATOM) | TS_WANT(LOCAL)) && !has_prefix(input->name))
+	if (!input->quantity && shapes & (TS_WANT(PERATOM) | TS_WANT(LOCAL) | TS_WANT(SURFACE)) &&
+	    !has_prefix(input->name))
 		return unknown_quantity(sim, what, shapes, input);
 	if (!input->quantity) {
 		TS_TRY(ts_ref_resolve(sim, input->name, &input->where, &input->ref));
@@ -133,11 +135,9 @@ static enum ts_status extent(struct tsim *sim, const struct ts_ref_input *input,
 	static const struct {
 		enum ts_shape whole, part;
 		bool second; /* of two indices */
-	} parts[] = { { TS_PERATOM, TS_PERATOM, false },
-		      { TS_LOCAL, TS_LOCAL, false },
-		      { TS_ARRAY, TS_VECTOR, false },
-		      { TS_ARRAY, TS_SCALAR, true },
-		      { TS_VECTOR, TS_SCALAR, false } };
+	} parts[] = { { TS_PERATOM, TS_PERATOM, false }, { TS_SURFACE, TS_SURFACE, false },
+		      { TS_LOCAL, TS_LOCAL, false },	 { TS_ARRAY, TS_VECTOR, false },
+		      { TS_ARRAY, TS_SCALAR, true },	 { TS_VECTOR, TS_SCALAR, false } };
 
 	for (size_t k = 0; input->ref.inst && k < sizeof parts / sizeof *parts; k++) {
 		const struct ts_value *value = ts_value_find(input->ref.inst, parts[k].whole);
@@ -286,6 +286,7 @@ enum ts_status ts_ref_input_eval(struct tsim *sim, const struct ts_ref_input *in
 	case TS_PERATOM:
 		return ts_ref_peratom(sim, &input->ref, &input->where, out);
 	case TS_LOCAL:
+	case TS_SURFACE:
 		return ts_ref_local(sim, &input->ref, &input->where, out);
 	case TS_ARRAY:
 		break;

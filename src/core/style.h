@@ -67,11 +67,12 @@ enum ts_stage { TS_STAGE_LIST(TS_STAGE_ENUM) TS_NSTAGE };
 #undef TS_STAGE_ENUM
 #define TS_DEFERS(stage) (1u << TS_STAGE_##stage)
 
-/* The order of late hooks: first forces that relax velocities, last forces that depend on the
- * acceleration. */
-enum ts_late { TS_LATE_RELAX, TS_LATE_INERTIA, TS_NLATE };
+/* The order of late hooks: first sums over contacts, which change no force; then forces that relax velocities; last
+ * forces that depend on the acceleration. */
+enum ts_late { TS_LATE_CONTACTS, TS_LATE_RELAX, TS_LATE_INERTIA, TS_NLATE };
 
 struct ts_restraint;
+struct ts_mesh_surface;
 typedef enum ts_status ts_hook_fn(struct ts_instance *self, struct tsim *sim);
 
 /* Which motion of the particles of its group a fix steps forward. */
@@ -97,6 +98,8 @@ struct ts_style {
 	/* Adds to the fingerprint whatever forces depend on besides the arguments. */
 	void (*fingerprint)(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash);
 	const struct ts_value *values;
+	/* The mesh whose triangles are the rows of outputs of TS_SURFACE; valid after init. */
+	const struct ts_mesh_surface *(*surface)(const struct ts_instance *self);
 	/* Which of them there are with the arguments given (one value: a vector, several: an array);
 	 * NULL: all. */
 	bool (*gives)(const struct ts_instance *self, const struct ts_value *value);

@@ -31,7 +31,7 @@ const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_sha
 	for (const struct ts_value *v = inst->style->values; v && v->name; v++)
 		if (v->shape == shape && ts_value_given(inst, v))
 			return v;
-	return NULL;
+	return shape == TS_LOCAL ? ts_value_find(inst, TS_SURFACE) : NULL;
 }
 
 enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
@@ -313,6 +313,8 @@ static unsigned shape_seen(const struct ts_ref *ref, enum ts_shape shape)
 		return 1u << (ref->column ? TS_SCALAR : TS_VECTOR);
 	if (ref->column)
 		return 0;
+	if (shape == TS_SURFACE)
+		return 1u << TS_SURFACE | 1u << TS_LOCAL;
 	return 1u << (shape == TS_VECTOR && ref->index ? TS_SCALAR : shape);
 }
 

@@ -22,7 +22,9 @@ enum ts_shape {
 	TS_VECTOR,     /* `columns` numbers, or as many as rows come out  c_ID[k]              */
 	TS_PERATOM,    /* rows = local particles, `columns` each          c_ID or c_ID[k]      */
 	TS_LOCAL,      /* any number of rows (contacts, bonds ...)        c_ID[k] in dump local */
-	TS_ARRAY       /* a table of numbers           c_ID[i][j]; its column j as a list: c_ID[j] */
+	TS_ARRAY,      /* a table of numbers           c_ID[i][j]; its column j as a list: c_ID[j] */
+	TS_SURFACE     /* rows = triangles of a mesh, `columns` each; f_ID[k] in dump mesh/vtk, and wherever
+			* TS_LOCAL is read. The style says which mesh by its slot `surface`. */
 };
 
 /* A table of doubles that grows and is reused from call to call; zero-initialise. */
@@ -44,6 +46,7 @@ struct ts_value {
 };
 /* Whether an instance has this output of its style, with its arguments. */
 bool ts_value_given(const struct ts_instance *inst, const struct ts_value *value);
+/* The first output of that shape; of TS_LOCAL else one of TS_SURFACE. NULL: none. */
 const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_shape shape);
 enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
 			     struct ts_table *out);

@@ -1,4 +1,7 @@
 /* Dump mesh/vtk: meshes as they stand, with what is known of each triangle, as legacy VTK (text). */
+#include <string.h>
+
+#include "core/ref_list.h"
 #include "core/sim.h"
 #include "dump/dump_mesh.h"
 #include "wall/mesh_stress.h"
@@ -7,7 +10,10 @@
 
 struct state {
 	struct ts_dump_mesh mesh;
-	unsigned chosen; /* bits of the rows of `quantities` */
+	unsigned chosen;	   /* bits of the rows of `quantities` */
+	struct ts_words names;	   /* words of the line that name outputs of fixes */
+	struct ts_ref_list inputs; /* those outputs; each has rows of triangles of one mesh */
+	struct ts_table values;	   /* one of them */
 	int form;
 	size_t column; /* numbers in the present line */
 };
@@ -27,7 +33,7 @@ static bool tracked(const struct ts_mesh_surface *s)
 
 static bool worn(const struct ts_mesh_surface *s)
 {
-	return s->stress && s->stress->wear_law != TS_MESH_WEAR_OFF;
+	return s->stress && s->stress->wear.law != TS_MESH_WEAR_OFF;
 }
 
 static bool moves(const struct ts_mesh_surface *s)
@@ -57,7 +63,7 @@ static void get_stress(const struct ts_mesh_surface *s, size_t t, int corner, do
 static void get_wear(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
 {
 	(void)corner;
-	out[0] = worn(s) ? s->stress->wear[t] : 0;
+	out[0] = worn(s) ? s->stress->wear.depth[t] : 0;
 }
 
 static bool warm(const struct ts_mesh_surface *s)
@@ -181,6 +187,12 @@ static enum ts_status read_form(struct state *s, struct tsim *sim, struct ts_wor
 		       ts_suggest_text(&suggest));
 }
 
+static bool names_output(const struct tsim *sim, const char *word)
+{
+	return (strncmp(word, "f_", 2) == 0 || strncmp(word, "c_", 2) == 0) &&
+	       !ts_mesh_surface_find(sim, word);
+}
+
 static enum ts_status read_word(struct ts_instance *self, struct tsim *sim, struct ts_words rest,
 				size_t *taken)
 {
@@ -194,10 +206,47 @@ static enum ts_status read_word(struct ts_instance *self, struct tsim *sim, stru
 		}
 	for (int k = 0; missing[k]; k++)
 		*taken += ts_streq(rest.word[0].text, missing[k]);
+	if (!*taken && names_output(sim, rest.word[0].text)) {
+		*taken = 1;
+		return s->inputs.n
+			       ? TS_OK
+			       : ts_words_append(&self->arena, (struct ts_words){ rest.word, 1 }, &s->names);
+	}
 	if (!ts_streq(rest.word[0].text, "output"))
 		return TS_OK;
 	*taken = 2;
 	return read_form(s, sim, rest);
+}
+
+static const struct ts_mesh_surface *surface_of(const struct ts_ref_input *input)
+{
+	const struct ts_instance *inst = input->ref.inst;
+
+	return inst->style->surface(inst);
+}
+
+static bool dumps(const struct state *s, const struct ts_mesh_surface *surface)
+{
+	for (size_t k = 0; k < s->mesh.nsurfaces; k++)
+		if (s->mesh.surface[k] == surface)
+			return true;
+	return false;
+}
+
+/* Finds the outputs of fixes that are to be written. */
+static enum ts_status find_inputs(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (!s->names.n)
+		return TS_OK;
+	TS_TRY(ts_ref_list_init(sim, "dump mesh/vtk", &self->arena, s->names, TS_WANT(SURFACE), &s->inputs));
+	for (size_t k = 0; k < s->inputs.n; k++)
+		if (!dumps(s, surface_of(&s->inputs.item[k])))
+			return ts_fail(&sim->error, TS_STATE, &s->inputs.item[k].where,
+				       "dump mesh/vtk: '%s' is about a mesh that this dump does not write",
+				       s->inputs.item[k].name);
+	return TS_OK;
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -207,7 +256,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->chosen = 0;
 	s->form = FACE;
 	TS_TRY(ts_dump_mesh_init(self, sim, read_word));
-	if (s->chosen)
+	TS_TRY(find_inputs(self, sim));
+	if (s->chosen || s->inputs.n)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 		       "dump mesh/vtk: say what to write of each triangle: stress, id, wear, vel, "
@@ -277,6 +327,26 @@ static void add_array(struct state *s, const struct quantity *q, size_t n)
 	end_numbers(s);
 }
 
+/* An output of a fix; 0 for the triangles of other meshes. */
+static enum ts_status add_input(struct state *s, struct tsim *sim, const struct ts_ref_input *input, size_t n)
+{
+	int copies = s->form == INTERPOLATE ? 3 : 1; /* one for each corner */
+
+	TS_TRY(ts_ref_input_eval(sim, input, &s->values));
+	if (s->values.rows != surface_of(input)->mesh.n)
+		return ts_fail(&sim->error, TS_STATE, &input->where,
+			       "dump mesh/vtk: '%s' has %zu rows, its mesh has %zu triangles", input->name,
+			       s->values.rows, surface_of(input)->mesh.n);
+	ts_str_addf(&s->mesh.common.text, "%s 1 %zu double\n", input->name, n * (size_t)copies);
+	for (size_t k = 0; k < s->mesh.nsurfaces; k++)
+		for (size_t t = 0; t < s->mesh.surface[k]->mesh.n; t++)
+			for (int c = 0; c < copies; c++)
+				add_number(s, "%.11g ",
+					   s->mesh.surface[k] == surface_of(input) ? s->values.data[t] : 0);
+	end_numbers(s);
+	return TS_OK;
+}
+
 /* Chosen, and some mesh of the dump has it. */
 static bool written(const struct state *s, int k)
 {
@@ -287,15 +357,15 @@ static bool written(const struct state *s, int k)
 	return there && (s->chosen & 1u << k);
 }
 
-static void add_arrays(struct state *s, size_t n)
+static enum ts_status add_arrays(struct state *s, struct tsim *sim, size_t n)
 {
 	bool points = s->form == INTERPOLATE;
-	int count = 0;
+	int count = (int)s->inputs.n;
 
 	for (int k = 0; k < NQUANTITIES; k++)
 		count += written(s, k);
 	if (!count)
-		return;
+		return TS_OK;
 	ts_str_addf(&s->mesh.common.text, "%s %zu\nFIELD FieldData %d\n", points ? "POINT_DATA" : "CELL_DATA",
 		    points ? 3 * n : n, count);
 	for (int k = 0; k < NQUANTITIES; k++) {
@@ -304,6 +374,9 @@ static void add_arrays(struct state *s, size_t n)
 		if (written(s, which))
 			add_array(s, &quantities[which], n);
 	}
+	for (size_t k = 0; k < s->inputs.n; k++)
+		TS_TRY(add_input(s, sim, &s->inputs.item[k], n));
+	return TS_OK;
 }
 
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
@@ -321,7 +394,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 		    3 * n);
 	add_points(s);
 	add_cells(s, n);
-	add_arrays(s, n);
+	TS_TRY(add_arrays(s, sim, n));
 	return ts_dump_mesh_end(self, sim);
 }
 
@@ -332,12 +405,22 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	return ts_dump_price_frame(self, sim, 200 + 150 * (double)ts_dump_mesh_triangles(&s->mesh), report);
 }
 
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_ref_list_release(&s->inputs);
+	ts_table_release(&s->values);
+	ts_dump_mesh_fini(self);
+}
+
 static const struct ts_arg args[] = {
 	TS_DUMP_MESH_ARGS(struct state, "*.vtk",
 			  "in any order: ids of `fix mesh/surface`, else all meshes; what to write of each "
 			  "triangle: stress, stresscomponents, id, wear, temp, owner, area, aedges, "
 			  "acorners, index, nneighs, vel (liquid and distaa are accepted, but no mesh has "
-			  "them); `output face|interpolate|original`"),
+			  "them), f_ID[k]: column k of an output of a fix that has rows of triangles; "
+			  "`output face|interpolate|original`"),
 	TS_ARGS_END,
 };
 
@@ -361,14 +444,17 @@ const struct ts_style ts_dump_mesh_vtk = {
 	       "wear only if a mesh is a fix mesh/surface/stress, velocities only if one moves, and Temp "
 	       "(temp)\n"
 	       "only if one has a temperature. LIGGGHTS 3.8 gives that to the first triangle of a mesh "
-	       "alone.",
+	       "alone.\n\n"
+	       "`f_ID[k]` (all columns: `f_ID[*]`) gives an array of this name with column k of the rows of\n"
+	       "triangles of fix ID, and 0 for the triangles of other meshes.",
 	.example = "dump stress all mesh/vtk 200 post/mesh*.vtk id area vel\n"
-		   "dump points all mesh/vtk 200 post/drum*.vtk output interpolate vel drum",
+		   "dump points all mesh/vtk 200 post/drum*.vtk output interpolate vel drum\n"
+		   "dump worn all mesh/vtk 200 post/worn*.vtk f_chute[6] chute",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.init = init,
 	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
-	.fini = ts_dump_mesh_fini,
+	.fini = fini,
 };

@@ -35,8 +35,9 @@ struct ts_mesh_surface {
 	/* Velocity of the surface at each corner, [triangle][corner]; within a triangle it is linear.
 	 * NULL: at rest. */
 	double (*v)[3][3];
-	uint64_t moves;		       /* grows whenever the mesh changes its place */
-	struct ts_mesh_stress *stress; /* what particles do to it; NULL: nobody asks */
+	uint64_t moves; /* grows whenever the mesh changes its place */
+	bool observed; /* a fix reads its contacts (wall/surface_contacts.h); those of immobile particles count */
+	struct ts_mesh_stress *stress; /* forces on it, of fix mesh/surface/stress; else NULL */
 
 	/* of its movers; mesh/mesh_motion.h */
 	double (*home)[3][3];		  /* corners without the motions; NULL: never moved */

@@ -27,6 +27,7 @@ static const struct ts_arg args[] = {
 
 static const struct ts_value values[] = {
 	TS_MESH_STRESS_VALUE,
+	TS_MESH_STRESS_TRIANGLES,
 	{ .name = NULL },
 };
 
@@ -61,9 +62,10 @@ const struct ts_style ts_fix_mesh_surface_stress = {
 	.fingerprint = ts_mesh_surface_fingerprint,
 	.extent = ts_mesh_surface_extent,
 	.values = values,
+	.surface = ts_mesh_stress_surface,
 	.init = init,
+	.late = { [TS_LATE_CONTACTS] = ts_mesh_stress_sum },
 	.hook = { [TS_STAGE_POST_BUILD] = ts_mesh_stress_post_build,
-		  [TS_STAGE_PRE_FORCE] = ts_mesh_stress_clear,
 		  [TS_STAGE_FINAL_INTEGRATE] = ts_mesh_stress_settle },
 	.plan = ts_mesh_surface_plan,
 	.fini = ts_mesh_stress_fini,

@@ -260,7 +260,7 @@ static double scheduled(const struct state *s, const struct tsim *sim, double er
 	double size = fmin(fabs(error), 1), gain = size <= 0.9 ? 0.1 : 0.1 + 9 * (size - 0.9);
 	double speed = s->fastest;
 
-	if (s->stress.near)
+	if (ts_surface_contacts_listed(sim, &s->surface))
 		speed = s->ratio * smallest_radius(sim->particles) / sim->clock.dt;
 	return copysign(size * gain, error) * speed;
 }
@@ -449,6 +449,7 @@ static const struct ts_arg args[] = {
 
 static const struct ts_value values[] = {
 	TS_MESH_STRESS_VALUE,
+	TS_MESH_STRESS_TRIANGLES,
 	{ .name = NULL },
 };
 
@@ -520,13 +521,14 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	.fingerprint = ts_mesh_surface_fingerprint,
 	.extent = ts_mesh_surface_extent,
 	.values = values,
+	.surface = ts_mesh_stress_surface,
 	.init = init,
 	.modify = modify,
 	.plan = plan,
 	.review = review,
+	.late = { [TS_LATE_CONTACTS] = ts_mesh_stress_sum },
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		  [TS_STAGE_POST_BUILD] = ts_mesh_stress_post_build,
-		  [TS_STAGE_PRE_FORCE] = ts_mesh_stress_clear,
 		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
 	.fini = ts_mesh_stress_fini,
 };

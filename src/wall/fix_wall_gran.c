@@ -1,4 +1,4 @@
-#include "wall/mesh_stress.h"
+#include "wall/surface_contacts.h"
 #include "wall/mesh_wall_queue.h"
 #include "wall/primitive_wall.h"
 #include "wall/wall_coincide.h"
@@ -56,7 +56,7 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
 			       "triangles do "
 			       "not follow; take a plane, a cylinder or a region, or leave cohesion out");
 	TS_TRY(ts_mesh_wall_find(self, sim, &w->mesh, w->meshes));
-	w->wall.contacts.want_reports |= ts_mesh_stress_wanted(&w->mesh);
+	w->wall.contacts.want_reports |= ts_mesh_wall_observed(&w->mesh);
 	return TS_OK;
 }
 
@@ -174,7 +174,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	if (!w->mesh_word)
 		return ts_primitive_wall_enqueue_contacts(sim, &w->wall, &w->primitive, (int)w->type);
 	TS_TRY(ts_mesh_wall_enqueue_contacts(sim, &w->wall, &w->mesh));
-	return ts_mesh_stress_collect(sim, &w->wall, &w->mesh);
+	return ts_surface_contacts_collect(sim, &w->wall, &w->mesh);
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)

@@ -47,6 +47,14 @@ enum ts_status ts_mesh_wall_find(struct ts_instance *self, struct tsim *sim, str
 	return TS_OK;
 }
 
+bool ts_mesh_wall_observed(const struct ts_mesh_wall *mw)
+{
+	for (size_t k = 0; k < mw->nmeshes; k++)
+		if (mw->mesh[k].surface->observed)
+			return true;
+	return false;
+}
+
 void ts_mesh_wall_release(struct ts_mesh_wall *mw)
 {
 	drop_trees(mw);
@@ -209,7 +217,7 @@ struct searching {
 	size_t shares;
 };
 
-/* A particle that is held does not feel the wall, but who sums forces on the mesh wants to know. */
+/* The wall gives no force to an immobile particle, but its contact counts where the contacts of the mesh are read. */
 static bool concerns(const struct searching *s, size_t mesh, size_t i)
 {
 	const struct ts_mesh_part_of_wall *part = &s->mw->mesh[mesh];
@@ -217,7 +225,7 @@ static bool concerns(const struct searching *s, size_t mesh, size_t i)
 
 	return ts_in_group(p, i, part->by->group) &&
 	       (ts_wall_meets(s->self, s->sim, i, !isnan(part->surface->temperature)) ||
-		(part->surface->stress && ts_in_group(p, i, s->self->group)));
+		(part->surface->observed && ts_in_group(p, i, s->self->group)));
 }
 
 static void search_share(void *context, size_t from, size_t to)

@@ -64,8 +64,8 @@ struct ts_mesh_wall {
 	struct ts_mesh_neighbor *visitor;
 	size_t nvisitors, near_capacity, place_capacity, visitor_capacity;
 	double length[3];		   /* of the box, when contacts were looked at last */
-	struct ts_mesh_touching *touching; /* for sums over contacts */
-	size_t touching_capacity;
+	struct ts_mesh_touching *touching; /* sorted, for who reads contacts: wall/surface_contacts.h */
+	size_t ntouching, touching_capacity;
 };
 
 /* Numbers that a contact with a mesh remembers besides those of its law: whether there is one. */
@@ -82,6 +82,8 @@ bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *m
 /* Refuses a mesh that moves through particles in one step. */
 enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
 					       struct ts_mesh_wall *mw);
+/* Whether a fix reads the contacts of one of its meshes: then contacts keep reports. */
+bool ts_mesh_wall_observed(const struct ts_mesh_wall *mw);
 void ts_mesh_wall_release(struct ts_mesh_wall *mw);
 
 /* How far particle i is from the triangle of contact k now. */

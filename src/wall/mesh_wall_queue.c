@@ -63,7 +63,7 @@ static void make_spot(const struct ts_mesh_surface *s, const struct ts_mesh_near
 	spot->distance = at->distance;
 	ts_mesh_surface_velocity(s, (size_t)near->triangle, at->weight, spot->velocity);
 	spot->curvature = 0;
-	spot->sums = s->stress != NULL;
+	spot->sums = s->observed;
 	spot->type = (int)s->type;
 	spot->mesh = near->mesh + 1;
 	spot->triangle = near->triangle;

@@ -52,7 +52,7 @@ enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall)
 static bool counts(const struct ts_wall *w, const struct tsim *sim, size_t k)
 {
 	return sim->particles->imass[w->contacts.row[k]] > 0 ||
-	       (w->mesh && w->mesh->mesh[w->mesh->near[k].mesh].surface->stress);
+	       (w->mesh && w->mesh->mesh[w->mesh->near[k].mesh].surface->observed);
 }
 
 enum ts_status ts_coincide_foresee(struct ts_instance *self, struct tsim *sim)

@@ -54,6 +54,37 @@ $heap
 run 0
 print 'is fz \$(f_cad[3]) 0'"
 
+# rows of triangles: the force on each is that on the mesh; in a dump they are the arrays of LIGGGHTS' words
+agree 'rows of triangles' "$start
+$heap
+compute area all reduce sum f_cad[3] f_cad[4] f_cad[5]
+run 237
+dump words all mesh/vtk 1 words*.vtk stress wear stresscomponents cad
+dump rows all mesh/vtk 1 rows*.vtk f_cad[*] cad
+dump corners all mesh/vtk 1 corners*.vtk f_cad[1] output interpolate
+run 0
+print 'is fx \$(c_area[1]*1.0/32) \$(f_cad[1])'
+print 'is fy \$(c_area[2]*1.0/32) \$(f_cad[2])'
+print 'is fz \$(c_area[3]*1.0/32) \$(f_cad[3])'"
+array() { awk -v name="$1" '$1 == name { for (n = $2 * $3; n > 0; n -= NF) { getline; print } }' "$2"; }
+array normal_stress_average words237.vtk >one && array 'f_cad[1]' rows237.vtk >two && same 'normal stress' one two
+array shear_stress_average words237.vtk >one && array 'f_cad[2]' rows237.vtk >two && same 'shear stress' one two
+array stress words237.vtk | tr -s ' ' '\n' | awk 'NF && ++n % 3 == 0' >one
+array 'f_cad[5]' rows237.vtk | tr -s ' ' '\n' | awk NF >two && same 'normal component' one two
+array 'f_cad[1]' corners237.vtk | tr -s ' ' '\n' | awk 'NF && ++n % 3 == 1' >two
+array normal_stress_average words237.vtk | tr -s ' ' '\n' | awk NF >one && same 'at the corners' one two
+other="$start
+fix roof all mesh/surface file plate.stl type 2 move 0 0 0.4"
+rejects "$other
+dump d all mesh/vtk 1 d*.vtk f_cad[1] roof
+run 0" "'f_cad[1]' is about a mesh that this dump does not write"
+rejects "$other
+dump d all mesh/vtk 1 d*.vtk f_g[1]
+run 0" 'expected rows of triangles'
+rejects "$start
+dump d all mesh/vtk 1 d*.vtk f_cad[7]
+run 0" '7'
+
 rejects "$start wear finnie
 run 0" 'k_finnie'
 rejects "$start wear archard" 'expected one of off, finnie'

@@ -1,0 +1,70 @@
+#include "wall/mesh_wear.h"
+
+#include "law/wear.h"
+#include "material/property.h"
+
+#include "base/banned.h"
+
+const char *const ts_mesh_wear_names[] = { "off", "finnie", NULL };
+
+static enum ts_status find_constant(struct ts_instance *self, struct tsim *sim,
+				    const struct ts_mesh_surface *surface, int type, double *k)
+{
+	return ts_property_value(sim, "k_finnie", (int)surface->type, type, "wear finnie",
+				 ts_instance_word(self, "wear"), k);
+}
+
+enum ts_status ts_mesh_wear_init(struct ts_instance *self, struct tsim *sim,
+				 const struct ts_mesh_surface *surface, struct ts_mesh_wear *wear)
+{
+	double k;
+
+	if (wear->law != TS_MESH_WEAR_OFF)
+		TS_TRY(find_constant(self, sim, surface, (int)surface->type, &k));
+	if (!wear->depth)
+		wear->depth = ts_alloc(surface->mesh.n, sizeof *wear->depth);
+	return wear->depth ? TS_OK : ts_nomem(&sim->error);
+}
+
+/* Of the types that particles have now. */
+enum ts_status ts_mesh_wear_find_constants(struct ts_instance *self, struct tsim *sim,
+					   const struct ts_mesh_surface *surface, struct ts_mesh_wear *wear)
+{
+	const struct ts_particles *p = sim->particles;
+	int most = 0;
+
+	if (wear->law == TS_MESH_WEAR_OFF)
+		return TS_OK;
+	for (size_t i = 0; i < p->n; i++)
+		most = p->type[i] > most ? p->type[i] : most;
+	ts_free(wear->k);
+	wear->k = ts_alloc((size_t)most + 1, sizeof *wear->k);
+	if (!wear->k)
+		return ts_nomem(&sim->error);
+	for (int type = 1; type <= most; type++)
+		TS_TRY(find_constant(self, sim, surface, type, &wear->k[type]));
+	return TS_OK;
+}
+
+void ts_mesh_wear_add(const struct ts_surface_contacts *contacts, const struct ts_surface_contact *c,
+		      struct ts_mesh_wear *wear)
+{
+	const struct tsim *sim = contacts->sim;
+	const struct ts_mesh *m = &contacts->surface->mesh;
+	double n[3], v[3];
+
+	if (wear->law == TS_MESH_WEAR_OFF)
+		return;
+	ts_surface_contact_motion(contacts, c, n, v);
+	if (ts_dot(n, v) > 0) /* it parts */
+		return;
+	wear->depth[c->triangle] +=
+		ts_wear_finnie(wear->k[sim->particles->type[c->particle]], v, m->normal[c->triangle],
+			       ts_norm(c->force), m->area[c->triangle], sim->clock.dt);
+}
+
+void ts_mesh_wear_release(struct ts_mesh_wear *wear)
+{
+	ts_free(wear->depth);
+	ts_free(wear->k);
+}
