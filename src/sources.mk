@@ -630,7 +630,6 @@ library_sources = \
 	src/math/exactsum.h \
 	src/math/fit.c \
 	src/math/fit.h \
-	src/math/gsl.c \
 	src/math/gsl.h \
 	src/math/minstd.c \
 	src/math/minstd.h \

@@ -1,4 +1,5 @@
 /* The C library: numbers, variables, particles, manual; what tsim.h promises. */
+#include <gsl/gsl_errno.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,6 +20,29 @@ static void close_sim(void)
 {
 	packing_close(sim);
 }
+
+/* ---- what is the program's own */
+
+static void handler_of_program(const char *reason, const char *file, int line, int code)
+{
+	(void)reason;
+	(void)file;
+	(void)line;
+	(void)code;
+}
+
+START_TEST(handler_of_gsl_stays)
+{
+	gsl_error_handler_t *before = gsl_set_error_handler(handler_of_program);
+	struct tsim *fluid = tsim_open();
+
+	deck(fluid, "units si\nregion b block 0 1 0 1 0 1 units box\ncreate_box 1 b\ntimestep 1e-3\n"
+		    "flow_style projection cells 8 8 8 viscosity 0.1 density 1\nflow_grid x geometric 1.2\n"
+		    "pressure_style direct\nrun 1\n");
+	ck_assert(gsl_set_error_handler(before) == handler_of_program);
+	tsim_close(fluid);
+}
+END_TEST
 
 /* ---- numbers */
 
@@ -549,6 +573,7 @@ int main(void)
 
 	tcase_add_checked_fixture(tests, open_sim, close_sim);
 	tcase_set_timeout(tests, 120);
+	tcase_add_test(tests, handler_of_gsl_stays);
 	tcase_add_test(tests, tables);
 	tcase_add_test(tests, variables);
 	tcase_add_test(tests, every_quantity_can_be_read_and_written_back);

@@ -8,7 +8,6 @@
 #include "base/clock.h"
 #include "core/settings.h"
 #include "core/unclaimed_state.h"
-#include "math/gsl.h"
 
 #include "base/banned.h"
 
@@ -102,7 +101,6 @@ struct tsim *ts_sim_new(const struct ts_tables *tables)
 
 	if (!sim)
 		return NULL;
-	ts_math_init();
 	sim->tables = tables;
 	sim->log.files = &sim->files;
 	sim->files.stop = &sim->requests.stop;

@@ -6,6 +6,7 @@
 
 #include "base/alloc.h"
 #include "base/clones.h"
+#include "math/gsl.h"
 
 #include "base/banned.h"
 
@@ -79,6 +80,7 @@ static enum ts_status solve_modes(struct ts_transform *t, const struct ts_poisso
 
 static enum ts_status make_matrix(struct ts_transform *t, const struct ts_poisson *problem, int d)
 {
+	gsl_error_handler_t *handler = ts_gsl_errors_off();
 	size_t n = (size_t)t->n;
 	gsl_matrix *a = gsl_matrix_alloc(n, n), *modes = gsl_matrix_alloc(n, n);
 	gsl_vector *values = gsl_vector_alloc(n);
@@ -87,12 +89,13 @@ static enum ts_status make_matrix(struct ts_transform *t, const struct ts_poisso
 
 	t->forward = ts_alloc_aligned(n * n, sizeof *t->forward);
 	t->backward = ts_alloc_aligned(n * n, sizeof *t->backward);
-	if (t->forward && t->backward)
+	if (t->forward && t->backward && a && modes && values && work)
 		status = solve_modes(t, problem, d, a, modes, values, work);
 	gsl_eigen_symmv_free(work);
 	gsl_vector_free(values);
 	gsl_matrix_free(modes);
 	gsl_matrix_free(a);
+	ts_gsl_errors_restore(handler);
 	return status;
 }
 
