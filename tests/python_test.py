@@ -1,4 +1,4 @@
-"""Tests of python/tsim.py; run by tests/python.sh, with NumPy and without."""
+"""Tests of python/tsim.py; run by tests/library/python.sh, with NumPy and without."""
 import array
 import gc
 import math

@@ -1,5 +1,5 @@
 /* The one door to files: whoever opens, makes, moves, removes or looks at a path does it here
- * (tests/door.sh). It stands open until it is closed for -sandbox; then it lets through only what lies
+ * (tests/house/door.sh). It stands open until it is closed for -sandbox; then it lets through only what lies
  * below the folders that it was given, all links resolved. Functions set errno as the calls of the system
  * do. */
 #ifndef TS_BASE_FILES_H

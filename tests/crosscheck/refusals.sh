@@ -1,6 +1,6 @@
 #!/bin/bash
 # What LIGGGHTS 3.8 refuses of the table tests/data/refusals.txt, and what not. That tsim refuses as much, but for
-# those lines that say why not: tests/decks/refusals.sh.
+# those lines that say why not: tests/script/refusals.sh.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 needs liggghts

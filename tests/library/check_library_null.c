@@ -206,7 +206,7 @@ START_TEST(all_functions_are_here)
 		while (begin > line && (isalnum((unsigned char)begin[-1]) || begin[-1] == '_'))
 			begin--;
 		*end = '\0';
-		ck_assert_msg(is_listed(begin), "%s has no row in tests/check_library_null.c", begin);
+		ck_assert_msg(is_listed(begin), "%s has no row in tests/library/check_library_null.c", begin);
 		n++;
 	}
 	fclose(header);

@@ -1,7 +1,7 @@
 #!/bin/bash
 # A gas of spinning spheres that meet each other and walls obliquely: from table to table its energy - of
 # motion, of rotation, stored in contacts - does not grow, with any contact law. The laws by themselves:
-# tests/check_energy.c.
+# tests/energy/check_energy.c.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 
