@@ -671,6 +671,7 @@ library_sources = \
 	src/mesh/mesh_motion.c \
 	src/mesh/mesh_motion.h \
 	src/mesh/mesh_obj.c \
+	src/mesh/mesh_obj.h \
 	src/mesh/mesh_read.c \
 	src/mesh/mesh_read.h \
 	src/mesh/mesh_scan.c \
@@ -678,6 +679,7 @@ library_sources = \
 	src/mesh/mesh_soup.c \
 	src/mesh/mesh_soup.h \
 	src/mesh/mesh_stl.c \
+	src/mesh/mesh_stl.h \
 	src/mesh/mesh_style.c \
 	src/mesh/mesh_style.h \
 	src/mesh/mesh_surface.c \
@@ -689,6 +691,7 @@ library_sources = \
 	src/mesh/mesh_volume.c \
 	src/mesh/mesh_volume.h \
 	src/mesh/mesh_vtk.c \
+	src/mesh/mesh_vtk.h \
 	src/mesh/region_mesh_hex.c \
 	src/mesh/region_mesh_tet.c \
 	src/mesh/triangles.c \
@@ -900,8 +903,6 @@ library_sources = \
 	src/wall/fix_wall_gran.c \
 	src/wall/fix_wall_gran_region.c \
 	src/wall/fix_wall_reflect.c \
-	src/wall/loss.c \
-	src/wall/loss.h \
 	src/wall/mesh_stick.c \
 	src/wall/mesh_stick.h \
 	src/wall/mesh_stress.c \
@@ -923,13 +924,15 @@ library_sources = \
 	src/wall/wall.c \
 	src/wall/wall.h \
 	src/wall/wall_batch.h \
+	src/wall/wall_batch_models.c \
 	src/wall/wall_coincide.c \
 	src/wall/wall_coincide.h \
 	src/wall/wall_contacts.c \
 	src/wall/wall_contacts.h \
 	src/wall/wall_law.c \
 	src/wall/wall_law.h \
-	src/wall/wall_models.c \
+	src/wall/wall_loss.c \
+	src/wall/wall_loss.h \
 	src/wall/wall_multicontact.c \
 	src/wall/wall_multicontact.h \
 	src/wall/wall_queue.c \

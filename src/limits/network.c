@@ -389,7 +389,7 @@ static enum ts_status add_walls(struct network *w)
 			if (link.a < 0 || !ts_wall_case(wall, w->sim, k, &c))
 				continue;
 			take_law(w, &c, i, i, &link);
-			memcpy(link.n, wall->contacts.seen[k].n, sizeof link.n);
+			memcpy(link.n, wall->contacts.last[k].n, sizeof link.n);
 			arm_to(w, i, link.arm[0]);
 			ts_axpy(0.5 * c.overlap - p->radius[i], link.n, link.arm[0]);
 			TS_TRY(add_link(w, link));

@@ -151,7 +151,7 @@ static bool hits_wall(struct tsim *sim, size_t i, char *what, size_t room)
 	const struct ts_wall *w;
 
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by));) {
-		if (!ts_wall_meets(by, sim, i, false))
+		if (!ts_wall_interacts(by, sim, i, false))
 			continue;
 		if ((w->primitive && meets_surface(sim, i, gap_of_primitive, w->primitive)) ||
 		    (w->region && meets_surface(sim, i, gap_of_region, w->region))) {

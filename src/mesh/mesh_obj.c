@@ -1,12 +1,13 @@
 /* Wavefront OBJ: lines `v x y z` with points and `f i j k ...` with polygons, of which each corner is
  * i, i/j, i//k or i/j/k: the point, counted from 1 or, negative, from the last one back, its texture and
  * its normal. Polygons are cut into triangles that share their first corner. All else is passed over. */
+#include "mesh/mesh_obj.h"
+
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/str.h"
-#include "mesh/mesh_scan.h"
 
 #include "base/banned.h"
 

@@ -3,7 +3,10 @@
 #include <string.h>
 
 #include "base/str.h"
+#include "mesh/mesh_obj.h"
 #include "mesh/mesh_scan.h"
+#include "mesh/mesh_stl.h"
+#include "mesh/mesh_vtk.h"
 
 #include "base/banned.h"
 

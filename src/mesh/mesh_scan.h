@@ -60,10 +60,4 @@ enum ts_status ts_scan_int(struct ts_scan *s, const char *what, int64_t lo, int6
 /* The next word must be this one. */
 enum ts_status ts_scan_expect(struct ts_scan *s, const char *text);
 
-/* The formats. */
-enum ts_status ts_stl_read(struct ts_scan *s, struct ts_triangles *soup);
-enum ts_status ts_obj_read(struct ts_scan *s, struct ts_triangles *soup);
-enum ts_status ts_vtk_read(struct ts_scan *s, struct ts_vtk_cells *cells);
-enum ts_status ts_vtk_triangles(struct ts_scan *s, struct ts_triangles *soup);
-
 #endif

@@ -12,12 +12,13 @@
  * Programs differ in case, line ends, blanks and in what follows the last facet, so words are read
  * without regard to lines. Normals are not used: many files have zeros there, or the opposite of what
  * the order of corners says, which counts. */
+#include "mesh/mesh_stl.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
 #include "base/str.h"
-#include "mesh/mesh_scan.h"
 
 #include "base/banned.h"
 

@@ -2,6 +2,8 @@
  * or UNSTRUCTURED_GRID, as text or binary (most significant byte first), with cells as before version 5
  * (a count before the corners of each) or after (arrays OFFSETS and CONNECTIVITY). Data on cells and
  * points, which come last, are not read. */
+#include "mesh/mesh_vtk.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>

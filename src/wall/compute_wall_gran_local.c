@@ -37,9 +37,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* What one contact of a wall is about. `before`: meshes of the walls before it. */
-static void look(const struct tsim *sim, const struct ts_wall *w, size_t k, int before,
-		 struct ts_contact_facts *f)
+/* Fills in the data of contact k of a wall. `meshes_before`: number of meshes of the walls before it. */
+static void contact_facts(const struct tsim *sim, const struct ts_wall *w, size_t k, int meshes_before,
+			  struct ts_contact_facts *f)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_wall_report *r = &w->contacts.report[k];
@@ -47,7 +47,7 @@ static void look(const struct tsim *sim, const struct ts_wall *w, size_t k, int 
 	double distance = p->radius[i] - r->overlap;
 
 	*f = (struct ts_contact_facts){
-		.id = { r->mesh > 0 ? before + r->mesh - 1 : -1, r->triangle, p->tag[i] },
+		.id = { r->mesh > 0 ? meshes_before + r->mesh - 1 : -1, r->triangle, p->tag[i] },
 		.delta = r->overlap,
 		.area = ts_contact_area_plane(p->radius[i], distance),
 	};
@@ -66,7 +66,7 @@ static void look(const struct tsim *sim, const struct ts_wall *w, size_t k, int 
 		ts_wall_force_now(w, sim, k, f->force, f->torque);
 }
 
-static bool wanted(const struct ts_instance *self, const struct ts_wall *w, size_t k)
+static bool is_listed(const struct ts_instance *self, const struct ts_wall *w, size_t k)
 {
 	const struct state *s = self->state;
 	const struct ts_wall_report *r = ts_wall_report(&w->contacts, k);
@@ -76,26 +76,27 @@ static bool wanted(const struct ts_instance *self, const struct ts_wall *w, size
 	       (r->mesh > 0 || s->primitives);
 }
 
-/* Rows in the order of walls, and of each in that of its contacts; out NULL: only counted. */
-static size_t go_through(const struct ts_instance *self, size_t history, double *out)
+/* Writes one row for each contact, in the order of walls and of their contacts, and returns the number of
+ * rows; out NULL: only counts. */
+static size_t list_contacts(const struct ts_instance *self, size_t history, double *out)
 {
 	const struct state *s = self->state;
 	size_t width = ts_contact_columns_width(&s->columns, history), n = 0;
 	const struct ts_wall *w;
 	struct ts_contact_facts facts;
-	int before = 0;
+	int meshes_before = 0;
 
 	for (size_t at = 0; (w = ts_walls_next(s->sim, &at, NULL));) {
 		for (size_t k = 0; k < w->contacts.n; k++) {
-			if (!wanted(self, w, k))
+			if (!is_listed(self, w, k))
 				continue;
 			if (out) {
-				look(s->sim, w, k, before, &facts);
+				contact_facts(s->sim, w, k, meshes_before, &facts);
 				ts_contact_columns_write(&s->columns, history, &facts, out + width * n);
 			}
 			n++;
 		}
-		before += w->meshes;
+		meshes_before += w->meshes;
 	}
 	return n;
 }
@@ -111,9 +112,9 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 		history = own > history ? own : history;
 	}
-	n = go_through(self, history, NULL);
+	n = list_contacts(self, history, NULL);
 	TS_TRY(ts_table_resize(out, n, ts_contact_columns_width(&s->columns, history)));
-	go_through(self, history, out->data);
+	list_contacts(self, history, out->data);
 	return TS_OK;
 }
 

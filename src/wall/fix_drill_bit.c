@@ -10,8 +10,8 @@
 
 enum { NCUTTERS = 4 };
 
-/* Rows of the cutters (in order of identity) and of the body particle; -1: none. */
-struct bit_rows {
+/* Indices of the cutters (in the order of ids) and of the body particle; -1: none. */
+struct bit_particles {
 	int32_t cutter[NCUTTERS], body;
 };
 
@@ -23,25 +23,25 @@ struct bit {
 	double angle;
 	/* outputs of the last step */
 	double tangential, radial, axial, torque;
-	struct bit_rows rows;
+	struct bit_particles index;
 };
 
-static enum ts_status find_rows(struct ts_instance *self, struct tsim *sim)
+static enum ts_status find_particles(struct ts_instance *self, struct tsim *sim)
 {
 	struct bit *b = self->state;
 	const struct ts_particles *p = sim->particles;
 	int n = 0;
 
-	b->rows.body = -1;
+	b->index.body = -1;
 	for (size_t i = 0; i < p->n; i++) {
 		if (b->body_group >= 0 && ts_in_group(p, i, b->body_group)) {
-			b->rows.body = (int32_t)i;
+			b->index.body = (int32_t)i;
 		} else if (ts_in_group(p, i, self->group)) {
 			int at = n < NCUTTERS ? n : NCUTTERS - 1;
 
-			for (; at && p->tag[b->rows.cutter[at - 1]] > p->tag[i]; at--)
-				b->rows.cutter[at] = b->rows.cutter[at - 1];
-			b->rows.cutter[at] = (int32_t)i;
+			for (; at && p->tag[b->index.cutter[at - 1]] > p->tag[i]; at--)
+				b->index.cutter[at] = b->index.cutter[at - 1];
+			b->index.cutter[at] = (int32_t)i;
 			n++;
 		}
 	}
@@ -49,35 +49,35 @@ static enum ts_status find_rows(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix drill/bit: its group has %d cutters, expected %d particles%s", n,
 			       NCUTTERS, sim->run.inside ? ": the bit has left the box" : "");
-	if (b->body_group >= 0 && b->rows.body < 0)
+	if (b->body_group >= 0 && b->index.body < 0)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix drill/bit: the body group is empty, expected one particle%s",
 			       sim->run.inside ? ": the bit has left the box" : "");
 	return TS_OK;
 }
 
-static double height(const struct bit *b, const struct ts_particles *p)
+static double mean_height(const struct bit *b, const struct ts_particles *p)
 {
 	double sum = 0;
 
 	for (int k = 0; k < NCUTTERS; k++)
-		sum += p->x[b->rows.cutter[k]][2];
+		sum += p->x[b->index.cutter[k]][2];
 	return sum / NCUTTERS;
 }
 
-static double rise(const struct bit *b, const struct ts_particles *p)
+static double mean_velocity(const struct bit *b, const struct ts_particles *p)
 {
 	double sum = 0;
 
 	for (int k = 0; k < NCUTTERS; k++)
-		sum += p->v[b->rows.cutter[k]][2];
+		sum += p->v[b->index.cutter[k]][2];
 	return sum / NCUTTERS;
 }
 
-/* x, y of cutter k are prescribed: a quarter turn apart on a circle around the axis. */
+/* Prescribes x and y of cutter k: cutters are 90 degrees apart on a circle around the axis. */
 static void place_cutter(const struct bit *b, struct ts_particles *p, int k, double omega)
 {
-	size_t i = (size_t)b->rows.cutter[k];
+	size_t i = (size_t)b->index.cutter[k];
 	double angle = b->angle + k * (TS_PI / 2), r = 0.5 * b->diameter;
 
 	p->x[i][0] = b->centre[0] + r * cos(angle);
@@ -90,15 +90,15 @@ static void place_body(const struct bit *b, struct ts_particles *p)
 {
 	double *x, *v;
 
-	if (b->rows.body < 0)
+	if (b->index.body < 0)
 		return;
-	x = p->x[b->rows.body];
-	v = p->v[b->rows.body];
+	x = p->x[b->index.body];
+	v = p->v[b->index.body];
 	x[0] = b->centre[0];
 	x[1] = b->centre[1];
-	x[2] = height(b, p) + b->clearance;
+	x[2] = mean_height(b, p) + b->clearance;
 	v[0] = v[1] = 0;
-	v[2] = rise(b, p);
+	v[2] = mean_velocity(b, p);
 }
 
 static enum ts_status place_bit(struct ts_instance *self, struct tsim *sim)
@@ -122,7 +122,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	TS_TRY(ts_number_now(sim, &b->omega, &self->where, &omega));
 	b->angle += omega * dt;
 	for (int k = 0; k < NCUTTERS; k++) {
-		size_t i = (size_t)b->rows.cutter[k];
+		size_t i = (size_t)b->index.cutter[k];
 
 		p->v[i][2] += 0.5 * dt / p->mass[i] * p->f[i][2];
 		p->x[i][2] += dt * p->v[i][2];
@@ -136,37 +136,37 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	struct ts_particles *p = sim->particles;
 
 	for (int k = 0; k < NCUTTERS; k++) {
-		size_t i = (size_t)b->rows.cutter[k];
+		size_t i = (size_t)b->index.cutter[k];
 
 		p->v[i][2] += 0.5 * sim->clock.dt / p->mass[i] * p->f[i][2];
 	}
-	if (b->rows.body >= 0)
-		p->v[b->rows.body][2] = rise(b, p);
+	if (b->index.body >= 0)
+		p->v[b->index.body][2] = mean_velocity(b, p);
 	return TS_OK;
 }
 
-/* A step's rebuild may move particles to other rows. The body cannot be moved by contacts. */
+/* A rebuild may change the indices of particles. The body particle is not moved by contacts. */
 static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 {
 	struct bit *b = self->state;
 
-	TS_TRY(find_rows(self, sim));
-	if (!sim->run.rebuild) /* first of a run: the user may have put the cutters anywhere */
+	TS_TRY(find_particles(self, sim));
+	if (!sim->run.rebuild) /* start of a run: the cutters may be anywhere */
 		TS_TRY(place_bit(self, sim));
-	if (b->rows.body >= 0)
-		sim->particles->imass[b->rows.body] = 0;
+	if (b->index.body >= 0)
+		sim->particles->imass[b->index.body] = 0;
 	return TS_OK;
 }
 
-/* What the rock does to the cutters: tangential > 0 opposes the rotation, radial > 0 points
- * outward, axial > 0 lifts the bit. */
-static void measure(struct bit *b, const struct ts_particles *p, double omega)
+/* Sums the contact forces on the cutters: tangential > 0 opposes the rotation, radial > 0 points outwards,
+ * axial > 0 lifts the bit. */
+static void sum_reactions(struct bit *b, const struct ts_particles *p, double omega)
 {
 	double sense = omega < 0 ? -1 : 1;
 
 	b->tangential = b->radial = b->axial = 0;
 	for (int k = 0; k < NCUTTERS; k++) {
-		size_t i = (size_t)b->rows.cutter[k];
+		size_t i = (size_t)b->index.cutter[k];
 		double angle = b->angle + k * (TS_PI / 2);
 		double c = cos(angle), s = sin(angle);
 
@@ -177,13 +177,13 @@ static void measure(struct bit *b, const struct ts_particles *p, double omega)
 	b->torque = 0.5 * b->diameter * b->tangential;
 }
 
-/* Contacts and bonds have been added to the forces, other fixes have not. */
+/* In the stage FORCE: contact and bond forces have been added, those of other fixes have not. */
 static enum ts_status measure_contacts(struct ts_instance *self, struct tsim *sim)
 {
 	double omega;
 
 	TS_TRY(ts_number_now(sim, &((struct bit *)self->state)->omega, &self->where, &omega));
-	measure(self->state, sim->particles, omega);
+	sum_reactions(self->state, sim->particles, omega);
 	return TS_OK;
 }
 
@@ -191,10 +191,10 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct bit *b = self->state;
 	struct ts_particles *p = sim->particles;
-	double mean = height(b, p), mean_v = rise(b, p);
+	double mean = mean_height(b, p), mean_v = mean_velocity(b, p);
 
 	for (int k = 0; k < NCUTTERS; k++) {
-		size_t i = (size_t)b->rows.cutter[k];
+		size_t i = (size_t)b->index.cutter[k];
 
 		p->f[i][2] -= b->wob / NCUTTERS + b->spring * (p->x[i][2] - mean) +
 			      b->damping * (p->v[i][2] - mean_v);
@@ -209,7 +209,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	double least = INFINITY, g;
 
 	for (int k = 0; k < NCUTTERS; k++)
-		least = fmin(least, p->mass[b->rows.cutter[k]]);
+		least = fmin(least, p->mass[b->index.cutter[k]]);
 	g = b->damping / (2 * least);
 	if (!(b->spring > 0))
 		return TS_OK;
@@ -219,15 +219,15 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 static enum ts_status eval_height(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	out->data[0] = height(self->state, sim->particles);
+	out->data[0] = mean_height(self->state, sim->particles);
 	return TS_OK;
 }
 
 static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct bit *b = self->state;
-	const double row[7] = { height(b, sim->particles),
-				rise(b, sim->particles),
+	const double row[7] = { mean_height(b, sim->particles),
+				mean_velocity(b, sim->particles),
 				b->tangential,
 				b->radial,
 				b->axial,
@@ -279,7 +279,7 @@ static const struct ts_saved saved[] = {
 
 static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 {
-	return find_rows(self, sim);
+	return find_particles(self, sim);
 }
 
 TS_STYLE(fix, ts_style, ts_fix_drill_bit)
@@ -302,7 +302,7 @@ const struct ts_style ts_fix_drill_bit = {
 	.state_size = sizeof(struct bit),
 	.saved = saved,
 	.values = values,
-	.init = find_rows,
+	.init = find_particles,
 	.integrates = TS_MOVES,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		  [TS_STAGE_EXCHANGE] = exchange,

@@ -1,4 +1,4 @@
-/* Fix mesh/surface/stress: a surface of triangles that knows what particles do to it. */
+/* Fix mesh/surface/stress: a surface of triangles that sums the load of particles on it. */
 #include "mesh/mesh_load.h"
 #include "mesh/mesh_style.h"
 #include "wall/mesh_stress.h"

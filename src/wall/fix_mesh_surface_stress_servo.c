@@ -1,5 +1,5 @@
-/* Fix mesh/surface/stress/servo: a mesh that a controller presses or turns until it meets a force or
- * torque. */
+/* Fix mesh/surface/stress/servo: a controller moves or rotates a mesh until particles exert a target force
+ * or torque on it. */
 #include "core/report.h"
 #include "law/servo.h"
 #include "mesh/mesh_load.h"
@@ -22,18 +22,18 @@ struct state {
 	struct ts_number wanted;
 	int controlled, mode;
 
-	int moves;	      /* or was stopped by fix_modify */
-	double unit[3];	      /* along the axis */
-	double target;	      /* what is wanted, now */
-	double lever;	      /* of the corner farthest from the axis, for torque */
-	double off;	      /* the error after this step */
-	int64_t flips, since; /* how often the speed went from one limit to the other, in how many steps */
-	bool warned;	      /* before the run that it will */
+	int moves;	      /* START, or STOP by fix_modify */
+	double unit[3];	      /* unit vector along the axis */
+	double target;	      /* present target force or torque */
+	double lever;	      /* for torque: distance of the farthest corner from the axis, length */
+	double off;	      /* error after this step, relative to the target */
+	int64_t flips, since; /* number of oscillations of the speed, in the last `since` steps */
+	bool warned;	      /* the review before the run has reported an unstable gain */
 	/* saved */
-	double speed;	  /* for the next step: of the mesh, or of that corner */
-	double gone;	  /* way, or angle, so far */
+	double speed;	  /* for the next step, velocity: of the mesh, or of the farthest corner */
+	double gone;	  /* displacement, length, or rotation, radian, so far */
 	double sum, last; /* of the error: integral over time, value of the last step */
-	double gain;	  /* kp where none is given; 0: not chosen yet */
+	double gain;	  /* kp if none is given; 0: not chosen yet */
 };
 
 enum { FORCE, TORQUE };
@@ -70,7 +70,7 @@ static enum ts_status set_target(struct ts_instance *self, struct tsim *sim)
 		       "fix %s: target_val must not be 0: errors are relative to it", self->style->name);
 }
 
-static enum ts_status check(struct ts_instance *self, struct tsim *sim)
+static enum ts_status check_axis_and_target(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	double length = ts_norm(s->axis);
@@ -97,7 +97,7 @@ static double smallest_radius(const struct ts_particles *p)
 	return p->n ? least : 0;
 }
 
-/* LIGGGHTS' kp, and the part of the largest stable one that is taken if that is smaller. */
+/* Default of kp in LIGGGHTS, and the fraction of the largest stable kp that is used if that is smaller. */
 static const double USUAL_GAIN = 0.01, SAFE_PART = 0.1;
 
 static bool has_default_gain(const struct state *s)
@@ -110,7 +110,7 @@ static double kp_of(const struct state *s)
 	return !isnan(s->kp) ? s->kp : s->gain > 0 ? s->gain : USUAL_GAIN;
 }
 
-/* Mean square of the distance of the mesh from the axis, by area. */
+/* Root mean square of the distance of the mesh from the axis, weighted by area. */
 static double mean_arm(const struct state *s)
 {
 	const struct ts_mesh *m = &s->surface.mesh;
@@ -127,7 +127,7 @@ static double mean_arm(const struct state *s)
 	return area > 0 ? sqrt(sum / area) : 0;
 }
 
-static struct ts_servo_mesh controlled(const struct state *s)
+static struct ts_servo_mesh controlled_mesh(const struct state *s)
 {
 	struct ts_servo_mesh mesh = { .surface = &s->surface, .load = fabs(s->target) };
 
@@ -137,8 +137,8 @@ static struct ts_servo_mesh controlled(const struct state *s)
 	return mesh;
 }
 
-/* By what the gains may be multiplied with these contacts. */
-static double margin(const struct state *s, const struct tsim *sim, const struct ts_servo_contacts *c)
+/* The factor by which the gains may be multiplied until the loop with these contacts becomes unstable. */
+static double gain_margin(const struct state *s, const struct tsim *sim, const struct ts_servo_contacts *c)
 {
 	double unit = s->fastest / fabs(s->target);
 	struct ts_servo_loop loop = { c->stiffness,
@@ -153,11 +153,11 @@ static double margin(const struct state *s, const struct tsim *sim, const struct
 	return c->n > 0 ? ts_servo_margin(&loop, sim->clock.dt) : INFINITY;
 }
 
-/* Once, when a run begins: so that a run cut in two goes on with it. */
+/* Chooses kp when a run begins, but not when it resumes: so a run cut in two has the same gain. */
 static void choose_gain(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_servo_mesh mesh = controlled(s);
+	struct ts_servo_mesh mesh = controlled_mesh(s);
 	struct ts_servo_contacts most;
 
 	if (s->mode == AUTO || !has_default_gain(s) || sim->run.resuming)
@@ -165,8 +165,8 @@ static void choose_gain(struct ts_instance *self, struct tsim *sim)
 	s->gain = USUAL_GAIN;
 	if (sim->legacy)
 		return;
-	most = ts_servo_contacts(sim, &mesh, ts_servo_room(sim, &mesh), true);
-	s->gain = fmin(USUAL_GAIN, SAFE_PART * margin(s, sim, &most) * USUAL_GAIN);
+	most = ts_servo_contacts(sim, &mesh, ts_servo_most_contacts(sim, &mesh), true);
+	s->gain = fmin(USUAL_GAIN, SAFE_PART * gain_margin(s, sim, &most) * USUAL_GAIN);
 	if (s->gain < USUAL_GAIN && !sim->reading.explain)
 		ts_log(&sim->log,
 		       "fix %s: kp is %.4g, %g of the largest that is stable with %.0f contacts (stiffness "
@@ -174,12 +174,12 @@ static void choose_gain(struct ts_instance *self, struct tsim *sim)
 		       self->id, s->gain, SAFE_PART, most.n, most.stiffness, most.damping);
 }
 
-/* Only what is beyond the limit with the contacts that there are, or with a single one: how many there
- * will be is not known. */
+/* Reports gains that are unstable with the present contacts, or with a single one: the number of contacts
+ * later in the run is not known. */
 static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_servo_mesh mesh = controlled(s);
+	struct ts_servo_mesh mesh = controlled_mesh(s);
 	size_t touching = ts_servo_touching(sim, &s->surface);
 	struct ts_servo_contacts few;
 	double part;
@@ -189,7 +189,7 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	mesh.arm = mesh.lever > 0 ? mean_arm(s) : 0;
 	few = ts_servo_contacts(sim, &mesh, fmax(1, (double)touching), false);
-	part = margin(s, sim, &few);
+	part = gain_margin(s, sim, &few);
 	s->warned = part < 1;
 	if (!s->warned)
 		return TS_OK;
@@ -204,7 +204,7 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 			      part * (s->mode == AUTO ? s->ratio : kp_of(s)));
 }
 
-/* As LIGGGHTS has it, where the skin is given. */
+/* The limit of vel_max is that of LIGGGHTS; it applies if the script gives a skin. */
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
@@ -221,8 +221,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 		       self->style->name, s->fastest, limit);
 }
 
-/* To where it has gone by now. */
-static enum ts_status carry(struct state *s, struct tsim *sim)
+/* Moves the mesh to its present displacement or rotation. */
+static enum ts_status move_mesh(struct state *s, struct tsim *sim)
 {
 	struct ts_motion m = ts_motion_none();
 
@@ -243,19 +243,19 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		ts_scale(1, s->com, s->stress.given);
 	TS_TRY(ts_mesh_surface_init(self, sim, &s->words));
 	TS_TRY(ts_mesh_stress_init(self, sim, &s->surface, &s->stress));
-	TS_TRY(check(self, sim));
+	TS_TRY(check_axis_and_target(self, sim));
 	if (!first)
 		return TS_OK;
 	s->last = s->target > 0 ? 1 : -1;
 	s->lever = largest_lever(s);
-	return carry(s, sim);
+	return move_mesh(s, sim);
 }
 
 /* ---- the controller ---- */
 
-/* Far from all particles with the largest speed; else with ratio R / dt, and as the error goes below 1
- * with less: a tenth of it, times the error, where that is below 0.9. */
-static double scheduled(const struct state *s, const struct tsim *sim, double error)
+/* Speed in mode auto: vel_max while no particle is near, else ratio R_min/h, times min(|e|, 1) g with g =
+ * 0.1 for |e| <= 0.9, from there linear to 1 at |e| = 1. */
+static double auto_speed(const struct state *s, const struct tsim *sim, double error)
 {
 	double size = fmin(fabs(error), 1), gain = size <= 0.9 ? 0.1 : 0.1 + 9 * (size - 0.9);
 	double speed = s->fastest;
@@ -265,9 +265,9 @@ static double scheduled(const struct state *s, const struct tsim *sim, double er
 	return copysign(size * gain, error) * speed;
 }
 
-/* Where the output is beyond its limit the integral is set so that proportional and integral part make the
- * opposite limit, as LIGGGHTS has it. */
-static double pid(struct state *s, double error, double dt)
+/* Speed in mode pid. If the output exceeds its limit, the integral is set so that the proportional and the
+ * integral term together give the opposite limit, as in LIGGGHTS (anti-windup). */
+static double pid_speed(struct state *s, double error, double dt)
 {
 	double output;
 
@@ -281,11 +281,13 @@ static double pid(struct state *s, double error, double dt)
 	return s->fastest * copysign(1, output);
 }
 
-/* A controller whose gain is too large for the step goes from one limit of its speed to the other and
- * back: force and damping of the contacts follow the speed within a step. Looked at over so many steps. */
+/* If the gain is too large for the time step, the speed oscillates between its limits, as elastic and
+ * damping forces of the contacts follow the speed within a step. Sign changes are counted over WATCHED
+ * steps; FLIPS of them are reported. */
 enum { WATCHED = 200, FLIPS = 50 };
 
-static enum ts_status watch(struct ts_instance *self, struct tsim *sim, double before, double error)
+static enum ts_status detect_oscillation(struct ts_instance *self, struct tsim *sim, double before,
+					 double error)
 {
 	struct state *s = self->state;
 	bool at_limits = fabs(before) >= 0.999 * s->fastest && fabs(s->speed) >= 0.999 * s->fastest;
@@ -335,9 +337,9 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 		TS_TRY(set_target(self, sim));
 	met = -ts_dot(s->stress.sum[s->controlled == TORQUE], s->unit);
 	error = (s->target - met) / fabs(s->target);
-	s->speed = s->mode == AUTO ? scheduled(s, sim, error) : pid(s, error, sim->clock.dt);
+	s->speed = s->mode == AUTO ? auto_speed(s, sim, error) : pid_speed(s, error, sim->clock.dt);
 	set_velocities(s, s->speed);
-	return watch(self, sim, before, error);
+	return detect_oscillation(self, sim, before, error);
 }
 
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
@@ -347,7 +349,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	if (s->moves == STOP)
 		return TS_OK;
 	s->gone += (s->controlled == FORCE ? s->speed : s->speed / s->lever) * sim->clock.dt;
-	return carry(s, sim);
+	return move_mesh(s, sim);
 }
 
 /* ---- fix_modify ---- */
@@ -373,8 +375,8 @@ static const struct ts_arg integrate_rows[] = {
 	TS_ARGS_END,
 };
 
-/* The error of the last step is seen from the new target. With a target or gains that are new its integral
- * begins anew. */
+/* After a change of target or gains: converts the error of the last step to the new target, and sets the
+ * integral to 0. */
 static void begin_anew(struct state *s, double before)
 {
 	double met = before - s->last * fabs(before);
@@ -409,7 +411,7 @@ static enum ts_status modify(struct ts_instance *self, struct tsim *sim, struct 
 		*used = 1 + (rest.n < m->nwords ? rest.n : m->nwords);
 		rest.n = *used - 1;
 		TS_TRY(ts_args_parse(sim, m->name, m->rows, rest, &words.word[0].place, &self->arena, s));
-		TS_TRY(check(self, sim));
+		TS_TRY(check_axis_and_target(self, sim));
 		if (m->rows == target_rows || m->rows == gain_rows)
 			begin_anew(s, target);
 		return TS_OK;

@@ -95,7 +95,8 @@ static enum ts_status check_type(struct tsim *sim, int64_t type, const struct ts
 		       sim->particles->ntypes);
 }
 
-/* A number with which scripts often go wrong: told here, not where a property has too few values. */
+/* A type that does not exist is a frequent error: reported here rather than by a material property with
+ * too few values. */
 static enum ts_status check_types(struct ts_instance *self, struct tsim *sim)
 {
 	const struct wall *w = self->state;
@@ -129,7 +130,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_wall_init(self, sim);
 }
 
-/* The particle types whose materials the wall has: one of each mesh. */
+/* Number of particle types whose materials the wall has: one for each mesh. */
 static size_t ntypes(const struct wall *w)
 {
 	return w->mesh_word ? w->mesh.nmeshes : 1;
@@ -222,7 +223,7 @@ static const struct ts_value values[] = {
 	{ .name = NULL },
 };
 
-/* A run that goes on after a restart shows the force of the last step. */
+/* Saved for the output at the first step after a restart. */
 static const struct ts_saved saved[] = {
 	{ "force", TS_SAVED_F64, offsetof(struct wall, wall.force), 3 },
 	TS_SAVED_ROWS_END,
@@ -300,6 +301,6 @@ const struct ts_style ts_fix_wall_gran = {
 		  [TS_STAGE_POST_BUILD] = post_build,
 		  [TS_STAGE_POST_FORCE] = post_force },
 	.plan = plan,
-	.review = ts_coincide_foresee,
+	.review = ts_coincide_review,
 	.fini = fini,
 };

@@ -64,7 +64,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct wall *w = self->state;
 	bool far;
 
-	TS_TRY(ts_region_wall_follow(self, sim, &w->region, &far));
+	TS_TRY(ts_region_wall_needs_list(self, sim, &w->region, &far));
 	if (far)
 		TS_TRY(list(self, sim));
 	ts_wall_start(&w->wall, sim);
@@ -153,6 +153,6 @@ const struct ts_style ts_fix_wall_gran_region = {
 	.saved = saved,
 	.hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
 	.plan = plan,
-	.review = ts_coincide_foresee,
+	.review = ts_coincide_review,
 	.fini = ts_wall_fini,
 };

@@ -1,4 +1,4 @@
-/* Fix wall/reflect: faces that send centres of particles back. */
+/* Fix wall/reflect: planes that reflect the centres of particles. */
 #include "core/sim.h"
 
 #include <string.h>

@@ -10,11 +10,12 @@
 
 #include "base/banned.h"
 
-/* Images of a triangle are told apart by where they are modulo three box lengths, counted from where the
- * particle would be had it not been wrapped: 27 numbers for each triangle. */
+/* The key of a contact contains the periodic image of the triangle relative to the unwrapped position of
+ * the particle, modulo three box lengths in each dimension: 27 numbers for each triangle. So it stays the
+ * same when the particle is wrapped. */
 enum { IMAGES = 27 };
 
-static void drop_trees(struct ts_mesh_wall *mw)
+static void release_trees(struct ts_mesh_wall *mw)
 {
 	for (size_t k = 0; k < mw->nmeshes; k++)
 		ts_mesh_tree_release(&mw->mesh[k].tree);
@@ -26,7 +27,7 @@ enum ts_status ts_mesh_wall_find(struct ts_instance *self, struct tsim *sim, str
 {
 	size_t first = 0;
 
-	drop_trees(mw);
+	release_trees(mw);
 	if (!mw->mesh)
 		mw->mesh = ts_arena_alloc(&self->arena, names.n, sizeof *mw->mesh);
 	if (!mw->mesh)
@@ -57,10 +58,10 @@ bool ts_mesh_wall_observed(const struct ts_mesh_wall *mw)
 
 void ts_mesh_wall_release(struct ts_mesh_wall *mw)
 {
-	drop_trees(mw);
+	release_trees(mw);
 	ts_free(mw->near);
 	ts_free(mw->place);
-	ts_free(mw->visitor);
+	ts_free(mw->neighbor);
 	ts_free(mw->touching);
 	*mw = (struct ts_mesh_wall){ 0 };
 }
@@ -79,42 +80,44 @@ static int modulo3(int a)
 	return (a % 3 + 3) % 3;
 }
 
-/* What is near to a particle: a triangle, and the image of the mesh by box lengths. */
+/* A triangle near particle i. */
 struct found {
 	size_t i;
 	int32_t mesh, triangle;
-	int shift[3];
-	double distance;
+	int shift[3];	 /* periodic image of the mesh, in box lengths */
+	double distance; /* from the centre of the particle, length */
 };
 
-/* The contacts of a particle are added one after the other. */
+/* Appends contact `first` to particle i, or makes an entry for the particle. All contacts of a particle
+ * are added consecutively. */
 static enum ts_status add_neighbor_triangle(struct tsim *sim, struct ts_mesh_wall *mw, size_t i, size_t first)
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_mesh_neighbor *v;
 
-	if (!mw->nvisitors || mw->visitor[mw->nvisitors - 1].i != i) {
-		if (TS_GROW(mw->visitor, mw->visitor_capacity, mw->nvisitors + 1) != TS_OK)
+	if (!mw->nneighbors || mw->neighbor[mw->nneighbors - 1].i != i) {
+		if (TS_GROW(mw->neighbor, mw->neighbor_capacity, mw->nneighbors + 1) != TS_OK)
 			return ts_nomem(&sim->error);
-		mw->visitor[mw->nvisitors++] = (struct ts_mesh_neighbor){
+		mw->neighbor[mw->nneighbors++] = (struct ts_mesh_neighbor){
 			.i = i,
 			.first = first,
 			.radius = p->radius[i],
-			.until = -INFINITY,
+			.check_travel = -INFINITY,
 			.place = { p->xhold[i][0], p->xhold[i][1], p->xhold[i][2] },
 		};
 	}
-	v = &mw->visitor[mw->nvisitors - 1];
+	v = &mw->neighbor[mw->nneighbors - 1];
 	v->n++;
 	return TS_OK;
 }
 
-double ts_mesh_wall_outreach(const struct tsim *sim, const struct ts_wall *w, double radius)
+double ts_mesh_wall_onset_distance(const struct tsim *sim, const struct ts_wall *w, double radius)
 {
 	return ts_wall_model(w, sim)->multi ? ts_wall_reach(w, sim, radius) : 0;
 }
 
-static enum ts_status add(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, const struct found *f)
+static enum ts_status add_contact(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw,
+				  const struct found *f)
 {
 	const struct ts_mesh *mesh = &mw->mesh[f->mesh].surface->mesh;
 	const struct ts_particles *p = sim->particles;
@@ -125,24 +128,25 @@ static enum ts_status add(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wa
 		code = 3 * code + modulo3(p->image[f->i][d] % 3 + f->shift[d]);
 	if (TS_GROW(mw->near, mw->near_capacity, k + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	if (ts_wall_pulls(w, sim) && TS_GROW(mw->place, mw->place_capacity, k + 1) != TS_OK)
+	if (ts_wall_long_ranged(w, sim) && TS_GROW(mw->place, mw->place_capacity, k + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	mw->near[k] = (struct ts_mesh_near){
 		f->mesh,
 		f->triangle,
 		{ f->shift[0], f->shift[1], f->shift[2] },
 		false,
-		ts_mesh_wall_safe_way(mesh, f->triangle, f->distance,
-				      p->radius[f->i] + ts_mesh_wall_outreach(sim, w, p->radius[f->i]))
+		ts_mesh_wall_safe_travel(mesh, f->triangle, f->distance,
+					 p->radius[f->i] +
+						 ts_mesh_wall_onset_distance(sim, w, p->radius[f->i]))
 	};
 	TS_TRY(add_neighbor_triangle(sim, mw, f->i, k));
 	return ts_wall_contacts_add(sim, &w->contacts, f->i,
 				    ((int)mw->mesh[f->mesh].first + f->triangle) * IMAGES + code);
 }
 
-/* The images of a mesh, by box lengths, that reach within r of x in one dimension. */
-static void reaching(const struct ts_box *box, const struct ts_mesh_tree *tree, int dim, double x, double r,
-		     int range[2])
+/* The range of periodic images of a mesh, in box lengths, that come within r of x in dimension `dim`. */
+static void image_range(const struct ts_box *box, const struct ts_mesh_tree *tree, int dim, double x,
+			double r, int range[2])
 {
 	double length = ts_box_length(box, dim);
 
@@ -153,13 +157,13 @@ static void reaching(const struct ts_box *box, const struct ts_mesh_tree *tree, 
 	range[1] = (int)floor(fmin(1e6, (x + r - tree->lo[1][dim]) / length));
 }
 
-/* What the particles of one share have near, in their order. */
+/* Result of the search of one thread: triangles near its particles, in the order of particles. */
 struct search {
 	struct found *found;
 	size_t n, capacity;
 	struct ts_mesh_list list;
-	struct ts_mesh_vicinity *vicinity; /* of each mesh */
-	bool failed;
+	struct ts_mesh_vicinity *vicinity; /* [nmeshes]: nodes of the tree around the last particle */
+	bool failed;			   /* out of memory */
 };
 
 static void find_image(struct search *s, const struct ts_mesh_part_of_wall *part, const double at[3],
@@ -194,7 +198,7 @@ static void find_images(const struct tsim *sim, const struct ts_mesh_wall *mw, s
 	int range[3][2], *s = what.shift;
 
 	for (int d = 0; d < 3; d++)
-		reaching(box, &part->tree, d, x[d], r, range[d]);
+		image_range(box, &part->tree, d, x[d], r, range[d]);
 	for (s[0] = range[0][0]; s[0] <= range[0][1]; s[0]++) {
 		for (s[1] = range[1][0]; s[1] <= range[1][1]; s[1]++) {
 			for (s[2] = range[2][0]; s[2] <= range[2][1]; s[2]++) {
@@ -217,23 +221,24 @@ struct searching {
 	size_t shares;
 };
 
-/* The wall gives no force to an immobile particle, but its contact counts where the contacts of the mesh are read. */
-static bool concerns(const struct searching *s, size_t mesh, size_t i)
+/* Whether pairs of particle i with this mesh are listed. Immobile particles are listed where the load on
+ * the mesh is summed. */
+static bool is_candidate(const struct searching *s, size_t mesh, size_t i)
 {
 	const struct ts_mesh_part_of_wall *part = &s->mw->mesh[mesh];
 	const struct ts_particles *p = s->sim->particles;
 
 	return ts_in_group(p, i, part->by->group) &&
-	       (ts_wall_meets(s->self, s->sim, i, !isnan(part->surface->temperature)) ||
+	       (ts_wall_interacts(s->self, s->sim, i, !isnan(part->surface->temperature)) ||
 		(part->surface->observed && ts_in_group(p, i, s->self->group)));
 }
 
-static void search_share(void *context, size_t from, size_t to)
+static void search_range(void *context, size_t from, size_t to)
 {
 	const struct searching *s = context;
 	const struct ts_particles *p = s->sim->particles;
 	size_t n = p->n;
-	bool pulls = ts_wall_pulls(s->w, s->sim);
+	bool pulls = ts_wall_long_ranged(s->w, s->sim);
 
 	for (size_t t = from; t < to; t++) {
 		struct search *share = &s->share[t];
@@ -242,7 +247,7 @@ static void search_share(void *context, size_t from, size_t to)
 		share->failed = !share->vicinity;
 		for (size_t i = n * t / s->shares; i < n * (t + 1) / s->shares; i++)
 			for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++)
-				if (concerns(s, mesh, i))
+				if (is_candidate(s, mesh, i))
 					find_images(s->sim, s->mw, mesh, i,
 						    pulls ? ts_wall_reach(s->w, s->sim, p->radius[i]) : 0,
 						    share);
@@ -252,19 +257,20 @@ static void search_share(void *context, size_t from, size_t to)
 	}
 }
 
-/* Takes what a share has found, and releases it. */
-static enum ts_status take(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, struct search *share)
+/* Adds the triangles that a thread has found to the contacts, and releases them. */
+static enum ts_status add_found(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw,
+				struct search *share)
 {
 	enum ts_status status = share->failed ? ts_nomem(&sim->error) : TS_OK;
 
 	for (size_t k = 0; k < share->n && status == TS_OK; k++)
-		status = add(sim, w, mw, &share->found[k]);
+		status = add_contact(sim, w, mw, &share->found[k]);
 	ts_free(share->found);
 	ts_free(share->list.item);
 	return status;
 }
 
-double ts_mesh_wall_come_nearer(const struct tsim *sim, struct ts_mesh_wall *mw)
+double ts_mesh_wall_max_approach(const struct tsim *sim, struct ts_mesh_wall *mw)
 {
 	double most = sim->full & TS_FULL_LOOKS ? INFINITY : 0;
 
@@ -288,7 +294,7 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 				 struct ts_mesh_wall *mw)
 {
 	size_t n = sim->particles->n;
-	/* a search is worth many particles of other loops */
+	/* a search costs as much as about 16 particles of simple loops */
 	int team = ts_team(sim, 16 * n);
 	struct searching s = { self, sim, w, mw, NULL, (size_t)team };
 	enum ts_status status = TS_OK;
@@ -297,14 +303,14 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 		TS_TRY(update_tree(sim, &mw->mesh[k]));
 		mw->mesh[k].checked = mw->mesh[k].surface->travelled;
 	}
-	mw->nvisitors = 0;
-	ts_mesh_wall_come_nearer(sim, mw);
+	mw->nneighbors = 0;
+	ts_mesh_wall_max_approach(sim, mw);
 	s.share = ts_alloc(s.shares, sizeof *s.share);
 	if (!s.share)
 		return ts_nomem(&sim->error);
-	ts_parallel(team, s.shares, search_share, &s);
+	ts_parallel(team, s.shares, search_range, &s);
 	for (size_t t = 0; t < s.shares; t++) {
-		enum ts_status taken = take(sim, w, mw, &s.share[t]);
+		enum ts_status taken = add_found(sim, w, mw, &s.share[t]);
 
 		status = status == TS_OK ? taken : status;
 	}
@@ -312,7 +318,7 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 	return status;
 }
 
-/* Particles are listed with a skin: they and the mesh may each use half of it. */
+/* Particles are listed within the skin; particles and mesh may each move by half of it. */
 bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *mw)
 {
 	bool far = false;
@@ -322,8 +328,8 @@ bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *m
 	return far;
 }
 
-/* The longest way of a corner of the triangle in this step. */
-static double way_of(const struct tsim *sim, const struct ts_mesh_surface *s, size_t t)
+/* Largest displacement of a corner of the triangle in this step, length. */
+static double triangle_travel(const struct tsim *sim, const struct ts_mesh_surface *s, size_t t)
 {
 	double most = 0;
 
@@ -332,7 +338,8 @@ static double way_of(const struct tsim *sim, const struct ts_mesh_surface *s, si
 	return most * sim->clock.dt;
 }
 
-/* Whether a triangle has come to the place of particle i, or through it, in a step longer than its radius. */
+/* Fails if a triangle that moved by more than the radius of particle i in this step may have passed
+ * through it. */
 static enum ts_status check_passage(struct tsim *sim, const struct ts_mesh_part_of_wall *part, size_t i,
 				    const double x[3], double step, struct ts_mesh_list *list)
 {
@@ -345,17 +352,17 @@ static enum ts_status check_passage(struct tsim *sim, const struct ts_mesh_part_
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < list->n; k++) {
 		size_t t = (size_t)list->item[k];
-		double way = way_of(sim, part->surface, t);
+		double travel = triangle_travel(sim, part->surface, t);
 
-		if (!(way > p->radius[i]) || ts_mesh_distance(m, t, x) > p->radius[i] + way)
+		if (!(travel > p->radius[i]) || ts_mesh_distance(m, t, x) > p->radius[i] + travel)
 			continue;
 		snprintf(what, sizeof what, "triangle %zu of mesh %.60s", t + 1, part->by->id);
-		return ts_coincide_passed(sim, &part->by->where, i, way, what);
+		return ts_coincide_passed(sim, &part->by->where, i, travel, what);
 	}
 	return TS_OK;
 }
 
-/* The particle and its images across periodic faces. */
+/* The same for the particle and its periodic images. */
 static enum ts_status check_images(struct tsim *sim, const struct ts_mesh_part_of_wall *part, size_t i,
 				   double step, struct ts_mesh_list *list)
 {
@@ -368,7 +375,8 @@ static enum ts_status check_images(struct tsim *sim, const struct ts_mesh_part_o
 	return TS_OK;
 }
 
-/* Most meshes are slow: then this is all. */
+/* Whether the mesh moved by at most the smallest radius since the last check (*step), so that no particle
+ * needs to be checked. */
 static bool is_slow(const struct tsim *sim, struct ts_mesh_part_of_wall *part, double *step)
 {
 	double travelled = part->surface->travelled;
@@ -393,14 +401,14 @@ enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct 
 			continue;
 		status = update_tree(sim, part);
 		for (size_t i = 0; i < p->n && status == TS_OK; i++)
-			if (ts_in_group(p, i, part->by->group) && ts_wall_meets(self, sim, i, false))
+			if (ts_in_group(p, i, part->by->group) && ts_wall_interacts(self, sim, i, false))
 				status = check_images(sim, part, i, step, &list);
 	}
 	ts_free(list.item);
 	return status;
 }
 
-void ts_mesh_wall_place(const struct tsim *sim, const struct ts_mesh_near *near, size_t i, double x[3])
+void ts_mesh_wall_position(const struct tsim *sim, const struct ts_mesh_near *near, size_t i, double x[3])
 {
 	for (int d = 0; d < 3; d++)
 		x[d] = sim->particles->x[i][d] - near->shift[d] * ts_box_length(&sim->domain->box, d);
@@ -411,7 +419,7 @@ double ts_mesh_wall_distance(const struct tsim *sim, const struct ts_mesh_wall *
 	const struct ts_mesh_near *near = &mw->near[k];
 	double x[3];
 
-	ts_mesh_wall_place(sim, near, i, x);
+	ts_mesh_wall_position(sim, near, i, x);
 	return ts_mesh_distance(&mw->mesh[near->mesh].surface->mesh, (size_t)near->triangle, x);
 }
 

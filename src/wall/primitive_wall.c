@@ -18,10 +18,10 @@ static const char *const shape_names[NSHAPES] = { "xplane",    "yplane",    "zpl
 
 /* ---- arguments ---- */
 
-/* Reads the words from number `first` on, `least` to `most` of them. NULL stands for a plane that is not
- * there. */
-static enum ts_status numbers_of(struct tsim *sim, struct ts_words words, size_t first, const char *what,
-				 const char *expected, size_t least, size_t most, double *out)
+/* Parses `least` to `most` numbers, starting at word `first`. The word NULL, for a plane that does not exist,
+ * becomes NaN. */
+static enum ts_status parse_numbers(struct tsim *sim, struct ts_words words, size_t first, const char *what,
+				    const char *expected, size_t least, size_t most, double *out)
 {
 	bool good = words.n >= first + least && words.n <= first + most;
 	size_t bad = words.n - 1;
@@ -47,8 +47,8 @@ static enum ts_status read_plane(struct ts_primitive_wall *w, struct tsim *sim, 
 	double at[MOST];
 	struct ts_words words = w->shape_words[shape];
 
-	TS_TRY(numbers_of(sim, words, 0, shape_names[shape],
-			  "one position, or two of which either may be NULL", 1, MOST, at));
+	TS_TRY(parse_numbers(sim, words, 0, shape_names[shape],
+			     "one position, or two of which either may be NULL", 1, MOST, at));
 	w->n = 0;
 	for (size_t k = 0; k < words.n; k++)
 		if (!isnan(at[k]))
@@ -63,9 +63,9 @@ static enum ts_status read_cylinder(struct ts_primitive_wall *w, struct tsim *si
 	struct ts_words words = w->shape_words[shape];
 	double value[3] = { 0 };
 
-	TS_TRY(numbers_of(sim, words, 0, shape_names[shape],
-			  "a radius, or a radius and the centre along the next two axes",
-			  words.n == 1 ? 1 : 3, 3, value));
+	TS_TRY(parse_numbers(sim, words, 0, shape_names[shape],
+			     "a radius, or a radius and the centre along the next two axes",
+			     words.n == 1 ? 1 : 3, 3, value));
 	if (!(value[0] > 0))
 		return ts_fail(&sim->error, TS_RANGE, &words.word[0].place,
 			       "fix wall/gran: the radius of a cylinder must be > 0");
@@ -85,8 +85,8 @@ int ts_primitive_wall_shapes(const struct ts_primitive_wall *w)
 	return given;
 }
 
-/* LAMMPS refuses it. LIGGGHTS runs it: a particle meets the wall from where it is in the box, images do
- * not. */
+/* A plane normal to a periodic dimension: LAMMPS refuses it; in LIGGGHTS particles interact with it, their
+ * periodic images do not. */
 static enum ts_status accept_periodic(struct ts_instance *self, struct tsim *sim,
 				      const struct ts_primitive_wall *w, int shape)
 {
@@ -134,8 +134,8 @@ static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim, st
 	w->wiggle_dim = -1;
 	if (w->shear_words.n) {
 		TS_TRY(read_dimension(sim, &w->shear_words.word[0], "shear", &w->shear_dim));
-		TS_TRY(numbers_of(sim, w->shear_words, 1, "shear", "a dimension and a velocity", 1, 1,
-				  &w->shear));
+		TS_TRY(parse_numbers(sim, w->shear_words, 1, "shear", "a dimension and a velocity", 1, 1,
+				     &w->shear));
 	}
 	if (!w->wiggle_words.n)
 		return TS_OK;
@@ -143,8 +143,8 @@ static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim, st
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "wiggle"),
 			       "fix wall/gran: either wiggle or shear");
 	TS_TRY(read_dimension(sim, &w->wiggle_words.word[0], "wiggle", &w->wiggle_dim));
-	TS_TRY(numbers_of(sim, w->wiggle_words, 1, "wiggle", "a dimension, an amplitude and a period", 2, 2,
-			  value));
+	TS_TRY(parse_numbers(sim, w->wiggle_words, 1, "wiggle", "a dimension, an amplitude and a period", 2,
+			     2, value));
 	w->amplitude = value[0];
 	w->period = value[1];
 	if (!(w->period > 0))
@@ -169,7 +169,7 @@ bool ts_primitive_wall_moves(const struct ts_primitive_wall *w)
 	return w->n && (int)w->primitive[0].shape == w->wiggle_dim;
 }
 
-/* A (1 - cos wt), as in LAMMPS. */
+/* A (1 - cos(2 pi t/T)), as in LAMMPS. */
 static double displacement_at(const struct ts_primitive_wall *w, double time)
 {
 	double phase = 2 * TS_PI / w->period * (time - w->origin);
@@ -189,12 +189,12 @@ static double wiggle_velocity(const struct ts_primitive_wall *w, const struct ts
 	return w->amplitude * omega * sin(omega * (ts_sim_time(sim) - w->origin));
 }
 
-/* About the axis of a cylinder, at d from it. LIGGGHTS: the angular velocity `shear` times d, with the
- * components of d in wrong order for ycylinder, which `legacy yes` reproduces. LAMMPS' manual: the speed
- * `shear`, with the clock as seen from the tip of the axis; its program (29 Sep 2021) adds the velocity
- * along that dimension. */
-static void spin(const struct ts_primitive_wall *w, const struct tsim *sim, int axis, const double x[3],
-		 double v[3])
+/* Adds the velocity of a cylinder that rotates about its axis, at distance d from the axis. LIGGGHTS:
+ * angular velocity `shear` times d, with the components of d interchanged for ycylinder, which `legacy
+ * yes` reproduces. LAMMPS' manual: speed `shear`, clockwise as seen from the tip of the axis; its program
+ * (29 Sep 2021) also adds the velocity along the shear dimension. */
+static void add_rotation_velocity(const struct ts_primitive_wall *w, const struct tsim *sim, int axis,
+				  const double x[3], double v[3])
 {
 	const double *centre = w->primitive[0].centre;
 	int a = (axis + 1) % 3, b = (axis + 2) % 3;
@@ -222,13 +222,13 @@ static void surface_velocity(const struct ts_primitive_wall *w, const struct tsi
 	if (w->wiggle_dim >= 0)
 		v[w->wiggle_dim] += wiggle_velocity(w, sim);
 	if (w->shear_words.n && shape >= TS_XCYLINDER && shape % 3 != w->shear_dim)
-		spin(w, sim, shape % 3, x, v);
+		add_rotation_velocity(w, sim, shape % 3, x, v);
 	else if (w->shear_words.n)
 		v[w->shear_dim] += w->shear;
 }
 
-/* Where element k stands when it has moved so far. */
-static struct ts_primitive moved_by(const struct ts_primitive_wall *w, int k, double moved)
+/* Element k displaced along its normal by `moved`. */
+static struct ts_primitive displaced_primitive(const struct ts_primitive_wall *w, int k, double moved)
 {
 	struct ts_primitive primitive = w->primitive[k];
 
@@ -236,8 +236,9 @@ static struct ts_primitive moved_by(const struct ts_primitive_wall *w, int k, do
 	return primitive;
 }
 
-/* Of the surface, seen from x: as in LAMMPS the mean of both directions. LIGGGHTS takes cylinders as flat. */
-static double curvature(const struct ts_primitive_wall *w, const double n[3], const double x[3])
+/* Mean curvature of the surface as seen from x, 1/(2 R_c) for a cylinder, as in LAMMPS. LIGGGHTS treats
+ * cylinders as flat. */
+static double surface_curvature(const struct ts_primitive_wall *w, const double n[3], const double x[3])
 {
 	int axis = (int)w->primitive[0].shape % 3, a = (axis + 1) % 3, b = (axis + 2) % 3;
 	const double *centre = w->primitive[0].centre;
@@ -250,15 +251,15 @@ static double curvature(const struct ts_primitive_wall *w, const double n[3], co
 
 /* ---- stages ---- */
 
-/* Contacts are listed for as long as particles and wall each move less than half the skin. */
+/* The list of contacts is valid while particles and wall each have moved less than half the skin. */
 bool ts_primitive_wall_has_moved(const struct tsim *sim, const struct ts_primitive_wall *w)
 {
 	return ts_primitive_wall_moves(w) &&
-	       !(fabs(displacement(w, sim) - w->held) < 0.5 * sim->neigh->built_skin);
+	       !(fabs(displacement(w, sim) - w->built_displacement) < 0.5 * sim->neigh->built_skin);
 }
 
-/* The distance from the wall; most particles are far from it, and most walls are planes. */
-static double away(const struct ts_primitive *at, const double x[3])
+/* Distance of x from the primitive; the frequent case of a plane is computed without its normal. */
+static double primitive_distance(const struct ts_primitive *at, const double x[3])
 {
 	double n[3];
 
@@ -282,22 +283,23 @@ enum ts_status ts_primitive_wall_check_displacement(struct ts_instance *self, st
 						    const struct ts_primitive_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
-	double now, way;
+	double now, travel;
 	char what[80];
 
 	if (!ts_primitive_wall_moves(w))
 		return TS_OK;
 	now = displacement(w, sim);
-	way = fabs(now - displacement_at(w, ts_sim_time(sim) - sim->clock.dt));
-	for (size_t i = 0; way > sim->neigh->least_radius && i < p->n; i++) {
+	travel = fabs(now - displacement_at(w, ts_sim_time(sim) - sim->clock.dt));
+	for (size_t i = 0; travel > sim->neigh->least_radius && i < p->n; i++) {
 		for (int k = 0; k < w->n; k++) {
-			struct ts_primitive at = moved_by(w, k, now);
+			struct ts_primitive at = displaced_primitive(w, k, now);
 
-			if (way <= p->radius[i] || away(&at, p->x[i]) > p->radius[i] + way ||
-			    !ts_wall_meets(self, sim, i, false))
+			if (travel <= p->radius[i] ||
+			    primitive_distance(&at, p->x[i]) > p->radius[i] + travel ||
+			    !ts_wall_interacts(self, sim, i, false))
 				continue;
 			snprintf(what, sizeof what, "the wall %.40s", self->id);
-			return ts_coincide_passed(sim, &self->where, i, way, what);
+			return ts_coincide_passed(sim, &self->where, i, travel, what);
 		}
 	}
 	return TS_OK;
@@ -308,9 +310,9 @@ double ts_primitive_wall_gap(const struct ts_primitive_wall *w, const struct tsi
 	double now = displacement(w, sim), least = INFINITY;
 
 	for (int k = 0; k < w->n; k++) {
-		struct ts_primitive at = moved_by(w, k, now);
+		struct ts_primitive at = displaced_primitive(w, k, now);
 
-		least = fmin(least, away(&at, x));
+		least = fmin(least, primitive_distance(&at, x));
 	}
 	return ts_primitive_wall_moves(w)
 		       ? least - fabs(now - displacement_at(w, ts_sim_time(sim) - sim->clock.dt))
@@ -320,35 +322,35 @@ double ts_primitive_wall_gap(const struct ts_primitive_wall *w, const struct tsi
 double ts_primitive_wall_distance(const struct ts_primitive_wall *w, const struct tsim *sim, int k,
 				  const double x[3])
 {
-	struct ts_primitive at = moved_by(w, k, displacement(w, sim));
+	struct ts_primitive at = displaced_primitive(w, k, displacement(w, sim));
 
-	return away(&at, x);
+	return primitive_distance(&at, x);
 }
 
 enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				      struct ts_primitive_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
-	bool pulls = ts_wall_pulls(wall, sim);
+	bool pulls = ts_wall_long_ranged(wall, sim);
 	struct ts_primitive at[MOST];
 
 	if (!sim->run.resuming)
-		w->held = displacement(w, sim);
+		w->built_displacement = displacement(w, sim);
 	for (int k = 0; k < w->n; k++)
-		at[k] = moved_by(w, k, w->held);
+		at[k] = displaced_primitive(w, k, w->built_displacement);
 	for (size_t i = 0; i < p->n; i++) {
 		double reach = p->radius[i] + sim->neigh->built_skin +
 			       (pulls ? ts_wall_reach(wall, sim, p->radius[i]) : 0);
 
 		for (int k = 0; k < w->n; k++)
-			if (away(&at[k], p->xhold[i]) < reach &&
-			    ts_wall_meets(self, sim, i, !isnan(w->temperature)))
+			if (primitive_distance(&at[k], p->xhold[i]) < reach &&
+			    ts_wall_interacts(self, sim, i, !isnan(w->temperature)))
 				TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k));
 	}
 	return TS_OK;
 }
 
-struct push {
+struct force_task {
 	struct tsim *sim;
 	struct ts_wall *wall;
 	const struct ts_primitive_wall *w;
@@ -356,30 +358,30 @@ struct push {
 	int type;
 };
 
-static void push_share(void *context, size_t from, size_t to)
+static void compute_range(void *context, size_t from, size_t to)
 {
-	const struct push *t = context;
+	const struct force_task *t = context;
 	const struct ts_primitive_wall *w = t->w;
 	const struct ts_particles *p = t->sim->particles;
 	struct ts_wall_contacts *c = &t->wall->contacts;
-	struct ts_wall_contact_point spot = { .type = t->type,
-					      .warm = !isnan(w->temperature),
-					      .temperature = w->temperature };
+	struct ts_wall_contact_point point = { .type = t->type,
+					       .warm = !isnan(w->temperature),
+					       .temperature = w->temperature };
 	struct ts_wall_queue queue;
 
 	ts_wall_queue_start(&queue, t->wall, t->sim);
 	for (size_t k = from; k < to; k++) {
 		const double *x = p->x[c->row[k]];
 
-		ts_wall_look_ahead(c, p, k, to);
-		spot.distance = ts_primitive_distance(&t->at[c->key[k][1]], x, spot.n);
-		spot.curvature = curvature(w, spot.n, x);
-		if (!ts_wall_touches(&queue, k, &spot)) {
-			ts_wall_contact_part(c, k);
+		ts_wall_prefetch_ahead(c, p, k, to);
+		point.distance = ts_primitive_distance(&t->at[c->key[k][1]], x, point.n);
+		point.curvature = surface_curvature(w, point.n, x);
+		if (!ts_wall_touches(&queue, k, &point)) {
+			ts_wall_contact_end(c, k);
 			continue;
 		}
-		surface_velocity(w, t->sim, x, spot.velocity);
-		ts_wall_enqueue_contact(&queue, k, &spot);
+		surface_velocity(w, t->sim, x, point.velocity);
+		ts_wall_enqueue_contact(&queue, k, &point);
 	}
 	ts_wall_queue_end(&queue);
 }
@@ -387,12 +389,12 @@ static void push_share(void *context, size_t from, size_t to)
 enum ts_status ts_primitive_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall,
 						  const struct ts_primitive_wall *w, int type)
 {
-	struct push push = { sim, wall, w, { { 0 } }, type };
+	struct force_task task = { sim, wall, w, { { 0 } }, type };
 	double moved = displacement(w, sim);
 
 	for (int k = 0; k < w->n; k++)
-		push.at[k] = moved_by(w, k, moved);
-	ts_wall_contacts_parallel(sim, &wall->contacts, push_share, &push);
+		task.at[k] = displaced_primitive(w, k, moved);
+	ts_wall_contacts_parallel(sim, &wall->contacts, compute_range, &task);
 	ts_wall_finish(wall);
 	return ts_coincide_wall(sim, wall);
 }
@@ -408,15 +410,15 @@ void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim, const st
 			"fix wall/gran: the temperature has no effect without fix heat/gran");
 }
 
-/* Older files have no such numbers. */
+/* Older restart files do not have these values. */
 enum ts_status ts_primitive_wall_archive(struct ts_archive *a, struct ts_primitive_wall *w)
 {
-	double wiggle[3] = { w->origin, w->held, w->begun };
+	double wiggle[3] = { w->origin, w->built_displacement, w->begun };
 
 	if (ts_archive_has(a, "wiggle"))
 		TS_TRY(ts_archive_fixed(a, "wiggle", TS_SAVED_F64, wiggle, 3));
 	w->origin = wiggle[0];
-	w->held = wiggle[1];
+	w->built_displacement = wiggle[1];
 	w->begun = wiggle[2];
 	return TS_OK;
 }

@@ -1,4 +1,4 @@
-/* Walls that are planes or cylinders: where they stand, how their surfaces move. */
+/* Walls that are planes or cylinders: their position, and the velocity of their surface. */
 #ifndef TS_WALL_PRIMITIVE_WALL_H
 #define TS_WALL_PRIMITIVE_WALL_H
 
@@ -9,43 +9,45 @@ enum { TS_PRIMITIVE_SHAPES = 6, TS_MOST_PRIMITIVES = 2 };
 
 struct ts_primitive_wall {
 	struct ts_words shape_words[TS_PRIMITIVE_SHAPES], shear_words, wiggle_words;
-	double velocity[3], temperature; /* NaN: none */
+	double velocity[3]; /* of the surface */
+	double temperature; /* NaN: none */
 
-	struct ts_primitive primitive[TS_MOST_PRIMITIVES]; /* where they stand without wiggle */
-	int n;
+	struct ts_primitive primitive[TS_MOST_PRIMITIVES]; /* without the displacement of wiggle */
+	int n;						   /* of them */
 	int shear_dim;
-	double shear;	/* along it, or about the axis of a cylinder */
-	bool lammps;	/* which way and how fast: see the docs of fix wall/gran */
-	int wiggle_dim; /* -1: none */
-	double amplitude, period;
-	/* saved: the time when wiggling began, the displacement at the last rebuild, whether it has begun */
-	double origin, held, begun;
+	double shear;	  /* velocity along shear_dim, or angular velocity about the axis of a cylinder */
+	bool lammps;	  /* shear of cylinders as in LAMMPS: see the manual of fix wall/gran */
+	int wiggle_dim;	  /* -1: none */
+	double amplitude; /* length */
+	double period;	  /* time */
+	/* saved: start time of wiggle, displacement at the last rebuild (length), 1 if wiggle has begun */
+	double origin, built_displacement, begun;
 };
 
-/* How many shapes are given. */
+/* Number of shapes given. */
 int ts_primitive_wall_shapes(const struct ts_primitive_wall *w);
-/* In init; with one shape given. */
+/* In init, if one shape is given: reads shape and motion. */
 enum ts_status ts_primitive_wall_read(struct ts_instance *self, struct tsim *sim,
 				      struct ts_primitive_wall *w);
-/* Whether it moves along its normal. */
+/* Whether the wall moves along its normal (`wiggle`). */
 bool ts_primitive_wall_moves(const struct ts_primitive_wall *w);
-/* Whether the wall has gone so far since the last rebuild that another is due. */
+/* Whether the wall has moved half the skin or more since the last rebuild, so that another one is due. */
 bool ts_primitive_wall_has_moved(const struct tsim *sim, const struct ts_primitive_wall *w);
-/* Whether one of its planes, as it stands now, bounds the dimension between the places a and b; where. */
+/* Whether one of its planes normal to `dim` is now between the coordinates a and b; stores its position. */
 bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive_wall *w, int dim, double a,
 			       double b, double *position);
-/* Refuses a plane that moves through particles in one step. */
+/* Fails if a plane passes through a particle in one step: it moved by more than the radius. */
 enum ts_status ts_primitive_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
 						    const struct ts_primitive_wall *w);
-/* Between ts_wall_rebuild_start and _finish: lists particles of the group. */
+/* Between ts_wall_rebuild_start and _finish: lists the particles of the group that may touch. */
 enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				      struct ts_primitive_wall *w);
-/* All forces; the surface has the material of this type. */
+/* Computes all forces; `type`: particle type whose material the surface has. */
 enum ts_status ts_primitive_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall,
 						  const struct ts_primitive_wall *w, int type);
-/* How far a place is from the wall now, less what this moves in a step. */
+/* Present distance of a point from the wall, less the displacement of the wall in a step. */
 double ts_primitive_wall_gap(const struct ts_primitive_wall *w, const struct tsim *sim, const double x[3]);
-/* How far a place is from element k now. */
+/* Present distance of a point from element k. */
 double ts_primitive_wall_distance(const struct ts_primitive_wall *w, const struct tsim *sim, int k,
 				  const double x[3]);
 /* Warnings before a run. */

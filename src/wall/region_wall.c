@@ -23,14 +23,14 @@ enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim, s
 			       "of them",
 			       w->region->id, w->region->style->name);
 	w->nmovers = ts_region_movers(w->region, NULL, 0);
-	w->spot = ts_arena_alloc(&self->arena, (size_t)w->faces, sizeof *w->spot);
+	w->point = ts_arena_alloc(&self->arena, (size_t)w->faces, sizeof *w->point);
 	w->mover = ts_arena_alloc(&self->arena, (size_t)w->nmovers + 1, sizeof *w->mover);
 	w->listed = ts_arena_alloc(&self->arena, (size_t)w->nmovers + 1, sizeof *w->listed);
 	if (!w->motion)
 		w->motion = ts_arena_alloc(&self->arena, (size_t)w->nmovers + 1, sizeof *w->motion);
-	if (!w->spot || !w->mover || !w->motion || !w->listed)
+	if (!w->point || !w->mover || !w->motion || !w->listed)
 		return ts_nomem(&sim->error);
-	w->quick = false;
+	w->list_all = false;
 	ts_region_movers(w->region, w->mover, w->nmovers);
 	if (w->nmovers < 2 || w->mover[0] != w->region)
 		return TS_OK;
@@ -42,9 +42,9 @@ enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim, s
 
 /* ---- motion ---- */
 
-/* The velocity is by what variables said in the last step, as in LAMMPS; 0 where nobody asked before. */
-static void look_at_motion(const struct ts_instance *mover, struct ts_region_motion *m,
-			   const struct tsim *sim)
+/* The velocity is the difference of the variables to the last step, as in LAMMPS; 0 at the first
+ * evaluation. */
+static void update_motion(const struct ts_instance *mover, struct ts_region_motion *m, const struct tsim *sim)
 {
 	const struct ts_region *r = mover->state;
 	double step = (double)sim->clock.step;
@@ -61,9 +61,9 @@ static void look_at_motion(const struct ts_instance *mover, struct ts_region_mot
 	m->known = 1;
 }
 
-/* Of the surface at the spot nearest to x. */
+/* Velocity of the surface at the contact point of a particle at x: V + omega x arm. */
 static void surface_velocity(const struct ts_region_wall *w, const struct ts_instance *mover,
-			     const double x[3], struct ts_wall_contact_point *spot)
+			     const double x[3], struct ts_wall_contact_point *point)
 {
 	const struct ts_region *r = mover->state;
 	const struct ts_region_motion *m = w->motion;
@@ -72,16 +72,17 @@ static void surface_velocity(const struct ts_region_wall *w, const struct ts_ins
 	for (int k = 0; k < w->nmovers && w->mover[k] != mover; k++)
 		m++;
 	for (int k = 0; k < 3; k++) {
-		arm[k] = x[k] - spot->distance * spot->n[k] - r->pivot[k] - r->shift[k];
+		arm[k] = x[k] - point->distance * point->n[k] - r->pivot[k] - r->shift[k];
 		spin[k] = m->rate * r->axis[k];
 	}
 	ts_cross(spin, arm, turn);
-	ts_add(m->velocity, turn, spot->velocity);
+	ts_add(m->velocity, turn, point->velocity);
 }
 
 /* ---- stages ---- */
 
-/* A particle with its centre at x, as far as its surface or the wall's reach and `further`. */
+/* Whether the surface of particle i, with its centre at x, is within the range of the contact law plus
+ * `further` of the wall. */
 static bool is_near(const struct ts_region_wall *w, const struct tsim *sim, const struct ts_wall *wall,
 		    size_t i, const double x[3], double further)
 {
@@ -90,8 +91,9 @@ static bool is_near(const struct ts_region_wall *w, const struct tsim *sim, cons
 	return !(fabs(ts_region_depth(w->region, x)) >= radius + further + ts_wall_reach(wall, sim, radius));
 }
 
-/* Where the movers are now, and how far from their pivots particles are until they are listed again. */
-static void note_poses(struct ts_region_wall *w, const struct tsim *sim)
+/* Stores the present poses of the moving regions, and upper bounds of the distances of particles from their
+ * pivots until the next listing. */
+static void store_poses(struct ts_region_wall *w, const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -110,9 +112,9 @@ static void note_poses(struct ts_region_wall *w, const struct tsim *sim)
 	w->listed_step = sim->clock.step;
 }
 
-/* How far the surface has come towards any particle since, at most: turning it is turning the particle
- * back. */
-static double gone(const struct ts_region_wall *w)
+/* Upper bound of the displacement of the surface towards any particle since the listing: |shift| + |angle| *
+ * distance from the pivot. */
+static double max_approach(const struct ts_region_wall *w)
 {
 	double sum = 0;
 
@@ -125,10 +127,10 @@ static double gone(const struct ts_region_wall *w)
 	return sum;
 }
 
-/* ---- pace ---- */
+/* ---- displacement in a step ---- */
 
-/* How far the movers have carried it in this step at x. */
-static double carried(const struct ts_region_wall *w, const struct tsim *sim, const double x[3])
+/* Upper bound of the displacement of the surface at x in this step. */
+static double displacement_at(const struct ts_region_wall *w, const struct tsim *sim, const double x[3])
 {
 	double sum = 0;
 
@@ -146,8 +148,8 @@ static double carried(const struct ts_region_wall *w, const struct tsim *sim, co
 	return sum;
 }
 
-/* At most, at the farthest particle. */
-static double carried_most(const struct ts_region_wall *w, const struct tsim *sim)
+/* The same for the farthest particle. */
+static double max_displacement(const struct ts_region_wall *w, const struct tsim *sim)
 {
 	double sum = 0;
 
@@ -163,8 +165,8 @@ static double carried_most(const struct ts_region_wall *w, const struct tsim *si
 	return sum;
 }
 
-/* How deep particles are in the region. NULL: out of memory. */
-static double *depths(const struct tsim *sim, const struct ts_region_wall *w)
+/* Depth of each particle below the surface of the region, length. NULL: out of memory. */
+static double *region_depths(const struct tsim *sim, const struct ts_region_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
 	double *depth = ts_alloc(p->n + 1, sizeof *depth);
@@ -174,24 +176,24 @@ static double *depths(const struct tsim *sim, const struct ts_region_wall *w)
 	return depth;
 }
 
-/* `before`: of a region that changes its shape, the depths in it as it was one step ago; else NULL. */
-static enum ts_status check_pace(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w,
-				 const double *before)
+/* `before`: the depths one step ago, for a region that changes its shape; else NULL. */
+static enum ts_status check_displacement(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w,
+					 const double *before)
 {
 	const struct ts_particles *p = sim->particles;
 	char what[80];
 
-	if (!before && !(carried_most(w, sim) > sim->neigh->least_radius))
+	if (!before && !(max_displacement(w, sim) > sim->neigh->least_radius))
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++) {
 		double depth = ts_region_depth(w->region, p->x[i]);
-		double way = before ? fabs(depth - before[i]) : carried(w, sim, p->x[i]);
+		double travel = before ? fabs(depth - before[i]) : displacement_at(w, sim, p->x[i]);
 
-		if (!(way > p->radius[i]) || !ts_wall_meets(self, sim, i, false) ||
-		    fabs(depth) > p->radius[i] + way)
+		if (!(travel > p->radius[i]) || !ts_wall_interacts(self, sim, i, false) ||
+		    fabs(depth) > p->radius[i] + travel)
 			continue;
 		snprintf(what, sizeof what, "the surface of wall %.40s", self->id);
-		return ts_coincide_passed(sim, &self->where, i, way, what);
+		return ts_coincide_passed(sim, &self->where, i, travel, what);
 	}
 	return TS_OK;
 }
@@ -201,45 +203,45 @@ enum ts_status ts_region_wall_update(struct ts_instance *self, struct tsim *sim,
 	double *before = NULL;
 	enum ts_status status;
 
-	if (ts_region_reshapes(w->region) && w->seen > 0 && w->seen == sim->clock.step) {
-		before = depths(sim, w);
+	if (ts_region_reshapes(w->region) && w->updated > 0 && w->updated == sim->clock.step) {
+		before = region_depths(sim, w);
 		if (!before)
 			return ts_nomem(&sim->error);
 	}
 	status = ts_region_update(w->region, sim);
-	w->seen = sim->clock.step + 1;
+	w->updated = sim->clock.step + 1;
 	if (status == TS_OK)
-		status = check_pace(self, sim, w, before);
+		status = check_displacement(self, sim, w, before);
 	ts_free(before);
 	return status;
 }
 
-/* Where it must be done again within some steps, listing all particles is cheaper. */
-enum { QUICK = 8 };
+/* If particles would be listed again within fewer steps than this, listing all of them is cheaper. */
+enum { MIN_LIST_STEPS = 8 };
 
-enum ts_status ts_region_wall_follow(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w,
-				     bool *list)
+enum ts_status ts_region_wall_needs_list(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w,
+					 bool *list)
 {
 	TS_TRY(ts_region_wall_update(self, sim, w));
-	*list = gone(w) > w->margin;
-	w->quick |= *list && sim->clock.step - w->listed_step < QUICK;
+	*list = max_approach(w) > w->margin;
+	w->list_all |= *list && sim->clock.step - w->listed_step < MIN_LIST_STEPS;
 	return TS_OK;
 }
 
-/* Lists particles near the surface: of one that moves also those somewhat farther, of one that changes
- * otherwise all. */
+/* Lists the particles near the surface: within the skin; of a region that moves within the skin plus
+ * `margin`; of a region that changes its shape all particles. */
 enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				   struct ts_region_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
-	bool all = w->quick || ts_region_reshapes(w->region);
+	bool all = w->list_all || ts_region_reshapes(w->region);
 	double further;
 
 	w->margin = all ? INFINITY : w->nmovers ? sim->neigh->built_skin : 0;
-	note_poses(w, sim);
+	store_poses(w, sim);
 	further = sim->neigh->built_skin + w->margin;
 	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_wall_meets(self, sim, i, false) ||
+		if (!ts_wall_interacts(self, sim, i, false) ||
 		    !(all || is_near(w, sim, wall, i, p->xhold[i], further)))
 			continue;
 		for (int k = 0; k < w->faces; k++)
@@ -248,53 +250,54 @@ enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, s
 	return TS_OK;
 }
 
-static const struct ts_region_contact_point *spot_of(const struct ts_region_contact_point *spot, int n,
-						     int face)
+static const struct ts_region_contact_point *face_point(const struct ts_region_contact_point *point, int n,
+							int face)
 {
 	for (int k = 0; k < n; k++)
-		if (spot[k].face == face)
-			return &spot[k];
+		if (point[k].face == face)
+			return &point[k];
 	return NULL;
 }
 
 double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim *sim,
 			       const struct ts_wall *wall, size_t k)
 {
-	int n = ts_region_contact_points(w->region, sim->particles->x[wall->contacts.row[k]], w->spot);
-	const struct ts_region_contact_point *on = spot_of(w->spot, n, wall->contacts.key[k][1]);
+	int n = ts_region_contact_points(w->region, sim->particles->x[wall->contacts.row[k]], w->point);
+	const struct ts_region_contact_point *on = face_point(w->point, n, wall->contacts.key[k][1]);
 
 	return on ? on->distance : INFINITY;
 }
 
-/* The contact k of a particle with a face that has a spot for it. */
-static void push_face(struct ts_wall_queue *q, struct ts_wall *wall, const struct ts_region_wall *w, size_t k,
-		      const struct ts_region_contact_point *on, int type)
+/* Contact k of a particle with a face, at the contact point `on`. */
+static void compute_face(struct ts_wall_queue *q, struct ts_wall *wall, const struct ts_region_wall *w,
+			 size_t k, const struct ts_region_contact_point *on, int type)
 {
-	struct ts_wall_contact_point spot = { .type = type,
-					      .distance = on->distance,
-					      .curvature = on->curvature };
+	struct ts_wall_contact_point point = { .type = type,
+					       .distance = on->distance,
+					       .curvature = on->curvature };
 
 	for (int d = 0; d < 3; d++)
-		spot.n[d] = on->n[d];
-	if (!ts_wall_touches(q, k, &spot)) {
-		ts_wall_contact_part(&wall->contacts, k);
+		point.n[d] = on->n[d];
+	if (!ts_wall_touches(q, k, &point)) {
+		ts_wall_contact_end(&wall->contacts, k);
 		return;
 	}
 	if (on->mover)
-		surface_velocity(w, on->mover, q->sim->particles->x[wall->contacts.row[k]], &spot);
-	ts_wall_enqueue_contact(q, k, &spot);
+		surface_velocity(w, on->mover, q->sim->particles->x[wall->contacts.row[k]], &point);
+	ts_wall_enqueue_contact(q, k, &point);
 }
 
-struct task {
+struct force_task {
 	struct tsim *sim;
 	struct ts_wall *wall;
 	const struct ts_region_wall *w;
 	int type;
-	bool far; /* particles that are far are listed, too */
+	bool far; /* the list contains particles that are far from the surface */
 };
 
-/* The faces of a particle follow one another. */
-static void push_contacts(const struct task *t, size_t from, size_t to, struct ts_region_contact_point *spot)
+/* The contacts of a particle with the faces 0 .. faces - 1 are consecutive. */
+static void compute_contacts(const struct force_task *t, size_t from, size_t to,
+			     struct ts_region_contact_point *point)
 {
 	const struct ts_particles *p = t->sim->particles;
 	struct ts_wall_contacts *c = &t->wall->contacts;
@@ -307,41 +310,41 @@ static void push_contacts(const struct task *t, size_t from, size_t to, struct t
 		const struct ts_region_contact_point *on;
 		int face = c->key[k][1];
 
-		ts_wall_look_ahead(c, p, k, to);
+		ts_wall_prefetch_ahead(c, p, k, to);
 		if (face == 0)
 			n = t->far && !is_near(t->w, t->sim, t->wall, (size_t)c->row[k], x, 0)
 				    ? 0
-				    : ts_region_contact_points(t->w->region, x, spot);
-		on = spot_of(spot, n, face);
+				    : ts_region_contact_points(t->w->region, x, point);
+		on = face_point(point, n, face);
 		if (on)
-			push_face(&queue, t->wall, t->w, k, on, t->type);
+			compute_face(&queue, t->wall, t->w, k, on, t->type);
 		else
-			ts_wall_contact_part(c, k);
+			ts_wall_contact_end(c, k);
 	}
 	ts_wall_queue_end(&queue);
 }
 
-/* Regions of more faces are looked at by one thread. */
-enum { SPOTS = 24 };
+/* Regions with more faces are computed by one thread, which uses the buffer of the wall. */
+enum { MAX_STACK_POINTS = 24 };
 
-static void push_share(void *context, size_t from, size_t to)
+static void compute_range(void *context, size_t from, size_t to)
 {
-	struct ts_region_contact_point spot[SPOTS];
+	struct ts_region_contact_point point[MAX_STACK_POINTS];
 
-	push_contacts(context, from, to, spot);
+	compute_contacts(context, from, to, point);
 }
 
 enum ts_status ts_region_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall,
 					       struct ts_region_wall *w, int type)
 {
-	struct task task = { sim, wall, w, type, ts_region_varies(w->region) };
+	struct force_task task = { sim, wall, w, type, ts_region_varies(w->region) };
 
 	for (int k = 0; k < w->nmovers; k++)
-		look_at_motion(w->mover[k], &w->motion[k], sim);
-	if (w->faces <= SPOTS)
-		ts_wall_contacts_parallel(sim, &wall->contacts, push_share, &task);
+		update_motion(w->mover[k], &w->motion[k], sim);
+	if (w->faces <= MAX_STACK_POINTS)
+		ts_wall_contacts_parallel(sim, &wall->contacts, compute_range, &task);
 	else
-		push_contacts(&task, 0, wall->contacts.n, w->spot);
+		compute_contacts(&task, 0, wall->contacts.n, w->point);
 	ts_wall_finish(wall);
 	return ts_coincide_wall(sim, wall);
 }

@@ -1,53 +1,59 @@
-/* Walls that are the surface of a region: where they touch, how they move. */
+/* Walls that are the surface of a region: contact points, and the velocity of the surface. */
 #ifndef TS_WALL_REGION_WALL_H
 #define TS_WALL_REGION_WALL_H
 
 #include "region/region.h"
 #include "wall/wall.h"
 
-/* How a region moves, by what its variables said in the step before. */
+/* Motion of a region, as the difference of its variables between two steps. */
 struct ts_region_motion {
-	double known, step, shift[3], angle;
-	double velocity[3], rate; /* of rotation */
+	double known; /* 1: the following values have been set, else 0 */
+	double step, shift[3],
+		angle;		  /* last step of evaluation; displacement, length, and angle, radian, then */
+	double velocity[3], rate; /* velocity; angular velocity, radian/time */
 };
 enum { TS_REGION_MOTION = sizeof(struct ts_region_motion) / sizeof(double) };
 
-/* How a region that moves stood as particles near it were listed. */
+/* Pose of a moving region when particles near it were listed. */
 struct ts_region_pose {
-	double shift[3], angle;
-	double far; /* the distance of the farthest particle from the pivot */
+	double shift[3], angle; /* displacement, length; angle, radian */
+	/* upper bound of the distance of a particle from the pivot until the next listing, length */
+	double far;
 };
 
 struct ts_region_wall {
 	struct ts_instance *region;
-	struct ts_region_contact_point *spot; /* room for those of a particle */
+	struct ts_region_contact_point *point; /* [faces], buffer */
 	int faces;
-	int nmovers; /* the region or those that it is made of */
-	const struct ts_instance **mover;
-	struct ts_region_motion *motion; /* of each; saved */
-	struct ts_region_pose *listed;	 /* of each */
-	/* the surface may go so far before particles are listed anew; infinite: all are listed */
+	int nmovers;			  /* moving regions: the region itself, or members of it */
+	const struct ts_instance **mover; /* [nmovers] */
+	struct ts_region_motion *motion;  /* [nmovers]; saved */
+	struct ts_region_pose *listed;	  /* [nmovers] */
+	/* displacement of the surface after which particles are listed again, length; infinite: all are
+	 * listed */
 	double margin;
 	int64_t listed_step;
-	bool quick;   /* it goes so fast that all are listed */
-	int64_t seen; /* the step after the one in which it was updated last; 0: never */
+	bool list_all;	 /* the surface is so fast that all particles are listed */
+	int64_t updated; /* 1 + the step of the last update; 0: never */
 };
 
-/* In init, when the region is known. */
+/* In init, after `region` has been set. */
 enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w);
-/* Between ts_wall_rebuild_start and _finish, of the region as it was last updated: lists particles of the
- * group. */
+/* Between ts_wall_rebuild_start and _finish: lists the particles of the group near the surface, as of the
+ * last update of the region. */
 enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				   struct ts_region_wall *w);
-/* The region as it is now; refuses one that has moved through particles in one step. */
+/* Updates the region to the present step; fails if its surface has passed through a particle in one step. */
 enum ts_status ts_region_wall_update(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w);
-/* Before the forces: updates it, and says whether it has gone so far that particles must be listed anew. */
-enum ts_status ts_region_wall_follow(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w,
-				     bool *list);
-/* How far the particle of contact k is from its face now; infinite: it does not meet it. */
+/* Before the forces: updates the region; *list: the surface has moved so far that particles must be listed
+ * again. */
+enum ts_status ts_region_wall_needs_list(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w,
+					 bool *list);
+/* Present distance of the particle of contact k from its face; infinite: the face has no contact point for
+ * it. */
 double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim *sim,
 			       const struct ts_wall *wall, size_t k);
-/* All forces; the surface has the material of this type. */
+/* Computes all forces; `type`: particle type whose material the surface has. */
 enum ts_status ts_region_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall,
 					       struct ts_region_wall *w, int type);
 enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w);

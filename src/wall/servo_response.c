@@ -8,7 +8,7 @@
 
 #include "base/banned.h"
 
-/* The smallest particle of a type, there or to be inserted; radius infinite: there is none. */
+/* The smallest particle of a type, existing or to be inserted; radius infinite: there is none. */
 struct smallest {
 	double radius, mass;
 };
@@ -27,7 +27,7 @@ static struct smallest smallest_of(const struct tsim *sim, int type)
 	return s;
 }
 
-static bool inserts(const struct tsim *sim)
+static bool inserts_particles(const struct tsim *sim)
 {
 	bool some = false;
 
@@ -38,10 +38,10 @@ static bool inserts(const struct tsim *sim)
 
 /* ---- contacts ---- */
 
-/* Of one contact under this force. */
-static struct ts_servo_contacts contact(const struct ts_granular_model *model,
-					const struct ts_granular_pair *law, const struct smallest *s,
-					double force)
+/* Stiffness and damping of one contact under this force. */
+static struct ts_servo_contacts contact_response(const struct ts_granular_model *model,
+						 const struct ts_granular_pair *law, const struct smallest *s,
+						 double force)
 {
 	double unit = ts_granular_at(model, law, s->radius, s->mass, 1).kn, overlap = force / unit;
 	struct ts_normal f;
@@ -54,8 +54,8 @@ static struct ts_servo_contacts contact(const struct ts_granular_model *model,
 	return (struct ts_servo_contacts){ 1, f.kn, fabs(f.gamman) };
 }
 
-/* Which mesh of the wall it is; -1: none. */
-static int part_of(const struct ts_wall *w, const struct ts_mesh_surface *surface)
+/* Index of the mesh in the wall; -1: the wall does not have it. */
+static int mesh_index(const struct ts_wall *w, const struct ts_mesh_surface *surface)
 {
 	for (int k = 0; w->mesh && k < w->meshes; k++)
 		if (w->mesh->mesh[k].surface == surface)
@@ -63,7 +63,8 @@ static int part_of(const struct ts_wall *w, const struct ts_mesh_surface *surfac
 	return -1;
 }
 
-static double step_of(const struct tsim *sim, const struct ts_servo_contacts *c)
+/* K h + 2 C: the largest stable gain kp is proportional to its inverse (law/servo.h). */
+static double step_gain(const struct tsim *sim, const struct ts_servo_contacts *c)
 {
 	return c->stiffness * sim->clock.dt + 2 * c->damping;
 }
@@ -73,11 +74,11 @@ struct ts_servo_contacts ts_servo_contacts(const struct tsim *sim, const struct 
 {
 	struct ts_servo_contacts best = { 0 };
 	double force = mesh->load / (n * (mesh->lever > 0 ? mesh->arm : 1));
-	double share = n * (mesh->lever > 0 ? mesh->arm * mesh->arm / mesh->lever : 1);
+	double scale = n * (mesh->lever > 0 ? mesh->arm * mesh->arm / mesh->lever : 1);
 	const struct ts_wall *w;
 
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));) {
-		if (part_of(w, mesh->surface) < 0 || !ts_wall_has_law(w, sim))
+		if (mesh_index(w, mesh->surface) < 0 || !ts_wall_has_law(w, sim))
 			continue;
 		for (int t = 1; t <= sim->particles->ntypes; t++) {
 			struct smallest s = smallest_of(sim, t);
@@ -85,15 +86,16 @@ struct ts_servo_contacts ts_servo_contacts(const struct tsim *sim, const struct 
 
 			if (!isfinite(s.radius) || !(s.mass > 0))
 				continue;
-			c = contact(ts_wall_model(w, sim), ts_wall_law(w, sim, (int)mesh->surface->type, t),
-				    &s, force);
-			if (c.n > 0 && (!(best.n > 0) || (step_of(sim, &c) > step_of(sim, &best)) == most))
+			c = contact_response(ts_wall_model(w, sim),
+					     ts_wall_law(w, sim, (int)mesh->surface->type, t), &s, force);
+			if (c.n > 0 &&
+			    (!(best.n > 0) || (step_gain(sim, &c) > step_gain(sim, &best)) == most))
 				best = c;
 		}
 	}
 	best.n *= n;
-	best.stiffness *= share;
-	best.damping *= share;
+	best.stiffness *= scale;
+	best.damping *= scale;
 	return best;
 }
 
@@ -105,13 +107,13 @@ size_t ts_servo_touching(const struct tsim *sim, const struct ts_mesh_surface *s
 	size_t n = 0;
 
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));) {
-		int part = part_of(w, surface);
+		int index = mesh_index(w, surface);
 		size_t last = SIZE_MAX;
 
-		for (size_t c = 0; part >= 0 && c < w->contacts.n; c++) {
+		for (size_t c = 0; index >= 0 && c < w->contacts.n; c++) {
 			size_t i = (size_t)w->contacts.row[c];
 
-			if (i == last || w->mesh->near[c].mesh != part ||
+			if (i == last || w->mesh->near[c].mesh != index ||
 			    !(ts_mesh_wall_distance(sim, w->mesh, c, i) < sim->particles->radius[i]))
 				continue;
 			last = i;
@@ -121,7 +123,7 @@ size_t ts_servo_touching(const struct tsim *sim, const struct ts_mesh_surface *s
 	return n;
 }
 
-double ts_servo_room(const struct tsim *sim, const struct ts_servo_mesh *mesh)
+double ts_servo_most_contacts(const struct tsim *sim, const struct ts_servo_mesh *mesh)
 {
 	const struct ts_mesh *m = &mesh->surface->mesh;
 	double area = 0, least = INFINITY, n;
@@ -131,5 +133,5 @@ double ts_servo_room(const struct tsim *sim, const struct ts_servo_mesh *mesh)
 	for (int t = 1; t <= sim->particles->ntypes; t++)
 		least = fmin(least, smallest_of(sim, t).radius);
 	n = fmax(1, area / (4 * least * least));
-	return inserts(sim) ? n : fmin(n, fmax(1, (double)sim->particles->n));
+	return inserts_particles(sim) ? n : fmin(n, fmax(1, (double)sim->particles->n));
 }

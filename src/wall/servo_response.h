@@ -1,32 +1,34 @@
-/* What a mesh that presses on particles will feel: stiffness and damping of its contacts under a load, for
- * the gains of a controller. */
+/* Stiffness and damping of the contacts of a mesh with particles under a load, for the gains of a
+ * controller. */
 #ifndef TS_WALL_SERVO_RESPONSE_H
 #define TS_WALL_SERVO_RESPONSE_H
 
 #include "wall/mesh_wall.h"
 
-/* A controlled mesh. Along an axis load, stiffness and damping are those of the force; about an axis those
- * of the torque by the speed and the way at `lever`, with contacts at `arm` from the axis. */
+/* A controlled mesh. Force control: load, stiffness and damping refer to the force along the axis. Torque
+ * control: they refer to the torque about the axis as a function of displacement and speed at the distance
+ * `lever` from the axis, with contacts at the distance `arm`. */
 struct ts_servo_mesh {
 	const struct ts_mesh_surface *surface;
 	double axis[3];	   /* unit vector */
-	double load;	   /* > 0: force or torque that is aimed at */
-	double lever, arm; /* 0: force */
+	double load;	   /* target force or torque, > 0 */
+	double lever, arm; /* length; 0: force control */
 };
 
 struct ts_servo_contacts {
-	double n; /* so many, of equal load; 0: there is no law or no particle */
-	double stiffness, damping;
+	double n;		   /* number of contacts, of equal load; 0: there is no law or no particle */
+	double stiffness, damping; /* of all contacts together: load/length, load/velocity */
 };
 
-/* Of n contacts with the smallest particles there are, or that will be inserted: of the type for which K h
- * + 2 C is `most`, or least. */
+/* Response of n contacts with the smallest particles that exist or will be inserted, of the particle type for
+ * which K h + 2 C (K stiffness, C damping, h time step) is largest (`most`) or smallest. */
 struct ts_servo_contacts ts_servo_contacts(const struct tsim *sim, const struct ts_servo_mesh *mesh, double n,
 					   bool most);
-/* How many particles touch the mesh now. */
+/* Number of particles that touch the mesh now. */
 size_t ts_servo_touching(const struct tsim *sim, const struct ts_mesh_surface *surface);
-/* How many there may be at most: one for each square around the smallest on the mesh as seen along the
- * axis, and not more than there are. */
-double ts_servo_room(const struct tsim *sim, const struct ts_servo_mesh *mesh);
+/* Estimate of the largest number of contacts: A/(4 R^2), with A the area of the mesh projected along the
+ * axis (for torque control its area) and R the smallest radius; without insertion not more than there are
+ * particles. */
+double ts_servo_most_contacts(const struct tsim *sim, const struct ts_servo_mesh *mesh);
 
 #endif

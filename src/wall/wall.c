@@ -15,8 +15,8 @@
 
 #include "base/banned.h"
 
-/* The force on each particle, under the name that LIGGGHTS gives it. */
-static enum ts_status add_column(struct ts_instance *self, struct tsim *sim)
+/* Adds the particle column force_ID, the name that LIGGGHTS uses. */
+static enum ts_status add_force_column(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
 	struct ts_str name = { 0 };
@@ -30,18 +30,18 @@ static enum ts_status add_column(struct ts_instance *self, struct tsim *sim)
 	return status;
 }
 
-static const struct ts_pair *pair_of(const struct tsim *sim)
+static const struct ts_pair *pair_style_of(const struct tsim *sim)
 {
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 
 	return pair ? pair->state : NULL;
 }
 
-/* The liquid is the pair style's, whose model is known when a run begins. */
+/* The liquid of particles is stored by the pair style, whose model is known when a run begins (`built`). */
 static enum ts_status check_bridges(struct ts_instance *self, struct tsim *sim, bool built)
 {
 	const struct ts_wall *w = self->state;
-	const struct ts_pair *pair = pair_of(sim);
+	const struct ts_pair *pair = pair_style_of(sim);
 	const struct ts_granular_model *m;
 
 	if (!ts_wall_has_law(w, sim))
@@ -69,7 +69,7 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_granular_words_check(sim, self, "fix wall/gran", &w->words));
 	TS_TRY(ts_heat_read_area(sim, "fix wall/gran", w->area_words, &w->area));
 	if (w->store_force)
-		TS_TRY(add_column(self, sim));
+		TS_TRY(add_force_column(self, sim));
 	w->contacts.want_reports |= w->list_contacts;
 	w->own_model = w->given || w->words.normal != TS_NORMAL_OFF;
 	if (w->own_model && !w->given)
@@ -83,23 +83,23 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 
 const struct ts_granular_model *ts_wall_model(const struct ts_wall *w, const struct tsim *sim)
 {
-	return w->own_model ? &w->model : &pair_of(sim)->model;
+	return w->own_model ? &w->model : &pair_style_of(sim)->model;
 }
 
 const struct ts_granular_pair *ts_wall_law(const struct ts_wall *w, const struct tsim *sim, int wall,
 					   int particle)
 {
 	return w->own_model ? &w->law[wall * (w->ntypes + 1) + particle]
-			    : ts_pair_law(pair_of(sim), particle, wall);
+			    : ts_pair_law(pair_style_of(sim), particle, wall);
 }
 
 bool ts_wall_has_law(const struct ts_wall *w, const struct tsim *sim)
 {
-	return w->own_model || pair_of(sim);
+	return w->own_model || pair_style_of(sim);
 }
 
-/* Room for the constants of all types that the wall may have. */
-static enum ts_status reserve(struct ts_instance *self, struct tsim *sim, int type)
+/* Allocates the constants of all pairs of types. */
+static enum ts_status reserve_laws(struct ts_instance *self, struct tsim *sim, int type)
 {
 	struct ts_wall *w = self->state;
 	int most = sim->particles->ntypes > type ? sim->particles->ntypes : type;
@@ -146,7 +146,7 @@ enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int 
 
 	TS_TRY(check_bridges(self, sim, true));
 	w->batch = ts_wall_batch_of(ts_wall_model(w, sim));
-	TS_TRY(reserve(self, sim, type));
+	TS_TRY(reserve_laws(self, sim, type));
 	for (int t = 1; t <= most; t++)
 		TS_TRY(make_law(self, sim, type, t));
 	return TS_OK;
@@ -168,7 +168,7 @@ enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim, struc
 	return status;
 }
 
-bool ts_wall_pulls(const struct ts_wall *w, const struct tsim *sim)
+bool ts_wall_long_ranged(const struct ts_wall *w, const struct tsim *sim)
 {
 	const struct ts_granular_model *m = ts_wall_has_law(w, sim) ? ts_wall_model(w, sim) : NULL;
 
@@ -180,16 +180,16 @@ double ts_wall_reach(const struct ts_wall *w, const struct tsim *sim, double rad
 	size_t types = (size_t)w->ntypes + 1;
 	double most = w->bridges * radius;
 
-	if (!w->law || !ts_wall_pulls(w, sim))
+	if (!w->law || !ts_wall_long_ranged(w, sim))
 		return most;
 	if (ts_wall_model(w, sim)->multi)
 		return TS_BULGE_MOST * radius;
 	if (!ts_normal_sticks(ts_wall_model(w, sim)))
 		return most;
 	if (!w->own_model)
-		return ts_pair_reach(sim, 4 * radius); /* that of a pair of this radius: half of it is R* */
-	/* hollow surfaces stick farther; they are found while their curvature is less than half the
-	 * sphere's */
+		return ts_pair_reach(sim, 4 * radius); /* two spheres of this radius have R* = 2 R */
+	/* adhesion to a concave surface reaches farther: R* = 2 R bounds it for radii of curvature of at
+	 * least 2 R */
 	for (size_t k = 0; k < types * types; k++)
 		if (w->law[k].kn > 0)
 			most = fmax(most, ts_jkr_reach(&w->law[k], 2 * radius));
@@ -224,7 +224,7 @@ size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim)
 	return ts_wall_has_law(w, sim) ? (size_t)ts_granular_memory(ts_wall_model(w, sim)) : 0;
 }
 
-static enum ts_status setup_check(struct ts_instance *self, struct tsim *sim, int type)
+static enum ts_status check_pair_coeffs(struct ts_instance *self, struct tsim *sim, int type)
 {
 	const struct ts_wall *w = self->state;
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
@@ -262,7 +262,7 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 	enum ts_status status = TS_OK;
 	char what[64];
 
-	TS_TRY(setup_check(self, sim, type));
+	TS_TRY(check_pair_coeffs(self, sim, type));
 	TS_TRY(ts_multicontact_check(sim, ts_wall_model(w, sim), &self->where));
 	TS_TRY(ts_substep_check(sim, ts_wall_model(w, sim), ts_instance_word(self, "located")));
 	lightest = ts_lightest(sim, self->group);
@@ -286,15 +286,15 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 
 bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_contact_case *out)
 {
-	const struct ts_wall_seen *seen = &w->contacts.seen[k];
+	const struct ts_wall_last_contact *last = &w->contacts.last[k];
 	size_t i = (size_t)w->contacts.row[k];
 
-	if (!(seen->overlap > 0) || !(sim->particles->imass[i] > 0))
+	if (!(last->overlap > 0) || !(sim->particles->imass[i] > 0))
 		return false;
 	*out = (struct ts_contact_case){
-		ts_wall_model(w, sim), ts_wall_law(w, sim, seen->type, sim->particles->type[i]),
-		seen->r_eff,	       1 / sim->particles->imass[i],
-		seen->overlap,	       0
+		ts_wall_model(w, sim), ts_wall_law(w, sim, last->type, sim->particles->type[i]),
+		last->r_eff,	       1 / sim->particles->imass[i],
+		last->overlap,	       0
 	};
 	return true;
 }

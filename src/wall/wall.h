@@ -1,10 +1,11 @@
-/* Walls: rigid bodies of infinite mass that particles touch with a contact law. A style computes the
- * shape, that is the contact points; everything after that is common to all walls:
+/* Walls: rigid bodies of infinite mass that interact with particles by a contact law. A style computes the
+ * contact points from the shape of the wall; everything after that is common to all walls:
  *
- *   POST_BUILD  ts_wall_rebuild_start; ts_wall_contacts_add for each pair of a particle and an element of the wall (a plane,
- *               a triangle) that may touch before the next rebuild; ts_wall_rebuild_finish
- *   POST_FORCE  ts_wall_start; for each listed contact k ts_wall_enqueue_contact (wall/wall_queue.h) if it touches, else
- *               ts_wall_contact_part; ts_wall_finish
+ *   POST_BUILD  ts_wall_rebuild_start; ts_wall_contacts_add for each pair of a particle and an element of the
+ *               wall (a plane, a face, a triangle) that may touch before the next rebuild;
+ *               ts_wall_rebuild_finish
+ *   POST_FORCE  ts_wall_start; for each listed contact k ts_wall_enqueue_contact (wall/wall_queue.h) if it
+ *               touches, else ts_wall_contact_end; ts_wall_finish
  *
  * Contacts of different particles may be enqueued by several threads, each with its own queue:
  * ts_wall_contacts_parallel.
@@ -26,36 +27,36 @@ struct ts_mesh_wall;
 
 /* First member of the state of every wall with contact laws; its style is of TS_FAMILY_WALL. */
 struct ts_wall {
-	struct ts_granular_words words; /* `model ...`; off: the model of the pair style */
+	struct ts_granular_words words; /* `model ...`; normal off: the model of the pair style */
 	struct ts_wall_contacts contacts;
-	double force[3]; /* of all particles on the wall in the last step */
+	double force[3]; /* sum of the forces of particles on the wall in the last step */
 	/* first contact of the last step whose particle has its centre in the surface, or TS_WALL_NONE */
 	size_t inside;
 	const struct ts_primitive_wall *primitive; /* its planes or cylinders, or NULL; set in init */
 	int meshes;				   /* number of its meshes; 0: not a mesh wall. Set in init */
 	const struct ts_mesh_wall *mesh;	   /* its meshes, or NULL; set in init */
 	const struct ts_instance *region;	   /* the region whose surface it is, or NULL; set in init */
-	/* Distance of the centre of the particle of contact k from the surface now, and the type of the
-	 * surface; set in init. NULL: not available */
+	/* Returns the present distance of the centre of the particle of contact k from the surface, and
+	 * stores the type of the surface; set in init. NULL: not available */
 	double (*distance)(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type);
 	struct ts_words area_words;
 	bool store_force, store_contacts[2];
-	bool list_contacts; /* output: the contact of each particle */
-	size_t stored;	    /* column of particles: force of the wall, with store_force */
+	bool list_contacts; /* output f_ID[1..8]: the contact of each particle */
+	size_t stored;	    /* with store_force: index of the particle column force_ID */
 
-	bool own_model; /* its contact law is given on its line, else it is that of the pair style */
+	bool own_model; /* the contact law is given on the line of the fix; else it is that of the pair style */
 	bool given;	/* the constants of the law are given on the line, the same for all types */
 	struct ts_granular_pair numbers; /* these constants */
 	struct ts_granular_model model;	 /* the law, with own_model */
-	ts_wall_batch_fn *batch;	 /* the loop compiled for the model, or NULL */
-	struct ts_granular_pair *law;	 /* of the own model: type of the wall * (ntypes + 1) + type
-					 * of the particle */
-	bool warm;			 /* a part of it has a temperature; set in init */
-	bool moves;			 /* it moves along its normal and is no mesh wall; set in init */
-	struct ts_heat_contact area;
-	double *conductivity; /* 4 k k'/(k + k'), in the same order */
+	ts_wall_batch_fn *batch;	 /* the vectorised loop for the model; NULL: contact by contact */
+	struct ts_granular_pair *law;	 /* constants of the own model, [type of the wall * (ntypes + 1) +
+					  * type of the particle] */
+	bool warm;			 /* a part of the wall has a temperature; set in init */
+	bool moves;			 /* a primitive wall that moves along its normal; set in init */
+	struct ts_heat_contact area;	 /* area for heat conduction */
+	double *conductivity;		 /* 4 k k'/(k + k'), same shape as `law` */
 	int ntypes;
-	double bridges; /* largest length of a liquid bridge, by the radius of the particle */
+	double bridges; /* maximum rupture length of a liquid bridge, in radii of the particle */
 };
 
 #define TS_FAMILY_WALL "wall"
@@ -78,12 +79,12 @@ struct ts_wall {
 /* The contact point: the point of the surface that is nearest to a particle. */
 struct ts_wall_contact_point {
 	double n[3];	    /* unit normal, from the surface to the centre of the particle; 0: undefined */
-	double distance;    /* of the centre from the surface, >= 0 */
+	double distance;    /* of the centre from the surface, length, >= 0 */
 	double velocity[3]; /* of the surface */
-	double curvature;   /* 1/radius of the surface, > 0: convex towards the particle */
-	bool sums;	    /* the wall sums its load: immobile particles contribute, too */
-	int type;	    /* type of particles that has the material of the surface */
-	int mesh, triangle; /* from 1 and from 0, for reports; 0, 0: no mesh */
+	double curvature;   /* mean curvature of the surface, 1/length, > 0: convex towards the particle */
+	bool sums;	    /* the load on the wall is summed: immobile particles contribute, too */
+	int type;	    /* particle type whose material the surface has */
+	int mesh, triangle; /* for reports: mesh from 1, triangle from 0; 0, 0: no mesh */
 	bool warm;	    /* the surface has a temperature and conducts heat */
 	double temperature;
 };
@@ -91,12 +92,13 @@ struct ts_wall_contact_point {
 /* To be called in the init of the style. */
 enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim);
 
-/* Whether walls with a temperature exchange heat with particles: a fix heat/gran is there. */
+/* Whether walls with a temperature exchange heat with particles: a fix heat/gran exists. */
 bool ts_wall_heats(const struct tsim *sim);
 
-/* Whether contacts of particle i are listed: it belongs to the group and can move or, at a wall with a
+/* Whether contacts of particle i are listed: it belongs to the group, and it is mobile or, at a wall with a
  * temperature, exchanges heat. */
-static inline bool ts_wall_meets(const struct ts_instance *self, const struct tsim *sim, size_t i, bool warm)
+static inline bool ts_wall_interacts(const struct ts_instance *self, const struct tsim *sim, size_t i,
+				     bool warm)
 {
 	return ts_in_group(sim->particles, i, self->group) &&
 	       (sim->particles->imass[i] > 0 || (warm && ts_wall_heats(sim)));
@@ -108,38 +110,38 @@ void ts_wall_start(struct ts_wall *w, struct tsim *sim);
  * (`inside`), which ts_coincide_wall (wall/wall_coincide.h) refuses. */
 void ts_wall_finish(struct ts_wall *w);
 
-/* Checks that the law exists for particles of the group and a wall of this type, and reports the
- * largest step that contacts allow. */
+/* Checks that the law is defined between particles of the group and a wall of this type, and reports the
+ * largest stable time step of the contacts. */
 enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type,
 			    struct ts_plan_report *report);
 
 /* The law, masses and radii of contact k in the last force evaluation; false: it did not touch, or the
- * particle cannot move. */
+ * particle is immobile. */
 struct ts_contact_case;
 bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_contact_case *out);
 
-/* Whether there is a contact law; if not, no contacts are listed and the plan refuses the run. */
+/* Whether a contact law is defined; if not, no contacts are listed and ts_wall_plan fails. */
 bool ts_wall_has_law(const struct ts_wall *w, const struct tsim *sim);
 /* Computes the constants of the law for a surface of this type; after each rebuild, before contacts are
  * enqueued. */
 enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type);
-/* Starts a rebuild of w->contacts, see ts_wall_contacts_start. `own`: history numbers of the style for
- * each contact, stored behind those of the law. */
+/* Starts a rebuild of w->contacts, see ts_wall_contacts_start. `own`: number of history values of the style
+ * for each contact, stored after those of the law. */
 void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own,
 			   struct ts_wall_rebuild *rebuild);
-/* `status` of the listing: if it is an error, the old contacts are dropped and it is returned. */
+/* `status`: of the listing; if it is an error, the old contacts are discarded and it is returned. */
 enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim, struct ts_wall_rebuild *rebuild,
 				      enum ts_status status);
 
-/* Whether the law acts at a distance (bridges, adhesion, displaced surfaces), and up to which distance of
- * the surfaces for a particle of this radius. */
-bool ts_wall_pulls(const struct ts_wall *w, const struct tsim *sim);
+/* Whether the law acts beyond the touch (liquid bridges, adhesion, surfaces displaced by fix
+ * multicontact/halfspace), and up to which distance of the surfaces for a particle of this radius. */
+bool ts_wall_long_ranged(const struct ts_wall *w, const struct tsim *sim);
 double ts_wall_reach(const struct ts_wall *w, const struct tsim *sim, double radius);
-/* Its law, and the constants for a particle of a type and a surface of type `wall`. */
+/* The contact law, and its constants between a particle type and a surface of type `wall`. */
 const struct ts_granular_model *ts_wall_model(const struct ts_wall *w, const struct tsim *sim);
 const struct ts_granular_pair *ts_wall_law(const struct ts_wall *w, const struct tsim *sim, int wall,
 					   int particle);
-/* History numbers of the law for each contact: the first ones of ts_wall_memory. */
+/* Number of history values of the law for each contact: the first ones of ts_wall_memory. */
 size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim);
 /* The input of the law for the contact of a report, with the present velocities. */
 struct ts_wall_view {
@@ -153,18 +155,19 @@ void ts_wall_view(const struct ts_wall *w, const struct tsim *sim, size_t k, str
 void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k, double force[3],
 		       double torque[3]);
 
-/* The k-th wall in script order, start with *k = 0; NULL: no more. `by` may be NULL. */
+/* Iterates over the walls in script order: start with *k = 0; returns NULL at the end. *by is its fix; `by`
+ * may be NULL. */
 struct ts_wall *ts_walls_next(const struct tsim *sim, size_t *k, const struct ts_instance **by);
-/* Walls keep reports of their contacts from the next rebuild on: to be called in init. */
+/* Makes walls store reports of their contacts from the next rebuild on: to be called in init. */
 void ts_walls_want_reports(const struct tsim *sim);
 
-/* For the slots of the styles. */
+/* For the slots archive and fini of the styles. */
 enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
 void ts_wall_fini(struct ts_instance *self);
 
 enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim, struct ts_table *out);
 enum ts_status ts_wall_eval_contacts(struct ts_instance *self, const struct tsim *sim, struct ts_table *out);
-/* For the slot of the styles: no contacts without the word. */
+/* For the slot gives: f_ID[1..8] is available only with the keyword `contacts`. */
 bool ts_wall_gives(const struct ts_instance *self, const struct ts_value *value);
 extern const char *const ts_wall_force_names[], *const ts_wall_contact_names[];
 enum { TS_WALL_CONTACT_COLUMNS = 8 };

@@ -1,28 +1,29 @@
-/* Contacts with walls in columns, as contact_batch.h has those of particles: the law, written for one
- * contact, is computed for several at once. All contacts of a batch have the same law. Numbers are those
- * of one contact after the other, bit for bit. */
+/* Batches of wall contacts, as contact/contact_batch.h for pairs: the inputs of the contact law are copied
+ * into columns, so that a law written for one contact is computed for several contacts at once by vector
+ * instructions. All contacts of a batch have the same law. Results equal those of the computation contact
+ * by contact, bit for bit. */
 #ifndef TS_WALL_WALL_BATCH_H
 #define TS_WALL_WALL_BATCH_H
 
 #include "base/four.h"
 #include "law/granular_force.h"
 
-/* What the laws need to know of a particle and the wall. */
+/* Inputs of the contact law from particle and wall. */
 struct ts_wall_ends {
 	double n[3], distance; /* from the surface to the centre of the particle */
-	double curvature;      /* of the surface, as struct ts_wall_contact_point has it */
-	double v[3];	       /* of the particle, less that of the surface */
+	double curvature;      /* of the surface, see struct ts_wall_contact_point */
+	double v[3];	       /* velocity of the particle relative to the surface */
 	double omega[3], radius, mass;
-	double liquid; /* as struct ts_touch has it */
+	double liquid; /* volume of liquid of the particle, see struct ts_touch */
 };
 
-/* R* at a surface of this curvature. */
+/* R* = R/(1 + R kappa) at a surface of mean curvature kappa. */
 TS_INLINE double ts_wall_effective_radius(double radius, double curvature)
 {
 	return radius / (1 + radius * curvature);
 }
 
-/* The wall is the limit of an infinitely heavy partner. */
+/* The wall is the limit of a partner of infinite mass: m* = m. */
 TS_INLINE void ts_wall_ends_touch(const struct ts_wall_ends *e, const struct ts_granular_model *m,
 				  struct ts_touch *t)
 {
@@ -41,7 +42,7 @@ TS_INLINE void ts_wall_ends_touch(const struct ts_wall_ends *e, const struct ts_
 }
 
 struct ts_wall_batch {
-	/* the ends; the fourth columns: distance, mass, radius */
+	/* the inputs, see struct ts_wall_ends; the fourth columns: distance, mass, radius */
 	double n[4][TS_BATCH], v[4][TS_BATCH], omega[4][TS_BATCH];
 	double curvature[TS_BATCH];
 	double memory[TS_GRANULAR_MEMORY][TS_BATCH];
@@ -49,12 +50,12 @@ struct ts_wall_batch {
 	double force[4][TS_BATCH], torque[4][TS_BATCH], roll[4][TS_BATCH];
 } __attribute__((aligned(64)));
 
-/* The contacts 0 .. n-1 of a batch by a model, which may be a constant one; the time step is positive, and
- * memory advances. */
+/* Computes contacts 0 .. n-1 of a batch for a model, which may be a compile-time constant; dt > 0, and the
+ * history is updated. */
 typedef void ts_wall_batch_fn(struct ts_wall_batch *b, size_t n, const struct ts_granular_model *m,
 			      const struct ts_granular_pair *law, double dt);
 
-/* The loop for a model; NULL: there is none. */
+/* The vectorised loop for a model; NULL: there is none. */
 ts_wall_batch_fn *ts_wall_batch_of(const struct ts_granular_model *model);
 
 TS_INLINE void ts_wall_batch_ends(const struct ts_wall_batch *b, size_t k, struct ts_wall_ends *e)
@@ -99,7 +100,7 @@ TS_INLINE void ts_wall_batch_contacts(struct ts_wall_batch *restrict b, size_t n
 				      const struct ts_granular_model *m,
 				      const struct ts_granular_pair *restrict law, double dt)
 {
-	if (!(dt > 0)) /* never; but so the compiler knows */
+	if (!(dt > 0)) /* never true, but tells the compiler that dt > 0 */
 		return;
 #pragma omp simd
 	for (size_t k = 0; k < n; k++)

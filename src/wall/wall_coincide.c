@@ -48,14 +48,15 @@ enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall)
 	return status;
 }
 
-/* Whether the contact is computed: particles that are held are only where the forces on a mesh are summed. */
-static bool counts(const struct ts_wall *w, const struct tsim *sim, size_t k)
+/* Whether the contact is computed: immobile particles have contacts only where the load on a mesh is
+ * summed. */
+static bool is_computed(const struct ts_wall *w, const struct tsim *sim, size_t k)
 {
 	return sim->particles->imass[w->contacts.row[k]] > 0 ||
 	       (w->mesh && w->mesh->mesh[w->mesh->near[k].mesh].surface->observed);
 }
 
-enum ts_status ts_coincide_foresee(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_coincide_review(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
 
@@ -66,7 +67,7 @@ enum ts_status ts_coincide_foresee(struct ts_instance *self, struct tsim *sim)
 		size_t i = (size_t)w->contacts.row[k];
 		int type;
 
-		if (counts(w, sim, k) &&
+		if (is_computed(w, sim, k) &&
 		    ts_coincide(w->distance(self, sim, k, &type), sim->particles->radius[i]))
 			w->inside = k;
 	}

@@ -5,10 +5,10 @@
 
 #include "wall/wall.h"
 
-/* Refuses a contact whose particle has its centre in the wall, if ts_wall_finish has found one. */
+/* Fails if ts_wall_finish has found a contact whose particle has its centre in the surface of the wall. */
 enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall);
-/* The same where nothing is computed (-check, -explain): looks at all contacts that are listed, as they
- * are now. For the slot `review` of walls. */
-enum ts_status ts_coincide_foresee(struct ts_instance *self, struct tsim *sim);
+/* The same where no forces are computed (-check, -explain): checks the present positions of all listed
+ * contacts. For the slot `review` of walls. */
+enum ts_status ts_coincide_review(struct ts_instance *self, struct tsim *sim);
 
 #endif

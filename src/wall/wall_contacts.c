@@ -19,7 +19,7 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 
 	if (TS_GROW(c->row, c->row_capacity, n) != TS_OK || TS_GROW(c->key, c->key_capacity, n) != TS_OK ||
 	    TS_GROW(c->touching, c->touching_capacity, n) != TS_OK ||
-	    TS_GROW(c->seen, c->seen_capacity, n) != TS_OK ||
+	    TS_GROW(c->last, c->last_capacity, n) != TS_OK ||
 	    TS_GROW(c->memory, c->memory_capacity, n * c->width + 1) != TS_OK ||
 	    TS_GROW(c->force, c->force_capacity, n) != TS_OK ||
 	    (c->want_reports && TS_GROW(c->report, c->report_capacity, n) != TS_OK))
@@ -28,17 +28,17 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 	c->key[c->n][0] = sim->particles->tag[i];
 	c->key[c->n][1] = element;
 	c->touching[c->n] = 0;
-	c->seen[c->n].overlap = 0;
+	c->last[c->n].overlap = 0;
 	for (size_t k = 0; k < c->width; k++)
 		c->memory[c->n * c->width + k] = 0;
-	ts_wall_contact_rest(c, c->n);
+	ts_wall_contact_zero_force(c, c->n);
 	if (c->want_reports)
 		c->report[c->n] = (struct ts_wall_report){ 0 };
 	c->n++;
 	return TS_OK;
 }
 
-static int compare(const void *a, const void *b)
+static int compare_keys(const void *a, const void *b)
 {
 	const int32_t *x = a, *y = b;
 
@@ -47,8 +47,8 @@ static int compare(const void *a, const void *b)
 	return (x[1] > y[1]) - (x[1] < y[1]);
 }
 
-/* Whether there is anything to carry over: most particles are near, but do not touch. */
-static bool remembers(const struct ts_wall_contacts *c, size_t k)
+/* Whether there is anything to copy: most listed particles do not touch. */
+static bool has_history(const struct ts_wall_contacts *c, size_t k)
 {
 	if (c->report && c->report[k].touching > 0)
 		return true;
@@ -58,27 +58,27 @@ static bool remembers(const struct ts_wall_contacts *c, size_t k)
 	return false;
 }
 
-/* Walls are asked in the order of particles in memory, which a rebuild may change: the old keys are
- * listed in order, each with its place, and looked up. */
+/* Contacts are listed in the order of particles in memory, which a rebuild may change. So the keys of the old
+ * contacts are sorted, each with its index, for a binary search. */
 static int32_t (*sorted_keys(const struct ts_wall_contacts *c, size_t *n))[3]
 {
 	int32_t(*list)[3] = ts_alloc(c->n, sizeof *list);
 
 	*n = 0;
 	for (size_t k = 0; list && k < c->n; k++) {
-		if (!remembers(c, k))
+		if (!has_history(c, k))
 			continue;
 		list[*n][0] = c->key[k][0];
 		list[*n][1] = c->key[k][1];
 		list[(*n)++][2] = (int32_t)k;
 	}
 	if (list)
-		qsort(list, *n, sizeof *list, compare);
+		qsort(list, *n, sizeof *list, compare_keys);
 	return list;
 }
 
-/* Contact k of one list was contact `was` of the other. */
-static void carry(struct ts_wall_contacts *c, size_t k, const struct ts_wall_contacts *old, size_t was)
+/* Contact k of the new list continues contact `was` of the old one. */
+static void copy_history(struct ts_wall_contacts *c, size_t k, const struct ts_wall_contacts *old, size_t was)
 {
 	c->touching[k] = 1;
 	if (c->width && c->width == old->width)
@@ -96,10 +96,10 @@ enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts
 	int32_t(*list)[3] = some ? sorted_keys(old, &n) : NULL;
 
 	for (size_t k = 0; n && k < c->n; k++) {
-		const int32_t *found = bsearch(c->key[k], list, n, sizeof *list, compare);
+		const int32_t *found = bsearch(c->key[k], list, n, sizeof *list, compare_keys);
 
 		if (found)
-			carry(c, k, old, (size_t)found[2]);
+			copy_history(c, k, old, (size_t)found[2]);
 	}
 	ts_wall_contacts_release(&rebuild->old);
 	if (some && !list)
@@ -108,11 +108,11 @@ enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts
 	return TS_OK;
 }
 
-void ts_wall_contact_end(struct ts_wall_contacts *c, size_t k)
+void ts_wall_contact_reset(struct ts_wall_contacts *c, size_t k)
 {
-	ts_wall_contact_rest(c, k);
+	ts_wall_contact_zero_force(c, k);
 	c->touching[k] = 0;
-	c->seen[k].overlap = 0;
+	c->last[k].overlap = 0;
 	if (c->width)
 		memset(ts_wall_memory(c, k), 0, c->width * sizeof *c->memory);
 	if (c->report && c->report[k].touching > 0)
@@ -125,19 +125,19 @@ struct split {
 	void *context;
 };
 
-/* Where the contacts of the next particle begin. */
-static size_t begin(const struct ts_wall_contacts *c, size_t k)
+/* Index of the first contact of the next particle, at k or after it. */
+static size_t next_particle(const struct ts_wall_contacts *c, size_t k)
 {
 	while (k > 0 && k < c->n && c->row[k] == c->row[k - 1])
 		k++;
 	return k;
 }
 
-static void whole_particles(void *context, size_t from, size_t to)
+static void share_whole_particles(void *context, size_t from, size_t to)
 {
 	const struct split *split = context;
 
-	split->share(split->context, begin(split->c, from), begin(split->c, to));
+	split->share(split->context, next_particle(split->c, from), next_particle(split->c, to));
 }
 
 void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c, ts_share_fn *share,
@@ -145,12 +145,12 @@ void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_cont
 {
 	struct split split = { c, share, context };
 
-	/* a contact is worth many particles of other loops */
-	ts_parallel(ts_team(sim, 16 * c->n), c->n, whole_particles, &split);
+	/* a contact costs as much as about 16 particles of simple loops */
+	ts_parallel(ts_team(sim, 16 * c->n), c->n, share_whole_particles, &split);
 }
 
-/* Reports are there only if somebody wanted them. Those of older files lack a number: the next step makes
- * new ones. */
+/* Reports are stored only if an output needs them. Those of older files have no curvature and are ignored:
+ * the next step makes new ones. */
 static enum ts_status archive_reports(struct ts_archive *archive, struct tsim *sim,
 				      struct ts_wall_contacts *c)
 {
@@ -169,7 +169,7 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 {
 	int64_t size[2] = { (int64_t)c->n, (int64_t)c->width };
 
-	if (!ts_archive_has(archive, "contacts")) /* walls of version 1 remember nothing */
+	if (!ts_archive_has(archive, "contacts")) /* files of version 1 have no wall contacts */
 		return TS_OK;
 	TS_TRY(ts_archive_fixed(archive, "contacts", TS_SAVED_I64, size, 2));
 	if (size[0] < 0 || size[0] > INT32_MAX || size[1] < 0 || size[1] > 1024)
@@ -183,7 +183,7 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 		if (TS_GROW(c->row, c->row_capacity, c->n) != TS_OK ||
 		    TS_GROW(c->key, c->key_capacity, c->n) != TS_OK ||
 		    TS_GROW(c->touching, c->touching_capacity, c->n) != TS_OK ||
-		    TS_GROW(c->seen, c->seen_capacity, c->n) != TS_OK ||
+		    TS_GROW(c->last, c->last_capacity, c->n) != TS_OK ||
 		    TS_GROW(c->memory, c->memory_capacity, c->n * c->width + 1) != TS_OK ||
 		    TS_GROW(c->force, c->force_capacity, c->n) != TS_OK)
 			return ts_nomem(&sim->error);
@@ -198,7 +198,7 @@ void ts_wall_contacts_release(struct ts_wall_contacts *c)
 	ts_free(c->row);
 	ts_free(c->key);
 	ts_free(c->touching);
-	ts_free(c->seen);
+	ts_free(c->last);
 	ts_free(c->memory);
 	ts_free(c->force);
 	ts_free(c->report);

@@ -1,54 +1,55 @@
-/* Particles near a wall, and what their contacts with it remember. A wall may have several elements
- * (triangles of a mesh), each with contacts of its own. */
+/* Lists of pairs of a particle and an element of a wall (a plane, a face, a triangle) that may touch
+ * before the next rebuild, with the history of their contacts. */
 #ifndef TS_WALL_WALL_CONTACTS_H
 #define TS_WALL_WALL_CONTACTS_H
 
 #include "base/parallel.h"
 #include "core/sim.h"
 
-/* What a contact did in the last force computation; all zero where they do not touch. Seen from the
- * particle: the wall gets the opposite force at the point. */
+/* The contact in the last force computation; all zero if particle and wall do not touch. Forces act on the
+ * particle; the opposite force acts on the wall at the contact point. */
 struct ts_wall_report {
-	double touching; /* 1 */
-	double overlap;
-	double force[3], torque[3];   /* on the particle; torque about its centre */
-	double rolling[3];	      /* the part of the torque that is friction of rolling */
-	double point[3], velocity[3]; /* of the surface, nearest to the centre */
-	double curvature;	      /* of the surface, > 0: bulging towards the particle */
-	double type;		      /* of the surface */
-	double mesh, triangle;	      /* from 1 and from 0; 0, 0: the wall is no mesh */
+	double touching;	    /* 1 */
+	double overlap;		    /* length */
+	double force[3], torque[3]; /* on the particle; torque about its centre */
+	double rolling[3];	    /* the part of the torque that is rolling friction */
+	double point[3];	    /* the contact point: the point of the surface nearest to the centre */
+	double velocity[3];	    /* of the surface at this point */
+	double curvature;      /* mean curvature of the surface, 1/length, > 0: convex towards the particle */
+	double type;	       /* particle type whose material the surface has */
+	double mesh, triangle; /* mesh from 1, triangle from 0; 0, 0: not a mesh wall */
 };
 enum { TS_WALL_REPORT = sizeof(struct ts_wall_report) / sizeof(double) };
 
-/* How a contact lay in the last force computation: what the limit of the time step needs to know. */
-struct ts_wall_seen {
-	double n[3], overlap, r_eff; /* overlap 0: it does not touch */
-	int32_t type;		     /* of the surface */
+/* Geometry of the contact in the last force computation, for the limit of the time step. */
+struct ts_wall_last_contact {
+	double n[3], overlap, r_eff; /* unit normal, overlap (0: no touch), R* */
+	int32_t type;		     /* particle type whose material the surface has */
 };
 
-/* Whether a contact touches: not at all, with a direction, or so that the centre of the particle lies in
- * the surface. */
+/* State of a contact: no touch, a touch, or a touch with the centre of the particle in the surface, where the
+ * normal is undefined. */
 enum { TS_TOUCH_NOT, TS_TOUCH_BESIDE, TS_TOUCH_INSIDE };
 
 struct ts_wall_contacts {
-	size_t n;
-	int32_t *row;	   /* of the particle */
-	int32_t (*key)[2]; /* identity of the particle, number of the element */
-	/* whether they did when they were looked at last, as above; 0: there is no force, no memory */
+	size_t n;	   /* all arrays have n elements, one for each listed pair */
+	int32_t *row;	   /* index of the particle */
+	int32_t (*key)[2]; /* id of the particle, number of the element */
+	/* TS_TOUCH_... at the last evaluation; TS_TOUCH_NOT: force and history are zero */
 	uint8_t *touching;
-	struct ts_wall_seen *seen;
-	/* width numbers each; zero where they do not touch. With contacts it is never NULL */
+	struct ts_wall_last_contact *last;
+	/* history, [n * width]; zero without touch. Never NULL if n > 0 */
 	double *memory;
 	double (*force)[3]; /* on the particle, in this step */
-	size_t width;
+	size_t width;	    /* history values of each contact */
 	bool want_reports;
-	struct ts_wall_report *report; /* one each, if somebody wants them; else NULL */
-	size_t row_capacity, key_capacity, touching_capacity, seen_capacity, memory_capacity, force_capacity,
+	struct ts_wall_report *report; /* NULL if no output needs them */
+	size_t row_capacity, key_capacity, touching_capacity, last_capacity, memory_capacity, force_capacity,
 		report_capacity;
 };
 
-/* A rebuild: start, add those that may touch before the next one, finish. What is near again keeps
- * its memory. */
+/* A rebuild: start, add the pairs that may touch before the next rebuild, finish. Pairs that were listed
+ * before keep their history. */
 struct ts_wall_rebuild {
 	struct ts_wall_contacts old;
 };
@@ -57,32 +58,35 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts *c,
 				       struct ts_wall_rebuild *rebuild);
 
-/* NULL if they do not touch, or nobody wanted reports. */
+/* NULL if they do not touch, or if reports are not stored. */
 static inline const struct ts_wall_report *ts_wall_report(const struct ts_wall_contacts *c, size_t k)
 {
 	return c->report && c->report[k].touching > 0 ? &c->report[k] : NULL;
 }
 
+/* The history of contact k: `width` values. */
 static inline double *ts_wall_memory(const struct ts_wall_contacts *c, size_t k)
 {
 	return c->memory + k * c->width;
 }
 
-/* The contact k does not touch: it has ended, if it was one. */
-void ts_wall_contact_end(struct ts_wall_contacts *c, size_t k);
-static inline void ts_wall_contact_part(struct ts_wall_contacts *c, size_t k)
+/* Clears force, history and report of contact k. */
+void ts_wall_contact_reset(struct ts_wall_contacts *c, size_t k);
+/* To be called where pair k does not touch: ends the contact if there was one. */
+static inline void ts_wall_contact_end(struct ts_wall_contacts *c, size_t k)
 {
 	if (c->touching[k])
-		ts_wall_contact_end(c, k);
+		ts_wall_contact_reset(c, k);
 }
-/* It exerts no force in this step. */
-static inline void ts_wall_contact_rest(const struct ts_wall_contacts *c, size_t k)
+/* Sets the force of contact k in this step to 0. */
+static inline void ts_wall_contact_zero_force(const struct ts_wall_contacts *c, size_t k)
 {
 	for (int d = 0; d < 3; d++)
 		c->force[k][d] = 0;
 }
 
-/* Calls the share for ranges of contacts side by side; those of a particle come together, and in order. */
+/* Calls `share` for ranges of contacts in parallel. The contacts of a particle are never split between
+ * ranges, so that its forces are summed in a fixed order. */
 void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c, ts_share_fn *share,
 			       void *context);
 

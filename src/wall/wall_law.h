@@ -1,5 +1,5 @@
-/* Laws that stand on the line of a wall as LAMMPS writes them: hooke, hooke/history, hertz/history with
- * their numbers, granular with the words of pair_coeff. */
+/* Contact laws given on the line of the wall, in the syntax of LAMMPS: hooke, hooke/history, hertz/history
+ * with their constants, granular with the keywords of pair_coeff. */
 #ifndef TS_WALL_WALL_LAW_H
 #define TS_WALL_WALL_LAW_H
 
@@ -25,7 +25,7 @@ struct ts_wall_law {
 		TS_FLAG("limit_damping", T, f.numbers.limit_damping,                         \
 			.help = "with these laws: the normal force never pulls")
 
-/* In init: at most one of them is given; then the wall has it. */
+/* In init: if one of these laws is given, sets it as the law of the wall; fails if there are several. */
 enum ts_status ts_wall_law_choose(struct ts_instance *self, struct tsim *sim, struct ts_wall_law *law,
 				  struct ts_wall *wall);
 

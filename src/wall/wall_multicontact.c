@@ -29,40 +29,41 @@ static enum ts_status wall_load(struct tsim *sim, const struct ts_wall *w, size_
 		       p->tag[i], memory[TS_MULTI_BULGE] / radius, TS_BULGE_MOST);
 }
 
-/* Whether a wall has contacts that others know of: those remember where they are. */
-static bool is_felt(const struct ts_wall *w, const struct tsim *sim)
+/* Whether the contacts of a wall store the data of fix multicontact/halfspace in their history. */
+static bool has_bulges(const struct ts_wall *w, const struct tsim *sim)
 {
 	return ts_wall_has_law(w, sim) && ts_wall_model(w, sim)->multi && w->contacts.n;
 }
 
-static bool is_met(const struct ts_wall *w, const struct tsim *sim, size_t k)
+static bool is_touching(const struct ts_wall *w, const struct tsim *sim, size_t k)
 {
 	const double *memory = ts_wall_memory(&w->contacts, k) + ts_granular_multi_at(ts_wall_model(w, sim));
 
 	return ts_norm(memory + TS_MULTI_ARM) > 0;
 }
 
-static void count(struct ts_multicontact *m, const struct tsim *sim)
+static void count_wall_contacts(struct ts_multicontact *m, const struct tsim *sim)
 {
 	const struct ts_wall *w;
 
 	for (size_t walls = 0; (w = ts_walls_next(sim, &walls, NULL));)
-		for (size_t k = 0; is_felt(w, sim) && k < w->contacts.n; k++)
-			m->next[w->contacts.row[k]] += is_met(w, sim, k);
+		for (size_t k = 0; has_bulges(w, sim) && k < w->contacts.n; k++)
+			m->next[w->contacts.row[k]] += is_touching(w, sim, k);
 }
 
-static enum ts_status collect(struct ts_multicontact *m, struct tsim *sim, const struct ts_place *where)
+static enum ts_status collect_wall_loads(struct ts_multicontact *m, struct tsim *sim,
+					 const struct ts_place *where)
 {
 	const struct ts_wall *w;
 
 	for (size_t walls = 0; (w = ts_walls_next(sim, &walls, NULL));)
-		for (size_t k = 0; is_felt(w, sim) && k < w->contacts.n; k++)
-			if (is_met(w, sim, k))
+		for (size_t k = 0; has_bulges(w, sim) && k < w->contacts.n; k++)
+			if (is_touching(w, sim, k))
 				TS_TRY(wall_load(sim, w, k, where, &m->load[m->next[w->contacts.row[k]]++]));
 	return TS_OK;
 }
 
-static bool any_knows(const struct tsim *sim)
+static bool any_wall_bulges(const struct tsim *sim)
 {
 	const struct ts_wall *w;
 	bool any = false;
@@ -72,6 +73,6 @@ static bool any_knows(const struct tsim *sim)
 	return any;
 }
 
-const struct ts_multicontact_walls ts_wall_multicontact = { .any = any_knows,
-							    .count = count,
-							    .collect = collect };
+const struct ts_multicontact_walls ts_wall_multicontact = { .any = any_wall_bulges,
+							    .count = count_wall_contacts,
+							    .collect = collect_wall_loads };

@@ -1,4 +1,4 @@
-/* What walls do to the grains that touch them, for fix multicontact/halfspace. */
+/* Loads of wall contacts on particles, for fix multicontact/halfspace. */
 #ifndef TS_WALL_WALL_MULTICONTACT_H
 #define TS_WALL_WALL_MULTICONTACT_H
 

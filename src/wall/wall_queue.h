@@ -1,46 +1,50 @@
-/* The forces of contacts with walls. Those that touch queue up, and are computed some dozens at a time, in
- * columns (wall/wall_batch.h); where there is no such loop for the model one after the other, with the
- * same bits. Each particle has its contacts added in their order. */
+/* Forces of wall contacts. Touching contacts are queued and computed in batches of TS_BATCH by vector
+ * instructions (wall/wall_batch.h); contact by contact if there is no such loop for the model, with the same
+ * results bit for bit. Forces are added to each particle in the order of its contacts. */
 #ifndef TS_WALL_WALL_QUEUE_H
 #define TS_WALL_WALL_QUEUE_H
 
 #include "base/four.h"
 #include "wall/wall.h"
 
-/* Of one share of a wall's contacts. */
+/* The queue of one thread. */
 struct ts_wall_queue {
 	const struct ts_wall *w;
 	struct tsim *sim;
 	const struct ts_granular_model *model;
-	bool sticks; /* surfaces act beyond their touch */
-	size_t n;
+	bool long_ranged; /* the law acts at a distance */
+	size_t n;	  /* queued contacts */
 	size_t contact[TS_BATCH];
-	struct ts_wall_contact_point spot[TS_BATCH];
+	struct ts_wall_contact_point point[TS_BATCH];
 };
 
 void ts_wall_queue_start(struct ts_wall_queue *q, const struct ts_wall *w, struct tsim *sim);
-/* Whether the contact k is one at the spot: they touch, or have met and stick. */
-bool ts_wall_sticks(const struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *spot);
+/* Whether contact k interacts at this contact point under a law that acts at a distance: the surfaces
+ * touch, or have touched and are still within the range of adhesion or of the liquid bridge. */
+bool ts_wall_in_range(const struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *point);
+/* The same for any law. */
 static inline bool ts_wall_touches(const struct ts_wall_queue *q, size_t k,
-				   const struct ts_wall_contact_point *spot)
+				   const struct ts_wall_contact_point *point)
 {
-	return q->sticks ? ts_wall_sticks(q, k, spot)
-			 : spot->distance < q->sim->particles->radius[q->w->contacts.row[k]];
+	return q->long_ranged ? ts_wall_in_range(q, k, point)
+			      : point->distance < q->sim->particles->radius[q->w->contacts.row[k]];
 }
-/* The contact k touches at the spot: force and torque on the particle, force on the wall. */
-void ts_wall_enqueue_contact(struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *spot);
-/* Does all that wait. */
+/* Queues contact k, which touches at this contact point: its force and torque act on the particle, the
+ * opposite force on the wall. */
+void ts_wall_enqueue_contact(struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *point);
+/* Computes the contacts that are queued. */
 void ts_wall_queue_end(struct ts_wall_queue *q);
 
-/* Three numbers may lie in two lines of the caches. Inlined always: a function that only asks for memory
- * is taken for one that does nothing, and calls of it are left out. */
+/* A vector may lie in two cache lines. Always inlined: the compiler takes a function that only prefetches for
+ * one without effect, and removes calls of it. */
 TS_INLINE void ts_wall_prefetch(const double x[3])
 {
 	__builtin_prefetch(x);
 	__builtin_prefetch(x + 2);
 }
 
-/* Particles at a wall are scattered in memory: what will be needed of one soon; `all`: if it touches. */
+/* Prefetches the data of particle i, as particles at a wall are scattered in memory. `all`: it touches, so
+ * the force computation needs its velocity, mass and force, too. */
 TS_INLINE void ts_wall_prefetch_particle(const struct ts_particles *p, size_t i, bool all)
 {
 	ts_wall_prefetch(p->x[i]);
@@ -57,10 +61,11 @@ TS_INLINE void ts_wall_prefetch_particle(const struct ts_particles *p, size_t i,
 		ts_wall_prefetch(p->torque[i]);
 }
 
-/* A loop over contacts up to `end` is at k. */
+/* In a loop over contacts up to `end` that is at contact k: prefetches the particle of contact k +
+ * TS_WALL_AHEAD. */
 enum { TS_WALL_AHEAD = 12 };
-TS_INLINE void ts_wall_look_ahead(const struct ts_wall_contacts *c, const struct ts_particles *p, size_t k,
-				  size_t end)
+TS_INLINE void ts_wall_prefetch_ahead(const struct ts_wall_contacts *c, const struct ts_particles *p,
+				      size_t k, size_t end)
 {
 	size_t next = k + TS_WALL_AHEAD < end ? k + TS_WALL_AHEAD : k;
 

@@ -44,7 +44,7 @@ void ts_wall_staged(struct ts_wall_batch *b, size_t n, const struct ts_granular_
 	long long touch[TS_BATCH];
 	struct ts_stages s;
 
-	memset(touch, -1, sizeof touch); /* all do */
+	memset(touch, -1, sizeof touch); /* all contacts of a batch touch */
 	for (int c = 0; c < TS_GRANULAR_MEMORY; c++)
 		memory[c] = b->memory[c];
 	s.radius[0] = s.radius[1] = b->omega[3];

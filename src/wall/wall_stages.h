@@ -1,10 +1,12 @@
-/* Contacts with walls by laws in stages (law_stages.h), for all models that have no loop of their own. */
+/* Batches of wall contacts for all models without a loop of their own: the law is computed in stages
+ * (contact/law_stages.h). */
 #ifndef TS_WALL_WALL_STAGES_H
 #define TS_WALL_WALL_STAGES_H
 
 #include "wall/wall_batch.h"
 
-/* As ts_wall_batch_contacts. */
-ts_wall_batch_fn ts_wall_staged;
+/* Computes contacts 0 .. n-1 of a batch, as ts_wall_batch_contacts does. */
+void ts_wall_staged(struct ts_wall_batch *b, size_t n, const struct ts_granular_model *m,
+		    const struct ts_granular_pair *law, double dt);
 
 #endif

@@ -1,7 +1,7 @@
 #include "wall/wall_system.h"
 
 #include "neigh/neigh.h"
-#include "wall/loss.h"
+#include "wall/wall_loss.h"
 #include "wall/wall.h"
 #include "wall/wall_multicontact.h"
 
@@ -21,11 +21,13 @@ static void connect_walls(struct tsim *sim)
 {
 	sim->neigh->ask.walls_move = walls_move;
 	sim->neigh->multicontact_walls = &ts_wall_multicontact;
-	sim->particles->explain_loss = ts_explain_loss;
+	sim->particles->explain_loss = ts_wall_explain_loss;
 }
 
 const struct ts_system_style ts_walls_system = {
-	.style = { .name = "walls", .kind = TS_KIND_SYSTEM, .summary = "what others ask of all walls" },
+	.style = { .name = "walls",
+		   .kind = TS_KIND_SYSTEM,
+		   .summary = "functions of all walls that other parts call" },
 	.no_instance = true,
 	.connect = connect_walls,
 };

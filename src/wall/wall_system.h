@@ -1,4 +1,5 @@
-/* The system of all walls: what the search for neighbours and the count of lost particles ask of them. */
+/* The system of all walls: callbacks for the neighbour search, for fix multicontact/halfspace and for the
+ * message about lost particles. */
 #ifndef TS_WALL_WALL_SYSTEM_H
 #define TS_WALL_WALL_SYSTEM_H
 

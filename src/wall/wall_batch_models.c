@@ -1,4 +1,4 @@
-/* The loops of wall/wall_batch.h for the models that most scenes have. */
+/* The loops of wall/wall_batch.h, compiled for the most frequent models. */
 #include "base/clones.h"
 TS_UNROLLED
 

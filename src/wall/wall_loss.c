@@ -1,4 +1,4 @@
-#include "wall/loss.h"
+#include "wall/wall_loss.h"
 
 #include "box/domain.h"
 #include "core/group.h"
@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-/* A plane between the particle and the middle of the box: the particle has passed it. */
+/* A plane wall between the particle and the middle of the box: the particle has passed it. */
 static bool explain_plane(struct tsim *sim, size_t i, int dim, struct ts_str *out)
 {
 	const struct ts_particles *p = sim->particles;
@@ -34,7 +34,7 @@ static bool explain_plane(struct tsim *sim, size_t i, int dim, struct ts_str *ou
 	return false;
 }
 
-void ts_explain_loss(struct tsim *sim, size_t i, int face, struct ts_str *out)
+void ts_wall_explain_loss(struct tsim *sim, size_t i, int face, struct ts_str *out)
 {
 	const struct ts_wall *w;
 	bool others = false;
