@@ -119,7 +119,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 }
 
 static const struct ts_value values[] = {
-	{ "list", "", "a row for each contact", TS_LOCAL, 0, NULL, eval },
+	{ "list", "", "one row for each contact", TS_LOCAL, 0, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -130,7 +130,7 @@ static const struct ts_arg args[] = {
 	  .offset = TS_FIELD(struct state, columns.words, struct ts_words *),
 	  .help = ts_contact_columns_help },
 	TS_BOOL("primitives", struct state, primitives, .fallback = "no",
-		.help = "contacts with planes and cylinders, too"),
+		.help = "whether contacts with planes and cylinders are listed, too"),
 	TS_ARGS_END,
 };
 
@@ -138,19 +138,28 @@ TS_STYLE(compute, ts_style, ts_compute_wall_gran_local)
 const struct ts_style ts_compute_wall_gran_local = {
 	.name = "wall/gran/local",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "What is known of each contact with a wall",
-	.doc = "A table with a row for each contact of a particle of the group with a triangle of a mesh, in "
-	       "the columns of compute pair/gran/local, in this order whatever that of the words: pos, the "
-	       "point of the surface and the place of the particle (6); vel, the velocities of both (6); id, "
-	       "the number of the mesh, from 0, of the triangle, from 0, and the id of the particle (3); "
-	       "force on the particle (3), its parts force_normal (3) and force_tangential (3); torque on "
-	       "the particle by the tangential force (3); history; contactArea, of the circle in which "
-	       "sphere and plane meet (1); delta, the overlap (1); contactPoint, the point of the surface "
-	       "(3). Meshes are numbered in the order in which fixes wall/gran name them. Without words: pos "
-	       "vel id force history contactArea.\n\n"
-	       "With `primitives yes` contacts with planes and cylinders are listed, too; their mesh is -1. "
-	       "Contacts and forces are those of the last force computation, or with `legacy` as LIGGGHTS "
-	       "computes them, see compute pair/gran/local. LIGGGHTS gives contactPoint as 0.",
+	.summary = "Data of each contact of a particle with a wall",
+	.doc = "A table with one row for each contact of a particle of the group with a triangle of a "
+	       "mesh, as compute pair/gran/local gives for contacts of particles. Whatever the order of "
+	       "the keywords, the columns are in this order:\n\n"
+	       "  pos                contact point and position of the particle (6)\n"
+	       "  vel                velocity of the surface at the contact point and of the particle (6)\n"
+	       "  id                 number of the mesh, from 0, number of the triangle, from 0, id of the "
+	       "particle (3)\n"
+	       "  force              force on the particle (3)\n"
+	       "  force_normal       normal part of the force (3)\n"
+	       "  force_tangential   tangential part of the force (3)\n"
+	       "  torque             torque of the tangential force on the particle (3)\n"
+	       "  history            history of the contact law\n"
+	       "  contactArea        area of the circle in which sphere and plane intersect (1)\n"
+	       "  delta              overlap (1)\n"
+	       "  contactPoint       contact point on the surface (3)\n\n"
+	       "Meshes are numbered in the order in which fixes wall/gran name them. Without keywords: "
+	       "pos vel id force history contactArea.\n\n"
+	       "With `primitives yes` contacts with planes and cylinders are listed, too; their mesh is "
+	       "-1. Contacts and forces are those of the last force computation, or with `legacy` as "
+	       "LIGGGHTS computes them, see compute pair/gran/local. LIGGGHTS gives contactPoint as 0.\n\n"
+	       "Related: fix wall/gran, compute pair/gran/local, dump local.",
 	.example = "compute hits all wall/gran/local id pos force\n"
 		   "dump hits all local/gran/vtk 1000 post/hits*.vtp hits",
 	.args = args,

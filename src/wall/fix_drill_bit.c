@@ -240,21 +240,21 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 
 static const struct ts_arg args[] = {
 	TS_REAL("x", struct bit, centre[0], .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "length",
-		.help = "x of the axis"),
+		.help = "x coordinate of the axis"),
 	TS_REAL("y", struct bit, centre[1], .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "length",
-		.help = "y of the axis"),
+		.help = "y coordinate of the axis"),
 	TS_REAL("diameter", struct bit, diameter, .flags = TS_STATEFUL, .range = TS_POSITIVE,
-		.unit = "length", .help = "of the circle of the cutters' centres"),
+		.unit = "length", .help = "diameter of the circle of the cutters' centres"),
 	TS_NUMBER("omega", struct bit, omega, .unit = "radian/time",
 		  .help = "angular velocity; may be v_name"),
 	TS_REAL("wob", struct bit, wob, .unit = "force",
 		.help = "weight on bit; each cutter carries a quarter of it in -z"),
 	TS_REAL("spring", struct bit, spring, .range = TS_NOT_NEGATIVE, .unit = "force/length",
-		.help = "ties each cutter to the mean height of the four"),
+		.help = "stiffness of the spring between each cutter and the mean height of the four"),
 	TS_REAL("damping", struct bit, damping, .range = TS_NOT_NEGATIVE, .fallback = "0",
-		.unit = "force/velocity", .help = "dashpot beside that spring"),
+		.unit = "force/velocity", .help = "constant of the dashpot parallel to that spring"),
 	TS_GROUP("body", struct bit, body_group, .flags = TS_OPTIONAL | TS_STATEFUL,
-		 .help = "group of the one particle that rides above the cutters"),
+		 .help = "group of the one particle above the cutters"),
 	TS_REAL("clearance", struct bit, clearance, .flags = TS_STATEFUL, .range = TS_NOT_NEGATIVE,
 		.fallback = "0", .unit = "length",
 		.help = "height of the body particle above the mean of the cutters"),
@@ -267,7 +267,9 @@ static const char *const names[] = {
 static const struct ts_value values[] = {
 	{ "height", "length", "mean z of the cutters", TS_SCALAR, 1, NULL, eval_height },
 	{ "state", "",
-	  "of the bit; forces are contact forces on the cutters, tangential > 0 against the rotation",
+	  "height of the bit and its velocity, sums of the contact forces on the cutters (tangential > 0 "
+	  "opposes the rotation, radial > 0 outwards, axial > 0 upwards), torque about the axis, angle "
+	  "(radian)",
 	  TS_VECTOR, 7, names, eval_vector },
 	{ .name = NULL },
 };
@@ -286,16 +288,18 @@ TS_STYLE(fix, ts_style, ts_fix_drill_bit)
 const struct ts_style ts_fix_drill_bit = {
 	.name = "drill/bit",
 	.kind = TS_KIND_FIX,
-	.summary = "a drag bit: four cutter particles that revolve and are pressed down, and a body",
-	.doc = "The group holds the four cutters. Their x and y are prescribed, a quarter turn apart on a "
-	       "circle: x = x_bit + D/2 cos(angle + k pi/2), y with the sine; the angle starts at 0 and "
-	       "grows with omega. Each moves freely in z under a quarter of the weight on bit, the contact "
-	       "forces, and a spring towards the mean z of the four, which is the bit height. The `body` "
-	       "particle rides `clearance` above that mean on the axis and keeps cuttings out of the space "
-	       "of the bit.\n\n"
-	       "The fix moves its particles itself by velocity Verlet: leave them out of fix nve, and define "
-	       "it after the fixes that act on the cutters. Outputs are f_ID = bit height and f_ID[1..7]; "
-	       "forces are those of contacts with the rock, without weight and spring.",
+	.summary = "A drag bit: four rotating cutter particles under a weight on bit, and a body particle",
+	.doc = "Models a drag bit. The group contains its four cutters. Their x and y are prescribed, 90 "
+	       "degrees apart on a circle around the axis:\n\n"
+	       "  x_k = x + D/2 cos(angle + k pi/2),  y_k = y + D/2 sin(angle + k pi/2),  k = 0 ... 3,\n\n"
+	       "D being the diameter; the angle starts at 0 and grows with omega. Each cutter moves "
+	       "freely in z under a quarter of the weight on bit, the contact forces, and a spring and "
+	       "dashpot to the mean z of the four, which is the bit height. The `body` particle moves on "
+	       "the axis at `clearance` above that height and keeps cuttings out of the space of the bit.\n\n"
+	       "The fix integrates its particles itself by velocity Verlet: exclude them from fix nve, "
+	       "and define this fix after those that act on the cutters. Outputs are f_ID, the bit "
+	       "height, and f_ID[1..7]; forces are those of contacts with the rock, without weight and "
+	       "spring.",
 	.example = "fix bit cutters drill/bit 5.0 5.0 diameter 5.0 omega 0.1 wob 0.2 spring 100 &\n"
 		   "    body nose clearance 1.0",
 	.args = args,

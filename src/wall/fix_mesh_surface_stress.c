@@ -35,22 +35,23 @@ TS_STYLE(fix, ts_style, ts_fix_mesh_surface_stress)
 const struct ts_style ts_fix_mesh_surface_stress = {
 	.name = "mesh/surface/stress",
 	.kind = TS_KIND_FIX,
-	.summary = "A surface of triangles, and the forces, stresses and wear that particles give it",
-	.doc = "A mesh as with fix mesh/surface. Besides, the forces that particles exert on it are summed:\n"
-	       "f_ID[1..3] is the force on the mesh, f_ID[4..6] the torque about reference_point, sum of\n"
-	       "(p - reference_point) x F over the points of contact, f_ID[7..9] that point, which goes "
-	       "along\n"
-	       "with the mesh. All are those of the last whole step, 0 before the first one. Words that "
-	       "scale,\n"
-	       "move or rotate the mesh leave reference_point as it is given.\n\n"
-	       "Of each triangle of area A with the normal n and the force F, dump mesh/vtk writes the "
-	       "normal\n"
-	       "stress |F.n|/A, the shear stress |F - (F.n) n|/A, and F/A.\n\n"
-	       "With `wear finnie` each contact that does not part wears the triangle it touches by\n\n"
+	.summary = "A triangle mesh with the force, torque, stresses and wear due to particles",
+	.doc = "A mesh as with fix mesh/surface. In addition, the forces that particles exert on it are "
+	       "summed: f_ID[1..3] is the force on the mesh, f_ID[4..6] the torque about reference_point, "
+	       "the sum of (p - reference_point) x F over the contact points p, f_ID[7..9] the present "
+	       "position of reference_point, which moves with the mesh. All are those of the last "
+	       "complete step, 0 before the first one. The keywords scale, move and rotate do not change "
+	       "reference_point.\n\n"
+	       "For each triangle of area A with the unit normal n and the force F, dump mesh/vtk writes "
+	       "the normal stress |F.n|/A, the shear stress |F - (F.n) n|/A, and F/A.\n\n"
+	       "With `wear finnie` each contact that does not separate increases the worn depth of its "
+	       "triangle in a step by\n\n"
 	       "  2 k v F f(g) h / A,  f = cos^2 g / 3 for tan g > 1/3, else sin 2g - 3 sin^2 g,\n\n"
-	       "v being the velocity of the particle relative to the surface, with which it makes the angle "
-	       "g, F\n"
-	       "the force of the contact, h the time step and k the property k_finnie of the two types.",
+	       "v being the velocity of the particle relative to the surface, g the angle between this "
+	       "velocity and the surface, F the magnitude of the contact force, h the time step and k the "
+	       "property k_finnie of both types.\n\n"
+	       "Related: fix mesh/surface, fix wall/gran, fix mesh/surface/stress/servo, fix "
+	       "move/mesh/free, dump mesh/vtk.",
 	.cite = "I. Finnie, Wear 3 (1960) 87",
 	.example = "fix k all property/global k_finnie peratomtypepair 1 1e-9\n"
 		   "fix chute all mesh/surface/stress file chute.stl type 1 reference_point 0 0 0.1 wear "

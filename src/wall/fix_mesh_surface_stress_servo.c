@@ -425,27 +425,27 @@ static const struct ts_arg args[] = {
 	TS_MESH_ARGS(struct state, words, surface),
 	TS_MESH_STRESS_ARGS(struct state, stress),
 	TS_VEC3("com", struct state, com, .unit = "length",
-		.help = "a point of the mesh as it is placed: torques, and turns, are about it"),
+		.help = "reference point of torque and rotation, on the mesh as it is placed"),
 	TS_ENUM("ctrlPV", struct state, controlled, controlled_names, .flags = TS_STATEFUL,
-		.help = "what is controlled: force (the mesh shifts along the axis) or torque (it turns "
+		.help = "controlled quantity: force (the mesh moves along the axis) or torque (it rotates "
 			"about it)"),
-	TS_VEC3("axis", struct state, axis, .flags = TS_STATEFUL, .help = "direction"),
+	TS_VEC3("axis", struct state, axis, .flags = TS_STATEFUL, .help = "direction of the axis"),
 	TS_NUMBER("target_val", struct state, wanted, .unit = "force or torque",
-		  .help = "what the mesh should exert on the particles along the axis; of a variable, anew "
-			  "in each step"),
+		  .help = "force or torque that the mesh shall exert on particles along the axis; a variable "
+			  "is evaluated in each step"),
 	TS_REAL("vel_max", struct state, fastest, .range = TS_POSITIVE, .unit = "velocity",
 		.help = "largest speed of the mesh; with torque, of its corner farthest from the axis"),
 	TS_REAL("kp", struct state, kp, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE, .unit = "",
-		.help = "gain of the error; without it 0.01, or with neither ki nor kd a tenth of the "
-			"largest stable one if that is smaller"),
+		.help = "proportional gain; default 0.01, or, if ki and kd are not given either, a tenth of "
+			"the largest stable gain if that is smaller"),
 	TS_REAL("ki", struct state, ki, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "1/time",
-		.help = "gain of its integral"),
+		.help = "integral gain"),
 	TS_REAL("kd", struct state, kd, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "time",
-		.help = "gain of its rate"),
+		.help = "derivative gain"),
 	TS_ENUM("mode", struct state, mode, mode_names, .fallback = "pid",
-		.help = "pid, or auto: speeds after `ratio`"),
+		.help = "pid: PID controller; auto: speed by `ratio`"),
 	TS_REAL("ratio", struct state, ratio, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "",
-		.help = "mode auto: of the smallest radius, how much the mesh moves in a step, at most"),
+		.help = "mode auto: largest displacement of the mesh in a step, in smallest radii"),
 	TS_ARGS_END,
 };
 
@@ -469,49 +469,41 @@ TS_STYLE(fix, ts_style, ts_fix_mesh_surface_stress_servo)
 const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	.name = "mesh/surface/stress/servo",
 	.kind = TS_KIND_FIX,
-	.summary = "A mesh that shifts or turns until particles meet it with a given force or torque",
+	.summary = "A mesh that moves or rotates until particles exert a given force or torque on it",
 	.doc = "A mesh as with fix mesh/surface/stress, with com as its reference point, that moves along "
-	       "the\n"
-	       "axis (ctrlPV force) or turns about the axis through com (ctrlPV torque). After each step\n\n"
+	       "the axis (ctrlPV force) or rotates about the axis through com (ctrlPV torque). After each "
+	       "step the controller computes the relative error\n\n"
 	       "  e = (target_val - P)/|target_val|,\n\n"
-	       "P being what the mesh exerts on particles along the axis, the opposite of f_ID[1..3] or\n"
-	       "f_ID[4..6]; for the next step the speed is vel_max o, with\n\n"
-	       "  o = kp e + ki sum(e h) + kd (e - e_last)/h,  |o| <= 1.\n\n"
-	       "Where o meets its limit, sum(e h) is set so that kp e + ki sum(e h) is the opposite limit, "
-	       "as\n"
-	       "LIGGGHTS does. With ctrlPV torque it is the corner farthest from the axis that has this "
-	       "speed.\n\n"
-	       "`mode auto`: the speed is vel_max where no particle is near (in the neighbour list); else it "
-	       "is\n"
-	       "ratio R_min/h, times min(|e|, 1) g, with g = 0.1 up to |e| = 0.9 and from there linearly to "
-	       "1.\n\n"
-	       "The force follows the speed within a step: contacts of the stiffness K and the damping C "
-	       "(all together)\n"
-	       "give P = K x + C v. With kp alone this is stable below\n\n"
+	       "P being the force or torque that the mesh exerts on particles along the axis, the "
+	       "opposite of f_ID[1..3] or f_ID[4..6]. In the next step the speed is vel_max o, with\n\n"
+	       "  o = kp e + ki sum(e h) + kd (e - e_last)/h,  |o| <= 1,\n\n"
+	       "h being the time step. Where o exceeds its limit, sum(e h) is set so that kp e + ki sum(e "
+	       "h) equals the opposite limit, as in LIGGGHTS. With ctrlPV torque this is the speed of the "
+	       "corner farthest from the axis.\n\n"
+	       "`mode auto`: the speed is vel_max while no particle is listed near the mesh; else it is "
+	       "ratio R_min/h, R_min being the smallest radius, times min(|e|, 1) g, with g = 0.1 up to "
+	       "|e| = 0.9 and from there linear to 1.\n\n"
+	       "Stability: the force follows the speed within a step. Contacts with the total stiffness K "
+	       "and damping C give P = K x + C v. With kp alone this is stable below\n\n"
 	       "  kp_max = 2 |target_val| / (vel_max (K h + 2 C)),\n\n"
-	       "with ki and kd where the zeros of the loop's characteristic polynomial are in the unit "
-	       "circle\n"
-	       "(law/servo.h); with ctrlPV torque K and C are those of the torque by the way of the farthest "
-	       "corner.\n"
-	       "Where the script gives no gain, kp is 0.01, as in LIGGGHTS, or kp_max/10 if that is smaller, "
-	       "chosen when a\n"
-	       "run begins: K and C are those of the contact law of the wall at the load target_val/N, with "
-	       "the smallest\n"
-	       "particles (there or to be inserted) and N = A/(4 R^2) of them, A being the area of the mesh "
-	       "as seen along\n"
-	       "the axis (at most as many as there are, where none are inserted); the log tells it. A target "
-	       "by a variable\n"
-	       "counts as it is then. With `legacy yes` it is always 0.01.\n"
-	       "Gains that are given stay as they are. Gains beyond the limit for the contacts that there "
-	       "are when a run\n"
-	       "begins, or for one contact, are told before it, and a speed that goes to and fro while it "
-	       "goes on\n"
-	       "(doc/review.md, servo).\n\n"
-	       "vel_max must be below skin/(2 h). No fix move/mesh can move a servo. Between runs,\n"
-	       "`fix_modify ID servo/integrate stop` holds the mesh and the controller (particles still feel "
-	       "the\n"
-	       "velocity it had, as with LIGGGHTS), `start` lets them go on;\n"
-	       "`servo/target_val T`, `servo/vel_max V` and `servo/ctrlParam kp ki kd` change their values.",
+	       "with ki and kd if the zeros of the characteristic polynomial of the loop are in the unit "
+	       "circle (law/servo.h). With ctrlPV torque K and C are those of the torque as a function of "
+	       "the displacement of the farthest corner.\n\n"
+	       "Default gain: if the script gives no gain, kp is 0.01, as in LIGGGHTS, or kp_max/10 if "
+	       "that is smaller. It is chosen when a run begins, and printed in the log. K and C are then "
+	       "those of N contacts with the smallest particles (existing or to be inserted) under the "
+	       "load target_val/N, with N = A/(4 R^2), R being their radius and A the area of the mesh "
+	       "projected along the axis; N is at most the number of particles if none are inserted. If "
+	       "target_val is a variable, its value at that time counts. With `legacy yes` kp is always "
+	       "0.01.\n\n"
+	       "Gains in the script are used as they are. If they exceed the limit for the present "
+	       "contacts, or for a single contact, a warning is printed before the run; so is one during "
+	       "the run if the speed oscillates (doc/review.md, servo).\n\n"
+	       "vel_max must be below skin/(2 h). A fix move/mesh cannot move a servo. Between runs, "
+	       "`fix_modify ID servo/integrate stop` stops the mesh and the controller (particles still "
+	       "feel the velocity it had, as with LIGGGHTS), `start` continues; `servo/target_val T`, "
+	       "`servo/vel_max V` and `servo/ctrlParam kp ki kd` change their values.\n\n"
+	       "Related: fix mesh/surface/stress, fix wall/gran.",
 	.example =
 		"fix lid all mesh/surface/stress/servo file lid.stl type 1 com 0 0 0.1 ctrlPV force axis 0 0 "
 		"-1 target_val 10 vel_max 0.1",

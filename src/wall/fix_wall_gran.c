@@ -209,9 +209,10 @@ static const struct ts_arg args[] = {
 	       .help = "primitive: particle type whose material the wall has"),
 	TS_FLAG("mesh", struct wall, mesh_word, .help = "the wall is made of meshes"),
 	TS_INT("n_meshes", struct wall, nmeshes, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
-	       .help = "mesh: how many"),
+	       .help = "mesh: number of meshes"),
 	TS_SOME_KEYWORD("meshes", struct wall, meshes, TS_STATEFUL, .count = "n_meshes",
-			.help = "mesh: IDs of their fixes; each has the material of its own type"),
+			.help = "mesh: IDs of the fixes of the meshes; each has the material of its own "
+				"type"),
 	TS_PRIMITIVE_WALL_ARGS(struct wall, primitive),
 	TS_WALL_ARGS(struct wall, wall),
 	TS_ARGS_END,
@@ -230,55 +231,56 @@ static const struct ts_saved saved[] = {
 };
 
 static const char doc[] =
-	"The particles of the group meet the wall as they would an infinitely heavy partner with a flat\n"
-	"surface: m* = m, R* = R. With `model ...` the wall has contact laws of its own, composed as for\n"
-	"pair_style gran, with the material of its `type`; with `hooke`, `hooke/history` or `hertz/history` "
-	"and\n"
-	"their numbers, or `granular` and the words of pair_coeff (pair_style granular), those of LAMMPS "
-	"(but a\n"
-	"material meets the wall as it meets itself, E* = E/(2 (1 - nu^2)), k_t NULL = 8 G*, where LAMMPS of "
-	"29 Sep 2021\n"
-	"has E/(2 (1 - nu)) and E (2 - nu)(1 + nu)/4, as `legacy yes` has); with neither, those of the pair "
-	"style. Planes and cylinders are\n"
-	"two-sided: they push a particle to the side where its centre is. A particle whose centre lies in "
-	"the surface\n"
-	"itself, within 1e-12 of its radius, is on neither side: the run is refused or stops. On the axis of "
-	"a cylinder the\n"
-	"distance is the same all around, and there is no force. A plane or mesh that moves by more than the "
-	"radius of a\n"
-	"particle near it in one step passes through without a contact, and stops the run; the message says "
-	"which time step\n"
-	"would do. Each particle remembers its contact with the\n"
-	"wall as with a partner. The centre of a cylinder is given along the next two axes in cyclic order:\n"
-	"xcylinder y z, ycylinder z x, zcylinder x y.\n\n"
-	"`shear DIM V`: the surface moves with V along DIM, but stays where it is. Where DIM is not the axis "
-	"of\n"
-	"a cylinder, it turns about its axis with the angular velocity V, V a x d at d from the axis a, as "
-	"in\n"
-	"LIGGGHTS (which confuses two components for ycylinder; `legacy yes` does, too); with the laws of "
-	"LAMMPS\n"
-	"its speed is V, with the clock as seen from the tip of the axis (and nothing is added along DIM, "
-	"as\n"
-	"LAMMPS' program does). `wiggle DIM A T`: displacement A (1 - cos(2 pi t/T)), t from the\n"
-	"definition of the fix; along the surface only the velocity matters.\n\n"
-	"`temperature T` makes the wall give Q = h (T - T_i), h = 4 k k_wall/(k + k_wall) sqrt(A), to the\n"
-	"particles (fix heat/gran); A is pi (R^2 - r^2) at the distance r from the wall, or as "
-	"`contact_area`\n"
-	"says. `store_force yes` keeps the force of the wall on each particle, f_force_ID[1] ... [3].\n\n"
-	"A wall of meshes is met in faces, edges and corners, from both sides; particles of the groups of\n"
-	"both fixes meet it. fix mesh/surface says which edges and corners count, and its temperature. A "
-	"contact\n"
-	"that moves from one triangle to a flat neighbour goes on with what it remembers. Surfaces that pull "
-	"beyond the touch\n"
-	"(model jkr) do so on meshes as on planes: each place of the mesh that is nearest to the particle in "
-	"all triangles\n"
-	"that meet there is one contact, which also passes over edges and corners and keeps its memory.";
+	"Particles of the group interact with the wall by a contact law, as with a partner of infinite "
+	"mass and a flat surface: the effective mass is m* = m, the effective radius R* = R. The history "
+	"of a contact with the wall is stored for each particle, as that of a contact with another "
+	"particle.\n\n"
+	"The contact law is one of these:\n\n"
+	"  model ...                  laws composed as for pair_style gran, with the material of `type`\n"
+	"  hooke, hooke/history,\n"
+	"  hertz/history ...          LAMMPS' laws with their constants\n"
+	"  granular ...               LAMMPS' laws with the keywords of pair_coeff of pair_style granular\n"
+	"  none of these              the law of the pair style, with the material of `type`\n\n"
+	"A mesh has the material of the type of its own fix. "
+	"A material given by `granular` is that of the particles, too: E* = E/(2 (1 - nu^2)), and k_t NULL "
+	"is 8 G*. (LAMMPS of 29 Sep 2021 has E/(2 (1 - nu)) and E (2 - nu)(1 + nu)/4, as `legacy yes` "
+	"has.)\n\n"
+	"Planes and cylinders are two-sided: they repel a particle to the side where its centre is. A "
+	"particle whose centre lies in the surface itself, within 1e-12 of its radius, is on neither side: "
+	"the run is refused or stops. On the axis of a cylinder the distance is the same in all "
+	"directions, and there is no force. A plane or mesh that moves by more than the radius of a "
+	"particle near it in one step would pass through it without a contact: the run stops, and the "
+	"message says which time step is small enough.\n\n"
+	"The centre of a cylinder is given along the next two axes in cyclic order: xcylinder y z, "
+	"ycylinder z x, zcylinder x y.\n\n"
+	"`shear DIM V`: the surface moves with the velocity V along DIM, but the wall stays in place. If "
+	"DIM is not the axis of a cylinder, the cylinder rotates about its axis. As in LIGGGHTS, V is then "
+	"the angular velocity (radian/time), and a point of the surface at d from the axis of direction a "
+	"has the velocity V a x d. (LIGGGHTS interchanges two components for ycylinder, as `legacy yes` "
+	"does.) With the laws of LAMMPS, V is the speed of the surface, clockwise as seen from the tip of "
+	"the axis. (LAMMPS' program adds V along DIM; here nothing is added.)\n\n"
+	"`wiggle DIM A T`: the displacement is A (1 - cos(2 pi t/T)), t being the time since the "
+	"definition of the fix. Along the surface only the velocity has an effect.\n\n"
+	"`temperature T`: with fix heat/gran, each touching particle of temperature T_i receives the heat "
+	"flow\n\n"
+	"  Q = h (T - T_i),  h = 4 k k_wall/(k + k_wall) sqrt(A),\n\n"
+	"k and k_wall being the conductivities. The contact area is A = pi (R^2 - r^2), r being the "
+	"distance of the centre from the wall, or as `contact_area` says.\n\n"
+	"`store_force yes` stores the force of the wall on each particle as f_force_ID[1] ... [3].\n\n"
+	"A wall of meshes interacts with the particles of the groups of both this fix and the fix of the "
+	"mesh, at faces, edges and corners and from both sides. See fix mesh/surface for the edges and "
+	"corners that are active, and for the temperature of a mesh. A contact that moves from one "
+	"triangle to a flat neighbour keeps its history. Laws that act beyond the touch (model jkr) do so "
+	"on meshes as on planes: each point of the mesh that is nearest to the particle in all triangles "
+	"that share it is one contact, which keeps its history when it moves across edges and corners, "
+	"too.\n\n"
+	"Related: fix wall/gran/region, fix mesh/surface, fix heat/gran, compute wall/gran/local.";
 
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 const struct ts_style ts_fix_wall_gran = {
 	.name = "wall/gran",
 	.kind = TS_KIND_FIX,
-	.summary = "a rigid wall with the contact law of the pair style",
+	.summary = "Rigid walls with a contact law: planes, cylinders and meshes",
 	.doc = doc,
 	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
 		   "fix belt all wall/gran model hertz tangential history primitive type 1 zplane 0.0 shear "

@@ -79,7 +79,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 static const struct ts_arg args[] = {
 	TS_GRANULAR_ARGS(struct wall, wall.words),
 	TS_WALL_LAW_ARGS(struct wall, law),
-	TS_REGION("region", struct wall, region.region, .help = "whose surface the wall is"),
+	TS_REGION("region", struct wall, region.region, .help = "ID of the region whose surface is the wall"),
 	TS_INT("type", struct wall, type, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
 	       .help = "with `model` or the law of the pair style: particle type whose material the "
 		       "wall has"),
@@ -105,38 +105,34 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 }
 
 static const char doc[] =
-	"The particles of the group meet the surface of a region: a block, cone, cylinder, plane or sphere, "
-	"or a union\n"
-	"or intersection of such. They meet it from the side that the region says: `side in` keeps them in, "
-	"`side out`\n"
-	"keeps them out, and others feel nothing (one whose centre lies in the surface itself stops the "
-	"run); where faces are `open` they meet the others from both sides. From\n"
-	"within each face counts (three in a corner of a block), from without the nearest point of the "
-	"surface. Of a\n"
-	"union or intersection the faces of its members count as far as they bound the whole; two that "
-	"coincide there\n"
-	"count for nothing, so let one member reach a little farther.\n\n"
-	"Laws are those of fix wall/gran. With the law of Hertz and those by the contact area the surface is "
-	"curved:\n"
-	"R* = R/(1 + kappa R), kappa its mean curvature, > 0 where it bulges: 1/R_s of a sphere, 1/(2 R_c) "
-	"of a cylinder\n"
-	"and a cone (of which LAMMPS takes the outer side as hollow, too, and a cylinder with open faces "
-	"from without\n"
-	"as flat).\n\n"
-	"A region that moves or turns by variables takes the surface with it, with the velocity by what they "
-	"were in\n"
-	"the step before (LAMMPS takes the length of the axis of `rotate` into the speed; here it has none); "
-	"either a union moves, or\n"
-	"its members do (whose velocity LAMMPS leaves out). A surface that only changes its size has no "
-	"velocity by that.\n"
-	"A surface that moves by more than the radius of a particle near it in one step stops the run "
-	"(doc/stability.md).";
+	"Particles of the group interact with the surface of a region: a block, cone, cylinder, plane or "
+	"sphere, or a union or intersection of such. They interact with the side that the region defines: "
+	"`side in` keeps them inside, `side out` outside; a particle whose centre is on the other side "
+	"feels no force, and one whose centre lies in the surface itself stops the run. If faces of the "
+	"region are `open`, the other faces act from both sides.\n\n"
+	"A particle inside has a contact with each face in range (three in a corner of a block), a "
+	"particle outside one contact, at the nearest point of the surface. The surface of a union or "
+	"intersection consists of the parts of its members' faces that bound the whole. Where faces of two "
+	"members coincide neither counts: let one member reach a little farther.\n\n"
+	"The contact laws are those of fix wall/gran. With the law of Hertz and those that depend on the "
+	"contact area the curvature of the surface enters by the effective radius\n\n"
+	"  R* = R/(1 + kappa R),\n\n"
+	"kappa being the mean curvature of the surface, > 0 where it is convex towards the particle: 1/R_s "
+	"for a sphere, 1/(2 R_c) for a cylinder and a cone. (LAMMPS takes the outer side of a cone as "
+	"concave, too, and the outer side of a cylinder with open faces as flat.)\n\n"
+	"If variables move or rotate the region, its surface moves with it. The surface velocity is the "
+	"change of the variables since the step before, divided by the time step. (In LAMMPS the length of "
+	"the axis of `rotate` is a factor of this velocity; here it has no effect.) Either a union or "
+	"intersection moves, or its members do; LAMMPS leaves out the velocity of the members. A change of "
+	"size contributes nothing to the surface velocity. A surface that moves by more than the radius of "
+	"a particle near it in one step stops the run (doc/stability.md).\n\n"
+	"Related: fix wall/gran, region, compute wall/gran/local.";
 
 TS_STYLE(fix, ts_style, ts_fix_wall_gran_region)
 const struct ts_style ts_fix_wall_gran_region = {
 	.name = "wall/gran/region",
 	.kind = TS_KIND_FIX,
-	.summary = "the surface of a region is a rigid wall",
+	.summary = "The surface of a region is a rigid wall with a contact law",
 	.doc = doc,
 	.example =
 		"fix hopper all wall/gran/region hertz/history 200000.0 NULL 50.0 NULL 0.5 1 region funnel\n"

@@ -103,9 +103,10 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-#define FACE(k, name_)                                              \
-	TS_WORD(name_, struct state, word[k], .flags = TS_OPTIONAL, \
-		.help = "a wall there: its coordinate, EDGE (the face of the box) or v_NAME")
+#define FACE(k, name_)                                                                                  \
+	TS_WORD(name_, struct state, word[k], .flags = TS_OPTIONAL,                                     \
+		.help = "position of a wall at this face: a coordinate, EDGE (the face of the box) or " \
+			"v_NAME")
 static const struct ts_arg args[] = {
 	FACE(0, "xlo"),
 	FACE(1, "xhi"),
@@ -114,7 +115,7 @@ static const struct ts_arg args[] = {
 	FACE(4, "zlo"),
 	FACE(5, "zhi"),
 	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
-		.help = "whether coordinates are given in lattice spacings or as they are"),
+		.help = "lattice: coordinates are in lattice spacings; box: in units of length"),
 	TS_ARGS_END,
 };
 
@@ -123,10 +124,11 @@ const struct ts_style ts_fix_wall_reflect = {
 	.name = "wall/reflect",
 	.kind = TS_KIND_FIX,
 	.summary = "Walls that reflect the centres of particles",
-	.doc = "A particle whose centre has moved past the wall by d in a step is put back to d in front of "
-	       "it and\n"
-	       "its velocity normal to the wall is reversed. The size of particles does not count: see\n"
-	       "fix wall/gran for walls that do. A wall can move (v_NAME), but its motion is not passed on.",
+	.doc = "If the centre of a particle has passed the wall by the distance d in a step, it is placed "
+	       "at d in front of the wall, and the velocity component normal to the wall is reversed. The "
+	       "radius of the particle has no effect; see fix wall/gran for walls that interact with the "
+	       "surfaces of particles. A wall can move (v_NAME), but its velocity is not transferred to "
+	       "particles.",
 	.example = "fix ends all wall/reflect xlo EDGE xhi 0.5\n"
 		   "fix lid all wall/reflect zhi v_height units box",
 	.args = args,

@@ -56,25 +56,26 @@ enum ts_status ts_primitive_wall_archive(struct ts_archive *a, struct ts_primiti
 
 #define TS_PRIMITIVE_PLANE(T, f, axis, k)                                       \
 	TS_SOME_KEYWORD(axis "plane", T, f.shape_words[k], 0, .unit = "length", \
-			.help = "the plane " axis " = this; two numbers: two planes, either may be NULL")
+			.help = "plane at this " axis "; two numbers: two planes, either may be NULL")
 #define TS_PRIMITIVE_CYLINDER(T, f, axis, k, first, second)                                     \
 	TS_SOME_KEYWORD(axis "cylinder", T, f.shape_words[k], 0, .unit = "length",              \
 			.help = "cylinder along " axis ": radius, then its centre along " first \
 				" and " second " (0 0)")
-#define TS_PRIMITIVE_WALL_ARGS(T, f)                                                                      \
-	TS_PRIMITIVE_PLANE(T, f, "x", 0), TS_PRIMITIVE_PLANE(T, f, "y", 1),                               \
-		TS_PRIMITIVE_PLANE(T, f, "z", 2), TS_PRIMITIVE_CYLINDER(T, f, "x", 3, "y", "z"),          \
-		TS_PRIMITIVE_CYLINDER(T, f, "y", 4, "z", "x"),                                            \
-		TS_PRIMITIVE_CYLINDER(T, f, "z", 5, "x", "y"),                                            \
-		TS_SOME_KEYWORD("shear", T, f.shear_words, 0,                                             \
-				.help = "dimension and velocity of the surface, the wall stays where it " \
-					"is; across the axis of a cylinder it turns about it"),           \
-		TS_SOME_KEYWORD("wiggle", T, f.wiggle_words, 0,                                           \
-				.help = "dimension, amplitude A and period: the wall moves by A "         \
-					"(1 - cos wt)"),                                                  \
-		TS_REAL("temperature", T, f.temperature, .flags = TS_OPTIONAL, .unit = "temperature",     \
-			.help = "of the wall, for fix heat/gran; meshes have their own"),                 \
-		TS_VEC3("velocity", T, f.velocity, .fallback = "0 0 0", .unit = "velocity",               \
-			.help = "velocity of the surface in its own plane; the wall stays where it is")
+#define TS_PRIMITIVE_WALL_ARGS(T, f)                                                                        \
+	TS_PRIMITIVE_PLANE(T, f, "x", 0), TS_PRIMITIVE_PLANE(T, f, "y", 1),                                 \
+		TS_PRIMITIVE_PLANE(T, f, "z", 2), TS_PRIMITIVE_CYLINDER(T, f, "x", 3, "y", "z"),            \
+		TS_PRIMITIVE_CYLINDER(T, f, "y", 4, "z", "x"),                                              \
+		TS_PRIMITIVE_CYLINDER(T, f, "z", 5, "x", "y"),                                              \
+		TS_SOME_KEYWORD("shear", T, f.shear_words, 0,                                               \
+				.help = "dimension and velocity of the surface, the wall stays in place; "  \
+					"across the axis of a cylinder it rotates about this axis"),        \
+		TS_SOME_KEYWORD("wiggle", T, f.wiggle_words, 0,                                             \
+				.help = "dimension, amplitude A and period T: displacement "                \
+					"A (1 - cos(2 pi t/T))"),                                           \
+		TS_REAL("temperature", T, f.temperature, .flags = TS_OPTIONAL, .unit = "temperature",       \
+			.help = "temperature of the wall, for fix heat/gran; that of a mesh is given with " \
+				"the mesh"),                                                                \
+		TS_VEC3("velocity", T, f.velocity, .fallback = "0 0 0", .unit = "velocity",                 \
+			.help = "velocity of the surface in its own plane; the wall stays in place")
 
 #endif

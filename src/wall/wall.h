@@ -44,7 +44,7 @@ struct ts_wall {
 	bool list_contacts; /* output f_ID[1..8]: the contact of each particle */
 	size_t stored;	    /* with store_force: index of the particle column force_ID */
 
-	bool own_model; /* the contact law is given on the line of the fix; else it is that of the pair style */
+	bool own_model; /* the contact law is given on the line of the fix, else by the pair style */
 	bool given;	/* the constants of the law are given on the line, the same for all types */
 	struct ts_granular_pair numbers; /* these constants */
 	struct ts_granular_model model;	 /* the law, with own_model */
@@ -63,17 +63,17 @@ struct ts_wall {
 #define TS_WALL_NONE SIZE_MAX
 
 /* Keywords of all walls. */
-#define TS_WALL_ARGS(T, f)                                                                         \
-	TS_HEAT_AREA_ARG(T, f.area_words),                                                         \
-		TS_BOOL("store_force", T, f.store_force, .fallback = "no",                         \
-			.help = "the force on each particle, f_force_ID[1] ... [3]"),              \
-		TS_FLAG("contacts", T, f.list_contacts,                                            \
-			.help = "the contact of each particle with the wall, f_ID[1] ... [8]: "    \
-				"touches, force, point, radius"),                                  \
-		TS_BOOL("store_force_contact", T, f.store_contacts[0], .fallback = "no",           \
-			.help = "no effect: LIGGGHTS keeps with it what its scripts cannot read; " \
-				"compute wall/gran/local gives the force at each contact"),        \
-		TS_BOOL("store_force_contact_stress", T, f.store_contacts[1], .fallback = "no",    \
+#define TS_WALL_ARGS(T, f)                                                                              \
+	TS_HEAT_AREA_ARG(T, f.area_words),                                                              \
+		TS_BOOL("store_force", T, f.store_force, .fallback = "no",                              \
+			.help = "whether the force on each particle is stored: f_force_ID[1] ... [3]"), \
+		TS_FLAG("contacts", T, f.list_contacts,                                                 \
+			.help = "outputs the contact of each particle with the wall, f_ID[1] ... [8]: " \
+				"touches, force, contact point, radius"),                               \
+		TS_BOOL("store_force_contact", T, f.store_contacts[0], .fallback = "no",                \
+			.help = "no effect: in LIGGGHTS it stores data that scripts cannot read; "      \
+				"compute wall/gran/local gives the force of each contact"),             \
+		TS_BOOL("store_force_contact_stress", T, f.store_contacts[1], .fallback = "no",         \
 			.help = "no effect, as store_force_contact")
 
 /* The contact point: the point of the surface that is nearest to a particle. */
@@ -174,8 +174,8 @@ enum { TS_WALL_CONTACT_COLUMNS = 8 };
 #define TS_WALL_CONTACTS_VALUE                                                                            \
 	{                                                                                                 \
 		"contacts", "",                                                                           \
-			"1 where a particle touches the wall, the force on it, the point of the "         \
-			"wall, its radius (0 where it does not; of several contacts the last)",           \
+			"1 if the particle touches the wall, the force on it, the contact point, "        \
+			"its radius; 0 if it does not touch; of several contacts the last",               \
 			TS_PERATOM, TS_WALL_CONTACT_COLUMNS, ts_wall_contact_names, ts_wall_eval_contacts \
 	}
 #define TS_WALL_FORCE_VALUE                                                                     \

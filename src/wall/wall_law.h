@@ -14,15 +14,16 @@ struct ts_wall_law {
 	struct ts_gran_coeff coeff;
 };
 
-#define TS_WALL_LAW_WORD(name, T, f, k)         \
-	TS_SOME_KEYWORD(name, T, f.words[k], 0, \
-			.help = "the law of pair_style gran/" name ": kn kt gamma_n gamma_t xmu dampflag")
-#define TS_WALL_LAW_ARGS(T, f)                                                               \
-	TS_WALL_LAW_WORD("hooke", T, f, 0), TS_WALL_LAW_WORD("hooke/history", T, f, 1),      \
-		TS_WALL_LAW_WORD("hertz/history", T, f, 2),                                  \
-		TS_SOME_KEYWORD("granular", T, f.words[3], 0, .inner = ts_gran_coeff_rows,   \
-				.help = "the words of pair_coeff with pair_style granular"), \
-		TS_FLAG("limit_damping", T, f.numbers.limit_damping,                         \
+#define TS_WALL_LAW_WORD(name, T, f, k)                                \
+	TS_SOME_KEYWORD(name, T, f.words[k], 0,                        \
+			.help = "contact law of pair_style gran/" name \
+				": kn kt gamma_n gamma_t xmu dampflag")
+#define TS_WALL_LAW_ARGS(T, f)                                                                               \
+	TS_WALL_LAW_WORD("hooke", T, f, 0), TS_WALL_LAW_WORD("hooke/history", T, f, 1),                      \
+		TS_WALL_LAW_WORD("hertz/history", T, f, 2),                                                  \
+		TS_SOME_KEYWORD("granular", T, f.words[3], 0, .inner = ts_gran_coeff_rows,                   \
+				.help = "contact law in the keywords of pair_coeff of pair_style granular"), \
+		TS_FLAG("limit_damping", T, f.numbers.limit_damping,                                         \
 			.help = "with these laws: the normal force never pulls")
 
 /* In init: if one of these laws is given, sets it as the law of the wall; fails if there are several. */
