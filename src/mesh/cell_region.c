@@ -11,12 +11,12 @@
 
 enum { TETRAHEDRON = 10, HEXAHEDRON = 12 };
 
-/* A hexahedron is cut along the diagonal from its corner 0 to 6. */
-static const int whole[][4] = { { 0, 1, 2, 3 } };
-static const int sixth[][4] = { { 0, 1, 2, 6 }, { 0, 2, 3, 6 }, { 0, 3, 7, 6 },
-				{ 0, 7, 4, 6 }, { 0, 4, 5, 6 }, { 0, 5, 1, 6 } };
+/* Tetrahedra of a cell, by its corners. A hexahedron is split along the diagonal from corner 0 to 6. */
+static const int tetrahedron_parts[][4] = { { 0, 1, 2, 3 } };
+static const int hexahedron_parts[][4] = { { 0, 1, 2, 6 }, { 0, 2, 3, 6 }, { 0, 3, 7, 6 },
+					   { 0, 7, 4, 6 }, { 0, 4, 5, 6 }, { 0, 5, 1, 6 } };
 
-static double volume_of(const double a[3], const double b[3], const double c[3], const double d[3])
+static double signed_volume(const double a[3], const double b[3], const double c[3], const double d[3])
 {
 	double u[3], v[3], w[3], across[3];
 
@@ -27,8 +27,8 @@ static double volume_of(const double a[3], const double b[3], const double c[3],
 	return ts_dot(across, w) / 6;
 }
 
-static void place(const struct ts_cell_region *r, const struct ts_motion turn[3], const double given[3],
-		  double x[3])
+static void transform_point(const struct ts_cell_region *r, const struct ts_motion turn[3],
+			    const double given[3], double x[3])
 {
 	for (int d = 0; d < 3; d++)
 		x[d] = r->factor * (given[d] * r->region.scale[d] + r->offset[d] * r->region.scale[d]);
@@ -36,8 +36,9 @@ static void place(const struct ts_cell_region *r, const struct ts_motion turn[3]
 		ts_motion_apply(&turn[d], x, x);
 }
 
-static enum ts_status add(struct ts_cell_region *r, struct tsim *sim, const struct ts_motion turn[3],
-			  const struct ts_vtk_cells *cells, size_t k, const int part[4])
+static enum ts_status add_tetrahedron(struct ts_cell_region *r, struct tsim *sim,
+				      const struct ts_motion turn[3], const struct ts_vtk_cells *cells,
+				      size_t k, const int part[4])
 {
 	struct ts_cell_region_tet *t;
 
@@ -45,24 +46,24 @@ static enum ts_status add(struct ts_cell_region *r, struct tsim *sim, const stru
 		return ts_nomem(&sim->error);
 	t = &r->tet[r->n++];
 	for (int c = 0; c < 4; c++) {
-		place(r, turn, cells->point[cells->corner[cells->offset[k] + part[c]]], t->x[c]);
+		transform_point(r, turn, cells->point[cells->corner[cells->offset[k] + part[c]]], t->x[c]);
 		for (int d = 0; d < 3; d++) {
 			r->lo[d] = fmin(r->lo[d], t->x[c][d]);
 			r->hi[d] = fmax(r->hi[d], t->x[c][d]);
 		}
 	}
-	r->volume += fabs(volume_of(t->x[0], t->x[1], t->x[2], t->x[3]));
+	r->volume += fabs(signed_volume(t->x[0], t->x[1], t->x[2], t->x[3]));
 	return TS_OK;
 }
 
-/* VTK's points, lines and surfaces, which mesh makers write beside the cells. */
+/* VTK's points, lines and surface cells, which mesh generators write besides the solid cells. */
 static bool has_no_volume(int type)
 {
 	return type >= 1 && type <= 9;
 }
 
-static enum ts_status take(struct ts_instance *self, struct tsim *sim, const struct ts_vtk_cells *cells,
-			   int shape)
+static enum ts_status take_cells(struct ts_instance *self, struct tsim *sim, const struct ts_vtk_cells *cells,
+				 int shape)
 {
 	struct ts_cell_region *r = self->state;
 	bool tet = shape == TETRAHEDRON;
@@ -86,7 +87,8 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 				       self->style->name, k + 1, r->file, cells->type[k],
 				       tet ? "tetrahedra (10)" : "hexahedra (12)");
 		for (int p = 0; p < (tet ? 1 : 6); p++)
-			TS_TRY(add(r, sim, turn, cells, k, tet ? whole[p] : sixth[p]));
+			TS_TRY(add_tetrahedron(r, sim, turn, cells, k,
+					       tet ? tetrahedron_parts[p] : hexahedron_parts[p]));
 	}
 	if (r->n)
 		return TS_OK;
@@ -96,7 +98,7 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 
 /* ---- the grid ---- */
 
-static int cell_of(const struct ts_cell_region *r, int d, double x)
+static int grid_index(const struct ts_cell_region *r, int d, double x)
 {
 	double length = r->hi[d] - r->lo[d];
 	double at = length > 0 ? (x - r->lo[d]) / length * r->grid[d] : 0;
@@ -104,8 +106,9 @@ static int cell_of(const struct ts_cell_region *r, int d, double x)
 	return (int)fmin(fmax(at, 0), r->grid[d] - 1);
 }
 
-/* The cells that a tetrahedron may reach into are counted, or it is entered there. */
-static void enter(const struct ts_cell_region *r, size_t k, uint32_t *count, int32_t *item)
+/* For each grid cell that overlaps the bounding box of tetrahedron k: increments its count (item NULL), or
+ * enters k in its list. */
+static void enter_in_grid(const struct ts_cell_region *r, size_t k, uint32_t *count, int32_t *item)
 {
 	int from[3], to[3], c[3];
 
@@ -116,8 +119,8 @@ static void enter(const struct ts_cell_region *r, size_t k, uint32_t *count, int
 			lo = fmin(lo, r->tet[k].x[p][d]);
 			hi = fmax(hi, r->tet[k].x[p][d]);
 		}
-		from[d] = cell_of(r, d, lo);
-		to[d] = cell_of(r, d, hi);
+		from[d] = grid_index(r, d, lo);
+		to[d] = grid_index(r, d, hi);
 	}
 	for (c[0] = from[0]; c[0] <= to[0]; c[0]++)
 		for (c[1] = from[1]; c[1] <= to[1]; c[1]++)
@@ -133,7 +136,8 @@ static void enter(const struct ts_cell_region *r, size_t k, uint32_t *count, int
 			}
 }
 
-/* Starts are counted two places ahead, so that entering leaves them where they belong. */
+/* Counting sort. Counts are stored with an offset of two, so that after the lists are filled start[c] is
+ * the first item of cell c. */
 static enum ts_status make_grid(struct ts_cell_region *r, struct tsim *sim)
 {
 	int side = (int)fmin(fmax(cbrt((double)r->n), 1), 100);
@@ -146,14 +150,14 @@ static enum ts_status make_grid(struct ts_cell_region *r, struct tsim *sim)
 	if (!r->start)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < r->n; k++)
-		enter(r, k, r->start + 2, NULL);
+		enter_in_grid(r, k, r->start + 2, NULL);
 	for (size_t k = 2; k < cells + 2; k++)
 		r->start[k] += r->start[k - 1];
 	r->item = ts_alloc(r->start[cells + 1], sizeof *r->item);
 	if (!r->item)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < r->n; k++)
-		enter(r, k, r->start + 1, r->item);
+		enter_in_grid(r, k, r->start + 1, r->item);
 	return TS_OK;
 }
 
@@ -172,15 +176,16 @@ enum ts_status ts_cell_region_init(struct ts_instance *self, struct tsim *sim, i
 	status = ts_vtk_cells_read(&cells, &sim->files, &sim->error, sim->pool,
 				   ts_instance_word(self, r->file), r->file);
 	if (status == TS_OK)
-		status = take(self, sim, &cells, shape);
+		status = take_cells(self, sim, &cells, shape);
 	ts_vtk_cells_release(&cells);
 	return status == TS_OK ? make_grid(r, sim) : status;
 }
 
-/* On the same side of each face as the corner across; `closed`: or in the face. */
-static bool in_tet(const struct ts_cell_region_tet *t, const double x[3], bool closed)
+/* Whether x is in the tetrahedron: on the same side of each face as the opposite corner; `closed`: or in
+ * the face. */
+static bool tet_contains(const struct ts_cell_region_tet *t, const double x[3], bool closed)
 {
-	double all = volume_of(t->x[0], t->x[1], t->x[2], t->x[3]);
+	double all = signed_volume(t->x[0], t->x[1], t->x[2], t->x[3]);
 	const double *c[4] = { t->x[0], t->x[1], t->x[2], t->x[3] };
 
 	for (int k = 0; k < 4; k++) {
@@ -188,7 +193,7 @@ static bool in_tet(const struct ts_cell_region_tet *t, const double x[3], bool c
 		double part;
 
 		c[k] = x;
-		part = volume_of(c[0], c[1], c[2], c[3]);
+		part = signed_volume(c[0], c[1], c[2], c[3]);
 		c[k] = was;
 		part *= all < 0 ? -1 : 1;
 		if (part < 0 || (part <= 0 && !closed))
@@ -205,10 +210,10 @@ bool ts_cell_region_contains(const struct ts_instance *self, const double x[3])
 	for (int d = 0; d < 3; d++) {
 		if (!(x[d] >= r->lo[d] && x[d] <= r->hi[d]))
 			return false;
-		cell = cell * (size_t)r->grid[d] + (size_t)cell_of(r, d, x[d]);
+		cell = cell * (size_t)r->grid[d] + (size_t)grid_index(r, d, x[d]);
 	}
 	for (uint32_t k = r->start[cell]; k < r->start[cell + 1]; k++)
-		if (in_tet(&r->tet[r->item[k]], x, r->closed))
+		if (tet_contains(&r->tet[r->item[k]], x, r->closed))
 			return true;
 	return false;
 }

@@ -1,26 +1,26 @@
-/* Regions made of cells: the tetrahedra or hexahedra of a VTK file. */
+/* Regions that are the union of the tetrahedra or hexahedra of a VTK file. */
 #ifndef TS_MESH_CELL_REGION_H
 #define TS_MESH_CELL_REGION_H
 
 #include "region/region.h"
 
 struct ts_cell_region_tet {
-	double x[4][3];
+	double x[4][3]; /* corners, length */
 };
 
 /* State of these region styles. */
 struct ts_cell_region {
 	struct ts_region region;
 	const char *file;
-	double factor, offset[3], angle[3];
+	double factor, offset[3], angle[3]; /* scale; move, length; rotate, degrees */
 
 	struct ts_cell_region_tet *tet;
 	size_t n, capacity;
-	bool closed; /* the faces of tetrahedra belong to them; else not, as LIGGGHTS has it */
-	double lo[3], hi[3], volume;
-	/* the tetrahedra by the cells of a grid over lo..hi */
-	int grid[3];
-	uint32_t *start; /* cells + 1 */
+	bool closed; /* points in the faces of a tetrahedron belong to it; else not, as in LIGGGHTS */
+	double lo[3], hi[3], volume; /* bounding box; sum of the volumes of all cells */
+	/* search grid over lo..hi: cell c has the tetrahedra item[start[c]] .. item[start[c + 1] - 1] */
+	int grid[3];	 /* number of grid cells in each dimension */
+	uint32_t *start; /* [grid cells + 1] */
 	int32_t *item;
 };
 
@@ -34,7 +34,7 @@ struct ts_cell_region {
 			.help = "angles of turns about the axes x, then y, then z, after scale"),       \
 		TS_REGION_SIDE_ARGS(struct ts_cell_region)
 
-/* `shape`: VTK's number of the cells it takes, 10 tetrahedra, 12 hexahedra. */
+/* `shape`: VTK cell type, 10 tetrahedra, 12 hexahedra. */
 enum ts_status ts_cell_region_init(struct ts_instance *self, struct tsim *sim, int shape);
 bool ts_cell_region_contains(const struct ts_instance *self, const double x[3]);
 void ts_cell_region_bounds(const struct ts_instance *self, double lo[3], double hi[3]);

@@ -1,4 +1,4 @@
-/* Dump mesh/stl: meshes as they stand, as STL. */
+/* Dump mesh/stl: meshes at their present position, as STL. */
 #include "core/sim.h"
 #include "dump/dump_mesh.h"
 #include "region/region.h"
@@ -13,7 +13,8 @@ struct state {
 
 static const char *const parts[] = { "local", "owned", "all", "ghost", NULL };
 
-/* LIGGGHTS knows parts of a mesh that processors have; here one has all and images are not kept. */
+/* In LIGGGHTS these words choose parts of a mesh by processor. Here there is one process, and no copies
+ * for periodic images (ghost) are stored. */
 static enum ts_status read_word(struct ts_instance *self, struct tsim *sim, struct ts_words rest,
 				size_t *taken)
 {

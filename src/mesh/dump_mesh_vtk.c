@@ -1,4 +1,4 @@
-/* Dump mesh/vtk: meshes as they stand, with what is known of each triangle, as legacy VTK (text). */
+/* Dump mesh/vtk: meshes at their present position with quantities of each triangle, as legacy VTK (text). */
 #include <string.h>
 
 #include "core/ref_list.h"
@@ -10,20 +10,21 @@
 
 struct state {
 	struct ts_dump_mesh mesh;
-	unsigned chosen;	   /* bits of the rows of `quantities` */
+	unsigned chosen;	   /* bit k: quantities[k] is written */
 	struct ts_words names;	   /* words of the line that name outputs of fixes */
 	struct ts_ref_list inputs; /* those outputs; each has rows of triangles of one mesh */
 	struct ts_table values;	   /* one of them */
-	int form;
-	size_t column; /* numbers in the present line */
+	int form;		   /* FACE, INTERPOLATE or ORIGINAL */
+	size_t column;		   /* numbers in the present line */
 };
 
 enum { FACE, INTERPOLATE, ORIGINAL };
 static const char *const forms[] = { "face", "interpolate", "original", NULL };
 
-/* ---- what can be written ---- */
+/* ---- quantities ---- */
 
-/* A number or vector of a triangle, or of its corner (-1: of the triangle as a whole). */
+/* Stores a scalar or vector of triangle t, or of one of its corners 0 .. 2 (-1: of the triangle as a
+ * whole). */
 typedef void get_fn(const struct ts_mesh_surface *s, size_t t, int corner, double out[3]);
 
 static bool tracked(const struct ts_mesh_surface *s)
@@ -150,7 +151,7 @@ static const struct quantity {
 	int components;
 	bool integer;
 	get_fn *get;
-	bool (*of)(const struct ts_mesh_surface *s); /* has the mesh it? NULL: all have */
+	bool (*of)(const struct ts_mesh_surface *s); /* whether the mesh has it; NULL: all have */
 } quantities[] = {
 	{ "stress", "normal_stress_average", 1, false, get_normal_stress, tracked },
 	{ "stress", "shear_stress_average", 1, false, get_shear_stress, tracked },
@@ -166,7 +167,7 @@ static const struct quantity {
 	{ "nneighs", "nneighs", 1, true, get_neighbours, NULL },
 	{ "vel", "v", 3, false, get_velocity, moves },
 };
-/* What no mesh here has: its array is left out, as that of others that have it not. */
+/* Keywords of LIGGGHTS for quantities that no mesh has here: their arrays are not written. */
 static const char *const missing[] = { "liquid", "distaa", NULL };
 enum { NQUANTITIES = sizeof quantities / sizeof *quantities, VELOCITY = NQUANTITIES - 1 };
 
@@ -266,7 +267,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 /* ---- the file ---- */
 
-/* Nine numbers in a line, each with a blank behind it, as VTK's own writer has it. */
+/* Nine numbers per line, each followed by a blank, as VTK's own writer does. */
 static void add_number(struct state *s, const char *format, double value)
 {
 	struct ts_str *text = &s->mesh.common.text;
@@ -347,7 +348,7 @@ static enum ts_status add_input(struct state *s, struct tsim *sim, const struct 
 	return TS_OK;
 }
 
-/* Chosen, and some mesh of the dump has it. */
+/* Whether quantity k is chosen and at least one mesh of the dump has it. */
 static bool written(const struct state *s, int k)
 {
 	bool there = !quantities[k].of;

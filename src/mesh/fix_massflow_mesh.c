@@ -1,4 +1,4 @@
-/* Fix massflow/mesh: counts the particles that pass a mesh. */
+/* Fix massflow/mesh: mass and number of particles that pass a mesh. */
 #include "io/textfile.h"
 #include "mesh/mesh_surface.h"
 #include "mesh/mesh_touch.h"
@@ -15,12 +15,12 @@
 
 #include "base/banned.h"
 
-/* What had passed at a time. */
+/* Totals that had passed at a time. */
 struct mark {
 	double mass, number, time;
 };
 
-/* A particle has passed this triangle. */
+/* Passage of a particle through a triangle. */
 struct passage {
 	int32_t triangle, tag;
 	size_t i;
@@ -38,22 +38,22 @@ struct state {
 	struct ts_mesh_tree tree;
 	uint64_t moves; /* surface->moves when the tree was built */
 	struct ts_mesh_list list;
-	struct passage *passage; /* of this step */
+	struct passage *passage; /* passages in this step */
 	size_t npassages, passage_capacity;
-	size_t column;		  /* of the marks of particles */
-	size_t summed, component; /* of the property */
+	size_t column;		  /* particle column with the marks */
+	size_t summed, component; /* particle column and component of sum_property */
 	struct ts_textfile out;
 	/* saved */
 	double mass, number, deleted_mass, deleted_number, sum;
-	struct mark before; /* when the present interval began */
-	int64_t *doomed;    /* particles that have passed and are deleted at the next rebuild */
+	struct mark before; /* totals at the start of the present interval */
+	int64_t *doomed;    /* ids of particles that have passed and will be deleted at the next rebuild */
 	size_t ndoomed, capacity;
 };
 
 enum { ONCE, MULTIPLE };
 static const char *const count_names[] = { "once", "multiple", NULL };
 
-/* Marks of particles, readable as f_massflow_ID. */
+/* Marks of particles, output as f_massflow_ID. */
 enum { UNKNOWN = -1, INSIDE = 0, OUTSIDE = 1, DONE = 2 };
 
 /* ---- before a run ---- */
@@ -195,8 +195,8 @@ static double *mark_of(const struct state *s, const struct tsim *sim, size_t i)
 	return (double *)sim->particles->column[s->column].data + i;
 }
 
-/* A sphere of a body is the part of it that its mass is. */
-static double part_of(const struct tsim *sim, size_t i)
+/* A member of a rigid body counts by its fraction of the mass of the body. */
+static double body_fraction(const struct tsim *sim, size_t i)
 {
 	const struct ts_body *body = ts_rigid_body_of(sim, i);
 
@@ -210,7 +210,7 @@ static double property_of(const struct state *s, const struct tsim *sim, size_t 
 	return ((const double *)column->data)[i * column->width + s->component];
 }
 
-static enum ts_status doom_one(struct state *s, struct tsim *sim, size_t i)
+static enum ts_status mark_for_deletion(struct state *s, struct tsim *sim, size_t i)
 {
 	if (TS_GROW(s->doomed, s->capacity, s->ndoomed + 1) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -218,37 +218,37 @@ static enum ts_status doom_one(struct state *s, struct tsim *sim, size_t i)
 	return TS_OK;
 }
 
-/* A body is deleted when all of it has passed. */
-static enum ts_status doom(struct state *s, struct tsim *sim, size_t i)
+/* Marks a particle for deletion, or a rigid body if all its members have passed. */
+static enum ts_status delete_passed(struct state *s, struct tsim *sim, size_t i)
 {
 	const struct ts_rigid *r = sim->rigid;
 	size_t b;
 
 	if (!ts_rigid_member(sim->particles, i))
-		return doom_one(s, sim, i);
+		return mark_for_deletion(s, sim, i);
 	TS_TRY(ts_rigid_list(sim));
 	b = (size_t)(ts_rigid_body_of(sim, i) - r->body);
 	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
 		if (*mark_of(s, sim, (size_t)r->member[k]) < DONE - 0.5)
 			return TS_OK;
 	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
-		TS_TRY(doom_one(s, sim, (size_t)r->member[k]));
+		TS_TRY(mark_for_deletion(s, sim, (size_t)r->member[k]));
 	return TS_OK;
 }
 
-static enum ts_status pass(struct state *s, struct tsim *sim, size_t i)
+static enum ts_status count_passage(struct state *s, struct tsim *sim, size_t i)
 {
-	double part = part_of(sim, i);
+	double part = body_fraction(sim, i);
 
 	s->mass += sim->particles->mass[i];
 	s->number += part;
 	if (s->property)
 		s->sum += part * property_of(s, sim, i);
 	TS_TRY(write_passage(s, sim, i));
-	return s->deletes ? doom(s, sim, i) : TS_OK;
+	return s->deletes ? delete_passed(s, sim, i) : TS_OK;
 }
 
-/* On the side where particles that have passed are? `at`: the point of the mesh that is nearest to x. */
+/* Whether x is on the outer side of the mesh; `at`: the point of the mesh nearest to x. */
 static bool is_outside(const struct state *s, const double x[3], const struct ts_mesh_contact_point *at)
 {
 	double towards[3], side;
@@ -260,9 +260,9 @@ static bool is_outside(const struct state *s, const double x[3], const struct ts
 	return s->inside_out ? side < 0 : side > 0;
 }
 
-/* The particle is near a triangle. Beside the mesh, at a rim, it may come to the inner side, but it does
- * not pass there. */
-static bool meet(const struct state *s, double *mark, enum ts_mesh_part part, bool outside)
+/* Updates the mark of a particle near a triangle; whether it passes now. Beyond a rim of the mesh it may
+ * get to the inner side, but it does not pass there. */
+static bool update_mark(const struct state *s, double *mark, enum ts_mesh_part part, bool outside)
 {
 	bool inside_before = *mark > INSIDE - 0.5 && *mark < INSIDE + 0.5;
 
@@ -281,7 +281,7 @@ static bool meet(const struct state *s, double *mark, enum ts_mesh_part part, bo
 	return false;
 }
 
-static enum ts_status note(struct state *s, struct tsim *sim, int32_t triangle, size_t i)
+static enum ts_status add_passage(struct state *s, struct tsim *sim, int32_t triangle, size_t i)
 {
 	if (TS_GROW(s->passage, s->passage_capacity, s->npassages + 1) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -289,8 +289,9 @@ static enum ts_status note(struct state *s, struct tsim *sim, int32_t triangle, 
 	return TS_OK;
 }
 
-/* Near is what is not farther than the radius and half of the skin of the neighbour list. */
-static enum ts_status look(struct state *s, struct tsim *sim, size_t i)
+/* A particle is near a triangle if the distance of its centre is at most its radius plus half the skin of
+ * the neighbour list. */
+static enum ts_status check_particle(struct state *s, struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 	double *mark = mark_of(s, sim, i);
@@ -306,13 +307,13 @@ static enum ts_status look(struct state *s, struct tsim *sim, size_t i)
 			ts_mesh_nearest(&s->surface->mesh, (size_t)s->list.item[k], p->x[i], &at);
 
 		if (part != TS_MESH_NOTHING && at.distance <= reach)
-			if (meet(s, mark, part, is_outside(s, p->x[i], &at)))
-				TS_TRY(note(s, sim, s->list.item[k], i));
+			if (update_mark(s, mark, part, is_outside(s, p->x[i], &at)))
+				TS_TRY(add_passage(s, sim, s->list.item[k], i));
 	}
 	return TS_OK;
 }
 
-/* As LIGGGHTS lists them. */
+/* The order of passages in LIGGGHTS. */
 static int by_triangle(const void *a, const void *b)
 {
 	const struct passage *p = a, *q = b;
@@ -329,9 +330,10 @@ static int by_tag(const void *a, const void *b)
 	return (*p > *q) - (*p < *q);
 }
 
-/* Whether the step before this one ended an interval: as `interval` says, else a row of the table that is
- * asked for; where only the ends of runs are, the run began. Reading the rates does not matter. */
-static bool ended(const struct state *s, const struct tsim *sim)
+/* Whether the last step ended an averaging interval: it was a multiple of `interval`; without `interval`,
+ * thermo output was written in it; with thermo output at the ends of runs only, the run began in it.
+ * Reading the rates does not end an interval. */
+static bool has_interval_ended(const struct state *s, const struct tsim *sim)
 {
 	const struct ts_thermo *t = sim->thermo;
 	int64_t last = sim->clock.step - 1;
@@ -346,7 +348,7 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 
-	if (ended(s, sim))
+	if (has_interval_ended(s, sim))
 		s->before = (struct mark){ s->mass, s->number, ts_sim_time(sim) - sim->clock.dt };
 	s->npassages = 0;
 	if (!s->tree.n || s->moves != s->surface->moves) {
@@ -357,11 +359,11 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	}
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
-			TS_TRY(look(s, sim, i));
+			TS_TRY(check_particle(s, sim, i));
 	if (s->npassages)
 		qsort(s->passage, s->npassages, sizeof *s->passage, by_triangle);
 	for (size_t k = 0; k < s->npassages; k++)
-		TS_TRY(pass(s, sim, s->passage[k].i));
+		TS_TRY(count_passage(s, sim, s->passage[k].i));
 	return TS_OK;
 }
 
@@ -384,7 +386,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 		int64_t tag = p->tag[i];
 
 		flag[i] = bsearch(&tag, s->doomed, s->ndoomed, sizeof tag, by_tag) != NULL;
-		s->deleted_number += flag[i] ? part_of(sim, i) : 0;
+		s->deleted_number += flag[i] ? body_fraction(sim, i) : 0;
 		s->deleted_mass += flag[i] ? p->mass[i] : 0;
 	}
 	status = ts_particles_delete(sim, flag);
@@ -418,7 +420,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
-/* Older files have the step instead. */
+/* Older restart files have the step instead of the time. */
 static enum ts_status archive_time(struct state *s, const struct tsim *sim, struct ts_archive *a)
 {
 	int64_t step;

@@ -1,4 +1,4 @@
-/* Fix move/mesh: meshes that move as a whole. */
+/* Fix move/mesh: prescribed rigid motion of meshes. */
 #include <inttypes.h>
 #include <math.h>
 
@@ -11,7 +11,8 @@
 enum { MOST_TERMS = 30 };
 
 struct term {
-	double amplitude, phase, omega;
+	double amplitude;    /* length or radian */
+	double phase, omega; /* radian, radian/time */
 };
 
 struct state {
@@ -23,18 +24,20 @@ struct state {
 	struct ts_words amplitudes, phases, periods;
 	struct term term[MOST_TERMS];
 	double unit[3]; /* along the axis */
-	/* saved: the time since the fix was made is base + steps dt; the motion so far */
+	/* saved: the time since the definition of the fix is base + steps dt; total displacement, angle
+	 * (radian) */
 	double base, dt, shift[3], angle;
 	int64_t steps;
 };
 
-/* How a mesh moves at a time t after the fix was made: velocity, and angular velocity about the axis. */
+/* Velocity, and angular velocity about the axis (radian/time), at the time t since the definition of the
+ * fix. */
 struct rate {
 	double drift[3], spin;
 };
 typedef enum ts_status rate_fn(struct ts_instance *self, struct tsim *sim, double t, struct rate *r);
 
-static enum ts_status linear(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+static enum ts_status linear_rate(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
 {
 	const struct state *s = self->state;
 
@@ -44,7 +47,8 @@ static enum ts_status linear(struct ts_instance *self, struct tsim *sim, double 
 	return TS_OK;
 }
 
-static enum ts_status linear_variable(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+static enum ts_status linear_variable_rate(struct ts_instance *self, struct tsim *sim, double t,
+					   struct rate *r)
 {
 	struct state *s = self->state;
 
@@ -54,7 +58,7 @@ static enum ts_status linear_variable(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
-static enum ts_status rotate(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+static enum ts_status rotate_rate(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
 {
 	const struct state *s = self->state;
 
@@ -64,7 +68,8 @@ static enum ts_status rotate(struct ts_instance *self, struct tsim *sim, double 
 	return TS_OK;
 }
 
-static enum ts_status rotate_variable(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+static enum ts_status rotate_variable_rate(struct ts_instance *self, struct tsim *sim, double t,
+					   struct rate *r)
 {
 	struct state *s = self->state;
 
@@ -72,7 +77,7 @@ static enum ts_status rotate_variable(struct ts_instance *self, struct tsim *sim
 	return ts_number_now(sim, &s->omega, &self->where, &r->spin);
 }
 
-static enum ts_status wiggle(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+static enum ts_status wiggle_rate(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
 {
 	const struct state *s = self->state;
 	double omega = 2 * TS_PI / s->period;
@@ -82,7 +87,7 @@ static enum ts_status wiggle(struct ts_instance *self, struct tsim *sim, double 
 	return TS_OK;
 }
 
-static enum ts_status riggle(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+static enum ts_status riggle_rate(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
 {
 	const struct state *s = self->state;
 	double omega = 2 * TS_PI / s->period;
@@ -92,7 +97,7 @@ static enum ts_status riggle(struct ts_instance *self, struct tsim *sim, double 
 	return TS_OK;
 }
 
-static double vibration(const struct state *s, double t)
+static double vibration_velocity(const struct state *s, double t)
 {
 	double sum = 0;
 
@@ -104,31 +109,31 @@ static double vibration(const struct state *s, double t)
 	return sum;
 }
 
-static enum ts_status viblin(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+static enum ts_status viblin_rate(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
 {
 	const struct state *s = self->state;
 
 	(void)sim;
-	ts_scale(vibration(s, t), s->unit, r->drift);
+	ts_scale(vibration_velocity(s, t), s->unit, r->drift);
 	return TS_OK;
 }
 
-static enum ts_status vibrot(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+static enum ts_status vibrot_rate(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
 {
 	(void)sim;
-	r->spin = vibration(self->state, t);
+	r->spin = vibration_velocity(self->state, t);
 	return TS_OK;
 }
 
-/* In the order of the modes. */
+/* In the order of `modes`. steady: constant rate, integrated exactly. */
 static const struct kind {
 	rate_fn *rate;
 	bool steady, turns, vibrates;
 } kinds[] = {
-	{ linear, true, false, false },	 { linear_variable, false, false, false },
-	{ rotate, true, true, false },	 { rotate_variable, false, true, false },
-	{ wiggle, false, false, false }, { riggle, false, true, false },
-	{ viblin, false, false, true },	 { vibrot, false, true, true },
+	{ linear_rate, true, false, false },  { linear_variable_rate, false, false, false },
+	{ rotate_rate, true, true, false },   { rotate_variable_rate, false, true, false },
+	{ wiggle_rate, false, false, false }, { riggle_rate, false, true, false },
+	{ viblin_rate, false, false, true },  { vibrot_rate, false, true, true },
 };
 enum { NKINDS = sizeof kinds / sizeof *kinds };
 
@@ -193,25 +198,25 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_mesh_mover_check(self, sim);
 }
 
-static double elapsed(const struct state *s)
+static double elapsed_time(const struct state *s)
 {
 	return s->base + (double)s->steps * s->dt;
 }
 
-/* Exact for a constant step, whatever the number of steps. */
-static void pass_time(struct state *s, double dt)
+/* Counts steps rather than summing dt, so that a constant time step accumulates no rounding errors. */
+static void advance_time(struct state *s, double dt)
 {
 	if (s->dt < dt || s->dt > dt) {
-		s->base = elapsed(s);
+		s->base = elapsed_time(s);
 		s->steps = 0;
 		s->dt = dt;
 	}
 	s->steps++;
 }
 
-static void go_on(struct state *s, const struct rate *r, double dt)
+static void integrate_motion(struct state *s, const struct rate *r, double dt)
 {
-	double span = kind_of(s)->steady ? elapsed(s) : dt;
+	double span = kind_of(s)->steady ? elapsed_time(s) : dt;
 
 	for (int k = 0; k < 3; k++)
 		s->shift[k] = (kind_of(s)->steady ? 0 : s->shift[k]) + span * r->drift[k];
@@ -224,9 +229,9 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	struct ts_mesh_motion m = { .now = ts_motion_none() };
 	struct rate r = { 0 };
 
-	pass_time(s, sim->clock.dt);
-	TS_TRY(kind_of(s)->rate(self, sim, elapsed(s), &r));
-	go_on(s, &r, sim->clock.dt);
+	advance_time(s, sim->clock.dt);
+	TS_TRY(kind_of(s)->rate(self, sim, elapsed_time(s), &r));
+	integrate_motion(s, &r, sim->clock.dt);
 	for (int k = 0; k < 3; k++) {
 		m.now.shift[k] = s->shift[k];
 		m.drift[k] = r.drift[k];
@@ -240,7 +245,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	return ts_mesh_mover_move(self, sim, &m);
 }
 
-/* Whether another fix moves the mesh, too: where it goes is not said by this one alone. */
+/* Whether no other fix moves the mesh: then this fix alone determines its path. */
 static bool is_alone(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct state *s = self->state;
@@ -253,7 +258,7 @@ static bool is_alone(const struct ts_instance *self, const struct tsim *sim)
 	return true;
 }
 
-/* The first time at which a place that moves leaves the box through a fixed face; infinite: it does not. */
+/* Time until a point at x with the velocity v leaves the box through a fixed face; infinite: it does not. */
 static double exit_time(const struct ts_box *box, const double x[3], const double v[3])
 {
 	double first = INFINITY;
@@ -273,7 +278,7 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	const struct ts_mesh_surface *surface = ts_mesh_surface_find(sim, s->mover.mesh);
 	double first = INFINITY, time = (double)sim->review.steps * sim->clock.dt;
 
-	if (!surface || kind_of(s)->rate != linear || !is_alone(self, sim) || sim->review.stale ||
+	if (!surface || kind_of(s)->rate != linear_rate || !is_alone(self, sim) || sim->review.stale ||
 	    sim->run.in_pieces)
 		return TS_OK;
 	for (size_t t = 0; t < surface->mesh.n; t++)

@@ -1,4 +1,5 @@
-/* Fix move/mesh/free: closed meshes that move as free rigid bodies. */
+/* Fix move/mesh/free: closed meshes that move as free rigid bodies under contact forces, fluid forces and
+ * gravity. */
 #include <math.h>
 #include <string.h>
 
@@ -20,19 +21,19 @@ struct state {
 	struct ts_mesh_mover mover;
 	int what;
 	double density, mass, velocity[3], omega[3]; /* one of density and mass is NaN */
-	bool falls;
-	bool due; /* forces have been computed since the body took them */
+	bool falls;				     /* gravity acts on it */
+	bool due; /* contact forces have been computed since they were last summed for the body */
 	/* saved */
 	struct ts_body body;
-	double q0[4]; /* its orientation when the fix was made; the centre then is mover.origin */
-	int64_t made;
+	double q0[4]; /* initial orientation; the initial centre is mover.origin */
+	int64_t made; /* 1: the body has been set up */
 	struct ts_net_force net;
-	int64_t fluid_steps; /* of the fluid, when the body last took notice */
+	int64_t fluid_steps; /* number of steps of the fluid at the last averaging of `net` */
 };
 
 /* ---- before a run */
 
-static enum ts_status fails(struct ts_instance *self, struct tsim *sim, const char *what)
+static enum ts_status fail_mesh(struct ts_instance *self, struct tsim *sim, const char *what)
 {
 	const struct state *s = self->state;
 
@@ -40,35 +41,35 @@ static enum ts_status fails(struct ts_instance *self, struct tsim *sim, const ch
 		       "fix move/mesh/free: mesh %s %s", s->mover.mesh, what);
 }
 
-static enum ts_status check(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_surface *surface)
+static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim,
+				      const struct ts_mesh_surface *surface)
 {
 	const struct state *s = self->state;
 	const struct ts_instance *inst;
 
 	if (!surface->stress)
-		return fails(self, sim,
-			     "does not know what particles do to it; make it by fix mesh/surface/stress");
+		return fail_mesh(self, sim,
+				 "does not know what particles do to it; make it by fix mesh/surface/stress");
 	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));)
 		if (inst != self &&
 		    ts_streq(((const struct ts_mesh_mover *)inst->state)->mesh, s->mover.mesh))
-			return fails(self, sim,
-				     "is moved by another fix, too; a body that is free is "
-				     "moved by this one alone");
+			return fail_mesh(self, sim,
+					 "is moved by another fix, too; a body that is free is "
+					 "moved by this one alone");
 	if (isnan(s->density) == isnan(s->mass))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix move/mesh/free: say either `density` or `mass`");
 	return TS_OK;
 }
 
-/* Nothing leaves the plane: z is a principal axis, and nothing moves the body along z or turns it about
- * another axis. */
-static void flatten(struct state *s, double inertia[6])
+/* Two dimensions: makes z a principal axis, and removes velocity along z and rotation about x and y. */
+static void restrict_to_plane(struct state *s, double inertia[6])
 {
 	inertia[4] = inertia[5] = 0;
 	s->velocity[2] = s->omega[0] = s->omega[1] = 0;
 }
 
-/* Mass, centre, moments from the space that the mesh encloses. */
+/* Computes mass, centre of mass and moments of inertia from the volume that the mesh encloses. */
 static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
 				const struct ts_mesh_surface *surface)
 {
@@ -78,18 +79,18 @@ static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
 	size_t t;
 
 	if (!ts_mesh_closed(&surface->mesh, &t))
-		return fails(self, sim, "is not closed: what it encloses has no mass");
+		return fail_mesh(self, sim, "is not closed: what it encloses has no mass");
 	if (!ts_mesh_measure_volume(&surface->mesh, &v))
-		return fails(self, sim,
-			     "does not enclose a volume: some of its normals point inwards, others "
-			     "outwards, or it is closed through periodic faces only");
+		return fail_mesh(self, sim,
+				 "does not enclose a volume: some of its normals point inwards, others "
+				 "outwards, or it is closed through periodic faces only");
 	*b = (struct ts_body){ .free = { 1, 1, 1, 1, 1, 1 } };
 	b->mass = isnan(s->mass) ? s->density * fabs(v.volume) : s->mass;
 	b->density = b->mass / fabs(v.volume);
 	for (int k = 0; k < 6; k++)
 		v.inertia[k] *= b->mass / v.volume;
 	if (sim->dimension == 2)
-		flatten(s, v.inertia);
+		restrict_to_plane(s, v.inertia);
 	ts_rigid_principal(b, v.inertia);
 	memcpy(b->x, v.centre, sizeof b->x);
 	memcpy(s->mover.origin, v.centre, sizeof v.centre);
@@ -101,7 +102,7 @@ static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
-static enum ts_status surface_of(struct ts_instance *self, struct tsim *sim, struct ts_mesh_surface **out)
+static enum ts_status find_surface(struct ts_instance *self, struct tsim *sim, struct ts_mesh_surface **out)
 {
 	const char *mesh = ((const struct state *)self->state)->mover.mesh;
 	struct ts_word id = { .text = mesh, .place = *ts_instance_word(self, mesh) };
@@ -115,8 +116,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_mesh_surface *surface;
 
 	TS_TRY(ts_mesh_mover_check(self, sim));
-	TS_TRY(surface_of(self, sim, &surface));
-	TS_TRY(check(self, sim, surface));
+	TS_TRY(find_surface(self, sim, &surface));
+	TS_TRY(check_arguments(self, sim, surface));
 	return s->made ? TS_OK : make_body(self, sim, surface);
 }
 
@@ -133,7 +134,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 /* ---- in a step */
 
-static enum ts_status weigh(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_gravity(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_body *b = &((struct state *)self->state)->body;
 	const struct ts_instance *inst;
@@ -148,8 +149,8 @@ static enum ts_status weigh(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* What particles and fluids do, both with torques about the mesh's anchor; and gravity. */
-static enum ts_status act(struct ts_instance *self, struct tsim *sim, bool in_setup)
+/* Sums the forces of particles and fluids, both with torques about the anchor of the mesh, and gravity. */
+static enum ts_status sum_forces(struct ts_instance *self, struct tsim *sim, bool in_setup)
 {
 	struct state *s = self->state;
 	struct ts_body *b = &s->body;
@@ -157,7 +158,7 @@ static enum ts_status act(struct ts_instance *self, struct tsim *sim, bool in_se
 	struct ts_mesh_surface *surface;
 	double load[2][3], arm[3], virtual_density = 0;
 
-	TS_TRY(surface_of(self, sim, &surface));
+	TS_TRY(find_surface(self, sim, &surface));
 	s->due = false;
 	memcpy(load, surface->stress->sum, sizeof load);
 	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
@@ -171,7 +172,7 @@ static enum ts_status act(struct ts_instance *self, struct tsim *sim, bool in_se
 	ts_cross(arm, load[0], b->torque);
 	ts_add(b->torque, load[1], b->torque);
 	if (s->falls)
-		TS_TRY(weigh(self, sim));
+		TS_TRY(add_gravity(self, sim));
 	if (sim->dimension == 2)
 		b->force[2] = b->torque[0] = b->torque[1] = 0;
 	if (virtual_density > 0) {
@@ -182,8 +183,8 @@ static enum ts_status act(struct ts_instance *self, struct tsim *sim, bool in_se
 	return TS_OK;
 }
 
-/* The velocity of the body where its centre was at first. */
-static void drift_of(const struct state *s, double drift[3])
+/* Velocity of the body at the initial position of its centre, about which the mover rotates it. */
+static void origin_velocity(const struct state *s, double drift[3])
 {
 	double arm[3];
 
@@ -207,7 +208,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 			m.now.turn[i][j] = ts_dot(now[i], first[j]);
 	memcpy(m.now.origin, s->mover.origin, sizeof m.now.origin);
 	ts_sub(s->body.x, s->mover.origin, m.now.shift);
-	drift_of(s, m.drift);
+	origin_velocity(s, m.drift);
 	memcpy(m.spin, s->body.omega, sizeof m.spin);
 	return ts_mesh_mover_move(self, sim, &m);
 }
@@ -217,10 +218,10 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	struct state *s = self->state;
 	double drift[3];
 
-	TS_TRY(act(self, sim, false));
+	TS_TRY(sum_forces(self, sim, false));
 	ts_body_kick(&s->body, 0.5 * sim->clock.dt);
-	drift_of(s, drift);
-	return ts_mesh_mover_drift(self, sim, drift, s->body.omega);
+	origin_velocity(s, drift);
+	return ts_mesh_mover_set_velocity(self, sim, drift, s->body.omega);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
@@ -230,14 +231,14 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* What acts at the start. A run that goes on computes no forces before its first step: the body has what
- * acted in the last one. */
+/* Forces at the start of a run. A run that resumes computes no forces before its first step: the body
+ * keeps those of the last step. */
 static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 {
-	return ((struct state *)self->state)->due ? act(self, sim, true) : TS_OK;
+	return ((struct state *)self->state)->due ? sum_forces(self, sim, true) : TS_OK;
 }
 
-/* The fluid makes its step before. */
+/* Acts after the fluid has made its step. */
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -250,7 +251,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Files from before have no such numbers. */
+/* Older restart files do not have these values. */
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct state *s = self->state;

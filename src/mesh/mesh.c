@@ -13,7 +13,7 @@ TS_UNROLLED
 
 #include "base/banned.h"
 
-static enum ts_status reserve(struct ts_mesh *m)
+static enum ts_status allocate_arrays(struct ts_mesh *m)
 {
 	size_t n = m->n;
 
@@ -40,12 +40,12 @@ enum ts_status ts_mesh_build(struct ts_mesh *m, const double (*soup)[3][3], size
 
 	*m = (struct ts_mesh){ .n = n, .flat = cos(curvature * TS_PI / 180) };
 	if (n <= INT32_MAX / 64)
-		status = reserve(m);
+		status = allocate_arrays(m);
 	if (status == TS_OK) {
 		for (size_t t = 0; t < n; t++)
 			for (int k = 0; k < 9; k++)
 				m->x[t][k / 3][k % 3] = soup[t][k / 3][k % 3];
-		ts_mesh_moved(m);
+		ts_mesh_update_geometry(m);
 		status = ts_mesh_link(m, precision, NULL);
 	}
 	if (status != TS_OK)
@@ -78,7 +78,7 @@ void ts_mesh_release(struct ts_mesh *m)
 }
 
 /* The edges of a triangle as unit vectors, and their lengths. */
-TS_INLINE void edges_of(const double x[9], double along[9], double length[3])
+TS_INLINE void unit_edges(const double x[9], double along[9], double length[3])
 {
 	for (int k = 0; k < 3; k++) {
 		ts_sub(x + 3 * ((k + 1) % 3), x + 3 * k, along + 3 * k);
@@ -87,7 +87,7 @@ TS_INLINE void edges_of(const double x[9], double along[9], double length[3])
 	}
 }
 
-TS_INLINE double reach_of(const double x[9], const double centre[3])
+TS_INLINE double bounding_radius(const double x[9], const double centre[3])
 {
 	double most = 0;
 
@@ -99,15 +99,15 @@ TS_INLINE double reach_of(const double x[9], const double centre[3])
 	return most;
 }
 
-/* What a mesh knows of some triangles, in columns. */
-struct columns {
+/* Geometry of a batch of triangles, in columns. */
+struct triangle_batch {
 	double x[9][TS_BATCH], along[9][TS_BATCH], length[3][TS_BATCH], normal[3][TS_BATCH],
 		centre[3][TS_BATCH];
 	double area[TS_BATCH], reach[TS_BATCH];
 };
 
-/* Without branches, so that several triangles are computed at once. */
-TS_INLINE void triangle_moved(struct columns *c, size_t t)
+/* Without branches, so that the loop over triangles is vectorised. */
+TS_INLINE void update_triangle(struct triangle_batch *c, size_t t)
 {
 	double x[9], along[9], length[3], centre[3], cross[3], twice;
 
@@ -115,11 +115,11 @@ TS_INLINE void triangle_moved(struct columns *c, size_t t)
 		x[k] = c->x[k][t];
 	for (int k = 0; k < 3; k++)
 		centre[k] = (x[k] + x[3 + k] + x[6 + k]) / 3;
-	edges_of(x, along, length);
+	unit_edges(x, along, length);
 	ts_cross(along, along + 3, cross);
 	twice = ts_norm(cross);
 	c->area[t] = 0.5 * twice * length[0] * length[1];
-	c->reach[t] = reach_of(x, centre);
+	c->reach[t] = bounding_radius(x, centre);
 	ts_scale(twice > 0 ? 1 / twice : 0, cross, cross);
 	for (int k = 0; k < 9; k++)
 		c->along[k][t] = along[k];
@@ -130,18 +130,18 @@ TS_INLINE void triangle_moved(struct columns *c, size_t t)
 	}
 }
 
-/* n triangles from t on, filled up to whole vectors with the first of them. */
-TS_CLONES static void some_moved(struct ts_mesh *m, size_t t, size_t n)
+/* Updates triangles t .. t+n-1; the batch is padded to whole vectors with copies of triangle t. */
+TS_CLONES static void update_batch(struct ts_mesh *m, size_t t, size_t n)
 {
 	size_t whole = (n + 7) & ~(size_t)7;
-	struct columns c;
+	struct triangle_batch c;
 
 	for (size_t j = 0; j < whole; j++)
 		for (size_t k = 0; k < 9; k++)
 			c.x[k][j] = m->x[t + (j < n ? j : 0)][k / 3][k % 3];
 #pragma omp simd
 	for (size_t j = 0; j < whole; j++)
-		triangle_moved(&c, j);
+		update_triangle(&c, j);
 	for (size_t j = 0; j < n; j++) {
 		m->area[t + j] = c.area[j];
 		m->reach[t + j] = c.reach[j];
@@ -155,15 +155,15 @@ TS_CLONES static void some_moved(struct ts_mesh *m, size_t t, size_t n)
 	}
 }
 
-void ts_mesh_triangles_moved(struct ts_mesh *m, size_t from, size_t to)
+void ts_mesh_update_triangles(struct ts_mesh *m, size_t from, size_t to)
 {
 	for (; from < to; from += TS_BATCH)
-		some_moved(m, from, to - from < TS_BATCH ? to - from : TS_BATCH);
+		update_batch(m, from, to - from < TS_BATCH ? to - from : TS_BATCH);
 }
 
-void ts_mesh_moved(struct ts_mesh *m)
+void ts_mesh_update_geometry(struct ts_mesh *m)
 {
-	ts_mesh_triangles_moved(m, 0, m->n);
+	ts_mesh_update_triangles(m, 0, m->n);
 }
 
 bool ts_mesh_flat_neighbours(const struct ts_mesh *m, size_t a, size_t b)
@@ -198,7 +198,7 @@ double ts_mesh_area(const struct ts_mesh *m)
 	return sum;
 }
 
-/* Where it bends an edge acts in contacts, though it is no rim. */
+/* The surface is not flat at an active edge that has a neighbour. */
 bool ts_mesh_planar(const struct ts_mesh *m, size_t *corner)
 {
 	for (*corner = 0; *corner < 3 * m->n; ++*corner) {

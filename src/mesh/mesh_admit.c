@@ -18,9 +18,9 @@ struct admission {
 	struct ts_mesh_findings findings;
 };
 
-enum verdict { FINE, WARN, REFUSE };
+enum severity { FINE, WARN, REFUSE };
 
-static enum verdict judge(const struct ts_mesh_admission *how, enum ts_mesh_ill ill)
+static enum severity severity_of(const struct ts_mesh_admission *how, enum ts_mesh_ill ill)
 {
 	switch (ill) {
 	case TS_MESH_OPEN:
@@ -37,7 +37,7 @@ static enum verdict judge(const struct ts_mesh_admission *how, enum ts_mesh_ill 
 	}
 }
 
-static bool left_out(const struct ts_mesh_admission *how, enum ts_mesh_ill ill)
+static bool is_left_out(const struct ts_mesh_admission *how, enum ts_mesh_ill ill)
 {
 	return ill == TS_MESH_COLLAPSED || (ill == TS_MESH_DUPLICATE && how->heal);
 }
@@ -54,7 +54,7 @@ static void name_triangle(struct ts_str *out, const struct ts_triangles *soup, i
 		ts_str_addf(out, " of '%s'", tri->solid);
 }
 
-static void describe(const struct admission *a, const struct ts_mesh_finding *f, struct ts_str *out)
+static void describe_finding(const struct admission *a, const struct ts_mesh_finding *f, struct ts_str *out)
 {
 	const struct ts_mesh_ill_text *text = &ts_mesh_ill_texts[f->ill];
 
@@ -69,16 +69,16 @@ static void describe(const struct admission *a, const struct ts_mesh_finding *f,
 	}
 }
 
-/* The first finding of an illness says how many there are. */
-static enum ts_status say(struct admission *a, const struct ts_mesh_finding *f, bool first)
+/* Reports a finding as a warning or an error; the first one of a fault includes the number of others. */
+static enum ts_status report_finding(struct admission *a, const struct ts_mesh_finding *f, bool first)
 {
 	const struct ts_mesh_ill_text *text = &ts_mesh_ill_texts[f->ill];
 	size_t more = a->findings.count[f->ill] - 1;
-	bool refuse = judge(a->how, f->ill) == REFUSE;
+	bool refuse = severity_of(a->how, f->ill) == REFUSE;
 	struct ts_str line = { 0 };
 	enum ts_status status = TS_OK;
 
-	describe(a, f, &line);
+	describe_finding(a, f, &line);
 	if (first && more)
 		ts_str_addf(&line, "; so do %zu other%s", more, more == 1 ? "" : "s");
 	if (first)
@@ -93,8 +93,8 @@ static enum ts_status say(struct admission *a, const struct ts_mesh_finding *f, 
 	return status;
 }
 
-/* With `verbose` all is told before the mesh is refused. */
-static enum ts_status tell(struct admission *a)
+/* With `verbose` all findings are reported before the mesh is refused. */
+static enum ts_status report_findings(struct admission *a)
 {
 	size_t refused = 0;
 
@@ -102,9 +102,9 @@ static enum ts_status tell(struct admission *a)
 		const struct ts_mesh_finding *f = &a->findings.list[k];
 		bool first = !k || f[-1].ill != f->ill;
 
-		refused += judge(a->how, f->ill) == REFUSE;
-		if (judge(a->how, f->ill) != FINE && (first || a->how->verbose))
-			TS_TRY(say(a, f, first));
+		refused += severity_of(a->how, f->ill) == REFUSE;
+		if (severity_of(a->how, f->ill) != FINE && (first || a->how->verbose))
+			TS_TRY(report_finding(a, f, first));
 	}
 	if (!refused)
 		return TS_OK;
@@ -113,7 +113,7 @@ static enum ts_status tell(struct admission *a)
 		       a->soup->file, refused);
 }
 
-/* The lines of triangles to do without. */
+/* Writes the line numbers of refused triangles. */
 static enum ts_status write_exclusions(struct admission *a)
 {
 	struct ts_textfile file = { 0 };
@@ -123,14 +123,14 @@ static enum ts_status write_exclusions(struct admission *a)
 	for (size_t k = 0; status == TS_OK && k < a->findings.n; k++) {
 		const struct ts_mesh_finding *f = &a->findings.list[k];
 
-		if (judge(a->how, f->ill) == REFUSE)
+		if (severity_of(a->how, f->ill) == REFUSE)
 			status = ts_textfile_printf(&file, "%d\n", a->soup->t[f->triangle].line);
 	}
 	closed = ts_textfile_close(&file);
 	return status == TS_OK ? closed : status;
 }
 
-static enum ts_status build(struct admission *a)
+static enum ts_status build_mesh(struct admission *a)
 {
 	double(*x)[3][3] = ts_alloc(a->soup->n, sizeof *x);
 	enum ts_status status = x ? TS_OK : ts_nomem(&a->sim->error);
@@ -148,7 +148,7 @@ static enum ts_status build(struct admission *a)
 	return status == TS_NOMEM ? ts_nomem(&a->sim->error) : status;
 }
 
-static enum ts_status leave_out(struct admission *a)
+static enum ts_status remove_left_out(struct admission *a)
 {
 	size_t n = 0;
 	uint8_t *out = ts_alloc(a->soup->n, 1);
@@ -156,7 +156,7 @@ static enum ts_status leave_out(struct admission *a)
 	if (!out)
 		return ts_nomem(&a->sim->error);
 	for (size_t k = 0; k < a->findings.n; k++)
-		if (left_out(a->how, a->findings.list[k].ill))
+		if (is_left_out(a->how, a->findings.list[k].ill))
 			out[a->findings.list[k].triangle] = 1;
 	for (size_t t = 0; t < a->soup->n; t++)
 		if (!out[t])
@@ -170,18 +170,18 @@ static enum ts_status leave_out(struct admission *a)
 			       "%s: no triangle is left: all have two corners at the same place, within "
 			       "the `precision` of %g",
 			       a->soup->file, a->how->precision);
-	return build(a);
+	return build_mesh(a);
 }
 
-static enum ts_status admit(struct admission *a)
+static enum ts_status admit_triangles(struct admission *a)
 {
-	TS_TRY(build(a));
+	TS_TRY(build_mesh(a));
 	if (ts_mesh_examine(a->mesh, a->how->curvature, &a->findings) != TS_OK)
 		return ts_nomem(&a->sim->error);
 	if (a->how->exclude)
 		TS_TRY(write_exclusions(a));
-	TS_TRY(tell(a));
-	return leave_out(a);
+	TS_TRY(report_findings(a));
+	return remove_left_out(a);
 }
 
 enum ts_status ts_mesh_admit(struct tsim *sim, const struct ts_place *where,
@@ -189,7 +189,7 @@ enum ts_status ts_mesh_admit(struct tsim *sim, const struct ts_place *where,
 			     struct ts_mesh *out)
 {
 	struct admission a = { .sim = sim, .where = where, .how = how, .soup = soup, .mesh = out };
-	enum ts_status status = admit(&a);
+	enum ts_status status = admit_triangles(&a);
 
 	ts_mesh_findings_release(&a.findings);
 	if (status != TS_OK)
@@ -224,7 +224,7 @@ static enum ts_status read_lines(struct ts_scan *s, struct lines *l)
 	return TS_OK;
 }
 
-static void exclude(const struct lines *l, struct ts_triangles *soup)
+static void remove_listed(const struct lines *l, struct ts_triangles *soup)
 {
 	size_t n = 0;
 
@@ -247,7 +247,7 @@ enum ts_status ts_mesh_exclude(struct tsim *sim, const struct ts_place *where, c
 	if (status == TS_OK)
 		status = read_lines(&s, &l);
 	if (status == TS_OK)
-		exclude(&l, soup);
+		remove_listed(&l, soup);
 	ts_free(l.line);
 	ts_scan_close(&s);
 	if (status == TS_OK && !soup->n)

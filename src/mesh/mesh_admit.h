@@ -1,5 +1,5 @@
-/* From triangles of a file to a mesh that walls can be made of: what is broken is refused or left out,
- * and said. */
+/* From the triangles of a file to a mesh that is suitable for walls: faulty triangles are refused or left
+ * out, and reported. */
 #ifndef TS_MESH_MESH_ADMIT_H
 #define TS_MESH_MESH_ADMIT_H
 
@@ -8,19 +8,20 @@
 #include "mesh/triangles.h"
 
 struct ts_mesh_admission {
-	double precision, curvature; /* as ts_mesh_build takes them */
-	bool curvature_tolerant;     /* angles below curvature are accepted */
+	double precision, curvature; /* see ts_mesh_build */
+	bool curvature_tolerant;     /* angles of triangles below `curvature` are accepted */
 	bool heal;		     /* duplicates are left out instead of refused */
-	bool verbose;		     /* all triangles with an illness are listed, not the first only */
-	const char *exclude;	     /* a file to which lines of refused triangles are written; or NULL */
+	bool verbose;		     /* all faulty triangles are reported, not only the first of each fault */
+	const char *exclude; /* file to which line numbers of refused triangles are written; or NULL */
 };
 
-/* Triangles that are left out are removed from the soup too. `where` is blamed. */
+/* Builds the mesh. Triangles that are left out are removed from the soup, too. `where`: place of error
+ * messages. */
 enum ts_status ts_mesh_admit(struct tsim *sim, const struct ts_place *where,
 			     const struct ts_mesh_admission *how, struct ts_triangles *soup,
 			     struct ts_mesh *out);
 
-/* Leaves out triangles that begin in the lines which the file lists. */
+/* Removes the triangles whose first lines in the mesh file are listed in the file `path`. */
 enum ts_status ts_mesh_exclude(struct tsim *sim, const struct ts_place *where, const char *path,
 			       struct ts_triangles *soup);
 

@@ -8,9 +8,10 @@
 
 #include "base/banned.h"
 
-/* The ends of open edges are sorted along the longest side of the mesh; an edge is compared with those
- * beside it. A heap of unconnected triangles could make that many comparisons: then it is no mesh, and the
- * search is given up. */
+/* The ends of open edges are sorted along the longest dimension of the mesh, and each open edge is
+ * compared with the ends in its range. With many unconnected triangles the number of comparisons grows as
+ * n^2: after MOST_COMPARISONS the search is ended. NARROW: largest width of a crack relative to the length
+ * of the edge. */
 #define NARROW 1e-3
 enum { MOST_COMPARISONS = 50000000 };
 
@@ -39,7 +40,7 @@ static double distance_to_edge(const double x[3], const double a[3], const doubl
 	return ts_norm(d);
 }
 
-/* The first end that is not before `from`. */
+/* Index of the first end with a coordinate >= `from` along the axis of sorting. */
 static size_t first_end(const struct search *s, double from)
 {
 	size_t lo = 0, hi = s->nends;
@@ -60,7 +61,7 @@ static bool has_vertex(const int32_t of[3], int32_t vertex)
 	return of[0] == vertex || of[1] == vertex || of[2] == vertex;
 }
 
-static enum ts_status compare(struct search *s, const struct ts_mesh_edge *e)
+static enum ts_status compare_edge(struct search *s, const struct ts_mesh_edge *e)
 {
 	const double *a = s->m->x[e->triangle][e->k];
 	const double *b = s->m->x[e->triangle][(e->k + 1) % 3];
@@ -82,7 +83,7 @@ static enum ts_status compare(struct search *s, const struct ts_mesh_edge *e)
 	return TS_OK;
 }
 
-static int order(const struct end *p, const struct end *q, int axis)
+static int order_along(const struct end *p, const struct end *q, int axis)
 {
 	double a = p->x[axis], b = q->x[axis];
 
@@ -91,20 +92,20 @@ static int order(const struct end *p, const struct end *q, int axis)
 
 static int by_x(const void *a, const void *b)
 {
-	return order(a, b, 0);
+	return order_along(a, b, 0);
 }
 
 static int by_y(const void *a, const void *b)
 {
-	return order(a, b, 1);
+	return order_along(a, b, 1);
 }
 
 static int by_z(const void *a, const void *b)
 {
-	return order(a, b, 2);
+	return order_along(a, b, 2);
 }
 
-static bool open_edge(const struct ts_mesh_edge *edge, size_t n, size_t k)
+static bool is_open_edge(const struct ts_mesh_edge *edge, size_t n, size_t k)
 {
 	const struct ts_mesh_edge *e = &edge[k];
 
@@ -118,7 +119,7 @@ static void list_ends(struct search *s, const struct ts_mesh_edge *edge, size_t 
 	double lo[3], hi[3];
 
 	for (size_t k = 0; k < n; k++)
-		for (int side = 0; open_edge(edge, n, k) && side < 2; side++) {
+		for (int side = 0; is_open_edge(edge, n, k) && side < 2; side++) {
 			int32_t t = edge[k].triangle, c = (edge[k].k + side) % 3;
 			const double *x = s->m->x[t][c];
 
@@ -141,8 +142,8 @@ enum ts_status ts_mesh_cracks(const struct ts_mesh *mesh, const struct ts_mesh_e
 		return TS_NOMEM;
 	list_ends(&s, edge, n);
 	for (size_t k = 0; status == TS_OK && k < n; k++)
-		if (open_edge(edge, n, k))
-			status = compare(&s, &edge[k]);
+		if (is_open_edge(edge, n, k))
+			status = compare_edge(&s, &edge[k]);
 	ts_free(s.end);
 	return status;
 }

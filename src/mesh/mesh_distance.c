@@ -6,14 +6,14 @@
 
 #include "base/banned.h"
 
-static void at_edge(int a, int b, double way, double weight[3])
+static void edge_weights(int a, int b, double fraction, double weight[3])
 {
-	weight[a] = 1 - way;
-	weight[b] = way;
+	weight[a] = 1 - fraction;
+	weight[b] = fraction;
 	weight[3 - a - b] = 0;
 }
 
-static void at_corner(int a, double weight[3])
+static void corner_weights(int a, double weight[3])
 {
 	for (int k = 0; k < 3; k++)
 		weight[k] = k == a;
@@ -26,7 +26,7 @@ void ts_mesh_nearest_point(const struct ts_mesh *mesh, size_t t, const double x[
 
 	ts_sub(corner[1], corner[0], e1);
 	ts_sub(corner[2], corner[0], e2);
-	for (int k = 0; k < 3; k++) { /* projections of the arms from each corner on both edges */
+	for (int k = 0; k < 3; k++) { /* projections of x - corner k onto both edges */
 		ts_sub(x, corner[k], arm);
 		d[2 * k] = ts_dot(e1, arm);
 		d[2 * k + 1] = ts_dot(e2, arm);
@@ -35,17 +35,17 @@ void ts_mesh_nearest_point(const struct ts_mesh *mesh, size_t t, const double x[
 	vb = d[4] * d[1] - d[0] * d[5];
 	vc = d[0] * d[3] - d[2] * d[1];
 	if (d[0] <= 0 && d[1] <= 0)
-		at_corner(0, weight);
+		corner_weights(0, weight);
 	else if (d[2] >= 0 && d[3] <= d[2])
-		at_corner(1, weight);
+		corner_weights(1, weight);
 	else if (d[5] >= 0 && d[4] <= d[5])
-		at_corner(2, weight);
+		corner_weights(2, weight);
 	else if (vc <= 0 && d[0] >= 0 && d[2] <= 0)
-		at_edge(0, 1, d[0] / (d[0] - d[2]), weight);
+		edge_weights(0, 1, d[0] / (d[0] - d[2]), weight);
 	else if (vb <= 0 && d[1] >= 0 && d[5] <= 0)
-		at_edge(0, 2, d[1] / (d[1] - d[5]), weight);
+		edge_weights(0, 2, d[1] / (d[1] - d[5]), weight);
 	else if (va <= 0 && d[3] - d[2] >= 0 && d[4] - d[5] >= 0)
-		at_edge(1, 2, (d[3] - d[2]) / (d[3] - d[2] + d[4] - d[5]), weight);
+		edge_weights(1, 2, (d[3] - d[2]) / (d[3] - d[2] + d[4] - d[5]), weight);
 	else {
 		weight[0] = va / (va + vb + vc);
 		weight[1] = vb / (va + vb + vc);
@@ -53,8 +53,9 @@ void ts_mesh_nearest_point(const struct ts_mesh *mesh, size_t t, const double x[
 	}
 }
 
-/* From the nearest point of triangle t to x. */
-static void look(const struct ts_mesh *mesh, size_t t, const double x[3], struct ts_mesh_distance *d)
+/* Unsigned distance: vector and distance from the nearest point of triangle t to x. */
+static void triangle_distance(const struct ts_mesh *mesh, size_t t, const double x[3],
+			      struct ts_mesh_distance *d)
 {
 	ts_mesh_nearest_point(mesh, t, x, d->weight);
 	for (int k = 0; k < 3; k++)
@@ -68,7 +69,7 @@ double ts_mesh_distance(const struct ts_mesh *mesh, size_t t, const double x[3])
 {
 	struct ts_mesh_distance d;
 
-	look(mesh, t, x, &d);
+	triangle_distance(mesh, t, x, &d);
 	return d.distance;
 }
 
@@ -76,7 +77,7 @@ enum ts_status ts_mesh_signed_distance(const struct ts_mesh *mesh, const struct 
 				       const double x[3], double reach, struct ts_mesh_list *list, bool *near,
 				       struct ts_mesh_distance *out)
 {
-	double front = 0; /* cosine of the angle between the normal and the way */
+	double front = 0; /* cosine of the angle between the normal and the line to x */
 
 	*near = false;
 	list->n = 0;
@@ -86,7 +87,7 @@ enum ts_status ts_mesh_signed_distance(const struct ts_mesh *mesh, const struct 
 		double cosine, tie = 1e-9 * reach;
 		bool as_near;
 
-		look(mesh, (size_t)list->item[k], x, &one);
+		triangle_distance(mesh, (size_t)list->item[k], x, &one);
 		cosine = ts_dot(mesh->normal[one.triangle], one.n) / fmax(one.distance, 1e-300);
 		as_near = *near && fabs(one.distance - out->distance) <= tie;
 		if (one.distance > reach || (*near && !as_near && one.distance > out->distance) ||

@@ -18,14 +18,14 @@ struct doctor {
 	const struct ts_mesh *m;
 	double curvature;
 	struct ts_mesh_findings *out;
-	uint8_t *dead;	     /* collapsed or duplicate: no more to be said of it */
-	int32_t *neighbours; /* how many, over all edges */
+	uint8_t *excluded;   /* collapsed or duplicate triangles, which are not examined further */
+	int32_t *neighbours; /* number of neighbours of each triangle over all its edges */
 	struct ts_mesh_edge *edge;
 	size_t nedges;
 };
 
-static enum ts_status found(struct doctor *d, enum ts_mesh_ill ill, int32_t t, int32_t other,
-			    const double at[3], double amount)
+static enum ts_status add_finding(struct doctor *d, enum ts_mesh_ill ill, int32_t t, int32_t other,
+				  const double at[3], double amount)
 {
 	struct ts_mesh_findings *out = d->out;
 
@@ -36,10 +36,10 @@ static enum ts_status found(struct doctor *d, enum ts_mesh_ill ill, int32_t t, i
 	return TS_OK;
 }
 
-static enum ts_status found_there(struct doctor *d, enum ts_mesh_ill ill, int32_t t, int32_t other,
-				  double amount)
+static enum ts_status add_finding_at_centre(struct doctor *d, enum ts_mesh_ill ill, int32_t t, int32_t other,
+					    double amount)
 {
-	return found(d, ill, t, other, d->m->centre[t], amount);
+	return add_finding(d, ill, t, other, d->m->centre[t], amount);
 }
 
 /* ---- single triangles ---- */
@@ -63,16 +63,16 @@ static enum ts_status examine_shape(struct doctor *d, int32_t t)
 	double angle;
 
 	if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) {
-		d->dead[t] = 1;
-		return found_there(d, TS_MESH_COLLAPSED, t, -1, 0);
+		d->excluded[t] = 1;
+		return add_finding_at_centre(d, TS_MESH_COLLAPSED, t, -1, 0);
 	}
 	angle = smallest_angle(d->m, (size_t)t);
 	if (angle < TS_MESH_HARD_ANGLE)
-		TS_TRY(found_there(d, TS_MESH_NEEDLE, t, -1, angle));
+		TS_TRY(add_finding_at_centre(d, TS_MESH_NEEDLE, t, -1, angle));
 	else if (angle < d->curvature)
-		TS_TRY(found_there(d, TS_MESH_SHARP, t, -1, angle));
+		TS_TRY(add_finding_at_centre(d, TS_MESH_SHARP, t, -1, angle));
 	else if (angle < TS_MESH_SOFT_ANGLE)
-		TS_TRY(found_there(d, TS_MESH_SLIVER, t, -1, angle));
+		TS_TRY(add_finding_at_centre(d, TS_MESH_SLIVER, t, -1, angle));
 	return TS_OK;
 }
 
@@ -111,9 +111,10 @@ static enum ts_status mark_duplicates(struct doctor *d, const struct key *key)
 	for (size_t k = 1, first = 0; k < d->m->n; k++) {
 		if (compare_ints(key[first].v, key[k].v, 3) != 0) {
 			first = k;
-		} else if (!d->dead[key[k].triangle]) {
-			d->dead[key[k].triangle] = 1;
-			TS_TRY(found_there(d, TS_MESH_DUPLICATE, key[k].triangle, key[first].triangle, 0));
+		} else if (!d->excluded[key[k].triangle]) {
+			d->excluded[key[k].triangle] = 1;
+			TS_TRY(add_finding_at_centre(d, TS_MESH_DUPLICATE, key[k].triangle,
+						     key[first].triangle, 0));
 		}
 	}
 	return TS_OK;
@@ -157,7 +158,7 @@ static enum ts_status list_edges(struct doctor *d)
 	for (size_t c = 0; c < 3 * m->n; c++) {
 		int32_t a = m->vertex[c / 3][c % 3], b = m->vertex[c / 3][(c + 1) % 3];
 
-		if (!d->dead[c / 3])
+		if (!d->excluded[c / 3])
 			d->edge[d->nedges++] = (struct ts_mesh_edge){ .lo = a < b ? a : b,
 								      .hi = a < b ? b : a,
 								      .triangle = (int32_t)(c / 3),
@@ -167,7 +168,7 @@ static enum ts_status list_edges(struct doctor *d)
 	return TS_OK;
 }
 
-static size_t same_edge(const struct doctor *d, size_t from)
+static size_t count_same_edges(const struct doctor *d, size_t from)
 {
 	size_t n = 1;
 
@@ -177,8 +178,9 @@ static size_t same_edge(const struct doctor *d, size_t from)
 	return n;
 }
 
-/* Two in (nearly) the same plane, and on the same side of the edge. */
-static bool folded(const struct ts_mesh *m, const struct ts_mesh_edge *e)
+/* Whether two triangles that share an edge are (nearly) in the same plane and on the same side of the
+ * edge. */
+static bool is_folded(const struct ts_mesh *m, const struct ts_mesh_edge *e)
 {
 	int32_t a = e[0].triangle, b = e[1].triangle;
 	double p[3], q[3];
@@ -193,7 +195,7 @@ static bool folded(const struct ts_mesh *m, const struct ts_mesh_edge *e)
 	return ts_dot(p, q) > 0;
 }
 
-static void middle(const struct ts_mesh *m, const struct ts_mesh_edge *e, double out[3])
+static void edge_middle(const struct ts_mesh *m, const struct ts_mesh_edge *e, double out[3])
 {
 	ts_add(m->x[e->triangle][e->k], m->x[e->triangle][(e->k + 1) % 3], out);
 	ts_scale(0.5, out, out);
@@ -203,15 +205,15 @@ static enum ts_status examine_edge(struct doctor *d, const struct ts_mesh_edge *
 {
 	double at[3];
 
-	middle(d->m, e, at);
+	edge_middle(d->m, e, at);
 	for (size_t k = 0; k < n; k++)
 		d->neighbours[e[k].triangle] += (int32_t)n - 1;
 	if (n == 1)
-		return found(d, TS_MESH_OPEN, e->triangle, -1, at, 0);
-	if (n == 2 && folded(d->m, e))
-		return found(d, TS_MESH_FOLDED, e[1].triangle, e[0].triangle, at, 0);
+		return add_finding(d, TS_MESH_OPEN, e->triangle, -1, at, 0);
+	if (n == 2 && is_folded(d->m, e))
+		return add_finding(d, TS_MESH_FOLDED, e[1].triangle, e[0].triangle, at, 0);
 	for (size_t k = 0; n > 2 && k < n; k++)
-		TS_TRY(found(d, TS_MESH_BRANCHED, e[k].triangle, e[!k].triangle, at, (double)n));
+		TS_TRY(add_finding(d, TS_MESH_BRANCHED, e[k].triangle, e[!k].triangle, at, (double)n));
 	return TS_OK;
 }
 
@@ -219,19 +221,20 @@ static enum ts_status examine_edges(struct doctor *d)
 {
 	TS_TRY(list_edges(d));
 	for (size_t k = 0, n; k < d->nedges; k += n) {
-		n = same_edge(d, k);
+		n = count_same_edges(d, k);
 		TS_TRY(examine_edge(d, &d->edge[k], n));
 	}
 	for (size_t t = 0; t < d->m->n; t++)
 		if (d->neighbours[t] > 5)
-			TS_TRY(found_there(d, TS_MESH_CROWDED, (int32_t)t, -1, d->neighbours[t]));
+			TS_TRY(add_finding_at_centre(d, TS_MESH_CROWDED, (int32_t)t, -1, d->neighbours[t]));
 	return TS_OK;
 }
 
 /* ---- orientation ---- */
 
-/* Whether the neighbour goes through edge k of t in the same direction: one of them is turned. */
-static bool turned(const struct ts_mesh *m, int32_t t, int k, int32_t other)
+/* Whether both triangles have edge k of t in the same direction, so that their normals are on opposite
+ * sides. */
+static bool same_direction(const struct ts_mesh *m, int32_t t, int k, int32_t other)
 {
 	for (int j = 0; j < 3; j++)
 		if (m->vertex[other][j] == m->vertex[t][k] &&
@@ -240,9 +243,9 @@ static bool turned(const struct ts_mesh *m, int32_t t, int k, int32_t other)
 	return false;
 }
 
-/* All triangles that can be reached from the first over edges that two share: side[t] is 1 or 2, those of
- * 1 and those of 2 have opposite orientations. They are left in `queue`. */
-static size_t flood(const struct doctor *d, int32_t first, uint8_t *side, int32_t *queue)
+/* Flood fill over edges shared by two triangles, from triangle `first`. side[t] is set to 1 or 2 for the two
+ * orientations. Returns the number of connected triangles, which are left in `queue`. */
+static size_t flood_orientation(const struct doctor *d, int32_t first, uint8_t *side, int32_t *queue)
 {
 	size_t n = 0;
 
@@ -254,38 +257,38 @@ static size_t flood(const struct doctor *d, int32_t first, uint8_t *side, int32_
 		for (int k = 0; k < 3; k++) {
 			int32_t other = d->m->neighbour[t][k];
 
-			if (other < 0 || d->dead[other] || side[other])
+			if (other < 0 || d->excluded[other] || side[other])
 				continue;
-			side[other] = turned(d->m, t, k, other) ? 3 - side[t] : side[t];
+			side[other] = same_direction(d->m, t, k, other) ? 3 - side[t] : side[t];
 			queue[n++] = other;
 		}
 	}
 	return n;
 }
 
-/* Those that are fewer are to blame. */
+/* In each connected part the triangles of the less frequent orientation are reported as flipped. */
 static enum ts_status examine_orientation(struct doctor *d, uint8_t *side, int32_t *queue)
 {
 	for (size_t first = 0; first < d->m->n; first++) {
 		size_t n, ones = 0;
 
-		if (d->dead[first] || side[first])
+		if (d->excluded[first] || side[first])
 			continue;
-		n = flood(d, (int32_t)first, side, queue);
+		n = flood_orientation(d, (int32_t)first, side, queue);
 		for (size_t k = 0; k < n; k++)
 			ones += side[queue[k]] == 1;
 		for (size_t k = 0; k < n; k++)
 			if (side[queue[k]] == (2 * ones < n ? 1 : 2))
-				TS_TRY(found_there(d, TS_MESH_FLIPPED, queue[k], -1, 0));
+				TS_TRY(add_finding_at_centre(d, TS_MESH_FLIPPED, queue[k], -1, 0));
 	}
 	return TS_OK;
 }
 
 /* ---- all ---- */
 
-static enum ts_status crack(void *context, int32_t t, int32_t other, const double at[3], double width)
+static enum ts_status add_crack(void *context, int32_t t, int32_t other, const double at[3], double width)
 {
-	return found(context, TS_MESH_CRACKED, t, other, at, width);
+	return add_finding(context, TS_MESH_CRACKED, t, other, at, width);
 }
 
 static int by_ill(const void *a, const void *b)
@@ -296,8 +299,8 @@ static int by_ill(const void *a, const void *b)
 			    (int32_t[]){ (int32_t)q->ill, q->triangle, q->other }, 3);
 }
 
-/* One for a triangle and ill, counted. */
-static void settle(struct ts_mesh_findings *f)
+/* Sorts and counts the findings, and removes repeated ones of the same triangle and fault. */
+static void sort_findings(struct ts_mesh_findings *f)
 {
 	size_t n = 0;
 
@@ -320,7 +323,7 @@ static enum ts_status examine(struct doctor *d, uint8_t *side, int32_t *queue)
 	TS_TRY(examine_duplicates(d));
 	TS_TRY(examine_edges(d));
 	TS_TRY(examine_orientation(d, side, queue));
-	return ts_mesh_cracks(d->m, d->edge, d->nedges, crack, d);
+	return ts_mesh_cracks(d->m, d->edge, d->nedges, add_crack, d);
 }
 
 enum ts_status ts_mesh_examine(const struct ts_mesh *mesh, double curvature, struct ts_mesh_findings *out)
@@ -331,14 +334,14 @@ enum ts_status ts_mesh_examine(const struct ts_mesh *mesh, double curvature, str
 	enum ts_status status = TS_NOMEM;
 
 	ts_mesh_findings_release(out);
-	d.dead = ts_alloc(mesh->n, 1);
+	d.excluded = ts_alloc(mesh->n, 1);
 	d.neighbours = ts_alloc(mesh->n, sizeof *d.neighbours);
-	if (side && queue && d.dead && d.neighbours)
+	if (side && queue && d.excluded && d.neighbours)
 		status = examine(&d, side, queue);
-	settle(out);
+	sort_findings(out);
 	ts_free(side);
 	ts_free(queue);
-	ts_free(d.dead);
+	ts_free(d.excluded);
 	ts_free(d.neighbours);
 	ts_free(d.edge);
 	return status;
@@ -350,7 +353,7 @@ void ts_mesh_findings_release(struct ts_mesh_findings *findings)
 	*findings = (struct ts_mesh_findings){ 0 };
 }
 
-/* Relative to the first corner, which keeps digits far from the origin. */
+/* Relative to the first corner, to avoid cancellation far from the origin. */
 double ts_mesh_volume(const struct ts_mesh *m)
 {
 	double sum = 0;

@@ -1,14 +1,15 @@
-/* What is wrong with a mesh, which triangles have it, and what helps. */
+/* Examination of a mesh: kinds of faults, the triangles that have them, and remedies. */
 #ifndef TS_MESH_MESH_DOCTOR_H
 #define TS_MESH_MESH_DOCTOR_H
 
 #include "mesh/mesh.h"
 
-/* Limits of angles in degrees: beyond the first a triangle has no usable plane. */
+/* Limits of the smallest angle of a triangle in degrees: below the first its plane is undefined by
+ * rounding, below the second it is reported. */
 #define TS_MESH_HARD_ANGLE 0.0181185
 #define TS_MESH_SOFT_ANGLE 0.5
 
-/* name, what it is, unit of the amount ("": none), what helps */
+/* name, description, unit of the amount ("": none), remedy */
 #define TS_MESH_ILL_LIST(X)                                                                        \
 	X(COLLAPSED, "has two corners at the same place and is left out", "",                      \
 	  "take a smaller `precision`, or export the surface with more digits")                    \
@@ -36,19 +37,19 @@ enum ts_mesh_ill { TS_MESH_ILL_LIST(TS_MESH_ILL_ENUM) TS_NMESH_ILLS };
 
 struct ts_mesh_finding {
 	enum ts_mesh_ill ill;
-	int32_t triangle, other; /* -1: no other */
-	double at[3];
-	double amount; /* angle in degrees, number of neighbours, or width of the crack */
+	int32_t triangle, other; /* `other`: the second triangle of the fault; -1: none */
+	double at[3];		 /* position, length */
+	double amount;		 /* angle in degrees, number of triangles, or width of the crack, length */
 };
 
-/* Zero-initialise. Sorted by ill, then triangle; one finding for a triangle and ill. */
+/* Zero-initialise. Sorted by fault, then triangle; at most one finding for each triangle and fault. */
 struct ts_mesh_findings {
 	size_t n, capacity;
 	struct ts_mesh_finding *list;
 	size_t count[TS_NMESH_ILLS];
 };
 
-/* `curvature` in degrees, as the mesh was built with. */
+/* Examines a mesh; `curvature` in degrees, as in ts_mesh_build. */
 enum ts_status ts_mesh_examine(const struct ts_mesh *mesh, double curvature, struct ts_mesh_findings *out);
 void ts_mesh_findings_release(struct ts_mesh_findings *findings);
 
@@ -57,7 +58,7 @@ struct ts_mesh_ill_text {
 };
 extern const struct ts_mesh_ill_text ts_mesh_ill_texts[TS_NMESH_ILLS];
 
-/* Of a mesh without rims; by the divergence theorem, positive if the normals point outwards. */
+/* Volume of a closed mesh by the divergence theorem, positive if the normals point outwards. */
 double ts_mesh_volume(const struct ts_mesh *mesh);
 
 #endif

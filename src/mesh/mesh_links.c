@@ -9,12 +9,12 @@
 
 #include "base/banned.h"
 
-/* A corner as far away as this has lost its digits: which image it is says nothing. */
+/* Farther away than this, in box lengths, rounding exceeds the box: the periodic image is meaningless. */
 static const double MOST_BOXES = 1e9;
 
-/* The place of a corner in the first box, and how many boxes away it is. */
-static void wrap(const struct ts_box *box, double precision, const double x[3], double at[3],
-		 int32_t shift[3])
+/* Wraps a corner into the box; `shift`: its periodic image, in box lengths. */
+static void wrap_corner(const struct ts_box *box, double precision, const double x[3], double at[3],
+			int32_t shift[3])
 {
 	for (int d = 0; d < 3; d++) {
 		double boxes;
@@ -23,7 +23,7 @@ static void wrap(const struct ts_box *box, double precision, const double x[3], 
 		shift[d] = 0;
 		if (!box || !ts_box_periodic(box, d))
 			continue;
-		/* what is this near to the upper face is at the lower one */
+		/* a corner within `precision` of the upper face is wrapped to the lower one */
 		boxes = floor((x[d] - box->lo[d] + precision) / ts_box_length(box, d));
 		if (!(fabs(boxes) < MOST_BOXES))
 			continue;
@@ -32,8 +32,8 @@ static void wrap(const struct ts_box *box, double precision, const double x[3], 
 	}
 }
 
-/* Coordinates of this size are rounded to some parts of it. */
-static double rounding_of(const struct ts_mesh *m)
+/* Upper bound of the rounding errors of coordinates of this mesh, length. */
+static double coordinate_rounding(const struct ts_mesh *m)
 {
 	double most = 0;
 
@@ -53,7 +53,7 @@ static enum ts_status number_vertices(struct ts_mesh *m, double precision, const
 		int32_t *number = &m->vertex[c / 3][c % 3];
 		double at[3];
 
-		wrap(box, precision, m->x[c / 3][c % 3], at, shift[c]);
+		wrap_corner(box, precision, m->x[c / 3][c % 3], at, shift[c]);
 		*number = ts_pointhash_find(&places, at, distance);
 		if (*number >= 0) {
 			apart = fmax(apart, ts_distance2(at, places.x[*number]));
@@ -63,12 +63,13 @@ static enum ts_status number_vertices(struct ts_mesh *m, double precision, const
 		status = ts_pointhash_add(&places, at);
 	}
 	m->nvertices = places.n;
-	m->loose = 2 * sqrt(apart) + rounding_of(m); /* both may be as far from the first one */
+	m->loose = 2 * sqrt(apart) +
+		   coordinate_rounding(m); /* two corners may each be this far from the first one */
 	ts_pointhash_release(&places);
 	return status;
 }
 
-/* Edges by their vertices, and how many boxes these are apart, to find those that are the same. */
+/* An edge: its vertices, and the box lengths between their periodic images. Shared edges compare equal. */
 struct edge {
 	int32_t end[2], apart[3], triangle, k;
 };
@@ -84,8 +85,8 @@ static int compare_ends(const struct edge *p, const struct edge *q)
 	return 0;
 }
 
-/* Edge k of triangle t; the same whichever end comes first. */
-static struct edge make_edge(const struct ts_mesh *m, size_t t, int k, int32_t (*shift)[3])
+/* Edge k of triangle t, with its ends in an order that does not depend on the triangle. */
+static struct edge canonical_edge(const struct ts_mesh *m, size_t t, int k, int32_t (*shift)[3])
 {
 	size_t from = 3 * t + (size_t)k, to = 3 * t + (size_t)(k + 1) % 3;
 	struct edge e = { .end = { m->vertex[t][k], m->vertex[t][(k + 1) % 3] },
@@ -113,7 +114,7 @@ static int by_vertices(const void *a, const void *b)
 	return (p->triangle > q->triangle) - (p->triangle < q->triangle);
 }
 
-static bool flat(const struct ts_mesh *m, int32_t a, int32_t b)
+static bool are_flat(const struct ts_mesh *m, int32_t a, int32_t b)
 {
 	return fabs(ts_dot(m->normal[a], m->normal[b])) > m->flat;
 }
@@ -124,20 +125,20 @@ static void set_edge(struct ts_mesh *m, const struct edge *e, bool active)
 		(uint8_t)((m->active[e->triangle] & ~(1u << e->k)) | (unsigned)active << e->k);
 }
 
-/* n triangles share an edge: the last one has it, unless it has a flat neighbour there. */
-static void share_edge(struct ts_mesh *m, const struct edge *e, size_t n)
+/* n triangles share an edge: it is active in the last one, unless that has a flat neighbour there. */
+static void link_edge(struct ts_mesh *m, const struct edge *e, size_t n)
 {
 	for (size_t a = 0; a < n; a++) {
 		bool active = a + 1 == n;
 
 		for (size_t b = 0; b < n; b++)
-			active &= a == b || !flat(m, e[a].triangle, e[b].triangle);
+			active &= a == b || !are_flat(m, e[a].triangle, e[b].triangle);
 		set_edge(m, &e[a], active);
 		m->neighbour[e[a].triangle][e[a].k] = n == 1 ? -1 : n == 2 ? e[1 - a].triangle : TS_MESH_MANY;
 	}
 }
 
-static enum ts_status share_edges(struct ts_mesh *m, int32_t (*shift)[3])
+static enum ts_status link_edges(struct ts_mesh *m, int32_t (*shift)[3])
 {
 	size_t n = 3 * m->n;
 	struct edge *list = ts_alloc(n, sizeof *list);
@@ -145,24 +146,24 @@ static enum ts_status share_edges(struct ts_mesh *m, int32_t (*shift)[3])
 	if (!list)
 		return TS_NOMEM;
 	for (size_t c = 0; c < n; c++)
-		list[c] = make_edge(m, c / 3, (int)(c % 3), shift);
+		list[c] = canonical_edge(m, c / 3, (int)(c % 3), shift);
 	qsort(list, n, sizeof *list, by_vertices);
 	for (size_t k = 0, same; k < n; k += same) {
 		for (same = 1; k + same < n && !compare_ends(&list[k], &list[k + same]);)
 			same++;
-		share_edge(m, &list[k], same);
+		link_edge(m, &list[k], same);
 	}
 	ts_free(list);
 	return TS_OK;
 }
 
-/* Triangles by the vertices they have. */
-struct around {
-	uint32_t *start; /* nvertices + 1 */
+/* The corners at each vertex: corner[start[v]] .. corner[start[v + 1] - 1]. */
+struct vertex_corners {
+	uint32_t *start; /* [nvertices + 1] */
 	int32_t *corner; /* 3 * triangle + k, ascending for each vertex */
 };
 
-static enum ts_status list_around(const struct ts_mesh *m, struct around *a)
+static enum ts_status list_vertex_corners(const struct ts_mesh *m, struct vertex_corners *a)
 {
 	a->start = ts_alloc(m->nvertices + 2, sizeof *a->start);
 	a->corner = ts_alloc(3 * m->n, sizeof *a->corner);
@@ -177,8 +178,9 @@ static enum ts_status list_around(const struct ts_mesh *m, struct around *a)
 	return TS_OK;
 }
 
-/* The two edges of a triangle that meet in its corner k, as directions away from there. */
-static void leaving(const struct ts_mesh *m, int32_t corner, double out[2][3])
+/* Unit vectors along the two edges of a triangle that meet at a corner, pointing away from it. `corner`: 3
+ * t + k. */
+static void edges_from_corner(const struct ts_mesh *m, int32_t corner, double out[2][3])
 {
 	int32_t t = corner / 3, k = corner % 3;
 
@@ -186,14 +188,14 @@ static void leaving(const struct ts_mesh *m, int32_t corner, double out[2][3])
 	ts_scale(-1, m->along[t][(k + 2) % 3], out[1]);
 }
 
-static bool goes_straight(const struct ts_mesh *m, const int32_t *corner, size_t n)
+static bool has_straight_edges(const struct ts_mesh *m, const int32_t *corner, size_t n)
 {
 	double a[2][3], b[2][3];
 
 	for (size_t i = 0; i < n; i++) {
-		leaving(m, corner[i], a);
+		edges_from_corner(m, corner[i], a);
 		for (size_t j = 0; j < i; j++) {
-			leaving(m, corner[j], b);
+			edges_from_corner(m, corner[j], b);
 			for (int k = 0; k < 4; k++)
 				if (ts_dot(a[k / 2], b[k % 2]) < -m->flat)
 					return true;
@@ -213,16 +215,16 @@ static bool any_edge_active(const struct ts_mesh *m, const int32_t *corner, size
 	return false;
 }
 
-static enum ts_status share_corners(struct ts_mesh *m)
+static enum ts_status link_corners(struct ts_mesh *m)
 {
-	struct around a = { 0 };
-	enum ts_status status = list_around(m, &a);
+	struct vertex_corners a = { 0 };
+	enum ts_status status = list_vertex_corners(m, &a);
 
 	for (size_t v = 0; status == TS_OK && v < m->nvertices; v++) {
 		const int32_t *corner = a.corner + a.start[v];
 		size_t n = a.start[v + 1] - a.start[v];
 
-		if (any_edge_active(m, corner, n) && !goes_straight(m, corner, n))
+		if (any_edge_active(m, corner, n) && !has_straight_edges(m, corner, n))
 			m->active[corner[n - 1] / 3] |= (uint8_t)(8u << corner[n - 1] % 3);
 	}
 	ts_free(a.start);
@@ -240,7 +242,7 @@ enum ts_status ts_mesh_link(struct ts_mesh *m, double precision, const struct ts
 	if (status == TS_OK)
 		status = number_vertices(m, precision, box, shift);
 	if (status == TS_OK)
-		status = share_edges(m, shift);
+		status = link_edges(m, shift);
 	ts_free(shift);
-	return status == TS_OK ? share_corners(m) : status;
+	return status == TS_OK ? link_corners(m) : status;
 }

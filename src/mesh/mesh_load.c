@@ -28,8 +28,8 @@ static const struct ts_arg angular_rows[] = {
 	TS_ARGS_END,
 };
 
-/* A velocity v becomes its part in the plane of the triangle, made as long as v. */
-static void lay_down(const double normal[3], double v[3])
+/* Projects the velocity v onto the plane of the triangle and restores its magnitude. */
+static void turn_into_plane(const double normal[3], double v[3])
 {
 	double speed = ts_norm(v), length;
 
@@ -46,12 +46,13 @@ static void corner_velocity(const struct conveyor *c, const struct ts_mesh *m, s
 	ts_cross(c->axis, arm, v);
 	for (int d = 0; d < 3; d++)
 		v[d] = c->omega * v[d] + c->velocity[d];
-	lay_down(m->normal[t], v);
+	turn_into_plane(m->normal[t], v);
 }
 
-/* A surface that moves in itself. */
-static enum ts_status convey(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_words *w,
-			     struct ts_mesh_surface *s)
+/* surface_vel, surface_ang_vel: the surface moves in its own plane like a conveyor belt, the mesh stays in
+ * place. */
+static enum ts_status set_surface_velocity(struct ts_instance *self, struct tsim *sim,
+					   const struct ts_mesh_words *w, struct ts_mesh_surface *s)
 {
 	struct conveyor c = { 0 };
 	double length;
@@ -78,16 +79,16 @@ static enum ts_status convey(struct ts_instance *self, struct tsim *sim, const s
 	return TS_OK;
 }
 
-/* The list of triangles that are refused: written if that is asked for. */
-static const char *list_to_write(const struct ts_mesh_words *w)
+/* File for the list of refused triangles, `element_exclusion_list write FILE`; NULL: none. */
+static const char *exclusion_output(const struct ts_mesh_words *w)
 {
 	bool writes = w->exclusion.n == 2 && ts_streq(w->exclusion.word[0].text, "write");
 
 	return writes ? w->exclusion.word[1].text : NULL;
 }
 
-/* Where the triangles come from. */
-static struct ts_word source_of(const struct ts_instance *self, const struct ts_mesh_words *w)
+/* The word of the line that names the source of the triangles: a file or another mesh. */
+static struct ts_word triangle_source(const struct ts_instance *self, const struct ts_mesh_words *w)
 {
 	const char *text = w->file ? w->file : w->other;
 
@@ -103,7 +104,7 @@ static enum ts_status read_soup(struct ts_instance *self, struct tsim *sim, cons
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix %s: expected one of `file NAME` and `fix ID`, found %s",
 			       self->style->name, w->file ? "both" : "none");
-	source = source_of(self, w);
+	source = triangle_source(self, w);
 	if (w->file)
 		TS_TRY(ts_mesh_read(soup, &sim->files, &sim->error, sim->pool, &source.place, w->file));
 	else
@@ -115,7 +116,7 @@ static enum ts_status read_soup(struct ts_instance *self, struct tsim *sim, cons
 	return ts_mesh_soup_transform(self, sim, soup);
 }
 
-/* What is to be extruded is plane. */
+/* Only planar meshes can be extruded. */
 static enum ts_status check_extrusion(struct ts_instance *self, struct tsim *sim,
 				      const struct ts_mesh_surface *surface)
 {
@@ -128,9 +129,9 @@ static enum ts_status check_extrusion(struct ts_instance *self, struct tsim *sim
 		       self->id, bend / 3 + 1);
 }
 
-/* Corners nearer to each other than this are the same. Without the word it goes with the size of the mesh:
- * as files in single precision round (LIGGGHTS: 1e-8 in units of length, too much for a mesh of
- * micrometres in m). */
+/* Corners nearer to each other than this length are the same. The default is relative to the size of the
+ * mesh, as is the rounding of files in single precision (LIGGGHTS: 1e-8 in units of length, too much for a
+ * mesh of micrometres in m). */
 static double precision_of(const struct ts_mesh_words *w, const struct ts_triangles *soup)
 {
 	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY },
@@ -148,22 +149,22 @@ static double precision_of(const struct ts_mesh_words *w, const struct ts_triang
 	return longest > 0 ? 1e-7 * longest : 1;
 }
 
-static enum ts_status load(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_words *w,
-			   struct ts_mesh_surface *surface)
+static enum ts_status load_mesh(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_words *w,
+				struct ts_mesh_surface *surface)
 {
 	struct ts_mesh_admission how = {
 		.curvature = w->curvature,
 		.curvature_tolerant = w->curvature_tolerant,
 		.heal = w->heal,
 		.verbose = w->verbose,
-		.exclude = list_to_write(w),
+		.exclude = exclusion_output(w),
 	};
 	struct ts_triangles soup = { 0 };
 	struct ts_word source;
 	enum ts_status status = read_soup(self, sim, w, &soup);
 
 	if (status == TS_OK) {
-		source = source_of(self, w);
+		source = triangle_source(self, w);
 		how.precision = precision_of(w, &soup);
 		if (sim->requests.stop)
 			status = ts_fail(&sim->error, TS_STOPPED, &source.place,
@@ -178,7 +179,7 @@ static enum ts_status load(struct ts_instance *self, struct tsim *sim, const str
 	if (status == TS_OK && ts_mesh_link_images(&surface->mesh, &sim->domain->box, how.precision) != TS_OK)
 		status = ts_nomem(&sim->error);
 	if (status == TS_OK)
-		status = convey(self, sim, w, surface);
+		status = set_surface_velocity(self, sim, w, surface);
 	if (status != TS_OK)
 		ts_mesh_surface_release(surface);
 	return status;
@@ -190,9 +191,9 @@ enum ts_status ts_mesh_surface_init(struct ts_instance *self, struct tsim *sim,
 	struct ts_mesh_surface *surface = self->state;
 
 	if (!surface->mesh.n)
-		TS_TRY(load(self, sim, words, surface));
+		TS_TRY(load_mesh(self, sim, words, surface));
 	surface->mesh.legacy = sim->legacy;
 	surface->observed = false; /* those who read its contacts say so in their init, which is later */
-	ts_mesh_motions_settle(self, sim);
+	ts_mesh_motions_remove_ended(self, sim);
 	return ts_mesh_surface_check_box(self, sim, surface);
 }

@@ -1,5 +1,5 @@
-/* From the words of `fix mesh/surface` and its kin to a mesh: the file, its scaling, moves and
- * rotations in the order they are written, and what is checked of triangles. */
+/* Arguments of `fix mesh/surface` and related fixes, and the construction of their mesh: reading the file,
+ * scaling, translation and rotation in the order of the keywords, and checks of triangles. */
 #ifndef TS_MESH_MESH_LOAD_H
 #define TS_MESH_MESH_LOAD_H
 
@@ -7,8 +7,8 @@
 #include "mesh/mesh_surface.h"
 
 struct ts_mesh_words {
-	const char *file, *other;	     /* one of them; NULL: not given */
-	struct ts_words scale, move, rotate; /* where they stand says the order */
+	const char *file, *other;	     /* `file` or `fix`, exactly one; NULL: not given */
+	struct ts_words scale, move, rotate; /* they act in the order of the line, see mesh_soup.h */
 	struct ts_words surface_vel, surface_ang_vel, exclusion;
 	struct ts_instance *region;
 	double precision, curvature;
@@ -67,8 +67,8 @@ extern const char *const ts_mesh_heal_names[];
 				.help = "origin ox oy oz axis ax ay az omega om: the surface "            \
 					"turns about an axis, om in radian/time; the mesh stays")
 
-/* In init of each style of TS_FAMILY_MESH, whose other slots are in mesh/mesh_style.h. The first time
- * the mesh is read and built, and the velocity of the surface set. */
+/* To be called in init of each style of TS_FAMILY_MESH; its other slots are in mesh/mesh_style.h. The
+ * first call reads and builds the mesh and sets the velocity of the surface. */
 enum ts_status ts_mesh_surface_init(struct ts_instance *self, struct tsim *sim,
 				    const struct ts_mesh_words *words);
 

@@ -21,12 +21,12 @@ void ts_mesh_motions_release(struct ts_mesh_surface *s)
 	s->nmotions = s->motion_capacity = s->serial_capacity = 0;
 }
 
-static const struct ts_motion *motion_of(const struct ts_mesh_surface *s)
+static const struct ts_motion *total_motion(const struct ts_mesh_surface *s)
 {
 	return s->nmotions == 1 ? &s->motion[0].now : &s->carried;
 }
 
-/* Brings a corner to its place; returns how far it has gone, squared. */
+/* Moves a corner to its present position; returns the square of its displacement. */
 TS_INLINE double place_corner(const struct ts_motion *m, const double *home, double *x)
 {
 	double now[3], far;
@@ -38,7 +38,7 @@ TS_INLINE double place_corner(const struct ts_motion *m, const double *home, dou
 	return far;
 }
 
-/* Corners from .. to-1; returns how far one has gone, at most, squared. */
+/* Moves corners from .. to-1; returns the square of the largest displacement. */
 TS_CLONES static double place_corners(const struct ts_motion *motion, const double *restrict home,
 				      double *restrict x, size_t from, size_t to)
 {
@@ -54,35 +54,36 @@ TS_CLONES static double place_corners(const struct ts_motion *motion, const doub
 	return most;
 }
 
-struct placing {
+struct placement {
 	struct ts_mesh_surface *s;
 	double most;
 };
 
-static void place_share(void *context, size_t from, size_t to)
+static void place_range(void *context, size_t from, size_t to)
 {
-	struct placing *g = context;
+	struct placement *g = context;
 	struct ts_mesh_surface *s = g->s;
-	double most = place_corners(motion_of(s), s->home[0][0], s->mesh.x[0][0], 3 * from, 3 * to);
+	double most = place_corners(total_motion(s), s->home[0][0], s->mesh.x[0][0], 3 * from, 3 * to);
 
-	ts_mesh_triangles_moved(&s->mesh, from, to);
+	ts_mesh_update_triangles(&s->mesh, from, to);
 #pragma omp critical
 	g->most = fmax(g->most, most);
 }
 
-/* Returns how far a corner has gone, at most. */
-static double place(const struct tsim *sim, struct ts_mesh_surface *s)
+/* Moves all corners; returns the largest displacement, length. */
+static double place_mesh(const struct tsim *sim, struct ts_mesh_surface *s)
 {
-	struct placing g = { s, 0 };
+	struct placement g = { s, 0 };
 
-	ts_parallel(ts_team(sim, 8 * s->mesh.n), s->mesh.n, place_share, &g);
-	ts_motion_apply(motion_of(s), s->anchor_home, s->anchor);
+	ts_parallel(ts_team(sim, 8 * s->mesh.n), s->mesh.n, place_range, &g);
+	ts_motion_apply(total_motion(s), s->anchor_home, s->anchor);
 	s->moves++;
 	return sqrt(g.most);
 }
 
-/* The mesh is at home where it stands now; a single mover goes on with its own motion. */
-static void settle(struct ts_mesh_surface *s)
+/* Sets the reference so that the present positions result from it: by the total motion of a single mover,
+ * else by no motion. */
+static void reset_home(struct ts_mesh_surface *s)
 {
 	static const struct ts_motion none = { .turn = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
 	const struct ts_motion *m = s->nmotions == 1 ? &s->motion[0].now : &none;
@@ -93,8 +94,8 @@ static void settle(struct ts_mesh_surface *s)
 	ts_motion_undo(m, s->anchor, s->anchor_home);
 }
 
-/* What motion k does in a step, to the mesh and to the centres of those after it. */
-static void advance(struct ts_mesh_surface *s, size_t k, double dt)
+/* Advances the mesh by motion k in a step, and the centres of the motions after it. */
+static void advance_motion(struct ts_mesh_surface *s, size_t k, double dt)
 {
 	const struct ts_mesh_motion *m = &s->motion[k];
 	struct ts_motion step = ts_motion_none();
@@ -109,8 +110,8 @@ static void advance(struct ts_mesh_surface *s, size_t k, double dt)
 		ts_motion_apply(&step, s->motion[k].centre, s->motion[k].centre);
 }
 
-/* Adds the velocity of a motion at x, or sets it where that is the first. */
-TS_INLINE void add_at_corner(const struct ts_mesh_motion *m, bool first, const double *x, double *v)
+/* Adds the velocity of a motion at x, drift + spin x (x - centre), or sets it if this is the first motion. */
+TS_INLINE void add_corner_velocity(const struct ts_mesh_motion *m, bool first, const double *x, double *v)
 {
 	double arm[3], turning[3];
 
@@ -120,23 +121,24 @@ TS_INLINE void add_at_corner(const struct ts_mesh_motion *m, bool first, const d
 		v[d] = (first ? 0 : v[d]) + m->drift[d] + turning[d];
 }
 
-TS_CLONES static void add_at_corners(const struct ts_mesh_motion *motion, bool first,
-				     const double *restrict x, double *restrict v, size_t n)
+TS_CLONES static void add_corner_velocities(const struct ts_mesh_motion *motion, bool first,
+					    const double *restrict x, double *restrict v, size_t n)
 {
 	const struct ts_mesh_motion m = *motion;
 
 #pragma omp simd
 	for (size_t c = 0; c < n; c++)
-		add_at_corner(&m, first, x + 3 * c, v + 3 * c);
+		add_corner_velocity(&m, first, x + 3 * c, v + 3 * c);
 }
 
-/* Motion k adds its velocity where the corners are now: later ones have not moved in this step yet. */
+/* Adds the velocity of motion k at the present positions: later motions have not been applied in this
+ * step. */
 static void add_velocity(struct ts_mesh_surface *s, size_t k)
 {
-	add_at_corners(&s->motion[k], k == 0, s->mesh.x[0][0], s->v[0][0], 3 * s->mesh.n);
+	add_corner_velocities(&s->motion[k], k == 0, s->mesh.x[0][0], s->v[0][0], 3 * s->mesh.n);
 }
 
-static enum ts_status leave_home(struct ts_mesh_surface *s)
+static enum ts_status store_home(struct ts_mesh_surface *s)
 {
 	if (!s->home) {
 		s->home = ts_alloc(s->mesh.n, sizeof *s->home);
@@ -150,7 +152,7 @@ static enum ts_status leave_home(struct ts_mesh_surface *s)
 	return s->home && s->v ? TS_OK : TS_NOMEM;
 }
 
-static size_t find(const struct ts_mesh_surface *s, int64_t serial)
+static size_t find_motion(const struct ts_mesh_surface *s, int64_t serial)
 {
 	size_t k = 0;
 
@@ -159,12 +161,12 @@ static size_t find(const struct ts_mesh_surface *s, int64_t serial)
 	return k;
 }
 
-static enum ts_status enter(struct ts_mesh_surface *s, struct ts_mesh_mover *mover)
+static enum ts_status add_motion(struct ts_mesh_surface *s, struct ts_mesh_mover *mover)
 {
 	size_t n = s->nmotions + 1;
 	struct ts_mesh_motion *m;
 
-	TS_TRY(leave_home(s));
+	TS_TRY(store_home(s));
 	TS_TRY(TS_GROW(s->motion, s->motion_capacity, n));
 	TS_TRY(TS_GROW(s->serial, s->serial_capacity, n));
 	mover->serial = s->serial[s->nmotions] = ++s->serials;
@@ -172,26 +174,26 @@ static enum ts_status enter(struct ts_mesh_surface *s, struct ts_mesh_mover *mov
 	*m = (struct ts_mesh_motion){ .now = ts_motion_none() };
 	ts_scale(1, mover->origin, m->centre);
 	s->nmotions = n;
-	if (n == 2) /* the first was alone until now */
-		settle(s);
+	if (n == 2) /* the first mover was the only one until now */
+		reset_home(s);
 	return TS_OK;
 }
 
-/* All movers of the mesh that are new, in script order. */
-static enum ts_status enter_new(struct tsim *sim, struct ts_mesh_surface *s, const char *mesh)
+/* Adds the motions of all new movers of the mesh, in script order. */
+static enum ts_status add_new_motions(struct tsim *sim, struct ts_mesh_surface *s, const char *mesh)
 {
 	const struct ts_instance *inst;
 
 	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));) {
 		struct ts_mesh_mover *mover = inst->state;
 
-		if (ts_streq(mover->mesh, mesh) && find(s, mover->serial) == s->nmotions)
-			TS_TRY(enter(s, mover));
+		if (ts_streq(mover->mesh, mesh) && find_motion(s, mover->serial) == s->nmotions)
+			TS_TRY(add_motion(s, mover));
 	}
 	return TS_OK;
 }
 
-static enum ts_status mesh_of(struct ts_instance *self, struct tsim *sim, struct ts_mesh_surface **out)
+static enum ts_status moved_mesh(struct ts_instance *self, struct tsim *sim, struct ts_mesh_surface **out)
 {
 	const struct ts_mesh_mover *mover = self->state;
 	struct ts_word id = { .text = mover->mesh, .place = *ts_instance_word(self, mover->mesh) };
@@ -203,7 +205,7 @@ enum ts_status ts_mesh_mover_check(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_mesh_surface *s;
 
-	TS_TRY(mesh_of(self, sim, &s));
+	TS_TRY(moved_mesh(self, sim, &s));
 	if (s->v && !s->nmotions)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s: a mesh with surface_vel or surface_ang_vel cannot move, and one "
@@ -219,29 +221,29 @@ enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim, co
 	double centre[3];
 	size_t k;
 
-	TS_TRY(mesh_of(self, sim, &s));
-	if (find(s, mover->serial) == s->nmotions && enter_new(sim, s, mover->mesh) != TS_OK)
+	TS_TRY(moved_mesh(self, sim, &s));
+	if (find_motion(s, mover->serial) == s->nmotions && add_new_motions(sim, s, mover->mesh) != TS_OK)
 		return ts_nomem(&sim->error);
-	k = find(s, mover->serial);
+	k = find_motion(s, mover->serial);
 	ts_scale(1, s->motion[k].centre, centre);
 	s->motion[k] = *m;
 	ts_scale(1, centre, s->motion[k].centre);
 	if (s->nmotions > 1)
-		advance(s, k, sim->clock.dt);
-	s->travelled += place(sim, s);
+		advance_motion(s, k, sim->clock.dt);
+	s->travelled += place_mesh(sim, s);
 	add_velocity(s, k);
 	return TS_OK;
 }
 
-enum ts_status ts_mesh_mover_drift(struct ts_instance *self, struct tsim *sim, const double drift[3],
-				   const double spin[3])
+enum ts_status ts_mesh_mover_set_velocity(struct ts_instance *self, struct tsim *sim, const double drift[3],
+					  const double spin[3])
 {
 	const struct ts_mesh_mover *mover = self->state;
 	struct ts_mesh_surface *s;
 	size_t k;
 
-	TS_TRY(mesh_of(self, sim, &s));
-	k = find(s, mover->serial);
+	TS_TRY(moved_mesh(self, sim, &s));
+	k = find_motion(s, mover->serial);
 	if (k == s->nmotions)
 		return TS_OK;
 	ts_scale(1, drift, s->motion[k].drift);
@@ -251,13 +253,13 @@ enum ts_status ts_mesh_mover_drift(struct ts_instance *self, struct tsim *sim, c
 	return TS_OK;
 }
 
-enum ts_status ts_mesh_surface_carry(struct tsim *sim, struct ts_mesh_surface *s,
-				     const struct ts_motion *motion)
+enum ts_status ts_mesh_surface_set_motion(struct tsim *sim, struct ts_mesh_surface *s,
+					  const struct ts_motion *motion)
 {
-	if (leave_home(s) != TS_OK)
+	if (store_home(s) != TS_OK)
 		return ts_nomem(&sim->error);
 	s->carried = *motion;
-	s->travelled += place(sim, s);
+	s->travelled += place_mesh(sim, s);
 	return TS_OK;
 }
 
@@ -282,7 +284,7 @@ static void end_motion(struct ts_mesh_surface *s, size_t k)
 	}
 }
 
-void ts_mesh_motions_settle(const struct ts_instance *by, struct tsim *sim)
+void ts_mesh_motions_remove_ended(const struct ts_instance *by, struct tsim *sim)
 {
 	struct ts_mesh_surface *s = by->state;
 	size_t before = s->nmotions;
@@ -292,7 +294,7 @@ void ts_mesh_motions_settle(const struct ts_instance *by, struct tsim *sim)
 			end_motion(s, k);
 	if (s->nmotions == before)
 		return;
-	settle(s);
+	reset_home(s);
 	for (size_t k = 0; k < s->nmotions; k++)
 		add_velocity(s, k);
 	if (s->nmotions)
@@ -330,7 +332,7 @@ enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *s, struct tsim *s
 
 	if (writing ? !s->home : !ts_archive_has(a, "home"))
 		return TS_OK;
-	if (!writing && leave_home(s) != TS_OK)
+	if (!writing && store_home(s) != TS_OK)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_archive_fixed(a, "home", TS_SAVED_F64, s->home, 9 * s->mesh.n));
 	TS_TRY(ts_archive_fixed(a, "given", TS_SAVED_I64, &s->serials, 1));
@@ -347,6 +349,6 @@ enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *s, struct tsim *s
 		ts_free(s->v);
 		s->v = NULL;
 	}
-	place(sim, s);
+	place_mesh(sim, s);
 	return TS_OK;
 }

@@ -1,6 +1,6 @@
-/* Wavefront OBJ: lines `v x y z` with points and `f i j k ...` with polygons, of which each corner is
- * i, i/j, i//k or i/j/k: the point, counted from 1 or, negative, from the last one back, its texture and
- * its normal. Polygons are cut into triangles that share their first corner. All else is passed over. */
+/* Wavefront OBJ: lines `v x y z` with points and `f i j k ...` with polygons, of which each corner is i,
+ * i/j, i//k or i/j/k: the point, counted from 1 or, negative, from the last one back, its texture and its
+ * normal. Polygons are split into triangles that share their first corner. All other lines are ignored. */
 #include "mesh/mesh_obj.h"
 
 #include <inttypes.h>
@@ -34,7 +34,7 @@ static enum ts_status read_point(struct obj *o)
 	return TS_OK;
 }
 
-/* The last word as a corner. */
+/* Converts the last word to the coordinates of a corner. */
 static enum ts_status read_corner(struct obj *o, double *out)
 {
 	size_t n = 0;
@@ -91,10 +91,10 @@ enum ts_status ts_obj_read(struct ts_scan *s, struct ts_triangles *soup)
 
 	s->comments = true;
 	while (status == TS_OK && ts_scan_word(s)) {
-		status = ts_scan_go_on(s);
+		status = ts_scan_check_stop(s);
 		if (status == TS_OK)
 			status = read_line(&o);
-		while (status == TS_OK && ts_scan_word_in_line(s)) /* colours and the like */
+		while (status == TS_OK && ts_scan_word_in_line(s)) /* ignore colours, weights etc. */
 			;
 	}
 	ts_free(o.point);

@@ -10,17 +10,17 @@
 
 #include "base/banned.h"
 
-static bool begins(const struct ts_scan *s, const char *text)
+static bool begins_with(const struct ts_scan *s, const char *text)
 {
 	return s->n - s->at >= strlen(text) && memcmp(s->bytes + s->at, text, strlen(text)) == 0;
 }
 
-static enum ts_status read(struct ts_scan *s, struct ts_triangles *soup)
+static enum ts_status read_triangles(struct ts_scan *s, struct ts_triangles *soup)
 {
 	size_t before = soup->n;
 
 	soup->file = s->file;
-	if (begins(s, "# vtk DataFile"))
+	if (begins_with(s, "# vtk DataFile"))
 		TS_TRY(ts_vtk_triangles(s, soup));
 	else if (ts_ends_with(s->file, ".obj") || ts_ends_with(s->file, ".obj.gz") ||
 		 ts_ends_with(s->file, ".OBJ"))
@@ -39,7 +39,7 @@ enum ts_status ts_mesh_read(struct ts_triangles *soup, struct ts_files *files, s
 	enum ts_status status = ts_scan_open(&s, files, err, pool, where, path);
 
 	if (status == TS_OK)
-		status = read(&s, soup);
+		status = read_triangles(&s, soup);
 	ts_scan_close(&s);
 	return status;
 }
@@ -50,7 +50,7 @@ enum ts_status ts_mesh_parse(struct ts_triangles *soup, struct ts_error *err, st
 	struct ts_scan s;
 
 	TS_TRY(ts_scan_memory(&s, err, pool, name, bytes, n));
-	return read(&s, soup);
+	return read_triangles(&s, soup);
 }
 
 enum ts_status ts_vtk_cells_read(struct ts_vtk_cells *cells, struct ts_files *files, struct ts_error *err,
@@ -59,7 +59,7 @@ enum ts_status ts_vtk_cells_read(struct ts_vtk_cells *cells, struct ts_files *fi
 	struct ts_scan s;
 	enum ts_status status = ts_scan_open(&s, files, err, pool, where, path);
 
-	if (status == TS_OK && !begins(&s, "# vtk DataFile"))
+	if (status == TS_OK && !begins_with(&s, "# vtk DataFile"))
 		status = ts_scan_refuse(&s, TS_DAMAGED,
 					"'%s' is no VTK file: it does not begin with '# vtk DataFile'", path);
 	if (status == TS_OK)

@@ -1,5 +1,5 @@
-/* Files of triangles: STL as text or binary, Wavefront OBJ, legacy VTK as text or binary; each also
- * compressed by gzip. What a file is, is seen from its bytes, not from its name (OBJ excepted). */
+/* Readers of mesh files: STL (text or binary), Wavefront OBJ, legacy VTK (text or binary), each also
+ * compressed by gzip. The format is recognised by the content of the file, that of OBJ by the name. */
 #ifndef TS_MESH_MESH_READ_H
 #define TS_MESH_MESH_READ_H
 
@@ -9,11 +9,11 @@
 
 struct ts_pool;
 
-/* Adds the triangles of the file to the soup. `where` is blamed if it cannot be opened; what is wrong in
- * the file is shown with its line there. */
+/* Appends the triangles of the file to the soup. `where`: place of the message if the file cannot be
+ * opened; messages about its content show the line of the file. */
 enum ts_status ts_mesh_read(struct ts_triangles *soup, struct ts_files *files, struct ts_error *err,
 			    struct ts_pool *pool, const struct ts_place *where, const char *path);
-/* The same from memory; `name` stands for the file in messages. */
+/* The same from memory; `name`: file name in messages. */
 enum ts_status ts_mesh_parse(struct ts_triangles *soup, struct ts_error *err, struct ts_pool *pool,
 			     const char *name, const char *bytes, size_t n);
 

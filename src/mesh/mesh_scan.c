@@ -15,27 +15,28 @@
 
 enum { CHUNK = 1 << 16, LONGEST_NUMBER = 63 };
 
-static enum ts_status start(struct ts_scan *s, struct ts_error *err, struct ts_pool *pool, const char *name)
+static enum ts_status start_scan(struct ts_scan *s, struct ts_error *err, struct ts_pool *pool,
+				 const char *name)
 {
 	*s = (struct ts_scan){ .err = err, .pool = pool, .file = ts_pool_get(pool, name), .line = 1 };
 	return s->file ? TS_OK : ts_nomem(err);
 }
 
-/* Editors of some systems put a mark of the encoding before the first word. */
-static void pass_byte_order_mark(struct ts_scan *s)
+/* Some editors write a byte order mark before the first word. */
+static void skip_byte_order_mark(struct ts_scan *s)
 {
 	if (s->n >= 3 && memcmp(s->bytes, "\xef\xbb\xbf", 3) == 0)
 		s->at = s->line_start = 3;
 }
 
-enum ts_status ts_scan_go_on(struct ts_scan *s)
+enum ts_status ts_scan_check_stop(struct ts_scan *s)
 {
 	if (ts_files_stopped(s->files))
 		return ts_scan_refuse(s, TS_STOPPED, "stopped on request while '%s' was read", s->file);
 	return TS_OK;
 }
 
-static enum ts_status load(struct ts_scan *s, gzFile gz)
+static enum ts_status read_all(struct ts_scan *s, gzFile gz)
 {
 	size_t capacity = 0;
 
@@ -43,7 +44,7 @@ static enum ts_status load(struct ts_scan *s, gzFile gz)
 		int got, code;
 		const char *text;
 
-		TS_TRY(ts_scan_go_on(s));
+		TS_TRY(ts_scan_check_stop(s));
 		if (TS_GROW(s->owned, capacity, s->n + CHUNK) != TS_OK)
 			return ts_nomem(s->err);
 		errno = 0;
@@ -69,26 +70,26 @@ enum ts_status ts_scan_open(struct ts_scan *s, struct ts_files *files, struct ts
 	enum ts_status status;
 	gzFile gz;
 
-	TS_TRY(start(s, err, pool, path));
+	TS_TRY(start_scan(s, err, pool, path));
 	s->files = files;
 	errno = 0;
 	gz = ts_files_open_gz(files, path);
 	if (!gz)
 		return errno ? ts_open_failed(err, files, where, path) : ts_nomem(err);
-	status = load(s, gz);
+	status = read_all(s, gz);
 	gzclose(gz);
 	s->bytes = s->owned;
-	pass_byte_order_mark(s);
+	skip_byte_order_mark(s);
 	return status;
 }
 
 enum ts_status ts_scan_memory(struct ts_scan *s, struct ts_error *err, struct ts_pool *pool, const char *name,
 			      const char *bytes, size_t n)
 {
-	TS_TRY(start(s, err, pool, name));
+	TS_TRY(start_scan(s, err, pool, name));
 	s->bytes = bytes;
 	s->n = n;
-	pass_byte_order_mark(s);
+	skip_byte_order_mark(s);
 	return TS_OK;
 }
 
@@ -98,13 +99,13 @@ void ts_scan_close(struct ts_scan *s)
 	*s = (struct ts_scan){ 0 };
 }
 
-/* Lines end as in Unix, DOS or the first Macintosh. */
+/* Line ends are LF, CR LF or CR. */
 static bool ends_line(const struct ts_scan *s, size_t at)
 {
 	return s->bytes[at] == '\n' || (s->bytes[at] == '\r' && !(at + 1 < s->n && s->bytes[at + 1] == '\n'));
 }
 
-static bool blank(char c)
+static bool is_blank(char c)
 {
 	return c == ' ' || (c >= '\t' && c <= '\r');
 }
@@ -113,14 +114,14 @@ bool ts_scan_word_in_line(struct ts_scan *s)
 {
 	size_t at = s->at;
 
-	while (at < s->n && blank(s->bytes[at]) && !ends_line(s, at))
+	while (at < s->n && is_blank(s->bytes[at]) && !ends_line(s, at))
 		at++;
 	if (at < s->n && s->comments && s->bytes[at] == '#')
 		while (at < s->n && !ends_line(s, at))
 			at++;
 	s->word = s->bytes + at;
 	s->length = 0;
-	while (at + s->length < s->n && !blank(s->word[s->length]) &&
+	while (at + s->length < s->n && !is_blank(s->word[s->length]) &&
 	       !(s->comments && s->word[s->length] == '#'))
 		s->length++;
 	s->at = at + s->length;
@@ -147,7 +148,7 @@ const char *ts_scan_rest(struct ts_scan *s)
 	while (s->at < s->n && !ends_line(s, s->at)) {
 		char c = s->bytes[s->at++];
 
-		if ((n || !blank(c)) && n < sizeof text - 1)
+		if ((n || !is_blank(c)) && n < sizeof text - 1)
 			text[n++] = isprint((unsigned char)c) || (c & 0x80) ? c : ' ';
 	}
 	while (n && text[n - 1] == ' ')
@@ -164,7 +165,7 @@ bool ts_scan_is(const struct ts_scan *s, const char *text)
 	return !text[s->length];
 }
 
-/* As much of the line as messages need. */
+/* The text of the line is limited to the length that messages need. */
 struct ts_place ts_scan_place(const struct ts_scan *s)
 {
 	struct ts_place place = { .file = s->file, .line = s->line };
@@ -199,7 +200,7 @@ struct ts_scan_found ts_scan_found(const struct ts_scan *s)
 	return found;
 }
 
-/* Fortran writes exponents with a d. */
+/* Copies the last word; Fortran exponents (1d-3) are converted. */
 static bool number_text(const struct ts_scan *s, char text[LONGEST_NUMBER + 1])
 {
 	if (s->length > LONGEST_NUMBER || memchr(s->word, '\0', s->length))

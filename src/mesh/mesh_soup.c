@@ -9,11 +9,12 @@
 
 #include "base/banned.h"
 
-/* As many digits as LIGGGHTS has here: its meshes are turned by one part in 10^9 too little. */
+/* The digits that LIGGGHTS uses here: its meshes are rotated by an angle that is 1e-9 too small,
+ * relatively. */
 #define PI 3.14159265
 
-/* Keeps those whose flag is not set. */
-static void drop(struct ts_triangles *soup, const unsigned char *flag)
+/* Removes the triangles whose flag is set. */
+static void remove_flagged(struct ts_triangles *soup, const unsigned char *flag)
 {
 	size_t kept = 0;
 
@@ -32,8 +33,8 @@ static enum ts_status mark_outside(struct tsim *sim, struct ts_instance *region,
 	return TS_OK;
 }
 
-static enum ts_status leave_out_listed(struct ts_instance *self, struct tsim *sim,
-				       const struct ts_words *words, struct ts_triangles *soup)
+static enum ts_status exclude_listed(struct ts_instance *self, struct tsim *sim, const struct ts_words *words,
+				     struct ts_triangles *soup)
 {
 	const struct ts_word *mode = words->word;
 
@@ -52,20 +53,20 @@ enum ts_status ts_mesh_soup_choose(struct ts_instance *self, struct tsim *sim, c
 	enum ts_status status;
 
 	if (w->exclusion.n)
-		TS_TRY(leave_out_listed(self, sim, &w->exclusion, soup));
+		TS_TRY(exclude_listed(self, sim, &w->exclusion, soup));
 	if (!w->region)
 		return TS_OK;
 	flag = ts_alloc(soup->n, 1);
 	status = flag ? mark_outside(sim, w->region, soup, flag) : ts_nomem(&sim->error);
 	if (status == TS_OK)
-		drop(soup, flag);
+		remove_flagged(soup, flag);
 	ts_free(flag);
 	return status;
 }
 
-/* Edge a b of a triangle: b a b' and a a' b'. */
-static enum ts_status sweep(struct tsim *sim, const double a[3], const double b[3], const double shift[3],
-			    struct ts_triangles *soup)
+/* Adds the two triangles b a b' and a a' b' that edge a b sweeps, a' = a + shift. */
+static enum ts_status extrude_edge(struct tsim *sim, const double a[3], const double b[3],
+				   const double shift[3], struct ts_triangles *soup)
 {
 	struct ts_triangle upper = { .solid = "" }, lower = { .solid = "" };
 
@@ -80,7 +81,7 @@ static enum ts_status sweep(struct tsim *sim, const double a[3], const double b[
 	return TS_OK;
 }
 
-static void normal_of(const double x[3][3], double normal[3])
+static void triangle_normal(const double x[3][3], double normal[3])
 {
 	double a[3], b[3];
 
@@ -109,11 +110,11 @@ enum ts_status ts_mesh_soup_extrude(struct ts_instance *self, struct tsim *sim, 
 		const double(*x)[3] =
 			other->home ? (const double(*)[3])other->home[t] : (const double(*)[3])m->x[t];
 
-		normal_of(x, shift);
+		triangle_normal(x, shift);
 		ts_scale(-other->extrusion, shift, shift);
 		for (int k = 0; k < 3; k++)
 			if (m->neighbour[t][k] == -1)
-				TS_TRY(sweep(sim, x[k], x[(k + 1) % 3], shift, soup));
+				TS_TRY(extrude_edge(sim, x[k], x[(k + 1) % 3], shift, soup));
 	}
 	return TS_OK;
 }
@@ -136,22 +137,22 @@ static const struct ts_arg rotate_rows[] = {
 	TS_ARGS_END,
 };
 
-/* What the keywords do to a point. */
-static enum ts_status scale(struct transform *t, struct ts_motion *m, double *factor)
+/* Each keyword sets a rigid motion or a factor, which apply_transform applies to all corners. */
+static enum ts_status set_scale(struct transform *t, struct ts_motion *m, double *factor)
 {
 	(void)m;
 	*factor = t->factor;
 	return TS_OK;
 }
 
-static enum ts_status move(struct transform *t, struct ts_motion *m, double *factor)
+static enum ts_status set_shift(struct transform *t, struct ts_motion *m, double *factor)
 {
 	(void)factor;
 	ts_scale(1, t->shift, m->shift);
 	return TS_OK;
 }
 
-static enum ts_status rotate(struct transform *t, struct ts_motion *m, double *factor)
+static enum ts_status set_rotation(struct transform *t, struct ts_motion *m, double *factor)
 {
 	double length = ts_norm(t->axis);
 
@@ -169,13 +170,14 @@ static const struct transform_word {
 	const struct ts_arg *rows;
 	enum ts_status (*set)(struct transform *t, struct ts_motion *m, double *factor);
 } transform_words[] = {
-	{ "scale", 1, scale_rows, scale },
-	{ "move", 3, move_rows, move },
-	{ "rotate", 6, rotate_rows, rotate },
+	{ "scale", 1, scale_rows, set_scale },
+	{ "move", 3, move_rows, set_shift },
+	{ "rotate", 6, rotate_rows, set_rotation },
 };
 
-static enum ts_status transform(struct ts_instance *self, struct tsim *sim, const struct transform_word *word,
-				const struct ts_word *at, struct ts_words args, struct ts_triangles *soup)
+static enum ts_status apply_transform(struct ts_instance *self, struct tsim *sim,
+				      const struct transform_word *word, const struct ts_word *at,
+				      struct ts_words args, struct ts_triangles *soup)
 {
 	struct ts_motion motion = ts_motion_none();
 	struct transform t = { 0 };
@@ -205,11 +207,11 @@ enum ts_status ts_mesh_soup_transform(struct ts_instance *self, struct tsim *sim
 	for (size_t k = 0; k < words->n; k++) {
 		if (k > 0 &&
 		    (ts_streq(words->word[k - 1].text, "file") || ts_streq(words->word[k - 1].text, "fix")))
-			continue; /* it may be called so */
+			continue; /* a file or fix may be named like a keyword */
 		for (size_t j = 0; j < n; j++)
 			if (ts_streq(words->word[k].text, transform_words[j].name))
-				TS_TRY(transform(self, sim, &transform_words[j], &words->word[k],
-						 ts_words_from(*words, k + 1), soup));
+				TS_TRY(apply_transform(self, sim, &transform_words[j], &words->word[k],
+						       ts_words_from(*words, k + 1), soup));
 	}
 	return TS_OK;
 }

@@ -10,8 +10,8 @@
  * corners as 12 floats, 2 bytes of attributes; the least significant byte first.
  *
  * Programs differ in case, line ends, blanks and in what follows the last facet, so words are read
- * without regard to lines. Normals are not used: many files have zeros there, or the opposite of what
- * the order of corners says, which counts. */
+ * independently of lines. Normals are ignored: in many files they are zero or opposite to the normal by the
+ * order of corners, which is used. */
 #include "mesh/mesh_stl.h"
 
 #include <inttypes.h>
@@ -50,7 +50,7 @@ static enum ts_status read_binary(struct ts_scan *s, struct ts_triangles *soup)
 	for (uint32_t k = 0; k < n; k++) {
 		struct ts_triangle t = { .solid = "" };
 
-		TS_TRY(ts_scan_go_on(s));
+		TS_TRY(ts_scan_check_stop(s));
 		for (size_t c = 0; c < 9; c++) {
 			s->at = HEAD + (size_t)k * RECORD + 12 + 4 * c;
 			t.v[c / 3][c % 3] = get_float(s->bytes + s->at);
@@ -68,8 +68,8 @@ static enum ts_status read_binary(struct ts_scan *s, struct ts_triangles *soup)
 
 /* ---- text ---- */
 
-/* The three numbers of the normal, however they are written. */
-static enum ts_status pass_normal(struct ts_scan *s)
+/* Skips the normal, in any notation, up to the first vertex. */
+static enum ts_status skip_normal(struct ts_scan *s)
 {
 	while (ts_scan_word(s))
 		if (ts_scan_is(s, "outer") || ts_scan_is(s, "vertex"))
@@ -81,11 +81,11 @@ static enum ts_status pass_normal(struct ts_scan *s)
 	return TS_OK;
 }
 
-/* One facet, of which the first word has been read. */
+/* Reads a facet, whose first word has been read. */
 static enum ts_status read_facet(struct ts_scan *s, struct ts_triangle *t)
 {
 	t->line = s->line;
-	TS_TRY(pass_normal(s));
+	TS_TRY(skip_normal(s));
 	for (int k = 0; ts_scan_is(s, "vertex"); k++) {
 		if (k == 3)
 			return ts_scan_fail(s, TS_DAMAGED,
@@ -117,7 +117,7 @@ static enum ts_status read_text(struct ts_scan *s, struct ts_triangles *soup)
 	s->comments = true;
 	while (ts_scan_word(s)) {
 		if (ts_scan_is(s, "facet")) {
-			TS_TRY(ts_scan_go_on(s));
+			TS_TRY(ts_scan_check_stop(s));
 			TS_TRY(read_facet(s, &t));
 			if (ts_triangles_add(soup, &t) != TS_OK)
 				return ts_nomem(s->err);
@@ -137,8 +137,8 @@ static enum ts_status read_text(struct ts_scan *s, struct ts_triangles *soup)
 	return TS_OK;
 }
 
-/* Does the file, as text, have a `solid` or `facet` that begins a line? Lines before it are a title or
- * comments: the scan is left before the word. */
+/* Whether the file is text and has a line that begins with `solid` or `facet`. Lines before it are a title
+ * or comments: the scan is left before the word. */
 static bool find_text(struct ts_scan *s)
 {
 	struct ts_scan before = *s;
@@ -158,7 +158,7 @@ static bool find_text(struct ts_scan *s)
 	return false;
 }
 
-/* Binary files may begin with `solid` as well: their length tells. */
+/* Binary files may begin with `solid`, too: they are recognised by their length. */
 enum ts_status ts_stl_read(struct ts_scan *s, struct ts_triangles *soup)
 {
 	const struct ts_scan start = *s;

@@ -61,8 +61,8 @@ void ts_mesh_surface_fini(struct ts_instance *self)
 	ts_mesh_surface_release(self->state);
 }
 
-/* A flat mesh in a face of the box may miss it by the rounding of its file: 26 * 0.001 > 0.026, and binary
- * files have 24 bits. */
+/* A flat mesh in a face of the box may be outside by rounding: 26 * 0.001 > 0.026, and binary files have
+ * single precision. So a tolerance of 1e-6 of the box length is allowed. */
 static bool is_outside(const struct ts_box *box, const double x[3])
 {
 	static const double ROUNDING = 1e-6;

@@ -1,4 +1,4 @@
-/* What styles of TS_FAMILY_MESH have in common. Their init: mesh/mesh_load.h. */
+/* Common slots of the styles of TS_FAMILY_MESH. Their init is in mesh/mesh_load.h. */
 #ifndef TS_MESH_MESH_STYLE_H
 #define TS_MESH_MESH_STYLE_H
 
@@ -17,7 +17,8 @@ enum ts_status ts_mesh_surface_plan(struct ts_instance *self, struct tsim *sim,
 void ts_mesh_surface_extent(const struct ts_instance *self, int dim, double *lo, double *hi);
 void ts_mesh_surface_fini(struct ts_instance *self);
 
-/* Before a run: every triangle has its centre in the box, or beyond a periodic or moving face. */
+/* Before a run: fails unless the centre of each triangle is in the box, or beyond a periodic or moving
+ * face. */
 enum ts_status ts_mesh_surface_check_box(const struct ts_instance *by, struct tsim *sim,
 					 const struct ts_mesh_surface *surface);
 

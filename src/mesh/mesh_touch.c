@@ -6,9 +6,9 @@
 
 #include "base/banned.h"
 
-/* Weights of the corners for the foot of x in the plane of the triangle: w_1 e_1 + w_2 e_2 is the part
- * of x - x_0 in the plane, e_1 and e_2 the edges that leave corner 0. */
-static void weights(const struct ts_mesh *m, size_t t, const double arm[3], double w[3])
+/* Barycentric coordinates w of the projection of x onto the plane of the triangle: w_1 e_1 + w_2 e_2 is
+ * the part of x - x_0 in the plane, e_1 and e_2 being the edges that start at corner 0. */
+static void barycentric_weights(const struct ts_mesh *m, size_t t, const double arm[3], double w[3])
 {
 	const double *e1 = m->along[t][0], *back = m->along[t][2];
 	double l1 = m->length[t][0], l2 = m->length[t][2];
@@ -20,60 +20,60 @@ static void weights(const struct ts_mesh *m, size_t t, const double arm[3], doub
 	w[0] = 1 - w[1] - w[2];
 }
 
-static void look_from(const double point[3], const double x[3], struct ts_mesh_contact_point *s)
+static void set_direction(const double point[3], const double x[3], struct ts_mesh_contact_point *s)
 {
 	ts_sub(x, point, s->n);
 	s->distance = ts_norm(s->n);
 	ts_scale(s->distance > 0 ? 1 / s->distance : 0, s->n, s->n);
 }
 
-static enum ts_mesh_part at_face(const struct ts_mesh *m, size_t t, const double x[3], const double arm[3],
-				 struct ts_mesh_contact_point *s)
+static enum ts_mesh_part touch_face(const struct ts_mesh *m, size_t t, const double x[3], const double arm[3],
+				    struct ts_mesh_contact_point *s)
 {
 	double foot[3] = { x[0], x[1], x[2] };
 
 	ts_axpy(-ts_dot(m->normal[t], arm), m->normal[t], foot);
-	look_from(foot, x, s);
+	set_direction(foot, x, s);
 	return TS_MESH_FACE;
 }
 
-static enum ts_mesh_part at_corner(const struct ts_mesh *m, size_t t, int k, const double x[3],
-				   struct ts_mesh_contact_point *s)
+static enum ts_mesh_part touch_corner(const struct ts_mesh *m, size_t t, int k, const double x[3],
+				      struct ts_mesh_contact_point *s)
 {
 	if (!ts_mesh_corner_active(m, t, k))
 		return TS_MESH_NOTHING;
 	for (int d = 0; d < 3; d++)
 		s->weight[d] = d == k;
-	look_from(m->x[t][k], x, s);
+	set_direction(m->x[t][k], x, s);
 	return TS_MESH_CORNER;
 }
 
-static enum ts_mesh_part at_edge(const struct ts_mesh *m, size_t t, int k, const double x[3],
-				 struct ts_mesh_contact_point *s)
+static enum ts_mesh_part touch_edge(const struct ts_mesh *m, size_t t, int k, const double x[3],
+				    struct ts_mesh_contact_point *s)
 {
 	const double *along = m->along[t][k];
-	double length = m->length[t][k], tolerance = ts_mesh_tolerance(m, t), arm[3], way, point[3];
+	double length = m->length[t][k], tolerance = ts_mesh_tolerance(m, t), arm[3], position, point[3];
 
 	ts_sub(x, m->x[t][k], arm);
-	way = ts_dot(arm, along);
-	if (way < -tolerance)
-		return at_corner(m, t, k, x, s);
-	if (way > length + tolerance)
-		return at_corner(m, t, (k + 1) % 3, x, s);
+	position = ts_dot(arm, along);
+	if (position < -tolerance)
+		return touch_corner(m, t, k, x, s);
+	if (position > length + tolerance)
+		return touch_corner(m, t, (k + 1) % 3, x, s);
 	if (!ts_mesh_edge_active(m, t, k))
 		return TS_MESH_NOTHING;
-	s->weight[k] = 1 - way / length;
-	s->weight[(k + 1) % 3] = way / length;
+	s->weight[k] = 1 - position / length;
+	s->weight[(k + 1) % 3] = position / length;
 	s->weight[(k + 2) % 3] = 0;
 	for (int d = 0; d < 3; d++)
-		point[d] = m->x[t][k][d] + way * along[d];
-	look_from(point, x, s);
+		point[d] = m->x[t][k][d] + position * along[d];
+	set_direction(point, x, s);
 	return TS_MESH_EDGE;
 }
 
-/* Beyond both edges of a corner; if its angle is obtuse the nearest point may still be in one of them.
- * LIGGGHTS looks for it at the last corner of a triangle only: where the corner is not active, a contact
- * ends there. */
+/* The projection is beyond both edges of corner k; if the angle of the corner is obtuse, the nearest point
+ * may still be on one of these edges. LIGGGHTS checks this at the last corner of a triangle only: at the
+ * others, if the corner is not active, a contact ends there. */
 static enum ts_mesh_part beyond_corner(const struct ts_mesh *m, size_t t, int k, const double x[3],
 				       struct ts_mesh_contact_point *s)
 {
@@ -81,13 +81,13 @@ static enum ts_mesh_part beyond_corner(const struct ts_mesh *m, size_t t, int k,
 	double arm[3];
 
 	if (m->legacy && k != 2)
-		return at_corner(m, t, k, x, s);
+		return touch_corner(m, t, k, x, s);
 	ts_sub(x, m->x[t][k], arm);
 	if (ts_dot(arm, m->along[t][k]) > 0)
-		return at_edge(m, t, k, x, s);
+		return touch_edge(m, t, k, x, s);
 	if (ts_dot(arm, m->along[t][before]) < 0)
-		return at_edge(m, t, before, x, s);
-	return at_corner(m, t, k, x, s);
+		return touch_edge(m, t, before, x, s);
+	return touch_corner(m, t, k, x, s);
 }
 
 enum ts_mesh_part ts_mesh_nearest(const struct ts_mesh *m, size_t t, const double x[3],
@@ -97,7 +97,7 @@ enum ts_mesh_part ts_mesh_nearest(const struct ts_mesh *m, size_t t, const doubl
 	int inside = 0, negative = 0;
 
 	ts_sub(x, m->x[t][0], arm);
-	weights(m, t, arm, s->weight);
+	barycentric_weights(m, t, arm, s->weight);
 	for (int k = 0; k < 3; k++) {
 		bool in = s->weight[k] > least;
 
@@ -105,8 +105,8 @@ enum ts_mesh_part ts_mesh_nearest(const struct ts_mesh *m, size_t t, const doubl
 		negative += in ? 0 : k; /* the only one, if two are inside */
 	}
 	if (inside == 3)
-		return at_face(m, t, x, arm, s);
+		return touch_face(m, t, x, arm, s);
 	if (inside == 2)
-		return at_edge(m, t, (negative + 1) % 3, x, s);
+		return touch_edge(m, t, (negative + 1) % 3, x, s);
 	return beyond_corner(m, t, 3 - negative, x, s); /* the only one that is inside */
 }

@@ -10,21 +10,21 @@
 
 enum { LEAF = 4, BITS = 21, STACK = 64 };
 
-struct on_curve {
+struct curve_point {
 	uint64_t code;
 	int32_t triangle;
 };
 
 static int by_code(const void *a, const void *b)
 {
-	const struct on_curve *p = a, *q = b;
+	const struct curve_point *p = a, *q = b;
 
 	if (p->code != q->code)
 		return p->code < q->code ? -1 : 1;
 	return (p->triangle > q->triangle) - (p->triangle < q->triangle);
 }
 
-/* The bits of the three coordinates in turn. */
+/* Morton code: the interleaved bits of the three coordinates. */
 static uint64_t morton(const double x[3], const double lo[3], const double hi[3])
 {
 	uint64_t code = 0, cell[3];
@@ -42,14 +42,14 @@ static uint64_t morton(const double x[3], const double lo[3], const double hi[3]
 
 static enum ts_status sort_along_curve(struct ts_mesh_tree *tree, const struct ts_mesh *m)
 {
-	struct on_curve *list = ts_alloc(m->n, sizeof *list);
+	struct curve_point *list = ts_alloc(m->n, sizeof *list);
 	double lo[3], hi[3];
 
 	if (!list)
 		return TS_NOMEM;
 	ts_mesh_bounds(m, lo, hi);
 	for (size_t t = 0; t < m->n; t++)
-		list[t] = (struct on_curve){ morton(m->centre[t], lo, hi), (int32_t)t };
+		list[t] = (struct curve_point){ morton(m->centre[t], lo, hi), (int32_t)t };
 	qsort(list, m->n, sizeof *list, by_code);
 	for (size_t t = 0; t < m->n; t++)
 		tree->triangle[t] = list[t].triangle;
@@ -57,7 +57,7 @@ static enum ts_status sort_along_curve(struct ts_mesh_tree *tree, const struct t
 	return TS_OK;
 }
 
-static void bound(const struct ts_mesh *m, size_t t, double lo[3], double hi[3])
+static void extend_box(const struct ts_mesh *m, size_t t, double lo[3], double hi[3])
 {
 	for (int k = 0; k < 3; k++) {
 		for (int d = 0; d < 3; d++) {
@@ -69,7 +69,7 @@ static void bound(const struct ts_mesh *m, size_t t, double lo[3], double hi[3])
 	}
 }
 
-static void bound_all(struct ts_mesh_tree *tree, const struct ts_mesh *m)
+static void compute_boxes(struct ts_mesh_tree *tree, const struct ts_mesh *m)
 {
 	for (size_t k = 2 * tree->leaves; k-- > 1;) {
 		for (int d = 0; d < 3; d++) {
@@ -82,7 +82,7 @@ static void bound_all(struct ts_mesh_tree *tree, const struct ts_mesh *m)
 			size_t at = (k - tree->leaves) * LEAF + j;
 
 			if (at < tree->n)
-				bound(m, (size_t)tree->triangle[at], tree->lo[k], tree->hi[k]);
+				extend_box(m, (size_t)tree->triangle[at], tree->lo[k], tree->hi[k]);
 		}
 	}
 }
@@ -99,7 +99,7 @@ enum ts_status ts_mesh_tree_build(struct ts_mesh_tree *tree, const struct ts_mes
 		ts_mesh_tree_release(tree);
 		return TS_NOMEM;
 	}
-	bound_all(tree, m);
+	compute_boxes(tree, m);
 	return TS_OK;
 }
 
@@ -111,7 +111,7 @@ void ts_mesh_tree_release(struct ts_mesh_tree *tree)
 	*tree = (struct ts_mesh_tree){ 0 };
 }
 
-static bool apart(const double lo[3], const double hi[3], const double x[3], double distance)
+static bool is_outside_box(const double lo[3], const double hi[3], const double x[3], double distance)
 {
 	bool is = false;
 
@@ -120,7 +120,7 @@ static bool apart(const double lo[3], const double hi[3], const double x[3], dou
 	return is;
 }
 
-/* Neither its box nor its plane is further away. */
+/* Whether neither the bounding box nor the plane of the triangle is farther from x than `distance`. */
 static bool may_reach(const struct ts_mesh *m, size_t t, const double x[3], double distance)
 {
 	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY };
@@ -129,11 +129,11 @@ static bool may_reach(const struct ts_mesh *m, size_t t, const double x[3], doub
 	ts_sub(x, m->x[t][0], arm);
 	if (!(fabs(ts_dot(arm, m->normal[t])) <= distance * (1 + 1e-9)))
 		return false;
-	bound(m, t, lo, hi);
-	return !apart(lo, hi, x, distance);
+	extend_box(m, t, lo, hi);
+	return !is_outside_box(lo, hi, x, distance);
 }
 
-static enum ts_status look_in_leaf(const struct ts_mesh_tree *tree, const struct ts_mesh *m, size_t leaf,
+static enum ts_status collect_leaf(const struct ts_mesh_tree *tree, const struct ts_mesh *m, size_t leaf,
 				   const double x[3], double distance, struct ts_mesh_list *list)
 {
 	for (size_t at = leaf * LEAF; at < tree->n && at < (leaf + 1) * LEAF; at++) {
@@ -152,9 +152,9 @@ static int ascending(const void *a, const void *b)
 	return (*p > *q) - (*p < *q);
 }
 
-/* Whether nothing between from and to is as near. */
-static bool all_apart(const double lo[3], const double hi[3], const double from[3], const double to[3],
-		      double distance)
+/* Whether the box lo .. hi is farther than `distance` from the box from .. to. */
+static bool are_boxes_apart(const double lo[3], const double hi[3], const double from[3], const double to[3],
+			    double distance)
 {
 	bool are = false;
 
@@ -163,8 +163,8 @@ static bool all_apart(const double lo[3], const double hi[3], const double from[
 	return are;
 }
 
-/* Half the edge of the box around a place, in distances that are asked for. */
-static const double AROUND = 4;
+/* Half the edge of the box of a vicinity, in units of the search distance. */
+static const double VICINITY = 4;
 
 static enum ts_status find_leaves(const struct ts_mesh_tree *tree, const double x[3], double distance,
 				  struct ts_mesh_vicinity *v)
@@ -174,15 +174,15 @@ static enum ts_status find_leaves(const struct ts_mesh_tree *tree, const double 
 	v->distance = distance;
 	v->leaf.n = 0;
 	for (int d = 0; d < 3; d++) {
-		v->lo[d] = x[d] - AROUND * distance;
-		v->hi[d] = x[d] + AROUND * distance;
+		v->lo[d] = x[d] - VICINITY * distance;
+		v->hi[d] = x[d] + VICINITY * distance;
 	}
 	if (tree->n)
 		stack[depth++] = 1;
 	while (depth > 0) {
 		size_t k = stack[--depth];
 
-		if (all_apart(tree->lo[k], tree->hi[k], v->lo, v->hi, distance))
+		if (are_boxes_apart(tree->lo[k], tree->hi[k], v->lo, v->hi, distance))
 			continue;
 		if (k >= tree->leaves) {
 			TS_TRY(TS_GROW(v->leaf.item, v->leaf.capacity, v->leaf.n + 1));
@@ -214,8 +214,8 @@ enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const st
 	for (size_t j = 0; j < v->leaf.n; j++) {
 		size_t k = (size_t)v->leaf.item[j];
 
-		if (!apart(tree->lo[k], tree->hi[k], x, distance))
-			TS_TRY(look_in_leaf(tree, m, k - tree->leaves, x, distance, list));
+		if (!is_outside_box(tree->lo[k], tree->hi[k], x, distance))
+			TS_TRY(collect_leaf(tree, m, k - tree->leaves, x, distance, list));
 	}
 	if (list->n > 1)
 		qsort(list->item, list->n, sizeof *list->item, ascending);
@@ -233,10 +233,10 @@ enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct t
 	while (depth > 0) {
 		size_t k = stack[--depth];
 
-		if (apart(tree->lo[k], tree->hi[k], x, distance))
+		if (is_outside_box(tree->lo[k], tree->hi[k], x, distance))
 			continue;
 		if (k >= tree->leaves) {
-			TS_TRY(look_in_leaf(tree, m, k - tree->leaves, x, distance, list));
+			TS_TRY(collect_leaf(tree, m, k - tree->leaves, x, distance, list));
 		} else {
 			stack[depth++] = 2 * k;
 			stack[depth++] = 2 * k + 1;

@@ -1,22 +1,22 @@
-/* Which triangles of a mesh are near a place: a binary tree of boxes over the triangles in the order of
- * a space-filling curve (G. M. Morton, IBM report, 1966). A question costs about the logarithm of their
- * number, however large or small triangles are. */
+/* Search for the triangles of a mesh near a point: a binary tree of bounding boxes over the triangles, sorted
+ * along a space-filling curve (G. M. Morton, IBM report, 1966). A search takes about O(log n) steps for any
+ * distribution of triangle sizes. */
 #ifndef TS_MESH_MESH_TREE_H
 #define TS_MESH_MESH_TREE_H
 
 #include "mesh/mesh.h"
 
 struct ts_mesh_tree {
-	size_t n, leaves;	   /* leaves: a power of two */
-	int32_t *triangle;	   /* in the order of the curve */
-	double (*lo)[3], (*hi)[3]; /* boxes; node k has the children 2k and 2k + 1, from node 1 on */
+	size_t n, leaves;	   /* number of triangles; of leaves, a power of two */
+	int32_t *triangle;	   /* [n], in the order of the curve */
+	double (*lo)[3], (*hi)[3]; /* bounding boxes, [2 leaves]; root 1, children of node k: 2k and 2k + 1 */
 };
 
-/* Zero-initialise or release before. TS_NOMEM: it is released. */
+/* The tree must be zero or released before. On failure, TS_NOMEM, it is released. */
 enum ts_status ts_mesh_tree_build(struct ts_mesh_tree *tree, const struct ts_mesh *mesh);
 void ts_mesh_tree_release(struct ts_mesh_tree *tree);
 
-/* A list that grows; zero-initialise, ts_free the item. */
+/* A list of triangles; zero-initialise, release by ts_free(list.item). */
 struct ts_mesh_list {
 	size_t n, capacity;
 	int32_t *item;
@@ -25,12 +25,13 @@ struct ts_mesh_list {
 enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct ts_mesh *mesh,
 				 const double x[3], double distance, struct ts_mesh_list *list);
 
-/* What has been found for a place, for others near it. Zero-initialise, ts_free the items of leaf. */
+/* Result of a search that can be used for other points nearby. Zero-initialise, release by
+ * ts_free(vicinity.leaf.item). */
 struct ts_mesh_vicinity {
-	double lo[3], hi[3], distance; /* for places in this box, and for less than this distance */
-	struct ts_mesh_list leaf;      /* these nodes may be near enough */
+	double lo[3], hi[3], distance; /* valid for points in this box and up to this distance */
+	struct ts_mesh_list leaf;      /* leaves that may be near enough */
 };
-/* The same as ts_mesh_tree_near, quicker for one place after the other if these are near each other. */
+/* The same as ts_mesh_tree_near, but faster for a sequence of points that are near each other. */
 enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const struct ts_mesh *mesh,
 				       const double x[3], double distance, struct ts_mesh_vicinity *vicinity,
 				       struct ts_mesh_list *list);

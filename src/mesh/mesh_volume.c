@@ -6,15 +6,15 @@
 
 #include "base/banned.h"
 
-/* Sums over the triangles. */
+/* Integrals over volume and surface, as sums over the triangles. */
 struct sums {
 	double volume, first[3], second[3][3]; /* int 1, x_i, x_i x_j dV */
 	double flux[3][3], area[3];	       /* int x_i n_j dA, n_j dA */
 };
 
-/* The tetrahedron of the origin and a, b, c, of volume V = a.(b x c)/6: with s = a + b + c
+/* Adds the tetrahedron of the origin and a, b, c, of volume V = a.(b x c)/6: with s = a + b + c
  *   int x = V s/4,  int x x^T = V (s s^T + a a^T + b b^T + c c^T)/20 */
-static void add(struct sums *sums, double x[3][3])
+static void add_tetrahedron(struct sums *sums, double x[3][3])
 {
 	double s[3], across[3], ab[3], ac[3], volume;
 
@@ -67,7 +67,7 @@ bool ts_mesh_measure_volume(const struct ts_mesh *mesh, struct ts_mesh_volume *o
 
 		for (int k = 0; k < 3; k++)
 			ts_sub(mesh->x[t][k], middle, x[k]);
-		add(&s, x);
+		add_tetrahedron(&s, x);
 	}
 	if (mesh->n == 0 || !encloses(&s, ts_mesh_area(mesh), sqrt(ts_distance2(lo, hi))))
 		return false;

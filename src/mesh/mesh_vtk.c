@@ -16,7 +16,7 @@ struct vtk {
 	struct ts_scan *s;
 	struct ts_vtk_cells *c;
 	bool binary, grid;
-	int version; /* the number before the point */
+	int version; /* major version */
 };
 
 /* ---- numbers ---- */
@@ -54,8 +54,9 @@ static enum ts_status read_type(struct vtk *v, const struct type **out)
 			    ts_scan_found(v->s).text);
 }
 
-/* Numbers from here on follow at the next line. Are so many there? A text number takes two bytes. */
-static enum ts_status enter(struct vtk *v, uint64_t n, const struct type *type)
+/* Starts a block of n numbers: binary ones begin at the next line. Fails if the rest of the file is too
+ * short; a number as text takes at least two bytes. */
+static enum ts_status begin_numbers(struct vtk *v, uint64_t n, const struct type *type)
 {
 	struct ts_scan *s = v->s;
 	uint64_t size = v->binary ? type->size : 2;
@@ -74,7 +75,7 @@ static enum ts_status enter(struct vtk *v, uint64_t n, const struct type *type)
 			    n, s->n - s->at);
 }
 
-static uint64_t take(struct ts_scan *s, size_t size)
+static uint64_t read_bits(struct ts_scan *s, size_t size)
 {
 	uint64_t bits = 0;
 
@@ -108,10 +109,10 @@ static double as_real(uint64_t bits, const struct type *type)
 
 static enum ts_status next_real(struct vtk *v, const struct type *type, const char *what, double *out)
 {
-	TS_TRY(ts_scan_go_on(v->s));
+	TS_TRY(ts_scan_check_stop(v->s));
 	if (!v->binary)
 		return ts_scan_real(v->s, what, out);
-	*out = as_real(take(v->s, type->size), type);
+	*out = as_real(read_bits(v->s, type->size), type);
 	if (isfinite(*out))
 		return TS_OK;
 	return ts_scan_fail(v->s, TS_DAMAGED, "%s is no finite number", what);
@@ -120,10 +121,10 @@ static enum ts_status next_real(struct vtk *v, const struct type *type, const ch
 static enum ts_status next_int(struct vtk *v, const struct type *type, const char *what, int64_t lo,
 			       int64_t hi, int64_t *out)
 {
-	TS_TRY(ts_scan_go_on(v->s));
+	TS_TRY(ts_scan_check_stop(v->s));
 	if (!v->binary)
 		return ts_scan_int(v->s, what, lo, hi, out);
-	*out = as_int(take(v->s, type->size), type);
+	*out = as_int(read_bits(v->s, type->size), type);
 	if (*out >= lo && *out <= hi)
 		return TS_OK;
 	return ts_scan_fail(v->s, TS_RANGE,
@@ -141,7 +142,7 @@ static enum ts_status read_points(struct vtk *v)
 
 	TS_TRY(ts_scan_int(v->s, "the number of points", 0, INT32_MAX, &n));
 	TS_TRY(read_type(v, &type));
-	TS_TRY(enter(v, (uint64_t)n * 3, type));
+	TS_TRY(begin_numbers(v, (uint64_t)n * 3, type));
 	if (TS_GROW(v->c->point, v->c->point_capacity, (size_t)n) != TS_OK)
 		return ts_nomem(v->s->err);
 	for (size_t k = 0; k < (size_t)n; k++)
@@ -184,12 +185,13 @@ static enum ts_status read_corners(struct vtk *v, const struct type *type, int64
 	return TS_OK;
 }
 
-/* n cells in `size` numbers, a count before the corners of each. */
+/* Format before version 5: n cells in `size` numbers, the number of corners before the corners of each
+ * cell. */
 static enum ts_status read_counted(struct vtk *v, int64_t n, int64_t size, int shape)
 {
 	const struct type *type = &types[2];
 
-	TS_TRY(enter(v, (uint64_t)size, type));
+	TS_TRY(begin_numbers(v, (uint64_t)size, type));
 	for (int64_t k = 0; k < n; k++) {
 		int64_t corners, from = corners_so_far(v->c);
 
@@ -201,7 +203,8 @@ static enum ts_status read_counted(struct vtk *v, int64_t n, int64_t size, int s
 	return TS_OK;
 }
 
-/* n - 1 cells: where the corners of each begin, then the corners. */
+/* Format of version 5: the offsets of n - 1 cells in the list of corners, then this list of `size`
+ * corners. */
 static enum ts_status read_offsets(struct vtk *v, int64_t n, int64_t size, int shape)
 {
 	const struct type *type;
@@ -209,7 +212,7 @@ static enum ts_status read_offsets(struct vtk *v, int64_t n, int64_t size, int s
 
 	ts_scan_word(v->s);
 	TS_TRY(read_type(v, &type));
-	TS_TRY(enter(v, (uint64_t)n, type));
+	TS_TRY(begin_numbers(v, (uint64_t)n, type));
 	for (int64_t k = 0; k < n; k++) {
 		TS_TRY(next_int(v, type, "the offset", last, k ? size : 0, &last));
 		if (k)
@@ -221,7 +224,7 @@ static enum ts_status read_offsets(struct vtk *v, int64_t n, int64_t size, int s
 				    size);
 	TS_TRY(ts_scan_expect(v->s, "CONNECTIVITY"));
 	TS_TRY(read_type(v, &type));
-	TS_TRY(enter(v, (uint64_t)size, type));
+	TS_TRY(begin_numbers(v, (uint64_t)size, type));
 	return read_corners(v, type, from, size);
 }
 
@@ -248,7 +251,7 @@ static enum ts_status read_shapes(struct vtk *v)
 	if ((uint64_t)n != v->c->ncells)
 		return ts_scan_fail(v->s, TS_DAMAGED, "there are %zu cells, but %" PRId64 " types of cells",
 				    v->c->ncells, n);
-	TS_TRY(enter(v, (uint64_t)n, &types[2]));
+	TS_TRY(begin_numbers(v, (uint64_t)n, &types[2]));
 	for (int64_t k = 0; k < n; k++) {
 		TS_TRY(next_int(v, &types[2], "the type of a cell", 0, 255, &shape));
 		v->c->type[k] = (int)shape;
@@ -256,8 +259,8 @@ static enum ts_status read_shapes(struct vtk *v)
 	return TS_OK;
 }
 
-/* Arrays of the file as a whole: FIELD name n, then n times: name components tuples type numbers. */
-static enum ts_status pass_field(struct vtk *v)
+/* Skips arrays of the data set: FIELD name n, then n times: name components tuples type numbers. */
+static enum ts_status skip_field(struct vtk *v)
 {
 	int64_t n, components, tuples, whole;
 	double real;
@@ -271,7 +274,7 @@ static enum ts_status pass_field(struct vtk *v)
 		TS_TRY(ts_scan_int(v->s, "the number of components", 0, INT16_MAX, &components));
 		TS_TRY(ts_scan_int(v->s, "the number of tuples", 0, INT32_MAX, &tuples));
 		TS_TRY(read_type(v, &type));
-		TS_TRY(enter(v, (uint64_t)(components * tuples), type));
+		TS_TRY(begin_numbers(v, (uint64_t)(components * tuples), type));
 		for (int64_t m = 0; m < components * tuples; m++)
 			TS_TRY(type->form == FLOATING
 				       ? next_real(v, type, "the number", &real)
@@ -280,8 +283,8 @@ static enum ts_status pass_field(struct vtk *v)
 	return TS_OK;
 }
 
-/* Remarks that end with an empty line. */
-static enum ts_status pass_metadata(struct vtk *v)
+/* Skips meta data, which ends with an empty line. */
+static enum ts_status skip_metadata(struct vtk *v)
 {
 	struct ts_scan *s = v->s;
 	int last;
@@ -294,19 +297,19 @@ static enum ts_status pass_metadata(struct vtk *v)
 	return TS_OK;
 }
 
-/* VTK's numbers of shapes. */
+/* VTK cell types. */
 enum { VERTICES = 2, POLYLINE = 4, TRIANGLE = 5, STRIP = 6, POLYGON = 7, PIXEL = 8, QUAD = 9 };
 
 static const struct section {
 	const char *name;
 	enum ts_status (*read)(struct vtk *v);
-	int shape; /* 0: told later */
+	int shape; /* VTK cell type; 0: given by CELL_TYPES */
 } sections[] = {
 	{ "POINTS", read_points, 0 },	    { "CELLS", NULL, 0 },
 	{ "CELL_TYPES", read_shapes, 0 },   { "POLYGONS", NULL, POLYGON },
 	{ "TRIANGLE_STRIPS", NULL, STRIP }, { "VERTICES", NULL, VERTICES },
-	{ "LINES", NULL, POLYLINE },	    { "FIELD", pass_field, 0 },
-	{ "METADATA", pass_metadata, 0 },
+	{ "LINES", NULL, POLYLINE },	    { "FIELD", skip_field, 0 },
+	{ "METADATA", skip_metadata, 0 },
 };
 
 static enum ts_status read_section(struct vtk *v)
@@ -320,7 +323,7 @@ static enum ts_status read_section(struct vtk *v)
 			    ts_scan_found(v->s).text);
 }
 
-/* Four lines: "# vtk DataFile Version 3.0", a title, ASCII or BINARY, and DATASET with its kind. */
+/* Four lines: "# vtk DataFile Version 3.0", a title, ASCII or BINARY, and DATASET with its type. */
 static enum ts_status read_head(struct vtk *v)
 {
 	struct ts_scan *s = v->s;
@@ -390,9 +393,10 @@ static enum ts_status add_triangle(struct ts_scan *s, const struct ts_vtk_cells 
 	return ts_triangles_add(soup, &t) == TS_OK ? TS_OK : ts_nomem(s->err);
 }
 
-/* Strips turn round with each triangle; all others are cut into triangles at their first corner. */
-static enum ts_status cut(struct ts_scan *s, const struct ts_vtk_cells *c, size_t k,
-			  struct ts_triangles *soup)
+/* Splits a surface cell into triangles. In a strip the orientation alternates from triangle to triangle;
+ * all other cells are split into triangles that share their first corner. */
+static enum ts_status split_cell(struct ts_scan *s, const struct ts_vtk_cells *c, size_t k,
+				 struct ts_triangles *soup)
 {
 	const int64_t *at = c->corner + c->offset[k];
 	int64_t n = c->offset[k + 1] - c->offset[k];
@@ -418,7 +422,7 @@ static enum ts_status cut(struct ts_scan *s, const struct ts_vtk_cells *c, size_
 	return TS_OK;
 }
 
-static enum ts_status to_triangles(struct ts_scan *s, const struct ts_vtk_cells *c, struct ts_triangles *soup)
+static enum ts_status split_cells(struct ts_scan *s, const struct ts_vtk_cells *c, struct ts_triangles *soup)
 {
 	for (size_t k = 0; k < c->ncells; k++) {
 		if (c->type[k] < TRIANGLE) /* points and lines */
@@ -428,7 +432,7 @@ static enum ts_status to_triangles(struct ts_scan *s, const struct ts_vtk_cells 
 					      "'%s': cell %zu is of type %d, which is no plane surface "
 					      "(triangles are type 5, quadrilaterals 9)",
 					      s->file, k + 1, c->type[k]);
-		TS_TRY(cut(s, c, k, soup));
+		TS_TRY(split_cell(s, c, k, soup));
 	}
 	return TS_OK;
 }
@@ -439,7 +443,7 @@ enum ts_status ts_vtk_triangles(struct ts_scan *s, struct ts_triangles *soup)
 	enum ts_status status = ts_vtk_read(s, &cells);
 
 	if (status == TS_OK)
-		status = to_triangles(s, &cells, soup);
+		status = split_cells(s, &cells, soup);
 	ts_vtk_cells_release(&cells);
 	return status;
 }

@@ -1,4 +1,4 @@
-/* Triangles as a file lists them, a soup: which of them touch is not known yet. */
+/* Triangles as listed in a file, without connectivity ("triangle soup"). */
 #ifndef TS_MESH_TRIANGLES_H
 #define TS_MESH_TRIANGLES_H
 
@@ -7,12 +7,12 @@
 #include "base/alloc.h"
 
 struct ts_triangle {
-	double v[3][3];	   /* corners; their order gives the normal by the right-hand rule */
-	const char *solid; /* the part of the file it belongs to, "" without a name */
-	int line;	   /* where it stands in the file; 0: the file is not text */
+	double v[3][3];	   /* corners, length; their order gives the normal by the right-hand rule */
+	const char *solid; /* name of the part of the file that contains it; "": none */
+	int line;	   /* line of the file; 0: binary file */
 };
 
-/* Zero-initialise. The texts live as long as the string pool given to the reader. */
+/* Zero-initialise. The strings are owned by the string pool given to the reader. */
 struct ts_triangles {
 	size_t n, capacity;
 	struct ts_triangle *t;

@@ -231,7 +231,7 @@ static enum ts_status move_mesh(struct state *s, struct tsim *sim)
 		ts_scale(s->gone, s->unit, m.shift);
 	else
 		ts_motion_set_turn(&m, s->unit, s->gone);
-	return ts_mesh_surface_carry(sim, &s->surface, &m);
+	return ts_mesh_surface_set_motion(sim, &s->surface, &m);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
