@@ -24,14 +24,14 @@ struct ts_cell_region {
 	int32_t *item;
 };
 
-#define TS_CELL_REGION_ARGS                                                                             \
-	TS_WORD("file", struct ts_cell_region, file, .help = "legacy VTK file with the cells"),         \
-		TS_REAL("scale", struct ts_cell_region, factor, .fallback = "1", .range = TS_POSITIVE,  \
-			.help = "factor, after the shift"),                                             \
-		TS_VEC3("move", struct ts_cell_region, offset, .fallback = "0 0 0", .unit = "length",   \
-			.help = "shift, before all else"),                                              \
-		TS_VEC3("rotate", struct ts_cell_region, angle, .fallback = "0 0 0", .unit = "degrees", \
-			.help = "angles of turns about the axes x, then y, then z, after scale"),       \
+#define TS_CELL_REGION_ARGS                                                                                  \
+	TS_WORD("file", struct ts_cell_region, file, .help = "legacy VTK file with the cells"),              \
+		TS_REAL("scale", struct ts_cell_region, factor, .fallback = "1", .range = TS_POSITIVE,       \
+			.help = "factor of all coordinates, applied after the shift"),                       \
+		TS_VEC3("move", struct ts_cell_region, offset, .fallback = "0 0 0", .unit = "length",        \
+			.help = "shift, applied first"),                                                     \
+		TS_VEC3("rotate", struct ts_cell_region, angle, .fallback = "0 0 0", .unit = "degrees",      \
+			.help = "angles of rotation about the axes x, then y, then z, applied after scale"), \
 		TS_REGION_SIDE_ARGS(struct ts_cell_region)
 
 /* `shape`: VTK cell type, 10 tetrahedra, 12 hexahedra. */

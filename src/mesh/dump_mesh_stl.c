@@ -96,9 +96,9 @@ TS_STYLE(dump, ts_style, ts_dump_mesh_stl)
 const struct ts_style ts_dump_mesh_stl = {
 	.name = "mesh/stl",
 	.kind = TS_KIND_DUMP,
-	.summary = "Meshes as they stand, as STL (text)",
-	.doc = "One file per frame with one solid of all triangles, mesh after mesh. `stl` is another name "
-	       "of this style.",
+	.summary = "Meshes at their present position, as STL (text)",
+	.doc = "Writes one file per frame, with one solid that contains all triangles, mesh after mesh. "
+	       "`stl` is another name of this style.",
 	.example = "dump walls all mesh/stl 300 post/walls*.stl\n"
 		   "dump mill all mesh/stl 300 post/mill*.stl lifters drum region half",
 	.args = args,

@@ -431,23 +431,25 @@ TS_STYLE(dump, ts_style, ts_dump_mesh_vtk)
 const struct ts_style ts_dump_mesh_vtk = {
 	.name = "mesh/vtk",
 	.kind = TS_KIND_DUMP,
-	.summary = "Meshes with what is known of each triangle, as legacy VTK for ParaView",
-	.doc = "One file per frame, PolyData of version 5.1 as text: each triangle has points of its own. "
-	       "With\n"
-	       "`output interpolate` the numbers belong to the points, else (face, original) to the "
-	       "triangles.\n"
-	       "Arrays: stress gives normal_stress_average and shear_stress_average, stresscomponents the "
-	       "vector\n"
-	       "stress = F/A, id meshid, aedges active_edges, acorners active_corners (edges and corners "
-	       "that\n"
-	       "particles can touch), vel v; the others are named as they are asked for. There are stresses "
-	       "and\n"
-	       "wear only if a mesh is a fix mesh/surface/stress, velocities only if one moves, and Temp "
-	       "(temp)\n"
-	       "only if one has a temperature. LIGGGHTS 3.8 gives that to the first triangle of a mesh "
-	       "alone.\n\n"
-	       "`f_ID[k]` (all columns: `f_ID[*]`) gives an array of this name with column k of the rows of\n"
-	       "triangles of fix ID, and 0 for the triangles of other meshes.",
+	.summary = "Meshes with quantities of each triangle, as legacy VTK for ParaView",
+	.doc = "Writes one file per frame, PolyData of version 5.1 as text; each triangle has points of "
+	       "its own. With `output interpolate` the quantities are point data, else (face, original) "
+	       "cell data. Arrays:\n\n"
+	       "  stress             normal_stress_average, shear_stress_average\n"
+	       "  stresscomponents   stress, the vector F/A\n"
+	       "  id                 meshid\n"
+	       "  aedges             active_edges, number of edges that particles can touch\n"
+	       "  acorners           active_corners, number of corners that particles can touch\n"
+	       "  vel                v\n"
+	       "  temp               Temp\n\n"
+	       "The other arrays have the name of their keyword. Stresses and wear are written only if a "
+	       "mesh is a fix mesh/surface/stress, velocities only if a mesh moves, and Temp only if a "
+	       "mesh has a temperature. LIGGGHTS 3.8 writes the temperature for the first triangle of a "
+	       "mesh only.\n\n"
+	       "f_ID[k] writes an array of this name with column k of an output of fix ID that has a row for "
+	       "each triangle of its mesh, and 0 for the triangles of other meshes. f_ID[*] writes all "
+	       "columns.\n\n"
+	       "Related: dump mesh/stl, fix mesh/surface, fix mesh/surface/stress.",
 	.example = "dump stress all mesh/vtk 200 post/mesh*.vtk id area vel\n"
 		   "dump points all mesh/vtk 200 post/drum*.vtk output interpolate vel drum\n"
 		   "dump worn all mesh/vtk 200 post/worn*.vtk f_chute[6] chute",

@@ -461,31 +461,32 @@ static const struct ts_arg args[] = {
 	TS_VEC3("vec_side", struct state, side, .flags = TS_OPTIONAL,
 		.help = "points to the outer side of a planar mesh"),
 	TS_ENUM("count", struct state, count, count_names, .fallback = "multiple", .flags = TS_STATEFUL,
-		.help = "once: no particle counts twice; multiple: it does if it comes back and passes "
-			"again"),
+		.help = "once: each particle counts at most once; multiple: it counts again if it comes back "
+			"and passes again"),
 	TS_VEC3("point_at_outlet", struct state, outlet, .flags = TS_OPTIONAL, .unit = "length",
 		.help = "a point on the outer side of any mesh"),
 	TS_FLAG("inside_out", struct state, inside_out, .help = "the point is on the inner side"),
 	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL | TS_WRITES,
-		.help = "file for a line about each particle that passes"),
+		.help = "file to which a line is written for each particle that passes"),
 	TS_WORD("append", struct state, append, .flags = TS_OPTIONAL | TS_WRITES,
-		.help = "the same, added to what is in the file"),
-	TS_BOOL("screen", struct state, screen, .fallback = "no", .help = "the same to screen and log"),
-	TS_FLAG("writeTime", struct state, write_time, .help = "these lines tell the time"),
+		.help = "the same, appended to the file"),
+	TS_BOOL("screen", struct state, screen, .fallback = "no",
+		.help = "whether these lines are printed to screen and log"),
+	TS_FLAG("writeTime", struct state, write_time, .help = "these lines include the time"),
 	TS_BOOL("delete_atoms", struct state, deletes, .fallback = "no",
-		.help = "whether particles that pass are deleted, when neighbours are next listed anew"),
+		.help = "whether particles that pass are deleted, at the next rebuild of the neighbour list"),
 	TS_INT("interval", struct state, interval, .flags = TS_OPTIONAL | TS_STATEFUL, .range = TS_POSITIVE,
-	       .help = "f_ID[3], f_ID[4] are rates since the last multiple of so many steps, before this "
-		       "one; without it, since the last row of the table in the log"),
+	       .help = "f_ID[3], f_ID[4] are rates since the last multiple of this number of steps, before "
+		       "this one; without it, since the last thermo output"),
 	TS_WORD("sum_property", struct state, property, .flags = TS_OPTIONAL | TS_STATEFUL,
-		.help = "NAME or NAME[k], a number of fix property/atom that is summed over the particles "
+		.help = "NAME or NAME[k], a value of fix property/atom that is summed over the particles "
 			"that pass"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
 	{ "passed", "mass, 1, mass/time, 1/time, mass, 1, that of the property",
-	  "mass and number that have passed, both per time since the last row of the table, mass and number "
+	  "mass and number that have passed, both per time since the last thermo output, mass and number "
 	  "deleted; with sum_property its sum",
 	  TS_VECTOR, 0, NULL, eval },
 	{ .name = NULL },
@@ -502,32 +503,30 @@ TS_STYLE(fix, ts_style, ts_fix_massflow_mesh)
 const struct ts_style ts_fix_massflow_mesh = {
 	.name = "massflow/mesh",
 	.kind = TS_KIND_FIX,
-	.summary = "Counts the particles that pass a mesh, with their mass",
-	.doc = "A particle of the group passes when it is before a face of the mesh with its centre on the "
-	       "outer\n"
-	       "side, having been on the inner side when it was near the mesh last. Near is what is not "
-	       "farther\n"
-	       "than the radius and half of the skin of the neighbour list. The mesh is no wall for it, "
-	       "unless a fix\n"
-	       "wall/gran makes it one. Who gets round the rim does not count. The outer side is where "
-	       "vec_side points to, or, for any\n"
-	       "mesh, where (x - p).(point_at_outlet - x) > 0 for a centre x and the nearest point p of the "
-	       "mesh.\n\n"
-	       "f_ID[1], f_ID[2]: mass and number that have passed; f_ID[3], f_ID[4]: the same per time, "
-	       "over the\n"
-	       "steps since the last row of the table in the log that `thermo N` asked for, before this step "
-	       "(thermo 0: since\n"
-	       "the run began), or since the last multiple of `interval`. In rows of the table these are "
-	       "LIGGGHTS' numbers;\n"
-	       "there, who reads them in between begins a new interval for all, here reading changes "
-	       "nothing.\n"
-	       "f_ID[5], f_ID[6]: mass and number deleted;\n"
-	       "f_ID[7]: with sum_property, its sum over what has passed. A sphere of a rigid body counts as "
-	       "the\n"
-	       "part of the body that its mass is; delete_atoms deletes a body when all of it has passed.\n"
-	       "f_massflow_ID of a particle: -1 not met, 0 last on the inner side, 1 on the outer side, 2 "
-	       "done\n"
-	       "with (count once).",
+	.summary = "Mass and number of particles that pass a mesh, and their rates",
+	.doc = "Counts particles of the group that pass a mesh from its inner to its outer side. A "
+	       "particle is near the mesh if the distance of its centre is at most its radius plus half "
+	       "the skin of the neighbour list. It passes when it is near a face of the mesh with its "
+	       "centre on the outer side, and was on the inner side when it was near the mesh last. "
+	       "Particles that move around the rim are not counted. The mesh is no obstacle unless a fix "
+	       "wall/gran makes it a wall.\n\n"
+	       "The outer side is the one to which vec_side points, or, for a mesh of any shape, the side "
+	       "where\n\n"
+	       "  (x - p).(point_at_outlet - x) > 0,\n\n"
+	       "x being the centre and p the nearest point of the mesh.\n\n"
+	       "f_ID[1], f_ID[2]: mass and number of particles that have passed. f_ID[3], f_ID[4]: the "
+	       "same per time, over the steps since the last thermo output that `thermo N` asked for, "
+	       "before this step (thermo 0: since the run began), or since the last multiple of "
+	       "`interval`. In rows of thermo output these are LIGGGHTS' values; in LIGGGHTS, reading "
+	       "them at other steps begins a new interval, here it has no effect. f_ID[5], f_ID[6]: mass "
+	       "and number of deleted particles. f_ID[7]: with sum_property, the sum of the property over "
+	       "the particles that have passed.\n\n"
+	       "A member of a rigid body counts by its fraction of the mass of the body; delete_atoms "
+	       "deletes a body when all its members have passed.\n\n"
+	       "f_massflow_ID of a particle is -1 if it has not been near the mesh, 0 if it was last on "
+	       "the inner side, 1 on the outer side, 2 if it has passed and is not counted again (count "
+	       "once).\n\n"
+	       "Related: fix mesh/surface, fix property/atom.",
 	.example = "fix outlet all massflow/mesh mesh gate vec_side 0 0 -1 count once file post/outlet.txt",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -36,9 +36,8 @@ const struct ts_style ts_fix_mesh_surface_planar = {
 	.name = "mesh/surface/planar",
 	.kind = TS_KIND_FIX,
 	.summary = "A flat surface of triangles from a file, for walls and insertion faces",
-	.doc = "The same as fix mesh/surface, but refused if two triangles that share an edge include more "
-	       "than\n"
-	       "`curvature`.",
+	.doc = "The same as fix mesh/surface, but the mesh is refused if the planes of two triangles that "
+	       "share an edge include an angle larger than `curvature`.",
 	.example = "fix inlet all mesh/surface/planar file inlet.stl type 1 scale 0.001",
 	.args = args,
 	.family = TS_FAMILY_MESH,

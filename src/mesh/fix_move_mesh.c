@@ -303,21 +303,21 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 #define AXIS_ROW(help_) TS_VEC3("axis", struct state, axis, .help = help_)
 #define PERIOD_ROW                                                                    \
 	TS_REAL("period", struct state, period, .range = TS_POSITIVE, .unit = "time", \
-		.help = "time of one turn or oscillation")
-#define TERM_ROWS                                                                                  \
-	TS_INT("order", struct state, nterms, .range = TS_WITHIN, .lo = 1, .hi = MOST_TERMS,       \
-	       .help = "number of terms"),                                                         \
-		TS_SOME_KEYWORD("amplitude", struct state, amplitudes, 0,                          \
-				.help = "of each term: length, or radian"),                        \
-		TS_SOME_KEYWORD("phase", struct state, phases, 0, .help = "of each term, radian"), \
-		TS_SOME_KEYWORD("period", struct state, periods, 0, .help = "of each term")
+		.help = "time of one revolution or oscillation")
+#define TERM_ROWS                                                                                        \
+	TS_INT("order", struct state, nterms, .range = TS_WITHIN, .lo = 1, .hi = MOST_TERMS,             \
+	       .help = "number of terms"),                                                               \
+		TS_SOME_KEYWORD("amplitude", struct state, amplitudes, 0,                                \
+				.help = "amplitude of each term: length, or radian"),                    \
+		TS_SOME_KEYWORD("phase", struct state, phases, 0, .help = "phase of each term, radian"), \
+		TS_SOME_KEYWORD("period", struct state, periods, 0, .help = "period of each term, time")
 
 static const struct ts_arg linear_rows[] = { VELOCITY_ROW, TS_ARGS_END };
 static const struct ts_arg linear_variable_rows[] = { RATE_ROW(0, "x"), RATE_ROW(1, "y"), RATE_ROW(2, "z"),
 						      TS_ARGS_END };
 static const struct ts_arg rotate_rows[] = {
 	ORIGIN_ROW,
-	AXIS_ROW("direction of the axis; turns by the right hand"),
+	AXIS_ROW("direction of the axis; rotation by the right-hand rule"),
 	PERIOD_ROW,
 	TS_ARGS_END,
 };
@@ -350,16 +350,17 @@ static const struct ts_arg vibrot_rows[] = {
 	TS_ARGS_END,
 };
 
-#define MODES(ending)                                                                                     \
-	{ "linear" ending, "at constant velocity", linear_rows },                                         \
-		{ "linear/variable" ending, "as variables say", linear_variable_rows },                   \
-		{ "rotate" ending, "around an axis", rotate_rows },                                       \
-		{ "rotate/variable" ending, "around an axis, as a variable says", rotate_variable_rows }, \
-		{ "wiggle" ending, "to and fro", wiggle_rows },                                           \
-		{ "riggle" ending, "to and fro around an axis", riggle_rows },                            \
-		{ "viblin" ending, "a sum of oscillations along a line", viblin_rows },                   \
-	{                                                                                                 \
-		"vibrot" ending, "a sum of oscillations around an axis", vibrot_rows                      \
+#define MODES(ending)                                                                                 \
+	{ "linear" ending, "at constant velocity", linear_rows },                                     \
+		{ "linear/variable" ending, "with a velocity by variables", linear_variable_rows },   \
+		{ "rotate" ending, "around an axis", rotate_rows },                                   \
+		{ "rotate/variable" ending, "around an axis, with an angular velocity by a variable", \
+		  rotate_variable_rows },                                                             \
+		{ "wiggle" ending, "oscillation", wiggle_rows },                                      \
+		{ "riggle" ending, "oscillation around an axis", riggle_rows },                       \
+		{ "viblin" ending, "a sum of oscillations along a line", viblin_rows },               \
+	{                                                                                             \
+		"vibrot" ending, "a sum of oscillations around an axis", vibrot_rows                  \
 	}
 static const struct ts_mode modes[] = { MODES(""), MODES("/superposable"), { .name = NULL } };
 
@@ -386,26 +387,25 @@ TS_STYLE(fix, ts_style, ts_fix_move_mesh)
 const struct ts_style ts_fix_move_mesh = {
 	.name = "move/mesh",
 	.kind = TS_KIND_FIX,
-	.summary = "Moves a mesh",
-	.doc = "Moves the mesh of a `fix mesh/surface` as a rigid body; t is the time since the fix was "
-	       "made.\n\n"
-	       "    linear           x = x0 + V t\n"
-	       "    rotate           turned about the axis by 2 pi t/period\n"
-	       "    wiggle           velocity A w cos(w t), w = 2 pi/period\n"
-	       "    riggle           angular velocity A w cos(w t)\n"
-	       "    viblin, vibrot   velocity along, angular velocity about the axis: -sum C_n w_n sin(w_n t "
-	       "+ phase_n),\n"
-	       "                     w_n = 2 pi/period_n\n"
-	       "    linear/variable, rotate/variable   velocity, angular velocity as variables say\n\n"
+	.summary = "Prescribed motion of a mesh",
+	.doc = "Moves the mesh of a `fix mesh/surface` as a rigid body. With the time t since the "
+	       "definition of the fix and w = 2 pi/period:\n\n"
+	       "  linear            x = x0 + V t\n"
+	       "  rotate            rotation about the axis by the angle w t\n"
+	       "  wiggle            velocity A w cos(w t)\n"
+	       "  riggle            angular velocity A w cos(w t)\n"
+	       "  viblin            velocity along the axis -sum_n C_n w_n sin(w_n t + phase_n)\n"
+	       "  vibrot            angular velocity about the axis, the same sum\n"
+	       "  linear/variable   velocity by variables\n"
+	       "  rotate/variable   angular velocity by a variable\n\n"
 	       "linear and rotate are exact at any time. The others advance the mesh in each step by the "
-	       "velocity at\n"
-	       "its end times the time step, as LIGGGHTS does, so that wiggle differs from A sin(w t) in "
-	       "the\n"
-	       "order of the time step. Particles see the velocity of the surface where they touch it.\n\n"
-	       "Several fixes may move one mesh: they act one after the other in each step, and each carries "
-	       "the\n"
-	       "origins of those after it along. Where a fix is deleted, the mesh stays where it is. A mesh "
-	       "with surface_vel or surface_ang_vel cannot move.",
+	       "velocity at its end times the time step, as LIGGGHTS does, so that wiggle differs from A "
+	       "sin(w t) in the order of the time step. Contact laws use the velocity of the surface at "
+	       "the contact point.\n\n"
+	       "Several fixes may move one mesh: they act one after the other in each step, and each of "
+	       "them also moves the origins of those after it. If a fix is deleted, the mesh stays where "
+	       "it is. A mesh with surface_vel or surface_ang_vel cannot move.\n\n"
+	       "Related: fix mesh/surface, fix move/mesh/free, fix mesh/surface/stress/servo.",
 	.example =
 		"fix lift all move/mesh mesh cad linear 0 0 0.1\n"
 		"fix spin all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 1 period 2.385\n"

@@ -295,13 +295,13 @@ static const struct ts_arg args[] = {
 	TS_WORD("mesh-ID", struct state, mover.mesh, .flags = TS_POSITIONAL,
 		.help = "ID of a fix mesh/surface/stress, a closed surface"),
 	TS_REAL("density", struct state, density, .flags = TS_OPTIONAL | TS_STATEFUL, .range = TS_POSITIVE,
-		.unit = "density", .help = "of what fills it"),
+		.unit = "density", .help = "density of the body"),
 	TS_REAL("mass", struct state, mass, .flags = TS_OPTIONAL | TS_STATEFUL, .range = TS_POSITIVE,
-		.unit = "mass", .help = "instead of density: spread evenly through it"),
+		.unit = "mass", .help = "instead of density: mass of the body, distributed homogeneously"),
 	TS_VEC3("velocity", struct state, velocity, .fallback = "0 0 0", .unit = "velocity",
-		.help = "of the centre of mass when the fix is made"),
+		.help = "initial velocity of the centre of mass"),
 	TS_VEC3("omega", struct state, omega, .fallback = "0 0 0", .unit = "radian/time",
-		.help = "angular velocity then"),
+		.help = "initial angular velocity"),
 	TS_BOOL("gravity", struct state, falls, .fallback = "yes",
 		.help = "whether each fix gravity, of any group, acts on it"),
 	TS_ARGS_END,
@@ -318,30 +318,25 @@ const struct ts_style ts_fix_move_mesh_free = {
 	.name = "move/mesh/free",
 	.kind = TS_KIND_FIX,
 	.summary = "A closed mesh that moves as a free rigid body",
-	.doc = "The body that the mesh of a `fix mesh/surface/stress` encloses moves as contacts with "
-	       "particles, fluids\n"
-	       "and gravity make it:\n\n"
-	       "    m dv/dt = F,  dL/dt = T,  omega = R I^-1 R^T L\n\n"
-	       "by velocity Verlet, the orientation as with fix rigid. Mass m, centre and moments I are the "
-	       "integrals over the\n"
-	       "tetrahedra of each triangle and a place amid them, exact to round-off, for an even "
-	       "density.\n\n"
-	       "F and T are those of the particles that touch it by `fix wall/gran ... mesh`; those of each "
-	       "`fix\n"
-	       "immersed/boundary mesh` made of the mesh, of the last step of the fluid, with its virtual "
-	       "mass\n"
-	       "beside the body's; and the weight. Buoyancy is that of the script: the\n"
-	       "pressure of the fluid is without the hydrostatic part, unless flow_style has a "
-	       "body_force.\n\n"
-	       "A contact damps as between the grain and a wall that does not give way, with the grain's "
-	       "mass alone. With\n"
-	       "friction the grain's lever ends between its surface and that of the mesh, the mesh's at its "
-	       "own\n"
-	       "surface, so angular momentum is kept to half an overlap, else to round-off.\n\n"
-	       "Meshes do not feel each other, nor walls. In two dimensions the body keeps to the plane, "
-	       "with the\n"
-	       "mass of all of the mesh, also of what is beyond the box along z (say `mass` then). No other "
-	       "fix may move it.",
+	.doc = "The body that the mesh of a `fix mesh/surface/stress` encloses moves freely under the "
+	       "forces of contacts with particles, of fluids and of gravity:\n\n"
+	       "  m dv/dt = F,  dL/dt = T,  omega = R I^-1 R^T L,\n\n"
+	       "integrated by velocity Verlet, the orientation as with fix rigid. The mass m, the centre "
+	       "of mass and the moments of inertia I are those of a homogeneous body, as sums over the "
+	       "tetrahedra of each triangle and a common point, exact to round-off.\n\n"
+	       "F and T are those of the particles that touch the mesh by `fix wall/gran ... mesh`; those "
+	       "of each `fix immersed/boundary mesh` made of the mesh, at the last step of the fluid, "
+	       "with its virtual mass added to that of the body; and the weight. Buoyancy must be in the "
+	       "script: the pressure of the fluid does not include the hydrostatic part, unless "
+	       "flow_style has a body_force.\n\n"
+	       "A contact is damped as one between the particle and a wall of infinite mass, with the "
+	       "mass of the particle alone. With friction, the lever arm of the particle ends between its "
+	       "surface and that of the mesh, the arm of the mesh at its own surface; so angular momentum "
+	       "is conserved to half an overlap, else to round-off.\n\n"
+	       "Meshes do not interact with each other, nor with walls. In two dimensions the motion is "
+	       "restricted to the plane, with the mass of the whole mesh, including the part beyond the "
+	       "box along z (give `mass` in this case). No other fix may move the mesh.\n\n"
+	       "Related: fix mesh/surface/stress, fix wall/gran, fix immersed/boundary, fix rigid.",
 	.example = "fix box all mesh/surface/stress file box.stl type 2\n"
 		   "fix free all move/mesh/free mesh box density 700 velocity 0.1 0 0",
 	.args = args,
