@@ -49,7 +49,7 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 
 	if (!surface->stress)
 		return fail_mesh(self, sim,
-				 "does not know what particles do to it; make it by fix mesh/surface/stress");
+				 "does not sum the forces of particles; make it by fix mesh/surface/stress");
 	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));)
 		if (inst != self &&
 		    ts_streq(((const struct ts_mesh_mover *)inst->state)->mesh, s->mover.mesh))

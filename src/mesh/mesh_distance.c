@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "math/constants.h"
 #include "math/vec3.h"
 
 #include "base/banned.h"
@@ -122,7 +123,7 @@ bool ts_mesh_inside(const struct ts_mesh *mesh, const double x[3])
 								ts_dot(r[1], r[2]) * l[0] +
 								ts_dot(r[2], r[0]) * l[1]);
 	}
-	return angle > 6.28318530717958647692; /* half of 4 pi */
+	return angle > 2 * TS_PI; /* half of 4 pi */
 }
 
 bool ts_mesh_closed(const struct ts_mesh *mesh, size_t *t)

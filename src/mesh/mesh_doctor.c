@@ -98,7 +98,7 @@ static int by_key(const void *a, const void *b)
 static void sort3(int32_t v[3])
 {
 	for (int k = 0; k < 3; k++) {
-		int i = k == 1, j = i + 1; /* 01 12 01 */
+		int i = k == 1, j = i + 1; /* compare and exchange (0, 1), (1, 2), (0, 1) */
 		int32_t lo = v[i] < v[j] ? v[i] : v[j], hi = v[i] < v[j] ? v[j] : v[i];
 
 		v[i] = lo;

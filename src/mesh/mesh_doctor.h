@@ -14,22 +14,22 @@
 	X(COLLAPSED, "has two corners at the same place and is left out", "",                      \
 	  "take a smaller `precision`, or export the surface with more digits")                    \
 	X(NEEDLE, "has hardly any area: its smallest angle is below 0.0181185 degrees", "degrees", \
-	  "mesh that part anew, or remove the triangle")                                           \
+	  "remesh this part, or remove the triangle")                                              \
 	X(SHARP, "has an angle smaller than `curvature`", "degrees",                               \
-	  "mesh that part anew, reduce `curvature`, or say `curvature_tolerant yes`")              \
-	X(SLIVER, "has an angle below 0.5 degrees", "degrees", "mesh that part anew")              \
+	  "remesh this part, reduce `curvature`, or set `curvature_tolerant yes`")                 \
+	X(SLIVER, "has an angle below 0.5 degrees", "degrees", "remesh this part")                 \
 	X(DUPLICATE, "has the same corners as another", "",                                        \
-	  "remove it, or say `heal auto_remove_duplicates`")                                       \
+	  "remove it, or set `heal auto_remove_duplicates`")                                       \
 	X(CROWDED, "shares its edges with more than 5 others", "neighbours",                       \
 	  "remove walls inside of the surface")                                                    \
-	X(FOLDED, "lies upon a neighbour", "", "remove the part that overlaps")                    \
+	X(FOLDED, "overlaps a neighbour in the same plane", "", "remove the part that overlaps")   \
 	X(BRANCHED, "has an edge that more than two triangles share", "triangles",                 \
 	  "remove walls inside of the surface, if there should be none")                           \
-	X(FLIPPED, "has its normal on the other side than its neighbours", "",                     \
-	  "turn its corners round, if the side matters (stress, insertion, counting)")             \
+	X(FLIPPED, "has its normal opposite to those of its neighbours", "",                       \
+	  "reverse the order of its corners if the side matters (stress, insertion, counting)")    \
 	X(CRACKED, "nearly touches the edge of another, without a corner there", "wide",           \
 	  "join the corners, or take a larger `precision`")                                        \
-	X(OPEN, "has an edge without neighbour", "", "nothing, if the surface should have a rim there")
+	X(OPEN, "has an edge without neighbour", "", "none needed if the surface has a rim there")
 
 #define TS_MESH_ILL_ENUM(name, what, unit, helps) TS_MESH_##name,
 enum ts_mesh_ill { TS_MESH_ILL_LIST(TS_MESH_ILL_ENUM) TS_NMESH_ILLS };

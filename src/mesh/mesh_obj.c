@@ -16,7 +16,7 @@ struct obj {
 	struct ts_triangles *soup;
 	double (*point)[3];
 	size_t npoints, capacity;
-	const char *part; /* the last `o` or `g` */
+	const char *part; /* name of the last object `o` or group `g` */
 };
 
 static enum ts_status read_point(struct obj *o)

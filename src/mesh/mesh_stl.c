@@ -7,7 +7,7 @@
  *		  ...
  *		endsolid NAME
  * Binary: 80 bytes of title, the number of triangles (4 bytes), then 50 bytes for each: normal and
- * corners as 12 floats, 2 bytes of attributes; the least significant byte first.
+ * corners as 12 floats, 2 bytes of attributes; little-endian.
  *
  * Programs differ in case, line ends, blanks and in what follows the last facet, so words are read
  * independently of lines. Normals are ignored: in many files they are zero or opposite to the normal by the

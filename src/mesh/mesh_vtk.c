@@ -1,5 +1,5 @@
 /* Legacy VTK files, https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html: DATASET POLYDATA
- * or UNSTRUCTURED_GRID, as text or binary (most significant byte first), with cells as before version 5
+ * or UNSTRUCTURED_GRID, as text or binary (big-endian), with cells as before version 5
  * (a count before the corners of each) or after (arrays OFFSETS and CONNECTIVITY). Data on cells and
  * points, which come last, are not read. */
 #include "mesh/mesh_vtk.h"

@@ -32,8 +32,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_contact_columns_init(self, sim));
 	if (s->columns.wanted[TS_CONTACT_HEAT])
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "heatFlux"),
-			       "compute wall/gran/local does not know the heat of single contacts; what "
-			       "walls give a particle is f_wallHeatFlux of fix heat/gran");
+			       "compute wall/gran/local has no heat flow of single contacts; that from all "
+			       "walls to a particle is f_wallHeatFlux of fix heat/gran");
 	return TS_OK;
 }
 

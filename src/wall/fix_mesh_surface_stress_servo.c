@@ -299,7 +299,7 @@ static enum ts_status detect_oscillation(struct ts_instance *self, struct tsim *
 		return TS_OK;
 	if (s->flips >= FLIPS && !s->warned)
 		TS_TRY(ts_review_find(sim, "servo", &self->where,
-				      "the servo of mesh %s went to and fro %d times in %d steps, with its "
+				      "the servo of mesh %s oscillated %d times in %d steps, with its "
 				      "largest speed or by more than half of the target: its gain is too "
 				      "large for the stiffness and damping of the contacts; take a smaller "
 				      "%s (now %g), vel_max (now %g) or `timestep`",

@@ -14,7 +14,7 @@ struct ts_wall_ends {
 	double curvature;      /* of the surface, see struct ts_wall_contact_point */
 	double v[3];	       /* velocity of the particle relative to the surface */
 	double omega[3], radius, mass;
-	double liquid; /* volume of liquid of the particle, see struct ts_touch */
+	double liquid; /* volume of liquid on the particle divided by its own volume */
 };
 
 /* R* = R/(1 + R kappa) at a surface of mean curvature kappa. */

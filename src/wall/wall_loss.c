@@ -25,8 +25,8 @@ static bool explain_plane(struct tsim *sim, size_t i, int dim, struct ts_str *ou
 				    by->id, 'x' + dim, position, ts_group_name(sim, by->group));
 		else
 			ts_str_addf(out,
-				    "its centre was beyond wall %s at %c = %g, which pushes away whatever is "
-				    "on either of its sides: it was placed there, or the contact is too soft "
+				    "its centre was beyond wall %s at %c = %g, which repels particles on "
+				    "both sides: it was placed there, or the contact is too soft "
 				    "for its speed",
 				    by->id, 'x' + dim, position);
 		return true;

@@ -440,7 +440,7 @@ printf '%s\n' "${four/move 0 0 0.0095 com/move 0 0 0.0102 com}" "$press" >in.scr
 report 'a servo before its contacts' $? told
 "$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null
 grep '(review: ' run.log >told
-[ "$(grep -c . told)" = 1 ] && grep -qE 'servo of mesh lid went to and fro .*now 3\.3[^0-9].*review: servo' told
+[ "$(grep -c . told)" = 1 ] && grep -qE 'servo of mesh lid oscillated .*now 3\.3[^0-9].*review: servo' told
 report 'a servo that flips' $? run.log
 # without gains: with kp 0.01 the force went from -2 to 4
 printf '%s\n' "${held/target_val 20/target_val 0.02} vel_max 1" "$press" \
