@@ -110,7 +110,7 @@ static enum ts_status check_side(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status add_column(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_mark_column(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -155,7 +155,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	ts_mesh_tree_release(&s->tree);
 	if (has_side(s))
 		TS_TRY(check_side(self, sim));
-	TS_TRY(add_column(self, sim));
+	TS_TRY(add_mark_column(self, sim));
 	return find_property(self, sim);
 }
 
@@ -191,7 +191,7 @@ static enum ts_status write_passage(struct state *s, struct tsim *sim, size_t i)
 	return ts_textfile_flush(&s->out);
 }
 
-static double *mark_of(const struct state *s, const struct tsim *sim, size_t i)
+static double *particle_mark(const struct state *s, const struct tsim *sim, size_t i)
 {
 	return (double *)sim->particles->column[s->column].data + i;
 }
@@ -204,7 +204,7 @@ static double body_fraction(const struct tsim *sim, size_t i)
 	return body ? sim->particles->mass[i] / body->mass : 1;
 }
 
-static double property_of(const struct state *s, const struct tsim *sim, size_t i)
+static double summed_property(const struct state *s, const struct tsim *sim, size_t i)
 {
 	const struct ts_column *column = &sim->particles->column[s->summed];
 
@@ -230,7 +230,7 @@ static enum ts_status delete_passed(struct state *s, struct tsim *sim, size_t i)
 	TS_TRY(ts_rigid_list(sim));
 	b = (size_t)(ts_rigid_body_of(sim, i) - r->body);
 	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
-		if (*mark_of(s, sim, (size_t)r->member[k]) < DONE - 0.5)
+		if (*particle_mark(s, sim, (size_t)r->member[k]) < DONE - 0.5)
 			return TS_OK;
 	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
 		TS_TRY(mark_for_deletion(s, sim, (size_t)r->member[k]));
@@ -244,7 +244,7 @@ static enum ts_status count_passage(struct state *s, struct tsim *sim, size_t i)
 	s->mass += sim->particles->mass[i];
 	s->number += part;
 	if (s->property)
-		s->sum += part * property_of(s, sim, i);
+		s->sum += part * summed_property(s, sim, i);
 	TS_TRY(write_passage(s, sim, i));
 	return s->deletes ? delete_passed(s, sim, i) : TS_OK;
 }
@@ -295,7 +295,7 @@ static enum ts_status add_passage(struct state *s, struct tsim *sim, int32_t tri
 static enum ts_status check_particle(struct state *s, struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
-	double *mark = mark_of(s, sim, i);
+	double *mark = particle_mark(s, sim, i);
 	double reach = p->radius[i] + 0.5 * sim->neigh->built_skin;
 
 	if (*mark > DONE - 0.5)
@@ -398,7 +398,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 
 /* ---- outputs ---- */
 
-static double per_time(const struct state *s, const struct tsim *sim, double before, double now)
+static double mean_rate(const struct state *s, const struct tsim *sim, double before, double now)
 {
 	double time = ts_sim_time(sim) - s->before.time;
 
@@ -412,8 +412,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	TS_TRY(ts_table_resize(out, s->property ? 7 : 6, 1));
 	out->data[0] = s->mass;
 	out->data[1] = s->number;
-	out->data[2] = per_time(s, sim, s->before.mass, s->mass);
-	out->data[3] = per_time(s, sim, s->before.number, s->number);
+	out->data[2] = mean_rate(s, sim, s->before.mass, s->mass);
+	out->data[3] = mean_rate(s, sim, s->before.number, s->number);
 	out->data[4] = s->deleted_mass;
 	out->data[5] = s->deleted_number;
 	if (s->property)

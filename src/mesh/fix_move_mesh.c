@@ -137,7 +137,7 @@ static const struct kind {
 };
 enum { NKINDS = sizeof kinds / sizeof *kinds };
 
-static const struct kind *kind_of(const struct state *s)
+static const struct kind *motion_kind(const struct state *s)
 {
 	return &kinds[s->mode % NKINDS];
 }
@@ -182,7 +182,7 @@ static enum ts_status read_terms(struct ts_instance *self, struct tsim *sim)
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	const struct kind *kind = kind_of(s);
+	const struct kind *kind = motion_kind(s);
 	double length = ts_norm(s->axis);
 
 	if (kind->turns || kind->vibrates) {
@@ -216,11 +216,11 @@ static void advance_time(struct state *s, double dt)
 
 static void integrate_motion(struct state *s, const struct rate *r, double dt)
 {
-	double span = kind_of(s)->steady ? elapsed_time(s) : dt;
+	double span = motion_kind(s)->steady ? elapsed_time(s) : dt;
 
 	for (int k = 0; k < 3; k++)
-		s->shift[k] = (kind_of(s)->steady ? 0 : s->shift[k]) + span * r->drift[k];
-	s->angle = (kind_of(s)->steady ? 0 : s->angle) + span * r->spin;
+		s->shift[k] = (motion_kind(s)->steady ? 0 : s->shift[k]) + span * r->drift[k];
+	s->angle = (motion_kind(s)->steady ? 0 : s->angle) + span * r->spin;
 }
 
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
@@ -230,17 +230,17 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	struct rate r = { 0 };
 
 	advance_time(s, sim->clock.dt);
-	TS_TRY(kind_of(s)->rate(self, sim, elapsed_time(s), &r));
+	TS_TRY(motion_kind(s)->rate(self, sim, elapsed_time(s), &r));
 	integrate_motion(s, &r, sim->clock.dt);
 	for (int k = 0; k < 3; k++) {
 		m.now.shift[k] = s->shift[k];
 		m.drift[k] = r.drift[k];
-		if (kind_of(s)->turns) {
+		if (motion_kind(s)->turns) {
 			m.now.origin[k] = s->mover.origin[k];
 			m.spin[k] = r.spin * s->unit[k];
 		}
 	}
-	if (kind_of(s)->turns)
+	if (motion_kind(s)->turns)
 		ts_motion_set_turn(&m.now, s->unit, s->angle);
 	return ts_mesh_mover_move(self, sim, &m);
 }
@@ -278,7 +278,7 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	const struct ts_mesh_surface *surface = ts_mesh_surface_find(sim, s->mover.mesh);
 	double first = INFINITY, time = (double)sim->review.steps * sim->clock.dt;
 
-	if (!surface || kind_of(s)->rate != linear_rate || !is_alone(self, sim) || sim->review.stale ||
+	if (!surface || motion_kind(s)->rate != linear_rate || !is_alone(self, sim) || sim->review.stale ||
 	    sim->run.in_pieces)
 		return TS_OK;
 	for (size_t t = 0; t < surface->mesh.n; t++)

@@ -303,7 +303,7 @@ void ts_mesh_motions_remove_ended(const struct ts_instance *by, struct tsim *sim
 	s->v = NULL;
 }
 
-static enum ts_status damaged(struct tsim *sim)
+static enum ts_status fail_damaged(struct tsim *sim)
 {
 	return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible motions of a mesh");
 }
@@ -323,7 +323,7 @@ static enum ts_status archive_list(struct ts_mesh_surface *s, struct tsim *sim, 
 	s->serial = serial;
 	TS_TRY(status);
 	s->nmotions = count;
-	return numbers == count * TS_MESH_MOTION ? TS_OK : damaged(sim);
+	return numbers == count * TS_MESH_MOTION ? TS_OK : fail_damaged(sim);
 }
 
 enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *s, struct tsim *sim, struct ts_archive *a)

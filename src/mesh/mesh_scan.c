@@ -201,7 +201,7 @@ struct ts_scan_found ts_scan_found(const struct ts_scan *s)
 }
 
 /* Copies the last word; Fortran exponents (1d-3) are converted. */
-static bool number_text(const struct ts_scan *s, char text[LONGEST_NUMBER + 1])
+static bool copy_number(const struct ts_scan *s, char text[LONGEST_NUMBER + 1])
 {
 	if (s->length > LONGEST_NUMBER || memchr(s->word, '\0', s->length))
 		return false;
@@ -215,7 +215,7 @@ enum ts_status ts_scan_this_real(struct ts_scan *s, const char *what, double *ou
 {
 	char text[LONGEST_NUMBER + 1];
 
-	if (s->length && number_text(s, text) && ts_parse_real(text, out))
+	if (s->length && copy_number(s, text) && ts_parse_real(text, out))
 		return TS_OK;
 	return ts_scan_fail(s, TS_SYNTAX, "%s should be a number, but here is %s", what,
 			    ts_scan_found(s).text);
@@ -231,7 +231,7 @@ enum ts_status ts_scan_this_int(struct ts_scan *s, const char *what, int64_t lo,
 {
 	char text[LONGEST_NUMBER + 1];
 
-	if (!s->length || !number_text(s, text) || !ts_parse_int(text, out))
+	if (!s->length || !copy_number(s, text) || !ts_parse_int(text, out))
 		return ts_scan_fail(s, TS_SYNTAX, "%s should be an integer, but here is %s", what,
 				    ts_scan_found(s).text);
 	if (*out >= lo && *out <= hi)

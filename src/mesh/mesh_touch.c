@@ -74,8 +74,8 @@ static enum ts_mesh_part touch_edge(const struct ts_mesh *m, size_t t, int k, co
 /* The projection is beyond both edges of corner k; if the angle of the corner is obtuse, the nearest point
  * may still be on one of these edges. LIGGGHTS checks this at the last corner of a triangle only: at the
  * others, if the corner is not active, a contact ends there. */
-static enum ts_mesh_part beyond_corner(const struct ts_mesh *m, size_t t, int k, const double x[3],
-				       struct ts_mesh_contact_point *s)
+static enum ts_mesh_part touch_beyond_corner(const struct ts_mesh *m, size_t t, int k, const double x[3],
+					     struct ts_mesh_contact_point *s)
 {
 	int before = (k + 2) % 3;
 	double arm[3];
@@ -108,5 +108,5 @@ enum ts_mesh_part ts_mesh_nearest(const struct ts_mesh *m, size_t t, const doubl
 		return touch_face(m, t, x, arm, s);
 	if (inside == 2)
 		return touch_edge(m, t, (negative + 1) % 3, x, s);
-	return beyond_corner(m, t, 3 - negative, x, s); /* the only one that is inside */
+	return touch_beyond_corner(m, t, 3 - negative, x, s); /* the only one that is inside */
 }

@@ -121,7 +121,7 @@ static bool is_outside_box(const double lo[3], const double hi[3], const double 
 }
 
 /* Whether neither the bounding box nor the plane of the triangle is farther from x than `distance`. */
-static bool may_reach(const struct ts_mesh *m, size_t t, const double x[3], double distance)
+static bool may_be_near(const struct ts_mesh *m, size_t t, const double x[3], double distance)
 {
 	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY };
 	double arm[3];
@@ -137,7 +137,7 @@ static enum ts_status collect_leaf(const struct ts_mesh_tree *tree, const struct
 				   const double x[3], double distance, struct ts_mesh_list *list)
 {
 	for (size_t at = leaf * LEAF; at < tree->n && at < (leaf + 1) * LEAF; at++) {
-		if (!may_reach(m, (size_t)tree->triangle[at], x, distance))
+		if (!may_be_near(m, (size_t)tree->triangle[at], x, distance))
 			continue;
 		TS_TRY(TS_GROW(list->item, list->capacity, list->n + 1));
 		list->item[list->n++] = tree->triangle[at];
@@ -145,7 +145,7 @@ static enum ts_status collect_leaf(const struct ts_mesh_tree *tree, const struct
 	return TS_OK;
 }
 
-static int ascending(const void *a, const void *b)
+static int by_index(const void *a, const void *b)
 {
 	const int32_t *p = a, *q = b;
 
@@ -195,7 +195,7 @@ static enum ts_status find_leaves(const struct ts_mesh_tree *tree, const double 
 	return TS_OK;
 }
 
-static bool covers(const struct ts_mesh_vicinity *v, const double x[3], double distance)
+static bool is_vicinity_valid(const struct ts_mesh_vicinity *v, const double x[3], double distance)
 {
 	bool does = distance <= v->distance;
 
@@ -209,7 +209,7 @@ enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const st
 				       struct ts_mesh_list *list)
 {
 	list->n = 0;
-	if (!covers(v, x, distance))
+	if (!is_vicinity_valid(v, x, distance))
 		TS_TRY(find_leaves(tree, x, distance, v));
 	for (size_t j = 0; j < v->leaf.n; j++) {
 		size_t k = (size_t)v->leaf.item[j];
@@ -218,7 +218,7 @@ enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const st
 			TS_TRY(collect_leaf(tree, m, k - tree->leaves, x, distance, list));
 	}
 	if (list->n > 1)
-		qsort(list->item, list->n, sizeof *list->item, ascending);
+		qsort(list->item, list->n, sizeof *list->item, by_index);
 	return TS_OK;
 }
 
@@ -243,6 +243,6 @@ enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct t
 		}
 	}
 	if (list->n > 1)
-		qsort(list->item, list->n, sizeof *list->item, ascending);
+		qsort(list->item, list->n, sizeof *list->item, by_index);
 	return TS_OK;
 }

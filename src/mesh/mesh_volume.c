@@ -41,7 +41,7 @@ static void add_tetrahedron(struct sums *sums, double x[3][3])
 }
 
 /* By Gauss' theorem int n dA = 0 and int x_i n_j dA = V delta_ij over a surface that encloses V. */
-static bool encloses(const struct sums *s, double area, double size)
+static bool encloses_volume(const struct sums *s, double area, double size)
 {
 	bool so = fabs(s->volume) > 1e-9 * area * size;
 
@@ -69,7 +69,7 @@ bool ts_mesh_measure_volume(const struct ts_mesh *mesh, struct ts_mesh_volume *o
 			ts_sub(mesh->x[t][k], middle, x[k]);
 		add_tetrahedron(&s, x);
 	}
-	if (mesh->n == 0 || !encloses(&s, ts_mesh_area(mesh), sqrt(ts_distance2(lo, hi))))
+	if (mesh->n == 0 || !encloses_volume(&s, ts_mesh_area(mesh), sqrt(ts_distance2(lo, hi))))
 		return false;
 	out->volume = s.volume;
 	ts_scale(1 / s.volume, s.first, out->centre);

@@ -105,13 +105,13 @@ static bool has_default_gain(const struct state *s)
 	return isnan(s->kp) && !(s->ki > 0) && !(s->kd > 0);
 }
 
-static double kp_of(const struct state *s)
+static double present_kp(const struct state *s)
 {
 	return !isnan(s->kp) ? s->kp : s->gain > 0 ? s->gain : USUAL_GAIN;
 }
 
 /* Root mean square of the distance of the mesh from the axis, weighted by area. */
-static double mean_arm(const struct state *s)
+static double rms_arm(const struct state *s)
 {
 	const struct ts_mesh *m = &s->surface.mesh;
 	double sum = 0, area = 0;
@@ -143,7 +143,7 @@ static double gain_margin(const struct state *s, const struct tsim *sim, const s
 	double unit = s->fastest / fabs(s->target);
 	struct ts_servo_loop loop = { c->stiffness,
 				      c->damping,
-				      { unit * kp_of(s), unit * s->ki, unit * s->kd } };
+				      { unit * present_kp(s), unit * s->ki, unit * s->kd } };
 
 	if (s->mode == AUTO) /* where the error is small */
 		loop = (struct ts_servo_loop){ c->stiffness,
@@ -187,7 +187,7 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	s->warned = false;
 	if (s->moves == STOP || (s->mode == PID && has_default_gain(s) && !sim->legacy))
 		return TS_OK;
-	mesh.arm = mesh.lever > 0 ? mean_arm(s) : 0;
+	mesh.arm = mesh.lever > 0 ? rms_arm(s) : 0;
 	few = ts_servo_contacts(sim, &mesh, fmax(1, (double)touching), false);
 	part = gain_margin(s, sim, &few);
 	s->warned = part < 1;
@@ -201,7 +201,7 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 			      self->id, few.n, few.n > 1 ? "s" : "", few.stiffness, few.damping,
 			      sim->clock.dt, part, s->mode == AUTO ? "ratio" : "gains",
 			      s->mode == AUTO ? "ratio, below " : "kp, below ",
-			      part * (s->mode == AUTO ? s->ratio : kp_of(s)));
+			      part * (s->mode == AUTO ? s->ratio : present_kp(s)));
 }
 
 /* The limit of vel_max is that of LIGGGHTS; it applies if the script gives a skin. */
@@ -272,12 +272,12 @@ static double pid_speed(struct state *s, double error, double dt)
 	double output;
 
 	s->sum += error * dt;
-	output = kp_of(s) * error + s->ki * s->sum + s->kd * (error - s->last) / dt;
+	output = present_kp(s) * error + s->ki * s->sum + s->kd * (error - s->last) / dt;
 	s->last = error;
 	if (fabs(output) <= 1)
 		return s->fastest * output;
 	if (s->ki > 0)
-		s->sum = (-copysign(1, output) - kp_of(s) * error) / s->ki;
+		s->sum = (-copysign(1, output) - present_kp(s) * error) / s->ki;
 	return s->fastest * copysign(1, output);
 }
 
@@ -304,7 +304,7 @@ static enum ts_status detect_oscillation(struct ts_instance *self, struct tsim *
 				      "large for the stiffness and damping of the contacts; take a smaller "
 				      "%s (now %g), vel_max (now %g) or `timestep`",
 				      self->id, (int)s->flips, WATCHED, s->mode == AUTO ? "ratio" : "kp",
-				      s->mode == AUTO ? s->ratio : kp_of(s), s->fastest));
+				      s->mode == AUTO ? s->ratio : present_kp(s), s->fastest));
 	s->flips = s->since = 0;
 	return TS_OK;
 }
@@ -377,7 +377,7 @@ static const struct ts_arg integrate_rows[] = {
 
 /* After a change of target or gains: converts the error of the last step to the new target, and sets the
  * integral to 0. */
-static void begin_anew(struct state *s, double before)
+static void reset_controller(struct state *s, double before)
 {
 	double met = before - s->last * fabs(before);
 
@@ -413,7 +413,7 @@ static enum ts_status modify(struct ts_instance *self, struct tsim *sim, struct 
 		TS_TRY(ts_args_parse(sim, m->name, m->rows, rest, &words.word[0].place, &self->arena, s));
 		TS_TRY(check_axis_and_target(self, sim));
 		if (m->rows == target_rows || m->rows == gain_rows)
-			begin_anew(s, target);
+			reset_controller(s, target);
 		return TS_OK;
 	}
 	return TS_OK;

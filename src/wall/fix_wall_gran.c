@@ -73,7 +73,7 @@ static enum ts_status place_primitive(struct ts_instance *self, struct tsim *sim
 	return ts_primitive_wall_read(self, sim, &w->primitive);
 }
 
-static double distance(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type)
+static double contact_distance(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type)
 {
 	const struct wall *w = self->state;
 	const struct ts_wall_contacts *c = &w->wall.contacts;
@@ -120,7 +120,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(w->mesh_word ? find_meshes(self, sim) : place_primitive(self, sim));
 	TS_TRY(check_types(self, sim));
 	w->wall.primitive = w->mesh_word ? NULL : &w->primitive;
-	w->wall.distance = distance;
+	w->wall.distance = contact_distance;
 	w->wall.meshes = w->mesh_word ? (int)w->mesh.nmeshes : 0;
 	w->wall.mesh = w->mesh_word ? &w->mesh : NULL;
 	w->wall.moves = !w->mesh_word && ts_primitive_wall_moves(&w->primitive);
@@ -131,12 +131,12 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 }
 
 /* Number of particle types whose materials the wall has: one for each mesh. */
-static size_t ntypes(const struct wall *w)
+static size_t count_surface_types(const struct wall *w)
 {
 	return w->mesh_word ? w->mesh.nmeshes : 1;
 }
 
-static int type_of(const struct wall *w, size_t k)
+static int surface_type(const struct wall *w, size_t k)
 {
 	return (int)(w->mesh_word ? w->mesh.mesh[k].surface->type : w->type);
 }
@@ -148,8 +148,8 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 
 	if (!ts_wall_has_law(&w->wall, sim))
 		return TS_OK; /* refused by the plan */
-	for (size_t k = 0; k < ntypes(w); k++)
-		TS_TRY(ts_wall_make_law(self, sim, type_of(w, k)));
+	for (size_t k = 0; k < count_surface_types(w); k++)
+		TS_TRY(ts_wall_make_law(self, sim, surface_type(w, k)));
 	ts_wall_rebuild_start(&w->wall, sim, w->mesh_word ? TS_MESH_MEMORY : 0, &rebuild);
 	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
 				      w->mesh_word
@@ -184,8 +184,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 	if (!w->mesh_word)
 		ts_primitive_wall_plan(self, sim, &w->primitive);
-	for (size_t k = 0; k < ntypes(w); k++)
-		TS_TRY(ts_wall_plan(self, sim, type_of(w, k), report));
+	for (size_t k = 0; k < count_surface_types(w); k++)
+		TS_TRY(ts_wall_plan(self, sim, surface_type(w, k), report));
 	return TS_OK;
 }
 

@@ -13,7 +13,7 @@ struct wall {
 	int64_t type;
 };
 
-static double distance(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type)
+static double contact_distance(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type)
 {
 	const struct wall *w = self->state;
 
@@ -34,11 +34,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		w->type = 1;
 	TS_TRY(ts_region_wall_init(self, sim, &w->region));
 	w->wall.region = w->region.region;
-	w->wall.distance = distance;
+	w->wall.distance = contact_distance;
 	return ts_wall_init(self, sim);
 }
 
-static enum ts_status list(struct ts_instance *self, struct tsim *sim)
+static enum ts_status list_contacts(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
 	struct ts_wall_rebuild rebuild;
@@ -56,7 +56,7 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 		return TS_OK; /* refused by the plan */
 	TS_TRY(ts_wall_make_law(self, sim, (int)w->type));
 	TS_TRY(ts_region_wall_update(self, sim, &w->region));
-	return list(self, sim);
+	return list_contacts(self, sim);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
@@ -66,7 +66,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_region_wall_needs_list(self, sim, &w->region, &far));
 	if (far)
-		TS_TRY(list(self, sim));
+		TS_TRY(list_contacts(self, sim));
 	ts_wall_start(&w->wall, sim);
 	return ts_region_wall_enqueue_contacts(sim, &w->wall, &w->region, (int)w->type);
 }

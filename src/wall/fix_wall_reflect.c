@@ -59,7 +59,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		       "fix wall/reflect: expected at least one of xlo, xhi, ylo, yhi, zlo, zhi");
 }
 
-static enum ts_status position(struct ts_instance *self, struct tsim *sim, int k, double *at)
+static enum ts_status face_position(struct ts_instance *self, struct tsim *sim, int k, double *at)
 {
 	const struct state *s = self->state;
 	const struct ts_box *box = &sim->domain->box;
@@ -73,7 +73,7 @@ static enum ts_status position(struct ts_instance *self, struct tsim *sim, int k
 	return TS_OK;
 }
 
-static void reflect(const struct ts_instance *self, struct tsim *sim, int k, double at)
+static void reflect_particles(const struct ts_instance *self, struct tsim *sim, int k, double at)
 {
 	struct ts_particles *p = sim->particles;
 	int dim = k / 2;
@@ -97,8 +97,8 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	for (int k = 0; k < NFACES; k++) {
 		if (!s->word[k])
 			continue;
-		TS_TRY(position(self, sim, k, &at));
-		reflect(self, sim, k, at);
+		TS_TRY(face_position(self, sim, k, &at));
+		reflect_particles(self, sim, k, at);
 	}
 	return TS_OK;
 }

@@ -18,8 +18,8 @@ static double place_tolerance(const struct ts_mesh_wall *mw, size_t k)
 	return 4 * ts_mesh_tolerance(contact_mesh(mw, k), (size_t)mw->near[k].triangle);
 }
 
-static void find_place(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t i, size_t k,
-		       double within)
+static void compute_place(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t i, size_t k,
+			  double within)
 {
 	struct ts_mesh_place *place = &mw->place[k];
 	const struct ts_mesh *m = contact_mesh(mw, k);
@@ -75,7 +75,7 @@ void ts_mesh_places(const struct tsim *sim, const struct ts_mesh_wall *mw, const
 		    double reach)
 {
 	for (size_t k = v->first; k < v->first + v->n; k++)
-		find_place(sim, mw, v->i, k, v->radius + reach);
+		compute_place(sim, mw, v->i, k, v->radius + reach);
 	for (size_t k = v->first; k < v->first + v->n; k++)
 		mw->place[k].own = mw->place[k].own && is_nearest_place(sim, mw, v, k);
 }

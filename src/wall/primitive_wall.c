@@ -87,8 +87,8 @@ int ts_primitive_wall_shapes(const struct ts_primitive_wall *w)
 
 /* A plane normal to a periodic dimension: LAMMPS refuses it; in LIGGGHTS particles interact with it, their
  * periodic images do not. */
-static enum ts_status accept_periodic(struct ts_instance *self, struct tsim *sim,
-				      const struct ts_primitive_wall *w, int shape)
+static enum ts_status check_periodic(struct ts_instance *self, struct tsim *sim,
+				     const struct ts_primitive_wall *w, int shape)
 {
 	const struct ts_place *where = ts_instance_word(self, shape_names[shape]);
 
@@ -114,7 +114,7 @@ static enum ts_status read_shape(struct ts_instance *self, struct tsim *sim, str
 	if (shape >= TS_XCYLINDER)
 		return read_cylinder(w, sim, shape);
 	if (ts_sim_has_box(sim) && ts_box_periodic(&sim->domain->box, shape) && !w->n)
-		TS_TRY(accept_periodic(self, sim, w, shape));
+		TS_TRY(check_periodic(self, sim, w, shape));
 	return read_plane(w, sim, shape);
 }
 

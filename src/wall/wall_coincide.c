@@ -8,7 +8,7 @@
 
 #include "base/banned.h"
 
-static const struct ts_instance *instance_of(const struct tsim *sim, const struct ts_wall *wall)
+static const struct ts_instance *find_instance(const struct tsim *sim, const struct ts_wall *wall)
 {
 	const struct ts_instance *by = NULL;
 	const struct ts_wall *w;
@@ -31,7 +31,7 @@ enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall)
 	i = (size_t)wall->contacts.row[k];
 	if (p->mask[i] & ts_prescribed(sim))
 		return TS_OK;
-	by = instance_of(sim, wall);
+	by = find_instance(sim, wall);
 	if (wall->mesh)
 		ts_mesh_wall_name(wall->mesh, k, &where);
 	status = ts_fail(&sim->error, TS_PHYSICS, by ? &by->where : NULL,

@@ -6,8 +6,8 @@
 
 #include "base/banned.h"
 
-static enum ts_status wall_load(struct tsim *sim, const struct ts_wall *w, size_t k,
-				const struct ts_place *where, struct ts_multicontact_load *one)
+static enum ts_status contact_load(struct tsim *sim, const struct ts_wall *w, size_t k,
+				   const struct ts_place *where, struct ts_multicontact_load *one)
 {
 	const struct ts_particles *p = sim->particles;
 	const double *memory = ts_wall_memory(&w->contacts, k) + ts_granular_multi_at(ts_wall_model(w, sim));
@@ -59,7 +59,8 @@ static enum ts_status collect_wall_loads(struct ts_multicontact *m, struct tsim 
 	for (size_t walls = 0; (w = ts_walls_next(sim, &walls, NULL));)
 		for (size_t k = 0; has_bulges(w, sim) && k < w->contacts.n; k++)
 			if (is_touching(w, sim, k))
-				TS_TRY(wall_load(sim, w, k, where, &m->load[m->next[w->contacts.row[k]]++]));
+				TS_TRY(contact_load(sim, w, k, where,
+						    &m->load[m->next[w->contacts.row[k]]++]));
 	return TS_OK;
 }
 
