@@ -20,9 +20,9 @@ struct admission {
 
 enum severity { FINE, WARN, REFUSE };
 
-static enum severity severity_of(const struct ts_mesh_admission *how, enum ts_mesh_ill ill)
+static enum severity severity_of(const struct ts_mesh_admission *how, enum ts_mesh_fault fault)
 {
-	switch (ill) {
+	switch (fault) {
 	case TS_MESH_OPEN:
 		return FINE;
 	case TS_MESH_NEEDLE:
@@ -37,9 +37,9 @@ static enum severity severity_of(const struct ts_mesh_admission *how, enum ts_me
 	}
 }
 
-static bool is_left_out(const struct ts_mesh_admission *how, enum ts_mesh_ill ill)
+static bool is_left_out(const struct ts_mesh_admission *how, enum ts_mesh_fault fault)
 {
-	return ill == TS_MESH_COLLAPSED || (ill == TS_MESH_DUPLICATE && how->heal);
+	return fault == TS_MESH_COLLAPSED || (fault == TS_MESH_DUPLICATE && how->heal);
 }
 
 /* "triangle 12 (line 79)" */
@@ -56,7 +56,7 @@ static void name_triangle(struct ts_str *out, const struct ts_triangles *soup, i
 
 static void describe_finding(const struct admission *a, const struct ts_mesh_finding *f, struct ts_str *out)
 {
-	const struct ts_mesh_ill_text *text = &ts_mesh_ill_texts[f->ill];
+	const struct ts_mesh_fault_text *text = &ts_mesh_fault_texts[f->fault];
 
 	ts_str_addf(out, "%s: ", a->soup->file);
 	name_triangle(out, a->soup, f->triangle);
@@ -72,9 +72,9 @@ static void describe_finding(const struct admission *a, const struct ts_mesh_fin
 /* Reports a finding as a warning or an error; the first one of a fault includes the number of others. */
 static enum ts_status report_finding(struct admission *a, const struct ts_mesh_finding *f, bool first)
 {
-	const struct ts_mesh_ill_text *text = &ts_mesh_ill_texts[f->ill];
-	size_t more = a->findings.count[f->ill] - 1;
-	bool refuse = severity_of(a->how, f->ill) == REFUSE;
+	const struct ts_mesh_fault_text *text = &ts_mesh_fault_texts[f->fault];
+	size_t more = a->findings.count[f->fault] - 1;
+	bool refuse = severity_of(a->how, f->fault) == REFUSE;
 	struct ts_str line = { 0 };
 	enum ts_status status = TS_OK;
 
@@ -82,7 +82,7 @@ static enum ts_status report_finding(struct admission *a, const struct ts_mesh_f
 	if (first && more)
 		ts_str_addf(&line, "; so do %zu other%s", more, more == 1 ? "" : "s");
 	if (first)
-		ts_str_addf(&line, "; remedy: %s", text->helps);
+		ts_str_addf(&line, "; remedy: %s", text->remedy);
 	if (line.failed)
 		status = ts_nomem(&a->sim->error);
 	else if (refuse && !a->how->verbose)
@@ -100,10 +100,10 @@ static enum ts_status report_findings(struct admission *a)
 
 	for (size_t k = 0; k < a->findings.n; k++) {
 		const struct ts_mesh_finding *f = &a->findings.list[k];
-		bool first = !k || f[-1].ill != f->ill;
+		bool first = !k || f[-1].fault != f->fault;
 
-		refused += severity_of(a->how, f->ill) == REFUSE;
-		if (severity_of(a->how, f->ill) != FINE && (first || a->how->verbose))
+		refused += severity_of(a->how, f->fault) == REFUSE;
+		if (severity_of(a->how, f->fault) != FINE && (first || a->how->verbose))
 			TS_TRY(report_finding(a, f, first));
 	}
 	if (!refused)
@@ -123,7 +123,7 @@ static enum ts_status write_exclusions(struct admission *a)
 	for (size_t k = 0; status == TS_OK && k < a->findings.n; k++) {
 		const struct ts_mesh_finding *f = &a->findings.list[k];
 
-		if (severity_of(a->how, f->ill) == REFUSE)
+		if (severity_of(a->how, f->fault) == REFUSE)
 			status = ts_textfile_printf(&file, "%d\n", a->soup->t[f->triangle].line);
 	}
 	closed = ts_textfile_close(&file);
@@ -156,7 +156,7 @@ static enum ts_status remove_left_out(struct admission *a)
 	if (!out)
 		return ts_nomem(&a->sim->error);
 	for (size_t k = 0; k < a->findings.n; k++)
-		if (is_left_out(a->how, a->findings.list[k].ill))
+		if (is_left_out(a->how, a->findings.list[k].fault))
 			out[a->findings.list[k].triangle] = 1;
 	for (size_t t = 0; t < a->soup->n; t++)
 		if (!out[t])

@@ -11,10 +11,10 @@
 
 #include "base/banned.h"
 
-#define ILL_TEXT(name, what, unit, helps) { what, unit, helps },
-const struct ts_mesh_ill_text ts_mesh_ill_texts[] = { TS_MESH_ILL_LIST(ILL_TEXT) };
+#define FAULT_TEXT(name, what, unit, remedy) { what, unit, remedy },
+const struct ts_mesh_fault_text ts_mesh_fault_texts[] = { TS_MESH_FAULT_LIST(FAULT_TEXT) };
 
-struct doctor {
+struct examination {
 	const struct ts_mesh *m;
 	double curvature;
 	struct ts_mesh_findings *out;
@@ -24,22 +24,22 @@ struct doctor {
 	size_t nedges;
 };
 
-static enum ts_status add_finding(struct doctor *d, enum ts_mesh_ill ill, int32_t t, int32_t other,
+static enum ts_status add_finding(struct examination *d, enum ts_mesh_fault fault, int32_t t, int32_t other,
 				  const double at[3], double amount)
 {
 	struct ts_mesh_findings *out = d->out;
 
 	TS_TRY(TS_GROW(out->list, out->capacity, out->n + 1));
 	out->list[out->n++] = (struct ts_mesh_finding){
-		.ill = ill, .triangle = t, .other = other, .at = { at[0], at[1], at[2] }, .amount = amount
+		.fault = fault, .triangle = t, .other = other, .at = { at[0], at[1], at[2] }, .amount = amount
 	};
 	return TS_OK;
 }
 
-static enum ts_status add_finding_at_centre(struct doctor *d, enum ts_mesh_ill ill, int32_t t, int32_t other,
-					    double amount)
+static enum ts_status add_finding_at_centre(struct examination *d, enum ts_mesh_fault fault, int32_t t,
+					    int32_t other, double amount)
 {
-	return add_finding(d, ill, t, other, d->m->centre[t], amount);
+	return add_finding(d, fault, t, other, d->m->centre[t], amount);
 }
 
 /* ---- single triangles ---- */
@@ -57,7 +57,7 @@ static double smallest_angle(const struct ts_mesh *m, size_t t)
 	return smallest * (180 / TS_PI);
 }
 
-static enum ts_status examine_shape(struct doctor *d, int32_t t)
+static enum ts_status examine_shape(struct examination *d, int32_t t)
 {
 	const int32_t *v = d->m->vertex[t];
 	double angle;
@@ -106,7 +106,7 @@ static void sort3(int32_t v[3])
 	}
 }
 
-static enum ts_status mark_duplicates(struct doctor *d, const struct key *key)
+static enum ts_status mark_duplicates(struct examination *d, const struct key *key)
 {
 	for (size_t k = 1, first = 0; k < d->m->n; k++) {
 		if (compare_ints(key[first].v, key[k].v, 3) != 0) {
@@ -120,7 +120,7 @@ static enum ts_status mark_duplicates(struct doctor *d, const struct key *key)
 	return TS_OK;
 }
 
-static enum ts_status examine_duplicates(struct doctor *d)
+static enum ts_status examine_duplicates(struct examination *d)
 {
 	struct key *key = ts_alloc(d->m->n, sizeof *key);
 	enum ts_status status;
@@ -148,7 +148,7 @@ static int by_edge(const void *a, const void *b)
 			    (int32_t[]){ q->lo, q->hi, q->triangle }, 3);
 }
 
-static enum ts_status list_edges(struct doctor *d)
+static enum ts_status list_edges(struct examination *d)
 {
 	const struct ts_mesh *m = d->m;
 
@@ -168,7 +168,7 @@ static enum ts_status list_edges(struct doctor *d)
 	return TS_OK;
 }
 
-static size_t count_same_edges(const struct doctor *d, size_t from)
+static size_t count_same_edges(const struct examination *d, size_t from)
 {
 	size_t n = 1;
 
@@ -201,7 +201,7 @@ static void edge_middle(const struct ts_mesh *m, const struct ts_mesh_edge *e, d
 	ts_scale(0.5, out, out);
 }
 
-static enum ts_status examine_edge(struct doctor *d, const struct ts_mesh_edge *e, size_t n)
+static enum ts_status examine_edge(struct examination *d, const struct ts_mesh_edge *e, size_t n)
 {
 	double at[3];
 
@@ -217,7 +217,7 @@ static enum ts_status examine_edge(struct doctor *d, const struct ts_mesh_edge *
 	return TS_OK;
 }
 
-static enum ts_status examine_edges(struct doctor *d)
+static enum ts_status examine_edges(struct examination *d)
 {
 	TS_TRY(list_edges(d));
 	for (size_t k = 0, n; k < d->nedges; k += n) {
@@ -245,7 +245,7 @@ static bool same_direction(const struct ts_mesh *m, int32_t t, int k, int32_t ot
 
 /* Flood fill over edges shared by two triangles, from triangle `first`. side[t] is set to 1 or 2 for the two
  * orientations. Returns the number of connected triangles, which are left in `queue`. */
-static size_t flood_orientation(const struct doctor *d, int32_t first, uint8_t *side, int32_t *queue)
+static size_t flood_orientation(const struct examination *d, int32_t first, uint8_t *side, int32_t *queue)
 {
 	size_t n = 0;
 
@@ -267,7 +267,7 @@ static size_t flood_orientation(const struct doctor *d, int32_t first, uint8_t *
 }
 
 /* In each connected part the triangles of the less frequent orientation are reported as flipped. */
-static enum ts_status examine_orientation(struct doctor *d, uint8_t *side, int32_t *queue)
+static enum ts_status examine_orientation(struct examination *d, uint8_t *side, int32_t *queue)
 {
 	for (size_t first = 0; first < d->m->n; first++) {
 		size_t n, ones = 0;
@@ -291,12 +291,12 @@ static enum ts_status add_crack(void *context, int32_t t, int32_t other, const d
 	return add_finding(context, TS_MESH_CRACKED, t, other, at, width);
 }
 
-static int by_ill(const void *a, const void *b)
+static int by_fault(const void *a, const void *b)
 {
 	const struct ts_mesh_finding *p = a, *q = b;
 
-	return compare_ints((int32_t[]){ (int32_t)p->ill, p->triangle, p->other },
-			    (int32_t[]){ (int32_t)q->ill, q->triangle, q->other }, 3);
+	return compare_ints((int32_t[]){ (int32_t)p->fault, p->triangle, p->other },
+			    (int32_t[]){ (int32_t)q->fault, q->triangle, q->other }, 3);
 }
 
 /* Sorts and counts the findings, and removes repeated ones of the same triangle and fault. */
@@ -305,18 +305,18 @@ static void sort_findings(struct ts_mesh_findings *f)
 	size_t n = 0;
 
 	if (f->n)
-		qsort(f->list, f->n, sizeof *f->list, by_ill);
+		qsort(f->list, f->n, sizeof *f->list, by_fault);
 	for (size_t k = 0; k < f->n; k++) {
-		if (n && f->list[n - 1].ill == f->list[k].ill &&
+		if (n && f->list[n - 1].fault == f->list[k].fault &&
 		    f->list[n - 1].triangle == f->list[k].triangle)
 			continue;
 		f->list[n++] = f->list[k];
-		f->count[f->list[k].ill]++;
+		f->count[f->list[k].fault]++;
 	}
 	f->n = n;
 }
 
-static enum ts_status examine(struct doctor *d, uint8_t *side, int32_t *queue)
+static enum ts_status examine(struct examination *d, uint8_t *side, int32_t *queue)
 {
 	for (size_t t = 0; t < d->m->n; t++)
 		TS_TRY(examine_shape(d, (int32_t)t));
@@ -328,7 +328,7 @@ static enum ts_status examine(struct doctor *d, uint8_t *side, int32_t *queue)
 
 enum ts_status ts_mesh_examine(const struct ts_mesh *mesh, double curvature, struct ts_mesh_findings *out)
 {
-	struct doctor d = { .m = mesh, .curvature = curvature, .out = out };
+	struct examination d = { .m = mesh, .curvature = curvature, .out = out };
 	uint8_t *side = ts_alloc(mesh->n, 1);
 	int32_t *queue = ts_alloc(mesh->n, sizeof *queue);
 	enum ts_status status = TS_NOMEM;

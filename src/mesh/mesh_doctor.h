@@ -10,7 +10,7 @@
 #define TS_MESH_SOFT_ANGLE 0.5
 
 /* name, description, unit of the amount ("": none), remedy */
-#define TS_MESH_ILL_LIST(X)                                                                        \
+#define TS_MESH_FAULT_LIST(X)                                                                      \
 	X(COLLAPSED, "has two corners at the same place and is left out", "",                      \
 	  "take a smaller `precision`, or export the surface with more digits")                    \
 	X(NEEDLE, "has hardly any area: its smallest angle is below 0.0181185 degrees", "degrees", \
@@ -31,12 +31,12 @@
 	  "join the corners, or take a larger `precision`")                                        \
 	X(OPEN, "has an edge without neighbour", "", "none needed if the surface has a rim there")
 
-#define TS_MESH_ILL_ENUM(name, what, unit, helps) TS_MESH_##name,
-enum ts_mesh_ill { TS_MESH_ILL_LIST(TS_MESH_ILL_ENUM) TS_NMESH_ILLS };
-#undef TS_MESH_ILL_ENUM
+#define TS_MESH_FAULT_ENUM(name, what, unit, remedy) TS_MESH_##name,
+enum ts_mesh_fault { TS_MESH_FAULT_LIST(TS_MESH_FAULT_ENUM) TS_NMESH_FAULTS };
+#undef TS_MESH_FAULT_ENUM
 
 struct ts_mesh_finding {
-	enum ts_mesh_ill ill;
+	enum ts_mesh_fault fault;
 	int32_t triangle, other; /* `other`: the second triangle of the fault; -1: none */
 	double at[3];		 /* position, length */
 	double amount;		 /* angle in degrees, number of triangles, or width of the crack, length */
@@ -46,17 +46,17 @@ struct ts_mesh_finding {
 struct ts_mesh_findings {
 	size_t n, capacity;
 	struct ts_mesh_finding *list;
-	size_t count[TS_NMESH_ILLS];
+	size_t count[TS_NMESH_FAULTS];
 };
 
 /* Examines a mesh; `curvature` in degrees, as in ts_mesh_build. */
 enum ts_status ts_mesh_examine(const struct ts_mesh *mesh, double curvature, struct ts_mesh_findings *out);
 void ts_mesh_findings_release(struct ts_mesh_findings *findings);
 
-struct ts_mesh_ill_text {
-	const char *what, *unit, *helps;
+struct ts_mesh_fault_text {
+	const char *what, *unit, *remedy;
 };
-extern const struct ts_mesh_ill_text ts_mesh_ill_texts[TS_NMESH_ILLS];
+extern const struct ts_mesh_fault_text ts_mesh_fault_texts[TS_NMESH_FAULTS];
 
 /* Volume of a closed mesh by the divergence theorem, positive if the normals point outwards. */
 double ts_mesh_volume(const struct ts_mesh *mesh);

@@ -33,14 +33,14 @@ static void examine(const double (*soup)[3][3], size_t n)
 }
 
 /* Besides open edges there are `n` findings; returns the first of this kind. */
-static const struct ts_mesh_finding *only(enum ts_mesh_ill ill, size_t n)
+static const struct ts_mesh_finding *only(enum ts_mesh_fault fault, size_t n)
 {
 	size_t others = found.n - found.count[TS_MESH_OPEN];
 
-	ck_assert_uint_eq(found.count[ill], n);
+	ck_assert_uint_eq(found.count[fault], n);
 	ck_assert_uint_eq(others, n);
 	for (size_t k = 0; k < found.n; k++)
-		if (found.list[k].ill == ill)
+		if (found.list[k].fault == fault)
 			return &found.list[k];
 	return NULL;
 }
@@ -89,15 +89,15 @@ START_TEST(shapes)
 {
 	/* heights over a base of 2.385 that give smallest angles of 0.4, 0.1 and 0.01 degrees */
 	double h[3], angle[] = { 0.4, 0.1, 0.01 };
-	const enum ts_mesh_ill ill[] = { TS_MESH_SLIVER, TS_MESH_SHARP, TS_MESH_NEEDLE };
+	const enum ts_mesh_fault fault[] = { TS_MESH_SLIVER, TS_MESH_SHARP, TS_MESH_NEEDLE };
 
 	for (int k = 0; k < 3; k++) {
 		h[k] = 2.385 / 2 * tan(angle[k] * 3.14159265358979323846 / 180);
 		const double soup[][3][3] = { { { 0, 0, 0 }, { 2.385, 0, 0 }, { 2.385 / 2, -h[k], 0 } } };
 
 		examine(soup, 1);
-		ck_assert_int_eq(only(ill[k], 1)->triangle, 0);
-		ck_assert_double_eq_tol(only(ill[k], 1)->amount, angle[k], 1e-15);
+		ck_assert_int_eq(only(fault[k], 1)->triangle, 0);
+		ck_assert_double_eq_tol(only(fault[k], 1)->amount, angle[k], 1e-15);
 	}
 	const double collapsed[][3][3] = { A, { { 0, 0, 0 }, { 1e-9, 0, 0 }, { 0, 2.5, 0 } } };
 
