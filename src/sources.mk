@@ -162,6 +162,7 @@ library_sources = \
 	src/contact/contact_stages.c \
 	src/contact/contact_stages.h \
 	src/contact/contact_sums.c \
+	src/contact/contact_sums.h \
 	src/contact/contact_system.c \
 	src/contact/contact_system.h \
 	src/contact/contact_view.c \
@@ -179,6 +180,7 @@ library_sources = \
 	src/contact/liquid.c \
 	src/contact/liquid.h \
 	src/contact/material_words.c \
+	src/contact/material_words.h \
 	src/contact/materials.c \
 	src/contact/materials.h \
 	src/contact/multicontact.c \
@@ -195,6 +197,8 @@ library_sources = \
 	src/contact/pair_spring_dashpot.c \
 	src/contact/substep_contacts.c \
 	src/contact/substep_contacts.h \
+	src/contact/virial.c \
+	src/contact/virial.h \
 	src/core/archive.c \
 	src/core/archive.h \
 	src/core/arg.h \
@@ -723,9 +727,9 @@ library_sources = \
 	src/neigh/leaving.h \
 	src/neigh/neigh.c \
 	src/neigh/neigh.h \
+	src/neigh/neigh_skin.c \
 	src/neigh/order.c \
 	src/neigh/order.h \
-	src/neigh/skin.c \
 	src/particle/assign.c \
 	src/particle/assign_words.c \
 	src/particle/assign_words.h \

@@ -211,7 +211,7 @@ static double stop_watch(const struct tsim *sim)
 /* Contacts that touch now, of particles and with walls. */
 static double touching(const struct tsim *sim)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->contacts;
 	const struct ts_wall *w;
 	double n = 0;
 

@@ -2,6 +2,7 @@
 #include "average/euler.h"
 #include "box/domain.h"
 #include "contact/contact_view.h"
+#include "contact/virial.h"
 #include "geom/box.h"
 #include "math/constants.h"
 #include "particle/identity.h"
@@ -181,7 +182,7 @@ static void add_stress(const struct state *s, const struct tsim *sim, size_t c, 
 		size_t i = (size_t)s->list[k];
 		double w[6];
 
-		ts_virial_of(sim, i, &parts, w);
+		ts_virial_of_particle(sim, i, &parts, w);
 		for (int j = 0; j < 6; j++) {
 			int a = ts_tensor_row[j], b = ts_tensor_column[j];
 

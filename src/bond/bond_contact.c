@@ -100,7 +100,7 @@ const struct ts_bond_style ts_bond_contact = {
 		   .fingerprint = ts_bond_fingerprint,
 		   .init = ts_bond_init,
 		   .hook = { [TS_STAGE_FORCE] = ts_bond_force },
-		   .energy = ts_bond_energy,
+		   .energy = ts_contact_energy_of_bonds,
 		   .plan = ts_bond_plan,
 		   .fini = ts_bond_fini },
 	.coeff_size = sizeof(struct coeff),

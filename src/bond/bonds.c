@@ -158,7 +158,7 @@ static bool bonded(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
 
 static void connect_bonds(struct tsim *sim)
 {
-	sim->neigh->ask.bonded = bonded;
+	sim->neigh->callback.bonded = bonded;
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)

@@ -48,7 +48,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 		if (!wanted(self, sim, r))
 			continue;
-		ts_bond_view(sim, r, &view);
+		ts_contact_view_of_bond(sim, r, &view);
 		for (size_t k = 0; k < s->list.n; k++)
 			out->data[n * s->list.n + k] = columns[s->list.item[k]].value(sim, &view);
 		n++;

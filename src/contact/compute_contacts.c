@@ -20,24 +20,24 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 /* What is counted and listed: contacts whose partners are both in the group. A contact across a
  * periodic face has a row on either side; the one of the smaller identity counts. */
 static bool counts(const struct ts_instance *self, const struct ts_particles *p,
-		   const struct ts_contact_list *rows, size_t r)
+		   const struct ts_contact_list *list, size_t r)
 {
-	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 
-	if (!rows->touching[r] || !ts_in_group(p, i, self->group) || !ts_in_group(p, j, self->group))
+	if (!list->touching[r] || !ts_in_group(p, i, self->group) || !ts_in_group(p, j, self->group))
 		return false;
 	if (j < p->n || p->tag[i] < p->tag[j])
 		return true;
-	return p->tag[i] == p->tag[j] && rows->image[r] > TS_IMAGE_SELF;
+	return p->tag[i] == p->tag[j] && list->image[r] > TS_IMAGE_SELF;
 }
 
 static size_t count(const struct ts_instance *self, const struct tsim *sim)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 	size_t n = 0;
 
-	for (size_t r = 0; r < rows->n; r++)
-		n += counts(self, sim->particles, rows, r);
+	for (size_t r = 0; r < list->n; r++)
+		n += counts(self, sim->particles, list, r);
 	return n;
 }
 
@@ -49,19 +49,19 @@ static enum ts_status eval_count(struct ts_instance *self, const struct tsim *si
 
 static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
 
 	TS_TRY(ts_table_resize(out, p->n, 1));
 	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = 0;
-	for (size_t r = 0; r < rows->n; r++) {
-		if (!rows->touching[r])
+	for (size_t r = 0; r < list->n; r++) {
+		if (!list->touching[r])
 			continue;
-		if (ts_in_group(p, (size_t)rows->i[r], self->group))
-			out->data[rows->i[r]] += 1;
-		if ((size_t)rows->j[r] < p->n && ts_in_group(p, (size_t)rows->j[r], self->group))
-			out->data[rows->j[r]] += 1;
+		if (ts_in_group(p, (size_t)list->i[r], self->group))
+			out->data[list->i[r]] += 1;
+		if ((size_t)list->j[r] < p->n && ts_in_group(p, (size_t)list->j[r], self->group))
+			out->data[list->j[r]] += 1;
 	}
 	return TS_OK;
 }
@@ -70,12 +70,12 @@ enum { COLUMNS = 15 };
 
 static void list_row(const struct tsim *sim, size_t r, double row[COLUMNS])
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
-	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
-	bool swap = rows->tag[0][r] > rows->tag[1][r]; /* the smaller identity first */
+	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
+	bool swap = list->tag[0][r] > list->tag[1][r]; /* the smaller identity first */
 	size_t a = swap ? j : i, b = swap ? i : j;
-	const double *force = ts_contact_force(rows, r);
+	const double *force = ts_contact_force(list, r);
 	double d2 = 0;
 
 	row[0] = p->tag[a];
@@ -94,13 +94,13 @@ static void list_row(const struct tsim *sim, size_t r, double row[COLUMNS])
 
 static enum ts_status eval_local(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 	size_t n = 0;
 
 	TS_TRY(ts_contacts_kept(((const struct state *)self->state)->sim, self));
 	TS_TRY(ts_table_resize(out, count(self, sim), COLUMNS));
-	for (size_t r = 0; r < rows->n; r++)
-		if (counts(self, sim->particles, rows, r))
+	for (size_t r = 0; r < list->n; r++)
+		if (counts(self, sim->particles, list, r))
 			list_row(sim, r, out->data + COLUMNS * n++);
 	return TS_OK;
 }

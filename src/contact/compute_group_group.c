@@ -34,21 +34,21 @@ static void add(const struct ts_instance *self, const struct tsim *sim, const st
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 	struct ts_exactsum sum[3];
 	struct ts_contact_view view;
 
 	TS_TRY(ts_contacts_forces(s->sim, self));
 	for (int k = 0; k < 3; k++)
 		sum[k] = ts_exactsum_start();
-	for (size_t r = 0; s->pair && r < rows->n; r++) {
-		if (!rows->touching[r] || !ts_contact_counts(sim, r, 0))
+	for (size_t r = 0; s->pair && r < list->n; r++) {
+		if (!list->touching[r] || !ts_contact_counts(sim, r, 0))
 			continue;
 		ts_contact_view(sim, r, &view);
 		add(self, sim, &view, sum);
 	}
 	for (size_t b = 0; s->bond && b < sim->bonds->n; b++) {
-		ts_bond_view(sim, b, &view);
+		ts_contact_view_of_bond(sim, b, &view);
 		add(self, sim, &view, sum);
 	}
 	for (int k = 0; k < 3; k++)

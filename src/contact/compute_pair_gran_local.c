@@ -27,17 +27,17 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static bool listed(const struct ts_instance *self, const struct tsim *sim, size_t r)
 {
-	return sim->neigh->rows.touching[r] && ts_contact_counts(sim, r, self->group);
+	return sim->neigh->contacts.touching[r] && ts_contact_counts(sim, r, self->group);
 }
 
 /* The tangential force turns both partners the same way, each about its own arm. */
 static void add_torque(const struct tsim *sim, const struct ts_contact_view *v, struct ts_contact_facts *f)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 
-	for (int k = 0; rows->parts > 1 && k < 3; k++)
-		f->torque[k] = (sim->particles->radius[v->a] - ts_contact_force(rows, v->row)[3]) *
-			       ts_contact_tangential_torque(rows, v->row)[k];
+	for (int k = 0; list->parts > 1 && k < 3; k++)
+		f->torque[k] = (sim->particles->radius[v->a] - ts_contact_force(list, v->row)[3]) *
+			       ts_contact_tangential_torque(list, v->row)[k];
 }
 
 /* By the conductance of the last step, with the temperatures of now. */
@@ -47,7 +47,7 @@ static double heat_of(const struct tsim *sim, const struct ts_contact_view *v)
 	const struct ts_heat_pairs *pairs = &heat->pairs[0];
 	const double *temperature = ts_heat_column(sim, heat->temperature);
 
-	if (!heat->ready || pairs->rows != &sim->neigh->rows || v->row >= pairs->capacity)
+	if (!heat->ready || pairs->rows != &sim->neigh->contacts || v->row >= pairs->capacity)
 		return 0;
 	return pairs->conductance[v->row] * (temperature[v->b] - temperature[v->a]);
 }
@@ -57,23 +57,23 @@ static double heat_of(const struct tsim *sim, const struct ts_contact_view *v)
 static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v, struct ts_contact_facts *f)
 {
 	const struct ts_pair *pair = ts_sim_only(sim, TS_KIND_PAIR)->state;
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
-	size_t i = (size_t)rows->i[v->row], j = (size_t)rows->j[v->row];
+	size_t i = (size_t)list->i[v->row], j = (size_t)list->j[v->row];
 	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
 	double memory[TS_GRANULAR_MEMORY + 1] = { 0 };
 	struct ts_granular_force acting;
 	struct ts_touch t;
 
-	for (size_t k = 0; k < rows->history_width; k++)
-		memory[k] = rows->history[v->row * rows->history_width + k];
+	for (size_t k = 0; k < list->history_width; k++)
+		memory[k] = list->history[v->row * list->history_width + k];
 	ts_contact_touch(p, i, j, model, &t);
 	ts_granular_stand_out(model, memory, &t);
 	ts_granular_contact(model, ts_pair_law(pair, p->type[i], p->type[j]), &t, sim->clock.dt, false,
 			    memory, &acting);
 	for (int k = 0; k < 3; k++) {
 		f->force[k] = v->sign * acting.force[k];
-		if (rows->parts > 1)
+		if (list->parts > 1)
 			f->torque[k] = (p->radius[v->a] - ts_granular_short(model, &t)) * acting.turn[k];
 	}
 }
@@ -82,7 +82,7 @@ static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v
 static void look(const struct tsim *sim, size_t r, const bool *wanted, struct ts_contact_facts *f)
 {
 	const struct ts_particles *p = sim->particles;
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 	struct ts_contact_view v;
 	double a, b;
 
@@ -99,9 +99,9 @@ static void look(const struct tsim *sim, size_t r, const bool *wanted, struct ts
 		f->n[k] = v.distance > 0 ? v.d[k] / v.distance : 0;
 		f->point[k] = p->x[v.a][k] - v.d[k] * (a / (a + b));
 	}
-	for (size_t k = 0; k < rows->history_width; k++)
+	for (size_t k = 0; k < list->history_width; k++)
 		f->history[k] =
-			rows->history[r * rows->history_width + k] * (v.sign < 0 ? rows->history_sign[k] : 1);
+			list->history[r * list->history_width + k] * (v.sign < 0 ? list->history_sign[k] : 1);
 	f->area = ts_contact_area(a, b, v.distance);
 	f->delta = a + b - v.distance;
 	add_torque(sim, &v, f);
@@ -114,16 +114,16 @@ static void look(const struct tsim *sim, size_t r, const bool *wanted, struct ts
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
-	size_t history = sim->neigh->rows.history_width, n = 0;
+	size_t history = sim->neigh->contacts.history_width, n = 0;
 	size_t width = ts_contact_columns_width(&s->columns, history);
 	struct ts_contact_facts facts;
 
 	TS_TRY(ts_contacts_forces(s->sim, self));
-	for (size_t r = 0; r < sim->neigh->rows.n; r++)
+	for (size_t r = 0; r < sim->neigh->contacts.n; r++)
 		n += listed(self, sim, r);
 	TS_TRY(ts_table_resize(out, n, width));
 	n = 0;
-	for (size_t r = 0; r < sim->neigh->rows.n; r++) {
+	for (size_t r = 0; r < sim->neigh->contacts.n; r++) {
 		if (!listed(self, sim, r))
 			continue;
 		look(sim, r, s->columns.wanted, &facts);

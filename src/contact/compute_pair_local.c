@@ -25,13 +25,13 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static bool wanted(const struct ts_instance *self, const struct tsim *sim, size_t r)
 {
-	return sim->neigh->rows.touching[r] && ts_contact_counts(sim, r, self->group);
+	return sim->neigh->contacts.touching[r] && ts_contact_counts(sim, r, self->group);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
-	size_t rows = sim->neigh->rows.n, n = 0;
+	size_t rows = sim->neigh->contacts.n, n = 0;
 
 	TS_TRY(ts_contacts_forces(s->sim, self));
 	TS_TRY(ts_table_resize(out, rows, s->list.n));

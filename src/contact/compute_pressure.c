@@ -1,5 +1,6 @@
 /* Compute: pressure of the whole system. */
 #include "contact/contact_view.h"
+#include "contact/virial.h"
 #include "group/temperature.h"
 
 #include <string.h>
@@ -35,7 +36,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (self->group != 0)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "compute pressure is that of all particles: its group must be all");
-	TS_TRY(ts_virial_read(sim, self, s->words, &s->parts));
+	TS_TRY(ts_virial_read_parts(sim, self, s->words, &s->parts));
 	if (ts_streq(s->temperature, "NULL") && s->parts.kinetic)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "compute pressure: without a temperature (NULL) there is no part ke; "
@@ -68,7 +69,7 @@ static enum ts_status tensor(struct ts_instance *self, double out[6])
 {
 	struct pressure *s = self->state;
 	const struct tsim *sim = s->sim;
-	double volume = ts_pressure_volume(sim);
+	double volume = ts_virial_box_volume(sim);
 
 	TS_TRY(ts_contacts_forces(s->sim, self));
 	ts_virial_total(sim, &s->parts, out);
@@ -84,7 +85,7 @@ static enum ts_status eval_pressure(struct ts_instance *self, const struct tsim 
 	double t[6];
 
 	TS_TRY(tensor(self, t));
-	out->data[0] = ts_pressure_mean(sim, t);
+	out->data[0] = ts_virial_mean_pressure(sim, t);
 	return TS_OK;
 }
 

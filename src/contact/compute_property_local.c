@@ -75,14 +75,15 @@ static bool wanted(const struct ts_instance *self, const struct tsim *sim, enum 
 	if (list == BONDS)
 		return ts_in_group(p, (size_t)sim->bonds->row[r][0], self->group) &&
 		       ts_in_group(p, (size_t)sim->bonds->row[r][1], self->group);
-	return (list == NEIGHBOURS || sim->neigh->rows.touching[r]) && ts_contact_counts(sim, r, self->group);
+	return (list == NEIGHBOURS || sim->neigh->contacts.touching[r]) &&
+	       ts_contact_counts(sim, r, self->group);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct property *s = self->state;
 	enum list list = columns[s->list.item[0]].list;
-	size_t rows = list == BONDS ? sim->bonds->n : sim->neigh->rows.n, n = 0;
+	size_t rows = list == BONDS ? sim->bonds->n : sim->neigh->contacts.n, n = 0;
 
 	TS_TRY(ts_contacts_forces(s->sim, self));
 	TS_TRY(ts_table_resize(out, rows, s->list.n));
@@ -92,7 +93,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 		if (!wanted(self, sim, list, r))
 			continue;
 		if (list == BONDS)
-			ts_bond_view(sim, r, &view);
+			ts_contact_view_of_bond(sim, r, &view);
 		else
 			ts_contact_view(sim, r, &view);
 		for (size_t k = 0; k < s->list.n; k++)

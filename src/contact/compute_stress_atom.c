@@ -1,5 +1,6 @@
 /* Compute: stress of each particle times its volume. */
 #include "contact/contact_view.h"
+#include "contact/virial.h"
 #include "particle/moments.h"
 
 #include "base/banned.h"
@@ -28,7 +29,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	sim->neigh->shown = true;
 	if (words.n && names_temperature(sim, words.word[0].text))
 		words = ts_words_from(words, 1);
-	return ts_virial_read(sim, self, words, &s->parts);
+	return ts_virial_read_parts(sim, self, words, &s->parts);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -43,7 +44,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 		bool member = ts_in_group(p, i, self->group);
 
 		if (member)
-			ts_virial_of(sim, i, &s->parts, w);
+			ts_virial_of_particle(sim, i, &s->parts, w);
 		for (int k = 0; k < 6; k++)
 			out->data[6 * i + (size_t)k] =
 				member ? -(m * p->v[i][ts_tensor_row[k]] * p->v[i][ts_tensor_column[k]] +

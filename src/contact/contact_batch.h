@@ -8,7 +8,7 @@
 #include "contact/contact_loop.h"
 
 struct ts_batch {
-	/* the ends, see struct ts_contact_ends; the fourth columns: 1/m_i + 1/m_j, radius of i, of j */
+	/* the ends, see struct ts_contact_inputs; the fourth columns: 1/m_i + 1/m_j, radius of i, of j */
 	double d[3][TS_BATCH], v[4][TS_BATCH], omega[2][4][TS_BATCH];
 	double mass[2][TS_BATCH];
 	/* the results, zero for rows that do not touch; those that do have all bits set in touch */
@@ -22,22 +22,23 @@ static const ts_four ts_contact_signs = { -1, -1, -1, 1 };
 #define TS_ALIGNED_FOUR(numbers) (*(const ts_four *)(numbers))
 
 /* Four rows become those at .. at+3 of the batch. */
-TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_contact_list *rows,
-			     const struct ts_granular_model *m, const struct ts_active_pair near[4],
+TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_contact_list *list,
+			     const struct ts_granular_model *m, const struct ts_active_pair active[4],
 			     size_t at, struct ts_batch *b)
 {
 	ts_four d[4], v[4], wi[4], wj[4];
 
 	for (size_t k = 0; k < 4; k++) {
-		const struct ts_contact_sphere *i = rows->sphere + near[k].i, *j = rows->sphere + near[k].j;
+		const struct ts_contact_sphere *i = list->sphere + active[k].i,
+					       *j = list->sphere + active[k].j;
 
-		d[k] = TS_ALIGNED_FOUR(i->place) - TS_ALIGNED_FOUR(j->place);
-		v[k] = TS_ALIGNED_FOUR(i->motion) + ts_contact_signs * TS_ALIGNED_FOUR(j->motion);
-		wi[k] = TS_ALIGNED_FOUR(i->spin);
-		wj[k] = TS_ALIGNED_FOUR(j->spin);
+		d[k] = TS_ALIGNED_FOUR(i->position) - TS_ALIGNED_FOUR(j->position);
+		v[k] = TS_ALIGNED_FOUR(i->velocity) + ts_contact_signs * TS_ALIGNED_FOUR(j->velocity);
+		wi[k] = TS_ALIGNED_FOUR(i->omega);
+		wj[k] = TS_ALIGNED_FOUR(j->omega);
 		if (ts_granular_weighs(m)) {
-			b->mass[0][at + k] = p->mass[near[k].i];
-			b->mass[1][at + k] = p->mass[near[k].j];
+			b->mass[0][at + k] = p->mass[active[k].i];
+			b->mass[1][at + k] = p->mass[active[k].j];
 		}
 	}
 	ts_four_turn(d);
@@ -48,9 +49,9 @@ TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_conta
 	ts_four_columns(wj, b->omega[1], at);
 }
 
-TS_INLINE void ts_batch_ends(const struct ts_batch *b, size_t k, struct ts_contact_ends *e)
+TS_INLINE void ts_batch_inputs(const struct ts_batch *b, size_t k, struct ts_contact_inputs *e)
 {
-	*e = (struct ts_contact_ends){
+	*e = (struct ts_contact_inputs){
 		.d = { b->d[0][k], b->d[1][k], b->d[2][k] },
 		.v = { b->v[0][k], b->v[1][k], b->v[2][k] },
 		.omega = { { b->omega[0][0][k], b->omega[0][1][k], b->omega[0][2][k] },
@@ -62,7 +63,7 @@ TS_INLINE void ts_batch_ends(const struct ts_batch *b, size_t k, struct ts_conta
 }
 
 /* Whether they touch, or are so near that they pull beyond it. */
-TS_INLINE bool ts_ends_within(const struct ts_contact_ends *e, double beyond)
+TS_INLINE bool ts_contact_inputs_within(const struct ts_contact_inputs *e, double beyond)
 {
 	double sum = e->radius[0] + e->radius[1] + beyond;
 
@@ -75,16 +76,16 @@ TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_gr
 {
 	double memory[TS_GRANULAR_MEMORY];
 	struct ts_granular_force f;
-	struct ts_contact_ends e;
+	struct ts_contact_inputs e;
 	struct ts_touch t;
 	bool touches;
 
-	ts_batch_ends(b, k, &e);
+	ts_batch_inputs(b, k, &e);
 	for (int c = 0; c < ts_granular_memory(m); c++)
 		memory[c] = b->memory[c][k];
-	ts_ends_touch(&e, m, &t);
+	ts_contact_inputs_touch(&e, m, &t);
 	ts_granular_contact(m, law, &t, dt, true, memory, &f);
-	touches = ts_ends_within(&e, 0);
+	touches = ts_contact_inputs_within(&e, 0);
 	for (int c = 0; c < ts_granular_memory(m); c++) /* what has parted may have to remember what it did */
 		b->memory[c][k] = touches ? memory[c] : b->memory[c][k];
 	b->touch[k] = -(long long)touches;
@@ -117,13 +118,13 @@ TS_INLINE void ts_batch_result(const double (*column)[TS_BATCH], int columns, si
 }
 
 /* The n rows of the batch from `at` on, up to four. */
-TS_INLINE void ts_batch_store(const struct ts_batch *b, size_t parts, const struct ts_active_pair *near,
-			      size_t at, size_t n, const struct ts_contact_list *rows)
+TS_INLINE void ts_batch_store(const struct ts_batch *b, size_t parts, const struct ts_active_pair *active,
+			      size_t at, size_t n, const struct ts_contact_list *list)
 {
 	ts_four *to[4], nowhere[3];
 
 	for (size_t k = 0; k < 4; k++)
-		to[k] = k < n ? (ts_four *)rows->result[near[k].slot * parts] : nowhere;
+		to[k] = k < n ? (ts_four *)list->result[active[k].slot * parts] : nowhere;
 	ts_batch_result(b->force, 4, at, to, 0);
 	if (parts > 1)
 		ts_batch_result(b->turn, 3, at, to, 1);
@@ -133,13 +134,13 @@ TS_INLINE void ts_batch_store(const struct ts_batch *b, size_t parts, const stru
 
 /* The last rows of a batch of n, as so many as fill a vector: the last one again and again. Returns how
  * many of the batch come before. */
-TS_INLINE size_t ts_batch_tail(const struct ts_active_pair *near, size_t n,
+TS_INLINE size_t ts_batch_tail(const struct ts_active_pair *active, size_t n,
 			       struct ts_active_pair tail[TS_MEMORY_VECTOR])
 {
 	size_t from = n & ~(size_t)(TS_MEMORY_VECTOR - 1);
 
 	for (size_t k = 0; k < TS_MEMORY_VECTOR && from < n; k++)
-		tail[k] = near[from + k < n ? from + k : n - 1];
+		tail[k] = active[from + k < n ? from + k : n - 1];
 	return from;
 }
 
@@ -176,16 +177,16 @@ TS_INLINE uint64_t ts_batch_bits(const long long *mark, size_t n)
 }
 
 /* Marks which of the rows near[0 .. n-1], n at most four, touch. */
-TS_INLINE void ts_batch_touch(const struct ts_contact_list *rows, const struct ts_active_pair *near, size_t n,
-			      ts_four_marks *touch)
+TS_INLINE void ts_batch_find_touching(const struct ts_contact_list *list, const struct ts_active_pair *active,
+				      size_t n, ts_four_marks *touch)
 {
 	ts_four d[4];
 
 	for (size_t k = 0; k < 4; k++) { /* d and the sum of the radii */
-		const struct ts_active_pair *row = near + (k < n ? k : 0);
+		const struct ts_active_pair *row = active + (k < n ? k : 0);
 
-		d[k] = TS_ALIGNED_FOUR(rows->sphere[row->i].place) +
-		       ts_contact_signs * TS_ALIGNED_FOUR(rows->sphere[row->j].place);
+		d[k] = TS_ALIGNED_FOUR(list->sphere[row->i].position) +
+		       ts_contact_signs * TS_ALIGNED_FOUR(list->sphere[row->j].position);
 	}
 	ts_four_turn(d);
 	*touch = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < d[3] * d[3];
@@ -194,11 +195,11 @@ TS_INLINE void ts_batch_touch(const struct ts_contact_list *rows, const struct t
 }
 
 /* Rows that have waited and touch now become active. */
-TS_INLINE void ts_batch_meet(const struct ts_contact_list *rows, struct ts_active_block *block)
+TS_INLINE void ts_batch_begin_contacts(const struct ts_contact_list *list, struct ts_active_block *block)
 {
-	const struct ts_active_pair *near = rows->near + block->first;
+	const struct ts_active_pair *active = list->active + block->first;
 
-	for (size_t from = block->active; from < block->n; from += TS_BATCH) {
+	for (size_t from = block->touching; from < block->n; from += TS_BATCH) {
 		size_t n = block->n - from < TS_BATCH ? block->n - from : TS_BATCH;
 		union {
 			ts_four_marks four[TS_BATCH / 4];
@@ -206,24 +207,24 @@ TS_INLINE void ts_batch_meet(const struct ts_contact_list *rows, struct ts_activ
 		} touch;
 
 		for (size_t k = 0; k < n; k += 4)
-			ts_batch_touch(rows, near + from + k, n - k, &touch.four[k / 4]);
+			ts_batch_find_touching(list, active + from + k, n - k, &touch.four[k / 4]);
 		for (uint64_t bits = ts_batch_bits(touch.one, n); bits; bits &= bits - 1)
-			ts_contact_begin(rows, block, from + (size_t)__builtin_ctzll(bits));
+			ts_contact_begin(list, block, from + (size_t)__builtin_ctzll(bits));
 	}
 }
 
 /* Active rows that do not touch any more wait again, the last first; the bits say which of them touch. */
-TS_INLINE void ts_batch_part(const struct ts_contact_list *rows, struct ts_active_block *block,
-			     const uint64_t *bits, bool keep)
+TS_INLINE void ts_batch_end_contacts(const struct ts_contact_list *list, struct ts_active_block *block,
+				     const uint64_t *bits, bool keep)
 {
-	for (size_t part = TS_ACTIVE_BLOCK / TS_BATCH, active = block->active; part-- > 0;) {
+	for (size_t part = TS_ACTIVE_BLOCK / TS_BATCH, active = block->touching; part-- > 0;) {
 		size_t n = active > part * TS_BATCH ? active - part * TS_BATCH : 0;
 		uint64_t gone = n ? ~bits[part] & ~(uint64_t)0 >> (n < TS_BATCH ? TS_BATCH - n : 0) : 0;
 
 		while (gone) {
 			int last = 63 - __builtin_clzll(gone);
 
-			ts_contact_end(rows, block, part * TS_BATCH + (size_t)last, keep);
+			ts_contact_end(list, block, part * TS_BATCH + (size_t)last, keep);
 			gone ^= (uint64_t)1 << last;
 		}
 	}
@@ -231,80 +232,81 @@ TS_INLINE void ts_batch_part(const struct ts_contact_list *rows, struct ts_activ
 
 /* What active rows will need of their second partners and remember is sent for, so that many come at a
  * time, and where those of the others are; first partners follow each other in memory. */
-TS_INLINE void ts_batch_prefetch(const struct ts_contact_list *rows, const struct ts_granular_model *m,
+TS_INLINE void ts_batch_prefetch(const struct ts_contact_list *list, const struct ts_granular_model *m,
 				 const struct ts_active_block *block)
 {
-	const struct ts_active_pair *near = rows->near + block->first;
+	const struct ts_active_pair *active = list->active + block->first;
 
 #pragma GCC unroll 4
-	for (size_t k = 0; k < block->active; k++) {
-		const struct ts_contact_sphere *j = rows->sphere + near[k].j;
+	for (size_t k = 0; k < block->touching; k++) {
+		const struct ts_contact_sphere *j = list->sphere + active[k].j;
 
-		__builtin_prefetch(j->place);
-		__builtin_prefetch(j->spin);
+		__builtin_prefetch(j->position);
+		__builtin_prefetch(j->omega);
 	}
 #pragma GCC unroll 4
-	for (size_t k = block->active; k < block->n; k++)
-		__builtin_prefetch(rows->sphere[near[k].j].place);
+	for (size_t k = block->touching; k < block->n; k++)
+		__builtin_prefetch(list->sphere[active[k].j].position);
 	for (int c = 0; c < ts_granular_memory(m); c++)
-		for (size_t k = 0; k < block->active; k += TS_MEMORY_VECTOR)
-			__builtin_prefetch(ts_contact_memory(rows, block, k, (size_t)c), 1);
+		for (size_t k = 0; k < block->touching; k += TS_MEMORY_VECTOR)
+			__builtin_prefetch(ts_contact_memory(list, block, k, (size_t)c), 1);
 }
 
 /* Before that, the list itself. */
-TS_INLINE void ts_batch_prefetch_list(const struct ts_contact_list *rows, const struct ts_active_block *block)
+TS_INLINE void ts_batch_prefetch_list(const struct ts_contact_list *list, const struct ts_active_block *block)
 {
-	const struct ts_active_pair *near = rows->near + block->first;
+	const struct ts_active_pair *active = list->active + block->first;
 
-	for (size_t k = 0; k < block->n; k += 64 / sizeof *near)
-		__builtin_prefetch(near + k, 1);
+	for (size_t k = 0; k < block->n; k += 64 / sizeof *active)
+		__builtin_prefetch(active + k, 1);
 }
 
 /* The active rows of a part of a block; says which of them touch, as bits. */
-TS_INLINE uint64_t ts_batch_work(const struct ts_contact_task *task, const struct ts_particles *p,
-				 const struct ts_contact_list *rows, const struct ts_granular_model *m,
-				 size_t parts, ts_batch_fn *contacts, const struct ts_active_block *block,
-				 size_t part)
+TS_INLINE uint64_t ts_batch_compute_part(const struct ts_contact_task *task, const struct ts_particles *p,
+					 const struct ts_contact_list *list,
+					 const struct ts_granular_model *m, size_t parts,
+					 ts_batch_fn *contacts, const struct ts_active_block *block,
+					 size_t part)
 {
-	const struct ts_active_pair *near = rows->near + block->first + part * TS_BATCH;
+	const struct ts_active_pair *active = list->active + block->first + part * TS_BATCH;
 	const struct ts_granular_pair *law = ts_pair_law(task->pair, block->type[0], block->type[1]);
-	size_t some = block->active - part * TS_BATCH, n, whole;
+	size_t some = block->touching - part * TS_BATCH, n, whole;
 	struct ts_active_pair tail[TS_MEMORY_VECTOR];
 	struct ts_batch b;
 
 	some = some < TS_BATCH ? some : TS_BATCH;
-	whole = ts_batch_tail(near, some, tail);
+	whole = ts_batch_tail(active, some, tail);
 	n = whole < some ? whole + TS_MEMORY_VECTOR : whole;
 	for (int c = 0; c < ts_granular_memory(m); c++)
-		b.memory[c] = ts_contact_memory(rows, block, part * TS_BATCH, (size_t)c);
+		b.memory[c] = ts_contact_memory(list, block, part * TS_BATCH, (size_t)c);
 	for (size_t at = 0; at < whole; at += 4)
-		ts_batch_load(p, rows, m, near + at, at, &b);
+		ts_batch_load(p, list, m, active + at, at, &b);
 	for (size_t at = whole; at < n; at += 4)
-		ts_batch_load(p, rows, m, &tail[at - whole], at, &b);
+		ts_batch_load(p, list, m, &tail[at - whole], at, &b);
 	contacts(&b, n, m, law, task->dt);
 	for (size_t at = 0; at < whole; at += 4)
-		ts_batch_store(&b, parts, near + at, at, 4, rows);
+		ts_batch_store(&b, parts, active + at, at, 4, list);
 	for (size_t at = whole; at < some; at += 4)
-		ts_batch_store(&b, parts, &tail[at - whole], at, some - at, rows);
+		ts_batch_store(&b, parts, &tail[at - whole], at, some - at, list);
 	return ts_batch_bits(b.touch, some);
 }
 
 /* One block, behind which there are others (TS_BLOCKS_AHEAD); `parts` as in struct ts_contact_list. */
 TS_INLINE void ts_batch_block(const struct ts_contact_task *task, const struct ts_particles *p,
-			      const struct ts_contact_list *rows, const struct ts_granular_model *m,
+			      const struct ts_contact_list *list, const struct ts_granular_model *m,
 			      size_t parts, ts_batch_fn *contacts, struct ts_active_block *block)
 {
-	const struct ts_active_pair *near = rows->near + block->first;
+	const struct ts_active_pair *active = list->active + block->first;
 	uint64_t touching[TS_ACTIVE_BLOCK / TS_BATCH];
 
-	ts_batch_prefetch_list(rows, block + 2);
-	ts_batch_prefetch(rows, m, block + 1);
-	ts_batch_meet(rows, block);
-	for (size_t at = block->active; at < block->n; at++)
-		ts_contact_still(rows, near[at].slot, parts);
-	for (size_t part = 0; part * TS_BATCH < block->active; part++)
-		touching[part] = ts_batch_work(task, p, rows, m, parts, contacts, block, part);
-	ts_batch_part(rows, block, touching, task->keep);
+	ts_batch_prefetch_list(list, block + 2);
+	ts_batch_prefetch(list, m, block + 1);
+	ts_batch_begin_contacts(list, block);
+	for (size_t at = block->touching; at < block->n; at++)
+		ts_contact_clear_result(list, active[at].slot, parts);
+	for (size_t part = 0; part * TS_BATCH < block->touching; part++)
+		touching[part] = ts_batch_compute_part(task, p, list, m, parts, contacts, block, part);
+	ts_batch_end_contacts(list, block, touching, task->keep);
 }
 
 /* The share of a constant model; see ts_contact_share_generic. */
@@ -312,10 +314,10 @@ TS_INLINE void ts_contact_share_batched(const struct ts_contact_task *task, size
 					const struct ts_granular_model *m, ts_batch_fn *contacts)
 {
 	const struct ts_particles p = *task->p;
-	const struct ts_contact_list rows = *task->rows;
+	const struct ts_contact_list list = *task->list;
 
 	for (size_t k = from; k < to; k++)
-		ts_batch_block(task, &p, &rows, m, ts_batch_parts(m), contacts, &rows.block[k]);
+		ts_batch_block(task, &p, &list, m, ts_batch_parts(m), contacts, &list.block[k]);
 }
 
 #endif

@@ -9,29 +9,29 @@
 
 static double of_row(const struct tsim *sim, const struct ts_pair *pair, size_t r)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
-	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r], width = rows->history_width;
+	size_t i = (size_t)list->i[r], j = (size_t)list->j[r], width = list->history_width;
 	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
 	struct ts_touch t;
 
 	ts_contact_touch(p, i, j, model, &t);
-	ts_granular_stand_out(model, width ? rows->history + r * width : NULL, &t);
+	ts_granular_stand_out(model, width ? list->history + r * width : NULL, &t);
 	if (!(t.overlap > 0) && !ts_granular_reaches(model))
 		return 0;
 	return ts_granular_energy(model, ts_pair_law(pair, p->type[i], p->type[j]), &t,
-				  width ? rows->history + r * width : NULL);
+				  width ? list->history + r * width : NULL);
 }
 
 static double of_contacts(const struct tsim *sim, size_t i)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
-	const struct ts_gather *g = &rows->gather;
+	const struct ts_gather *g = &list->gather;
 	double sum = 0;
 
 	for (size_t k = g->first[i]; inst && k < g->first[i + 1]; k++)
-		if (rows->touching[g->entry[k] >> 1])
+		if (list->touching[g->entry[k] >> 1])
 			sum += of_row(sim, inst->state, g->entry[k] >> 1);
 	return sum;
 }
@@ -48,26 +48,27 @@ static double of_bonds(const struct tsim *sim, size_t i)
 		size_t b = g->entry[k] >> 1;
 		struct ts_contact_view view;
 
-		ts_bond_view(sim, b, &view);
+		ts_contact_view_of_bond(sim, b, &view);
 		sum += ts_bond_style_of(inst)->energy(ts_coeff(&state->coeffs, (size_t)bonds->type[b]),
 						      view.distance - bonds->rest[b]);
 	}
 	return sum;
 }
 
-double ts_elastic_of(const struct tsim *sim, size_t i, const struct ts_elastic_parts *parts)
+double ts_contact_energy_of_particle(const struct tsim *sim, size_t i,
+				     const struct ts_contact_energy_parts *parts)
 {
 	double sum = 0;
 
-	if (parts->pair && sim->neigh->rows.n)
+	if (parts->pair && sim->neigh->contacts.n)
 		sum += 0.5 * of_contacts(sim, i);
 	if (parts->bond && sim->bonds->n)
 		sum += 0.5 * of_bonds(sim, i);
 	return sum;
 }
 
-enum ts_status ts_elastic_require(struct tsim *sim, const struct ts_instance *self,
-				  const struct ts_elastic_parts *parts)
+enum ts_status ts_contact_energy_require(struct tsim *sim, const struct ts_instance *self,
+					 const struct ts_contact_energy_parts *parts)
 {
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	const struct ts_instance *bond = ts_sim_only(sim, TS_KIND_BOND);
@@ -87,23 +88,23 @@ enum ts_status ts_elastic_require(struct tsim *sim, const struct ts_instance *se
 
 static void term(const struct tsim *sim, size_t i, void *context, double *out)
 {
-	*out = ts_elastic_of(sim, i, context);
+	*out = ts_contact_energy_of_particle(sim, i, context);
 }
 
-static enum ts_status total(struct ts_instance *self, struct tsim *sim, struct ts_elastic_parts parts,
+static enum ts_status total(struct ts_instance *self, struct tsim *sim, struct ts_contact_energy_parts parts,
 			    double *out)
 {
-	TS_TRY(ts_elastic_require(sim, self, &parts));
+	TS_TRY(ts_contact_energy_require(sim, self, &parts));
 	ts_group_sum(sim, 0, 1, term, &parts, out);
 	return TS_OK;
 }
 
-enum ts_status ts_pair_energy(struct ts_instance *self, struct tsim *sim, double *out)
+enum ts_status ts_contact_energy_of_pairs(struct ts_instance *self, struct tsim *sim, double *out)
 {
-	return total(self, sim, (struct ts_elastic_parts){ .pair = true }, out);
+	return total(self, sim, (struct ts_contact_energy_parts){ .pair = true }, out);
 }
 
-enum ts_status ts_bond_energy(struct ts_instance *self, struct tsim *sim, double *out)
+enum ts_status ts_contact_energy_of_bonds(struct ts_instance *self, struct tsim *sim, double *out)
 {
-	return total(self, sim, (struct ts_elastic_parts){ .bond = true }, out);
+	return total(self, sim, (struct ts_contact_energy_parts){ .bond = true }, out);
 }

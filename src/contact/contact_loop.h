@@ -13,7 +13,7 @@
 
 struct ts_contact_task {
 	const struct ts_particles *p;
-	struct ts_contact_list *rows;
+	struct ts_contact_list *list;
 	const struct ts_pair *pair;
 	double dt;
 	bool advance; /* contacts remember: false in the set-up of a run */
@@ -21,43 +21,43 @@ struct ts_contact_task {
 };
 
 /* The waiting row of the block that stands at `at` touches: it becomes the last of the active ones. */
-TS_INLINE void ts_contact_begin(const struct ts_contact_list *rows, struct ts_active_block *block, size_t at)
+TS_INLINE void ts_contact_begin(const struct ts_contact_list *list, struct ts_active_block *block, size_t at)
 {
-	struct ts_active_pair *near = rows->near + block->first, row = near[at];
+	struct ts_active_pair *active = list->active + block->first, row = active[at];
 
-	near[at] = near[block->active];
-	near[block->active] = row;
-	for (size_t c = 0; c < rows->history_width; c++)
-		*ts_contact_memory(rows, block, block->active, c) =
-			*ts_contact_history(rows, block, block->active, c);
-	block->active++;
-	rows->touching[row.row] = 1;
+	active[at] = active[block->touching];
+	active[block->touching] = row;
+	for (size_t c = 0; c < list->history_width; c++)
+		*ts_contact_memory(list, block, block->touching, c) =
+			*ts_contact_history(list, block, block->touching, c);
+	block->touching++;
+	list->touching[row.row] = 1;
 }
 
 /* The active row that stands at `at` does not touch any more: it becomes the first of the waiting ones.
  * Its history is gone; where `keep` says so it stays until the next rebuild. */
-TS_INLINE void ts_contact_end(const struct ts_contact_list *rows, struct ts_active_block *block, size_t at,
+TS_INLINE void ts_contact_end(const struct ts_contact_list *list, struct ts_active_block *block, size_t at,
 			      bool keep)
 {
-	struct ts_active_pair *near = rows->near + block->first, row = near[at];
+	struct ts_active_pair *active = list->active + block->first, row = active[at];
 
-	block->active--;
-	for (size_t c = 0; c < rows->history_width; c++) {
-		double *memory = ts_contact_memory(rows, block, at, c);
+	block->touching--;
+	for (size_t c = 0; c < list->history_width; c++) {
+		double *memory = ts_contact_memory(list, block, at, c);
 
-		*ts_contact_history(rows, block, at, c) = keep ? *memory : 0;
-		*memory = *ts_contact_memory(rows, block, block->active, c);
+		*ts_contact_history(list, block, at, c) = keep ? *memory : 0;
+		*memory = *ts_contact_memory(list, block, block->touching, c);
 	}
-	near[at] = near[block->active];
-	near[block->active] = row;
-	rows->touching[row.row] = 0;
+	active[at] = active[block->touching];
+	active[block->touching] = row;
+	list->touching[row.row] = 0;
 }
 
 /* No force, no torque; `parts` as in struct ts_contact_list. */
-TS_INLINE void ts_contact_still(const struct ts_contact_list *rows, size_t slot, size_t parts)
+TS_INLINE void ts_contact_clear_result(const struct ts_contact_list *list, size_t slot, size_t parts)
 {
 	const ts_four zero = { 0 };
-	ts_four *result = (ts_four *)rows->result[slot * parts];
+	ts_four *result = (ts_four *)list->result[slot * parts];
 
 	result[0] = zero;
 	if (parts > 1)
@@ -67,14 +67,14 @@ TS_INLINE void ts_contact_still(const struct ts_contact_list *rows, size_t slot,
 }
 
 /* What the laws need to know of the partners i and j, as far as the model has laws that ask. */
-struct ts_contact_ends {
+struct ts_contact_inputs {
 	double d[3], v[3]; /* x_i - x_j, v_i - v_j */
 	double omega[2][3], radius[2], mass[2], liquid[2];
 	double imass; /* 1/m_i + 1/m_j */
 };
 
-TS_INLINE void ts_contact_ends(const struct ts_particles *p, size_t i, size_t j,
-			       const struct ts_granular_model *m, struct ts_contact_ends *e)
+TS_INLINE void ts_contact_inputs(const struct ts_particles *p, size_t i, size_t j,
+				 const struct ts_granular_model *m, struct ts_contact_inputs *e)
 {
 	for (int c = 0; c < 3; c++) {
 		e->d[c] = p->x[i][c] - p->x[j][c];
@@ -95,8 +95,8 @@ TS_INLINE void ts_contact_ends(const struct ts_particles *p, size_t i, size_t j,
 	e->imass = p->imass[i] + p->imass[j];
 }
 
-TS_INLINE void ts_ends_touch(const struct ts_contact_ends *e, const struct ts_granular_model *m,
-			     struct ts_touch *t)
+TS_INLINE void ts_contact_inputs_touch(const struct ts_contact_inputs *e, const struct ts_granular_model *m,
+				       struct ts_touch *t)
 {
 	double distance = sqrt(ts_dot(e->d, e->d));
 	/* coincident centres: no direction, no force */
@@ -128,10 +128,10 @@ TS_INLINE void ts_ends_touch(const struct ts_contact_ends *e, const struct ts_gr
 TS_INLINE void ts_contact_touch(const struct ts_particles *p, size_t i, size_t j,
 				const struct ts_granular_model *m, struct ts_touch *t)
 {
-	struct ts_contact_ends e = { 0 };
+	struct ts_contact_inputs e = { 0 };
 
-	ts_contact_ends(p, i, j, m, &e);
-	ts_ends_touch(&e, m, t);
+	ts_contact_inputs(p, i, j, m, &e);
+	ts_contact_inputs_touch(&e, m, t);
 }
 
 /* The blocks from .. to-1, for any model: that of the pair, or those that its types have. */

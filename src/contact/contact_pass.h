@@ -8,10 +8,10 @@
 #include "neigh/contact_list.h"
 
 struct ts_contacts_pass {
-	ts_share_fn *rows; /* computes the active pairs of the blocks from .. to-1 */
-	ts_share_fn *sums; /* sums over the particles from .. to-1, all of whose pairs are computed */
-	void *context;	   /* argument of both; shared by the threads */
-	bool all;	   /* sums also for particles without active pairs */
+	ts_share_fn *compute; /* computes the active pairs of the blocks from .. to-1 */
+	ts_share_fn *sum;     /* sums over the particles from .. to-1, all of whose pairs are computed */
+	void *context;	      /* argument of both; shared by the threads */
+	bool sum_all;	      /* sums also for particles without active pairs */
 };
 
 /* A pass that is fused with that of the forces, if there are rows: touching pairs come first in each

@@ -10,13 +10,13 @@ TS_UNROLLED
 
 TS_INLINE void touch_at(struct ts_batch *b, struct ts_stages *s, size_t k, const struct ts_granular_model *m)
 {
-	struct ts_contact_ends e;
+	struct ts_contact_inputs e;
 	struct ts_touch t;
 
-	ts_batch_ends(b, k, &e);
-	ts_ends_touch(&e, m, &t);
-	ts_stages_note_touch(s, k, m, &t);
-	b->touch[k] = -(long long)ts_ends_within(&e, 0);
+	ts_batch_inputs(b, k, &e);
+	ts_contact_inputs_touch(&e, m, &t);
+	ts_stages_store_touch(s, k, m, &t);
+	b->touch[k] = -(long long)ts_contact_inputs_within(&e, 0);
 }
 
 TS_INLINE void finish_at(struct ts_batch *b, const struct ts_stages *s, size_t k, bool twists)
@@ -40,14 +40,15 @@ static void stick(struct ts_batch *b, const struct ts_stages *s, size_t n, const
 
 	for (size_t k = 0; k < n; k++) {
 		double memory[TS_GRANULAR_MEMORY];
-		struct ts_contact_ends e;
+		struct ts_contact_inputs e;
 
 		if (b->touch[k])
 			continue;
 		for (int c = 0; c < memories; c++)
 			memory[c] = b->memory[c][k];
-		ts_batch_ends(b, k, &e);
-		b->touch[k] = -(long long)ts_ends_within(&e, ts_granular_beyond(m, law, s->r_eff[k], memory));
+		ts_batch_inputs(b, k, &e);
+		b->touch[k] = -(long long)ts_contact_inputs_within(&e, ts_granular_beyond(m, law, s->r_eff[k],
+											  memory));
 	}
 }
 
@@ -71,20 +72,20 @@ static void contacts(struct ts_batch *b, size_t n, const struct ts_granular_mode
 	touches[m->full_arms][m->full_slip](b, &s, n);
 	if (ts_normal_sticks(m))
 		stick(b, &s, n, m, law);
-	ts_stages_work(&s, n, m, law, dt);
+	ts_stages_compute(&s, n, m, law, dt);
 	(m->twisting ? finish_twist : finish)(b, &s, n);
 }
 
 TS_CLONES static void share(const struct ts_contact_task *task, size_t from, size_t to)
 {
 	const struct ts_particles p = *task->p;
-	const struct ts_contact_list rows = *task->rows;
+	const struct ts_contact_list list = *task->list;
 
 	for (size_t k = from; k < to; k++) {
-		struct ts_active_block *block = &rows.block[k];
+		struct ts_active_block *block = &list.block[k];
 
-		ts_batch_block(task, &p, &rows, ts_pair_model(task->pair, block->type[0], block->type[1]),
-			       (size_t)rows.parts, contacts, block);
+		ts_batch_block(task, &p, &list, ts_pair_model(task->pair, block->type[0], block->type[1]),
+			       (size_t)list.parts, contacts, block);
 	}
 }
 

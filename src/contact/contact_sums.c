@@ -1,29 +1,30 @@
-/* The sums of the rows' forces and torques over the particles. */
+#include "contact/contact_sums.h"
+
 #include "base/clones.h"
 #include "base/four.h"
-#include "neigh/contact_list.h"
 
 #include "base/banned.h"
 
-static const double signs[] = { 1, -1 }; /* a table: which side cannot be guessed */
+/* a table instead of a branch: the branch would be mispredicted half of the time */
+static const double signs[] = { 1, -1 };
 
-TS_INLINE void add(double to[3], const ts_four *sum, bool sets)
+TS_INLINE void add_or_set(double to[3], const ts_four *sum, bool overwrite)
 {
 	for (int d = 0; d < 3; d++)
-		to[d] = sets ? (*sum)[d] : to[d] + (*sum)[d];
+		to[d] = overwrite ? (*sum)[d] : to[d] + (*sum)[d];
 }
 
 /* `parts` as in struct ts_contact_list. */
-TS_INLINE void gather(const struct ts_contact_list *rows, const struct ts_particles *p, size_t from,
-		      size_t to, size_t parts)
+TS_INLINE void sum_forces(const struct ts_contact_list *list, const struct ts_particles *p, size_t from,
+			  size_t to, size_t parts)
 {
-	const uint32_t *first = rows->sum_first, *sum = rows->sum;
-	const ts_four *results = (const ts_four *)rows->result;
-	bool sets = rows->sets;
+	const uint32_t *first = list->sum_first, *sum = list->sum;
+	const ts_four *results = (const ts_four *)list->result;
+	bool overwrite = list->overwrite_sums;
 
 	for (size_t i = from; i < to; i++) {
 		ts_four f = { 0 }, torque = { 0 };
-		double radius = rows->sphere[i].place[3];
+		double radius = list->sphere[i].position[3];
 
 		for (size_t k = first[i]; k < first[i + 1]; k++) {
 			const ts_four *result = results + parts * (sum[k] >> 1);
@@ -35,23 +36,25 @@ TS_INLINE void gather(const struct ts_contact_list *rows, const struct ts_partic
 			else if (parts > 1)
 				torque += (radius - result[0][3]) * result[1];
 		}
-		add(p->f[i], &f, sets);
+		add_or_set(p->f[i], &f, overwrite);
 		if (parts > 1)
-			add(p->torque[i], &torque, sets);
+			add_or_set(p->torque[i], &torque, overwrite);
 	}
 }
 
-#define GATHER(name, parts)                                                                          \
-	TS_CLONES static void name(const struct ts_contact_list *rows, const struct ts_particles *p, \
+#define SUM(name, parts)                                                                             \
+	TS_CLONES static void name(const struct ts_contact_list *list, const struct ts_particles *p, \
 				   size_t from, size_t to)                                           \
 	{                                                                                            \
-		gather(rows, p, from, to, parts);                                                    \
+		sum_forces(list, p, from, to, parts);                                                \
 	}
-GATHER(gather_forces, 1)
-GATHER(gather_turns, 2)
-GATHER(gather_rolls, 3)
+SUM(sum_forces_only, 1)
+SUM(sum_with_tangential_torque, 2)
+SUM(sum_with_all_torques, 3)
 
-ts_contacts_sum_fn *ts_contacts_sum_of(const struct ts_contact_list *rows)
+ts_contact_sums_fn *ts_contact_sums_of(const struct ts_contact_list *list)
 {
-	return rows->parts > 2 ? gather_rolls : rows->parts > 1 ? gather_turns : gather_forces;
+	return list->parts > 2	 ? sum_with_all_torques
+	       : list->parts > 1 ? sum_with_tangential_torque
+				 : sum_forces_only;
 }

@@ -1,6 +1,7 @@
 #include "contact/contact_system.h"
 
 #include "contact/contact_view.h"
+#include "contact/virial.h"
 #include "contact/pair.h"
 #include "core/standard.h"
 #include "group/temperature.h"
@@ -12,7 +13,7 @@ static enum ts_status tensor(struct tsim *sim, double out[6])
 {
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	const struct ts_virial_parts parts = { .kinetic = true, .pair = true, .bond = true };
-	double kinetic[7], volume = ts_pressure_volume(sim);
+	double kinetic[7], volume = ts_virial_box_volume(sim);
 
 	if (pair)
 		TS_TRY(ts_contacts_forces(sim, pair));
@@ -32,7 +33,7 @@ static enum ts_status press(struct tsim *sim, double *out)
 	if (replaced)
 		return TS_OK;
 	TS_TRY(tensor(sim, t));
-	*out = ts_pressure_mean(sim, t);
+	*out = ts_virial_mean_pressure(sim, t);
 	return TS_OK;
 }
 
@@ -75,8 +76,8 @@ static const struct ts_keyword keywords[] = {
 
 static void connect_contacts(struct tsim *sim)
 {
-	sim->neigh->ask.reach = ts_pair_reach;
-	sim->neigh->ask.interact = ts_pair_interact;
+	sim->neigh->callback.reach = ts_pair_reach;
+	sim->neigh->callback.interact = ts_pair_interact;
 }
 
 const struct ts_system_style ts_contact_system = {

@@ -30,21 +30,6 @@ struct ts_contact_view {
 /* Row r is a pair of the group that is to be counted: of the two rows across a periodic face, one. */
 bool ts_contact_counts(const struct tsim *sim, size_t r, int group);
 void ts_contact_view(const struct tsim *sim, size_t r, struct ts_contact_view *view);
-void ts_bond_view(const struct tsim *sim, size_t b, struct ts_contact_view *view);
-
-/* Half the sum over the contacts and the bonds of particle i of d_a F_b, d the vector from the partner and
- * F its force on i, for ab = xx, yy, zz, xy, xz, yz: the particle's part of the virial. */
-struct ts_virial_parts {
-	bool kinetic, pair, bond;
-};
-void ts_virial_of(const struct tsim *sim, size_t i, const struct ts_virial_parts *parts, double w[6]);
-/* The sum over all particles. */
-void ts_virial_total(const struct tsim *sim, const struct ts_virial_parts *parts, double out[6]);
-/* Pressures are by the volume of the box, in two dimensions its area; and the mean of their diagonal. */
-double ts_pressure_volume(const struct tsim *sim);
-double ts_pressure_mean(const struct tsim *sim, const double tensor[6]);
-/* Words ke, pair, bond, fix, virial ... ; none: all. */
-enum ts_status ts_virial_read(struct tsim *sim, const struct ts_instance *self, struct ts_words words,
-			      struct ts_virial_parts *parts);
+void ts_contact_view_of_bond(const struct tsim *sim, size_t b, struct ts_contact_view *view);
 
 #endif

@@ -357,8 +357,8 @@ bool ts_stages_for(const struct ts_granular_model *m)
 	return normals[m->normal] && !m->located && !m->viscous && !m->multi && !ts_cohesion_bridges(m);
 }
 
-void ts_stages_work(struct ts_stages *s, size_t n, const struct ts_granular_model *m,
-		    const struct ts_granular_pair *law, double dt)
+void ts_stages_compute(struct ts_stages *s, size_t n, const struct ts_granular_model *m,
+		       const struct ts_granular_pair *law, double dt)
 {
 	if (solvers[m->normal])
 		solvers[m->normal](s, n, law);

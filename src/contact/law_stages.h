@@ -17,7 +17,7 @@ struct ts_stages {
 	const long long *touch;
 	bool wall;
 
-	/* how they touch: ts_stages_note_touch */
+	/* how they touch: ts_stages_store_touch */
 	double n[3][TS_BATCH], distance[TS_BATCH], overlap[TS_BATCH], r_eff[TS_BATCH], m_eff[TS_BATCH];
 	double less[TS_BATCH]; /* ts_granular_short */
 	double vn[TS_BATCH], slip[3][TS_BATCH], roll[3][TS_BATCH], spin[3][TS_BATCH];
@@ -34,11 +34,11 @@ struct ts_stages {
 bool ts_stages_for(const struct ts_granular_model *m);
 
 /* Contacts 0 .. n-1, n whole vectors; the time step is positive. */
-void ts_stages_work(struct ts_stages *s, size_t n, const struct ts_granular_model *m,
-		    const struct ts_granular_pair *law, double dt);
+void ts_stages_compute(struct ts_stages *s, size_t n, const struct ts_granular_model *m,
+		       const struct ts_granular_pair *law, double dt);
 
-TS_INLINE void ts_stages_note_touch(struct ts_stages *s, size_t k, const struct ts_granular_model *m,
-				    const struct ts_touch *t)
+TS_INLINE void ts_stages_store_touch(struct ts_stages *s, size_t k, const struct ts_granular_model *m,
+				     const struct ts_touch *t)
 {
 	for (int c = 0; c < 3; c++) {
 		s->n[c][k] = t->n[c];
@@ -70,7 +70,7 @@ TS_INLINE void ts_stages_force(const struct ts_stages *s, size_t k, bool twists,
 }
 
 /* The loops that come before and after the laws, of a file that has touch_at(b, s, k, m), which calls
- * ts_stages_note_touch, and finish_at(b, s, k, twists), which calls ts_stages_force. Where arms end is a
+ * ts_stages_store_touch, and finish_at(b, s, k, twists), which calls ts_stages_force. Where arms end is a
  * constant of each loop. */
 #define TS_STAGES_TOUCH(batch, name, arms, slips)                                                    \
 	TS_CLONES static void name(struct batch *restrict b, struct ts_stages *restrict s, size_t n) \

@@ -56,9 +56,9 @@ static bool moves(const struct tsim *sim)
 	return some;
 }
 
-enum ts_status ts_report_contact(struct ts_plan_report *report, const struct tsim *sim,
-				 const struct ts_place *where, const struct ts_contact_case *c,
-				 const char *what)
+enum ts_status ts_contact_report_limits(struct ts_plan_report *report, const struct tsim *sim,
+					const struct ts_place *where, const struct ts_contact_case *c,
+					const char *what)
 {
 	bool stiffens = ts_granular_stiffens(c->model), euler = sim->run.explicit_euler;
 	const char *how = euler ? " under fix nve/euler" : "";

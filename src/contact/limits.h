@@ -21,9 +21,9 @@ struct ts_contact_case {
 	const struct ts_granular_pair *law;
 	double r_eff, m_eff, overlap, speed;
 };
-enum ts_status ts_report_contact(struct ts_plan_report *report, const struct tsim *sim,
-				 const struct ts_place *where, const struct ts_contact_case *c,
-				 const char *what);
+enum ts_status ts_contact_report_limits(struct ts_plan_report *report, const struct tsim *sim,
+					const struct ts_place *where, const struct ts_contact_case *c,
+					const char *what);
 
 /* Rayleigh's time of the smallest sphere and the duration of the shortest Hertz collision in the group;
  * infinite where there is none. `legacy`: as LIGGGHTS takes it, each sphere with one like itself, and m

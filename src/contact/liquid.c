@@ -115,46 +115,46 @@ static size_t original(const struct ts_particles *p, size_t j)
 	return j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
 }
 
-static double *met_of(const struct ts_contact_list *rows, const struct ts_pair *pair, size_t r)
+static double *met_of(const struct ts_contact_list *list, const struct ts_pair *pair, size_t r)
 {
-	return &rows->history[r * rows->history_width + (size_t)ts_granular_met_at(&pair->model)];
+	return &list->history[r * list->history_width + (size_t)ts_granular_met_at(&pair->model)];
 }
 
-static bool broken(const struct ts_contact_list *rows, const struct ts_pair *pair, size_t r)
+static bool broken(const struct ts_contact_list *list, const struct ts_pair *pair, size_t r)
 {
-	return *met_of(rows, pair, r) == TS_BRIDGE_BROKEN;
+	return *met_of(list, pair, r) == TS_BRIDGE_BROKEN;
 }
 
 /* The row of the same pair on the other side of a periodic face, which may see the bridge break in
  * another step, as it rounds otherwise; rows->n: there is none. */
-static size_t mirror(const struct ts_contact_list *rows, const struct ts_particles *p, size_t r)
+static size_t mirror(const struct ts_contact_list *list, const struct ts_particles *p, size_t r)
 {
-	for (size_t k = 0; rows->image[r] != TS_IMAGE_SELF && k < rows->n; k++)
-		if ((size_t)rows->i[k] == original(p, (size_t)rows->j[r]) &&
-		    (size_t)rows->i[r] == original(p, (size_t)rows->j[k]) &&
-		    rows->image[k] == 2 * TS_IMAGE_SELF - rows->image[r])
+	for (size_t k = 0; list->image[r] != TS_IMAGE_SELF && k < list->n; k++)
+		if ((size_t)list->i[k] == original(p, (size_t)list->j[r]) &&
+		    (size_t)list->i[r] == original(p, (size_t)list->j[k]) &&
+		    list->image[k] == 2 * TS_IMAGE_SELF - list->image[r])
 			return k;
-	return rows->n;
+	return list->n;
 }
 
-static enum ts_status put(struct parts *list, const struct ts_particles *p,
-			  const struct ts_contact_list *rows, size_t r, int side, double amount)
+static enum ts_status put(struct parts *transfers, const struct ts_particles *p,
+			  const struct ts_contact_list *list, size_t r, int side, double amount)
 {
-	size_t i = original(p, (size_t)(side ? rows->j[r] : rows->i[r]));
+	size_t i = original(p, (size_t)(side ? list->j[r] : list->i[r]));
 
-	if (TS_GROW(list->part, list->capacity, list->n + 1) != TS_OK)
+	if (TS_GROW(transfers->part, transfers->capacity, transfers->n + 1) != TS_OK)
 		return TS_NOMEM;
-	list->part[list->n++] =
-		(struct part){ rows->tag[side][r], rows->tag[!side][r], rows->winding[r], i, amount };
+	transfers->part[transfers->n++] =
+		(struct part){ list->tag[side][r], list->tag[!side][r], list->winding[r], i, amount };
 	return TS_OK;
 }
 
 /* Row r has broken: what both get, or where the row of the other side books its own i, i alone. */
-static enum ts_status book(struct parts *list, const struct ts_particles *p,
-			   const struct ts_contact_list *rows, const struct ts_pair *pair, size_t r,
+static enum ts_status book(struct parts *transfers, const struct ts_particles *p,
+			   const struct ts_contact_list *list, const struct ts_pair *pair, size_t r,
 			   bool both)
 {
-	size_t i = (size_t)rows->i[r], j = original(p, (size_t)rows->j[r]);
+	size_t i = (size_t)list->i[r], j = original(p, (size_t)list->j[r]);
 	const struct ts_granular_pair *law = ts_pair_law(pair, p->type[i], p->type[j]);
 	const double liquid[2] = { p->liquid[i], p->liquid[j] }, radius[2] = { p->radius[i], p->radius[j] };
 	double cube[2], volume = ts_bridge_volume(&pair->model, law, liquid, radius, false);
@@ -162,7 +162,7 @@ static enum ts_status book(struct parts *list, const struct ts_particles *p,
 	for (int k = 0; k < 2; k++)
 		cube[k] = ts_sphere_volume(radius[k]);
 	for (int k = 0; k < 1 + both; k++)
-		if (put(list, p, rows, r, k,
+		if (put(transfers, p, list, r, k,
 			volume / (cube[0] + cube[1]) -
 				ts_bridge_part(&pair->model, law, liquid[k], radius[k], radius[!k]) /
 					cube[k]) != TS_OK)
@@ -171,45 +171,45 @@ static enum ts_status book(struct parts *list, const struct ts_particles *p,
 }
 
 /* All that broke; bridges whose other side has not yet are forgotten there. */
-static enum ts_status collect(struct parts *list, struct tsim *sim, struct ts_contact_list *rows,
+static enum ts_status collect(struct parts *transfers, struct tsim *sim, struct ts_contact_list *list,
 			      const struct ts_pair *pair)
 {
 	const struct ts_particles *p = sim->particles;
 
-	for (size_t r = 0; r < rows->n; r++) {
+	for (size_t r = 0; r < list->n; r++) {
 		size_t other;
 		bool both;
 
-		if (!broken(rows, pair, r))
+		if (!broken(list, pair, r))
 			continue;
-		other = mirror(rows, p, r);
-		both = other == rows->n || !broken(rows, pair, other);
-		if (book(list, p, rows, pair, r, both) != TS_OK)
+		other = mirror(list, p, r);
+		both = other == list->n || !broken(list, pair, other);
+		if (book(transfers, p, list, pair, r, both) != TS_OK)
 			return TS_NOMEM;
-		if (other == rows->n || !both || !rows->touching[other])
+		if (other == list->n || !both || !list->touching[other])
 			continue;
-		ts_contacts_store_history(sim, rows);
-		*met_of(rows, pair, other) = 0;
-		rows->looked = false; /* what rows remember is read anew */
+		ts_contacts_store_history(sim, list);
+		*met_of(list, pair, other) = 0;
+		list->active_chosen = false; /* what rows remember is read anew */
 	}
 	return TS_OK;
 }
 
 enum ts_status ts_liquid_share(struct tsim *sim, const struct ts_pair *pair)
 {
-	struct ts_contact_list *rows = &sim->neigh->rows;
+	struct ts_contact_list *list = &sim->neigh->contacts;
 	double *flux = sim->particles->column[pair->liquid.flux].data;
-	struct parts list = { 0 };
-	enum ts_status status = collect(&list, sim, rows, pair);
+	struct parts transfers = { 0 };
+	enum ts_status status = collect(&transfers, sim, list, pair);
 
-	rows->broken = false;
-	for (size_t r = 0; r < rows->n; r++)
-		if (broken(rows, pair, r))
-			*met_of(rows, pair, r) = 0;
-	if (list.n)
-		qsort(list.part, list.n, sizeof *list.part, compare);
-	for (size_t k = 0; k < list.n; k++)
-		flux[list.part[k].i] += list.part[k].amount / sim->clock.dt;
-	ts_free(list.part);
+	list->bridges_broken = false;
+	for (size_t r = 0; r < list->n; r++)
+		if (broken(list, pair, r))
+			*met_of(list, pair, r) = 0;
+	if (transfers.n)
+		qsort(transfers.part, transfers.n, sizeof *transfers.part, compare);
+	for (size_t k = 0; k < transfers.n; k++)
+		flux[transfers.part[k].i] += transfers.part[k].amount / sim->clock.dt;
+	ts_free(transfers.part);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }

@@ -24,7 +24,7 @@ enum ts_status ts_liquid_archive(struct tsim *sim, struct ts_archive *archive, s
 /* In INITIAL_INTEGRATE: what is under way arrives. */
 void ts_liquid_advance(struct tsim *sim, const struct ts_liquid *liquid);
 
-/* After the forces: bridges have broken (rows->broken). Their liquid goes to the partners as their
+/* After the forces: bridges have broken (rows->bridges_broken). Their liquid goes to the partners as their
  * volumes are. */
 enum ts_status ts_liquid_share(struct tsim *sim, const struct ts_pair *pair);
 

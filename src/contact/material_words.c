@@ -1,9 +1,21 @@
 /* The order of the words of contact models, and which of them belong together: as LIGGGHTS has it. */
+#include "contact/material_words.h"
+
 #include <string.h>
 
-#include "contact/materials.h"
-
 #include "base/banned.h"
+
+const char *const ts_normal_names[] = {
+	"off", "spring", "hooke", "hertz", "hooke/stiffness", "hertz/stiffness", "hooke/hysteresis",
+	"jkr", NULL
+};
+const char *const ts_tangential_names[] = { "off",     "history", "no_history", "incremental_history",
+					    "jkr_tan", NULL };
+const char *const ts_rolling_names[] = { "off", "cdt", "epsd", "epsd2", "epsd3", NULL };
+const char *const ts_cohesion_names[] = {
+	"off", "sjkr", "sjkr2", "easo/capillary/viscous", "washino/capillary/viscous", NULL
+};
+const char *const ts_surface_names[] = { "default", "multicontact", NULL };
 
 static const char *const order[] = { "model", "tangential", "cohesion", "rolling_friction", "surface", NULL };
 

@@ -8,19 +8,7 @@
 
 #include "base/banned.h"
 
-const char *const ts_normal_names[] = {
-	"off", "spring", "hooke", "hertz", "hooke/stiffness", "hertz/stiffness", "hooke/hysteresis",
-	"jkr", NULL
-};
-const char *const ts_tangential_names[] = { "off",     "history", "no_history", "incremental_history",
-					    "jkr_tan", NULL };
-const char *const ts_rolling_names[] = { "off", "cdt", "epsd", "epsd2", "epsd3", NULL };
-const char *const ts_cohesion_names[] = {
-	"off", "sjkr", "sjkr2", "easo/capillary/viscous", "washino/capillary/viscous", NULL
-};
-const char *const ts_surface_names[] = { "default", "multicontact", NULL };
-
-struct ts_granular_model ts_granular_model_of(const struct tsim *sim, const struct ts_granular_words *w)
+struct ts_granular_model ts_contact_model_of_words(const struct tsim *sim, const struct ts_granular_words *w)
 {
 	bool sticks = w->normal == TS_WORD_JKR;
 
@@ -282,9 +270,9 @@ static enum ts_status wet(struct tsim *sim, int a, int b, const char *who, const
 	return TS_OK;
 }
 
-enum ts_status ts_granular_material(struct tsim *sim, const struct ts_granular_model *model, int a, int b,
-				    const char *who, const struct ts_place *where,
-				    struct ts_granular_pair *out)
+enum ts_status ts_contact_law_of_materials(struct tsim *sim, const struct ts_granular_model *model, int a,
+					   int b, const char *who, const struct ts_place *where,
+					   struct ts_granular_pair *out)
 {
 	unsigned needs = needs_of(model);
 

@@ -30,17 +30,17 @@ enum ts_status ts_multicontact_prepare(struct ts_multicontact *m, struct tsim *s
 /* ---- the loads on each particle: first its rows, in the order of its partners, then its walls */
 
 /* Whether somebody but the two particles of a row knows of it. */
-static bool loads(const struct ts_pair *pair, const struct ts_contact_list *rows,
+static bool loads(const struct ts_pair *pair, const struct ts_contact_list *list,
 		  const struct ts_particles *p, size_t r)
 {
-	return rows->touching[r] && ts_pair_model(pair, p->type[rows->i[r]], p->type[rows->j[r]])->multi;
+	return list->touching[r] && ts_pair_model(pair, p->type[list->i[r]], p->type[list->j[r]])->multi;
 }
 
 /* Where the partners of row r touch, as its partner of that side sees it. */
-static void place_of(const struct ts_contact_list *rows, const struct ts_particles *p, size_t r, int side,
+static void place_of(const struct ts_contact_list *list, const struct ts_particles *p, size_t r, int side,
 		     double e[3], double point[3], double *gap)
 {
-	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 	double d[3], distance;
 
 	ts_sub(p->x[i], p->x[j], d);
@@ -50,23 +50,23 @@ static void place_of(const struct ts_contact_list *rows, const struct ts_particl
 	ts_scale(-(p->radius[side ? j : i] + 0.5 * *gap), e, point);
 }
 
-static struct ts_multicontact_load row_load(const struct ts_pair *pair, const struct ts_contact_list *rows,
+static struct ts_multicontact_load row_load(const struct ts_pair *pair, const struct ts_contact_list *list,
 					    const struct ts_particles *p, size_t r, int side)
 {
-	const struct ts_granular_model *model = ts_pair_model(pair, p->type[rows->i[r]], p->type[rows->j[r]]);
-	const double *memory = rows->history + r * rows->history_width + ts_granular_multi_at(model);
-	double a = p->radius[rows->i[r]], b = p->radius[rows->j[r]], gap;
+	const struct ts_granular_model *model = ts_pair_model(pair, p->type[list->i[r]], p->type[list->j[r]]);
+	const double *memory = list->history + r * list->history_width + ts_granular_multi_at(model);
+	double a = p->radius[list->i[r]], b = p->radius[list->j[r]], gap;
 	struct ts_multicontact_load one = { .load.force = memory[TS_MULTI_FORCE] };
 
-	place_of(rows, p, r, side, one.load.e, one.load.point, &gap);
+	place_of(list, p, r, side, one.load.e, one.load.point, &gap);
 	one.load.within = sqrt(a * b / (a + b) * fmax(0, memory[TS_MULTI_BULGE] - gap));
 	return one;
 }
 
 static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim, const struct ts_pair *pair)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
-	const struct ts_gather *g = &rows->gather;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
+	const struct ts_gather *g = &list->gather;
 	size_t n = sim->particles->n;
 
 	if (TS_GROW(m->first, m->first_capacity, n + 1) != TS_OK ||
@@ -74,8 +74,8 @@ static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim, c
 		return TS_NOMEM;
 	for (size_t i = 0; i < n; i++) {
 		m->next[i] = 0;
-		for (size_t k = g->first ? g->first[i] : 0; pair && rows->n && k < g->first[i + 1]; k++)
-			m->next[i] += loads(pair, rows, sim->particles, g->entry[k] >> 1);
+		for (size_t k = g->first ? g->first[i] : 0; pair && list->n && k < g->first[i + 1]; k++)
+			m->next[i] += loads(pair, list, sim->particles, g->entry[k] >> 1);
 	}
 	sim->neigh->multicontact_walls->count(m, sim);
 	m->first[0] = 0;
@@ -89,15 +89,15 @@ static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim, c
 static enum ts_status collect(struct ts_multicontact *m, struct tsim *sim, const struct ts_pair *pair,
 			      const struct ts_place *where)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
-	const struct ts_gather *g = &rows->gather;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
+	const struct ts_gather *g = &list->gather;
 
 	if (count(m, sim, pair) != TS_OK)
 		return ts_nomem(&sim->error);
-	for (size_t i = 0; i < sim->particles->n && pair && rows->n; i++)
+	for (size_t i = 0; i < sim->particles->n && pair && list->n; i++)
 		for (size_t k = g->first[i]; k < g->first[i + 1]; k++)
-			if (loads(pair, rows, sim->particles, g->entry[k] >> 1))
-				m->load[m->next[i]++] = row_load(pair, rows, sim->particles, g->entry[k] >> 1,
+			if (loads(pair, list, sim->particles, g->entry[k] >> 1))
+				m->load[m->next[i]++] = row_load(pair, list, sim->particles, g->entry[k] >> 1,
 								 (int)(g->entry[k] & 1));
 	return sim->neigh->multicontact_walls->collect(m, sim, where);
 }
@@ -135,20 +135,20 @@ struct task {
 static void rows_share(void *context, size_t from, size_t to)
 {
 	const struct task *t = context;
-	const struct ts_contact_list *rows = &t->sim->neigh->rows;
+	const struct ts_contact_list *list = &t->sim->neigh->contacts;
 	const struct ts_particles *p = t->sim->particles;
 
 	for (size_t r = from; r < to; r++) {
-		size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+		size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 		size_t owner = j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
 		double e[3], point[3], gap, a = p->radius[i], b = p->radius[j], ours, theirs;
 
-		place_of(rows, p, r, 0, e, point, &gap);
+		place_of(list, p, r, 0, e, point, &gap);
 		t->m->bulge[r] = (struct ts_contact_bulge){ 0, a * b / (a + b) };
 		if (gap > TS_BULGE_MOST * (a + b))
 			continue;
 		ours = stands_out(t->m, p, i, e, point, NULL);
-		place_of(rows, p, r, 1, e, point, &gap);
+		place_of(list, p, r, 1, e, point, &gap);
 		theirs = stands_out(t->m, p, owner, e, point, NULL);
 		a += ours;
 		b += theirs;
@@ -160,23 +160,23 @@ enum ts_status ts_multicontact_update(struct ts_multicontact *m, struct tsim *si
 				      const struct ts_place *where)
 {
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
-	struct ts_contact_list *rows = &sim->neigh->rows;
+	struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_pair *pair = inst ? inst->state : NULL;
 	const struct ts_particles *p = sim->particles;
 	struct task task = { m, sim };
 
-	rows->bulge = NULL;
+	list->bulge = NULL;
 	pair = pair && pair->model.multi ? pair : NULL;
-	ts_contacts_store_history(sim, rows);
+	ts_contacts_store_history(sim, list);
 	TS_TRY(collect(m, sim, pair, where));
 	if (!pair)
 		return TS_OK;
-	if (TS_GROW(m->bulge, m->bulge_capacity, rows->n + 1) != TS_OK)
+	if (TS_GROW(m->bulge, m->bulge_capacity, list->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	ts_parallel(ts_team(sim, rows->n), rows->n, rows_share, &task);
-	rows->bulge = m->bulge;
-	for (size_t r = 0; r < rows->n; r++) {
-		double sum = p->radius[rows->i[r]] + p->radius[rows->j[r]];
+	ts_parallel(ts_team(sim, list->n), list->n, rows_share, &task);
+	list->bulge = m->bulge;
+	for (size_t r = 0; r < list->n; r++) {
+		double sum = p->radius[list->i[r]] + p->radius[list->j[r]];
 
 		if (m->bulge[r].bulge <= TS_BULGE_MOST * sum)
 			continue;
@@ -184,7 +184,7 @@ enum ts_status ts_multicontact_update(struct ts_multicontact *m, struct tsim *si
 			       "fix multicontact/halfspace: the surfaces of particles %d and %d stand out by "
 			       "%.3g of the sum of their radii, the limit is %g: the grains are pressed too "
 			       "far for the theory of small strains",
-			       rows->tag[0][r], rows->tag[1][r], m->bulge[r].bulge / sum, TS_BULGE_MOST);
+			       list->tag[0][r], list->tag[1][r], m->bulge[r].bulge / sum, TS_BULGE_MOST);
 	}
 	return TS_OK;
 }
@@ -204,7 +204,7 @@ void ts_multicontact_release(struct ts_multicontact *m)
 {
 	if (m->neigh) {
 		m->neigh->multicontact = NULL;
-		m->neigh->rows.bulge = NULL;
+		m->neigh->contacts.bulge = NULL;
 	}
 	ts_free(m->compliance);
 	ts_free(m->poisson);

@@ -202,10 +202,10 @@ enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim)
 	memory = (size_t)ts_granular_memory(&pair->model);
 	if (!memory && sim->full & TS_FULL_HISTORY)
 		memory = 3;
-	TS_TRY(ts_contact_list_set_history(sim, &sim->neigh->rows, memory, pair->memory_sign));
-	sim->neigh->rows.bridged =
+	TS_TRY(ts_contact_list_set_history(sim, &sim->neigh->contacts, memory, pair->memory_sign));
+	sim->neigh->contacts.bridge_column =
 		ts_cohesion_bridges(&pair->model) ? (size_t)ts_granular_met_at(&pair->model) + 1 : 0;
-	ts_contact_list_set_torques(&sim->neigh->rows, ts_granular_turns(&pair->model),
+	ts_contact_list_set_torques(&sim->neigh->contacts, ts_granular_turns(&pair->model),
 				    ts_granular_rolls(&pair->model));
 	if (ts_granular_turns(&pair->model))
 		TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE)));
@@ -246,12 +246,12 @@ void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 static double *deepest_overlaps(const struct tsim *sim, const struct ts_pair *pair)
 {
 	size_t n = (size_t)pair->ntypes + 1;
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
 	double *most = ts_alloc(n * n, sizeof *most);
 
-	for (size_t r = 0; most && r < rows->n; r++) {
-		size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	for (size_t r = 0; most && r < list->n; r++) {
+		size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 		double d[3], *one = &most[entry_of(pair, p->type[i], p->type[j])];
 		double *other = &most[entry_of(pair, p->type[j], p->type[i])];
 
@@ -278,7 +278,7 @@ static enum ts_status report_types(const struct ts_instance *self, struct tsim *
 	if (one->inverse_mass[0] < 0 || other->inverse_mass[a == b] < 0 || !(sum > 0))
 		return TS_OK;
 	snprintf(what, sizeof what, "of types %d and %d", a, b);
-	return ts_report_contact(report, sim, &self->where, &c, what);
+	return ts_contact_report_limits(report, sim, &self->where, &c, what);
 }
 
 enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)

@@ -12,8 +12,16 @@ struct ts_pair_column {
 	ts_pair_column_fn *value;
 };
 
-ts_pair_column_fn ts_pair_dist, ts_pair_force; /* force > 0 repels */
-ts_pair_column_fn ts_pair_fx, ts_pair_fy, ts_pair_fz, ts_pair_dx, ts_pair_dy, ts_pair_dz;
+/* Distance of the centres, length; force along the line of centres, > 0 repelling; the force on the first
+ * particle; the vector to it from the second. */
+double ts_pair_dist(const struct tsim *sim, const struct ts_contact_view *view);
+double ts_pair_force(const struct tsim *sim, const struct ts_contact_view *view);
+double ts_pair_fx(const struct tsim *sim, const struct ts_contact_view *view);
+double ts_pair_fy(const struct tsim *sim, const struct ts_contact_view *view);
+double ts_pair_fz(const struct tsim *sim, const struct ts_contact_view *view);
+double ts_pair_dx(const struct tsim *sim, const struct ts_contact_view *view);
+double ts_pair_dy(const struct tsim *sim, const struct ts_contact_view *view);
+double ts_pair_dz(const struct tsim *sim, const struct ts_contact_view *view);
 
 #define TS_PAIR_COLUMNS                                                                                   \
 	{ "dist", ts_pair_dist }, { "force", ts_pair_force }, { "fx", ts_pair_fx }, { "fy", ts_pair_fy }, \

@@ -25,8 +25,8 @@ static enum ts_status make_table(struct ts_instance *self, struct tsim *sim)
 		for (int b = 1; b <= most; b++) {
 			size_t k = (size_t)(a * (g->pair.ntypes + 1) + b);
 
-			TS_TRY(ts_granular_material(sim, &g->pair.model, a, b, "pair_style gran",
-						    &self->where, ts_coeff(&g->pair.coeffs, k)));
+			TS_TRY(ts_contact_law_of_materials(sim, &g->pair.model, a, b, "pair_style gran",
+							   &self->where, ts_coeff(&g->pair.coeffs, k)));
 		}
 	}
 	return TS_OK;
@@ -55,7 +55,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct gran *g = self->state;
 
-	g->pair.model = ts_granular_model_of(sim, &g->words);
+	g->pair.model = ts_contact_model_of_words(sim, &g->words);
 	g->pair.sticks = ts_granular_reaches(&g->pair.model) || g->pair.model.multi;
 	TS_TRY(check_words(self, sim));
 	if (!sim->particles->ntypes)
@@ -81,14 +81,14 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	struct gran *g = self->state;
 
 	TS_TRY(ts_pair_archive_given(self, sim, a));
-	g->pair.model = ts_granular_model_of(sim, &g->words);
+	g->pair.model = ts_contact_model_of_words(sim, &g->words);
 	return ts_cohesion_bridges(&g->pair.model) ? ts_liquid_archive(sim, a, &g->pair.liquid) : TS_OK;
 }
 
 static enum ts_status chosen(struct ts_instance *self, struct tsim *sim)
 {
 	struct gran *g = self->state;
-	const struct ts_granular_model m = ts_granular_model_of(sim, &g->words);
+	const struct ts_granular_model m = ts_contact_model_of_words(sim, &g->words);
 
 	return ts_cohesion_bridges(&m) ? ts_liquid_columns(sim, self, &g->pair.liquid) : TS_OK;
 }
@@ -209,7 +209,7 @@ const struct ts_pair_style ts_pair_gran = {
 		   .fingerprint = ts_pair_fingerprint,
 		   .init = init,
 		   .hook = { [TS_STAGE_INITIAL_INTEGRATE] = advance, [TS_STAGE_FORCE] = force },
-		   .energy = ts_pair_energy,
+		   .energy = ts_contact_energy_of_pairs,
 		   .plan = plan,
 		   .fini = ts_pair_fini },
 	.coeff_size = sizeof(struct ts_granular_pair),

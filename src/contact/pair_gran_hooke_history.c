@@ -29,7 +29,7 @@ const struct ts_pair_style ts_pair_gran_hooke_history = {
 		   .fingerprint = ts_pair_fingerprint,
 		   .init = init,
 		   .hook = { [TS_STAGE_FORCE] = ts_gran_numbers_force },
-		   .energy = ts_pair_energy,
+		   .energy = ts_contact_energy_of_pairs,
 		   .plan = ts_pair_plan,
 		   .fini = ts_pair_fini },
 	.coeff_size = sizeof(struct ts_granular_pair),

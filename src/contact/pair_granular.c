@@ -125,7 +125,7 @@ const struct ts_pair_style ts_pair_granular = {
 		   .fingerprint = ts_pair_fingerprint,
 		   .init = init,
 		   .hook = { [TS_STAGE_FORCE] = force },
-		   .energy = ts_pair_energy,
+		   .energy = ts_contact_energy_of_pairs,
 		   .plan = ts_pair_plan,
 		   .fini = ts_pair_fini },
 	.coeff_size = sizeof(struct ts_gran_coeff),

@@ -107,7 +107,7 @@ const struct ts_pair_style ts_pair_spring_dashpot = {
 		   .fingerprint = ts_pair_fingerprint,
 		   .init = init,
 		   .hook = { [TS_STAGE_FORCE] = force },
-		   .energy = ts_pair_energy,
+		   .energy = ts_contact_energy_of_pairs,
 		   .plan = ts_pair_plan,
 		   .fini = ts_pair_fini },
 	.coeff_size = sizeof(struct ts_spring_dashpot),

@@ -6,7 +6,7 @@
 
 struct pe_atom {
 	struct ts_words words;
-	struct ts_elastic_parts parts;
+	struct ts_contact_energy_parts parts;
 	struct tsim *sim;
 };
 
@@ -17,7 +17,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	s->sim = sim;
 	TS_TRY(ts_energy_read(sim, self, s->words, &parts));
-	s->parts = (struct ts_elastic_parts){ parts.pair, parts.bond };
+	s->parts = (struct ts_contact_energy_parts){ parts.pair, parts.bond };
 	return TS_OK;
 }
 
@@ -26,10 +26,11 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	const struct pe_atom *s = self->state;
 	const struct ts_particles *p = sim->particles;
 
-	TS_TRY(ts_elastic_require(s->sim, self, &s->parts));
+	TS_TRY(ts_contact_energy_require(s->sim, self, &s->parts));
 	TS_TRY(ts_table_resize(out, p->n, 1));
 	for (size_t i = 0; i < p->n; i++)
-		out->data[i] = ts_in_group(p, i, self->group) ? ts_elastic_of(sim, i, &s->parts) : 0;
+		out->data[i] =
+			ts_in_group(p, i, self->group) ? ts_contact_energy_of_particle(sim, i, &s->parts) : 0;
 	return TS_OK;
 }
 

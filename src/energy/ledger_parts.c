@@ -85,7 +85,7 @@ struct row_work {
 static void book_row(struct row_work *w, size_t r, int side, size_t own)
 {
 	static const double still[3] = { 0 };
-	const struct ts_contact_list *rows = &w->sim->neigh->rows;
+	const struct ts_contact_list *rows = &w->sim->neigh->contacts;
 	const struct ts_particles *p = w->sim->particles;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	const struct ts_granular_model *m = ts_pair_model(w->pair, p->type[i], p->type[j]);
@@ -129,7 +129,7 @@ static enum ts_status hold(struct tsim *sim, const double *from, size_t n, doubl
 
 enum ts_status ts_ledger_hold_rows(struct tsim *sim, struct ts_ledger *l)
 {
-	struct ts_contact_list *rows = &sim->neigh->rows;
+	struct ts_contact_list *rows = &sim->neigh->contacts;
 
 	ts_contacts_store_history(sim, rows);
 	l->memory_n = 0;
@@ -164,7 +164,7 @@ static const double *held_memory(const struct tsim *sim, const struct ts_ledger 
 
 enum ts_status ts_ledger_take_pairs(struct tsim *sim, struct ts_ledger *l)
 {
-	struct ts_contact_list *rows = &sim->neigh->rows;
+	struct ts_contact_list *rows = &sim->neigh->contacts;
 	const struct ts_gather *g = &rows->gather;
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct row_work w = { .sim = sim, .l = l, .pair = pair ? pair->state : NULL };
@@ -294,7 +294,7 @@ static enum ts_status book_bond(struct tsim *sim, struct ts_ledger *l, size_t b,
 	struct ts_contact_view view;
 	double spring[3], extension;
 
-	ts_bond_view(sim, b, &view);
+	ts_contact_view_of_bond(sim, b, &view);
 	extension = view.distance - bonds->rest[b];
 	ts_scale(view.distance > 0 ? -style->stiffness(coeff) * extension / view.distance : 0, view.d,
 		 spring);
@@ -330,7 +330,7 @@ enum ts_status ts_ledger_take_bonds(struct tsim *sim, struct ts_ledger *l)
 
 static void take_rows(struct tsim *sim, struct ts_ledger *l, const struct ts_identities *map)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->contacts;
 	struct ts_exactsum gone[TS_NCONTACT_STORE];
 
 	for (int k = 0; k < TS_NCONTACT_STORE; k++)

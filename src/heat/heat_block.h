@@ -112,14 +112,14 @@ TS_INLINE void ts_heat_load(const struct ts_heat_task *t, bool placed, struct ts
 			size_t i = (size_t)near[k].i, j = (size_t)near[k].j;
 
 			if (placed) {
-				const ts_four *place = (const ts_four *)sphere[i].place;
+				const ts_four *place = (const ts_four *)sphere[i].position;
 
-				d[k] = TS_FOUR_LAST(*place - *(const ts_four *)sphere[j].place, *place);
+				d[k] = TS_FOUR_LAST(*place - *(const ts_four *)sphere[j].position, *place);
 			} else {
 				d[k] = TS_FOUR_AT(t->x[i]) - TS_FOUR_AT(t->x[j]);
 				d[k][3] = t->radius[i];
 			}
-			b->other[at + k] = placed ? sphere[j].place[3] : t->radius[j];
+			b->other[at + k] = placed ? sphere[j].position[3] : t->radius[j];
 			b->rise[at + k] = t->temperature[j] - t->temperature[i];
 		}
 		ts_four_columns(d, b->d, at);

@@ -56,13 +56,14 @@ TS_CLONES static void scan_share(void *context, size_t from, size_t to)
  * in memory. */
 TS_INLINE void send_for(const struct ts_heat_task *t, const struct ts_active_block *block)
 {
-	const struct ts_active_pair *near = t->pairs->rows->near + block->first, *end = near + block->active;
+	const struct ts_active_pair *near = t->pairs->rows->active + block->first,
+				    *end = near + block->touching;
 	const struct ts_contact_sphere *sphere = t->pairs->rows->sphere;
 	const double *temperature = t->temperature;
 	const struct ts_heat_flow *flow = t->pairs->flow;
 
 	for (; near < end; near++) {
-		__builtin_prefetch(sphere[near->j].place);
+		__builtin_prefetch(sphere[near->j].position);
 		__builtin_prefetch(temperature + near->j);
 		__builtin_prefetch(flow + near->slot, 1);
 	}
@@ -77,20 +78,20 @@ TS_CLONES static void blocks_share(void *context, size_t from, size_t to)
 
 	for (size_t l = from; l < to; l++) {
 		const struct ts_active_block *block = &rows->block[l];
-		const struct ts_active_pair *near = rows->near + block->first;
+		const struct ts_active_pair *near = rows->active + block->first;
 		size_t types = (size_t)(block->type[0] * (t.h->ntypes + 1) + block->type[1]);
 
 		send_for(&t, block + 1);
 		for (size_t k = 0; k < TS_BATCH; k++)
 			ts_heat_constants(&t, types, &b, k);
-		for (size_t at = 0; at < block->active; at += TS_BATCH) {
+		for (size_t at = 0; at < block->touching; at += TS_BATCH) {
 			ts_heat_list(&b, near + at,
-				     block->active - at < TS_BATCH ? block->active - at : TS_BATCH);
+				     block->touching - at < TS_BATCH ? block->touching - at : TS_BATCH);
 			ts_heat_load(&t, true, &b);
 			ts_heat_find_block(&t, &b);
 			flow_block(&t, &b);
 		}
-		for (size_t at = block->active; at < block->n; at++)
+		for (size_t at = block->touching; at < block->n; at++)
 			t.pairs->flow[near[at].slot] = (struct ts_heat_flow){ { 0 } };
 	}
 }
@@ -192,7 +193,8 @@ static enum ts_status start(struct tsim *sim, void *context)
 
 	h->keeps = h->scheme == TS_HEAT_EXACT || h->store || sim->run.complete;
 	if (TS_RENEW(h->inner, h->inner_capacity, sim->particles->n) != TS_OK ||
-	    clear_list(h, &h->pairs[0], h->fused_pass.begun ? rows->room / (size_t)rows->parts : rows->n) !=
+	    clear_list(h, &h->pairs[0],
+		       h->fused_pass.begun ? rows->result_capacity / (size_t)rows->parts : rows->n) !=
 		    TS_OK ||
 	    clear_list(h, &h->pairs[1], n) != TS_OK)
 		return ts_nomem(&sim->error);

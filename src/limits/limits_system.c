@@ -8,8 +8,8 @@
 
 static void connect_limits(struct tsim *sim)
 {
-	sim->neigh->ask.hits = ts_tunnelling_hits;
-	sim->neigh->ask.network = ts_network_report;
+	sim->neigh->callback.hits = ts_tunnelling_hits;
+	sim->neigh->callback.network = ts_network_report;
 }
 
 const struct ts_system_style ts_limits_system = {

@@ -136,7 +136,7 @@ static struct ts_lanczos_body body_of(const struct network *w, size_t node)
 static bool row_case(const struct network *w, size_t r, struct ts_contact_case *c, double n[3])
 {
 	const struct ts_particles *p = w->sim->particles;
-	const struct ts_contact_list *rows = &w->sim->neigh->rows;
+	const struct ts_contact_list *rows = &w->sim->neigh->contacts;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	double sum = p->radius[i] + p->radius[j], distance;
 
@@ -242,7 +242,7 @@ static void score_walls(struct network *w)
 /* Of the two rows of a pair across a periodic face each counts on its own side. */
 static void score_rows(struct network *w)
 {
-	const struct ts_contact_list *rows = &w->sim->neigh->rows;
+	const struct ts_contact_list *rows = &w->sim->neigh->contacts;
 	size_t n = w->sim->particles->n;
 
 	for (size_t r = 0; w->pair && r < rows->n; r++) {
@@ -279,7 +279,7 @@ static void take_node(struct network *w, size_t node)
 
 static void take_partners(struct network *w, size_t i)
 {
-	const struct ts_contact_list *rows = &w->sim->neigh->rows;
+	const struct ts_contact_list *rows = &w->sim->neigh->contacts;
 	const struct ts_bonds *bonds = w->sim->bonds;
 
 	for (size_t e = w->pair ? rows->gather.first[i] : 0; w->pair && e < rows->gather.first[i + 1]; e++) {
@@ -339,7 +339,7 @@ static void take_law(const struct network *w, const struct ts_contact_case *c, s
 
 static enum ts_status add_row(struct network *w, int a, size_t i, uint32_t entry)
 {
-	const struct ts_contact_list *rows = &w->sim->neigh->rows;
+	const struct ts_contact_list *rows = &w->sim->neigh->contacts;
 	const struct ts_particles *p = w->sim->particles;
 	size_t r = entry >> 1, j = (size_t)(entry & 1 ? rows->i[r] : rows->j[r]);
 	struct ts_link link = { .a = a, .b = w->place[node_of(w, j)] - 1 };
@@ -399,7 +399,7 @@ static enum ts_status add_walls(struct network *w)
 
 static enum ts_status add_member(struct network *w, int a, size_t i)
 {
-	const struct ts_gather *rows = &w->sim->neigh->rows.gather, *bonds = &w->sim->bonds->gather;
+	const struct ts_gather *rows = &w->sim->neigh->contacts.gather, *bonds = &w->sim->bonds->gather;
 
 	for (size_t e = w->pair ? rows->first[i] : 0; w->pair && e < rows->first[i + 1]; e++)
 		TS_TRY(add_row(w, a, i, rows->entry[e]));
@@ -436,7 +436,7 @@ static enum ts_status gather_place(struct network *w, size_t node)
 
 /* ---- what comes out ---- */
 
-/* A pair alone has a limit of its own that says the same and more: ts_report_contact, a single bond. Not
+/* A pair alone has a limit of its own that says the same and more: ts_contact_report_limits, a single bond. Not
  * where it stiffens or resists rolling. */
 static bool tells_more(const struct network *w, bool slip)
 {
@@ -511,7 +511,7 @@ static enum ts_status look(struct network *w, struct ts_plan_report *report)
 static enum ts_status find(struct network *w)
 {
 	struct tsim *sim = w->sim;
-	size_t rows = w->pair ? sim->neigh->rows.n : 0, nodes = sim->particles->n + sim->rigid->n;
+	size_t rows = w->pair ? sim->neigh->contacts.n : 0, nodes = sim->particles->n + sim->rigid->n;
 
 	w->k = ts_alloc(rows, sizeof *w->k);
 	w->score = ts_alloc(nodes, sizeof *w->score);
@@ -536,7 +536,7 @@ enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim
 	w.moving = moving_groups(sim);
 	w.turns = sim->particles->omega && sim->particles->torque;
 	if (sim->run.explicit_euler || (!w.pair && !w.bond) ||
-	    (w.pair && sim->neigh->rows.particles != sim->particles->n))
+	    (w.pair && sim->neigh->contacts.particles != sim->particles->n))
 		return TS_OK;
 	TS_TRY(ts_rigid_list(sim));
 	status = find(&w);

@@ -12,15 +12,15 @@
 /* Packs the data of all particles (struct ts_contact_sphere) and updates how far two of them may have
  * approached since the active pairs were chosen. For local particles, after their positions of this step
  * are final, this may be done earlier as a deferred loop (core/deferred_loops.h). */
-void ts_contact_list_locate_locals(struct tsim *sim, struct ts_contact_list *rows);
-void ts_contact_list_locate(const struct tsim *sim, struct ts_contact_list *rows);
+void ts_contact_list_locate_locals(struct tsim *sim, struct ts_contact_list *list);
+void ts_contact_list_locate(const struct tsim *sim, struct ts_contact_list *list);
 
 /* Whether a row that is not active may touch. */
-bool ts_active_pairs_outdated(const struct ts_contact_list *rows);
+bool ts_active_pairs_outdated(const struct ts_contact_list *list);
 
-/* Lists the active pairs of each of the rows->shares parallel shares; slot k belongs to pair k; rows->at
+/* Lists the active pairs of each of the rows->shares parallel shares; slot k belongs to pair k; rows->active_index
  * is the index by row. */
 #define TS_PAIR_INACTIVE UINT32_MAX
-enum ts_status ts_active_pairs_choose(struct tsim *sim, struct ts_contact_list *rows);
+enum ts_status ts_active_pairs_choose(struct tsim *sim, struct ts_contact_list *list);
 
 #endif

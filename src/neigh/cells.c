@@ -87,15 +87,15 @@ static void enter(struct ts_level *level, int32_t at, const struct ts_particles 
 {
 	level->list[at] = (long long)i;
 	for (int d = 0; d < 3; d++)
-		level->place[d][at] = p->xhold[i][d];
-	level->place[3][at] = p->radius[i];
+		level->position[d][at] = p->xhold[i][d];
+	level->position[3][at] = p->radius[i];
 }
 
 static enum ts_status make_room(struct ts_level *level, size_t n)
 {
 	TS_TRY(TS_GROW(level->list, level->list_capacity, n + 3));
 	for (int c = 0; c < 4; c++)
-		TS_TRY(TS_GROW(level->place[c], level->place_capacity[c], n + 3));
+		TS_TRY(TS_GROW(level->position[c], level->position_capacity[c], n + 3));
 	return TS_OK;
 }
 
@@ -161,7 +161,7 @@ void ts_cells_release(struct ts_cells *cells)
 		ts_free(cells->level[l].start);
 		ts_free(cells->level[l].list);
 		for (int c = 0; c < 4; c++)
-			ts_free(cells->level[l].place[c]);
+			ts_free(cells->level[l].position[c]);
 	}
 	ts_free(cells->level_of);
 	ts_free(cells->cell_of);

@@ -16,8 +16,8 @@ struct ts_level {
 	 * read */
 	int32_t *start;
 	long long *list;
-	double *place[4]; /* of those in the list: where they are held, and their radius */
-	size_t start_capacity, list_capacity, place_capacity[4];
+	double *position[4]; /* of those in the list: where they are held, and their radius */
+	size_t start_capacity, list_capacity, position_capacity[4];
 };
 
 struct ts_cells {

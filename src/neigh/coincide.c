@@ -24,22 +24,22 @@ static bool held(const struct ts_particles *p, size_t i, uint32_t prescribed)
 
 /* Whether row a comes before row b by identities: what is told must not depend on the order in
  * memory. */
-static bool before(const struct ts_contact_list *rows, size_t a, size_t b)
+static bool before(const struct ts_contact_list *list, size_t a, size_t b)
 {
 	int32_t p[2], q[2];
 
 	for (int k = 0; k < 2; k++) {
-		p[k] = rows->tag[k][a];
-		q[k] = rows->tag[k][b];
+		p[k] = list->tag[k][a];
+		q[k] = list->tag[k][b];
 	}
 	if (p[0] > p[1])
-		p[0] = rows->tag[1][a], p[1] = rows->tag[0][a];
+		p[0] = list->tag[1][a], p[1] = list->tag[0][a];
 	if (q[0] > q[1])
-		q[0] = rows->tag[1][b], q[1] = rows->tag[0][b];
+		q[0] = list->tag[1][b], q[1] = list->tag[0][b];
 	return p[0] != q[0] ? p[0] < q[0] : p[1] < q[1];
 }
 
-enum ts_status ts_coincide_rows(struct tsim *sim, const struct ts_contact_list *rows)
+enum ts_status ts_coincide_check_pairs(struct tsim *sim, const struct ts_contact_list *list)
 {
 	const struct ts_particles *p = sim->particles;
 	const uint32_t prescribed = ts_prescribed(sim);
@@ -47,19 +47,19 @@ enum ts_status ts_coincide_rows(struct tsim *sim, const struct ts_contact_list *
 	int32_t tag[2];
 	const double *x;
 
-	for (size_t r = 0; r < rows->n; r++) {
-		size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	for (size_t r = 0; r < list->n; r++) {
+		size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 
 		if (!same_place(p, i, j) || (held(p, i, prescribed) && held(p, j, prescribed)) ||
-		    !sim->neigh->ask.interact(sim, i, j))
+		    !sim->neigh->callback.interact(sim, i, j))
 			continue;
-		first = n++ && before(rows, first, r) ? first : r;
+		first = n++ && before(list, first, r) ? first : r;
 	}
 	if (!n)
 		return TS_OK;
-	x = p->x[rows->i[first]];
+	x = p->x[list->i[first]];
 	for (int k = 0; k < 2; k++)
-		tag[k] = rows->tag[k][first];
+		tag[k] = list->tag[k][first];
 	return ts_fail(&sim->error, TS_PHYSICS, NULL,
 		       "at step %" PRId64
 		       " particles %d and %d are at the same place (%g %g %g)%s: a contact force has no "

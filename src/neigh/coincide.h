@@ -18,7 +18,7 @@ static inline bool ts_coincide(double distance, double radius)
 
 /* Refuses rows of two particles at the same place, of which one is free to move; to be called where
  * there may be some. */
-enum ts_status ts_coincide_rows(struct tsim *sim, const struct ts_contact_list *rows);
+enum ts_status ts_coincide_check_pairs(struct tsim *sim, const struct ts_contact_list *list);
 /* Refuses a bond between particles at the same place; `distance` is that of the rows i and j. */
 enum ts_status ts_coincide_bond(struct tsim *sim, const struct ts_place *where, size_t i, size_t j,
 				double distance);

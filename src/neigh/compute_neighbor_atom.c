@@ -11,7 +11,7 @@ struct state {
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	((struct state *)self->state)->sim = sim;
-	sim->neigh->skin_counts = true;
+	sim->neigh->skin_observed = true;
 	return TS_OK;
 }
 
@@ -19,14 +19,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_particles *p = sim->particles;
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 
 	TS_TRY(ts_contacts_require(((const struct state *)self->state)->sim, self));
 	TS_TRY(ts_table_resize(out, p->n, 1));
 	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = 0;
-	for (size_t r = 0; r < rows->n; r++) {
-		size_t end[2] = { (size_t)rows->i[r], (size_t)rows->j[r] };
+	for (size_t r = 0; r < list->n; r++) {
+		size_t end[2] = { (size_t)list->i[r], (size_t)list->j[r] };
 
 		for (int s = 0; s < 2; s++)
 			if (end[s] < p->n && ts_in_group(p, end[s], self->group))

@@ -22,11 +22,11 @@ static int32_t opposite(int32_t winding)
 enum { OTHER_SIDE = 1 << 30 };
 
 /* The key of a row, and whether its i has the larger tag. */
-static struct ts_contact_key key_of(const struct ts_contact_list *rows, size_t r, bool *swapped)
+static struct ts_contact_key key_of(const struct ts_contact_list *list, size_t r, bool *swapped)
 {
-	int32_t a = rows->tag[0][r], b = rows->tag[1][r];
-	int32_t there = rows->winding[r], back = opposite(there);
-	int32_t side = rows->image[r] == TS_IMAGE_SELF ? 0 : OTHER_SIDE;
+	int32_t a = list->tag[0][r], b = list->tag[1][r];
+	int32_t there = list->winding[r], back = opposite(there);
+	int32_t side = list->image[r] == TS_IMAGE_SELF ? 0 : OTHER_SIDE;
 
 	*swapped = a > b || (a == b && there < back);
 	if (*swapped)
@@ -58,68 +58,68 @@ static void copy_force(double to[3], const double from[3], bool swapped)
 		to[k] = swapped ? -from[k] : from[k];
 }
 
-static bool taken(const struct ts_contact_list *rows, size_t r, bool memories)
+static bool taken(const struct ts_contact_list *list, size_t r, bool memories)
 {
-	bool is = rows->touching[r];
+	bool is = list->touching[r];
 
-	for (size_t c = 0; memories && !is && c < rows->history_width; c++)
-		is = rows->history[r * rows->history_width + c] != 0;
+	for (size_t c = 0; memories && !is && c < list->history_width; c++)
+		is = list->history[r * list->history_width + c] != 0;
 	return is;
 }
 
-static enum ts_status take(struct tsim *sim, struct ts_contact_list *rows, bool forces, bool memories,
+static enum ts_status take(struct tsim *sim, struct ts_contact_list *list, bool forces, bool memories,
 			   struct ts_contact_history *h)
 {
-	bool kept = rows->results == TS_RESULTS_KEPT; /* not after a step that has failed: zero */
+	bool kept = list->results == TS_RESULTS_KEPT; /* not after a step that has failed: zero */
 	size_t n = 0;
 
-	*h = (struct ts_contact_history){ .width = rows->history_width, .overlapping = memories };
-	ts_contacts_store_history(sim, rows);
-	for (size_t r = 0; (h->width || forces) && r < rows->n; r++)
-		n += taken(rows, r, memories);
+	*h = (struct ts_contact_history){ .width = list->history_width, .overlapping = memories };
+	ts_contacts_store_history(sim, list);
+	for (size_t r = 0; (h->width || forces) && r < list->n; r++)
+		n += taken(list, r, memories);
 	if (!n)
 		return TS_OK;
 	TS_TRY(allocate(sim, h, n, forces));
-	for (size_t r = 0; r < rows->n; r++) {
+	for (size_t r = 0; r < list->n; r++) {
 		bool swapped;
 
-		if (!taken(rows, r, memories))
+		if (!taken(list, r, memories))
 			continue;
-		h->key[h->n] = key_of(rows, r, &swapped);
+		h->key[h->n] = key_of(list, r, &swapped);
 		if (forces && kept)
-			copy_force(h->force[h->n], ts_contact_force(rows, r), swapped);
+			copy_force(h->force[h->n], ts_contact_force(list, r), swapped);
 		if (h->width)
-			copy_signed(h->value + h->n * h->width, rows->history + r * h->width, h->width,
-				    rows->history_sign, swapped);
+			copy_signed(h->value + h->n * h->width, list->history + r * h->width, h->width,
+				    list->history_sign, swapped);
 		h->n++;
 	}
 	return TS_OK;
 }
 
-enum ts_status ts_contact_history_take(struct tsim *sim, struct ts_contact_list *rows, bool forces,
+enum ts_status ts_contact_history_take(struct tsim *sim, struct ts_contact_list *list, bool forces,
 				       struct ts_contact_history *h)
 {
-	return take(sim, rows, forces, false, h);
+	return take(sim, list, forces, false, h);
 }
 
-enum ts_status ts_contact_history_take_memories(struct tsim *sim, struct ts_contact_list *rows, bool forces,
+enum ts_status ts_contact_history_take_memories(struct tsim *sim, struct ts_contact_list *list, bool forces,
 						struct ts_contact_history *h)
 {
-	return take(sim, rows, forces, true, h);
+	return take(sim, list, forces, true, h);
 }
 
-static bool overlap(const struct ts_particles *p, const struct ts_contact_list *rows, size_t r)
+static bool overlap(const struct ts_particles *p, const struct ts_contact_list *list, size_t r)
 {
-	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 	double sum = p->radius[i] + p->radius[j];
 
 	return ts_distance2(p->x[i], p->x[j]) < sum * sum;
 }
 
 /* Number k of the old ones had a bridge of liquid. */
-static bool bridged(const struct ts_contact_list *rows, const struct ts_contact_history *h, size_t k)
+static bool bridged(const struct ts_contact_list *list, const struct ts_contact_history *h, size_t k)
 {
-	return rows->bridged && h->value[k * h->width + rows->bridged - 1] > 0;
+	return list->bridge_column && h->value[k * h->width + list->bridge_column - 1] > 0;
 }
 
 /* What is remembered, by particles: chains of those whose smaller tag a particle has. Its memory is
@@ -127,7 +127,7 @@ static bool bridged(const struct ts_contact_list *rows, const struct ts_contact_
 struct giving {
 	const struct ts_contact_history *h;
 	const struct ts_particles *p;
-	struct ts_contact_list *rows;
+	struct ts_contact_list *list;
 	int32_t *first; /* of each particle: index of key + 1, 0 none */
 	struct link {
 		int32_t larger, next; /* the other tag; the next key, alike */
@@ -184,8 +184,8 @@ static int32_t find_either(const struct giving *g, const struct ts_contact_key *
 /* Whether the partners of the row, or images of them, have a key: most rows have none. */
 static bool may_have(const struct giving *g, size_t r)
 {
-	const int32_t *const end[2] = { g->rows->i, g->rows->j }; /* a table: which it is cannot be guessed */
-	int32_t a = g->rows->tag[0][r], b = g->rows->tag[1][r], larger = a > b ? a : b;
+	const int32_t *const end[2] = { g->list->i, g->list->j }; /* a table: which it is cannot be guessed */
+	int32_t a = g->list->tag[0][r], b = g->list->tag[1][r], larger = a > b ? a : b;
 	int32_t k = g->first[local(g, end[a > b][r])];
 
 	while (k && g->link[k - 1].larger != larger)
@@ -198,7 +198,7 @@ static void give_share(void *context, size_t from, size_t to)
 	const struct giving *g = context;
 	const struct ts_contact_history *h = g->h;
 	const struct ts_particles *p = g->p;
-	struct ts_contact_list *rows = g->rows;
+	struct ts_contact_list *list = g->list;
 
 	for (size_t r = from; r < to; r++) {
 		struct ts_contact_key key;
@@ -207,32 +207,32 @@ static void give_share(void *context, size_t from, size_t to)
 
 		if (!may_have(g, r))
 			continue;
-		key = key_of(rows, r, &swapped);
-		k = find_either(g, &key, local(g, swapped ? rows->j[r] : rows->i[r]));
-		if (!k || (h->overlapping && !overlap(p, rows, r) && !bridged(rows, h, (size_t)(k - 1))))
+		key = key_of(list, r, &swapped);
+		k = find_either(g, &key, local(g, swapped ? list->j[r] : list->i[r]));
+		if (!k || (h->overlapping && !overlap(p, list, r) && !bridged(list, h, (size_t)(k - 1))))
 			continue;
-		rows->touching[r] = 1;
+		list->touching[r] = 1;
 		if (h->width)
-			copy_signed(rows->history + r * h->width, h->value + (size_t)(k - 1) * h->width,
-				    h->width, rows->history_sign, swapped);
+			copy_signed(list->history + r * h->width, h->value + (size_t)(k - 1) * h->width,
+				    h->width, list->history_sign, swapped);
 		if (h->force)
-			copy_force(ts_contact_force(rows, r), h->force[k - 1], swapped);
+			copy_force(ts_contact_force(list, r), h->force[k - 1], swapped);
 	}
 }
 
 enum ts_status ts_contact_history_give(struct tsim *sim, const struct ts_contact_history *h,
-				       struct ts_contact_list *rows)
+				       struct ts_contact_list *list)
 {
-	struct giving g = { .h = h, .p = sim->particles, .rows = rows };
+	struct giving g = { .h = h, .p = sim->particles, .list = list };
 	enum ts_status status;
 
-	if (!h->n || !rows->n)
+	if (!h->n || !list->n)
 		return TS_OK;
 	if (h->force)
-		TS_TRY(ts_contact_forces_keep(sim, rows));
+		TS_TRY(ts_force_slots_keep_all(sim, list));
 	status = make_chains(sim, &g);
 	if (status == TS_OK)
-		ts_parallel(ts_team(sim, rows->n), rows->n, give_share, &g);
+		ts_parallel(ts_team(sim, list->n), list->n, give_share, &g);
 	ts_free(g.first);
 	ts_free(g.link);
 	return status;
@@ -244,26 +244,6 @@ void ts_contact_history_release(struct ts_contact_history *h)
 	ts_free(h->value);
 	ts_free(h->force);
 	*h = (struct ts_contact_history){ 0 };
-}
-
-enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_list *rows, size_t width,
-					   const signed char *sign)
-{
-	double *history = NULL;
-
-	rows->history_sign = sign;
-	if (width == rows->history_width)
-		return TS_OK;
-	if (width) {
-		history = ts_alloc_aligned(rows->capacity * width, sizeof *history);
-		if (!history)
-			return ts_nomem(&sim->error);
-	}
-	ts_free(rows->history);
-	rows->history = history;
-	rows->looked = rows->unsettled = false;
-	rows->history_width = width;
-	return TS_OK;
 }
 
 enum ts_status ts_contact_history_archive(struct ts_archive *archive, struct tsim *sim,

@@ -18,15 +18,15 @@ struct ts_contact_history {
 
 /* Copies out the history of the touching rows, and if asked their forces: a run that goes on with
  * the forces of the last step shows the contacts of that step. */
-enum ts_status ts_contact_history_take(struct tsim *sim, struct ts_contact_list *rows, bool forces,
+enum ts_status ts_contact_history_take(struct tsim *sim, struct ts_contact_list *list, bool forces,
 				       struct ts_contact_history *h);
 /* As LIGGGHTS: of all rows that remember something, also those that have parted, for such as overlap when
  * it is given. */
-enum ts_status ts_contact_history_take_memories(struct tsim *sim, struct ts_contact_list *rows, bool forces,
+enum ts_status ts_contact_history_take_memories(struct tsim *sim, struct ts_contact_list *list, bool forces,
 						struct ts_contact_history *h);
 /* Gives it to the rows of the same partners. */
 enum ts_status ts_contact_history_give(struct tsim *sim, const struct ts_contact_history *h,
-				       struct ts_contact_list *rows);
+				       struct ts_contact_list *list);
 void ts_contact_history_release(struct ts_contact_history *h);
 /* Restart files. */
 enum ts_status ts_contact_history_archive(struct ts_archive *archive, struct tsim *sim,

@@ -23,18 +23,18 @@ static int32_t winding_of(const struct ts_particles *p, size_t i, size_t j)
 }
 
 /* Room for n rows; what was there is lost. */
-static enum ts_status reserve(struct ts_contact_list *rows, size_t n)
+static enum ts_status reserve(struct ts_contact_list *list, size_t n)
 {
-	size_t width = rows->history_width ? rows->history_width : 1;
-	size_t held = rows->capacity, wide = held * width, capacity = 0;
+	size_t width = list->history_width ? list->history_width : 1;
+	size_t held = list->capacity, wide = held * width, capacity = 0;
 
 	if (n <= held)
 		return TS_OK;
-	rows->n = rows->capacity = 0; /* should it fail */
+	list->n = list->capacity = 0; /* should it fail */
 #define RENEW_COLUMN(column)                                 \
 	do {                                                 \
 		capacity = held;                             \
-		TS_TRY(TS_RENEW(rows->column, capacity, n)); \
+		TS_TRY(TS_RENEW(list->column, capacity, n)); \
 	} while (0)
 	RENEW_COLUMN(i);
 	RENEW_COLUMN(j);
@@ -44,36 +44,36 @@ static enum ts_status reserve(struct ts_contact_list *rows, size_t n)
 	RENEW_COLUMN(winding);
 	RENEW_COLUMN(touching);
 #undef RENEW_COLUMN
-	if (rows->history_width)
-		TS_TRY(TS_RENEW(rows->history, wide, capacity * width));
-	rows->capacity = capacity;
+	if (list->history_width)
+		TS_TRY(TS_RENEW(list->history, wide, capacity * width));
+	list->capacity = capacity;
 	return TS_OK;
 }
 
 /* Rows from..to-1 touch nobody and remember nothing. */
-static void clear(struct ts_contact_list *rows, size_t from, size_t n)
+static void clear(struct ts_contact_list *list, size_t from, size_t n)
 {
-	size_t width = rows->history_width;
+	size_t width = list->history_width;
 
 	if (!n)
 		return;
-	memset(rows->touching + from, 0, n);
+	memset(list->touching + from, 0, n);
 	if (width)
-		memset(rows->history + from * width, 0, n * width * sizeof *rows->history);
+		memset(list->history + from * width, 0, n * width * sizeof *list->history);
 }
 
-static void fill_row(struct ts_contact_list *rows, const struct ts_particles *p, size_t r, size_t i, size_t j)
+static void fill_row(struct ts_contact_list *list, const struct ts_particles *p, size_t r, size_t i, size_t j)
 {
-	rows->i[r] = (int32_t)i;
-	rows->j[r] = (int32_t)j;
-	rows->tag[0][r] = p->tag[i];
-	rows->tag[1][r] = p->tag[j];
-	rows->image[r] = ts_contact_image(p, j);
-	rows->winding[r] = winding_of(p, i, j);
+	list->i[r] = (int32_t)i;
+	list->j[r] = (int32_t)j;
+	list->tag[0][r] = p->tag[i];
+	list->tag[1][r] = p->tag[j];
+	list->image[r] = ts_contact_image(p, j);
+	list->winding[r] = winding_of(p, i, j);
 }
 
 struct filling {
-	struct ts_contact_list *rows;
+	struct ts_contact_list *list;
 	const struct ts_contact_search *found;
 };
 
@@ -86,29 +86,29 @@ static void fill_shares(void *context, size_t from, size_t to)
 		const struct ts_contact_found *share = &f->found->share[t];
 		size_t r = share->first, at = 0;
 
-		clear(f->rows, r, share->n);
+		clear(f->list, r, share->n);
 		for (size_t i = share->from; i < share->to; i++)
 			for (size_t k = f->found->count[i]; k; k--)
-				fill_row(f->rows, p, r++, i, (size_t)share->partner[at++]);
+				fill_row(f->list, p, r++, i, (size_t)share->partner[at++]);
 	}
 }
 
 /* Partners of one identity, that is images of one particle, come in the order of images. Seen from j, which
  * is local, i is no image. */
-static void order_images(const struct ts_contact_list *rows, size_t from, size_t to)
+static void order_images(const struct ts_contact_list *list, size_t from, size_t to)
 {
-	const struct ts_gather *g = &rows->gather;
+	const struct ts_gather *g = &list->gather;
 
 	for (size_t k = from + 1; k < to; k++) {
 		uint32_t e = g->entry[k];
-		int mine = e & 1 ? TS_IMAGE_SELF : rows->image[e >> 1];
+		int mine = e & 1 ? TS_IMAGE_SELF : list->image[e >> 1];
 		size_t at = k;
 
 		for (; at > from; at--) {
 			uint32_t b = g->entry[at - 1];
 
-			if (rows->tag[!(b & 1)][b >> 1] != rows->tag[!(e & 1)][e >> 1] ||
-			    (b & 1 ? TS_IMAGE_SELF : rows->image[b >> 1]) <= mine)
+			if (list->tag[!(b & 1)][b >> 1] != list->tag[!(e & 1)][e >> 1] ||
+			    (b & 1 ? TS_IMAGE_SELF : list->image[b >> 1]) <= mine)
 				break;
 			g->entry[at] = b;
 		}
@@ -116,107 +116,129 @@ static void order_images(const struct ts_contact_list *rows, size_t from, size_t
 	}
 }
 
-static enum ts_status index_rows(struct tsim *sim, struct ts_contact_list *rows)
+static enum ts_status index_rows(struct tsim *sim, struct ts_contact_list *list)
 {
 	const struct ts_particles *p = sim->particles;
-	const struct ts_gather *g = &rows->gather;
-	struct ts_gather_pairs pairs = { rows->n, 1, { rows->i, rows->j }, { rows->tag[0], rows->tag[1] } };
+	const struct ts_gather *g = &list->gather;
+	struct ts_gather_pairs pairs = { list->n, 1, { list->i, list->j }, { list->tag[0], list->tag[1] } };
 
-	if (ts_gather_index(sim, &rows->gather, &pairs) != TS_OK)
+	if (ts_gather_index(sim, &list->gather, &pairs) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; p->nghost && i < p->n; i++)
-		order_images(rows, g->first[i], g->first[i + 1]);
+		order_images(list, g->first[i], g->first[i + 1]);
 	return TS_OK;
 }
 
-static enum ts_status build(struct tsim *sim, struct ts_contact_list *rows, struct ts_contact_search *found,
+static enum ts_status build(struct tsim *sim, struct ts_contact_list *list, struct ts_contact_search *found,
 			    struct ts_contact_history *old)
 {
-	struct filling filling = { rows, found };
+	struct filling filling = { list, found };
 
 	if (sim->legacy)
-		TS_TRY(ts_contact_history_take_memories(sim, rows, sim->run.resuming, old));
+		TS_TRY(ts_contact_history_take_memories(sim, list, sim->run.resuming, old));
 	else
-		TS_TRY(ts_contact_history_take(sim, rows, sim->run.resuming, old));
+		TS_TRY(ts_contact_history_take(sim, list, sim->run.resuming, old));
 	TS_TRY(ts_contact_search(sim, found));
-	if (reserve(rows, found->n) != TS_OK ||
-	    TS_GROW(rows->sphere, rows->sphere_capacity, sim->particles->n + sim->particles->nghost) != TS_OK)
+	if (reserve(list, found->n) != TS_OK ||
+	    TS_GROW(list->sphere, list->sphere_capacity, sim->particles->n + sim->particles->nghost) != TS_OK)
 		return ts_nomem(&sim->error);
-	rows->n = found->n;
-	rows->skin = found->skin;
-	rows->results = TS_RESULTS_NONE;
-	rows->looked = false;
-	rows->particles = sim->particles->n;
-	rows->placed = false;
-	rows->step = 0;
-	if (rows->sphere) /* the first look at where particles are compares with something */
-		memset(rows->sphere, 0, rows->sphere_capacity * sizeof *rows->sphere);
+	list->n = found->n;
+	list->skin = found->skin;
+	list->results = TS_RESULTS_NONE;
+	list->active_chosen = false;
+	list->particles = sim->particles->n;
+	list->locals_packed = false;
+	list->displacement = 0;
+	if (list->sphere) /* the first look at where particles are compares with something */
+		memset(list->sphere, 0, list->sphere_capacity * sizeof *list->sphere);
 	ts_parallel(found->shares, (size_t)found->shares, fill_shares, &filling);
-	if (found->coincide && !rows->both_frozen)
-		TS_TRY(ts_coincide_rows(sim, rows));
-	TS_TRY(index_rows(sim, rows));
+	if (found->coincide && !list->both_frozen)
+		TS_TRY(ts_coincide_check_pairs(sim, list));
+	TS_TRY(index_rows(sim, list));
 	if (sim->run.resuming) /* shown without being computed */
-		TS_TRY(ts_contact_forces_keep(sim, rows));
-	return ts_contact_history_give(sim, old, rows);
+		TS_TRY(ts_force_slots_keep_all(sim, list));
+	return ts_contact_history_give(sim, old, list);
 }
 
-enum ts_status ts_contact_list_build(struct tsim *sim, struct ts_contact_list *rows, double skin,
+enum ts_status ts_contact_list_build(struct tsim *sim, struct ts_contact_list *list, double skin,
 				     ts_excluded_fn *excluded)
 {
 	struct ts_contact_search found = {
-		.skin = skin, .both_frozen = rows->both_frozen, .excluded = excluded, .expected = rows->n
+		.skin = skin, .both_frozen = list->both_frozen, .excluded = excluded, .expected = list->n
 	};
 	struct ts_contact_history old = { 0 };
-	enum ts_status status = build(sim, rows, &found, &old);
+	enum ts_status status = build(sim, list, &found, &old);
 
 	ts_contact_history_release(&old);
 	ts_contact_search_release(&found);
 	return status;
 }
 
-void ts_contact_list_set_torques(struct ts_contact_list *rows, bool turn, bool roll)
+void ts_contact_list_set_torques(struct ts_contact_list *list, bool turn, bool roll)
 {
 	int parts = roll ? 3 : turn ? 2 : 1;
 
-	if (parts != rows->parts)
-		rows->results = TS_RESULTS_NONE;
-	rows->parts = parts;
+	if (parts != list->parts)
+		list->results = TS_RESULTS_NONE;
+	list->parts = parts;
 }
 
-size_t ts_contact_list_bytes(const struct ts_contact_list *rows)
+enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_list *list, size_t width,
+					   const signed char *sign)
 {
-	size_t entry = sizeof *rows->gather.entry + sizeof *rows->sum;
-	size_t row = sizeof *rows->i + sizeof *rows->j + 2 * sizeof *rows->tag[0] + sizeof *rows->image +
-		     sizeof *rows->winding + sizeof *rows->touching + sizeof *rows->near + sizeof *rows->at +
-		     sizeof *rows->waiting + rows->history_width * sizeof *rows->history + 2 * entry;
-	size_t results = rows->n * (size_t)rows->parts; /* at the ends of runs all are kept */
+	double *history = NULL;
 
-	return rows->n * row + (results > rows->room ? results : rows->room) * sizeof *rows->result +
-	       rows->memory_capacity * sizeof *rows->memory;
+	list->history_sign = sign;
+	if (width == list->history_width)
+		return TS_OK;
+	if (width) {
+		history = ts_alloc_aligned(list->capacity * width, sizeof *history);
+		if (!history)
+			return ts_nomem(&sim->error);
+	}
+	ts_free(list->history);
+	list->history = history;
+	list->active_chosen = list->memory_newer = false;
+	list->history_width = width;
+	return TS_OK;
 }
 
-void ts_contact_list_release(struct ts_contact_list *rows)
+size_t ts_contact_list_bytes(const struct ts_contact_list *list)
 {
-	ts_free(rows->i);
-	ts_free(rows->j);
-	ts_free(rows->tag[0]);
-	ts_free(rows->tag[1]);
-	ts_free(rows->image);
-	ts_free(rows->winding);
-	ts_free(rows->result);
-	ts_free(rows->touching);
-	ts_free(rows->history);
-	ts_free(rows->memory);
-	ts_free(rows->sphere);
-	ts_free(rows->span);
-	ts_free(rows->near);
-	ts_free(rows->block);
-	ts_free(rows->at);
-	ts_free(rows->waiting);
-	ts_free(rows->sum_first);
-	ts_free(rows->sum);
-	ts_free(rows->chunk);
-	ts_free(rows->gathered);
-	ts_gather_release(&rows->gather);
-	*rows = (struct ts_contact_list){ 0 };
+	size_t entry = sizeof *list->gather.entry + sizeof *list->sum;
+	size_t row = sizeof *list->i + sizeof *list->j + 2 * sizeof *list->tag[0] + sizeof *list->image +
+		     sizeof *list->winding + sizeof *list->touching + sizeof *list->active +
+		     sizeof *list->active_index + sizeof *list->sums_left +
+		     list->history_width * sizeof *list->history + 2 * entry;
+	size_t results = list->n * (size_t)list->parts; /* at the ends of runs all are kept */
+
+	return list->n * row +
+	       (results > list->result_capacity ? results : list->result_capacity) * sizeof *list->result +
+	       list->memory_capacity * sizeof *list->memory;
+}
+
+void ts_contact_list_release(struct ts_contact_list *list)
+{
+	ts_free(list->i);
+	ts_free(list->j);
+	ts_free(list->tag[0]);
+	ts_free(list->tag[1]);
+	ts_free(list->image);
+	ts_free(list->winding);
+	ts_free(list->result);
+	ts_free(list->touching);
+	ts_free(list->history);
+	ts_free(list->memory);
+	ts_free(list->sphere);
+	ts_free(list->span);
+	ts_free(list->active);
+	ts_free(list->block);
+	ts_free(list->active_index);
+	ts_free(list->sums_left);
+	ts_free(list->sum_first);
+	ts_free(list->sum);
+	ts_free(list->chunk);
+	ts_free(list->chunk_summed);
+	ts_gather_release(&list->gather);
+	*list = (struct ts_contact_list){ 0 };
 }

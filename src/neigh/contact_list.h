@@ -1,13 +1,13 @@
-/* The contact list: one row for each candidate pair, two particles that may touch before the next rebuild.
+/* The contact list: all candidate pairs, that is pairs of particles that may touch before the next rebuild.
  *
- * Rows are sorted by particle i (local), then by the identity of particle j. A contact law writes the
- * force of each row to a place of its own, without write conflicts; then each particle sums the forces of
- * its rows in the order of its partners' identities. So sums do not depend on the number of threads, on
- * the order of particles in memory, nor on which particle of a pair is i: the forces on i and j are
- * exactly opposite.
+ * Pairs are sorted by particle i (local), then by the identity of particle j. The contact law writes the
+ * force of each pair to a slot of its own, so threads do not conflict; then each particle sums the forces of
+ * its pairs in the order of the identities of its partners. Hence the sums depend neither on the number of
+ * threads nor on the order of particles in memory nor on which particle of a pair is i, and the forces on i
+ * and j are exactly opposite.
  *
- * A pair of local particles has one row. A local particle and a ghost have one row here, and the owner of
- * the ghost has another one. */
+ * A pair of two local particles is listed once. A pair of a local particle and a ghost is listed once here,
+ * and once more with the owner of the ghost as i. */
 #ifndef TS_NEIGH_CONTACT_LIST_H
 #define TS_NEIGH_CONTACT_LIST_H
 
@@ -19,43 +19,45 @@
 #include "neigh/gather.h"
 #include "particle/particles.h"
 
-/* The data of a particle that contact laws read, packed: copied once a step, loaded by the loops as whole
- * vectors. */
+/* What contact laws read of a particle, packed once a step so that the loops load it as whole vectors. */
 struct ts_contact_sphere {
-	double place[4];  /* x, y, z, radius */
-	double motion[4]; /* velocity, 1/mass */
-	double spin[4];	  /* angular velocity, radius again */
+	double position[4]; /* x, y, z and radius, length */
+	double velocity[4]; /* velocity, length/time; 1/mass, 0 for immobile particles */
+	double omega[4];    /* angular velocity, 1/time; radius again, length */
 } __attribute__((aligned(32)));
 
-/* Displacement of the surfaces of a pair in this step by its other contacts (law/halfspace.h), length; R*
- * with it. */
+/* Displacement of both surfaces of a pair in this step, caused by the other contacts of its particles
+ * (law/halfspace.h), and the effective radius R* of the displaced surfaces; both lengths. */
 struct ts_contact_bulge {
 	double bulge, r_eff;
 };
 
-/* An active pair: a row that may touch within the next steps, see active_pairs.h. */
+/* An active pair: a candidate pair that may touch within the next steps, see active_pairs.h. */
 struct ts_active_pair {
-	uint32_t row, slot; /* of the list; of `result` */
-	int32_t i, j;
+	uint32_t row;  /* index of the pair in the contact list */
+	uint32_t slot; /* index of its force in `result` */
+	int32_t i, j;  /* the particles */
 };
 
-/* Active pairs with the same contact law. The first `active` ones touched in the last force evaluation. */
+/* Active pairs with the same contact law. The first `touching` ones touched in the last force evaluation. */
 enum { TS_ACTIVE_BLOCK = 128 };
 struct ts_active_block {
-	uint32_t first, n; /* at most TS_ACTIVE_BLOCK */
-	uint32_t active;
-	int32_t type[2]; /* of i, of j */
-	size_t memory;	 /* offset of its columns in ts_contact_list.memory */
+	uint32_t first, n; /* active pairs first .. first+n-1, n <= TS_ACTIVE_BLOCK */
+	uint32_t touching;
+	int32_t type[2]; /* types of i and j */
+	size_t memory;	 /* offset of the history columns of the block in ts_contact_list.memory */
 };
 
-/* Active pairs and blocks of one parallel share of the list. TS_BLOCKS_AHEAD empty blocks follow them:
- * sentinels, so that the data of the next blocks can be prefetched without a bounds check. */
+/* Active pairs and blocks of one share (one thread's part) of the contact list. TS_BLOCKS_AHEAD empty
+ * sentinel blocks follow them, so that the data of the next blocks are prefetched without a bounds check. */
 enum { TS_BLOCKS_AHEAD = 2 };
 struct ts_contact_span {
-	size_t near, near_end, block, block_end;
+	size_t active, active_end; /* active pairs active .. active_end-1 */
+	size_t block, block_end;   /* blocks block .. block_end-1 */
 };
 
-/* Particles adjacent in memory, whose forces are summed as soon as all their rows are computed. */
+/* TS_CONTACT_CHUNK particles adjacent in memory, whose forces are summed as soon as all pairs of all of them
+ * are computed. */
 enum { TS_CONTACT_CHUNK = 64 };
 struct ts_contact_chunk {
 	size_t first, end; /* range of their active pairs; 0, 0: none */
@@ -64,125 +66,126 @@ struct ts_contact_chunk {
 /* Which forces and torques are stored; see force_slots.h. */
 enum ts_contact_results {
 	TS_RESULTS_NONE,   /* none: not computed since the list was built */
-	TS_RESULTS_PASSED, /* none: they are summed into the particles and overwritten */
-	TS_RESULTS_KEPT,   /* those of row r, in slot r */
+	TS_RESULTS_PASSED, /* none: slots were reused after the particles had summed them */
+	TS_RESULTS_KEPT,   /* all: that of pair r in slot r */
 };
 
 struct ts_contact_list {
-	size_t n, capacity;
-	/* lists only pairs of two immobile particles; else only all other pairs */
+	size_t n, capacity; /* candidate pairs */
+	/* lists only pairs of two immobile particles (for heat); else only all other pairs */
 	bool both_frozen;
-	size_t particles; /* local particles when the list was built */
-	int32_t *i, *j;	  /* indices of the columns of particles; i local, j local or ghost */
-	int32_t *tag[2];  /* identities of i and j */
-	uint8_t *image;	  /* which image of j: 13 = itself; see ts_image_code */
-	int32_t *winding; /* which image, independent of periodic wrapping; ts_winding */
+	size_t particles; /* number of local particles when the list was built */
+	/* By pair, n numbers each: */
+	int32_t *i, *j;	   /* indices of the particle columns; i local, j local or ghost */
+	int32_t *tag[2];   /* identities of i and j */
+	uint8_t *image;	   /* which periodic image j is, 0..26; see ts_image_code */
+	int32_t *winding;  /* the same, but independent of periodic wrapping; see ts_winding */
+	uint8_t *touching; /* 1: the surfaces overlap, or a liquid bridge joins them */
+	double *history;   /* history_width numbers each; zero where the pair has never touched */
+
 	enum ts_contact_results results;
-	bool broken; /* liquid bridges have broken in this step: contact/liquid.h */
+	bool bridges_broken; /* liquid bridges broke in this step: contact/liquid.h */
 	/* the next sums are the first forces of the step: they overwrite p->f instead of adding to it */
-	bool sets;
-	/* By slot: force (ts_contact_force), then tangential and rolling torque if the laws have them;
-	 * `parts` of them */
+	bool overwrite_sums;
+	/* By slot, `parts` vectors each: force (see ts_contact_force), then tangential and rolling torque if
+	 * the contact laws have them. result_capacity vectors are allocated. */
 	double (*result)[4];
 	int parts;
-	size_t room;
-	uint8_t *touching; /* 1: the surfaces overlap, or a bridge joins them */
-	double *history;   /* history_width numbers per row; zero where the pair has never touched */
+	size_t result_capacity;
+
 	double *memory;	   /* the history of touching active pairs, in columns: see contact_memory.h */
-	bool unsettled;	   /* `memory` is newer than `history` */
+	bool memory_newer; /* `memory` has been advanced since it was last copied to `history` */
 	size_t history_width;
-	/* 1 + which number of the history is > 0 while a bridge of liquid is there; 0: none has one */
-	size_t bridged;
-	const signed char *history_sign; /* +1 or -1: factor when i and j change places */
+	/* 1 + index of the history number that is > 0 while a liquid bridge exists; 0: laws without bridges */
+	size_t bridge_column;
+	const signed char *history_sign; /* by history number: factor +1 or -1 when i and j are swapped */
 
-	struct ts_gather gather;	  /* the rows of each local particle */
-	struct ts_contact_sphere *sphere; /* of all particles, in this step */
+	struct ts_gather gather;	  /* the candidate pairs of each local particle */
+	struct ts_contact_sphere *sphere; /* of all particles, ghosts included, in this step */
 	size_t sphere_capacity;
-	bool placed; /* those of local particles are written in this step */
-	double step; /* largest displacement of these since the last step, length */
+	bool locals_packed;  /* `sphere` of the local particles is that of this step */
+	double displacement; /* largest displacement of a particle since the last step so far, length */
 
-	/* The active pairs, see active_pairs.h */
-	bool looked;		 /* they have been chosen */
-	bool all;		 /* all rows are active: laws may attract beyond inner_skin */
-	double skin, inner_skin; /* largest distance of surfaces of candidate pairs, of active pairs */
-	/* upper bound of the approach of two particles since the active pairs were chosen, length */
-	double travelled;
-	double max_displacement; /* of a particle in the last step, length */
-	int shares;
-	struct ts_contact_span *span; /* of each share */
-	struct ts_active_pair *near;
+	/* Active pairs, see active_pairs.h */
+	bool active_chosen;	 /* false: they must be chosen before the next forces */
+	bool all_active;	 /* all pairs are active: the laws may attract beyond inner_skin */
+	double skin, inner_skin; /* largest gap between the surfaces of candidate, of active pairs, length */
+	/* upper bound of the approach of any two particles since the active pairs were chosen, length */
+	double approach;
+	double max_displacement;      /* largest displacement of a particle in the last step, length */
+	int shares;		      /* parts of the list, each computed by one thread */
+	struct ts_contact_span *span; /* by share */
+	struct ts_active_pair *active;
 	struct ts_active_block *block;
-	const struct ts_contact_bulge *bulge; /* by row; NULL: no surface is displaced */
-	/* index in `near` by row, or TS_PAIR_INACTIVE; after slots are assigned: the stack of free slots */
-	uint32_t *at;
-	uint8_t *waiting; /* by active pair: how many of its two particles have not summed it yet */
-	size_t span_capacity, near_capacity, block_capacity, memory_capacity, at_capacity, waiting_capacity;
+	const struct ts_contact_bulge *bulge; /* by pair; NULL: no surface is displaced */
+	/* by pair: index in `active`, or TS_PAIR_INACTIVE; while slots are assigned: the stack of free slots */
+	uint32_t *active_index;
+	uint8_t *sums_left; /* by active pair: how many of its two particles have not summed it yet */
+	size_t span_capacity, active_capacity, block_capacity, memory_capacity, active_index_capacity,
+		sums_left_capacity;
 
-	/* Like first and entry of the gather lists, but of active pairs: the slots that each particle sums */
+	/* The slots that particle i sums: sum[sum_first[i]] .. sum[sum_first[i+1]-1], as 2 slot + side like
+	 * the entries of the gather lists, but of active pairs only */
 	uint32_t *sum_first, *sum;
-	struct ts_contact_chunk *chunk; /* of particles k TS_CONTACT_CHUNK ... */
-	uint8_t *gathered;		/* by chunk: summed in this force evaluation */
-	size_t chunks, sum_first_capacity, sum_capacity, chunk_capacity, gathered_capacity;
+	struct ts_contact_chunk *chunk; /* chunk k: particles from k TS_CONTACT_CHUNK on */
+	uint8_t *chunk_summed;		/* by chunk: summed in this force evaluation */
+	size_t chunks, sum_first_capacity, sum_capacity, chunk_capacity, chunk_summed_capacity;
 };
 
 enum { TS_IMAGE_SELF = 13 };
-/* Image shift (-1, 0, 1 per dimension) as a number 0..26. */
+/* Image shift (-1, 0 or 1 in each dimension) as a number 0..26; TS_IMAGE_SELF: not shifted. */
 static inline uint8_t ts_image_code(const int8_t shift[3])
 {
 	return (uint8_t)(TS_IMAGE_SELF + shift[0] + 3 * shift[1] + 9 * shift[2]);
 }
 
-/* Box lengths between two images as seen without periodic wrapping, each modulo 1024. */
+/* Number of box lengths between two unwrapped particles in each dimension, modulo 1024, 10 bits each. */
 static inline int32_t ts_winding(const int32_t turns[3])
 {
 	return (turns[0] & 1023) | (turns[1] & 1023) << 10 | (turns[2] & 1023) << 20;
 }
 
-/* Builds the list of all pairs of particles whose distance at the last rebuild (xhold) is below r_i + r_j
- * + skin and of which at least one can move (none, if both_frozen). The history of touching pairs is
- * carried over. `excluded` may be NULL. */
+/* Builds the list of all pairs of particles whose distance at the last rebuild (xhold) is less than r_i + r_j
+ * + skin and of which at least one is mobile (none, if list->both_frozen). The history of touching pairs is
+ * carried over. `excluded`: pairs to leave out; may be NULL. */
 typedef bool ts_excluded_fn(const struct tsim *sim, size_t i, size_t j);
-enum ts_status ts_contact_list_build(struct tsim *sim, struct ts_contact_list *rows, double skin,
+enum ts_status ts_contact_list_build(struct tsim *sim, struct ts_contact_list *list, double skin,
 				     ts_excluded_fn *excluded);
 
-/* The rows of share k of rows->shares: from .. to-1. */
-static inline void ts_contact_range(const struct ts_contact_list *rows, size_t k, size_t *from, size_t *to)
+/* The candidate pairs of share k of list->shares: from .. to-1. */
+static inline void ts_contact_range(const struct ts_contact_list *list, size_t k, size_t *from, size_t *to)
 {
-	*from = rows->n * k / (size_t)rows->shares;
-	*to = rows->n * (k + 1) / (size_t)rows->shares;
+	*from = list->n * k / (size_t)list->shares;
+	*to = list->n * (k + 1) / (size_t)list->shares;
 }
 
-/* Adds the forces and torques of their rows to the particles from .. to-1, or overwrites them
- * (rows->sets). */
-typedef void ts_contacts_sum_fn(const struct ts_contact_list *rows, const struct ts_particles *p, size_t from,
-				size_t to);
-ts_contacts_sum_fn *ts_contacts_sum_of(const struct ts_contact_list *rows);
-
-/* The force on i in a slot, the opposite acts on j; zero where the pair does not touch. The fourth number
- * is half the overlap: the lever arms are the radii minus it. */
-static inline double *ts_contact_force(const struct ts_contact_list *rows, size_t slot)
+/* The force on i in a slot; the opposite acts on j; zero where the pair does not touch. The fourth number is
+ * half the overlap, length: the lever arms of the tangential force are the radii minus it. */
+static inline double *ts_contact_force(const struct ts_contact_list *list, size_t slot)
 {
-	return rows->result[slot * (size_t)rows->parts];
+	return list->result[slot * (size_t)list->parts];
 }
 
-/* Torques, or NULL. Tangential: (radius - force[3]) times it acts on either particle. Rolling: it acts on
- * i, its opposite on j. The fourth number is always 0. */
-static inline double *ts_contact_tangential_torque(const struct ts_contact_list *rows, size_t slot)
+/* Torques, or NULL if the laws have none. Tangential: a vector c per lever arm; the torque (radius -
+ * force[3]) c acts on each of the two particles. Rolling: the torque acts on i, the opposite on j. The fourth
+ * number is 0. */
+static inline double *ts_contact_tangential_torque(const struct ts_contact_list *list, size_t slot)
 {
-	return rows->parts > 1 ? rows->result[slot * (size_t)rows->parts + 1] : NULL;
+	return list->parts > 1 ? list->result[slot * (size_t)list->parts + 1] : NULL;
 }
 
-static inline double *ts_contact_rolling_torque(const struct ts_contact_list *rows, size_t slot)
+static inline double *ts_contact_rolling_torque(const struct ts_contact_list *list, size_t slot)
 {
-	return rows->parts > 2 ? rows->result[slot * (size_t)rows->parts + 2] : NULL;
+	return list->parts > 2 ? list->result[slot * (size_t)list->parts + 2] : NULL;
 }
 
-/* Which torques the contact laws have besides forces. */
-void ts_contact_list_set_torques(struct ts_contact_list *rows, bool turn, bool roll);
-enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_list *rows, size_t width,
+/* Which torques the contact laws have besides forces: of tangential forces, of rolling friction. */
+void ts_contact_list_set_torques(struct ts_contact_list *list, bool tangential, bool rolling);
+/* Makes the history `width` numbers wide, all zero if that is a change; `sign`: see history_sign. */
+enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_list *list, size_t width,
 					   const signed char *sign);
-/* Memory of the list in bytes. */
-size_t ts_contact_list_bytes(const struct ts_contact_list *rows);
-void ts_contact_list_release(struct ts_contact_list *rows);
+/* Memory that the list takes, bytes. */
+size_t ts_contact_list_bytes(const struct ts_contact_list *list);
+void ts_contact_list_release(struct ts_contact_list *list);
 
 #endif

@@ -18,22 +18,22 @@ TS_INLINE size_t ts_contact_column(const struct ts_active_block *block)
 }
 
 /* History number c of the touching pair at `at` of the block; that of the next pair follows in memory. */
-TS_INLINE double *ts_contact_memory(const struct ts_contact_list *rows, const struct ts_active_block *block,
+TS_INLINE double *ts_contact_memory(const struct ts_contact_list *list, const struct ts_active_block *block,
 				    size_t at, size_t c)
 {
-	return &rows->memory[block->memory + c * ts_contact_column(block) + at];
+	return &list->memory[block->memory + c * ts_contact_column(block) + at];
 }
 
 /* The same number in the history by row. */
-TS_INLINE double *ts_contact_history(const struct ts_contact_list *rows, const struct ts_active_block *block,
+TS_INLINE double *ts_contact_history(const struct ts_contact_list *list, const struct ts_active_block *block,
 				     size_t at, size_t c)
 {
-	return &rows->history[rows->near[block->first + at].row * rows->history_width + c];
+	return &list->history[list->active[block->first + at].row * list->history_width + c];
 }
 
 /* Copies the columns back to the history by row: before anything reads it there. */
-void ts_contacts_store_history(const struct tsim *sim, struct ts_contact_list *rows);
+void ts_contacts_store_history(const struct tsim *sim, struct ts_contact_list *list);
 /* Allocates the columns of the blocks and copies the history of touching pairs into them. */
-enum ts_status ts_contacts_load_history(struct tsim *sim, struct ts_contact_list *rows);
+enum ts_status ts_contacts_load_history(struct tsim *sim, struct ts_contact_list *list);
 
 #endif

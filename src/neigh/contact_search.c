@@ -47,14 +47,14 @@ TS_INLINE size_t near(const struct ts_level *level, int32_t from, int32_t to, co
 	for (int32_t k = from; k < to; k += 4) {
 		const long long rest = to - k;
 		const ts_four_marks left = { rest, rest, rest, rest };
-		ts_four reach = radius + TS_FOUR_AT(level->place[3] + k) + skin, square = { 0 };
+		ts_four reach = radius + TS_FOUR_AT(level->position[3] + k) + skin, square = { 0 };
 		union {
 			ts_four_marks all;
 			long long one[4];
 		} hit;
 
 		for (int c = 0; c < 3; c++) {
-			ts_four d = TS_FOUR_ALL(w->at[c]) - TS_FOUR_AT(level->place[c] + k);
+			ts_four d = TS_FOUR_ALL(w->at[c]) - TS_FOUR_AT(level->position[c] + k);
 
 			square += d * d;
 		}

@@ -11,33 +11,33 @@
 
 /* ---- the sums of near rows: at first of their places in the list */
 
-static size_t particles_end(const struct ts_contact_list *rows, size_t c)
+static size_t particles_end(const struct ts_contact_list *list, size_t c)
 {
-	return c + 1 < rows->chunks ? (c + 1) * TS_CONTACT_CHUNK : rows->particles;
+	return c + 1 < list->chunks ? (c + 1) * TS_CONTACT_CHUNK : list->particles;
 }
 
 static void count_share(void *context, size_t from, size_t to)
 {
-	const struct ts_contact_list *rows = context;
-	const struct ts_gather *g = &rows->gather;
+	const struct ts_contact_list *list = context;
+	const struct ts_gather *g = &list->gather;
 
 	for (size_t i = from; i < to; i++) {
 		uint32_t n = 0;
 
 		for (size_t k = g->first[i]; k < g->first[i + 1]; k++)
-			n += rows->at[g->entry[k] >> 1] != TS_PAIR_INACTIVE;
-		rows->sum_first[i + 1] = n;
+			n += list->active_index[g->entry[k] >> 1] != TS_PAIR_INACTIVE;
+		list->sum_first[i + 1] = n;
 	}
 }
 
-static struct ts_contact_chunk sum_chunk(const struct ts_contact_list *rows, size_t from, size_t to)
+static struct ts_contact_chunk sum_chunk(const struct ts_contact_list *list, size_t from, size_t to)
 {
-	const struct ts_gather *g = &rows->gather;
+	const struct ts_gather *g = &list->gather;
 	struct ts_contact_chunk c = { SIZE_MAX, 0 };
-	uint32_t *out = rows->sum + rows->sum_first[from];
+	uint32_t *out = list->sum + list->sum_first[from];
 
 	for (size_t k = g->first[from]; k < g->first[to]; k++) {
-		uint32_t at = rows->at[g->entry[k] >> 1];
+		uint32_t at = list->active_index[g->entry[k] >> 1];
 
 		if (at == TS_PAIR_INACTIVE)
 			continue;
@@ -50,49 +50,49 @@ static struct ts_contact_chunk sum_chunk(const struct ts_contact_list *rows, siz
 
 static void sum_share(void *context, size_t from, size_t to)
 {
-	const struct ts_contact_list *rows = context;
+	const struct ts_contact_list *list = context;
 
 	for (size_t c = from; c < to; c++)
-		rows->chunk[c] = sum_chunk(rows, c * TS_CONTACT_CHUNK, particles_end(rows, c));
+		list->chunk[c] = sum_chunk(list, c * TS_CONTACT_CHUNK, particles_end(list, c));
 }
 
-static enum ts_status list_sums(struct tsim *sim, struct ts_contact_list *rows)
+static enum ts_status list_sums(struct tsim *sim, struct ts_contact_list *list)
 {
-	size_t n = rows->particles;
+	size_t n = list->particles;
 
-	rows->chunks = rows->n ? (n + TS_CONTACT_CHUNK - 1) / TS_CONTACT_CHUNK : 0;
-	TS_TRY(TS_RENEW(rows->chunk, rows->chunk_capacity, rows->chunks));
-	TS_TRY(TS_RENEW(rows->gathered, rows->gathered_capacity, rows->chunks));
-	TS_TRY(TS_RENEW(rows->sum_first, rows->sum_first_capacity, n + 1));
-	if (!rows->n)
+	list->chunks = list->n ? (n + TS_CONTACT_CHUNK - 1) / TS_CONTACT_CHUNK : 0;
+	TS_TRY(TS_RENEW(list->chunk, list->chunk_capacity, list->chunks));
+	TS_TRY(TS_RENEW(list->chunk_summed, list->chunk_summed_capacity, list->chunks));
+	TS_TRY(TS_RENEW(list->sum_first, list->sum_first_capacity, n + 1));
+	if (!list->n)
 		return TS_OK;
-	ts_parallel(ts_team(sim, rows->n), n, count_share, rows);
-	rows->sum_first[0] = 0;
+	ts_parallel(ts_team(sim, list->n), n, count_share, list);
+	list->sum_first[0] = 0;
 	for (size_t i = 0; i < n; i++)
-		rows->sum_first[i + 1] += rows->sum_first[i];
+		list->sum_first[i + 1] += list->sum_first[i];
 	/* never NULL: offsets are taken of it */
-	TS_TRY(TS_RENEW(rows->sum, rows->sum_capacity, rows->sum_first[n] + 1));
-	ts_parallel(ts_team(sim, rows->n), rows->chunks, sum_share, rows);
+	TS_TRY(TS_RENEW(list->sum, list->sum_capacity, list->sum_first[n] + 1));
+	ts_parallel(ts_team(sim, list->n), list->chunks, sum_share, list);
 	return TS_OK;
 }
 
 /* ---- slots that are used again */
 
 struct slots {
-	struct ts_contact_list *rows;
+	struct ts_contact_list *list;
 	uint32_t *used; /* how many slots a share needs */
 };
 
 /* Chunk c has added its rows: slots nobody waits for are free. Returns how many there are now. */
-static size_t release(const struct ts_contact_list *rows, size_t c, uint32_t *free, size_t n)
+static size_t release(const struct ts_contact_list *list, size_t c, uint32_t *free, size_t n)
 {
-	size_t end = rows->sum_first[particles_end(rows, c)];
+	size_t end = list->sum_first[particles_end(list, c)];
 
-	for (size_t k = rows->sum_first[c * TS_CONTACT_CHUNK]; k < end; k++) {
-		size_t at = rows->sum[k] >> 1;
+	for (size_t k = list->sum_first[c * TS_CONTACT_CHUNK]; k < end; k++) {
+		size_t at = list->sum[k] >> 1;
 
-		if (!--rows->waiting[at])
-			free[n++] = rows->near[at].slot;
+		if (!--list->sums_left[at])
+			free[n++] = list->active[at].slot;
 	}
 	return n;
 }
@@ -100,23 +100,23 @@ static size_t release(const struct ts_contact_list *rows, size_t c, uint32_t *fr
 /* As the rows will be computed: see walk_share in contact_pass.c. */
 static void assign(const struct slots *s, size_t share)
 {
-	struct ts_contact_list *rows = s->rows;
-	const struct ts_contact_span *span = &rows->span[share];
-	uint32_t used = 0, *free = rows->at + span->near; /* places have been noted in the sums */
+	struct ts_contact_list *list = s->list;
+	const struct ts_contact_span *span = &list->span[share];
+	uint32_t used = 0, *free = list->active_index + span->active; /* places have been noted in the sums */
 	size_t c = 0, done, n = 0;
 
 	for (size_t b = span->block; b < span->block_end; b++) {
-		const struct ts_active_block *block = &rows->block[b];
+		const struct ts_active_block *block = &list->block[b];
 		size_t end = (size_t)block->first + block->n;
 
 		for (size_t at = block->first; at < end; at++) {
-			rows->waiting[at] = (uint8_t)(1 + ((size_t)rows->near[at].j < rows->particles));
-			rows->near[at].slot = n ? free[--n] : used++;
+			list->sums_left[at] = (uint8_t)(1 + ((size_t)list->active[at].j < list->particles));
+			list->active[at].slot = n ? free[--n] : used++;
 		}
-		if (b + 1 < span->block_end && (b + 1 - span->block) % TS_BLOCKS_A_TURN)
+		if (b + 1 < span->block_end && (b + 1 - span->block) % TS_BLOCKS_PER_SUM)
 			continue;
-		while ((done = ts_contact_chunk_done(rows, span->near, end, &c)) < rows->chunks)
-			n = release(rows, done, free, n);
+		while ((done = ts_contact_chunk_done(list, span->active, end, &c)) < list->chunks)
+			n = release(list, done, free, n);
 	}
 	s->used[share] = used;
 }
@@ -130,26 +130,26 @@ static void assign_shares(void *context, size_t from, size_t to)
 /* Shares take their slots one behind the other. */
 static size_t place_shares(const struct slots *s)
 {
-	struct ts_contact_list *rows = s->rows;
+	struct ts_contact_list *list = s->list;
 	size_t n = 0;
 
-	for (size_t k = 0; k < (size_t)rows->shares; k++) {
-		for (size_t at = rows->span[k].near; at < rows->span[k].near_end && n; at++)
-			rows->near[at].slot += (uint32_t)n;
+	for (size_t k = 0; k < (size_t)list->shares; k++) {
+		for (size_t at = list->span[k].active; at < list->span[k].active_end && n; at++)
+			list->active[at].slot += (uint32_t)n;
 		n += s->used[k];
 	}
 	return n;
 }
 
-static enum ts_status pass_on(struct ts_contact_list *rows, size_t *room)
+static enum ts_status pass_on(struct ts_contact_list *list, size_t *room)
 {
-	struct slots s = { rows, ts_alloc((size_t)rows->shares, sizeof *s.used) };
+	struct slots s = { list, ts_alloc((size_t)list->shares, sizeof *s.used) };
 
-	if (!s.used || TS_RENEW(rows->waiting, rows->waiting_capacity, rows->n) != TS_OK) {
+	if (!s.used || TS_RENEW(list->sums_left, list->sums_left_capacity, list->n) != TS_OK) {
 		ts_free(s.used);
 		return TS_NOMEM;
 	}
-	ts_parallel(rows->shares, (size_t)rows->shares, assign_shares, &s);
+	ts_parallel(list->shares, (size_t)list->shares, assign_shares, &s);
 	*room = place_shares(&s);
 	ts_free(s.used);
 	return TS_OK;
@@ -157,61 +157,61 @@ static enum ts_status pass_on(struct ts_contact_list *rows, size_t *room)
 
 static void slots_share(void *context, size_t from, size_t to)
 {
-	const struct ts_contact_list *rows = context;
+	const struct ts_contact_list *list = context;
 
 	for (size_t k = from; k < to; k++)
-		rows->sum[k] = 2 * rows->near[rows->sum[k] >> 1].slot | (rows->sum[k] & 1);
+		list->sum[k] = 2 * list->active[list->sum[k] >> 1].slot | (list->sum[k] & 1);
 }
 
 /* ---- */
 
 /* Room for so many results, all zero. */
-static enum ts_status clear(struct ts_contact_list *rows, size_t room)
+static enum ts_status clear(struct ts_contact_list *list, size_t room)
 {
-	rows->parts = rows->parts ? rows->parts : 1;
-	room *= (size_t)rows->parts;
-	TS_TRY(TS_RENEW(rows->result, rows->room, room));
+	list->parts = list->parts ? list->parts : 1;
+	room *= (size_t)list->parts;
+	TS_TRY(TS_RENEW(list->result, list->result_capacity, room));
 	if (room)
-		memset(rows->result, 0, room * sizeof *rows->result);
+		memset(list->result, 0, room * sizeof *list->result);
 	return TS_OK;
 }
 
-static enum ts_status prepare(struct tsim *sim, struct ts_contact_list *rows, bool kept)
+static enum ts_status prepare(struct tsim *sim, struct ts_contact_list *list, bool kept)
 {
-	size_t room = rows->n, sums;
+	size_t room = list->n, sums;
 
-	TS_TRY(list_sums(sim, rows));
+	TS_TRY(list_sums(sim, list));
 	if (!kept)
-		TS_TRY(pass_on(rows, &room));
-	sums = rows->n ? rows->sum_first[rows->particles] : 0;
-	ts_parallel(ts_team(sim, sums), sums, slots_share, rows);
-	return clear(rows, room);
+		TS_TRY(pass_on(list, &room));
+	sums = list->n ? list->sum_first[list->particles] : 0;
+	ts_parallel(ts_team(sim, sums), sums, slots_share, list);
+	return clear(list, room);
 }
 
-enum ts_status ts_contact_forces_prepare(struct tsim *sim, struct ts_contact_list *rows, bool kept)
+enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *list, bool kept)
 {
 	enum ts_contact_results results = kept ? TS_RESULTS_KEPT : TS_RESULTS_PASSED;
 
-	if (rows->results == results && !ts_active_pairs_outdated(rows))
+	if (list->results == results && !ts_active_pairs_outdated(list))
 		return TS_OK;
-	ts_contacts_store_history(sim, rows);
-	rows->looked = false; /* should it fail */
-	rows->shares = ts_team(sim, rows->n);
-	TS_TRY(ts_active_pairs_choose(sim, rows));
-	TS_TRY(ts_contacts_load_history(sim, rows));
-	if (prepare(sim, rows, kept) != TS_OK)
+	ts_contacts_store_history(sim, list);
+	list->active_chosen = false; /* should it fail */
+	list->shares = ts_team(sim, list->n);
+	TS_TRY(ts_active_pairs_choose(sim, list));
+	TS_TRY(ts_contacts_load_history(sim, list));
+	if (prepare(sim, list, kept) != TS_OK)
 		return ts_nomem(&sim->error);
-	rows->results = results;
-	rows->looked = true;
+	list->results = results;
+	list->active_chosen = true;
 	return TS_OK;
 }
 
-enum ts_status ts_contact_forces_keep(struct tsim *sim, struct ts_contact_list *rows)
+enum ts_status ts_force_slots_keep_all(struct tsim *sim, struct ts_contact_list *list)
 {
-	ts_contacts_store_history(sim, rows);
-	rows->looked = false;
-	if (clear(rows, rows->n) != TS_OK)
+	ts_contacts_store_history(sim, list);
+	list->active_chosen = false;
+	if (clear(list, list->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	rows->results = TS_RESULTS_KEPT;
+	list->results = TS_RESULTS_KEPT;
 	return TS_OK;
 }

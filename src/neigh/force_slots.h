@@ -12,23 +12,23 @@
 #include "neigh/contact_list.h"
 
 /* Blocks that are computed before the next chunks of particles are summed. */
-enum { TS_BLOCKS_A_TURN = 8 };
+enum { TS_BLOCKS_PER_SUM = 8 };
 
 /* Chooses the rows that are looked at, if they have to be chosen anew, and gives them slots; `kept`: all
  * results will be looked at. */
-enum ts_status ts_contact_forces_prepare(struct tsim *sim, struct ts_contact_list *rows, bool kept);
+enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *list, bool kept);
 /* Results of all rows that can be looked at, though no force has been computed: zero. */
-enum ts_status ts_contact_forces_keep(struct tsim *sim, struct ts_contact_list *rows);
+enum ts_status ts_force_slots_keep_all(struct tsim *sim, struct ts_contact_list *list);
 
 /* The next chunk, from the *c-th on, whose near rows are all among from .. done-1; behind the last:
  * rows->chunks. *c goes on to the first that has to wait. */
-TS_INLINE size_t ts_contact_chunk_done(const struct ts_contact_list *rows, size_t from, size_t done,
+TS_INLINE size_t ts_contact_chunk_done(const struct ts_contact_list *list, size_t from, size_t done,
 				       size_t *c)
 {
-	for (; *c < rows->chunks && rows->chunk[*c].end <= done; ++*c)
-		if (rows->chunk[*c].first >= from && rows->chunk[*c].end > 0)
+	for (; *c < list->chunks && list->chunk[*c].end <= done; ++*c)
+		if (list->chunk[*c].first >= from && list->chunk[*c].end > 0)
 			return (*c)++;
-	return rows->chunks;
+	return list->chunks;
 }
 
 #endif

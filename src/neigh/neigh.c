@@ -23,17 +23,17 @@
 
 static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
 
-	for (size_t r = 0; r < rows->n; r++) {
-		bool is_i = rows->tag[0][r] == p->tag[i], is_j = rows->tag[1][r] == p->tag[i];
+	for (size_t r = 0; r < list->n; r++) {
+		bool is_i = list->tag[0][r] == p->tag[i], is_j = list->tag[1][r] == p->tag[i];
 
-		if (!rows->touching[r] || !(is_i || is_j))
+		if (!list->touching[r] || !(is_i || is_j))
 			continue;
-		ts_str_addf(out, "%sparticle %d", out->length ? ", " : "", rows->tag[is_i ? 1 : 0][r]);
-		if (rows->results == TS_RESULTS_KEPT)
-			ts_str_addf(out, " (force %g)", ts_norm(ts_contact_force(rows, r)));
+		ts_str_addf(out, "%sparticle %d", out->length ? ", " : "", list->tag[is_i ? 1 : 0][r]);
+		if (list->results == TS_RESULTS_KEPT)
+			ts_str_addf(out, " (force %g)", ts_norm(ts_contact_force(list, r)));
 	}
 }
 
@@ -56,9 +56,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	sim->particles->describe_contacts = describe_contacts;
 	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) || sim->full & TS_FULL_ROWS;
 	nb->builds = 0;
-	nb->skin_counts = nb->shown = false; /* whose outputs do says so in its init */
+	nb->skin_observed = nb->shown = false; /* whose outputs do says so in its init */
 	nb->show_every = 0;
-	nb->rows.looked = false; /* types may have been changed */
+	nb->contacts.active_chosen = false; /* types may have been changed */
 	nb->rows_first = rows_come_first(sim);
 	return ts_leaving_init(sim);
 }
@@ -116,7 +116,7 @@ static enum ts_status stop_runaways(struct tsim *sim, double dt2)
 
 	for (size_t i = 0; i < p->n; i++)
 		if (runs_away(p, i, dt2) && (!isfinite(ts_norm(p->v[i]) + ts_norm(p->x[i])) ||
-					     sim->neigh->ask.hits(sim, i, past, sizeof past)))
+					     sim->neigh->callback.hits(sim, i, past, sizeof past)))
 			return runaway(sim, i, past);
 	return TS_OK;
 }
@@ -162,7 +162,7 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	ts_exchange_limits(sim, limits.lo, limits.hi);
 	sim->run.rebuild |= nb->stale;
 	TS_DEFER_LOOP(sim, p->n, check_share, &limits);
-	ts_contact_list_locate_locals(sim, &sim->neigh->rows);
+	ts_contact_list_locate_locals(sim, &sim->neigh->contacts);
 	ts_leaving_watch(sim, &moved);
 	ts_run_deferred_loops(sim);
 	sim->run.rebuild |= moved && ts_leaving_due(sim);
@@ -224,7 +224,7 @@ static bool excluded(const struct tsim *sim, size_t i, size_t j)
 	for (int k = 0; k < nb->nexclude; k++)
 		if (excludes(&nb->exclude[k], p, i, j))
 			return true;
-	return nb->skip_bonded && nb->ask.bonded(sim, p->tag[i], p->tag[j]);
+	return nb->skip_bonded && nb->callback.bonded(sim, p->tag[i], p->tag[j]);
 }
 
 ts_excluded_fn *ts_neigh_excluded(const struct tsim *sim)
@@ -242,7 +242,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 
 	ts_neigh_radii(p, &least, &largest);
 	nb->least_radius = least;
-	reach = nb->wanted ? nb->ask.reach(sim, largest) : 0;
+	reach = nb->wanted ? nb->callback.reach(sim, largest) : 0;
 	if (!sim->run.resuming)
 		TS_TRY(ts_order_by_place(sim));
 	nb->given_skin = ts_neigh_skin(sim);
@@ -259,9 +259,9 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	nb->stale &= sim->run.resuming; /* a run that goes on rebuilds where the whole would */
 	if (!nb->wanted)
 		return TS_OK;
-	TS_TRY(ts_contact_list_build(sim, &nb->rows, nb->built_skin + reach, ts_neigh_excluded(sim)));
-	if (nb->saved.n && nb->saved.width == nb->rows.history_width)
-		TS_TRY(ts_contact_history_give(sim, &nb->saved, &nb->rows));
+	TS_TRY(ts_contact_list_build(sim, &nb->contacts, nb->built_skin + reach, ts_neigh_excluded(sim)));
+	if (nb->saved.n && nb->saved.width == nb->contacts.history_width)
+		TS_TRY(ts_contact_history_give(sim, &nb->saved, &nb->contacts));
 	ts_contact_history_release(&nb->saved);
 	return TS_OK;
 }
@@ -300,19 +300,19 @@ static enum ts_status forward(struct ts_instance *self, struct tsim *sim)
 static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_particles *p = sim->particles;
-	struct ts_contact_list *rows = &sim->neigh->rows;
+	struct ts_contact_list *list = &sim->neigh->contacts;
 
 	(void)self;
 	sim->run.complete = shows(sim);
 	sim->neigh->fused_pass = NULL; /* who wants to says so in each step */
 	if (sim->outside) {	       /* the program around may do anything */
-		ts_contacts_store_history(sim, rows);
-		rows->looked = rows->placed = false;
+		ts_contacts_store_history(sim, list);
+		list->active_chosen = list->locals_packed = false;
 	}
-	rows->sets = sim->neigh->rows_first && rows->n;
-	if (p->n && !rows->sets)
+	list->overwrite_sums = sim->neigh->rows_first && list->n;
+	if (p->n && !list->overwrite_sums)
 		memset(p->f, 0, p->n * sizeof *p->f);
-	if (p->n && p->torque && !(rows->sets && rows->parts > 1))
+	if (p->n && p->torque && !(list->overwrite_sums && list->parts > 1))
 		memset(p->torque, 0, p->n * sizeof *p->torque);
 	return TS_OK;
 }
@@ -378,7 +378,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible exclusions of neighbors");
 	if (!ts_archive_writing(a) || nb->saved.n)
 		return ts_contact_history_archive(a, sim, &nb->saved);
-	TS_TRY(ts_contact_history_take(sim, &nb->rows, true, &h));
+	TS_TRY(ts_contact_history_take(sim, &nb->contacts, true, &h));
 	status = ts_contact_history_archive(a, sim, &h);
 	ts_contact_history_release(&h);
 	return status;
@@ -426,21 +426,21 @@ static double image_bytes(const struct tsim *sim)
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_neigh *nb = self->state;
-	size_t rows = nb->rows.n;
+	size_t list = nb->contacts.n;
 
-	TS_TRY(nb->ask.network(report, sim));
+	TS_TRY(nb->callback.network(report, sim));
 	if (!nb->wanted) {
 		ts_report_left_out(report, "contact rows", TS_FULL_ROWS, 0, "no pair_style");
 		return TS_OK;
 	}
-	report->bytes += (double)ts_contact_list_bytes(&nb->rows);
+	report->bytes += (double)ts_contact_list_bytes(&nb->contacts);
 	ts_report_line(report, "contact rows", "%zu within the skin %g (%.1f a particle), %zu bytes each",
-		       rows, nb->built_skin,
-		       sim->particles->n ? (double)rows / (double)sim->particles->n : 0.0,
-		       rows ? ts_contact_list_bytes(&nb->rows) / rows : 0);
-	if (!nb->rows.history_width)
+		       list, nb->built_skin,
+		       sim->particles->n ? (double)list / (double)sim->particles->n : 0.0,
+		       list ? ts_contact_list_bytes(&nb->contacts) / list : 0);
+	if (!nb->contacts.history_width)
 		ts_report_left_out(report, "contact history", TS_FULL_HISTORY,
-				   3.0 * sizeof(double) * (double)rows, "the contact law remembers nothing");
+				   3.0 * sizeof(double) * (double)list, "the contact law remembers nothing");
 	if (nb->skip_bonded)
 		ts_report_line(report, "contacts", "none between bonded particles (special_bonds)");
 	ts_report_left_out(report, "rebuilds", TS_FULL_REBUILDS, 0,
@@ -460,7 +460,7 @@ static void fini(struct ts_instance *self)
 {
 	struct ts_neigh *nb = self->state;
 
-	ts_contact_list_release(&nb->rows);
+	ts_contact_list_release(&nb->contacts);
 	ts_contact_history_release(&nb->saved);
 }
 

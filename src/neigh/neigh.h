@@ -23,7 +23,7 @@ struct ts_multicontact_walls;
 
 /* What the search has to know of contacts, bonds and walls, whose folders stand above this one: each is
  * set by the slot `connect` of their systems, and so always there. */
-struct ts_neigh_questions {
+struct ts_neigh_callbacks {
 	/* How far beyond their touch the surfaces of particles of this radius, or smaller ones, may still
 	 * pull. */
 	double (*reach)(const struct tsim *sim, double radius);
@@ -54,17 +54,17 @@ struct ts_neigh {
 	int64_t builds;	    /* in this run */
 	bool wanted;	    /* some live style acts on contacts */
 	bool rows_first;    /* of all that act on forces */
-	bool skin_counts;   /* an output depends on the skin: it is the one given */
+	bool skin_observed; /* an output depends on the skin: it is the one given */
 	bool shown;	    /* an output may look at the forces of contacts at any step: they are kept */
 	int64_t show_every; /* at these steps too; 0: none */
-	struct ts_contact_list rows;
+	struct ts_contact_list contacts;
 	/* how contacts of one grain act on each other; NULL: not at all */
 	struct ts_multicontact *multicontact;
 	/* the part of walls in it; set by their system */
 	const struct ts_multicontact_walls *multicontact_walls;
 	struct ts_fused_pass *fused_pass; /* of the forces of this step, see contact_pass.h; NULL: none */
 	struct ts_contact_history saved;  /* from a restart file, for the next build */
-	struct ts_neigh_questions ask;
+	struct ts_neigh_callbacks callback;
 };
 
 /* Of the smallest and the largest particle; infinite and 0 where there are none. */

@@ -46,7 +46,7 @@ static bool settled(const struct ts_particles *p, size_t i, size_t j)
 static void look_at_row(const struct tsim *sim, const struct ts_pair *pair, size_t r,
 			struct ts_review_overlaps *o)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
@@ -88,7 +88,7 @@ enum ts_status ts_review_overlap(struct tsim *sim)
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct ts_review_overlaps o = { 0 };
 
-	for (size_t r = 0; pair && !ts_review_blind(sim) && r < sim->neigh->rows.n; r++)
+	for (size_t r = 0; pair && !ts_review_blind(sim) && r < sim->neigh->contacts.n; r++)
 		look_at_row(sim, pair->state, r, &o);
 	return o.n ? report(sim, &o) : TS_OK;
 }

@@ -51,7 +51,8 @@ static void print_footer(const struct ts_plan *plan, struct tsim *sim, int64_t s
 		ts_log(&sim->log, "%.1f ns per particle-step\n\n",
 		       1e9 * wall / ((double)steps * (double)p->n));
 	print_times(plan, sim, wall);
-	ts_log(&sim->log, "\nNlocal: %zu\nNghost: %zu\nNeighs: %zu\n", p->n, p->nghost, sim->neigh->rows.n);
+	ts_log(&sim->log, "\nNlocal: %zu\nNghost: %zu\nNeighs: %zu\n", p->n, p->nghost,
+	       sim->neigh->contacts.n);
 	ts_log(&sim->log, "Neighbor list builds = %" PRId64 "\nDangerous builds = 0\n\n", sim->neigh->builds);
 	if (p->lost)
 		ts_log(&sim->log, "Particles lost through fixed faces so far: %" PRId64 "\n", p->lost);

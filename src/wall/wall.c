@@ -73,7 +73,7 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 	w->contacts.want_reports |= w->list_contacts;
 	w->own_model = w->given || w->words.normal != TS_NORMAL_OFF;
 	if (w->own_model && !w->given)
-		w->model = ts_granular_model_of(sim, &w->words);
+		w->model = ts_contact_model_of_words(sim, &w->words);
 	TS_TRY(check_bridges(self, sim, false));
 	if (!w->own_model)
 		return TS_OK;
@@ -128,7 +128,8 @@ static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int w
 	snprintf(who, sizeof who, "fix %s", self->style->name);
 	w->law[k] = w->numbers;
 	if (w->own_model && !w->given)
-		TS_TRY(ts_granular_material(sim, &w->model, particle, wall, who, &self->where, &w->law[k]));
+		TS_TRY(ts_contact_law_of_materials(sim, &w->model, particle, wall, who, &self->where,
+						   &w->law[k]));
 	if (ts_cohesion_bridges(ts_wall_model(w, sim)))
 		w->bridges = fmax(w->bridges, 2 * (ts_wall_law(w, sim, wall, particle)->most_gap - 1));
 	if (!w->warm || !ts_wall_heats(sim))
@@ -278,7 +279,7 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 
 		snprintf(what, sizeof what, "of type %d with wall %.24s", t, self->id);
 		if (lightest[t].inverse_mass[0] > 0)
-			status = ts_report_contact(plan, sim, &self->where, &c, what);
+			status = ts_contact_report_limits(plan, sim, &self->where, &c, what);
 	}
 	ts_free(lightest);
 	return status;

@@ -17,7 +17,7 @@ TS_INLINE void touch_at(const struct ts_wall_batch *b, struct ts_stages *s, size
 
 	ts_wall_batch_ends(b, k, &e);
 	ts_wall_ends_touch(&e, m, &t);
-	ts_stages_note_touch(s, k, m, &t);
+	ts_stages_store_touch(s, k, m, &t);
 }
 
 TS_INLINE void finish_at(struct ts_wall_batch *b, const struct ts_stages *s, size_t k, bool twists)
@@ -53,6 +53,6 @@ void ts_wall_staged(struct ts_wall_batch *b, size_t n, const struct ts_granular_
 	s.touch = touch;
 	s.wall = true;
 	touches[m->full_arms][m->full_slip](b, &s, n);
-	ts_stages_work(&s, n, m, law, dt);
+	ts_stages_compute(&s, n, m, law, dt);
 	(m->twisting ? finish_twist : finish)(b, &s, n);
 }

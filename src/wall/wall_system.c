@@ -19,7 +19,7 @@ static bool walls_move(const struct tsim *sim)
 
 static void connect_walls(struct tsim *sim)
 {
-	sim->neigh->ask.walls_move = walls_move;
+	sim->neigh->callback.walls_move = walls_move;
 	sim->neigh->multicontact_walls = &ts_wall_multicontact;
 	sim->particles->explain_loss = ts_wall_explain_loss;
 }

@@ -80,7 +80,7 @@ static void same(const char *what, int k, const double *one, const double *colum
 
 /* ---- particles */
 
-static void draw_ends(struct ts_contact_ends *e, bool touches)
+static void draw_ends(struct ts_contact_inputs *e, bool touches)
 {
 	double length;
 
@@ -109,11 +109,11 @@ static void draw_pairs(struct pairs *p, const struct ts_granular_model *m)
 {
 	for (int k = 0; k < N; k++) {
 		bool touches = k % 5 != 3;
-		struct ts_contact_ends e;
+		struct ts_contact_inputs e;
 
 		draw_ends(&e, touches);
-		ts_ends_touch(&e, m, &p->touch[k]);
-		ts_stages_note_touch(&p->s, (size_t)k, m, &p->touch[k]);
+		ts_contact_inputs_touch(&e, m, &p->touch[k]);
+		ts_stages_store_touch(&p->s, (size_t)k, m, &p->touch[k]);
 		p->marks[k] = -(long long)touches;
 		for (int j = 0; j < 2; j++) {
 			p->radius[j][k] = e.radius[j];
@@ -140,7 +140,7 @@ static void check_pairs(const struct ts_granular_model *m)
 	const double *memory[TS_GRANULAR_MEMORY];
 
 	draw_pairs(&p, m);
-	ts_stages_work(&p.s, N, m, &law, DT);
+	ts_stages_compute(&p.s, N, m, &law, DT);
 	for (int c = 0; c < TS_GRANULAR_MEMORY; c++)
 		memory[c] = p.column[c];
 	for (int k = 0; k < N; k++) {

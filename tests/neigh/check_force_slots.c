@@ -55,7 +55,7 @@ static void add_chunk(const struct watch *w, size_t c)
 			continue;
 		deck_assert((rows->sum[at++] & 1) == (rows->gather.entry[k] & 1));
 		deck_assert(w->place[slot] != 0); /* nobody has written over it */
-		deck_assert(rows->near[w->place[slot] - 1].row == r);
+		deck_assert(rows->active[w->place[slot] - 1].row == r);
 		if (!--w->waiting[r])
 			w->place[slot] = 0;
 	}
@@ -74,33 +74,33 @@ static void follow(const struct watch *w, size_t share)
 		size_t end = (size_t)block->first + block->n;
 
 		for (size_t k = block->first; k < end; k++) {
-			const struct ts_active_pair *near = &rows->near[k];
+			const struct ts_active_pair *near = &rows->active[k];
 
-			deck_assert(near->slot * (size_t)rows->parts < rows->room);
+			deck_assert(near->slot * (size_t)rows->parts < rows->result_capacity);
 			deck_assert(w->place[near->slot] == 0);
 			w->place[near->slot] = k + 1;
 			w->waiting[near->row] = (uint8_t)(1 + ((size_t)near->j < rows->particles));
 		}
-		if (b + 1 < span->block_end && (b + 1 - span->block) % TS_BLOCKS_A_TURN)
+		if (b + 1 < span->block_end && (b + 1 - span->block) % TS_BLOCKS_PER_SUM)
 			continue;
-		while ((done = ts_contact_chunk_done(rows, span->near, end, &c)) < rows->chunks)
+		while ((done = ts_contact_chunk_done(rows, span->active, end, &c)) < rows->chunks)
 			add_chunk(w, done);
 	}
-	ck_assert_uint_eq(span->near_end, span->block_end > span->block
-						  ? (size_t)rows->block[span->block_end - 1].first +
-							    rows->block[span->block_end - 1].n
-						  : span->near);
+	ck_assert_uint_eq(span->active_end, span->block_end > span->block
+						    ? (size_t)rows->block[span->block_end - 1].first +
+							      rows->block[span->block_end - 1].n
+						    : span->active);
 }
 
 static void check_slots(struct tsim *sim)
 {
-	struct ts_contact_list *rows = &sim->neigh->rows;
+	struct ts_contact_list *rows = &sim->neigh->contacts;
 	struct watch w = { rows, ts_alloc(rows->n, sizeof *w.place), ts_alloc(rows->n, 1) };
 	size_t most = 0;
 
-	ck_assert_int_eq(ts_contact_forces_prepare(sim, rows, false), TS_OK);
-	for (size_t k = rows->span[0].near; k < rows->span[0].near_end; k++)
-		most = rows->near[k].slot >= most ? rows->near[k].slot + 1 : most;
+	ck_assert_int_eq(ts_force_slots_prepare(sim, rows, false), TS_OK);
+	for (size_t k = rows->span[0].active; k < rows->span[0].active_end; k++)
+		most = rows->active[k].slot >= most ? rows->active[k].slot + 1 : most;
 	if (rows->shares == 1)
 		deck_assert(most < rows->n / 2);
 	for (int share = 0; share < rows->shares; share++)
@@ -118,7 +118,7 @@ START_TEST(one_row_at_a_time)
 {
 	struct tsim *sim = shake(boundaries[_i / 3], 1 + _i % 3, "run 30");
 
-	ck_assert_uint_gt(sim->neigh->rows.n, N);
+	ck_assert_uint_gt(sim->neigh->contacts.n, N);
 	check_slots(sim);
 	tsim_close(sim);
 }
@@ -128,12 +128,12 @@ END_TEST
 START_TEST(none_missed)
 {
 	struct tsim *sim = shake(boundaries[_i], 2, "run 1");
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->contacts;
 	size_t far = 0;
 
 	for (int step = 0; step < 40; step++) {
 		deck(sim, "run 1 pre no post no");
-		ck_assert(rows->looked && !ts_active_pairs_outdated(rows));
+		ck_assert(rows->active_chosen && !ts_active_pairs_outdated(rows));
 		for (size_t r = 0; r < rows->n; r++) {
 			const double *a = sim->particles->x[rows->i[r]], *b = sim->particles->x[rows->j[r]];
 			double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
@@ -141,7 +141,8 @@ START_TEST(none_missed)
 			deck_assert(rows->touching[r] == (x * x + y * y + z * z < 0.072 * 0.072));
 		}
 		for (int k = 0; k < rows->shares; k++)
-			far += rows->n / (size_t)rows->shares - (rows->span[k].near_end - rows->span[k].near);
+			far += rows->n / (size_t)rows->shares -
+			       (rows->span[k].active_end - rows->span[k].active);
 	}
 	ck_assert_uint_gt(far, 40 * rows->n / 20);
 	tsim_close(sim);
@@ -203,7 +204,7 @@ START_TEST(stopped)
 	ck_assert(!deck_accepts(sim, "run 40"));
 	tsim_error_clear(sim);
 	ck_assert_int_eq(sim->clock.step, 8);
-	ck_assert_int_eq(sim->neigh->rows.results, TS_RESULTS_KEPT);
+	ck_assert_int_eq(sim->neigh->contacts.results, TS_RESULTS_KEPT);
 	tsim_close(sim);
 }
 END_TEST

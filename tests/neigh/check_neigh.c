@@ -105,7 +105,7 @@ static void brute_force(const struct tsim *sim, struct contacts *c)
 
 static void from_rows(const struct tsim *sim, struct contacts *c)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
 
 	memset(c, 0, sizeof *c);
@@ -248,13 +248,13 @@ static void rebuild(struct tsim *sim)
 	ts_particles_inverse_mass(p);
 	memcpy(p->xhold, p->x, p->n * sizeof *p->xhold);
 	ck_assert_int_eq(ts_exchange_borders(sim, 0.4, 0.4), TS_OK);
-	ck_assert_int_eq(ts_contact_list_build(sim, &sim->neigh->rows, 0.05, NULL), TS_OK);
+	ck_assert_int_eq(ts_contact_list_build(sim, &sim->neigh->contacts, 0.05, NULL), TS_OK);
 }
 
 /* Marks rows and their history: a label of the pair, and one that changes sign with the view. */
 static int mark(struct tsim *sim)
 {
-	struct ts_contact_list *rows = &sim->neigh->rows;
+	struct ts_contact_list *rows = &sim->neigh->contacts;
 	int marked = 0;
 
 	for (size_t r = 0; r < rows->n; r++) {
@@ -270,7 +270,7 @@ static int mark(struct tsim *sim)
 
 static void check_marks(const struct tsim *sim, int marked)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->contacts;
 
 	for (size_t r = 0; r < rows->n; r++) {
 		int a = rows->tag[0][r], b = rows->tag[1][r];
@@ -312,7 +312,7 @@ START_TEST(history)
 	int marked;
 
 	deck(sim, "timestep 1e-9\nrun 0");
-	ck_assert_int_eq(ts_contact_list_set_history(sim, &sim->neigh->rows, 2, sign), TS_OK);
+	ck_assert_int_eq(ts_contact_list_set_history(sim, &sim->neigh->contacts, 2, sign), TS_OK);
 	rebuild(sim);
 	marked = mark(sim);
 	ck_assert_int_gt(marked, 50);
@@ -346,7 +346,7 @@ START_TEST(history_through_face)
 				     "pair_style spring/dashpot\n"
 				     "pair_coeff * * stiffness 100 restitution 0.5\n"
 				     "timestep 1e-5\nrun 0");
-	struct ts_contact_list *rows = &sim->neigh->rows;
+	struct ts_contact_list *rows = &sim->neigh->contacts;
 
 	ck_assert_int_eq(ts_contact_list_set_history(sim, rows, 2, sign), TS_OK);
 	rebuild(sim);

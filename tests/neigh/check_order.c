@@ -47,7 +47,7 @@ static size_t unlike(struct tsim *a, struct tsim *b, const char *column)
 /* Mean distance in memory between the partners of a row. */
 static double spread(const struct tsim *sim)
 {
-	const struct ts_contact_list *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->contacts;
 	double sum = 0;
 
 	for (size_t r = 0; r < rows->n; r++)

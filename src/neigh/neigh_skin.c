@@ -33,7 +33,7 @@ double ts_neigh_skin(const struct tsim *sim)
 /* What else than particles has moved since the last rebuild, or will, and uses up the skin with them. */
 static bool surroundings_move(const struct tsim *sim)
 {
-	bool move = ts_domain_moved(sim->domain) > 0 || sim->neigh->ask.walls_move(sim);
+	bool move = ts_domain_moved(sim->domain) > 0 || sim->neigh->callback.walls_move(sim);
 	const struct ts_instance *mesh;
 
 	for (size_t k = 0; (mesh = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH, &k));)
@@ -71,7 +71,7 @@ double ts_neigh_choose_skin(const struct tsim *sim)
 
 	/* what waits for a rebuild, as in LIGGGHTS: contacts that end and are remembered, particles that
 	 * have left */
-	if (sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_counts ||
+	if (sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_observed ||
 	    (waits && !ts_leaving_apart(sim)) || !p->n)
 		return skin;
 	ts_neigh_radii(p, &least, &most);

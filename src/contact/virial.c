@@ -1,0 +1,109 @@
+#include "contact/virial.h"
+
+#include "bond/bonds.h"
+#include "box/domain.h"
+#include "contact/contact_view.h"
+#include "math/vec3.h"
+#include "particle/moments.h"
+
+#include "base/banned.h"
+
+/* The product does not depend on which particle is the first: both factors change their sign. */
+static void add_product(double w[6], const double d[3], const double f[3])
+{
+	for (int k = 0; k < 6; k++)
+		w[k] += 0.5 * d[ts_tensor_row[k]] * f[ts_tensor_column[k]];
+}
+
+static void add_contacts(const struct tsim *sim, size_t i, double w[6])
+{
+	const struct ts_contact_list *list = &sim->neigh->contacts;
+	const struct ts_gather *g = &list->gather;
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
+		size_t r = g->entry[k] >> 1;
+		double d[3];
+
+		ts_sub(p->x[list->i[r]], p->x[list->j[r]], d);
+		if (list->touching[r])
+			add_product(w, d, ts_contact_force(list, r));
+	}
+}
+
+static void add_bonds(const struct tsim *sim, size_t i, double w[6])
+{
+	const struct ts_gather *g = &sim->bonds->gather;
+	struct ts_contact_view view;
+
+	for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
+		ts_contact_view_of_bond(sim, g->entry[k] >> 1, &view);
+		add_product(w, view.d, view.force);
+	}
+}
+
+void ts_virial_of_particle(const struct tsim *sim, size_t i, const struct ts_virial_parts *parts, double w[6])
+{
+	for (int k = 0; k < 6; k++)
+		w[k] = 0;
+	if (parts->pair && sim->neigh->contacts.n)
+		add_contacts(sim, i, w);
+	if (parts->bond && sim->bonds->n)
+		add_bonds(sim, i, w);
+}
+
+static void virial_term(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	ts_virial_of_particle(sim, i, context, term);
+}
+
+void ts_virial_total(const struct tsim *sim, const struct ts_virial_parts *parts, double out[6])
+{
+	struct ts_virial_parts wanted = *parts;
+
+	ts_group_sum(sim, 0, 6, virial_term, &wanted, out);
+}
+
+double ts_virial_box_volume(const struct tsim *sim)
+{
+	double volume = 1;
+
+	for (int d = 0; d < sim->dimension; d++)
+		volume *= ts_box_length(&sim->domain->box, d);
+	return volume;
+}
+
+double ts_virial_mean_pressure(const struct tsim *sim, const double tensor[6])
+{
+	return (tensor[0] + tensor[1] + (sim->dimension == 3 ? tensor[2] : 0)) / sim->dimension;
+}
+
+enum ts_status ts_virial_read_parts(struct tsim *sim, const struct ts_instance *self, struct ts_words words,
+				    struct ts_virial_parts *parts)
+{
+	/* of the last six there is nothing to add here */
+	static const char *const names[] = { "ke",    "pair",	  "bond",     "virial", "fix",
+					     "angle", "dihedral", "improper", "kspace", NULL };
+
+	*parts = (struct ts_virial_parts){ 0 };
+	if (!words.n)
+		*parts = (struct ts_virial_parts){ true, true, true };
+	for (size_t k = 0; k < words.n; k++) {
+		const char *word = words.word[k].text;
+		struct ts_suggest suggest = ts_suggest_start(word);
+		bool known = false;
+
+		for (const char *const *name = names; *name; name++) {
+			known |= ts_streq(word, *name);
+			ts_suggest_try(&suggest, *name);
+		}
+		if (!known)
+			return ts_fail(&sim->error, TS_UNKNOWN, &words.word[k].place,
+				       "compute %s: unknown keyword '%s'%s", self->style->name, word,
+				       ts_suggest_text(&suggest));
+		parts->kinetic |= ts_streq(word, "ke");
+		parts->pair |= ts_streq(word, "pair") || ts_streq(word, "virial");
+		parts->bond |= ts_streq(word, "bond") || ts_streq(word, "virial");
+	}
+	return TS_OK;
+}
