@@ -11,74 +11,75 @@
 
 #include "base/banned.h"
 
-/* ---- how far particles go */
+/* ---- packed particles, and their displacements */
 
-/* The squares of the largest steps from the places noted before, in each direction and of the radius. */
-TS_CLONES static void place(const struct ts_particles *p, struct ts_contact_sphere *out, size_t from,
-			    size_t to, double most[4])
+/* Packs the particles from .. to-1. most: squares of the largest displacements since they were packed last,
+ * in x, y and z, length^2; most[3] > 0 if a radius has changed. */
+TS_CLONES static void pack_spheres(const struct ts_particles *p, struct ts_contact_sphere *out, size_t from,
+				   size_t to, double most[4])
 {
-	ts_four all = { 0 };
+	ts_four largest = { 0 };
 
 	for (size_t i = from; i < to; i++) {
-		ts_four now = TS_FOUR_AT(p->x[i]), motion = TS_FOUR_AT(p->v[i]), spin = { 0 }, step;
+		ts_four now = TS_FOUR_AT(p->x[i]), velocity = TS_FOUR_AT(p->v[i]), omega = { 0 }, step;
 
 		now[3] = p->radius[i];
-		motion[3] = p->imass[i];
+		velocity[3] = p->imass[i];
 		if (p->omega)
-			spin = TS_FOUR_AT(p->omega[i]);
-		spin[3] = p->radius[i];
+			omega = TS_FOUR_AT(p->omega[i]);
+		omega[3] = p->radius[i];
 		step = now - *(ts_four *)out[i].position;
 		step *= step;
 		*(ts_four *)out[i].position = now;
-		*(ts_four *)out[i].velocity = motion;
-		*(ts_four *)out[i].omega = spin;
-		ts_four_most(&all, &step);
+		*(ts_four *)out[i].velocity = velocity;
+		*(ts_four *)out[i].omega = omega;
+		ts_four_most(&largest, &step);
 	}
 	for (int k = 0; k < 4; k++)
-		most[k] = all[k];
+		most[k] = largest[k];
 }
 
-struct placing {
+struct packing {
 	const struct ts_particles *p;
 	struct ts_contact_list *list;
 };
 
-static void place_share(void *context, size_t from, size_t to)
+static void pack_share(void *context, size_t from, size_t to)
 {
-	const struct placing *g = context;
-	double most[4], pace;
+	const struct packing *g = context;
+	double most[4], displacement;
 
-	place(g->p, g->list->sphere, from, to, most);
-	/* after a particle has grown nothing is known */
-	pace = most[3] > 0 ? INFINITY : sqrt(most[0] + most[1] + most[2]);
+	pack_spheres(g->p, g->list->sphere, from, to, most);
+	/* after a change of radius there is no bound of the approach of surfaces */
+	displacement = most[3] > 0 ? INFINITY : sqrt(most[0] + most[1] + most[2]);
 #pragma omp critical
-	g->list->displacement = fmax(g->list->displacement, pace);
+	g->list->displacement = fmax(g->list->displacement, displacement);
 }
 
 void ts_contact_list_locate_locals(struct tsim *sim, struct ts_contact_list *list)
 {
-	struct placing g = { sim->particles, list };
+	struct packing g = { sim->particles, list };
 
 	if (!list->sphere || list->particles != sim->particles->n)
 		return;
-	TS_DEFER_LOOP(sim, list->particles, place_share, &g);
+	TS_DEFER_LOOP(sim, list->particles, pack_share, &g);
 	list->locals_packed = true;
 }
 
-static void place_others(void *context, size_t from, size_t to)
+static void pack_remaining_share(void *context, size_t from, size_t to)
 {
-	const struct placing *g = context;
+	const struct packing *g = context;
 	size_t first = g->list->locals_packed ? g->list->particles : 0;
 
-	place_share(context, first + from, first + to);
+	pack_share(context, first + from, first + to);
 }
 
 void ts_contact_list_locate(const struct tsim *sim, struct ts_contact_list *list)
 {
 	size_t n = sim->particles->n + sim->particles->nghost - (list->locals_packed ? list->particles : 0);
-	struct placing g = { sim->particles, list };
+	struct packing g = { sim->particles, list };
 
-	ts_parallel(ts_team(sim, n), n, place_others, &g);
+	ts_parallel(ts_team(sim, n), n, pack_remaining_share, &g);
 	if (list->active_chosen) {
 		list->max_displacement = list->displacement;
 		list->approach += 2 * list->displacement;
@@ -87,27 +88,28 @@ void ts_contact_list_locate(const struct tsim *sim, struct ts_contact_list *list
 	list->locals_packed = false;
 }
 
-/* Rounding of places counts for much less than the rest of the gap. */
+/* 0.999: margin for the rounding of positions, which is far smaller than that. */
 bool ts_active_pairs_outdated(const struct ts_contact_list *list)
 {
 	return !list->active_chosen || !(list->approach <= 0.999 * list->inner_skin);
 }
 
-/* ---- which rows are near */
+/* ---- which pairs are active */
 
-/* Rows are sorted by laws so many at a time: FEW, or where that would make blocks of few rows ALIKE for
- * each law, up to GROUP. */
-enum { FEW = 512, ALIKE = 128, GROUP = 4096 };
+/* Active pairs are sorted by contact law in groups of GROUP_LEAST; with many laws, whose blocks would be
+ * short, in groups of GROUP_PER_LAW for each law, at most GROUP_MOST. */
+enum { GROUP_LEAST = 512, GROUP_PER_LAW = 128, GROUP_MOST = 4096 };
 
 struct choice {
 	struct ts_contact_list *list;
 	const struct ts_particles *p;
-	size_t kinds; /* of pairs of types */
+	size_t kinds; /* number of pairs of particle types */
 	size_t group;
 };
 
-/* The next near ones of the rows *r .. end-1; those that touched are looked at once more. */
-static size_t collect(const struct choice *c, size_t *r, size_t end, uint32_t *chosen)
+/* The next active pairs among the candidate pairs *r .. end-1, at most a group. A pair that touched is active
+ * whatever its distance, since the law must see it part. */
+static size_t collect_active(const struct choice *c, size_t *r, size_t end, uint32_t *chosen)
 {
 	const struct ts_contact_list *list = c->list;
 	size_t n = 0, k = *r;
@@ -125,9 +127,9 @@ static size_t collect(const struct choice *c, size_t *r, size_t end, uint32_t *c
 	return n;
 }
 
-/* Brings those of the listed rows whose partners are of these types to the front; returns how many. Which
- * partner is of which type is all the same to the laws. */
-static size_t alike(const struct choice *c, const int32_t type[2], uint32_t *chosen, size_t n)
+/* Moves the pairs with these two particle types, in either order, to the front of the list; returns their
+ * number. Contact laws do not depend on which of the two particles is i. */
+static size_t move_types_to_front(const struct choice *c, const int32_t type[2], uint32_t *chosen, size_t n)
 {
 	size_t same = 0;
 
@@ -142,24 +144,24 @@ static size_t alike(const struct choice *c, const int32_t type[2], uint32_t *cho
 	return same;
 }
 
-/* Those that touch come first; returns how many. Both parts stay in order. */
+/* Moves the pairs that touch to the front; returns their number. Both parts stay in order. */
 static size_t touching_first(const struct ts_contact_list *list, uint32_t *chosen, size_t n)
 {
-	uint32_t waiting[GROUP];
-	size_t active = 0;
+	uint32_t apart[GROUP_MOST];
+	size_t touching = 0;
 
 	for (size_t k = 0; k < n; k++) {
 		uint32_t r = chosen[k];
 
-		chosen[active] = waiting[k - active] = r;
-		active += list->touching[r];
+		chosen[touching] = apart[k - touching] = r;
+		touching += list->touching[r];
 	}
-	memcpy(chosen + active, waiting, (n - active) * sizeof *chosen);
-	return active;
+	memcpy(chosen + touching, apart, (n - touching) * sizeof *chosen);
+	return touching;
 }
 
-static void add_near(struct ts_contact_list *list, struct ts_contact_span *span, const uint32_t *chosen,
-		     size_t n)
+static void append_pairs(struct ts_contact_list *list, struct ts_contact_span *span, const uint32_t *chosen,
+			 size_t n)
 {
 	for (size_t k = 0; k < n; k++) {
 		uint32_t r = chosen[k];
@@ -169,20 +171,21 @@ static void add_near(struct ts_contact_list *list, struct ts_contact_span *span,
 	}
 }
 
-/* The listed rows, which have one law, as blocks at the end of the span: of so many that touch that some
- * can join them and the columns of a batch are full all the same. */
-enum { ACTIVE = TS_BATCH - 8, WAITING = TS_ACTIVE_BLOCK - ACTIVE };
+/* Appends pairs of one contact law to the span, as blocks. The touching pairs of a block leave room for some
+ * that begin to touch, so that the batches of the contact loop (TS_BATCH) stay full. */
+enum { TOUCHING_PER_BLOCK = TS_BATCH - 8, OTHERS_PER_BLOCK = TS_ACTIVE_BLOCK - TOUCHING_PER_BLOCK };
 
-static void add_blocks(struct ts_contact_list *list, struct ts_contact_span *span, const int32_t type[2],
-		       uint32_t *chosen, size_t n)
+static void append_blocks(struct ts_contact_list *list, struct ts_contact_span *span, const int32_t type[2],
+			  uint32_t *chosen, size_t n)
 {
-	size_t active = touching_first(list, chosen, n), waiting = n - active;
-	size_t blocks = (active + ACTIVE - 1) / ACTIVE, least = (waiting + WAITING - 1) / WAITING;
+	size_t touching = touching_first(list, chosen, n), apart = n - touching;
+	size_t blocks = (touching + TOUCHING_PER_BLOCK - 1) / TOUCHING_PER_BLOCK,
+	       least = (apart + OTHERS_PER_BLOCK - 1) / OTHERS_PER_BLOCK;
 
 	blocks = blocks > least ? blocks : least;
 	for (size_t b = 0; b < blocks; b++) {
-		size_t from = active * b / blocks, some = active * (b + 1) / blocks - from;
-		size_t rest = waiting * b / blocks, others = waiting * (b + 1) / blocks - rest;
+		size_t from = touching * b / blocks, some = touching * (b + 1) / blocks - from;
+		size_t rest = apart * b / blocks, others = apart * (b + 1) / blocks - rest;
 
 		list->block[span->block_end++] = (struct ts_active_block){
 			.first = (uint32_t)span->active_end,
@@ -190,27 +193,27 @@ static void add_blocks(struct ts_contact_list *list, struct ts_contact_span *spa
 			.touching = (uint32_t)some,
 			.type = { type[0], type[1] },
 		};
-		add_near(list, span, chosen + from, some);
-		add_near(list, span, chosen + active + rest, others);
+		append_pairs(list, span, chosen + from, some);
+		append_pairs(list, span, chosen + touching + rest, others);
 	}
 }
 
-static void choose(const struct choice *c, size_t share)
+static void choose_share(const struct choice *c, size_t share)
 {
 	struct ts_contact_list *list = c->list;
 	struct ts_contact_span *span = &list->span[share];
-	uint32_t chosen[GROUP];
+	uint32_t chosen[GROUP_MOST];
 	size_t r, end;
 
 	ts_contact_range(list, share, &r, &end);
 	while (r < end) {
-		size_t n = collect(c, &r, end, chosen);
+		size_t n = collect_active(c, &r, end, chosen);
 
 		for (size_t k = 0, some; k < n; k += some) {
 			int32_t type[2] = { c->p->type[list->i[chosen[k]]], c->p->type[list->j[chosen[k]]] };
 
-			some = c->kinds == 1 ? n : alike(c, type, chosen + k, n - k);
-			add_blocks(list, span, type, chosen + k, some);
+			some = c->kinds == 1 ? n : move_types_to_front(c, type, chosen + k, n - k);
+			append_blocks(list, span, type, chosen + k, some);
 		}
 	}
 	for (size_t k = 0; k < TS_BLOCKS_AHEAD; k++)
@@ -218,15 +221,15 @@ static void choose(const struct choice *c, size_t share)
 			(struct ts_active_block){ .first = (uint32_t)span->active_end };
 }
 
-static void choose_shares(void *context, size_t from, size_t to)
+static void choose_shares_range(void *context, size_t from, size_t to)
 {
 	for (size_t k = from; k < to; k++)
-		choose(context, k);
+		choose_share(context, k);
 }
 
-/* Makes room for the lists of the shares: of near rows as many as there are rows, and of blocks as many as
- * their groups can have, and those behind. */
-static enum ts_status spread(const struct choice *c)
+/* Allocates the lists of all shares: for as many active pairs as there are candidate pairs; for as many
+ * blocks as the groups can make, and the sentinel blocks. */
+static enum ts_status reserve_lists(const struct choice *c)
 {
 	struct ts_contact_list *list = c->list;
 	size_t most = c->kinds < c->group ? c->kinds : c->group, blocks = 0;
@@ -237,25 +240,30 @@ static enum ts_status spread(const struct choice *c)
 
 		ts_contact_range(list, k, &from, &to);
 		list->span[k] = (struct ts_contact_span){ from, from, blocks, blocks };
-		blocks += (to - from) / ACTIVE + ((to - from) / c->group + 1) * most + TS_BLOCKS_AHEAD;
+		blocks += (to - from) / TOUCHING_PER_BLOCK + ((to - from) / c->group + 1) * most +
+			  TS_BLOCKS_AHEAD;
 	}
 	TS_TRY(TS_RENEW(list->active, list->active_capacity, list->n));
 	TS_TRY(TS_RENEW(list->active_index, list->active_index_capacity,
-			list->n + 1)); /* never NULL: offsets are taken of it */
+			list->n + 1)); /* never NULL: pointers into it are computed even if it is empty */
 	return TS_RENEW(list->block, list->block_capacity, blocks);
 }
 
-/* With a gap g some share g/skin of the rows is looked at in vain in each step, and all are looked at
- * again after g/2 at the present pace, which costs as much as `LOOK` vain looks at all: least of g/skin +
- * LOOK 2 pace/g. */
-static const double LOOK = 12;
-static const double LEAST = 0.02, MOST = 0.7; /* of the skin; beyond the most it is not worth it */
+/* Cost of an inner skin g: in each step a fraction g/skin of all pairs is computed needlessly; and every g/(2
+ * u) steps, u the largest displacement per step, all pairs are chosen again, which costs as much as
+ * REBUILD_COST evaluations of all. g/skin + REBUILD_COST 2 u/g is least at g = sqrt(2 REBUILD_COST u skin).
+ */
+static const double REBUILD_COST = 12;
+/* bounds of g/skin; above the upper one an inner skin does not pay */
+static const double LEAST_PART = 0.02, MOST_PART = 0.7;
 
 static double choose_inner_skin(const struct tsim *sim, const struct ts_contact_list *list)
 {
-	double gap = fmax(sqrt(2 * LOOK * list->max_displacement * list->skin), LEAST * list->skin);
+	double inner =
+		fmax(sqrt(2 * REBUILD_COST * list->max_displacement * list->skin), LEAST_PART * list->skin);
 
-	return list->all_active || sim->full & TS_FULL_LOOKS || !(gap < MOST * list->skin) ? INFINITY : gap;
+	return list->all_active || sim->full & TS_FULL_LOOKS || !(inner < MOST_PART * list->skin) ? INFINITY
+												  : inner;
 }
 
 enum ts_status ts_active_pairs_choose(struct tsim *sim, struct ts_contact_list *list)
@@ -263,11 +271,13 @@ enum ts_status ts_active_pairs_choose(struct tsim *sim, struct ts_contact_list *
 	size_t ntypes = (size_t)sim->particles->ntypes;
 	struct choice c = { list, sim->particles, ntypes * (ntypes + 1) / 2, 0 };
 
-	c.group = c.kinds * ALIKE < FEW ? FEW : c.kinds * ALIKE < GROUP ? c.kinds * ALIKE : GROUP;
+	c.group = c.kinds * GROUP_PER_LAW < GROUP_LEAST	 ? GROUP_LEAST
+		  : c.kinds * GROUP_PER_LAW < GROUP_MOST ? c.kinds * GROUP_PER_LAW
+							 : GROUP_MOST;
 	list->inner_skin = choose_inner_skin(sim, list);
 	list->approach = 0;
-	if (spread(&c) != TS_OK)
+	if (reserve_lists(&c) != TS_OK)
 		return ts_nomem(&sim->error);
-	ts_parallel(list->shares, (size_t)list->shares, choose_shares, &c);
+	ts_parallel(list->shares, (size_t)list->shares, choose_shares_range, &c);
 	return TS_OK;
 }

@@ -23,7 +23,7 @@ static void bounding_box(const struct ts_particles *p, size_t n, double lo[3], d
 	}
 }
 
-/* Level l holds the radii from rmax / 2^(l+1), exclusive, to rmax / 2^l. */
+/* Level l has the radii r with rmax/2^(l+1) < r <= rmax/2^l; the last level also all smaller ones. */
 static void assign_levels(struct ts_cells *cells, const struct ts_particles *p, size_t n)
 {
 	double rmax = 0;
@@ -47,7 +47,8 @@ static void assign_levels(struct ts_cells *cells, const struct ts_particles *p, 
 		cells->level[l].reach = ldexp(rmax, -l);
 }
 
-/* Cells at least as large as a contact of the level, and not many more than particles. */
+/* Cells at least as large as the contact distance on the level plus the skin; enlarged until there are at
+ * most 4 n + 64, so that sparse systems do not need much memory. */
 static enum ts_status size_grid(struct tsim *sim, struct ts_level *level, const double lo[3],
 				const double hi[3], double skin, size_t n)
 {
@@ -83,7 +84,7 @@ static int cell_index(const struct ts_level *level, int dim, double x)
 	return c < level->cells[dim] ? (int)c : level->cells[dim] - 1;
 }
 
-static void enter(struct ts_level *level, int32_t at, const struct ts_particles *p, size_t i)
+static void append_particle(struct ts_level *level, int32_t at, const struct ts_particles *p, size_t i)
 {
 	level->list[at] = (long long)i;
 	for (int d = 0; d < 3; d++)
@@ -91,7 +92,7 @@ static void enter(struct ts_level *level, int32_t at, const struct ts_particles 
 	level->position[3][at] = p->radius[i];
 }
 
-static enum ts_status make_room(struct ts_level *level, size_t n)
+static enum ts_status reserve_list(struct ts_level *level, size_t n)
 {
 	TS_TRY(TS_GROW(level->list, level->list_capacity, n + 3));
 	for (int c = 0; c < 4; c++)
@@ -117,11 +118,11 @@ static enum ts_status fill_level(struct tsim *sim, struct ts_cells *cells, int l
 	}
 	for (size_t c = 2; c < ncells + 2; c++)
 		level->start[c] += level->start[c - 1];
-	if (make_room(level, (size_t)level->start[ncells + 1]) != TS_OK)
+	if (reserve_list(level, (size_t)level->start[ncells + 1]) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < n; i++)
 		if (cells->level_of[i] == l)
-			enter(level, level->start[cells->cell_of[i] + 1]++, p, i);
+			append_particle(level, level->start[cells->cell_of[i] + 1]++, p, i);
 	return TS_OK;
 }
 

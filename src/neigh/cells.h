@@ -1,6 +1,6 @@
-/* A hierarchy of cell grids: particles of similar size share a grid whose cells just hold a contact
- * between two of the largest, so that mixed radii cost no more than equal ones (Ogarko & Luding,
- * Comput. Phys. Commun. 183 (2012) 931). */
+/* A hierarchy of cell grids: particles of similar size share a grid, whose cells are just as large as the
+ * contact distance of two of its largest particles. So a search among mixed radii costs no more than among
+ * equal ones (V. Ogarko, S. Luding, Comput. Phys. Commun. 183 (2012) 931). */
 #ifndef TS_NEIGH_CELLS_H
 #define TS_NEIGH_CELLS_H
 
@@ -9,14 +9,14 @@
 enum { TS_MAX_LEVELS = 16 };
 
 struct ts_level {
-	double reach;		  /* the largest radius on this level */
-	double lo[3], inverse[3]; /* cell number = (x - lo) * inverse */
+	double reach;		  /* largest radius on this level, length */
+	double lo[3], inverse[3]; /* index of the cell in a dimension: (x - lo) * inverse */
 	int cells[3];
-	/* particles of cell c: list[start[c]] .. list[start[c+1]-1]; behind the last, three more can be
-	 * read */
+	/* Particles of cell c: list[start[c]] .. list[start[c+1]-1]. Three entries beyond the last one are
+	 * allocated, as the search reads four at a time. */
 	int32_t *start;
 	long long *list;
-	double *position[4]; /* of those in the list: where they are held, and their radius */
+	double *position[4]; /* by entry of the list: x, y, z (xhold) and radius */
 	size_t start_capacity, list_capacity, position_capacity[4];
 };
 
@@ -28,11 +28,11 @@ struct ts_cells {
 	size_t capacity, cell_capacity;
 };
 
-/* Sorts all particles, ghosts included, into cells by xhold. */
+/* Sorts all particles, ghosts included, into cells by their positions at the last rebuild (xhold). */
 enum ts_status ts_cells_fill(struct tsim *sim, struct ts_cells *cells, double skin);
 void ts_cells_release(struct ts_cells *cells);
 
-/* Range of cells of a level within `distance` of x. */
+/* Range lo .. hi of the cells of a level within `distance` of x. */
 void ts_cells_range(const struct ts_level *level, const double x[3], double distance, int lo[3], int hi[3]);
 
 #endif

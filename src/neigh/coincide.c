@@ -16,15 +16,15 @@ static bool same_place(const struct ts_particles *p, size_t i, size_t j)
 	return ts_coincide(sqrt(ts_distance2(p->xhold[i], p->xhold[j])), fmin(p->radius[i], p->radius[j]));
 }
 
-/* Whether nobody moves it but its own prescription. */
-static bool held(const struct ts_particles *p, size_t i, uint32_t prescribed)
+/* Whether no force moves it: it is frozen, or follows a prescribed motion. */
+static bool is_prescribed_or_frozen(const struct ts_particles *p, size_t i, uint32_t prescribed)
 {
 	return p->imass[i] == 0 || (p->mask[i] & prescribed);
 }
 
-/* Whether row a comes before row b by identities: what is told must not depend on the order in
- * memory. */
-static bool before(const struct ts_contact_list *list, size_t a, size_t b)
+/* Whether pair a comes before pair b in the order of identities; so the message does not depend on the order
+ * in memory. */
+static bool precedes(const struct ts_contact_list *list, size_t a, size_t b)
 {
 	int32_t p[2], q[2];
 
@@ -50,10 +50,12 @@ enum ts_status ts_coincide_check_pairs(struct tsim *sim, const struct ts_contact
 	for (size_t r = 0; r < list->n; r++) {
 		size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 
-		if (!same_place(p, i, j) || (held(p, i, prescribed) && held(p, j, prescribed)) ||
+		if (!same_place(p, i, j) ||
+		    (is_prescribed_or_frozen(p, i, prescribed) &&
+		     is_prescribed_or_frozen(p, j, prescribed)) ||
 		    !sim->neigh->callback.interact(sim, i, j))
 			continue;
-		first = n++ && before(list, first, r) ? first : r;
+		first = n++ && precedes(list, first, r) ? first : r;
 	}
 	if (!n)
 		return TS_OK;
@@ -84,7 +86,7 @@ enum ts_status ts_coincide_bond(struct tsim *sim, const struct ts_place *where, 
 		       a < b ? a : b, a < b ? b : a, p->x[i][0], p->x[i][1], p->x[i][2]);
 }
 
-/* ---- surfaces that move too far in a step: the bound is that of particles, a radius */
+/* ---- surfaces that move by more than a radius in a step */
 
 enum ts_status ts_coincide_passed(struct tsim *sim, const struct ts_place *where, size_t i, double way,
 				  const char *what)

@@ -1,4 +1,4 @@
-/* Command neighbor: how far beyond contact neighbours are remembered. */
+/* Command neighbor: the skin of the neighbour list. */
 #include "core/sim.h"
 
 #include "neigh/neigh.h"
@@ -25,10 +25,10 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_REAL("skin", struct state, skin, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-		.unit = "length", .help = "extra distance, at most; 0: chosen from the radii"),
+		.unit = "length", .help = "largest skin; 0: chosen from the radii"),
 	TS_ENUM("style", struct state, style, styles, .flags = TS_POSITIONAL, .fallback = "bin",
-		.help = "no effect: the method adapts to the radii"),
-	TS_BOOL("fixed", struct state, fixed, .fallback = "no", .help = "never less than that"),
+		.help = "no effect: the search adapts to the radii"),
+	TS_BOOL("fixed", struct state, fixed, .fallback = "no", .help = "the skin is always the given one"),
 	TS_ARGS_END,
 };
 
@@ -37,26 +37,19 @@ const struct ts_command_style ts_command_neighbor = {
 	.style = {
 		.name = "neighbor",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Sets the extra distance of the neighbour search",
-		.doc = "Pairs nearer than the sum of their radii plus the skin are remembered until a "
-		       "particle has\n"
-		       "moved half the skin. A large skin means fewer searches and longer lists; results do "
-		       "not\n"
-		       "depend on it. At each search the skin is chosen that suits the speeds as they are, v "
-		       "dt being the\n"
-		       "way of the fastest particle in a step and d the smallest diameter: s = sqrt(6 v dt "
-		       "d), at least a\n"
-		       "hundredth of d and at most what is given. Where a search would be due again in less "
-		       "than 40\n"
-		       "steps, and all faces are fixed, it is more than given, up to s = 1.6 d (v "
-		       "dt/d)^(1/4). It is not\n"
-		       "less than given where meshes, walls or the box move, and as given with `fixed yes`, "
-		       "with `legacy\n"
-		       "yes`, where outputs depend on it, and with `thermo_modify lost ignore`: particles "
-		       "that have left\n"
-		       "are deleted, and others wrapped into a periodic box, when some particle has moved "
-		       "half the skin\n"
-		       "given; if all faces are fixed, that is watched apart from searches.",
+		.summary = "Sets the skin of the neighbour list",
+		.doc = "The neighbour list has all pairs of particles whose distance is less than the sum of their radii "
+		       "plus the skin. It is rebuilt when a particle has moved half the skin. With a larger skin "
+		       "builds are rarer and the list is longer; results do not depend on it.\n\n"
+		       "At each build a skin s is chosen that suits the present speeds. With v dt the displacement "
+		       "of the fastest particle in a step and d the smallest diameter, s = sqrt(6 v dt d), at "
+		       "least d/100 and at most the given skin. If the next build would be due in less than 40 "
+		       "steps, and all faces of the box are fixed, s is larger than given, up to s = 1.6 d (v "
+		       "dt/d)^(1/4). It is not less than given while meshes, walls or the box move. It is exactly "
+		       "the given one with `fixed yes`, with `legacy yes`, where outputs depend on it, and with "
+		       "`thermo_modify lost ignore`: particles that have left the box are deleted, and others "
+		       "wrapped into a periodic box, when some particle has moved half the given skin; if all "
+		       "faces are fixed, this is checked apart from builds, and s may be larger.",
 		.example = "neighbor 0.001 bin\nneighbor 0.001 bin fixed yes",
 		.args = args,
 		.state_size = sizeof(struct state),

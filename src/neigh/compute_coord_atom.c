@@ -1,4 +1,4 @@
-/* Compute: coordination numbers within a cutoff. */
+/* Compute coord/atom: coordination numbers within a cutoff. */
 #include "box/domain.h"
 #include "geom/pairs.h"
 #include "particle/particles.h"
@@ -8,14 +8,14 @@
 struct coord {
 	struct ts_words words;
 	double cutoff;
-	bool same; /* only partners of the particle's own type */
+	bool same; /* only partners of the same type count */
 	int with;
-	struct ts_types *types; /* one for each column */
+	struct ts_types *types; /* type range of each column */
 	size_t ncolumns;
 	struct tsim *sim;
 };
 
-/* Where the reader is. */
+/* Parser state: the words not yet read. */
 struct reader {
 	struct ts_instance *self;
 	struct tsim *sim;
@@ -95,7 +95,7 @@ struct task {
 	int group;
 };
 
-static void count(void *context, size_t i, size_t j, const double d[3])
+static void count_partner(void *context, size_t i, size_t j, const double d[3])
 {
 	const struct task *t = context;
 	const struct coord *s = t->s;
@@ -120,7 +120,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	task.count = out->data;
 	for (size_t k = 0; k < p->n * s->ncolumns; k++)
 		out->data[k] = 0;
-	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, s->cutoff, count, &task);
+	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, s->cutoff, count_partner,
+			      &task);
 }
 
 static const struct ts_value values[] = {
@@ -139,15 +140,15 @@ TS_STYLE(compute, ts_style, ts_compute_coord_atom)
 const struct ts_style ts_compute_coord_atom = {
 	.name = "coord/atom",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Number of particles within a cutoff of each",
-	.doc = "Counts for each particle of the group the others whose centres are nearer than R. With types "
-	       "(n,\n"
-	       "*, n*m ...) there is a column for each, which counts partners of these types; with `mix "
-	       "yes` only\n"
-	       "partners of its own type count; with `group` only those of that group. Any R will do: "
-	       "beyond\n"
-	       "half a periodic box several images of a particle count. `cutoff` before R is LAMMPS' "
-	       "spelling.",
+	.summary = "Number of particles within a cutoff of each particle",
+	.doc = "Counts, for each particle of the group, the other particles whose centres are nearer than R "
+	       "(length). With types (n, *, n*m ...) the output has a column for each, which counts partners "
+	       "of these "
+	       "types. With `mix yes` only partners of the particle's own type count; with `group` only "
+	       "those of "
+	       "that group. R may have any value: beyond half a periodic box several images of a particle "
+	       "count. "
+	       "`cutoff` before R is LAMMPS' spelling.",
 	.example = "compute near all coord/atom 0.012\ncompute kinds all coord/atom cutoff 0.012 1 2*3",
 	.args = args,
 	.state_size = sizeof(struct coord),

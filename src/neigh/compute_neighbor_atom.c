@@ -1,4 +1,4 @@
-/* Compute: how many neighbours each particle has. */
+/* Compute neighbor/atom: number of neighbours of each particle. */
 #include "contact/contact_view.h"
 #include "neigh/neigh.h"
 
@@ -15,7 +15,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* A row with an image is there once for each side: seen from here it counts once. */
+/* A pair across a periodic face is listed once for each side: each entry counts for its own local particle.
+ */
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_particles *p = sim->particles;
@@ -47,9 +48,11 @@ const struct ts_style ts_compute_neighbor_atom = {
 	.name = "neighbor/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Number of neighbours of each particle",
-	.doc = "How many other particles, of whatever group, were nearer than the sum of the radii and the "
-	       "skin (command neighbor) when neighbours were searched last. Periodic images count, excluded "
-	       "pairs do not. While there is this compute, searches take the skin given.",
+	.doc = "Number of other particles, of any group, that were nearer than the sum of the radii plus the "
+	       "skin "
+	       "(command neighbor) when the neighbour list was built last. Periodic images count, excluded "
+	       "pairs do "
+	       "not. As long as this compute exists, the list is built with the given skin.",
 	.example = "compute n all neighbor/atom\ncompute mean all reduce ave c_n",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Compute: radial distribution of pairs. */
+/* Compute rdf: radial distribution function. */
 #include "box/domain.h"
 #include "geom/pairs.h"
 #include "math/constants.h"
@@ -15,10 +15,10 @@ struct pair_of_types {
 struct rdf {
 	int64_t bins;
 	struct ts_words words;
-	double cutoff; /* NaN: of contacts */
+	double cutoff; /* length; NaN: twice the largest radius */
 	struct pair_of_types *pair;
 	size_t npairs;
-	double *count; /* bin, pair: how many partners */
+	double *count; /* by bin and pair of types: number of ordered pairs */
 	size_t capacity;
 	struct tsim *sim;
 };
@@ -27,9 +27,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	static const struct ts_arg rows[] = {
 		TS_TYPES("itype", struct pair_of_types, a, .flags = TS_POSITIONAL,
-			 .help = "types of the particles in the centre"),
+			 .help = "types of the central particles"),
 		TS_TYPES("jtype", struct pair_of_types, b, .flags = TS_POSITIONAL,
-			 .help = "types of the particles around them"),
+			 .help = "types of their partners"),
 		TS_ARGS_END,
 	};
 	struct rdf *s = self->state;
@@ -50,7 +50,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static bool is_of(const struct ts_types *types, int type)
+static bool type_matches(const struct ts_types *types, int type)
 {
 	return type >= types->lo && (!types->hi || type <= types->hi);
 }
@@ -61,7 +61,7 @@ struct task {
 	double cutoff;
 };
 
-static void count(void *context, size_t i, size_t j, const double d[3])
+static void count_pair(void *context, size_t i, size_t j, const double d[3])
 {
 	const struct task *t = context;
 	const struct rdf *s = t->self->state;
@@ -71,11 +71,12 @@ static void count(void *context, size_t i, size_t j, const double d[3])
 	if (bin >= s->bins || !ts_in_group(t->p, i, t->self->group) || !ts_in_group(t->p, j, t->self->group))
 		return;
 	for (size_t k = 0; k < s->npairs; k++)
-		s->count[(size_t)bin * s->npairs + k] +=
-			is_of(&s->pair[k].a, t->p->type[i]) && is_of(&s->pair[k].b, t->p->type[j]);
+		s->count[(size_t)bin * s->npairs + k] += type_matches(&s->pair[k].a, t->p->type[i]) &&
+							 type_matches(&s->pair[k].b, t->p->type[j]);
 }
 
-/* How many particles stand in the centre, and how many others each of them has on average. */
+/* Number of central particles (the first types), and mean number of other particles of the second types for
+ * each. */
 static void populations(const struct ts_instance *self, const struct ts_particles *p, size_t pair,
 			double *centres, double *others)
 {
@@ -88,8 +89,8 @@ static void populations(const struct ts_instance *self, const struct ts_particle
 
 		if (!ts_in_group(p, i, self->group))
 			continue;
-		a = is_of(&s->pair[pair].a, p->type[i]);
-		b = is_of(&s->pair[pair].b, p->type[i]);
+		a = type_matches(&s->pair[pair].a, p->type[i]);
+		b = type_matches(&s->pair[pair].b, p->type[i]);
 		*centres += a;
 		around += b;
 		both += a && b;
@@ -97,8 +98,8 @@ static void populations(const struct ts_instance *self, const struct ts_particle
 	*others = *centres > 0 ? around - both / *centres : 0;
 }
 
-/* Part of the box between two radii. */
-static double shell(const struct tsim *sim, double inner, double outer)
+/* Fraction of the volume of the box (in 2d its area) between two radii. */
+static double shell_fraction(const struct tsim *sim, double inner, double outer)
 {
 	double box = 1;
 
@@ -109,7 +110,8 @@ static double shell(const struct tsim *sim, double inner, double outer)
 	return 4 * TS_PI / 3 * (outer * outer * outer - inner * inner * inner) / box;
 }
 
-static void fill(const struct ts_instance *self, const struct tsim *sim, double cutoff, struct ts_table *out)
+static void fill_table(const struct ts_instance *self, const struct tsim *sim, double cutoff,
+		       struct ts_table *out)
 {
 	const struct rdf *s = self->state;
 	double width = cutoff / (double)s->bins;
@@ -123,8 +125,8 @@ static void fill(const struct ts_instance *self, const struct tsim *sim, double 
 		for (size_t b = 0; b < (size_t)s->bins; b++) {
 			double *row = out->data + b * out->columns + 1 + 2 * k;
 			double counted = s->count[b * s->npairs + k];
-			double expected =
-				shell(sim, (double)b * width, (double)(b + 1) * width) * others * centres;
+			double expected = shell_fraction(sim, (double)b * width, (double)(b + 1) * width) *
+					  others * centres;
 
 			within += counted;
 			row[0] = expected > 0 ? counted / expected : 0;
@@ -150,9 +152,9 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 			task.cutoff = fmax(task.cutoff, 2 * p->radius[i]);
 	}
 	if (task.cutoff > 0)
-		TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, task.cutoff, count,
-				      &task));
-	fill(self, sim, task.cutoff, out);
+		TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, task.cutoff,
+				      count_pair, &task));
+	fill_table(self, sim, task.cutoff, out);
 	return TS_OK;
 }
 
@@ -162,7 +164,8 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_value values[] = {
-	{ "rdf", "", "a row for each bin: its middle, then for each pair of types g and the partners within",
+	{ "rdf", "",
+	  "a row for each bin: its middle, then g and the coordination number for each pair of types",
 	  TS_ARRAY, 0, NULL, eval },
 	{ .name = NULL },
 };
@@ -174,9 +177,9 @@ static const struct ts_arg args[] = {
 	  .type = TS_ARG_REST,
 	  .flags = TS_POSITIONAL | TS_OPTIONAL | TS_TO_KEYWORD,
 	  .offset = TS_FIELD(struct rdf, words, struct ts_words *),
-	  .help = "pairs itype jtype of types, each with a g of its own; none: * *" },
+	  .help = "pairs itype jtype of types, one g for each; none: * *" },
 	TS_REAL("cutoff", struct rdf, cutoff, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "length",
-		.help = "largest distance; else that of two of the largest radius"),
+		.help = "largest distance; default: twice the largest radius"),
 	TS_ARGS_END,
 };
 
@@ -185,18 +188,20 @@ const struct ts_style ts_compute_rdf = {
 	.name = "rdf",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Radial distribution function",
-	.doc = "A table with a row for each of Nbin distances. c_ID[i][1] is the middle r of bin i; then for "
-	       "each pair of\n"
-	       "types two columns:\n\n"
+	.doc = "A table with a row for each of Nbin distances. c_ID[i][1] is the middle r of bin i; two "
+	       "columns "
+	       "follow for each pair of types:\n\n"
 	       "    g(r) = V n(r) / (4/3 pi (r_o^3 - r_i^3) N_i N_j'),  coord(r) = sum n(r') / N_i, r' <= "
 	       "r\n\n"
-	       "n(r) being the number of ordered pairs i, j of the group with a distance in the bin, from "
-	       "r_i to r_o, N_i\n"
-	       "the particles of the first types, N_j' those of the second types without the centre itself, "
-	       "V the volume\n"
-	       "of the box. In two dimensions it is pi (r_o^2 - r_i^2) and the area. Periodic images count, "
-	       "also beyond\n"
-	       "half the box; fixed faces are not corrected for. Average it with fix ave/time mode vector.",
+	       "n(r) is the number of ordered pairs i, j of the group whose distance is in the bin, from r_i "
+	       "to r_o, "
+	       "N_i the number of particles of the first types, N_j' that of the second types without the "
+	       "central "
+	       "particle itself, V the volume of the box. In two dimensions pi (r_o^2 - r_i^2) and the area "
+	       "take the "
+	       "place of the volumes. Periodic images count, also beyond half the box; there is no "
+	       "correction for "
+	       "fixed faces. Average it with fix ave/time mode vector.",
 	.example = "compute g all rdf 100 cutoff 0.03\n"
 		   "compute g2 all rdf 100 1 1 1 2 cutoff 0.03\n"
 		   "fix mean all ave/time 100 10 1000 c_g[*] mode vector file post/rdf.txt",

@@ -17,12 +17,13 @@ static int32_t opposite(int32_t winding)
 	return ts_winding(turns);
 }
 
-/* Across a periodic face a pair has two rows, one on either side, equal but for rounding: each keeps its
- * own. Set in the winding of the row of the larger tag. */
+/* Across a periodic face a pair is listed twice, once with each particle as i. Both entries are equal but for
+ * rounding, and each keeps its own history. The bit is set in the winding of the entry whose i has the larger
+ * identity. */
 enum { OTHER_SIDE = 1 << 30 };
 
-/* The key of a row, and whether its i has the larger tag. */
-static struct ts_contact_key key_of(const struct ts_contact_list *list, size_t r, bool *swapped)
+/* The key of pair r; *swapped: its i has the larger identity. */
+static struct ts_contact_key make_key(const struct ts_contact_list *list, size_t r, bool *swapped)
 {
 	int32_t a = list->tag[0][r], b = list->tag[1][r];
 	int32_t there = list->winding[r], back = opposite(there);
@@ -40,7 +41,7 @@ static void copy_signed(double *to, const double *from, size_t width, const sign
 		to[c] = swapped && sign[c] < 0 ? -from[c] : from[c];
 }
 
-static enum ts_status allocate(struct tsim *sim, struct ts_contact_history *h, size_t n, bool forces)
+static enum ts_status allocate_history(struct tsim *sim, struct ts_contact_history *h, size_t n, bool forces)
 {
 	h->key = ts_alloc(n, sizeof *h->key);
 	h->value = ts_alloc(n * h->width, sizeof *h->value);
@@ -58,7 +59,7 @@ static void copy_force(double to[3], const double from[3], bool swapped)
 		to[k] = swapped ? -from[k] : from[k];
 }
 
-static bool taken(const struct ts_contact_list *list, size_t r, bool memories)
+static bool is_saved(const struct ts_contact_list *list, size_t r, bool memories)
 {
 	bool is = list->touching[r];
 
@@ -67,25 +68,25 @@ static bool taken(const struct ts_contact_list *list, size_t r, bool memories)
 	return is;
 }
 
-static enum ts_status take(struct tsim *sim, struct ts_contact_list *list, bool forces, bool memories,
-			   struct ts_contact_history *h)
+static enum ts_status save_contacts(struct tsim *sim, struct ts_contact_list *list, bool forces,
+				    bool memories, struct ts_contact_history *h)
 {
-	bool kept = list->results == TS_RESULTS_KEPT; /* not after a step that has failed: zero */
+	bool kept = list->results == TS_RESULTS_KEPT; /* not so after a step that failed: then forces are 0 */
 	size_t n = 0;
 
 	*h = (struct ts_contact_history){ .width = list->history_width, .overlapping = memories };
 	ts_contacts_store_history(sim, list);
 	for (size_t r = 0; (h->width || forces) && r < list->n; r++)
-		n += taken(list, r, memories);
+		n += is_saved(list, r, memories);
 	if (!n)
 		return TS_OK;
-	TS_TRY(allocate(sim, h, n, forces));
+	TS_TRY(allocate_history(sim, h, n, forces));
 	for (size_t r = 0; r < list->n; r++) {
 		bool swapped;
 
-		if (!taken(list, r, memories))
+		if (!is_saved(list, r, memories))
 			continue;
-		h->key[h->n] = key_of(list, r, &swapped);
+		h->key[h->n] = make_key(list, r, &swapped);
 		if (forces && kept)
 			copy_force(h->force[h->n], ts_contact_force(list, r), swapped);
 		if (h->width)
@@ -99,16 +100,16 @@ static enum ts_status take(struct tsim *sim, struct ts_contact_list *list, bool 
 enum ts_status ts_contact_history_take(struct tsim *sim, struct ts_contact_list *list, bool forces,
 				       struct ts_contact_history *h)
 {
-	return take(sim, list, forces, false, h);
+	return save_contacts(sim, list, forces, false, h);
 }
 
 enum ts_status ts_contact_history_take_memories(struct tsim *sim, struct ts_contact_list *list, bool forces,
 						struct ts_contact_history *h)
 {
-	return take(sim, list, forces, true, h);
+	return save_contacts(sim, list, forces, true, h);
 }
 
-static bool overlap(const struct ts_particles *p, const struct ts_contact_list *list, size_t r)
+static bool overlaps(const struct ts_particles *p, const struct ts_contact_list *list, size_t r)
 {
 	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 	double sum = p->radius[i] + p->radius[j];
@@ -116,25 +117,26 @@ static bool overlap(const struct ts_particles *p, const struct ts_contact_list *
 	return ts_distance2(p->x[i], p->x[j]) < sum * sum;
 }
 
-/* Number k of the old ones had a bridge of liquid. */
-static bool bridged(const struct ts_contact_list *list, const struct ts_contact_history *h, size_t k)
+/* Whether the saved contact k had a liquid bridge. */
+static bool had_bridge(const struct ts_contact_list *list, const struct ts_contact_history *h, size_t k)
 {
 	return list->bridge_column && h->value[k * h->width + list->bridge_column - 1] > 0;
 }
 
-/* What is remembered, by particles: chains of those whose smaller tag a particle has. Its memory is
- * near that of its neighbours, as the particles are. */
-struct giving {
+/* Saved contacts by particle: a linked list for the smaller identity of each key. Neighbouring particles are
+ * near each other in memory, and so are their lists. */
+struct restoring {
 	const struct ts_contact_history *h;
 	const struct ts_particles *p;
 	struct ts_contact_list *list;
-	int32_t *first; /* of each particle: index of key + 1, 0 none */
+	int32_t *first; /* by local particle: index of its first key + 1, 0: none */
 	struct link {
-		int32_t larger, next; /* the other tag; the next key, alike */
-	} * link;		      /* of each key */
+		/* the larger identity; index of the next key of the same particle + 1, 0: none */
+		int32_t larger, next;
+	} * link; /* by key */
 };
 
-static enum ts_status make_chains(struct tsim *sim, struct giving *g)
+static enum ts_status chain_keys_by_particle(struct tsim *sim, struct restoring *g)
 {
 	struct ts_identities map;
 
@@ -146,7 +148,7 @@ static enum ts_status make_chains(struct tsim *sim, struct giving *g)
 	for (size_t k = g->h->n; k-- > 0;) {
 		int32_t at = ts_contact_of(&map, g->h->key[k].tag[0]);
 
-		if (at < 0) /* it has left */
+		if (at < 0) /* the particle has left */
 			continue;
 		g->link[k] = (struct link){ g->h->key[k].tag[1], g->first[at] };
 		g->first[at] = (int32_t)k + 1;
@@ -154,17 +156,17 @@ static enum ts_status make_chains(struct tsim *sim, struct giving *g)
 	return TS_OK;
 }
 
-/* The particle itself, or that of which it is an image. */
-static size_t local(const struct giving *g, int32_t i)
+/* The local particle of which i is an image, or i itself. */
+static size_t local_of(const struct restoring *g, int32_t i)
 {
 	size_t at = (size_t)i;
 
 	return at < g->p->n ? at : (size_t)g->p->ghost_owner[at - g->p->n];
 }
 
-/* Index + 1 of the key, 0 if it is not there. A pair that has come to a periodic face, or left it, has one
- * row where it had two or two for one. */
-static int32_t find_either(const struct giving *g, const struct ts_contact_key *key, size_t smaller)
+/* Index + 1 of the key, 0: not found. A pair that has moved to a periodic face is listed twice where it was
+ * listed once, or the reverse when it leaves the face: then the key of the other side serves. */
+static int32_t find_either(const struct restoring *g, const struct ts_contact_key *key, size_t smaller)
 {
 	int32_t other = 0;
 
@@ -181,21 +183,23 @@ static int32_t find_either(const struct giving *g, const struct ts_contact_key *
 	return other;
 }
 
-/* Whether the partners of the row, or images of them, have a key: most rows have none. */
-static bool may_have(const struct giving *g, size_t r)
+/* Whether the particles of the pair, or images of them, have a key: most pairs have none, and for them the
+ * full key need not be made. */
+static bool has_key(const struct restoring *g, size_t r)
 {
-	const int32_t *const end[2] = { g->list->i, g->list->j }; /* a table: which it is cannot be guessed */
+	/* a table instead of a branch, which would be mispredicted half of the time */
+	const int32_t *const end[2] = { g->list->i, g->list->j };
 	int32_t a = g->list->tag[0][r], b = g->list->tag[1][r], larger = a > b ? a : b;
-	int32_t k = g->first[local(g, end[a > b][r])];
+	int32_t k = g->first[local_of(g, end[a > b][r])];
 
 	while (k && g->link[k - 1].larger != larger)
 		k = g->link[k - 1].next;
 	return k != 0;
 }
 
-static void give_share(void *context, size_t from, size_t to)
+static void restore_share(void *context, size_t from, size_t to)
 {
-	const struct giving *g = context;
+	const struct restoring *g = context;
 	const struct ts_contact_history *h = g->h;
 	const struct ts_particles *p = g->p;
 	struct ts_contact_list *list = g->list;
@@ -205,11 +209,11 @@ static void give_share(void *context, size_t from, size_t to)
 		bool swapped;
 		int32_t k;
 
-		if (!may_have(g, r))
+		if (!has_key(g, r))
 			continue;
-		key = key_of(list, r, &swapped);
-		k = find_either(g, &key, local(g, swapped ? list->j[r] : list->i[r]));
-		if (!k || (h->overlapping && !overlap(p, list, r) && !bridged(list, h, (size_t)(k - 1))))
+		key = make_key(list, r, &swapped);
+		k = find_either(g, &key, local_of(g, swapped ? list->j[r] : list->i[r]));
+		if (!k || (h->overlapping && !overlaps(p, list, r) && !had_bridge(list, h, (size_t)(k - 1))))
 			continue;
 		list->touching[r] = 1;
 		if (h->width)
@@ -223,16 +227,16 @@ static void give_share(void *context, size_t from, size_t to)
 enum ts_status ts_contact_history_give(struct tsim *sim, const struct ts_contact_history *h,
 				       struct ts_contact_list *list)
 {
-	struct giving g = { .h = h, .p = sim->particles, .list = list };
+	struct restoring g = { .h = h, .p = sim->particles, .list = list };
 	enum ts_status status;
 
 	if (!h->n || !list->n)
 		return TS_OK;
 	if (h->force)
 		TS_TRY(ts_force_slots_keep_all(sim, list));
-	status = make_chains(sim, &g);
+	status = chain_keys_by_particle(sim, &g);
 	if (status == TS_OK)
-		ts_parallel(ts_team(sim, list->n), list->n, give_share, &g);
+		ts_parallel(ts_team(sim, list->n), list->n, restore_share, &g);
 	ts_free(g.first);
 	ts_free(g.link);
 	return status;
@@ -260,7 +264,7 @@ enum ts_status ts_contact_history_archive(struct ts_archive *archive, struct tsi
 		ts_contact_history_release(h);
 		h->width = (size_t)size[1];
 		if (size[0])
-			TS_TRY(allocate(sim, h, (size_t)size[0], true));
+			TS_TRY(allocate_history(sim, h, (size_t)size[0], true));
 		h->n = (size_t)size[0];
 	}
 	TS_TRY(ts_archive_fixed(archive, "history_keys", TS_SAVED_I32, h->key, 3 * h->n));

@@ -1,5 +1,5 @@
-/* Carries the history columns of touching rows over a rebuild, by the identities of the partners.
- */
+/* Contact history by the identities of the partners: carries it over a rebuild of the contact list and to
+ * restart files. */
 #ifndef TS_NEIGH_CONTACT_HISTORY_H
 #define TS_NEIGH_CONTACT_HISTORY_H
 
@@ -8,27 +8,30 @@
 struct ts_contact_history {
 	size_t n, width;
 	struct ts_contact_key {
-		int32_t tag[2];	 /* smaller first */
-		int32_t winding; /* of the larger, seen from the smaller, and which row */
+		int32_t tag[2]; /* identities, the smaller first */
+		/* image of the larger seen from the smaller (ts_winding), and which of two entries across a
+		 * periodic face */
+		int32_t winding;
 	} * key;
-	double *value;	    /* width numbers each, as seen from the smaller tag */
-	double (*force)[3]; /* on the smaller tag; NULL: not kept */
-	bool overlapping;   /* only rows whose partners overlap now get it */
+	/* history, `width` numbers each, with the signs as seen from the smaller identity */
+	double *value;
+	double (*force)[3]; /* force on the smaller identity; NULL: forces are not saved */
+	bool overlapping;   /* only pairs that overlap now get their history back */
 };
 
-/* Copies out the history of the touching rows, and if asked their forces: a run that goes on with
- * the forces of the last step shows the contacts of that step. */
+/* Copies the history of the touching pairs, and on request their forces: a run that continues with the forces
+ * of the last step outputs the contacts of that step. */
 enum ts_status ts_contact_history_take(struct tsim *sim, struct ts_contact_list *list, bool forces,
 				       struct ts_contact_history *h);
-/* As LIGGGHTS: of all rows that remember something, also those that have parted, for such as overlap when
- * it is given. */
+/* The same as LIGGGHTS does it: copies the history of all pairs that have any, also of those that have
+ * parted; it is given back only to pairs that overlap then. */
 enum ts_status ts_contact_history_take_memories(struct tsim *sim, struct ts_contact_list *list, bool forces,
 						struct ts_contact_history *h);
-/* Gives it to the rows of the same partners. */
+/* Copies the history, and the forces if saved, to the pairs of the same particles in the list. */
 enum ts_status ts_contact_history_give(struct tsim *sim, const struct ts_contact_history *h,
 				       struct ts_contact_list *list);
 void ts_contact_history_release(struct ts_contact_history *h);
-/* Restart files. */
+/* Writes to or reads from a restart file. */
 enum ts_status ts_contact_history_archive(struct ts_archive *archive, struct tsim *sim,
 					  struct ts_contact_history *h);
 

@@ -11,7 +11,8 @@
 
 #include "base/banned.h"
 
-/* x_i - x_j + turns L is the distance of the unwrapped positions: it stays when one is wrapped. */
+/* x_i - x_j + turns L is the separation of the unwrapped positions (L the box lengths), so `turns` stays the
+ * same when a particle is wrapped. */
 static int32_t winding_of(const struct ts_particles *p, size_t i, size_t j)
 {
 	size_t owner = j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
@@ -22,15 +23,15 @@ static int32_t winding_of(const struct ts_particles *p, size_t i, size_t j)
 	return ts_winding(turns);
 }
 
-/* Room for n rows; what was there is lost. */
-static enum ts_status reserve(struct ts_contact_list *list, size_t n)
+/* Allocates room for n pairs; the old contents are lost. */
+static enum ts_status reserve_pairs(struct ts_contact_list *list, size_t n)
 {
 	size_t width = list->history_width ? list->history_width : 1;
 	size_t held = list->capacity, wide = held * width, capacity = 0;
 
 	if (n <= held)
 		return TS_OK;
-	list->n = list->capacity = 0; /* should it fail */
+	list->n = list->capacity = 0; /* in case of failure */
 #define RENEW_COLUMN(column)                                 \
 	do {                                                 \
 		capacity = held;                             \
@@ -50,8 +51,8 @@ static enum ts_status reserve(struct ts_contact_list *list, size_t n)
 	return TS_OK;
 }
 
-/* Rows from..to-1 touch nobody and remember nothing. */
-static void clear(struct ts_contact_list *list, size_t from, size_t n)
+/* Pairs from .. from+n-1: not touching, no history. */
+static void clear_pairs(struct ts_contact_list *list, size_t from, size_t n)
 {
 	size_t width = list->history_width;
 
@@ -62,7 +63,8 @@ static void clear(struct ts_contact_list *list, size_t from, size_t n)
 		memset(list->history + from * width, 0, n * width * sizeof *list->history);
 }
 
-static void fill_row(struct ts_contact_list *list, const struct ts_particles *p, size_t r, size_t i, size_t j)
+static void write_pair(struct ts_contact_list *list, const struct ts_particles *p, size_t r, size_t i,
+		       size_t j)
 {
 	list->i[r] = (int32_t)i;
 	list->j[r] = (int32_t)j;
@@ -72,29 +74,29 @@ static void fill_row(struct ts_contact_list *list, const struct ts_particles *p,
 	list->winding[r] = winding_of(p, i, j);
 }
 
-struct filling {
+struct fill_task {
 	struct ts_contact_list *list;
 	const struct ts_contact_search *found;
 };
 
-static void fill_shares(void *context, size_t from, size_t to)
+static void write_shares(void *context, size_t from, size_t to)
 {
-	const struct filling *f = context;
+	const struct fill_task *f = context;
 	const struct ts_particles *p = f->found->sim->particles;
 
 	for (size_t t = from; t < to; t++) {
 		const struct ts_contact_found *share = &f->found->share[t];
 		size_t r = share->first, at = 0;
 
-		clear(f->list, r, share->n);
+		clear_pairs(f->list, r, share->n);
 		for (size_t i = share->from; i < share->to; i++)
 			for (size_t k = f->found->count[i]; k; k--)
-				fill_row(f->list, p, r++, i, (size_t)share->partner[at++]);
+				write_pair(f->list, p, r++, i, (size_t)share->partner[at++]);
 	}
 }
 
-/* Partners of one identity, that is images of one particle, come in the order of images. Seen from j, which
- * is local, i is no image. */
+/* Partners of the same identity, that is images of one particle, are put in the order of their images. In an
+ * entry with side 1 the particle is j and its partner i, which is local, thus no image. */
 static void order_images(const struct ts_contact_list *list, size_t from, size_t to)
 {
 	const struct ts_gather *g = &list->gather;
@@ -116,7 +118,7 @@ static void order_images(const struct ts_contact_list *list, size_t from, size_t
 	}
 }
 
-static enum ts_status index_rows(struct tsim *sim, struct ts_contact_list *list)
+static enum ts_status index_by_particle(struct tsim *sim, struct ts_contact_list *list)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_gather *g = &list->gather;
@@ -129,17 +131,17 @@ static enum ts_status index_rows(struct tsim *sim, struct ts_contact_list *list)
 	return TS_OK;
 }
 
-static enum ts_status build(struct tsim *sim, struct ts_contact_list *list, struct ts_contact_search *found,
-			    struct ts_contact_history *old)
+static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list *list,
+				       struct ts_contact_search *found, struct ts_contact_history *old)
 {
-	struct filling filling = { list, found };
+	struct fill_task task = { list, found };
 
 	if (sim->legacy)
 		TS_TRY(ts_contact_history_take_memories(sim, list, sim->run.resuming, old));
 	else
 		TS_TRY(ts_contact_history_take(sim, list, sim->run.resuming, old));
 	TS_TRY(ts_contact_search(sim, found));
-	if (reserve(list, found->n) != TS_OK ||
+	if (reserve_pairs(list, found->n) != TS_OK ||
 	    TS_GROW(list->sphere, list->sphere_capacity, sim->particles->n + sim->particles->nghost) != TS_OK)
 		return ts_nomem(&sim->error);
 	list->n = found->n;
@@ -149,13 +151,13 @@ static enum ts_status build(struct tsim *sim, struct ts_contact_list *list, stru
 	list->particles = sim->particles->n;
 	list->locals_packed = false;
 	list->displacement = 0;
-	if (list->sphere) /* the first look at where particles are compares with something */
+	if (list->sphere) /* so that the first displacements are computed from defined numbers */
 		memset(list->sphere, 0, list->sphere_capacity * sizeof *list->sphere);
-	ts_parallel(found->shares, (size_t)found->shares, fill_shares, &filling);
+	ts_parallel(found->shares, (size_t)found->shares, write_shares, &task);
 	if (found->coincide && !list->both_frozen)
 		TS_TRY(ts_coincide_check_pairs(sim, list));
-	TS_TRY(index_rows(sim, list));
-	if (sim->run.resuming) /* shown without being computed */
+	TS_TRY(index_by_particle(sim, list));
+	if (sim->run.resuming) /* outputs may read forces before they are computed */
 		TS_TRY(ts_force_slots_keep_all(sim, list));
 	return ts_contact_history_give(sim, old, list);
 }
@@ -167,7 +169,7 @@ enum ts_status ts_contact_list_build(struct tsim *sim, struct ts_contact_list *l
 		.skin = skin, .both_frozen = list->both_frozen, .excluded = excluded, .expected = list->n
 	};
 	struct ts_contact_history old = { 0 };
-	enum ts_status status = build(sim, list, &found, &old);
+	enum ts_status status = search_and_build(sim, list, &found, &old);
 
 	ts_contact_history_release(&old);
 	ts_contact_search_release(&found);
@@ -210,7 +212,7 @@ size_t ts_contact_list_bytes(const struct ts_contact_list *list)
 		     sizeof *list->winding + sizeof *list->touching + sizeof *list->active +
 		     sizeof *list->active_index + sizeof *list->sums_left +
 		     list->history_width * sizeof *list->history + 2 * entry;
-	size_t results = list->n * (size_t)list->parts; /* at the ends of runs all are kept */
+	size_t results = list->n * (size_t)list->parts; /* all results are kept at the end of a run */
 
 	return list->n * row +
 	       (results > list->result_capacity ? results : list->result_capacity) * sizeof *list->result +

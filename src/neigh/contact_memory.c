@@ -6,28 +6,28 @@
 
 typedef void block_fn(const struct ts_contact_list *list, const struct ts_active_block *block);
 
-struct task {
+struct block_task {
 	const struct ts_contact_list *list;
-	block_fn *work;
+	block_fn *function;
 };
 
-static void share(void *context, size_t from, size_t to)
+static void run_share(void *context, size_t from, size_t to)
 {
-	const struct task *t = context;
+	const struct block_task *t = context;
 
 	for (size_t k = from; k < to; k++)
 		for (size_t b = t->list->span[k].block; b < t->list->span[k].block_end; b++)
-			t->work(t->list, &t->list->block[b]);
+			t->function(t->list, &t->list->block[b]);
 }
 
-static void each_block(const struct tsim *sim, const struct ts_contact_list *list, block_fn *work)
+static void for_each_block(const struct tsim *sim, const struct ts_contact_list *list, block_fn *function)
 {
-	struct task task = { list, work };
+	struct block_task task = { list, function };
 
-	ts_parallel(ts_team(sim, list->n), (size_t)list->shares, share, &task);
+	ts_parallel(ts_team(sim, list->n), (size_t)list->shares, run_share, &task);
 }
 
-static void settle(const struct ts_contact_list *list, const struct ts_active_block *block)
+static void store_block(const struct ts_contact_list *list, const struct ts_active_block *block)
 {
 	for (size_t c = 0; c < list->history_width; c++)
 		for (size_t at = 0; at < block->touching; at++)
@@ -37,11 +37,11 @@ static void settle(const struct ts_contact_list *list, const struct ts_active_bl
 void ts_contacts_store_history(const struct tsim *sim, struct ts_contact_list *list)
 {
 	if (list->memory_newer)
-		each_block(sim, list, settle);
+		for_each_block(sim, list, store_block);
 	list->memory_newer = false;
 }
 
-static void recall(const struct ts_contact_list *list, const struct ts_active_block *block)
+static void load_block(const struct ts_contact_list *list, const struct ts_active_block *block)
 {
 	for (size_t c = 0; c < list->history_width; c++) {
 		for (size_t at = 0; at < block->touching; at++)
@@ -51,7 +51,7 @@ static void recall(const struct ts_contact_list *list, const struct ts_active_bl
 	}
 }
 
-/* Columns of a block begin at a whole vector behind those of the block before. */
+/* The columns of a block follow those of the block before, aligned to whole vectors. */
 static size_t place_blocks(const struct ts_contact_list *list)
 {
 	size_t end = 0;
@@ -70,6 +70,6 @@ enum ts_status ts_contacts_load_history(struct tsim *sim, struct ts_contact_list
 		return TS_OK;
 	if (TS_RENEW(list->memory, list->memory_capacity, place_blocks(list)) != TS_OK)
 		return ts_nomem(&sim->error);
-	each_block(sim, list, recall);
+	for_each_block(sim, list, load_block);
 	return TS_OK;
 }

@@ -1,15 +1,15 @@
-/* Where the history of contacts is stored.
+/* Storage of the contact history.
  *
- * rows->history holds it by row, and is carried over when the list is rebuilt. While active pairs are
- * computed, that of touching pairs stands in columns of their blocks (rows->memory) instead, so that the
- * vector loops of contact laws load it for several contacts at once. */
+ * list->history has it by candidate pair; it is carried over when the list is rebuilt. While forces are
+ * computed, the history of touching active pairs is in columns of their blocks (list->memory) instead, so
+ * that the vectorised loops of contact laws load it for several contacts at once. */
 #ifndef TS_NEIGH_CONTACT_MEMORY_H
 #define TS_NEIGH_CONTACT_MEMORY_H
 
 #include "base/inline.h"
 #include "neigh/contact_list.h"
 
-/* Columns are padded to whole vectors. */
+/* Columns are padded to a multiple of this. */
 enum { TS_MEMORY_VECTOR = 8 };
 
 TS_INLINE size_t ts_contact_column(const struct ts_active_block *block)
@@ -17,23 +17,23 @@ TS_INLINE size_t ts_contact_column(const struct ts_active_block *block)
 	return (block->n + TS_MEMORY_VECTOR - 1) & ~(size_t)(TS_MEMORY_VECTOR - 1);
 }
 
-/* History number c of the touching pair at `at` of the block; that of the next pair follows in memory. */
+/* History number c of the touching pair `at` of the block; that of the next pair follows in memory. */
 TS_INLINE double *ts_contact_memory(const struct ts_contact_list *list, const struct ts_active_block *block,
 				    size_t at, size_t c)
 {
 	return &list->memory[block->memory + c * ts_contact_column(block) + at];
 }
 
-/* The same number in the history by row. */
+/* The same number in list->history. */
 TS_INLINE double *ts_contact_history(const struct ts_contact_list *list, const struct ts_active_block *block,
 				     size_t at, size_t c)
 {
 	return &list->history[list->active[block->first + at].row * list->history_width + c];
 }
 
-/* Copies the columns back to the history by row: before anything reads it there. */
+/* Copies the columns back to list->history; to be called before anything reads the history there. */
 void ts_contacts_store_history(const struct tsim *sim, struct ts_contact_list *list);
-/* Allocates the columns of the blocks and copies the history of touching pairs into them. */
+/* Allocates the columns of the blocks and copies the history of the touching pairs into them. */
 enum ts_status ts_contacts_load_history(struct tsim *sim, struct ts_contact_list *list);
 
 #endif

@@ -9,12 +9,14 @@
 
 #include "base/banned.h"
 
-/* Keys of partners: identity, image, place in the list. */
+/* Bits of the sort key of a partner, from the lowest: its place in the unsorted list, its image; above them
+ * its identity. */
 enum { PLACE_BITS = 28, IMAGE_BITS = 5 };
 
-/* Of two locals the larger one owns the row; in one size class, the first in memory. A ghost owns nothing:
- * with ghosts, a small local must find the large ones itself. So of a level only those count that stand in
- * memory beyond a bound. */
+/* Each pair of local particles is to be found once: by the larger one; within one size level, by the first in
+ * memory. Pairs with a ghost are found by the local particle; therefore, if there are ghosts, small local
+ * particles must search the levels of larger ones, too. Returns the index beyond which particles of the level
+ * count. */
 static int32_t bound_of(const struct ts_contact_search *s, int level, size_t i)
 {
 	int own = s->cells.level_of[i];
@@ -24,21 +26,21 @@ static int32_t bound_of(const struct ts_contact_search *s, int level, size_t i)
 	return level > own ? -1 : (int32_t)s->sim->particles->n - 1;
 }
 
-/* Whom a particle searches for. */
-struct wanted {
-	double at[4], skin;  /* its place and radius */
-	int32_t bound;	     /* see above */
-	ts_four_marks *same; /* whether somebody is at the same place */
+/* The particle that searches. */
+struct query {
+	double position[4], skin; /* x, y, z, radius; skin: lengths */
+	int32_t bound;		  /* of bound_of */
+	ts_four_marks *same;	  /* set where a partner is coincident */
 };
 
-/* Those of the places from .. to-1 that are near; written without branches, as most are not. There must be
- * room for three more. */
-TS_INLINE size_t near(const struct ts_level *level, int32_t from, int32_t to, const struct wanted *w,
-		      int32_t *out)
+/* Writes those of the list entries from .. to-1 that are within the radii plus the skin; returns their
+ * number. Without branches, since most are not near. `out` must have room for three more. */
+TS_INLINE size_t find_near(const struct ts_level *level, int32_t from, int32_t to, const struct query *w,
+			   int32_t *out)
 {
 	static const ts_four_marks next = { 0, 1, 2, 3 };
-	const ts_four skin = TS_FOUR_ALL(w->skin), radius = TS_FOUR_ALL(w->at[3]);
-	const ts_four close = TS_FOUR_ALL(TS_COINCIDE * TS_COINCIDE * w->at[3] * w->at[3]);
+	const ts_four skin = TS_FOUR_ALL(w->skin), radius = TS_FOUR_ALL(w->position[3]);
+	const ts_four close = TS_FOUR_ALL(TS_COINCIDE * TS_COINCIDE * w->position[3] * w->position[3]);
 	const long long least = w->bound;
 	const ts_four_marks bound = { least, least, least, least };
 	ts_four_marks same = { 0 };
@@ -54,7 +56,7 @@ TS_INLINE size_t near(const struct ts_level *level, int32_t from, int32_t to, co
 		} hit;
 
 		for (int c = 0; c < 3; c++) {
-			ts_four d = TS_FOUR_ALL(w->at[c]) - TS_FOUR_AT(level->position[c] + k);
+			ts_four d = TS_FOUR_ALL(w->position[c]) - TS_FOUR_AT(level->position[c] + k);
 
 			square += d * d;
 		}
@@ -76,16 +78,16 @@ TS_CLONES static void search_level(const struct ts_contact_search *s, int l, siz
 	const struct ts_particles *p = s->sim->particles;
 	const struct ts_level *level = &s->cells.level[l];
 	ts_four_marks same = { 0 };
-	const struct wanted w = { { p->xhold[i][0], p->xhold[i][1], p->xhold[i][2], p->radius[i] },
-				  s->skin,
-				  bound_of(s, l, i),
-				  &same };
+	const struct query w = { { p->xhold[i][0], p->xhold[i][1], p->xhold[i][2], p->radius[i] },
+				 s->skin,
+				 bound_of(s, l, i),
+				 &same };
 	int lo[3], hi[3];
 
-	ts_cells_range(level, w.at, w.at[3] + level->reach + s->skin, lo, hi);
+	ts_cells_range(level, w.position, w.position[3] + level->reach + s->skin, lo, hi);
 	for (int z = lo[2]; z <= hi[2]; z++) {
 		for (int y = lo[1]; y <= hi[1]; y++) {
-			/* the cells of a row in x are neighbours in the list too */
+			/* cells adjacent in x are adjacent in the list, too */
 			int row = level->cells[0] * (y + level->cells[1] * z);
 			int32_t from = level->start[row + lo[0]], to = level->start[row + hi[0] + 1];
 			size_t most = f->n + (size_t)(to - from) + 3;
@@ -94,14 +96,14 @@ TS_CLONES static void search_level(const struct ts_contact_search *s, int l, siz
 				f->status = TS_NOMEM;
 				return;
 			}
-			f->n += near(level, from, to, &w, f->partner + f->n);
+			f->n += find_near(level, from, to, &w, f->partner + f->n);
 		}
 	}
 	f->coincide |= (same[0] | same[1] | same[2] | same[3]) != 0;
 }
 
-/* Leaves out pairs that cannot move, and excluded ones. */
-static size_t admit(const struct ts_contact_search *s, size_t i, int32_t *partner, size_t n)
+/* Leaves out excluded pairs, and pairs of two immobile particles (or keeps only these, if both_frozen). */
+static size_t filter_partners(const struct ts_contact_search *s, size_t i, int32_t *partner, size_t n)
 {
 	const double *imass = s->sim->particles->imass;
 	size_t kept = 0;
@@ -149,12 +151,12 @@ static void search_particle(const struct ts_contact_search *s, struct ts_contact
 		search_level(s, l, i, f);
 	if (f->status != TS_OK)
 		return;
-	f->n = first + admit(s, i, f->partner + first, f->n - first);
+	f->n = first + filter_partners(s, i, f->partner + first, f->n - first);
 	f->status = sort_partners(s, f, f->partner + first, f->n - first);
 	s->count[i] = (uint32_t)(f->n - first);
 }
 
-/* Shares from..to-1, each on a thread of its own. */
+/* The shares from .. to-1, each on a thread of its own. */
 static void search_shares(void *context, size_t from, size_t to)
 {
 	const struct ts_contact_search *s = context;
@@ -167,7 +169,7 @@ static void search_shares(void *context, size_t from, size_t to)
 	}
 }
 
-static enum ts_status search_all(struct tsim *sim, struct ts_contact_search *s)
+static enum ts_status search_all_shares(struct tsim *sim, struct ts_contact_search *s)
 {
 	size_t n = sim->particles->n, shares = (size_t)s->shares;
 
@@ -197,13 +199,13 @@ enum ts_status ts_contact_search(struct tsim *sim, struct ts_contact_search *s)
 	size_t n = sim->particles->n;
 
 	s->sim = sim;
-	s->shares = ts_team(sim, 8 * n); /* a search is worth several rounds of a simple loop */
+	s->shares = ts_team(sim, 8 * n); /* a search costs as much as several simple loops */
 	s->share = ts_alloc((size_t)s->shares, sizeof *s->share);
 	s->count = ts_alloc(n, sizeof *s->count);
 	if (!s->share || !s->count)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_cells_fill(sim, &s->cells, s->skin));
-	return search_all(sim, s);
+	return search_all_shares(sim, s);
 }
 
 void ts_contact_search_release(struct ts_contact_search *s)

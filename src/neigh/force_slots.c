@@ -9,14 +9,14 @@
 
 #include "base/banned.h"
 
-/* ---- the sums of near rows: at first of their places in the list */
+/* ---- which active pairs each particle sums; at first as indices of active pairs */
 
 static size_t particles_end(const struct ts_contact_list *list, size_t c)
 {
 	return c + 1 < list->chunks ? (c + 1) * TS_CONTACT_CHUNK : list->particles;
 }
 
-static void count_share(void *context, size_t from, size_t to)
+static void count_sums_share(void *context, size_t from, size_t to)
 {
 	const struct ts_contact_list *list = context;
 	const struct ts_gather *g = &list->gather;
@@ -30,7 +30,7 @@ static void count_share(void *context, size_t from, size_t to)
 	}
 }
 
-static struct ts_contact_chunk sum_chunk(const struct ts_contact_list *list, size_t from, size_t to)
+static struct ts_contact_chunk list_chunk_sums(const struct ts_contact_list *list, size_t from, size_t to)
 {
 	const struct ts_gather *g = &list->gather;
 	struct ts_contact_chunk c = { SIZE_MAX, 0 };
@@ -48,12 +48,12 @@ static struct ts_contact_chunk sum_chunk(const struct ts_contact_list *list, siz
 	return c.end ? c : (struct ts_contact_chunk){ 0 };
 }
 
-static void sum_share(void *context, size_t from, size_t to)
+static void list_sums_share(void *context, size_t from, size_t to)
 {
 	const struct ts_contact_list *list = context;
 
 	for (size_t c = from; c < to; c++)
-		list->chunk[c] = sum_chunk(list, c * TS_CONTACT_CHUNK, particles_end(list, c));
+		list->chunk[c] = list_chunk_sums(list, c * TS_CONTACT_CHUNK, particles_end(list, c));
 }
 
 static enum ts_status list_sums(struct tsim *sim, struct ts_contact_list *list)
@@ -66,25 +66,26 @@ static enum ts_status list_sums(struct tsim *sim, struct ts_contact_list *list)
 	TS_TRY(TS_RENEW(list->sum_first, list->sum_first_capacity, n + 1));
 	if (!list->n)
 		return TS_OK;
-	ts_parallel(ts_team(sim, list->n), n, count_share, list);
+	ts_parallel(ts_team(sim, list->n), n, count_sums_share, list);
 	list->sum_first[0] = 0;
 	for (size_t i = 0; i < n; i++)
 		list->sum_first[i + 1] += list->sum_first[i];
-	/* never NULL: offsets are taken of it */
+	/* never NULL: pointers into it are computed even if it is empty */
 	TS_TRY(TS_RENEW(list->sum, list->sum_capacity, list->sum_first[n] + 1));
-	ts_parallel(ts_team(sim, list->n), list->chunks, sum_share, list);
+	ts_parallel(ts_team(sim, list->n), list->chunks, list_sums_share, list);
 	return TS_OK;
 }
 
-/* ---- slots that are used again */
+/* ---- slots that are reused */
 
-struct slots {
+struct slot_task {
 	struct ts_contact_list *list;
-	uint32_t *used; /* how many slots a share needs */
+	uint32_t *used; /* by share: number of slots that it needs */
 };
 
-/* Chunk c has added its rows: slots nobody waits for are free. Returns how many there are now. */
-static size_t release(const struct ts_contact_list *list, size_t c, uint32_t *free, size_t n)
+/* Chunk c has been summed: frees the slots that no other particle has still to sum. Returns the number of
+ * free slots. */
+static size_t release_slots(const struct ts_contact_list *list, size_t c, uint32_t *free, size_t n)
 {
 	size_t end = list->sum_first[particles_end(list, c)];
 
@@ -97,12 +98,13 @@ static size_t release(const struct ts_contact_list *list, size_t c, uint32_t *fr
 	return n;
 }
 
-/* As the rows will be computed: see walk_share in contact_pass.c. */
-static void assign(const struct slots *s, size_t share)
+/* Assigns slots in the order in which compute_share in contact_pass.c computes and sums. */
+static void assign_slots(const struct slot_task *s, size_t share)
 {
 	struct ts_contact_list *list = s->list;
 	const struct ts_contact_span *span = &list->span[share];
-	uint32_t used = 0, *free = list->active_index + span->active; /* places have been noted in the sums */
+	/* no longer needed as the index of active pairs: the sums have been listed */
+	uint32_t used = 0, *free = list->active_index + span->active;
 	size_t c = 0, done, n = 0;
 
 	for (size_t b = span->block; b < span->block_end; b++) {
@@ -116,19 +118,19 @@ static void assign(const struct slots *s, size_t share)
 		if (b + 1 < span->block_end && (b + 1 - span->block) % TS_BLOCKS_PER_SUM)
 			continue;
 		while ((done = ts_contact_chunk_done(list, span->active, end, &c)) < list->chunks)
-			n = release(list, done, free, n);
+			n = release_slots(list, done, free, n);
 	}
 	s->used[share] = used;
 }
 
-static void assign_shares(void *context, size_t from, size_t to)
+static void assign_shares_range(void *context, size_t from, size_t to)
 {
 	for (size_t k = from; k < to; k++)
-		assign(context, k);
+		assign_slots(context, k);
 }
 
-/* Shares take their slots one behind the other. */
-static size_t place_shares(const struct slots *s)
+/* Slots of a share follow those of the share before. */
+static size_t offset_slots_by_share(const struct slot_task *s)
 {
 	struct ts_contact_list *list = s->list;
 	size_t n = 0;
@@ -141,21 +143,21 @@ static size_t place_shares(const struct slots *s)
 	return n;
 }
 
-static enum ts_status pass_on(struct ts_contact_list *list, size_t *room)
+static enum ts_status assign_reused_slots(struct ts_contact_list *list, size_t *room)
 {
-	struct slots s = { list, ts_alloc((size_t)list->shares, sizeof *s.used) };
+	struct slot_task s = { list, ts_alloc((size_t)list->shares, sizeof *s.used) };
 
 	if (!s.used || TS_RENEW(list->sums_left, list->sums_left_capacity, list->n) != TS_OK) {
 		ts_free(s.used);
 		return TS_NOMEM;
 	}
-	ts_parallel(list->shares, (size_t)list->shares, assign_shares, &s);
-	*room = place_shares(&s);
+	ts_parallel(list->shares, (size_t)list->shares, assign_shares_range, &s);
+	*room = offset_slots_by_share(&s);
 	ts_free(s.used);
 	return TS_OK;
 }
 
-static void slots_share(void *context, size_t from, size_t to)
+static void sums_to_slots_share(void *context, size_t from, size_t to)
 {
 	const struct ts_contact_list *list = context;
 
@@ -163,10 +165,10 @@ static void slots_share(void *context, size_t from, size_t to)
 		list->sum[k] = 2 * list->active[list->sum[k] >> 1].slot | (list->sum[k] & 1);
 }
 
-/* ---- */
+/* ---- preparation of a force evaluation */
 
-/* Room for so many results, all zero. */
-static enum ts_status clear(struct ts_contact_list *list, size_t room)
+/* Allocates `room` results, all zero. */
+static enum ts_status clear_results(struct ts_contact_list *list, size_t room)
 {
 	list->parts = list->parts ? list->parts : 1;
 	room *= (size_t)list->parts;
@@ -176,16 +178,16 @@ static enum ts_status clear(struct ts_contact_list *list, size_t room)
 	return TS_OK;
 }
 
-static enum ts_status prepare(struct tsim *sim, struct ts_contact_list *list, bool kept)
+static enum ts_status list_and_assign(struct tsim *sim, struct ts_contact_list *list, bool kept)
 {
 	size_t room = list->n, sums;
 
 	TS_TRY(list_sums(sim, list));
 	if (!kept)
-		TS_TRY(pass_on(list, &room));
+		TS_TRY(assign_reused_slots(list, &room));
 	sums = list->n ? list->sum_first[list->particles] : 0;
-	ts_parallel(ts_team(sim, sums), sums, slots_share, list);
-	return clear(list, room);
+	ts_parallel(ts_team(sim, sums), sums, sums_to_slots_share, list);
+	return clear_results(list, room);
 }
 
 enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *list, bool kept)
@@ -195,11 +197,11 @@ enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *
 	if (list->results == results && !ts_active_pairs_outdated(list))
 		return TS_OK;
 	ts_contacts_store_history(sim, list);
-	list->active_chosen = false; /* should it fail */
+	list->active_chosen = false; /* in case of failure */
 	list->shares = ts_team(sim, list->n);
 	TS_TRY(ts_active_pairs_choose(sim, list));
 	TS_TRY(ts_contacts_load_history(sim, list));
-	if (prepare(sim, list, kept) != TS_OK)
+	if (list_and_assign(sim, list, kept) != TS_OK)
 		return ts_nomem(&sim->error);
 	list->results = results;
 	list->active_chosen = true;
@@ -210,7 +212,7 @@ enum ts_status ts_force_slots_keep_all(struct tsim *sim, struct ts_contact_list 
 {
 	ts_contacts_store_history(sim, list);
 	list->active_chosen = false;
-	if (clear(list, list->n) != TS_OK)
+	if (clear_results(list, list->n) != TS_OK)
 		return ts_nomem(&sim->error);
 	list->results = TS_RESULTS_KEPT;
 	return TS_OK;

@@ -1,27 +1,27 @@
 /* Slots: where the forces and torques of active pairs are stored.
  *
  * In most steps a force is needed only until both particles have summed it. Then slots are assigned as a
- * compiler assigns registers: chunks of particles are summed as soon as all their pairs are computed, and
- * the slots of pairs that both particles have summed are reused. So few slots are in use at any time, and
- * they stay in the cache. At steps where an output may read forces of contacts all results are kept: row r
- * has slot r. */
+ * compiler assigns registers: chunks of particles are summed as soon as all their pairs are computed, and the
+ * slots of pairs that both particles have summed are reused. So few slots are in use at any time, and they
+ * stay in the cache. At steps where an output may read forces of contacts all results are kept: pair r has
+ * slot r. */
 #ifndef TS_NEIGH_FORCE_SLOTS_H
 #define TS_NEIGH_FORCE_SLOTS_H
 
 #include "base/inline.h"
 #include "neigh/contact_list.h"
 
-/* Blocks that are computed before the next chunks of particles are summed. */
+/* Number of blocks that are computed before the next chunks of particles are summed. */
 enum { TS_BLOCKS_PER_SUM = 8 };
 
-/* Chooses the rows that are looked at, if they have to be chosen anew, and gives them slots; `kept`: all
- * results will be looked at. */
+/* Chooses the active pairs again if they are outdated, loads their history and assigns their slots. `kept`:
+ * all results are to be kept. */
 enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *list, bool kept);
-/* Results of all rows that can be looked at, though no force has been computed: zero. */
+/* Makes the results of all pairs readable by outputs, all zero, before any force has been computed. */
 enum ts_status ts_force_slots_keep_all(struct tsim *sim, struct ts_contact_list *list);
 
-/* The next chunk, from the *c-th on, whose near rows are all among from .. done-1; behind the last:
- * rows->chunks. *c goes on to the first that has to wait. */
+/* The next chunk from the *c-th on whose active pairs are all among from .. done-1; list->chunks: there is
+ * none. *c is advanced to the first chunk that must wait. */
 TS_INLINE size_t ts_contact_chunk_done(const struct ts_contact_list *list, size_t from, size_t done,
 				       size_t *c)
 {

@@ -6,44 +6,44 @@
 
 #include "base/banned.h"
 
-/* Shares are ranges of particles: each looks at all pairs, and lists those of its own. */
-struct task {
+/* A share is a range of particles: each thread reads all pairs and lists those of its own particles. */
+struct gather_task {
 	const struct ts_gather_pairs *pairs;
 	size_t *first;
 	uint32_t *entry;
-	size_t longest; /* list */
+	size_t longest; /* length of the longest list */
 };
 
-static inline size_t end_of(const struct ts_gather_pairs *p, size_t r, int side)
+static inline size_t end_particle(const struct ts_gather_pairs *p, size_t r, int side)
 {
 	return (size_t)p->end[side][r * p->stride];
 }
 
-static void count_share(void *context, size_t from, size_t to)
+static void count_entries_share(void *context, size_t from, size_t to)
 {
-	const struct task *t = context;
+	const struct gather_task *t = context;
 	const struct ts_gather_pairs *p = t->pairs;
 
 	for (size_t r = 0; r < p->n; r++)
 		for (int side = 0; side < 2; side++)
-			if (end_of(p, r, side) - from < to - from)
-				t->first[end_of(p, r, side) + 2]++;
+			if (end_particle(p, r, side) - from < to - from)
+				t->first[end_particle(p, r, side) + 2]++;
 }
 
-static void list_share(void *context, size_t from, size_t to)
+static void list_entries_share(void *context, size_t from, size_t to)
 {
-	const struct task *t = context;
+	const struct gather_task *t = context;
 	const struct ts_gather_pairs *p = t->pairs;
 
 	for (size_t r = 0; r < p->n; r++)
 		for (int side = 0; side < 2; side++)
-			if (end_of(p, r, side) - from < to - from)
-				t->entry[t->first[end_of(p, r, side) + 1]++] =
+			if (end_particle(p, r, side) - from < to - from)
+				t->entry[t->first[end_particle(p, r, side) + 1]++] =
 					(uint32_t)(2 * r + (size_t)side);
 }
 
-static void sort_list(const struct ts_gather_pairs *p, uint32_t *entry, size_t n, uint64_t *key,
-		      uint64_t *spare)
+static void sort_entries(const struct ts_gather_pairs *p, uint32_t *entry, size_t n, uint64_t *key,
+			 uint64_t *spare)
 {
 	for (size_t k = 0; k < n; k++)
 		key[k] = (uint64_t)p->tag[!(entry[k] & 1)][(entry[k] >> 1) * p->stride] << 32 | entry[k];
@@ -52,21 +52,21 @@ static void sort_list(const struct ts_gather_pairs *p, uint32_t *entry, size_t n
 		entry[k] = (uint32_t)key[k];
 }
 
-/* By the partners' identities. Returns whether there was no memory. */
-static long sort_share(void *context, size_t from, size_t to)
+/* Sorts the entries of each particle by the identities of its partners. Returns 1 if out of memory. */
+static long sort_entries_share(void *context, size_t from, size_t to)
 {
-	const struct task *t = context;
+	const struct gather_task *t = context;
 	uint64_t *key = ts_alloc(2 * t->longest, sizeof *key);
 
 	for (size_t i = from; key && i < to; i++)
-		sort_list(t->pairs, t->entry + t->first[i], t->first[i + 1] - t->first[i], key,
-			  key + t->longest);
+		sort_entries(t->pairs, t->entry + t->first[i], t->first[i + 1] - t->first[i], key,
+			     key + t->longest);
 	ts_free(key);
 	return key == NULL;
 }
 
-/* From numbers to places; returns the largest number. */
-static size_t begin_lists(size_t *first, size_t n)
+/* Turns counts into offsets; returns the largest count. */
+static size_t counts_to_offsets(size_t *first, size_t n)
 {
 	size_t longest = 0;
 
@@ -82,7 +82,7 @@ enum ts_status ts_gather_index(const struct tsim *sim, struct ts_gather *g,
 {
 	size_t n = sim->particles->n;
 	int threads = ts_team(sim, pairs->n);
-	struct task t = { .pairs = pairs };
+	struct gather_task t = { .pairs = pairs };
 
 	TS_TRY(TS_RENEW(g->first, g->first_capacity, n + 2));
 	TS_TRY(TS_RENEW(g->entry, g->entry_capacity, 2 * pairs->n));
@@ -92,10 +92,10 @@ enum ts_status ts_gather_index(const struct tsim *sim, struct ts_gather *g,
 		g->first[i] = 0;
 	if (!pairs->n)
 		return TS_OK;
-	ts_parallel(threads, n, count_share, &t);
-	t.longest = begin_lists(g->first, n);
-	ts_parallel(threads, n, list_share, &t);
-	return ts_parallel_count(threads, n, sort_share, &t) ? TS_NOMEM : TS_OK;
+	ts_parallel(threads, n, count_entries_share, &t);
+	t.longest = counts_to_offsets(g->first, n);
+	ts_parallel(threads, n, list_entries_share, &t);
+	return ts_parallel_count(threads, n, sort_entries_share, &t) ? TS_NOMEM : TS_OK;
 }
 
 void ts_gather_release(struct ts_gather *gather)

@@ -1,9 +1,8 @@
-/* Gather lists: for each local particle, the rows of a pair list (contacts, bonds) it has a part
- * in.
+/* Gather lists: for each local particle, its pairs in a list of pairs (contacts, bonds).
  *
- * Forces are computed over pairs, without write conflicts; then each particle adds up its own in
- * the order of its partners' keys (identities). So sums depend neither on threads nor on the order
- * of pairs or particles in memory. */
+ * Forces are computed over pairs, without write conflicts; then each particle sums its own in the order of
+ * the identities of its partners. So sums depend neither on the number of threads nor on the order of pairs
+ * or particles in memory. */
 #ifndef TS_NEIGH_GATHER_H
 #define TS_NEIGH_GATHER_H
 
@@ -15,15 +14,15 @@
 struct tsim;
 
 struct ts_gather {
-	/* for particle i the entries first[i] .. first[i+1]-1; an entry is 2 row + side, side 1
-	 * where i is the second of the pair */
+	/* entries of particle i: entry[first[i]] .. entry[first[i+1]-1]; an entry is 2 pair + side, side 1
+	 * where i is the second particle of the pair */
 	size_t *first;
 	uint32_t *entry;
 	size_t first_capacity, entry_capacity;
 };
 
-/* A list of pairs: of the r-th, the ends in the particle columns (local ones are listed) and their identities
- * stand at r * stride. */
+/* A list of n pairs: end[s][r * stride] is the column index of particle s of pair r (only local ones get
+ * entries), tag[s][r * stride] its identity. */
 struct ts_gather_pairs {
 	size_t n, stride;
 	const int32_t *end[2], *tag[2];

@@ -33,15 +33,15 @@ void ts_leaving_hold(struct tsim *sim)
 		memcpy(p->xseen, p->x, p->n * sizeof *p->xseen);
 }
 
-struct watch {
+struct watch_task {
 	const struct ts_particles *p;
 	double far2;
 	long *moved;
 };
 
-TS_CLONES static void share(void *context, size_t from, size_t to)
+TS_CLONES static void count_moved_share(void *context, size_t from, size_t to)
 {
-	const struct watch w = *(const struct watch *)context;
+	const struct watch_task w = *(const struct watch_task *)context;
 	const double *restrict x = w.p->x[0], *restrict seen = w.p->xseen[0];
 	int64_t moved = 0;
 
@@ -59,19 +59,20 @@ TS_CLONES static void share(void *context, size_t from, size_t to)
 void ts_leaving_watch(struct tsim *sim, long *moved)
 {
 	double half = 0.5 * sim->neigh->given_skin;
-	struct watch w = { sim->particles, half * half, moved };
+	struct watch_task w = { sim->particles, half * half, moved };
 
 	if (ts_leaving_apart(sim) && sim->neigh->built_skin > sim->neigh->given_skin)
-		TS_DEFER_LOOP(sim, sim->particles->n, share, &w);
+		TS_DEFER_LOOP(sim, sim->particles->n, count_moved_share, &w);
 }
 
-/* Of each look some is lost, as it comes in the step after half the skin has been passed; from one to the
- * next there is to be a little more room than that. */
-static const double LOOK = 1.1, NEXT = 1.08;
+/* Room that each check takes of the skin, in units of the given skin: more than 1, as a check comes in the
+ * step after half of it has been passed; NEXT_CHECK_ROOM, for the decision whether another check fits, is a
+ * little less than what was provided. */
+static const double CHECK_ROOM = 1.1, NEXT_CHECK_ROOM = 1.08;
 
 double ts_leaving_skin(double given, double wanted)
 {
-	return LOOK * given * ceil(wanted / given);
+	return CHECK_ROOM * given * ceil(wanted / given);
 }
 
 bool ts_leaving_due(struct tsim *sim)
@@ -85,5 +86,5 @@ bool ts_leaving_due(struct tsim *sim)
 		far2 = fmax(far2, ts_distance2(p->x[i], p->xhold[i]));
 	}
 	ts_leaving_hold(sim);
-	return left || 2 * sqrt(far2) + NEXT * skin > sim->neigh->built_skin;
+	return left || 2 * sqrt(far2) + NEXT_CHECK_ROOM * skin > sim->neigh->built_skin;
 }

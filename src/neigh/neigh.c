@@ -37,9 +37,9 @@ static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
 	}
 }
 
-/* Whether nobody acts on forces or looks at them before the loop over rows: then this need not add to
- * zeros. */
-static bool rows_come_first(const struct tsim *sim)
+/* Whether nothing adds to or reads forces before the contact loop: then this overwrites them, and they need
+ * not be zeroed. */
+static bool contacts_add_first(const struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	bool first = ts_sim_only(sim, TS_KIND_PAIR) && !sim->outside;
@@ -56,15 +56,15 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	sim->particles->describe_contacts = describe_contacts;
 	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) || sim->full & TS_FULL_ROWS;
 	nb->builds = 0;
-	nb->skin_observed = nb->shown = false; /* whose outputs do says so in its init */
+	nb->skin_observed = nb->shown = false; /* outputs that do set them in their init, after this */
 	nb->show_every = 0;
-	nb->contacts.active_chosen = false; /* types may have been changed */
-	nb->rows_first = rows_come_first(sim);
+	nb->contacts.active_chosen = false; /* types of particles may have been changed */
+	nb->contacts_first = contacts_add_first(sim);
 	return ts_leaving_init(sim);
 }
 
-/* Stops a run that has gone wrong before anything more is written. */
-static enum ts_status runaway(struct tsim *sim, size_t i, const char *past)
+/* Ends a run with diverging motion before anything more is written. */
+static enum ts_status fail_runaway(struct tsim *sim, size_t i, const char *past)
 {
 	struct ts_particles *p = sim->particles;
 	const double *v = p->v[i], *x = p->x[i];
@@ -91,13 +91,13 @@ static enum ts_status runaway(struct tsim *sim, size_t i, const char *past)
 	return status;
 }
 
-/* What a particle may not do without a rebuild or worse. */
-struct limits {
+/* Limits beyond which a rebuild, or an error, is due. */
+struct check_limits {
 	const struct ts_particles *p;
-	double moved2; /* since the last build */
+	double moved2; /* displacement since the last build, length^2 */
 	double dt2;
 	double lo[3], hi[3]; /* see ts_exchange_limits */
-	long *beyond;	     /* how many */
+	long *beyond;	     /* number of particles beyond a limit */
 };
 
 static bool runs_away(const struct ts_particles *p, size_t i, double dt2)
@@ -108,7 +108,7 @@ static bool runs_away(const struct ts_particles *p, size_t i, double dt2)
 	return !(v2 * dt2 <= p->radius[i] * p->radius[i]) || !isfinite(x[0] + x[1] + x[2]);
 }
 
-/* A particle that moves more than its radius is let go where it meets nothing. */
+/* A particle that moves more than its radius in a step is allowed if it meets nothing. */
 static enum ts_status stop_runaways(struct tsim *sim, double dt2)
 {
 	const struct ts_particles *p = sim->particles;
@@ -117,15 +117,15 @@ static enum ts_status stop_runaways(struct tsim *sim, double dt2)
 	for (size_t i = 0; i < p->n; i++)
 		if (runs_away(p, i, dt2) && (!isfinite(ts_norm(p->v[i]) + ts_norm(p->x[i])) ||
 					     sim->neigh->callback.hits(sim, i, past, sizeof past)))
-			return runaway(sim, i, past);
+			return fail_runaway(sim, i, past);
 	return TS_OK;
 }
 
-/* Counts particles beyond a limit; written without branches, as it runs every step. */
+/* Counts the particles beyond a limit; without branches, as it runs in every step. */
 TS_CLONES
 static void check_share(void *context, size_t from, size_t to)
 {
-	const struct limits l = *(const struct limits *)context;
+	const struct check_limits l = *(const struct check_limits *)context;
 	const struct ts_particles *p = l.p;
 	const double *restrict x = p->x[0], *restrict hold = p->xhold[0], *restrict v = p->v[0];
 	const double *restrict radius = p->radius;
@@ -137,7 +137,7 @@ static void check_share(void *context, size_t from, size_t to)
 		double da = a - hold[3 * i], db = b - hold[3 * i + 1], dc = c - hold[3 * i + 2];
 		double va = v[3 * i], vb = v[3 * i + 1], vc = v[3 * i + 2];
 		double d2 = da * da + db * db + dc * dc, v2 = va * va + vb * vb + vc * vc;
-		/* written so that what is no number is not within */
+		/* written so that NaN is not within */
 		int64_t within = (d2 <= l.moved2) & (v2 * l.dt2 <= radius[i] * radius[i]) & (a >= l.lo[0]) &
 				 (a <= l.hi[0]) & (b >= l.lo[1]) & (b <= l.hi[1]) & (c >= l.lo[2]) &
 				 (c <= l.hi[2]);
@@ -154,10 +154,10 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	const struct ts_particles *p = sim->particles;
 	double reach = nb->built_skin - ts_domain_moved(sim->domain); /* < 0: rebuild at once */
 	long beyond = 0, moved = 0;
-	struct limits limits = { .p = p,
-				 .beyond = &beyond,
-				 .moved2 = reach < 0 ? -1 : reach * reach / 4,
-				 .dt2 = sim->clock.dt * sim->clock.dt };
+	struct check_limits limits = { .p = p,
+				       .beyond = &beyond,
+				       .moved2 = reach < 0 ? -1 : reach * reach / 4,
+				       .dt2 = sim->clock.dt * sim->clock.dt };
 
 	ts_exchange_limits(sim, limits.lo, limits.hi);
 	sim->run.rebuild |= nb->stale;
@@ -246,7 +246,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	if (!sim->run.resuming)
 		TS_TRY(ts_order_by_place(sim));
 	nb->given_skin = ts_neigh_skin(sim);
-	/* a run that goes on keeps the positions and skin of its last build, and so builds the same rows */
+	/* a continued run keeps the positions and the skin of its last build, and so builds the same list */
 	if (!sim->run.resuming || !(nb->built_skin > 0))
 		nb->built_skin = ts_neigh_choose_skin(sim);
 	if (!sim->run.resuming) {
@@ -256,7 +256,8 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_exchange_borders(sim, 2 * largest + nb->built_skin + reach,
 				   2 * largest + fmax(nb->given_skin, nb->built_skin) + reach));
 	nb->builds++;
-	nb->stale &= sim->run.resuming; /* a run that goes on rebuilds where the whole would */
+	/* a continued run rebuilds at the steps at which an uninterrupted one would */
+	nb->stale &= sim->run.resuming;
 	if (!nb->wanted)
 		return TS_OK;
 	TS_TRY(ts_contact_list_build(sim, &nb->contacts, nb->built_skin + reach, ts_neigh_excluded(sim)));
@@ -270,7 +271,7 @@ void ts_neigh_show_every(struct ts_neigh *nb, int64_t every)
 {
 	int64_t a = nb->show_every, b = every;
 
-	while (b) { /* the greatest common divisor: at least all of these steps */
+	while (b) { /* the greatest common divisor of both: its multiples include all their steps */
 		int64_t rest = a % b;
 
 		a = b;
@@ -279,8 +280,8 @@ void ts_neigh_show_every(struct ts_neigh *nb, int64_t every)
 	nb->show_every = a;
 }
 
-/* Whether forces of contacts that are computed in this step may be looked at: at the ends of runs always. */
-static bool shows(const struct tsim *sim)
+/* Whether an output may read the forces of contacts computed in this step; always so at the end of a run. */
+static bool forces_are_shown(const struct tsim *sim)
 {
 	const struct ts_neigh *nb = sim->neigh;
 	int64_t step = sim->clock.step;
@@ -303,13 +304,13 @@ static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 	struct ts_contact_list *list = &sim->neigh->contacts;
 
 	(void)self;
-	sim->run.complete = shows(sim);
-	sim->neigh->fused_pass = NULL; /* who wants to says so in each step */
-	if (sim->outside) {	       /* the program around may do anything */
+	sim->run.complete = forces_are_shown(sim);
+	sim->neigh->fused_pass = NULL; /* styles with a fused pass set it in each step */
+	if (sim->outside) {	       /* the calling program may have changed anything */
 		ts_contacts_store_history(sim, list);
 		list->active_chosen = list->locals_packed = false;
 	}
-	list->overwrite_sums = sim->neigh->rows_first && list->n;
+	list->overwrite_sums = sim->neigh->contacts_first && list->n;
 	if (p->n && !list->overwrite_sums)
 		memset(p->f, 0, p->n * sizeof *p->f);
 	if (p->n && p->torque && !(list->overwrite_sums && list->parts > 1))
@@ -317,7 +318,7 @@ static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* What files of version 1 do not have. */
+/* Missing in restart files of version 1. */
 static enum ts_status archive_bonded(struct ts_neigh *nb, struct ts_archive *a)
 {
 	uint8_t flags[2] = { nb->skip_bonded, nb->stale };
@@ -331,7 +332,7 @@ static enum ts_status archive_bonded(struct ts_neigh *nb, struct ts_archive *a)
 
 static enum ts_status archive_include(struct ts_neigh *nb, struct ts_archive *a)
 {
-	return ts_archive_has(a, "include") /* older files have none */
+	return ts_archive_has(a, "include") /* missing in older files */
 		       ? ts_archive_fixed(a, "include", TS_SAVED_I32, &nb->include, 1)
 		       : TS_OK;
 }
@@ -401,7 +402,7 @@ static bool is_periodic(const struct ts_box *box)
 	return ts_box_periodic(box, 0) || ts_box_periodic(box, 1) || ts_box_periodic(box, 2);
 }
 
-/* What the images of particles near the faces would take. */
+/* Bytes that ghosts, images of particles near the faces, would take if all faces were periodic. */
 static double image_bytes(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
@@ -414,11 +415,12 @@ static double image_bytes(const struct tsim *sim)
 		if (p->column[k].active)
 			bytes += (double)(p->column[k].width * p->column[k].element);
 	for (size_t i = 0; i < p->n; i++) {
-		double ways = 1;
+		double images_of_particle = 1;
 
 		for (int d = 0; d < sim->dimension; d++)
-			ways *= 1 + (p->x[i][d] < box->lo[d] + reach) + (p->x[i][d] > box->hi[d] - reach);
-		images += ways - 1;
+			images_of_particle *=
+				1 + (p->x[i][d] < box->lo[d] + reach) + (p->x[i][d] > box->hi[d] - reach);
+		images += images_of_particle - 1;
 	}
 	return images * bytes;
 }
@@ -430,23 +432,23 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 	TS_TRY(nb->callback.network(report, sim));
 	if (!nb->wanted) {
-		ts_report_left_out(report, "contact rows", TS_FULL_ROWS, 0, "no pair_style");
+		ts_report_left_out(report, "contact list", TS_FULL_ROWS, 0, "no pair_style");
 		return TS_OK;
 	}
 	report->bytes += (double)ts_contact_list_bytes(&nb->contacts);
-	ts_report_line(report, "contact rows", "%zu within the skin %g (%.1f a particle), %zu bytes each",
-		       list, nb->built_skin,
-		       sim->particles->n ? (double)list / (double)sim->particles->n : 0.0,
+	ts_report_line(report, "contact list",
+		       "%zu pairs within the skin %g (%.1f per particle), %zu bytes each", list,
+		       nb->built_skin, sim->particles->n ? (double)list / (double)sim->particles->n : 0.0,
 		       list ? ts_contact_list_bytes(&nb->contacts) / list : 0);
 	if (!nb->contacts.history_width)
 		ts_report_left_out(report, "contact history", TS_FULL_HISTORY,
-				   3.0 * sizeof(double) * (double)list, "the contact law remembers nothing");
+				   3.0 * sizeof(double) * (double)list, "the contact law has no history");
 	if (nb->skip_bonded)
 		ts_report_line(report, "contacts", "none between bonded particles (special_bonds)");
 	ts_report_left_out(report, "rebuilds", TS_FULL_REBUILDS, 0,
-			   "rows stay until a particle has moved half the skin");
+			   "the list is kept until a particle has moved half the skin");
 	ts_report_left_out(report, "looks", TS_FULL_LOOKS, 0,
-			   "rows are not looked at until particles may have come near enough to touch");
+			   "only pairs that may have come near enough to touch are computed");
 	if (!is_periodic(&sim->domain->box))
 		ts_report_left_out(report, "ghosts", 0, image_bytes(sim), "no periodic faces");
 	if (sim->threads > 1 && ts_team(sim, sim->particles->n) < sim->threads)
@@ -470,7 +472,7 @@ static enum ts_status count_builds(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
-/* Rows are built anew exactly when a particle has moved half the skin: no contact is ever missed. */
+/* The list is rebuilt exactly when a particle has moved half the skin: no contact is missed. */
 static enum ts_status count_dangerous_builds(struct tsim *sim, double *out)
 {
 	(void)sim;
@@ -479,8 +481,9 @@ static enum ts_status count_dangerous_builds(struct tsim *sim, double *out)
 }
 
 static const struct ts_keyword keywords[] = {
-	{ "nbuild", "Nbuild", "", "how often neighbours were searched in this run", 1, count_builds },
-	{ "ndanger", "Ndanger", "", "searches that came too late: 0", 1, count_dangerous_builds },
+	{ "nbuild", "Nbuild", "", "number of builds of the neighbour list in this run", 1, count_builds },
+	{ "ndanger", "Ndanger", "", "number of builds that came too late: always 0", 1,
+	  count_dangerous_builds },
 	{ .name = NULL },
 };
 
@@ -506,7 +509,7 @@ static void settings(const struct ts_instance *self, const struct tsim *sim, str
 const struct ts_system_style ts_neigh_system = {
 	.style = { .name = "neigh",
 		   .kind = TS_KIND_SYSTEM,
-		   .summary = "contact rows: who may touch whom",
+		   .summary = "contact list: pairs of particles that may touch",
 		   .state_size = sizeof(struct ts_neigh),
 		   .saved = saved,
 		   .archive = archive,

@@ -1,4 +1,4 @@
-/* How far beyond contact neighbours are looked for: it decides the cost, and nothing else. */
+/* The skin: it affects the cost of a run and, without `legacy`, nothing else. */
 #include <math.h>
 
 #include "box/domain.h"
@@ -30,8 +30,9 @@ double ts_neigh_skin(const struct tsim *sim)
 	return sim->particles->n ? fmax(0.4 * least, 0.05 * most) : 1;
 }
 
-/* What else than particles has moved since the last rebuild, or will, and uses up the skin with them. */
-static bool surroundings_move(const struct tsim *sim)
+/* Whether something other than particles has moved since the last rebuild, or will move, and so uses up the
+ * skin. */
+static bool boundaries_move(const struct tsim *sim)
 {
 	bool move = ts_domain_moved(sim->domain) > 0 || sim->neigh->callback.walls_move(sim);
 	const struct ts_instance *mesh;
@@ -41,22 +42,24 @@ static bool surroundings_move(const struct tsim *sim)
 	return move;
 }
 
-/* Where a particle goes v dt in a step, a rebuild is due after s/2. Rows that do not touch, 10 s/d a
- * particle in a dense bed, are looked at in a part of the steps only, the rarer the slower particles are
- * (see choose_inner_skin in active_pairs.c): the sum of rebuilds and looks is least about BEST d (v
- * dt/d)^(1/4), and changes little below. As rows take memory, the skin is smaller than that, sqrt(ROWS v
- * dt d), where rebuilds are seldom, and never more than the one given; but where one would be due every
- * few steps, it is larger. */
-static const double BEST = 1.6, ROWS = 6;
-enum { SELDOM = 40 };
-/* Where everything rests now, it may begin to move. */
-static const double LEAST = 0.02; /* of the smallest radius */
+/* Let the fastest particle move u = v dt per step; d is the smallest diameter, s the skin. A rebuild is due
+ * every s/(2 u) steps. The about 10 s/d pairs per particle that do not touch are computed only in a part of
+ * the steps, the fewer the slower the particles are (choose_inner_skin in active_pairs.c). The total cost is
+ * least at about s = SKIN_BEST d (u/d)^(1/4) and varies little below it. As pairs take memory, the skin is
+ * smaller than that, sqrt(SKIN_MEMORY u d), where rebuilds are rare, and at most the given one; but where a
+ * rebuild would be due within REBUILD_STEPS steps, it is larger. */
+static const double SKIN_BEST = 1.6, SKIN_MEMORY = 6;
+enum { REBUILD_STEPS = 40 };
+/* lower bound, in units of the smallest radius: particles at rest now may begin to move */
+static const double SKIN_LEAST = 0.02;
 
-/* At other faces rebuilds do what can be seen, particles are wrapped and faces fitted: if they are more
- * seldom than with the skin given, this is a surprise. */
-static double quick_skin(const struct tsim *sim, double skin, double pace, double size)
+/* The skin for fast particles; 0: the usual one is enough. Only if all faces are fixed: at other faces
+ * rebuilds have visible effects (particles are wrapped, faces are shrink-wrapped), which should not be rarer
+ * than with the given skin. */
+static double skin_of_fast_particles(const struct tsim *sim, double skin, double displacement, double size)
 {
-	double quick = fmin(2 * SELDOM * pace, BEST * size * pow(pace / size, 0.25));
+	double quick =
+		fmin(2 * REBUILD_STEPS * displacement, SKIN_BEST * size * pow(displacement / size, 0.25));
 
 	if (!ts_domain_all_fixed(sim) || quick <= skin)
 		return 0;
@@ -66,17 +69,18 @@ static double quick_skin(const struct tsim *sim, double skin, double pace, doubl
 double ts_neigh_choose_skin(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
-	double skin = ts_neigh_skin(sim), least, most, pace, small;
-	bool waits = p->lost_policy == TS_LOST_IGNORE;
+	double skin = ts_neigh_skin(sim), least, most, displacement, small;
+	bool deletes_at_rebuild = p->lost_policy == TS_LOST_IGNORE;
 
-	/* what waits for a rebuild, as in LIGGGHTS: contacts that end and are remembered, particles that
-	 * have left */
+	/* some effects occur only at rebuilds, as in LIGGGHTS: the end of the history of parted contacts, and
+	 * the deletion of particles that have left */
 	if (sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_observed ||
-	    (waits && !ts_leaving_apart(sim)) || !p->n)
+	    (deletes_at_rebuild && !ts_leaving_apart(sim)) || !p->n)
 		return skin;
 	ts_neigh_radii(p, &least, &most);
-	pace = ts_fastest(sim, 0) * sim->clock.dt;
-	small = sqrt(ROWS * pace * 2 * least);
-	small = waits || surroundings_move(sim) ? skin : fmin(skin, fmax(small, LEAST * least));
-	return fmax(small, quick_skin(sim, skin, pace, 2 * least));
+	displacement = ts_fastest(sim, 0) * sim->clock.dt;
+	small = sqrt(SKIN_MEMORY * displacement * 2 * least);
+	small = deletes_at_rebuild || boundaries_move(sim) ? skin
+							   : fmin(skin, fmax(small, SKIN_LEAST * least));
+	return fmax(small, skin_of_fast_particles(sim, skin, displacement, 2 * least));
 }

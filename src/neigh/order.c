@@ -8,8 +8,9 @@
 
 #include "base/banned.h"
 
-/* About as many cells as particles, of equal edges, numbered along the shortest way first, along the
- * longest last: so partners are as near each other as layers are small. */
+/* About as many cells as particles, with equal edges. They are numbered first along the shortest edge of the
+ * bounding box, last along the longest: so cells of one layer are as near each other in memory as possible.
+ */
 struct grid {
 	double lo[3], inverse;
 	size_t cells[3], stride[3], n;
@@ -17,26 +18,26 @@ struct grid {
 
 static void number_cells(struct grid *g)
 {
-	int way[3] = { 0, 1, 2 };
+	int axis_order[3] = { 0, 1, 2 };
 
 	for (int pass = 0; pass < 2; pass++) {
 		for (int k = 0; k < 2; k++) {
-			if (g->cells[way[k]] > g->cells[way[k + 1]]) {
-				int swap = way[k];
+			if (g->cells[axis_order[k]] > g->cells[axis_order[k + 1]]) {
+				int swap = axis_order[k];
 
-				way[k] = way[k + 1];
-				way[k + 1] = swap;
+				axis_order[k] = axis_order[k + 1];
+				axis_order[k + 1] = swap;
 			}
 		}
 	}
 	g->n = 1;
 	for (int k = 0; k < 3; k++) {
-		g->stride[way[k]] = g->n;
-		g->n *= g->cells[way[k]];
+		g->stride[axis_order[k]] = g->n;
+		g->n *= g->cells[axis_order[k]];
 	}
 }
 
-static struct grid grid_of(const struct ts_particles *p)
+static struct grid make_grid(const struct ts_particles *p)
 {
 	struct grid g = { .lo = { INFINITY, INFINITY, INFINITY } };
 	double hi[3] = { -INFINITY, -INFINITY, -INFINITY }, volume = 1, longest = 0, edge;
@@ -51,7 +52,7 @@ static struct grid grid_of(const struct ts_particles *p)
 	}
 	for (int d = 0; d < 3; d++)
 		longest = fmax(longest, hi[d] - g.lo[d]);
-	for (int d = 0; d < 3; d++) /* flat and thin clouds too */
+	for (int d = 0; d < 3; d++) /* also for flat and thin bounding boxes */
 		volume *= fmax(hi[d] - g.lo[d], 1e-3 * longest);
 	edge = cbrt(volume / (double)p->n);
 	g.inverse = edge > 0 ? 1 / edge : 0;
@@ -70,9 +71,9 @@ static size_t cell_of(const struct grid *g, const double x[3])
 	return cell;
 }
 
-/* Counting sort, the particles taken by identity. */
-static void sort(const struct ts_particles *p, const struct grid *g, const struct ts_identities *map,
-		 int32_t *start, int32_t *order)
+/* Counting sort by cell; within a cell by identity. */
+static void counting_sort(const struct ts_particles *p, const struct grid *g, const struct ts_identities *map,
+			  int32_t *start, int32_t *order)
 {
 	for (size_t i = 0; i < p->n; i++)
 		start[cell_of(g, p->x[i]) + 1]++;
@@ -82,8 +83,8 @@ static void sort(const struct ts_particles *p, const struct grid *g, const struc
 		order[start[cell_of(g, p->x[map->row[k]])]++] = map->row[k];
 }
 
-/* Particles that have just gone from one cell to the next are no reason to move all columns: in a random
- * order half of the particles are in an earlier cell than the one before them. */
+/* Sorting moves all columns, so a few particles that have changed their cell are tolerated: in a random order
+ * half of the particles are in an earlier cell than the one before them. */
 static bool well_ordered(const struct ts_particles *p, const struct grid *g)
 {
 	size_t before = 0, descents = 0;
@@ -107,7 +108,7 @@ enum ts_status ts_order_by_place(struct tsim *sim)
 
 	if (p->n < TS_ORDER_LEAST)
 		return TS_OK;
-	g = grid_of(p);
+	g = make_grid(p);
 	if (well_ordered(p, &g))
 		return TS_OK;
 	TS_TRY(ts_identities(sim, true, &map));
@@ -116,7 +117,7 @@ enum ts_status ts_order_by_place(struct tsim *sim)
 	if (!start || !order) {
 		status = ts_nomem(&sim->error);
 	} else {
-		sort(p, &g, &map, start, order);
+		counting_sort(p, &g, &map, start, order);
 		status = ts_particles_reorder(sim, order);
 	}
 	ts_free(start);

@@ -10,7 +10,7 @@ cat >proofs <<'END'
 columns          full columns bed
 columns          full columns grains
 columns          full columns turning
-contact rows     full rows free
+contact list     full rows free
 contact history  full history bed
 contact history  full history grains
 rebuilds         full rebuilds bed
