@@ -1,4 +1,4 @@
-/* Command hard_particles: Young's moduli above 1e9 Pa are meant. */
+/* Command hard_particles: allows Young's moduli above 1e9 Pa. */
 #include "core/sim.h"
 
 #include "base/banned.h"

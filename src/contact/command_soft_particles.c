@@ -1,4 +1,4 @@
-/* Command soft_particles: Young's moduli below 5e6 Pa are meant. */
+/* Command soft_particles: allows Young's moduli below 5e6 Pa. */
 #include "core/sim.h"
 
 #include "base/banned.h"

@@ -1,4 +1,4 @@
-/* Compute: how many other particles overlap each. */
+/* Compute contact/atom: number of particles that overlap each particle. */
 #include "box/domain.h"
 #include "geom/pairs.h"
 #include "particle/particles.h"
@@ -15,7 +15,7 @@ struct task {
 	int group, with;
 };
 
-static void count(void *context, size_t i, size_t j, const double d[3])
+static void count_overlap(void *context, size_t i, size_t j, const double d[3])
 {
 	const struct task *t = context;
 	double reach = t->p->radius[i] + t->p->radius[j];
@@ -39,7 +39,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	}
 	if (!(most > 0))
 		return TS_OK;
-	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, 2 * most, count, &task);
+	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, 2 * most, count_overlap,
+			      &task);
 }
 
 static const struct ts_value values[] = {

@@ -17,10 +17,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* What is counted and listed: contacts whose partners are both in the group. A contact across a
- * periodic face has a row on either side; the one of the smaller identity counts. */
-static bool counts(const struct ts_instance *self, const struct ts_particles *p,
-		   const struct ts_contact_list *list, size_t r)
+/* Whether pair r is a contact of two particles of the group. A contact across a periodic face is listed
+ * twice: the entry whose i has the smaller identity counts. */
+static bool is_counted(const struct ts_instance *self, const struct ts_particles *p,
+		       const struct ts_contact_list *list, size_t r)
 {
 	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 
@@ -31,19 +31,19 @@ static bool counts(const struct ts_instance *self, const struct ts_particles *p,
 	return p->tag[i] == p->tag[j] && list->image[r] > TS_IMAGE_SELF;
 }
 
-static size_t count(const struct ts_instance *self, const struct tsim *sim)
+static size_t count_contacts(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	size_t n = 0;
 
 	for (size_t r = 0; r < list->n; r++)
-		n += counts(self, sim->particles, list, r);
+		n += is_counted(self, sim->particles, list, r);
 	return n;
 }
 
 static enum ts_status eval_count(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	out->data[0] = (double)count(self, sim);
+	out->data[0] = (double)count_contacts(self, sim);
 	return TS_OK;
 }
 
@@ -68,7 +68,7 @@ static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *
 
 enum { COLUMNS = 15 };
 
-static void list_row(const struct tsim *sim, size_t r, double row[COLUMNS])
+static void write_row(const struct tsim *sim, size_t r, double row[COLUMNS])
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
@@ -98,10 +98,10 @@ static enum ts_status eval_local(struct ts_instance *self, const struct tsim *si
 	size_t n = 0;
 
 	TS_TRY(ts_contacts_kept(((const struct state *)self->state)->sim, self));
-	TS_TRY(ts_table_resize(out, count(self, sim), COLUMNS));
+	TS_TRY(ts_table_resize(out, count_contacts(self, sim), COLUMNS));
 	for (size_t r = 0; r < list->n; r++)
-		if (counts(self, sim->particles, list, r))
-			list_row(sim, r, out->data + COLUMNS * n++);
+		if (is_counted(self, sim->particles, list, r))
+			write_row(sim, r, out->data + COLUMNS * n++);
 	return TS_OK;
 }
 

@@ -1,4 +1,4 @@
-/* Compute: force between two groups. */
+/* Compute group/group: force between two groups. */
 #include "bond/bonds.h"
 #include "contact/contact_view.h"
 #include "math/exactsum.h"
@@ -18,9 +18,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Force on the group: +1 where a is in it and b in the other, -1 the other way round; both: 0. */
-static void add(const struct ts_instance *self, const struct tsim *sim, const struct ts_contact_view *view,
-		struct ts_exactsum sum[3])
+/* Adds the force on the group: factor +1 where a is in it and b in the other, -1 in the opposite case, 0 if
+ * both hold. */
+static void add_force(const struct ts_instance *self, const struct tsim *sim,
+		      const struct ts_contact_view *view, struct ts_exactsum sum[3])
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -45,11 +46,11 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 		if (!list->touching[r] || !ts_contact_counts(sim, r, 0))
 			continue;
 		ts_contact_view(sim, r, &view);
-		add(self, sim, &view, sum);
+		add_force(self, sim, &view, sum);
 	}
 	for (size_t b = 0; s->bond && b < sim->bonds->n; b++) {
 		ts_contact_view_of_bond(sim, b, &view);
-		add(self, sim, &view, sum);
+		add_force(self, sim, &view, sum);
 	}
 	for (int k = 0; k < 3; k++)
 		out->data[k] = ts_exactsum_value(&sum[k]);

@@ -1,4 +1,4 @@
-/* Compute: contacts in the columns of LIGGGHTS. */
+/* Compute pair/gran/local: contacts in the columns of LIGGGHTS. */
 #include "contact/contact_columns.h"
 #include "contact/contact_loop.h"
 #include "contact/contact_view.h"
@@ -30,7 +30,8 @@ static bool listed(const struct ts_instance *self, const struct tsim *sim, size_
 	return sim->neigh->contacts.touching[r] && ts_contact_counts(sim, r, self->group);
 }
 
-/* The tangential force turns both partners the same way, each about its own arm. */
+/* The tangential force exerts a torque of the same direction on both particles, each with its own lever arm.
+ */
 static void add_torque(const struct tsim *sim, const struct ts_contact_view *v, struct ts_contact_facts *f)
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
@@ -40,7 +41,7 @@ static void add_torque(const struct tsim *sim, const struct ts_contact_view *v, 
 			       ts_contact_tangential_torque(list, v->row)[k];
 }
 
-/* By the conductance of the last step, with the temperatures of now. */
+/* Conductance of the last step times the present temperature difference. */
 static double heat_of(const struct tsim *sim, const struct ts_contact_view *v)
 {
 	const struct ts_heat *heat = ts_heat_of(sim);
@@ -52,9 +53,10 @@ static double heat_of(const struct tsim *sim, const struct ts_contact_view *v)
 	return pairs->conductance[v->row] * (temperature[v->b] - temperature[v->a]);
 }
 
-/* With `legacy`: the force that the velocities at the end of the step would give. Of images only the
- * velocities within the step are known; theirs is the force that acted. */
-static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v, struct ts_contact_facts *f)
+/* With `legacy`: recomputes the force with the velocities at the end of the step, as LIGGGHTS outputs it.
+ * Ghosts only have velocities of the half step, so contacts with them keep the force that acted. */
+static void recompute_force(const struct tsim *sim, const struct ts_contact_view *v,
+			    struct ts_contact_facts *f)
 {
 	const struct ts_pair *pair = ts_sim_only(sim, TS_KIND_PAIR)->state;
 	const struct ts_contact_list *list = &sim->neigh->contacts;
@@ -78,8 +80,8 @@ static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v
 	}
 }
 
-/* The point divides the line of centres as the radii are to each other, on the side of the first partner. */
-static void look(const struct tsim *sim, size_t r, const bool *wanted, struct ts_contact_facts *f)
+/* Quantities of contact r. The contact point divides the line of centres in the ratio of the radii. */
+static void collect_facts(const struct tsim *sim, size_t r, const bool *wanted, struct ts_contact_facts *f)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_contact_list *list = &sim->neigh->contacts;
@@ -108,7 +110,7 @@ static void look(const struct tsim *sim, size_t r, const bool *wanted, struct ts
 	if (wanted[TS_CONTACT_HEAT])
 		f->heat = heat_of(sim, &v);
 	if (sim->legacy && !v.image)
-		compute_anew(sim, &v, f);
+		recompute_force(sim, &v, f);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -126,7 +128,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	for (size_t r = 0; r < sim->neigh->contacts.n; r++) {
 		if (!listed(self, sim, r))
 			continue;
-		look(sim, r, s->columns.wanted, &facts);
+		collect_facts(sim, r, s->columns.wanted, &facts);
 		ts_contact_columns_write(&s->columns, history, &facts, out->data + width * n++);
 	}
 	return TS_OK;

@@ -1,4 +1,4 @@
-/* Compute: distances and forces of contacts. */
+/* Compute pair/local: distances and forces of contacts. */
 #include "contact/pair_columns.h"
 #include "core/name_list.h"
 
@@ -23,7 +23,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 				 &s->list);
 }
 
-static bool wanted(const struct ts_instance *self, const struct tsim *sim, size_t r)
+static bool is_listed(const struct ts_instance *self, const struct tsim *sim, size_t r)
 {
 	return sim->neigh->contacts.touching[r] && ts_contact_counts(sim, r, self->group);
 }
@@ -38,7 +38,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	for (size_t r = 0; r < rows; r++) {
 		struct ts_contact_view view;
 
-		if (!wanted(self, sim, r))
+		if (!is_listed(self, sim, r))
 			continue;
 		ts_contact_view(sim, r, &view);
 		for (size_t k = 0; k < s->list.n; k++)

@@ -1,4 +1,4 @@
-/* Compute: pressure of the whole system. */
+/* Compute pressure: pressure of the whole system. */
 #include "contact/contact_view.h"
 #include "contact/virial.h"
 #include "group/temperature.h"
@@ -15,7 +15,7 @@ struct pressure {
 	struct tsim *sim;
 };
 
-/* The compute that gives the kinetic tensor; NULL: that of all particles. */
+/* The compute that gives the kinetic part of the tensor; NULL: that of all particles. */
 static const struct ts_value *kinetic_of(const struct pressure *s, struct ts_instance **inst)
 {
 	const struct ts_value *value;

@@ -1,4 +1,4 @@
-/* Compute: who the partners of pairs and bonds are. */
+/* Compute property/local: IDs and types of the particles of pairs and bonds. */
 #include "bond/bonds.h"
 #include "contact/contact_view.h"
 #include "core/name_list.h"
@@ -68,7 +68,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static bool wanted(const struct ts_instance *self, const struct tsim *sim, enum list list, size_t r)
+static bool is_listed(const struct ts_instance *self, const struct tsim *sim, enum list list, size_t r)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -90,7 +90,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	for (size_t r = 0; r < rows; r++) {
 		struct ts_contact_view view;
 
-		if (!wanted(self, sim, list, r))
+		if (!is_listed(self, sim, list, r))
 			continue;
 		if (list == BONDS)
 			ts_contact_view_of_bond(sim, r, &view);

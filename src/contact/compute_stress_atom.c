@@ -1,4 +1,4 @@
-/* Compute: stress of each particle times its volume. */
+/* Compute stress/atom: stress times volume of each particle. */
 #include "contact/contact_view.h"
 #include "contact/virial.h"
 #include "particle/moments.h"
@@ -11,7 +11,7 @@ struct stress {
 	struct tsim *sim;
 };
 
-/* LAMMPS has a temperature in the first place, LIGGGHTS has not. */
+/* LAMMPS' syntax has a temperature compute as first argument, that of LIGGGHTS has not. */
 static bool names_temperature(const struct tsim *sim, const char *word)
 {
 	const struct ts_instance *inst = ts_sim_find(sim, TS_KIND_COMPUTE, word);

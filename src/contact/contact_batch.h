@@ -1,6 +1,6 @@
-/* Batches of active pairs: the inputs of the contact law are copied into columns, so that a law written
- * for one contact is computed for several contacts at once by vector instructions. All pairs of a batch
- * have the same law. Results equal those of the loop over single rows, bit for bit. */
+/* Batches of active pairs: the inputs of the contact law are copied into columns, so that a law written for
+ * one contact is computed for several contacts at once by vector instructions. All pairs of a batch have the
+ * same law. Results equal those of the loop over single pairs, bit for bit. */
 #ifndef TS_CONTACT_CONTACT_BATCH_H
 #define TS_CONTACT_CONTACT_BATCH_H
 
@@ -8,20 +8,22 @@
 #include "contact/contact_loop.h"
 
 struct ts_batch {
-	/* the ends, see struct ts_contact_inputs; the fourth columns: 1/m_i + 1/m_j, radius of i, of j */
+	/* inputs, see struct ts_contact_inputs; v[3]: 1/m_i + 1/m_j, omega[0][3], omega[1][3]: radii of i and
+	 * j */
 	double d[3][TS_BATCH], v[4][TS_BATCH], omega[2][4][TS_BATCH];
 	double mass[2][TS_BATCH];
-	/* the results, zero for rows that do not touch; those that do have all bits set in touch */
+	/* results, zero for pairs that do not touch; touch: all bits set if the pair touches, else 0 */
 	long long touch[TS_BATCH];
-	double force[4][TS_BATCH], turn[3][TS_BATCH], roll[3][TS_BATCH];
-	double *memory[TS_GRANULAR_MEMORY]; /* columns of the block; behind the others, which are aligned */
+	double force[4][TS_BATCH], tangential_torque[3][TS_BATCH], rolling_torque[3][TS_BATCH];
+	/* history columns of the block; last, as the members before it are aligned */
+	double *memory[TS_GRANULAR_MEMORY];
 } __attribute__((aligned(64)));
 
-/* Differences of vectors, and the sum of what stands fourth. */
+/* (a + signs b): differences of the three components, sum of the fourth numbers */
 static const ts_four ts_contact_signs = { -1, -1, -1, 1 };
 #define TS_ALIGNED_FOUR(numbers) (*(const ts_four *)(numbers))
 
-/* Four rows become those at .. at+3 of the batch. */
+/* Loads four active pairs into the places at .. at+3 of the batch. */
 TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_contact_list *list,
 			     const struct ts_granular_model *m, const struct ts_active_pair active[4],
 			     size_t at, struct ts_batch *b)
@@ -62,7 +64,7 @@ TS_INLINE void ts_batch_inputs(const struct ts_batch *b, size_t k, struct ts_con
 	};
 }
 
-/* Whether they touch, or are so near that they pull beyond it. */
+/* Whether the distance is less than the sum of the radii plus `beyond` (> 0: range of attraction, length). */
 TS_INLINE bool ts_contact_inputs_within(const struct ts_contact_inputs *e, double beyond)
 {
 	double sum = e->radius[0] + e->radius[1] + beyond;
@@ -70,7 +72,8 @@ TS_INLINE bool ts_contact_inputs_within(const struct ts_contact_inputs *e, doubl
 	return ts_dot(e->d, e->d) < sum * sum;
 }
 
-/* Also of a row that does not touch all is computed: so there is no branch. */
+/* Computes contact k. The law is evaluated also for pairs that do not touch, and the result discarded: so
+ * there is no branch. */
 TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_granular_model *m,
 				const struct ts_granular_pair *law, double dt)
 {
@@ -86,27 +89,28 @@ TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_gr
 	ts_contact_inputs_touch(&e, m, &t);
 	ts_granular_contact(m, law, &t, dt, true, memory, &f);
 	touches = ts_contact_inputs_within(&e, 0);
-	for (int c = 0; c < ts_granular_memory(m); c++) /* what has parted may have to remember what it did */
+	/* the history of a pair that has parted may still be needed */
+	for (int c = 0; c < ts_granular_memory(m); c++)
 		b->memory[c][k] = touches ? memory[c] : b->memory[c][k];
 	b->touch[k] = -(long long)touches;
 	for (int c = 0; c < 3; c++)
 		b->force[c][k] = touches ? f.force[c] : 0;
 	b->force[3][k] = touches ? ts_granular_short(m, &t) : 0;
 	for (int c = 0; ts_granular_turns(m) && c < 3; c++)
-		b->turn[c][k] = touches ? f.turn[c] : 0;
+		b->tangential_torque[c][k] = touches ? f.turn[c] : 0;
 	for (int c = 0; ts_granular_rolls(m) && c < 3; c++)
-		b->roll[c][k] = touches ? f.roll[c] : 0;
+		b->rolling_torque[c][k] = touches ? f.roll[c] : 0;
 }
 
-/* As rows->parts, where all rows have this model. */
+/* Number of vectors in a result (ts_contact_list.parts) with this model. */
 TS_INLINE size_t ts_batch_parts(const struct ts_granular_model *m)
 {
 	return ts_granular_rolls(m) ? 3 : ts_granular_turns(m) ? 2 : 1;
 }
 
-/* One part of the results of the rows at .. at+3, which has three columns or four. */
-TS_INLINE void ts_batch_result(const double (*column)[TS_BATCH], int columns, size_t at, ts_four *const to[4],
-			       size_t part)
+/* Writes one vector of the results of four pairs: columns .. at+3, three or four components. */
+TS_INLINE void ts_batch_store_part(const double (*column)[TS_BATCH], int columns, size_t at,
+				   ts_four *const to[4], size_t part)
 {
 	ts_four row[4] = { 0 };
 
@@ -117,7 +121,7 @@ TS_INLINE void ts_batch_result(const double (*column)[TS_BATCH], int columns, si
 		to[k][part] = row[k];
 }
 
-/* The n rows of the batch from `at` on, up to four. */
+/* Stores the results of the n <= 4 pairs of the batch from `at` on in their slots. */
 TS_INLINE void ts_batch_store(const struct ts_batch *b, size_t parts, const struct ts_active_pair *active,
 			      size_t at, size_t n, const struct ts_contact_list *list)
 {
@@ -125,17 +129,17 @@ TS_INLINE void ts_batch_store(const struct ts_batch *b, size_t parts, const stru
 
 	for (size_t k = 0; k < 4; k++)
 		to[k] = k < n ? (ts_four *)list->result[active[k].slot * parts] : nowhere;
-	ts_batch_result(b->force, 4, at, to, 0);
+	ts_batch_store_part(b->force, 4, at, to, 0);
 	if (parts > 1)
-		ts_batch_result(b->turn, 3, at, to, 1);
+		ts_batch_store_part(b->tangential_torque, 3, at, to, 1);
 	if (parts > 2)
-		ts_batch_result(b->roll, 3, at, to, 2);
+		ts_batch_store_part(b->rolling_torque, 3, at, to, 2);
 }
 
-/* The last rows of a batch of n, as so many as fill a vector: the last one again and again. Returns how
- * many of the batch come before. */
-TS_INLINE size_t ts_batch_tail(const struct ts_active_pair *active, size_t n,
-			       struct ts_active_pair tail[TS_MEMORY_VECTOR])
+/* Pads the last pairs of a batch of n to a whole vector by repeating the last pair. Returns the number of
+ * pairs before them. */
+TS_INLINE size_t ts_batch_pad_tail(const struct ts_active_pair *active, size_t n,
+				   struct ts_active_pair tail[TS_MEMORY_VECTOR])
 {
 	size_t from = n & ~(size_t)(TS_MEMORY_VECTOR - 1);
 
@@ -144,22 +148,22 @@ TS_INLINE size_t ts_batch_tail(const struct ts_active_pair *active, size_t n,
 	return from;
 }
 
-/* The rows 0 .. n-1 of a batch by a model, which may be a constant one; the time step is positive. */
+/* Computes the contacts 0 .. n-1 of a batch with a model, which may be a constant; dt > 0. */
 typedef void ts_batch_fn(struct ts_batch *b, size_t n, const struct ts_granular_model *m,
 			 const struct ts_granular_pair *law, double dt);
 
 TS_INLINE void ts_batch_contacts(struct ts_batch *restrict b, size_t n, const struct ts_granular_model *m,
 				 const struct ts_granular_pair *restrict law, double dt)
 {
-	if (!(dt > 0)) /* never; but so the compiler knows */
+	if (!(dt > 0)) /* never true: tells the compiler that dt > 0 */
 		return;
 #pragma omp simd
 	for (size_t k = 0; k < n; k++)
 		ts_batch_contact(b, k, m, law, dt);
 }
 
-/* The first n of up to 64 marks as bits. These come from a table: the oldest processors cannot shift
- * several numbers by different widths at once. */
+/* The first n <= 64 marks (0 or all bits set) as bits of one number. The bits come from a table: the oldest
+ * processors cannot shift several numbers by different widths at once. */
 TS_INLINE uint64_t ts_batch_bits(const long long *mark, size_t n)
 {
 #define BIT(n) (uint64_t)1 << (n)
@@ -176,17 +180,17 @@ TS_INLINE uint64_t ts_batch_bits(const long long *mark, size_t n)
 	return bits;
 }
 
-/* Marks which of the rows near[0 .. n-1], n at most four, touch. */
+/* Marks which of the pairs active[0 .. n-1], n <= 4, touch. */
 TS_INLINE void ts_batch_find_touching(const struct ts_contact_list *list, const struct ts_active_pair *active,
 				      size_t n, ts_four_marks *touch)
 {
 	ts_four d[4];
 
-	for (size_t k = 0; k < 4; k++) { /* d and the sum of the radii */
-		const struct ts_active_pair *row = active + (k < n ? k : 0);
+	for (size_t k = 0; k < 4; k++) { /* vector between the centres, and sum of the radii */
+		const struct ts_active_pair *pair = active + (k < n ? k : 0);
 
-		d[k] = TS_ALIGNED_FOUR(list->sphere[row->i].position) +
-		       ts_contact_signs * TS_ALIGNED_FOUR(list->sphere[row->j].position);
+		d[k] = TS_ALIGNED_FOUR(list->sphere[pair->i].position) +
+		       ts_contact_signs * TS_ALIGNED_FOUR(list->sphere[pair->j].position);
 	}
 	ts_four_turn(d);
 	*touch = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < d[3] * d[3];
@@ -194,7 +198,7 @@ TS_INLINE void ts_batch_find_touching(const struct ts_contact_list *list, const 
 		(*touch)[k] = 0;
 }
 
-/* Rows that have waited and touch now become active. */
+/* Begins the contacts of those pairs of the block that touch now and did not before. */
 TS_INLINE void ts_batch_begin_contacts(const struct ts_contact_list *list, struct ts_active_block *block)
 {
 	const struct ts_active_pair *active = list->active + block->first;
@@ -213,7 +217,8 @@ TS_INLINE void ts_batch_begin_contacts(const struct ts_contact_list *list, struc
 	}
 }
 
-/* Active rows that do not touch any more wait again, the last first; the bits say which of them touch. */
+/* Ends the contacts that do not touch any more, from the last to the first; bits: which of the touching pairs
+ * still touch. */
 TS_INLINE void ts_batch_end_contacts(const struct ts_contact_list *list, struct ts_active_block *block,
 				     const uint64_t *bits, bool keep)
 {
@@ -230,8 +235,8 @@ TS_INLINE void ts_batch_end_contacts(const struct ts_contact_list *list, struct 
 	}
 }
 
-/* What active rows will need of their second partners and remember is sent for, so that many come at a
- * time, and where those of the others are; first partners follow each other in memory. */
+/* Prefetches what the block needs: for touching pairs the second particles and the history, for all others
+ * the positions of the second particles. First particles follow each other in memory and need no prefetch. */
 TS_INLINE void ts_batch_prefetch(const struct ts_contact_list *list, const struct ts_granular_model *m,
 				 const struct ts_active_block *block)
 {
@@ -252,7 +257,7 @@ TS_INLINE void ts_batch_prefetch(const struct ts_contact_list *list, const struc
 			__builtin_prefetch(ts_contact_memory(list, block, k, (size_t)c), 1);
 }
 
-/* Before that, the list itself. */
+/* Prefetches the active pairs of a block, one block earlier. */
 TS_INLINE void ts_batch_prefetch_list(const struct ts_contact_list *list, const struct ts_active_block *block)
 {
 	const struct ts_active_pair *active = list->active + block->first;
@@ -261,7 +266,8 @@ TS_INLINE void ts_batch_prefetch_list(const struct ts_contact_list *list, const 
 		__builtin_prefetch(active + k, 1);
 }
 
-/* The active rows of a part of a block; says which of them touch, as bits. */
+/* Computes the touching pairs of part `part` (TS_BATCH pairs) of a block; returns which of them touch, as
+ * bits. */
 TS_INLINE uint64_t ts_batch_compute_part(const struct ts_contact_task *task, const struct ts_particles *p,
 					 const struct ts_contact_list *list,
 					 const struct ts_granular_model *m, size_t parts,
@@ -275,7 +281,7 @@ TS_INLINE uint64_t ts_batch_compute_part(const struct ts_contact_task *task, con
 	struct ts_batch b;
 
 	some = some < TS_BATCH ? some : TS_BATCH;
-	whole = ts_batch_tail(active, some, tail);
+	whole = ts_batch_pad_tail(active, some, tail);
 	n = whole < some ? whole + TS_MEMORY_VECTOR : whole;
 	for (int c = 0; c < ts_granular_memory(m); c++)
 		b.memory[c] = ts_contact_memory(list, block, part * TS_BATCH, (size_t)c);
@@ -291,7 +297,7 @@ TS_INLINE uint64_t ts_batch_compute_part(const struct ts_contact_task *task, con
 	return ts_batch_bits(b.touch, some);
 }
 
-/* One block, behind which there are others (TS_BLOCKS_AHEAD); `parts` as in struct ts_contact_list. */
+/* Computes one block, which others follow (TS_BLOCKS_AHEAD); `parts` as in struct ts_contact_list. */
 TS_INLINE void ts_batch_block(const struct ts_contact_task *task, const struct ts_particles *p,
 			      const struct ts_contact_list *list, const struct ts_granular_model *m,
 			      size_t parts, ts_batch_fn *contacts, struct ts_active_block *block)
@@ -309,7 +315,7 @@ TS_INLINE void ts_batch_block(const struct ts_contact_task *task, const struct t
 	ts_batch_end_contacts(list, block, touching, task->keep);
 }
 
-/* The share of a constant model; see ts_contact_share_generic. */
+/* Computes the blocks from .. to-1 of pairs that have this constant model; see ts_contact_share_generic. */
 TS_INLINE void ts_contact_share_batched(const struct ts_contact_task *task, size_t from, size_t to,
 					const struct ts_granular_model *m, ts_batch_fn *contacts)
 {

@@ -9,105 +9,105 @@
 
 typedef void quantity_fn(const struct ts_contact_facts *facts, size_t history, double *out);
 
-static void copy(const double *from, size_t n, double *to)
+static void copy_numbers(const double *from, size_t n, double *to)
 {
 	for (size_t k = 0; k < n; k++)
 		to[k] = from[k];
 }
 
-static void pos(const struct ts_contact_facts *f, size_t history, double *out)
+static void write_pos(const struct ts_contact_facts *f, size_t history, double *out)
 {
 	(void)history;
-	copy(f->pos, 6, out);
+	copy_numbers(f->pos, 6, out);
 }
 
-static void vel(const struct ts_contact_facts *f, size_t history, double *out)
+static void write_vel(const struct ts_contact_facts *f, size_t history, double *out)
 {
 	(void)history;
-	copy(f->vel, 6, out);
+	copy_numbers(f->vel, 6, out);
 }
 
-static void id(const struct ts_contact_facts *f, size_t history, double *out)
+static void write_id(const struct ts_contact_facts *f, size_t history, double *out)
 {
 	(void)history;
-	copy(f->id, 3, out);
+	copy_numbers(f->id, 3, out);
 }
 
-static void force(const struct ts_contact_facts *f, size_t history, double *out)
+static void write_force(const struct ts_contact_facts *f, size_t history, double *out)
 {
 	(void)history;
-	copy(f->force, 3, out);
+	copy_numbers(f->force, 3, out);
 }
 
-static void force_normal(const struct ts_contact_facts *f, size_t history, double *out)
+static void write_force_normal(const struct ts_contact_facts *f, size_t history, double *out)
 {
 	(void)history;
 	ts_scale(ts_dot(f->force, f->n), f->n, out);
 }
 
-static void force_tangential(const struct ts_contact_facts *f, size_t history, double *out)
+static void write_force_tangential(const struct ts_contact_facts *f, size_t history, double *out)
 {
 	double normal[3];
 
-	force_normal(f, history, normal);
+	write_force_normal(f, history, normal);
 	ts_sub(f->force, normal, out);
 }
 
-static void torque(const struct ts_contact_facts *f, size_t history, double *out)
+static void write_torque(const struct ts_contact_facts *f, size_t history, double *out)
 {
 	(void)history;
-	copy(f->torque, 3, out);
+	copy_numbers(f->torque, 3, out);
 }
 
-static void memory(const struct ts_contact_facts *f, size_t history, double *out)
+static void write_history(const struct ts_contact_facts *f, size_t history, double *out)
 {
-	copy(f->history, history, out);
+	copy_numbers(f->history, history, out);
 }
 
-static void area(const struct ts_contact_facts *f, size_t history, double *out)
+static void write_area(const struct ts_contact_facts *f, size_t history, double *out)
 {
 	(void)history;
 	*out = f->area;
 }
 
-static void delta(const struct ts_contact_facts *f, size_t history, double *out)
+static void write_delta(const struct ts_contact_facts *f, size_t history, double *out)
 {
 	(void)history;
 	*out = f->delta;
 }
 
-static void point(const struct ts_contact_facts *f, size_t history, double *out)
+static void write_point(const struct ts_contact_facts *f, size_t history, double *out)
 {
 	(void)history;
-	copy(f->point, 3, out);
+	copy_numbers(f->point, 3, out);
 }
 
-static void heat(const struct ts_contact_facts *f, size_t history, double *out)
+static void write_heat(const struct ts_contact_facts *f, size_t history, double *out)
 {
 	(void)history;
 	*out = f->heat;
 }
 
-/* In the order of the output, whatever the order of the words. */
+/* In the order of the output, which does not depend on the order of the words. */
 static const struct quantity {
 	const char *name;
 	quantity_fn *write;
-	size_t width;	      /* 0: as many as the contact law remembers */
-	bool usual;	      /* written when no word is given */
-	const char *array[3]; /* names in files; several share the columns evenly */
+	size_t width;	      /* 0: number of history numbers of the contact law */
+	bool usual;	      /* written if no word is given */
+	const char *array[3]; /* names of arrays in files; several arrays share the columns evenly */
 } quantities[] = {
-	{ "pos", pos, 6, true, { NULL } },
-	{ "vel", vel, 6, true, { "vel1", "vel2", NULL } },
-	{ "id", id, 3, true, { "id1", "id2", "id3" } },
-	{ "force", force, 3, true, { "force" } },
-	{ "force_normal", force_normal, 3, false, { "force_normal" } },
-	{ "force_tangential", force_tangential, 3, false, { "force_tangential" } },
-	{ "torque", torque, 3, false, { "torque" } },
-	{ "history", memory, 0, true, { "history" } },
-	{ "contactArea", area, 1, true, { "contact_area" } },
-	{ "delta", delta, 1, false, { "delta" } },
-	{ "contactPoint", point, 3, false, { "contact_point" } },
-	{ "heatFlux", heat, 1, false, { "heatFlux" } },
+	{ "pos", write_pos, 6, true, { NULL } },
+	{ "vel", write_vel, 6, true, { "vel1", "vel2", NULL } },
+	{ "id", write_id, 3, true, { "id1", "id2", "id3" } },
+	{ "force", write_force, 3, true, { "force" } },
+	{ "force_normal", write_force_normal, 3, false, { "force_normal" } },
+	{ "force_tangential", write_force_tangential, 3, false, { "force_tangential" } },
+	{ "torque", write_torque, 3, false, { "torque" } },
+	{ "history", write_history, 0, true, { "history" } },
+	{ "contactArea", write_area, 1, true, { "contact_area" } },
+	{ "delta", write_delta, 1, false, { "delta" } },
+	{ "contactPoint", write_point, 3, false, { "contact_point" } },
+	{ "heatFlux", write_heat, 1, false, { "heatFlux" } },
 	{ .name = NULL },
 };
 _Static_assert(sizeof quantities / sizeof *quantities == TS_CONTACT_COLUMNS + 1, "one flag each");

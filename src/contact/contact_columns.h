@@ -1,28 +1,29 @@
-/* The columns of computes pair/gran/local and wall/gran/local, in the order of LIGGGHTS. */
+/* Columns of computes pair/gran/local and wall/gran/local, in the order of LIGGGHTS. */
 #ifndef TS_CONTACT_CONTACT_COLUMNS_H
 #define TS_CONTACT_CONTACT_COLUMNS_H
 
 #include "core/name_list.h"
 #include "law/granular_force.h"
 
-/* What can be said of a contact, seen from the first partner; of a wall and a particle, from the particle,
- * which then is the second. */
+/* Quantities of a contact, seen from the first particle. At a wall the particle is the second partner, and
+ * the quantities are seen from it. */
 struct ts_contact_facts {
-	double pos[6], vel[6]; /* of both */
-	double id[3];	       /* identities and whether across a periodic face; mesh, triangle, particle */
-	double force[3];       /* on the first; on the particle */
-	double n[3];	       /* unit vector along which `force` has its normal part */
-	double torque[3];      /* by the tangential force about the centre, without rolling friction */
+	double pos[6], vel[6]; /* positions and velocities of both partners: length, velocity */
+	/* identities, and 1 if across a periodic face; at a wall: mesh, triangle, particle */
+	double id[3];
+	double force[3];  /* force on the first particle; at a wall on the particle */
+	double n[3];	  /* unit normal, along which `force` is split into normal and tangential part */
+	double torque[3]; /* torque of the tangential force about the centre, without rolling friction */
 	double history[TS_GRANULAR_MEMORY];
 	double area, delta, point[3];
-	double heat; /* per time into the first, by conduction */
+	double heat; /* heat conducted into the first particle, energy/time */
 };
 
 enum { TS_CONTACT_COLUMNS = 12, TS_CONTACT_HEAT = TS_CONTACT_COLUMNS - 1 };
 
-/* First member of the states of the computes. */
+/* First member of the states of both computes. */
 struct ts_contact_columns {
-	struct ts_words words; /* argument */
+	struct ts_words words; /* argument of the compute */
 	struct ts_name_list list;
 	bool wanted[TS_CONTACT_COLUMNS];
 };
@@ -30,22 +31,23 @@ struct ts_contact_columns {
 
 extern const char ts_contact_columns_help[];
 enum ts_status ts_contact_columns_init(struct ts_instance *self, struct tsim *sim);
-/* How many numbers a row has, where contacts remember `history` numbers. */
+/* Number of columns, where the contact law has `history` history numbers. */
 size_t ts_contact_columns_width(const struct ts_contact_columns *columns, size_t history);
 void ts_contact_columns_write(const struct ts_contact_columns *columns, size_t history,
 			      const struct ts_contact_facts *facts, double *out);
-/* Area of the circle in which two spheres meet; in which a sphere meets a plane. */
+/* Contact area, length^2: of the circle in which two spheres of radii a and b intersect; in which a sphere
+ * and a plane intersect. */
 double ts_contact_area(double a, double b, double distance);
 double ts_contact_area_plane(double radius, double distance);
 
-/* For files: the columns as arrays with names of their own, one after the other. */
+/* For files: the columns grouped into named arrays, one after the other. */
 struct ts_contact_array {
 	const char *name;
-	size_t first, components; /* columns of the row */
+	size_t first, components; /* first column and number of columns */
 };
 enum { TS_CONTACT_ARRAYS = 15 };
-/* *pos: first column of the places of both, SIZE_MAX: they are not among them. Returns the number of
- * others. */
+/* *pos: first column of both positions, SIZE_MAX if they are not output. Returns the number of other arrays.
+ */
 size_t ts_contact_columns_arrays(const struct ts_contact_columns *columns, size_t width,
 				 struct ts_contact_array array[TS_CONTACT_ARRAYS], size_t *pos);
 

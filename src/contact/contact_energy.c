@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-static double of_row(const struct tsim *sim, const struct ts_pair *pair, size_t r)
+static double energy_of_pair(const struct tsim *sim, const struct ts_pair *pair, size_t r)
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
@@ -23,7 +23,7 @@ static double of_row(const struct tsim *sim, const struct ts_pair *pair, size_t 
 				  width ? list->history + r * width : NULL);
 }
 
-static double of_contacts(const struct tsim *sim, size_t i)
+static double energy_of_contacts(const struct tsim *sim, size_t i)
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
@@ -32,11 +32,11 @@ static double of_contacts(const struct tsim *sim, size_t i)
 
 	for (size_t k = g->first[i]; inst && k < g->first[i + 1]; k++)
 		if (list->touching[g->entry[k] >> 1])
-			sum += of_row(sim, inst->state, g->entry[k] >> 1);
+			sum += energy_of_pair(sim, inst->state, g->entry[k] >> 1);
 	return sum;
 }
 
-static double of_bonds(const struct tsim *sim, size_t i)
+static double energy_of_bonds(const struct tsim *sim, size_t i)
 {
 	const struct ts_bonds *bonds = sim->bonds;
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_BOND);
@@ -61,9 +61,9 @@ double ts_contact_energy_of_particle(const struct tsim *sim, size_t i,
 	double sum = 0;
 
 	if (parts->pair && sim->neigh->contacts.n)
-		sum += 0.5 * of_contacts(sim, i);
+		sum += 0.5 * energy_of_contacts(sim, i);
 	if (parts->bond && sim->bonds->n)
-		sum += 0.5 * of_bonds(sim, i);
+		sum += 0.5 * energy_of_bonds(sim, i);
 	return sum;
 }
 
@@ -86,25 +86,25 @@ enum ts_status ts_contact_energy_require(struct tsim *sim, const struct ts_insta
 	return ts_contacts_require(sim, self);
 }
 
-static void term(const struct tsim *sim, size_t i, void *context, double *out)
+static void energy_term(const struct tsim *sim, size_t i, void *context, double *out)
 {
 	*out = ts_contact_energy_of_particle(sim, i, context);
 }
 
-static enum ts_status total(struct ts_instance *self, struct tsim *sim, struct ts_contact_energy_parts parts,
-			    double *out)
+static enum ts_status total_energy(struct ts_instance *self, struct tsim *sim,
+				   struct ts_contact_energy_parts parts, double *out)
 {
 	TS_TRY(ts_contact_energy_require(sim, self, &parts));
-	ts_group_sum(sim, 0, 1, term, &parts, out);
+	ts_group_sum(sim, 0, 1, energy_term, &parts, out);
 	return TS_OK;
 }
 
 enum ts_status ts_contact_energy_of_pairs(struct ts_instance *self, struct tsim *sim, double *out)
 {
-	return total(self, sim, (struct ts_contact_energy_parts){ .pair = true }, out);
+	return total_energy(self, sim, (struct ts_contact_energy_parts){ .pair = true }, out);
 }
 
 enum ts_status ts_contact_energy_of_bonds(struct ts_instance *self, struct tsim *sim, double *out)
 {
-	return total(self, sim, (struct ts_contact_energy_parts){ .bond = true }, out);
+	return total_energy(self, sim, (struct ts_contact_energy_parts){ .bond = true }, out);
 }

@@ -7,24 +7,26 @@
 
 #include "base/banned.h"
 
-/* What one row remembers, for laws that are written for one contact: from the columns of its block, and
- * back. */
-static void remember(const struct ts_contact_list *list, const struct ts_active_block *block, size_t at,
-		     double memory[])
+/* The history of one pair, for laws that are written for one contact: copied from the columns of its block,
+ * and back. */
+static void load_memory(const struct ts_contact_list *list, const struct ts_active_block *block, size_t at,
+			double memory[])
 {
 	for (size_t c = 0; c < list->history_width; c++)
 		memory[c] = *ts_contact_memory(list, block, at, c);
 }
 
-static void note(const struct ts_contact_list *list, const struct ts_active_block *block, size_t at,
-		 const double memory[])
+static void store_memory(const struct ts_contact_list *list, const struct ts_active_block *block, size_t at,
+			 const double memory[])
 {
 	for (size_t c = 0; c < list->history_width; c++)
 		*ts_contact_memory(list, block, at, c) = memory[c];
 }
 
-/* How far beyond their touch the partners of a row still pull. */
-static double beyond(const struct ts_contact_task *task, const struct ts_active_block *block, size_t at)
+/* Largest gap, length, at which the pair `at` of the block still attracts; < 0 where surfaces are pressed in.
+ */
+static double attraction_range(const struct ts_contact_task *task, const struct ts_active_block *block,
+			       size_t at)
 {
 	const struct ts_contact_list *list = task->list;
 	const struct ts_active_pair *active = &list->active[block->first + at];
@@ -36,15 +38,15 @@ static double beyond(const struct ts_contact_task *task, const struct ts_active_
 	if (list->bulge)
 		return list->bulge[active->row].bulge;
 	if (at < block->touching)
-		remember(list, block, at, memory);
+		load_memory(list, block, at, memory);
 	if (ts_cohesion_bridges(m))
 		return ts_granular_bridged(m, law, (double[2]){ p->liquid[active->i], p->liquid[active->j] },
 					   (double[2]){ a, b }, false, memory);
 	return ts_granular_beyond(m, law, a * b / (a + b), memory);
 }
 
-static void store(const struct ts_contact_list *list, size_t slot, const struct ts_granular_model *m,
-		  const struct ts_touch *t, const struct ts_granular_force *f)
+static void store_result(const struct ts_contact_list *list, size_t slot, const struct ts_granular_model *m,
+			 const struct ts_touch *t, const struct ts_granular_force *f)
 {
 	double *force = ts_contact_force(list, slot), *turn = ts_contact_tangential_torque(list, slot),
 	       *roll = ts_contact_rolling_torque(list, slot);
@@ -59,7 +61,7 @@ static void store(const struct ts_contact_list *list, size_t slot, const struct 
 	}
 }
 
-static bool touches(const struct ts_contact_task *task, const struct ts_active_block *block, size_t at)
+static bool is_in_contact(const struct ts_contact_task *task, const struct ts_active_block *block, size_t at)
 {
 	const struct ts_active_pair *active = &task->list->active[block->first + at];
 	const struct ts_particles *p = task->p;
@@ -67,11 +69,11 @@ static bool touches(const struct ts_contact_task *task, const struct ts_active_b
 	double sum = p->radius[i] + p->radius[j];
 
 	if (task->pair->sticks)
-		sum += beyond(task, block, at);
+		sum += attraction_range(task, block, at);
 	return ts_distance2(p->x[i], p->x[j]) < sum * sum;
 }
 
-static void work(const struct ts_contact_task *task, const struct ts_active_block *block, size_t at)
+static void compute_pair(const struct ts_contact_task *task, const struct ts_active_block *block, size_t at)
 {
 	const struct ts_pair *pair = task->pair;
 	const struct ts_contact_list *list = task->list;
@@ -81,7 +83,7 @@ static void work(const struct ts_contact_task *task, const struct ts_active_bloc
 	struct ts_granular_force f;
 	struct ts_touch t;
 
-	remember(list, block, at, memory);
+	load_memory(list, block, at, memory);
 	ts_contact_touch(task->p, (size_t)active->i, (size_t)active->j, m, &t);
 	if (list->bulge) {
 		memory[ts_granular_multi_at(m) + TS_MULTI_BULGE] = list->bulge[active->row].bulge;
@@ -90,12 +92,13 @@ static void work(const struct ts_contact_task *task, const struct ts_active_bloc
 	}
 	ts_granular_contact(m, ts_pair_law(pair, block->type[0], block->type[1]), &t, task->dt, task->advance,
 			    memory, &f);
-	note(list, block, at, memory);
-	store(list, active->slot, m, &t, &f);
+	store_memory(list, block, at, memory);
+	store_result(list, active->slot, m, &t, &f);
 }
 
-/* Surfaces come apart; a bridge between them that nobody has forgotten (contact/liquid.c) breaks. */
-static void part(const struct ts_contact_task *task, struct ts_active_block *block, size_t at)
+/* Ends a contact. If its liquid bridge still exists (contact/liquid.c has not cleared it), the bridge breaks.
+ */
+static void end_contact(const struct ts_contact_task *task, struct ts_active_block *block, size_t at)
 {
 	const struct ts_granular_model *m = &task->pair->model;
 	struct ts_contact_list *list = task->list;
@@ -122,20 +125,20 @@ void ts_contact_share_generic(void *context, size_t from, size_t to)
 		const struct ts_active_pair *active = list->active + block->first;
 
 		for (size_t k = block->touching; k < block->n; k++)
-			if (touches(task, block, k))
+			if (is_in_contact(task, block, k))
 				ts_contact_begin(list, block, k);
 		for (size_t k = block->touching; k-- > 0;)
-			if (!touches(task, block, k))
-				part(task, block, k);
+			if (!is_in_contact(task, block, k))
+				end_contact(task, block, k);
 		for (size_t k = 0; k < block->n; k++)
 			if (k < block->touching)
-				work(task, block, k);
+				compute_pair(task, block, k);
 			else
 				ts_contact_clear_result(list, active[k].slot, (size_t)list->parts);
 	}
 }
 
-struct loop {
+struct force_pass {
 	struct ts_contact_task task;
 	ts_share_fn *share;
 	ts_contact_sums_fn *sum;
@@ -143,14 +146,14 @@ struct loop {
 
 static void force_share(void *context, size_t from, size_t to)
 {
-	struct loop *loop = context;
+	struct force_pass *loop = context;
 
 	loop->share(&loop->task, from, to);
 }
 
-static void gather_share(void *context, size_t from, size_t to)
+static void sum_share(void *context, size_t from, size_t to)
 {
-	const struct loop *loop = context;
+	const struct force_pass *loop = context;
 
 	loop->sum(loop->task.list, loop->task.p, from, to);
 }
@@ -159,20 +162,21 @@ enum ts_status ts_contact_loop(struct tsim *sim, const struct ts_pair *pair, ts_
 {
 	struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
-	struct loop loop = { .task = { p, list, pair, sim->clock.dt, !sim->run.in_setup,
-				       sim->legacy && !pair->mixes }, /* LAMMPS forgets at once */
-			     .share = share };
-	struct ts_contacts_pass walk = { force_share, gather_share, &loop, list->overwrite_sums };
+	struct force_pass loop = { .task = { p, list, pair, sim->clock.dt, !sim->run.in_setup,
+					     /* the history of LAMMPS' laws ends with the contact */
+					     sim->legacy && !pair->mixes },
+				   .share = share };
+	struct ts_contacts_pass pass = { force_share, sum_share, &loop, list->overwrite_sums };
 
 	ts_contact_list_locate(sim, list);
-	list->all_active = pair->sticks; /* they pull beyond touch */
+	list->all_active = pair->sticks; /* adhesive laws attract beyond the touch */
 	TS_TRY(ts_force_slots_prepare(sim, list, sim->run.complete));
 	loop.sum = ts_contact_sums_of(list);
 	list->memory_newer = list->history_width > 0;
-	/* where memory does not advance, there is no loop of its own */
+	/* the specialised loops always advance the history */
 	if (!loop.task.advance || !(loop.task.dt > 0))
 		loop.share = ts_contact_share_generic;
-	TS_TRY(ts_contacts_compute(sim, &walk));
+	TS_TRY(ts_contacts_compute(sim, &pass));
 	list->overwrite_sums = false;
-	return list->bridges_broken ? ts_liquid_share(sim, pair) : TS_OK;
+	return list->bridges_broken ? ts_liquid_redistribute(sim, pair) : TS_OK;
 }

@@ -1,5 +1,5 @@
-/* The loop over contact rows: for any model here, for one that is known when tsim is compiled in
- * contact_batch.h. Both give the same bits. */
+/* The contact loop: forces of all active pairs. Here for any model; contact_batch.h has the loop for models
+ * known at compile time. Both give the same bits. */
 #ifndef TS_CONTACT_CONTACT_LOOP_H
 #define TS_CONTACT_CONTACT_LOOP_H
 
@@ -16,30 +16,31 @@ struct ts_contact_task {
 	struct ts_contact_list *list;
 	const struct ts_pair *pair;
 	double dt;
-	bool advance; /* contacts remember: false in the set-up of a run */
-	bool keep;    /* a pair that parts remembers until the next rebuild */
+	bool advance; /* the history advances; false in the set-up of a run */
+	bool keep;    /* a pair that parts keeps its history until the next rebuild (legacy) */
 };
 
-/* The waiting row of the block that stands at `at` touches: it becomes the last of the active ones. */
+/* Begins a contact: the pair `at` of the block becomes the last of the touching ones, with the history that
+ * it has in the list. */
 TS_INLINE void ts_contact_begin(const struct ts_contact_list *list, struct ts_active_block *block, size_t at)
 {
-	struct ts_active_pair *active = list->active + block->first, row = active[at];
+	struct ts_active_pair *active = list->active + block->first, pair = active[at];
 
 	active[at] = active[block->touching];
-	active[block->touching] = row;
+	active[block->touching] = pair;
 	for (size_t c = 0; c < list->history_width; c++)
 		*ts_contact_memory(list, block, block->touching, c) =
 			*ts_contact_history(list, block, block->touching, c);
 	block->touching++;
-	list->touching[row.row] = 1;
+	list->touching[pair.row] = 1;
 }
 
-/* The active row that stands at `at` does not touch any more: it becomes the first of the waiting ones.
- * Its history is gone; where `keep` says so it stays until the next rebuild. */
+/* Ends a contact: the touching pair `at` becomes the first of those that do not touch. Its history is set to
+ * zero; with `keep` it stays in the list until the next rebuild. */
 TS_INLINE void ts_contact_end(const struct ts_contact_list *list, struct ts_active_block *block, size_t at,
 			      bool keep)
 {
-	struct ts_active_pair *active = list->active + block->first, row = active[at];
+	struct ts_active_pair *active = list->active + block->first, pair = active[at];
 
 	block->touching--;
 	for (size_t c = 0; c < list->history_width; c++) {
@@ -49,11 +50,11 @@ TS_INLINE void ts_contact_end(const struct ts_contact_list *list, struct ts_acti
 		*memory = *ts_contact_memory(list, block, block->touching, c);
 	}
 	active[at] = active[block->touching];
-	active[block->touching] = row;
-	list->touching[row.row] = 0;
+	active[block->touching] = pair;
+	list->touching[pair.row] = 0;
 }
 
-/* No force, no torque; `parts` as in struct ts_contact_list. */
+/* Sets the force and torques of a slot to zero; `parts` as in struct ts_contact_list. */
 TS_INLINE void ts_contact_clear_result(const struct ts_contact_list *list, size_t slot, size_t parts)
 {
 	const ts_four zero = { 0 };
@@ -66,9 +67,10 @@ TS_INLINE void ts_contact_clear_result(const struct ts_contact_list *list, size_
 		result[2] = zero;
 }
 
-/* What the laws need to know of the partners i and j, as far as the model has laws that ask. */
+/* Inputs of the contact law: what it needs of particles i and j. Angular velocities and liquid only if the
+ * model uses them. */
 struct ts_contact_inputs {
-	double d[3], v[3]; /* x_i - x_j, v_i - v_j */
+	double d[3], v[3]; /* x_i - x_j, v_i - v_j: length, velocity */
 	double omega[2][3], radius[2], mass[2], liquid[2];
 	double imass; /* 1/m_i + 1/m_j */
 };
@@ -99,11 +101,11 @@ TS_INLINE void ts_contact_inputs_touch(const struct ts_contact_inputs *e, const 
 				       struct ts_touch *t)
 {
 	double distance = sqrt(ts_dot(e->d, e->d));
-	/* coincident centres: no direction, no force */
+	/* coincident centres: no direction, so no force */
 	double inverse = distance > 0 ? 1 / distance : 0;
 
 	t->wall = false;
-	t->solved = 0; /* not known */
+	t->solved = 0; /* not solved yet */
 	t->bulge = 0;
 	t->distance = distance;
 	t->radius[0] = e->radius[0];
@@ -134,10 +136,10 @@ TS_INLINE void ts_contact_touch(const struct ts_particles *p, size_t i, size_t j
 	ts_contact_inputs_touch(&e, m, t);
 }
 
-/* The blocks from .. to-1, for any model: that of the pair, or those that its types have. */
+/* Computes the blocks from .. to-1 with any model: that of the pair style, or those of the pairs of types. */
 void ts_contact_share_generic(void *task, size_t from, size_t to);
 
-/* Forces of all rows by the shares, then the sum of each particle. */
+/* Computes the forces of all active pairs with the function `share`, then their sum for each particle. */
 enum ts_status ts_contact_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share);
 
 #endif

@@ -24,8 +24,8 @@ TS_UNROLLED
 	}
 TS_GRANULAR_MODELS(LOOP)
 
-/* The loop of its own that a model has, or NULL. */
-static ts_share_fn *share_of_model(const struct ts_granular_model *m)
+/* The loop compiled for this whole model, or NULL. */
+static ts_share_fn *share_of_whole_model(const struct ts_granular_model *m)
 {
 	static const struct {
 		const struct ts_granular_model *model;
@@ -41,25 +41,26 @@ static ts_share_fn *share_of_model(const struct ts_granular_model *m)
 	return NULL;
 }
 
-/* Whether each model that the pair has for two types has stages. */
-static bool staged(const struct ts_pair *pair)
+/* Whether all models of the pair style, one for each pair of types, have stages. */
+static bool all_models_staged(const struct ts_pair *pair)
 {
 	bool all = ts_stages_for(&pair->model);
 
-	for (int a = 1; pair->model.wide && a <= pair->ntypes; a++) /* else all have this one */
+	/* otherwise all types have the same model */
+	for (int a = 1; pair->model.wide && a <= pair->ntypes; a++)
 		for (int b = a; b <= pair->ntypes; b++) {
 			const struct ts_granular_model *m = ts_pair_model(pair, a, b);
 
-			all &= !m->normal || ts_stages_for(m); /* without a law: not given */
+			all &= !m->normal || ts_stages_for(m); /* normal off: no pair_coeff for these types */
 		}
 	return all;
 }
 
 ts_share_fn *ts_contact_share_of(const struct ts_pair *pair, bool generic)
 {
-	ts_share_fn *own = pair->sticks ? NULL : share_of_model(&pair->model);
+	ts_share_fn *own = pair->sticks ? NULL : share_of_whole_model(&pair->model);
 
 	if (own && !generic)
 		return own;
-	return staged(pair) && !generic ? ts_contact_share_staged : ts_contact_share_generic;
+	return all_models_staged(pair) && !generic ? ts_contact_share_staged : ts_contact_share_generic;
 }

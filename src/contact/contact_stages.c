@@ -26,15 +26,16 @@ TS_INLINE void finish_at(struct ts_batch *b, const struct ts_stages *s, size_t k
 	ts_stages_force(s, k, twists, &f);
 	for (int c = 0; c < 3; c++) {
 		b->force[c][k] = b->touch[k] ? f.force[c] : 0;
-		b->turn[c][k] = b->touch[k] ? f.turn[c] : 0;
-		b->roll[c][k] = b->touch[k] ? f.roll[c] : 0;
+		b->tangential_torque[c][k] = b->touch[k] ? f.turn[c] : 0;
+		b->rolling_torque[c][k] = b->touch[k] ? f.roll[c] : 0;
 	}
 	b->force[3][k] = b->touch[k] ? s->less[k] : 0;
 }
 
-/* Surfaces that have met pull beyond their touch: so do the few that have just come apart. */
-static void stick(struct ts_batch *b, const struct ts_stages *s, size_t n, const struct ts_granular_model *m,
-		  const struct ts_granular_pair *law)
+/* Adhesive surfaces that have been in contact attract beyond the touch: marks the few pairs that have just
+ * come apart and still attract as touching. */
+static void extend_adhesive_contacts(struct ts_batch *b, const struct ts_stages *s, size_t n,
+				     const struct ts_granular_model *m, const struct ts_granular_pair *law)
 {
 	int memories = ts_granular_memory(m);
 
@@ -54,8 +55,8 @@ static void stick(struct ts_batch *b, const struct ts_stages *s, size_t n, const
 
 TS_STAGES_LOOPS(ts_batch)
 
-static void contacts(struct ts_batch *b, size_t n, const struct ts_granular_model *m,
-		     const struct ts_granular_pair *law, double dt)
+static void compute_batch(struct ts_batch *b, size_t n, const struct ts_granular_model *m,
+			  const struct ts_granular_pair *law, double dt)
 {
 	double *memory[TS_GRANULAR_MEMORY] = { 0 };
 	struct ts_stages s;
@@ -71,12 +72,12 @@ static void contacts(struct ts_batch *b, size_t n, const struct ts_granular_mode
 	s.wall = false;
 	touches[m->full_arms][m->full_slip](b, &s, n);
 	if (ts_normal_sticks(m))
-		stick(b, &s, n, m, law);
+		extend_adhesive_contacts(b, &s, n, m, law);
 	ts_stages_compute(&s, n, m, law, dt);
 	(m->twisting ? finish_twist : finish)(b, &s, n);
 }
 
-TS_CLONES static void share(const struct ts_contact_task *task, size_t from, size_t to)
+TS_CLONES static void compute_blocks(const struct ts_contact_task *task, size_t from, size_t to)
 {
 	const struct ts_particles p = *task->p;
 	const struct ts_contact_list list = *task->list;
@@ -85,11 +86,11 @@ TS_CLONES static void share(const struct ts_contact_task *task, size_t from, siz
 		struct ts_active_block *block = &list.block[k];
 
 		ts_batch_block(task, &p, &list, ts_pair_model(task->pair, block->type[0], block->type[1]),
-			       (size_t)list.parts, contacts, block);
+			       (size_t)list.parts, compute_batch, block);
 	}
 }
 
 void ts_contact_share_staged(void *task, size_t from, size_t to)
 {
-	share(task, from, to);
+	compute_blocks(task, from, to);
 }

@@ -14,7 +14,7 @@ TS_INLINE void add_or_set(double to[3], const ts_four *sum, bool overwrite)
 		to[d] = overwrite ? (*sum)[d] : to[d] + (*sum)[d];
 }
 
-/* `parts` as in struct ts_contact_list. */
+/* Sums the results of the active pairs of each particle; `parts` as in struct ts_contact_list. */
 TS_INLINE void sum_forces(const struct ts_contact_list *list, const struct ts_particles *p, size_t from,
 			  size_t to, size_t parts)
 {

@@ -8,8 +8,8 @@
 
 #include "base/banned.h"
 
-/* As compute pressure with all its parts. */
-static enum ts_status tensor(struct tsim *sim, double out[6])
+/* Pressure tensor as of compute pressure with all its parts. */
+static enum ts_status pressure_tensor(struct tsim *sim, double out[6])
 {
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	const struct ts_virial_parts parts = { .kinetic = true, .pair = true, .bond = true };
@@ -24,7 +24,7 @@ static enum ts_status tensor(struct tsim *sim, double out[6])
 	return TS_OK;
 }
 
-static enum ts_status press(struct tsim *sim, double *out)
+static enum ts_status evaluate_press(struct tsim *sim, double *out)
 {
 	double t[6];
 	bool replaced;
@@ -32,12 +32,12 @@ static enum ts_status press(struct tsim *sim, double *out)
 	TS_TRY(ts_standard_value(sim, TS_STANDARD_PRESSURE, -1, &replaced, out));
 	if (replaced)
 		return TS_OK;
-	TS_TRY(tensor(sim, t));
+	TS_TRY(pressure_tensor(sim, t));
 	*out = ts_virial_mean_pressure(sim, t);
 	return TS_OK;
 }
 
-static enum ts_status component(struct tsim *sim, int k, double *out)
+static enum ts_status evaluate_component(struct tsim *sim, int k, double *out)
 {
 	double t[6];
 	bool replaced;
@@ -45,7 +45,7 @@ static enum ts_status component(struct tsim *sim, int k, double *out)
 	TS_TRY(ts_standard_value(sim, TS_STANDARD_PRESSURE, k, &replaced, out));
 	if (replaced)
 		return TS_OK;
-	TS_TRY(tensor(sim, t));
+	TS_TRY(pressure_tensor(sim, t));
 	*out = t[k];
 	return TS_OK;
 }
@@ -53,7 +53,7 @@ static enum ts_status component(struct tsim *sim, int k, double *out)
 #define COMPONENT(name, k)                                        \
 	static enum ts_status name(struct tsim *sim, double *out) \
 	{                                                         \
-		return component(sim, k, out);                    \
+		return evaluate_component(sim, k, out);           \
 	}
 COMPONENT(pxx, 0)
 COMPONENT(pyy, 1)
@@ -64,7 +64,7 @@ COMPONENT(pyz, 5)
 
 static const struct ts_keyword keywords[] = {
 	{ "press", "Press", "pressure", "pressure of all particles, see compute pressure",
-	  TS_KEYWORD_CONTACTS, press },
+	  TS_KEYWORD_CONTACTS, evaluate_press },
 	{ "pxx", "Pxx", "pressure", "its tensor, xx", TS_KEYWORD_CONTACTS, pxx },
 	{ "pyy", "Pyy", "pressure", "its tensor, yy", TS_KEYWORD_CONTACTS, pyy },
 	{ "pzz", "Pzz", "pressure", "its tensor, zz", TS_KEYWORD_CONTACTS, pzz },

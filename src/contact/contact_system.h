@@ -1,5 +1,5 @@
-/* The system of contacts: what the search for neighbours asks of their laws, and the pressure in the table
- * of the log. */
+/* The system of contacts: what the neighbour search needs of contact laws, and the pressure keywords of
+ * thermo output. */
 #ifndef TS_CONTACT_CONTACT_SYSTEM_H
 #define TS_CONTACT_CONTACT_SYSTEM_H
 

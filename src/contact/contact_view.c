@@ -117,7 +117,7 @@ void ts_contact_view_of_bond(const struct tsim *sim, size_t b, struct ts_contact
 	ts_box_nearest(&sim->domain->box, view->d);
 	view->image = ts_distance2(view->d, direct) > 0;
 	view->distance = ts_norm(view->d);
-	/* as the bond loop does it; after a restart the tension is known, the force not yet */
+	/* computed as in the bond loop, since after a restart the tension is known before the force */
 	for (int k = 0; k < 3; k++)
 		view->force[k] =
 			view->distance > 0 ? -bonds->tension[b] * (view->d[k] * (1 / view->distance)) : 0;

@@ -1,4 +1,4 @@
-/* Fix multicontact/halfspace: contacts of one grain act on each other. */
+/* Fix multicontact/halfspace: elastic interaction between the contacts of one particle. */
 #include "contact/multicontact.h"
 #include "core/sim.h"
 

@@ -8,7 +8,7 @@
 
 #include "base/banned.h"
 
-/* ---- words ---- */
+/* ---- arguments ---- */
 
 enum { HOOKE, HERTZ, MATERIAL, DMT, JKR };
 #define NUMBER(name_, field, unit_, range_, help_)                                                          \
@@ -65,9 +65,9 @@ const struct ts_arg ts_gran_coeff_rows[] = {
 	TS_ARGS_END,
 };
 
-/* ---- words within words ---- */
+/* ---- arguments of the sub-laws ---- */
 
-/* What the kind has not stays 0. */
+/* Arguments of a tangential, rolling or twisting law; what the law does not have stays 0. */
 struct parts {
 	int kind;
 	struct ts_number kt;
@@ -148,29 +148,30 @@ static enum ts_status read_parts(struct tsim *sim, const struct ts_arg *rows, st
 	return status;
 }
 
-/* ---- numbers ---- */
+/* ---- constants ---- */
 
 /* Y* = 1/((1 - nu_a^2)/E_a + (1 - nu_b^2)/E_b) */
-static double young(const struct ts_gran_coeff *a, const struct ts_gran_coeff *b)
+static double effective_young(const struct ts_gran_coeff *a, const struct ts_gran_coeff *b)
 {
 	return 1 /
 	       ((1 - a->poisson * a->poisson) / a->stiffness + (1 - b->poisson * b->poisson) / b->stiffness);
 }
 
 /* G* = 1/(2(2 - nu_a)(1 + nu_a)/E_a + ...) */
-static double shear(const struct ts_gran_coeff *a, const struct ts_gran_coeff *b)
+static double effective_shear(const struct ts_gran_coeff *a, const struct ts_gran_coeff *b)
 {
 	return 1 / (2 * (2 - a->poisson) * (1 + a->poisson) / a->stiffness +
 		    2 * (2 - b->poisson) * (1 + b->poisson) / b->stiffness);
 }
 
-static bool of_material(const struct ts_gran_coeff *c)
+static bool is_material(const struct ts_gran_coeff *c)
 {
 	return c->normal >= MATERIAL;
 }
 
-/* Of the coefficient of restitution (Y. Tsuji et al., 1992; the polynomial as in LAMMPS). */
-static double tsuji(double e)
+/* Damping prefactor for a coefficient of restitution e (Y. Tsuji et al., 1992; the polynomial as in LAMMPS).
+ */
+static double tsuji_damping(double e)
 {
 	static const double a[] = { 4.8218, -18.022, 27.467, -22.348, 11.087, -4.2783, 1.2728 };
 	double sum = 0;
@@ -180,13 +181,13 @@ static double tsuji(double e)
 	return sum;
 }
 
-/* gamma_0. */
-static double prefactor(const struct ts_gran_coeff *c)
+/* gamma_0, the prefactor of the normal damping. */
+static double damping_prefactor(const struct ts_gran_coeff *c)
 {
 	double l = log(c->prefactor);
 
 	if (c->damping == TS_DAMPING_TSUJI)
-		return tsuji(c->prefactor);
+		return tsuji_damping(c->prefactor);
 	if (c->damping == TS_DAMPING_RESTITUTION)
 		return (c->normal == HOOKE ? 2 : sqrt(5)) * -l / sqrt(l * l + TS_PI * TS_PI);
 	return c->prefactor;
@@ -202,8 +203,8 @@ static void set_normal(struct ts_gran_coeff *c)
 					       .full_slip = true,
 					       .no_tension = c->limit_damping };
 	c->law = (struct ts_granular_pair){
-		.kn = of_material(c) ? 4.0 / 3 * young(c, c) : c->stiffness,
-		.gamman = prefactor(c),
+		.kn = is_material(c) ? 4.0 / 3 * effective_young(c, c) : c->stiffness,
+		.gamman = damping_prefactor(c),
 		.surface_energy = c->normal >= DMT ? c->surface_energy : 0,
 	};
 }
@@ -222,15 +223,16 @@ static enum ts_status set_tangential(struct tsim *sim, struct ts_gran_coeff *c, 
 	c->law.friction = part.mu;
 	if (!c->stiffness_follows)
 		return TS_OK;
-	c->law.kt = 8 * shear(c, c);
-	if (of_material(c))
+	c->law.kt = 8 * effective_shear(c, c);
+	if (is_material(c))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, &c->tangential.word[1].place,
 		       "granular: the tangential stiffness NULL needs a normal law of a material: "
 		       "hertz/material, dmt or jkr");
 }
 
-static enum ts_status set_turning(struct tsim *sim, struct ts_gran_coeff *c, const struct ts_place *where)
+static enum ts_status set_rolling_and_twisting(struct tsim *sim, struct ts_gran_coeff *c,
+					       const struct ts_place *where)
 {
 	struct parts part;
 
@@ -247,7 +249,8 @@ static enum ts_status set_turning(struct tsim *sim, struct ts_gran_coeff *c, con
 	return TS_OK;
 }
 
-static enum ts_status refuse(struct tsim *sim, const struct ts_gran_coeff *c, const struct ts_place *where)
+static enum ts_status check_combination(struct tsim *sim, const struct ts_gran_coeff *c,
+					const struct ts_place *where)
 {
 	bool restitution = c->damping == TS_DAMPING_RESTITUTION;
 
@@ -272,10 +275,10 @@ enum ts_status ts_gran_coeff_complete(struct tsim *sim, void *coeff, const struc
 {
 	struct ts_gran_coeff *c = coeff;
 
-	TS_TRY(refuse(sim, c, where));
+	TS_TRY(check_combination(sim, c, where));
 	set_normal(c);
 	TS_TRY(set_tangential(sim, c, where));
-	TS_TRY(set_turning(sim, c, where));
+	TS_TRY(set_rolling_and_twisting(sim, c, where));
 	if (c->model.twisting != TS_TWISTING_MARSHALL || c->model.tangential != TS_TANGENTIAL_NO_HISTORY)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, &c->twisting.word[0].place,
@@ -287,7 +290,7 @@ void ts_gran_coeff_legacy_wall(struct ts_gran_coeff *c)
 {
 	double nu = c->poisson;
 
-	if (of_material(c))
+	if (is_material(c))
 		c->law.kn = 4.0 / 3 * c->stiffness / (2 * (1 - nu));
 	if (c->stiffness_follows)
 		c->law.kt = c->stiffness * (2 - nu) * (1 + nu) / 4;
@@ -301,7 +304,7 @@ bool ts_gran_coeff_alike(const struct ts_gran_coeff *a, const struct ts_gran_coe
 	       m->rolling == n->rolling && m->twisting == n->twisting && m->no_tension == n->no_tension;
 }
 
-/* Geometric means, but for the elasticity of materials. */
+/* Geometric means, except for the elastic constants of materials. */
 void ts_gran_coeff_mix(const struct ts_gran_coeff *a, const struct ts_gran_coeff *b,
 		       struct ts_gran_coeff *out)
 {
@@ -322,8 +325,8 @@ void ts_gran_coeff_mix(const struct ts_gran_coeff *a, const struct ts_gran_coeff
 	MEAN(twist_damping);
 	MEAN(twist_friction);
 #undef MEAN
-	if (of_material(a))
-		out->law.kn = 4.0 / 3 * young(a, b);
+	if (is_material(a))
+		out->law.kn = 4.0 / 3 * effective_young(a, b);
 	if (a->stiffness_follows && b->stiffness_follows)
-		out->law.kt = 8 * shear(a, b);
+		out->law.kt = 8 * effective_shear(a, b);
 }

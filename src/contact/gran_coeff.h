@@ -1,5 +1,5 @@
-/* Contact laws as LAMMPS' pair_style granular writes them, the same words for pair_coeff and for walls:
- * NORMAL numbers tangential ... [damping ...] [rolling ...] [twisting ...]. */
+/* Contact laws in the words of LAMMPS' pair_style granular, the same for pair_coeff and for walls: NORMAL
+ * numbers tangential ... [damping ...] [rolling ...] [twisting ...]. */
 #ifndef TS_CONTACT_GRAN_COEFF_H
 #define TS_CONTACT_GRAN_COEFF_H
 
@@ -7,29 +7,30 @@
 #include "law/granular.h"
 
 struct ts_gran_coeff {
-	struct ts_granular_pair law; /* first: an entry of pair_coeff; see ts_pair.law_offset */
+	/* constants of the law; first: an entry of pair_coeff, see ts_pair.law_offset */
+	struct ts_granular_pair law;
 	struct ts_granular_model model;
 
-	/* as written */
+	/* as given in the script */
 	int normal, damping;
 	double stiffness, prefactor, poisson, surface_energy, cutoff;
 	bool limit_damping;
 	struct ts_words tangential, rolling, twisting, heat;
-	bool stiffness_follows; /* k_t NULL: from the material */
+	bool stiffness_follows; /* k_t NULL: computed from the material */
 };
 extern const struct ts_arg ts_gran_coeff_rows[];
 
-/* Reads the words within the words, and derives model and law. */
+/* Parses the arguments of the sub-laws and derives model and law. */
 enum ts_status ts_gran_coeff_complete(struct tsim *sim, void *coeff, const struct ts_place *where);
-/* Whether the laws are the same but for their numbers; then those for types that meet, from those of each
- * with its own kind. */
+/* Whether two laws differ by their numbers only; then the mixed law for pairs of both types. */
 bool ts_gran_coeff_alike(const struct ts_gran_coeff *a, const struct ts_gran_coeff *b);
 void ts_gran_coeff_mix(const struct ts_gran_coeff *a, const struct ts_gran_coeff *b,
 		       struct ts_gran_coeff *out);
-/* What LAMMPS makes of a material at a wall: E* = E/(2 (1 - nu)), k_t NULL = E (2 - nu)(1 + nu)/4. */
+/* Constants that LAMMPS uses for a material at a wall: E* = E/(2 (1 - nu)), k_t NULL = E (2 - nu)(1 + nu)/4.
+ */
 void ts_gran_coeff_legacy_wall(struct ts_gran_coeff *c);
 
-/* Paragraphs for the manual. */
+/* Text for the manual pages. */
 #define TS_GRAN_COEFF_DOC                                                                                   \
 	"With delta the overlap, n the normal towards i, R = R_i R_j/(R_i+R_j), m = m_i m_j/(m_i+m_j), "    \
 	"v_n the normal velocity (negative while approaching) and a the radius of the contact area, the "   \

@@ -1,5 +1,5 @@
-/* Contact laws whose constants stand on the line that chooses them, as LAMMPS writes granular pair styles and
- * walls: kn kt gamma_n gamma_t xmu dampflag [limit_damping]. */
+/* Contact laws whose constants are arguments of the style, as in LAMMPS' pair styles and walls gran/...: kn
+ * kt gamma_n gamma_t xmu dampflag [limit_damping]. */
 #ifndef TS_CONTACT_GRAN_NUMBERS_H
 #define TS_CONTACT_GRAN_NUMBERS_H
 
@@ -8,8 +8,8 @@
 
 struct ts_gran_numbers {
 	double kn, gamman, xmu;
-	struct ts_number kt, gammat; /* NULL: 2/7 kn, 1/2 gamman */
-	int64_t damping;	     /* 0: no tangential dashpot */
+	struct ts_number kt, gammat; /* may be NULL: 2/7 kn, 1/2 gamma_n */
+	int64_t damping;	     /* 0: no tangential damping */
 	bool limit_damping;
 };
 
@@ -29,20 +29,20 @@ struct ts_gran_numbers {
 		       .hi = 1, .help = "0: no tangential damping, 1: with"),                              \
 		TS_FLAG("limit_damping", T, f.limit_damping, .help = "the normal force never pulls")
 
-/* The three laws: gran/hooke, gran/hooke/history, gran/hertz/history. */
+/* Model and constants of the three laws gran/hooke, gran/hooke/history, gran/hertz/history. */
 struct ts_granular_model ts_gran_numbers_model(int normal, int tangential,
 					       const struct ts_gran_numbers *numbers);
 enum ts_status ts_gran_numbers_law(struct tsim *sim, const struct ts_gran_numbers *numbers,
 				   const struct ts_place *where, struct ts_granular_pair *out);
 
-/* What the pair styles made of them share. */
+/* State of the three pair styles. */
 struct ts_gran_numbers_pair {
-	struct ts_pair pair; /* first: of every pair style */
+	struct ts_pair pair; /* first, as in every pair style */
 	struct ts_gran_numbers numbers;
 	bool generic;
 };
 enum ts_status ts_gran_numbers_init(struct ts_instance *self, struct tsim *sim, int normal, int tangential);
-/* The hook of stage FORCE. */
+/* Hook of stage FORCE. */
 enum ts_status ts_gran_numbers_force(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_gran_numbers_complete(struct tsim *sim, void *coeff, const struct ts_place *where);
 extern const struct ts_arg ts_gran_numbers_args[], ts_gran_numbers_coeff[];

@@ -1,6 +1,6 @@
-/* The most frequent models, whose loops over contacts are compiled as a whole, TS_GRANULAR_MODELS(M)
- * writes M(name, model) for each: somewhat faster than laws in stages (law_stages.h), which all others
- * have; but contacts that are located have no stages. */
+/* The most frequent models, whose contact loops are compiled as a whole: TS_GRANULAR_MODELS(M) expands to
+ * M(name, model) for each. They are somewhat faster than the staged loop (law_stages.h), which computes all
+ * other models; contacts with sub-step detection (`located`) have no stages. */
 #ifndef TS_CONTACT_GRANULAR_MODELS_H
 #define TS_CONTACT_GRANULAR_MODELS_H
 

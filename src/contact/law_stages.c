@@ -5,19 +5,20 @@ TS_UNROLLED
 
 #include "base/banned.h"
 
-/* What a contact is worked at with. */
-struct tools {
+/* Constants and columns of one stage. */
+struct stage_task {
 	const struct ts_granular_model *m;
 	const struct ts_granular_pair *law;
 	double dt;
-	double *memory[3], *area; /* the columns of what the stage remembers */
+	double *memory[3], *area; /* history columns of the stage */
 	const double *radius[2], *mass[2];
 	const long long *touch;
 	bool wall;
 };
 
-/* Columns that a law does not look at are not loaded. */
-TS_INLINE void load_touch(const struct ts_stages *s, size_t k, const struct tools *o, struct ts_touch *t)
+/* The contact as the laws of one contact read it. The compiler drops loads of columns that the law does not
+ * use. */
+TS_INLINE void load_touch(const struct ts_stages *s, size_t k, const struct stage_task *o, struct ts_touch *t)
 {
 	*t = (struct ts_touch){
 		.n = { s->n[0][k], s->n[1][k], s->n[2][k] },
@@ -46,14 +47,14 @@ TS_INLINE void load_normal(const struct ts_stages *s, size_t k, struct ts_normal
 				 .area = s->area[k] };
 }
 
-TS_INLINE void recall(double *const column[], int numbers, size_t k, double *memory)
+TS_INLINE void load_memory(double *const column[], int numbers, size_t k, double *memory)
 {
 	for (int c = 0; c < numbers; c++)
 		memory[c] = column[c][k];
 }
 
-TS_INLINE void note(const struct tools *o, double *const column[], int numbers, size_t k,
-		    const double *memory)
+TS_INLINE void store_memory(const struct stage_task *o, double *const column[], int numbers, size_t k,
+			    const double *memory)
 {
 	for (int c = 0; c < numbers; c++) {
 		double before = column[c][k];
@@ -64,7 +65,7 @@ TS_INLINE void note(const struct tools *o, double *const column[], int numbers, 
 
 /* ---- one contact */
 
-TS_INLINE void normal_at(struct ts_stages *s, size_t k, const struct tools *o)
+TS_INLINE void normal_at(struct ts_stages *s, size_t k, const struct stage_task *o)
 {
 	int numbers = o->m->normal == TS_NORMAL_HOOKE_HYSTERESIS;
 	double deepest = 0;
@@ -72,9 +73,9 @@ TS_INLINE void normal_at(struct ts_stages *s, size_t k, const struct tools *o)
 	struct ts_touch t;
 
 	load_touch(s, k, o, &t);
-	recall(o->memory, numbers, k, &deepest);
+	load_memory(o->memory, numbers, k, &deepest);
 	ts_normal_force(o->m, o->law, &t, true, &deepest, &f);
-	note(o, o->memory, numbers, k, &deepest);
+	store_memory(o, o->memory, numbers, k, &deepest);
 	s->kn[k] = f.kn;
 	s->kt[k] = f.kt;
 	s->gamman[k] = f.gamman;
@@ -84,7 +85,7 @@ TS_INLINE void normal_at(struct ts_stages *s, size_t k, const struct tools *o)
 	s->limit[k] = f.limit;
 }
 
-TS_INLINE void cohesion_at(struct ts_stages *s, size_t k, const struct tools *o)
+TS_INLINE void cohesion_at(struct ts_stages *s, size_t k, const struct stage_task *o)
 {
 	struct ts_touch t;
 	double pull;
@@ -95,7 +96,7 @@ TS_INLINE void cohesion_at(struct ts_stages *s, size_t k, const struct tools *o)
 	s->limit[k] = o->m->reduce ? s->limit[k] + pull : s->limit[k];
 }
 
-TS_INLINE void tangential_at(struct ts_stages *s, size_t k, const struct tools *o)
+TS_INLINE void tangential_at(struct ts_stages *s, size_t k, const struct stage_task *o)
 {
 	int numbers = ts_tangential_remembers(o->m) ? 3 : 0, rescales = ts_tangential_rescales(o->m);
 	double xi[3] = { 0 }, last = 0, force[3];
@@ -104,16 +105,16 @@ TS_INLINE void tangential_at(struct ts_stages *s, size_t k, const struct tools *
 
 	load_touch(s, k, o, &t);
 	load_normal(s, k, &f);
-	recall(o->memory, numbers, k, xi);
-	recall(&o->area, rescales, k, &last);
+	load_memory(o->memory, numbers, k, xi);
+	load_memory(&o->area, rescales, k, &last);
 	ts_tangential_force(o->m, o->law, &t, &f, o->dt, xi, &last, force);
-	note(o, o->memory, numbers, k, xi);
-	note(o, &o->area, rescales, k, &last);
+	store_memory(o, o->memory, numbers, k, xi);
+	store_memory(o, &o->area, rescales, k, &last);
 	for (int c = 0; c < 3; c++)
 		s->tangential[c][k] = force[c];
 }
 
-TS_INLINE void rolling_at(struct ts_stages *s, size_t k, const struct tools *o)
+TS_INLINE void rolling_at(struct ts_stages *s, size_t k, const struct stage_task *o)
 {
 	int numbers = o->m->rolling > TS_ROLLING_CDT ? 3 : 0;
 	double stored[3] = { 0 }, torque[3];
@@ -122,14 +123,14 @@ TS_INLINE void rolling_at(struct ts_stages *s, size_t k, const struct tools *o)
 
 	load_touch(s, k, o, &t);
 	load_normal(s, k, &f);
-	recall(o->memory, numbers, k, stored);
+	load_memory(o->memory, numbers, k, stored);
 	ts_rolling_torque(o->m, o->law, &t, &f, o->dt, true, stored, torque);
-	note(o, o->memory, numbers, k, stored);
+	store_memory(o, o->memory, numbers, k, stored);
 	for (int c = 0; c < 3; c++)
 		s->rolling[c][k] = torque[c];
 }
 
-TS_INLINE void twisting_at(struct ts_stages *s, size_t k, const struct tools *o)
+TS_INLINE void twisting_at(struct ts_stages *s, size_t k, const struct stage_task *o)
 {
 	struct ts_normal f;
 	struct ts_touch t;
@@ -137,14 +138,14 @@ TS_INLINE void twisting_at(struct ts_stages *s, size_t k, const struct tools *o)
 
 	load_touch(s, k, o, &t);
 	load_normal(s, k, &f);
-	recall(o->memory, 1, k, &phi);
+	load_memory(o->memory, 1, k, &phi);
 	s->twist[k] = ts_twisting_torque(o->m, o->law, &t, &f, o->dt, &phi);
-	note(o, o->memory, 1, k, &phi);
+	store_memory(o, o->memory, 1, k, &phi);
 }
 
-/* ---- what is computed once for contacts of the same bodies, or by iteration */
+/* ---- what is computed once for equal particles, or by iteration */
 
-/* The stiffness of hooke has a fifth root in it. */
+/* Solves the stiffness of hooke once for successive contacts of equal R* and m*, as it needs a fifth root. */
 static void solve_hooke(struct ts_stages *s, size_t n, const struct ts_granular_pair *law)
 {
 	const double *r = s->r_eff, *m = s->m_eff;
@@ -158,12 +159,12 @@ static void solve_hooke(struct ts_stages *s, size_t n, const struct ts_granular_
 	}
 }
 
-/* The columns of struct ts_jkr_root. */
-struct roots {
+/* Columns of struct ts_jkr_root. */
+struct jkr_roots {
 	double slope[TS_BATCH], root[TS_BATCH], s[TS_BATCH], target[TS_BATCH];
 };
 
-TS_INLINE void start_at(struct roots *q, size_t k)
+TS_INLINE void start_root_at(struct jkr_roots *q, size_t k)
 {
 	struct ts_jkr_root r;
 
@@ -171,7 +172,7 @@ TS_INLINE void start_at(struct roots *q, size_t k)
 	q->s[k] = r.s;
 }
 
-TS_INLINE int step_at(struct roots *q, size_t k)
+TS_INLINE int step_root_at(struct jkr_roots *q, size_t k)
 {
 	struct ts_jkr_root r = { q->slope[k], q->target[k], q->s[k] };
 	int nearer = ts_jkr_step(&r);
@@ -180,27 +181,27 @@ TS_INLINE int step_at(struct roots *q, size_t k)
 	return nearer;
 }
 
-TS_CLONES static void start_roots(struct roots *q, size_t n)
+TS_CLONES static void start_roots(struct jkr_roots *q, size_t n)
 {
 #pragma omp simd
 	for (size_t k = 0; k < n; k++)
-		start_at(q, k);
+		start_root_at(q, k);
 }
 
-TS_CLONES static int step_roots(struct roots *q, size_t n)
+TS_CLONES static int step_roots(struct jkr_roots *q, size_t n)
 {
 	int nearer = 0;
 
 #pragma omp simd reduction(| : nearer)
 	for (size_t k = 0; k < n; k++)
-		nearer |= step_at(q, k);
+		nearer |= step_root_at(q, k);
 	return nearer;
 }
 
-/* The radius of the contact area. */
+/* Solves the radius of the JKR contact area by Newton iteration, for all contacts at once. */
 static void solve_jkr(struct ts_stages *s, size_t n, const struct ts_granular_pair *law)
 {
-	struct roots q;
+	struct jkr_roots q;
 
 	for (size_t k = 0; k < n; k++) {
 		bool same = k && s->r_eff[k] == s->r_eff[k - 1];
@@ -216,15 +217,15 @@ static void solve_jkr(struct ts_stages *s, size_t n, const struct ts_granular_pa
 		s->solved[k] = q.s[k] * q.s[k];
 }
 
-/* Surfaces have met. */
-static void meet(struct ts_stages *s, size_t n, double *met)
+/* Records that the surfaces of adhesive contacts have touched. */
+static void mark_met(struct ts_stages *s, size_t n, double *met)
 {
 	for (size_t k = 0; k < n; k++)
 		met[k] = s->touch[k] ? 1 : met[k];
 }
 
-/* ---- the loops: each has a constant law, which leaves of the functions only what it needs, and some
- * flags of the model */
+/* ---- the loops: each has a constant law, so that the compiler keeps only what it needs, and some flags of
+ * the model */
 
 typedef void stage_fn(struct ts_stages *restrict s, size_t n, const struct ts_granular_model *restrict m,
 		      const struct ts_granular_pair *restrict law, double dt);
@@ -235,19 +236,19 @@ typedef void stage_fn(struct ts_stages *restrict s, size_t n, const struct ts_gr
 	{                                                                                  \
 		const struct ts_granular_model own = { __VA_ARGS__ };                      \
 		double *const *memory = s->memory + (at);                                  \
-		const struct tools tools = { &own,                                         \
-					     law,                                          \
-					     dt,                                           \
-					     { memory[0], memory[1], memory[2] },          \
-					     s->memory[ts_granular_area_at(m)],            \
-					     { s->radius[0], s->radius[1] },               \
-					     { s->mass[0], s->mass[1] },                   \
-					     s->touch,                                     \
-					     (is_wall) };                                  \
+		const struct stage_task task = { &own,                                     \
+						 law,                                      \
+						 dt,                                       \
+						 { memory[0], memory[1], memory[2] },      \
+						 s->memory[ts_granular_area_at(m)],        \
+						 { s->radius[0], s->radius[1] },           \
+						 { s->mass[0], s->mass[1] },               \
+						 s->touch,                                 \
+						 (is_wall) };                              \
                                                                                            \
-		if (!(dt > 0)) /* never; but so the compiler knows */                      \
+		if (!(dt > 0)) /* never true: tells the compiler that dt > 0 */            \
 			return;                                                            \
-		_Pragma("omp simd") for (size_t k = 0; k < n; k++) what_at(s, k, &tools);  \
+		_Pragma("omp simd") for (size_t k = 0; k < n; k++) what_at(s, k, &task);   \
 	}
 
 #define NORMAL(name, law)                                                                                 \
@@ -364,7 +365,7 @@ void ts_stages_compute(struct ts_stages *s, size_t n, const struct ts_granular_m
 		solvers[m->normal](s, n, law);
 	normals[m->normal](s, n, m, law, dt);
 	if (ts_normal_sticks(m))
-		meet(s, n, s->memory[ts_granular_met_at(m)]);
+		mark_met(s, n, s->memory[ts_granular_met_at(m)]);
 	if (m->cohesion)
 		cohesions[m->cohesion][s->wall](s, n, m, law, dt);
 	tangentials[m->tangential](s, n, m, law, dt);

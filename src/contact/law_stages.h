@@ -1,39 +1,40 @@
-/* Laws of contacts in stages: normal force, cohesion, tangential force, rolling, twisting. Each is a loop
- * of its own over columns, which any stage of the next kind may follow: so all combinations of laws are
- * computed several contacts at once, though only the most frequent ones have one loop for the whole
- * (granular_models.h). Numbers are those of ts_granular_contact, one contact after the other, bit for bit. */
+/* Contact laws in stages: normal force, cohesion, tangential force, rolling, twisting. Each law is a loop of
+ * its own over columns of contacts, and any law of one stage can follow any of the stage before. So all
+ * combinations of laws are vectorised, though only the most frequent ones have one loop for the whole law
+ * (granular_models.h). The results are those of ts_granular_contact for single contacts, bit for bit. */
 #ifndef TS_CONTACT_LAW_STAGES_H
 #define TS_CONTACT_LAW_STAGES_H
 
 #include "base/four.h"
 #include "law/granular_force.h"
 
-/* Columns of contacts of one law, as struct ts_touch, ts_normal and ts_granular_force have it. */
+/* Columns of contacts of one law; quantities and units as in struct ts_touch, ts_normal and
+ * ts_granular_force. */
 struct ts_stages {
-	/* given */
-	const double *radius[2], *mass[2]; /* of i and j; at a wall [1] is not looked at */
-	double *const *memory;		   /* columns of what contacts remember, which advances */
-	/* 0: do not touch, and remember what they did; else all bits are set */
+	/* inputs */
+	const double *radius[2], *mass[2]; /* of i and j; at a wall [1] is not read */
+	double *const *memory;		   /* history columns, which the stages advance */
+	/* 0: does not touch, the history stays; else all bits are set */
 	const long long *touch;
 	bool wall;
 
-	/* how they touch: ts_stages_store_touch */
+	/* geometry and kinematics of the contacts: ts_stages_store_touch */
 	double n[3][TS_BATCH], distance[TS_BATCH], overlap[TS_BATCH], r_eff[TS_BATCH], m_eff[TS_BATCH];
-	double less[TS_BATCH]; /* ts_granular_short */
+	double less[TS_BATCH]; /* radius - lever arm: ts_granular_short */
 	double vn[TS_BATCH], slip[3][TS_BATCH], roll[3][TS_BATCH], spin[3][TS_BATCH];
 
-	/* what stages leave to those that follow */
+	/* results of a stage that later ones read */
 	double solved[TS_BATCH];
 	double kn[TS_BATCH], kt[TS_BATCH], gamman[TS_BATCH], gammat[TS_BATCH], area[TS_BATCH];
 	double normal[TS_BATCH], limit[TS_BATCH];
 	double tangential[3][TS_BATCH], rolling[3][TS_BATCH], twist[TS_BATCH];
 } __attribute__((aligned(64)));
 
-/* Whether there are stages for all laws of the model: not for contacts that are located, for restitution
- * by the Stokes number, nor for bridges of liquid. */
+/* Whether all laws of the model have stages: not so with sub-step detection (`located`), restitution by the
+ * Stokes number, or liquid bridges. */
 bool ts_stages_for(const struct ts_granular_model *m);
 
-/* Contacts 0 .. n-1, n whole vectors; the time step is positive. */
+/* Computes contacts 0 .. n-1, n a multiple of the vector length; dt > 0. */
 void ts_stages_compute(struct ts_stages *s, size_t n, const struct ts_granular_model *m,
 		       const struct ts_granular_pair *law, double dt);
 
@@ -54,7 +55,7 @@ TS_INLINE void ts_stages_store_touch(struct ts_stages *s, size_t k, const struct
 	s->less[k] = ts_granular_short(m, t);
 }
 
-/* What comes of it; `normal` is not. */
+/* Force and torques of contact k; f->normal is not set. */
 TS_INLINE void ts_stages_force(const struct ts_stages *s, size_t k, bool twists, struct ts_granular_force *f)
 {
 	const double tangential[3] = { s->tangential[0][k], s->tangential[1][k], s->tangential[2][k] };
@@ -69,9 +70,9 @@ TS_INLINE void ts_stages_force(const struct ts_stages *s, size_t k, bool twists,
 	}
 }
 
-/* The loops that come before and after the laws, of a file that has touch_at(b, s, k, m), which calls
- * ts_stages_store_touch, and finish_at(b, s, k, twists), which calls ts_stages_force. Where arms end is a
- * constant of each loop. */
+/* The loops before and after the laws, for a file that defines touch_at(b, s, k, m), which calls
+ * ts_stages_store_touch, and finish_at(b, s, k, twists), which calls ts_stages_force. The convention for
+ * lever arms is a constant of each loop. */
 #define TS_STAGES_TOUCH(batch, name, arms, slips)                                                    \
 	TS_CLONES static void name(struct batch *restrict b, struct ts_stages *restrict s, size_t n) \
 	{                                                                                            \

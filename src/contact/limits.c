@@ -11,7 +11,7 @@
 
 #include "base/banned.h"
 
-static void insert(struct ts_lightest *l, double inverse_mass, double radius)
+static void insert_lightest(struct ts_lightest *l, double inverse_mass, double radius)
 {
 	int k = inverse_mass > l->inverse_mass[0] ? 0 : inverse_mass > l->inverse_mass[1] ? 1 : 2;
 
@@ -35,18 +35,20 @@ struct ts_lightest *ts_lightest(const struct tsim *sim, int group)
 		list[t].inverse_mass[0] = list[t].inverse_mass[1] = -1;
 	for (size_t i = 0; list && i < p->n; i++)
 		if (ts_in_group(p, i, group))
-			insert(&list[p->type[i]], p->mask[i] & prescribed ? 0 : p->imass[i], p->radius[i]);
+			insert_lightest(&list[p->type[i]], p->mask[i] & prescribed ? 0 : p->imass[i],
+					p->radius[i]);
 	for (int t = 1; list && t <= p->ntypes; t++) {
 		double radius, inverse_mass = ts_template_inverse_mass(sim, t, &radius);
 
-		for (int k = 0; k < 2 && inverse_mass > 0; k++) /* of which there will be several */
-			insert(&list[t], inverse_mass, radius);
+		/* two, as there will be several particles of the template */
+		for (int k = 0; k < 2 && inverse_mass > 0; k++)
+			insert_lightest(&list[t], inverse_mass, radius);
 	}
 	return list;
 }
 
-/* Where nothing integrates the motion, contacts cannot swing (heat in a packing at rest). */
-static bool moves(const struct tsim *sim)
+/* Without an integrator contacts cannot oscillate (e.g. heat conduction in a packing at rest). */
+static bool any_integrator(const struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	bool some = false;
@@ -69,7 +71,7 @@ enum ts_status ts_contact_report_limits(struct ts_plan_report *report, const str
 		overlap = fmax(c->overlap, ts_granular_depth(c->model, c->law, c->r_eff, c->m_eff, c->speed));
 		snprintf(depth, sizeof depth, ", overlap %.3g", overlap);
 	}
-	if (!(overlap > 0) || !isfinite(overlap) || !moves(sim))
+	if (!(overlap > 0) || !isfinite(overlap) || !any_integrator(sim))
 		return TS_OK;
 	limit = ts_granular_limit(c->model, c->law, c->r_eff, c->m_eff, overlap, euler);
 	slip = ts_granular_slip_limit(c->model, c->law, c->r_eff, c->m_eff, overlap, ts_inertia_factor(sim),
@@ -83,16 +85,16 @@ enum ts_status ts_contact_report_limits(struct ts_plan_report *report, const str
 	return TS_OK;
 }
 
-/* ---- times that granular codes go by ---- */
+/* ---- Rayleigh time and Hertz time ---- */
 
-static enum ts_status elastic(struct tsim *sim, int type, const char *who, const struct ts_place *where,
-			      double *young, double *nu)
+static enum ts_status read_elastic_constants(struct tsim *sim, int type, const char *who,
+					     const struct ts_place *where, double *young, double *nu)
 {
 	TS_TRY(ts_property_value(sim, "youngsModulus", type, 0, who, where, young));
 	return ts_property_value(sim, "poissonsRatio", type, 0, who, where, nu);
 }
 
-/* By type the least of a number of each particle of the group; infinite where there is none. */
+/* By type, the least value of `number` over the particles of the group; infinite where there is none. */
 typedef double number_fn(const struct tsim *sim, size_t i);
 static double *least_by_type(const struct tsim *sim, int group, number_fn *number)
 {
@@ -107,14 +109,14 @@ static double *least_by_type(const struct tsim *sim, int group, number_fn *numbe
 	return least;
 }
 
-/* Rayleigh's time is proportional to it. */
+/* The Rayleigh time is proportional to it. */
 static double radius_root_density(const struct tsim *sim, size_t i)
 {
 	return sim->particles->radius[i] * sqrt(ts_material_density(sim, i));
 }
 
-static enum ts_status rayleigh(struct tsim *sim, int group, const char *who, const struct ts_place *where,
-			       double *out)
+static enum ts_status least_rayleigh_time(struct tsim *sim, int group, const char *who,
+					  const struct ts_place *where, double *out)
 {
 	double *least = least_by_type(sim, group, radius_root_density), young, nu;
 	enum ts_status status = least ? TS_OK : ts_nomem(&sim->error);
@@ -123,7 +125,7 @@ static enum ts_status rayleigh(struct tsim *sim, int group, const char *who, con
 	for (int t = 1; status == TS_OK && t <= sim->particles->ntypes; t++) {
 		if (isinf(least[t]))
 			continue;
-		status = elastic(sim, t, who, where, &young, &nu);
+		status = read_elastic_constants(sim, t, who, where, &young, &nu);
 		if (status == TS_OK)
 			*out = fmin(*out, ts_rayleigh_time(least[t], 1, young / (2 * (1 + nu)), nu));
 	}
@@ -131,22 +133,22 @@ static enum ts_status rayleigh(struct tsim *sim, int group, const char *who, con
 	return status;
 }
 
-/* Y* of two types. */
-static enum ts_status young_of(struct tsim *sim, int a, int b, const char *who, const struct ts_place *where,
-			       double *out)
+/* Effective modulus Y* of two types. */
+static enum ts_status effective_young(struct tsim *sim, int a, int b, const char *who,
+				      const struct ts_place *where, double *out)
 {
 	double young[2], nu[2];
 
-	TS_TRY(elastic(sim, a, who, where, &young[0], &nu[0]));
-	TS_TRY(elastic(sim, b, who, where, &young[1], &nu[1]));
+	TS_TRY(read_elastic_constants(sim, a, who, where, &young[0], &nu[0]));
+	TS_TRY(read_elastic_constants(sim, b, who, where, &young[1], &nu[1]));
 	*out = 1 / ((1 - nu[0] * nu[0]) / young[0] + (1 - nu[1] * nu[1]) / young[1]);
 	return TS_OK;
 }
 
-/* m*^2/R* grows with either partner, so the lightest are enough: of one type the two lightest, or one and
- * itself where it is alone. */
-static enum ts_status hertz(struct tsim *sim, const struct ts_lightest *list, double speed, const char *who,
-			    const struct ts_place *where, double *out)
+/* m*^2/R* grows with the mass of either particle, so it is enough to check the lightest ones: of one type the
+ * two lightest, or one with itself if it is the only one. */
+static enum ts_status least_hertz_time(struct tsim *sim, const struct ts_lightest *list, double speed,
+				       const char *who, const struct ts_place *where, double *out)
 {
 	int n = sim->particles->ntypes;
 
@@ -158,7 +160,7 @@ static enum ts_status hertz(struct tsim *sim, const struct ts_lightest *list, do
 
 			if (one->inverse_mass[0] < 0 || other->inverse_mass[k] < 0 || !(sum > 0))
 				continue;
-			TS_TRY(young_of(sim, a, b, who, where, &young));
+			TS_TRY(effective_young(sim, a, b, who, where, &young));
 			r = one->radius[0] * other->radius[k] / (one->radius[0] + other->radius[k]);
 			*out = fmin(*out, ts_hertz_time(r, 1 / sum, young, speed));
 		}
@@ -166,7 +168,7 @@ static enum ts_status hertz(struct tsim *sim, const struct ts_lightest *list, do
 	return TS_OK;
 }
 
-/* The Hertz time of a particle with one of its kind goes with it to the power 1/5. */
+/* The Hertz time of a particle and an equal one is proportional to this to the power 1/5. */
 static double mass2_by_radius(const struct tsim *sim, size_t i)
 {
 	double radius = sim->particles->radius[i];
@@ -175,8 +177,8 @@ static double mass2_by_radius(const struct tsim *sim, size_t i)
 	return mass * mass / (0.5 * radius);
 }
 
-static enum ts_status legacy_hertz(struct tsim *sim, int group, double speed, const char *who,
-				   const struct ts_place *where, double *out)
+static enum ts_status least_legacy_hertz_time(struct tsim *sim, int group, double speed, const char *who,
+					      const struct ts_place *where, double *out)
 {
 	double *least = least_by_type(sim, group, mass2_by_radius), young;
 	enum ts_status status = least ? TS_OK : ts_nomem(&sim->error);
@@ -184,7 +186,7 @@ static enum ts_status legacy_hertz(struct tsim *sim, int group, double speed, co
 	for (int t = 1; status == TS_OK && t <= sim->particles->ntypes; t++) {
 		if (isinf(least[t]))
 			continue;
-		status = young_of(sim, t, t, who, where, &young);
+		status = effective_young(sim, t, t, who, where, &young);
 		if (status == TS_OK)
 			*out = fmin(*out, ts_hertz_time(1 / least[t], 1, young, speed));
 	}
@@ -199,15 +201,15 @@ enum ts_status ts_granular_times(struct tsim *sim, int group, double speed, bool
 	enum ts_status status;
 
 	out->hertz = INFINITY;
-	TS_TRY(rayleigh(sim, group, who, where, &out->rayleigh));
+	TS_TRY(least_rayleigh_time(sim, group, who, where, &out->rayleigh));
 	if (!(speed > 0))
 		return TS_OK;
 	if (legacy)
-		return legacy_hertz(sim, group, speed, who, where, &out->hertz);
+		return least_legacy_hertz_time(sim, group, speed, who, where, &out->hertz);
 	list = ts_lightest(sim, group);
 	if (!list)
 		return ts_nomem(&sim->error);
-	status = hertz(sim, list, speed, who, where, &out->hertz);
+	status = least_hertz_time(sim, list, speed, who, where, &out->hertz);
 	ts_free(list);
 	return status;
 }

@@ -1,5 +1,5 @@
-/* How long a step contacts bear: what the plan of a run says of pairs and walls, and fix
- * check/timestep/gran. */
+/* Limits of the time step of single contacts: reported in the plan of a run by pair styles and walls, and
+ * checked by fix check/timestep/gran. */
 #ifndef TS_CONTACT_LIMITS_H
 #define TS_CONTACT_LIMITS_H
 
@@ -7,15 +7,18 @@
 #include "law/granular_limit.h"
 #include "particle/particles.h"
 
-/* The two lightest particles of a type that can move, and whether there are held ones. */
+/* The two lightest mobile particles of a type; immobile ones enter with 1/m = 0. */
 struct ts_lightest {
-	double inverse_mass[2], radius[2]; /* -1: there is none; 0: held */
+	/* 1/mass: -1: there is no such particle, 0: it is immobile; radius: length */
+	double inverse_mass[2], radius[2];
 };
-/* By type, 0 .. ntypes; of the group. NULL: out of memory. ts_free when done. */
+/* An array by type, 0 .. ntypes, of the particles of the group; to be freed by ts_free. NULL: out of memory.
+ */
 struct ts_lightest *ts_lightest(const struct tsim *sim, int group);
 
-/* Reports the largest steps of the motion along the normal and of slip. `overlap`: the deepest that there is
- * now, for laws that stiffen, `speed`: of collisions to expect. */
+/* Reports the largest stable steps of a contact: of the normal motion and, as advice, of slip. `overlap`: the
+ * largest present one, length, for laws whose stiffness grows with it; `speed`: of collisions to be expected.
+ * `what` names the contact in the message. */
 struct ts_contact_case {
 	const struct ts_granular_model *model;
 	const struct ts_granular_pair *law;
@@ -25,9 +28,9 @@ enum ts_status ts_contact_report_limits(struct ts_plan_report *report, const str
 					const struct ts_place *where, const struct ts_contact_case *c,
 					const char *what);
 
-/* Rayleigh's time of the smallest sphere and the duration of the shortest Hertz collision in the group;
- * infinite where there is none. `legacy`: as LIGGGHTS takes it, each sphere with one like itself, and m
- * for m*. */
+/* Rayleigh time of the smallest sphere and duration of the shortest Hertzian collision in the group; infinite
+ * where there is none. `legacy`: as LIGGGHTS computes it, each sphere colliding with an equal one, and m
+ * instead of m*. */
 struct ts_granular_times {
 	double rayleigh, hertz;
 };

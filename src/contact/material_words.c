@@ -1,4 +1,4 @@
-/* The order of the words of contact models, and which of them belong together: as LIGGGHTS has it. */
+/* Order of the words of contact models, and which keywords need which model: as in LIGGGHTS. */
 #include "contact/material_words.h"
 
 #include <string.h>
@@ -19,7 +19,7 @@ const char *const ts_surface_names[] = { "default", "multicontact", NULL };
 
 static const char *const order[] = { "model", "tangential", "cohesion", "rolling_friction", "surface", NULL };
 
-/* Which models a keyword belongs to. */
+/* Models that a keyword needs. */
 static bool has_normal(const struct ts_granular_words *w)
 {
 	return w->normal != TS_NORMAL_OFF;
@@ -45,7 +45,7 @@ static bool is_stiffness(const struct ts_granular_words *w)
 	return w->normal == TS_NORMAL_HOOKE_STIFFNESS;
 }
 
-static bool remembers(const struct ts_granular_words *w)
+static bool has_tangential_history(const struct ts_granular_words *w)
 {
 	return w->tangential == TS_TANGENTIAL_HISTORY;
 }
@@ -56,7 +56,7 @@ static bool can_be_located(const struct ts_granular_words *w)
 	       w->cohesion < TS_COHESION_EASO;
 }
 
-static bool knows_others(const struct ts_granular_words *w)
+static bool can_be_multicontact(const struct ts_granular_words *w)
 {
 	return is_hertz_or_hooke(w) && w->cohesion == TS_COHESION_OFF && !w->located;
 }
@@ -66,7 +66,7 @@ static bool rolls(const struct ts_granular_words *w)
 	return w->rolling != TS_ROLLING_OFF;
 }
 
-static bool sticks(const struct ts_granular_words *w)
+static bool has_cohesion(const struct ts_granular_words *w)
 {
 	return w->cohesion != TS_COHESION_OFF;
 }
@@ -88,22 +88,22 @@ static const struct {
 	{ "absolute_damping", "model hooke/stiffness", is_stiffness },
 	{ "ktToKnUser", "model hooke or hooke/hysteresis", is_hooke },
 	{ "viscous", "model hooke or hooke/hysteresis", is_hooke },
-	{ "tangential_reduce", "a cohesion model", sticks },
+	{ "tangential_reduce", "a cohesion model", has_cohesion },
 	{ "modifyLbVolume", "cohesion washino/capillary/viscous", is_washino },
 	{ "limitLiquidContent", "cohesion washino/capillary/viscous", is_washino },
 	{ "torsionTorque", "a rolling_friction model", rolls },
 	{ "heating_normal_hertz", "model hertz", is_hertz },
-	{ "heating_tangential_history", "tangential history", remembers },
+	{ "heating_tangential_history", "tangential history", has_tangential_history },
 	{ "disableNormalWhenBonded", "model hertz or hooke", is_hertz_or_hooke },
 };
 
-/* Laws that need each other, or exclude each other. */
+/* Checks laws that require or exclude each other. */
 static enum ts_status check_laws(struct tsim *sim, const struct ts_instance *self, const char *who,
 				 const struct ts_granular_words *w)
 {
 	bool jkr = w->normal == TS_WORD_JKR;
 
-	if (w->surface == TS_SURFACE_MULTICONTACT && !knows_others(w))
+	if (w->surface == TS_SURFACE_MULTICONTACT && !can_be_multicontact(w))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "multicontact"),
 			       "%s: surface multicontact goes with model hertz, hooke or hooke/hysteresis, "
 			       "without cohesion and located",
@@ -137,8 +137,8 @@ static int rank_of(const char *text)
 	return -1;
 }
 
-static enum ts_status misplaced(struct tsim *sim, const char *who, const struct ts_word *word,
-				const char *before)
+static enum ts_status refuse_order(struct tsim *sim, const char *who, const struct ts_word *word,
+				   const char *before)
 {
 	return ts_fail(&sim->error, TS_SYNTAX, &word->place,
 		       "%s: '%s' must stand before '%s'; the order is model, tangential, cohesion, "
@@ -157,9 +157,9 @@ enum ts_status ts_granular_words_check(struct tsim *sim, const struct ts_instanc
 		int rank = rank_of(word->text);
 
 		if (rank >= 0 && keyword)
-			return misplaced(sim, who, word, keyword);
+			return refuse_order(sim, who, word, keyword);
 		if (rank >= 0 && rank < last)
-			return misplaced(sim, who, word, order[last]);
+			return refuse_order(sim, who, word, order[last]);
 		last = rank >= 0 ? rank : last;
 		for (size_t n = 0; n < sizeof keywords / sizeof *keywords; n++) {
 			if (!ts_streq(word->text, keywords[n].name))

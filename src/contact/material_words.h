@@ -6,14 +6,13 @@
 #include "core/sim.h"
 #include "law/granular.h"
 
-/* `model hertz tangential history ...` */
+/* the choices and flags as given; laws by the numbers of law/granular.h or TS_WORD_... */
 struct ts_granular_words {
 	int normal, tangential, rolling, cohesion, surface;
 	bool limit_force, tangential_damping, absolute_damping, kt_to_kn, viscous, reduce, torsion;
 	bool heating[2], potential, dissipated, unbonded, located, modify_share, limit_liquid;
 };
-/* Words that stand for laws of another number in law/granular.h; the other words have the numbers of the
- * laws. */
+/* Words whose number is not that of their law in law/granular.h. */
 enum { TS_WORD_JKR = TS_NORMAL_HOOKE_HYSTERESIS + 1, TS_WORD_JKR_TAN = TS_TANGENTIAL_INCREMENTAL + 1 };
 enum { TS_SURFACE_DEFAULT, TS_SURFACE_MULTICONTACT };
 extern const char *const ts_normal_names[],
@@ -65,7 +64,7 @@ extern const char *const ts_normal_names[],
 			.help = "where within a step contacts begin and end, and what the dashpot "          \
 				"does meanwhile, is accounted for")
 
-/* Checks their order, and that keywords fit the models. `who` for messages: "pair gran". */
+/* Checks the order of the words, and that keywords fit the models. `who` for messages: "pair gran". */
 enum ts_status ts_granular_words_check(struct tsim *sim, const struct ts_instance *self, const char *who,
 				       const struct ts_granular_words *words);
 

@@ -32,7 +32,7 @@ struct ts_granular_model ts_contact_model_of_words(const struct tsim *sim, const
 	};
 }
 
-/* Which laws need a property. */
+/* Bits of the laws that need a property. */
 enum needs {
 	ELASTIC = 1,
 	STIFFNESS = 2,
@@ -108,7 +108,7 @@ struct property {
 	const char *name;
 	size_t offset;
 	struct bounds bounds;
-	bool for_all; /* one number, whatever the types */
+	bool for_all; /* one number for all types */
 };
 #define PAIR(needs, name, field, ...)                                                     \
 	{                                                                                 \
@@ -140,7 +140,8 @@ static const struct property of_pairs[] = {
 	PAIR(HYSTERESIS, "coefficientPlasticityDepth", plasticity, NOT_NEGATIVE),
 	FOR_ALL(BRIDGES, "surfaceTension", surface_tension, NOT_NEGATIVE),
 	FOR_ALL(BRIDGES, "fluidViscosity", liquid_viscosity, NOT_NEGATIVE),
-	FOR_ALL(BRIDGES, "minSeparationDistanceRatio", least_gap, { 0, 6, true }), /* drag is > 0 */
+	/* above 0: the viscous force diverges there */
+	FOR_ALL(BRIDGES, "minSeparationDistanceRatio", least_gap, { 0, 6, true }),
 	FOR_ALL(BRIDGES, "maxSeparationDistanceRatio", most_gap, { 1, INFINITY, false }),
 	FOR_ALL(BRIDGE_SHARE, "lbVolumeFraction", bridge_share, { 0, 1, true }),
 	FOR_ALL(ROLLING_STIFFNESS, "rollingStiffness", rolling_stiffness, POSITIVE),
@@ -148,20 +149,20 @@ static const struct property of_pairs[] = {
 };
 enum { NPAIR = sizeof of_pairs / sizeof *of_pairs };
 
-/* What was given for which types, for messages. */
+/* The value of a property for types a and b, for messages. */
 struct given {
 	const char *name;
 	int a, b;
 	double value;
 };
 
-static enum ts_status refuse(struct tsim *sim, const struct given *g, const char *expected)
+static enum ts_status refuse_value(struct tsim *sim, const struct given *g, const char *expected)
 {
 	return ts_fail(&sim->error, TS_RANGE, ts_property_place(sim, g->name, g->a, g->b),
 		       "property/global %s is %.15g, expected %s", g->name, g->value, expected);
 }
 
-static enum ts_status in_range(struct tsim *sim, const struct given *g, const struct bounds *bounds)
+static enum ts_status check_range(struct tsim *sim, const struct given *g, const struct bounds *bounds)
 {
 	const char *relation = bounds->above ? ">" : ">=";
 	char expected[96];
@@ -173,10 +174,10 @@ static enum ts_status in_range(struct tsim *sim, const struct given *g, const st
 			 bounds->hi);
 	else
 		snprintf(expected, sizeof expected, "a number %s %g", relation, bounds->lo);
-	return refuse(sim, g, expected);
+	return refuse_value(sim, g, expected);
 }
 
-static enum ts_status usual_modulus(struct tsim *sim, const struct given *g, double pascal)
+static enum ts_status check_usual_modulus(struct tsim *sim, const struct given *g, double pascal)
 {
 	char expected[160];
 
@@ -184,43 +185,43 @@ static enum ts_status usual_modulus(struct tsim *sim, const struct given *g, dou
 		snprintf(expected, sizeof expected,
 			 "at least %g: softer particles overlap far; `soft_particles yes` allows it",
 			 5e6 * pascal);
-		return refuse(sim, g, expected);
+		return refuse_value(sim, g, expected);
 	}
 	if (g->value > 1e9 * pascal && !sim->hard_particles) {
 		snprintf(expected, sizeof expected,
 			 "at most %g: harder particles need very small time steps; "
 			 "`hard_particles yes` allows it",
 			 1e9 * pascal);
-		return refuse(sim, g, expected);
+		return refuse_value(sim, g, expected);
 	}
 	return TS_OK;
 }
 
-/* In units that have a pascal. */
-static enum ts_status usual(struct tsim *sim, const struct given *g)
+/* LIGGGHTS' bounds against errors of units; only in units with a pascal. */
+static enum ts_status check_usual(struct tsim *sim, const struct given *g)
 {
 	bool si = sim->units == TS_UNITS_SI;
 
 	if (ts_streq(g->name, "youngsModulus") && (si || sim->units == TS_UNITS_CGS))
-		return usual_modulus(sim, g, si ? 1 : 10);
+		return check_usual_modulus(sim, g, si ? 1 : 10);
 	if (ts_streq(g->name, "characteristicVelocity") && si && g->value < 0.01)
-		return refuse(sim, g, "at least 0.01");
+		return refuse_value(sim, g, "at least 0.01");
 	if (ts_streq(g->name, "rollingStiffness") && si && g->value < 1)
-		return refuse(sim, g, "at least 1");
+		return refuse_value(sim, g, "at least 1");
 	return TS_OK;
 }
 
-static enum ts_status look_up(struct tsim *sim, struct given *g, const char *who,
-			      const struct ts_place *where, const struct bounds *bounds)
+static enum ts_status read_property(struct tsim *sim, struct given *g, const char *who,
+				    const struct ts_place *where, const struct bounds *bounds)
 {
 	TS_TRY(ts_property_value(sim, g->name, g->a, g->b, who, where, &g->value));
-	TS_TRY(in_range(sim, g, bounds));
-	return usual(sim, g);
+	TS_TRY(check_range(sim, g, bounds));
+	return check_usual(sim, g);
 }
 
 /* 1/Y* = (1-nu_a^2)/Y_a + (1-nu_b^2)/Y_b; 1/G* = 2(2-nu_a)(1+nu_a)/Y_a + 2(2-nu_b)(1+nu_b)/Y_b */
-static enum ts_status elastic(struct tsim *sim, int a, int b, const char *who, const struct ts_place *where,
-			      struct ts_granular_pair *out)
+static enum ts_status read_elastic_constants(struct tsim *sim, int a, int b, const char *who,
+					     const struct ts_place *where, struct ts_granular_pair *out)
 {
 	static const struct bounds positive = POSITIVE, ratio = { 0, 0.5, false };
 	const int types[2] = { a, b };
@@ -231,8 +232,8 @@ static enum ts_status elastic(struct tsim *sim, int a, int b, const char *who, c
 		struct given poisson = { "poissonsRatio", types[k], 0, 0 };
 		double nu;
 
-		TS_TRY(look_up(sim, &young, who, where, &positive));
-		TS_TRY(look_up(sim, &poisson, who, where, &ratio));
+		TS_TRY(read_property(sim, &young, who, where, &positive));
+		TS_TRY(read_property(sim, &poisson, who, where, &ratio));
 		nu = poisson.value;
 		y += (1 - nu * nu) / young.value;
 		g += 2 * (2 - nu) * (1 + nu) / young.value;
@@ -242,11 +243,11 @@ static enum ts_status elastic(struct tsim *sim, int a, int b, const char *who, c
 	return TS_OK;
 }
 
-/* The constants of law/normal_area.h for a material: k = 4/3 Y*, k_t = 8 G*; the work of adhesion W parts
- * two surfaces of energy w = W/2, so that they part at 3 pi w R* = 3/2 pi W R*. The dashpots are those of
- * model hertz with the radius of the contact area instead of sqrt(R* delta): 2 sqrt(5/6) |beta| sqrt(2 Y*
- * a m*) = sqrt(5) |beta| sqrt(k a m*), and with 8 G* instead of 2 Y*. */
-static void stick(struct ts_granular_pair *out)
+/* Constants of law/normal_area.h for a material: k = 4/3 Y*, k_t = 8 G*. The work of adhesion W separates two
+ * surfaces of surface energy w = W/2 each, so the pull-off force is 3 pi w R* = 3/2 pi W R*. Damping is that
+ * of model hertz with the contact radius a instead of sqrt(R* delta): 2 sqrt(5/6) |beta| sqrt(2 Y* a m*) =
+ * sqrt(5) |beta| sqrt(k a m*), and with 8 G* instead of 2 Y* for the tangential one. */
+static void set_jkr_constants(struct ts_granular_pair *out)
 {
 	out->kn = 4.0 / 3.0 * out->young;
 	out->kt = 8 * out->shear;
@@ -255,16 +256,16 @@ static void stick(struct ts_granular_pair *out)
 	out->surface_energy *= 0.5;
 }
 
-/* The mean of both contact angles, in radians; LIGGGHTS 3.8 takes half their product. */
-static enum ts_status wet(struct tsim *sim, int a, int b, const char *who, const struct ts_place *where,
-			  struct ts_granular_pair *out)
+/* Mean of both contact angles, radians; LIGGGHTS 3.8 uses half their product, which `legacy` reproduces. */
+static enum ts_status read_contact_angle(struct tsim *sim, int a, int b, const char *who,
+					 const struct ts_place *where, struct ts_granular_pair *out)
 {
 	static const struct bounds angle = { 0, 180, false };
 	struct given one = { "contactAngle", a, 0, 0 }, other = { "contactAngle", b, 0, 0 };
 	double degree = TS_PI / 180;
 
-	TS_TRY(look_up(sim, &one, who, where, &angle));
-	TS_TRY(look_up(sim, &other, who, where, &angle));
+	TS_TRY(read_property(sim, &one, who, where, &angle));
+	TS_TRY(read_property(sim, &other, who, where, &angle));
 	out->contact_angle =
 		0.5 * (sim->legacy ? one.value * degree * other.value : one.value + other.value) * degree;
 	return TS_OK;
@@ -279,16 +280,16 @@ enum ts_status ts_contact_law_of_materials(struct tsim *sim, const struct ts_gra
 	*out = (struct ts_granular_pair){ 0 };
 	out->bridge_share = 0.05;
 	if (needs & BRIDGES)
-		TS_TRY(wet(sim, a, b, who, where, out));
+		TS_TRY(read_contact_angle(sim, a, b, who, where, out));
 	if (needs & ELASTIC)
-		TS_TRY(elastic(sim, a, b, who, where, out));
+		TS_TRY(read_elastic_constants(sim, a, b, who, where, out));
 	for (size_t k = 0; k < NPAIR; k++) {
 		const struct property *p = &of_pairs[k];
 		struct given g = { p->name, p->for_all ? 0 : a, p->for_all ? 0 : b, 0 };
 
 		if (!(needs & p->needs))
 			continue;
-		TS_TRY(look_up(sim, &g, who, where, &p->bounds));
+		TS_TRY(read_property(sim, &g, who, where, &p->bounds));
 		*(double *)((char *)out + p->offset) = g.value;
 	}
 	if (needs & RESTITUTION) {
@@ -298,6 +299,6 @@ enum ts_status ts_contact_law_of_materials(struct tsim *sim, const struct ts_gra
 		out->damping = l / sqrt(l * l + TS_PI * TS_PI);
 	}
 	if (needs & ADHESION)
-		stick(out);
+		set_jkr_constants(out);
 	return TS_OK;
 }

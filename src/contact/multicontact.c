@@ -27,18 +27,19 @@ enum ts_status ts_multicontact_prepare(struct ts_multicontact *m, struct tsim *s
 	return TS_OK;
 }
 
-/* ---- the loads on each particle: first its rows, in the order of its partners, then its walls */
+/* ---- the loads on each particle: first of its pairs, in the order of its partners, then of walls */
 
-/* Whether somebody but the two particles of a row knows of it. */
-static bool loads(const struct ts_pair *pair, const struct ts_contact_list *list,
-		  const struct ts_particles *p, size_t r)
+/* Whether pair r is a load for other contacts of its particles. */
+static bool carries_load(const struct ts_pair *pair, const struct ts_contact_list *list,
+			 const struct ts_particles *p, size_t r)
 {
 	return list->touching[r] && ts_pair_model(pair, p->type[list->i[r]], p->type[list->j[r]])->multi;
 }
 
-/* Where the partners of row r touch, as its partner of that side sees it. */
-static void place_of(const struct ts_contact_list *list, const struct ts_particles *p, size_t r, int side,
-		     double e[3], double point[3], double *gap)
+/* Contact point of pair r relative to the centre of its particle `side`, normal e into this particle, gap of
+ * the undeformed surfaces; lengths. */
+static void contact_point(const struct ts_contact_list *list, const struct ts_particles *p, size_t r,
+			  int side, double e[3], double point[3], double *gap)
 {
 	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 	double d[3], distance;
@@ -50,20 +51,22 @@ static void place_of(const struct ts_contact_list *list, const struct ts_particl
 	ts_scale(-(p->radius[side ? j : i] + 0.5 * *gap), e, point);
 }
 
-static struct ts_multicontact_load row_load(const struct ts_pair *pair, const struct ts_contact_list *list,
-					    const struct ts_particles *p, size_t r, int side)
+static struct ts_multicontact_load load_of_pair(const struct ts_pair *pair,
+						const struct ts_contact_list *list,
+						const struct ts_particles *p, size_t r, int side)
 {
 	const struct ts_granular_model *model = ts_pair_model(pair, p->type[list->i[r]], p->type[list->j[r]]);
 	const double *memory = list->history + r * list->history_width + ts_granular_multi_at(model);
 	double a = p->radius[list->i[r]], b = p->radius[list->j[r]], gap;
 	struct ts_multicontact_load one = { .load.force = memory[TS_MULTI_FORCE] };
 
-	place_of(list, p, r, side, one.load.e, one.load.point, &gap);
+	contact_point(list, p, r, side, one.load.e, one.load.point, &gap);
 	one.load.within = sqrt(a * b / (a + b) * fmax(0, memory[TS_MULTI_BULGE] - gap));
 	return one;
 }
 
-static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim, const struct ts_pair *pair)
+static enum ts_status count_loads(struct ts_multicontact *m, const struct tsim *sim,
+				  const struct ts_pair *pair)
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_gather *g = &list->gather;
@@ -75,7 +78,7 @@ static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim, c
 	for (size_t i = 0; i < n; i++) {
 		m->next[i] = 0;
 		for (size_t k = g->first ? g->first[i] : 0; pair && list->n && k < g->first[i + 1]; k++)
-			m->next[i] += loads(pair, list, sim->particles, g->entry[k] >> 1);
+			m->next[i] += carries_load(pair, list, sim->particles, g->entry[k] >> 1);
 	}
 	sim->neigh->multicontact_walls->count(m, sim);
 	m->first[0] = 0;
@@ -86,29 +89,31 @@ static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim, c
 	return TS_GROW(m->load, m->load_capacity, m->first[n] + 1);
 }
 
-static enum ts_status collect(struct ts_multicontact *m, struct tsim *sim, const struct ts_pair *pair,
-			      const struct ts_place *where)
+static enum ts_status collect_loads(struct ts_multicontact *m, struct tsim *sim, const struct ts_pair *pair,
+				    const struct ts_place *where)
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_gather *g = &list->gather;
 
-	if (count(m, sim, pair) != TS_OK)
+	if (count_loads(m, sim, pair) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < sim->particles->n && pair && list->n; i++)
 		for (size_t k = g->first[i]; k < g->first[i + 1]; k++)
-			if (loads(pair, list, sim->particles, g->entry[k] >> 1))
-				m->load[m->next[i]++] = row_load(pair, list, sim->particles, g->entry[k] >> 1,
-								 (int)(g->entry[k] & 1));
+			if (carries_load(pair, list, sim->particles, g->entry[k] >> 1))
+				m->load[m->next[i]++] =
+					load_of_pair(pair, list, sim->particles, g->entry[k] >> 1,
+						     (int)(g->entry[k] & 1));
 	return sim->neigh->multicontact_walls->collect(m, sim, where);
 }
 
-/* ---- what they do */
+/* ---- displacements */
 
-/* Two contacts so near are one: of a row itself, or of its mirror across a periodic face. */
+/* Contacts nearer than this fraction of the radius are the same one: the pair itself, or its other entry
+ * across a periodic face. */
 static const double SAME = 1e-6;
 
-static double stands_out(const struct ts_multicontact *m, const struct ts_particles *p, size_t i,
-			 const double e[3], const double point[3], const struct ts_wall *wall)
+static double surface_displacement(const struct ts_multicontact *m, const struct ts_particles *p, size_t i,
+				   const double e[3], const double point[3], const struct ts_wall *wall)
 {
 	double sum = 0, same = SAME * p->radius[i];
 
@@ -116,7 +121,7 @@ static double stands_out(const struct ts_multicontact *m, const struct ts_partic
 		return 0;
 	for (size_t k = m->first[i]; k < m->first[i + 1]; k++) {
 		const struct ts_multicontact_load *one = &m->load[k];
-		/* a contact that has moved over a mesh is still the same */
+		/* a contact that has moved along a mesh is still the same */
 		double itself = wall && one->wall == wall ? fmax(same, one->load.within) : same;
 
 		if (one->wall == wall && sqrt(ts_distance2(one->load.point, point)) <= itself)
@@ -132,7 +137,7 @@ struct task {
 	const struct tsim *sim;
 };
 
-static void rows_share(void *context, size_t from, size_t to)
+static void displace_pairs_share(void *context, size_t from, size_t to)
 {
 	const struct task *t = context;
 	const struct ts_contact_list *list = &t->sim->neigh->contacts;
@@ -143,13 +148,13 @@ static void rows_share(void *context, size_t from, size_t to)
 		size_t owner = j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
 		double e[3], point[3], gap, a = p->radius[i], b = p->radius[j], ours, theirs;
 
-		place_of(list, p, r, 0, e, point, &gap);
+		contact_point(list, p, r, 0, e, point, &gap);
 		t->m->bulge[r] = (struct ts_contact_bulge){ 0, a * b / (a + b) };
 		if (gap > TS_BULGE_MOST * (a + b))
 			continue;
-		ours = stands_out(t->m, p, i, e, point, NULL);
-		place_of(list, p, r, 1, e, point, &gap);
-		theirs = stands_out(t->m, p, owner, e, point, NULL);
+		ours = surface_displacement(t->m, p, i, e, point, NULL);
+		contact_point(list, p, r, 1, e, point, &gap);
+		theirs = surface_displacement(t->m, p, owner, e, point, NULL);
 		a += ours;
 		b += theirs;
 		t->m->bulge[r] = (struct ts_contact_bulge){ ours + theirs, a * b / (a + b) };
@@ -168,12 +173,12 @@ enum ts_status ts_multicontact_update(struct ts_multicontact *m, struct tsim *si
 	list->bulge = NULL;
 	pair = pair && pair->model.multi ? pair : NULL;
 	ts_contacts_store_history(sim, list);
-	TS_TRY(collect(m, sim, pair, where));
+	TS_TRY(collect_loads(m, sim, pair, where));
 	if (!pair)
 		return TS_OK;
 	if (TS_GROW(m->bulge, m->bulge_capacity, list->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	ts_parallel(ts_team(sim, list->n), list->n, rows_share, &task);
+	ts_parallel(ts_team(sim, list->n), list->n, displace_pairs_share, &task);
 	list->bulge = m->bulge;
 	for (size_t r = 0; r < list->n; r++) {
 		double sum = p->radius[list->i[r]] + p->radius[list->j[r]];
@@ -197,7 +202,7 @@ double ts_multicontact_at_wall(const struct tsim *sim, size_t i, const double e[
 	if (!sim->neigh->multicontact)
 		return 0;
 	ts_scale(-distance, e, point);
-	return stands_out(sim->neigh->multicontact, sim->particles, i, e, point, wall);
+	return surface_displacement(sim->neigh->multicontact, sim->particles, i, e, point, wall);
 }
 
 void ts_multicontact_release(struct ts_multicontact *m)

@@ -125,7 +125,7 @@ enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, in
 	return TS_OK;
 }
 
-/* Of bridges whatever liquid there will be. */
+/* Largest gap at which the law attracts; of liquid bridges for any amount of liquid. */
 static double reach_of(const struct ts_granular_model *m, const struct ts_granular_pair *law, double radius)
 {
 	if (ts_cohesion_bridges(m))
@@ -230,7 +230,7 @@ enum ts_status ts_pair_archive_given(struct ts_instance *self, struct tsim *sim,
 	struct ts_pair *pair = self->state;
 
 	TS_TRY(ts_pair_prepare(sim, self));
-	if (!ts_archive_has(a, "given")) /* older files: nobody asked */
+	if (!ts_archive_has(a, "given")) /* missing in older files */
 		return TS_OK;
 	return ts_archive_fixed(a, "given", TS_SAVED_U8, pair->coeffs.given, pair->coeffs.n);
 }
@@ -242,7 +242,7 @@ void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_coeffs_fingerprint(&pair->coeffs, sim, hash);
 }
 
-/* The deepest overlap that there is of each pair of types. */
+/* Largest present overlap of each pair of types, length. */
 static double *deepest_overlaps(const struct tsim *sim, const struct ts_pair *pair)
 {
 	size_t n = (size_t)pair->ntypes + 1;
@@ -274,7 +274,7 @@ static enum ts_status report_types(const struct ts_instance *self, struct tsim *
 	};
 	char what[48];
 
-	/* no such pair, or both are held */
+	/* no such pair of particles, or both are immobile */
 	if (one->inverse_mass[0] < 0 || other->inverse_mass[a == b] < 0 || !(sum > 0))
 		return TS_OK;
 	snprintf(what, sizeof what, "of types %d and %d", a, b);

@@ -1,5 +1,5 @@
-/* Quantities of a pair, along the line of centres and by components, that computes of contacts and of bonds
- * offer as columns. */
+/* Columns that computes of contacts and of bonds have in common: distance and force along the line of
+ * centres, and by components. */
 #ifndef TS_CONTACT_PAIR_COLUMNS_H
 #define TS_CONTACT_PAIR_COLUMNS_H
 

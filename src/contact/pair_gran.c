@@ -15,8 +15,8 @@ struct gran {
 	bool generic;
 };
 
-/* All pairs of types that particles have. */
-static enum ts_status make_table(struct ts_instance *self, struct tsim *sim)
+/* Reads the constants of all pairs of types from the material properties. */
+static enum ts_status read_materials(struct ts_instance *self, struct tsim *sim)
 {
 	struct gran *g = self->state;
 	int most = ts_largest_type(sim);
@@ -32,7 +32,7 @@ static enum ts_status make_table(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* What LIGGGHTS refuses, too. */
+/* Combinations that LIGGGHTS refuses, too. */
 static enum ts_status check_words(struct ts_instance *self, struct tsim *sim)
 {
 	const struct gran *g = self->state;
@@ -61,7 +61,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!sim->particles->ntypes)
 		return TS_OK;
 	TS_TRY(ts_pair_prepare(sim, self));
-	TS_TRY(make_table(self, sim));
+	TS_TRY(read_materials(self, sim));
 	if (ts_cohesion_bridges(&g->pair.model))
 		TS_TRY(ts_liquid_init(sim, self, &g->pair.liquid));
 	return ts_pair_init(self, sim);
@@ -100,7 +100,8 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 	return ts_contact_loop(sim, &g->pair, ts_contact_share_of(&g->pair, g->generic));
 }
 
-/* What granular codes go by, where the laws know the material. */
+/* Reports the limits of ts_pair_plan and, as advice, Rayleigh and Hertz times where the law has a material.
+ */
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct gran *g = self->state;

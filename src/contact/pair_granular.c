@@ -1,4 +1,4 @@
-/* Pair style granular: LAMMPS' table of contact laws, for each pair of types its own. */
+/* Pair style granular: the contact laws of LAMMPS' style of this name, by pairs of types. */
 #include "contact/contact_energy.h"
 #include "contact/contact_loop.h"
 #include "contact/contact_models.h"
@@ -22,8 +22,8 @@ static bool is_given(const struct ts_pair *pair, int a, int b)
 	return pair->coeffs.given[a * (pair->ntypes + 1) + b];
 }
 
-/* Types that meet without a pair_coeff of their own. */
-static enum ts_status mix(struct ts_instance *self, struct tsim *sim, int a, int b)
+/* Mixes the law of two types without a pair_coeff of their own. */
+static enum ts_status mix_types(struct ts_instance *self, struct tsim *sim, int a, int b)
 {
 	struct ts_pair *pair = self->state;
 	const struct ts_gran_coeff *one = entry_of(pair, a, a), *other = entry_of(pair, b, b);
@@ -40,7 +40,8 @@ static enum ts_status mix(struct ts_instance *self, struct tsim *sim, int a, int
 	return TS_OK;
 }
 
-/* Where contacts of different types have different laws, the memory of each has room for all. */
+/* Chooses the common model; where types have different laws, the history of each contact has room for the
+ * largest (`wide`). */
 static void fit_memory(struct ts_pair *pair)
 {
 	const struct ts_gran_coeff *first = NULL;
@@ -77,7 +78,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_pair_prepare(sim, self));
 	for (int a = 1; a <= pair->ntypes; a++)
 		for (int b = a + 1; b <= pair->ntypes; b++)
-			TS_TRY(mix(self, sim, a, b));
+			TS_TRY(mix_types(self, sim, a, b));
 	fit_memory(pair);
 	return ts_pair_init(self, sim);
 }

@@ -81,7 +81,7 @@ double ts_virial_mean_pressure(const struct tsim *sim, const double tensor[6])
 enum ts_status ts_virial_read_parts(struct tsim *sim, const struct ts_instance *self, struct ts_words words,
 				    struct ts_virial_parts *parts)
 {
-	/* of the last six there is nothing to add here */
+	/* the last six are accepted; contacts and bonds have nothing to add to them */
 	static const char *const names[] = { "ke",    "pair",	  "bond",     "virial", "fix",
 					     "angle", "dihedral", "improper", "kspace", NULL };
 

@@ -153,15 +153,15 @@ const struct ts_command_style ts_command_neigh_modify = {
 		.name = "neigh_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets which pairs of particles have no contact",
-		.doc = "Sets which pairs of particles are left out of the neighbour list and so have no contact "
-		       "force. `exclude type m n` excludes pairs of particles of types m and n, `exclude group a "
-		       "b` pairs with one particle in group a and the other in group b. `exclude molecule/intra "
-		       "a` excludes pairs of members of group a with the same molecule ID, `molecule/inter a` "
-		       "those with different ones (`fix property/atom mol`). `include a`: only members of group "
-		       "a have contacts.\n\n"
+		.doc = "Sets which pairs of particles are left out of the neighbour list and so have no "
+		       "contact force. `exclude type m n` excludes pairs of particles of types m and n, "
+		       "`exclude group a b` pairs with one particle in group a and the other in group b. "
+		       "`exclude molecule/intra a` excludes pairs of members of group a with the same "
+		       "molecule ID, `molecule/inter a` those with different ones (`fix property/atom "
+		       "mol`). `include a`: only members of group a have contacts.\n\n"
 		       "The neighbour list is rebuilt exactly when a particle has moved half the skin (see "
-		       "neighbor), so no contact is missed, and keywords that say when and how to build it have "
-		       "no effect.",
+		       "neighbor), so no contact is missed, and keywords that say when and how to build it "
+		       "have no effect.",
 		.example = "neigh_modify delay 0\n"
 		       "neigh_modify exclude type 1 2 exclude group wall wall include bed check yes",
 		.args = args,
