@@ -15,8 +15,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_TYPES("I", struct pair_coeff, a, .flags = TS_POSITIONAL, .help = "types of one partner"),
-	TS_TYPES("J", struct pair_coeff, b, .flags = TS_POSITIONAL, .help = "types of the other"),
+	TS_TYPES("I", struct pair_coeff, a, .flags = TS_POSITIONAL, .help = "types of one particle"),
+	TS_TYPES("J", struct pair_coeff, b, .flags = TS_POSITIONAL, .help = "types of the other particle"),
 	TS_REST_OPTIONAL("coefficients", struct pair_coeff, words,
 			 .help = "coefficients as the pair style defines them, or `file NAME`"),
 	TS_ARGS_END,
@@ -27,9 +27,10 @@ const struct ts_command_style ts_command_pair_coeff = {
 	.style = { .name = "pair_coeff",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "sets the coefficients of the contact law for pairs of particle types",
-		   .doc = "I and J are types or ranges (*, 2*, *3, 1*3). The rest is defined by the pair "
-			  "style. `file NAME` reads keyword-value lines from NAME, looked for here, in "
-			  "the folder TSIM_POTENTIALS and among the installed potentials.",
+		   .doc = "I and J are types or ranges of types (*, 2*, *3, 1*3). The coefficients are "
+			  "defined by the pair style. `file NAME` reads keyword-value lines from the file "
+			  "NAME, which is searched for in the working folder, in the folder "
+			  "TSIM_POTENTIALS and among the installed potentials.",
 		   .example = "pair_coeff * * stiffness 2.0e5 restitution 0.5",
 		   .args = args,
 		   .state_size = sizeof(struct pair_coeff) },

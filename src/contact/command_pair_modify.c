@@ -12,10 +12,10 @@ static const char *const mixings[] = { "geometric", "arithmetic", "sixthpower", 
 
 static const struct ts_arg args[] = {
 	TS_ENUM("shift", struct state, shift, switches, .fallback = "no",
-		.help = "no effect: forces end where particles part"),
+		.help = "no effect: contact forces end where the surfaces separate"),
 	TS_ENUM("tail", struct state, tail, switches, .fallback = "no", .help = "no effect"),
 	TS_ENUM("mix", struct state, mix, mixings, .fallback = "geometric",
-		.help = "no effect: contact laws say how materials mix"),
+		.help = "no effect: the pair style defines how coefficients are mixed"),
 	TS_ARGS_END,
 };
 
@@ -25,7 +25,7 @@ const struct ts_command_style ts_command_pair_modify = {
 		.name = "pair_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "Elsewhere it changes potentials of long range. Contact laws have none of it.",
+		.doc = "In LAMMPS it changes long-range potentials; contact laws have none.",
 		.example = "pair_modify shift yes",
 		.args = args,
 		.state_size = sizeof(struct state),

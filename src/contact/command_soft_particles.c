@@ -25,13 +25,12 @@ const struct ts_command_style ts_command_soft_particles = {
 	.style = {
 		.name = "soft_particles",
 		.kind = TS_KIND_COMMAND,
-		.summary = "lets Young's modulus be below 5e6 Pa",
-		.doc = "With units si and cgs, the models of pair_style gran that need youngsModulus want it "
-		       "from 5e6\n"
-		       "to 1e9 Pa (5e7 to 1e10 in cgs). Softer particles overlap so far that they are no "
-		       "spheres\n"
-		       "any more.\n"
-		       "Other units have no such limit, nor have laws whose stiffness is given.",
+		.summary = "allows a Young's modulus below 5e6 Pa",
+		.doc = "In units si and cgs, the models of pair_style gran that use youngsModulus require "
+		       "it to be between 5e6 and 1e9 Pa (5e7 and 1e10 in cgs). The overlaps of softer "
+		       "particles are so large that the contact laws of spheres do not hold any more. This "
+		       "command removes the lower bound. Other units have no such bounds, nor have laws "
+		       "whose stiffness is given.",
 		.example = "soft_particles yes",
 		.args = args,
 		.state_size = sizeof(struct state),

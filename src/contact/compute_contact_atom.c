@@ -51,7 +51,7 @@ static const struct ts_value values[] = {
 
 static const struct ts_arg args[] = {
 	TS_GROUP("with", struct contact, with, .flags = TS_POSITIONAL | TS_OPTIONAL,
-		 .help = "only partners of this group count"),
+		 .help = "only overlaps with particles of this group count"),
 	TS_ARGS_END,
 };
 
@@ -60,11 +60,9 @@ const struct ts_style ts_compute_contact_atom = {
 	.name = "contact/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Number of contacts of each particle",
-	.doc = "Counts for each particle of the group the others, of whatever group, that are nearer than "
-	       "the sum of\n"
-	       "the radii. It looks at positions and radii only, so it also counts overlaps that have no "
-	       "force\n"
-	       "(excluded pairs, no pair_style). Periodic images count.",
+	.doc = "Counts, for each particle of the group, the other particles, of any group, whose distance "
+	       "is less than the sum of the radii. It uses positions and radii only, so overlaps without a "
+	       "force (excluded pairs, no pair_style) count as well. Periodic images count.",
 	.example = "compute z all contact/atom\ncompute mean all reduce ave c_z",
 	.args = args,
 	.state_size = sizeof(struct contact),

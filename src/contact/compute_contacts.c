@@ -110,8 +110,8 @@ static const char *const names[] = { "i",  "j",	 "overlap", "xi", "yi", "zi", "x
 static const struct ts_value values[] = {
 	{ "count", "", "number of contacts between particles of the group", TS_SCALAR, 1, NULL, eval_count },
 	{ "coordination", "", "contacts of each particle", TS_PERATOM, 1, NULL, eval_peratom },
-	{ "list", "", "one row per contact, with the force on i and the place of the contact", TS_LOCAL,
-	  COLUMNS, names, eval_local },
+	{ "list", "", "a row for each contact, with the force on i and the midpoint", TS_LOCAL, COLUMNS,
+	  names, eval_local },
 	{ .name = NULL },
 };
 
@@ -122,9 +122,10 @@ const struct ts_style ts_compute_contacts = {
 	.name = "contacts",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "number, coordination and list of the contacts",
-	.doc = "c_ID is the number of touching pairs with both partners in the group, c_ID per particle its "
-	       "number of contacts, and c_ID[k] in dump local the list: identities, overlap, both positions, "
-	       "force on the first, middle. Contacts are those of the last force computation.",
+	.doc = "c_ID is the number of touching pairs with both particles in the group, c_ID per particle "
+	       "its number of contacts. c_ID[k] in dump local is the list of contacts: both IDs, overlap, "
+	       "both positions, force on the first particle, midpoint of the centres. Contacts are those "
+	       "of the last force computation.",
 	.example = "compute nc all contacts\ndump c all local 1000 post/contacts*.txt c_nc[1] c_nc[2]",
 	.args = args,
 	.state_size = sizeof(struct state),

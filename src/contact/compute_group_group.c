@@ -59,16 +59,16 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 static const char *const names[] = { "fx", "fy", "fz", NULL };
 static const struct ts_value values[] = {
-	{ "force", "force", "on the group, by the other", TS_VECTOR, 3, names, eval },
+	{ "force", "force", "force on the group, by the other group", TS_VECTOR, 3, names, eval },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
 	TS_GROUP("other", struct state, other, .flags = TS_POSITIONAL, .help = "the other group"),
-	TS_BOOL("pair", struct state, pair, .fallback = "yes", .help = "whether contacts count"),
-	TS_BOOL("bond", struct state, bond, .fallback = "no", .help = "whether bonds count"),
+	TS_BOOL("pair", struct state, pair, .fallback = "yes", .help = "whether contact forces are included"),
+	TS_BOOL("bond", struct state, bond, .fallback = "no", .help = "whether bond forces are included"),
 	TS_BOOL("kspace", struct state, kspace, .fallback = "no",
-		.help = "accepted: no forces of long range are known"),
+		.help = "no effect: there are no long-range forces"),
 	TS_ARGS_END,
 };
 
@@ -78,12 +78,9 @@ const struct ts_style ts_compute_group_group = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Force between two groups",
 	.doc = "The sum of the forces that particles of the other group exert on those of the compute's "
-	       "group in contacts,\n"
-	       "and with `bond yes` also through bonds. A pair whose partners are each in both groups counts "
-	       "from either\n"
-	       "side, so adds nothing. The sum is rounded once. No contact law here has an energy, so there "
-	       "is only the\n"
-	       "force.",
+	       "group through contacts, and with `bond yes` also through bonds. A pair whose particles are "
+	       "each in both groups counts once in each direction and so adds nothing. The sum is rounded "
+	       "once. The output is the force only, no energy.",
 	.example = "compute push upper group/group lower",
 	.args = args,
 	.state_size = sizeof(struct state),

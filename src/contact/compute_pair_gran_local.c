@@ -148,20 +148,21 @@ TS_STYLE(compute, ts_style, ts_compute_pair_gran_local)
 const struct ts_style ts_compute_pair_gran_local = {
 	.name = "pair/gran/local",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "What is known of each contact",
-	.doc = "A table with a row for each contact whose partners are both in the group, and these columns, "
-	       "in this order whatever that of the words: pos, places of both (6); vel, velocities of both "
-	       "(6); id, both ids, and 1 if they meet across a periodic face, else 0 (3); force on the first "
-	       "(3), its parts force_normal (3) and force_tangential (3); torque on the first by the "
-	       "tangential force, about its centre and without rolling friction (3); history, what the "
-	       "contact law remembers; contactArea, of the circle in which the spheres meet (1); delta, the "
-	       "overlap (1); contactPoint, which divides the line of centres as the radii are to each other "
-	       "(3); heatFlux, what fix heat/gran conducts to the first (1). Without words: pos vel id force "
-	       "history contactArea. The partner with the smaller id is the first.\n\n"
-	       "Contacts and forces are those of the last force computation, which acted; places and "
-	       "velocities those of now. LIGGGHTS computes forces anew from the velocities at the end of the "
-	       "step: the two differ by half a step of damping; with `legacy yes` tsim does the same. With "
-	       "these columns `dump local/gran/vtk` draws force chains.",
+	.summary = "Forces, positions and other quantities of each contact",
+	.doc = "A table with a row for each contact whose particles are both in the group. The particle "
+	       "with the smaller ID is the first. The columns follow in this order, whatever the order of "
+	       "the words: pos, positions of both (6); vel, velocities of both (6); id, both IDs, and 1 if "
+	       "the contact is across a periodic face, else 0 (3); force on the first (3); its normal and "
+	       "tangential parts force_normal (3) and force_tangential (3); torque on the first by the "
+	       "tangential force, about its centre and without rolling friction (3); history, the history "
+	       "numbers of the contact law; contactArea, area of the circle in which the spheres intersect "
+	       "(1); delta, the overlap (1); contactPoint, which divides the line of centres in the ratio "
+	       "of the radii (3); heatFlux, heat per time that fix heat/gran conducts into the first (1). "
+	       "Without words: pos vel id force history contactArea.\n\n"
+	       "Contacts and forces are those of the last force computation; positions and velocities are "
+	       "the present ones. LIGGGHTS computes the forces again with the velocities at the end of the "
+	       "step, which differs by half a step of damping; tsim does the same with `legacy yes`. With "
+	       "these columns `dump local/gran/vtk` shows force chains.",
 	.example = "compute c all pair/gran/local id pos force delta\n"
 		   "dump d all local 100 post/contacts*.txt c_c[7] c_c[8] c_c[10] c_c[13]",
 	.args = args,

@@ -59,7 +59,7 @@ static const char *const cutoffs[] = { "type", "radius", NULL };
 static const struct ts_arg args[] = {
 	TS_LIST("columns", struct state, words, .help = "dist, force, fx, fy, fz, dx, dy, dz"),
 	TS_ENUM("cutoff", struct state, cutoff, cutoffs, .fallback = "radius",
-		.help = "accepted: contacts are always told by the radii"),
+		.help = "no effect: contacts are defined by the radii"),
 	TS_ARGS_END,
 };
 
@@ -68,12 +68,12 @@ const struct ts_style ts_compute_pair_local = {
 	.name = "pair/local",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Distance and force of each contact",
-	.doc = "A table with a row for each contact whose partners are both in the group: dist is the "
-	       "distance of the centres,\nforce the force along the line of centres, > 0 repelling, fx fy fz "
-	       "the force on the partner with the\nsmaller id, dx dy dz the vector to it from the other. "
-	       "Periodic images are taken into account. The\ncontacts are those of the last force "
-	       "computation; compute property/local tells the partners, in the same\norder. No contact law "
-	       "here has an energy, so there is no `eng`.",
+	.doc = "A table with a row for each contact whose particles are both in the group: dist is the "
+	       "distance of the centres, force the force along the line of centres, > 0 if repulsive; fx "
+	       "fy fz is the force on the particle with the smaller ID, dx dy dz the vector to it from the "
+	       "other one. Periodic images are taken into account. Contacts are those of the last force "
+	       "computation; compute property/local gives the IDs, in the same order. There is no column "
+	       "`eng`.",
 	.example = "compute f all pair/local dist force fx fy fz",
 	.args = args,
 	.state_size = sizeof(struct state),

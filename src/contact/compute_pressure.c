@@ -39,14 +39,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_virial_read_parts(sim, self, s->words, &s->parts));
 	if (ts_streq(s->temperature, "NULL") && s->parts.kinetic)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "compute pressure: without a temperature (NULL) there is no part ke; "
-			       "say `virial`");
+			       "compute pressure: without a temperature (NULL) the part ke cannot be "
+			       "included; use `virial`");
 	if (ts_streq(s->temperature, "NULL") || ts_streq(s->temperature, "thermo_temp") ||
 	    kinetic_of(s, &inst))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_UNKNOWN, &self->where,
-		       "compute pressure: '%s' is no compute that gives a temperature; thermo_temp is that "
-		       "of all particles",
+		       "compute pressure: '%s' is not a temperature compute; thermo_temp is that of all "
+		       "particles",
 		       s->temperature);
 }
 
@@ -108,7 +108,7 @@ static const struct ts_value values[] = {
 
 static const struct ts_arg args[] = {
 	TS_WORD("temperature", struct pressure, temperature, .flags = TS_POSITIONAL,
-		.help = "a compute temp, thermo_temp for that of all particles, or NULL"),
+		.help = "ID of a compute temp, thermo_temp for all particles, or NULL"),
 	TS_REST_OPTIONAL("parts", struct pressure, words,
 			 .help = "ke, pair, bond, fix, virial (all but ke); none: all"),
 	TS_ARGS_END,
@@ -119,13 +119,11 @@ const struct ts_style ts_compute_pressure = {
 	.name = "pressure",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Pressure of the whole system",
-	.doc = "P_ab = (sum m v_a v_b + sum d_a F_b) / V over all particles and over all contacts and bonds, "
-	       "each once,\n"
-	       "with d the vector between the partners and F the force on the first, for ab = xx, yy, zz, "
-	       "xy, xz, yz; the\n"
-	       "number is the mean of xx, yy and zz (of xx and yy in two dimensions). V is the volume of "
-	       "the box, its\n"
-	       "area in two dimensions. Walls and other fixes have no part in it. Sums are rounded once.",
+	.doc = "P_ab = (sum m v_a v_b + sum d_a F_b) / V, the first sum over all particles, the second "
+	       "over all contacts and bonds, each once; d is the vector between the two particles and F "
+	       "the force on the first, for ab = xx, yy, zz, xy, xz, yz. The scalar is the mean of xx, yy "
+	       "and zz (of xx and yy in two dimensions). V is the volume of the box, in two dimensions its "
+	       "area. Forces of walls and other fixes are not included. Sums are rounded once.",
 	.example = "compute p all pressure thermo_temp\ncompute contact all pressure NULL virial",
 	.args = args,
 	.state_size = sizeof(struct pressure),

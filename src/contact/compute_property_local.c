@@ -105,7 +105,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 }
 
 static const struct ts_value values[] = {
-	{ "partners", "", "a row for each pair, the smaller id first", TS_LOCAL, 0, NULL, eval },
+	{ "partners", "", "a row for each pair, the smaller ID first", TS_LOCAL, 0, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -115,7 +115,7 @@ static const struct ts_arg args[] = {
 	TS_LIST("columns", struct property, words,
 		.help = "natom1 natom2 ntype1 ntype2, patom1 patom2 ptype1 ptype2, or batom1 batom2 btype"),
 	TS_ENUM("cutoff", struct property, cutoff, cutoffs, .fallback = "radius",
-		.help = "accepted: contacts are always told by the radii"),
+		.help = "no effect: contacts are defined by the radii"),
 	TS_ARGS_END,
 };
 
@@ -123,14 +123,12 @@ TS_STYLE(compute, ts_style, ts_compute_property_local)
 const struct ts_style ts_compute_property_local = {
 	.name = "property/local",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Who the partners of contacts and bonds are",
-	.doc = "A table with a row for each pair whose partners are both in the group: words with n list the "
-	       "pairs\n"
-	       "within the skin, those with p the contacts, those with b the bonds; atom1, atom2 are ids, "
-	       "type1, type2\n"
-	       "types, btype that of the bond. Rows are those of compute pair/local, pair/gran/local and "
-	       "bond/local, in\n"
-	       "the same order. The contacts are those of the last force computation.",
+	.summary = "IDs and types of the particles of contacts and bonds",
+	.doc = "A table with a row for each pair whose particles are both in the group. Words with n list "
+	       "the pairs of the neighbour list, those with p the contacts, those with b the bonds; atom1, "
+	       "atom2 are IDs, type1, type2 particle types, btype is the bond type. The rows are those of "
+	       "compute pair/local, pair/gran/local and bond/local, in the same order. Contacts are those "
+	       "of the last force computation.",
 	.example = "compute who all property/local patom1 patom2\n"
 		   "compute how all pair/local dist force\n"
 		   "dump d all local 100 post/pairs*.txt index c_who[1] c_who[2] c_how[1] c_how[2]",

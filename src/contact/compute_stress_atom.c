@@ -55,8 +55,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 }
 
 static const struct ts_value values[] = {
-	{ "stress", "pressure*volume", "stress times volume, > 0 pulling; 0 outside the group", TS_PERATOM, 6,
-	  ts_tensor_names, eval },
+	{ "stress", "pressure*volume", "stress times volume, > 0 in tension; 0 outside the group", TS_PERATOM,
+	  6, ts_tensor_names, eval },
 	{ .name = NULL },
 };
 
@@ -71,16 +71,12 @@ TS_STYLE(compute, ts_style, ts_compute_stress_atom)
 const struct ts_style ts_compute_stress_atom = {
 	.name = "stress/atom",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Stress of each particle times volume",
-	.doc = "S_ab = -(m v_a v_b + 1/2 sum d_a F_b) over the contacts and bonds of the particle, with d "
-	       "the vector from\n"
-	       "the partner and F its force on the particle, for ab = xx, yy, zz, xy, xz, yz. The unit is "
-	       "pressure times\n"
-	       "volume: the sum over all particles by the volume of the box is the stress of the system, < "
-	       "0 under\n"
-	       "pressure. Walls and other fixes have no part in it, so `fix` adds nothing. Forces are those "
-	       "of the last\n"
-	       "step.",
+	.summary = "Stress of each particle times its volume",
+	.doc = "S_ab = -(m v_a v_b + 1/2 sum d_a F_b), the sum over the contacts and bonds of the "
+	       "particle, d the vector from the partner and F its force on the particle, for ab = xx, yy, "
+	       "zz, xy, xz, yz. The unit is pressure times volume: the sum over all particles divided by "
+	       "the volume of the box is the stress of the system, < 0 under pressure. Forces of walls and "
+	       "other fixes are not included, so `fix` adds nothing. Forces are those of the last step.",
 	.example = "compute s all stress/atom\ncompute sum all reduce sum c_s[1] c_s[2] c_s[3]",
 	.args = args,
 	.state_size = sizeof(struct stress),

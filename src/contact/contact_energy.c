@@ -76,10 +76,10 @@ enum ts_status ts_contact_energy_require(struct tsim *sim, const struct ts_insta
 	if (parts->pair && pair && !ts_granular_has_energy(&((const struct ts_pair *)pair->state)->model))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       ts_cohesion_bridges(&((const struct ts_pair *)pair->state)->model)
-				       ? "bridges of liquid have no potential energy: what they give back "
-					 "depends on the liquid that there is when they break"
-				       : "hooke/hysteresis has no potential energy: what a contact that has "
-					 "yielded gives back depends on the way it opens");
+				       ? "liquid bridges have no potential energy: the energy that they "
+					 "release depends on the amount of liquid when they break"
+				       : "hooke/hysteresis has no potential energy: the energy that a "
+					 "contact releases after yielding depends on the path of unloading");
 	if (parts->bond && bond && sim->bonds->n && !ts_bond_style_of(bond)->energy)
 		return ts_fail(&sim->error, TS_STATE, &self->where, "bond style %s has no potential energy",
 			       bond->style->name);

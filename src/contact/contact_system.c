@@ -65,12 +65,12 @@ COMPONENT(pyz, 5)
 static const struct ts_keyword keywords[] = {
 	{ "press", "Press", "pressure", "pressure of all particles, see compute pressure",
 	  TS_KEYWORD_CONTACTS, evaluate_press },
-	{ "pxx", "Pxx", "pressure", "its tensor, xx", TS_KEYWORD_CONTACTS, pxx },
-	{ "pyy", "Pyy", "pressure", "its tensor, yy", TS_KEYWORD_CONTACTS, pyy },
-	{ "pzz", "Pzz", "pressure", "its tensor, zz", TS_KEYWORD_CONTACTS, pzz },
-	{ "pxy", "Pxy", "pressure", "its tensor, xy", TS_KEYWORD_CONTACTS, pxy },
-	{ "pxz", "Pxz", "pressure", "its tensor, xz", TS_KEYWORD_CONTACTS, pxz },
-	{ "pyz", "Pyz", "pressure", "its tensor, yz", TS_KEYWORD_CONTACTS, pyz },
+	{ "pxx", "Pxx", "pressure", "pressure tensor, xx", TS_KEYWORD_CONTACTS, pxx },
+	{ "pyy", "Pyy", "pressure", "pressure tensor, yy", TS_KEYWORD_CONTACTS, pyy },
+	{ "pzz", "Pzz", "pressure", "pressure tensor, zz", TS_KEYWORD_CONTACTS, pzz },
+	{ "pxy", "Pxy", "pressure", "pressure tensor, xy", TS_KEYWORD_CONTACTS, pxy },
+	{ "pxz", "Pxz", "pressure", "pressure tensor, xz", TS_KEYWORD_CONTACTS, pxz },
+	{ "pyz", "Pyz", "pressure", "pressure tensor, yz", TS_KEYWORD_CONTACTS, pyz },
 	{ .name = NULL },
 };
 
@@ -83,8 +83,7 @@ static void connect_contacts(struct tsim *sim)
 const struct ts_system_style ts_contact_system = {
 	.style = { .name = "contact",
 		   .kind = TS_KIND_SYSTEM,
-		   .summary =
-			   "what the search for neighbours asks of contact laws; the pressure in the log" },
+		   .summary = "contact laws for the neighbour search; the pressure in thermo output" },
 	.keywords = keywords,
 	.no_instance = true,
 	.connect = connect_contacts,

@@ -10,8 +10,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if (sim->neigh->multicontact && sim->neigh->multicontact != m)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix multicontact/halfspace: there is one already, and it acts on "
-			       "all contacts");
+			       "fix multicontact/halfspace: there is one already, and it acts on all "
+			       "contacts");
 	sim->neigh->multicontact = m;
 	m->neigh = sim->neigh;
 	m->group = self->group;
@@ -32,8 +32,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	    sim->neigh->multicontact_walls->any(sim))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "fix multicontact/halfspace: no contacts know of each other; they do with `surface "
-		       "multicontact` of pair_style gran and fix wall/gran");
+		       "fix multicontact/halfspace: no contacts have `surface multicontact` of pair_style "
+		       "gran or fix wall/gran");
 }
 
 static void fini(struct ts_instance *self)
@@ -44,47 +44,43 @@ static void fini(struct ts_instance *self)
 static const struct ts_arg args[] = {
 	TS_REAL("geometric_prefactor", struct ts_multicontact, prefactor, .fallback = "1",
 		.range = TS_NOT_NEGATIVE,
-		.help = "gamma: what the shape of a grain adds to that of a half space; Brodu et "
-			"al. found 1 to 1.5"),
+		.help = "gamma: factor for the shape of a particle instead of a half space; Brodu et al. "
+			"found 1 to 1.5"),
 	TS_ARGS_END,
 };
 
-static const char doc[] = "The contacts of a grain act on each other: a force that presses one "
-			  "place of it in lets others stand out, or draws\n"
-			  "them in. Contacts of `pair_style gran ... surface multicontact` and of "
-			  "walls with these words have the overlap\n\n"
-			  "    delta = R_i + s_i + R_j + s_j - r,   s_i = sum of s_ik over the "
-			  "other contacts k of grain i,\n"
-			  "    s_ik = -gamma (1 + nu) F_k/(2 pi Y d) [(e_k.u) (e.u) + (3 - 4 nu) "
-			  "e_k.e - (1 - 2 nu) (e_k + u).e/(1 + e_k.u)]\n\n"
-			  "with Y and nu of grain i, F_k the normal force of contact k in the last "
-			  "step, e and e_k the normals into the grain,\n"
-			  "d u the way from contact k to this one, |u| = 1: the displacement of "
-			  "the surface of an elastic half space (Boussinesq)\n"
-			  "along the normal (N. Brodu, J. A. Dijksman, R. P. Behringer, Phys. Rev. "
-			  "E 91 (2015) 032201). A contact is midway\n"
-			  "between the two surfaces of grains, or on the wall; walls are rigid. "
-			  "Within the contact area of k, sqrt(R* delta), d is\n"
-			  "its radius. Two grains alone meet as without the fix. Grains next to a "
-			  "contact may be met before they would touch; a\n"
-			  "surface that stands out by more than 0.1 R stops the run: strains are "
-			  "not small any more. Grains outside the group\n"
-			  "do not give way. Needs youngsModulus and poissonsRatio (fix "
-			  "property/global), model hertz, hooke or\n"
-			  "hooke/hysteresis, and no cohesion.\n\n"
-			  "Forces depend on those of the step before; they follow within about ten "
-			  "steps, as long as s is smaller than the overlap.\n"
-			  "R* is that of the radii R + s; LIGGGHTS takes R instead of R + s there "
-			  "for one of two grains (not at walls), so that\n"
-			  "its forces may differ by the part s/(4 R). Elastic energy is that of "
-			  "the overlaps delta; what surfaces that move\n"
-			  "take from it or add is booked as lost by fix energy/ledger.";
+static const char doc[] =
+	"The contacts of a particle interact: a force that presses on one place of its surface displaces "
+	"the surface at the other contacts, outwards or inwards. Contacts of `pair_style gran ... surface "
+	"multicontact` and of walls with these words have the overlap\n\n"
+	"    delta = R_i + s_i + R_j + s_j - r,   s_i = sum of s_ik over the other contacts k of particle "
+	"i,\n"
+	"    s_ik = -gamma (1 + nu) F_k/(2 pi Y d) [(e_k.u) (e.u) + (3 - 4 nu) e_k.e - (1 - 2 nu) (e_k + "
+	"u).e/(1 + e_k.u)]\n\n"
+	"with Y and nu of particle i, F_k the normal force of contact k in the last step, e and e_k the "
+	"unit normals into the particle, d u the vector from contact k to this one, |u| = 1. This is the "
+	"normal displacement of the surface of an elastic half space (Boussinesq; N. Brodu, J. A. "
+	"Dijksman, R. P. Behringer, Phys. Rev. E 91 (2015) 032201). The contact point is midway between "
+	"the two surfaces of particles, or on the wall; walls are rigid. Within the contact area of k, of "
+	"radius sqrt(R* delta), d is this radius. An isolated pair of particles has the forces that it has "
+	"without the fix. With neighbouring contacts, particles may be in contact before their undeformed "
+	"surfaces touch. If the surfaces of two particles are displaced outwards by more than 0.1 of the "
+	"sum of their radii, the run stops, as strains are not small any more. Surfaces of particles "
+	"outside the group are not displaced.\n\n"
+	"Restrictions: needs youngsModulus and poissonsRatio (fix property/global), model hertz, hooke or "
+	"hooke/hysteresis, and no cohesion.\n\n"
+	"Displacements depend on the forces of the step before; they converge within about ten steps, as "
+	"long as s is smaller than the overlap. R* is that of the radii R + s; LIGGGHTS uses R instead of "
+	"R + s for one of two particles (not at walls), so its forces may differ by the fraction s/(4 R). "
+	"Elastic energy is that of the overlaps delta; the work of moving surfaces is booked as dissipated "
+	"by fix energy/ledger.";
 
 TS_STYLE(fix, ts_style, ts_fix_multicontact_halfspace)
 const struct ts_style ts_fix_multicontact_halfspace = {
 	.name = "multicontact/halfspace",
 	.kind = TS_KIND_FIX,
-	.summary = "contacts of one grain act on each other as on an elastic half space",
+	.summary = "lets the contacts of a particle displace its surface at its other contacts, as on an "
+		   "elastic half space",
 	.doc = doc,
 	.example = "fix mc all multicontact/halfspace geometric_prefactor 1.125",
 	.args = args,

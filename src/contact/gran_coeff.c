@@ -14,9 +14,10 @@ enum { HOOKE, HERTZ, MATERIAL, DMT, JKR };
 #define NUMBER(name_, field, unit_, range_, help_)                                                          \
 	TS_REAL(name_, struct ts_gran_coeff, field, .flags = TS_POSITIONAL, .unit = unit_, .range = range_, \
 		.help = help_)
-#define PREFACTOR                                   \
-	NUMBER("d", prefactor, "", TS_NOT_NEGATIVE, \
-	       "of the dashpot, see `damping`; with tsuji and coeff_restitution the restitution")
+#define PREFACTOR                                                                                       \
+	NUMBER("d", prefactor, "", TS_NOT_NEGATIVE,                                                     \
+	       "damping prefactor, see `damping`; with tsuji and coeff_restitution the coefficient of " \
+	       "restitution")
 #define ELASTIC                                                                                  \
 	NUMBER("E", stiffness, "pressure", TS_POSITIVE, "Young's modulus"), PREFACTOR,           \
 		TS_REAL("nu", struct ts_gran_coeff, poisson, .flags = TS_POSITIONAL, .unit = "", \
@@ -36,11 +37,12 @@ static const struct ts_arg hertz_rows[] = {
 static const struct ts_arg material_rows[] = { ELASTIC, TS_ARGS_END };
 static const struct ts_arg surface_rows[] = { ELASTIC, SURFACE, TS_ARGS_END };
 static const struct ts_mode normals[] = {
-	[HOOKE] = { "hooke", "a linear spring", hooke_rows },
-	[HERTZ] = { "hertz", "a Hertzian spring", hertz_rows },
-	[MATERIAL] = { "hertz/material", "the same of a material", material_rows },
-	[DMT] = { "dmt", "the same, with a pull while they touch", surface_rows },
-	[JKR] = { "jkr", "surfaces that stick, and pull beyond their touch", surface_rows },
+	[HOOKE] = { "hooke", "linear spring", hooke_rows },
+	[HERTZ] = { "hertz", "Hertzian spring", hertz_rows },
+	[MATERIAL] = { "hertz/material", "Hertzian spring of a material", material_rows },
+	[DMT] = { "dmt", "hertz/material with constant attraction in contact", surface_rows },
+	[JKR] = { "jkr", "adhesive contact (Johnson, Kendall, Roberts), attracts beyond the touch",
+		  surface_rows },
 	{ .name = NULL },
 };
 static const char *const dampings[] = { "velocity", "mass_velocity",	 "viscoelastic",
@@ -52,16 +54,15 @@ const struct ts_arg ts_gran_coeff_rows[] = {
 			.help = "linear_nohistory x mu | linear_history k_t x mu | mindlin k_t x mu | "
 				"mindlin_rescale ... | mindlin/force ... | mindlin_rescale/force ..."),
 	TS_ENUM("damping", struct ts_gran_coeff, damping, dampings, .fallback = "viscoelastic",
-		.help = "what the dashpot follows"),
+		.help = "damping model"),
 	TS_SOME_KEYWORD("rolling", struct ts_gran_coeff, rolling, 0,
-			.help = "none | sds k gamma mu: friction of rolling"),
+			.help = "none | sds k gamma mu: rolling resistance"),
 	TS_SOME_KEYWORD("twisting", struct ts_gran_coeff, twisting, 0,
-			.help = "none | sds k gamma mu | marshall: friction of twisting"),
-	TS_SOME_KEYWORD("heat", struct ts_gran_coeff, heat, 0,
-			.help = "none: see fix heat/gran for conduction"),
-	TS_FLAG("limit_damping", struct ts_gran_coeff, limit_damping, .help = "the normal force never pulls"),
+			.help = "none | sds k gamma mu | marshall: twisting resistance"),
+	TS_SOME_KEYWORD("heat", struct ts_gran_coeff, heat, 0, .help = "none; conduction: see fix heat/gran"),
+	TS_FLAG("limit_damping", struct ts_gran_coeff, limit_damping, .help = "no attractive normal force"),
 	TS_REAL("cutoff", struct ts_gran_coeff, cutoff, .flags = TS_OPTIONAL, .unit = "length",
-		.help = "no effect: contacts are found by the radii"),
+		.help = "no effect: contacts are defined by the radii"),
 	TS_ARGS_END,
 };
 
@@ -76,8 +77,8 @@ struct parts {
 #define PART(name_, field, unit_, help_)                                                                     \
 	TS_REAL(name_, struct parts, field, .flags = TS_POSITIONAL, .unit = unit_, .range = TS_NOT_NEGATIVE, \
 		.help = help_)
-#define PART_FRICTION                                                       \
-	PART("x", x, "", "tangential dashpot, in parts of the normal one"), \
+#define PART_FRICTION                                                            \
+	PART("x", x, "", "tangential damping, as a multiple of the normal one"), \
 		PART("mu", mu, "", "coefficient of friction")
 
 static const struct ts_arg nohistory_rows[] = { PART_FRICTION, TS_ARGS_END };
@@ -101,10 +102,12 @@ static const struct ts_arg sds_rows[] = {
 static const struct ts_mode tangentials[] = {
 	{ "linear_nohistory", "dashpot", nohistory_rows },
 	{ "linear_history", "spring and dashpot", linear_rows },
-	{ "mindlin", "spring that follows the contact area", mindlin_rows },
-	{ "mindlin_rescale", "spring that also shortens with it", mindlin_rows },
-	{ "mindlin/force", "remembers forces", mindlin_rows },
-	{ "mindlin_rescale/force", "remembers forces, which fall with the area", mindlin_rows },
+	{ "mindlin", "spring with a stiffness proportional to the contact radius", mindlin_rows },
+	{ "mindlin_rescale", "the same; the displacement is rescaled when the contact radius shrinks",
+	  mindlin_rows },
+	{ "mindlin/force", "history of forces instead of displacements", mindlin_rows },
+	{ "mindlin_rescale/force", "history of forces, rescaled when the contact radius shrinks",
+	  mindlin_rows },
 	{ .name = NULL },
 };
 static const int tangential_laws[] = {
@@ -119,7 +122,7 @@ static const struct ts_mode rollings[] = {
 static const struct ts_mode twistings[] = {
 	[TS_TWISTING_OFF] = { "none", "none", NULL },
 	[TS_TWISTING_SDS] = { "sds", "spring, dashpot and slider", sds_rows },
-	[TS_TWISTING_MARSHALL] = { "marshall", "from the friction of slip", NULL },
+	[TS_TWISTING_MARSHALL] = { "marshall", "constants derived from the tangential law", NULL },
 	{ .name = NULL },
 };
 #define PART_OF(modes, text)                                                         \
@@ -227,7 +230,7 @@ static enum ts_status set_tangential(struct tsim *sim, struct ts_gran_coeff *c, 
 	if (is_material(c))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, &c->tangential.word[1].place,
-		       "granular: the tangential stiffness NULL needs a normal law of a material: "
+		       "granular: the tangential stiffness NULL needs a normal law with material constants: "
 		       "hertz/material, dmt or jkr");
 }
 
@@ -255,7 +258,8 @@ static enum ts_status check_combination(struct tsim *sim, const struct ts_gran_c
 	bool restitution = c->damping == TS_DAMPING_RESTITUTION;
 
 	if ((c->limit_damping || restitution) && c->normal >= DMT)
-		return ts_fail(&sim->error, TS_SYNTAX, where, "granular: %s does not go with %s, which pulls",
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "granular: %s does not go with %s, which attracts",
 			       restitution ? "damping coeff_restitution" : "limit_damping",
 			       normals[c->normal].name);
 	if (restitution && !(c->prefactor > 0 && c->prefactor <= 1))
@@ -265,7 +269,7 @@ static enum ts_status check_combination(struct tsim *sim, const struct ts_gran_c
 			       c->prefactor);
 	if (c->heat.n && !(c->heat.n == 1 && ts_streq(c->heat.word[0].text, "none")))
 		return ts_fail(&sim->error, TS_STATE, &c->heat.word[0].place,
-			       "granular: heat %s is known, but not built: fix heat/gran conducts heat "
+			       "granular: heat %s is not implemented: use fix heat/gran for conduction "
 			       "through contacts",
 			       c->heat.word[0].text);
 	return TS_OK;
@@ -282,7 +286,7 @@ enum ts_status ts_gran_coeff_complete(struct tsim *sim, void *coeff, const struc
 	if (c->model.twisting != TS_TWISTING_MARSHALL || c->model.tangential != TS_TANGENTIAL_NO_HISTORY)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, &c->twisting.word[0].place,
-		       "granular: twisting marshall takes its spring from the tangential law, and "
+		       "granular: twisting marshall derives its spring from the tangential law, and "
 		       "linear_nohistory has none");
 }
 

@@ -65,7 +65,7 @@ enum ts_status ts_gran_numbers_complete(struct tsim *sim, void *coeff, const str
 const struct ts_arg ts_gran_numbers_args[] = {
 	TS_GRAN_NUMBERS_ARGS(struct ts_gran_numbers_pair, numbers),
 	TS_FLAG("generic", struct ts_gran_numbers_pair, generic,
-		.help = "the loop for any model, to compare with the specialised one"),
+		.help = "uses the contact loop for any model, for comparison with the specialised one"),
 	TS_ARGS_END,
 };
 

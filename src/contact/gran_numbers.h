@@ -26,8 +26,8 @@ struct ts_gran_numbers {
 		TS_REAL("xmu", T, f.xmu, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0, .hi = 10000, \
 			.unit = "", .help = "coefficient of friction"),                                    \
 		TS_INT("dampflag", T, f.damping, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0,      \
-		       .hi = 1, .help = "0: no tangential damping, 1: with"),                              \
-		TS_FLAG("limit_damping", T, f.limit_damping, .help = "the normal force never pulls")
+		       .hi = 1, .help = "0: no tangential damping, 1: tangential damping gamma_t"),        \
+		TS_FLAG("limit_damping", T, f.limit_damping, .help = "no attractive normal force")
 
 /* Model and constants of the three laws gran/hooke, gran/hooke/history, gran/hertz/history. */
 struct ts_granular_model ts_gran_numbers_model(int normal, int tangential,
@@ -47,10 +47,11 @@ enum ts_status ts_gran_numbers_force(struct ts_instance *self, struct tsim *sim)
 enum ts_status ts_gran_numbers_complete(struct tsim *sim, void *coeff, const struct ts_place *where);
 extern const struct ts_arg ts_gran_numbers_args[], ts_gran_numbers_coeff[];
 
-#define TS_GRAN_NUMBERS_DOC                                                                                 \
-	"kn and gamma_n are those of the normal force, kt and gamma_t of the tangential one; all pairs of " \
-	"types have the same. `kt NULL` is 2/7 kn, `gamma_t NULL` half of gamma_n, and dampflag 0 makes "   \
-	"gamma_t 0. With delta the overlap, n the normal towards i, m* = m_i m_j/(m_i+m_j), v_n the "       \
-	"normal velocity (negative while approaching) and v_t the slip at the contact, "
+#define TS_GRAN_NUMBERS_DOC                                                                                \
+	"kn and gamma_n are stiffness and damping of the normal force, kt and gamma_t of the tangential "  \
+	"force; all pairs of types have the same ones. `kt NULL` is 2/7 kn, `gamma_t NULL` half of "       \
+	"gamma_n, and dampflag 0 sets gamma_t to 0. With delta the overlap, n the unit normal towards i, " \
+	"R* = R_i R_j/(R_i+R_j), m* = m_i m_j/(m_i+m_j), v_n the normal velocity (negative while "         \
+	"approaching) and v_t the tangential velocity at the contact, "
 
 #endif

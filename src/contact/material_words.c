@@ -83,7 +83,7 @@ static const struct {
 	{ "limitForce", "a normal model", has_normal },
 	{ "tangential_damping", "a normal model", has_normal },
 	{ "located",
-	  "a normal model without adhesion or bridges of liquid, and tangential off, history or no_history",
+	  "a normal model without adhesion or liquid bridges, and tangential off, history or no_history",
 	  can_be_located },
 	{ "absolute_damping", "model hooke/stiffness", is_stiffness },
 	{ "ktToKnUser", "model hooke or hooke/hysteresis", is_hooke },
@@ -117,15 +117,15 @@ static enum ts_status check_laws(struct tsim *sim, const struct ts_instance *sel
 			       who);
 	if (w->limit_liquid)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "limitLiquidContent"),
-			       "%s: limitLiquidContent on is known, but not built: particles take what "
-			       "liquid comes to them; `limitLiquidContent off`",
+			       "%s: limitLiquidContent on is not implemented: the liquid content of "
+			       "particles is not limited; use `limitLiquidContent off`",
 			       who);
 	if (w->cohesion >= TS_COHESION_EASO && !has_normal(w))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "cohesion"),
-			       "%s: bridges of liquid need a normal model: `model hertz`", who);
+			       "%s: liquid bridges need a normal model: `model hertz`", who);
 	if (jkr && w->limit_force)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "limitForce"),
-			       "%s: 'limitForce' does not go with model jkr, which pulls", who);
+			       "%s: 'limitForce' does not go with model jkr, which attracts", who);
 	return TS_OK;
 }
 

@@ -26,32 +26,33 @@ extern const char *const ts_normal_names[],
 		TS_ENUM("rolling_friction", T, f.rolling, ts_rolling_names, .fallback = "off",               \
 			.help = "rolling law"),                                                              \
 		TS_ENUM("cohesion", T, f.cohesion, ts_cohesion_names, .fallback = "off",                     \
-			.help = "law of cohesion; easo/... and washino/... are bridges of liquid "           \
+			.help = "cohesion law; easo/... and washino/... are liquid bridges "                 \
 				"(doc/bridges.md), which take the properties surfaceTension, "               \
 				"fluidViscosity, contactAngle, minSeparationDistanceRatio, "                 \
 				"maxSeparationDistanceRatio, surfaceLiquidContentInitial and "               \
 				"lbVolumeFraction"),                                                         \
 		TS_ENUM("surface", T, f.surface, ts_surface_names, .fallback = "default",                    \
-			.help = "surfaces of the spheres: `multicontact` lets contacts of one "              \
-				"grain act on each other"),                                                  \
+			.help = "`multicontact`: surfaces are displaced by the other contacts of the "       \
+				"particle, see "                                                             \
+				"fix multicontact/halfspace"),                                               \
 		TS_BOOL("limitForce", T, f.limit_force, .fallback = "off",                                   \
-			.help = "the normal force never pulls (before cohesion)"),                           \
+			.help = "no attractive normal force (before cohesion)"),                             \
 		TS_BOOL("tangential_damping", T, f.tangential_damping, .fallback = "on",                     \
-			.help = "whether there is a tangential dashpot"),                                    \
+			.help = "tangential damping"),                                                       \
 		TS_BOOL("absolute_damping", T, f.absolute_damping, .fallback = "off",                        \
 			.help = "gamma of hooke/stiffness is not multiplied by m*"),                         \
 		TS_BOOL("ktToKnUser", T, f.kt_to_kn, .fallback = "off", .help = "hooke: k_t = 2/7 k_n"),     \
 		TS_BOOL("viscous", T, f.viscous, .fallback = "off",                                          \
 			.help = "hooke: restitution depends on the Stokes number"),                          \
 		TS_BOOL("tangential_reduce", T, f.reduce, .fallback = "off",                                 \
-			.help = "cohesion lowers the limit of friction"),                                    \
+			.help = "cohesion reduces the limit of friction"),                                   \
 		TS_BOOL("modifyLbVolume", T, f.modify_share, .fallback = "off",                              \
-			.help = "cohesion washino/capillary/viscous: a bridge takes the share "              \
-				"lbVolumeFraction of the liquid, not 0.05"),                                 \
+			.help = "cohesion washino/capillary/viscous: a bridge takes the fraction "           \
+				"lbVolumeFraction of the liquid instead of 0.05"),                           \
 		TS_BOOL("limitLiquidContent", T, f.limit_liquid, .fallback = "off",                          \
 			.help = "cohesion washino/capillary/viscous: only off"),                             \
 		TS_BOOL("torsionTorque", T, f.torsion, .fallback = "off",                                    \
-			.help = "rolling friction resists spinning, too"),                                   \
+			.help = "rolling friction also acts on the rotation about the normal"),              \
 		TS_BOOL("heating_normal_hertz", T, f.heating[0], .fallback = "off",                          \
 			.help = "no effect yet"),                                                            \
 		TS_BOOL("heating_tangential_history", T, f.heating[1], .fallback = "off",                    \
@@ -61,8 +62,8 @@ extern const char *const ts_normal_names[],
 		TS_BOOL("disableNormalWhenBonded", T, f.unbonded, .fallback = "off",                         \
 			.help = "no effect; see special_bonds"),                                             \
 		TS_BOOL("located", T, f.located, .fallback = "no",                                           \
-			.help = "where within a step contacts begin and end, and what the dashpot "          \
-				"does meanwhile, is accounted for")
+			.help = "sub-step contact detection: begin and end of contacts within a step are "   \
+				"resolved")
 
 /* Checks the order of the words, and that keywords fit the models. `who` for messages: "pair gran". */
 enum ts_status ts_granular_words_check(struct tsim *sim, const struct ts_instance *self, const char *who,

@@ -183,7 +183,8 @@ static enum ts_status check_usual_modulus(struct tsim *sim, const struct given *
 
 	if (g->value < 5e6 * pascal && !sim->soft_particles) {
 		snprintf(expected, sizeof expected,
-			 "at least %g: softer particles overlap far; `soft_particles yes` allows it",
+			 "at least %g: overlaps of softer particles are too large; `soft_particles yes` "
+			 "allows it",
 			 5e6 * pascal);
 		return refuse_value(sim, g, expected);
 	}

@@ -186,9 +186,9 @@ enum ts_status ts_multicontact_update(struct ts_multicontact *m, struct tsim *si
 		if (m->bulge[r].bulge <= TS_BULGE_MOST * sum)
 			continue;
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "fix multicontact/halfspace: the surfaces of particles %d and %d stand out by "
-			       "%.3g of the sum of their radii, the limit is %g: the grains are pressed too "
-			       "far for the theory of small strains",
+			       "fix multicontact/halfspace: the surfaces of particles %d and %d are "
+			       "displaced by %.3g of the sum of their radii, the limit is %g: strains are "
+			       "too large for linear elasticity",
 			       list->tag[0][r], list->tag[1][r], m->bulge[r].bulge / sum, TS_BULGE_MOST);
 	}
 	return TS_OK;
@@ -225,6 +225,6 @@ enum ts_status ts_multicontact_check(struct tsim *sim, const struct ts_granular_
 	if (!model->multi || sim->neigh->multicontact)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, where,
-		       "surface multicontact needs `fix ID all multicontact/halfspace`, which says how "
-		       "contacts of one grain act on each other");
+		       "surface multicontact needs `fix ID all multicontact/halfspace`, which computes the "
+		       "displacements of surfaces");
 }

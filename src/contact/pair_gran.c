@@ -134,58 +134,64 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 static const struct ts_arg args[] = {
 	TS_GRANULAR_ARGS(struct gran, words),
 	TS_FLAG("generic", struct gran, generic,
-		.help = "the loop for any model, to compare with specialised ones"),
+		.help = "uses the contact loop for any model, for comparison with specialised ones"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg coeff[] = { TS_ARGS_END };
 
 static const char gran_doc[] =
-	"A contact is composed of laws that act in the order normal, cohesion, tangential, rolling. With "
-	"delta the overlap, n the normal towards i, R* = R_i R_j/(R_i+R_j), m* alike, v_n the normal "
-	"velocity (negative while approaching) and v_t the slip at the contact point, the force on i is F_n "
-	"n + F_t with F_n = k_n delta - gamma_n v_n. Frozen partners are infinitely heavy.\n\n"
-	"`hertz`: k_n = 4/3 Y* sqrt(R* delta), k_t = 8 G* sqrt(R* delta), gamma = -2 sqrt(5/6) beta sqrt(S "
-	"m*) with S_n = 2 Y* sqrt(R* delta), S_t = k_t, beta = ln e/sqrt(ln^2 e + pi^2). `hooke`: k_n = k_t "
-	"= 16/15 sqrt(R*) Y* (15 m* V^2/(16 sqrt(R*) Y*))^(1/5), gamma = sqrt(4 m* k_n/(1 + (pi/ln e)^2)). "
-	"`hooke/stiffness` and `hertz/stiffness`: k and m* gamma as given, the latter times sqrt(R* delta). "
-	"`hooke/hysteresis`: loading with hooke's k_n, unloading steeper, adhesion at the end. `jkr`: "
-	"surfaces that stick, F_n = 4 Y* a^3/(3 R*) - sqrt(8 pi W Y* a^3) with the radius a of the contact "
-	"area from delta = a^2/R* - sqrt(2 pi W a/Y*), W the work of adhesion; once they have met they pull "
-	"beyond their touch and part at 3/2 pi W R* (K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. "
-	"Lond. A 324 (1971) 301). k_t = 8 G* a; dashpots as hertz, with a instead of sqrt(R* delta). Y* and "
-	"G*: 1/Y* = sum (1-nu^2)/Y, 1/G* = sum 2(2-nu)(1+nu)/Y over the partners.\n\n"
-	"`tangential history`: F_t = -k_t xi - gamma_t v_t, xi the slip since the first touch in the plane "
-	"of contact; beyond mu |F_n| the spring alone, shortened to it. `no_history`: F_t = -min(gamma_t, mu "
-	"|F_n|/|v_t|) v_t. `incremental_history`: as `history`, but what is remembered is the force of the "
-	"spring, which changes by -k_t v_t dt with the k_t of the step (C. Thornton, S. J. Cummins, P. W. "
-	"Cleary, Powder Technol. 210 (2011) 189); with a constant k_t both are the same. `jkr_tan`, of model "
-	"jkr: LAMMPS' `mindlin`, spring and dashpot limited together. With model jkr friction is limited by "
-	"mu (F_e + 3 pi W R*), F_e the force without the dashpot, and acts as long as surfaces stick. "
+	"A contact is composed of laws, which are computed in the order normal, cohesion, tangential, "
+	"rolling. With delta the overlap, n the unit normal towards i, R* = R_i R_j/(R_i+R_j), m* = m_i "
+	"m_j/(m_i+m_j), v_n the normal velocity (negative while approaching) and v_t the tangential "
+	"velocity at the contact point, the force on i is F_n n + F_t with F_n = k_n delta - gamma_n v_n. "
+	"Frozen particles have infinite mass.\n\n"
+	"Normal laws (`model`). Y* and G* are the effective moduli, 1/Y* = sum (1-nu^2)/Y, 1/G* = sum "
+	"2(2-nu)(1+nu)/Y over both particles. `hertz`: k_n = 4/3 Y* sqrt(R* delta), k_t = 8 G* sqrt(R* "
+	"delta), gamma = -2 sqrt(5/6) beta sqrt(S m*) with S_n = 2 Y* sqrt(R* delta), S_t = k_t, beta = ln "
+	"e/sqrt(ln^2 e + pi^2). `hooke`: k_n = k_t = 16/15 sqrt(R*) Y* (15 m* V^2/(16 sqrt(R*) Y*))^(1/5), "
+	"gamma = sqrt(4 m* k_n/(1 + (pi/ln e)^2)). `hooke/stiffness` and `hertz/stiffness`: k and m* gamma "
+	"as given, for the latter times sqrt(R* delta). `hooke/hysteresis`: loading with the k_n of hooke, "
+	"steeper unloading, adhesion at the end. `jkr`: adhesive contact, F_n = 4 Y* a^3/(3 R*) - sqrt(8 "
+	"pi W Y* a^3) with the contact radius a from delta = a^2/R* - sqrt(2 pi W a/Y*), W the work of "
+	"adhesion; once surfaces have touched they attract beyond the touch and separate at the pull-off "
+	"force 3/2 pi W R* (K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) "
+	"301). k_t = 8 G* a; damping as hertz, with a instead of sqrt(R* delta).\n\n"
+	"Tangential laws. `tangential history`: F_t = -k_t xi - gamma_t v_t, xi the tangential "
+	"displacement since the first touch; where the spring force k_t |xi| exceeds mu |F_n|, xi is "
+	"shortened to mu |F_n|/k_t, and there is no damping. `no_history`: F_t = -min(gamma_t, mu "
+	"|F_n|/|v_t|) v_t. `incremental_history`: as `history`, but the stored quantity is the spring "
+	"force, which changes by -k_t v_t dt with the k_t of the step (C. Thornton, S. J. Cummins, P. W. "
+	"Cleary, Powder Technol. 210 (2011) 189); for constant k_t both are the same. `jkr_tan`, for model "
+	"jkr only: LAMMPS' `mindlin`, where the sum of spring and dashpot is limited. With model jkr the "
+	"limit of friction is mu (F_e + 3 pi W R*), F_e the force without damping, as long as the surfaces "
+	"adhere.\n\n"
 	"`rolling_friction cdt`: torque mu_r k_n delta R* against the relative rotation; `epsd`, `epsd2`, "
-	"`epsd3`: a spring and dashpot of rolling, limited to mu_r |F_n| R*. `cohesion sjkr`: a pull k A, A "
-	"the area in which the spheres cut each other; `sjkr2`: A = 4 pi delta R*. `easo/...`, "
-	"`washino/...`: bridges of liquid (doc/bridges.md). `surface multicontact`: fix "
+	"`epsd3`: a rolling spring and dashpot, limited to mu_r |F_n| R*. `cohesion sjkr`: an attraction k "
+	"A, A the area in which the spheres intersect; `sjkr2`: A = 4 pi delta R*. `easo/...`, "
+	"`washino/...`: liquid bridges (doc/bridges.md). `surface multicontact`: fix "
 	"multicontact/halfspace.\n\n"
-	"The constants come from fix property/global: youngsModulus, poissonsRatio (per type); "
-	"coefficientRestitution, coefficientFriction, coefficientRollingFriction, "
+	"The constants are defined by fix property/global. Per type: youngsModulus, poissonsRatio. Per "
+	"pair of types: coefficientRestitution, coefficientFriction, coefficientRollingFriction, "
 	"coefficientRollingViscousDamping (epsd, epsd3), cohesionEnergyDensity, workOfAdhesion (jkr; "
 	"resolutionJKR has no effect), kn, kt, gamman, gammat (the stiffness laws; gamman_abs, gammat_abs "
 	"with absolute_damping), coefficientMaxElasticStiffness, coefficientAdhesionStiffness, "
 	"coefficientPlasticityDepth (hysteresis), FluidViscosity, CriticalStokes, MaximumRestitution "
-	"(viscous), all per pair of types; characteristicVelocity (hooke) and rollingStiffness (epsd3), one "
-	"number.\n\n"
-	"An oblique impact gains no energy, with one exception: the tangential spring of the Hertzian models "
-	"stiffens with the overlap, and slip stored early comes back stiffer. Where nothing else dissipates "
-	"(e = 1) that is up to some thousandths of the energy (hertz; hertz/stiffness more, as kt/kn is).\n\n"
-	"`located yes`: contacts begin and end where they do within the step, and the dashpot sees the "
-	"velocity at the time of the positions; see pair_style spring/dashpot. With spring, hooke, hertz and "
-	"their stiffness variants. The tangential dashpot and slip spring are corrected alike; where the law "
-	"itself jumps - `history` drops its dashpot where slip begins - first order stays. Walls that have "
-	"the law of the pair style follow it.\n\n"
-	"Formulae, order and defaults are those of LIGGGHTS 3.8, and results agree with it to round-off as "
-	"long as a pair that parts has met a rebuild of neighbours before it meets again: LIGGGHTS keeps the "
-	"memory of a lost contact until then, here it ends with the contact, unless `legacy yes` is set.";
+	"(viscous). One number: characteristicVelocity V (hooke), rollingStiffness (epsd3).\n\n"
+	"An oblique impact gains no energy, with one exception: the tangential spring of the Hertzian "
+	"models stiffens with the overlap, so displacement stored early is released with a larger "
+	"stiffness. Where nothing else dissipates (e = 1) the gain is up to some thousandths of the energy "
+	"(hertz; more for hertz/stiffness, depending on kt/kn).\n\n"
+	"`located yes`, sub-step contact detection: begin and end of contacts within a step are resolved, "
+	"and damping uses the velocity at the time of the positions; see pair_style spring/dashpot. It is "
+	"available with spring, hooke, hertz and their stiffness variants. Tangential damping and "
+	"displacement are corrected in the same way; where the law itself is discontinuous - `history` "
+	"drops its damping where sliding begins - convergence stays of first order. Walls that take the "
+	"law of the pair style also use it.\n\n"
+	"Equations, order of the words and defaults are those of LIGGGHTS 3.8, and results agree with it "
+	"to round-off, provided that the neighbour list is rebuilt between the separation of a pair and "
+	"its next contact: LIGGGHTS keeps the history of an ended contact until then, here the history "
+	"ends with the contact, unless `legacy yes` is set.";
 
 TS_STYLE(pair, ts_pair_style, ts_pair_gran)
 const struct ts_pair_style ts_pair_gran = {
@@ -193,14 +199,15 @@ const struct ts_pair_style ts_pair_gran = {
 		   .kind = TS_KIND_PAIR,
 		   .summary = "contact laws of granular materials",
 		   .doc = gran_doc,
-		   .cite = "P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47; Y. Tsuji, T. Tanaka, "
-			   "T. Ishida, Powder Technol. 71 (1992) 239; J. Ai, J.-F. Chen, J. M. Rotter, J. Y. "
-			   "Ooi, Powder Technol. 206 (2011) 269. Bridges of liquid: F. Soulie, F. Cherblanc, "
-			   "M. S. El Youssoufi, C. Saix, Int. J. Numer. Anal. Methods Geomech. 30 (2006) "
-			   "213; Y. I. Rabinovich, M. S. Esayanur, B. M. Moudgil, Langmuir 21 (2005) 10992; "
-			   "G. Lian, C. Thornton, M. J. Adams, J. Colloid Interface Sci. 161 (1993) 138; D. "
-			   "Shi, J. J. McCarthy, Powder Technol. 184 (2008) 64; S. T. Nase, W. L. Vargas, A. "
-			   "A. Abatan, J. J. McCarthy, Powder Technol. 116 (2001) 214",
+		   .cite = "P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47; Y. Tsuji, T. "
+			   "Tanaka, T. Ishida, Powder Technol. 71 (1992) 239; J. Ai, J.-F. Chen, J. M. "
+			   "Rotter, J. Y. Ooi, Powder Technol. 206 (2011) 269. Bridges of liquid: F. "
+			   "Soulie, F. Cherblanc, M. S. El Youssoufi, C. Saix, Int. J. Numer. Anal. "
+			   "Methods Geomech. 30 (2006) 213; Y. I. Rabinovich, M. S. Esayanur, B. M. "
+			   "Moudgil, Langmuir 21 (2005) 10992; G. Lian, C. Thornton, M. J. Adams, J. "
+			   "Colloid Interface Sci. 161 (1993) 138; D. Shi, J. J. McCarthy, Powder Technol. "
+			   "184 (2008) 64; S. T. Nase, W. L. Vargas, A. A. Abatan, J. J. McCarthy, Powder "
+			   "Technol. 116 (2001) 214",
 		   .example = "pair_style gran model hertz tangential history\n"
 			      "pair_coeff * *",
 		   .args = args,

@@ -92,7 +92,7 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 
 static const struct ts_arg args[] = {
 	TS_REAL("cutoff", struct granular, cutoff, .flags = TS_POSITIONAL | TS_OPTIONAL, .unit = "length",
-		.help = "no effect: contacts are found by the radii"),
+		.help = "no effect: contacts are defined by the radii"),
 	TS_ARGS_END,
 };
 
@@ -100,20 +100,22 @@ TS_STYLE(pair, ts_pair_style, ts_pair_granular)
 const struct ts_pair_style ts_pair_granular = {
 	.style = { .name = "granular",
 		   .kind = TS_KIND_PAIR,
-		   .summary = "contact laws of granular materials, by pair_coeff, as in LAMMPS",
+		   .summary = "contact laws of granular materials, given by pair_coeff, in LAMMPS' syntax",
 		   .doc = TS_GRAN_COEFF_DOC
-		   "\n\nEach pair of types has laws of its own. Where `pair_coeff I J` is missing, the "
-		   "numbers of I I and J J are mixed, if their laws are the same: geometric means, but E* = "
-		   "1/((1 - nu_I^2)/E_I + (1 - nu_J^2)/E_J). Slip is seen with the radii as arms, torques "
-		   "with the distances to the contact point, as in LAMMPS, with whose results (29 Sep 2021) "
-		   "it agrees to round-off but for two faults there: its limit of friction is undefined with "
-		   "dmt, and types that are mixed forget their laws.\n\n"
-		   "An oblique impact never gains energy, but for hooke with mindlin or mindlin_rescale: at "
-		   "its beginning, where a is small, the dashpot leaves a long spring, which is worth more "
-		   "when a has grown.",
+		   "\n\n"
+		   "Each pair of types has its own laws. Where `pair_coeff I J` is missing, the "
+		   "coefficients of I I and J J are mixed, if their laws are the same: by geometric means, "
+		   "but E* = 1/((1 - nu_I^2)/E_I + (1 - nu_J^2)/E_J). The tangential velocity is computed "
+		   "with the radii as lever arms, torques with the distances to the contact point, as in "
+		   "LAMMPS, with whose results (29 Sep 2021) it agrees to round-off except for two errors "
+		   "there: its limit of friction is undefined with dmt, and mixed types lose their "
+		   "laws.\n\n"
+		   "An oblique impact never gains energy, except for hooke with mindlin or "
+		   "mindlin_rescale: at its beginning, where a is small, the dashpot leaves a long spring, "
+		   "whose energy grows with a.",
 		   .cite = "S. Luding, Granul. Matter 10 (2008) 235; J. S. Marshall, J. Comput. Phys. 228 "
-			   "(2009) 1541; C. "
-			   "Thornton, S. J. Cummins, P. W. Cleary, Powder Technol. 233 (2013) 30",
+			   "(2009) 1541; C. Thornton, S. J. Cummins, P. W. Cleary, Powder Technol. 233 "
+			   "(2013) 30",
 		   .example = "pair_style granular\n"
 			      "pair_coeff * * hertz/material 1e7 0.7 0.3 tangential mindlin NULL 1.0 0.5 "
 			      "damping tsuji\n"

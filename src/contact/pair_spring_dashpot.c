@@ -22,7 +22,7 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 			       isnan(c->damping) ? "" : ", not both");
 	if (c->restitution == 0)
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "pair_coeff: restitution must be > 0 (1e-6 is as good as none)");
+			       "pair_coeff: restitution must be > 0 (1e-6 is practically 0)");
 	ts_spring_dashpot_complete(c);
 	return TS_OK;
 }
@@ -48,10 +48,10 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 
 static const struct ts_arg args[] = {
 	TS_FLAG("generic", struct spring_dashpot, generic,
-		.help = "the loop for any contact law, to compare with the specialised one"),
+		.help = "uses the contact loop for any law, for comparison with the specialised one"),
 	TS_BOOL("located", struct spring_dashpot, located, .fallback = "no",
-		.help = "where within a step contacts begin and end, and what the dashpot does "
-			"meanwhile, is accounted for"),
+		.help = "sub-step contact detection: the begin and end of contacts within a step are "
+			"resolved"),
 	TS_ARGS_END,
 };
 
@@ -70,31 +70,32 @@ const struct ts_pair_style ts_pair_spring_dashpot = {
 	.style = { .name = "spring/dashpot",
 		   .kind = TS_KIND_PAIR,
 		   .summary = "linear spring and dashpot, normal force only",
-		   .doc = "Overlapping spheres repel with F = k delta - beta v_n along the line of centres, "
-			  "delta = r_i + r_j - |x_i - x_j|, v_n > 0 while separating.\n\n"
-			  "beta is given by `damping`, or by the coefficient of `restitution` e of two free "
-			  "bodies: beta = -2 ln e sqrt(m* k / (pi^2 + ln^2 e)) with the effective mass m* = "
-			  "m_i m_j / (m_i + m_j); frozen partners and walls count as infinitely heavy. The "
-			  "contact ends at zero overlap, so the force may pull shortly before the end when e "
-			  "is small.\n\n"
+		   .doc = "Overlapping spheres repel with F = k delta - beta v_n along the line of "
+			  "centres, delta = r_i + r_j - |x_i - x_j|, v_n > 0 while separating.\n\n"
+			  "beta (force/velocity) is given by `damping`, or by the coefficient of "
+			  "`restitution` e of two free bodies: beta = -2 ln e sqrt(m* k / (pi^2 + ln^2 e)) "
+			  "with the effective mass m* = m_i m_j / (m_i + m_j); frozen particles and walls "
+			  "have infinite mass. The contact ends at zero overlap, so for small e the force "
+			  "may be attractive shortly before the end.\n\n"
 			  "Coefficients are per pair of particle types; `pair_coeff I J file NAME` reads "
-			  "them from a file of keyword-value lines, such as those in potentials/. A contact "
-			  "lasts pi/sqrt(omega0^2 - gamma^2), omega0^2 = k/m*, gamma = beta/(2 m*); velocity "
-			  "Verlet is stable for steps below 2 (sqrt(omega0^2 + gamma^2) - gamma)/omega0^2, "
-			  "and a run beyond that is refused. There are no tangential forces and no "
-			  "rotation.\n\n"
-			  "`located yes`: velocity Verlet knows neither where within a step a contact begins "
-			  "and ends nor the velocity at its end, which costs an order where there is a "
-			  "dashpot. Here the force of a step is that which moves the pair to where the exact "
-			  "motion is: within the contact in closed form, F = phi k delta + psi beta u + (1 - "
-			  "phi) m* g with u the velocity half a step back, phi = |1 - exp(-lambda "
-			  "h)|^2/(omega0 h)^2, psi = (1 - exp(-2 gamma h))/(2 gamma h), lambda = gamma + i "
-			  "sqrt(omega0^2 - gamma^2), and g what else accelerates the pair; at its begin and "
-			  "end by integrating the motion over the part of the step in contact. A single "
-			  "collision is then exact to some 1e-8 with 50 steps, and contacts among others are "
-			  "of second order; at rest, and without a dashpot, nothing changes. Each contact "
-			  "remembers three numbers more (six with a tangential law). Not with fix nve/euler, "
-			  "nor with `legacy yes`. Output of forces shows those means over a step.",
+			  "them from a file of keyword-value lines, such as those in potentials/. A "
+			  "contact lasts pi/sqrt(omega0^2 - gamma^2), omega0^2 = k/m*, gamma = beta/(2 "
+			  "m*); velocity Verlet is stable for steps below 2 (sqrt(omega0^2 + gamma^2) - "
+			  "gamma)/omega0^2, and a run beyond that is refused. There are no tangential "
+			  "forces and no rotation.\n\n"
+			  "`located yes`: velocity Verlet resolves neither the begin and end of a contact "
+			  "within a step nor the velocity at the end of the step, which reduces the order "
+			  "of convergence from two to one where there is damping. Here the force of a step "
+			  "is the one that moves the pair to its exact position: within the contact in "
+			  "closed form, F = phi k delta + psi beta u + (1 - phi) m* g with u the velocity "
+			  "half a step before, phi = |1 - exp(-lambda h)|^2/(omega0 h)^2, psi = (1 - "
+			  "exp(-2 gamma h))/(2 gamma h), lambda = gamma + i sqrt(omega0^2 - gamma^2), and "
+			  "g the relative acceleration by all other forces; at its begin and end by "
+			  "integrating the motion over the part of the step in contact. A single collision "
+			  "of 50 steps is then exact to some 1e-8, and multiple contacts are of second "
+			  "order; at rest, and without damping, nothing changes. Each contact has three "
+			  "more history numbers (six with a tangential law). Output forces are these means "
+			  "over a step. Cannot be used with fix nve/euler, nor with `legacy yes`.",
 		   .example = "pair_style spring/dashpot\n"
 			      "pair_style spring/dashpot located yes\n"
 			      "pair_coeff * * stiffness 2.0e5 restitution 0.5\n"

@@ -13,8 +13,8 @@ enum ts_status ts_substep_check(struct tsim *sim, const struct ts_granular_model
 		why = "the normal law must be spring, hooke, hertz, hooke/stiffness or hertz/stiffness, "
 		      "and not viscous";
 	else if (sim->run.explicit_euler)
-		why = "fix nve/euler takes forces where they were a step ago; use fix nve";
+		why = "fix nve/euler moves particles by the velocities before the step; use fix nve";
 	else if (sim->legacy)
-		why = "`legacy yes` asks for LIGGGHTS' numbers, which it changes";
+		why = "`legacy yes` reproduces LIGGGHTS, which has no such detection";
 	return why ? ts_fail(&sim->error, TS_STATE, where, "located yes: %s", why) : TS_OK;
 }

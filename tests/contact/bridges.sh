@@ -254,7 +254,7 @@ rejects "$(one "${wall/$easo/$washino} -5e-4")" 'washino/capillary/viscous is fo
 rejects "$(one 'pair_style gran model hertz' 'pair_coeff * *' "$wall -5e-4")" 'particles are dry'
 rejects "$(one 'fix plate all mesh/surface file plate.stl type 1 scale 0.005' \
 	"${wall/primitive*/mesh n_meshes 1 meshes plate}")" 'which contacts with triangles do not follow'
-rejects "$(one 'thermo_style custom step pe')" 'bridges of liquid have no potential energy'
+rejects "$(one 'thermo_style custom step pe')" 'liquid bridges have no potential energy'
 rejects "$(one 'fix books all energy/ledger')" 'bridges of liquid (cohesion) have no potential energy'
 rejects "$(one "pair_style gran model hertz tangential history cohesion $easo located yes" 'pair_coeff * *')" \
 	"'located' belongs to"
@@ -262,5 +262,5 @@ rejects "$(one "pair_style gran model jkr cohesion $easo" 'pair_coeff * *')" 'mo
 rejects "$(one "pair_style gran model hertz cohesion $easo modifyLbVolume on" 'pair_coeff * *')" \
 	"'modifyLbVolume' belongs to cohesion washino/capillary/viscous"
 rejects "$(one "pair_style gran model hertz cohesion $washino limitLiquidContent on" 'pair_coeff * *')" \
-	'limitLiquidContent on is known, but not built'
+	'limitLiquidContent on is not implemented'
 finish

@@ -179,12 +179,12 @@ timestep 1e-6
 rejects "${law}pair_style spring/dashpot located yes
 pair_coeff * * stiffness 1000 restitution 0.5
 fix m all nve/euler
-run 1" 'fix nve/euler takes forces where they were a step ago'
+run 1" 'fix nve/euler moves particles by the velocities before the step'
 rejects "${law}legacy yes
 pair_style spring/dashpot located yes
 pair_coeff * * stiffness 1000 restitution 0.5
 fix m all nve
-run 1" 'located yes: `legacy yes` asks for'
+run 1" 'located yes: `legacy yes` reproduces'
 rejects "${law}fix 1 all property/global youngsModulus peratomtype 5e6
 fix 2 all property/global poissonsRatio peratomtype 0.3
 fix 3 all property/global characteristicVelocity scalar 1

@@ -153,7 +153,7 @@ same 'goes on with the same bits' last.whole last.cut
 rejects "$(fix='' scene 'f f f' 1 '0 0 0')
 run 0" 'surface multicontact needs `fix ID all multicontact/halfspace`'
 rejects "$(surface='' scene 'f f f' 1 '0 0 0')
-run 0" 'no contacts know of each other'
+run 0" 'no contacts have'
 rejects "$(scene 'f f f' 1 '0 0 0')
 fix again all multicontact/halfspace
 run 0" 'there is one already'

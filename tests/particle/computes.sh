@@ -198,10 +198,10 @@ print \"is left \$(c_out[2]) 2\""
 rejects "$three
 compute p pair pressure thermo_temp" 'its group must be all'
 rejects "$three
-compute p all pressure NULL" 'say `virial`'
+compute p all pressure NULL" 'use `virial`'
 rejects "$three
 compute g all gyration
-compute p all pressure g" "'g' is no compute that gives a temperature"
+compute p all pressure g" "'g' is not a temperature compute"
 rejects "$three
 compute s all stress/atom viral" "did you mean 'virial'?"
 rejects "$three
