@@ -82,7 +82,7 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 	s->added = ts_added_mass_find(sim);
 	TS_TRY(find_relaxing_drags(self, sim));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, ts_drag_is_late(self)));
-	s->moving_groups = ts_integrated(sim, TS_MOVES);
+	s->moving_groups = ts_integrated_groups(sim, TS_MOVES);
 	return check_numbers(self, sim);
 }
 

@@ -20,10 +20,11 @@ TS_STYLE(fix, ts_style, ts_fix_nve)
 const struct ts_style ts_fix_nve = {
 	.name = "nve",
 	.kind = TS_KIND_FIX,
-	.summary = "moves the particles of the group by velocity Verlet",
-	.doc = "v += h/2 f/m; x += h v; forces; v += h/2 f/m. Second order and symplectic; stable for "
-	       "h < 2/omega of the fastest oscillator. Contact forces see the half-step velocity, as in "
-	       "LIGGGHTS and LAMMPS.",
+	.summary = "integrates the motion of the group by velocity Verlet",
+	.doc = "Each step of length h is v += h/2 f/m; x += h v; computation of the forces f; v += h/2 "
+	       "f/m. Velocity Verlet is of second order and symplectic, and stable for h < 2/omega, omega "
+	       "the highest angular frequency. Contact forces use the velocities of the half step, as in "
+	       "LIGGGHTS and LAMMPS. Rotation is not integrated; see fix nve/sphere.",
 	.example = "fix move rock nve",
 	.cite = "W. C. Swope et al., J. Chem. Phys. 76 (1982) 637",
 	.integrates = TS_MOVES | TS_OBEYS,

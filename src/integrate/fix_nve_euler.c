@@ -6,12 +6,12 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 {
 	double dt = sim->clock.dt;
 
-	ts_integrate(sim, self->group, &(struct ts_integration){ .early = dt, .kick = dt });
+	ts_integrate(sim, self->group, &(struct ts_integration){ .drift_first = dt, .kick = dt });
 	return TS_OK;
 }
 
-/* Contacts and bonds then report the limits of this scheme, as advice: work done with it did not keep
- * them. */
+/* Contacts and bonds then report the limits of this scheme, only as advice, since earlier work with this
+ * scheme did not respect them. */
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	(void)self;
@@ -23,11 +23,12 @@ TS_STYLE(fix, ts_style, ts_fix_nve_euler)
 const struct ts_style ts_fix_nve_euler = {
 	.name = "nve/euler",
 	.kind = TS_KIND_FIX,
-	.summary = "moves the particles of the group by the explicit Euler scheme",
-	.doc = "x += h v; v += h f/m (both with the values at the beginning of the step). First order. An "
-	       "undamped oscillator gains energy at every step, its amplitude growing by sqrt(1 + omega^2 "
-	       "h^2); one with a dashpot is stable for h < beta/k. A larger step is only warned of. Kept to "
-	       "reproduce work done with it; prefer fix nve.",
+	.summary = "integrates the motion of the group by the explicit Euler scheme",
+	.doc = "Each step of length h is x += h v; v += h f/m, both with the values at the beginning of "
+	       "the step. The scheme is of first order. An undamped oscillator of angular frequency omega "
+	       "gains energy in every step, its amplitude growing by the factor sqrt(1 + omega^2 h^2); one "
+	       "with stiffness k and damping beta is stable for h < beta/k. Larger steps cause only a "
+	       "warning. The fix exists to reproduce earlier work; otherwise use fix nve.",
 	.example = "fix move rock nve/euler",
 	.init = init,
 	.integrates = TS_MOVES | TS_OBEYS,

@@ -1,4 +1,4 @@
-/* Fix nve/limit: velocity Verlet that never moves a particle far. */
+/* Fix nve/limit: velocity Verlet with a limit of the displacement per step. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ struct state {
 	struct ts_words words;
 	int mode;
 	double limit;
-	int64_t limited; /* saved: how often, ever */
+	int64_t limited; /* number of limited velocities since the fix was defined; saved */
 };
 
 struct task {
@@ -24,7 +24,7 @@ struct task {
 	bool moves;
 };
 
-/* LAMMPS: xmax. LIGGGHTS: absolute xmax, or radius_ratio r. */
+/* Syntax of LAMMPS: xmax. LIGGGHTS: absolute xmax, or radius_ratio r. */
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -38,12 +38,13 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       "fix nve/limit: found '%s', expected a length > 0, or radius_ratio and "
 			       "a number > 0",
 			       word[n - 1].text);
-	sim->run.clamped = true; /* what would run away does not: it is warned of only */
+	sim->run.clamped = true; /* diverging motion is limited, so limits of the step are warnings only */
 	return TS_OK;
 }
 
-/* Velocities that would move a particle farther than the limit in a step are cut. */
-static long share(void *context, size_t from, size_t to)
+/* Kick, and drift on request; velocities that would move a particle by more than the limit in a step are
+ * reduced to it. Returns their number. */
+static long kick_and_drift_share(void *context, size_t from, size_t to)
 {
 	const struct task *task = context;
 	const struct state *s = task->self->state;
@@ -70,24 +71,24 @@ static long share(void *context, size_t from, size_t to)
 	return limited;
 }
 
-static enum ts_status go(struct ts_instance *self, struct tsim *sim, bool moves)
+static enum ts_status kick_and_drift(struct ts_instance *self, struct tsim *sim, bool moves)
 {
 	struct state *s = self->state;
 	struct task task = { self, sim, moves };
 	size_t n = sim->particles->n;
 
-	s->limited += ts_parallel_count(ts_team(sim, n), n, share, &task);
+	s->limited += ts_parallel_count(ts_team(sim, n), n, kick_and_drift_share, &task);
 	return TS_OK;
 }
 
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
 {
-	return go(self, sim, true);
+	return kick_and_drift(self, sim, true);
 }
 
 static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
 {
-	return go(self, sim, false);
+	return kick_and_drift(self, sim, false);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -99,13 +100,13 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 static const struct ts_arg args[] = {
 	TS_REST("limit", struct state, words,
-		.help = "farthest that a particle may move in a step: a length, `absolute` and a "
-			"length, or `radius_ratio` and a part of its radius"),
+		.help = "largest displacement of a particle in a step: a length, `absolute` and a length, or "
+			"`radius_ratio` and a fraction of its radius"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
-	{ "limited", "", "how often a velocity was cut, ever", TS_SCALAR, 1, NULL, eval },
+	{ "limited", "", "number of limited velocities since the fix was defined", TS_SCALAR, 1, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -115,11 +116,10 @@ TS_STYLE(fix, ts_style, ts_fix_nve_limit)
 const struct ts_style ts_fix_nve_limit = {
 	.name = "nve/limit",
 	.kind = TS_KIND_FIX,
-	.summary = "moves particles by velocity Verlet, but never far in a step",
-	.doc = "As fix nve; after each half kick a velocity that would move its particle farther than the "
-	       "limit in a\n"
-	       "step is made smaller. For scenes that begin with overlaps: energy is not conserved while it "
-	       "acts.",
+	.summary = "velocity Verlet with a limited displacement per step",
+	.doc = "As fix nve, but after each half kick a velocity that would move its particle by more than "
+	       "the limit in a step is reduced to it. The fix is for scenes that begin with overlaps; "
+	       "energy is not conserved while it acts.",
 	.example = "fix part all nve/limit radius_ratio 0.01\nfix part all nve/limit 1e-4",
 	.args = args,
 	.state_size = sizeof(struct state),

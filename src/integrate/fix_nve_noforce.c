@@ -1,4 +1,4 @@
-/* Fix nve/noforce: straight on, whatever the forces. */
+/* Fix nve/noforce: motion with constant velocity, whatever the forces. */
 #include "force/restraint.h"
 #include "particle/particles.h"
 
@@ -16,7 +16,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	return TS_OK;
 }
 
-static void leave(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
+static void remove_force(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
 {
 	(void)self;
 	(void)sim;
@@ -24,15 +24,16 @@ static void leave(const struct ts_instance *self, const struct tsim *sim, size_t
 	f[0] = f[1] = f[2] = 0;
 }
 
-static const struct ts_restraint restraint = { NULL, leave };
+static const struct ts_restraint restraint = { NULL, remove_force };
 
 TS_STYLE(fix, ts_style, ts_fix_nve_noforce)
 const struct ts_style ts_fix_nve_noforce = {
 	.name = "nve/noforce",
 	.kind = TS_KIND_FIX,
-	.summary = "moves the particles of the group without regard to forces",
-	.doc = "x += h v with the velocity as it is: for particles that push others but are not pushed. See "
-	       "fix move for prescribed paths.",
+	.summary = "moves the particles of the group with constant velocity",
+	.doc = "Each step of length h is x += h v; forces do not change the velocity v. Use it for "
+	       "particles that exert forces on others but do not respond to any. See fix move for "
+	       "prescribed paths.",
 	.example = "velocity piston set 0 0 -0.1\nfix push piston nve/noforce",
 	.integrates = TS_MOVES,
 	.hook[TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,

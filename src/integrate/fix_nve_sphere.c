@@ -4,8 +4,8 @@
 #include "base/banned.h"
 
 struct nve_sphere {
-	int inertia; /* enum ts_inertia; BY_DIMENSION: not said */
-	bool disc;   /* LAMMPS' word for inertia disc */
+	int inertia; /* enum ts_inertia; by_dimension: not given */
+	bool disc;   /* LAMMPS' keyword for inertia disc */
 	bool warned;
 };
 
@@ -14,7 +14,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	double dt = sim->clock.dt;
 
 	ts_integrate(sim, self->group,
-		     &(struct ts_integration){ .kick = 0.5 * dt, .turn = 0.5 * dt, .drift = dt });
+		     &(struct ts_integration){ .kick = 0.5 * dt, .kick_omega = 0.5 * dt, .drift = dt });
 	return TS_OK;
 }
 
@@ -22,11 +22,11 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 {
 	double h = 0.5 * sim->clock.dt;
 
-	ts_integrate(sim, self->group, &(struct ts_integration){ .kick = h, .turn = h });
+	ts_integrate(sim, self->group, &(struct ts_integration){ .kick = h, .kick_omega = h });
 	return TS_OK;
 }
 
-/* Particles turn in one way only: all fixes that say which must agree. */
+/* All particles have the same kind of inertia: the fixes that specify it must agree. */
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
@@ -46,7 +46,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			continue;
 		if (said && other->inertia != (int)said && !ts_streq(fixes->item[k]->id, self->id))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix nve/sphere: fix %s (line %d) says another inertia",
+				       "fix nve/sphere: fix %s (line %d) has another inertia",
 				       fixes->item[k]->id, fixes->item[k]->where.line);
 		if (!said)
 			said = (enum ts_inertia)other->inertia;
@@ -54,7 +54,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	sim->particles->inertia = said;
 	if (sim->dimension == 2 && !said && !s->warned)
 		ts_warn(&sim->log, &self->where,
-			"particles turn as discs, I = m r^2/2; say so with `inertia disc`, or "
+			"particles rotate as discs, I = m r^2/2; confirm it by `inertia disc`, or use "
 			"`inertia sphere`");
 	s->warned = true;
 	return TS_OK;
@@ -74,12 +74,12 @@ TS_STYLE(fix, ts_style, ts_fix_nve_sphere)
 const struct ts_style ts_fix_nve_sphere = {
 	.name = "nve/sphere",
 	.kind = TS_KIND_FIX,
-	.summary = "moves and turns the spheres of the group by velocity Verlet",
-	.doc = "As fix nve, and for the rotation omega += h/2 T/I before and after the forces, with\n"
-	       "I = 0.4 m r^2. Where no live style makes torques or reads the rotation, it is left\n"
-	       "out (it would stay as it is).\n\n"
-	       "In two dimensions particles turn as discs, I = 0.5 m r^2, and a warning says so unless\n"
-	       "the line does; `inertia sphere` lets spheres roll in a plane. The energy of rotation\n"
+	.summary = "integrates translation and rotation of the group by velocity Verlet",
+	.doc = "As fix nve, and in addition omega += h/2 T/I before and after the computation of forces "
+	       "and torques T, with I = 0.4 m r^2. Where no style computes torques or reads the rotation, "
+	       "this is left out, as it would change nothing.\n\n"
+	       "In two dimensions particles rotate as discs, I = 0.5 m r^2, and a warning says so unless "
+	       "the inertia is given; `inertia sphere` lets spheres roll in a plane. The rotational energy "
 	       "(thermo keyword erotate, compute erotate/sphere) uses the same I.",
 	.example = "fix move all nve/sphere\n"
 		   "fix move all nve/sphere inertia sphere",

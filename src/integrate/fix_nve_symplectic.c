@@ -14,9 +14,10 @@ TS_STYLE(fix, ts_style, ts_fix_nve_symplectic)
 const struct ts_style ts_fix_nve_symplectic = {
 	.name = "nve/symplectic",
 	.kind = TS_KIND_FIX,
-	.summary = "moves the particles of the group by the symplectic Euler scheme",
-	.doc = "v += h f/m; x += h v (the new one); forces. First order, symplectic: energy stays "
-	       "bounded; stable for h < 2/omega as velocity Verlet.",
+	.summary = "integrates the motion of the group by the symplectic Euler scheme",
+	.doc = "Each step of length h is v += h f/m; x += h v with the new velocity; computation of the "
+	       "forces. The scheme is of first order and symplectic: the energy error stays bounded. It is "
+	       "stable for h < 2/omega, as velocity Verlet.",
 	.example = "fix move rock nve/symplectic",
 	.cite = "E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration (2006), I.1",
 	.integrates = TS_MOVES | TS_OBEYS,

@@ -8,8 +8,8 @@
 
 #include "base/banned.h"
 
-/* The columns are passed through once, a block of particles at a time: factors of the block are made
- * first, then its coordinates are taken as plain lists of numbers, three to a particle. */
+/* Columns are processed in blocks of particles: first the factors of a block, then its coordinates as plain
+ * arrays of numbers, three per particle. */
 enum { BLOCK = 128 };
 
 struct task {
@@ -19,26 +19,26 @@ struct task {
 	int group;
 };
 
-/* Of each coordinate of a block. */
+/* By coordinate of a block: kick/m and kick_omega/I. */
 struct factors {
-	double kick[3 * BLOCK], turn[3 * BLOCK];
-	int64_t in[3 * BLOCK]; /* belongs to the group; not filled where all do */
+	double kick[3 * BLOCK], kick_omega[3 * BLOCK];
+	int64_t in[3 * BLOCK]; /* 1: the particle is in the group; not set if all are */
 };
 
 TS_INLINE void make_factors(const struct task *t, size_t from, size_t n, struct factors *f)
 {
 	const double *mass = t->p->mass + from, *radius = t->p->radius + from;
-	double kick = t->step.kick, turn = t->step.turn, inertia = t->inertia;
+	double kick = t->step.kick, kick_omega = t->step.kick_omega, inertia = t->inertia;
 
 #pragma omp simd
 	for (size_t i = 0; i < n; i++)
 		f->kick[3 * i] = f->kick[3 * i + 1] = f->kick[3 * i + 2] = kick / mass[i];
-	if (!(turn != 0))
+	if (!(kick_omega != 0))
 		return;
 #pragma omp simd
 	for (size_t i = 0; i < n; i++)
-		f->turn[3 * i] = f->turn[3 * i + 1] = f->turn[3 * i + 2] =
-			turn / mass[i] / (inertia * radius[i] * radius[i]);
+		f->kick_omega[3 * i] = f->kick_omega[3 * i + 1] = f->kick_omega[3 * i + 2] =
+			kick_omega / mass[i] / (inertia * radius[i] * radius[i]);
 }
 
 TS_INLINE void find_members(const struct task *t, size_t from, size_t n, struct factors *f)
@@ -50,9 +50,10 @@ TS_INLINE void find_members(const struct task *t, size_t from, size_t n, struct 
 		f->in[3 * i] = f->in[3 * i + 1] = f->in[3 * i + 2] = mask[i] >> t->group & 1u;
 }
 
-/* to += factor * from, a factor for each number, or one for all where the list is NULL. */
-TS_INLINE void add(double *restrict to, const double *restrict from, const double *restrict factors,
-		   double factor, const int64_t *restrict in, size_t n)
+/* to += factor * from; `factors`: one factor for each number, or NULL: `factor` for all. `in`: which numbers
+ * change, NULL: all. */
+TS_INLINE void add_scaled(double *restrict to, const double *restrict from, const double *restrict factors,
+			  double factor, const int64_t *restrict in, size_t n)
 {
 #pragma omp simd
 	for (size_t k = 0; k < n; k++) {
@@ -62,42 +63,42 @@ TS_INLINE void add(double *restrict to, const double *restrict from, const doubl
 	}
 }
 
-TS_INLINE void advance(const struct task *t, size_t from, size_t n, const struct factors *f,
-		       const int64_t *in)
+TS_INLINE void advance_block(const struct task *t, size_t from, size_t n, const struct factors *f,
+			     const int64_t *in)
 {
 	const struct ts_particles *p = t->p;
 	const struct ts_integration *s = &t->step;
 
-	if (s->early != 0)
-		add(p->x[from], p->v[from], NULL, s->early, in, 3 * n);
+	if (s->drift_first != 0)
+		add_scaled(p->x[from], p->v[from], NULL, s->drift_first, in, 3 * n);
 	if (s->kick != 0)
-		add(p->v[from], p->f[from], f->kick, 0, in, 3 * n);
-	if (s->turn != 0)
-		add(p->omega[from], p->torque[from], f->turn, 0, in, 3 * n);
+		add_scaled(p->v[from], p->f[from], f->kick, 0, in, 3 * n);
+	if (s->kick_omega != 0)
+		add_scaled(p->omega[from], p->torque[from], f->kick_omega, 0, in, 3 * n);
 	if (s->drift != 0)
-		add(p->x[from], p->v[from], NULL, s->drift, in, 3 * n);
+		add_scaled(p->x[from], p->v[from], NULL, s->drift, in, 3 * n);
 }
 
 TS_CLONES
-static void block_of_all(const struct task *t, size_t from, size_t n)
+static void advance_all(const struct task *t, size_t from, size_t n)
 {
 	struct factors f;
 
 	make_factors(t, from, n, &f);
-	advance(t, from, n, &f, NULL);
+	advance_block(t, from, n, &f, NULL);
 }
 
 TS_CLONES
-static void block_of_some(const struct task *t, size_t from, size_t n)
+static void advance_members(const struct task *t, size_t from, size_t n)
 {
 	struct factors f;
 
 	find_members(t, from, n, &f);
 	make_factors(t, from, n, &f);
-	advance(t, from, n, &f, f.in);
+	advance_block(t, from, n, &f, f.in);
 }
 
-static void share(void *context, size_t from, size_t to)
+static void advance_share(void *context, size_t from, size_t to)
 {
 	const struct task *t = context;
 
@@ -106,9 +107,9 @@ static void share(void *context, size_t from, size_t to)
 		size_t members = t->group == 0 ? n : ts_group_members(t->p, t->group, from, from + n);
 
 		if (members == n)
-			block_of_all(t, from, n);
+			advance_all(t, from, n);
 		else if (members)
-			block_of_some(t, from, n);
+			advance_members(t, from, n);
 	}
 }
 
@@ -118,6 +119,6 @@ void ts_integrate(struct tsim *sim, int group, const struct ts_integration *step
 	struct task task = { p, *step, ts_inertia_factor(sim), group };
 
 	if (!p->omega || !p->torque)
-		task.step.turn = 0;
-	TS_DEFER_LOOP(sim, p->n, share, &task);
+		task.step.kick_omega = 0;
+	TS_DEFER_LOOP(sim, p->n, advance_share, &task);
 }

@@ -6,7 +6,7 @@
 
 #include "base/banned.h"
 
-uint32_t ts_integrated(const struct tsim *sim, unsigned what)
+uint32_t ts_integrated_groups(const struct tsim *sim, unsigned what)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	uint32_t groups = 0;
@@ -17,8 +17,8 @@ uint32_t ts_integrated(const struct tsim *sim, unsigned what)
 	return groups;
 }
 
-/* The next fix from *k on that moves particle i; NULL: there are no more. */
-static const struct ts_instance *mover(const struct tsim *sim, size_t i, size_t *k)
+/* The next fix from *k on that integrates particle i; NULL: there is none. */
+static const struct ts_instance *next_integrator(const struct tsim *sim, size_t i, size_t *k)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 
@@ -36,16 +36,16 @@ static enum ts_status refuse_two(struct tsim *sim, size_t i, const struct ts_ins
 {
 	return ts_fail(&sim->error, TS_STATE, &second->where,
 		       "fix %s (%s) moves particle %d (type %d), which fix %s (%s, line %d) moves, too: it "
-		       "would be moved twice in each step; give the fixes groups that share no particles, or "
-		       "`unfix` one of them",
+		       "would be moved twice in each step; give the fixes groups that share no particles, "
+		       "or `unfix` one of them",
 		       second->id, second->style->name, sim->particles->tag[i], sim->particles->type[i],
 		       first->id, first->style->name, first->where.line);
 }
 
-/* The body places its members anew in each step, so nothing adds up; but what the fix adds within the step
- * is seen by contacts and outputs. LIGGGHTS and LAMMPS do the same, and scripts with clumps and single
- * particles rely on it. */
-static enum ts_status tell_member(struct tsim *sim, size_t i, const struct ts_instance *fix)
+/* The body sets the positions of its members in each step, so displacements do not accumulate; but contacts
+ * and outputs see what the fix adds within the step. LIGGGHTS and LAMMPS do the same, and scripts with clumps
+ * and single particles rely on it. */
+static enum ts_status report_member(struct tsim *sim, size_t i, const struct ts_instance *fix)
 {
 	return ts_review_find(sim, "members", &fix->where,
 			      "fix %s (%s) moves particle %d, which belongs to a rigid body and moves with "
@@ -54,25 +54,25 @@ static enum ts_status tell_member(struct tsim *sim, size_t i, const struct ts_in
 			      fix->id, fix->style->name, sim->particles->tag[i]);
 }
 
-static enum ts_status check_one(struct tsim *sim, size_t i)
+static enum ts_status check_particle(struct tsim *sim, size_t i)
 {
 	size_t k = 0;
-	const struct ts_instance *first = mover(sim, i, &k);
-	const struct ts_instance *second = first ? mover(sim, i, &k) : NULL;
+	const struct ts_instance *first = next_integrator(sim, i, &k);
+	const struct ts_instance *second = first ? next_integrator(sim, i, &k) : NULL;
 
 	if (second)
 		return refuse_two(sim, i, first, second);
-	return first && ts_rigid_member(sim->particles, i) ? tell_member(sim, i, first) : TS_OK;
+	return first && ts_rigid_member(sim->particles, i) ? report_member(sim, i, first) : TS_OK;
 }
 
-/* More than one bit of it. */
-static bool several(uint32_t bits)
+/* Whether more than one bit is set. */
+static bool has_several_bits(uint32_t bits)
 {
 	return (bits & (bits - 1)) != 0;
 }
 
-/* Two fixes for the same group. */
-static bool shared(const struct tsim *sim)
+/* Whether two fixes integrate the same group. */
+static bool groups_coincide(const struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	uint32_t groups = 0;
@@ -92,27 +92,27 @@ static bool shared(const struct tsim *sim)
 static enum ts_status check_all(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
-	uint32_t groups = ts_integrated(sim, TS_MOVES);
-	bool all = shared(sim);
+	uint32_t groups = ts_integrated_groups(sim, TS_MOVES);
+	bool all = groups_coincide(sim);
 
-	if (!groups || (!all && !several(groups) && !sim->rigid->n))
+	if (!groups || (!all && !has_several_bits(groups) && !sim->rigid->n))
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++) {
 		uint32_t in = p->mask[i] & groups;
 
-		if (in && (all || several(in) || ts_rigid_member(p, i)) && p->imass[i] > 0)
-			TS_TRY(check_one(sim, i));
+		if (in && (all || has_several_bits(in) || ts_rigid_member(p, i)) && p->imass[i] > 0)
+			TS_TRY(check_particle(sim, i));
 	}
 	return TS_OK;
 }
 
 static enum ts_status check_members(struct tsim *sim, const int32_t *row, size_t n)
 {
-	uint32_t groups = ts_integrated(sim, TS_MOVES);
+	uint32_t groups = ts_integrated_groups(sim, TS_MOVES);
 
 	for (size_t m = 0; m < n && groups; m++)
 		if (sim->particles->mask[row[m]] & groups)
-			TS_TRY(check_one(sim, (size_t)row[m]));
+			TS_TRY(check_particle(sim, (size_t)row[m]));
 	return TS_OK;
 }
 
@@ -125,7 +125,7 @@ static void connect_integrators(struct tsim *sim)
 const struct ts_system_style ts_integrators_system = {
 	.style = { .name = "integrators",
 		   .kind = TS_KIND_SYSTEM,
-		   .summary = "no particle is moved by two integrators" },
+		   .summary = "checks that no particle is integrated by two fixes" },
 	.no_instance = true,
 	.connect = connect_integrators,
 };

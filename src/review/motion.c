@@ -16,7 +16,7 @@ enum { SET_UP_STEPS = 1 };
 enum ts_status ts_review_integrator(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
-	uint32_t moved = ts_integrated(sim, TS_MOVES);
+	uint32_t moved = ts_integrated_groups(sim, TS_MOVES);
 	size_t idle = 0, first = 0;
 
 	if (sim->review.steps <= SET_UP_STEPS || sim->outside || (!moved && ts_heat_of(sim)))

@@ -122,7 +122,7 @@ static struct fall fall_of(const struct tsim *sim, const struct ts_instance *by,
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
-	uint32_t moved = ts_integrated(sim, TS_MOVES);
+	uint32_t moved = ts_integrated_groups(sim, TS_MOVES);
 	struct fall fall = { .time = (double)sim->review.steps * sim->clock.dt,
 			     .lo = { INFINITY, INFINITY, INFINITY },
 			     .hi = { -INFINITY, -INFINITY, -INFINITY } };

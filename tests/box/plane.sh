@@ -29,7 +29,7 @@ run 0
 print \"sphere \$(mass(left)/v_m:%.12g) \$(erotate/(0.2*v_m*0.051^2*7.3^2):%.12g)\"" 'sphere 1 1'
 prints "$plane
 fix move all nve/sphere
-run 0" '*warning: particles turn as discs'
+run 0" '*warning: particles rotate as discs'
 
 # A torque T for a time t: omega = T t / (m R^2 / 2), and a torque on a sphere T t / (0.4 m R^2).
 turned() { # words, factor
@@ -110,7 +110,7 @@ rejects "$plane
 displace_atoms all rotate 0 0 0 1 0 0 30" 'the axis is along z'
 rejects "$plane
 fix a left nve/sphere disc
-fix b right nve/sphere inertia sphere" 'says another inertia'
+fix b right nve/sphere inertia sphere" 'has another inertia'
 rejects 'region box block 0 1 0 1 0 1
 create_box 1 box
 fix a all nve/sphere disc' 'discs need `dimension 2`'
