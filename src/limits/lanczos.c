@@ -9,53 +9,54 @@
 
 #include "base/banned.h"
 
-enum { ROUNDS = 18, TIMES = 3, SMALL = 400 };
+enum { LANCZOS_STEPS = 18, DAMPING_ITERATIONS = 3, POWER_STEPS = 400 };
 
-void ts_lanczos_clear(struct ts_lanczos *linkage)
+void ts_lanczos_clear(struct ts_lanczos *network)
 {
-	linkage->nbodies = linkage->nlinks = 0;
+	network->nbodies = network->nlinks = 0;
 }
 
-void ts_lanczos_release(struct ts_lanczos *linkage)
+void ts_lanczos_release(struct ts_lanczos *network)
 {
-	ts_free(linkage->body);
-	ts_free(linkage->link);
-	ts_free(linkage->u);
-	ts_free(linkage->f);
-	ts_free(linkage->basis);
-	ts_free(linkage->momentum);
-	*linkage = (struct ts_lanczos){ 0 };
+	ts_free(network->body);
+	ts_free(network->link);
+	ts_free(network->u);
+	ts_free(network->f);
+	ts_free(network->basis);
+	ts_free(network->momentum);
+	*network = (struct ts_lanczos){ 0 };
 }
 
-/* Motion at the point of contact and difference of the rotations, as a sees b. */
-static void relative(const struct ts_lanczos *m, const struct ts_link *l, double move[3], double turn[3])
+/* Relative motion at the contact point and relative rotation, of a with respect to b. */
+static void relative_motion(const struct ts_lanczos *m, const struct ts_link *l, double move[3],
+			    double turn[3])
 {
 	const int end[2] = { l->a, l->b };
 
 	for (int d = 0; d < 3; d++)
 		move[d] = turn[d] = 0;
 	for (int e = 0; e < 2; e++) {
-		double sign = e ? -1 : 1, lift[3];
+		double sign = e ? -1 : 1, lever_velocity[3];
 
 		if (end[e] < 0)
 			continue;
-		ts_cross(m->u[end[e]] + 3, l->arm[e], lift);
+		ts_cross(m->u[end[e]] + 3, l->arm[e], lever_velocity);
 		ts_axpy(sign, m->u[end[e]], move);
-		ts_axpy(sign, lift, move);
+		ts_axpy(sign, lever_velocity, move);
 		ts_axpy(sign, m->u[end[e]] + 3, turn);
 	}
 }
 
-/* f += (ck C + kk K) u of one link on its a. */
+/* Adds (ck C + kk K) u of one link to the forces of its body a. */
 static void add_link(struct ts_lanczos *m, const struct ts_link *l, bool slip, double kk, double ck)
 {
 	double move[3], turn[3], force[3], torque[3], normal = kk * l->k[0] + ck * l->c[0];
-	double across = slip ? kk * l->k[1] + ck * l->c[1] : 0;
+	double tangential = slip ? kk * l->k[1] + ck * l->c[1] : 0;
 	double rolling = slip ? kk * l->k[2] + ck * l->c[2] : 0;
 
-	relative(m, l, move, turn);
-	ts_scale(across, move, force);
-	ts_axpy((normal - across) * ts_dot(move, l->n), l->n, force);
+	relative_motion(m, l, move, turn);
+	ts_scale(tangential, move, force);
+	ts_axpy((normal - tangential) * ts_dot(move, l->n), l->n, force);
 	ts_cross(l->arm[0], force, torque);
 	ts_axpy(rolling, turn, torque);
 	ts_axpy(-rolling * ts_dot(turn, l->n), l->n, torque);
@@ -63,7 +64,7 @@ static void add_link(struct ts_lanczos *m, const struct ts_link *l, bool slip, d
 	ts_add(m->f[l->a] + 3, torque, m->f[l->a] + 3);
 }
 
-static void apply(struct ts_lanczos *m, bool slip, double kk, double ck)
+static void compute_forces(struct ts_lanczos *m, bool slip, double kk, double ck)
 {
 	for (size_t i = 0; i < m->nbodies; i++)
 		for (int d = 0; d < 6; d++)
@@ -72,7 +73,7 @@ static void apply(struct ts_lanczos *m, bool slip, double kk, double ck)
 		add_link(m, &m->link[k], slip, kk, ck);
 }
 
-static double product(const struct ts_lanczos *m)
+static double scalar_product(const struct ts_lanczos *m)
 {
 	double sum = 0;
 
@@ -82,8 +83,8 @@ static double product(const struct ts_lanczos *m)
 	return sum;
 }
 
-/* u = M^-1 f. */
-static void respond(struct ts_lanczos *m)
+/* u = M^-1 f */
+static void divide_by_mass(struct ts_lanczos *m)
 {
 	for (size_t i = 0; i < m->nbodies; i++) {
 		const struct ts_lanczos_body *b = &m->body[i];
@@ -95,8 +96,8 @@ static void respond(struct ts_lanczos *m)
 	}
 }
 
-/* y += s x, of all bodies */
-static void add(size_t n, double s, double (*x)[6], double (*y)[6])
+/* y += s x, for all bodies */
+static void add_scaled(size_t n, double s, double (*x)[6], double (*y)[6])
 {
 	for (size_t i = 0; i < n; i++)
 		for (int d = 0; d < 6; d++)
@@ -105,20 +106,21 @@ static void add(size_t n, double s, double (*x)[6], double (*y)[6])
 
 /* ---- the method of Lanczos ---- */
 
-struct lanczos {
-	double diagonal[ROUNDS], beside[ROUNDS + 1]; /* of the matrix that A is in the basis */
+struct tridiagonal {
+	/* diagonal and off-diagonal of M^-1 (kk K + ck C) in the basis */
+	double diagonal[LANCZOS_STEPS], off_diagonal[LANCZOS_STEPS + 1];
 	int n;
 };
 
-/* The forces in f become the next member of the basis; false: nothing is left of them. */
-static bool take(struct ts_lanczos *m, struct lanczos *l)
+/* Orthonormalised, M^-1 f becomes the next vector of the basis; false: it vanishes. */
+static bool extend_basis(struct ts_lanczos *m, struct tridiagonal *l)
 {
 	size_t n = m->nbodies, at = (size_t)l->n * n;
 	double size;
 
-	respond(m);
-	size = sqrt(fmax(product(m), 0));
-	l->beside[l->n] = size;
+	divide_by_mass(m);
+	size = sqrt(fmax(scalar_product(m), 0));
+	l->off_diagonal[l->n] = size;
 	if (!(size > 1e-7 * (l->n ? fabs(l->diagonal[l->n - 1]) : 0)))
 		return false;
 	for (size_t i = 0; i < n; i++)
@@ -130,8 +132,8 @@ static bool take(struct ts_lanczos *m, struct lanczos *l)
 	return true;
 }
 
-/* Something that has a part along every mode. */
-static void begin(struct ts_lanczos *m)
+/* Random forces, which excite every mode. */
+static void set_random_forces(struct ts_lanczos *m)
 {
 	struct ts_rng rng = ts_rng_start(2385, m->nlinks);
 
@@ -140,17 +142,17 @@ static void begin(struct ts_lanczos *m)
 			m->f[i][d] = ts_rng_uniform(&rng) - 0.5;
 }
 
-/* Largest number of the small matrix, by its powers; its vector. */
-static void small_vector(const struct lanczos *l, double y[ROUNDS])
+/* Eigenvector of the largest eigenvalue of the tridiagonal matrix, by power iteration. */
+static void largest_eigenvector(const struct tridiagonal *l, double y[LANCZOS_STEPS])
 {
 	for (int k = 0; k < l->n; k++)
 		y[k] = 1;
-	for (int round = 0; round < SMALL; round++) {
-		double z[ROUNDS], size = 0;
+	for (int round = 0; round < POWER_STEPS; round++) {
+		double z[LANCZOS_STEPS], size = 0;
 
 		for (int k = 0; k < l->n; k++) {
-			z[k] = l->diagonal[k] * y[k] + (k ? l->beside[k] * y[k - 1] : 0) +
-			       (k + 1 < l->n ? l->beside[k + 1] * y[k + 1] : 0);
+			z[k] = l->diagonal[k] * y[k] + (k ? l->off_diagonal[k] * y[k - 1] : 0) +
+			       (k + 1 < l->n ? l->off_diagonal[k + 1] * y[k + 1] : 0);
 			size += z[k] * z[k];
 		}
 		for (int k = 0; k < l->n; k++)
@@ -158,35 +160,35 @@ static void small_vector(const struct lanczos *l, double y[ROUNDS])
 	}
 }
 
-/* From the forces in f: the fastest motion into u, with u M u = 1, and M u into f. */
-static void fastest(struct ts_lanczos *m, bool slip, double kk, double ck)
+/* Starting from the forces in f: the fastest mode u, normalised to u M u = 1, and f = M u. */
+static void find_fastest_mode(struct ts_lanczos *m, bool slip, double kk, double ck)
 {
 	size_t n = m->nbodies;
-	struct lanczos l = { .n = 0 };
-	double y[ROUNDS];
+	struct tridiagonal l = { .n = 0 };
+	double y[LANCZOS_STEPS];
 
-	while (l.n < ROUNDS && take(m, &l)) {
+	while (l.n < LANCZOS_STEPS && extend_basis(m, &l)) {
 		size_t at = (size_t)(l.n - 1) * n;
 
-		apply(m, slip, kk, ck);
-		l.diagonal[l.n - 1] = product(m);
-		add(n, -l.diagonal[l.n - 1], m->momentum + at, m->f);
+		compute_forces(m, slip, kk, ck);
+		l.diagonal[l.n - 1] = scalar_product(m);
+		add_scaled(n, -l.diagonal[l.n - 1], m->momentum + at, m->f);
 		if (l.n > 1)
-			add(n, -l.beside[l.n - 1], m->momentum + at - n, m->f);
+			add_scaled(n, -l.off_diagonal[l.n - 1], m->momentum + at - n, m->f);
 	}
-	small_vector(&l, y);
+	largest_eigenvector(&l, y);
 	for (size_t i = 0; i < n; i++)
 		for (int d = 0; d < 6; d++)
 			m->u[i][d] = m->f[i][d] = 0;
 	for (int k = 0; k < l.n; k++) {
-		add(n, y[k], m->basis + (size_t)k * n, m->u);
-		add(n, y[k], m->momentum + (size_t)k * n, m->f);
+		add_scaled(n, y[k], m->basis + (size_t)k * n, m->u);
+		add_scaled(n, y[k], m->momentum + (size_t)k * n, m->f);
 	}
 }
 
-/* ---- */
+/* ---- the limit ---- */
 
-static int most_moved(const struct ts_lanczos *m)
+static int most_moving_body(const struct ts_lanczos *m)
 {
 	double most = 0;
 	int at = 0;
@@ -204,27 +206,27 @@ static int most_moved(const struct ts_lanczos *m)
 	return at;
 }
 
-enum ts_status ts_lanczos_limit(struct ts_lanczos *linkage, bool slip, double near, double *limit, int *worst)
+enum ts_status ts_lanczos_limit(struct ts_lanczos *network, bool slip, double near, double *limit, int *worst)
 {
-	size_t n = linkage->nbodies;
+	size_t n = network->nbodies;
 	double stiffness, damping, before;
 
 	*limit = near;
-	if (TS_GROW(linkage->u, linkage->u_capacity, n) != TS_OK ||
-	    TS_GROW(linkage->f, linkage->f_capacity, n) != TS_OK ||
-	    TS_GROW(linkage->basis, linkage->basis_capacity, ROUNDS * n) != TS_OK ||
-	    TS_GROW(linkage->momentum, linkage->momentum_capacity, ROUNDS * n) != TS_OK)
+	if (TS_GROW(network->u, network->u_capacity, n) != TS_OK ||
+	    TS_GROW(network->f, network->f_capacity, n) != TS_OK ||
+	    TS_GROW(network->basis, network->basis_capacity, LANCZOS_STEPS * n) != TS_OK ||
+	    TS_GROW(network->momentum, network->momentum_capacity, LANCZOS_STEPS * n) != TS_OK)
 		return TS_NOMEM;
-	begin(linkage);
-	for (int time = 0; time < TIMES; time++) {
-		fastest(linkage, slip, 1, 2 / *limit);
+	set_random_forces(network);
+	for (int time = 0; time < DAMPING_ITERATIONS; time++) {
+		find_fastest_mode(network, slip, 1, 2 / *limit);
 		before = *limit;
-		apply(linkage, slip, 0, 1);
-		damping = product(linkage);
-		apply(linkage, slip, 1, 0);
-		stiffness = product(linkage);
+		compute_forces(network, slip, 0, 1);
+		damping = scalar_product(network);
+		compute_forces(network, slip, 1, 0);
+		stiffness = scalar_product(network);
 		*limit = ts_oscillator_limit(stiffness, damping, 1, false);
-		*worst = most_moved(linkage);
+		*worst = most_moving_body(network);
 		if (!(damping > 0) || !isfinite(*limit) || fabs(*limit - before) < 1e-3 * *limit)
 			break;
 	}

@@ -1,20 +1,20 @@
-/* The fastest mode of some bodies that springs and dashpots join.
+/* Largest stable time step of a network of bodies joined by springs and dashpots.
  *
- * M a + C v + K x = 0 with velocity Verlet or symplectic Euler, which see the dashpots half a step late,
- * is
+ * Velocity Verlet and symplectic Euler use in dashpots the velocities of the half step before, and so discretise M a
+ * + C v + K x = 0 as
  *
- *   M (x+ - 2 x + x-) + h C (x - x-) + h^2 K x = 0,
+ *   M (x+ - 2 x + x-) + h C (x - x-) + h^2 K x = 0.
  *
- * for a mode x ~ z^k u: m (z - 1)^2 + h c (z - 1) + h^2 k z = 0 with m = u M u, c = u C u, k = u K u >= 0.
- * Both |z| <= 1 as long as h^2 k + 2 h c <= 4 m (Jury). At the limit z = -1, and the mode is one of 4 M -
- * 2 h C - h^2 K = 0, whatever M, C and K:
+ * A mode x ~ z^k u fulfils m (z - 1)^2 + h c (z - 1) + h^2 k z = 0 with m = u M u, c = u C u, k = u K u >= 0.
+ * Both |z| <= 1 if h^2 k + 2 h c <= 4 m (Jury criterion). At the limit z = -1, and the mode is in the null
+ * space of 4 M - 2 h C - h^2 K, for any M, C and K:
  *
- *   h is stable  <=>  h^2 times the largest number of M^-1 (K + 2 C/h) is at most 4.
+ *   h is stable <=> h^2 times the largest eigenvalue of M^-1 (K + 2 C/h) is at most 4.
  *
- * A dashpot makes a spring stiffer by 2 c/h. Any u gives, by its m, c and k (Rayleigh), a step beyond
- * which nothing is stable: the method of C. Lanczos (J. Res. Natl. Bur. Stand. 45 (1950) 255) finds that
- * of the fastest mode, from above; and a part of a network, the rest held, has a larger limit than the
- * whole. */
+ * So a dashpot increases the stiffness by 2 c/h. Any motion u gives, by its m, c and k (Rayleigh quotient),
+ * an upper bound of the stable step; the method of C. Lanczos (J. Res. Natl. Bur. Stand. 45 (1950) 255)
+ * converges to that of the fastest mode from above. A part of a network, with the other bodies fixed, has a
+ * larger limit than the whole. */
 #ifndef TS_LIMITS_LANCZOS_H
 #define TS_LIMITS_LANCZOS_H
 
@@ -23,18 +23,18 @@
 
 #include "base/status.h"
 
-/* Translation and rotation of something rigid. */
+/* Inverse mass and inverse inertia tensor (in the frame of the box) of a particle or rigid body. */
 struct ts_lanczos_body {
 	double inverse_mass;
 	double inverse_inertia[3][3];
 };
 
-/* A contact as body a feels it; b has one of its own. */
+/* A contact or bond as seen from body a; b has another link of its own. */
 struct ts_link {
-	int a, b; /* b -1: it is held */
+	int a, b; /* indices of bodies; b -1: immobile partner */
 	double n[3];
-	double arm[2][3];  /* from the centres to the point of contact */
-	double k[3], c[3]; /* spring and dashpot along n, across it, and against rolling */
+	double arm[2][3];  /* lever arms from the centres to the contact point, length */
+	double k[3], c[3]; /* stiffness and damping in normal and tangential direction and of rolling */
 };
 
 struct ts_lanczos {
@@ -42,18 +42,19 @@ struct ts_lanczos {
 	size_t nbodies, body_capacity;
 	struct ts_link *link;
 	size_t nlinks, link_capacity;
-	double (*u)[6], (*f)[6]; /* a motion, and the forces it calls forth */
-	/* motions that are orthogonal, one after the other, and M times them */
+	/* by body: a motion (velocity, angular velocity), and its forces and torques */
+	double (*u)[6], (*f)[6];
+	/* basis of the Lanczos method, LANCZOS_STEPS motions one after the other, and M times them */
 	double (*basis)[6], (*momentum)[6];
 	size_t u_capacity, f_capacity, basis_capacity, momentum_capacity;
 };
-void ts_lanczos_clear(struct ts_lanczos *linkage); /* keeps the memory */
-void ts_lanczos_release(struct ts_lanczos *linkage);
+void ts_lanczos_clear(struct ts_lanczos *network); /* removes all bodies and links, keeps the memory */
+void ts_lanczos_release(struct ts_lanczos *network);
 
-/* The largest stable step, to some tenths of a per cent. `slip`: with
- * the springs across and against rolling. `near`: a step to begin with. *worst: the body that moves most.
- * TS_NOMEM. */
-enum ts_status ts_lanczos_limit(struct ts_lanczos *linkage, bool slip, double near, double *limit,
+/* Computes the largest stable step *limit, time, to some tenths of a per cent. `slip`: including the
+ * tangential and rolling springs. `near`: a first estimate. *worst: the body with the largest part in the
+ * fastest mode. Returns TS_OK or TS_NOMEM. */
+enum ts_status ts_lanczos_limit(struct ts_lanczos *network, bool slip, double near, double *limit,
 				int *worst);
 
 #endif

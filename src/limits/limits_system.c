@@ -15,7 +15,7 @@ static void connect_limits(struct tsim *sim)
 const struct ts_system_style ts_limits_system = {
 	.style = { .name = "limits",
 		   .kind = TS_KIND_SYSTEM,
-		   .summary = "limits of the time step that contacts, walls and bonds have together" },
+		   .summary = "limits of the time step of the coupled contacts, walls and bonds" },
 	.no_instance = true,
 	.connect = connect_limits,
 };

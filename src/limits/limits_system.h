@@ -1,4 +1,4 @@
-/* The system of what ends a run whose time step is too large: the limit of the network of contacts in
+/* The system of checks that end a run whose time step is too large: the limit of the network of contacts, in
  * plans, and particles that move farther than their radius in a step. */
 #ifndef TS_LIMITS_LIMITS_SYSTEM_H
 #define TS_LIMITS_LIMITS_SYSTEM_H

@@ -1,11 +1,11 @@
-/* The fastest mode sits where contacts are stiff and many and bodies are light: no squared frequency is
- * larger than the largest s_a + s_b of partners,
+/* The highest frequency is where contacts are stiff and many and bodies are light: no squared angular
+ * frequency is larger than the largest s_a + s_b of two bodies in contact,
  *
- *   s_a = sum over the contacts of a of k times the acceleration that a unit force there gives a
+ *   s_a = sum over the contacts of a of k times the acceleration of a at the contact by a unit force there
  *
- * (W. N. Anderson, T. D. Morley, Linear Multilinear Algebra 18 (1985) 141). So it is enough to look at a
- * few places: about the bodies with the largest s the modes of those MOST bodies that are nearest, by
- * contacts, are found with the others held (limits/lanczos.h). */
+ * (W. N. Anderson, T. D. Morley, Linear Multilinear Algebra 18 (1985) 141). So it is enough to compute a few
+ * local networks: around each of the PLACES bodies with the largest s, the fastest mode of the NODES_MOST
+ * bodies that are nearest in the contact graph, with all others fixed (limits/lanczos.h). */
 #include "limits/network.h"
 
 #include <math.h>
@@ -24,26 +24,28 @@
 
 #include "base/banned.h"
 
-enum { MOST = 512, PLACES = 2 };
-static const double SLIP = 1.9; /* slip is so much faster at most: k_t (1 + m R^2/I) <= 3.5 k_n */
+enum { NODES_MOST = 512, PLACES = 2 };
+/* upper bound of the ratio of the frequencies with and without slip: k_t (1 + m R^2/I) <= 3.5 k_n */
+static const double SLIP_FACTOR = 1.9;
 
 struct network {
 	struct tsim *sim;
-	const struct ts_pair *pair; /* or NULL */
+	const struct ts_pair *pair; /* pair style, or NULL */
 	const struct ts_instance *bond;
-	double *k;	    /* of each contact row, dashpot included; 0: it does not touch */
-	double *score;	    /* s of each node */
-	int32_t *place;	    /* of each node: in the list, counted from 1; 0: it is not there */
-	int32_t list[MOST]; /* nodes: particles, then rigid bodies */
+	double *k;		  /* by candidate pair: stiffness, damping included; 0: does not touch */
+	double *score;		  /* by node: s */
+	int32_t *local_index;	  /* by node: its index in `node` + 1; 0: not in the local network */
+	int32_t node[NODES_MOST]; /* local network: nodes are numbered particles first, then rigid bodies */
 	int n;
-	uint32_t moving, prescribed; /* groups that integrators move, and those that go as they are told */
-	bool turns;		     /* contacts turn particles */
-	struct ts_lanczos linkage;
+	/* bits of the groups that integrators move, and of those with prescribed motion */
+	uint32_t moving, prescribed;
+	bool rotates; /* particles rotate */
+	struct ts_lanczos modes;
 };
 
 /* ---- nodes ---- */
 
-/* 0: it is held, or moves as it is told. */
+/* 0 if the particle is immobile or has a prescribed motion. */
 static double inverse_mass(const struct network *w, size_t i)
 {
 	const struct ts_particles *p = w->sim->particles;
@@ -67,7 +69,7 @@ static size_t local_of(const struct ts_particles *p, size_t i)
 	return i < p->n ? i : (size_t)p->ghost_owner[i - p->n];
 }
 
-/* The node that particle i, perhaps a ghost, belongs to. */
+/* The node of particle i (local or ghost): itself or its rigid body. */
 static size_t node_of(const struct network *w, size_t i)
 {
 	const struct ts_particles *p = w->sim->particles;
@@ -78,7 +80,7 @@ static size_t node_of(const struct network *w, size_t i)
 	return body ? p->n + (size_t)(body - w->sim->rigid->body) : i;
 }
 
-/* The particles of a node. */
+/* The particles of a node, *n of them. */
 static const int32_t *members_of(const struct network *w, const int32_t *node, size_t *n)
 {
 	const struct ts_rigid *r = w->sim->rigid;
@@ -91,7 +93,7 @@ static const int32_t *members_of(const struct network *w, const int32_t *node, s
 	return r->member + r->start[b];
 }
 
-/* From the centre of the body to that of particle i. */
+/* Vector from the centre of its rigid body to the centre of particle i; 0 for single particles. */
 static void arm_to(const struct network *w, size_t i, double arm[3])
 {
 	const struct ts_particles *p = w->sim->particles;
@@ -114,7 +116,7 @@ static struct ts_lanczos_body body_of(const struct network *w, size_t node)
 
 	if (node < p->n) {
 		b.inverse_mass = inverse_mass(w, node);
-		for (int d = 0; d < 3 && w->turns && b.inverse_mass > 0; d++)
+		for (int d = 0; d < 3 && w->rotates && b.inverse_mass > 0; d++)
 			b.inverse_inertia[d][d] = 1 / ts_inertia(sim, node);
 		return b;
 	}
@@ -132,12 +134,12 @@ static struct ts_lanczos_body body_of(const struct network *w, size_t node)
 
 /* ---- contacts ---- */
 
-/* Of row r: false, they do not touch. */
-static bool row_case(const struct network *w, size_t r, struct ts_contact_case *c, double n[3])
+/* Geometry of pair r; false: it does not touch. */
+static bool contact_case(const struct network *w, size_t r, struct ts_contact_case *c, double n[3])
 {
 	const struct ts_particles *p = w->sim->particles;
-	const struct ts_contact_list *rows = &w->sim->neigh->contacts;
-	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	const struct ts_contact_list *contacts = &w->sim->neigh->contacts;
+	size_t i = (size_t)contacts->i[r], j = (size_t)contacts->j[r];
 	double sum = p->radius[i] + p->radius[j], distance;
 
 	ts_sub(p->x[i], p->x[j], n);
@@ -155,12 +157,12 @@ static bool row_case(const struct network *w, size_t r, struct ts_contact_case *
 	return true;
 }
 
-static double effective(const struct network *w, const struct ts_normal *f)
+static double effective_stiffness(const struct network *w, const struct ts_normal *f)
 {
 	return f->kn + 2 * f->gamman / w->sim->clock.dt;
 }
 
-static void stiffness_share(void *context, size_t from, size_t to)
+static void compute_stiffness_share(void *context, size_t from, size_t to)
 {
 	const struct network *w = context;
 
@@ -170,14 +172,14 @@ static void stiffness_share(void *context, size_t from, size_t to)
 		double n[3];
 
 		w->k[r] = 0;
-		if (!row_case(w, r, &c, n))
+		if (!contact_case(w, r, &c, n))
 			continue;
 		f = ts_granular_at(c.model, c.law, c.r_eff, c.m_eff, c.overlap);
-		w->k[r] = effective(w, &f);
+		w->k[r] = effective_stiffness(w, &f);
 	}
 }
 
-/* A bond as the spring and dashpot that have its limits: h = 2 (sqrt(k m + c^2/4) - c/2)/k for any m. */
+/* The spring and dashpot with the same limit as the bond: h = 2 (sqrt(k m + c^2/4) - c/2)/k for any m. */
 static void bond_spring(const struct network *w, size_t b, double *k, double *c)
 {
 	const struct ts_bond_style *style = ts_bond_style_of(w->bond);
@@ -191,10 +193,10 @@ static void bond_spring(const struct network *w, size_t b, double *k, double *c)
 		*c = 0;
 }
 
-/* ---- where to look ---- */
+/* ---- scores of the nodes */
 
-/* k times what a unit force on particle i gives its node. */
-static double share_of(const struct network *w, size_t i, double k)
+/* k times the acceleration at particle i of its node by a unit force there. */
+static double score_share(const struct network *w, size_t i, double k)
 {
 	const struct ts_particles *p = w->sim->particles;
 	size_t node = node_of(w, i);
@@ -218,7 +220,7 @@ static void score_bonds(struct network *w)
 		bond_spring(w, b, &k, &c);
 		for (int side = 0; side < 2; side++)
 			w->score[node_of(w, (size_t)bonds->row[b][side])] +=
-				share_of(w, (size_t)bonds->row[b][side], k + 2 * c / w->sim->clock.dt);
+				score_share(w, (size_t)bonds->row[b][side], k + 2 * c / w->sim->clock.dt);
 	}
 }
 
@@ -235,26 +237,28 @@ static void score_walls(struct network *w)
 				continue;
 			f = ts_granular_at(c.model, c.law, c.r_eff, c.m_eff, c.overlap);
 			w->score[node_of(w, (size_t)wall->contacts.row[k])] +=
-				share_of(w, (size_t)wall->contacts.row[k], effective(w, &f));
+				score_share(w, (size_t)wall->contacts.row[k], effective_stiffness(w, &f));
 		}
 }
 
-/* Of the two rows of a pair across a periodic face each counts on its own side. */
-static void score_rows(struct network *w)
+/* A pair across a periodic face is listed twice: each entry counts for its own i. */
+static void score_contacts(struct network *w)
 {
-	const struct ts_contact_list *rows = &w->sim->neigh->contacts;
+	const struct ts_contact_list *contacts = &w->sim->neigh->contacts;
 	size_t n = w->sim->particles->n;
 
-	for (size_t r = 0; w->pair && r < rows->n; r++) {
+	for (size_t r = 0; w->pair && r < contacts->n; r++) {
 		if (!(w->k[r] > 0))
 			continue;
-		w->score[node_of(w, (size_t)rows->i[r])] += share_of(w, (size_t)rows->i[r], w->k[r]);
-		if ((size_t)rows->j[r] < n)
-			w->score[node_of(w, (size_t)rows->j[r])] += share_of(w, (size_t)rows->j[r], w->k[r]);
+		w->score[node_of(w, (size_t)contacts->i[r])] +=
+			score_share(w, (size_t)contacts->i[r], w->k[r]);
+		if ((size_t)contacts->j[r] < n)
+			w->score[node_of(w, (size_t)contacts->j[r])] +=
+				score_share(w, (size_t)contacts->j[r], w->k[r]);
 	}
 }
 
-static double seed(const struct network *w, size_t *at)
+static double highest_score(const struct network *w, size_t *at)
 {
 	size_t nodes = w->sim->particles->n + w->sim->rigid->n;
 	double most = 0;
@@ -267,38 +271,39 @@ static double seed(const struct network *w, size_t *at)
 	return most;
 }
 
-/* ---- the bodies about a place ---- */
+/* ---- the local network around a node */
 
-static void take_node(struct network *w, size_t node)
+static void add_node(struct network *w, size_t node)
 {
-	if (w->n == MOST || w->place[node])
+	if (w->n == NODES_MOST || w->local_index[node])
 		return;
-	w->list[w->n++] = (int32_t)node;
-	w->place[node] = w->n;
+	w->node[w->n++] = (int32_t)node;
+	w->local_index[node] = w->n;
 }
 
-static void take_partners(struct network *w, size_t i)
+static void add_partners(struct network *w, size_t i)
 {
-	const struct ts_contact_list *rows = &w->sim->neigh->contacts;
+	const struct ts_contact_list *contacts = &w->sim->neigh->contacts;
 	const struct ts_bonds *bonds = w->sim->bonds;
 
-	for (size_t e = w->pair ? rows->gather.first[i] : 0; w->pair && e < rows->gather.first[i + 1]; e++) {
-		size_t r = rows->gather.entry[e] >> 1;
+	for (size_t e = w->pair ? contacts->gather.first[i] : 0; w->pair && e < contacts->gather.first[i + 1];
+	     e++) {
+		size_t r = contacts->gather.entry[e] >> 1;
 
 		if (w->k[r] > 0)
-			take_node(w,
-				  node_of(w, (size_t)(rows->gather.entry[e] & 1 ? rows->i[r] : rows->j[r])));
+			add_node(w, node_of(w, (size_t)(contacts->gather.entry[e] & 1 ? contacts->i[r]
+										      : contacts->j[r])));
 	}
 	for (size_t e = w->bond ? bonds->gather.first[i] : 0; w->bond && e < bonds->gather.first[i + 1]; e++)
-		take_node(w, node_of(w, (size_t)bonds->row[bonds->gather.entry[e] >> 1]
-							  [!(bonds->gather.entry[e] & 1)]));
+		add_node(w, node_of(w, (size_t)bonds->row[bonds->gather.entry[e] >> 1]
+							 [!(bonds->gather.entry[e] & 1)]));
 }
 
-/* ---- their links ---- */
+/* ---- links of the local network */
 
 static enum ts_status add_link(struct network *w, struct ts_link link)
 {
-	struct ts_lanczos *m = &w->linkage;
+	struct ts_lanczos *m = &w->modes;
 
 	if (TS_GROW(m->link, m->link_capacity, m->nlinks + 1) != TS_OK)
 		return ts_nomem(&w->sim->error);
@@ -306,9 +311,9 @@ static enum ts_status add_link(struct network *w, struct ts_link link)
 	return TS_OK;
 }
 
-/* Springs of the laws. */
-static void take_law(const struct network *w, const struct ts_contact_case *c, size_t i, size_t j,
-		     struct ts_link *link)
+/* Stiffness and damping of the contact laws. */
+static void set_link_springs(const struct network *w, const struct ts_contact_case *c, size_t i, size_t j,
+			     struct ts_link *link)
 {
 	const struct ts_particles *p = w->sim->particles;
 	struct ts_normal f = ts_granular_at(c->model, c->law, c->r_eff, c->m_eff, c->overlap);
@@ -326,7 +331,8 @@ static void take_law(const struct network *w, const struct ts_contact_case *c, s
 		link->c[1] = f.gammat;
 	}
 	if (ts_rolling_remembers_torque(c->model) && c->law->rolling_friction > 0) {
-		f.kn = ts_granular_stiffens(c->model) ? f.kn / 1.5 : f.kn; /* the law's own number */
+		/* the k_n of the law, not its derivative */
+		f.kn = ts_granular_stiffens(c->model) ? f.kn / 1.5 : f.kn;
 		link->k[2] = ts_rolling_stiffness(c->model, c->law, &t, &f);
 		if (c->model->rolling != TS_ROLLING_EPSD2)
 			link->c[2] = 2 * c->law->rolling_viscosity *
@@ -337,19 +343,19 @@ static void take_law(const struct network *w, const struct ts_contact_case *c, s
 	}
 }
 
-static enum ts_status add_row(struct network *w, int a, size_t i, uint32_t entry)
+static enum ts_status add_contact_link(struct network *w, int a, size_t i, uint32_t entry)
 {
-	const struct ts_contact_list *rows = &w->sim->neigh->contacts;
+	const struct ts_contact_list *contacts = &w->sim->neigh->contacts;
 	const struct ts_particles *p = w->sim->particles;
-	size_t r = entry >> 1, j = (size_t)(entry & 1 ? rows->i[r] : rows->j[r]);
-	struct ts_link link = { .a = a, .b = w->place[node_of(w, j)] - 1 };
+	size_t r = entry >> 1, j = (size_t)(entry & 1 ? contacts->i[r] : contacts->j[r]);
+	struct ts_link link = { .a = a, .b = w->local_index[node_of(w, j)] - 1 };
 	struct ts_contact_case c;
 
-	if (!(w->k[r] > 0) || !row_case(w, r, &c, link.n))
+	if (!(w->k[r] > 0) || !contact_case(w, r, &c, link.n))
 		return TS_OK;
 	if (entry & 1)
 		ts_scale(-1, link.n, link.n);
-	take_law(w, &c, i, local_of(p, j), &link);
+	set_link_springs(w, &c, i, local_of(p, j), &link);
 	arm_to(w, i, link.arm[0]);
 	arm_to(w, j, link.arm[1]);
 	ts_axpy(0.5 * c.overlap - p->radius[i], link.n, link.arm[0]);
@@ -357,11 +363,11 @@ static enum ts_status add_row(struct network *w, int a, size_t i, uint32_t entry
 	return add_link(w, link);
 }
 
-static enum ts_status add_bond(struct network *w, int a, size_t i, uint32_t entry)
+static enum ts_status add_bond_link(struct network *w, int a, size_t i, uint32_t entry)
 {
 	const struct ts_bonds *bonds = w->sim->bonds;
 	size_t j = (size_t)bonds->row[entry >> 1][!(entry & 1)];
-	struct ts_link link = { .a = a, .b = w->place[node_of(w, j)] - 1 };
+	struct ts_link link = { .a = a, .b = w->local_index[node_of(w, j)] - 1 };
 	double length;
 
 	ts_bond_separation(w->sim, i, j, link.n);
@@ -375,7 +381,7 @@ static enum ts_status add_bond(struct network *w, int a, size_t i, uint32_t entr
 	return add_link(w, link);
 }
 
-static enum ts_status add_walls(struct network *w)
+static enum ts_status add_wall_links(struct network *w)
 {
 	const struct ts_particles *p = w->sim->particles;
 	const struct ts_wall *wall;
@@ -383,13 +389,13 @@ static enum ts_status add_walls(struct network *w)
 	for (size_t at = 0; (wall = ts_walls_next(w->sim, &at, NULL));)
 		for (size_t k = 0; k < wall->contacts.n; k++) {
 			size_t i = (size_t)wall->contacts.row[k];
-			struct ts_link link = { .a = w->place[node_of(w, i)] - 1, .b = -1 };
+			struct ts_link link = { .a = w->local_index[node_of(w, i)] - 1, .b = -1 };
 			struct ts_contact_case c;
 
 			if (link.a < 0 || !ts_wall_case(wall, w->sim, k, &c))
 				continue;
-			take_law(w, &c, i, i, &link);
-			memcpy(link.n, wall->contacts.last[k].n, sizeof link.n);
+			set_link_springs(w, &c, i, i, &link);
+			memcpy(link.n, wall->contacts.seen[k].n, sizeof link.n);
 			arm_to(w, i, link.arm[0]);
 			ts_axpy(0.5 * c.overlap - p->radius[i], link.n, link.arm[0]);
 			TS_TRY(add_link(w, link));
@@ -397,51 +403,51 @@ static enum ts_status add_walls(struct network *w)
 	return TS_OK;
 }
 
-static enum ts_status add_member(struct network *w, int a, size_t i)
+static enum ts_status add_links_of_particle(struct network *w, int a, size_t i)
 {
-	const struct ts_gather *rows = &w->sim->neigh->contacts.gather, *bonds = &w->sim->bonds->gather;
+	const struct ts_gather *contacts = &w->sim->neigh->contacts.gather, *bonds = &w->sim->bonds->gather;
 
-	for (size_t e = w->pair ? rows->first[i] : 0; w->pair && e < rows->first[i + 1]; e++)
-		TS_TRY(add_row(w, a, i, rows->entry[e]));
+	for (size_t e = w->pair ? contacts->first[i] : 0; w->pair && e < contacts->first[i + 1]; e++)
+		TS_TRY(add_contact_link(w, a, i, contacts->entry[e]));
 	for (size_t e = w->bond ? bonds->first[i] : 0; w->bond && e < bonds->first[i + 1]; e++)
-		TS_TRY(add_bond(w, a, i, bonds->entry[e]));
+		TS_TRY(add_bond_link(w, a, i, bonds->entry[e]));
 	return TS_OK;
 }
 
-/* Those about the node: it, its partners, theirs ... */
-static enum ts_status gather_place(struct network *w, size_t node)
+/* Builds the local network around a node: breadth-first, the node, its partners, their partners ... */
+static enum ts_status build_local_network(struct network *w, size_t node)
 {
-	struct ts_lanczos *m = &w->linkage;
+	struct ts_lanczos *m = &w->modes;
 
 	ts_lanczos_clear(m);
-	for (w->n = 0, take_node(w, node); m->nbodies < (size_t)w->n; m->nbodies++) {
+	for (w->n = 0, add_node(w, node); m->nbodies < (size_t)w->n; m->nbodies++) {
 		size_t n;
-		const int32_t *member = members_of(w, &w->list[m->nbodies], &n);
+		const int32_t *member = members_of(w, &w->node[m->nbodies], &n);
 
 		for (size_t k = 0; k < n; k++)
-			take_partners(w, (size_t)member[k]);
+			add_partners(w, (size_t)member[k]);
 	}
 	if (TS_GROW(m->body, m->body_capacity, (size_t)w->n) != TS_OK)
 		return ts_nomem(&w->sim->error);
 	for (int a = 0; a < w->n; a++) {
 		size_t n;
-		const int32_t *member = members_of(w, &w->list[a], &n);
+		const int32_t *member = members_of(w, &w->node[a], &n);
 
-		m->body[a] = body_of(w, (size_t)w->list[a]);
+		m->body[a] = body_of(w, (size_t)w->node[a]);
 		for (size_t k = 0; k < n && m->body[a].inverse_mass > 0; k++)
-			TS_TRY(add_member(w, a, (size_t)member[k]));
+			TS_TRY(add_links_of_particle(w, a, (size_t)member[k]));
 	}
-	return add_walls(w);
+	return add_wall_links(w);
 }
 
-/* ---- what comes out ---- */
+/* ---- reports */
 
-/* A pair alone has a limit of its own that says the same and more: ts_contact_report_limits, a single bond. Not
- * where it stiffens or resists rolling. */
-static bool tells_more(const struct network *w, bool slip)
+/* Whether some body has more than one link. The limit of an isolated pair is reported elsewhere with more
+ * detail (ts_contact_report_limits, single bonds), except where the contact stiffens or resists rolling. */
+static bool is_coupled(const struct network *w, bool slip)
 {
-	const struct ts_lanczos *l = &w->linkage;
-	bool joined[MOST] = { false };
+	const struct ts_lanczos *l = &w->modes;
+	bool joined[NODES_MOST] = { false };
 
 	for (size_t k = 0; k < l->nlinks; k++) {
 		if (joined[l->link[k].a])
@@ -451,7 +457,7 @@ static bool tells_more(const struct network *w, bool slip)
 	return l->nlinks && (slip ? l->link->k[2] > 0 : w->pair && ts_granular_stiffens(&w->pair->model));
 }
 
-static enum ts_status report_place(struct network *w, struct ts_plan_report *report, bool slip)
+static enum ts_status report_local_network(struct network *w, struct ts_plan_report *report, bool slip)
 {
 	const struct ts_particles *p = w->sim->particles;
 	const struct ts_instance *by = w->pair ? ts_sim_only(w->sim, TS_KIND_PAIR) : w->bond;
@@ -459,13 +465,13 @@ static enum ts_status report_place(struct network *w, struct ts_plan_report *rep
 	size_t n, i, links = 0;
 	int worst;
 
-	if (!tells_more(w, slip))
+	if (!is_coupled(w, slip))
 		return TS_OK;
-	if (ts_lanczos_limit(&w->linkage, slip, w->sim->clock.dt, &limit, &worst) != TS_OK)
+	if (ts_lanczos_limit(&w->modes, slip, w->sim->clock.dt, &limit, &worst) != TS_OK)
 		return ts_nomem(&w->sim->error);
-	i = (size_t)*members_of(w, &w->list[worst], &n);
-	for (size_t k = 0; k < w->linkage.nlinks; k++)
-		links += w->linkage.link[k].a == worst;
+	i = (size_t)*members_of(w, &w->node[worst], &n);
+	for (size_t k = 0; k < w->modes.nlinks; k++)
+		links += w->modes.link[k].a == worst;
 	return ts_report_limit(report, limit, !slip && !w->sim->run.clamped, &by->where,
 			       slip ? "all contacts with slip and rolling, about %s %d of type %d (%zu "
 				      "contacts) at (%.4g %.4g %.4g)"
@@ -475,7 +481,7 @@ static enum ts_status report_place(struct network *w, struct ts_plan_report *rep
 			       p->x[i][0], p->x[i][1], p->x[i][2]);
 }
 
-/* Gershgorin: no squared frequency is larger than twice the largest s. */
+/* Gershgorin: no squared angular frequency is larger than twice the largest s. */
 static enum ts_status report_bound(const struct network *w, struct ts_plan_report *report, double bound)
 {
 	const struct ts_instance *by = w->pair ? ts_sim_only(w->sim, TS_KIND_PAIR) : w->bond;
@@ -484,42 +490,42 @@ static enum ts_status report_bound(const struct network *w, struct ts_plan_repor
 			       "all contacts together, at least");
 }
 
-static enum ts_status look(struct network *w, struct ts_plan_report *report)
+static enum ts_status search_places(struct network *w, struct ts_plan_report *report)
 {
-	const bool slip = w->turns && report->advice;
+	const bool slip = w->rotates && report->advice;
 
 	for (int k = 0; k < PLACES; k++) {
 		size_t node = 0;
-		double most = seed(w, &node), bound = 2 / sqrt(2 * most);
+		double most = highest_score(w, &node), bound = 2 / sqrt(2 * most);
 
 		if (!(most > 0) || (k && bound > report->enough))
 			return TS_OK;
-		if (bound > report->enough && (!slip || bound / SLIP > report->enough))
+		if (bound > report->enough && (!slip || bound / SLIP_FACTOR > report->enough))
 			return report_bound(w, report, bound);
-		TS_TRY(gather_place(w, node));
-		TS_TRY(report_place(w, report, false));
+		TS_TRY(build_local_network(w, node));
+		TS_TRY(report_local_network(w, report, false));
 		if (slip)
-			TS_TRY(report_place(w, report, true));
+			TS_TRY(report_local_network(w, report, true));
 		for (int a = 0; a < w->n; a++) {
-			w->score[w->list[a]] = 0;
-			w->place[w->list[a]] = 0;
+			w->score[w->node[a]] = 0;
+			w->local_index[w->node[a]] = 0;
 		}
 	}
 	return TS_OK;
 }
 
-static enum ts_status find(struct network *w)
+static enum ts_status compute_scores(struct network *w)
 {
 	struct tsim *sim = w->sim;
-	size_t rows = w->pair ? sim->neigh->contacts.n : 0, nodes = sim->particles->n + sim->rigid->n;
+	size_t contacts = w->pair ? sim->neigh->contacts.n : 0, nodes = sim->particles->n + sim->rigid->n;
 
-	w->k = ts_alloc(rows, sizeof *w->k);
+	w->k = ts_alloc(contacts, sizeof *w->k);
 	w->score = ts_alloc(nodes, sizeof *w->score);
-	w->place = ts_alloc(nodes, sizeof *w->place);
-	if (!w->k || !w->score || !w->place)
+	w->local_index = ts_alloc(nodes, sizeof *w->local_index);
+	if (!w->k || !w->score || !w->local_index)
 		return ts_nomem(&sim->error);
-	ts_parallel(ts_team(sim, rows), rows, stiffness_share, w);
-	score_rows(w);
+	ts_parallel(ts_team(sim, contacts), contacts, compute_stiffness_share, w);
+	score_contacts(w);
 	score_walls(w);
 	score_bonds(w);
 	return TS_OK;
@@ -534,17 +540,17 @@ enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim
 	w.bond = sim->bonds->n ? ts_sim_only(sim, TS_KIND_BOND) : NULL;
 	w.prescribed = ts_prescribed(sim);
 	w.moving = moving_groups(sim);
-	w.turns = sim->particles->omega && sim->particles->torque;
+	w.rotates = sim->particles->omega && sim->particles->torque;
 	if (sim->run.explicit_euler || (!w.pair && !w.bond) ||
 	    (w.pair && sim->neigh->contacts.particles != sim->particles->n))
 		return TS_OK;
 	TS_TRY(ts_rigid_list(sim));
-	status = find(&w);
+	status = compute_scores(&w);
 	if (status == TS_OK)
-		status = look(&w, report);
-	ts_lanczos_release(&w.linkage);
+		status = search_places(&w, report);
+	ts_lanczos_release(&w.modes);
 	ts_free(w.k);
 	ts_free(w.score);
-	ts_free(w.place);
+	ts_free(w.local_index);
 	return status;
 }

@@ -1,13 +1,12 @@
-/* The network that contacts, walls and bonds make of particles and rigid bodies, and how long a step it
- * bears. */
+/* Limit of the time step of the network that contacts, walls and bonds form of particles and rigid bodies. */
 #ifndef TS_LIMITS_NETWORK_H
 #define TS_LIMITS_NETWORK_H
 
 #include "core/sim.h"
 
-/* Reports the largest step of the network as it is now, with the particle that moves most in its fastest
- * mode: by the motion along the normals and the bonds, which is a limit of stability, and, as advice, by
- * slip and rolling as well, whose forces friction bounds. */
+/* Reports the largest stable step of the present network, and the particle with the largest part in the
+ * fastest mode: for the motion in normal direction and along bonds, which is a limit of stability; and, as
+ * advice, including tangential and rolling springs, whose forces are bounded by friction. */
 enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim);
 
 #endif

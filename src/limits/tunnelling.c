@@ -18,8 +18,8 @@
 
 /* ---- other particles ---- */
 
-/* The least distance of the origin from the line from m - d/2 to m + d/2. */
-static double nearest(const double m[3], const double d[3])
+/* Smallest distance of the origin from the segment from m - d/2 to m + d/2. */
+static double distance_to_segment(const double m[3], const double d[3])
 {
 	double d2 = ts_dot(d, d), t = d2 > 0 ? -ts_dot(m, d) / d2 : 0, x[3];
 
@@ -29,29 +29,29 @@ static double nearest(const double m[3], const double d[3])
 	return ts_norm(x);
 }
 
-/* Whether they act on each other when they touch. */
-static bool meet(const struct tsim *sim, size_t i, size_t j)
+/* Whether a contact of i and j has a force. */
+static bool have_contact_law(const struct tsim *sim, size_t i, size_t j)
 {
 	ts_excluded_fn *excluded = ts_neigh_excluded(sim);
 
 	return ts_pair_interact(sim, i, j) && !(excluded && excluded(sim, i, j));
 }
 
-/* Seen from j the particle i goes along a line, farther than its radius, and comes near enough; or it
- * pulls at a bond. */
-static bool hits(const struct tsim *sim, size_t i, size_t j, double reach)
+/* Whether i, moving relative to j along a segment longer than its radius, comes nearer than the sum of the
+ * radii plus `reach`; or stretches a bond with j. */
+static bool hits_other(const struct tsim *sim, size_t i, size_t j, double reach)
 {
 	const struct ts_particles *p = sim->particles;
-	double way[3], middle[3], sum = p->radius[i] + p->radius[j] + reach;
+	double path[3], middle[3], sum = p->radius[i] + p->radius[j] + reach;
 
-	ts_sub(p->v[i], p->v[j], way);
-	ts_scale(sim->clock.dt, way, way);
-	if (!(ts_dot(way, way) > p->radius[i] * p->radius[i]))
+	ts_sub(p->v[i], p->v[j], path);
+	ts_scale(sim->clock.dt, path, path);
+	if (!(ts_dot(path, path) > p->radius[i] * p->radius[i]))
 		return false;
 	ts_sub(p->x[i], p->x[j], middle);
 	ts_box_nearest(&sim->domain->box, middle);
-	ts_axpy(-0.5, way, middle);
-	if (!(nearest(middle, way) > sum) && meet(sim, i, j))
+	ts_axpy(-0.5, path, middle);
+	if (!(distance_to_segment(middle, path) > sum) && have_contact_law(sim, i, j))
 		return true;
 	return sim->bonds->n && ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]);
 }
@@ -64,7 +64,7 @@ static bool hits_particle(struct tsim *sim, size_t i, char *what, size_t room)
 	ts_neigh_radii(p, &least, &largest);
 	reach = sim->neigh->wanted ? ts_pair_reach(sim, largest) : 0;
 	for (size_t j = 0; j < p->n; j++) {
-		if (j == i || !hits(sim, i, j, reach))
+		if (j == i || !hits_other(sim, i, j, reach))
 			continue;
 		snprintf(what, room, " past particle %d", p->tag[j]);
 		return true;
@@ -72,37 +72,38 @@ static bool hits_particle(struct tsim *sim, size_t i, char *what, size_t room)
 	return false;
 }
 
-/* ---- surfaces: the sphere goes on by the gap in front of it until there is none or the way is at its end
- * ---- */
+/* ---- surfaces: sphere tracing; the sphere advances by its gap to the surface until the gap vanishes or the
+ * path ends */
 
 typedef double gap_fn(const struct tsim *sim, const void *surface, const double x[3]);
 
-/* A gap of less than this part of the radius is none, and along a surface that is not left it is not
- * followed for ever. */
-static const double CLOSE = 0.01;
-enum { MOST = 10000 };
+/* Gaps below this fraction of the radius count as zero; along a surface that stays near, the number of steps
+ * is bounded. */
+static const double GAP_NEGLIGIBLE = 0.01;
+enum { STEPS_MOST = 10000 };
 
-static bool comes_to(const struct tsim *sim, size_t i, const double end[3], gap_fn *gap, const void *surface)
+static bool reaches_surface(const struct tsim *sim, size_t i, const double end[3], gap_fn *gap,
+			    const void *surface)
 {
 	const struct ts_particles *p = sim->particles;
-	double way = ts_norm(p->v[i]) * sim->clock.dt, gone = 0, radius = p->radius[i];
+	double path = ts_norm(p->v[i]) * sim->clock.dt, gone = 0, radius = p->radius[i];
 
-	for (int n = 0; n < MOST; n++) {
+	for (int n = 0; n < STEPS_MOST; n++) {
 		double x[3], free;
 
 		ts_scale(1, end, x);
-		ts_axpy((gone / way - 1) * sim->clock.dt, p->v[i], x);
+		ts_axpy((gone / path - 1) * sim->clock.dt, p->v[i], x);
 		free = gap(sim, surface, x) - radius;
-		if (!(free > CLOSE * radius))
+		if (!(free > GAP_NEGLIGIBLE * radius))
 			return true;
-		if (gone >= way)
+		if (gone >= path)
 			return false;
-		gone = fmin(way, gone + free);
+		gone = fmin(path, gone + free);
 	}
 	return true;
 }
 
-/* The same for its images across periodic faces. */
+/* The same for all images across periodic faces. */
 static bool meets_surface(const struct tsim *sim, size_t i, gap_fn *gap, const void *surface)
 {
 	const struct ts_particles *p = sim->particles;
@@ -110,7 +111,7 @@ static bool meets_surface(const struct tsim *sim, size_t i, gap_fn *gap, const v
 
 	for (int k = 0; k < 27; k++)
 		if (ts_box_image(&sim->domain->box, p->x[i], k, reach, end) &&
-		    comes_to(sim, i, end, gap, surface))
+		    reaches_surface(sim, i, end, gap, surface))
 			return true;
 	return false;
 }
@@ -120,7 +121,7 @@ static double gap_of_primitive(const struct tsim *sim, const void *surface, cons
 	return ts_primitive_wall_gap(surface, sim, x);
 }
 
-/* Where a region moves or changes, its surface may be anywhere. */
+/* The surface of a region that moves or changes may be anywhere: gap 0. */
 static double gap_of_region(const struct tsim *sim, const void *surface, const double x[3])
 {
 	double depth = ts_region_depth(surface, x);
@@ -129,7 +130,7 @@ static double gap_of_region(const struct tsim *sim, const void *surface, const d
 	return ts_region_varies(surface) || isnan(depth) ? 0 : fabs(depth);
 }
 
-/* Less what its corners move in a step. */
+/* Distance from the mesh minus the displacement of the corners in a step. */
 static double gap_of_mesh(const struct tsim *sim, const void *surface, const double x[3])
 {
 	const struct ts_mesh_surface *s = surface;
@@ -162,7 +163,7 @@ static bool hits_wall(struct tsim *sim, size_t i, char *what, size_t room)
 	return false;
 }
 
-/* All meshes: particles that pass some of them are counted. */
+/* All meshes, also those without contact forces: particles that pass some of them are counted. */
 static bool hits_mesh(struct tsim *sim, size_t i, char *what, size_t room)
 {
 	const struct ts_mesh_surface *s;
@@ -179,9 +180,9 @@ static bool hits_mesh(struct tsim *sim, size_t i, char *what, size_t room)
 
 /* ---- the box ---- */
 
-/* It has left, which particles may where nobody asks for the lost ones; or so far that images are hard to
- * tell apart. */
-static bool leaves(const struct tsim *sim, size_t i)
+/* Whether it has left the box while lost particles are not ignored, or moved so far that periodic images are
+ * ambiguous. */
+static bool leaves_box(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
@@ -196,6 +197,6 @@ static bool leaves(const struct tsim *sim, size_t i)
 bool ts_tunnelling_hits(struct tsim *sim, size_t i, char *what, size_t room)
 {
 	what[0] = 0;
-	return leaves(sim, i) || hits_particle(sim, i, what, room) || hits_wall(sim, i, what, room) ||
+	return leaves_box(sim, i) || hits_particle(sim, i, what, room) || hits_wall(sim, i, what, room) ||
 	       hits_mesh(sim, i, what, room);
 }
