@@ -25,7 +25,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static bool listed(const struct ts_instance *self, const struct tsim *sim, size_t r)
+static bool is_listed(const struct ts_instance *self, const struct tsim *sim, size_t r)
 {
 	return sim->neigh->contacts.touching[r] && ts_contact_counts(sim, r, self->group);
 }
@@ -42,7 +42,7 @@ static void add_torque(const struct tsim *sim, const struct ts_contact_view *v, 
 }
 
 /* Conductance of the last step times the present temperature difference. */
-static double heat_of(const struct tsim *sim, const struct ts_contact_view *v)
+static double heat_of_contact(const struct tsim *sim, const struct ts_contact_view *v)
 {
 	const struct ts_heat *heat = ts_heat_of(sim);
 	const struct ts_heat_pairs *pairs = &heat->pairs[0];
@@ -108,7 +108,7 @@ static void collect_facts(const struct tsim *sim, size_t r, const bool *wanted, 
 	f->delta = a + b - v.distance;
 	add_torque(sim, &v, f);
 	if (wanted[TS_CONTACT_HEAT])
-		f->heat = heat_of(sim, &v);
+		f->heat = heat_of_contact(sim, &v);
 	if (sim->legacy && !v.image)
 		recompute_force(sim, &v, f);
 }
@@ -122,11 +122,11 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 	TS_TRY(ts_contacts_forces(s->sim, self));
 	for (size_t r = 0; r < sim->neigh->contacts.n; r++)
-		n += listed(self, sim, r);
+		n += is_listed(self, sim, r);
 	TS_TRY(ts_table_resize(out, n, width));
 	n = 0;
 	for (size_t r = 0; r < sim->neigh->contacts.n; r++) {
-		if (!listed(self, sim, r))
+		if (!is_listed(self, sim, r))
 			continue;
 		collect_facts(sim, r, s->columns.wanted, &facts);
 		ts_contact_columns_write(&s->columns, history, &facts, out->data + width * n++);

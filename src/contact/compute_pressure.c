@@ -65,7 +65,7 @@ static enum ts_status add_kinetic(struct pressure *s, double out[6])
 	return TS_OK;
 }
 
-static enum ts_status tensor(struct ts_instance *self, double out[6])
+static enum ts_status pressure_tensor(struct ts_instance *self, double out[6])
 {
 	struct pressure *s = self->state;
 	const struct tsim *sim = s->sim;
@@ -84,7 +84,7 @@ static enum ts_status eval_pressure(struct ts_instance *self, const struct tsim 
 {
 	double t[6];
 
-	TS_TRY(tensor(self, t));
+	TS_TRY(pressure_tensor(self, t));
 	out->data[0] = ts_virial_mean_pressure(sim, t);
 	return TS_OK;
 }
@@ -92,7 +92,7 @@ static enum ts_status eval_pressure(struct ts_instance *self, const struct tsim 
 static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
-	return tensor(self, out->data);
+	return pressure_tensor(self, out->data);
 }
 
 static void fini(struct ts_instance *self)

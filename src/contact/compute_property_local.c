@@ -9,22 +9,22 @@ enum list { NEIGHBOURS, CONTACTS, BONDS };
 
 typedef double column_fn(const struct tsim *sim, const struct ts_contact_view *v);
 
-static double id1(const struct tsim *sim, const struct ts_contact_view *v)
+static double id_of_first(const struct tsim *sim, const struct ts_contact_view *v)
 {
 	return sim->particles->tag[v->a];
 }
 
-static double id2(const struct tsim *sim, const struct ts_contact_view *v)
+static double id_of_second(const struct tsim *sim, const struct ts_contact_view *v)
 {
 	return sim->particles->tag[v->b];
 }
 
-static double type1(const struct tsim *sim, const struct ts_contact_view *v)
+static double type_of_first(const struct tsim *sim, const struct ts_contact_view *v)
 {
 	return sim->particles->type[v->a];
 }
 
-static double type2(const struct tsim *sim, const struct ts_contact_view *v)
+static double type_of_second(const struct tsim *sim, const struct ts_contact_view *v)
 {
 	return sim->particles->type[v->b];
 }
@@ -39,10 +39,12 @@ static const struct column {
 	column_fn *value;
 	enum list list;
 } columns[] = {
-	{ "natom1", id1, NEIGHBOURS },	 { "natom2", id2, NEIGHBOURS }, { "ntype1", type1, NEIGHBOURS },
-	{ "ntype2", type2, NEIGHBOURS }, { "patom1", id1, CONTACTS },	{ "patom2", id2, CONTACTS },
-	{ "ptype1", type1, CONTACTS },	 { "ptype2", type2, CONTACTS }, { "batom1", id1, BONDS },
-	{ "batom2", id2, BONDS },	 { "btype", bond_type, BONDS }, { .name = NULL },
+	{ "natom1", id_of_first, NEIGHBOURS },	 { "natom2", id_of_second, NEIGHBOURS },
+	{ "ntype1", type_of_first, NEIGHBOURS }, { "ntype2", type_of_second, NEIGHBOURS },
+	{ "patom1", id_of_first, CONTACTS },	 { "patom2", id_of_second, CONTACTS },
+	{ "ptype1", type_of_first, CONTACTS },	 { "ptype2", type_of_second, CONTACTS },
+	{ "batom1", id_of_first, BONDS },	 { "batom2", id_of_second, BONDS },
+	{ "btype", bond_type, BONDS },		 { .name = NULL },
 };
 
 struct property {

@@ -55,22 +55,22 @@ static enum ts_status evaluate_component(struct tsim *sim, int k, double *out)
 	{                                                         \
 		return evaluate_component(sim, k, out);           \
 	}
-COMPONENT(pxx, 0)
-COMPONENT(pyy, 1)
-COMPONENT(pzz, 2)
-COMPONENT(pxy, 3)
-COMPONENT(pxz, 4)
-COMPONENT(pyz, 5)
+COMPONENT(keyword_pxx, 0)
+COMPONENT(keyword_pyy, 1)
+COMPONENT(keyword_pzz, 2)
+COMPONENT(keyword_pxy, 3)
+COMPONENT(keyword_pxz, 4)
+COMPONENT(keyword_pyz, 5)
 
 static const struct ts_keyword keywords[] = {
 	{ "press", "Press", "pressure", "pressure of all particles, see compute pressure",
 	  TS_KEYWORD_CONTACTS, evaluate_press },
-	{ "pxx", "Pxx", "pressure", "pressure tensor, xx", TS_KEYWORD_CONTACTS, pxx },
-	{ "pyy", "Pyy", "pressure", "pressure tensor, yy", TS_KEYWORD_CONTACTS, pyy },
-	{ "pzz", "Pzz", "pressure", "pressure tensor, zz", TS_KEYWORD_CONTACTS, pzz },
-	{ "pxy", "Pxy", "pressure", "pressure tensor, xy", TS_KEYWORD_CONTACTS, pxy },
-	{ "pxz", "Pxz", "pressure", "pressure tensor, xz", TS_KEYWORD_CONTACTS, pxz },
-	{ "pyz", "Pyz", "pressure", "pressure tensor, yz", TS_KEYWORD_CONTACTS, pyz },
+	{ "pxx", "Pxx", "pressure", "pressure tensor, xx", TS_KEYWORD_CONTACTS, keyword_pxx },
+	{ "pyy", "Pyy", "pressure", "pressure tensor, yy", TS_KEYWORD_CONTACTS, keyword_pyy },
+	{ "pzz", "Pzz", "pressure", "pressure tensor, zz", TS_KEYWORD_CONTACTS, keyword_pzz },
+	{ "pxy", "Pxy", "pressure", "pressure tensor, xy", TS_KEYWORD_CONTACTS, keyword_pxy },
+	{ "pxz", "Pxz", "pressure", "pressure tensor, xz", TS_KEYWORD_CONTACTS, keyword_pxz },
+	{ "pyz", "Pyz", "pressure", "pressure tensor, yz", TS_KEYWORD_CONTACTS, keyword_pyz },
 	{ .name = NULL },
 };
 

@@ -10,7 +10,7 @@
 
 #include "base/banned.h"
 
-static bool rows_current(const struct ts_contact_list *list, const struct ts_particles *p)
+static bool contacts_current(const struct ts_contact_list *list, const struct ts_particles *p)
 {
 	if (list->particles != p->n)
 		return false;
@@ -41,7 +41,7 @@ enum ts_status ts_contacts_require(struct tsim *sim, const struct ts_instance *s
 	bool rows_wanted = sim->neigh->wanted || ts_sim_only(sim, TS_KIND_PAIR);
 
 	ts_contacts_store_history(sim, &sim->neigh->contacts);
-	if ((!rows_wanted || rows_current(&sim->neigh->contacts, sim->particles)) &&
+	if ((!rows_wanted || contacts_current(&sim->neigh->contacts, sim->particles)) &&
 	    bonds_current(sim->bonds, sim->particles))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,

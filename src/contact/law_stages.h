@@ -31,7 +31,7 @@ struct ts_stages {
 } __attribute__((aligned(64)));
 
 /* Whether all laws of the model have stages: not so with sub-step detection (`located`), restitution by the
- * Stokes number, or liquid bridges. */
+ * Stokes number, `surface multicontact` or liquid bridges. */
 bool ts_stages_for(const struct ts_granular_model *m);
 
 /* Computes contacts 0 .. n-1, n a multiple of the vector length; dt > 0. */

@@ -61,7 +61,7 @@ static bool can_be_multicontact(const struct ts_granular_words *w)
 	return is_hertz_or_hooke(w) && w->cohesion == TS_COHESION_OFF && !w->located;
 }
 
-static bool rolls(const struct ts_granular_words *w)
+static bool has_rolling(const struct ts_granular_words *w)
 {
 	return w->rolling != TS_ROLLING_OFF;
 }
@@ -91,7 +91,7 @@ static const struct {
 	{ "tangential_reduce", "a cohesion model", has_cohesion },
 	{ "modifyLbVolume", "cohesion washino/capillary/viscous", is_washino },
 	{ "limitLiquidContent", "cohesion washino/capillary/viscous", is_washino },
-	{ "torsionTorque", "a rolling_friction model", rolls },
+	{ "torsionTorque", "a rolling_friction model", has_rolling },
 	{ "heating_normal_hertz", "model hertz", is_hertz },
 	{ "heating_tangential_history", "tangential history", has_tangential_history },
 	{ "disableNormalWhenBonded", "model hertz or hooke", is_hertz_or_hooke },

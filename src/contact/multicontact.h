@@ -31,7 +31,7 @@ struct ts_multicontact {
 	int group;		      /* group of the particles whose surfaces are displaced */
 	struct ts_neigh *neigh;	      /* the neighbour list that refers to this */
 	double *compliance, *poisson; /* by type, from 1: compliance (law/halfspace.h), Poisson's ratio */
-	size_t *first, *next;	      /* the loads on particle i are load[first[i]] .. load[first[i+1]-1] */
+	size_t *first, *next;	      /* loads on particle i: load[first[i]] .. load[first[i+1]-1] */
 	struct ts_multicontact_load *load;
 	struct ts_contact_bulge *bulge; /* by candidate pair */
 	size_t compliance_capacity, poisson_capacity, first_capacity, next_capacity, load_capacity,

@@ -42,7 +42,7 @@ static enum ts_status mix_types(struct ts_instance *self, struct tsim *sim, int 
 
 /* Chooses the common model; where types have different laws, the history of each contact has room for the
  * largest (`wide`). */
-static void fit_memory(struct ts_pair *pair)
+static void choose_common_model(struct ts_pair *pair)
 {
 	const struct ts_gran_coeff *first = NULL;
 	bool differ = false;
@@ -79,7 +79,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	for (int a = 1; a <= pair->ntypes; a++)
 		for (int b = a + 1; b <= pair->ntypes; b++)
 			TS_TRY(mix_types(self, sim, a, b));
-	fit_memory(pair);
+	choose_common_model(pair);
 	return ts_pair_init(self, sim);
 }
 

@@ -9,13 +9,13 @@
 #include "base/banned.h"
 
 /* The product does not depend on which particle is the first: both factors change their sign. */
-static void add_product(double w[6], const double d[3], const double f[3])
+static void add_virial_of_pair(double w[6], const double d[3], const double f[3])
 {
 	for (int k = 0; k < 6; k++)
 		w[k] += 0.5 * d[ts_tensor_row[k]] * f[ts_tensor_column[k]];
 }
 
-static void add_contacts(const struct tsim *sim, size_t i, double w[6])
+static void add_virial_of_contacts(const struct tsim *sim, size_t i, double w[6])
 {
 	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_gather *g = &list->gather;
@@ -27,18 +27,18 @@ static void add_contacts(const struct tsim *sim, size_t i, double w[6])
 
 		ts_sub(p->x[list->i[r]], p->x[list->j[r]], d);
 		if (list->touching[r])
-			add_product(w, d, ts_contact_force(list, r));
+			add_virial_of_pair(w, d, ts_contact_force(list, r));
 	}
 }
 
-static void add_bonds(const struct tsim *sim, size_t i, double w[6])
+static void add_virial_of_bonds(const struct tsim *sim, size_t i, double w[6])
 {
 	const struct ts_gather *g = &sim->bonds->gather;
 	struct ts_contact_view view;
 
 	for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
 		ts_contact_view_of_bond(sim, g->entry[k] >> 1, &view);
-		add_product(w, view.d, view.force);
+		add_virial_of_pair(w, view.d, view.force);
 	}
 }
 
@@ -47,9 +47,9 @@ void ts_virial_of_particle(const struct tsim *sim, size_t i, const struct ts_vir
 	for (int k = 0; k < 6; k++)
 		w[k] = 0;
 	if (parts->pair && sim->neigh->contacts.n)
-		add_contacts(sim, i, w);
+		add_virial_of_contacts(sim, i, w);
 	if (parts->bond && sim->bonds->n)
-		add_bonds(sim, i, w);
+		add_virial_of_bonds(sim, i, w);
 }
 
 static void virial_term(const struct tsim *sim, size_t i, void *context, double *term)

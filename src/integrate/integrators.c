@@ -31,8 +31,8 @@ static const struct ts_instance *next_integrator(const struct tsim *sim, size_t 
 	return NULL;
 }
 
-static enum ts_status refuse_two(struct tsim *sim, size_t i, const struct ts_instance *first,
-				 const struct ts_instance *second)
+static enum ts_status refuse_two_integrators(struct tsim *sim, size_t i, const struct ts_instance *first,
+					     const struct ts_instance *second)
 {
 	return ts_fail(&sim->error, TS_STATE, &second->where,
 		       "fix %s (%s) moves particle %d (type %d), which fix %s (%s, line %d) moves, too: it "
@@ -61,7 +61,7 @@ static enum ts_status check_particle(struct tsim *sim, size_t i)
 	const struct ts_instance *second = first ? next_integrator(sim, i, &k) : NULL;
 
 	if (second)
-		return refuse_two(sim, i, first, second);
+		return refuse_two_integrators(sim, i, first, second);
 	return first && ts_rigid_member(sim->particles, i) ? report_member(sim, i, first) : TS_OK;
 }
 
@@ -72,7 +72,7 @@ static bool has_several_bits(uint32_t bits)
 }
 
 /* Whether two fixes integrate the same group. */
-static bool groups_coincide(const struct tsim *sim)
+static bool two_fixes_same_group(const struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	uint32_t groups = 0;
@@ -93,7 +93,7 @@ static enum ts_status check_all(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 	uint32_t groups = ts_integrated_groups(sim, TS_MOVES);
-	bool all = groups_coincide(sim);
+	bool all = two_fixes_same_group(sim);
 
 	if (!groups || (!all && !has_several_bits(groups) && !sim->rigid->n))
 		return TS_OK;

@@ -1,7 +1,7 @@
 /* Largest stable time step of a network of bodies joined by springs and dashpots.
  *
- * Velocity Verlet and symplectic Euler use in dashpots the velocities of the half step before, and so discretise M a
- * + C v + K x = 0 as
+ * Velocity Verlet and symplectic Euler use in dashpots the velocities of the half step before, and so
+ * discretise M a + C v + K x = 0 as
  *
  *   M (x+ - 2 x + x-) + h C (x - x-) + h^2 K x = 0.
  *

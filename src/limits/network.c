@@ -107,7 +107,7 @@ static void arm_to(const struct network *w, size_t i, double arm[3])
 	ts_rotate(m, p->body_x[local_of(p, i)], arm);
 }
 
-static struct ts_lanczos_body body_of(const struct network *w, size_t node)
+static struct ts_lanczos_body body_of_node(const struct network *w, size_t node)
 {
 	const struct tsim *sim = w->sim;
 	const struct ts_particles *p = sim->particles;
@@ -433,7 +433,7 @@ static enum ts_status build_local_network(struct network *w, size_t node)
 		size_t n;
 		const int32_t *member = members_of(w, &w->node[a], &n);
 
-		m->body[a] = body_of(w, (size_t)w->node[a]);
+		m->body[a] = body_of_node(w, (size_t)w->node[a]);
 		for (size_t k = 0; k < n && m->body[a].inverse_mass > 0; k++)
 			TS_TRY(add_links_of_particle(w, a, (size_t)member[k]));
 	}

@@ -77,8 +77,8 @@ static void count_pair(void *context, size_t i, size_t j, const double d[3])
 
 /* Number of central particles (the first types), and mean number of other particles of the second types for
  * each. */
-static void populations(const struct ts_instance *self, const struct ts_particles *p, size_t pair,
-			double *centres, double *others)
+static void count_populations(const struct ts_instance *self, const struct ts_particles *p, size_t pair,
+			      double *centres, double *others)
 {
 	const struct rdf *s = self->state;
 	double around = 0, both = 0;
@@ -121,7 +121,7 @@ static void fill_table(const struct ts_instance *self, const struct tsim *sim, d
 	for (size_t k = 0; k < s->npairs; k++) {
 		double centres, others, within = 0;
 
-		populations(self, sim->particles, k, &centres, &others);
+		count_populations(self, sim->particles, k, &centres, &others);
 		for (size_t b = 0; b < (size_t)s->bins; b++) {
 			double *row = out->data + b * out->columns + 1 + 2 * k;
 			double counted = s->count[b * s->npairs + k];

@@ -97,14 +97,14 @@ static enum ts_status save_contacts(struct tsim *sim, struct ts_contact_list *li
 	return TS_OK;
 }
 
-enum ts_status ts_contact_history_take(struct tsim *sim, struct ts_contact_list *list, bool forces,
+enum ts_status ts_contact_history_save(struct tsim *sim, struct ts_contact_list *list, bool forces,
 				       struct ts_contact_history *h)
 {
 	return save_contacts(sim, list, forces, false, h);
 }
 
-enum ts_status ts_contact_history_take_memories(struct tsim *sim, struct ts_contact_list *list, bool forces,
-						struct ts_contact_history *h)
+enum ts_status ts_contact_history_save_all(struct tsim *sim, struct ts_contact_list *list, bool forces,
+					   struct ts_contact_history *h)
 {
 	return save_contacts(sim, list, forces, true, h);
 }
@@ -224,8 +224,8 @@ static void restore_share(void *context, size_t from, size_t to)
 	}
 }
 
-enum ts_status ts_contact_history_give(struct tsim *sim, const struct ts_contact_history *h,
-				       struct ts_contact_list *list)
+enum ts_status ts_contact_history_restore(struct tsim *sim, const struct ts_contact_history *h,
+					  struct ts_contact_list *list)
 {
 	struct restoring g = { .h = h, .p = sim->particles, .list = list };
 	enum ts_status status;

@@ -21,15 +21,15 @@ struct ts_contact_history {
 
 /* Copies the history of the touching pairs, and on request their forces: a run that continues with the forces
  * of the last step outputs the contacts of that step. */
-enum ts_status ts_contact_history_take(struct tsim *sim, struct ts_contact_list *list, bool forces,
+enum ts_status ts_contact_history_save(struct tsim *sim, struct ts_contact_list *list, bool forces,
 				       struct ts_contact_history *h);
 /* The same as LIGGGHTS does it: copies the history of all pairs that have any, also of those that have
  * parted; it is given back only to pairs that overlap then. */
-enum ts_status ts_contact_history_take_memories(struct tsim *sim, struct ts_contact_list *list, bool forces,
-						struct ts_contact_history *h);
+enum ts_status ts_contact_history_save_all(struct tsim *sim, struct ts_contact_list *list, bool forces,
+					   struct ts_contact_history *h);
 /* Copies the history, and the forces if saved, to the pairs of the same particles in the list. */
-enum ts_status ts_contact_history_give(struct tsim *sim, const struct ts_contact_history *h,
-				       struct ts_contact_list *list);
+enum ts_status ts_contact_history_restore(struct tsim *sim, const struct ts_contact_history *h,
+					  struct ts_contact_list *list);
 void ts_contact_history_release(struct ts_contact_history *h);
 /* Writes to or reads from a restart file. */
 enum ts_status ts_contact_history_archive(struct ts_archive *archive, struct tsim *sim,

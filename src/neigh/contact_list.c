@@ -137,9 +137,9 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 	struct fill_task task = { list, found };
 
 	if (sim->legacy)
-		TS_TRY(ts_contact_history_take_memories(sim, list, sim->run.resuming, old));
+		TS_TRY(ts_contact_history_save_all(sim, list, sim->run.resuming, old));
 	else
-		TS_TRY(ts_contact_history_take(sim, list, sim->run.resuming, old));
+		TS_TRY(ts_contact_history_save(sim, list, sim->run.resuming, old));
 	TS_TRY(ts_contact_search(sim, found));
 	if (reserve_pairs(list, found->n) != TS_OK ||
 	    TS_GROW(list->sphere, list->sphere_capacity, sim->particles->n + sim->particles->nghost) != TS_OK)
@@ -159,7 +159,7 @@ static enum ts_status search_and_build(struct tsim *sim, struct ts_contact_list 
 	TS_TRY(index_by_particle(sim, list));
 	if (sim->run.resuming) /* outputs may read forces before they are computed */
 		TS_TRY(ts_force_slots_keep_all(sim, list));
-	return ts_contact_history_give(sim, old, list);
+	return ts_contact_history_restore(sim, old, list);
 }
 
 enum ts_status ts_contact_list_build(struct tsim *sim, struct ts_contact_list *list, double skin,

@@ -96,7 +96,7 @@ struct ts_contact_list {
 	double *memory;	   /* the history of touching active pairs, in columns: see contact_memory.h */
 	bool memory_newer; /* `memory` has been advanced since it was last copied to `history` */
 	size_t history_width;
-	/* 1 + index of the history number that is > 0 while a liquid bridge exists; 0: laws without bridges */
+	/* 1 + index of the history number that is > 0 while a liquid bridge exists; 0: no bridges */
 	size_t bridge_column;
 	const signed char *history_sign; /* by history number: factor +1 or -1 when i and j are swapped */
 
@@ -112,13 +112,13 @@ struct ts_contact_list {
 	double skin, inner_skin; /* largest gap between the surfaces of candidate, of active pairs, length */
 	/* upper bound of the approach of any two particles since the active pairs were chosen, length */
 	double approach;
-	double max_displacement;      /* largest displacement of a particle in the last step, length */
+	double max_displacement;      /* largest displacement in the last step, length */
 	int shares;		      /* parts of the list, each computed by one thread */
 	struct ts_contact_span *span; /* by share */
 	struct ts_active_pair *active;
 	struct ts_active_block *block;
 	const struct ts_contact_bulge *bulge; /* by pair; NULL: no surface is displaced */
-	/* by pair: index in `active`, or TS_PAIR_INACTIVE; while slots are assigned: the stack of free slots */
+	/* by pair: index in `active`, or TS_PAIR_INACTIVE; later in the preparation: a stack of free slots */
 	uint32_t *active_index;
 	uint8_t *sums_left; /* by active pair: how many of its two particles have not summed it yet */
 	size_t span_capacity, active_capacity, block_capacity, memory_capacity, active_index_capacity,

@@ -35,8 +35,8 @@ struct query {
 
 /* Writes those of the list entries from .. to-1 that are within the radii plus the skin; returns their
  * number. Without branches, since most are not near. `out` must have room for three more. */
-TS_INLINE size_t find_near(const struct ts_level *level, int32_t from, int32_t to, const struct query *w,
-			   int32_t *out)
+TS_INLINE size_t find_partners_in_cells(const struct ts_level *level, int32_t from, int32_t to,
+					const struct query *w, int32_t *out)
 {
 	static const ts_four_marks next = { 0, 1, 2, 3 };
 	const ts_four skin = TS_FOUR_ALL(w->skin), radius = TS_FOUR_ALL(w->position[3]);
@@ -96,7 +96,7 @@ TS_CLONES static void search_level(const struct ts_contact_search *s, int l, siz
 				f->status = TS_NOMEM;
 				return;
 			}
-			f->n += find_near(level, from, to, &w, f->partner + f->n);
+			f->n += find_partners_in_cells(level, from, to, &w, f->partner + f->n);
 		}
 	}
 	f->coincide |= (same[0] | same[1] | same[2] | same[3]) != 0;

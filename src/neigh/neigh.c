@@ -262,7 +262,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	TS_TRY(ts_contact_list_build(sim, &nb->contacts, nb->built_skin + reach, ts_neigh_excluded(sim)));
 	if (nb->saved.n && nb->saved.width == nb->contacts.history_width)
-		TS_TRY(ts_contact_history_give(sim, &nb->saved, &nb->contacts));
+		TS_TRY(ts_contact_history_restore(sim, &nb->saved, &nb->contacts));
 	ts_contact_history_release(&nb->saved);
 	return TS_OK;
 }
@@ -379,7 +379,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible exclusions of neighbors");
 	if (!ts_archive_writing(a) || nb->saved.n)
 		return ts_contact_history_archive(a, sim, &nb->saved);
-	TS_TRY(ts_contact_history_take(sim, &nb->contacts, true, &h));
+	TS_TRY(ts_contact_history_save(sim, &nb->contacts, true, &h));
 	status = ts_contact_history_archive(a, sim, &h);
 	ts_contact_history_release(&h);
 	return status;

@@ -46,13 +46,13 @@ struct ts_neigh {
 	double built_skin;   /* skin of the present list, length */
 	double given_skin;   /* ts_neigh_skin when the list was built, length */
 	double least_radius; /* smallest radius then, length */
-	int32_t include;     /* bit of the group whose members have contacts (neigh_modify include); 0: all */
+	int32_t include;     /* bit of the only group with contacts (neigh_modify include); 0: all */
 	int32_t nexclude;
 	struct ts_exclude exclude[TS_MAX_EXCLUDE];
-	bool skip_bonded; /* no contacts between bonded particles (special_bonds) */
-	bool stale;	  /* a bond broke under skip_bonded: its pair must be listed, so a rebuild is due */
-	int64_t builds;	  /* number of builds in this run */
-	bool wanted;	  /* some live style needs contacts */
+	bool skip_bonded;    /* no contacts between bonded particles (special_bonds) */
+	bool stale;	     /* a bond broke under skip_bonded: a rebuild must list its pair */
+	int64_t builds;	     /* number of builds in this run */
+	bool wanted;	     /* some live style needs contacts */
 	bool contacts_first; /* contact forces are the first to be added in a step */
 	bool skin_observed;  /* the skin is visible to an output: exactly the given one is used */
 	bool shown;	     /* an output may read forces of contacts at any step: they are kept */
