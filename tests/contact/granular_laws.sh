@@ -90,7 +90,7 @@ print \"is f \$(fx[2]) \$(4/3*v_y*sqrt(0.05*v_d)*v_d)\""
 rejects "$(pair '* * hooke 1e5 1')
 run 1" "keyword 'tangential' is missing"
 rejects "$(pair '* * hooke 1e5 1 tangential mindlin NULL 1 0.5')
-run 1" 'NULL needs a normal law of a material'
+run 1" 'NULL needs a normal law with material constants'
 rejects "$(pair '* * hook 1e5 1 tangential linear_nohistory 1 0.5')" "did you mean 'hooke'?"
 rejects "$(pair '* * hooke 1e5 1 tangential linear 1 0.5')" "tangential is 'linear'"
 rejects "$(pair '* * hooke 1e5 1 tangential linear_history 1 0.5')" 'mu is missing'

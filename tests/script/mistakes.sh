@@ -201,7 +201,7 @@ neighbor 0.001 bins
 => 9:16: error: neighbor: style is 'bins', expected one of bin, nsq ...
 $box
 neigh_modify every 1 delay
-=> 9:22: error: neigh_modify: keyword delay lacks its value, expected an integer (no effect: each step is checked)
+=> 9:22: error: neigh_modify: keyword delay lacks its value, expected an integer (no effect: displacements are checked in every step)
 $box
 fix f all addforce 0 0 v_g
 => 9:24: error: fix addforce: fz names an unknown variable 'g'
