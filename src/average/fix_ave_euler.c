@@ -225,7 +225,7 @@ static enum ts_status find_values(struct ts_instance *self, struct tsim *sim)
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	self->every = ((const struct state *)self->state)->every;
-	sim->neigh->shown = true;
+	sim->neigh->keep_forces = true;
 	return ts_domain_require(sim, &self->where);
 }
 

@@ -13,7 +13,7 @@ struct state {
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	((struct state *)self->state)->sim = sim;
-	sim->neigh->shown = true;
+	sim->neigh->keep_forces = true;
 	return TS_OK;
 }
 

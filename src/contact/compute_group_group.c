@@ -13,7 +13,7 @@ struct state {
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	sim->neigh->shown = true;
+	sim->neigh->keep_forces = true;
 	((struct state *)self->state)->sim = sim;
 	return TS_OK;
 }

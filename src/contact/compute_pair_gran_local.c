@@ -17,7 +17,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	s->sim = sim;
-	sim->neigh->shown = true;
+	sim->neigh->keep_forces = true;
 	TS_TRY(ts_contact_columns_init(self, sim));
 	if (s->columns.wanted[TS_CONTACT_HEAT] && !ts_heat_of(sim))
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "heatFlux"),

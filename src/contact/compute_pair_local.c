@@ -18,7 +18,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	s->sim = sim;
-	sim->neigh->shown = true;
+	sim->neigh->keep_forces = true;
 	return ts_name_list_read(sim, "compute pair/local", &self->arena, s->words, columns, sizeof *columns,
 				 &s->list);
 }

@@ -32,7 +32,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_instance *inst;
 
 	s->sim = sim;
-	sim->neigh->shown = true;
+	sim->neigh->keep_forces = true;
 	if (self->group != 0)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "compute pressure is that of all particles: its group must be all");

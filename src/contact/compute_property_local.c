@@ -59,7 +59,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct property *s = self->state;
 
 	s->sim = sim;
-	sim->neigh->shown = true;
+	sim->neigh->keep_forces = true;
 	TS_TRY(ts_name_list_read(sim, "compute property/local", &self->arena, s->words, columns,
 				 sizeof *columns, &s->list));
 	for (size_t k = 1; k < s->list.n; k++)

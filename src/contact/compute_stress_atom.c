@@ -26,7 +26,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_words words = s->words;
 
 	s->sim = sim;
-	sim->neigh->shown = true;
+	sim->neigh->keep_forces = true;
 	if (words.n && names_temperature(sim, words.word[0].text))
 		words = ts_words_from(words, 1);
 	return ts_virial_read_parts(sim, self, words, &s->parts);

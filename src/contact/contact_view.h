@@ -11,7 +11,7 @@
 enum ts_status ts_contacts_require(struct tsim *sim, const struct ts_instance *self);
 
 /* Fails if the forces of contacts were not kept in the last step. A style that calls this requests them in
- * its init, by sim->neigh->shown. */
+ * its init, by sim->neigh->keep_forces. */
 enum ts_status ts_contacts_kept(struct tsim *sim, const struct ts_instance *self);
 /* Both checks. */
 enum ts_status ts_contacts_forces(struct tsim *sim, const struct ts_instance *self);

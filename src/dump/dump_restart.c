@@ -18,7 +18,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	self->every = s->common.every;
 	/* a run that goes on shows the contacts of this step */
-	ts_neigh_show_every(sim->neigh, s->common.variable ? 1 : self->every);
+	ts_neigh_keep_forces_every(sim->neigh, s->common.variable ? 1 : self->every);
 	return TS_OK;
 }
 

@@ -296,7 +296,7 @@ enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
 			       "no books of it",
 			       self->style->name);
 	l->name = self->id;
-	sim->neigh->shown = true;
+	sim->neigh->keep_forces = true;
 	for (size_t a = 0; a < l->nactors; a++)
 		l->actor[a].by = NULL;
 	for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)

@@ -56,8 +56,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	sim->particles->describe_contacts = describe_contacts;
 	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) || sim->full & TS_FULL_ROWS;
 	nb->builds = 0;
-	nb->skin_observed = nb->shown = false; /* outputs that do set them in their init, after this */
-	nb->show_every = 0;
+	nb->skin_observed = nb->keep_forces = false; /* outputs that do set them in their init, after this */
+	nb->keep_forces_every = 0;
 	nb->contacts.active_chosen = false; /* types of particles may have been changed */
 	nb->contacts_first = contacts_add_first(sim);
 	return ts_leaving_init(sim);
@@ -267,9 +267,9 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-void ts_neigh_show_every(struct ts_neigh *nb, int64_t every)
+void ts_neigh_keep_forces_every(struct ts_neigh *nb, int64_t every)
 {
-	int64_t a = nb->show_every, b = every;
+	int64_t a = nb->keep_forces_every, b = every;
 
 	while (b) { /* the greatest common divisor of both: its multiples include all their steps */
 		int64_t rest = a % b;
@@ -277,18 +277,18 @@ void ts_neigh_show_every(struct ts_neigh *nb, int64_t every)
 		a = b;
 		b = rest;
 	}
-	nb->show_every = a;
+	nb->keep_forces_every = a;
 }
 
 /* Whether an output may read the forces of contacts computed in this step; always so at the end of a run. */
-static bool forces_are_shown(const struct tsim *sim)
+static bool forces_must_be_kept(const struct tsim *sim)
 {
 	const struct ts_neigh *nb = sim->neigh;
 	int64_t step = sim->clock.step;
 
-	return nb->shown || sim->run.shows_contacts || sim->run.in_setup || sim->requests.saving ||
+	return nb->keep_forces || sim->run.shows_contacts || sim->run.in_setup || sim->requests.saving ||
 	       step == sim->clock.last_step || sim->run.timeout > 0 ||
-	       (nb->show_every && step % nb->show_every == 0);
+	       (nb->keep_forces_every && step % nb->keep_forces_every == 0);
 }
 
 static enum ts_status forward(struct ts_instance *self, struct tsim *sim)
@@ -304,7 +304,7 @@ static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 	struct ts_contact_list *list = &sim->neigh->contacts;
 
 	(void)self;
-	sim->run.complete = forces_are_shown(sim);
+	sim->run.complete = forces_must_be_kept(sim);
 	sim->neigh->fused_pass = NULL; /* styles with a fused pass set it in each step */
 	if (sim->outside) {	       /* the calling program may have changed anything */
 		ts_contacts_store_history(sim, list);

@@ -49,14 +49,14 @@ struct ts_neigh {
 	int32_t include;     /* bit of the only group with contacts (neigh_modify include); 0: all */
 	int32_t nexclude;
 	struct ts_exclude exclude[TS_MAX_EXCLUDE];
-	bool skip_bonded;    /* no contacts between bonded particles (special_bonds) */
-	bool stale;	     /* a bond broke under skip_bonded: a rebuild must list its pair */
-	int64_t builds;	     /* number of builds in this run */
-	bool wanted;	     /* some live style needs contacts */
-	bool contacts_first; /* contact forces are the first to be added in a step */
-	bool skin_observed;  /* the skin is visible to an output: exactly the given one is used */
-	bool shown;	     /* an output may read forces of contacts at any step: they are kept */
-	int64_t show_every;  /* they are kept at multiples of this step, too; 0: not */
+	bool skip_bonded;	   /* no contacts between bonded particles (special_bonds) */
+	bool stale;		   /* a bond broke under skip_bonded: a rebuild must list its pair */
+	int64_t builds;		   /* number of builds in this run */
+	bool wanted;		   /* some live style needs contacts */
+	bool contacts_first;	   /* contact forces are the first to be added in a step */
+	bool skin_observed;	   /* the skin is visible to an output: exactly the given one is used */
+	bool keep_forces;	   /* an output may read forces of contacts at any step: they are kept */
+	int64_t keep_forces_every; /* they are kept at multiples of this step, too; 0: not */
 	struct ts_contact_list contacts;
 	/* displacement of surfaces by other contacts (fix multicontact/halfspace); NULL: none */
 	struct ts_multicontact *multicontact;
@@ -78,7 +78,7 @@ double ts_neigh_skin(const struct tsim *sim);
 double ts_neigh_choose_skin(const struct tsim *sim);
 /* For the init of outputs and of fixes that may end a run: they read forces of contacts at multiples of
  * `every`. */
-void ts_neigh_show_every(struct ts_neigh *neigh, int64_t every);
+void ts_neigh_keep_forces_every(struct ts_neigh *neigh, int64_t every);
 /* Whether neigh_modify uses the group of this bit. */
 bool ts_neigh_uses_group(const struct ts_neigh *neigh, int bit);
 
