@@ -4,8 +4,8 @@
 
 #include "base/banned.h"
 
-/* The first sample of the next average that ends on a multiple of freq. */
-static int64_t first_sample(const struct ts_average *a, int64_t step)
+/* Step of the first sample of the next average; averages end on multiples of Nfreq. */
+static int64_t first_sample_step(const struct ts_average *a, int64_t step)
 {
 	int64_t length = (a->repeat - 1) * a->every;
 	int64_t least = step + length > a->start ? step + length : a->start;
@@ -22,7 +22,7 @@ enum ts_status ts_average_init(struct ts_instance *self, struct tsim *sim, struc
 			       self->style->name, (long long)a->freq, (long long)a->every,
 			       (long long)a->repeat);
 	if (!a->started)
-		a->next = first_sample(a, sim->clock.step);
+		a->next = first_sample_step(a, sim->clock.step);
 	a->started = 1;
 	return TS_OK;
 }
@@ -78,14 +78,15 @@ int64_t ts_average_weight(const struct ts_average *a)
 	return a->ave == TS_AVE_WINDOW && a->averages > a->window ? a->window : a->averages;
 }
 
-static double both(const struct ts_average *a, size_t k, double x, double y)
+/* Combines number k of two averages: the sum, or the minimum or maximum for the last two numbers. */
+static double add_or_extreme(const struct ts_average *a, size_t k, double x, double y)
 {
 	if (a->extremes && k + 2 == a->n)
 		return fmin(x, y);
 	return a->extremes && k + 1 == a->n ? fmax(x, y) : x + y;
 }
 
-static bool divides(const struct ts_average *a, size_t k)
+static bool is_mean(const struct ts_average *a, size_t k)
 {
 	return !a->totals && !(a->extremes && k + 2 >= a->n);
 }
@@ -101,14 +102,15 @@ void ts_average_combine(struct ts_average *a)
 		double value = a->sum[k];
 
 		if (a->ave == TS_AVE_RUNNING)
-			value = a->total[k] = a->averages == 1 ? value : both(a, k, a->total[k], value);
+			value = a->total[k] =
+				a->averages == 1 ? value : add_or_extreme(a, k, a->total[k], value);
 		if (a->ave == TS_AVE_WINDOW) {
 			a->history[place + k] = value;
 			value = a->history[k];
 			for (int64_t j = 1; j < count; j++)
-				value = both(a, k, value, a->history[(size_t)j * a->n + k]);
+				value = add_or_extreme(a, k, value, a->history[(size_t)j * a->n + k]);
 		}
-		a->result[k] = divides(a, k) ? value / (double)count : value;
+		a->result[k] = is_mean(a, k) ? value / (double)count : value;
 	}
 }
 

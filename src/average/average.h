@@ -1,5 +1,5 @@
-/* Averages over time, as all fixes ave/... take them: every Nfreq steps an average of Nrepeat samples, Nevery
- * steps apart, the last at the step itself; then `ave` combines averages with those before. */
+/* Time averages of the fixes ave/...: every Nfreq steps an average of Nrepeat samples taken Nevery steps
+ * apart, the last of them at that step; the keyword `ave` combines it with previous averages. */
 #ifndef TS_AVERAGE_AVERAGE_H
 #define TS_AVERAGE_AVERAGE_H
 
@@ -9,24 +9,27 @@ enum ts_average_mode { TS_AVE_ONE, TS_AVE_RUNNING, TS_AVE_WINDOW };
 
 struct ts_average {
 	/* arguments */
-	int64_t every, repeat, freq, start, window;
-	int ave;
-	/* saved */
-	int64_t next;	 /* step of the next sample */
-	int64_t samples; /* taken of the average under way */
-	int64_t started, averages;
-	double *sum;	 /* of the samples under way; the style turns it into the average */
-	double *total;	 /* of the averages that `ave` combines */
-	double *history; /* the last `window` averages, a ring */
-	double *result;
-	size_t n, sum_n, total_n, history_n, result_n;
+	int64_t every, repeat, freq, start; /* Nevery, Nrepeat, Nfreq, start: steps, but Nrepeat samples */
+	int64_t window;			    /* M of `ave window M` */
+	int ave;			    /* enum ts_average_mode */
+	/* state, written to restart files */
+	int64_t next;	  /* step of the next sample */
+	int64_t samples;  /* samples taken for the current average */
+	int64_t started;  /* 1: `next` is set */
+	int64_t averages; /* completed averages */
+	double *sum;   /* [n] over the samples of the current average; the style turns it into the average */
+	double *total; /* [n] `ave running`: sum of all averages */
+	double *history; /* [window][n] `ave window`: ring buffer of the last averages */
+	double *result;	 /* [n] what the fix outputs */
+	size_t n;	 /* numbers in one average; the lengths of the arrays follow */
+	size_t sum_n, total_n, history_n, result_n;
 	size_t sum_capacity, total_capacity, history_capacity, result_capacity;
-	/* set by the style */
-	bool totals;   /* averages are added up, not averaged again */
-	bool extremes; /* the last two numbers are a least and a largest one */
+	/* set by the style before ts_average_init */
+	bool totals;   /* `ave running` and `ave window` add averages up instead of taking their mean */
+	bool extremes; /* the last two of the n numbers are a minimum and a maximum */
 };
 
-/* Rows for a state of type T in which A is the struct ts_average. */
+/* Argument rows of a style whose state is of type T and has the struct ts_average as member A. */
 #define TS_AVERAGE_STEPS(T, A)                                                                           \
 	TS_INT("Nevery", T, A.every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1,  \
 	       .hi = 1e15, .help = "steps between samples"),                                             \
@@ -36,17 +39,17 @@ struct ts_average {
 		       .lo = 1, .hi = 1e15, .help = "steps between averages")
 #define TS_AVERAGE_WINDOW_ROW(T, A)                                                                 \
 	TS_INT("M", T, A.window, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1, \
-	       .hi = 1e6, .help = "how many averages")
+	       .hi = 1e6, .help = "number of averages in the window")
 /* Needs: static const struct ts_arg window_row[] = { TS_AVERAGE_WINDOW_ROW(T, A), TS_ARGS_END }; and
  * static const struct ts_mode combinations[] = TS_AVERAGE_MODES; */
-#define TS_AVERAGE_MODES                                                                    \
-	{                                                                                   \
-		[TS_AVE_ONE] = { "one", "each average by itself", NULL },                   \
-		[TS_AVE_RUNNING] = { "running", "all averages so far together", NULL },     \
-		[TS_AVE_WINDOW] = { "window", "the last M averages together", window_row }, \
-		{                                                                           \
-			.name = NULL                                                        \
-		}                                                                           \
+#define TS_AVERAGE_MODES                                                                   \
+	{                                                                                  \
+		[TS_AVE_ONE] = { "one", "each average by itself", NULL },                  \
+		[TS_AVE_RUNNING] = { "running", "mean of all averages so far", NULL },     \
+		[TS_AVE_WINDOW] = { "window", "mean of the last M averages", window_row }, \
+		{                                                                          \
+			.name = NULL                                                       \
+		}                                                                          \
 	}
 /* clang-format off */
 #define TS_AVERAGE_KEYWORDS(T, A)                                                                     \
@@ -56,7 +59,7 @@ struct ts_average {
 	  .offset = TS_FIELD(T, A.ave, int *),                                               \
 	  .modes = combinations,                                                                   \
 	  .fallback = "one",                                                                       \
-	  .help = "what becomes of averages" },                                                    \
+	  .help = "how an average is combined with previous ones" },                                                    \
 		TS_INT("start", T, A.start, .flags = TS_STATEFUL, .range = TS_WITHIN,        \
 		       .lo = 0, .hi = 1e15, .fallback = "0",                                       \
 		       .help = "no average before this step")
@@ -71,17 +74,19 @@ struct ts_average {
 	}
 /* clang-format on */
 
-/* In init: checks the numbers of steps; the first time finds the step of the first sample. */
+/* Called by init: checks Nevery, Nrepeat and Nfreq; the first call sets the step of the first sample. */
 enum ts_status ts_average_init(struct ts_instance *self, struct tsim *sim, struct ts_average *a);
-/* Room for n numbers. With `ave` other than one it must stay the same. */
+/* Allocates the arrays for n numbers. Once there are averages to combine (`ave running` or `window`), n may
+ * not change. */
 enum ts_status ts_average_resize(struct ts_instance *self, struct tsim *sim, struct ts_average *a, size_t n);
-/* Is a sample to be taken at this step? Before the first one of an average the sums are cleared. */
+/* Whether a sample is due at this step; before the first sample of an average, the sums are set to 0. */
 bool ts_average_due(struct ts_average *a, const struct tsim *sim);
-/* A sample has been added to the sums; true: it was the last of an average, which the style now completes
- * in `sum`, and then calls ts_average_combine. */
+/* Counts a sample that the style has added to `sum`. Returns true after the last sample of an average: the
+ * style then turns `sum` into the average and calls ts_average_combine. */
 bool ts_average_sampled(struct ts_average *a, const struct tsim *sim);
+/* Sets `result` from the average in `sum` and previous ones. */
 void ts_average_combine(struct ts_average *a);
-/* How many averages the result stands for. */
+/* Number of averages that `result` combines. */
 int64_t ts_average_weight(const struct ts_average *a);
 
 enum ts_status ts_average_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive,

@@ -1,4 +1,4 @@
-/* The file of a fix ave/...: three lines of titles, then a block for each average. */
+/* Output file of a fix ave/...: up to three title lines, then a block of lines for each average. */
 #ifndef TS_AVERAGE_AVERAGE_FILE_H
 #define TS_AVERAGE_AVERAGE_FILE_H
 
@@ -10,29 +10,32 @@ struct ts_average_file {
 	const char *file, *append, *title[3], *format;
 	bool overwrite;
 	struct ts_textfile out;
-	struct ts_str text;
-	char checked[TS_FORMAT_SIZE];
+	struct ts_str text;	      /* the current block */
+	char checked[TS_FORMAT_SIZE]; /* `format` after ts_format_check */
 };
 #define TS_AVERAGE_FILE_ARGS(T, F)                                                                          \
-	TS_WORD("file", T, F.file, .flags = TS_OPTIONAL | TS_WRITES, .help = "file to write anew"),         \
+	TS_WORD("file", T, F.file, .flags = TS_OPTIONAL | TS_WRITES,                                        \
+		.help = "file to write; an existing one is replaced"),                                      \
 		TS_WORD("append", T, F.append, .flags = TS_OPTIONAL | TS_WRITES,                            \
-			.help = "file to continue"),                                                        \
+			.help = "file to append to"),                                                       \
 		TS_FLAG("overwrite", T, F.overwrite, .help = "the file holds only the last average"),       \
 		TS_WORD("format", T, F.format, .fallback = "%g", .help = "format of a number in the file"), \
 		TS_WORD("title1", T, F.title[0], .flags = TS_OPTIONAL, .help = "first line of the file"),   \
 		TS_WORD("title2", T, F.title[1], .flags = TS_OPTIONAL, .help = "second line of the file"),  \
 		TS_WORD("title3", T, F.title[2], .flags = TS_OPTIONAL, .help = "third line of the file")
 
-/* In init. */
+/* Called by init: checks the arguments. */
 enum ts_status ts_average_file_init(struct ts_instance *self, struct tsim *sim, struct ts_average_file *f);
 bool ts_average_file_wanted(const struct ts_average_file *f);
-/* Begins a block in f->text; true: titles are to be added first, each with ts_average_file_title. */
+/* Begins a block in f->text, opening the file if necessary. *titles: the file is new, and the caller adds
+ * the title lines first with ts_average_file_title. */
 enum ts_status ts_average_file_begin(struct ts_instance *self, struct tsim *sim, struct ts_average_file *f,
 				     bool *titles);
-/* Line k (0, 1, 2) is the user's, or this. */
+/* Adds title line k (0, 1, 2): that of the keyword title1 ... title3, else `usual`. */
 void ts_average_file_title(struct ts_average_file *f, int k, const char *usual);
-/* A blank and a number. */
+/* Adds a blank and the number in the format of the keyword `format`. */
 void ts_average_file_number(struct ts_average_file *f, double value);
+/* Writes the block. */
 enum ts_status ts_average_file_end(struct tsim *sim, struct ts_average_file *f);
 void ts_average_file_release(struct ts_average_file *f);
 

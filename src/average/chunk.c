@@ -10,14 +10,15 @@
 
 #include "base/banned.h"
 
-/* 1 + the chunk that `ids once` or `nfreq` has given a particle; 0: none so far. */
-static double *kept(const struct ts_chunks *c)
+/* [particle] 1 + chunk number that `ids once` or `ids nfreq` has assigned; 0: not yet assigned. */
+static double *assigned_column(const struct ts_chunks *c)
 {
 	return c->sim->particles->column[c->column].data;
 }
 
-/* Who belongs where, without regard to what was before; the number of chunks where it follows from that. */
-static enum ts_status find_ids(const struct ts_instance *self, struct ts_chunks *c, int64_t *id)
+/* Chunk number of each particle from its current position, type or value, and the number of chunks, without
+ * `ids`, `compress` and `limit`. */
+static enum ts_status find_chunk_ids(const struct ts_instance *self, struct ts_chunks *c, int64_t *id)
 {
 	const struct ts_particles *p = c->sim->particles;
 	int64_t most = 0;
@@ -52,13 +53,13 @@ static enum ts_status find_ids(const struct ts_instance *self, struct ts_chunks 
 	return TS_OK;
 }
 
-/* Those who have a chunk already keep it. */
-static void keep_ids(struct ts_chunks *c, enum ts_chunk_moment moment, int64_t *id)
+/* Particles that `ids once` or `ids nfreq` has assigned to a chunk stay in it; others are assigned now. */
+static void keep_assigned_ids(struct ts_chunks *c, enum ts_chunk_moment moment, int64_t *id)
 {
 	bool once = c->ids == TS_CHUNK_IDS_ONCE;
-	double *column = kept(c);
+	double *column = assigned_column(c);
 
-	if (!once && moment == TS_CHUNK_LOOK)
+	if (!once && moment == TS_CHUNK_NO_SAMPLE)
 		return;
 	for (size_t i = 0; i < c->sim->particles->n; i++) {
 		if ((once || moment == TS_CHUNK_NEXT_SAMPLE) && column[i] > 0)
@@ -68,15 +69,15 @@ static void keep_ids(struct ts_chunks *c, enum ts_chunk_moment moment, int64_t *
 	}
 }
 
-static int compare(const void *a, const void *b)
+static int compare_ids(const void *a, const void *b)
 {
 	int64_t x = *(const int64_t *)a, y = *(const int64_t *)b;
 
 	return (x > y) - (x < y);
 }
 
-/* Numbers the chunks that have particles from 1 on. */
-static enum ts_status compress(struct ts_chunks *c, int64_t *id)
+/* `compress yes`: renumbers the chunks that have particles 1, 2 ... in the order of their numbers. */
+static enum ts_status compress_ids(struct ts_chunks *c, int64_t *id)
 {
 	size_t n = c->sim->particles->n, kinds = 0;
 
@@ -84,21 +85,21 @@ static enum ts_status compress(struct ts_chunks *c, int64_t *id)
 	for (size_t i = 0; i < n; i++)
 		c->original[i] = id[i];
 	if (n)
-		qsort(c->original, n, sizeof *c->original, compare);
+		qsort(c->original, n, sizeof *c->original, compare_ids);
 	for (size_t i = 0; i < n; i++)
 		if (c->original[i] > 0 && (kinds == 0 || c->original[i] != c->original[kinds - 1]))
 			c->original[kinds++] = c->original[i];
 	c->n = kinds;
 	for (size_t i = 0; i < n && kinds; i++) {
-		const int64_t *found = bsearch(&id[i], c->original, kinds, sizeof *c->original, compare);
+		const int64_t *found = bsearch(&id[i], c->original, kinds, sizeof *c->original, compare_ids);
 
 		id[i] = found ? found - c->original + 1 : 0;
 	}
 	return TS_OK;
 }
 
-/* More chunks than allowed: the rest is in none, or with `discard no` in the last. */
-static void limit(struct ts_chunks *c, int64_t *id)
+/* Particles of chunks beyond `limit` are in no chunk, or with `discard no` in the last one. */
+static void limit_chunks(struct ts_chunks *c, int64_t *id)
 {
 	bool clamp = c->discard == TS_DISCARD_NO;
 
@@ -111,7 +112,7 @@ static void limit(struct ts_chunks *c, int64_t *id)
 			id[i] = clamp ? c->limit : 0;
 }
 
-/* With `limit exact` there may be chunks that nobody was in. */
+/* `limit N exact` may add chunks without particles: they keep their own number as the original one. */
 static enum ts_status pad_originals(struct ts_chunks *c, size_t kinds)
 {
 	if (!c->compress || c->n <= kinds)
@@ -129,8 +130,8 @@ static int compare_tags(const void *a, const void *b)
 	return (x[0] > y[0]) - (x[0] < y[0]);
 }
 
-/* Lists the members of each chunk in the order of their identities: a counting sort of particles sorted by
- * identity. */
+/* Lists the particles of each chunk sorted by id: a counting sort over particles sorted by id, so that sums
+ * do not depend on the order in memory. */
 static enum ts_status list_members(struct ts_chunks *c, const int64_t *id)
 {
 	const struct ts_particles *p = c->sim->particles;
@@ -149,7 +150,7 @@ static enum ts_status list_members(struct ts_chunks *c, const int64_t *id)
 	qsort(order, p->n, sizeof *order, compare_tags);
 	for (size_t k = 2; k < c->n + 3; k++)
 		c->first[k] += c->first[k - 1];
-	/* first[k + 1] is the beginning of chunk k, and its end when all are in */
+	/* first[k + 1] is the start of chunk k, and moves to its end as members are entered */
 	for (size_t at = 0; at < p->n; at++) {
 		size_t i = (size_t)order[at][1];
 
@@ -160,18 +161,18 @@ static enum ts_status list_members(struct ts_chunks *c, const int64_t *id)
 	return TS_OK;
 }
 
-static enum ts_status assign(const struct ts_instance *self, struct ts_chunks *c, enum ts_chunk_moment moment,
-			     int64_t *id)
+static enum ts_status assign_and_list(const struct ts_instance *self, struct ts_chunks *c,
+				      enum ts_chunk_moment moment, int64_t *id)
 {
 	size_t kinds;
 
-	TS_TRY(find_ids(self, c, id));
+	TS_TRY(find_chunk_ids(self, c, id));
 	if (c->ids != TS_CHUNK_IDS_EVERY)
-		keep_ids(c, moment, id);
+		keep_assigned_ids(c, moment, id);
 	if (c->compress)
-		TS_TRY(compress(c, id));
+		TS_TRY(compress_ids(c, id));
 	kinds = c->n;
-	limit(c, id);
+	limit_chunks(c, id);
 	TS_TRY(pad_originals(c, kinds));
 	if (c->n > 1000000000)
 		return ts_fail(&c->sim->error, TS_RANGE, &self->where,
@@ -186,7 +187,7 @@ static enum ts_status assign(const struct ts_instance *self, struct ts_chunks *c
 enum ts_status ts_chunks_assign(struct ts_instance *self, struct ts_chunks *c, enum ts_chunk_moment moment)
 {
 	int64_t *id = ts_alloc(c->sim->particles->n, sizeof *id);
-	enum ts_status status = id ? assign(self, c, moment, id) : TS_NOMEM;
+	enum ts_status status = id ? assign_and_list(self, c, moment, id) : TS_NOMEM;
 
 	ts_free(id);
 	return status == TS_NOMEM ? ts_nomem(&c->sim->error) : status;

@@ -13,7 +13,7 @@
 enum { ALL, SAMPLE, NONE };
 const char *const ts_chunk_norms[] = { [ALL] = "all", [SAMPLE] = "sample", [NONE] = "none", NULL };
 
-/* What is averaged: a number of the particles, or one of these. */
+/* What is averaged: a per-particle number, or one of these keywords. */
 enum kind { VALUE, DENSITY_NUMBER, DENSITY_MASS, TEMPERATURE };
 static const char *const kinds[] = { [VALUE] = "", "density/number", "density/mass", "temp" };
 
@@ -60,13 +60,13 @@ enum ts_status ts_chunk_average_init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* One number of each particle for each column. */
-static enum ts_status gather(struct ts_chunk_average *s, struct tsim *sim)
+/* Evaluates the number of each particle that is summed for each column. */
+static enum ts_status gather_columns(struct ts_chunk_average *s, struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 	size_t m = s->ncolumns;
 
-	if (ts_table_resize(&s->each, p->n, m) != TS_OK)
+	if (ts_table_resize(&s->peratom, p->n, m) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < m; k++) {
 		enum kind kind = s->column[k].kind;
@@ -74,25 +74,25 @@ static enum ts_status gather(struct ts_chunk_average *s, struct tsim *sim)
 		if (kind == VALUE)
 			TS_TRY(ts_ref_input_eval(sim, &s->column[k].input, &s->one));
 		for (size_t i = 0; i < p->n; i++)
-			s->each.data[i * m + k] = kind == VALUE		   ? s->one.data[i]
-						  : kind == DENSITY_NUMBER ? 1
-						  : kind == DENSITY_MASS
-							  ? p->mass[i]
-							  : p->mass[i] * ts_dot(p->v[i], p->v[i]);
+			s->peratom.data[i * m + k] = kind == VALUE	      ? s->one.data[i]
+						     : kind == DENSITY_NUMBER ? 1
+						     : kind == DENSITY_MASS
+							     ? p->mass[i]
+							     : p->mass[i] * ts_dot(p->v[i], p->v[i]);
 	}
 	return TS_OK;
 }
 
-static void terms(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
+static void row_terms(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
 {
-	const struct ts_table *each = context;
+	const struct ts_table *peratom = context;
 
 	(void)sim, (void)chunk;
 	term[0] = 1;
-	memcpy(term + 1, each->data + i * each->columns, each->columns * sizeof *term);
+	memcpy(term + 1, peratom->data + i * peratom->columns, peratom->columns * sizeof *term);
 }
 
-/* 2 E / (k_B freedom) */
+/* T = sum m v^2 / (k_B dof), dof = adof N + cdof samples; 0 without degrees of freedom. */
 static double temperature(const struct tsim *sim, const struct ts_chunk_average *s, double twice_energy,
 			  double particles, double samples)
 {
@@ -102,9 +102,9 @@ static double temperature(const struct tsim *sim, const struct ts_chunk_average 
 	return particles > 0 && freedom > 0 ? twice_energy / (freedom * ts_boltzmann(sim)) : 0;
 }
 
-/* What a sample adds for one value of one chunk. */
-static double share(const struct tsim *sim, const struct ts_chunk_average *s, enum kind kind, double volume,
-		    double count, double sum)
+/* What one sample adds to the sum of one value in one chunk. */
+static double sample_value(const struct tsim *sim, const struct ts_chunk_average *s, enum kind kind,
+			   double volume, double count, double sum)
 {
 	if (kind == DENSITY_NUMBER || kind == DENSITY_MASS)
 		return sum / volume;
@@ -115,9 +115,9 @@ static double share(const struct tsim *sim, const struct ts_chunk_average *s, en
 	return count > 0 ? sum / count : 0;
 }
 
-/* The value of a chunk over all samples of an average. */
-static double outcome(const struct tsim *sim, const struct ts_chunk_average *s, enum kind kind, double count,
-		      double sum)
+/* Average of one value in one chunk, from the sums over all samples. */
+static double average_value(const struct tsim *sim, const struct ts_chunk_average *s, enum kind kind,
+			    double count, double sum)
 {
 	double samples = (double)s->average.repeat;
 
@@ -128,7 +128,7 @@ static double outcome(const struct tsim *sim, const struct ts_chunk_average *s, 
 	return sum / samples;
 }
 
-static enum ts_status remember_places(struct ts_chunk_average *s, struct tsim *sim, const struct ts_chunks *c)
+static enum ts_status store_places(struct ts_chunk_average *s, struct tsim *sim, const struct ts_chunks *c)
 {
 	size_t coordinates = (size_t)ts_chunks_dimension(c), width = coordinates + c->compress;
 
@@ -156,12 +156,12 @@ static enum ts_status add_sample(struct ts_instance *self, struct tsim *sim)
 	struct ts_chunks *c;
 
 	TS_TRY(s->source(self, sim, first ? TS_CHUNK_FIRST_SAMPLE : TS_CHUNK_NEXT_SAMPLE, &c));
-	TS_TRY(gather(s, sim));
-	if (ts_chunk_sum(c, self->group, width, terms, &s->each, &s->sums) != TS_OK)
+	TS_TRY(gather_columns(s, sim));
+	if (ts_chunk_sum(c, self->group, width, row_terms, &s->peratom, &s->sums) != TS_OK)
 		return ts_nomem(&sim->error);
 	if (first) {
 		TS_TRY(ts_average_resize(self, sim, &s->average, c->n * width));
-		TS_TRY(remember_places(s, sim, c));
+		TS_TRY(store_places(s, sim, c));
 		for (size_t k = 0; k < s->average.n; k++)
 			s->average.sum[k] = 0;
 	}
@@ -176,12 +176,12 @@ static enum ts_status add_sample(struct ts_instance *self, struct tsim *sim)
 
 		to[0] += from[0];
 		for (size_t j = 1; j < width; j++)
-			to[j] += share(sim, s, s->column[j - 1].kind, volume, from[0], from[j]);
+			to[j] += sample_value(sim, s, s->column[j - 1].kind, volume, from[0], from[j]);
 	}
 	return TS_OK;
 }
 
-static void complete(struct ts_chunk_average *s, const struct tsim *sim)
+static void complete_average(struct ts_chunk_average *s, const struct tsim *sim)
 {
 	size_t width = 1 + s->ncolumns;
 
@@ -189,7 +189,7 @@ static void complete(struct ts_chunk_average *s, const struct tsim *sim)
 		double *sum = s->average.sum + k;
 
 		for (size_t j = 1; j < width; j++)
-			sum[j] = outcome(sim, s, s->column[j - 1].kind, sum[0], sum[j]);
+			sum[j] = average_value(sim, s, s->column[j - 1].kind, sum[0], sum[j]);
 		sum[0] /= (double)s->average.repeat;
 	}
 	ts_average_combine(&s->average);
@@ -254,16 +254,16 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 	return ts_average_file_end(sim, &s->file);
 }
 
-/* Before the first average all values are 0, of the chunks there are now. */
+/* Before the first average the output has the current chunks with all values 0. */
 enum ts_status ts_chunk_average_setup(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_chunk_average *s = self->state;
 	struct ts_chunks *c;
 
 	if (s->average.n == 0) {
-		TS_TRY(s->source(self, sim, TS_CHUNK_LOOK, &c));
+		TS_TRY(s->source(self, sim, TS_CHUNK_NO_SAMPLE, &c));
 		TS_TRY(ts_average_resize(self, sim, &s->average, c->n * (1 + s->ncolumns)));
-		TS_TRY(remember_places(s, sim, c));
+		TS_TRY(store_places(s, sim, c));
 	}
 	return ts_chunk_average_sample(self, sim);
 }
@@ -277,7 +277,7 @@ enum ts_status ts_chunk_average_sample(struct ts_instance *self, struct tsim *si
 	TS_TRY(add_sample(self, sim));
 	if (!ts_average_sampled(&s->average, sim))
 		return TS_OK;
-	complete(s, sim);
+	complete_average(s, sim);
 	return write_result(self, sim);
 }
 
@@ -320,7 +320,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 const struct ts_value ts_chunk_average_values[] = {
 	{ .name = "averages",
 	  .unit = "",
-	  .help = "of each chunk: with compress its number before that, its coordinates, how many "
+	  .help = "for each chunk: with compress its original number, its coordinates, mean number of "
 		  "particles, the values",
 	  .shape = TS_ARRAY,
 	  .eval = eval },
@@ -333,7 +333,7 @@ void ts_chunk_average_fini(struct ts_instance *self)
 
 	ts_average_file_release(&s->file);
 	ts_average_release(&s->average);
-	ts_table_release(&s->each);
+	ts_table_release(&s->peratom);
 	ts_table_release(&s->one);
 	ts_table_release(&s->sums);
 	ts_free(s->place);

@@ -1,4 +1,4 @@
-/* Averages chunk by chunk: what fixes ave/chunk and ave/spatial share. */
+/* Averages over chunks and over time: shared by fix ave/chunk and fix ave/spatial. */
 #ifndef TS_AVERAGE_CHUNK_AVERAGE_H
 #define TS_AVERAGE_CHUNK_AVERAGE_H
 
@@ -9,7 +9,7 @@
 struct ts_chunk_column;
 struct ts_chunk_average;
 
-/* Sorts the particles into chunks for a sample. */
+/* Assigns the particles to chunks for a sample. */
 typedef enum ts_status ts_chunk_source(struct ts_instance *self, struct tsim *sim,
 				       enum ts_chunk_moment moment, struct ts_chunks **chunks);
 
@@ -17,34 +17,37 @@ typedef enum ts_status ts_chunk_source(struct ts_instance *self, struct tsim *si
 struct ts_chunk_average {
 	struct ts_average average;
 	struct ts_average_file file;
-	struct ts_words words; /* of the values */
-	int norm;
-	double adof, cdof;
+	struct ts_words words;	 /* the values as given */
+	int norm;		 /* index of ts_chunk_norms */
+	double adof, cdof;	 /* degrees of freedom of a particle (NaN: the dimension), of a chunk */
 	ts_chunk_source *source; /* set by the style before init */
-	bool spatial;		 /* titles and rows as LIGGGHTS and older LAMMPS write them */
+	bool spatial;		 /* file in the format of fix ave/spatial, else of fix ave/chunk */
 
-	struct ts_chunk_column *column;
+	struct ts_chunk_column *column; /* [ncolumns] the values */
 	size_t ncolumns;
-	struct ts_table each, one, sums;
-	int64_t ncoordinates, compressed; /* saved, with `place`: coordinates of each chunk and, with
-					   * compress, its number before that */
-	double *place;
+	struct ts_table peratom; /* [particle][ncolumns] numbers to be summed */
+	struct ts_table one;	 /* [particle] of one value */
+	struct ts_table sums;	 /* [chunk][1 + ncolumns] particle count and sums of one sample */
+	/* state, written to restart files */
+	int64_t ncoordinates, compressed; /* coordinates of a chunk; 1: with `compress yes` */
+	double *place; /* [chunk][compressed + ncoordinates] original number, coordinates */
 	size_t place_n, place_capacity;
 };
 #define TS_CHUNK_AVERAGE_KEYWORDS(T)                                                               \
 	TS_ENUM("norm", T, common.norm, ts_chunk_norms, .flags = TS_STATEFUL, .fallback = "all",   \
-		.help = "whether sums are divided by the particles of all samples together, of "   \
-			"each sample, or by the samples only"),                                    \
+		.help = "divisor of sums: number of particles in all samples (all), in each "      \
+			"sample (sample), or number of samples (none)"),                           \
 		TS_REAL("adof", T, common.adof, .flags = TS_OPTIONAL | TS_STATEFUL, .unit = "",    \
-			.help = "for temp: degrees of freedom of a particle; else the dimension"), \
+			.help = "for temp: degrees of freedom per particle; default: the "         \
+				"dimension"),                                                      \
 		TS_REAL("cdof", T, common.cdof, .flags = TS_STATEFUL, .unit = "", .fallback = "0", \
-			.help = "for temp: degrees of freedom of a chunk besides; < 0 takes off")
+			.help = "for temp: degrees of freedom added per chunk; may be negative")
 #define TS_CHUNK_AVERAGE_SAVED(T) TS_SAVE_I64(T, common.ncoordinates), TS_SAVE_I64(T, common.compressed)
 extern const char *const ts_chunk_norms[];
 extern const struct ts_value ts_chunk_average_values[];
 
 enum ts_status ts_chunk_average_init(struct ts_instance *self, struct tsim *sim);
-/* For SETUP, and for END_OF_STEP. */
+/* Stage functions for SETUP and END_OF_STEP. */
 enum ts_status ts_chunk_average_setup(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_chunk_average_sample(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_chunk_average_archive(struct ts_instance *self, struct tsim *sim,

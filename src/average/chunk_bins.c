@@ -1,4 +1,4 @@
-/* Bins of chunks as they lie in the box now, and in which of them a point is. */
+/* Spatial bins: their position in the current box, and the bin of a point. */
 #include <math.h>
 
 #include "average/chunk_bins.h"
@@ -7,8 +7,8 @@
 
 #include "base/banned.h"
 
-/* Steps of `width` from the origin until both ends of the range are covered. */
-static void cover(struct ts_chunk_axis *a, double origin, double lo, double hi)
+/* Bins of equal width aligned with the origin that cover lo to hi: sets the lower end and their number. */
+static void cover_range(struct ts_chunk_axis *a, double origin, double lo, double hi)
 {
 	double from, to, w = a->width;
 
@@ -34,7 +34,7 @@ static enum ts_status place_axis(struct tsim *sim, const struct ts_instance *sel
 				 struct ts_chunk_axis *a)
 {
 	const struct ts_box *box = &sim->domain->box;
-	const struct ts_chunk_side *bound = c->bound[a->dim];
+	const struct ts_chunk_bound *bound = c->bound[a->dim];
 	double lo = bound[0].given ? bound[0].at : box->lo[a->dim];
 	double hi = bound[1].given ? bound[1].at : box->hi[a->dim];
 	double length = ts_box_length(box, a->dim), origin = lo;
@@ -53,12 +53,12 @@ static enum ts_status place_axis(struct tsim *sim, const struct ts_instance *sel
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "%s %s: no bins, or too many, of width %g from %g to %g",
 			       ts_kind_name(self->style->kind), self->style->name, a->width, lo, hi);
-	cover(a, origin, lo, hi);
+	cover_range(a, origin, lo, hi);
 	return TS_OK;
 }
 
-/* The bins stay as they were found first. */
-static void keep_first(struct ts_chunks *c, int k)
+/* `nchunk once`: the bins stay those of the first placement. */
+static void keep_first_bins(struct ts_chunks *c, int k)
 {
 	struct ts_chunk_axis *a = &c->axis[k];
 
@@ -80,7 +80,7 @@ enum ts_status ts_chunk_bins_place(const struct ts_instance *self, struct ts_chu
 
 		TS_TRY(place_axis(c->sim, self, c, a));
 		if (c->number == TS_NUMBER_ONCE)
-			keep_first(c, k);
+			keep_first_bins(c, k);
 		total *= (double)a->n;
 	}
 	c->once = c->number == TS_NUMBER_ONCE;
@@ -91,8 +91,8 @@ enum ts_status ts_chunk_bins_place(const struct ts_instance *self, struct ts_chu
 	return TS_OK;
 }
 
-/* Bin number from 0, or -1. */
-static int64_t settle(double at, int64_t n, bool discard_below, bool discard_above)
+/* Bin number from 0 of a bin coordinate; -1: discarded. */
+static int64_t clamp_bin(double at, int64_t n, bool discard_below, bool discard_above)
 {
 	if (!(at >= 0))
 		return discard_below ? -1 : 0;
@@ -108,13 +108,15 @@ static int64_t bin_along(const struct ts_chunks *c, const struct ts_chunk_axis *
 	bool all = c->discard == TS_DISCARD_YES;
 	bool mixed = c->discard == TS_DISCARD_MIXED || c->discard == TS_DISCARD_DEFAULT;
 
-	/* between rebuilds a particle may be a little outside of a periodic box */
+	/* positions are wrapped at rebuilds only: in between a particle may be slightly outside */
 	if (ts_box_periodic(box, a->dim))
 		at -= floor((at - box->lo[a->dim]) / ts_box_length(box, a->dim)) * ts_box_length(box, a->dim);
-	return settle(floor((at - a->lo) * (1 / a->width)), a->n, all || (mixed && c->bound[a->dim][0].given),
-		      all || (mixed && c->bound[a->dim][1].given));
+	return clamp_bin(floor((at - a->lo) * (1 / a->width)), a->n,
+			 all || (mixed && c->bound[a->dim][0].given),
+			 all || (mixed && c->bound[a->dim][1].given));
 }
 
+/* Shell of a point by its distance from the centre, or from the axis of the cylinder. */
 static int64_t shell_of(const struct ts_chunks *c, const double x[3])
 {
 	const struct ts_box *box = &c->sim->domain->box;
@@ -132,8 +134,8 @@ static int64_t shell_of(const struct ts_chunks *c, const double x[3])
 			d -= ts_box_length(box, dim) * rint(d / ts_box_length(box, dim));
 		r2 += d * d;
 	}
-	return settle(floor((sqrt(r2) - c->inner) / width), c->shells, c->discard == TS_DISCARD_YES,
-		      c->discard == TS_DISCARD_YES);
+	return clamp_bin(floor((sqrt(r2) - c->inner) / width), c->shells, c->discard == TS_DISCARD_YES,
+			 c->discard == TS_DISCARD_YES);
 }
 
 int64_t ts_chunk_bin_of(const struct ts_chunks *c, const double x[3])
@@ -155,8 +157,8 @@ int ts_chunks_dimension(const struct ts_chunks *c)
 	return c->naxes + (c->style == TS_CHUNK_SPHERE || c->style == TS_CHUNK_CYLINDER);
 }
 
-/* Numbers of the bin: of the shell first, then along the axes. */
-static void indices(const struct ts_chunks *c, size_t chunk, int64_t index[4])
+/* Indices of a bin from its number: of the shell first, then along the axes; the last varies fastest. */
+static void bin_indices(const struct ts_chunks *c, size_t chunk, int64_t index[4])
 {
 	int64_t bin = (c->compress ? c->original[chunk - 1] : (int64_t)chunk) - 1;
 	int n = ts_chunks_dimension(c), shells = n - c->naxes;
@@ -176,7 +178,7 @@ double ts_chunks_coordinate(const struct ts_chunks *c, size_t chunk, int k)
 	int64_t index[4];
 	double x;
 
-	indices(c, chunk, index);
+	bin_indices(c, chunk, index);
 	if (k < shells)
 		return c->inner + ((double)index[0] + 0.5) * (c->outer - c->inner) / (double)c->shells;
 	a = &c->axis[k - shells];
@@ -186,7 +188,7 @@ double ts_chunks_coordinate(const struct ts_chunks *c, size_t chunk, int k)
 	return x;
 }
 
-/* Between two radii: a part of a ball, or of a disc. */
+/* Volume of a spherical shell, or area of a ring. */
 static double shell_volume(const struct ts_chunks *c, int64_t shell, bool ball)
 {
 	double width = (c->outer - c->inner) / (double)c->shells;
@@ -204,7 +206,7 @@ double ts_chunks_volume(const struct ts_chunks *c, size_t chunk)
 	int64_t index[4];
 
 	if (round) {
-		indices(c, chunk, index);
+		bin_indices(c, chunk, index);
 		volume = shell_volume(c, index[0], c->style == TS_CHUNK_SPHERE && sim->dimension == 3);
 		for (int dim = 0; dim < 3; dim++)
 			done[dim] |= c->style == TS_CHUNK_SPHERE || dim != c->axis[0].dim;

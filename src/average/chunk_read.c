@@ -1,4 +1,4 @@
-/* The words that define chunks. */
+/* Parses the arguments that define chunks. */
 #include <math.h>
 #include <string.h>
 
@@ -18,16 +18,16 @@ static const char *const dims[] = { "x", "y", "z", NULL };
 	TS_ENUM("dim" suffix, struct ts_chunks, axis[k].dim, dims, .flags = TS_POSITIONAL,              \
 		.help = "axis along which there are bins"),                                             \
 		TS_WORD("origin" suffix, struct ts_chunks, axis[k].origin_word, .flags = TS_POSITIONAL, \
-			.help = "where a bin begins: lower, center, upper or a coordinate"),            \
+			.help = "where a bin starts: lower, center, upper or a coordinate"),            \
 		TS_REAL("delta" suffix, struct ts_chunks, axis[k].delta, .flags = TS_POSITIONAL,        \
 			.range = TS_POSITIVE, .unit = "length", .help = "width of the bins")
 #define CENTRE(k, text) \
 	TS_REAL(text, struct ts_chunks, centre[k], .flags = TS_POSITIONAL, .unit = "length", .help = "centre")
 #define RADII                                                                                          \
 	TS_REAL("rmin", struct ts_chunks, inner, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,     \
-		.unit = "length", .help = "where the bins begin"),                                     \
+		.unit = "length", .help = "inner radius of the first shell"),                          \
 		TS_REAL("rmax", struct ts_chunks, outer, .flags = TS_POSITIONAL, .range = TS_POSITIVE, \
-			.unit = "length", .help = "where they end"),                                   \
+			.unit = "length", .help = "outer radius of the last shell"),                   \
 		TS_INT("nbin", struct ts_chunks, shells, .flags = TS_POSITIONAL, .range = TS_WITHIN,   \
 		       .lo = 1, .hi = 1e6, .help = "number of shells")
 
@@ -51,14 +51,14 @@ static const struct {
 };
 enum { NSTYLES = sizeof styles / sizeof *styles };
 
-static enum ts_status refuse(struct tsim *sim, const struct ts_instance *self, const struct ts_word *word,
-			     const char *why)
+static enum ts_status refuse_word(struct tsim *sim, const struct ts_instance *self,
+				  const struct ts_word *word, const char *why)
 {
 	return ts_fail(&sim->error, TS_SYNTAX, word ? &word->place : &self->where, "%s %s: %s",
 		       ts_kind_name(self->style->kind), self->style->name, why);
 }
 
-/* Any number of the particles: their chunks are its whole part. */
+/* A per-particle number: its integer part is the chunk. */
 static enum ts_status read_value(struct ts_instance *self, struct tsim *sim, struct ts_chunks *c)
 {
 	const struct ts_word *word = &c->words.word[0];
@@ -93,22 +93,22 @@ static enum ts_status read_style(struct ts_instance *self, struct tsim *sim, str
 				     c);
 	}
 	TS_TRY(read_value(self, sim, c));
-	return rest.n ? refuse(sim, self, &rest.word[0], "the line should end or go on with a keyword")
+	return rest.n ? refuse_word(sim, self, &rest.word[0], "the line should end or go on with a keyword")
 		      : TS_OK;
 }
 
-/* A length in the units of the chunks. */
-static double length_of(const struct tsim *sim, const struct ts_chunks *c, double given, int dim)
+/* Converts a length from the units of the keyword `units`. */
+static double length_from_units(const struct tsim *sim, const struct ts_chunks *c, double given, int dim)
 {
 	if (c->units == TS_LENGTHS_REDUCED)
 		return given * ts_box_length(&sim->domain->box, dim);
 	return given * ts_domain_scale(sim, c->units == TS_LENGTHS_BOX, dim);
 }
 
-/* A coordinate likewise; reduced ones count from the lower face. */
-static double place_of(const struct tsim *sim, const struct ts_chunks *c, double given, int dim)
+/* Converts a coordinate; reduced ones start at the lower face of the box. */
+static double coordinate_from_units(const struct tsim *sim, const struct ts_chunks *c, double given, int dim)
 {
-	double at = length_of(sim, c, given, dim);
+	double at = length_from_units(sim, c, given, dim);
 
 	return c->units == TS_LENGTHS_REDUCED ? sim->domain->box.lo[dim] + at : at;
 }
@@ -138,16 +138,16 @@ static enum ts_status read_bounds(struct ts_instance *self, struct tsim *sim, st
 		while (dims[dim] && !ts_streq(rest.word[0].text, dims[dim]))
 			dim++;
 		if (rest.n < 3 || !dims[dim])
-			return refuse(sim, self, rest.word, "bound takes x, y or z and two bounds");
+			return refuse_word(sim, self, rest.word, "bound takes x, y or z and two bounds");
 		for (int s = 0; s < 2; s++) {
 			const struct ts_word *word = &rest.word[1 + s];
-			struct ts_chunk_side *side = &c->bound[dim][s];
+			struct ts_chunk_bound *side = &c->bound[dim][s];
 
 			side->given = ts_parse_real(word->text, &side->at);
 			if (!side->given && !ts_streq(word->text, s ? "upper" : "lower"))
-				return refuse(sim, self, word,
-					      s ? "expected a coordinate or upper"
-						: "expected a coordinate or lower");
+				return refuse_word(sim, self, word,
+						   s ? "expected a coordinate or upper"
+						     : "expected a coordinate or lower");
 		}
 	}
 	return TS_OK;
@@ -161,63 +161,63 @@ static enum ts_status read_limit(struct ts_instance *self, struct tsim *sim, str
 	if (!w.n)
 		return TS_OK;
 	if (!ts_parse_int(w.word[0].text, &c->limit) || c->limit < 0 || c->limit > 1000000000)
-		return refuse(sim, self, w.word, "limit takes 0, or a number and max or exact");
+		return refuse_word(sim, self, w.word, "limit takes 0, or a number and max or exact");
 	if (c->limit == 0)
-		return w.n == 1 ? TS_OK : refuse(sim, self, &w.word[1], "limit 0 stands alone");
+		return w.n == 1 ? TS_OK : refuse_word(sim, self, &w.word[1], "limit 0 stands alone");
 	if (w.n != 2 || (!ts_streq(w.word[1].text, "max") && !ts_streq(w.word[1].text, "exact")))
-		return refuse(sim, self, w.word, "limit takes a number and max or exact");
+		return refuse_word(sim, self, w.word, "limit takes a number and max or exact");
 	c->exact = ts_streq(w.word[1].text, "exact");
 	if (bins && !c->compress)
-		return refuse(sim, self, w.word, "of bins there can be a limit only with compress yes");
+		return refuse_word(sim, self, w.word, "of bins there can be a limit only with compress yes");
 	return TS_OK;
 }
 
-static enum ts_status check(struct ts_instance *self, struct tsim *sim, const struct ts_chunks *c)
+static enum ts_status check_geometry(struct ts_instance *self, struct tsim *sim, const struct ts_chunks *c)
 {
 	for (int k = 0; k < c->naxes; k++)
 		for (int j = 0; j < k; j++)
 			if (c->axis[j].dim == c->axis[k].dim)
-				return refuse(sim, self, c->words.word, "the same axis twice");
+				return refuse_word(sim, self, c->words.word, "the same axis twice");
 	if (sim->dimension == 2 && c->style == TS_CHUNK_CYLINDER && c->axis[0].dim != 2)
-		return refuse(sim, self, c->words.word, "in two dimensions cylinders stand along z");
+		return refuse_word(sim, self, c->words.word, "in two dimensions cylinders stand along z");
 	if (c->style != TS_CHUNK_SPHERE && c->style != TS_CHUNK_CYLINDER)
 		return TS_OK;
 	if (!(c->outer > c->inner))
-		return refuse(sim, self, c->words.word, "rmax must be larger than rmin");
+		return refuse_word(sim, self, c->words.word, "rmax must be larger than rmin");
 	return c->units == TS_LENGTHS_REDUCED
-		       ? refuse(sim, self, c->words.word, "spheres and cylinders have no reduced units")
+		       ? refuse_word(sim, self, c->words.word, "spheres and cylinders have no reduced units")
 		       : TS_OK;
 }
 
-/* Words to numbers in the units of the box, for spheres and cylinders once and for all. */
-static void scale(const struct tsim *sim, struct ts_chunks *c)
+/* Converts centre and radii of spheres and cylinders to box units; they do not follow a changing box. */
+static void scale_round_bins(const struct tsim *sim, struct ts_chunks *c)
 {
 	int along = c->style == TS_CHUNK_CYLINDER ? c->axis[0].dim : 3;
 
-	/* of cylinders: along the axes other than theirs, in the order x, y, z */
+	/* c1 and c2 of a cylinder are along the two other axes, in the order x, y, z */
 	for (int k = 0; k < (along < 3 ? 2 : 3); k++)
-		c->centre[k] = place_of(sim, c, c->centre[k], k + (k >= along));
-	c->inner = length_of(sim, c, c->inner, 0);
-	c->outer = length_of(sim, c, c->outer, 0);
+		c->centre[k] = coordinate_from_units(sim, c, c->centre[k], k + (k >= along));
+	c->inner = length_from_units(sim, c, c->inner, 0);
+	c->outer = length_from_units(sim, c, c->outer, 0);
 }
 
-static enum ts_status read_once(struct ts_instance *self, struct tsim *sim, struct ts_chunks *c)
+static enum ts_status parse_definition(struct ts_instance *self, struct tsim *sim, struct ts_chunks *c)
 {
 	TS_TRY(read_style(self, sim, c));
 	for (int k = 0; k < c->naxes; k++)
 		TS_TRY(read_origin(self, sim, &c->axis[k]));
 	TS_TRY(read_bounds(self, sim, c));
 	TS_TRY(read_limit(self, sim, c));
-	TS_TRY(check(self, sim, c));
+	TS_TRY(check_geometry(self, sim, c));
 	if (c->style == TS_CHUNK_SPHERE || c->style == TS_CHUNK_CYLINDER)
-		scale(sim, c);
+		scale_round_bins(sim, c);
 	for (int dim = 0; dim < 3; dim++)
 		for (int s = 0; s < 2; s++)
-			c->bound[dim][s].at = place_of(sim, c, c->bound[dim][s].at, dim);
+			c->bound[dim][s].at = coordinate_from_units(sim, c, c->bound[dim][s].at, dim);
 	return TS_OK;
 }
 
-static enum ts_status add_column(struct ts_instance *self, struct tsim *sim, struct ts_chunks *c)
+static enum ts_status add_chunk_column(struct ts_instance *self, struct tsim *sim, struct ts_chunks *c)
 {
 	struct ts_str name = { 0 };
 	enum ts_status status;
@@ -226,7 +226,7 @@ static enum ts_status add_column(struct ts_instance *self, struct tsim *sim, str
 	status = name.failed ? ts_nomem(&sim->error)
 			     : ts_particles_add_column(sim, ts_str_text(&name), 1, TS_COL_RESULT, &c->column);
 	ts_str_release(&name);
-	/* 0: not yet known; the column may be left over from one that is gone */
+	/* 0: not yet assigned; the column may still exist from a deleted style of the same id */
 	for (size_t i = 0; status == TS_OK && !c->has_column && i < sim->particles->n; i++)
 		((double *)sim->particles->column[c->column].data)[i] = 0;
 	c->has_column = status == TS_OK;
@@ -239,10 +239,10 @@ enum ts_status ts_chunks_init(struct ts_instance *self, struct tsim *sim, struct
 
 	c->sim = sim;
 	if (!c->started)
-		TS_TRY(read_once(self, sim, c));
+		TS_TRY(parse_definition(self, sim, c));
 	c->started = 1;
 	if (c->ids != TS_CHUNK_IDS_EVERY)
-		TS_TRY(add_column(self, sim, c));
+		TS_TRY(add_chunk_column(self, sim, c));
 	if (c->style != TS_CHUNK_VALUE)
 		return TS_OK;
 	snprintf(what, sizeof what, "%s %s", ts_kind_name(self->style->kind), self->style->name);

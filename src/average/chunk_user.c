@@ -20,16 +20,16 @@ void ts_chunk_user_fini(struct ts_instance *self)
 	ts_table_release(&((struct ts_chunk_user *)self->state)->centre);
 }
 
-enum ts_status ts_chunk_user_now(const struct ts_instance *self, struct ts_chunks **chunks)
+enum ts_status ts_chunk_user_assign(const struct ts_instance *self, struct ts_chunks **chunks)
 {
 	const struct ts_chunk_user *user = self->state;
 	struct ts_instance *owner;
 
 	TS_TRY(ts_chunks_find(user->sim, self, user->id, &owner, chunks));
-	return ts_chunks_assign(owner, *chunks, TS_CHUNK_LOOK);
+	return ts_chunks_assign(owner, *chunks, TS_CHUNK_NO_SAMPLE);
 }
 
-static void mass_x(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
+static void mass_moment(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
 {
 	(void)chunk, (void)context;
 	ts_unwrapped(sim, i, term);
@@ -40,7 +40,7 @@ static void mass_x(const struct tsim *sim, size_t i, size_t chunk, const void *c
 enum ts_status ts_chunk_centres(const struct ts_instance *self, const struct ts_chunks *chunks,
 				struct ts_table *out)
 {
-	TS_TRY(ts_chunk_sum(chunks, self->group, 4, mass_x, NULL, out));
+	TS_TRY(ts_chunk_sum(chunks, self->group, 4, mass_moment, NULL, out));
 	for (size_t k = 0; k < out->rows; k++) {
 		double *row = out->data + 4 * k;
 
@@ -55,7 +55,7 @@ enum ts_status ts_chunk_moments(const struct ts_instance *self, size_t width, ts
 {
 	struct ts_chunk_user *user = self->state;
 
-	TS_TRY(ts_chunk_user_now(self, chunks));
+	TS_TRY(ts_chunk_user_assign(self, chunks));
 	TS_TRY(ts_chunk_centres(self, *chunks, &user->centre));
 	return ts_chunk_sum(*chunks, self->group, width, term, &user->centre, out);
 }

@@ -10,8 +10,9 @@ struct state {
 	struct ts_chunk_user user;
 };
 
-/* sum m d x v; the velocity of the centre adds nothing. */
-static void momentum(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
+/* L = sum m d x v; the velocity of the centre of mass cancels in the sum. */
+static void angular_momentum(const struct tsim *sim, size_t i, size_t chunk, const void *context,
+			     double *term)
 {
 	double d[3];
 
@@ -25,7 +26,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct ts_chunks *chunks;
 
 	(void)sim;
-	return ts_chunk_moments(self, 3, momentum, &chunks, out);
+	return ts_chunk_moments(self, 3, angular_momentum, &chunks, out);
 }
 
 static const char *const names[] = { "x", "y", "z", NULL };
@@ -45,9 +46,13 @@ const struct ts_style ts_compute_angmom_chunk = {
 	.name = "angmom/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Angular momentum of each chunk",
-	.doc = "sum m d x v over the particles of the group in each chunk of compute chunk/atom, d from the "
-	       "centre of mass of the\nchunk, positions without periodic wrapping: the spin of the particles "
-	       "themselves is not in it. c_ID[i][1],\nc_ID[i][2], c_ID[i][3] belong to chunk i.",
+	.doc = "Calculates the angular momentum of the particles of the group in each chunk of "
+	       "compute chunk/atom,\n\n"
+	       "    L = sum m d x v\n\n"
+	       "with d the vector from the centre of mass of the chunk, from positions without "
+	       "periodic wrapping. The spin of the particles themselves is not included. "
+	       "c_ID[i][1], c_ID[i][2], c_ID[i][3] are the components for chunk i. See also "
+	       "compute omega/chunk, inertia/chunk.",
 	.example = "compute l all angmom/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Compute: which chunk each particle is in. */
+/* Compute: assigns each particle to a chunk. */
 #include "average/chunk.h"
 #include "particle/particles.h"
 
@@ -6,7 +6,7 @@
 
 struct state {
 	struct ts_chunks chunks;
-	bool fixed; /* static, the older word for ids once */
+	bool fixed; /* keyword static, the older spelling of `ids once` */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -23,7 +23,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct state *s = self->state;
 	size_t n = sim->particles->n;
 
-	TS_TRY(ts_chunks_assign(self, &s->chunks, TS_CHUNK_LOOK));
+	TS_TRY(ts_chunks_assign(self, &s->chunks, TS_CHUNK_NO_SAMPLE));
 	TS_TRY(ts_table_resize(out, n, 1));
 	for (size_t i = 0; i < n; i++)
 		out->data[i] = s->chunks.id[i];
@@ -41,7 +41,7 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_value values[] = {
-	{ "chunk", "", "number of its chunk, from 1; 0: in none", TS_PERATOM, 1, NULL, eval },
+	{ "chunk", "", "chunk number of the particle, from 1; 0: in no chunk", TS_PERATOM, 1, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -51,23 +51,25 @@ static const struct ts_arg args[] = {
 	TS_LIST_STATEFUL("style", struct state, chunks.words,
 			 .help = "bin/1d, bin/2d or bin/3d and for each axis dim origin delta; bin/sphere "
 				 "x y z rmin rmax nbin; bin/cylinder dim origin delta c1 c2 rmin rmax "
-				 "nbin; type; or c_ID, f_ID, v_NAME, whose whole part is the chunk"),
+				 "nbin; type; or c_ID, f_ID, v_NAME, whose integer part is the chunk"),
 	TS_CHUNK_KEYWORDS(struct state),
 	TS_ENUM("nchunk", struct state, chunks.number, ts_chunk_numbers, .fallback = "default",
 		.flags = TS_STATEFUL,
-		.help = "whether the number and place of chunks stay as found first; default: every"),
+		.help = "whether number and position of chunks are determined once or at each evaluation "
+			"(every); default: every"),
 	TS_LIST_KEYWORD("limit", struct state, chunks.limit_words,
 			.flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_STATEFUL,
-			.help = "0: none; N max: at most N chunks; N exact: just N"),
+			.help = "0: no limit; N max: at most N chunks; N exact: exactly N"),
 	TS_ENUM("ids", struct state, chunks.ids, ts_chunk_id_words, .fallback = "every", .flags = TS_STATEFUL,
-		.help = "whether particles are sorted whenever chunks are needed, once, or once in each "
+		.help = "whether particles are assigned to chunks at each evaluation, once, or once for each "
 			"average of a fix (nfreq)"),
 	TS_BOOL("compress", struct state, chunks.compress, .flags = TS_STATEFUL, .fallback = "no",
-		.help = "only chunks that have particles count"),
+		.help = "whether chunks without particles are removed from the numbering"),
 	TS_BOOL("pbc", struct state, chunks.periodic, .flags = TS_STATEFUL, .fallback = "no",
-		.help = "distances from the centre of spheres and cylinders are to the nearest image"),
+		.help = "whether distances from the centre of spheres and cylinders are to the nearest "
+			"periodic image"),
 	TS_BOOL("static", struct state, fixed, .flags = TS_STATEFUL, .fallback = "no",
-		.help = "older word for ids once"),
+		.help = "older spelling of ids once"),
 	TS_ARGS_END,
 };
 
@@ -75,25 +77,22 @@ TS_STYLE(compute, ts_style, ts_compute_chunk_atom)
 const struct ts_style ts_compute_chunk_atom = {
 	.name = "chunk/atom",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Sorts particles into chunks",
-	.doc = "Gives each particle of the group the number of a chunk, from 1 on, or 0 if it is in none. "
-	       "fix ave/chunk and\n"
-	       "the computes with /chunk in their names sum over the particles of each chunk.\n\n"
-	       "Bins along an axis are delta wide; one of them begins at the origin, and they reach just "
-	       "beyond the box, or\n"
-	       "the `bound` of that axis. In 2d and 3d the last axis counts fastest. Shells of spheres and "
-	       "cylinders divide\n"
-	       "rmin to rmax evenly; of cylinders the bins along the axis count fastest, and c1 c2 are the "
-	       "centre along\n"
-	       "the other two axes in alphabetical order. Coordinates across periodic faces are wrapped "
-	       "first. Particles\n"
-	       "beyond the bins are in the nearest one, but with `discard yes`, or beyond a `bound`, in "
-	       "none.\n\n"
-	       "With `compress yes` the chunks that have particles are numbered from 1. `limit` says how "
-	       "many chunks there are\n"
-	       "at most or exactly; of bins only together with `compress yes`; particles of chunks beyond it "
-	       "are in none, with\n"
-	       "`discard no` in the last.",
+	.summary = "Assigns particles to chunks",
+	.doc = "Assigns each particle of the group to a chunk and gives it the number of that "
+	       "chunk, from 1, or 0 if it is in none. fix ave/chunk and the computes with /chunk "
+	       "in their names sum over the particles of each chunk.\n\n"
+	       "Bins along an axis have the width delta. One of them starts at the origin, and "
+	       "they extend to just beyond the box, or the `bound` of that axis. In 2d and 3d the "
+	       "bin index along the last axis varies fastest. The shells of spheres and cylinders "
+	       "divide the range rmin to rmax evenly; for cylinders the bin index along the axis "
+	       "varies fastest, and c1 c2 are the coordinates of the axis along the other two "
+	       "directions in the order x, y, z. Coordinates are wrapped into a periodic box "
+	       "first. Particles outside the bins are in the nearest bin; with `discard yes`, or "
+	       "outside a `bound`, they are in no chunk.\n\n"
+	       "With `compress yes` the chunks that have particles are renumbered from 1. `limit` "
+	       "sets the largest (max) or the exact number of chunks; for bins it requires "
+	       "`compress yes`. Particles in chunks beyond the limit are in no chunk, with "
+	       "`discard no` in the last one.",
 	.example =
 		"compute layers all chunk/atom bin/1d z lower 0.01 units box\n"
 		"compute rings all chunk/atom bin/cylinder z lower 0.1 0 0 0 0.05 10 units box discard yes\n"

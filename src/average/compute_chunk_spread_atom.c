@@ -1,4 +1,4 @@
-/* Compute: gives each particle the numbers of its chunk. */
+/* Compute: spreads values of chunks to their particles. */
 #include "average/chunk_user.h"
 #include "core/ref_list.h"
 #include "particle/particles.h"
@@ -21,8 +21,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 				&s->input);
 }
 
-static enum ts_status spread(struct ts_instance *self, const struct ts_chunks *chunks, size_t k,
-			     struct ts_table *out)
+static enum ts_status spread_input(struct ts_instance *self, const struct ts_chunks *chunks, size_t k,
+				   struct ts_table *out)
 {
 	struct state *s = self->state;
 	const struct ts_ref_input *input = &s->input.item[k];
@@ -49,9 +49,9 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 	TS_TRY(ts_table_resize(out, sim->particles->n, s->input.n));
 	for (size_t k = 0; k < s->input.n; k++) {
-		/* who is evaluated may sort the particles for other chunks */
-		TS_TRY(ts_chunk_user_now(self, &chunks));
-		TS_TRY(spread(self, chunks, k, out));
+		/* evaluating an input may reassign the particles to chunks */
+		TS_TRY(ts_chunk_user_assign(self, &chunks));
+		TS_TRY(spread_input(self, chunks, k, out));
 	}
 	return TS_OK;
 }
@@ -66,7 +66,7 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_value values[] = {
-	{ "values", "", "those of its chunk, one for each input; 0 outside chunks and group", TS_PERATOM, 0,
+	{ "values", "", "values of its chunk, one for each input; 0 outside chunks or group", TS_PERATOM, 0,
 	  NULL, eval },
 	{ .name = NULL },
 };
@@ -74,8 +74,8 @@ static const struct ts_value values[] = {
 static const struct ts_arg args[] = {
 	TS_CHUNK_USER_ARG(struct state),
 	TS_LIST("values", struct state, words,
-		.help = "lists with a number for each chunk: c_ID, f_ID, columns of tables c_ID[k], f_ID[k], "
-			"or v_name of style vector"),
+		.help = "vectors with one number per chunk: c_ID, f_ID, columns of arrays c_ID[k], f_ID[k], "
+			"or vector-style variables v_name"),
 	TS_ARGS_END,
 };
 
@@ -83,11 +83,11 @@ TS_STYLE(compute, ts_style, ts_compute_chunk_spread_atom)
 const struct ts_style ts_compute_chunk_spread_atom = {
 	.name = "chunk/spread/atom",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Gives each particle the numbers of its chunk",
-	.doc = "Each particle of the group has as its numbers those that the chunk has in which compute "
-	       "chunk/atom puts it; particles in no chunk have 0. So the size of a cluster, or the mean "
-	       "velocity of a layer, can colour its particles in a dump, or be used by an atom-style "
-	       "variable.",
+	.summary = "Spreads values of chunks to their particles",
+	.doc = "Gives each particle of the group the values of the chunk to which compute "
+	       "chunk/atom assigns it; particles in no chunk have 0. Thus the size of a cluster, "
+	       "or the mean velocity of a layer, can colour its particles in a dump, or be used in "
+	       "an atom-style variable.",
 	.example = "compute heap all cluster/atom 0.01\n"
 		   "compute heaps all chunk/atom c_heap compress yes\n"
 		   "compute mass all reduce/chunk heaps sum mass\n"

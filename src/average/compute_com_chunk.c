@@ -13,7 +13,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct ts_chunks *chunks;
 
 	(void)sim;
-	TS_TRY(ts_chunk_user_now(self, &chunks));
+	TS_TRY(ts_chunk_user_assign(self, &chunks));
 	TS_TRY(ts_chunk_centres(self, chunks, &user->centre));
 	TS_TRY(ts_table_resize(out, chunks->n, 3));
 	for (size_t k = 0; k < chunks->n; k++)
@@ -39,9 +39,9 @@ const struct ts_style ts_compute_com_chunk = {
 	.name = "com/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Center of mass of each chunk",
-	.doc = "Of the particles of the group in each chunk of compute chunk/atom, with positions without "
-	       "periodic\n"
-	       "wrapping. c_ID[i][1], c_ID[i][2], c_ID[i][3] belong to chunk i; a chunk without particles "
+	.doc = "Calculates the centre of mass of the particles of the group in each chunk of "
+	       "compute chunk/atom, from positions without periodic wrapping. c_ID[i][1], "
+	       "c_ID[i][2], c_ID[i][3] are the coordinates for chunk i; a chunk without particles "
 	       "has 0.",
 	.example = "compute c all com/chunk pieces",
 	.args = args,

@@ -52,14 +52,14 @@ static bool gives(const struct ts_instance *self, const struct ts_value *value)
 
 static const struct ts_value values[] = {
 	{ "radii", "length", "radius of gyration of each chunk", TS_VECTOR, 0, NULL, eval_radius },
-	{ "tensors", "length^2", "with `tensor`: the tensor of each chunk", TS_ARRAY, 6, ts_tensor_names,
-	  eval_tensor },
+	{ "tensors", "length^2", "with `tensor`: the gyration tensor of each chunk", TS_ARRAY, 6,
+	  ts_tensor_names, eval_tensor },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
 	TS_CHUNK_USER_ARG(struct state),
-	TS_FLAG("tensor", struct state, tensor, .help = "the whole tensor instead of the radius"),
+	TS_FLAG("tensor", struct state, tensor, .help = "output the tensor instead of the radius"),
 	TS_ARGS_END,
 };
 
@@ -68,9 +68,10 @@ const struct ts_style ts_compute_gyration_chunk = {
 	.name = "gyration/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Radius of gyration of each chunk",
-	.doc = "As compute gyration, of the particles of the group in each chunk of compute chunk/atom: "
-	       "c_ID[i] is the radius of\nchunk i, or with `tensor` c_ID[i][1] ... c_ID[i][6] are xx, yy, "
-	       "zz, xy, xz, yz. A chunk without particles has 0.",
+	.doc = "As compute gyration, for the particles of the group in each chunk of compute "
+	       "chunk/atom: c_ID[i] is the radius of gyration of chunk i; with `tensor` c_ID[i][1] "
+	       "... c_ID[i][6] are the components xx, yy, zz, xy, xz, yz of the gyration tensor. A "
+	       "chunk without particles has 0.",
 	.example = "compute size all gyration/chunk pieces\ncompute shape all gyration/chunk pieces tensor",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -10,7 +10,7 @@ struct state {
 	struct ts_chunk_user user;
 };
 
-/* LAMMPS has yz before xz here. */
+/* Order of components as in compute inertia/chunk of LAMMPS: yz before xz. */
 static const int first[6] = { 0, 1, 2, 0, 1, 0 }, second[6] = { 0, 1, 2, 1, 2, 2 };
 static const char *const names[] = { "xx", "yy", "zz", "xy", "yz", "xz", NULL };
 
@@ -50,10 +50,13 @@ const struct ts_style ts_compute_inertia_chunk = {
 	.name = "inertia/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Tensor of inertia of each chunk",
-	.doc = "I_ab = sum m (d^2 delta_ab - d_a d_b) over the particles of the group in each chunk of "
-	       "compute chunk/atom, d from\nthe centre of mass of the chunk, positions without periodic "
-	       "wrapping: particles count as points. c_ID[i][1] ...\nc_ID[i][6] are xx, yy, zz, xy, yz, xz "
-	       "of chunk i.",
+	.doc = "Calculates the inertia tensor of the particles of the group in each chunk of "
+	       "compute chunk/atom,\n\n"
+	       "    I_ab = sum m (d^2 delta_ab - d_a d_b)\n\n"
+	       "with d the vector from the centre of mass of the chunk, from positions without "
+	       "periodic wrapping. Particles are point masses: their own moment of inertia is not "
+	       "included. c_ID[i][1] ... c_ID[i][6] are xx, yy, zz, xy, yz, xz for chunk i. See "
+	       "also compute omega/chunk.",
 	.example = "compute i all inertia/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

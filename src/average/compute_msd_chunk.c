@@ -1,11 +1,11 @@
-/* Compute: how far each chunk has come. */
+/* Compute: squared displacement of each chunk. */
 #include "average/chunk_user.h"
 
 #include "base/banned.h"
 
 struct state {
 	struct ts_chunk_user user;
-	double *start; /* saved: centres when the compute was defined */
+	double *start; /* [chunk][3] centres of mass at the start (length); written to restart files */
 	size_t n, capacity;
 	bool started;
 };
@@ -19,7 +19,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (s->started)
 		return TS_OK;
 	s->started = true;
-	TS_TRY(ts_chunk_user_now(self, &chunks));
+	TS_TRY(ts_chunk_user_assign(self, &chunks));
 	TS_TRY(ts_chunk_centres(self, chunks, &s->user.centre));
 	if (TS_GROW(s->start, s->capacity, 3 * chunks->n) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -35,7 +35,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct ts_chunks *chunks;
 
 	(void)sim;
-	TS_TRY(ts_chunk_user_now(self, &chunks));
+	TS_TRY(ts_chunk_user_assign(self, &chunks));
 	if (3 * chunks->n != s->n)
 		return ts_fail(&s->user.sim->error, TS_STATE, &self->where,
 			       "compute msd/chunk: there were %zu chunks at the start, now there are %zu; "
@@ -48,9 +48,9 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 		row[3] = 0;
 		for (size_t d = 0; d < 3; d++) {
-			double way = s->user.centre.data[4 * k + d] - s->start[3 * k + d];
+			double displacement = s->user.centre.data[4 * k + d] - s->start[3 * k + d];
 
-			row[d] = way * way;
+			row[d] = displacement * displacement;
 			row[3] += row[d];
 		}
 	}
@@ -89,10 +89,11 @@ const struct ts_style ts_compute_msd_chunk = {
 	.name = "msd/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Squared displacement of each chunk",
-	.doc = "The square of how far the centre of mass of each chunk of compute chunk/atom has come since "
-	       "this compute was\ndefined, along x, y, z and in all: c_ID[i][1] ... c_ID[i][4] of chunk i. "
-	       "Periodic wrapping does not count. The\nchunks should be of the same particles all the time "
-	       "(`ids once`, or types). The first places are kept in restart\nfiles.",
+	.doc = "Calculates the squared displacement of the centre of mass of each chunk of compute "
+	       "chunk/atom since this compute was defined: c_ID[i][1], c_ID[i][2], c_ID[i][3] "
+	       "along x, y, z, and c_ID[i][4] their sum, for chunk i. Positions are without "
+	       "periodic wrapping. A chunk should consist of the same particles all the time (`ids "
+	       "once`, or chunks by type). The initial positions are saved in restart files.",
 	.example = "compute way all msd/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -25,8 +25,9 @@ static void inertia(const struct tsim *sim, size_t i, size_t chunk, const void *
 	}
 }
 
-/* The tensor of inertia and, behind it, the angular momentum. */
-static void both(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
+/* The six components of the inertia tensor, then the angular momentum. */
+static void inertia_and_momentum(const struct tsim *sim, size_t i, size_t chunk, const void *context,
+				 double *term)
 {
 	double d[3];
 
@@ -42,7 +43,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct ts_chunks *chunks;
 
 	(void)sim;
-	TS_TRY(ts_chunk_moments(self, 9, both, &chunks, &s->sums));
+	TS_TRY(ts_chunk_moments(self, 9, inertia_and_momentum, &chunks, &s->sums));
 	TS_TRY(ts_table_resize(out, chunks->n, 3));
 	for (size_t k = 0; k < chunks->n; k++)
 		ts_symmetric3_solve(s->sums.data + 9 * k, s->sums.data + 9 * k + 6, out->data + 3 * k);
@@ -72,10 +73,12 @@ const struct ts_style ts_compute_omega_chunk = {
 	.name = "omega/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Angular velocity of each chunk",
-	.doc = "omega = I^-1 L with the tensor of inertia of compute inertia/chunk and the angular momentum "
-	       "of compute\n"
-	       "angmom/chunk. About an axis without inertia, as that of two particles, it is 0. c_ID[i][1], "
-	       "c_ID[i][2],\nc_ID[i][3] belong to chunk i.",
+	.doc = "Calculates the angular velocity of each chunk of compute chunk/atom,\n\n"
+	       "    omega = I^-1 L\n\n"
+	       "with the inertia tensor I of compute inertia/chunk and the angular momentum L of "
+	       "compute angmom/chunk. About an axis without inertia, such as that through two "
+	       "particles, it is 0. c_ID[i][1], c_ID[i][2], c_ID[i][3] are the components for "
+	       "chunk i.",
 	.example = "compute w all omega/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Compute: what chunks are. */
+/* Compute: properties of chunks. */
 #include "average/chunk_user.h"
 
 #include "core/name_list.h"
@@ -25,7 +25,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 				 &s->list);
 }
 
-static double number_of(const struct ts_instance *self, const struct ts_chunks *c, size_t chunk, int what)
+static double property_of_chunk(const struct ts_instance *self, const struct ts_chunks *c, size_t chunk,
+				int what)
 {
 	const struct ts_particles *p = c->sim->particles;
 	double n = 0;
@@ -45,7 +46,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct ts_chunks *c;
 
 	(void)sim;
-	TS_TRY(ts_chunk_user_now(self, &c));
+	TS_TRY(ts_chunk_user_assign(self, &c));
 	for (size_t k = 0; k < s->list.n; k++)
 		if (s->list.item[k] - COORD1 >= ts_chunks_dimension(c))
 			return ts_fail(&s->user.sim->error, TS_RANGE, &s->words.word[k].place,
@@ -54,7 +55,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	TS_TRY(ts_table_resize(out, c->n, s->list.n));
 	for (size_t chunk = 1; chunk <= c->n; chunk++)
 		for (size_t k = 0; k < s->list.n; k++)
-			out->data[(chunk - 1) * s->list.n + k] = number_of(self, c, chunk, s->list.item[k]);
+			out->data[(chunk - 1) * s->list.n + k] =
+				property_of_chunk(self, c, chunk, s->list.item[k]);
 	return TS_OK;
 }
 
@@ -70,8 +72,8 @@ static bool gives(const struct ts_instance *self, const struct ts_value *value)
 }
 
 static const struct ts_value values[] = {
-	{ "property", "", "of each chunk, where one word is given", TS_VECTOR, 0, NULL, eval_vector },
-	{ "properties", "", "of each chunk, a column for each word", TS_ARRAY, 0, NULL, eval },
+	{ "property", "", "of each chunk, for a single property", TS_VECTOR, 0, NULL, eval_vector },
+	{ "properties", "", "of each chunk, a column for each property", TS_ARRAY, 0, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -85,10 +87,11 @@ TS_STYLE(compute, ts_style, ts_compute_property_chunk)
 const struct ts_style ts_compute_property_chunk = {
 	.name = "property/chunk",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "What chunks are",
-	.doc = "Of each chunk of compute chunk/atom: count, how many particles of the group are in it; id, "
-	       "its number before\n`compress`; coord1, coord2, coord3, the middle of its bin. c_ID[i] "
-	       "belongs to chunk i; with several words\nc_ID[i][j] is the j-th.",
+	.summary = "Particle count, original number and coordinates of chunks",
+	.doc = "Lists properties of each chunk of compute chunk/atom: count, the number of its "
+	       "particles that are in the group; id, its number before `compress`; coord1, coord2, "
+	       "coord3, the coordinates of the centre of its bin. c_ID[i] is the property of chunk "
+	       "i; with several properties c_ID[i][j] is the j-th.",
 	.example = "compute n all property/chunk layers count coord1",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Compute: one number out of one for each particle. */
+/* Compute: reduces a value of each particle to one number. */
 #include "average/reduce.h"
 #include "math/reduction.h"
 
@@ -17,13 +17,16 @@ TS_STYLE(compute, ts_style, ts_compute_reduce)
 const struct ts_style ts_compute_reduce = {
 	.name = "reduce",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "One number out of one for each particle",
-	.doc = "Over the particles of the group, or over all rows of a local table (contacts, bonds): sum, "
-	       "least (min), largest\n(max), mean (ave), sum and mean of squares (sumsq, avesq), and the "
-	       "same of absolute values (sumabs, aveabs,\nminabs, maxabs). c_ID is that of the first input, "
-	       "c_ID[k] of the k-th. Sums are rounded once and do not\ndepend on the order. Of no values all "
-	       "are 0. With `replace m n` number m is the value of input m where input\nn is least or "
-	       "largest: of several such particles, at that of the smallest id.",
+	.summary = "Sum, minimum, maximum or mean of per-particle or local values",
+	.doc = "Reduces values to a single number, over the particles of the group or over all "
+	       "rows of a local array (contacts, bonds): sum, minimum (min), maximum (max), mean "
+	       "(ave), sum and mean of squares (sumsq, avesq), and the same of absolute values "
+	       "(sumabs, aveabs, minabs, maxabs). c_ID is the result of the first input, c_ID[k] "
+	       "that of the k-th. Sums are exact, rounded once, and do not depend on the order. If "
+	       "there are no values, all results are 0.\n\n"
+	       "With `replace m n` result m is the value of input m at the particle where input n "
+	       "is minimal or maximal; if there are several such particles, at that of the "
+	       "smallest id.",
 	.example = "compute fastest all reduce max vx vy vz\n"
 		   "compute hits all reduce sum c_contacts\n"
 		   "compute where all reduce max c_energy id replace 2 1",

@@ -1,4 +1,4 @@
-/* Compute: one number for each chunk out of one for each of its particles. */
+/* Compute: reduces a value of each particle to one number per chunk. */
 #include "average/chunk_user.h"
 #include "core/ref_list.h"
 #include "math/reduction.h"
@@ -32,8 +32,8 @@ static bool gives(const struct ts_instance *self, const struct ts_value *value)
 	return value->shape == (n == 1 ? TS_VECTOR : TS_ARRAY);
 }
 
-static double reduced(const struct ts_instance *self, const struct ts_chunks *chunks, size_t c,
-		      const double *value)
+static double reduce_chunk(const struct ts_instance *self, const struct ts_chunks *chunks, size_t c,
+			   const double *value)
 {
 	const struct state *s = self->state;
 	struct ts_reduction tally = ts_reduction_start();
@@ -53,12 +53,12 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct ts_chunks *chunks;
 
 	(void)sim;
-	TS_TRY(ts_chunk_user_now(self, &chunks));
+	TS_TRY(ts_chunk_user_assign(self, &chunks));
 	TS_TRY(ts_table_resize(out, chunks->n, s->input.n));
 	for (size_t k = 0; k < s->input.n; k++) {
 		TS_TRY(ts_ref_input_eval(s->user.sim, &s->input.item[k], &s->each));
 		for (size_t c = 1; c <= chunks->n; c++)
-			out->data[(c - 1) * s->input.n + k] = reduced(self, chunks, c, s->each.data);
+			out->data[(c - 1) * s->input.n + k] = reduce_chunk(self, chunks, c, s->each.data);
 	}
 	return TS_OK;
 }
@@ -73,7 +73,7 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_value values[] = {
-	{ "values", "", "of one input, for each chunk", TS_VECTOR, 0, NULL, eval },
+	{ "values", "", "of a single input, for each chunk", TS_VECTOR, 0, NULL, eval },
 	{ "table", "", "of several inputs: a row for each chunk", TS_ARRAY, 0, NULL, eval },
 	{ .name = NULL },
 };
@@ -81,7 +81,7 @@ static const struct ts_value values[] = {
 static const struct ts_arg args[] = {
 	TS_CHUNK_USER_ARG(struct state),
 	TS_ENUM("mode", struct state, mode, ts_reduction_names, .flags = TS_POSITIONAL,
-		.help = "what is made of the values"),
+		.help = "reduction of the values"),
 	TS_LIST("values", struct state, words,
 		.help = "x, vx, radius ..., c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k] or v_name"),
 	TS_ARGS_END,
@@ -91,11 +91,12 @@ TS_STYLE(compute, ts_style, ts_compute_reduce_chunk)
 const struct ts_style ts_compute_reduce_chunk = {
 	.name = "reduce/chunk",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "One number for each chunk out of one for each of its particles",
-	.doc = "As compute reduce, over the particles of the group in each chunk of compute chunk/atom: "
-	       "their sum, least (min), largest (max), mean (ave) and so on. c_ID[i] belongs to chunk i; "
-	       "with several inputs c_ID[i][k], that of input k. Sums are rounded once and do not depend on "
-	       "the order. A chunk without particles of the group has 0.",
+	.summary = "Sum, minimum, maximum or mean of per-particle values over each chunk",
+	.doc = "As compute reduce, over the particles of the group in each chunk of compute "
+	       "chunk/atom: their sum, minimum (min), maximum (max), mean (ave) and so on. c_ID[i] "
+	       "is the result for chunk i; with several inputs c_ID[i][k] is that of input k. Sums "
+	       "are exact, rounded once, and do not depend on the order. A chunk without particles "
+	       "of the group has 0.",
 	.example = "compute heap all cluster/atom 0.01\n"
 		   "compute heaps all chunk/atom c_heap compress yes\n"
 		   "compute mass all reduce/chunk heaps sum mass\n"

@@ -1,4 +1,4 @@
-/* Compute: one number out of one for each particle in a region. */
+/* Compute: reduces a value of each particle in a region to one number. */
 #include "average/reduce.h"
 #include "math/reduction.h"
 
@@ -10,7 +10,7 @@ struct state {
 
 static const struct ts_arg args[] = {
 	TS_REGION("region", struct state, reduce.region, .flags = TS_POSITIONAL,
-		  .help = "where particles count"),
+		  .help = "particles outside are excluded"),
 	TS_REDUCE_ARGS(struct state),
 	TS_ARGS_END,
 };
@@ -19,8 +19,9 @@ TS_STYLE(compute, ts_style, ts_compute_reduce_region)
 const struct ts_style ts_compute_reduce_region = {
 	.name = "reduce/region",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "One number out of one for each particle in a region",
-	.doc = "As compute reduce, over the particles of the group that are in the region now.",
+	.summary = "Sum, minimum, maximum or mean of per-particle values in a region",
+	.doc = "As compute reduce, over the particles of the group that are in the region at the "
+	       "time of evaluation.",
 	.example = "compute fast all reduce/region top max vx vy vz",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -79,7 +79,7 @@ static const struct ts_value values[] = {
 static const struct ts_arg args[] = {
 	INDEX("Nstart", start, "first element"),
 	INDEX("Nstop", stop, "last element"),
-	INDEX("Nskip", skip, "steps between elements"),
+	INDEX("Nskip", skip, "index difference of successive elements"),
 	TS_REST("inputs", struct state, words, .help = "vectors: c_ID, f_ID, v_NAME, or columns c_ID[k]"),
 	TS_ARGS_END,
 };
@@ -89,9 +89,9 @@ const struct ts_style ts_compute_slice = {
 	.name = "slice",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Every n-th element of vectors",
-	.doc = "Takes the elements Nstart, Nstart + Nskip ... up to Nstop of each input. c_ID[i] is the i-th "
-	       "of the first\n"
-	       "input's, c_ID[i][j] the i-th of the j-th input's.",
+	.doc = "Extracts the elements Nstart, Nstart + Nskip ... up to Nstop of each input vector. "
+	       "c_ID[i] is element i of the slice of the first input, c_ID[i][j] element i of that "
+	       "of input j.",
 	.example = "compute tail all slice 50 100 5 c_g[2]",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -39,12 +39,13 @@ static void momentum(const struct tsim *sim, size_t i, size_t chunk, const void 
 		term[d] = term[3] * sim->particles->v[i][d];
 }
 
+/* Context of the term: [chunk][4] momentum and mass. */
 struct frame {
 	const struct ts_table *momentum;
-	bool relative; /* to the centre of mass */
+	bool relative; /* velocities are relative to the centre of mass of the chunk */
 };
 
-static void kinetic(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
+static void kinetic_tensor(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
 {
 	const struct frame *f = context;
 	const double *sum = f->momentum->data + 4 * (chunk - 1);
@@ -57,15 +58,16 @@ static void kinetic(const struct tsim *sim, size_t i, size_t chunk, const void *
 	term[6] = 1;
 }
 
-/* Momenta into user.centre; sum of m u_a u_b and number of particles of each chunk into s->tensor. */
-static enum ts_status tensors(struct ts_instance *self, struct ts_chunks **chunks, bool relative)
+/* For each chunk: momentum and mass into user.centre; sum m u_a u_b (xx, yy, zz, xy, xz, yz) and number of
+ * particles into s->tensor. */
+static enum ts_status sum_tensors(struct ts_instance *self, struct ts_chunks **chunks, bool relative)
 {
 	struct state *s = self->state;
 	struct frame frame = { &s->user.centre, relative };
 
-	TS_TRY(ts_chunk_user_now(self, chunks));
+	TS_TRY(ts_chunk_user_assign(self, chunks));
 	TS_TRY(ts_chunk_sum(*chunks, self->group, 4, momentum, NULL, &s->user.centre));
-	return ts_chunk_sum(*chunks, self->group, 7, kinetic, &frame, &s->tensor);
+	return ts_chunk_sum(*chunks, self->group, 7, kinetic_tensor, &frame, &s->tensor);
 }
 
 static double temperature(const struct tsim *sim, const struct state *s, double twice, double n,
@@ -76,7 +78,7 @@ static double temperature(const struct tsim *sim, const struct state *s, double 
 	return freedom > 0 ? twice / (freedom * ts_boltzmann(sim)) : 0;
 }
 
-static double number_of(const struct tsim *sim, const struct state *s, size_t k, int what)
+static double value_of_chunk(const struct tsim *sim, const struct state *s, size_t k, int what)
 {
 	const double *t = s->tensor.data + 7 * k, *p = s->user.centre.data + 4 * k;
 
@@ -93,11 +95,11 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	for (size_t k = 0; k < s->list.n; k++) {
 		int what = s->list.item[k];
 
-		TS_TRY(tensors(self, &chunks, what == INTERNAL || s->com));
+		TS_TRY(sum_tensors(self, &chunks, what == INTERNAL || s->com));
 		if (k == 0)
 			TS_TRY(ts_table_resize(out, chunks->n, s->list.n));
 		for (size_t c = 0; c < chunks->n; c++)
-			out->data[c * s->list.n + k] = number_of(sim, s, c, what);
+			out->data[c * s->list.n + k] = value_of_chunk(sim, s, c, what);
 	}
 	return TS_OK;
 }
@@ -108,7 +110,7 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 	struct ts_chunks *chunks;
 
 	(void)sim;
-	TS_TRY(tensors(self, &chunks, s->com));
+	TS_TRY(sum_tensors(self, &chunks, s->com));
 	for (size_t k = 0; k < 6; k++) {
 		out->data[k] = 0;
 		for (size_t c = 0; c < chunks->n; c++)
@@ -123,7 +125,7 @@ static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *s
 	double twice = 0, n = 0, used = 0;
 	struct ts_chunks *chunks;
 
-	TS_TRY(tensors(self, &chunks, s->com));
+	TS_TRY(sum_tensors(self, &chunks, s->com));
 	for (size_t c = 0; c < chunks->n; c++) {
 		const double *t = s->tensor.data + 7 * c;
 
@@ -147,9 +149,11 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_value values[] = {
-	{ "temperature", "temperature", "of all particles in chunks", TS_SCALAR, 1, NULL, eval_scalar },
-	{ "tensor", "energy", "sum of m u_a u_b over them", TS_VECTOR, 6, ts_tensor_names, eval_tensor },
-	{ "chunks", "", "of each chunk, a column for each word", TS_ARRAY, 0, NULL, eval },
+	{ "temperature", "temperature", "of all particles in chunks together", TS_SCALAR, 1, NULL,
+	  eval_scalar },
+	{ "tensor", "energy", "sum m u_a u_b over all particles in chunks", TS_VECTOR, 6, ts_tensor_names,
+	  eval_tensor },
+	{ "chunks", "", "of each chunk, a column for each value", TS_ARRAY, 0, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -163,9 +167,9 @@ static const struct ts_arg args[] = {
 	TS_BOOL("com", struct state, com, .fallback = "no",
 		.help = "whether velocities are relative to the centre of mass of the chunk"),
 	TS_REAL("adof", struct state, adof, .flags = TS_OPTIONAL, .unit = "",
-		.help = "degrees of freedom of a particle; else the dimension"),
+		.help = "degrees of freedom per particle; default: the dimension"),
 	TS_REAL("cdof", struct state, cdof, .fallback = "0", .unit = "",
-		.help = "degrees of freedom of a chunk besides; < 0 takes off"),
+		.help = "degrees of freedom added per chunk; may be negative"),
 	TS_ARGS_END,
 };
 
@@ -174,12 +178,15 @@ const struct ts_style ts_compute_temp_chunk = {
 	.name = "temp/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Temperature of chunks",
-	.doc = "Of each chunk of compute chunk/atom, for each word a column: temp, T = sum m u^2 / (k_B "
-	       "(adof N + cdof)); kecom, the\nkinetic energy of its centre of mass; internal, that of the "
-	       "motion relative to it. u is v, with `com yes` the\nvelocity relative to the centre of mass "
-	       "of the chunk. adof is 3, in two dimensions 2, cdof 0. c_ID alone is the\ntemperature of all "
-	       "particles in chunks together, the list c_ID[k] their sums of m u_a u_b for xx, yy, zz, xy, "
-	       "xz,\nyz.",
+	.doc = "Calculates for each chunk of compute chunk/atom a column for each of the values: "
+	       "temp, the temperature\n\n"
+	       "    T = sum m u^2 / (k_B (adof N + cdof))\n\n"
+	       "kecom, the kinetic energy of the motion of the centre of mass; internal, the "
+	       "kinetic energy of the motion relative to it. u is the velocity v of the particle, "
+	       "with `com yes` its velocity relative to the centre of mass of the chunk. The "
+	       "default of adof is 3, in two dimensions 2; that of cdof 0. c_ID alone is the "
+	       "temperature of all particles in chunks together, c_ID[k] their sums of m u_a u_b "
+	       "for xx, yy, zz, xy, xz, yz.",
 	.example = "compute t all temp/chunk layers temp com yes cdof -3",
 	.args = args,
 	.state_size = sizeof(struct state),

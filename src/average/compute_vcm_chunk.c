@@ -23,7 +23,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct ts_chunks *chunks;
 
 	(void)sim;
-	TS_TRY(ts_chunk_user_now(self, &chunks));
+	TS_TRY(ts_chunk_user_assign(self, &chunks));
 	TS_TRY(ts_chunk_sum(chunks, self->group, 4, momentum, NULL, &user->centre));
 	TS_TRY(ts_table_resize(out, chunks->n, 3));
 	for (size_t k = 0; k < chunks->n; k++) {
@@ -53,8 +53,9 @@ const struct ts_style ts_compute_vcm_chunk = {
 	.name = "vcm/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Velocity of the center of mass of each chunk",
-	.doc = "sum m v / sum m over the particles of the group in each chunk of compute chunk/atom. "
-	       "c_ID[i][1], c_ID[i][2],\nc_ID[i][3] belong to chunk i; a chunk without particles has 0.",
+	.doc = "Calculates the velocity of the centre of mass, sum m v / sum m, of the particles "
+	       "of the group in each chunk of compute chunk/atom. c_ID[i][1], c_ID[i][2], "
+	       "c_ID[i][3] are the components for chunk i; a chunk without particles has 0.",
 	.example = "compute v all vcm/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

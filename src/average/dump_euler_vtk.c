@@ -14,7 +14,7 @@ struct state {
 	struct ts_vtk_array array[NARRAYS];
 };
 
-/* Without a name the first there is, as in LIGGGHTS. */
+/* Without an id in the script: the first fix ave/euler, as in LIGGGHTS. */
 static enum ts_status find_owner(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -37,7 +37,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return find_owner(self, sim);
 }
 
-static void fill(struct state *s, const struct ts_euler *euler)
+static void fill_arrays(struct state *s, const struct ts_euler *euler)
 {
 	static const struct {
 		const char *name;
@@ -75,7 +75,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	if (ts_table_resize(&s->vtk.points, euler->ncells, 3) != TS_OK ||
 	    ts_table_resize(&s->vtk.merged, euler->ncells, TS_EULER_COLUMNS) != TS_OK)
 		return ts_nomem(&sim->error);
-	fill(s, euler);
+	fill_arrays(s, euler);
 	poly.points = s->vtk.points.data;
 	poly.npoints = euler->ncells;
 	return ts_dump_vtk_write(self, sim, &poly);
@@ -84,7 +84,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 static const struct ts_arg args[] = {
 	TS_DUMP_VTK_FILE_ARGS(struct state),
 	TS_WORD("fix", struct state, fix, .flags = TS_POSITIONAL | TS_OPTIONAL,
-		.help = "id of the fix ave/euler; without: the first one"),
+		.help = "ID of the fix ave/euler; default: the first one"),
 	TS_ARGS_END,
 };
 
@@ -95,10 +95,10 @@ const struct ts_style ts_dump_euler_vtk = {
 	.name = "euler/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "The cells of fix ave/euler as points for ParaView",
-	.doc = "A point in the middle of each cell, with the values of the last evaluation: v_avg, "
-	       "volumefraction, radius, pressure, count, mass, and stress (xx yy zz xy xz yz). Files as with "
-	       "dump custom/vtk; .vtk as text is of version 2.0, with SCALARS and VECTORS as LIGGGHTS writes "
-	       "them.",
+	.doc = "Writes a point at the centre of each cell of fix ave/euler with the values of its "
+	       "last evaluation: v_avg, volumefraction, radius, pressure, count, mass, and stress "
+	       "(xx yy zz xy xz yz). File formats are those of dump custom/vtk; text files .vtk "
+	       "are of version 2.0, with SCALARS and VECTORS as LIGGGHTS writes them.",
 	.example = "fix cells all ave/euler nevery 1000 cell_size_relative 4 parallel no\n"
 		   "dump cells all euler/vtk 1000 post/cells*.vtk",
 	.args = args,

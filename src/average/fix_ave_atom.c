@@ -1,4 +1,4 @@
-/* Fix ave/atom: averages over time of numbers of each particle. */
+/* Fix ave/atom: time averages of per-particle values. */
 #include "average/average.h"
 #include "core/ref_list.h"
 
@@ -6,9 +6,10 @@
 
 #include "base/banned.h"
 
-/* Sums and results live in a column of the particles: for each value first the sum, then the average. */
+/* Sums and results are a column of the particles, so that they follow them: the sums of all values, then
+ * the averages. */
 struct state {
-	struct ts_average average; /* only its steps */
+	struct ts_average average; /* only its counting of samples is used */
 	struct ts_words words;
 	struct ts_ref_list input;
 	struct ts_table one;
@@ -16,14 +17,14 @@ struct state {
 	bool cleared;
 };
 
-static double *row_of(const struct tsim *sim, const struct state *s, size_t i)
+static double *sums_of(const struct tsim *sim, const struct state *s, size_t i)
 {
 	const struct ts_column *c = &sim->particles->column[s->column];
 
 	return (double *)c->data + i * c->width;
 }
 
-static enum ts_status add_column(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_sum_column(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	size_t width = 2 * s->input.n;
@@ -35,10 +36,10 @@ static enum ts_status add_column(struct ts_instance *self, struct tsim *sim)
 			 ? ts_nomem(&sim->error)
 			 : ts_particles_add_column(sim, ts_str_text(&name), width, TS_COL_RESULT, &s->column);
 	ts_str_release(&name);
-	/* a column of this name may be left over from a fix that is gone */
+	/* the column may still exist from a deleted fix of the same id */
 	for (size_t i = 0; status == TS_OK && !s->cleared && i < sim->particles->n; i++)
 		for (size_t k = 0; k < width; k++)
-			row_of(sim, s, i)[k] = 0;
+			sums_of(sim, s, i)[k] = 0;
 	s->cleared = status == TS_OK;
 	return status;
 }
@@ -49,7 +50,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_average_init(self, sim, &s->average));
 	TS_TRY(ts_ref_list_init(sim, "fix ave/atom", &self->arena, s->words, TS_WANT(PERATOM), &s->input));
-	return add_column(self, sim);
+	return add_sum_column(self, sim);
 }
 
 static enum ts_status sample(struct ts_instance *self, struct tsim *sim)
@@ -65,7 +66,7 @@ static enum ts_status sample(struct ts_instance *self, struct tsim *sim)
 	for (size_t k = 0; k < m; k++) {
 		TS_TRY(ts_ref_input_eval(sim, &s->input.item[k], &s->one));
 		for (size_t i = 0; i < p->n; i++) {
-			double *sum = row_of(sim, s, i) + k;
+			double *sum = sums_of(sim, s, i) + k;
 
 			*sum = (first ? 0 : *sum) + (ts_in_group(p, i, self->group) ? s->one.data[i] : 0);
 			if (last)
@@ -88,7 +89,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	TS_TRY(ts_table_resize(out, n, m));
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < m; k++)
-			out->data[i * m + k] = row_of(sim, s, i)[m + k];
+			out->data[i * m + k] = sums_of(sim, s, i)[m + k];
 	return TS_OK;
 }
 
@@ -125,14 +126,12 @@ TS_STYLE(fix, ts_style, ts_fix_ave_atom)
 const struct ts_style ts_fix_ave_atom = {
 	.name = "ave/atom",
 	.kind = TS_KIND_FIX,
-	.summary = "Averages over time of numbers of each particle",
-	.doc = "Every Nfreq steps, for each particle of the group, the mean of Nrepeat samples, Nevery steps "
-	       "apart, the last\n"
-	       "at the step itself. f_ID[k] is that of the k-th value, f_ID that of a single one; 0 before "
-	       "the first\n"
-	       "average. A particle that comes in the middle of an average counts 0 for the samples it has "
-	       "missed. Averages\n"
-	       "under way are saved in restart files.",
+	.summary = "Time averages of per-particle values",
+	.doc = "Calculates every Nfreq steps, for each particle of the group, the mean of Nrepeat "
+	       "samples taken Nevery steps apart, the last at that step. f_ID[k] is the average of "
+	       "value k, f_ID that of a single value; 0 before the first average. For a particle "
+	       "that is inserted in the middle of an average, the missed samples count as 0. "
+	       "Averages in progress are saved in restart files.",
 	.example = "fix slow all ave/atom 10 100 1000 vx vy vz\ndump d all custom 1000 post/slow*.txt id "
 		   "f_slow[1]",
 	.args = args,

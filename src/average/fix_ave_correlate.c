@@ -1,4 +1,4 @@
-/* Fix ave/correlate: how numbers at one time go with numbers later. */
+/* Fix ave/correlate: time correlation functions of global values. */
 #include "core/ref_list.h"
 #include "core/sim.h"
 #include "io/textfile.h"
@@ -18,23 +18,25 @@ struct state {
 	const char *file, *title[3];
 	bool overwrite;
 	struct ts_ref_list input;
-	size_t (*pair)[2], npairs;
+	size_t (*pair)[2], npairs; /* [npairs] indices of the inputs V_i, V_j */
 	struct ts_textfile out;
 	struct ts_str text;
 
-	/* saved */
-	int64_t started, last; /* step of the last sample */
-	int64_t samples;       /* in the ring, at most `repeat`; the newest is number `newest` */
-	int64_t newest;
-	double *ring;	/* input k of sample j at [j * inputs + k] */
-	double *sum;	/* of pair k at lag j at [j * pairs + k] */
-	double *count;	/* of lag j */
-	double *result; /* lag, count, then the pairs */
+	/* state, written to restart files */
+	int64_t started; /* 1: the arrays exist */
+	int64_t last;	 /* step of the last sample */
+	int64_t samples; /* in the ring buffer, at most Nrepeat */
+	int64_t newest;	 /* index of the newest of them */
+	double *ring;	 /* [Nrepeat][inputs] ring buffer of samples */
+	double *sum;	 /* [lag][npairs] of V_i(t) V_j(t + lag) */
+	double *count;	 /* [lag] number of products */
+	double *result;	 /* [lag][2 + npairs] lag in steps, count, correlations */
 	size_t ring_n, sum_n, count_n, result_n;
 	size_t ring_capacity, sum_capacity, count_capacity, result_capacity;
 };
 
-static bool wanted(int type, size_t i, size_t j)
+/* Whether the keyword `type` includes the pair V_i, V_j. */
+static bool type_includes(int type, size_t i, size_t j)
 {
 	switch (type) {
 	case AUTO:
@@ -62,7 +64,7 @@ static enum ts_status list_pairs(struct ts_instance *self, struct tsim *sim)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < n; i++)
 		for (size_t j = 0; j < n; j++)
-			if (wanted(s->type, i, j)) {
+			if (type_includes(s->type, i, j)) {
 				s->pair[s->npairs][0] = i;
 				s->pair[s->npairs++][1] = j;
 			}
@@ -107,8 +109,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return make_room(s, sim);
 }
 
-/* The newest sample with itself and with all older ones in the ring: V_i(t) V_j(t + lag). */
-static void accumulate(struct state *s)
+/* Adds V_i(t) V_j(t + lag) for t + lag the newest sample and t each sample in the ring buffer. */
+static void add_products(struct state *s)
 {
 	size_t n = s->input.n, lags = (size_t)s->repeat;
 	const double *now = s->ring + (size_t)s->newest * n;
@@ -122,7 +124,7 @@ static void accumulate(struct state *s)
 	}
 }
 
-static void conclude(struct state *s)
+static void compute_correlations(struct state *s)
 {
 	for (size_t lag = 0; lag < (size_t)s->repeat; lag++) {
 		double *row = s->result + lag * (s->npairs + 2);
@@ -192,15 +194,15 @@ static enum ts_status sample(struct ts_instance *self, struct tsim *sim)
 	s->newest = (s->newest + 1) % s->repeat;
 	s->samples += s->samples < s->repeat;
 	TS_TRY(ts_ref_list_scalars(sim, &s->input, s->ring + (size_t)s->newest * s->input.n));
-	accumulate(s);
+	add_products(s);
 	if (step % s->freq != 0)
 		return TS_OK;
-	conclude(s);
-	if (s->ave == ONE) { /* the next average begins with this sample */
+	compute_correlations(s);
+	if (s->ave == ONE) { /* this sample is also the first of the next average */
 		memset(s->sum, 0, s->sum_n * sizeof *s->sum);
 		memset(s->count, 0, s->count_n * sizeof *s->count);
 		s->samples = 1;
-		accumulate(s);
+		add_products(s);
 	}
 	return write_result(self, sim);
 }
@@ -258,20 +260,20 @@ static const char *const averages[] = { [ONE] = "one", [RUNNING] = "running", NU
 	       .lo = 1, .hi = 1e9, .help = help_)
 static const struct ts_arg args[] = {
 	STEPS("Nevery", every, "steps between samples"),
-	STEPS("Nrepeat", repeat, "how many lags: 0, Nevery, 2 Nevery ..."),
+	STEPS("Nrepeat", repeat, "number of lags: 0, Nevery, 2 Nevery ..."),
 	STEPS("Nfreq", freq, "steps between results"),
 	TS_LIST_STATEFUL("values", struct state, words,
 			 .help = "c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k], v_NAME or thermo keywords"),
 	TS_ENUM("type", struct state, type, types, .flags = TS_STATEFUL, .fallback = "auto",
-		.help = "which pairs: each value with itself, those above or below the diagonal, or all"),
+		.help = "pairs ij to correlate: i = j (auto), i < j (upper), i > j (lower), or all (full)"),
 	TS_ENUM("ave", struct state, ave, averages, .flags = TS_STATEFUL, .fallback = "one",
-		.help = "one: each result is of the samples since the one before; running: of all"),
+		.help = "one: each result is from the samples since the previous one; running: from all"),
 	TS_INT("start", struct state, start, .flags = TS_STATEFUL, .range = TS_NOT_NEGATIVE, .fallback = "0",
 	       .help = "no samples before this step"),
 	TS_REAL("prefactor", struct state, prefactor, .flags = TS_STATEFUL, .fallback = "1",
-		.help = "factor of the results"),
+		.help = "factor by which the results are multiplied"),
 	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL | TS_WRITES, .help = "file to write"),
-	TS_FLAG("overwrite", struct state, overwrite, .help = "the file has the last result only"),
+	TS_FLAG("overwrite", struct state, overwrite, .help = "the file holds only the last result"),
 	TS_WORD("title1", struct state, title[0], .flags = TS_OPTIONAL, .help = "first line of the file"),
 	TS_WORD("title2", struct state, title[1], .flags = TS_OPTIONAL, .help = "second line of the file"),
 	TS_WORD("title3", struct state, title[2], .flags = TS_OPTIONAL, .help = "third line of the file"),
@@ -281,7 +283,7 @@ static const struct ts_arg args[] = {
 static const struct ts_value values[] = {
 	{ .name = "correlations",
 	  .unit = "",
-	  .help = "a row for each lag: the lag in steps, how many products, then their mean for each "
+	  .help = "a row for each lag: the lag in steps, number of products, then their mean for each "
 		  "pair of values",
 	  .shape = TS_ARRAY,
 	  .eval = eval },
@@ -300,14 +302,13 @@ TS_STYLE(fix, ts_style, ts_fix_ave_correlate)
 const struct ts_style ts_fix_ave_correlate = {
 	.name = "ave/correlate",
 	.kind = TS_KIND_FIX,
-	.summary = "Correlates numbers in time",
-	.doc = "C_ij(lag) is the mean of V_i(t) V_j(t + lag) over all samples taken, times the prefactor. "
-	       "Every Nfreq\n"
-	       "steps the results are renewed and written to the file; with `ave one` counting then begins "
-	       "again\n"
-	       "with the sample of that step. trap(f_ID[3]) is the integral of the first correlation in "
-	       "units of\n"
-	       "Nevery steps.",
+	.summary = "Time correlation functions of global values",
+	.doc = "Calculates the time correlation functions of pairs of values,\n\n"
+	       "    C_ij(lag) = prefactor < V_i(t) V_j(t + lag) >\n\n"
+	       "where < > is the mean over all samples. Every Nfreq steps the results are updated "
+	       "and written to the file; with `ave one` the sums are then set to zero, and the "
+	       "sample of that step is the first of the next result. trap(f_ID[3]) is the integral "
+	       "of the first correlation over the lag in units of Nevery steps.",
 	.example = "fix memory all ave/correlate 5 20 1000 c_force[1] c_force[2] type auto ave running file "
 		   "acf.txt",
 	.args = args,

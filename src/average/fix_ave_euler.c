@@ -1,4 +1,4 @@
-/* Fix ave/euler: what particles are like in each cell of a grid. */
+/* Fix ave/euler: averages of particles over the cells of a grid that fills the box. */
 #include "average/euler.h"
 #include "box/domain.h"
 #include "contact/contact_view.h"
@@ -13,8 +13,8 @@
 
 #include "base/banned.h"
 
-enum { SAMPLES = 16 /* per edge, to find how much of a cell is in the region */ };
-static const double LEAST = 0.02; /* as LIGGGHTS: of a cell at least so much counts */
+enum { SAMPLES = 16 /* points along an edge of a cell, to measure its part in the region */ };
+static const double LEAST = 0.02; /* smallest part of a cell that is its volume, as in LIGGGHTS */
 
 struct state {
 	struct ts_euler euler;
@@ -22,15 +22,15 @@ struct state {
 	double relative;
 	bool parallel;
 	struct ts_instance *region;
-	int64_t done; /* saved: one more than the step of these values */
-	double lo[3], size[3];
-	double *share; /* of each cell: the part that counts as its volume */
-	size_t share_capacity;
+	int64_t done;	       /* 1 + step of the last evaluation, 0: none; written to restart files */
+	double lo[3], size[3]; /* lower corner of the grid, edges of a cell (length) */
+	double *inside;	       /* [cell] part of the cell that is in basevolume_region, at least LEAST */
+	size_t inside_capacity;
 	int32_t *start, *list; /* particles of cell c: list[start[c]] .. list[start[c + 1] - 1] */
 	size_t start_capacity, list_capacity;
 };
 
-/* Cells are at least so many times the reach of a contact. */
+/* Number of cells: their edges are at least cell_size_relative diameters of the largest particle. */
 static void choose_grid(struct state *s, const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
@@ -47,8 +47,8 @@ static void choose_grid(struct state *s, const struct tsim *sim)
 	s->euler.ncells = (size_t)(s->euler.n[0] * s->euler.n[1] * s->euler.n[2]);
 }
 
-/* Which part of a cell is in the region: of SAMPLES^3 points, the middles of as many small cells. */
-static double part_inside(const struct state *s, const double corner[3])
+/* Part of a cell that is in the region, from SAMPLES^3 points at the centres of equal sub-cells. */
+static double region_part(const struct state *s, const double corner[3])
 {
 	size_t inside = 0;
 	double x[3];
@@ -76,11 +76,11 @@ static void place_cells(struct state *s)
 			cell[TS_EULER_X + d] = corner[d] + 0.5 * s->size[d];
 			rest /= (size_t)s->euler.n[d];
 		}
-		s->share[c] = s->region ? part_inside(s, corner) : 1;
+		s->inside[c] = s->region ? region_part(s, corner) : 1;
 	}
 }
 
-/* The grid fills the box as it is now. */
+/* Fits the grid to the current box; the region may move. */
 static enum ts_status fit_grid(struct state *s, struct tsim *sim)
 {
 	const struct ts_box *box = &sim->domain->box;
@@ -95,7 +95,7 @@ static enum ts_status fit_grid(struct state *s, struct tsim *sim)
 	}
 	s->euler.size = s->euler.ncells * TS_EULER_COLUMNS;
 	if (TS_GROW(s->euler.cell, s->euler.capacity, s->euler.size) != TS_OK ||
-	    TS_GROW(s->share, s->share_capacity, s->euler.ncells) != TS_OK ||
+	    TS_GROW(s->inside, s->inside_capacity, s->euler.ncells) != TS_OK ||
 	    TS_GROW(s->start, s->start_capacity, s->euler.ncells + 2) != TS_OK ||
 	    TS_GROW(s->list, s->list_capacity, sim->particles->n) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -112,13 +112,14 @@ static size_t cell_of(const struct state *s, const double x[3])
 	for (int d = 2; d >= 0; d--) {
 		double at = floor((x[d] - s->lo[d]) / s->size[d]), last = (double)(s->euler.n[d] - 1);
 
-		at = at >= 0 ? fmin(at, last) : 0; /* also where it is not a number */
+		at = at >= 0 ? fmin(at, last) : 0; /* x may be NaN */
 		cell = cell * (size_t)s->euler.n[d] + (size_t)at;
 	}
 	return cell;
 }
 
-/* Counting sort by cell, in each in the order of identities: sums have one order. */
+/* Counting sort by cell; within a cell particles are sorted by id, so that sums do not depend on the order in
+ * memory. */
 static enum ts_status sort_particles(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -142,7 +143,7 @@ static enum ts_status sort_particles(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Volume of a particle: of a sphere, in two dimensions the area of a disc. */
+/* Volume of a sphere, in two dimensions area of a disc. */
 static double volume_of(const struct tsim *sim, size_t i)
 {
 	double r = sim->particles->radius[i];
@@ -150,8 +151,8 @@ static double volume_of(const struct tsim *sim, size_t i)
 	return sim->dimension == 2 ? TS_PI * r * r : 4 * TS_PI / 3 * r * r * r;
 }
 
-/* Means of count, mass, velocity, radius; the volume of all in TS_EULER_FRACTION. */
-static void add_means(const struct state *s, const struct tsim *sim, size_t c, double *cell)
+/* Count, mass, mass-weighted velocity, mean radius; the volume of the particles in TS_EULER_FRACTION. */
+static void compute_means(const struct state *s, const struct tsim *sim, size_t c, double *cell)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -172,8 +173,9 @@ static void add_means(const struct state *s, const struct tsim *sim, size_t c, d
 		cell[TS_EULER_V + d] /= cell[TS_EULER_MASS];
 }
 
-/* stress = -1/V sum (m (v - vmean)(v - vmean) + virial of the particle) */
-static void add_stress(const struct state *s, const struct tsim *sim, size_t c, double volume, double *cell)
+/* stress = -1/V sum (m (v - v_mean)(v - v_mean) + W), W the virial of the particle from contacts and bonds */
+static void compute_stress(const struct state *s, const struct tsim *sim, size_t c, double volume,
+			   double *cell)
 {
 	static const struct ts_virial_parts parts = { .pair = true, .bond = true };
 	const struct ts_particles *p = sim->particles;
@@ -197,7 +199,7 @@ static void add_stress(const struct state *s, const struct tsim *sim, size_t c, 
 				  sim->dimension;
 }
 
-static enum ts_status find_values(struct ts_instance *self, struct tsim *sim)
+static enum ts_status evaluate_cells(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
@@ -205,19 +207,19 @@ static enum ts_status find_values(struct ts_instance *self, struct tsim *sim)
 	if (!s->euler.ncells)
 		choose_grid(s, sim);
 	if (!s->euler.ncells)
-		return TS_OK; /* there were never particles */
+		return TS_OK; /* no particles so far: no grid */
 	TS_TRY(fit_grid(s, sim));
 	TS_TRY(sort_particles(self, sim));
 	for (size_t c = 0; c < s->euler.ncells; c++) {
-		double *cell = s->euler.cell + c * TS_EULER_COLUMNS, volume = s->share[c];
+		double *cell = s->euler.cell + c * TS_EULER_COLUMNS, volume = s->inside[c];
 
 		for (int d = 0; d < sim->dimension; d++)
 			volume *= s->size[d];
 		for (int k = TS_EULER_V; k < TS_EULER_COLUMNS; k++)
 			cell[k] = 0;
-		add_means(s, sim, c, cell);
+		compute_means(s, sim, c, cell);
 		cell[TS_EULER_FRACTION] /= volume;
-		add_stress(s, sim, c, volume, cell);
+		compute_stress(s, sim, c, volume, cell);
 	}
 	return TS_OK;
 }
@@ -229,19 +231,19 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_domain_require(sim, &self->where);
 }
 
-/* A run that goes on has the values of the step before. */
+/* A continued run, or one from a restart file, keeps the values of this step. */
 static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 
 	return s->done == 0 || (s->done != sim->clock.step + 1 && sim->clock.step % s->every == 0)
-		       ? find_values(self, sim)
+		       ? evaluate_cells(self, sim)
 		       : TS_OK;
 }
 
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
-	return sim->clock.step % self->every == 0 ? find_values(self, sim) : TS_OK;
+	return sim->clock.step % self->every == 0 ? evaluate_cells(self, sim) : TS_OK;
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -270,7 +272,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	e->ncells = e->size / TS_EULER_COLUMNS;
 	if (ts_archive_writing(a))
 		return TS_OK;
-	return TS_GROW(s->share, s->share_capacity, e->ncells) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+	return TS_GROW(s->inside, s->inside_capacity, e->ncells) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
 static void fini(struct ts_instance *self)
@@ -278,7 +280,7 @@ static void fini(struct ts_instance *self)
 	struct state *s = self->state;
 
 	ts_free(s->euler.cell);
-	ts_free(s->share);
+	ts_free(s->inside);
 	ts_free(s->start);
 	ts_free(s->list);
 }
@@ -288,7 +290,8 @@ static const char *const names[] = { "x",      "y",	   "z",	    "vx",   "vy",  "
 				     "sxy",    "sxz",	   "syz",   NULL };
 
 static const struct ts_value values[] = {
-	{ "cells", "", "a row for each cell, x counts fastest", TS_ARRAY, TS_EULER_COLUMNS, names, eval },
+	{ "cells", "", "a row for each cell, the x index varying fastest", TS_ARRAY, TS_EULER_COLUMNS, names,
+	  eval },
 	{ .name = NULL },
 };
 
@@ -299,11 +302,12 @@ static const struct ts_arg args[] = {
 	TS_INT("nevery", struct state, every, .flags = TS_STATEFUL, .range = TS_POSITIVE,
 	       .help = "steps between evaluations"),
 	TS_REAL("cell_size_relative", struct state, relative, .flags = TS_STATEFUL, .range = TS_POSITIVE,
-		.unit = "", .help = "least size of a cell, in diameters of the largest particle"),
+		.unit = "", .help = "smallest edge of a cell, in diameters of the largest particle"),
 	TS_BOOL("parallel", struct state, parallel, .fallback = "no",
 		.help = "no effect: there is one process, and one grid that fills the box"),
 	TS_REGION("basevolume_region", struct state, region, .flags = TS_OPTIONAL | TS_STATEFUL,
-		  .help = "only the part of a cell inside is its volume, but at least 0.02 of it"),
+		  .help = "only the part of a cell inside the region is its volume, but at least 0.02 of the "
+			  "cell"),
 	TS_ARGS_END,
 };
 
@@ -311,21 +315,23 @@ TS_STYLE(fix, ts_style, ts_fix_ave_euler)
 const struct ts_style ts_fix_ave_euler = {
 	.name = "ave/euler",
 	.kind = TS_KIND_FIX,
-	.summary = "Velocity, volume fraction, pressure ... in the cells of a grid",
-	.doc = "The box is divided into cells of equal size, the smallest not below cell_size_relative "
-	       "diameters of the largest particle there is when the first values are found; then their "
-	       "number stays. For the particles of the group whose centres are in a cell of volume V, every "
-	       "nevery steps:\n\n"
-	       "    v = sum m v / sum m\n"
+	.summary = "Averages velocity, volume fraction, stress ... over the cells of a grid",
+	.doc = "Divides the box into cells of equal size. Their edges are at least "
+	       "cell_size_relative diameters of the largest particle present at the first "
+	       "evaluation; after that the number of cells is fixed, and their size follows the "
+	       "box. Every nevery steps, for the particles of the group whose centres are in a "
+	       "cell of volume V:\n\n"
+	       "    v = sum m v_i / sum m\n"
 	       "    volumefraction = sum 4/3 pi R^3 / V\n"
 	       "    radius = mean R\n"
 	       "    stress = -1/V sum (m (v_i - v)(v_i - v) + 1/2 sum (x_i - x_j) F_ij)\n"
 	       "    pressure = -1/3 trace of the stress\n\n"
-	       "with F_ij the force of a contact or bond with particle j; walls do not count. Cells without "
-	       "particles have 0. In two dimensions areas take the place of volumes. Values are those of the "
-	       "last evaluation: f_ID[i][k] is number k of cell i, in the order centre (3), velocity (3), "
-	       "volumefraction, radius, pressure, number of particles, mass, stress xx yy zz xy xz yz. `dump "
-	       "euler/vtk` writes them.",
+	       "with F_ij the force of a contact or bond with particle j; contacts with walls are "
+	       "not included. Cells without particles have 0. In two dimensions areas replace "
+	       "volumes, and the pressure is -1/2 of the trace. f_ID[i][k] is quantity k of cell i "
+	       "at the last evaluation, in the order centre (3), velocity (3), volumefraction, "
+	       "radius, pressure, number of particles, mass, stress xx yy zz xy xz yz. `dump "
+	       "euler/vtk` writes them to files.",
 	.example = "fix cells all ave/euler nevery 1000 cell_size_relative 4 parallel no\n"
 		   "dump cells all euler/vtk 1000 post/cells*.vtk",
 	.args = args,

@@ -1,4 +1,4 @@
-/* Fix ave/histo: histograms of values, over time. */
+/* Fix ave/histo: histograms of values over time. */
 #include "average/histogram.h"
 
 #include "base/banned.h"
@@ -23,16 +23,19 @@ TS_STYLE(fix, ts_style, ts_fix_ave_histo)
 const struct ts_style ts_fix_ave_histo = {
 	.name = "ave/histo",
 	.kind = TS_KIND_FIX,
-	.summary = "Histograms of values, over time",
-	.doc = "Every Nfreq steps a histogram of all numbers the values had in Nrepeat samples, Nevery steps "
-	       "apart, the last at the\nstep itself: those of the particles of the group, elements of "
-	       "vectors, rows of local tables; with `mode scalar`\nsingle numbers. Nbin bins divide lo to "
-	       "hi; hi itself is in the last one. Values outside, and those that are no\nnumbers, are "
-	       "missing, or with `beyond end` in the outermost bins, or with `beyond extra` in one bin more "
-	       "on\neither side. `ave running` and `window` add up histograms. f_ID[1] is the count in all "
-	       "bins, f_ID[2] the missing\nones, f_ID[3] and f_ID[4] the least and largest value; "
-	       "f_ID[i][1], f_ID[i][2], f_ID[i][3] are middle, count\n"
-	       "and part of the total of bin i. Histograms under way are saved in restart files.",
+	.summary = "Histograms of values over time",
+	.doc = "Calculates every Nfreq steps a histogram of all numbers that the values have in "
+	       "Nrepeat samples taken Nevery steps apart, the last at that step: numbers of the "
+	       "particles of the group, elements of vectors, rows of local arrays; with `mode "
+	       "scalar` global scalars. Nbin bins divide the range lo to hi evenly; hi itself "
+	       "belongs to the last bin. Values outside the range, and those that are not a "
+	       "number, are counted as missing; with `beyond end` values outside are counted in "
+	       "the first or last bin, with `beyond extra` in one additional bin on either side. "
+	       "`ave running` and `ave window` add histograms up.\n\n"
+	       "f_ID[1] is the total count in all bins, f_ID[2] that of missing values, f_ID[3] "
+	       "and f_ID[4] are the smallest and largest value; f_ID[i][1], f_ID[i][2], f_ID[i][3] "
+	       "are the centre, the count, and the fraction of the total of bin i. Histograms in "
+	       "progress are saved in restart files.",
 	.example = "fix speeds all ave/histo 10 100 1000 0 2.5 50 v_speed file post/speeds.txt",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Fix ave/histo/weight: histograms of weighted values, over time. */
+/* Fix ave/histo/weight: histograms of weighted values over time. */
 #include "average/histogram.h"
 
 #include "base/banned.h"
@@ -18,7 +18,7 @@ static const struct ts_arg window_row[] = { TS_AVERAGE_WINDOW_ROW(struct state, 
 static const struct ts_mode combinations[] = TS_AVERAGE_MODES;
 
 static const struct ts_arg args[] = {
-	TS_HISTOGRAM_ARGS(struct state, "two values: what is sorted into bins, and its weight"),
+	TS_HISTOGRAM_ARGS(struct state, "two values: the one to be binned, and its weight"),
 	TS_ARGS_END,
 };
 
@@ -29,9 +29,9 @@ TS_STYLE(fix, ts_style, ts_fix_ave_histo_weight)
 const struct ts_style ts_fix_ave_histo_weight = {
 	.name = "ave/histo/weight",
 	.kind = TS_KIND_FIX,
-	.summary = "Histograms of weighted values, over time",
-	.doc = "As fix ave/histo of the first value; each of its numbers counts as much as the second value "
-	       "says.",
+	.summary = "Histograms of weighted values over time",
+	.doc = "As fix ave/histo for the first value; each number adds the corresponding number of "
+	       "the second value, its weight, to the count of its bin instead of 1.",
 	.example = "fix heights all ave/histo/weight 10 100 1000 0 0.1 20 z mass file post/heights.txt",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -8,13 +8,15 @@
 #include "base/alloc.h"
 #include "base/banned.h"
 
-/* Of one value: sums since the last crossing, those up to it, and extremes. Sums are integrals over time
- * of the difference from the first sample, so that small swings about a large mean keep their digits. */
+/* Time integrals of one value over the current, incomplete period (open) and over all completed ones (whole).
+ * What is integrated is the difference from the first sample, so that small oscillations about a large mean
+ * keep their digits. */
 struct tally {
-	double first, last; /* samples */
-	double open[2];	    /* integrals of the value and of its square */
-	double whole[2];
-	double open_least, open_most, least, most;
+	double first, last;	      /* first and latest sample */
+	double open[2];		      /* integrals of the difference and of its square */
+	double whole[2];	      /* the same, of completed periods */
+	double open_least, open_most; /* extreme samples of the current period */
+	double least, most;	      /* and of completed ones */
 };
 enum { TALLY = sizeof(struct tally) / sizeof(double) };
 
@@ -23,11 +25,14 @@ struct state {
 	struct ts_words words;
 	double level;
 	struct ts_ref_list input;
-	double *now;
-	struct tally *tally; /* of each value; the first is the signal */
-	size_t capacity, n;  /* numbers in the tallies */
-	int64_t periods, seen, step;
-	double time, begin, end; /* of the last sample, the first and the last crossing */
+	double *now;	     /* [n] the current sample */
+	struct tally *tally; /* [n] of each value; the first value is the signal */
+	size_t capacity, n;
+	/* state, written to restart files with the tallies */
+	int64_t periods;    /* completed */
+	int64_t seen, step; /* 1: there is a sample; step of the latest one */
+	double time;	    /* of the latest sample */
+	double begin, end;  /* time of the first and the latest upward crossing; NaN: none */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -43,8 +48,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Adds the piece of the line from a to b that takes dt. */
-static void add_piece(struct tally *t, double a, double b, double dt)
+/* Adds the integrals over a time dt in which the value goes linearly from a to b. */
+static void integrate_segment(struct tally *t, double a, double b, double dt)
 {
 	a -= t->first;
 	b -= t->first;
@@ -52,7 +57,7 @@ static void add_piece(struct tally *t, double a, double b, double dt)
 	t->open[1] += (a * a + a * b + b * b) / 3 * dt;
 }
 
-/* The signal crosses its level: what was open is a whole period. */
+/* The signal rises through the level: the current period is complete, unless this is the first crossing. */
 static void close_period(struct state *s, double time)
 {
 	bool first = isnan(s->begin);
@@ -86,7 +91,7 @@ static void add_sample(struct state *s, double time)
 	for (size_t k = 0; k < s->n; k++) {
 		struct tally *t = &s->tally[k];
 
-		add_piece(t, t->last, t->last + part * (s->now[k] - t->last), part * dt);
+		integrate_segment(t, t->last, t->last + part * (s->now[k] - t->last), part * dt);
 	}
 	if (crosses)
 		close_period(s, s->time + part * dt);
@@ -94,14 +99,15 @@ static void add_sample(struct state *s, double time)
 		struct tally *t = &s->tally[k];
 
 		if (crosses)
-			add_piece(t, t->last + part * (s->now[k] - t->last), s->now[k], (1 - part) * dt);
+			integrate_segment(t, t->last + part * (s->now[k] - t->last), s->now[k],
+					  (1 - part) * dt);
 		t->open_least = fmin(t->open_least, s->now[k]);
 		t->open_most = fmax(t->open_most, s->now[k]);
 		t->last = s->now[k];
 	}
 }
 
-static void begin(struct state *s)
+static void begin_tallies(struct state *s)
 {
 	s->begin = s->end = NAN;
 	for (size_t k = 0; k < s->n; k++)
@@ -126,7 +132,7 @@ static enum ts_status sample(struct ts_instance *self, struct tsim *sim)
 	if (s->seen)
 		add_sample(s, time);
 	else
-		begin(s);
+		begin_tallies(s);
 	s->time = time;
 	s->step = step;
 	return TS_OK;
@@ -202,7 +208,7 @@ static const struct ts_arg args[] = {
 			 .help = "the signal, then more values to be averaged: c_ID, c_ID[k], f_ID, "
 				 "f_ID[k], v_NAME or thermo keywords"),
 	TS_REAL("level", struct state, level, .flags = TS_STATEFUL, .fallback = "0",
-		.help = "a period begins where the signal rises through this"),
+		.help = "a period begins where the signal rises through this value"),
 	TS_INT("start", struct state, start, .flags = TS_STATEFUL, .fallback = "0",
 	       .help = "no samples before this step"),
 	TS_ARGS_END,
@@ -212,14 +218,14 @@ static const char *const columns[] = { "mean", "min", "max", "rms", NULL };
 static const struct ts_value values[] = {
 	{ .name = "signal",
 	  .unit = "",
-	  .help = "[1] frequency, in periods per time, [2] number of whole periods so far",
+	  .help = "[1] frequency in periods per unit of time, [2] number of completed periods",
 	  .shape = TS_VECTOR,
 	  .columns = 2,
 	  .eval = eval_signal },
 	{ .name = "values",
 	  .unit = "",
-	  .help = "of each value over these periods [1] the mean, [2] least and [3] greatest sample, [4] "
-		  "root of the mean square of the difference from the mean",
+	  .help = "for each value over these periods: [1] mean, [2] smallest and [3] largest sample, [4] "
+		  "standard deviation",
 	  .shape = TS_ARRAY,
 	  .columns = 4,
 	  .column_names = columns,
@@ -241,16 +247,15 @@ TS_STYLE(fix, ts_style, ts_fix_ave_period)
 const struct ts_style ts_fix_ave_period = {
 	.name = "ave/period",
 	.kind = TS_KIND_FIX,
-	.summary = "Frequency of a signal, and averages of values over its whole periods",
-	.doc = "Samples are taken at the start of a run and at the end of each step that is a multiple of N. "
-	       "The\n"
-	       "signal, the first value, begins a period where it rises through `level`; between samples "
-	       "all\n"
-	       "values are taken as straight lines. f_ID[1] is the number of whole periods by the time from "
-	       "the\n"
-	       "first to the last beginning, f_ID[2] that number; f_ID[i][1..4] are the mean, the extremes "
-	       "and the\n"
-	       "rms of value i over this time. All are 0 before the first period is whole.",
+	.summary = "Frequency of a signal, and averages of values over its completed periods",
+	.doc = "Determines the frequency of the first value, the signal, and averages all values "
+	       "over whole periods of it. Samples are taken at the start of a run and at the end "
+	       "of each step that is a multiple of N. A period begins where the signal rises "
+	       "through `level`; between samples all values are interpolated linearly. f_ID[1] is "
+	       "the number of completed periods divided by the time from the first to the last of "
+	       "these crossings, f_ID[2] that number; f_ID[i][1] ... f_ID[i][4] are the mean, the "
+	       "smallest and largest sample, and the rms deviation from the mean of value i over "
+	       "this time. All are 0 before the first period is complete.",
 	.example = "fix ib all immersed/boundary region rod\n"
 		   "fix wake all ave/period 1 f_ib[2] f_ib[1] start 20000\n"
 		   "variable St equal f_wake[1]*1.0/2.0",

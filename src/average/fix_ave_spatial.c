@@ -1,4 +1,4 @@
-/* Fix ave/spatial: averages over bins of space, and over time. */
+/* Fix ave/spatial: averages over spatial bins and over time. */
 #include "average/chunk_average.h"
 
 #include "particle/particles.h"
@@ -26,8 +26,8 @@ static bool names_axis(const char *word)
 	return ts_streq(word, "x") || ts_streq(word, "y") || ts_streq(word, "z");
 }
 
-/* Cuts the words into bins and values. */
-static enum ts_status divide(struct ts_instance *self, struct tsim *sim)
+/* Splits the arguments into those of the bins and the values. */
+static enum ts_status split_bins_and_values(struct ts_instance *self, struct tsim *sim)
 {
 	static const char *const styles[] = { "bin/1d", "bin/2d", "bin/3d" };
 	struct state *s = self->state;
@@ -55,7 +55,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->common.source = source;
 	s->common.spatial = true;
 	if (!s->chunks.words.n)
-		TS_TRY(divide(self, sim));
+		TS_TRY(split_bins_and_values(self, sim));
 	TS_TRY(ts_chunks_init(self, sim, &s->chunks));
 	return ts_chunk_average_init(self, sim);
 }
@@ -92,14 +92,13 @@ TS_STYLE(fix, ts_style, ts_fix_ave_spatial)
 const struct ts_style ts_fix_ave_spatial = {
 	.name = "ave/spatial",
 	.kind = TS_KIND_FIX,
-	.summary = "Averages over bins of space and over time",
-	.doc = "As fix ave/chunk with the bins of compute chunk/atom bin/1d, bin/2d or bin/3d, in the words "
-	       "of LIGGGHTS\n"
-	       "and older LAMMPS. Particles beyond the bins count in the nearest one, but beyond a `bound` "
-	       "in none. The\n"
-	       "file has a block for each average: step and number of bins, then for each bin its number, "
-	       "coordinates,\n"
-	       "mean count, values; f_ID[i][j] are the same columns from the coordinates on.",
+	.summary = "Averages over spatial bins and over time",
+	.doc = "As fix ave/chunk with the bins of compute chunk/atom bin/1d, bin/2d or bin/3d, in "
+	       "the syntax of LIGGGHTS and older versions of LAMMPS. Particles outside the bins "
+	       "count in the nearest bin, but outside a `bound` in none. The file has a block for "
+	       "each average: a line with step and number of bins, then for each bin its number, "
+	       "coordinates, mean count, and values; f_ID[i][j] are the columns from the "
+	       "coordinates on.",
 	.example = "fix profile all ave/spatial 10 10 1000 z lower 0.01 vx density/mass units box file "
 		   "post/p.txt",
 	.args = args,

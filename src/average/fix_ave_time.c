@@ -1,4 +1,4 @@
-/* Fix ave/time: averages of numbers over time. */
+/* Fix ave/time: time averages of global values. */
 #include "average/average.h"
 #include "average/average_file.h"
 #include "core/ref_list.h"
@@ -16,9 +16,10 @@ struct state {
 	struct ts_words names, off;
 	int mode;
 	struct ts_ref_list input;
-	bool *as_it_is; /* values that are not averaged, by `off` */
+	bool *as_it_is; /* [value] true: not averaged (keyword `off`) */
 	struct ts_table vector;
-	int64_t rows; /* saved: elements of each value; 1 for scalars. Value k, element i: [k * rows + i] */
+	int64_t rows; /* elements of each value, 1 for scalars; written to restart files. Element i of value k
+		       * is number k * rows + i of the average */
 };
 
 static enum ts_status read_off(struct ts_instance *self, struct tsim *sim)
@@ -57,8 +58,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_average_resize(self, sim, &s->average, s->input.n);
 }
 
-/* Values that are not averaged are those of the last sample. */
-static void add(struct state *s, size_t k, size_t i, double value)
+/* Adds element i of value k to the sums; `off` values are replaced by the latest sample. */
+static void add_to_sum(struct state *s, size_t k, size_t i, double value)
 {
 	double *sum = &s->average.sum[k * (size_t)s->rows + i];
 
@@ -71,12 +72,12 @@ static enum ts_status sample_scalars(struct state *s, struct tsim *sim)
 		double value;
 
 		TS_TRY(ts_ref_input_scalar(sim, &s->input.item[k], &value));
-		add(s, k, 0, value);
+		add_to_sum(s, k, 0, value);
 	}
 	return TS_OK;
 }
 
-/* The length of the vectors is that of the first one at the first sample of an average. */
+/* The first sample of an average sets the length of the vectors; the other samples must have the same. */
 static enum ts_status sample_vectors(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -96,7 +97,7 @@ static enum ts_status sample_vectors(struct ts_instance *self, struct tsim *sim)
 			       length, (long long)s->rows);
 	for (size_t k = 0; k < n; k++)
 		for (size_t i = 0; i < length; i++)
-			add(s, k, i, s->vector.data[i * n + k]);
+			add_to_sum(s, k, i, s->vector.data[i * n + k]);
 	return TS_OK;
 }
 
@@ -152,8 +153,8 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 	return ts_average_file_end(sim, &s->file);
 }
 
-/* An average is complete; values that are not averaged stay as they are. */
-static void complete(struct state *s)
+/* Divides the sums by the number of samples, but for `off` values, which `ave` does not combine either. */
+static void complete_average(struct state *s)
 {
 	size_t rows = (size_t)s->rows;
 
@@ -175,7 +176,7 @@ static enum ts_status sample(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(s->mode == VECTOR ? sample_vectors(self, sim) : sample_scalars(s, sim));
 	if (!ts_average_sampled(&s->average, sim))
 		return TS_OK;
-	complete(s);
+	complete_average(s);
 	return write_result(self, sim);
 }
 
@@ -201,7 +202,7 @@ static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-/* Scalars: one element per value. Vectors: the elements of the first value. */
+/* mode scalar: one element per value; mode vector: the elements of the first value. */
 static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
@@ -266,11 +267,11 @@ static const struct ts_arg args[] = {
 	TS_LIST_STATEFUL("values", struct state, names,
 			 .help = "c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k], v_NAME or thermo keywords"),
 	TS_ENUM("mode", struct state, mode, kinds, .flags = TS_STATEFUL, .fallback = "scalar",
-		.help = "whether values are numbers or whole vectors"),
+		.help = "whether values are scalars or vectors"),
 	TS_AVERAGE_KEYWORDS(struct state, average),
 	TS_LIST_KEYWORD("off", struct state, off,
 			.flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT | TS_STATEFUL,
-			.help = "number of a value that is not averaged; again for more"),
+			.help = "number of a value that is not averaged; repeat for more"),
 	TS_AVERAGE_FILE_ARGS(struct state, file),
 	TS_ARGS_END,
 };
@@ -305,16 +306,13 @@ TS_STYLE(fix, ts_style, ts_fix_ave_time)
 const struct ts_style ts_fix_ave_time = {
 	.name = "ave/time",
 	.kind = TS_KIND_FIX,
-	.summary = "Averages numbers over time",
-	.doc = "Every Nfreq steps the mean of Nrepeat samples, Nevery steps apart, the last at the step "
-	       "itself:\n"
-	       "with 2 6 100 those of steps 90, 92, 94, 96, 98, 100. Results are read as f_ID[k], or f_ID "
-	       "for\n"
-	       "the first; with `mode vector` f_ID[i] is element i of the first vector, f_ID[i][k] that of "
-	       "the k-th. They\n"
-	       "are 0 before the first average. A value that is `off` is that of the last sample. Averages "
-	       "under way are\n"
-	       "saved in restart files.",
+	.summary = "Time averages of global values",
+	.doc = "Calculates every Nfreq steps the mean of Nrepeat samples taken Nevery steps apart, "
+	       "the last at that step: with 2 6 100 the samples of steps 90, 92, 94, 96, 98, 100. "
+	       "f_ID[k] is the average of value k, f_ID that of the first; with `mode vector` "
+	       "f_ID[i] is element i of the first vector, f_ID[i][k] that of the k-th. Averages "
+	       "are 0 before the first one is complete. A value that is `off` is that of the last "
+	       "sample. Averages in progress are saved in restart files.",
 	.example = "fix speed all ave/time 10 100 1000 v_rop c_energy file post/speed.txt ave window 5",
 	.args = args,
 	.state_size = sizeof(struct state),

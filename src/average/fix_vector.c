@@ -1,4 +1,4 @@
-/* Fix vector: numbers at intervals, collected into a growing vector or array. */
+/* Fix vector: collects global values every N steps into a growing vector or array. */
 #include "core/ref_list.h"
 #include "core/sim.h"
 
@@ -10,8 +10,8 @@ struct state {
 	int64_t every, start;
 	struct ts_words words;
 	struct ts_ref_list input;
-	double *sample;	    /* of all inputs, sample after sample */
-	size_t n, capacity; /* numbers: samples times inputs */
+	double *sample;	    /* [samples][inputs] */
+	size_t n, capacity; /* in numbers: samples times inputs */
 	int64_t last;	    /* step of the last sample, if n > 0 */
 };
 
@@ -87,12 +87,12 @@ static const struct ts_arg args[] = {
 static const struct ts_value values[] = {
 	{ .name = "samples",
 	  .unit = "",
-	  .help = "all samples so far, the first of them [1]",
+	  .help = "all samples so far, [1] being the first",
 	  .shape = TS_VECTOR,
 	  .eval = eval },
 	{ .name = "series",
 	  .unit = "",
-	  .help = "of several values all samples so far: f_ID[i][j] sample i of value j, f_ID[j] "
+	  .help = "for several values all samples so far: f_ID[i][j] is sample i of value j, f_ID[j] "
 		  "all samples of value j",
 	  .shape = TS_ARRAY,
 	  .eval = eval },
@@ -105,11 +105,11 @@ TS_STYLE(fix, ts_style, ts_fix_vector)
 const struct ts_style ts_fix_vector = {
 	.name = "vector",
 	.kind = TS_KIND_FIX,
-	.summary = "Collects numbers at intervals into a growing vector or array",
-	.doc = "Samples are taken at the start of a run and at the end of each step that is a multiple of "
-	       "N,\n"
-	       "once per step. One value makes a vector, several make an array with a column for each:\n"
-	       "slope(f_ID[2]) is that of the second. All is saved in restart files.",
+	.summary = "Collects global values every N steps into a growing vector or array",
+	.doc = "Takes samples at the start of a run and at the end of each step that is a multiple "
+	       "of N, at most once per step. A single value makes a vector, several values an "
+	       "array with a column for each: slope(f_ID[2]) is the slope of the second value over "
+	       "the sample number. All samples are saved in restart files.",
 	.example = "fix heights all vector 100 f_bit[1]\n"
 		   "fix path all vector 10 time c_centre[*]",
 	.args = args,

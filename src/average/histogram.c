@@ -18,7 +18,7 @@ const char *const ts_histogram_kinds[] = {
 };
 enum { IGNORE, END, EXTRA };
 const char *const ts_histogram_beyond[] = { [IGNORE] = "ignore", [END] = "end", [EXTRA] = "extra", NULL };
-/* behind the bins */
+/* numbers that follow those of the bins */
 enum { TOTAL, MISSING, LEAST, LARGEST, NSTATISTICS };
 
 static size_t bins_of(const struct ts_histogram *h)
@@ -50,7 +50,7 @@ enum ts_status ts_histogram_init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_average_init(self, sim, &h->average));
 	TS_TRY(ts_average_file_init(self, sim, &h->file));
 	TS_TRY(ts_ref_list_init(sim, what, &self->arena, h->words, shapes_of(h), &h->input));
-	/* what can be a single number is one, unless the user says otherwise */
+	/* without `mode` and `kind`, styles that have a scalar output are read as scalars */
 	for (size_t k = 0; k < h->input.n && h->mode == DEFAULT && h->kind == ANY; k++)
 		if (!h->input.item[k].quantity && ts_ref_shapes(sim, &h->input.item[k].ref) & TS_WANT(SCALAR))
 			h->input.item[k].shape = TS_SCALAR;
@@ -63,7 +63,7 @@ enum ts_status ts_histogram_init(struct ts_instance *self, struct tsim *sim)
 	return ts_average_resize(self, sim, &h->average, bins_of(h) + NSTATISTICS);
 }
 
-/* The bin of a value, from 0; -1: none. */
+/* Bin of a value, from 0; -1: it is missing. */
 static int64_t bin_of(const struct ts_histogram *h, double value)
 {
 	int64_t bins = (int64_t)bins_of(h);
@@ -77,8 +77,9 @@ static int64_t bin_of(const struct ts_histogram *h, double value)
 	return (int64_t)at + (h->beyond == EXTRA);
 }
 
-/* Weights are whole numbers or are added in the order of the values; of particles in that of identities. */
-static void count(struct ts_histogram *h, double value, double weight)
+/* Adds a value to the histogram. Sums do not depend on the order in memory: unit weights are exact, others
+ * are added in the order of the values, which for particles is that of their ids. */
+static void count_value(struct ts_histogram *h, double value, double weight)
 {
 	double *s = h->average.sum + bins_of(h);
 	int64_t bin;
@@ -95,7 +96,8 @@ static void count(struct ts_histogram *h, double value, double weight)
 		h->average.sum[bin] += weight;
 }
 
-static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim, size_t k, struct ts_table *out)
+static enum ts_status evaluate_input(struct ts_instance *self, struct tsim *sim, size_t k,
+				     struct ts_table *out)
 {
 	const struct ts_histogram *h = self->state;
 
@@ -115,10 +117,10 @@ static enum ts_status add_input(struct ts_instance *self, struct tsim *sim, size
 	struct ts_identities map = { 0 };
 	size_t n;
 
-	TS_TRY(evaluate(self, sim, k, &h->values));
+	TS_TRY(evaluate_input(self, sim, k, &h->values));
 	n = h->values.rows * h->values.columns;
 	if (h->weighted) {
-		TS_TRY(evaluate(self, sim, k + 1, &h->weights));
+		TS_TRY(evaluate_input(self, sim, k + 1, &h->weights));
 		if (h->weights.rows * h->weights.columns != n)
 			return ts_fail(&sim->error, TS_STATE, &h->input.item[k + 1].where,
 				       "fix %s: %zu weights for %zu values", self->style->name,
@@ -130,13 +132,13 @@ static enum ts_status add_input(struct ts_instance *self, struct tsim *sim, size
 		size_t i = map.row ? (size_t)map.row[at] : at;
 
 		if (!map.row || ts_in_group(p, i, self->group))
-			count(h, h->values.data[i], h->weighted ? h->weights.data[i] : 1);
+			count_value(h, h->values.data[i], h->weighted ? h->weights.data[i] : 1);
 	}
 	return TS_OK;
 }
 
-/* Middle of a bin; the extra ones are points. */
-static double coordinate(const struct ts_histogram *h, size_t bin)
+/* Centre of a bin; lo and hi for the extra bins. */
+static double bin_centre(const struct ts_histogram *h, size_t bin)
 {
 	double width = (h->hi - h->lo) / (double)h->bins;
 
@@ -188,7 +190,7 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 	ts_str_add(text, "\n");
 	for (size_t b = 0; b < n; b++) {
 		ts_str_addf(text, "%zu", b + 1);
-		ts_average_file_number(&h->file, coordinate(h, b));
+		ts_average_file_number(&h->file, bin_centre(h, b));
 		ts_average_file_number(&h->file, h->average.result[b]);
 		ts_average_file_number(&h->file, fraction(h, b));
 		ts_str_add(text, "\n");
@@ -211,7 +213,7 @@ enum ts_status ts_histogram_sample(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(add_input(self, sim, k));
 	if (!ts_average_sampled(&h->average, sim))
 		return TS_OK;
-	if (!(s[LEAST] <= s[LARGEST])) /* there were no values */
+	if (!(s[LEAST] <= s[LARGEST])) /* no values in any sample */
 		s[LEAST] = s[LARGEST] = 0;
 	ts_average_combine(&h->average);
 	return write_result(self, sim);
@@ -247,7 +249,7 @@ static enum ts_status eval_bins(struct ts_instance *self, const struct tsim *sim
 	(void)sim;
 	TS_TRY(ts_table_resize(out, n, 3));
 	for (size_t b = 0; b < n; b++) {
-		out->data[3 * b] = coordinate(h, b);
+		out->data[3 * b] = bin_centre(h, b);
 		out->data[3 * b + 1] = h->average.result[b];
 		out->data[3 * b + 2] = fraction(h, b);
 	}
@@ -257,9 +259,10 @@ static enum ts_status eval_bins(struct ts_instance *self, const struct tsim *sim
 static const char *const statistics[] = { "total", "missing", "min", "max", NULL };
 static const char *const columns[] = { "coord", "count", "fraction", NULL };
 const struct ts_value ts_histogram_values[] = {
-	{ "statistics", "", "counts in all bins, values outside of them, least and largest value", TS_VECTOR,
+	{ "statistics", "", "total count in the bins, missing values, smallest and largest value", TS_VECTOR,
 	  NSTATISTICS, statistics, eval_statistics },
-	{ "bins", "", "middle, count, and part of the total of each bin", TS_ARRAY, 3, columns, eval_bins },
+	{ "bins", "", "centre, count, and fraction of the total for each bin", TS_ARRAY, 3, columns,
+	  eval_bins },
 	{ .name = NULL },
 };
 

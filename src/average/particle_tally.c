@@ -40,6 +40,6 @@ enum ts_status ts_particle_tally_archive(struct ts_archive *archive, struct ts_p
 	if (ts_archive_writing(archive))
 		ts_particle_tally_sums(tally);
 	else if (!ts_archive_has(archive, "tally"))
-		return TS_OK; /* files of version 1 */
+		return TS_OK; /* restart files of version 1 have no tally */
 	return ts_archive_fixed(archive, "tally", TS_SAVED_F64, tally->sum, TS_PARTICLE_TALLY_MOST);
 }

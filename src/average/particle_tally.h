@@ -1,5 +1,5 @@
-/* What a fix notes for each particle at one step, summed only if someone asks: noting costs a store
- * for each particle, an exact sum is dearer. Numbers of particles that do not count are 0. */
+/* Per-particle numbers of a fix at one step, summed over all particles only when an output needs them: storing
+ * them is cheap, an exact sum is not. Particles outside the group have 0. */
 #ifndef TS_AVERAGE_PARTICLE_TALLY_H
 #define TS_AVERAGE_PARTICLE_TALLY_H
 
@@ -9,18 +9,18 @@ enum { TS_PARTICLE_TALLY_MOST = 4 };
 
 /* Zero-initialise; ts_particle_tally_release when done. */
 struct ts_particle_tally {
-	double (*note)[TS_PARTICLE_TALLY_MOST]; /* by particle */
+	double (*note)[TS_PARTICLE_TALLY_MOST]; /* [n] numbers of each particle, filled by the fix */
 	size_t n, capacity;
-	bool fresh;			    /* noted since the last sum */
-	double sum[TS_PARTICLE_TALLY_MOST]; /* saved */
+	bool fresh;			    /* `note` has changed since `sum` was computed */
+	double sum[TS_PARTICLE_TALLY_MOST]; /* over all particles; written to restart files */
 };
 
-/* Makes room for all particles; all notes are 0. */
+/* Allocates the numbers for all particles and sets them to 0. */
 enum ts_status ts_particle_tally_start(struct tsim *sim, struct ts_particle_tally *tally);
 /* The sums, exact and rounded once. */
 const double *ts_particle_tally_sums(struct ts_particle_tally *tally);
 void ts_particle_tally_release(struct ts_particle_tally *tally);
-/* For the archive function of the fix: the sums. */
+/* Saves or restores the sums; called by the archive function of the fix. */
 enum ts_status ts_particle_tally_archive(struct ts_archive *archive, struct ts_particle_tally *tally);
 
 #endif

@@ -19,7 +19,7 @@ static enum ts_status bad_replace(struct ts_instance *self, struct tsim *sim, co
 		       self->style->name, why);
 }
 
-/* Pairs of numbers, with `replace` between them. */
+/* Parses `m n replace m n ...`. */
 static enum ts_status read_replace(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_reduce *r = self->state;
@@ -63,8 +63,8 @@ enum ts_status ts_reduce_init(struct ts_instance *self, struct tsim *sim)
 	return r->instead ? TS_OK : read_replace(self, sim);
 }
 
-/* Row i of an input counts. */
-static bool counts(const struct ts_instance *self, const struct ts_ref_input *input, size_t i)
+/* Whether row i of an input is included: group and region for particles, all rows of local arrays. */
+static bool includes_row(const struct ts_instance *self, const struct ts_ref_input *input, size_t i)
 {
 	const struct ts_reduce *r = self->state;
 	const struct ts_particles *p = r->sim->particles;
@@ -74,10 +74,10 @@ static bool counts(const struct ts_instance *self, const struct ts_ref_input *in
 	return ts_in_group(p, i, self->group) && (!r->region || ts_region_contains(r->region, p->x[i]));
 }
 
-/* The row of the extreme value; of equal ones that of the smallest identity or, of local tables, the
- * first. -1: there is none. */
-static int64_t extreme(const struct ts_instance *self, const struct ts_ref_input *input,
-		       const struct ts_table *values)
+/* Row of the minimum or maximum; of equal values that of the smallest particle id or, in local arrays, the
+ * first. -1: no values. */
+static int64_t find_extreme_row(const struct ts_instance *self, const struct ts_ref_input *input,
+				const struct ts_table *values)
 {
 	const struct ts_reduce *r = self->state;
 	const int32_t *tag = r->sim->particles->tag;
@@ -88,7 +88,8 @@ static int64_t extreme(const struct ts_instance *self, const struct ts_ref_input
 		double value = sign * values->data[i];
 		bool earlier = input->shape != TS_LOCAL && found >= 0 && tag[i] < tag[found];
 
-		if (counts(self, input, i) && (found < 0 || value > most || (earlier && !(value < most)))) {
+		if (includes_row(self, input, i) &&
+		    (found < 0 || value > most || (earlier && !(value < most)))) {
 			found = (int64_t)i;
 			most = value;
 		}
@@ -96,24 +97,24 @@ static int64_t extreme(const struct ts_instance *self, const struct ts_ref_input
 	return found;
 }
 
-static enum ts_status replaced(struct ts_instance *self, size_t k, double *out)
+static enum ts_status value_at_extreme(struct ts_instance *self, size_t k, double *out)
 {
 	struct ts_reduce *r = self->state;
-	const struct ts_ref_input *judge = &r->input.item[r->instead[k]];
+	const struct ts_ref_input *criterion = &r->input.item[r->instead[k]];
 	int64_t row;
 
-	TS_TRY(ts_ref_input_eval(r->sim, judge, &r->other));
-	TS_TRY(ts_ref_input_eval(r->sim, &r->input.item[k], &r->each));
-	if (r->other.rows != r->each.rows)
-		return ts_fail(&r->sim->error, TS_STATE, &judge->where,
-			       "compute %s: '%s' has %zu rows, '%s' has %zu", self->style->name, judge->name,
-			       r->other.rows, r->input.item[k].name, r->each.rows);
-	row = extreme(self, judge, &r->other);
-	*out = row >= 0 ? r->each.data[row] : 0;
+	TS_TRY(ts_ref_input_eval(r->sim, criterion, &r->criterion));
+	TS_TRY(ts_ref_input_eval(r->sim, &r->input.item[k], &r->values));
+	if (r->criterion.rows != r->values.rows)
+		return ts_fail(&r->sim->error, TS_STATE, &criterion->where,
+			       "compute %s: '%s' has %zu rows, '%s' has %zu", self->style->name,
+			       criterion->name, r->criterion.rows, r->input.item[k].name, r->values.rows);
+	row = find_extreme_row(self, criterion, &r->criterion);
+	*out = row >= 0 ? r->values.data[row] : 0;
 	return TS_OK;
 }
 
-static enum ts_status reduce_one(struct ts_instance *self, size_t k, double *out)
+static enum ts_status reduce_input(struct ts_instance *self, size_t k, double *out)
 {
 	struct ts_reduce *r = self->state;
 	const struct ts_ref_input *input = &r->input.item[k];
@@ -122,11 +123,11 @@ static enum ts_status reduce_one(struct ts_instance *self, size_t k, double *out
 
 	TS_TRY(ts_region_update(r->region, r->sim));
 	if (r->instead[k] >= 0)
-		return replaced(self, k, out);
-	TS_TRY(ts_ref_input_eval(r->sim, input, &r->each));
-	for (size_t i = 0; i < r->each.rows; i++)
-		if (counts(self, input, i))
-			ts_reduction_add(&tally, mode, r->each.data[i]);
+		return value_at_extreme(self, k, out);
+	TS_TRY(ts_ref_input_eval(r->sim, input, &r->values));
+	for (size_t i = 0; i < r->values.rows; i++)
+		if (includes_row(self, input, i))
+			ts_reduction_add(&tally, mode, r->values.data[i]);
 	*out = ts_reduction_value(&tally, mode);
 	return TS_OK;
 }
@@ -134,7 +135,7 @@ static enum ts_status reduce_one(struct ts_instance *self, size_t k, double *out
 static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
-	return reduce_one(self, 0, out->data);
+	return reduce_input(self, 0, out->data);
 }
 
 static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -144,7 +145,7 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 	(void)sim;
 	TS_TRY(ts_table_resize(out, 1, r->input.n));
 	for (size_t k = 0; k < r->input.n; k++)
-		TS_TRY(reduce_one(self, k, &out->data[k]));
+		TS_TRY(reduce_input(self, k, &out->data[k]));
 	return TS_OK;
 }
 
@@ -152,17 +153,21 @@ void ts_reduce_fini(struct ts_instance *self)
 {
 	struct ts_reduce *r = self->state;
 
-	ts_table_release(&r->each);
-	ts_table_release(&r->other);
+	ts_table_release(&r->values);
+	ts_table_release(&r->criterion);
 	ts_ref_list_release(&r->input);
 }
 
 const struct ts_value ts_reduce_values[] = {
 	{ .name = "first",
 	  .unit = "",
-	  .help = "of the first input",
+	  .help = "reduction of the first input",
 	  .shape = TS_SCALAR,
 	  .eval = eval_scalar },
-	{ .name = "all", .unit = "", .help = "of each input", .shape = TS_VECTOR, .eval = eval_vector },
+	{ .name = "all",
+	  .unit = "",
+	  .help = "reduction of each input",
+	  .shape = TS_VECTOR,
+	  .eval = eval_vector },
 	{ .name = NULL },
 };

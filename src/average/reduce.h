@@ -1,5 +1,5 @@
-/* One number out of one for each particle of a group, or each row of a local table: what computes reduce
- * and reduce/region share. */
+/* Reduction of the values of the particles of a group, or of the rows of a local array, to one number: shared
+ * by compute reduce and compute reduce/region. */
 #ifndef TS_AVERAGE_REDUCE_H
 #define TS_AVERAGE_REDUCE_H
 
@@ -8,29 +8,31 @@
 
 /* First member of the state. */
 struct ts_reduce {
-	int mode, inputs;
-	struct ts_words words, replace;
-	bool at_run_end;	    /* accepted: outputs are always those of now */
-	struct ts_instance *region; /* NULL: everywhere */
+	int mode, inputs;		/* enum ts_reduction_mode; index of ts_reduce_inputs */
+	struct ts_words words, replace; /* the values and the arguments of `replace` as given */
+	bool at_run_end;		/* update_on_run_end: no effect */
+	struct ts_instance *region;	/* NULL: everywhere */
 	struct ts_ref_list input;
-	int64_t *instead; /* of input k the value where input instead[k] is extreme; -1: its own */
-	struct ts_table each, other;
-	struct tsim *sim; /* evaluation may need memory */
+	int64_t *
+		instead; /* [input] result k is the value of input k where input instead[k] is extreme; -1: its
+			   * own reduction */
+	struct ts_table values;	   /* of the input being reduced */
+	struct ts_table criterion; /* of the input whose extreme row is searched */
+	struct tsim *sim;	   /* inputs may allocate memory when evaluated */
 };
 #define TS_REDUCE_ARGS(T)                                                                                  \
 	TS_ENUM("mode", T, reduce.mode, ts_reduction_names, .flags = TS_POSITIONAL,                        \
-		.help = "what is made of the values"),                                                     \
+		.help = "reduction of the values"),                                                        \
 		TS_LIST("values", T, reduce.words,                                                         \
 			.help = "x, vx, fx, radius ..., c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k] or v_name"), \
 		TS_ENUM("inputs", T, reduce.inputs, ts_reduce_inputs, .fallback = "any",                   \
-			.help = "whether outputs that have both are taken per particle or as "             \
-				"local tables"),                                                           \
+			.help = "for styles that have both: per-particle or local output"),                \
 		TS_BOOL("update_on_run_end", T, reduce.at_run_end, .fallback = "no",                       \
-			.help = "accepted: outputs are always those of now"),                              \
+			.help = "no effect: results are always those of the current step"),                \
 		TS_REST_KEYWORD("replace", T, reduce.replace,                                              \
-				.help = "comes last: numbers m n of two inputs, with min or max; "         \
-					"of input m the value is taken where input n is extreme; "         \
-					"again `replace m n` for more")
+				.help = "last keyword: numbers m n of two inputs, with min or max: "       \
+					"result m is input m where input n is extreme; repeat "            \
+					"`replace m n` for more")
 extern const char *const ts_reduce_inputs[];
 extern const struct ts_value ts_reduce_values[];
 
