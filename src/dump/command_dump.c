@@ -1,4 +1,4 @@
-/* Command dump: makes a dump. */
+/* Command dump: defines a dump. */
 #include "core/definition.h"
 
 #include "base/banned.h"
@@ -20,9 +20,10 @@ const struct ts_command_style ts_command_dump = {
 		.name = "dump",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Writes snapshots to files during runs",
-		.doc = "See the pages of the dump styles. dump_modify changes a dump, undump ends it. "
-		       "Missing folders on\n"
-		       "the way to the file are made.",
+		.doc = "Defines a dump, which writes snapshots to files during runs; the styles "
+		       "have pages of their own. dump_modify changes the settings of a dump, "
+		       "undump ends it. Folders in the path of the file are created if they do not "
+		       "exist.",
 		.example = "dump rock all custom 1000 post/rock.dump id type x y z radius",
 		.args = args,
 		.state_size = sizeof(struct ts_definition),

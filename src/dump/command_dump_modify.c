@@ -1,4 +1,4 @@
-/* Command dump_modify: changes how a dump writes. */
+/* Command dump_modify: changes the settings of a dump. */
 #include "dump/dump_modify.h"
 
 #include "base/banned.h"
@@ -19,7 +19,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_WORD("id", struct state, id, .flags = TS_POSITIONAL, .help = "name of the dump"),
+	TS_WORD("id", struct state, id, .flags = TS_POSITIONAL, .help = "ID of the dump"),
 	TS_DUMP_MODIFY_ROWS(struct state),
 	TS_ARGS_END,
 };
@@ -29,12 +29,11 @@ const struct ts_command_style ts_command_dump_modify = {
 	.style = {
 		.name = "dump_modify",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Changes how a dump writes",
-		.doc = "Defaults: sort id, pad 0, first no, append no, format float %g, format int %d. A "
-		       "format of a\n"
-		       "column goes before those of a kind, and those before the line's. Conditions, region "
-		       "and\n"
-		       "order by columns are for dumps of particles.",
+		.summary = "Changes the settings of a dump",
+		.doc = "Defaults: sort id, pad 0, first no, append no, format float %g, format int "
+		       "%d. The format of a column takes precedence over those of float and int, "
+		       "and these over the format of the line. thresh, region and sorting by "
+		       "columns apply to dumps of particles.",
 		.example = "dump_modify rock pad 8 format float %.15g format 1 %08d\n"
 			   "dump_modify fast thresh vz < -0.5 thresh c_load >= 2.385 region shaft sort -4",
 		.args = args,

@@ -26,7 +26,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_REST("ids", struct state, ids, .help = "names of dumps"),
+	TS_REST("ids", struct state, ids, .help = "IDs of dumps"),
 	TS_ARGS_END,
 };
 
@@ -36,7 +36,7 @@ const struct ts_command_style ts_command_undump = {
 		.name = "undump",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Ends dumps and closes their files",
-		.doc = "What has been written stays.",
+		.doc = "The files keep the frames written so far.",
 		.example = "undump rock",
 		.args = args,
 		.state_size = sizeof(struct state),

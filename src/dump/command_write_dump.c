@@ -1,4 +1,4 @@
-/* Command write_dump: one snapshot, now. */
+/* Command write_dump: writes one snapshot. */
 #include "core/life.h"
 #include "dump/dump_modify.h"
 
@@ -9,15 +9,15 @@ struct state {
 	struct ts_words rest, modify;
 };
 
-/* The words of `modify`. */
+/* Arguments after the keyword modify. */
 struct modify {
 	struct ts_dump_changes changes;
 };
 static const struct ts_arg modify_args[] = { TS_DUMP_MODIFY_ROWS(struct modify), TS_ARGS_END };
 
-/* The words of a dump of the same style, due at every step. */
-static enum ts_status make_words(struct tsim *sim, struct ts_arena *arena, struct ts_words rest,
-				 struct ts_words *out)
+/* Arguments of a dump of the same style with a frame at every step. */
+static enum ts_status make_dump_words(struct tsim *sim, struct ts_arena *arena, struct ts_words rest,
+				      struct ts_words *out)
 {
 	struct ts_word *word = ts_arena_alloc(arena, rest.n, sizeof *word);
 
@@ -30,8 +30,8 @@ static enum ts_status make_words(struct tsim *sim, struct ts_arena *arena, struc
 	return TS_OK;
 }
 
-static enum ts_status modify(struct tsim *sim, struct ts_instance *dump, struct ts_words words,
-			     struct ts_arena *arena, const struct ts_place *where)
+static enum ts_status apply_modify(struct tsim *sim, struct ts_instance *dump, struct ts_words words,
+				   struct ts_arena *arena, const struct ts_place *where)
 {
 	struct modify m = { 0 };
 
@@ -39,8 +39,8 @@ static enum ts_status modify(struct tsim *sim, struct ts_instance *dump, struct 
 	return ts_dump_modify(sim, dump, &m.changes, where);
 }
 
-static enum ts_status write(struct tsim *sim, const struct state *s, struct ts_arena *arena,
-			    const struct ts_place *where)
+static enum ts_status write_snapshot(struct tsim *sim, const struct state *s, struct ts_arena *arena,
+				     const struct ts_place *where)
 {
 	const struct ts_word id = { .text = "write_dump", .place = *where };
 	const struct ts_style *style;
@@ -49,9 +49,9 @@ static enum ts_status write(struct tsim *sim, const struct state *s, struct ts_a
 	enum ts_status status;
 
 	TS_TRY(ts_style_require(sim, TS_KIND_DUMP, &s->rest.word[0], &style));
-	TS_TRY(make_words(sim, arena, s->rest, &words));
+	TS_TRY(make_dump_words(sim, arena, s->rest, &words));
 	TS_TRY(ts_sim_create(sim, TS_KIND_DUMP, style, id.text, s->group, words, where, &dump));
-	status = modify(sim, dump, s->modify, arena, where);
+	status = apply_modify(sim, dump, s->modify, arena, where);
 	if (status == TS_OK && !sim->reading.explain)
 		status = dump->style->hook[TS_STAGE_OUTPUT](dump, sim);
 	if (status != TS_OK)
@@ -63,7 +63,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 {
 	const struct state *s = state;
 	struct ts_arena arena = { 0 };
-	enum ts_status status = write(sim, s, &arena, where);
+	enum ts_status status = write_snapshot(sim, s, &arena, where);
 
 	ts_arena_release(&arena);
 	return status;
@@ -72,7 +72,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 static const struct ts_arg args[] = {
 	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "particles to write"),
 	TS_LIST("style", struct state, rest, .help = "style of dump, file, columns"),
-	TS_REST_KEYWORD("modify", struct state, modify, .help = "words as of dump_modify, to the end"),
+	TS_REST_KEYWORD("modify", struct state, modify,
+			.help = "last keyword, followed by keywords of dump_modify"),
 	TS_ARGS_END,
 };
 
@@ -81,9 +82,9 @@ const struct ts_command_style ts_command_write_dump = {
 	.style = {
 		.name = "write_dump",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Writes one snapshot now",
-		.doc = "The words are those of dump without name and interval. Forces are those of the last "
-		       "step.",
+		.summary = "Writes one snapshot",
+		.doc = "Writes one snapshot of the current state. Arguments are those of the "
+		       "command dump without ID and interval. Forces are those of the last step.",
 		.example = "write_dump all custom post/rock.dump id type x y z radius\n"
 			   "write_dump all atom post/rock.*.dump modify scale no sort id pad 8",
 		.args = args,

@@ -15,8 +15,8 @@ static bool one_file_per_frame(const struct ts_dump_common *d)
 	return strchr(d->file, '*') != NULL;
 }
 
-/* The variable says the step of the next frame. */
-static enum ts_status ask_next(struct ts_instance *self, struct tsim *sim)
+/* Evaluates the variable of `every v_NAME`: the step of the next frame. */
+static enum ts_status evaluate_next_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_dump_common *d = self->state;
 	double next;
@@ -40,7 +40,7 @@ enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due
 	if (*due || d->variable || d->frames == 0)
 		ts_run_deferred_loops(sim);
 	if (d->variable && (*due || step == sim->clock.first_step || d->next <= step))
-		TS_TRY(ask_next(self, sim));
+		TS_TRY(evaluate_next_step(self, sim));
 	*due = ((*due && step >= d->delay) || (d->first && d->frames == 0)) &&
 	       !(d->frames && d->last == step);
 	if (*due) {
@@ -88,7 +88,7 @@ void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what
 	ts_str_add(&d->text, "\n");
 }
 
-static enum ts_status put_text(struct ts_dump_common *d, struct tsim *sim)
+static enum ts_status write_text(struct ts_dump_common *d, struct tsim *sim)
 {
 	if (d->text.failed)
 		return ts_nomem(&sim->error);
@@ -119,13 +119,13 @@ enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bo
 		}
 		ts_str_add_n(&d->text, "\n", 1);
 		if (d->text.length > CHUNK)
-			TS_TRY(put_text(d, sim));
+			TS_TRY(write_text(d, sim));
 	}
-	return put_text(d, sim);
+	return write_text(d, sim);
 }
 
-/* With maxfiles the oldest frame goes when a new one is there. */
-static enum ts_status drop_oldest(struct ts_dump_common *d, struct tsim *sim)
+/* `maxfiles`: removes the file of the oldest frame after a new one is written. */
+static enum ts_status remove_oldest_frame(struct ts_dump_common *d, struct tsim *sim)
 {
 	char **slot = &d->old[d->frames % d->nold];
 
@@ -141,7 +141,7 @@ enum ts_status ts_dump_frame_done(struct ts_dump_common *d, struct tsim *sim)
 	if (!one_file_per_frame(d))
 		return ts_textfile_flush(&d->out);
 	TS_TRY(ts_textfile_close(&d->out));
-	return d->nold && !sim->reading.explain ? drop_oldest(d, sim) : TS_OK;
+	return d->nold && !sim->reading.explain ? remove_oldest_frame(d, sim) : TS_OK;
 }
 
 enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool local)

@@ -1,4 +1,4 @@
-/* Dump atom: identity, type and position of particles as text. */
+/* Dump atom: id, type and position of particles as text. */
 #include "core/sim.h"
 #include "dump/dump.h"
 
@@ -6,10 +6,10 @@
 
 struct state {
 	struct ts_dump_common common;
-	bool plain, image; /* what the columns are now */
+	bool plain, image; /* settings for which the columns were made */
 };
 
-/* scale yes|no, image yes|no of dump_modify say which columns there are. */
+/* The columns depend on `scale` and `image` of dump_modify. */
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	static const char *const scaled[] = { "id", "type", "xs", "ys", "zs", "ix", "iy", "iz" };
@@ -23,7 +23,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (d->column && (s->plain != d->plain || s->image != d->image)) {
 		for (size_t k = 0; k < d->ncolumns; k++)
 			ts_table_release(&d->column[k].values);
-		d->column = NULL; /* made anew, with other names */
+		d->column = NULL; /* the columns are made again */
 		d->ncolumns = 0;
 	}
 	s->plain = d->plain;
@@ -44,10 +44,10 @@ TS_STYLE(dump, ts_style, ts_dump_atom)
 const struct ts_style ts_dump_atom = {
 	.name = "atom",
 	.kind = TS_KIND_DUMP,
-	.summary = "Identity, type and position of particles as text",
-	.doc = "As dump custom with the columns id type xs ys zs: positions from 0 to 1 across the box. "
-	       "dump_modify scale\n"
-	       "no writes x y z instead, image yes adds ix iy iz.",
+	.summary = "Id, type and position of particles as text",
+	.doc = "As dump custom with the columns id type xs ys zs: positions are scaled from 0 to 1 "
+	       "across the box. `dump_modify scale no` writes x y z instead, `image yes` adds ix "
+	       "iy iz.",
 	.example = "dump rock all atom 1000 post/rock*.dump\ndump_modify rock scale no image yes",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Columns of dumps: what they are called, and their values. */
+/* Columns of dumps: resolution of their names, and their values. */
 #include "dump/dump.h"
 
 #include <stdlib.h>
@@ -15,7 +15,7 @@ static bool names_integer(const char *name)
 	for (size_t k = 0; k < sizeof integers / sizeof *integers; k++)
 		if (ts_streq(name, integers[k]))
 			return true;
-	return strncmp(name, "i_", 2) == 0; /* of fix property/atom */
+	return strncmp(name, "i_", 2) == 0; /* integer property of fix property/atom */
 }
 
 enum ts_status ts_dump_make_column(struct ts_instance *self, struct tsim *sim, struct ts_dump_column *c,
@@ -35,7 +35,7 @@ enum ts_status ts_dump_make_column(struct ts_instance *self, struct tsim *sim, s
 				    &c->input);
 }
 
-/* Once: c_ID[*] becomes several columns. */
+/* Called once: expands c_ID[*] to several columns. */
 static enum ts_status name_columns(struct ts_instance *self, struct tsim *sim, struct ts_words names,
 				   bool local)
 {
@@ -74,7 +74,7 @@ enum ts_status ts_dump_evaluate(struct ts_dump_column *c, struct tsim *sim)
 		return TS_OK;
 	if (c->element)
 		return ts_quantity_eval(sim, "type", &c->values);
-	if (c->input.shape == TS_SCALAR) /* the same for all particles */
+	if (c->input.shape == TS_SCALAR) /* a global value, repeated for all particles */
 		return ts_ref_peratom(sim, &c->input.ref, &c->input.where, &c->values);
 	return ts_ref_input_eval(sim, &c->input, &c->values);
 }

@@ -1,4 +1,4 @@
-/* Dump custom: chosen quantities of particles as text. */
+/* Dump custom: selected quantities of particles as text. */
 #include "core/sim.h"
 #include "dump/dump.h"
 
@@ -29,7 +29,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 static const struct ts_arg args[] = {
 	TS_DUMP_ARGS(struct state),
 	TS_REST("columns", struct state, names,
-		.help = "what to write: id, type, x, y, z, vx, radius ..., c_ID[k], f_ID[k], v_NAME"),
+		.help = "quantities: id, type, x, y, z, vx, radius ..., c_ID[k], f_ID[k], v_NAME"),
 	TS_ARGS_END,
 };
 
@@ -39,14 +39,13 @@ TS_STYLE(dump, ts_style, ts_dump_custom)
 const struct ts_style ts_dump_custom = {
 	.name = "custom",
 	.kind = TS_KIND_DUMP,
-	.summary = "Chosen quantities of particles as text that OVITO reads",
-	.doc = "A frame is written when the step is a multiple of N, also at the start of a run, never "
-	       "twice\n"
-	       "for the same step. Each begins with ITEM lines: step, number of particles, bounds of the "
-	       "box,\n"
-	       "names of the columns. Particles are written in order of id (see dump_modify sort), so the\n"
-	       "file does not depend on threads or on the order in memory. When a run stops, all frames\n"
-	       "before are complete.",
+	.summary = "Selected quantities of particles as text, readable by OVITO",
+	.doc = "Writes a frame when the step is a multiple of N, including the first step of a "
+	       "run, but never twice for the same step. Each frame begins with ITEM lines: step, "
+	       "number of particles, bounds of the box, names of the columns. Particles are "
+	       "written in the order of their ids (see dump_modify sort), so that the file does "
+	       "not depend on the number of threads or on the order in memory. If a run is "
+	       "interrupted, all previous frames are complete.",
 	.example = "dump rock all custom 1000 post/rock.dump id type x y z vx vy vz radius\n"
 		   "dump rock all custom 1000 post/rock*.dump.gz id x y z c_strain",
 	.args = args,

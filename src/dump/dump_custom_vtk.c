@@ -28,8 +28,8 @@ static enum ts_status fill_points(struct ts_dump_vtk *s, struct tsim *sim)
 	return TS_OK;
 }
 
-/* As LIGGGHTS: with post/a*.vtk the box goes to post/aboundingBox_STEP.vtk, with post/a.vtk to
- * post/a_boundingBox.vtk. */
+/* Writes the simulation box to a file of its own, named as by LIGGGHTS: for post/a*.vtk
+ * post/aboundingBox_STEP.vtk, for post/a.vtk post/a_boundingBox.vtk. */
 static enum ts_status write_box(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_dump_common *d = self->state;
@@ -53,7 +53,7 @@ static enum ts_status write_box(struct ts_instance *self, struct tsim *sim)
 	return status;
 }
 
-static enum ts_status place(struct ts_instance *self, struct tsim *sim)
+static enum ts_status fill_points_and_write_box(struct ts_instance *self, struct tsim *sim)
 {
 	TS_TRY(fill_points(self->state, sim));
 	return write_box(self, sim);
@@ -61,7 +61,7 @@ static enum ts_status place(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
-	return ts_dump_vtk_frame(self, sim, false, place);
+	return ts_dump_vtk_frame(self, sim, false, fill_points_and_write_box);
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
@@ -70,7 +70,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 }
 
 static const struct ts_arg args[] = {
-	TS_DUMP_VTK_ARGS(struct state, "what to write: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], "
+	TS_DUMP_VTK_ARGS(struct state, "quantities: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], "
 				       "v_NAME"),
 	TS_ARGS_END,
 };
@@ -82,21 +82,24 @@ const struct ts_style ts_dump_custom_vtk = {
 	.name = "custom/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "Particles as points with quantities for ParaView",
-	.doc = "One file per frame; the ending of its name says the format. .vtp: compressed VTK XML "
-	       "(PolyData), the best choice; .vtu: the same as UnstructuredGrid; .vtk: the legacy format as "
-	       "text, or with dump_modify binary yes as bytes; .pvtp, .pvtu: a list of pieces, of which "
-	       "there is one. A collection, named like the frames without the `*`, gives each its time: "
-	       ".pvd, or .vtk.series; open that in ParaView. It is renamed into place, so it is complete at "
-	       "any time. With .vtk the simulation box goes to a file with boundingBox_ before the step, as "
-	       "LIGGGHTS does it.\n\n"
-	       "Positions are always written, a column that is named twice once. Components become vectors: "
-	       "vx vy vz is written as v, fx fy fz as f, three columns c_ID[1] c_ID[2] c_ID[3] as c_ID[1-3]. "
-	       "The order of the arrays is that of LIGGGHTS, not of the command: id, type, mass, v, f, "
-	       "radius, omega and so on, then c_, f_ and v_ as they are named. A variable v_NAME is written "
-	       "as NAME.\n\n"
-	       "Files .vtk are of version 5.1, as VTK 9 has it (ParaView 5.9): what LIGGGHTS writes, byte "
-	       "for byte but for the title, which tells the time, and positions, which are in double "
-	       "precision; with `legacy yes` in single precision as there.",
+	.doc = "Writes one file per frame; the ending of its name selects the format. .vtp: "
+	       "compressed VTK XML (PolyData), recommended; .vtu: the same as UnstructuredGrid; "
+	       ".vtk: the legacy format as text, with `dump_modify binary yes` as binary; .pvtp, "
+	       ".pvtu: a list of pieces, with one piece. A collection, named like the frames "
+	       "without the `*` and ending in .pvd (for .vtk in .vtk.series), lists the frames "
+	       "with their times; open this file in ParaView. It is replaced by renaming, so that "
+	       "it is complete at any time. With .vtk the simulation box is written to a file with "
+	       "boundingBox_ before the step, as in LIGGGHTS.\n\n"
+	       "Positions are always written; a column that is named twice is written once. "
+	       "Components are merged into vectors: vx vy vz into v, fx fy fz into f, three "
+	       "columns c_ID[1] c_ID[2] c_ID[3] into c_ID[1-3]. The order of the arrays is that of "
+	       "LIGGGHTS, not that of the command: id, type, mass, v, f, radius, omega and so on, "
+	       "then c_, f_ and v_ in the order of the command. A variable v_NAME is written as "
+	       "NAME.\n\n"
+	       "Files .vtk are of version 5.1, the format of VTK 9 (ParaView 5.9). They equal "
+	       "those of LIGGGHTS byte for byte, except for the title, which contains the time, "
+	       "and for positions, which are in double precision; with `legacy yes` in single "
+	       "precision as in LIGGGHTS.",
 	.example = "dump rock all custom/vtk 1000 post/rock*.vtp id type x y z vx vy vz radius\n"
 		   "dump old all custom/vtk 1000 post/old*.vtk id type radius",
 	.args = args,

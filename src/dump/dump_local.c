@@ -1,4 +1,4 @@
-/* Dump local: rows of computes and fixes that are not particles, such as bonds and contacts. */
+/* Dump local: rows of local arrays of computes and fixes, such as bonds and contacts, as text. */
 #include "core/sim.h"
 #include "dump/dump.h"
 
@@ -28,7 +28,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 static const struct ts_arg args[] = {
 	TS_DUMP_ARGS(struct state),
-	TS_REST("columns", struct state, names, .help = "what to write: index, c_ID[k], f_ID[k]"),
+	TS_REST("columns", struct state, names, .help = "local quantities: index, c_ID[k], f_ID[k]"),
 	TS_ARGS_END,
 };
 
@@ -38,10 +38,11 @@ TS_STYLE(dump, ts_style, ts_dump_local)
 const struct ts_style ts_dump_local = {
 	.name = "local",
 	.kind = TS_KIND_DUMP,
-	.summary = "Rows of computes and fixes, such as bonds and contacts, as text",
-	.doc = "All columns must have the same number of rows. Rows are ordered by their columns "
-	       "from left to\n"
-	       "right (dump_modify sort off: as they come); index counts them as they are written.",
+	.summary = "Local arrays of computes and fixes, such as bonds and contacts, as text",
+	.doc = "All columns must have the same number of rows. Rows are sorted by the first "
+	       "column, then by the second, and so on; with `dump_modify sort off` they are "
+	       "written in the order of the compute or fix. index numbers the rows in the order of "
+	       "writing.",
 	.example = "dump bonds all local 1000 post/bonds.dump index c_bonds[1] c_bonds[2] c_bonds[3]",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Dump local/gran/vtk: contacts with all that a compute says of them, as lines for ParaView. */
+/* Dump local/gran/vtk: contacts with all quantities of a compute, as lines for ParaView. */
 #include "contact/contact_columns.h"
 #include "core/sim.h"
 #include "dump/dump_vtk.h"
@@ -74,7 +74,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	poly.ncell_data = ts_contact_columns_arrays(s->contacts->state, table->columns, array, &pos);
 	if (pos == SIZE_MAX)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->compute),
-			       "dump local/gran/vtk: compute %s has to give places: add the word pos",
+			       "dump local/gran/vtk: compute %s has no positions: add the keyword pos",
 			       s->compute);
 	TS_TRY(fill_points(s, sim, table, pos));
 	TS_TRY(fill_arrays(s, sim, table, array, poly.ncell_data));
@@ -87,7 +87,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 static const struct ts_arg args[] = {
 	TS_DUMP_VTK_FILE_ARGS(struct state),
 	TS_WORD("compute", struct state, compute, .flags = TS_POSITIONAL,
-		.help = "id of a compute pair/gran/local or wall/gran/local with the word pos"),
+		.help = "ID of a compute pair/gran/local or wall/gran/local with the keyword pos"),
 	TS_ARGS_END,
 };
 
@@ -97,14 +97,15 @@ TS_STYLE(dump, ts_style, ts_dump_local_gran_vtk)
 const struct ts_style ts_dump_local_gran_vtk = {
 	.name = "local/gran/vtk",
 	.kind = TS_KIND_DUMP,
-	.summary = "Contacts as lines with forces and more, for ParaView",
-	.doc = "A line for each row of the compute, from the first partner to the nearest image of the "
-	       "second, or from the wall to the particle; what else the compute gives are data of the lines: "
-	       "vel1, vel2, id1, id2, id3, force, force_normal, force_tangential, torque, history, "
-	       "contact_area, delta, contact_point. ParaView's filter Tube makes force chains of them. Files "
-	       "as with dump custom/vtk.\n\n"
-	       "LIGGGHTS draws the triangle of both centres and the contact point, with the same data three "
-	       "times; here a contact is one line.",
+	.summary = "Contacts as lines with forces and other data for ParaView",
+	.doc = "Writes a line for each contact of the compute, from the centre of the first "
+	       "particle to the nearest periodic image of the second, or from the wall to the "
+	       "particle. The other quantities of the compute are data of the lines: vel1, vel2, "
+	       "id1, id2, id3, force, force_normal, force_tangential, torque, history, "
+	       "contact_area, delta, contact_point. ParaView's filter Tube shows them as force "
+	       "chains. Files are as with dump custom/vtk.\n\n"
+	       "LIGGGHTS writes a triangle of both centres and the contact point, with the same "
+	       "data three times; here a contact is one line.",
 	.example = "compute chain all pair/gran/local pos id force\n"
 		   "dump chains all local/gran/vtk 1000 post/chains*.vtp chain",
 	.args = args,

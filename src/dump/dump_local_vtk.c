@@ -1,4 +1,4 @@
-/* Dump local/vtk: rows between two particles, such as bonds and contacts, as lines for ParaView. */
+/* Dump local/vtk: local rows of two particles, such as bonds and contacts, as lines for ParaView. */
 #include "core/sim.h"
 #include "dump/dump_vtk.h"
 #include "particle/identity.h"
@@ -26,8 +26,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status find_row(struct ts_instance *self, struct tsim *sim, const struct ts_identities *map,
-			       double id, int32_t *row)
+static enum ts_status find_particle(struct ts_instance *self, struct tsim *sim,
+				    const struct ts_identities *map, double id, int32_t *row)
 {
 	*row = id >= 1 && id <= map->max && floor(id) == id ? ts_contact_of(map, (int32_t)id) : -1;
 	if (*row >= 0)
@@ -51,8 +51,8 @@ static enum ts_status fill_points(struct ts_instance *self, struct tsim *sim)
 	for (size_t row = 0; row < d->nrows; row++) {
 		int32_t from = d->order[row];
 
-		TS_TRY(find_row(self, sim, &map, d->column[0].values.data[from], &i));
-		TS_TRY(find_row(self, sim, &map, d->column[1].values.data[from], &j));
+		TS_TRY(find_particle(self, sim, &map, d->column[0].values.data[from], &i));
+		TS_TRY(find_particle(self, sim, &map, d->column[1].values.data[from], &j));
 		ts_dump_vtk_line(sim, x[i], x[j], &s->points.data[6 * row]);
 	}
 	return TS_OK;
@@ -70,7 +70,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 static const struct ts_arg args[] = {
 	TS_DUMP_VTK_ARGS(struct state,
-			 "c_ID[k] or f_ID[k]; the first two are the ids of the particles at the ends"),
+			 "c_ID[k] or f_ID[k]; the first two columns are the ids of the two particles"),
 	TS_ARGS_END,
 };
 
@@ -81,10 +81,9 @@ const struct ts_style ts_dump_local_vtk = {
 	.name = "local/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "Bonds or contacts as lines between particles for ParaView",
-	.doc = "The first two columns are the ids of the particles at the ends; a line is drawn from the "
-	       "first\n"
-	       "to the nearest image of the second. All columns are written as data of the lines. Files as\n"
-	       "with dump custom/vtk.",
+	.doc = "The first two columns are the ids of two particles; a line is drawn from the first "
+	       "to the nearest periodic image of the second. All columns are written as data of "
+	       "the lines. Files are as with dump custom/vtk.",
 	.example = "dump bonds all local/vtk 1000 post/bonds*.vtp c_bonds[1] c_bonds[2] c_bonds[3]",
 	.args = args,
 	.state_size = sizeof(struct state),

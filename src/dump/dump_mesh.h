@@ -1,4 +1,4 @@
-/* What the dumps of meshes share: which meshes are written, and when. */
+/* Shared by the dumps of meshes: which meshes are written, and at which steps. */
 #ifndef TS_DUMP_DUMP_MESH_H
 #define TS_DUMP_DUMP_MESH_H
 
@@ -8,8 +8,8 @@
 /* First member of their states. */
 struct ts_dump_mesh {
 	struct ts_dump_common common;
-	struct ts_words words; /* of the line, from behind the file name */
-	struct ts_mesh_surface **surface;
+	struct ts_words words;		  /* arguments after the file name */
+	struct ts_mesh_surface **surface; /* [nsurfaces] meshes to write */
 	size_t nsurfaces, capacity;
 };
 
@@ -21,15 +21,17 @@ struct ts_dump_mesh {
 		TS_REST_OPTIONAL("words", T, mesh.words, .help = (help_))
 #define TS_DUMP_MESH_SAVED(T) TS_SAVE_I64(T, mesh.common.last), TS_SAVE_I64(T, mesh.common.frames)
 
-/* What else a word of the line may be. *taken: so many words, 0 if it must be the id of a mesh. */
+/* Parses arguments of the style itself. *taken: number of words used; 0: the word must be the id of a mesh. */
 typedef enum ts_status ts_dump_mesh_word_fn(struct ts_instance *self, struct tsim *sim, struct ts_words rest,
 					    size_t *taken);
-/* Finds the meshes, all of them if none is named. Refuses a file name without `*`. */
+/* Finds the meshes: those named, or all if none is. Refuses a file name without `*`. */
 enum ts_status ts_dump_mesh_init(struct ts_instance *self, struct tsim *sim, ts_dump_mesh_word_fn *word);
 
-/* Begins a frame if one is due; the style adds to common.text. */
+/* Begins a frame if one is due; the style adds its text to common.text. */
 enum ts_status ts_dump_mesh_begin(struct ts_instance *self, struct tsim *sim, bool *due);
+/* Writes common.text and ends the frame. */
 enum ts_status ts_dump_mesh_end(struct ts_instance *self, struct tsim *sim);
+/* Number of triangles of all meshes of the dump. */
 size_t ts_dump_mesh_triangles(const struct ts_dump_mesh *d);
 
 void ts_dump_mesh_fini(struct ts_instance *self);

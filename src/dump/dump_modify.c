@@ -1,4 +1,4 @@
-/* What dump_modify changes, and the modify words of write_dump. */
+/* Applies the keywords of dump_modify and of `write_dump ... modify`. */
 #include <math.h>
 #include <string.h>
 
@@ -9,7 +9,8 @@
 const char *const ts_dump_answers[] = { "no", "yes", NULL };
 const char *const ts_dump_compressors[] = { "none", "zlib", "lz4", NULL };
 
-static enum ts_status keep(struct tsim *sim, struct ts_instance *dump, const char *text, const char **out)
+static enum ts_status copy_name(struct tsim *sim, struct ts_instance *dump, const char *text,
+				const char **out)
 {
 	*out = ts_arena_strdup(&dump->arena, text);
 	return *out ? TS_OK : ts_nomem(&sim->error);
@@ -24,7 +25,7 @@ static enum ts_status set_every(struct tsim *sim, struct ts_instance *dump, cons
 		return TS_OK;
 	d->variable = NULL;
 	if (every->variable)
-		return keep(sim, dump, every->variable, &d->variable);
+		return copy_name(sim, dump, every->variable, &d->variable);
 	if (every->value != floor(every->value) || every->value > 9e15)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "dump_modify: every is %g, expected an integer > 0 or v_name", every->value);
@@ -65,7 +66,7 @@ static enum ts_status set_region(struct tsim *sim, struct ts_instance *dump, con
 		return TS_OK;
 	}
 	TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &id, &found));
-	return keep(sim, dump, region, &d->region);
+	return copy_name(sim, dump, region, &d->region);
 }
 
 static enum ts_status set_refresh(struct tsim *sim, struct ts_instance *dump, const char *refresh,
@@ -80,10 +81,9 @@ static enum ts_status set_refresh(struct tsim *sim, struct ts_instance *dump, co
 	TS_TRY(ts_sim_require(sim, TS_KIND_COMPUTE, &id, &found));
 	if (!found->style->refresh)
 		return ts_fail(&sim->error, TS_RANGE, &id.place,
-			       "dump_modify: compute %s keeps nothing that could start anew; displace/atom "
-			       "does",
+			       "dump_modify: compute %s has no reference state to refresh; displace/atom has",
 			       found->style->name);
-	return keep(sim, dump, id.text, &d->refresh);
+	return copy_name(sim, dump, id.text, &d->refresh);
 }
 
 static enum ts_status set_maxfiles(struct tsim *sim, struct ts_dump_common *d, int64_t most,
@@ -140,12 +140,12 @@ enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump, const 
 	set_answers(d, c);
 	if (c->element.n && ts_words_copy(&dump->arena, c->element, &d->element) != TS_OK)
 		return ts_nomem(&sim->error);
-	if (dump->style->init) /* image flags are columns */
+	if (dump->style->init) /* `image` and `scale` change the columns */
 		TS_TRY(dump->style->init(dump, sim));
 	TS_TRY(set_every(sim, dump, &c->every, where));
 	TS_TRY(set_sort(sim, d, c->sort, where));
 	if (c->label)
-		TS_TRY(keep(sim, dump, c->label, &d->label));
+		TS_TRY(copy_name(sim, dump, c->label, &d->label));
 	if (c->region)
 		TS_TRY(set_region(sim, dump, c->region, where));
 	if (c->refresh)

@@ -1,4 +1,5 @@
-/* The words of dump_modify as rows of an argument table; the state has them in `changes`. */
+/* The keywords of dump_modify as rows of an argument table, for a state with a struct ts_dump_changes as
+ * member `changes`. */
 #ifndef TS_DUMP_DUMP_MODIFY_H
 #define TS_DUMP_DUMP_MODIFY_H
 
@@ -20,45 +21,45 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 /* clang-format off */
 #define TS_DUMP_MODIFY_ROWS(T)                                                                  \
 	TS_NUMBER("every", T, changes.every, .flags = TS_OPTIONAL, .range = TS_POSITIVE,        \
-		  .help = "steps between frames, or a variable that says the step of the next one"), \
+		  .help = "steps between frames, or a variable that evaluates to the step of the next one"), \
 	TS_WORD("sort", T, changes.sort, .flags = TS_OPTIONAL,                                  \
-		.help = "order of rows: id (as from the start), off (as they lie in memory), N or -N (by " \
-			"column N, up or down)"),                                               \
+		.help = "order of rows: id (default), off (that in memory), N or -N (by column N, ascending " \
+			"or descending)"),                                                      \
 	TS_DUMP_WORDS(T, "thresh", thresh, TS_REPEAT,                                           \
-	      "quantity, one of < <= > >= == != |^, number or LAST (its value at the last frame; none is " \
-	      "written in the first): only particles for which this holds, and all others given; none " \
-	      "forgets them"),                                           \
+	      "quantity, one of < <= > >= == != |^, and a number or LAST (its value at the last frame; no " \
+	      "particle is written in the first one): only particles that meet all conditions; none " \
+	      "removes them"),                                           \
 	TS_WORD("region", T, changes.region, .flags = TS_OPTIONAL,                              \
-		.help = "only particles whose centres are in it; none: all"),                   \
+		.help = "only particles whose centres are in the region; none: all"),           \
 	TS_DUMP_WORDS(T, "format", format, TS_REPEAT,                                           \
-	      "how numbers are written: float F, int F, the number of a column and F, line \"F F ...\" " \
-	      "with one for each column, or none: the defaults again; F is a C format such as %.15g"), \
-	TS_DUMP_COUNT(T, "pad", pad, 0, 20, "digits of the step in file names, filled with zeros"), \
-	TS_DUMP_ANSWER(T, "first", first, "write a frame at the start of the next run in any case"), \
+	      "format of numbers: float F, int F, the number of a column and F, line \"F F ...\" " \
+	      "with one for each column, or none for the defaults; F is a C format such as %.15g"), \
+	TS_DUMP_COUNT(T, "pad", pad, 0, 20, "digits of the step in file names, with leading zeros"), \
+	TS_DUMP_ANSWER(T, "first", first, "write a frame at the start of the next run whatever the step"), \
 	TS_DUMP_COUNT(T, "delay", delay, 0, 9e15, "no frame before this step"),                 \
-	TS_DUMP_ANSWER(T, "append", append, "go on with a file that exists instead of writing it anew"), \
+	TS_DUMP_ANSWER(T, "append", append, "append to an existing file instead of replacing it"), \
 	TS_WORD("label", T, changes.label, .flags = TS_OPTIONAL,                                \
 		.help = "text of an additional ITEM: LABEL of each frame"),                     \
 	TS_DUMP_ANSWER(T, "time", time, "an additional ITEM: TIME of each frame"),              \
 	TS_DUMP_ANSWER(T, "units", units, "an additional ITEM: UNITS of the first frame"),      \
 	TS_DUMP_COUNT(T, "maxfiles", maxfiles, -1, 1000000,                                     \
-	      "keep only so many of the files of single frames, the last; -1: all"),            \
+	      "number of latest files to keep, with one file per frame; -1: all"),              \
 	TS_DUMP_WORDS(T, "element", element, 0, "names of the types, for the column element and for dump " \
 						"xyz"), \
-	TS_DUMP_ANSWER(T, "scale", scale, "dump atom: positions from 0 to 1 across the box (as from the " \
-					  "start)"), \
-	TS_DUMP_ANSWER(T, "image", image, "dump atom: image flags too"),                        \
+	TS_DUMP_ANSWER(T, "scale", scale, "dump atom: positions scaled from 0 to 1 across the box " \
+					  "(default)"), \
+	TS_DUMP_ANSWER(T, "image", image, "dump atom: write image flags"),                      \
 	TS_WORD("refresh", T, changes.refresh, .flags = TS_OPTIONAL,                            \
-		.help = "c_ID of a compute displace/atom that starts anew after each frame, as its own " \
-			"words say"),                                                           \
-	TS_DUMP_ANSWER(T, "header", header, "the ITEM lines of each frame (as from the start)"), \
-	TS_DUMP_ANSWER(T, "buffer", buffer, "no effect: frames are written in large pieces"),   \
+		.help = "c_ID of a compute displace/atom whose reference is renewed after each frame, as its " \
+			"own keywords say"),                                                    \
+	TS_DUMP_ANSWER(T, "header", header, "write the ITEM lines of each frame (default)"),    \
+	TS_DUMP_ANSWER(T, "buffer", buffer, "no effect: output is always buffered"),            \
 	TS_ENUM("compressor", T, changes.compressor, ts_dump_compressors, .flags = TS_OPTIONAL, \
 		.help = "no effect: VTK files are compressed with zlib"),                       \
-	TS_DUMP_ANSWER(T, "flush", flush, "no effect: every frame is handed to the system at once"), \
-	TS_DUMP_ANSWER(T, "pbc", pbc, "no effect: positions are wrapped when neighbours are searched"), \
-	TS_DUMP_ANSWER(T, "binary", binary, "numbers of .vtk files as bytes, not as text; other VTK files " \
-					    "always"),      \
+	TS_DUMP_ANSWER(T, "flush", flush, "no effect: the file is flushed after each frame"),   \
+	TS_DUMP_ANSWER(T, "pbc", pbc, "no effect: positions are wrapped when the neighbor list is built"), \
+	TS_DUMP_ANSWER(T, "binary", binary, "binary instead of text in .vtk files; other VTK files are " \
+					    "always binary"),      \
 	TS_DUMP_COUNT(T, "fileper", fileper, 1, 1000000, "no effect: there is one process"),    \
 	TS_DUMP_COUNT(T, "nfile", nfile, 1, 1000000, "no effect: there is one process")
 /* clang-format on */

@@ -1,4 +1,4 @@
-/* How much a dump writes, for -explain: the frame as it would be now, rows sampled. */
+/* Estimated output of a dump for -explain: size of a frame of the current state, from a sample of its rows. */
 #include <math.h>
 #include <string.h>
 
@@ -7,12 +7,13 @@
 
 #include "base/banned.h"
 
-/* Part of the size that is left by zlib: of text, of numbers of 8 bytes, of identities and the like. */
+/* Compressed size / size with zlib, measured: of text, of 8-byte reals, of integers such as ids. */
 static const double TEXT_LEFT = 0.45, REAL_LEFT = 0.9, INTEGER_LEFT = 0.25;
-static const double NUMBER_WIDTH = 11; /* of a number that is 0 only because nothing has moved yet */
-static const double HEADER = 200;
-enum { SAMPLE = 200 };
+static const double NUMBER_WIDTH = 11; /* characters assumed for numbers that are still 0 */
+static const double HEADER = 200;      /* bytes */
+enum { SAMPLE = 200 };		       /* rows */
 
+/* Mean number of characters of a column, with the blank. */
 static double column_width(struct ts_dump_common *d, const struct ts_dump_column *c)
 {
 	size_t n = d->nrows < SAMPLE ? d->nrows : SAMPLE;
@@ -43,8 +44,8 @@ static double frame_size(struct ts_dump_common *d, bool vtk)
 	return HEADER + (double)d->nrows * row;
 }
 
-/* Multiples of its interval, and the first step if that is one or `first` was asked for. */
-static int64_t frames(const struct ts_dump_common *d, const struct tsim *sim)
+/* Number of frames in the run: multiples of the interval, and the first step if that is one or with `first`. */
+static int64_t count_frames(const struct ts_dump_common *d, const struct tsim *sim)
 {
 	int64_t step = sim->clock.step;
 	bool now = step % d->every == 0 || (d->first && d->frames == 0);
@@ -62,7 +63,7 @@ enum ts_status ts_dump_price_frame(struct ts_instance *self, struct tsim *sim, d
 	if (!sim->reading.explain || sim->log.quiet)
 		return TS_OK;
 	ts_str_addf(&name, "dump %s %s", self->id, d->file);
-	status = ts_report_output(report, ts_str_text(&name), frames(d, sim), bytes);
+	status = ts_report_output(report, ts_str_text(&name), count_frames(d, sim), bytes);
 	ts_str_release(&name);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
@@ -74,7 +75,7 @@ enum ts_status ts_dump_price(struct ts_instance *self, struct tsim *sim, bool lo
 
 	if (!sim->reading.explain || sim->log.quiet)
 		return TS_OK;
-	/* what has no value before the first step is not counted */
+	/* columns that cannot be evaluated before the first step: the header alone is counted */
 	if (ts_dump_gather(self, sim, local) != TS_OK) {
 		if (sim->error.status == TS_NOMEM)
 			return TS_NOMEM;

@@ -1,4 +1,4 @@
-/* Dump restart: saves the state at intervals. */
+/* Dump restart: writes restart files every N steps. */
 #include "core/report.h"
 #include "core/sim.h"
 #include "dump/dump.h"
@@ -17,12 +17,12 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	const struct state *s = self->state;
 
 	self->every = s->common.every;
-	/* a run that goes on shows the contacts of this step */
-	ts_neigh_keep_forces_every(sim->neigh, s->common.variable ? 1 : self->every);
+	/* a run continued from the file outputs the contacts of its step: their forces must be stored */
+	ts_neigh_show_every(sim->neigh, s->common.variable ? 1 : self->every);
 	return TS_OK;
 }
 
-/* Not at the first step of a run: that state is where it came from. */
+/* The first step of a run is not written: it is the state that the run was started from. */
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -41,10 +41,10 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	return ts_restart_write(sim, ts_str_text(&d->path), &self->where);
 }
 
-/* zlib leaves about two thirds. */
-static const double LEFT = 0.67;
+/* Compressed size / size of a restart file with zlib. */
+static const double COMPRESSED = 0.67;
 
-static enum ts_status add_size(struct ts_instance *inst, struct tsim *sim, double *bytes)
+static enum ts_status add_instance_size(struct ts_instance *inst, struct tsim *sim, double *bytes)
 {
 	struct ts_archive *archive = ts_archive_new(sim, true);
 	const unsigned char *block;
@@ -56,7 +56,7 @@ static enum ts_status add_size(struct ts_instance *inst, struct tsim *sim, doubl
 	status = ts_archive_instance(archive, inst, sim);
 	if (status == TS_OK)
 		status = ts_archive_bytes(archive, &block, &n);
-	*bytes += LEFT * (double)n;
+	*bytes += COMPRESSED * (double)n;
 	ts_archive_free(archive);
 	return status;
 }
@@ -68,7 +68,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 	for (int kind = 0; kind < TS_NKIND && sim->reading.explain && !sim->log.quiet; kind++)
 		for (size_t k = 0; k < sim->instances[kind].n; k++)
-			TS_TRY(add_size(sim->instances[kind].item[k], sim, &bytes));
+			TS_TRY(add_instance_size(sim->instances[kind].item[k], sim, &bytes));
 	return ts_report_output(report, s->common.file, ts_report_times(sim, s->common.every), bytes) == TS_OK
 		       ? TS_OK
 		       : ts_nomem(&sim->error);
@@ -77,7 +77,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 static const struct ts_arg args[] = {
 	TS_DUMP_ARGS(struct state),
 	TS_WORD("other", struct state, other, .flags = TS_POSITIONAL | TS_WRITES | TS_OPTIONAL,
-		.help = "a second file: the two are written in turn"),
+		.help = "a second file: the two are written alternately"),
 	TS_ARGS_END,
 };
 
@@ -87,10 +87,10 @@ TS_STYLE(dump, ts_style, ts_dump_restart)
 const struct ts_style ts_dump_restart = {
 	.name = "restart",
 	.kind = TS_KIND_DUMP,
-	.summary = "Saves the whole state at intervals",
-	.doc = "As write_restart, every N steps. Define it after all other dumps: it then knows "
-	       "which frames they\n"
-	       "have written, and a continued run does not write one twice.",
+	.summary = "Writes restart files every N steps",
+	.doc = "Writes a restart file every N steps, as write_restart does. Define it after all "
+	       "other dumps: the file then contains which frames they have written, and a "
+	       "continued run does not write a frame twice.",
 	.example = "dump save all restart 10000 a.restart b.restart",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Which particles or rows a dump writes, and in which order. */
+/* Selection and order of the particles or local rows that a dump writes. */
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE /* qsort_r */
 #endif
@@ -43,7 +43,7 @@ void ts_dump_release_thresholds(struct ts_dump_common *d)
 	d->nthresholds = 0;
 }
 
-/* A column that keeps a value and, as 1, that it is known. */
+/* Column of the particles for LAST: the value at the last frame, and 1 if there is one. */
 enum { VALUE, KNOWN, WIDTH };
 
 static enum ts_status last_column(struct ts_instance *self, struct tsim *sim, size_t k, size_t *column)
@@ -79,7 +79,8 @@ static enum ts_status keep_last(struct ts_instance *self, struct tsim *sim, stru
 
 	TS_TRY(last_column(self, sim, k, &t->column));
 	for (size_t i = 0; k >= d->restored && i < sim->particles->n; i++)
-		last_of(sim, t, i)[KNOWN] = 0; /* the column may be left over from another dump */
+		last_of(sim, t, i)[KNOWN] =
+			0; /* the column may still exist from a deleted dump of the same id */
 	return TS_OK;
 }
 
@@ -164,7 +165,7 @@ static enum ts_status find_region(struct ts_instance *self, struct tsim *sim, st
 		       d->region);
 }
 
-/* With LAST the value becomes that of the last frame, for all particles. */
+/* Evaluates one condition for particle i; with LAST the current value is stored for the next frame. */
 static bool passes_one(const struct tsim *sim, const struct ts_dump_threshold *t, size_t i)
 {
 	double value = t->value.values.data[i], *last;
@@ -188,11 +189,11 @@ static bool passes(const struct tsim *sim, const struct ts_dump_common *d, size_
 	return yes;
 }
 
-/* Of equal values the smaller identity comes first. */
+/* Sort key of particles: the value of a column; equal values are sorted by id. */
 struct order {
 	const int32_t *tag;
-	const double *value; /* NULL: by identity */
-	int sign;
+	const double *value; /* NULL: by id */
+	int sign;	     /* 1: ascending; -1: descending */
 };
 
 static int compare(const void *a, const void *b, void *context)
@@ -245,7 +246,7 @@ static enum ts_status select_particles(struct ts_instance *self, struct tsim *si
 	return sort(self, sim);
 }
 
-/* Local rows have no identity: they are ordered by their columns, from left to right. */
+/* Local rows have no id: they are sorted by the first column, then by the second, and so on. */
 static int compare_rows(const void *a, const void *b, void *context)
 {
 	const struct ts_dump_common *d = context;
@@ -290,7 +291,7 @@ static enum ts_status select_rows(struct ts_dump_common *d, struct tsim *sim)
 	return TS_OK;
 }
 
-/* The index counts the rows as they are written. */
+/* The column `index` numbers the rows in the order of writing. */
 static enum ts_status number_rows(struct ts_dump_common *d, struct tsim *sim)
 {
 	for (size_t k = 0; k < d->ncolumns; k++) {
@@ -306,7 +307,7 @@ static enum ts_status number_rows(struct ts_dump_common *d, struct tsim *sim)
 	return TS_OK;
 }
 
-/* dump_modify refresh: the values of this frame are taken already. */
+/* dump_modify refresh: renews the reference of the compute after the columns were evaluated. */
 static enum ts_status refresh(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_dump_common *d = self->state;

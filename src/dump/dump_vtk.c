@@ -19,8 +19,8 @@ enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
-/* Place of a column among those of LIGGGHTS; what it has no place for comes after them. */
-static int place_of(const struct ts_dump_column *c)
+/* Rank of a column in the order of arrays in files of LIGGGHTS; other columns come last. */
+static int liggghts_rank(const struct ts_dump_column *c)
 {
 	static const char *const order[] = {
 		"id",	    "mol",    "type",	"element", "mass", "xs",  "ys",	 "zs",
@@ -36,14 +36,14 @@ static int place_of(const struct ts_dump_column *c)
 	return k;
 }
 
-/* Columns that have the same place stay as they are. */
-static void put_in_order(struct ts_dump_column *column, size_t n)
+/* Insertion sort, stable: columns of the same rank keep the order of the command. */
+static void sort_columns(struct ts_dump_column *column, size_t n)
 {
 	for (size_t k = 1; k < n; k++) {
 		struct ts_dump_column moved = column[k];
 		size_t to = k;
 
-		for (; to > 0 && place_of(&column[to - 1]) > place_of(&moved); to--)
+		for (; to > 0 && liggghts_rank(&column[to - 1]) > liggghts_rank(&moved); to--)
 			column[to] = column[to - 1];
 		column[to] = moved;
 	}
@@ -56,7 +56,7 @@ enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool
 	TS_TRY(ts_dump_vtk_check_name(self, sim));
 	TS_TRY(ts_dump_columns(self, sim, s->names, local));
 	if (!local)
-		put_in_order(s->common.column, s->common.ncolumns);
+		sort_columns(s->common.column, s->common.ncolumns);
 	if (!s->array)
 		s->array = ts_arena_alloc(&self->arena, s->common.ncolumns, sizeof *s->array);
 	return s->array ? TS_OK : ts_nomem(&sim->error);
@@ -99,7 +99,7 @@ static bool is_position(const struct ts_dump_column *c)
 	return c->input.quantity && strchr("xyz", c->input.name[0]) && !c->input.name[1];
 }
 
-/* A column that was named before is left out: `id type type x y z` is much written. */
+/* Columns named twice are written once: scripts often have `id type type x y z`. */
 static bool is_repeated(const struct ts_dump_common *d, size_t k)
 {
 	for (size_t before = 0; before < k; before++)
@@ -115,7 +115,7 @@ static void copy_columns(const struct ts_dump_common *d, size_t first, size_t co
 			*to++ = d->column[first + k].values.data[d->order[row]];
 }
 
-/* A variable v_NAME is written as NAME, unless an array before it is. */
+/* A variable v_NAME is written as NAME, unless a previous array has that name. */
 static const char *array_name(const struct ts_dump_vtk *s, const char *column)
 {
 	bool variable = strncmp(column, "v_", 2) == 0;
@@ -125,8 +125,8 @@ static const char *array_name(const struct ts_dump_vtk *s, const char *column)
 	return variable ? column + 2 : column;
 }
 
-/* Columns k.. as one array; its name is made once. Returns how many were taken. */
-static size_t take_array(struct ts_instance *self, size_t k, bool vectors, double *to)
+/* Adds column k, or the vector of columns k to k + 2, as an array. Returns the number of columns used. */
+static size_t add_array(struct ts_instance *self, size_t k, bool vectors, double *to)
 {
 	struct ts_dump_vtk *s = self->state;
 	const struct ts_dump_common *d = &s->common;
@@ -146,8 +146,8 @@ static size_t take_array(struct ts_instance *self, size_t k, bool vectors, doubl
 	return a->components;
 }
 
-/* Fills `array` with the columns in order of writing. */
-static enum ts_status merge(struct ts_instance *self, struct tsim *sim, bool vectors)
+/* Fills `array` with the columns, rows in the order of writing. */
+static enum ts_status merge_columns(struct ts_instance *self, struct tsim *sim, bool vectors)
 {
 	struct ts_dump_vtk *s = self->state;
 	const struct ts_dump_common *d = &s->common;
@@ -161,7 +161,7 @@ static enum ts_status merge(struct ts_instance *self, struct tsim *sim, bool vec
 		size_t taken = 1;
 
 		if (!is_position(&d->column[k]) && !is_repeated(d, k)) {
-			taken = take_array(self, k, vectors, to);
+			taken = add_array(self, k, vectors, to);
 			if (!s->array[s->narrays - 1].name)
 				return ts_nomem(&sim->error);
 			to += taken * d->nrows;
@@ -220,7 +220,7 @@ enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim, str
 }
 
 enum ts_status ts_dump_vtk_frame(struct ts_instance *self, struct tsim *sim, bool local,
-				 ts_dump_vtk_place_fn *place)
+				 ts_dump_vtk_points_fn *fill_points)
 {
 	struct ts_dump_vtk *s = self->state;
 	struct ts_vtk_poly poly = { 0 };
@@ -230,8 +230,8 @@ enum ts_status ts_dump_vtk_frame(struct ts_instance *self, struct tsim *sim, boo
 	if (!due)
 		return TS_OK;
 	TS_TRY(ts_dump_gather(self, sim, local));
-	TS_TRY(place(self, sim));
-	TS_TRY(merge(self, sim, !local));
+	TS_TRY(fill_points(self, sim));
+	TS_TRY(merge_columns(self, sim, !local));
 	poly.points = s->points.data;
 	if (local) {
 		poly.nlines = s->common.nrows;

@@ -1,4 +1,4 @@
-/* What the VTK dumps share: columns merged into vectors, files, the collection over time. */
+/* Shared by the VTK dumps: columns merged into vectors, files, the collection of frames. */
 #ifndef TS_DUMP_DUMP_VTK_H
 #define TS_DUMP_DUMP_VTK_H
 
@@ -8,12 +8,12 @@
 /* First member of their states. */
 struct ts_dump_vtk {
 	struct ts_dump_common common;
-	struct ts_words names;
-	struct ts_vtk_series series;
-	struct ts_vtk_array *array; /* in the instance's arena, at most one per column */
+	struct ts_words names;	     /* columns as given */
+	struct ts_vtk_series series; /* frames written so far */
+	struct ts_vtk_array *array;  /* [narrays] in the instance's arena, at most one per column */
 	size_t narrays;
-	struct ts_table merged; /* their numbers, one after another */
-	struct ts_table points;
+	struct ts_table merged; /* data of the arrays, one array after another */
+	struct ts_table points; /* [points][3] positions (length) */
 };
 
 #define TS_DUMP_VTK_FILE_ARGS(T)                                                                        \
@@ -28,18 +28,18 @@ struct ts_dump_vtk {
 
 /* Refuses file names of an unknown type. */
 enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim);
-/* The same, and finds the columns. */
+/* Checks the file name and makes the columns. */
 enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local);
-/* A frame of columns, if one is due. `place` fills `points`: one for each row, or of local rows two, the
- * ends of a line. Of particles three columns that are components of one vector (vx vy vz, c_ID[1] c_ID[2]
- * c_ID[3]) become one array; x, y, z are left out. */
-typedef enum ts_status ts_dump_vtk_place_fn(struct ts_instance *self, struct tsim *sim);
+/* Writes a frame of the columns if one is due. `fill_points` fills `points`: one point for each particle, or
+ * two for each local row, the ends of a line. For particles, three columns that are the components of a vector
+ * (vx vy vz, c_ID[1] c_ID[2] c_ID[3]) become one array; x, y, z are left out. */
+typedef enum ts_status ts_dump_vtk_points_fn(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_dump_vtk_frame(struct ts_instance *self, struct tsim *sim, bool local,
-				 ts_dump_vtk_place_fn *place);
-/* The name of the frame of this step, into common.path. */
+				 ts_dump_vtk_points_fn *fill_points);
+/* Sets common.path to the file name of this step. */
 enum ts_status ts_dump_vtk_path(struct ts_dump_common *d, struct tsim *sim);
-/* Enters the frame of this step in the collection, and writes that; without a `*` in the name there is
- * none, and the second frame gets a warning. */
+/* Adds the frame of this step to the collection and writes it. Without a `*` in the file name there is no
+ * collection, and the second frame, which replaces the first, causes a warning. */
 enum ts_status ts_dump_vtk_list(struct ts_instance *self, struct tsim *sim);
 /* The two ends of a line: from a to the nearest periodic image of b. */
 void ts_dump_vtk_line(const struct tsim *sim, const double a[3], const double b[3], double to[6]);

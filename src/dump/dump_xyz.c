@@ -1,4 +1,4 @@
-/* Dump xyz: type and position of particles, the least that viewers read. */
+/* Dump xyz: type and position of particles in the XYZ format. */
 #include "core/sim.h"
 #include "dump/dump.h"
 
@@ -45,10 +45,10 @@ TS_STYLE(dump, ts_style, ts_dump_xyz)
 const struct ts_style ts_dump_xyz = {
 	.name = "xyz",
 	.kind = TS_KIND_DUMP,
-	.summary = "Type and position of particles for simple viewers",
-	.doc = "Each frame has the number of particles, a line with the step, and a line `type x y z` for "
-	       "each particle.\n"
-	       "dump_modify element gives the types names.",
+	.summary = "Type and position of particles in the XYZ format",
+	.doc = "Writes frames in the XYZ format: the number of particles, a line with the step, "
+	       "and a line `type x y z` for each particle. `dump_modify element` replaces the "
+	       "types by names.",
 	.example = "dump rock all xyz 1000 post/rock.xyz\ndump_modify rock element granite bit",
 	.args = args,
 	.state_size = sizeof(struct state),

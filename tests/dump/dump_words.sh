@@ -74,7 +74,7 @@ same 'refresh of all' all.dump want
 rejects "$three
 dump 1 all custom 2 way.dump id
 compute e all ke/atom
-dump_modify 1 refresh c_e" 'keeps nothing that could start anew'
+dump_modify 1 refresh c_e" 'has no reference state to refresh'
 rejects "$three
 compute way all displace/atom refresh v_to" "no such variable 'to'"
 finish

@@ -88,7 +88,7 @@ run 100
 => 9:31: error: cannot write 'in.m/post.txt': 'in.m' is no folder that one can be made in
 $box
 dump d all custom 100 post.dump
-=> 9:12: error: dump custom: columns is missing, expected what to write: id, type, x, y, z, vx, radius ..., c_ID[k], f_ID[k], v_NAME
+=> 9:12: error: dump custom: columns is missing, expected quantities: id, type, x, y, z, vx, radius ..., c_ID[k], f_ID[k], v_NAME
 $box
 run
 => 9:1: error: run: N is missing, expected an integer (number of steps)
