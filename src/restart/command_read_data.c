@@ -1,4 +1,4 @@
-/* Command read_data: a box and particles from a file. */
+/* Command read_data: reads box and particles from a data file. */
 #include <math.h>
 
 #include "bond/bonds.h"
@@ -11,7 +11,7 @@
 
 #include "base/banned.h"
 
-enum { NUNUSED = 8 }; /* words for rooms that are made as they are needed */
+enum { NUNUSED = 8 }; /* keywords of LAMMPS that reserve memory: no effect */
 
 struct read_data {
 	const char *file, *group;
@@ -33,7 +33,7 @@ static enum ts_status read_add(struct tsim *sim, struct read_data *c, const stru
 		return TS_OK;
 	if (c->add.n > 2)
 		return ts_fail(&sim->error, TS_SYNTAX, &c->add.word[2].place,
-			       "read_data: add takes one word, found '%s' behind it", c->add.word[2].text);
+			       "read_data: add takes one word, found '%s' after it", c->add.word[2].text);
 	c->options.keep_box = c->add.n == 1;
 	if (ts_streq(how, "append")) {
 		c->options.add = TS_DATA_APPEND;
@@ -97,7 +97,7 @@ static enum ts_status refuse_repeated(struct tsim *sim, const struct ts_data *da
 	return TS_OK;
 }
 
-/* A bond of a file has no length of its own: it takes the present distance. */
+/* Data files have no bond lengths: the equilibrium length is the current distance. */
 static enum ts_status make_bonds(struct tsim *sim, const struct ts_data *data,
 				 const struct ts_data_options *o)
 {
@@ -131,7 +131,7 @@ static enum ts_status make_bonds(struct tsim *sim, const struct ts_data *data,
 	return refuse_repeated(sim, data);
 }
 
-static enum ts_status apply(struct tsim *sim, struct read_data *c, const struct ts_data *data)
+static enum ts_status apply_data(struct tsim *sim, struct read_data *c, const struct ts_data *data)
 {
 	struct ts_data_options *o = &c->options;
 
@@ -150,8 +150,8 @@ static enum ts_status apply(struct tsim *sim, struct read_data *c, const struct 
 	return TS_OK;
 }
 
-/* The sections that fixes property/atom get. */
-static enum ts_status name_sections(struct tsim *sim, struct read_data *c, struct ts_data *data)
+/* Registers the sections of the keyword `fix` before the file is read. */
+static enum ts_status register_sections(struct tsim *sim, struct read_data *c, struct ts_data *data)
 {
 	const struct ts_words words = c->fix;
 
@@ -176,7 +176,8 @@ static enum ts_status name_sections(struct tsim *sim, struct read_data *c, struc
 	return TS_OK;
 }
 
-static enum ts_status give_sections(struct tsim *sim, struct read_data *c, const struct ts_data *data)
+/* Assigns the numbers of these sections to the columns of the fixes property/atom. */
+static enum ts_status assign_sections(struct tsim *sim, struct read_data *c, const struct ts_data *data)
 {
 	struct ts_identities map;
 
@@ -209,43 +210,43 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (c->group)
 		TS_TRY(ts_group_make(sim, c->group, where, &c->options.group));
 	ts_log(&sim->log, "Reading data file ...\n");
-	status = name_sections(sim, c, &data);
+	status = register_sections(sim, c, &data);
 	if (status == TS_OK)
 		status = read_file(sim, c, where, &data);
 	if (status == TS_OK)
-		status = apply(sim, c, &data);
+		status = apply_data(sim, c, &data);
 	if (status == TS_OK && data.nsections)
-		status = give_sections(sim, c, &data);
+		status = assign_sections(sim, c, &data);
 	ts_data_release(&data);
 	return status;
 }
 
 #define UNUSED(name, k)                                                                           \
 	TS_INT(name, struct read_data, unused[k], .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE, \
-	       .help = "no effect: room is made as it is needed, and there are only bonds")
+	       .help = "no effect: memory is allocated as needed, and there are only bonds")
 
 static const struct ts_arg args[] = {
 	TS_WORD("file", struct read_data, file, .flags = TS_POSITIONAL,
 		.help = "name of the file; it may be compressed with gzip"),
 	TS_SOME_KEYWORD("add", struct read_data, add, TS_NAMED,
-			.help = "to particles there are: append (identities go on after the last), merge "
-				"(identities as in the file), a number added to the identities, or "
-				"nothing: as merge, into the box there is"),
+			.help = "add to existing particles: append (ids follow the largest existing one), "
+				"merge (ids as in the file), a number that is added to the ids, or "
+				"nothing: as merge, and the box does not change"),
 	{ .name = "offset",
 	  .type = TS_ARG_REST,
 	  .flags = TS_OPTIONAL | TS_TO_KEYWORD,
 	  .offset = TS_FIELD(struct read_data, offset, struct ts_words *),
-	  .help = "added to the types of particles, of bonds and (no effect) three more" },
+	  .help = "numbers added to the types of particles and of bonds; three more have no effect" },
 	TS_VEC3("shift", struct read_data, options.shift, .fallback = "0 0 0", .unit = "length",
-		.help = "added to all positions, and to a box that is new"),
+		.help = "added to all positions and to the bounds of the box"),
 	TS_WORD("group", struct read_data, group, .flags = TS_OPTIONAL,
-		.help = "group the particles come into besides all; it is made where there is none"),
-	TS_FLAG("nocoeff", struct read_data, nocoeff, .help = "passes over coefficients of pairs and bonds"),
+		.help = "group to which the particles are added; it is created if necessary"),
+	TS_FLAG("nocoeff", struct read_data, nocoeff, .help = "ignore pair and bond coefficients"),
 	TS_INT("extra/atom/types", struct read_data, options.extra_types, .fallback = "0", .range = TS_WITHIN,
-	       .lo = 0, .hi = 10000, .help = "types of particles there are besides those of the file"),
+	       .lo = 0, .hi = 10000, .help = "number of particle types in addition to those of the file"),
 	TS_INT("extra/bond/types", struct read_data, options.extra_bond_types, .fallback = "0",
 	       .range = TS_WITHIN, .lo = 0, .hi = 10000,
-	       .help = "types of bonds there are besides those of the file"),
+	       .help = "number of bond types in addition to those of the file"),
 	UNUSED("extra/angle/types", 0),
 	UNUSED("extra/dihedral/types", 1),
 	UNUSED("extra/improper/types", 2),
@@ -255,8 +256,8 @@ static const struct ts_arg args[] = {
 	UNUSED("extra/improper/per/atom", 6),
 	UNUSED("extra/special/per/atom", 7),
 	TS_SOME_KEYWORD("fix", struct read_data, fix, TS_REPEAT,
-			.help = "name of a fix property/atom, NULL or a text of lines of the header that are "
-				"passed over, and the title of the section with its numbers; may be "
+			.help = "ID of a fix property/atom, NULL or a text that marks header lines to be "
+				"ignored, and the title of the section with its numbers; may be "
 				"repeated"),
 	TS_ARGS_END,
 };
@@ -267,27 +268,22 @@ const struct ts_command_style ts_command_read_data = {
 		.name = "read_data",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Reads a box and particles from a data file",
-		.doc = "The format is that of LAMMPS and LIGGGHTS: a title line, a header (`N atoms`, `N "
-		       "atom types`,\n"
-		       "`N bonds`, `N bond types`, `LO HI xlo xhi` ...), then sections in any order, Atoms "
-		       "first: Atoms\n"
-		       "(id type diameter density x y z [ix iy iz] for atom_style sphere and granular; a "
-		       "comment such\n"
-		       "as `Atoms # bpm/sphere` names another style: atomic, bond, molecular, bpm/sphere, "
-		       "hybrid),\n"
-		       "Velocities (id vx vy vz omegax omegay omegaz), Bonds (number type id id), Masses "
-		       "(type mass),\n"
-		       "Pair Coeffs, PairIJ Coeffs and Bond Coeffs, whose lines are those of pair_coeff and\n"
-		       "bond_coeff. Molecules are read and forgotten. The mass is the density times 4/3 pi "
-		       "R^3. A bond\n"
-		       "gets the present distance of its partners as its length without force. Positions are "
-		       "wrapped\n"
-		       "into periodic boxes; outside of fixed faces they are refused. Nothing changes when "
-		       "the file\n"
-		       "is refused.\n\n"
-		       "`fix ID NULL TITLE`: the section TITLE has the numbers that fix property/atom ID "
-		       "keeps, lines\n"
-		       "of an identity and the numbers in the order of the fix, one for each particle.",
+		.doc = "Reads a data file in the format of LAMMPS and LIGGGHTS: a title line, a "
+		       "header (`N atoms`, `N atom types`, `N bonds`, `N bond types`, `LO HI xlo "
+		       "xhi` ...), then sections in any order, except that Atoms comes before "
+		       "Velocities and Bonds: Atoms (id type diameter density x y z [ix iy iz] for "
+		       "atom_style sphere and granular; a comment such as `Atoms # bpm/sphere` "
+		       "selects another style: atomic, bond, molecular, bpm/sphere, hybrid), "
+		       "Velocities (id vx vy vz omegax omegay omegaz), Bonds (number type id id), "
+		       "Masses (type mass), Pair Coeffs, PairIJ Coeffs and Bond Coeffs, whose "
+		       "lines are those of pair_coeff and bond_coeff. Molecule ids are ignored. "
+		       "The mass of a particle is its density times 4/3 pi R^3. The equilibrium "
+		       "length of a bond is the current distance of its particles. Positions are "
+		       "wrapped into periodic boxes; positions outside a fixed face are an error. "
+		       "If the file has an error, nothing is changed.\n\n"
+		       "`fix ID NULL TITLE`: the section TITLE holds the numbers of fix "
+		       "property/atom ID; each line has a particle id and the numbers in the order "
+		       "of the fix, one line for each particle.",
 		.example = "read_data bed.data\n"
 			   "read_data rock.data.gz add append shift 0 0 0.25 group rock\n"
 			   "read_data clumps.data fix marks NULL Molecules",

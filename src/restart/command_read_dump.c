@@ -1,4 +1,4 @@
-/* Command read_dump: particles as a frame of a dump has them. */
+/* Command read_dump: sets properties of particles from a frame of a dump. */
 #include "restart/frames.h"
 
 #include "base/banned.h"
@@ -20,7 +20,7 @@ static enum ts_status read_frame(struct tsim *sim, const struct read_dump *c, st
 			return ts_fail(&sim->error, TS_UNKNOWN, where, "'%s' has no %sframe of step %lld",
 				       c->file, f->broken ? "whole " : "", (long long)c->step);
 	} while (f->step != c->step);
-	return ts_frame_apply(sim, f, &c->use, where);
+	return ts_frames_apply(sim, f, &c->use, where);
 }
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
@@ -44,23 +44,24 @@ static const struct ts_arg args[] = {
 	TS_WORD("file", struct read_dump, file, .flags = TS_POSITIONAL,
 		.help = "a file of dump atom or dump custom; it may be compressed with gzip"),
 	TS_INT("step", struct read_dump, step, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-	       .help = "step of the frame; it becomes the present step"),
+	       .help = "step of the frame; it becomes the current step"),
 	TS_LIST("fields", struct read_dump, use.fields,
-		.help = "what is taken: x, vx, omegax, radius, mass, type, ix ..."),
+		.help = "quantities to read: x, vx, omegax, radius, mass, type, ix ..."),
 	TS_BOOL("box", struct read_dump, use.box, .fallback = "yes",
-		.help = "the box becomes that of the frame"),
+		.help = "whether the box becomes that of the frame"),
 	TS_BOOL("replace", struct read_dump, use.replace, .fallback = "yes",
-		.help = "particles that are in both get the fields"),
+		.help = "whether existing particles get the values of the frame"),
 	TS_BOOL("trim", struct read_dump, use.trim, .fallback = "no",
-		.help = "particles that are not in the frame go"),
-	TS_BOOL("purge", struct read_dump, use.purge, .fallback = "no", .help = "all go before"),
+		.help = "whether particles that are not in the frame are deleted"),
+	TS_BOOL("purge", struct read_dump, use.purge, .fallback = "no",
+		.help = "whether all particles are deleted first"),
 	TS_BOOL("add", struct read_dump, use.add, .fallback = "no",
-		.help = "particles that are only in the frame are made; needs a column type"),
+		.help = "whether particles that are only in the frame are created; needs a column type"),
 	{ .name = "label",
 	  .type = TS_ARG_REST,
 	  .flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT,
 	  .offset = TS_FIELD(struct read_dump, use.labels, struct ts_words *),
-	  .help = "a field and the name of the column it comes from" },
+	  .help = "a quantity and the name of its column in the file" },
 	TS_ARGS_END,
 };
 
@@ -69,12 +70,12 @@ const struct ts_command_style ts_command_read_dump = {
 	.style = {
 		.name = "read_dump",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Gives particles what a frame of a dump says",
-		.doc = "Particles are found by their identities, which may stand in a frame once. Frames "
-		       "that are not\n"
-		       "whole, as a run leaves them that was killed or had a full disk, are told and left "
-		       "out. Positions come from columns x, xs, xu or xsu. Numbers\n"
-		       "are those of the text: what a dump wrote with %g has six digits.",
+		.summary = "Sets properties of particles from a frame of a dump",
+		.doc = "Sets the quantities of particles from a frame of a dump. Particles are "
+		       "identified by their ids, which must be unique in a frame. Incomplete "
+		       "frames, as left by a run that was killed or had a full disk, are skipped "
+		       "with a warning. Positions are read from columns x, xs, xu or xsu. Numbers "
+		       "have the precision of the text: a dump with the format %g has six digits.",
 		.example = "read_dump post/rock.dump 1000 x y z vx vy vz\n"
 			   "read_dump post/rock.dump.gz 1000 x y z radius box no purge yes add yes",
 		.args = args,

@@ -1,4 +1,4 @@
-/* Command read_restart: continues from a saved state. */
+/* Command read_restart: reads the state of a simulation from a restart file. */
 #include "core/sim.h"
 #include "io/series.h"
 #include "restart/restart.h"
@@ -14,7 +14,7 @@ struct state {
 	bool remap;
 };
 
-static enum ts_status read_path(struct tsim *sim, const char *path, const struct ts_place *where)
+static enum ts_status read_and_log(struct tsim *sim, const char *path, const struct ts_place *where)
 {
 	ts_log(&sim->log, "Reading restart file %s ...\n", path);
 	TS_TRY(ts_restart_read(sim, path, where));
@@ -34,17 +34,17 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		status = ts_fail(&sim->error, TS_IO, where,
 				 "there is no restart file with a number for the * of '%s'", s->file);
 	else
-		status = read_path(sim, series.file[series.n - 1].path, where);
+		status = read_and_log(sim, series.file[series.n - 1].path, where);
 	ts_series_release(&series);
 	return status;
 }
 
 static const struct ts_arg args[] = {
 	TS_WORD("file", struct state, file, .flags = TS_POSITIONAL,
-		.help = "a file made by write_restart or restart; of a name with `*` the one with the "
+		.help = "file of write_restart or restart; a name with `*` stands for the file with the "
 			"largest number there"),
 	TS_FLAG("remap", struct state, remap,
-		.help = "no effect: particles are put into a periodic box in any case"),
+		.help = "no effect: particles are always wrapped into a periodic box"),
 	TS_ARGS_END,
 };
 
@@ -53,12 +53,11 @@ const struct ts_command_style ts_command_read_restart = {
 	.style = {
 		.name = "read_restart",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Continues from a saved state",
-		.doc = "Takes the place of create_box. Restored at once: box, particles, groups, bonds, "
-		       "contacts, clock,\n"
-		       "units. The script defines styles again; each whose kind, style and id match gets its "
-		       "state\n"
-		       "back, coefficients of pairs and bonds included. A damaged file is refused and "
+		.summary = "Reads the state of a simulation from a restart file",
+		.doc = "Replaces create_box. Box, particles, groups, bonds, contacts, clock, and "
+		       "units are restored at once. The script defines its styles again; each "
+		       "style whose kind, name and ID match gets its state back, including the "
+		       "coefficients of pair and bond styles. A damaged file is an error and "
 		       "changes nothing.",
 		.example = "read_restart rock.restart\nread_restart rock.*.restart",
 		.args = args,

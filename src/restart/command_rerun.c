@@ -1,4 +1,4 @@
-/* Command rerun: forces, computes and output anew for the frames of dumps. */
+/* Command rerun: computes forces and output for the frames of dumps. */
 #include "core/plan.h"
 #include "io/series.h"
 #include "restart/frames.h"
@@ -10,22 +10,24 @@ struct rerun {
 	int64_t first, last, every, skip, start, stop;
 	bool post;
 	struct ts_frame_use use;
-	int64_t seen, done; /* frames within first .. last; those computed */
+	int64_t seen, done; /* number of frames within first .. last; of those computed */
 };
 
-static enum ts_status stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first, enum ts_stage last)
+static enum ts_status run_stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
+				 enum ts_stage last)
 {
 	for (int stage = (int)first; stage <= (int)last; stage++)
 		TS_TRY(ts_plan_stage(plan, sim, (enum ts_stage)stage));
 	return TS_OK;
 }
 
-/* As the start of a run, at the step of the frame; fixes that act at the end of steps do. */
-static enum ts_status compute(struct tsim *sim, struct ts_plan *plan, bool first)
+/* Runs the stages of the set-up of a run at the step of the frame, then END_OF_STEP (at the first frame SETUP)
+ * and OUTPUT. */
+static enum ts_status compute_frame(struct tsim *sim, struct ts_plan *plan, bool first)
 {
-	TS_TRY(stages(plan, sim, TS_STAGE_EXCHANGE, TS_STAGE_POST_BUILD));
+	TS_TRY(run_stages(plan, sim, TS_STAGE_EXCHANGE, TS_STAGE_POST_BUILD));
 	sim->run.in_setup = true;
-	TS_TRY(stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
+	TS_TRY(run_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
 	sim->run.in_setup = false;
 	if (first)
 		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_SETUP));
@@ -34,15 +36,16 @@ static enum ts_status compute(struct tsim *sim, struct ts_plan *plan, bool first
 	return ts_plan_stage(plan, sim, TS_STAGE_OUTPUT);
 }
 
-static bool wanted(struct rerun *c, int64_t step)
+/* Whether the frame is selected by first, last, every and skip. */
+static bool is_selected(struct rerun *c, int64_t step)
 {
 	if (step < c->first || step > c->last || (c->every && step % c->every != 0))
 		return false;
 	return c->seen++ % c->skip == 0;
 }
 
-static enum ts_status take_frame(struct tsim *sim, struct rerun *c, struct ts_plan *plan,
-				 const struct ts_frames *f, const struct ts_place *where)
+static enum ts_status apply_and_compute(struct tsim *sim, struct rerun *c, struct ts_plan *plan,
+					const struct ts_frames *f, const struct ts_place *where)
 {
 	bool first = c->done++ == 0;
 
@@ -53,12 +56,12 @@ static enum ts_status take_frame(struct tsim *sim, struct rerun *c, struct ts_pl
 		return ts_fail(&sim->error, TS_DAMAGED, where,
 			       "'%s': the frame of step %lld comes after one of a later step", f->lines.file,
 			       (long long)f->step);
-	TS_TRY(ts_frame_apply(sim, f, &c->use, where));
-	return compute(sim, plan, first);
+	TS_TRY(ts_frames_apply(sim, f, &c->use, where));
+	return compute_frame(sim, plan, first);
 }
 
-static enum ts_status run_file(struct tsim *sim, struct rerun *c, struct ts_plan *plan, const char *path,
-			       const struct ts_place *where)
+static enum ts_status rerun_file(struct tsim *sim, struct rerun *c, struct ts_plan *plan, const char *path,
+				 const struct ts_place *where)
 {
 	struct ts_frames f = { 0 };
 	bool got = true;
@@ -66,16 +69,16 @@ static enum ts_status run_file(struct tsim *sim, struct rerun *c, struct ts_plan
 
 	while (status == TS_OK && got && !sim->requests.stop) {
 		status = ts_frames_next(&f, &got);
-		if (status == TS_OK && got && wanted(c, f.step))
-			status = take_frame(sim, c, plan, &f, where);
+		if (status == TS_OK && got && is_selected(c, f.step))
+			status = apply_and_compute(sim, c, plan, &f, where);
 	}
 	ts_frames_close(&f);
 	return status;
 }
 
 /* One file, or those of a series in the order of their steps. */
-static enum ts_status run_word(struct tsim *sim, struct rerun *c, struct ts_plan *plan,
-			       const struct ts_word *word)
+static enum ts_status rerun_series(struct tsim *sim, struct rerun *c, struct ts_plan *plan,
+				   const struct ts_word *word)
 {
 	struct ts_series series = { 0 };
 	enum ts_status status = ts_series_find(&sim->files, word->text, &series);
@@ -86,12 +89,12 @@ static enum ts_status run_word(struct tsim *sim, struct rerun *c, struct ts_plan
 		status = ts_fail(&sim->error, TS_IO, &word->place,
 				 "rerun: there is no file with a number for the * of '%s'", word->text);
 	for (size_t k = 0; k < series.n && status == TS_OK; k++)
-		status = run_file(sim, c, plan, series.file[k].path, &word->place);
+		status = rerun_file(sim, c, plan, series.file[k].path, &word->place);
 	ts_series_release(&series);
 	return status;
 }
 
-static enum ts_status run_files(struct tsim *sim, struct rerun *c, struct ts_plan *plan)
+static enum ts_status rerun_files(struct tsim *sim, struct rerun *c, struct ts_plan *plan)
 {
 	enum ts_status status;
 
@@ -104,12 +107,12 @@ static enum ts_status run_files(struct tsim *sim, struct rerun *c, struct ts_pla
 	sim->run.inside = true;
 	status = TS_OK;
 	for (size_t k = 0; k < c->files.n && status == TS_OK; k++)
-		status = run_word(sim, c, plan, &c->files.word[k]);
+		status = rerun_series(sim, c, plan, &c->files.word[k]);
 	if (status == TS_OK)
 		status = ts_plan_stage(plan, sim, TS_STAGE_FINISH);
 	sim->run.inside = sim->run.in_setup = sim->run.rebuild = false;
 	sim->clock.last_step = sim->clock.step;
-	sim->run.fingerprint = 0; /* the next run starts from scratch */
+	sim->run.fingerprint = 0; /* the next run computes all forces again */
 	return status == TS_OK ? ts_plan_stopped(sim) : status;
 }
 
@@ -121,7 +124,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 	(void)where;
 	c->use.replace = true;
-	status = run_files(sim, c, &plan);
+	status = rerun_files(sim, c, &plan);
 	ts_plan_release(&plan);
 	if (status == TS_OK)
 		ts_log(&sim->log, "Rerun of %lld frames\n", (long long)c->done);
@@ -133,34 +136,36 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_LIST("files", struct rerun, files,
-		.help = "files of dump atom or dump custom, in the order of their steps; of a name with `*` "
-			"those with a number there"),
-	STEP("first", first, "0", "frames of earlier steps are passed over"),
-	STEP("last", last, "9000000000000000000", "frames of later steps are passed over"),
+		.help = "files of dump atom or dump custom, in the order of their steps; a name with `*` "
+			"stands for all files with a number there"),
+	STEP("first", first, "0", "frames of earlier steps are skipped"),
+	STEP("last", last, "9000000000000000000", "frames of later steps are skipped"),
 	STEP("every", every, "0", "only frames whose step is a multiple of this; 0: all"),
 	TS_INT("skip", struct rerun, skip, .fallback = "1", .range = TS_POSITIVE,
-	       .help = "of the frames that are left, the first of so many"),
+	       .help = "use every N-th of the remaining frames, starting with the first"),
 	TS_INT("start", struct rerun, start, .fallback = "-1", .range = TS_WITHIN, .lo = -1, .hi = 9e18,
-	       .help = "step where elapsed begins; -1: that of the first frame"),
+	       .help = "step from which `elapsed` counts; -1: that of the first frame"),
 	TS_INT("stop", struct rerun, stop, .fallback = "-1", .range = TS_WITHIN, .lo = -1, .hi = 9e18,
-	       .help = "step taken for the last; -1: none"),
+	       .help = "step that is regarded as the last; -1: none"),
 	{ .name = "dump",
 	  .type = TS_ARG_REST,
 	  .flags = TS_TO_KEYWORD,
 	  .offset = TS_FIELD(struct rerun, use.fields, struct ts_words *),
-	  .help = "what is taken from the frames, as in read_dump: x y z vx ..." },
-	TS_BOOL("post", struct rerun, post, .fallback = "yes", .help = "no effect: no times are shown"),
-	TS_BOOL("box", struct rerun, use.box, .fallback = "yes", .help = "the box becomes that of the frame"),
+	  .help = "quantities to read from the frames, as in read_dump: x y z vx ..." },
+	TS_BOOL("post", struct rerun, post, .fallback = "yes", .help = "no effect: no timings are printed"),
+	TS_BOOL("box", struct rerun, use.box, .fallback = "yes",
+		.help = "whether the box becomes that of the frame"),
 	TS_BOOL("trim", struct rerun, use.trim, .fallback = "no",
-		.help = "particles that are not in the frame go"),
-	TS_BOOL("purge", struct rerun, use.purge, .fallback = "no", .help = "all go before"),
+		.help = "whether particles that are not in the frame are deleted"),
+	TS_BOOL("purge", struct rerun, use.purge, .fallback = "no",
+		.help = "whether all particles are deleted first"),
 	TS_BOOL("add", struct rerun, use.add, .fallback = "no",
-		.help = "particles that are only in the frame are made; needs a column type"),
+		.help = "whether particles that are only in the frame are created; needs a column type"),
 	{ .name = "label",
 	  .type = TS_ARG_REST,
 	  .flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT,
 	  .offset = TS_FIELD(struct rerun, use.labels, struct ts_words *),
-	  .help = "a field and the name of the column it comes from" },
+	  .help = "a quantity and the name of its column in the file" },
 	TS_ARGS_END,
 };
 
@@ -169,17 +174,15 @@ const struct ts_command_style ts_command_rerun = {
 	.style = {
 		.name = "rerun",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Computes forces and output anew for the frames of dumps",
-		.doc = "For each frame the particles get what the frame says, neighbours and forces are "
-		       "computed as at\n"
-		       "the start of a run (contact histories stand still), fixes act that act at the end of "
-		       "steps, and\n"
-		       "the table of the log and the dumps are written as they are due. Nothing is "
-		       "integrated.\n"
-		       "Frames that are not whole, as a run leaves them that was killed or had a full disk, "
-		       "are told and left\n"
-		       "out; a .gz file is read up to where it is torn. A frame in which an identity stands "
-		       "twice is refused.",
+		.summary = "Computes forces and output for the frames of dumps",
+		.doc = "For each frame the quantities of the particles are set from the file, "
+		       "neighbours and forces are computed as at the start of a run (contact "
+		       "histories do not evolve), fixes that act at the end of a step are invoked, "
+		       "and thermo output and dumps are written when they are due. No time "
+		       "integration is done. Incomplete frames, as left by a run that was killed "
+		       "or had a full disk, are skipped with a warning; a .gz file is read up to "
+		       "the position where it is cut off. A frame in which a particle id occurs "
+		       "twice is an error.",
 		.example = "rerun post/rock.dump first 1000 every 500 dump x y z vx vy vz\n"
 			   "rerun post/rock_*.dump.gz dump x y z",
 		.args = args,

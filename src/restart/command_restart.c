@@ -1,4 +1,4 @@
-/* Command restart: saves the state at intervals during runs. */
+/* Command restart: writes restart files every N steps during runs. */
 #include "core/life.h"
 
 #include <string.h>
@@ -10,12 +10,13 @@ struct state {
 	struct ts_words files;
 };
 
-static enum ts_status stop(struct tsim *sim, const struct ts_word *id)
+static enum ts_status delete_dump(struct tsim *sim, const struct ts_word *id)
 {
 	return ts_sim_find(sim, TS_KIND_DUMP, id->text) ? ts_sim_destroy(sim, TS_KIND_DUMP, id) : TS_OK;
 }
 
-static enum ts_status start(struct tsim *sim, const struct ts_word *id, const struct ts_word *word, size_t n)
+static enum ts_status define_dump(struct tsim *sim, const struct ts_word *id, const struct ts_word *word,
+				  size_t n)
 {
 	struct ts_word style_name = { .text = "restart", .place = id->place };
 	const struct ts_style *style;
@@ -34,7 +35,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	enum ts_status status;
 	char every[24];
 
-	TS_TRY(stop(sim, &id));
+	TS_TRY(delete_dump(sim, &id));
 	if (s->every == 0)
 		return TS_OK;
 	if (s->files.n < 1 || s->files.n > 2)
@@ -50,7 +51,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			return ts_nomem(&sim->error);
 		word[1].text = ts_str_text(&series);
 	}
-	status = start(sim, &id, word, s->files.n + 1);
+	status = define_dump(sim, &id, word, s->files.n + 1);
 	ts_str_release(&series);
 	return status;
 }
@@ -62,8 +63,8 @@ static const struct ts_arg args[] = {
 	  .type = TS_ARG_REST,
 	  .flags = TS_POSITIONAL | TS_OPTIONAL,
 	  .offset = TS_FIELD(struct state, files, struct ts_words *),
-	  .help = "one name, `*` stands for the step, which is put behind a name without it; or two "
-		  "names to be written in turn" },
+	  .help = "one name, in which `*` stands for the step (without a `*` the step is appended); or two "
+		  "names to be written alternately" },
 	TS_ARGS_END,
 };
 
@@ -72,13 +73,11 @@ const struct ts_command_style ts_command_restart = {
 	.style = {
 		.name = "restart",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Saves the state at intervals during runs",
-		.doc = "Makes dump style restart with the id restart, which acts after the dumps defined "
-		       "before it. Of two\n"
-		       "names written in turn one is whole at any moment; so is any other, since files are "
-		       "written beside\n"
-		       "their place and renamed. To write a single file again and again use dump style "
-		       "restart.",
+		.summary = "Writes restart files every N steps during runs",
+		.doc = "Defines a dump of style restart with the ID restart, which writes its "
+		       "files after the dumps defined before it. Files are written under a "
+		       "temporary name and renamed, so that a file is complete at any time. To "
+		       "write the same file repeatedly use dump style restart.",
 		.example = "restart 10000 a.restart b.restart\n"
 			   "restart 50000 post/rock.*.restart\n"
 			   "restart 0",

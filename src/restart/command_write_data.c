@@ -1,4 +1,4 @@
-/* Command write_data: box and particles to a file. */
+/* Command write_data: writes box and particles to a data file. */
 #include "bond/bonds.h"
 #include "contact/pair.h"
 #include "particle/user_columns.h"
@@ -34,7 +34,7 @@ static bool all_given(const struct ts_pair *pair, bool diagonal)
 	return true;
 }
 
-/* `pair_coeff * *` alone is said in scripts: LIGGGHTS and LAMMPS know no section for it. */
+/* Styles with `pair_coeff * *` only have no coefficients: LIGGGHTS and LAMMPS write no section for them. */
 static bool has_coefficients(const struct ts_coeffs *c)
 {
 	return c->rows && c->rows->type != TS_ARG_END;
@@ -88,7 +88,7 @@ static enum ts_status write_bonds(struct tsim *sim, struct ts_textfile *out)
 	return TS_OK;
 }
 
-/* What fixes property/atom keep. */
+/* Writes a section for each fix property/atom. */
 static enum ts_status write_columns(struct tsim *sim, struct ts_textfile *out)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
@@ -99,7 +99,7 @@ static enum ts_status write_columns(struct tsim *sim, struct ts_textfile *out)
 	return TS_OK;
 }
 
-static enum ts_status write(struct tsim *sim, const struct write_data *c, struct ts_textfile *out)
+static enum ts_status write_contents(struct tsim *sim, const struct write_data *c, struct ts_textfile *out)
 {
 	struct ts_data_counts counts = { sim->bonds->n, sim->bonds->ntypes };
 	struct ts_str text = { 0 };
@@ -133,7 +133,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			     : ts_textfile_open(&out, sim, where, ts_str_text(&path), false);
 	ts_str_release(&path);
 	TS_TRY(status);
-	status = write(sim, c, &out);
+	status = write_contents(sim, c, &out);
 	if (status != TS_OK) {
 		ts_textfile_close(&out);
 		return status;
@@ -145,10 +145,9 @@ static const struct ts_arg args[] = {
 	TS_WORD("file", struct write_data, file, .flags = TS_POSITIONAL | TS_WRITES,
 		.help = "name of the file; `*` stands for the step; compressed if it ends in .gz"),
 	TS_ENUM("pair", struct write_data, pairs, pair_choices, .fallback = "ij",
-		.help = "coefficients of equal types only, or of all pairs of types"),
-	TS_FLAG("nocoeff", struct write_data, nocoeff, .help = "without coefficients of pairs and bonds"),
-	TS_FLAG("nofix", struct write_data, nofix,
-		.help = "without the numbers that fixes property/atom keep"),
+		.help = "pair coefficients of equal types only (ii), or of all pairs of types (ij)"),
+	TS_FLAG("nocoeff", struct write_data, nocoeff, .help = "omit pair and bond coefficients"),
+	TS_FLAG("nofix", struct write_data, nofix, .help = "omit the numbers of fixes property/atom"),
 	TS_ARGS_END,
 };
 
@@ -158,17 +157,14 @@ const struct ts_command_style ts_command_write_data = {
 		.name = "write_data",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Writes box and particles to a data file",
-		.doc = "The file is text for read_data, here and in LAMMPS and LIGGGHTS, which understand "
-		       "the\n"
-		       "coefficients of few pair styles: give them `nocoeff`. Particles stand in the order "
-		       "of their\n"
-		       "identities, numbers have as many digits as they need, and what is read back and "
-		       "written\n"
-		       "again is the same file, byte for byte. Contact histories, lengths of bonds without "
-		       "force,\n"
-		       "groups and fixes are not kept: that is what write_restart is for. With bonds the "
-		       "columns\n"
-		       "are those of atom_style hybrid sphere bond.",
+		.doc = "Writes a text file for read_data of tsim, LAMMPS and LIGGGHTS; LAMMPS and "
+		       "LIGGGHTS can read the coefficients of few pair styles of tsim: use "
+		       "`nocoeff` for them. Particles are sorted by id. Numbers have as many "
+		       "digits as are needed to read back the same value, so that a file that is "
+		       "read and written again is the same, byte for byte. Contact histories, "
+		       "equilibrium lengths of bonds, groups and fixes are not written; use "
+		       "write_restart for them. If there are bonds, the columns are those of "
+		       "atom_style hybrid sphere bond.",
 		.example = "write_data bed.data\n"
 			   "write_data rock.*.data.gz nocoeff",
 		.args = args,

@@ -1,4 +1,4 @@
-/* Command write_restart: saves the whole state. */
+/* Command write_restart: writes the state of the simulation to a restart file. */
 #include "core/sim.h"
 #include "io/textfile.h"
 #include "restart/restart.h"
@@ -27,7 +27,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 static const struct ts_arg args[] = {
 	TS_WORD("file", struct state, file, .flags = TS_POSITIONAL | TS_WRITES,
 		.help = "name of the file; `*` stands for the step"),
-	TS_FLAG("noinit", struct state, noinit, .help = "no effect: nothing has to be prepared for the file"),
+	TS_FLAG("noinit", struct state, noinit, .help = "no effect: the file can be written at any time"),
 	TS_ARGS_END,
 };
 
@@ -36,13 +36,12 @@ const struct ts_command_style ts_command_write_restart = {
 	.style = {
 		.name = "write_restart",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Saves the whole state to a file",
-		.doc = "The file is compressed and checksummed, written beside its place and renamed into "
-		       "it: an older\n"
-		       "file of the same name stays whole until the new one is complete. A run continued "
-		       "from it gives\n"
-		       "the same numbers, bit for bit, as a run that was not interrupted. Missing folders on "
-		       "the way to it are made.",
+		.summary = "Writes the state of the simulation to a restart file",
+		.doc = "The file is compressed and has checksums. It is written under a temporary "
+		       "name and renamed: a previous file of the same name is complete until the "
+		       "new one is. A run continued from the file gives the same numbers, bit for "
+		       "bit, as an uninterrupted run. Folders in the path of the file are created "
+		       "if they do not exist.",
 		.example = "write_restart rock.restart",
 		.args = args,
 		.state_size = sizeof(struct state),

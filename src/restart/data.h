@@ -1,6 +1,6 @@
-/* Data files: text that holds a box, particles, velocities, bonds and coefficients, in the format of
- * LAMMPS and LIGGGHTS. Reading goes in two steps: the whole file into struct ts_data, without a look
- * at the simulation, and from there into the simulation, so a bad file changes nothing. */
+/* Data files: text files with box, particles, velocities, bonds and coefficients, in the format of LAMMPS and
+ * LIGGGHTS. The whole file is read into struct ts_data first, then entered in the simulation, so that a file
+ * with an error changes nothing. */
 #ifndef TS_RESTART_DATA_H
 #define TS_RESTART_DATA_H
 
@@ -8,11 +8,11 @@
 #include "io/lines.h"
 #include "io/textfile.h"
 
-/* What a column of section Atoms holds. */
+/* Columns of section Atoms. */
 enum ts_data_column {
 	TS_DATA_ID,
 	TS_DATA_TYPE,
-	TS_DATA_MOL, /* read and forgotten */
+	TS_DATA_MOL, /* ignored */
 	TS_DATA_DIAMETER,
 	TS_DATA_DENSITY,
 	TS_DATA_X,
@@ -22,21 +22,22 @@ enum ts_data_column {
 };
 extern const char *const ts_data_column_names[TS_NDATA_COLUMN];
 
-/* The columns of an atom style, image flags apart. */
+/* The columns of section Atoms for an atom style, without image flags. */
 struct ts_data_layout {
 	int column[TS_NDATA_COLUMN + 1]; /* enum ts_data_column */
 	size_t n;
 	bool sized; /* has diameter and density, hence angular velocities */
 };
-/* From the words of atom_style: "sphere", "hybrid granular bond/gran"; false: not known. */
+/* `style`: arguments of atom_style, such as "sphere" or "hybrid granular bond/gran"; false: unknown style. */
 bool ts_data_layout(const char *style, struct ts_data_layout *out);
 
+/* Error message for an atom style that is unknown or not supported. */
 enum ts_status ts_data_refuse_style(struct tsim *sim, const struct ts_word *word);
 
 struct ts_data_atom {
 	int32_t tag, type, image[3];
 	double diameter, density, x[3], v[3], omega[3];
-	int line;
+	int line; /* of the file, for messages */
 };
 
 struct ts_data_bond {
@@ -44,41 +45,40 @@ struct ts_data_bond {
 	int line;
 };
 
-/* A line of a section of coefficients, as the words of pair_coeff or bond_coeff. */
+/* A line of a section of coefficients, as a command pair_coeff or bond_coeff. */
 struct ts_data_coeff {
 	struct ts_words words;
 };
 
-/* A section of its own for numbers of particles: lines of an identity and so many numbers. */
+/* A section for a fix property/atom: lines of a particle id and `width` numbers. */
 struct ts_data_section {
-	const char *title, *header; /* lines of the header that have this are passed over; NULL: none */
+	const char *title, *header; /* header lines that contain this text are ignored; NULL: none */
 	size_t width;
-	double *value; /* rows of identity and numbers */
+	double *value; /* [n][1 + width] id and numbers */
 	size_t n, capacity;
-	bool seen;
+	bool seen; /* the section was read */
 };
 
-/* Zero-initialise, but for the sections. */
+/* Contents of a data file. Zero-initialise, except for the sections of fixes. */
 struct ts_data {
 	const char *file;
-	int64_t natoms, nbonds, ntypes, nbond_types; /* as the header says */
-	double lo[3], hi[3];
+	int64_t natoms, nbonds, ntypes, nbond_types; /* from the header */
+	double lo[3], hi[3];			     /* box (length) */
 	struct ts_data_layout layout;
-	struct ts_data_atom *atom;
+	struct ts_data_atom *atom; /* [n] in the order of the file */
 	size_t n, capacity;
 	bool moving; /* there is a section Velocities */
 	struct ts_data_bond *bond;
 	size_t nbond, bond_capacity;
 	struct ts_data_coeff *coeff;
 	size_t ncoeff, coeff_capacity;
-	double *mass; /* by type; NULL: no section Masses */
+	double *mass; /* [1 + type]; NULL: no section Masses */
 	struct ts_data_section *section;
 	size_t nsections;
 	struct ts_arena arena;
 };
 
-/* Reads a file that is open; touches no file system. `style`: words of atom_style, for files that do
- * not name theirs. */
+/* Reads an open file. `style`: arguments of atom_style, for files that do not name their style. */
 enum ts_status ts_data_read(struct tsim *sim, struct ts_lines *lines, const char *style, struct ts_data *out);
 void ts_data_release(struct ts_data *data);
 
@@ -87,22 +87,24 @@ struct ts_data_options {
 	int add; /* enum ts_data_add */
 	int64_t type_offset, bond_type_offset, tag_offset;
 	int64_t extra_types, extra_bond_types;
-	bool keep_box; /* a box there is does not grow */
-	double shift[3];
-	int group;
+	bool keep_box;	 /* an existing box is not extended */
+	double shift[3]; /* added to positions and to the box (length) */
+	int group;	 /* index; 0: all */
 };
-/* The box and the particles; adds what append adds to options->tag_offset, for the bonds. */
+/* Creates box and particles. With TS_DATA_APPEND the largest existing id is added to options->tag_offset, which
+ * the caller needs for the bonds. */
 enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data, struct ts_data_options *options);
 
-/* The parts of a data file as text. `bonds` etc. are what the caller adds after them. */
+/* Numbers of bonds and bond types for the header; the caller writes their sections. */
 struct ts_data_counts {
 	size_t bonds;
 	int bond_types;
 };
 struct ts_user_columns;
-/* A section of numbers of particles, under its title. */
+/* Writes the section of a fix property/atom. */
 enum ts_status ts_data_write_columns(struct tsim *sim, struct ts_textfile *out,
 				     const struct ts_user_columns *columns);
+/* Writes the header and the sections Atoms and Velocities. */
 enum ts_status ts_data_write(struct tsim *sim, struct ts_textfile *out, struct ts_data_counts counts);
 
 #endif

@@ -1,4 +1,4 @@
-/* Data files: from what was read into the simulation. */
+/* Data files: enters the contents of a file in the simulation. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -11,10 +11,11 @@
 
 #include "base/banned.h"
 
-/* Everything that can be refused is, before anything changes. */
-static enum ts_status refuse(struct tsim *sim, const struct ts_data *data, int line, const char *format, ...)
-	__attribute__((format(printf, 4, 5)));
-static enum ts_status refuse(struct tsim *sim, const struct ts_data *data, int line, const char *format, ...)
+/* All errors are found before anything is changed. */
+static enum ts_status refuse_line(struct tsim *sim, const struct ts_data *data, int line, const char *format,
+				  ...) __attribute__((format(printf, 4, 5)));
+static enum ts_status refuse_line(struct tsim *sim, const struct ts_data *data, int line, const char *format,
+				  ...)
 {
 	struct ts_place place = { .file = data->file, .line = line };
 	char text[200];
@@ -34,12 +35,12 @@ static enum ts_status check_position(struct tsim *sim, const struct ts_data *dat
 
 		if ((box->face[d][0] == TS_FACE_FIXED && x < box->lo[d]) ||
 		    (box->face[d][1] == TS_FACE_FIXED && x > box->hi[d]))
-			return refuse(sim, data, a->line, "%c = %g lies outside the box, whose face is fixed",
-				      "xyz"[d], x);
+			return refuse_line(sim, data, a->line,
+					   "%c = %g lies outside the box, whose face is fixed", "xyz"[d], x);
 		if (!(fabs(x - box->lo[d]) <= 1e9 * ts_box_length(box, d)))
-			return refuse(sim, data, a->line,
-				      "a coordinate of %g is too far from the box, which is %g long", x,
-				      ts_box_length(box, d));
+			return refuse_line(sim, data, a->line,
+					   "a coordinate of %g is too far from the box, which is %g long", x,
+					   ts_box_length(box, d));
 	}
 	return TS_OK;
 }
@@ -55,25 +56,26 @@ static enum ts_status check_atoms(struct tsim *sim, const struct ts_data *data, 
 		int64_t tag = a->tag + o->tag_offset, type = a->type + o->type_offset;
 
 		if (tag < 1 || tag > INT32_MAX - 1)
-			return refuse(sim, data, a->line, "id %d with its offset is %lld", (int)a->tag,
-				      (long long)tag);
+			return refuse_line(sim, data, a->line, "id %d with its offset is %lld", (int)a->tag,
+					   (long long)tag);
 		if (type < 1 || type > ntypes)
-			return refuse(sim, data, a->line,
-				      "type %d with its offset is more than the %d there are", (int)a->type,
-				      ntypes);
+			return refuse_line(sim, data, a->line,
+					   "type %d with its offset is more than the %d there are",
+					   (int)a->type, ntypes);
 		if (ts_contact_of(&map, tag) >= 0)
-			return refuse(sim, data, a->line,
-				      "there is a particle %lld already: use `add append`", (long long)tag);
+			return refuse_line(sim, data, a->line,
+					   "there is a particle %lld already: use `add append`",
+					   (long long)tag);
 		if (!data->layout.sized && !(data->mass && data->mass[a->type] > 0))
-			return refuse(sim, data, a->line, "type %d has no mass: a section Masses is needed",
-				      (int)a->type);
+			return refuse_line(sim, data, a->line,
+					   "type %d has no mass: a section Masses is needed", (int)a->type);
 		TS_TRY(check_position(sim, data, box, a, o->shift));
 	}
 	return TS_OK;
 }
 
-/* A box there is grows where it must. */
-static void unite(const struct ts_data *data, const double shift[3], struct ts_domain *domain)
+/* Extends an existing box to contain that of the file. */
+static void extend_box(const struct ts_data *data, const double shift[3], struct ts_domain *domain)
 {
 	for (int d = 0; d < 3; d++) {
 		domain->box.lo[d] = fmin(domain->box.lo[d], data->lo[d] + shift[d]);
@@ -83,8 +85,8 @@ static void unite(const struct ts_data *data, const double shift[3], struct ts_d
 	}
 }
 
-static void place_atom(struct tsim *sim, const struct ts_data *data, const struct ts_data_atom *a,
-		       const struct ts_data_options *o, size_t i)
+static void set_atom(struct tsim *sim, const struct ts_data *data, const struct ts_data_atom *a,
+		     const struct ts_data_options *o, size_t i)
 {
 	struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
@@ -108,7 +110,7 @@ static void place_atom(struct tsim *sim, const struct ts_data *data, const struc
 		p->max_tag = p->tag[i];
 }
 
-static bool turns(const struct ts_data *data)
+static bool has_rotation(const struct ts_data *data)
 {
 	for (size_t k = 0; k < data->n; k++)
 		for (int d = 0; d < 3; d++)
@@ -124,12 +126,12 @@ static enum ts_status make_atoms(struct tsim *sim, const struct ts_data *data,
 	int32_t max_tag = p->max_tag;
 	size_t first;
 
-	if (turns(data))
+	if (has_rotation(data))
 		TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA)));
 	TS_TRY(ts_particles_add(sim, data->n, &first));
-	p->max_tag = max_tag; /* the identities are those of the file */
+	p->max_tag = max_tag; /* ids are those of the file */
 	for (size_t k = 0; k < data->n; k++)
-		place_atom(sim, data, &data->atom[k], o, first + k);
+		set_atom(sim, data, &data->atom[k], o, first + k);
 	ts_particles_inverse_mass(p);
 	return TS_OK;
 }
@@ -149,7 +151,7 @@ enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data, struc
 		wanted.box.hi[d] = wanted.first_hi[d] = data->hi[d] + o->shift[d];
 	}
 	if (!o->keep_box)
-		unite(data, o->shift, &wanted);
+		extend_box(data, o->shift, &wanted);
 	TS_TRY(check_atoms(sim, data, &wanted.box, ntypes, o));
 	if (new)
 		TS_TRY(ts_particles_make_box(sim, ntypes, wanted.box.lo, wanted.box.hi, NULL));

@@ -1,4 +1,4 @@
-/* Which columns the particles of an atom style have in a data file. */
+/* Columns of section Atoms of a data file for each atom style. */
 #include "restart/data.h"
 
 #include <string.h>
@@ -11,7 +11,7 @@ const char *const ts_data_column_names[TS_NDATA_COLUMN] = { "id",      "type", "
 struct layout {
 	const char *style;
 	const char *columns; /* letters: i id, t type, m molecule, d diameter, r density, x position */
-	const char *extra;   /* what it adds to a hybrid style */
+	const char *extra;   /* columns that it adds to a hybrid style */
 };
 
 static const struct layout layouts[] = {
@@ -20,8 +20,8 @@ static const struct layout layouts[] = {
 	{ "bpm/sphere", "imtdrx", "mdr" },
 };
 
-/* granular/omp is granular, as styles are. */
-static const struct layout *find(const char *style, size_t n)
+/* The suffix /omp is ignored. */
+static const struct layout *find_layout(const char *style, size_t n)
 {
 	static const char omp[] = "/omp";
 	size_t ending = strlen(omp);
@@ -34,7 +34,7 @@ static const struct layout *find(const char *style, size_t n)
 	return NULL;
 }
 
-static void add(struct ts_data_layout *out, int column)
+static void add_column(struct ts_data_layout *out, int column)
 {
 	for (size_t k = 0; k < out->n; k++)
 		if (out->column[k] == column)
@@ -48,10 +48,10 @@ static void add_letters(struct ts_data_layout *out, const char *letters)
 	static const char order[] = "itmdrxyz"; /* of enum ts_data_column */
 
 	for (; *letters; letters++) {
-		add(out, (int)(strchr(order, *letters) - order));
+		add_column(out, (int)(strchr(order, *letters) - order));
 		if (*letters == 'x') {
-			add(out, TS_DATA_Y);
-			add(out, TS_DATA_Z);
+			add_column(out, TS_DATA_Y);
+			add_column(out, TS_DATA_Z);
 		}
 	}
 }
@@ -59,7 +59,7 @@ static void add_letters(struct ts_data_layout *out, const char *letters)
 bool ts_data_layout(const char *style, struct ts_data_layout *out)
 {
 	size_t n = strcspn(style, " ");
-	const struct layout *l = find(style, n);
+	const struct layout *l = find_layout(style, n);
 
 	*out = (struct ts_data_layout){ 0 };
 	if (l) {
@@ -69,9 +69,10 @@ bool ts_data_layout(const char *style, struct ts_data_layout *out)
 	if (n != 6 || strncmp(style, "hybrid", n) != 0 || !style[n])
 		return false;
 	add_letters(out, "itx");
-	for (style += n + 1; *style; style += n + (style[n] == ' ')) { /* settings are no styles */
+	for (style += n + 1; *style;
+	     style += n + (style[n] == ' ')) { /* arguments of sub-styles are ignored */
 		n = strcspn(style, " ");
-		l = find(style, n);
+		l = find_layout(style, n);
 		if (l)
 			add_letters(out, l->extra);
 	}

@@ -1,4 +1,4 @@
-/* Data files: the parser. */
+/* Data files: reads a file into struct ts_data. */
 #include "restart/data.h"
 
 #include <inttypes.h>
@@ -9,25 +9,25 @@
 
 #include "base/banned.h"
 
-/* Identities index a table, so there is a largest one. */
+/* Particle ids are indices of a table, which limits them. */
 enum { LARGEST_TAG = INT32_MAX - 1, MOST_TYPES = 10000 };
 
 struct reader {
 	struct tsim *sim;
 	struct ts_lines *l;
 	struct ts_data *d;
-	const char *style; /* words of atom_style */
-	bool found[3], more;
-	struct ts_data_atom **by_tag; /* made when it is first needed */
+	const char *style;	      /* arguments of atom_style */
+	bool found[3], more;	      /* bounds of the box in x, y, z; there is a current line */
+	struct ts_data_atom **by_tag; /* [natoms] sorted by id, once section Atoms is read */
 };
 
 /* ---- header ---- */
 
 struct header_row {
-	const char *words;
-	size_t values;
-	size_t offset;	 /* of the count in struct ts_data; SIZE_MAX: kept elsewhere or nowhere */
-	int64_t largest; /* 0: tsim has nothing of the kind */
+	const char *words; /* that follow the number */
+	size_t values;	   /* numbers in the line */
+	size_t offset;	   /* of the count in struct ts_data; NOWHERE: not stored */
+	int64_t largest;   /* 0: not supported by tsim */
 };
 
 #define NOWHERE SIZE_MAX
@@ -94,8 +94,8 @@ static enum ts_status read_tilt(struct reader *r)
 	return TS_OK;
 }
 
-/* A line that a fix is to get, by a part of it: those that there are have no use for any. */
-static bool passed_over(const struct reader *r)
+/* Whether a header line contains a text of the keyword `fix`; fix property/atom needs no header lines. */
+static bool is_ignored_header(const struct reader *r)
 {
 	for (size_t j = 0; j < r->d->nsections; j++) {
 		const char *text = r->d->section[j].header;
@@ -107,7 +107,7 @@ static bool passed_over(const struct reader *r)
 	return false;
 }
 
-/* *known is false where the line belongs to no row: the header ends before it. */
+/* *known: the line is a header line; otherwise the header has ended before it. */
 static enum ts_status read_header_line(struct reader *r, bool *known)
 {
 	static const char *const bounds[] = { "xlo xhi", "ylo yhi", "zlo zhi" };
@@ -122,7 +122,7 @@ static enum ts_status read_header_line(struct reader *r, bool *known)
 	for (size_t k = 0; k < sizeof header_rows / sizeof *header_rows; k++)
 		if (l->nwords > 1 && ts_lines_match(l, 1, header_rows[k].words))
 			return read_count(r, &header_rows[k]);
-	*known = passed_over(r);
+	*known = is_ignored_header(r);
 	return TS_OK;
 }
 
@@ -140,7 +140,7 @@ static enum ts_status check_header(struct reader *r)
 	return TS_OK;
 }
 
-/* The first line is a title, whatever it says. */
+/* The first line is the title and is ignored. */
 static enum ts_status read_header(struct reader *r)
 {
 	bool known = true;
@@ -159,8 +159,8 @@ static enum ts_status read_header(struct reader *r)
 
 /* ---- sections ---- */
 
-/* Places hold file names and lines of the string pool. */
-static enum ts_status keep_words(struct reader *r, const char *command, size_t repeat, struct ts_words *out)
+/* Makes a command of the current line, with `repeat` copies of its first word in front. */
+static enum ts_status make_command(struct reader *r, const char *command, size_t repeat, struct ts_words *out)
 {
 	size_t n = r->l->nwords, first = 1 + repeat;
 	struct ts_word *word = ts_arena_alloc(&r->d->arena, n + first, sizeof *word);
@@ -179,29 +179,29 @@ static enum ts_status keep_words(struct reader *r, const char *command, size_t r
 	return TS_OK;
 }
 
-/* "type args" means pair_coeff type type args. */
+/* A line "type args" of Pair Coeffs means pair_coeff type type args: repeat = 1. */
 static enum ts_status read_coeff(struct reader *r, const char *command, size_t repeat)
 {
 	struct ts_data *d = r->d;
 
 	if (TS_GROW(d->coeff, d->coeff_capacity, d->ncoeff + 1) != TS_OK)
 		return ts_nomem(&r->sim->error);
-	TS_TRY(keep_words(r, command, repeat, &d->coeff[d->ncoeff].words));
+	TS_TRY(make_command(r, command, repeat, &d->coeff[d->ncoeff].words));
 	d->ncoeff++;
 	return TS_OK;
 }
 
-static enum ts_status pair_coeff(struct reader *r)
+static enum ts_status read_pair_coeff(struct reader *r)
 {
 	return read_coeff(r, "pair_coeff", 1);
 }
 
-static enum ts_status pair_ij_coeff(struct reader *r)
+static enum ts_status read_pair_ij_coeff(struct reader *r)
 {
 	return read_coeff(r, "pair_coeff", 0);
 }
 
-static enum ts_status bond_coeff(struct reader *r)
+static enum ts_status read_bond_coeff(struct reader *r)
 {
 	return read_coeff(r, "bond_coeff", 0);
 }
@@ -215,7 +215,7 @@ static enum ts_status check_length(struct reader *r, size_t n)
 			     n);
 }
 
-static enum ts_status mass(struct reader *r)
+static enum ts_status read_mass(struct reader *r)
 {
 	struct ts_data *d = r->d;
 	int64_t type;
@@ -234,7 +234,7 @@ static enum ts_status mass(struct reader *r)
 	return check_length(r, 2);
 }
 
-static enum ts_status positive(struct reader *r, size_t k, int column, double *out)
+static enum ts_status read_positive(struct reader *r, size_t k, int column, double *out)
 {
 	const char *name = ts_data_column_names[column];
 
@@ -244,7 +244,7 @@ static enum ts_status positive(struct reader *r, size_t k, int column, double *o
 	return ts_lines_fail(r->l, TS_RANGE, k, "%s is %s, expected a number > 0", name, r->l->word[k]);
 }
 
-static enum ts_status atom_column(struct reader *r, size_t k, int column, struct ts_data_atom *a)
+static enum ts_status read_atom_column(struct reader *r, size_t k, int column, struct ts_data_atom *a)
 {
 	const char *name = ts_data_column_names[column];
 	int64_t number;
@@ -261,15 +261,15 @@ static enum ts_status atom_column(struct reader *r, size_t k, int column, struct
 	case TS_DATA_MOL:
 		return ts_lines_int(r->l, k, name, INT32_MIN, INT32_MAX, &number);
 	case TS_DATA_DIAMETER:
-		return positive(r, k, column, &a->diameter);
+		return read_positive(r, k, column, &a->diameter);
 	case TS_DATA_DENSITY:
-		return positive(r, k, column, &a->density);
+		return read_positive(r, k, column, &a->density);
 	default:
 		return ts_lines_real(r->l, k, name, &a->x[column - TS_DATA_X]);
 	}
 }
 
-static enum ts_status atom(struct reader *r)
+static enum ts_status read_atom(struct reader *r)
 {
 	static const char *const images[] = { "image flag ix", "image flag iy", "image flag iz" };
 	struct ts_data *d = r->d;
@@ -281,7 +281,7 @@ static enum ts_status atom(struct reader *r)
 	a = &d->atom[d->n];
 	*a = (struct ts_data_atom){ .diameter = 1, .density = 1, .line = r->l->number };
 	for (size_t k = 0; k < n; k++)
-		TS_TRY(atom_column(r, k, d->layout.column[k], a));
+		TS_TRY(read_atom_column(r, k, d->layout.column[k], a));
 	for (size_t k = 0; r->l->nwords > n && k < 3; k++) {
 		int64_t image;
 
@@ -300,7 +300,7 @@ static int compare_atoms(const void *a, const void *b)
 	return (p->tag > q->tag) - (p->tag < q->tag);
 }
 
-/* Sorted by identity; two of the same are refused. */
+/* Sorts the particles by id; an id that occurs twice is an error. */
 static enum ts_status sort_atoms(struct reader *r)
 {
 	struct ts_data *d = r->d;
@@ -339,7 +339,7 @@ static enum ts_status find_atom(struct reader *r, size_t k, const char *what, in
 	return TS_OK;
 }
 
-static enum ts_status velocity(struct reader *r)
+static enum ts_status read_velocity(struct reader *r)
 {
 	static const char *const names[] = { "vx", "vy", "vz", "omegax", "omegay", "omegaz" };
 	size_t n = r->d->layout.sized ? 6 : 3;
@@ -353,7 +353,7 @@ static enum ts_status velocity(struct reader *r)
 	return check_length(r, n + 1);
 }
 
-static enum ts_status bond(struct reader *r)
+static enum ts_status read_bond(struct reader *r)
 {
 	struct ts_data *d = r->d;
 	struct ts_data_bond *b;
@@ -375,8 +375,8 @@ static enum ts_status bond(struct reader *r)
 	return check_length(r, 4);
 }
 
-/* A line of a section of the user's own. */
-static enum ts_status user_line(struct reader *r, struct ts_data_section *s)
+/* A line of a section for a fix property/atom. */
+static enum ts_status read_user_line(struct reader *r, struct ts_data_section *s)
 {
 	size_t row = s->width + 1;
 	struct ts_data_atom *a;
@@ -392,46 +392,46 @@ static enum ts_status user_line(struct reader *r, struct ts_data_section *s)
 	return check_length(r, row);
 }
 
-static int64_t atoms_wanted(const struct ts_data *d)
+static int64_t expected_atoms(const struct ts_data *d)
 {
 	return d->natoms;
 }
 
-static int64_t bonds_wanted(const struct ts_data *d)
+static int64_t expected_bonds(const struct ts_data *d)
 {
 	return d->nbonds;
 }
 
-static int64_t types_wanted(const struct ts_data *d)
+static int64_t expected_types(const struct ts_data *d)
 {
 	return d->ntypes;
 }
 
-static int64_t pairs_wanted(const struct ts_data *d)
+static int64_t expected_pairs(const struct ts_data *d)
 {
 	return d->ntypes * (d->ntypes + 1) / 2;
 }
 
-static int64_t bond_types_wanted(const struct ts_data *d)
+static int64_t expected_bond_types(const struct ts_data *d)
 {
 	return d->nbond_types;
 }
 
 struct section {
 	const char *title;
-	enum ts_status (*line)(struct reader *r); /* NULL: refused */
-	int64_t (*wanted)(const struct ts_data *d);
+	enum ts_status (*line)(struct reader *r);     /* reads a line; NULL: not supported */
+	int64_t (*expected)(const struct ts_data *d); /* number of lines */
 	bool after_atoms;
 };
 
 static const struct section sections[] = {
-	{ "Atoms", atom, atoms_wanted, false },
-	{ "Velocities", velocity, atoms_wanted, true },
-	{ "Bonds", bond, bonds_wanted, true },
-	{ "Masses", mass, types_wanted, false },
-	{ "Pair Coeffs", pair_coeff, types_wanted, false },
-	{ "PairIJ Coeffs", pair_ij_coeff, pairs_wanted, false },
-	{ "Bond Coeffs", bond_coeff, bond_types_wanted, false },
+	{ "Atoms", read_atom, expected_atoms, false },
+	{ "Velocities", read_velocity, expected_atoms, true },
+	{ "Bonds", read_bond, expected_bonds, true },
+	{ "Masses", read_mass, expected_types, false },
+	{ "Pair Coeffs", read_pair_coeff, expected_types, false },
+	{ "PairIJ Coeffs", read_pair_ij_coeff, expected_pairs, false },
+	{ "Bond Coeffs", read_bond_coeff, expected_bond_types, false },
 	{ "Angles", NULL, NULL, false },
 	{ "Dihedrals", NULL, NULL, false },
 	{ "Impropers", NULL, NULL, false },
@@ -463,7 +463,7 @@ static enum ts_status unknown_section(struct reader *r)
 			     ts_suggest_text(&suggest));
 }
 
-/* `Atoms # sphere` names the style; else it is that of the script, as for `# hybrid` alone. */
+/* `Atoms # sphere` names the style; without a comment, or with `# hybrid` alone, it is that of the script. */
 static enum ts_status choose_layout(struct reader *r)
 {
 	const char *hint = r->l->comment;
@@ -481,7 +481,7 @@ static enum ts_status choose_layout(struct reader *r)
 
 static enum ts_status read_lines(struct reader *r, const struct section *s)
 {
-	int64_t wanted = s->wanted(r->d);
+	int64_t wanted = s->expected(r->d);
 
 	for (int64_t k = 0; k < wanted; k++) {
 		TS_TRY(ts_lines_next_filled(r->l, &r->more));
@@ -501,7 +501,7 @@ static enum ts_status read_lines(struct reader *r, const struct section *s)
 	return TS_OK;
 }
 
-/* As many lines as there are particles. */
+/* Section of a fix property/atom: one line for each particle. */
 static enum ts_status read_user_section(struct reader *r, struct ts_data_section *s, bool after_atoms)
 {
 	if (s->seen || !after_atoms)
@@ -517,7 +517,7 @@ static enum ts_status read_user_section(struct reader *r, struct ts_data_section
 					     "the file ends after %" PRId64 " of %" PRId64
 					     " lines of section %s",
 					     k, r->d->natoms, s->title);
-		TS_TRY(user_line(r, s));
+		TS_TRY(read_user_line(r, s));
 	}
 	return TS_OK;
 }
@@ -560,7 +560,7 @@ enum ts_status ts_data_read(struct tsim *sim, struct ts_lines *lines, const char
 		TS_TRY(ts_lines_next_filled(lines, &r.more));
 	}
 	for (int k = 0; k < 3; k += 2)
-		if (sections[k].wanted(out) && !(seen & 1u << k))
+		if (sections[k].expected(out) && !(seen & 1u << k))
 			return ts_lines_fail(lines, TS_DAMAGED, SIZE_MAX, "the file ends without section %s",
 					     sections[k].title);
 	return TS_OK;

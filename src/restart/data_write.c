@@ -1,4 +1,4 @@
-/* Data files: the writer. Numbers have as many digits as they need to be read back to the same bits. */
+/* Data files: writes a file. Numbers have as many digits as are needed to read back the same bits. */
 #include "restart/data.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 
 #include "base/banned.h"
 
-/* Among the neighbours of mass/volume, the smallest number whose product with the volume is the mass. */
+/* Smallest density within 3 ulp of mass / volume for which density * volume == mass; false: there is none. */
 static bool find_density(double mass, double volume, double *out)
 {
 	enum { AROUND = 3 };
@@ -27,8 +27,8 @@ static bool find_density(double mass, double volume, double *out)
 	return false;
 }
 
-/* The density that gives this mass again when it is multiplied by the volume; where rounding allows
- * none, one that at least gives itself again. */
+/* Density from which read_data computes the same mass; if rounding allows none, a density that is written
+ * unchanged after it is read back. */
 static double density_of(double mass, double volume)
 {
 	double density = mass / volume;
@@ -87,7 +87,7 @@ static void add_atom(struct ts_str *out, const struct tsim *sim, size_t i, bool 
 			add_number(out, density_of(p->mass[i], ts_particle_volume(sim, p->radius[i])));
 		}
 	}
-	if (hybrid) /* every particle is a molecule of its own */
+	if (hybrid) /* molecule id */
 		ts_str_add(out, " 0");
 	ts_str_addf(out, " %d %d %d\n", p->image[i][0], p->image[i][1], p->image[i][2]);
 }
@@ -135,8 +135,8 @@ enum ts_status ts_data_write(struct tsim *sim, struct ts_textfile *out, struct t
 	return status;
 }
 
-static enum ts_status add_rows(struct tsim *sim, const struct ts_user_columns *columns,
-			       const struct ts_identities *map, double *value, struct ts_str *out)
+static enum ts_status add_section(struct tsim *sim, const struct ts_user_columns *columns,
+				  const struct ts_identities *map, double *value, struct ts_str *out)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -165,7 +165,7 @@ enum ts_status ts_data_write_columns(struct tsim *sim, struct ts_textfile *out,
 	value = ts_alloc(columns->width, sizeof *value);
 	if (!value)
 		return ts_nomem(&sim->error);
-	status = add_rows(sim, columns, &map, value, &text);
+	status = add_section(sim, columns, &map, value, &text);
 	if (status == TS_OK)
 		status = ts_textfile_write(out, ts_str_text(&text), text.length);
 	ts_free(value);

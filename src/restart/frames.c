@@ -14,7 +14,7 @@ enum ts_status ts_frames_open(struct ts_frames *f, struct tsim *sim, const char 
 	return ts_lines_next_filled(&f->lines, &f->more);
 }
 
-static void drop_names(struct ts_frames *f)
+static void free_names(struct ts_frames *f)
 {
 	for (size_t k = 0; k < f->ncolumns; k++)
 		ts_free(f->column[k]);
@@ -23,7 +23,7 @@ static void drop_names(struct ts_frames *f)
 
 void ts_frames_close(struct ts_frames *f)
 {
-	drop_names(f);
+	free_names(f);
 	ts_free(f->column);
 	ts_free(f->value);
 	ts_lines_close(&f->lines);
@@ -38,8 +38,8 @@ int ts_frames_column(const struct ts_frames *f, const char *name)
 	return -1;
 }
 
-/* No message: the frame is left out. */
-static enum ts_status cut_off(struct ts_frames *f)
+/* The frame is incomplete and will be skipped; no error message. */
+static enum ts_status mark_incomplete(struct ts_frames *f)
 {
 	f->cut = true;
 	f->more &= f->lines.ended;
@@ -51,11 +51,11 @@ static bool at_item(const struct ts_frames *f)
 	return f->lines.nwords && ts_streq(f->lines.word[0], "ITEM:");
 }
 
-/* A line without an end may be the beginning of one: 0.12 of 0.1234. */
-static enum ts_status need_line(struct ts_frames *f)
+/* Reads a line within a frame. A last line without a line feed may be cut off: 0.12 of 0.1234. */
+static enum ts_status read_required_line(struct ts_frames *f)
 {
 	TS_TRY(ts_lines_next_filled(&f->lines, &f->more));
-	return f->more && f->lines.ended && !at_item(f) ? TS_OK : cut_off(f);
+	return f->more && f->lines.ended && !at_item(f) ? TS_OK : mark_incomplete(f);
 }
 
 static enum ts_status read_bounds(struct ts_frames *f)
@@ -65,7 +65,7 @@ static enum ts_status read_bounds(struct ts_frames *f)
 	if (l->nwords >= 4 && ts_streq(l->word[3], "xy"))
 		return ts_lines_fail(l, TS_RANGE, 3, "tilted boxes are not read");
 	for (int d = 0; d < 3; d++) {
-		TS_TRY(need_line(f));
+		TS_TRY(read_required_line(f));
 		TS_TRY(ts_lines_real(l, 0, "the lower bound", &f->lo[d]));
 		TS_TRY(ts_lines_real(l, 1, "the upper bound", &f->hi[d]));
 		if (f->hi[d] < f->lo[d])
@@ -78,7 +78,7 @@ static enum ts_status read_names(struct ts_frames *f)
 {
 	struct ts_lines *l = &f->lines;
 
-	drop_names(f);
+	free_names(f);
 	for (size_t k = 2; k < l->nwords; k++) {
 		if (TS_GROW(f->column, f->column_capacity, f->ncolumns + 1) != TS_OK)
 			return ts_nomem(l->err);
@@ -90,7 +90,8 @@ static enum ts_status read_names(struct ts_frames *f)
 	return TS_OK;
 }
 
-/* A torn row, behind which a later run has gone on, is no mistake. */
+/* A row of wrong length: if a new frame follows, the row was cut off and a later run has appended to the file;
+ * otherwise it is an error. */
 static enum ts_status refuse_row(struct ts_frames *f)
 {
 	struct ts_lines *l = &f->lines;
@@ -99,7 +100,7 @@ static enum ts_status refuse_row(struct ts_frames *f)
 
 	TS_TRY(ts_lines_next_filled(l, &f->more));
 	if (f->more && at_item(f))
-		return cut_off(f);
+		return mark_incomplete(f);
 	return ts_fail(l->err, TS_DAMAGED, &place, "a row of %zu words, but there are %zu columns", n,
 		       f->ncolumns);
 }
@@ -110,7 +111,7 @@ static enum ts_status read_rows(struct ts_frames *f)
 
 	for (size_t row = 0; row < f->n; row++) {
 		f->rows = row;
-		TS_TRY(need_line(f));
+		TS_TRY(read_required_line(f));
 		if (l->nwords != f->ncolumns || (l->nwords && ts_streq(l->word[l->nwords - 1], "...")))
 			return refuse_row(f);
 		if (TS_GROW(f->value, f->value_capacity, (row + 1) * f->ncolumns) != TS_OK)
@@ -122,27 +123,27 @@ static enum ts_status read_rows(struct ts_frames *f)
 	return TS_OK;
 }
 
-/* The line after an ITEM line, where it holds one integer. */
+/* Reads the integer in the line after an ITEM line. */
 static enum ts_status read_count(struct ts_frames *f, const char *what, int64_t most, int64_t *out)
 {
-	TS_TRY(need_line(f));
+	TS_TRY(read_required_line(f));
 	return ts_lines_int(&f->lines, 0, what, 0, most, out);
 }
 
-/* One ITEM and what follows it; *last is true after the rows. */
+/* Reads an ITEM line and its contents; *last is true after the rows, the last item of a frame. */
 static enum ts_status read_item(struct ts_frames *f, bool *last)
 {
 	struct ts_lines *l = &f->lines;
 	int64_t n;
 
 	if (!l->ended)
-		return cut_off(f);
+		return mark_incomplete(f);
 	if (l->nwords < 2 || !at_item(f))
 		return ts_lines_fail(l, TS_DAMAGED, 0,
 				     "expected a line `ITEM: ...`: this is no dump of particles as text");
 	if (f->begun && (ts_streq(l->word[1], "TIMESTEP") || ts_streq(l->word[1], "TIME") ||
 			 ts_streq(l->word[1], "UNITS")))
-		return cut_off(f);
+		return mark_incomplete(f);
 	if (ts_streq(l->word[1], "TIMESTEP")) {
 		TS_TRY(read_count(f, "the step", INT64_MAX, &f->step));
 		f->begun = true;
@@ -164,7 +165,7 @@ static enum ts_status read_item(struct ts_frames *f, bool *last)
 		TS_TRY(read_names(f));
 		return read_rows(f);
 	}
-	return need_line(f); /* UNITS, TIME, LABEL */
+	return read_required_line(f); /* UNITS, TIME, LABEL */
 }
 
 static enum ts_status read_frame(struct ts_frames *f)
@@ -178,12 +179,12 @@ static enum ts_status read_frame(struct ts_frames *f)
 		TS_TRY(read_item(f, &last));
 		TS_TRY(ts_lines_next_filled(&f->lines, &f->more));
 		if (!last && !f->more)
-			return cut_off(f);
+			return mark_incomplete(f);
 	}
 	return TS_OK;
 }
 
-static void tell_broken(struct ts_frames *f)
+static void warn_incomplete(struct ts_frames *f)
 {
 	const char *why = f->lines.torn ? ", whose compressed data end there" : "";
 
@@ -213,7 +214,7 @@ enum ts_status ts_frames_next(struct ts_frames *f, bool *got)
 		if (!*got && !f->cut)
 			return status;
 		if (!*got)
-			tell_broken(f);
+			warn_incomplete(f);
 	}
 	if (*got || f->whole || !f->broken)
 		return TS_OK;

@@ -1,4 +1,4 @@
-/* Frames of text dumps (dump atom, dump custom), read back one after the other. */
+/* Reader of text dumps (dump atom, dump custom), frame by frame. */
 #ifndef TS_RESTART_FRAMES_H
 #define TS_RESTART_FRAMES_H
 
@@ -9,42 +9,42 @@
 struct ts_frames {
 	struct tsim *sim;
 	struct ts_lines lines;
-	struct ts_place where; /* blamed for frames that are not whole */
-	bool more;	       /* `lines` stands at the beginning of a frame */
-	bool begun, counted;   /* of the frame that is read: its step, its number of rows is known */
-	bool cut;	       /* it is not whole */
-	size_t rows;	       /* of it that were read */
-	size_t whole, broken;  /* frames so far */
-	/* the present frame */
+	struct ts_place where; /* named in warnings about incomplete frames */
+	bool more;	       /* `lines` is at the first line of a frame */
+	bool begun, counted;   /* current frame: its step and its number of rows were read */
+	bool cut;	       /* it is incomplete */
+	size_t rows;	       /* rows of it that were read */
+	size_t whole, broken;  /* number of complete and incomplete frames so far */
+	/* the current frame */
 	int64_t step;
-	double lo[3], hi[3];
-	size_t n, ncolumns;
-	char **column; /* names */
-	double *value; /* value[row * ncolumns + column]; NaN: no number */
+	double lo[3], hi[3]; /* box (length) */
+	size_t n, ncolumns;  /* rows, columns */
+	char **column;	     /* [ncolumns] names */
+	double *value;	     /* [n][ncolumns]; NaN: not a number */
 	size_t column_capacity, value_capacity;
 };
 
 enum ts_status ts_frames_open(struct ts_frames *f, struct tsim *sim, const char *path,
 			      const struct ts_place *where);
-/* The next whole frame; *got is false after the last. Frames that are not whole, as a run leaves them that
- * was killed or had a full disk, are told in a warning and left out, at the end of the file and within
- * (where a later run has gone on); a file without any whole one is refused. */
+/* Reads the next complete frame; *got is false after the last. Incomplete frames, as left by a run that was
+ * killed or had a full disk, are skipped with a warning, at the end of the file or within it (if a later run
+ * has appended to it); a file without any complete frame is an error. */
 enum ts_status ts_frames_next(struct ts_frames *f, bool *got);
 void ts_frames_close(struct ts_frames *f);
-/* Which column has this name, or -1. */
+/* Index of the column of this name, or -1. */
 int ts_frames_column(const struct ts_frames *f, const char *name);
 
-/* How a frame gets into the simulation. */
+/* How a frame is entered in the simulation: arguments of read_dump and rerun. */
 struct ts_frame_use {
-	struct ts_words fields; /* x, vx, radius ...: what is taken */
-	struct ts_words labels; /* pairs: field, name of its column */
-	bool box;		/* the box becomes that of the frame */
-	bool replace;		/* particles that are in both get the fields */
-	bool trim;		/* those that are not in the frame go */
-	bool purge;		/* all go before */
-	bool add;		/* those that are only in the frame are made */
+	struct ts_words fields; /* quantities to set: x, vx, radius ... */
+	struct ts_words labels; /* pairs: quantity, name of its column */
+	bool box;		/* set the box */
+	bool replace;		/* set the quantities of existing particles */
+	bool trim;		/* delete particles that are not in the frame */
+	bool purge;		/* delete all particles first */
+	bool add;		/* create particles that are only in the frame */
 };
-enum ts_status ts_frame_apply(struct tsim *sim, const struct ts_frames *f, const struct ts_frame_use *use,
-			      const struct ts_place *where);
+enum ts_status ts_frames_apply(struct tsim *sim, const struct ts_frames *f, const struct ts_frame_use *use,
+			       const struct ts_place *where);
 
 #endif

@@ -16,26 +16,27 @@
 
 #include "base/banned.h"
 
-/* Version 2 added the section of the script and the arguments of styles; doc/restart-format.md says
- * when the version has to grow. Older ones are read. */
+/* Version 2 added the section of the script and the arguments of styles. Older versions can be read;
+ * doc/restart-format.md says which changes require a new version. */
 #define MAGIC_STEM "tsim restart "
 #define MAGIC MAGIC_STEM "2\n"
 enum { BYTE_ORDER_MARK = 0x01020304, VERSION = 2, MAGIC_LENGTH = sizeof MAGIC - 1 };
-enum { CLOCK_SECTION = 1000, HOST_SECTION = 1001, END_SECTION = 0 };
+enum { CLOCK_SECTION = 1000, SCRIPT_SECTION = 1001, END_SECTION = 0 };
 enum { NNAMES = 3, LONGEST_NAME = 4096, LARGEST_RATIO = 1040 /* zlib compresses no better */ };
 
 static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR,    TS_KIND_BOND, TS_KIND_FLOW,
 					    TS_KIND_FIX,    TS_KIND_COMPUTE, TS_KIND_DUMP, TS_KIND_PRESSURE };
 
-_Static_assert(TS_KIND_FIX == 2 && TS_KIND_FLOW == 8, "files know kinds by these numbers");
+_Static_assert(TS_KIND_FIX == 2 && TS_KIND_FLOW == 8, "restart files contain these numbers");
 
-struct head {
+/* Header of a section, as in the file; names and compressed bytes follow. */
+struct section_head {
 	uint32_t kind, name_length[NNAMES];
-	uint64_t plain, packed;
-	uint32_t sum, zero;
+	uint64_t plain, packed; /* bytes before and after compression */
+	uint32_t sum, zero;	/* crc32 of the compressed bytes; padding */
 };
 
-/* ---- what the clock section holds; the same function writes and reads */
+/* ---- contents of the clock section; the same function writes and reads it */
 
 struct run_state {
 	struct ts_clock clock;
@@ -64,32 +65,32 @@ static enum ts_status archive_run_state(struct ts_archive *a, struct run_state *
 struct writer {
 	struct tsim *sim;
 	struct ts_replace out;
-	uint32_t sum; /* of all written so far */
+	uint32_t sum; /* crc32 of all bytes written so far */
 };
 
-static enum ts_status put(struct writer *w, const void *bytes, size_t n)
+static enum ts_status write_bytes(struct writer *w, const void *bytes, size_t n)
 {
 	w->sum = (uint32_t)crc32_z(w->sum, bytes, n);
 	return ts_replace_write(&w->out, bytes, n);
 }
 
-static enum ts_status put_packed(struct writer *w, struct head *head, const char *const names[],
-				 const unsigned char *packed)
+static enum ts_status write_packed(struct writer *w, struct section_head *head, const char *const names[],
+				   const unsigned char *packed)
 {
 	for (int k = 0; k < NNAMES; k++)
 		head->name_length[k] = (uint32_t)strlen(names[k]);
 	head->sum = (uint32_t)crc32_z(crc32_z(0, NULL, 0), packed, (size_t)head->packed);
-	TS_TRY(put(w, head, sizeof *head));
+	TS_TRY(write_bytes(w, head, sizeof *head));
 	for (int k = 0; k < NNAMES; k++)
-		TS_TRY(put(w, names[k], head->name_length[k]));
-	return put(w, packed, (size_t)head->packed);
+		TS_TRY(write_bytes(w, names[k], head->name_length[k]));
+	return write_bytes(w, packed, (size_t)head->packed);
 }
 
-/* Compresses and writes what the archive holds. */
-static enum ts_status put_section(struct writer *w, uint32_t kind, const char *const names[],
-				  struct ts_archive *archive)
+/* Compresses the contents of the archive and writes them as a section. */
+static enum ts_status write_section(struct writer *w, uint32_t kind, const char *const names[],
+				    struct ts_archive *archive)
 {
-	struct head head = { .kind = kind };
+	struct section_head head = { .kind = kind };
 	const unsigned char *bytes;
 	unsigned char *packed;
 	enum ts_status status;
@@ -106,7 +107,7 @@ static enum ts_status put_section(struct writer *w, uint32_t kind, const char *c
 	} else {
 		head.plain = n;
 		head.packed = length;
-		status = put_packed(w, &head, names, packed);
+		status = write_packed(w, &head, names, packed);
 	}
 	ts_free(packed);
 	return status;
@@ -114,7 +115,7 @@ static enum ts_status put_section(struct writer *w, uint32_t kind, const char *c
 
 static const char *const no_names[NNAMES] = { "", "", "" };
 
-static enum ts_status put_host(struct writer *w)
+static enum ts_status write_script_state(struct writer *w)
 {
 	struct tsim *sim = w->sim;
 	struct ts_archive *archive = ts_archive_new(sim, true);
@@ -124,12 +125,12 @@ static enum ts_status put_host(struct writer *w)
 		return ts_nomem(&sim->error);
 	status = sim->script_api->archive(sim->script_api_data, archive);
 	if (status == TS_OK)
-		status = put_section(w, HOST_SECTION, no_names, archive);
+		status = write_section(w, SCRIPT_SECTION, no_names, archive);
 	ts_archive_free(archive);
 	return status;
 }
 
-static enum ts_status put_clock(struct writer *w)
+static enum ts_status write_clock(struct writer *w)
 {
 	struct tsim *sim = w->sim;
 	struct run_state s = { sim->clock, (int32_t)sim->units, sim->dimension, sim->run.fingerprint,
@@ -141,12 +142,12 @@ static enum ts_status put_clock(struct writer *w)
 		return ts_nomem(&sim->error);
 	status = archive_run_state(archive, &s);
 	if (status == TS_OK)
-		status = put_section(w, CLOCK_SECTION, no_names, archive);
+		status = write_section(w, CLOCK_SECTION, no_names, archive);
 	ts_archive_free(archive);
 	return status;
 }
 
-static enum ts_status put_instance(struct writer *w, struct ts_instance *inst)
+static enum ts_status write_instance(struct writer *w, struct ts_instance *inst)
 {
 	const char *names[] = { inst->style->name, inst->id, ts_group_name(w->sim, inst->group) };
 	struct ts_archive *archive = ts_archive_new(w->sim, true);
@@ -157,27 +158,27 @@ static enum ts_status put_instance(struct writer *w, struct ts_instance *inst)
 	status = inst->style->kind == TS_KIND_SYSTEM ? ts_archive_instance(archive, inst, w->sim)
 						     : ts_unclaimed_write(w->sim, inst, archive);
 	if (status == TS_OK)
-		status = put_section(w, (uint32_t)inst->style->kind + 1, names, archive);
+		status = write_section(w, (uint32_t)inst->style->kind + 1, names, archive);
 	ts_archive_free(archive);
 	return status;
 }
 
-static enum ts_status put_all(struct writer *w)
+static enum ts_status write_all(struct writer *w)
 {
 	const uint32_t mark[2] = { BYTE_ORDER_MARK, VERSION };
 	uint32_t end[2] = { END_SECTION, 0 };
 
-	TS_TRY(put(w, MAGIC, MAGIC_LENGTH));
-	TS_TRY(put(w, mark, sizeof mark));
-	TS_TRY(put_clock(w));
+	TS_TRY(write_bytes(w, MAGIC, MAGIC_LENGTH));
+	TS_TRY(write_bytes(w, mark, sizeof mark));
+	TS_TRY(write_clock(w));
 	if (w->sim->script_api && w->sim->script_api->archive)
-		TS_TRY(put_host(w));
+		TS_TRY(write_script_state(w));
 	for (size_t k = 0; k < sizeof saved_kinds / sizeof *saved_kinds; k++) {
 		struct ts_instances *list = &w->sim->instances[saved_kinds[k]];
 
 		for (size_t i = 0; i < list->n; i++)
 			if (list->item[i]->style->saved || list->item[i]->style->archive)
-				TS_TRY(put_instance(w, list->item[i]));
+				TS_TRY(write_instance(w, list->item[i]));
 	}
 	end[1] = w->sum;
 	return ts_replace_write(&w->out, end, sizeof end);
@@ -188,23 +189,23 @@ enum ts_status ts_restart_write(struct tsim *sim, const char *path, const struct
 	struct writer w = { .sim = sim, .sum = (uint32_t)crc32_z(0, NULL, 0) };
 	enum ts_status status;
 
-	/* between two steps of a run the forces belong to the state as it is now */
+	/* within a run the forces belong to the current state: a continued run need not compute them again */
 	if (sim->run.inside)
 		TS_TRY(ts_sim_fingerprint(sim, &sim->run.fingerprint));
 	TS_TRY(ts_replace_begin(&w.out, sim, where, path));
-	status = put_all(&w);
+	status = write_all(&w);
 	if (status == TS_OK)
 		status = ts_replace_commit(&w.out, true);
 	ts_replace_abandon(&w.out);
 	return status;
 }
 
-/* ---- reading: the whole file is checked before anything is changed */
+/* ---- reading: the whole file is checked before anything is restored */
 
 struct section {
-	struct head head;
-	char *name[NNAMES];
-	unsigned char *plain;
+	struct section_head head;
+	char *name[NNAMES];   /* style, id, group */
+	unsigned char *plain; /* uncompressed bytes */
 };
 
 struct reader {
@@ -212,14 +213,14 @@ struct reader {
 	const char *path;
 	const struct ts_place *where;
 	struct ts_arena arena;
-	unsigned char *bytes;
-	size_t n, at, capacity;
+	unsigned char *bytes;	/* the file */
+	size_t n, at, capacity; /* its length, current position */
 	struct section *section;
 	size_t nsections, section_capacity;
-	size_t system; /* of the table of systems: the first that has not been restored */
+	size_t system; /* index in the table of systems: the first that is not yet restored */
 };
 
-static enum ts_status refuse(struct reader *r, const char *why)
+static enum ts_status refuse_file(struct reader *r, const char *why)
 {
 	return ts_fail(&r->sim->error, TS_DAMAGED, r->where, "restart file '%s' %s", r->path, why);
 }
@@ -243,7 +244,7 @@ static enum ts_status load_stream(struct reader *r, FILE *file)
 	return TS_OK;
 }
 
-static enum ts_status load(struct reader *r)
+static enum ts_status load_file(struct reader *r)
 {
 	FILE *file = ts_files_open(&r->sim->files, r->path, "r");
 	enum ts_status status;
@@ -256,7 +257,7 @@ static enum ts_status load(struct reader *r)
 	return status;
 }
 
-static bool take(struct reader *r, void *to, size_t n)
+static bool read_bytes(struct reader *r, void *to, size_t n)
 {
 	if (n > r->n - r->at)
 		return false;
@@ -279,16 +280,16 @@ static enum ts_status check_start(struct reader *r)
 	char magic[MAGIC_LENGTH + 1] = "", *version = magic + sizeof MAGIC_STEM - 1;
 	uint32_t mark[2];
 
-	if (!take(r, magic, MAGIC_LENGTH) || memcmp(magic, MAGIC_STEM, sizeof MAGIC_STEM - 1) != 0)
-		return refuse(r, "is not a restart file of tsim");
+	if (!read_bytes(r, magic, MAGIC_LENGTH) || memcmp(magic, MAGIC_STEM, sizeof MAGIC_STEM - 1) != 0)
+		return refuse_file(r, "is not a restart file of tsim");
 	if (version[0] < '1' || version[0] > '0' + VERSION || version[1] != '\n')
 		return refuse_version(r, version);
-	if (!take(r, mark, sizeof mark))
-		return refuse(r, "is cut off");
+	if (!read_bytes(r, mark, sizeof mark))
+		return refuse_file(r, "is cut off");
 	if (mark[0] != BYTE_ORDER_MARK)
-		return refuse(r, "was written by a machine with another byte order, or is damaged");
+		return refuse_file(r, "was written by a machine with another byte order, or is damaged");
 	if (mark[1] != (uint32_t)(version[0] - '0'))
-		return refuse(r, "is damaged: it has two versions of the format");
+		return refuse_file(r, "is damaged: it has two versions of the format");
 	return TS_OK;
 }
 
@@ -298,33 +299,33 @@ static enum ts_status read_names(struct reader *r, struct section *s)
 		uint32_t length = s->head.name_length[k];
 
 		if (length > LONGEST_NAME)
-			return refuse(r, "is damaged: a name is too long");
+			return refuse_file(r, "is damaged: a name is too long");
 		s->name[k] = ts_arena_alloc(&r->arena, length + 1, 1);
 		if (!s->name[k])
 			return ts_nomem(&r->sim->error);
-		if (!take(r, s->name[k], length))
-			return refuse(r, "is cut off");
+		if (!read_bytes(r, s->name[k], length))
+			return refuse_file(r, "is cut off");
 	}
 	return TS_OK;
 }
 
-static enum ts_status unpack(struct reader *r, struct section *s)
+static enum ts_status decompress(struct reader *r, struct section *s)
 {
 	const unsigned char *packed = r->bytes + r->at;
 	uLongf length = (uLongf)s->head.plain;
 
 	if (s->head.packed > r->n - r->at)
-		return refuse(r, "is cut off");
+		return refuse_file(r, "is cut off");
 	r->at += (size_t)s->head.packed;
 	if ((uint32_t)crc32_z(crc32_z(0, NULL, 0), packed, (size_t)s->head.packed) != s->head.sum)
-		return refuse(r, "is damaged: the checksum of a section is wrong");
+		return refuse_file(r, "is damaged: the checksum of a section is wrong");
 	if (s->head.plain / LARGEST_RATIO > s->head.packed)
-		return refuse(r, "is damaged: a section has an impossible size");
+		return refuse_file(r, "is damaged: a section has an impossible size");
 	s->plain = ts_arena_alloc(&r->arena, (size_t)s->head.plain, 1);
 	if (!s->plain)
 		return ts_nomem(&r->sim->error);
 	if (uncompress(s->plain, &length, packed, (uLong)s->head.packed) != Z_OK || length != s->head.plain)
-		return refuse(r, "is damaged: a section cannot be expanded");
+		return refuse_file(r, "is damaged: a section cannot be expanded");
 	return TS_OK;
 }
 
@@ -333,13 +334,13 @@ static enum ts_status check_end(struct reader *r)
 	size_t before = r->at - sizeof(uint32_t);
 	uint32_t sum;
 
-	/* the zero of the end mark belongs to what follows the sum */
-	if (!take(r, &sum, sizeof sum))
-		return refuse(r, "is cut off");
+	/* the checksum is over all bytes before the end mark, which has been read */
+	if (!read_bytes(r, &sum, sizeof sum))
+		return refuse_file(r, "is cut off");
 	if (r->at != r->n)
-		return refuse(r, "is damaged: there is something behind its end");
+		return refuse_file(r, "is damaged: there is something behind its end");
 	if (sum != (uint32_t)crc32_z(crc32_z(0, NULL, 0), r->bytes, before))
-		return refuse(r, "is damaged: its checksum is wrong");
+		return refuse_file(r, "is damaged: its checksum is wrong");
 	return TS_OK;
 }
 
@@ -350,22 +351,23 @@ static enum ts_status read_sections(struct reader *r)
 	for (;;) {
 		struct section *s;
 
-		if (!take(r, &kind, sizeof kind))
-			return refuse(r, "is cut off");
+		if (!read_bytes(r, &kind, sizeof kind))
+			return refuse_file(r, "is cut off");
 		if (kind == END_SECTION)
 			return check_end(r);
 		if (TS_GROW(r->section, r->section_capacity, r->nsections + 1) != TS_OK)
 			return ts_nomem(&r->sim->error);
 		s = &r->section[r->nsections++];
 		r->at -= sizeof kind;
-		if (!take(r, &s->head, sizeof s->head))
-			return refuse(r, "is cut off");
+		if (!read_bytes(r, &s->head, sizeof s->head))
+			return refuse_file(r, "is cut off");
 		TS_TRY(read_names(r, s));
-		TS_TRY(unpack(r, s));
+		TS_TRY(decompress(r, s));
 	}
 }
 
-static enum ts_status with_archive(struct reader *r, const struct section *s, struct run_state *clock,
+/* Restores run state, instance, or (both NULL) variables of the script from a section. */
+static enum ts_status restore_from(struct reader *r, const struct section *s, struct run_state *clock,
 				   struct ts_instance *inst)
 {
 	struct ts_archive *archive = ts_archive_new(r->sim, false);
@@ -391,13 +393,13 @@ static enum ts_status restore_clock(struct reader *r)
 	struct run_state s = { 0 };
 
 	if (!r->nsections || r->section[0].head.kind != CLOCK_SECTION)
-		return refuse(r, "is damaged: it does not begin with the clock");
-	TS_TRY(with_archive(r, &r->section[0], &s, NULL));
+		return refuse_file(r, "is damaged: it does not begin with the clock");
+	TS_TRY(restore_from(r, &r->section[0], &s, NULL));
 	if (s.units < 0 || s.units > TS_UNITS_MICRO || (s.dimension != 2 && s.dimension != 3))
-		return refuse(r, "is damaged: unknown units or dimension");
+		return refuse_file(r, "is damaged: unknown units or dimension");
 	if (s.clock.base_step < 0 || s.clock.step < s.clock.base_step || !isfinite(s.clock.base_time) ||
 	    !isfinite(s.clock.dt))
-		return refuse(r, "is damaged: impossible step or time");
+		return refuse_file(r, "is damaged: impossible step or time");
 	if (sim->units != TS_UNITS_LJ && (int32_t)sim->units != s.units)
 		return ts_fail(&sim->error, TS_STATE, r->where,
 			       "restart file '%s' is in units %s, but the script says units %s", r->path,
@@ -415,28 +417,28 @@ static enum ts_status restore_clock(struct reader *r)
 	return TS_OK;
 }
 
-/* Each once, in the order of the table: those behind rely on those before. */
+/* Systems are restored in the order of the table, each once: later ones depend on earlier ones. */
 static enum ts_status restore_system(struct reader *r, const struct section *s)
 {
 	struct ts_instance *inst = ts_sim_find(r->sim, TS_KIND_SYSTEM, s->name[0]);
 
 	if (!inst)
-		return refuse(r, "holds the state of a system this program does not have");
+		return refuse_file(r, "holds the state of a system this program does not have");
 	while (r->sim->tables->systems[r->system] &&
 	       &r->sim->tables->systems[r->system]->style != inst->style)
 		r->system++;
 	if (!r->sim->tables->systems[r->system])
-		return refuse(r, "is damaged: its sections are out of order");
+		return refuse_file(r, "is damaged: its sections are out of order");
 	r->system++;
-	return with_archive(r, s, NULL, inst);
+	return restore_from(r, s, NULL, inst);
 }
 
 static enum ts_status restore_section(struct reader *r, const struct section *s)
 {
-	if (s->head.kind == HOST_SECTION)
-		return with_archive(r, s, NULL, NULL);
+	if (s->head.kind == SCRIPT_SECTION)
+		return restore_from(r, s, NULL, NULL);
 	if (s->head.kind == 0 || s->head.kind > TS_NKIND)
-		return refuse(r, "holds the state of an unknown kind of style");
+		return refuse_file(r, "holds the state of an unknown kind of style");
 	if (s->head.kind - 1 != TS_KIND_SYSTEM)
 		return ts_unclaimed_add(r->sim, (enum ts_kind)(s->head.kind - 1), s->name[0], s->name[1],
 					s->name[2], s->plain, (size_t)s->head.plain);
@@ -448,11 +450,11 @@ static enum ts_status restore_all(struct reader *r)
 	TS_TRY(restore_clock(r));
 	for (size_t k = 1; k < r->nsections; k++)
 		TS_TRY(restore_section(r, &r->section[k]));
-	return ts_sim_has_box(r->sim) ? TS_OK : refuse(r, "is damaged: it has no simulation box");
+	return ts_sim_has_box(r->sim) ? TS_OK : refuse_file(r, "is damaged: it has no simulation box");
 }
 
-/* A file that holds together may still hold nonsense; nothing is left of it then. */
-static void forget(struct tsim *sim)
+/* A file with valid checksums may still have impossible contents: nothing of it is kept. */
+static void discard_state(struct tsim *sim)
 {
 	sim->has_box = false;
 	sim->particles->n = 0;
@@ -461,7 +463,7 @@ static void forget(struct tsim *sim)
 
 static enum ts_status read_file(struct reader *r)
 {
-	TS_TRY(load(r));
+	TS_TRY(load_file(r));
 	TS_TRY(check_start(r));
 	return read_sections(r);
 }
@@ -476,7 +478,7 @@ enum ts_status ts_restart_read(struct tsim *sim, const char *path, const struct 
 			       "there is a box already: read_restart comes before create_box");
 	status = read_file(&r);
 	if (status == TS_OK && (status = restore_all(&r)) != TS_OK)
-		forget(sim);
+		discard_state(sim);
 	ts_arena_release(&r.arena);
 	ts_free(r.bytes);
 	ts_free(r.section);

@@ -1,4 +1,4 @@
-/* From a frame of a dump into the simulation. */
+/* Enters a frame of a dump in the simulation. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -9,27 +9,27 @@
 
 #include "base/banned.h"
 
-struct use {
+struct frame_import {
 	struct tsim *sim;
 	const struct ts_frames *f;
 	const struct ts_frame_use *use;
 	const struct ts_place *where;
-	int32_t *row;	 /* local row of each row of the frame; -1: none */
-	double *value;	 /* of one field, for the rows that have a particle */
-	int32_t *target; /* and their local rows */
+	int32_t *row;	 /* [row of the frame] index of the particle; -1: none */
+	double *value;	 /* [n] values of one quantity for existing particles */
+	int32_t *target; /* [n] indices of these particles */
 	size_t n;
 };
 
-static double at(const struct use *u, size_t row, int column)
+static double frame_value(const struct frame_import *u, size_t row, int column)
 {
 	return u->f->value[row * u->f->ncolumns + (size_t)column];
 }
 
-static enum ts_status find_id(const struct use *u, int *column)
+static enum ts_status find_id(const struct frame_import *u, int *column)
 {
 	*column = ts_frames_column(u->f, "id");
 	for (size_t r = 0; *column >= 0 && r < u->f->n; r++) {
-		double id = at(u, r, *column);
+		double id = frame_value(u, r, *column);
 
 		if (!(id >= 1 && id <= INT32_MAX - 1 && id == floor(id)))
 			return ts_fail(&u->sim->error, TS_DAMAGED, u->where,
@@ -42,15 +42,15 @@ static enum ts_status find_id(const struct use *u, int *column)
 		       u->f->lines.file, (long long)u->f->step);
 }
 
-static int by_number(const void *a, const void *b)
+static int compare_numbers(const void *a, const void *b)
 {
 	const double *x = a, *y = b;
 
 	return (*x > *y) - (*x < *y);
 }
 
-/* Dumps of tsim are sorted. */
-static enum ts_status refuse_twice(const struct use *u)
+/* Refuses frames in which an id occurs twice. Dumps of tsim are sorted, others are sorted here. */
+static enum ts_status refuse_repeated_ids(const struct frame_import *u)
 {
 	bool sorted = true;
 	double *ids, twice = 0;
@@ -58,15 +58,15 @@ static enum ts_status refuse_twice(const struct use *u)
 
 	TS_TRY(find_id(u, &id));
 	for (size_t r = 1; r < u->f->n; r++)
-		sorted &= at(u, r - 1, id) < at(u, r, id);
+		sorted &= frame_value(u, r - 1, id) < frame_value(u, r, id);
 	if (sorted)
 		return TS_OK;
 	ids = ts_alloc(u->f->n, sizeof *ids);
 	if (!ids)
 		return ts_nomem(&u->sim->error);
 	for (size_t r = 0; r < u->f->n; r++)
-		ids[r] = at(u, r, id);
-	qsort(ids, u->f->n, sizeof *ids, by_number);
+		ids[r] = frame_value(u, r, id);
+	qsort(ids, u->f->n, sizeof *ids, compare_numbers);
 	for (size_t r = 1; r < u->f->n && twice == 0; r++)
 		if (ids[r - 1] == ids[r])
 			twice = ids[r];
@@ -78,8 +78,8 @@ static enum ts_status refuse_twice(const struct use *u)
 		       (long long)u->f->step, twice);
 }
 
-/* The row of each identity of the frame; particles without one get a flag. */
-static enum ts_status match(struct use *u, unsigned char *missing)
+/* Finds the particle of each row of the frame; flags particles that are not in the frame as missing. */
+static enum ts_status match_ids(struct frame_import *u, unsigned char *missing)
 {
 	const struct ts_particles *p = u->sim->particles;
 	struct ts_identities map;
@@ -90,7 +90,7 @@ static enum ts_status match(struct use *u, unsigned char *missing)
 	for (size_t i = 0; i < p->n; i++)
 		missing[i] = 1;
 	for (size_t r = 0; r < u->f->n; r++) {
-		double tag = at(u, r, id);
+		double tag = frame_value(u, r, id);
 
 		u->row[r] = tag <= p->max_tag ? ts_contact_of(&map, (int32_t)tag) : -1;
 		if (u->row[r] >= 0)
@@ -99,7 +99,8 @@ static enum ts_status match(struct use *u, unsigned char *missing)
 	return TS_OK;
 }
 
-static enum ts_status drop(struct use *u, bool all)
+/* Deletes all particles, or with `trim` those that are not in the frame. */
+static enum ts_status delete_particles(struct frame_import *u, bool all)
 {
 	struct ts_particles *p = u->sim->particles;
 	unsigned char *flag = ts_alloc(p->n, 1);
@@ -107,18 +108,18 @@ static enum ts_status drop(struct use *u, bool all)
 
 	if (!flag)
 		return ts_nomem(&u->sim->error);
-	status = match(u, flag);
+	status = match_ids(u, flag);
 	for (size_t i = 0; i < p->n; i++)
 		flag[i] |= all;
 	if (status == TS_OK && (all || u->use->trim))
 		status = ts_particles_delete(u->sim, flag);
 	if (status == TS_OK)
-		status = match(u, flag);
+		status = match_ids(u, flag);
 	ts_free(flag);
 	return status;
 }
 
-static enum ts_status add_missing(struct use *u)
+static enum ts_status add_missing(struct frame_import *u)
 {
 	struct ts_particles *p = u->sim->particles;
 	int id = ts_frames_column(u->f, "id"), type = ts_frames_column(u->f, "type");
@@ -134,7 +135,7 @@ static enum ts_status add_missing(struct use *u)
 	TS_TRY(ts_particles_add(u->sim, count, &next));
 	p->max_tag = max_tag;
 	for (size_t r = 0; r < u->f->n; r++) {
-		double kind = type >= 0 ? at(u, r, type) : 1;
+		double kind = type >= 0 ? frame_value(u, r, type) : 1;
 
 		if (u->row[r] >= 0)
 			continue;
@@ -143,7 +144,7 @@ static enum ts_status add_missing(struct use *u)
 				       "'%s', step %lld: row %zu has the type %g, types go from 1 to %d",
 				       u->f->lines.file, (long long)u->f->step, r + 1, kind, p->ntypes);
 		p->type[next] = (int32_t)kind;
-		p->tag[next] = (int32_t)at(u, r, id);
+		p->tag[next] = (int32_t)frame_value(u, r, id);
 		if (p->tag[next] > p->max_tag)
 			p->max_tag = p->tag[next];
 		if (p->type_mass[p->type[next]] > 0)
@@ -154,8 +155,8 @@ static enum ts_status add_missing(struct use *u)
 	return TS_OK;
 }
 
-/* The column of a field: as labelled, of its name, or for positions one of the other kinds. */
-static int find_column(const struct use *u, const char *field, bool *scaled)
+/* Column of a quantity: as labelled, of its name, or for positions one of xs, xu, xsu. */
+static int find_column(const struct frame_import *u, const char *field, bool *scaled)
 {
 	static const char *const kinds[] = { "s", "u", "su" };
 	const struct ts_words labels = u->use->labels;
@@ -177,7 +178,7 @@ static int find_column(const struct use *u, const char *field, bool *scaled)
 	return column;
 }
 
-static enum ts_status apply_field(struct use *u, const struct ts_word *field)
+static enum ts_status apply_field(struct frame_import *u, const struct ts_word *field)
 {
 	int dim = field->text[0] - 'x';
 	bool scaled;
@@ -189,7 +190,7 @@ static enum ts_status apply_field(struct use *u, const struct ts_word *field)
 			       (long long)u->f->step, field->text);
 	u->n = 0;
 	for (size_t r = 0; r < u->f->n; r++) {
-		double value = at(u, r, column);
+		double value = frame_value(u, r, column);
 
 		if (u->row[r] < 0)
 			continue;
@@ -211,7 +212,7 @@ static void set_box(struct tsim *sim, const struct ts_frames *f)
 	}
 }
 
-static enum ts_status check_box(const struct use *u)
+static enum ts_status check_box(const struct frame_import *u)
 {
 	for (int d = 0; u->use->box && d < 3; d++)
 		if (!(u->f->lo[d] < u->f->hi[d]))
@@ -221,11 +222,11 @@ static enum ts_status check_box(const struct use *u)
 	return TS_OK;
 }
 
-static enum ts_status apply(struct use *u)
+static enum ts_status apply_frame(struct frame_import *u)
 {
 	TS_TRY(check_box(u));
-	TS_TRY(refuse_twice(u));
-	TS_TRY(drop(u, u->use->purge));
+	TS_TRY(refuse_repeated_ids(u));
+	TS_TRY(delete_particles(u, u->use->purge));
 	if (u->use->box)
 		set_box(u->sim, u->f);
 	if (u->use->add)
@@ -237,17 +238,17 @@ static enum ts_status apply(struct use *u)
 	return TS_OK;
 }
 
-enum ts_status ts_frame_apply(struct tsim *sim, const struct ts_frames *f, const struct ts_frame_use *use,
-			      const struct ts_place *where)
+enum ts_status ts_frames_apply(struct tsim *sim, const struct ts_frames *f, const struct ts_frame_use *use,
+			       const struct ts_place *where)
 {
-	struct use u = { .sim = sim, .f = f, .use = use, .where = where };
+	struct frame_import u = { .sim = sim, .f = f, .use = use, .where = where };
 	enum ts_status status = TS_NOMEM;
 
 	u.row = ts_alloc(f->n, sizeof *u.row);
 	u.value = ts_alloc(f->n, sizeof *u.value);
 	u.target = ts_alloc(f->n, sizeof *u.target);
 	if (u.row && u.value && u.target)
-		status = apply(&u);
+		status = apply_frame(&u);
 	else
 		ts_nomem(&sim->error);
 	ts_free(u.row);
