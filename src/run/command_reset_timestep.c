@@ -11,8 +11,8 @@ struct state {
 	double time;
 };
 
-/* Averages, series and the like know the step of their next sample. */
-static bool counts_steps(const struct ts_instance *fix)
+/* Fixes that sample at fixed intervals, such as ave/..., store the step of their next sample. */
+static bool samples_by_step(const struct ts_instance *fix)
 {
 	for (const struct ts_arg *row = fix->style->args; row && row->type != TS_ARG_END; row++)
 		if (row->type == TS_ARG_INT && row->flags & TS_STATEFUL)
@@ -20,8 +20,8 @@ static bool counts_steps(const struct ts_instance *fix)
 	return false;
 }
 
-/* A frame already written at what is now this step is another state. */
-static void forget_frames(struct tsim *sim)
+/* Dumps may write a frame at the new step even if they have written one of this number. */
+static void clear_last_frames(struct tsim *sim)
 {
 	const struct ts_instances *dumps = &sim->instances[TS_KIND_DUMP];
 
@@ -36,13 +36,13 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	for (size_t k = 0; k < sim->instances[TS_KIND_FIX].n; k++) {
 		const struct ts_instance *fix = sim->instances[TS_KIND_FIX].item[k];
 
-		if (counts_steps(fix))
+		if (samples_by_step(fix))
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "fix %s (%s, line %d) counts steps: unfix it before reset_timestep",
 				       fix->id, fix->style->name, fix->where.line);
 	}
 	if (s->step != sim->clock.step) {
-		forget_frames(sim);
+		clear_last_frames(sim);
 		sim->thermo->counted = 0;
 		sim->era++;
 	}
@@ -55,7 +55,7 @@ static const struct ts_arg args[] = {
 	TS_INT("step", struct state, step, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
 	       .help = "new value of the step counter"),
 	TS_REAL("time", struct state, time, .flags = TS_OPTIONAL, .unit = "time",
-		.help = "new simulated time; without it step times dt"),
+		.help = "new simulated time; default: step times dt"),
 	TS_ARGS_END,
 };
 
@@ -65,9 +65,9 @@ const struct ts_command_style ts_command_reset_timestep = {
 		.name = "reset_timestep",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the step counter",
-		.doc = "The simulated time becomes step times dt unless it is given. Refused while there are "
-		       "fixes that\n"
-		       "average over steps.",
+		.doc = "Sets the step counter. The simulated time is set to step times dt unless "
+		       "it is given. It is an error if there are fixes that average or sample over "
+		       "steps, such as fix ave/time.",
 		.example = "reset_timestep 0",
 		.args = args,
 		.state_size = sizeof(struct state),

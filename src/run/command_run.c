@@ -1,3 +1,4 @@
+/* Command run: runs the simulation for N steps. */
 #include "core/plan.h"
 
 #include <inttypes.h>
@@ -11,11 +12,11 @@
 struct run {
 	int64_t steps, start, stop;
 	bool upto, pre, post, unsafe;
-	struct ts_words pieces; /* M and the commands after each M steps */
+	struct ts_words pieces; /* arguments of `every`: M and the commands executed every M steps */
 	const struct ts_place *where;
 };
 
-/* Wall time by what it was spent on, as LAMMPS names it. */
+/* Wall time of each part of a step, with the names of LAMMPS. */
 static void print_times(const struct ts_plan *plan, struct tsim *sim, double wall)
 {
 	static const struct {
@@ -87,8 +88,8 @@ static enum ts_status run_once(struct tsim *sim, int64_t steps, const struct run
 	return status;
 }
 
-/* Executes the commands after each piece; they are substituted anew every time. */
-static enum ts_status each_piece(struct tsim *sim, int64_t last, const struct run *r)
+/* Runs in pieces of M steps and executes the commands after each; their variables are substituted each time. */
+static enum ts_status run_with_commands(struct tsim *sim, int64_t last, const struct run *r)
 {
 	const struct ts_word *word = r->pieces.word;
 	int64_t every, left = last - sim->clock.step;
@@ -96,7 +97,7 @@ static enum ts_status each_piece(struct tsim *sim, int64_t last, const struct ru
 	if (!ts_parse_int(word[0].text, &every) || every < 1)
 		return ts_fail(&sim->error, TS_SYNTAX, &word[0].place,
 			       "run: every is '%s', expected a number of steps > 0", word[0].text);
-	if (sim->reading.explain) /* the commands once */
+	if (sim->reading.explain) /* a single piece: the commands are read once */
 		every = last - sim->clock.step;
 	else
 		TS_TRY(sim->script_api->reads_commands(sim->script_api_data, ts_words_from(r->pieces, 1)));
@@ -107,7 +108,7 @@ static enum ts_status each_piece(struct tsim *sim, int64_t last, const struct ru
 				       "on for %" PRId64 " steps more; `clear` has its place behind the run",
 				       left);
 		TS_TRY(run_once(sim, left < every ? left : every, r));
-		left -= every; /* a command may count the steps anew */
+		left -= every; /* not from clock.step: a command may reset it */
 		for (size_t k = 1; k < r->pieces.n; k++)
 			if (!ts_streq(word[k].text, "NULL"))
 				TS_TRY(sim->script_api->execute(sim->script_api_data, word[k].text,
@@ -121,7 +122,7 @@ static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct ru
 	enum ts_status status;
 
 	sim->script_api->expects(sim->script_api_data, ts_words_from(r->pieces, 1));
-	status = each_piece(sim, last, r);
+	status = run_with_commands(sim, last, r);
 	sim->script_api->expects(sim->script_api_data, (struct ts_words){ 0 });
 	return status;
 }
@@ -136,7 +137,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			       "run: the last step would be out of range, at most %" PRId64, INT64_MAX);
 	last = r->upto ? r->steps : sim->clock.step + r->steps;
 	r->where = where;
-	if (last < sim->clock.step && sim->reading.open_clock) /* -explain: or so */
+	if (last < sim->clock.step && sim->reading.open_clock) /* -explain: the step is not exactly known */
 		last = sim->clock.step;
 	if (last < sim->clock.step)
 		return ts_fail(&sim->error, TS_RANGE, ts_sim_word(sim, 1, where),
@@ -168,16 +169,16 @@ static const struct ts_arg args[] = {
 	       .help = "number of steps"),
 	TS_FLAG("upto", struct run, upto, .help = "run until step N instead of N more steps"),
 	TS_INT("start", struct run, start, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
-	       .help = "step at which what changes over a run (ramp(), fix deform final) began"),
+	       .help = "step at which changes over a run (ramp(), fix deform final) begin"),
 	TS_INT("stop", struct run, stop, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
-	       .help = "step at which it ends"),
+	       .help = "step at which they end"),
 	TS_BOOL("pre", struct run, pre, .fallback = "yes",
-		.help = "set up before the run; no: go on as after the last step"),
-	TS_BOOL("post", struct run, post, .fallback = "yes", .help = "print the timing summary"),
+		.help = "whether a set-up is done before the run; no: continue from the last step"),
+	TS_BOOL("post", struct run, post, .fallback = "yes", .help = "whether the timing summary is printed"),
 	TS_BOOL("unsafe", struct run, unsafe, .fallback = "no",
-		.help = "step beyond the stability limit with a warning instead of an error"),
+		.help = "whether a time step beyond a stability limit is a warning instead of an error"),
 	TS_REST_KEYWORD("every", struct run, pieces,
-			.help = "M and quoted commands: interrupt every M steps to execute them"),
+			.help = "M and commands in quotes: interrupt the run every M steps to execute them"),
 	TS_ARGS_END,
 };
 
@@ -185,23 +186,26 @@ TS_STYLE(command, ts_command_style, ts_command_run)
 const struct ts_command_style ts_command_run = {
 	.style = { .name = "run",
 		   .kind = TS_KIND_COMMAND,
-		   .summary = "steps the simulation",
-		   .doc = "Plans the run (see -explain), checks the time step against the stability limits "
-			  "of all live styles, and steps. Forces are computed anew at its start only if "
-			  "something they depend on has changed since the last step, so that a run cut into "
-			  "several is the same, bit for bit.\n\n"
-			  "`every M \"command\" ...` interrupts the run every M steps to execute the "
-			  "commands; variables in them are substituted each time. Before the first step they "
-			  "are read, those of `if` among them, too: that commands, styles, arguments and "
-			  "variables exist.\n\n"
-			  "What changes over a run counts from its first to its last step. With `start` and "
-			  "`stop` several runs, or one that goes on from a restart file, count as one.\n\n"
-			  "A step beyond a limit of stability is refused. While the run goes on limits are "
-			  "looked at again, as stiffnesses, masses and velocities change: from 80 % of one "
-			  "on a warning says so, once for each cause, and a run that stays beyond it is "
-			  "stopped, with the cause, the place and a step that is small enough "
-			  "(doc/stability.md; thermo keyword stable_fraction). `unsafe yes` only warns: for "
-			  "tests of the limits themselves.",
+		   .summary = "Runs the simulation for N steps",
+		   .doc = "Plans the run (see -explain), checks the time step against the "
+			  "stability limits of all styles, and runs N steps. Forces are recomputed "
+			  "at its start only if something they depend on has changed since the "
+			  "last step, so that a run cut into several gives the same results, bit "
+			  "for bit.\n\n"
+			  "`every M \"command\" ...` interrupts the run every M steps to execute "
+			  "the commands; variables in them are substituted each time. Before the "
+			  "first step they are checked, including those of `if`: commands, styles, "
+			  "arguments and variables must exist.\n\n"
+			  "Quantities that change over a run, such as ramp(), change from its "
+			  "first to its last step. With `start` and `stop` several runs, or a run "
+			  "and its continuation from a restart file, count as one.\n\n"
+			  "A time step beyond a stability limit is an error. During the run the "
+			  "limits are evaluated again, since stiffnesses, masses and velocities "
+			  "change: from 80 % of a limit on there is a warning, once for each "
+			  "cause, and a run that stays beyond a limit is stopped with a message "
+			  "about the cause, its location and a sufficiently small time step "
+			  "(doc/stability.md; thermo keyword stable_fraction). `unsafe yes` turns "
+			  "these errors into warnings; it is meant for tests of the limits.",
 		   .example = "run 20000\nrun 100000 upto\nrun 5000 every 1000 \"print 'step $(step)'\"",
 		   .args = args,
 		   .state_size = sizeof(struct run) },

@@ -1,4 +1,4 @@
-/* Command timer: ends runs after some wall time. */
+/* Command timer: limits the wall time of runs. */
 #include "core/sim.h"
 
 #include <string.h>
@@ -11,7 +11,7 @@ struct state {
 	struct ts_words words;
 };
 
-/* seconds, minutes:seconds or hours:minutes:seconds; off, unlimited: -1. */
+/* Parses seconds, minutes:seconds or hours:minutes:seconds; off, unlimited: -1. */
 static bool read_time(const char *text, double *seconds)
 {
 	*seconds = 0;
@@ -37,12 +37,12 @@ static bool read_time(const char *text, double *seconds)
 	return false;
 }
 
-static enum ts_status wrong(struct tsim *sim, const struct ts_word *word, const char *expected)
+static enum ts_status refuse_value(struct tsim *sim, const struct ts_word *word, const char *expected)
 {
 	return ts_fail(&sim->error, TS_SYNTAX, &word->place, "timer: %s takes %s", word->text, expected);
 }
 
-static enum ts_status timeout(struct tsim *sim, struct ts_words words)
+static enum ts_status set_timeout(struct tsim *sim, struct ts_words words)
 {
 	double seconds;
 
@@ -50,17 +50,17 @@ static enum ts_status timeout(struct tsim *sim, struct ts_words words)
 	if (words.n > 1 && ts_streq(words.word[1].text, "reset"))
 		return TS_OK;
 	if (words.n < 2 || !read_time(words.word[1].text, &seconds))
-		return wrong(sim, words.word, "seconds, m:s, h:m:s, off, unlimited or reset");
+		return refuse_value(sim, words.word, "seconds, m:s, h:m:s, off, unlimited or reset");
 	sim->run.timeout = seconds < 0 ? 0 : ts_clock() + seconds;
 	return TS_OK;
 }
 
-static enum ts_status every(struct tsim *sim, struct ts_words words)
+static enum ts_status set_interval(struct tsim *sim, struct ts_words words)
 {
 	if (words.n < 2 || !ts_parse_int(words.word[1].text, &sim->run.timeout_every) ||
 	    sim->run.timeout_every < 1) {
 		sim->run.timeout_every = 10;
-		return wrong(sim, words.word, "a number of steps > 0");
+		return refuse_value(sim, words.word, "a number of steps > 0");
 	}
 	return TS_OK;
 }
@@ -79,9 +79,9 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		while (ignored[k] && !ts_streq(ignored[k], word->text))
 			k++;
 		if (ts_streq(word->text, "timeout"))
-			TS_TRY(timeout(sim, rest));
+			TS_TRY(set_timeout(sim, rest));
 		else if (ts_streq(word->text, "every"))
-			TS_TRY(every(sim, rest));
+			TS_TRY(set_interval(sim, rest));
 		else if (ignored[k])
 			used = 1;
 		else
@@ -96,9 +96,10 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_REST("words", struct state, words,
-		.help = "timeout T (seconds, m:s, h:m:s, off or unlimited): runs end after so much wall time "
-			"from now, and later ones do nothing; timeout reset: run again; every N: steps "
-			"between looks; off, loop, normal, full, sync, nosync: no effect"),
+		.help = "timeout T (seconds, m:s, h:m:s, off or unlimited): runs end when this wall time has "
+			"elapsed from now, and later ones do nothing; timeout reset: runs are possible "
+			"again; every N: steps between checks; off, loop, normal, full, sync, nosync: no "
+			"effect"),
 	TS_ARGS_END,
 };
 
@@ -107,14 +108,12 @@ const struct ts_command_style ts_command_timer = {
 	.style = {
 		.name = "timer",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Ends runs after some wall time",
-		.doc = "A run that reaches the limit ends with its step as if it had been asked for no more; "
-		       "later ones\n"
-		       "do nothing until `timer timeout` is said again, so that a script can still write a "
-		       "restart\n"
-		       "file. The clock is looked at every 10 steps of a run, or as `every` says. The times "
-		       "spent in\n"
-		       "each stage are always taken and shown after a run.",
+		.summary = "Limits the wall time of runs",
+		.doc = "A run that reaches the limit ends after the current step in the same way "
+		       "as at its last step; later runs do nothing until the next `timer timeout`, "
+		       "so that a script can still write a restart file. The wall time is checked "
+		       "every 10 steps of a run, or as `every` says. The wall times of the stages "
+		       "of a step are always measured and printed after a run.",
 		.example = "timer timeout 2:30:00 every 100\ntimer timeout reset",
 		.args = args,
 		.state_size = sizeof(struct state),

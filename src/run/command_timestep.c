@@ -1,4 +1,4 @@
-/* Command timestep: the length of a step. */
+/* Command timestep: sets the time step. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 {
 	const struct state *s = state;
 
-	if (s->dt * s->dt == 0 || isinf(s->dt * s->dt)) /* nothing could be integrated */
+	if (s->dt * s->dt == 0 || isinf(s->dt * s->dt)) /* integrators and limits need dt^2 */
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "timestep: %g has no square, expected 1e-150 to 1e150", s->dt);
 	ts_sim_set_dt(sim, s->dt);
@@ -22,7 +22,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_REAL("dt", struct state, dt, .flags = TS_POSITIONAL, .range = TS_POSITIVE, .unit = "time",
-		.help = "length of a step"),
+		.help = "time step"),
 	TS_ARGS_END,
 };
 
@@ -31,9 +31,9 @@ const struct ts_command_style ts_command_timestep = {
 	.style = {
 		.name = "timestep",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Sets the length of a step",
-		.doc = "Each run compares it with the limits of stability of everything that acts; -explain\n"
-		       "prints them.",
+		.summary = "Sets the time step",
+		.doc = "Sets the time step of the integration. Each run compares it with the "
+		       "stability limits of all styles; -explain prints them.",
 		.example = "timestep 1e-5",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Fix halt: ends a run early when something has come true. */
+/* Fix halt: ends a run early when a condition is met. */
 #include "core/sim.h"
 
 #include <inttypes.h>
@@ -28,7 +28,7 @@ struct state {
 	double limit;
 	bool message;
 	measure_fn *measure;
-	struct ts_number number; /* attribute v_NAME */
+	struct ts_number number; /* the variable of attribute v_NAME */
 };
 
 static enum ts_status longest_bond(struct ts_instance *self, struct tsim *sim, double *out)
@@ -70,7 +70,7 @@ static enum ts_status free_disk(struct ts_instance *self, struct tsim *sim, doub
 	return TS_OK;
 }
 
-static enum ts_status variable(struct ts_instance *self, struct tsim *sim, double *out)
+static enum ts_status variable_value(struct ts_instance *self, struct tsim *sim, double *out)
 {
 	const struct state *s = self->state;
 
@@ -99,7 +99,7 @@ static enum ts_status use_variable(struct ts_instance *self, struct tsim *sim, c
 				  "fix halt: unknown variable '%s'%s", name, ts_suggest_text(&suggest));
 	}
 	s->number.variable = name;
-	s->measure = variable;
+	s->measure = variable_value;
 	return TS_OK;
 }
 
@@ -108,7 +108,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 	struct ts_suggest suggest = ts_suggest_start(s->attribute);
 
-	ts_neigh_keep_forces_every(sim->neigh, s->every); /* each may be the last of the run */
+	ts_neigh_show_every(sim->neigh,
+			    s->every); /* each may be the last step, whose contact forces are kept */
 	if (strncmp(s->attribute, "v_", 2) == 0)
 		return use_variable(self, sim, s->attribute + 2);
 	for (int k = 0; k < NATTRIBUTES; k++) {
@@ -144,7 +145,7 @@ static bool holds(int comparison, double a, double b)
 	}
 }
 
-/* The run ends with this step, as if it had been asked for no more. */
+/* If the condition holds, this step becomes the last one of the run. */
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
@@ -175,19 +176,21 @@ static const char *const errors[] = { "hard", "soft", "continue", NULL };
 
 static const struct ts_arg args[] = {
 	TS_INT("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
-	       .help = "steps between looks"),
+	       .help = "steps between checks"),
 	TS_WORD("attribute", struct state, attribute, .flags = TS_POSITIONAL,
-		.help = "v_NAME; bondmax: length of the longest bond; tlimit: seconds since the run "
-			"began; diskfree: room on the disk in megabytes"),
+		.help = "v_NAME; bondmax: length of the longest bond; tlimit: wall time since the start of "
+			"the run in seconds; diskfree: free disk space in megabytes"),
 	TS_ENUM("comparison", struct state, comparison, comparisons, .flags = TS_POSITIONAL,
-		.help = "how it is compared; |^: exactly one of the two is not 0"),
-	TS_REAL("limit", struct state, limit, .flags = TS_POSITIONAL, .help = "what it is compared with"),
+		.help = "comparison operator; |^: exactly one of the two is not 0"),
+	TS_REAL("limit", struct state, limit, .flags = TS_POSITIONAL,
+		.help = "value with which it is compared"),
 	TS_ENUM("error", struct state, error, errors, .fallback = "soft",
 		.help = "hard: stop with an error; soft: end this run and skip all later ones; "
 			"continue: end this run"),
-	TS_BOOL("message", struct state, message, .fallback = "yes", .help = "say so (hard always does)"),
+	TS_BOOL("message", struct state, message, .fallback = "yes",
+		.help = "whether a message is printed (always with hard)"),
 	TS_WORD("path", struct state, path, .fallback = ".",
-		.help = "for diskfree: a file or folder on the disk"),
+		.help = "for diskfree: a file or folder on that disk"),
 	TS_ARGS_END,
 };
 
@@ -195,14 +198,12 @@ TS_STYLE(fix, ts_style, ts_fix_halt)
 const struct ts_style ts_fix_halt = {
 	.name = "halt",
 	.kind = TS_KIND_FIX,
-	.summary = "Ends a run early when a condition has come true",
-	.doc = "At the end of each step that is a multiple of N the attribute is compared with the limit. If "
-	       "the\n"
-	       "comparison holds, the run ends with this step: its output is written and the script goes on. "
-	       "After\n"
-	       "a soft halt (the default) later `run` commands do nothing, so that a script can write down "
-	       "its\n"
-	       "state and end; `timer timeout reset` lets them run again.",
+	.summary = "Ends a run early when a condition is met",
+	.doc = "Compares the attribute with the limit at the end of each step that is a multiple "
+	       "of N. If the comparison holds, this step becomes the last of the run: its output "
+	       "is written and the script continues. After a soft halt (the default) later `run` "
+	       "commands do nothing, so that a script can write its state and end; `timer timeout "
+	       "reset` enables them again.",
 	.example = "variable speed equal vcm(all,z)\n"
 		   "fix calm all halt 100 v_speed > -1e-4 error continue\n"
 		   "fix apart all halt 10 bondmax > 0.023",

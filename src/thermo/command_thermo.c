@@ -1,4 +1,4 @@
-/* Command thermo: how often the table in the log gets a row. */
+/* Command thermo: interval of thermo output. */
 #include "core/sim.h"
 #include "thermo/thermo.h"
 
@@ -27,8 +27,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_NUMBER("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-		  .help = "steps between rows, or a variable that says the step of the next row; 0: only "
-			  "the first and the last step"),
+		  .help = "steps between rows, or a variable that evaluates to the step of the next row; 0: "
+			  "only the first and the last step"),
 	TS_ARGS_END,
 };
 
@@ -37,12 +37,12 @@ const struct ts_command_style ts_command_thermo = {
 	.style = {
 		.name = "thermo",
 		.kind = TS_KIND_COMMAND,
-		.summary = "How often the table in the log gets a row",
-		.doc = "A row is written at the first and the last step of each run and when the step is a "
-		       "multiple of\n"
-		       "N. Default 0. A variable, v_NAME, is asked at the start of a run and after each row "
-		       "for the step of\n"
-		       "the next.",
+		.summary = "Sets the interval of thermo output",
+		.doc = "Thermo output is a table in the log file and on the screen. A row is "
+		       "written at the first and the last step of each run and when the step is a "
+		       "multiple of N. The default is 0. A variable v_NAME is evaluated at the "
+		       "start of a run and after each row; its value is the step of the next row. "
+		       "See also thermo_style, thermo_modify.",
 		.example = "thermo 1000\nthermo v_next",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Command thermo_log: the table of the log in a file of its own. */
+/* Command thermo_log: writes thermo output to a file, too. */
 #include "core/sim.h"
 #include "thermo/thermo.h"
 
@@ -28,8 +28,8 @@ const struct ts_command_style ts_command_thermo_log = {
 	.style = {
 		.name = "thermo_log",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Writes the table of the log also to a file of its own",
-		.doc = "Only titles and rows go there.",
+		.summary = "Writes thermo output to a file, too",
+		.doc = "The file contains only the titles and the rows of the thermo output.",
 		.example = "thermo_log thermo.txt",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Command thermo_style: the columns of the table in the log. */
+/* Command thermo_style: columns of thermo output. */
 #include "core/sim.h"
 #include "thermo/thermo.h"
 
@@ -32,13 +32,13 @@ static const struct ts_arg custom[] = {
 
 static const struct ts_mode styles[] = {
 	[ONE] = { "one", "step atoms ke cpu", NULL },
-	[MULTI] = { "multi", "the same in blocks of named numbers", NULL },
-	[CUSTOM] = { "custom", "columns of your choice", custom },
+	[MULTI] = { "multi", "the same columns, in blocks of named numbers", NULL },
+	[CUSTOM] = { "custom", "the listed columns", custom },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
-	TS_MODE("style", struct state, style, styles, .help = "which columns"),
+	TS_MODE("style", struct state, style, styles, .help = "set of columns"),
 	TS_ARGS_END,
 };
 
@@ -47,15 +47,14 @@ const struct ts_command_style ts_command_thermo_style = {
 	.style = {
 		.name = "thermo_style",
 		.kind = TS_KIND_COMMAND,
-		.summary = "The columns of the table in the log",
-		.doc = "Keywords: step elapsed time dt cpu tpcpu spcpu cpuremain atoms ke erotate fmax fnorm "
-		       "vol\n"
-		       "density lx ly lz xlo xhi ylo yhi zlo zhi, and those of other systems. Columns that "
-		       "are no\n"
-		       "keyword are titled by their name, with `legacy yes` by its first eight characters. "
-		       "Default: one.\n\n"
-		       "Keywords, and computes, fixes and variables that exist, are checked in this line; "
-		       "others may be defined later, before the first run.",
+		.summary = "Sets the columns of thermo output",
+		.doc = "Keywords: step elapsed time dt cpu tpcpu spcpu cpuremain atoms ke erotate "
+		       "fmax fnorm vol density lx ly lz xlo xhi ylo yhi zlo zhi, and those of "
+		       "other parts of the program. The title of a compute, fix or variable is its "
+		       "name, with `legacy yes` its first eight characters. The default style is "
+		       "one.\n\n"
+		       "Keywords, and computes, fixes and variables that exist, are checked by "
+		       "this command; others may be defined later, before the first run.",
 		.example = "thermo_style custom step time ke c_energy f_bit[1] v_depth",
 		.args = args,
 		.state_size = sizeof(struct state),

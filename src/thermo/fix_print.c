@@ -1,4 +1,4 @@
-/* Fix print: a line of text at intervals. */
+/* Fix print: prints a line of text every N steps. */
 #include "core/report.h"
 #include "core/sim.h"
 #include "io/textfile.h"
@@ -92,11 +92,13 @@ static const struct ts_arg args[] = {
 	TS_INT("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "steps between lines"),
 	TS_WORD("text", struct state, text, .flags = TS_POSITIONAL,
-		.help = "the text in quotes; variables in it are replaced each time"),
-	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL | TS_WRITES, .help = "file to write anew"),
-	TS_WORD("append", struct state, append, .flags = TS_OPTIONAL | TS_WRITES, .help = "file to continue"),
+		.help = "text in quotes; variables in it are substituted each time"),
+	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL | TS_WRITES,
+		.help = "file to write; an existing one is replaced"),
+	TS_WORD("append", struct state, append, .flags = TS_OPTIONAL | TS_WRITES,
+		.help = "file to append to"),
 	TS_BOOL("screen", struct state, screen, .fallback = "yes",
-		.help = "also on the screen and in the log"),
+		.help = "whether the line is also written to the screen and the log"),
 	TS_WORD("title", struct state, title, .flags = TS_OPTIONAL,
 		.help = "first line of the file instead of '# Fix print output for fix ID'; none: "
 			"no such line"),
@@ -107,11 +109,11 @@ TS_STYLE(fix, ts_style, ts_fix_print)
 const struct ts_style ts_fix_print = {
 	.name = "print",
 	.kind = TS_KIND_FIX,
-	.summary = "Prints a line of text at intervals",
-	.doc = "The line is printed at the end of each step that is a multiple of N; ${name} and "
-	       "$(formula) in\n"
-	       "it are replaced by their values at that time. Before the first step of a run they are read: "
-	       "that variables, computes and fixes exist and have numbers of the right shape.",
+	.summary = "Prints a line of text every N steps",
+	.doc = "Prints the line at the end of each step that is a multiple of N; ${name} and "
+	       "$(formula) in it are replaced by their current values. Before the first step of a "
+	       "run they are checked: variables, computes and fixes must exist and have values of "
+	       "the right shape.",
 	.example = "fix depth all print 1000 \"$(step) ${depth}\" file post/depth.txt screen no",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -10,7 +10,8 @@
 
 #include "base/banned.h"
 
-/* "Step", "KinEng"; of c_ID, f_ID, v_NAME what follows the prefix. LIGGGHTS has eight characters of it. */
+/* Title of a column: "Step", "KinEng" for keywords; for c_ID, f_ID, v_NAME the part after the prefix, of which
+ * LIGGGHTS prints eight characters. */
 static const char *make_title(struct tsim *sim, const char *name)
 {
 	const struct ts_keyword *keyword = ts_keyword_find(sim->tables, name);
@@ -24,8 +25,9 @@ static const char *make_title(struct tsim *sim, const char *name)
 	return ts_arena_strdup(&sim->thermo->arena, sim->legacy ? eight : name);
 }
 
-/* A compute, fix or variable may be defined before the run; what is there must be of the right shape. */
-static enum ts_status read_now(struct tsim *sim, struct ts_ref_input *input)
+/* Checks a column when it is defined: computes, fixes and variables may be missing until the run, but those that
+ * exist must have a scalar. */
+static enum ts_status check_column(struct tsim *sim, struct ts_ref_input *input)
 {
 	enum ts_status status = ts_ref_input_resolve(sim, "thermo_style", TS_WANT(SCALAR), input);
 
@@ -60,7 +62,7 @@ enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names, bool m
 			return ts_nomem(&sim->error);
 	}
 	for (size_t k = 0; k < copy.n; k++)
-		TS_TRY(ts_defer_error(sim, read_now(sim, &t->column[k].input)));
+		TS_TRY(ts_defer_error(sim, check_column(sim, &t->column[k].input)));
 	t->n = copy.n;
 	return TS_OK;
 }
@@ -92,7 +94,7 @@ enum ts_status ts_thermo_format(struct tsim *sim, struct ts_words words)
 	return set_formats(t, sim);
 }
 
-static enum ts_status resolve(struct ts_thermo *t, struct tsim *sim)
+static enum ts_status resolve_columns(struct ts_thermo *t, struct tsim *sim)
 {
 	for (size_t k = 0; k < t->n; k++) {
 		struct ts_ref_input *input = &t->column[k].input;
@@ -111,14 +113,14 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 	if (report->limits_only)
 		return TS_OK;
-	TS_TRY(resolve(self->state, sim));
+	TS_TRY(resolve_columns(self->state, sim));
 	return ts_report_output(report, "rows of the log", ts_report_times(sim, t->every) + 2,
 				16 * (double)t->n) == TS_OK
 		       ? TS_OK
 		       : ts_nomem(&sim->error);
 }
 
-/* The columns of `one`, LIGGGHTS' default. */
+/* Columns of thermo_style one, the default of LIGGGHTS. */
 static enum ts_status set_defaults(struct tsim *sim)
 {
 	const struct ts_word one[] = {
@@ -134,10 +136,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if (!t->n)
 		return set_defaults(sim);
-	return sim->run.inside ? resolve(t, sim) : TS_OK;
+	return sim->run.inside ? resolve_columns(t, sim) : TS_OK;
 }
 
-static enum ts_status emit(struct ts_thermo *t, struct tsim *sim)
+static enum ts_status write_line(struct ts_thermo *t, struct tsim *sim)
 {
 	if (t->line.failed)
 		return ts_nomem(&sim->error);
@@ -149,12 +151,12 @@ static enum ts_status emit(struct ts_thermo *t, struct tsim *sim)
 	return ts_textfile_flush(&t->file);
 }
 
-static enum ts_status header(struct ts_thermo *t, struct tsim *sim)
+static enum ts_status write_titles(struct ts_thermo *t, struct tsim *sim)
 {
 	ts_str_clear(&t->line);
 	for (size_t k = 0; k < t->n; k++)
 		ts_str_addf(&t->line, is_integer(&t->column[k]) ? "%8s " : "%14s ", t->column[k].title);
-	return emit(t, sim);
+	return write_line(t, sim);
 }
 
 /* "Step     =              0 Atoms    =              2 ", three to a line. */
@@ -169,9 +171,9 @@ static void add_named(struct ts_thermo *t, size_t k, double value)
 	ts_str_add(&t->line, " ");
 }
 
-enum { USUAL = 14 }; /* the width of a title */
+enum { USUAL = 14 }; /* width of a title */
 
-/* At the right of a title that is wider than others. */
+/* Adds a number, aligned right under titles that are wider than usual. */
 static void add_column(struct ts_thermo *t, size_t k, double value)
 {
 	struct ts_thermo_column *c = &t->column[k];
@@ -189,7 +191,7 @@ static void add_column(struct ts_thermo *t, size_t k, double value)
 	ts_str_add(&t->line, " ");
 }
 
-static enum ts_status row(struct ts_thermo *t, struct tsim *sim)
+static enum ts_status write_row(struct ts_thermo *t, struct tsim *sim)
 {
 	double cpu = sim->clock.step > sim->clock.first_step ? ts_clock() - sim->clock.wall_start : 0;
 
@@ -211,11 +213,11 @@ static enum ts_status row(struct ts_thermo *t, struct tsim *sim)
 	}
 	t->last_row_time = ts_clock() - sim->clock.wall_start;
 	t->last_row_step = sim->clock.step;
-	return emit(t, sim);
+	return write_line(t, sim);
 }
 
-/* The variable says the step of the row after this one. */
-static enum ts_status ask_next(struct ts_thermo *t, struct tsim *sim)
+/* `thermo v_NAME`: evaluates the step of the next row. */
+static enum ts_status evaluate_next_step(struct ts_thermo *t, struct tsim *sim)
 {
 	double next;
 
@@ -229,8 +231,8 @@ static enum ts_status ask_next(struct ts_thermo *t, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Rows that only begin or end a run, and those seen already at the end of the run before, take nothing
- * from files: a run cut in two reads what the whole run reads. */
+/* Whether a row is due. Only rows due by `every` or `variable`, each once, may advance variables that read from
+ * files (reading.looking is false): then a run cut in two reads the same lines as the whole run. */
 static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 {
 	const struct ts_clock *c = &sim->clock;
@@ -243,11 +245,11 @@ static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 	if (asked)
 		t->counted = c->step + 1;
 	if (t->variable && (c->step == c->first_step || c->step == t->next))
-		return ask_next(t, sim);
+		return evaluate_next_step(t, sim);
 	return TS_OK;
 }
 
-static void progress(struct ts_thermo *t, struct tsim *sim)
+static void show_progress(struct ts_thermo *t, struct tsim *sim)
 {
 	const struct ts_clock *c = &sim->clock;
 	double now = ts_clock(), spent = now - c->wall_start, left, percent;
@@ -275,17 +277,17 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	if (first) {
 		t->last_row_step = c->step;
 		t->last_row_time = t->progress_due = 0;
-		TS_TRY(resolve(t, sim));
+		TS_TRY(resolve_columns(t, sim));
 		if (!t->multi)
-			TS_TRY(header(t, sim));
+			TS_TRY(write_titles(t, sim));
 	}
 	TS_TRY(is_due(t, sim, &due));
 	if (due)
 		ts_run_deferred_loops(sim);
-	status = due ? row(t, sim) : TS_OK;
+	status = due ? write_row(t, sim) : TS_OK;
 	sim->reading.looking = false;
 	if (sim->log.progress || sim->log.sink)
-		progress(t, sim);
+		show_progress(t, sim);
 	return status;
 }
 
@@ -320,7 +322,7 @@ const struct ts_system_style ts_thermo_system = {
 	.style = {
 		.name = "thermo",
 		.kind = TS_KIND_SYSTEM,
-		.summary = "Table of numbers in the log, progress line",
+		.summary = "Thermo output, progress line",
 		.state_size = sizeof(struct ts_thermo),
 		.saved = saved,
 		.init = init,

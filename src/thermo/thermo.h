@@ -1,4 +1,4 @@
-/* The table of numbers in the log, and the progress line. */
+/* Thermo output: the table of numbers in the log, and the progress line. */
 #ifndef TS_THERMO_THERMO_H
 #define TS_THERMO_THERMO_H
 
@@ -10,36 +10,37 @@
 
 struct ts_thermo_column {
 	const char *title;
-	struct ts_ref_input input; /* resolved when a run begins */
+	struct ts_ref_input input; /* resolved at the start of a run */
 	char format[TS_FORMAT_SIZE];
 };
 
 struct ts_thermo {
-	int64_t every;	      /* 0: only the first and the last step */
-	const char *variable; /* instead: says the step of the next row; NULL: none */
-	int64_t next;
+	int64_t every;		   /* steps between rows; 0: only the first and the last step */
+	const char *variable;	   /* `thermo v_NAME`: evaluates to the step of the next row; NULL: `every` */
+	int64_t next;		   /* with `variable`: step of the next row */
 	bool multi;		   /* a row is a block of lines */
-	struct ts_freedom freedom; /* of the keyword temp: compute_modify thermo_temp */
-	bool norm, norm_default;   /* energies are divided by the number of particles */
-	struct ts_thermo_column *column;
+	struct ts_freedom freedom; /* degrees of freedom of the keyword temp (compute_modify thermo_temp) */
+	bool norm, norm_default;   /* energies are divided by the number of particles; set by `units` */
+	struct ts_thermo_column *column; /* [n] */
 	size_t n;
-	struct ts_arena arena; /* columns and their names */
+	struct ts_arena arena; /* of columns and their names */
 	struct ts_formats formats;
-	struct ts_textfile file; /* `thermo_log` */
-	struct ts_str line;
-	double progress_due, last_row_time; /* ts_clock(); seconds since the start of the run */
+	struct ts_textfile file; /* of thermo_log */
+	struct ts_str line;	 /* current row */
+	double progress_due;	 /* ts_clock() of the next progress line */
+	double last_row_time;	 /* of the last row, in seconds since the start of the run */
 	int64_t last_row_step;
-	int64_t counted; /* one more than the step of the last row that its interval asked for */
+	int64_t counted; /* 1 + step of the last row that was due by `every` or `variable`; in restart files */
 };
 
 extern const struct ts_system_style ts_thermo_system;
 
-/* Replaces the columns; formats are the defaults again. */
+/* Replaces the columns and restores the default formats. */
 enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names, bool multi);
-/* What thermo_modify format says; see io/format.h. */
+/* Sets formats from the arguments of thermo_modify format; see io/format.h. */
 enum ts_status ts_thermo_format(struct tsim *sim, struct ts_words words);
 
-/* The keywords of this system. */
+/* Keywords of thermo output and formulas. */
 extern const struct ts_keyword ts_thermo_keywords[];
 
 #endif

@@ -1,4 +1,4 @@
-/* The numbers of the whole simulation that thermo_style and expressions can name. */
+/* Global quantities that thermo_style and formulas can name. */
 #include "thermo/thermo.h"
 
 #include <math.h>
@@ -38,7 +38,7 @@ static enum ts_status dt(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
-/* Wall time since the start of the run; 0 at its first step and outside of runs. */
+/* Wall time since the start of the run in seconds; 0 at its first step and outside of runs. */
 static enum ts_status cpu(struct tsim *sim, double *out)
 {
 	bool started = sim->run.inside && sim->clock.step > sim->clock.first_step;
@@ -47,7 +47,7 @@ static enum ts_status cpu(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
-/* Simulated time per second, since the row before. */
+/* Simulated time per second of wall time, since the previous row. */
 static enum ts_status tpcpu(struct tsim *sim, double *out)
 {
 	const struct ts_thermo *t = sim->thermo;
@@ -58,7 +58,7 @@ static enum ts_status tpcpu(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
-/* Steps per second, since the row before. */
+/* Steps per second of wall time, since the previous row. */
 static enum ts_status spcpu(struct tsim *sim, double *out)
 {
 	TS_TRY(tpcpu(sim, out));
@@ -72,7 +72,7 @@ static enum ts_status timeremain(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
-/* Cundall's number: particles times steps by the wall time, of the run so far. */
+/* Cundall number: particles * steps / wall time (1/s) of the run so far. */
 static enum ts_status cundall(struct tsim *sim, double *out)
 {
 	double steps = (double)(sim->clock.step - sim->clock.first_step);
@@ -154,7 +154,7 @@ static enum ts_status ebond(struct tsim *sim, double *out)
 	return energy_of(sim, (struct ts_energy_parts){ .bond = true }, out);
 }
 
-/* As in LAMMPS, without rotation. */
+/* Potential plus translational kinetic energy; without rotation, as in LAMMPS. */
 static enum ts_status etotal(struct tsim *sim, double *out)
 {
 	double kinetic;
@@ -271,11 +271,11 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "time", "Time", "time", "simulated time", TS_KEYWORD_CLOCK, time_now },
 	{ "dt", "Dt", "time", "time step", TS_KEYWORD_CLOCK, dt },
 	{ "cpu", "CPU", "s", "wall time since the start of the run", 0, cpu },
-	{ "tpcpu", "T/CPU", "time/s", "simulated time per second since the row before", 0, tpcpu },
-	{ "spcpu", "S/CPU", "1/s", "steps per second since the row before", 0, spcpu },
-	{ "cpuremain", "CPULeft", "s", "wall time the rest of the run will take", 0, cpuremain },
-	{ "timeremain", "TimeoutLeft", "s", "wall time that `timer timeout` leaves; 0 without it", 0, timeremain },
-	{ "cu", "Cu", "1/s", "particles times steps by the wall time of the run so far", 0, cundall },
+	{ "tpcpu", "T/CPU", "time/s", "simulated time per second of wall time since the previous row", 0, tpcpu },
+	{ "spcpu", "S/CPU", "1/s", "steps per second of wall time since the previous row", 0, spcpu },
+	{ "cpuremain", "CPULeft", "s", "estimated wall time of the rest of the run", 0, cpuremain },
+	{ "timeremain", "TimeoutLeft", "s", "wall time left before `timer timeout`; 0 without it", 0, timeremain },
+	{ "cu", "Cu", "1/s", "Cundall number: particles times steps divided by the wall time of the run so far", 0, cundall },
 	{ "atoms", "Atoms", "", "number of particles", 1, atoms },
 	{ "ke", "KinEng", "energy", "kinetic energy of translation", 0, ke },
 	{ "erotate", "RotEng", "energy", "kinetic energy of rotation", 0, erotate },
@@ -286,22 +286,22 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "emol", "E_mol", "energy", "elastic energy of bonds", 0, ebond },
 	{ "ebond", "E_bond", "energy", "the same as emol", 0, ebond },
 	{ "enthalpy", "Enthalpy", "energy", "etotal + press vol", TS_KEYWORD_CONTACTS, enthalpy },
-	{ "ecouple", "Ecouple", "energy", "handed over by thermostats: 0, none counts it", TS_KEYWORD_CONSTANT, zero },
+	{ "ecouple", "Ecouple", "energy", "energy from thermostats: 0, it is not computed", TS_KEYWORD_CONSTANT, zero },
 	{ "econserve", "Econserve", "energy", "etotal + ecouple", 0, etotal },
-	{ "ecoul", "E_coul", "energy", "of charges: 0", TS_KEYWORD_CONSTANT, zero },
-	{ "elong", "E_long", "energy", "of charges far away: 0", TS_KEYWORD_CONSTANT, zero },
-	{ "etail", "E_tail", "energy", "of what lies beyond a cutoff: 0", TS_KEYWORD_CONSTANT, zero },
-	{ "eangle", "E_angle", "energy", "of angles: 0", TS_KEYWORD_CONSTANT, zero },
-	{ "edihed", "E_dihed", "energy", "of dihedrals: 0", TS_KEYWORD_CONSTANT, zero },
-	{ "eimp", "E_impro", "energy", "of impropers: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "ecoul", "E_coul", "energy", "Coulomb energy: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "elong", "E_long", "energy", "long-range energy: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "etail", "E_tail", "energy", "tail correction beyond a cutoff: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "eangle", "E_angle", "energy", "energy of angles: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "edihed", "E_dihed", "energy", "energy of dihedrals: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "eimp", "E_impro", "energy", "energy of impropers: 0", TS_KEYWORD_CONSTANT, zero },
 	{ "angles", "Angles", "", "number of angles: 0", TS_KEYWORD_INTEGER | TS_KEYWORD_CONSTANT, zero },
 	{ "dihedrals", "Diheds", "", "number of dihedrals: 0", TS_KEYWORD_INTEGER | TS_KEYWORD_CONSTANT, zero },
 	{ "impropers", "Impros", "", "number of impropers: 0", TS_KEYWORD_INTEGER | TS_KEYWORD_CONSTANT, zero },
 	{ "temp", "Temp", "temperature", "sum m v^2 / (D (N - 1) k)", 0, temp },
 	{ "fmax", "Fmax", "force", "largest component of a force on a particle", 0, fmax_now },
-	{ "fnorm", "Fnorm", "force", "length of the vector of all forces", 0, fnorm },
+	{ "fnorm", "Fnorm", "force", "Euclidean norm of the vector of all forces", 0, fnorm },
 	{ "vol", "Volume", "volume", "volume of the box", TS_KEYWORD_BOX, vol },
-	{ "density", "Density", "density", "mass of all particles by the volume of the box", 0, density },
+	{ "density", "Density", "density", "mass of all particles divided by the volume of the box", 0, density },
 	{ "lx", "Lx", "length", "length of the box along x", TS_KEYWORD_BOX, lx },
 	{ "ly", "Ly", "length", "length of the box along y", TS_KEYWORD_BOX, ly },
 	{ "lz", "Lz", "length", "length of the box along z", TS_KEYWORD_BOX, lz },
