@@ -838,21 +838,22 @@ library_sources = \
 	src/restart/data_layout.c \
 	src/restart/data_read.c \
 	src/restart/data_write.c \
-	src/restart/frame_apply.c \
 	src/restart/frames.c \
 	src/restart/frames.h \
+	src/restart/frames_apply.c \
 	src/restart/restart.c \
 	src/restart/restart.h \
-	src/review/checks.h \
+	src/review/bond_rigidity.c \
 	src/review/command_review.c \
-	src/review/loose_bonds.c \
-	src/review/motion.c \
-	src/review/numbers.c \
+	src/review/integration.c \
+	src/review/internal.h \
+	src/review/material_values.c \
 	src/review/overlap.c \
-	src/review/places.c \
+	src/review/overlap.h \
+	src/review/placement.c \
 	src/review/table.c \
-	src/review/touching.h \
-	src/review/walls.c \
+	src/review/table.h \
+	src/review/wall_overlap.c \
 	src/rigid/clump.c \
 	src/rigid/clump.h \
 	src/rigid/compute_ke_multisphere.c \

@@ -14,7 +14,7 @@
 #include "neigh/neigh.h"
 #include "particle/particles.h"
 #include "region/region.h"
-#include "review/checks.h"
+#include "review/table.h"
 #include "rigid/rigid.h"
 #include "thermo/thermo.h"
 #include "wall/wall_system.h"

@@ -1,5 +1,5 @@
-/* Checks of the review: particles that overlap each other. */
-#include "review/checks.h"
+/* Check of the review: particles that overlap each other. */
+#include "review/overlap.h"
 
 #include <math.h>
 
@@ -8,11 +8,11 @@
 #include "contact/contact_view.h"
 #include "contact/pair.h"
 #include "law/elastic_energy.h"
-#include "review/touching.h"
+#include "review/internal.h"
 
 #include "base/banned.h"
 
-/* Contacts under load are seldom deeper than a hundredth of a radius. */
+/* Overlaps under load are rarely more than 1 % of the radius. */
 const double ts_review_depth = 0.05;
 
 void ts_review_add(struct ts_review_overlaps *o, const struct ts_granular_model *model,
@@ -21,13 +21,13 @@ void ts_review_add(struct ts_review_overlaps *o, const struct ts_granular_model 
 	const double nothing[TS_GRANULAR_MEMORY + 1] = { 0 };
 	double least = t->wall ? t->radius[0] : fmin(t->radius[0], t->radius[1]);
 	double depth = t->overlap / least, energy;
-	struct ts_granular_model dry = *model; /* of bridges of liquid only the springs count */
+	struct ts_granular_model dry = *model; /* without liquid bridges: only the elastic energy counts */
 
 	dry.cohesion = ts_cohesion_bridges(model) ? TS_COHESION_OFF : model->cohesion;
 	energy = ts_granular_has_energy(&dry) ? ts_granular_energy(&dry, law, t, nothing) : 0;
 
 	o->n++;
-	energy = isfinite(energy) ? energy : 0; /* -check goes on with a law that is refused */
+	energy = isfinite(energy) ? energy : 0; /* -check continues with a law that was refused */
 	o->energy += energy;
 	o->newest = depth > o->depth;
 	if (!o->newest)
@@ -37,20 +37,21 @@ void ts_review_add(struct ts_review_overlaps *o, const struct ts_granular_model 
 	o->speed = energy > 0 ? sqrt(2 * energy / t->m_eff) : 0;
 }
 
-/* Both have been in a run before: forces have brought them there. */
+/* Both particles were in a previous run: their overlap is a result of forces. */
 static bool settled(const struct ts_particles *p, size_t i, size_t j)
 {
 	return p->tag[i] <= p->settled && p->tag[j] <= p->settled;
 }
 
-static void look_at_row(const struct tsim *sim, const struct ts_pair *pair, size_t r,
-			struct ts_review_overlaps *o)
+static void check_candidate(const struct tsim *sim, const struct ts_pair *pair, size_t r,
+			    struct ts_review_overlaps *o)
 {
 	const struct ts_contact_list *rows = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
-	struct ts_granular_model at_rest = *model; /* -check may have no column of omega: its line failed */
+	struct ts_granular_model at_rest =
+		*model; /* -check: the column omega may be missing if a line failed */
 	struct ts_touch t;
 
 	if (settled(p, i, j) || !ts_contact_counts(sim, r, 0) ||
@@ -68,7 +69,7 @@ static void look_at_row(const struct tsim *sim, const struct ts_pair *pair, size
 		o->a = i, o->b = p->tag[j];
 }
 
-static enum ts_status report(struct tsim *sim, const struct ts_review_overlaps *o)
+static enum ts_status report_overlaps(struct tsim *sim, const struct ts_review_overlaps *o)
 {
 	const struct ts_particles *p = sim->particles;
 	const double *x = p->x[o->a];
@@ -88,7 +89,7 @@ enum ts_status ts_review_overlap(struct tsim *sim)
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct ts_review_overlaps o = { 0 };
 
-	for (size_t r = 0; pair && !ts_review_blind(sim) && r < sim->neigh->contacts.n; r++)
-		look_at_row(sim, pair->state, r, &o);
-	return o.n ? report(sim, &o) : TS_OK;
+	for (size_t r = 0; pair && !ts_review_blind(sim) && r < sim->neigh->rows.n; r++)
+		check_candidate(sim, pair->state, r, &o);
+	return o.n ? report_overlaps(sim, &o) : TS_OK;
 }

@@ -104,7 +104,7 @@ run 5 upto
 => 10:5: error: run upto 5: the simulation is already at step 10
 $box
 timestep 1e-3s
-=> 9:10: error: timestep: dt is '1e-3s', expected a number (length of a step)
+=> 9:10: error: timestep: dt is '1e-3s', expected a number (time step)
 $box
 thermo_style custom step foo
 run 1

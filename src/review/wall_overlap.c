@@ -1,15 +1,15 @@
-/* Checks of the review: particles in walls. */
-#include "review/checks.h"
+/* Check of the review: particles that overlap walls. */
+#include "review/internal.h"
 
 #include <math.h>
 
-#include "review/touching.h"
+#include "review/overlap.h"
 #include "wall/wall.h"
 
 #include "base/banned.h"
 
-static void touch_wall(const struct tsim *sim, size_t i, double distance,
-		       const struct ts_granular_model *model, struct ts_touch *t)
+static void make_wall_touch(const struct tsim *sim, size_t i, double distance,
+			    const struct ts_granular_model *model, struct ts_touch *t)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -24,10 +24,10 @@ static void touch_wall(const struct tsim *sim, size_t i, double distance,
 	ts_granular_arms(model, t);
 }
 
-/* The deepest contact of the particle that contact k is the first of; *next: the first of another.
- */
-static size_t deepest(const struct ts_instance *by, const struct tsim *sim, size_t k, size_t *next,
-		      double *distance, int *type)
+/* Smallest distance between wall and particle over the contacts of one particle, of which contact k is the first;
+ * *next: first contact of the next particle. Returns the index of the particle. */
+static size_t deepest_contact(const struct ts_instance *by, const struct tsim *sim, size_t k, size_t *next,
+			      double *distance, int *type)
 {
 	const struct ts_wall *w = by->state;
 	const struct ts_wall_contacts *c = &w->contacts;
@@ -47,8 +47,8 @@ static size_t deepest(const struct ts_instance *by, const struct tsim *sim, size
 	return (size_t)c->row[first];
 }
 
-static enum ts_status report(struct tsim *sim, const struct ts_instance *by,
-			     const struct ts_review_overlaps *o)
+static enum ts_status report_overlaps(struct tsim *sim, const struct ts_instance *by,
+				      const struct ts_review_overlaps *o)
 {
 	const struct ts_particles *p = sim->particles;
 	const double *x = p->x[o->a];
@@ -63,7 +63,7 @@ static enum ts_status report(struct tsim *sim, const struct ts_instance *by,
 			      x[1], x[2], o->energy, o->speed);
 }
 
-static enum ts_status look_at_wall(struct tsim *sim, const struct ts_instance *by, const struct ts_wall *w)
+static enum ts_status check_wall(struct tsim *sim, const struct ts_instance *by, const struct ts_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_review_overlaps o = { 0 };
@@ -71,18 +71,18 @@ static enum ts_status look_at_wall(struct tsim *sim, const struct ts_instance *b
 	for (size_t k = 0; k < w->contacts.n;) {
 		int type = 1;
 		double distance;
-		size_t i = deepest(by, sim, k, &k, &distance, &type);
+		size_t i = deepest_contact(by, sim, k, &k, &distance, &type);
 		struct ts_touch t;
 
 		if (!(distance < (1 - ts_review_depth) * p->radius[i]) || p->tag[i] <= p->settled ||
 		    !(p->imass[i] > 0))
 			continue;
-		touch_wall(sim, i, distance, ts_wall_model(w, sim), &t);
+		make_wall_touch(sim, i, distance, ts_wall_model(w, sim), &t);
 		ts_review_add(&o, ts_wall_model(w, sim), ts_wall_law(w, sim, type, p->type[i]), &t);
 		if (o.newest)
 			o.a = i;
 	}
-	return o.n ? report(sim, by, &o) : TS_OK;
+	return o.n ? report_overlaps(sim, by, &o) : TS_OK;
 }
 
 enum ts_status ts_review_wall_overlap(struct tsim *sim)
@@ -92,6 +92,6 @@ enum ts_status ts_review_wall_overlap(struct tsim *sim)
 
 	for (size_t k = 0; !ts_review_blind(sim) && (w = ts_walls_next(sim, &k, &by));)
 		if (w->distance)
-			TS_TRY(look_at_wall(sim, by, w));
+			TS_TRY(check_wall(sim, by, w));
 	return TS_OK;
 }

@@ -1,5 +1,5 @@
-/* Checks of the review: what stands where nothing meets it, or is missing where something would. */
-#include "review/checks.h"
+/* Checks of the review: walls that cannot be touched, missing floors, meshes smaller than particles. */
+#include "review/internal.h"
 
 #include <math.h>
 
@@ -14,15 +14,15 @@
 
 #include "base/banned.h"
 
-/* ---- walls beyond the box ---- */
+/* ---- walls outside the box ---- */
 
-static bool fixed(const struct ts_box *box, int dim)
+static bool has_fixed_faces(const struct ts_box *box, int dim)
 {
 	return box->face[dim][0] == TS_FACE_FIXED && box->face[dim][1] == TS_FACE_FIXED;
 }
 
-/* How far the wall is from the nearest point of the box; 0: it goes through it. */
-static double gap_of(const struct ts_box *box, const struct ts_primitive *wall)
+/* Distance of the wall from the nearest point of the box; 0: the wall intersects it. */
+static double distance_to_box(const struct ts_box *box, const struct ts_primitive *wall)
 {
 	int shape = (int)wall->shape, a = (shape + 1) % 3, b = (shape + 2) % 3;
 	double near2 = 0, far2 = 0;
@@ -40,17 +40,18 @@ static double gap_of(const struct ts_box *box, const struct ts_primitive *wall)
 	return fmax(0, fmax(sqrt(near2) - wall->radius, wall->radius - sqrt(far2)));
 }
 
-static bool stands_in_fixed_box(const struct ts_box *box, const struct ts_primitive *wall)
+/* Whether the faces that particles would cross to reach the wall are fixed. */
+static bool is_normal_to_fixed_faces(const struct ts_box *box, const struct ts_primitive *wall)
 {
 	int shape = (int)wall->shape;
 
-	return shape <= TS_ZPLANE ? fixed(box, shape)
-				  : fixed(box, (shape + 1) % 3) && fixed(box, (shape + 2) % 3);
+	return shape <= TS_ZPLANE
+		       ? has_fixed_faces(box, shape)
+		       : has_fixed_faces(box, (shape + 1) % 3) && has_fixed_faces(box, (shape + 2) % 3);
 }
 
-/* The largest particle; where there is none yet, nothing is known of its size but that it is
- * smaller than the box. */
-static double largest(const struct tsim *sim)
+/* Radius of the largest particle; without particles an upper bound, the length of the box. */
+static double largest_radius(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 	double most = 0;
@@ -62,15 +63,15 @@ static double largest(const struct tsim *sim)
 	return most;
 }
 
-static enum ts_status look_at_primitives(struct tsim *sim, const struct ts_instance *by,
-					 const struct ts_primitive_wall *w, double radius)
+static enum ts_status check_primitives(struct tsim *sim, const struct ts_instance *by,
+				       const struct ts_primitive_wall *w, double radius)
 {
 	const struct ts_box *box = &sim->domain->box;
 
 	for (int k = 0; k < w->n && !ts_primitive_wall_moves(w); k++) {
-		double gap = gap_of(box, &w->primitive[k]);
+		double gap = distance_to_box(box, &w->primitive[k]);
 
-		if (gap > radius && stands_in_fixed_box(box, &w->primitive[k]))
+		if (gap > radius && is_normal_to_fixed_faces(box, &w->primitive[k]))
 			return ts_review_find(sim, "reach", &by->where,
 					      "this wall is %g away from the box (%g %g %g) to (%g %g %g), "
 					      "so that no particle can touch it: particles are lost at the "
@@ -86,21 +87,21 @@ enum ts_status ts_review_reach(struct tsim *sim)
 {
 	const struct ts_instance *by;
 	const struct ts_wall *w;
-	double radius = largest(sim);
+	double radius = largest_radius(sim);
 
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by));)
 		if (w->primitive)
-			TS_TRY(look_at_primitives(sim, by, w->primitive, radius));
+			TS_TRY(check_primitives(sim, by, w->primitive, radius));
 	return TS_OK;
 }
 
-/* ---- gravity and no floor ---- */
+/* ---- gravity without a floor ---- */
 
-/* Particles that fall out of the box in the time of the run, and the space that they may pass, as far as
- * their surfaces reach. */
+/* Particles that fall out of the box during the run, and the bounding box of the space that they may sweep. */
 struct fall {
 	size_t n;
-	double time, lo[3], hi[3];
+	double time;	     /* of the run */
+	double lo[3], hi[3]; /* length */
 };
 
 static void add_path(const struct tsim *sim, size_t i, const double g[3], int dim, struct fall *fall)
@@ -117,8 +118,8 @@ static void add_path(const struct tsim *sim, size_t i, const double g[3], int di
 	fall->n++;
 }
 
-/* In free fall for the time of the run. */
-static struct fall fall_of(const struct tsim *sim, const struct ts_instance *by, int dim, const double g[3])
+/* Free fall along dim, with acceleration g, for the time of the run. */
+static struct fall free_fall(const struct tsim *sim, const struct ts_instance *by, int dim, const double g[3])
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
@@ -135,23 +136,24 @@ static struct fall fall_of(const struct tsim *sim, const struct ts_instance *by,
 			add_path(sim, i, g, dim, &fall);
 	}
 	if (g[dim] < 0)
-		fall.lo[dim] = fmin(fall.lo[dim], box->lo[dim] - largest(sim));
+		fall.lo[dim] = fmin(fall.lo[dim], box->lo[dim] - largest_radius(sim));
 	else
-		fall.hi[dim] = fmax(fall.hi[dim], box->hi[dim] + largest(sim));
+		fall.hi[dim] = fmax(fall.hi[dim], box->hi[dim] + largest_radius(sim));
 	return fall;
 }
 
-/* A mesh that no falling particle can meet is above or beside all of them; across a periodic face it may
- * be met. */
-static bool mesh_stops(const struct tsim *sim, const struct ts_mesh_part_of_wall *part,
-		       const struct fall *fall)
+/* Whether a mesh may stop a falling particle: it intersects the swept space (periodic directions always count),
+ * or it moves. */
+static bool mesh_may_stop(const struct tsim *sim, const struct ts_mesh_part_of_wall *part,
+			  const struct fall *fall)
 {
 	const struct ts_mesh_surface *s = part->surface;
 	double lo[3], hi[3];
 	bool meets = true;
 	size_t first = 0;
 
-	if (part->by->style->hook[TS_STAGE_INITIAL_INTEGRATE] || /* it moves by itself, or some are moved */
+	if (part->by->style->hook
+		    [TS_STAGE_INITIAL_INTEGRATE] || /* the mesh moves by itself, or some fix moves meshes */
 	    ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &first))
 		return true;
 	ts_mesh_bounds(&s->mesh, lo, hi);
@@ -161,15 +163,15 @@ static bool mesh_stops(const struct tsim *sim, const struct ts_mesh_part_of_wall
 	return meets;
 }
 
-/* Whether a wall may stop what falls along dim: planes across it and below, cylinders that are not along it,
- * meshes, regions. */
-static bool may_stop(const struct tsim *sim, const struct ts_wall *w, int dim, const struct fall *fall)
+/* Whether a wall may stop particles that fall along dim: planes normal to dim within the swept space, cylinders
+ * whose axis is not dim, meshes, regions. */
+static bool wall_may_stop(const struct tsim *sim, const struct ts_wall *w, int dim, const struct fall *fall)
 {
 	const struct ts_primitive_wall *p = w->primitive;
 	bool stops = !p && !w->mesh;
 
 	for (int k = 0; w->mesh && k < w->meshes; k++)
-		stops |= mesh_stops(sim, &w->mesh->mesh[k], fall);
+		stops |= mesh_may_stop(sim, &w->mesh->mesh[k], fall);
 	for (int k = 0; p && k < p->n; k++) {
 		int shape = (int)p->primitive[k].shape;
 		double at = p->primitive[k].position;
@@ -182,22 +184,23 @@ static bool may_stop(const struct tsim *sim, const struct ts_wall *w, int dim, c
 	return stops;
 }
 
-static bool something_stops(const struct tsim *sim, int dim, const struct fall *fall)
+static bool any_may_stop(const struct tsim *sim, int dim, const struct fall *fall)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_wall *w;
 	bool held = false;
 
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
-		if (may_stop(sim, w, dim, fall))
+		if (wall_may_stop(sim, w, dim, fall))
 			return true;
 	for (size_t i = 0; i < p->n; i++)
 		held |= !(p->imass[i] > 0);
 	return held;
 }
 
-/* Fixes other than gravity that push particles, and fluids, may hold them up. */
-static bool something_lifts(const struct tsim *sim)
+/* Fixes other than gravity and walls that add forces, bonds, fluids and host programs may keep particles from
+ * falling. */
+static bool has_other_forces(const struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	bool lifts = sim->instances[TS_KIND_FLOW].n > 0 || sim->outside || sim->bonds->n > 0;
@@ -213,13 +216,13 @@ static bool something_lifts(const struct tsim *sim)
 	return lifts;
 }
 
-static enum ts_status look_below(struct tsim *sim, const struct ts_instance *by, int dim, const double g[3])
+static enum ts_status check_floor(struct tsim *sim, const struct ts_instance *by, int dim, const double g[3])
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
-	struct fall fall = fall_of(sim, by, dim, g);
+	struct fall fall = free_fall(sim, by, dim, g);
 
-	if (!fall.n || something_stops(sim, dim, &fall))
+	if (!fall.n || any_may_stop(sim, dim, &fall))
 		return TS_OK;
 	return ts_review_find(sim, "floor", &by->where,
 			      "gravity pulls particles to the fixed face %c%s, and there is no wall, mesh or "
@@ -234,7 +237,7 @@ enum ts_status ts_review_floor(struct tsim *sim)
 {
 	const struct ts_instance *by;
 
-	if (sim->review.stale || sim->particles->lost_policy == TS_LOST_IGNORE || something_lifts(sim))
+	if (sim->review.stale || sim->particles->lost_policy == TS_LOST_IGNORE || has_other_forces(sim))
 		return TS_OK;
 	for (size_t k = 0; (by = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_GRAVITY, &k));) {
 		const struct ts_gravity *g = by->state;
@@ -247,7 +250,7 @@ enum ts_status ts_review_floor(struct tsim *sim)
 
 			if (fabs(g->direction[dim]) > 0.1 &&
 			    sim->domain->box.face[dim][!down] == TS_FACE_FIXED)
-				TS_TRY(look_below(sim, by, dim, pull));
+				TS_TRY(check_floor(sim, by, dim, pull));
 		}
 	}
 	return TS_OK;

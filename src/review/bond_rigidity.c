@@ -1,5 +1,5 @@
-/* Checks of the review: bonded structures that keep no shape. */
-#include "review/checks.h"
+/* Check of the review: bonded structures that are not rigid (Maxwell's count). */
+#include "review/internal.h"
 
 #include "bond/bonds.h"
 #include "math/unionfind.h"
@@ -9,10 +9,10 @@
 
 #include "base/banned.h"
 
-/* Particles that hang together by bonds; that of the root of the set is kept. */
+/* A set of particles connected by bonds; stored at the root particle of the set. */
 struct cluster {
-	size_t n, nfree, nbonds;
-	bool rigid; /* some belong to a rigid body */
+	size_t n, nfree, nbonds; /* particles, free ones, bonds with at least one free particle */
+	bool rigid;		 /* some particles belong to a rigid body */
 };
 
 static bool is_free(const struct ts_particles *p, size_t i, uint32_t prescribed)
@@ -20,7 +20,7 @@ static bool is_free(const struct ts_particles *p, size_t i, uint32_t prescribed)
 	return p->imass[i] > 0 && !(p->mask[i] & prescribed);
 }
 
-static void join(const struct tsim *sim, const struct ts_identities *map, int32_t *parent)
+static void join_bonded(const struct tsim *sim, const struct ts_identities *map, int32_t *parent)
 {
 	const struct ts_bonds *bonds = sim->bonds;
 
@@ -32,7 +32,8 @@ static void join(const struct tsim *sim, const struct ts_identities *map, int32_
 	}
 }
 
-static void count(const struct tsim *sim, const struct ts_identities *map, int32_t *parent, struct cluster *c)
+static void count_members(const struct tsim *sim, const struct ts_identities *map, int32_t *parent,
+			  struct cluster *c)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_bonds *bonds = sim->bonds;
@@ -54,22 +55,22 @@ static void count(const struct tsim *sim, const struct ts_identities *map, int32
 	}
 }
 
-/* J. C. Maxwell, Phil. Mag. 27 (1864) 294: a frame of n joints needs d n - d (d + 1)/2 bars, one that is
- * held somewhere d for each free joint. */
-static size_t needed(const struct tsim *sim, const struct cluster *c)
+/* Number of bonds needed for rigidity in d dimensions, J. C. Maxwell, Phil. Mag. 27 (1864) 294:
+ * d n - d (d + 1)/2 for n free particles, d n if some particles of the cluster are fixed. */
+static size_t rigid_bond_count(const struct tsim *sim, const struct cluster *c)
 {
 	size_t d = (size_t)sim->dimension, all = d * c->nfree, whole = d * (d + 1) / 2;
 
 	return c->nfree < c->n ? all : all > whole ? all - whole : 0;
 }
 
-/* What hangs together like a chain, a tree or a ring is meant to be flexible. */
+/* Chains, trees and rings (no more bonds than particles) are flexible on purpose. */
 static bool is_floppy(const struct tsim *sim, const struct cluster *c)
 {
-	return !c->rigid && c->nbonds > c->n && c->nbonds < needed(sim, c);
+	return !c->rigid && c->nbonds > c->n && c->nbonds < rigid_bond_count(sim, c);
 }
 
-static enum ts_status report(struct tsim *sim, const struct cluster *c)
+static enum ts_status report_clusters(struct tsim *sim, const struct cluster *c)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_instance *by = ts_sim_only(sim, TS_KIND_BOND);
@@ -90,11 +91,11 @@ static enum ts_status report(struct tsim *sim, const struct cluster *c)
 			      "stretching only, so that it shears and bends without resistance; bond "
 			      "particles with more partners (a larger distance of `create_bonds`), or say "
 			      "`review off bonds` if it is to be flexible",
-			      n, c[most].n, p->tag[most], c[most].nbonds, needed(sim, &c[most]));
+			      n, c[most].n, p->tag[most], c[most].nbonds, rigid_bond_count(sim, &c[most]));
 }
 
-/* Where bonds have broken it is what the simulation is about; and where particles are not where they will
- * be (-check) other bonds would be made. */
+/* No check after bonds have broken, since structures are then expected to lose rigidity, or with -check if
+ * previous runs were not stepped, since bonds would be created at other positions. */
 enum ts_status ts_review_bonds(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
@@ -111,9 +112,9 @@ enum ts_status ts_review_bonds(struct tsim *sim)
 	status = parent && c ? TS_OK : ts_nomem(&sim->error);
 	if (status == TS_OK) {
 		ts_sets_start(parent, p->n);
-		join(sim, &map, parent);
-		count(sim, &map, parent, c);
-		status = report(sim, c);
+		join_bonded(sim, &map, parent);
+		count_members(sim, &map, parent, c);
+		status = report_clusters(sim, c);
 	}
 	ts_free(parent);
 	ts_free(c);

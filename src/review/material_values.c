@@ -1,5 +1,5 @@
-/* Checks of the review: units, sizes, densities and moduli. */
-#include "review/checks.h"
+/* Checks of the review: units, diameters, densities and elastic moduli. */
+#include "review/internal.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -12,8 +12,8 @@
 
 #include "base/banned.h"
 
-/* Gravity as on the earth, in one of the systems of units; 0: none is so. */
-static double earth(struct tsim *sim, const struct ts_instance **by)
+/* Magnitude of a fix gravity that is about 9.81, as on earth in SI units; 0: there is none. */
+static double earth_gravity(struct tsim *sim, const struct ts_instance **by)
 {
 	for (size_t k = 0; (*by = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_GRAVITY, &k));) {
 		const struct ts_number *g = &((const struct ts_gravity *)(*by)->state)->magnitude;
@@ -32,7 +32,7 @@ enum ts_status ts_review_units(struct tsim *sim)
 
 	if (sim->units_given || sim->units != TS_UNITS_LJ)
 		return TS_OK;
-	g = earth(sim, &by);
+	g = earth_gravity(sim, &by);
 	if (g != 0)
 		return ts_review_find(sim, "units", &by->where,
 				      "gravity is %g, as on the earth in SI units, but the script has no "
@@ -49,8 +49,9 @@ enum ts_status ts_review_units(struct tsim *sim)
 	return TS_OK;
 }
 
-/* How many particles are so, and the first of them. */
-static size_t count(const struct tsim *sim, bool (*is_so)(const struct tsim *sim, size_t i), size_t *first)
+/* Number of particles for which is_so holds, and the index of the first. */
+static size_t count_particles(const struct tsim *sim, bool (*is_so)(const struct tsim *sim, size_t i),
+			      size_t *first)
 {
 	size_t n = 0;
 
@@ -63,8 +64,8 @@ static size_t count(const struct tsim *sim, bool (*is_so)(const struct tsim *sim
 	return n;
 }
 
-/* As ts_particles_add makes them. */
-static bool untouched(const struct tsim *sim, size_t i)
+/* Whether a particle has the default diameter 1 and density 1 of ts_particles_add. */
+static bool has_defaults(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -78,7 +79,7 @@ enum ts_status ts_review_diameter(struct tsim *sim)
 
 	if (sim->units == TS_UNITS_LJ)
 		return TS_OK;
-	n = count(sim, untouched, &first);
+	n = count_particles(sim, has_defaults, &first);
 	if (!n)
 		return TS_OK;
 	return ts_review_find(sim, "diameter", NULL,
@@ -92,26 +93,26 @@ enum ts_status ts_review_diameter(struct tsim *sim)
 
 static const double LIGHTEST = 10, HEAVIEST = 30000; /* kg/m3: foam, osmium */
 
-static bool unlikely(const struct tsim *sim, size_t i)
+static bool has_unlikely_density(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 	double density = p->mass[i] / ts_particle_volume(sim, p->radius[i]);
 
-	return !ts_rigid_member(p, i) && p->imass[i] > 0 && !untouched(sim, i) &&
+	return !ts_rigid_member(p, i) && p->imass[i] > 0 && !has_defaults(sim, i) &&
 	       !(density >= LIGHTEST && density <= HEAVIEST);
 }
 
-/* Gravity says that lengths are metres and times seconds; numbers of tests, with other gravity or
- * none, are let be. */
+/* Only with gravity of about 9.81, which shows that lengths are in metres and times in seconds; test scripts with
+ * other numbers are not checked. */
 enum ts_status ts_review_density(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_instance *by = NULL;
 	size_t n = 0, first = 0;
 
-	if (sim->units != TS_UNITS_SI || sim->dimension != 3 || !(fabs(earth(sim, &by)) > 0))
+	if (sim->units != TS_UNITS_SI || sim->dimension != 3 || !(fabs(earth_gravity(sim, &by)) > 0))
 		return TS_OK;
-	n = count(sim, unlikely, &first);
+	n = count_particles(sim, has_unlikely_density, &first);
 	if (!n)
 		return TS_OK;
 	return ts_review_find(sim, "density", NULL,
@@ -124,9 +125,9 @@ enum ts_status ts_review_density(struct tsim *sim)
 
 /* ---- moduli ---- */
 
-static const double SOFTEST = 1e4, HARDEST = 1e13; /* Pa: a soft gel, ten times diamond */
+static const double SOFTEST = 1e4, HARDEST = 1e13; /* Pa: soft gel; ten times diamond */
 
-/* E* of the laws of Hertz and those that stick; 0: there is none. */
+/* Effective modulus E* (Pa) of hertz and of adhesive laws; 0: the law has none. */
 static double modulus_of(const struct ts_granular_model *model, const struct ts_granular_pair *law)
 {
 	return model->normal == TS_NORMAL_HERTZ	      ? law->young
@@ -134,13 +135,13 @@ static double modulus_of(const struct ts_granular_model *model, const struct ts_
 						      : 0;
 }
 
-static bool unlikely_modulus(double modulus)
+static bool is_unlikely_modulus(double modulus)
 {
 	return modulus > 0 && !(modulus >= 0.5 * SOFTEST && modulus <= HARDEST);
 }
 
-static enum ts_status find_modulus(struct tsim *sim, const struct ts_instance *by, const char *what,
-				   double modulus)
+static enum ts_status report_modulus(struct tsim *sim, const struct ts_instance *by, const char *what,
+				     double modulus)
 {
 	return ts_review_find(sim, "modulus", &by->where,
 			      "%s have the modulus E* = %g Pa (1/E* = (1 - nu^2)/E of both partners), which "
@@ -158,7 +159,7 @@ static bool has_type(const struct ts_particles *p, int type)
 	return false;
 }
 
-static enum ts_status look_at_walls(struct tsim *sim)
+static enum ts_status check_walls(struct tsim *sim)
 {
 	const struct ts_instance *by;
 	const struct ts_wall *w;
@@ -169,10 +170,10 @@ static enum ts_status look_at_walls(struct tsim *sim)
 			for (int b = 1; b <= sim->particles->ntypes; b++) {
 				double modulus = modulus_of(&w->model, ts_wall_law(w, sim, a, b));
 
-				if (!has_type(sim->particles, b) || !unlikely_modulus(modulus))
+				if (!has_type(sim->particles, b) || !is_unlikely_modulus(modulus))
 					continue;
 				snprintf(what, sizeof what, "contacts of type %d with wall %.30s", b, by->id);
-				return find_modulus(sim, by, what, modulus);
+				return report_modulus(sim, by, what, modulus);
 			}
 	return TS_OK;
 }
@@ -190,10 +191,10 @@ enum ts_status ts_review_modulus(struct tsim *sim)
 			double modulus =
 				modulus_of(ts_pair_model(by->state, a, b), ts_pair_law(by->state, a, b));
 
-			if (!has_type(p, b) || !unlikely_modulus(modulus))
+			if (!has_type(p, b) || !is_unlikely_modulus(modulus))
 				continue;
 			snprintf(what, sizeof what, "contacts of types %d and %d", a, b);
-			return find_modulus(sim, by, what, modulus);
+			return report_modulus(sim, by, what, modulus);
 		}
-	return look_at_walls(sim);
+	return check_walls(sim);
 }

@@ -1,5 +1,5 @@
-/* Checks of the review: who moves and turns the particles. */
-#include "review/checks.h"
+/* Checks of the review: integration of positions and rotations. */
+#include "review/internal.h"
 
 #include <stdio.h>
 
@@ -10,7 +10,7 @@
 
 #include "base/banned.h"
 
-/* Runs of no step or of one only set something up: insertion, a first output. */
+/* Runs of at most one step serve as a set-up: insertion, a first output. */
 enum { SET_UP_STEPS = 1 };
 
 enum ts_status ts_review_integrator(struct tsim *sim)
@@ -20,7 +20,7 @@ enum ts_status ts_review_integrator(struct tsim *sim)
 	size_t idle = 0, first = 0;
 
 	if (sim->review.steps <= SET_UP_STEPS || sim->outside || (!moved && ts_heat_of(sim)))
-		return TS_OK; /* a program moves them; or heat flows in a packing at rest */
+		return TS_OK; /* a host program moves them; or conduction in a packing at rest */
 	for (size_t i = p->n; i-- > 0;) {
 		if (p->mask[i] & moved || !(p->imass[i] > 0) || ts_rigid_member(p, i))
 			continue;
@@ -47,13 +47,13 @@ static bool has_type(const struct ts_particles *p, int group, int type)
 	return false;
 }
 
-static bool rubs(const struct ts_granular_model *model, const struct ts_granular_pair *law)
+static bool has_friction(const struct ts_granular_model *model, const struct ts_granular_pair *law)
 {
 	return model->tangential != TS_TANGENTIAL_OFF && law->friction > 0;
 }
 
-/* The friction of a particle of this type with other particles, or with walls that have a law of
- * their own; 0: none. */
+/* Coefficient of friction of particles of this type with other particles, or with walls that have their own
+ * contact law; 0: no friction. */
 static double friction_of(const struct tsim *sim, int type)
 {
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
@@ -61,16 +61,16 @@ static double friction_of(const struct tsim *sim, int type)
 	const struct ts_wall *w;
 
 	for (int t = 1; pair && t <= p->ntypes; t++)
-		if (rubs(ts_pair_model(pair->state, type, t), ts_pair_law(pair->state, type, t)))
+		if (has_friction(ts_pair_model(pair->state, type, t), ts_pair_law(pair->state, type, t)))
 			return ts_pair_law(pair->state, type, t)->friction;
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
 		for (int t = 0; w->own_model && w->law && t <= w->ntypes; t++)
-			if (rubs(&w->model, ts_wall_law(w, sim, t, type)))
+			if (has_friction(&w->model, ts_wall_law(w, sim, t, type)))
 				return ts_wall_law(w, sim, t, type)->friction;
 	return 0;
 }
 
-static enum ts_status look_at_fix(struct tsim *sim, const struct ts_instance *fix)
+static enum ts_status check_fix(struct tsim *sim, const struct ts_instance *fix)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -92,10 +92,11 @@ enum ts_status ts_review_rotation(struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 
-	if (sim->run.clamped || sim->review.steps <= SET_UP_STEPS) /* clamped: until overlaps are gone */
+	if (sim->run.clamped ||
+	    sim->review.steps <= SET_UP_STEPS) /* clamped: fix nve/limit relaxes overlaps */
 		return TS_OK;
 	for (size_t k = 0; k < fixes->n; k++)
 		if (fixes->item[k]->style->integrates == (TS_MOVES | TS_OBEYS))
-			TS_TRY(look_at_fix(sim, fixes->item[k]));
+			TS_TRY(check_fix(sim, fixes->item[k]));
 	return TS_OK;
 }
