@@ -1,4 +1,4 @@
-/* Command info: what there is now. */
+/* Command info: prints the current state. */
 #include <inttypes.h>
 #include <time.h>
 
@@ -14,10 +14,10 @@
 #include "base/banned.h"
 
 struct info {
-	struct ts_words words;
+	struct ts_words words; /* subjects as given */
 };
 
-static void system_now(struct tsim *sim, struct ts_str *out)
+static void print_system(struct tsim *sim, struct ts_str *out)
 {
 	static const char letter[] = "pfsm"; /* in the order of enum ts_face */
 	const struct ts_box *box = &sim->domain->box;
@@ -38,7 +38,7 @@ static void system_now(struct tsim *sim, struct ts_str *out)
 		    p->ntypes, sim->bonds->n, sim->bonds->ntypes, p->lost);
 }
 
-static void groups(struct tsim *sim, struct ts_str *out)
+static void print_groups(struct tsim *sim, struct ts_str *out)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -55,8 +55,8 @@ static void groups(struct tsim *sim, struct ts_str *out)
 	}
 }
 
-/* "  fall, gravity, group all, in.script:7" */
-static void list(struct tsim *sim, struct ts_str *out, const char *title, enum ts_kind kind)
+/* Lists instances: "  fall, gravity, group all, in.script:7". */
+static void print_instances(struct tsim *sim, struct ts_str *out, const char *title, enum ts_kind kind)
 {
 	const struct ts_instances *all = &sim->instances[kind];
 
@@ -73,35 +73,35 @@ static void list(struct tsim *sim, struct ts_str *out, const char *title, enum t
 	}
 }
 
-static void computes(struct tsim *sim, struct ts_str *out)
+static void print_computes(struct tsim *sim, struct ts_str *out)
 {
-	list(sim, out, "Computes", TS_KIND_COMPUTE);
+	print_instances(sim, out, "Computes", TS_KIND_COMPUTE);
 }
 
-static void dumps(struct tsim *sim, struct ts_str *out)
+static void print_dumps(struct tsim *sim, struct ts_str *out)
 {
-	list(sim, out, "Dumps", TS_KIND_DUMP);
+	print_instances(sim, out, "Dumps", TS_KIND_DUMP);
 }
 
-static void fixes(struct tsim *sim, struct ts_str *out)
+static void print_fixes(struct tsim *sim, struct ts_str *out)
 {
-	list(sim, out, "Fixes", TS_KIND_FIX);
+	print_instances(sim, out, "Fixes", TS_KIND_FIX);
 }
 
-static void regions(struct tsim *sim, struct ts_str *out)
+static void print_regions(struct tsim *sim, struct ts_str *out)
 {
-	list(sim, out, "Regions", TS_KIND_REGION);
+	print_instances(sim, out, "Regions", TS_KIND_REGION);
 }
 
-static void laws(struct tsim *sim, struct ts_str *out)
+static void print_interaction_styles(struct tsim *sim, struct ts_str *out)
 {
-	list(sim, out, "Pair style", TS_KIND_PAIR);
-	list(sim, out, "Bond style", TS_KIND_BOND);
-	list(sim, out, "Flow style", TS_KIND_FLOW);
-	list(sim, out, "Pressure style", TS_KIND_PRESSURE);
+	print_instances(sim, out, "Pair style", TS_KIND_PAIR);
+	print_instances(sim, out, "Bond style", TS_KIND_BOND);
+	print_instances(sim, out, "Flow style", TS_KIND_FLOW);
+	print_instances(sim, out, "Pressure style", TS_KIND_PRESSURE);
 }
 
-static void memory(struct tsim *sim, struct ts_str *out)
+static void print_memory(struct tsim *sim, struct ts_str *out)
 {
 	const struct ts_particles *p = sim->particles;
 	double bytes = 0;
@@ -113,19 +113,19 @@ static void memory(struct tsim *sim, struct ts_str *out)
 		    sim->neigh->contacts.n);
 }
 
-static void communication(struct tsim *sim, struct ts_str *out)
+static void print_communication(struct tsim *sim, struct ts_str *out)
 {
 	ts_str_addf(out, "Communication:\n  1 process, %d threads, %zu ghosts, skin %g\n", sim->threads,
 		    sim->particles->nghost, sim->neigh->skin);
 }
 
-static enum ts_status variables(struct tsim *sim, struct ts_str *out)
+static enum ts_status print_variables(struct tsim *sim, struct ts_str *out)
 {
 	ts_str_add(out, "Variables:\n");
 	return sim->script_api ? sim->script_api->list_variables(sim->script_api_data, out) : TS_OK;
 }
 
-static void times(struct tsim *sim, struct ts_str *out)
+static void print_times(struct tsim *sim, struct ts_str *out)
 {
 	double wall = sim->run.inside ? ts_clock() - sim->clock.wall_start : 0;
 
@@ -133,7 +133,7 @@ static void times(struct tsim *sim, struct ts_str *out)
 		    (double)clock() / CLOCKS_PER_SEC, wall);
 }
 
-static void configuration(struct tsim *sim, struct ts_str *out)
+static void print_configuration(struct tsim *sim, struct ts_str *out)
 {
 	(void)sim;
 	ts_str_addf(out, "Configuration:\n  tsim %s, %s, particles numbered with 32 bits, steps with 64\n",
@@ -146,20 +146,20 @@ static void configuration(struct tsim *sim, struct ts_str *out)
 	);
 }
 
-static void accelerators(struct tsim *sim, struct ts_str *out)
+static void print_accelerators(struct tsim *sim, struct ts_str *out)
 {
 	(void)sim;
 	ts_str_add(out, "Accelerators: none\n");
 }
 
-static void transforms(struct tsim *sim, struct ts_str *out)
+static void print_transforms(struct tsim *sim, struct ts_str *out)
 {
 	(void)sim;
 	ts_str_add(out, "Fourier transforms: none\n");
 }
 
-/* Of one kind, or of all. */
-static void styles(const struct tsim *sim, struct ts_str *out, enum ts_kind only)
+/* Lists the styles of one kind, or of all (TS_NKIND). */
+static void print_style_list(const struct tsim *sim, struct ts_str *out, enum ts_kind only)
 {
 	enum ts_kind kind = TS_NKIND;
 
@@ -178,28 +178,28 @@ static void styles(const struct tsim *sim, struct ts_str *out, enum ts_kind only
 struct subject {
 	const char *name;
 	void (*print)(struct tsim *sim, struct ts_str *out);
-	bool in_all;
+	bool in_all; /* printed by `info all` */
 };
 
 static const struct subject subjects[] = {
-	{ "system", system_now, true },
-	{ "communication", communication, true },
-	{ "memory", memory, true },
-	{ "groups", groups, true },
-	{ "regions", regions, true },
-	{ "computes", computes, true },
-	{ "fixes", fixes, true },
-	{ "dumps", dumps, true },
-	{ "coeffs", laws, true },
-	{ "time", times, true },
-	{ "configuration", configuration, true },
-	{ "config", configuration, false },
-	{ "accelerator", accelerators, false },
-	{ "fft", transforms, false },
+	{ "system", print_system, true },
+	{ "communication", print_communication, true },
+	{ "memory", print_memory, true },
+	{ "groups", print_groups, true },
+	{ "regions", print_regions, true },
+	{ "computes", print_computes, true },
+	{ "fixes", print_fixes, true },
+	{ "dumps", print_dumps, true },
+	{ "coeffs", print_interaction_styles, true },
+	{ "time", print_times, true },
+	{ "configuration", print_configuration, true },
+	{ "config", print_configuration, false },
+	{ "accelerator", print_accelerators, false },
+	{ "fft", print_transforms, false },
 };
 enum { NSUBJECTS = sizeof subjects / sizeof *subjects };
 
-static enum ts_status unknown(struct tsim *sim, const struct ts_word *word)
+static enum ts_status refuse_subject(struct tsim *sim, const struct ts_word *word)
 {
 	struct ts_suggest suggest = ts_suggest_start(word->text);
 
@@ -212,7 +212,7 @@ static enum ts_status unknown(struct tsim *sim, const struct ts_word *word)
 		       ts_suggest_text(&suggest));
 }
 
-static enum ts_status print(struct tsim *sim, const struct ts_word *word, struct ts_str *out)
+static enum ts_status print_subject(struct tsim *sim, const struct ts_word *word, struct ts_str *out)
 {
 	bool all = ts_streq(word->text, "all"), named = ts_streq(word->text, "variables");
 	bool found = all || named;
@@ -225,11 +225,11 @@ static enum ts_status print(struct tsim *sim, const struct ts_word *word, struct
 		found |= this;
 	}
 	if (all || named)
-		TS_TRY(variables(sim, out));
-	return found ? TS_OK : unknown(sim, word);
+		TS_TRY(print_variables(sim, out));
+	return found ? TS_OK : refuse_subject(sim, word);
 }
 
-/* styles, styles all, styles KIND: how many words. */
+/* styles, styles all, styles KIND; returns the number of words used. */
 static size_t print_styles(const struct tsim *sim, struct ts_words words, struct ts_str *out)
 {
 	int kind = 0;
@@ -239,31 +239,31 @@ static size_t print_styles(const struct tsim *sim, struct ts_words words, struct
 		kind++;
 	if (words.n < 2)
 		kind = TS_NKIND;
-	styles(sim, out, (enum ts_kind)kind);
+	print_style_list(sim, out, (enum ts_kind)kind);
 	return kind < TS_NKIND || (words.n > 1 && ts_streq(words.word[1].text, "all")) ? 2 : 1;
 }
 
-/* Where all of it goes: the log, or a file. */
+/* Destination of the output. */
 struct target {
 	const struct ts_word *file; /* NULL: the log */
 	bool append;
 };
 
-/* out log|screen, out append FILE, out overwrite FILE: how many words, 0 where it is wrong. */
+/* out log|screen, out append FILE, out overwrite FILE; returns the number of words used, 0: wrong words. */
 static size_t read_target(struct ts_words words, struct target *target)
 {
-	const char *way = words.n > 1 ? words.word[1].text : "";
+	const char *mode = words.n > 1 ? words.word[1].text : "";
 
-	*target = (struct target){ .append = ts_streq(way, "append") };
-	if (ts_streq(way, "log") || ts_streq(way, "screen"))
+	*target = (struct target){ .append = ts_streq(mode, "append") };
+	if (ts_streq(mode, "log") || ts_streq(mode, "screen"))
 		return 2;
-	if (words.n < 3 || !(target->append || ts_streq(way, "overwrite")))
+	if (words.n < 3 || !(target->append || ts_streq(mode, "overwrite")))
 		return 0;
 	target->file = &words.word[2];
 	return 3;
 }
 
-static enum ts_status deliver(struct tsim *sim, const struct target *target, const struct ts_str *text)
+static enum ts_status write_text(struct tsim *sim, const struct target *target, const struct ts_str *text)
 {
 	struct ts_textfile file = { 0 };
 	enum ts_status status, closed;
@@ -283,8 +283,8 @@ static enum ts_status deliver(struct tsim *sim, const struct target *target, con
 	return status != TS_OK ? status : closed;
 }
 
-static enum ts_status collect(struct tsim *sim, struct ts_words words, struct target *target,
-			      struct ts_str *out)
+static enum ts_status print_subjects(struct tsim *sim, struct ts_words words, struct target *target,
+				     struct ts_str *out)
 {
 	for (size_t used; words.n; words = ts_words_from(words, used)) {
 		const struct ts_word *word = words.word;
@@ -295,7 +295,7 @@ static enum ts_status collect(struct tsim *sim, struct ts_words words, struct ta
 		else if (ts_streq(word->text, "out"))
 			used = read_target(words, target);
 		else
-			TS_TRY(print(sim, word, out));
+			TS_TRY(print_subject(sim, word, out));
 		if (!used)
 			return ts_fail(&sim->error, TS_SYNTAX, &word->place,
 				       "info: expected out log, out screen, out append FILE or out "
@@ -309,11 +309,11 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const struct info *c = state;
 	struct target target = { 0 };
 	struct ts_str text = { 0 };
-	enum ts_status status = collect(sim, c->words, &target, &text);
+	enum ts_status status = print_subjects(sim, c->words, &target, &text);
 
 	(void)where;
 	if (status == TS_OK)
-		status = deliver(sim, &target, &text);
+		status = write_text(sim, &target, &text);
 	ts_str_release(&text);
 	return status;
 }
@@ -322,7 +322,7 @@ static const struct ts_arg args[] = {
 	TS_REST("subjects", struct info, words,
 		.help = "all, or system, communication, memory, groups, regions, computes, fixes, dumps, "
 			"coeffs, variables, time, configuration, accelerator, fft, styles [KIND]; out log, "
-			"out append FILE or out overwrite FILE: where to"),
+			"out append FILE or out overwrite FILE: destination"),
 	TS_ARGS_END,
 };
 
@@ -331,12 +331,11 @@ const struct ts_command_style ts_command_info = {
 	.style = {
 		.name = "info",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Says what there is now",
-		.doc = "Prints the present state in the log: box and particles, the names of groups, "
-		       "regions, computes,\n"
-		       "fixes, dumps and variables with the lines that made them, the pair and bond styles. "
-		       "all leaves\n"
-		       "out styles, the list of everything a script can name, or of one kind (styles fix).",
+		.summary = "Prints the current state of the simulation",
+		.doc = "Prints the current state to the log: box and particles, groups, regions, "
+		       "computes, fixes, dumps and variables with the lines of the script that "
+		       "defined them, the pair and bond styles. all does not include styles, the "
+		       "list of everything a script can name, or of one kind (styles fix).",
 		.example = "info system groups\ninfo all out overwrite state.txt\ninfo styles compute",
 		.args = args,
 		.state_size = sizeof(struct info),

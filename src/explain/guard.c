@@ -1,10 +1,10 @@
-/* Looks come after the first step, 128 steps later, then at intervals that double, up to 4096 steps, but
- * are no longer than it would take to come near the limit at the rate of the last interval: together they
- * cost less than half a per cent. What is only advice is asked for at the first look and at the rarest.
+/* Checks are made after the first step, 128 steps later, then at intervals that double up to 4096 steps, but are
+ * no longer than the time to reach the limit at the rate of change of the last interval; they take less than
+ * 0.5 % of the run time. Advised values are evaluated at the first check and at the longest interval only.
  *
- * Beyond a limit a mode z grows by |z| = 1 + 2 sqrt(2 (h/h_max - 1)) or so in every step, but a collision
- * that is over in a step or two has no time for it, and a flow that starts slows down: a run is stopped
- * only if it is beyond at four of nine successive steps. */
+ * Beyond the limit h_max of the time step h an oscillation grows by about |z| = 1 + 2 sqrt(2 (h/h_max - 1)) per
+ * step. A collision that lasts one or two steps does not grow noticeably, and a starting flow slows down: a run is
+ * stopped only if the limit is exceeded at four of nine successive steps. */
 #include "explain/guard.h"
 
 #include <inttypes.h>
@@ -14,29 +14,31 @@
 
 #include "base/banned.h"
 
+/* Shortest and longest interval of checks; steps checked in a row beyond a limit, and how many stop the run. */
 enum { FIRST = 128, LONGEST = 4096, WINDOW = 8, ENOUGH = 4 };
 enum level { NEAR = 1, BEYOND = 2 };
-static const double NEAR_FROM = 0.8;
+static const double NEAR_FROM = 0.8; /* fraction of a limit that is NEAR */
 
-static enum ts_status note(struct ts_told *told, const struct ts_limit *limit, enum level level)
+/* Records a warning of this level for the cause of the limit; TS_STATE: it was given before. */
+static enum ts_status record_warning(struct ts_told *was_told, const struct ts_limit *limit, enum level level)
 {
 	int64_t key = (int64_t)(limit->cause & ~(uint64_t)3);
 
-	for (int k = 0; k < told->n; k++)
-		if ((told->cause[k] & ~(int64_t)3) == key) {
-			if ((told->cause[k] & 3) >= (int64_t)level)
+	for (int k = 0; k < was_told->n; k++)
+		if ((was_told->cause[k] & ~(int64_t)3) == key) {
+			if ((was_told->cause[k] & 3) >= (int64_t)level)
 				return TS_STATE;
-			told->cause[k] = key | (int64_t)level;
+			was_told->cause[k] = key | (int64_t)level;
 			return TS_OK;
 		}
-	if (told->n == TS_TOLD)
+	if (was_told->n == TS_TOLD)
 		return TS_STATE;
-	told->cause[told->n++] = key | (int64_t)level;
+	was_told->cause[was_told->n++] = key | (int64_t)level;
 	return TS_OK;
 }
 
-/* A new time step: nothing has been said of it. */
-static void begin(struct ts_guard *g, const struct tsim *sim)
+/* A new time step: all warnings may be given again. */
+static void reset_if_new_dt(struct ts_guard *g, const struct tsim *sim)
 {
 	if (g->dt == sim->clock.dt)
 		return;
@@ -63,7 +65,7 @@ static void warn_near(struct tsim *sim, const struct ts_limit *limit)
 		sim->clock.dt, 100 * sim->clock.dt / limit->dt, limit->dt, limit->text);
 }
 
-/* How the time step stands to a limit; 0: well. */
+/* Level of the time step with respect to a limit; 0: well below it. */
 static int level_of(const struct tsim *sim, const struct ts_limit *limit)
 {
 	if (!(sim->clock.dt < limit->dt))
@@ -71,11 +73,11 @@ static int level_of(const struct tsim *sim, const struct ts_limit *limit)
 	return limit->fatal && sim->clock.dt >= NEAR_FROM * limit->dt ? NEAR : 0;
 }
 
-static bool told(const struct ts_guard *g, const struct ts_limit *limit, enum level level)
+static bool was_told(const struct ts_guard *g, const struct ts_limit *limit, enum level level)
 {
 	struct ts_told copy = g->told;
 
-	return note(&copy, limit, level) != TS_OK;
+	return record_warning(&copy, limit, level) != TS_OK;
 }
 
 enum ts_status ts_guard_judge(struct tsim *sim, const struct ts_plan_report *report)
@@ -84,7 +86,7 @@ enum ts_status ts_guard_judge(struct tsim *sim, const struct ts_plan_report *rep
 	const struct ts_limit *hard = ts_report_binding(report, true);
 	const struct ts_limit *soft = ts_report_binding(report, false);
 
-	begin(g, sim);
+	reset_if_new_dt(g, sim);
 	if (hard && level_of(sim, hard) == BEYOND && !sim->run.unsafe)
 		return ts_fail(&sim->error, TS_PHYSICS, &hard->where,
 			       "the time step %g is beyond the stability limit %g of %s; "
@@ -94,16 +96,16 @@ enum ts_status ts_guard_judge(struct tsim *sim, const struct ts_plan_report *rep
 		const struct ts_limit *limit = k ? soft : hard;
 		int level = limit ? level_of(sim, limit) : 0;
 
-		if (!level || told(g, limit, level) || note(&g->heard, limit, level) != TS_OK)
+		if (!level || was_told(g, limit, level) || record_warning(&g->heard, limit, level) != TS_OK)
 			continue;
 		(level == BEYOND ? warn_beyond : warn_near)(sim, limit);
 	}
 	return TS_OK;
 }
 
-/* ---- while it steps ---- */
+/* ---- during a run ---- */
 
-static enum ts_status stop(struct tsim *sim, const struct ts_limit *hard)
+static enum ts_status stop_run(struct tsim *sim, const struct ts_limit *hard)
 {
 	return ts_fail(&sim->error, TS_PHYSICS, &hard->where,
 		       "at step %" PRId64 " the time step %g is beyond the stability limit %g of %s; use "
@@ -111,12 +113,13 @@ static enum ts_status stop(struct tsim *sim, const struct ts_limit *hard)
 		       sim->clock.step, sim->clock.dt, hard->dt, hard->text, 0.1 * hard->dt);
 }
 
-/* Once of each cause, and not what the start of this run has said already. */
-static void say(struct tsim *sim, const struct ts_limit *limit, int level)
+/* Warns once for each cause, unless the start of this run has given the warning. */
+static void warn_once(struct tsim *sim, const struct ts_limit *limit, int level)
 {
 	struct ts_guard *g = sim->guard;
 
-	if (note(&g->told, limit, level) != TS_OK || note(&g->heard, limit, level) != TS_OK)
+	if (record_warning(&g->told, limit, level) != TS_OK ||
+	    record_warning(&g->heard, limit, level) != TS_OK)
 		return;
 	ts_warn(&sim->log, &limit->where, "at step %" PRId64 " the time step %g is %.0f %% of %s%g of %s",
 		sim->clock.step, sim->clock.dt, 100 * sim->clock.dt / limit->dt,
@@ -133,11 +136,11 @@ static enum ts_status judge_hard(struct tsim *sim, const struct ts_limit *hard)
 	if (level == BEYOND && !g->seen++)
 		g->until = sim->clock.step + WINDOW;
 	if (level == BEYOND && g->seen >= ENOUGH && !sim->run.unsafe)
-		return stop(sim, hard);
+		return stop_run(sim, hard);
 	if (level == BEYOND && sim->run.unsafe)
-		say(sim, hard, BEYOND);
+		warn_once(sim, hard, BEYOND);
 	else if (level)
-		say(sim, hard, NEAR);
+		warn_once(sim, hard, NEAR);
 	return TS_OK;
 }
 
@@ -158,7 +161,7 @@ static void choose_next(struct ts_guard *g, int64_t step, double fraction)
 	g->next = step + g->interval;
 }
 
-static enum ts_status look(struct tsim *sim, const struct ts_plan_report *report)
+static enum ts_status check_limits(struct tsim *sim, const struct ts_plan_report *report)
 {
 	struct ts_guard *g = sim->guard;
 	const struct ts_limit *hard = ts_report_binding(report, true);
@@ -167,7 +170,7 @@ static enum ts_status look(struct tsim *sim, const struct ts_plan_report *report
 		TS_TRY(judge_hard(sim, hard));
 	for (size_t k = 0; k < report->nlimits; k++)
 		if (!report->limit[k].fatal && level_of(sim, &report->limit[k]) == BEYOND)
-			say(sim, &report->limit[k], BEYOND);
+			warn_once(sim, &report->limit[k], BEYOND);
 	choose_next(g, sim->clock.step, hard ? sim->clock.dt / hard->dt : 0);
 	return TS_OK;
 }
@@ -177,7 +180,8 @@ double ts_guard_enough(const struct tsim *sim)
 	return sim->clock.dt / NEAR_FROM;
 }
 
-static enum ts_status limits_now(struct tsim *sim, double enough, bool advice, struct ts_plan_report *report)
+static enum ts_status evaluate_limits(struct tsim *sim, double enough, bool advice,
+				      struct ts_plan_report *report)
 {
 	*report = (struct ts_plan_report){ .limits_only = true, .advice = advice, .enough = enough };
 	return ts_report_collect(report, sim);
@@ -189,17 +193,17 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	struct ts_plan_report report;
 	enum ts_status status;
 
-	if (!g->next || g->next > sim->clock.step + LONGEST) { /* steps may be counted anew */
+	if (!g->next || g->next > sim->clock.step + LONGEST) { /* reset_timestep may have set the step back */
 		g->interval = FIRST / 2;
 		g->next = sim->clock.step;
 	}
 	if (sim->clock.step < g->next)
 		return TS_OK;
 	ts_run_deferred_loops(sim);
-	status = limits_now(sim, ts_guard_enough(sim), g->interval == FIRST / 2 || g->interval == LONGEST,
-			    &report);
+	status = evaluate_limits(sim, ts_guard_enough(sim),
+				 g->interval == FIRST / 2 || g->interval == LONGEST, &report);
 	if (status == TS_OK)
-		status = look(sim, &report);
+		status = check_limits(sim, &report);
 	ts_report_release(&report);
 	return status;
 }
@@ -215,7 +219,7 @@ static enum ts_status stable_fraction(struct tsim *sim, double *out)
 	*out = sim->guard->fraction;
 	if (!sim->run.inside)
 		return TS_OK;
-	status = limits_now(sim, INFINITY, false, &report);
+	status = evaluate_limits(sim, INFINITY, false, &report);
 	hard = ts_report_binding(&report, true);
 	*out = hard ? sim->clock.dt / hard->dt : 0;
 	ts_report_release(&report);
@@ -224,8 +228,8 @@ static enum ts_status stable_fraction(struct tsim *sim, double *out)
 
 static const struct ts_keyword keywords[] = {
 	{ "stable_fraction", "StabFrac", "",
-	  "time step by the smallest limit of stability there is now; outside of runs, at the guard's last "
-	  "look",
+	  "time step divided by the smallest current stability limit; outside of runs, that of the last "
+	  "check",
 	  0, stable_fraction },
 	{ .name = NULL },
 };
@@ -245,7 +249,7 @@ static const struct ts_saved saved[] = {
 const struct ts_system_style ts_guard_system = {
 	.style = { .name = "guard",
 		   .kind = TS_KIND_SYSTEM,
-		   .summary = "looks whether the time step stays below the limits of stability",
+		   .summary = "checks that the time step stays below the stability limits",
 		   .state_size = sizeof(struct ts_guard),
 		   .saved = saved,
 		   .hook = { [TS_STAGE_END_OF_STEP] = end_of_step },

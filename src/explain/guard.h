@@ -1,37 +1,37 @@
-/* The guard of the time step: while a run goes on it asks again, now and then, for the limits that the plan
- * asked for at the start, because stiffnesses, masses and velocities change.
+/* Checks of the time step during a run: the stability limits that the plan evaluates at the start of a run are
+ * evaluated again at intervals, because stiffnesses, masses and velocities change.
  *
- * It looks at steps that depend on what it has seen only, not on where runs begin and end: its state is
- * saved, so that a run cut in two says what the whole run says. */
+ * The steps of these checks depend on the previous checks only, not on where runs begin and end. The state is
+ * written to restart files, so that a run cut in two prints the same warnings as the whole run. */
 #ifndef TS_EXPLAIN_GUARD_H
 #define TS_EXPLAIN_GUARD_H
 
 #include "core/report.h"
 
-enum { TS_TOLD = 48 }; /* causes that are remembered; there are no more warnings then */
+enum { TS_TOLD = 48 }; /* largest number of causes; there are no more warnings after that */
 
-/* Causes that have been spoken of, each with how bad it was in the lowest two bits. */
+/* Causes of warnings printed so far; the two lowest bits are the level of the warning. */
 struct ts_told {
 	int64_t cause[TS_TOLD];
 	int32_t n;
 };
 
 struct ts_guard {
-	double dt;	      /* the time step that all below is about */
-	double fraction;      /* of the smallest limit of stability, at the last look */
-	int64_t next;	      /* step of the next look; 0: there has been none */
-	int64_t interval;     /* to the one after it */
-	int64_t until;	      /* beyond a limit: looks at every step up to this one */
-	int32_t seen;	      /* how often it was beyond since then */
-	struct ts_told told;  /* saved */
-	struct ts_told heard; /* what starts of runs have said; not saved */
+	double dt;	      /* time step for which the fields below hold */
+	double fraction;      /* dt / smallest stability limit at the last check */
+	int64_t next;	      /* step of the next check; 0: no check so far */
+	int64_t interval;     /* steps from that check to the following one */
+	int64_t until;	      /* beyond a limit: checks at every step until this one */
+	int32_t seen;	      /* number of these checks that were beyond the limit */
+	struct ts_told told;  /* warnings of these checks; written to restart files */
+	struct ts_told heard; /* warnings at the starts of runs; not written */
 };
 
-/* At the start of a run: refuses a step beyond a limit of stability, warns of one that is near or beyond what
- * is advised, of each cause once. */
+/* At the start of a run: a time step beyond a stability limit is an error; one near a limit, or beyond an advised
+ * value, gives a warning, once for each cause. */
 enum ts_status ts_guard_judge(struct tsim *sim, const struct ts_plan_report *report);
 
-/* Larger limits need no warning. */
+/* Limits (time) above this one cause no warning. */
 double ts_guard_enough(const struct tsim *sim);
 
 extern const struct ts_system_style ts_guard_system;

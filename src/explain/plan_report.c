@@ -24,7 +24,7 @@ static void print_stages(const struct ts_plan *plan, struct tsim *sim)
 		for (size_t k = 0; k < plan->n[stage]; k++) {
 			const struct ts_instance *inst = plan->actions[stage][k].self;
 
-			if (k && plan->actions[stage][k].watches) /* once a stage */
+			if (k && plan->actions[stage][k].watches) /* listed once per stage */
 				continue;
 			ts_log(&sim->log, "%s%s%s%s", plan->actions[stage][k].late ? " then " : " ",
 			       inst->style->name, *inst->id && inst->style->kind != TS_KIND_SYSTEM ? ":" : "",
@@ -58,7 +58,7 @@ static void print_outputs(const struct ts_plan_report *report, struct tsim *sim)
 	ts_str_release(&text);
 }
 
-/* "about 3.1 min", or from .. to where the particles coming together makes a difference. */
+/* Adds "3.1 min", or "3.1 min to 5.2 min" if a dense packing of the particles takes noticeably longer. */
 static void add_duration(struct ts_str *text, double least, double most)
 {
 	static const double WORTH_TELLING = 1.15;
@@ -108,7 +108,7 @@ static void print_price(const struct ts_plan *plan, struct tsim *sim, const stru
 	ts_str_release(&text);
 }
 
-/* What each omission would add to a step, from trials with it. */
+/* Measures how much each omitted part would add to the time of a step. */
 static enum ts_status price_left_out(struct ts_plan_report *report, struct ts_plan *plan, struct tsim *sim,
 				     const struct ts_price *price)
 {
@@ -126,7 +126,7 @@ static enum ts_status price_left_out(struct ts_plan_report *report, struct ts_pl
 
 static void print_left_out(const struct ts_plan_report *report, struct tsim *sim)
 {
-	static const double WORTH_TELLING = 0.02; /* less is not measured */
+	static const double WORTH_TELLING = 0.02; /* smaller differences are not significant */
 	struct ts_str text = { 0 };
 
 	for (size_t k = 0; k < report->nleft_out; k++) {
@@ -168,7 +168,7 @@ static void print_report(const struct ts_plan *plan, const struct ts_plan_report
 	print_stages(plan, sim);
 }
 
-/* A run that will be refused has no price. */
+/* A run that will be refused is not priced. */
 static bool has_price(const struct ts_plan_report *report, const struct tsim *sim)
 {
 	const struct ts_limit *hard = ts_report_binding(report, true);

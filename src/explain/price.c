@@ -1,6 +1,6 @@
-/* The trial runs in a forked copy of the process, so that particles, styles, random streams and files of
- * the simulation cannot be touched by it. Threads do not survive a fork, and OpenMP keeps its own for each
- * thread that uses it: the copy works in a new thread, which starts a new team. */
+/* The trial runs in a forked copy of the process, so that it cannot change particles, styles, random streams or
+ * files of the simulation. Threads do not survive a fork, and OpenMP has a team for each thread that uses it: the
+ * copy runs in a new thread, which starts a new team. */
 #include "explain/price.h"
 
 #include <errno.h>
@@ -16,25 +16,26 @@
 
 #include "base/banned.h"
 
-static const double TRIAL = 0.3;  /* seconds for one run */
+static const double TRIAL = 0.3;  /* seconds of trial for one run */
 static const double TRIALS = 2;	  /* seconds for all runs of a script */
-static const double CROWD = 0.15; /* seconds for the steps with the particles together */
-static const double PART = 0.05;  /* seconds for the steps with something that is left out */
-static const double STILL = 1e-6; /* part of the time step with which these are made */
-enum { LONGEST_WAIT = 20000 };	  /* milliseconds until a trial is given up */
+static const double CROWD = 0.15; /* seconds for the steps with a dense packing */
+static const double PART = 0.05;  /* seconds for the steps with an omitted part */
+static const double STILL = 1e-6; /* factor of the time step in a dense packing, whose overlaps are large */
+enum { LONGEST_WAIT = 20000 };	  /* milliseconds after which a trial is killed */
 
 struct trial {
 	struct ts_plan *plan;
 	struct tsim *sim;
-	double budget;
-	unsigned full; /* parts to be done nevertheless; then nothing but the time of a step is found */
-	int64_t steps;
-	int to;
+	double budget; /* seconds */
+	unsigned
+		full; /* omitted parts to include, bits of enum ts_full; then only the time of a step is measured */
+	int64_t steps; /* of the run */
+	int to;	       /* end of the pipe to the parent process */
 	struct ts_price price;
 };
 
-/* The first output: what each dump needs for a frame. */
-static enum ts_status try_frames(struct trial *t, double *seconds)
+/* Seconds of each action of the first output: the time of each dump for a frame. */
+static enum ts_status time_frames(struct trial *t, double *seconds)
 {
 	const struct ts_plan *plan = t->plan;
 
@@ -48,7 +49,7 @@ static enum ts_status try_frames(struct trial *t, double *seconds)
 	return TS_OK;
 }
 
-/* Frames that come too rarely to be among the steps tried. */
+/* Adds the time of frames whose interval is longer than the trial. */
 static void add_rare_frames(struct trial *t, const double *seconds)
 {
 	const struct ts_plan *plan = t->plan;
@@ -61,9 +62,9 @@ static void add_rare_frames(struct trial *t, const double *seconds)
 	}
 }
 
-/* Steps for so many seconds; the first one finds cold memory: it counts only if there is time for no
- * other. */
-static enum ts_status try_for(struct trial *t, double budget, double *seconds, int64_t *steps)
+/* Runs steps for `budget` seconds. *seconds: mean time of a step without the first one, whose data are not in the
+ * cache, unless there is time for one only. */
+static enum ts_status time_steps(struct trial *t, double budget, double *seconds, int64_t *steps)
 {
 	double start = ts_clock(), first = start;
 
@@ -79,8 +80,9 @@ static enum ts_status try_for(struct trial *t, double budget, double *seconds, i
 	return TS_OK;
 }
 
-/* With the particles together but hardly moving: a rebuild is paid for as often as before. */
-static enum ts_status try_crowd(struct trial *t)
+/* Times steps of a dense packing. The particles hardly move, so that rebuilds of the neighbor list are added at the
+ * rate of the first trial. */
+static enum ts_status time_dense_packing(struct trial *t)
 {
 	const struct ts_instances *systems = &t->sim->instances[TS_KIND_SYSTEM];
 	double often = (double)t->plan->rebuilds / (double)t->price.steps, start, seconds;
@@ -97,25 +99,25 @@ static enum ts_status try_crowd(struct trial *t)
 	TS_TRY(ts_plan_stages(t->plan, t->sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
 	often *= ts_clock() - start;
 	TS_TRY(ts_plan_stages(t->plan, t->sim, TS_STAGE_PRE_FORCE, TS_STAGE_FINAL_INTEGRATE));
-	TS_TRY(try_for(t, CROWD, &seconds, &steps));
+	TS_TRY(time_steps(t, CROWD, &seconds, &steps));
 	t->price.crowded = fmax(t->price.seconds, seconds + often);
 	return TS_OK;
 }
 
-static enum ts_status try_steps(struct trial *t, double *frames)
+static enum ts_status time_run(struct trial *t, double *frames)
 {
 	struct ts_price *price = &t->price;
 
 	TS_TRY(ts_plan_first_forces(t->plan, t->sim, true));
-	TS_TRY(try_frames(t, frames));
-	TS_TRY(try_for(t, t->budget, &price->seconds, &price->steps));
+	TS_TRY(time_frames(t, frames));
+	TS_TRY(time_steps(t, t->budget, &price->seconds, &price->steps));
 	price->crowded = price->seconds;
 	add_rare_frames(t, frames);
 	return TS_OK;
 }
 
-/* The copy does more than the scene does. */
-static enum ts_status make_full(struct trial *t)
+/* Includes omitted parts in the plan of the copy. */
+static enum ts_status include_omitted(struct trial *t)
 {
 	struct tsim *sim = t->sim;
 
@@ -128,19 +130,19 @@ static enum ts_status make_full(struct trial *t)
 	return ts_plan_stages(t->plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD);
 }
 
-static void *in_copy(void *data)
+static void *run_trial(void *data)
 {
 	struct trial *t = data;
 	struct ts_price price;
 	double *frames = ts_alloc(t->plan->n[TS_STAGE_OUTPUT] + 1, sizeof *frames);
 
-	t->sim->reading.planned = false; /* values count here */
+	t->sim->reading.planned = false; /* values are needed here */
 	t->sim->log.quiet = true;
 	t->sim->log.progress = false;
-	if (!frames || make_full(t) != TS_OK || try_steps(t, frames) != TS_OK)
+	if (!frames || include_omitted(t) != TS_OK || time_run(t, frames) != TS_OK)
 		t->price = (struct ts_price){ .seconds = NAN };
 	else if (!t->full)
-		try_crowd(t); /* if that fails there is only the first value */
+		time_dense_packing(t); /* if it fails, the price has the first time only */
 	price = t->price;
 	if (write(t->to, &price, sizeof price) < 0)
 		t->price.steps = 0;
@@ -148,21 +150,21 @@ static void *in_copy(void *data)
 	return NULL;
 }
 
-/* Never comes back. */
-static void be_copy(struct trial *t)
+/* The child process; does not return. */
+static void run_child(struct trial *t)
 {
 	pthread_t thread;
 
 	signal(SIGINT, SIG_DFL);
 	signal(SIGTERM, SIG_DFL);
 	if (t->sim->threads == 1)
-		in_copy(t);
-	else if (pthread_create(&thread, NULL, in_copy, t) == 0)
+		run_trial(t);
+	else if (pthread_create(&thread, NULL, run_trial, t) == 0)
 		pthread_join(thread, NULL);
 	_exit(0);
 }
 
-static void listen_to(int from, pid_t copy, struct ts_price *out)
+static void read_result(int from, pid_t copy, struct ts_price *out)
 {
 	struct pollfd wait = { .fd = from, .events = POLLIN };
 
@@ -173,7 +175,7 @@ static void listen_to(int from, pid_t copy, struct ts_price *out)
 		continue;
 }
 
-static void try_in_copy(struct trial *t, struct ts_price *out)
+static void run_trial_process(struct trial *t, struct ts_price *out)
 {
 	int ends[2];
 	pid_t copy;
@@ -182,13 +184,13 @@ static void try_in_copy(struct trial *t, struct ts_price *out)
 	if (pipe(ends) != 0)
 		return;
 	t->to = ends[1];
-	fflush(NULL); /* or the copy would write what waits, too */
+	fflush(NULL); /* otherwise the copy would write buffered output a second time */
 	copy = fork();
 	if (copy == 0)
-		be_copy(t);
+		run_child(t);
 	close(ends[1]);
 	if (copy > 0)
-		listen_to(ends[0], copy, out);
+		read_result(ends[0], copy, out);
 	close(ends[0]);
 }
 
@@ -204,7 +206,7 @@ enum ts_status ts_price_steps(struct ts_plan *plan, struct tsim *sim, struct ts_
 	out->frames = 0;
 	if (t.steps < 1 || (t.budget <= 0 && isfinite(sim->cost.last.seconds)))
 		return TS_OK;
-	try_in_copy(&t, out);
+	run_trial_process(&t, out);
 	sim->cost.tried += ts_clock() - start;
 	sim->cost.last = *out;
 	return TS_OK;
@@ -221,13 +223,14 @@ enum ts_status ts_price_full(struct ts_plan *plan, struct tsim *sim, unsigned pa
 	*out = NAN;
 	if (t.steps < 1 || t.budget <= 0)
 		return TS_OK;
-	try_in_copy(&t, &price);
+	run_trial_process(&t, &price);
 	sim->cost.tried += ts_clock() - start;
-	if (price.steps > 2) /* the first one finds cold memory */
+	if (price.steps > 2) /* the first step is not counted: its data are not in the cache */
 		*out = price.seconds;
 	return TS_OK;
 }
 
+/* Below `least` seconds the next smaller unit is used. */
 void ts_price_time(double seconds, struct ts_str *out)
 {
 	static const struct {
