@@ -20,20 +20,20 @@ enum level { NEAR = 1, BEYOND = 2 };
 static const double NEAR_FROM = 0.8; /* fraction of a limit that is NEAR */
 
 /* Records a warning of this level for the cause of the limit; TS_STATE: it was given before. */
-static enum ts_status record_warning(struct ts_told *was_told, const struct ts_limit *limit, enum level level)
+static enum ts_status record_warning(struct ts_told *warned, const struct ts_limit *limit, enum level level)
 {
 	int64_t key = (int64_t)(limit->cause & ~(uint64_t)3);
 
-	for (int k = 0; k < was_told->n; k++)
-		if ((was_told->cause[k] & ~(int64_t)3) == key) {
-			if ((was_told->cause[k] & 3) >= (int64_t)level)
+	for (int k = 0; k < warned->n; k++)
+		if ((warned->cause[k] & ~(int64_t)3) == key) {
+			if ((warned->cause[k] & 3) >= (int64_t)level)
 				return TS_STATE;
-			was_told->cause[k] = key | (int64_t)level;
+			warned->cause[k] = key | (int64_t)level;
 			return TS_OK;
 		}
-	if (was_told->n == TS_TOLD)
+	if (warned->n == TS_TOLD)
 		return TS_STATE;
-	was_told->cause[was_told->n++] = key | (int64_t)level;
+	warned->cause[warned->n++] = key | (int64_t)level;
 	return TS_OK;
 }
 
