@@ -14,7 +14,7 @@
 #include "core/sim.h"
 #include "crosscheck/crosscheck.h"
 #include "explain/price.h"
-#include "io/textfile.h"
+#include "io/series.h"
 #include "program/program.h"
 #include "restart/restart.h"
 #include "script/script.h"
@@ -170,7 +170,7 @@ static void saved_path(const struct tsim *sim, const struct ts_setup *setup, str
 		ts_str_add_n(&file, log, (size_t)(slash + 1 - log));
 	ts_str_add(&file,
 		   sim->requests.restart_file ? sim->requests.restart_file : "tsim.interrupted.restart");
-	ts_step_path(out, ts_str_text(&file), (long long)sim->clock.step, 0);
+	ts_series_path(out, ts_str_text(&file), (long long)sim->clock.step, 0);
 	out->failed |= file.failed;
 	ts_str_release(&file);
 }

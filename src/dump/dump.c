@@ -5,6 +5,7 @@
 
 #include "box/domain.h"
 #include "core/units.h"
+#include "io/series.h"
 
 #include "base/banned.h"
 
@@ -57,7 +58,7 @@ enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim)
 	ts_str_clear(&d->text);
 	if (ts_textfile_is_open(&d->out))
 		return TS_OK;
-	ts_step_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
+	ts_series_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
 	if (d->path.failed)
 		return ts_nomem(&sim->error);
 	return ts_textfile_open(&d->out, sim, ts_instance_word(self, d->file), ts_str_text(&d->path),

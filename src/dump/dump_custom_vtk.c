@@ -2,6 +2,7 @@
 #include "box/domain.h"
 #include "core/sim.h"
 #include "dump/dump_vtk.h"
+#include "io/series.h"
 #include "io/vtk_legacy.h"
 #include "particle/particles.h"
 
@@ -44,10 +45,11 @@ static enum ts_status write_box(struct ts_instance *self, struct tsim *sim)
 		ts_str_addf(&name, "boundingBox_%s", star);
 	else
 		ts_str_add(&name, "_boundingBox.vtk");
-	ts_step_path(&d->path, ts_str_text(&name), (long long)sim->clock.step, (int)d->pad);
+	ts_series_path(&d->path, ts_str_text(&name), (long long)sim->clock.step, (int)d->pad);
 	ts_vtk_legacy_box(&text, sim->domain->box.lo, sim->domain->box.hi, ts_sim_time(sim), d->binary);
-	status = name.failed || d->path.failed ? ts_nomem(&sim->error)
-					       : ts_vtk_put(sim, ts_str_text(&d->path), &self->where, &text);
+	status = name.failed || d->path.failed
+			 ? ts_nomem(&sim->error)
+			 : ts_vtk_write_text(sim, ts_str_text(&d->path), &self->where, &text);
 	ts_str_release(&name);
 	ts_str_release(&text);
 	return status;

@@ -2,6 +2,7 @@
 #include "core/report.h"
 #include "core/sim.h"
 #include "dump/dump.h"
+#include "io/series.h"
 #include "neigh/neigh.h"
 #include "restart/restart.h"
 
@@ -34,8 +35,8 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_dump_due(self, sim, &due));
 	if (!due)
 		return TS_OK;
-	ts_step_path(&d->path, s->other && d->frames % 2 == 0 ? s->other : d->file,
-		     (long long)sim->clock.step, (int)d->pad);
+	ts_series_path(&d->path, s->other && d->frames % 2 == 0 ? s->other : d->file,
+		       (long long)sim->clock.step, (int)d->pad);
 	if (d->path.failed)
 		return ts_nomem(&sim->error);
 	return ts_restart_write(sim, ts_str_text(&d->path), &self->where);

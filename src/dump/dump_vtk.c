@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "box/domain.h"
+#include "io/series.h"
 
 #include "base/banned.h"
 
@@ -11,7 +12,7 @@ enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim
 {
 	const char *file = ((const struct ts_dump_vtk *)self->state)->common.file;
 
-	if (!ts_vtk_knows(file))
+	if (!ts_vtk_is_supported(file))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, file),
 			       "dump %s: the name of the file must end in .vtk, .vtp, .vtu, .pvtp or "
 			       ".pvtu, found '%s'",
@@ -173,7 +174,7 @@ static enum ts_status merge_columns(struct ts_instance *self, struct tsim *sim, 
 
 enum ts_status ts_dump_vtk_path(struct ts_dump_common *d, struct tsim *sim)
 {
-	ts_step_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
+	ts_series_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
 	return d->path.failed ? ts_nomem(&sim->error) : TS_OK;
 }
 

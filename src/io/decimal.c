@@ -7,9 +7,9 @@
 
 #include "base/banned.h"
 
-enum { DIGITS = 6, FIRST = 100000 }; /* of %g; the least number of so many */
+enum { DIGITS = 6, FIRST = 100000 }; /* significant digits of %g; smallest integer of 6 digits */
 
-/* The digits at the end of `to`; returns where they begin. */
+/* Writes the digits of n so that they end before `to`; returns their start. */
 static char *digits_before(char *to, uint64_t n)
 {
 	do {
@@ -32,9 +32,9 @@ size_t ts_decimal_lld(long long value, char out[TS_DECIMAL_SIZE])
 	return n;
 }
 
-/* a 10^power. Powers up to 10^22 have no rounding in any format of C, so it is rounded once. */
+/* a 10^power. Powers of 10 up to 10^22 are exact in double and long double, so that the result is rounded once. */
 enum { MOST = 22 };
-static long double scaled(double a, int power)
+static long double scale_by_ten(double a, int power)
 {
 	static const long double ten[MOST + 1] = { 1e0L,  1e1L,	 1e2L,	1e3L,  1e4L,  1e5L,  1e6L,  1e7L,
 						   1e8L,  1e9L,	 1e10L, 1e11L, 1e12L, 1e13L, 1e14L, 1e15L,
@@ -43,21 +43,20 @@ static long double scaled(double a, int power)
 	return power < 0 ? a / ten[-power] : a * ten[power];
 }
 
-/* The first six digits of a > 0, rounded, and the exponent of the first of them. false: these cannot be
- * told so: very large and small numbers, and those that are nearly, or just, half way between two
- * roundings. */
-static int six_digits(double a, uint32_t *digits, int *exponent)
+/* The first six digits of a > 0, rounded, and the decimal exponent of the first. Returns 0 if this method cannot
+ * round correctly: for very large and small numbers, and near ties between two roundings. */
+static int round_to_six_digits(double a, uint32_t *digits, int *exponent)
 {
 	int binary, e;
 	long double y, rest;
 
 	frexp(a, &binary);
-	e = (int)floor((binary - 1) * 0.30102999566398120); /* that, or one more */
+	e = (int)floor((binary - 1) * 0.30102999566398120); /* or one more */
 	if (e < DIGITS - 1 - MOST || e > DIGITS - 2 + MOST)
 		return 0;
-	y = scaled(a, DIGITS - 1 - e);
+	y = scale_by_ten(a, DIGITS - 1 - e);
 	if (y >= 10 * FIRST)
-		y = scaled(a, DIGITS - 1 - ++e);
+		y = scale_by_ten(a, DIGITS - 1 - ++e);
 	*digits = (uint32_t)y;
 	rest = y - *digits;
 	if (fabsl(rest - 0.5L) < 1e-6L)
@@ -72,7 +71,7 @@ static int six_digits(double a, uint32_t *digits, int *exponent)
 }
 
 /* d.ddde+XX */
-static char *with_exponent(char *to, const char *digit, int n, int exponent)
+static char *write_exponential(char *to, const char *digit, int n, int exponent)
 {
 	int size = exponent < 0 ? -exponent : exponent;
 
@@ -89,13 +88,13 @@ static char *with_exponent(char *to, const char *digit, int n, int exponent)
 }
 
 /* ddd.ddd, or 0.000ddd */
-static char *with_point(char *to, const char *digit, int n, int exponent)
+static char *write_fixed(char *to, const char *digit, int n, int exponent)
 {
 	int k = 0;
 
 	if (exponent < 0)
 		*to++ = '0';
-	for (; k <= exponent; k++) /* zeros that were dropped are there again */
+	for (; k <= exponent; k++) /* with trailing zeros before the point */
 		*to++ = k < n ? digit[k] : '0';
 	if (k < n)
 		*to++ = '.';
@@ -117,14 +116,14 @@ size_t ts_decimal_g(double value, char out[TS_DECIMAL_SIZE])
 		out[0] = signbit(value) ? '-' : '0';
 		return signbit(value) ? 2 : 1;
 	}
-	if (!isfinite(value) || !six_digits(fabs(value), &digits, &exponent))
+	if (!isfinite(value) || !round_to_six_digits(fabs(value), &digits, &exponent))
 		return (size_t)snprintf(out, TS_DECIMAL_SIZE, "%g", value);
 	digits_before(text + DIGITS, digits);
 	while (n > 1 && text[n - 1] == '0')
 		n--;
 	if (value < 0)
 		*to++ = '-';
-	to = exponent < -4 || exponent >= DIGITS ? with_exponent(to, text, n, exponent)
-						 : with_point(to, text, n, exponent);
+	to = exponent < -4 || exponent >= DIGITS ? write_exponential(to, text, n, exponent)
+						 : write_fixed(to, text, n, exponent);
 	return (size_t)(to - out);
 }

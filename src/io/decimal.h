@@ -1,5 +1,5 @@
-/* Numbers as text, as printf writes them with %g and %lld, but several times faster: most of the time of a
- * large dump goes into that. */
+/* Conversion of numbers to text, identical to printf with %g and %lld, but several times faster: it takes most of
+ * the time of a large dump. */
 #ifndef TS_IO_DECIMAL_H
 #define TS_IO_DECIMAL_H
 
@@ -7,7 +7,7 @@
 
 enum { TS_DECIMAL_SIZE = 32 };
 
-/* Writes the number, and no end of the text; return its length. */
+/* Writes the number without a terminating zero; returns its length. */
 size_t ts_decimal_g(double value, char out[TS_DECIMAL_SIZE]);
 size_t ts_decimal_lld(long long value, char out[TS_DECIMAL_SIZE]);
 

@@ -37,7 +37,7 @@ bool ts_format_check(const char *format, bool integer, char out[TS_FORMAT_SIZE])
 	return wrote > 0 && wrote < TS_FORMAT_SIZE;
 }
 
-static enum ts_status refuse(struct ts_error *err, const struct ts_word *word, bool integer)
+static enum ts_status refuse_format(struct ts_error *err, const struct ts_word *word, bool integer)
 {
 	return ts_fail(err, TS_SYNTAX, &word->place, "'%s' is no format for one %s, expected for instance %s",
 		       word->text, integer ? "integer" : "number", integer ? "%8d" : "%14.8g");
@@ -49,7 +49,7 @@ static enum ts_status set_kind(struct ts_error *err, const struct ts_word *word,
 	char checked[TS_FORMAT_SIZE];
 
 	if (!ts_format_check(word->text, integer, checked) || strlen(word->text) >= TS_FORMAT_SIZE)
-		return refuse(err, word, integer);
+		return refuse_format(err, word, integer);
 	snprintf(out, TS_FORMAT_SIZE, "%s", word->text);
 	return TS_OK;
 }
@@ -59,7 +59,7 @@ static enum ts_status set_line(struct ts_formats *f, struct ts_error *err, struc
 {
 	if (ts_words_split(arena, word->text, &word->place, &f->line) != TS_OK)
 		return ts_nomem(err);
-	for (size_t k = 0; k < f->line.n; k++) /* the line stands in quotes: its place is theirs */
+	for (size_t k = 0; k < f->line.n; k++) /* the line is one quoted word of the script */
 		((struct ts_word *)f->line.word)[k].place = word->place;
 	if (f->line.n == columns)
 		return TS_OK;
@@ -99,7 +99,7 @@ enum ts_status ts_formats_change(struct ts_formats *f, struct ts_error *err, str
 			words = ts_words_from(words, 1);
 			continue;
 		}
-		if (strchr(kind, '%')) { /* LIGGGHTS: always a line */
+		if (strchr(kind, '%')) { /* as in LIGGGHTS: formats without a keyword are a line */
 			TS_TRY(set_line(f, err, arena, &words.word[0], columns));
 			words = ts_words_from(words, 1);
 			continue;
@@ -130,11 +130,11 @@ enum ts_status ts_formats_choose(const struct ts_formats *f, struct ts_error *er
 		int64_t column;
 
 		if (ts_parse_int(f->column.word[n].text, &column) && column == (int64_t)k + 1)
-			word = &f->column.word[n + 1]; /* the last one counts */
+			word = &f->column.word[n + 1]; /* the last one applies */
 	}
 	if (!word)
 		return ts_format_check(*kind ? kind : fallback, integer, out) ? TS_OK : TS_SYNTAX;
-	return ts_format_check(word->text, integer, out) ? TS_OK : refuse(err, word, integer);
+	return ts_format_check(word->text, integer, out) ? TS_OK : refuse_format(err, word, integer);
 }
 
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"

@@ -12,7 +12,8 @@
 
 enum { CHUNK = 1 << 16 };
 
-static enum ts_status start(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool, const char *name)
+static enum ts_status init_lines(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,
+				 const char *name)
 {
 	*l = (struct ts_lines){ .err = err, .pool = pool, .file = ts_pool_get(pool, name) };
 	l->comment = "";
@@ -24,7 +25,7 @@ static enum ts_status start(struct ts_lines *l, struct ts_error *err, struct ts_
 enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct ts_error *err,
 			     struct ts_pool *pool, const struct ts_place *where, const char *path)
 {
-	TS_TRY(start(l, err, pool, path));
+	TS_TRY(init_lines(l, err, pool, path));
 	l->buffer = ts_alloc(CHUNK, 1);
 	if (!l->buffer)
 		return ts_nomem(err);
@@ -35,13 +36,13 @@ enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct 
 	if (l->gz)
 		return TS_OK;
 	ts_lines_close(l);
-	return errno ? ts_open_failed(err, files, where, path) : ts_nomem(err);
+	return errno ? ts_textfile_open_failed(err, files, where, path) : ts_nomem(err);
 }
 
 enum ts_status ts_lines_memory(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,
 			       const char *name, const char *bytes, size_t n)
 {
-	TS_TRY(start(l, err, pool, name));
+	TS_TRY(init_lines(l, err, pool, name));
 	l->chunk = bytes;
 	l->end = n;
 	return TS_OK;
@@ -57,7 +58,8 @@ void ts_lines_close(struct ts_lines *l)
 	*l = (struct ts_lines){ 0 };
 }
 
-/* A file cut short in the middle of its compressed data ends without a word from gzread. */
+/* Reads the next chunk. At the end of a file that is cut off within its compressed data gzread reports no error:
+ * gzerror tells. */
 static enum ts_status refill(struct ts_lines *l)
 {
 	int got, code;
@@ -90,7 +92,7 @@ static enum ts_status refill(struct ts_lines *l)
 	return TS_OK;
 }
 
-static enum ts_status append(struct ts_lines *l, size_t n)
+static enum ts_status append_to_line(struct ts_lines *l, size_t n)
 {
 	if (l->length + n > l->longest) {
 		const struct ts_place place = { .file = l->file, .text = "", .line = l->number + 1 };
@@ -124,7 +126,7 @@ static enum ts_status read_line(struct ts_lines *l, bool *more)
 			return TS_OK;
 		*more = true;
 		stop = memchr(l->chunk + l->at, '\n', l->end - l->at);
-		TS_TRY(append(l, (stop ? (size_t)(stop - l->chunk) : l->end) - l->at));
+		TS_TRY(append_to_line(l, (stop ? (size_t)(stop - l->chunk) : l->end) - l->at));
 		if (!stop)
 			continue;
 		l->at++;
@@ -133,8 +135,8 @@ static enum ts_status read_line(struct ts_lines *l, bool *more)
 	}
 }
 
-/* Cuts the line in place: the blank after each word becomes its end. */
-static enum ts_status cut(struct ts_lines *l)
+/* Splits the line in place: the blank after each word is replaced by a zero. */
+static enum ts_status split_words(struct ts_lines *l)
 {
 	static const char blanks[] = " \t\r\v\f";
 	char *p = l->line;
@@ -171,7 +173,7 @@ enum ts_status ts_lines_next(struct ts_lines *l, bool *more)
 		return TS_OK;
 	if (l->length && memchr(l->line, '\0', l->length))
 		return ts_lines_fail(l, TS_DAMAGED, SIZE_MAX, "this is no text: the line holds a zero byte");
-	return cut(l);
+	return split_words(l);
 }
 
 enum ts_status ts_lines_next_filled(struct ts_lines *l, bool *more)
@@ -182,8 +184,8 @@ enum ts_status ts_lines_next_filled(struct ts_lines *l, bool *more)
 	return TS_OK;
 }
 
-/* The text as it was before it was cut, as far as messages need it. */
-static const char *original(struct ts_lines *l)
+/* The line before it was split, at most 1023 bytes, for messages. */
+static const char *uncut_text(struct ts_lines *l)
 {
 	char text[1024];
 	size_t n = l->length < sizeof text - 1 ? l->length : sizeof text - 1;
@@ -198,7 +200,7 @@ static const char *original(struct ts_lines *l)
 
 struct ts_place ts_lines_place(struct ts_lines *l, size_t k)
 {
-	struct ts_place place = { .file = l->file, .text = original(l), .line = l->number };
+	struct ts_place place = { .file = l->file, .text = uncut_text(l), .line = l->number };
 
 	if (k < l->nwords) {
 		place.column = (int)(l->word[k] - l->line) + 1;

@@ -1,6 +1,5 @@
-/* Input of text, line by line: from a file, compressed or not, or from memory. How long lines may be, and
- * to what a compressed file may unfold, says base/input_limit.h. Every complaint names file, line and
- * column. */
+/* Input of text, line by line: from a file, compressed with gzip or not, or from memory. base/input_limit.h limits
+ * the length of lines and the uncompressed size of files. Error messages name file, line and column. */
 #ifndef TS_IO_LINES_H
 #define TS_IO_LINES_H
 
@@ -16,52 +15,52 @@ struct ts_pool;
 /* Zero-initialise. */
 struct ts_lines {
 	struct ts_error *err;
-	struct ts_pool *pool; /* for the texts of places */
-	const char *file;     /* its name, in the pool */
+	struct ts_pool *pool; /* for file names and lines in messages */
+	const char *file;     /* name, in the pool */
 	void *gz;	      /* gzFile; NULL: from memory */
 	struct ts_files *files;
-	double most_unfolded; /* base/input_limit.h */
-	size_t longest;	      /* likewise, a line */
-	double unfolded;      /* bytes, since the reader last set it to 0 */
-	/* a compressed file that ends within its data is read as far as it goes */
-	bool may_be_torn;
-	bool torn;	   /* it was one */
-	const char *chunk; /* read from the file and not yet cut into lines */
+	double most_unfolded; /* limit of `unfolded` in bytes, base/input_limit.h */
+	size_t longest;	      /* limit of the length of a line in bytes */
+	double unfolded;      /* uncompressed bytes; the caller may set it to 0 */
+	bool may_be_torn;     /* a compressed file that is cut off is read up to its end, without an error */
+	bool torn;	      /* it was cut off */
+	const char *chunk;    /* bytes that are not yet split into lines: chunk[at] .. chunk[end - 1] */
 	char *buffer;
 	size_t at, end;
-	/* the present line */
+	/* the current line */
 	int number;
-	bool ended; /* by a line feed, not by the file */
+	bool ended; /* by a line feed; false: by the end of the file */
 	char *line;
 	size_t length, capacity;
-	char **word; /* cut at blanks; a comment is no word */
+	char **word; /* [nwords] separated by blanks, without the comment */
 	size_t nwords, word_capacity;
-	const char *comment; /* what follows `#`, without blanks before it; "" */
-	char *hash;	     /* where the `#` was; NULL: none */
+	const char *comment; /* text after `#` without leading blanks; "": none */
+	char *hash;	     /* position of the `#`; NULL: none */
 };
 
+/* Opens a file; `where` is the line of the script that names it. */
 enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct ts_error *err,
 			     struct ts_pool *pool, const struct ts_place *where, const char *path);
-/* `name` stands for the file in messages. The bytes must outlive the reading. */
+/* Reads from memory; `name` stands for the file in messages. The bytes must exist until ts_lines_close. */
 enum ts_status ts_lines_memory(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,
 			       const char *name, const char *bytes, size_t n);
 void ts_lines_close(struct ts_lines *l);
 
-/* The next line, cut into words; *more is false at the end of the file. */
+/* Reads the next line and splits it into words; *more is false at the end of the file. */
 enum ts_status ts_lines_next(struct ts_lines *l, bool *more);
-/* The same, but lines without words are passed over. */
+/* The same, skipping lines without words. */
 enum ts_status ts_lines_next_filled(struct ts_lines *l, bool *more);
 
-/* Where word k stands; the whole line if there is no such word. */
+/* Place of word k for messages; the whole line if there is no such word. */
 struct ts_place ts_lines_place(struct ts_lines *l, size_t k);
 #define ts_lines_fail(l, code, k, ...) \
 	ts_fail((l)->err, code, (struct ts_place[]){ ts_lines_place(l, k) }, __VA_ARGS__)
 
-/* Word k as a number; `what` names it in the complaint. */
+/* Word k as a number; `what` names it in the error message. */
 enum ts_status ts_lines_real(struct ts_lines *l, size_t k, const char *what, double *out);
 enum ts_status ts_lines_int(struct ts_lines *l, size_t k, const char *what, int64_t lo, int64_t hi,
 			    int64_t *out);
-/* Whether the words from k on are those of `text`, which is cut at single blanks. */
+/* Whether the words from k on equal those of `text`, which are separated by single blanks. */
 bool ts_lines_match(const struct ts_lines *l, size_t k, const char *text);
 
 #endif

@@ -17,7 +17,7 @@
 
 #include "base/banned.h"
 
-static enum ts_status failed(struct ts_replace *r)
+static enum ts_status report_write_error(struct ts_replace *r)
 {
 	int code = errno;
 	enum ts_status status =
@@ -28,7 +28,7 @@ static enum ts_status failed(struct ts_replace *r)
 	return status;
 }
 
-/* Renaming onto a device or a pipe would put a plain file in its place. */
+/* Renaming to a device or a pipe would replace it by a regular file. */
 static bool replaceable(struct ts_files *files, const char *path)
 {
 	struct stat there;
@@ -48,8 +48,8 @@ static enum ts_status folder_of(const char *path, struct ts_str *out)
 	return out->failed ? TS_NOMEM : TS_OK;
 }
 
-/* NAME.tmp.PROCESS.RANDOM of a process that is no more. Processes of other machines are not seen from
- * here, but they go on writing. */
+/* Whether an entry is NAME.tmp.PROCESS.RANDOM of a process that has ended. Processes of other machines are unknown
+ * here, but their files have been written to recently. */
 static bool is_stale(int folder, const char *name, const char *entry)
 {
 	enum { IDLE = 600 }; /* seconds */
@@ -98,7 +98,8 @@ enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim, const st
 	r->where = where ? *where : (struct ts_place){ 0 };
 	if (sim->reading.explain) {
 		r->file = ts_files_nowhere();
-		return r->file ? TS_OK : ts_open_failed(&sim->error, &sim->files, where, "/dev/null");
+		return r->file ? TS_OK
+			       : ts_textfile_open_failed(&sim->error, &sim->files, where, "/dev/null");
 	}
 	if (!replaceable(&sim->files, path))
 		return ts_fail(&sim->error, TS_IO, where, "cannot write '%s': it is not a plain file", path);
@@ -111,11 +112,11 @@ enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim, const st
 		ts_replace_abandon(r);
 		return ts_nomem(&sim->error);
 	}
-	ts_mkdirs_for(&sim->files, path); /* opening tells if that failed */
-	/* a new file, never through a link that somebody has laid there */
+	ts_mkdirs_for(&sim->files, path); /* an error shows when the file is opened */
+	/* "x": a new file, never through an existing symbolic link */
 	r->file = ts_files_open(&sim->files, ts_str_text(&r->temporary), "wx");
 	if (!r->file) {
-		enum ts_status status = ts_write_failed(&sim->error, &sim->files, where, path);
+		enum ts_status status = ts_textfile_write_failed(&sim->error, &sim->files, where, path);
 
 		ts_replace_abandon(r);
 		return status;
@@ -126,10 +127,10 @@ enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim, const st
 enum ts_status ts_replace_write(struct ts_replace *r, const void *bytes, size_t n)
 {
 	errno = 0;
-	return fwrite(bytes, 1, n, r->file) == n ? TS_OK : failed(r);
+	return fwrite(bytes, 1, n, r->file) == n ? TS_OK : report_write_error(r);
 }
 
-/* The new name is safe when the folder is on the disk. Some file systems know no such thing. */
+/* The new name is durable once the folder is on the disk. Not all file systems support this: errors are ignored. */
 static void sync_folder(struct ts_files *files, const char *path)
 {
 	struct ts_str folder = { 0 };
@@ -147,11 +148,11 @@ enum ts_status ts_replace_commit(struct ts_replace *r, bool durable)
 	errno = 0;
 	if (fflush(file) != 0 ||
 	    (durable && !nowhere && ts_files_sync(&r->sim->files, ts_str_text(&r->temporary), file) != 0))
-		return failed(r);
+		return report_write_error(r);
 	r->file = NULL;
 	if (fclose(file) != 0 || (!nowhere && ts_files_move(&r->sim->files, ts_str_text(&r->temporary),
 							    ts_str_text(&r->path)) != 0)) {
-		failed(r);
+		report_write_error(r);
 		return TS_IO;
 	}
 	ts_str_clear(&r->temporary);

@@ -8,12 +8,12 @@
 
 #include "base/banned.h"
 
-/* A pattern in its parts: folder, before the `*`, behind it. */
+/* A path: the whole text, its last component, the `*` in that (NULL: none). */
 struct pattern {
 	const char *text, *last, *star;
 };
 
-static struct pattern parts(const char *text)
+static struct pattern split_pattern(const char *text)
 {
 	const char *slash = strrchr(text, '/'), *last = slash ? slash + 1 : text;
 
@@ -22,11 +22,11 @@ static struct pattern parts(const char *text)
 
 bool ts_series_is(const char *pattern)
 {
-	return parts(pattern).star != NULL;
+	return split_pattern(pattern).star != NULL;
 }
 
-/* The number at the place of the `*`, if there is nothing else. */
-static bool number_in(const char *name, const struct pattern *p, int64_t *out)
+/* *out: the number at the `*`; false: the name does not match. */
+static bool match_number(const char *name, const struct pattern *p, int64_t *out)
 {
 	const char *after = p->star + 1;
 	size_t n = (size_t)(p->star - p->last), length = strlen(name), tail = strlen(after);
@@ -41,7 +41,8 @@ static bool number_in(const char *name, const struct pattern *p, int64_t *out)
 	return ts_parse_int(text, out);
 }
 
-static enum ts_status add(struct ts_series *series, const struct pattern *p, const char *name, int64_t step)
+static enum ts_status add_file(struct ts_series *series, const struct pattern *p, const char *name,
+			       int64_t step)
 {
 	struct ts_str path = { 0 };
 
@@ -57,19 +58,19 @@ static enum ts_status add(struct ts_series *series, const struct pattern *p, con
 	return series->file[series->n++].path ? TS_OK : TS_NOMEM;
 }
 
-static enum ts_status search(DIR *folder, const struct pattern *p, struct ts_series *series)
+static enum ts_status search_folder(DIR *folder, const struct pattern *p, struct ts_series *series)
 {
 	struct dirent *entry;
 	int64_t step;
 
 	while ((entry = readdir(folder)))
-		if (number_in(entry->d_name, p, &step))
-			TS_TRY(add(series, p, entry->d_name, step));
+		if (match_number(entry->d_name, p, &step))
+			TS_TRY(add_file(series, p, entry->d_name, step));
 	return TS_OK;
 }
 
-/* Of equal numbers, as 7 and 007, the shorter name comes first. */
-static int compare(const void *a, const void *b)
+/* By step; of equal steps, such as 7 and 007, the shorter name first. */
+static int compare_steps(const void *a, const void *b)
 {
 	const struct ts_series_file *f = a, *g = b;
 
@@ -80,26 +81,26 @@ static int compare(const void *a, const void *b)
 
 enum ts_status ts_series_find(struct ts_files *files, const char *pattern, struct ts_series *out)
 {
-	struct pattern p = parts(pattern);
+	struct pattern p = split_pattern(pattern);
 	struct ts_str folder = { 0 };
 	enum ts_status status = TS_OK;
 	DIR *open;
 
 	if (!p.star) {
 		p.last = p.text;
-		return add(out, &p, pattern, 0);
+		return add_file(out, &p, pattern, 0);
 	}
 	ts_str_add_n(&folder, pattern, (size_t)(p.last - pattern));
 	if (folder.failed)
 		return TS_NOMEM;
 	open = ts_files_list(files, folder.length ? folder.text : ".");
 	if (open) {
-		status = search(open, &p, out);
+		status = search_folder(open, &p, out);
 		closedir(open);
 	}
 	ts_str_release(&folder);
 	if (out->n)
-		qsort(out->file, out->n, sizeof *out->file, compare);
+		qsort(out->file, out->n, sizeof *out->file, compare_steps);
 	return status;
 }
 
@@ -109,4 +110,14 @@ void ts_series_release(struct ts_series *series)
 		ts_free(series->file[k].path);
 	ts_free(series->file);
 	*series = (struct ts_series){ 0 };
+}
+
+void ts_series_path(struct ts_str *out, const char *path, long long step, int pad)
+{
+	ts_str_clear(out);
+	for (const char *star; (star = strchr(path, '*')); path = star + 1) {
+		ts_str_add_n(out, path, (size_t)(star - path));
+		ts_str_addf(out, "%0*lld", pad, step);
+	}
+	ts_str_add(out, path);
 }

@@ -1,4 +1,4 @@
-/* Files of a series: "rock.*.dump" stands for those that have a number, the step, at the place of the `*`. */
+/* Series of files: in "rock.*.dump" the `*` stands for a number, the step. */
 #ifndef TS_IO_SERIES_H
 #define TS_IO_SERIES_H
 
@@ -12,15 +12,18 @@ struct ts_series_file {
 
 /* Zero-initialise. */
 struct ts_series {
-	struct ts_series_file *file; /* by their numbers */
+	struct ts_series_file *file; /* [n] sorted by step */
 	size_t n, capacity;
 };
 
-/* `*` counts in the last part of the path only. Without `*` the path itself, whether there is such a file
- * or not. */
+/* Whether the last component of the path has a `*`. */
 bool ts_series_is(const char *pattern);
-/* TS_OK or TS_NOMEM */
+/* Finds the files of the series; without a `*` the result is the path itself, whether the file exists or not.
+ * Returns TS_OK or TS_NOMEM. */
 enum ts_status ts_series_find(struct ts_files *files, const char *pattern, struct ts_series *out);
 void ts_series_release(struct ts_series *series);
+
+/* *out: the path with each `*` replaced by the step, with leading zeros to `pad` digits. */
+void ts_series_path(struct ts_str *out, const char *path, long long step, int pad);
 
 #endif

@@ -11,13 +11,13 @@
 
 #include "base/banned.h"
 
-/* MOST_HELD: no more is kept for one piece. MEMBER: text after which a .gz file begins a new member. */
+/* Bytes. MOST_HELD: largest text between two flushes that is written in one piece. MEMBER: text after which a .gz
+ * file begins a new member. LARGEST_PART: what zlib takes in one call. ROOM: output buffer of zlib. */
 enum { MOST_HELD = 1 << 24, MEMBER = 1 << 20, LARGEST_PART = 1 << 30, ROOM = 1 << 16 };
 
-/* Folders of files that are written are made on the way: here is one to be read. A closed door says itself
- * why. */
-enum ts_status ts_open_failed(struct ts_error *err, struct ts_files *files, const struct ts_place *where,
-			      const char *path)
+/* For files to be read: names a missing folder. In a sandbox ts_files_why gives the reason. */
+enum ts_status ts_textfile_open_failed(struct ts_error *err, struct ts_files *files,
+				       const struct ts_place *where, const char *path)
 {
 	int code = errno;
 	const char *slash = strrchr(path, '/');
@@ -33,8 +33,8 @@ enum ts_status ts_open_failed(struct ts_error *err, struct ts_files *files, cons
 	return ts_fail(err, TS_IO, where, "cannot open '%s': %s", path, ts_files_why(files));
 }
 
-enum ts_status ts_write_failed(struct ts_error *err, struct ts_files *files, const struct ts_place *where,
-			       const char *path)
+enum ts_status ts_textfile_write_failed(struct ts_error *err, struct ts_files *files,
+					const struct ts_place *where, const char *path)
 {
 	int code = errno;
 	char folder[256];
@@ -46,7 +46,7 @@ enum ts_status ts_write_failed(struct ts_error *err, struct ts_files *files, con
 	return ts_fail(err, TS_IO, where, "cannot write '%s': %s", path, ts_files_why(files));
 }
 
-static void drop(struct ts_textfile *file)
+static void reset_textfile(struct ts_textfile *file)
 {
 	if (file->gz)
 		deflateEnd(file->gz);
@@ -56,11 +56,11 @@ static void drop(struct ts_textfile *file)
 	*file = (struct ts_textfile){ 0 };
 }
 
-/* ---- what a killed run has left is not written on to */
+/* ---- appending to a file of a run that was killed */
 
-/* Ends the last line, which would else go on with the next one; the mark is a word more than a dump has in
- * a row, so that no number that was cut is taken for a whole one. */
-static void end_line(struct ts_textfile *file, const char *path)
+/* Ends an incomplete last line. The mark " ..." is one word more than a row of a dump has, so that readers do not
+ * take a number that was cut off for a complete one. */
+static void end_incomplete_line(struct ts_textfile *file, const char *path)
 {
 	FILE *old = ts_files_open(file->files, path, "r");
 
@@ -70,6 +70,7 @@ static void end_line(struct ts_textfile *file, const char *path)
 		fclose(old);
 }
 
+/* Appending to a .gz file is refused if its compressed data are cut off. */
 static enum ts_status check_gz(struct ts_textfile *file, const char *path)
 {
 	gzFile old = ts_files_open_gz(file->files, path);
@@ -114,7 +115,7 @@ static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *s
 	file->file = sim->reading.explain ? ts_files_nowhere()
 					  : ts_files_open(file->files, path, append ? "a" : "w");
 	if (!file->file)
-		return errno ? ts_write_failed(file->err, file->files, &file->where, path)
+		return errno ? ts_textfile_write_failed(file->err, file->files, &file->where, path)
 			     : ts_nomem(file->err);
 	setvbuf(file->file, NULL, _IONBF, 0);
 	file->whole = -1;
@@ -123,7 +124,7 @@ static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *s
 	if (file->gz && append && file->whole > 0)
 		return check_gz(file, path);
 	if (append && file->whole > 0)
-		end_line(file, path);
+		end_incomplete_line(file, path);
 	return TS_OK;
 }
 
@@ -140,7 +141,7 @@ enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim, cons
 	if (!file->path)
 		return ts_nomem(&sim->error);
 	if (!sim->reading.explain)
-		ts_mkdirs_for(file->files, path); /* opening tells if that failed */
+		ts_mkdirs_for(file->files, path); /* an error shows when the file is opened */
 	if (ts_ends_with(path, ".gz"))
 		status = begin_gz(file);
 	errno = 0;
@@ -149,7 +150,7 @@ enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim, cons
 	if (status != TS_OK) {
 		if (file->file)
 			fclose(file->file);
-		drop(file);
+		reset_textfile(file);
 	}
 	return status;
 }
@@ -161,8 +162,8 @@ bool ts_textfile_is_open(const struct ts_textfile *file)
 
 /* ---- writing */
 
-/* What was written of this piece goes again. */
-static enum ts_status write_failed(struct ts_textfile *file)
+/* Truncates the file to its length at the last flush and reports the error. */
+static enum ts_status undo_failed_write(struct ts_textfile *file)
 {
 	int code = errno;
 
@@ -174,7 +175,7 @@ static enum ts_status write_failed(struct ts_textfile *file)
 		       code ? ts_files_why(file->files) : "unknown reason");
 }
 
-static enum ts_status put_held(struct ts_textfile *file)
+static enum ts_status write_held(struct ts_textfile *file)
 {
 	size_t n = file->held.length;
 
@@ -182,14 +183,14 @@ static enum ts_status put_held(struct ts_textfile *file)
 		return ts_nomem(file->err);
 	errno = 0;
 	if (n && fwrite(file->held.text, 1, n, file->file) != n)
-		return write_failed(file);
+		return undo_failed_write(file);
 	ts_str_clear(&file->held);
-	if (n > MOST_HELD) /* such memory is not kept */
+	if (n > MOST_HELD) /* free large buffers */
 		ts_str_release(&file->held);
 	return TS_OK;
 }
 
-/* All of it, compressed, behind what is held. */
+/* Appends n compressed bytes to what is held. */
 static enum ts_status compress_part(struct ts_textfile *file, const char *bytes, unsigned n, int flush)
 {
 	z_stream *gz = file->gz;
@@ -218,7 +219,7 @@ enum ts_status ts_textfile_write(struct ts_textfile *file, const char *bytes, si
 		else
 			ts_str_add_n(&file->held, bytes, part);
 		if (file->held.length > MOST_HELD)
-			TS_TRY(put_held(file));
+			TS_TRY(write_held(file));
 		bytes += part;
 		n -= part;
 	}
@@ -239,7 +240,7 @@ enum ts_status ts_textfile_printf(struct ts_textfile *file, const char *format, 
 	return status;
 }
 
-/* A member that is long enough is closed: what is damaged behind it takes nothing from it. */
+/* Flushes zlib. A member of at least MEMBER bytes is ended, so that later damage of the file does not affect it. */
 static enum ts_status flush_gz(struct ts_textfile *file, bool close)
 {
 	if (!file->member)
@@ -261,7 +262,7 @@ enum ts_status ts_textfile_flush(struct ts_textfile *file)
 		return TS_OK;
 	if (file->gz)
 		TS_TRY(flush_gz(file, false));
-	TS_TRY(put_held(file));
+	TS_TRY(write_held(file));
 	if (file->whole >= 0 && fstat(fileno(file->file), &info) == 0)
 		file->whole = info.st_size;
 	return TS_OK;
@@ -276,22 +277,12 @@ enum ts_status ts_textfile_close(struct ts_textfile *file)
 	if (file->gz)
 		status = flush_gz(file, true);
 	if (status == TS_OK)
-		status = put_held(file);
+		status = write_held(file);
 	errno = 0;
 	if (fclose(file->file) != 0 && status == TS_OK) {
 		file->whole = -1;
-		status = write_failed(file);
+		status = undo_failed_write(file);
 	}
-	drop(file);
+	reset_textfile(file);
 	return status;
-}
-
-void ts_step_path(struct ts_str *out, const char *path, long long step, int pad)
-{
-	ts_str_clear(out);
-	for (const char *star; (star = strchr(path, '*')); path = star + 1) {
-		ts_str_add_n(out, path, (size_t)(star - path));
-		ts_str_addf(out, "%0*lld", pad, step);
-	}
-	ts_str_add(out, path);
 }

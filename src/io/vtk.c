@@ -3,13 +3,14 @@
 #include <string.h>
 
 #include "io/replace.h"
+#include "io/series.h"
 #include "io/textfile.h"
 #include "io/vtk_legacy.h"
 #include "io/vtk_xml.h"
 
 #include "base/banned.h"
 
-/* n cells of `size` points each, numbered through. */
+/* Connectivity and offsets of n cells of `size` points each; points are not shared by cells. */
 static enum ts_status add_cell_arrays(struct tsim *sim, struct ts_str *out, size_t n, size_t size)
 {
 	int64_t *number = ts_alloc(n * size, sizeof *number);
@@ -101,8 +102,8 @@ static enum ts_status add_unstructured(struct tsim *sim, struct ts_str *out, con
 	return out->failed ? ts_nomem(&sim->error) : TS_OK;
 }
 
-enum ts_status ts_vtk_put(struct tsim *sim, const char *path, const struct ts_place *where,
-			  const struct ts_str *text)
+enum ts_status ts_vtk_write_text(struct tsim *sim, const char *path, const struct ts_place *where,
+				 const struct ts_str *text)
 {
 	struct ts_replace file = { 0 };
 
@@ -125,7 +126,7 @@ static void declare_data(struct ts_str *out, const char *element, const struct t
 	ts_str_addf(out, "</P%s>\n", element);
 }
 
-/* post/a100.pvtp lists its one piece, post/a100_0.vtp. */
+/* File post/a100.pvtp lists its only piece, post/a100_0.vtp. */
 static void add_list_of_pieces(struct ts_str *out, const struct ts_vtk_poly *poly, const char *type,
 			       const char *piece)
 {
@@ -152,7 +153,7 @@ static enum ts_status add_legacy(struct tsim *sim, struct ts_str *out, const str
 static const struct format {
 	const char *ending;
 	build_fn *build;
-	const char *pieces; /* type of a list of pieces */
+	const char *pieces; /* VTK type of the list of pieces; NULL: a single file */
 } formats[] = {
 	{ ".vtp", add_poly, NULL },
 	{ ".vtu", add_unstructured, NULL },
@@ -169,7 +170,7 @@ static const struct format *format_of(const char *path)
 	return NULL;
 }
 
-bool ts_vtk_knows(const char *path)
+bool ts_vtk_is_supported(const char *path)
 {
 	return format_of(path) != NULL;
 }
@@ -181,7 +182,7 @@ static enum ts_status write_one(struct tsim *sim, const char *path, const struct
 	enum ts_status status = build(sim, &text, poly);
 
 	if (status == TS_OK)
-		status = ts_vtk_put(sim, path, where, &text);
+		status = ts_vtk_write_text(sim, path, where, &text);
 	ts_str_release(&text);
 	return status;
 }
@@ -198,7 +199,7 @@ static enum ts_status write_pieces(struct tsim *sim, const char *path, const str
 			      : write_one(sim, ts_str_text(&piece), where, poly, format->build);
 	add_list_of_pieces(&list, poly, format->pieces, ts_str_text(&piece));
 	if (status == TS_OK)
-		status = ts_vtk_put(sim, path, where, &list);
+		status = ts_vtk_write_text(sim, path, where, &list);
 	ts_str_release(&piece);
 	ts_str_release(&list);
 	return status;
@@ -226,7 +227,7 @@ enum ts_status ts_vtk_series_add(struct tsim *sim, struct ts_vtk_series *s, int6
 	return TS_OK;
 }
 
-/* post/rock*.vtp -> post/rock.pvd */
+/* Name of the collection: post/rock*.vtp -> post/rock.pvd */
 static void add_collection_path(struct ts_str *out, const char *pattern, const char *ending)
 {
 	const char *star = strchr(pattern, '*'), *dot = strrchr(pattern, '.');
@@ -237,14 +238,14 @@ static void add_collection_path(struct ts_str *out, const char *pattern, const c
 	ts_str_add(out, ending);
 }
 
-/* Name and time of the frames, in XML, or in JSON for legacy files. */
+/* Adds name and time of the frames, in XML, for legacy files in JSON. */
 static void add_frames(struct ts_str *out, const struct ts_vtk_series *series, const char *base, int pad,
 		       bool legacy)
 {
 	struct ts_str path = { 0 };
 
 	for (size_t k = 0; k < series->n; k++) {
-		ts_step_path(&path, base, (long long)series->step[k], pad);
+		ts_series_path(&path, base, (long long)series->step[k], pad);
 		if (legacy)
 			ts_str_add(out, k ? ",\n{ \"name\": \"" : "{ \"name\": \"");
 		else
@@ -276,7 +277,8 @@ enum ts_status ts_vtk_series_write(struct tsim *sim, const struct ts_vtk_series 
 	add_frames(&text, series, base, pad, legacy);
 	ts_str_add(&text, legacy ? "\n] }\n" : "</Collection>\n</VTKFile>\n");
 	add_collection_path(&path, pattern, legacy ? ".vtk.series" : ".pvd");
-	status = path.failed ? ts_nomem(&sim->error) : ts_vtk_put(sim, ts_str_text(&path), where, &text);
+	status = path.failed ? ts_nomem(&sim->error)
+			     : ts_vtk_write_text(sim, ts_str_text(&path), where, &text);
 	ts_str_release(&text);
 	ts_str_release(&path);
 	return status;

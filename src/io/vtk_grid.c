@@ -3,7 +3,7 @@
 
 #include "base/banned.h"
 
-/* Name="0 nx 0 ny 0 nz", in points, which are one more than cells. */
+/* Adds Name="0 nx 0 ny 0 nz": indices of points, one more than cells along each axis. */
 static void add_extent(struct ts_str *out, const char *name, const struct ts_vtk_grid *grid)
 {
 	ts_str_addf(out, " %s=\"0 %zu 0 %zu 0 %zu\"", name, grid->n[0], grid->n[1], grid->n[2]);
@@ -14,7 +14,7 @@ static void add_three(struct ts_str *out, const char *name, const double x[3])
 	ts_str_addf(out, " %s=\"%.17g %.17g %.17g\"", name, x[0], x[1], x[2]);
 }
 
-static void begin(struct ts_str *out, const struct ts_vtk_grid *grid, bool image)
+static void add_head(struct ts_str *out, const struct ts_vtk_grid *grid, bool image)
 {
 	const char *type = image ? "ImageData" : "RectilinearGrid";
 	double low[3], width[3];
@@ -48,9 +48,10 @@ static enum ts_status add_coordinates(struct tsim *sim, struct ts_str *out, cons
 	return TS_OK;
 }
 
-static enum ts_status build(struct tsim *sim, struct ts_str *out, const struct ts_vtk_grid *grid, bool image)
+static enum ts_status add_grid(struct tsim *sim, struct ts_str *out, const struct ts_vtk_grid *grid,
+			       bool image)
 {
-	begin(out, grid, image);
+	add_head(out, grid, image);
 	TS_TRY(ts_vtk_add_data(sim, out, "CellData", grid->cell_data, grid->ncell_data,
 			       grid->n[0] * grid->n[1] * grid->n[2]));
 	if (!image)
@@ -63,10 +64,10 @@ enum ts_status ts_vtk_write_grid(struct tsim *sim, const char *path, const struc
 				 const struct ts_vtk_grid *grid)
 {
 	struct ts_str text = { 0 };
-	enum ts_status status = build(sim, &text, grid, ts_ends_with(path, ".vti"));
+	enum ts_status status = add_grid(sim, &text, grid, ts_ends_with(path, ".vti"));
 
 	if (status == TS_OK)
-		status = ts_vtk_put(sim, path, where, &text);
+		status = ts_vtk_write_text(sim, path, where, &text);
 	ts_str_release(&text);
 	return status;
 }

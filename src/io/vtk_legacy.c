@@ -1,5 +1,4 @@
-/* Legacy VTK files (.vtk): what LIGGGHTS writes by default, and what small programs read easily; plain
- * text, or binary with the most significant byte first. */
+/* Legacy VTK files (.vtk), the default of LIGGGHTS: text, or binary with the most significant byte first. */
 #include "io/vtk_legacy.h"
 
 #include <string.h>
@@ -8,7 +7,7 @@
 
 enum { IN_A_LINE = 9 };
 
-/* The types of arrays: their name in the file, and what a number of them is written with. */
+/* Types of arrays: name in the file, format of a number in text (NULL: integer), bytes in binary. */
 struct type {
 	const char *name, *format;
 	int bytes;
@@ -18,7 +17,7 @@ static const struct type singles = { "float", "%g", 4 };
 static const struct type wholes = { "int", NULL, 4 };
 static const struct type indices = { "vtktypeint64", NULL, 8 };
 
-/* Names end at a blank. */
+/* Names may not contain blanks: they are replaced by `_`. */
 static void add_name(struct ts_str *out, const char *name)
 {
 	for (; *name; name++)
@@ -55,7 +54,7 @@ static void add_text(struct ts_str *out, const struct type *type, double value)
 		ts_str_addf(out, "%lld", (long long)value);
 }
 
-/* Numbers of one type, until end_numbers(). */
+/* A sequence of numbers of one type, ended by end_numbers(). */
 struct numbers {
 	struct ts_str *out;
 	const struct type *type;
@@ -87,7 +86,7 @@ static void add_array(struct ts_str *out, const struct type *type, const double 
 	end_numbers(&numbers);
 }
 
-/* 0, step, 2 step ... */
+/* Adds the indices 0, step, 2 step ... */
 static void add_indices(struct ts_str *out, const char *what, size_t n, size_t step, bool binary)
 {
 	struct numbers numbers = { out, &indices, binary, 0 };
@@ -143,7 +142,7 @@ void ts_vtk_legacy_poly(struct ts_str *out, const struct ts_vtk_poly *poly)
 	add_data(out, "CELL_DATA", poly->cell_data, poly->ncell_data, n, poly->binary);
 }
 
-/* A line for each point. */
+/* Adds n lines of `width` numbers. */
 static void add_lines(struct ts_str *out, const struct type *type, const double *data, size_t n, size_t width)
 {
 	for (size_t k = 0; k < n * width; k++) {
@@ -178,7 +177,6 @@ void ts_vtk_legacy_plain(struct ts_str *out, const struct ts_vtk_poly *poly)
 	}
 }
 
-/* The faces of a box as the corners of one cell. */
 void ts_vtk_legacy_box(struct ts_str *out, const double lo[3], const double hi[3], double time, bool binary)
 {
 	add_head(out, "5.1", time, binary);

@@ -7,7 +7,7 @@
 
 enum { BLOCK = 1 << 20 };
 
-void ts_base64(struct ts_str *out, const unsigned char *bytes, size_t n)
+void ts_vtk_add_base64(struct ts_str *out, const unsigned char *bytes, size_t n)
 {
 	static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
@@ -41,8 +41,8 @@ enum ts_status ts_vtk_add_packed(struct tsim *sim, struct ts_str *out, const voi
 		head[0] = blocks;
 		head[1] = BLOCK;
 		head[2] = n % BLOCK;
-		ts_base64(out, (const unsigned char *)head, (3 + blocks) * sizeof *head);
-		ts_base64(out, packed, used);
+		ts_vtk_add_base64(out, (const unsigned char *)head, (3 + blocks) * sizeof *head);
+		ts_vtk_add_base64(out, packed, used);
 	}
 	ts_free(head);
 	ts_free(packed);

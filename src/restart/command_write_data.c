@@ -1,6 +1,7 @@
 /* Command write_data: writes box and particles to a data file. */
 #include "bond/bonds.h"
 #include "contact/pair.h"
+#include "io/series.h"
 #include "particle/user_columns.h"
 #include "restart/data.h"
 
@@ -128,7 +129,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 	if (sim->reading.explain)
 		return TS_OK;
-	ts_step_path(&path, c->file, (long long)sim->clock.step, 0);
+	ts_series_path(&path, c->file, (long long)sim->clock.step, 0);
 	status = path.failed ? ts_nomem(&sim->error)
 			     : ts_textfile_open(&out, sim, where, ts_str_text(&path), false);
 	ts_str_release(&path);

@@ -1,6 +1,6 @@
 /* Command write_restart: writes the state of the simulation to a restart file. */
 #include "core/sim.h"
-#include "io/textfile.h"
+#include "io/series.h"
 #include "restart/restart.h"
 
 #include "base/banned.h"
@@ -18,7 +18,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 	if (sim->reading.explain)
 		return TS_OK;
-	ts_step_path(&path, s->file, (long long)sim->clock.step, 0);
+	ts_series_path(&path, s->file, (long long)sim->clock.step, 0);
 	status = path.failed ? ts_nomem(&sim->error) : ts_restart_write(sim, ts_str_text(&path), where);
 	ts_str_release(&path);
 	return status;

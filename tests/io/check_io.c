@@ -16,10 +16,12 @@
 #include "io/decimal.h"
 #include "io/format.h"
 #include "io/replace.h"
+#include "io/series.h"
 #include "library/tsim_tables.h"
 #include "restart/restart.h"
 #include "io/textfile.h"
 #include "io/vtk.h"
+#include "io/vtk_xml.h"
 
 static struct tsim *sim;
 static long balance;
@@ -287,9 +289,9 @@ START_TEST(step_paths)
 {
 	struct ts_str path = { 0 };
 
-	ts_step_path(&path, "post/a*.vtp", 42, 6);
+	ts_series_path(&path, "post/a*.vtp", 42, 6);
 	ck_assert_str_eq(path.text, "post/a000042.vtp");
-	ts_step_path(&path, "plain", 42, 0);
+	ts_series_path(&path, "plain", 42, 0);
 	ck_assert_str_eq(path.text, "plain");
 	ts_str_release(&path);
 }
@@ -351,7 +353,7 @@ START_TEST(base64)
 
 	for (size_t k = 0; k < sizeof plain / sizeof *plain; k++) {
 		ts_str_clear(&out);
-		ts_base64(&out, (const unsigned char *)plain[k], strlen(plain[k]));
+		ts_vtk_add_base64(&out, (const unsigned char *)plain[k], strlen(plain[k]));
 		ck_assert_str_eq(ts_str_text(&out), coded[k]);
 	}
 	ts_str_release(&out);
