@@ -34,7 +34,7 @@ enum ts_status ts_average_resize(struct ts_instance *self, struct tsim *sim, str
 	if (a->averages > 0 && a->ave != TS_AVE_ONE && n != a->n)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s %s: the number of its values has changed from %zu to %zu, so that "
-			       "averages cannot be combined; `ave one` can do without",
+			       "averages cannot be combined; use `ave one`",
 			       self->style->name, self->id, a->n, n);
 	a->n = n;
 	if (a->result_n == n && a->history_n == ring)

@@ -42,14 +42,14 @@ struct ts_average {
 	       .hi = 1e6, .help = "number of averages in the window")
 /* Needs: static const struct ts_arg window_row[] = { TS_AVERAGE_WINDOW_ROW(T, A), TS_ARGS_END }; and
  * static const struct ts_mode combinations[] = TS_AVERAGE_MODES; */
-#define TS_AVERAGE_MODES                                                                   \
-	{                                                                                  \
-		[TS_AVE_ONE] = { "one", "each average by itself", NULL },                  \
-		[TS_AVE_RUNNING] = { "running", "mean of all averages so far", NULL },     \
-		[TS_AVE_WINDOW] = { "window", "mean of the last M averages", window_row }, \
-		{                                                                          \
-			.name = NULL                                                       \
-		}                                                                          \
+#define TS_AVERAGE_MODES                                                                                     \
+	{                                                                                                    \
+		[TS_AVE_ONE] = { "one", "each average by itself", NULL },                                    \
+		[TS_AVE_RUNNING] = { "running", "mean of all averages so far (histograms: sum)", NULL },     \
+		[TS_AVE_WINDOW] = { "window", "mean of the last M averages (histograms: sum)", window_row }, \
+		{                                                                                            \
+			.name = NULL                                                                         \
+		}                                                                                            \
 	}
 /* clang-format off */
 #define TS_AVERAGE_KEYWORDS(T, A)                                                                     \

@@ -9,10 +9,10 @@ enum ts_status ts_average_file_init(struct ts_instance *self, struct tsim *sim, 
 			       "fix %s: expected either file or append, found both", self->style->name);
 	if (f->overwrite && f->append)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix %s: overwrite goes with file, not with append", self->style->name);
+			       "fix %s: overwrite can be used with file, not with append", self->style->name);
 	if (!ts_format_check(f->format, false, f->checked))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix %s: format '%s' is not one for a number, like %%g or %%12.5f",
+			       "fix %s: format '%s' is not a format of a number, such as %%g or %%12.5f",
 			       self->style->name, f->format);
 	return TS_OK;
 }

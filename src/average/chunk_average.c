@@ -293,8 +293,7 @@ enum ts_status ts_chunk_average_archive(struct ts_instance *self, struct tsim *s
 	if (s->average.n % width || s->ncoordinates < 0 || s->ncoordinates > 3 ||
 	    s->place_n != s->average.n / width * (size_t)(s->ncoordinates + (s->compressed != 0)))
 		return ts_fail(&sim->error, TS_DAMAGED, &self->where,
-			       "fix %s %s: the saved averages do not fit together", self->style->name,
-			       self->id);
+			       "fix %s %s: the saved averages are inconsistent", self->style->name, self->id);
 	return TS_OK;
 }
 

@@ -163,12 +163,12 @@ static enum ts_status read_limit(struct ts_instance *self, struct tsim *sim, str
 	if (!ts_parse_int(w.word[0].text, &c->limit) || c->limit < 0 || c->limit > 1000000000)
 		return refuse_word(sim, self, w.word, "limit takes 0, or a number and max or exact");
 	if (c->limit == 0)
-		return w.n == 1 ? TS_OK : refuse_word(sim, self, &w.word[1], "limit 0 stands alone");
+		return w.n == 1 ? TS_OK : refuse_word(sim, self, &w.word[1], "limit 0 takes no other word");
 	if (w.n != 2 || (!ts_streq(w.word[1].text, "max") && !ts_streq(w.word[1].text, "exact")))
 		return refuse_word(sim, self, w.word, "limit takes a number and max or exact");
 	c->exact = ts_streq(w.word[1].text, "exact");
 	if (bins && !c->compress)
-		return refuse_word(sim, self, w.word, "of bins there can be a limit only with compress yes");
+		return refuse_word(sim, self, w.word, "a limit of the number of bins needs compress yes");
 	return TS_OK;
 }
 
@@ -179,7 +179,8 @@ static enum ts_status check_geometry(struct ts_instance *self, struct tsim *sim,
 			if (c->axis[j].dim == c->axis[k].dim)
 				return refuse_word(sim, self, c->words.word, "the same axis twice");
 	if (sim->dimension == 2 && c->style == TS_CHUNK_CYLINDER && c->axis[0].dim != 2)
-		return refuse_word(sim, self, c->words.word, "in two dimensions cylinders stand along z");
+		return refuse_word(sim, self, c->words.word,
+				   "in two dimensions the axis of a cylinder must be z");
 	if (c->style != TS_CHUNK_SPHERE && c->style != TS_CHUNK_CYLINDER)
 		return TS_OK;
 	if (!(c->outer > c->inner))

@@ -39,7 +39,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	if (3 * chunks->n != s->n)
 		return ts_fail(&s->user.sim->error, TS_STATE, &self->where,
 			       "compute msd/chunk: there were %zu chunks at the start, now there are %zu; "
-			       "chunk/atom has `nchunk once` and `limit N exact`",
+			       "use `nchunk once` and `limit N exact` of chunk/atom",
 			       s->n / 3, chunks->n);
 	TS_TRY(ts_chunk_centres(self, chunks, &s->user.centre));
 	TS_TRY(ts_table_resize(out, chunks->n, 4));

@@ -74,7 +74,7 @@ static enum ts_status list_pairs(struct ts_instance *self, struct tsim *sim)
 		       "fix ave/correlate: this type needs more than one value");
 }
 
-static enum ts_status make_room(struct state *s, struct tsim *sim)
+static enum ts_status allocate_arrays(struct state *s, struct tsim *sim)
 {
 	size_t lags = (size_t)s->repeat;
 
@@ -106,7 +106,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->started = 1;
 	s->last = -1;
 	TS_TRY(list_pairs(self, sim));
-	return make_room(s, sim);
+	return allocate_arrays(s, sim);
 }
 
 /* Adds V_i(t) V_j(t + lag) for t + lag the newest sample and t each sample in the ring buffer. */

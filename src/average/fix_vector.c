@@ -22,7 +22,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_ref_list_init(sim, "fix vector", &self->arena, s->words, TS_WANT(SCALAR), &s->input);
 }
 
-static enum ts_status collect(struct ts_instance *self, struct tsim *sim)
+static enum ts_status collect_sample(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	int64_t step = sim->clock.step;
@@ -120,8 +120,8 @@ const struct ts_style ts_fix_vector = {
 	.gives = gives,
 	.init = init,
 	.hook = {
-		[TS_STAGE_SETUP] = collect,
-		[TS_STAGE_END_OF_STEP] = collect,
+		[TS_STAGE_SETUP] = collect_sample,
+		[TS_STAGE_END_OF_STEP] = collect_sample,
 	},
 	.fini = fini,
 };

@@ -21,7 +21,7 @@ const char *const ts_histogram_beyond[] = { [IGNORE] = "ignore", [END] = "end", 
 /* numbers that follow those of the bins */
 enum { TOTAL, MISSING, LEAST, LARGEST, NSTATISTICS };
 
-static size_t bins_of(const struct ts_histogram *h)
+static size_t count_bins(const struct ts_histogram *h)
 {
 	return (size_t)h->bins + (h->beyond == EXTRA ? 2 : 0);
 }
@@ -60,13 +60,13 @@ enum ts_status ts_histogram_init(struct ts_instance *self, struct tsim *sim)
 			       h->input.n);
 	if (h->average.n)
 		return TS_OK;
-	return ts_average_resize(self, sim, &h->average, bins_of(h) + NSTATISTICS);
+	return ts_average_resize(self, sim, &h->average, count_bins(h) + NSTATISTICS);
 }
 
 /* Bin of a value, from 0; -1: it is missing. */
 static int64_t bin_of(const struct ts_histogram *h, double value)
 {
-	int64_t bins = (int64_t)bins_of(h);
+	int64_t bins = (int64_t)count_bins(h);
 	double at = floor((value - h->lo) * ((double)h->bins / (h->hi - h->lo)));
 
 	if (value < h->lo)
@@ -81,7 +81,7 @@ static int64_t bin_of(const struct ts_histogram *h, double value)
  * are added in the order of the values, which for particles is that of their ids. */
 static void count_value(struct ts_histogram *h, double value, double weight)
 {
-	double *s = h->average.sum + bins_of(h);
+	double *s = h->average.sum + count_bins(h);
 	int64_t bin;
 
 	if (isnan(value)) {
@@ -144,7 +144,7 @@ static double bin_centre(const struct ts_histogram *h, size_t bin)
 
 	if (h->beyond != EXTRA)
 		return h->lo + ((double)bin + 0.5) * width;
-	if (bin == 0 || bin == bins_of(h) - 1)
+	if (bin == 0 || bin == count_bins(h) - 1)
 		return bin ? h->hi : h->lo;
 	return h->lo + ((double)bin - 0.5) * width;
 }
@@ -167,7 +167,7 @@ static enum ts_status add_titles(struct ts_instance *self, struct tsim *sim)
 
 static double fraction(const struct ts_histogram *h, size_t bin)
 {
-	double total = h->average.result[bins_of(h) + TOTAL];
+	double total = h->average.result[count_bins(h) + TOTAL];
 
 	return total > 0 ? h->average.result[bin] / total : 0;
 }
@@ -176,7 +176,7 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_histogram *h = self->state;
 	struct ts_str *text = &h->file.text;
-	size_t n = bins_of(h);
+	size_t n = count_bins(h);
 	bool titles;
 
 	if (!ts_average_file_wanted(&h->file))
@@ -201,7 +201,7 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 enum ts_status ts_histogram_sample(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_histogram *h = self->state;
-	double *s = h->average.sum + bins_of(h);
+	double *s = h->average.sum + count_bins(h);
 
 	if (!ts_average_due(&h->average, sim))
 		return TS_OK;
@@ -224,7 +224,7 @@ enum ts_status ts_histogram_archive(struct ts_instance *self, struct tsim *sim, 
 	struct ts_histogram *h = self->state;
 
 	TS_TRY(ts_average_archive(self, sim, a, &h->average));
-	if (h->average.n != bins_of(h) + NSTATISTICS)
+	if (h->average.n != count_bins(h) + NSTATISTICS)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s %s: the restart file holds another number of bins", self->style->name,
 			       self->id);
@@ -237,14 +237,14 @@ static enum ts_status eval_statistics(struct ts_instance *self, const struct tsi
 
 	(void)sim;
 	for (size_t k = 0; k < NSTATISTICS; k++)
-		out->data[k] = h->average.result[bins_of(h) + k];
+		out->data[k] = h->average.result[count_bins(h) + k];
 	return TS_OK;
 }
 
 static enum ts_status eval_bins(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_histogram *h = self->state;
-	size_t n = bins_of(h);
+	size_t n = count_bins(h);
 
 	(void)sim;
 	TS_TRY(ts_table_resize(out, n, 3));

@@ -11,7 +11,7 @@
 enum { ANY, PERATOM, LOCAL };
 const char *const ts_reduce_inputs[] = { [ANY] = "any", [PERATOM] = "peratom", [LOCAL] = "local", NULL };
 
-static enum ts_status bad_replace(struct ts_instance *self, struct tsim *sim, const char *why)
+static enum ts_status refuse_replace(struct ts_instance *self, struct tsim *sim, const char *why)
 {
 	const struct ts_reduce *r = self->state;
 
@@ -31,20 +31,20 @@ static enum ts_status read_replace(struct ts_instance *self, struct tsim *sim)
 	for (size_t k = 0; k < r->input.n; k++)
 		r->instead[k] = -1;
 	if (rest.n && r->mode != TS_REDUCTION_MIN && r->mode != TS_REDUCTION_MAX)
-		return bad_replace(self, sim, "goes with min and max only");
+		return refuse_replace(self, sim, "can be used with min and max only");
 	while (rest.n) {
 		int64_t m, n;
 
 		if (rest.n < 2 || !ts_parse_int(rest.word[0].text, &m) ||
 		    !ts_parse_int(rest.word[1].text, &n) || m < 1 || n < 1 || m > (int64_t)r->input.n ||
 		    n > (int64_t)r->input.n || m == n)
-			return bad_replace(self, sim, "takes the numbers of two of the inputs");
+			return refuse_replace(self, sim, "takes the numbers of two of the inputs");
 		if (r->input.item[m - 1].shape != r->input.item[n - 1].shape)
-			return bad_replace(self, sim, "takes inputs of the same kind");
+			return refuse_replace(self, sim, "takes inputs of the same kind");
 		r->instead[m - 1] = n - 1;
 		rest = ts_words_from(rest, 2);
 		if (rest.n && !ts_streq(rest.word[0].text, "replace"))
-			return bad_replace(self, sim, "takes two numbers");
+			return refuse_replace(self, sim, "takes two numbers");
 		rest = ts_words_from(rest, rest.n ? 1 : 0);
 	}
 	return TS_OK;

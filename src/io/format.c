@@ -39,8 +39,9 @@ bool ts_format_check(const char *format, bool integer, char out[TS_FORMAT_SIZE])
 
 static enum ts_status refuse_format(struct ts_error *err, const struct ts_word *word, bool integer)
 {
-	return ts_fail(err, TS_SYNTAX, &word->place, "'%s' is no format for one %s, expected for instance %s",
-		       word->text, integer ? "integer" : "number", integer ? "%8d" : "%14.8g");
+	return ts_fail(err, TS_SYNTAX, &word->place,
+		       "'%s' is not a format of one %s, expected for instance %s", word->text,
+		       integer ? "integer" : "number", integer ? "%8d" : "%14.8g");
 }
 
 static enum ts_status set_kind(struct ts_error *err, const struct ts_word *word, bool integer,

@@ -60,7 +60,7 @@ void ts_lines_close(struct ts_lines *l)
 
 /* Reads the next chunk. At the end of a file that is cut off within its compressed data gzread reports no error:
  * gzerror tells. */
-static enum ts_status refill(struct ts_lines *l)
+static enum ts_status read_chunk(struct ts_lines *l)
 {
 	int got, code;
 	const char *text;
@@ -121,7 +121,7 @@ static enum ts_status read_line(struct ts_lines *l, bool *more)
 		const char *stop;
 
 		if (l->at == l->end)
-			TS_TRY(refill(l));
+			TS_TRY(read_chunk(l));
 		if (l->at == l->end)
 			return TS_OK;
 		*more = true;
@@ -172,7 +172,8 @@ enum ts_status ts_lines_next(struct ts_lines *l, bool *more)
 	if (!*more)
 		return TS_OK;
 	if (l->length && memchr(l->line, '\0', l->length))
-		return ts_lines_fail(l, TS_DAMAGED, SIZE_MAX, "this is no text: the line holds a zero byte");
+		return ts_lines_fail(l, TS_DAMAGED, SIZE_MAX,
+				     "this is not a text file: the line contains a zero byte");
 	return split_words(l);
 }
 

@@ -29,7 +29,7 @@ static enum ts_status report_write_error(struct ts_replace *r)
 }
 
 /* Renaming to a device or a pipe would replace it by a regular file. */
-static bool replaceable(struct ts_files *files, const char *path)
+static bool is_replaceable(struct ts_files *files, const char *path)
 {
 	struct stat there;
 
@@ -101,8 +101,9 @@ enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim, const st
 		return r->file ? TS_OK
 			       : ts_textfile_open_failed(&sim->error, &sim->files, where, "/dev/null");
 	}
-	if (!replaceable(&sim->files, path))
-		return ts_fail(&sim->error, TS_IO, where, "cannot write '%s': it is not a plain file", path);
+	if (!is_replaceable(&sim->files, path))
+		return ts_fail(&sim->error, TS_IO, where, "cannot write '%s': it is not a regular file",
+			       path);
 	remove_stale(&sim->files, path);
 	ts_str_add(&r->path, path);
 	if (getrandom(&random, sizeof random, GRND_NONBLOCK) < 0)

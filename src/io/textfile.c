@@ -86,9 +86,9 @@ static enum ts_status check_gz(struct ts_textfile *file, const char *path)
 	if (code == Z_OK || code == Z_STREAM_END)
 		return TS_OK;
 	return ts_fail(file->err, TS_DAMAGED, &file->where,
-		       "cannot add to '%s': its last part is not whole, as a run that was killed leaves it, "
-		       "and what is added could not be unpacked; write to another file (rerun takes "
-		       "several), or make it whole: zcat %s | gzip >NEW",
+		       "cannot append to '%s': its compressed data are cut off, as by a run that was killed, "
+		       "and appended text could not be uncompressed; write to another file (rerun takes "
+		       "several), or repair it: zcat %s | gzip >NEW",
 		       path, path);
 }
 

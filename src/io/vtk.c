@@ -175,8 +175,8 @@ bool ts_vtk_is_supported(const char *path)
 	return format_of(path) != NULL;
 }
 
-static enum ts_status write_one(struct tsim *sim, const char *path, const struct ts_place *where,
-				const struct ts_vtk_poly *poly, build_fn *build)
+static enum ts_status write_single_file(struct tsim *sim, const char *path, const struct ts_place *where,
+					const struct ts_vtk_poly *poly, build_fn *build)
 {
 	struct ts_str text = { 0 };
 	enum ts_status status = build(sim, &text, poly);
@@ -196,7 +196,7 @@ static enum ts_status write_pieces(struct tsim *sim, const char *path, const str
 	ts_str_add_n(&piece, path, strlen(path) - strlen(format->ending));
 	ts_str_addf(&piece, "_0.%s", format->ending + 2); /* without the p */
 	status = piece.failed ? ts_nomem(&sim->error)
-			      : write_one(sim, ts_str_text(&piece), where, poly, format->build);
+			      : write_single_file(sim, ts_str_text(&piece), where, poly, format->build);
 	add_list_of_pieces(&list, poly, format->pieces, ts_str_text(&piece));
 	if (status == TS_OK)
 		status = ts_vtk_write_text(sim, path, where, &list);
@@ -214,7 +214,7 @@ enum ts_status ts_vtk_write_poly(struct tsim *sim, const char *path, const struc
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "'%s': the name of a VTK file ends in .vtk, .vtp, .vtu, .pvtp or .pvtu", path);
 	return format->pieces ? write_pieces(sim, path, where, poly, format)
-			      : write_one(sim, path, where, poly, format->build);
+			      : write_single_file(sim, path, where, poly, format->build);
 }
 
 enum ts_status ts_vtk_series_add(struct tsim *sim, struct ts_vtk_series *s, int64_t step, double time)

@@ -47,8 +47,8 @@ static enum ts_status read_add(struct tsim *sim, struct read_data *c, const stru
 	ts_suggest_try(&suggest, "append");
 	ts_suggest_try(&suggest, "merge");
 	return ts_fail(&sim->error, TS_SYNTAX, where,
-		       "read_data: add is '%s', expected append, merge or what is added to the "
-		       "identities of the file%s",
+		       "read_data: add is '%s', expected append, merge or a number that is added to the ids "
+		       "of the file%s",
 		       how, ts_suggest_text(&suggest));
 }
 

@@ -63,7 +63,7 @@ static enum ts_status read_count(struct reader *r, const struct header_row *row)
 	if (value > row->largest)
 		return ts_lines_fail(r->l, TS_RANGE, 0, "%s is %" PRId64 ", but there can be %" PRId64 "%s",
 				     what, value, row->largest,
-				     row->largest ? "" : ": tsim has no such thing");
+				     row->largest ? "" : ": not supported by tsim");
 	if (row->offset != NOWHERE)
 		*(int64_t *)((char *)r->d + row->offset) = value;
 	return TS_OK;
@@ -316,7 +316,7 @@ static enum ts_status sort_atoms(struct reader *r)
 		struct ts_place place = { .file = r->l->file, .line = a->line > b->line ? a->line : b->line };
 
 		if (a->tag == b->tag)
-			return ts_fail(&r->sim->error, TS_DAMAGED, &place, "id %d stands in line %d already",
+			return ts_fail(&r->sim->error, TS_DAMAGED, &place, "id %d occurs in line %d already",
 				       a->tag, a->line < b->line ? a->line : b->line);
 	}
 	return TS_OK;
@@ -447,7 +447,7 @@ static const struct section sections[] = {
 };
 enum { NSECTIONS = sizeof sections / sizeof *sections };
 
-static enum ts_status unknown_section(struct reader *r)
+static enum ts_status refuse_section(struct reader *r)
 {
 	struct ts_suggest suggest = ts_suggest_start(r->l->word[0]);
 	double number;
@@ -533,9 +533,9 @@ static enum ts_status read_section(struct reader *r, unsigned *seen)
 		if (ts_lines_match(r->l, 0, sections[k].title))
 			s = &sections[k];
 	if (!s)
-		return unknown_section(r);
+		return refuse_section(r);
 	if (!s->line)
-		return ts_lines_fail(r->l, TS_UNKNOWN, 0, "section %s: tsim has no such thing", s->title);
+		return ts_lines_fail(r->l, TS_UNKNOWN, 0, "section %s is not supported by tsim", s->title);
 	if (*seen & 1u << (s - sections))
 		return ts_lines_fail(r->l, TS_DAMAGED, 0, "there is a section %s already", s->title);
 	if (s->after_atoms && !(*seen & 1u))

@@ -140,7 +140,7 @@ static enum ts_status read_item(struct ts_frames *f, bool *last)
 		return mark_incomplete(f);
 	if (l->nwords < 2 || !at_item(f))
 		return ts_lines_fail(l, TS_DAMAGED, 0,
-				     "expected a line `ITEM: ...`: this is no dump of particles as text");
+				     "expected a line `ITEM: ...`: this is not a text dump of particles");
 	if (f->begun && (ts_streq(l->word[1], "TIMESTEP") || ts_streq(l->word[1], "TIME") ||
 			 ts_streq(l->word[1], "UNITS")))
 		return mark_incomplete(f);
@@ -191,16 +191,17 @@ static void warn_incomplete(struct ts_frames *f)
 	f->broken++;
 	if (f->begun && f->counted)
 		ts_warn(&f->sim->log, &f->where,
-			"'%s', line %d%s: the frame of step %lld is not whole, it has %zu of %zu rows; it is "
-			"left out",
+			"'%s', line %d%s: the frame of step %lld is incomplete, it has %zu of %zu rows; it "
+			"is skipped",
 			f->lines.file, f->lines.number, why, (long long)f->step, f->rows, f->n);
 	else if (f->begun)
 		ts_warn(&f->sim->log, &f->where,
-			"'%s', line %d%s: the frame of step %lld is not whole; it is left out", f->lines.file,
+			"'%s', line %d%s: the frame of step %lld is incomplete; it is skipped", f->lines.file,
 			f->lines.number, why, (long long)f->step);
 	else
-		ts_warn(&f->sim->log, &f->where, "'%s', line %d%s: a frame that has only begun is left out",
-			f->lines.file, f->lines.number, why);
+		ts_warn(&f->sim->log, &f->where,
+			"'%s', line %d%s: an incomplete frame without a step is skipped", f->lines.file,
+			f->lines.number, why);
 }
 
 enum ts_status ts_frames_next(struct ts_frames *f, bool *got)
@@ -219,6 +220,6 @@ enum ts_status ts_frames_next(struct ts_frames *f, bool *got)
 	if (*got || f->whole || !f->broken)
 		return TS_OK;
 	return ts_fail(&f->sim->error, TS_DAMAGED, &f->where,
-		       "'%s' has no whole frame: it ends before the last row of its first one",
+		       "'%s' has no complete frame: it ends before the last row of its first one",
 		       f->lines.file);
 }

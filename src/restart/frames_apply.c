@@ -33,7 +33,7 @@ static enum ts_status find_id(const struct frame_import *u, int *column)
 
 		if (!(id >= 1 && id <= INT32_MAX - 1 && id == floor(id)))
 			return ts_fail(&u->sim->error, TS_DAMAGED, u->where,
-				       "'%s', step %lld: row %zu has no identity", u->f->lines.file,
+				       "'%s', step %lld: row %zu has no valid id", u->f->lines.file,
 				       (long long)u->f->step, r + 1);
 	}
 	if (*column >= 0)
@@ -73,9 +73,8 @@ static enum ts_status refuse_repeated_ids(const struct frame_import *u)
 	ts_free(ids);
 	if (twice == 0)
 		return TS_OK;
-	return ts_fail(&u->sim->error, TS_DAMAGED, u->where,
-		       "'%s', step %lld: identity %.0f stands there twice", u->f->lines.file,
-		       (long long)u->f->step, twice);
+	return ts_fail(&u->sim->error, TS_DAMAGED, u->where, "'%s', step %lld: id %.0f occurs twice",
+		       u->f->lines.file, (long long)u->f->step, twice);
 }
 
 /* Finds the particle of each row of the frame; flags particles that are not in the frame as missing. */

@@ -338,7 +338,7 @@ static enum ts_status check_end(struct reader *r)
 	if (!read_bytes(r, &sum, sizeof sum))
 		return refuse_file(r, "is cut off");
 	if (r->at != r->n)
-		return refuse_file(r, "is damaged: there is something behind its end");
+		return refuse_file(r, "is damaged: there are data after its end");
 	if (sum != (uint32_t)crc32_z(crc32_z(0, NULL, 0), r->bytes, before))
 		return refuse_file(r, "is damaged: its checksum is wrong");
 	return TS_OK;

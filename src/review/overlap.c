@@ -38,7 +38,7 @@ void ts_review_add(struct ts_review_overlaps *o, const struct ts_granular_model 
 }
 
 /* Both particles were in a previous run: their overlap is a result of forces. */
-static bool settled(const struct ts_particles *p, size_t i, size_t j)
+static bool both_settled(const struct ts_particles *p, size_t i, size_t j)
 {
 	return p->tag[i] <= p->settled && p->tag[j] <= p->settled;
 }
@@ -54,7 +54,7 @@ static void check_candidate(const struct tsim *sim, const struct ts_pair *pair, 
 		*model; /* -check: the column omega may be missing if a line failed */
 	struct ts_touch t;
 
-	if (settled(p, i, j) || !ts_contact_counts(sim, r, 0) ||
+	if (both_settled(p, i, j) || !ts_contact_counts(sim, r, 0) ||
 	    ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]))
 		return;
 	at_rest.tangential = TS_TANGENTIAL_OFF;

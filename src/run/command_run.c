@@ -105,7 +105,7 @@ static enum ts_status run_with_commands(struct tsim *sim, int64_t last, const st
 		if (!ts_sim_has_box(sim))
 			return ts_fail(&sim->error, TS_STATE, &word[0].place,
 				       "run: a command of `every` has removed the box, and the run cannot go "
-				       "on for %" PRId64 " steps more; `clear` has its place behind the run",
+				       "on for %" PRId64 " steps more; use `clear` after the run",
 				       left);
 		TS_TRY(run_once(sim, left < every ? left : every, r));
 		left -= every; /* not from clock.step: a command may reset it */
@@ -145,7 +145,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			       sim->clock.step);
 	if ((r->start >= 0 && r->start > sim->clock.step) || (r->stop >= 0 && r->stop < last))
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "run: start must not be after the present step %" PRId64
+			       "run: start must not be after the current step %" PRId64
 			       ", stop not before the last %" PRId64,
 			       sim->clock.step, last);
 	if (sim->run.watch)

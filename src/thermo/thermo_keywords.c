@@ -99,7 +99,7 @@ static enum ts_status atoms(struct tsim *sim, double *out)
 }
 
 /* thermo_modify norm yes */
-static void normalise(const struct tsim *sim, double *out)
+static void divide_by_particles(const struct tsim *sim, double *out)
 {
 	if (sim->thermo->norm && sim->particles->n)
 		*out /= (double)sim->particles->n;
@@ -108,14 +108,14 @@ static void normalise(const struct tsim *sim, double *out)
 static enum ts_status ke(struct tsim *sim, double *out)
 {
 	*out = ts_group_kinetic_energy(sim, 0);
-	normalise(sim, out);
+	divide_by_particles(sim, out);
 	return TS_OK;
 }
 
 static enum ts_status erotate(struct tsim *sim, double *out)
 {
 	*out = ts_group_rotation_energy(sim, 0);
-	normalise(sim, out);
+	divide_by_particles(sim, out);
 	return TS_OK;
 }
 
@@ -132,26 +132,26 @@ static enum ts_status temp(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
-static enum ts_status energy_of(struct tsim *sim, struct ts_energy_parts parts, double *out)
+static enum ts_status potential_energy(struct tsim *sim, struct ts_energy_parts parts, double *out)
 {
 	TS_TRY(ts_potential_energy(sim, &parts, out));
-	normalise(sim, out);
+	divide_by_particles(sim, out);
 	return TS_OK;
 }
 
 static enum ts_status pe(struct tsim *sim, double *out)
 {
-	return energy_of(sim, (struct ts_energy_parts){ true, true, true }, out);
+	return potential_energy(sim, (struct ts_energy_parts){ true, true, true }, out);
 }
 
 static enum ts_status epair(struct tsim *sim, double *out)
 {
-	return energy_of(sim, (struct ts_energy_parts){ .pair = true }, out);
+	return potential_energy(sim, (struct ts_energy_parts){ .pair = true }, out);
 }
 
 static enum ts_status ebond(struct tsim *sim, double *out)
 {
-	return energy_of(sim, (struct ts_energy_parts){ .bond = true }, out);
+	return potential_energy(sim, (struct ts_energy_parts){ .bond = true }, out);
 }
 
 /* Potential plus translational kinetic energy; without rotation, as in LAMMPS. */
@@ -227,7 +227,7 @@ static enum ts_status enthalpy(struct tsim *sim, double *out)
 	TS_TRY(ts_keyword_find(sim->tables, "press")->eval(sim, &pressure));
 	TS_TRY(vol(sim, &volume));
 	volume *= pressure;
-	normalise(sim, &volume);
+	divide_by_particles(sim, &volume);
 	TS_TRY(etotal(sim, out));
 	*out += volume;
 	return TS_OK;

@@ -208,7 +208,7 @@ compute l all chunk/atom bin/1d x lower 0" 'delta'
 rejects "$box
 compute l all chunk/atom bin/2d x lower 0.1 x lower 0.1" 'the same axis twice'
 rejects "$box
-compute l all chunk/atom bin/1d x lower 0.1 limit 5 max" 'only with compress yes'
+compute l all chunk/atom bin/1d x lower 0.1 limit 5 max" 'needs compress yes'
 rejects "$box
 compute l all chunk/atom bin/sphere 0 0 0 2 1 5" 'rmax must be larger'
 rejects "$box

@@ -268,7 +268,7 @@ compute c all coord/atom -1" 'expected a cutoff > 0'
 rejects "$six
 compute c all coord/atom 0.1 3x" 'expected a type'
 rejects "$six
-compute r all reduce sum vx vy replace 1 2" 'goes with min and max only'
+compute r all reduce sum vx vy replace 1 2" 'can be used with min and max only'
 rejects "$six
 compute r all reduce max vx vy replace 1 3" 'the numbers of two of the inputs'
 rejects "$six

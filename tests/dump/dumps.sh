@@ -86,7 +86,7 @@ wrong 'limit' 'dump_modify a thresh x < y' "'y' is no number"
 wrong 'half a condition' 'dump_modify a thresh x <' 'thresh takes a quantity'
 wrong 'unknown quantity' 'dump_modify a thresh xx < 3' "'xx'"
 wrong 'no region' 'dump_modify a region up' "'up'"
-wrong 'format' 'dump_modify a format 1 %g' "'%g' is no format for one integer"
+wrong 'format' 'dump_modify a format 1 %g' "'%g' is not a format of one integer"
 wrong 'files of one file' 'dump_modify a maxfiles 3' 'whose file has a `*`'
 wrong 'modify' 'write_dump all atom b.dump modify scales no' "unknown keyword 'scales'"
 wrong 'standing still' 'variable s equal 0

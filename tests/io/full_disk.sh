@@ -110,7 +110,7 @@ for how in "${ways[@]}"; do
 	zcat out.gz 2>/dev/null | awk '/^ITEM: ATOMS/ { left = 30; n++; next } left && !/^ITEM/ { left-- } END { exit left != 0 || n < 10 }'
 	report "a .gz dump ends with a whole frame: $how" $?
 	printf 'include scene\nrerun out.gz dump x y z\n' >in.full
-	"$TSIM" -in in.full -log none >out 2>err && ! grep -q 'left out' out && grep -qE 'Rerun of [1-9][0-9]+ frames' out
+	"$TSIM" -in in.full -log none >out 2>err && ! grep -q 'is skipped' out && grep -qE 'Rerun of [1-9][0-9]+ frames' out
 	report "and can be read: $how" $? err
 done
 rm -rf small/* out.*

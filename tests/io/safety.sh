@@ -161,12 +161,12 @@ done
 # a restart file is renamed into place, which a device or a pipe would not survive
 stops 'restart to a pipe' "$balls
 run 1
-write_restart pipe" 'in.script:15:1' "'pipe': it is not a plain file"
+write_restart pipe" 'in.script:15:1' "'pipe': it is not a regular file"
 [ -p pipe ]
 report 'the pipe is still one' $?
 stops 'restart to a folder' "$balls
 run 1
-write_restart ." 'in.script:15:1' "'.': it is not a plain file"
+write_restart ." 'in.script:15:1' "'.': it is not a regular file"
 stops 'restart below a pipe' "$balls
 run 1
 write_restart pipe/file" 'in.script:15:1' "pipe/file'"
@@ -203,7 +203,7 @@ report 'the limit can be raised' $? err
 report 'the limit is a number' $? err
 stops 'restart during a run' "$balls
 dump save all restart 10 pipe
-run 100" 'in.script:14:15' 'not a plain file'
+run 100" 'in.script:14:15' 'not a regular file'
 "$TSIM" -in in.script -log none >full 2>err </dev/null
 [ $? = 1 ]
 report 'a full screen' $? err

@@ -82,7 +82,7 @@ page 'tsim -help fix mesh/surface' hopper
 page 'tsim -help pair gran' Rolling
 page 'tsim -help compute temp/com' granular temperature
 page 'tsim -help command flow_boundary' outlet
-page '      v = sum m v / sum m' fix ave/euler
+page '      v = sum m v_i / sum m' fix ave/euler
 expect 'words that stand nowhere' 2 '' "tsim: there is no kind or style 'angle of repoze'
 $more" -help 'angle of repoze'
 mkdir pages && "$TSIM" -doc pages && shows 'command_print.md' pages/index.md &&

@@ -109,12 +109,12 @@ malformed 'no header' '3,$d' 'bad.data:2: error: the header ends here, but has n
 malformed 'no title even' '1,$d' 'the file is empty'
 malformed 'count no number' 's/^2 atoms/two atoms/' "bad.data:3:1: error: the number of atoms is 'two', expected an integer"
 malformed 'negative count' 's/^2 atoms/-2 atoms/' 'the number of atoms is -2, expected an integer from 0'
-malformed 'angles' 's/^1 atom types/&\n3 angles/' 'tsim has no such thing'
+malformed 'angles' 's/^1 atom types/&\n3 angles/' 'not supported by tsim'
 malformed 'too many types' 's/^1 atom types/20000 atom types/' 'there can be 10000'
 malformed 'box upside down' 's/^0 1 ylo/2 1 ylo/' 'bad.data:6:3: error: the upper bound 1 is not above the lower bound 2'
 malformed 'tilted box' 's/^Atoms/0.1 0 0 xy xz yz\n\nAtoms/' 'the box is tilted by 0.1'
 malformed 'unknown section' 's/^Atoms/Atom/' "bad.data:9:1: error: unknown section 'Atom'; did you mean 'Atoms'?"
-malformed 'section of others' 's/^Atoms/Ellipsoids/' 'section Ellipsoids: tsim has no such thing'
+malformed 'section of others' 's/^Atoms/Ellipsoids/' 'section Ellipsoids is not supported by tsim'
 malformed 'no section Atoms' '/^Atoms/,$d' 'the file ends without section Atoms'
 malformed 'too few lines' '$d' 'the file ends after 1 of 2 lines of section Atoms'
 malformed 'too few before another' 's/^3 .*/Velocities/' 'section Velocities begins, but section Atoms has only 1 of 2 lines'
@@ -127,7 +127,7 @@ malformed 'half an image flag' 's/-2 1$//' 'image flag iy is missing'
 malformed 'a word too many' 's/-2 1$/-2 1 8/' "bad.data:12:34: error: '8' is one word too many, expected 10"
 malformed 'type too large' 's/^3 1/3 2/' 'bad.data:12:3: error: type is 2, expected an integer from 1 to 1'
 malformed 'identity 0' 's/^3 1/0 1/' 'id is 0, expected an integer from 1'
-malformed 'identity twice' 's/^3 1/7 1/' 'bad.data:12: error: id 7 stands in line 11 already'
+malformed 'identity twice' 's/^3 1/7 1/' 'bad.data:12: error: id 7 occurs in line 11 already'
 malformed 'no diameter' 's/0\.1 2500/0 2500/' 'diameter is 0, expected a number > 0'
 malformed 'outside a fixed face' 's/0\.75/1.75/' 'bad.data:12: error: x = 1.75 lies outside the box'
 malformed 'absurd coordinate' '$s/0\.5 0\.5/1e300 0.5/' 'is too far from the box'
@@ -143,7 +143,7 @@ malformed 'coefficients without a style' '$s/$/\nPair Coeffs\n\n1 stiffness 3/' 
 malformed 'style of others' 's/^Atoms/Atoms # ellipsoid/' 'atom_style ellipsoid is known but not built'
 printf 'title\n2 at\0oms\n' >zero.data
 printf 'read_data zero.data' >in.script
-refused 'zero byte' 'holds a zero byte' -in in.script
+refused 'zero byte' 'contains a zero byte' -in in.script
 gzip -c one.data | head -c 700 >cut.data.gz
 printf 'read_data cut.data.gz' >in.script
 refused 'compressed data cut short' "reading 'cut.data.gz' failed" -in in.script

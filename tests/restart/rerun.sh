@@ -110,10 +110,10 @@ torn() {
 		n && !/#$/ { if (!--n) { k++; rest = 0 } } END { print k + 0, rest + 0 }')
 	rows torn.out >torn.rows
 	if [ "$frames" = 0 ]; then
-		[ $status = 1 ] && shows 'has no whole frame' torn.err
+		[ $status = 1 ] && shows 'has no complete frame' torn.err
 	else
 		[ $status = 0 ] && head -n "$frames" whole.rows | cmp - torn.rows &&
-			{ [ "$rest" = 0 ] || grep -q 'left out' torn.out; }
+			{ [ "$rest" = 0 ] || grep -q 'is skipped' torn.out; }
 	fi
 	report "$1 cut at $2 has $frames frames" $? torn.out
 }
@@ -140,18 +140,18 @@ report 'a run goes on with a torn dump' $? on.out
 printf '%s\n' "$scene" 'rerun on.dump dump x y z' >in.torn
 "$TSIM" -in in.torn -log none >torn.out 2>&1
 rows torn.out | awk '{ print $1 }' | tr '\n' ' ' >steps
-[ "$(cat steps)" = '0 40 60 ' ] && grep -q "the frame of step 20 is not whole, it has [0-9]* of 200 rows; it is left out" torn.out
+[ "$(cat steps)" = '0 40 60 ' ] && grep -q "the frame of step 20 is incomplete, it has [0-9]* of 200 rows; it is skipped" torn.out
 report 'and what was torn is left out' $? torn.out
 # nor a number of which the end is missing, even where nothing else is
 awk '/TIMESTEP/ { n++ } n <= 2' whole.dump | head -c -3 >on.dump
 "$TSIM" -in in.on -log none >on.out 2>&1
 "$TSIM" -in in.torn -log none >torn.out 2>&1
 rows torn.out | awk '{ print $1 }' | tr '\n' ' ' >steps
-[ "$(cat steps)" = '0 40 60 ' ] && shows "the frame of step 20 is not whole, it has 199 of 200 rows" torn.out
+[ "$(cat steps)" = '0 40 60 ' ] && shows "the frame of step 20 is incomplete, it has 199 of 200 rows" torn.out
 report 'a cut number is no number' $? torn.out
 head -c $((size / 2)) whole.dump.gz >on.dump.gz
 sed -i 's/on.dump/on.dump.gz/' in.on
-refused 'nothing is added to a torn .gz' "cannot add to 'on.dump.gz': its last part is not whole" -in in.on
+refused 'nothing is added to a torn .gz' "cannot append to 'on.dump.gz': its compressed data are cut off" -in in.on
 cp whole.dump.gz on.dump.gz
 "$TSIM" -in in.on -log none >on.out 2>&1
 report 'a whole one is added to' $? on.out
@@ -160,15 +160,15 @@ report 'in a new member' $?
 
 wrong 'no such step' "$small" 'read_dump bad.dump 7 x' "has no frame of step 7"
 wrong 'no dump' '1s/.*/something/' 'read_dump bad.dump 0 x' 'bad.dump:1:1: error: expected a line `ITEM: ...`'
-wrong 'cut short' '' 'read_dump bad.dump 0 x' "'bad.dump' has no whole frame: it ends before the last row of its first one"
+wrong 'cut short' '' 'read_dump bad.dump 0 x' "'bad.dump' has no complete frame: it ends before the last row of its first one"
 wrong 'count no number' '4s/200/many/' 'read_dump bad.dump 0 x' "bad.dump:4:1: error: the number of particles is 'many'"
 wrong 'a row too short' "$small; 11s/ [^ ]* *\$//" 'read_dump bad.dump 0 x' 'a row of 8 words, but there are 9 columns'
 wrong 'no such column' "$small" 'read_dump bad.dump 0 omegax' "there is no column for 'omegax'"
 wrong 'no number' "$small; 11s/^\([^ ]* [^ ]*\) [^ ]*/\1 west/" 'read_dump bad.dump 0 x' "row 2 has no number for 'x'"
 wrong 'no identities' "$small; 9s/ id / di /" 'read_dump bad.dump 0 x' 'there is no column id'
-wrong 'the same identity twice' "$small; 11s/^2 /1 /" 'read_dump bad.dump 0 x' 'identity 1 stands there twice'
-wrong 'the same identity twice, added' "$small; 11s/^2 /1 /" 'read_dump bad.dump 0 x purge yes add yes' 'identity 1 stands there twice'
-wrong 'identity 0' "$small; 10s/^1 /0 /" 'read_dump bad.dump 0 x' 'row 1 has no identity'
+wrong 'the same identity twice' "$small; 11s/^2 /1 /" 'read_dump bad.dump 0 x' 'id 1 occurs twice'
+wrong 'the same identity twice, added' "$small; 11s/^2 /1 /" 'read_dump bad.dump 0 x purge yes add yes' 'id 1 occurs twice'
+wrong 'identity 0' "$small; 10s/^1 /0 /" 'read_dump bad.dump 0 x' 'row 1 has no valid id'
 wrong 'field that cannot be' "$small" 'read_dump bad.dump 0 vol' "'vol'"
 wrong 'no file' '' 'rerun nowhere.dump dump x y z' "cannot open 'nowhere.dump'"
 wrong 'no series' '' 'rerun nowhere.*.dump dump x y z' "no file with a number for the * of 'nowhere.*.dump'"

@@ -91,7 +91,7 @@ for length in 0 10 30 $((size / 2)) $((size - 1)); do
 	refused_file "cut to $length bytes" bad "restart file 'bad'"
 done
 cat b.restart b.restart >bad
-refused_file 'twice in one file' bad 'something behind its end'
+refused_file 'twice in one file' bad 'there are data after its end'
 cp in.part bad
 refused_file 'another file' bad 'not a restart file of tsim'
 refused_file 'no file' nowhere 'No such file'

@@ -90,11 +90,11 @@ wrong() { # WHAT LINE TEXT
 	refused "$1" "$3" -in in.script
 }
 wrong 'unknown keyword' 'thermo_style custom step kee' "kee"
-wrong 'format of an integer' 'thermo_modify format int %g' "'%g' is no format for one integer"
-wrong 'two conversions' 'thermo_modify format float %g%g' 'is no format for one number'
+wrong 'format of an integer' 'thermo_modify format int %g' "'%g' is not a format of one integer"
+wrong 'two conversions' 'thermo_modify format float %g%g' 'is not a format of one number'
 wrong 'no text' 'thermo_modify format float' 'format float lacks its text'
 wrong 'no such column' 'thermo_modify format 9 %g' "expected float, int, line, none or the number of a column from 1 to 4"
-wrong 'column of another kind' 'thermo_modify format 1 %g' "'%g' is no format for one integer"
+wrong 'column of another kind' 'thermo_modify format 1 %g' "'%g' is not a format of one integer"
 wrong 'short line' 'thermo_modify format line "%d %d"' 'format line has 2 formats, but there are 4 columns'
 wrong 'half a step' 'thermo 2.5' 'every is 2.5, expected an integer'
 wrong 'a variable that stands still' 'variable s equal 0
