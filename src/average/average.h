@@ -59,7 +59,7 @@ struct ts_average {
 	  .offset = TS_FIELD(T, A.ave, int *),                                               \
 	  .modes = combinations,                                                                   \
 	  .fallback = "one",                                                                       \
-	  .help = "how an average is combined with previous ones" },                                                    \
+	  .help = "how an average is combined with previous ones" },                              \
 		TS_INT("start", T, A.start, .flags = TS_STATEFUL, .range = TS_WITHIN,        \
 		       .lo = 0, .hi = 1e15, .fallback = "0",                                       \
 		       .help = "no average before this step")

@@ -105,7 +105,8 @@ void ts_chunks_release(struct ts_chunks *chunks);
  * in the units of the keyword `units`; chunks count from 1. */
 int ts_chunks_dimension(const struct ts_chunks *chunks);
 double ts_chunks_coordinate(const struct ts_chunks *c, size_t chunk, int k);
-/* Volume of a bin (length^3; in two dimensions the area, length^2); of the box for chunks that are no bins. */
+/* Volume of a bin (length^3; in two dimensions the area, length^2); of the box for chunks that are no
+ * bins. */
 double ts_chunks_volume(const struct ts_chunks *c, size_t chunk);
 
 /* Finds the compute chunk/atom of this id; `user` is named in the error message. */

@@ -1,5 +1,5 @@
-/* Per-particle numbers of a fix at one step, summed over all particles only when an output needs them: storing
- * them is cheap, an exact sum is not. Particles outside the group have 0. */
+/* Per-particle numbers of a fix at one step, summed over all particles only when an output needs them:
+ * storing them is cheap, an exact sum is not. Particles outside the group have 0. */
 #ifndef TS_AVERAGE_PARTICLE_TALLY_H
 #define TS_AVERAGE_PARTICLE_TALLY_H
 

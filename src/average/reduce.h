@@ -13,9 +13,8 @@ struct ts_reduce {
 	bool at_run_end;		/* update_on_run_end: no effect */
 	struct ts_instance *region;	/* NULL: everywhere */
 	struct ts_ref_list input;
-	int64_t *
-		instead; /* [input] result k is the value of input k where input instead[k] is extreme; -1: its
-			   * own reduction */
+	int64_t *instead; /* [input] j: result k is the value of input k where input j is extreme; -1: its own
+			   * reduction */
 	struct ts_table values;	   /* of the input being reduced */
 	struct ts_table criterion; /* of the input whose extreme row is searched */
 	struct tsim *sim;	   /* inputs may allocate memory when evaluated */

@@ -1,4 +1,5 @@
-/* Shared by all dumps: steps at which a frame is due, file names, columns, formats, selection and order of rows. */
+/* Shared by all dumps: steps at which a frame is due, file names, columns, formats, selection and order of
+ * rows. */
 #ifndef TS_DUMP_DUMP_H
 #define TS_DUMP_DUMP_H
 

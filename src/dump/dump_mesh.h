@@ -21,7 +21,8 @@ struct ts_dump_mesh {
 		TS_REST_OPTIONAL("words", T, mesh.words, .help = (help_))
 #define TS_DUMP_MESH_SAVED(T) TS_SAVE_I64(T, mesh.common.last), TS_SAVE_I64(T, mesh.common.frames)
 
-/* Parses arguments of the style itself. *taken: number of words used; 0: the word must be the id of a mesh. */
+/* Parses arguments of the style itself. *taken: number of words used; 0: the word must be the id of a
+ * mesh. */
 typedef enum ts_status ts_dump_mesh_word_fn(struct ts_instance *self, struct tsim *sim, struct ts_words rest,
 					    size_t *taken);
 /* Finds the meshes: those named, or all if none is. Refuses a file name without `*`. */

@@ -23,7 +23,7 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 	TS_NUMBER("every", T, changes.every, .flags = TS_OPTIONAL, .range = TS_POSITIVE,        \
 		  .help = "steps between frames, or a variable that evaluates to the step of the next one"), \
 	TS_WORD("sort", T, changes.sort, .flags = TS_OPTIONAL,                                  \
-		.help = "order of rows: id (default), off (that in memory), N or -N (by column N, ascending " \
+		.help = "order of rows: id (default), off (that in memory), N or -N (column N, ascending " \
 			"or descending)"),                                                      \
 	TS_DUMP_WORDS(T, "thresh", thresh, TS_REPEAT,                                           \
 	      "quantity, one of < <= > >= == != |^, and a number or LAST (its value at the last frame; no " \
@@ -50,8 +50,8 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 					  "(default)"), \
 	TS_DUMP_ANSWER(T, "image", image, "dump atom: write image flags"),                      \
 	TS_WORD("refresh", T, changes.refresh, .flags = TS_OPTIONAL,                            \
-		.help = "c_ID of a compute displace/atom whose reference is renewed after each frame, as its " \
-			"own keywords say"),                                                    \
+		.help = "c_ID of a compute displace/atom whose reference is renewed after each frame, as " \
+			"its own keywords say"),                                                \
 	TS_DUMP_ANSWER(T, "header", header, "write the ITEM lines of each frame (default)"),    \
 	TS_DUMP_ANSWER(T, "buffer", buffer, "no effect: output is always buffered"),            \
 	TS_ENUM("compressor", T, changes.compressor, ts_dump_compressors, .flags = TS_OPTIONAL, \

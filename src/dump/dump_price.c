@@ -1,4 +1,5 @@
-/* Estimated output of a dump for -explain: size of a frame of the current state, from a sample of its rows. */
+/* Estimated output of a dump for -explain: size of a frame of the current state, from a sample of its
+ * rows. */
 #include <math.h>
 #include <string.h>
 
@@ -44,7 +45,8 @@ static double frame_size(struct ts_dump_common *d, bool vtk)
 	return HEADER + (double)d->nrows * row;
 }
 
-/* Number of frames in the run: multiples of the interval, and the first step if that is one or with `first`. */
+/* Number of frames in the run: multiples of the interval, and the first step if that is one or with
+ * `first`. */
 static int64_t count_frames(const struct ts_dump_common *d, const struct tsim *sim)
 {
 	int64_t step = sim->clock.step;

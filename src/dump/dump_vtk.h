@@ -30,9 +30,9 @@ struct ts_dump_vtk {
 enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim);
 /* Checks the file name and makes the columns. */
 enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local);
-/* Writes a frame of the columns if one is due. `fill_points` fills `points`: one point for each particle, or
- * two for each local row, the ends of a line. For particles, three columns that are the components of a vector
- * (vx vy vz, c_ID[1] c_ID[2] c_ID[3]) become one array; x, y, z are left out. */
+/* Writes a frame of the columns if one is due. `fill_points` fills `points`: one point for each particle,
+ * or two for each local row, the ends of a line. For particles, three columns that are the components of a
+ * vector (vx vy vz, c_ID[1] c_ID[2] c_ID[3]) become one array; x, y, z are left out. */
 typedef enum ts_status ts_dump_vtk_points_fn(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_dump_vtk_frame(struct ts_instance *self, struct tsim *sim, bool local,
 				 ts_dump_vtk_points_fn *fill_points);

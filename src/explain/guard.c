@@ -1,10 +1,11 @@
-/* Checks are made after the first step, 128 steps later, then at intervals that double up to 4096 steps, but are
- * no longer than the time to reach the limit at the rate of change of the last interval; they take less than
- * 0.5 % of the run time. Advised values are evaluated at the first check and at the longest interval only.
+/* Checks are made after the first step, 128 steps later, then at intervals that double up to 4096 steps,
+ * but are no longer than the time to reach the limit at the rate of change of the last interval; they take
+ * less than 0.5 % of the run time. Advised values are evaluated at the first check and at the longest
+ * interval only.
  *
- * Beyond the limit h_max of the time step h an oscillation grows by about |z| = 1 + 2 sqrt(2 (h/h_max - 1)) per
- * step. A collision that lasts one or two steps does not grow noticeably, and a starting flow slows down: a run is
- * stopped only if the limit is exceeded at four of nine successive steps. */
+ * Beyond the limit h_max of the time step h an oscillation grows by about |z| = 1 + 2 sqrt(2 (h/h_max - 1))
+ * per step. A collision that lasts one or two steps does not grow noticeably, and a starting flow slows
+ * down: a run is stopped only if the limit is exceeded at four of nine successive steps. */
 #include "explain/guard.h"
 
 #include <inttypes.h>
@@ -14,7 +15,8 @@
 
 #include "base/banned.h"
 
-/* Shortest and longest interval of checks; steps checked in a row beyond a limit, and how many stop the run. */
+/* Shortest and longest interval of checks; steps checked in a row beyond a limit, and how many stop the
+ * run. */
 enum { FIRST = 128, LONGEST = 4096, WINDOW = 8, ENOUGH = 4 };
 enum level { NEAR = 1, BEYOND = 2 };
 static const double NEAR_FROM = 0.8; /* fraction of a limit that is NEAR */

@@ -1,8 +1,8 @@
-/* Checks of the time step during a run: the stability limits that the plan evaluates at the start of a run are
- * evaluated again at intervals, because stiffnesses, masses and velocities change.
+/* Checks of the time step during a run: the stability limits that the plan evaluates at the start of a run
+ * are evaluated again at intervals, because stiffnesses, masses and velocities change.
  *
- * The steps of these checks depend on the previous checks only, not on where runs begin and end. The state is
- * written to restart files, so that a run cut in two prints the same warnings as the whole run. */
+ * The steps of these checks depend on the previous checks only, not on where runs begin and end. The state
+ * is written to restart files, so that a run cut in two prints the same warnings as the whole run. */
 #ifndef TS_EXPLAIN_GUARD_H
 #define TS_EXPLAIN_GUARD_H
 
@@ -27,8 +27,8 @@ struct ts_guard {
 	struct ts_told heard; /* warnings at the starts of runs; not written */
 };
 
-/* At the start of a run: a time step beyond a stability limit is an error; one near a limit, or beyond an advised
- * value, gives a warning, once for each cause. */
+/* At the start of a run: a time step beyond a stability limit is an error; one near a limit, or beyond an
+ * advised value, gives a warning, once for each cause. */
 enum ts_status ts_guard_judge(struct tsim *sim, const struct ts_plan_report *report);
 
 /* Limits (time) above this one cause no warning. */

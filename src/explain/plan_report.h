@@ -4,8 +4,8 @@
 
 #include "core/plan.h"
 
-/* Collects limits and report lines of all instances, checks the time step against the limits (error or warning),
- * and prints the report if sim->reading.explain. The slot `judge` of struct ts_tables. */
+/* Collects limits and report lines of all instances, checks the time step against the limits (error or
+ * warning), and prints the report if sim->reading.explain. The slot `judge` of struct ts_tables. */
 enum ts_status ts_plan_judge(struct ts_plan *plan, struct tsim *sim, int64_t steps);
 
 #endif

@@ -1,6 +1,6 @@
-/* The trial runs in a forked copy of the process, so that it cannot change particles, styles, random streams or
- * files of the simulation. Threads do not survive a fork, and OpenMP has a team for each thread that uses it: the
- * copy runs in a new thread, which starts a new team. */
+/* The trial runs in a forked copy of the process, so that it cannot change particles, styles, random
+ * streams or files of the simulation. Threads do not survive a fork, and OpenMP has a team for each thread
+ * that uses it: the copy runs in a new thread, which starts a new team. */
 #include "explain/price.h"
 
 #include <errno.h>
@@ -27,8 +27,7 @@ struct trial {
 	struct ts_plan *plan;
 	struct tsim *sim;
 	double budget; /* seconds */
-	unsigned
-		full; /* omitted parts to include, bits of enum ts_full; then only the time of a step is measured */
+	unsigned full; /* omitted parts to include (enum ts_full); only the time of a step is measured */
 	int64_t steps; /* of the run */
 	int to;	       /* end of the pipe to the parent process */
 	struct ts_price price;
@@ -62,8 +61,8 @@ static void add_rare_frames(struct trial *t, const double *seconds)
 	}
 }
 
-/* Runs steps for `budget` seconds. *seconds: mean time of a step without the first one, whose data are not in the
- * cache, unless there is time for one only. */
+/* Runs steps for `budget` seconds. *seconds: mean time of a step without the first one, whose data are not
+ * in the cache, unless there is time for one only. */
 static enum ts_status time_steps(struct trial *t, double budget, double *seconds, int64_t *steps)
 {
 	double start = ts_clock(), first = start;
@@ -80,8 +79,8 @@ static enum ts_status time_steps(struct trial *t, double budget, double *seconds
 	return TS_OK;
 }
 
-/* Times steps of a dense packing. The particles hardly move, so that rebuilds of the neighbor list are added at the
- * rate of the first trial. */
+/* Times steps of a dense packing. The particles hardly move, so that rebuilds of the neighbor list are
+ * added at the rate of the first trial. */
 static enum ts_status time_dense_packing(struct trial *t)
 {
 	const struct ts_instances *systems = &t->sim->instances[TS_KIND_SYSTEM];

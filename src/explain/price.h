@@ -4,8 +4,9 @@
 
 #include "core/plan.h"
 
-/* Times some steps of the run that is about to start in a copy of the process, which cannot change the simulation
- * and whose output is discarded; then the same with the particles moved together to a dense packing. */
+/* Times some steps of the run that is about to start in a copy of the process, which cannot change the
+ * simulation and whose output is discarded; then the same with the particles moved together to a dense
+ * packing. */
 enum ts_status ts_price_steps(struct ts_plan *plan, struct tsim *sim, struct ts_price *out);
 
 /* *out: seconds for a step that includes the omitted parts `part`, bits of enum ts_full; NaN: not known. */

@@ -32,7 +32,8 @@ size_t ts_decimal_lld(long long value, char out[TS_DECIMAL_SIZE])
 	return n;
 }
 
-/* a 10^power. Powers of 10 up to 10^22 are exact in double and long double, so that the result is rounded once. */
+/* a 10^power. Powers of 10 up to 10^22 are exact in double and long double, so that the result is rounded
+ * once. */
 enum { MOST = 22 };
 static long double scale_by_ten(double a, int power)
 {
@@ -43,8 +44,8 @@ static long double scale_by_ten(double a, int power)
 	return power < 0 ? a / ten[-power] : a * ten[power];
 }
 
-/* The first six digits of a > 0, rounded, and the decimal exponent of the first. Returns 0 if this method cannot
- * round correctly: for very large and small numbers, and near ties between two roundings. */
+/* The first six digits of a > 0, rounded, and the decimal exponent of the first. Returns 0 if this method
+ * cannot round correctly: for very large and small numbers, and near ties between two roundings. */
 static int round_to_six_digits(double a, uint32_t *digits, int *exponent)
 {
 	int binary, e;

@@ -1,5 +1,5 @@
-/* Conversion of numbers to text, identical to printf with %g and %lld, but several times faster: it takes most of
- * the time of a large dump. */
+/* Conversion of numbers to text, identical to printf with %g and %lld, but several times faster: it takes
+ * most of the time of a large dump. */
 #ifndef TS_IO_DECIMAL_H
 #define TS_IO_DECIMAL_H
 

@@ -58,8 +58,8 @@ void ts_lines_close(struct ts_lines *l)
 	*l = (struct ts_lines){ 0 };
 }
 
-/* Reads the next chunk. At the end of a file that is cut off within its compressed data gzread reports no error:
- * gzerror tells. */
+/* Reads the next chunk. At the end of a file that is cut off within its compressed data gzread reports no
+ * error: gzerror tells. */
 static enum ts_status read_chunk(struct ts_lines *l)
 {
 	int got, code;

@@ -1,5 +1,6 @@
-/* Input of text, line by line: from a file, compressed with gzip or not, or from memory. base/input_limit.h limits
- * the length of lines and the uncompressed size of files. Error messages name file, line and column. */
+/* Input of text, line by line: from a file, compressed with gzip or not, or from memory.
+ * base/input_limit.h limits the length of lines and the uncompressed size of files. Error messages name
+ * file, line and column. */
 #ifndef TS_IO_LINES_H
 #define TS_IO_LINES_H
 

@@ -48,8 +48,8 @@ static enum ts_status folder_of(const char *path, struct ts_str *out)
 	return out->failed ? TS_NOMEM : TS_OK;
 }
 
-/* Whether an entry is NAME.tmp.PROCESS.RANDOM of a process that has ended. Processes of other machines are unknown
- * here, but their files have been written to recently. */
+/* Whether an entry is NAME.tmp.PROCESS.RANDOM of a process that has ended. Processes of other machines are
+ * unknown here, but their files have been written to recently. */
 static bool is_stale(int folder, const char *name, const char *entry)
 {
 	enum { IDLE = 600 }; /* seconds */
@@ -131,7 +131,8 @@ enum ts_status ts_replace_write(struct ts_replace *r, const void *bytes, size_t 
 	return fwrite(bytes, 1, n, r->file) == n ? TS_OK : report_write_error(r);
 }
 
-/* The new name is durable once the folder is on the disk. Not all file systems support this: errors are ignored. */
+/* The new name is durable once the folder is on the disk. Not all file systems support this: errors are
+ * ignored. */
 static void sync_folder(struct ts_files *files, const char *path)
 {
 	struct ts_str folder = { 0 };

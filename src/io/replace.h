@@ -1,4 +1,5 @@
-/* Files that are complete or do not exist: written under a temporary name in the same folder, then renamed. */
+/* Files that are complete or do not exist: written under a temporary name in the same folder, then
+ * renamed. */
 #ifndef TS_IO_REPLACE_H
 #define TS_IO_REPLACE_H
 
@@ -20,8 +21,8 @@ struct ts_replace {
 enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim, const struct ts_place *where,
 				const char *path);
 enum ts_status ts_replace_write(struct ts_replace *r, const void *bytes, size_t n);
-/* Renames the file to its final name. `durable`: first waits until the data are on the disk, then until the name
- * is. On failure the old file is unchanged and the temporary one is removed. */
+/* Renames the file to its final name. `durable`: first waits until the data are on the disk, then until the
+ * name is. On failure the old file is unchanged and the temporary one is removed. */
 enum ts_status ts_replace_commit(struct ts_replace *r, bool durable);
 /* Removes the temporary file. No effect after ts_replace_commit. */
 void ts_replace_abandon(struct ts_replace *r);

@@ -11,8 +11,9 @@
 
 #include "base/banned.h"
 
-/* Bytes. MOST_HELD: largest text between two flushes that is written in one piece. MEMBER: text after which a .gz
- * file begins a new member. LARGEST_PART: what zlib takes in one call. ROOM: output buffer of zlib. */
+/* Bytes. MOST_HELD: largest text between two flushes that is written in one piece. MEMBER: text after
+ * which a .gz file begins a new member. LARGEST_PART: what zlib takes in one call. ROOM: output buffer
+ * of zlib. */
 enum { MOST_HELD = 1 << 24, MEMBER = 1 << 20, LARGEST_PART = 1 << 30, ROOM = 1 << 16 };
 
 /* For files to be read: names a missing folder. In a sandbox ts_files_why gives the reason. */
@@ -58,8 +59,8 @@ static void reset_textfile(struct ts_textfile *file)
 
 /* ---- appending to a file of a run that was killed */
 
-/* Ends an incomplete last line. The mark " ..." is one word more than a row of a dump has, so that readers do not
- * take a number that was cut off for a complete one. */
+/* Ends an incomplete last line. The mark " ..." is one word more than a row of a dump has, so that readers
+ * do not take a number that was cut off for a complete one. */
 static void end_incomplete_line(struct ts_textfile *file, const char *path)
 {
 	FILE *old = ts_files_open(file->files, path, "r");
@@ -240,7 +241,8 @@ enum ts_status ts_textfile_printf(struct ts_textfile *file, const char *format, 
 	return status;
 }
 
-/* Flushes zlib. A member of at least MEMBER bytes is ended, so that later damage of the file does not affect it. */
+/* Flushes zlib. A member of at least MEMBER bytes is ended, so that later damage of the file does not
+ * affect it. */
 static enum ts_status flush_gz(struct ts_textfile *file, bool close)
 {
 	if (!file->member)

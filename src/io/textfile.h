@@ -1,7 +1,7 @@
-/* Output streams for text, compressed if the name ends in .gz. The text between two flushes is written in one piece
- * unless it is larger than 16 MB; if it does not fit on the disk, the file is truncated to its length before: a
- * frame of a dump is complete or missing. A .gz file is flushed in the same way, so that a file of a killed run can
- * be decompressed up to its last complete frame. All write errors are reported. */
+/* Output streams for text, compressed if the name ends in .gz. The text between two flushes is written in
+ * one piece unless it is larger than 16 MiB; if it does not fit on the disk, the file is truncated to its
+ * length before: a frame of a dump is complete or missing. A .gz file is flushed in the same way, so that a
+ * file of a killed run can be decompressed up to its last complete frame. All write errors are reported. */
 #ifndef TS_IO_TEXTFILE_H
 #define TS_IO_TEXTFILE_H
 
@@ -37,8 +37,8 @@ enum ts_status ts_textfile_printf(struct ts_textfile *file, const char *format, 
 enum ts_status ts_textfile_flush(struct ts_textfile *file);
 enum ts_status ts_textfile_close(struct ts_textfile *file);
 
-/* Errors "cannot write PATH: reason" and "cannot open PATH: reason" from errno, which also tell what is wrong with
- * the folder. */
+/* Errors "cannot write PATH: reason" and "cannot open PATH: reason" from errno, which also tell what is
+ * wrong with the folder. */
 enum ts_status ts_textfile_write_failed(struct ts_error *err, struct ts_files *files,
 					const struct ts_place *where, const char *path);
 enum ts_status ts_textfile_open_failed(struct ts_error *err, struct ts_files *files,

@@ -1,7 +1,7 @@
-/* VTK files for ParaView. The ending of the name selects the format: .vtp XML PolyData, .vtu XML UnstructuredGrid,
- * .vtk the legacy format, .pvtp and .pvtu a list of one piece and that piece; for grids .vti XML ImageData, .vtr XML
- * RectilinearGrid. Frames are listed with their times in a collection, .pvd, for legacy files .vtk.series. Layout of
- * XML files: io/vtk_xml.h. */
+/* VTK files for ParaView. The ending of the name selects the format: .vtp XML PolyData, .vtu XML
+ * UnstructuredGrid, .vtk the legacy format, .pvtp and .pvtu a list of one piece and that piece; for grids
+ * .vti XML ImageData, .vtr XML RectilinearGrid. Frames are listed with their times in a collection, .pvd,
+ * for legacy files .vtk.series. Layout of XML files: io/vtk_xml.h. */
 #ifndef TS_IO_VTK_H
 #define TS_IO_VTK_H
 

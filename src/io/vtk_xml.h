@@ -1,6 +1,6 @@
-/* Elements of XML files for VTK. Arrays are inline, divided into blocks that are compressed by zlib, in base64: the
- * layout of vtkZLibDataCompressor with 64-bit headers. If memory runs out in functions without a status,
- * out->failed is set. */
+/* Elements of XML files for VTK. Arrays are inline, divided into blocks that are compressed by zlib, in
+ * base64: the layout of vtkZLibDataCompressor with 64-bit headers. If memory runs out in functions without
+ * a status, out->failed is set. */
 #ifndef TS_IO_VTK_XML_H
 #define TS_IO_VTK_XML_H
 
@@ -13,8 +13,8 @@ void ts_vtk_add_time(struct ts_str *out, double time);
 void ts_vtk_add_name(struct ts_str *out, const char *name);
 
 void ts_vtk_add_base64(struct ts_str *out, const unsigned char *bytes, size_t n);
-/* Adds n bytes, compressed: header {number of blocks, size of a block, size of a partial last block, compressed
- * sizes ...} in base64, then all blocks in base64. */
+/* Adds n bytes, compressed: header {number of blocks, size of a block, size of a partial last block,
+ * compressed sizes ...} in base64, then all blocks in base64. */
 enum ts_status ts_vtk_add_packed(struct tsim *sim, struct ts_str *out, const void *data, size_t n);
 /* Adds an array of n tuples of 8-byte numbers; `type`: "Float64" or "Int64". */
 enum ts_status ts_vtk_add_array(struct tsim *sim, struct ts_str *out, const char *name, const char *type,

@@ -21,8 +21,8 @@ static enum ts_status run_stages(struct ts_plan *plan, struct tsim *sim, enum ts
 	return TS_OK;
 }
 
-/* Runs the stages of the set-up of a run at the step of the frame, then END_OF_STEP (at the first frame SETUP)
- * and OUTPUT. */
+/* Runs the stages of the set-up of a run at the step of the frame, then END_OF_STEP (at the first frame
+ * SETUP) and OUTPUT. */
 static enum ts_status compute_frame(struct tsim *sim, struct ts_plan *plan, bool first)
 {
 	TS_TRY(run_stages(plan, sim, TS_STAGE_EXCHANGE, TS_STAGE_POST_BUILD));

@@ -91,8 +91,8 @@ struct ts_data_options {
 	double shift[3]; /* added to positions and to the box (length) */
 	int group;	 /* index; 0: all */
 };
-/* Creates box and particles. With TS_DATA_APPEND the largest existing id is added to options->tag_offset, which
- * the caller needs for the bonds. */
+/* Creates box and particles. With TS_DATA_APPEND the largest existing id is added to options->tag_offset,
+ * which the caller needs for the bonds. */
 enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data, struct ts_data_options *options);
 
 /* Numbers of bonds and bond types for the header; the caller writes their sections. */

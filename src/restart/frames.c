@@ -90,8 +90,8 @@ static enum ts_status read_names(struct ts_frames *f)
 	return TS_OK;
 }
 
-/* A row of wrong length: if a new frame follows, the row was cut off and a later run has appended to the file;
- * otherwise it is an error. */
+/* A row of wrong length: if a new frame follows, the row was cut off and a later run has appended to the
+ * file; otherwise it is an error. */
 static enum ts_status refuse_row(struct ts_frames *f)
 {
 	struct ts_lines *l = &f->lines;

@@ -102,8 +102,8 @@ static bool has_unlikely_density(const struct tsim *sim, size_t i)
 	       !(density >= LIGHTEST && density <= HEAVIEST);
 }
 
-/* Only with gravity of about 9.81, which shows that lengths are in metres and times in seconds; test scripts with
- * other numbers are not checked. */
+/* Only with gravity of about 9.81, which shows that lengths are in metres and times in seconds; test
+ * scripts with other numbers are not checked. */
 enum ts_status ts_review_density(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;

@@ -23,8 +23,9 @@ extern const double ts_review_depth;
 void ts_review_add(struct ts_review_overlaps *o, const struct ts_granular_model *model,
 		   const struct ts_granular_pair *law, const struct ts_touch *t);
 
-/* Whether overlaps are not checked: no particle moves; fix nve/limit bounds displacements, so that overlaps are
- * intended; or, with -check, previous runs were not stepped, so that positions are not those of the run. */
+/* Whether overlaps are not checked: no particle moves; fix nve/limit bounds displacements, so that overlaps
+ * are intended; or, with -check, previous runs were not stepped, so that positions are not those of the
+ * run. */
 static inline bool ts_review_blind(const struct tsim *sim)
 {
 	return sim->review.stale || sim->run.clamped || (!ts_integrated(sim, TS_MOVES) && !sim->rigid->n);

@@ -97,7 +97,8 @@ enum ts_status ts_review_reach(struct tsim *sim)
 
 /* ---- gravity without a floor ---- */
 
-/* Particles that fall out of the box during the run, and the bounding box of the space that they may sweep. */
+/* Particles that fall out of the box during the run, and the bounding box of the space that they may
+ * sweep. */
 struct fall {
 	size_t n;
 	double time;	     /* of the run */
@@ -142,8 +143,8 @@ static struct fall free_fall(const struct tsim *sim, const struct ts_instance *b
 	return fall;
 }
 
-/* Whether a mesh may stop a falling particle: it intersects the swept space (periodic directions always count),
- * or it moves. */
+/* Whether a mesh may stop a falling particle: it intersects the swept space (periodic directions always
+ * count), or it moves. */
 static bool mesh_may_stop(const struct tsim *sim, const struct ts_mesh_part_of_wall *part,
 			  const struct fall *fall)
 {
@@ -163,8 +164,8 @@ static bool mesh_may_stop(const struct tsim *sim, const struct ts_mesh_part_of_w
 	return meets;
 }
 
-/* Whether a wall may stop particles that fall along dim: planes normal to dim within the swept space, cylinders
- * whose axis is not dim, meshes, regions. */
+/* Whether a wall may stop particles that fall along dim: planes normal to dim within the swept space,
+ * cylinders whose axis is not dim, meshes, regions. */
 static bool wall_may_stop(const struct tsim *sim, const struct ts_wall *w, int dim, const struct fall *fall)
 {
 	const struct ts_primitive_wall *p = w->primitive;

@@ -1,5 +1,5 @@
-/* The table of checks. A new check needs a function declared in review/internal.h, a line here, and a section of
- * doc/review.md. */
+/* The table of checks. A new check needs a function declared in review/internal.h, a line here, and a
+ * section of doc/review.md. */
 #include "review/table.h"
 
 #include "review/internal.h"

@@ -24,8 +24,8 @@ static void make_wall_touch(const struct tsim *sim, size_t i, double distance,
 	ts_granular_arms(model, t);
 }
 
-/* Smallest distance between wall and particle over the contacts of one particle, of which contact k is the first;
- * *next: first contact of the next particle. Returns the index of the particle. */
+/* Smallest distance between wall and particle over the contacts of one particle, of which contact k is the
+ * first; *next: first contact of the next particle. Returns the index of the particle. */
 static size_t deepest_contact(const struct ts_instance *by, const struct tsim *sim, size_t k, size_t *next,
 			      double *distance, int *type)
 {

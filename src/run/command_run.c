@@ -88,7 +88,8 @@ static enum ts_status run_once(struct tsim *sim, int64_t steps, const struct run
 	return status;
 }
 
-/* Runs in pieces of M steps and executes the commands after each; their variables are substituted each time. */
+/* Runs in pieces of M steps and executes the commands after each; their variables are substituted each
+ * time. */
 static enum ts_status run_with_commands(struct tsim *sim, int64_t last, const struct run *r)
 {
 	const struct ts_word *word = r->pieces.word;

@@ -10,8 +10,8 @@
 
 #include "base/banned.h"
 
-/* Title of a column: "Step", "KinEng" for keywords; for c_ID, f_ID, v_NAME the part after the prefix, of which
- * LIGGGHTS prints eight characters. */
+/* Title of a column: "Step", "KinEng" for keywords; for c_ID, f_ID, v_NAME the part after the prefix, of
+ * which LIGGGHTS prints eight characters. */
 static const char *make_title(struct tsim *sim, const char *name)
 {
 	const struct ts_keyword *keyword = ts_keyword_find(sim->tables, name);
@@ -25,8 +25,8 @@ static const char *make_title(struct tsim *sim, const char *name)
 	return ts_arena_strdup(&sim->thermo->arena, sim->legacy ? eight : name);
 }
 
-/* Checks a column when it is defined: computes, fixes and variables may be missing until the run, but those that
- * exist must have a scalar. */
+/* Checks a column when it is defined: computes, fixes and variables may be missing until the run, but those
+ * that exist must have a scalar. */
 static enum ts_status check_column(struct tsim *sim, struct ts_ref_input *input)
 {
 	enum ts_status status = ts_ref_input_resolve(sim, "thermo_style", TS_WANT(SCALAR), input);
@@ -231,8 +231,8 @@ static enum ts_status evaluate_next_step(struct ts_thermo *t, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Whether a row is due. Only rows due by `every` or `variable`, each once, may advance variables that read from
- * files (reading.looking is false): then a run cut in two reads the same lines as the whole run. */
+/* Whether a row is due. Only rows due by `every` or `variable`, each once, may advance variables that read
+ * from files (reading.looking is false): then a run cut in two reads the same lines as the whole run. */
 static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 {
 	const struct ts_clock *c = &sim->clock;

@@ -30,7 +30,7 @@ struct ts_thermo {
 	double progress_due;	 /* ts_clock() of the next progress line */
 	double last_row_time;	 /* of the last row, in seconds since the start of the run */
 	int64_t last_row_step;
-	int64_t counted; /* 1 + step of the last row that was due by `every` or `variable`; in restart files */
+	int64_t counted; /* 1 + step of the last row due by `every` or `variable`; in restart files */
 };
 
 extern const struct ts_system_style ts_thermo_system;
