@@ -109,8 +109,8 @@ static void print_memory(struct tsim *sim, struct ts_str *out)
 	for (size_t k = 0; k < p->ncolumns; k++)
 		if (p->column[k].active)
 			bytes += (double)(p->capacity * p->column[k].width * p->column[k].element);
-	ts_str_addf(out, "Memory:\n  particles %.3g Mbytes, contact rows %zu\n", bytes / 1048576,
-		    sim->neigh->contacts.n);
+	ts_str_addf(out, "Memory:\n  particles %.3g Mbytes, candidate pairs %zu\n", bytes / 1048576,
+		    sim->neigh->rows.n);
 }
 
 static void print_communication(struct tsim *sim, struct ts_str *out)

@@ -16,7 +16,7 @@ static void print_stages(const struct ts_plan *plan, struct tsim *sim)
 	static const char *const names[] = { TS_STAGE_LIST(STAGE_NAME) };
 #undef STAGE_NAME
 
-	ts_log(&sim->log, "who acts when:\n");
+	ts_log(&sim->log, "actions of each stage:\n");
 	for (int stage = 0; stage < TS_NSTAGE; stage++) {
 		if (!plan->n[stage])
 			continue;
@@ -79,16 +79,16 @@ static void add_price(struct ts_str *text, const struct ts_price *price, int64_t
 	ts_str_add(text, ", a step takes ");
 	ts_price_time(price->seconds, text);
 	if (price->steps)
-		ts_str_addf(text, " (%" PRId64 " tried from the state here)", price->steps);
+		ts_str_addf(text, " (%" PRId64 " steps tried from the current state)", price->steps);
 	else
-		ts_str_add(text, " (as in the run before)");
+		ts_str_add(text, " (as in the previous run)");
 	if (price->crowded > price->seconds) {
 		ts_str_add(text, ", ");
 		ts_price_time(price->crowded, text);
-		ts_str_add(text, " when the particles lie together");
+		ts_str_add(text, " in a dense packing");
 	}
 	if (inserts)
-		ts_str_add(text, "; particles still to be inserted are not priced");
+		ts_str_add(text, "; particles that are still to be inserted are not included");
 }
 
 static void print_price(const struct ts_plan *plan, struct tsim *sim, const struct ts_price *price,
@@ -101,7 +101,7 @@ static void print_price(const struct ts_plan *plan, struct tsim *sim, const stru
 		sim->cost.seconds += price->seconds * (double)steps + price->frames;
 		sim->cost.most += price->crowded * (double)steps + price->frames;
 	} else {
-		ts_str_add(&text, "not known, the first steps could not be tried");
+		ts_str_add(&text, "unknown, the first steps could not be tried");
 	}
 	if (steps)
 		ts_log(&sim->log, "duration: %s\n", ts_str_text(&text));

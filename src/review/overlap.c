@@ -46,9 +46,9 @@ static bool both_settled(const struct ts_particles *p, size_t i, size_t j)
 static void check_candidate(const struct tsim *sim, const struct ts_pair *pair, size_t r,
 			    struct ts_review_overlaps *o)
 {
-	const struct ts_contact_list *rows = &sim->neigh->contacts;
+	const struct ts_contact_list *list = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
-	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
 	struct ts_granular_model at_rest =
 		*model; /* -check: the column omega may be missing if a line failed */

@@ -225,7 +225,7 @@ fix a all ave/chunk 1 1 10 l ke" 'ke'
 rejects "$layers
 fix a all ave/chunk 1 1 10 l vx file a overwrite append b" 'expected either file or append'
 rejects "$layers
-fix a all ave/chunk 1 1 10 l vx file a format %s" "format '%s' is not one"
+fix a all ave/chunk 1 1 10 l vx file a format %s" "format '%s' is not a format"
 rejects "$box
 fix a all ave/spatial 1 1 10 lower 0.1 vx" 'expected x, y or z'
 rejects "$box
