@@ -20,8 +20,9 @@ static const double TRIAL = 0.3;  /* seconds of trial for one run */
 static const double TRIALS = 2;	  /* seconds for all runs of a script */
 static const double CROWD = 0.15; /* seconds for the steps with a dense packing */
 static const double PART = 0.05;  /* seconds for the steps with an omitted part */
-static const double STILL = 1e-6; /* factor of the time step in a dense packing, whose overlaps are large */
-enum { LONGEST_WAIT = 20000 };	  /* milliseconds after which a trial is killed */
+static const double STILL =
+	1e-6;		       /* factor of the time step in a dense packing, so that particles hardly move */
+enum { LONGEST_WAIT = 20000 }; /* milliseconds after which a trial is killed */
 
 struct trial {
 	struct ts_plan *plan;
