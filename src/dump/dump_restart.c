@@ -19,7 +19,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	self->every = s->common.every;
 	/* a run continued from the file outputs the contacts of its step: their forces must be stored */
-	ts_neigh_show_every(sim->neigh, s->common.variable ? 1 : self->every);
+	ts_neigh_keep_forces_every(sim->neigh, s->common.variable ? 1 : self->every);
 	return TS_OK;
 }
 

@@ -110,7 +110,7 @@ static void print_memory(struct tsim *sim, struct ts_str *out)
 		if (p->column[k].active)
 			bytes += (double)(p->capacity * p->column[k].width * p->column[k].element);
 	ts_str_addf(out, "Memory:\n  particles %.3g Mbytes, candidate pairs %zu\n", bytes / 1048576,
-		    sim->neigh->rows.n);
+		    sim->neigh->contacts.n);
 }
 
 static void print_communication(struct tsim *sim, struct ts_str *out)

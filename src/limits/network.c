@@ -395,7 +395,7 @@ static enum ts_status add_wall_links(struct network *w)
 			if (link.a < 0 || !ts_wall_case(wall, w->sim, k, &c))
 				continue;
 			set_link_springs(w, &c, i, i, &link);
-			memcpy(link.n, wall->contacts.seen[k].n, sizeof link.n);
+			memcpy(link.n, wall->contacts.last[k].n, sizeof link.n);
 			arm_to(w, i, link.arm[0]);
 			ts_axpy(0.5 * c.overlap - p->radius[i], link.n, link.arm[0]);
 			TS_TRY(add_link(w, link));

@@ -149,7 +149,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->surface)
 		s->before.time = ts_sim_time(sim);
 	TS_TRY(check_words(self, sim));
-	sim->neigh->skin_counts |=
+	sim->neigh->skin_observed |=
 		s->deletes; /* particles are deleted at rebuilds, whose steps depend on it */
 	TS_TRY(ts_mesh_surface_require(sim, &mesh, &s->surface));
 	ts_mesh_tree_release(&s->tree);

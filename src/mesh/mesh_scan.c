@@ -75,7 +75,7 @@ enum ts_status ts_scan_open(struct ts_scan *s, struct ts_files *files, struct ts
 	errno = 0;
 	gz = ts_files_open_gz(files, path);
 	if (!gz)
-		return errno ? ts_open_failed(err, files, where, path) : ts_nomem(err);
+		return errno ? ts_textfile_open_failed(err, files, where, path) : ts_nomem(err);
 	status = read_all(s, gz);
 	gzclose(gz);
 	s->bytes = s->owned;

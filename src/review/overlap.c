@@ -46,7 +46,7 @@ static bool both_settled(const struct ts_particles *p, size_t i, size_t j)
 static void check_candidate(const struct tsim *sim, const struct ts_pair *pair, size_t r,
 			    struct ts_review_overlaps *o)
 {
-	const struct ts_contact_list *list = &sim->neigh->rows;
+	const struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)list->i[r], j = (size_t)list->j[r];
 	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
@@ -89,7 +89,7 @@ enum ts_status ts_review_overlap(struct tsim *sim)
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct ts_review_overlaps o = { 0 };
 
-	for (size_t r = 0; pair && !ts_review_blind(sim) && r < sim->neigh->rows.n; r++)
+	for (size_t r = 0; pair && !ts_review_blind(sim) && r < sim->neigh->contacts.n; r++)
 		check_candidate(sim, pair->state, r, &o);
 	return o.n ? report_overlaps(sim, &o) : TS_OK;
 }

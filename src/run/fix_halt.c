@@ -108,7 +108,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 	struct ts_suggest suggest = ts_suggest_start(s->attribute);
 
-	ts_neigh_show_every(sim->neigh,
+	ts_neigh_keep_forces_every(sim->neigh,
 			    s->every); /* each may be the last step, whose contact forces are kept */
 	if (strncmp(s->attribute, "v_", 2) == 0)
 		return use_variable(self, sim, s->attribute + 2);
