@@ -17,37 +17,37 @@ typedef long long ts_four_marks_anywhere __attribute__((vector_size(32), aligned
 
 /* Four numbers from any place; of a row of three also the first of the next row is read: columns of
  * particles and rows have room behind their last number. */
-#define TS_FOUR_AT(from) (*(const ts_four_anywhere *)(from))
+#define TS_FOUR_LOAD(from) (*(const ts_four_anywhere *)(from))
 
 #if defined(__clang__) || __GNUC__ >= 12
-#define TS_FOUR_MIX(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
+#define TS_FOUR_SHUFFLE(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
 #else
 typedef long long ts_four_places __attribute__((vector_size(32)));
-#define TS_FOUR_MIX(a, b, i, j, k, l) __builtin_shuffle(a, b, (ts_four_places){ i, j, k, l })
+#define TS_FOUR_SHUFFLE(a, b, i, j, k, l) __builtin_shuffle(a, b, (ts_four_places){ i, j, k, l })
 #endif
 
 /* Each number of `most` becomes that of x where this is larger. */
-TS_INLINE void ts_four_most(ts_four *most, const ts_four *x)
+TS_INLINE void ts_four_max(ts_four *most, const ts_four *x)
 {
 	for (int k = 0; k < 4; k++)
 		(*most)[k] = (*x)[k] > (*most)[k] ? (*x)[k] : (*most)[k];
 }
 
-#define TS_FOUR_ALL(x) ((ts_four){ x, x, x, x })
+#define TS_FOUR_BROADCAST(x) ((ts_four){ x, x, x, x })
 
 /* The first three numbers of a, the fourth of b. */
-#define TS_FOUR_LAST(a, b) TS_FOUR_MIX(a, b, 0, 1, 2, 7)
+#define TS_FOUR_LAST(a, b) TS_FOUR_SHUFFLE(a, b, 0, 1, 2, 7)
 
 /* Row k becomes column k. */
-TS_INLINE void ts_four_turn(ts_four m[4])
+TS_INLINE void ts_four_transpose(ts_four m[4])
 {
-	ts_four a = TS_FOUR_MIX(m[0], m[1], 0, 4, 2, 6), b = TS_FOUR_MIX(m[0], m[1], 1, 5, 3, 7);
-	ts_four c = TS_FOUR_MIX(m[2], m[3], 0, 4, 2, 6), d = TS_FOUR_MIX(m[2], m[3], 1, 5, 3, 7);
+	ts_four a = TS_FOUR_SHUFFLE(m[0], m[1], 0, 4, 2, 6), b = TS_FOUR_SHUFFLE(m[0], m[1], 1, 5, 3, 7);
+	ts_four c = TS_FOUR_SHUFFLE(m[2], m[3], 0, 4, 2, 6), d = TS_FOUR_SHUFFLE(m[2], m[3], 1, 5, 3, 7);
 
-	m[0] = TS_FOUR_MIX(a, c, 0, 1, 4, 5);
-	m[1] = TS_FOUR_MIX(b, d, 0, 1, 4, 5);
-	m[2] = TS_FOUR_MIX(a, c, 2, 3, 6, 7);
-	m[3] = TS_FOUR_MIX(b, d, 2, 3, 6, 7);
+	m[0] = TS_FOUR_SHUFFLE(a, c, 0, 1, 4, 5);
+	m[1] = TS_FOUR_SHUFFLE(b, d, 0, 1, 4, 5);
+	m[2] = TS_FOUR_SHUFFLE(a, c, 2, 3, 6, 7);
+	m[3] = TS_FOUR_SHUFFLE(b, d, 2, 3, 6, 7);
 }
 
 /* Columns of so many numbers, for loops over several elements at once. */
@@ -56,7 +56,7 @@ enum { TS_BATCH = 64 };
 /* Four rows of numbers to the places at .. at+3 of four columns, or back. */
 TS_INLINE void ts_four_columns(ts_four row[4], double (*column)[TS_BATCH], size_t at)
 {
-	ts_four_turn(row);
+	ts_four_transpose(row);
 	for (int c = 0; c < 4; c++)
 		*(ts_four *)&column[c][at] = row[c];
 }
@@ -65,11 +65,11 @@ TS_INLINE void ts_four_rows(const double (*column)[TS_BATCH], size_t at, ts_four
 {
 	for (int c = 0; c < 4; c++)
 		row[c] = *(const ts_four *)&column[c][at];
-	ts_four_turn(row);
+	ts_four_transpose(row);
 }
 
 /* The first of up to three numbers. */
-TS_INLINE void ts_four_keep(const ts_four *from, int n, double *to)
+TS_INLINE void ts_four_store(const ts_four *from, int n, double *to)
 {
 	for (int c = 0; c < 3 && c < n; c++)
 		to[c] = (*from)[c];

@@ -7,7 +7,7 @@ static size_t cut(size_t n, int k, int threads)
 	return n * (size_t)k / (size_t)threads;
 }
 
-void ts_parallel(int threads, size_t n, ts_share_fn *share, void *context)
+void ts_parallel(int threads, size_t n, ts_range_fn *share, void *context)
 {
 	if (threads == 1) {
 		share(context, 0, n);
@@ -18,7 +18,7 @@ void ts_parallel(int threads, size_t n, ts_share_fn *share, void *context)
 		share(context, cut(n, k, threads), cut(n, k + 1, threads));
 }
 
-long ts_parallel_count(int threads, size_t n, ts_count_fn *share, void *context)
+long ts_parallel_count(int threads, size_t n, ts_range_count_fn *share, void *context)
 {
 	long total = 0;
 

@@ -9,13 +9,13 @@
 
 #include <stddef.h>
 
-typedef void ts_share_fn(void *context, size_t from, size_t to);
+typedef void ts_range_fn(void *context, size_t from, size_t to);
 
 /* Calls share for 0..n-1 cut into `threads` ranges, side by side. */
-void ts_parallel(int threads, size_t n, ts_share_fn *share, void *context);
+void ts_parallel(int threads, size_t n, ts_range_fn *share, void *context);
 
 /* The same for shares that count; returns the total. */
-typedef long ts_count_fn(void *context, size_t from, size_t to);
-long ts_parallel_count(int threads, size_t n, ts_count_fn *share, void *context);
+typedef long ts_range_count_fn(void *context, size_t from, size_t to);
+long ts_parallel_count(int threads, size_t n, ts_range_count_fn *share, void *context);
 
 #endif

@@ -3,6 +3,7 @@ TS_UNROLLED
 
 #include <math.h>
 
+#include "bond/bond_force.h"
 #include "bond/bond_loop.h"
 #include "contact/contact_energy.h"
 #include "law/spring_dashpot.h"
@@ -23,25 +24,26 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 	return TS_OK;
 }
 
-static bool law(const void *coeff, const struct ts_bond_state *state, double *tension)
+static bool contact_bond_tension(const void *coeff, const struct ts_bond_state *state, double *tension)
 {
 	const struct coeff c = *(const struct coeff *)coeff;
-	double pull = c.stiffness * state->extension, damped = pull + c.damping * state->rate;
-	bool holds = !(fabs(pull) > c.ultimate);
+	double spring = c.stiffness * state->extension, total = spring + c.damping * state->rate;
+	bool holds = !(fabs(spring) > c.ultimate);
 
-	*tension = holds ? damped : pull;
+	*tension = holds ? total : spring;
 	return holds;
 }
 
-TS_CLONES static long laws(struct ts_bond_batch *restrict b, const double *restrict rest, size_t n,
-			   const void *restrict coeff)
+TS_CLONES static long compute_contact_bond_batch(struct ts_bond_batch *restrict b,
+						 const double *restrict rest, size_t n,
+						 const void *restrict coeff)
 {
-	return ts_bond_laws(b, rest, n, coeff, law);
+	return ts_bond_compute_batch(b, rest, n, coeff, contact_bond_tension);
 }
 
-TS_CLONES static long share(void *task, size_t from, size_t to)
+TS_CLONES static long compute_contact_bonds(void *task, size_t from, size_t to)
 {
-	return ts_bond_share(task, from, to, laws);
+	return ts_bond_compute_slices(task, from, to, compute_contact_bond_batch);
 }
 
 static bool damped(const void *coeff)
@@ -69,11 +71,13 @@ static double limit(const void *coeff, double mass, bool explicit_euler)
 
 static const struct ts_arg coeff_rows[] = {
 	TS_REAL("stiffness", struct coeff, stiffness, .range = TS_POSITIVE, .unit = "force/length",
-		.help = "spring constant K between the centres"),
+		.help = "stiffness K of the bond"),
 	TS_REAL("ultimate", struct coeff, ultimate, .range = TS_POSITIVE, .unit = "force",
-		.help = "the bond breaks for good when |F| exceeds this"),
+		.help = "strength: the bond breaks when |K U| exceeds this"),
 	TS_REAL("damping", struct coeff, damping, .range = TS_NOT_NEGATIVE, .fallback = "0",
-		.unit = "force/velocity", .help = "dashpot along the bond; does not count for breaking"),
+		.unit = "force/velocity",
+		.help = "viscous damping along the bond; its force does not count "
+			"for breaking"),
 	TS_ARGS_END,
 };
 
@@ -82,14 +86,19 @@ const struct ts_bond_style ts_bond_contact = {
 	.style = { .name = "contact",
 		   .kind = TS_KIND_BOND,
 		   .summary = "contact bond: a breakable linear spring between two centres",
-		   .doc = "F = -K U along the line of centres, U the extension from the length the bond was "
-			  "made with. No shear force, no moment. The bond breaks for good when |F| > "
-			  "ultimate, in tension or compression; breakages are counted (thermo keyword "
-			  "brokenbonds) and listed with time and place (fix bond/breakage).\n\n"
-			  "Bonded particles that overlap also feel the pair style. A single bond is stable "
-			  "for steps below 2 sqrt(m*/K), with damping below 2 (sqrt(w^2 + g^2) - g)/w^2, w^2 "
-			  "= K/m*, g = damping/(2 m*); the limit of a network, which is lower, is found "
-			  "about its stiffest places, see doc/stability.md.",
+		   .doc = "The bond force acts along the line of centres:\n\n"
+			  "  F = -K U - damping dU/dt,   U = r - r0\n\n"
+			  "with the distance r of the centres and the rest length r0, the distance when the "
+			  "bond was created. There is no shear force and no moment. A bond breaks "
+			  "irreversibly when |K U| > ultimate, in tension or in compression. Broken bonds "
+			  "are counted by the thermo keyword brokenbonds and listed with time and position "
+			  "by fix bond/breakage.\n\n"
+			  "Bonded particles that overlap interact by the pair style as well, unless "
+			  "special_bonds switches that off. A single bond with the reduced mass m* is "
+			  "stable for time steps below 2 sqrt(m*/K), with damping below 2 (sqrt(w^2 + g^2) "
+			  "- g)/w^2, w^2 = K/m*, g = damping/(2 m*); the limit of a network of bonds is "
+			  "lower; tsim estimates it at the stiffest parts of the network, see "
+			  "doc/stability.md.",
 		   .example = "bond_style contact\n"
 			      "bond_coeff 1 stiffness 2.0e5 ultimate 3.0\n"
 			      "create_bonds many rock rock 1 0.0 1.05e-3",
@@ -105,7 +114,7 @@ const struct ts_bond_style ts_bond_contact = {
 		   .fini = ts_bond_fini },
 	.coeff_size = sizeof(struct coeff),
 	.complete = complete,
-	.share = share,
+	.compute = compute_contact_bonds,
 	.damped = damped,
 	.stiffness = stiffness,
 	.energy = energy,

@@ -1,8 +1,9 @@
-/* Forces of the bonds, their breaking, and the coefficients of bond styles. */
+/* Bond forces, breakage, and the coefficients of bond styles. */
 #include <math.h>
 #include <string.h>
 
 #include "base/parallel.h"
+#include "bond/bond_force.h"
 #include "bond/bond_loop.h"
 #include "box/domain.h"
 #include "core/report.h"
@@ -11,7 +12,7 @@
 
 #include "base/banned.h"
 
-static enum ts_status record_event(struct tsim *sim, size_t b)
+static enum ts_status record_breakage(struct tsim *sim, size_t b)
 {
 	struct ts_bonds *bonds = sim->bonds;
 	const struct ts_particles *p = sim->particles;
@@ -22,7 +23,7 @@ static enum ts_status record_event(struct tsim *sim, size_t b)
 	if (TS_GROW(bonds->event, bonds->event_capacity, bonds->nevents + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	e = &bonds->event[bonds->nevents++];
-	memset(e, 0, sizeof *e); /* events are saved as bytes: no stray padding */
+	memset(e, 0, sizeof *e); /* events are archived as bytes, padding included */
 	e->step = sim->clock.step;
 	e->time = ts_sim_time(sim);
 	e->force = bonds->tension[b];
@@ -36,48 +37,51 @@ static enum ts_status record_event(struct tsim *sim, size_t b)
 	return TS_OK;
 }
 
-static enum ts_status remove_broken(struct tsim *sim)
+static enum ts_status remove_broken_bonds(struct tsim *sim)
 {
 	struct ts_bonds *bonds = sim->bonds;
 	unsigned char *broken = bonds->breaks;
 
 	for (size_t b = 0; b < bonds->n; b++)
 		if (broken[b])
-			TS_TRY(record_event(sim, b));
+			TS_TRY(record_breakage(sim, b));
 	ts_bonds_delete(bonds, broken);
-	sim->neigh->stale = sim->neigh->skip_bonded; /* from now on these pairs may touch */
+	/* unbonded pairs may be in contact from now on: rebuild the contact list */
+	sim->neigh->stale = sim->neigh->skip_bonded;
 	return TS_OK;
 }
 
-/* Whether the rate of some bond counts. */
-static bool damped(const struct ts_instance *self, const struct tsim *sim)
+/* Whether any bond type in use is damped, so that velocities are needed. */
+static bool any_type_damped(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct ts_bond *bond = self->state;
-	bool some = false;
+	bool any = false;
 
 	for (int type = 1; type <= sim->bonds->ntypes; type++)
-		some |= bond->coeffs.given[type] &&
-			ts_bond_style_of(self)->damped(ts_coeff(&bond->coeffs, (size_t)type));
-	return some;
+		any |= bond->coeffs.given[type] &&
+		       ts_bond_style_of(self)->damped(ts_coeff(&bond->coeffs, (size_t)type));
+	return any;
 }
 
 enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_bond *bond = self->state;
-	struct ts_bond_task t = {
-		sim->particles,	   sim->bonds,	      &bond->coeffs,
-		&sim->domain->box, damped(self, sim), sim->run.complete || sim->bonds->shown
-	};
+	struct ts_bond_task t = { sim->particles,
+				  sim->bonds,
+				  &bond->coeffs,
+				  &sim->domain->box,
+				  any_type_damped(self, sim),
+				  sim->run.complete || sim->bonds->shown };
 	size_t slices = sim->bonds->slices.n;
 
 	if (!sim->bonds->n ||
-	    !ts_parallel_count(ts_team(sim, sim->bonds->n), slices, ts_bond_style_of(self)->share, &t))
+	    !ts_parallel_count(ts_team(sim, sim->bonds->n), slices, ts_bond_style_of(self)->compute, &t))
 		return TS_OK;
-	TS_TRY(remove_broken(sim));
-	return ts_bonds_index(sim);
+	TS_TRY(remove_broken_bonds(sim));
+	return ts_bonds_build_index(sim);
 }
 
-static enum ts_status prepare(struct tsim *sim, struct ts_instance *self)
+static enum ts_status resize_coeffs(struct tsim *sim, struct ts_instance *self)
 {
 	struct ts_bond *bond = self->state;
 
@@ -86,8 +90,8 @@ static enum ts_status prepare(struct tsim *sim, struct ts_instance *self)
 	return ts_coeffs_resize(sim, &bond->coeffs, (size_t)sim->bonds->ntypes + 1);
 }
 
-enum ts_status ts_bond_set(struct tsim *sim, struct ts_types types, struct ts_words words,
-			   const struct ts_place *where)
+enum ts_status ts_bond_set_coeffs(struct tsim *sim, struct ts_types types, struct ts_words words,
+				  const struct ts_place *where)
 {
 	struct ts_instance *self = ts_sim_only(sim, TS_KIND_BOND);
 	struct ts_bond *bond;
@@ -102,7 +106,7 @@ enum ts_status ts_bond_set(struct tsim *sim, struct ts_types types, struct ts_wo
 		return ts_fail(&sim->error, TS_RANGE, where, "bond type %d: at most 1000", types.hi);
 	if (types.hi > sim->bonds->ntypes)
 		sim->bonds->ntypes = types.hi;
-	TS_TRY(prepare(sim, self));
+	TS_TRY(resize_coeffs(sim, self));
 	for (int t = types.lo; t <= types.hi; t++) {
 		void *entry = ts_coeff(&bond->coeffs, (size_t)t);
 
@@ -118,7 +122,7 @@ enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim)
 	const struct ts_bond *bond = self->state;
 	const struct ts_bonds *bonds = sim->bonds;
 
-	TS_TRY(prepare(sim, self));
+	TS_TRY(resize_coeffs(sim, self));
 	for (size_t b = 0; b < bonds->n; b++)
 		if (!bond->coeffs.given[bonds->type[b]])
 			return ts_fail(&sim->error, TS_STATE, &self->where,
@@ -131,7 +135,7 @@ enum ts_status ts_bond_archive(struct ts_instance *self, struct tsim *sim, struc
 {
 	struct ts_bond *bond = self->state;
 
-	TS_TRY(prepare(sim, self));
+	TS_TRY(resize_coeffs(sim, self));
 	TS_TRY(ts_coeffs_archive(a, sim, &bond->coeffs));
 	for (size_t k = 0; !ts_archive_writing(a) && k < bond->coeffs.n; k++)
 		if (bond->coeffs.given[k])
@@ -153,7 +157,7 @@ enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim, struct t
 	const struct ts_bond *bond = self->state;
 	const struct ts_bonds *bonds = sim->bonds;
 	const struct ts_particles *p = sim->particles;
-	double least = INFINITY;
+	double smallest = INFINITY;
 
 	if (!bonds->n)
 		return TS_OK;
@@ -161,10 +165,11 @@ enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim, struct t
 		double imass = p->imass[bonds->row[b][0]] + p->imass[bonds->row[b][1]];
 
 		if (imass > 0)
-			least = fmin(least, style->limit(ts_coeff(&bond->coeffs, (size_t)bonds->type[b]),
-							 1 / imass, sim->run.explicit_euler));
+			smallest =
+				fmin(smallest, style->limit(ts_coeff(&bond->coeffs, (size_t)bonds->type[b]),
+							    1 / imass, sim->run.explicit_euler));
 	}
-	return ts_report_limit(report, least, !sim->run.explicit_euler, &self->where, "a single bond%s",
+	return ts_report_limit(report, smallest, !sim->run.explicit_euler, &self->where, "a single bond%s",
 			       sim->run.explicit_euler ? " under fix nve/euler" : "");
 }
 

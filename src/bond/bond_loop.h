@@ -1,6 +1,6 @@
-/* The loop over bonds, written once. A bond style makes two functions: one calls ts_bond_laws with its
- * law, which as a constant function is inlined, and has no branches; the other ts_bond_share with the
- * first. */
+/* The loop over bonds, written once for all bond laws. A bond style defines two functions: the first
+ * calls ts_bond_compute_batch with its law, a constant function that is inlined and must be free of
+ * branches to be vectorised; the second calls ts_bond_compute_slices with the first. */
 #ifndef TS_BOND_BOND_LOOP_H
 #define TS_BOND_BOND_LOOP_H
 
@@ -19,27 +19,28 @@ struct ts_bond_task {
 	struct ts_bonds *bonds;
 	const struct ts_coeffs *coeffs;
 	const struct ts_box *box;
-	bool moving; /* velocities count */
-	bool keep;   /* tensions may be looked at */
+	bool moving; /* some bond type is damped: relative velocities are needed */
+	bool store;  /* store the tensions: an output may read them */
 };
 
-/* Some rows of a slice of bonds, one after the other: most slices have no more. */
-enum { TS_BOND_ROWS = 16, TS_BOND_COLUMN = TS_BOND_ROWS * TS_BOND_LANES };
+/* Rows of a slice that are computed at a time; few slices have more. */
+enum { TS_BOND_ROWS = 16, TS_BOND_BATCH = TS_BOND_ROWS * TS_BOND_LANES };
 struct ts_bond_batch {
-	/* from the partner to the particle; velocities, if they count; force on the particle */
-	double d[3][TS_BOND_COLUMN], v[3][TS_BOND_COLUMN], force[3][TS_BOND_COLUMN];
-	double tension[TS_BOND_COLUMN], holds[TS_BOND_COLUMN];
+	/* d: vector from the partner to the particle; v: relative velocity, if moving; force: on the
+	 * particle */
+	double d[3][TS_BOND_BATCH], v[3][TS_BOND_BATCH], force[3][TS_BOND_BATCH];
+	double tension[TS_BOND_BATCH], holds[TS_BOND_BATCH];
 	bool moving;
 } __attribute__((aligned(64)));
 
-/* ---- the law of several bonds of one type at once */
+/* ---- the law, for a batch of bonds of one type */
 
-/* The first n of a batch by a constant law; returns how many of them break. */
+/* Evaluates a law for the first n bonds of a batch; returns the number of bonds that break. */
 typedef long ts_bond_batch_fn(struct ts_bond_batch *b, const double *rest, size_t n, const void *coeff);
 
-/* Returns whether it holds. */
-TS_INLINE bool ts_bond_one(struct ts_bond_batch *b, const double *rest, size_t k, const void *coeff,
-			   ts_bond_law *law, bool moving)
+/* Evaluates the law of bond k; returns false if it breaks. */
+TS_INLINE bool ts_bond_evaluate_law(struct ts_bond_batch *b, const double *rest, size_t k, const void *coeff,
+				    ts_bond_law *law, bool moving)
 {
 	double x = b->d[0][k], y = b->d[1][k], z = b->d[2][k];
 	double length = sqrt(x * x + y * y + z * z), inverse = length > 0 ? 1 / length : 0, tension;
@@ -59,26 +60,28 @@ TS_INLINE bool ts_bond_one(struct ts_bond_batch *b, const double *rest, size_t k
 	return holds;
 }
 
-TS_INLINE long ts_bond_laws(struct ts_bond_batch *restrict b, const double *restrict rest, size_t n,
-			    const void *restrict coeff, ts_bond_law *law)
+TS_INLINE long ts_bond_compute_batch(struct ts_bond_batch *restrict b, const double *restrict rest, size_t n,
+				     const void *restrict coeff, ts_bond_law *law)
 {
 	long broken = 0;
 
 	if (b->moving) {
 #pragma omp simd reduction(+ : broken)
 		for (size_t k = 0; k < n; k++)
-			broken += !ts_bond_one(b, rest, k, coeff, law, true);
+			broken += !ts_bond_evaluate_law(b, rest, k, coeff, law, true);
 	} else {
 #pragma omp simd reduction(+ : broken)
 		for (size_t k = 0; k < n; k++)
-			broken += !ts_bond_one(b, rest, k, coeff, law, false);
+			broken += !ts_bond_evaluate_law(b, rest, k, coeff, law, false);
 	}
 	return broken;
 }
 
-/* Where the types differ, all bonds are computed with each law, and those of its type are taken. */
-static inline long ts_bond_laws_of(const struct ts_bond_task *t, struct ts_bond_batch *b, const double *rest,
-				   const uint32_t *bond, size_t n, ts_bond_batch_fn *laws)
+/* A slice with several bond types: the batch is evaluated with the law of each type, and the results of
+ * the bonds of that type are copied. */
+static inline long ts_bond_compute_mixed_types(const struct ts_bond_task *t, struct ts_bond_batch *b,
+					       const double *rest, const uint32_t *bond, size_t n,
+					       ts_bond_batch_fn *laws)
 {
 	struct ts_bond_batch all = *b;
 	long broken = 0;
@@ -101,41 +104,41 @@ static inline long ts_bond_laws_of(const struct ts_bond_task *t, struct ts_bond_
 	return broken;
 }
 
-/* ---- columns of particles */
+/* ---- inputs */
 
-/* Of four particles; the fourth column is nothing. */
-TS_INLINE void ts_bond_columns(const double (*x)[3], const int32_t *particle, ts_four column[4])
+/* Transposes the vectors of four particles: column[c] is component c; column[3] is undefined. */
+TS_INLINE void ts_bond_load_columns(const double (*x)[3], const int32_t *particle, ts_four column[4])
 {
 	for (size_t k = 0; k < 4; k++)
-		column[k] = TS_FOUR_AT(x[particle[k]]);
-	ts_four_turn(column);
+		column[k] = TS_FOUR_LOAD(x[particle[k]]);
+	ts_four_transpose(column);
 }
 
-/* What the particles have more than their partners, in n rows from `row` on; what later rows need is sent
- * for, there is more of it than the nearer caches hold. */
-TS_INLINE void ts_bond_difference(const double (*x)[3], const struct ts_bond_slice *slice,
-				  const struct ts_bond_slices *s, size_t row, size_t n,
-				  double (*to)[TS_BOND_COLUMN])
+/* x of the particle minus x of the partner, for n rows of the slice from `row` on. Later rows are
+ * prefetched, as the lists exceed the inner caches. */
+TS_INLINE void ts_bond_load_differences(const double (*x)[3], const struct ts_bond_slice *slice,
+					const struct ts_bond_slices *s, size_t row, size_t n,
+					double (*to)[TS_BOND_BATCH])
 {
 	const int32_t(*partner)[TS_BOND_LANES] = (const int32_t(*)[TS_BOND_LANES])s->partner + row;
 	const double(*rest)[TS_BOND_LANES] = (const double(*)[TS_BOND_LANES])s->rest + row;
 	ts_four own[2][4], other[4];
 
-	ts_bond_columns(x, slice->particle, own[0]);
-	ts_bond_columns(x, slice->particle + 4, own[1]);
+	ts_bond_load_columns(x, slice->particle, own[0]);
+	ts_bond_load_columns(x, slice->particle + 4, own[1]);
 	for (size_t k = 0; k < n; k++) {
 		__builtin_prefetch(partner[TS_BOND_ROWS + k]);
 		__builtin_prefetch(rest[TS_BOND_ROWS + k]);
 		for (size_t half = 0; half < 2; half++) {
-			ts_bond_columns(x, partner[k] + 4 * half, other);
+			ts_bond_load_columns(x, partner[k] + 4 * half, other);
 			for (int c = 0; c < 3; c++)
 				*(ts_four *)&to[c][k * TS_BOND_LANES + 4 * half] = own[half][c] - other[c];
 		}
 	}
 }
 
-/* To the nearest image; see ts_box_nearest. */
-TS_INLINE void ts_bond_nearest(const struct ts_box *box, size_t n, struct ts_bond_batch *b)
+/* Minimum image convention; see ts_box_nearest. */
+TS_INLINE void ts_bond_apply_nearest_image(const struct ts_box *box, size_t n, struct ts_bond_batch *b)
 {
 	for (int k = 0; k < 3; k++) {
 		double length = ts_box_length(box, k);
@@ -150,8 +153,8 @@ TS_INLINE void ts_bond_nearest(const struct ts_box *box, size_t n, struct ts_bon
 
 /* ---- results */
 
-/* sum[0] of the first four particles, sum[1] of the others. */
-TS_INLINE void ts_bond_sum(const struct ts_bond_batch *b, size_t n, ts_four sum[2][4])
+/* Sums the forces by particle: sum[0] of lanes 0..3, sum[1] of lanes 4..7. */
+TS_INLINE void ts_bond_sum_forces(const struct ts_bond_batch *b, size_t n, ts_four sum[2][4])
 {
 	for (size_t k = 0; k < n; k++)
 		for (size_t half = 0; half < 2; half++)
@@ -159,21 +162,22 @@ TS_INLINE void ts_bond_sum(const struct ts_bond_batch *b, size_t n, ts_four sum[
 				sum[half][c] += *(const ts_four *)&b->force[c][k * TS_BOND_LANES + 4 * half];
 }
 
-TS_INLINE void ts_bond_add(double (*f)[3], const struct ts_bond_slice *slice, ts_four sum[2][4])
+TS_INLINE void ts_bond_add_forces(double (*f)[3], const struct ts_bond_slice *slice, ts_four sum[2][4])
 {
-	ts_four_turn(sum[0]);
-	ts_four_turn(sum[1]);
+	ts_four_transpose(sum[0]);
+	ts_four_transpose(sum[1]);
 	for (size_t lane = 0; lane < slice->n; lane++) {
 		double *to = f[slice->particle[lane]];
-		ts_four all = TS_FOUR_AT(to) + sum[lane / 4][lane % 4];
+		ts_four all = TS_FOUR_LOAD(to) + sum[lane / 4][lane % 4];
 
-		ts_four_keep(&all, 3, to);
+		ts_four_store(&all, 3, to);
 	}
 }
 
-/* Of bonds whose first partner stands here, so that each is kept once. */
-static inline void ts_bond_keep(const struct ts_bond_batch *b, const uint32_t *bond, size_t n,
-				struct ts_bonds *bonds)
+/* Stores tensions and breakage. Each bond is computed for both partners: only the copy of the first
+ * partner is stored. */
+static inline void ts_bond_store_tensions(const struct ts_bond_batch *b, const uint32_t *bond, size_t n,
+					  struct ts_bonds *bonds)
 {
 	for (size_t k = 0; k < n; k++) {
 		if (bond[k] & 1)
@@ -183,11 +187,11 @@ static inline void ts_bond_keep(const struct ts_bond_batch *b, const uint32_t *b
 	}
 }
 
-/* ---- */
+/* ---- the loop */
 
-/* n rows of a slice; returns the number of bonds that break. */
-TS_INLINE long ts_bond_work(const struct ts_bond_task *t, const struct ts_bond_slice *slice, size_t row,
-			    size_t n, ts_bond_batch_fn *laws, struct ts_bond_batch *b)
+/* Computes n rows of a slice; returns the number of bonds that break. */
+TS_INLINE long ts_bond_compute_rows(const struct ts_bond_task *t, const struct ts_bond_slice *slice,
+				    size_t row, size_t n, ts_bond_batch_fn *laws, struct ts_bond_batch *b)
 {
 	const struct ts_bond_slices *s = &t->bonds->slices;
 	const uint32_t *bond = s->bond[row];
@@ -195,23 +199,25 @@ TS_INLINE long ts_bond_work(const struct ts_bond_task *t, const struct ts_bond_s
 	size_t numbers = n * TS_BOND_LANES;
 	long broken;
 
-	ts_bond_difference((const double(*)[3])t->p->x, slice, s, row, n, b->d);
+	ts_bond_load_differences((const double(*)[3])t->p->x, slice, s, row, n, b->d);
 	if (t->moving)
-		ts_bond_difference((const double(*)[3])t->p->v, slice, s, row, n, b->v);
-	ts_bond_nearest(t->box, numbers, b);
+		ts_bond_load_differences((const double(*)[3])t->p->v, slice, s, row, n, b->v);
+	ts_bond_apply_nearest_image(t->box, numbers, b);
 	if (slice->type)
 		broken = laws(b, rest, numbers, ts_coeff(t->coeffs, (size_t)slice->type));
 	else
-		broken = ts_bond_laws_of(t, b, rest, bond, numbers, laws);
-	if (broken || t->keep)
-		ts_bond_keep(b, bond, numbers, t->bonds);
+		broken = ts_bond_compute_mixed_types(t, b, rest, bond, numbers, laws);
+	if (broken || t->store)
+		ts_bond_store_tensions(b, bond, numbers, t->bonds);
 	return broken;
 }
 
-/* Slices from .. to-1; returns the number of bonds that break, as their particles see it. */
-TS_INLINE long ts_bond_share(const struct ts_bond_task *t, size_t from, size_t to, ts_bond_batch_fn *laws)
+/* Computes the slices from .. to-1; returns the number of breaking bonds, counted once for each
+ * partner. */
+TS_INLINE long ts_bond_compute_slices(const struct ts_bond_task *t, size_t from, size_t to,
+				      ts_bond_batch_fn *laws)
 {
-	struct ts_bond_batch b; /* the rest is not set: it is large */
+	struct ts_bond_batch b; /* not zeroed: it is large */
 	long broken = 0;
 
 	b.moving = t->moving;
@@ -222,10 +228,10 @@ TS_INLINE long ts_bond_share(const struct ts_bond_task *t, size_t from, size_t t
 		for (size_t row = 0; row < slice->depth; row += TS_BOND_ROWS) {
 			size_t rest = slice->depth - row, n = rest < TS_BOND_ROWS ? rest : TS_BOND_ROWS;
 
-			broken += ts_bond_work(t, slice, slice->first + row, n, laws, &b);
-			ts_bond_sum(&b, n, sum);
+			broken += ts_bond_compute_rows(t, slice, slice->first + row, n, laws, &b);
+			ts_bond_sum_forces(&b, n, sum);
 		}
-		ts_bond_add(t->p->f, slice, sum);
+		ts_bond_add_forces(t->p->f, slice, sum);
 	}
 	return broken;
 }

@@ -7,49 +7,50 @@
 
 #include "base/banned.h"
 
-/* Particles are sorted so many at a time: they stay as near each other as they were. */
+/* Particles are sorted by number of bonds within windows of this size, so that neighbours in memory
+ * stay close. */
 enum { WINDOW = 128 };
 
-static size_t count(const struct ts_bonds *b, size_t i)
+static size_t bond_count(const struct ts_bonds *b, size_t i)
 {
 	return b->gather.first[i + 1] - b->gather.first[i];
 }
 
-struct task {
+struct slicing {
 	struct ts_bonds *bonds;
 	size_t n;	/* particles */
-	int32_t *order; /* of them */
+	int32_t *order; /* indices of particles, by window */
 };
 
-/* The windows from .. to-1, each: most bonds first, else as they stand. */
-static void order_share(void *context, size_t from, size_t to)
+/* Sorts the windows from .. to-1: descending number of bonds, then ascending index. */
+static void order_windows(void *context, size_t from, size_t to)
 {
-	const struct task *t = context;
+	const struct slicing *t = context;
 	uint64_t key[WINDOW], spare[WINDOW];
 
 	for (size_t w = from; w < to; w++) {
 		size_t begin = w * WINDOW, n = t->n - begin < WINDOW ? t->n - begin : WINDOW;
 
 		for (size_t k = 0; k < n; k++)
-			key[k] = (UINT32_MAX - (uint64_t)count(t->bonds, begin + k)) << 32 | (begin + k);
+			key[k] = (UINT32_MAX - (uint64_t)bond_count(t->bonds, begin + k)) << 32 | (begin + k);
 		ts_sort_keys(key, spare, n);
 		for (size_t k = 0; k < n; k++)
 			t->order[begin + k] = (int32_t)(uint32_t)key[k];
 	}
 }
 
-/* Cuts the particles begin .. end-1 of the order into slices; returns the first row behind them. */
-static size_t cut_window(const struct task *t, size_t begin, size_t end, size_t row)
+/* Cuts the particles begin .. end-1 of the order into slices; returns the next free row. */
+static size_t cut_window(const struct slicing *t, size_t begin, size_t end, size_t row)
 {
 	struct ts_bond_slices *s = &t->bonds->slices;
 
-	while (end > begin && !count(t->bonds, (size_t)t->order[end - 1]))
+	while (end > begin && !bond_count(t->bonds, (size_t)t->order[end - 1]))
 		end--;
 	for (; begin < end; begin += TS_BOND_LANES) {
 		struct ts_bond_slice *slice = &s->slice[s->n++];
 
 		slice->first = row;
-		slice->depth = (uint32_t)count(t->bonds, (size_t)t->order[begin]);
+		slice->depth = (uint32_t)bond_count(t->bonds, (size_t)t->order[begin]);
 		slice->n = (uint32_t)(end - begin < TS_BOND_LANES ? end - begin : TS_BOND_LANES);
 		for (size_t k = 0; k < TS_BOND_LANES; k++)
 			slice->particle[k] = t->order[k < slice->n ? begin + k : end - 1];
@@ -62,7 +63,7 @@ static void fill_lane(const struct ts_bonds *b, struct ts_bond_slice *slice, siz
 {
 	const struct ts_bond_slices *s = &b->slices;
 	int32_t i = slice->particle[lane];
-	size_t n = lane < slice->n ? count(b, (size_t)i) : 0;
+	size_t n = lane < slice->n ? bond_count(b, (size_t)i) : 0;
 	const uint32_t *entry = b->gather.entry + b->gather.first[i];
 
 	for (size_t k = 0; k < slice->depth; k++) {
@@ -76,9 +77,9 @@ static void fill_lane(const struct ts_bonds *b, struct ts_bond_slice *slice, siz
 	}
 }
 
-static void fill_share(void *context, size_t from, size_t to)
+static void fill_slices(void *context, size_t from, size_t to)
 {
-	const struct task *t = context;
+	const struct slicing *t = context;
 	const struct ts_bonds *b = t->bonds;
 
 	for (size_t k = from; k < to; k++) {
@@ -91,7 +92,7 @@ static void fill_share(void *context, size_t from, size_t to)
 }
 
 /* Returns the number of rows. */
-static size_t cut(const struct task *t)
+static size_t cut_slices(const struct slicing *t)
 {
 	size_t rows = 0;
 
@@ -101,23 +102,23 @@ static size_t cut(const struct task *t)
 	return rows;
 }
 
-enum ts_status ts_bond_slices(const struct tsim *sim, struct ts_bonds *bonds)
+enum ts_status ts_bond_slices_build(const struct tsim *sim, struct ts_bonds *bonds)
 {
 	size_t n = sim->particles->n, windows = (n + WINDOW - 1) / WINDOW, rows;
 	struct ts_bond_slices *s = &bonds->slices;
-	struct task t = { bonds, n, ts_alloc(n, sizeof *t.order) };
+	struct slicing t = { bonds, n, ts_alloc(n, sizeof *t.order) };
 
 	if (!t.order || TS_RENEW(s->slice, s->capacity, windows * (WINDOW / TS_BOND_LANES)) != TS_OK) {
 		ts_free(t.order);
 		return TS_NOMEM;
 	}
-	ts_parallel(ts_team(sim, n), windows, order_share, &t);
-	rows = cut(&t);
+	ts_parallel(ts_team(sim, n), windows, order_windows, &t);
+	rows = cut_slices(&t);
 	ts_free(t.order);
 	TS_TRY(TS_RENEW(s->partner, s->partner_capacity, rows));
 	TS_TRY(TS_RENEW(s->rest, s->rest_capacity, rows));
 	TS_TRY(TS_RENEW(s->bond, s->bond_capacity, rows));
-	ts_parallel(ts_team(sim, n), s->n, fill_share, &t);
+	ts_parallel(ts_team(sim, n), s->n, fill_slices, &t);
 	return TS_OK;
 }
 

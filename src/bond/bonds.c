@@ -1,4 +1,4 @@
-/* The list of bonds: making, deleting, saving it, and finding the partners after a rebuild. */
+/* The list of bonds: adding, deleting, archiving, and the local indices of partners after a rebuild. */
 #include "bond/bonds.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@
 
 #include "base/banned.h"
 
-static enum ts_status reserve(struct ts_bonds *b, size_t n)
+static enum ts_status reserve_bonds(struct ts_bonds *b, size_t n)
 {
 	size_t start = b->capacity, capacity = start;
 
@@ -39,7 +39,7 @@ enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int 
 {
 	struct ts_bonds *b = sim->bonds;
 
-	if (reserve(b, b->n + 1) != TS_OK)
+	if (reserve_bonds(b, b->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	b->tag[b->n][0] = tag_a < tag_b ? tag_a : tag_b;
 	b->tag[b->n][1] = tag_a < tag_b ? tag_b : tag_a;
@@ -72,7 +72,7 @@ void ts_bonds_sort(struct ts_bonds *b)
 {
 	struct record *r = ts_alloc(b->n, sizeof *r);
 
-	if (!r) /* order is a matter of look-up speed and of reproducible lists only */
+	if (!r) /* the order only matters for the speed of look-up and for reproducible lists */
 		return;
 	for (size_t k = 0; k < b->n; k++)
 		r[k] = (struct record){ { b->tag[k][0], b->tag[k][1] }, b->type[k], b->rest[k] };
@@ -120,7 +120,8 @@ void ts_bonds_delete(struct ts_bonds *b, const unsigned char *flag)
 	b->n = kept;
 }
 
-static enum ts_status drop_lost(struct tsim *sim, struct ts_bonds *b, const struct ts_identities *map)
+static enum ts_status delete_bonds_of_lost_particles(struct tsim *sim, struct ts_bonds *b,
+						     const struct ts_identities *map)
 {
 	unsigned char *lost = ts_alloc(b->n, 1);
 
@@ -135,7 +136,7 @@ static enum ts_status drop_lost(struct tsim *sim, struct ts_bonds *b, const stru
 	return TS_OK;
 }
 
-enum ts_status ts_bonds_index(struct tsim *sim)
+enum ts_status ts_bonds_build_index(struct tsim *sim)
 {
 	struct ts_bonds *b = sim->bonds;
 	struct ts_gather_pairs pairs = { .n = b->n, .stride = 2 };
@@ -146,25 +147,26 @@ enum ts_status ts_bonds_index(struct tsim *sim)
 	}
 	if (b->n)
 		memset(b->breaks, 0, b->n);
-	if (ts_gather_index(sim, &b->gather, &pairs) != TS_OK || ts_bond_slices(sim, b) != TS_OK)
+	if (ts_gather_index(sim, &b->gather, &pairs) != TS_OK || ts_bond_slices_build(sim, b) != TS_OK)
 		return ts_nomem(&sim->error);
 	return TS_OK;
 }
 
-static bool bonded(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
+static bool are_bonded(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
 {
 	return ts_bonds_has(sim->bonds, tag_a, tag_b);
 }
 
 static void connect_bonds(struct tsim *sim)
 {
-	sim->neigh->callback.bonded = bonded;
+	sim->neigh->ask.bonded = are_bonded;
 }
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+static enum ts_status init_bonds(struct ts_instance *self, struct tsim *sim)
 {
 	(void)sim;
-	((struct ts_bonds *)self->state)->shown = false; /* outputs say so in theirs */
+	/* outputs that read tensions set it in their init */
+	((struct ts_bonds *)self->state)->shown = false;
 	return TS_OK;
 }
 
@@ -178,7 +180,7 @@ double ts_bond_separation(const struct tsim *sim, size_t i, size_t j, double d[3
 	return ts_norm(d);
 }
 
-static enum ts_status check_places(struct tsim *sim, const struct ts_bonds *b)
+static enum ts_status refuse_coincident_partners(struct tsim *sim, const struct ts_bonds *b)
 {
 	double d[3];
 
@@ -190,8 +192,8 @@ static enum ts_status check_places(struct tsim *sim, const struct ts_bonds *b)
 	return TS_OK;
 }
 
-/* After a rebuild particles may stand in other rows, or be gone. */
-static enum ts_status build(struct ts_instance *self, struct tsim *sim)
+/* After a rebuild local indices have changed, and particles may have left. */
+static enum ts_status update_partner_indices(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_bonds *b = self->state;
 	struct ts_identities map;
@@ -199,15 +201,15 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	if (!b->n)
 		return TS_OK;
 	TS_TRY(ts_identities(sim, false, &map));
-	TS_TRY(drop_lost(sim, b, &map));
+	TS_TRY(delete_bonds_of_lost_particles(sim, b, &map));
 	for (size_t k = 0; k < b->n; k++)
 		for (int s = 0; s < 2; s++)
 			b->row[k][s] = ts_contact_of(&map, b->tag[k][s]);
-	TS_TRY(check_places(sim, b));
-	return ts_bonds_index(sim);
+	TS_TRY(refuse_coincident_partners(sim, b));
+	return ts_bonds_build_index(sim);
 }
 
-static enum ts_status check_bonds(struct tsim *sim, const struct ts_bonds *b)
+static enum ts_status check_restored_bonds(struct tsim *sim, const struct ts_bonds *b)
 {
 	int32_t most = sim->particles->max_tag;
 
@@ -220,7 +222,7 @@ static enum ts_status check_bonds(struct tsim *sim, const struct ts_bonds *b)
 	return TS_OK;
 }
 
-static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+static enum ts_status archive_bonds(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct ts_bonds *b = self->state;
 	int64_t n[2] = { (int64_t)b->n, (int64_t)b->nevents };
@@ -233,7 +235,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible number of bonds");
 	TS_TRY(ts_archive_expect(a, "tag", TS_SAVED_I32, 2 * (size_t)n[0]));
 	TS_TRY(ts_archive_expect(a, "events", TS_SAVED_U8, (size_t)n[1] * sizeof *b->event));
-	if (reserve(b, (size_t)n[0]) != TS_OK || TS_GROW(b->event, b->event_capacity, (size_t)n[1]) != TS_OK)
+	if (reserve_bonds(b, (size_t)n[0]) != TS_OK ||
+	    TS_GROW(b->event, b->event_capacity, (size_t)n[1]) != TS_OK)
 		return ts_nomem(&sim->error);
 	b->n = (size_t)n[0];
 	b->nevents = (size_t)n[1];
@@ -242,10 +245,10 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	TS_TRY(ts_archive_fixed(a, "rest", TS_SAVED_F64, b->rest, b->n));
 	TS_TRY(ts_archive_fixed(a, "tension", TS_SAVED_F64, b->tension, b->n));
 	TS_TRY(ts_archive_fixed(a, "events", TS_SAVED_U8, b->event, b->nevents * sizeof *b->event));
-	return ts_archive_writing(a) ? TS_OK : check_bonds(sim, b);
+	return ts_archive_writing(a) ? TS_OK : check_restored_bonds(sim, b);
 }
 
-static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
+static void fingerprint_bonds(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct ts_bonds *b = self->state;
 
@@ -258,7 +261,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim, 
 	ts_hash_add(hash, b->rest, b->n * sizeof *b->rest);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_bonds *b = self->state;
 	size_t bytes = 4 * sizeof(double) + 11 * sizeof(int32_t);
@@ -270,7 +273,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	return TS_OK;
 }
 
-static void fini(struct ts_instance *self)
+static void release_bonds(struct ts_instance *self)
 {
 	struct ts_bonds *b = self->state;
 
@@ -304,11 +307,11 @@ static enum ts_status count_gone(struct tsim *sim, double *out)
 }
 
 static const struct ts_keyword keywords[] = {
-	{ "bonds", "Bonds", "", "bonds that hold", 1, count_bonds },
-	{ "numbonds", "numbonds", "", "bonds that hold", 1, count_bonds },
-	{ "numbond", "numbond", "", "the same", 1, count_bonds },
+	{ "bonds", "Bonds", "", "number of bonds", 1, count_bonds },
+	{ "numbonds", "numbonds", "", "number of bonds", 1, count_bonds },
+	{ "numbond", "numbond", "", "number of bonds", 1, count_bonds },
 	{ "brokenbonds", "Broken", "", "bonds broken so far", 1, count_broken },
-	{ "gonebonds", "GoneBond", "", "unbroken bonds that left with a lost particle", 1, count_gone },
+	{ "gonebonds", "GoneBond", "", "unbroken bonds removed with particles that left", 1, count_gone },
 	{ .name = NULL },
 };
 
@@ -325,12 +328,12 @@ const struct ts_system_style ts_bonds_system = {
 		   .summary = "the list of bonds",
 		   .state_size = sizeof(struct ts_bonds),
 		   .saved = saved,
-		   .archive = archive,
-		   .fingerprint = fingerprint,
-		   .init = init,
-		   .hook = { [TS_STAGE_BUILD] = build },
-		   .plan = plan,
-		   .fini = fini },
+		   .archive = archive_bonds,
+		   .fingerprint = fingerprint_bonds,
+		   .init = init_bonds,
+		   .hook = { [TS_STAGE_BUILD] = update_partner_indices },
+		   .plan = report_memory,
+		   .fini = release_bonds },
 	.slot = offsetof(struct tsim, bonds),
 	.connect = connect_bonds,
 	.keywords = keywords,

@@ -1,7 +1,7 @@
-/* Bonds: an explicit list of pairs that hold together until they break.
+/* Bonds: a list of pairs of particles that stay connected until the bond breaks.
  *
- * Each particle adds up the forces of its bonds in the order of partners' identities, as for contact rows,
- * so results do not depend on threads or order in memory. */
+ * The forces on a particle are summed over its bonds in the order of the identities of the partners, as
+ * for contacts, so results depend neither on threads nor on the order of particles in memory. */
 #ifndef TS_BOND_BONDS_H
 #define TS_BOND_BONDS_H
 
@@ -11,60 +11,64 @@
 #include "core/sim.h"
 #include "neigh/gather.h"
 
-/* What a broken bond leaves behind. */
+/* Record of a bond that broke. */
 struct ts_bond_event {
 	int64_t step;
-	double time, x[3], force; /* place: middle between the partners */
+	double time, x[3]; /* x: midpoint of the partners */
+	double force;	   /* along the bond when it broke, > 0 in tension */
 	int32_t tag[2], type;
 };
 
 struct ts_bonds {
 	size_t n, capacity;
-	int32_t (*tag)[2]; /* identities, smaller first */
+	int32_t (*tag)[2]; /* identities of the partners, the smaller first */
 	int32_t *type;	   /* 1..ntypes */
-	double *rest;	   /* length without force */
-	int32_t (*row)[2]; /* rows of the particle columns; made at each rebuild */
-	/* along the bond, > 0 pulling: of the last step of which all is left (sim->complete) */
+	double *rest;	   /* rest length */
+	/* local indices of the partners, valid from one rebuild of the contact list to the next */
+	int32_t (*row)[2];
+	/* force along the bond, > 0 attractive, of the last step at which it was stored
+	 * (sim->run.complete or shown) */
 	double *tension;
-	bool shown;	       /* an output may look at tensions at any step: they are left always */
-	unsigned char *breaks; /* in this step */
+	bool shown;	       /* an output may read tensions at any step: they are stored in each step */
+	unsigned char *breaks; /* per bond: breaks in this step */
 
-	struct ts_gather gather; /* of the local particles */
+	struct ts_gather gather; /* bonds of each local particle */
 	struct ts_bond_slices slices;
 
 	int ntypes;
-	int64_t created, broken; /* ever */
-	int64_t gone;		 /* lost because a partner left the simulation */
+	int64_t created, broken; /* totals over all runs */
+	int64_t gone;		 /* totals of unbroken bonds removed because a partner left the simulation */
 	struct ts_bond_event *event;
 	size_t nevents, event_capacity;
 };
 
-/* One bond, as bond laws see it. */
+/* Arguments of a bond law. */
 struct ts_bond_state {
-	double extension; /* length - rest */
-	double rate;	  /* of extension; 0 unless a bond is damped */
+	double extension; /* length minus rest length */
+	double rate;	  /* time derivative of the extension; 0 if no bond is damped */
 };
 
-/* Tension (> 0 pulls the partners together) into *tension; false if the bond breaks, which one at rest
- * does not. */
+/* Evaluates the force along the bond (> 0 attractive) into *tension; returns false if the bond breaks.
+ * A bond at its rest length does not break. */
 typedef bool ts_bond_law(const void *coeff, const struct ts_bond_state *state, double *tension);
 
 struct ts_bond_style {
 	struct ts_style style;
-	size_t coeff_size; /* bytes that the rows style.coeff fill, the arguments of bond_coeff */
+	/* bytes of the coefficients of one bond type, the arguments of bond_coeff (style.coeff) */
+	size_t coeff_size;
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
-	ts_count_fn *share;		   /* ts_bond_share with its law: bond/bond_loop.h */
-	bool (*damped)(const void *coeff); /* tension depends on the rate */
+	ts_range_count_fn *compute;	   /* ts_bond_compute_slices with this law (bond/bond_loop.h) */
+	bool (*damped)(const void *coeff); /* whether the tension depends on the rate of extension */
 	double (*stiffness)(const void *coeff);
-	/* Elastic energy at this extension; NULL: the law has no potential. */
+	/* Elastic energy at this extension; NULL if the law has no potential. */
 	double (*energy)(const void *coeff, double extension);
-	/* Largest stable time step of one bond with reduced mass m*. */
+	/* Largest stable time step of one bond with the reduced mass `mass` = 1/(1/m_i + 1/m_j). */
 	double (*limit)(const void *coeff, double mass, bool explicit_euler);
 };
 
-/* First member of every bond style's state. */
+/* First member of the state of every bond style. */
 struct ts_bond {
-	struct ts_coeffs coeffs; /* entry of bond type t: t */
+	struct ts_coeffs coeffs; /* entry t: bond type t */
 };
 
 static inline const struct ts_bond_style *ts_bond_style_of(const struct ts_instance *inst)
@@ -72,29 +76,19 @@ static inline const struct ts_bond_style *ts_bond_style_of(const struct ts_insta
 	return (const struct ts_bond_style *)inst->style;
 }
 
-/* Adds a bond of the present length between two particles; nothing if they are bonded already. Keep
- * the list sorted with ts_bonds_sort after a series. */
+/* Adds a bond with the rest length `rest`, without a check whether the pair is bonded already. Sort the
+ * list by ts_bonds_sort after a series. */
 enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest);
 void ts_bonds_sort(struct ts_bonds *bonds);
 bool ts_bonds_has(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b); /* sorted list */
 /* Removes the bonds whose flag is set. */
 void ts_bonds_delete(struct ts_bonds *bonds, const unsigned char *flag);
 
-/* Makes the lists by particle anew after the list or the particles' rows have changed. */
-enum ts_status ts_bonds_index(struct tsim *sim);
+/* Rebuilds the lists of bonds by particle after the list or the local indices have changed. */
+enum ts_status ts_bonds_build_index(struct tsim *sim);
 
-/* Vector from particle j to particle i, by the nearest image; its length. */
+/* Vector from particle j to particle i by the nearest image; returns its length. */
 double ts_bond_separation(const struct tsim *sim, size_t i, size_t j, double d[3]);
-
-enum ts_status ts_bond_set(struct tsim *sim, struct ts_types types, struct ts_words words,
-			   const struct ts_place *where);
-/* Shared by all bond styles: slots of struct ts_style. */
-enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim);
-enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim);
-enum ts_status ts_bond_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
-void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash);
-enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
-void ts_bond_fini(struct ts_instance *self);
 
 extern const struct ts_system_style ts_bonds_system;
 

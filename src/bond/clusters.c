@@ -9,23 +9,23 @@
 
 #include "base/banned.h"
 
-struct task {
+struct cluster_search {
 	const struct ts_particles *p;
 	int32_t *parent;
 	int group;
 };
 
-static void join(void *context, size_t i, size_t j, const double d[3])
+static void join_pair(void *context, size_t i, size_t j, const double d[3])
 {
-	const struct task *t = context;
+	const struct cluster_search *t = context;
 
 	(void)d;
 	if (i < j && ts_in_group(t->p, i, t->group) && ts_in_group(t->p, j, t->group))
 		ts_sets_join(t->parent, t->p->tag, i, j);
 }
 
-/* Partners are found by identity: the rows that bonds keep are those of the last build. */
-static enum ts_status join_bonds(struct tsim *sim, const struct task *t)
+/* Partners are looked up by identity: the local indices of the bonds are those of the last rebuild. */
+static enum ts_status join_bonds(struct tsim *sim, const struct cluster_search *t)
 {
 	const struct ts_bonds *bonds = sim->bonds;
 	struct ts_identities map;
@@ -35,21 +35,22 @@ static enum ts_status join_bonds(struct tsim *sim, const struct task *t)
 		int32_t i = ts_contact_of(&map, bonds->tag[b][0]), j = ts_contact_of(&map, bonds->tag[b][1]);
 
 		if (i >= 0 && j >= 0)
-			join((void *)(uintptr_t)t, i < j ? (size_t)i : (size_t)j,
-			     i < j ? (size_t)j : (size_t)i, NULL);
+			join_pair((void *)(uintptr_t)t, i < j ? (size_t)i : (size_t)j,
+				  i < j ? (size_t)j : (size_t)i, NULL);
 	}
 	return TS_OK;
 }
 
-static enum ts_status find(const struct tsim *sim, const struct task *t, double cutoff, bool bonds)
+static enum ts_status join_clusters(const struct tsim *sim, const struct cluster_search *t, double cutoff,
+				    bool bonds)
 {
 	const struct ts_particles *p = sim->particles;
 
 	ts_sets_start(t->parent, p->n);
 	if (cutoff > 0)
-		TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, cutoff, join,
+		TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, cutoff, join_pair,
 				      (void *)(uintptr_t)t));
-	/* the table of identities is scratch memory of the particles */
+	/* the map of identities is scratch memory of the particles */
 	return bonds ? join_bonds((struct tsim *)(uintptr_t)sim, t) : TS_OK;
 }
 
@@ -57,24 +58,24 @@ enum ts_status ts_clusters_find(const struct tsim *sim, int group, double cutoff
 				struct ts_table *out)
 {
 	const struct ts_particles *p = sim->particles;
-	struct task task = { p, NULL, group };
+	struct cluster_search cluster_search = { p, NULL, group };
 	enum ts_status status;
 
 	TS_TRY(ts_table_resize(out, p->n, 1));
-	task.parent = ts_alloc(p->n, sizeof *task.parent);
-	if (!task.parent)
+	cluster_search.parent = ts_alloc(p->n, sizeof *cluster_search.parent);
+	if (!cluster_search.parent)
 		return TS_NOMEM;
-	status = find(sim, &task, cutoff, bonds);
+	status = join_clusters(sim, &cluster_search, cutoff, bonds);
 	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = 0;
-	/* first the members that are not roots: with a root they show that it is not alone */
+	/* members that are not roots first: a root with a member is not isolated */
 	for (size_t i = 0; status == TS_OK && i < p->n; i++) {
-		size_t root = ts_sets_root(task.parent, i);
+		size_t root = ts_sets_root(cluster_search.parent, i);
 
 		if (!ts_in_group(p, i, group) || (root == i && !alone))
 			continue;
 		out->data[i] = out->data[root] = p->tag[root];
 	}
-	ts_free(task.parent);
+	ts_free(cluster_search.parent);
 	return status;
 }

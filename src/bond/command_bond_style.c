@@ -6,7 +6,7 @@ struct style_line {
 	struct ts_words words;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status choose_bond_style(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct style_line *line = state;
 
@@ -22,11 +22,11 @@ TS_STYLE(command, ts_command_style, ts_command_bond_style)
 const struct ts_command_style ts_command_bond_style = {
 	.style = { .name = "bond_style",
 		   .kind = TS_KIND_COMMAND,
-		   .summary = "chooses the law of the bonds",
-		   .doc = "Replaces the bond style there was, and its coefficients. Without one, "
-			  "bonds have no force.",
+		   .summary = "sets the bond style",
+		   .doc = "Sets the force law of all bonds. An earlier bond style and its coefficients are "
+			  "discarded. Without a bond style bonds exert no force.",
 		   .example = "bond_style contact",
 		   .args = args,
 		   .state_size = sizeof(struct style_line) },
-	.run = run,
+	.run = choose_bond_style,
 };

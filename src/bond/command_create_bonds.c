@@ -21,7 +21,7 @@ struct create_bonds {
 	const struct ts_place *where;
 };
 
-static double distance(const struct tsim *sim, size_t i, size_t j)
+static double nearest_image_distance(const struct tsim *sim, size_t i, size_t j)
 {
 	const double *a = sim->particles->x[i], *b = sim->particles->x[j];
 	double d[3] = { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
@@ -30,15 +30,15 @@ static double distance(const struct tsim *sim, size_t i, size_t j)
 	return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 }
 
-static bool joins(const struct create_bonds *c, const struct ts_particles *p, size_t i, size_t j)
+static bool matches_groups(const struct create_bonds *c, const struct ts_particles *p, size_t i, size_t j)
 {
 	return (ts_in_group(p, i, c->group_a) && ts_in_group(p, j, c->group_b)) ||
 	       (ts_in_group(p, i, c->group_b) && ts_in_group(p, j, c->group_a));
 }
 
-/* Bonds particle i to partners of larger identity within the distances. */
-static enum ts_status bond_particle(struct tsim *sim, const struct create_bonds *c,
-				    const struct ts_level *level, size_t i)
+/* Bonds particle i to all partners of larger identity within rmin .. rmax. */
+static enum ts_status bond_to_neighbors(struct tsim *sim, const struct create_bonds *c,
+					const struct ts_level *level, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 	int lo[3], hi[3];
@@ -54,9 +54,9 @@ static enum ts_status bond_particle(struct tsim *sim, const struct create_bonds 
 
 				if (j >= p->n)
 					j = (size_t)p->ghost_owner[j - p->n];
-				if (p->tag[j] <= p->tag[i] || !joins(c, p, i, j))
+				if (p->tag[j] <= p->tag[i] || !matches_groups(c, p, i, j))
 					continue;
-				d = distance(sim, i, j);
+				d = nearest_image_distance(sim, i, j);
 				if (d < c->least || d > c->most)
 					continue;
 				TS_TRY(ts_coincide_bond(sim, c->where, i, j, d));
@@ -67,9 +67,9 @@ static enum ts_status bond_particle(struct tsim *sim, const struct create_bonds 
 	return TS_OK;
 }
 
-/* In a small periodic box a partner may be met as itself and as its image: keep one bond a pair, and
- * none that was there before. */
-static enum ts_status drop_repeated(struct tsim *sim)
+/* In a small periodic box a pair is found several times, by its images: keep one bond a pair, and of
+ * pairs that were bonded before the old one. */
+static enum ts_status remove_duplicates(struct tsim *sim)
 {
 	struct ts_bonds *b = sim->bonds;
 	unsigned char *drop = ts_alloc(b->n, 1);
@@ -86,7 +86,7 @@ static enum ts_status drop_repeated(struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status bond_many(struct tsim *sim, const struct create_bonds *c)
+static enum ts_status create_many(struct tsim *sim, const struct create_bonds *c)
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_cells cells = { 0 };
@@ -98,13 +98,13 @@ static enum ts_status bond_many(struct tsim *sim, const struct create_bonds *c)
 	for (int l = 0; status == TS_OK && l < cells.nlevels; l++)
 		for (size_t i = 0; status == TS_OK && i < p->n; i++)
 			if (p->mask[i] & (1u << c->group_a | 1u << c->group_b))
-				status = bond_particle(sim, c, &cells.level[l], i);
+				status = bond_to_neighbors(sim, c, &cells.level[l], i);
 	ts_cells_release(&cells);
 	return status;
 }
 
-static enum ts_status bond_single(struct tsim *sim, const struct create_bonds *c,
-				  const struct ts_place *where)
+static enum ts_status create_single(struct tsim *sim, const struct create_bonds *c,
+				    const struct ts_place *where)
 {
 	struct ts_identities map;
 	int64_t tags[2] = { c->tag_a, c->tag_b };
@@ -121,12 +121,12 @@ static enum ts_status bond_single(struct tsim *sim, const struct create_bonds *c
 			       "create_bonds: a particle cannot be bonded to itself");
 	i = (size_t)ts_contact_of(&map, c->tag_a);
 	j = (size_t)ts_contact_of(&map, c->tag_b);
-	d = distance(sim, i, j);
+	d = nearest_image_distance(sim, i, j);
 	TS_TRY(ts_coincide_bond(sim, where, i, j, d));
 	return ts_bonds_add(sim, (int32_t)c->tag_a, (int32_t)c->tag_b, (int)c->type, d);
 }
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status create_bonds_command(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	struct create_bonds *c = state;
 	size_t before = sim->bonds->n;
@@ -139,10 +139,10 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		return ts_fail(&sim->error, TS_RANGE, where, "create_bonds: rmin (%g) is above rmax (%g)",
 			       c->least, c->most);
 	if (c->mode == MANY)
-		TS_TRY(bond_many(sim, c));
+		TS_TRY(create_many(sim, c));
 	else
-		TS_TRY(bond_single(sim, c, where));
-	TS_TRY(drop_repeated(sim));
+		TS_TRY(create_single(sim, c, where));
+	TS_TRY(remove_duplicates(sim));
 	ts_log(&sim->log, "Added %zu bonds, total bonds = %zu\n", sim->bonds->n - before, sim->bonds->n);
 	if (sim->bonds->n == before)
 		ts_warn(&sim->log, where, "create_bonds made no bond: distances %g to %g fit no pair",
@@ -154,32 +154,32 @@ static const struct ts_arg many_rows[] = {
 	TS_GROUP("group_a", struct create_bonds, group_a, .flags = TS_POSITIONAL,
 		 .help = "group of one partner"),
 	TS_GROUP("group_b", struct create_bonds, group_b, .flags = TS_POSITIONAL,
-		 .help = "group of the other; may be the same"),
+		 .help = "group of the other partner; may be the same group"),
 	TS_INT("type", struct create_bonds, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "bond type"),
 	TS_REAL("rmin", struct create_bonds, least, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-		.unit = "length", .help = "least distance of centres"),
+		.unit = "length", .help = "minimum distance of the centres"),
 	TS_REAL("rmax", struct create_bonds, most, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-		.unit = "length", .help = "largest distance of centres"),
+		.unit = "length", .help = "maximum distance of the centres"),
 	TS_ARGS_END,
 };
 static const struct ts_arg single_rows[] = {
 	TS_INT("type", struct create_bonds, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "bond type"),
 	TS_INT("id_a", struct create_bonds, tag_a, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "identity of one partner"),
+	       .help = "ID of one partner"),
 	TS_INT("id_b", struct create_bonds, tag_b, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "identity of the other"),
+	       .help = "ID of the other partner"),
 	TS_ARGS_END,
 };
 static const struct ts_mode modes[] = {
-	{ "many", "all pairs of two groups within a range of distances", many_rows },
+	{ "many", "all pairs of the two groups with a distance from rmin to rmax", many_rows },
 	{ "single/bond", "one pair", single_rows },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
-	TS_MODE("mode", struct create_bonds, mode, modes, .help = "which pairs"),
+	TS_MODE("mode", struct create_bonds, mode, modes, .help = "which pairs to bond"),
 	TS_ARGS_END,
 };
 
@@ -187,13 +187,13 @@ TS_STYLE(command, ts_command_style, ts_command_create_bonds)
 const struct ts_command_style ts_command_create_bonds = {
 	.style = { .name = "create_bonds",
 		   .kind = TS_KIND_COMMAND,
-		   .summary = "bonds pairs of particles at their present distance",
-		   .doc = "The present distance of the centres becomes the rest length of the bond. Pairs "
-			  "that are bonded already are left as they are. Particles at the same place cannot "
-			  "be bonded: the bond would have no direction.",
+		   .summary = "creates bonds between pairs of particles",
+		   .doc = "The rest length of each bond is the current distance of the centres. Pairs that "
+			  "are bonded already keep their bond. Two particles at the same position cannot be "
+			  "bonded, as the bond has no direction: this is an error.",
 		   .example = "create_bonds many rock rock 1 0.0 1.05e-3\ncreate_bonds single/bond 1 12 17",
 		   .args = args,
 		   .state_size = sizeof(struct create_bonds) },
 	.needs_box = true,
-	.run = run,
+	.run = create_bonds_command,
 };

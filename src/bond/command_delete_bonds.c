@@ -17,8 +17,8 @@ static bool has_type(const struct ts_types *t, int32_t type)
 	return type >= t->lo && (type <= t->hi || t->hi == 0);
 }
 
-/* Partner rows i, j; a partner that has left has row -1. */
-static bool goes(const struct delete_bonds *c, const struct tsim *sim, size_t k, int32_t i, int32_t j)
+/* i, j: local indices of the partners, -1 if a partner has left. */
+static bool is_selected(const struct delete_bonds *c, const struct tsim *sim, size_t k, int32_t i, int32_t j)
 {
 	const struct ts_particles *p = sim->particles;
 	bool in_i, in_j;
@@ -36,7 +36,7 @@ static bool goes(const struct delete_bonds *c, const struct tsim *sim, size_t k,
 	return true;
 }
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status delete_bonds_command(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct delete_bonds *c = state;
 	struct ts_bonds *b = sim->bonds;
@@ -46,7 +46,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 	if (c->undo)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "delete_bonds: bonds are removed, not switched off: there is nothing to undo");
+			       "delete_bonds: bonds are removed, not switched off: undo is not possible");
 	if (c->mode == STATS) {
 		ts_log(&sim->log, "%zu bonds of %d types\n", b->n, b->ntypes);
 		return TS_OK;
@@ -56,8 +56,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (!drop)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < b->n; k++)
-		drop[k] =
-			goes(c, sim, k, ts_contact_of(&map, b->tag[k][0]), ts_contact_of(&map, b->tag[k][1]));
+		drop[k] = is_selected(c, sim, k, ts_contact_of(&map, b->tag[k][0]),
+				      ts_contact_of(&map, b->tag[k][1]));
 	ts_bonds_delete(b, drop);
 	ts_free(drop);
 	ts_log(&sim->log, "Deleted %zu bonds, total bonds = %zu\n", before - b->n, b->n);
@@ -66,37 +66,38 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg bond_args[] = {
 	TS_TYPES("bond types", struct delete_bonds, types, .flags = TS_POSITIONAL,
-		 .help = "types of bonds: n, *, n*, *m or n*m"),
+		 .help = "bond types: n, *, n*, *m or n*m"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg atom_args[] = {
 	TS_TYPES("types", struct delete_bonds, types, .flags = TS_POSITIONAL,
-		 .help = "types of particles: n, *, n*, *m or n*m"),
+		 .help = "atom types: n, *, n*, *m or n*m"),
 	TS_ARGS_END,
 };
 
 static const struct ts_mode modes[] = {
-	[MULTI] = { "multi", "all of them, as without a style", NULL },
-	[BOND] = { "bond", "those of some types", bond_args },
-	[ATOM] = { "atom", "those with a partner of some types", atom_args },
-	[STATS] = { "stats", "none: says how many there are", NULL },
+	[MULTI] = { "multi", "all bonds; the default", NULL },
+	[BOND] = { "bond", "bonds of the given types", bond_args },
+	[ATOM] = { "atom", "bonds with a partner of the given atom types", atom_args },
+	[STATS] = { "stats", "no bond: prints the number of bonds", NULL },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
 	TS_GROUP("group", struct delete_bonds, group, .flags = TS_POSITIONAL,
-		 .help = "bonds between its particles are removed"),
+		 .help = "bonds between particles of this group are removed"),
 	{ .name = "style",
 	  .type = TS_ARG_MODE,
 	  .flags = TS_POSITIONAL | TS_OPTIONAL,
 	  .offset = TS_FIELD(struct delete_bonds, mode, int *),
 	  .modes = modes,
-	  .help = "which of them" },
-	TS_FLAG("any", struct delete_bonds, any, .help = "one partner in the group is enough"),
-	TS_FLAG("remove", struct delete_bonds, remove, .help = "no effect: bonds are always removed"),
-	TS_FLAG("special", struct delete_bonds, special, .help = "no effect: who is bonded is always known"),
-	TS_FLAG("undo", struct delete_bonds, undo, .help = "refused: removed bonds are gone"),
+	  .help = "which bonds" },
+	TS_FLAG("any", struct delete_bonds, any, .help = "one partner in the group is sufficient"),
+	TS_FLAG("remove", struct delete_bonds, remove, .help = "no effect: deleted bonds are always removed"),
+	TS_FLAG("special", struct delete_bonds, special,
+		.help = "no effect: the list of bonded pairs is always up to date"),
+	TS_FLAG("undo", struct delete_bonds, undo, .help = "refused: removed bonds cannot be restored"),
 	TS_ARGS_END,
 };
 
@@ -105,10 +106,12 @@ const struct ts_command_style ts_command_delete_bonds = {
 	.style = { .name = "delete_bonds",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "removes the bonds within a group",
-		   .doc = "Bonds whose partners are both in the group go; they do not count as broken.",
+		   .doc = "Removes the bonds whose partners are both in the group, or with `any` those with "
+			  "one partner in the group. Bonds to particles that have left the simulation are "
+			  "removed, too. Deleted bonds do not count as broken.",
 		   .example = "delete_bonds all\ndelete_bonds rock bond 2 any remove",
 		   .args = args,
 		   .state_size = sizeof(struct delete_bonds) },
 	.needs_box = true,
-	.run = run,
+	.run = delete_bonds_command,
 };

@@ -1,4 +1,4 @@
-/* Command special_bonds: whether bonded particles touch each other. */
+/* Command special_bonds: whether the contact force acts between bonded particles. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -8,21 +8,21 @@
 #include "base/banned.h"
 
 struct state {
-	double lj[3], coul[3], both[3];
+	double lj[3], coul[3], lj_coul[3];
 	bool angle, dihedral;
 };
 
-static bool given(const double factors[3])
+static bool is_given(const double factors[3])
 {
-	return !isnan(factors[0]); /* else NaN */
+	return !isnan(factors[0]); /* missing optional vectors are NaN */
 }
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status set_special_bonds(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
-	const double *factor = given(s->both) ? s->both : s->lj;
+	const double *factor = is_given(s->lj_coul) ? s->lj_coul : s->lj;
 
-	if (!given(factor))
+	if (!is_given(factor))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "special_bonds: expected lj or lj/coul with three factors");
 	if (factor[0] != 0 && factor[0] != 1)
@@ -40,10 +40,10 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_VEC3("lj", struct state, lj, .flags = TS_OPTIONAL,
-		.help = "factors of the contact force between particles one, two and three bonds "
+		.help = "factors of the contact force between particles that are one, two and three bonds "
 			"apart: 0 or 1, then 1 and 1"),
 	TS_VEC3("coul", struct state, coul, .flags = TS_OPTIONAL, .help = "no effect: no charges"),
-	TS_VEC3("lj/coul", struct state, both, .flags = TS_OPTIONAL, .help = "as lj"),
+	TS_VEC3("lj/coul", struct state, lj_coul, .flags = TS_OPTIONAL, .help = "the same as lj"),
 	TS_BOOL("angle", struct state, angle, .fallback = "no", .help = "no effect"),
 	TS_BOOL("dihedral", struct state, dihedral, .fallback = "no", .help = "no effect"),
 	TS_ARGS_END,
@@ -54,16 +54,14 @@ const struct ts_command_style ts_command_special_bonds = {
 	.style = {
 		.name = "special_bonds",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Sets whether bonded particles touch each other",
-		.doc = "By default the contact law acts on bonded particles too: a bond pulls, and pushes "
-		       "besides\n"
-		       "the contact. With a first factor of 0 it does not: bonded particles pass into each "
-		       "other as\n"
-		       "far as their bond lets them; from the step after the bond breaks they touch like "
-		       "any others.",
+		.summary = "sets whether the contact force acts between bonded particles",
+		.doc = "By default the pair style acts between bonded particles as well, in addition to the "
+		       "bond force. With a first factor of 0 it does not: bonded particles interact by the "
+		       "bond alone and may overlap. The contact force acts from the step after the bond "
+		       "breaks.",
 		.example = "special_bonds lj 0 1 1 coul 1 1 1",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
+	.run = set_special_bonds,
 };

@@ -11,14 +11,16 @@ struct state {
 	struct tsim *sim;
 };
 
-static double rest(const struct tsim *sim, const struct ts_contact_view *view)
+static double column_rest_length(const struct tsim *sim, const struct ts_contact_view *view)
 {
 	return sim->bonds->rest[view->row];
 }
 
-static const struct ts_pair_column columns[] = { TS_PAIR_COLUMNS, { "rest", rest }, { .name = NULL } };
+static const struct ts_pair_column columns[] = { TS_PAIR_COLUMNS,
+						 { "rest", column_rest_length },
+						 { .name = NULL } };
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+static enum ts_status init_columns(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
@@ -28,7 +30,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 				 &s->list);
 }
 
-static bool wanted(const struct ts_instance *self, const struct tsim *sim, size_t r)
+static bool is_in_group(const struct ts_instance *self, const struct tsim *sim, size_t r)
 {
 	const int32_t *row = sim->bonds->row[r];
 
@@ -36,7 +38,7 @@ static bool wanted(const struct ts_instance *self, const struct tsim *sim, size_
 	       ts_in_group(sim->particles, (size_t)row[1], self->group);
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_list(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 	size_t rows = sim->bonds->n, n = 0;
@@ -46,7 +48,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	for (size_t r = 0; r < rows; r++) {
 		struct ts_contact_view view;
 
-		if (!wanted(self, sim, r))
+		if (!is_in_group(self, sim, r))
 			continue;
 		ts_contact_view_of_bond(sim, r, &view);
 		for (size_t k = 0; k < s->list.n; k++)
@@ -58,7 +60,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 }
 
 static const struct ts_value values[] = {
-	{ "list", "", "a row for each bond", TS_LOCAL, 0, NULL, eval },
+	{ "list", "", "a row for each bond", TS_LOCAL, 0, NULL, eval_list },
 	{ .name = NULL },
 };
 
@@ -71,14 +73,15 @@ TS_STYLE(compute, ts_style, ts_compute_bond_local)
 const struct ts_style ts_compute_bond_local = {
 	.name = "bond/local",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Length and force of each bond",
-	.doc = "A table with a row for each bond whose partners are both in the group: dist is its length, "
-	       "rest that without\nforce, force the force along it, > 0 repelling, fx fy fz the force on the "
-	       "partner with the smaller id, dx dy\ndz the vector to it from the other. Forces are those of "
-	       "the last force computation; compute property/local\ntells the partners, in the same order.",
+	.summary = "length and force of each bond",
+	.doc = "A local array with one row for each bond whose partners are both in the group. Columns: "
+	       "dist (length), rest (rest length), force (force along the bond, > 0 repulsive), fx fy fz "
+	       "(force on the partner with the smaller ID), dx dy dz (vector from the other partner to it). "
+	       "Forces are those of the last force computation. Compute property/local gives the IDs of the "
+	       "partners in the same order.",
 	.example = "compute b all bond/local dist force",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.values = values,
-	.init = init,
+	.init = init_columns,
 };

@@ -7,7 +7,7 @@
 
 enum { COLUMNS = 11 };
 
-static bool counts(const struct ts_instance *self, const struct tsim *sim, size_t b)
+static bool is_in_group(const struct ts_instance *self, const struct tsim *sim, size_t b)
 {
 	const int32_t *row = sim->bonds->row[b];
 
@@ -19,7 +19,7 @@ static enum ts_status eval_count(struct ts_instance *self, const struct tsim *si
 {
 	out->data[0] = 0;
 	for (size_t b = 0; b < sim->bonds->n; b++)
-		out->data[0] += counts(self, sim, b);
+		out->data[0] += is_in_group(self, sim, b);
 	return TS_OK;
 }
 
@@ -29,7 +29,7 @@ static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *
 	for (size_t i = 0; i < sim->particles->n; i++)
 		out->data[i] = 0;
 	for (size_t b = 0; b < sim->bonds->n; b++)
-		for (int s = 0; counts(self, sim, b) && s < 2; s++)
+		for (int s = 0; is_in_group(self, sim, b) && s < 2; s++)
 			out->data[sim->bonds->row[b][s]] += 1;
 	return TS_OK;
 }
@@ -44,7 +44,7 @@ static enum ts_status eval_local(struct ts_instance *self, const struct tsim *si
 	for (size_t b = 0; b < bonds->n; b++) {
 		double *row = out->data + COLUMNS * n;
 
-		if (!counts(self, sim, b))
+		if (!is_in_group(self, sim, b))
 			continue;
 		n++;
 		row[0] = bonds->tag[b][0];
@@ -60,10 +60,10 @@ static enum ts_status eval_local(struct ts_instance *self, const struct tsim *si
 	return ts_table_resize(out, n, COLUMNS);
 }
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+static enum ts_status request_tensions(struct ts_instance *self, struct tsim *sim)
 {
 	(void)self;
-	sim->bonds->shown = true; /* the list has tensions */
+	sim->bonds->shown = true; /* the list contains tensions */
 	return TS_OK;
 }
 
@@ -71,9 +71,9 @@ static const char *const names[] = {
 	"i", "j", "type", "rest", "tension", "xi", "yi", "zi", "xj", "yj", "zj"
 };
 static const struct ts_value values[] = {
-	{ "count", "", "bonds that hold", TS_SCALAR, 1, NULL, eval_count },
-	{ "coordination", "", "bonds of each particle", TS_PERATOM, 1, NULL, eval_peratom },
-	{ "list", "", "one row per bond, with the places of both partners", TS_LOCAL, COLUMNS, names,
+	{ "count", "", "number of bonds", TS_SCALAR, 1, NULL, eval_count },
+	{ "coordination", "", "number of bonds of each particle", TS_PERATOM, 1, NULL, eval_peratom },
+	{ "list", "", "one row per bond, with the positions of both partners", TS_LOCAL, COLUMNS, names,
 	  eval_local },
 	{ .name = NULL },
 };
@@ -82,11 +82,13 @@ TS_STYLE(compute, ts_style, ts_compute_bonds)
 const struct ts_style ts_compute_bonds = {
 	.name = "bonds",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "number, coordination and list of the bonds",
-	.doc = "Of bonds with both partners in the group: c_ID is their number, c_ID per particle the number "
-	       "of its bonds, c_ID[k] in dump local the list. Tension is that of the last force computation, "
-	       "> 0 pulling.",
+	.summary = "number, coordination number and list of bonds",
+	.doc = "Considers bonds with both partners in the group. The scalar c_ID is their number, the "
+	       "per-atom vector c_ID the number of bonds of each particle, and the local array c_ID[k] "
+	       "(dump local) lists them: IDs i and j of the partners, bond type, rest length, tension and "
+	       "the positions of both. The tension is the force along the bond in the last force "
+	       "computation, > 0 attractive.",
 	.example = "compute nb rock bonds\ndump b all local/vtk 1000 post/bonds*.vtp c_nb",
 	.values = values,
-	.init = init,
+	.init = request_tensions,
 };

@@ -1,4 +1,4 @@
-/* Compute: which fragment each particle belongs to. */
+/* Compute: fragment of each particle. */
 #include "bond/clusters.h"
 
 #include "base/banned.h"
@@ -7,7 +7,7 @@ struct state {
 	bool single;
 };
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_fragments(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 
@@ -15,7 +15,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 }
 
 static const struct ts_value values[] = {
-	{ "cluster", "", "smallest id of its fragment, or 0", TS_PERATOM, 1, NULL, eval },
+	{ "cluster", "", "smallest ID of its fragment, or 0", TS_PERATOM, 1, NULL, eval_fragments },
 	{ .name = NULL },
 };
 
@@ -29,10 +29,10 @@ TS_STYLE(compute, ts_style, ts_compute_fragment_atom)
 const struct ts_style ts_compute_fragment_atom = {
 	.name = "fragment/atom",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Which fragment each particle belongs to",
-	.doc = "Particles of the group that are bonded belong to one fragment, and so on from one to the "
-	       "next. A fragment is\nknown by the smallest id in it; particles outside the group have 0, and "
-	       "those without bonds too unless\n`single yes`.",
+	.summary = "fragment ID of each particle",
+	.doc = "A fragment is a set of particles of the group that are connected by bonds, directly or "
+	       "through others. Its ID is the smallest particle ID in it. Particles outside the group have "
+	       "0, and so have particles without bonds unless `single yes`.",
 	.example = "compute piece rock fragment/atom single yes",
 	.args = args,
 	.state_size = sizeof(struct state),

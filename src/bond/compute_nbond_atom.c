@@ -16,7 +16,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status count_bonds(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -40,7 +40,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 }
 
 static const struct ts_value values[] = {
-	{ "bonds", "", "number of its bonds; 0 outside the group", TS_PERATOM, 1, NULL, eval },
+	{ "bonds", "", "number of bonds; 0 outside the group", TS_PERATOM, 1, NULL, count_bonds },
 	{ .name = NULL },
 };
 
@@ -54,10 +54,9 @@ TS_STYLE(compute, ts_style, ts_compute_nbond_atom)
 const struct ts_style ts_compute_nbond_atom = {
 	.name = "nbond/atom",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Number of bonds of each particle",
-	.doc = "Counts the bonds that hold, also those to partners outside the group. Particles outside the "
-	       "group\n"
-	       "have 0.",
+	.summary = "number of bonds of each particle",
+	.doc = "Counts the unbroken bonds of each particle of the group, those to partners outside the "
+	       "group included. Particles outside the group have 0.",
 	.example = "compute held rock nbond/atom\ncompute two rock nbond/atom bond/type 2",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -9,7 +9,7 @@
 struct breakage {
 	const char *path;
 	struct ts_textfile file;
-	int64_t written; /* events already in the file */
+	int64_t written; /* number of events already in the file */
 };
 
 static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
@@ -24,7 +24,7 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+static enum ts_status write_new_events(struct ts_instance *self, struct tsim *sim)
 {
 	struct breakage *s = self->state;
 	const struct ts_bonds *bonds = sim->bonds;
@@ -71,7 +71,7 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_WORD("file", struct breakage, path, .flags = TS_OPTIONAL | TS_WRITES,
-		.help = "text file that gets one line per broken bond"),
+		.help = "text file with one line per broken bond"),
 	TS_ARGS_END,
 };
 
@@ -91,15 +91,15 @@ TS_STYLE(fix, ts_style, ts_fix_bond_breakage)
 const struct ts_style ts_fix_bond_breakage = {
 	.name = "bond/breakage",
 	.kind = TS_KIND_FIX,
-	.summary = "lists broken bonds with time and place",
-	.doc = "Writes a line for every bond that breaks: step, time, identities of the partners, bond "
-	       "type, the middle between them, and the force at which it broke (> 0 tension). The same "
-	       "rows can be written with dump local.",
+	.summary = "lists broken bonds with time and position",
+	.doc = "Writes one line for each bond that breaks: step, time, IDs i and j of the partners, bond "
+	       "type, midpoint x y z of the partners, and the bond force at breakage (> 0 in tension). The "
+	       "same list is available as a local array for dump local. Bonds of all groups are listed.",
 	.example = "fix crack all bond/breakage file post/broken.txt",
 	.args = args,
 	.state_size = sizeof(struct breakage),
 	.saved = saved,
 	.values = values,
-	.hook = { [TS_STAGE_SETUP] = open_file, [TS_STAGE_END_OF_STEP] = end_of_step },
+	.hook = { [TS_STAGE_SETUP] = open_file, [TS_STAGE_END_OF_STEP] = write_new_events },
 	.fini = fini,
 };

@@ -1,6 +1,7 @@
-/* The words of comm_modify and communicate: how ghosts are exchanged elsewhere. Here periodic images
- * reach as far as contacts need and carry all that forces depend on, so the words change nothing; what
- * would lose contacts is refused. */
+/* Arguments of comm_modify and communicate, which in other programs control the exchange of ghost
+ * particles between processes. Here ghosts are periodic images that reach as far as contacts need and
+ * carry all data that forces depend on, so the arguments have no effect; those that would lose contacts
+ * are refused. */
 #ifndef TS_BOX_COMM_H
 #define TS_BOX_COMM_H
 

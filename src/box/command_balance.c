@@ -21,9 +21,8 @@ const struct ts_command_style ts_command_balance = {
 		.name = "balance",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "Elsewhere it shifts the borders between processes. Here threads always share the "
-		       "particles\n"
-		       "evenly.",
+		.doc = "In LAMMPS this command adjusts the sub-domains of processes. tsim distributes the "
+		       "particles evenly over its threads.",
 		.example = "balance 1.1 shift xy 10 1.05",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Command boundary: what happens at the faces of the box. */
+/* Command boundary: boundary conditions of the box. */
 #include "core/sim.h"
 
 #include <string.h>
@@ -11,7 +11,7 @@ struct state {
 	const char *face[3];
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status set_boundary(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
 	enum ts_face face[3][2];
@@ -27,9 +27,9 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_WORD("x", struct state, face[0], .flags = TS_POSITIONAL,
-		.help = "faces across x: p, f, s or m, or two letters for low and high"),
-	TS_WORD("y", struct state, face[1], .flags = TS_POSITIONAL, .help = "faces across y"),
-	TS_WORD("z", struct state, face[2], .flags = TS_POSITIONAL, .help = "faces across z"),
+		.help = "faces normal to x: p, f, s or m, or two letters for the low and the high face"),
+	TS_WORD("y", struct state, face[1], .flags = TS_POSITIONAL, .help = "faces normal to y"),
+	TS_WORD("z", struct state, face[2], .flags = TS_POSITIONAL, .help = "faces normal to z"),
 	TS_ARGS_END,
 };
 
@@ -38,16 +38,18 @@ const struct ts_command_style ts_command_boundary = {
 	.style = {
 		.name = "boundary",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Says what happens at the faces of the box",
-		.doc = "p: periodic. f: fixed, particles that leave are deleted (see thermo_modify lost).\n"
-		       "s: the face follows the outermost particles. m: the same, but the box never becomes\n"
-		       "smaller than it was created. Without the command: p p p.\n\n"
-		       "A face that follows stays 1e-4 of the first length of the box outside the outermost\n"
-		       "center. It is moved when contacts are searched anew, so it may lag behind.",
+		.summary = "sets the boundary conditions of the box",
+		.doc = "p: periodic. f: fixed, particles that cross the face are deleted (see thermo_modify "
+		       "lost). s: shrink-wrapped, the face follows the outermost particle. m: "
+		       "shrink-wrapped, but the box does not become smaller than it was created. Default: p "
+		       "p p.\n\n"
+		       "A shrink-wrapped face is placed 1e-4 of the initial box length outside the "
+		       "outermost particle centre. It is moved when the contact list is rebuilt, not in "
+		       "each step.",
 		.example = "boundary p p f\n"
 		       "boundary f f fs",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
+	.run = set_boundary,
 };

@@ -11,7 +11,7 @@ static const char *const tilts[] = { "small", "large", NULL };
 
 static const struct ts_arg args[] = {
 	TS_ENUM("tilt", struct state, tilt, tilts, .flags = TS_OPTIONAL,
-		.help = "no effect: boxes are not tilted"),
+		.help = "no effect: the box is orthogonal"),
 	TS_ARGS_END,
 };
 
@@ -21,7 +21,8 @@ const struct ts_command_style ts_command_box = {
 		.name = "box",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "Elsewhere it allows boxes of large tilt. Boxes are rectangular here.",
+		.doc = "In LAMMPS this command sets properties of triclinic boxes. The box of tsim is "
+		       "always orthogonal.",
 		.example = "box tilt large",
 		.args = args,
 		.state_size = sizeof(struct state),

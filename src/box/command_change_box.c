@@ -1,4 +1,4 @@
-/* Command change_box: other lengths and faces for the box, and particles that go with it. */
+/* Command change_box: changes lengths and boundary conditions of the box, and remaps particles. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -27,7 +27,7 @@ struct change {
 	struct ts_words tilt;
 };
 
-/* The box as the operations change it one after another. */
+/* Lower and upper faces of the box. */
 struct box {
 	double lo[3], hi[3];
 };
@@ -37,9 +37,9 @@ struct work {
 	const struct state *state;
 	const struct ts_place *where;
 	struct ts_arena arena;
-	struct box now, set; /* set: where remap starts from */
-	struct box before;   /* the last x, y or z that was not `volume` */
-	int changed;	     /* the dimension of that one, or -1 */
+	struct box now, set; /* now: box after the operations so far; set: box from which remap starts */
+	struct box before;   /* box before the last operation x, y or z that was not `volume` */
+	int changed;	     /* dimension of that operation, or -1 */
 };
 
 static double length(const struct box *b, int dim)
@@ -57,7 +57,8 @@ static void set_length(struct box *b, int dim, double to)
 
 /* ---- the operations */
 
-/* Two operations `volume` in a row share the correction, so that their lengths keep their ratio. */
+/* Two consecutive `volume` operations share the correction, each by the square root, so that the ratio
+ * of their lengths is kept. */
 static enum ts_status keep_volume(struct work *w, int dim, bool shared)
 {
 	double ratio;
@@ -70,7 +71,7 @@ static enum ts_status keep_volume(struct work *w, int dim, bool shared)
 	return TS_OK;
 }
 
-static enum ts_status resize(struct work *w, const struct change *c, bool shared)
+static enum ts_status change_length(struct work *w, const struct change *c, bool shared)
 {
 	double scale = ts_domain_scale(w->sim, w->state->units, c->what);
 	int dim = c->what;
@@ -88,8 +89,8 @@ static enum ts_status resize(struct work *w, const struct change *c, bool shared
 	return TS_OK;
 }
 
-/* Where a dimension is no longer periodic, particles have not crossed its faces. */
-static enum ts_status new_faces(struct work *w, const struct change *c)
+/* Sets the boundary styles; the image counts of dimensions that become non-periodic are set to 0. */
+static enum ts_status change_faces(struct work *w, const struct change *c)
 {
 	struct ts_particles *p = w->sim->particles;
 	struct ts_box *box = &w->sim->domain->box;
@@ -103,7 +104,7 @@ static enum ts_status new_faces(struct work *w, const struct change *c)
 	return TS_OK;
 }
 
-static void remap(struct work *w)
+static void remap_particles(struct work *w)
 {
 	struct ts_particles *p = w->sim->particles;
 
@@ -114,22 +115,22 @@ static void remap(struct work *w)
 	w->set = w->now;
 }
 
-static enum ts_status apply(struct work *w, const struct change *c, bool shared)
+static enum ts_status apply_operation(struct work *w, const struct change *c, bool shared)
 {
 	switch (c->what) {
 	case X:
 	case Y:
 	case Z:
-		return resize(w, c, shared);
+		return change_length(w, c, shared);
 	case BOUNDARY:
-		return new_faces(w, c);
+		return change_faces(w, c);
 	case SET:
 		w->set = w->now;
 		break;
 	case REMAP:
-		remap(w);
+		remap_particles(w);
 		break;
-	case ORTHO: /* it always is */
+	case ORTHO: /* the box always is orthogonal */
 		break;
 	default:
 		return ts_fail(&w->sim->error, TS_STATE, w->where,
@@ -138,45 +139,45 @@ static enum ts_status apply(struct work *w, const struct change *c, bool shared)
 	return TS_OK;
 }
 
-/* ---- reading them */
+/* ---- parsing */
 
 static const struct ts_arg final_rows[] = {
-	TS_REAL("lo", struct change, lo, .flags = TS_POSITIONAL, .unit = "length", .help = "lower face"),
-	TS_REAL("hi", struct change, hi, .flags = TS_POSITIONAL, .unit = "length", .help = "upper face"),
+	TS_REAL("lo", struct change, lo, .flags = TS_POSITIONAL, .unit = "length", .help = "low face"),
+	TS_REAL("hi", struct change, hi, .flags = TS_POSITIONAL, .unit = "length", .help = "high face"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg delta_rows[] = {
 	TS_REAL("dlo", struct change, lo, .flags = TS_POSITIONAL, .unit = "length",
-		.help = "shift of the lower face"),
+		.help = "shift of the low face"),
 	TS_REAL("dhi", struct change, hi, .flags = TS_POSITIONAL, .unit = "length",
-		.help = "shift of the upper face"),
+		.help = "shift of the high face"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg scale_rows[] = {
 	TS_REAL("factor", struct change, factor, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-		.help = "factor of the length, about the middle"),
+		.help = "factor of the length; the centre is kept"),
 	TS_ARGS_END,
 };
 
-static const struct ts_mode hows[] = {
-	[FINAL] = { "final", "the faces are at lo and hi", final_rows },
-	[DELTA] = { "delta", "the faces move by dlo and dhi", delta_rows },
-	[SCALE] = { "scale", "the length is multiplied", scale_rows },
-	[VOLUME] = { "volume", "as much as keeps the volume before the last change", NULL },
+static const struct ts_mode length_styles[] = {
+	[FINAL] = { "final", "faces at lo and hi", final_rows },
+	[DELTA] = { "delta", "faces shifted by dlo and dhi", delta_rows },
+	[SCALE] = { "scale", "length multiplied by a factor", scale_rows },
+	[VOLUME] = { "volume", "length such that the volume is that before the last change", NULL },
 	{ .name = NULL },
 };
 
 static const struct ts_arg resize_rows[] = {
-	TS_MODE("style", struct change, how, hows, .help = "how the length is given"),
+	TS_MODE("style", struct change, how, length_styles, .help = "how the new length is given"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg boundary_rows[] = {
-	TS_WORD("x", struct change, face[0], .flags = TS_POSITIONAL, .help = "faces across x"),
-	TS_WORD("y", struct change, face[1], .flags = TS_POSITIONAL, .help = "faces across y"),
-	TS_WORD("z", struct change, face[2], .flags = TS_POSITIONAL, .help = "faces across z"),
+	TS_WORD("x", struct change, face[0], .flags = TS_POSITIONAL, .help = "faces normal to x"),
+	TS_WORD("y", struct change, face[1], .flags = TS_POSITIONAL, .help = "faces normal to y"),
+	TS_WORD("z", struct change, face[2], .flags = TS_POSITIONAL, .help = "faces normal to z"),
 	TS_ARGS_END,
 };
 
@@ -185,14 +186,14 @@ static const struct ts_arg tilt_rows[] = {
 	TS_ARGS_END,
 };
 
-static const struct ts_mode changes[] = {
+static const struct ts_mode operations[] = {
 	[X] = { "x", "length along x", resize_rows },
 	[Y] = { "y", "length along y", resize_rows },
 	[Z] = { "z", "length along z", resize_rows },
-	[BOUNDARY] = { "boundary", "other faces", boundary_rows },
-	[SET] = { "set", "remember the box for remap", NULL },
-	[REMAP] = { "remap", "move the particles as the box changed", NULL },
-	[ORTHO] = { "ortho", "no effect: the box is a cuboid", NULL },
+	[BOUNDARY] = { "boundary", "boundary styles of the faces", boundary_rows },
+	[SET] = { "set", "store the current box as reference of remap", NULL },
+	[REMAP] = { "remap", "map the particles from the reference box to the current box", NULL },
+	[ORTHO] = { "ortho", "no effect: the box is orthogonal", NULL },
 	[TRICLINIC] = { "triclinic", "known, but not built", NULL },
 	[XY] = { "xy", "known, but not built", tilt_rows },
 	[XZ] = { "xz", "known, but not built", tilt_rows },
@@ -201,25 +202,25 @@ static const struct ts_mode changes[] = {
 };
 
 static const struct ts_arg change_rows[] = {
-	TS_MODE("operation", struct change, what, changes, .help = "what is changed"),
+	TS_MODE("operation", struct change, what, operations, .help = "operation"),
 	TS_ARGS_END,
 };
 
-/* The words up to the next operation. */
-static struct ts_words first_part(struct ts_words words)
+/* The words of the first operation of the list. */
+static struct ts_words first_operation(struct ts_words words)
 {
 	struct ts_words part = words;
 
 	for (part.n = 1; part.n < words.n; part.n++)
-		for (int k = 0; changes[k].name; k++)
-			if (ts_streq(words.word[part.n].text, changes[k].name))
+		for (int k = 0; operations[k].name; k++)
+			if (ts_streq(words.word[part.n].text, operations[k].name))
 				return part;
 	return part;
 }
 
-static enum ts_status next_change(struct work *w, struct ts_words *rest, struct change *c)
+static enum ts_status parse_next_operation(struct work *w, struct ts_words *rest, struct change *c)
 {
-	struct ts_words part = first_part(*rest);
+	struct ts_words part = first_operation(*rest);
 
 	*c = (struct change){ 0 };
 	*rest = ts_words_from(*rest, part.n);
@@ -231,22 +232,22 @@ static bool keeps_volume(const struct change *c)
 	return c->what <= Z && c->how == VOLUME;
 }
 
-static enum ts_status apply_all(struct work *w)
+static enum ts_status apply_operations(struct work *w)
 {
 	struct ts_words rest = w->state->operations;
 	struct change c, next = { .what = -1 };
 	bool last_kept = false;
 
-	TS_TRY(next_change(w, &rest, &c));
+	TS_TRY(parse_next_operation(w, &rest, &c));
 	for (;;) {
 		bool more = rest.n > 0;
 		bool keeps = keeps_volume(&c), shared = keeps && last_kept;
 
 		if (more)
-			TS_TRY(next_change(w, &rest, &next));
+			TS_TRY(parse_next_operation(w, &rest, &next));
 		if (keeps && more && keeps_volume(&next) && next.what != c.what)
 			shared = true;
-		TS_TRY(apply(w, &c, shared));
+		TS_TRY(apply_operation(w, &c, shared));
 		if (!more)
 			return TS_OK;
 		last_kept = keeps;
@@ -254,7 +255,7 @@ static enum ts_status apply_all(struct work *w)
 	}
 }
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status change_box(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct ts_domain *domain = sim->domain;
 	struct work w = { .sim = sim, .state = state, .where = where, .changed = -1 };
@@ -264,7 +265,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	memcpy(w.now.lo, domain->box.lo, sizeof w.now.lo);
 	memcpy(w.now.hi, domain->box.hi, sizeof w.now.hi);
 	w.set = w.now;
-	status = apply_all(&w);
+	status = apply_operations(&w);
 	ts_arena_release(&w.arena);
 	TS_TRY(status);
 	TS_TRY(ts_domain_set_box(sim, w.now.lo, w.now.hi, where));
@@ -275,12 +276,13 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "particles that remap moves"),
+	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL,
+		 .help = "group of particles moved by remap"),
 	TS_LIST("operations", struct state, operations,
 		.help = "x, y or z final lo hi | delta dlo dhi | scale factor | volume; boundary x y z; "
 			"set; remap"),
 	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
-		.help = "whether lengths are given in lattice spacings or as they are"),
+		.help = "lengths in lattice spacings (lattice) or in the units of the script (box)"),
 	TS_ARGS_END,
 };
 
@@ -289,27 +291,23 @@ const struct ts_command_style ts_command_change_box = {
 	.style = {
 		.name = "change_box",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Changes lengths and faces of the box",
-		.doc = "The operations act one after another. scale and volume keep the middle of the box.\n"
-		       "volume makes up for the change of volume by the last x, y or z before it; two of "
-		       "them in\n"
-		       "a row share it, each by the square root.\n\n"
-		       "Particles stay where they are unless remap says otherwise: it moves those of the "
-		       "group\n"
-		       "from the box at the beginning, or at the last set or remap, to the present one,\n"
-		       "x -> lo' + (x - lo) l'/l.\n\n"
-		       "At the end positions are wrapped into periodic faces, particles outside of fixed "
-		       "faces\n"
-		       "are lost (see thermo_modify lost), faces of boundary s and m are fitted to the "
-		       "particles,\n"
-		       "and the box is the least one of m faces. Where a dimension is no longer periodic, "
-		       "the\n"
-		       "counts of crossings (ix iy iz) become 0.",
+		.summary = "changes lengths and boundary conditions of the box",
+		.doc = "The operations are applied one after another. scale and volume keep the centre of "
+		       "the box. volume changes a length so that it compensates the change of volume by the "
+		       "preceding x, y or z operation; two consecutive volume operations each compensate "
+		       "the square root of it.\n\n"
+		       "Particle positions do not change except by remap, which maps the particles of the "
+		       "group from the reference box to the current one, x -> lo' + (x - lo) l'/l. The "
+		       "reference is the box at the last set or remap, or that before the command.\n\n"
+		       "Finally positions are wrapped into the periodic box, particles outside of fixed "
+		       "faces are lost (see thermo_modify lost), faces of style s and m are fitted to the "
+		       "particles, and the new box becomes the minimum box of m faces. In dimensions that "
+		       "are no longer periodic the image counts (ix iy iz) are set to 0.",
 		.example = "change_box all x scale 1.1 y volume z volume remap units box\n"
 			   "change_box all z final 0 0.5 boundary p p f units box",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
 	.needs_box = true,
-	.run = run,
+	.run = change_box,
 };

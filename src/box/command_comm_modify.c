@@ -7,7 +7,7 @@ struct state {
 	struct ts_comm comm;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status check_arguments(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	return ts_comm_accept(sim, &((const struct state *)state)->comm, where);
 }
@@ -25,14 +25,12 @@ const struct ts_command_style ts_command_comm_modify = {
 		.name = "comm_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "Elsewhere it says how processes exchange ghost particles. Here there is one process; "
-		       "ghosts are\n"
-		       "images across periodic faces, always carry velocities, and reach as far as the "
-		       "contacts need,\n"
-		       "so no word of it changes a result.",
+		.doc = "In LAMMPS this command controls how processes exchange ghost particles. tsim has "
+		       "one process; its ghosts are periodic images, which always carry velocities and "
+		       "reach as far as contacts need, so no argument changes a result.",
 		.example = "comm_modify mode single vel yes",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
+	.run = check_arguments,
 };

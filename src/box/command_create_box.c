@@ -12,10 +12,10 @@ struct state {
 	int64_t ntypes;
 	struct ts_instance *region;
 	int64_t bond_types, bonds_per_atom, specials_per_atom;
-	int64_t none[6]; /* what molecules have besides bonds */
+	int64_t none[6]; /* types of angles, dihedrals ...: must be 0 */
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status create_box(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
 	double lo[3], hi[3];
@@ -43,18 +43,18 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 #define NONE(k, name)                                                                  \
 	TS_INT(name, struct state, none[k], .fallback = "0", .range = TS_NOT_NEGATIVE, \
-	       .help = "must be 0: particles have bonds only")
+	       .help = "must be 0: only bonds are supported")
 static const struct ts_arg args[] = {
 	TS_INT("types", struct state, ntypes, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 10000, .help = "number of particle types"),
+	       .hi = 10000, .help = "number of atom types"),
 	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL,
 		  .help = "region whose bounding box becomes the simulation box"),
 	TS_INT("bond/types", struct state, bond_types, .fallback = "0", .range = TS_WITHIN, .lo = 0,
-	       .hi = 10000, .help = "number of bond types; they can also be made by bond_coeff"),
+	       .hi = 10000, .help = "number of bond types; bond_coeff can add more"),
 	TS_INT("extra/bond/per/atom", struct state, bonds_per_atom, .fallback = "0", .range = TS_NOT_NEGATIVE,
-	       .help = "no effect: there is room for any number"),
+	       .help = "no effect: any number is allowed"),
 	TS_INT("extra/special/per/atom", struct state, specials_per_atom, .fallback = "0",
-	       .range = TS_NOT_NEGATIVE, .help = "no effect: there is room for any number"),
+	       .range = TS_NOT_NEGATIVE, .help = "no effect: any number is allowed"),
 	NONE(0, "angle/types"),
 	NONE(1, "dihedral/types"),
 	NONE(2, "improper/types"),
@@ -69,16 +69,15 @@ const struct ts_command_style ts_command_create_box = {
 	.style = {
 		.name = "create_box",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Creates the simulation box",
-		.doc = "The box is the bounding box of the region, which must end on all sides. Particles "
-		       "have\n"
-		       "types from 1 to the number given. Faces of boundary s start 1e-4 of the length "
-		       "outside.\n"
-		       "With dimension 2 the box must be periodic in z and contain the plane z = 0.",
+		.summary = "creates the simulation box",
+		.doc = "The simulation box is the bounding box of the region, which must be finite. Atom "
+		       "types are 1 to `types`. Faces of boundary style s start 1e-4 of the box length "
+		       "outside. With dimension 2 the box must be periodic in z and contain the plane z = "
+		       "0.",
 		.example = "region box block 0 1 0 1 0 1 units box\n"
 		       "create_box 2 box",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
+	.run = create_box,
 };

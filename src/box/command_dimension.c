@@ -9,7 +9,7 @@ struct state {
 	int64_t dimension;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status set_dimension(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
 
@@ -31,17 +31,16 @@ const struct ts_command_style ts_command_dimension = {
 	.style = {
 		.name = "dimension",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Sets the number of dimensions",
-		.doc = "In two dimensions particles are discs in the plane z = 0: mass is density times\n"
-		       "pi r^2, and fix nve/sphere turns them as discs unless told otherwise. The box must "
-		       "be\n"
-		       "periodic in z and contain the plane; thermo keyword vol is its area. Forces and\n"
-		       "velocities out of the plane are the script's to avoid (fix enforce2d takes them "
-		       "away); a\n"
-		       "run warns where a particle is out of the plane or moves out of it.",
+		.summary = "sets the number of dimensions",
+		.doc = "In two dimensions particles are discs in the plane z = 0: their mass is density "
+		       "times pi r^2, and fix nve/sphere uses the moment of inertia of discs by default. "
+		       "The box must be periodic in z and contain the plane z = 0; the thermo keyword vol "
+		       "is its area. The script must avoid forces and velocities out of the plane (fix "
+		       "enforce2d removes them); a run warns if a particle is out of the plane or moves out "
+		       "of it.",
 		.example = "dimension 2",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
+	.run = set_dimension,
 };

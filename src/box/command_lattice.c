@@ -1,4 +1,4 @@
-/* Command lattice: a lattice that create_atoms and lengths in lattice units refer to. */
+/* Command lattice: defines a lattice for create_atoms and for lengths in lattice units. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -12,11 +12,11 @@
 struct state {
 	int style;
 	double scale;
-	double edge[3][3], origin[3], spacing[3]; /* NaN: not given */
+	double edge[3][3], origin[3], spacing[3]; /* edge, spacing: NaN if not given */
 	struct ts_words orient, basis;
 };
 
-/* `orient x 1 1 0` says which direction of the crystal points along x. */
+/* `orient x 1 1 0`: the crystal direction (1 1 0) points along x. */
 struct orient {
 	int dim;
 	int64_t index[3];
@@ -45,10 +45,10 @@ static const struct ts_arg point_rows[] = {
 	TS_ARGS_END,
 };
 
-/* Reads the words of a repeated keyword, n at a time. */
-static enum ts_status next_group(struct tsim *sim, const char *what, const struct ts_arg *rows,
-				 struct ts_words words, size_t k, size_t n, const struct ts_place *where,
-				 void *out)
+/* Parses one group of n words of a repeated keyword. */
+static enum ts_status parse_group(struct tsim *sim, const char *what, const struct ts_arg *rows,
+				  struct ts_words words, size_t k, size_t n, const struct ts_place *where,
+				  void *out)
 {
 	struct ts_arena arena = { 0 };
 	struct ts_words part = ts_words_from(words, k);
@@ -69,7 +69,7 @@ static enum ts_status set_orientation(struct tsim *sim, const struct state *s, s
 	for (size_t k = 0; k < s->orient.n; k += 4) {
 		struct orient o = { 0 };
 
-		TS_TRY(next_group(sim, "lattice: orient", orient_rows, s->orient, k, 4, where, &o));
+		TS_TRY(parse_group(sim, "lattice: orient", orient_rows, s->orient, k, 4, where, &o));
 		for (int j = 0; j < 3; j++)
 			l->turn[o.dim][j] = (double)o.index[j];
 	}
@@ -90,8 +90,9 @@ static enum ts_status set_orientation(struct tsim *sim, const struct state *s, s
 	return TS_OK;
 }
 
-/* In two dimensions the unit cell is a plane one: a3 = (0 0 1), the rest without z. */
-static enum ts_status check_plane(struct tsim *sim, const struct ts_lattice *l, const struct ts_place *where)
+/* In two dimensions the unit cell is plane: a3 = (0 0 1), and a1, a2 and the basis have no z component. */
+static enum ts_status check_plane_cell(struct tsim *sim, const struct ts_lattice *l,
+				       const struct ts_place *where)
 {
 	bool plane = l->edge[0][2] == 0 && l->edge[1][2] == 0 && l->edge[2][0] == 0 && l->edge[2][1] == 0 &&
 		     l->edge[2][2] == 1;
@@ -121,7 +122,7 @@ static enum ts_status set_custom(struct tsim *sim, const struct state *s, struct
 	for (size_t k = 0; k < s->basis.n; k += 3) {
 		struct point p = { { 0 } };
 
-		TS_TRY(next_group(sim, "lattice: basis", point_rows, s->basis, k, 3, where, &p));
+		TS_TRY(parse_group(sim, "lattice: basis", point_rows, s->basis, k, 3, where, &p));
 		if (ts_lattice_add_basis(l, p.x) != TS_OK)
 			return ts_nomem(&sim->error);
 	}
@@ -129,23 +130,23 @@ static enum ts_status set_custom(struct tsim *sim, const struct state *s, struct
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "lattice custom: no points, expected `basis x y z`");
 	if (sim->dimension == 2)
-		TS_TRY(check_plane(sim, l, where));
+		TS_TRY(check_plane_cell(sim, l, where));
 	if (!(ts_lattice_cell_volume(l) > 0))
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "lattice: a1, a2, a3 must be right-handed: a1 . (a2 x a3) > 0");
 	return TS_OK;
 }
 
-/* In lj units the scale is a reduced density: points / (volume of the cell) = scale. */
-static double constant(const struct tsim *sim, const struct state *s, const struct ts_lattice *l)
+/* In lj units the scale is a reduced density: number of points of the cell / its volume. */
+static double lattice_constant(const struct tsim *sim, const struct state *s, const struct ts_lattice *l)
 {
 	if (sim->units != TS_UNITS_LJ || s->style == TS_LATTICE_NONE)
 		return s->scale;
 	return pow((double)l->nbasis / ts_lattice_cell_volume(l) / s->scale, 1.0 / sim->dimension);
 }
 
-static enum ts_status build(struct tsim *sim, const struct state *s, struct ts_lattice *l,
-			    const struct ts_place *where)
+static enum ts_status build_lattice(struct tsim *sim, const struct state *s, struct ts_lattice *l,
+				    const struct ts_place *where)
 {
 	int dimension = ts_lattice_dimension(s->style);
 
@@ -161,7 +162,7 @@ static enum ts_status build(struct tsim *sim, const struct state *s, struct ts_l
 		if (!(s->origin[d] >= 0 && s->origin[d] < 1))
 			return ts_fail(&sim->error, TS_RANGE, where,
 				       "lattice: origin %g is not from 0 to below 1", s->origin[d]);
-	l->constant = constant(sim, s, l);
+	l->constant = lattice_constant(sim, s, l);
 	ts_lattice_finish(l);
 	for (int d = 0; d < 3; d++) {
 		l->origin[d] = s->origin[d];
@@ -171,10 +172,10 @@ static enum ts_status build(struct tsim *sim, const struct state *s, struct ts_l
 	return TS_OK;
 }
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status define_lattice(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	struct ts_lattice made = { 0 };
-	enum ts_status status = build(sim, state, &made, where);
+	enum ts_status status = build_lattice(sim, state, &made, where);
 
 	if (status != TS_OK) {
 		ts_lattice_release(&made);
@@ -189,19 +190,19 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 #define EDGE(name, k)                                              \
 	TS_VEC3(name, struct state, edge[k], .flags = TS_OPTIONAL, \
-		.help = "edge of the unit cell, in scales (custom)")
+		.help = "edge of the unit cell in units of the lattice constant (custom)")
 static const struct ts_arg args[] = {
 	TS_ENUM("style", struct state, style, ts_lattice_names, .flags = TS_POSITIONAL,
-		.help = "kind of lattice"),
+		.help = "lattice style"),
 	TS_REAL("scale", struct state, scale, .flags = TS_POSITIONAL, .range = TS_POSITIVE, .unit = "length",
-		.help = "lattice constant; in lj units the reduced density"),
+		.help = "lattice constant; with units lj the reduced density"),
 	TS_VEC3("origin", struct state, origin, .fallback = "0 0 0",
-		.help = "shift of the lattice in spacings, each from 0 to below 1"),
+		.help = "shift of the lattice in units of the spacings, each from 0 to below 1"),
 	TS_SOME_KEYWORD("orient", struct state, orient, TS_REPEAT,
 			.help = "dim i j k: the direction (i j k) of the crystal points along dim, x, "
 				"y or z; may be repeated"),
 	TS_VEC3("spacing", struct state, spacing, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
-		.help = "the spacings in scales, instead of the extent of the unit cell"),
+		.help = "spacings in units of the lattice constant, instead of the extent of the unit cell"),
 	EDGE("a1", 0),
 	EDGE("a2", 1),
 	EDGE("a3", 2),
@@ -216,25 +217,21 @@ const struct ts_command_style ts_command_lattice = {
 	.style = {
 		.name = "lattice",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Defines a lattice",
-		.doc = "Particles of create_atoms box and region stand on its points\n"
-		       "x = R c (n1 a1 + n2 a2 + n3 a3 + basis) + origin, with whole numbers n, the lattice\n"
-		       "constant c and the rotation R that orient says. The constant is the scale; in lj "
-		       "units\n"
-		       "the scale is a density, and c = (points per cell / cell volume / "
-		       "scale)^(1/dimension).\n\n"
-		       "The spacings are the extents along x, y and z of the turned unit cell. Lengths with\n"
-		       "`units lattice` are multiplied by them, each by that of its dimension; with `units "
-		       "box`\n"
-		       "they are taken as they are. Where a line says neither, it is box, as in LIGGGHTS, "
-		       "but\n"
-		       "with units lj lattice, as in LAMMPS, and a warning says so where it matters.\n"
-		       "With none there are no points, and the spacings are the scale; without the command "
-		       "they\n"
-		       "are 1.\n\n"
-		       "The cells of hex and hcp have the edges 1, sqrt(3) and sqrt(8/3). sq, sq2 and hex "
-		       "are for\n"
-		       "dimension 2, sc, bcc, fcc, hcp and diamond for dimension 3.",
+		.summary = "defines a lattice",
+		.doc = "create_atoms box and create_atoms region place particles on the lattice points\n\n"
+		       "  x = R c (n1 a1 + n2 a2 + n3 a3 + basis) + origin\n\n"
+		       "with integers n, the lattice constant c and the rotation R given by orient. c is "
+		       "the scale; with units lj the scale is a reduced density, and c = (points per cell / "
+		       "cell volume / scale)^(1/dimension).\n\n"
+		       "The spacings are the extents of the rotated unit cell along x, y and z. Lengths "
+		       "given with `units lattice` are multiplied by the spacing of their dimension, "
+		       "lengths with `units box` are not. If a command gives neither, the default is box, "
+		       "as in LIGGGHTS, but lattice with units lj, as in LAMMPS; a warning is printed where "
+		       "this makes a difference. The style none has no points and its spacings are the "
+		       "scale. Without a lattice command the spacings are 1.\n\n"
+		       "The cells of hex and hcp have the edges 1, sqrt(3) and (hcp) sqrt(8/3). The styles "
+		       "sq, sq2 and hex are for dimension 2, the styles sc, bcc, fcc, hcp and diamond for "
+		       "dimension 3.",
 		.example = "lattice sc 0.002\n"
 		       "lattice none 1.0\n"
 		       "lattice fcc 0.01 orient x 1 1 0 orient y -1 1 0 orient z 0 0 1\n"
@@ -242,5 +239,5 @@ const struct ts_command_style ts_command_lattice = {
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
+	.run = define_lattice,
 };

@@ -7,7 +7,7 @@ struct state {
 	bool pair, bond;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status set_newton(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	(void)where;
 	sim->newton_on = ((const struct state *)state)->pair;
@@ -16,7 +16,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_BOOL("pair", struct state, pair, .flags = TS_POSITIONAL,
-		.help = "on or off: no effect; pair gran with history wants off"),
+		.help = "on or off: no effect; pair_style gran with tangential history requires off"),
 	TS_BOOL("bond", struct state, bond, .flags = TS_POSITIONAL | TS_OPTIONAL,
 		.help = "on or off: no effect"),
 	TS_ARGS_END,
@@ -28,14 +28,12 @@ const struct ts_command_style ts_command_newton = {
 		.name = "newton",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect on results",
-		.doc = "Elsewhere it says whether forces between processes are computed once or twice. Here "
-		       "each\n"
-		       "force is computed once, and results do not depend on it. As LIGGGHTS does, "
-		       "pair_style gran with\n"
-		       "tangential history refuses `newton on`.",
+		.doc = "In LAMMPS this command sets whether forces between processes are computed once or "
+		       "twice. tsim computes each force once, and results do not depend on this command. As "
+		       "in LIGGGHTS, pair_style gran with tangential history refuses `newton on`.",
 		.example = "newton off",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
+	.run = set_newton,
 };

@@ -1,4 +1,4 @@
-/* Command package: how work is shared. */
+/* Command package: number of threads. */
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -8,7 +8,7 @@ struct package {
 	int64_t threads, grain;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status set_threads(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct package *s = state;
 
@@ -22,11 +22,11 @@ static const char *const kinds[] = { "omp", NULL };
 
 static const struct ts_arg args[] = {
 	TS_ENUM("kind", struct package, kind, kinds, .flags = TS_POSITIONAL,
-		.help = "the only way there is: threads of one process"),
+		.help = "omp: threads of one process"),
 	TS_INT("threads", struct package, threads, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
 	       .hi = 1024, .help = "number of threads"),
 	TS_INT("grain", struct package, grain, .range = TS_WITHIN, .lo = 1, .hi = 1e9, .fallback = "8192",
-	       .help = "a loop is shared only as far as each thread gets so many rounds of it"),
+	       .help = "minimum number of loop iterations per thread: shorter loops use fewer threads"),
 	TS_ARGS_END,
 };
 
@@ -34,12 +34,12 @@ TS_STYLE(command, ts_command_style, ts_command_package)
 const struct ts_command_style ts_command_package = {
 	.style = { .name = "package",
 		   .kind = TS_KIND_COMMAND,
-		   .summary = "Sets the number of threads",
-		   .doc = "As -threads on the command line. Results are the same, bit for bit, for every "
-			  "number of threads and every grain; loops too short to be worth waking a thread "
-			  "for are not shared.",
+		   .summary = "sets the number of threads",
+		   .doc = "The same as -threads on the command line. Results are bitwise identical for any "
+			  "number of threads and any grain. Loops with fewer than `grain` iterations per "
+			  "thread use fewer threads, as starting a thread costs more than it gains.",
 		   .example = "package omp 2\npackage omp 4 grain 500",
 		   .args = args,
 		   .state_size = sizeof(struct package) },
-	.run = run,
+	.run = set_threads,
 };

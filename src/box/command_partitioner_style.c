@@ -18,7 +18,8 @@ const struct ts_command_style ts_command_partitioner_style = {
 		.name = "partitioner_style",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "Elsewhere it says how processes share the box.",
+		.doc = "In LIGGGHTS this command sets how the box is divided among processes. tsim "
+		       "distributes particles over threads.",
 		.example = "partitioner_style zoltan OBJ_WEIGHT_DIM 1",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -7,7 +7,7 @@ struct state {
 	struct ts_words grid, rest;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status check_grid(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
 	int64_t n;
@@ -33,12 +33,13 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_LIST("processes", struct state, grid,
-		.help = "numbers along x, y, z, each may be *: no effect, there is one process"),
-	WORDS("grid", "how the grid is made, with its words: no effect, as above"),
-	WORDS("map", "how processes lie in the grid: no effect, as above"),
-	WORDS("part", "partitions whose grids are multiples: no effect, there is one partition"),
-	WORDS("numa", "how processes lie on nodes: no effect, as above"),
-	WORDS("file", "no effect: there is no map of processes to write"),
+		.help = "number of processes along x, y, z, or *: no effect, there is one process"),
+	WORDS("grid", "method, with its arguments: no effect, there is one process"),
+	WORDS("map", "order of the processes in the grid: no effect, there is one process"),
+	WORDS("part", "partitions whose grids are multiples of each other: no effect, there is one "
+		      "partition"),
+	WORDS("numa", "mapping of processes to nodes: no effect, there is one process"),
+	WORDS("file", "no effect: no map of processes is written"),
 	TS_ARGS_END,
 };
 
@@ -48,12 +49,12 @@ const struct ts_command_style ts_command_processors = {
 		.name = "processors",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "Elsewhere it says how processes share the box. Here threads share the particles, "
-		       "whatever their\n"
-		       "places, and results do not depend on their number.",
+		.doc = "In LAMMPS this command sets how the box is divided among processes. tsim "
+		       "distributes particles over threads, independent of their positions, and results do "
+		       "not depend on the number of threads.",
 		.example = "processors 2 2 1",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
+	.run = check_grid,
 };

@@ -1,4 +1,4 @@
-/* Command replicate: copies of the box and all that is in it, side by side. */
+/* Command replicate: replicates the box with all particles and bonds. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -17,13 +17,13 @@ struct state {
 	bool bbox;
 };
 
-/* What stays as it was before. */
+/* State before the replication. */
 struct before {
 	const struct state *state;
 	struct ts_box box;
-	size_t n;	 /* particles */
-	int32_t max_tag; /* copy k of particle t is t + k max_tag */
-	double (*x)[3];	 /* positions without wrapping */
+	size_t n;	 /* number of particles */
+	int32_t max_tag; /* copy k of the particle t has the identity t + k max_tag */
+	double (*x)[3];	 /* unwrapped positions */
 };
 
 static int64_t copies(const struct state *s)
@@ -31,8 +31,8 @@ static int64_t copies(const struct state *s)
 	return s->n[0] * s->n[1] * s->n[2];
 }
 
-/* Number of the copy at (a b c), counted with x fastest; from any multiple of the new box. */
-static int64_t copy_at(const struct state *s, const int64_t at[3])
+/* Index of the copy at the given multiples of the box, x fastest; periodic in the new box. */
+static int64_t copy_at_cell(const struct state *s, const int64_t at[3])
 {
 	int64_t k = 0;
 
@@ -41,7 +41,7 @@ static int64_t copy_at(const struct state *s, const int64_t at[3])
 	return k;
 }
 
-static void place_of(const struct state *s, int64_t copy, int64_t at[3])
+static void cell_of_copy(const struct state *s, int64_t copy, int64_t at[3])
 {
 	for (int d = 0; d < 3; d++) {
 		at[d] = copy % s->n[d];
@@ -49,7 +49,7 @@ static void place_of(const struct state *s, int64_t copy, int64_t at[3])
 	}
 }
 
-static enum ts_status check(struct tsim *sim, const struct state *s, const struct ts_place *where)
+static enum ts_status check_replication(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	const struct ts_particles *p = sim->particles;
 	double most = (double)copies(s) * fmax((double)p->max_tag, (double)p->n);
@@ -67,7 +67,7 @@ static enum ts_status check(struct tsim *sim, const struct state *s, const struc
 	return TS_OK;
 }
 
-static enum ts_status note(struct tsim *sim, struct before *b)
+static enum ts_status store_positions(struct tsim *sim, struct before *b)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -94,7 +94,7 @@ static void copy_columns(struct ts_particles *p, size_t from, size_t n, size_t t
 	}
 }
 
-/* Copy 0 gets its places without wrapping too; they are wrapped into the new box at the end. */
+/* Positions are unwrapped, also those of copy 0; they are wrapped into the new box at the end. */
 static enum ts_status copy_particles(struct tsim *sim, const struct before *b)
 {
 	struct ts_particles *p = sim->particles;
@@ -106,7 +106,7 @@ static enum ts_status copy_particles(struct tsim *sim, const struct before *b)
 		size_t row = (size_t)k * b->n;
 		int64_t at[3];
 
-		place_of(b->state, k, at);
+		cell_of_copy(b->state, k, at);
 		if (k)
 			copy_columns(p, 0, b->n, row);
 		for (size_t i = 0; i < b->n; i++) {
@@ -121,35 +121,36 @@ static enum ts_status copy_particles(struct tsim *sim, const struct before *b)
 	return TS_OK;
 }
 
-/* How many old boxes further the partner of i stands that it is bonded to: without wrapping the nearest
- * image of j is at x_j + turns L. */
-static void bond_turns(const struct before *b, size_t i, size_t j, int64_t turns[3])
+/* Number of old box lengths between particle i and its bonded partner j: the nearest unwrapped image of
+ * j is at x_j + shift L. */
+static void bond_shift(const struct before *b, size_t i, size_t j, int64_t shift[3])
 {
 	for (int d = 0; d < 3; d++) {
 		double length = ts_box_length(&b->box, d);
 
-		turns[d] =
+		shift[d] =
 			ts_box_periodic(&b->box, d) ? (int64_t)rint((b->x[i][d] - b->x[j][d]) / length) : 0;
 	}
 }
 
 static enum ts_status copy_bond(struct tsim *sim, const struct before *b, const int32_t tag[2],
-				const int64_t turns[3], int type, double rest)
+				const int64_t shift[3], int type, double rest)
 {
 	for (int64_t k = 0; k < copies(b->state); k++) {
 		int64_t at[3], other;
 
-		place_of(b->state, k, at);
+		cell_of_copy(b->state, k, at);
 		for (int d = 0; d < 3; d++)
-			at[d] += turns[d];
-		other = copy_at(b->state, at);
+			at[d] += shift[d];
+		other = copy_at_cell(b->state, at);
 		TS_TRY(ts_bonds_add(sim, (int32_t)(tag[0] + k * b->max_tag),
 				    (int32_t)(tag[1] + other * b->max_tag), type, rest));
 	}
 	return TS_OK;
 }
 
-/* Bonds across periodic faces go to the next copy. The list is written anew behind the old one. */
+/* Bonds across periodic faces connect adjacent copies. The new list is appended to the old one, which
+ * is deleted. */
 static enum ts_status copy_bonds(struct tsim *sim, const struct before *b)
 {
 	struct ts_bonds *bonds = sim->bonds;
@@ -163,12 +164,12 @@ static enum ts_status copy_bonds(struct tsim *sim, const struct before *b)
 	for (size_t k = 0; k < n; k++) {
 		const int32_t tag[2] = { bonds->tag[k][0], bonds->tag[k][1] };
 		const int32_t row[2] = { ts_contact_of(&map, tag[0]), ts_contact_of(&map, tag[1]) };
-		int64_t turns[3];
+		int64_t shift[3];
 
 		if (row[0] < 0 || row[1] < 0)
 			continue;
-		bond_turns(b, (size_t)row[0], (size_t)row[1], turns);
-		TS_TRY(copy_bond(sim, b, tag, turns, bonds->type[k], bonds->rest[k]));
+		bond_shift(b, (size_t)row[0], (size_t)row[1], shift);
+		TS_TRY(copy_bond(sim, b, tag, shift, bonds->type[k], bonds->rest[k]));
 	}
 	old = ts_alloc(bonds->n, 1);
 	if (!old)
@@ -185,7 +186,7 @@ static enum ts_status replicate(struct tsim *sim, struct before *b, const struct
 {
 	double hi[3];
 
-	TS_TRY(note(sim, b));
+	TS_TRY(store_positions(sim, b));
 	TS_TRY(copy_particles(sim, b));
 	TS_TRY(copy_bonds(sim, b));
 	for (int d = 0; d < 3; d++)
@@ -194,13 +195,13 @@ static enum ts_status replicate(struct tsim *sim, struct before *b, const struct
 	return ts_exchange_migrate(sim);
 }
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status replicate_command(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	struct before b = { .state = state };
 	const struct ts_box *box = &sim->domain->box;
 	enum ts_status status;
 
-	TS_TRY(check(sim, state, where));
+	TS_TRY(check_replication(sim, state, where));
 	status = replicate(sim, &b, where);
 	ts_free(b.x);
 	TS_TRY(status);
@@ -215,9 +216,9 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	TS_INT(name, struct state, n[d], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1000000, \
 	       .help = help_)
 static const struct ts_arg args[] = {
-	NUMBER("nx", 0, "number of boxes along x"),
-	NUMBER("ny", 1, "number of boxes along y"),
-	NUMBER("nz", 2, "number of boxes along z"),
+	NUMBER("nx", 0, "number of copies along x"),
+	NUMBER("ny", 1, "number of copies along y"),
+	NUMBER("nz", 2, "number of copies along z"),
 	TS_FLAG("bbox", struct state, bbox, .help = "no effect"),
 	TS_ARGS_END,
 };
@@ -227,23 +228,19 @@ const struct ts_command_style ts_command_replicate = {
 	.style = {
 		.name = "replicate",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Makes the box several times as large, filled with copies",
-		.doc = "All that particles have is copied, groups included. Copy k of the particle with "
-		       "identity\n"
-		       "t has the identity t + k N, N being the largest identity before and k counting the "
-		       "boxes\n"
-		       "with x fastest. Bonds join the copies that are neighbours as their originals were, "
-		       "also\n"
-		       "across periodic faces: a periodic block of bonded particles becomes a larger one "
-		       "without\n"
-		       "seams.\n\n"
-		       "Copies begin their contacts anew. Fixes made before that remember places of "
-		       "particles\n"
-		       "remember those of the original; make them afterwards.",
+		.summary = "replicates the box with all particles and bonds",
+		.doc = "All properties of the particles are copied, group membership included. Copy k of "
+		       "the particle with ID t gets the ID t + k N, where N is the largest ID before and k "
+		       "numbers the copies with x varying fastest. Bonds connect corresponding neighbours, "
+		       "also across periodic faces: a periodic block of bonded particles becomes a larger "
+		       "periodic block without unbonded interfaces.\n\n"
+		       "Copies start without contact history. Fixes that store initial positions of "
+		       "particles and are defined before this command store those of the originals for "
+		       "their copies; define them afterwards.",
 		.example = "replicate 4 4 1",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
 	.needs_box = true,
-	.run = run,
+	.run = replicate_command,
 };

@@ -14,7 +14,7 @@ struct state {
 /* In the order of enum ts_units. */
 static const char *const names[] = { "lj", "si", "cgs", "micro", "real", "metal", "electron", "nano", NULL };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status set_units(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
 
@@ -32,7 +32,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_ENUM("system", struct state, units, names, .flags = TS_POSITIONAL, .help = "the system of units"),
+	TS_ENUM("system", struct state, units, names, .flags = TS_POSITIONAL, .help = "system of units"),
 	TS_ARGS_END,
 };
 
@@ -41,16 +41,15 @@ const struct ts_command_style ts_command_units = {
 	.style = {
 		.name = "units",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Chooses the system of units",
-		.doc = "The program computes with plain numbers; the units say what they mean, and set the\n"
-		       "default time step: lj 0.005, si 1e-8 s, cgs 1e-8 s, micro 2 microseconds. Without "
-		       "the command: lj,\n"
-		       "which, given, also divides energies in the table of the log by the number of "
-		       "particles (see\n"
-		       "thermo_modify norm). real, metal, electron and nano are for atoms and refused.",
+		.summary = "sets the system of units",
+		.doc = "All input and output is in the given system of units; tsim converts nothing. The "
+		       "command also sets the default time step: lj 0.005, si 1e-8 s, cgs 1e-8 s, micro 2 "
+		       "microseconds. Default: lj. If `units lj` is given, energies in the thermo output "
+		       "are divided by the number of particles (see thermo_modify norm). real, metal, "
+		       "electron and nano are for atoms and are refused.",
 		.example = "units si",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
+	.run = set_units,
 };

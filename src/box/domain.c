@@ -46,7 +46,7 @@ bool ts_domain_all_fixed(const struct tsim *sim)
 	return fixed;
 }
 
-/* A part of the first box length. */
+/* Relative to the initial length of the box. */
 static const double SHRINK_MARGIN = 1e-4;
 
 double ts_domain_margin(const struct ts_domain *d, int dim)
@@ -55,8 +55,8 @@ double ts_domain_margin(const struct ts_domain *d, int dim)
 }
 
 /* "p", "f", "fs": one letter for both faces of a dimension, or one for each. */
-static enum ts_status read_faces(struct tsim *sim, const char *text, char dim, const struct ts_place *where,
-				 enum ts_face face[2])
+static enum ts_status parse_faces(struct tsim *sim, const char *text, char dim, const struct ts_place *where,
+				  enum ts_face face[2])
 {
 	static const char letters[] = "pfsm"; /* in the order of enum ts_face */
 	size_t n = strlen(text);
@@ -80,13 +80,13 @@ enum ts_status ts_domain_read_faces(struct tsim *sim, const char *const text[3],
 				    enum ts_face face[3][2])
 {
 	for (int d = 0; d < 3; d++)
-		TS_TRY(read_faces(sim, text[d], (char)('x' + d), ts_sim_word_of(sim, text[d], where),
-				  face[d]));
+		TS_TRY(parse_faces(sim, text[d], (char)('x' + d), ts_sim_word_of(sim, text[d], where),
+				   face[d]));
 	return TS_OK;
 }
 
-static enum ts_status check_plane(struct tsim *sim, const double lo[3], const double hi[3],
-				  const struct ts_place *where)
+static enum ts_status check_box_in_2d(struct tsim *sim, const double lo[3], const double hi[3],
+				      const struct ts_place *where)
 {
 	if (sim->dimension == 3)
 		return TS_OK;
@@ -109,7 +109,7 @@ enum ts_status ts_domain_set_box(struct tsim *sim, const double lo[3], const dou
 		if (!isfinite(lo[k]) || !isfinite(hi[k]) || !(lo[k] < hi[k]))
 			return ts_fail(&sim->error, TS_RANGE, where, "the box would reach from %c = %g to %g",
 				       'x' + k, lo[k], hi[k]);
-	TS_TRY(check_plane(sim, lo, hi, where));
+	TS_TRY(check_box_in_2d(sim, lo, hi, where));
 	for (int k = 0; k < 3; k++) {
 		d->first_lo[k] = lo[k];
 		d->first_hi[k] = hi[k];
@@ -147,24 +147,24 @@ void ts_domain_units_said(struct tsim *sim, int units, const struct ts_place *wh
 			  "lattice spacings");
 }
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+static enum ts_status init_domain(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_domain *d = self->state;
 
 	for (int k = 0; k < 3; k++)
-		d->drift[k] = 0; /* fix deform says so again */
+		d->drift[k] = 0; /* fix deform sets it again */
 	(void)sim;
 	if (!(d->lattice.constant > 0))
 		ts_lattice_clear(&d->lattice);
 	return TS_OK;
 }
 
-static void fini(struct ts_instance *self)
+static void release_domain(struct ts_instance *self)
 {
 	ts_lattice_release(&((struct ts_domain *)self->state)->lattice);
 }
 
-static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
+static void fingerprint_domain(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
 {
 	const struct ts_domain *d = self->state;
 
@@ -174,7 +174,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim, 
 	ts_hash_add(hash, d->box.face, sizeof d->box.face);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+static enum ts_status report_box(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_domain *d = self->state;
 	static const char letters[] = "pfsm";
@@ -191,7 +191,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	return TS_OK;
 }
 
-static enum ts_status archive_held(struct ts_domain *d, struct ts_archive *a)
+static enum ts_status archive_box_at_rebuild(struct ts_domain *d, struct ts_archive *a)
 {
 	double held[6];
 
@@ -207,7 +207,7 @@ static enum ts_status archive_held(struct ts_domain *d, struct ts_archive *a)
 	return TS_OK;
 }
 
-static void settings(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out)
+static void list_settings(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out)
 {
 	static const char letters[] = "pfsm"; /* in the order of enum ts_face */
 	const struct ts_domain *d = self->state;
@@ -223,7 +223,7 @@ static void settings(const struct ts_instance *self, const struct tsim *sim, str
 	ts_setting(out, periodic, "boundary %s", faces);
 }
 
-static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+static enum ts_status archive_domain(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct ts_domain *d = self->state;
 
@@ -231,7 +231,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	if (!ts_archive_writing(a) && !ts_archive_has(a, "held")) /* files of version 1 */
 		ts_domain_hold(d);
 	else
-		TS_TRY(archive_held(d, a));
+		TS_TRY(archive_box_at_rebuild(d, a));
 	if (ts_archive_writing(a))
 		return TS_OK;
 	for (int k = 0; k < 3; k++)
@@ -256,11 +256,11 @@ const struct ts_system_style ts_domain_system = {
 		   .summary = "the simulation box and its faces",
 		   .state_size = sizeof(struct ts_domain),
 		   .saved = saved,
-		   .archive = archive,
-		   .fingerprint = fingerprint,
-		   .init = init,
-		   .plan = plan,
-		   .fini = fini },
+		   .archive = archive_domain,
+		   .fingerprint = fingerprint_domain,
+		   .init = init_domain,
+		   .plan = report_box,
+		   .fini = release_domain },
 	.slot = offsetof(struct tsim, domain),
-	.settings = settings,
+	.settings = list_settings,
 };

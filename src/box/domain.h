@@ -1,4 +1,4 @@
-/* The box of a simulation, its boundary conditions and its lattice. */
+/* The simulation box, its boundary conditions and its lattice. */
 #ifndef TS_BOX_DOMAIN_H
 #define TS_BOX_DOMAIN_H
 
@@ -8,38 +8,41 @@
 
 struct ts_domain {
 	struct ts_box box;
-	double first_lo[3], first_hi[3]; /* as created or changed: the least box of `m` faces */
-	double held_lo[3], held_hi[3];	 /* as the rows were built: periodic images are of this box */
-	double drift[3];	   /* velocity of an image relative to its original, for fix deform remap v */
-	int drift_group;	   /* whose velocities change so when they cross a face */
-	struct ts_lattice lattice; /* of constant 1 without `lattice` command */
+	/* box as created or last changed by a command: the minimum box of `m` faces */
+	double first_lo[3], first_hi[3];
+	/* box at the last rebuild of the contact list: periodic images refer to it */
+	double held_lo[3], held_hi[3];
+	double drift[3]; /* velocity of a periodic image relative to its original, for fix deform remap v */
+	int drift_group; /* group whose velocities change by the drift when they cross a periodic face */
+	struct ts_lattice lattice; /* lattice constant 1 without a `lattice` command */
 	bool units_warned;
 };
 
-/* Refuses commands that need a box before there is one. */
+/* Returns an error if there is no box yet. */
 enum ts_status ts_domain_require(struct tsim *sim, const struct ts_place *where);
 
-/* The faces that three words of the boundary command mean: p, f, s, m, or two letters. */
+/* Parses the boundary styles of x, y and z: p, f, s, m, or two letters for low and high face. */
 enum ts_status ts_domain_read_faces(struct tsim *sim, const char *const text[3], const struct ts_place *where,
 				    enum ts_face face[3][2]);
 
-/* Makes lo to hi the box, the least one of `m` faces as well; `s` faces start a margin outside. Refused
- * where it has no volume, or does not fit `dimension 2`. */
+/* Sets the box to lo .. hi, which is also the minimum box of `m` faces; `s` faces start a margin
+ * outside. Returns an error if the box has no volume, or is not valid for `dimension 2`. */
 enum ts_status ts_domain_set_box(struct tsim *sim, const double lo[3], const double hi[3],
 				 const struct ts_place *where);
-/* The rows are built now: images are of the box as it is. */
+/* Called at each rebuild of the contact list: periodic images refer to the present box. */
 void ts_domain_hold(struct ts_domain *domain);
-/* How much the periodic images have moved relative to their originals since then, at most. */
+/* Upper bound of the distance that periodic images have moved relative to their originals since the
+ * last rebuild. */
 double ts_domain_moved(const struct ts_domain *domain);
-/* Whether particles that reach a face leave: all faces of the box are of style f. */
+/* Whether all faces of the box are of style f, so that particles that cross a face are deleted. */
 bool ts_domain_all_fixed(const struct tsim *sim);
-/* How far an `s` or `m` face stays outside of what it encloses. */
+/* Distance between an `s` or `m` face and the outermost particle. */
 double ts_domain_margin(const struct ts_domain *domain, int dim);
 
-/* A length along a dimension given with `units lattice|box` (0|1) times this is one of the simulation.
- * -1, not said: as LIGGGHTS takes it, box, but in lj units as LAMMPS does, lattice. */
+/* Factor from a length along `dim` with `units lattice|box` (0|1) to a length of the simulation. -1,
+ * not given: box as in LIGGGHTS, but with units lj lattice as in LAMMPS. */
 double ts_domain_scale(const struct tsim *sim, int units, int dim);
-/* Warns, once, where units are not said and the two programs would take lengths differently. */
+/* Warns once if units are not given and LIGGGHTS and LAMMPS would interpret lengths differently. */
 void ts_domain_units_said(struct tsim *sim, int units, const struct ts_place *where);
 
 extern const struct ts_system_style ts_domain_system;

@@ -20,7 +20,7 @@ static const struct ts_arg args[] = {
 };
 
 static const struct ts_value values[] = {
-	{ "imbalance", "", "1: one process has all particles", TS_SCALAR, 1, NULL, eval },
+	{ "imbalance", "", "always 1: one process has all particles", TS_SCALAR, 1, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -29,7 +29,8 @@ const struct ts_style ts_fix_balance = {
 	.name = "balance",
 	.kind = TS_KIND_FIX,
 	.summary = "Accepted for compatibility; has no effect",
-	.doc = "Particles are not shared out among processes, and threads share each loop anew.",
+	.doc = "In LAMMPS this fix adjusts the sub-domains of processes. tsim distributes the particles "
+	       "evenly over its threads in each loop.",
 	.example = "fix share all balance 1000 1.1 shift xy 10 1.1",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Fix deform: the box changes its lengths during a run. */
+/* Fix deform: changes the box lengths during a run. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -16,12 +16,12 @@ enum { REMAP_X, REMAP_V, REMAP_NONE };
 
 struct side {
 	int mode;
-	double a, b;		       /* the numbers of the mode */
+	double a, b;		       /* numeric arguments of the mode */
 	struct ts_number length, rate; /* VARIABLE */
 };
 
 struct span {
-	double lo, hi, rate; /* of the length */
+	double lo, hi, rate; /* rate: of the length */
 };
 
 struct state {
@@ -32,14 +32,14 @@ struct state {
 	bool flip;
 
 	/* saved */
-	int64_t started, begin; /* begin: first step of the run that `at_begin` belongs to */
-	double origin;		/* time when the fix was made */
+	int64_t started, begin; /* begin: first step of the run to which begin_lo, begin_hi belong */
+	double origin;		/* time when the fix was defined */
 	double made_lo[3], made_hi[3], begin_lo[3], begin_hi[3];
 };
 
 static const char names[] = "xyz";
 
-static enum ts_status check(struct ts_instance *self, struct tsim *sim)
+static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
@@ -81,16 +81,16 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Both ends move alike: the box stays where its middle is. */
-static struct span around(double lo, double hi, double length, double rate)
+/* Both faces move symmetrically: the centre of the box is kept. */
+static struct span span_about_centre(double lo, double hi, double length, double rate)
 {
 	double half = 0.5 * (length - (hi - lo));
 
 	return (struct span){ lo - half, hi + half, rate };
 }
 
-/* What is to be reached at the end of the run, or would be after one unit of time. */
-static void goal(const struct state *s, const struct tsim *sim, int k, double *lo, double *hi)
+/* Faces that are to be reached at the end of the run. */
+static void span_at_end_of_run(const struct state *s, const struct tsim *sim, int k, double *lo, double *hi)
 {
 	const struct side *side = &s->side[k];
 	double scale = ts_domain_scale(sim, s->units, k), half;
@@ -110,24 +110,24 @@ static void goal(const struct state *s, const struct tsim *sim, int k, double *l
 	}
 }
 
-static struct span towards_goal(const struct state *s, const struct tsim *sim, int k)
+static struct span span_by_ramp(const struct state *s, const struct tsim *sim, int k)
 {
 	const struct ts_clock *c = &sim->clock;
 	double steps = (double)(c->ramp_last - c->ramp_first), lo, hi;
 	double part = steps > 0 ? (double)(c->step - c->ramp_first) / steps : 0;
 	double dlo, dhi;
 
-	goal(s, sim, k, &lo, &hi);
+	span_at_end_of_run(s, sim, k, &lo, &hi);
 	dlo = lo - s->begin_lo[k];
 	dhi = hi - s->begin_hi[k];
-	if (c->step == c->ramp_last) /* without rounding */
+	if (c->step == c->ramp_last) /* exact at the end, without rounding errors */
 		return (struct span){ lo, hi, steps > 0 ? (dhi - dlo) / (steps * c->dt) : 0 };
 	return (struct span){ s->begin_lo[k] + part * dlo, s->begin_hi[k] + part * dhi,
 			      steps > 0 ? (dhi - dlo) / (steps * c->dt) : 0 };
 }
 
-/* Where the two faces of a side that does not follow the volume are to be now. */
-static enum ts_status target(struct ts_instance *self, struct tsim *sim, int k, struct span *out)
+/* Current target of the faces of dimension k, for all modes but VOLUME. */
+static enum ts_status target_span(struct ts_instance *self, struct tsim *sim, int k, struct span *out)
 {
 	const struct state *s = self->state;
 	const struct side *side = &s->side[k];
@@ -139,33 +139,34 @@ static enum ts_status target(struct ts_instance *self, struct tsim *sim, int k, 
 		*out = (struct span){ sim->domain->box.lo[k], sim->domain->box.hi[k], 0 };
 		return TS_OK;
 	case VEL:
-		*out = around(lo, hi, hi - lo + scale * side->a * t, scale * side->a);
+		*out = span_about_centre(lo, hi, hi - lo + scale * side->a * t, scale * side->a);
 		return TS_OK;
 	case ERATE:
 		rate = side->a * (hi - lo);
-		*out = around(lo, hi, hi - lo + rate * t, rate);
+		*out = span_about_centre(lo, hi, hi - lo + rate * t, rate);
 		return TS_OK;
 	case TRATE:
 		length = (hi - lo) * exp(side->a * t);
-		*out = around(lo, hi, length, side->a * length);
+		*out = span_about_centre(lo, hi, length, side->a * length);
 		return TS_OK;
 	case WIGGLE:
 		w = 2 * TS_PI / side->b;
-		*out = around(lo, hi, hi - lo + scale * side->a * sin(w * t),
-			      w * scale * side->a * cos(w * t));
+		*out = span_about_centre(lo, hi, hi - lo + scale * side->a * sin(w * t),
+					 w * scale * side->a * cos(w * t));
 		return TS_OK;
 	case VARIABLE:
 		TS_TRY(ts_number_now(sim, &side->length, &self->where, &length));
 		TS_TRY(ts_number_now(sim, &side->rate, &self->where, &rate));
-		*out = around(lo, hi, hi - lo + length, rate);
+		*out = span_about_centre(lo, hi, hi - lo + length, rate);
 		return TS_OK;
 	default:
-		*out = towards_goal(s, sim, k);
+		*out = span_by_ramp(s, sim, k);
 		return TS_OK;
 	}
 }
 
-/* Sides that follow the volume share alike: with n of them each is changed by the n-th root. */
+/* Dimensions of mode VOLUME: with n of them each length is multiplied by the n-th root of the volume
+ * change of the others. */
 static void keep_volume(const struct state *s, struct span span[3])
 {
 	double factor = 1, log_rate = 0;
@@ -187,18 +188,19 @@ static void keep_volume(const struct state *s, struct span span[3])
 		double lo = s->made_lo[k], hi = s->made_hi[k];
 
 		if (s->side[k].mode == VOLUME)
-			span[k] = around(lo, hi, factor * (hi - lo), log_rate / n * factor * (hi - lo));
+			span[k] = span_about_centre(lo, hi, factor * (hi - lo),
+						    log_rate / n * factor * (hi - lo));
 	}
 }
 
-static enum ts_status targets(struct ts_instance *self, struct tsim *sim, struct span span[3])
+static enum ts_status target_spans(struct ts_instance *self, struct tsim *sim, struct span span[3])
 {
 	const struct state *s = self->state;
 
 	for (int k = 0; k < 3; k++) {
 		if (s->side[k].mode == VOLUME)
 			continue;
-		TS_TRY(target(self, sim, k, &span[k]));
+		TS_TRY(target_span(self, sim, k, &span[k]));
 		if (!(span[k].lo < span[k].hi))
 			return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 				       "fix deform: the box would reach from %g to %g in %c at step %lld",
@@ -208,7 +210,7 @@ static enum ts_status targets(struct ts_instance *self, struct tsim *sim, struct
 	return TS_OK;
 }
 
-static void tell_rates(struct ts_instance *self, struct tsim *sim, const struct span span[3])
+static void set_image_velocities(struct ts_instance *self, struct tsim *sim, const struct span span[3])
 {
 	const struct state *s = self->state;
 
@@ -217,7 +219,7 @@ static void tell_rates(struct ts_instance *self, struct tsim *sim, const struct 
 		sim->domain->drift[k] = s->remap == REMAP_V ? span[k].rate : 0;
 }
 
-static bool has_goal(const struct state *s)
+static bool any_ramp(const struct state *s)
 {
 	bool has = false;
 
@@ -226,8 +228,8 @@ static bool has_goal(const struct state *s)
 	return has;
 }
 
-/* The box as it was when the fix was made, and, where that matters, when this run began. */
-static void remember(struct state *s, const struct tsim *sim)
+/* Stores the box when the fix was defined and, for modes that refer to it, when this run began. */
+static void store_reference_box(struct state *s, const struct tsim *sim)
 {
 	const struct ts_box *box = &sim->domain->box;
 	bool begins = sim->clock.step == sim->clock.ramp_first;
@@ -238,14 +240,14 @@ static void remember(struct state *s, const struct tsim *sim)
 			s->made_lo[k] = box->lo[k];
 			s->made_hi[k] = box->hi[k];
 		}
-		if (has_goal(s) && (begins || unseen)) {
+		if (any_ramp(s) && (begins || unseen)) {
 			s->begin_lo[k] = begins ? box->lo[k] : s->made_lo[k];
 			s->begin_hi[k] = begins ? box->hi[k] : s->made_hi[k];
 		}
 	}
 	if (!s->started)
 		s->origin = ts_sim_time(sim);
-	s->begin = has_goal(s) ? sim->clock.ramp_first : 0;
+	s->begin = any_ramp(s) ? sim->clock.ramp_first : 0;
 	s->started = 1;
 }
 
@@ -253,18 +255,18 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct span span[3];
 
-	TS_TRY(check(self, sim));
+	TS_TRY(check_arguments(self, sim));
 	sim->run.box_moves = true;
-	remember(self->state, sim);
+	store_reference_box(self->state, sim);
 	if (sim->reading.explain || ((struct state *)self->state)->remap != REMAP_V)
 		return TS_OK;
-	TS_TRY(targets(self, sim, span));
-	tell_rates(self, sim, span);
+	TS_TRY(target_spans(self, sim, span));
+	set_image_velocities(self, sim, span);
 	return TS_OK;
 }
 
-/* Positions keep their place relative to the faces. */
-static void remap(const struct ts_instance *self, struct tsim *sim, const struct span span[3])
+/* Affine mapping: positions relative to the faces are kept. */
+static void remap_positions(const struct ts_instance *self, struct tsim *sim, const struct span span[3])
 {
 	struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
@@ -279,7 +281,7 @@ static void remap(const struct ts_instance *self, struct tsim *sim, const struct
 		}
 }
 
-static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+static enum ts_status deform_box(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 	struct ts_box *box = &sim->domain->box;
@@ -287,14 +289,14 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 
 	if (sim->clock.step % s->every != 0)
 		return TS_OK;
-	TS_TRY(targets(self, sim, span));
+	TS_TRY(target_spans(self, sim, span));
 	if (s->remap == REMAP_X)
-		remap(self, sim, span);
+		remap_positions(self, sim, span);
 	for (int k = 0; k < 3; k++) {
 		box->lo[k] = span[k].lo;
 		box->hi[k] = span[k].hi;
 	}
-	tell_rates(self, sim, span);
+	set_image_velocities(self, sim, span);
 	return TS_OK;
 }
 
@@ -307,11 +309,12 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 		NUMBER(k, b, "hi", "length", "high face at the end of the run", TS_ANY), TS_ARGS_END        \
 	};                                                                                                  \
 	static const struct ts_arg delta_##k[] = {                                                          \
-		NUMBER(k, a, "dlo", "length", "by how much the low face moves over the run", TS_ANY),       \
-		NUMBER(k, b, "dhi", "length", "by how much the high face moves", TS_ANY), TS_ARGS_END       \
+		NUMBER(k, a, "dlo", "length", "displacement of the low face over the run", TS_ANY),         \
+		NUMBER(k, b, "dhi", "length", "displacement of the high face over the run", TS_ANY),        \
+		TS_ARGS_END                                                                                 \
 	};                                                                                                  \
 	static const struct ts_arg scale_##k[] = {                                                          \
-		NUMBER(k, a, "factor", "", "of the length over the run", TS_POSITIVE), TS_ARGS_END          \
+		NUMBER(k, a, "factor", "", "factor of the length over the run", TS_POSITIVE), TS_ARGS_END   \
 	};                                                                                                  \
 	static const struct ts_arg vel_##k[] = {                                                            \
 		NUMBER(k, a, "V", "velocity", "rate of change of the length", TS_ANY), TS_ARGS_END          \
@@ -320,25 +323,25 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 						  TS_ARGS_END };                                            \
 	static const struct ts_arg wiggle_##k[] = {                                                         \
 		NUMBER(k, a, "A", "length", "amplitude of the length", TS_ANY),                             \
-		NUMBER(k, b, "period", "time", "of the oscillation", TS_POSITIVE), TS_ARGS_END              \
+		NUMBER(k, b, "period", "time", "period of the oscillation", TS_POSITIVE), TS_ARGS_END       \
 	};                                                                                                  \
 	static const struct ts_arg variable_##k[] = {                                                       \
 		TS_NUMBER("length", struct state, side[k].length, .flags = TS_POSITIONAL, .unit = "length", \
 			  .help = "v_NAME: change of the length"),                                          \
 		TS_NUMBER("rate", struct state, side[k].rate, .flags = TS_POSITIONAL, .unit = "velocity",   \
-			  .help = "v_NAME: its rate of change"),                                            \
+			  .help = "v_NAME: rate of change of the length"),                                  \
 		TS_ARGS_END                                                                                 \
 	};                                                                                                  \
 	static const struct ts_mode modes_##k[] = {                                                         \
-		[FINAL] = { "final", "to given faces at the end of the run", final_##k },                   \
-		[DELTA] = { "delta", "by given amounts over the run", delta_##k },                          \
-		[SCALE] = { "scale", "by a factor over the run", scale_##k },                               \
-		[VEL] = { "vel", "at constant velocity", vel_##k },                                         \
+		[FINAL] = { "final", "given faces at the end of the run", final_##k },                      \
+		[DELTA] = { "delta", "given displacements of the faces over the run", delta_##k },          \
+		[SCALE] = { "scale", "given factor of the length over the run", scale_##k },                \
+		[VEL] = { "vel", "constant rate of the length: L = L0 + V t", vel_##k },                    \
 		[ERATE] = { "erate", "engineering strain rate: L = L0 (1 + R t)", rate_##k },               \
 		[TRATE] = { "trate", "true strain rate: L = L0 exp(R t)", rate_##k },                       \
-		[VOLUME] = { "volume", "so that the volume stays", NULL },                                  \
+		[VOLUME] = { "volume", "constant volume", NULL },                                           \
 		[WIGGLE] = { "wiggle", "L = L0 + A sin(2 pi t/period)", wiggle_##k },                       \
-		[VARIABLE] = { "variable", "as variables say", variable_##k },                              \
+		[VARIABLE] = { "variable", "length and rate by variables", variable_##k },                  \
 		{ .name = NULL },                                                                           \
 	};
 SIDE_ROWS(0)
@@ -355,14 +358,14 @@ SIDE_ROWS(2)
 	{                                                                                 \
 		.name = name_, .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD, \
 		.offset = TS_FIELD(struct state, tilt[k], struct ts_words *),             \
-		.help = "refused: boxes are never tilted"                                 \
+		.help = "refused: the box is orthogonal"                                  \
 	}
 
 static const char *const remaps[] = { [REMAP_X] = "x", [REMAP_V] = "v", [REMAP_NONE] = "none", NULL };
 
 static const struct ts_arg args[] = {
 	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
-	       .help = "steps between changes of the box"),
+	       .help = "number of time steps between changes of the box"),
 	SIDE(0, "x"),
 	SIDE(1, "y"),
 	SIDE(2, "z"),
@@ -370,10 +373,10 @@ static const struct ts_arg args[] = {
 	TILT(1, "xz"),
 	TILT(2, "yz"),
 	TS_ENUM("remap", struct state, remap, remaps, .fallback = "x",
-		.help = "x: positions of the group follow the box; v: velocities change where particles "
-			"cross a periodic face, by the rate of the length; none"),
+		.help = "x: positions of the group are mapped with the box; v: velocities change by the "
+			"rate of the length when particles cross a periodic face; none"),
 	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
-		.help = "whether lengths are given in lattice spacings or as they are"),
+		.help = "lengths in lattice spacings (lattice) or in the units of the script (box)"),
 	TS_BOOL("flip", struct state, flip, .fallback = "yes", .help = "no effect"),
 	TS_ARGS_END,
 };
@@ -389,29 +392,24 @@ TS_STYLE(fix, ts_style, ts_fix_deform)
 const struct ts_style ts_fix_deform = {
 	.name = "deform",
 	.kind = TS_KIND_FIX,
-	.summary = "Changes the lengths of the box during a run",
-	.doc = "At the end of each step that is a multiple of N the faces move. `final`, `delta` and `scale` "
-	       "are\n"
-	       "reached at the end of each run, linearly (see `run N start S stop E` for several runs that "
-	       "are one);\n"
-	       "all others count the time t, and the length L0, from when the fix was made, however many "
-	       "runs there\n"
-	       "are. Except with `final` and `delta` the middle of the box stays. Where one or two sides "
-	       "have\n"
-	       "`volume`, they change so that the volume stays what it was when the fix was made.\n\n"
-	       "With `remap x` positions of the group keep their place relative to the faces; velocities are "
-	       "left\n"
-	       "alone. With `remap v` positions are left alone, and the velocity of a particle that crosses "
-	       "a\n"
-	       "periodic face changes by the rate of that length, as the contacts across the face see it.\n\n"
-	       "Refused together with a fluid that is solved for (flow_style projection): its grid does not "
-	       "change with\n"
-	       "the box in a run. change_box before a run does change it.",
+	.summary = "changes the lengths of the box during a run",
+	.doc = "The faces move at the end of each time step that is a multiple of N. The targets of "
+	       "`final`, `delta` and `scale` are approached linearly and reached at the end of each run "
+	       "(see `run N start S stop E` to treat several runs as one). For all other styles the time t "
+	       "and the initial length L0 are counted from the definition of the fix, over any number of "
+	       "runs. The centre of the box is kept, except with `final` and `delta`. One or two dimensions "
+	       "with `volume` change so that the volume is that when the fix was defined.\n\n"
+	       "With `remap x` the positions of the particles of the group are mapped affinely with the "
+	       "box, and velocities do not change. With `remap v` positions are not mapped, and the "
+	       "velocity of a particle of the group that crosses a periodic face changes by the rate of "
+	       "that box length; contacts across the face use the same relative velocity.\n\n"
+	       "This fix cannot be used with a resolved fluid (flow_style projection), whose grid does not "
+	       "change with the box during a run. change_box before a run does change the grid.",
 	.example = "fix squeeze all deform 1 z erate -0.02 x volume y volume remap x\n"
 		   "fix shake all deform 10 x wiggle 0.001 0.1 remap v units box",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.init = init,
-	.hook[TS_STAGE_END_OF_STEP] = end_of_step,
+	.hook[TS_STAGE_END_OF_STEP] = deform_box,
 };

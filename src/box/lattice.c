@@ -17,7 +17,7 @@ const char *const ts_lattice_names[] = { "sc",	"bcc", "fcc",  "hcp",	 "diamond",
 
 struct named {
 	int dimension;
-	double edge[3]; /* the cell is a cuboid */
+	double edge[3]; /* edges of the orthogonal cell */
 	size_t nbasis;
 	double basis[8][3];
 };
@@ -112,7 +112,7 @@ void ts_lattice_from_space(const struct ts_lattice *l, const double x[3], double
 		cell[k] = ts_dot(l->inverse[k], y);
 }
 
-/* The unit cell's eight corners in space span the box whose lengths are the spacings. */
+/* The spacings are the lengths of the bounding box of the rotated unit cell. */
 static void find_spacing(struct ts_lattice *l)
 {
 	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY };
@@ -148,8 +148,8 @@ void ts_lattice_release(struct ts_lattice *l)
 	*l = (struct ts_lattice){ 0 };
 }
 
-/* Files of version 1 with a named lattice along the axes. */
-static enum ts_status read_older(struct ts_lattice *l, struct tsim *sim, struct ts_archive *a)
+/* Restart files of version 1 have a named lattice along the axes. */
+static enum ts_status read_version_1(struct ts_lattice *l, struct tsim *sim, struct ts_archive *a)
 {
 	int32_t style = -1;
 	double constant = 1;
@@ -171,7 +171,7 @@ enum ts_status ts_lattice_archive(struct ts_lattice *l, struct tsim *sim, struct
 	int32_t style = l->style;
 
 	if (!ts_archive_has(a, "lattice_constant"))
-		return read_older(l, sim, a);
+		return read_version_1(l, sim, a);
 	TS_TRY(ts_archive_fixed(a, "lattice_style", TS_SAVED_I32, &style, 1));
 	TS_TRY(ts_archive_fixed(a, "lattice_constant", TS_SAVED_F64, &l->constant, 1));
 	TS_TRY(ts_archive_fixed(a, "lattice_edge", TS_SAVED_F64, l->edge, 9));

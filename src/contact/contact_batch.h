@@ -43,7 +43,7 @@ TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_conta
 			b->mass[1][at + k] = p->mass[active[k].j];
 		}
 	}
-	ts_four_turn(d);
+	ts_four_transpose(d);
 	for (int c = 0; c < 3; c++)
 		*(ts_four *)&b->d[c][at] = d[c];
 	ts_four_columns(v, b->v, at);
@@ -116,7 +116,7 @@ TS_INLINE void ts_batch_store_part(const double (*column)[TS_BATCH], int columns
 
 	for (int c = 0; c < columns; c++)
 		row[c] = *(const ts_four *)&column[c][at];
-	ts_four_turn(row);
+	ts_four_transpose(row);
 	for (size_t k = 0; k < 4; k++)
 		to[k][part] = row[k];
 }
@@ -192,7 +192,7 @@ TS_INLINE void ts_batch_find_touching(const struct ts_contact_list *list, const 
 		d[k] = TS_ALIGNED_FOUR(list->sphere[pair->i].position) +
 		       ts_contact_signs * TS_ALIGNED_FOUR(list->sphere[pair->j].position);
 	}
-	ts_four_turn(d);
+	ts_four_transpose(d);
 	*touch = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < d[3] * d[3];
 	for (size_t k = n; k < 4; k++)
 		(*touch)[k] = 0;

@@ -158,7 +158,7 @@ static void sum_share(void *context, size_t from, size_t to)
 	loop->sum(loop->task.list, loop->task.p, from, to);
 }
 
-enum ts_status ts_contact_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share)
+enum ts_status ts_contact_loop(struct tsim *sim, const struct ts_pair *pair, ts_range_fn *share)
 {
 	struct ts_contact_list *list = &sim->neigh->contacts;
 	const struct ts_particles *p = sim->particles;

@@ -29,7 +29,7 @@ static ts_share_fn *share_of_whole_model(const struct ts_granular_model *m)
 {
 	static const struct {
 		const struct ts_granular_model *model;
-		ts_share_fn *share;
+		ts_range_fn *share;
 	} fast[] = {
 #define ENTRY(name, ...) { &name, name##_share },
 		TS_GRANULAR_MODELS(ENTRY)
@@ -56,7 +56,7 @@ static bool all_models_staged(const struct ts_pair *pair)
 	return all;
 }
 
-ts_share_fn *ts_contact_share_of(const struct ts_pair *pair, bool generic)
+ts_range_fn *ts_contact_share_of(const struct ts_pair *pair, bool generic)
 {
 	ts_share_fn *own = pair->sticks ? NULL : share_of_whole_model(&pair->model);
 

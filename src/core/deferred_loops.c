@@ -35,7 +35,7 @@ void ts_run_deferred_loops(struct tsim *sim)
 	deferred->spent += ts_ticks() - begin;
 }
 
-void ts_defer_loop(struct tsim *sim, size_t rounds, ts_share_fn *body, const void *context, size_t size)
+void ts_defer_loop(struct tsim *sim, size_t rounds, ts_range_fn *body, const void *context, size_t size)
 {
 	struct ts_deferred_loops *deferred = &sim->deferred;
 

@@ -20,7 +20,7 @@ struct tsim;
 enum { TS_MAX_DEFERRED = 8, TS_DEFERRED_CONTEXT = 16 /* doubles */ };
 struct ts_deferred_loops {
 	struct ts_deferred_loop {
-		ts_share_fn *body;
+		ts_range_fn *body;
 		double context[TS_DEFERRED_CONTEXT];
 	} loop[TS_MAX_DEFERRED];
 	size_t n;	/* loops */
@@ -35,7 +35,7 @@ struct ts_deferred_loops {
 			       "room for a context");                                     \
 		ts_defer_loop(sim, rounds, body, context, sizeof *(context));             \
 	} while (0)
-void ts_defer_loop(struct tsim *sim, size_t rounds, ts_share_fn *body, const void *context, size_t size);
+void ts_defer_loop(struct tsim *sim, size_t rounds, ts_range_fn *body, const void *context, size_t size);
 
 /* Executes the deferred loops; does nothing if there are none. */
 void ts_run_deferred_loops(struct tsim *sim);

@@ -79,7 +79,7 @@ static void correct_particle(const struct ts_instance *self, const struct tsim *
 				    s->exchange[i].fluid_velocity[c]);
 		s->total.note[i][c] += more[c];
 	}
-	ts_restraints_leave(&s->restraints, sim, i, more);
+	ts_restraints_apply(&s->restraints, sim, i, more);
 	for (int c = 0; c < fluid->grid.dimensions; c++)
 		if (p->imass[i] != 0)
 			p->f[i][c] += share * more[c];

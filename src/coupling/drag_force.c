@@ -109,7 +109,7 @@ static void unrestrained_fractions(const struct ts_drag *s, const struct tsim *s
 	for (int k = 0; k < 3; k++) {
 		double f[3] = { k == 0, k == 1, k == 2 };
 
-		ts_restraints_leave(&s->restraints, sim, i, f);
+		ts_restraints_apply(&s->restraints, sim, i, f);
 		part[k] = f[k];
 	}
 }
@@ -138,7 +138,7 @@ static void apply_drag(const struct ts_instance *self, struct tsim *sim, size_t 
 		s->relaxation[i].c = c;
 		memcpy(s->relaxation[i].w, w, sizeof w);
 		memcpy(later, f, sizeof f);
-		ts_restraints_leave(&s->restraints, sim, i, later);
+		ts_restraints_apply(&s->restraints, sim, i, later);
 	}
 	if (s->part.after_step && !held && !relaxes)
 		unrestrained_fractions(s, sim, i, part);
@@ -317,7 +317,7 @@ static void relax_particle(const struct ts_instance *self, struct tsim *sim, siz
 			s->exchange[i].slope[k] =
 				exchange_slope(steps, slope, mine->c / all * mass / h, mine->c, part[k]);
 	}
-	ts_restraints_leave(&s->restraints, sim, i, force);
+	ts_restraints_apply(&s->restraints, sim, i, force);
 	for (int k = 0; k < 3; k++) {
 		p->f[i][k] += force[k];
 		s->total.note[i][k] += force[k];

@@ -69,7 +69,7 @@ static void add_own_inertia(const struct ts_instance *self, struct tsim *sim, si
 	double added = added_to(self, sim, i), f[3];
 
 	memcpy(f, p->f[i], sizeof f);
-	ts_restraints_leave(&s->restraints, sim, i, f);
+	ts_restraints_apply(&s->restraints, sim, i, f);
 	for (int k = 0; k < 3 && p->imass[i] != 0; k++) {
 		double force = -added * f[k] / (p->mass[i] + added);
 

@@ -109,7 +109,7 @@ static void correct_particle(struct ts_instance *self, const struct tsim *sim, s
 		more[k] -= note[k];
 		note[k] += more[k];
 	}
-	ts_restraints_leave(&s->restraints, sim, i, more);
+	ts_restraints_apply(&s->restraints, sim, i, more);
 	for (int k = 0; k < 3; k++)
 		p->f[i][k] += share * more[k];
 }

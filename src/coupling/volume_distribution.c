@@ -83,7 +83,7 @@ static void corner_volumes(const struct span s[3], bool disc, double z, layer ou
 {
 	for (int j = 0; j <= s[1].n; j++)
 		for (int i = 0; i <= s[0].n; i++)
-			out[j][i] = disc ? ts_disc_corner(s[0].face[i], s[1].face[j])
+			out[j][i] = disc ? ts_ball_corner_disc(s[0].face[i], s[1].face[j])
 					 : ts_ball_corner(s[0].face[i], s[1].face[j], z);
 }
 

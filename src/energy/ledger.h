@@ -17,6 +17,7 @@
 #define TS_ENERGY_LEDGER_H
 
 #include "law/contact_parts.h"
+#include "math/compensated.h"
 #include "math/exactsum.h"
 #include "neigh/neigh.h"
 #include "rigid/rigid.h"
@@ -44,17 +45,6 @@ static inline int ts_ledger_cause(int side, int part)
 static inline int ts_ledger_store(int side, int store)
 {
 	return side * TS_NCONTACT_STORE + store;
-}
-
-/* A sum over many steps that keeps what rounding cuts off (A. Neumaier, ZAMM 54 (1974) 39), and how much
- * has gone through it in either direction. */
-struct ts_compensated_sum {
-	double sum, lost, turnover;
-};
-void ts_compensated_add(struct ts_compensated_sum *r, double term);
-static inline double ts_compensated_value(const struct ts_compensated_sum *r)
-{
-	return r->sum + r->lost;
 }
 
 /* Somebody who acts on particles. */

@@ -11,15 +11,6 @@
 /* A kick differs from s F/m by rounding only; what differs more is not only a kick. */
 static const double rounding = 1e-9;
 
-void ts_compensated_add(struct ts_compensated_sum *r, double term)
-{
-	double sum = r->sum + term;
-
-	r->lost += fabs(r->sum) >= fabs(term) ? (r->sum - sum) + term : (term - sum) + r->sum;
-	r->sum = sum;
-	r->turnover += fabs(term);
-}
-
 static double body_rotation(const struct ts_body *b)
 {
 	double omega[3];

@@ -65,7 +65,7 @@ static struct plane rows_across(const struct ts_grid *grid, int d, size_t from, 
 
 /* Calls `share` for ranges of rows of the plane across d, in parallel; `rounds`: work per line, for the
  * number of threads. */
-static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, int rounds, ts_share_fn *share,
+static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, int rounds, ts_range_fn *share,
 				  void *task)
 {
 	struct plane plane = plane_across(&fluid->grid, d);

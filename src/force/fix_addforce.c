@@ -15,7 +15,7 @@ struct addforce {
 	int64_t every;
 	struct ts_instance *region;
 	struct ts_number_or_peratom now[3], energy_now;
-	struct ts_particle_tally before; /* forces before, and the energy of each particle */
+	struct ts_particle_tally before; /* per particle: force before it was added, potential energy */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -27,7 +27,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_fail(&sim->error, TS_SYNTAX, &self->where, "fix addforce: energy takes a variable, v_NAME");
 }
 
-static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
+static enum ts_status evaluate_variables(struct ts_instance *self, struct tsim *sim)
 {
 	struct addforce *s = self->state;
 
@@ -38,8 +38,8 @@ static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Of a constant force: -f . x; of one that varies: what the user says. */
-static double energy_of(const struct addforce *s, const struct tsim *sim, size_t i)
+/* Potential energy of particle i: -f . x for constant components; `energy` for variable ones. */
+static double particle_energy(const struct addforce *s, const struct tsim *sim, size_t i)
 {
 	double x[3], energy = 0;
 
@@ -51,7 +51,7 @@ static double energy_of(const struct addforce *s, const struct tsim *sim, size_t
 	return energy;
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct addforce *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -60,13 +60,13 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	TS_TRY(ts_region_update(s->region, sim));
 	TS_TRY(ts_particle_tally_start(sim, &s->before));
-	TS_TRY(evaluate(self, sim));
+	TS_TRY(evaluate_variables(self, sim));
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
 		if (!ts_chosen(p, i, self->group, s->region))
 			continue;
 		memcpy(s->before.note[i], p->f[i], sizeof p->f[i]);
-		s->before.note[i][ENERGY] = energy_of(s, sim, i);
+		s->before.note[i][ENERGY] = particle_energy(s, sim, i);
 		for (int k = 0; k < 3; k++)
 			p->f[i][k] += ts_number_or_peratom_of(&s->now[k], i);
 	}
@@ -111,15 +111,17 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_NUMBER("fx", struct addforce, f[0], .flags = TS_POSITIONAL, .unit = "force",
-		  .help = "x force on each particle; v_name makes it a variable (also one for each "
-			  "particle)"),
-	TS_NUMBER("fy", struct addforce, f[1], .flags = TS_POSITIONAL, .unit = "force", .help = "y force"),
-	TS_NUMBER("fz", struct addforce, f[2], .flags = TS_POSITIONAL, .unit = "force", .help = "z force"),
+		  .help = "x component of the force on each particle; a number, or v_NAME for an "
+			  "equal-style or atom-style variable"),
+	TS_NUMBER("fy", struct addforce, f[1], .flags = TS_POSITIONAL, .unit = "force",
+		  .help = "y component"),
+	TS_NUMBER("fz", struct addforce, f[2], .flags = TS_POSITIONAL, .unit = "force",
+		  .help = "z component"),
 	TS_INT("every", struct addforce, every, .range = TS_WITHIN, .lo = 1, .hi = 1e15, .fallback = "1",
-	       .help = "only in steps that are multiples of this"),
+	       .help = "the force is added only in time steps that are multiples of this"),
 	TS_REGION_KEYWORD(struct addforce),
 	TS_NUMBER("energy", struct addforce, energy, .flags = TS_OPTIONAL, .unit = "energy",
-		  .help = "v_NAME: the potential energy of each particle in a force that varies"),
+		  .help = "v_NAME: potential energy of each particle, for forces that are variables"),
 	TS_ARGS_END,
 };
 
@@ -127,8 +129,8 @@ static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
 	{ "energy", "energy", "potential energy of all particles in the added force", TS_SCALAR, 1, NULL,
 	  eval_energy },
-	{ "before", "force", "total force on the particles before it was added", TS_VECTOR, 3, components,
-	  eval_before },
+	{ "before", "force", "total force on the particles before the force was added", TS_VECTOR, 3,
+	  components, eval_before },
 	{ .name = NULL },
 };
 
@@ -137,9 +139,10 @@ const struct ts_style ts_fix_addforce = {
 	.name = "addforce",
 	.kind = TS_KIND_FIX,
 	.summary = "adds a force to each particle of the group",
-	.doc = "f += (fx, fy, fz) for every particle of the group. The energy of constant components "
-	       "is -f . x, with the positions not wrapped into the box; components that are variables "
-	       "have none unless `energy` gives it.",
+	.doc = "Adds the force (fx, fy, fz) to each particle of the group (that is in the region). The "
+	       "potential energy of the constant components is -f . x with unwrapped positions x; "
+	       "components that are variables have no energy unless the keyword `energy` gives one. The "
+	       "energy counts in compute pe if `fix_modify ID energy yes` is set.",
 	.example = "fix push tool addforce 0.0 0.0 -2.5\n"
 		   "fix swing all addforce v_fx 0.0 0.0 every 10 region left energy v_e",
 	.args = args,
@@ -148,6 +151,6 @@ const struct ts_style ts_fix_addforce = {
 	.values = values,
 	.energy = ts_energy_output,
 	.init = init,
-	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.hook = { [TS_STAGE_POST_FORCE] = add_force },
 	.fini = fini,
 };

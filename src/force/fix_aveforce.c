@@ -1,4 +1,4 @@
-/* Fix aveforce: the same force on all particles of the group, their mean. */
+/* Fix aveforce: each particle of the group gets the mean force of the group. */
 #include "core/arg.h"
 #include "force/restraint.h"
 #include "group/chosen.h"
@@ -9,10 +9,10 @@
 struct state {
 	struct ts_number f[3];
 	struct ts_instance *region;
-	double before[3]; /* saved: total force */
+	double before[3]; /* saved: total force before averaging */
 };
 
-static size_t sum(const struct ts_instance *self, const struct ts_particles *p, double total[3])
+static size_t sum_forces(const struct ts_instance *self, const struct ts_particles *p, double total[3])
 {
 	const struct state *s = self->state;
 	struct ts_exactsum part[3] = { 0 };
@@ -30,7 +30,7 @@ static size_t sum(const struct ts_instance *self, const struct ts_particles *p, 
 	return n;
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status average_forces(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -38,7 +38,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	size_t n;
 
 	TS_TRY(ts_region_update(s->region, sim));
-	n = sum(self, p, s->before);
+	n = sum_forces(self, p, s->before);
 	for (int k = 0; k < 3; k++) {
 		if (s->f[k].null)
 			continue;
@@ -53,7 +53,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_before(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 
@@ -65,12 +65,12 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 static const struct ts_arg args[] = {
 	TS_NUMBER("fx", struct state, f[0], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
-		  .help = "x force added to the mean; NULL leaves this component, v_name makes it a "
-			  "variable"),
+		  .help = "x component added to the mean force; NULL: this component is not averaged; "
+			  "v_NAME: a variable"),
 	TS_NUMBER("fy", struct state, f[1], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
-		  .help = "y force"),
+		  .help = "y component"),
 	TS_NUMBER("fz", struct state, f[2], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
-		  .help = "z force"),
+		  .help = "z component"),
 	TS_REGION_KEYWORD(struct state),
 	TS_ARGS_END,
 };
@@ -78,7 +78,7 @@ static const struct ts_arg args[] = {
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
 	{ "before", "force", "total force on the particles before it was averaged", TS_VECTOR, 3, components,
-	  eval },
+	  eval_before },
 	{ .name = NULL },
 };
 
@@ -89,15 +89,15 @@ TS_STYLE(fix, ts_style, ts_fix_aveforce)
 const struct ts_style ts_fix_aveforce = {
 	.name = "aveforce",
 	.kind = TS_KIND_FIX,
-	.summary = "Gives all particles of the group their mean force",
-	.doc = "Each component that is not NULL becomes f = (sum of f) / n + (fx, fy, fz) for all n "
-	       "particles\n"
-	       "of the group (in the region): particles of equal mass then move as one body without turning.",
+	.summary = "sets the force on each particle to the mean force of the group",
+	.doc = "Each component that is not NULL is set to f = (sum of f) / n + (fx, fy, fz) for all n "
+	       "particles of the group (that are in the region). Particles of equal mass and equal velocity "
+	       "then move as one body without rotation.",
 	.example = "fix lid top aveforce NULL NULL -2.5",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.values = values,
-	.hook[TS_STAGE_POST_FORCE] = post_force,
+	.hook[TS_STAGE_POST_FORCE] = average_forces,
 	.restraint = &restraint,
 };

@@ -1,4 +1,4 @@
-/* Fix controller: a variable that steers something to a value. */
+/* Fix controller: a PID controller that changes a variable. */
 #include "core/ref_list.h"
 #include "core/sim.h"
 
@@ -14,11 +14,11 @@ struct state {
 
 	/* saved */
 	int64_t started;
-	double term[3]; /* of the last change: P, I, D */
+	double term[3]; /* proportional, integral and derivative part of the last change */
 	double error, sum, value;
 };
 
-static enum ts_status set_control(struct ts_instance *self, struct tsim *sim)
+static enum ts_status set_control_variable(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 
@@ -36,12 +36,12 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix controller: '%s' is to be c_ID, c_ID[k], f_ID, f_ID[k] or v_NAME",
 			       s->process);
-	if (s->started) /* also after a restart file */
-		return set_control(self, sim);
+	if (s->started) /* also when continued from a restart file */
+		return set_control_variable(self, sim);
 	return sim->script_api->scalar(sim->script_api_data, s->control, &self->where, &s->value);
 }
 
-static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+static enum ts_status update_control(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	double tau = (double)s->every * sim->clock.dt, value, error;
@@ -57,7 +57,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	s->value += s->term[0] + s->term[1] + s->term[2];
 	s->error = error;
 	s->started = 1;
-	return set_control(self, sim);
+	return set_control_variable(self, sim);
 }
 
 static enum ts_status eval_value(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -79,23 +79,24 @@ static enum ts_status eval_terms(struct ts_instance *self, const struct tsim *si
 	TS_REAL(name_, struct state, field, .flags = TS_POSITIONAL, .help = help_)
 static const struct ts_arg args[] = {
 	TS_INT("Nevery", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN,
-	       .lo = 1, .hi = 1e15, .help = "steps between changes"),
-	CONSTANT("alpha", alpha, "factor of all changes"),
-	CONSTANT("Kp", proportional, "constant of the proportional term"),
-	CONSTANT("Ki", integral, "constant of the integral term"),
-	CONSTANT("Kd", derivative, "constant of the derivative term"),
+	       .lo = 1, .hi = 1e15, .help = "number of time steps between changes"),
+	CONSTANT("alpha", alpha, "common factor of all changes"),
+	CONSTANT("Kp", proportional, "gain of the proportional term"),
+	CONSTANT("Ki", integral, "gain of the integral term"),
+	CONSTANT("Kd", derivative, "gain of the derivative term"),
 	TS_WORD("pvar", struct state, process, .flags = TS_POSITIONAL | TS_STATEFUL,
-		.help = "what is steered: c_ID, c_ID[k], f_ID, f_ID[k] or v_NAME"),
-	CONSTANT("setpoint", setpoint, "the value it is to have"),
+		.help = "process variable: c_ID, c_ID[k], f_ID, f_ID[k] or v_NAME"),
+	CONSTANT("setpoint", setpoint, "desired value of the process variable"),
 	TS_WORD("cvar", struct state, control, .flags = TS_POSITIONAL | TS_STATEFUL,
-		.help = "name of a variable of style internal, which is changed"),
+		.help = "name of the control variable, an internal-style variable"),
 	TS_ARGS_END,
 };
 
 static const char *const terms[] = { "P", "I", "D" };
 static const struct ts_value values[] = {
-	{ "control", "", "the variable's value", TS_SCALAR, 1, NULL, eval_value },
-	{ "terms", "", "the parts of its last change", TS_VECTOR, 3, terms, eval_terms },
+	{ "control", "", "value of the control variable", TS_SCALAR, 1, NULL, eval_value },
+	{ "terms", "", "proportional, integral and derivative part of the last change", TS_VECTOR, 3, terms,
+	  eval_terms },
 	{ .name = NULL },
 };
 
@@ -109,15 +110,14 @@ TS_STYLE(fix, ts_style, ts_fix_controller)
 const struct ts_style ts_fix_controller = {
 	.name = "controller",
 	.kind = TS_KIND_FIX,
-	.summary = "Steers something to a value by changing a variable",
-	.doc = "With e the deviation of pvar from the setpoint and tau the time between changes, at the end "
-	       "of each\n"
-	       "step that is a multiple of Nevery\n\n"
-	       "    c += -Kp alpha tau e - Ki alpha tau^2 (e2 + e3 + ... + e) - Kd alpha (e - e of the time "
-	       "before)\n\n"
-	       "where c is the variable cvar, of style internal, and e1 the first deviation. The value is "
-	       "saved in\n"
-	       "restart files.",
+	.summary = "PID controller: changes a variable so that a quantity approaches a setpoint",
+	.doc = "At the end of each time step that is a multiple of Nevery the control variable c, the "
+	       "internal-style variable cvar, is changed by\n\n"
+	       "    c += -Kp alpha tau e - Ki alpha tau^2 (e2 + e3 + ... + e) - Kd alpha (e - "
+	       "e_previous)\n\n"
+	       "where e is the deviation of the process variable pvar from the setpoint, e1, e2 ... its "
+	       "earlier values from the first on, and tau = Nevery times the time step. The state of the "
+	       "controller is saved in restart files.",
 	.example = "variable push internal 0.0\n"
 		   "fix speed all controller 10 1.0 0.5 0.0 0.1 c_fast[1] 2.385 push\n"
 		   "fix pull all addforce v_push 0 0",
@@ -126,5 +126,5 @@ const struct ts_style ts_fix_controller = {
 	.saved = saved,
 	.values = values,
 	.init = init,
-	.hook[TS_STAGE_END_OF_STEP] = end_of_step,
+	.hook[TS_STAGE_END_OF_STEP] = update_control,
 };

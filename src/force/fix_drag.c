@@ -1,4 +1,4 @@
-/* Fix drag: a force of constant size towards a point. */
+/* Fix drag: a force of constant magnitude towards a point. */
 #include "core/sim.h"
 
 #include <string.h>
@@ -11,12 +11,12 @@
 #include "base/banned.h"
 
 struct state {
-	struct ts_number at[3]; /* NULL: free in this direction */
+	struct ts_number at[3]; /* NULL: no force in this direction */
 	double size, delta;
 	struct ts_particle_tally force;
 };
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_drag(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -55,7 +55,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_particle_tally_archive(a, &s->force);
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_total(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct state *s = self->state;
 
@@ -73,21 +73,21 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_NUMBER("x", struct state, at[0], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "length",
-		  .help = "x of the point, a number or v_NAME; NULL: no force in x"),
+		  .help = "x of the point: a number or v_NAME; NULL: no force in x"),
 	TS_NUMBER("y", struct state, at[1], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "length",
 		  .help = "y"),
 	TS_NUMBER("z", struct state, at[2], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "length",
 		  .help = "z"),
 	TS_REAL("fmag", struct state, size, .flags = TS_POSITIONAL, .unit = "force",
-		.help = "size of the force on each particle"),
+		.help = "magnitude of the force on each particle"),
 	TS_REAL("delta", struct state, delta, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-		.unit = "length", .help = "nearer than this there is no force"),
+		.unit = "length", .help = "distance from the point below which there is no force"),
 	TS_ARGS_END,
 };
 
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "force", "force", "total force on the particles", TS_VECTOR, 3, components, eval },
+	{ "force", "force", "total force on the particles", TS_VECTOR, 3, components, eval_total },
 	{ .name = NULL },
 };
 
@@ -95,15 +95,16 @@ TS_STYLE(fix, ts_style, ts_fix_drag)
 const struct ts_style ts_fix_drag = {
 	.name = "drag",
 	.kind = TS_KIND_FIX,
-	.summary = "A force of constant size towards a point",
-	.doc = "f -= fmag d/|d| for particles farther than delta from the point, d leading from the (nearest "
-	       "image\n"
-	       "of the) point to the particle. The drag of a fluid is another matter: fix drag/stokes.",
+	.summary = "adds a force of constant magnitude towards a point",
+	.doc = "Adds f = -fmag d/|d| to each particle of the group whose distance |d| from the point is "
+	       "larger than delta, where d is the vector from the nearest periodic image of the point to "
+	       "the particle. Components that are NULL are 0 in d. For the drag of a fluid see fix "
+	       "drag/stokes.",
 	.example = "fix gather all drag 0.5 NULL 0.0 2.385 0.01",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.archive = archive,
 	.values = values,
-	.hook[TS_STAGE_POST_FORCE] = post_force,
+	.hook[TS_STAGE_POST_FORCE] = add_drag,
 	.fini = fini,
 };

@@ -1,10 +1,10 @@
-/* Fix enforce2d: nothing leaves the plane. */
+/* Fix enforce2d: keeps particles in the x-y plane. */
 #include "force/restraint.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+static enum ts_status require_two_dimensions(struct ts_instance *self, struct tsim *sim)
 {
 	if (sim->dimension == 2)
 		return TS_OK;
@@ -12,7 +12,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		       "fix enforce2d is for two dimensions: say `dimension 2` before the box is made");
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status clear_out_of_plane(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_particles *p = sim->particles;
 
@@ -29,7 +29,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static void leave(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
+static void clear_z_force(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
 {
 	(void)self;
 	(void)sim;
@@ -37,18 +37,18 @@ static void leave(const struct ts_instance *self, const struct tsim *sim, size_t
 	f[2] = 0;
 }
 
-static const struct ts_restraint restraint = { NULL, leave };
+static const struct ts_restraint restraint = { NULL, clear_z_force };
 
 TS_STYLE(fix, ts_style, ts_fix_enforce2d)
 const struct ts_style ts_fix_enforce2d = {
 	.name = "enforce2d",
 	.kind = TS_KIND_FIX,
-	.summary = "Keeps the particles of the group in the x-y plane",
-	.doc = "In each step v_z, f_z and the x and y components of spin and torque become 0. Define it "
-	       "after\n"
-	       "the fixes whose forces it cancels. Only with `dimension 2`.",
+	.summary = "keeps the particles of the group in the x-y plane",
+	.doc = "In each time step the z components of velocity and force and the x and y components of "
+	       "angular velocity and torque are set to 0. Define this fix after all fixes that add forces. "
+	       "It requires `dimension 2`.",
 	.example = "dimension 2\nfix flat all enforce2d",
-	.init = init,
-	.hook[TS_STAGE_POST_FORCE] = post_force,
+	.init = require_two_dimensions,
+	.hook[TS_STAGE_POST_FORCE] = clear_out_of_plane,
 	.restraint = &restraint,
 };

@@ -8,11 +8,11 @@
 #include "base/banned.h"
 
 struct freeze {
-	struct ts_particle_tally before; /* forces that were cancelled */
+	struct ts_particle_tally before; /* force on each particle before it was cleared */
 };
 
-/* Before the contact rows are built: pairs of frozen particles are no pairs. */
-static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+/* Inverse mass 0: the neighbour search skips pairs of frozen particles. */
+static enum ts_status set_infinite_mass(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_particles *p = sim->particles;
 
@@ -28,7 +28,7 @@ struct task {
 	int group;
 };
 
-static void share(void *context, size_t from, size_t to)
+static void clear_forces(void *context, size_t from, size_t to)
 {
 	const struct task *t = context;
 	const struct ts_particles *p = t->p;
@@ -45,13 +45,13 @@ static void share(void *context, size_t from, size_t to)
 	}
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status freeze_particles(struct ts_instance *self, struct tsim *sim)
 {
 	struct freeze *s = self->state;
 	struct task task = { sim->particles, &s->before, self->group };
 
 	TS_TRY(ts_particle_tally_start(sim, &s->before));
-	TS_DEFER_LOOP(sim, sim->particles->n, share, &task);
+	TS_DEFER_LOOP(sim, sim->particles->n, clear_forces, &task);
 	return TS_OK;
 }
 
@@ -63,7 +63,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_particle_tally_archive(a, &s->before);
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_before(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct freeze *s = self->state;
 
@@ -81,8 +81,8 @@ static void fini(struct ts_instance *self)
 
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "before", "force", "total force on the particles before it was cancelled", TS_VECTOR, 3, components,
-	  eval },
+	{ "before", "force", "total force on the particles before it was cleared", TS_VECTOR, 3, components,
+	  eval_before },
 	{ .name = NULL },
 };
 
@@ -90,16 +90,16 @@ TS_STYLE(fix, ts_style, ts_fix_freeze)
 const struct ts_style ts_fix_freeze = {
 	.name = "freeze",
 	.kind = TS_KIND_FIX,
-	.summary = "holds the particles of the group where they are",
-	.doc = "Sets force and torque to zero, so that particles at rest stay there (particles that "
-	       "move go on moving: give them zero velocity first). Frozen particles count as "
-	       "infinitely heavy in contacts, and contacts between two of them are not evaluated. "
-	       "Define it after the fixes whose forces it cancels.",
+	.summary = "keeps the particles of the group at rest",
+	.doc = "Sets force and torque of the particles of the group to zero. Particles at rest stay at "
+	       "rest; moving ones keep their velocity, so set it to zero first. Frozen particles have "
+	       "infinite mass in contact laws, and contacts between two frozen particles are not evaluated. "
+	       "Define this fix after the fixes whose forces it cancels.",
 	.example = "velocity wall set 0 0 0\nfix hold wall freeze",
 	.state_size = sizeof(struct freeze),
 	.archive = archive,
 	.values = values,
-	.hook = { [TS_STAGE_EXCHANGE] = exchange, [TS_STAGE_POST_FORCE] = post_force },
+	.hook = { [TS_STAGE_EXCHANGE] = set_infinite_mass, [TS_STAGE_POST_FORCE] = freeze_particles },
 	.defers = TS_DEFERS(POST_FORCE),
 	.fini = fini,
 };

@@ -16,13 +16,13 @@
 enum { VECTOR, CHUTE, SPHERICAL };
 
 struct gravity {
-	struct ts_gravity base; /* what others see */
+	struct ts_gravity base; /* read by other styles */
 	int mode;
 	double vector[3], angle, phi, theta;
 	struct tsim *sim;
 };
 
-static void direction(const struct gravity *g, double d[3])
+static void direction_3d(const struct gravity *g, double d[3])
 {
 	const double degree = TS_PI / 180;
 	double theta = g->theta * degree, phi = g->phi * degree, tilt = g->angle * degree;
@@ -41,8 +41,8 @@ static void direction(const struct gravity *g, double d[3])
 	}
 }
 
-/* As in LAMMPS y is up then, and there is no phi. */
-static void direction_in_plane(const struct gravity *g, double d[3])
+/* As in LAMMPS, y takes the role of z in two dimensions, and phi has no effect. */
+static void reduce_direction_to_2d(const struct gravity *g, double d[3])
 {
 	if (g->mode == VECTOR) {
 		d[2] = 0;
@@ -60,9 +60,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	double *d = g->base.direction, length;
 
 	g->sim = sim;
-	direction(g, d);
+	direction_3d(g, d);
 	if (sim->dimension == 2)
-		direction_in_plane(g, d);
+		reduce_direction_to_2d(g, d);
 	length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 	if (!(length > 0))
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
@@ -78,8 +78,8 @@ struct task {
 	int group;
 };
 
-/* Members of rigid bodies are accelerated with their body. */
-static void add_to_some(void *context, size_t from, size_t to)
+/* Members of rigid bodies are skipped: their body is accelerated as a whole. */
+static void accelerate_group(void *context, size_t from, size_t to)
 {
 	const struct task *t = context;
 	const struct ts_particles *p = t->p;
@@ -91,7 +91,7 @@ static void add_to_some(void *context, size_t from, size_t to)
 }
 
 TS_CLONES
-static void add_to_all(void *context, size_t from, size_t to)
+static void accelerate_all(void *context, size_t from, size_t to)
 {
 	const struct task *t = context;
 	const double ax = t->a[0], ay = t->a[1], az = t->a[2];
@@ -106,26 +106,26 @@ static void add_to_all(void *context, size_t from, size_t to)
 	}
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_gravity(struct ts_instance *self, struct tsim *sim)
 {
 	const struct gravity *g = self->state;
 	struct ts_particles *p = sim->particles;
 	struct task task = { .p = p, .group = self->group };
 	double magnitude;
 
-	if (g->base.magnitude.variable) /* it may look at forces */
+	if (g->base.magnitude.variable) /* the variable may read forces */
 		ts_run_deferred_loops(sim);
 	TS_TRY(ts_number_now(sim, &g->base.magnitude, &self->where, &magnitude));
 	ts_scale(magnitude, g->base.direction, task.a);
-	TS_DEFER_LOOP(sim, p->n, self->group == 0 && !p->body ? add_to_all : add_to_some, &task);
-	return ts_rigid_accelerate(sim, self->group, task.a); /* of bodies alone */
+	TS_DEFER_LOOP(sim, p->n, self->group == 0 && !p->body ? accelerate_all : accelerate_group, &task);
+	return ts_rigid_accelerate(sim, self->group, task.a); /* rigid bodies only */
 }
 
 struct weights {
 	double g[3];
 };
 
-static void weight(const struct tsim *sim, size_t i, void *context, double *out)
+static void potential_energy_term(const struct tsim *sim, size_t i, void *context, double *out)
 {
 	const struct ts_body *body = ts_rigid_body_of(sim, i);
 	const double *g = ((const struct weights *)context)->g;
@@ -135,7 +135,7 @@ static void weight(const struct tsim *sim, size_t i, void *context, double *out)
 	*out = -sim->particles->mass[i] * ts_dot(g, body ? body->x : x);
 }
 
-static enum ts_status energy(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct gravity *g = self->state;
 	struct weights weights;
@@ -143,43 +143,44 @@ static enum ts_status energy(struct ts_instance *self, const struct tsim *sim, s
 
 	TS_TRY(ts_number_now(g->sim, &g->base.magnitude, &self->where, &magnitude));
 	ts_scale(magnitude, g->base.direction, weights.g);
-	ts_group_sum(sim, self->group, 1, weight, &weights, out->data);
+	ts_group_sum(sim, self->group, 1, potential_energy_term, &weights, out->data);
 	return TS_OK;
 }
 
 static const struct ts_value values[] = {
-	{ "energy", "energy", "-sum m g.x over the group, positions unwrapped", TS_SCALAR, 1, NULL, energy },
+	{ "energy", "energy", "-sum m g.x over the group, positions unwrapped", TS_SCALAR, 1, NULL,
+	  eval_energy },
 	{ .name = NULL },
 };
 
 static const struct ts_arg vector_rows[] = {
 	TS_VEC3("direction", struct gravity, vector, .flags = TS_POSITIONAL,
-		.help = "where it points; normalised"),
+		.help = "direction of the acceleration; normalised"),
 	TS_ARGS_END,
 };
 static const struct ts_arg chute_rows[] = {
 	TS_REAL("angle", struct gravity, angle, .flags = TS_POSITIONAL, .unit = "degree",
-		.help = "tilt from -z towards +x"),
+		.help = "angle of the direction from -z towards +x"),
 	TS_ARGS_END,
 };
 static const struct ts_arg spherical_rows[] = {
 	TS_REAL("phi", struct gravity, phi, .flags = TS_POSITIONAL, .unit = "degree",
-		.help = "angle around z from x"),
+		.help = "azimuth: angle in the x-y plane from +x"),
 	TS_REAL("theta", struct gravity, theta, .flags = TS_POSITIONAL, .unit = "degree",
-		.help = "angle from +z"),
+		.help = "polar angle from +z"),
 	TS_ARGS_END,
 };
 static const struct ts_mode modes[] = {
-	{ "vector", "by its components", vector_rows },
-	{ "chute", "tilted in the x-z plane", chute_rows },
-	{ "spherical", "by two angles", spherical_rows },
+	{ "vector", "direction by its components", vector_rows },
+	{ "chute", "direction in the x-z plane, by its angle", chute_rows },
+	{ "spherical", "direction by azimuth and polar angle", spherical_rows },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
 	TS_NUMBER("magnitude", struct gravity, base.magnitude, .flags = TS_POSITIONAL, .unit = "acceleration",
-		  .help = "size of the acceleration; may be v_name"),
-	TS_MODE("mode", struct gravity, mode, modes, .help = "how its direction is given"),
+		  .help = "magnitude of the acceleration; a number or v_NAME"),
+	TS_MODE("mode", struct gravity, mode, modes, .help = "how the direction is given"),
 	TS_ARGS_END,
 };
 
@@ -187,20 +188,21 @@ TS_STYLE(fix, ts_style, ts_fix_gravity)
 const struct ts_style ts_fix_gravity = {
 	.name = "gravity",
 	.kind = TS_KIND_FIX,
-	.summary = "constant acceleration of all particles of the group",
-	.doc = "f += m g. The direction is given by `vector x y z` (normalised), `chute angle` (from -z "
-	       "towards +x, in degrees) or `spherical phi theta`; in two dimensions y stands for z, and phi\n"
-	       "has no effect. f_ID is the potential energy, which\n"
-	       "`fix_modify ID energy yes` counts in pe. Rigid bodies with a member in the group are "
-	       "accelerated as\n"
-	       "a whole, with their own mass.",
+	.summary = "adds gravity: the same acceleration for all particles of the group",
+	.doc = "Adds the force f = m g to each particle of the group. The direction of g is given by "
+	       "`vector x y z` (normalised), by `chute angle` (in the x-z plane, angle in degrees from -z "
+	       "towards +x) or by `spherical phi theta` (degrees). In two dimensions y takes the role of z, "
+	       "and phi has no effect.\n\n"
+	       "The scalar f_ID is the potential energy -sum m g . x with unwrapped positions x; it counts "
+	       "in compute pe if `fix_modify ID energy yes` is set. Rigid bodies with a member in the group "
+	       "are accelerated as a whole, with the mass of the body.",
 	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0",
 	.args = args,
 	.family = TS_FAMILY_GRAVITY,
 	.state_size = sizeof(struct gravity),
 	.values = values,
 	.init = init,
-	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.hook = { [TS_STAGE_POST_FORCE] = add_gravity },
 	.defers = TS_DEFERS(POST_FORCE),
 	.energy = ts_energy_output,
 };

@@ -1,4 +1,4 @@
-/* Fix langevin: a heat bath. */
+/* Fix langevin: Langevin thermostat, friction and random forces. */
 #include "core/report.h"
 
 #include <math.h>
@@ -16,7 +16,7 @@ struct state {
 	int64_t seed;
 	bool zero;
 	struct ts_words scale;
-	double *factor; /* of the damping time, by type */
+	double *factor; /* of the damping time, by atom type */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -28,8 +28,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_type_factors(sim, "fix langevin", &self->arena, s->scale, &s->factor);
 }
 
-/* The temperature goes from the first to the last step of a run linearly from start to stop. */
-static enum ts_status temperature(struct ts_instance *self, struct tsim *sim, double *t)
+/* Target temperature: linear in time from start to stop over the run. */
+static enum ts_status target_temperature(struct ts_instance *self, struct tsim *sim, double *t)
 {
 	const struct state *s = self->state;
 	const struct ts_clock *c = &sim->clock;
@@ -43,18 +43,18 @@ static enum ts_status temperature(struct ts_instance *self, struct tsim *sim, do
 	return ts_fail(&sim->error, TS_RANGE, &self->where, "fix langevin: the temperature would be %g", *t);
 }
 
-/* The noise of particle i in this step: variance 2 k T m/(damp h), uniformly distributed as in Duenweg
- * and Paul, Int. J. Mod. Phys. C 2 (1991) 817. */
-static void noise(const struct state *s, const struct tsim *sim, double kt, size_t i, double f[3])
+/* Random force on particle i in this step: variance 2 k T m/(damp dt) per component, uniformly
+ * distributed (B. Duenweg, W. Paul, Int. J. Mod. Phys. C 2 (1991) 817). */
+static void random_force(const struct state *s, const struct tsim *sim, double kt, size_t i, double f[3])
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_rng rng = ts_rng_start((uint64_t)s->seed, (uint64_t)p->tag[i]);
 	double damp = s->damp * s->factor[p->type[i]];
-	double size = sqrt(24 * kt * p->mass[i] / (damp * sim->clock.dt));
+	double amplitude = sqrt(24 * kt * p->mass[i] / (damp * sim->clock.dt));
 
 	rng.counter = 3 * (uint64_t)sim->clock.step;
 	for (int k = 0; k < 3; k++)
-		f[k] = k < sim->dimension ? size * (ts_rng_uniform(&rng) - 0.5) : 0;
+		f[k] = k < sim->dimension ? amplitude * (ts_rng_uniform(&rng) - 0.5) : 0;
 }
 
 struct bath {
@@ -62,62 +62,63 @@ struct bath {
 	double kt;
 };
 
-static void noise_term(const struct tsim *sim, size_t i, void *context, double *term)
+static void random_force_term(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	const struct bath *bath = context;
 
-	noise(bath->s, sim, bath->kt, i, term);
+	random_force(bath->s, sim, bath->kt, i, term);
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_langevin_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
 	struct bath bath = { s, 0 };
 	double t, mean[3] = { 0 }, n = s->zero ? ts_group_count(sim, self->group) : 0;
 
-	TS_TRY(temperature(self, sim, &t));
+	TS_TRY(target_temperature(self, sim, &t));
 	bath.kt = ts_boltzmann(sim) * t;
 	if (n > 0)
-		ts_group_sum(sim, self->group, 3, noise_term, &bath, mean);
+		ts_group_sum(sim, self->group, 3, random_force_term, &bath, mean);
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
 		double f[3], rate = p->mass[i] / (s->damp * s->factor[p->type[i]]);
 
 		if (!ts_in_group(p, i, self->group))
 			continue;
-		noise(s, sim, bath.kt, i, f);
+		random_force(s, sim, bath.kt, i, f);
 		for (int k = 0; k < 3; k++)
 			p->f[i][k] += f[k] - rate * p->v[i][k] - (n > 0 ? mean[k] / n : 0);
 	}
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
-	double least = INFINITY;
+	double shortest = INFINITY;
 
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
-			least = fmin(least, s->damp * s->factor[p->type[i]]);
-	if (!isfinite(least))
+			shortest = fmin(shortest, s->damp * s->factor[p->type[i]]);
+	if (!isfinite(shortest))
 		return TS_OK;
-	return ts_report_limit(report, 2 * least, true, &self->where, "fix langevin, 2 damp");
+	return ts_report_limit(report, 2 * shortest, true, &self->where, "fix langevin, 2 damp");
 }
 
 static const struct ts_arg args[] = {
 	TS_NUMBER("Tstart", struct state, start, .flags = TS_POSITIONAL, .unit = "temperature",
-		  .help = "temperature at the start of a run; v_NAME: at all times"),
+		  .help = "temperature at the start of the run; v_NAME: a variable, evaluated in each step"),
 	TS_REAL("Tstop", struct state, stop, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-		.unit = "temperature", .help = "temperature at its end"),
+		.unit = "temperature", .help = "temperature at the end of the run"),
 	TS_REAL("damp", struct state, damp, .flags = TS_POSITIONAL, .range = TS_POSITIVE, .unit = "time",
-		.help = "time in which velocities decay"),
+		.help = "damping time: relaxation time of velocities"),
 	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "seed of the random numbers"),
+	       .help = "seed of the random number generator"),
 	TS_BOOL("zero", struct state, zero, .fallback = "no",
-		.help = "take the mean of the noise away, so that it does not push the group"),
+		.help = "subtract the mean random force, so that the total random force on the group is "
+			"zero"),
 	TS_TYPE_FACTORS(struct state, scale, "the time"),
 	TS_ARGS_END,
 };
@@ -126,18 +127,20 @@ TS_STYLE(fix, ts_style, ts_fix_langevin)
 const struct ts_style ts_fix_langevin = {
 	.name = "langevin",
 	.kind = TS_KIND_FIX,
-	.summary = "A heat bath: friction and noise",
-	.doc = "f += -m v/damp + sqrt(24 k T m/(damp h)) u, each component of u uniform in (-1/2, 1/2): "
-	       "friction and\n"
-	       "noise of the strength that makes the particles' translation have the temperature T. Numbers "
-	       "depend\n"
-	       "on seed, step and identity only. Integrate with fix nve. The temperature goes linearly from "
-	       "Tstart\n"
-	       "to Tstop over each run (see `run N start S stop E`).",
+	.summary = "Langevin thermostat: friction and random forces",
+	.doc = "Adds to each particle of the group a friction force and a random force,\n\n"
+	       "  f = -m v/damp + sqrt(24 k T m/(damp dt)) u\n\n"
+	       "with Boltzmann's constant k, the time step dt and u uniformly distributed in (-1/2, 1/2) in "
+	       "each component, so that the translational degrees of freedom approach the temperature T. T "
+	       "changes linearly from Tstart to Tstop over each run (see `run N start S stop E`). The "
+	       "random numbers are functions of seed, time step and particle ID only, so results do not "
+	       "depend on the number of threads.\n\n"
+	       "This fix does not integrate the motion: use it with fix nve. The time step must be less "
+	       "than 2 damp.",
 	.example = "fix bath all langevin 300 300 0.1 86028157",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.init = init,
-	.hook[TS_STAGE_POST_FORCE] = post_force,
-	.plan = plan,
+	.hook[TS_STAGE_POST_FORCE] = add_langevin_force,
+	.plan = report_limit,
 };

@@ -1,4 +1,4 @@
-/* Fix move: prescribed paths. */
+/* Fix move: prescribed motion. */
 #include "core/sim.h"
 
 #include "box/domain.h"
@@ -20,34 +20,35 @@ enum { LINEAR, WIGGLE, ROTATE, TRANSROT, VARIABLE };
 struct state {
 	struct ts_prescribed_motion motion;
 	int mode, units;
-	struct ts_number velocity[3], amplitude[3], shift[3], rate[3]; /* NULL: moves freely */
+	/* NULL: this component is integrated freely */
+	struct ts_number velocity[3], amplitude[3], shift[3], rate[3];
 	double drift[3], point[3], axis[3], period;
-	double unit[3]; /* along the axis */
+	double unit[3]; /* unit vector along the axis */
 	struct ts_number_or_peratom shift_now[3], rate_now[3];
-	struct ts_reference start; /* where each particle would be at t = 0, not wrapped */
-	double origin;		   /* saved: time when the fix was made */
+	struct ts_reference start; /* unwrapped position of each particle at t = 0 */
+	double origin;		   /* saved: simulation time when the fix was defined */
 	int64_t started;	   /* saved */
 };
 
-/* The time since the start, and factors common to all particles. */
+/* Time since the fix was defined, and factors common to all particles. */
 struct moment {
 	double t, sine, cosine, omega;
 };
 
-/* Whether some component moves as forces say. */
-static bool moves_freely(const struct state *s)
+/* Whether some component is integrated with the forces instead of prescribed. */
+static bool any_component_free(const struct state *s)
 {
 	const struct ts_number *given = s->mode == LINEAR ? s->velocity : s->amplitude;
-	bool some = false;
+	bool any = false;
 
 	for (int k = 0; k < 3 && (s->mode == LINEAR || s->mode == WIGGLE); k++)
-		some |= given[k].null;
+		any |= given[k].null;
 	for (int k = 0; k < 3 && s->mode == VARIABLE; k++)
-		some |= s->shift[k].null && s->rate[k].null;
-	return some;
+		any |= s->shift[k].null && s->rate[k].null;
+	return any;
 }
 
-static double scale_of(const struct state *s, const struct tsim *sim, int dim)
+static double length_scale(const struct state *s, const struct tsim *sim, int dim)
 {
 	return ts_domain_scale(sim, s->units, dim);
 }
@@ -62,14 +63,14 @@ static struct moment moment_of(const struct state *s, const struct tsim *sim)
 	return m;
 }
 
-/* x = P + C + A cos wt + B sin wt + V t, where x0 - P = C + A, C along the axis, B = e x A. */
-static void turn(const struct state *s, const struct tsim *sim, const struct moment *m, const double x0[3],
-		 double x[3], double v[3])
+/* x = P + C + A cos(wt) + B sin(wt) + V t, where x0 - P = C + A, C parallel to the axis e, B = e x A. */
+static void rotate_about_axis(const struct state *s, const struct tsim *sim, const struct moment *m,
+			      const double x0[3], double x[3], double v[3])
 {
 	double point[3], a[3], b[3], along;
 
 	for (int k = 0; k < 3; k++) {
-		point[k] = scale_of(s, sim, k) * s->point[k];
+		point[k] = length_scale(s, sim, k) * s->point[k];
 		a[k] = x0[k] - point[k];
 	}
 	along = ts_dot(a, s->unit);
@@ -77,15 +78,15 @@ static void turn(const struct state *s, const struct tsim *sim, const struct mom
 		a[k] -= along * s->unit[k];
 	ts_cross(s->unit, a, b);
 	for (int k = 0; k < 3; k++) {
-		double drift = s->mode == TRANSROT ? scale_of(s, sim, k) * s->drift[k] : 0;
+		double drift = s->mode == TRANSROT ? length_scale(s, sim, k) * s->drift[k] : 0;
 
 		x[k] = point[k] + along * s->unit[k] + m->cosine * a[k] + m->sine * b[k] + drift * m->t;
 		v[k] = m->omega * (m->cosine * b[k] - m->sine * a[k]) + drift;
 	}
 }
 
-/* Where a particle must have started to be where it is now. */
-static void start_of(const struct ts_instance *self, const struct tsim *sim, size_t i, double x[3])
+/* Inverse motion: the position at t = 0 of a particle that is at its current position now. */
+static void position_at_origin(const struct ts_instance *self, const struct tsim *sim, size_t i, double x[3])
 {
 	const struct state *s = self->state;
 	struct moment m = moment_of(s, sim);
@@ -93,7 +94,7 @@ static void start_of(const struct ts_instance *self, const struct tsim *sim, siz
 
 	ts_unwrapped(sim, i, x);
 	for (int k = 0; k < 3; k++) {
-		double scale = scale_of(s, sim, k);
+		double scale = length_scale(s, sim, k);
 
 		if (s->mode == LINEAR && !s->velocity[k].null)
 			x[k] -= scale * s->velocity[k].value * m.t;
@@ -105,11 +106,11 @@ static void start_of(const struct ts_instance *self, const struct tsim *sim, siz
 	if (s->mode == ROTATE || s->mode == TRANSROT) {
 		m.sine = -m.sine;
 		m.t = 0;
-		turn(s, sim, &m, x, x, v);
+		rotate_about_axis(s, sim, &m, x, x, v);
 	}
 }
 
-static enum ts_status check_numbers(struct ts_instance *self, struct tsim *sim)
+static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_number *given = s->mode == LINEAR ? s->velocity : s->amplitude;
@@ -136,18 +137,18 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	TS_TRY(check_numbers(self, sim));
-	s->motion.free = moves_freely(s);
+	TS_TRY(check_arguments(self, sim));
+	s->motion.free = any_component_free(s);
 	ts_domain_units_said(sim, s->units, &self->where);
 	if (!s->started)
 		s->origin = ts_sim_time(sim);
 	s->started = 1;
 	if (s->mode == ROTATE || s->mode == TRANSROT)
 		TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE)));
-	return ts_reference_init(self, sim, &s->start, start_of);
+	return ts_reference_init(self, sim, &s->start, position_at_origin);
 }
 
-static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
+static enum ts_status evaluate_variables(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
@@ -160,27 +161,27 @@ static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Component k of particle i moves as the forces say. */
-static bool is_free(const struct state *s, int k)
+/* Whether component k is integrated with the forces. */
+static bool component_is_free(const struct state *s, int k)
 {
 	return (s->mode == LINEAR && s->velocity[k].null) || (s->mode == WIGGLE && s->amplitude[k].null) ||
 	       (s->mode == VARIABLE && s->shift[k].null && s->rate[k].null);
 }
 
-static void kick(const struct state *s, const struct tsim *sim, size_t i)
+static void kick_free_components(const struct state *s, const struct tsim *sim, size_t i)
 {
 	struct ts_particles *p = sim->particles;
 
 	for (int k = 0; k < 3; k++)
-		if (is_free(s, k))
+		if (component_is_free(s, k))
 			p->v[i][k] += 0.5 * sim->clock.dt / p->mass[i] * p->f[i][k];
 }
 
-/* The new place, not wrapped, and velocity of a component that is not given as a rotation. */
+/* New unwrapped position and velocity of component k for linear motion, oscillation and variables. */
 static void move_component(const struct state *s, const struct tsim *sim, const struct moment *m, size_t i,
 			   int k, double start, double *x, double *v)
 {
-	double scale = scale_of(s, sim, k);
+	double scale = length_scale(s, sim, k);
 
 	if (s->mode == LINEAR && !s->velocity[k].null) {
 		*v = scale * s->velocity[k].value;
@@ -198,16 +199,16 @@ static void move_component(const struct state *s, const struct tsim *sim, const 
 	}
 }
 
-static void move(const struct state *s, const struct tsim *sim, const struct moment *m, size_t i)
+static void move_particle(const struct state *s, const struct tsim *sim, const struct moment *m, size_t i)
 {
 	struct ts_particles *p = sim->particles;
 	const double *start = ts_reference_of(sim, &s->start, i);
 	double x[3];
 
 	ts_unwrapped(sim, i, x);
-	kick(s, sim, i);
+	kick_free_components(s, sim, i);
 	if (s->mode == ROTATE || s->mode == TRANSROT)
-		turn(s, sim, m, start, x, p->v[i]);
+		rotate_about_axis(s, sim, m, start, x, p->v[i]);
 	for (int k = 0; k < 3; k++) {
 		if (s->mode != ROTATE && s->mode != TRANSROT)
 			move_component(s, sim, m, i, k, start[k], &x[k], &p->v[i][k]);
@@ -224,7 +225,7 @@ struct task {
 	int group;
 };
 
-static void move_share(void *context, size_t from, size_t to)
+static void move_range(void *context, size_t from, size_t to)
 {
 	const struct task *t = context;
 	const struct ts_particles *p = t->sim->particles;
@@ -233,16 +234,16 @@ static void move_share(void *context, size_t from, size_t to)
 		return;
 	for (size_t i = from; i < to; i++)
 		if (ts_in_group(p, i, t->group))
-			move(t->s, t->sim, &t->m, i);
+			move_particle(t->s, t->sim, &t->m, i);
 }
 
-static void kick_share(void *context, size_t from, size_t to)
+static void kick_range(void *context, size_t from, size_t to)
 {
 	const struct task *t = context;
 
 	for (size_t i = from; i < to; i++)
 		if (ts_in_group(t->sim->particles, i, t->group))
-			kick(t->s, t->sim, i);
+			kick_free_components(t->s, t->sim, i);
 }
 
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
@@ -251,10 +252,10 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	struct task task = { s, sim, moment_of(s, sim), self->group };
 
 	if (s->mode == VARIABLE) {
-		ts_run_deferred_loops(sim); /* variables may look at anything */
-		TS_TRY(evaluate(self, sim));
+		ts_run_deferred_loops(sim); /* variables may read any particle data */
+		TS_TRY(evaluate_variables(self, sim));
 	}
-	TS_DEFER_LOOP(sim, sim->particles->n, move_share, &task);
+	TS_DEFER_LOOP(sim, sim->particles->n, move_range, &task);
 	return TS_OK;
 }
 
@@ -264,22 +265,23 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	struct task task = { .s = s, .sim = sim, .group = self->group };
 
 	if (s->motion.free)
-		TS_DEFER_LOOP(sim, sim->particles->n, kick_share, &task);
+		TS_DEFER_LOOP(sim, sim->particles->n, kick_range, &task);
 	return TS_OK;
 }
 
-static void leave(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
+static void clear_prescribed_components(const struct ts_instance *self, const struct tsim *sim, size_t i,
+					double f[3])
 {
 	(void)sim;
 	(void)i;
 	for (int k = 0; k < 3; k++)
-		if (!is_free(self->state, k))
+		if (!component_is_free(self->state, k))
 			f[k] = 0;
 }
 
-static const struct ts_restraint restraint = { NULL, leave };
+static const struct ts_restraint restraint = { NULL, clear_prescribed_components };
 
-static enum ts_status take_in(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_new_particles(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 
@@ -294,7 +296,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_reference_archive(a, sim, &s->start);
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_start(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -320,7 +322,7 @@ static void fini(struct ts_instance *self)
 #define COMPONENT(name_, field, unit_, help_)                                                     \
 	TS_NUMBER(name_, struct state, field, .flags = TS_POSITIONAL | TS_NULLABLE | TS_STATEFUL, \
 		  .unit = unit_, .help = help_)
-#define FREE "; NULL: this component moves as forces say"
+#define FREE "; NULL: this component is integrated with the forces"
 static const struct ts_arg linear_args[] = {
 	COMPONENT("Vx", velocity[0], "velocity", "x velocity" FREE),
 	COMPONENT("Vy", velocity[1], "velocity", "y velocity"),
@@ -329,7 +331,7 @@ static const struct ts_arg linear_args[] = {
 };
 #define PERIOD                                                                                              \
 	TS_REAL("period", struct state, period, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_POSITIVE, \
-		.unit = "time", .help = "time of one oscillation or turn")
+		.unit = "time", .help = "period of the oscillation or rotation")
 static const struct ts_arg wiggle_args[] = {
 	COMPONENT("Ax", amplitude[0], "length", "x amplitude" FREE),
 	COMPONENT("Ay", amplitude[1], "length", "y amplitude"),
@@ -341,17 +343,17 @@ static const struct ts_arg wiggle_args[] = {
 	TS_VEC3("point", struct state, point, .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "length", \
 		.help = "a point on the axis"),                                                       \
 		TS_VEC3("axis", struct state, axis, .flags = TS_POSITIONAL | TS_STATEFUL,             \
-			.help = "direction of the axis, any length; turns by the right hand"),        \
+			.help = "direction of the axis, of any length; right-handed rotation"),       \
 		PERIOD
 static const struct ts_arg rotate_args[] = { AXIS, TS_ARGS_END };
 static const struct ts_arg transrot_args[] = {
 	TS_VEC3("drift", struct state, drift, .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "velocity",
-		.help = "velocity of the axis"),
+		.help = "translational velocity of the axis"),
 	AXIS,
 	TS_ARGS_END,
 };
 static const struct ts_arg variable_args[] = {
-	COMPONENT("dx", shift[0], "length", "x displacement from the start, a variable, or NULL"),
+	COMPONENT("dx", shift[0], "length", "x displacement from the initial position: v_NAME or NULL"),
 	COMPONENT("dy", shift[1], "length", "y displacement"),
 	COMPONENT("dz", shift[2], "length", "z displacement"),
 	COMPONENT("vx", rate[0], "velocity", "x velocity, a variable, or NULL; both NULL" FREE),
@@ -361,26 +363,26 @@ static const struct ts_arg variable_args[] = {
 };
 
 static const struct ts_mode modes[] = {
-	[LINEAR] = { "linear", "at constant velocity", linear_args },
-	[WIGGLE] = { "wiggle", "to and fro: x = x0 + A sin(2 pi t / period)", wiggle_args },
-	[ROTATE] = { "rotate", "around an axis", rotate_args },
-	[TRANSROT] = { "transrot", "around an axis that moves", transrot_args },
-	[VARIABLE] = { "variable", "as variables say", variable_args },
+	[LINEAR] = { "linear", "constant velocity", linear_args },
+	[WIGGLE] = { "wiggle", "oscillation: x = x0 + A sin(2 pi t / period)", wiggle_args },
+	[ROTATE] = { "rotate", "rotation about an axis", rotate_args },
+	[TRANSROT] = { "transrot", "rotation about an axis that moves at constant velocity", transrot_args },
+	[VARIABLE] = { "variable", "displacement or velocity by variables", variable_args },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
 	TS_MODE("style", struct state, mode, modes, .help = "kind of motion"),
 	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
-		.help = "whether lengths are given in lattice spacings or as they are"),
+		.help = "lengths in lattice spacings (lattice) or in the units of the script (box)"),
 	TS_ARGS_END,
 };
 
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
 	{ "start", "length",
-	  "where each particle was when the fix was made, not wrapped; 0 outside the group", TS_PERATOM, 3,
-	  components, eval },
+	  "unwrapped position of each particle when the fix was defined; 0 outside the group", TS_PERATOM, 3,
+	  components, eval_start },
 	{ .name = NULL },
 };
 
@@ -394,22 +396,21 @@ TS_STYLE(fix, ts_style, ts_fix_move)
 const struct ts_style ts_fix_move = {
 	.name = "move",
 	.kind = TS_KIND_FIX,
-	.summary = "Moves particles along prescribed paths",
-	.doc = "Takes the place of an integrator for the particles of the group: where they are is a "
-	       "function of the\n"
-	       "time t since the fix was made, whatever forces act on them. With x0 the place at t = 0\n\n"
+	.summary = "prescribes the motion of particles",
+	.doc = "Replaces the time integration for the particles of the group: their position is a function "
+	       "of the time t since the fix was defined, independent of the forces on them. With the "
+	       "position x0 at t = 0\n\n"
 	       "    linear    x = x0 + V t\n"
 	       "    wiggle    x = x0 + A sin(2 pi t/period)\n"
-	       "    rotate    x = P + C + A cos(wt) + B sin(wt), x0 - P = C + A, C along the axis e, B = e x "
-	       "A\n"
+	       "    rotate    x = P + C + A cos(wt) + B sin(wt), x0 - P = C + A, C along the axis e, B = e "
+	       "x A\n"
 	       "    transrot  the same + V t\n"
 	       "    variable  x = x0 + (dx, dy, dz), or x += h (vx, vy, vz) where no displacement is "
 	       "given\n\n"
-	       "and velocities to match; particles that turn also spin with w = 2 pi/period. With "
-	       "`variable`\n"
-	       "displacements and velocities should agree, which is not checked. Particles that come later "
-	       "take part\n"
-	       "from where they are.",
+	       "with the time step h and w = 2 pi/period. Velocities are the time derivatives; with rotate "
+	       "and transrot the angular velocity of the particles is set to w e. With `variable` "
+	       "displacement and velocity should be consistent, which is not checked. Particles that are "
+	       "created later start from their position at that time.",
 	.example = "fix shake floor move wiggle NULL NULL 0.001 0.02\n"
 		   "fix stir blade move rotate 0 0 0 0 0 1 2.385",
 	.args = args,
@@ -422,7 +423,7 @@ const struct ts_style ts_fix_move = {
 	.integrates = TS_MOVES | TS_TURNS,
 	.hook = {
 		[TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
-		[TS_STAGE_POST_BUILD] = take_in,
+		[TS_STAGE_POST_BUILD] = add_new_particles,
 		[TS_STAGE_FINAL_INTEGRATE] = final_integrate,
 	},
 	.defers = TS_DEFERS(INITIAL_INTEGRATE) | TS_DEFERS(FINAL_INTEGRATE),

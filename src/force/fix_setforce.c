@@ -11,10 +11,10 @@ struct setforce {
 	struct ts_number f[3];
 	struct ts_instance *region;
 	struct ts_number_or_peratom now[3];
-	struct ts_particle_tally before; /* forces before they were set */
+	struct ts_particle_tally before; /* force on each particle before it was set */
 };
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status set_forces(struct ts_instance *self, struct tsim *sim)
 {
 	struct setforce *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -36,12 +36,13 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status prepare(struct ts_instance *self, struct tsim *sim)
+static enum ts_status update_region(struct ts_instance *self, struct tsim *sim)
 {
 	return ts_region_update(((struct setforce *)self->state)->region, sim);
 }
 
-static void leave(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
+static void clear_set_components(const struct ts_instance *self, const struct tsim *sim, size_t i,
+				 double f[3])
 {
 	const struct setforce *s = self->state;
 
@@ -50,7 +51,7 @@ static void leave(const struct ts_instance *self, const struct tsim *sim, size_t
 			f[k] = 0;
 }
 
-static const struct ts_restraint restraint = { prepare, leave };
+static const struct ts_restraint restraint = { update_region, clear_set_components };
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
@@ -60,7 +61,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_particle_tally_archive(a, &s->before);
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_before(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct setforce *s = self->state;
 
@@ -80,11 +81,12 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_NUMBER("fx", struct setforce, f[0], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
-		  .help = "x force; NULL leaves it, v_name makes it a variable (also one for each particle)"),
+		  .help = "x component of the force; NULL: unchanged; v_NAME: an equal-style or atom-style "
+			  "variable"),
 	TS_NUMBER("fy", struct setforce, f[1], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
-		  .help = "y force"),
+		  .help = "y component"),
 	TS_NUMBER("fz", struct setforce, f[2], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
-		  .help = "z force"),
+		  .help = "z component"),
 	TS_REGION_KEYWORD(struct setforce),
 	TS_ARGS_END,
 };
@@ -92,7 +94,7 @@ static const struct ts_arg args[] = {
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
 	{ "before", "force", "total force on the particles before it was set", TS_VECTOR, 3, components,
-	  eval },
+	  eval_before },
 	{ .name = NULL },
 };
 
@@ -101,13 +103,15 @@ const struct ts_style ts_fix_setforce = {
 	.name = "setforce",
 	.kind = TS_KIND_FIX,
 	.summary = "sets components of the force on each particle of the group",
-	.doc = "Replaces whatever earlier styles have added in this step. NULL leaves a component alone.",
+	.doc = "Replaces the force on each particle of the group (that is in the region) by (fx, fy, fz). "
+	       "All forces that were added earlier in the time step are discarded; a component that is NULL "
+	       "is not changed. The vector f_ID[k] is the total force on the particles before it was set.",
 	.example = "fix guide tool setforce 0.0 0.0 NULL",
 	.args = args,
 	.state_size = sizeof(struct setforce),
 	.archive = archive,
 	.values = values,
-	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.hook = { [TS_STAGE_POST_FORCE] = set_forces },
 	.restraint = &restraint,
 	.fini = fini,
 };

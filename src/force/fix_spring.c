@@ -14,12 +14,12 @@ enum { TETHER, COUPLE };
 struct state {
 	int mode, partner;
 	double stiffness, rest;
-	struct ts_number at[3];	 /* NULL: free in this direction */
-	double force[4], energy; /* saved: on the group, and its size with sign */
+	struct ts_number at[3];	 /* NULL: no force in this direction */
+	double force[4], energy; /* saved; force on the group, and its magnitude, > 0 attractive */
 };
 
-/* Spreads a force over a group by mass: all get the same acceleration. */
-static void spread(struct tsim *sim, int group, const double force[3], double sign)
+/* Distributes a force over a group in proportion to mass: all particles get the same acceleration. */
+static void distribute_force(struct tsim *sim, int group, const double force[3], double sign)
 {
 	struct ts_particles *p = sim->particles;
 	double mass = ts_group_mass(sim, group);
@@ -30,8 +30,8 @@ static void spread(struct tsim *sim, int group, const double force[3], double si
 			p->f[i][k] += sign * force[k] * (p->mass[i] / mass);
 }
 
-/* From where the spring pulls to, to the centre of the group; 0 in free directions. */
-static enum ts_status arm(struct ts_instance *self, struct tsim *sim, double d[3])
+/* Vector from the fixed end of the spring to the centre of mass of the group; 0 in free directions. */
+static enum ts_status spring_vector(struct ts_instance *self, struct tsim *sim, double d[3])
 {
 	const struct state *s = self->state;
 	double other[3];
@@ -51,25 +51,25 @@ static enum ts_status arm(struct ts_instance *self, struct tsim *sim, double d[3
 	return TS_OK;
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_spring_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	double d[3], length, stretch;
 
-	TS_TRY(arm(self, sim, d));
+	TS_TRY(spring_vector(self, sim, d));
 	length = ts_norm(d);
 	stretch = length - s->rest;
 	for (int k = 0; k < 3; k++)
 		s->force[k] = length > 0 ? -s->stiffness * stretch * d[k] / length : 0;
 	s->force[3] = length > 0 ? s->stiffness * stretch : 0;
 	s->energy = 0.5 * s->stiffness * stretch * stretch;
-	spread(sim, self->group, s->force, 1);
+	distribute_force(sim, self->group, s->force, 1);
 	if (s->mode == COUPLE)
-		spread(sim, s->partner, s->force, -1);
+		distribute_force(sim, s->partner, s->force, -1);
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 	double mass = ts_group_mass(sim, self->group), other;
@@ -101,7 +101,7 @@ static enum ts_status eval_force(struct ts_instance *self, const struct tsim *si
 
 #define K_ROW                                                                               \
 	TS_REAL("K", struct state, stiffness, .flags = TS_POSITIONAL, .range = TS_POSITIVE, \
-		.unit = "force/length", .help = "spring constant")
+		.unit = "force/length", .help = "stiffness of the spring")
 #define END_ROWS(help_)                                                                                     \
 	TS_NUMBER("x", struct state, at[0], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "length",         \
 		  .help = help_ ", a number or v_NAME; NULL: no force in x"),                               \
@@ -110,31 +110,31 @@ static enum ts_status eval_force(struct ts_instance *self, const struct tsim *si
 		TS_NUMBER("z", struct state, at[2], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "length", \
 			  .help = "z"),                                                                     \
 		TS_REAL("R0", struct state, rest, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,         \
-			.unit = "length", .help = "length without force")
-static const struct ts_arg tether_args[] = { K_ROW, END_ROWS("x of the point it pulls to"), TS_ARGS_END };
+			.unit = "length", .help = "rest length")
+static const struct ts_arg tether_args[] = { K_ROW, END_ROWS("x of the anchor point"), TS_ARGS_END };
 static const struct ts_arg couple_args[] = {
-	TS_GROUP("partner", struct state, partner, .flags = TS_POSITIONAL, .help = "the other group"),
+	TS_GROUP("partner", struct state, partner, .flags = TS_POSITIONAL, .help = "group at the other end"),
 	K_ROW,
 	END_ROWS("x of the partner relative to the group at rest"),
 	TS_ARGS_END,
 };
 
 static const struct ts_mode modes[] = {
-	[TETHER] = { "tether", "to a point", tether_args },
-	[COUPLE] = { "couple", "to another group", couple_args },
+	[TETHER] = { "tether", "spring to a point", tether_args },
+	[COUPLE] = { "couple", "spring between two groups", couple_args },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
-	TS_MODE("style", struct state, mode, modes, .help = "what is at the other end"),
+	TS_MODE("style", struct state, mode, modes, .help = "what the spring connects the group to"),
 	TS_ARGS_END,
 };
 
 static const char *const components[] = { "x", "y", "z", "size" };
 static const struct ts_value values[] = {
 	{ "energy", "energy", "energy of the spring", TS_SCALAR, 1, NULL, eval_energy },
-	{ "force", "force", "force on the group, and its size, < 0 where it pushes", TS_VECTOR, 4, components,
-	  eval_force },
+	{ "force", "force", "force on the group, and its magnitude, < 0 if repulsive", TS_VECTOR, 4,
+	  components, eval_force },
 	{ .name = NULL },
 };
 
@@ -148,13 +148,15 @@ TS_STYLE(fix, ts_style, ts_fix_spring)
 const struct ts_style ts_fix_spring = {
 	.name = "spring",
 	.kind = TS_KIND_FIX,
-	.summary = "A spring on the centre of mass of a group",
-	.doc = "F = -K (|d| - R0) d/|d|, where d leads from the point, or from the centre of mass of the "
-	       "partner\n"
-	       "minus (x, y, z), to the centre of mass of the group, positions not wrapped. The force is "
-	       "shared out by\n"
-	       "mass, so it moves the group as a whole and does not turn it; a partner gets the opposite.\n"
-	       "Stable with velocity Verlet for steps below 2 sqrt(m/K).",
+	.summary = "adds a spring between the centre of mass of a group and a point or another group",
+	.doc = "The force on the group is\n\n"
+	       "  F = -K (|d| - R0) d/|d|\n\n"
+	       "where d is the vector to the centre of mass of the group from the point (tether), or from "
+	       "the centre of mass of the partner minus (x, y, z) (couple). Centres of mass are those of "
+	       "unwrapped positions. The force is distributed over the particles in proportion to their "
+	       "mass, so it accelerates the group as a whole and exerts no torque about its centre of mass; "
+	       "the partner gets the opposite force. Velocity Verlet is stable for time steps below 2 "
+	       "sqrt(m/K), with the mass m of the group, or the reduced mass of both groups.",
 	.example = "fix tow ball spring tether 25 0.5 NULL v_height 0.0\n"
 		   "fix rope left spring couple right 25 0 0 0 2.385",
 	.args = args,
@@ -162,6 +164,6 @@ const struct ts_style ts_fix_spring = {
 	.saved = saved,
 	.values = values,
 	.energy = ts_energy_output,
-	.hook[TS_STAGE_POST_FORCE] = post_force,
-	.plan = plan,
+	.hook[TS_STAGE_POST_FORCE] = add_spring_force,
+	.plan = report_limit,
 };

@@ -1,4 +1,4 @@
-/* Fix spring/self: a spring from each particle to where it was. */
+/* Fix spring/self: tethers each particle to its initial position. */
 #include "core/report.h"
 #include "energy/potential_energy.h"
 
@@ -22,7 +22,7 @@ struct state {
 
 static const char *const directions[] = { "xyz", "xy", "yz", "xz", "x", "y", "z", NULL };
 
-static bool acts(const struct state *s, int k)
+static bool acts_in_direction(const struct state *s, int k)
 {
 	for (const char *c = directions[s->direction]; *c; c++)
 		if (*c == "xyz"[k])
@@ -30,7 +30,8 @@ static bool acts(const struct state *s, int k)
 	return false;
 }
 
-static void place(const struct ts_instance *self, const struct tsim *sim, size_t i, double now[3])
+static void unwrapped_position(const struct ts_instance *self, const struct tsim *sim, size_t i,
+			       double now[3])
 {
 	(void)self;
 	ts_unwrapped(sim, i, now);
@@ -40,10 +41,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	return ts_reference_init(self, sim, &s->anchor, place);
+	return ts_reference_init(self, sim, &s->anchor, unwrapped_position);
 }
 
-static enum ts_status take_in(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_new_particles(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 
@@ -51,7 +52,7 @@ static enum ts_status take_in(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_spring_forces(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -66,7 +67,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 		ts_unwrapped(sim, i, d);
 		ts_sub(d, ts_reference_of(sim, &s->anchor, i), d);
 		for (int k = 0; k < 3; k++) {
-			if (!acts(s, k))
+			if (!acts_in_direction(s, k))
 				continue;
 			p->f[i][k] -= s->stiffness * d[k];
 			s->energy.note[i][ENERGY] += 0.5 * s->stiffness * d[k] * d[k];
@@ -75,7 +76,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -98,7 +99,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_reference_archive(a, sim, &s->anchor);
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct state *s = self->state;
 
@@ -116,14 +117,14 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_REAL("K", struct state, stiffness, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-		.unit = "force/length", .help = "spring constant"),
+		.unit = "force/length", .help = "stiffness of the springs"),
 	TS_ENUM("dir", struct state, direction, directions, .flags = TS_POSITIONAL, .fallback = "xyz",
-		.help = "directions in which it pulls"),
+		.help = "directions in which the springs act"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
-	{ "energy", "energy", "energy of all springs", TS_SCALAR, 1, NULL, eval },
+	{ "energy", "energy", "energy of all springs", TS_SCALAR, 1, NULL, eval_energy },
 	{ .name = NULL },
 };
 
@@ -131,10 +132,11 @@ TS_STYLE(fix, ts_style, ts_fix_spring_self)
 const struct ts_style ts_fix_spring_self = {
 	.name = "spring/self",
 	.kind = TS_KIND_FIX,
-	.summary = "A spring from each particle to where it was",
-	.doc = "f -= K (x - x0) with x0 the place, not wrapped, when the fix was made, or when the particle "
-	       "came.\n"
-	       "Stable with velocity Verlet for steps below 2 sqrt(m/K).",
+	.summary = "tethers each particle to its initial position by a spring",
+	.doc = "Adds the force f = -K (x - x0) to each particle of the group, in the given directions. x "
+	       "and x0 are unwrapped positions, x0 that when the fix was defined or, for particles created "
+	       "later, when the particle was created. Velocity Verlet is stable for time steps below 2 "
+	       "sqrt(m/K) with the smallest mass m.",
 	.example = "fix hold frame spring/self 2.5 xy",
 	.args = args,
 	.state_size = sizeof(struct state),
@@ -143,9 +145,9 @@ const struct ts_style ts_fix_spring_self = {
 	.energy = ts_energy_output,
 	.init = init,
 	.hook = {
-		[TS_STAGE_POST_BUILD] = take_in,
-		[TS_STAGE_POST_FORCE] = post_force,
+		[TS_STAGE_POST_BUILD] = add_new_particles,
+		[TS_STAGE_POST_FORCE] = add_spring_forces,
 	},
-	.plan = plan,
+	.plan = report_limit,
 	.fini = fini,
 };

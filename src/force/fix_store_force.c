@@ -1,4 +1,4 @@
-/* Fix store/force: the forces at this point of a step. */
+/* Fix store/force: stores the forces at this point of the time step. */
 #include "core/sim.h"
 
 #include <string.h>
@@ -11,7 +11,7 @@ struct state {
 	size_t column;
 };
 
-static double *row_of(const struct state *s, const struct tsim *sim, size_t i)
+static double *stored_force(const struct state *s, const struct tsim *sim, size_t i)
 {
 	return (double *)sim->particles->column[s->column].data + 3 * i;
 }
@@ -29,7 +29,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return status;
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status store_forces(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -37,7 +37,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++)
 		for (int k = 0; k < 3; k++)
-			row_of(s, sim, i)[k] = ts_in_group(p, i, self->group) ? p->f[i][k] : 0;
+			stored_force(s, sim, i)[k] = ts_in_group(p, i, self->group) ? p->f[i][k] : 0;
 	return TS_OK;
 }
 
@@ -48,21 +48,21 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_particles_archive_column(a, sim, "force", s->column);
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_forces(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
 	size_t n = sim->particles->n;
 
 	TS_TRY(ts_table_resize(out, n, 3));
 	if (n)
-		memcpy(out->data, row_of(s, sim, 0), 3 * n * sizeof *out->data);
+		memcpy(out->data, stored_force(s, sim, 0), 3 * n * sizeof *out->data);
 	return TS_OK;
 }
 
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "force", "force", "force on each particle at this point; 0 outside the group", TS_PERATOM, 3,
-	  components, eval },
+	{ "force", "force", "stored force on each particle; 0 outside the group", TS_PERATOM, 3, components,
+	  eval_forces },
 	{ .name = NULL },
 };
 
@@ -70,14 +70,14 @@ TS_STYLE(fix, ts_style, ts_fix_store_force)
 const struct ts_style ts_fix_store_force = {
 	.name = "store/force",
 	.kind = TS_KIND_FIX,
-	.summary = "Remembers the forces on particles before later fixes change them",
-	.doc = "Fixes act in the order in which they are made: what contacts, bonds and the fixes before "
-	       "this one have\n"
-	       "added up to is kept, e.g. before fix setforce or fix freeze takes it away.",
+	.summary = "stores the forces on particles before later fixes change them",
+	.doc = "Fixes act in the order in which they are defined. This fix stores the sum of the forces of "
+	       "contacts, bonds and the fixes defined before it, e.g. before fix setforce or fix freeze "
+	       "cancels them. The per-atom array f_ID[k] holds the three components.",
 	.example = "fix felt wall store/force\nfix hold wall freeze\ncompute load wall reduce sum f_felt[*]",
 	.state_size = sizeof(struct state),
 	.archive = archive,
 	.values = values,
 	.init = init,
-	.hook[TS_STAGE_POST_FORCE] = post_force,
+	.hook[TS_STAGE_POST_FORCE] = store_forces,
 };

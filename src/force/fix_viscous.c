@@ -14,7 +14,7 @@
 struct viscous {
 	double gamma;
 	struct ts_words scale;
-	double *factor; /* by type */
+	double *factor; /* by atom type */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -33,7 +33,7 @@ struct task {
 	int group;
 };
 
-TS_CLONES static void share(void *context, size_t from, size_t to)
+TS_CLONES static void damp_range(void *context, size_t from, size_t to)
 {
 	const struct task t = *(const struct task *)context;
 	double(*restrict f)[3] = t.p->f, (*restrict v)[3] = t.p->v;
@@ -45,37 +45,38 @@ TS_CLONES static void share(void *context, size_t from, size_t to)
 
 		if (!all && !ts_in_group(t.p, i, t.group))
 			continue;
-		sum = TS_FOUR_AT(f[i]) - TS_FOUR_ALL(t.gamma * t.factor[type[i]]) * TS_FOUR_AT(v[i]);
-		ts_four_keep(&sum, 3, f[i]);
+		sum = TS_FOUR_LOAD(f[i]) -
+		      TS_FOUR_BROADCAST(t.gamma * t.factor[type[i]]) * TS_FOUR_LOAD(v[i]);
+		ts_four_store(&sum, 3, f[i]);
 	}
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_viscous_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct viscous *s = self->state;
 	struct task task = { sim->particles, s->factor, s->gamma, self->group };
 
-	TS_DEFER_LOOP(sim, sim->particles->n, share, &task);
+	TS_DEFER_LOOP(sim, sim->particles->n, damp_range, &task);
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct viscous *s = self->state;
 	const struct ts_particles *p = sim->particles;
-	double least = INFINITY;
+	double shortest = INFINITY;
 
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
-			least = fmin(least, p->mass[i] / (s->gamma * s->factor[p->type[i]]));
-	if (!isfinite(least))
+			shortest = fmin(shortest, p->mass[i] / (s->gamma * s->factor[p->type[i]]));
+	if (!isfinite(shortest))
 		return TS_OK;
-	return ts_report_limit(report, 2 * least, true, &self->where, "fix viscous, 2 m/gamma");
+	return ts_report_limit(report, 2 * shortest, true, &self->where, "fix viscous, 2 m/gamma");
 }
 
 static const struct ts_arg args[] = {
 	TS_REAL("gamma", struct viscous, gamma, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-		.unit = "force/velocity", .help = "damping constant"),
+		.unit = "force/velocity", .help = "damping coefficient"),
 	TS_TYPE_FACTORS(struct viscous, scale, "the constant"),
 	TS_ARGS_END,
 };
@@ -84,13 +85,14 @@ TS_STYLE(fix, ts_style, ts_fix_viscous)
 const struct ts_style ts_fix_viscous = {
 	.name = "viscous",
 	.kind = TS_KIND_FIX,
-	.summary = "damping proportional to velocity",
-	.doc = "f -= gamma v. Stable for steps below 2 m/gamma.",
+	.summary = "adds a viscous force proportional to the velocity",
+	.doc = "Adds the force f = -gamma v to each particle of the group; `scale` multiplies gamma for a "
+	       "type. Velocity Verlet is stable for time steps below 2 m/gamma with the smallest mass m.",
 	.example = "fix calm all viscous 0.2\nfix calm all viscous 0.2 scale 2 2.385",
 	.args = args,
 	.state_size = sizeof(struct viscous),
 	.init = init,
-	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.hook = { [TS_STAGE_POST_FORCE] = add_viscous_force },
 	.defers = TS_DEFERS(POST_FORCE),
-	.plan = plan,
+	.plan = report_limit,
 };

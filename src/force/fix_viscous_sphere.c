@@ -1,4 +1,4 @@
-/* Fix viscous/sphere: damping of the spin. */
+/* Fix viscous/sphere: damping of the rotation. */
 #include "core/report.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 struct state {
 	double gamma;
 	struct ts_words scale;
-	double *factor; /* by type */
+	double *factor; /* by atom type */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -23,7 +23,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_type_factors(sim, "fix viscous/sphere", &self->arena, s->scale, &s->factor);
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_viscous_torque(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -35,23 +35,23 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+static enum ts_status report_limit(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
-	double least = INFINITY;
+	double shortest = INFINITY;
 
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
-			least = fmin(least, ts_inertia(sim, i) / (s->gamma * s->factor[p->type[i]]));
-	if (!isfinite(least))
+			shortest = fmin(shortest, ts_inertia(sim, i) / (s->gamma * s->factor[p->type[i]]));
+	if (!isfinite(shortest))
 		return TS_OK;
-	return ts_report_limit(report, 2 * least, true, &self->where, "fix viscous/sphere, 2 I/gamma");
+	return ts_report_limit(report, 2 * shortest, true, &self->where, "fix viscous/sphere, 2 I/gamma");
 }
 
 static const struct ts_arg args[] = {
 	TS_REAL("gamma", struct state, gamma, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-		.unit = "torque/angular velocity", .help = "damping constant"),
+		.unit = "torque/angular velocity", .help = "damping coefficient"),
 	TS_TYPE_FACTORS(struct state, scale, "the constant"),
 	TS_ARGS_END,
 };
@@ -60,13 +60,15 @@ TS_STYLE(fix, ts_style, ts_fix_viscous_sphere)
 const struct ts_style ts_fix_viscous_sphere = {
 	.name = "viscous/sphere",
 	.kind = TS_KIND_FIX,
-	.summary = "Damping proportional to the spin",
-	.doc = "T -= gamma omega. Stable for steps below 2 I/gamma.",
+	.summary = "adds a viscous torque proportional to the angular velocity",
+	.doc = "Adds the torque T = -gamma omega to each particle of the group; `scale` multiplies gamma "
+	       "for a type. Velocity Verlet is stable for time steps below 2 I/gamma with the smallest "
+	       "moment of inertia I.",
 	.example = "fix calm all viscous/sphere 1e-6 scale 2 2.385",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.columns = TS_NEED(OMEGA) | TS_NEED(TORQUE),
 	.init = init,
-	.hook[TS_STAGE_POST_FORCE] = post_force,
-	.plan = plan,
+	.hook[TS_STAGE_POST_FORCE] = add_viscous_torque,
+	.plan = report_limit,
 };

@@ -1,4 +1,4 @@
-/* Gravity, for those who need its direction and size: fix gravity gives it. */
+/* Direction and magnitude of gravity for other styles (buoyancy, fluids): given by fix gravity. */
 #ifndef TS_FORCE_GRAVITY_H
 #define TS_FORCE_GRAVITY_H
 
@@ -6,7 +6,7 @@
 
 #define TS_FAMILY_GRAVITY "gravity"
 
-/* First member of the state of that family. */
+/* First member of the state of styles of that family. */
 struct ts_gravity {
 	struct ts_number magnitude;
 	double direction[3]; /* unit vector */

@@ -5,10 +5,10 @@
 
 #include "base/banned.h"
 
-static enum ts_status refuse_sharing(struct tsim *sim, const struct ts_instance *self,
-				     const struct ts_instance *fix)
+static enum ts_status refuse_distributed_forces(struct tsim *sim, const struct ts_instance *self,
+						const struct ts_instance *fix)
 {
-	if (fix->style->restraint->leave || !ts_groups_meet(sim->particles, self->group, fix->group))
+	if (fix->style->restraint->apply || !ts_groups_meet(sim->particles, self->group, fix->group))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
 		       "fix %s: its force depends on how each particle will move by itself, but fix %s %s "
@@ -31,8 +31,8 @@ enum ts_status ts_restraints_find(struct ts_restraints *list, struct tsim *sim,
 		if (!fix->style->restraint || (!after && fix->style->hook[TS_STAGE_POST_FORCE]))
 			continue;
 		if (alone)
-			TS_TRY(refuse_sharing(sim, self, fix));
-		if (!fix->style->restraint->leave)
+			TS_TRY(refuse_distributed_forces(sim, self, fix));
+		if (!fix->style->restraint->apply)
 			continue;
 		if (TS_GROW(list->fix, list->capacity, list->n + 1) != TS_OK)
 			return ts_nomem(&sim->error);
@@ -49,11 +49,11 @@ enum ts_status ts_restraints_prepare(const struct ts_restraints *list, struct ts
 	return TS_OK;
 }
 
-void ts_restraints_leave(const struct ts_restraints *list, const struct tsim *sim, size_t i, double f[3])
+void ts_restraints_apply(const struct ts_restraints *list, const struct tsim *sim, size_t i, double f[3])
 {
 	for (size_t k = 0; k < list->n; k++)
 		if (ts_in_group(sim->particles, i, list->fix[k]->group))
-			list->fix[k]->style->restraint->leave(list->fix[k], sim, i, f);
+			list->fix[k]->style->restraint->apply(list->fix[k], sim, i, f);
 }
 
 void ts_restraints_release(struct ts_restraints *list)

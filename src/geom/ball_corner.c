@@ -83,13 +83,13 @@ static double segment(double a)
 	return acos(a) - a * sqrt(1 - a * a);
 }
 
-double ts_disc_corner(double a, double b)
+double ts_ball_corner_disc(double a, double b)
 {
 	double angle;
 
 	if (a < 0)
-		return segment(b) - ts_disc_corner(-a, b);
+		return segment(b) - ts_ball_corner_disc(-a, b);
 	if (b < 0)
-		return segment(a) - ts_disc_corner(a, -b);
+		return segment(a) - ts_ball_corner_disc(a, -b);
 	return a * a + b * b >= 1 ? 0 : sector(1, a, b, &angle);
 }

@@ -7,6 +7,6 @@
 double ts_ball_corner(double a, double b, double c);
 
 /* The same of the unit disc: the area of x >= a, y >= b. */
-double ts_disc_corner(double a, double b);
+double ts_ball_corner_disc(double a, double b);
 
 #endif

@@ -7,42 +7,47 @@ static const char *const schemes[] = { "euler", "exact", NULL };
 
 static const struct ts_arg args[] = {
 	TS_REAL("initial_temperature", struct ts_heat, initial, .unit = "temperature",
-		.help = "of particles that have none yet"),
+		.help = "temperature of particles that have none yet"),
 	TS_HEAT_AREA_ARG(struct ts_heat, area_words),
 	TS_BOOL("area_correction", struct ts_heat, correction, .fallback = "no",
-		.help = "overlaps as they would be with youngsModulusOriginal"),
+		.help = "correct the overlap to that of the material with youngsModulusOriginal"),
 	TS_BOOL("store_contact_data", struct ts_heat, store, .fallback = "no",
-		.help = "columns nContactsConduction, contactAreaConduction and wallHeatFlux"),
+		.help = "store nContactsConduction, contactAreaConduction and wallHeatFlux for each "
+			"particle"),
 	TS_ENUM("scheme", struct ts_heat, scheme, schemes, .fallback = "euler",
-		.help = "euler as LIGGGHTS, or exact over each step"),
+		.help = "time integration: euler (explicit, as in LIGGGHTS) or exact"),
 	TS_ARGS_END,
 };
 
 static const char doc[] =
-	"Each particle has one temperature T, `Temp`. Touching particles exchange heat,\n"
-	"m c dT_i/dt = sum_j h_ij (T_j - T_i) + S_i with h = 4 k_i k_j/(k_i + k_j) sqrt(A). k and c are the\n"
-	"properties thermalConductivity and thermalCapacity per type (fix property/global). A is the area "
-	"of\n"
-	"contact: the circle in which the spheres cut each other (`contact_area overlap`; with\n"
-	"`area_correction yes` the overlap is first multiplied by (Y*/Y*_original)^(1/a), a = 3/2 for hertz "
-	"and\n"
-	"1 for hooke, Y*_original from youngsModulusOriginal), a number (`constant`), or pi R^2 of the "
-	"larger\n"
-	"sphere (`projection`). Walls with a `temperature` take part.\n\n"
-	"Particles that are not in the group keep their temperature, but exchange heat with those that are.\n"
-	"Particles start with initial_temperature; `set ... property/atom Temp T` changes it, `set ...\n"
-	"property/atom heatSource S` gives a source S of energy by time. f_Temp, f_heatFlux (into the "
-	"particle,\n"
-	"in the last step), f_heatSource and f_directionalHeatFlux[1] ... [3] (half of the flux of each "
-	"contact\n"
-	"times the vector between the centres) are read as numbers of particles, f_ID is the sum of m c T "
-	"over\n"
-	"all particles.\n\n"
-	"`scheme euler` is LIGGGHTS': first order; the plan of a run warns of steps above m c/sum h, where\n"
-	"temperatures begin to swing, and a run whose temperatures grow without bound stops. `scheme exact`\n"
-	"solves the linear system exactly over each step, with the contacts as they are at its end: there "
-	"is\n"
-	"no limit of the step.";
+	"Each particle has a uniform temperature T, the per-atom property Temp. Particles in contact "
+	"exchange\n"
+	"heat,\n\n"
+	"  m c dT_i/dt = sum_j h_ij (T_j - T_i) + S_i,   h_ij = 4 k_i k_j/(k_i + k_j) sqrt(A)\n\n"
+	"with the thermal conductivity k and the specific heat capacity c of each atom type, the properties\n"
+	"thermalConductivity and thermalCapacity (fix property/global). Walls with a `temperature` take "
+	"part.\n"
+	"The contact area A is\n\n"
+	"* `contact_area overlap`: the area of the circle in which the spheres intersect. With\n"
+	"  `area_correction yes` the overlap is first multiplied by (Y*/Y*_original)^(1/a), with a = 3/2 "
+	"for\n"
+	"  hertz and a = 1 for hooke, and Y*_original from youngsModulusOriginal.\n"
+	"* `contact_area constant A`: the number A.\n"
+	"* `contact_area projection`: pi R^2 of the larger sphere.\n\n"
+	"Particles that are not in the group keep their temperature, but exchange heat with those of the\n"
+	"group. New particles get the temperature initial_temperature; `set ... property/atom Temp T` sets\n"
+	"another, and `set ... property/atom heatSource S` sets a heat source S (energy/time).\n\n"
+	"The scalar f_ID is the heat content, the sum of m c T over all particles. Per-atom properties for\n"
+	"output: f_Temp; f_heatFlux, the heat flow into the particle in the last step (energy/time);\n"
+	"f_heatSource; and f_directionalHeatFlux[1] ... [3], the sum over the contacts of half the heat "
+	"flow\n"
+	"times the vector between the centres.\n\n"
+	"`scheme euler` is the explicit scheme of LIGGGHTS, of first order. Its limit is the smallest m "
+	"c/sum h\n"
+	"of a particle; above it temperatures oscillate, and the run warns. A run whose temperatures "
+	"diverge\n"
+	"stops with an error. `scheme exact` solves the linear system exactly over each time step, with the\n"
+	"contacts at the end of the step, and has no limit.";
 
 TS_STYLE(fix, ts_style, ts_fix_heat_gran)
 const struct ts_style ts_fix_heat_gran = {
@@ -61,11 +66,11 @@ const struct ts_style ts_fix_heat_gran = {
 	.archive = ts_heat_archive,
 	.values = ts_heat_values,
 	.init = ts_heat_init,
-	.hook[TS_STAGE_POST_BUILD] = ts_heat_built,
+	.hook[TS_STAGE_POST_BUILD] = ts_heat_update_contacts,
 	.hook[TS_STAGE_PRE_FORCE] = ts_heat_clear,
 	.hook[TS_STAGE_POST_FORCE] = ts_heat_conduct,
 	.hook[TS_STAGE_FINAL_INTEGRATE] = ts_heat_advance,
-	.hook[TS_STAGE_SETUP] = ts_heat_start,
+	.hook[TS_STAGE_SETUP] = ts_heat_set_bound,
 	.defers = TS_DEFERS(PRE_FORCE) | TS_DEFERS(POST_FORCE) | TS_DEFERS(FINAL_INTEGRATE),
 	.plan = ts_heat_plan,
 	.fini = ts_heat_fini,

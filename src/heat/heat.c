@@ -1,4 +1,4 @@
-/* Fix heat/gran: its columns, materials, energy and restart state. */
+/* Fix heat/gran: particle columns, material constants, heat content and restart state. */
 #include "heat/heat.h"
 
 #include <math.h>
@@ -115,9 +115,9 @@ enum ts_status ts_heat_conductivity(struct tsim *sim, int type, const char *who,
 		       "property/global thermalConductivity must be >= 0, found %.15g", *out);
 }
 
-/* Y* of two types. */
-static enum ts_status stiffness(struct tsim *sim, const char *name, int a, int b,
-				const struct ts_place *where, double *out)
+/* Effective modulus Y* of two types: 1/Y* = (1 - nu_a^2)/Y_a + (1 - nu_b^2)/Y_b. */
+static enum ts_status effective_modulus(struct tsim *sim, const char *name, int a, int b,
+					const struct ts_place *where, double *out)
 {
 	const int types[2] = { a, b };
 	double sum = 0;
@@ -133,7 +133,7 @@ static enum ts_status stiffness(struct tsim *sim, const char *name, int a, int b
 	return TS_OK;
 }
 
-/* The elastic force is proportional to overlap^a. */
+/* Exponent a of the elastic force, F ~ overlap^a. */
 static double force_exponent(const struct tsim *sim)
 {
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
@@ -142,7 +142,7 @@ static double force_exponent(const struct tsim *sim)
 	return pair && ts_granular_stiffens(&pair->model) ? 1.5 : 1;
 }
 
-static enum ts_status pair_constants(struct ts_instance *self, struct tsim *sim, int a, int b)
+static enum ts_status set_pair_constants(struct ts_instance *self, struct tsim *sim, int a, int b)
 {
 	struct ts_heat *h = self->state;
 	size_t k = (size_t)a * (size_t)(h->ntypes + 1) + (size_t)b;
@@ -151,13 +151,13 @@ static enum ts_status pair_constants(struct ts_instance *self, struct tsim *sim,
 	h->pair[k] = ts_heat_pair_conductivity(h->conductivity[a], h->conductivity[b]);
 	if (!h->correction)
 		return TS_OK;
-	TS_TRY(stiffness(sim, "youngsModulus", a, b, &self->where, &now));
-	TS_TRY(stiffness(sim, "youngsModulusOriginal", a, b, &self->where, &original));
+	TS_TRY(effective_modulus(sim, "youngsModulus", a, b, &self->where, &now));
+	TS_TRY(effective_modulus(sim, "youngsModulusOriginal", a, b, &self->where, &original));
 	h->softening[k] = pow(now / original, 1 / force_exponent(sim));
 	return TS_OK;
 }
 
-static enum ts_status make_room(struct ts_instance *self, struct tsim *sim)
+static enum ts_status allocate_constants(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
 	size_t n = (size_t)sim->particles->ntypes + 1;
@@ -175,7 +175,8 @@ static enum ts_status make_room(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status capacity_of(struct tsim *sim, int type, const struct ts_place *where, double *out)
+static enum ts_status heat_capacity_of_type(struct tsim *sim, int type, const struct ts_place *where,
+					    double *out)
 {
 	const struct ts_instance *by;
 
@@ -192,14 +193,14 @@ enum ts_status ts_heat_materials(struct ts_instance *self, struct tsim *sim)
 	struct ts_heat *h = self->state;
 	int most = ts_largest_type(sim);
 
-	TS_TRY(make_room(self, sim));
+	TS_TRY(allocate_constants(self, sim));
 	for (int t = 1; t <= most; t++) {
 		TS_TRY(ts_heat_conductivity(sim, t, "fix heat/gran", &self->where, &h->conductivity[t]));
-		TS_TRY(capacity_of(sim, t, &self->where, &h->capacity[t]));
+		TS_TRY(heat_capacity_of_type(sim, t, &self->where, &h->capacity[t]));
 	}
 	for (int a = 1; a <= most; a++)
 		for (int b = 1; b <= most; b++)
-			TS_TRY(pair_constants(self, sim, a, b));
+			TS_TRY(set_pair_constants(self, sim, a, b));
 	return TS_OK;
 }
 
@@ -211,13 +212,14 @@ struct energy {
 	enum ts_status status;
 };
 
-static void energy_of(const struct tsim *sim, size_t i, void *context, double *term)
+static void heat_content_term(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	struct energy *e = context;
 	double capacity = 0;
 
 	if (e->status == TS_OK)
-		e->status = capacity_of(e->h->sim, sim->particles->type[i], &e->self->where, &capacity);
+		e->status =
+			heat_capacity_of_type(e->h->sim, sim->particles->type[i], &e->self->where, &capacity);
 	*term = sim->particles->mass[i] * capacity * ts_heat_column(sim, e->h->temperature)[i];
 }
 
@@ -225,7 +227,7 @@ static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *s
 {
 	struct energy e = { self->state, self, TS_OK };
 
-	ts_group_sum(sim, 0, 1, energy_of, &e, out->data);
+	ts_group_sum(sim, 0, 1, heat_content_term, &e, out->data);
 	return e.status;
 }
 

@@ -1,4 +1,5 @@
-/* The contacts that conduct heat: their conductances, and sums of these. What flows is in heat_flow.c. */
+/* The contacts that conduct heat: conductances and their sums by particle. Heat flows are in
+ * heat_flow.c. */
 #include "heat/heat.h"
 
 #include "base/inline.h"
@@ -8,8 +9,9 @@
 
 #include "base/banned.h"
 
-/* Contact rows are pairs of which one moves. Held partners that touch conduct all the same. */
-static enum ts_status list_held(struct ts_heat *h, struct tsim *sim)
+/* The contact list has no pairs of two frozen particles, but they conduct heat: they get a list of
+ * their own. */
+static enum ts_status list_frozen_pairs(struct ts_heat *h, struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 	size_t held = 0;
@@ -23,13 +25,13 @@ static enum ts_status list_held(struct ts_heat *h, struct tsim *sim)
 		       : ts_contact_list_build(sim, &h->held, sim->neigh->built_skin, ts_neigh_excluded(sim));
 }
 
-enum ts_status ts_heat_built(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_heat_update_contacts(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
 
 	TS_TRY(ts_heat_materials(self, sim));
-	TS_TRY(list_held(h, sim));
-	h->pairs[0].rows = &sim->neigh->contacts;
+	TS_TRY(list_frozen_pairs(h, sim));
+	h->pairs[0].rows = &sim->neigh->rows;
 	h->pairs[1].rows = &h->held;
 	for (int k = 0; k < 2; k++) {
 		struct ts_heat_pairs *pairs = &h->pairs[k];
@@ -41,16 +43,16 @@ enum ts_status ts_heat_built(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* ---- conductances of all rows */
+/* ---- conductances of all pairs */
 
-static void find_share(void *context, size_t from, size_t to)
+static void find_conductances_range(void *context, size_t from, size_t to)
 {
 	const struct ts_heat_task t = *(const struct ts_heat_task *)context;
 
-	ts_heat_scan(&t, from, to, NULL);
+	ts_heat_compute_range(&t, from, to, NULL);
 }
 
-void ts_heat_find(const struct ts_instance *self, struct tsim *sim)
+void ts_heat_find_conductances(const struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_heat *h = self->state;
 
@@ -59,16 +61,16 @@ void ts_heat_find(const struct ts_instance *self, struct tsim *sim)
 		size_t n = h->pairs[k].rows->n;
 
 		task.keeps = true;
-		ts_parallel(ts_team(sim, n), n, find_share, &task);
+		ts_parallel(ts_team(sim, n), n, find_conductances_range, &task);
 	}
 }
 
 /* ---- sums over the contacts of a particle */
 
-/* Calls visit for each contact of particle i with its partner, in the order of identities. */
+/* Calls visit for each contact of particle i with its partner j, in the order of the identities. */
 typedef void visit_fn(void *context, size_t i, size_t j, double conductance);
 
-TS_INLINE void each_contact(const struct ts_heat *h, size_t i, visit_fn *visit, void *context)
+TS_INLINE void visit_contacts(const struct ts_heat *h, size_t i, visit_fn *visit, void *context)
 {
 	for (int l = 0; l < 2; l++) {
 		const struct ts_contact_list *rows = h->pairs[l].rows;
@@ -95,11 +97,11 @@ static void add_difference(void *context, size_t i, size_t j, double conductance
 	s->total += conductance * (s->value[j] - s->value[i]);
 }
 
-double ts_heat_sum(const struct ts_heat *h, size_t i, const double *value)
+double ts_heat_sum_differences(const struct ts_heat *h, size_t i, const double *value)
 {
 	struct sum sum = { value, 0 };
 
-	each_contact(h, i, add_difference, &sum);
+	visit_contacts(h, i, add_difference, &sum);
 	return sum.total;
 }
 
@@ -109,11 +111,11 @@ static void add_conductance(void *context, size_t i, size_t j, double conductanc
 	*(double *)context += conductance;
 }
 
-double ts_heat_conductances(const struct ts_heat *h, const struct tsim *sim, size_t i)
+double ts_heat_sum_conductances(const struct ts_heat *h, const struct tsim *sim, size_t i)
 {
 	double sum = ts_heat_column(sim, h->wall_conductance)[i];
 
-	each_contact(h, i, add_conductance, &sum);
+	visit_contacts(h, i, add_conductance, &sum);
 	return sum;
 }
 
@@ -141,7 +143,7 @@ void ts_heat_store_contacts(const struct ts_instance *self, struct tsim *sim)
 	for (size_t i = 0; i < sim->particles->n; i++) {
 		struct contact_data c = { ts_heat_task(self, 0), 0, 0 };
 
-		each_contact(h, i, add_contact, &c);
+		visit_contacts(h, i, add_contact, &c);
 		ts_heat_column(sim, h->contacts)[i] = c.n;
 		ts_heat_column(sim, h->area)[i] = c.n > 0 ? c.area / c.n : 0;
 	}

@@ -1,9 +1,10 @@
-/* The heat that flows through contacts, and what of it comes to each particle.
+/* Heat flows through contacts, and their sums by particle.
  *
- * Temperatures change at the end of a step alone, so heat flows as soon as the forces of a block of rows
- * have been computed (contact_pass.h): it is known then which of them touch, and they are near in the
- * caches. It waits for its stage in a column of its own, for walls may act before. Without a pair style,
- * and for partners that are both held, all rows are looked at. */
+ * Temperatures change only at the end of a step, so the heat flows of a block of pairs are computed as
+ * soon as its contact forces are (contact_pass.h): it is known then which pairs are in contact, and
+ * their data are in the caches. The sums are kept in an array of their own until stage POST_FORCE, as
+ * walls may add heat before. Without a pair style, and for pairs of frozen particles, all pairs of the
+ * list are computed. */
 #include "base/clones.h"
 TS_UNROLLED
 
@@ -18,11 +19,11 @@ TS_UNROLLED
 
 #include "base/banned.h"
 
-/* ---- through rows */
+/* ---- flows through contacts */
 
-/* What flows into i; half of it along the line of centres is either partner's share of the vector, since
- * flux and line change sign together. */
-TS_INLINE void flow_block(const struct ts_heat_task *t, struct ts_heat_block *b)
+/* Heat flow into i. The directional flux is the same for both partners, as flow and vector change sign
+ * together: each gets half. */
+TS_INLINE void compute_flows(const struct ts_heat_task *t, struct ts_heat_block *b)
 {
 	ts_four *flow = (ts_four *)t->pairs->flow;
 
@@ -35,7 +36,7 @@ TS_INLINE void flow_block(const struct ts_heat_task *t, struct ts_heat_block *b)
 			b->flow[1 + c][k] = 0.5 * q * b->d[c][k];
 	}
 	for (size_t at = 0; at < b->whole; at += 4) {
-		const struct ts_active_pair *near = ts_heat_row(b, at);
+		const struct ts_active_pair *near = ts_heat_batch_pair(b, at);
 		ts_four row[4];
 
 		ts_four_rows((const double(*)[TS_BATCH])b->flow, at, row);
@@ -44,17 +45,17 @@ TS_INLINE void flow_block(const struct ts_heat_task *t, struct ts_heat_block *b)
 	}
 }
 
-/* All rows from .. to-1 of a list. */
-TS_CLONES static void scan_share(void *context, size_t from, size_t to)
+/* All pairs from .. to-1 of a list. */
+TS_CLONES static void compute_flows_range(void *context, size_t from, size_t to)
 {
 	const struct ts_heat_task t = *(const struct ts_heat_task *)context;
 
-	ts_heat_scan(&t, from, to, flow_block);
+	ts_heat_compute_range(&t, from, to, compute_flows);
 }
 
-/* What the active rows of a block will need, so that it comes together; first partners follow each other
- * in memory. */
-TS_INLINE void send_for(const struct ts_heat_task *t, const struct ts_active_block *block)
+/* Prefetches the data of the active pairs of a block; those of the first particles are contiguous in
+ * memory. */
+TS_INLINE void prefetch_block(const struct ts_heat_task *t, const struct ts_active_block *block)
 {
 	const struct ts_active_pair *near = t->pairs->rows->active + block->first,
 				    *end = near + block->touching;
@@ -69,8 +70,8 @@ TS_INLINE void send_for(const struct ts_heat_task *t, const struct ts_active_blo
 	}
 }
 
-/* The rows of the blocks from .. to-1. */
-TS_CLONES static void blocks_share(void *context, size_t from, size_t to)
+/* The active pairs of the blocks from .. to-1. */
+TS_CLONES static void compute_flows_of_blocks(void *context, size_t from, size_t to)
 {
 	const struct ts_heat_task t = ts_heat_task(context, 0);
 	const struct ts_contact_list *rows = t.pairs->rows;
@@ -81,22 +82,22 @@ TS_CLONES static void blocks_share(void *context, size_t from, size_t to)
 		const struct ts_active_pair *near = rows->active + block->first;
 		size_t types = (size_t)(block->type[0] * (t.h->ntypes + 1) + block->type[1]);
 
-		send_for(&t, block + 1);
+		prefetch_block(&t, block + 1);
 		for (size_t k = 0; k < TS_BATCH; k++)
-			ts_heat_constants(&t, types, &b, k);
-		for (size_t at = 0; at < block->touching; at += TS_BATCH) {
-			ts_heat_list(&b, near + at,
-				     block->touching - at < TS_BATCH ? block->touching - at : TS_BATCH);
-			ts_heat_load(&t, true, &b);
-			ts_heat_find_block(&t, &b);
-			flow_block(&t, &b);
+			ts_heat_batch_constants(&t, types, &b, k);
+		for (size_t at = 0; at < block->active; at += TS_BATCH) {
+			ts_heat_batch_start(&b, near + at,
+					    block->active - at < TS_BATCH ? block->active - at : TS_BATCH);
+			ts_heat_batch_load(&t, true, &b);
+			ts_heat_batch_conductances(&t, &b);
+			compute_flows(&t, &b);
 		}
 		for (size_t at = block->touching; at < block->n; at++)
 			t.pairs->flow[near[at].slot] = (struct ts_heat_flow){ { 0 } };
 	}
 }
 
-/* ---- into particles */
+/* ---- sums by particle */
 
 /* `entry`: 2 slot + side. */
 TS_INLINE void add_flows(const struct ts_heat_flow *flow, const uint32_t *entry, size_t n, ts_four *sum)
@@ -108,7 +109,7 @@ TS_INLINE void add_flows(const struct ts_heat_flow *flow, const uint32_t *entry,
 		*sum += signs[entry[k] & 1] * flows[entry[k] >> 1];
 }
 
-TS_INLINE void add_list(const struct ts_heat_pairs *pairs, size_t i, ts_four *sum)
+TS_INLINE void add_flows_of_list(const struct ts_heat_pairs *pairs, size_t i, ts_four *sum)
 {
 	const struct ts_gather *g = &pairs->rows->gather;
 
@@ -116,8 +117,8 @@ TS_INLINE void add_list(const struct ts_heat_pairs *pairs, size_t i, ts_four *su
 		add_flows(pairs->flow, g->entry + g->first[i], g->first[i + 1] - g->first[i], sum);
 }
 
-/* What comes to the particles from .. to-1. */
-TS_CLONES static void sum_share(void *context, size_t from, size_t to)
+/* Sums the heat flows into the particles from .. to-1. */
+TS_CLONES static void sum_flows_range(void *context, size_t from, size_t to)
 {
 	const struct ts_heat *h = ((const struct ts_instance *)context)->state;
 	const struct ts_heat_pairs *pairs = h->pairs;
@@ -131,9 +132,9 @@ TS_CLONES static void sum_share(void *context, size_t from, size_t to)
 		if (known)
 			add_flows(pairs->flow, sums + first[i], first[i + 1] - first[i], &sum);
 		else
-			add_list(&pairs[0], i, &sum);
+			add_flows_of_list(&pairs[0], i, &sum);
 		if (held)
-			add_list(&pairs[1], i, &sum);
+			add_flows_of_list(&pairs[1], i, &sum);
 		inner[i] = sum[0];
 		for (int c = 0; c < 3; c++)
 			directed[3 * i + (size_t)c] = sum[1 + c];
@@ -143,7 +144,7 @@ TS_CLONES static void sum_share(void *context, size_t from, size_t to)
 /* ---- stages */
 
 struct columns {
-	double *flux, *wall_conductance, *wall_flux; /* wall_flux: NULL if it is not stored */
+	double *flux, *wall_conductance, *wall_flux; /* wall_flux: NULL unless store_contact_data */
 	const double *inner;
 };
 
@@ -153,7 +154,7 @@ static struct columns columns_of(const struct ts_heat *h)
 				 h->store ? ts_heat_column(h->sim, h->wall_flux) : NULL, h->inner };
 }
 
-static void clear_share(void *context, size_t from, size_t to)
+static void clear_fluxes_range(void *context, size_t from, size_t to)
 {
 	const struct columns c = *(const struct columns *)context;
 	size_t bytes = (to - from) * sizeof *c.flux;
@@ -164,7 +165,7 @@ static void clear_share(void *context, size_t from, size_t to)
 		memset(c.wall_flux + from, 0, bytes);
 }
 
-static void add_share(void *context, size_t from, size_t to)
+static void add_conducted_heat(void *context, size_t from, size_t to)
 {
 	const struct columns c = *(const struct columns *)context;
 
@@ -172,8 +173,8 @@ static void add_share(void *context, size_t from, size_t to)
 		c.flux[i] += c.inner[i];
 }
 
-/* Room for the flows of a list, and no conductances but those that are found now. */
-static enum ts_status clear_list(const struct ts_heat *h, struct ts_heat_pairs *pairs, size_t slots)
+/* Allocates the flows of a list; sets all conductances to 0, as only contacts are stored below. */
+static enum ts_status allocate_flows(const struct ts_heat *h, struct ts_heat_pairs *pairs, size_t slots)
 {
 	size_t n = pairs->rows->n;
 
@@ -182,8 +183,8 @@ static enum ts_status clear_list(const struct ts_heat *h, struct ts_heat_pairs *
 	return TS_RENEW(pairs->flow, pairs->flow_capacity, slots);
 }
 
-/* Flows of held partners are in no walk over rows. */
-static enum ts_status start(struct tsim *sim, void *context)
+/* Start of the pass: pairs of frozen particles are in no block, so their flows are computed here. */
+static enum ts_status start_pass(struct tsim *sim, void *context)
 {
 	const struct ts_instance *self = context;
 	struct ts_heat *h = self->state;
@@ -193,42 +194,44 @@ static enum ts_status start(struct tsim *sim, void *context)
 
 	h->keeps = h->scheme == TS_HEAT_EXACT || h->store || sim->run.complete;
 	if (TS_RENEW(h->inner, h->inner_capacity, sim->particles->n) != TS_OK ||
-	    clear_list(h, &h->pairs[0],
-		       h->fused_pass.begun ? rows->result_capacity / (size_t)rows->parts : rows->n) !=
-		    TS_OK ||
-	    clear_list(h, &h->pairs[1], n) != TS_OK)
+	    allocate_flows(h, &h->pairs[0],
+			   h->fused_pass.begun ? rows->room / (size_t)rows->parts : rows->n) != TS_OK ||
+	    allocate_flows(h, &h->pairs[1], n) != TS_OK)
 		return ts_nomem(&sim->error);
 	held = ts_heat_task(self, 1);
-	ts_parallel(ts_team(sim, n), n, scan_share, &held);
+	ts_parallel(ts_team(sim, n), n, compute_flows_range, &held);
 	return TS_OK;
 }
 
-/* Walls may act before or after this fix. */
+/* Clears the fluxes at the start of a step: walls may add to them before or after this fix. */
 enum ts_status ts_heat_clear(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
 	struct columns c = columns_of(h);
 
-	TS_TRY(ts_heat_look(self, sim)); /* of the step before */
-	if (sim->run.in_setup) /* before a run the fluxes stay those of the last step, as in LIGGGHTS */
+	TS_TRY(ts_heat_check_divergence(self, sim)); /* temperatures after the last step */
+	/* in the set-up of a run the fluxes keep their values of the last step, as in LIGGGHTS */
+	if (sim->run.in_setup)
 		return TS_OK;
-	h->fused_pass = (struct ts_fused_pass){ { blocks_share, sum_share, self, true }, start, false };
+	h->fused_pass = (struct ts_fused_pass){ { compute_flows_of_blocks, sum_flows_range, self, true },
+						start_pass,
+						false };
 	ts_contacts_fuse(sim, &h->fused_pass);
-	TS_DEFER_LOOP(sim, sim->particles->n, clear_share, &c);
+	TS_DEFER_LOOP(sim, sim->particles->n, clear_fluxes_range, &c);
 	return TS_OK;
 }
 
-/* Heat through all rows: no forces have been computed. */
-static enum ts_status conduct_alone(struct ts_instance *self, struct tsim *sim)
+/* Computes all pairs of the list: without a pair style no pass of forces runs. */
+static enum ts_status conduct_without_forces(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_heat *h = self->state;
 	size_t rows = h->pairs[0].rows->n, n = sim->particles->n;
 	struct ts_heat_task task;
 
-	TS_TRY(start(sim, self));
+	TS_TRY(start_pass(sim, self));
 	task = ts_heat_task(self, 0);
-	ts_parallel(ts_team(sim, rows), rows, scan_share, &task);
-	ts_parallel(ts_team(sim, n), n, sum_share, self);
+	ts_parallel(ts_team(sim, rows), rows, compute_flows_range, &task);
+	ts_parallel(ts_team(sim, n), n, sum_flows_range, self);
 	return TS_OK;
 }
 
@@ -240,9 +243,9 @@ enum ts_status ts_heat_conduct(struct ts_instance *self, struct tsim *sim)
 	if (sim->run.in_setup)
 		return TS_OK;
 	if (!h->fused_pass.begun)
-		TS_TRY(conduct_alone(self, sim));
+		TS_TRY(conduct_without_forces(self, sim));
 	c = columns_of(h);
-	TS_DEFER_LOOP(sim, sim->particles->n, add_share, &c);
+	TS_DEFER_LOOP(sim, sim->particles->n, add_conducted_heat, &c);
 	if (h->store)
 		ts_heat_store_contacts(self, sim);
 	return TS_OK;

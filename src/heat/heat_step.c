@@ -1,11 +1,15 @@
-/* Temperatures over a step in which the contacts stand still: m c dT_i/dt = sum_j h_ij (T_j - T_i) + sum_w
- * h_iw (T_w - T_i) + S_i for the particles of the group; the others keep theirs.
+/* Time integration of temperatures over one step, with constant contacts:
  *
- * euler   T += dt r, r the right-hand side by m c: first order; stable, and without swings, for dt below the
- *         least m c / sum h (see law/conduction.h).
- * exact   The system is linear, dT/dt = A T + b, so r = A T + b obeys dr/dt = A r and
- *         T(t + s) = T + s sum_k (sA)^k r / (k + 1)!. The step is cut into parts s with ||A|| s <= 1, of
- *         which a fixed number of terms leaves nothing of double precision. No limit. */
+ *   m c dT_i/dt = sum_j h_ij (T_j - T_i) + sum_w h_iw (T_w - T_i) + S_i
+ *
+ * for the particles of the group; the others keep their temperature.
+ *
+ * euler: T += dt r, r the right-hand side over m c. First order; stable and without oscillations for dt
+ * below the smallest m c/sum h (see law/conduction.h).
+ *
+ * exact: the system is linear, dT/dt = A T + b, so r = A T + b obeys dr/dt = A r, and T(t + s) = T + s
+ * sum_k (sA)^k r/(k + 1)!. The step is divided into parts s with ||A|| s <= 1, for which a fixed number
+ * of terms is exact to double precision. No stability limit. */
 #include "heat/heat.h"
 
 #include <inttypes.h>
@@ -24,23 +28,23 @@ static double heat_capacity(const struct ts_heat *h, const struct ts_particles *
 	return p->mass[i] * h->capacity[p->type[i]];
 }
 
-/* The least m c / sum h of the group; infinite where nothing touches. */
-static double limit_of(const struct ts_instance *self, const struct tsim *sim)
+/* Smallest m c/sum h of the group, time; infinite without contacts. */
+static double stability_limit(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct ts_heat *h = self->state;
 	const struct ts_particles *p = sim->particles;
-	double least = INFINITY;
+	double smallest = INFINITY;
 
 	for (size_t i = 0; i < p->n; i++) {
 		double sum;
 
 		if (!ts_in_group(p, i, self->group))
 			continue;
-		sum = ts_heat_conductances(h, sim, i);
+		sum = ts_heat_sum_conductances(h, sim, i);
 		if (sum > 0)
-			least = fmin(least, heat_capacity(h, p, i) / sum);
+			smallest = fmin(smallest, heat_capacity(h, p, i) / sum);
 	}
-	return least;
+	return smallest;
 }
 
 enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
@@ -48,10 +52,10 @@ enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim, struct t
 	struct ts_heat *h = self->state;
 	double limit;
 
-	if (h->scheme == TS_HEAT_EXACT || report->limits_only) /* it looks itself: examine below */
+	if (h->scheme == TS_HEAT_EXACT || report->limits_only) /* during a run see check_time_step below */
 		return TS_OK;
-	ts_heat_find(self, sim);
-	limit = limit_of(self, sim);
+	ts_heat_find_conductances(self, sim);
+	limit = stability_limit(self, sim);
 	h->warned = !(sim->clock.dt < limit);
 	return isfinite(limit) ? ts_report_limit(report, limit, false, &self->where,
 						 "explicit conduction of heat, m c / sum h")
@@ -67,7 +71,7 @@ struct task {
 	double dt;
 };
 
-static void euler_share(void *context, size_t from, size_t to)
+static void euler_range(void *context, size_t from, size_t to)
 {
 	const struct task t = *(const struct task *)context;
 	const struct ts_particles *p = t.p;
@@ -87,7 +91,7 @@ static void euler_share(void *context, size_t from, size_t to)
 	}
 }
 
-static size_t hottest(const struct ts_instance *self, const struct tsim *sim)
+static size_t hottest_particle(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct ts_heat *h = self->state;
 	const double *temperature = ts_heat_column(sim, h->temperature);
@@ -100,8 +104,8 @@ static size_t hottest(const struct ts_instance *self, const struct tsim *sim)
 	return most;
 }
 
-/* Large temperatures are a fault only if they come of the scheme. */
-enum ts_status ts_heat_look(struct ts_instance *self, struct tsim *sim)
+/* Large temperatures are an error only if the time step exceeds the limit, or if they are not finite. */
+enum ts_status ts_heat_check_divergence(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
 	double limit, temperature;
@@ -110,9 +114,9 @@ enum ts_status ts_heat_look(struct ts_instance *self, struct tsim *sim)
 	if (!h->beyond || !sim->particles->n)
 		return TS_OK;
 	h->beyond = 0;
-	ts_heat_find(self, sim);
-	limit = limit_of(self, sim);
-	i = hottest(self, sim);
+	ts_heat_find_conductances(self, sim);
+	limit = stability_limit(self, sim);
+	i = hottest_particle(self, sim);
 	temperature = ts_heat_column(sim, h->temperature)[i];
 	h->bound = 1e6 * fabs(temperature);
 	if (isfinite(temperature) && sim->clock.dt < limit)
@@ -126,7 +130,7 @@ enum ts_status ts_heat_look(struct ts_instance *self, struct tsim *sim)
 				 "a smaller one, a smaller thermalConductivity or `scheme exact`");
 }
 
-static void examine(struct ts_instance *self, struct tsim *sim)
+static void check_time_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
 	double limit;
@@ -134,8 +138,8 @@ static void examine(struct ts_instance *self, struct tsim *sim)
 	h->examine = false;
 	if (h->warned)
 		return;
-	ts_heat_find(self, sim);
-	limit = limit_of(self, sim);
+	ts_heat_find_conductances(self, sim);
+	limit = stability_limit(self, sim);
 	h->warned = !(sim->clock.dt < limit);
 	if (h->warned)
 		ts_warn(&sim->log, &self->where,
@@ -144,26 +148,27 @@ static void examine(struct ts_instance *self, struct tsim *sim)
 			self->style->name, sim->clock.step, sim->clock.dt, limit);
 }
 
-/* What comes out is looked at when it is there: before the next step, or at once if this may be the last. */
-static enum ts_status euler(struct ts_instance *self, struct tsim *sim)
+/* Temperatures are checked when they are available: before the next step, or at once if this step may
+ * be the last. */
+static enum ts_status advance_euler(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
 	struct task task = { self, h, sim->particles, sim->clock.dt };
 
 	if (h->examine)
-		examine(self, sim);
+		check_time_step(self, sim);
 	h->advanced = sim->clock.step;
-	TS_DEFER_LOOP(sim, sim->particles->n, euler_share, &task);
+	TS_DEFER_LOOP(sim, sim->particles->n, euler_range, &task);
 	if (!sim->run.complete)
 		return TS_OK;
 	ts_run_deferred_loops(sim);
-	return ts_heat_look(self, sim);
+	return ts_heat_check_divergence(self, sim);
 }
 
 /* ---- exact over the step ---- */
 
-/* r = (flux + source) / (m c); 0 for those that keep their temperature. */
-static void first_rate(const struct ts_instance *self, struct tsim *sim)
+/* r = (flux + source)/(m c), temperature/time; 0 outside the group. */
+static void compute_rates(const struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_heat *h = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -177,12 +182,12 @@ static void first_rate(const struct ts_instance *self, struct tsim *sim)
 
 struct stage {
 	struct task task;
-	const double *before; /* (sA)^k r / k!, ghosts included */
-	double *after;	      /* the next one */
-	double factor;	      /* s / (k + 1) */
+	const double *before; /* (sA)^k r/k!, ghosts included */
+	double *after;	      /* the next term */
+	double factor;	      /* s/(k + 1) */
 };
 
-static void stage_share(void *context, size_t from, size_t to)
+static void compute_next_term(void *context, size_t from, size_t to)
 {
 	const struct stage s = *(const struct stage *)context;
 	const struct ts_heat *h = s.task.h;
@@ -190,16 +195,19 @@ static void stage_share(void *context, size_t from, size_t to)
 	const double *wall = p->column[h->wall_conductance].data;
 
 	for (size_t i = from; i < to; i++)
-		s.after[i] = ts_in_group(p, i, s.task.self->group)
-				     ? s.factor * (ts_heat_sum(h, i, s.before) - wall[i] * s.before[i]) /
-					       heat_capacity(h, p, i)
-				     : 0;
+		s.after[i] =
+			ts_in_group(p, i, s.task.self->group)
+				? s.factor *
+					  (ts_heat_sum_differences(h, i, s.before) - wall[i] * s.before[i]) /
+					  heat_capacity(h, p, i)
+				: 0;
 }
 
-/* Terms 0 .. MOST of e^x, x <= 1, leave 1/(MOST + 2)! < 2^-62. */
-enum { MOST = 18 };
+/* The terms 0 .. LAST_TERM of the exponential series of x <= 1 leave a remainder below 1/(LAST_TERM +
+ * 2)! < 2^-62. */
+enum { LAST_TERM = 18 };
 
-/* Advances T by s, and r to what it is then. */
+/* Advances T and r by the time s. */
 static void advance_part(const struct task *task, struct tsim *sim, double s)
 {
 	const struct ts_heat *h = task->h;
@@ -208,25 +216,25 @@ static void advance_part(const struct task *task, struct tsim *sim, double s)
 	double *term = ts_heat_column(sim, h->rate), *sum = h->work, *after = h->work + n;
 
 	memcpy(sum, term, n * sizeof *sum);
-	for (int k = 0; k <= MOST; k++) {
+	for (int k = 0; k <= LAST_TERM; k++) {
 		struct stage stage = { *task, term, after, s / (k + 1) };
 
 		for (size_t i = 0; i < n; i++)
 			temperature[i] += term[i] * s / (k + 1);
-		ts_exchange_forward(sim); /* the ghosts' terms */
-		ts_parallel(ts_team(sim, n), n, stage_share, &stage);
+		ts_exchange_forward(sim); /* the terms of the ghosts */
+		ts_parallel(ts_team(sim, n), n, compute_next_term, &stage);
 		for (size_t i = 0; i < n; i++)
 			sum[i] += term[i] = after[i];
 	}
 	memcpy(term, sum, n * sizeof *term);
 }
 
-static enum ts_status exact(struct ts_instance *self, struct tsim *sim)
+static enum ts_status advance_exact(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
 	struct task task = { self, h, sim->particles, sim->clock.dt };
 	/* ||A|| <= 2 / limit */
-	double parts = ceil(2 * sim->clock.dt / limit_of(self, sim)), s;
+	double parts = ceil(2 * sim->clock.dt / stability_limit(self, sim)), s;
 
 	if (!(parts <= 1e6))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
@@ -238,7 +246,7 @@ static enum ts_status exact(struct ts_instance *self, struct tsim *sim)
 	if (TS_GROW(h->work, h->work_capacity, 2 * sim->particles->n) != TS_OK)
 		return ts_nomem(&sim->error);
 	ts_run_deferred_loops(sim);
-	first_rate(self, sim);
+	compute_rates(self, sim);
 	for (int64_t k = 0; k < (int64_t)parts; k++)
 		advance_part(&task, sim, s);
 	return TS_OK;
@@ -246,8 +254,8 @@ static enum ts_status exact(struct ts_instance *self, struct tsim *sim)
 
 /* ---- stages ---- */
 
-/* The state that a run starts from is believed. */
-enum ts_status ts_heat_start(struct ts_instance *self, struct tsim *sim)
+/* The temperatures at the start of a run set the bound beyond which stability is checked. */
+enum ts_status ts_heat_set_bound(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
 
@@ -259,6 +267,6 @@ enum ts_status ts_heat_start(struct ts_instance *self, struct tsim *sim)
 
 enum ts_status ts_heat_advance(struct ts_instance *self, struct tsim *sim)
 {
-	return ((const struct ts_heat *)self->state)->scheme == TS_HEAT_EXACT ? exact(self, sim)
-									      : euler(self, sim);
+	return ((const struct ts_heat *)self->state)->scheme == TS_HEAT_EXACT ? advance_exact(self, sim)
+									      : advance_euler(self, sim);
 }

@@ -478,7 +478,7 @@ static void stabilize_particle(struct state *s, const struct tsim *sim, size_t i
 	ts_net_force_stabilize(net, share, p->f[i], p->torque[i]);
 	ts_add(change, p->f[i], change);
 	ts_sub(p->f[i], change, p->f[i]);
-	ts_restraints_leave(&s->restraints, sim, i, change);
+	ts_restraints_apply(&s->restraints, sim, i, change);
 	ts_add(p->f[i], change, p->f[i]);
 	ts_net_force_record(net, sim->run.in_setup, p->f[i], p->torque[i]);
 }

@@ -134,7 +134,7 @@ struct part_task {
 };
 
 static void parts_in_parallel(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts,
-			      ts_share_fn *share, void *task)
+			      ts_range_fn *share, void *task)
 {
 	int team = ts_fluid_team(fluid, ib->npoints);
 

@@ -23,7 +23,7 @@ double ts_minstd_normal(struct ts_minstd *r)
 	return b * factor;
 }
 
-bool ts_is_prime(int64_t n)
+bool ts_minstd_is_prime(int64_t n)
 {
 	if (n < 2)
 		return false;

@@ -30,6 +30,6 @@ static inline double ts_minstd_uniform(struct ts_minstd *r)
 /* Normal with mean 0 and standard deviation 1 (Marsaglia's polar method). */
 double ts_minstd_normal(struct ts_minstd *r);
 
-bool ts_is_prime(int64_t n);
+bool ts_minstd_is_prime(int64_t n);
 
 #endif

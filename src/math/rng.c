@@ -4,7 +4,7 @@
 
 #include "base/banned.h"
 
-void ts_philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4])
+void ts_rng_philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4])
 {
 	uint32_t k0 = key[0], k1 = key[1];
 
@@ -31,7 +31,7 @@ static void draw(struct ts_rng *rng, uint64_t out[2])
 	const uint32_t key[2] = { (uint32_t)rng->seed, (uint32_t)(rng->seed >> 32) };
 	uint32_t word[4];
 
-	ts_philox(counter, key, word);
+	ts_rng_philox(counter, key, word);
 	out[0] = (uint64_t)word[1] << 32 | word[0];
 	out[1] = (uint64_t)word[3] << 32 | word[2];
 }

@@ -24,6 +24,6 @@ double ts_rng_uniform(struct ts_rng *rng);
 double ts_rng_normal(struct ts_rng *rng);
 
 /* The bijection itself: encrypts four words with a key of two. */
-void ts_philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4]);
+void ts_rng_philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4]);
 
 #endif

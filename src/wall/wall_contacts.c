@@ -121,7 +121,7 @@ void ts_wall_contact_reset(struct ts_wall_contacts *c, size_t k)
 
 struct split {
 	const struct ts_wall_contacts *c;
-	ts_share_fn *share;
+	ts_range_fn *share;
 	void *context;
 };
 
@@ -140,7 +140,7 @@ static void share_whole_particles(void *context, size_t from, size_t to)
 	split->share(split->context, next_particle(split->c, from), next_particle(split->c, to));
 }
 
-void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c, ts_share_fn *share,
+void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c, ts_range_fn *share,
 			       void *context)
 {
 	struct split split = { c, share, context };

@@ -174,7 +174,7 @@ TS_INLINE void load_four(const struct ts_wall_queue *q, const size_t at[4], stru
 		v[j][3] = contact_mass(p, i);
 		omega[j] = TS_FOUR_ALL(0);
 		if (p->omega)
-			omega[j] = TS_FOUR_AT(p->omega[i]);
+			omega[j] = TS_FOUR_LOAD(p->omega[i]);
 		omega[j][3] = p->radius[i];
 		b->curvature[k + (size_t)j] = point->curvature;
 		for (int d = 0; d < width; d++)

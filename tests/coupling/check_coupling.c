@@ -29,7 +29,7 @@ static double sliced(double a, double b, double c)
 	for (int i = 0; i < n && low < 1; i++) {
 		double x = low + (i + 0.5) * (1 - low) / n, s = sqrt(1 - x * x);
 
-		sum += s * s * ts_disc_corner(b / s, c / s);
+		sum += s * s * ts_ball_corner_disc(b / s, c / s);
 	}
 	return low < 1 ? sum * (1 - low) / n : 0;
 }
@@ -43,8 +43,9 @@ START_TEST(corners_of_a_ball)
 	DECK_NEAR(ts_ball_corner(0, 0, 0), PI / 6, 1e-15);
 	DECK_NEAR(ts_ball_corner(-1, -1, -1), 4 * PI / 3, 1e-14);
 	DECK_NEAR(ts_ball_corner(-3, 0.3, -7), PI / 3 * 0.7 * 0.7 * 2.3, 1e-14);
-	DECK_NEAR(ts_disc_corner(0.3, -1), acos(0.3) - 0.3 * sqrt(1 - 0.09), 1e-15);
-	DECK_NEAR(ts_disc_corner(-0.3, 0.2) + ts_disc_corner(0.3, 0.2), acos(0.2) - 0.2 * sqrt(0.96), 1e-15);
+	DECK_NEAR(ts_ball_corner_disc(0.3, -1), acos(0.3) - 0.3 * sqrt(1 - 0.09), 1e-15);
+	DECK_NEAR(ts_ball_corner_disc(-0.3, 0.2) + ts_ball_corner_disc(0.3, 0.2),
+		  acos(0.2) - 0.2 * sqrt(0.96), 1e-15);
 	for (size_t k = 0; k < DECK_LENGTH(corner); k++) {
 		const double *c = corner[k];
 

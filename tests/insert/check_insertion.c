@@ -18,8 +18,8 @@ START_TEST(minstd_is_that_of_park_and_miller)
 	for (int k = 0; k < 10000; k++)
 		(void)ts_minstd_uniform(&r);
 	ck_assert_int_eq(r.state, 1043618065);
-	ck_assert(ts_is_prime(10007) && ts_is_prime(2147483629) && ts_is_prime(2));
-	ck_assert(!ts_is_prime(10001) && !ts_is_prime(1) && !ts_is_prime(9));
+	ck_assert(ts_minstd_is_prime(10007) && ts_minstd_is_prime(2147483629) && ts_minstd_is_prime(2));
+	ck_assert(!ts_minstd_is_prime(10001) && !ts_minstd_is_prime(1) && !ts_minstd_is_prime(9));
 }
 END_TEST
 

@@ -1,0 +1,18 @@
+/* Slots of struct ts_style that all bond styles share, and the coefficients of bond types. */
+#ifndef TS_BOND_BOND_FORCE_H
+#define TS_BOND_BOND_FORCE_H
+
+#include "core/sim.h"
+
+/* Parses the coefficients of the given bond types; types above the present number are added. */
+enum ts_status ts_bond_set_coeffs(struct tsim *sim, struct ts_types types, struct ts_words words,
+				  const struct ts_place *where);
+
+enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_bond_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
+void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash);
+enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
+void ts_bond_fini(struct ts_instance *self);
+
+#endif
