@@ -70,7 +70,7 @@ static void recompute_force(const struct tsim *sim, const struct ts_contact_view
 	for (size_t k = 0; k < list->history_width; k++)
 		memory[k] = list->history[v->row * list->history_width + k];
 	ts_contact_touch(p, i, j, model, &t);
-	ts_granular_stand_out(model, memory, &t);
+	ts_granular_add_bulge(model, memory, &t);
 	ts_granular_contact(model, ts_pair_law(pair, p->type[i], p->type[j]), &t, sim->clock.dt, false,
 			    memory, &acting);
 	for (int k = 0; k < 3; k++) {

@@ -95,7 +95,7 @@ TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_gr
 	b->touch[k] = -(long long)touches;
 	for (int c = 0; c < 3; c++)
 		b->force[c][k] = touches ? f.force[c] : 0;
-	b->force[3][k] = touches ? ts_granular_short(m, &t) : 0;
+	b->force[3][k] = touches ? ts_granular_arm_reduction(m, &t) : 0;
 	for (int c = 0; ts_granular_turns(m) && c < 3; c++)
 		b->tangential_torque[c][k] = touches ? f.turn[c] : 0;
 	for (int c = 0; ts_granular_rolls(m) && c < 3; c++)

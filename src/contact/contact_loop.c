@@ -51,7 +51,7 @@ static void store_result(const struct ts_contact_list *list, size_t slot, const 
 	double *force = ts_contact_force(list, slot), *turn = ts_contact_tangential_torque(list, slot),
 	       *roll = ts_contact_rolling_torque(list, slot);
 
-	force[3] = turn ? ts_granular_short(m, t) : 0;
+	force[3] = turn ? ts_granular_arm_reduction(m, t) : 0;
 	for (int k = 0; k < 3; k++) {
 		force[k] = f->force[k];
 		if (turn)

@@ -52,7 +52,7 @@ TS_INLINE void ts_stages_store_touch(struct ts_stages *s, size_t k, const struct
 	s->r_eff[k] = t->r_eff;
 	s->m_eff[k] = t->m_eff;
 	s->vn[k] = t->vn;
-	s->less[k] = ts_granular_short(m, t);
+	s->less[k] = ts_granular_arm_reduction(m, t);
 }
 
 /* Force and torques of contact k; f->normal is not set. */

@@ -68,7 +68,8 @@ enum ts_status ts_contact_report_limits(struct ts_plan_report *report, const str
 	char depth[48] = "";
 
 	if (stiffens) {
-		overlap = fmax(c->overlap, ts_granular_depth(c->model, c->law, c->r_eff, c->m_eff, c->speed));
+		overlap = fmax(c->overlap,
+			       ts_granular_impact_overlap(c->model, c->law, c->r_eff, c->m_eff, c->speed));
 		snprintf(depth, sizeof depth, ", overlap %.3g", overlap);
 	}
 	if (!(overlap > 0) || !isfinite(overlap) || !any_integrator(sim))

@@ -9,7 +9,7 @@ enum ts_status ts_substep_check(struct tsim *sim, const struct ts_granular_model
 
 	if (!model->located)
 		return TS_OK;
-	if (!ts_substep_knows(model))
+	if (!ts_substep_supports(model))
 		why = "the normal law must be spring, hooke, hertz, hooke/stiffness or hertz/stiffness, "
 		      "and not viscous";
 	else if (sim->run.explicit_euler)

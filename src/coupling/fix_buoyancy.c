@@ -94,7 +94,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 		if (!ts_in_group(p, i, self->group) || (s->region && !ts_region_contains(s->region, p->x[i])))
 			continue;
 		force = -s->down * magnitude * s->density *
-			ts_immersed(p->radius[i], depth, sim->dimension == 2);
+			ts_buoyancy_immersed_volume(p->radius[i], depth, sim->dimension == 2);
 		p->f[i][s->dim] += force;
 		s->total.note[i][s->dim] = force;
 	}

@@ -16,12 +16,12 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_energy_parts parts;
 
 	s->sim = sim;
-	TS_TRY(ts_energy_read(sim, self, s->words, &parts));
-	s->parts = (struct ts_contact_energy_parts){ parts.pair, parts.bond };
+	TS_TRY(ts_energy_parse_parts(sim, self, s->words, &parts));
+	s->parts = (struct ts_elastic_parts){ parts.pair, parts.bond };
 	return TS_OK;
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct pe_atom *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -36,14 +36,14 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 static const struct ts_value values[] = {
 	{ "energy", "energy", "half the energy of each contact and bond; 0 outside the group", TS_PERATOM, 1,
-	  NULL, eval },
+	  NULL, eval_energy },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
 	TS_REST_OPTIONAL("parts", struct pe_atom, words,
-			 .help = "pair, bond; none: both. fix, angle, dihedral, improper, kspace add "
-				 "nothing"),
+			 .help = "any of pair, bond; none: both. fix, angle, dihedral, improper and kspace "
+				 "contribute nothing"),
 	TS_ARGS_END,
 };
 
@@ -51,10 +51,10 @@ TS_STYLE(compute, ts_style, ts_compute_pe_atom)
 const struct ts_style ts_compute_pe_atom = {
 	.name = "pe/atom",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Potential energy of each particle",
-	.doc = "Half the elastic energy of each of its contacts and bonds; compute pe has the equations. The "
-	       "sum\n"
-	       "over all particles is c_ID of compute pe pair bond.",
+	.summary = "potential energy of each particle",
+	.doc = "The energy of a particle is half the elastic energy of each of its contacts and bonds; see "
+	       "compute pe for the equations. The sum over all particles equals the result of compute pe "
+	       "pair bond.",
 	.example = "compute e all pe/atom\ncompute stored all reduce sum c_e",
 	.args = args,
 	.state_size = sizeof(struct pe_atom),

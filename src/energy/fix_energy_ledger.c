@@ -8,7 +8,7 @@
 #include "base/banned.h"
 
 struct ledger {
-	struct ts_ledger books; /* first */
+	struct ts_ledger books; /* must be the first member */
 	int64_t every;
 	const char *path;
 	double tolerance;
@@ -21,23 +21,23 @@ struct ledger {
 static const char *const names[] = { TS_LEDGER_LIST(TS_LEDGER_NAME) NULL };
 static const char *const texts[] = { TS_LEDGER_LIST(TS_LEDGER_TEXT) NULL };
 
-/* A table of the log: name, value and, where there is one, a note. */
-static void line(struct tsim *sim, const char *name, double value)
+/* Table in the log: lines of name and value; zeros are left out. */
+static void log_value(struct tsim *sim, const char *name, double value)
 {
 	if (value != 0)
 		ts_log(&sim->log, "    %-52s %16.8g\n", name, value);
 }
 
-static void named(struct tsim *sim, const char *what, const char *name, double value)
+static void log_named_value(struct tsim *sim, const char *what, const char *name, double value)
 {
 	struct ts_str text = { 0 };
 
 	ts_str_addf(&text, "%s %s", what, name);
-	line(sim, ts_str_text(&text), value);
+	log_value(sim, ts_str_text(&text), value);
 	ts_str_release(&text);
 }
 
-static void energies(struct tsim *sim, const struct ts_ledger *l, const double v[])
+static void log_energies(struct tsim *sim, const struct ts_ledger *l, const double v[])
 {
 	double before = l->start_kinetic[0] + l->start_kinetic[1];
 
@@ -45,60 +45,60 @@ static void energies(struct tsim *sim, const struct ts_ledger *l, const double v
 		before += l->start_store[k];
 	ts_log(&sim->log, "  energy now\n");
 	for (int k = 0; k < TS_LEDGER_TOTAL_VALUE; k++)
-		line(sim, texts[k], v[k]);
+		log_value(sim, texts[k], v[k]);
 	ts_log(&sim->log, "    %-52s %16.8g, %.8g more than at the start\n", texts[TS_LEDGER_TOTAL_VALUE],
 	       v[TS_LEDGER_TOTAL_VALUE], v[TS_LEDGER_TOTAL_VALUE] - before);
 }
 
-static void sources(struct tsim *sim, const struct ts_ledger *l)
+static void log_sources(struct tsim *sim, const struct ts_ledger *l)
 {
 	double came = 0;
 
 	ts_log(&sim->log, "  came from\n");
 	for (size_t a = 0; a < l->nactors; a++)
-		named(sim,
-		      a == l->rest				? "forces made before, or changed later, than"
-		      : l->actor[a].pushes == TS_LEDGER_IS_WALL ? "motion of"
-								: "forces of",
-		      l->actor[a].name, ts_compensated_value(&l->actor[a].work));
-	line(sim, "the box that changes its shape", ts_compensated_value(&l->box));
+		log_named_value(sim,
+				a == l->rest ? "forces made before, or changed later, than"
+				: l->actor[a].pushes == TS_LEDGER_IS_WALL ? "motion of"
+									  : "forces of",
+				l->actor[a].name, ts_compensated_value(&l->actor[a].work));
+	log_value(sim, "the box that changes its shape", ts_compensated_value(&l->box));
 	for (size_t a = 0; a < l->nactors; a++)
-		named(sim, "motion set, particles made or taken by", l->actor[a].name,
-		      ts_compensated_value(&l->actor[a].own));
+		log_named_value(sim, "motion set, particles made or taken by", l->actor[a].name,
+				ts_compensated_value(&l->actor[a].own));
 	for (int k = 0; k < TS_NSTORE; k++)
 		came += ts_compensated_value(&l->moved[k]);
-	line(sim, "springs of particles that came or went", came);
-	line(sim, "particles held against forces", ts_compensated_value(&l->held));
-	line(sim, "commands between runs", ts_compensated_value(&l->between));
+	log_value(sim, "springs of particles that came or went", came);
+	log_value(sim, "particles held against forces", ts_compensated_value(&l->held));
+	log_value(sim, "commands between runs", ts_compensated_value(&l->between));
 }
 
-static void losses(struct tsim *sim, const double v[])
+static void log_losses(struct tsim *sim, const double v[])
 {
 	ts_log(&sim->log, "  was lost\n");
 	for (int k = TS_LEDGER_NORMAL_DASHPOTS_VALUE; k < TS_LEDGER_LOST_VALUE; k++)
-		line(sim, texts[k], v[k]);
-	line(sim, texts[TS_LEDGER_LOST_VALUE], v[TS_LEDGER_LOST_VALUE]);
+		log_value(sim, texts[k], v[k]);
+	log_value(sim, texts[TS_LEDGER_LOST_VALUE], v[TS_LEDGER_LOST_VALUE]);
 }
 
-static double share(const double v[], int value)
+static double relative_to_turnover(const double v[], int value)
 {
 	double most = v[TS_LEDGER_TURNOVER_VALUE];
 
 	return most > 0 ? v[value] / most : 0;
 }
 
-static void heat(struct tsim *sim, const struct ts_ledger *l, const double v[])
+static void log_heat(struct tsim *sim, const struct ts_ledger *l, const double v[])
 {
 	ts_log(&sim->log, "  heat\n    %-52s %16.8g, %.8g more than at the start\n",
 	       texts[TS_LEDGER_HEAT_VALUE], v[TS_LEDGER_HEAT_VALUE], v[TS_LEDGER_HEAT_VALUE] - l->heat.start);
 	for (size_t a = 0; a < l->nactors; a++)
-		named(sim, "from", l->actor[a].name, ts_compensated_value(&l->actor[a].heat));
-	line(sim, "from sources", ts_compensated_value(&l->heat.source));
-	line(sim, texts[TS_LEDGER_HEAT_MOVED_VALUE], v[TS_LEDGER_HEAT_MOVED_VALUE]);
-	line(sim, texts[TS_LEDGER_HEAT_CLOSURE_VALUE], v[TS_LEDGER_HEAT_CLOSURE_VALUE]);
+		log_named_value(sim, "from", l->actor[a].name, ts_compensated_value(&l->actor[a].heat));
+	log_value(sim, "from sources", ts_compensated_value(&l->heat.source));
+	log_value(sim, texts[TS_LEDGER_HEAT_MOVED_VALUE], v[TS_LEDGER_HEAT_MOVED_VALUE]);
+	log_value(sim, texts[TS_LEDGER_HEAT_CLOSURE_VALUE], v[TS_LEDGER_HEAT_CLOSURE_VALUE]);
 }
 
-static enum ts_status summary(struct ts_instance *self, struct tsim *sim)
+static enum ts_status log_summary(struct ts_instance *self, struct tsim *sim)
 {
 	static const char *const suspects[] = { "in normal springs between particles",
 						"",
@@ -117,24 +117,24 @@ static enum ts_status summary(struct ts_instance *self, struct tsim *sim)
 	ts_ledger_drifts(&s->books, drift);
 	ts_log(&sim->log, "\nEnergy ledger fix %s, steps %" PRId64 " to %" PRId64 ", %g of time\n", self->id,
 	       s->books.first, sim->clock.step, ts_sim_time(sim) - s->books.first_time);
-	energies(sim, &s->books, v);
-	sources(sim, &s->books);
-	losses(sim, v);
+	log_energies(sim, &s->books, v);
+	log_sources(sim, &s->books);
+	log_losses(sim, v);
 	ts_log(&sim->log, "  cannot be explained\n");
 	for (int k = TS_LEDGER_CLOSURE_VALUE; k <= TS_LEDGER_DRIFT_VALUE; k++)
 		ts_log(&sim->log, "    %-52s %16.8g, %.2g of the largest turnover\n",
 		       k == TS_LEDGER_DRIFT_VALUE ? "drift: error of the time step" : "closure: rounding",
-		       v[k], share(v, k));
+		       v[k], relative_to_turnover(v, k));
 	for (int k = 0; k <= TS_NSTORE; k++)
 		if (*suspects[k])
-			named(sim, "  drift", suspects[k], drift[k]);
-	line(sim, texts[TS_LEDGER_TURNOVER_VALUE], v[TS_LEDGER_TURNOVER_VALUE]);
+			log_named_value(sim, "  drift", suspects[k], drift[k]);
+	log_value(sim, texts[TS_LEDGER_TURNOVER_VALUE], v[TS_LEDGER_TURNOVER_VALUE]);
 	if (s->books.heat.known)
-		heat(sim, &s->books, v);
+		log_heat(sim, &s->books, v);
 	return TS_OK;
 }
 
-static const char *suspect(const struct ts_ledger *l)
+static const char *largest_drift(const struct ts_ledger *l)
 {
 	static const char *const text[] = { "normal springs between particles", "normal springs at walls",
 					    "bonds", "turning bodies" };
@@ -150,19 +150,19 @@ static const char *suspect(const struct ts_ledger *l)
 	return text[worst];
 }
 
-static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
+static enum ts_status finish_run(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ledger *s = self->state;
 	double v[TS_LEDGER_VALUES];
 
 	ts_ledger_values(&s->books, v);
-	TS_TRY(summary(self, sim));
-	if (fabs(share(v, TS_LEDGER_DRIFT_VALUE)) > s->tolerance)
+	TS_TRY(log_summary(self, sim));
+	if (fabs(relative_to_turnover(v, TS_LEDGER_DRIFT_VALUE)) > s->tolerance)
 		ts_warn(&sim->log, &self->where,
 			"fix %s %s: the energy of springs drifted by %.2g of the largest turnover, tolerance "
 			"%g; mostly %s. A smaller time step helps, by its square where forces have no jumps",
-			self->id, self->style->name, share(v, TS_LEDGER_DRIFT_VALUE), s->tolerance,
-			suspect(&s->books));
+			self->id, self->style->name, relative_to_turnover(v, TS_LEDGER_DRIFT_VALUE),
+			s->tolerance, largest_drift(&s->books));
 	return TS_OK;
 }
 
@@ -179,7 +179,7 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 	return ts_textfile_printf(&s->file, "\n");
 }
 
-static enum ts_status write(struct ts_instance *self, struct tsim *sim)
+static enum ts_status write_row(struct ts_instance *self, struct tsim *sim)
 {
 	struct ledger *s = self->state;
 	double v[TS_LEDGER_VALUES];
@@ -195,22 +195,22 @@ static enum ts_status write(struct ts_instance *self, struct tsim *sim)
 	return ts_textfile_flush(&s->file);
 }
 
-/* Of books that were begun before the row of this step has been written. */
-static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
+/* If the balance starts now, the row of this step has not been written yet. */
+static enum ts_status setup_ledger(struct ts_instance *self, struct tsim *sim)
 {
 	bool begun = ((struct ledger *)self->state)->books.open != 0;
 
 	TS_TRY(ts_ledger_setup(self, sim));
-	return begun ? TS_OK : write(self, sim);
+	return begun ? TS_OK : write_row(self, sim);
 }
 
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
-	TS_TRY(ts_ledger_settle(self, sim));
-	return write(self, sim);
+	TS_TRY(ts_ledger_finish_step(self, sim));
+	return write_row(self, sim);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ledger *s = self->state;
 	size_t numbers = TS_LEDGER_COLUMN;
@@ -226,7 +226,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 		       : ts_nomem(&sim->error);
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_balance(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
 	ts_ledger_values(self->state, out->data);
@@ -239,7 +239,8 @@ static enum ts_status eval_residual(struct ts_instance *self, const struct tsim 
 
 	(void)sim;
 	ts_ledger_values(self->state, v);
-	out->data[0] = share(v, TS_LEDGER_CLOSURE_VALUE) + share(v, TS_LEDGER_DRIFT_VALUE);
+	out->data[0] = relative_to_turnover(v, TS_LEDGER_CLOSURE_VALUE) +
+		       relative_to_turnover(v, TS_LEDGER_DRIFT_VALUE);
 	return TS_OK;
 }
 
@@ -251,20 +252,21 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_INT("every", struct ledger, every, .range = TS_POSITIVE, .fallback = "1000",
-	       .help = "steps between lines of the file"),
-	TS_WORD("file", struct ledger, path, .flags = TS_OPTIONAL | TS_WRITES, .help = "table of all values"),
+	       .help = "number of time steps between lines of the file"),
+	TS_WORD("file", struct ledger, path, .flags = TS_OPTIONAL | TS_WRITES,
+		.help = "text file with all values"),
 	TS_REAL("tolerance", struct ledger, tolerance, .range = TS_POSITIVE, .fallback = "0.01", .unit = "",
-		.help = "a warning where the drift is a larger part of the largest turnover"),
+		.help = "relative drift, divided by the largest turnover, above which a warning is printed"),
 	TS_BOOL("summary", struct ledger, summary, .fallback = "yes",
-		.help = "a table in the log at the end of each run"),
+		.help = "print a table at the end of each run"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
-	{ "residual", "", "closure and drift as a part of the largest turnover", TS_SCALAR, 1, NULL,
+	{ "residual", "", "closure plus drift, divided by the largest turnover", TS_SCALAR, 1, NULL,
 	  eval_residual },
-	{ "books", "energy", "energies now, where energy came from, where it was lost, what is unexplained",
-	  TS_VECTOR, TS_LEDGER_VALUES, names, eval },
+	{ "books", "energy", "current energies, sources, losses and residuals", TS_VECTOR, TS_LEDGER_VALUES,
+	  names, eval_balance },
 	{ .name = NULL },
 };
 
@@ -272,22 +274,24 @@ TS_STYLE(fix, ts_style, ts_fix_energy_ledger)
 const struct ts_style ts_fix_energy_ledger = {
 	.name = "energy/ledger",
 	.kind = TS_KIND_FIX,
-	.summary = "Books where the energy of the particles comes from and where it goes",
-	.doc = "Splits the work of all forces by cause and adds up what the springs store; it only looks, "
-	       "and results\n"
-	       "are the same with it. Each half kick v' = v + s F/m changes the kinetic energy by s F.(v + "
-	       "v')/2\n"
-	       "exactly, so the works of all causes close to rounding: closure. What springs store differs "
-	       "from\n"
-	       "the work put in by the error of the time step: drift, of second order in the step for "
+	.summary = "computes the energy balance of the particles by sources and losses",
+	.doc = "Computes the work of all forces by cause, and the elastic energy of contacts and bonds. The "
+	       "fix does\n"
+	       "not change the simulation: results are bitwise the same with it. Each half kick v' = v + s "
+	       "F/m\n"
+	       "changes the kinetic energy by exactly s F . (v + v')/2, so the works of all causes add up to "
+	       "its\n"
+	       "change to rounding; the residual is CLOSURE. The elastic energy differs from the work put "
+	       "into\n"
+	       "springs by the error of the time integration: DRIFT, of second order in the time step for "
 	       "forces\n"
-	       "without jumps. With the values f_ID[k] listed below,\n\n"
+	       "without jumps. The values f_ID[k] listed below fulfil\n\n"
 	       "  TOTAL - TOTAL(0) = FORCES + DRIVE + MOVED - LOST + CLOSURE + DRIFT\n\n"
-	       "The table at the end of a run names who has brought what; a warning says if the drift is "
-	       "more than\n"
-	       "`tolerance` of the largest turnover, and where most of it is. The group has no effect: the "
-	       "books are\n"
-	       "those of all particles. doc/energy.md has the details.",
+	       "At the end of a run a table lists the contributions of each style. A warning is printed if "
+	       "the\n"
+	       "drift exceeds `tolerance` times the largest turnover; it names the springs with the largest "
+	       "drift.\n"
+	       "The balance is that of all particles, whatever the group. See doc/energy.md for details.",
 	.example = "fix books all energy/ledger every 100 file post/energy.txt tolerance 0.001",
 	.args = args,
 	.state_size = sizeof(struct ledger),
@@ -295,9 +299,9 @@ const struct ts_style ts_fix_energy_ledger = {
 	.values = values,
 	.init = ts_ledger_init,
 	.watch = ts_ledger_watch,
-	.hook = { [TS_STAGE_SETUP] = setup,
+	.hook = { [TS_STAGE_SETUP] = setup_ledger,
 		  [TS_STAGE_END_OF_STEP] = end_of_step,
-		  [TS_STAGE_FINISH] = finish },
-	.plan = plan,
+		  [TS_STAGE_FINISH] = finish_run },
+	.plan = report_memory,
 	.fini = fini,
 };

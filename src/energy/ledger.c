@@ -1,4 +1,4 @@
-/* What the ledger sees in each stage of a step. */
+/* What the ledger records in each stage of a step. */
 #include "energy/ledger.h"
 
 #include <stdio.h>
@@ -16,7 +16,7 @@
 
 enum { NOTHING_DUE = -1 };
 
-static const char *name_of(struct tsim *sim, const struct ts_instance *by)
+static const char *actor_name(struct tsim *sim, const struct ts_instance *by)
 {
 	char name[160];
 
@@ -27,7 +27,7 @@ static const char *name_of(struct tsim *sim, const struct ts_instance *by)
 
 enum ts_status ts_ledger_actor(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *by, size_t *k)
 {
-	const char *name = name_of(sim, by);
+	const char *name = actor_name(sim, by);
 
 	if (!name)
 		return ts_nomem(&sim->error);
@@ -43,8 +43,8 @@ enum ts_status ts_ledger_actor(struct tsim *sim, struct ts_ledger *l, const stru
 	return TS_OK;
 }
 
-static enum ts_status column(struct tsim *sim, const struct ts_ledger *l, const char *of, size_t width,
-			     size_t *index)
+static enum ts_status add_named_column(struct tsim *sim, const struct ts_ledger *l, const char *of,
+				       size_t width, size_t *index)
 {
 	char name[240];
 
@@ -57,8 +57,8 @@ static bool is_wall(const struct ts_instance *inst)
 	return inst->style->family && ts_streq(inst->style->family, TS_FAMILY_WALL);
 }
 
-/* Whose forces are told from others by what the action adds. */
-static int pushes(const struct ts_instance *inst)
+/* Whether the forces of a style are found as the differences that its hooks add, or by wall contacts. */
+static int force_kind(const struct ts_instance *inst)
 {
 	if (is_wall(inst))
 		return TS_LEDGER_IS_WALL;
@@ -66,7 +66,7 @@ static int pushes(const struct ts_instance *inst)
 	       inst->style->hook[TS_STAGE_POST_FORCE];
 }
 
-static enum ts_status name_actors(struct tsim *sim, struct ts_ledger *l, enum ts_kind kind)
+static enum ts_status register_actors(struct tsim *sim, struct ts_ledger *l, enum ts_kind kind)
 {
 	const struct ts_instances *list = &sim->instances[kind];
 	size_t a;
@@ -78,25 +78,26 @@ static enum ts_status name_actors(struct tsim *sim, struct ts_ledger *l, enum ts
 			l->rest = a;
 			l->actor[a].pushes = TS_LEDGER_PUSHES;
 		}
-		if (pushes(list->item[k]))
-			l->actor[a].pushes = pushes(list->item[k]);
+		if (force_kind(list->item[k]))
+			l->actor[a].pushes = force_kind(list->item[k]);
 	}
 	return TS_OK;
 }
 
-/* Those that are gone keep their column as long as it carries their last forces. */
+/* Deleted actors keep their column as long as it carries their last forces. */
 static enum ts_status add_columns(struct tsim *sim, struct ts_ledger *l)
 {
-	TS_TRY(column(sim, l, "contacts and bonds", TS_LEDGER_COLUMN, &l->column));
+	TS_TRY(add_named_column(sim, l, "contacts and bonds", TS_LEDGER_COLUMN, &l->column));
 	for (size_t a = 0; a < l->nactors; a++)
 		if (l->actor[a].pushes)
-			TS_TRY(column(sim, l, l->actor[a].name, TS_CAUSE_NUMBERS, &l->actor[a].column));
+			TS_TRY(add_named_column(sim, l, l->actor[a].name, TS_CAUSE_NUMBERS,
+						&l->actor[a].column));
 	return TS_OK;
 }
 
-/* Room for what is kept of each particle within a step; after they have come, gone or changed places it is
- * meaningless anyway. */
-static enum ts_status make_room(struct tsim *sim, struct ts_ledger *l)
+/* Allocates the arrays of per-particle data of a step. Old contents need not be kept: after particles
+ * have been added, removed or reordered they are invalid. */
+static enum ts_status allocate_particle_arrays(struct tsim *sim, struct ts_ledger *l)
 {
 	struct ts_particles *p = sim->particles;
 	size_t n = p->n + 1;
@@ -114,7 +115,7 @@ static enum ts_status make_room(struct tsim *sim, struct ts_ledger *l)
 	return TS_OK;
 }
 
-static void look_at_forces(const struct tsim *sim, struct ts_ledger *l)
+static void store_forces(const struct tsim *sim, struct ts_ledger *l)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -124,17 +125,17 @@ static void look_at_forces(const struct tsim *sim, struct ts_ledger *l)
 		memcpy(l->torque, p->torque, p->n * sizeof *p->torque);
 }
 
-/* Before forces are made: those of the last step have done their work. */
-static enum ts_status clear(struct tsim *sim, struct ts_ledger *l)
+/* Before the force computation: the forces of the last step have done their work. */
+static enum ts_status clear_force_columns(struct tsim *sim, struct ts_ledger *l)
 {
 	struct ts_particles *p = sim->particles;
 
 	for (size_t i = 0; i < p->n; i++) {
 		double *cause = ts_ledger_causes(l, p, i);
 
-		if (cause[TS_LEDGER_BUSY] > 0)
+		if (cause[TS_LEDGER_NONZERO] > 0)
 			memset(cause, 0, TS_NCAUSE * TS_CAUSE_NUMBERS * sizeof *cause);
-		cause[TS_LEDGER_BUSY] = 0;
+		cause[TS_LEDGER_NONZERO] = 0;
 	}
 	for (size_t a = 0; a < l->nactors; a++)
 		if (l->actor[a].pushes && p->n)
@@ -145,13 +146,14 @@ static enum ts_status clear(struct tsim *sim, struct ts_ledger *l)
 	l->notes = 0;
 	l->split = l->made = 1;
 	ts_ledger_heat_clear(l);
-	look_at_forces(sim, l);
+	store_forces(sim, l);
 	return TS_OK;
 }
 
-/* What acts on a body as a whole goes through the first of its members: a force with a torque that moves
- * it to the centre of mass. */
-static void book_external(struct tsim *sim, struct ts_ledger *l, const struct ts_column *column)
+/* Forces on a rigid body as a whole are attributed to its first member: the force, and the torque that
+ * moves it to the centre of mass. */
+static void add_external_forces_of_bodies(struct tsim *sim, struct ts_ledger *l,
+					  const struct ts_column *column)
 {
 	struct ts_rigid *rigid = sim->rigid;
 	const struct ts_particles *p = sim->particles;
@@ -171,8 +173,8 @@ static void book_external(struct tsim *sim, struct ts_ledger *l, const struct ts
 	}
 }
 
-/* What the action has added to the forces. */
-static enum ts_status book_forces(struct tsim *sim, struct ts_ledger *l, size_t actor)
+/* The forces that the action has added. */
+static enum ts_status add_force_differences(struct tsim *sim, struct ts_ledger *l, size_t actor)
 {
 	struct ts_particles *p = sim->particles;
 	const struct ts_column *column = &p->column[l->actor[actor].column];
@@ -186,30 +188,30 @@ static enum ts_status book_forces(struct tsim *sim, struct ts_ledger *l, size_t 
 				to[TS_CAUSE_TORQUE + d] += p->torque[i][d] - l->torque[i][d];
 		}
 	}
-	book_external(sim, l, column);
+	add_external_forces_of_bodies(sim, l, column);
 	return TS_OK;
 }
 
-static enum ts_status watch_forces(struct tsim *sim, struct ts_ledger *l, struct ts_instance *by)
+static enum ts_status account_forces(struct tsim *sim, struct ts_ledger *l, struct ts_instance *by)
 {
 	size_t actor;
 
 	if (by->style->kind == TS_KIND_PAIR)
-		TS_TRY(ts_ledger_take_pairs(sim, l));
+		TS_TRY(ts_ledger_account_pairs(sim, l));
 	else if (by->style->kind == TS_KIND_BOND)
-		TS_TRY(ts_ledger_take_bonds(sim, l));
+		TS_TRY(ts_ledger_account_bonds(sim, l));
 	TS_TRY(ts_ledger_actor(sim, l, by, &actor));
 	if (is_wall(by))
-		TS_TRY(ts_ledger_take_wall(sim, l, by, actor));
+		TS_TRY(ts_ledger_account_wall(sim, l, by, actor));
 	else if (l->actor[actor].pushes && sim->acted.stage > TS_STAGE_PRE_FORCE)
-		TS_TRY(book_forces(sim, l, actor));
+		TS_TRY(add_force_differences(sim, l, actor));
 	if (sim->acted.stage > TS_STAGE_PRE_FORCE)
 		ts_ledger_heat_flux(sim, l, actor);
-	look_at_forces(sim, l);
+	store_forces(sim, l);
 	return TS_OK;
 }
 
-static double all(const double *value, size_t n)
+static double sum_values(const double *value, size_t n)
 {
 	double sum = 0;
 
@@ -218,15 +220,16 @@ static double all(const double *value, size_t n)
 	return sum;
 }
 
-/* The kinetic energy as it is; what it has gained is booked on who acted. */
-static enum ts_status look(struct tsim *sim, struct ts_ledger *l, struct ts_compensated_sum *book)
+/* Updates the kinetic energy; its change is added to the account `book`. */
+static enum ts_status update_kinetic_energy(struct tsim *sim, struct ts_ledger *l,
+					    struct ts_compensated_sum *book)
 {
 	double before = l->kinetic[0] + l->kinetic[1];
 
 	ts_ledger_kinetic(sim, l->kinetic);
 	if (book && l->open)
 		ts_compensated_add(book, l->kinetic[0] + l->kinetic[1] - before);
-	l->most = fmax(l->most, l->kinetic[0] + l->kinetic[1] + all(l->store, TS_NSTORE));
+	l->most = fmax(l->most, l->kinetic[0] + l->kinetic[1] + sum_values(l->store, TS_NSTORE));
 	return TS_OK;
 }
 
@@ -239,11 +242,11 @@ static bool velocities_changed(const struct tsim *sim, const struct ts_ledger *l
 	       (p->n && p->omega && memcmp(l->seen_omega, p->omega, p->n * sizeof *p->omega) != 0);
 }
 
-static enum ts_status remember(struct tsim *sim, struct ts_ledger *l)
+static enum ts_status store_seen_velocities(struct tsim *sim, struct ts_ledger *l)
 {
 	struct ts_particles *p = sim->particles;
 
-	TS_TRY(make_room(sim, l));
+	TS_TRY(allocate_particle_arrays(sim, l));
 	l->n = p->n;
 	l->generation = sim->generation;
 	if (p->n)
@@ -268,15 +271,16 @@ enum ts_status ts_ledger_archive_columns(struct tsim *sim, struct ts_ledger *l, 
 	return TS_OK;
 }
 
-/* What commands have changed since the last run is seen now; springs, when forces have been made. */
+/* Energy that commands have changed since the last run is accounted now; elastic energy after the force
+ * computation. */
 static enum ts_status begin_run(struct tsim *sim, struct ts_ledger *l)
 {
 	l->due = NOTHING_DUE;
-	l->stepping = l->made = l->looking = false;
+	l->stepping = l->made = l->already_accounted = false;
 	memcpy(l->store_before, l->store, sizeof l->store);
 	if (l->open)
-		TS_TRY(look(sim, l, &l->between));
-	return remember(sim, l);
+		TS_TRY(update_kinetic_energy(sim, l, &l->between));
+	return store_seen_velocities(sim, l);
 }
 
 enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
@@ -300,15 +304,16 @@ enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
 	for (size_t a = 0; a < l->nactors; a++)
 		l->actor[a].by = NULL;
 	for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
-		TS_TRY(name_actors(sim, l, kinds[k]));
+		TS_TRY(register_actors(sim, l, kinds[k]));
 	ts_walls_want_reports(sim);
 	TS_TRY(add_columns(sim, l));
 	return begin_run(sim, l);
 }
 
-/* Forces changed after they were made, before their first kick of the next step: of particles that are in
- * a stream yet, or get the drag of a fluid that has made its step. Bodies are kicked by their own. */
-static enum ts_status watch_late(struct tsim *sim, struct ts_ledger *l)
+/* Forces that were changed between their computation and the first kick of the next step: of particles
+ * that are still being inserted by a stream, or that get the drag of a fluid after its step. Rigid
+ * bodies are kicked by their own forces. */
+static enum ts_status account_late_forces(struct tsim *sim, struct ts_ledger *l)
 {
 	struct ts_particles *p = sim->particles;
 	size_t bytes = p->n * sizeof *p->f;
@@ -326,12 +331,12 @@ static enum ts_status watch_late(struct tsim *sim, struct ts_ledger *l)
 				to[TS_CAUSE_TORQUE + d] += p->torque[i][d] - l->torque[i][d];
 		}
 	}
-	look_at_forces(sim, l);
+	store_forces(sim, l);
 	return TS_OK;
 }
 
-/* Outside the stages of kicks: whatever changes velocities or masses does so directly. */
-static enum ts_status watch_others(struct tsim *sim, struct ts_ledger *l, struct ts_instance *by)
+/* Outside the kick stages any change of velocities or masses is a direct change by the acting style. */
+static enum ts_status account_direct_changes(struct tsim *sim, struct ts_ledger *l, struct ts_instance *by)
 {
 	size_t n = l->n, actor;
 
@@ -339,44 +344,44 @@ static enum ts_status watch_others(struct tsim *sim, struct ts_ledger *l, struct
 	    !(by->style->kind == TS_KIND_FIX && sim->acted.stage == TS_STAGE_POST_INTEGRATE))
 		return TS_OK;
 	TS_TRY(ts_ledger_actor(sim, l, by, &actor));
-	TS_TRY(look(sim, l, l->stepping ? &l->actor[actor].own : &l->between));
+	TS_TRY(update_kinetic_energy(sim, l, l->stepping ? &l->actor[actor].own : &l->between));
 	if (l->stepping && sim->particles->n < n)
-		TS_TRY(ts_ledger_take_away(sim, l));
-	return remember(sim, l);
+		TS_TRY(ts_ledger_account_removed(sim, l));
+	return store_seen_velocities(sim, l);
 }
 
-/* The kicks of the last stage are done. */
-static enum ts_status settle(struct tsim *sim, struct ts_ledger *l)
+/* Accounts the kicks of the last stage. */
+static enum ts_status account_pending_kicks(struct tsim *sim, struct ts_ledger *l)
 {
 	int due = l->due;
 
 	l->due = NOTHING_DUE;
 	if (due == NOTHING_DUE || !l->open)
 		return TS_OK;
-	TS_TRY(ts_ledger_work(sim, l, due == TS_STAGE_FINAL_INTEGRATE));
-	TS_TRY(look(sim, l, NULL));
-	return remember(sim, l);
+	TS_TRY(ts_ledger_account_kicks(sim, l, due == TS_STAGE_FINAL_INTEGRATE));
+	TS_TRY(update_kinetic_energy(sim, l, NULL));
+	return store_seen_velocities(sim, l);
 }
 
-static enum ts_status begin(struct tsim *sim, struct ts_ledger *l)
+static enum ts_status begin_stage(struct tsim *sim, struct ts_ledger *l)
 {
 	int stage = sim->acted.stage;
 
 	bool kicks = stage == TS_STAGE_INITIAL_INTEGRATE || stage == TS_STAGE_FINAL_INTEGRATE;
 
-	TS_TRY(settle(sim, l));
-	TS_TRY(make_room(sim, l));
+	TS_TRY(account_pending_kicks(sim, l));
+	TS_TRY(allocate_particle_arrays(sim, l));
 	l->stepping |= stage == TS_STAGE_INITIAL_INTEGRATE;
 	if (l->stepping && stage == TS_STAGE_PRE_FORCE)
-		ts_ledger_heat_look(sim, l);
+		ts_ledger_heat_update(sim, l);
 	if (stage == TS_STAGE_FORCE)
-		TS_TRY(ts_ledger_hold_rows(sim, l));
+		TS_TRY(ts_ledger_store_pair_history(sim, l));
 	if (stage == TS_STAGE_POST_FORCE)
-		TS_TRY(ts_ledger_hold_walls(sim, l));
+		TS_TRY(ts_ledger_store_wall_history(sim, l));
 	if (kicks)
 		l->due = stage;
 	if (kicks || (stage >= TS_STAGE_PRE_FORCE && stage <= TS_STAGE_POST_FORCE))
-		return ts_ledger_work_start(sim, l);
+		return ts_ledger_store_velocities(sim, l);
 	return TS_OK;
 }
 
@@ -388,49 +393,49 @@ enum ts_status ts_ledger_watch(struct ts_instance *self, struct tsim *sim)
 	size_t actor;
 
 	if (!by)
-		return begin(sim, l);
+		return begin_stage(sim, l);
 	if (l->due != NOTHING_DUE) {
 		TS_TRY(ts_ledger_actor(sim, l, by, &actor));
-		ts_ledger_work_mark(sim, l, actor);
+		ts_ledger_mark_kicked(sim, l, actor);
 		if (stage == TS_STAGE_FINAL_INTEGRATE)
 			ts_ledger_heat_advance(sim, l, by, actor);
 		return TS_OK;
 	}
 	if (stage == TS_STAGE_PRE_FORCE && by->style == &ts_neigh_system.style)
-		return clear(sim, l);
+		return clear_force_columns(sim, l);
 	if (stage >= TS_STAGE_PRE_FORCE && stage <= TS_STAGE_POST_FORCE)
-		TS_TRY(watch_forces(sim, l, by));
+		TS_TRY(account_forces(sim, l, by));
 	if (stage == TS_STAGE_END_OF_STEP && l->stepping)
-		TS_TRY(watch_late(sim, l));
-	return watch_others(sim, l, by);
+		TS_TRY(account_late_forces(sim, l));
+	return account_direct_changes(sim, l, by);
 }
 
-enum ts_status ts_ledger_settle(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_ledger_finish_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_ledger *l = self->state;
 
-	TS_TRY(settle(sim, l));
+	TS_TRY(account_pending_kicks(sim, l));
 	l->newest = sim->particles->max_tag;
 	return TS_OK;
 }
 
-/* A run that goes on with the forces of the last step: what their contacts and bonds store is known, and
- * what they did if the ledger was there. */
-static enum ts_status take_all(struct tsim *sim, struct ts_ledger *l)
+/* A run that continues with the forces of the last step: accounts the elastic energy of existing
+ * contacts and bonds, and their forces if the ledger had not seen them. */
+static enum ts_status account_existing_contacts(struct tsim *sim, struct ts_ledger *l)
 {
 	const struct ts_instance *wall;
 	size_t k = 0, actor;
 
-	TS_TRY(ts_ledger_take_pairs(sim, l));
-	TS_TRY(ts_ledger_take_bonds(sim, l));
+	TS_TRY(ts_ledger_account_pairs(sim, l));
+	TS_TRY(ts_ledger_account_bonds(sim, l));
 	while (ts_walls_next(sim, &k, &wall)) {
 		TS_TRY(ts_ledger_actor(sim, l, wall, &actor));
-		TS_TRY(ts_ledger_take_wall(sim, l, wall, actor));
+		TS_TRY(ts_ledger_account_wall(sim, l, wall, actor));
 	}
 	return TS_OK;
 }
 
-static double parts_of(const struct ts_ledger *l, const struct ts_particles *p, size_t i, int number)
+static double sum_over_causes(const struct ts_ledger *l, const struct ts_particles *p, size_t i, int number)
 {
 	const double *cause = ts_ledger_causes(l, p, i) + number;
 	double sum = 0;
@@ -440,29 +445,30 @@ static double parts_of(const struct ts_ledger *l, const struct ts_particles *p, 
 	return sum;
 }
 
-/* The ledger is new: forces that are not of contacts and bonds were made by others before it came. */
-static enum ts_status take_rest(struct tsim *sim, struct ts_ledger *l)
+/* A new ledger: existing forces other than those of contacts and bonds are attributed to the actor of
+ * unknown origin. */
+static enum ts_status account_unknown_forces(struct tsim *sim, struct ts_ledger *l)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_column *c;
 
-	TS_TRY(clear(sim, l));
-	TS_TRY(take_all(sim, l));
+	TS_TRY(clear_force_columns(sim, l));
+	TS_TRY(account_existing_contacts(sim, l));
 	c = &p->column[l->actor[l->rest].column];
 	for (size_t i = 0; i < p->n; i++) {
 		double *to = (double *)c->data + i * c->width;
 
 		for (int d = 0; d < 3; d++) {
-			to[TS_CAUSE_FORCE + d] = p->f[i][d] - parts_of(l, p, i, TS_CAUSE_FORCE + d);
+			to[TS_CAUSE_FORCE + d] = p->f[i][d] - sum_over_causes(l, p, i, TS_CAUSE_FORCE + d);
 			if (p->torque)
 				to[TS_CAUSE_TORQUE + d] =
-					p->torque[i][d] - parts_of(l, p, i, TS_CAUSE_TORQUE + d);
+					p->torque[i][d] - sum_over_causes(l, p, i, TS_CAUSE_TORQUE + d);
 		}
 	}
-	TS_TRY(ts_ledger_work_start(sim, l));
+	TS_TRY(ts_ledger_store_velocities(sim, l));
 	for (size_t b = 0; b < l->bodies; b++)
 		memset(l->body[b].external, 0, sizeof l->body[b].external);
-	book_external(sim, l, c);
+	add_external_forces_of_bodies(sim, l, c);
 	return TS_OK;
 }
 
@@ -473,7 +479,7 @@ static void open_books(const struct tsim *sim, struct ts_ledger *l)
 	memset(l->moved, 0, sizeof l->moved);
 	l->first = sim->clock.step;
 	l->first_time = ts_sim_time(sim);
-	l->most = l->kinetic[0] + l->kinetic[1] + all(l->store, TS_NSTORE);
+	l->most = l->kinetic[0] + l->kinetic[1] + sum_values(l->store, TS_NSTORE);
 	l->open = 1;
 }
 
@@ -481,17 +487,17 @@ enum ts_status ts_ledger_setup(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_ledger *l = self->state;
 
-	TS_TRY(make_room(sim, l));
-	l->looking = !l->made && l->split;
-	if (l->looking)
+	TS_TRY(allocate_particle_arrays(sim, l));
+	l->already_accounted = !l->made && l->split;
+	if (l->already_accounted)
 		l->notes = 0;
 	if (!l->made)
-		TS_TRY(l->split ? take_all(sim, l) : take_rest(sim, l));
-	l->looking = false;
+		TS_TRY(l->split ? account_existing_contacts(sim, l) : account_unknown_forces(sim, l));
+	l->already_accounted = false;
 	l->newest = sim->particles->max_tag;
-	TS_TRY(look(sim, l, &l->between));
-	TS_TRY(remember(sim, l));
-	ts_ledger_heat_look(sim, l);
+	TS_TRY(update_kinetic_energy(sim, l, &l->between));
+	TS_TRY(store_seen_velocities(sim, l));
+	ts_ledger_heat_update(sim, l);
 	for (int k = 0; k < TS_NSTORE && l->open && l->made; k++)
 		ts_compensated_add(&l->moved[k], l->store[k] - l->store_before[k]);
 	if (!l->open)

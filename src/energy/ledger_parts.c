@@ -1,4 +1,4 @@
-/* Contacts and bonds by cause, as they are right after their forces were made. */
+/* Forces and elastic energies of contacts and bonds by cause, right after the force computation. */
 #include <string.h>
 
 #include "bond/bonds.h"
@@ -15,14 +15,14 @@ struct sums {
 	struct ts_exactsum store[TS_NCONTACT_STORE], brought[TS_NCONTACT_STORE], slip;
 };
 
-static void start_sums(struct sums *s)
+static void sums_start(struct sums *s)
 {
 	for (int k = 0; k < TS_NCONTACT_STORE; k++)
 		s->store[k] = s->brought[k] = ts_exactsum_start();
 	s->slip = ts_exactsum_start();
 }
 
-/* `fresh`: one of the partners has come since the last forces, and the contact with it. */
+/* `fresh`: one of the partners was added after the last force computation, and the contact with it. */
 static void add_energy(struct sums *s, const double energy[], double share, bool fresh)
 {
 	for (int k = 0; k < TS_NCONTACT_STORE; k++) {
@@ -34,14 +34,14 @@ static void add_energy(struct sums *s, const double energy[], double share, bool
 	}
 }
 
-static void end_sums(const struct sums *s, struct ts_ledger *l, int side, bool first)
+static void sums_finish(const struct sums *s, struct ts_ledger *l, int side, bool first)
 {
 	if (l->stepping)
 		ts_compensated_add(&l->slip[side], ts_exactsum_value(&s->slip));
 	for (int k = 0; k < TS_NCONTACT_STORE; k++) {
 		int store = ts_ledger_store(side, k);
 
-		if (l->looking)
+		if (l->already_accounted)
 			continue;
 		l->store[store] = (first ? 0 : l->store[store]) + ts_exactsum_value(&s->store[k]);
 		if (l->stepping)
@@ -49,14 +49,14 @@ static void end_sums(const struct sums *s, struct ts_ledger *l, int side, bool f
 	}
 }
 
-/* The parts on one partner: sign and arm are his. `drive`: velocity of the other's surface that is not in
- * the columns of particles. */
-static void book(double *own, int side, const struct ts_contact_parts *parts, double sign, double arm,
-		 const double drive[3])
+/* Adds the force parts to the columns of one partner, with its sign and lever arm. `drive`: velocity of
+ * the surface of the other partner that is not in the particle columns. */
+static void add_parts_to_columns(double *own, int side, const struct ts_contact_parts *parts, double sign,
+				 double arm, const double drive[3])
 {
 	double *cause = own + ts_ledger_cause(side, 0) * TS_CAUSE_NUMBERS;
 
-	own[TS_LEDGER_BUSY] = 1;
+	own[TS_LEDGER_NONZERO] = 1;
 	for (int part = 0; part < TS_NPART; part++) {
 		double *to = cause + part * TS_CAUSE_NUMBERS;
 
@@ -67,25 +67,25 @@ static void book(double *own, int side, const struct ts_contact_parts *parts, do
 	ts_axpy(sign, parts->roll, cause + TS_PART_ROLLING * TS_CAUSE_NUMBERS + TS_CAUSE_TORQUE);
 }
 
-/* Normal springs that do not give back what they got: they yield, the energy jumps as surfaces meet
- * and part, or other contacts move the surface. */
-static bool loses(const struct ts_granular_model *m)
+/* Whether normal springs do not return the energy put in: plastic laws, laws whose energy jumps when
+ * surfaces touch or part, and multi-contact laws whose surface is moved by other contacts. */
+static bool is_inelastic(const struct ts_granular_model *m)
 {
 	return m->normal == TS_NORMAL_HOOKE_HYSTERESIS || ts_normal_sticks(m) || m->multi;
 }
 
-struct row_work {
+struct pair_accounting {
 	struct tsim *sim;
 	struct ts_ledger *l;
 	const struct ts_pair *pair;
 	struct sums sums;
 };
 
-/* Row r as its partner of that side sees it. */
-static void book_row(struct row_work *w, size_t r, int side, size_t own)
+/* Accounts contact r of the list for its partner `own` on the given side. */
+static void account_pair(struct pair_accounting *w, size_t r, int side, size_t own)
 {
-	static const double still[3] = { 0 };
-	const struct ts_contact_list *rows = &w->sim->neigh->contacts;
+	static const double zero[3] = { 0 };
+	const struct ts_contact_list *rows = &w->sim->neigh->rows;
 	const struct ts_particles *p = w->sim->particles;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	const struct ts_granular_model *m = ts_pair_model(w->pair, p->type[i], p->type[j]);
@@ -95,16 +95,19 @@ static void book_row(struct row_work *w, size_t r, int side, size_t own)
 	struct ts_touch t;
 
 	ts_contact_touch(p, i, j, m, &t);
-	ts_granular_stand_out(m, memory, &t);
+	ts_granular_add_bulge(m, memory, &t);
 	ts_contact_split(m, ts_pair_law(w->pair, p->type[i], p->type[j]), &t, memory,
 			 ts_contact_force(rows, r),
-			 rows->parts > 2 ? ts_contact_rolling_torque(rows, r) : still, &parts);
-	if (j >= p->n) { /* an image may move as its original does not; the other half is the mirror row's */
+			 rows->parts > 2 ? ts_contact_rolling_torque(rows, r) : zero, &parts);
+	/* a periodic image may move relative to its original; the other half is accounted by the
+	 * mirrored pair */
+	if (j >= p->n) {
 		ts_sub(p->v[j], p->v[p->ghost_owner[j - p->n]], drive);
 		ts_scale(0.5, drive, drive);
 	}
-	if (!w->l->looking)
-		book(ts_ledger_causes(w->l, p, own), TS_LEDGER_PAIR, &parts, sign, t.arm[side], drive);
+	if (!w->l->already_accounted)
+		add_parts_to_columns(ts_ledger_causes(w->l, p, own), TS_LEDGER_PAIR, &parts, sign,
+				     t.arm[side], drive);
 	add_energy(&w->sums, parts.energy, 0.5, p->tag[i] > w->l->newest || p->tag[j] > w->l->newest);
 	if (w->l->stepping && (r + 1) * rows->history_width <= w->l->memory_n)
 		ts_exactsum_add(&w->sums.slip,
@@ -112,12 +115,12 @@ static void book_row(struct row_work *w, size_t r, int side, size_t own)
 						   w->sim->clock.dt, w->l->memory + r * rows->history_width,
 						   memory));
 	memcpy(w->l->row_energy[r], parts.energy, sizeof parts.energy);
-	w->l->plastic[TS_LEDGER_PAIR] |= loses(m);
+	w->l->plastic[TS_LEDGER_PAIR] |= is_inelastic(m);
 }
 
-/* Appends a copy. */
-static enum ts_status hold(struct tsim *sim, const double *from, size_t n, double **to, size_t *at,
-			   size_t *capacity)
+/* Appends a copy of n numbers. */
+static enum ts_status append_history(struct tsim *sim, const double *from, size_t n, double **to, size_t *at,
+				     size_t *capacity)
 {
 	if (TS_GROW(*to, *capacity, *at + n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -127,31 +130,31 @@ static enum ts_status hold(struct tsim *sim, const double *from, size_t n, doubl
 	return TS_OK;
 }
 
-enum ts_status ts_ledger_hold_rows(struct tsim *sim, struct ts_ledger *l)
+enum ts_status ts_ledger_store_pair_history(struct tsim *sim, struct ts_ledger *l)
 {
 	struct ts_contact_list *rows = &sim->neigh->contacts;
 
 	ts_contacts_store_history(sim, rows);
 	l->memory_n = 0;
-	return hold(sim, rows->history, rows->n * rows->history_width, &l->memory, &l->memory_n,
-		    &l->memory_capacity);
+	return append_history(sim, rows->history, rows->n * rows->history_width, &l->memory, &l->memory_n,
+			      &l->memory_capacity);
 }
 
-enum ts_status ts_ledger_hold_walls(struct tsim *sim, struct ts_ledger *l)
+enum ts_status ts_ledger_store_wall_history(struct tsim *sim, struct ts_ledger *l)
 {
 	const struct ts_wall *wall;
 	size_t k = 0;
 
 	l->wall_memory_n = 0;
 	while ((wall = ts_walls_next(sim, &k, NULL)))
-		TS_TRY(hold(sim, wall->contacts.memory, wall->contacts.n * wall->contacts.width,
-			    &l->wall_memory, &l->wall_memory_n, &l->wall_memory_capacity));
+		TS_TRY(append_history(sim, wall->contacts.memory, wall->contacts.n * wall->contacts.width,
+				      &l->wall_memory, &l->wall_memory_n, &l->wall_memory_capacity));
 	return TS_OK;
 }
 
-/* Where the memory of contact k of this wall was; NULL: not held. */
-static const double *held_memory(const struct tsim *sim, const struct ts_ledger *l,
-				 const struct ts_wall *wall, size_t contact)
+/* Stored history of contact `contact` of this wall; NULL: none was stored. */
+static const double *stored_wall_history(const struct tsim *sim, const struct ts_ledger *l,
+					 const struct ts_wall *wall, size_t contact)
 {
 	const struct ts_wall *other;
 	size_t k = 0, at = contact * wall->contacts.width;
@@ -162,14 +165,14 @@ static const double *held_memory(const struct tsim *sim, const struct ts_ledger 
 										     : NULL;
 }
 
-enum ts_status ts_ledger_take_pairs(struct tsim *sim, struct ts_ledger *l)
+enum ts_status ts_ledger_account_pairs(struct tsim *sim, struct ts_ledger *l)
 {
 	struct ts_contact_list *rows = &sim->neigh->contacts;
 	const struct ts_gather *g = &rows->gather;
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
-	struct row_work w = { .sim = sim, .l = l, .pair = pair ? pair->state : NULL };
+	struct pair_accounting w = { .sim = sim, .l = l, .pair = pair ? pair->state : NULL };
 
-	start_sums(&w.sums);
+	sums_start(&w.sums);
 	ts_contacts_store_history(sim, rows);
 	l->rows = rows->n;
 	if (TS_GROW(l->row_energy, l->row_capacity, rows->n + 1) != TS_OK)
@@ -178,13 +181,13 @@ enum ts_status ts_ledger_take_pairs(struct tsim *sim, struct ts_ledger *l)
 	for (size_t i = 0; pair && rows->n && i < sim->particles->n; i++)
 		for (size_t k = g->first[i]; k < g->first[i + 1]; k++)
 			if (rows->touching[g->entry[k] >> 1])
-				book_row(&w, g->entry[k] >> 1, (int)(g->entry[k] & 1), i);
-	end_sums(&w.sums, l, TS_LEDGER_PAIR, true);
+				account_pair(&w, g->entry[k] >> 1, (int)(g->entry[k] & 1), i);
+	sums_finish(&w.sums, l, TS_LEDGER_PAIR, true);
 	return TS_OK;
 }
 
-static enum ts_status note(struct tsim *sim, struct ts_ledger_note **list, size_t *n, size_t *capacity,
-			   struct ts_ledger_note entry)
+static enum ts_status append_note(struct tsim *sim, struct ts_ledger_note **list, size_t *n, size_t *capacity,
+				  struct ts_ledger_note entry)
 {
 	if (TS_GROW(*list, *capacity, *n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -192,9 +195,10 @@ static enum ts_status note(struct tsim *sim, struct ts_ledger_note **list, size_
 	return TS_OK;
 }
 
-/* What the contacts get goes through the wall's own column, too, so that each wall is known by its work. */
-static void book_drive(const struct ts_ledger *l, const struct ts_particles *p, size_t i, size_t actor,
-		       const struct ts_contact_parts *parts, const double velocity[3])
+/* The power that contacts get from a moving wall is also subtracted in the column of the wall, so that
+ * the work of each wall is known. */
+static void add_wall_power(const struct ts_ledger *l, const struct ts_particles *p, size_t i, size_t actor,
+			   const struct ts_contact_parts *parts, const double velocity[3])
 {
 	const struct ts_column *c = &p->column[l->actor[actor].column];
 	double *to = (double *)c->data + i * c->width;
@@ -203,8 +207,8 @@ static void book_drive(const struct ts_ledger *l, const struct ts_particles *p, 
 		to[TS_CAUSE_DRIVE] -= ts_dot(parts->force[part], velocity);
 }
 
-static enum ts_status book_wall(struct tsim *sim, struct ts_ledger *l, const struct ts_wall *wall, size_t k,
-				size_t actor, struct sums *sums)
+static enum ts_status account_wall_contact(struct tsim *sim, struct ts_ledger *l, const struct ts_wall *wall,
+					   size_t k, size_t actor, struct sums *sums)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_wall_report *r = &wall->contacts.report[k];
@@ -217,36 +221,37 @@ static enum ts_status book_wall(struct tsim *sim, struct ts_ledger *l, const str
 	ts_wall_view(wall, sim, k, &view);
 	ts_contact_split(view.model, view.law, &view.touch, ts_wall_memory(&wall->contacts, k), r->force,
 			 r->rolling, &parts);
-	if (!l->looking)
-		book(ts_ledger_causes(l, p, i), TS_LEDGER_WALL, &parts, 1, view.touch.arm[0], r->velocity);
-	if (!l->looking)
-		book_drive(l, p, i, actor, &parts, r->velocity);
+	if (!l->already_accounted)
+		add_parts_to_columns(ts_ledger_causes(l, p, i), TS_LEDGER_WALL, &parts, 1, view.touch.arm[0],
+				     r->velocity);
+	if (!l->already_accounted)
+		add_wall_power(l, p, i, actor, &parts, r->velocity);
 	add_energy(sums, parts.energy, 1, p->tag[i] > l->newest);
-	before = held_memory(sim, l, wall, k);
+	before = stored_wall_history(sim, l, wall, k);
 	if (l->stepping && before)
 		ts_exactsum_add(&sums->slip, ts_slip_loss(view.model, view.law, &view.touch, sim->clock.dt,
 							  before, ts_wall_memory(&wall->contacts, k)));
 	memcpy(entry.energy, parts.energy, sizeof parts.energy);
-	l->plastic[TS_LEDGER_WALL] |= loses(view.model);
-	return note(sim, &l->note, &l->notes, &l->note_capacity, entry);
+	l->plastic[TS_LEDGER_WALL] |= is_inelastic(view.model);
+	return append_note(sim, &l->note, &l->notes, &l->note_capacity, entry);
 }
 
-enum ts_status ts_ledger_take_wall(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *inst,
-				   size_t actor)
+enum ts_status ts_ledger_account_wall(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *inst,
+				      size_t actor)
 {
 	const struct ts_wall *wall = inst->state;
 	struct sums sums;
 
-	start_sums(&sums);
+	sums_start(&sums);
 	for (size_t k = 0; k < wall->contacts.n; k++)
 		if (ts_wall_report(&wall->contacts, k))
-			TS_TRY(book_wall(sim, l, wall, k, actor, &sums));
-	end_sums(&sums, l, TS_LEDGER_WALL, false);
+			TS_TRY(account_wall_contact(sim, l, wall, k, actor, &sums));
+	sums_finish(&sums, l, TS_LEDGER_WALL, false);
 	return TS_OK;
 }
 
-/* What a bond stores that is no more: half before and half after the last move, since its force ended
- * between. */
+/* Elastic energy lost with a broken bond: the mean of the energies before and after the last move, as
+ * its force ended in between. */
 static double broken_energy(const struct tsim *sim, const struct ts_ledger_note *was)
 {
 	const struct ts_bonds *bonds = sim->bonds;
@@ -264,8 +269,9 @@ static double broken_energy(const struct tsim *sim, const struct ts_ledger_note 
 	return was->energy[0];
 }
 
-/* Both lists are sorted by identities. */
-static void find_broken(struct tsim *sim, struct ts_ledger *l)
+/* Accounts bonds that were listed in the last step and are not any more. Both lists are sorted by
+ * identities. */
+static void account_broken_bonds(struct tsim *sim, struct ts_ledger *l)
 {
 	const struct ts_bonds *bonds = sim->bonds;
 	struct ts_exactsum broken = ts_exactsum_start();
@@ -283,7 +289,7 @@ static void find_broken(struct tsim *sim, struct ts_ledger *l)
 	ts_compensated_add(&l->broken, ts_exactsum_value(&broken));
 }
 
-static enum ts_status book_bond(struct tsim *sim, struct ts_ledger *l, size_t b, struct ts_exactsum *sum)
+static enum ts_status account_bond(struct tsim *sim, struct ts_ledger *l, size_t b, struct ts_exactsum *sum)
 {
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_BOND);
 	const struct ts_bond *state = inst->state;
@@ -303,32 +309,32 @@ static enum ts_status book_bond(struct tsim *sim, struct ts_ledger *l, size_t b,
 		double *own = ts_ledger_causes(l, sim->particles, s ? view.b : view.a);
 		double *to = own + TS_CAUSE_BOND * TS_CAUSE_NUMBERS;
 
-		own[TS_LEDGER_BUSY] = 1;
-		for (int d = 0; d < 3 && !l->looking; d++) {
+		own[TS_LEDGER_NONZERO] = 1;
+		for (int d = 0; d < 3 && !l->already_accounted; d++) {
 			to[d] += sign * spring[d];
 			to[TS_CAUSE_NUMBERS + d] += sign * (view.force[d] - spring[d]);
 		}
 	}
 	entry.energy[0] = style->energy(coeff, extension);
 	ts_exactsum_add(sum, entry.energy[0]);
-	return note(sim, &l->bond, &l->bonds, &l->bond_capacity, entry);
+	return append_note(sim, &l->bond, &l->bonds, &l->bond_capacity, entry);
 }
 
-enum ts_status ts_ledger_take_bonds(struct tsim *sim, struct ts_ledger *l)
+enum ts_status ts_ledger_account_bonds(struct tsim *sim, struct ts_ledger *l)
 {
 	struct ts_exactsum sum = ts_exactsum_start();
 
 	if (l->stepping)
-		find_broken(sim, l);
+		account_broken_bonds(sim, l);
 	l->bonds = 0;
 	for (size_t b = 0; b < sim->bonds->n; b++)
-		TS_TRY(book_bond(sim, l, b, &sum));
-	if (!l->looking)
+		TS_TRY(account_bond(sim, l, b, &sum));
+	if (!l->already_accounted)
 		l->store[TS_LEDGER_BOND] = ts_exactsum_value(&sum);
 	return TS_OK;
 }
 
-static void take_rows(struct tsim *sim, struct ts_ledger *l, const struct ts_identities *map)
+static void remove_pairs_of_deleted(struct tsim *sim, struct ts_ledger *l, const struct ts_identities *map)
 {
 	const struct ts_contact_list *rows = &sim->neigh->contacts;
 	struct ts_exactsum gone[TS_NCONTACT_STORE];
@@ -336,7 +342,7 @@ static void take_rows(struct tsim *sim, struct ts_ledger *l, const struct ts_ide
 	for (int k = 0; k < TS_NCONTACT_STORE; k++)
 		gone[k] = ts_exactsum_start();
 	for (size_t r = 0; r < l->rows && r < rows->n; r++) {
-		/* the contact across a periodic face has two rows */
+		/* a contact across a periodic face has two rows */
 		double share = (size_t)rows->j[r] < rows->particles ? -1 : -0.5;
 
 		if (ts_contact_of(map, rows->tag[0][r]) >= 0 && ts_contact_of(map, rows->tag[1][r]) >= 0)
@@ -350,9 +356,9 @@ static void take_rows(struct tsim *sim, struct ts_ledger *l, const struct ts_ide
 				   ts_exactsum_value(&gone[k]));
 }
 
-/* Drops the notes of those that are gone; their energy by store. */
-static void take_notes(struct ts_ledger *l, struct ts_ledger_note *list, size_t *n, int store, int count,
-		       const struct ts_identities *map)
+/* Removes the entries of deleted particles; accounts their energy by store. */
+static void remove_notes_of_deleted(struct ts_ledger *l, struct ts_ledger_note *list, size_t *n, int store,
+				    int count, const struct ts_identities *map)
 {
 	struct ts_exactsum gone[TS_NCONTACT_STORE];
 	size_t kept = 0;
@@ -373,13 +379,14 @@ static void take_notes(struct ts_ledger *l, struct ts_ledger_note *list, size_t 
 		ts_compensated_add(&l->moved[store + k], ts_exactsum_value(&gone[k]));
 }
 
-enum ts_status ts_ledger_take_away(struct tsim *sim, struct ts_ledger *l)
+enum ts_status ts_ledger_account_removed(struct tsim *sim, struct ts_ledger *l)
 {
 	struct ts_identities map;
 
 	TS_TRY(ts_identities(sim, false, &map));
-	take_rows(sim, l, &map);
-	take_notes(l, l->note, &l->notes, ts_ledger_store(TS_LEDGER_WALL, 0), TS_NCONTACT_STORE, &map);
-	take_notes(l, l->bond, &l->bonds, TS_LEDGER_BOND, 1, &map);
+	remove_pairs_of_deleted(sim, l, &map);
+	remove_notes_of_deleted(l, l->note, &l->notes, ts_ledger_store(TS_LEDGER_WALL, 0), TS_NCONTACT_STORE,
+				&map);
+	remove_notes_of_deleted(l, l->bond, &l->bonds, TS_LEDGER_BOND, 1, &map);
 	return TS_OK;
 }

@@ -1,4 +1,4 @@
-/* What the books come to, and their way to restart files. */
+/* Output values of the ledger, and its archive functions. */
 #include <stdio.h>
 #include <string.h>
 
@@ -7,49 +7,50 @@
 
 #include "base/banned.h"
 
-/* Change of the springs of a store, but for what came or went with particles. */
-static double gain(const struct ts_ledger *l, int store)
+/* Change of a store of elastic energy, without what came or went with particles. */
+static double elastic_energy_gain(const struct ts_ledger *l, int store)
 {
 	return l->store[store] - l->start_store[store] - ts_compensated_value(&l->moved[store]);
 }
 
-static double work(const struct ts_ledger *l, int side, int part)
+static double work_of_part(const struct ts_ledger *l, int side, int part)
 {
 	return ts_compensated_value(&l->work[ts_ledger_cause(side, part)]);
 }
 
-/* What springs store less what was put in. */
-static double spring(const struct ts_ledger *l, int side)
+/* Elastic energy gained minus the work put in: the drift of normal springs. */
+static double normal_spring_drift(const struct ts_ledger *l, int side)
 {
-	return gain(l, ts_ledger_store(side, TS_STORE_NORMAL)) + work(l, side, TS_PART_NORMAL);
+	return elastic_energy_gain(l, ts_ledger_store(side, TS_STORE_NORMAL)) +
+	       work_of_part(l, side, TS_PART_NORMAL);
 }
 
 static double bond_drift(const struct ts_ledger *l)
 {
-	return gain(l, TS_LEDGER_BOND) + ts_compensated_value(&l->work[TS_CAUSE_BOND]) +
+	return elastic_energy_gain(l, TS_LEDGER_BOND) + ts_compensated_value(&l->work[TS_CAUSE_BOND]) +
 	       ts_compensated_value(&l->broken);
 }
 
-/* Springs of slip and rolling store a part of what is put in, the rest is friction. */
-static void side_values(const struct ts_ledger *l, int side, double out[])
+/* Springs of sliding and rolling friction store a part of the work put in; the rest is dissipated. */
+static void add_side_values(const struct ts_ledger *l, int side, double out[])
 {
 	double slip = ts_compensated_value(&l->slip[side]);
 
-	out[TS_LEDGER_NORMAL_DASHPOTS_VALUE] -= work(l, side, TS_PART_DASHPOT);
-	out[TS_LEDGER_TANGENTIAL_DASHPOTS_VALUE] -= work(l, side, TS_PART_VISCOUS);
-	out[TS_LEDGER_FRICTION_VALUE] += slip - work(l, side, TS_PART_SLIP);
-	out[TS_LEDGER_SPRINGS_VALUE] -=
-		work(l, side, TS_PART_SHEAR) + gain(l, ts_ledger_store(side, TS_STORE_SHEAR)) + slip;
-	out[TS_LEDGER_ROLLING_VALUE] -=
-		work(l, side, TS_PART_ROLLING) + gain(l, ts_ledger_store(side, TS_STORE_ROLLING));
+	out[TS_LEDGER_NORMAL_DASHPOTS_VALUE] -= work_of_part(l, side, TS_PART_DASHPOT);
+	out[TS_LEDGER_TANGENTIAL_DASHPOTS_VALUE] -= work_of_part(l, side, TS_PART_VISCOUS);
+	out[TS_LEDGER_FRICTION_VALUE] += slip - work_of_part(l, side, TS_PART_SLIP);
+	out[TS_LEDGER_SPRINGS_VALUE] -= work_of_part(l, side, TS_PART_SHEAR) +
+					elastic_energy_gain(l, ts_ledger_store(side, TS_STORE_SHEAR)) + slip;
+	out[TS_LEDGER_ROLLING_VALUE] -= work_of_part(l, side, TS_PART_ROLLING) +
+					elastic_energy_gain(l, ts_ledger_store(side, TS_STORE_ROLLING));
 	out[l->plastic[side] ? TS_LEDGER_PLASTIC_VALUE : TS_LEDGER_DRIFT_VALUE] +=
-		l->plastic[side] ? -spring(l, side) : spring(l, side);
+		l->plastic[side] ? -normal_spring_drift(l, side) : normal_spring_drift(l, side);
 	for (int k = 0; k < TS_NCONTACT_STORE; k++)
 		out[side ? TS_LEDGER_WALLS_VALUE : TS_LEDGER_CONTACTS_VALUE] +=
 			l->store[ts_ledger_store(side, k)];
 }
 
-/* The change of kinetic energy that no book explains. */
+/* Change of kinetic energy that is not accounted for. */
 static double closure(const struct ts_ledger *l, const double v[])
 {
 	double sum = v[TS_LEDGER_TRANSLATION_VALUE] - l->start_kinetic[0] + v[TS_LEDGER_ROTATION_VALUE] -
@@ -79,7 +80,7 @@ void ts_ledger_drifts(const struct ts_ledger *l, double out[TS_NSTORE + 1])
 	memset(out, 0, (TS_NSTORE + 1) * sizeof *out);
 	for (int side = 0; side < TS_LEDGER_SIDES; side++)
 		if (!l->plastic[side])
-			out[ts_ledger_store(side, TS_STORE_NORMAL)] = spring(l, side);
+			out[ts_ledger_store(side, TS_STORE_NORMAL)] = normal_spring_drift(l, side);
 	out[TS_LEDGER_BOND] = bond_drift(l);
 	out[TS_NSTORE] = ts_compensated_value(&l->turning);
 }
@@ -102,7 +103,7 @@ void ts_ledger_values(const struct ts_ledger *l, double out[TS_LEDGER_VALUES])
 	out[TS_LEDGER_TRANSLATION_VALUE] = l->kinetic[0];
 	out[TS_LEDGER_ROTATION_VALUE] = l->kinetic[1];
 	for (int side = 0; side < TS_LEDGER_SIDES; side++)
-		side_values(l, side, out);
+		add_side_values(l, side, out);
 	out[TS_LEDGER_BONDS_VALUE] = l->store[TS_LEDGER_BOND];
 	for (int k = TS_LEDGER_TRANSLATION_VALUE; k <= TS_LEDGER_BONDS_VALUE; k++)
 		out[TS_LEDGER_TOTAL_VALUE] += out[k];

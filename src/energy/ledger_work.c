@@ -1,4 +1,4 @@
-/* The work of each cause in a kick, by the velocities before and after it. */
+/* Work of each cause in a kick, from the velocities before and after it. */
 #include <string.h>
 
 #include "energy/ledger.h"
@@ -8,8 +8,8 @@
 
 #include "base/banned.h"
 
-/* A kick differs from s F/m by rounding only; what differs more is not only a kick. */
-static const double rounding = 1e-9;
+/* Relative tolerance: a velocity change that differs from s F/m by more is not only a kick. */
+static const double kick_tolerance = 1e-9;
 
 static double body_rotation(const struct ts_body *b)
 {
@@ -46,16 +46,16 @@ void ts_ledger_kinetic(struct tsim *sim, double out[2])
 	out[1] = ts_exactsum_value(&turns);
 }
 
-/* Sums of one kick. */
+/* Sums of one stage of kicks. */
 struct kick {
 	struct tsim *sim;
 	struct ts_ledger *l;
-	double h; /* half a step */
-	/* of actors; own[nactors]: of nobody */
+	double h; /* s: half a time step */
+	/* work, own: by actor; own[nactors]: of no known actor */
 	struct ts_exactsum cause[TS_NCAUSE], drive, box, turning, *work, *own;
 };
 
-static enum ts_status start(struct kick *k, struct tsim *sim, struct ts_ledger *l)
+static enum ts_status kick_start(struct kick *k, struct tsim *sim, struct ts_ledger *l)
 {
 	*k = (struct kick){ .sim = sim, .l = l, .h = 0.5 * sim->clock.dt };
 	for (int c = 0; c < TS_NCAUSE; c++)
@@ -67,7 +67,7 @@ static enum ts_status start(struct kick *k, struct tsim *sim, struct ts_ledger *
 	return TS_OK;
 }
 
-static void finish(struct kick *k)
+static void kick_finish(struct kick *k)
 {
 	struct ts_ledger *l = k->l;
 
@@ -91,13 +91,13 @@ static double work_of(const double *cause, const double v[3], const double omega
 		    cause[TS_CAUSE_DRIVE]);
 }
 
-/* Particle i moves at these mean velocities for a time s. */
-static void book(struct kick *k, size_t i, const double v[3], const double omega[3], double s)
+/* Adds the works of all causes on particle i, which moves with these mean velocities for the time s. */
+static void add_works(struct kick *k, size_t i, const double v[3], const double omega[3], double s)
 {
 	const struct ts_particles *p = k->sim->particles;
 	const struct ts_ledger *l = k->l;
 	const double *cause = ts_ledger_causes(l, p, i);
-	bool busy = cause[TS_LEDGER_BUSY] > 0;
+	bool busy = cause[TS_LEDGER_NONZERO] > 0;
 
 	for (int c = 0; c < TS_NCAUSE && busy; c++, cause += TS_CAUSE_NUMBERS) {
 		double work = work_of(cause, v, omega, s);
@@ -126,7 +126,7 @@ static bool is_kick(const double before[3], const double after[3], const double 
 
 	for (int d = 0; d < 3; d++)
 		is &= fabs(mass * (after[d] - before[d]) - s * push[d]) <=
-		      rounding * (mass * (fabs(after[d]) + fabs(before[d])) + s * fabs(push[d]));
+		      kick_tolerance * (mass * (fabs(after[d]) + fabs(before[d])) + s * fabs(push[d]));
 	return is;
 }
 
@@ -136,8 +136,9 @@ static void mean(const double a[3], const double b[3], double out[3])
 		out[d] = 0.5 * (a[d] + b[d]);
 }
 
-/* What changed a particle's velocity beyond the forces, or held it against them, belongs to who moves it. */
-static void book_particle(struct kick *k, size_t i, double s)
+/* Accounts one particle. A velocity change beyond that by the forces, or constraints against them, is
+ * attributed to the actor that changed the velocity. */
+static void account_particle(struct kick *k, size_t i, double s)
 {
 	static const double still[3] = { 0 };
 	const struct ts_particles *p = k->sim->particles;
@@ -149,7 +150,7 @@ static void book_particle(struct kick *k, size_t i, double s)
 
 	mean(l->v[i], p->v[i], v);
 	mean(w0, w1, w);
-	book(k, i, v, w, s);
+	add_works(k, i, v, w, s);
 	if (is_kick(l->v[i], p->v[i], p->f[i], mass, s) && is_kick(w0, w1, torque, inertia, s))
 		return;
 	rest = 0.5 * mass * (ts_dot(p->v[i], p->v[i]) - ts_dot(l->v[i], l->v[i])) +
@@ -158,9 +159,9 @@ static void book_particle(struct kick *k, size_t i, double s)
 	ts_exactsum_add(&k->own[by < 0 ? l->nactors : (size_t)by], rest);
 }
 
-/* The first half kick, before the body moves; the same as it does. */
-static struct ts_body kicked(const struct ts_ledger *l, const struct ts_rigid *rigid, size_t b, bool final,
-			     double h)
+/* State of body b after a kick: of the first half the kick alone, before the body moves. */
+static struct ts_body body_after_kick(const struct ts_ledger *l, const struct ts_rigid *rigid, size_t b,
+				      bool final, double h)
 {
 	struct ts_body after = l->body[b];
 
@@ -170,7 +171,7 @@ static struct ts_body kicked(const struct ts_ledger *l, const struct ts_rigid *r
 	return after;
 }
 
-static bool is_free(const struct ts_body *b)
+static bool all_directions_free(const struct ts_body *b)
 {
 	bool is = true;
 
@@ -179,11 +180,11 @@ static bool is_free(const struct ts_body *b)
 	return is;
 }
 
-static void book_body(struct kick *k, size_t b, bool final)
+static void account_body(struct kick *k, size_t b, bool final)
 {
 	const struct ts_rigid *rigid = k->sim->rigid;
 	const struct ts_body *before = &k->l->body[b];
-	struct ts_body after = kicked(k->l, rigid, b, final, k->h);
+	struct ts_body after = body_after_kick(k->l, rigid, b, final, k->h);
 	const struct ts_particles *p = k->sim->particles;
 	double v[3], w0[3], w[3], m[3][3], arm[3], turn[3], at[3], power;
 
@@ -198,23 +199,23 @@ static void book_body(struct kick *k, size_t b, bool final)
 		ts_rotate(m, p->body_x[i], arm);
 		ts_cross(w, arm, turn);
 		ts_add(v, turn, at);
-		book(k, i, at, w, k->h);
+		add_works(k, i, at, w, k->h);
 		power += ts_dot(p->f[i], at) + ts_dot(p->torque[i], w);
 	}
-	if (!is_free(before)) /* directions that are held */
+	if (!all_directions_free(before)) /* fixed directions */
 		ts_exactsum_add(&k->own[k->l->nactors],
 				body_energy(&after) - body_energy(before) - k->h * power);
 	ts_exactsum_add(&k->turning, body_energy(&rigid->body[b]) - body_energy(&after));
 }
 
-enum ts_status ts_ledger_work(struct tsim *sim, struct ts_ledger *l, bool final)
+enum ts_status ts_ledger_account_kicks(struct tsim *sim, struct ts_ledger *l, bool final)
 {
 	const struct ts_particles *p = sim->particles;
 	struct kick k;
 
-	TS_TRY(start(&k, sim, l));
+	TS_TRY(kick_start(&k, sim, l));
 	for (size_t i = 0; i < p->n; i++) {
-		double *whole = ts_ledger_causes(l, p, i) + TS_LEDGER_WHOLE;
+		double *whole = ts_ledger_causes(l, p, i) + TS_LEDGER_WHOLE_KICK;
 		int32_t by = l->kicker[i];
 
 		if (ts_rigid_member(p, i))
@@ -224,29 +225,29 @@ enum ts_status ts_ledger_work(struct tsim *sim, struct ts_ledger *l, bool final)
 				 !l->actor[by].by->style->hook[TS_STAGE_FINAL_INTEGRATE];
 		if (final && *whole > 0)
 			continue;
-		book_particle(&k, i, *whole > 0 ? sim->clock.dt : k.h);
+		account_particle(&k, i, *whole > 0 ? sim->clock.dt : k.h);
 	}
 	for (size_t b = 0; b < l->bodies && b < sim->rigid->n; b++)
-		book_body(&k, b, final);
-	finish(&k);
+		account_body(&k, b, final);
+	kick_finish(&k);
 	return TS_OK;
 }
 
-static void copy(double (*to)[3], double (*from)[3], size_t n)
+static void copy_vectors(double (*to)[3], double (*from)[3], size_t n)
 {
 	if (from && n)
 		memcpy(to, from, n * sizeof *to);
 }
 
-enum ts_status ts_ledger_work_start(struct tsim *sim, struct ts_ledger *l)
+enum ts_status ts_ledger_store_velocities(struct tsim *sim, struct ts_ledger *l)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_rigid *rigid = sim->rigid;
 
-	copy(l->v, p->v, p->n);
-	copy(l->omega, p->omega, p->n);
-	copy(l->seen_v, p->v, p->n);
-	copy(l->seen_omega, p->omega, p->n);
+	copy_vectors(l->v, p->v, p->n);
+	copy_vectors(l->omega, p->omega, p->n);
+	copy_vectors(l->seen_v, p->v, p->n);
+	copy_vectors(l->seen_omega, p->omega, p->n);
 	for (size_t i = 0; i < p->n; i++)
 		l->kicker[i] = -1;
 	if (rigid->n)
@@ -264,13 +265,13 @@ static bool differ(const double a[3], const double b[3])
 	return a[0] != b[0] || a[1] != b[1] || a[2] != b[2];
 }
 
-void ts_ledger_work_mark(struct tsim *sim, struct ts_ledger *l, size_t actor)
+void ts_ledger_mark_kicked(struct tsim *sim, struct ts_ledger *l, size_t actor)
 {
 	const struct ts_particles *p = sim->particles;
 
 	for (size_t i = 0; i < p->n; i++)
 		if (differ(l->seen_v[i], p->v[i]) || (p->omega && differ(l->seen_omega[i], p->omega[i])))
 			l->kicker[i] = (int32_t)actor;
-	copy(l->seen_v, p->v, p->n);
-	copy(l->seen_omega, p->omega, p->n);
+	copy_vectors(l->seen_v, p->v, p->n);
+	copy_vectors(l->seen_omega, p->omega, p->n);
 }

@@ -9,7 +9,7 @@ enum ts_status ts_energy_output(struct ts_instance *self, struct tsim *sim, doub
 	return TS_OK;
 }
 
-static enum ts_status add(struct tsim *sim, struct ts_instance *inst, double *out)
+static enum ts_status add_energy_of_style(struct tsim *sim, struct ts_instance *inst, double *out)
 {
 	double energy;
 
@@ -29,19 +29,19 @@ enum ts_status ts_potential_energy(struct tsim *sim, const struct ts_energy_part
 
 	*out = 0;
 	if (parts->pair)
-		TS_TRY(add(sim, ts_sim_only(sim, TS_KIND_PAIR), out));
+		TS_TRY(add_energy_of_style(sim, ts_sim_only(sim, TS_KIND_PAIR), out));
 	if (parts->bond)
-		TS_TRY(add(sim, ts_sim_only(sim, TS_KIND_BOND), out));
+		TS_TRY(add_energy_of_style(sim, ts_sim_only(sim, TS_KIND_BOND), out));
 	for (size_t k = 0; parts->fix && k < fixes->n; k++)
 		if (fixes->item[k]->counts_energy)
-			TS_TRY(add(sim, fixes->item[k], out));
+			TS_TRY(add_energy_of_style(sim, fixes->item[k], out));
 	return TS_OK;
 }
 
-enum ts_status ts_energy_read(struct tsim *sim, const struct ts_instance *self, struct ts_words words,
-			      struct ts_energy_parts *parts)
+enum ts_status ts_energy_parse_parts(struct tsim *sim, const struct ts_instance *self, struct ts_words words,
+				     struct ts_energy_parts *parts)
 {
-	/* of the last four there is nothing */
+	/* the last four contribute nothing */
 	static const char *const names[] = { "pair",	 "bond",     "fix",    "angle",
 					     "dihedral", "improper", "kspace", NULL };
 

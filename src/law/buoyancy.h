@@ -1,6 +1,6 @@
-/* The part of a body below the surface of a fluid: of a sphere that is `depth` deep (0 .. 2 R) the volume
- * of the cap, pi h^2 (3 R - h)/3; of a disc the area of the segment, R^2 acos(1 - h/R) - (R - h) sqrt(2 R
- * h - h^2). */
+/* Volume of a sphere, or area of a disc, below the surface of a fluid. At the depth h (0 .. 2 R) of its
+ * lowest point: the spherical cap pi h^2 (3 R - h)/3; the circular segment R^2 acos(1 - h/R) - (R - h)
+ * sqrt(2 R h - h^2). */
 #ifndef TS_LAW_BUOYANCY_H
 #define TS_LAW_BUOYANCY_H
 
@@ -10,7 +10,7 @@
 #include "law/lens.h"
 #include "math/constants.h"
 
-static inline double ts_immersed(double radius, double depth, bool disc)
+static inline double ts_buoyancy_immersed_volume(double radius, double depth, bool disc)
 {
 	double h = fmin(fmax(depth, 0), 2 * radius);
 

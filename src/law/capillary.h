@@ -1,32 +1,33 @@
-/* Bridges of liquid between surfaces that are wet: a pull along n, and drag against their motion.
+/* Liquid bridges between wet surfaces: an attractive capillary force along n, and viscous forces.
  *
- * l is the volume of liquid on a particle by the particle's own volume, V the volume of a bridge,
- * d >= 0 the gap between the surfaces (0 while they touch), R* = R_i R_j/(R_i + R_j), theta the
- * contact angle, sigma the surface tension.
+ * Notation: l the liquid content, volume of liquid on a particle over the volume of the particle; V the
+ * volume of a bridge; d >= 0 the gap between the surfaces (0 in contact); R* = R_i R_j/(R_i + R_j);
+ * theta the contact angle in radians; sigma the surface tension.
  *
- * easo: V is what covers the caps that the partners turn to each other (D. Shi, J. J. McCarthy,
- * Powder Technol. 184 (2008) 64), 1/2 (1 - sqrt(1 - (R_other/(R_i + R_j))^2)) of the liquid of
- * each; at a plane half of it. The pull is (F. Soulie, F. Cherblanc, M. S. El Youssoufi, C. Saix,
+ * easo: V is the liquid on the caps that face each other (D. Shi, J. J. McCarthy, Powder Technol. 184
+ * (2008) 64), the fraction 1/2 (1 - sqrt(1 - (R_other/(R_i + R_j))^2)) of the liquid of each partner;
+ * half of it at a plane. The capillary force is (F. Soulie, F. Cherblanc, M. S. El Youssoufi, C. Saix,
  * Int. J. Numer. Anal. Methods Geomech. 30 (2006) 213), with the larger radius R and v = V/R^3,
  *
  *   pi sigma sqrt(R_i R_j) (exp(A d/R + B) + C),
  *   A = -1.1 v^-0.53, B = (-0.148 ln v - 0.96) theta^2 - 0.0082 ln v + 0.48, C = 0.0018 ln v + 0.078.
  *
- * washino: V is a share of the liquid of both. The pull is (Y. I. Rabinovich, M. S. Esayanur, B. M.
- * Moudgil, Langmuir 21 (2005) 10992), with p = sqrt(1 + 2 V/(pi R* d^2)) - 1 and alpha = sqrt(d p/R*),
+ * washino: V is a given fraction of the liquid of both partners. The capillary force is (Y. I.
+ * Rabinovich, M. S. Esayanur, B. M. Moudgil, Langmuir 21 (2005) 10992), with p = sqrt(1 + 2 V/(pi R*
+ * d^2)) - 1 and alpha = sqrt(d p/R*),
  *
  *   2 pi R* sigma (cos theta p/(1 + p) + sin alpha sin(alpha + theta)),
  *
- * and while they touch, as LIGGGHTS has it, 2 pi R* sigma cos theta (1 + delta/sqrt(2 V/(pi R*))).
+ * and in contact, as in LIGGGHTS, 2 pi R* sigma cos theta (1 + delta/sqrt(2 V/(pi R*))).
  *
- * Both break at d = (1 + theta/2) V^(1/3) (G. Lian, C. Thornton, M. J. Adams, J. Colloid Interface
- * Sci. 161 (1993) 138), theta in radians, or where the distance of the centres is the sum of the
- * radii times a ratio that the user gives. The drag is (S. T. Nase, W. L. Vargas, A. A. Abatan, J. J.
- * McCarthy, Powder Technol. 116 (2001) 214), with g = d/R* but not less than the user's,
+ * Both rupture at d = (1 + theta/2) V^(1/3) (G. Lian, C. Thornton, M. J. Adams, J. Colloid Interface
+ * Sci. 161 (1993) 138), or where the distance of the centres is the sum of the radii times a given
+ * ratio, whichever is less. The viscous forces are (S. T. Nase, W. L. Vargas, A. A. Abatan, J. J.
+ * McCarthy, Powder Technol. 116 (2001) 214), with g = d/R*, at least the given minimum,
  *
  *   6 pi mu R* v_n/g and 6 pi mu R* v_t (8/15 ln(1/g) + 0.9588).
  *
- * At a wall the partner has the particle's own radius, as LIGGGHTS has it, and no liquid. */
+ * At a wall the partner has the radius of the particle, as in LIGGGHTS, and no liquid. */
 #ifndef TS_LAW_CAPILLARY_H
 #define TS_LAW_CAPILLARY_H
 
@@ -42,7 +43,8 @@ TS_INLINE double ts_sphere_volume(double radius)
 	return 4.0 / 3.0 * TS_PI * radius * radius * radius;
 }
 
-/* What a particle with this liquid gives to a bridge to a partner of radius `other`. */
+/* Volume that a particle with the liquid content `liquid` contributes to a bridge to a partner of
+ * radius `other`. */
 TS_INLINE double ts_bridge_part(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				double liquid, double radius, double other)
 {
@@ -53,7 +55,7 @@ TS_INLINE double ts_bridge_part(const struct ts_granular_model *m, const struct 
 	return volume * 0.5 * (1 - sqrt(1 - s * s));
 }
 
-/* V; at a plane the limit of a large partner, which has none. */
+/* Volume V of the bridge; at a wall the limit of an infinitely large partner without liquid. */
 TS_INLINE double ts_bridge_volume(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				  const double liquid[2], const double radius[2], bool wall)
 {
@@ -63,11 +65,11 @@ TS_INLINE double ts_bridge_volume(const struct ts_granular_model *m, const struc
 	       ts_bridge_part(m, c, liquid[1], radius[1], radius[0]);
 }
 
-/* The gap at which a bridge breaks; no bridges between dry surfaces. */
+/* Gap at which the bridge ruptures, length; 0 between dry surfaces. */
 TS_INLINE double ts_bridge_reach(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				 const double liquid[2], const double radius[2], bool wall)
 {
-	double sum = radius[0] + radius[!wall]; /* a wall is as a particle of the same radius */
+	double sum = radius[0] + radius[!wall]; /* a wall counts as a particle of the same radius */
 
 	return fmin((1 + 0.5 * c->contact_angle) * cbrt(ts_bridge_volume(m, c, liquid, radius, wall)),
 		    (c->most_gap - 1) * sum);
@@ -92,7 +94,7 @@ TS_INLINE double ts_washino_pull(const struct ts_granular_pair *c, const struct 
 {
 	double d = ts_bridge_gap(t), theta = c->contact_angle,
 	       most = 2 * TS_PI * t->r_eff * c->surface_tension;
-	double wide = 2 * volume / (TS_PI * t->r_eff); /* d p -> sqrt(wide) as d -> 0 */
+	double wide = 2 * volume / (TS_PI * t->r_eff); /* d p -> sqrt(wide) for d -> 0 */
 	double dp = wide / (sqrt(d * d + wide) + d), alpha = sqrt(dp / t->r_eff);
 
 	if (t->overlap > 0)
@@ -100,7 +102,7 @@ TS_INLINE double ts_washino_pull(const struct ts_granular_pair *c, const struct 
 	return most * (cos(theta) * dp / (d + dp) + sin(alpha) * sin(alpha + theta));
 }
 
-/* The pull of the bridge, > 0. */
+/* Magnitude of the capillary force, > 0. */
 TS_INLINE double ts_capillary_pull(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				   const struct ts_touch *t)
 {
@@ -110,7 +112,7 @@ TS_INLINE double ts_capillary_pull(const struct ts_granular_model *m, const stru
 						  : ts_easo_pull(c, t, volume);
 }
 
-/* Drag by speed, along n and across, at a gap of `relative` R*. */
+/* Viscous force over velocity, normal and tangential, at the gap `relative` times R*. */
 TS_INLINE double ts_bridge_normal_drag(const struct ts_granular_pair *c, double r_eff, double relative)
 {
 	return 6 * TS_PI * c->liquid_viscosity * r_eff / fmax(c->least_gap, relative);
@@ -123,7 +125,7 @@ TS_INLINE double ts_bridge_tangential_drag(const struct ts_granular_pair *c, dou
 	return 6 * TS_PI * c->liquid_viscosity * r_eff * fmax(shape, 0);
 }
 
-/* R* of the drag. */
+/* R* in the viscous forces. */
 TS_INLINE double ts_bridge_radius(const struct ts_touch *t)
 {
 	return t->wall ? 0.5 * t->radius[0] : t->r_eff;
@@ -134,7 +136,7 @@ TS_INLINE bool ts_bridge_wet(const struct ts_touch *t)
 	return t->liquid[0] + t->liquid[1] > 0;
 }
 
-/* What the bridge adds to F_n. */
+/* Contribution of the bridge to F_n. */
 TS_INLINE double ts_bridge_force(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				 const struct ts_touch *t)
 {
@@ -145,7 +147,7 @@ TS_INLINE double ts_bridge_force(const struct ts_granular_model *m, const struct
 	return -ts_capillary_pull(m, c, t) - ts_bridge_normal_drag(c, r, ts_bridge_gap(t) / r) * t->vn;
 }
 
-/* Its drag against slip, added to `force`. */
+/* Adds the tangential viscous force of the bridge to `force`. */
 TS_INLINE void ts_bridge_slip(const struct ts_granular_pair *c, const struct ts_touch *t, double force[3])
 {
 	double r = ts_bridge_radius(t);

@@ -1,10 +1,10 @@
-/* Cohesion: a pull -k A along n, k the energy density of cohesion, A an area of contact.
+/* Cohesion: an attractive force -k A along n, with the cohesion energy density k and a contact area A.
  *
- * sjkr    A = the circle in which the spheres cut each other,
- *         -pi/4 (r-Ri-Rj)(r+Ri-Rj)(r-Ri+Rj)(r+Ri+Rj)/r^2; at a wall pi (R^2 - r^2)
- * sjkr2   A = 2 pi delta 2R*; at a wall 2 pi delta R: LIGGGHTS' value, half the limit of an
- * infinitely large partner
- * easo, washino   bridges of liquid: law/capillary.h */
+ *   sjkr           A = circle of intersection of the spheres, -pi/4
+ *                  (r-Ri-Rj)(r+Ri-Rj)(r-Ri+Rj)(r+Ri+Rj)/r^2; at a wall pi (R^2 - r^2)
+ *   sjkr2          A = 2 pi delta 2R*; at a wall 2 pi delta R as in LIGGGHTS, half the limit of an
+ *                  infinitely large partner
+ *   easo, washino  liquid bridges: law/capillary.h */
 #ifndef TS_LAW_COHESION_H
 #define TS_LAW_COHESION_H
 
@@ -13,7 +13,7 @@
 #include "law/normal.h"
 #include "math/constants.h"
 
-/* The circle in which two overlapping spheres cut each other, or a sphere and a plane. */
+/* Area of the circle of intersection of two overlapping spheres, or of a sphere and a plane. */
 TS_INLINE double ts_lens_area(const struct ts_touch *t)
 {
 	if (t->wall)
@@ -21,7 +21,7 @@ TS_INLINE double ts_lens_area(const struct ts_touch *t)
 	return ts_lens_of_spheres(t->distance, t->radius[0], t->radius[1]);
 }
 
-/* The force to be added to F_n. */
+/* Contribution of cohesion to F_n. */
 TS_INLINE double ts_cohesion_force(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				   const struct ts_touch *t)
 {

@@ -1,19 +1,20 @@
-/* Conduction of heat through a contact: Q = h (T_j - T_i) into i, the opposite into j, with
+/* Heat conduction through a contact: Q = h (T_j - T_i) into i, -Q into j, with
  *
- *   h = 4 k_i k_j / (k_i + k_j) sqrt(A),
+ *   h = 4 k_i k_j/(k_i + k_j) sqrt(A),
  *
- * A the area of contact (B. Chaudhuri, F. J. Muzzio, M. S. Tomassone, Chem. Eng. Sci. 61 (2006) 6348;
- * after G. K. Batchelor, R. W. O'Brien, Proc. R. Soc. London A 355 (1977) 313, whose 2 k* a with the
- * radius a of that circle is smaller by sqrt(pi)).
+ * k the thermal conductivities and A the contact area (B. Chaudhuri, F. J. Muzzio, M. S. Tomassone,
+ * Chem. Eng. Sci. 61 (2006) 6348; after G. K. Batchelor, R. W. O'Brien, Proc. R. Soc. London A 355
+ * (1977) 313, whose 2 k* a with the radius a of the contact area is smaller by sqrt(pi)).
  *
- * overlap     A = the circle in which the surfaces cut each other; pi min(R)^2 once the centre of the smaller
- *             sphere is inside the larger one
- * constant    A as given
- * projection  A = pi R^2 of the larger sphere, as LIGGGHTS takes it (its manual says the smaller one)
+ *   overlap     A = circle of intersection of the surfaces; pi min(R)^2 if the centre of the smaller
+ *               sphere is inside the larger one
+ *   constant    A as given
+ *   projection  A = pi R^2 of the larger sphere, as LIGGGHTS computes it (its manual says the smaller
+ *               one)
  *
- * The flux of explicit Euler's step, dT_i = dt/(m c) sum_j h_ij (T_j - T_i), makes T_i a weighted mean of
- * what T_i and T_j were as long as dt sum_j h_ij <= m c; beyond, temperatures swing past those of the
- * neighbours, and by Gershgorin's theorem they cannot grow without bound before it. */
+ * Stability: in a step of explicit Euler, T_i += dt/(m c) sum_j h_ij (T_j - T_i), T_i becomes a
+ * weighted mean of the temperatures if dt sum_j h_ij <= m c. Above this limit temperatures overshoot
+ * those of the neighbours; by Gershgorin's theorem they cannot diverge below it. */
 #ifndef TS_LAW_CONDUCTION_H
 #define TS_LAW_CONDUCTION_H
 
@@ -29,8 +30,8 @@ struct ts_heat_contact {
 	double constant;
 };
 
-/* `softening` makes the overlap what it would be were the material as stiff as it is in nature:
- * (Y* / Y*_original)^(1/a) where F ~ overlap^a. */
+/* Contact area. `softening` is the factor that corrects the overlap to that of the original material,
+ * (Y* / Y*_original)^(1/a) for F ~ overlap^a. r: distance of the centres. */
 static inline double ts_heat_area_of_spheres(const struct ts_heat_contact *c, double r, double ri, double rj,
 					     double softening)
 {
@@ -45,7 +46,7 @@ static inline double ts_heat_area_of_spheres(const struct ts_heat_contact *c, do
 	}
 }
 
-/* r: distance of the centre from the wall. */
+/* Contact area at a wall; r: distance of the centre from the wall. */
 static inline double ts_heat_area_at_wall(const struct ts_heat_contact *c, double r, double radius)
 {
 	switch (c->kind) {
@@ -58,13 +59,13 @@ static inline double ts_heat_area_at_wall(const struct ts_heat_contact *c, doubl
 	}
 }
 
-/* 4 k_i k_j / (k_i + k_j); no heat passes an insulator. */
+/* 4 k_i k_j/(k_i + k_j); 0 if one partner is an insulator. */
 static inline double ts_heat_pair_conductivity(double ki, double kj)
 {
 	return ki > 0 && kj > 0 ? 4 * ki * kj / (ki + kj) : 0;
 }
 
-/* h */
+/* Conductance h, energy/(time temperature). */
 static inline double ts_heat_conductance(double pair_conductivity, double area)
 {
 	return pair_conductivity * sqrt(area);

@@ -1,15 +1,16 @@
-/* What a contact force is made of, by cause; and the energy its springs hold. The force is that of
- * law/granular_force.h, taken apart after it has been made, with the memory as it is then:
+/* Parts of a contact force by cause, and the elastic energy of its springs. The force is that of
+ * law/granular_force.h, split after its computation with the contact history at that time:
  *
- *   normal     F_e n: spring and cohesion, as without velocity
- *   dashpot    the rest along n: -gamma_n v_n, or less where no_tension cuts it
- *   shear      the spring of slip, -k_t xi; what it does not store is slip
- *   viscous    the rest of the tangential force
- *   slip       the same at the limit mu |F_n|, where this holds for spring and dashpot together: the slider
- *              says what force there is
- *   rolling    the torques of rolling and twisting
+ *   normal    F_e n: spring and cohesion, without the dependence on velocity
+ *   dashpot   the remaining normal force: -gamma_n v_n, or less if no_tension limits it
+ *   shear     the tangential spring, -k_t xi; the part of its work that is not stored is dissipated by
+ *             slip
+ *   viscous   the remaining tangential force
+ *   slip      the remaining tangential force at the Coulomb limit mu |F_n|, if the limit applies to
+ *             spring and dashpot together
+ *   rolling   the torques of rolling and twisting friction
  *
- * hooke/hysteresis stores what its spring gives back down to zero force, F_e^2/(2 k_2). */
+ * hooke/hysteresis stores the energy that it returns on unloading to zero force, F_e^2/(2 k_2). */
 #ifndef TS_LAW_CONTACT_PARTS_H
 #define TS_LAW_CONTACT_PARTS_H
 
@@ -27,13 +28,13 @@ enum ts_contact_part {
 enum ts_contact_store { TS_STORE_NORMAL, TS_STORE_SHEAR, TS_STORE_ROLLING, TS_NCONTACT_STORE };
 
 struct ts_contact_parts {
-	double force[TS_NPART][3]; /* on i; j gets the opposite */
-	double turn[TS_NPART][3];  /* times the arm of a partner its torque */
-	double roll[3];		   /* torque on i; j gets the opposite */
+	double force[TS_NPART][3]; /* on i; the opposite on j */
+	double turn[TS_NPART][3];  /* the torque on a partner is this times its lever arm */
+	double roll[3];		   /* torque on i; the opposite on j */
 	double energy[TS_NCONTACT_STORE];
 };
 
-/* The stiffness of unloading at the deepest overlap so far. */
+/* Elastic energy with the unloading stiffness k_2 at the largest overlap so far. */
 static inline double ts_hysteretic_energy(const struct ts_granular_pair *c, const struct ts_touch *t,
 					  double k1, double elastic, double deepest)
 {
@@ -55,7 +56,7 @@ static inline void ts_parts_normal(const struct ts_granular_model *m, const stru
 
 	still.vn = 0;
 	pull = ts_cohesion_force(m, c, &still);
-	at_rest.viscous = false; /* a matter of the dashpot */
+	at_rest.viscous = false; /* belongs to the dashpot */
 	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
 		deepest = memory[ts_granular_depth_at(m)];
 	ts_normal_force(&at_rest, c, &still, true, &deepest, &n);
@@ -70,7 +71,7 @@ static inline void ts_parts_normal(const struct ts_granular_model *m, const stru
 	out->energy[TS_STORE_ROLLING] = ts_turning_energy(m, c, t, &n, memory);
 }
 
-/* The force of the spring of slip. */
+/* Force of the tangential spring. */
 static inline void ts_parts_spring(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				   const struct ts_normal *n, const double *memory, double force[3])
 {
@@ -80,7 +81,8 @@ static inline void ts_parts_spring(const struct ts_granular_model *m, const stru
 		ts_scale(ts_slider_factor(&slider), memory, force);
 }
 
-/* `total` on i, `roll` its torque of rolling; `memory` after the force was made. */
+/* Splits the force `total` on i and its rolling torque `roll`; `memory`: the contact history after the
+ * force computation. */
 static inline void ts_contact_split(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				    const struct ts_touch *t, const double *memory, const double total[3],
 				    const double roll[3], struct ts_contact_parts *out)
@@ -108,9 +110,10 @@ static inline void ts_contact_split(const struct ts_granular_model *m, const str
 		ts_cross(out->force[part], t->n, out->turn[part]);
 }
 
-/* What slip takes in a step: the mean force of the spring at its ends by what the limit has cut off it,
- * the way that it would have gone less that it has gone. `before`, `after`: the memory at the ends. A
- * spring that a contact has from another one (of the next triangle) has no step. */
+/* Energy dissipated by slip in a step: the mean spring force at the beginning and the end of the step
+ * times the slip distance, which is the spring elongation without the Coulomb limit minus the actual
+ * one. `before`, `after`: the contact history at both times. A spring that was just copied from another
+ * contact (of an adjacent triangle) has no such step: 0. */
 static inline double ts_slip_loss(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				  const struct ts_touch *t, double dt, const double *before,
 				  const double *after)

@@ -1,15 +1,16 @@
-/* Drag of a fluid on a sphere, alone or among others: the coefficient c of F = c w, w = u - v the slip
- * between the fluid between the particles (interstitial velocity) and the sphere.
+/* Drag of a fluid on a sphere, isolated or in a dispersion: the coefficient c of F = c w, where w = u -
+ * v is the slip velocity between the interstitial fluid and the sphere.
  *
- * Among others F is the drag without the force V_p (-grad p) of the pressure, which particles feel besides
- * ("model A": -e grad p in the balance of the fluid): then a bed at rest has the exchange beta = (1-e)
- * c/V_p by volume and the pressure gradient -grad p = beta w/e. Here d is the diameter, e the void
- * fraction, mu the dynamic viscosity, rho the density of the fluid, and
+ * In a dispersion F is the drag without the pressure force V_p (-grad p), which particles feel in
+ * addition ("model A": -e grad p in the momentum balance of the fluid). A fixed bed then has the
+ * momentum exchange coefficient beta = (1-e) c/V_p and the pressure gradient -grad p = beta w/e.
+ * Notation: d the diameter, e the void fraction, mu the dynamic viscosity and rho the density of the
+ * fluid, and
  *
  *   Re = rho e |w| d/mu,
  *
- * that of the superficial velocity e w. All coefficients are finite at w = 0. With e = 1 those of Schiller
- * and Naumann, Wen and Yu, and Gidaspow are the same. */
+ * the Reynolds number of the superficial velocity e w. All coefficients are finite at w = 0. For e = 1
+ * Schiller-Naumann, Wen-Yu and Gidaspow agree. */
 #ifndef TS_LAW_DRAG_H
 #define TS_LAW_DRAG_H
 
@@ -19,8 +20,8 @@
 #include "math/constants.h"
 
 struct ts_slip {
-	double diameter, speed; /* |w| */
-	double empty;		/* void fraction e; 1 of a sphere alone */
+	double diameter, speed; /* diameter d, slip speed |w| */
+	double empty;		/* void fraction e; 1 for an isolated sphere */
 	double density, viscosity;
 };
 
@@ -69,7 +70,7 @@ static inline double ts_drag_wen_yu(const struct ts_slip *s)
 	return ts_drag_stokes(s) * ts_drag_sphere_factor(ts_slip_reynolds(s)) * pow(s->empty, -2.65);
 }
 
-/* Wen and Yu above e = 0.8, Ergun up to there (D. Gidaspow, Multiphase Flow and Fluidization, 1994). */
+/* Wen-Yu for e > 0.8, Ergun below (D. Gidaspow, Multiphase Flow and Fluidization, 1994). */
 static inline double ts_drag_gidaspow(const struct ts_slip *s)
 {
 	return s->empty > 0.8 ? ts_drag_wen_yu(s) : ts_drag_ergun(s, 150, 1.75);
@@ -86,8 +87,8 @@ static inline double ts_drag_di_felice(const struct ts_slip *s)
 	return TS_PI / 8 * s->viscosity * s->diameter * root * root * pow(s->empty, 1 - x);
 }
 
-/* beta = 18 mu e^2 (1-e)/d^2 (F0 + F3 Re/2) (R. J. Hill, D. L. Koch, A. J. C. Ladd, J. Fluid Mech. 448 (2001)
- * 243; as D. L. Koch, R. J. Hill, Annu. Rev. Fluid Mech. 33 (2001) 619 sum it up) */
+/* beta = 18 mu e^2 (1-e)/d^2 (F0 + F3 Re/2) (R. J. Hill, D. L. Koch, A. J. C. Ladd, J. Fluid Mech. 448
+ * (2001) 243; summarised by D. L. Koch, R. J. Hill, Annu. Rev. Fluid Mech. 33 (2001) 619) */
 static inline double ts_drag_koch_hill(const struct ts_slip *s)
 {
 	double phi = 1 - s->empty, e3 = s->empty * s->empty * s->empty, f0, f3;

@@ -1,20 +1,20 @@
-/* Elastic energy of a contact: what it would give back if it opened without losses. The dashpots and
- * friction have none.
+/* Elastic energy of a contact: the energy it would return if it opened without losses. Dashpots and
+ * sliders store none.
  *
- *   spring, hooke, hooke/stiffness   1/2 k_n delta^2
- *   hertz, hertz/stiffness           2/5 k_n delta^2, since k_n grows with sqrt(delta)
- *   sjkr                             -k V, V the integral of the area of contact over delta: with r the
- *                                    distance, s = Ri + Rj, D = Ri - Rj:
- *                                    pi/4 delta^2 ((2 s + r)/3 - D^2/r); at a wall pi delta^2 (2 R + r)/3
- *   sjkr2                            -k pi delta^2 2R*; at a wall -k pi delta^2 R
- *   dmt                              hertz' and -4 pi w R delta
- *   jkr                              8 E a^5/(15 R^2) - 8/3 sqrt(pi w E) a^(7/2)/R + 2 pi w a^2: the integral of the
- *                                    force over delta from a = 0 on
- *   spring of slip, of rolling       1/2 k_t xi^2, 1/2 M^2/k_r: at the present overlap
- *   of twisting, of rolling by sds   1/2 k phi^2, 1/2 k xi^2
+ *   spring, hooke, hooke/stiffness  1/2 k_n delta^2
+ *   hertz, hertz/stiffness          2/5 k_n delta^2, since k_n ~ sqrt(delta)
+ *   sjkr                            -k V, V the integral of the contact area over delta: with the
+ *                                   distance r, s = Ri + Rj, D = Ri - Rj: V = pi/4 delta^2 ((2 s + r)/3
+ *                                   - D^2/r); at a wall pi delta^2 (2 R + r)/3
+ *   sjkr2                           -k pi delta^2 2R*; at a wall -k pi delta^2 R
+ *   dmt                             that of hertz, minus 4 pi w R delta
+ *   jkr                             8 E a^5/(15 R^2) - 8/3 sqrt(pi w E) a^(7/2)/R + 2 pi w a^2: the
+ *                                   integral of the force over delta from a = 0
+ *   tangential, rolling spring      1/2 k_t xi^2, 1/2 M^2/k_r: at the present overlap
+ *   twisting, rolling by sds        1/2 k phi^2, 1/2 k xi^2
  *
- * hooke/hysteresis yields: what it gives back depends on the way it opens. Bridges of liquid have none
- * either: their liquid comes and goes. */
+ * hooke/hysteresis is plastic: the energy it returns depends on the unloading path. Liquid bridges have
+ * no potential energy either, since their liquid changes. */
 #ifndef TS_LAW_ELASTIC_ENERGY_H
 #define TS_LAW_ELASTIC_ENERGY_H
 
@@ -59,7 +59,7 @@ static inline double ts_normal_energy(const struct ts_granular_model *m, const s
 	       (m->normal == TS_NORMAL_AREA_DMT ? ts_pull_off_force(m, c, r) * t->overlap : 0);
 }
 
-/* Of the spring of slip. */
+/* Energy of the tangential spring. */
 static inline double ts_tangential_energy(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 					  const struct ts_normal *n, const double *memory)
 {
@@ -68,7 +68,7 @@ static inline double ts_tangential_energy(const struct ts_granular_model *m, con
 	return ts_tangential_remembers(m) ? ts_spring_energy(n->kt, memory) : 0;
 }
 
-/* Of the springs of rolling and twisting. */
+/* Energy of the springs of rolling and twisting friction. */
 static inline double ts_turning_energy(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				       const struct ts_touch *t, const struct ts_normal *n,
 				       const double *memory)
@@ -87,7 +87,7 @@ static inline double ts_turning_energy(const struct ts_granular_model *m, const 
 	return energy;
 }
 
-/* `memory`: of the contact, as in ts_granular_contact. */
+/* Elastic energy of a contact; `memory`: its history, as in ts_granular_contact. */
 static inline double ts_granular_energy(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 					const struct ts_touch *t, const double *memory)
 {

@@ -1,6 +1,6 @@
-/* The contact model of granular materials: which laws it is made of, and their constants for a pair
- * of materials. The laws themselves: law/normal.h, cohesion.h, tangential.h, rolling.h;
- * law/granular_force.h puts them together in the order normal, cohesion, tangential, rolling. */
+/* The contact model of granular materials: the laws it is composed of, and the constants of a pair of
+ * materials. The laws are in law/normal.h, cohesion.h, tangential.h, rolling.h and twisting.h;
+ * law/granular_force.h evaluates them in the order normal, cohesion, tangential, rolling, twisting. */
 #ifndef TS_LAW_GRANULAR_H
 #define TS_LAW_GRANULAR_H
 
@@ -14,7 +14,7 @@ enum ts_normal_law {
 	TS_NORMAL_HOOKE_STIFFNESS,
 	TS_NORMAL_HERTZ_STIFFNESS,
 	TS_NORMAL_HOOKE_HYSTERESIS,
-	/* by the radius of the contact area: law/normal_area.h */
+	/* based on the radius of the contact area: law/normal_area.h */
 	TS_NORMAL_AREA_HOOKE,
 	TS_NORMAL_AREA_HERTZ,
 	TS_NORMAL_AREA_DMT,
@@ -34,7 +34,7 @@ enum ts_tangential_law {
 	TS_TANGENTIAL_NO_HISTORY,
 	TS_TANGENTIAL_INCREMENTAL,
 	TS_TANGENTIAL_SLIDER,
-	/* their spring turns with the contact: law/tangential_turning.h */
+	/* the spring rotates with the contact: law/tangential_turning.h */
 	TS_TANGENTIAL_LINEAR,
 	TS_TANGENTIAL_MINDLIN,
 	TS_TANGENTIAL_MINDLIN_FORCE,
@@ -55,33 +55,36 @@ enum ts_cohesion_law {
 	TS_COHESION_OFF,
 	TS_COHESION_SJKR,
 	TS_COHESION_SJKR2,
-	/* bridges of liquid, which reach beyond the touch: law/capillary.h */
+	/* liquid bridges, which act beyond contact: law/capillary.h */
 	TS_COHESION_EASO,
 	TS_COHESION_WASHINO
 };
 
 struct ts_granular_model {
 	int normal, tangential, rolling, cohesion, twisting;
-	int damping;		       /* of the laws by the contact area */
+	int damping;		       /* damping law of the normal laws based on the contact area */
 	bool no_tension;	       /* limitForce: F_n >= 0 */
 	bool no_tangential_damping;    /* tangential_damping off */
-	bool absolute_damping;	       /* of the stiffness laws: gamma is not multiplied by m* */
+	bool absolute_damping;	       /* stiffness laws: gamma is not multiplied by m* */
 	bool tangential_stiffness_2_7; /* ktToKnUser: k_t = 2/7 k_n */
-	bool viscous;		       /* hooke: restitution by the Stokes number */
-	/* modifyLbVolume: the user says which share of its liquid a particle gives to a bridge */
+	bool viscous;		       /* hooke: restitution depends on the Stokes number */
+	/* modifyLbVolume: the fraction of its liquid that a particle contributes to a bridge is given */
 	bool shares;
-	bool reduce;	/* tangential_reduce: cohesion lowers the limit of friction */
-	bool torsion;	/* torsionTorque: rolling friction resists spinning too */
-	bool plane;	/* two dimensions: discs roll */
-	bool full_arms; /* the arms of torque are the radii, not those less delta/2 */
-	bool full_slip; /* the arms of slip alone are */
-	bool located;	/* begin and end of contacts are found within the step: law/substep.h */
-	bool solved; /* touch.solved has what takes a root or an iteration: k_n of hooke, the area of jkr */
-	bool multi;  /* contacts of one grain act on each other: law/halfspace.h */
-	bool wide;   /* memory has room for all laws, as contacts of other types may have others */
+	bool reduce; /* tangential_reduce: cohesion reduces the limit of friction */
+	/* torsionTorque: rolling friction also acts against the relative spin about the normal */
+	bool torsion;
+	bool plane;	/* two dimensions: moments of inertia of discs */
+	bool full_arms; /* the lever arms of torques are the radii, not R - delta/2 */
+	bool full_slip; /* the same for the lever arms of the slip velocity only */
+	bool located;	/* sub-step detection of begin and end of contacts: law/substep.h */
+	/* ts_touch.solved contains the precomputed root: k_n of hooke, or the contact radius of jkr */
+	bool solved;
+	/* multi-contact model: contacts of one particle influence each other: law/halfspace.h */
+	bool multi;
+	bool wide; /* the history has room for all laws, as contacts of other types may have other laws */
 };
 
-/* Member by member: between them there may be anything. */
+/* Compares member by member, as padding is undefined. */
 static inline bool ts_granular_same_model(const struct ts_granular_model *a,
 					  const struct ts_granular_model *b)
 {
@@ -95,30 +98,32 @@ static inline bool ts_granular_same_model(const struct ts_granular_model *a,
 	       a->multi == b->multi && a->wide == b->wide && a->shares == b->shares;
 }
 
-/* Whether there are bridges of liquid. */
+/* Whether the cohesion law is a liquid bridge. */
 static inline bool ts_cohesion_bridges(const struct ts_granular_model *m)
 {
 	return m->cohesion >= TS_COHESION_EASO;
 }
 
-/* Constants of a pair of materials; each law uses its own few. */
+/* Constants of a pair of materials; each law uses some of them. */
 struct ts_granular_pair {
-	double young, shear;	       /* Y*, G* */
+	double young, shear;	       /* effective moduli Y*, G*, pressure */
 	double log_restitution;	       /* ln e */
 	double damping;		       /* beta = ln e / sqrt(ln^2 e + pi^2), <= 0 */
 	double velocity;	       /* characteristic velocity V */
-	double kn, kt, gamman, gammat; /* as given by the user */
+	double kn, kt, gamman, gammat; /* given stiffness and damping coefficients */
 	double gamman_root;	       /* spring: gamma_n += gamman_root sqrt(m*) */
 	double friction;	       /* mu */
 	double rolling_friction, rolling_viscosity, rolling_stiffness; /* mu_r, eta_r */
-	double cohesion;					       /* energy density */
-	double viscosity, critical_stokes, largest_restitution;	       /* of the fluid between */
-	double unloading, adhesion, plasticity;			       /* k2max/k1, kc/k1, phi */
-	double surface_energy;					       /* energy per area */
-	double surface_tension, contact_angle, liquid_viscosity;       /* of bridges; the angle in radians */
+	double cohesion; /* cohesion energy density, energy/volume */
+	/* of the interstitial fluid; viscosity, critical Stokes number, largest restitution */
+	double viscosity, critical_stokes, largest_restitution;
+	double unloading, adhesion, plasticity; /* k2max/k1, kc/k1, phi */
+	double surface_energy;			/* energy/area */
+	/* of liquid bridges; the contact angle in radians */
+	double surface_tension, contact_angle, liquid_viscosity;
 	double least_gap, most_gap;	     /* minSeparationDistanceRatio, maxSeparationDistanceRatio */
-	double bridge_share;		     /* of the liquid of a particle in a bridge, of washino */
-	double roll_stiffness, roll_damping; /* of sds; its limit is rolling_friction |F_n| */
+	double bridge_share;		     /* washino: fraction of the liquid of a particle in a bridge */
+	double roll_stiffness, roll_damping; /* rolling by sds; the limit is rolling_friction |F_n| */
 	double twist_stiffness, twist_damping, twist_friction;
 };
 

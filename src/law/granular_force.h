@@ -1,5 +1,5 @@
-/* The whole contact: normal, cohesion, tangential, rolling, in this order. With a constant model
- * the compiler keeps only what the model has. */
+/* The complete contact force: normal, cohesion, tangential, rolling, twisting. With a constant model
+ * the compiler keeps only the laws of that model. */
 #ifndef TS_LAW_GRANULAR_FORCE_H
 #define TS_LAW_GRANULAR_FORCE_H
 
@@ -9,13 +9,13 @@
 #include "law/tangential.h"
 #include "law/twisting.h"
 
-/* What acts on i; on j: -force, arm_j * turn, -roll. */
+/* Force and torques on i; on j: -force, arm_j * turn, -roll. */
 struct ts_granular_force {
 	double force[3];
-	double turn[3]; /* -n x F_t: times the arm of a partner its torque by the tangential force
-			 */
-	double roll[3]; /* torque of rolling friction on i */
-	double normal;	/* F_n, with cohesion */
+	/* -n x F_t: the torque of the tangential force on a partner is this times its lever arm */
+	double turn[3];
+	double roll[3]; /* torque of rolling and twisting friction on i */
+	double normal;	/* F_n including cohesion */
 };
 
 TS_INLINE bool ts_granular_turns(const struct ts_granular_model *m)
@@ -24,28 +24,29 @@ TS_INLINE bool ts_granular_turns(const struct ts_granular_model *m)
 	       m->twisting != TS_TWISTING_OFF || ts_cohesion_bridges(m);
 }
 
-/* Whether contacts make torques that are opposite: of rolling, of twisting. */
+/* Whether contacts have torques of rolling or twisting friction, which are opposite on both partners. */
 TS_INLINE bool ts_granular_rolls(const struct ts_granular_model *m)
 {
 	return m->rolling != TS_ROLLING_OFF || m->twisting != TS_TWISTING_OFF;
 }
 
-/* Whether laws ask for the masses one by one. */
-TS_INLINE bool ts_granular_weighs(const struct ts_granular_model *m)
+/* Whether a law needs the two masses, not only m*. */
+TS_INLINE bool ts_granular_needs_masses(const struct ts_granular_model *m)
 {
 	return m->rolling > TS_ROLLING_CDT && m->rolling < TS_ROLLING_SDS;
 }
 
-/* Whether surfaces pull beyond their touch: those that stick, once they have met, or bridges of liquid. */
+/* Whether contacts attract beyond touch: adhesive surfaces after their first contact, or liquid
+ * bridges. */
 TS_INLINE bool ts_granular_reaches(const struct ts_granular_model *m)
 {
 	return ts_normal_sticks(m) || ts_cohesion_bridges(m);
 }
 
-/* By how much the arms of the contact fall short of the radii; then the arms. */
-TS_INLINE double ts_granular_short(const struct ts_granular_model *m, const struct ts_touch *t)
+/* Difference between the radii and the lever arms of the contact. */
+TS_INLINE double ts_granular_arm_reduction(const struct ts_granular_model *m, const struct ts_touch *t)
 {
-	if (m->multi) /* surfaces that stand out meet at the same place */
+	if (m->multi) /* displaced surfaces meet at the same point */
 		return m->full_arms ? 0 : 0.5 * (t->overlap - t->bulge);
 	if (ts_cohesion_bridges(m) && !(t->overlap > 0))
 		return 0;
@@ -54,7 +55,7 @@ TS_INLINE double ts_granular_short(const struct ts_granular_model *m, const stru
 
 TS_INLINE void ts_granular_arms(const struct ts_granular_model *m, struct ts_touch *t)
 {
-	double less = ts_granular_short(m, t);
+	double less = ts_granular_arm_reduction(m, t);
 
 	t->arm[0] = t->radius[0] - less;
 	t->arm[1] = t->wall ? 0 : t->radius[1] - less;
@@ -62,48 +63,48 @@ TS_INLINE void ts_granular_arms(const struct ts_granular_model *m, struct ts_tou
 	t->lever[1] = m->full_slip ? t->radius[1] : t->arm[1];
 }
 
-/* The memory of a contact: where each law keeps its part, and how many numbers in all. First the vectors. */
+/* The history of a contact: the offset of the part of each law, and the total size. Vectors come first. */
 TS_INLINE int ts_granular_rolling_at(const struct ts_granular_model *m)
 {
 	return m->wide || ts_tangential_remembers(m) ? 3 : 0;
 }
 
-/* Overlap of hysteresis. */
+/* Offset of the largest overlap of hooke/hysteresis. */
 TS_INLINE int ts_granular_depth_at(const struct ts_granular_model *m)
 {
 	return ts_granular_rolling_at(m) + (m->wide || m->rolling > TS_ROLLING_CDT ? 3 : 0);
 }
 
-/* Angle of twisting. */
+/* Offset of the twisting angle. */
 TS_INLINE int ts_granular_twist_at(const struct ts_granular_model *m)
 {
 	return ts_granular_depth_at(m) + (m->normal == TS_NORMAL_HOOKE_HYSTERESIS);
 }
 
-/* Radius of the contact area in the last step. */
+/* Offset of the radius of the contact area in the last step. */
 TS_INLINE int ts_granular_area_at(const struct ts_granular_model *m)
 {
 	return ts_granular_twist_at(m) + (m->wide || m->twisting != TS_TWISTING_OFF);
 }
 
-/* Whether surfaces have met that pull beyond their touch then. */
+/* Offset of the flag that surfaces have been in contact, for laws that attract beyond touch. */
 TS_INLINE int ts_granular_met_at(const struct ts_granular_model *m)
 {
 	return ts_granular_area_at(m) + (m->wide || ts_tangential_rescales(m));
 }
 
-/* What contacts that are located remember: law/substep.h. */
+/* Offset of the data of sub-step contact detection: law/substep.h. */
 static inline int ts_granular_located_at(const struct ts_granular_model *m)
 {
 	return ts_granular_met_at(m) + (m->wide || ts_granular_reaches(m));
 }
 
-/* What contacts remember that others of the same grain know of; they are not located. */
+/* History of the multi-contact model; not available with sub-step detection. */
 enum {
 	TS_MULTI_FORCE, /* F_n in the last step */
-	TS_MULTI_BULGE, /* by how much the surfaces stand out; R* with that, of each radius its own part */
+	TS_MULTI_BULGE, /* displacement of the surfaces; R* including it, each radius with its own part */
 	TS_MULTI_RADIUS,
-	TS_MULTI_ARM, /* n times the distance */
+	TS_MULTI_ARM, /* n times the distance of the centres */
 	TS_MULTI_MEMORY = TS_MULTI_ARM + 3
 };
 static inline int ts_granular_multi_at(const struct ts_granular_model *m)
@@ -111,8 +112,8 @@ static inline int ts_granular_multi_at(const struct ts_granular_model *m)
 	return ts_granular_located_at(m) + ts_substep_memory(m);
 }
 
-/* The surfaces stand out as the contact remembers it. */
-static inline void ts_granular_stand_out(const struct ts_granular_model *m, const double *memory,
+/* Applies the surface displacement that is stored in the history. */
+static inline void ts_granular_add_bulge(const struct ts_granular_model *m, const double *memory,
 					 struct ts_touch *t)
 {
 	if (!m->multi || !memory)
@@ -122,8 +123,8 @@ static inline void ts_granular_stand_out(const struct ts_granular_model *m, cons
 	t->r_eff = memory[ts_granular_multi_at(m) + TS_MULTI_RADIUS];
 }
 
-static inline void ts_granular_note_load(const struct ts_granular_model *m, const struct ts_touch *t,
-					 double force, double *memory)
+static inline void ts_granular_store_load(const struct ts_granular_model *m, const struct ts_touch *t,
+					  double force, double *memory)
 {
 	double *own = memory + ts_granular_multi_at(m);
 
@@ -132,15 +133,15 @@ static inline void ts_granular_note_load(const struct ts_granular_model *m, cons
 		own[TS_MULTI_ARM + k] = t->distance * t->n[k];
 }
 
-enum { TS_GRANULAR_MEMORY = 9 + TS_LOCATED_MEMORY }; /* at most */
+enum { TS_GRANULAR_MEMORY = 9 + TS_LOCATED_MEMORY }; /* upper bound */
 _Static_assert((int)TS_MULTI_MEMORY <= (int)TS_LOCATED_MEMORY, "models with `multi` are not located");
 static inline int ts_granular_memory(const struct ts_granular_model *m)
 {
 	return ts_granular_multi_at(m) + (m->multi ? TS_MULTI_MEMORY : 0);
 }
 
-/* What changes sign when i and j change places: slip, and torques of rolling. The way that sds has rolled,
- * w x n, does not. */
+/* Signs by which the history is multiplied when i and j are swapped: tangential springs and rolling
+ * torques change sign; the rolling displacement of sds, w x n, does not. */
 TS_INLINE void ts_granular_memory_signs(const struct ts_granular_model *m, signed char sign[])
 {
 	bool turns = !m->wide && m->rolling != TS_ROLLING_SDS;
@@ -154,27 +155,28 @@ TS_INLINE void ts_granular_memory_signs(const struct ts_granular_model *m, signe
 		sign[ts_granular_multi_at(m) + TS_MULTI_ARM + k] = -1;
 }
 
-/* The distance at which a contact ends, less the sum of the radii: > 0 for surfaces that stick and have
- * met. */
-TS_INLINE double ts_granular_beyond(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-				    double r_eff, const double *memory)
+/* Gap at which a contact ends: > 0 for adhesive surfaces that have been in contact. */
+TS_INLINE double ts_granular_pull_off_reach(const struct ts_granular_model *m,
+					    const struct ts_granular_pair *c, double r_eff,
+					    const double *memory)
 {
 	if (!ts_normal_sticks(m) || !(memory[ts_granular_met_at(m)] > 0))
 		return 0;
 	return ts_jkr_reach(c, r_eff);
 }
 
-/* The same of bridges: easo's are made where surfaces touch, washino's wherever they are near enough. */
-TS_INLINE double ts_granular_bridged(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-				     const double liquid[2], const double radius[2], bool wall,
-				     const double *memory)
+/* The same for liquid bridges: those of easo form at contact, those of washino whenever the gap is
+ * small enough. */
+TS_INLINE double ts_granular_bridge_reach(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+					  const double liquid[2], const double radius[2], bool wall,
+					  const double *memory)
 {
 	if (m->cohesion == TS_COHESION_EASO && !(memory[ts_granular_met_at(m)] > 0))
 		return 0;
 	return ts_bridge_reach(m, c, liquid, radius, wall);
 }
 
-/* The normal force and the slip, as of the time of the positions, of a contact that is located. */
+/* Normal force and slip velocity at the time of the positions, with sub-step contact detection. */
 static inline void ts_granular_locate(const struct ts_granular_model *m, const struct ts_touch *t, double dt,
 				      bool advance, double *memory, struct ts_normal *n, struct ts_touch *now)
 {
@@ -183,13 +185,14 @@ static inline void ts_granular_locate(const struct ts_granular_model *m, const s
 
 	*now = *t;
 	if (m->tangential != TS_TANGENTIAL_OFF)
-		ts_substep_slip(m, n, &l, stage, ts_tangential_remembers(m), advance ? dt : 0, own, memory,
-				now);
+		ts_substep_advance_slip(m, n, &l, stage, ts_tangential_remembers(m), advance ? dt : 0, own,
+					memory, now);
 }
 
-/* A bridge between surfaces that do not touch: springs are gone. */
-TS_INLINE void ts_granular_bridge(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-				  const struct ts_touch *t, double *memory, struct ts_granular_force *out)
+/* A liquid bridge between surfaces that are not in contact: all springs are reset. */
+TS_INLINE void ts_granular_bridge_contact(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+					  const struct ts_touch *t, double *memory,
+					  struct ts_granular_force *out)
 {
 	double tangential[3] = { 0 };
 
@@ -204,18 +207,19 @@ TS_INLINE void ts_granular_bridge(const struct ts_granular_model *m, const struc
 	}
 }
 
-/* `dt`: the time step; `advance`: false in the set-up of a run, when memory stands still. */
+/* Force of a contact. `dt`: the time step; `advance`: false in the set-up of a run, when the history
+ * does not change. */
 TS_INLINE void ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				   const struct ts_touch *t, double dt, bool advance, double *memory,
 				   struct ts_granular_force *out)
 {
 	struct ts_normal n;
 	struct ts_touch now;
-	const double *slip = t->slip; /* as the velocities have it */
+	const double *slip = t->slip; /* slip velocity of the given velocities */
 	double tangential[3], roll[3], pull, twist;
 
 	if (ts_cohesion_bridges(m) && !(t->overlap > 0)) {
-		ts_granular_bridge(m, c, t, memory, out);
+		ts_granular_bridge_contact(m, c, t, memory, out);
 		return;
 	}
 	ts_normal_force(m, c, t, advance, memory + ts_granular_depth_at(m), &n);
@@ -232,14 +236,14 @@ TS_INLINE void ts_granular_contact(const struct ts_granular_model *m, const stru
 	if (ts_cohesion_bridges(m))
 		ts_bridge_slip(c, t, tangential);
 	if (m->located && m->tangential != TS_TANGENTIAL_OFF)
-		ts_substep_slips(m, t, slip, advance ? dt : 0.5 * dt, tangential,
-				 memory + ts_granular_located_at(m));
+		ts_substep_store_slip_target(m, t, slip, advance ? dt : 0.5 * dt, tangential,
+					     memory + ts_granular_located_at(m));
 	ts_rolling_torque(m, c, t, &n, dt, advance, memory + ts_granular_rolling_at(m), roll);
 	twist = ts_twisting_torque(m, c, t, &n, advance ? dt : 0, memory + ts_granular_twist_at(m));
 	if (ts_granular_reaches(m))
 		memory[ts_granular_met_at(m)] = 1;
 	if (m->multi && advance)
-		ts_granular_note_load(m, t, out->normal, memory);
+		ts_granular_store_load(m, t, out->normal, memory);
 	ts_cross(tangential, t->n, out->turn);
 	for (int k = 0; k < 3; k++) {
 		out->force[k] = out->normal * t->n[k] + tangential[k];

@@ -1,15 +1,15 @@
-/* Contacts of one grain that know of each other: the load on one place of its surface displaces the
- * others as that on an elastic half space does.
+/* Interaction of the contacts of one particle: the load on one contact displaces the surface at the
+ * other contacts, as on an elastic half-space.
  *
- * A force F along e on the surface of a half space of modulus Y and Poisson's ratio nu displaces
- * the place at d u from it, |u| = 1, by (J. Boussinesq; K. L. Johnson, Contact Mechanics, 1985,
- * ch. 3.2)
+ * A force F along e on the surface of a half-space of modulus Y and Poisson's ratio nu causes at the
+ * distance d in the direction u, |u| = 1, the displacement (J. Boussinesq; K. L. Johnson, Contact
+ * Mechanics, 1985, ch. 3.2)
  *
  *   (1 + nu) F/(2 pi Y d) [(e.u) u + (3 - 4 nu) e - (1 - 2 nu) (e + u)/(1 + e.u)]
  *
- * Of this the part along the normal of the other contact counts: there the surface stands out by
- * -gamma times it, gamma a factor near 1 for a grain in place of a half space (N. Brodu, J. A.
- * Dijksman, R. P. Behringer, Phys. Rev. E 91 (2015) 032201). */
+ * Its component along the normal of the other contact, times -gamma, displaces the surface there
+ * outwards; gamma is a factor near 1 for a particle in place of a half-space (N. Brodu, J. A. Dijksman,
+ * R. P. Behringer, Phys. Rev. E 91 (2015) 032201). */
 #ifndef TS_LAW_HALFSPACE_H
 #define TS_LAW_HALFSPACE_H
 
@@ -19,15 +19,15 @@
 #include "math/constants.h"
 #include "math/vec3.h"
 
-/* Surfaces that stand out by more than this part of their radius are beyond the theory, and beyond
- * what is listed. */
+/* Largest surface displacement over radius: larger ones are beyond the theory and beyond the range of
+ * the neighbour search. */
 #define TS_BULGE_MOST 0.1
 
 struct ts_halfspace_load {
-	double e[3];	 /* unit vector into the grain */
-	double point[3]; /* from its centre */
+	double e[3];	 /* unit vector into the particle */
+	double point[3]; /* relative to its centre */
 	double force;	 /* along e */
-	double within;	 /* radius of the area that is loaded */
+	double within;	 /* radius of the loaded area */
 };
 
 /* gamma (1 + nu)/(2 pi Y) */
@@ -36,7 +36,7 @@ static inline double ts_halfspace_compliance(double young, double poisson, doubl
 	return prefactor * (1 + poisson) / (2 * TS_PI * young);
 }
 
-/* By how much the surface stands out at a place where `e` points into the grain. */
+/* Outward displacement of the surface at `point`, where `e` points into the particle. */
 static inline double ts_halfspace_bulge(const struct ts_halfspace_load *load, const double e[3],
 					const double point[3], double compliance, double poisson)
 {

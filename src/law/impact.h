@@ -1,10 +1,10 @@
-/* The motion of one contact along its normal while nothing else changes:
+/* Motion of a single contact along its normal under constant external acceleration:
  *
  *   m q'' = -F(q, q') + m g,   F = k q + c q'  (linear),   k ~ q^(1/2), c ~ q^(1/4) or q^(1/2)  (Hertz)
  *
- * q the overlap, m the effective mass, g what all other forces accelerate it by. Integrated by the
- * classical Runge-Kutta scheme of fourth order in eighths of a step: only steps in which a contact begins
- * or ends need it. */
+ * with the overlap q, the effective mass m, and the acceleration g by all other forces. Integrated by
+ * the classical fourth-order Runge-Kutta scheme in eighths of a time step: it is needed only in steps
+ * in which a contact begins or ends. */
 #ifndef TS_LAW_IMPACT_H
 #define TS_LAW_IMPACT_H
 
@@ -12,10 +12,10 @@
 
 struct ts_impact {
 	double mass, g;
-	double k, c; /* at the overlap `at` */
+	double k, c; /* stiffness and damping at the overlap `at` */
 	double at;
 	bool hertz, root; /* k ~ q^(1/2), then c ~ q^(1/2) if root, else q^(1/4) */
-	bool no_tension;  /* the contact ends where the force is 0, else where the overlap is */
+	bool no_tension;  /* the contact ends at zero force, else at zero overlap */
 };
 
 static inline struct ts_impact ts_impact_of(const struct ts_granular_model *m, const struct ts_touch *t,
@@ -35,7 +35,7 @@ static inline double ts_impact_force(const struct ts_impact *o, double q, double
 {
 	double s;
 
-	if (!o->hertz) /* also below 0: the search for the end needs a smooth force */
+	if (!o->hertz) /* also for q < 0: the search for the end needs a smooth force */
 		return o->k * q + o->c * v;
 	if (!(q > 0))
 		return 0;
@@ -43,16 +43,16 @@ static inline double ts_impact_force(const struct ts_impact *o, double q, double
 	return o->k * s * q + o->c * (o->root ? s : sqrt(s)) * v;
 }
 
-/* One step of time s of the motion. */
-static inline void ts_impact_move(const struct ts_impact *o, double s, double *q, double *v)
+/* One Runge-Kutta step over the time s. */
+static inline void ts_impact_rk4_step(const struct ts_impact *o, double s, double *q, double *v)
 {
-	static const double share[4] = { 0, 0.5, 0.5, 1 }, weight[4] = { 1, 2, 2, 1 };
+	static const double node[4] = { 0, 0.5, 0.5, 1 }, weight[4] = { 1, 2, 2, 1 };
 	double dq = 0, dv = 0, q1 = 0, v1 = 0;
 
 	for (int k = 0; k < 4; k++) {
-		double u = *v + share[k] * s * dv;
+		double u = *v + node[k] * s * dv;
 
-		dv = o->g - ts_impact_force(o, *q + share[k] * s * dq, u) / o->mass;
+		dv = o->g - ts_impact_force(o, *q + node[k] * s * dq, u) / o->mass;
 		dq = u;
 		q1 += weight[k] * dq;
 		v1 += weight[k] * dv;
@@ -63,34 +63,35 @@ static inline void ts_impact_move(const struct ts_impact *o, double s, double *q
 
 enum { TS_IMPACT_PARTS = 8 };
 
-static inline void ts_impact_flow(const struct ts_impact *o, double time, double *q, double *v)
+static inline void ts_impact_integrate(const struct ts_impact *o, double time, double *q, double *v)
 {
 	for (int k = 0; k < TS_IMPACT_PARTS; k++)
-		ts_impact_move(o, time / TS_IMPACT_PARTS, q, v);
+		ts_impact_rk4_step(o, time / TS_IMPACT_PARTS, q, v);
 }
 
-/* > 0 while the contact lasts. */
-static inline double ts_impact_holds(const struct ts_impact *o, double q, double v)
+/* Criterion of the end: > 0 while the contact lasts. */
+static inline double ts_impact_end_criterion(const struct ts_impact *o, double q, double v)
 {
 	return o->no_tension ? ts_impact_force(o, q, v) : q;
 }
 
-/* When, within a part of a step at the end of which it has, a contact has ended: regula falsi (Illinois). */
-static inline double ts_impact_end(const struct ts_impact *o, double part, double *q, double *v)
+/* Time of the end of a contact within an interval at whose end it has ended: regula falsi (Illinois
+ * method). */
+static inline double ts_impact_find_end(const struct ts_impact *o, double part, double *q, double *v)
 {
 	double lo = 0, hi = part, time = 0, q0 = *q, v0 = *v, q1 = q0, v1 = v0;
-	double f = ts_impact_holds(o, q0, v0), g;
+	double f = ts_impact_end_criterion(o, q0, v0), g;
 
-	ts_impact_move(o, part, &q1, &v1);
-	g = ts_impact_holds(o, q1, v1);
+	ts_impact_rk4_step(o, part, &q1, &v1);
+	g = ts_impact_end_criterion(o, q1, v1);
 	for (int k = 0; k < 12 && f > 0; k++) {
 		double held;
 
 		time = lo + (hi - lo) * f / (f - g);
 		*q = q0;
 		*v = v0;
-		ts_impact_move(o, time, q, v);
-		held = ts_impact_holds(o, *q, *v);
+		ts_impact_rk4_step(o, time, q, v);
+		held = ts_impact_end_criterion(o, *q, *v);
 		if (held > 0) {
 			lo = time;
 			f = held;
@@ -106,9 +107,10 @@ static inline double ts_impact_end(const struct ts_impact *o, double part, doubl
 	return time;
 }
 
-/* The motion until the contact ends or `time` is over; returns how long that took, *ended: which of them. */
-static inline double ts_impact_leave(const struct ts_impact *o, double time, double *q, double *v,
-				     bool *ended)
+/* Integrates until the contact ends or `time` has passed; returns the elapsed time; *ended: whether the
+ * contact ended. */
+static inline double ts_impact_integrate_to_end(const struct ts_impact *o, double time, double *q, double *v,
+						bool *ended)
 {
 	double part = time / TS_IMPACT_PARTS;
 
@@ -116,10 +118,10 @@ static inline double ts_impact_leave(const struct ts_impact *o, double time, dou
 	for (int k = 0; k < TS_IMPACT_PARTS; k++) {
 		double q1 = *q, v1 = *v;
 
-		ts_impact_move(o, part, &q1, &v1);
-		*ended = !(ts_impact_holds(o, q1, v1) > 0);
+		ts_impact_rk4_step(o, part, &q1, &v1);
+		*ended = !(ts_impact_end_criterion(o, q1, v1) > 0);
 		if (*ended)
-			return k * part + ts_impact_end(o, part, q, v);
+			return k * part + ts_impact_find_end(o, part, q, v);
 		*q = q1;
 		*v = v1;
 	}

@@ -1,4 +1,4 @@
-/* The circle in which two overlapping spheres cut each other, or a sphere and a plane. */
+/* Area of the circle of intersection of two overlapping spheres, or of a sphere and a plane. */
 #ifndef TS_LAW_LENS_H
 #define TS_LAW_LENS_H
 

@@ -1,16 +1,18 @@
-/* Normal laws of contact: F_n = k_n delta - gamma_n v_n along n, > 0 repelling.
+/* Normal contact laws: F_n = k_n delta - gamma_n v_n along n, > 0 repulsive.
  *
- * hertz   s = sqrt(R* delta), S_n = 2 Y* s, S_t = 8 G* s; k_n = 4/3 Y* s, k_t = S_t,
- *         gamma = -2 sqrt(5/6) beta sqrt(S m*)
- *         (H. Hertz, J. reine angew. Math. 92 (1881) 156; damping: Y. Tsuji, T. Tanaka, T. Ishida,
- *         Powder Technol. 71 (1992) 239)
- * hooke   k_n = 16/15 sqrt(R*) Y* (15 m* V^2 / (16 sqrt(R*) Y*))^(1/5), k_t = k_n,
- *         gamma = sqrt(4 m* k_n / (1 + (pi / ln e)^2)): the linear spring whose largest overlap at
- * the impact velocity V is that of hertz spring  k_n and gamma_n as given, or gamma_n for a
- * restitution (law/spring_dashpot.h); no tangential part hooke/stiffness, hertz/stiffness   the
- * user's k and gamma, the latter times sqrt(R* delta) hooke/hysteresis   loading k_1 (hooke's k_n),
- * unloading k_2 up to k_2max, adhesion k_c (O. R. Walton, R. L. Braun, J. Rheol. 30 (1986) 949; S.
- * Luding, Granul. Matter 10 (2008) 235) */
+ *   hertz   s = sqrt(R* delta), S_n = 2 Y* s, S_t = 8 G* s; k_n = 4/3 Y* s, k_t = S_t, gamma = -2
+ *           sqrt(5/6) beta sqrt(S m*) (H. Hertz, J. reine angew. Math. 92 (1881) 156; damping: Y. Tsuji,
+ *           T. Tanaka, T. Ishida, Powder Technol. 71 (1992) 239)
+ *   hooke   k_n = 16/15 sqrt(R*) Y* (15 m* V^2/(16 sqrt(R*) Y*))^(1/5), k_t = k_n, gamma = sqrt(4 m*
+ *           k_n/(1 + (pi/ln e)^2)): the linear spring with the largest overlap of hertz at the impact
+ *           velocity V
+ *   spring  k_n and gamma_n as given, or gamma_n by restitution (law/spring_dashpot.h); no tangential
+ *           force
+ *   hooke/stiffness, hertz/stiffness  k as given, gamma as given times m* (unless absolute_damping);
+ *                                     hertz/stiffness: both times sqrt(R* delta)
+ *   hooke/hysteresis  loading k_1 (k_n of hooke), unloading k_2 up to k_2max, adhesion k_c (O. R.
+ *                     Walton, R. L. Braun, J. Rheol. 30 (1986) 949; S. Luding, Granul. Matter 10 (2008)
+ *                     235) */
 #ifndef TS_LAW_NORMAL_H
 #define TS_LAW_NORMAL_H
 
@@ -32,7 +34,7 @@ TS_INLINE void ts_normal_hertz(const struct ts_granular_pair *c, const struct ts
 	f->kn = 4.0 / 3.0 * c->young * s;
 	f->kt = st;
 	f->gamman = -2 * TS_SQRT_5_6 * c->damping * sqrt(sn * t->m_eff);
-	/* sqrt(S_t/S_n) is the same for all contacts of a pair of materials: a loop computes it once */
+	/* sqrt(S_t/S_n) is constant for a pair of materials: the compiler moves it out of the loop */
 	f->gammat = 2 * sqrt(c->shear / c->young) * f->gamman;
 }
 
@@ -50,8 +52,8 @@ TS_INLINE double ts_hooke_damping(double kn, double mass, double log_restitution
 	return sqrt(4 * mass * kn * l2 / (l2 + TS_PI * TS_PI));
 }
 
-/* Between wet grains the restitution falls with the Stokes number: ln e = ln e_max + St_c / St
- * (J. A. Simeonov, J. Calantoni, Granul. Matter 14 (2012) 1). */
+/* Restitution of immersed particles by the Stokes number St: ln e = ln e_max + St_c/St (J. A. Simeonov,
+ * J. Calantoni, Granul. Matter 14 (2012) 1). */
 TS_INLINE double ts_viscous_log_restitution(const struct ts_granular_pair *c, const struct ts_touch *t)
 {
 	double stokes = t->m_eff * t->vn / (6 * TS_PI * c->viscosity * t->r_eff * t->r_eff);
@@ -80,24 +82,23 @@ TS_INLINE void ts_normal_given(const struct ts_granular_model *m, const struct t
 	f->gammat = damping * c->gammat;
 }
 
-/* The elastic force of hooke/hysteresis. *deepest: the largest overlap so far; it changes only when
- * `advance` is set. */
+/* Elastic force of hooke/hysteresis. *deepest: largest overlap so far; changed only if `advance`. */
 TS_INLINE double ts_hysteretic_force(const struct ts_granular_pair *c, const struct ts_touch *t, double k1,
 				     bool advance, double *deepest)
 {
 	double k2max = c->unloading * k1, kc = c->adhesion * k1, delta = t->overlap;
 	double softening = k2max / (k2max - k1), most = *deepest > delta ? *deepest : delta, k2, force, least;
-	double depth = softening * c->plasticity * 2 * t->r_eff; /* where k_2 is k_2max */
+	double depth = softening * c->plasticity * 2 * t->r_eff; /* overlap from which on k_2 = k_2max */
 	double full = k2max * (delta - depth) + k1 * depth, adhesion = -kc * delta;
 	double faded = 0.5 * (delta + sqrt(delta * delta + 4 * (k1 + kc) * delta * depth / (k2max - k1)));
 
-	/* without branches, so that several contacts are computed at once */
+	/* free of branches, so that the loop over contacts is vectorised */
 	k2 = k1 + (k2max - k1) * most / depth;
 	force = k2 * (delta - most) + k1 * most;
 	least = k1 * delta;
 	force = force < least ? force : least;
 	force = most >= depth ? full : force;
-	most = force < adhesion ? faded : most; /* along the branch of adhesion the memory fades */
+	most = force < adhesion ? faded : most; /* on the adhesive branch the stored overlap decreases */
 	force = force < adhesion ? adhesion : force;
 	*deepest = advance ? most : *deepest;
 	return force;

@@ -1,30 +1,29 @@
 /* Rolling friction: a torque -T_r on i and +T_r on j against the relative rotation w_r.
  *
- * cdt     T_r = mu_r k_n delta R* w_r / |w_r|
- * epsd    a spring along the rolled angle, M += k_r w_r h, k_r = 2.25 k_n mu_r^2 R*^2, at most
- *         mu_r |F_n| R*; below that with a dashpot 2 eta_r sqrt(I k_r) w_r
- * epsd2   k_r = k_t R*^2, no dashpot
- * epsd3   k_r = given factor times k_n mu_r^2 R*^2
- * sds     law/tangential_turning.h: a force F_r at the contact against the velocity of rolling
- *         v_r = R* w_r x n, a spring, dashpot and slider limited to mu_r |F_n|; T_r = -R* n x F_r
- *         (S. Luding, Granul. Matter 10 (2008) 235; Y. Wang et al., Particuology 23 (2015) 49)
- *         (J. Ai, J.-F. Chen, J. M. Rotter, J. Y. Ooi, Powder Technol. 206 (2011) 269; K. Iwashita,
- *         M. Oda, J. Eng. Mech. 124 (1998) 285)
+ *   cdt     T_r = mu_r k_n delta R* w_r/|w_r|
+ *   epsd    a spring along the rolling angle, M += k_r w_r h, k_r = 2.25 k_n mu_r^2 R*^2, limited to
+ *           mu_r |F_n| R*; below the limit with a dashpot 2 eta_r sqrt(I k_r) w_r
+ *   epsd2   k_r = k_t R*^2, no dashpot
+ *   epsd3   k_r = a given factor times k_n mu_r^2 R*^2 (J. Ai, J.-F. Chen, J. M. Rotter, J. Y. Ooi,
+ *           Powder Technol. 206 (2011) 269; K. Iwashita, M. Oda, J. Eng. Mech. 124 (1998) 285)
+ *   sds     law/tangential_turning.h: a pseudo-force F_r against the rolling velocity v_r = R* w_r x n,
+ *           with spring, dashpot and slider limited to mu_r |F_n|; T_r = -R* n x F_r (S. Luding, Granul.
+ *           Matter 10 (2008) 235; Y. Wang et al., Particuology 23 (2015) 49)
  *
- * The part of w_r along n, a spin, is left out unless the model has torsion. */
+ * The component of w_r along n is ignored unless the model has torsion. */
 #ifndef TS_LAW_ROLLING_H
 #define TS_LAW_ROLLING_H
 
 #include "law/tangential_turning.h"
 
-/* Friction of constant torque follows the elastic force k_n delta, and projects the torque after it
- * has been made from the whole of |w_r|. */
+/* Constant directional torque: it is proportional to the elastic force k_n delta, and is projected
+ * after it has been computed with the whole |w_r|. */
 TS_INLINE void ts_rolling_constant(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				   const struct ts_touch *t, const struct ts_normal *n, double torque[3])
 {
-	double speed = ts_norm(t->roll), most = c->rolling_friction * n->kn * t->overlap * t->r_eff;
+	double speed = ts_norm(t->roll), limit = c->rolling_friction * n->kn * t->overlap * t->r_eff;
 
-	ts_scale(speed > 0 ? most / speed : 0, t->roll, torque);
+	ts_scale(speed > 0 ? limit / speed : 0, t->roll, torque);
 	if (!m->torsion)
 		ts_project(t->n, torque);
 }
@@ -44,7 +43,7 @@ TS_INLINE bool ts_rolling_remembers_torque(const struct ts_granular_model *m)
 	return m->rolling > TS_ROLLING_CDT && m->rolling < TS_ROLLING_SDS;
 }
 
-/* Of the rolling pair about the contact point. */
+/* Moment of inertia of the rolling pair about the contact point. */
 TS_INLINE double ts_rolling_inertia(const struct ts_granular_model *m, const struct ts_touch *t)
 {
 	double factor = m->plane ? 1.5 : 1.4;
@@ -54,12 +53,13 @@ TS_INLINE double ts_rolling_inertia(const struct ts_granular_model *m, const str
 	return t->wall ? factor * t->mass[0] * t->r_eff * t->r_eff : factor * a * b / (a + b);
 }
 
-/* The spring is advanced in set-up too, as LIGGGHTS does, but kept only in steps. */
+/* The spring torque includes the present increment also in the set-up of a run, as in LIGGGHTS, but is
+ * stored only in steps. */
 TS_INLINE void ts_rolling_spring(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				 const struct ts_touch *t, const struct ts_normal *n, double dt, bool advance,
 				 double stored[3], double torque[3])
 {
-	double k = ts_rolling_stiffness(m, c, t, n), length, share, dashpot = 0;
+	double k = ts_rolling_stiffness(m, c, t, n), length, factor, dashpot = 0;
 	double limit = fabs(n->limit) * t->r_eff * c->rolling_friction;
 	double roll[3] = { t->roll[0], t->roll[1], t->roll[2] };
 
@@ -70,10 +70,10 @@ TS_INLINE void ts_rolling_spring(const struct ts_granular_model *m, const struct
 	length = ts_norm(torque);
 	if (m->rolling != TS_ROLLING_EPSD2)
 		dashpot = 2 * c->rolling_viscosity * sqrt(ts_rolling_inertia(m, t) * k);
-	/* without branches, so that several contacts are computed at once */
-	share = length > limit ? limit / length : 1;
+	/* free of branches, so that the loop over contacts is vectorised */
+	factor = length > limit ? limit / length : 1;
 	dashpot = length > limit ? 0 : dashpot;
-	ts_scale(share, torque, torque);
+	ts_scale(factor, torque, torque);
 	for (int d = 0; d < 3 && advance; d++)
 		stored[d] = torque[d];
 	ts_axpy(dashpot, roll, torque);

@@ -1,14 +1,15 @@
-/* Stability of a surface whose speed is set after each step by the force that it has met.
+/* Stability of a servo-controlled surface, whose velocity is set after each step from the measured
+ * force.
  *
- * With the stiffness K and the damping C of all its contacts together, particles held (in a step of a
- * stable run they hardly move), the surface goes on by x += v h and the force of the next step is F = K x
- * + C v. The controller gives, with the gains as speed by force, v = -(p F + i h sum(F) + d (F -
- * F_last)/h). In z that is
+ * Let K and C be the total stiffness and damping of its contacts. With the particles fixed (in a step
+ * of a stable run they hardly move), the surface moves by x += v h and the force of the next step is F
+ * = K x + C v. The controller sets, with gains in velocity/force, v = -(p F + i h sum(F) + d (F -
+ * F_last)/h). The characteristic equation is
  *
  *   z^2 (z - 1)^2 + (K h z + C (z - 1)) (p z (z - 1) + i h z^2 + d/h (z - 1)^2) = 0,
  *
- * stable where all |z| <= 1; with p alone where p (K h + 2 C) < 2: the force must not change by more
- * within a step than twice what has caused it. */
+ * stable if all |z| <= 1. With p alone this is p (K h + 2 C) < 2: within a step the force must not
+ * change by more than twice the force that caused the change. */
 #ifndef TS_LAW_SERVO_H
 #define TS_LAW_SERVO_H
 
@@ -17,13 +18,14 @@
 
 struct ts_servo_loop {
 	double stiffness, damping; /* K, C */
-	double gain[3];		   /* p, i, d: of the force, its integral over time, its rate */
+	double gain[3]; /* p, i, d: gains of the force, its time integral and its rate, velocity/force */
 };
 
 enum { TS_SERVO_ORDER = 4 };
 
-/* Schur and Cohn: whether all zeros of c[0] + c[1] z + ... + c[n] z^n are within the unit circle. */
-static inline bool ts_zeros_within(double *c, int n)
+/* Schur-Cohn test: whether all zeros of c[0] + c[1] z + ... + c[n] z^n are inside the unit circle.
+ * Overwrites c. */
+static inline bool ts_servo_zeros_in_unit_circle(double *c, int n)
 {
 	for (; n > 0; n--) {
 		double first = c[0], last = c[n], next[TS_SERVO_ORDER + 1];
@@ -38,8 +40,9 @@ static inline bool ts_zeros_within(double *c, int n)
 	return true;
 }
 
-/* With the gains times `factor`. Without integral the polynomial has a zero at 1, the place, which is
- * divided out. Growth by 1e-6 in a step is let be: an integral alone swings without end. */
+/* Whether the loop is stable with the gains times `factor`. Without integral gain the polynomial has a
+ * zero at 1 (the position), which is divided out. Growth by up to 1e-6 a step is accepted, as a pure
+ * integral controller is only marginally stable. */
 static inline bool ts_servo_stable(const struct ts_servo_loop *s, double factor, double h)
 {
 	double p = factor * s->gain[0], i = factor * s->gain[1] * h, d = factor * s->gain[2] / h;
@@ -58,10 +61,11 @@ static inline bool ts_servo_stable(const struct ts_servo_loop *s, double factor,
 	}
 	for (int n = 0; n <= order; n++, scale *= 1 + 1e-6)
 		a[n] *= scale;
-	return ts_zeros_within(a, order);
+	return ts_servo_zeros_in_unit_circle(a, order);
 }
 
-/* By what the gains may be multiplied at most; infinite where nothing follows the speed. */
+/* Largest factor of the gains for which the loop is stable; infinite if the velocity has no effect on
+ * the force. */
 static inline double ts_servo_margin(const struct ts_servo_loop *s, double h)
 {
 	double low = -30, high = 30; /* natural logarithms */

@@ -1,15 +1,14 @@
-/* Linear spring and dashpot, normal force only.
+/* Linear spring and dashpot, normal force only:
  *
  *   F = k delta - beta v_n
  *
- * The dashpot is given either as beta or by the coefficient of restitution e of two free bodies:
+ * The damping is given as beta, or by the coefficient of restitution e of two free bodies:
  *
- *   beta = -2 ln e sqrt(m* k / (pi^2 + ln^2 e))
+ *   beta = -2 ln e sqrt(m* k/(pi^2 + ln^2 e)),
  *
- * which is exact for this law when the contact ends at zero overlap: the contact is half a period
- * of a damped oscillator with omega0^2 = k/m*, gamma = beta/(2 m*), lasting pi/sqrt(omega0^2 -
- * gamma^2). Source: any text on the damped oscillator; as a contact law Cundall & Strack,
- * Geotechnique 29 (1979) 47. */
+ * which is exact if the contact ends at zero overlap: the contact lasts half a period pi/sqrt(omega0^2
+ * - gamma^2) of a damped oscillator with omega0^2 = k/m*, gamma = beta/(2 m*). Source: any text on the
+ * damped oscillator; as a contact law P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47. */
 #ifndef TS_LAW_SPRING_DASHPOT_H
 #define TS_LAW_SPRING_DASHPOT_H
 

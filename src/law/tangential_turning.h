@@ -1,14 +1,17 @@
-/* Spring, dashpot and slider whose spring turns with the plane of contact and keeps its length
- * (S. Luding, Granul. Matter 10 (2008) 235, eqs. 17 and 20):
+/* Spring, dashpot and slider; the spring rotates with the contact plane and keeps its length (S.
+ * Luding, Granul. Matter 10 (2008) 235, eqs. 17 and 20):
  *
- *   xi <- (xi - (xi.n) n) |xi|/|xi - (xi.n) n|,  then xi += v h;   F = -k xi - gamma v, where |F| > limit shortened
- *   to that, and xi to what the dashpot leaves of it.
+ *   xi <- (xi - (xi.n) n) |xi|/|xi - (xi.n) n|,  then xi += v h;   F = -k xi - gamma v
  *
- * linear                 k_t as given
- * mindlin                k_t a, a the radius of the contact area (R. D. Mindlin, J. Appl. Mech. 16 (1949) 259)
- * mindlin_rescale        the same, but when a falls xi falls with it: a contact that opens cannot bear what it bore
- *                        (C. Thornton, S. J. Cummins, P. W. Cleary, Powder Technol. 233 (2013) 30)
- * .../force              the force of the spring is remembered, not its length: P -= k_t a v h, F = P - gamma v */
+ * If |F| > limit, F is scaled to the limit, and xi to the part that the dashpot leaves of it.
+ *
+ *   linear           k_t as given
+ *   mindlin          k_t a, a the radius of the contact area (R. D. Mindlin, J. Appl. Mech. 16 (1949)
+ *                    259)
+ *   mindlin_rescale  the same, but xi is scaled with a when a decreases (C. Thornton, S. J. Cummins, P.
+ *                    W. Cleary, Powder Technol. 233 (2013) 30)
+ *   .../force        the spring force is stored instead of the elongation: P -= k_t a v h, F = P - gamma
+ *                    v */
 #ifndef TS_LAW_TANGENTIAL_TURNING_H
 #define TS_LAW_TANGENTIAL_TURNING_H
 
@@ -16,10 +19,10 @@
 
 struct ts_slider {
 	double k, gamma, limit;
-	bool force; /* what is remembered is the force of the spring */
+	bool force; /* the history is the spring force, not the elongation */
 };
 
-/* What `xi` stands for in a force: times -k, or itself. */
+/* Spring force over the stored xi: -k, or 1 if the force is stored. */
 TS_INLINE double ts_slider_factor(const struct ts_slider *s)
 {
 	return s->force ? 1 : -s->k;
@@ -39,7 +42,7 @@ TS_INLINE void ts_slider_advance(const struct ts_slider *s, const double n[3], c
 	ts_axpy(s->force ? -s->k * step : step, velocity, xi);
 }
 
-/* A spring without length and a dashpot beyond the limit give no force. */
+/* Beyond the limit without any elongation, i.e. by the dashpot alone, the force is 0. */
 TS_INLINE void ts_slider_force(const struct ts_slider *s, const double velocity[3], double xi[3],
 			       double force[3])
 {
@@ -77,7 +80,7 @@ TS_INLINE struct ts_slider ts_tangential_slider_of(const struct ts_granular_mode
 					    m->tangential == TS_TANGENTIAL_MINDLIN_RESCALE_FORCE };
 }
 
-/* *last: a in the last step. */
+/* *last: radius of the contact area in the last step. */
 TS_INLINE void ts_tangential_turning(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				     const struct ts_touch *t, const struct ts_normal *n, double step,
 				     double xi[3], double *last, double force[3])

@@ -1,9 +1,9 @@
-/* Friction of twisting: a torque T n on i, -T n on j, against the relative rotation w about the normal. A
- * spring along the angle phi, phi += w h, with dashpot and slider: T = -k phi - gamma w, |T| <= mu |F_n|
- * (J. S. Marshall, J. Comput. Phys. 228 (2009) 1541, eqs. 29 to 33).
+/* Twisting friction: a torque T n on i, -T n on j, against the relative rotation rate w about the
+ * normal. A spring along the angle phi, phi += w h, with dashpot and slider: T = -k phi - gamma w, |T|
+ * <= mu |F_n| (J. S. Marshall, J. Comput. Phys. 228 (2009) 1541, eqs. 29 to 33).
  *
- * sds       k, gamma and mu as given
- * marshall  from those of slip: k = k_t a^2/2, gamma = gamma_t a^2/2, mu = 2/3 a mu_t */
+ *   sds       k, gamma and mu as given
+ *   marshall  from the tangential law: k = k_t a^2/2, gamma = gamma_t a^2/2, mu = 2/3 a mu_t */
 #ifndef TS_LAW_TWISTING_H
 #define TS_LAW_TWISTING_H
 
@@ -23,7 +23,7 @@ TS_INLINE struct ts_twist ts_twist_of(const struct ts_granular_model *m, const s
 	return (struct ts_twist){ 0.5 * n->kt * a2, 0.5 * n->gammat * a2, 2.0 / 3.0 * n->area * c->friction };
 }
 
-/* T. `step`: by how much time the memory advances, 0 in set-up. */
+/* Torque T. `step`: time by which the history advances, 0 in the set-up of a run. */
 TS_INLINE double ts_twisting_torque(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				    const struct ts_touch *t, const struct ts_normal *n, double step,
 				    double *phi)
@@ -40,7 +40,7 @@ TS_INLINE double ts_twisting_torque(const struct ts_granular_model *m, const str
 	limit = twist.friction * fabs(n->limit);
 	if (!(fabs(torque) > limit))
 		return torque;
-	/* beyond the limit it is against the rotation, as in LAMMPS, whatever the spring says */
+	/* beyond the limit the torque is opposite to the rotation, as in LAMMPS, whatever the spring */
 	limit = rate > 0 ? limit : rate < 0 ? -limit : 0;
 	if (twist.k > 0)
 		*phi = (limit - twist.gamma * rate) / twist.k;

@@ -235,7 +235,7 @@ static void score_walls(struct network *w)
 
 			if (!ts_wall_case(wall, w->sim, k, &c))
 				continue;
-			f = ts_granular_at(c.model, c.law, c.r_eff, c.m_eff, c.overlap);
+			f = ts_granular_constants_at(c.model, c.law, c.r_eff, c.m_eff, c.overlap);
 			w->score[node_of(w, (size_t)wall->contacts.row[k])] +=
 				score_share(w, (size_t)wall->contacts.row[k], effective_stiffness(w, &f));
 		}
@@ -316,7 +316,7 @@ static void set_link_springs(const struct network *w, const struct ts_contact_ca
 			     struct ts_link *link)
 {
 	const struct ts_particles *p = w->sim->particles;
-	struct ts_normal f = ts_granular_at(c->model, c->law, c->r_eff, c->m_eff, c->overlap);
+	struct ts_normal f = ts_granular_constants_at(c->model, c->law, c->r_eff, c->m_eff, c->overlap);
 	struct ts_touch t = { .r_eff = c->r_eff,
 			      .m_eff = c->m_eff,
 			      .overlap = c->overlap,

@@ -43,14 +43,14 @@ static struct ts_servo_contacts contact_response(const struct ts_granular_model 
 						 const struct ts_granular_pair *law, const struct smallest *s,
 						 double force)
 {
-	double unit = ts_granular_at(model, law, s->radius, s->mass, 1).kn, overlap = force / unit;
+	double unit = ts_granular_constants_at(model, law, s->radius, s->mass, 1).kn, overlap = force / unit;
 	struct ts_normal f;
 
 	if (ts_granular_stiffens(model)) /* F = K delta^(3/2), at delta = 1 the tangent is 3/2 K */
 		overlap = pow(1.5 * force / unit, 2.0 / 3);
 	if (!(unit > 0) || !isfinite(overlap))
 		return (struct ts_servo_contacts){ 0 };
-	f = ts_granular_at(model, law, s->radius, s->mass, overlap);
+	f = ts_granular_constants_at(model, law, s->radius, s->mass, overlap);
 	return (struct ts_servo_contacts){ 1, f.kn, fabs(f.gamman) };
 }
 

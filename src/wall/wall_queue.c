@@ -51,7 +51,7 @@ void ts_wall_view(const struct ts_wall *w, const struct tsim *sim, size_t k, str
 	view->law = ts_wall_law(w, sim, point.type, p->type[i]);
 	load_ends(p, i, &point, &ends);
 	ts_wall_ends_touch(&ends, view->model, &view->touch);
-	ts_granular_stand_out(view->model, ts_wall_memory(&w->contacts, k), &view->touch);
+	ts_granular_add_bulge(view->model, ts_wall_memory(&w->contacts, k), &view->touch);
 }
 
 void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k, double force[3],
@@ -296,8 +296,8 @@ bool ts_wall_in_range(const struct ts_wall_queue *q, size_t k, const struct ts_w
 	if (q->model->multi)
 		return point->distance < radius + surface_bulge(q, k, i, point);
 	if (ts_cohesion_bridges(q->model))
-		beyond = ts_granular_bridged(q->model, law, (double[2]){ p->liquid[i] },
-					     (double[2]){ radius }, true, memory);
+		beyond = ts_granular_bridge_reach(q->model, law, (double[2]){ p->liquid[i] },
+						  (double[2]){ radius }, true, memory);
 	else
 		beyond = ts_granular_beyond(q->model, law, ts_wall_effective_radius(radius, point->curvature),
 					    memory);

@@ -86,7 +86,7 @@ static bool touch(const struct impact *s, struct ts_touch *t)
 	ts_scale(1 / t->distance, d, t->n);
 	ts_granular_arms(&s->model, t);
 	ts_touch_motion(t, v, a->w, s->wall ? at_rest : b->w);
-	return t->overlap > -ts_granular_beyond(&s->model, &s->law, t->r_eff, s->memory);
+	return t->overlap > -ts_granular_pull_off_reach(&s->model, &s->law, t->r_eff, s->memory);
 }
 
 static bool forces(struct impact *s)
