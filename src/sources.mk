@@ -93,6 +93,7 @@ library_sources = \
 	src/base/words.h \
 	src/bond/bond_contact.c \
 	src/bond/bond_force.c \
+	src/bond/bond_force.h \
 	src/bond/bond_loop.h \
 	src/bond/bond_slices.c \
 	src/bond/bond_slices.h \
@@ -629,6 +630,7 @@ library_sources = \
 	src/material/material.h \
 	src/material/property.c \
 	src/material/property.h \
+	src/math/compensated.h \
 	src/math/constants.h \
 	src/math/exactsum.c \
 	src/math/exactsum.h \

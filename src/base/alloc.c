@@ -12,7 +12,7 @@
 #include "base/banned.h"
 
 enum { CACHE_LINE = 64, LARGE_PAGE = 2 << 20, LARGE = 3 << 19 };
-enum { MAPPED = 1 << 20 }; /* blocks from this size on are no part of the heap: ts_alloc_tune */
+enum { MAPPED = 1 << 20 }; /* blocks of this size and above are mapped outside of the heap: ts_alloc_tune */
 
 static atomic_long live_blocks;
 static atomic_long fail_countdown;
@@ -24,16 +24,16 @@ static int must_fail(void)
 	return atomic_fetch_sub(&fail_countdown, 1) == 1;
 }
 
-/* A block that nearly fills its last large page fills it. */
-static size_t fill_page(size_t bytes)
+/* A block that nearly fills its last large page is enlarged to fill it. */
+static size_t round_up_to_page(size_t bytes)
 {
 	size_t rest = bytes % LARGE_PAGE;
 
 	return rest >= LARGE && bytes <= SIZE_MAX - LARGE_PAGE ? bytes + (LARGE_PAGE - rest) : bytes;
 }
 
-/* Columns are looked at all over the place: the processor then need not look up so many pages. */
-static void ask_for_large_pages(void *p, size_t bytes)
+/* Large pages reduce address translation misses for the random access to particle columns. */
+static void request_large_pages(void *p, size_t bytes)
 {
 #ifdef MADV_HUGEPAGE
 	if (p && bytes >= LARGE)
@@ -50,8 +50,8 @@ void ts_alloc_tune(void)
 #endif
 }
 
-/* Blocks carry no header: a cache-line aligned block from aligned_alloc may be freed as any other. */
-static void *allocate(size_t n, size_t size, size_t alignment)
+/* Blocks have no header, so aligned blocks can be freed like any other. */
+static void *allocate_zeroed(size_t n, size_t size, size_t alignment)
 {
 	void *p;
 	size_t bytes;
@@ -61,12 +61,12 @@ static void *allocate(size_t n, size_t size, size_t alignment)
 	bytes = n && size ? n * size : 1;
 	if (alignment) {
 		/* see ts_alloc_aligned */
-		bytes = fill_page((bytes / alignment + 1) * alignment);
-		/* where the heap cannot grow any more there may be room for a block outside of it */
+		bytes = round_up_to_page((bytes / alignment + 1) * alignment);
+		/* if the heap cannot grow, a mapped block may still be possible */
 		if (posix_memalign(&p, bytes >= LARGE ? LARGE_PAGE : alignment, bytes) != 0 &&
 		    (bytes > MAPPED || posix_memalign(&p, alignment, MAPPED) != 0))
 			p = NULL;
-		ask_for_large_pages(p, bytes);
+		request_large_pages(p, bytes);
 		if (p)
 			memset(p, 0, bytes);
 	} else {
@@ -79,12 +79,12 @@ static void *allocate(size_t n, size_t size, size_t alignment)
 
 void *ts_alloc(size_t n, size_t size)
 {
-	return allocate(n, size, 0);
+	return allocate_zeroed(n, size, 0);
 }
 
 void *ts_alloc_aligned(size_t n, size_t size)
 {
-	return allocate(n, size, CACHE_LINE);
+	return allocate_zeroed(n, size, CACHE_LINE);
 }
 
 char *ts_strdup(const char *s)

@@ -1,8 +1,8 @@
-/* The one door to the heap.
+/* Memory allocation; all memory of the program is allocated here.
  *
- * Allocations are counted, so that a test can demand a balance of zero, and can be made to fail at
- * the k-th call, so that every out-of-memory path is run. The counters are the only mutable static
- * data of the library: like malloc's own, they belong to the process. */
+ * Allocations are counted, so that tests can check that all memory is freed, and the k-th allocation
+ * can be made to fail, so that all out-of-memory paths are tested. The counters are the only mutable
+ * static data of the library: like those of malloc, they belong to the process. */
 #ifndef TS_BASE_ALLOC_H
 #define TS_BASE_ALLOC_H
 
@@ -10,33 +10,32 @@
 
 #include "base/status.h"
 
-/* Zeroed memory for n elements of the given size, or NULL. n == 0 gives a valid pointer. */
+/* Zero-initialised memory for n elements of the given size, or NULL. n == 0 gives a valid pointer. */
 void *ts_alloc(size_t n, size_t size);
-/* The same, aligned to a cache line, and with at least eight bytes behind the last element, which may be read
- * (base/four.h). Release with ts_free as well. */
+/* The same, aligned to a cache line, and with at least eight readable bytes behind the last element
+ * (base/four.h). Also freed by ts_free. */
 void *ts_alloc_aligned(size_t n, size_t size);
 char *ts_strdup(const char *s);
 void ts_free(void *p);
 
-/* Makes room for `need` elements in *array (of *capacity elements of `size` bytes), at least
- * doubling it. Old contents are kept, new elements are zero. */
+/* Enlarges *array (of *capacity elements of `size` bytes) to at least `need` elements, at least
+ * doubling it. Contents are kept, new elements are zero. */
 enum ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size);
 #define TS_GROW(array, capacity, need) ts_grow((void **)&(array), &(capacity), (need), sizeof *(array))
 
-/* The same where the old contents are not needed: they are lost, and there is little more room than asked
- * for. */
+/* The same, but the contents are lost, and little more memory than needed is allocated. */
 enum ts_status ts_renew(void **array, size_t *capacity, size_t need, size_t size);
 #define TS_RENEW(array, capacity, need) ts_renew((void **)&(array), &(capacity), (need), sizeof *(array))
 
-/* For a program that is tsim alone: large blocks go back to the system when they are freed, and leave no
- * holes. */
+/* For the program, not the library: large blocks are returned to the system when they are freed, which
+ * avoids fragmentation. */
 void ts_alloc_tune(void);
 
-/* For tests. Blocks now allocated and not freed; let the k-th allocation from now fail (0: never). */
+/* For tests: number of blocks that are allocated; let the k-th allocation from now on fail (0: none). */
 long ts_alloc_balance(void);
 void ts_alloc_fail_at(long k);
 
-/* An arena: many small pieces, freed together. Zero-initialise before use. */
+/* An arena: many small blocks that are freed together. Zero-initialise before use. */
 struct ts_arena {
 	struct ts_arena_block *first;
 };

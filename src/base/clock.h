@@ -1,14 +1,14 @@
-/* Wall time. */
+/* Wall-clock time. */
 #ifndef TS_BASE_CLOCK_H
 #define TS_BASE_CLOCK_H
 
 #include <stdint.h>
 
-/* Seconds of wall time since an arbitrary start; never runs backwards. */
+/* Seconds since an arbitrary start; monotonic. */
 double ts_clock(void);
 
-/* Counts of a clock that is read in a few nanoseconds, where there is one; how many make a second is found by
- * comparing with ts_clock over a while. */
+/* Counts of a processor clock that is read in a few nanoseconds, where available; its frequency is
+ * determined by comparison with ts_clock. */
 static inline uint64_t ts_ticks(void)
 {
 #if defined(__x86_64__)

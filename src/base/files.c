@@ -14,7 +14,7 @@
 
 #include "base/banned.h"
 
-enum { ENTRY_BYTES = 4096 }; /* of a name in a folder, as a file of a byte takes on most disks */
+enum { ENTRY_BYTES = 4096 }; /* disk space charged for a new directory entry */
 
 struct ts_files_own {
 	dev_t device;
@@ -35,7 +35,7 @@ bool ts_files_below(const char *path, const char *folder)
 	return strncmp(path, folder, n) == 0 && (!path[n] || path[n] == '/' || ts_streq(folder, "/"));
 }
 
-static int nomem(void)
+static int fail_nomem(void)
 {
 	errno = ENOMEM;
 	return -1;
@@ -49,11 +49,11 @@ static int resolve_real(const char *path, struct ts_str *out)
 		return -1;
 	ts_str_clear(out);
 	ts_str_add(out, real);
-	return out->failed ? nomem() : 0;
+	return out->failed ? fail_nomem() : 0;
 }
 
-/* Cuts the last name off; what is left leads to it. */
-static void cut(const char *path, struct ts_str *folder, struct ts_str *name)
+/* Splits a path into the folder and the last name. */
+static void split_path(const char *path, struct ts_str *folder, struct ts_str *name)
 {
 	size_t n = strlen(path), at;
 
@@ -74,11 +74,11 @@ static int resolve_missing(const char *path, struct ts_str *out)
 	struct stat info;
 	int result = -1;
 
-	cut(path, &folder, &name);
+	split_path(path, &folder, &name);
 	if (folder.failed || name.failed)
-		nomem();
+		fail_nomem();
 	else if (lstat(path, &info) == 0)
-		errno = ELOOP; /* a link to something that is not there */
+		errno = ELOOP; /* a dangling link */
 	else if (ts_streq(ts_str_text(&name), "..") || !name.length)
 		errno = ENOENT;
 	else
@@ -87,7 +87,7 @@ static int resolve_missing(const char *path, struct ts_str *out)
 		ts_str_addf(out, "%s%s", ts_streq(ts_str_text(out), "/") ? "" : "/", ts_str_text(&name));
 	ts_str_release(&folder);
 	ts_str_release(&name);
-	return result == 0 && out->failed ? nomem() : result;
+	return result == 0 && out->failed ? fail_nomem() : result;
 }
 
 int ts_files_resolve(const char *path, struct ts_str *out)
@@ -103,22 +103,22 @@ int ts_files_resolve_name(const char *path, struct ts_str *out)
 	const char *last;
 	int result;
 
-	cut(path, &folder, &name);
+	split_path(path, &folder, &name);
 	last = ts_str_text(&name);
 	if (folder.failed || name.failed)
-		result = nomem();
+		result = fail_nomem();
 	else if (!*last || ts_streq(last, ".") || ts_streq(last, ".."))
 		result = ts_files_resolve(path, out);
 	else if ((result = ts_files_resolve(ts_str_text(&folder), out)) == 0)
 		ts_str_addf(out, "%s%s", ts_streq(ts_str_text(out), "/") ? "" : "/", last);
 	ts_str_release(&folder);
 	ts_str_release(&name);
-	return result == 0 && out->failed ? nomem() : result;
+	return result == 0 && out->failed ? fail_nomem() : result;
 }
 
-/* ---- what is let through */
+/* ---- access control */
 
-static void forget(struct ts_files *files)
+static void clear_reason(struct ts_files *files)
 {
 	if (files)
 		files->why[0] = '\0';
@@ -138,7 +138,7 @@ const char *ts_files_why(const struct ts_files *files)
 	return ts_files_closed(files) && errno == EACCES && files->why[0] ? files->why : strerror(errno);
 }
 
-static int refuse_place(struct ts_files *files, bool writes)
+static int refuse_path(struct ts_files *files, bool writes)
 {
 	struct ts_str text = { 0 };
 	const char *between = " ";
@@ -156,7 +156,7 @@ static int refuse_place(struct ts_files *files, bool writes)
 	return -1;
 }
 
-static const struct ts_files_root *root_of(const struct ts_files *files, const char *path, bool writes)
+static const struct ts_files_root *find_root(const struct ts_files *files, const char *path, bool writes)
 {
 	for (int k = 0; k < files->n; k++)
 		if (files->root[k].writes == writes && ts_files_below(path, files->root[k].path))
@@ -164,10 +164,10 @@ static const struct ts_files_root *root_of(const struct ts_files *files, const c
 	return NULL;
 }
 
-/* The folder of a resolved path, reached from that of the root name by name, no link followed: nobody can
- * put one in the way after the path was resolved. *name: the last one; "." where the path is the root
- * itself. */
-static int walk(const struct ts_files_root *root, const char *path, const char **name)
+/* Opens the folder of a resolved path, component by component from the root, without following links:
+ * so nobody can insert a link after the path was resolved. *name: last component; "." if the path is
+ * the root itself. */
+static int open_folder_of(const struct ts_files_root *root, const char *path, const char **name)
 {
 	const char *rest = path + strlen(root->path);
 	int at = fcntl(root->folder, F_DUPFD_CLOEXEC, 0), next;
@@ -198,9 +198,9 @@ static int walk(const struct ts_files_root *root, const char *path, const char *
 	return -1;
 }
 
-enum way { WAY_READ, WAY_WRITE, WAY_SEE }; /* to see a name is allowed wherever one may read or write */
+enum access { ACCESS_READ, ACCESS_WRITE, ACCESS_STAT }; /* stat is allowed wherever reading or writing is */
 
-/* What an action needs: the open folder and the name in it. */
+/* Open folder and name for an operation. */
 struct entry {
 	int folder;
 	const char *name;
@@ -208,25 +208,26 @@ struct entry {
 	bool read_root;
 };
 
-static int enter(struct ts_files *files, const char *path, bool follow, enum way way, struct entry *e)
+static int entry_open(struct ts_files *files, const char *path, bool follow, enum access access,
+		      struct entry *e)
 {
 	const struct ts_files_root *root;
 
 	*e = (struct entry){ .folder = -1 };
-	forget(files);
+	clear_reason(files);
 	if ((follow ? ts_files_resolve : ts_files_resolve_name)(path, &e->path) != 0)
 		return -1;
-	root = root_of(files, ts_str_text(&e->path), way == WAY_WRITE);
+	root = find_root(files, ts_str_text(&e->path), access == ACCESS_WRITE);
 	e->read_root = root && !root->writes;
-	if (!root && way != WAY_WRITE) /* one may look there, and read what is one's own */
-		root = root_of(files, ts_str_text(&e->path), true);
+	if (!root && access != ACCESS_WRITE) /* folders for writing may be inspected, and own files read */
+		root = find_root(files, ts_str_text(&e->path), true);
 	if (!root)
-		return refuse_place(files, way == WAY_WRITE);
-	e->folder = walk(root, ts_str_text(&e->path), &e->name);
+		return refuse_path(files, access == ACCESS_WRITE);
+	e->folder = open_folder_of(root, ts_str_text(&e->path), &e->name);
 	return e->folder < 0 ? -1 : 0;
 }
 
-static int leave(struct entry *e, int result)
+static int entry_close(struct entry *e, int result)
 {
 	int code = errno;
 
@@ -237,10 +238,10 @@ static int leave(struct entry *e, int result)
 	return result;
 }
 
-/* ---- what was written */
+/* ---- accounting of writes */
 
-/* Nothing more is written once the limit is reached. */
-static int charge(struct ts_files *files, int64_t bytes)
+/* Charges written bytes; fails when the limit is reached. */
+static int charge_bytes(struct ts_files *files, int64_t bytes)
 {
 	if (bytes > files->most - files->written) {
 		errno = EDQUOT;
@@ -258,18 +259,18 @@ static bool is_own(const struct ts_files *files, const struct stat *info)
 	return false;
 }
 
-static int note_own(struct ts_files *files, const struct stat *info)
+static int record_own(struct ts_files *files, const struct stat *info)
 {
 	if (is_own(files, info))
 		return 0;
 	if (TS_GROW(files->own, files->own_capacity, files->nown + 1) != TS_OK)
-		return nomem();
+		return fail_nomem();
 	files->own[files->nown++] = (struct ts_files_own){ info->st_dev, info->st_ino };
 	return 0;
 }
 
-/* Other names of a file, and what is no file, may lead anywhere. */
-static int check_plain(struct ts_files *files, int descriptor, struct stat *info)
+/* Refuses hard links, which may lie anywhere, and anything but plain files. */
+static int check_plain_file(struct ts_files *files, int descriptor, struct stat *info)
 {
 	if (fstat(descriptor, info) != 0)
 		return -1;
@@ -296,7 +297,7 @@ static ssize_t stream_write(void *cookie, const char *bytes, size_t n)
 	struct stream *s = cookie;
 	size_t done = 0;
 
-	if (charge(s->files, (int64_t)n) != 0)
+	if (charge_bytes(s->files, (int64_t)n) != 0)
 		return 0;
 	while (done < n) {
 		ssize_t got = write(s->descriptor, bytes + done, n - done);
@@ -319,7 +320,7 @@ static int stream_close(void *cookie)
 	return result;
 }
 
-static FILE *counted(struct ts_files *files, int descriptor)
+static FILE *open_counted_stream(struct ts_files *files, int descriptor)
 {
 	static const cookie_io_functions_t functions = { .write = stream_write, .close = stream_close };
 	struct stream *s = ts_alloc(1, sizeof *s);
@@ -345,15 +346,15 @@ static int open_to_write(struct ts_files *files, const struct entry *e, const ch
 	int descriptor = strchr(mode, 'x') ? -1 : openat(e->folder, e->name, flags);
 
 	if (strchr(mode, 'x') || (descriptor < 0 && errno == ENOENT)) {
-		if (charge(files, ENTRY_BYTES) != 0)
+		if (charge_bytes(files, ENTRY_BYTES) != 0)
 			return -1;
 		descriptor = openat(e->folder, e->name, flags | O_CREAT | O_EXCL, 0666);
 		anew = true;
 	}
 	if (descriptor < 0)
 		return -1;
-	if (check_plain(files, descriptor, &info) == 0 && (mode[0] != 'w' || ftruncate(descriptor, 0) == 0) &&
-	    (!anew || note_own(files, &info) == 0))
+	if (check_plain_file(files, descriptor, &info) == 0 &&
+	    (mode[0] != 'w' || ftruncate(descriptor, 0) == 0) && (!anew || record_own(files, &info) == 0))
 		return descriptor;
 	close(descriptor);
 	return -1;
@@ -366,25 +367,25 @@ static int open_to_read(struct ts_files *files, const struct entry *e)
 
 	if (descriptor < 0)
 		return -1;
-	if (check_plain(files, descriptor, &info) == 0 &&
-	    (e->read_root || is_own(files, &info) || refuse_place(files, false) == 0))
+	if (check_plain_file(files, descriptor, &info) == 0 &&
+	    (e->read_root || is_own(files, &info) || refuse_path(files, false) == 0))
 		return descriptor;
 	close(descriptor);
 	return -1;
 }
 
-/* ---- what others do */
+/* ---- operations */
 
-/* An open file through a closed door; -1 and errno. */
+/* Opens a file in the sandbox; -1 and errno. */
 static int open_within(struct ts_files *files, const char *path, const char *mode)
 {
 	bool writes = mode[0] != 'r';
 	struct entry e;
-	int result = enter(files, path, !strchr(mode, 'x'), writes ? WAY_WRITE : WAY_READ, &e);
+	int result = entry_open(files, path, !strchr(mode, 'x'), writes ? ACCESS_WRITE : ACCESS_READ, &e);
 
 	if (result == 0)
 		result = writes ? open_to_write(files, &e, mode) : open_to_read(files, &e);
-	return leave(&e, result);
+	return entry_close(&e, result);
 }
 
 FILE *ts_files_open(struct ts_files *files, const char *path, const char *mode)
@@ -395,12 +396,12 @@ FILE *ts_files_open(struct ts_files *files, const char *path, const char *mode)
 	if (!ts_files_closed(files))
 		return fopen(path, mode);
 	if (mode[0] != 'r' && ts_streq(path, "/dev/null"))
-		return ts_files_nowhere();
+		return ts_files_open_null();
 	descriptor = open_within(files, path, mode);
 	if (descriptor < 0)
 		return NULL;
 	if (mode[0] != 'r')
-		return counted(files, descriptor);
+		return open_counted_stream(files, descriptor);
 	file = fdopen(descriptor, "r");
 	if (!file)
 		close(descriptor);
@@ -428,7 +429,7 @@ void *ts_files_open_gz(struct ts_files *files, const char *path)
 	return file;
 }
 
-FILE *ts_files_nowhere(void)
+FILE *ts_files_open_null(void)
 {
 	return fopen("/dev/null", "w");
 }
@@ -441,10 +442,10 @@ void *ts_files_list(struct ts_files *files, const char *folder)
 
 	if (!ts_files_closed(files))
 		return opendir(folder);
-	descriptor = enter(files, folder, true, WAY_SEE, &e);
+	descriptor = entry_open(files, folder, true, ACCESS_STAT, &e);
 	if (descriptor == 0)
 		descriptor = openat(e.folder, e.name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-	leave(&e, 0);
+	entry_close(&e, 0);
 	if (descriptor >= 0)
 		list = fdopendir(descriptor);
 	if (descriptor >= 0 && !list)
@@ -452,17 +453,17 @@ void *ts_files_list(struct ts_files *files, const char *folder)
 	return list;
 }
 
-int ts_files_look(struct ts_files *files, const char *path, struct stat *out)
+int ts_files_stat(struct ts_files *files, const char *path, struct stat *out)
 {
 	struct entry e;
 	int result;
 
 	if (!ts_files_closed(files))
 		return stat(path, out);
-	result = enter(files, path, true, WAY_SEE, &e);
+	result = entry_open(files, path, true, ACCESS_STAT, &e);
 	if (result == 0)
 		result = fstatat(e.folder, e.name, out, AT_SYMLINK_NOFOLLOW);
-	return leave(&e, result);
+	return entry_close(&e, result);
 }
 
 bool ts_files_may_make_in(const struct ts_files *files, const char *folder)
@@ -477,32 +478,32 @@ int ts_files_make_folder(struct ts_files *files, const char *path)
 
 	if (!ts_files_closed(files))
 		return mkdir(path, 0777);
-	result = enter(files, path, false, WAY_WRITE, &e);
+	result = entry_open(files, path, false, ACCESS_WRITE, &e);
 	if (result == 0)
-		result = charge(files, ENTRY_BYTES);
+		result = charge_bytes(files, ENTRY_BYTES);
 	if (result == 0)
 		result = mkdirat(e.folder, e.name, 0777);
-	return leave(&e, result);
+	return entry_close(&e, result);
 }
 
-static int take_away(struct ts_files *files, const char *path, int flags)
+static int unlink_entry(struct ts_files *files, const char *path, int flags)
 {
 	struct entry e;
-	int result = enter(files, path, false, WAY_WRITE, &e);
+	int result = entry_open(files, path, false, ACCESS_WRITE, &e);
 
 	if (result == 0)
 		result = unlinkat(e.folder, e.name, flags);
-	return leave(&e, result);
+	return entry_close(&e, result);
 }
 
 int ts_files_remove(struct ts_files *files, const char *path)
 {
-	return ts_files_closed(files) ? take_away(files, path, 0) : unlink(path);
+	return ts_files_closed(files) ? unlink_entry(files, path, 0) : unlink(path);
 }
 
 int ts_files_remove_folder(struct ts_files *files, const char *path)
 {
-	return ts_files_closed(files) ? take_away(files, path, AT_REMOVEDIR) : rmdir(path);
+	return ts_files_closed(files) ? unlink_entry(files, path, AT_REMOVEDIR) : rmdir(path);
 }
 
 int ts_files_move(struct ts_files *files, const char *from, const char *to)
@@ -512,35 +513,35 @@ int ts_files_move(struct ts_files *files, const char *from, const char *to)
 
 	if (!ts_files_closed(files))
 		return rename(from, to);
-	result = enter(files, from, false, WAY_WRITE, &old);
+	result = entry_open(files, from, false, ACCESS_WRITE, &old);
 	if (result != 0)
-		return leave(&old, result);
-	result = enter(files, to, false, WAY_WRITE, &new);
+		return entry_close(&old, result);
+	result = entry_open(files, to, false, ACCESS_WRITE, &new);
 	if (result == 0)
 		result = renameat(old.folder, old.name, new.folder, new.name);
-	result = leave(&new, result);
-	return leave(&old, result);
+	result = entry_close(&new, result);
+	return entry_close(&old, result);
 }
 
-int ts_files_enter(struct ts_files *files, const char *folder)
+int ts_files_chdir(struct ts_files *files, const char *folder)
 {
 	struct entry e;
 	int result, at = -1;
 
 	if (!ts_files_closed(files))
 		return chdir(folder);
-	result = enter(files, folder, true, WAY_SEE, &e);
+	result = entry_open(files, folder, true, ACCESS_STAT, &e);
 	if (result == 0)
 		result = at = openat(e.folder, e.name, O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 	if (result >= 0)
 		result = fchdir(at);
-	result = leave(&e, result);
+	result = entry_close(&e, result);
 	if (at >= 0)
 		close(at);
 	return result;
 }
 
-/* Whatever it was opened by: what was written to a file belongs to the file. */
+/* The file is synchronised by its path, as a stream in the sandbox has no descriptor. */
 int ts_files_sync(struct ts_files *files, const char *path, FILE *file)
 {
 	int descriptor, result;
@@ -569,12 +570,12 @@ double ts_files_free_space(struct ts_files *files, const char *path)
 	struct stat info;
 	struct statvfs fs;
 
-	if ((ts_files_closed(files) && ts_files_look(files, path, &info) != 0) || statvfs(path, &fs) != 0)
+	if ((ts_files_closed(files) && ts_files_stat(files, path, &info) != 0) || statvfs(path, &fs) != 0)
 		return -1;
 	return (double)fs.f_frsize * (double)fs.f_bavail;
 }
 
-/* ---- life */
+/* ---- set-up and release */
 
 int ts_files_admit(struct ts_files *files, const char *folder, bool writes)
 {
@@ -592,7 +593,7 @@ int ts_files_admit(struct ts_files *files, const char *folder, bool writes)
 	*root = (struct ts_files_root){ ts_strdup(ts_str_text(&path)), -1, writes };
 	ts_str_release(&path);
 	if (!root->path)
-		return nomem();
+		return fail_nomem();
 	root->folder = open(root->path, O_PATH | O_DIRECTORY | O_CLOEXEC);
 	if (root->folder < 0) {
 		ts_free(root->path);

@@ -1,5 +1,5 @@
-/* Four doubles at once, and the turning of rows into columns: compilers make of them what the processor
- * has. */
+/* Vectors of four doubles, and 4 x 4 transposition; compilers map them to the instructions of the
+ * processor. */
 #ifndef TS_BASE_FOUR_H
 #define TS_BASE_FOUR_H
 
@@ -10,13 +10,13 @@
 typedef double ts_four __attribute__((vector_size(32)));
 typedef double ts_four_anywhere __attribute__((vector_size(32), aligned(8), may_alias));
 
-/* of a comparison: -1 where it holds, else 0 */
+/* result of a comparison: -1 where true, else 0 */
 typedef long long ts_four_marks __attribute__((vector_size(32)));
 
 typedef long long ts_four_marks_anywhere __attribute__((vector_size(32), aligned(8), may_alias));
 
-/* Four numbers from any place; of a row of three also the first of the next row is read: columns of
- * particles and rows have room behind their last number. */
+/* Loads four doubles from any address; of an array [][3] this includes the first number of the next
+ * element: columns of particles have room behind their last number. */
 #define TS_FOUR_LOAD(from) (*(const ts_four_anywhere *)(from))
 
 #if defined(__clang__) || __GNUC__ >= 12
@@ -26,7 +26,7 @@ typedef long long ts_four_places __attribute__((vector_size(32)));
 #define TS_FOUR_SHUFFLE(a, b, i, j, k, l) __builtin_shuffle(a, b, (ts_four_places){ i, j, k, l })
 #endif
 
-/* Each number of `most` becomes that of x where this is larger. */
+/* Elementwise maximum: most = max(most, x). */
 TS_INLINE void ts_four_max(ts_four *most, const ts_four *x)
 {
 	for (int k = 0; k < 4; k++)
@@ -35,10 +35,10 @@ TS_INLINE void ts_four_max(ts_four *most, const ts_four *x)
 
 #define TS_FOUR_BROADCAST(x) ((ts_four){ x, x, x, x })
 
-/* The first three numbers of a, the fourth of b. */
+/* Elements 0 to 2 of a, element 3 of b. */
 #define TS_FOUR_LAST(a, b) TS_FOUR_SHUFFLE(a, b, 0, 1, 2, 7)
 
-/* Row k becomes column k. */
+/* Transposes a 4 x 4 matrix. */
 TS_INLINE void ts_four_transpose(ts_four m[4])
 {
 	ts_four a = TS_FOUR_SHUFFLE(m[0], m[1], 0, 4, 2, 6), b = TS_FOUR_SHUFFLE(m[0], m[1], 1, 5, 3, 7);
@@ -50,10 +50,10 @@ TS_INLINE void ts_four_transpose(ts_four m[4])
 	m[3] = TS_FOUR_SHUFFLE(b, d, 2, 3, 6, 7);
 }
 
-/* Columns of so many numbers, for loops over several elements at once. */
+/* Number of elements of a batch in loops over columns. */
 enum { TS_BATCH = 64 };
 
-/* Four rows of numbers to the places at .. at+3 of four columns, or back. */
+/* Transposes four rows into elements at .. at+3 of four columns, or back. */
 TS_INLINE void ts_four_columns(ts_four row[4], double (*column)[TS_BATCH], size_t at)
 {
 	ts_four_transpose(row);
@@ -68,7 +68,7 @@ TS_INLINE void ts_four_rows(const double (*column)[TS_BATCH], size_t at, ts_four
 	ts_four_transpose(row);
 }
 
-/* The first of up to three numbers. */
+/* Stores the first n numbers, n at most 3. */
 TS_INLINE void ts_four_store(const ts_four *from, int n, double *to)
 {
 	for (int c = 0; c < 3 && c < n; c++)

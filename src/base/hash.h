@@ -1,4 +1,4 @@
-/* A 64-bit hash of bytes, to recognise unchanged state. Not for adversaries. */
+/* A 64-bit hash of bytes to detect changes of state; not cryptographic. */
 #ifndef TS_BASE_HASH_H
 #define TS_BASE_HASH_H
 

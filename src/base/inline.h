@@ -1,5 +1,5 @@
-/* Functions that are inlined always: laws and steps of hot loops, of which the compiler is to keep only
- * what a constant argument leaves, and which it is to compute for several elements at once. */
+/* Functions that are always inlined: contact laws and parts of hot loops, which the compiler
+ * specialises for constant arguments and vectorises. */
 #ifndef TS_BASE_INLINE_H
 #define TS_BASE_INLINE_H
 

@@ -9,20 +9,20 @@
 
 #include "base/banned.h"
 
-static void hide_progress(struct ts_log *log)
+static void erase_progress_line(struct ts_log *log)
 {
 	if (log->progress_shown)
 		fputs("\r\033[K", log->screen);
 	log->progress_shown = false;
 }
 
-static void note_trouble(struct ts_log *log)
+static void record_write_error(struct ts_log *log)
 {
 	if (!log->trouble)
 		log->trouble = errno ? errno : EIO;
 }
 
-static void put(struct ts_log *log, bool screen, bool file, const char *format, va_list args)
+static void write_to_streams(struct ts_log *log, bool screen, bool file, const char *format, va_list args)
 {
 	va_list again;
 
@@ -38,14 +38,14 @@ static void put(struct ts_log *log, bool screen, bool file, const char *format, 
 		ts_str_release(&text);
 	}
 	if (screen && log->screen) {
-		hide_progress(log);
+		erase_progress_line(log);
 		va_copy(again, args);
 		if (vfprintf(log->screen, format, again) < 0)
-			note_trouble(log);
+			record_write_error(log);
 		va_end(again);
 	}
 	if (file && log->file && vfprintf(log->file, format, args) < 0)
-		note_trouble(log);
+		record_write_error(log);
 }
 
 void ts_log(struct ts_log *log, const char *format, ...)
@@ -53,7 +53,7 @@ void ts_log(struct ts_log *log, const char *format, ...)
 	va_list args;
 
 	va_start(args, format);
-	put(log, true, true, format, args);
+	write_to_streams(log, true, true, format, args);
 	va_end(args);
 }
 
@@ -62,7 +62,7 @@ void ts_log_screen(struct ts_log *log, const char *format, ...)
 	va_list args;
 
 	va_start(args, format);
-	put(log, true, false, format, args);
+	write_to_streams(log, true, false, format, args);
 	va_end(args);
 }
 
@@ -71,7 +71,7 @@ void ts_log_file(struct ts_log *log, const char *format, ...)
 	va_list args;
 
 	va_start(args, format);
-	put(log, false, true, format, args);
+	write_to_streams(log, false, true, format, args);
 	va_end(args);
 }
 
@@ -90,7 +90,7 @@ void ts_warn(struct ts_log *log, const struct ts_place *place, const char *forma
 	va_start(args, format);
 	vsnprintf(text + n, sizeof text - n, format, args);
 	va_end(args);
-	log->sink = NULL; /* it is told once, and that this is a warning */
+	log->sink = NULL; /* the callback gets the warning once, below, with its level */
 	log->quiet = false;
 	ts_log(log, "%s\n", text);
 	log->sink = sink;
@@ -105,7 +105,7 @@ void ts_log_progress(struct ts_log *log, const char *text)
 		log->sink(log->sink_data, TS_LOG_PROGRESS, text);
 	if (!log->progress || !log->screen)
 		return;
-	hide_progress(log);
+	erase_progress_line(log);
 	if (*text) {
 		fputs(text, log->screen);
 		log->progress_shown = true;
@@ -113,16 +113,16 @@ void ts_log_progress(struct ts_log *log, const char *text)
 	fflush(log->screen);
 }
 
-static void flush(struct ts_log *log, FILE *stream)
+static void flush_stream(struct ts_log *log, FILE *stream)
 {
 	if (stream && fflush(stream) != 0)
-		note_trouble(log);
+		record_write_error(log);
 }
 
 enum ts_status ts_log_flush(struct ts_log *log, struct ts_error *err)
 {
-	flush(log, log->file);
-	flush(log, log->screen);
+	flush_stream(log, log->file);
+	flush_stream(log, log->screen);
 	return ts_log_check(log, err);
 }
 
@@ -153,7 +153,7 @@ enum ts_status ts_log_open(struct ts_log *log, struct ts_error *err, const struc
 	TS_TRY(ts_log_close(log, err));
 	if (!path)
 		return TS_OK;
-	ts_mkdirs_for(log->files, path); /* opening tells if that failed */
+	ts_mkdirs_for(log->files, path); /* a failure is reported by the following open */
 	log->file = ts_files_open(log->files, path, append ? "a" : "w");
 	if (!log->file)
 		return ts_fail(err, TS_IO, place, "cannot open log file '%s': %s", path,

@@ -8,7 +8,7 @@
 
 #include "base/banned.h"
 
-static size_t home(const struct ts_map *map, const char *key)
+static size_t home_slot(const struct ts_map *map, const char *key)
 {
 	struct ts_hash hash = ts_hash_start();
 
@@ -16,10 +16,10 @@ static size_t home(const struct ts_map *map, const char *key)
 	return (size_t)(ts_hash_value(&hash) & (map->size - 1));
 }
 
-/* The slot of the key, or the free one where it would go. There is always a free one. */
-static struct ts_map_entry *find(const struct ts_map *map, const char *key)
+/* Slot of the key, or the free slot where it would be inserted; there always is a free one. */
+static struct ts_map_entry *find_entry(const struct ts_map *map, const char *key)
 {
-	size_t k = home(map, key);
+	size_t k = home_slot(map, key);
 
 	while (map->slot[k].key && !ts_streq(map->slot[k].key, key))
 		k = (k + 1) & (map->size - 1);
@@ -28,10 +28,10 @@ static struct ts_map_entry *find(const struct ts_map *map, const char *key)
 
 void *ts_map_get(const struct ts_map *map, const char *key)
 {
-	return map->size ? find(map, key)->value : NULL;
+	return map->size ? find_entry(map, key)->value : NULL;
 }
 
-static enum ts_status enlarge(struct ts_map *map)
+static enum ts_status enlarge_map(struct ts_map *map)
 {
 	struct ts_map bigger = { .size = map->size ? 2 * map->size : 32, .used = map->used };
 
@@ -40,7 +40,7 @@ static enum ts_status enlarge(struct ts_map *map)
 		return TS_NOMEM;
 	for (size_t k = 0; k < map->size; k++)
 		if (map->slot[k].key)
-			*find(&bigger, map->slot[k].key) = map->slot[k];
+			*find_entry(&bigger, map->slot[k].key) = map->slot[k];
 	ts_free(map->slot);
 	*map = bigger;
 	return TS_OK;
@@ -51,17 +51,17 @@ enum ts_status ts_map_set(struct ts_map *map, const char *key, void *value)
 	struct ts_map_entry *entry;
 
 	if (2 * map->used >= map->size)
-		TS_TRY(enlarge(map));
-	entry = find(map, key);
+		TS_TRY(enlarge_map(map));
+	entry = find_entry(map, key);
 	map->used += !entry->key;
 	*entry = (struct ts_map_entry){ key, value };
 	return TS_OK;
 }
 
-/* Entries behind the gap move up, so that no search ends too early. */
+/* Later entries of the probe sequence are moved into the gap, so that searches do not end too early. */
 void ts_map_remove(struct ts_map *map, const char *key)
 {
-	struct ts_map_entry *gap = map->size ? find(map, key) : NULL;
+	struct ts_map_entry *gap = map->size ? find_entry(map, key) : NULL;
 	size_t mask = map->size - 1, hole, k;
 
 	if (!gap || !gap->key)
@@ -69,7 +69,7 @@ void ts_map_remove(struct ts_map *map, const char *key)
 	map->used--;
 	hole = (size_t)(gap - map->slot);
 	for (k = (hole + 1) & mask; map->slot[k].key; k = (k + 1) & mask) {
-		if (((k - home(map, map->slot[k].key)) & mask) < ((k - hole) & mask))
+		if (((k - home_slot(map, map->slot[k].key)) & mask) < ((k - hole) & mask))
 			continue;
 		map->slot[hole] = map->slot[k];
 		hole = k;

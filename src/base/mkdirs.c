@@ -11,7 +11,7 @@ static int make_one(struct ts_files *files, const char *path)
 
 	if (ts_files_make_folder(files, path) == 0)
 		return 0;
-	return errno == EEXIST && ts_files_look(files, path, &info) == 0 && S_ISDIR(info.st_mode) ? 0 : -1;
+	return errno == EEXIST && ts_files_stat(files, path, &info) == 0 && S_ISDIR(info.st_mode) ? 0 : -1;
 }
 
 int ts_mkdirs(struct ts_files *files, const char *path)
@@ -23,7 +23,7 @@ int ts_mkdirs(struct ts_files *files, const char *path)
 		if (*c == '/' && c > path)
 			result = make_one(files, ts_str_text(&part));
 		if (result != 0 && errno == EACCES && ts_files_closed(files))
-			result = 0; /* what leads to a folder that may be used need not be one */
+			result = 0; /* parents of an admitted folder may be inaccessible */
 		ts_str_add_n(&part, c, 1);
 	}
 	if (part.failed)
@@ -64,9 +64,9 @@ bool ts_mkdirs_blocked(struct ts_files *files, const char *file, char *by, size_
 			return false;
 		memcpy(by, n ? file : ".", n ? n : 1);
 		by[n ? n : 1] = '\0';
-		if (ts_files_look(files, by, &info) == 0)
+		if (ts_files_stat(files, by, &info) == 0)
 			return !S_ISDIR(info.st_mode) || !ts_files_may_make_in(files, by);
-		if (ts_files_closed(files)) /* what leads to a folder that may be used need not be one */
+		if (ts_files_closed(files)) /* parents of an admitted folder may be inaccessible */
 			return false;
 		if (!n || n == 1)
 			return true;

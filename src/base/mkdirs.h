@@ -1,4 +1,4 @@
-/* Folders with all that leads to them. */
+/* Creation of folders including their parents. */
 #ifndef TS_BASE_MKDIRS_H
 #define TS_BASE_MKDIRS_H
 
@@ -7,12 +7,13 @@
 
 #include "base/files.h"
 
-/* Makes the folder with all that leads to it; 0, also where it is there already, or -1 and errno. */
+/* Creates the folder and its parents; 0 (also if it exists), or -1 and errno. */
 int ts_mkdirs(struct ts_files *files, const char *path);
-/* The same for the folder that the file is to be in. */
+/* The same for the folder of a file. */
 int ts_mkdirs_for(struct ts_files *files, const char *file);
 
-/* Whether that could not be: the nearest of its folders that is there is none, or is closed. */
+/* Whether that is impossible: the nearest existing parent is not a folder or not writable; its path in
+ * `by`. */
 bool ts_mkdirs_blocked(struct ts_files *files, const char *file, char *by, size_t room);
 
 #endif

@@ -2,30 +2,30 @@
 
 #include "base/banned.h"
 
-static size_t cut(size_t n, int k, int threads)
+static size_t range_begin(size_t n, int k, int threads)
 {
 	return n * (size_t)k / (size_t)threads;
 }
 
-void ts_parallel(int threads, size_t n, ts_range_fn *share, void *context)
+void ts_parallel(int threads, size_t n, ts_range_fn *loop, void *context)
 {
 	if (threads == 1) {
-		share(context, 0, n);
+		loop(context, 0, n);
 		return;
 	}
 #pragma omp parallel for num_threads(threads) schedule(static, 1)
 	for (int k = 0; k < threads; k++)
-		share(context, cut(n, k, threads), cut(n, k + 1, threads));
+		loop(context, range_begin(n, k, threads), range_begin(n, k + 1, threads));
 }
 
-long ts_parallel_count(int threads, size_t n, ts_range_count_fn *share, void *context)
+long ts_parallel_count(int threads, size_t n, ts_range_count_fn *loop, void *context)
 {
 	long total = 0;
 
 	if (threads == 1)
-		return share(context, 0, n);
+		return loop(context, 0, n);
 #pragma omp parallel for num_threads(threads) schedule(static, 1) reduction(+ : total)
 	for (int k = 0; k < threads; k++)
-		total += share(context, cut(n, k, threads), cut(n, k + 1, threads));
+		total += loop(context, range_begin(n, k, threads), range_begin(n, k + 1, threads));
 	return total;
 }

@@ -13,8 +13,8 @@
 
 enum { LONGEST_PATH = 4096 };
 
-/* In the child: becomes the program, or tells the parent why not. */
-_Noreturn static void become(const struct ts_process *p, int in, int out, int report)
+/* In the child process: executes the program, or reports errno to the parent. */
+_Noreturn static void execute_program(const struct ts_process *p, int in, int out, int report)
 {
 	ssize_t told;
 	int code;
@@ -27,8 +27,8 @@ _Noreturn static void become(const struct ts_process *p, int in, int out, int re
 	_exit(told == (ssize_t)sizeof code ? 127 : 126);
 }
 
-/* What the child wrote before it became the program: 0, or why it could not. */
-static int heard(int report)
+/* Reads the report of the child: 0, or errno if it could not start. */
+static int read_report(int report)
 {
 	int code = 0;
 	ssize_t n;
@@ -39,7 +39,7 @@ static int heard(int report)
 	return n == (ssize_t)sizeof code ? code : 0;
 }
 
-static int start(struct ts_process *p, int in, int out, pid_t *child)
+static int start_process(struct ts_process *p, int in, int out, pid_t *child)
 {
 	int report[2], code;
 
@@ -49,11 +49,11 @@ static int start(struct ts_process *p, int in, int out, pid_t *child)
 	fcntl(report[1], F_SETFD, FD_CLOEXEC);
 	*child = fork();
 	if (*child == 0)
-		become(p, in, out, report[1]);
+		execute_program(p, in, out, report[1]);
 	code = *child < 0 ? errno : 0;
 	close(report[1]);
 	if (!code)
-		code = heard(report[0]);
+		code = read_report(report[0]);
 	close(report[0]);
 	return code;
 }
@@ -65,7 +65,7 @@ enum ts_status ts_process_run(struct ts_process *p, struct ts_error *err)
 	double begin = ts_clock();
 	pid_t child = -1;
 
-	code = in < 0 || out < 0 ? errno : start(p, in, out, &child);
+	code = in < 0 || out < 0 ? errno : start_process(p, in, out, &child);
 	if (child > 0)
 		while (waitpid(child, &status, 0) < 0 && errno == EINTR)
 			;
@@ -80,7 +80,7 @@ enum ts_status ts_process_run(struct ts_process *p, struct ts_error *err)
 	return TS_OK;
 }
 
-/* A path that stays good when the program runs in another folder. */
+/* Absolute path, valid in any working directory. */
 static bool add_path(const char *name, struct ts_str *path)
 {
 	char here[LONGEST_PATH];

@@ -1,4 +1,4 @@
-/* Other programs: found, started with their arguments as they are (no shell), waited for. */
+/* Other programs: found, started directly with their arguments (no shell), and waited for. */
 #ifndef TS_BASE_PROCESS_H
 #define TS_BASE_PROCESS_H
 
@@ -6,20 +6,21 @@
 #include "base/str.h"
 
 struct ts_process {
-	const char *const *words; /* program and arguments, closed by NULL; the program may be a path */
-	const char *folder;	  /* where it runs; NULL: here */
-	const char *output;	  /* the file that gets all it prints */
-	/* how it ended */
-	int status;	/* exit status, or 128 + the number of the signal */
+	const char *const *words; /* program and arguments, NULL-terminated; the program may be a path */
+	const char *folder;	  /* working directory; NULL: the current one */
+	const char *output;	  /* file for standard output and standard error */
+	/* results */
+	int status;	/* exit status, or 128 + signal number */
 	double seconds; /* wall time */
 };
 
-/* Runs it to its end. Its standard input is empty. An error only if it could not be started. */
+/* Runs the program and waits for its end. Its standard input is empty. Returns an error only if it
+ * could not be started. */
 enum ts_status ts_process_run(struct ts_process *process, struct ts_error *err);
 
-/* Where a program of this name is, as the shell would find it; false: nowhere. */
+/* Path of a program as the shell would find it; false: not found. */
 bool ts_process_find(const char *name, struct ts_str *path);
-/* The file of the program that runs now, or what it was called. */
+/* Path of the running program, or the name by which it was called. */
 void ts_process_self(const char *called, struct ts_str *path);
 
 #endif

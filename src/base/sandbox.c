@@ -18,9 +18,9 @@
 
 #include "base/banned.h"
 
-enum { GRACE = 10 }; /* seconds of processor time to save the state in */
+enum { GRACE = 10 }; /* processor time to save the state, s */
 
-static int limit(int what, double soft, double more)
+static int set_limit(int what, double soft, double more)
 {
 	struct rlimit r;
 
@@ -34,18 +34,18 @@ static int limit(int what, double soft, double more)
 
 int ts_sandbox_limit(const struct ts_sandbox_limits *limits)
 {
-	bool bad = limit(RLIMIT_AS, limits->memory, 0) != 0;
+	bool bad = set_limit(RLIMIT_AS, limits->memory, 0) != 0;
 
-	bad |= limit(RLIMIT_CPU, limits->seconds, GRACE) != 0;
-	bad |= limit(RLIMIT_FSIZE, limits->bytes, 0) != 0;
-	bad |= limit(RLIMIT_CORE, 0, 0) != 0;
+	bad |= set_limit(RLIMIT_CPU, limits->seconds, GRACE) != 0;
+	bad |= set_limit(RLIMIT_FSIZE, limits->bytes, 0) != 0;
+	bad |= set_limit(RLIMIT_CORE, 0, 0) != 0;
 	return bad ? -1 : 0;
 }
 
 #ifdef __linux__
 
-/* ---- Landlock: the interface of the kernel, which many headers lack. The numbers are those of all
- * processors. */
+/* ---- Landlock: the kernel interface, which many headers lack. The system call numbers are the same
+ * for all processors. */
 
 enum { CREATE_RULESET = 444, ADD_RULE = 445, RESTRICT_SELF = 446 };
 enum { ASK_VERSION = 1, PATH_BENEATH = 1 };
@@ -54,7 +54,7 @@ enum { ASK_VERSION = 1, PATH_BENEATH = 1 };
 #define FILES_WRITE RIGHT(1)
 #define FILES_READ RIGHT(2)
 #define FOLDERS_READ RIGHT(3)
-/* remove folders and files, make folders and files; from version 2 on move between folders, from 3 on
+/* remove folders and files, create folders and files; from version 2 on move between folders, from 3 on
  * truncate */
 #define CHANGES (FILES_WRITE | RIGHT(4) | RIGHT(5) | RIGHT(7) | RIGHT(8) | RIGHT(13) | RIGHT(14))
 
@@ -67,10 +67,10 @@ struct beneath {
 	int32_t folder;
 } __attribute__((packed));
 
-/* All that the version can hold back. */
-static struct ruleset everything(long version)
+/* All rights that this version can restrict. */
+static struct ruleset all_rights(long version)
 {
-	static const int bits[] = { 0, 13, 14, 15, 15, 16 }; /* of rights to files, by version */
+	static const int bits[] = { 0, 13, 14, 15, 15, 16 }; /* highest bit of file rights, by version */
 	struct ruleset r = { 0 };
 
 	r.files = RIGHT(version < 6 ? bits[version] : 16) - 1;
@@ -79,7 +79,7 @@ static struct ruleset everything(long version)
 	return r;
 }
 
-static long allow(int rules, int folder, uint64_t rights)
+static long add_rule(int rules, int folder, uint64_t rights)
 {
 	struct beneath rule = { rights, folder };
 
@@ -89,13 +89,13 @@ static long allow(int rules, int folder, uint64_t rights)
 static bool add_rules(const struct ts_files *files, int rules, const struct ruleset *all)
 {
 	int null = open("/dev/null", O_PATH | O_CLOEXEC);
-	bool good = null >= 0 && allow(rules, null, FILES_WRITE | FILES_READ) == 0;
+	bool good = null >= 0 && add_rule(rules, null, FILES_WRITE | FILES_READ) == 0;
 
 	for (int k = 0; good && k < files->n; k++) {
 		const struct ts_files_root *root = &files->root[k];
 
-		good = allow(rules, root->folder,
-			     (FILES_READ | FOLDERS_READ | (root->writes ? CHANGES : 0)) & all->files) == 0;
+		good = add_rule(rules, root->folder,
+				(FILES_READ | FOLDERS_READ | (root->writes ? CHANGES : 0)) & all->files) == 0;
 	}
 	if (null >= 0)
 		close(null);
@@ -112,7 +112,7 @@ int ts_sandbox_paths(const struct ts_files *files)
 
 	if (version < 1)
 		return 0;
-	all = everything(version);
+	all = all_rights(version);
 	size = version >= 6   ? sizeof all
 	       : version >= 4 ? offsetof(struct ruleset, scopes)
 			      : offsetof(struct ruleset, network);
@@ -192,7 +192,8 @@ static const int denied[] = {
 };
 enum { NDENIED = sizeof denied / sizeof *denied };
 
-/* `fork` is a clone without CLONE_VM. What clone3 is asked for cannot be seen: libraries do without it. */
+/* A fork is a clone without CLONE_VM. The arguments of clone3 cannot be inspected, so it fails with
+ * ENOSYS and libraries fall back to clone. */
 static unsigned short add_clones(struct sock_filter *f, bool copies)
 {
 	const struct sock_filter rules[] = {
@@ -221,7 +222,7 @@ bool ts_sandbox_calls(bool copies)
 		ANSWER(DENIED),
 		LOAD(nr),
 #ifdef __x86_64__
-		/* the numbers of x32 */
+		/* system call numbers of x32 */
 		BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 0, 1),
 		ANSWER(DENIED),
 #endif

@@ -1,4 +1,4 @@
-/* Buffers that a caller of the library may still read: freed when their owner and the last reader have
+/* Buffers that callers of the library may still read: freed when the owner and the last reader have
  * released them. */
 #ifndef TS_BASE_SHARED_BUFFER_H
 #define TS_BASE_SHARED_BUFFER_H
@@ -11,7 +11,7 @@
 struct ts_shared_buffer {
 	void *data;
 	int count;
-	bool orphan; /* the owner has let go */
+	bool orphan; /* released by the owner */
 };
 
 /* Zero-initialise. */
@@ -20,12 +20,13 @@ struct ts_shared_buffers {
 	size_t n, capacity;
 };
 
-enum ts_status ts_shared_buffer(struct ts_shared_buffers *holds, void *data);
-/* Undoes one ts_shared_buffer. */
-void ts_shared_buffer_release(struct ts_shared_buffers *holds, const void *data);
-/* What the owner calls instead of ts_free. holds may be NULL. */
-void ts_shared_buffer_free(struct ts_shared_buffers *holds, void *data);
-/* Frees all that was kept, held or not. */
-void ts_shared_buffers_end(struct ts_shared_buffers *holds);
+/* Adds one use of a buffer. */
+enum ts_status ts_shared_buffer(struct ts_shared_buffers *buffers, void *data);
+/* Releases one use. */
+void ts_shared_buffer_release(struct ts_shared_buffers *buffers, const void *data);
+/* To be called by the owner instead of ts_free. holds may be NULL. */
+void ts_shared_buffer_free(struct ts_shared_buffers *buffers, void *data);
+/* Frees all remaining buffers, in use or not. */
+void ts_shared_buffers_end(struct ts_shared_buffers *buffers);
 
 #endif

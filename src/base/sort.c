@@ -9,11 +9,11 @@
 
 enum { SHORT = 32, WIDE = 8 };
 
-/* Each key goes to the place that has as many before it as there are smaller keys: more comparisons than
- * other ways need, but several at once, and none that has to be guessed. */
+/* Rank sort: the position of a key is the number of smaller keys. It needs more comparisons than other
+ * methods, but they are vectorised and have no branches. */
 TS_CLONES static void sort_short(uint64_t *key, size_t n)
 {
-	/* signed numbers are compared at once by older processors, too */
+	/* older instruction sets compare only signed integers in vectors */
 	const uint64_t sign = (uint64_t)1 << 63;
 	union {
 		ts_four_marks four[SHORT / 4];
@@ -39,8 +39,8 @@ TS_CLONES static void sort_short(uint64_t *key, size_t n)
 		key[rank.one[k]] = (uint64_t)mine.one[k] ^ sign;
 }
 
-/* Two sorted lists that follow one another, of n and m keys. */
-static void merge(const uint64_t *key, size_t n, size_t m, uint64_t *out)
+/* Merges two adjacent sorted lists of n and m keys. */
+static void merge_lists(const uint64_t *key, size_t n, size_t m, uint64_t *out)
 {
 	size_t a = 0, b = n;
 
@@ -61,7 +61,7 @@ void ts_sort_keys(uint64_t *key, uint64_t *spare, size_t n)
 			size_t left = n - k < width ? n - k : width;
 			size_t right = n - k - left < width ? n - k - left : width;
 
-			merge(key + k, left, right, spare + k);
+			merge_lists(key + k, left, right, spare + k);
 		}
 		memcpy(key, spare, n * sizeof *key);
 	}

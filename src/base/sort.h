@@ -1,11 +1,11 @@
-/* Sorting of short lists of whole numbers. */
+/* Sorting of integer keys. */
 #ifndef TS_BASE_SORT_H
 #define TS_BASE_SORT_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-/* Any number of keys that differ, in ascending order; `spare` has room for as many. */
+/* Sorts n distinct keys in ascending order; `spare`: scratch memory for n keys. */
 void ts_sort_keys(uint64_t *key, uint64_t *spare, size_t n);
 
 #endif

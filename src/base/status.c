@@ -8,7 +8,8 @@
 
 #include "base/banned.h"
 
-/* Long words, which come from the input, would hide what the message says: of each the first part is kept. */
+/* Shortens a message that does not fit: long words, which come from the input, are cut to their first
+ * part. */
 static void copy_shortened(char *to, size_t size, const char *from)
 {
 	enum { LONGEST = 200, KEPT = 60 };

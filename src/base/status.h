@@ -1,8 +1,8 @@
-/* Status codes and the one error message of a simulation.
+/* Status codes, and the error message of a simulation.
  *
- * Every function that can fail returns an enum ts_status and leaves the *first* message, with the
- * place in the user's script that caused it, in the struct ts_error of its context. Nothing below
- * main.c prints an error or exits. */
+ * Every function that can fail returns an enum ts_status and stores the *first* message, with the place
+ * in the script that caused it, in the struct ts_error of its context. Nothing below main.c prints an
+ * error or exits. */
 #ifndef TS_BASE_STATUS_H
 #define TS_BASE_STATUS_H
 
@@ -26,27 +26,27 @@
 enum ts_status { TS_STATUS_LIST(TS_STATUS_ENUM) TS_NSTATUS };
 #undef TS_STATUS_ENUM
 
-/* A stretch of one line of a script. The strings belong to the simulation's string pool and live
- * as long as the simulation. line == 0: no place known; column == 0: the whole line. */
+/* Part of one line of a script. The strings belong to the string pool of the simulation. line == 0:
+ * unknown place; column == 0: the whole line. */
 struct ts_place {
-	const char *file;	  /* name as the user gave it, "stdin", "-var" ... */
-	const char *text;	  /* the line as written, before substitution       */
+	const char *file;	  /* file name as given by the user, "stdin", "-var" ... */
+	const char *text;	  /* the line before substitution of variables */
 	int line, column, length; /* all counted from 1                     */
 };
 
 struct ts_error {
 	enum ts_status status;
 	struct ts_place place;
-	const char *source; /* C file and line that reported it, for developers */
+	const char *source; /* C file and line of the report, for developers */
 	int source_line;
 	char message[1024];
-	char missing[96]; /* "compute total": what was named and is not there; "": nothing was */
+	char missing[96]; /* the missing object, e.g. "compute total"; "": none */
 };
 
-/* Records the message unless one is already there; returns code, so one writes
- * `return ts_fail(&sim->error, TS_RANGE, &word->place, "...", ...);`. place may be NULL. */
+/* Stores the message unless there is one already, and returns the code: `return ts_fail(&sim->error,
+ * TS_RANGE, &word->place, "...", ...);`. place may be NULL. */
 #define ts_fail(err, code, place, ...) ts_fail_at(err, code, place, __FILE__, __LINE__, __VA_ARGS__)
-/* TS_UNKNOWN: no thing of this kind (variable, fix, group ...) has this name. */
+/* TS_UNKNOWN: there is no object of this kind (variable, fix, group ...) with this name. */
 #define ts_missing(err, kind, name, place, ...) \
 	ts_missing_at(err, kind, name, place, __FILE__, __LINE__, __VA_ARGS__)
 enum ts_status ts_missing_at(struct ts_error *err, const char *kind, const char *name,

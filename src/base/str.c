@@ -129,7 +129,7 @@ bool ts_glob(const char *pattern, const char *text)
 
 enum { LONGEST_WORD = 48 };
 
-static size_t min3(size_t a, size_t b, size_t c)
+static size_t minimum3(size_t a, size_t b, size_t c)
 {
 	size_t m = a < b ? a : b;
 
@@ -151,7 +151,7 @@ static size_t edit_distance(const char *a, const char *b)
 
 		now[0] = i;
 		for (size_t j = 1; j <= m; j++) {
-			now[j] = min3(last[j] + 1, now[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1]));
+			now[j] = minimum3(last[j] + 1, now[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1]));
 			if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] &&
 			    before[j - 2] + 1 < now[j])
 				now[j] = before[j - 2] + 1;
@@ -196,7 +196,7 @@ struct ts_pool {
 	struct ts_arena arena;
 };
 
-static uint64_t hash(const char *text)
+static uint64_t hash_text(const char *text)
 {
 	uint64_t h = 0xcbf29ce484222325u; /* FNV-1a */
 
@@ -207,7 +207,7 @@ static uint64_t hash(const char *text)
 
 static char **find_slot(char **slot, size_t size, const char *text)
 {
-	size_t k = hash(text) & (size - 1);
+	size_t k = hash_text(text) & (size - 1);
 
 	while (slot[k] && !ts_streq(slot[k], text))
 		k = (k + 1) & (size - 1);
@@ -229,7 +229,7 @@ struct ts_pool *ts_pool_new(void)
 	return pool;
 }
 
-static bool enlarge(struct ts_pool *pool)
+static bool enlarge_pool(struct ts_pool *pool)
 {
 	size_t size = 2 * pool->size;
 	char **slot = ts_alloc(size, sizeof *slot);
@@ -249,7 +249,7 @@ const char *ts_pool_get(struct ts_pool *pool, const char *text)
 {
 	char **slot;
 
-	if (2 * pool->used >= pool->size && !enlarge(pool))
+	if (2 * pool->used >= pool->size && !enlarge_pool(pool))
 		return NULL;
 	slot = find_slot(pool->slot, pool->size, text);
 	if (!*slot) {

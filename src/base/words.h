@@ -1,4 +1,4 @@
-/* A line of input cut into words that know where they stood. */
+/* An input line split into words with their places. */
 #ifndef TS_BASE_WORDS_H
 #define TS_BASE_WORDS_H
 
@@ -14,7 +14,7 @@ struct ts_word {
 	bool quoted;
 };
 
-/* A slice of words; who owns the texts is said by the function that makes it. */
+/* A slice of words; the function that makes it defines the owner of the texts. */
 struct ts_words {
 	const struct ts_word *word;
 	size_t n;
@@ -29,15 +29,15 @@ static inline struct ts_words ts_words_from(struct ts_words all, size_t k)
 /* Copies texts and slice into the arena. */
 enum ts_status ts_words_copy(struct ts_arena *arena, struct ts_words from, struct ts_words *to);
 
-/* The same, behind the words that *to has already. */
+/* Appends copies to the words of *to. */
 enum ts_status ts_words_append(struct ts_arena *arena, struct ts_words from, struct ts_words *to);
 
-/* One slice after the other; the texts are shared. */
+/* Concatenates two slices; the texts are not copied. */
 enum ts_status ts_words_join(struct ts_arena *arena, struct ts_words a, struct ts_words b,
 			     struct ts_words *out);
 
-/* Cuts a line of a data file at blanks; `#` starts a comment. Memory comes from the arena; file and
- * text in the places are kept as given. */
+/* Splits a line of a data file at blanks; `#` starts a comment. Memory comes from the arena; all places
+ * get the given file and text. */
 enum ts_status ts_words_split(struct ts_arena *arena, const char *line, const struct ts_place *place,
 			      struct ts_words *out);
 

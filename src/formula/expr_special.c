@@ -45,7 +45,7 @@ static enum ts_status eval_is_file(struct ts_expr *e, struct ts_words words, str
 	struct ts_files *files = &e->sim->files;
 	struct stat info;
 
-	out->scalar = ts_files_look(files, words.word[0].text, &info) == 0;
+	out->scalar = ts_files_stat(files, words.word[0].text, &info) == 0;
 	if (!out->scalar && files->closed && errno == EACCES)
 		return ts_fail(&e->sim->error, TS_STATE, &words.word[0].place, "is_file(%s): %s",
 			       words.word[0].text, ts_files_why(files));

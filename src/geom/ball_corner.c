@@ -1,12 +1,13 @@
-/* With the corner inside the ball, the piece is bounded by three parts of planes and one of the sphere. By
- * Gauss' theorem about the centre its volume is (S - a A_a - b A_b - c A_c)/3: S the area on the sphere,
- * A_a that of the plane x = a, a sector of the disc of radius s = sqrt(1 - a^2). S follows from the
- * theorem of Gauss and Bonnet: its edges are arcs of small circles, of angle t_a and geodesic curvature
- * a/s, which meet at the exterior angles acos(-ab/sqrt((1 - a^2)(1 - b^2))):
+/* If the corner is inside the ball, the piece is bounded by three plane sectors and a part of the
+ * sphere. By Gauss' theorem about the centre its volume is (S - a A_a - b A_b - c A_c)/3, with the area
+ * S on the sphere and the area A_a of the plane x = a, a sector of the disc of radius s = sqrt(1 -
+ * a^2). S follows from the Gauss-Bonnet theorem: its edges are arcs of small circles of angle t_a and
+ * geodesic curvature a/s, which meet at the exterior angles acos(-ab/sqrt((1 - a^2)(1 - b^2))):
+ *
  *   S = 2 pi - sum of exterior angles - sum of a t_a.
- * A corner outside the ball, with no negative coordinate, has nothing of it beyond; a negative coordinate
- * is turned round: what lies beyond (a, b, -c) is what lies beyond (a, b), less what lies beyond (a, b,
- * c). */
+ *
+ * For a corner outside the ball without negative coordinates the volume is 0. Negative coordinates are
+ * reflected: the volume beyond (a, b, -c) is the volume beyond (a, b) minus that beyond (a, b, c). */
 #include "geom/ball_corner.h"
 
 #include <math.h>
@@ -20,8 +21,8 @@ static double clamp(double x)
 	return x < -1 ? -1 : x > 1 ? 1 : x;
 }
 
-/* Area and angle of the sector y >= b, z >= c of a disc with radius^2 s2; the corner is inside. */
-static double sector(double s2, double b, double c, double *angle)
+/* Area and angle of the sector y >= b, z >= c of a disc of radius^2 s2; the corner must be inside. */
+static double sector_area(double s2, double b, double c, double *angle)
 {
 	double s = sqrt(s2);
 
@@ -30,54 +31,55 @@ static double sector(double s2, double b, double c, double *angle)
 	       (s2 * *angle - b * (sqrt(fmax(s2 - b * b, 0)) - c) - c * (sqrt(fmax(s2 - c * c, 0)) - b));
 }
 
-static double exterior(double a, double b)
+static double exterior_angle(double a, double b)
 {
 	return acos(clamp(-a * b / sqrt((1 - a * a) * (1 - b * b))));
 }
 
 /* a, b, c >= 0 */
-static double inside(double a, double b, double c)
+static double positive_corner_volume(double a, double b, double c)
 {
 	double ta, tb, tc, flat, round;
 
 	if (a * a + b * b + c * c >= 1)
 		return 0;
-	flat = a * sector(1 - a * a, b, c, &ta) + b * sector(1 - b * b, c, a, &tb) +
-	       c * sector(1 - c * c, a, b, &tc);
-	round = 2 * TS_PI - exterior(a, b) - exterior(b, c) - exterior(c, a) - a * ta - b * tb - c * tc;
+	flat = a * sector_area(1 - a * a, b, c, &ta) + b * sector_area(1 - b * b, c, a, &tb) +
+	       c * sector_area(1 - c * c, a, b, &tc);
+	round = 2 * TS_PI - exterior_angle(a, b) - exterior_angle(b, c) - exterior_angle(c, a) - a * ta -
+		b * tb - c * tc;
 	return fmax((round - flat) / 3, 0);
 }
 
 /* x >= a */
-static double cap(double a)
+static double cap_volume(double a)
 {
 	a = clamp(a);
 	return TS_PI / 3 * (1 - a) * (1 - a) * (2 + a);
 }
 
 /* x >= a, y >= b */
-static double edge(double a, double b)
+static double edge_volume(double a, double b)
 {
 	if (a < 0)
-		return cap(b) - edge(-a, b);
+		return cap_volume(b) - edge_volume(-a, b);
 	if (b < 0)
-		return cap(a) - edge(a, -b);
-	return 2 * inside(a, b, 0);
+		return cap_volume(a) - edge_volume(a, -b);
+	return 2 * positive_corner_volume(a, b, 0);
 }
 
 double ts_ball_corner(double a, double b, double c)
 {
 	if (a < 0)
-		return edge(b, c) - ts_ball_corner(-a, b, c);
+		return edge_volume(b, c) - ts_ball_corner(-a, b, c);
 	if (b < 0)
-		return edge(a, c) - ts_ball_corner(a, -b, c);
+		return edge_volume(a, c) - ts_ball_corner(a, -b, c);
 	if (c < 0)
-		return edge(a, b) - ts_ball_corner(a, b, -c);
-	return inside(a, b, c);
+		return edge_volume(a, b) - ts_ball_corner(a, b, -c);
+	return positive_corner_volume(a, b, c);
 }
 
 /* x >= a of the disc */
-static double segment(double a)
+static double segment_area(double a)
 {
 	a = clamp(a);
 	return acos(a) - a * sqrt(1 - a * a);
@@ -88,8 +90,8 @@ double ts_ball_corner_disc(double a, double b)
 	double angle;
 
 	if (a < 0)
-		return segment(b) - ts_ball_corner_disc(-a, b);
+		return segment_area(b) - ts_ball_corner_disc(-a, b);
 	if (b < 0)
-		return segment(a) - ts_ball_corner_disc(a, -b);
-	return a * a + b * b >= 1 ? 0 : sector(1, a, b, &angle);
+		return segment_area(a) - ts_ball_corner_disc(a, -b);
+	return a * a + b * b >= 1 ? 0 : sector_area(1, a, b, &angle);
 }

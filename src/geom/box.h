@@ -1,4 +1,4 @@
-/* The simulation box: an axis-aligned cuboid, faces, periodic wrapping. */
+/* The simulation box: axis-aligned, with boundary styles of faces and periodic wrapping. */
 #ifndef TS_GEOM_BOX_H
 #define TS_GEOM_BOX_H
 
@@ -9,9 +9,9 @@
 /* Behaviour of a face, by the letter of the `boundary` command. */
 enum ts_face {
 	TS_FACE_PERIODIC, /* p */
-	TS_FACE_FIXED,	  /* f: particles that leave are deleted */
-	TS_FACE_SHRINK,	  /* s: follows the particles */
-	TS_FACE_MINIMUM	  /* m: follows them, never inside the first box */
+	TS_FACE_FIXED,	  /* f: particles that cross it are deleted */
+	TS_FACE_SHRINK,	  /* s: shrink-wrapped, follows the particles */
+	TS_FACE_MINIMUM	  /* m: shrink-wrapped, never inside the initial box */
 };
 
 struct ts_box {
@@ -29,11 +29,11 @@ static inline double ts_box_length(const struct ts_box *box, int dim)
 	return box->hi[dim] - box->lo[dim];
 }
 
-/* The most lengths of the box that a particle is followed over: differences still fit an int32_t. */
+/* Limit of the image count: differences of two counts must fit an int32_t. */
 enum { TS_TURNS_MOST = 1 << 29 };
 
-/* Wraps a coordinate into a periodic box and counts the lengths it had to be moved by. False if these
- * cannot be counted, as for what is not a number: nothing is done then. */
+/* Wraps a coordinate into a periodic box and updates its image count. Returns false, and changes
+ * nothing, if the count would exceed its limit or x is not finite. */
 static inline bool ts_box_wrap(const struct ts_box *box, int dim, double *x, int32_t *image)
 {
 	double length = ts_box_length(box, dim), turns = floor((*x - box->lo[dim]) / length);
@@ -49,8 +49,8 @@ static inline bool ts_box_wrap(const struct ts_box *box, int dim, double *x, int
 	return true;
 }
 
-/* The k-th (0..26) image of x across periodic faces, itself for k = 13; false if there is none within
- * reach of the box. */
+/* The k-th (0..26) periodic image of x; k = 13 is x itself. False if there is no such image within the
+ * distance `reach` of the box. */
 static inline bool ts_box_image(const struct ts_box *box, const double x[3], int k, double reach,
 				double image[3])
 {
@@ -65,7 +65,7 @@ static inline bool ts_box_image(const struct ts_box *box, const double x[3], int
 	return true;
 }
 
-/* Turns the difference of two positions into the one to the nearest periodic image. */
+/* Minimum image convention for the difference of two positions. */
 static inline void ts_box_nearest(const struct ts_box *box, double d[3])
 {
 	for (int k = 0; k < 3; k++)

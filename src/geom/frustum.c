@@ -4,14 +4,15 @@
 
 #include "base/banned.h"
 
-/* On the segment between the rims. */
-static void side(const struct ts_frustum *f, double r, double s, struct ts_frustum_contact_point *out)
+/* Nearest point on the side, a line segment in the half-plane. */
+static void nearest_on_side(const struct ts_frustum *f, double r, double s,
+			    struct ts_frustum_contact_point *out)
 {
 	double dr = f->radius[1] - f->radius[0], ds = f->hi - f->lo, t;
 
 	*out = (struct ts_frustum_contact_point){ TS_FRUSTUM_SIDE, f->radius[0],
 						  fmin(fmax(s, f->lo), f->hi) };
-	if (dr == 0) /* a cylinder, which may have no ends */
+	if (dr == 0) /* a cylinder, which may be infinite */
 		return;
 	t = ((r - f->radius[0]) * dr + (s - f->lo) * ds) / (dr * dr + ds * ds);
 	t = fmin(fmax(t, 0), 1);
@@ -25,7 +26,7 @@ int ts_frustum_faces(const struct ts_frustum *f, unsigned open, double r, double
 	int n = 0;
 
 	if (!(open & 1u << TS_FRUSTUM_SIDE))
-		side(f, r, s, &out[n++]);
+		nearest_on_side(f, r, s, &out[n++]);
 	if (!(open & 1u << TS_FRUSTUM_LOW) && isfinite(f->lo))
 		out[n++] = (struct ts_frustum_contact_point){ TS_FRUSTUM_LOW, fmin(r, f->radius[0]), f->lo };
 	if (!(open & 1u << TS_FRUSTUM_HIGH) && isfinite(f->hi))
@@ -38,14 +39,14 @@ int ts_frustum_nearest(const struct ts_frustum *f, unsigned open, double r, doub
 {
 	struct ts_frustum_contact_point faces[TS_FRUSTUM_FACES];
 	int n = ts_frustum_faces(f, open, r, s, faces);
-	double least = INFINITY;
+	double smallest = INFINITY;
 
 	for (int k = 0; k < n; k++) {
 		double dr = r - faces[k].r, ds = s - faces[k].s, d2 = dr * dr + ds * ds;
 
-		if (!(d2 < least))
+		if (!(d2 < smallest))
 			continue;
-		least = d2;
+		smallest = d2;
 		*out = faces[k];
 	}
 	return n > 0;

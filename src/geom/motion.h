@@ -1,4 +1,4 @@
-/* Rigid motions of space: y = turn (x - origin) + origin + shift. */
+/* Rigid motions: y = turn (x - origin) + origin + shift, with the rotation matrix turn. */
 #ifndef TS_GEOM_MOTION_H
 #define TS_GEOM_MOTION_H
 
@@ -15,7 +15,7 @@ static inline struct ts_motion ts_motion_none(void)
 	return (struct ts_motion){ .turn = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
 }
 
-/* About an axis of length 1 by an angle in radian, right-handed: turn = c 1 + (1 - c) e e^T + s [e x]
+/* Rotation about a unit axis by an angle in radian, right-handed: turn = c 1 + (1 - c) e e^T + s [e x]
  * (O. Rodrigues, J. Math. Pures Appl. 5 (1840) 380). */
 static inline void ts_motion_set_turn(struct ts_motion *m, const double e[3], double angle)
 {
@@ -27,8 +27,8 @@ static inline void ts_motion_set_turn(struct ts_motion *m, const double e[3], do
 			m->turn[i][j] = c * (i == j) + (1 - c) * e[i] * e[j] + s * skew[i][j];
 }
 
-/* Directions only turn. */
-static inline void ts_motion_turn(const struct ts_motion *m, const double x[3], double y[3])
+/* Rotates a direction, without translation. */
+static inline void ts_motion_rotate(const struct ts_motion *m, const double x[3], double y[3])
 {
 	double in[3] = { x[0], x[1], x[2] };
 
@@ -41,12 +41,12 @@ static inline void ts_motion_apply(const struct ts_motion *m, const double x[3],
 	double arm[3];
 
 	ts_sub(x, m->origin, arm);
-	ts_motion_turn(m, arm, y);
+	ts_motion_rotate(m, arm, y);
 	for (int i = 0; i < 3; i++)
 		y[i] = y[i] + m->origin[i] + m->shift[i];
 }
 
-/* The place that the motion brings to y. */
+/* Inverse motion: the point that is mapped to y. */
 static inline void ts_motion_undo(const struct ts_motion *m, const double y[3], double x[3])
 {
 	double arm[3];
@@ -58,9 +58,9 @@ static inline void ts_motion_undo(const struct ts_motion *m, const double y[3], 
 		       m->origin[i];
 }
 
-/* What `first` and then `then` do; origin 0. The turn stays a rotation to round-off, however often this is
- * repeated: its rows are made orthogonal and of length 1 again. */
-static inline struct ts_motion ts_motion_after(const struct ts_motion *first, const struct ts_motion *then)
+/* Composition: `first`, followed by `then`; its origin is 0. The rows of turn are re-orthonormalised,
+ * so that rounding errors do not accumulate. */
+static inline struct ts_motion ts_motion_compose(const struct ts_motion *first, const struct ts_motion *then)
 {
 	static const double zero[3] = { 0 };
 	struct ts_motion m = { .origin = { 0 } };

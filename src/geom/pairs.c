@@ -7,10 +7,10 @@
 
 #include "base/banned.h"
 
-/* One dimension: cells at least as long as the cutoff where there is room for that. */
+/* Cells along one axis, at least as long as the cutoff if there is room. */
 struct axis {
 	double lo, length, inverse; /* cell = (x - lo) inverse */
-	int32_t cells, reach;	    /* neighbours up to `reach` cells away can be near enough */
+	int32_t cells, reach;	    /* neighbours are up to `reach` cells away */
 	bool periodic;
 };
 
@@ -18,10 +18,10 @@ struct grid {
 	struct axis axis[3];
 	int32_t *start, *list; /* points of cell c: list[start[c]] .. list[start[c + 1] - 1] */
 	int32_t (*place)[3];   /* cell of each point, along each axis */
-	int32_t (*turns)[3];   /* box lengths a point is outside of a periodic box */
+	int32_t (*turns)[3];   /* number of box lengths that a point is outside of the periodic box */
 };
 
-static void extent(const struct ts_box *box, const double (*x)[3], size_t n, int dim, struct axis *a)
+static void axis_extent(const struct ts_box *box, const double (*x)[3], size_t n, int dim, struct axis *a)
 {
 	double lo = box->lo[dim], hi = box->hi[dim];
 
@@ -34,10 +34,10 @@ static void extent(const struct ts_box *box, const double (*x)[3], size_t n, int
 	a->length = hi - lo;
 }
 
-static void divide(struct axis *a, size_t n, double cutoff)
+static void axis_divide(struct axis *a, size_t n, double cutoff)
 {
-	double most = 1 + 2 * cbrt((double)n); /* more cells than points are of no use */
-	double reach = cutoff * (1 + 1e-9);    /* the cell of a point is subject to rounding */
+	double most = 1 + 2 * cbrt((double)n); /* more cells than points do not pay */
+	double reach = cutoff * (1 + 1e-9);    /* margin for rounding of the cell index */
 	double cells = fmin(floor(a->length / reach), most);
 
 	a->cells = cells > 1 ? (int32_t)cells : 1;
@@ -47,7 +47,7 @@ static void divide(struct axis *a, size_t n, double cutoff)
 			   : 0;
 }
 
-static void locate(const struct axis *a, double x, int32_t *cell, int32_t *turns)
+static void axis_locate(const struct axis *a, double x, int32_t *cell, int32_t *turns)
 {
 	double at;
 
@@ -62,12 +62,12 @@ static size_t cell_number(const struct grid *g, const int32_t c[3])
 	       (size_t)g->axis[0].cells * ((size_t)c[1] + (size_t)g->axis[1].cells * (size_t)c[2]);
 }
 
-/* A counting sort. */
-static void fill(struct grid *g, const double (*x)[3], size_t n)
+/* Counting sort of the points by cell. */
+static void sort_into_cells(struct grid *g, const double (*x)[3], size_t n)
 {
 	for (size_t i = 0; i < n; i++) {
 		for (int d = 0; d < 3; d++)
-			locate(&g->axis[d], x[i][d], &g->place[i][d], &g->turns[i][d]);
+			axis_locate(&g->axis[d], x[i][d], &g->place[i][d], &g->turns[i][d]);
 		g->start[cell_number(g, g->place[i]) + 2]++;
 	}
 	for (size_t c = 2;
@@ -85,8 +85,8 @@ struct search {
 	void *context;
 };
 
-/* The points of one cell, `image` box lengths away. */
-static void meet(const struct search *s, size_t i, const int32_t cell[3], const int32_t image[3])
+/* Visits the points of one cell, `image` box lengths away. */
+static void visit_cell(const struct search *s, size_t i, const int32_t cell[3], const int32_t image[3])
 {
 	const struct grid *g = s->g;
 	size_t c = cell_number(g, cell);
@@ -107,8 +107,8 @@ static void meet(const struct search *s, size_t i, const int32_t cell[3], const 
 	}
 }
 
-/* The cell `offset` cells away, and in which image; false: there is none. */
-static bool step(const struct axis *a, int32_t from, int32_t offset, int32_t *cell, int32_t *image)
+/* Cell at the given offset, and its periodic image; false if there is none. */
+static bool neighbor_cell(const struct axis *a, int32_t from, int32_t offset, int32_t *cell, int32_t *image)
 {
 	int32_t at = from + offset;
 
@@ -130,10 +130,10 @@ static void search_around(const struct search *s, size_t i)
 	for (int32_t z = -a[2].reach; z <= a[2].reach; z++)
 		for (int32_t y = -a[1].reach; y <= a[1].reach; y++)
 			for (int32_t x = -a[0].reach; x <= a[0].reach; x++)
-				if (step(&a[0], from[0], x, &cell[0], &image[0]) &&
-				    step(&a[1], from[1], y, &cell[1], &image[1]) &&
-				    step(&a[2], from[2], z, &cell[2], &image[2]))
-					meet(s, i, cell, image);
+				if (neighbor_cell(&a[0], from[0], x, &cell[0], &image[0]) &&
+				    neighbor_cell(&a[1], from[1], y, &cell[1], &image[1]) &&
+				    neighbor_cell(&a[2], from[2], z, &cell[2], &image[2]))
+					visit_cell(s, i, cell, image);
 }
 
 enum ts_status ts_pairs_visit(const struct ts_box *box, const double (*x)[3], size_t n, double cutoff,
@@ -145,8 +145,8 @@ enum ts_status ts_pairs_visit(const struct ts_box *box, const double (*x)[3], si
 	size_t cells = 1;
 
 	for (int d = 0; d < 3; d++) {
-		extent(box, x, n, d, &g.axis[d]);
-		divide(&g.axis[d], n, cutoff);
+		axis_extent(box, x, n, d, &g.axis[d]);
+		axis_divide(&g.axis[d], n, cutoff);
 		cells *= (size_t)g.axis[d].cells;
 	}
 	g.start = ts_alloc(cells + 2, sizeof *g.start);
@@ -154,7 +154,7 @@ enum ts_status ts_pairs_visit(const struct ts_box *box, const double (*x)[3], si
 	g.place = ts_alloc(n, sizeof *g.place);
 	g.turns = ts_alloc(n, sizeof *g.turns);
 	if (g.start && g.list && g.place && g.turns) {
-		fill(&g, x, n);
+		sort_into_cells(&g, x, n);
 		for (size_t i = 0; i < n; i++)
 			search_around(&s, i);
 		status = TS_OK;

@@ -16,14 +16,14 @@ static size_t bucket_of(const struct ts_pointhash *hash, const int64_t cell[3])
 	return (h ^ h >> 29) & (hash->nbuckets - 1);
 }
 
-/* Far away coordinates share the outermost cells: slow, but right. */
+/* Coordinates beyond the range of indices share the outermost cells: slow, but correct. */
 static void cell_of(const struct ts_pointhash *hash, const double x[3], int64_t cell[3])
 {
 	for (int d = 0; d < 3; d++)
 		cell[d] = (int64_t)fmax(-0x1p60, fmin(0x1p60, floor(x[d] / hash->cell)));
 }
 
-static void chain(struct ts_pointhash *hash, size_t k)
+static void insert_in_bucket(struct ts_pointhash *hash, size_t k)
 {
 	int64_t cell[3];
 	size_t b;
@@ -46,7 +46,7 @@ static enum ts_status rehash(struct ts_pointhash *hash, size_t nbuckets)
 	for (size_t b = 0; b < nbuckets; b++)
 		bucket[b] = -1;
 	for (size_t k = 0; k < hash->n; k++)
-		chain(hash, k);
+		insert_in_bucket(hash, k);
 	return TS_OK;
 }
 
@@ -73,11 +73,11 @@ enum ts_status ts_pointhash_add(struct ts_pointhash *hash, const double x[3])
 	hash->n++;
 	if (hash->n > hash->nbuckets)
 		return rehash(hash, 4 * hash->nbuckets);
-	chain(hash, hash->n - 1);
+	insert_in_bucket(hash, hash->n - 1);
 	return TS_OK;
 }
 
-/* More cells than points: better look at all points. */
+/* With more cells than points all points are visited. */
 static int32_t visit_all(const struct ts_pointhash *hash, ts_pointhash_fn *visit, void *context)
 {
 	for (size_t k = 0; k < hash->n; k++)
@@ -86,9 +86,8 @@ static int32_t visit_all(const struct ts_pointhash *hash, ts_pointhash_fn *visit
 	return -1;
 }
 
-/* The square of the distance from x to a cell, in one direction; where cells cannot be told apart, less
- * than any. */
-static double gap2_of(const struct ts_pointhash *hash, double x, int64_t cell)
+/* Squared distance from x to a cell along one axis; -infinity where cells cannot be resolved. */
+static double cell_distance2(const struct ts_pointhash *hash, double x, int64_t cell)
 {
 	double lo = (double)cell * hash->cell, hi = lo + hash->cell;
 	double gap = x < lo ? lo - x : x > hi ? x - hi : 0;
@@ -96,8 +95,8 @@ static double gap2_of(const struct ts_pointhash *hash, double x, int64_t cell)
 	return fabs(lo) < 0x1p40 * hash->cell ? gap * gap : -INFINITY;
 }
 
-/* A walk through the cells around one, `steps` to each side. */
-struct walk {
+/* Iterator over the cells around x, `steps` to each side. */
+struct cell_iterator {
 	const struct ts_pointhash *hash;
 	const double *x;
 	int64_t home[3], steps;
@@ -105,24 +104,24 @@ struct walk {
 	double gap2[3];
 };
 
-static void next_cell(struct walk *w)
+static void next_cell(struct cell_iterator *w)
 {
 	for (int d = 0; d < 3; d++) {
 		bool last = w->cell[d] == w->home[d] + w->steps;
 
 		w->cell[d] += last ? -2 * w->steps : 1;
-		w->gap2[d] = gap2_of(w->hash, w->x[d], w->cell[d]);
+		w->gap2[d] = cell_distance2(w->hash, w->x[d], w->cell[d]);
 		if (!last)
 			return;
 	}
 }
 
-/* From the cell of x itself on: most who ask look for any point, and there it is found soonest. */
+/* Starts at the cell of x: most queries stop at the first point, which is most likely there. */
 int32_t ts_pointhash_visit(const struct ts_pointhash *hash, const double x[3], double reach,
 			   ts_pointhash_fn *visit, void *context)
 {
 	double steps = fmax(1, ceil(reach / hash->cell)), wide = 2 * steps + 1, far = 1.0001 * reach * reach;
-	struct walk w = { .hash = hash, .x = x };
+	struct cell_iterator w = { .hash = hash, .x = x };
 	int64_t cells;
 
 	if (!(wide * wide * wide <= 27 + (double)hash->n))
@@ -132,7 +131,7 @@ int32_t ts_pointhash_visit(const struct ts_pointhash *hash, const double x[3], d
 	cell_of(hash, x, w.home);
 	for (int d = 0; d < 3; d++) {
 		w.cell[d] = w.home[d];
-		w.gap2[d] = gap2_of(hash, x[d], w.home[d]);
+		w.gap2[d] = cell_distance2(hash, x[d], w.home[d]);
 	}
 	for (int64_t j = 0; j < cells; j++, next_cell(&w)) {
 		if (w.gap2[0] + w.gap2[1] + w.gap2[2] > far)

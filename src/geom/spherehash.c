@@ -17,8 +17,9 @@ void ts_spherehash_release(struct ts_spherehash *hash)
 	*hash = (struct ts_spherehash){ 0 };
 }
 
-/* The level of a size; with no more room for levels, the one of the most similar size. */
-static enum ts_status level_of(struct ts_spherehash *hash, double radius, struct ts_spherehash_level **out)
+/* Level of a radius; if all levels are in use, the one of the most similar size. */
+static enum ts_status find_or_add_level(struct ts_spherehash *hash, double radius,
+					struct ts_spherehash_level **out)
 {
 	int exponent = 0, best = 0;
 	struct ts_spherehash_level *level;
@@ -43,22 +44,22 @@ enum ts_status ts_spherehash_add(struct ts_spherehash *hash, const double x[3], 
 {
 	struct ts_spherehash_level *level;
 
-	TS_TRY(level_of(hash, radius, &level));
+	TS_TRY(find_or_add_level(hash, radius, &level));
 	TS_TRY(TS_GROW(level->radius, level->capacity, level->points.n + 1));
 	level->radius[level->points.n] = radius;
 	level->largest = fmax(level->largest, radius);
 	return ts_pointhash_add(&level->points, x);
 }
 
-struct question {
+struct overlap_query {
 	const struct ts_spherehash_level *level;
 	const double *x;
 	double radius;
 };
 
-static bool overlaps(void *context, size_t k)
+static bool sphere_overlaps(void *context, size_t k)
 {
-	const struct question *q = context;
+	const struct overlap_query *q = context;
 	double reach = q->radius + q->level->radius[k];
 
 	return ts_distance2(q->x, q->level->points.x[k]) <= reach * reach;
@@ -68,15 +69,15 @@ bool ts_spherehash_overlaps(const struct ts_spherehash *hash, const double x[3],
 {
 	for (int k = 0; k < hash->nlevels; k++) {
 		const struct ts_spherehash_level *level = &hash->level[k];
-		struct question q = { level, x, radius };
+		struct overlap_query q = { level, x, radius };
 
-		if (ts_pointhash_visit(&level->points, x, radius + level->largest, overlaps, &q) >= 0)
+		if (ts_pointhash_visit(&level->points, x, radius + level->largest, sphere_overlaps, &q) >= 0)
 			return true;
 	}
 	return false;
 }
 
-static double largest(const struct ts_spherehash *hash)
+static double largest_radius(const struct ts_spherehash *hash)
 {
 	double most = 0;
 
@@ -88,7 +89,7 @@ static double largest(const struct ts_spherehash *hash)
 bool ts_spherehash_overlaps_periodic(const struct ts_spherehash *hash, const struct ts_box *box,
 				     const double x[3], double radius)
 {
-	double reach = radius + largest(hash);
+	double reach = radius + largest_radius(hash);
 
 	for (int k = 0; k < 27; k++) {
 		double image[3];

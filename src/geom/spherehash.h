@@ -1,5 +1,5 @@
-/* Spheres of any sizes in space without bounds, for the question "does this sphere overlap one of them?".
- * Spheres of similar size share a hash of points, so mixed sizes cost little more than equal ones. */
+/* Spatial hash of spheres of any sizes in unbounded space, for overlap queries. Spheres of similar size
+ * share a hash of points, so mixed sizes cost little more than equal ones. */
 #ifndef TS_GEOM_SPHEREHASH_H
 #define TS_GEOM_SPHEREHASH_H
 
@@ -10,8 +10,8 @@ enum { TS_SPHEREHASH_LEVELS = 24 };
 struct ts_spherehash {
 	int nlevels;
 	struct ts_spherehash_level {
-		int exponent;	/* of two: 2^exponent <= radius < 2^(exponent + 1), about */
-		double largest; /* radius */
+		int exponent;	/* size class: about 2^exponent <= radius < 2^(exponent + 1) */
+		double largest; /* largest radius */
 		struct ts_pointhash points;
 		double *radius;
 		size_t capacity;
@@ -21,9 +21,9 @@ struct ts_spherehash {
 /* Zero-initialise. */
 void ts_spherehash_release(struct ts_spherehash *hash);
 enum ts_status ts_spherehash_add(struct ts_spherehash *hash, const double x[3], double radius);
-/* Touching counts as overlap. */
+/* Whether the sphere overlaps or touches one of the hash. */
 bool ts_spherehash_overlaps(const struct ts_spherehash *hash, const double x[3], double radius);
-/* The same with the images of x across the periodic faces of the box. */
+/* The same including the periodic images of x. */
 bool ts_spherehash_overlaps_periodic(const struct ts_spherehash *hash, const struct ts_box *box,
 				     const double x[3], double radius);
 

@@ -1,4 +1,4 @@
-/* Command flow_grid: cells of different widths along an axis. */
+/* Command flow_grid: non-uniform cell widths along an axis. */
 #include "flow/projection.h"
 
 #include <math.h>
@@ -174,7 +174,7 @@ static enum ts_status make_faces(struct tsim *sim, const struct state *s, const 
 	return s->mode == FACES ? read_faces(sim, s, grid, face, where) : TS_OK;
 }
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status set_grid_spacing(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
 	struct ts_projection *p;
@@ -203,48 +203,51 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg geometric_args[] = {
 	TS_REAL("ratio", struct state, ratio, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-		.help = "width of the widest cell to that of the narrowest"),
+		.help = "ratio of the largest to the smallest cell width"),
 	TS_ENUM("fine", struct state, fine, fine_names, .fallback = "lo",
-		.help = "where the narrowest cell is; both: at either end"),
+		.help = "end with the smallest cells; both: at both ends"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg tanh_args[] = {
 	TS_REAL("strength", struct state, strength, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-		.help = "b of x = 1/2 + tanh(b (2 i/n - 1))/(2 tanh b): fine at both ends"),
+		.help = "b in x_i = 1/2 + tanh(b (2 i/n - 1))/(2 tanh b): small cells at both ends"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg around_args[] = {
 	TS_REAL("lo", struct state, lo, .flags = TS_POSITIONAL, .unit = "length",
-		.help = "where the even cells begin"),
-	TS_REAL("hi", struct state, hi, .flags = TS_POSITIONAL, .unit = "length", .help = "and end"),
+		.help = "lower end of the uniform cells"),
+	TS_REAL("hi", struct state, hi, .flags = TS_POSITIONAL, .unit = "length",
+		.help = "upper end of the uniform cells"),
 	TS_INT("before", struct state, before, .range = TS_NOT_NEGATIVE, .help = "number of cells before lo"),
 	TS_INT("inside", struct state, inside, .range = TS_POSITIVE,
-	       .help = "number of even cells; the others come after hi"),
+	       .help = "number of uniform cells between lo and hi; the remaining cells are above hi"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg faces_args[] = {
-	TS_REST("faces", struct state, faces, .help = "coordinates of all faces, one more than cells"),
+	TS_REST("faces", struct state, faces,
+		.help = "coordinates of all faces, one more than the number "
+			"of cells"),
 	TS_ARGS_END,
 };
 
 static const struct ts_mode modes[] = {
-	[UNIFORM] = { "uniform", "all cells alike", NULL },
-	[GEOMETRIC] = { "geometric", "each cell wider than the one before by the same factor",
-			geometric_args },
-	[TANH] = { "tanh", "fine at both ends, smooth", tanh_args },
+	[UNIFORM] = { "uniform", "uniform cell width", NULL },
+	[GEOMETRIC] = { "geometric", "cell widths in geometric progression", geometric_args },
+	[TANH] = { "tanh", "hyperbolic tangent: smooth, with small cells at both ends", tanh_args },
 	[AROUND] = { "around",
-		     "even between two places, as around a body; growing by a constant factor on both sides",
+		     "uniform between two positions, e.g. around a body; growing by a constant factor on "
+		     "both sides",
 		     around_args },
-	[FACES] = { "faces", "as listed", faces_args },
+	[FACES] = { "faces", "explicit list of faces", faces_args },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
-	TS_ENUM("axis", struct state, axis, ts_region_axes, .flags = TS_POSITIONAL, .help = "which one"),
-	TS_MODE("spacing", struct state, mode, modes, .help = "how the cells follow each other"),
+	TS_ENUM("axis", struct state, axis, ts_region_axes, .flags = TS_POSITIONAL, .help = "axis"),
+	TS_MODE("spacing", struct state, mode, modes, .help = "distribution of cell widths"),
 	TS_ARGS_END,
 };
 
@@ -252,16 +255,17 @@ TS_STYLE(command, ts_command_style, ts_command_flow_grid)
 const struct ts_command_style ts_command_flow_grid = {
 	.style = { .name = "flow_grid",
 		   .kind = TS_KIND_COMMAND,
-		   .summary = "Sets the widths of the fluid's cells along an axis",
-		   .doc = "After flow_style projection, which says how many cells there are. Without it all "
-			  "are of the same width. Each axis is graded by itself, so cells line up.\n\n"
-			  "Schemes are of second order where widths change smoothly: by a few per cent from "
-			  "cell to cell.",
+		   .summary = "sets the cell widths of the fluid grid along an axis",
+		   .doc = "Sets the positions of the cell faces along one axis. flow_style projection, "
+			  "which sets the number of cells, must come before. Default: uniform cells. Each "
+			  "axis is graded independently, so the grid stays Cartesian.\n\n"
+			  "The discretisation is of second order if cell widths change smoothly, by a few "
+			  "per cent from cell to cell.",
 		   .example = "flow_grid y tanh 1.7\nflow_grid x geometric 4.0 fine hi\n"
 			      "flow_grid x around -1 2 before 40 inside 90\n"
 			      "flow_grid z faces 0 0.1 0.25 0.5 1.0",
 		   .args = args,
 		   .state_size = sizeof(struct state) },
 	.needs_box = true,
-	.run = run,
+	.run = set_grid_spacing,
 };

@@ -314,7 +314,7 @@ static void steer_body(const struct state *s, const struct tsim *sim, struct ts_
 		body->v[k] = free ? memory[TS_STREAM_VELOCITY + k] : v;
 		body->omega[k] = free && !sim->legacy ? s->base.omega[k] : 0;
 	}
-	ts_rigid_spin(body->q, body->inertia, body->omega, body->spin);
+	ts_rigid_angular_momentum(body->q, body->inertia, body->omega, body->spin);
 }
 
 /* New particles move straight to the face; there they get the velocity that was asked for. */

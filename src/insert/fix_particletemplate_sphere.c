@@ -20,9 +20,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 				  &t->radius));
 	t->volume = ts_particle_volume(sim, 1) * ts_spread_mean(&t->radius, 3);
 	t->mass = t->volume * ts_spread_mean(&t->density, 1);
-	t->least = ts_spread_least(&t->radius);
+	t->least = ts_spread_smallest(&t->radius);
 	t->largest = ts_spread_largest(&t->radius);
-	t->lightest = ts_spread_least(&t->density) * ts_particle_volume(sim, t->least);
+	t->lightest = ts_spread_smallest(&t->density) * ts_particle_volume(sim, t->least);
 	TS_TRY(ts_template_check_volume(self, sim));
 	t->defined = true;
 	return TS_OK;

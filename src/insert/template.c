@@ -80,13 +80,13 @@ static enum ts_status check_spread(struct tsim *sim, const char *what, const str
 	if (s->shape >= TS_SPREAD_NORMAL && s->b < 0)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "%s: the deviation is %g, expected a number >= 0", what, s->b);
-	if (ts_spread_least(s) > 0)
+	if (ts_spread_smallest(s) > 0)
 		return TS_OK;
 	if (s->shape == TS_SPREAD_NORMAL)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "%s: three deviations below the mean are %g, expected a number > 0; "
 			       "take a smaller deviation, or lognormal",
-			       what, ts_spread_least(s));
+			       what, ts_spread_smallest(s));
 	return ts_fail(&sim->error, TS_RANGE, where, "%s: found %g, expected a number > 0", what, s->a);
 }
 

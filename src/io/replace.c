@@ -33,7 +33,7 @@ static bool is_replaceable(struct ts_files *files, const char *path)
 {
 	struct stat there;
 
-	return ts_files_look(files, path, &there) != 0 || S_ISREG(there.st_mode);
+	return ts_files_stat(files, path, &there) != 0 || S_ISREG(there.st_mode);
 }
 
 /* The folder of a path. */

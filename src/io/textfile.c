@@ -28,7 +28,7 @@ enum ts_status ts_textfile_open_failed(struct ts_error *err, struct ts_files *fi
 	if (slash && slash > path && (size_t)(slash - path) < sizeof folder)
 		memcpy(folder, path, (size_t)(slash - path));
 	if (code == ENOENT && folder[0] && !ts_files_closed(files) &&
-	    ts_files_look(files, folder, &info) != 0)
+	    ts_files_stat(files, folder, &info) != 0)
 		return ts_fail(err, TS_IO, where, "cannot open '%s': there is no folder '%s'", path, folder);
 	errno = code;
 	return ts_fail(err, TS_IO, where, "cannot open '%s': %s", path, ts_files_why(files));
@@ -113,7 +113,7 @@ static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *s
 {
 	struct stat info;
 
-	file->file = sim->reading.explain ? ts_files_nowhere()
+	file->file = sim->reading.explain ? ts_files_open_null()
 					  : ts_files_open(file->files, path, append ? "a" : "w");
 	if (!file->file)
 		return errno ? ts_textfile_write_failed(file->err, file->files, &file->where, path)

@@ -1,4 +1,4 @@
-/* Command material: the properties of a material, from a file, for particles of a type. */
+/* Command material: assigns the properties of a material file to atom types. */
 #include "material/material.h"
 #include "particle/particles.h"
 
@@ -9,7 +9,7 @@ struct material {
 	const char *file;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status assign_material(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct material *m = state;
 	int most = sim->particles->ntypes, hi = m->types.hi ? m->types.hi : most;
@@ -25,8 +25,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_TYPES("type", struct material, types, .flags = TS_POSITIONAL,
-		 .help = "particle types of that material"),
-	TS_WORD("file", struct material, file, .help = "its file: glass stands for glass.material"),
+		 .help = "atom types of the material"),
+	TS_WORD("file", struct material, file, .help = "material file; glass means glass.material"),
 	TS_ARGS_END,
 };
 
@@ -35,34 +35,50 @@ const struct ts_command_style ts_command_material = {
 	.style = { .name = "material",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "reads the properties of a material from a file",
-		   .doc = "The file is looked for here, beside the script, in the folder that the "
-			  "environment variable TSIM_POTENTIALS names, in potentials/ here and of the source "
-			  "tree, and among the installed potentials. Its lines are `NAME value unit` or, for "
-			  "a pair of materials, `NAME with OTHER value unit`, OTHER being the name of the "
-			  "other one's file; `#` starts a comment, and tells the source of the number. Units "
-			  "are of SI: 1 (none), Pa, J/m3, kg/m3, m/s, W/m/K, J/kg/K; values are turned into "
-			  "those of the script (si, cgs, micro).\n\n"
-			  "Whatever needs a property takes it from fix property/global, if there is one of "
-			  "that name, else from the materials of the types. A pair of materials has the "
-			  "value that either file gives for the other; else, if both are the same material, "
-			  "its own; else the mean of their own two values, for want of a measurement, and a "
-			  "warning says so, once for each pair. What no file gives is unknown, and a contact "
-			  "law that needs it is refused with the names of the materials. "
-			  "`property(NAME,TYPE)` in a formula is the value, `property(NAME,TYPE,TYPE)` that "
-			  "of a pair.\n\n"
-			  "The files give what was measured, each number with its source beside it. "
+		   .doc = "Reads the properties of a material and assigns them to the atom types. The file "
+			  "is searched in "
+			  "the current folder, the folder of the script, the folder of the environment "
+			  "variable "
+			  "TSIM_POTENTIALS, potentials/ in the current folder and in the source tree, and "
+			  "the "
+			  "installed potentials. Its lines are `NAME value unit` or, for a pair of "
+			  "materials, `NAME "
+			  "with OTHER value unit`, where OTHER is the name of the file of the other "
+			  "material; `#` "
+			  "starts a comment, which gives the source of the number. Units are SI: 1 (none), "
+			  "Pa, "
+			  "J/m3, kg/m3, m/s, W/m/K, J/kg/K; values are converted to the units of the script "
+			  "(si, "
+			  "cgs, micro).\n\n"
+			  "A property is taken from fix property/global if there is one of that name, else "
+			  "from "
+			  "the materials of the types. The value of a pair of materials is the one that "
+			  "either "
+			  "file gives for the other material; else, for a pair of the same material, the "
+			  "value of "
+			  "that material; else the mean of the values of both materials, with a warning once "
+			  "per "
+			  "pair. A contact law that needs a property which no file gives stops with an error "
+			  "that "
+			  "names the materials. In formulas `property(NAME,TYPE)` is the value of a type and "
+			  "`property(NAME,TYPE,TYPE)` that of a pair.\n\n"
+			  "The files that come with tsim contain measured values, each with its source. "
 			  "Restitution and friction of pairs: glass, acetate, and silica-sand (friction), "
-			  "steel (friction), aluminium (friction) with themselves, alumina with glass, steel "
-			  "with aluminium (friction). Friction of metals is that of clean dry surfaces that "
-			  "slide; restitution holds for the speed that the file names, and falls with speed "
-			  "where a body yields. Young's moduli of hard materials are beyond what contact "
-			  "models take without `hard_particles yes`. Like fix property/global the command "
-			  "has to be given again after read_restart.",
+			  "steel "
+			  "(friction), aluminium (friction) with themselves, alumina with glass, steel with "
+			  "aluminium (friction). Friction of metals is that of clean dry surfaces in "
+			  "sliding; "
+			  "restitution is valid for the impact velocity given in the file, and decreases "
+			  "with "
+			  "velocity for materials that yield. Young's moduli of hard materials exceed the "
+			  "limit of "
+			  "contact models unless `hard_particles yes` is set. Like fix property/global, the "
+			  "command must be repeated after read_restart.",
 		   .example = "material 1 file glass\n"
 			      "material 2 file steel\n"
 			      "set type 1 density $(property(density,1))",
 		   .args = args,
 		   .state_size = sizeof(struct material) },
 	.needs_box = true,
-	.run = run,
+	.run = assign_material,
 };

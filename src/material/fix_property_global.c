@@ -1,4 +1,4 @@
-/* Fix property/global: a property of materials. */
+/* Fix property/global: a material property. */
 #include "material/property.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ static enum ts_status read_number(struct tsim *sim, const struct ts_word *word, 
 		       "fix property/global: expected a number, found '%s'", word->text);
 }
 
-/* peratomtypepair and matrix begin with the number of columns. */
+/* peratomtypepair and matrix start with the number of columns. */
 static enum ts_status read_columns(struct tsim *sim, struct state *s, struct ts_words *values)
 {
 	int64_t columns;
@@ -57,7 +57,7 @@ static enum ts_status check_symmetry(struct tsim *sim, const struct state *s)
 	return TS_OK;
 }
 
-static enum ts_status check_alone(struct ts_instance *self, struct tsim *sim)
+static enum ts_status refuse_duplicate(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 	const struct ts_instance *by = NULL;
@@ -69,13 +69,13 @@ static enum ts_status check_alone(struct ts_instance *self, struct tsim *sim)
 		       s->property.name, by->id);
 }
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+static enum ts_status parse_values(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_property *p = &s->property;
 	struct ts_words values = s->words;
 
-	TS_TRY(check_alone(self, sim));
+	TS_TRY(refuse_duplicate(self, sim));
 	p->columns = 1;
 	if (p->kind >= TS_PROPERTY_PAIR)
 		TS_TRY(read_columns(sim, s, &values));
@@ -122,7 +122,7 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 }
 
 static const struct ts_value values[] = {
-	{ .name = "first", .unit = "", .help = "the first value", .shape = TS_SCALAR, .eval = eval_scalar },
+	{ .name = "first", .unit = "", .help = "first value", .shape = TS_SCALAR, .eval = eval_scalar },
 	{ .name = "all",
 	  .unit = "",
 	  .help = "all values, row by row",
@@ -137,23 +137,23 @@ static const struct ts_arg list_rows[] = {
 };
 static const struct ts_arg matrix_rows[] = {
 	TS_REST("values", struct state, words,
-		.help = "number of types N, then N rows of N numbers, the same above and below the diagonal"),
+		.help = "number of types N, then N rows of N numbers; peratomtypepair must be symmetric"),
 	TS_ARGS_END,
 };
-/* In the order of enum ts_property_kind; then LIGGGHTS' other words for the same. */
+/* In the order of enum ts_property_kind. */
 static const struct ts_mode kinds[] = {
 	{ "scalar", "one number", list_rows },
-	{ "vector", "numbers of any meaning", list_rows },
-	{ "peratomtype", "one number for each particle type", list_rows },
-	{ "peratomtypepair", "one number for each pair of particle types", matrix_rows },
-	{ "matrix", "numbers in rows of any meaning", matrix_rows },
+	{ "vector", "a list of numbers", list_rows },
+	{ "peratomtype", "one number per atom type", list_rows },
+	{ "peratomtypepair", "one number per pair of atom types", matrix_rows },
+	{ "matrix", "a matrix of numbers", matrix_rows },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
 	TS_WORD("name", struct state, property.name, .flags = TS_POSITIONAL,
-		.help = "youngsModulus, coefficientFriction ..., or any name that scripts use"),
-	TS_MODE("kind", struct state, property.kind, kinds, .help = "for what the values are given"),
+		.help = "name of the property: youngsModulus, coefficientFriction ..., or any other name"),
+	TS_MODE("kind", struct state, property.kind, kinds, .help = "what the values refer to"),
 	TS_ARGS_END,
 };
 
@@ -161,14 +161,12 @@ TS_STYLE(fix, ts_style, ts_fix_property_global)
 const struct ts_style ts_fix_property_global = {
 	.name = "property/global",
 	.kind = TS_KIND_FIX,
-	.summary = "A property of materials, by name",
-	.doc = "Contact laws take the properties of materials from here, by particle types: youngsModulus "
-	       "and\n"
-	       "poissonsRatio per type, coefficientRestitution, coefficientFriction and others per pair of "
-	       "types;\n"
-	       "each law says on its page what it needs. Other names are free for the script, which reads "
-	       "the\n"
-	       "values as f_ID or f_ID[k]. A property given twice has the later value.",
+	.summary = "defines a material property by name",
+	.doc = "Defines material properties for contact laws by atom type: youngsModulus and poissonsRatio "
+	       "per type; coefficientRestitution, coefficientFriction and others per pair of types. The "
+	       "manual page of each law lists the properties it requires. Other names can be used freely in "
+	       "scripts. The scalar f_ID is the first value, the vector f_ID[k] are all values, row by row. "
+	       "To change a property, define the fix with the same ID again.",
 	.example = "fix m1 all property/global youngsModulus peratomtype 5.0e6 8.7e9\n"
 		   "fix m2 all property/global coefficientFriction peratomtypepair 2 0.5 0.3 0.3 0.4\n"
 		   "fix m3 all property/global characteristicVelocity scalar 2.0",
@@ -176,5 +174,5 @@ const struct ts_style ts_fix_property_global = {
 	.state_size = sizeof(struct state),
 	.fingerprint = fingerprint,
 	.values = values,
-	.init = init,
+	.init = parse_values,
 };

@@ -8,8 +8,8 @@
 
 #include "base/banned.h"
 
-/* One of the unit of SI in the units of the script; 0: there is none. */
-static double factor_of(const struct tsim *sim, const char *unit)
+/* Value of an SI unit in the units of the script; 0: no equivalent (lj); NaN: unknown unit. */
+static double unit_factor(const struct tsim *sim, const char *unit)
 {
 	static const struct {
 		const char *name;
@@ -34,7 +34,7 @@ static double factor_of(const struct tsim *sim, const char *unit)
 static enum ts_status read_value(struct tsim *sim, const struct ts_word *number, const struct ts_word *unit,
 				 double *out)
 {
-	double factor = factor_of(sim, unit->text);
+	double factor = unit_factor(sim, unit->text);
 
 	if (!ts_parse_real(number->text, out) || !isfinite(*out))
 		return ts_fail(&sim->error, TS_SYNTAX, &number->place,
@@ -53,8 +53,8 @@ static enum ts_status read_value(struct tsim *sim, const struct ts_word *number,
 	return TS_OK;
 }
 
-static enum ts_status add(struct tsim *sim, struct ts_material *m, const struct ts_word *name,
-			  const struct ts_word *partner, double value)
+static enum ts_status add_value(struct tsim *sim, struct ts_material *m, const struct ts_word *name,
+				const struct ts_word *partner, double value)
 {
 	struct ts_material_value v = { ts_pool_get(sim->pool, name->text),
 				       partner ? ts_pool_get(sim->pool, partner->text) : NULL, value,
@@ -71,8 +71,8 @@ static enum ts_status add(struct tsim *sim, struct ts_material *m, const struct 
 	return TS_OK;
 }
 
-/* NAME [with OTHER] value unit, one after the other. */
-static enum ts_status parse(struct tsim *sim, struct ts_material *m, struct ts_words words)
+/* Parses the sequence of NAME [with OTHER] value unit. */
+static enum ts_status parse_values(struct tsim *sim, struct ts_material *m, struct ts_words words)
 {
 	for (size_t k = 0; k < words.n;) {
 		const struct ts_word *name = &words.word[k++], *partner = NULL;
@@ -87,13 +87,13 @@ static enum ts_status parse(struct tsim *sim, struct ts_material *m, struct ts_w
 				       "material: expected a value and its unit (1: none) after '%s'",
 				       name->text);
 		TS_TRY(read_value(sim, &words.word[k], &words.word[k + 1], &value));
-		TS_TRY(add(sim, m, name, partner, value));
+		TS_TRY(add_value(sim, m, name, partner, value));
 		k += 2;
 	}
 	return TS_OK;
 }
 
-/* "potentials/glass.material": glass */
+/* The material of "potentials/glass.material" is glass. */
 static enum ts_status set_name(struct tsim *sim, struct ts_material *m, const char *file)
 {
 	const char *base = strrchr(file, '/');
@@ -106,7 +106,7 @@ static enum ts_status set_name(struct tsim *sim, struct ts_material *m, const ch
 	return m->name ? TS_OK : ts_nomem(&sim->error);
 }
 
-static void release(struct ts_material *m)
+static void release_material(struct ts_material *m)
 {
 	ts_free(m->value);
 	*m = (struct ts_material){ 0 };
@@ -126,13 +126,13 @@ enum ts_status ts_material_read(struct tsim *sim, int type, const struct ts_word
 	if (status == TS_OK)
 		status = set_name(sim, &m, file->text);
 	if (status == TS_OK)
-		status = parse(sim, &m, words);
+		status = parse_values(sim, &m, words);
 	ts_arena_release(&arena);
 	if (status != TS_OK) {
-		release(&m);
+		release_material(&m);
 		return status;
 	}
-	release(&all->of[type]);
+	release_material(&all->of[type]);
 	all->of[type] = m;
 	return TS_OK;
 }
@@ -158,7 +158,7 @@ static const struct ts_material_value *value_of(const struct ts_material *m, con
 	return NULL;
 }
 
-/* What the file of `m` says of the other material. */
+/* Value that the file of `m` gives for the pair with the other material. */
 static const struct ts_material_value *value_with(const struct ts_material *m, const char *name,
 						  const struct ts_material *other)
 {
@@ -175,9 +175,10 @@ static enum ts_status check_agreement(struct tsim *sim, const struct ts_material
 		       one->partner, one->value, other->value, other->where.line);
 }
 
-/* The contact of the two was not measured: said once. */
-static enum ts_status tell_mean(struct tsim *sim, const struct ts_material *a, const struct ts_material *b,
-				const struct ts_material_value *own, double mean)
+/* Warns once per pair that no value was given for this pair. */
+static enum ts_status warn_about_mean(struct tsim *sim, const struct ts_material *a,
+				      const struct ts_material *b, const struct ts_material_value *own,
+				      double mean)
 {
 	struct ts_map *told = &sim->materials->told;
 	bool turn = strcmp(a->name, b->name) > 0;
@@ -217,7 +218,7 @@ enum ts_status ts_material_find(struct tsim *sim, const char *name, int a, int b
 		*out = 0.5 * (own->value + others->value);
 	if (*found && !mutual[0] && !mutual[1] && b > 0 && ma->name && mb->name &&
 	    !ts_streq(ma->name, mb->name))
-		return tell_mean(sim, ma, mb, own, *out);
+		return warn_about_mean(sim, ma, mb, own, *out);
 	return TS_OK;
 }
 
@@ -259,7 +260,7 @@ void ts_materials_fingerprint(const struct ts_materials *m, struct ts_hash *hash
 void ts_materials_release(struct ts_materials *m)
 {
 	for (size_t t = 0; t < m->n; t++)
-		release(&m->of[t]);
+		release_material(&m->of[t]);
 	ts_free(m->of);
 	ts_map_release(&m->told);
 	*m = (struct ts_materials){ 0 };

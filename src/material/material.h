@@ -1,8 +1,9 @@
-/* Materials from files: properties by name for the particles of a type, in SI units, turned into those of
- * the script. Their place in the order of things: `fix property/global` of the same name goes before.
+/* Material files: properties by name for atom types, in SI units, converted to the units of the script.
+ * A `fix property/global` of the same name takes precedence.
  *
- * A pair of materials has the value that either file gives for the other (`NAME with OTHER value unit`),
- * else that of the one material they both are, else the mean of their own, and that is said. */
+ * The value of a pair of materials is the one that either file gives for the other material (`NAME with
+ * OTHER value unit`), else that of the material if both are the same, else the mean of the two values
+ * with a warning. */
 #ifndef TS_MATERIAL_MATERIAL_H
 #define TS_MATERIAL_MATERIAL_H
 
@@ -12,32 +13,35 @@
 struct ts_hash;
 
 struct ts_material_value {
-	const char *name, *partner; /* another material, or NULL: among its own */
+	/* partner: name of another material, or NULL: value of the material itself */
+	const char *name, *partner;
 	double value;
 	struct ts_place where;
 };
 
 struct ts_material {
-	const char *name; /* of the file, without folder and ending; NULL: none was given */
+	const char *name; /* name of the file without folder and ending; NULL: no material */
 	struct ts_material_value *value;
 	size_t n, capacity;
 };
 
 struct ts_materials {
-	struct ts_material *of; /* by type, from 1 */
+	struct ts_material *of; /* by atom type, from 1 */
 	size_t n;
-	struct ts_map told; /* "friction of glass with steel": means that were said to be taken */
+	/* set of "friction of glass with steel" ...: means that a warning was printed for */
+	struct ts_map told;
 };
 
-/* The type is of the material in that file from now on. */
+/* Assigns the material of this file to the atom type. */
 enum ts_status ts_material_read(struct tsim *sim, int type, const struct ts_word *file);
 
-/* The value for a type (b = 0) or a pair of types, if the files give it; and where. */
+/* Value for an atom type (b = 0) or a pair of types, *found if the files give it; and the place in the
+ * file. */
 enum ts_status ts_material_find(struct tsim *sim, const char *name, int a, int b, bool *found, double *out);
 const struct ts_place *ts_material_place(const struct tsim *sim, const char *name, int a, int b);
-/* Of the material of a type; NULL: none was given. */
+/* Name of the material of an atom type; NULL: none. */
 const char *ts_material_name(const struct tsim *sim, int type);
-/* Whether any file gives it. */
+/* Whether any material file contains this property. */
 bool ts_material_given(const struct tsim *sim, const char *name);
 
 void ts_materials_fingerprint(const struct ts_materials *m, struct ts_hash *hash);

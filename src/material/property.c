@@ -11,7 +11,7 @@ const struct ts_property *ts_property_find(const struct tsim *sim, const char *n
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 
-	for (size_t k = fixes->n; k-- > 0;) { /* the last one given */
+	for (size_t k = fixes->n; k-- > 0;) { /* the last definition is valid */
 		const struct ts_property *p = fixes->item[k]->state;
 
 		if (!ts_streq(fixes->item[k]->style->name, "property/global") || !ts_streq(p->name, name))
@@ -28,9 +28,9 @@ bool ts_property_given(const struct tsim *sim, const char *name)
 	return ts_property_find(sim, name, NULL) != NULL || ts_material_given(sim, name);
 }
 
-/* One that is defined may be this one misspelt, but kn is not meant by kt, nor is a restitution by a
- * friction. */
-static void try_misspelt(struct ts_suggest *suggest, const char *defined)
+/* Suggests a defined property only if its name is long and differs by at most two letters: kn is not a
+ * misspelt kt. */
+static void suggest_if_misspelt(struct ts_suggest *suggest, const char *defined)
 {
 	struct ts_suggest strict = ts_suggest_start(suggest->word);
 	enum { SLIPS = 2, LONG = 8 };
@@ -40,8 +40,8 @@ static void try_misspelt(struct ts_suggest *suggest, const char *defined)
 		ts_suggest_try(suggest, defined);
 }
 
-/* What files of materials have to do with it. */
-static void files_lack(const struct tsim *sim, int a, int b, char *out, size_t size)
+/* Hint about material files for the error message. */
+static void describe_material_files(const struct tsim *sim, int a, int b, char *out, size_t size)
 {
 	const char *one = ts_material_name(sim, a), *other = ts_material_name(sim, b);
 
@@ -58,8 +58,8 @@ static void files_lack(const struct tsim *sim, int a, int b, char *out, size_t s
 			 one, other);
 }
 
-static enum ts_status missing(struct tsim *sim, const char *name, int a, int b, const char *who,
-			      const struct ts_place *where)
+static enum ts_status fail_missing(struct tsim *sim, const char *name, int a, int b, const char *who,
+				   const struct ts_place *where)
 {
 	const char *kind = b ? "peratomtypepair N" : a ? "peratomtype" : "scalar";
 	char files[256];
@@ -68,8 +68,9 @@ static enum ts_status missing(struct tsim *sim, const char *name, int a, int b, 
 
 	for (size_t k = 0; k < fixes->n; k++)
 		if (ts_streq(fixes->item[k]->style->name, "property/global"))
-			try_misspelt(&suggest, ((const struct ts_property *)fixes->item[k]->state)->name);
-	files_lack(sim, a, b, files, sizeof files);
+			suggest_if_misspelt(&suggest,
+					    ((const struct ts_property *)fixes->item[k]->state)->name);
+	describe_material_files(sim, a, b, files, sizeof files);
 	return ts_fail(&sim->error, TS_STATE, where, "%s needs `fix ID all property/global %s %s ...`%s%s",
 		       who, name, kind, files, ts_suggest_text(&suggest));
 }
@@ -106,7 +107,7 @@ enum ts_status ts_property_value(struct tsim *sim, const char *name, int a, int 
 	if (found)
 		return TS_OK;
 	if (!p)
-		return missing(sim, name, a, b, who, where);
+		return fail_missing(sim, name, a, b, who, where);
 	if (p->kind == TS_PROPERTY_SCALAR) {
 		*out = p->value[0];
 		return TS_OK;

@@ -1,4 +1,4 @@
-/* Constants of mathematics. */
+/* Mathematical constants. */
 #ifndef TS_MATH_CONSTANTS_H
 #define TS_MATH_CONSTANTS_H
 

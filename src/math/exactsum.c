@@ -6,11 +6,11 @@
 
 #include "base/banned.h"
 
-/* An addition changes a limb by less than 2^32, so this many fit before limbs could overflow. */
+/* An addition changes a limb by less than 2^32: limbs cannot overflow before this number of additions. */
 enum { MOST_WAITING = 1 << 29 };
 
-/* Brings all limbs but the last, which carries the sign, into [0, 2^32). */
-static void carry(struct ts_exactsum *sum)
+/* Normalises all limbs but the last, which carries the sign, to [0, 2^32). */
+static void propagate_carries(struct ts_exactsum *sum)
 {
 	int64_t up = 0;
 
@@ -44,7 +44,7 @@ void ts_exactsum_add(struct ts_exactsum *sum, double term)
 		mantissa |= UINT64_C(1) << 52;
 		exponent--;
 	}
-	/* term = +-mantissa 2^(exponent - 1074); the 53 bits spread over three limbs */
+	/* term = +-mantissa 2^(exponent - 1074); its 53 bits are distributed over three limbs */
 	limb = &sum->limb[exponent / 32];
 	shift = exponent % 32;
 	low = mantissa << shift;
@@ -59,27 +59,27 @@ void ts_exactsum_add(struct ts_exactsum *sum, double term)
 		limb[2] += (int64_t)high;
 	}
 	if (++sum->waiting >= MOST_WAITING)
-		carry(sum);
+		propagate_carries(sum);
 }
 
 void ts_exactsum_merge(struct ts_exactsum *sum, const struct ts_exactsum *other)
 {
 	struct ts_exactsum copy = *other;
 
-	carry(&copy);
-	carry(sum);
+	propagate_carries(&copy);
+	propagate_carries(sum);
 	for (int k = 0; k < TS_EXACTSUM_LIMBS; k++)
 		sum->limb[k] += copy.limb[k];
 	sum->special += other->special;
 	sum->waiting = 1;
 }
 
-static bool bit(const struct ts_exactsum *sum, int k)
+static bool get_bit(const struct ts_exactsum *sum, int k)
 {
 	return (sum->limb[k / 32] >> (k % 32)) & 1;
 }
 
-/* Number of the highest bit set; -1: none. The sum is not negative and carried. */
+/* Index of the highest bit that is set; -1: none. The sum must be normalised and not negative. */
 static int top_bit(const struct ts_exactsum *sum)
 {
 	for (int k = TS_EXACTSUM_LIMBS - 1; k >= 0; k--)
@@ -90,11 +90,11 @@ static int top_bit(const struct ts_exactsum *sum)
 	return -1;
 }
 
-/* Is any bit below the k-th set? */
-static bool sticky(const struct ts_exactsum *sum, int k)
+/* Whether any bit below bit k is set. */
+static bool any_bit_below(const struct ts_exactsum *sum, int k)
 {
 	while (--k >= 0)
-		if (bit(sum, k))
+		if (get_bit(sum, k))
 			return true;
 	return false;
 }
@@ -108,20 +108,20 @@ double ts_exactsum_value(const struct ts_exactsum *sum)
 
 	if (s.special != 0) /* true for NaN too */
 		return s.special;
-	carry(&s);
+	propagate_carries(&s);
 	negative = s.limb[TS_EXACTSUM_LIMBS - 1] < 0;
 	if (negative) {
 		for (int k = 0; k < TS_EXACTSUM_LIMBS; k++)
 			s.limb[k] = -s.limb[k];
-		carry(&s);
+		propagate_carries(&s);
 	}
 	top = top_bit(&s);
 	if (top < 0)
 		return 0;
-	least = top > 52 ? top - 52 : 0; /* the last bit a double can keep */
+	least = top > 52 ? top - 52 : 0; /* the last bit that a double can represent */
 	for (int k = top; k >= least; k--)
-		mantissa = 2 * mantissa + bit(&s, k);
-	if (least > 0 && bit(&s, least - 1) && (mantissa % 2 || sticky(&s, least - 1)))
+		mantissa = 2 * mantissa + get_bit(&s, k);
+	if (least > 0 && get_bit(&s, least - 1) && (mantissa % 2 || any_bit_below(&s, least - 1)))
 		mantissa++;
 	return ldexp((double)(negative ? -mantissa : mantissa), least - 1074);
 }

@@ -1,6 +1,6 @@
-/* Sums of doubles without rounding: the result does not depend on the order of the terms, hence not
- * on threads or ranks. A fixed-point number that spans the whole range of doubles, cut into limbs
- * of 32 bits kept in 64-bit words so that carries can wait (Kulisch; Neal, arXiv:1505.05571). */
+/* Exact sums of doubles: the result does not depend on the order of the terms, hence not on threads.
+ * The sum is a fixed-point number over the whole range of doubles, stored as limbs of 32 bits in 64-bit
+ * words, so that carries can be delayed (U. Kulisch; R. M. Neal, arXiv:1505.05571). */
 #ifndef TS_MATH_EXACTSUM_H
 #define TS_MATH_EXACTSUM_H
 
@@ -22,12 +22,12 @@ static inline struct ts_exactsum ts_exactsum_start(void)
 }
 
 void ts_exactsum_add(struct ts_exactsum *sum, double term);
-/* Adds what the other has summed. */
+/* Adds another sum. */
 void ts_exactsum_merge(struct ts_exactsum *sum, const struct ts_exactsum *other);
 /* The exact sum, rounded once to nearest-even. */
 double ts_exactsum_value(const struct ts_exactsum *sum);
 
-/* Of n numbers, `stride` apart. */
+/* Exact sum of n numbers that are `stride` apart. */
 double ts_exactsum_of(const double *data, size_t n, size_t stride);
 
 #endif

@@ -8,7 +8,7 @@
 #include "base/alloc.h"
 #include "base/banned.h"
 
-static bool usable(const double *x, const double *y, size_t n)
+static bool are_points_valid(const double *x, const double *y, size_t n)
 {
 	bool spread = false;
 
@@ -36,9 +36,9 @@ enum ts_status ts_fit_line(const double *x, const double *y, size_t n, struct ts
 			count[i] = (double)i;
 		x = count;
 	}
-	if (usable(x, y, n) && gsl_fit_linear(x, 1, y, 1, n, &out->intercept, &out->slope, &c00, &c01, &c11,
-					      &out->residual) == 0) {
-		/* With two points no degree of freedom is left and GSL divides 0 by 0. */
+	if (are_points_valid(x, y, n) && gsl_fit_linear(x, 1, y, 1, n, &out->intercept, &out->slope, &c00,
+							&c01, &c11, &out->residual) == 0) {
+		/* With two points there is no degree of freedom, and GSL divides 0 by 0. */
 		out->slope_error = n > 2 ? sqrt(c11) : 0;
 		status = isfinite(out->slope) ? TS_OK : TS_RANGE;
 	}

@@ -1,4 +1,4 @@
-/* Straight line through points, by least squares. */
+/* Linear regression by least squares. */
 #ifndef TS_MATH_FIT_H
 #define TS_MATH_FIT_H
 
@@ -13,8 +13,8 @@ struct ts_fit {
 	size_t n;
 };
 
-/* y = intercept + slope x. x NULL: 0, 1, 2 ... n-1. TS_RANGE if there are fewer than two points, a
- * value is not finite, or all x are equal. */
+/* Fits y = intercept + slope x; x NULL means 0, 1, 2 ... n-1. Returns TS_RANGE for fewer than two
+ * points, for values that are not finite, or if all x are equal. */
 enum ts_status ts_fit_line(const double *x, const double *y, size_t n, struct ts_fit *out);
 
 #endif

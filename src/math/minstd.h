@@ -1,7 +1,8 @@
-/* The minimal standard generator of Park and Miller, Comm. ACM 31 (1988) 1192: s <- 16807 s mod 2^31 - 1.
+/* The minimal standard random number generator of S. K. Park, K. W. Miller, Comm. ACM 31 (1988) 1192: s
+ * <- 16807 s mod 2^31 - 1.
  *
- * For the streams that LIGGGHTS draws particles from, so that a script gives the same packing. All other
- * random numbers come from math/rng.h. */
+ * Used for the random streams of LIGGGHTS, so that a script gives the same packing. All other random
+ * numbers come from math/rng.h. */
 #ifndef TS_MATH_MINSTD_H
 #define TS_MATH_MINSTD_H
 
@@ -11,7 +12,7 @@
 struct ts_minstd {
 	int32_t state; /* 1 .. 2^31 - 2 */
 	int32_t has_spare;
-	double spare; /* normal numbers are made in pairs */
+	double spare; /* normal deviates are generated in pairs */
 };
 
 /* 0 < seed < 2^31 - 1 */
@@ -30,6 +31,7 @@ static inline double ts_minstd_uniform(struct ts_minstd *r)
 /* Normal with mean 0 and standard deviation 1 (Marsaglia's polar method). */
 double ts_minstd_normal(struct ts_minstd *r);
 
+/* LIGGGHTS accepts only primes as seeds. */
 bool ts_minstd_is_prime(int64_t n);
 
 #endif

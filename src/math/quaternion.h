@@ -1,4 +1,5 @@
-/* Unit quaternions (w, x, y, z) as rotations, and rotation matrices whose columns are the turned axes. */
+/* Unit quaternions (w, x, y, z) for rotations, and rotation matrices whose columns are the rotated
+ * axes. */
 #ifndef TS_MATH_QUATERNION_H
 #define TS_MATH_QUATERNION_H
 
@@ -12,7 +13,7 @@ static inline void ts_quaternion_normalise(double q[4])
 		q[k] *= s;
 }
 
-/* The rotation b, then a. */
+/* Composition: rotation b, followed by a. */
 static inline void ts_quaternion_multiply(const double a[4], const double b[4], double out[4])
 {
 	out[0] = a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3];
@@ -21,8 +22,8 @@ static inline void ts_quaternion_multiply(const double a[4], const double b[4], 
 	out[3] = a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0];
 }
 
-/* The product (0, w) q: twice the rate of change of q turning with angular velocity w in space. */
-static inline void ts_quaternion_turn(const double w[3], const double q[4], double out[4])
+/* The product (0, w) q: twice the time derivative of q at the angular velocity w in the space frame. */
+static inline void ts_quaternion_rate(const double w[3], const double q[4], double out[4])
 {
 	out[0] = -w[0] * q[1] - w[1] * q[2] - w[2] * q[3];
 	out[1] = q[0] * w[0] + w[1] * q[3] - w[2] * q[2];
@@ -45,8 +46,8 @@ static inline void ts_quaternion_matrix(const double q[4], double m[3][3])
 	m[2][1] = 2 * (y * z + w * x);
 }
 
-/* From a right-handed matrix; of the four ways to the quaternion the one that divides by the largest
- * component. */
+/* Quaternion of a right-handed rotation matrix; of the four formulas the one that divides by the
+ * largest component. */
 static inline void ts_quaternion_of_matrix(double m[3][3], double q[4])
 {
 	double square[4] = { 1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2],
@@ -65,7 +66,7 @@ static inline void ts_quaternion_of_matrix(double m[3][3], double q[4])
 	ts_quaternion_normalise(q);
 }
 
-/* out = m v: from the body to space; the transposed matrix leads back. */
+/* out = m v: from the body frame to the space frame; ts_rotate_back is the inverse. */
 static inline void ts_rotate(double m[3][3], const double v[3], double out[3])
 {
 	for (int k = 0; k < 3; k++)

@@ -1,4 +1,4 @@
-/* One number out of many: sums are rounded once, so no outcome depends on the order. */
+/* Reductions of many numbers to one; sums are exact, so results do not depend on the order. */
 #ifndef TS_MATH_REDUCTION_H
 #define TS_MATH_REDUCTION_H
 
@@ -22,7 +22,7 @@
 #define TS_REDUCTION_ENUM(name, text) TS_REDUCTION_##name,
 enum ts_reduction_mode { TS_REDUCTION_LIST(TS_REDUCTION_ENUM) TS_NREDUCTION };
 #undef TS_REDUCTION_ENUM
-extern const char *const ts_reduction_names[]; /* for argument rows, closed by NULL */
+extern const char *const ts_reduction_names[]; /* for argument tables, NULL-terminated */
 
 struct ts_reduction {
 	struct ts_exactsum sum;
@@ -36,7 +36,7 @@ static inline struct ts_reduction ts_reduction_start(void)
 }
 
 void ts_reduction_add(struct ts_reduction *tally, enum ts_reduction_mode mode, double value);
-/* Of no values: 0. */
+/* Result; 0 without values. */
 double ts_reduction_value(const struct ts_reduction *tally, enum ts_reduction_mode mode);
 
 #endif

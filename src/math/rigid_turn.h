@@ -1,12 +1,12 @@
-/* How a rigid body turns: its angular momentum L changes by the torque, its orientation follows from L
- * alone (H. Goldstein, Classical Mechanics, chapter 5). */
+/* Rotation of a rigid body: the torque changes the angular momentum L, and the orientation follows from
+ * L (H. Goldstein, Classical Mechanics, chapter 5). */
 #ifndef TS_MATH_RIGID_TURN_H
 #define TS_MATH_RIGID_TURN_H
 
 #include "math/quaternion.h"
 #include "math/vec3.h"
 
-/* omega = R I^-1 R^T L with principal moments I; about an axis without inertia nothing turns. */
+/* omega = R I^-1 R^T L with the principal moments I; 0 about axes without moment of inertia. spin: L. */
 static inline void ts_rigid_omega(const double q[4], const double inertia[3], const double spin[3],
 				  double omega[3])
 {
@@ -19,9 +19,9 @@ static inline void ts_rigid_omega(const double q[4], const double inertia[3], co
 	ts_rotate(m, body, omega);
 }
 
-/* L = R I R^T omega. */
-static inline void ts_rigid_spin(const double q[4], const double inertia[3], const double omega[3],
-				 double spin[3])
+/* L = R I R^T omega. spin: L. */
+static inline void ts_rigid_angular_momentum(const double q[4], const double inertia[3],
+					     const double omega[3], double spin[3])
 {
 	double m[3][3], body[3];
 
@@ -32,25 +32,25 @@ static inline void ts_rigid_spin(const double q[4], const double inertia[3], con
 	ts_rotate(m, body, spin);
 }
 
-static inline void ts_rigid_turn_by(const double omega[3], double dt, double q[4])
+static inline void ts_rigid_rotate_by(const double omega[3], double dt, double q[4])
 {
 	double rate[4];
 
-	ts_quaternion_turn(omega, q, rate);
+	ts_quaternion_rate(omega, q, rate);
 	for (int k = 0; k < 4; k++)
 		q[k] += 0.5 * dt * rate[k];
 	ts_quaternion_normalise(q);
 }
 
-/* The orientation a step dt later, L constant meanwhile: one whole step and two half steps, from which
- * Richardson's extrapolation 2 half - whole takes the first error away. `omega` is that at the start,
- * and afterwards that in the middle of the step. */
-static inline void ts_rigid_turn(const double inertia[3], const double spin[3], double omega[3], double dt,
-				 double q[4])
+/* Orientation after the time dt at constant L: one full step and two half steps, combined by Richardson
+ * extrapolation 2 half - full to second order. `omega` is the angular velocity at the start, and is set
+ * to that at mid-step. */
+static inline void ts_rigid_advance_orientation(const double inertia[3], const double spin[3],
+						double omega[3], double dt, double q[4])
 {
 	double half[4] = { q[0], q[1], q[2], q[3] }, rate[4];
 
-	ts_quaternion_turn(omega, q, rate);
+	ts_quaternion_rate(omega, q, rate);
 	for (int k = 0; k < 4; k++) {
 		q[k] += 0.5 * dt * rate[k];
 		half[k] += 0.25 * dt * rate[k];
@@ -58,7 +58,7 @@ static inline void ts_rigid_turn(const double inertia[3], const double spin[3], 
 	ts_quaternion_normalise(q);
 	ts_quaternion_normalise(half);
 	ts_rigid_omega(half, inertia, spin, omega);
-	ts_rigid_turn_by(omega, 0.5 * dt, half);
+	ts_rigid_rotate_by(omega, 0.5 * dt, half);
 	for (int k = 0; k < 4; k++)
 		q[k] = 2 * half[k] - q[k];
 	ts_quaternion_normalise(q);

@@ -23,7 +23,7 @@ void ts_rng_philox(const uint32_t counter[4], const uint32_t key[2], uint32_t ou
 	}
 }
 
-static void draw(struct ts_rng *rng, uint64_t out[2])
+static void draw_words(struct ts_rng *rng, uint64_t out[2])
 {
 	uint64_t c = rng->counter++;
 	const uint32_t counter[4] = { (uint32_t)c, (uint32_t)(c >> 32), (uint32_t)rng->stream,
@@ -36,8 +36,8 @@ static void draw(struct ts_rng *rng, uint64_t out[2])
 	out[1] = (uint64_t)word[3] << 32 | word[2];
 }
 
-/* 52 bits and a half: neither 0 nor 1 can come out. */
-static double to_unit(uint64_t bits)
+/* 52 bits plus one half: never 0 or 1. */
+static double to_open_unit_interval(uint64_t bits)
 {
 	return ((double)(bits >> 12) + 0.5) * 0x1p-52;
 }
@@ -46,8 +46,8 @@ double ts_rng_uniform(struct ts_rng *rng)
 {
 	uint64_t bits[2];
 
-	draw(rng, bits);
-	return to_unit(bits[0]);
+	draw_words(rng, bits);
+	return to_open_unit_interval(bits[0]);
 }
 
 double ts_rng_normal(struct ts_rng *rng)
@@ -55,6 +55,7 @@ double ts_rng_normal(struct ts_rng *rng)
 	uint64_t bits[2];
 
 	/* Box, Muller, Ann. Math. Stat. 29, 610 (1958) */
-	draw(rng, bits);
-	return sqrt(-2 * log(to_unit(bits[0]))) * cos(2 * acos(-1.0) * to_unit(bits[1]));
+	draw_words(rng, bits);
+	return sqrt(-2 * log(to_open_unit_interval(bits[0]))) *
+	       cos(2 * acos(-1.0) * to_open_unit_interval(bits[1]));
 }

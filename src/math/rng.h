@@ -1,8 +1,8 @@
-/* Counter-based random numbers: Philox4x32-10 of Salmon, Moraes, Dror, Shaw, "Parallel random
- * numbers: as easy as 1, 2, 3", SC11 (2011).
+/* Counter-based random numbers: Philox4x32-10 of J. K. Salmon, M. A. Moraes, R. O. Dror, D. E. Shaw,
+ * "Parallel random numbers: as easy as 1, 2, 3", SC11 (2011).
  *
- * The k-th number of (seed, stream) is a pure function of the three, so what is drawn for a
- * particle depends on its identity, not on the order of particles or the number of threads. */
+ * The k-th number of (seed, stream) is a pure function of these three, so the numbers of a particle
+ * depend on its identity, not on the order of particles or the number of threads. */
 #ifndef TS_MATH_RNG_H
 #define TS_MATH_RNG_H
 
@@ -10,7 +10,7 @@
 
 struct ts_rng {
 	uint64_t seed, stream; /* streams of one seed are independent: one per purpose or particle */
-	uint64_t counter;      /* draws so far */
+	uint64_t counter;      /* number of draws so far */
 };
 
 static inline struct ts_rng ts_rng_start(uint64_t seed, uint64_t stream)
@@ -23,7 +23,7 @@ double ts_rng_uniform(struct ts_rng *rng);
 /* Normal with mean 0 and standard deviation 1. */
 double ts_rng_normal(struct ts_rng *rng);
 
-/* The bijection itself: encrypts four words with a key of two. */
+/* The Philox bijection: encrypts a counter of four words with a key of two. */
 void ts_rng_philox(const uint32_t counter[4], const uint32_t key[2], uint32_t out[4]);
 
 #endif

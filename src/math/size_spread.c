@@ -4,9 +4,9 @@
 
 #include "base/banned.h"
 
-static const double CUT = 3; /* standard deviations */
+static const double CUT = 3; /* truncation, in standard deviations */
 
-double ts_spread_least(const struct ts_spread *s)
+double ts_spread_smallest(const struct ts_spread *s)
 {
 	if (s->shape == TS_SPREAD_NORMAL)
 		return s->a - CUT * s->b;
@@ -22,8 +22,8 @@ double ts_spread_largest(const struct ts_spread *s)
 	return s->shape == TS_SPREAD_UNIFORM ? s->b : s->a;
 }
 
-/* The value that stands at the number t of a standard variable: uniform in (0, 1), or normal. */
-static double value_at(const struct ts_spread *s, double t)
+/* Value of the distribution at t of the standard variable: uniform in (0, 1), or normal. */
+static double transform_standard(const struct ts_spread *s, double t)
 {
 	if (s->shape == TS_SPREAD_UNIFORM)
 		return s->a + t * (s->b - s->a);
@@ -40,7 +40,7 @@ double ts_spread_mean(const struct ts_spread *s, int power)
 	if (s->shape == TS_SPREAD_CONSTANT)
 		return pow(s->a, power);
 	for (int k = 0; k <= N; k++) {
-		double t = lo + (hi - lo) * k / N, r = value_at(s, t);
+		double t = lo + (hi - lo) * k / N, r = transform_standard(s, t);
 		double weight = k == 0 || k == N ? 1 : k % 2 ? 4 : 2;
 
 		if (s->shape != TS_SPREAD_UNIFORM)
@@ -65,15 +65,15 @@ static double draw_standard(const struct ts_spread *s, struct ts_minstd *random)
 	return t;
 }
 
-/* Numbers by mass: one of radius r is kept with a probability in proportion to 1/r^3. */
+/* By mass: a value r is accepted with a probability proportional to 1/r^3. */
 double ts_spread_draw(const struct ts_spread *s, struct ts_minstd *random)
 {
-	double least = ts_spread_least(s), r;
+	double smallest = ts_spread_smallest(s), r;
 
 	if (s->shape == TS_SPREAD_CONSTANT)
 		return s->a;
 	do
-		r = value_at(s, draw_standard(s, random));
-	while (s->by_mass && ts_minstd_uniform(random) * r * r * r > least * least * least);
+		r = transform_standard(s, draw_standard(s, random));
+	while (s->by_mass && ts_minstd_uniform(random) * r * r * r > smallest * smallest * smallest);
 	return r;
 }

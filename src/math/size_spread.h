@@ -1,7 +1,7 @@
-/* How a positive quantity, a radius or a density, is spread over particles.
+/* Size distributions: the distribution of a positive quantity, a radius or a density, over particles.
  *
- * Normal and lognormal spreads end at three standard deviations. By mass means that the given density is
- * that of mass: the density of number is that divided by r^3. */
+ * Normal and lognormal distributions are truncated at three standard deviations. by_mass: the given
+ * density is the mass density of the distribution; the number density is proportional to it over r^3. */
 #ifndef TS_MATH_SIZE_SPREAD_H
 #define TS_MATH_SIZE_SPREAD_H
 
@@ -14,14 +14,16 @@ enum ts_spread_shape { TS_SPREAD_CONSTANT, TS_SPREAD_UNIFORM, TS_SPREAD_NORMAL, 
 struct ts_spread {
 	int shape; /* enum ts_spread_shape */
 	bool by_mass;
-	double a, b; /* the value; least and largest; mean and deviation; median and deviation of ln */
+	/* constant: value; uniform: minimum, maximum; normal: mean, standard deviation; lognormal:
+	 * median, standard deviation of ln */
+	double a, b;
 };
 
-double ts_spread_least(const struct ts_spread *s);
+double ts_spread_smallest(const struct ts_spread *s);
 double ts_spread_largest(const struct ts_spread *s);
-/* The mean of r^power over particles (by number). */
+/* Mean of r^power over particles (number average). */
 double ts_spread_mean(const struct ts_spread *s, int power);
-/* The next number; nothing is drawn for a constant. */
+/* Draws the next value; a constant uses no random number. */
 double ts_spread_draw(const struct ts_spread *s, struct ts_minstd *random);
 
 #endif

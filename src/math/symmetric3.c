@@ -4,8 +4,8 @@
 
 #include "base/banned.h"
 
-/* One rotation in the plane p, q that makes m[p][q] zero. */
-static void rotate(double m[3][3], double v[3][3], int p, int q)
+/* Jacobi rotation in the plane p, q that makes m[p][q] zero. */
+static void jacobi_rotate(double m[3][3], double v[3][3], int p, int q)
 {
 	double theta, t, c, s;
 
@@ -45,9 +45,9 @@ void ts_symmetric3_eigen(const double a[6], double value[3], double v[3][3])
 
 		if (!(off > 1e-17 * size))
 			break;
-		rotate(m, v, 0, 1);
-		rotate(m, v, 0, 2);
-		rotate(m, v, 1, 2);
+		jacobi_rotate(m, v, 0, 1);
+		jacobi_rotate(m, v, 0, 2);
+		jacobi_rotate(m, v, 1, 2);
 	}
 	for (int i = 0; i < 3; i++)
 		value[i] = m[i][i];
@@ -55,18 +55,18 @@ void ts_symmetric3_eigen(const double a[6], double value[3], double v[3][3])
 
 void ts_symmetric3_solve(const double a[6], const double b[3], double x[3])
 {
-	double value[3], v[3][3], most = 0;
+	double value[3], v[3][3], largest = 0;
 
 	ts_symmetric3_eigen(a, value, v);
 	for (int k = 0; k < 3; k++) {
-		most = fmax(most, fabs(value[k]));
+		largest = fmax(largest, fabs(value[k]));
 		x[k] = 0;
 	}
 	for (int k = 0; k < 3; k++) {
 		double along = v[0][k] * b[0] + v[1][k] * b[1] + v[2][k] * b[2];
 
 		for (int i = 0; i < 3; i++)
-			if (fabs(value[k]) > 1e-12 * most)
+			if (fabs(value[k]) > 1e-12 * largest)
 				x[i] += v[i][k] * along / value[k];
 	}
 }

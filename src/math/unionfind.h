@@ -1,5 +1,5 @@
-/* Disjoint sets of 0..n-1 (Galler & Fischer, Commun. ACM 7 (1964) 301), with halving of paths. The root of
- * a set is its member of the smallest key, whatever the order of the unions. */
+/* Disjoint sets of 0..n-1 (B. A. Galler, M. J. Fischer, Commun. ACM 7 (1964) 301) with path halving.
+ * The root of a set is its member with the smallest key, independent of the order of unions. */
 #ifndef TS_MATH_UNIONFIND_H
 #define TS_MATH_UNIONFIND_H
 

@@ -97,7 +97,7 @@ static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
 	memcpy(s->q0, b->q, sizeof b->q);
 	memcpy(b->v, s->velocity, sizeof b->v);
 	memcpy(b->omega, s->omega, sizeof b->omega);
-	ts_rigid_spin(b->q, b->inertia, b->omega, b->spin);
+	ts_rigid_angular_momentum(b->q, b->inertia, b->omega, b->spin);
 	s->made = 1;
 	return TS_OK;
 }

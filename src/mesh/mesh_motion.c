@@ -105,7 +105,7 @@ static void advance_motion(struct ts_mesh_surface *s, size_t k, double dt)
 	ts_motion_set_turn(&step, axis, speed * dt);
 	ts_scale(1, m->centre, step.origin);
 	ts_scale(dt, m->drift, step.shift);
-	s->carried = ts_motion_after(&s->carried, &step);
+	s->carried = ts_motion_compose(&s->carried, &step);
 	while (++k < s->nmotions)
 		ts_motion_apply(&step, s->motion[k].centre, s->motion[k].centre);
 }

@@ -45,7 +45,7 @@ void ts_body_kick(struct ts_body *b, double h)
 void ts_body_move(struct ts_body *b, double dt)
 {
 	ts_axpy(dt, b->v, b->x);
-	ts_rigid_turn(b->inertia, b->spin, b->omega, dt, b->q);
+	ts_rigid_advance_orientation(b->inertia, b->spin, b->omega, dt, b->q);
 }
 
 /* I = sum of (I_i + m (d^2 1 - d d)). */

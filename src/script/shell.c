@@ -51,7 +51,7 @@ static const struct {
 	{ "mkdir", ts_mkdirs, true, false, true, false },
 	{ "rm", ts_files_remove, true, true, true, true },
 	{ "rmdir", ts_files_remove_folder, true, true, true, true },
-	{ "cd", ts_files_enter, false, false, false, false },
+	{ "cd", ts_files_chdir, false, false, false, false },
 	{ "putenv", set_environment, false, false, false, false },
 };
 

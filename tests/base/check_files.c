@@ -129,17 +129,17 @@ START_TEST(closed_door)
 	ck_assert(!opens(&files, "run/old", "r") && opens(&files, "run/old", "w") &&
 		  opens(&files, "run/old", "r"));
 	ck_assert(!opens(&files, "other/secret", "r") && !opens(&files, "run", "w") && errno == EISDIR);
-	ck_assert_int_eq(ts_files_look(&files, "other/secret", &info), -1);
+	ck_assert_int_eq(ts_files_stat(&files, "other/secret", &info), -1);
 	ck_assert_int_eq(errno, EACCES);
-	ck_assert_int_eq(ts_files_look(&files, "run/none", &info), -1);
+	ck_assert_int_eq(ts_files_stat(&files, "run/none", &info), -1);
 	ck_assert_int_eq(errno, ENOENT);
 	ck_assert_int_eq(ts_files_move(&files, "run/new", "run/sub/new"), 0);
 	ck_assert_int_eq(ts_files_move(&files, "run/sub/new", "in/new"), -1);
 	ck_assert_int_eq(ts_files_make_folder(&files, "in/x"), -1);
 	ck_assert_int_eq(ts_files_remove(&files, "in/a"), -1);
 	ck_assert_int_eq(ts_files_remove_folder(&files, "other"), -1);
-	ck_assert_int_eq(ts_files_enter(&files, "other"), -1);
-	ck_assert_int_eq(ts_files_enter(&files, "run/sub"), 0);
+	ck_assert_int_eq(ts_files_chdir(&files, "other"), -1);
+	ck_assert_int_eq(ts_files_chdir(&files, "run/sub"), 0);
 	ck_assert(opens(&files, "new", "r"));
 	ck_assert_ptr_null(ts_files_list(&files, "../../other"));
 	ts_files_release(&files);

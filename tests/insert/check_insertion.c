@@ -52,7 +52,7 @@ static void compare_means(const struct ts_spread *s, int power)
 	for (int k = 0; k < n; k++) {
 		double x = ts_spread_draw(s, &r), u = pow(x, power);
 
-		ck_assert(x >= ts_spread_least(s) && x <= ts_spread_largest(s));
+		ck_assert(x >= ts_spread_smallest(s) && x <= ts_spread_largest(s));
 		sum += u;
 		square += u * u;
 	}

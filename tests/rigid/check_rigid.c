@@ -48,7 +48,7 @@ static double error_after(const double start[3], int steps)
 		spin[k] = inertia[k] * start[k];
 	for (int s = 0; s < steps; s++) {
 		ts_rigid_omega(q, inertia, spin, omega);
-		ts_rigid_turn(inertia, spin, omega, t / steps, q);
+		ts_rigid_advance_orientation(inertia, spin, omega, t / steps, q);
 	}
 	ts_rigid_omega(q, inertia, spin, omega);
 	ts_quaternion_matrix(q, m);
@@ -83,7 +83,7 @@ START_TEST(steady_turning)
 	ck_assert(omega[1] == 0 && omega[2] == 0);
 	for (int s = 0; s < 1000; s++) {
 		ts_rigid_omega(q, line, spin, omega);
-		ts_rigid_turn(line, spin, omega, 0.01, q);
+		ts_rigid_advance_orientation(line, spin, omega, 0.01, q);
 	}
 	ck_assert_double_eq_tol(2 * atan2(q[1], q[0]), 10 * 0.7 / 2.385, 3e-6);
 }
