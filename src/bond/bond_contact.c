@@ -61,7 +61,7 @@ static double energy(const void *coeff, double extension)
 	return 0.5 * ((const struct coeff *)coeff)->stiffness * extension * extension;
 }
 
-static double limit(const void *coeff, double mass, bool explicit_euler)
+static double contact_bond_time_limit(const void *coeff, double mass, bool explicit_euler)
 {
 	const struct coeff *c = coeff;
 	const struct ts_granular_pair same = { .kn = c->stiffness, .gamman = c->damping };
@@ -118,5 +118,5 @@ const struct ts_bond_style ts_bond_contact = {
 	.damped = damped,
 	.stiffness = stiffness,
 	.energy = energy,
-	.limit = limit,
+	.limit = contact_bond_time_limit,
 };

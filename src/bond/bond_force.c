@@ -95,13 +95,13 @@ enum ts_status ts_bond_set_coeffs(struct tsim *sim, struct ts_types types, struc
 {
 	struct ts_instance *self = ts_sim_only(sim, TS_KIND_BOND);
 	struct ts_bond *bond;
-	int most = sim->bonds->ntypes > 0 ? sim->bonds->ntypes : 1;
+	int last = sim->bonds->ntypes > 0 ? sim->bonds->ntypes : 1;
 
 	if (!self)
 		return ts_fail(&sim->error, TS_STATE, where, "bond_coeff needs a bond_style before it");
 	bond = self->state;
 	if (!types.hi)
-		types.hi = most;
+		types.hi = last;
 	if (types.hi > 1000)
 		return ts_fail(&sim->error, TS_RANGE, where, "bond type %d: at most 1000", types.hi);
 	if (types.hi > sim->bonds->ntypes)

@@ -211,14 +211,14 @@ static enum ts_status update_partner_indices(struct ts_instance *self, struct ts
 
 static enum ts_status check_restored_bonds(struct tsim *sim, const struct ts_bonds *b)
 {
-	int32_t most = sim->particles->max_tag;
+	int32_t max_tag = sim->particles->max_tag;
 
 	for (size_t k = 0; k < b->n; k++)
-		if (b->tag[k][0] < 1 || b->tag[k][0] > most || b->tag[k][1] < 1 || b->tag[k][1] > most ||
-		    b->tag[k][0] == b->tag[k][1] || b->type[k] < 1 || b->type[k] > b->ntypes ||
-		    !isfinite(b->rest[k]))
+		if (b->tag[k][0] < 1 || b->tag[k][0] > max_tag || b->tag[k][1] < 1 ||
+		    b->tag[k][1] > max_tag || b->tag[k][0] == b->tag[k][1] || b->type[k] < 1 ||
+		    b->type[k] > b->ntypes || !isfinite(b->rest[k]))
 			return ts_fail(&sim->error, TS_DAMAGED, NULL,
-				       "bond %zu has an impossible partner or type", k + 1);
+				       "bond %zu has an invalid partner or type", k + 1);
 	return TS_OK;
 }
 

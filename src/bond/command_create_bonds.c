@@ -17,7 +17,7 @@ enum { MANY, SINGLE };
 struct create_bonds {
 	int mode, group_a, group_b;
 	int64_t type, tag_a, tag_b;
-	double least, most;
+	double rmin, rmax;
 	const struct ts_place *where;
 };
 
@@ -43,7 +43,7 @@ static enum ts_status bond_to_neighbors(struct tsim *sim, const struct create_bo
 	const struct ts_particles *p = sim->particles;
 	int lo[3], hi[3];
 
-	ts_cells_range(level, p->xhold[i], c->most, lo, hi);
+	ts_cells_range(level, p->xhold[i], c->rmax, lo, hi);
 	for (int z = lo[2]; z <= hi[2]; z++) {
 		for (int y = lo[1]; y <= hi[1]; y++) {
 			int row = level->cells[0] * (y + level->cells[1] * z);
@@ -57,7 +57,7 @@ static enum ts_status bond_to_neighbors(struct tsim *sim, const struct create_bo
 				if (p->tag[j] <= p->tag[i] || !matches_groups(c, p, i, j))
 					continue;
 				d = nearest_image_distance(sim, i, j);
-				if (d < c->least || d > c->most)
+				if (d < c->rmin || d > c->rmax)
 					continue;
 				TS_TRY(ts_coincide_bond(sim, c->where, i, j, d));
 				TS_TRY(ts_bonds_add(sim, p->tag[i], p->tag[j], (int)c->type, d));
@@ -93,8 +93,8 @@ static enum ts_status create_many(struct tsim *sim, const struct create_bonds *c
 	enum ts_status status;
 
 	ts_exchange_hold(sim);
-	TS_TRY(ts_exchange_borders(sim, c->most, c->most));
-	status = ts_cells_fill(sim, &cells, c->most);
+	TS_TRY(ts_exchange_borders(sim, c->rmax, c->rmax));
+	status = ts_cells_fill(sim, &cells, c->rmax);
 	for (int l = 0; status == TS_OK && l < cells.nlevels; l++)
 		for (size_t i = 0; status == TS_OK && i < p->n; i++)
 			if (p->mask[i] & (1u << c->group_a | 1u << c->group_b))
@@ -135,9 +135,9 @@ static enum ts_status create_bonds_command(struct tsim *sim, void *state, const 
 	if (c->type > sim->bonds->ntypes)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "create_bonds: there is no `bond_coeff %" PRId64 " ...` yet", c->type);
-	if (c->mode == MANY && c->least > c->most)
+	if (c->mode == MANY && c->rmin > c->rmax)
 		return ts_fail(&sim->error, TS_RANGE, where, "create_bonds: rmin (%g) is above rmax (%g)",
-			       c->least, c->most);
+			       c->rmin, c->rmax);
 	if (c->mode == MANY)
 		TS_TRY(create_many(sim, c));
 	else
@@ -145,8 +145,10 @@ static enum ts_status create_bonds_command(struct tsim *sim, void *state, const 
 	TS_TRY(remove_duplicates(sim));
 	ts_log(&sim->log, "Added %zu bonds, total bonds = %zu\n", sim->bonds->n - before, sim->bonds->n);
 	if (sim->bonds->n == before)
-		ts_warn(&sim->log, where, "create_bonds made no bond: distances %g to %g fit no pair",
-			c->least, c->most);
+		ts_warn(&sim->log, where,
+			"create_bonds created no bond: no pair has a distance from %g to "
+			"%g",
+			c->rmin, c->rmax);
 	return TS_OK;
 }
 
@@ -157,9 +159,9 @@ static const struct ts_arg many_rows[] = {
 		 .help = "group of the other partner; may be the same group"),
 	TS_INT("type", struct create_bonds, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "bond type"),
-	TS_REAL("rmin", struct create_bonds, least, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+	TS_REAL("rmin", struct create_bonds, rmin, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
 		.unit = "length", .help = "minimum distance of the centres"),
-	TS_REAL("rmax", struct create_bonds, most, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	TS_REAL("rmax", struct create_bonds, rmax, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 		.unit = "length", .help = "maximum distance of the centres"),
 	TS_ARGS_END,
 };

@@ -17,17 +17,16 @@ struct ts_comm {
 extern const char *const ts_comm_modes[];
 
 #define TS_COMM_MODE_HELP "no effect: images reach as far as the largest contact, cells adapt to sizes"
-#define TS_COMM_ROWS(T)                                                                                 \
-	TS_BOOL("vel", T, comm.velocity, .fallback = "yes",                                             \
-		.help = "no effect: images always carry velocities; pair gran refuses no"),             \
-		TS_REAL("cutoff", T, comm.cutoff, .fallback = "0", .range = TS_NOT_NEGATIVE,            \
-			.unit = "length",                                                               \
-			.help = "no effect: images reach as far as contacts need, more would be idle"), \
-		TS_SOME_KEYWORD("cutoff/multi", T, comm.cutoffs, TS_REPEAT,                             \
-				.help = "type and length: no effect, as cutoff"),                       \
-		TS_FLAG("reduce/multi", T, comm.reduced, .help = "no effect, as cutoff/multi"),         \
-		TS_GROUP("group", T, comm.group, .fallback = "all",                                     \
-			 .help = "all; another group is refused, since contacts of the others across "  \
+#define TS_COMM_ROWS(T)                                                                                \
+	TS_BOOL("vel", T, comm.velocity, .fallback = "yes",                                            \
+		.help = "no effect: images always carry velocities; pair gran refuses no"),            \
+		TS_REAL("cutoff", T, comm.cutoff, .fallback = "0", .range = TS_NOT_NEGATIVE,           \
+			.unit = "length", .help = "no effect: images reach as far as contacts need"),  \
+		TS_SOME_KEYWORD("cutoff/multi", T, comm.cutoffs, TS_REPEAT,                            \
+				.help = "type and length: no effect, as cutoff"),                      \
+		TS_FLAG("reduce/multi", T, comm.reduced, .help = "no effect, as cutoff/multi"),        \
+		TS_GROUP("group", T, comm.group, .fallback = "all",                                    \
+			 .help = "all; another group is refused, since contacts of the others across " \
 				 "periodic faces would be lost")
 
 enum ts_status ts_comm_accept(struct tsim *sim, const struct ts_comm *comm, const struct ts_place *where);

@@ -182,7 +182,7 @@ static const struct ts_arg boundary_rows[] = {
 };
 
 static const struct ts_arg tilt_rows[] = {
-	TS_REST("tilt", struct change, tilt, .help = "not built"),
+	TS_REST("tilt", struct change, tilt, .help = "not supported"),
 	TS_ARGS_END,
 };
 
@@ -194,10 +194,10 @@ static const struct ts_mode operations[] = {
 	[SET] = { "set", "store the current box as reference of remap", NULL },
 	[REMAP] = { "remap", "map the particles from the reference box to the current box", NULL },
 	[ORTHO] = { "ortho", "no effect: the box is orthogonal", NULL },
-	[TRICLINIC] = { "triclinic", "known, but not built", NULL },
-	[XY] = { "xy", "known, but not built", tilt_rows },
-	[XZ] = { "xz", "known, but not built", tilt_rows },
-	[YZ] = { "yz", "known, but not built", tilt_rows },
+	[TRICLINIC] = { "triclinic", "not supported: the box is orthogonal", NULL },
+	[XY] = { "xy", "not supported: the box is orthogonal", tilt_rows },
+	[XZ] = { "xz", "not supported: the box is orthogonal", tilt_rows },
+	[YZ] = { "yz", "not supported: the box is orthogonal", tilt_rows },
 	{ .name = NULL },
 };
 

@@ -52,18 +52,18 @@ static void cell_of_copy(const struct state *s, int64_t copy, int64_t at[3])
 static enum ts_status check_replication(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	const struct ts_particles *p = sim->particles;
-	double most = (double)copies(s) * fmax((double)p->max_tag, (double)p->n);
+	double largest_tag = (double)copies(s) * fmax((double)p->max_tag, (double)p->n);
 
 	if (sim->dimension == 2 && s->n[2] != 1)
 		return ts_fail(&sim->error, TS_RANGE, where, "replicate: in two dimensions nz must be 1");
-	if (most > INT32_MAX)
+	if (largest_tag > INT32_MAX)
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "replicate: %g identities would be needed, there are %d", most, INT32_MAX);
+			       "replicate: %g identities would be needed, there are %d", largest_tag,
+			       INT32_MAX);
 	for (int d = 0; d < 3; d++)
 		if (s->n[d] > 1 && !ts_box_periodic(&sim->domain->box, d))
 			ts_warn(&sim->log, where,
-				"the box is not periodic in %c: what stands at its faces may overlap",
-				'x' + d);
+				"the box is not periodic in %c: particles at its faces may overlap", 'x' + d);
 	return TS_OK;
 }
 

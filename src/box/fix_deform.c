@@ -73,7 +73,7 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 			       ts_sim_only(sim, TS_KIND_FLOW)->where.line);
 	if (!sides)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix deform: expected x, y or z and how it changes");
+			       "fix deform: expected x, y or z and its change");
 	for (size_t k = 0; k < fixes->n; k++)
 		if (fixes->item[k]->style == self->style && !ts_streq(fixes->item[k]->id, self->id))
 			return ts_fail(&sim->error, TS_STATE, &self->where,

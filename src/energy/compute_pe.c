@@ -56,7 +56,7 @@ const struct ts_style ts_compute_pe = {
 	       "of its\n"
 	       "  force over the overlap, < 0. Dashpots and sliders store nothing. A contact of "
 	       "hooke/hysteresis is\n"
-	       "  plastic and has no potential energy: the run stops with an error.\n"
+	       "  plastic and has no potential energy: the run is refused.\n"
 	       "* `bond`: K U^2/2 of each bond of bond style contact.\n"
 	       "* `fix`: the energy of fixes for which `fix_modify ID energy yes` is set, e.g. -sum m g . x "
 	       "of fix\n"

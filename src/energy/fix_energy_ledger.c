@@ -82,9 +82,9 @@ static void log_losses(struct tsim *sim, const double v[])
 
 static double relative_to_turnover(const double v[], int value)
 {
-	double most = v[TS_LEDGER_TURNOVER_VALUE];
+	double largest = v[TS_LEDGER_TURNOVER_VALUE];
 
-	return most > 0 ? v[value] / most : 0;
+	return largest > 0 ? v[value] / largest : 0;
 }
 
 static void log_heat(struct tsim *sim, const struct ts_ledger *l, const double v[])
@@ -159,8 +159,9 @@ static enum ts_status finish_run(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(log_summary(self, sim));
 	if (fabs(relative_to_turnover(v, TS_LEDGER_DRIFT_VALUE)) > s->tolerance)
 		ts_warn(&sim->log, &self->where,
-			"fix %s %s: the energy of springs drifted by %.2g of the largest turnover, tolerance "
-			"%g; mostly %s. A smaller time step helps, by its square where forces have no jumps",
+			"fix %s %s: the elastic energy drifted by %.2g of the largest turnover (tolerance "
+			"%g), mostly in %s. The drift decreases with the square of the time step if forces "
+			"have no jumps",
 			self->id, self->style->name, relative_to_turnover(v, TS_LEDGER_DRIFT_VALUE),
 			s->tolerance, largest_drift(&s->books));
 	return TS_OK;

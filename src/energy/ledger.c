@@ -229,7 +229,8 @@ static enum ts_status update_kinetic_energy(struct tsim *sim, struct ts_ledger *
 	ts_ledger_kinetic(sim, l->kinetic);
 	if (book && l->open)
 		ts_compensated_add(book, l->kinetic[0] + l->kinetic[1] - before);
-	l->most = fmax(l->most, l->kinetic[0] + l->kinetic[1] + sum_values(l->store, TS_NSTORE));
+	l->largest_energy =
+		fmax(l->largest_energy, l->kinetic[0] + l->kinetic[1] + sum_values(l->store, TS_NSTORE));
 	return TS_OK;
 }
 
@@ -296,8 +297,8 @@ enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
 			       bond->style->name);
 	if (pair && ts_cohesion_bridges(&((const struct ts_pair *)pair->state)->model))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix %s: bridges of liquid (cohesion) have no potential energy, so there are "
-			       "no books of it",
+			       "fix %s: liquid bridges (cohesion) have no potential energy, so there is no "
+			       "energy balance",
 			       self->style->name);
 	l->name = self->id;
 	sim->neigh->keep_forces = true;
@@ -479,7 +480,7 @@ static void open_books(const struct tsim *sim, struct ts_ledger *l)
 	memset(l->moved, 0, sizeof l->moved);
 	l->first = sim->clock.step;
 	l->first_time = ts_sim_time(sim);
-	l->most = l->kinetic[0] + l->kinetic[1] + sum_values(l->store, TS_NSTORE);
+	l->largest_energy = l->kinetic[0] + l->kinetic[1] + sum_values(l->store, TS_NSTORE);
 	l->open = 1;
 }
 

@@ -94,7 +94,7 @@ struct ts_ledger {
 	struct ts_compensated_sum slip[TS_LEDGER_SIDES];
 	/* elastic energy that came or went with particles, or changed between runs */
 	struct ts_compensated_sum moved[TS_NSTORE];
-	double most; /* largest total energy so far */
+	double largest_energy; /* largest total energy so far */
 	struct ts_ledger_heat heat;
 	int32_t newest; /* largest particle identity at the last force computation */
 	struct ts_ledger_actor *actor;

@@ -23,14 +23,14 @@ static void sums_start(struct sums *s)
 }
 
 /* `fresh`: one of the partners was added after the last force computation, and the contact with it. */
-static void add_energy(struct sums *s, const double energy[], double share, bool fresh)
+static void add_energy(struct sums *s, const double energy[], double fraction, bool fresh)
 {
 	for (int k = 0; k < TS_NCONTACT_STORE; k++) {
 		if (energy[k] == 0)
 			continue;
-		ts_exactsum_add(&s->store[k], share * energy[k]);
+		ts_exactsum_add(&s->store[k], fraction * energy[k]);
 		if (fresh)
-			ts_exactsum_add(&s->brought[k], share * energy[k]);
+			ts_exactsum_add(&s->brought[k], fraction * energy[k]);
 	}
 }
 
@@ -343,12 +343,12 @@ static void remove_pairs_of_deleted(struct tsim *sim, struct ts_ledger *l, const
 		gone[k] = ts_exactsum_start();
 	for (size_t r = 0; r < l->rows && r < rows->n; r++) {
 		/* a contact across a periodic face has two rows */
-		double share = (size_t)rows->j[r] < rows->particles ? -1 : -0.5;
+		double fraction = (size_t)rows->j[r] < rows->particles ? -1 : -0.5;
 
 		if (ts_contact_of(map, rows->tag[0][r]) >= 0 && ts_contact_of(map, rows->tag[1][r]) >= 0)
 			continue;
 		for (int k = 0; k < TS_NCONTACT_STORE; k++)
-			ts_exactsum_add(&gone[k], share * l->row_energy[r][k]);
+			ts_exactsum_add(&gone[k], fraction * l->row_energy[r][k]);
 		memset(l->row_energy[r], 0, sizeof l->row_energy[r]);
 	}
 	for (int k = 0; k < TS_NCONTACT_STORE; k++)

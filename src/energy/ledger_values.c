@@ -66,13 +66,13 @@ static double closure(const struct ts_ledger *l, const double v[])
 
 static double turnover(const struct ts_ledger *l)
 {
-	double most = fmax(l->most, fmax(l->drive.turnover, l->held.turnover));
+	double largest = fmax(l->largest_energy, fmax(l->drive.turnover, l->held.turnover));
 
 	for (int c = 0; c < TS_NCAUSE; c++)
-		most = fmax(most, l->work[c].turnover);
+		largest = fmax(largest, l->work[c].turnover);
 	for (size_t a = 0; a < l->nactors; a++)
-		most = fmax(most, fmax(l->actor[a].work.turnover, l->actor[a].own.turnover));
-	return most;
+		largest = fmax(largest, fmax(l->actor[a].work.turnover, l->actor[a].own.turnover));
+	return largest;
 }
 
 void ts_ledger_drifts(const struct ts_ledger *l, double out[TS_NSTORE + 1])
@@ -147,7 +147,7 @@ static enum ts_status archive_numbers(struct ts_archive *a, struct ts_ledger *l)
 	TS_TRY(ts_archive_fixed(a, "held", TS_SAVED_F64, &l->held, 3));
 	TS_TRY(ts_archive_fixed(a, "between", TS_SAVED_F64, &l->between, 3));
 	TS_TRY(ts_archive_fixed(a, "moved", TS_SAVED_F64, l->moved, 3 * TS_NSTORE));
-	TS_TRY(ts_archive_fixed(a, "most", TS_SAVED_F64, &l->most, 1));
+	TS_TRY(ts_archive_fixed(a, "most", TS_SAVED_F64, &l->largest_energy, 1));
 	return ts_archive_fixed(a, "newest", TS_SAVED_I32, &l->newest, 1);
 }
 
@@ -168,7 +168,7 @@ static enum ts_status archive_actor(struct ts_archive *a, struct tsim *sim, stru
 	actor->own = (struct ts_compensated_sum){ number[3], number[4], number[5] };
 	actor->heat = (struct ts_compensated_sum){ number[6], number[7], number[8] };
 	if (!(number[9] >= 0 && number[9] <= INT32_MAX))
-		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible books of an energy ledger");
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "invalid state of an energy ledger");
 	actor->pushes = (int)number[9];
 	return TS_OK;
 }
@@ -181,7 +181,7 @@ enum ts_status ts_ledger_archive(struct ts_instance *self, struct tsim *sim, str
 	TS_TRY(archive_numbers(a, l));
 	TS_TRY(ts_archive_fixed(a, "actors", TS_SAVED_I64, &n, 1));
 	if (n < 0 || n > 1000000)
-		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible books of an energy ledger");
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "invalid state of an energy ledger");
 	if (!ts_archive_writing(a)) {
 		l->nactors = 0;
 		if (TS_GROW(l->actor, l->actor_capacity, (size_t)n + 1) != TS_OK)

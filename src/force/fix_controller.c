@@ -34,7 +34,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_ref_input_resolve(sim, "fix controller", TS_WANT(SCALAR), &s->input));
 	if (strncmp(s->process, "c_", 2) && strncmp(s->process, "f_", 2) && strncmp(s->process, "v_", 2))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix controller: '%s' is to be c_ID, c_ID[k], f_ID, f_ID[k] or v_NAME",
+			       "fix controller: found '%s', expected c_ID, c_ID[k], f_ID, f_ID[k] or v_NAME",
 			       s->process);
 	if (s->started) /* also when continued from a restart file */
 		return set_control_variable(self, sim);

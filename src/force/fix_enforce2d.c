@@ -9,7 +9,7 @@ static enum ts_status require_two_dimensions(struct ts_instance *self, struct ts
 	if (sim->dimension == 2)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "fix enforce2d is for two dimensions: say `dimension 2` before the box is made");
+		       "fix enforce2d requires two dimensions: use `dimension 2` before the box is created");
 }
 
 static enum ts_status clear_out_of_plane(struct ts_instance *self, struct tsim *sim)

@@ -119,7 +119,8 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 	for (int k = 0; k < 3; k++)
 		if ((s->mode == LINEAR || s->mode == WIGGLE) && given[k].variable)
 			return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-				       "fix move: v_%s is a variable, they go with the style `variable`",
+				       "fix move: v_%s: variables are only possible with the style "
+				       "`variable`",
 				       given[k].variable);
 	if (s->mode != ROTATE && s->mode != TRANSROT)
 		return TS_OK;

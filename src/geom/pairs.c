@@ -36,9 +36,9 @@ static void axis_extent(const struct ts_box *box, const double (*x)[3], size_t n
 
 static void axis_divide(struct axis *a, size_t n, double cutoff)
 {
-	double most = 1 + 2 * cbrt((double)n); /* more cells than points do not pay */
-	double reach = cutoff * (1 + 1e-9);    /* margin for rounding of the cell index */
-	double cells = fmin(floor(a->length / reach), most);
+	double max_cells = 1 + 2 * cbrt((double)n); /* more cells than points do not pay */
+	double reach = cutoff * (1 + 1e-9);	    /* margin for rounding of the cell index */
+	double cells = fmin(floor(a->length / reach), max_cells);
 
 	a->cells = cells > 1 ? (int32_t)cells : 1;
 	a->inverse = a->length > 0 ? a->cells / a->length : 0;

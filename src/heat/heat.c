@@ -191,15 +191,15 @@ static enum ts_status heat_capacity_of_type(struct tsim *sim, int type, const st
 enum ts_status ts_heat_materials(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
-	int most = ts_largest_type(sim);
+	int last_type = ts_largest_type(sim);
 
 	TS_TRY(allocate_constants(self, sim));
-	for (int t = 1; t <= most; t++) {
+	for (int t = 1; t <= last_type; t++) {
 		TS_TRY(ts_heat_conductivity(sim, t, "fix heat/gran", &self->where, &h->conductivity[t]));
 		TS_TRY(heat_capacity_of_type(sim, t, &self->where, &h->capacity[t]));
 	}
-	for (int a = 1; a <= most; a++)
-		for (int b = 1; b <= most; b++)
+	for (int a = 1; a <= last_type; a++)
+		for (int b = 1; b <= last_type; b++)
 			TS_TRY(set_pair_constants(self, sim, a, b));
 	return TS_OK;
 }

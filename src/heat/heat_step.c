@@ -58,7 +58,7 @@ enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim, struct t
 	limit = stability_limit(self, sim);
 	h->warned = !(sim->clock.dt < limit);
 	return isfinite(limit) ? ts_report_limit(report, limit, false, &self->where,
-						 "explicit conduction of heat, m c / sum h")
+						 "explicit heat conduction, m c / sum h")
 			       : TS_OK;
 }
 
@@ -95,13 +95,13 @@ static size_t hottest_particle(const struct ts_instance *self, const struct tsim
 {
 	const struct ts_heat *h = self->state;
 	const double *temperature = ts_heat_column(sim, h->temperature);
-	size_t most = 0;
+	size_t hottest = 0;
 
-	for (size_t i = 0; i < sim->particles->n && isfinite(temperature[most]); i++)
+	for (size_t i = 0; i < sim->particles->n && isfinite(temperature[hottest]); i++)
 		if (ts_in_group(sim->particles, i, self->group) &&
-		    !(fabs(temperature[i]) <= fabs(temperature[most])))
-			most = i;
-	return most;
+		    !(fabs(temperature[i]) <= fabs(temperature[hottest])))
+			hottest = i;
+	return hottest;
 }
 
 /* Large temperatures are an error only if the time step exceeds the limit, or if they are not finite. */
@@ -126,8 +126,8 @@ enum ts_status ts_heat_check_divergence(struct ts_instance *self, struct tsim *s
 		       self->style->name, sim->particles->tag[i], temperature, h->advanced,
 		       sim->clock.dt < limit
 			       ? "a source, a wall or a value that was set is not finite"
-			       : "the time step is beyond what explicit conduction of heat bears: use "
-				 "a smaller one, a smaller thermalConductivity or `scheme exact`");
+			       : "the time step exceeds the stability limit of explicit heat conduction: "
+				 "use a smaller one, a smaller thermalConductivity or `scheme exact`");
 }
 
 static void check_time_step(struct ts_instance *self, struct tsim *sim)
@@ -144,7 +144,7 @@ static void check_time_step(struct ts_instance *self, struct tsim *sim)
 	if (h->warned)
 		ts_warn(&sim->log, &self->where,
 			"fix %s: at step %" PRId64 " the time step %g is larger than %g, the limit of "
-			"explicit conduction of heat (m c / sum h)",
+			"explicit heat conduction (m c / sum h)",
 			self->style->name, sim->clock.step, sim->clock.dt, limit);
 }
 
@@ -238,8 +238,8 @@ static enum ts_status advance_exact(struct ts_instance *self, struct tsim *sim)
 
 	if (!(parts <= 1e6))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-			       "fix %s: the time step %g is more than 500000 times the time that "
-			       "heat takes from one particle to the next",
+			       "fix %s: the time step %g is more than 500000 times the time constant of "
+			       "heat conduction between particles",
 			       self->style->name, sim->clock.dt);
 	parts = fmax(parts, 1);
 	s = sim->clock.dt / parts;

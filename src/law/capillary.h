@@ -93,13 +93,13 @@ TS_INLINE double ts_easo_pull(const struct ts_granular_pair *c, const struct ts_
 TS_INLINE double ts_washino_pull(const struct ts_granular_pair *c, const struct ts_touch *t, double volume)
 {
 	double d = ts_bridge_gap(t), theta = c->contact_angle,
-	       most = 2 * TS_PI * t->r_eff * c->surface_tension;
+	       scale = 2 * TS_PI * t->r_eff * c->surface_tension;
 	double wide = 2 * volume / (TS_PI * t->r_eff); /* d p -> sqrt(wide) for d -> 0 */
 	double dp = wide / (sqrt(d * d + wide) + d), alpha = sqrt(dp / t->r_eff);
 
 	if (t->overlap > 0)
-		return most * cos(theta) * (1 + t->overlap / sqrt(wide));
-	return most * (cos(theta) * dp / (d + dp) + sin(alpha) * sin(alpha + theta));
+		return scale * cos(theta) * (1 + t->overlap / sqrt(wide));
+	return scale * (cos(theta) * dp / (d + dp) + sin(alpha) * sin(alpha + theta));
 }
 
 /* Magnitude of the capillary force, > 0. */

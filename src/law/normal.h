@@ -87,20 +87,23 @@ TS_INLINE double ts_hysteretic_force(const struct ts_granular_pair *c, const str
 				     bool advance, double *deepest)
 {
 	double k2max = c->unloading * k1, kc = c->adhesion * k1, delta = t->overlap;
-	double softening = k2max / (k2max - k1), most = *deepest > delta ? *deepest : delta, k2, force, least;
+	double softening = k2max / (k2max - k1), deepest_now = *deepest > delta ? *deepest : delta, k2, force,
+	       loading;
 	double depth = softening * c->plasticity * 2 * t->r_eff; /* overlap from which on k_2 = k_2max */
 	double full = k2max * (delta - depth) + k1 * depth, adhesion = -kc * delta;
 	double faded = 0.5 * (delta + sqrt(delta * delta + 4 * (k1 + kc) * delta * depth / (k2max - k1)));
 
 	/* free of branches, so that the loop over contacts is vectorised */
-	k2 = k1 + (k2max - k1) * most / depth;
-	force = k2 * (delta - most) + k1 * most;
-	least = k1 * delta;
-	force = force < least ? force : least;
-	force = most >= depth ? full : force;
-	most = force < adhesion ? faded : most; /* on the adhesive branch the stored overlap decreases */
+	k2 = k1 + (k2max - k1) * deepest_now / depth;
+	force = k2 * (delta - deepest_now) + k1 * deepest_now;
+	loading = k1 * delta;
+	force = force < loading ? force : loading;
+	force = deepest_now >= depth ? full : force;
+	deepest_now = force < adhesion
+			      ? faded
+			      : deepest_now; /* on the adhesive branch the stored overlap decreases */
 	force = force < adhesion ? adhesion : force;
-	*deepest = advance ? most : *deepest;
+	*deepest = advance ? deepest_now : *deepest;
 	return force;
 }
 

@@ -12,12 +12,12 @@ struct material {
 static enum ts_status assign_material(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct material *m = state;
-	int most = sim->particles->ntypes, hi = m->types.hi ? m->types.hi : most;
+	int ntypes = sim->particles->ntypes, hi = m->types.hi ? m->types.hi : ntypes;
 	struct ts_word file = { .text = m->file, .place = *ts_sim_word_of(sim, m->file, where) };
 
-	if (hi > most)
+	if (hi > ntypes)
 		return ts_fail(&sim->error, TS_RANGE, ts_sim_word(sim, 1, where),
-			       "material: particle type %d does not exist, create_box made %d", hi, most);
+			       "material: particle type %d does not exist, create_box made %d", hi, ntypes);
 	for (int type = m->types.lo; type <= hi; type++)
 		TS_TRY(ts_material_read(sim, type, &file));
 	return TS_OK;

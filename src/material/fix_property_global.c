@@ -31,8 +31,8 @@ static enum ts_status read_columns(struct tsim *sim, struct state *s, struct ts_
 	s->property.columns = (size_t)columns;
 	if (!values->n || values->n % (size_t)columns)
 		return ts_fail(&sim->error, TS_SYNTAX, &s->words.word[0].place,
-			       "fix property/global %s: %zu values are no rows of %zu", s->property.name,
-			       values->n, s->property.columns);
+			       "fix property/global %s: %zu values are not a multiple of %zu",
+			       s->property.name, values->n, s->property.columns);
 	return TS_OK;
 }
 
@@ -65,7 +65,7 @@ static enum ts_status refuse_duplicate(struct ts_instance *self, struct tsim *si
 	if (!ts_property_find(sim, s->property.name, &by) || ts_streq(by->id, self->id))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->property.name),
-		       "fix property/global: %s is given by fix %s already; use its id to give it anew",
+		       "fix property/global: %s is given by fix %s already; use its ID to redefine it",
 		       s->property.name, by->id);
 }
 

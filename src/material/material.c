@@ -180,23 +180,23 @@ static enum ts_status warn_about_mean(struct tsim *sim, const struct ts_material
 				      const struct ts_material *b, const struct ts_material_value *own,
 				      double mean)
 {
-	struct ts_map *told = &sim->materials->told;
+	struct ts_map *warned = &sim->materials->warned;
 	bool turn = strcmp(a->name, b->name) > 0;
 	struct ts_str key = { 0 };
-	const char *kept;
+	const char *pooled;
 
 	ts_str_addf(&key, "%s of %s with %s", own->name, turn ? b->name : a->name, turn ? a->name : b->name);
-	kept = key.failed ? NULL : ts_pool_get(sim->pool, ts_str_text(&key));
+	pooled = key.failed ? NULL : ts_pool_get(sim->pool, ts_str_text(&key));
 	ts_str_release(&key);
-	if (!kept)
+	if (!pooled)
 		return ts_nomem(&sim->error);
-	if (ts_map_get(told, kept))
+	if (ts_map_get(warned, pooled))
 		return TS_OK;
 	ts_warn(&sim->log, &own->where,
-		"material: no file gives %s; the mean of their own, %g, is taken. A line `%s with %s VALUE "
-		"1` in a file, or fix property/global, gives what was measured",
-		kept, mean, own->name, b->name);
-	return ts_map_set(told, kept, told) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+		"material: no file gives %s; the mean of both materials, %g, is used. A line `%s with %s "
+		"VALUE 1` in a file, or fix property/global, sets the measured value",
+		pooled, mean, own->name, b->name);
+	return ts_map_set(warned, pooled, warned) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
 enum ts_status ts_material_find(struct tsim *sim, const char *name, int a, int b, bool *found, double *out)
@@ -262,6 +262,6 @@ void ts_materials_release(struct ts_materials *m)
 	for (size_t t = 0; t < m->n; t++)
 		release_material(&m->of[t]);
 	ts_free(m->of);
-	ts_map_release(&m->told);
+	ts_map_release(&m->warned);
 	*m = (struct ts_materials){ 0 };
 }

@@ -29,7 +29,7 @@ struct ts_materials {
 	struct ts_material *of; /* by atom type, from 1 */
 	size_t n;
 	/* set of "friction of glass with steel" ...: means that a warning was printed for */
-	struct ts_map told;
+	struct ts_map warned;
 };
 
 /* Assigns the material of this file to the atom type. */

@@ -49,12 +49,12 @@ static void describe_material_files(const struct tsim *sim, int a, int b, char *
 	if (sim->materials->n)
 		snprintf(out, size, ", or a line in the files of the materials");
 	if (one && (b == 0 || (other && ts_streq(one, other))))
-		snprintf(out, size, ", or a line in the files of the materials; that of %.60s gives none",
+		snprintf(out, size, ", or a line in the files of the materials; that of %.60s has no value",
 			 one);
 	else if (one && other)
 		snprintf(out, size,
-			 ", or a line in the files of the materials; those of %.60s and %.60s give none for "
-			 "the two, nor both their own",
+			 ", or a line in the files of the materials; those of %.60s and %.60s have no value "
+			 "for this pair, nor one for each",
 			 one, other);
 }
 

@@ -104,7 +104,7 @@ double ts_exactsum_value(const struct ts_exactsum *sum)
 	struct ts_exactsum s = *sum;
 	bool negative;
 	int64_t mantissa = 0;
-	int top, least;
+	int top, lowest;
 
 	if (s.special != 0) /* true for NaN too */
 		return s.special;
@@ -118,12 +118,12 @@ double ts_exactsum_value(const struct ts_exactsum *sum)
 	top = top_bit(&s);
 	if (top < 0)
 		return 0;
-	least = top > 52 ? top - 52 : 0; /* the last bit that a double can represent */
-	for (int k = top; k >= least; k--)
+	lowest = top > 52 ? top - 52 : 0; /* the last bit that a double can represent */
+	for (int k = top; k >= lowest; k--)
 		mantissa = 2 * mantissa + get_bit(&s, k);
-	if (least > 0 && get_bit(&s, least - 1) && (mantissa % 2 || any_bit_below(&s, least - 1)))
+	if (lowest > 0 && get_bit(&s, lowest - 1) && (mantissa % 2 || any_bit_below(&s, lowest - 1)))
 		mantissa++;
-	return ldexp((double)(negative ? -mantissa : mantissa), least - 1074);
+	return ldexp((double)(negative ? -mantissa : mantissa), lowest - 1074);
 }
 
 double ts_exactsum_of(const double *data, size_t n, size_t stride)

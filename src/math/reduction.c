@@ -13,8 +13,8 @@ void ts_reduction_add(struct ts_reduction *tally, enum ts_reduction_mode mode, d
 	if (mode >= TS_REDUCTION_SUMABS)
 		value = fabs(value);
 	ts_exactsum_add(&tally->sum, value);
-	tally->least = fmin(tally->least, value);
-	tally->most = fmax(tally->most, value);
+	tally->min = fmin(tally->min, value);
+	tally->max = fmax(tally->max, value);
 	tally->n++;
 }
 
@@ -25,10 +25,10 @@ double ts_reduction_value(const struct ts_reduction *tally, enum ts_reduction_mo
 	switch (mode) {
 	case TS_REDUCTION_MIN:
 	case TS_REDUCTION_MINABS:
-		return tally->least;
+		return tally->min;
 	case TS_REDUCTION_MAX:
 	case TS_REDUCTION_MAXABS:
-		return tally->most;
+		return tally->max;
 	case TS_REDUCTION_AVE:
 	case TS_REDUCTION_AVESQ:
 	case TS_REDUCTION_AVEABS:

@@ -26,7 +26,7 @@ extern const char *const ts_reduction_names[]; /* for argument tables, NULL-term
 
 struct ts_reduction {
 	struct ts_exactsum sum;
-	double least, most;
+	double min, max;
 	size_t n;
 };
 

@@ -255,7 +255,7 @@ rejects "$(one 'pair_style gran model hertz' 'pair_coeff * *' "$wall -5e-4")" 'p
 rejects "$(one 'fix plate all mesh/surface file plate.stl type 1 scale 0.005' \
 	"${wall/primitive*/mesh n_meshes 1 meshes plate}")" 'which contacts with triangles do not follow'
 rejects "$(one 'thermo_style custom step pe')" 'liquid bridges have no potential energy'
-rejects "$(one 'fix books all energy/ledger')" 'bridges of liquid (cohesion) have no potential energy'
+rejects "$(one 'fix books all energy/ledger')" 'liquid bridges (cohesion) have no potential energy'
 rejects "$(one "pair_style gran model hertz tangential history cohesion $easo located yes" 'pair_coeff * *')" \
 	"'located' belongs to"
 rejects "$(one "pair_style gran model jkr cohesion $easo" 'pair_coeff * *')" 'model jkr has its own adhesion'

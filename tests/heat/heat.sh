@@ -164,13 +164,13 @@ timestep $(v_factor*v_limit)
 END
 prints 'variable factor equal 1.01
 include in.limit
-run 2' '*larger than' '*the limit of explicit conduction of heat, m c / sum h'
+run 2' '*larger than' '*the limit of explicit heat conduction, m c / sum h'
 prints 'variable factor equal 1.01
 include in.limit
 neighbor 1e-5 bin
 set atom 2 x 0.216 y 0 vx $(-0.001/dt)
 fix move all nve
-run 30' '*the time step' '*the limit of explicit conduction of heat (m c / sum h)'
+run 30' '*the time step' '*the limit of explicit heat conduction (m c / sum h)'
 echo 'variable factor equal 2.1
 include in.limit
 run 5000' >in.script

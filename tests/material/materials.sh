@@ -74,15 +74,15 @@ $start
 print '\$(property(coefficientRestitution,1,2):%.6g) \$(property(coefficientRestitution,2,3):%.6g) \$(property(coefficientFriction,1,2):%.6g)'
 print '\$(property(coefficientRestitution,2,1)) \$(property(coefficientRestitution,1,3))'"
 prints "$mean" '0.59 0.59 0.177'
-[ "$(grep -c 'no file gives coefficientRestitution of brass with oak; the mean of their own, 0.59, is taken' out)" = 1 ] &&
+[ "$(grep -c 'no file gives coefficientRestitution of brass with oak; the mean of both materials, 0.59, is used' out)" = 1 ] &&
 	[ "$(grep -c 'no file gives' out)" = 1 ]
 report 'a mean is told' $? out
 rejects "units si
 $start
-print '\$(property(coefficientRollingFriction,1,2))'" 'those of oak and brass give none for the two'
+print '\$(property(coefficientRollingFriction,1,2))'" 'those of oak and brass have no value for this pair'
 rejects "units si
 $start
-print '\$(property(thermalConductivity,1))'" 'that of oak gives none'
+print '\$(property(thermalConductivity,1))'" 'that of oak has no value'
 bad() { # WORDS MESSAGE
 	printf 'density 1 kg/m3\n%s\n' "$1" >bad.material
 	rejects "units si
