@@ -48,22 +48,16 @@ const struct ts_style ts_compute_pe = {
 	.summary = "potential energy: elastic energy of contacts and bonds, and energy of fixes",
 	.doc = "The potential energy is the sum of three parts:\n\n"
 	       "* `pair`: the elastic energy of contacts, which they would return if they opened without "
-	       "losses.\n"
-	       "  Normal springs store k_n delta^2/2 with linear laws and 2/5 k_n delta^2 with the law of "
-	       "Hertz,\n"
-	       "  whose k_n is proportional to sqrt(delta). Springs of sliding and rolling friction store\n"
-	       "  k_t xi^2/2 and M^2/(2 k_r) at the present overlap. The energy of cohesion is the integral "
-	       "of its\n"
-	       "  force over the overlap, < 0. Dashpots and sliders store nothing. A contact of "
-	       "hooke/hysteresis is\n"
-	       "  plastic and has no potential energy: the run is refused.\n"
+	       "losses. Normal springs store k_n delta^2/2 with linear laws and 2/5 k_n delta^2 with the "
+	       "law of Hertz, whose k_n is proportional to sqrt(delta). Springs of sliding and rolling "
+	       "friction store k_t xi^2/2 and M^2/(2 k_r) at the present overlap. The energy of cohesion is "
+	       "the integral of its force over the overlap, < 0. Dashpots and sliders store nothing. A "
+	       "contact of hooke/hysteresis is plastic and has no potential energy: the run is refused.\n"
 	       "* `bond`: K U^2/2 of each bond of bond style contact.\n"
 	       "* `fix`: the energy of fixes for which `fix_modify ID energy yes` is set, e.g. -sum m g . x "
-	       "of fix\n"
-	       "  gravity with unwrapped positions. Walls are fixes.\n\n"
+	       "of fix gravity with unwrapped positions. Walls are fixes.\n\n"
 	       "LAMMPS and LIGGGHTS have no energy of granular contacts: there, compute pe is 0 for that "
-	       "part\n"
-	       "(see `legacy`). LIGGGHTS has no thermo keyword pe.",
+	       "part (see `legacy`). LIGGGHTS has no thermo keyword pe.",
 	.example = "compute stored all pe pair bond",
 	.args = args,
 	.state_size = sizeof(struct pe),

@@ -277,22 +277,17 @@ const struct ts_style ts_fix_energy_ledger = {
 	.kind = TS_KIND_FIX,
 	.summary = "computes the energy balance of the particles by sources and losses",
 	.doc = "Computes the work of all forces by cause, and the elastic energy of contacts and bonds. The "
-	       "fix does\n"
-	       "not change the simulation: results are bitwise the same with it. Each half kick v' = v + s "
-	       "F/m\n"
-	       "changes the kinetic energy by exactly s F . (v + v')/2, so the works of all causes add up to "
-	       "its\n"
-	       "change to rounding; the residual is CLOSURE. The elastic energy differs from the work put "
-	       "into\n"
-	       "springs by the error of the time integration: DRIFT, of second order in the time step for "
-	       "forces\n"
-	       "without jumps. The values f_ID[k] listed below fulfil\n\n"
+	       "fix does not change the simulation: results are bitwise the same with it. Each half kick v' "
+	       "= v + s F/m changes the kinetic energy by exactly s F . (v + v')/2, so the works of all "
+	       "causes add up to its change to rounding; the residual is CLOSURE. The elastic energy "
+	       "differs from the work put into springs by the error of the time integration: DRIFT, of "
+	       "second order in the time step for forces without jumps. The values f_ID[k] listed below "
+	       "fulfil\n\n"
 	       "  TOTAL - TOTAL(0) = FORCES + DRIVE + MOVED - LOST + CLOSURE + DRIFT\n\n"
 	       "At the end of a run a table lists the contributions of each style. A warning is printed if "
-	       "the\n"
-	       "drift exceeds `tolerance` times the largest turnover; it names the springs with the largest "
-	       "drift.\n"
-	       "The balance is that of all particles, whatever the group. See doc/energy.md for details.",
+	       "the drift exceeds `tolerance` times the largest turnover; it names the springs with the "
+	       "largest drift. The balance is that of all particles, whatever the group. See doc/energy.md "
+	       "for details.",
 	.example = "fix books all energy/ledger every 100 file post/energy.txt tolerance 0.001",
 	.args = args,
 	.state_size = sizeof(struct ledger),

@@ -357,7 +357,9 @@ static const struct ts_arg variable_args[] = {
 	COMPONENT("dx", shift[0], "length", "x displacement from the initial position: v_NAME or NULL"),
 	COMPONENT("dy", shift[1], "length", "y displacement"),
 	COMPONENT("dz", shift[2], "length", "z displacement"),
-	COMPONENT("vx", rate[0], "velocity", "x velocity, a variable, or NULL; both NULL" FREE),
+	COMPONENT("vx", rate[0], "velocity",
+		  "x velocity: v_NAME or NULL; if dx and vx are NULL the component is integrated with the "
+		  "forces"),
 	COMPONENT("vy", rate[1], "velocity", "y velocity"),
 	COMPONENT("vz", rate[2], "velocity", "z velocity"),
 	TS_ARGS_END,
@@ -382,7 +384,7 @@ static const struct ts_arg args[] = {
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
 	{ "start", "length",
-	  "unwrapped position of each particle when the fix was defined; 0 outside the group", TS_PERATOM, 3,
+	  "unwrapped position of each particle when the fix was defined, 0 outside the group", TS_PERATOM, 3,
 	  components, eval_start },
 	{ .name = NULL },
 };
