@@ -1,9 +1,8 @@
 /* Energy ledger: the energy balance of the particles, by sources and sinks.
  *
- * A kick is v' = v + s F/m, with s half a time step (in explicit and symplectic Euler a whole one).
- * Then
+ * A kick is v' = v + s F/m, with s half a time step (in explicit and symplectic Euler a whole one). Then
  *
- * m v'^2/2 - m v^2/2 = s F.(v + v')/2
+ *   m v'^2/2 - m v^2/2 = s F.(v + v')/2
  *
  * exactly, and the same holds for T and omega. So the works s F_c.(v + v')/2 of all causes c, sum F_c =
  * F, add up to the change of kinetic energy to rounding: the residual is the closure. The elastic
@@ -73,7 +72,7 @@ struct ts_ledger_heat {
 	double seen; /* total flux into all particles after the last action */
 };
 
-/* elastic energy of a bond, or of the contacts of a particle with walls, in the last force computation */
+/* Elastic energy of a bond, or of one contact of a particle with a wall, in the last force computation. */
 struct ts_ledger_note {
 	int32_t tag[2];
 	double energy[TS_NCONTACT_STORE];
@@ -89,6 +88,9 @@ struct ts_ledger {
 	double first_time;
 	double start_kinetic[2], start_store[TS_NSTORE];
 	double kinetic[2], store[TS_NSTORE]; /* now */
+	/* Energies: work of each cause; work of moving walls; work of a deforming box on contacts across its
+	 * faces; elastic energy of broken bonds; error of the rotation of rigid bodies; changes of velocity
+	 * by no known actor, e.g. fixed directions of bodies; changes by commands between runs. */
 	struct ts_compensated_sum work[TS_NCAUSE], drive, box, broken, turning, held, between;
 	/* energy of tangential springs dissipated by slip */
 	struct ts_compensated_sum slip[TS_LEDGER_SIDES];
