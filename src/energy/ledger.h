@@ -89,8 +89,8 @@ struct ts_ledger {
 	double start_kinetic[2], start_store[TS_NSTORE];
 	double kinetic[2], store[TS_NSTORE]; /* now */
 	/* Energies: work of each cause; work of moving walls; work of a deforming box on contacts across its
-	 * faces; elastic energy of broken bonds; error of the rotation of rigid bodies; changes of velocity
-	 * by no known actor, e.g. fixed directions of bodies; changes by commands between runs. */
+	 * faces; elastic energy of broken bonds; error of the rotation of rigid bodies; constraints: particles
+	 * that are not integrated, and fixed directions of bodies; changes by commands between runs. */
 	struct ts_compensated_sum work[TS_NCAUSE], drive, box, broken, turning, held, between;
 	/* energy of tangential springs dissipated by slip */
 	struct ts_compensated_sum slip[TS_LEDGER_SIDES];

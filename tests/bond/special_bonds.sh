@@ -74,7 +74,7 @@ for cut in $((step - 1)) "$step" $((step + 1)); do
 	same "cut at step $cut" whole.restart second.restart
 done
 
-refused 'half a contact' '1) or do not (0), found 0.5' -in in.pair -var special 'lj 0.5 1 1' \
+refused 'half a contact' 'must be 0 or 1, found 0.5' -in in.pair -var special 'lj 0.5 1 1' \
 	-var ultimate 9.0 -var v 0
 refused 'second neighbours' 'must be 1, found 0 and 1' -in in.pair -var special 'lj 0 0 1' \
 	-var ultimate 9.0 -var v 0

@@ -457,7 +457,7 @@ fix books all energy/ledger every 100 file books.txt tolerance 1e-9
 timestep 1e-4
 run 1000
 S
-"$TSIM" -in in.script -log none >out 2>&1 && shows 'mostly normal springs between particles' out &&
+"$TSIM" -in in.script -log none >out 2>&1 && shows 'mostly in normal springs between particles' out &&
 	[ "$(grep -c '^[0-9]' books.txt)" = 11 ] && head -n 1 books.txt | grep -q '^# step time TRANSLATION .* HEAT_CLOSURE$'
 report 'file and warning' $? out
 

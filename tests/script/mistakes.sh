@@ -40,7 +40,7 @@ done <<'END'
 dimension 4
 => 1:11: error: dimension: dimension is 4, expected a number from 2 to 3
 boundary p p
-=> 1:1: error: boundary: z is missing, expected a word (faces across z)
+=> 1:1: error: boundary: z is missing, expected a word (faces normal to z)
 boundary p p x
 => 1:14: error: boundary: z is 'x', expected p, f, s or m, or two of f, s, m
 boundary fp p p
@@ -57,7 +57,7 @@ create_box 1 b
 => 1:14: error: there is no region 'b'
 region b block 0 1 0 1 0 1
 create_box b 1
-=> 2:12: error: create_box: types is 'b', expected an integer (number of particle types)
+=> 2:12: error: create_box: types is 'b', expected an integer (number of atom types)
 $box
 fix 1 all nve/sphre
 => 9:11: error: unknown fix style 'nve/sphre'; did you mean 'nve/sphere'?
@@ -66,7 +66,7 @@ fix 1 gravity all 9.81 vector 0 0 -1
 => 9:7: error: there is no group 'gravity'; known: all; 'gravity' is a style, the group stands before it
 $box
 fix g all gravity vector 0 0 -1
-=> 9:19: error: fix gravity: magnitude is 'vector', expected a number or v_name (size of the acceleration; may be v_name)
+=> 9:19: error: fix gravity: magnitude is 'vector', expected a number or v_name (magnitude of the acceleration; a number or v_NAME)
 $box
 fix g all gravity 9.81 0 0 -1
 => 9:24: error: fix gravity: mode is '0', expected one of vector, chute ...
