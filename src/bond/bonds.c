@@ -159,7 +159,7 @@ static bool are_bonded(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
 
 static void connect_bonds(struct tsim *sim)
 {
-	sim->neigh->ask.bonded = are_bonded;
+	sim->neigh->callback.bonded = are_bonded;
 }
 
 static enum ts_status init_bonds(struct ts_instance *self, struct tsim *sim)

@@ -38,7 +38,7 @@ TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_conta
 		v[k] = TS_ALIGNED_FOUR(i->velocity) + ts_contact_signs * TS_ALIGNED_FOUR(j->velocity);
 		wi[k] = TS_ALIGNED_FOUR(i->omega);
 		wj[k] = TS_ALIGNED_FOUR(j->omega);
-		if (ts_granular_weighs(m)) {
+		if (ts_granular_needs_masses(m)) {
 			b->mass[0][at + k] = p->mass[active[k].i];
 			b->mass[1][at + k] = p->mass[active[k].j];
 		}

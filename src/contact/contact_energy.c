@@ -16,7 +16,7 @@ static double energy_of_pair(const struct tsim *sim, const struct ts_pair *pair,
 	struct ts_touch t;
 
 	ts_contact_touch(p, i, j, model, &t);
-	ts_granular_stand_out(model, width ? list->history + r * width : NULL, &t);
+	ts_granular_add_bulge(model, width ? list->history + r * width : NULL, &t);
 	if (!(t.overlap > 0) && !ts_granular_reaches(model))
 		return 0;
 	return ts_granular_energy(model, ts_pair_law(pair, p->type[i], p->type[j]), &t,

@@ -40,9 +40,9 @@ static double attraction_range(const struct ts_contact_task *task, const struct 
 	if (at < block->touching)
 		load_memory(list, block, at, memory);
 	if (ts_cohesion_bridges(m))
-		return ts_granular_bridged(m, law, (double[2]){ p->liquid[active->i], p->liquid[active->j] },
+		return ts_granular_bridge_reach(m, law, (double[2]){ p->liquid[active->i], p->liquid[active->j] },
 					   (double[2]){ a, b }, false, memory);
-	return ts_granular_beyond(m, law, a * b / (a + b), memory);
+	return ts_granular_pull_off_reach(m, law, a * b / (a + b), memory);
 }
 
 static void store_result(const struct ts_contact_list *list, size_t slot, const struct ts_granular_model *m,
@@ -88,7 +88,7 @@ static void compute_pair(const struct ts_contact_task *task, const struct ts_act
 	if (list->bulge) {
 		memory[ts_granular_multi_at(m) + TS_MULTI_BULGE] = list->bulge[active->row].bulge;
 		memory[ts_granular_multi_at(m) + TS_MULTI_RADIUS] = list->bulge[active->row].r_eff;
-		ts_granular_stand_out(m, memory, &t);
+		ts_granular_add_bulge(m, memory, &t);
 	}
 	ts_granular_contact(m, ts_pair_law(pair, block->type[0], block->type[1]), &t, task->dt, task->advance,
 			    memory, &f);
@@ -140,7 +140,7 @@ void ts_contact_share_generic(void *context, size_t from, size_t to)
 
 struct force_pass {
 	struct ts_contact_task task;
-	ts_share_fn *share;
+	ts_range_fn *share;
 	ts_contact_sums_fn *sum;
 };
 

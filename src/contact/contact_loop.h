@@ -140,6 +140,6 @@ TS_INLINE void ts_contact_touch(const struct ts_particles *p, size_t i, size_t j
 void ts_contact_share_generic(void *task, size_t from, size_t to);
 
 /* Computes the forces of all active pairs with the function `share`, then their sum for each particle. */
-enum ts_status ts_contact_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share);
+enum ts_status ts_contact_loop(struct tsim *sim, const struct ts_pair *pair, ts_range_fn *share);
 
 #endif

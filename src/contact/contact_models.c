@@ -25,7 +25,7 @@ TS_UNROLLED
 TS_GRANULAR_MODELS(LOOP)
 
 /* The loop compiled for this whole model, or NULL. */
-static ts_share_fn *share_of_whole_model(const struct ts_granular_model *m)
+static ts_range_fn *share_of_whole_model(const struct ts_granular_model *m)
 {
 	static const struct {
 		const struct ts_granular_model *model;
@@ -58,7 +58,7 @@ static bool all_models_staged(const struct ts_pair *pair)
 
 ts_range_fn *ts_contact_share_of(const struct ts_pair *pair, bool generic)
 {
-	ts_share_fn *own = pair->sticks ? NULL : share_of_whole_model(&pair->model);
+	ts_range_fn *own = pair->sticks ? NULL : share_of_whole_model(&pair->model);
 
 	if (own && !generic)
 		return own;

@@ -7,6 +7,6 @@
 
 /* The loop for whole models if the pair's model has one, else the staged loop (law_stages.h), else, or if
  * `generic` is set, the generic loop. */
-ts_share_fn *ts_contact_share_of(const struct ts_pair *pair, bool generic);
+ts_range_fn *ts_contact_share_of(const struct ts_pair *pair, bool generic);
 
 #endif

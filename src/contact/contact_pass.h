@@ -8,8 +8,8 @@
 #include "neigh/contact_list.h"
 
 struct ts_contacts_pass {
-	ts_share_fn *compute; /* computes the active pairs of the blocks from .. to-1 */
-	ts_share_fn *sum;     /* sums over the particles from .. to-1, all of whose pairs are computed */
+	ts_range_fn *compute; /* computes the active pairs of the blocks from .. to-1 */
+	ts_range_fn *sum;     /* sums over the particles from .. to-1, all of whose pairs are computed */
 	void *context;	      /* argument of both functions; shared by the threads */
 	bool sum_all;	      /* `sum` is called also for particles without active pairs */
 };

@@ -20,7 +20,7 @@ struct ts_stages {
 
 	/* geometry and kinematics of the contacts: ts_stages_store_touch */
 	double n[3][TS_BATCH], distance[TS_BATCH], overlap[TS_BATCH], r_eff[TS_BATCH], m_eff[TS_BATCH];
-	double less[TS_BATCH]; /* radius - lever arm: ts_granular_short */
+	double less[TS_BATCH]; /* radius - lever arm: ts_granular_arm_reduction */
 	double vn[TS_BATCH], slip[3][TS_BATCH], roll[3][TS_BATCH], spin[3][TS_BATCH];
 
 	/* results of a stage that later ones read */

@@ -17,7 +17,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	s->sim = sim;
 	TS_TRY(ts_energy_parse_parts(sim, self, s->words, &parts));
-	s->parts = (struct ts_elastic_parts){ parts.pair, parts.bond };
+	s->parts = (struct ts_contact_energy_parts){ parts.pair, parts.bond };
 	return TS_OK;
 }
 

@@ -85,7 +85,7 @@ struct pair_accounting {
 static void account_pair(struct pair_accounting *w, size_t r, int side, size_t own)
 {
 	static const double zero[3] = { 0 };
-	const struct ts_contact_list *rows = &w->sim->neigh->rows;
+	const struct ts_contact_list *rows = &w->sim->neigh->contacts;
 	const struct ts_particles *p = w->sim->particles;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	const struct ts_granular_model *m = ts_pair_model(w->pair, p->type[i], p->type[j]);

@@ -31,7 +31,7 @@ enum ts_status ts_heat_update_contacts(struct ts_instance *self, struct tsim *si
 
 	TS_TRY(ts_heat_materials(self, sim));
 	TS_TRY(list_frozen_pairs(h, sim));
-	h->pairs[0].rows = &sim->neigh->rows;
+	h->pairs[0].rows = &sim->neigh->contacts;
 	h->pairs[1].rows = &h->held;
 	for (int k = 0; k < 2; k++) {
 		struct ts_heat_pairs *pairs = &h->pairs[k];

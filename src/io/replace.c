@@ -97,7 +97,7 @@ enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim, const st
 	r->sim = sim;
 	r->where = where ? *where : (struct ts_place){ 0 };
 	if (sim->reading.explain) {
-		r->file = ts_files_nowhere();
+		r->file = ts_files_open_null();
 		return r->file ? TS_OK
 			       : ts_textfile_open_failed(&sim->error, &sim->files, where, "/dev/null");
 	}

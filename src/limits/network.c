@@ -174,7 +174,7 @@ static void compute_stiffness_share(void *context, size_t from, size_t to)
 		w->k[r] = 0;
 		if (!contact_case(w, r, &c, n))
 			continue;
-		f = ts_granular_at(c.model, c.law, c.r_eff, c.m_eff, c.overlap);
+		f = ts_granular_constants_at(c.model, c.law, c.r_eff, c.m_eff, c.overlap);
 		w->k[r] = effective_stiffness(w, &f);
 	}
 }

@@ -21,19 +21,19 @@ TS_CLONES static void pack_spheres(const struct ts_particles *p, struct ts_conta
 	ts_four largest = { 0 };
 
 	for (size_t i = from; i < to; i++) {
-		ts_four now = TS_FOUR_AT(p->x[i]), velocity = TS_FOUR_AT(p->v[i]), omega = { 0 }, step;
+		ts_four now = TS_FOUR_LOAD(p->x[i]), velocity = TS_FOUR_LOAD(p->v[i]), omega = { 0 }, step;
 
 		now[3] = p->radius[i];
 		velocity[3] = p->imass[i];
 		if (p->omega)
-			omega = TS_FOUR_AT(p->omega[i]);
+			omega = TS_FOUR_LOAD(p->omega[i]);
 		omega[3] = p->radius[i];
 		step = now - *(ts_four *)out[i].position;
 		step *= step;
 		*(ts_four *)out[i].position = now;
 		*(ts_four *)out[i].velocity = velocity;
 		*(ts_four *)out[i].omega = omega;
-		ts_four_most(&largest, &step);
+		ts_four_max(&largest, &step);
 	}
 	for (int k = 0; k < 4; k++)
 		most[k] = largest[k];

@@ -39,8 +39,8 @@ TS_INLINE size_t find_partners_in_cells(const struct ts_level *level, int32_t fr
 					const struct query *w, int32_t *out)
 {
 	static const ts_four_marks next = { 0, 1, 2, 3 };
-	const ts_four skin = TS_FOUR_ALL(w->skin), radius = TS_FOUR_ALL(w->position[3]);
-	const ts_four close = TS_FOUR_ALL(TS_COINCIDE * TS_COINCIDE * w->position[3] * w->position[3]);
+	const ts_four skin = TS_FOUR_BROADCAST(w->skin), radius = TS_FOUR_BROADCAST(w->position[3]);
+	const ts_four close = TS_FOUR_BROADCAST(TS_COINCIDE * TS_COINCIDE * w->position[3] * w->position[3]);
 	const long long least = w->bound;
 	const ts_four_marks bound = { least, least, least, least };
 	ts_four_marks same = { 0 };
@@ -49,14 +49,14 @@ TS_INLINE size_t find_partners_in_cells(const struct ts_level *level, int32_t fr
 	for (int32_t k = from; k < to; k += 4) {
 		const long long rest = to - k;
 		const ts_four_marks left = { rest, rest, rest, rest };
-		ts_four reach = radius + TS_FOUR_AT(level->position[3] + k) + skin, square = { 0 };
+		ts_four reach = radius + TS_FOUR_LOAD(level->position[3] + k) + skin, square = { 0 };
 		union {
 			ts_four_marks all;
 			long long one[4];
 		} hit;
 
 		for (int c = 0; c < 3; c++) {
-			ts_four d = TS_FOUR_ALL(w->position[c]) - TS_FOUR_AT(level->position[c] + k);
+			ts_four d = TS_FOUR_BROADCAST(w->position[c]) - TS_FOUR_LOAD(level->position[c] + k);
 
 			square += d * d;
 		}

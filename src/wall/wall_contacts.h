@@ -87,7 +87,7 @@ static inline void ts_wall_contact_zero_force(const struct ts_wall_contacts *c, 
 
 /* Calls `share` for ranges of contacts in parallel. The contacts of a particle are never split between
  * ranges, so that its forces are summed in a fixed order. */
-void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c, ts_share_fn *share,
+void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c, ts_range_fn *share,
 			       void *context);
 
 enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim *sim,

@@ -141,7 +141,7 @@ static void compute_contact(const struct ts_wall_queue *q, size_t at)
 
 	load_ends(q->sim->particles, (size_t)q->w->contacts.row[k], &q->point[at], &ends);
 	ts_wall_ends_touch(&ends, q->model, &t);
-	ts_granular_stand_out(q->model, ts_wall_memory(&q->w->contacts, k), &t);
+	ts_granular_add_bulge(q->model, ts_wall_memory(&q->w->contacts, k), &t);
 	ts_granular_contact(q->model, contact_law(q, at), &t, q->sim->clock.dt, !q->sim->run.in_setup,
 			    ts_wall_memory(&q->w->contacts, k), &f);
 	for (int d = 0; d < 3; d++) {
@@ -169,10 +169,10 @@ TS_INLINE void load_four(const struct ts_wall_queue *q, const size_t at[4], stru
 		const double *memory = ts_wall_memory(c, q->contact[at[j]]);
 		size_t i = (size_t)c->row[q->contact[at[j]]];
 
-		n[j] = TS_FOUR_AT(point->n); /* n and, behind it, distance */
-		v[j] = TS_FOUR_AT(p->v[i]) - TS_FOUR_AT(point->velocity);
+		n[j] = TS_FOUR_LOAD(point->n); /* n and, behind it, distance */
+		v[j] = TS_FOUR_LOAD(p->v[i]) - TS_FOUR_LOAD(point->velocity);
 		v[j][3] = contact_mass(p, i);
-		omega[j] = TS_FOUR_ALL(0);
+		omega[j] = TS_FOUR_BROADCAST(0);
 		if (p->omega)
 			omega[j] = TS_FOUR_LOAD(p->omega[i]);
 		omega[j][3] = p->radius[i];
@@ -299,7 +299,7 @@ bool ts_wall_in_range(const struct ts_wall_queue *q, size_t k, const struct ts_w
 		beyond = ts_granular_bridge_reach(q->model, law, (double[2]){ p->liquid[i] },
 						  (double[2]){ radius }, true, memory);
 	else
-		beyond = ts_granular_beyond(q->model, law, ts_wall_effective_radius(radius, point->curvature),
+		beyond = ts_granular_pull_off_reach(q->model, law, ts_wall_effective_radius(radius, point->curvature),
 					    memory);
 	return point->distance < radius + beyond;
 }
