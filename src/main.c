@@ -95,8 +95,8 @@ static int open_output(struct tsim *sim, struct ts_setup *setup)
 	} else if (setup->screen) {
 		setup->screen_file = sim->log.screen = ts_files_open(&sim->files, setup->screen, "w");
 		if (!sim->log.screen)
-			return ts_usage_error("cannot open screen file '%s': %s", setup->screen,
-					      ts_files_why(&sim->files));
+			return ts_program_usage_error("cannot open screen file '%s': %s", setup->screen,
+						      ts_files_why(&sim->files));
 	}
 	sim->log.progress = sim->log.screen == stdout && isatty(STDOUT_FILENO);
 	return ts_streq(log, "none") ? 0 : tsim_log(sim, log);

@@ -3,9 +3,11 @@ library_sources = \
 	src/advise/advise.c \
 	src/advise/advise.h \
 	src/advise/candidates.c \
+	src/advise/candidates.h \
 	src/advise/trial.c \
 	src/advise/trial.h \
 	src/advise/verdict.c \
+	src/advise/verdict.h \
 	src/average/average.c \
 	src/average/average.h \
 	src/average/average_file.c \
@@ -269,10 +271,13 @@ library_sources = \
 	src/coupling/coupling_force.c \
 	src/coupling/coupling_force.h \
 	src/coupling/drag_exchange.c \
+	src/coupling/drag_exchange.h \
 	src/coupling/drag_force.c \
 	src/coupling/drag_force.h \
 	src/coupling/drag_limits.c \
+	src/coupling/drag_limits.h \
 	src/coupling/drag_slip.c \
+	src/coupling/drag_slip.h \
 	src/coupling/fix_added_mass.c \
 	src/coupling/fix_buoyancy.c \
 	src/coupling/fix_couple_cfd.c \
@@ -299,6 +304,7 @@ library_sources = \
 	src/crosscheck/crosscheck.c \
 	src/crosscheck/crosscheck.h \
 	src/crosscheck/difference_report.c \
+	src/crosscheck/difference_report.h \
 	src/crosscheck/folder.c \
 	src/crosscheck/folder.h \
 	src/crosscheck/frame.c \
@@ -308,6 +314,7 @@ library_sources = \
 	src/crosscheck/meaning.c \
 	src/crosscheck/meaning.h \
 	src/crosscheck/outputs.c \
+	src/crosscheck/outputs.h \
 	src/crosscheck/reader.c \
 	src/crosscheck/reader.h \
 	src/crosscheck/reader_text.c \
@@ -354,6 +361,7 @@ library_sources = \
 	src/explain/price.c \
 	src/explain/price.h \
 	src/flow/boundary.c \
+	src/flow/boundary.h \
 	src/flow/boundary_formula.c \
 	src/flow/boundary_pressure.c \
 	src/flow/command_flow_boundary.c \
@@ -368,8 +376,10 @@ library_sources = \
 	src/flow/convection.h \
 	src/flow/dump_flow_vtk.c \
 	src/flow/fix_flow_scalar.c \
+	src/flow/flow.c \
 	src/flow/flow.h \
 	src/flow/flow_arguments.c \
+	src/flow/flow_arguments.h \
 	src/flow/flow_keywords.c \
 	src/flow/flow_limits.c \
 	src/flow/flow_limits.h \
@@ -380,30 +390,34 @@ library_sources = \
 	src/flow/flow_resolution.h \
 	src/flow/flow_sampling.c \
 	src/flow/flow_sampling.h \
-	src/flow/flow_setup.c \
-	src/flow/flow_step.c \
 	src/flow/flow_uniform.c \
 	src/flow/fluid.c \
 	src/flow/fluid.h \
+	src/flow/fluid_ghosts.c \
 	src/flow/fluid_interpolation.c \
-	src/flow/ghosts.c \
 	src/flow/implicit_viscosity.c \
 	src/flow/implicit_viscosity.h \
 	src/flow/operators.c \
 	src/flow/operators.h \
 	src/flow/particle_sources.c \
+	src/flow/particle_sources.h \
 	src/flow/predictor.c \
 	src/flow/predictor.h \
 	src/flow/pressure_projection.c \
+	src/flow/pressure_projection.h \
 	src/flow/projection.h \
+	src/flow/projection_setup.c \
+	src/flow/projection_step.c \
 	src/flow/scalar_transport.c \
 	src/flow/scalar_transport.h \
 	src/flow/step_diagnostics.c \
+	src/flow/step_diagnostics.h \
 	src/flow/time_schemes.c \
 	src/flow/time_schemes.h \
 	src/flow/transported_scalars.c \
 	src/flow/transported_scalars.h \
 	src/flow/void_fraction.c \
+	src/flow/void_fraction.h \
 	src/force/fix_addforce.c \
 	src/force/fix_aveforce.c \
 	src/force/fix_controller.c \
@@ -617,6 +631,7 @@ library_sources = \
 	src/limits/tunnelling.c \
 	src/limits/tunnelling.h \
 	src/manual/grammar.c \
+	src/manual/grammar.h \
 	src/manual/help.c \
 	src/manual/help.h \
 	src/manual/manual.c \

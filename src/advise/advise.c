@@ -11,7 +11,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "advise/candidates.h"
 #include "advise/trial.h"
+#include "advise/verdict.h"
 #include "base/clock.h"
 #include "core/arg.h"
 #include "crosscheck/folder.h"
@@ -196,7 +198,7 @@ static void try_all(struct advise *a, struct ts_log *screen)
 	if (*b->trouble)
 		return;
 	b->skin = a->sim->neigh->wanted ? ts_neigh_skin(a->sim) : 0;
-	ts_settings_list(a->sim, b);
+	ts_candidates_list(a->sim, b);
 	choose_steps(a);
 	for (int k = 0; k < b->n; k++)
 		try_one(a, k, screen);

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "advise/trial.h"
+#include "advise/candidates.h"
 #include "core/sim.h"
 #include "neigh/neigh.h"
 #include "particle/prescribed.h"
@@ -209,7 +209,7 @@ static void list_pressures(struct tsim *sim, struct ts_board *b)
 	}
 }
 
-void ts_settings_list(struct tsim *sim, struct ts_board *b)
+void ts_candidates_list(struct tsim *sim, struct ts_board *b)
 {
 	struct ts_trial *t = add(b, TS_SUBJECT_PRESENT);
 
@@ -283,7 +283,7 @@ static enum ts_status make_choice(struct tsim *sim, int c, const char *value)
 	return TS_OK;
 }
 
-enum ts_status ts_settings_apply(struct tsim *sim, const struct ts_board *b, const struct ts_trial *t)
+enum ts_status ts_candidates_apply(struct tsim *sim, const struct ts_board *b, const struct ts_trial *t)
 {
 	if (t->threads > 0)
 		sim->threads = t->threads;
@@ -298,6 +298,6 @@ enum ts_status ts_settings_apply(struct tsim *sim, const struct ts_board *b, con
 	for (int k = 0; k < b->n; k++) /* those that were marked when it was put together */
 		if (b->trial[k].advised && b->trial[k].subject >= TS_SUBJECT_CHOICE &&
 		    b->trial[k].subject < TS_SUBJECT_TOGETHER)
-			TS_TRY(ts_settings_apply(sim, b, &b->trial[k]));
+			TS_TRY(ts_candidates_apply(sim, b, &b->trial[k]));
 	return TS_OK;
 }

@@ -13,6 +13,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "advise/candidates.h"
 #include "base/clock.h"
 #include "core/plan.h"
 #include "core/report.h"
@@ -324,7 +325,7 @@ static enum ts_status attempt(struct copy *c)
 		c->sim->run.timeout = 0;
 		return probe(c);
 	}
-	TS_TRY(ts_settings_apply(c->sim, c->board, c->trial));
+	TS_TRY(ts_candidates_apply(c->sim, c->board, c->trial));
 	return follow(c);
 }
 

@@ -88,16 +88,4 @@ void ts_trial_run(struct tsim *sim, struct ts_board *board, int k, double second
 /* Once more; the least and the longest time are kept. */
 void ts_trial_repeat(struct tsim *sim, struct ts_board *board, int k, double seconds);
 
-/* settings.c: lists what can be tried with this scene; makes a trial's setting so in a copy. */
-void ts_settings_list(struct tsim *sim, struct ts_board *board);
-enum ts_status ts_settings_apply(struct tsim *sim, const struct ts_board *board,
-				 const struct ts_trial *trial);
-
-/* verdict.c: whether trial k seems worth it, but its time differs from the present one by no more than
- * times of the same differ. */
-bool ts_verdict_open(struct ts_board *b, int k);
-/* Fills in the trial with all that is advised; false: there is nothing, or only one thing. */
-bool ts_verdict_combine(struct ts_board *board, double tolerance);
-void ts_verdict_print(struct ts_board *board, double tolerance, struct ts_str *out);
-
 #endif

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "advise/trial.h"
+#include "advise/verdict.h"
 #include "explain/price.h"
 
 #include "base/banned.h"

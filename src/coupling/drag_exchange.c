@@ -1,9 +1,10 @@
 /* Momentum exchange of drag: the reaction on the fluid, and the correction of the forces on particles
  * after its step. */
-#include "coupling/drag_force.h"
 
 #include <math.h>
 
+#include "coupling/drag_exchange.h"
+#include "coupling/drag_slip.h"
 #include "flow/projection.h"
 #include "particle/particles.h"
 

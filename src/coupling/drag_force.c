@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "core/sim.h"
+#include "coupling/drag_exchange.h"
+#include "coupling/drag_slip.h"
 #include "coupling/outside_grid.h"
 #include "integrate/integrators.h"
 #include "particle/particles.h"

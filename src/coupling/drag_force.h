@@ -1,4 +1,4 @@
-/* Common part of the drag fixes, and the internal interface of the files drag_*.c. The fluid's velocity is
+/* Common part of the drag fixes, and the state that the files drag_*.c share. The fluid's velocity is
  * interpolated to each particle of the group, the law of the style gives the drag coefficient, and a fluid
  * that is solved for receives the opposite of the force on the particle, to round-off.
  *
@@ -20,6 +20,7 @@
 #include "average/particle_tally.h"
 #include "coupling/added_mass.h"
 #include "coupling/cell_order.h"
+#include "coupling/drag_limits.h"
 #include "coupling/interpolation_weights.h"
 #include "flow/flow.h"
 #include "flow/fluid.h"
@@ -143,8 +144,6 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_drag_relax(struct ts_instance *self, struct tsim *sim);
 bool ts_drag_is_late(const struct ts_instance *self);
 enum ts_status ts_drag_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
-enum ts_status ts_drag_report_limits(struct ts_instance *self, struct tsim *sim,
-				     struct ts_plan_report *report);
 void ts_drag_fini(struct ts_instance *self);
 
 #define TS_DRAG_SLOTS                                                                                        \
@@ -152,31 +151,5 @@ void ts_drag_fini(struct ts_instance *self);
 	.init = ts_drag_init, .archive = ts_drag_archive, .values = ts_drag_values,                          \
 	.hook = { [TS_STAGE_POST_FORCE] = ts_drag_post_force }, .late = { [TS_LATE_RELAX] = ts_drag_relax }, \
 	.is_late = ts_drag_is_late, .plan = ts_drag_report_limits, .fini = ts_drag_fini
-
-/* ---- drag_slip.c */
-
-/* Whether the drag acts along axis k (keyword axes). */
-bool ts_drag_acts_along(const struct ts_drag *drag, int k);
-/* Whether forces do not change the velocity of particle i: it is frozen or no fix integrates it. (With an
- * outside program attached, particles without such a fix are not counted: the program may move them.) */
-bool ts_drag_motion_prescribed(const struct ts_drag *drag, const struct tsim *sim, size_t i);
-/* Mass of particle i, including added mass. */
-double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i);
-/* Finds the slip w = u - v at particle i, and diameter, speed and void fraction for the law; false if the
- * particle is outside the fluid. */
-bool ts_drag_slip_at(const struct ts_instance *self, const struct ts_particles *p, size_t i,
-		     struct ts_slip *slip, double w[3]);
-
-/* ---- drag_exchange.c */
-
-/* Number of steps of the simulation over which the fluid takes the mean of forces; 0: the fluid makes no
- * step in this step of the simulation, and receives the explicit force. */
-double ts_drag_steps_to_fluid(const struct ts_drag *s);
-/* Adds the reaction to the drag on all particles to the fluid. */
-enum ts_status ts_drag_add_to_fluid(struct ts_instance *self, struct tsim *sim);
-/* After the step of the fluid: adds B (u' - u) to the forces on the particles. Slot after_step of struct
- * ts_flow_part. */
-enum ts_status ts_drag_correct(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-			       double length);
 
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "coupling/drag_slip.h"
 #include "flow/projection.h"
 #include "particle/particles.h"
 #include "rigid/rigid.h"

@@ -1,9 +1,9 @@
 /* Slip velocity between a particle and the fluid, and mass of the particle: used by all other files
  * drag_*.c. */
-#include "coupling/drag_force.h"
 
 #include <math.h>
 
+#include "coupling/drag_slip.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 #include "rigid/rigid.h"

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "crosscheck/meaning.h"
+#include "crosscheck/reader.h"
 
 #include "base/banned.h"
 

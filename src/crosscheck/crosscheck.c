@@ -5,9 +5,11 @@
 
 #include "base/process.h"
 #include "core/arg.h"
+#include "crosscheck/difference_report.h"
 #include "crosscheck/folder.h"
 #include "crosscheck/inputs.h"
 #include "crosscheck/meaning.h"
+#include "crosscheck/outputs.h"
 #include "explain/price.h"
 
 #include "base/banned.h"

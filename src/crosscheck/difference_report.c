@@ -2,7 +2,7 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "crosscheck/crosscheck.h"
+#include "crosscheck/difference_report.h"
 
 #include "base/banned.h"
 

@@ -4,7 +4,7 @@
 #include <zlib.h>
 
 #include "base/files.h"
-#include "crosscheck/crosscheck.h"
+#include "crosscheck/outputs.h"
 
 #include "base/banned.h"
 

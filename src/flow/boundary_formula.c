@@ -1,7 +1,8 @@
 /* Evaluation of the formulas of flow_boundary at the points of a face of the grid. */
 #include <math.h>
 
-#include "flow/projection.h"
+#include "flow/boundary.h"
+#include "flow/flow_arguments.h"
 
 #include "base/banned.h"
 

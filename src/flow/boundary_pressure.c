@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "flow/boundary.h"
 #include "flow/flow_measures.h"
 #include "flow/projection.h"
 

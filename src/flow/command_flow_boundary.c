@@ -1,4 +1,5 @@
 /* Command flow_boundary: conditions at the faces of the fluid's grid. */
+#include "flow/flow_arguments.h"
 #include "flow/projection.h"
 
 #include "base/banned.h"

@@ -1,4 +1,6 @@
 /* Command flow_set: initial velocity of the fluid. */
+#include "flow/flow_arguments.h"
+#include "flow/pressure_projection.h"
 #include "flow/projection.h"
 
 #include <math.h>

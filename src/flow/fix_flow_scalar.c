@@ -8,7 +8,7 @@
 #include "coupling/cell_order.h"
 #include "coupling/interpolation_weights.h"
 #include "flow/flow.h"
-#include "flow/projection.h"
+#include "flow/flow_arguments.h"
 #include "heat/heat.h"
 #include "law/drag.h"
 #include "law/lift.h"

@@ -23,14 +23,14 @@ static inline const struct ts_flow_style *ts_flow_style_of(const struct ts_insta
 }
 
 /* The fields of the live flow style; an error in the name of `who` ("fix drag/ergun") if there is no fluid
- * that is solved for. fluid.c */
+ * that is solved for. */
 enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const struct ts_place *where,
 				     struct ts_fluid **out);
 
 /* Keywords of the fluid for thermo_style and formulas: flow_ke ... flow_keywords.c */
 extern const struct ts_system_style ts_flow_system;
 
-/* The same; NULL in place of an error. fluid.c */
+/* The same; NULL in place of an error. */
 struct ts_fluid *ts_flow_fluid(const struct tsim *sim);
 /* Iterates over the fixes of a style that take part in the steps of the fluid: start with *k = 0; NULL at
  * the end. */

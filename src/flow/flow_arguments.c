@@ -1,5 +1,5 @@
 /* Arguments common to several commands of the fluid. */
-#include "flow/projection.h"
+#include "flow/flow_arguments.h"
 #include "region/region.h"
 
 #include "base/banned.h"

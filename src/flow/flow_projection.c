@@ -3,9 +3,12 @@
 
 #include "core/report.h"
 #include "coupling/outside_grid.h"
+#include "flow/boundary.h"
+#include "flow/flow_arguments.h"
 #include "flow/flow_limits.h"
 #include "flow/flow_resolution.h"
 #include "flow/implicit_viscosity.h"
+#include "flow/pressure_projection.h"
 #include "poisson/pressure_choice.h"
 
 #include "base/banned.h"

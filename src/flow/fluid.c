@@ -1,7 +1,5 @@
 #include "flow/fluid.h"
 
-#include "flow/flow.h"
-
 #include "base/banned.h"
 
 static void release_vector(double *field[3])
@@ -90,39 +88,4 @@ double ts_fluid_kick_fraction(const struct tsim *sim)
 		    fixes->item[k]->style->hook[TS_STAGE_FINAL_INTEGRATE])
 			return 0.5;
 	return 1;
-}
-
-enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const struct ts_place *where,
-				     struct ts_fluid **out)
-{
-	struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
-
-	*out = NULL;
-	if (!flow)
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "%s needs a fluid: use flow_style projection before it", who);
-	if (!ts_flow_style_of(flow)->fluid)
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "%s needs a fluid that is solved for, which flow_style %s is not: use "
-			       "flow_style projection before it",
-			       who, flow->style->name);
-	*out = ts_flow_style_of(flow)->fluid(flow);
-	return TS_OK;
-}
-
-struct ts_fluid *ts_flow_fluid(const struct tsim *sim)
-{
-	const struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
-
-	return flow && ts_flow_style_of(flow)->fluid ? ts_flow_style_of(flow)->fluid(flow) : NULL;
-}
-
-const struct ts_instance *ts_flow_part_named(const struct tsim *sim, const char *style, size_t *k)
-{
-	const struct ts_instance *inst;
-
-	while ((inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, k)))
-		if (ts_streq(inst->style->name, style))
-			return inst;
-	return NULL;
 }

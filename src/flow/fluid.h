@@ -188,7 +188,7 @@ struct ts_flow_part {
 				    char *cause, size_t size);
 };
 
-/* ---- ghosts.c */
+/* ---- fluid_ghosts.c */
 
 /* Sets the ghosts of a velocity field (fluid->u or another), and the components across boundaries that
  * give them. */

@@ -2,7 +2,9 @@
  * faces in the projection that follow from them. */
 #include <string.h>
 
+#include "flow/particle_sources.h"
 #include "flow/projection.h"
+#include "flow/void_fraction.h"
 
 #include "base/banned.h"
 

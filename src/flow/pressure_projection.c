@@ -3,7 +3,11 @@
 #include <string.h>
 
 #include "base/clones.h"
+#include "flow/boundary.h"
+#include "flow/particle_sources.h"
+#include "flow/pressure_projection.h"
 #include "flow/projection.h"
+#include "flow/void_fraction.h"
 #include "poisson/pressure_choice.h"
 
 #include "base/banned.h"

@@ -5,6 +5,8 @@
 
 #include "base/clones.h"
 #include "flow/flow_limits.h"
+#include "flow/pressure_projection.h"
+#include "flow/step_diagnostics.h"
 
 #include "base/banned.h"
 

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "flow/projection.h"
+#include "flow/void_fraction.h"
 
 #include "base/banned.h"
 

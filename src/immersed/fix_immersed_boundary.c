@@ -1,10 +1,11 @@
 /* Fix immersed/boundary: solids in a fluid that is solved for, by direct forcing. */
-#include "flow/projection.h"
 
 #include <stdio.h>
 #include <string.h>
 
 #include "core/report.h"
+#include "flow/flow.h"
+#include "flow/flow_arguments.h"
 #include "force/restraint.h"
 #include "immersed/closed_regions.h"
 #include "immersed/immersed.h"

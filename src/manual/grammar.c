@@ -5,9 +5,9 @@
 
 #include "base/map.h"
 #include "core/sim.h"
-#include "manual/manual.h"
 #include "formula/expr.h"
 #include "formula/variable.h"
+#include "manual/grammar.h"
 
 #include "base/banned.h"
 

@@ -1,4 +1,4 @@
-/* Finding pages of the manual by a word, and grammar files of editors. All come from the tables. */
+/* Search for pages of the manual by name or by words. The pages are generated from the tables. */
 #ifndef TS_MANUAL_MANUAL_H
 #define TS_MANUAL_MANUAL_H
 
@@ -15,9 +15,5 @@ bool ts_manual_find(const struct ts_tables *tables, const char *words, struct ts
 bool ts_manual_search(const struct ts_tables *tables, const char *words, struct ts_str *out);
 /* The page that lists all others. */
 void ts_manual_index(const struct ts_tables *tables, struct ts_str *out);
-
-/* Grammar files of editors. */
-void ts_grammar_vim(const struct ts_tables *tables, struct ts_str *out);
-void ts_grammar_textmate(const struct ts_tables *tables, struct ts_str *out);
 
 #endif

@@ -29,7 +29,7 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 /* A line for each option. */
 void ts_program_list_options(void);
 /* To standard error, with a hint. `format` has two %s. */
-int ts_usage_error(const char *format, const char *what, const char *more);
+int ts_program_usage_error(const char *format, const char *what, const char *more);
 
 /* -sandbox: closes the door for good; what is kept, and by whom, is said in the text. */
 int ts_program_sandbox(struct tsim *sim, const struct ts_setup *setup, struct ts_str *said);

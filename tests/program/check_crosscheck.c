@@ -7,10 +7,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "crosscheck/crosscheck.h"
+#include "crosscheck/difference_report.h"
 #include "core/life.h"
 #include "crosscheck/inputs.h"
 #include "crosscheck/meaning.h"
+#include "crosscheck/outputs.h"
 #include "base/process.h"
 #include "library/tsim_tables.h"
 

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "box/domain.h"
+#include "flow/boundary.h"
 #include "flow/projection.h"
 #include "region/region.h"
 

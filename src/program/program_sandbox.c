@@ -40,14 +40,14 @@ static int refuse_others(const struct ts_setup *setup)
 			    : setup->advised	  ? "-advise"
 						  : NULL;
 
-	return other ? ts_usage_error("-sandbox and %s cannot be given together: %s starts processes", other,
-				      other)
+	return other ? ts_program_usage_error("-sandbox and %s cannot be given together: %s starts processes",
+					      other, other)
 		     : 0;
 }
 
 static int admit_failed(const char *folder)
 {
-	return ts_usage_error("-sandbox: cannot open the folder '%s': %s", folder, strerror(errno));
+	return ts_program_usage_error("-sandbox: cannot open the folder '%s': %s", folder, strerror(errno));
 }
 
 /* The folder that the script is in, links resolved. */
@@ -58,7 +58,7 @@ static int admit_script(struct ts_files *files, const char *input)
 	if (!input)
 		return ts_files_admit(files, ".", false) == 0 ? 0 : admit_failed(".");
 	if (!realpath(input, path))
-		return ts_usage_error("cannot open script '%s': %s", input, strerror(errno));
+		return ts_program_usage_error("cannot open script '%s': %s", input, strerror(errno));
 	slash = strrchr(path, '/');
 	slash[slash == path] = '\0';
 	return ts_files_admit(files, path, false) == 0 ? 0 : admit_failed(path);
@@ -96,7 +96,8 @@ static int empty_environment(void)
 	for (int k = 0; k < 2; k++)
 		bad |= *kept[k] && setenv(names[k], kept[k], 1) != 0;
 	if (bad)
-		return ts_usage_error("-sandbox: cannot empty the environment: %s%s", strerror(errno), "");
+		return ts_program_usage_error("-sandbox: cannot empty the environment: %s%s", strerror(errno),
+					      "");
 	return 0;
 }
 
@@ -136,7 +137,7 @@ static int close_door(struct tsim *sim, const struct ts_setup *setup, const stru
 		return status;
 	ts_files_close(&sim->files, (int64_t)(1e9 * o->disk));
 	if (ts_sandbox_limit(&limits) != 0)
-		return ts_usage_error("-sandbox: cannot set the limits: %s%s", strerror(errno), "");
+		return ts_program_usage_error("-sandbox: cannot set the limits: %s%s", strerror(errno), "");
 	paths = o->kernel ? ts_sandbox_paths(&sim->files) : 0;
 	calls = o->kernel && ts_sandbox_calls(setup->explain);
 	tell(&sim->files, o, paths, calls, said);

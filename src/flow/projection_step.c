@@ -1,8 +1,13 @@
 /* A time step of the fluid: substeps, their stages, and the fixes that take part. */
 #include <math.h>
 
+#include "flow/boundary.h"
 #include "flow/flow_limits.h"
 #include "flow/implicit_viscosity.h"
+#include "flow/particle_sources.h"
+#include "flow/pressure_projection.h"
+#include "flow/step_diagnostics.h"
+#include "flow/void_fraction.h"
 
 #include "base/banned.h"
 

@@ -70,7 +70,7 @@ static const struct {
 	[OPT_VERSION] = { "version", "", "print the version", 0 },
 };
 
-int ts_usage_error(const char *format, const char *what, const char *more)
+int ts_program_usage_error(const char *format, const char *what, const char *more)
 {
 	fputs("tsim: ", stderr);
 	fprintf(stderr, format, what, more);
@@ -96,13 +96,14 @@ static int set_echo(struct tsim *sim, const char *where)
 		sim->log.echo_file = k & 2;
 		return 0;
 	}
-	return ts_usage_error("expected none, screen, log or both after -echo, found '%s'%s", where, "");
+	return ts_program_usage_error("expected none, screen, log or both after -echo, found '%s'%s", where,
+				      "");
 }
 
 static int set_shell(struct tsim *sim, const char *text)
 {
 	if (!ts_streq(text, "yes") && !ts_streq(text, "no"))
-		return ts_usage_error("expected yes or no after -shell, found '%s'%s", text, "");
+		return ts_program_usage_error("expected yes or no after -shell, found '%s'%s", text, "");
 	ts_script_allow_programs(sim->script_api_data, ts_streq(text, "yes"));
 	return 0;
 }
@@ -112,8 +113,8 @@ static int set_threads(struct tsim *sim, const char *text)
 	int64_t n;
 
 	if (!ts_parse_int(text, &n) || n < 1 || n > 1024)
-		return ts_usage_error("expected a number from 1 to 1024 after -threads, found '%s'%s", text,
-				      "");
+		return ts_program_usage_error("expected a number from 1 to 1024 after -threads, found '%s'%s",
+					      text, "");
 	sim->threads = (int)n;
 	return 0;
 }
@@ -123,11 +124,12 @@ static int set_limit(const char *text)
 	double value;
 
 	if (!ts_parse_real(text, &value) || value < 1e-6 || value > 1e6)
-		return ts_usage_error("expected a number of GB from 1e-6 to 1e6 after -input-limit, found "
-				      "'%s'%s",
-				      text, "");
+		return ts_program_usage_error("expected a number of GB from 1e-6 to 1e6 after -input-limit, "
+					      "found "
+					      "'%s'%s",
+					      text, "");
 	if (setenv(TS_INPUT_LIMIT, text, 1) != 0)
-		return ts_usage_error("-input-limit: the environment is full%s%s", "", "");
+		return ts_program_usage_error("-input-limit: the environment is full%s%s", "", "");
 	return 0;
 }
 
@@ -144,9 +146,10 @@ static int set_full(struct tsim *sim, char *const *value, int n)
 		while (parts[part] && !ts_streq(parts[part], value[k]))
 			part++;
 		if (!parts[part])
-			return ts_usage_error("expected columns, rows, history, rebuilds, threads or looks "
-					      "after -full, found '%s'%s",
-					      value[k], "");
+			return ts_program_usage_error("expected columns, rows, history, rebuilds, threads or "
+						      "looks "
+						      "after -full, found '%s'%s",
+						      value[k], "");
 		sim->full |= 1u << part;
 	}
 	if (sim->full & TS_FULL_THREADS)
@@ -159,7 +162,7 @@ static int set_variable(struct tsim *sim, char *const *value, int n)
 	const char *list[TS_MOST_VALUES];
 
 	if (n > TS_MOST_VALUES)
-		return ts_usage_error("too many values for variable '%s'%s", value[0], "");
+		return ts_program_usage_error("too many values for variable '%s'%s", value[0], "");
 	for (int k = 1; k < n; k++)
 		list[k - 1] = value[k];
 	if (ts_script_set(sim->script_api_data, value[0], list, (size_t)n - 1, "-var") == TS_OK)
@@ -173,7 +176,7 @@ static int add_words(struct ts_word_list *list, const char *option, char *const 
 	size_t most = sizeof list->word / sizeof *list->word;
 
 	if (list->n + (size_t)n + 1 > most)
-		return ts_usage_error("too many words at '%s'%s", n ? value[0] : "-sandbox", "");
+		return ts_program_usage_error("too many words at '%s'%s", n ? value[0] : "-sandbox", "");
 	if (option)
 		list->word[list->n++] = (struct ts_word){ .text = option };
 	for (int k = 0; k < n; k++)
@@ -273,8 +276,8 @@ static int unknown_option(const char *text)
 	for (int k = 0; k < NOPTIONS; k++)
 		ts_suggest_try(&suggest, options[k].name);
 	if (suggest.best)
-		return ts_usage_error("unknown option '%s'; did you mean '-%s'?", text, suggest.best);
-	return ts_usage_error("unknown option '%s'%s", text, "");
+		return ts_program_usage_error("unknown option '%s'; did you mean '-%s'?", text, suggest.best);
+	return ts_program_usage_error("unknown option '%s'%s", text, "");
 }
 
 int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
@@ -288,9 +291,10 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 		int id = 0, n = 0, status;
 
 		if (name == text)
-			return ts_usage_error("expected an option, found '%s'%s; a script is given by "
-					      "-in FILE",
-					      text, "");
+			return ts_program_usage_error("expected an option, found '%s'%s; a script is given "
+						      "by "
+						      "-in FILE",
+						      text, "");
 		while (id < NOPTIONS && !ts_streq(options[id].name, name) &&
 		       !(name[0] == options[id].name[0] && !name[1] && strchr("ivleh", name[0])))
 			id++;
@@ -301,7 +305,8 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 		while (k + n < argc && !is_option(argv[k + n]) && (variadic || n < options[id].least))
 			n++;
 		if (n < options[id].least)
-			return ts_usage_error("option -%s needs %s", options[id].name, options[id].values);
+			return ts_program_usage_error("option -%s needs %s", options[id].name,
+						      options[id].values);
 		status = apply(sim, setup, (enum option_id)id, argv + k, n);
 		if (status)
 			return status;

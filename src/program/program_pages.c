@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "crosscheck/crosscheck.h"
 #include "library/tsim_tables.h"
+#include "manual/grammar.h"
 #include "manual/help.h"
 #include "manual/manual.h"
 #include "manual/topics.h"
@@ -61,7 +62,7 @@ int ts_program_help(const struct ts_setup *setup)
 	if (ts_manual_find(&ts_tables, ts_str_text(&words), &text))
 		status = ts_program_print(&text);
 	else
-		status = ts_usage_error("%s%s", ts_str_text(&text), "");
+		status = ts_program_usage_error("%s%s", ts_str_text(&text), "");
 	ts_str_release(&text);
 	ts_str_release(&words);
 	return status;
@@ -76,7 +77,8 @@ int ts_program_grammar(const char *editor)
 	else if (ts_streq(editor, "vscode"))
 		ts_grammar_textmate(&ts_tables, &text);
 	else
-		return ts_usage_error("expected vim or vscode after -grammar, found '%s'%s", editor, "");
+		return ts_program_usage_error("expected vim or vscode after -grammar, found '%s'%s", editor,
+					      "");
 	return ts_program_print(&text);
 }
 

@@ -1,0 +1,11 @@
+/* Stability limits of the drag fixes in the plan of a run. */
+#ifndef TS_COUPLING_DRAG_LIMITS_H
+#define TS_COUPLING_DRAG_LIMITS_H
+
+#include "core/sim.h"
+
+/* Slot `plan` of struct ts_style. */
+enum ts_status ts_drag_report_limits(struct ts_instance *self, struct tsim *sim,
+				     struct ts_plan_report *report);
+
+#endif
