@@ -375,7 +375,6 @@ library_sources = \
 	src/flow/convection.c \
 	src/flow/convection.h \
 	src/flow/dump_flow_vtk.c \
-	src/flow/fix_flow_scalar.c \
 	src/flow/flow.c \
 	src/flow/flow.h \
 	src/flow/flow_arguments.c \
@@ -408,8 +407,6 @@ library_sources = \
 	src/flow/projection.h \
 	src/flow/projection_setup.c \
 	src/flow/projection_step.c \
-	src/flow/scalar_transport.c \
-	src/flow/scalar_transport.h \
 	src/flow/step_diagnostics.c \
 	src/flow/step_diagnostics.h \
 	src/flow/time_schemes.c \
@@ -888,6 +885,9 @@ library_sources = \
 	src/run/command_timer.c \
 	src/run/command_timestep.c \
 	src/run/fix_halt.c \
+	src/scalar/fix_flow_scalar.c \
+	src/scalar/scalar_transport.c \
+	src/scalar/scalar_transport.h \
 	src/script/check.c \
 	src/script/check.h \
 	src/script/check_branch.c \

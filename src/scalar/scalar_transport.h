@@ -4,8 +4,8 @@
  * is of second order and bounded (J. Comput. Phys. 14 (1974) 361); in time Heun's method, which preserves
  * the bounds (Shu & Osher, J. Comput. Phys. 77 (1988) 439) for steps up to 1/(max of sum 2 |u|/h + 2
  * D/h^2). The velocity is that at the end of the step of the fluid. */
-#ifndef TS_FLOW_SCALAR_TRANSPORT_H
-#define TS_FLOW_SCALAR_TRANSPORT_H
+#ifndef TS_SCALAR_SCALAR_TRANSPORT_H
+#define TS_SCALAR_SCALAR_TRANSPORT_H
 
 #include "flow/fluid.h"
 

@@ -1,4 +1,4 @@
-#include "flow/scalar_transport.h"
+#include "scalar/scalar_transport.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* Fix flow/scalar: transport of heat or another scalar by the fluid. */
-#include "flow/scalar_transport.h"
+#include "scalar/scalar_transport.h"
 
 #include <math.h>
 #include <string.h>
