@@ -43,7 +43,7 @@ void ts_coupling_curl(const double gradient[3][3], double curl[3]);
 
 #define TS_COUPLING_FORCE_ARGS(T, f)                        \
 	TS_BOOL("two_way", T, f.two_way, .fallback = "yes", \
-		.help = "whether a fluid that is solved for feels the particles")
+		.help = "whether the opposite force acts on a fluid that is solved for")
 extern const struct ts_value ts_coupling_force_values[];
 enum ts_status ts_coupling_force_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_coupling_force_post_force(struct ts_instance *self, struct tsim *sim);

@@ -88,54 +88,57 @@ static inline const struct ts_drag_style *ts_drag_style_of(const struct ts_insta
 }
 
 extern const char *const ts_drag_axes[], *const ts_drag_schemes[];
-#define TS_DRAG_ARGS                                                                                     \
-	TS_ENUM("axes", struct ts_drag, axes, ts_drag_axes, .fallback = "xyz",                           \
-		.help = "components in which the drag acts"),                                            \
-		TS_ENUM("scheme", struct ts_drag, scheme, ts_drag_schemes, .fallback = "explicit",       \
-			.help = "force at the present velocity, exact relaxation over the step, or "     \
-				"implicit"),                                                             \
-		TS_BOOL("two_way", struct ts_drag, two_way, .fallback = "yes",                           \
-			.help = "whether a fluid that is solved for feels the particles"),               \
-		TS_BOOL("lagged", struct ts_drag, lagged, .fallback = "no",                              \
-			.help = "whether the fluid gets the force as it is, not at its new velocity: "   \
-				"leaves any pressure solver, but bounds the step"),                      \
-		TS_ENUM("interpolation", struct ts_drag, interpolation, ts_coupling_interpolation_names, \
-			.fallback = "linear",                                                            \
-			.help = "of the fluid's fields to the particle: between points, or of its cell")
+#define TS_DRAG_ARGS                                                                                         \
+	TS_ENUM("axes", struct ts_drag, axes, ts_drag_axes, .fallback = "xyz",                               \
+		.help = "components in which the drag acts"),                                                \
+		TS_ENUM("scheme", struct ts_drag, scheme, ts_drag_schemes, .fallback = "explicit",           \
+			.help = "integration in time: force at the present velocity, exact relaxation over " \
+				"the step, or implicit"),                                                    \
+		TS_BOOL("two_way", struct ts_drag, two_way, .fallback = "yes",                               \
+			.help = "whether the opposite force acts on a fluid that is solved for"),            \
+		TS_BOOL("lagged", struct ts_drag, lagged, .fallback = "no",                                  \
+			.help = "whether the force on the fluid is that at its old velocity instead of its " \
+				"new one: any pressure solver remains possible, but the time step is "       \
+				"limited"),                                                                  \
+		TS_ENUM("interpolation", struct ts_drag, interpolation, ts_coupling_interpolation_names,     \
+			.fallback = "linear",                                                                \
+			.help = "how fields of the fluid are evaluated at the particle: linear "             \
+				"interpolation, or the value of its cell")
 #define TS_DRAG_CROWD_ARGS                                                                                \
 	TS_DRAG_ARGS, TS_REAL("void", struct ts_drag, fraction, .flags = TS_OPTIONAL, .range = TS_WITHIN, \
 			      .lo = 1e-3, .hi = 1, .unit = "",                                            \
-			      .help = "void fraction everywhere, where no fix void_fraction finds it")
+			      .help = "uniform void fraction, if there is no fix void_fraction")
 
 /* The second half of each manual page. */
-#define TS_DRAG_DOC                                                                                          \
-	"u is the velocity of the fluid at the particle's centre, interpolated linearly or, with\n"          \
-	"`interpolation cell`, that of the cell that holds it. f_ID[1] ... [3] is the force on all\n"        \
-	"particles of the group, f_ID[4] the largest Re of a particle.\n\n"                                  \
-	"scheme explicit takes the force at the present velocity: stable for steps below 2 tau, tau =\n"     \
-	"m/c the relaxation time, c = F/(u - v). scheme exact makes the velocity follow the exponential\n"   \
-	"relaxation under drag and all other forces exactly over each step, scheme implicit takes the\n"     \
-	"velocity at the end of the step; both are stable for any step. They act after all fixes that add\n" \
-	"forces, wherever these stand in the script, and after tsim_on_step functions; several on one\n"     \
-	"particle relax it together. With velocity Verlet it is the half-step velocity that is exact.\n"     \
-	"Where a fix after this one sets the force (setforce, freeze, planeforce, lineforce, enforce2d), "   \
-	"or\n"                                                                                               \
-	"the motion is prescribed (fix move, nve/noforce), the drag is explicit and only the fluid feels\n"  \
-	"it. Particles that are frozen, that no fix moves, or that belong to rigid bodies get the "          \
-	"explicit\n"                                                                                         \
-	"force, in rigid bodies stable below 2 tau.\n"                                                       \
-	"fix aveforce after this fix is refused with these two schemes.\n\n"                                 \
-	"Where the fluid is solved for (flow_style projection) it loses what the particles gain, to\n"       \
-	"round-off, unless two_way is no, and takes part in the exchange implicitly; with `lagged yes` it\n" \
-	"gets the force as it is, which is cheaper where particles are few (direct pressure solvers need\n"  \
-	"equal weights of all faces) and stable for h < 2 e rho/k, k the sum of F/(u - v) by volume; with\n" \
-	"scheme explicit for h (k/(e rho) + 1/tau) < 2. The plan of a run warns of larger steps. See\n"      \
-	"doc/coupling.md."
-#define TS_DRAG_CROWD_DOC                                                                                  \
-	"The void fraction is that of fix void_fraction, which must come before this fix, or the one\n"    \
-	"given by `void`. F is the drag beside the force of the pressure gradient\n"                       \
-	"(fix flow/pressure_gradient): a bed at rest has dp/L = beta w/e, beta = (1-e) F/(V_p w), w the\n" \
-	"slip between the particles.\n\n"
+#define TS_DRAG_DOC                                                                                      \
+	"u is the velocity of the fluid at the centre of the particle: by default interpolated\n"        \
+	"linearly, with `interpolation cell` that of the cell that contains the centre. f_ID[1],\n"      \
+	"f_ID[2] and f_ID[3] are the components of the total force on the particles of the group,\n"     \
+	"f_ID[4] is the largest particle Reynolds number.\n\n"                                           \
+	"The keyword `scheme` selects the integration in time. c = F/(u - v) is the drag coefficient\n"  \
+	"and tau = m/c the relaxation time. `explicit` applies the force at the present velocity,\n"     \
+	"which is stable for time steps below 2 tau. `exact` integrates the exponential relaxation\n"    \
+	"under drag and all other forces exactly over each time step, `implicit` uses the velocity at\n" \
+	"the end of the step; both are stable for any time step. They are applied after all fixes\n"     \
+	"that add forces, regardless of the order in the script, and after functions of tsim_on_step;\n" \
+	"several drags on one particle are integrated together. With velocity Verlet it is the\n"        \
+	"velocity at the half step that is exact. If a later fix sets the force (setforce, freeze,\n"    \
+	"planeforce, lineforce, enforce2d), or if the motion is prescribed (fix move, nve/noforce),\n"   \
+	"the drag is computed explicitly and acts on the fluid only. Particles that are frozen, that\n"  \
+	"no fix integrates, or that belong to rigid bodies get the explicit force; in rigid bodies it\n" \
+	"is stable below 2 tau. fix aveforce after this fix is refused with `exact` and `implicit`.\n\n" \
+	"If the fluid is solved for (flow_style projection), it receives the opposite of the force on\n" \
+	"the particles, to round-off, unless `two_way` is no. The exchange is implicit: the drag acts\n" \
+	"at the new velocity of the fluid. With `lagged yes` the fluid receives the force at its old\n"  \
+	"velocity, which is cheaper if there are few particles, since direct pressure solvers need\n"    \
+	"equal weights of all faces, but limits the time step h: h < 2 e rho/k, with k the sum of\n"     \
+	"F/(u - v) per volume; with scheme explicit h (k/(e rho) + 1/tau) < 2. The plan of a run\n"      \
+	"warns if the time step is larger. See doc/coupling.md."
+#define TS_DRAG_CROWD_DOC                                                                                \
+	"The void fraction is that of fix void_fraction, which must be defined before this fix, or\n"    \
+	"the value of `void`. F is the drag in addition to the force of the pressure gradient (fix\n"    \
+	"flow/pressure_gradient): in a bed at rest dp/L = beta w/e, with beta = (1-e) F/(V_p w) and w\n" \
+	"the slip velocity between the particles.\n\n"
 
 /* Slots of struct ts_style. */
 extern const struct ts_value ts_drag_values[];

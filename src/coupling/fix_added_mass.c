@@ -183,9 +183,9 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_REAL("coefficient", struct state, mass.coefficient, .fallback = "0.5", .range = TS_NOT_NEGATIVE,
-		.unit = "", .help = "part of the displaced mass that moves with the particle"),
+		.unit = "", .help = "added mass as a fraction of the displaced mass of fluid"),
 	TS_BOOL("fluid_acceleration", struct state, accelerates, .fallback = "yes",
-		.help = "whether Du/Dt counts; no: the fluid is taken as steady and uniform"),
+		.help = "whether Du/Dt is included; no: the fluid is assumed steady and uniform"),
 	TS_COUPLING_FORCE_ARGS(struct state, mass.force),
 	TS_ARGS_END,
 };
@@ -194,19 +194,16 @@ TS_STYLE(fix, ts_coupling_force_style, ts_fix_added_mass)
 const struct ts_coupling_force_style ts_fix_added_mass = {
 	.style = {
 		.name = "added_mass",
-		.summary = "the fluid that an accelerated particle takes with it",
-		.doc = "F = C rho V_p (Du/Dt - dv/dt), C = 1/2 for a sphere. dv/dt is that by all forces, "
-		       "this one among them:\n"
-		       "(f + C rho V_p Du/Dt)/(m + C rho V_p), so the particle moves as one of mass m + C "
-		       "rho V_p, stably also\n"
-		       "where it is lighter than the fluid. Whatever the order in the script, it acts after "
-		       "all other\n"
-		       "forces, and schemes exact and implicit of drags know of it. Refused: two of them on "
-		       "one particle,\n"
-		       "members of rigid bodies. Du/Dt is that of the fluid at the\n"
-		       "particle, du/dt over its last step and u grad u. A fluid that is solved for loses "
-		       "what the particles\n"
-		       "gain. f_ID[1] ... [3] is the total.",
+		.summary = "Added-mass force on accelerated particles",
+		.doc = "F = C rho V_p (Du/Dt - dv/dt), with C = 1/2 for a sphere. dv/dt is the\n"
+			"acceleration by all forces including this one, (f + C rho V_p Du/Dt)/(m + C rho\n"
+			"V_p), so that the particle moves like one of mass m + C rho V_p. This is stable\n"
+			"also if the particle is lighter than the fluid. The force is applied after all\n"
+			"others, regardless of the order in the script; drags with scheme exact or\n"
+			"implicit take the added mass into account. Du/Dt = du/dt + u grad u at the\n"
+			"particle, with du/dt over the last step of the fluid. A fluid that is solved for\n"
+			"loses the momentum that the particles gain. f_ID[1] ... [3] is the total force.\n\n"
+			"Two of these fixes on one particle, and particles in rigid bodies, are refused.",
 		.example = "flow_style uniform velocity 0 0 0 viscosity 1.0e-3 density 1000\n"
 			   "fix heavy all added_mass",
 		.cite = "T. R. Auton, J. C. R. Hunt, M. Prud'homme, J. Fluid Mech. 197 (1988) 241",

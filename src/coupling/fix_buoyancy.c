@@ -135,12 +135,13 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_arg args[] = {
-	TS_ENUM("dim", struct state, dim, axes, .help = "axis across the surface of the fluid"),
+	TS_ENUM("dim", struct state, dim, axes, .help = "axis normal to the surface of the fluid"),
 	TS_REAL("level", struct state, level, .fallback = "0", .unit = "length",
-		.help = "where the surface is"),
+		.help = "coordinate of the surface"),
 	TS_REAL("density", struct state, density, .range = TS_POSITIVE, .unit = "density",
 		.help = "of the fluid"),
-	TS_REGION("region", struct state, region, .flags = TS_OPTIONAL, .help = "there is fluid here only"),
+	TS_REGION("region", struct state, region, .flags = TS_OPTIONAL,
+		  .help = "region that contains the fluid; without: everywhere"),
 	TS_ARGS_END,
 };
 
@@ -154,20 +155,16 @@ TS_STYLE(fix, ts_style, ts_fix_buoyancy)
 const struct ts_style ts_fix_buoyancy = {
 	.name = "buoyancy",
 	.kind = TS_KIND_FIX,
-	.summary = "lifts particles by the weight of the fluid at rest that they displace",
-	.doc = "f -= rho V g, V the volume of the part of the particle that is below the level (where "
-	       "gravity\n"
-	       "points): the whole sphere or a cap of it, pi h^2 (3 R - h)/3. g is that of the one fix "
-	       "gravity, which\n"
-	       "points along `dim`. In two dimensions V is the area of a segment of the disc. f_ID[1] ... "
-	       "[3] is the\n"
-	       "total.\n\n"
-	       "Where a fluid that is solved for has a body_force along `dim`, held by boundaries, its "
-	       "pressure contains the\n"
-	       "buoyancy: together with fix flow/pressure_gradient (or fix immersed/boundary of particles) "
-	       "this fix would\n"
-	       "count it twice and is refused. In a grid that is periodic along `dim` no pressure holds the "
-	       "weight.",
+	.summary = "Buoyancy of particles in a fluid at rest",
+	.doc = "F = -rho V g, with V the volume of the part of the particle that is below the level (on\n"
+	       "the side to which gravity points): the whole sphere, or a cap of volume pi h^2 (3 R -\n"
+	       "h)/3. g is the acceleration of fix gravity, of which there must be exactly one, parallel\n"
+	       "to `dim`. In two dimensions V is the area of a segment of the disc. f_ID[1] ... [3] is the\n"
+	       "total force.\n\n"
+	       "If the fluid is solved for and has a body_force along `dim` that boundaries balance, the\n"
+	       "buoyancy is contained in its pressure: this fix together with fix flow/pressure_gradient\n"
+	       "(or with fix immersed/boundary of particles) would count it twice and is refused. In a\n"
+	       "grid that is periodic along `dim` no pressure balances the weight.",
 	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0\n"
 		   "fix pond all buoyancy level 0.06 dim z density 1000",
 	.args = args,

@@ -247,9 +247,11 @@ static const struct ts_value sums[] = {
 
 static const struct ts_arg partner_args[] = {
 	TS_INT("couple_every", struct partner, every, .fallback = "1", .range = TS_POSITIVE, .unit = "steps",
-	       .help = "no effect: the other program says when it looks"),
-	TS_FLAG("mpi", struct partner, mpi, .help = "the way of the exchange: within one program"),
-	TS_WORD("file", struct partner, file, .flags = TS_OPTIONAL, .help = "not built: through files"),
+	       .help = "no effect: the other program decides when data are exchanged"),
+	TS_FLAG("mpi", struct partner, mpi,
+		.help = "data are exchanged within one process (the only method)"),
+	TS_WORD("file", struct partner, file, .flags = TS_OPTIONAL,
+		.help = "exchange through files: not supported"),
 	TS_ARGS_END,
 };
 
@@ -258,20 +260,17 @@ const struct ts_style ts_fix_couple_cfd = {
 	.name = "couple/cfd",
 	.kind = TS_KIND_FIX,
 	.family = FAMILY_PARTNER,
-	.summary = "particles are coupled to a fluid that another program computes",
-	.doc = "The fixes couple/cfd/force, couple/cfd/force/implicit and couple/cfd/convection need it "
-	       "before them.\n"
-	       "They give each particle numbers that the other program writes: dragforce, Ksl, uf,\n"
-	       "convectiveHeatFlux. It uses the C library (doc/library.md) or Python: tsim_column_write(sim, "
-	       "\"uf[1]\",\n"
-	       "numbers, n), positions, velocities and radii by tsim_column_read, and tsim_step for the "
-	       "steps in\n"
-	       "between. examples/library/fluid.c is such a program. Dumps and formulas read them as "
-	       "f_dragforce[1],\n"
-	       "f_Ksl ..., restart files keep them.\n\n"
-	       "Where a script runs without such a program they are zero, as in LIGGGHTS, which is told "
-	       "once. For a\n"
-	       "fluid that tsim computes itself see flow_style and fix drag/gidaspow.",
+	.summary = "Couples particles to a fluid that another program computes",
+	.doc = "Must precede the fixes couple/cfd/force, couple/cfd/force/implicit and\n"
+	       "couple/cfd/convection, which use per-particle values that the other program writes:\n"
+	       "dragforce, Ksl, uf, convectiveHeatFlux. That program uses the C library (doc/library.md)\n"
+	       "or Python: it writes values by tsim_column_write(sim, \"uf[1]\", numbers, n), reads\n"
+	       "positions, velocities and radii by tsim_column_read, and advances the simulation by\n"
+	       "tsim_step. examples/library/fluid.c is an example. Dumps and formulas refer to the values\n"
+	       "as f_dragforce[1], f_Ksl ...; restart files contain them.\n\n"
+	       "If a script is run without such a program the values are zero, as in LIGGGHTS, and a\n"
+	       "message is printed once. For a fluid that tsim itself solves for see flow_style and fix\n"
+	       "drag/gidaspow.",
 	.example = "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix drag all couple/cfd/force/implicit",
 	.args = partner_args,
@@ -286,8 +285,8 @@ TS_STYLE(fix, ts_style, ts_fix_couple_cfd_force)
 const struct ts_style ts_fix_couple_cfd_force = {
 	.name = "couple/cfd/force",
 	.kind = TS_KIND_FIX,
-	.summary = "a force of the fluid on each particle, by another program",
-	.doc = "f += dragforce, three numbers of each particle that the program coupled to tsim writes (fix\n"
+	.summary = "Adds a force of the fluid on each particle, given by another program",
+	.doc = "f += dragforce, a vector of each particle that the program coupled to tsim writes (fix\n"
 	       "couple/cfd). f_ID is the sum of these forces over the group.",
 	.example = "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix drag all couple/cfd/force",
@@ -309,17 +308,14 @@ TS_STYLE(fix, ts_style, ts_fix_couple_cfd_force_implicit)
 const struct ts_style ts_fix_couple_cfd_force_implicit = {
 	.name = "couple/cfd/force/implicit",
 	.kind = TS_KIND_FIX,
-	.summary = "a drag by the coefficient and the velocity of the fluid that another program gives",
-	.doc = "f += dragforce + Ksl (uf - v), in each step with the velocity v of the particle: the force "
-	       "follows it\n"
-	       "between two exchanges. dragforce (3), Ksl and uf (3) are numbers of each particle that the "
-	       "program\n"
-	       "coupled to tsim writes (fix couple/cfd). With CrankNicolson a the drag is that of the "
-	       "velocity (1 - a)\n"
-	       "v + a v', v' being the velocity after a step of the drag alone, m (v' - v) = h Ksl (uf - (1 "
-	       "- a) v - a\n"
-	       "v'). Without it steps must be shorter than 2 m/Ksl. f_ID is the sum of the forces over the "
-	       "group.",
+	.summary = "Adds a drag from coefficients and fluid velocities given by another program",
+	.doc = "f += dragforce + Ksl (uf - v), evaluated in each step with the present velocity v of the\n"
+	       "particle, so that the force follows v between two exchanges. dragforce (vector), Ksl\n"
+	       "(scalar) and uf (vector) are values of each particle that the program coupled to tsim\n"
+	       "writes (fix couple/cfd). With CrankNicolson a the drag is that of the velocity (1 - a) v +\n"
+	       "a v', where v' is the velocity after a step h under the drag alone, m (v' - v) = h Ksl (uf\n"
+	       "- (1 - a) v - a v'). Without it time steps must be shorter than 2 m/Ksl. f_ID is the sum\n"
+	       "of the forces over the group.",
 	.example = "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix drag all couple/cfd/force/implicit CrankNicolson 0.5",
 	.args = implicit_args,
@@ -341,11 +337,10 @@ TS_STYLE(fix, ts_style, ts_fix_couple_cfd_convection)
 const struct ts_style ts_fix_couple_cfd_convection = {
 	.name = "couple/cfd/convection",
 	.kind = TS_KIND_FIX,
-	.summary = "heat that each particle takes from the fluid, by another program",
-	.doc = "convectiveHeatFlux, a number of each particle that the program coupled to tsim writes (fix "
-	       "couple/cfd),\n"
-	       "in energy by time, is added to the heat flux of fix heat/gran. The program reads "
-	       "temperatures as Temp.",
+	.summary = "Adds a convective heat flux to each particle, given by another program",
+	.doc = "convectiveHeatFlux, a value of each particle (energy/time) that the program coupled to\n"
+	       "tsim writes (fix couple/cfd), is added to the heat flux of fix heat/gran. That program\n"
+	       "reads the temperatures as Temp.",
 	.example = "fix heat all heat/gran initial_temperature 300\n"
 		   "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix warm all couple/cfd/convection T0 300",

@@ -194,8 +194,9 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_ENUM("interpolation", struct state, interpolation, interpolations, .flags = TS_OPTIONAL,
-		.help = "of the gradient to the particle: between faces, mean of its cell, or by its volume "
-			"in cells; default: linear, with form conservative and fix void_fraction volume"),
+		.help = "how the gradient is evaluated at the particle: interpolated between faces, mean of "
+			"its cell, or mean over the cells weighted by the volume of the particle in them; "
+			"default linear, with form conservative and fix void_fraction volume"),
 	TS_ARGS_END,
 };
 
@@ -204,24 +205,20 @@ const struct ts_coupling_force_style ts_fix_flow_pressure_gradient = {
 	.style = {
 		.name = "flow/pressure_gradient",
 		.summary = "force of the fluid's pressure gradient on each particle",
-		.doc = "F = -V_p grad p, the gradient interpolated from the faces of cells; next to a "
-		       "boundary that of\n"
-		       "the nearest face inside. Where the weight of the fluid is in its equations "
-		       "(flow_style projection\n"
-		       "body_force) and held by walls, that contains the buoyancy; else add fix buoyancy.\n\n"
-		       "The reaction needs nothing: with fix void_fraction the fluid has -e grad p, and the "
-		       "particles the\n"
-		       "rest of -grad p. Without, the fluid is also where the particle is, and that part of "
-		       "it feels and\n"
-		       "follows the gradient. With flow_style projection form conservative and fix "
-		       "void_fraction the gradient is\n"
-		       "that of the cells in which the volume of the particle lies (interpolation volume), "
-		       "of the pressure that\n"
-		       "the fluid takes in the same step: momentum of particles and fluid together is kept "
-		       "to round-off. Else\n"
-		       "it is kept to 1e-3 to 1e-2 of it: doc/coupling.md says why. Held particles and "
-		       "members of rigid bodies\n"
-		       "get the pressure of the step before. f_ID[1] ... [3] is the total.",
+		.doc = "F = -V_p grad p. The gradient is interpolated from the faces of cells; next to a\n"
+			"boundary the gradient on the nearest inner face is used. If the weight of the\n"
+			"fluid is part of its equations (flow_style projection, keyword `body_force`) and\n"
+			"balanced by walls, this force contains the buoyancy; otherwise add fix buoyancy.\n\n"
+			"No reaction is applied to the fluid. With fix void_fraction its equation contains\n"
+			"-e grad p, and the particles take the rest of -grad p. Without, the fluid also\n"
+			"occupies the volume of the particle, and that part of the fluid follows the\n"
+			"gradient. With flow_style projection form conservative and fix void_fraction the\n"
+			"gradient is the mean over the cells in which the volume of the particle lies\n"
+			"(`interpolation volume`), of the pressure that acts on the fluid in the same\n"
+			"step: the momentum of particles and fluid together is conserved to round-off.\n"
+			"Otherwise its relative error is 1e-3 to 1e-2; doc/coupling.md gives the reason.\n"
+			"Particles that are held and members of rigid bodies get the pressure of the\n"
+			"previous step. f_ID[1] ... [3] is the total force.",
 		.example = "flow_style projection cells 10 10 40 viscosity 1.8e-5 density 1.2 body_force 0 0 "
 			   "-9.81\n"
 			   "fix lift all flow/pressure_gradient",

@@ -38,9 +38,9 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 
 static const struct ts_arg args[] = {
 	TS_ENUM("law", struct state, law, laws, .fallback = "oesterle",
-		.help = "of small Reynolds numbers, or a fit for larger ones"),
+		.help = "lift coefficient: for small Reynolds numbers, or a fit for larger ones"),
 	TS_BOOL("torque", struct state, torque, .fallback = "yes",
-		.help = "whether the fluid also brakes the spin"),
+		.help = "whether the fluid exerts a torque on the particle"),
 	TS_COUPLING_FORCE_ARGS(struct state, force),
 	TS_ARGS_END,
 };
@@ -49,15 +49,13 @@ TS_STYLE(fix, ts_coupling_force_style, ts_fix_lift_magnus)
 const struct ts_coupling_force_style ts_fix_lift_magnus = {
 	.style = {
 		.name = "lift/magnus",
-		.summary = "lift on particles that spin, and the torque of the fluid on them",
-		.doc = "F = pi/8 rho d^3 C (S x w), w = u - v, S = curl u/2 - spin of the particle, with C = "
-		       "1 (law rubinow)\n"
-		       "or, with Re = rho |w| d/mu and Re_s = rho d^2 |S|/mu,\n"
-		       "C = Re/Re_s (0.45 + (Re_s/Re - 0.45) exp(-0.05684 Re_s^0.4 Re^0.3)) (law oesterle). "
-		       "The torque is\n"
-		       "pi mu d^3 S. A fluid that is solved for loses the momentum that the particles gain "
-		       "(not the\n"
-		       "spin). f_ID[1] ... [3] is the total force.",
+		.summary = "Magnus lift on spinning particles, and torque of the fluid on them",
+		.doc = "F = pi/8 rho d^3 C (S x w), with slip w = u - v and relative spin S = curl u/2 -\n"
+			"omega. C = 1 (law rubinow), or C = Re/Re_s (0.45 + (Re_s/Re - 0.45) exp(-0.05684\n"
+			"Re_s^0.4 Re^0.3)) (law oesterle), with Re = rho |w| d/mu and Re_s = rho d^2\n"
+			"|S|/mu. The torque is pi mu d^3 S. A fluid that is solved for loses the momentum\n"
+			"that the particles gain, but not the angular momentum. f_ID[1] ... [3] is the\n"
+			"total force.",
 		.example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3 density 1000\n"
 			   "fix curve all lift/magnus",
 		.cite = "S. I. Rubinow, J. B. Keller, J. Fluid Mech. 11 (1961) 447; B. Oesterle, T. Bui "

@@ -33,7 +33,7 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 
 static const struct ts_arg args[] = {
 	TS_ENUM("law", struct state, law, laws, .fallback = "mei",
-		.help = "of small Reynolds numbers, or Mei's fit for larger ones"),
+		.help = "lift coefficient: for small Reynolds numbers, or Mei's fit for larger ones"),
 	TS_COUPLING_FORCE_ARGS(struct state, force),
 	TS_ARGS_END,
 };
@@ -42,16 +42,13 @@ TS_STYLE(fix, ts_coupling_force_style, ts_fix_lift_saffman)
 const struct ts_coupling_force_style ts_fix_lift_saffman = {
 	.style = {
 		.name = "lift/saffman",
-		.summary = "lift of a sheared flow on particles that slip",
-		.doc = "F = 1.615 d^2 sqrt(rho mu/|W|) C (w x W), w = u - v, W = curl u, with C = 1 (law "
-		       "saffman) or, with\n"
-		       "Re = rho |w| d/mu and a = |W| d/(2 |w|), C = (1 - 0.3314 sqrt a) exp(-Re/10) + "
-		       "0.3314 sqrt a up to\n"
-		       "Re = 40 and 0.0524 sqrt(a Re) beyond (law mei). A sphere that lags behind the flow "
-		       "is drawn to where\n"
-		       "this is faster. A fluid that is solved for loses what the particles gain. f_ID[1] "
-		       "... [3] is the\n"
-		       "total.",
+		.summary = "Saffman lift on particles that slip in a shear flow",
+		.doc = "F = 1.615 d^2 sqrt(rho mu/|W|) C (w x W), with slip w = u - v and vorticity W =\n"
+			"curl u. C = 1 (law saffman), or with Re = rho |w| d/mu and a = |W| d/(2 |w|) C =\n"
+			"(1 - 0.3314 sqrt a) exp(-Re/10) + 0.3314 sqrt a up to Re = 40 and C = 0.0524\n"
+			"sqrt(a Re) beyond (law mei). A sphere that moves slower than the fluid is pushed\n"
+			"to where the flow is faster. A fluid that is solved for loses the momentum that\n"
+			"the particles gain. f_ID[1] ... [3] is the total force.",
 		.example = "flow_style projection cells 10 10 40 viscosity 1.0e-3 density 1000\n"
 			   "fix lift all lift/saffman",
 		.cite = "P. G. Saffman, J. Fluid Mech. 22 (1965) 385; R. Mei, Int. J. Multiphase Flow 18 "

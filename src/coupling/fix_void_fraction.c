@@ -275,12 +275,12 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_ENUM("method", struct state, method, methods, .fallback = "divided",
-		.help = "where the volume of a particle is: in the cell of its centre, in the cells that it "
-			"cuts, or smeared"),
+		.help = "how the volume of a particle is distributed: to the cell of its centre, to the "
+			"cells that it overlaps, or by a kernel"),
 	TS_REAL("reach", struct state, reach, .fallback = "1.5", .range = TS_POSITIVE, .unit = "",
-		.help = "of the kernel to either side, in diameters"),
+		.help = "half width b of the kernel in particle diameters"),
 	TS_REAL("least", struct state, least, .fallback = "0.1", .range = TS_WITHIN, .lo = 1e-3, .hi = 1,
-		.unit = "", .help = "cells with less have this"),
+		.unit = "", .help = "lower limit of the void fraction of a cell"),
 	TS_ARGS_END,
 };
 
@@ -288,28 +288,23 @@ TS_STYLE(fix, ts_style, ts_fix_void_fraction)
 const struct ts_style ts_fix_void_fraction = {
 	.name = "void_fraction",
 	.kind = TS_KIND_FIX,
-	.summary = "the part of each cell that particles leave to the fluid",
-	.doc = "e = 1 - (volume of particles in the cell)/(volume of the cell), for the equations of the "
-	       "fluid,\n"
-	       "d(e)/dt + div(e u) = 0 and e rho (du/dt + u.grad u) = -e grad p + ..., and for the drags "
-	       "that depend\n"
-	       "on it, which come after this fix. u is the velocity between the particles.\n\n"
-	       "method divided gives each cell what of a sphere lies in it, exactly; centre all of it to the "
-	       "cell\n"
-	       "that holds the centre, so that e jumps when that moves on; kernel smears it along each axis "
-	       "by\n"
-	       "(1 + cos(pi s/b))/(2 b), b `reach` diameters: the choice for cells that are not much larger "
-	       "than\n"
-	       "particles. method centre needs cells that are at least as wide as the largest particle, else "
-	       "it is\n"
-	       "refused; a warning says once that cells are wider than 2 diameters and than b, which do not "
-	       "resolve the\n"
-	       "kernel (the axis of a single cell does not count). The volume of the particles is kept by "
-	       "all of them. In two dimensions particles are\n"
-	       "discs, and e is a part of the area.\n\n"
-	       "e is not allowed below `least`; a warning says so once. f_ID[1] is the mean over the grid, "
-	       "f_ID[2]\n"
-	       "the least of a cell.",
+	.summary = "Void fraction: the part of each cell that is not occupied by particles",
+	.doc = "e = 1 - (volume of particles in the cell)/(volume of the cell). It enters the equations of\n"
+	       "the fluid, de/dt + div(e u) = 0 and e rho (du/dt + u.grad u) = -e grad p + ..., with u the\n"
+	       "interstitial velocity, and the drags that depend on it, which must be defined after this\n"
+	       "fix.\n\n"
+	       "`method divided` computes the exact volume of each sphere in each cell. `centre` assigns\n"
+	       "the whole volume to the cell that contains the centre, so that e jumps when the centre\n"
+	       "moves to another cell. `kernel` distributes the volume along each axis by (1 + cos(pi\n"
+	       "s/b))/(2 b), with b equal to `reach` diameters; choose it if cells are not much larger\n"
+	       "than particles. All methods conserve the volume of the particles. In two dimensions\n"
+	       "particles are discs, and e is a fraction of the area.\n\n"
+	       "`method centre` is refused if a cell is narrower than the largest particle. With `kernel`,\n"
+	       "a warning is printed once if cells are wider than 2 diameters and than b, since they do\n"
+	       "not resolve the kernel (an axis with a single cell is exempt). e is limited from below by\n"
+	       "`least`; a warning is printed once when this happens.\n\n"
+	       "f_ID[1] is the mean of e over the grid, f_ID[2] the smallest value of a cell before it is\n"
+	       "limited.",
 	.example = "flow_style projection cells 10 10 40 viscosity 1.8e-5 density 1.2\n"
 		   "fix e all void_fraction method divided\n"
 		   "fix drag all drag/gidaspow scheme implicit",

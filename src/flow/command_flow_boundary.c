@@ -93,22 +93,22 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 static const struct ts_arg args[] = {
 	TS_ENUM("face", struct state, face, face_names, .flags = TS_POSITIONAL,
 		.help = "face of the grid; all: those that are not periodic"),
-	TS_ENUM("kind", struct state, kind, kinds, .flags = TS_POSITIONAL, .help = "what is there"),
+	TS_ENUM("kind", struct state, kind, kinds, .flags = TS_POSITIONAL, .help = "type of the boundary"),
 	TS_SOME_KEYWORD("velocity", struct state, velocity, 0,
-			.help = "VX VY VZ of the wall or of the fluid that comes in: numbers or v_NAME"),
+			.help = "VX VY VZ: velocity of the wall or of the inflow, numbers or v_NAME"),
 	TS_NUMBER("pressure", struct state, pressure, .flags = TS_OPTIONAL, .unit = "pressure",
-		  .help = "of an outlet (default 0), or of an inlet instead of its velocity: on the face, a "
-			  "number or v_NAME"),
+		  .help = "static pressure on the face, of an outlet (default 0) or of an inlet in place of "
+			  "its velocity: a number or v_NAME"),
 	TS_ENUM("hydrostatic", struct state, hydrostatic, depths, .flags = TS_OPTIONAL,
-		.help = "yes: to the pressure on the face comes that of the fluid above at rest under "
-			"body_force, from the top of the grid on; no: it does not, though body_force acts "
-			"along the face"),
+		.help = "yes: adds the hydrostatic pressure under body_force, measured from the top of the "
+			"grid; no: uniform pressure, although body_force acts along the face"),
 	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
-			.help = "x|y|z name: internal-style variable that gets the coordinate of each point "
-				"of the face before velocity or pressure are evaluated; may be repeated"),
+			.help = "x|y|z name: internal-style variable that is set to the coordinate of each "
+				"point of the face before velocity or pressure is evaluated; may be "
+				"repeated"),
 	TS_ENUM("update", struct state, update, updates, .fallback = "step",
-		.help = "when variables are evaluated: in each step, or once when a run begins, which is "
-			"enough for formulas of the place alone"),
+		.help = "when variables are evaluated: in each step, or once at the beginning of a run, "
+			"which suffices for formulas of the coordinates alone"),
 	TS_ARGS_END,
 };
 
@@ -116,29 +116,33 @@ TS_STYLE(command, ts_command_style, ts_command_flow_boundary)
 const struct ts_command_style ts_command_flow_boundary = {
 	.style = { .name = "flow_boundary",
 		   .kind = TS_KIND_COMMAND,
-		   .summary = "Sets what is at a face of the fluid's grid",
-		   .doc = "After flow_style projection. Faces where nothing is said are periodic where the "
-			  "box is, else walls at rest.\n\n"
-			  "wall: the fluid sticks to it; its velocity may be given. slip: no flow across, no "
-			  "shear, as in a plane of symmetry. inlet: the velocity is given, or the pressure. "
-			  "outlet: the pressure is given, 0 by default, and the velocity does not change "
-			  "along the normal; where fluid comes back in, it brings no momentum. An inlet with "
-			  "a pressure is the same, but what comes in has the velocity across the face that "
-			  "it has inside: a developed flow. The pressure is the static one, on the face "
-			  "itself. With both ends given, a channel is driven by their difference; a side of "
-			  "the box may be an inlet at times and an outlet at others.\n\n"
-			  "hydrostatic yes adds the weight of the fluid above, rho g (x - x_top), g the "
-			  "body_force of flow_style and x_top the top of the grid, along axes that are not "
-			  "periodic: a fluid at rest stays at rest, whatever faces are open, if all have the "
-			  "same pressure P, which is that at the top. Where body_force acts along a face of "
-			  "even pressure one of hydrostatic yes and no must be said, since the fluid would "
-			  "be driven through the face as a jet.\n\n"
-			  "Velocities and the pressure may be equal-style variables, evaluated in each step; "
-			  "with `update once` when a run begins. With `set y yy` the internal-style variable "
-			  "yy gets the coordinate of each point of the face before, for profiles. Between "
-			  "two steps they change linearly; a pressure acts as its mean over the step (time "
-			  "euler, ab2), or as the scheme weighs it (rk2, rk3), so that all schemes are of "
-			  "second order in it.",
+		   .summary = "Sets the boundary conditions on a face of the fluid's grid",
+		   .doc = "Must follow flow_style projection. Faces for which no condition is given are\n"
+			  "periodic if the box is periodic there, else walls at rest.\n\n"
+			  "`wall`: no slip; the wall may have a velocity. `slip`: no flow across and no\n"
+			  "shear stress, as in a plane of symmetry. `inlet`: the velocity is given, or the\n"
+			  "pressure. `outlet`: the pressure is given, 0 by default, and the velocity has\n"
+			  "zero gradient along the normal; fluid that flows back in has no momentum. At an\n"
+			  "inlet with a pressure, the fluid that enters has the normal velocity of the "
+			  "first\n"
+			  "cell: a developed flow. The pressure is the static pressure on the face itself.\n"
+			  "With the pressure given at both ends, a channel is driven by the difference; a\n"
+			  "face may be inlet and outlet at different times.\n\n"
+			  "`hydrostatic yes` adds the weight of the fluid above, rho g (x - x_top), with g\n"
+			  "the body_force of flow_style and x_top the top of the grid, along axes that are\n"
+			  "not periodic. A fluid at rest then stays at rest, whichever faces are open, if\n"
+			  "all have the same pressure P, which is the pressure at the top. If body_force\n"
+			  "acts along a face of uniform pressure, `hydrostatic` must be given explicitly as\n"
+			  "yes or no, since without the hydrostatic part the fluid is driven through the\n"
+			  "face as a jet.\n\n"
+			  "Velocities and pressure may be equal-style variables. They are evaluated in each\n"
+			  "step, with `update once` at the beginning of a run. With `set y yy` the\n"
+			  "internal-style variable yy is set to the coordinate of each point of the face\n"
+			  "before the evaluation, for profiles. Values are interpolated linearly between "
+			  "two\n"
+			  "steps; the pressure acts with its mean over the step (time euler, ab2) or with\n"
+			  "the weights of the scheme (rk2, rk3), so that all schemes are of second order in "
+			  "the given pressure.",
 		   .example = "flow_boundary yhi wall velocity 1 0 0\n"
 			      "variable yy internal 0\n"
 			      "variable profile equal 4*v_yy*(1-v_yy)\n"

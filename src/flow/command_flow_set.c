@@ -67,8 +67,8 @@ static const struct ts_arg args[] = {
 	TS_LIST_KEYWORD("velocity", struct state, velocity, .flags = TS_TO_KEYWORD,
 			.help = "VX VY VZ: numbers or v_NAME"),
 	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
-			.help = "x|y|z name: internal-style variable that gets the coordinate of each point "
-				"before the velocity is evaluated; may be repeated"),
+			.help = "x|y|z name: internal-style variable that is set to the coordinate of each "
+				"point before the velocity is evaluated; may be repeated"),
 	TS_ARGS_END,
 };
 
@@ -76,10 +76,10 @@ TS_STYLE(command, ts_command_style, ts_command_flow_set)
 const struct ts_command_style ts_command_flow_set = {
 	.style = { .name = "flow_set",
 		   .kind = TS_KIND_COMMAND,
-		   .summary = "Sets the velocity of the fluid",
-		   .doc = "Each component is evaluated at its own points on the faces of the cells. The "
-			  "field is then made free of divergence by a projection, so flow_boundary comes "
-			  "before. Without flow_set the fluid begins at rest.",
+		   .summary = "Sets the initial velocity of the fluid",
+		   .doc = "Each component is evaluated at its own points, the faces of the cells. The field\n"
+			  "is then projected onto a field without divergence, so flow_boundary must precede\n"
+			  "this command. Without flow_set the fluid starts at rest.",
 		   .example = "variable xx internal 0\n"
 			      "variable yy internal 0\n"
 			      "variable u equal sin(v_xx)*cos(v_yy)\n"

@@ -59,11 +59,12 @@ TS_STYLE(command, ts_command_style, ts_command_flow_style)
 const struct ts_command_style ts_command_flow_style = {
 	.style = { .name = "flow_style",
 		   .kind = TS_KIND_COMMAND,
-		   .summary = "chooses the fluid around the particles",
-		   .doc = "Replaces the flow style there was. Without one there is no fluid and drag fixes "
-			  "are refused. A fluid that is solved for is not replaced without a word: after a "
-			  "run with it, or where flow_boundary lines would be lost, another flow_style is "
-			  "refused; `flow_style none` takes it away, `clear` everything.",
+		   .summary = "Selects the fluid around the particles",
+		   .doc = "Replaces the present flow style. Without a flow style there is no fluid, and "
+			  "drag\n"
+			  "fixes are refused. A fluid that is solved for is not replaced silently: after a\n"
+			  "run with it, or if flow_boundary settings would be lost, another flow_style is\n"
+			  "refused; `flow_style none` removes it, `clear` removes everything.",
 		   .example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3",
 		   .args = args,
 		   .state_size = sizeof(struct style_line) },

@@ -102,9 +102,9 @@ static const struct ts_mode modes[] = {
 };
 
 static const struct ts_arg args[] = {
-	TS_MODE("where", struct state, mode, modes, .help = "through what"),
+	TS_MODE("where", struct state, mode, modes, .help = "the plane"),
 	TS_REGION("region", struct state, region, .flags = TS_OPTIONAL,
-		  .help = "only faces of cells with their middle in this region"),
+		  .help = "only faces of cells whose centre is in this region"),
 	TS_ARGS_END,
 };
 
@@ -112,11 +112,12 @@ TS_STYLE(compute, ts_style, ts_compute_flow_flux)
 const struct ts_style ts_compute_flow_flux = {
 	.name = "flow/flux",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Volume of fluid that crosses a plane per time",
-	.doc = "The sum of e u A over the faces of cells in the plane, u the velocity across it, e the void "
-	       "fraction (1 without particles\nthat take room). Between two planes of faces it is "
-	       "interpolated linearly. c_ID is the flux, > 0 along the axis, at both\nfaces of the grid; "
-	       "c_ID[2] the area, c_ID[3] the flux by the area.",
+	.summary = "Volume flow rate of the fluid through a plane",
+	.doc = "The sum of e u A over the faces of cells in the plane, with u the velocity normal to the\n"
+	       "plane, e the void fraction (1 without fix void_fraction) and A the area of a face. Between\n"
+	       "two planes of faces the sum is interpolated linearly. c_ID is the volume flow rate,\n"
+	       "positive along the axis on both faces of the grid; c_ID[2] is the area, c_ID[3] the flow\n"
+	       "rate divided by the area.",
 	.example = "compute in all flow/flux xlo\ncompute half all flow/flux z 0.5 region inner",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -58,7 +58,7 @@ static const struct ts_arg args[] = {
 	TS_ENUM("face", struct state, side, ts_flow_face_names, .flags = TS_POSITIONAL,
 		.help = "face of the grid"),
 	TS_REGION("region", struct state, region, .flags = TS_OPTIONAL,
-		  .help = "only what has its middle in this region"),
+		  .help = "only faces of cells whose centre is in this region"),
 	TS_ARGS_END,
 };
 
@@ -67,13 +67,12 @@ const struct ts_style ts_compute_flow_force = {
 	.name = "flow/force",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Force of the fluid on a face of its grid",
-	.doc = "What the fluid does to a wall, lid, inlet or outlet: c_ID[1] to [3] the force, [4] to [6] "
-	       "its part of the pressure,\n[7] to [9] that of the shear, mu du/dn, [10] the area. The "
-	       "pressure on the face is extrapolated from the two cells before\nit; shear is what the fluid "
-	       "loses there in the same step, so in a steady flow the balance of momentum along the face "
-	       "holds\nto the last digits. Without an outlet the level of the pressure is not known: its "
-	       "mean is zero. Bodies in the fluid report\n"
-	       "their forces themselves.",
+	.doc = "The force of the fluid on a wall, inlet or outlet: c_ID[1] to [3] is the total force, [4]\n"
+	       "to [6] the pressure force, [7] to [9] the shear force with stress mu du/dn, [10] the area.\n"
+	       "The pressure on the face is extrapolated from the two adjacent cells. The shear stress is\n"
+	       "the momentum flux in the equations of the fluid, so in a steady flow the momentum balance\n"
+	       "along the face holds to round-off. Without an open face the pressure is known up to a\n"
+	       "constant: its mean is zero. For bodies in the fluid see fix immersed/boundary.",
 	.example = "compute lid all flow/force yhi\nthermo_style custom step c_lid[7]",
 	.args = args,
 	.state_size = sizeof(struct state),

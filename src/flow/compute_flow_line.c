@@ -95,15 +95,15 @@ static const struct ts_arg cells[] = {
 	TS_ENUM("axis", struct state, axis, ts_region_axes, .flags = TS_POSITIONAL,
 		.help = "direction of the line"),
 	TS_REAL("first", struct state, other[0], .flags = TS_POSITIONAL, .unit = "length",
-		.help = "its place: the first of the two other coordinates, in the order x, y, z"),
+		.help = "the first of the two other coordinates, in the order x, y, z"),
 	TS_REAL("second", struct state, other[1], .flags = TS_POSITIONAL, .unit = "length",
-		.help = "the second"),
+		.help = "the second of the other coordinates"),
 	TS_ARGS_END,
 };
 
 static const struct ts_mode modes[] = {
 	[BETWEEN] = { "between", "points at equal distances", between },
-	[CELLS] = { "cells", "the middles of all cells along an axis", cells },
+	[CELLS] = { "cells", "the centres of all cells along an axis", cells },
 	{ .name = NULL },
 };
 
@@ -117,10 +117,10 @@ TS_STYLE(compute, ts_style, ts_compute_flow_line)
 const struct ts_style ts_compute_flow_line = {
 	.name = "flow/line",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "The fluid along a line",
-	.doc = "A row for each point of the line: N points between two places, or the middles of the cells "
-	       "along an axis.\nc_ID[i][j] is the j-th number of the i-th point, c_ID[j] as a list that of "
-	       "all points. \n" TS_FLOW_SAMPLE_DOC,
+	.summary = "Velocity, pressure and other fields of the fluid along a line",
+	.doc = "One row for each point of the line: N equidistant points between two positions, or the "
+	       "centres of the cells along an axis. c_ID[i][j] is the j-th value at the i-th point, c_ID[j] "
+	       "the list of the j-th value at all points. \n" TS_FLOW_SAMPLE_DOC,
 	.example =
 		"compute profile all flow/line cells y 0.5 0.5 values y vx\n"
 		"compute axis all flow/line between 0 0.5 0.5 1 0.5 0.5 129 values s vy interpolation cubic\n"

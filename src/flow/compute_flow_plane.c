@@ -73,9 +73,9 @@ TS_STYLE(compute, ts_style, ts_compute_flow_plane)
 const struct ts_style ts_compute_flow_plane = {
 	.name = "flow/plane",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "The fluid in a plane across an axis",
-	.doc = "A row for each cell of the grid in that plane, at the middle of the cell as seen along the "
-	       "axis; the earlier of the two\nother axes runs fastest.\n" TS_FLOW_SAMPLE_DOC,
+	.summary = "Velocity, pressure and other fields of the fluid in a plane",
+	.doc = "One row for each cell of the grid in the plane, at the centre of the cell seen along the "
+	       "axis. Of the two other axes the first one varies fastest.\n" TS_FLOW_SAMPLE_DOC,
 	.example = "compute cut all flow/plane z 0.5 values x y vx vy p wz\n"
 		   "fix out all ave/time 1000 1 1000 c_cut[*] mode vector file cut.txt",
 	.args = args,

@@ -64,7 +64,7 @@ static const struct ts_value values[] = {
 };
 
 static const struct ts_arg args[] = {
-	TS_LIST("points", struct state, words, .help = "x y z of one point or more"),
+	TS_LIST("points", struct state, words, .help = "x y z of one or more points"),
 	TS_FLOW_SAMPLE_ARGS(struct state),
 	TS_ARGS_END,
 };
@@ -73,9 +73,9 @@ TS_STYLE(compute, ts_style, ts_compute_flow_probe)
 const struct ts_style ts_compute_flow_probe = {
 	.name = "flow/probe",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "The fluid at points",
-	.doc = "A row for each point: c_ID[i][j]; c_ID[k] alone is the k-th number of the first "
-	       "point.\n" TS_FLOW_SAMPLE_DOC,
+	.summary = "Velocity, pressure and other fields of the fluid at points",
+	.doc = "One row for each point: c_ID[i][j] is the j-th value at the i-th point, c_ID[k] the k-th "
+	       "value at the first point.\n" TS_FLOW_SAMPLE_DOC,
 	.example = "compute wake all flow/probe 0.5 0.25 0 0.8 0.25 0 values vx vy p",
 	.args = args,
 	.state_size = sizeof(struct state),

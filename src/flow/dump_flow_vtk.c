@@ -208,11 +208,11 @@ static const struct ts_arg args[] = {
 	TS_INT("every", struct state, vtk.common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "steps between frames"),
 	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,
-		.help = "name of the frames, ending in .vti (uniform grids) or .vtr (any), with a `*` for "
-			"the step"),
+		.help = "file name, ending in .vti (uniform grids) or .vtr (any grid), with `*` for the "
+			"step"),
 	TS_REST_OPTIONAL("fields", struct state, words,
-			 .help = "velocity, pressure, void, vorticity, f_ID (a scalar that a fix carries "
-				 "with the fluid); without: all there are"),
+			 .help = "velocity, pressure, void, vorticity, f_ID (a scalar of fix flow/scalar); "
+				 "default: all that exist"),
 	TS_ARGS_END,
 };
 
@@ -222,13 +222,14 @@ TS_STYLE(dump, ts_style, ts_dump_flow_vtk)
 const struct ts_style ts_dump_flow_vtk = {
 	.name = "flow/vtk",
 	.kind = TS_KIND_DUMP,
-	.summary = "The fields of the fluid for ParaView",
-	.doc = "Values of the cells: velocity (in the middle of the cell: mean of its faces), pressure, void "
-	       "fraction, vorticity\ncurl u (mean of the edges of the cell), what fix flow/scalar carries "
-	       "(f_ID). A .vti file is an image, three spacings instead of coordinates, for uniform\ngrids; "
-	       ".vtr has the faces of all axes. With a `*` in the name there is one file for each frame and "
-	       "a collection\nNAME.pvd with the times of all of them, which is what to open. Files and "
-	       "collection appear when they are complete.",
+	.summary = "Writes the fields of the fluid to VTK files for ParaView",
+	.doc = "Cell values: velocity (mean over the faces of the cell), pressure, void fraction,\n"
+	       "vorticity curl u (mean over the edges of the cell), and scalars of fix flow/scalar (f_ID).\n"
+	       "A .vti file (image data) stores three spacings in place of coordinates, for uniform grids;\n"
+	       "a .vtr file (rectilinear grid) stores the faces along all axes. With `*` in the name, one\n"
+	       "file is written for each frame, and a collection NAME.pvd with the times of all frames,\n"
+	       "which is the file to open in ParaView. Files and collection are renamed into place when\n"
+	       "they are complete.",
 	.example = "dump fields all flow/vtk 1000 post/flow*.vti\n"
 		   "dump speed all flow/vtk 1000 post/speed*.vtr velocity",
 	.args = args,

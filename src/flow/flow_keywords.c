@@ -38,7 +38,7 @@ static const struct ts_keyword keywords[] = {
 	{ "flow_res", "FlowRes", "velocity/time", "largest |change of u|/dt in the last step of the fluid", 0,
 	  res },
 	{ "flow_dt", "FlowDt", "time", "last step of the fluid", 0, dt },
-	{ "flow_time", "FlowTime", "time", "time that the fluid has reached", 0, time },
+	{ "flow_time", "FlowTime", "time", "time of the fields of the fluid", 0, time },
 	{ "flow_steps", "FlowSteps", "", "steps of the fluid since its beginning", 1, steps },
 	{ .name = NULL },
 };

@@ -336,38 +336,41 @@ static const struct ts_saved saved[] = {
 
 static const struct ts_arg args[] = {
 	TS_LIST_KEYWORD("cells", struct ts_projection, cell_words, .flags = TS_TO_KEYWORD | TS_STATEFUL,
-			.help = "NX NY NZ: numbers of cells; NZ 1: a flow in the plane"),
+			.help = "NX NY NZ: numbers of cells; NZ 1: a two-dimensional flow"),
 	TS_REAL("viscosity", struct ts_projection, viscosity, .range = TS_NOT_NEGATIVE,
 		.unit = "pressure time", .help = "dynamic viscosity"),
 	TS_REAL("density", struct ts_projection, density, .range = TS_POSITIVE, .unit = "mass/length^3",
 		.help = "density of the fluid"),
 	TS_ENUM("time", struct ts_projection, time, ts_flow_time_names, .fallback = "euler",
-		.help = "scheme in time"),
+		.help = "time integration scheme"),
 	TS_ENUM("viscous", struct ts_projection, viscous, viscous_names, .fallback = "explicit",
-		.help = "viscosity explicit; implicit: Crank-Nicolson, or backward Euler, which do not limit "
-			"the step: with time ab2 or euler"),
+		.help = "viscous term explicit, implicit (Crank-Nicolson) or backward (Euler); the last two "
+			"do not limit the step and need time ab2 or euler"),
 	TS_INT("every", struct ts_projection, every, .fallback = "1", .range = TS_POSITIVE, .unit = "steps",
 	       .flags = TS_STATEFUL,
-	       .help = "steps of the simulation to one of the fluid, which takes the mean of their forces"),
+	       .help = "number of steps of the simulation in one step of the fluid, which uses the mean of "
+		       "their forces"),
 	TS_WORD("substeps", struct ts_projection, substeps_word, .fallback = "1",
-		.help = "steps of the fluid in one of the simulation: a number, or auto: as its limits want"),
+		.help = "number of steps of the fluid in one step of the simulation; auto: as its stability "
+			"limits require"),
 	TS_REAL("courant", struct ts_projection, courant, .fallback = "0.5", .range = TS_WITHIN, .lo = 0.001,
-		.hi = 1, .help = "substeps auto: share of the largest stable step"),
+		.hi = 1, .help = "with substeps auto: fraction of the largest stable step"),
 	TS_REGION("region", struct ts_projection, region, .flags = TS_OPTIONAL,
-		  .help = "the grid fills the bounds of this region; else the box"),
+		  .help = "the grid fills the bounding box of this region; without: the simulation box"),
 	TS_ENUM("convection", struct ts_projection, convection, ts_convection_names, .flags = TS_OPTIONAL,
-		.help = "scheme for velocities on the sides of control volumes; default: quick, or donor in "
-			"form fd"),
+		.help = "scheme for the velocity convected through the sides of control volumes; default: "
+			"quick, or donor with form fd"),
 	TS_REAL("gamma", struct ts_projection, gamma, .range = TS_FRACTION, .fallback = "0.5",
-		.help = "convection donor: share of donor cell, the rest is central"),
+		.help = "with convection donor: fraction of upwind differences, the rest is central"),
 	TS_ENUM("form", struct ts_projection, form, ts_flow_form_names, .fallback = "fv",
-		.help = "finite volumes, finite differences of u grad u, or finite volumes of e u"),
+		.help = "convection term: finite volumes (fv), finite differences of u grad u (fd), or "
+			"finite volumes of the momentum e u (conservative)"),
 	TS_ENUM("wall", struct ts_projection, wall, wall_forms, .fallback = "quadratic",
-		.help = "profile along the normal between a wall and the points beside it"),
+		.help = "velocity profile along the normal between a wall and the points next to it"),
 	TS_SOME_KEYWORD("body_force", struct ts_projection, body_words, 0,
-			.help = "FX FY FZ: acceleration of all fluid, numbers or equal-style variables"),
+			.help = "FX FY FZ: acceleration of the fluid, numbers or equal-style variables"),
 	TS_NUMBER("pressure_level", struct ts_projection, level, .fallback = "0", .unit = "pressure",
-		  .help = "mean pressure where no face is open: a number or an equal-style variable"),
+		  .help = "mean pressure if no face is open: a number or an equal-style variable"),
 	TS_ARGS_END,
 };
 
@@ -376,40 +379,52 @@ const struct ts_flow_style ts_flow_projection = {
 	.style = { .name = "projection",
 		   .kind = TS_KIND_FLOW,
 		   .family = TS_FAMILY_PROJECTION,
-		   .summary = "an incompressible fluid whose flow is solved for on a staggered grid",
-		   .doc = "du/dt + div(u u) = -grad p/rho + nu lap u + g, div u = 0, on a grid of cells that "
-			  "fills the box or the bounds of a region. Pressure lives in the centres of cells, "
-			  "velocities on their faces. Each step predicts a velocity without pressure and "
-			  "projects it onto the fields without divergence; who solves for the pressure says "
-			  "pressure_style. flow_grid grades the cells, flow_boundary says what is at the "
-			  "faces, flow_set with which velocity the fluid begins. Without an outlet, or an "
-			  "inlet by its pressure, the pressure is known up to a constant: pressure_level is "
-			  "its mean over the grid.\n\n"
-			  "Where fixes ask for it, the volume-averaged equations are solved: de/dt + div(e "
-			  "u) = 0 and e rho (du/dt + u grad u) = -e grad p + div(e mu grad u) + e rho g + f "
-			  "- k u, e the void fraction, f and k what particles put on the fluid; k u is taken "
-			  "at the new velocity.\n\n"
-			  "convection: donor takes gamma of the velocity on the side of a control volume "
-			  "from upstream and the rest from the mean; central, the mean; quick, a parabola; "
-			  "cubista is quick kept within its neighbours. All are of second order in space but "
-			  "donor, of first as far as gamma goes. form fd takes u grad u by finite "
-			  "differences in place of div(u u) by finite volumes, and does not conserve "
-			  "momentum. form conservative steps e u forward in place of u, with fluxes that "
-			  "close the balance of e on the volumes of faces: with fix void_fraction and fix "
-			  "flow/pressure_gradient momentum of particles and fluid is kept to round-off "
-			  "(flow_px, flow_py, flow_pz; doc/coupling.md); without void fraction it is fv. It "
-			  "goes with time euler, rk2 and rk3. With wall quadratic the shear at walls is of "
-			  "second order: the parabola of a channel is exact.\n\n"
-			  "time: euler is of first order, ab2 and rk2 of second, rk3 of third; values at "
-			  "faces that change are linear in time within a step. viscous implicit "
-			  "(Crank-Nicolson) and backward are factored by axes and stable for any viscosity; "
-			  "of second and first order.\n\n"
-			  "Limits of the step: explicit viscosity dt <= 2/(nu sum 4/h^2) (ab2 half of it, "
-			  "rk3 1.26 of it), less upwind's own viscosity; Courant number sum |u| dt/h below 1 "
-			  "(ab2 0.7, rk3 1.73); and for euler dt <= 2 nu/u^2, without which waves grow "
-			  "slowly. A run beyond them is refused or warned, and stopped with the cause when "
-			  "the flow gets there. The fluid makes one step in each of the simulation, or one "
-			  "`every` N of them, or `substeps` in one.",
+		   .summary = "An incompressible fluid, solved for on a staggered Cartesian grid by the\n"
+			      "projection method",
+		   .doc = "Solves du/dt + div(u u) = -grad p/rho + nu lap u + g, div u = 0, on a Cartesian\n"
+			  "grid that fills the box or the bounding box of a region. Pressures are defined "
+			  "at\n"
+			  "the centres of cells, velocities on their faces (staggered grid). In each step a\n"
+			  "velocity is predicted without pressure and then projected onto a field without\n"
+			  "divergence; the command pressure_style selects the solver for the pressure.\n"
+			  "flow_grid sets the widths of the cells, flow_boundary the boundary conditions,\n"
+			  "flow_set the initial velocity. Without an outlet or an inlet with given "
+			  "pressure,\n"
+			  "the pressure is known up to a constant: pressure_level is its mean over the "
+			  "grid.\n\n"
+			  "If fixes require it, the volume-averaged equations are solved: de/dt + div(e u) "
+			  "=\n"
+			  "0 and e rho (du/dt + u grad u) = -e grad p + div(e mu grad u) + e rho g + f - k\n"
+			  "u, with e the void fraction, f and k the explicit and semi-implicit force of the\n"
+			  "particles per volume; k u is taken at the new velocity.\n\n"
+			  "`convection`: the velocity on the side of a control volume is for `central` the\n"
+			  "mean of its neighbours; for `donor` a fraction gamma of the upstream value and\n"
+			  "the rest of the mean; for `quick` a parabola; `cubista` is quick, bounded by the\n"
+			  "neighbouring values. All are of second order in space except donor, which is of\n"
+			  "first order in proportion to gamma. `form fd` computes u grad u by finite\n"
+			  "differences instead of div(u u) by finite volumes, and does not conserve\n"
+			  "momentum. `form conservative` integrates e u instead of u in time, with fluxes\n"
+			  "that satisfy the continuity equation of e on the control volumes of the faces:\n"
+			  "together with fix void_fraction and fix flow/pressure_gradient the momentum of\n"
+			  "particles and fluid is conserved to round-off (flow_px, flow_py, flow_pz;\n"
+			  "doc/coupling.md). Without void fraction it equals fv. It is available with time\n"
+			  "euler, rk2 and rk3. With `wall quadratic` the shear stress at walls is of second\n"
+			  "order, and the parabolic profile of a channel is exact.\n\n"
+			  "`time`: euler is of first order, ab2 (Adams-Bashforth) and rk2 (Runge-Kutta) of\n"
+			  "second, rk3 of third. Boundary values that vary are linear in time within a "
+			  "step.\n"
+			  "`viscous implicit` (Crank-Nicolson) and `backward` (Euler) are factored by axes\n"
+			  "and stable for any viscosity; they are of second and first order.\n\n"
+			  "Stability limits of the time step: with explicit viscosity dt <= 2/(nu sum "
+			  "4/h^2)\n"
+			  "(ab2: half of it, rk3: 1.26 times), reduced by the numerical viscosity of upwind\n"
+			  "schemes; Courant number sum |u| dt/h below 1 (ab2 0.7, rk3 1.73); for euler also\n"
+			  "dt <= 2 nu/u^2, beyond which waves grow slowly. A run beyond these limits is\n"
+			  "refused or a warning is printed; a run that reaches them is stopped and the "
+			  "cause\n"
+			  "reported. The fluid makes one step in each step of the simulation, one in "
+			  "`every`\n"
+			  "N steps, or `substeps` in one.",
 		   .example = "flow_style projection cells 64 64 1 viscosity 0.01 density 1.0\n"
 			      "flow_style projection cells 80 10 10 viscosity 1.0e-3 density 1000 convection "
 			      "donor gamma 0.5 time rk3 substeps auto body_force 0 0 -9.81",

@@ -20,18 +20,19 @@ struct ts_flow_sampler {
 	struct tsim *sim;
 };
 extern const char *const ts_flow_interpolations[];
-#define TS_FLOW_SAMPLE_ARGS(T)                                                                       \
-	TS_SOME_KEYWORD("values", T, sampler.words, 0,                                               \
-			.help = "columns: x, y, z, s (distance from the first point), vx, vy, vz, "  \
-				"speed, p, void, wx, wy, wz (vorticity), f_ID (a scalar that a fix " \
-				"carries with the fluid); without: vx vy vz p"),                     \
-		TS_ENUM("interpolation", T, sampler.interpolation, ts_flow_interpolations,           \
+#define TS_FLOW_SAMPLE_ARGS(T)                                                                             \
+	TS_SOME_KEYWORD("values", T, sampler.words, 0,                                                     \
+			.help = "columns: x, y, z, s (distance from the first point), vx, vy, vz, speed, " \
+				"p, void, wx, wy, wz (vorticity), f_ID (a scalar of fix flow/scalar); "    \
+				"default: vx vy vz p"),                                                    \
+		TS_ENUM("interpolation", T, sampler.interpolation, ts_flow_interpolations,                 \
 			.fallback = "linear", .help = "through the nearest 2 or 4 values along each axis")
-#define TS_FLOW_SAMPLE_DOC                                                                             \
-	"The columns are chosen by `values`: coordinates, components of the velocity, speed, "         \
-	"pressure, void fraction (1 without particles\nthat take room), vorticity. Places between "    \
-	"the values of the grid are interpolated through the nearest 2 values along\neach axis, with " \
-	"`interpolation cubic` 4, the velocity on a wall being one of them; vorticity always through 2."
+#define TS_FLOW_SAMPLE_DOC                                                                               \
+	"The keyword `values` selects the columns: coordinates, velocity components, speed, pressure,\n" \
+	"void fraction (1 without fix void_fraction), vorticity, transported scalars. Values between\n"  \
+	"the points of the grid are interpolated through the nearest 2 values along each axis, with\n"   \
+	"`interpolation cubic` through 4, of which the velocity on a wall is one; vorticity is always\n" \
+	"interpolated linearly."
 
 /* Called in the init of such a compute: reads the words, checks that there is a fluid. */
 enum ts_status ts_flow_sampler_init(struct ts_instance *self, struct tsim *sim);

@@ -75,10 +75,11 @@ TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
 const struct ts_flow_style ts_flow_uniform = {
 	.style = { .name = "uniform",
 		   .kind = TS_KIND_FLOW,
-		   .summary = "a fluid that moves everywhere with the same imposed velocity",
-		   .doc = "The cheapest fluid: its velocity is given and the particles do not change "
-			  "it. Drag fixes such as fix drag/stokes ask it for velocity and viscosity. "
-			  "The rising drilling fluid of a borehole is modelled in this way.",
+		   .summary = "A fluid with the same prescribed velocity everywhere",
+		   .doc = "The velocity is given and particles do not change it. Drag fixes such as fix\n"
+			  "drag/stokes use this velocity and viscosity. A typical use is the rising "
+			  "drilling\n"
+			  "fluid of a borehole.",
 		   .example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3",
 		   .args = args,
 		   .state_size = sizeof(struct uniform),

@@ -587,31 +587,32 @@ static void fini(struct ts_instance *self)
 
 /* ---- tables */
 
-#define GIVEN_ROWS                                                                                 \
-	TS_SOME_KEYWORD("velocity", struct state, velocity_words, 0,                               \
-			.help = "Vx Vy Vz, numbers or v_name: velocity of the centre, instead of " \
-				"what the motion of the region or mesh says"),                     \
-		TS_SOME_KEYWORD("omega", struct state, omega_words, 0,                             \
-				.help = "Wx Wy Wz, numbers or v_name: angular velocity about the " \
-					"centre, in radian per time"),                             \
-		TS_VEC3("centre", struct state, centre, .flags = TS_OPTIONAL, .unit = "length",    \
-			.help = "about which it turns and torques are taken; default: the middle " \
-				"of the region's bounds, the mean of the mesh's corners")
-#define ITERATIONS                                                                                   \
-	TS_INT("iterations", struct state, iterations, .fallback = "3", .range = TS_WITHIN, .lo = 1, \
-	       .hi = 100,                                                                            \
-	       .help = "how often the values beside the surface, which hang on each other, are "     \
-		       "found anew in a step")
+#define GIVEN_ROWS                                                                                           \
+	TS_SOME_KEYWORD("velocity", struct state, velocity_words, 0,                                         \
+			.help = "Vx Vy Vz, numbers or v_name: velocity of the centre, instead of "           \
+				"what the motion of the region or mesh says"),                               \
+		TS_SOME_KEYWORD("omega", struct state, omega_words, 0,                                       \
+				.help = "Wx Wy Wz, numbers or v_name: angular velocity about the "           \
+					"centre, in radian per time"),                                       \
+		TS_VEC3("centre", struct state, centre, .flags = TS_OPTIONAL, .unit = "length",              \
+			.help = "reference point of the rotation and of the torque; default: the centre of " \
+				"the region's bounding box, the mean of the mesh's corners")
+#define ITERATIONS                                                                                          \
+	TS_INT("iterations", struct state, iterations, .fallback = "3", .range = TS_WITHIN, .lo = 1,        \
+	       .hi = 100,                                                                                   \
+	       .help = "number of iterations for the velocities next to the surface, which depend on each " \
+		       "other")
 #define MIN_CELLS                                                                                  \
 	TS_REAL("min_cells", struct state, least_cells, .fallback = "4", .range = TS_NOT_NEGATIVE, \
 		.unit = "", .help = "a body with fewer cells across is refused")
-#define RELAX                                                                                           \
-	TS_REAL("relax", struct state, relax, .fallback = "1", .range = TS_WITHIN, .lo = 1e-3, .hi = 1, \
-		.help = "how much of the force of a step replaces that of the step before"),            \
-		TS_REAL("virtual_mass", struct state, virtual_mass, .fallback = "1.5",                  \
-			.range = TS_NOT_NEGATIVE, .unit = "",                                           \
-			.help = "by the mass of the fluid that a body displaces: for bodies that move " \
-				"freely")
+#define RELAX                                                                                              \
+	TS_REAL("relax", struct state, relax, .fallback = "1", .range = TS_WITHIN, .lo = 1e-3, .hi = 1,    \
+		.help = "relaxation factor of the force: weight of the present step against the previous " \
+			"one"),                                                                            \
+		TS_REAL("virtual_mass", struct state, virtual_mass, .fallback = "1.5",                     \
+			.range = TS_NOT_NEGATIVE, .unit = "",                                              \
+			.help = "virtual mass of freely moving bodies, divided by the mass of the "        \
+				"displaced fluid")
 static const struct ts_arg region_args[] = {
 	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL, .help = "the solid"),
 	GIVEN_ROWS,
@@ -637,12 +638,12 @@ static const struct ts_arg sphere_args[] = {
 static const struct ts_mode bodies[] = {
 	[REGION] = { "region", "a region of the script", region_args },
 	[MESH] = { "mesh", "a closed mesh", mesh_args },
-	[SPHERES] = { "spheres", "the particles of the group, which the fluid moves", sphere_args },
+	[SPHERES] = { "spheres", "the particles of the group, moved by the fluid", sphere_args },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
-	TS_MODE("body", struct state, body, bodies, .help = "what the solid is"),
+	TS_MODE("body", struct state, body, bodies, .help = "the solid"),
 	TS_ARGS_END,
 };
 
@@ -671,73 +672,56 @@ TS_STYLE(fix, ts_style, ts_fix_immersed_boundary)
 const struct ts_style ts_fix_immersed_boundary = {
 	.name = "immersed/boundary",
 	.kind = TS_KIND_FIX,
-	.summary = "A solid body in a fluid that is solved for: direct forcing on the grid",
-	.doc = "The velocity of the fluid is made that of the body inside it, and beside its surface that on "
-	       "the\n"
-	       "parabola along the normal n through the surface and the fluid farther out,\n\n"
+	.summary = "A solid body in a fluid that is solved for, by direct forcing on the grid",
+	.doc = "Inside the body the velocity of the fluid is set to that of the body. At points next to\n"
+	       "its surface it is set to the value on the parabola along the normal n through the surface\n"
+	       "and the fluid farther out,\n\n"
 	       "    u(x) = v_s + 2 d/(d + l) (u(x + l n) - v_s) - d/(d + 2 l) (u(x + 2 l n) - v_s)\n\n"
-	       "d the distance from the surface, l the spacing of the grid along n: no slip to second order. "
-	       "The grid\n"
-	       "need not follow the body, any pressure_style will do, and bodies may move over it. Make the "
-	       "fix\n"
-	       "after flow_style; several bodies take a fix each.\n\n"
-	       "`region`: the place is that of the region, with its `move` and `rotate`; so is the velocity, "
-	       "from\n"
-	       "the difference of two steps of the fluid. `velocity` and `omega` say it instead: exactly "
-	       "where\n"
-	       "formulas know it, or of a surface that slides in itself, as of a turning cylinder. A region "
-	       "of\n"
-	       "`side out` encloses the fluid. Where not the region but its members or sizes change, the "
-	       "surface moves\n"
-	       "with no velocity but what `velocity` and `omega` say. Lengths along which a body goes "
-	       "through the\n"
-	       "whole box end at INF, not at EDGE.\n"
-	       "`mesh`: a closed surface of fix mesh/surface; it is where it is, and moves as its corners "
-	       "do. Particles\n"
-	       "feel the same mesh by fix wall/gran mesh; fix move/mesh/free lets it go where the fluid "
-	       "takes it.\n"
-	       "`spheres`: each particle of the group is a body (in two dimensions a disc, with its force "
-	       "and torque by unit\n"
-	       "of depth, as its mass is), large against the grid. The force on it is added in the next "
-	       "step, so its integrator, contacts, fix rigid and\n"
-	       "multisphere go on as ever. Weight and buoyancy are those of the script: the pressure here "
-	       "is\n"
-	       "without the hydrostatic part, unless flow_style has a body_force. A virtual mass, "
-	       "`virtual_mass`\n"
-	       "times that of the fluid displaced, stands on both sides of the equation of motion of "
-	       "particles and of meshes\n"
-	       "of fix move/mesh/free,\n\n"
+	       "with d the distance from the surface, v_s the velocity of the surface and l the grid\n"
+	       "spacing along n: no slip to second order. The grid need not conform to the body, any\n"
+	       "pressure_style can be used, and bodies may move through the grid. Define the fix after\n"
+	       "flow_style; use one fix for each body.\n\n"
+	       "`region`: the body has the position of the region, including its `move` and `rotate`, and\n"
+	       "the velocity that follows from its positions in two steps of the fluid. `velocity` and\n"
+	       "`omega` give the velocity instead: exactly, if formulas for it are known, or for a surface\n"
+	       "that slides in itself, such as that of a rotating cylinder. A region with `side out`\n"
+	       "encloses the fluid. If not the region as a whole but its members or sizes change, the\n"
+	       "surface has only the velocity given by `velocity` and `omega`. A body that extends through\n"
+	       "the whole box must end at INF, not at EDGE.\n\n"
+	       "`mesh`: a closed surface of fix mesh/surface. Position and velocity of the body are those\n"
+	       "of the mesh. Particles interact with the same mesh by fix wall/gran mesh; with fix\n"
+	       "move/mesh/free the body moves freely under the force of the fluid.\n\n"
+	       "`spheres`: each particle of the group is a body (in two dimensions a disc, with force and\n"
+	       "torque per unit depth, like its mass) that is large compared with the cells. The force on\n"
+	       "it is added in the next step, so integrators, contacts, fix rigid and fix multisphere work\n"
+	       "as usual. Weight and buoyancy are those of the script: the pressure has no hydrostatic\n"
+	       "part, unless flow_style has a body_force.\n\n"
+	       "For particles and for meshes of fix move/mesh/free a virtual mass m_v, `virtual_mass`\n"
+	       "times that of the displaced fluid, is added to both sides of the equation of motion,\n\n"
 	       "    (m + m_v) a = F + (all other forces) + m_v a',\n\n"
-	       "a' the mean acceleration over the last step of the fluid: so bodies lighter than the fluid, "
-	       "or as heavy, move\n"
-	       "stably, with an error of first order in the step. The fix does this when all other forces "
-	       "are known, wherever\n"
-	       "they stand in the script. Bodies whose added mass is more than 4.5 times the mass of the "
-	       "fluid displaced (light\n"
-	       "ones in narrow channels) want a larger one, or `relax`.\n\n"
-	       "The force is what the forcing gave to the fluid, with the opposite sign, and the rate of the "
-	       "momentum\n"
-	       "of the fluid inside,\n\n"
+	       "with a' the mean acceleration over the last step of the fluid. It stabilizes bodies that\n"
+	       "are as light as the fluid or lighter, with an error of first order in the step. It is\n"
+	       "applied when all other forces are known, regardless of the order in the script. Bodies\n"
+	       "whose added mass is more than 4.5 times the mass of the displaced fluid (light ones in\n"
+	       "narrow channels) need a larger value, or `relax`.\n\n"
+	       "The force on the body is the opposite of the force that the forcing exerts on the fluid,\n"
+	       "plus the rate of change of the momentum of the fluid inside,\n\n"
 	       "    F = -sum rho (u_forced - u) V/dt + d/dt int rho u dV,\n\n"
-	       "0 before the first step. With `viscous implicit` velocities beside the body lag behind by an "
-	       "error of\n"
-	       "first order in the step: keep that near h^2/nu. Bodies of fewer than `min_cells` cells "
-	       "across, along the\n"
-	       "axis where they are fewest, are refused: with 4 the drag is wrong by 5 to 13 %, with 8 by 1 "
-	       "to 4 %; a clump is\n"
-	       "as thick as its largest sphere. A body nowhere thicker than two cells leaks, with a "
-	       "warning.\n\n"
-	       "No pressure can bring fluid through a body. When a run begins, and as bodies move, cells are "
-	       "filled from the\n"
-	       "outlets (and inlets by pressure) through all faces of cells whose centre is in the fluid. A "
-	       "body that\n"
-	       "closes off a part into which faces of the grid bring more than they take is refused, with "
-	       "the place; so is\n"
-	       "a region or mesh that pushes or draws fluid there, in a part at least three cells wide. "
-	       "Parts into which\n"
-	       "nothing flows are legal. A body may stand on walls and outlets; on an inlet by velocity only "
-	       "where that\n"
-	       "is the velocity of the body.",
+	       "and 0 before the first step. With `viscous implicit` velocities next to the body have an\n"
+	       "error of first order in the step: keep the step near h^2/nu. Bodies of fewer than\n"
+	       "`min_cells` cells across, along the axis where they are fewest, are refused: with 4 the\n"
+	       "error of the drag is 5 to 13 %, with 8 it is 1 to 4 %. The thickness of a clump is that of\n"
+	       "its largest sphere. A body that is nowhere thicker than two cells leaks, and a warning is\n"
+	       "printed.\n\n"
+	       "The pressure cannot drive fluid through a body. At the beginning of a run, and when bodies\n"
+	       "move, all cells are marked that are connected with an outlet (or an inlet with given\n"
+	       "pressure) through faces of cells whose centre is in the fluid. A body is refused, and the\n"
+	       "position reported, if it closes off a part of the fluid into which more flows through\n"
+	       "faces of the grid than out of it, or, for a region or mesh, if its motion displaces fluid in "
+	       "a closed part that is at least three cells wide. Closed parts without inflow are allowed. A "
+	       "body\n"
+	       "may touch walls and outlets; it may touch an inlet with given velocity only if that is the\n"
+	       "velocity of the body.",
 	.example = "region rod cylinder z 0 0 0.5 INF INF units box\n"
 		   "fix rod all immersed/boundary region rod\n"
 		   "fix spin all immersed/boundary region rod omega 0 0 2.385\n"

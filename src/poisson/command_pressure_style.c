@@ -26,15 +26,15 @@ TS_STYLE(command, ts_command_style, ts_command_pressure_style)
 const struct ts_command_style ts_command_pressure_style = {
 	.style = { .name = "pressure_style",
 		   .kind = TS_KIND_COMMAND,
-		   .summary = "chooses the solver for the pressure of a fluid",
-		   .doc = "Replaces the pressure style there was. Without one, or with `auto`, the fluid "
-			  "takes the one that says it will be the fastest, by measured times for each cell: "
-			  "`direct` where no particles take room or are held by the fluid implicitly, on "
-			  "even and on graded grids; else `cg` with `direct` as its preconditioner, which "
-			  "takes multigrid instead for weights that differ much; `multigrid` where two axes "
-			  "or more are graded and have more than about two thousand cells. -explain says "
-			  "which, and how long a solve will take. All give the same pressure to their "
-			  "tolerance; that of `direct` is round-off.",
+		   .summary = "Selects the solver for the pressure of a fluid",
+		   .doc = "Replaces the present pressure style. Without this command, or with `auto`, the\n"
+			  "solver with the smallest estimated time is used, from measured times per cell:\n"
+			  "`direct` if no particles occupy volume or exchange momentum implicitly, on\n"
+			  "uniform and graded grids; otherwise `cg` with the preconditioner `direct`, which\n"
+			  "uses multigrid instead if the weights differ much; `multigrid` if two or more\n"
+			  "axes are graded and have more than about two thousand cells. -explain prints the\n"
+			  "selected solver and the estimated time of a solve. All solvers give the same\n"
+			  "pressure to their tolerance; that of `direct` is round-off.",
 		   .example = "pressure_style auto",
 		   .args = args,
 		   .state_size = sizeof(struct style_line) },

@@ -51,17 +51,18 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_direct)
 const struct ts_pressure_style ts_pressure_direct = {
 	.style = { .name = "direct",
 		   .kind = TS_KIND_PRESSURE,
-		   .summary = "solves mode by mode, to round-off, without iterations",
-		   .doc = "The operator div grad of a Cartesian grid is a sum of one-dimensional ones. Along "
-			  "all axes but one the pressure is written as a sum of their modes: waves, by fast "
-			  "Fourier transforms, on axes with even cells, eigenvectors on graded ones. What is "
-			  "left is a tridiagonal system along the last axis for each mode (R. W. Hockney, J. "
-			  "ACM 12 (1965) 95; R. E. Lynch, J. R. Rice and D. H. Thomas, Numer. Math. 6 (1964) "
-			  "185). The divergence that is left is round-off. Serves all conditions at "
-			  "boundaries, any number of cells (best: products of 2, 3 and 5), and one graded "
-			  "axis at no cost; each further one costs as many operations a cell as it has "
-			  "cells. The void fraction must be 1 everywhere; for beds see pressure_style cg, "
-			  "which can use this solver as its preconditioner.",
+		   .summary = "Direct solver by fast Fourier transforms and eigenvectors",
+		   .doc = "The operator div grad of a Cartesian grid is a sum of one-dimensional operators.\n"
+			  "Along all axes but one the pressure is expanded in their modes: waves, by fast\n"
+			  "Fourier transforms, on uniform axes, and eigenvectors on graded ones. For each\n"
+			  "mode a tridiagonal system along the last axis remains (R. W. Hockney, J. ACM 12\n"
+			  "(1965) 95; R. E. Lynch, J. R. Rice and D. H. Thomas, Numer. Math. 6 (1964) 185).\n"
+			  "The remaining divergence is round-off.\n\n"
+			  "All boundary conditions and any number of cells are possible (fastest: products\n"
+			  "of 2, 3 and 5). One graded axis adds no cost; each further one costs per cell as\n"
+			  "many operations as it has cells. The void fraction must be 1 everywhere; for "
+			  "beds\n"
+			  "see pressure_style cg, which can use this solver as its preconditioner.",
 		   .cite = "R. W. Hockney, J. ACM 12 (1965) 95",
 		   .example = "pressure_style direct",
 		   .state_size = sizeof(struct direct),

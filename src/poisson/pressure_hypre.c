@@ -52,12 +52,14 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_hypre)
 const struct ts_pressure_style ts_pressure_hypre = {
 	.style = { .name = "hypre",
 		   .kind = TS_KIND_PRESSURE,
-		   .summary = "multigrid of the library hypre within conjugate gradients",
-		   .doc = "The iterations of pressure_style cg, each with a V-cycle of hypre's PFMG as the "
-			  "preconditioner: semi-coarsening with Galerkin operators; about as fast as "
-			  "pressure_style multigrid (doc/pressure.md). Only in programs that were configured "
-			  "with --with-hypre; hypre brings MPI, which is begun for the one process when the "
-			  "style is first used. Periodic axes must have a power of two of cells. One thread.",
+		   .summary = "Conjugate gradients with the multigrid preconditioner of the library hypre",
+		   .doc = "The iteration of pressure_style cg, with one V-cycle of PFMG of hypre as the\n"
+			  "preconditioner: semi-coarsening with Galerkin operators. It is about as fast as\n"
+			  "pressure_style multigrid (doc/pressure.md).\n\n"
+			  "Available if tsim was configured with --with-hypre. hypre needs MPI, which is\n"
+			  "initialized for the one process when the style is first used. The number of "
+			  "cells\n"
+			  "along periodic axes must be a power of two. The solver uses one thread.",
 		   .example = "pressure_style hypre",
 		   .cite = "R. D. Falgout and J. E. Jones, Multigrid Methods VI (2000) 101",
 		   .args = args,

@@ -27,13 +27,13 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_multigrid)
 const struct ts_pressure_style ts_pressure_multigrid = {
 	.style = { .name = "multigrid",
 		   .kind = TS_KIND_PRESSURE,
-		   .summary = "geometric multigrid within conjugate gradients",
-		   .doc = "Solves for the pressure by V-cycles over coarser and coarser grids (A. Brandt, "
-			  "Math. Comp. 31 (1977) 333), each the preconditioner of an iteration of conjugate "
-			  "gradients (O. Tatebe, NASA CP-3224 (1993) 621). Any number of cells serves; cells "
-			  "are joined in pairs along the axes on which they are narrow. Smoothing is by red "
-			  "and black Gauss-Seidel. The work for each cell hardly depends on how many there "
-			  "are; void fractions may differ by orders of magnitude.",
+		   .summary = "Conjugate gradients with a geometric multigrid preconditioner",
+		   .doc = "Solves for the pressure by conjugate gradients, preconditioned (O. Tatebe, NASA\n"
+			  "CP-3224 (1993) 621) by one V-cycle over successively coarser grids (A. Brandt,\n"
+			  "Math. Comp. 31 (1977) 333). Any number of cells is possible; cells are merged in\n"
+			  "pairs along the axes on which they are narrow. The smoother is Gauss-Seidel in\n"
+			  "red-black order. The work per cell hardly depends on the number of cells; void\n"
+			  "fractions may differ by orders of magnitude.",
 		   .example = "pressure_style multigrid tolerance 1e-8",
 		   .cite = "A. Brandt, Math. Comp. 31 (1977) 333",
 		   .args = args,

@@ -68,7 +68,8 @@ static double cost(const struct ts_instance *self, const struct ts_poisson *prob
 static const struct ts_arg args[] = {
 	TS_ITERATION_ARGS(struct sor, iteration, "1e-8", "100000"),
 	TS_REAL("relaxation", struct sor, relaxation, .flags = TS_OPTIONAL, .unit = "",
-		.help = "omega, between 0 and 2; without: the best for an even grid of these cells"),
+		.help = "relaxation factor omega, between 0 and 2; default: the optimal one of a uniform "
+			"grid with as many cells"),
 	TS_ARGS_END,
 };
 
@@ -76,14 +77,16 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_sor)
 const struct ts_pressure_style ts_pressure_sor = {
 	.style = { .name = "sor",
 		   .kind = TS_KIND_PRESSURE,
-		   .summary = "successive over-relaxation in red and black order",
-		   .doc = "Goes over the cells, first the red then the black ones of a chess board, and "
-			  "changes each pressure by `relaxation` times what would balance the cell. "
-			  "Converges for values between 0 and 2; the best is 2/(1 + sqrt(1 - rho^2)), rho = "
-			  "1 - q/sum(2/h^2) with q the smallest eigenvalue of -div grad: 2/(1 + sin(pi/N)) "
-			  "for a square of N by N cells (D. M. Young, Trans. AMS 76 (1954) 92). The number "
-			  "of iterations grows with N: the reference that others are compared with, not the "
-			  "choice for large grids.",
+		   .summary = "Successive over-relaxation in red-black order",
+		   .doc = "Iterates over the cells in red-black order and changes each pressure by\n"
+			  "`relaxation` times the change that would solve the equation of the cell. It\n"
+			  "converges for values between 0 and 2; the optimal one is 2/(1 + sqrt(1 - "
+			  "rho^2)),\n"
+			  "with rho = 1 - q/sum(2/h^2) and q the smallest eigenvalue of -div grad: 2/(1 +\n"
+			  "sin(pi/N)) for a square of N by N cells (D. M. Young, Trans. AMS 76 (1954) 92).\n"
+			  "The number of iterations grows with N. This solver is a reference for the "
+			  "others,\n"
+			  "not a choice for large grids.",
 		   .example = "pressure_style sor\npressure_style sor relaxation 1.7 tolerance 1e-6",
 		   .cite = "D. M. Young, Trans. AMS 76 (1954) 92",
 		   .args = args,

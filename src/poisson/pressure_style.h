@@ -24,15 +24,15 @@ struct ts_iteration {
 };
 
 extern const char *const ts_iteration_unfinished_names[];
-#define TS_ITERATION_ARGS(T, f, tolerance_, most_)                                                        \
-	TS_REAL("tolerance", T, f.tolerance, .range = TS_WITHIN, .lo = 1e-16, .hi = 1e-3,                 \
-		.fallback = tolerance_, .unit = "",                                                       \
-		.help = "largest residual that is left, by the largest right-hand side; with more "       \
-			"than 1e-3 the fluid gains and loses volume"),                                    \
-		TS_INT("iterations", T, f.most, .range = TS_POSITIVE, .fallback = most_, .unit = "",      \
-		       .help = "so many at most"),                                                        \
-		TS_ENUM("unfinished", T, f.unfinished, ts_iteration_unfinished_names, .fallback = "stop", \
-			.help = "stop the run, or warn once, if they do not suffice")
+#define TS_ITERATION_ARGS(T, f, tolerance_, most_)                                                         \
+	TS_REAL("tolerance", T, f.tolerance, .range = TS_WITHIN, .lo = 1e-16, .hi = 1e-3,                  \
+		.fallback = tolerance_, .unit = "",                                                        \
+		.help = "largest residual divided by the largest right-hand side, at which the iteration " \
+			"stops; above 1e-3 the volume of the fluid would not be conserved"),               \
+		TS_INT("iterations", T, f.most, .range = TS_POSITIVE, .fallback = most_, .unit = "",       \
+		       .help = "largest number of iterations"),                                            \
+		TS_ENUM("unfinished", T, f.unfinished, ts_iteration_unfinished_names, .fallback = "stop",  \
+			.help = "if the tolerance is not reached: stop the run, or print a warning once")
 
 enum ts_status ts_iteration_prepare(struct ts_iteration *it, struct tsim *sim,
 				    const struct ts_poisson *problem);

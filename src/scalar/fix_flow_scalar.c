@@ -58,9 +58,9 @@ static const struct ts_arg number_rows[] = {
 static const struct ts_arg no_rows[] = { TS_ARGS_END };
 
 static const struct ts_mode conditions[] = {
-	[TS_SCALAR_NONE] = { "none", "nothing by diffusion", no_rows },
+	[TS_SCALAR_NONE] = { "none", "no conduction through the face", no_rows },
 	[TS_SCALAR_VALUE] = { "value", "T on the face", number_rows },
-	[TS_SCALAR_FLUX] = { "flux", "heat by area and time into the fluid", number_rows },
+	[TS_SCALAR_FLUX] = { "flux", "heat per area and time into the fluid", number_rows },
 	{ .name = NULL },
 };
 
@@ -399,9 +399,9 @@ static enum ts_status eval_cells(struct ts_instance *self, const struct tsim *si
 static const char *const columns[] = { "heat", "exchange", "least", "most" };
 static const char *const cell_columns[] = { "x", "y", "z", "T" };
 static const struct ts_value values[] = {
-	{ "scalar", "", "heat in the fluid, heat by time into particles, the least and the largest T",
+	{ "scalar", "", "heat in the fluid, heat per time into the particles, minimum and maximum of T",
 	  TS_VECTOR, 4, columns, eval },
-	{ "cells", "", "of each cell: its centre and T", TS_ARRAY, 4, cell_columns, eval_cells },
+	{ "cells", "", "for each cell: its centre and T", TS_ARRAY, 4, cell_columns, eval_cells },
 	{ .name = NULL },
 };
 
@@ -428,22 +428,22 @@ static void fini(struct ts_instance *self)
 	ts_free(s->heat_rate);
 }
 
-#define FACE(name, k)                                                                                      \
-	TS_SOME_KEYWORD(name, struct state, face_words[k], 0,                                              \
-			.help = "value T, flux Q (heat by area and time into the fluid) or none, numbers " \
-				"or v_NAME: at this face")
+#define FACE(name, k)                                                                                       \
+	TS_SOME_KEYWORD(name, struct state, face_words[k], 0,                                               \
+			.help = "condition on this face: value T, flux Q (heat per area and time into the " \
+				"fluid), or none; numbers or v_NAME")
 static const struct ts_arg args[] = {
 	TS_REAL("conductivity", struct state, conductivity, .range = TS_NOT_NEGATIVE, .fallback = "0",
-		.unit = "", .help = "of heat in the fluid, k"),
+		.unit = "", .help = "thermal conductivity k of the fluid"),
 	TS_REAL("capacity", struct state, capacity, .range = TS_POSITIVE, .fallback = "1", .unit = "",
-		.help = "heat by mass and degree, c"),
+		.help = "specific heat capacity c of the fluid"),
 	TS_NUMBER("initial", struct state, initial, .fallback = "0", .unit = "temperature",
-		  .help = "T at the beginning, or v_NAME of a formula"),
+		  .help = "initial T: a number or v_NAME"),
 	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
-			.help = "x|y|z name: internal-style variable that gets the coordinate of each cell "
-				"before that is evaluated; may be repeated"),
+			.help = "x|y|z name: internal-style variable that is set to the coordinate of each "
+				"cell before `initial` is evaluated; may be repeated"),
 	TS_NUMBER("source", struct state, source, .fallback = "0", .unit = "",
-		  .help = "heat by volume and time everywhere, or v_NAME"),
+		  .help = "heat source per volume and time, uniform: a number or v_NAME"),
 	FACE("xlo", 0),
 	FACE("xhi", 1),
 	FACE("ylo", 2),
@@ -451,9 +451,10 @@ static const struct ts_arg args[] = {
 	FACE("zlo", 4),
 	FACE("zhi", 5),
 	TS_ENUM("convection", struct state, scheme, ts_scalar_schemes, .fallback = "vanleer",
-		.help = "scheme; all but central keep T within its bounds"),
+		.help = "convection scheme; all but central keep T within its bounds"),
 	TS_ENUM("exchange", struct state, exchange, exchanges, .fallback = "none",
-		.help = "of heat with the particles of the group, which have fix heat/gran"),
+		.help = "heat exchange with the particles of the group, whose temperature is that of fix "
+			"heat/gran"),
 	TS_ARGS_END,
 };
 
@@ -461,26 +462,20 @@ TS_STYLE(fix, ts_style, ts_fix_flow_scalar)
 const struct ts_style ts_fix_flow_scalar = {
 	.name = "flow/scalar",
 	.kind = TS_KIND_FIX,
-	.summary = "temperature, or another scalar, that the fluid carries",
-	.doc = "rho c (d(e T)/dt + div(e u T)) = div(e k grad T) + source + exchange, e the void fraction "
-	       "(fix\n"
-	       "void_fraction; else 1). With capacity 1 and a conductivity of rho D, T is any concentration "
-	       "of\n"
-	       "diffusivity D. What leaves a cell enters its neighbour. The steps of the fluid are divided "
-	       "where the\n"
-	       "scheme asks for it.\n\n"
-	       "At faces of the grid T is given (`value`), or what comes in by conduction (`flux`), or "
-	       "nothing does\n"
-	       "(`none`, the default). Inflow needs a value; else it has the T of the cell it enters.\n\n"
-	       "exchange ranz_marshall gives each particle of the group Q = pi d^2 h (T - T_p) by h = Nu "
-	       "k/d,\n"
-	       "Nu = 2 + 0.6 Re^(1/2) Pr^(1/3), Re = rho e |u - v| d/mu, and takes it from the fluid; T_p is "
-	       "that of fix\n"
-	       "heat/gran.\n\n"
-	       "f_ID[1] is the heat in the fluid, rho c e T over its volume, f_ID[2] the heat by time into "
-	       "all\n"
-	       "particles, f_ID[3] and f_ID[4] the least and the largest T; f_ID[i][j] of cell i the centre "
-	       "(j = 1, 2, 3) and T (4).",
+	.summary = "Transport of temperature or another scalar by the fluid",
+	.doc = "rho c (d(e T)/dt + div(e u T)) = div(e k grad T) + source + exchange, with e the void\n"
+	       "fraction (of fix void_fraction, else 1). With capacity 1 and conductivity rho D, T is any\n"
+	       "concentration with diffusivity D. The finite-volume scheme is conservative. Steps of the\n"
+	       "fluid are divided into substeps if the stability of the scheme requires it.\n\n"
+	       "On a face of the grid either T is given (`value`), or the heat flux by conduction\n"
+	       "(`flux`), or there is no conduction (`none`, the default). An inflow should have a value;\n"
+	       "otherwise the fluid enters with the T of the first cell.\n\n"
+	       "`exchange ranz_marshall` transfers to each particle of the group the heat per time Q = pi\n"
+	       "d^2 h (T - T_p), with h = Nu k/d, Nu = 2 + 0.6 Re^(1/2) Pr^(1/3), Re = rho e |u - v| d/mu,\n"
+	       "and takes it from the fluid; T_p is the temperature of fix heat/gran.\n\n"
+	       "f_ID[1] is the heat in the fluid, the integral of rho c e T over the grid, f_ID[2] the\n"
+	       "heat per time into all particles, f_ID[3] and f_ID[4] are the minimum and maximum of T;\n"
+	       "f_ID[i][j] is for cell i the centre (j = 1, 2, 3) and T (j = 4).",
 	.example =
 		"flow_style projection cells 32 32 1 viscosity 1.8e-5 density 1.2\n"
 		"fix T all flow/scalar conductivity 0.026 capacity 1005 initial 300 xlo value 320 xhi flux 5",
