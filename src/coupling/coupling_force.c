@@ -43,7 +43,7 @@ void ts_coupling_curl(const double gradient[3][3], double curl[3])
 		curl[k] = gradient[(k + 2) % 3][(k + 1) % 3] - gradient[(k + 1) % 3][(k + 2) % 3];
 }
 
-static void velocity_at(const struct ts_coupling_force *s, const double x[3], double u[3])
+static void fluid_velocity(const struct ts_coupling_force *s, const double x[3], double u[3])
 {
 	if (s->fluid)
 		ts_fluid_velocity(s->fluid, x, u);
@@ -72,8 +72,8 @@ static void gradient_along(const struct ts_coupling_force *s, int a, double radi
 		low[a] = fmax(low[a], grid->face[a][0]);
 		high[a] = fmin(high[a], grid->face[a][grid->n[a]]);
 	}
-	velocity_at(s, low, at_low);
-	velocity_at(s, high, at_high);
+	fluid_velocity(s, low, at_low);
+	fluid_velocity(s, high, at_high);
 	for (int c = 0; c < 3; c++)
 		around->gradient[c][a] = (at_high[c] - at_low[c]) / (high[a] - low[a]);
 }
@@ -87,7 +87,7 @@ static bool find_local_flow(const struct ts_instance *self, const struct ts_part
 	memcpy(around->place, p->x[i], sizeof around->place);
 	if (s->fluid && !ts_coupling_locate(s->fluid, p->x[i], around->place, around->cell))
 		return false;
-	velocity_at(s, around->place, around->u);
+	fluid_velocity(s, around->place, around->u);
 	for (int k = 0; k < 3; k++)
 		around->slip[k] = around->u[k] - p->v[i][k];
 	for (int a = 0; a < 3 && style_of(self)->sheared; a++)

@@ -19,7 +19,7 @@ bool ts_drag_acts_along(const struct ts_drag *drag, int k)
 	return bits[drag->axes] >> k & 1;
 }
 
-static double void_at(const struct ts_drag *s, const double place[3], const int cell[3])
+static double local_void_fraction(const struct ts_drag *s, const double place[3], const int cell[3])
 {
 	const struct ts_fluid *fluid = s->fluid;
 
@@ -78,7 +78,7 @@ bool ts_drag_slip_at(const struct ts_instance *self, const struct ts_particles *
 		w[k] -= p->v[i][k];
 	slip->diameter = 2 * p->radius[i];
 	slip->speed = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-	slip->empty = ts_drag_style_of(self)->crowded ? void_at(s, place, cell) : 1;
+	slip->empty = ts_drag_style_of(self)->crowded ? local_void_fraction(s, place, cell) : 1;
 	return true;
 }
 

@@ -41,7 +41,7 @@ static void fluid_acceleration(const struct state *s, const struct ts_coupling_l
 	}
 }
 
-static double added_to(const struct ts_instance *self, const struct tsim *sim, size_t i)
+static double added_mass_of(const struct ts_instance *self, const struct tsim *sim, size_t i)
 {
 	const struct state *s = self->state;
 
@@ -53,7 +53,7 @@ static double added_to(const struct ts_instance *self, const struct tsim *sim, s
 static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		      const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
-	double added = added_to(self, sim, i);
+	double added = added_mass_of(self, sim, i);
 
 	(void)torque;
 	fluid_acceleration(self->state, around, f);
@@ -66,7 +66,7 @@ static void add_own_inertia(const struct ts_instance *self, struct tsim *sim, si
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
-	double added = added_to(self, sim, i), f[3];
+	double added = added_mass_of(self, sim, i), f[3];
 
 	memcpy(f, p->f[i], sizeof f);
 	ts_restraints_apply(&s->restraints, sim, i, f);

@@ -24,7 +24,7 @@ struct partner {
 	const char *file;
 };
 
-static enum ts_status init_partner(struct ts_instance *self, struct tsim *sim)
+static enum ts_status init_couple_cfd(struct ts_instance *self, struct tsim *sim)
 {
 	const struct partner *s = self->state;
 
@@ -35,7 +35,7 @@ static enum ts_status init_partner(struct ts_instance *self, struct tsim *sim)
 		       "the library (doc/library.md) read and write the numbers");
 }
 
-static enum ts_status setup_partner(struct ts_instance *self, struct tsim *sim)
+static enum ts_status warn_without_program(struct ts_instance *self, struct tsim *sim)
 {
 	struct partner *s = self->state;
 
@@ -69,14 +69,14 @@ enum { DRAG, COEFFICIENT, VELOCITY }; /* indices of columns; a heat flux is the 
 static const struct field force_fields[] = { { "dragforce", 3 }, { "Ksl", 1 }, { "uf", 3 } };
 static const struct field heat_field = { "convectiveHeatFlux", 1 };
 
-static double *row_of(const struct force *s, const struct tsim *sim, int k, size_t i)
+static double *particle_column(const struct force *s, const struct tsim *sim, int k, size_t i)
 {
 	const struct ts_column *c = &sim->particles->column[s->column[k]];
 
 	return (double *)c->data + i * c->width;
 }
 
-static bool has_partner(const struct tsim *sim)
+static bool program_attached(const struct tsim *sim)
 {
 	size_t k = 0;
 
@@ -91,7 +91,7 @@ static enum ts_status add_columns(struct ts_instance *self, struct tsim *sim, co
 
 	s->field = field;
 	s->nfields = n;
-	if (!has_partner(sim))
+	if (!program_attached(sim))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s needs a fix couple/cfd before it: `fix cfd all couple/cfd "
 			       "couple_every 10 mpi`",
@@ -140,18 +140,18 @@ static enum ts_status init_implicit(struct ts_instance *self, struct tsim *sim)
 
 /* F = dragforce + Ksl (uf - v); with CrankNicolson a the drag is that of the velocity (1 - a) v + a v', v'
  * being what it makes of v in this step, m (v' - v) = h Ksl (uf - (1 - a) v - a v'). */
-static void force_of(const struct force *s, const struct tsim *sim, size_t i, double f[3])
+static void coupling_force(const struct force *s, const struct tsim *sim, size_t i, double f[3])
 {
 	const struct ts_particles *p = sim->particles;
-	const double *drag = row_of(s, sim, DRAG, i), *uf;
+	const double *drag = particle_column(s, sim, DRAG, i), *uf;
 	double k;
 
 	for (int d = 0; d < 3; d++)
 		f[d] = drag[d];
 	if (!s->implicit)
 		return;
-	k = *row_of(s, sim, COEFFICIENT, i);
-	uf = row_of(s, sim, VELOCITY, i);
+	k = *particle_column(s, sim, COEFFICIENT, i);
+	uf = particle_column(s, sim, VELOCITY, i);
 	if (!isnan(s->alpha))
 		k /= 1 + s->alpha * k * sim->clock.dt * p->imass[i];
 	for (int d = 0; d < 3; d++)
@@ -169,7 +169,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	for (size_t i = 0; i < p->n; i++) {
 		if (!ts_in_group(p, i, self->group))
 			continue;
-		force_of(s, sim, i, f);
+		coupling_force(s, sim, i, f);
 		for (int d = 0; d < 3; d++) {
 			p->f[i][d] += f[d];
 			s->sum[d] += f[d];
@@ -185,7 +185,8 @@ static enum ts_status plan_force(struct ts_instance *self, struct tsim *sim, str
 
 	for (size_t i = 0; s->implicit && i < sim->particles->n; i++)
 		if (ts_in_group(sim->particles, i, self->group))
-			most = fmax(most, *row_of(s, sim, COEFFICIENT, i) * sim->particles->imass[i] *
+			most = fmax(most, *particle_column(s, sim, COEFFICIENT, i) *
+						  sim->particles->imass[i] *
 						  (isnan(s->alpha) ? 1 : 1 - 2 * fmin(s->alpha, 0.5)));
 	if (!(most > 0))
 		return TS_OK;
@@ -233,7 +234,7 @@ static enum ts_status post_force_heat(struct ts_instance *self, struct tsim *sim
 	flux = p->column[heat->flux].data;
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
-			flux[i] += *row_of(s, sim, DRAG, i);
+			flux[i] += *particle_column(s, sim, DRAG, i);
 	return TS_OK;
 }
 
@@ -275,8 +276,8 @@ const struct ts_style ts_fix_couple_cfd = {
 		   "fix drag all couple/cfd/force/implicit",
 	.args = partner_args,
 	.state_size = sizeof(struct partner),
-	.init = init_partner,
-	.hook = { [TS_STAGE_SETUP] = setup_partner },
+	.init = init_couple_cfd,
+	.hook = { [TS_STAGE_SETUP] = warn_without_program },
 };
 
 static const struct ts_arg none[] = { TS_ARGS_END };

@@ -58,8 +58,8 @@ static void add_cell(void *context, const int cell[3], double volume)
 	}
 }
 
-static void by_volume(const struct state *s, const struct tsim *sim, size_t i, const double place[3],
-		      const int cell[3], const double *p, double f[3])
+static void force_by_volume(const struct state *s, const struct tsim *sim, size_t i, const double place[3],
+			    const int cell[3], const double *p, double f[3])
 {
 	const struct ts_fluid *fluid = s->force.fluid;
 	struct gradient_sum sum = { .fluid = fluid, .p = p };
@@ -81,7 +81,7 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 
 	(void)torque;
 	if (s->how == BY_VOLUME) {
-		by_volume(s, sim, i, around->place, around->cell, fluid->p, f);
+		force_by_volume(s, sim, i, around->place, around->cell, fluid->p, f);
 		return;
 	}
 	for (int c = 0; c < fluid->grid.dimensions; c++) {
@@ -104,7 +104,7 @@ static void correct_particle(struct ts_instance *self, const struct tsim *sim, s
 
 	if (!ts_coupling_locate(s->force.fluid, p->x[i], place, cell))
 		return;
-	by_volume(s, sim, i, place, cell, s->force.fluid->p_mean, more);
+	force_by_volume(s, sim, i, place, cell, s->force.fluid->p_mean, more);
 	for (int k = 0; k < 3; k++) {
 		more[k] -= note[k];
 		note[k] += more[k];

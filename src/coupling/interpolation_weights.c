@@ -25,7 +25,7 @@ bool ts_coupling_locate(const struct ts_fluid *fluid, const double x[3], double 
 	return true;
 }
 
-static void set_axis(struct ts_coupling_weights *s, int d, int low, int high, double share)
+static void set_axis_weights(struct ts_coupling_weights *s, int d, int low, int high, double share)
 {
 	s->index[d][0] = low;
 	s->index[d][1] = high;
@@ -41,10 +41,10 @@ static void along_centres(const struct ts_grid *grid, int d, double x, int cell,
 	int n = grid->n[d], low = x < centre[cell] ? cell - 1 : cell;
 
 	if (how == TS_INTERPOLATE_CELL || grid->ghosts[d] == 0) {
-		set_axis(s, d, cell, cell, 0);
+		set_axis_weights(s, d, cell, cell, 0);
 		return;
 	}
-	set_axis(s, d, low, low + 1, (x - centre[low]) / (centre[low + 1] - centre[low]));
+	set_axis_weights(s, d, low, low + 1, (x - centre[low]) / (centre[low + 1] - centre[low]));
 	if (low < 0)
 		s->index[d][0] = grid->periodic[d] ? n - 1 : 0;
 	if (low + 1 >= n)
@@ -57,8 +57,8 @@ static void along_faces(const struct ts_grid *grid, int d, double x, int cell,
 {
 	int n = grid->n[d], last = grid->periodic[d] || n == 1 ? 0 : n - 1;
 
-	set_axis(s, d, cell, cell + 1,
-		 how == TS_INTERPOLATE_CELL ? 0.5 : (x - grid->face[d][cell]) / grid->width[d][cell]);
+	set_axis_weights(s, d, cell, cell + 1,
+			 how == TS_INTERPOLATE_CELL ? 0.5 : (x - grid->face[d][cell]) / grid->width[d][cell]);
 	if (cell == 0 && !grid->periodic[d] && n > 1)
 		s->index[d][0] = 1;
 	if (cell == n - 1)

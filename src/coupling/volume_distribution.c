@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-static double reach_of(const struct ts_coupling_volume *how, double radius)
+static double half_width(const struct ts_coupling_volume *how, double radius)
 {
 	return how->method == TS_VOLUME_KERNEL	  ? 2 * how->reach * radius
 	       : how->method == TS_VOLUME_DIVIDED ? radius
@@ -21,7 +21,7 @@ int ts_coupling_volume_reach(const struct ts_grid *grid, const struct ts_couplin
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int i = 0; i < grid->n[d]; i++)
 			least = fmin(least, grid->width[d][i]);
-	return (int)fmin(ceil(reach_of(how, radius) / least), 1e6);
+	return (int)fmin(ceil(half_width(how, radius) / least), 1e6);
 }
 
 /* Cells along an axis that the particle reaches; face: coordinates of their faces relative to the centre
@@ -32,25 +32,26 @@ struct span {
 };
 
 /* Width of cell i, which may be a periodic image. */
-static double width_at(const struct ts_grid *grid, int d, int i)
+static double cell_width(const struct ts_grid *grid, int d, int i)
 {
 	int n = grid->n[d];
 
 	return grid->width[d][grid->periodic[d] ? (i % n + n) % n : i < 0 ? 0 : i >= n ? n - 1 : i];
 }
 
-static void find_span(const struct ts_grid *grid, int d, double x, int cell, double reach, struct span *s)
+static void find_cell_range(const struct ts_grid *grid, int d, double x, int cell, double reach,
+			    struct span *s)
 {
 	double low = grid->face[d][cell] - x;
 	int first = cell;
 
 	while (low > -reach && (grid->periodic[d] || first > 0) && cell - first < TS_VOLUME_MAX_CELLS / 2)
-		low -= width_at(grid, d, --first);
+		low -= cell_width(grid, d, --first);
 	s->first = first;
 	s->n = 0;
 	s->face[0] = low / reach;
 	do {
-		low += width_at(grid, d, s->first + s->n++);
+		low += cell_width(grid, d, s->first + s->n++);
 		s->face[s->n] = low / reach;
 	} while (low < reach && s->n <= TS_VOLUME_MAX_CELLS &&
 		 (grid->periodic[d] || s->first + s->n < grid->n[d]));
@@ -146,7 +147,7 @@ void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_co
 				  const double place[3], const int cell[3], double radius,
 				  ts_coupling_volume_fn *visit, void *context)
 {
-	double reach = reach_of(how, radius);
+	double reach = half_width(how, radius);
 	double unit = how->disc ? radius * radius * grid->width[2][cell[2]] : radius * radius * radius;
 	double volume = (how->disc ? TS_PI : 4 * TS_PI / 3) * unit;
 	const struct visitor to = { visit, context };
@@ -160,7 +161,7 @@ void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_co
 		if (grid->ghosts[d] == 0)
 			span_one_cell(d, s);
 		else
-			find_span(grid, d, place[d], cell[d], reach, &s[d]);
+			find_cell_range(grid, d, place[d], cell[d], reach, &s[d]);
 	}
 	if (how->method == TS_VOLUME_DIVIDED)
 		distribute_exactly(grid, s, how->disc, unit, &to);

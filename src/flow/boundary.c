@@ -80,20 +80,20 @@ enum ts_status ts_projection_set_face_types(struct ts_instance *self, struct tsi
 
 /* ---- values */
 
-static enum ts_status want_plane(const struct ts_grid *grid, int d, double **plane)
+static enum ts_status require_plane(const struct ts_grid *grid, int d, double **plane)
 {
 	if (!*plane)
 		*plane = ts_alloc(ts_flow_plane_size(grid, d), sizeof(double));
 	return *plane ? TS_OK : TS_NOMEM;
 }
 
-static void drop_plane(double **plane)
+static void free_plane(double **plane)
 {
 	ts_free(*plane);
 	*plane = NULL;
 }
 
-static double value_of(const struct ts_flow_face_velocity *given, int c, size_t k)
+static double given_velocity(const struct ts_flow_face_velocity *given, int c, size_t k)
 {
 	return given->plane[c] ? given->plane[c][k] : given->constant[c];
 }
@@ -110,16 +110,16 @@ static enum ts_status allocate_planes(struct ts_projection *p, int d, enum ts_gr
 	bool had = before->plane[c];
 
 	if (over_face)
-		TS_TRY(want_plane(grid, d, &now->plane[c]));
+		TS_TRY(require_plane(grid, d, &now->plane[c]));
 	else
-		drop_plane(&now->plane[c]);
+		free_plane(&now->plane[c]);
 	if (over_face)
-		TS_TRY(want_plane(grid, d, &before->plane[c]));
+		TS_TRY(require_plane(grid, d, &before->plane[c]));
 	for (size_t k = 0; over_face && !had && k < n; k++)
 		before->plane[c][k] = before->constant[c];
 	if (before->plane[c])
-		return want_plane(grid, d, &given->plane[c]);
-	drop_plane(&given->plane[c]);
+		return require_plane(grid, d, &given->plane[c]);
+	free_plane(&given->plane[c]);
 	return TS_OK;
 }
 
@@ -165,7 +165,7 @@ static void store_velocity(const struct ts_grid *grid, int d, const struct ts_fl
 		if (now->plane[c])
 			memcpy(before->plane[c], now->plane[c], ts_flow_plane_size(grid, d) * sizeof(double));
 		else
-			drop_plane(&before->plane[c]);
+			free_plane(&before->plane[c]);
 	}
 }
 
@@ -189,8 +189,8 @@ static void interpolate_velocity(const struct ts_grid *grid, int d,
 
 		out->constant[c] = ts_flow_interpolate_time(before->constant[c], now->constant[c], fraction);
 		for (size_t k = 0; k < n; k++)
-			out->plane[c][k] = ts_flow_interpolate_time(value_of(before, c, k),
-								    value_of(now, c, k), fraction);
+			out->plane[c][k] = ts_flow_interpolate_time(given_velocity(before, c, k),
+								    given_velocity(now, c, k), fraction);
 	}
 }
 
@@ -216,7 +216,7 @@ enum ts_status ts_projection_archive_boundary(struct ts_projection *p, struct ts
 			snprintf(name, sizeof name, "given_%d_%d", face, c);
 			if (ts_archive_writing(archive) ? !given->plane[c] : !ts_archive_has(archive, name))
 				continue;
-			if (want_plane(&p->fluid.grid, face / 2, &given->plane[c]) != TS_OK)
+			if (require_plane(&p->fluid.grid, face / 2, &given->plane[c]) != TS_OK)
 				return ts_nomem(&sim->error);
 			TS_TRY(ts_archive_fixed(archive, name, TS_SAVED_F64, given->plane[c],
 						ts_flow_plane_size(&p->fluid.grid, face / 2)));
@@ -228,7 +228,7 @@ enum ts_status ts_projection_archive_boundary(struct ts_projection *p, struct ts
 /* ---- net flow */
 
 /* Returns the outward volume flow through one face of the grid; adds the sum of magnitudes to *size. */
-static double outflow_through(const struct ts_fluid *fluid, int d, enum ts_grid_side side, double *size)
+static double face_outflow(const struct ts_fluid *fluid, int d, enum ts_grid_side side, double *size)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	int a = d == 0, b = d == 2 ? 1 : 2;
@@ -259,7 +259,7 @@ static const struct ts_place *place_of_flow(const struct ts_instance *self, doub
 
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++) {
-			double part = outflow_through(&p->fluid, d, (enum ts_grid_side)side, &size) *
+			double part = face_outflow(&p->fluid, d, (enum ts_grid_side)side, &size) *
 				      (net < 0 ? -1 : 1);
 
 			if (p->condition[d][side].said && part > most) {
@@ -282,7 +282,7 @@ enum ts_status ts_projection_net_outflow(struct ts_instance *self, struct tsim *
 		return TS_OK;
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
-			net += outflow_through(&p->fluid, d, (enum ts_grid_side)side, &size);
+			net += face_outflow(&p->fluid, d, (enum ts_grid_side)side, &size);
 	if (fabs(net) > UNEVEN * size)
 		return ts_fail(&sim->error, TS_PHYSICS, place_of_flow(self, net),
 			       "the fluid cannot %s: through all faces together it flows %s at %g per "

@@ -33,7 +33,7 @@ static struct face_points face_points_of(const struct ts_grid *grid, int d)
 	return s;
 }
 
-static enum ts_status want_plane(const struct ts_grid *grid, int d, struct ts_flow_face_pressure *p)
+static enum ts_status require_plane(const struct ts_grid *grid, int d, struct ts_flow_face_pressure *p)
 {
 	size_t n = ts_flow_plane_size(grid, d);
 
@@ -45,7 +45,7 @@ static enum ts_status want_plane(const struct ts_grid *grid, int d, struct ts_fl
 	return p->plane ? TS_OK : TS_NOMEM;
 }
 
-static void drop_plane(struct ts_flow_face_pressure *p)
+static void free_plane(struct ts_flow_face_pressure *p)
 {
 	ts_free(p->plane);
 	p->plane = NULL;
@@ -57,10 +57,10 @@ static enum ts_status copy_pressure(const struct ts_grid *grid, int d,
 {
 	to->constant = from->constant;
 	if (!from->plane) {
-		drop_plane(to);
+		free_plane(to);
 		return TS_OK;
 	}
-	TS_TRY(want_plane(grid, d, to));
+	TS_TRY(require_plane(grid, d, to));
 	for (size_t k = 0; k < ts_flow_plane_size(grid, d); k++)
 		to->plane[k] = from->plane[k];
 	return TS_OK;
@@ -81,15 +81,15 @@ enum ts_status ts_projection_evaluate_pressure(struct ts_projection *p, struct t
 	const struct ts_flow_formula formula = { &condition->pressure, "pressure", TS_FLOW_CENTRES };
 
 	if (!ts_flow_face_open(p->fluid.face[d][side])) {
-		drop_plane(now);
+		free_plane(now);
 		now->constant = 0;
 		return TS_OK;
 	}
 	if (!ts_flow_condition_shaped(condition) || !condition->pressure.variable) {
-		drop_plane(now);
+		free_plane(now);
 		return ts_flow_formula_value(sim, condition, &formula, &now->constant);
 	}
-	if (want_plane(&p->fluid.grid, d, now) != TS_OK)
+	if (require_plane(&p->fluid.grid, d, now) != TS_OK)
 		return ts_nomem(&sim->error);
 	return ts_flow_fill_plane(sim, condition, &formula, &p->fluid.grid, d, side, now->plane);
 }
@@ -104,7 +104,7 @@ enum ts_status ts_projection_store_pressure(struct ts_projection *p)
 
 /* Hydrostatic pressure at x of a fluid at rest under the body force, 0 at the upper end of the grid. Along
  * a periodic axis the body force is not balanced by a pressure. */
-static double weight_above(const struct ts_fluid *fluid, const double x[3])
+static double hydrostatic_pressure(const struct ts_fluid *fluid, const double x[3])
 {
 	const struct ts_grid *grid = &fluid->grid;
 	double sum = 0;
@@ -119,7 +119,7 @@ static double weight_above(const struct ts_fluid *fluid, const double x[3])
 }
 
 /* Computes the pressure of the next projection on a face; updates the smallest and the largest value. */
-static enum ts_status make_next(struct ts_projection *p, int d, int side, double extreme[2])
+static enum ts_status set_next_pressure(struct ts_projection *p, int d, int side, double extreme[2])
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 	const struct ts_flow_face_pressure *before = &p->pressure_before[d][side],
@@ -130,9 +130,9 @@ static enum ts_status make_next(struct ts_projection *p, int d, int side, double
 	double x[3];
 
 	if (before->plane || now->plane || deep)
-		TS_TRY(want_plane(grid, d, next));
+		TS_TRY(require_plane(grid, d, next));
 	else
-		drop_plane(next);
+		free_plane(next);
 	next->constant = ts_flow_interpolate_time(before->constant, now->constant, p->pressure_time);
 	if (!next->plane) {
 		extreme[0] = fmin(extreme[0], next->constant);
@@ -149,7 +149,7 @@ static enum ts_status make_next(struct ts_projection *p, int d, int side, double
 
 			x[s.a] = ts_flow_coordinate(grid, s.a, TS_FLOW_CENTRES, ia);
 			x[s.b] = ts_flow_coordinate(grid, s.b, TS_FLOW_CENTRES, ib);
-			value += deep ? weight_above(&p->fluid, x) : 0;
+			value += deep ? hydrostatic_pressure(&p->fluid, x) : 0;
 			next->plane[k] = value;
 			extreme[0] = fmin(extreme[0], value);
 			extreme[1] = fmax(extreme[1], value);
@@ -165,7 +165,7 @@ static void make_relative(const struct ts_grid *grid, int d, struct ts_flow_face
 		p->plane[k] -= base;
 }
 
-static enum ts_status make_all_next(struct ts_projection *p)
+static enum ts_status set_next_pressures(struct ts_projection *p)
 {
 	double extreme[2] = { INFINITY, -INFINITY };
 
@@ -173,10 +173,10 @@ static enum ts_status make_all_next(struct ts_projection *p)
 		struct ts_flow_face_pressure *next = &p->pressure_next[face / 2][face % 2];
 
 		if (is_open(p, face) && !p->initial_projection) {
-			TS_TRY(make_next(p, face / 2, face % 2, extreme));
+			TS_TRY(set_next_pressure(p, face / 2, face % 2, extreme));
 			continue;
 		}
-		drop_plane(next);
+		free_plane(next);
 		next->constant = 0;
 	}
 	p->next_pressure_base = p->initial_projection ? 0 : p->level_now;
@@ -197,7 +197,7 @@ static enum ts_status make_difference(const struct ts_grid *grid, int d,
 				      struct ts_flow_face_pressure *of)
 {
 	if (next->plane)
-		TS_TRY(want_plane(grid, d, of));
+		TS_TRY(require_plane(grid, d, of));
 	of->constant = next->constant - of->constant;
 	for (size_t k = 0; of->plane && k < ts_flow_plane_size(grid, d); k++)
 		of->plane[k] = ts_flow_face_pressure_at(next, k) - of->plane[k];
@@ -212,13 +212,13 @@ static void swap_pressure(struct ts_flow_face_pressure *a, struct ts_flow_face_p
 	*b = keep;
 }
 
-static void swap_all_pressures(struct ts_projection *p)
+static void swap_face_pressures(struct ts_projection *p)
 {
 	for (int face = 0; face < 6; face++)
 		swap_pressure(&p->fluid.pressure[face / 2][face % 2], &p->pressure_next[face / 2][face % 2]);
 }
 
-static void shift_field(const struct ts_projection *p, double *field, double by)
+static void add_constant(const struct ts_projection *p, double *field, double by)
 {
 	const size_t size = p->fluid.grid.size;
 
@@ -265,14 +265,14 @@ enum ts_status ts_projection_impose_pressure(struct ts_projection *p)
 {
 	struct ts_fluid *fluid = &p->fluid;
 
-	TS_TRY(make_all_next(p));
+	TS_TRY(set_next_pressures(p));
 	if (fluid->incremental)
 		for (int face = 0; face < 6; face++)
 			TS_TRY(make_difference(&fluid->grid, face / 2, &p->pressure_next[face / 2][face % 2],
 					       &fluid->pressure[face / 2][face % 2]));
 	else {
-		swap_all_pressures(p);
-		shift_field(p, fluid->p, -fluid->pressure_base);
+		swap_face_pressures(p);
+		add_constant(p, fluid->p, -fluid->pressure_base);
 	}
 	add_faces_to_rhs(p, 1);
 	return TS_OK;
@@ -284,10 +284,10 @@ void ts_projection_restore_pressure(struct ts_projection *p)
 
 	if (fluid->incremental) {
 		add_faces_to_rhs(p, -1);
-		swap_all_pressures(p);
-		shift_field(p, fluid->p, p->next_pressure_base - fluid->pressure_base);
+		swap_face_pressures(p);
+		add_constant(p, fluid->p, p->next_pressure_base - fluid->pressure_base);
 	} else {
-		shift_field(p, fluid->p, p->next_pressure_base);
+		add_constant(p, fluid->p, p->next_pressure_base);
 	}
 	fluid->pressure_base = p->next_pressure_base;
 }
@@ -308,7 +308,7 @@ static enum ts_status archive_one(struct ts_projection *p, struct tsim *sim, str
 	snprintf(name, sizeof name, "pressure_%s_plane_%d", what, face);
 	if (writing ? !given->plane : !ts_archive_has(archive, name))
 		return TS_OK;
-	if (want_plane(grid, face / 2, given) != TS_OK)
+	if (require_plane(grid, face / 2, given) != TS_OK)
 		return ts_nomem(&sim->error);
 	return ts_archive_fixed(archive, name, TS_SAVED_F64, given->plane,
 				ts_flow_plane_size(grid, face / 2));
@@ -331,9 +331,9 @@ enum ts_status ts_projection_archive_pressure(struct ts_projection *p, struct ts
 void ts_projection_release_pressure(struct ts_projection *p)
 {
 	for (int face = 0; face < 6; face++) {
-		drop_plane(&p->pressure_before[face / 2][face % 2]);
-		drop_plane(&p->pressure_now[face / 2][face % 2]);
-		drop_plane(&p->pressure_next[face / 2][face % 2]);
+		free_plane(&p->pressure_before[face / 2][face % 2]);
+		free_plane(&p->pressure_now[face / 2][face % 2]);
+		free_plane(&p->pressure_next[face / 2][face % 2]);
 	}
 }
 

@@ -23,29 +23,30 @@ struct state {
 	struct ts_number pressure;
 };
 
-static enum ts_flow_face kind_of(const struct state *s)
+static enum ts_flow_face face_type(const struct state *s)
 {
 	enum ts_flow_face kind = (enum ts_flow_face)(s->kind + TS_FLOW_WALL);
 
 	return kind == TS_FLOW_INLET && !s->pressure.null ? TS_FLOW_INTAKE : kind;
 }
 
-static enum ts_status refuse(struct tsim *sim, const struct state *s, const struct ts_place *where)
+static enum ts_status refuse_invalid_words(struct tsim *sim, const struct state *s,
+					   const struct ts_place *where)
 {
-	bool given = kind_of(s) == TS_FLOW_WALL || kind_of(s) == TS_FLOW_INLET;
+	bool given = face_type(s) == TS_FLOW_WALL || face_type(s) == TS_FLOW_INLET;
 
-	if (kind_of(s) == TS_FLOW_INTAKE && s->velocity.n)
+	if (face_type(s) == TS_FLOW_INTAKE && s->velocity.n)
 		return ts_fail(&sim->error, TS_SYNTAX, &s->velocity.word[0].place,
 			       "flow_boundary: an inlet has a velocity or a pressure, not both");
 	if (s->velocity.n && !given)
 		return ts_fail(&sim->error, TS_SYNTAX, &s->velocity.word[0].place,
 			       "flow_boundary: at %s faces no velocity is given; wall or inlet have one",
 			       kinds[s->kind]);
-	if (kind_of(s) == TS_FLOW_INLET && !s->velocity.n)
+	if (face_type(s) == TS_FLOW_INLET && !s->velocity.n)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "flow_boundary: an inlet needs a velocity or a pressure: velocity VX VY VZ, "
 			       "or pressure P");
-	if (!ts_flow_face_open(kind_of(s)) && (!s->pressure.null || s->hydrostatic >= 0))
+	if (!ts_flow_face_open(face_type(s)) && (!s->pressure.null || s->hydrostatic >= 0))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "flow_boundary: %s is for an outlet, or an inlet without velocity; at %s "
 			       "faces no pressure is given",
@@ -60,13 +61,13 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 {
 	const struct state *s = state;
 	struct ts_flow_condition condition = {
-		.kind = kind_of(s), .said = true, .once = s->update == ONCE, .where = *where
+		.kind = face_type(s), .said = true, .once = s->update == ONCE, .where = *where
 	};
 	const enum ts_flow_depth depth[] = { TS_FLOW_PRESSURE_UNSAID, TS_FLOW_EVEN, TS_FLOW_HYDROSTATIC };
 	struct ts_projection *projection;
 	struct ts_instance *flow;
 
-	TS_TRY(refuse(sim, s, where));
+	TS_TRY(refuse_invalid_words(sim, s, where));
 	TS_TRY(ts_projection_require(sim, "flow_boundary", where, &flow, &projection));
 	if (s->velocity.n)
 		TS_TRY(ts_flow_read_vector(sim, "flow_boundary: velocity", s->velocity, where, &flow->arena,

@@ -16,8 +16,8 @@ struct field {
 	const char *set[3];
 };
 
-static enum ts_status fill(struct tsim *sim, const struct field *f, struct ts_fluid *fluid, int c,
-			   const struct ts_place *where)
+static enum ts_status evaluate_component(struct tsim *sim, const struct field *f, struct ts_fluid *fluid,
+					 int c, const struct ts_place *where)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	int top[3];
@@ -56,7 +56,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (status == TS_OK)
 		status = ts_flow_read_set(sim, "flow_set: set", s->set, where, &arena, field.set);
 	for (int c = 0; c < p->fluid.grid.dimensions && status == TS_OK; c++)
-		status = fill(sim, &field, &p->fluid, c, where);
+		status = evaluate_component(sim, &field, &p->fluid, c, where);
 	ts_arena_release(&arena);
 	TS_TRY(status);
 	TS_TRY(ts_projection_setup(flow, sim));

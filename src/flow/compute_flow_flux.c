@@ -14,7 +14,7 @@ struct state {
 	struct tsim *sim;
 };
 
-static double place_of(const struct state *s, const struct ts_grid *grid)
+static double plane_coordinate(const struct state *s, const struct ts_grid *grid)
 {
 	if (s->mode >= NSIDES)
 		return s->at;
@@ -34,7 +34,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	s->sim = sim;
 	TS_TRY(ts_flow_require_fluid(sim, "compute flow/flux", &self->where, &fluid));
-	if (ts_grid_find(&fluid->grid, d, place_of(s, &fluid->grid)) >= 0)
+	if (ts_grid_find(&fluid->grid, d, plane_coordinate(s, &fluid->grid)) >= 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
 		       "compute flow/flux: %s = %g is outside of the fluid's grid, which goes from %g to %g",
@@ -42,13 +42,13 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		       fluid->grid.face[d][fluid->grid.n[d]]);
 }
 
-static enum ts_status measure(struct ts_instance *self, struct ts_flow_flux_sums *out)
+static enum ts_status compute_flux(struct ts_instance *self, struct ts_flow_flux_sums *out)
 {
 	struct state *s = self->state;
 	struct ts_fluid *fluid;
 
 	TS_TRY(ts_flow_require_fluid(s->sim, "compute flow/flux", &self->where, &fluid));
-	return ts_flow_flux(fluid, s->sim, axis_of(s), place_of(s, &fluid->grid), s->region, out);
+	return ts_flow_flux(fluid, s->sim, axis_of(s), plane_coordinate(s, &fluid->grid), s->region, out);
 }
 
 static enum ts_status eval_flux(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -56,7 +56,7 @@ static enum ts_status eval_flux(struct ts_instance *self, const struct tsim *sim
 	struct ts_flow_flux_sums through;
 
 	(void)sim;
-	TS_TRY(measure(self, &through));
+	TS_TRY(compute_flux(self, &through));
 	out->data[0] = through.flux;
 	return TS_OK;
 }
@@ -66,7 +66,7 @@ static enum ts_status eval_all(struct ts_instance *self, const struct tsim *sim,
 	struct ts_flow_flux_sums through;
 
 	(void)sim;
-	TS_TRY(measure(self, &through));
+	TS_TRY(compute_flux(self, &through));
 	out->data[0] = through.flux;
 	out->data[1] = through.area;
 	out->data[2] = through.area > 0 ? through.flux / through.area : 0;

@@ -30,7 +30,7 @@ static void point_of(const struct state *s, const struct ts_grid *grid, size_t k
 	}
 }
 
-static size_t count_of(const struct state *s, const struct ts_grid *grid)
+static size_t number_of_points(const struct state *s, const struct ts_grid *grid)
 {
 	return (size_t)(s->mode == CELLS ? grid->n[s->axis] : s->n);
 }
@@ -44,7 +44,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_flow_sampler_init(self, sim));
 	TS_TRY(ts_flow_require_fluid(sim, "compute flow/line", &self->where, &fluid));
 	for (int end = 0; end < 2; end++) {
-		point_of(s, &fluid->grid, end ? count_of(s, &fluid->grid) - 1 : 0, x);
+		point_of(s, &fluid->grid, end ? number_of_points(s, &fluid->grid) - 1 : 0, x);
 		TS_TRY(ts_flow_sampler_inside(self, sim, x, &self->where));
 	}
 	return TS_OK;
@@ -59,7 +59,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 	(void)sim;
 	TS_TRY(ts_flow_require_fluid(s->sampler.sim, "compute flow/line", &self->where, &fluid));
-	n = count_of(s, &fluid->grid);
+	n = number_of_points(s, &fluid->grid);
 	TS_TRY(ts_flow_sampler_begin(self, n, out, &fluid));
 	point_of(s, &fluid->grid, 0, first);
 	for (size_t k = 0; k < n; k++) {

@@ -12,7 +12,7 @@ struct state {
 };
 
 /* The axes along the plane, in order. */
-static void along(const struct state *s, int *b, int *c)
+static void in_plane_axes(const struct state *s, int *b, int *c)
 {
 	*b = s->axis == 0 ? 1 : 0;
 	*c = s->axis == 2 ? 1 : 2;
@@ -40,7 +40,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	int b, c;
 
 	(void)sim;
-	along(s, &b, &c);
+	in_plane_axes(s, &b, &c);
 	TS_TRY(ts_flow_require_fluid(s->sampler.sim, "compute flow/plane", &self->where, &fluid));
 	grid = &fluid->grid;
 	TS_TRY(ts_flow_sampler_begin(self, (size_t)grid->n[b] * (size_t)grid->n[c], out, &fluid));

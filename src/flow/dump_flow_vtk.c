@@ -19,19 +19,19 @@ struct state {
 
 typedef void fill_fn(const struct ts_fluid *fluid, const int cell[3], double *out);
 
-static size_t at(const struct ts_fluid *fluid, const int cell[3])
+static size_t cell_index(const struct ts_fluid *fluid, const int cell[3])
 {
 	return ts_at(&fluid->grid, cell[0], cell[1], cell[2]);
 }
 
 static void pressure(const struct ts_fluid *fluid, const int cell[3], double *out)
 {
-	*out = fluid->p[at(fluid, cell)];
+	*out = fluid->p[cell_index(fluid, cell)];
 }
 
 static void void_fraction(const struct ts_fluid *fluid, const int cell[3], double *out)
 {
-	*out = fluid->void_fraction ? fluid->void_fraction[at(fluid, cell)] : 1;
+	*out = fluid->void_fraction ? fluid->void_fraction[cell_index(fluid, cell)] : 1;
 }
 
 static const struct field {
@@ -81,7 +81,8 @@ static const char *name_of(struct ts_instance *self, const struct ts_instance *f
 }
 
 /* Without words: all fields of the fluid, and all scalars of fixes. */
-static enum ts_status take_all(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
+static enum ts_status select_all_fields(struct ts_instance *self, struct tsim *sim,
+					const struct ts_fluid *fluid)
 {
 	const struct ts_instance *fix;
 	size_t most = NFIELDS, n = 0, k = 0;
@@ -111,7 +112,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_flow_require_fluid(sim, "dump flow/vtk", &self->where, &fluid));
 	s->chosen = s->words;
 	if (!s->words.n)
-		TS_TRY(take_all(self, sim, fluid));
+		TS_TRY(select_all_fields(self, sim, fluid));
 	s->list.item = NULL; /* fields may have been added */
 	TS_TRY(ts_flow_read_names(sim, "dump flow/vtk", &self->arena, s->chosen, fields, sizeof *fields,
 				  &s->list));
@@ -119,17 +120,17 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return s->array ? TS_OK : ts_nomem(&sim->error);
 }
 
-static size_t components(int field)
+static size_t number_of_components(int field)
 {
 	return field == TS_FLOW_SCALAR ? 1 : fields[field].components;
 }
 
-static size_t columns(const struct state *s)
+static size_t number_of_columns(const struct state *s)
 {
 	size_t n = 0;
 
 	for (size_t k = 0; k < s->list.n; k++)
-		n += components(s->list.item[k]);
+		n += number_of_components(s->list.item[k]);
 	return n;
 }
 
@@ -146,17 +147,17 @@ static void fill_cells(const struct ts_fluid *fluid, fill_fn *fill, const double
 				if (fill)
 					fill(fluid, cell, to);
 				else
-					*to = carried[at(fluid, cell)];
+					*to = carried[cell_index(fluid, cell)];
 }
 
-static enum ts_status fill(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
+static enum ts_status fill_fields(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
 {
 	struct state *s = self->state;
 	double *to = s->vtk.merged.data;
 
 	for (size_t k = 0; k < s->list.n; k++) {
 		int field = s->list.item[k];
-		size_t n = components(field);
+		size_t n = number_of_components(field);
 		const double *carried = NULL;
 
 		if (field == TS_FLOW_SCALAR)
@@ -179,9 +180,9 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	if (!due)
 		return TS_OK;
 	TS_TRY(ts_flow_require_fluid(sim, "dump flow/vtk", &self->where, &fluid));
-	if (ts_table_resize(&s->vtk.merged, ts_grid_cells(&fluid->grid), columns(s)) != TS_OK)
+	if (ts_table_resize(&s->vtk.merged, ts_grid_cells(&fluid->grid), number_of_columns(s)) != TS_OK)
 		return ts_nomem(&sim->error);
-	TS_TRY(fill(self, sim, fluid));
+	TS_TRY(fill_fields(self, sim, fluid));
 	grid.cell_data = s->array;
 	for (int d = 0; d < 3; d++) {
 		grid.face[d] = fluid->grid.face[d];
@@ -200,7 +201,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	struct ts_fluid *fluid;
 
 	TS_TRY(ts_flow_require_fluid(sim, "dump flow/vtk", &self->where, &fluid));
-	return ts_dump_price_frame(self, sim, 8 * left * (double)(columns(s) * ts_grid_cells(&fluid->grid)),
+	return ts_dump_price_frame(self, sim,
+				   8 * left * (double)(number_of_columns(s) * ts_grid_cells(&fluid->grid)),
 				   report);
 }
 

@@ -20,7 +20,7 @@
 #include "base/banned.h"
 
 /* Largest eigenvalue of the second differences along axis d (1/length^2). */
-static double largest_number(const struct ts_projection *p, int d)
+static double largest_eigenvalue(const struct ts_projection *p, int d)
 {
 	static const double BESIDE_WALL = 1.1547005383792515; /* 2/sqrt(3) */
 	const struct ts_grid *grid = &p->fluid.grid;
@@ -43,7 +43,7 @@ static double largest_number(const struct ts_projection *p, int d)
 }
 
 /* Contribution of the convection scheme to the decay rate, by |u|/h. */
-static double decay_of(const struct ts_projection *p)
+static double convective_decay(const struct ts_projection *p)
 {
 	double share = p->convection == TS_CONVECTION_DONOR ? p->gamma : 1;
 
@@ -82,7 +82,7 @@ static double growth_rate(const struct weak_damping *weak, const double u[3], co
 		       : 0;
 }
 
-static struct rates look_at_row(const struct ts_fluid *fluid, const struct weak_damping *weak, int j, int k)
+static struct rates row_rates(const struct ts_fluid *fluid, const struct weak_damping *weak, int j, int k)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	const bool solid = grid->dimensions == 3;
@@ -104,8 +104,8 @@ static struct rates look_at_row(const struct ts_fluid *fluid, const struct weak_
 }
 
 /* Velocities of moving walls and inlets count as well: a fluid at rest beside them will take them. */
-static struct rates look_at_given(const struct ts_fluid *fluid, const struct weak_damping *weak, int d,
-				  enum ts_grid_side side)
+static struct rates boundary_rates(const struct ts_fluid *fluid, const struct weak_damping *weak, int d,
+				   enum ts_grid_side side)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	const struct ts_flow_face_velocity *given = &fluid->face_velocity[d][side];
@@ -130,7 +130,7 @@ static struct rates look_at_given(const struct ts_fluid *fluid, const struct wea
 	return most;
 }
 
-static struct rates look_at_faces(const struct ts_fluid *fluid, const struct weak_damping *weak)
+static struct rates all_boundary_rates(const struct ts_fluid *fluid, const struct weak_damping *weak)
 {
 	struct rates most = { 0 };
 
@@ -139,14 +139,14 @@ static struct rates look_at_faces(const struct ts_fluid *fluid, const struct wea
 			struct rates face = { 0 };
 
 			if (fluid->face[d][side] == TS_FLOW_WALL || fluid->face[d][side] == TS_FLOW_INLET)
-				face = look_at_given(fluid, weak, d, side);
+				face = boundary_rates(fluid, weak, d, side);
 			most.frequency = fmax(most.frequency, face.frequency);
 			most.growth = fmax(most.growth, face.growth);
 		}
 	return most;
 }
 
-static struct weak_damping weak_damping_of(const struct ts_projection *p)
+static struct weak_damping find_weak_damping(const struct ts_projection *p)
 {
 	static const double FOURTH = 1.185 / 8, QUICK_AB2 = 0.58, QUICK_RK2 = 0.79;
 	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
@@ -163,12 +163,12 @@ static struct weak_damping weak_damping_of(const struct ts_projection *p)
 	return weak;
 }
 
-static double all_numbers(const struct ts_projection *p)
+static double sum_of_eigenvalues(const struct ts_projection *p)
 {
 	double sum = 0;
 
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
-		sum += largest_number(p, d);
+		sum += largest_eigenvalue(p, d);
 	return sum;
 }
 
@@ -176,7 +176,7 @@ double ts_flow_viscous_limit(const struct ts_projection *p)
 {
 	if (p->viscous != TS_VISCOUS_EXPLICIT)
 		return INFINITY;
-	return ts_flow_time_schemes[p->time].real / (p->viscosity / p->density * all_numbers(p));
+	return ts_flow_time_schemes[p->time].real / (p->viscosity / p->density * sum_of_eigenvalues(p));
 }
 
 struct ts_flow_limits ts_flow_limits(const struct ts_projection *p)
@@ -184,23 +184,23 @@ struct ts_flow_limits ts_flow_limits(const struct ts_projection *p)
 	const struct ts_fluid *fluid = &p->fluid;
 	const struct ts_grid *grid = &fluid->grid;
 	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
-	const struct weak_damping weak = weak_damping_of(p);
-	const struct rates faces = look_at_faces(fluid, &weak);
+	const struct weak_damping weak = find_weak_damping(p);
+	const struct rates faces = all_boundary_rates(fluid, &weak);
 	long rows = (long)grid->n[1] * grid->n[2];
 	double frequency = faces.frequency, growth = faces.growth, numbers = 0;
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static) reduction(max : frequency, growth)
 	for (long line = 0; line < rows; line++) {
 		struct rates row =
-			look_at_row(fluid, &weak, (int)(line % grid->n[1]), (int)(line / grid->n[1]));
+			row_rates(fluid, &weak, (int)(line % grid->n[1]), (int)(line / grid->n[1]));
 
 		frequency = fmax(frequency, row.frequency);
 		growth = fmax(growth, row.growth);
 	}
 	if (p->viscous == TS_VISCOUS_EXPLICIT)
-		numbers = weak.nu * all_numbers(p);
+		numbers = weak.nu * sum_of_eigenvalues(p);
 	return (struct ts_flow_limits){
-		.viscous = scheme->real / (numbers + decay_of(p) * frequency),
+		.viscous = scheme->real / (numbers + convective_decay(p) * frequency),
 		.courant = scheme->courant / frequency,
 		.growth = 1 / growth,
 	};

@@ -28,7 +28,7 @@ static double row_energy(const struct ts_fluid *fluid, int j, int k)
 
 /* Sum of e u on the two faces of a cell across axis d. With the e of the cell the sum over all cells is
  * the same, since e of a face is the mean of the halves of two cells. */
-static double flow_of_cell(const struct ts_fluid *fluid, int d, size_t low)
+static double cell_face_flows(const struct ts_fluid *fluid, int d, size_t low)
 {
 	const size_t high = low + (size_t)fluid->grid.stride[d];
 	const double *u = fluid->u[d], *e = fluid->momentum_void_fraction[d];
@@ -48,7 +48,7 @@ double ts_flow_momentum(const struct ts_fluid *fluid, int d)
 			double row = 0;
 
 			for (int i = 0; i < grid->n[0]; i++)
-				row += grid->width[0][i] * flow_of_cell(fluid, d, ts_at(grid, i, j, k));
+				row += grid->width[0][i] * cell_face_flows(fluid, d, ts_at(grid, i, j, k));
 			sum += row * grid->width[1][j] * grid->width[2][k];
 		}
 	return 0.5 * fluid->density * sum;

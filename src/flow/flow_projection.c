@@ -64,7 +64,7 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 }
 
 /* Sets what follows from the present arguments. */
-static enum ts_status derive(struct ts_instance *self, struct tsim *sim)
+static enum ts_status apply_arguments(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 
@@ -99,7 +99,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(read_words(self, sim));
 	p->fluid.outside = (struct ts_fluid_outside){ 0 };
 	p->moved |= is_run && sim->clock.last_step > sim->clock.step;
-	TS_TRY(derive(self, sim));
+	TS_TRY(apply_arguments(self, sim));
 	TS_TRY(ts_projection_setup(self, sim));
 	if (is_run)
 		TS_TRY(ts_projection_solver(self, sim, 0));
@@ -259,7 +259,7 @@ static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
 
 enum { VOID_FIELDS = 6 }; /* void fraction at centres and on faces, its rate, and that of the last step */
 
-static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_projection *p = self->state;
 	const struct ts_grid *grid = &p->fluid.grid;
@@ -301,7 +301,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	size_t before = report->nlimits;
 
 	if (!report->limits_only)
-		TS_TRY(describe(self, sim, report));
+		TS_TRY(report_plan(self, sim, report));
 	if (!p->substeps)
 		return TS_OK;
 	limits = ts_flow_limits(p);

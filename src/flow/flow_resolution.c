@@ -117,7 +117,7 @@ struct wall {
 	double y[3]; /* distances of their centres from the wall */
 };
 
-static struct wall wall_at(const struct ts_fluid *fluid, int d, enum ts_grid_side side)
+static struct wall find_wall(const struct ts_fluid *fluid, int d, enum ts_grid_side side)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	const int n = grid->n[d];
@@ -132,7 +132,7 @@ static struct wall wall_at(const struct ts_fluid *fluid, int d, enum ts_grid_sid
 }
 
 /* Component c of the velocities in the first three cells relative to the wall. */
-static void profile(const struct wall *wall, int c, int ia, int ib, double u[3])
+static void first_velocities(const struct wall *wall, int c, int ia, int ib, double u[3])
 {
 	const struct ts_fluid *fluid = wall->fluid;
 	const struct ts_flow_face_velocity *given = &fluid->face_velocity[wall->d][wall->side];
@@ -149,7 +149,7 @@ static void profile(const struct wall *wall, int c, int ia, int ib, double u[3])
 	}
 }
 
-static struct layer layer_at(const struct wall *wall, double fastest)
+static struct layer boundary_layer(const struct wall *wall, double fastest)
 {
 	const struct ts_fluid *fluid = wall->fluid;
 	const struct ts_grid *grid = &fluid->grid;
@@ -164,7 +164,7 @@ static struct layer layer_at(const struct wall *wall, double fastest)
 			for (int c = 0; c < grid->dimensions; c++) {
 				if (c == wall->d)
 					continue;
-				profile(wall, c, ia, ib, u);
+				first_velocities(wall, c, ia, ib, u);
 				sum += patch * fabs(u[0]);
 				miss += patch * fabs(u[0] - parabola(y[0], y[1], y[2], u[1], u[2]));
 			}
@@ -177,7 +177,7 @@ static struct layer layer_at(const struct wall *wall, double fastest)
 
 /* Whether the flow has developed: viscosity has diffused over four cells, or the fluid has crossed the
  * grid. */
-static bool is_grown(const struct ts_fluid *fluid, double width, double fastest)
+static bool is_developed(const struct ts_fluid *fluid, double width, double fastest)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	double length = 0;
@@ -198,7 +198,7 @@ static enum ts_status report_wiggle(const struct ts_instance *self, struct tsim 
 	/* Forces of unresolved particles differ from cell to cell. */
 	if (fluid->force[0] || fluid->exchange[0] || fluid->void_fraction)
 		return TS_OK;
-	if (!(w.size > ALTERNATES * fastest) || !is_grown(fluid, w.width, fastest))
+	if (!(w.size > ALTERNATES * fastest) || !is_developed(fluid, w.width, fastest))
 		return TS_OK;
 	if (ts_convection_schemes[p->convection].bounded)
 		snprintf(remedy, sizeof remedy, "take smaller cells");
@@ -219,11 +219,11 @@ static enum ts_status report_wall(const struct ts_instance *self, struct tsim *s
 				  double fastest)
 {
 	const struct ts_fluid *fluid = wall->fluid;
-	const struct layer layer = layer_at(wall, fastest);
+	const struct layer layer = boundary_layer(wall, fastest);
 	char axis = "xyz"[wall->d];
 
 	if (!(layer.share > STEEP || (layer.miss > MISSES && layer.share > MATTERS)) ||
-	    !is_grown(fluid, layer.width, fastest))
+	    !is_developed(fluid, layer.width, fastest))
 		return TS_OK;
 	return ts_review_find(
 		sim, "flow_resolution", &self->where,
@@ -248,7 +248,7 @@ enum ts_status ts_projection_check_resolution(const struct ts_instance *self, st
 	for (int d = 0; d < fluid->grid.dimensions; d++)
 		for (enum ts_grid_side side = TS_LOW; side <= TS_HIGH; side++)
 			if (fluid->face[d][side] == TS_FLOW_WALL && fluid->grid.n[d] >= 3) {
-				struct wall wall = wall_at(fluid, d, side);
+				struct wall wall = find_wall(fluid, d, side);
 
 				TS_TRY(report_wall(self, sim, &wall, fastest));
 			}

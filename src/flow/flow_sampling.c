@@ -42,7 +42,7 @@ static bool is_boundary(const struct axis *a, int k)
 	       (k < 0 || k >= a->grid->n[a->d]);
 }
 
-static double node(const struct axis *a, int k)
+static double node_coordinate(const struct axis *a, int k)
 {
 	if (a->nodes == ON_FACES)
 		return a->grid->face[a->d][k];
@@ -118,7 +118,8 @@ static struct stencil stencil_around(const struct axis *a, double x, int count)
 
 		for (int other = first; other < first + count; other++)
 			if (other != k)
-				weight *= (x - node(a, other)) / (node(a, k) - node(a, other));
+				weight *= (x - node_coordinate(a, other)) /
+					  (node_coordinate(a, k) - node_coordinate(a, other));
 		if (is_boundary(a, k))
 			add_boundary(&s, a, k >= 0, weight);
 		else
@@ -145,12 +146,12 @@ static double sum_stencils(const struct stencil s[3], const struct ts_fluid *flu
 	return sum;
 }
 
-static double of_field(const struct ts_fluid *fluid, const void *what, const int cell[3])
+static double centred_value(const struct ts_fluid *fluid, const void *what, const int cell[3])
 {
 	return ((const double *)what)[ts_at(&fluid->grid, cell[0], cell[1], cell[2])];
 }
 
-static double of_edge(const struct ts_fluid *fluid, const void *what, const int cell[3])
+static double edge_vorticity(const struct ts_fluid *fluid, const void *what, const int cell[3])
 {
 	return ts_flow_edge_vorticity(fluid, *(const int *)what, cell);
 }
@@ -161,7 +162,7 @@ static double sample_centred(const struct ts_fluid *fluid, const double *field, 
 
 	for (int d = 0; d < 3; d++)
 		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d, IN_CENTRES }, x[d], count);
-	return sum_stencils(s, fluid, of_field, field);
+	return sum_stencils(s, fluid, centred_value, field);
 }
 
 static double velocity(const struct ts_fluid *fluid, int component, const double x[3], int count)
@@ -175,7 +176,7 @@ static double velocity(const struct ts_fluid *fluid, int component, const double
 
 		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d, nodes }, x[d], count);
 	}
-	return sum_stencils(s, fluid, of_field, fluid->u[component]);
+	return sum_stencils(s, fluid, centred_value, fluid->u[component]);
 }
 
 static double vorticity(const struct ts_fluid *fluid, int component, const double x[3])
@@ -188,7 +189,7 @@ static double vorticity(const struct ts_fluid *fluid, int component, const doubl
 		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d,
 						      d == component ? IN_CENTRES : ON_FACES },
 				      x[d], 2);
-	return sum_stencils(s, fluid, of_edge, &component);
+	return sum_stencils(s, fluid, edge_vorticity, &component);
 }
 
 void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid *fluid, const double x[3],
@@ -223,7 +224,7 @@ void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid
 }
 
 /* The default columns, if no words are given. */
-static enum ts_status take_default_columns(struct ts_instance *self, struct tsim *sim)
+static enum ts_status select_default_columns(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_name_list *list = &((struct ts_flow_sampler *)self->state)->list;
 
@@ -249,7 +250,7 @@ enum ts_status ts_flow_sampler_init(struct ts_instance *self, struct tsim *sim)
 	if (status == TS_OK)
 		status = s->words.n ? ts_flow_read_names(sim, ts_str_text(&who), &self->arena, s->words,
 							 names, sizeof *names, &s->list)
-				    : take_default_columns(self, sim);
+				    : select_default_columns(self, sim);
 	ts_str_release(&who);
 	if (status == TS_OK && !s->carried)
 		s->carried = ts_arena_alloc(&self->arena, s->list.n, sizeof *s->carried);

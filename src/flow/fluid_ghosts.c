@@ -97,8 +97,8 @@ static void wrap_periodic(const struct ts_grid *grid, double *field, const struc
 		}
 }
 
-static double given_at(const struct ts_flow_face_velocity *given, const struct ts_grid *grid, int d, int c,
-		       int ia, int ib)
+static double given_velocity(const struct ts_flow_face_velocity *given, const struct ts_grid *grid, int d,
+			     int c, int ia, int ib)
 {
 	return given->plane[c] ? given->plane[c][ts_flow_plane_at(grid, d, ia, ib)] : given->constant[c];
 }
@@ -123,7 +123,7 @@ static void fill_across(const struct ts_fluid *fluid, double *u, const struct pl
 			if (kind == TS_FLOW_SLIP && !keep)
 				at[0] = 0;
 			else if (!open && !keep)
-				at[0] = given_at(&fluid->face_velocity[d][side], grid, d, d, ia, ib);
+				at[0] = given_velocity(&fluid->face_velocity[d][side], grid, d, d, ia, ib);
 			at[-s] = !open ? 2 * at[0] - at[s] : out > 0 || kind == TS_FLOW_INTAKE ? at[0] : 0;
 			at[-2 * s] = !open ? 2 * at[-s] - at[0] : at[-s];
 		}
@@ -158,7 +158,7 @@ static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c, 
 			double given = 0;
 
 			if (rule == RULE_MIRROR)
-				given = given_at(&fluid->face_velocity[d][side], grid, d, c, ia, ib);
+				given = given_velocity(&fluid->face_velocity[d][side], grid, d, c, ia, ib);
 			else if (rule == RULE_OUT && !lowest)
 				given = flows_out(grid, u[d], at + face, c, side);
 			fill_line(rule, u[c] + at + first, s, given, fluid->ghost_weights[d][side]);

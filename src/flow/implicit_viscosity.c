@@ -66,8 +66,8 @@ static void eliminate(struct system *s, const double *diagonal, double *upper)
 }
 
 /* Eliminates the ghost beyond the end, which is a combination of points inside. */
-static void close_end(const struct ts_fluid *fluid, int c, int d, enum ts_grid_side side, double coefficient,
-		      double *diagonal, double *inner)
+static void eliminate_ghost(const struct ts_fluid *fluid, int c, int d, enum ts_grid_side side,
+			    double coefficient, double *diagonal, double *inner)
 {
 	enum ts_flow_face kind = fluid->face[d][side];
 	const double *mirror = fluid->ghost_weights[d][side];
@@ -83,7 +83,7 @@ static void close_end(const struct ts_fluid *fluid, int c, int d, enum ts_grid_s
 }
 
 /* Adds the corner elements of the periodic matrix. */
-static void close_loop(struct system *s, double *diagonal, double *upper)
+static void add_periodic_corners(struct system *s, double *diagonal, double *upper)
 {
 	int first = s->from, last = s->to - 1;
 	double corner = upper[last], gamma = -diagonal[first];
@@ -130,7 +130,7 @@ static enum ts_status make_system(const struct ts_viscous_step *step, int c, int
 	}
 	if (grid->periodic[d] && grid->n[d] > 2) {
 		s->loop = s->memory + 5 * n;
-		close_loop(s, diagonal, upper);
+		add_periodic_corners(s, diagonal, upper);
 		return TS_OK;
 	}
 	if (grid->periodic[d]) { /* with one or two points the neighbours coincide */
@@ -143,8 +143,8 @@ static enum ts_status make_system(const struct ts_viscous_step *step, int c, int
 	} else if (s->to > s->from) {
 		int last = s->to - 1;
 
-		close_end(fluid, c, d, TS_LOW, s->lower[s->from], &diagonal[s->from], &upper[s->from]);
-		close_end(fluid, c, d, TS_HIGH, upper[last], &diagonal[last], &s->lower[last]);
+		eliminate_ghost(fluid, c, d, TS_LOW, s->lower[s->from], &diagonal[s->from], &upper[s->from]);
+		eliminate_ghost(fluid, c, d, TS_HIGH, upper[last], &diagonal[last], &s->lower[last]);
 	}
 	eliminate(s, diagonal, upper);
 	return TS_OK;
@@ -153,7 +153,7 @@ static enum ts_status make_system(const struct ts_viscous_step *step, int c, int
 enum { BLOCK = 64 };
 
 /* Sherman-Morrison correction of n lines. */
-static void close_lines(const struct system *sys, double *x, ptrdiff_t s, int n)
+static void correct_periodic_lines(const struct system *sys, double *x, ptrdiff_t s, int n)
 {
 	const int first = sys->from, last = sys->to - 1;
 	double share[BLOCK];
@@ -186,7 +186,7 @@ static void solve_lines(const struct system *sys, double *x, ptrdiff_t s, int n)
 			here[i] -= upper * here[i + s];
 	}
 	for (int i = 0; sys->loop && i < n; i += BLOCK)
-		close_lines(sys, x + i, s, n - i < BLOCK ? n - i : BLOCK);
+		correct_periodic_lines(sys, x + i, s, n - i < BLOCK ? n - i : BLOCK);
 }
 
 /* The same along x, where the points of a line are adjacent. */

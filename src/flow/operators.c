@@ -7,7 +7,7 @@
 enum { NARRAYS = 10 }; /* number of arrays of a line */
 
 /* Weights of the quadratic Lagrange polynomial through points x[0..2] at y. */
-static void quadratic(const double x[3], double y, double weight[3])
+static void lagrange_weights(const double x[3], double y, double weight[3])
 {
 	for (int k = 0; k < 3; k++) {
 		int a = (k + 1) % 3, b = (k + 2) % 3;
@@ -37,11 +37,12 @@ static void make_line(struct ts_operator_line *line, const double *point, const 
 	for (int m = low + 2; m <= high; m++) {
 		double weight[3];
 
-		quadratic((const double[]){ point[m - 2], point[m - 1], point[m] }, side[m], weight);
+		lagrange_weights((const double[]){ point[m - 2], point[m - 1], point[m] }, side[m], weight);
 		for (int k = 0; k < 3; k++)
 			array[4 + k][m] = weight[k];
 		if (m < high) /* no flow enters from beyond the last point */
-			quadratic((const double[]){ point[m + 1], point[m], point[m - 1] }, side[m], weight);
+			lagrange_weights((const double[]){ point[m + 1], point[m], point[m - 1] }, side[m],
+					 weight);
 		for (int k = 0; k < 3 && m < high; k++)
 			array[7 + k][m] = weight[k];
 	}

@@ -87,7 +87,7 @@ static enum ts_status call_after_step(struct tsim *sim, struct ts_fluid *fluid, 
 }
 
 /* Smallest of the limits of the time step by these fixes. */
-static double part_limit(const struct tsim *sim, const struct ts_fluid *fluid)
+static double limit_of_parts(const struct tsim *sim, const struct ts_fluid *fluid)
 {
 	const struct ts_instance *part;
 	double least = INFINITY;
@@ -233,7 +233,7 @@ static enum ts_status choose_substeps(struct ts_instance *self, struct tsim *sim
 	p->done = p->substeps;
 	if (p->substeps)
 		return TS_OK;
-	limit = p->courant * fmin(ts_flow_limit(p), part_limit(sim, &p->fluid));
+	limit = p->courant * fmin(ts_flow_limit(p), limit_of_parts(sim, &p->fluid));
 	if (!(length <= MOST * limit))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "the fluid's stable step is %g, less than a millionth of the %g it is to "
@@ -246,7 +246,7 @@ static enum ts_status choose_substeps(struct ts_instance *self, struct tsim *sim
 /* In a step of several stages the weight of u in exchange_velocity is multiplied by `take` of all later
  * stages; the sum of the earlier substeps is multiplied by the inverse of all of them, so that substeps
  * have equal weights. */
-static double initial_carry(const struct ts_flow_time_scheme *scheme)
+static double initial_mean_weight(const struct ts_flow_time_scheme *scheme)
 {
 	double product = 1;
 
@@ -285,7 +285,7 @@ enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, do
 	for (int64_t k = 0; k < p->done; k++) {
 		p->now_at = k;
 		TS_TRY(ts_projection_substep(self, sim, length / (double)p->done, carry));
-		carry = initial_carry(&ts_flow_time_schemes[p->time]);
+		carry = initial_mean_weight(&ts_flow_time_schemes[p->time]);
 	}
 	divide_exchange_means(p, (double)p->done);
 	TS_TRY(call_after_step(sim, &p->fluid, length));

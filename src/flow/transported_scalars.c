@@ -4,7 +4,7 @@
 
 #include "base/banned.h"
 
-static bool carries(const struct ts_instance *inst)
+static bool transports_scalar(const struct ts_instance *inst)
 {
 	const char *family = inst->style->family;
 
@@ -24,7 +24,7 @@ enum ts_status ts_flow_scalar_field(struct tsim *sim, const char *what, const st
 	struct ts_instance *fix;
 
 	TS_TRY(ts_sim_require(sim, TS_KIND_FIX, &id, &fix));
-	if (!carries(fix))
+	if (!transports_scalar(fix))
 		return ts_fail(&sim->error, TS_STATE, &word->place,
 			       "%s: fix %s (style %s) carries no scalar with the fluid", what, fix->id,
 			       fix->style->name);
@@ -56,7 +56,7 @@ struct ts_instance *ts_flow_next_scalar(const struct tsim *sim, size_t *k)
 	struct ts_instance *part;
 
 	while ((part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, k)))
-		if (carries(part))
+		if (transports_scalar(part))
 			return part;
 	return NULL;
 }

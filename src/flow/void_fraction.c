@@ -13,7 +13,7 @@ static long count_rows(const struct ts_grid *grid)
 }
 
 /* Index of the first value of a row, ghosts included; a row has n + 2 ghosts values. */
-static size_t row_at(const struct ts_grid *grid, long line, int *j, int *k)
+static size_t row_start(const struct ts_grid *grid, long line, int *j, int *k)
 {
 	int height = grid->n[1] + 2 * grid->ghosts[1];
 
@@ -22,7 +22,7 @@ static size_t row_at(const struct ts_grid *grid, long line, int *j, int *k)
 	return ts_at(grid, -grid->ghosts[0], *j, *k);
 }
 
-static void to_faces(const struct ts_projection *p, int d, const double *e, double *face)
+static void interpolate_to_faces(const struct ts_projection *p, int d, const double *e, double *face)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 	const ptrdiff_t s = grid->stride[d];
@@ -31,7 +31,7 @@ static void to_faces(const struct ts_projection *p, int d, const double *e, doub
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
 	for (long line = 0; line < count_rows(grid); line++) {
 		int j, k;
-		size_t at = row_at(grid, line, &j, &k);
+		size_t at = row_start(grid, line, &j, &k);
 		bool lowest = (d == 1 && j == -grid->ghosts[1]) || (d == 2 && k == -grid->ghosts[2]);
 		const double *part = p->operators.mass[d];
 
@@ -79,9 +79,9 @@ static enum ts_status store_momentum_void_fraction(struct ts_projection *p, doub
 	for (int d = 0; d < fluid->grid.dimensions; d++) {
 		if (p->empty_known) {
 			memcpy(p->void_before[d], fluid->void_fraction_face[d], bytes);
-			to_faces(p, d, fluid->void_fraction_rate, p->void_rate[d]);
+			interpolate_to_faces(p, d, fluid->void_fraction_rate, p->void_rate[d]);
 		} else {
-			to_faces(p, d, fluid->void_fraction, p->void_before[d]);
+			interpolate_to_faces(p, d, fluid->void_fraction, p->void_before[d]);
 			memset(p->void_rate[d], 0, bytes);
 		}
 	}
@@ -119,7 +119,7 @@ enum ts_status ts_projection_update_void_fraction(struct ts_projection *p, doubl
 	make_void_rate(p, elapsed);
 	p->empty_known = 1;
 	for (int d = 0; d < fluid->grid.dimensions; d++)
-		to_faces(p, d, fluid->void_fraction, fluid->void_fraction_face[d]);
+		interpolate_to_faces(p, d, fluid->void_fraction, fluid->void_fraction_face[d]);
 	return TS_OK;
 }
 
@@ -143,7 +143,7 @@ double ts_projection_void_rate_integral(const struct ts_projection *p)
 /* ---- form conservative: E in the stages of a step */
 
 /* Lag of E behind e, in steps of the fluid. */
-static double lag_of(const struct ts_flow_time_scheme *scheme)
+static double lag_in_steps(const struct ts_flow_time_scheme *scheme)
 {
 	double lag = 1;
 
@@ -155,7 +155,7 @@ static double lag_of(const struct ts_flow_time_scheme *scheme)
 /* E at the beginning of a substep; the first substep uses the rate of the step before. */
 static void begin_substep(struct ts_projection *p, int d, double dt)
 {
-	const double lag = lag_of(&ts_flow_time_schemes[p->time]), done = (double)p->now_at;
+	const double lag = lag_in_steps(&ts_flow_time_schemes[p->time]), done = (double)p->now_at;
 	const double *before = p->void_before[d], *rate = p->void_rate[d],
 		     *now = p->fluid.void_fraction_face[d];
 	double *start = p->void_start[d], *mass = p->fluid.momentum_void_fraction[d];

@@ -74,7 +74,7 @@ void ts_closed_search_add_body(struct ts_closed_search *s, const struct ts_insta
 
 /* ---- cells and their faces */
 
-static void index_of(const struct ts_grid *grid, size_t at, int i[3])
+static void cell_indices(const struct ts_grid *grid, size_t at, int i[3])
 {
 	ptrdiff_t rest = (ptrdiff_t)(at - grid->origin);
 
@@ -90,7 +90,7 @@ struct link {
 	bool boundary; /* there is no cell across */
 };
 
-static struct link link_of(const struct ts_grid *grid, size_t at, const int i[3], int d, int side)
+static struct link neighbour_link(const struct ts_grid *grid, size_t at, const int i[3], int d, int side)
 {
 	const size_t s = (size_t)grid->stride[d], all = (size_t)grid->n[d] * s;
 	bool last = i[d] == (side ? grid->n[d] - 1 : 0);
@@ -103,7 +103,7 @@ static struct link link_of(const struct ts_grid *grid, size_t at, const int i[3]
 	return link;
 }
 
-static double area_of(const struct ts_grid *grid, const int i[3], int d)
+static double face_area(const struct ts_grid *grid, const int i[3], int d)
 {
 	double area = 1;
 
@@ -118,7 +118,7 @@ static bool is_open(const struct ts_closed_search *s, int d, int side)
 }
 
 /* The normal velocity given on the boundary at this cell; 0 on open and slip faces. */
-static double given_there(const struct ts_closed_search *s, const int i[3], int d, int side)
+static double given_normal_velocity(const struct ts_closed_search *s, const int i[3], int d, int side)
 {
 	const struct ts_flow_face_velocity *now = &s->p->velocity_now[d][side];
 	int a = d == 0, b = d == 2 ? 1 : 2;
@@ -129,7 +129,7 @@ static double given_there(const struct ts_closed_search *s, const int i[3], int 
 }
 
 /* Whether that velocity may change in the next step. */
-static bool varies_there(const struct ts_closed_search *s, int d, int side)
+static bool given_velocity_varies(const struct ts_closed_search *s, int d, int side)
 {
 	const struct ts_flow_condition *condition = &s->p->condition[d][side];
 
@@ -166,9 +166,9 @@ static void add_body_face(struct ts_closed_search *s, struct region *region, con
 static void add_boundary_face(struct ts_closed_search *s, struct region *region, const int i[3], int d,
 			      int side)
 {
-	double flow = given_there(s, i, d, side) * area_of(s->grid, i, d) * (side ? -1 : 1);
+	double flow = given_normal_velocity(s, i, d, side) * face_area(s->grid, i, d) * (side ? -1 : 1);
 
-	s->varies |= varies_there(s, d, side);
+	s->varies |= given_velocity_varies(s, d, side);
 	region->net += flow;
 	region->gross += fabs(flow);
 	if (fabs(flow) > region->most) {
@@ -184,12 +184,12 @@ static void fill_closed_region(struct ts_closed_search *s, int32_t label, struct
 		size_t at = s->stack[--s->nstack];
 		int i[3];
 
-		index_of(s->grid, at, i);
+		cell_indices(s->grid, at, i);
 		for (int d = 0; d < s->grid->dimensions; d++) {
 			region->lo[d] = i[d] < region->lo[d] ? i[d] : region->lo[d];
 			region->hi[d] = i[d] > region->hi[d] ? i[d] : region->hi[d];
 			for (int side = 0; side < 2; side++) {
-				struct link link = link_of(s->grid, at, i, d, side);
+				struct link link = neighbour_link(s->grid, at, i, d, side);
 				uint16_t body = s->owner[d][link.face];
 
 				if (!link.boundary && !body)
@@ -224,8 +224,8 @@ static inline void label_neighbor(struct ts_closed_search *s, size_t at, int d, 
 	}
 	if (s->label[cell] != OUTSIDE || !s->grid->periodic[d])
 		return;
-	index_of(s->grid, at, i);
-	link = link_of(s->grid, at, i, d, side);
+	cell_indices(s->grid, at, i);
+	link = neighbour_link(s->grid, at, i, d, side);
 	if (!s->owner[d][link.face])
 		label_cell(s, link.cell, FREE);
 }
@@ -314,11 +314,11 @@ static void add_body_flows(struct ts_closed_search *s, const struct body *body)
 
 			if (point->outside || point->target == 0)
 				continue;
-			index_of(s->grid, point->at, i);
+			cell_indices(s->grid, point->at, i);
 			if (i[c] >= s->grid->n[c])
 				continue; /* beyond an open face */
-			flow = point->target * area_of(s->grid, i, c);
-			link = link_of(s->grid, point->at, i, c, 0);
+			flow = point->target * face_area(s->grid, i, c);
+			link = neighbour_link(s->grid, point->at, i, c, 0);
 			if (link.boundary || s->label[link.cell] == s->label[point->at])
 				continue;
 			add_body_flow(s, s->label[point->at], flow);
@@ -379,7 +379,7 @@ static enum ts_status check_region(const struct ts_closed_search *s, struct tsim
 
 /* ---- bodies on inlets */
 
-static bool near_face(const struct ts_grid *grid, int d, int side, const double lo[3], const double hi[3])
+static bool is_near_face(const struct ts_grid *grid, int d, int side, const double lo[3], const double hi[3])
 {
 	double x = grid->face[d][side ? grid->n[d] : 0];
 
@@ -394,14 +394,14 @@ static enum ts_status check_inlet(struct ts_closed_search *s, struct tsim *sim, 
 	const struct ts_grid *grid = s->grid;
 	const struct ts_solid *solid = body->solid;
 	int a = d == 0, b = d == 2 ? 1 : 2, i[3] = { 0 };
-	bool varies = varies_there(s, d, side);
+	bool varies = given_velocity_varies(s, d, side);
 	double x[3], v[3];
 	char name[256];
 
 	x[d] = grid->face[d][side ? grid->n[d] : 0];
 	for (i[b] = 0; i[b] < grid->n[b]; i[b]++)
 		for (i[a] = 0; i[a] < grid->n[a]; i[a]++) {
-			double given = given_there(s, i, d, side);
+			double given = given_normal_velocity(s, i, d, side);
 
 			x[a] = grid->centre[a][i[a]];
 			x[b] = grid->centre[b][i[b]];
@@ -433,7 +433,7 @@ static enum ts_status check_inlets(struct ts_closed_search *s, struct tsim *sim)
 			solid->kind->bounds(solid, part, lo, hi);
 			for (int face = 0; face < 2 * s->grid->dimensions; face++)
 				if (!s->grid->periodic[face / 2] &&
-				    near_face(s->grid, face / 2, face % 2, lo, hi))
+				    is_near_face(s->grid, face / 2, face % 2, lo, hi))
 					TS_TRY(check_inlet(s, sim, &s->body[k], part, face / 2, face % 2));
 		}
 	return TS_OK;
@@ -474,7 +474,7 @@ static void mark_outside(struct ts_closed_search *s)
 			memset(s->label + ts_at(grid, 0, j, k), 0, (size_t)grid->n[0] * sizeof *s->label);
 }
 
-static enum ts_status search_all(struct ts_closed_search *s, struct tsim *sim)
+static enum ts_status find_closed_regions(struct ts_closed_search *s, struct tsim *sim)
 {
 	enum ts_status status = allocate_fields(s);
 
@@ -507,7 +507,7 @@ enum ts_status ts_immersed_check_closed(struct tsim *sim)
 		return TS_OK;
 	s.p = flow->state;
 	s.grid = &s.p->fluid.grid;
-	status = search_all(&s, sim);
+	status = find_closed_regions(&s, sim);
 	s.p->check_closed = s.varies ? ts_immersed_check_closed : NULL;
 	for (int d = 0; d < 3; d++)
 		ts_free(s.owner[d]);

@@ -64,7 +64,7 @@ struct state {
 	double slip;	/* saved */
 };
 
-static struct record *record_of(struct state *s, const struct tsim *sim, size_t part)
+static struct record *record_of_part(struct state *s, const struct tsim *sim, size_t part)
 {
 	size_t row;
 
@@ -183,7 +183,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return (s->body == MESH ? make_mesh : make_spheres)(self, sim, sim->dimension);
 }
 
-static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
+static enum ts_status evaluate_prescribed_motion(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_solid_motion *m = &s->prescribed.motion;
@@ -203,7 +203,7 @@ static enum ts_status update_points(struct ts_instance *self, struct tsim *sim, 
 	struct state *s = self->state;
 	enum ts_status status;
 
-	TS_TRY(evaluate(self, sim));
+	TS_TRY(evaluate_prescribed_motion(self, sim));
 	TS_TRY(s->solid->kind->update(s->solid, sim));
 	if (s->placed && !s->solid->moved && !s->prescribed.velocity && !s->prescribed.omega)
 		return TS_OK;
@@ -286,13 +286,13 @@ static enum ts_status initialize_inner_fluid(struct ts_instance *self, struct ts
 	bool all = true;
 
 	for (size_t k = 0; k < s->solid->parts; k++)
-		all = all && record_of(s, sim, k)->known != 0;
+		all = all && record_of_part(s, sim, k)->known != 0;
 	if (all)
 		return TS_OK;
 	if (ts_immersed_inner_fluid(&s->immersed, fluid, s->solid->parts) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->solid->parts; k++) {
-		struct record *r = record_of(s, sim, k);
+		struct record *r = record_of_part(s, sim, k);
 
 		if (r->known != 0)
 			continue;
@@ -386,7 +386,7 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 	if (ts_immersed_inner_fluid(&s->immersed, fluid, s->solid->parts) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->solid->parts; k++) {
-		struct record *r = record_of(s, sim, k);
+		struct record *r = record_of_part(s, sim, k);
 
 		update_part_force(&s->immersed.sums[k], fluid->density, share, length, depth, r);
 		if (discs) /* cell centres may be beside the plane of the discs */
@@ -498,7 +498,7 @@ static enum ts_status stabilize_particles(struct ts_instance *self, struct tsim 
 	return TS_OK;
 }
 
-static bool resists(const struct ts_instance *self)
+static bool stabilizes_particles(const struct ts_instance *self)
 {
 	const struct state *s = self->state;
 
@@ -738,7 +738,7 @@ const struct ts_style ts_fix_immersed_boundary = {
 	.init = init,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
 	.late = { [TS_LATE_INERTIA] = stabilize_particles },
-	.is_late = resists,
+	.is_late = stabilizes_particles,
 	.plan = plan,
 	.fini = fini,
 };

@@ -82,7 +82,7 @@ static double outer_target_velocity(const struct ts_immersed *ib, const struct t
 
 /* All new values are computed from the old velocities: samples of an outer point may include other outer
  * points. */
-static void force_outer(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
+static void force_outer_points(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
 {
 	size_t first = ib->outer_first[c], end = ib->outer_first[c + 1];
 
@@ -112,7 +112,7 @@ static void add_impulse(struct ts_immersed *ib, const struct ts_fluid *fluid, in
 }
 
 /* The first point of component c of this part or a later one: points are sorted by part. */
-static size_t first_of(const struct ts_immersed *ib, int c, size_t part)
+static size_t first_point(const struct ts_immersed *ib, int c, size_t part)
 {
 	size_t low = ib->first[c], high = ib->first[c + 1];
 
@@ -146,7 +146,8 @@ static void add_part_impulses(void *context, size_t from, size_t to)
 	const struct part_task *task = context;
 
 	for (int c = 0; c < task->fluid->grid.dimensions; c++)
-		for (size_t k = first_of(task->ib, c, from), end = first_of(task->ib, c, to); k < end; k++)
+		for (size_t k = first_point(task->ib, c, from), end = first_point(task->ib, c, to); k < end;
+		     k++)
 			add_impulse(task->ib, task->fluid, c, k);
 }
 
@@ -191,7 +192,7 @@ void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, size_t pa
 	for (int m = 0; m < iterations && ib->nouter; m++) {
 		ts_fluid_fill_velocity(fluid, fluid->u);
 		for (int c = 0; c < dimensions; c++)
-			force_outer(ib, fluid, c, dt);
+			force_outer_points(ib, fluid, c, dt);
 	}
 	parts_in_parallel(ib, fluid, parts, add_part_impulses, &(struct part_task){ ib, fluid });
 }
@@ -201,10 +202,10 @@ struct mean {
 	double volume, u, x[3], xu[3];
 };
 
-static void mean_of(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c, size_t from, size_t to,
-		    struct mean *mean)
+static void mean_of_points(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c, size_t from,
+			   size_t to, struct mean *mean)
 {
-	for (size_t k = first_of(ib, c, from), end = first_of(ib, c, to); k < end; k++) {
+	for (size_t k = first_point(ib, c, from), end = first_point(ib, c, to); k < end; k++) {
 		const struct ts_immersed_point *p = &ib->point[k];
 		struct mean *m = &mean[p->part];
 		double volume = p->solid * p->volume, u = fluid->u[c][p->at];
@@ -219,7 +220,7 @@ static void mean_of(const struct ts_immersed *ib, const struct ts_fluid *fluid, 
 }
 
 /* (x - X) x u, X the mean position of the points of each component: exactly 0 in uniform flow. */
-static void add_mean(struct ts_immersed_sums *s, int c, const struct mean *m, int dimensions)
+static void add_mean_torque(struct ts_immersed_sums *s, int c, const struct mean *m, int dimensions)
 {
 	int a = (c + 1) % 3, b = (c + 2) % 3;
 	double v = m->volume;
@@ -252,9 +253,9 @@ static void mean_parts(void *context, size_t from, size_t to)
 	}
 	for (int c = 0; c < dimensions; c++) {
 		memset(task->mean + from, 0, (to - from) * sizeof *task->mean);
-		mean_of(task->ib, task->fluid, c, from, to, task->mean);
+		mean_of_points(task->ib, task->fluid, c, from, to, task->mean);
 		for (size_t k = from; k < to; k++)
-			add_mean(&task->ib->sums[k], c, &task->mean[k], dimensions);
+			add_mean_torque(&task->ib->sums[k], c, &task->mean[k], dimensions);
 	}
 }
 

@@ -30,45 +30,45 @@ struct search {
 	struct ts_immersed_point *last;
 };
 
-static double period(const struct ts_grid *grid, int d)
+static double period_length(const struct ts_grid *grid, int d)
 {
 	return grid->face[d][grid->n[d]] - grid->face[d][0];
 }
 
-static int periods_of(int i, int n)
+static int image_number(int i, int n)
 {
 	return (i >= 0 ? i : i - n + 1) / n;
 }
 
 /* Coordinate of points of the component along axis d. */
-static double coordinate(const struct search *s, int d, int i)
+static double point_coordinate(const struct search *s, int d, int i)
 {
 	const double *line = d == s->component ? s->grid->face[d] : s->grid->centre[d];
-	int turns = s->grid->periodic[d] ? periods_of(i, s->grid->n[d]) : 0;
+	int turns = s->grid->periodic[d] ? image_number(i, s->grid->n[d]) : 0;
 
-	return line[i - turns * s->grid->n[d]] + turns * period(s->grid, d);
+	return line[i - turns * s->grid->n[d]] + turns * period_length(s->grid, d);
 }
 
 /* Width of the control volume. */
-static double width(const struct search *s, int d, int i)
+static double control_width(const struct search *s, int d, int i)
 {
 	const double *line = d == s->component ? s->grid->gap[d] : s->grid->width[d];
 
-	return line[s->grid->periodic[d] ? i - periods_of(i, s->grid->n[d]) * s->grid->n[d] : i];
+	return line[s->grid->periodic[d] ? i - image_number(i, s->grid->n[d]) * s->grid->n[d] : i];
 }
 
 static int cell_of(const struct ts_grid *grid, int d, double x)
 {
-	double turns = floor((x - grid->face[d][0]) / period(grid, d));
+	double turns = floor((x - grid->face[d][0]) / period_length(grid, d));
 
 	if (!grid->periodic[d] || turns == 0)
 		return ts_grid_find(grid, d, x);
-	return (int)turns * grid->n[d] + ts_grid_find(grid, d, x - turns * period(grid, d));
+	return (int)turns * grid->n[d] + ts_grid_find(grid, d, x - turns * period_length(grid, d));
 }
 
 /* Sets the ranges of points near the part: its bounding box and two cells around it. Along axes that are
  * not periodic only points inside the boundaries, and on open faces. */
-static void find_ranges(struct search *s)
+static void find_point_ranges(struct search *s)
 {
 	const struct ts_grid *grid = s->grid;
 
@@ -77,7 +77,7 @@ static void find_ranges(struct search *s)
 		int n = grid->n[d] + (across && ts_flow_face_open(s->fluid->face[d][TS_HIGH]));
 		int first = across && !ts_flow_face_open(s->fluid->face[d][TS_LOW]);
 		double lo = grid->face[d][0], hi = grid->face[d][grid->n[d]];
-		bool all = !(s->hi[d] - s->lo[d] < period(grid, d));
+		bool all = !(s->hi[d] - s->lo[d] < period_length(grid, d));
 
 		s->from[d] = first;
 		s->to[d] = n;
@@ -102,13 +102,13 @@ static size_t field_index(const struct ts_grid *grid, const int i[3])
 	int at[3];
 
 	for (int d = 0; d < 3; d++)
-		at[d] = i[d] - (grid->periodic[d] ? periods_of(i[d], grid->n[d]) * grid->n[d] : 0);
+		at[d] = i[d] - (grid->periodic[d] ? image_number(i[d], grid->n[d]) * grid->n[d] : 0);
 	return ts_at(grid, at[0], at[1], at[2]);
 }
 
 /* Whether this part is the nearest to the point so far; marks it. keep_nearest removes the points of the
  * others. */
-static bool nearest_yet(struct search *s, size_t at, double distance)
+static bool is_nearest_part(struct search *s, size_t at, double distance)
 {
 	struct ts_immersed *ib = s->ib;
 
@@ -128,7 +128,7 @@ static enum ts_status add_point(struct search *s, const int i[3], const double x
 	struct ts_immersed_point *p;
 
 	s->last = NULL;
-	if (!nearest_yet(s, at, distance))
+	if (!is_nearest_part(s, at, distance))
 		return TS_OK;
 	TS_TRY(TS_GROW(ib->point, ib->point_capacity, ib->npoints + 1));
 	if (s->parallel) {
@@ -139,11 +139,11 @@ static enum ts_status add_point(struct search *s, const int i[3], const double x
 	*p = (struct ts_immersed_point){ .at = at, .part = (int32_t)s->part, .solid = 1 };
 	p->index = i[s->component];
 	if (s->grid->periodic[s->component])
-		p->index -= periods_of(p->index, s->grid->n[s->component]) * s->grid->n[s->component];
+		p->index -= image_number(p->index, s->grid->n[s->component]) * s->grid->n[s->component];
 	ts_sub(x, s->solid->motion[s->part].centre, p->arm);
 	p->volume = 1;
 	for (int d = 0; d < 3; d++)
-		p->volume *= width(s, d, i[d]);
+		p->volume *= control_width(s, d, i[d]);
 	if (!s->grid->periodic[s->component] && (p->index == 0 || p->index == s->grid->n[s->component]))
 		p->volume *= 0.5; /* half of the control volume is outside the grid */
 	return TS_OK;
@@ -151,7 +151,7 @@ static enum ts_status add_point(struct search *s, const int i[3], const double x
 
 static void set_target_velocity(struct search *s, const int i[3], double velocity)
 {
-	double h = width(s, s->component, i[s->component]);
+	double h = control_width(s, s->component, i[s->component]);
 
 	s->last->target = velocity;
 	if (s->parallel)
@@ -213,12 +213,12 @@ struct extent {
 	double across, along, reach;
 };
 
-static struct extent extent_of(const struct search *s, const int i[3], const double n[3])
+static struct extent control_volume_extent(const struct search *s, const int i[3], const double n[3])
 {
 	struct extent e = { 0 };
 
 	for (int d = 0; d < s->grid->dimensions; d++) {
-		double h = width(s, d, i[d]), part = fabs(n[d]) * h;
+		double h = control_width(s, d, i[d]), part = fabs(n[d]) * h;
 
 		e.across += part;
 		e.reach = fmax(e.reach, part);
@@ -229,8 +229,8 @@ static struct extent extent_of(const struct search *s, const int i[3], const dou
 }
 
 /* Adds the outer point for the forced point that was added last. */
-static enum ts_status add_outer(struct search *s, const double x[3], const struct ts_solid_surface *surface,
-				const struct extent *e)
+static enum ts_status add_outer_point(struct search *s, const double x[3],
+				      const struct ts_solid_surface *surface, const struct extent *e)
 {
 	struct ts_immersed *ib = s->ib;
 	double d = surface->distance, l = distance_to_boundary(s->grid, x, surface->n, 2 * e->along) / 2;
@@ -253,13 +253,13 @@ static enum ts_status add_outer(struct search *s, const double x[3], const struc
 static enum ts_status describe_near_point(struct search *s, const int i[3], const double x[3],
 					  const struct ts_solid_surface *surface)
 {
-	struct extent e = extent_of(s, i, surface->n);
+	struct extent e = control_volume_extent(s, i, surface->n);
 	struct ts_immersed_point *p = s->last;
 
 	p->solid = fmin(1, fmax(0, 0.5 - surface->distance / e.across));
 	set_target_velocity(s, i, surface->v[s->component]);
 	update_thickness(s, -2 * surface->distance / e.across);
-	return surface->distance > 0 ? add_outer(s, x, surface, &e) : TS_OK;
+	return surface->distance > 0 ? add_outer_point(s, x, surface, &e) : TS_OK;
 }
 
 /* Searches a row along x: a point far from the surface is on the same side as the point before. */
@@ -274,9 +274,9 @@ static enum ts_status search_row(struct search *s, int j, int k)
 		struct ts_solid_surface surface;
 
 		for (int d = 0; d < 3; d++) {
-			x[d] = coordinate(s, d, index[d]);
+			x[d] = point_coordinate(s, d, index[d]);
 			if (d < s->grid->dimensions)
-				reach += width(s, d, index[d]) * width(s, d, index[d]);
+				reach += control_width(s, d, index[d]) * control_width(s, d, index[d]);
 		}
 		reach = 1.001 * sqrt(reach);
 		TS_TRY(s->solid->kind->find_surface(s->solid, s->worker, s->part, x, reach, &side, &surface));
@@ -328,11 +328,11 @@ static void keep_nearest(struct ts_immersed *ib, size_t first, size_t first_band
 }
 
 /* Begins with a part; returns the number of its rows. */
-static size_t begin_part(struct search *s, size_t part)
+static size_t begin_part_search(struct search *s, size_t part)
 {
 	s->part = part;
 	s->solid->kind->bounds(s->solid, part, s->lo, s->hi);
-	find_ranges(s);
+	find_point_ranges(s);
 	if (s->from[0] >= s->to[0] || s->from[1] >= s->to[1] || s->from[2] >= s->to[2])
 		return 0;
 	return (size_t)(s->to[1] - s->from[1]) * (size_t)(s->to[2] - s->from[2]);
@@ -346,7 +346,7 @@ static enum ts_status search_rows(struct search *s, size_t from, size_t to)
 	for (size_t part = 0; part < s->solid->parts && first < to; part++, first += rows) {
 		size_t begin, end, height;
 
-		rows = begin_part(s, part);
+		rows = begin_part_search(s, part);
 		begin = from > first ? from - first : 0;
 		end = to - first < rows ? to - first : rows;
 		height = (size_t)(s->to[1] - s->from[1]);
@@ -394,7 +394,7 @@ static enum ts_status append_chunk(struct search *s, const struct ts_immersed *c
 		const struct ts_immersed_outer *b = p->outside ? &chunk->outer[band++] : NULL;
 
 		s->part = (size_t)p->part;
-		if (!nearest_yet(s, p->at, candidate->distance))
+		if (!is_nearest_part(s, p->at, candidate->distance))
 			continue;
 		if (b) {
 			ib->outer[ib->nouter] = *b;
@@ -430,7 +430,7 @@ static enum ts_status find_component_points(struct search *s)
 	int team;
 
 	for (size_t part = 0; part < s->solid->parts; part++) {
-		size_t more = begin_part(s, part);
+		size_t more = begin_part_search(s, part);
 
 		rows += more;
 		looks += more * (size_t)(s->to[0] - s->from[0]);

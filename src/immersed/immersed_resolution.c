@@ -12,7 +12,7 @@
 static const double ROUNDING = 1e-9;
 
 /* Radius of the largest sphere of the body to which particle i belongs. */
-static double thickest(const struct tsim *sim, size_t i)
+static double largest_radius_of_body(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_body *body = ts_rigid_body_of(sim, i);
@@ -56,7 +56,7 @@ enum ts_status ts_immersed_check_size(struct tsim *sim, const struct ts_place *w
 		if (spheres) {
 			size_t i = (size_t)ts_solid_sphere_row(solid, part);
 
-			cells *= thickest(sim, i) / sim->particles->radius[i];
+			cells *= largest_radius_of_body(sim, i) / sim->particles->radius[i];
 			if (!(cells < (1 - ROUNDING) * least))
 				continue;
 			snprintf(what, sizeof what, "particle %d of diameter %.4g", sim->particles->tag[i],

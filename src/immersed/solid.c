@@ -17,7 +17,7 @@ void ts_solid_rigid_velocity(const struct ts_solid_motion *motion, const double 
 }
 
 /* Place of x in cells from the lower end of the grid. */
-static double in_cells(const struct ts_grid *grid, int d, double x)
+static double cell_coordinate(const struct ts_grid *grid, int d, double x)
 {
 	const double *face = grid->face[d], *width = grid->width[d];
 	int n = grid->n[d], i = x <= face[0] ? 0 : x >= face[n] ? n - 1 : ts_grid_find(grid, d, x);
@@ -34,7 +34,7 @@ double ts_solid_cells(const struct ts_grid *grid, const double lo[3], const doub
 
 		if (!isfinite(lo[d]) || !isfinite(hi[d]))
 			continue;
-		cells = in_cells(grid, d, hi[d]) - in_cells(grid, d, lo[d]);
+		cells = cell_coordinate(grid, d, hi[d]) - cell_coordinate(grid, d, lo[d]);
 		if (!(cells < least))
 			continue;
 		least = cells;

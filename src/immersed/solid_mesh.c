@@ -22,7 +22,7 @@ struct closed {
 };
 
 /* Solves a x = b for symmetric a by Cramer's rule; false if a is singular. */
-static bool solve(const double a[3][3], const double b[3], double x[3])
+static bool solve_cramer(const double a[3][3], const double b[3], double x[3])
 {
 	double minor[3], det;
 
@@ -62,12 +62,12 @@ static void fit_rigid_motion(const struct ts_mesh_surface *s, struct ts_solid_mo
 				a[i][j] += (i == j ? ts_dot(r, r) : 0) - r[i] * r[j];
 		}
 	}
-	if (s->v && !solve((const double(*)[3])a, b, m->omega))
+	if (s->v && !solve_cramer((const double(*)[3])a, b, m->omega))
 		memset(m->omega, 0, sizeof m->omega);
 }
 
 /* The same motion, with another centre. */
-static void recentre(struct ts_solid_motion *m, const double centre[3])
+static void change_centre(struct ts_solid_motion *m, const double centre[3])
 {
 	double v[3];
 
@@ -84,7 +84,7 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 	solid->moved = s->tree.n == 0 || s->moves != s->surface->moves;
 	fit_rigid_motion(s->surface, m);
 	if (s->prescribed->centre)
-		recentre(m, s->prescribed->motion.centre);
+		change_centre(m, s->prescribed->motion.centre);
 	if (s->prescribed->velocity)
 		memcpy(m->velocity, s->prescribed->motion.velocity, sizeof m->velocity);
 	if (s->prescribed->omega)

@@ -16,7 +16,7 @@ struct region {
 	struct ts_solid_pose *before;
 };
 
-static struct ts_solid_pose pose_of(const struct ts_region *r, double time)
+static struct ts_solid_pose region_pose(const struct ts_region *r, double time)
 {
 	struct ts_solid_pose s = { .time = time, .seen = true };
 
@@ -93,7 +93,7 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 	struct ts_solid_pose now;
 
 	TS_TRY(ts_region_update(s->instance, sim));
-	now = pose_of(r, ts_sim_time(sim));
+	now = region_pose(r, ts_sim_time(sim));
 	shape_centre(s, home);
 	transform_point(r, &now, home, m->centre);
 	solid->moved = !s->before->seen || (style->update && shape_varies(sim, s->instance)) ||

@@ -26,7 +26,8 @@ void ts_conjugate_gradient_release(struct ts_conjugate_gradient *c)
 }
 
 TS_CLONES
-static void multiply(const double *restrict a, const double *restrict b, double *restrict out, int n)
+static void multiply_row_elements(const double *restrict a, const double *restrict b, double *restrict out,
+				  int n)
 {
 #pragma omp simd
 	for (int i = 0; i < n; i++)
@@ -54,7 +55,7 @@ static void update_solution(double alpha, const double *restrict d, const double
 	}
 }
 
-static void direction(const struct ts_stencil *s, const double *z, double beta, double *d)
+static void update_search_direction(const struct ts_stencil *s, const double *z, double beta, double *d)
 {
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++) {
@@ -65,7 +66,8 @@ static void direction(const struct ts_stencil *s, const double *z, double beta, 
 	ts_stencil_ghosts(s, d);
 }
 
-static void step(const struct ts_stencil *s, double alpha, const struct ts_conjugate_gradient *c, double *p)
+static void update_iterate(const struct ts_stencil *s, double alpha, const struct ts_conjugate_gradient *c,
+			   double *p)
 {
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++) {
@@ -75,33 +77,33 @@ static void step(const struct ts_stencil *s, double alpha, const struct ts_conju
 	}
 }
 
-static void diagonal(const struct ts_stencil *s, const double *r, double *z)
+static void precondition_by_diagonal(const struct ts_stencil *s, const double *r, double *z)
 {
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++) {
 		size_t at = ts_stencil_row(s, row);
 
-		multiply(r + at, s->inverse + at, z + at, s->n[0]);
+		multiply_row_elements(r + at, s->inverse + at, z + at, s->n[0]);
 	}
 }
 
 /* One iteration; `before`: r.z of the last one, 0 to restart the direction. Returns r.z; 0 if the residual
  * cannot be reduced further, or if there is a NaN. */
-static double iterate(struct ts_conjugate_gradient *c, const struct ts_stencil *s,
-		      ts_precondition_fn *precondition, void *context, double before, double *p)
+static double cg_iteration(struct ts_conjugate_gradient *c, const struct ts_stencil *s,
+			   ts_precondition_fn *precondition, void *context, double before, double *p)
 {
 	double now, curvature;
 
 	if (precondition)
 		precondition(context, c->r, c->z);
 	else
-		diagonal(s, c->r, c->z);
+		precondition_by_diagonal(s, c->r, c->z);
 	now = ts_stencil_dot(s, c->r, c->z);
-	direction(s, c->z, before > 0 ? now / before : 0, c->d);
+	update_search_direction(s, c->z, before > 0 ? now / before : 0, c->d);
 	curvature = ts_stencil_apply(s, c->d, c->q);
 	if (!(curvature > 0) || !(now > 0))
 		return 0;
-	step(s, now / curvature, c, p);
+	update_iterate(s, now / curvature, c, p);
 	return now;
 }
 
@@ -116,7 +118,7 @@ struct ts_poisson_report ts_conjugate_gradient_solve(struct ts_conjugate_gradien
 	ts_stencil_ghosts(s, p);
 	report.residual = ts_stencil_residual(s, p, b, c->r);
 	while (report.residual > goal && report.iterations < most) {
-		rz = iterate(c, s, precondition, context, rz, p);
+		rz = cg_iteration(c, s, precondition, context, rz, p);
 		if (rz == 0)
 			break;
 		report.iterations++;

@@ -12,13 +12,13 @@
 
 enum { STRIP = 64 }; /* number of modes eliminated at once */
 
-static bool periodic(const struct ts_poisson *problem, int d)
+static bool is_periodic(const struct ts_poisson *problem, int d)
 {
 	return problem->condition[d][0] == TS_PRESSURE_PERIODIC;
 }
 
 /* Whether the modes of an axis are waves. */
-static bool even(const struct ts_poisson *problem, int d)
+static bool is_uniform_axis(const struct ts_poisson *problem, int d)
 {
 	const enum ts_pressure_condition *end = problem->condition[d];
 
@@ -26,14 +26,14 @@ static bool even(const struct ts_poisson *problem, int d)
 }
 
 /* Chooses the third axis: of those that can be eliminated the most expensive to transform. */
-static int third_axis(const struct ts_poisson *problem)
+static int choose_third_axis(const struct ts_poisson *problem)
 {
 	const struct ts_grid *grid = problem->grid;
 	int best = grid->dimensions - 1;
 	double most = -1;
 
 	for (int d = grid->dimensions - 1; d >= 0; d--) {
-		double price = periodic(problem, d) ? -1 : even(problem, d) ? 0 : grid->n[d];
+		double price = is_periodic(problem, d) ? -1 : is_uniform_axis(problem, d) ? 0 : grid->n[d];
 
 		if (price > most) {
 			most = price;
@@ -48,23 +48,23 @@ static int third_axis(const struct ts_poisson *problem)
  * that number. */
 double ts_direct_cost(const struct ts_poisson *problem)
 {
-	int third = third_axis(problem);
+	int third = choose_third_axis(problem);
 	double cell = 3e-9, once = 0;
 
 	for (int d = 0; d < problem->grid->dimensions; d++) {
 		double n = problem->grid->n[d];
 
-		if (d == third && !periodic(problem, d))
+		if (d == third && !is_periodic(problem, d))
 			continue;
-		cell += even(problem, d) ? 2e-9 : 0.11e-9 * n;
-		once += even(problem, d) ? 0 : 1e-8 * n * n * n;
+		cell += is_uniform_axis(problem, d) ? 2e-9 : 0.11e-9 * n;
+		once += is_uniform_axis(problem, d) ? 0 : 1e-8 * n * n * n;
 	}
 	return cell * (double)ts_grid_cells(problem->grid) + 1e-3 * once;
 }
 
 static void order_axes(struct ts_direct *s, const struct ts_poisson *problem)
 {
-	int third = third_axis(problem), k = 0;
+	int third = choose_third_axis(problem), k = 0;
 
 	s->axis[1] = 2; /* in two dimensions: one cell */
 	for (int d = 0; d < problem->grid->dimensions; d++)
@@ -75,7 +75,7 @@ static void order_axes(struct ts_direct *s, const struct ts_poisson *problem)
 		s->n[k] = problem->grid->n[s->axis[k]];
 }
 
-static void fill_third(struct ts_direct *s, const struct ts_poisson *problem)
+static void set_third_axis(struct ts_direct *s, const struct ts_poisson *problem)
 {
 	const double *h = problem->grid->width[s->axis[2]];
 	double length = 0;
@@ -132,7 +132,7 @@ enum ts_status ts_direct_make(struct ts_direct *s, const struct ts_poisson *prob
 	*s = (struct ts_direct){ .origin = problem->grid->origin, .threads = threads };
 	memcpy(s->stride, problem->grid->stride, sizeof s->stride);
 	order_axes(s, problem);
-	s->eliminates = !periodic(problem, s->axis[2]);
+	s->eliminates = !is_periodic(problem, s->axis[2]);
 	modes = (size_t)s->n[0] * (size_t)s->n[1];
 	n = (size_t)s->n[2];
 	/* an odd number of cache lines, so that planes do not map to the same cache sets */
@@ -145,7 +145,7 @@ enum ts_status ts_direct_make(struct ts_direct *s, const struct ts_poisson *prob
 	s->above = s->below + n;
 	s->width_fraction = s->above + n;
 	TS_TRY(make_transforms(s, problem));
-	fill_third(s, problem);
+	set_third_axis(s, problem);
 	fill_modes(s, problem);
 	return TS_OK;
 }
@@ -178,7 +178,7 @@ struct rows {
 	size_t start, work_start;
 };
 
-static struct rows rows_of(const struct task *task, int c)
+static struct rows find_rows(const struct task *task, int c)
 {
 	const struct ts_direct *s = task->s;
 	int across = s->n[1] > 1 ? 1 : 2;
@@ -193,8 +193,8 @@ static struct rows rows_of(const struct task *task, int c)
 }
 
 /* Copies rows to interleaved lines, and back. Missing rows are 0. */
-static void gather(const double *restrict row, int count, ptrdiff_t apart, int n, ptrdiff_t step,
-		   double *restrict lines)
+static void gather_lines(const double *restrict row, int count, ptrdiff_t apart, int n, ptrdiff_t step,
+			 double *restrict lines)
 {
 	if (count < TS_LINES)
 		memset(lines, 0, (size_t)n * TS_LINES * sizeof *lines);
@@ -203,8 +203,8 @@ static void gather(const double *restrict row, int count, ptrdiff_t apart, int n
 			lines[i * TS_LINES + l] = row[i * step];
 }
 
-static void scatter(const double *restrict lines, int count, ptrdiff_t apart, int n, ptrdiff_t step,
-		    double *restrict row)
+static void scatter_lines(const double *restrict lines, int count, ptrdiff_t apart, int n, ptrdiff_t step,
+			  double *restrict row)
 {
 	for (int l = 0; l < count; l++, row += apart)
 		for (int i = 0; i < n; i++)
@@ -220,9 +220,9 @@ static void first_forward(const struct task *task, const struct rows *r, double 
 	for (int row = 0; row < r->count; row += TS_LINES) {
 		int count = r->count - row < TS_LINES ? r->count - row : TS_LINES;
 
-		gather(from + row * r->apart, count, r->apart, s->n[0], r->step, lines);
+		gather_lines(from + row * r->apart, count, r->apart, s->n[0], r->step, lines);
 		ts_transform_forward(&s->transform[0], lines, spare);
-		scatter(lines, count, r->work_apart, s->n[0], 1, to + row * r->work_apart);
+		scatter_lines(lines, count, r->work_apart, s->n[0], 1, to + row * r->work_apart);
 	}
 }
 
@@ -235,16 +235,16 @@ static void first_backward(const struct task *task, const struct rows *r, double
 	for (int row = 0; row < r->count; row += TS_LINES) {
 		int count = r->count - row < TS_LINES ? r->count - row : TS_LINES;
 
-		gather(from + row * r->work_apart, count, r->work_apart, s->n[0], 1, lines);
+		gather_lines(from + row * r->work_apart, count, r->work_apart, s->n[0], 1, lines);
 		ts_transform_backward(&s->transform[0], lines, spare);
-		scatter(lines, count, r->apart, s->n[0], r->step, to + row * r->apart);
+		scatter_lines(lines, count, r->apart, s->n[0], r->step, to + row * r->apart);
 	}
 }
 
 typedef void transform_fn(const struct ts_transform *t, double *lines, double *spare);
 
 /* Columns of n values, `stride` apart, adjacent in the work memory. */
-static void load(const double *work, size_t stride, int n, int count, double *lines)
+static void load_columns(const double *work, size_t stride, int n, int count, double *lines)
 {
 	for (int j = 0; j < n; j++) {
 		memcpy(lines + j * TS_LINES, work + (size_t)j * stride, (size_t)count * sizeof *lines);
@@ -253,27 +253,28 @@ static void load(const double *work, size_t stride, int n, int count, double *li
 	}
 }
 
-static void store(const double *lines, size_t stride, int n, int count, double *work)
+static void store_columns(const double *lines, size_t stride, int n, int count, double *work)
 {
 	for (int j = 0; j < n; j++)
 		memcpy(work + (size_t)j * stride, lines + j * TS_LINES, (size_t)count * sizeof *lines);
 }
 
-static void second(const struct ts_direct *s, transform_fn *transform, int c, double *lines, double *spare)
+static void transform_second_axis(const struct ts_direct *s, transform_fn *transform, int c, double *lines,
+				  double *spare)
 {
 	double *work = s->work + (size_t)c * s->plane;
 
 	for (int i = 0; i < s->n[0]; i += TS_LINES) {
 		int count = s->n[0] - i < TS_LINES ? s->n[0] - i : TS_LINES;
 
-		load(work + i, (size_t)s->n[0], s->n[1], count, lines);
+		load_columns(work + i, (size_t)s->n[0], s->n[1], count, lines);
 		transform(&s->transform[1], lines, spare);
-		store(lines, (size_t)s->n[0], s->n[1], count, work + i);
+		store_columns(lines, (size_t)s->n[0], s->n[1], count, work + i);
 	}
 }
 
 /* Threads process ranges of planes; the first plane of a range determines its work memory. */
-static double *spare_of(const struct task *task, size_t from)
+static double *thread_work_memory(const struct task *task, size_t from)
 {
 	size_t thread = 0;
 
@@ -285,29 +286,29 @@ static double *spare_of(const struct task *task, size_t from)
 static void forward_planes(void *context, size_t from, size_t to)
 {
 	const struct task *task = context;
-	double *lines = spare_of(task, from), *spare = lines + task->s->line_size;
+	double *lines = thread_work_memory(task, from), *spare = lines + task->s->line_size;
 
 	for (size_t share = from; share < to; share++) {
 		int c = (int)share * task->planes;
-		struct rows rows = rows_of(task, c);
+		struct rows rows = find_rows(task, c);
 
 		first_forward(task, &rows, lines, spare);
 		if (task->s->n[1] > 1)
-			second(task->s, ts_transform_forward, c, lines, spare);
+			transform_second_axis(task->s, ts_transform_forward, c, lines, spare);
 	}
 }
 
 static void backward_planes(void *context, size_t from, size_t to)
 {
 	const struct task *task = context;
-	double *lines = spare_of(task, from), *spare = lines + task->s->line_size;
+	double *lines = thread_work_memory(task, from), *spare = lines + task->s->line_size;
 
 	for (size_t share = from; share < to; share++) {
 		int c = (int)share * task->planes;
-		struct rows rows = rows_of(task, c);
+		struct rows rows = find_rows(task, c);
 
 		if (task->s->n[1] > 1)
-			second(task->s, ts_transform_backward, c, lines, spare);
+			transform_second_axis(task->s, ts_transform_backward, c, lines, spare);
 		first_backward(task, &rows, lines, spare);
 	}
 }
@@ -377,7 +378,7 @@ static void eliminate_strips(void *context, size_t from, size_t to)
 {
 	const struct task *task = context;
 	size_t modes = (size_t)task->s->n[0] * (size_t)task->s->n[1];
-	double *factor = spare_of(task, from);
+	double *factor = thread_work_memory(task, from);
 
 	for (size_t strip = from; strip < to; strip++) {
 		size_t mode = strip * STRIP, n = modes - mode < STRIP ? modes - mode : STRIP;
@@ -388,7 +389,7 @@ static void eliminate_strips(void *context, size_t from, size_t to)
 
 /* Modes of all three axes: each is divided by its eigenvalue. */
 TS_CLONES
-static void divide(const struct ts_direct *s, size_t mode, int count, double *lines)
+static void divide_by_eigenvalues(const struct ts_direct *s, size_t mode, int count, double *lines)
 {
 	const struct ts_transform *t = &s->transform[2];
 
@@ -405,21 +406,21 @@ static void transform_strips(void *context, size_t from, size_t to)
 	const struct task *task = context;
 	const struct ts_direct *s = task->s;
 	size_t modes = (size_t)s->n[0] * (size_t)s->n[1];
-	double *lines = spare_of(task, from), *spare = lines + s->line_size;
+	double *lines = thread_work_memory(task, from), *spare = lines + s->line_size;
 
 	for (size_t strip = from; strip < to; strip++) {
 		size_t mode = strip * TS_LINES;
 		int count = modes - mode < TS_LINES ? (int)(modes - mode) : TS_LINES;
 
-		load(s->work + mode, s->plane, s->n[2], count, lines);
+		load_columns(s->work + mode, s->plane, s->n[2], count, lines);
 		ts_transform_forward(&s->transform[2], lines, spare);
-		divide(s, mode, count, lines);
+		divide_by_eigenvalues(s, mode, count, lines);
 		ts_transform_backward(&s->transform[2], lines, spare);
-		store(lines, s->plane, s->n[2], count, s->work + mode);
+		store_columns(lines, s->plane, s->n[2], count, s->work + mode);
 	}
 }
 
-static void share_out(struct task *task, size_t shares, ts_range_fn *share)
+static void share_among_threads(struct task *task, size_t shares, ts_share_fn *share)
 {
 	task->shares = shares;
 	task->threads = shares < (size_t)task->s->threads ? shares : (size_t)task->s->threads;
@@ -433,10 +434,10 @@ void ts_direct_solve(const struct ts_direct *s, const double *rhs, double *p)
 
 	task.planes = s->n[1] > 1 ? 1 : TS_LINES;
 	planes = (size_t)((s->n[2] + task.planes - 1) / task.planes);
-	share_out(&task, planes, forward_planes);
+	share_among_threads(&task, planes, forward_planes);
 	if (s->eliminates)
-		share_out(&task, (modes + STRIP - 1) / STRIP, eliminate_strips);
+		share_among_threads(&task, (modes + STRIP - 1) / STRIP, eliminate_strips);
 	else
-		share_out(&task, (modes + TS_LINES - 1) / TS_LINES, transform_strips);
-	share_out(&task, planes, backward_planes);
+		share_among_threads(&task, (modes + TS_LINES - 1) / TS_LINES, transform_strips);
+	share_among_threads(&task, planes, backward_planes);
 }

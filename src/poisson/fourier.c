@@ -28,7 +28,7 @@ void ts_fourier_root(long k, long n, double root[2])
 
 enum { LARGE = 13 }; /* for larger primes a convolution is faster than direct sums */
 
-static int next_radix(int n)
+static int smallest_radix(int n)
 {
 	static const int good[] = { 4, 2, 3, 5 };
 
@@ -41,10 +41,10 @@ static int next_radix(int n)
 	return n;
 }
 
-static bool smooth(int n, int largest)
+static bool has_small_factors(int n, int largest)
 {
-	for (; n > 1; n /= next_radix(n))
-		if (next_radix(n) > largest)
+	for (; n > 1; n /= smallest_radix(n))
+		if (smallest_radix(n) > largest)
 			return false;
 	return true;
 }
@@ -54,7 +54,7 @@ static enum ts_status make_chirp(struct ts_fourier *f)
 	int n = f->n, m = 2 * n - 1;
 	double *re, *im, *spare;
 
-	while (!smooth(m, 3))
+	while (!has_small_factors(m, 3))
 		m++;
 	f->longer = ts_alloc(1, sizeof *f->longer);
 	f->chirp = ts_alloc((size_t)n, sizeof *f->chirp);
@@ -83,10 +83,10 @@ static enum ts_status make_chirp(struct ts_fourier *f)
 enum ts_status ts_fourier_make(struct ts_fourier *f, int n)
 {
 	*f = (struct ts_fourier){ .n = n };
-	if (!smooth(n, LARGE))
+	if (!has_small_factors(n, LARGE))
 		return make_chirp(f);
 	for (int length = n; length > 1; length /= f->radix[f->stages++])
-		f->radix[f->stages] = next_radix(length);
+		f->radix[f->stages] = smallest_radix(length);
 	f->root = ts_alloc((size_t)n, sizeof *f->root);
 	if (!f->root)
 		return TS_NOMEM;
@@ -266,8 +266,8 @@ static void radix5(const struct pass *s)
 
 /* y_k += x (cos, -sin) of the angle given. */
 TS_CLONES
-static void add_turned(const double *restrict xr, const double *restrict xi, const double root[2],
-		       double *restrict yr, double *restrict yi, size_t n)
+static void add_rotated(const double *restrict xr, const double *restrict xi, const double root[2],
+			double *restrict yr, double *restrict yi, size_t n)
 {
 	const double c = root[0], s = root[1];
 
@@ -279,7 +279,7 @@ static void add_turned(const double *restrict xr, const double *restrict xi, con
 }
 
 /* Any radix, by direct sums. */
-static void radix_any(const struct ts_fourier *f, const struct pass *s)
+static void radix_general(const struct ts_fourier *f, const struct pass *s)
 {
 	int step = f->n / s->radix; /* between roots of the radix */
 
@@ -292,8 +292,8 @@ static void radix_any(const struct ts_fourier *f, const struct pass *s)
 			for (int j = 0; j < s->radix; j++) {
 				long turn = (long)step * ((long)j * k % s->radix) + (long)p * k * s->apart;
 
-				add_turned(TERM(s->xr, j), TERM(s->xi, j), f->root[turn % f->n], yr, yi,
-					   s->block);
+				add_rotated(TERM(s->xr, j), TERM(s->xi, j), f->root[turn % f->n], yr, yi,
+					    s->block);
 			}
 		}
 }
@@ -314,14 +314,14 @@ static void make_pass(const struct ts_fourier *f, const struct pass *s)
 		radix5(s);
 		break;
 	default:
-		radix_any(f, s);
+		radix_general(f, s);
 	}
 }
 
 /* out = x times the conjugate of f in rows of `lines`. */
 TS_CLONES
-static void turn_rows(const double (*f)[2], int rows, int lines, const double *xr, const double *xi,
-		      double *yr, double *yi)
+static void rotate_rows(const double (*f)[2], int rows, int lines, const double *xr, const double *xi,
+			double *yr, double *yi)
 {
 	for (int k = 0; k < rows; k++) {
 		const double c = f[k][0], s = f[k][1];
@@ -343,14 +343,14 @@ static void convolve(const struct ts_fourier *f, int lines, double *re, double *
 	size_t part = (size_t)g->n * (size_t)lines, used = (size_t)f->n * (size_t)lines;
 	double *ar = spare, *ai = ar + part, *rest = ai + part;
 
-	turn_rows((const double(*)[2])f->chirp, f->n, lines, re, im, ar, ai);
+	rotate_rows((const double(*)[2])f->chirp, f->n, lines, re, im, ar, ai);
 	memset(ar + used, 0, (part - used) * sizeof *ar);
 	memset(ai + used, 0, (part - used) * sizeof *ai);
 	ts_fourier_apply(g, lines, ar, ai, rest);
 	/* times the filter, with re and im exchanged: (i a) conj(f), so the inverse has them exchanged too */
-	turn_rows((const double(*)[2])f->filter, g->n, lines, ai, ar, ai, ar);
+	rotate_rows((const double(*)[2])f->filter, g->n, lines, ai, ar, ai, ar);
 	ts_fourier_apply(g, lines, ai, ar, rest);
-	turn_rows((const double(*)[2])f->chirp, f->n, lines, ar, ai, re, im);
+	rotate_rows((const double(*)[2])f->chirp, f->n, lines, ar, ai, re, im);
 }
 
 void ts_fourier_apply(const struct ts_fourier *f, int lines, double *re, double *im, double *spare)

@@ -25,7 +25,7 @@ bool ts_hypre_available(void)
 	return true;
 }
 
-static void finish(void)
+static void finalize_mpi(void)
 {
 	int done = 0;
 
@@ -35,13 +35,13 @@ static void finish(void)
 }
 
 /* hypre needs MPI even in a single process. */
-static void begin(void)
+static void initialize_mpi(void)
 {
 	int begun = 0;
 
 	MPI_Initialized(&begun);
 	if (!begun && MPI_Init(NULL, NULL) == MPI_SUCCESS)
-		atexit(finish);
+		atexit(finalize_mpi);
 	HYPRE_Init();
 }
 
@@ -50,7 +50,7 @@ struct corners {
 	int low[3], high[3];
 };
 
-static struct corners all_cells(const struct ts_stencil *s)
+static struct corners whole_grid(const struct ts_stencil *s)
 {
 	return (struct corners){ .high = { s->n[0] - 1, s->n[1] - 1, s->n[2] - 1 } };
 }
@@ -59,7 +59,7 @@ static void make_parts(struct ts_hypre *h)
 {
 	const struct ts_stencil *s = h->s;
 	int offset[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, period[3];
-	struct corners all = all_cells(s);
+	struct corners all = whole_grid(s);
 
 	for (int d = 0; d < 3; d++)
 		period[d] = s->periodic[d] ? s->n[d] : 0;
@@ -92,7 +92,7 @@ struct ts_hypre *ts_hypre_make(const struct ts_stencil *s)
 		ts_free(h);
 		return NULL;
 	}
-	begin();
+	initialize_mpi();
 	make_parts(h);
 	return h;
 }
@@ -132,7 +132,7 @@ static void fill_cell(const struct ts_stencil *s, size_t at, const int upper[3],
 enum ts_status ts_hypre_set_weights(struct ts_hypre *h)
 {
 	const struct ts_stencil *s = h->s;
-	struct corners all = all_cells(s);
+	struct corners all = whole_grid(s);
 	int entry[4] = { 0, 1, 2, 3 };
 	double *value = h->values;
 
@@ -159,7 +159,7 @@ void ts_hypre_cycle(void *hypre, const double *r, double *z)
 {
 	struct ts_hypre *h = hypre;
 	const struct ts_stencil *s = h->s;
-	struct corners all = all_cells(s);
+	struct corners all = whole_grid(s);
 	int rows = ts_stencil_rows(s), n = s->n[0];
 
 	for (int row = 0; row < rows; row++)

@@ -33,7 +33,7 @@ static bool choose_axes(const struct ts_stencil *s, struct ts_multigrid_transfer
 	return any && s->n[0] * s->n[1] * s->n[2] > FEWEST;
 }
 
-static int begin_of(const struct ts_multigrid_level *l, int d, int coarse)
+static int first_fine_cell(const struct ts_multigrid_level *l, int d, int coarse)
 {
 	if (!l->transfer[d].joined)
 		return coarse;
@@ -53,7 +53,7 @@ static enum ts_status make_stencil(const struct ts_multigrid_level *fine, struct
 	s->threads = s->threads < f->threads ? s->threads : f->threads;
 	for (int d = 0; d < 3; d++) {
 		for (int c = 0; c < n[d]; c++)
-			for (int i = begin_of(fine, d, c); i < begin_of(fine, d, c + 1); i++)
+			for (int i = first_fine_cell(fine, d, c); i < first_fine_cell(fine, d, c + 1); i++)
 				s->width[d][c] += f->width[d][i];
 		for (int c = 1; c < n[d]; c++)
 			s->conductance[d][c] = 2 / (s->width[d][c - 1] + s->width[d][c]);
@@ -87,8 +87,8 @@ static double cell_centre(const struct ts_stencil *s, int d, int i)
 }
 
 /* Prolongation: the coarse cells beside each fine cell. */
-static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *coarse,
-		       struct ts_multigrid_transfer *transfer, int d)
+static void set_prolongation_cells(const struct ts_stencil *fine, const struct ts_stencil *coarse,
+				   struct ts_multigrid_transfer *transfer, int d)
 {
 	for (int c = 0; c < coarse->n[d]; c++)
 		for (int i = transfer->begin[c]; i < transfer->begin[c + 1]; i++) {
@@ -151,8 +151,8 @@ static enum ts_status make_transfer(struct ts_multigrid_level *fine, const struc
 		transfer->cell = transfer->below + n;
 		transfer->weight = transfer->above + n;
 		for (int c = 0; c <= coarse->n[d]; c++)
-			transfer->begin[c] = begin_of(fine, d, c);
-		fill_below(&fine->s, coarse, transfer, d);
+			transfer->begin[c] = first_fine_cell(fine, d, c);
+		set_prolongation_cells(&fine->s, coarse, transfer, d);
 		fill_cells(coarse, transfer, d, fine->s.n[d]);
 	}
 	fine->row = ts_alloc_aligned((size_t)ts_stencil_rows(coarse), (size_t)fine->s.n[0] * sizeof(double));
@@ -223,7 +223,7 @@ static double joined_link(const struct ts_multigrid_level *fine, const struct ts
 	return sum * (coarse->conductance[d][face[d]] / conduct);
 }
 
-static void weigh_level(const struct ts_multigrid_level *fine, struct ts_stencil *coarse)
+static void set_coarse_weights(const struct ts_multigrid_level *fine, struct ts_stencil *coarse)
 {
 	for (int d = 0; d < coarse->axes; d++) {
 		int ny = coarse->n[1] + (d == 1), rows = ny * (coarse->n[2] + (d == 2));
@@ -240,7 +240,7 @@ static void weigh_level(const struct ts_multigrid_level *fine, struct ts_stencil
 void ts_multigrid_set_weights(struct ts_multigrid *m)
 {
 	for (int k = 1; k < m->levels; k++)
-		weigh_level(&m->level[k - 1], &m->level[k].s);
+		set_coarse_weights(&m->level[k - 1], &m->level[k].s);
 }
 
 TS_CLONES

@@ -18,14 +18,14 @@ double ts_poisson_conductance(const struct ts_poisson *problem, int d, int i)
 	return condition == TS_PRESSURE_GIVEN ? 2 / grid->width[d][i > 0 ? n - 1 : 0] : 0;
 }
 
-static double weight(const struct ts_poisson *problem, int d, size_t at)
+static double face_weight(const struct ts_poisson *problem, int d, size_t at)
 {
 	return problem->weight[d] ? problem->weight[d][at] : 1;
 }
 
 /* The flux across the lower face `i` of axis d, for the cell at `at` with index i there. The last face of
  * a periodic axis is the first one. */
-static double flux(const struct ts_poisson *problem, const double *p, int d, int i, size_t at)
+static double face_flux(const struct ts_poisson *problem, const double *p, int d, int i, size_t at)
 {
 	const struct ts_grid *grid = problem->grid;
 	ptrdiff_t stride = grid->stride[d];
@@ -38,7 +38,7 @@ static double flux(const struct ts_poisson *problem, const double *p, int d, int
 		return 0;
 	below = i > 0 ? p[(ptrdiff_t)at - stride] : wraps ? p[(ptrdiff_t)first + (n - 1) * stride] : 0;
 	above = i < n ? p[at] : wraps ? p[first] : 0;
-	return weight(problem, d, face) * conduct * (above - below);
+	return face_weight(problem, d, face) * conduct * (above - below);
 }
 
 static void apply_row(const struct ts_poisson *problem, const double *p, double *out, int j, int k)
@@ -51,8 +51,8 @@ static void apply_row(const struct ts_poisson *problem, const double *p, double 
 		double sum = 0;
 
 		for (int d = 0; d < grid->dimensions; d++)
-			sum += (flux(problem, p, d, index[d] + 1, at + (size_t)grid->stride[d]) -
-				flux(problem, p, d, index[d], at)) /
+			sum += (face_flux(problem, p, d, index[d] + 1, at + (size_t)grid->stride[d]) -
+				face_flux(problem, p, d, index[d], at)) /
 			       grid->width[d][index[d]];
 		out[at] = sum;
 	}

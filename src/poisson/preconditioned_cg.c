@@ -14,7 +14,7 @@ static const double CONTRAST = 30;
 
 /* Ratio of the largest to the smallest weight of faces that the flow can cross; INFINITY if the smallest
  * is 0. */
-static double contrast(const struct ts_stencil *s, const struct ts_poisson *problem)
+static double weight_ratio(const struct ts_stencil *s, const struct ts_poisson *problem)
 {
 	double most = 0, least = INFINITY;
 
@@ -93,7 +93,7 @@ enum ts_status ts_preconditioned_prepare(struct ts_instance *self, struct tsim *
 }
 
 /* z = L^-1 (r/V), L the operator without weights: V L is symmetric. */
-static void without_weights(void *context, const double *r, double *z)
+static void precondition_by_direct(void *context, const double *r, double *z)
 {
 	struct ts_preconditioned *c = context;
 
@@ -113,11 +113,11 @@ enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *si
 
 	TS_TRY(ts_iteration_begin(it, self, sim, rhs, p, &goal));
 	if (kind == TS_PRECONDITION_AUTO)
-		kind = c->multigrid.levels && contrast(&it->stencil, it->problem) > CONTRAST
+		kind = c->multigrid.levels && weight_ratio(&it->stencil, it->problem) > CONTRAST
 			       ? TS_PRECONDITION_MULTIGRID
 			       : TS_PRECONDITION_DIRECT;
 	if (kind == TS_PRECONDITION_DIRECT)
-		precondition = without_weights;
+		precondition = precondition_by_direct;
 	if (kind == TS_PRECONDITION_MULTIGRID) {
 		if (it->changed)
 			ts_multigrid_set_weights(&c->multigrid);

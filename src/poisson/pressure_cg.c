@@ -20,7 +20,7 @@ TS_STYLE(pressure, ts_pressure_style, ts_pressure_cg)
 const struct ts_pressure_style ts_pressure_cg = {
 	.style = { .name = "cg",
 		   .kind = TS_KIND_PRESSURE,
-		   .summary = "Conjugate gradient method",
+		   .summary = "conjugate gradient method",
 		   .doc = "Solves for the pressure by preconditioned conjugate gradients (M. R. Hestenes "
 			  "and\n"
 			  "E. Stiefel, J. Res. Nat. Bur. Stand. 49 (1952) 409), for any void fraction and\n"

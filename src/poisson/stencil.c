@@ -95,7 +95,7 @@ double *ts_stencil_field(const struct ts_stencil *s)
 }
 
 /* The links of faces across axis d in one row of cells, or of the faces above the last ones. */
-static void weigh_row(struct ts_stencil *s, const struct ts_poisson *problem, int d, int j, int k)
+static void set_row_links(struct ts_stencil *s, const struct ts_poisson *problem, int d, int j, int k)
 {
 	const struct ts_grid *grid = problem->grid;
 	const double *weight = problem->weight[d];
@@ -124,7 +124,7 @@ void ts_stencil_set_weights(struct ts_stencil *s, const struct ts_poisson *probl
 
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 		for (int row = 0; row < rows; row++)
-			weigh_row(s, problem, d, row % ny, row / ny);
+			set_row_links(s, problem, d, row % ny, row / ny);
 	}
 	ts_stencil_invert_diagonal(s);
 }
@@ -175,8 +175,8 @@ void ts_stencil_to_grid(const struct ts_stencil *s, const struct ts_grid *grid, 
 }
 
 TS_CLONES
-static void divide_row(const double *restrict r, const double *restrict width, double area,
-		       double *restrict out, int n)
+static void divide_by_volume(const double *restrict r, const double *restrict width, double area,
+			     double *restrict out, int n)
 {
 #pragma omp simd
 	for (int i = 0; i < n; i++)
@@ -189,7 +189,7 @@ void ts_stencil_per_volume(const struct ts_stencil *s, const double *r, double *
 	for (int row = 0; row < ts_stencil_rows(s); row++) {
 		size_t at = ts_stencil_row(s, row);
 
-		divide_row(r + at, s->width[0], row_area(s, row), out + at, s->n[0]);
+		divide_by_volume(r + at, s->width[0], row_area(s, row), out + at, s->n[0]);
 	}
 }
 
@@ -421,7 +421,7 @@ double ts_stencil_dot(const struct ts_stencil *s, const double *a, const double 
 	return ts_stencil_sum_rows(s);
 }
 
-static double volume(const struct ts_stencil *s)
+static double total_volume(const struct ts_stencil *s)
 {
 	double length[3] = { 0 };
 
@@ -439,7 +439,7 @@ void ts_stencil_centre(const struct ts_stencil *s, double *p)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
 		s->rows[row] =
 			row_area(s, row) * dot_of_row(p + ts_stencil_row(s, row), s->width[0], s->n[0]);
-	mean = ts_stencil_sum_rows(s) / volume(s);
+	mean = ts_stencil_sum_rows(s) / total_volume(s);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
 		for (int i = 0; i < s->n[0]; i++)
@@ -456,7 +456,7 @@ void ts_stencil_balance(const struct ts_stencil *s, double *b)
 		for (int i = 0; i < s->n[0]; i++)
 			s->rows[row] += b[ts_stencil_row(s, row) + (size_t)i];
 	}
-	excess = ts_stencil_sum_rows(s) / volume(s);
+	excess = ts_stencil_sum_rows(s) / total_volume(s);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
 		for (int i = 0; i < s->n[0]; i++)

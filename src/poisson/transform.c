@@ -100,7 +100,7 @@ static enum ts_status make_matrix(struct ts_transform *t, const struct ts_poisso
 }
 
 /* -(2/h sin(a/2))^2 with the angle a = 2 pi k/n */
-static double wave(double h, long k, long n)
+static double wave_eigenvalue(double h, long k, long n)
 {
 	double root[2];
 
@@ -119,15 +119,15 @@ static enum ts_status make_waves(struct ts_transform *t, double h)
 		switch (t->waves) {
 		case TS_WAVES_FOURIER:
 			t->turn[k][0] = 1;
-			t->eigenvalue[k] = wave(h, k, n);
+			t->eigenvalue[k] = wave_eigenvalue(h, k, n);
 			break;
 		case TS_WAVES_HALF: /* sines in reverse order of cosines */
 			ts_fourier_root(k, 4 * n, t->turn[k]);
-			t->eigenvalue[k] = wave(h, t->odd ? n - k : k, 2 * n);
+			t->eigenvalue[k] = wave_eigenvalue(h, t->odd ? n - k : k, 2 * n);
 			break;
 		default:
 			ts_fourier_root(8 * k + 1, 16 * n, t->turn[k]);
-			t->eigenvalue[k] = wave(h, 2 * k + 1, 4 * n);
+			t->eigenvalue[k] = wave_eigenvalue(h, 2 * k + 1, 4 * n);
 		}
 	}
 	return ts_fourier_make(&t->fourier, t->waves == TS_WAVES_QUARTER ? t->n / 2 : t->n);
@@ -185,7 +185,7 @@ size_t ts_transform_work_size(const struct ts_transform *t)
 }
 
 /* Index of cell i in Makhoul's cosine transform: even cells ascending, then odd cells descending. */
-static int place(const struct ts_transform *t, int i)
+static int makhoul_index(const struct ts_transform *t, int i)
 {
 	if (t->waves == TS_WAVES_FOURIER)
 		return i;
@@ -194,11 +194,12 @@ static int place(const struct ts_transform *t, int i)
 
 /* Lines to complex lines, and back. */
 TS_CLONES
-static void pack(const struct ts_transform *t, const double *lines, double *re, double *im)
+static void pack_lines(const struct ts_transform *t, const double *lines, double *re, double *im)
 {
 	for (int i = 0; i < t->n; i++) {
 		const double *restrict from = lines + i * TS_LINES, sign = t->odd && i % 2 ? -1 : 1;
-		double *restrict r = re + place(t, i) * HALF, *restrict s = im + place(t, i) * HALF;
+		double *restrict r = re + makhoul_index(t, i) * HALF, *restrict s =
+									      im + makhoul_index(t, i) * HALF;
 
 #pragma omp simd
 		for (int l = 0; l < HALF; l++) {
@@ -209,10 +210,12 @@ static void pack(const struct ts_transform *t, const double *lines, double *re, 
 }
 
 TS_CLONES
-static void unpack(const struct ts_transform *t, const double *re, const double *im, double *lines)
+static void unpack_lines(const struct ts_transform *t, const double *re, const double *im, double *lines)
 {
 	for (int i = 0; i < t->n; i++) {
-		const double *restrict r = re + place(t, i) * HALF, *restrict s = im + place(t, i) * HALF;
+		const double *restrict r = re + makhoul_index(t, i) * HALF, *restrict s =
+										    im + makhoul_index(t, i) *
+												 HALF;
 		const double scale = (t->odd && i % 2 ? -1.0 : 1.0) / t->n;
 		double *restrict to = lines + i * TS_LINES;
 
@@ -228,7 +231,7 @@ static void unpack(const struct ts_transform *t, const double *re, const double 
  * Z*_{n-k})/2. Turned by exp(-i a_k), real parts are the amplitudes of modes k, negative imaginary parts
  * those of n - k. */
 TS_CLONES
-static void separate(const struct ts_transform *t, const double *re, const double *im, double *lines)
+static void separate_spectra(const struct ts_transform *t, const double *re, const double *im, double *lines)
 {
 	memcpy(lines, re, HALF * sizeof *re);
 	memcpy(lines + HALF, im, HALF * sizeof *im);
@@ -254,7 +257,7 @@ static void separate(const struct ts_transform *t, const double *re, const doubl
 }
 
 TS_CLONES
-static void unite(const struct ts_transform *t, const double *lines, double *re, double *im)
+static void unite_spectra(const struct ts_transform *t, const double *lines, double *re, double *im)
 {
 	memcpy(re, lines, HALF * sizeof *re);
 	memcpy(im, lines + HALF, HALF * sizeof *im);
@@ -293,8 +296,8 @@ static void unite(const struct ts_transform *t, const double *lines, double *re,
 /* Quarter waves by a transform of half the length, of (x_2m + i x_{n-1-2m}) exp(-i pi (8m+1)/8n); its k-th
  * result, turned in the same way, is (X_2k - i X_{n-1-2k}). Its own inverse, but for 2/n. */
 TS_CLONES
-static void turn_quarters(const struct ts_transform *t, const double *x, const double *y, double scale,
-			  double *re, double *im)
+static void rotate_quarter_waves(const struct ts_transform *t, const double *x, const double *y, double scale,
+				 double *re, double *im)
 {
 	for (int m = 0; m < t->n / 2; m++) {
 		const double cosine = scale * t->turn[m][0], sine = scale * t->turn[m][1];
@@ -309,8 +312,8 @@ static void turn_quarters(const struct ts_transform *t, const double *x, const d
 	}
 }
 
-static void quarters(const struct ts_transform *t, double scale, bool from_mirror, bool to_mirror,
-		     double *lines, double *spare)
+static void transform_quarter_waves(const struct ts_transform *t, double scale, bool from_mirror,
+				    bool to_mirror, double *lines, double *spare)
 {
 	size_t part = (size_t)t->n / 2 * TS_LINES, line = TS_LINES * sizeof *lines;
 	double *re = spare, *im = spare + part, *x = spare + 2 * part, *y = spare + 3 * part;
@@ -322,9 +325,9 @@ static void quarters(const struct ts_transform *t, double scale, bool from_mirro
 		memcpy(x + m * TS_LINES, lines + even * TS_LINES, line);
 		memcpy(y + m * TS_LINES, lines + (last - even) * TS_LINES, line);
 	}
-	turn_quarters(t, x, y, 1, re, im);
+	rotate_quarter_waves(t, x, y, 1, re, im);
 	ts_fourier_apply(&t->fourier, TS_LINES, re, im, x);
-	turn_quarters(t, re, im, scale, x, y);
+	rotate_quarter_waves(t, re, im, scale, x, y);
 	for (int m = 0; m < t->n / 2; m++) {
 		int even = to_mirror ? last - 2 * m : 2 * m;
 		double *low = lines + even * TS_LINES, *high = lines + (last - even) * TS_LINES;
@@ -365,7 +368,7 @@ static void multiply_row(const double *restrict matrix, int n, const double *res
 	memcpy(out, sum, sizeof sum);
 }
 
-static void multiply(const double *matrix, int n, double *lines, double *spare)
+static void multiply_matrix(const double *matrix, int n, double *lines, double *spare)
 {
 	int row = 0;
 
@@ -382,15 +385,15 @@ void ts_transform_forward(const struct ts_transform *t, double *lines, double *s
 
 	switch (t->waves) {
 	case TS_WAVES_MATRIX:
-		multiply(t->forward, t->n, lines, spare);
+		multiply_matrix(t->forward, t->n, lines, spare);
 		break;
 	case TS_WAVES_QUARTER:
-		quarters(t, 1, t->mirrored, false, lines, spare);
+		transform_quarter_waves(t, 1, t->mirrored, false, lines, spare);
 		break;
 	default:
-		pack(t, lines, spare, spare + part);
+		pack_lines(t, lines, spare, spare + part);
 		ts_fourier_apply(&t->fourier, HALF, spare, spare + part, spare + 2 * part);
-		separate(t, spare, spare + part, lines);
+		separate_spectra(t, spare, spare + part, lines);
 	}
 }
 
@@ -400,14 +403,14 @@ void ts_transform_backward(const struct ts_transform *t, double *lines, double *
 
 	switch (t->waves) {
 	case TS_WAVES_MATRIX:
-		multiply(t->backward, t->n, lines, spare);
+		multiply_matrix(t->backward, t->n, lines, spare);
 		break;
 	case TS_WAVES_QUARTER:
-		quarters(t, 2.0 / t->n, false, t->mirrored, lines, spare);
+		transform_quarter_waves(t, 2.0 / t->n, false, t->mirrored, lines, spare);
 		break;
 	default:
-		unite(t, lines, spare, spare + part);
+		unite_spectra(t, lines, spare, spare + part);
 		ts_fourier_apply(&t->fourier, HALF, spare + part, spare, spare + 2 * part);
-		unpack(t, spare, spare + part, lines);
+		unpack_lines(t, spare, spare + part, lines);
 	}
 }

@@ -82,7 +82,7 @@ static enum ts_status read_face_conditions(struct ts_instance *self, struct tsim
 }
 
 /* Evaluates the conditions on faces and the source; fluxes are converted to T times velocity. */
-static enum ts_status conditions_now(struct ts_instance *self, struct tsim *sim)
+static enum ts_status evaluate_conditions(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	double amount = s->fluid->density * s->capacity;
@@ -201,7 +201,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(make_fields(self, sim));
 	s->transport.scheme = (enum ts_scalar_scheme)s->scheme;
 	s->transport.diffusivity = s->conductivity / (s->fluid->density * s->capacity);
-	TS_TRY(conditions_now(self, sim));
+	TS_TRY(evaluate_conditions(self, sim));
 	if (!s->known)
 		TS_TRY(set_initial_field(self, sim));
 	ts_transport_fill(&s->transport, s->fluid, s->transport.value);
@@ -210,8 +210,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 /* ---- exchange with particles */
 
-static double conductance(const struct state *s, const struct ts_particles *p, size_t i,
-			  const double place[3])
+static double heat_conductance(const struct state *s, const struct ts_particles *p, size_t i,
+			       const double place[3])
 {
 	const struct ts_fluid *fluid = s->fluid;
 	struct ts_slip slip = { .diameter = 2 * p->radius[i],
@@ -270,7 +270,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 		s->heat_rate[i] = 0;
 		if (!ts_in_group(p, i, self->group) || !ts_coupling_locate(s->fluid, p->x[i], place, cell))
 			continue;
-		k = conductance(s, p, i, place);
+		k = heat_conductance(s, p, i, place);
 		there = ts_fluid_value(s->fluid, s->transport.value, place, NULL);
 		ts_heat_from_wall(s->heat, sim, i, k, there);
 		s->heat_rate[i] = k * (there - ts_heat_column(sim, s->heat->temperature)[i]);
@@ -289,7 +289,7 @@ static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim,
 {
 	struct state *s = self->state;
 
-	TS_TRY(conditions_now(self, sim));
+	TS_TRY(evaluate_conditions(self, sim));
 	for (size_t k = 0; s->steps > 1 && k < s->size; k++) /* the mean over these steps */
 		s->transport.source[k] /= (double)s->steps;
 	s->steps = s->steps ? 1 : 0;
