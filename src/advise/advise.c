@@ -24,8 +24,9 @@
 
 #include "base/banned.h"
 
-/* Parts of the time that may be spent: on the way to where the trials start, on the trials. */
-static const double WAY = 0.3, TRIALS = 0.6, PROBE = 0.02;
+/* Fractions of the time limit for the execution up to the start of the trials, for the trials, and for the
+ * measurement of a step. */
+static const double APPROACH = 0.3, TRIALS = 0.6, PROBE = 0.02;
 enum { MOST_REPEATS = 3, MOST_ROUNDS = 5 };
 
 struct options {
@@ -35,14 +36,14 @@ struct options {
 
 static const struct ts_arg rows[] = {
 	TS_REAL("seconds", struct options, seconds, .flags = TS_POSITIONAL, .fallback = "60",
-		.range = TS_POSITIVE, .unit = "s", .help = "how long all of it may take, about"),
+		.range = TS_POSITIVE, .unit = "s", .help = "approximate wall time of everything"),
 	TS_INT("at", struct options, at, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE, .unit = "step",
-	       .help = "the step at which trials start; without it, as far as the script comes in a third of "
-		       "the time, or where the run begins that does most"),
+	       .help = "step at which the trials start; default: the step that the script reaches in a third "
+		       "of the time, or, if it ends before, the beginning of the run with the most work"),
 	TS_INT("steps", struct options, steps, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "step",
-	       .help = "length of a trial in steps of the script; without it, as long as the time allows"),
+	       .help = "length of a trial in steps of the script; default: as long as the time allows"),
 	TS_REAL("tolerance", struct options, tolerance, .fallback = "0.01", .range = TS_POSITIVE, .unit = "",
-		.help = "what is advised changes no column by more, in parts of what it goes through"),
+		.help = "largest change of a column, relative to its range, that advised settings may cause"),
 	TS_ARGS_END,
 };
 
@@ -50,28 +51,29 @@ struct advise {
 	struct tsim *sim;
 	const struct ts_advise_input *in;
 	struct options o;
-	struct ts_board *board;
+	struct ts_trial_results *results;
 	double begin;
 };
 
-/* ---- on the way, in the child */
+/* ---- execution up to the start of the trials, in the child process */
 
-struct way {
+/* Called before and after each run command. */
+struct approach {
 	struct ts_run_watch watch; /* first */
-	struct ts_board *board;
-	int64_t wanted; /* number of the run before which to stop; -1: none */
-	int64_t at;	/* step at which to stop; -1: none */
-	int64_t last;	/* of the run that runs, as the script has it */
-	double deadline;
+	struct ts_trial_results *results;
+	int64_t wanted;	 /* index of the run at whose beginning to stop; -1: none */
+	int64_t at;	 /* step at which to stop; -1: none */
+	int64_t last;	 /* last step of the present run, as in the script */
+	double deadline; /* wall-clock time at which to stop (s); 0: none */
 };
 
-static enum ts_status arrive(struct way *w, struct tsim *sim)
+static enum ts_status stop_at_start(struct approach *w, struct tsim *sim)
 {
-	struct ts_board *b = w->board;
+	struct ts_trial_results *b = w->results;
 
-	b->arrived = true;
+	b->started = true;
 	b->step = sim->clock.step;
-	b->left = w->last - sim->clock.step;
+	b->steps_left = w->last - sim->clock.step;
 	b->particles = (int64_t)sim->particles->n;
 	b->time = ts_sim_time(sim);
 	b->dt = sim->clock.dt;
@@ -79,20 +81,20 @@ static enum ts_status arrive(struct way *w, struct tsim *sim)
 	return ts_fail(&sim->error, TS_STOPPED, NULL, "here the trials start");
 }
 
-static enum ts_status before(struct ts_run_watch *watch, struct tsim *sim, const struct ts_place *where,
-			     int64_t *last)
+static enum ts_status before_run(struct ts_run_watch *watch, struct tsim *sim, const struct ts_place *where,
+				 int64_t *last)
 {
-	struct way *w = (struct way *)watch;
-	struct ts_board *b = w->board;
+	struct approach *w = (struct approach *)watch;
+	struct ts_trial_results *b = w->results;
 	int64_t n = *last - sim->clock.step;
 	double work = (double)n * (1 + (double)sim->particles->n);
 
 	w->last = *last;
-	b->whole = n;
-	snprintf(b->place, sizeof b->place, "%s:%d: run of %" PRId64 " steps",
+	b->run_steps = n;
+	snprintf(b->location, sizeof b->location, "%s:%d: run of %" PRId64 " steps",
 		 where->file ? where->file : "script", where->line, n);
 	if (n > 0 && (b->runs == w->wanted || sim->clock.step == w->at))
-		return arrive(w, sim);
+		return stop_at_start(w, sim);
 	if (work > b->work) {
 		b->work = work;
 		b->costliest = b->runs;
@@ -105,57 +107,58 @@ static enum ts_status before(struct ts_run_watch *watch, struct tsim *sim, const
 	return TS_OK;
 }
 
-static enum ts_status after(struct ts_run_watch *watch, struct tsim *sim)
+static enum ts_status after_run(struct ts_run_watch *watch, struct tsim *sim)
 {
-	struct way *w = (struct way *)watch;
+	struct approach *w = (struct approach *)watch;
 
 	if (sim->clock.step == w->at && w->last > w->at)
-		return arrive(w, sim);
+		return stop_at_start(w, sim);
 	if (!sim->run.halted || !(w->deadline > 0) || ts_clock() < w->deadline || sim->clock.step >= w->last)
 		return TS_OK;
-	w->board->cut = true;
-	return arrive(w, sim);
+	w->results->out_of_time = true;
+	return stop_at_start(w, sim);
 }
 
-/* 1, 2 or 5 times a power of ten, in parts of which the columns can be looked at. */
+/* Rounds down to 1, 2 or 5 times a power of ten, and to a multiple of the number of samples. */
 static int64_t round_steps(double n)
 {
 	double power = pow(10, floor(log10(n)));
 	double lead = n / power;
 
 	n = (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
-	return n < TS_TRIAL_LOOKS ? TS_TRIAL_LOOKS : (int64_t)n / TS_TRIAL_LOOKS * TS_TRIAL_LOOKS;
+	return n < TS_TRIAL_SAMPLES ? TS_TRIAL_SAMPLES : (int64_t)n / TS_TRIAL_SAMPLES * TS_TRIAL_SAMPLES;
 }
 
-/* What a trial costs in parts of the scene as it is. */
-static double factor(const struct ts_board *b, const struct ts_trial *t)
+/* Expected cost of a trial, relative to the present settings. */
+static double relative_cost(const struct ts_trial_results *b, const struct ts_trial *t)
 {
 	return t->dt > 0 ? b->dt / t->dt : 1;
 }
 
 static void choose_steps(struct advise *a)
 {
-	struct ts_board *b = a->board;
+	struct ts_trial_results *b = a->results;
 	double sum = 1, n;
 
 	for (int k = 0; k < b->n; k++)
-		sum += factor(b, &b->trial[k]);
+		sum += relative_cost(b, &b->trial[k]);
 	n = TRIALS * a->o.seconds / (sum * fmax(b->step_seconds, 1e-9));
 	if (a->o.steps > 0)
 		b->steps = a->o.steps;
 	else
-		b->steps = n >= (double)b->left ? b->left : round_steps(fmax(n, TS_TRIAL_LOOKS));
-	b->steps = b->steps > b->left ? b->left : b->steps;
-	if (b->steps > TS_TRIAL_LOOKS)
-		b->steps -= b->steps % TS_TRIAL_LOOKS;
+		b->steps =
+			n >= (double)b->steps_left ? b->steps_left : round_steps(fmax(n, TS_TRIAL_SAMPLES));
+	b->steps = b->steps > b->steps_left ? b->steps_left : b->steps;
+	if (b->steps > TS_TRIAL_SAMPLES)
+		b->steps -= b->steps % TS_TRIAL_SAMPLES;
 	n = n / (double)b->steps;
 	b->repeats = n < 1 ? 1 : n > MOST_REPEATS ? MOST_REPEATS : (int)n;
 }
 
-static void try_one(struct advise *a, int k, struct ts_log *screen)
+static void run_trial(struct advise *a, int k, struct ts_log *screen)
 {
-	struct ts_board *b = a->board;
-	double expected = factor(b, &b->trial[k]) * (double)b->steps * b->step_seconds;
+	struct ts_trial_results *b = a->results;
+	double expected = relative_cost(b, &b->trial[k]) * (double)b->steps * b->step_seconds;
 	char text[160];
 
 	snprintf(text, sizeof text, "trial %d of %d: %s", k + 1, b->n, b->trial[k].label);
@@ -165,24 +168,25 @@ static void try_one(struct advise *a, int k, struct ts_log *screen)
 	ts_trial_run(a->sim, b, k, a->o.steps > 0 ? 1e9 : fmax(2, 15 * expected));
 }
 
-/* What seems worth it, but by no more than times differ, is measured again, with the scene as it is and
- * its twin, until it is decided or the time is over. */
-static void decide(struct advise *a, struct ts_log *screen)
+/* Repeats the trials that are cheaper by less than the scatter of the times, and the two trials with the
+ * present settings, until they are decided or the time is used up. */
+static void repeat_undecided(struct advise *a, struct ts_log *screen)
 {
-	struct ts_board *b = a->board;
+	struct ts_trial_results *b = a->results;
 	bool open = true;
 
-	ts_log_progress(screen, "measured again: what is not decided");
+	ts_log_progress(screen, "repeating trials that are not decided");
 	for (int round = 0; open && round < MOST_ROUNDS; round++) {
 		open = false;
 		for (int k = 0; k < b->n; k++) {
-			double expected = factor(b, &b->trial[k]) * (double)b->steps * b->step_seconds;
+			double expected = relative_cost(b, &b->trial[k]) * (double)b->steps * b->step_seconds;
 
 			if (!b->trial[k].done || ts_clock() - a->begin + 3 * expected > a->o.seconds ||
 			    !ts_verdict_open(b, k))
 				continue;
 			open = true;
-			for (int same = 0; same < b->n && b->trial[same].subject <= TS_SUBJECT_TWIN; same++)
+			for (int same = 0; same < b->n && b->trial[same].subject <= TS_SUBJECT_PERTURBED;
+			     same++)
 				if (b->trial[same].done)
 					ts_trial_repeat(a->sim, b, same, fmax(2, 15 * expected));
 			ts_trial_repeat(a->sim, b, k, fmax(2, 15 * expected));
@@ -190,35 +194,36 @@ static void decide(struct advise *a, struct ts_log *screen)
 	}
 }
 
-static void try_all(struct advise *a, struct ts_log *screen)
+static void run_all_trials(struct advise *a, struct ts_log *screen)
 {
-	struct ts_board *b = a->board;
+	struct ts_trial_results *b = a->results;
 
 	ts_trial_probe(a->sim, b, fmin(1, PROBE * a->o.seconds));
-	if (*b->trouble)
+	if (*b->failure)
 		return;
 	b->skin = a->sim->neigh->wanted ? ts_neigh_skin(a->sim) : 0;
 	ts_candidates_list(a->sim, b);
 	choose_steps(a);
 	for (int k = 0; k < b->n; k++)
-		try_one(a, k, screen);
-	decide(a, screen);
+		run_trial(a, k, screen);
+	repeat_undecided(a, screen);
 	if (ts_verdict_combine(b, a->o.tolerance))
-		try_one(a, b->n - 1, screen);
+		run_trial(a, b->n - 1, screen);
 	ts_log_progress(screen, "");
 }
 
-static void note_trouble(struct advise *a)
+static void store_failure(struct advise *a)
 {
 	struct ts_str text = { 0 };
 
 	ts_diagnostic(&a->sim->error, &text);
-	snprintf(a->board->trouble, sizeof a->board->trouble, "%s", ts_str_text(&text));
+	snprintf(a->results->failure, sizeof a->results->failure, "%s", ts_str_text(&text));
 	ts_str_release(&text);
 }
 
-/* Coefficient files are looked for in the folder `potentials` of where the user is. */
-static void keep_potentials(void)
+/* The child works in another folder, but coefficient files are still to be found in the folder `potentials`
+ * of the present one. */
+static void export_potentials(void)
 {
 	char here[4096], path[4096 + 16];
 
@@ -229,43 +234,44 @@ static void keep_potentials(void)
 		setenv("TSIM_POTENTIALS", path, 0);
 }
 
-/* Never comes back. wanted -2: wherever the time ends. */
-static void be_child(struct advise *a, const char *place, int64_t wanted)
+/* Does not return. wanted -1: stops when the time for this part is used up. */
+static void run_child(struct advise *a, const char *place, int64_t wanted)
 {
 	struct tsim *sim = a->sim;
 	struct ts_log screen = sim->log;
-	struct way w = { .watch = { before, after },
-			 .board = a->board,
-			 .wanted = wanted,
-			 .at = a->o.at >= 0 ? a->o.at : -1 };
+	struct approach w = { .watch = { before_run, after_run },
+			      .results = a->results,
+			      .wanted = wanted,
+			      .at = a->o.at >= 0 ? a->o.at : -1 };
 	enum ts_status status;
 
 	signal(SIGINT, SIG_DFL);
 	sim->log.screen = sim->log.file = NULL;
 	sim->log.progress = false;
 	sim->run.watch = &w.watch;
-	w.deadline = w.at < 0 && wanted < 0 ? ts_clock() + WAY * a->o.seconds : 0;
-	ts_log_progress(&screen, "on the way to where trials start");
-	keep_potentials();
+	w.deadline = w.at < 0 && wanted < 0 ? ts_clock() + APPROACH * a->o.seconds : 0;
+	ts_log_progress(&screen, "running the script up to the start of the trials");
+	export_potentials();
 	status = chdir(place) == 0 ? ts_script_file(sim->script_api_data, a->in->script)
 				   : ts_fail(&sim->error, TS_IO, NULL, "cannot work in '%s': %s", place,
 					     strerror(errno));
-	if (a->board->arrived) {
+	if (a->results->started) {
 		ts_error_clear(&sim->error);
 		sim->run.watch = NULL;
-		try_all(a, &screen);
+		run_all_trials(a, &screen);
 	} else if (status != TS_OK) {
-		note_trouble(a);
+		store_failure(a);
 	}
 	ts_log_progress(&screen, "");
 	fflush(NULL);
 	_exit(0);
 }
 
-/* ---- the parent */
+/* ---- the parent process */
 
-/* Lets a child go the way in a fresh copy of the script's inputs. */
-static enum ts_status go(struct advise *a, struct ts_inputs *inputs, const char *root, int64_t wanted)
+/* Starts a child in a new copy of the input files of the script, and waits for it. */
+static enum ts_status run_in_child(struct advise *a, struct ts_inputs *inputs, const char *root,
+				   int64_t wanted)
 {
 	struct ts_str place = { 0 }, folder = { 0 };
 	enum ts_status status;
@@ -280,7 +286,7 @@ static enum ts_status go(struct advise *a, struct ts_inputs *inputs, const char 
 		fflush(NULL);
 		child = fork();
 		if (child == 0)
-			be_child(a, ts_str_text(&place), wanted);
+			run_child(a, ts_str_text(&place), wanted);
 		if (child < 0)
 			status = ts_fail(&a->sim->error, TS_IO, NULL, "cannot start a process: %s",
 					 strerror(errno));
@@ -294,13 +300,13 @@ static enum ts_status go(struct advise *a, struct ts_inputs *inputs, const char 
 	return status;
 }
 
-/* A script that is over before the time is gone through again, up to the run that does most. */
-static enum ts_status rehearse(struct advise *a, struct ts_inputs *inputs, const char *root)
+/* If the script ends before the time is used up, it is executed again up to the run with the most work. */
+static enum ts_status find_start_and_try(struct advise *a, struct ts_inputs *inputs, const char *root)
 {
-	struct ts_board *b = a->board;
+	struct ts_trial_results *b = a->results;
 
-	TS_TRY(go(a, inputs, root, -1));
-	if (b->arrived || *b->trouble)
+	TS_TRY(run_in_child(a, inputs, root, -1));
+	if (b->started || *b->failure)
 		return TS_OK;
 	if (!(b->work > 0))
 		return ts_fail(&a->sim->error, TS_STATE, NULL,
@@ -309,14 +315,14 @@ static enum ts_status rehearse(struct advise *a, struct ts_inputs *inputs, const
 		return ts_fail(&a->sim->error, TS_RANGE, NULL,
 			       "-advise: the script has no run that goes on from step %" PRId64, a->o.at);
 	b->runs = 0;
-	TS_TRY(go(a, inputs, root, b->costliest));
-	if (b->arrived || *b->trouble)
+	TS_TRY(run_in_child(a, inputs, root, b->costliest));
+	if (b->started || *b->failure)
 		return TS_OK;
 	return ts_fail(&a->sim->error, TS_STATE, NULL,
 		       "-advise: the script does not do the same when it is run again");
 }
 
-static enum ts_status in_scratch(struct advise *a)
+static enum ts_status advise_in_scratch_folder(struct advise *a)
 {
 	struct ts_error *err = &a->sim->error;
 	struct ts_inputs inputs = { .err = err, .pool = a->sim->pool };
@@ -326,9 +332,10 @@ static enum ts_status in_scratch(struct advise *a)
 	if (status == TS_OK)
 		status = ts_folder_scratch(&root, err);
 	if (status == TS_OK) {
-		void (*handler)(int) = signal(SIGINT, SIG_IGN); /* ends the child; the folder goes, too */
+		void (*handler)(int) =
+			signal(SIGINT, SIG_IGN); /* ends the child; then the folder is removed */
 
-		status = rehearse(a, &inputs, ts_str_text(&root));
+		status = find_start_and_try(a, &inputs, ts_str_text(&root));
 		signal(SIGINT, handler);
 		ts_folder_remove(ts_str_text(&root));
 	}
@@ -337,18 +344,19 @@ static enum ts_status in_scratch(struct advise *a)
 	return status;
 }
 
-static int act(struct advise *a, struct ts_str *text, struct ts_str *trouble)
+static int advise_and_report(struct advise *a, struct ts_str *text, struct ts_str *trouble)
 {
-	a->board = mmap(NULL, sizeof *a->board, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-	if (a->board == MAP_FAILED) {
+	a->results =
+		mmap(NULL, sizeof *a->results, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+	if (a->results == MAP_FAILED) {
 		ts_nomem(&a->sim->error);
 		return 1;
 	}
 	a->begin = ts_clock();
-	if (in_scratch(a) == TS_OK && !*a->board->trouble)
-		ts_verdict_print(a->board, a->o.tolerance, text);
-	ts_str_add(trouble, a->board->trouble);
-	munmap(a->board, sizeof *a->board);
+	if (advise_in_scratch_folder(a) == TS_OK && !*a->results->failure)
+		ts_verdict_print(a->results, a->o.tolerance, text);
+	ts_str_add(trouble, a->results->failure);
+	munmap(a->results, sizeof *a->results);
 	return a->sim->error.status || trouble->length ? 1 : 0;
 }
 
@@ -363,7 +371,7 @@ int ts_advise(struct tsim *sim, const struct ts_advise_input *input, struct ts_s
 	if (!input->script)
 		ts_fail(&sim->error, TS_SYNTAX, NULL, "-advise needs a script: -in FILE");
 	else if (ts_args_parse(sim, "-advise", rows, input->words, &where, &arena, &a.o) == TS_OK)
-		status = act(&a, text, trouble);
+		status = advise_and_report(&a, text, trouble);
 	ts_arena_release(&arena);
 	return status;
 }

@@ -1,17 +1,17 @@
-/* `tsim -advise`: short trial runs of the user's own scene at a few settings; a table of what each costs and
- * what it does to the columns of the scene's table of the log.
+/* `tsim -advise`: short trial runs of the user's script at several settings; a table of the cost of each and
+ * of the change of the columns of the thermo output.
  *
- * The scene is run in a child process and a folder of its own up to some step; there each trial is a copy
- * (fork) of that process: it starts from the very same state, changes one setting as a script line would,
- * and steps through the same physical time. Results come back through shared memory. */
+ * The script is executed in a child process and a temporary folder up to some step. From there each trial is
+ * a fork of that process: it starts from the same state, changes one setting as a script line would, and
+ * integrates over the same physical time. Results are returned through shared memory. */
 #ifndef TS_ADVISE_ADVISE_H
 #define TS_ADVISE_ADVISE_H
 
 #include "core/sim.h"
 
-/* `words` follow -advise; `vars` is -var NAME VALUE ... What is to be said is added to `text`. Returns an
- * exit status: 0, 1 after an error, 2 for wrong words. sim->error is set, or the scene's error is in
- * `trouble`. */
+/* `words`: arguments of -advise; `vars`: -var NAME VALUE ... Appends the report to `text`. Returns the exit
+ * status: 0, 1 after an error, 2 for wrong arguments. After an error sim->error is set, or `trouble` has the
+ * error message of the script. */
 struct ts_advise_input {
 	const char *script;
 	struct ts_words words, vars;
@@ -19,7 +19,7 @@ struct ts_advise_input {
 int ts_advise(struct tsim *sim, const struct ts_advise_input *input, struct ts_str *text,
 	      struct ts_str *trouble);
 
-/* Lines on the words after -advise, for tsim -help. */
+/* Appends the help on the arguments of -advise, for tsim -help. */
 void ts_advise_help(struct ts_str *out);
 
 #endif

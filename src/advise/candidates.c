@@ -1,4 +1,4 @@
-/* What can be tried with a scene: rows of settings that it has, and how each is made so. */
+/* The settings that can be tried with a script, and how they are changed. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -12,13 +12,13 @@
 
 #include "base/banned.h"
 
-static const double SAFE = 0.8; /* part of the limit of the step up to which steps are tried */
+static const double SAFE = 0.8; /* longest time step tried, as a fraction of the stability limit */
 static const double steps[] = { 0.25, 0.5, 2, 4 }, skins[] = { 0.5, 2 };
 enum { MOST_THREADS = 8 };
 
-/* Arguments of styles worth trying. A value is tried if the scene has one of `from`, "*" being any;
- * `needs` is a material property that has to be there, made up from the speeds of the particles if it is
- * not. */
+/* Arguments of styles that are varied. The values `to` are tried if the present one is among `from` ("*": any).
+ * `needs`: a material property that the new value requires; if it is not defined, it is estimated from the
+ * speeds of the particles. */
 static const struct {
 	enum ts_kind kind;
 	const char *style, *keyword;
@@ -44,7 +44,7 @@ static const struct {
 };
 enum { NCHOICES = sizeof choices / sizeof *choices };
 
-static const struct ts_arg *find_row(const struct ts_instance *inst, const char *keyword)
+static const struct ts_arg *find_argument(const struct ts_instance *inst, const char *keyword)
 {
 	const struct ts_arg *row = inst->style->args;
 
@@ -53,9 +53,9 @@ static const struct ts_arg *find_row(const struct ts_instance *inst, const char 
 	return row && row->type != TS_ARG_END ? row : NULL;
 }
 
-/* The value of an argument as the user would write it; "": it has none. */
-static void value_now(const struct tsim *sim, const struct ts_instance *inst, const struct ts_arg *row,
-		      char *out, size_t room)
+/* The value of an argument as in a script; "" if it has none. */
+static void present_value(const struct tsim *sim, const struct ts_instance *inst, const struct ts_arg *row,
+			  char *out, size_t room)
 {
 	struct ts_str text = { 0 };
 
@@ -64,7 +64,7 @@ static void value_now(const struct tsim *sim, const struct ts_instance *inst, co
 	ts_str_release(&text);
 }
 
-static bool listed(const char *const list[6], const char *value)
+static bool is_listed(const char *const list[6], const char *value)
 {
 	for (int k = 0; k < 6 && list[k]; k++)
 		if (ts_streq(list[k], value) || ts_streq(list[k], "*"))
@@ -72,7 +72,7 @@ static bool listed(const char *const list[6], const char *value)
 	return false;
 }
 
-/* The number of the word among the choices of an ENUM row, or -1. */
+/* Index of the word among the choices of an ENUM argument, or -1. */
 static int choice_of(const struct ts_arg *row, const char *value)
 {
 	for (int k = 0; row->choices && row->choices[k]; k++)
@@ -87,8 +87,8 @@ static bool can_set(const struct ts_arg *row, const char *value)
 	       (row->type == TS_ARG_ENUM && choice_of(row, value) >= 0);
 }
 
-/* Writes the value where the parser would have; init of the style, before each run, goes on from there. */
-static void set(struct ts_instance *inst, const struct ts_arg *row, const char *value)
+/* Stores the value as the parser would; init of the style, which is called before each run, evaluates it. */
+static void set_argument(struct ts_instance *inst, const struct ts_arg *row, const char *value)
 {
 	void *field = (char *)inst->state + row->offset;
 	int64_t number = 0;
@@ -103,7 +103,7 @@ static void set(struct ts_instance *inst, const struct ts_arg *row, const char *
 		*(int64_t *)field = number;
 }
 
-static struct ts_trial *add(struct ts_board *b, enum ts_subject subject)
+static struct ts_trial *add_trial(struct ts_trial_results *b, enum ts_subject subject)
 {
 	struct ts_trial *t;
 
@@ -114,9 +114,9 @@ static struct ts_trial *add(struct ts_board *b, enum ts_subject subject)
 	return t;
 }
 
-static void add_step(struct ts_board *b, double dt)
+static void add_step_trial(struct ts_trial_results *b, double dt)
 {
-	struct ts_trial *t = add(b, TS_SUBJECT_STEP);
+	struct ts_trial *t = add_trial(b, TS_SUBJECT_STEP);
 
 	if (!t)
 		return;
@@ -124,7 +124,7 @@ static void add_step(struct ts_board *b, double dt)
 	snprintf(t->label, sizeof t->label, "timestep %.4g", dt);
 }
 
-static void list_steps(struct ts_board *b)
+static void list_steps(struct ts_trial_results *b)
 {
 	double most = isfinite(b->limit) ? SAFE * b->limit : 2 * b->dt, longest = b->dt;
 
@@ -132,16 +132,16 @@ static void list_steps(struct ts_board *b)
 		if (steps[k] * b->dt > most * (1 + 1e-12))
 			continue;
 		longest = fmax(longest, steps[k] * b->dt);
-		add_step(b, steps[k] * b->dt);
+		add_step_trial(b, steps[k] * b->dt);
 	}
 	if (isfinite(b->limit) && most > 1.2 * longest && most < 100 * b->dt)
-		add_step(b, most);
+		add_step_trial(b, most);
 }
 
-static void list_skins(struct ts_board *b)
+static void list_skins(struct ts_trial_results *b)
 {
 	for (size_t k = 0; k < sizeof skins / sizeof *skins && b->skin > 0; k++) {
-		struct ts_trial *t = add(b, TS_SUBJECT_SKIN);
+		struct ts_trial *t = add_trial(b, TS_SUBJECT_SKIN);
 
 		if (!t)
 			return;
@@ -150,12 +150,12 @@ static void list_skins(struct ts_board *b)
 	}
 }
 
-static void list_threads(struct ts_board *b)
+static void list_threads(struct ts_trial_results *b)
 {
 	long there = sysconf(_SC_NPROCESSORS_ONLN);
 
 	for (int n = 1; n <= MOST_THREADS && n <= there; n *= 2) {
-		struct ts_trial *t = n == b->threads ? NULL : add(b, TS_SUBJECT_THREADS);
+		struct ts_trial *t = n == b->threads ? NULL : add_trial(b, TS_SUBJECT_THREADS);
 
 		if (!t)
 			continue;
@@ -164,7 +164,7 @@ static void list_threads(struct ts_board *b)
 	}
 }
 
-static void list_choice(struct tsim *sim, struct ts_board *b, int c)
+static void list_choice(struct tsim *sim, struct ts_trial_results *b, int c)
 {
 	const struct ts_instance *inst = ts_sim_only(sim, choices[c].kind);
 	const struct ts_arg *row;
@@ -172,27 +172,27 @@ static void list_choice(struct tsim *sim, struct ts_board *b, int c)
 
 	if (!inst || !ts_glob(choices[c].style, inst->style->name))
 		return;
-	row = find_row(inst, choices[c].keyword);
+	row = find_argument(inst, choices[c].keyword);
 	if (!row)
 		return;
-	value_now(sim, inst, row, now, sizeof now);
-	if (!listed(choices[c].from, now))
+	present_value(sim, inst, row, now, sizeof now);
+	if (!is_listed(choices[c].from, now))
 		return;
 	for (int k = 0; k < 6 && choices[c].to[k]; k++) {
 		struct ts_trial *t = ts_streq(choices[c].to[k], now) || !can_set(row, choices[c].to[k])
 					     ? NULL
-					     : add(b, TS_SUBJECT_CHOICE);
+					     : add_trial(b, TS_SUBJECT_CHOICE);
 
 		if (!t)
 			continue;
 		t->choice = c;
-		t->law = choices[c].kind == TS_KIND_PAIR;
+		t->contact_law = choices[c].kind == TS_KIND_PAIR;
 		snprintf(t->value, sizeof t->value, "%s", choices[c].to[k]);
 		snprintf(t->label, sizeof t->label, "%s %s", choices[c].keyword, choices[c].to[k]);
 	}
 }
 
-static void list_pressures(struct tsim *sim, struct ts_board *b)
+static void list_pressures(struct tsim *sim, struct ts_trial_results *b)
 {
 	static const char *const solvers[] = { "direct", "cg", "multigrid", "sor", NULL };
 	const struct ts_instance *now = ts_sim_only(sim, TS_KIND_PRESSURE);
@@ -202,20 +202,20 @@ static void list_pressures(struct tsim *sim, struct ts_board *b)
 		return;
 	for (const char *const *s = solvers; *s; s++) {
 		struct ts_trial *t =
-			now && ts_streq(now->style->name, *s) ? NULL : add(b, TS_SUBJECT_PRESSURE);
+			now && ts_streq(now->style->name, *s) ? NULL : add_trial(b, TS_SUBJECT_PRESSURE);
 
 		if (t)
 			snprintf(t->label, sizeof t->label, "pressure_style %s", *s);
 	}
 }
 
-void ts_candidates_list(struct tsim *sim, struct ts_board *b)
+void ts_candidates_list(struct tsim *sim, struct ts_trial_results *b)
 {
-	struct ts_trial *t = add(b, TS_SUBJECT_PRESENT);
+	struct ts_trial *t = add_trial(b, TS_SUBJECT_PRESENT);
 
 	snprintf(t->label, sizeof t->label, "as it is: %.4g, %d thread%s", b->dt, b->threads,
 		 b->threads == 1 ? "" : "s");
-	if (b->particles && (t = add(b, TS_SUBJECT_TWIN)))
+	if (b->particles && (t = add_trial(b, TS_SUBJECT_PERTURBED)))
 		snprintf(t->label, sizeof t->label, "the same, moved by round-off");
 	list_steps(b);
 	list_skins(b);
@@ -225,7 +225,7 @@ void ts_candidates_list(struct tsim *sim, struct ts_board *b)
 	list_pressures(sim, b);
 }
 
-/* ---- in the copy */
+/* ---- in the forked copy */
 
 static enum ts_status run_line(struct tsim *sim, const char *format, ...)
 	__attribute__((format(printf, 2, 3)));
@@ -245,7 +245,7 @@ static enum ts_status run_line(struct tsim *sim, const char *format, ...)
 	return status;
 }
 
-static enum ts_status meet_need(struct tsim *sim, const char *property)
+static enum ts_status define_missing_property(struct tsim *sim, const char *property)
 {
 	double speed = ts_fastest(sim, 0);
 
@@ -257,45 +257,46 @@ static enum ts_status meet_need(struct tsim *sim, const char *property)
 	return run_line(sim, "fix advise_%s all property/global %s scalar %.3g", property, property, speed);
 }
 
-/* The value in the style and, where they have laws of their own that were the same, in the walls. */
-static enum ts_status make_choice(struct tsim *sim, int c, const char *value)
+/* Sets the argument of the style, and that of walls with contact laws of their own if it had the same value. */
+static enum ts_status apply_choice(struct tsim *sim, int c, const char *value)
 {
 	struct ts_instance *inst = ts_sim_only(sim, choices[c].kind);
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
-	const struct ts_arg *row = find_row(inst, choices[c].keyword);
+	const struct ts_arg *row = find_argument(inst, choices[c].keyword);
 	char before[TS_TRIAL_TEXT], now[TS_TRIAL_TEXT];
 
-	TS_TRY(meet_need(sim, choices[c].needs));
-	value_now(sim, inst, row, before, sizeof before);
-	set(inst, row, value);
+	TS_TRY(define_missing_property(sim, choices[c].needs));
+	present_value(sim, inst, row, before, sizeof before);
+	set_argument(inst, row, value);
 	for (size_t k = 0; k < fixes->n && choices[c].kind == TS_KIND_PAIR; k++) {
 		struct ts_instance *wall = fixes->item[k];
 
 		row = wall->style->family && ts_streq(wall->style->family, "wall")
-			      ? find_row(wall, choices[c].keyword)
+			      ? find_argument(wall, choices[c].keyword)
 			      : NULL;
 		if (!row)
 			continue;
-		value_now(sim, wall, row, now, sizeof now);
+		present_value(sim, wall, row, now, sizeof now);
 		if (ts_streq(now, before) && can_set(row, value))
-			set(wall, row, value);
+			set_argument(wall, row, value);
 	}
 	return TS_OK;
 }
 
-enum ts_status ts_candidates_apply(struct tsim *sim, const struct ts_board *b, const struct ts_trial *t)
+enum ts_status ts_candidates_apply(struct tsim *sim, const struct ts_trial_results *b,
+				   const struct ts_trial *t)
 {
 	if (t->threads > 0)
 		sim->threads = t->threads;
 	if (t->skin > 0)
 		sim->neigh->skin = t->skin;
 	if (t->subject == TS_SUBJECT_CHOICE)
-		return make_choice(sim, t->choice, t->value);
+		return apply_choice(sim, t->choice, t->value);
 	if (t->subject == TS_SUBJECT_PRESSURE)
 		return run_line(sim, "%s", t->label);
 	if (t->subject != TS_SUBJECT_TOGETHER)
 		return TS_OK;
-	for (int k = 0; k < b->n; k++) /* those that were marked when it was put together */
+	for (int k = 0; k < b->n; k++) /* those advised when the trial was added */
 		if (b->trial[k].advised && b->trial[k].subject >= TS_SUBJECT_CHOICE &&
 		    b->trial[k].subject < TS_SUBJECT_TOGETHER)
 			TS_TRY(ts_candidates_apply(sim, b, &b->trial[k]));

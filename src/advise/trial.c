@@ -1,6 +1,6 @@
-/* A trial runs in a copy of the process (fork), as explain/price.c does it: nothing it does can touch the
- * scene, and all trials start from the same bits. The copy works in a new thread, since OpenMP's do not
- * survive a fork. */
+/* A trial runs in a forked copy of the process, as in explain/price.c: it cannot change the state, and all
+ * trials start from the same bits. The copy works in a new thread, since OpenMP's threads do not survive a
+ * fork. */
 #include "advise/trial.h"
 
 #include <errno.h>
@@ -24,19 +24,19 @@
 
 #include "base/banned.h"
 
-/* How far a twin's particles are moved, in radii. */
+/* Displacement of the particles in the perturbed trial, in radii. */
 static const double ROUND_OFF = 1e-10;
 
 struct copy {
 	struct tsim *sim;
-	struct ts_board *board;
+	struct ts_trial_results *results;
 	struct ts_trial *trial; /* NULL: the probe */
 	double seconds;
 	struct ts_plan plan;
 };
 
-/* Columns that say nothing about the physics: clocks, and how well a solver does. */
-static bool tells_nothing(const char *name)
+/* Columns without physical meaning: clocks and convergence of solvers. */
+static bool is_not_physical(const char *name)
 {
 	static const char *const names[] = { "step",	"elapsed",    "elaplong", "time",      "dt",
 					     "cpu",	"tpcpu",      "spcpu",	  "cpuremain", "timeremain",
@@ -49,7 +49,7 @@ static bool tells_nothing(const char *name)
 	return *n != NULL;
 }
 
-/* The next argument of a style that is an interval in steps; NULL: there are no more. */
+/* The next argument of a style, from `row` on, that is an interval in steps; NULL at the end. */
 static const struct ts_arg *next_interval(const struct ts_arg *row)
 {
 	for (; row && row->type != TS_ARG_END; row++)
@@ -59,8 +59,8 @@ static const struct ts_arg *next_interval(const struct ts_arg *row)
 	return NULL;
 }
 
-/* What it is now; 0: none, or no number. */
-static int64_t interval_now(const struct ts_instance *inst, const struct ts_arg *row)
+/* Present value of the interval (steps); 0 if it is 1 or not a number. */
+static int64_t present_interval(const struct ts_instance *inst, const struct ts_arg *row)
 {
 	const void *field = (const char *)inst->state + row->offset;
 	const char *text = row->type == TS_ARG_WORD ? *(const char *const *)field : NULL;
@@ -70,18 +70,19 @@ static int64_t interval_now(const struct ts_instance *inst, const struct ts_arg 
 		n = *(const int64_t *)field;
 	else if (!text || !ts_parse_int(text, &n))
 		n = 0;
-	return n > 1 ? n : 0; /* each step stays each step */
+	return n > 1 ? n : 0; /* an action in each step remains one in each step */
 }
 
-/* Averages over some number of steps are of another time with another step; and one fix measures the step. */
-static bool counts_steps(const struct ts_ref *ref)
+/* Averages over a number of steps are averages over another time if dt differs, and fix check/timestep/gran
+ * measures dt itself. */
+static bool depends_on_steps(const struct ts_ref *ref)
 {
 	return ref->kind == TS_REF_FIX && ref->inst &&
 	       (next_interval(ref->inst->style->args) ||
 		ts_streq(ref->inst->style->name, "check/timestep/gran"));
 }
 
-static bool acts(const struct ts_instance *inst)
+static bool acts_in_step(const struct ts_instance *inst)
 {
 	for (int stage = TS_STAGE_INITIAL_INTEGRATE; stage <= TS_STAGE_FINAL_INTEGRATE; stage++)
 		if (inst->style->hook[stage])
@@ -89,25 +90,25 @@ static bool acts(const struct ts_instance *inst)
 	return false;
 }
 
-/* Fixes that act every so many steps. */
-static void note_counters(const struct tsim *sim, struct ts_board *board)
+/* Lists the fixes that act at intervals in steps. */
+static void list_interval_fixes(const struct tsim *sim, struct ts_trial_results *results)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
-	size_t n = 0, room = sizeof board->counters;
+	size_t n = 0, room = sizeof results->interval_fixes;
 
 	for (size_t k = 0; k < fixes->n; k++) {
 		const struct ts_instance *fix = fixes->item[k];
-		const struct ts_arg *row = acts(fix) ? next_interval(fix->style->args) : NULL;
+		const struct ts_arg *row = acts_in_step(fix) ? next_interval(fix->style->args) : NULL;
 
 		for (; row && n + 1 < room; row = next_interval(row + 1))
-			if (interval_now(fix, row))
-				n += (size_t)snprintf(board->counters + n, room - n, "%s%s %s", n ? ", " : "",
-						      fix->id, row->name);
+			if (present_interval(fix, row))
+				n += (size_t)snprintf(results->interval_fixes + n, room - n, "%s%s %s",
+						      n ? ", " : "", fix->id, row->name);
 	}
 }
 
-/* Steps until the next event, which is saved state. */
-static void stretch_waiting(struct ts_instance *fix, double factor)
+/* Scales the number of steps until the next event, which is part of the saved state. */
+static void scale_waiting_steps(struct ts_instance *fix, double factor)
 {
 	for (const struct ts_saved *row = fix->style->saved; row && row->type != TS_SAVED_END; row++) {
 		int64_t *wait = (int64_t *)(void *)((char *)fix->state + row->offset);
@@ -117,20 +118,20 @@ static void stretch_waiting(struct ts_instance *fix, double factor)
 	}
 }
 
-/* With another step they act at the same times, as the user would write it. */
-static enum ts_status stretch_intervals(struct tsim *sim, double factor)
+/* Scales intervals in steps so that with another dt fixes act at the same times. */
+static enum ts_status scale_intervals(struct tsim *sim, double factor)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 
 	for (size_t k = 0; k < fixes->n; k++) {
 		struct ts_instance *fix = fixes->item[k];
-		const struct ts_arg *row = acts(fix) ? next_interval(fix->style->args) : NULL;
+		const struct ts_arg *row = acts_in_step(fix) ? next_interval(fix->style->args) : NULL;
 
 		if (row)
-			stretch_waiting(fix, factor);
+			scale_waiting_steps(fix, factor);
 		for (; row; row = next_interval(row + 1)) {
 			void *field = (char *)fix->state + row->offset;
-			int64_t n = llround((double)interval_now(fix, row) * factor);
+			int64_t n = llround((double)present_interval(fix, row) * factor);
 			char text[32];
 
 			if (n < 1)
@@ -145,29 +146,29 @@ static enum ts_status stretch_intervals(struct tsim *sim, double factor)
 	return TS_OK;
 }
 
-static int list_titles(struct tsim *sim, struct ts_board *board)
+static int list_titles(struct tsim *sim, struct ts_trial_results *results)
 {
 	const struct ts_thermo *t = sim->thermo;
 	int n = 0;
 
 	for (size_t k = 0; k < t->n && n < TS_TRIAL_COLUMNS; k++)
-		if (!tells_nothing(t->column[k].input.name)) {
-			board->counts[n] = counts_steps(&t->column[k].input.ref);
-			snprintf(board->title[n], sizeof board->title[0], "%s%s", board->counts[n] ? "#" : "",
-				 t->column[k].title);
+		if (!is_not_physical(t->column[k].input.name)) {
+			results->step_dependent[n] = depends_on_steps(&t->column[k].input.ref);
+			snprintf(results->title[n], sizeof results->title[0], "%s%s",
+				 results->step_dependent[n] ? "#" : "", t->column[k].title);
 			n++;
 		}
 	return n;
 }
 
-/* A column that cannot be read now is NaN. */
-static void look(struct tsim *sim, double *out)
+/* Evaluates the columns; NaN for one that cannot be evaluated now. */
+static void sample_columns(struct tsim *sim, double *out)
 {
 	const struct ts_thermo *t = sim->thermo;
 	int n = 0;
 
 	for (size_t k = 0; k < t->n && n < TS_TRIAL_COLUMNS; k++) {
-		if (tells_nothing(t->column[k].input.name))
+		if (is_not_physical(t->column[k].input.name))
 			continue;
 		if (ts_ref_input_scalar(sim, &t->column[k].input, &out[n]) != TS_OK)
 			out[n] = NAN;
@@ -188,8 +189,8 @@ static void move_by_round_off(struct tsim *sim)
 	}
 }
 
-/* What changes over a run goes on changing at the same speed. */
-static void stretch_ramp(struct ts_clock *c, double dt_before, double dt)
+/* Ramps over a run keep their rate of change in time. */
+static void scale_ramp(struct ts_clock *c, double dt_before, double dt)
 {
 	double length = (double)(c->ramp_last - c->ramp_first) * dt_before / dt;
 	double done = (double)(c->step - c->ramp_first) * dt_before / dt;
@@ -198,8 +199,8 @@ static void stretch_ramp(struct ts_clock *c, double dt_before, double dt)
 	c->ramp_last = c->ramp_first + (int64_t)llround(length);
 }
 
-/* Threads share the wall time; one thread has its own, whatever else the machine does. */
-static double stop_watch(const struct tsim *sim)
+/* Wall time with several threads; processor time with one, independent of other load on the machine (s). */
+static double trial_clock(const struct tsim *sim)
 {
 	struct timespec now;
 
@@ -209,8 +210,8 @@ static double stop_watch(const struct tsim *sim)
 	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Contacts that touch now, of particles and with walls. */
-static double touching(const struct tsim *sim)
+/* Number of touching contacts, of pairs and of particles with walls. */
+static double count_contacts(const struct tsim *sim)
 {
 	const struct ts_contact_list *rows = &sim->neigh->contacts;
 	const struct ts_wall *w;
@@ -224,32 +225,32 @@ static double touching(const struct tsim *sim)
 	return n;
 }
 
-static enum ts_status start(struct copy *c, int64_t steps)
+static enum ts_status start_run(struct copy *c, int64_t steps)
 {
 	struct ts_clock *clock = &c->sim->clock;
 
 	clock->first_step = clock->step;
 	clock->last_step = clock->goal = clock->step + steps;
-	c->sim->run.fingerprint =
-		0; /* all trials compute forces anew, not only those that change something */
-	c->sim->run.in_pieces = true; /* no row of the table at the end of each piece */
+	/* all trials compute the forces anew, not only those that change a setting */
+	c->sim->run.fingerprint = 0;
+	c->sim->run.in_pieces = true; /* no thermo output at the end of each piece */
 	c->sim->run.unsafe = false;
 	TS_TRY(ts_plan_compile(&c->plan, c->sim));
 	return ts_plan_start(&c->plan, c->sim, true);
 }
 
-static enum ts_status go(struct copy *c, int64_t steps, double *seconds)
+static enum ts_status run_steps(struct copy *c, int64_t steps, double *seconds)
 {
-	double begin = stop_watch(c->sim);
+	double begin = trial_clock(c->sim);
 
 	c->sim->clock.last_step = c->sim->clock.step + steps;
 	TS_TRY(ts_plan_steps(&c->plan, c->sim));
-	*seconds += stop_watch(c->sim) - begin;
+	*seconds += trial_clock(c->sim) - begin;
 	return TS_OK;
 }
 
-/* The least step beyond which a run is refused. */
-static enum ts_status find_limit(struct tsim *sim, double *out)
+/* The largest time step that a run accepts. */
+static enum ts_status find_step_limit(struct tsim *sim, double *out)
 {
 	struct ts_plan_report report = { .limits_only = true };
 	enum ts_status status = ts_report_collect(&report, sim);
@@ -260,106 +261,107 @@ static enum ts_status find_limit(struct tsim *sim, double *out)
 	return status;
 }
 
-static enum ts_status probe(struct copy *c)
+static enum ts_status measure_step(struct copy *c)
 {
-	struct ts_board *b = c->board;
+	struct ts_trial_results *b = c->results;
 	int64_t n = 1, steps = 0;
-	double begin, ignored = 0; /* wall time, which is what may be spent */
+	double begin, ignored = 0; /* `begin`: wall time, which is limited */
 
-	TS_TRY(start(c, b->left));
+	TS_TRY(start_run(c, b->steps_left));
 	b->columns = list_titles(c->sim, b);
-	note_counters(c->sim, b);
-	TS_TRY(find_limit(c->sim, &b->limit));
+	list_interval_fixes(c->sim, b);
+	TS_TRY(find_step_limit(c->sim, &b->limit));
 	begin = ts_clock();
-	TS_TRY(go(c, 1, &ignored)); /* finds cold memory: it counts only if there is time for no other */
+	TS_TRY(run_steps(c, 1, &ignored)); /* with cold caches: used only if there is no time for more */
 	b->step_seconds = ts_clock() - begin;
-	for (begin = ts_clock(); ts_clock() - begin < c->seconds && steps + 1 < b->left; n *= 2) {
-		n = n > b->left - steps - 1 ? b->left - steps - 1 : n;
-		TS_TRY(go(c, n, &ignored));
+	for (begin = ts_clock(); ts_clock() - begin < c->seconds && steps + 1 < b->steps_left; n *= 2) {
+		n = n > b->steps_left - steps - 1 ? b->steps_left - steps - 1 : n;
+		TS_TRY(run_steps(c, n, &ignored));
 		steps += n;
 		b->step_seconds = (ts_clock() - begin) / (double)steps;
 	}
 	return TS_OK;
 }
 
-/* The same physical time for all trials, cut into equal parts; a step that fits. */
-static enum ts_status follow(struct copy *c)
+/* Integrates over the physical time of the trial, in equal parts between samples; dt is adjusted to divide a
+ * part. */
+static enum ts_status integrate_trial(struct copy *c)
 {
 	struct ts_trial *t = c->trial;
-	struct ts_board *b = c->board;
-	int looks = b->steps < TS_TRIAL_LOOKS ? (int)b->steps : TS_TRIAL_LOOKS;
-	double part = (double)(b->steps / looks) * b->dt;
-	int64_t n = b->steps / looks;
+	struct ts_trial_results *b = c->results;
+	int samples = b->steps < TS_TRIAL_SAMPLES ? (int)b->steps : TS_TRIAL_SAMPLES;
+	double part = (double)(b->steps / samples) * b->dt;
+	int64_t n = b->steps / samples;
 
 	if (t->dt > 0 && t->dt != b->dt) {
 		n = (int64_t)ceil(part / t->dt - 1e-9);
 		ts_sim_set_dt(c->sim, part / (double)n);
-		stretch_ramp(&c->sim->clock, b->dt, c->sim->clock.dt);
-		TS_TRY(stretch_intervals(c->sim, b->dt / c->sim->clock.dt));
+		scale_ramp(&c->sim->clock, b->dt, c->sim->clock.dt);
+		TS_TRY(scale_intervals(c->sim, b->dt / c->sim->clock.dt));
 	}
-	if (t->subject == TS_SUBJECT_TWIN)
+	if (t->subject == TS_SUBJECT_PERTURBED)
 		move_by_round_off(c->sim);
-	TS_TRY(start(c, n * looks));
-	look(c->sim, t->column[0]);
-	for (int k = 1; k <= looks; k++) {
-		TS_TRY(go(c, n, &t->seconds));
+	TS_TRY(start_run(c, n * samples));
+	sample_columns(c->sim, t->column[0]);
+	for (int k = 1; k <= samples; k++) {
+		TS_TRY(run_steps(c, n, &t->seconds));
 		if (c->sim->run.halted) {
-			snprintf(t->trouble, sizeof t->trouble, "given up after %.3g s", c->seconds);
+			snprintf(t->failure, sizeof t->failure, "given up after %.3g s", c->seconds);
 			return TS_OK;
 		}
-		look(c->sim, t->column[k]);
-		t->contacts = fmax(t->contacts, touching(c->sim));
+		sample_columns(c->sim, t->column[k]);
+		t->contacts = fmax(t->contacts, count_contacts(c->sim));
 	}
-	t->looks = looks;
-	t->steps = n * looks;
+	t->samples = samples;
+	t->steps = n * samples;
 	t->done = true;
 	return TS_OK;
 }
 
-static enum ts_status attempt(struct copy *c)
+static enum ts_status run_setting(struct copy *c)
 {
 	c->sim->run.halted = false;
 	c->sim->run.timeout = ts_clock() + c->seconds;
 	c->sim->run.timeout_every = 1;
 	if (!c->trial) {
 		c->sim->run.timeout = 0;
-		return probe(c);
+		return measure_step(c);
 	}
-	TS_TRY(ts_candidates_apply(c->sim, c->board, c->trial));
-	return follow(c);
+	TS_TRY(ts_candidates_apply(c->sim, c->results, c->trial));
+	return integrate_trial(c);
 }
 
-static void *in_copy(void *data)
+static void *copy_thread(void *data)
 {
 	struct copy *c = data;
 
-	if (attempt(c) != TS_OK) {
-		char *trouble = c->trial ? c->trial->trouble : c->board->trouble;
+	if (run_setting(c) != TS_OK) {
+		char *trouble = c->trial ? c->trial->failure : c->results->failure;
 
-		snprintf(trouble, sizeof c->trial->trouble, "%.280s", c->sim->error.message);
+		snprintf(trouble, sizeof c->trial->failure, "%.280s", c->sim->error.message);
 	}
 	return NULL;
 }
 
-/* Never comes back. */
-static void be_copy(struct copy *c)
+/* Does not return. */
+static void run_as_copy(struct copy *c)
 {
 	pthread_t thread;
 
-	if (pthread_create(&thread, NULL, in_copy, c) == 0)
+	if (pthread_create(&thread, NULL, copy_thread, c) == 0)
 		pthread_join(thread, NULL);
 	_exit(0);
 }
 
-static void run_copy(struct copy *c, char *trouble, size_t room)
+static void fork_copy(struct copy *c, char *trouble, size_t room)
 {
 	pid_t child;
 	int status = 0;
 
-	fflush(NULL); /* or the copy would write what waits, too */
+	fflush(NULL); /* otherwise the copy would write the buffered output again */
 	child = fork();
 	if (child == 0)
-		be_copy(c);
+		run_as_copy(c);
 	if (child < 0) {
 		snprintf(trouble, room, "cannot start a process: %s", strerror(errno));
 		return;
@@ -370,25 +372,25 @@ static void run_copy(struct copy *c, char *trouble, size_t room)
 		snprintf(trouble, room, "ended by signal %d", WTERMSIG(status));
 }
 
-void ts_trial_probe(struct tsim *sim, struct ts_board *board, double seconds)
+void ts_trial_probe(struct tsim *sim, struct ts_trial_results *results, double seconds)
 {
-	struct copy c = { .sim = sim, .board = board, .seconds = seconds };
+	struct copy c = { .sim = sim, .results = results, .seconds = seconds };
 
-	run_copy(&c, board->trouble, sizeof board->trouble);
+	fork_copy(&c, results->failure, sizeof results->failure);
 }
 
-void ts_trial_repeat(struct tsim *sim, struct ts_board *board, int k, double seconds)
+void ts_trial_repeat(struct tsim *sim, struct ts_trial_results *results, int k, double seconds)
 {
-	struct ts_trial *t = &board->trial[k];
-	struct copy c = { .sim = sim, .board = board, .trial = t, .seconds = seconds };
+	struct ts_trial *t = &results->trial[k];
+	struct copy c = { .sim = sim, .results = results, .trial = t, .seconds = seconds };
 	double least = t->seconds;
 
 	bool before = t->done;
 
 	t->seconds = 0;
 	t->done = false;
-	run_copy(&c, t->trouble, sizeof t->trouble);
-	if (!t->done && before) { /* the time was over: what was measured before counts */
+	fork_copy(&c, t->failure, sizeof t->failure);
+	if (!t->done && before) { /* the time was used up: the previous measurement is kept */
 		t->done = true;
 		t->seconds = least;
 		return;
@@ -397,11 +399,11 @@ void ts_trial_repeat(struct tsim *sim, struct ts_board *board, int k, double sec
 	t->seconds = fmin(least, t->seconds);
 }
 
-void ts_trial_run(struct tsim *sim, struct ts_board *board, int k, double seconds)
+void ts_trial_run(struct tsim *sim, struct ts_trial_results *results, int k, double seconds)
 {
-	struct ts_trial *t = &board->trial[k];
+	struct ts_trial *t = &results->trial[k];
 
 	t->seconds = INFINITY;
-	for (int r = 0; r < board->repeats && (!r || t->done); r++)
-		ts_trial_repeat(sim, board, k, seconds);
+	for (int r = 0; r < results->repeats && (!r || t->done); r++)
+		ts_trial_repeat(sim, results, k, seconds);
 }

@@ -1,5 +1,4 @@
-/* One trial, and the board on which the processes of -advise write what they found: memory that they share,
- * so without pointers. */
+/* Trials of settings, and their results: memory that the processes of -advise share, hence without pointers. */
 #ifndef TS_ADVISE_TRIAL_H
 #define TS_ADVISE_TRIAL_H
 
@@ -9,83 +8,89 @@
 #include "core/sim.h"
 
 enum {
-	TS_TRIAL_MOST = 32,
-	TS_TRIAL_COLUMNS = 40,
-	TS_TRIAL_LOOKS = 8, /* times at which the columns are read */
-	TS_TRIAL_TEXT = 96,
+	TS_TRIAL_MOST = 32,    /* number of trials */
+	TS_TRIAL_COLUMNS = 40, /* columns of the thermo output that are compared */
+	TS_TRIAL_SAMPLES = 8,  /* number of times at which the columns are evaluated */
+	TS_TRIAL_TEXT = 96,    /* length of labels */
 };
 
-/* Of each subject the best setting is advised, if it is better than what the scene has. */
+/* What a trial changes. For each subject the best setting is advised, if it is better than the present one. */
 enum ts_subject {
-	TS_SUBJECT_PRESENT, /* as the script has it */
-	TS_SUBJECT_TWIN,    /* the same, each particle moved by round-off: how far the columns can be told */
+	TS_SUBJECT_PRESENT, /* nothing: the settings of the script */
+	/* nothing, but each particle is displaced by round-off: shows to how many digits the columns are
+	 * reproducible */
+	TS_SUBJECT_PERTURBED,
 	TS_SUBJECT_STEP,
 	TS_SUBJECT_SKIN,
 	TS_SUBJECT_THREADS,
 	TS_SUBJECT_CHOICE,   /* an argument of the pair or flow style */
-	TS_SUBJECT_PRESSURE, /* who solves for the pressure */
-	TS_SUBJECT_TOGETHER, /* all that is advised */
+	TS_SUBJECT_PRESSURE, /* the pressure solver */
+	TS_SUBJECT_TOGETHER, /* all settings that are advised */
 	TS_NSUBJECT
 };
 
 struct ts_trial {
-	bool law;	     /* another law of contacts */
-	int subject, choice; /* the latter: which row of the table of choices */
+	/* the setting */
+	bool contact_law;    /* changes the contact law */
+	int subject, choice; /* enum ts_subject; index in the table of choices (candidates.c) */
 	char label[TS_TRIAL_TEXT], value[TS_TRIAL_TEXT];
-	double dt, skin; /* 0: as it is */
-	int threads;	 /* 0: as it is */
+	double dt, skin; /* 0: unchanged (time units, length units) */
+	int threads;	 /* 0: unchanged */
 
-	/* what came out */
+	/* the measurement */
 	bool done;
-	char trouble[3 * TS_TRIAL_TEXT]; /* why it is not */
+	char failure[3 * TS_TRIAL_TEXT]; /* why it is not done */
 	int64_t steps;
-	double seconds, longest; /* the least and the longest time of its repeats */
-	double contacts;	 /* how many touched, at most, when it was looked at */
-	int looks;
-	double column[TS_TRIAL_LOOKS + 1][TS_TRIAL_COLUMNS]; /* the first: at the start */
+	double seconds, longest; /* shortest and longest time of the repetitions (s) */
+	double contacts;	 /* largest number of touching contacts at the samples */
+	int samples;
+	double column[TS_TRIAL_SAMPLES + 1][TS_TRIAL_COLUMNS]; /* values at the samples; [0]: at the start */
 
-	/* what it means */
-	bool undecided;	     /* it seems cheaper, but by no more than times differ anyway */
-	bool idle;	     /* another law of contacts, and nothing touched */
-	bool advised, front; /* front: nothing is both cheaper and closer to the finest */
-	double change[TS_TRIAL_COLUMNS], worst; /* against the finest, in units of the column's scale */
+	/* the evaluation, verdict.c */
+	bool undecided;	  /* cheaper, but by less than the scatter of the measured times */
+	bool no_contacts; /* another contact law, but there was no contact */
+	bool advised;
+	bool pareto; /* no other trial is both cheaper and closer to the reference trial */
+	/* largest differences from the reference trial, in units of the scale of the column */
+	double change[TS_TRIAL_COLUMNS], worst;
 	int worst_column;
 };
 
-struct ts_board {
-	/* the way there: what the script runs */
-	int64_t runs, costliest; /* number of run commands; of which the most work is done, from 0 */
-	double work;		 /* of that one: steps times particles */
-	bool cut;		 /* the time was over before the script was */
-	char trouble[4096];	 /* the error that ended the script */
+struct ts_trial_results {
+	/* execution of the script up to the start of the trials */
+	int64_t runs;	    /* number of run commands so far */
+	int64_t costliest;  /* index of the run with the most work, from 0 */
+	double work;	    /* work of that run: steps times particles */
+	bool out_of_time;   /* stopped before the end of the script since the time was used up */
+	char failure[4096]; /* error message that ended the script */
 
-	/* where the trials start */
-	bool arrived;
-	char place[2 * TS_TRIAL_TEXT];
-	int64_t step, left, whole; /* of the run there: steps still to do, and of all */
+	/* state at the start of the trials */
+	bool started;
+	char location[2 * TS_TRIAL_TEXT];    /* "FILE:LINE: run of N steps" */
+	int64_t step, steps_left, run_steps; /* present step; steps left, and all steps, of the run there */
 	int64_t particles;
-	double time, dt, skin, limit; /* limit of the step; INFINITY: none */
+	double time, dt, skin, limit; /* limit: largest stable time step; INFINITY: none */
 	int threads;
-	double step_seconds; /* of one step, before the trials */
+	double step_seconds; /* wall time of a step before the trials (s) */
 
 	/* the trials */
-	int64_t steps;			  /* of the present dt */
-	int repeats;			  /* the least time counts */
-	char counters[2 * TS_TRIAL_TEXT]; /* fixes that act every so many steps */
+	int64_t steps; /* length of a trial, in steps of the present dt */
+	int repeats;   /* number of repetitions, of which the shortest time is used */
+	char interval_fixes[2 *
+			    TS_TRIAL_TEXT]; /* fixes that act at intervals in steps, and their arguments */
 	int columns;
 	char title[TS_TRIAL_COLUMNS][16];
-	/* by the steps, so with another step it is another thing: not judged */
-	bool counts[TS_TRIAL_COLUMNS];
+	/* the value is defined by a number of steps, so that trials of different dt cannot be compared */
+	bool step_dependent[TS_TRIAL_COLUMNS];
 	int n;
 	struct ts_trial trial[TS_TRIAL_MOST];
 };
 
-/* Steps for some tenths of a second, in a copy: fills in step_seconds, limit, skin and the titles. */
-void ts_trial_probe(struct tsim *sim, struct ts_board *board, double seconds);
-/* Runs the k-th trial in a copy; gives up after so many seconds. */
-void ts_trial_run(struct tsim *sim, struct ts_board *board, int k, double seconds);
-
-/* Once more; the least and the longest time are kept. */
-void ts_trial_repeat(struct tsim *sim, struct ts_board *board, int k, double seconds);
+/* Measures some steps in a forked copy, for `seconds`: sets step_seconds, limit, titles and interval_fixes. */
+void ts_trial_probe(struct tsim *sim, struct ts_trial_results *results, double seconds);
+/* Runs trial k, with its repetitions, in forked copies; each is given up after `seconds`. */
+void ts_trial_run(struct tsim *sim, struct ts_trial_results *results, int k, double seconds);
+/* Repeats trial k; updates its shortest and longest time. */
+void ts_trial_repeat(struct tsim *sim, struct ts_trial_results *results, int k, double seconds);
 
 #endif

@@ -1,5 +1,5 @@
-/* What the trials mean: changes of the columns, the settings of which none is both cheaper and closer to the
- * finest, and advice. */
+/* Evaluation of the trials: changes of the columns against the reference trial (the one with the smallest time
+ * step), the Pareto front of cost and change, and advice. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -10,20 +10,22 @@
 
 #include "base/banned.h"
 
-static const double WORTH = 0.9;   /* advised from this part of the cost on */
-static const double NOISE = 3;	   /* a change counts if it is so many times that of the twin */
-static const double FLOOR = 1e-12; /* a difference of round-off, in parts of the magnitude */
-/* a saving counts if it is so many times what times of the same differ by */
+static const double WORTH = 0.9; /* advised below this fraction of the cost */
+/* a change is significant above this multiple of that of the perturbed trial */
+static const double NOISE = 3;
+static const double FLOOR = 1e-12; /* relative difference that is round-off */
+/* a saving is significant above this multiple of the scatter of the measured times */
 static const double SURE = 2;
-static const double SHORTEST = 2e-3; /* seconds: less is the clock's own */
+static const double SHORTEST = 2e-3; /* resolution of the clock (s) */
 enum { COLUMNS_SHOWN = 7, LABEL_WIDTH = 30 };
 
-static double cost_of(const struct ts_trial *t, const struct ts_board *b)
+/* Computing time (s) per unit of simulated time. */
+static double cost_of(const struct ts_trial *t, const struct ts_trial_results *b)
 {
 	return t->seconds / ((double)b->steps * b->dt);
 }
 
-static const struct ts_trial *first_of(const struct ts_board *b, enum ts_subject subject)
+static const struct ts_trial *find_trial(const struct ts_trial_results *b, enum ts_subject subject)
 {
 	for (int k = 0; k < b->n; k++)
 		if (b->trial[k].subject == (int)subject && b->trial[k].done)
@@ -31,64 +33,67 @@ static const struct ts_trial *first_of(const struct ts_board *b, enum ts_subject
 	return NULL;
 }
 
-/* The scene as it is and its twin do the same work: the least of their times. */
-static double present_seconds(const struct ts_board *b)
+/* The trial with the present settings and the perturbed one do the same work: the shorter of their times. */
+static double present_seconds(const struct ts_trial_results *b)
 {
-	const struct ts_trial *here = first_of(b, TS_SUBJECT_PRESENT);
-	const struct ts_trial *twin = first_of(b, TS_SUBJECT_TWIN);
+	const struct ts_trial *present = find_trial(b, TS_SUBJECT_PRESENT);
+	const struct ts_trial *perturbed = find_trial(b, TS_SUBJECT_PERTURBED);
 
-	return here && twin ? fmin(here->seconds, twin->seconds) : here ? here->seconds : 0;
+	return present && perturbed ? fmin(present->seconds, perturbed->seconds)
+	       : present	    ? present->seconds
+				    : 0;
 }
 
+/* Relative scatter of the repetitions. */
 static double spread_of(const struct ts_trial *t)
 {
 	return t && t->done ? (t->longest - t->seconds) / t->seconds : 0;
 }
 
-/* How much times of the same differ, in parts of them: the scene and its twin do the same work, and so do
- * repeats. */
-static double time_noise(const struct ts_board *b, const struct ts_trial *t)
+/* Relative scatter of the times of equal work: repetitions, and the present and the perturbed trial. */
+static double time_noise(const struct ts_trial_results *b, const struct ts_trial *t)
 {
-	const struct ts_trial *here = first_of(b, TS_SUBJECT_PRESENT);
-	const struct ts_trial *twin = first_of(b, TS_SUBJECT_TWIN);
-	double noise = fmax(spread_of(t), fmax(spread_of(here), spread_of(twin)));
+	const struct ts_trial *present = find_trial(b, TS_SUBJECT_PRESENT);
+	const struct ts_trial *perturbed = find_trial(b, TS_SUBJECT_PERTURBED);
+	double noise = fmax(spread_of(t), fmax(spread_of(present), spread_of(perturbed)));
 
-	if (here && twin)
-		noise = fmax(noise, fabs(here->seconds - twin->seconds) / fmin(here->seconds, twin->seconds));
+	if (present && perturbed)
+		noise = fmax(noise, fabs(present->seconds - perturbed->seconds) /
+					    fmin(present->seconds, perturbed->seconds));
 	return fmax(noise, SHORTEST / fmax(t->seconds, 1e-9));
 }
 
-static bool seems_worth(const struct ts_board *b, const struct ts_trial *t)
+static bool is_cheaper(const struct ts_trial_results *b, const struct ts_trial *t)
 {
 	return t->done && t->seconds < WORTH * present_seconds(b);
 }
 
-/* Cheaper by more than times differ anyway. */
-static bool surely_worth(const struct ts_board *b, const struct ts_trial *t)
+/* Cheaper by more than the scatter of the times. */
+static bool is_significantly_cheaper(const struct ts_trial_results *b, const struct ts_trial *t)
 {
-	return seems_worth(b, t) && 1 - t->seconds / present_seconds(b) > SURE * time_noise(b, t);
+	return is_cheaper(b, t) && 1 - t->seconds / present_seconds(b) > SURE * time_noise(b, t);
 }
 
-/* Nothing touched, so a law of contacts has not been tried. */
-static bool law_of_nothing(const struct ts_board *b, const struct ts_trial *t)
+/* Another contact law, but without contacts: it was not tested. */
+static bool law_untested(const struct ts_trial_results *b, const struct ts_trial *t)
 {
-	const struct ts_trial *here = first_of(b, TS_SUBJECT_PRESENT);
+	const struct ts_trial *present = find_trial(b, TS_SUBJECT_PRESENT);
 
-	return t->law && here && !(here->contacts > 0) && !(t->contacts > 0);
+	return t->contact_law && present && !(present->contacts > 0) && !(t->contacts > 0);
 }
 
-bool ts_verdict_open(struct ts_board *b, int k)
+bool ts_verdict_open(struct ts_trial_results *b, int k)
 {
 	const struct ts_trial *t = &b->trial[k];
 
-	return t->subject >= TS_SUBJECT_STEP && !law_of_nothing(b, t) && seems_worth(b, t) &&
-	       !surely_worth(b, t);
+	return t->subject >= TS_SUBJECT_STEP && !law_untested(b, t) && is_cheaper(b, t) &&
+	       !is_significantly_cheaper(b, t);
 }
 
-/* The trial with the smallest step, all else as the scene has it. */
-static const struct ts_trial *finest(const struct ts_board *b)
+/* The reference: the trial with the smallest time step and otherwise the present settings. */
+static const struct ts_trial *reference_trial(const struct ts_trial_results *b)
 {
-	const struct ts_trial *best = first_of(b, TS_SUBJECT_PRESENT);
+	const struct ts_trial *best = find_trial(b, TS_SUBJECT_PRESENT);
 	double least = b->dt;
 
 	for (int k = 0; k < b->n; k++) {
@@ -102,25 +107,25 @@ static const struct ts_trial *finest(const struct ts_board *b)
 	return best;
 }
 
-/* What a column goes through, but at least a thousandth of its magnitude: round-off of a constant is no
- * change. */
+/* The range of a column in the trial, but at least a thousandth of its magnitude, so that round-off of a
+ * constant is no change. */
 static double scale_of(const struct ts_trial *t, int column)
 {
 	double lo = INFINITY, hi = -INFINITY;
 
-	for (int k = 0; k <= t->looks; k++) {
+	for (int k = 0; k <= t->samples; k++) {
 		lo = fmin(lo, t->column[k][column]);
 		hi = fmax(hi, t->column[k][column]);
 	}
 	return fmax(hi - lo, 1e-3 * fmax(fabs(lo), fabs(hi)));
 }
 
-/* The largest difference at any look, in units of the scale. */
-static double change(const struct ts_trial *a, const struct ts_trial *b, int column, double scale)
+/* The largest difference over the samples, in units of the scale. */
+static double largest_change(const struct ts_trial *a, const struct ts_trial *b, int column, double scale)
 {
 	double most = 0;
 
-	for (int k = 1; k <= a->looks && k <= b->looks; k++) {
+	for (int k = 1; k <= a->samples && k <= b->samples; k++) {
 		double x = a->column[k][column], y = b->column[k][column], d = fabs(x - y);
 
 		if (isnan(x) && isnan(y))
@@ -133,26 +138,27 @@ static double change(const struct ts_trial *a, const struct ts_trial *b, int col
 	return most;
 }
 
-static double noise_of(const struct ts_board *b, int column, double scale)
+/* Change of a column by round-off: that of the perturbed trial. */
+static double noise_of(const struct ts_trial_results *b, int column, double scale)
 {
-	const struct ts_trial *here = first_of(b, TS_SUBJECT_PRESENT);
-	const struct ts_trial *twin = first_of(b, TS_SUBJECT_TWIN);
+	const struct ts_trial *present = find_trial(b, TS_SUBJECT_PRESENT);
+	const struct ts_trial *perturbed = find_trial(b, TS_SUBJECT_PERTURBED);
 
-	return here && twin ? change(twin, here, column, scale) : 0;
+	return present && perturbed ? largest_change(perturbed, present, column, scale) : 0;
 }
 
-/* The largest change of a trial from another that is more than round-off grown large. */
-static double worst_change(const struct ts_board *b, const struct ts_trial *t, const struct ts_trial *from,
-			   int *column)
+/* The largest change of a trial against another one that exceeds the growth of round-off. */
+static double worst_change(const struct ts_trial_results *b, const struct ts_trial *t,
+			   const struct ts_trial *from, int *column)
 {
-	const struct ts_trial *finer = finest(b);
+	const struct ts_trial *reference = reference_trial(b);
 	double worst = 0;
 
 	*column = -1;
 	for (int c = 0; c < b->columns; c++) {
-		double scale = scale_of(finer, c), d = change(t, from, c, scale);
+		double scale = scale_of(reference, c), d = largest_change(t, from, c, scale);
 
-		if (d > worst && !b->counts[c] && d > NOISE * noise_of(b, c, scale)) {
+		if (d > worst && !b->step_dependent[c] && d > NOISE * noise_of(b, c, scale)) {
 			worst = d;
 			*column = c;
 		}
@@ -160,45 +166,46 @@ static double worst_change(const struct ts_board *b, const struct ts_trial *t, c
 	return worst;
 }
 
-static void measure(struct ts_board *b)
+static void compute_changes(struct ts_trial_results *b)
 {
-	const struct ts_trial *finer = finest(b);
+	const struct ts_trial *reference = reference_trial(b);
 
-	for (int k = 0; k < b->n && finer; k++) {
+	for (int k = 0; k < b->n && reference; k++) {
 		struct ts_trial *t = &b->trial[k];
 
 		if (!t->done)
 			continue;
 		for (int c = 0; c < b->columns; c++)
-			t->change[c] = change(t, finer, c, scale_of(finer, c));
-		t->worst = worst_change(b, t, finer, &t->worst_column);
+			t->change[c] = largest_change(t, reference, c, scale_of(reference, c));
+		t->worst = worst_change(b, t, reference, &t->worst_column);
 	}
 }
 
-static void mark_front(struct ts_board *b)
+static void mark_front(struct ts_trial_results *b)
 {
 	for (int k = 0; k < b->n; k++) {
 		struct ts_trial *t = &b->trial[k];
 
-		t->front = t->done && t->subject != TS_SUBJECT_TWIN;
-		for (int m = 0; m < b->n && t->front; m++) {
+		t->pareto = t->done && t->subject != TS_SUBJECT_PERTURBED;
+		for (int m = 0; m < b->n && t->pareto; m++) {
 			const struct ts_trial *o = &b->trial[m];
 			bool better = o->seconds < t->seconds || o->worst < t->worst;
 
-			if (o->done && o->subject != TS_SUBJECT_TWIN && better && o->seconds <= t->seconds &&
-			    o->worst <= t->worst)
-				t->front = false;
+			if (o->done && o->subject != TS_SUBJECT_PERTURBED && better &&
+			    o->seconds <= t->seconds && o->worst <= t->worst)
+				t->pareto = false;
 		}
 	}
 }
 
 /* ---- advice */
 
-/* The cheapest step that is close enough to the finest, which is no proof of itself. */
-static void advise_step(struct ts_board *b, double tolerance)
+/* The cheapest time step within the tolerance of the reference; the reference itself has nothing to be compared
+ * with. */
+static void advise_step(struct ts_trial_results *b, double tolerance)
 {
-	const struct ts_trial *finer = finest(b);
-	struct ts_trial *best = NULL, *here = NULL;
+	const struct ts_trial *reference = reference_trial(b);
+	struct ts_trial *best = NULL, *present = NULL;
 
 	for (int k = 0; k < b->n; k++) {
 		struct ts_trial *t = &b->trial[k];
@@ -206,40 +213,41 @@ static void advise_step(struct ts_board *b, double tolerance)
 		if (!t->done || (t->subject != TS_SUBJECT_STEP && t->subject != TS_SUBJECT_PRESENT))
 			continue;
 		if (t->subject == TS_SUBJECT_PRESENT)
-			here = t;
-		if (t != finer && t->worst <= tolerance && (!best || t->seconds < best->seconds))
+			present = t;
+		if (t != reference && t->worst <= tolerance && (!best || t->seconds < best->seconds))
 			best = t;
 	}
-	if (!best || !here || best == here)
+	if (!best || !present || best == present)
 		return;
-	best->advised = here->worst > tolerance || surely_worth(b, best);
-	best->undecided = !best->advised && seems_worth(b, best);
+	best->advised = present->worst > tolerance || is_significantly_cheaper(b, best);
+	best->undecided = !best->advised && is_cheaper(b, best);
 }
 
-static bool same_thing(const struct ts_trial *a, const struct ts_trial *b)
+static bool same_setting(const struct ts_trial *a, const struct ts_trial *b)
 {
 	return a->subject == b->subject && a->choice == b->choice;
 }
 
-/* All else is compared with the scene as it is, at its step. */
-static void advise_others(struct ts_board *b, double tolerance)
+/* Other settings are compared with the present settings at the same time step. */
+static void advise_others(struct ts_trial_results *b, double tolerance)
 {
-	const struct ts_trial *here = first_of(b, TS_SUBJECT_PRESENT);
+	const struct ts_trial *present = find_trial(b, TS_SUBJECT_PRESENT);
 
-	for (int k = 0; k < b->n && here; k++) {
+	for (int k = 0; k < b->n && present; k++) {
 		struct ts_trial *t = &b->trial[k];
 		int column;
 
 		if (!t->done || t->subject < TS_SUBJECT_SKIN || t->subject >= TS_SUBJECT_TOGETHER)
 			continue;
-		t->idle = law_of_nothing(b, t);
-		t->undecided = !t->idle && seems_worth(b, t) && !surely_worth(b, t) &&
-			       worst_change(b, t, here, &column) <= tolerance;
-		t->advised = !t->idle && surely_worth(b, t) && worst_change(b, t, here, &column) <= tolerance;
+		t->no_contacts = law_untested(b, t);
+		t->undecided = !t->no_contacts && is_cheaper(b, t) && !is_significantly_cheaper(b, t) &&
+			       worst_change(b, t, present, &column) <= tolerance;
+		t->advised = !t->no_contacts && is_significantly_cheaper(b, t) &&
+			     worst_change(b, t, present, &column) <= tolerance;
 		for (int m = 0; m < k && t->advised; m++) {
 			struct ts_trial *o = &b->trial[m];
 
-			if (!o->advised || !same_thing(o, t))
+			if (!o->advised || !same_setting(o, t))
 				continue;
 			if (o->seconds <= t->seconds)
 				t->advised = false;
@@ -249,12 +257,12 @@ static void advise_others(struct ts_board *b, double tolerance)
 	}
 }
 
-bool ts_verdict_combine(struct ts_board *b, double tolerance)
+bool ts_verdict_combine(struct ts_trial_results *b, double tolerance)
 {
 	struct ts_trial all = { .subject = TS_SUBJECT_TOGETHER, .label = "all that is advised" };
 	int n = 0;
 
-	measure(b);
+	compute_changes(b);
 	advise_step(b, tolerance);
 	advise_others(b, tolerance);
 	for (int k = 0; k < b->n; k++) {
@@ -276,7 +284,7 @@ bool ts_verdict_combine(struct ts_board *b, double tolerance)
 /* ---- the text */
 
 /* The columns that differ most between settings. */
-static int choose_columns(const struct ts_board *b, int *shown)
+static int choose_columns(const struct ts_trial_results *b, int *shown)
 {
 	double most[TS_TRIAL_COLUMNS] = { 0 };
 	int n = 0;
@@ -308,31 +316,31 @@ static void add_percent(struct ts_str *out, double part, bool noise)
 	ts_str_addf(out, " %9s", text);
 }
 
-static void add_row(const struct ts_board *b, const struct ts_trial *t, const int *shown, int n,
+static void add_row(const struct ts_trial_results *b, const struct ts_trial *t, const int *shown, int n,
 		    struct ts_str *out)
 {
-	const struct ts_trial *here = first_of(b, TS_SUBJECT_PRESENT), *finer = finest(b);
+	const struct ts_trial *present = find_trial(b, TS_SUBJECT_PRESENT), *reference = reference_trial(b);
 
-	ts_str_addf(out, "%s%s %-*s", t->front ? "*" : " ", t->advised ? ">" : " ", LABEL_WIDTH, t->label);
+	ts_str_addf(out, "%s%s %-*s", t->pareto ? "*" : " ", t->advised ? ">" : " ", LABEL_WIDTH, t->label);
 	if (!t->done) {
-		ts_str_addf(out, " %.76s%s\n", *t->trouble ? t->trouble : "not tried, no time was left",
-			    strlen(t->trouble) > 76 ? " ..." : "");
+		ts_str_addf(out, " %.76s%s\n", *t->failure ? t->failure : "not tried, the time was used up",
+			    strlen(t->failure) > 76 ? " ..." : "");
 		return;
 	}
 	ts_str_addf(out, " %9.3g", cost_of(t, b));
-	if (here && here->seconds > 0)
-		ts_str_addf(out, " %6.2f", t->seconds / here->seconds);
-	if (t == finer)
+	if (present && present->seconds > 0)
+		ts_str_addf(out, " %6.2f", t->seconds / present->seconds);
+	if (t == reference)
 		ts_str_addf(out, " %9s", "finest");
-	for (int k = 0; k < n && t != finer; k++) {
-		double noise = noise_of(b, shown[k], scale_of(finer, shown[k]));
+	for (int k = 0; k < n && t != reference; k++) {
+		double noise = noise_of(b, shown[k], scale_of(reference, shown[k]));
 
 		add_percent(out, t->change[shown[k]], t->change[shown[k]] <= NOISE * noise);
 	}
 	ts_str_add(out, "\n");
 }
 
-static void add_table(const struct ts_board *b, struct ts_str *out)
+static void add_table(const struct ts_trial_results *b, struct ts_str *out)
 {
 	int shown[TS_TRIAL_COLUMNS], n = choose_columns(b, shown);
 
@@ -343,40 +351,45 @@ static void add_table(const struct ts_board *b, struct ts_str *out)
 	for (int k = 0; k < b->n; k++)
 		add_row(b, &b->trial[k], shown, n, out);
 	ts_str_add(out,
-		   "s/time: seconds of computing for a unit of time of the script; cost: the same, the scene "
-		   "as it is being 1. Then\nchanges of the columns of its table from the finest trial, the "
-		   "largest at any look, in parts of what the column goes\nthrough in a trial; ~ no more "
-		   "than round-off grows to. * nothing is both cheaper and closer. > advised\n");
+		   "s/time: computing time in seconds per unit of simulated time; cost: the same relative to "
+		   "the "
+		   "present settings.\n"
+		   "Then the largest change of each column of the thermo output against the trial with the "
+		   "smallest time step\n"
+		   "(finest), relative to the range of the column in a trial. ~: not larger than the growth "
+		   "of "
+		   "round-off.\n"
+		   "*: no other setting is both cheaper and closer to the finest. >: advised\n");
 	for (int c = 0; c < b->columns; c++)
-		if (b->counts[c]) {
-			ts_str_add(out, "# of a fix that counts or measures steps, so another thing with "
-					"another step: not judged\n");
+		if (b->step_dependent[c]) {
+			ts_str_add(out, "# of a fix that counts or measures steps: its meaning depends on "
+					"the time step, not judged\n");
 			break;
 		}
-	if (*b->counters)
+	if (*b->interval_fixes)
 		ts_str_addf(out,
-			    "with another step, these numbers of steps were changed to stand for the same "
-			    "time: %s\n",
-			    b->counters);
+			    "with another time step, these intervals in steps were changed to stand for the "
+			    "same time: %s\n",
+			    b->interval_fixes);
 	if (n < b->columns)
-		ts_str_addf(out, "%d columns that change less are not shown\n", b->columns - n);
+		ts_str_addf(out, "%d columns with smaller changes are not shown\n", b->columns - n);
 }
 
-static void add_head(const struct ts_board *b, struct ts_str *out)
+static void add_head(const struct ts_trial_results *b, struct ts_str *out)
 {
 	double span = (double)b->steps * b->dt;
 
 	ts_str_addf(out, "Trials start at step %" PRId64 ", time %g, %s, with %" PRId64 " particles\n",
-		    b->step, b->time, b->place, b->particles);
-	ts_str_addf(out, "Each goes through %g of time, %" PRId64 " steps of %g", span, b->steps, b->dt);
-	if (b->whole > 0)
-		ts_str_addf(out, ": %.2g %% of the run", 100 * (double)b->steps / (double)b->whole);
+		    b->step, b->time, b->location, b->particles);
+	ts_str_addf(out, "Each covers a time of %g, %" PRId64 " steps of %g", span, b->steps, b->dt);
+	if (b->run_steps > 0)
+		ts_str_addf(out, ": %.2g %% of the run", 100 * (double)b->steps / (double)b->run_steps);
 	if (isfinite(b->limit))
-		ts_str_addf(out, "; limit of the step %.4g", b->limit);
+		ts_str_addf(out, "; stability limit of the time step %.4g", b->limit);
 	ts_str_addf(out, "\nThe same again: -advise at %" PRId64 " steps %" PRId64 "\n\n", b->step, b->steps);
 }
 
-static void add_change(const struct ts_board *b, double worst, int column, struct ts_str *out)
+static void add_change(const struct ts_trial_results *b, double worst, int column, struct ts_str *out)
 {
 	if (column < 0)
 		ts_str_add(out, "nothing changes");
@@ -384,19 +397,19 @@ static void add_change(const struct ts_board *b, double worst, int column, struc
 		ts_str_addf(out, "the largest change is %.2g %% (%s)", 100 * worst, b->title[column]);
 }
 
-static void add_duration(const struct ts_board *b, const struct ts_trial *here, const struct ts_trial *t,
-			 struct ts_str *out)
+static void add_duration(const struct ts_trial_results *b, const struct ts_trial *present,
+			 const struct ts_trial *t, struct ts_str *out)
 {
-	double per_run = (double)b->left / (double)b->steps;
+	double per_run = (double)b->steps_left / (double)b->steps;
 
 	ts_str_add(out, "the rest of the run would take ");
 	ts_price_time(per_run * t->seconds, out);
 	ts_str_add(out, " instead of ");
-	ts_price_time(per_run * here->seconds, out);
+	ts_price_time(per_run * present->seconds, out);
 }
 
-/* What could not be told: settings that seem cheaper. */
-static int add_undecided(const struct ts_board *b, struct ts_str *out)
+/* Settings that may be cheaper, but whose measurement is not conclusive. */
+static int add_undecided(const struct ts_trial_results *b, struct ts_str *out)
 {
 	bool idle = false;
 	int n = 0;
@@ -404,27 +417,27 @@ static int add_undecided(const struct ts_board *b, struct ts_str *out)
 	for (int k = 0; k < b->n; k++) {
 		const struct ts_trial *t = &b->trial[k];
 
-		if (t->idle && !idle)
-			ts_str_add(out, "laws of contacts: not decided, since nothing touched in the trials; "
-					"begin them later (-advise at STEP)\n");
-		idle |= t->idle;
+		if (t->no_contacts && !idle)
+			ts_str_add(out, "contact laws: not decided, since there was no contact in the "
+					"trials; start them later (-advise at STEP)\n");
+		idle |= t->no_contacts;
 		if (t->undecided)
 			ts_str_addf(out,
-				    "%s: not decided, %.2f of the cost, but times of the same differ by %.2g "
-				    "%%; give it more time\n",
+				    "%s: not decided, %.2f of the cost, but times of equal trials differ by "
+				    "%.2g %%; increase the time\n",
 				    t->label, t->seconds / present_seconds(b), 100 * time_noise(b, t));
 		n += t->undecided;
 	}
 	return n + idle;
 }
 
-static void add_advice(const struct ts_board *b, double tolerance, struct ts_str *out)
+static void add_advice(const struct ts_trial_results *b, double tolerance, struct ts_str *out)
 {
-	const struct ts_trial *here = first_of(b, TS_SUBJECT_PRESENT), *all = NULL, *only = NULL;
+	const struct ts_trial *present = find_trial(b, TS_SUBJECT_PRESENT), *all = NULL, *only = NULL;
 	bool step_advised = false;
 	int n = 0;
 
-	for (int k = 0; k < b->n && here; k++) {
+	for (int k = 0; k < b->n && present; k++) {
 		const struct ts_trial *t = &b->trial[k];
 		bool step = t->subject == TS_SUBJECT_STEP;
 		double worst = t->worst;
@@ -434,37 +447,37 @@ static void add_advice(const struct ts_board *b, double tolerance, struct ts_str
 		if (!t->advised)
 			continue;
 		if (!step)
-			worst = worst_change(b, t, here, &column);
-		ts_str_addf(out, "%s: %.2f of the cost, ", t->label, t->seconds / here->seconds);
+			worst = worst_change(b, t, present, &column);
+		ts_str_addf(out, "%s: %.2f of the cost, ", t->label, t->seconds / present->seconds);
 		add_change(b, worst, column, out);
 		ts_str_addf(out, "%s\n",
-			    step && here->worst > tolerance
+			    step && present->worst > tolerance
 				    ? "; the present step is too long for the tolerance"
 				    : "");
 		only = t;
 		step_advised |= step;
 		n++;
 	}
-	if (here && here->worst > tolerance && !step_advised)
+	if (present && present->worst > tolerance && !step_advised)
 		ts_str_addf(out,
-			    "The step decides: as it is, %s is off by %.2g %%, and no step tried is within "
-			    "%g %% of the finest. Try smaller ones.\n",
-			    b->title[here->worst_column], 100 * here->worst, 100 * tolerance);
+			    "The time step is too long: %s differs by %.2g %%, and no time step tried is "
+			    "within %g %% of the finest. Try smaller ones.\n",
+			    b->title[present->worst_column], 100 * present->worst, 100 * tolerance);
 	else if (!add_undecided(b, out) && !n)
-		ts_str_add(out, "Nothing that was tried is better than what the script has.\n");
+		ts_str_add(out, "No setting that was tried is better than the present ones.\n");
 	only = all ? all : n == 1 ? only : NULL;
 	if (!only)
 		return;
 	ts_str_add(out, all ? "Together: " : "With it ");
-	add_duration(b, here, only, out);
+	add_duration(b, present, only, out);
 	ts_str_add(out, "; to the finest, ");
 	add_change(b, only->worst, only->worst_column, out);
 	ts_str_add(out, "\n");
 }
 
-void ts_verdict_print(struct ts_board *b, double tolerance, struct ts_str *out)
+void ts_verdict_print(struct ts_trial_results *b, double tolerance, struct ts_str *out)
 {
-	measure(b);
+	compute_changes(b);
 	mark_front(b);
 	add_head(b, out);
 	add_table(b, out);

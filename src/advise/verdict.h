@@ -5,11 +5,11 @@
 #include "advise/trial.h"
 
 /* Whether trial k is cheaper than the present settings, but by less than the scatter of the measured times. */
-bool ts_verdict_open(struct ts_board *board, int k);
+bool ts_verdict_open(struct ts_trial_results *results, int k);
 /* Appends a trial with all settings that are advised; false if fewer than two are. */
-bool ts_verdict_combine(struct ts_board *board, double tolerance);
+bool ts_verdict_combine(struct ts_trial_results *results, double tolerance);
 /* Appends the report to `out`. `tolerance`: largest change of a column that is accepted, in units of its
  * range. */
-void ts_verdict_print(struct ts_board *board, double tolerance, struct ts_str *out);
+void ts_verdict_print(struct ts_trial_results *results, double tolerance, struct ts_str *out);
 
 #endif
