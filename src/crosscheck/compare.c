@@ -9,10 +9,10 @@
 
 #include "base/banned.h"
 
-/* A format of the programs without precision prints six digits and drops zeros at the end. */
+/* %g without precision prints six digits and no trailing zeros. */
 enum { LEAST_DIGITS = 6 };
 
-/* Names of wall times, as titles and as keywords. */
+/* Titles and keywords of wall times. */
 static const char *const wall_times[] = { "CPU",   "T/CPU", "S/CPU",	 "CPULeft", "cpu",
 					  "tpcpu", "spcpu", "cpuremain", NULL };
 
@@ -24,7 +24,7 @@ static bool is_wall_time(const char *name)
 	return false;
 }
 
-static struct ts_compared *find(const struct ts_pairing *p, const char *name)
+static struct ts_compared *find_compared(const struct ts_pairing *p, const char *name)
 {
 	for (size_t k = 0; k < p->columns; k++)
 		if (p->column[k].name == name)
@@ -32,29 +32,29 @@ static struct ts_compared *find(const struct ts_pairing *p, const char *name)
 	return NULL;
 }
 
-static enum ts_status column_of(struct ts_pairing *p, const char *name, struct ts_error *err,
-				struct ts_compared **out)
+static enum ts_status find_or_add_column(struct ts_pairing *p, const char *name, struct ts_error *err,
+					 struct ts_compared **out)
 {
-	*out = find(p, name);
+	*out = find_compared(p, name);
 	if (*out)
 		return TS_OK;
 	if (TS_GROW(p->column, p->column_capacity, p->columns + 1) != TS_OK)
 		return ts_nomem(err);
 	*out = &p->column[p->columns++];
 	**out = (struct ts_compared){ .name = name, .lo = INFINITY, .hi = -INFINITY };
-	(*out)->differs = ts_meanings_differ(p->meanings, p->kind, name);
+	(*out)->differs_on_purpose = ts_meanings_differ(p->meanings, p->kind, name);
 	return TS_OK;
 }
 
-static void survey(struct ts_compared *c, int who, const struct ts_frame *f, size_t k)
+static void update_range(struct ts_compared *c, int who, const struct ts_frame *f, size_t k)
 {
-	struct ts_side *side = &c->side[who];
+	struct ts_printed_column *side = &c->side[who];
 
-	side->named = true;
+	side->present = true;
 	for (size_t row = 0; row < f->rows; row++) {
 		const struct ts_printed *w = &f->cell[row * f->columns + k];
 
-		side->whole = w->decimals < 0 && (side->whole || !side->n);
+		side->integer = w->decimals < 0 && (side->integer || !side->n);
 		side->n++;
 		side->padded |= w->padded;
 		side->digits = w->digits > side->digits ? w->digits : side->digits;
@@ -75,8 +75,8 @@ static struct ts_reader reader_of(const struct ts_pairing *p, int who, struct ts
 				   .file = p->file[who] };
 }
 
-/* The first reading: which columns there are, their ranges and digits. */
-static enum ts_status survey_file(struct ts_pairing *p, int who, struct ts_reader *r)
+/* First pass: finds the columns, their ranges and digits. */
+static enum ts_status find_columns(struct ts_pairing *p, int who, struct ts_reader *r)
 {
 	struct ts_compared *column;
 	bool got;
@@ -89,18 +89,18 @@ static enum ts_status survey_file(struct ts_pairing *p, int who, struct ts_reade
 		p->lines |= r->frame.line;
 		for (size_t k = 0; k < r->frame.columns; k++) {
 			if (is_wall_time(r->frame.name[k])) {
-				p->left_out = true;
+				p->wall_times_skipped = true;
 				continue;
 			}
-			TS_TRY(column_of(p, r->frame.name[k], r->err, &column));
-			survey(column, who, &r->frame, k);
+			TS_TRY(find_or_add_column(p, r->frame.name[k], r->err, &column));
+			update_range(column, who, &r->frame, k);
 		}
 	}
 }
 
-/* How long the part of the name is that the components of a vector share: of "fx" 1, of "f_a[2]" 3; 0: it
- * is no component. *floor: how large their scales are at least, compared with each other. */
-static size_t stem(const char *name, double *floor)
+/* Length of the part of the name that the components of a vector have in common: 1 of "fx", 3 of "f_a[2]"; 0 if
+ * it is not a component. *floor: lower limit of their scales relative to the largest of them. */
+static size_t vector_stem(const char *name, double *floor)
 {
 	size_t n = strlen(name);
 	const char *bracket = strpbrk(name, "[(");
@@ -114,7 +114,7 @@ static size_t stem(const char *name, double *floor)
 	return n > 1 && strchr("xyz", name[n - 1]) ? n - 1 : 0;
 }
 
-static bool single(const char *name)
+static bool is_coordinate(const char *name)
 {
 	return name[0] && !name[1] && strchr("xyz", name[0]);
 }
@@ -129,15 +129,15 @@ static void set_scales(struct ts_pairing *p)
 	for (size_t k = 0; k < p->columns; k++) {
 		struct ts_compared *c = &p->column[k];
 		double floor;
-		size_t n = stem(c->name, &floor);
+		size_t n = vector_stem(c->name, &floor);
 
 		for (size_t m = 0; m < p->columns; m++) {
 			const struct ts_compared *other = &p->column[m];
 			double unused;
 
-			if ((single(c->name) && single(other->name)) ||
+			if ((is_coordinate(c->name) && is_coordinate(other->name)) ||
 			    (n && strncmp(c->name, other->name, n) == 0 &&
-			     (stem(other->name, &unused) == n || !other->name[n])))
+			     (vector_stem(other->name, &unused) == n || !other->name[n])))
 				c->scale = fmax(c->scale, floor * other->scale);
 		}
 	}
@@ -146,51 +146,52 @@ static void set_scales(struct ts_pairing *p)
 			p->column[k].scale = 1;
 }
 
-/* One unit of the last digit that was printed. */
-static double resolution(const struct ts_side *side, double value)
+/* One unit of the last printed digit. */
+static double resolution(const struct ts_printed_column *side, double value)
 {
 	int digits = side->digits > LEAST_DIGITS ? side->digits : LEAST_DIGITS;
 
-	if (side->whole || value == 0)
+	if (side->integer || value == 0)
 		return 0;
 	if (side->padded)
 		return pow(10, -side->decimals);
 	return pow(10, floor(log10(fabs(value))) + 1 - digits);
 }
 
-static double difference(const struct ts_compared *c, const struct ts_printed *a, const struct ts_printed *b)
+static double scaled_difference(const struct ts_compared *c, const struct ts_printed *a,
+				const struct ts_printed *b)
 {
 	double open;
 
 	if (a->value == b->value)
 		return 0;
-	open = fmax(resolution(&c->side[TS_HERE], a->value), resolution(&c->side[TS_PEER], b->value));
+	open = fmax(resolution(&c->side[TS_SELF], a->value), resolution(&c->side[TS_PEER], b->value));
 	return fmax(0, fabs(a->value - b->value) - (1 + 1e-6) * open) / c->scale;
 }
 
-/* What both readers and a pass over them need. */
-struct walk {
+/* State of a pass over the frames of both programs. */
+struct pass {
 	struct ts_pairing *p;
-	struct ts_reader reader[TS_BOTH];
+	struct ts_reader reader[TS_NPROGRAMS];
 	double tolerance;
 	int64_t from;
-	struct row *row[TS_BOTH];
-	double *sorted[TS_BOTH];
-	size_t row_capacity[TS_BOTH], sorted_capacity[TS_BOTH];
+	struct row *row[TS_NPROGRAMS];
+	double *sorted[TS_NPROGRAMS];
+	size_t row_capacity[TS_NPROGRAMS], sorted_capacity[TS_NPROGRAMS];
 };
 
-static void alone(struct ts_pairing *p, int64_t step)
+static void note_unmatched(struct ts_pairing *p, int64_t step)
 {
-	if (p->alone_at < 0 || step < p->alone_at)
-		p->alone_at = step;
+	if (p->unmatched_at < 0 || step < p->unmatched_at)
+		p->unmatched_at = step;
 }
 
-/* A row and the columns that tell it from the others. */
+/* A row and the columns by which it is identified. */
 struct row {
 	const struct ts_printed *cell;
 	const size_t *key;
 	size_t keys;
-	bool turned;
+	bool swapped; /* the partners of the contact have been exchanged */
 };
 
 static int compare_keys(const struct row *a, const struct row *b)
@@ -204,7 +205,7 @@ static int compare_keys(const struct row *a, const struct row *b)
 	return 0;
 }
 
-static int by_key(const void *a, const void *b)
+static int compare_rows_by_key(const void *a, const void *b)
 {
 	return compare_keys(a, b);
 }
@@ -214,9 +215,9 @@ static bool has_keys(enum ts_frame_kind kind)
 	return kind == TS_FRAMES_DUMP || kind == TS_FRAMES_VTK;
 }
 
-/* Particles are recognised by their identity, other entries of dumps by all that are whole numbers, lines
- * by their order. The columns are those of the frame of `who`. */
-static enum ts_status keys_of(struct walk *w, int who, size_t **key, size_t *n)
+/* Finds the columns that identify a row: of particles the identity, of other dumps all integer columns; lines are
+ * matched by their order. The indices are those of the frame of `who`. */
+static enum ts_status find_keys(struct pass *w, int who, size_t **key, size_t *n)
 {
 	const struct ts_frame *f = &w->reader[who].frame;
 
@@ -225,18 +226,18 @@ static enum ts_status keys_of(struct walk *w, int who, size_t **key, size_t *n)
 	if (!*key)
 		return ts_nomem(w->reader[who].err);
 	for (size_t k = 0; k < f->columns && has_keys(w->p->kind); k++) {
-		const struct ts_compared *c = find(w->p, f->name[k]);
+		const struct ts_compared *c = find_compared(w->p, f->name[k]);
 
 		if (ts_frame_column(&w->reader[!who].frame, f->name[k]) == SIZE_MAX || !c)
 			continue;
-		if (f->entries ? c->side[TS_HERE].whole && c->side[TS_PEER].whole
+		if (f->entries ? c->side[TS_SELF].integer && c->side[TS_PEER].integer
 			       : ts_streq(f->name[k], "id"))
 			(*key)[(*n)++] = k;
 	}
 	return TS_OK;
 }
 
-static enum ts_status order_rows(struct walk *w, int who, const size_t *key, size_t keys)
+static enum ts_status order_rows(struct pass *w, int who, const size_t *key, size_t keys)
 {
 	const struct ts_frame *f = &w->reader[who].frame;
 
@@ -244,96 +245,96 @@ static enum ts_status order_rows(struct walk *w, int who, const size_t *key, siz
 		return ts_nomem(w->reader[who].err);
 	for (size_t k = 0; k < f->rows; k++)
 		w->row[who][k] =
-			(struct row){ f->cell + k * f->columns, key, keys, f->turns && f->turned[k] };
+			(struct row){ f->cell + k * f->columns, key, keys, f->has_contacts && f->swapped[k] };
 	if (keys)
-		qsort(w->row[who], f->rows, sizeof *w->row[who], by_key);
+		qsort(w->row[who], f->rows, sizeof *w->row[who], compare_rows_by_key);
 	return TS_OK;
 }
 
-/* Numbers of one contact of which the programs name the partners the other way round; 0 where what they
- * shall be cannot be known. */
-static double difference_turned(const struct ts_compared *c, enum ts_turning turning,
-				const struct ts_printed *a, const struct ts_printed *b)
+/* Difference of numbers of a contact whose partners the programs list in opposite order; 0 if the transformed
+ * value cannot be derived. */
+static double swapped_difference(const struct ts_compared *c, enum ts_swap_rule turning,
+				 const struct ts_printed *a, const struct ts_printed *b)
 {
 	struct ts_printed opposite = *b;
 
 	opposite.value = -opposite.value;
-	if (turning == TS_TURN_NOT)
+	if (turning == TS_SWAP_UNKNOWN)
 		return 0;
-	if (turning == TS_TURN_EITHER)
-		return fmin(difference(c, a, b), difference(c, a, &opposite));
-	return difference(c, a, b);
+	if (turning == TS_SWAP_EITHER_SIGN)
+		return fmin(scaled_difference(c, a, b), scaled_difference(c, a, &opposite));
+	return scaled_difference(c, a, b);
 }
 
-static void compare_row(struct walk *w, const struct row *a, const struct row *b, int64_t step)
+static void compare_row(struct pass *w, const struct row *a, const struct row *b, int64_t step)
 {
-	const struct ts_frame *here = &w->reader[TS_HERE].frame, *peer = &w->reader[TS_PEER].frame;
-	bool turned = a->turned != b->turned;
+	const struct ts_frame *self = &w->reader[TS_SELF].frame, *peer = &w->reader[TS_PEER].frame;
+	bool swapped = a->swapped != b->swapped;
 
-	w->p->turned += turned;
-	for (size_t k = 0; k < here->columns; k++) {
-		struct ts_compared *c = find(w->p, here->name[k]);
-		size_t m = ts_frame_column(peer, here->name[k]);
+	w->p->swapped += swapped;
+	for (size_t k = 0; k < self->columns; k++) {
+		struct ts_compared *c = find_compared(w->p, self->name[k]);
+		size_t m = ts_frame_column(peer, self->name[k]);
 		double d;
 
 		if (!c || m == SIZE_MAX)
 			continue;
-		d = turned ? difference_turned(c, here->turning[k], &a->cell[k], &b->cell[m])
-			   : difference(c, &a->cell[k], &b->cell[m]);
+		d = swapped ? swapped_difference(c, self->swap_rule[k], &a->cell[k], &b->cell[m])
+			    : scaled_difference(c, &a->cell[k], &b->cell[m]);
 		if (d > c->most || (d == c->most && c->most == 0)) {
 			c->most = d;
 			c->at = step;
 		}
-		if (d > w->tolerance && !c->parts) {
-			c->parts = true;
-			c->parts_at = step;
+		if (d > w->tolerance && !c->diverged) {
+			c->diverged = true;
+			c->diverged_at = step;
 		}
 	}
 }
 
-static enum ts_status compare_frames(struct walk *w)
+static enum ts_status compare_frames(struct pass *w)
 {
-	const struct ts_frame *here = &w->reader[TS_HERE].frame, *peer = &w->reader[TS_PEER].frame;
-	size_t *key[TS_BOTH] = { NULL }, keys[TS_BOTH], i = 0, j = 0, lone = 0;
+	const struct ts_frame *self = &w->reader[TS_SELF].frame, *peer = &w->reader[TS_PEER].frame;
+	size_t *key[TS_NPROGRAMS] = { NULL }, keys[TS_NPROGRAMS], i = 0, j = 0, unmatched = 0;
 	enum ts_status status = TS_OK;
 
-	for (int who = 0; who < TS_BOTH && status == TS_OK; who++) {
-		status = keys_of(w, who, &key[who], &keys[who]);
+	for (int who = 0; who < TS_NPROGRAMS && status == TS_OK; who++) {
+		status = find_keys(w, who, &key[who], &keys[who]);
 		if (status == TS_OK)
 			status = order_rows(w, who, key[who], keys[who]);
 	}
-	while (status == TS_OK && i < here->rows && j < peer->rows) {
-		const struct row *a = &w->row[TS_HERE][i], *b = &w->row[TS_PEER][j];
+	while (status == TS_OK && i < self->rows && j < peer->rows) {
+		const struct row *a = &w->row[TS_SELF][i], *b = &w->row[TS_PEER][j];
 		int order = compare_keys(a, b);
 
 		if (order == 0)
-			compare_row(w, a, b, here->step);
-		lone += order != 0;
+			compare_row(w, a, b, self->step);
+		unmatched += order != 0;
 		i += order <= 0;
 		j += order >= 0;
 	}
-	lone += here->rows - i + peer->rows - j;
-	if (status == TS_OK && lone) {
-		w->p->rows_alone += lone;
-		alone(w->p, here->step);
+	unmatched += self->rows - i + peer->rows - j;
+	if (status == TS_OK && unmatched) {
+		w->p->unmatched_rows += unmatched;
+		note_unmatched(w->p, self->step);
 	}
-	ts_free(key[TS_HERE]);
+	ts_free(key[TS_SELF]);
 	ts_free(key[TS_PEER]);
 	return status;
 }
 
-static int by_value(const void *a, const void *b)
+static int compare_values(const void *a, const void *b)
 {
 	double u = *(const double *)a, v = *(const double *)b;
 
 	return (u > v) - (u < v);
 }
 
-/* The distribution of a column in one frame, sorted. */
-static enum ts_status sort_column(struct walk *w, int who, struct ts_compared *c, size_t k)
+/* Sorts the values of a column in a frame, and updates its sums. */
+static enum ts_status sort_column(struct pass *w, int who, struct ts_compared *c, size_t k)
 {
 	const struct ts_frame *f = &w->reader[who].frame;
-	struct ts_side *side = &c->side[who];
+	struct ts_printed_column *side = &c->side[who];
 	double *v;
 
 	if (TS_GROW(w->sorted[who], w->sorted_capacity[who], f->rows + 1) != TS_OK)
@@ -344,16 +345,16 @@ static enum ts_status sort_column(struct walk *w, int who, struct ts_compared *c
 
 		v[row] = f->cell[row * f->columns + k].value;
 		d = v[row] - c->lo;
-		side->after++;
+		side->n_after++;
 		side->sum += d;
 		side->squares += d * d;
 	}
-	qsort(v, f->rows, sizeof *v, by_value);
+	qsort(v, f->rows, sizeof *v, compare_values);
 	return TS_OK;
 }
 
-/* How far apart the distributions are: the mean distance of their quantiles. */
-static double distance(const double *a, size_t n, const double *b, size_t m)
+/* Distance of two distributions: the mean distance of their quantiles (sorted values). */
+static double quantile_distance(const double *a, size_t n, const double *b, size_t m)
 {
 	size_t count = n < m ? n : m;
 	double sum = 0;
@@ -364,75 +365,77 @@ static double distance(const double *a, size_t n, const double *b, size_t m)
 	return count ? sum / (double)count : 0;
 }
 
-/* The distribution of a column says nothing where its signs depend on which partner is named first. */
-static bool is_bound(const struct ts_frame *f, size_t k)
+/* Whether signs in the column depend on the order of the partners, so that distributions cannot be compared. */
+static bool depends_on_order(const struct ts_frame *f, size_t k)
 {
-	return f->turns && (f->turning[k] == TS_TURN_EITHER || f->turning[k] == TS_TURN_NOT);
+	return f->has_contacts &&
+	       (f->swap_rule[k] == TS_SWAP_EITHER_SIGN || f->swap_rule[k] == TS_SWAP_UNKNOWN);
 }
 
-static enum ts_status gather_statistics(struct walk *w)
+static enum ts_status gather_statistics(struct pass *w)
 {
-	const struct ts_frame *here = &w->reader[TS_HERE].frame, *peer = &w->reader[TS_PEER].frame;
+	const struct ts_frame *self = &w->reader[TS_SELF].frame, *peer = &w->reader[TS_PEER].frame;
 
-	for (size_t k = 0; here->step >= w->from && k < here->columns; k++) {
-		struct ts_compared *c = find(w->p, here->name[k]);
-		size_t m = ts_frame_column(peer, here->name[k]);
+	for (size_t k = 0; self->step >= w->from && k < self->columns; k++) {
+		struct ts_compared *c = find_compared(w->p, self->name[k]);
+		size_t m = ts_frame_column(peer, self->name[k]);
 
-		if (!c || m == SIZE_MAX || (w->p->turned && is_bound(here, k)))
+		if (!c || m == SIZE_MAX || (w->p->swapped && depends_on_order(self, k)))
 			continue;
-		TS_TRY(sort_column(w, TS_HERE, c, k));
+		TS_TRY(sort_column(w, TS_SELF, c, k));
 		TS_TRY(sort_column(w, TS_PEER, c, m));
 		c->profile +=
-			distance(w->sorted[TS_HERE], here->rows, w->sorted[TS_PEER], peer->rows) / c->scale;
+			quantile_distance(w->sorted[TS_SELF], self->rows, w->sorted[TS_PEER], peer->rows) /
+			c->scale;
 		c->frames++;
 	}
 	return TS_OK;
 }
 
-/* Both readers side by side; a frame of a step that the other does not have is alone. */
-static enum ts_status walk(struct walk *w, enum ts_status (*visit)(struct walk *w))
+/* Reads the frames of both programs in order of their steps, and calls `visit` for those that both have. */
+static enum ts_status match_frames(struct pass *w, enum ts_status (*visit)(struct pass *w))
 {
-	bool got[TS_BOTH];
-	const struct ts_frame *here = &w->reader[TS_HERE].frame, *peer = &w->reader[TS_PEER].frame;
+	bool got[TS_NPROGRAMS];
+	const struct ts_frame *self = &w->reader[TS_SELF].frame, *peer = &w->reader[TS_PEER].frame;
 
-	for (int who = 0; who < TS_BOTH; who++) {
+	for (int who = 0; who < TS_NPROGRAMS; who++) {
 		TS_TRY(ts_reader_open(&w->reader[who]));
 		TS_TRY(ts_reader_next(&w->reader[who], &got[who]));
 	}
-	while (got[TS_HERE] || got[TS_PEER]) {
-		bool both = got[TS_HERE] && got[TS_PEER], behind[TS_BOTH];
+	while (got[TS_SELF] || got[TS_PEER]) {
+		bool both = got[TS_SELF] && got[TS_PEER], behind[TS_NPROGRAMS];
 
-		behind[TS_HERE] = got[TS_HERE] && (!got[TS_PEER] || here->step <= peer->step);
-		behind[TS_PEER] = got[TS_PEER] && (!got[TS_HERE] || peer->step <= here->step);
-		if (both && here->step == peer->step)
+		behind[TS_SELF] = got[TS_SELF] && (!got[TS_PEER] || self->step <= peer->step);
+		behind[TS_PEER] = got[TS_PEER] && (!got[TS_SELF] || peer->step <= self->step);
+		if (both && self->step == peer->step)
 			TS_TRY(visit(w));
-		for (int who = 0; who < TS_BOTH; who++) {
+		for (int who = 0; who < TS_NPROGRAMS; who++) {
 			if (!behind[who])
 				continue;
 			if (visit == compare_frames && behind[!who])
-				w->p->frames += who == TS_HERE;
+				w->p->frames += who == TS_SELF;
 			if (visit == compare_frames && !behind[!who]) {
-				w->p->alone[who]++;
-				alone(w->p, w->reader[who].frame.step);
+				w->p->unmatched_frames[who]++;
+				note_unmatched(w->p, w->reader[who].frame.step);
 			}
 		}
-		for (int who = 0; who < TS_BOTH; who++)
+		for (int who = 0; who < TS_NPROGRAMS; who++)
 			if (behind[who])
 				TS_TRY(ts_reader_next(&w->reader[who], &got[who]));
 	}
 	return TS_OK;
 }
 
-static enum ts_status pass(struct ts_pairing *p, struct walk *w, struct ts_error *err, struct ts_pool *pool,
-			   enum ts_status (*visit)(struct walk *w))
+static enum ts_status run_pass(struct ts_pairing *p, struct pass *w, struct ts_error *err,
+			       struct ts_pool *pool, enum ts_status (*visit)(struct pass *w))
 {
 	enum ts_status status;
 
 	w->p = p;
-	for (int who = 0; who < TS_BOTH; who++)
+	for (int who = 0; who < TS_NPROGRAMS; who++)
 		w->reader[who] = reader_of(p, who, err, pool);
-	status = walk(w, visit);
-	for (int who = 0; who < TS_BOTH; who++) {
+	status = match_frames(w, visit);
+	for (int who = 0; who < TS_NPROGRAMS; who++) {
 		ts_reader_close(&w->reader[who]);
 		ts_free(w->row[who]);
 		ts_free(w->sorted[who]);
@@ -442,43 +445,43 @@ static enum ts_status pass(struct ts_pairing *p, struct walk *w, struct ts_error
 
 enum ts_status ts_compare(struct ts_pairing *p, double tolerance, struct ts_error *err, struct ts_pool *pool)
 {
-	struct walk w = { .tolerance = tolerance };
+	struct pass w = { .tolerance = tolerance };
 
-	p->alone_at = -1;
-	for (int who = 0; who < TS_BOTH; who++) {
+	p->unmatched_at = -1;
+	for (int who = 0; who < TS_NPROGRAMS; who++) {
 		struct ts_reader r = reader_of(p, who, err, pool);
-		enum ts_status status = survey_file(p, who, &r);
+		enum ts_status status = find_columns(p, who, &r);
 
 		ts_reader_close(&r);
 		TS_TRY(status);
 	}
 	set_scales(p);
-	return pass(p, &w, err, pool, compare_frames);
+	return run_pass(p, &w, err, pool, compare_frames);
 }
 
-static double mean_of(const struct ts_side *side)
+static double mean_of(const struct ts_printed_column *side)
 {
-	return side->sum / (double)side->after;
+	return side->sum / (double)side->n_after;
 }
 
-static double deviation_of(const struct ts_side *side)
+static double deviation_of(const struct ts_printed_column *side)
 {
 	double mean = mean_of(side);
 
-	return sqrt(fmax(0, side->squares / (double)side->after - mean * mean));
+	return sqrt(fmax(0, side->squares / (double)side->n_after - mean * mean));
 }
 
 enum ts_status ts_compare_statistics(struct ts_pairing *p, int64_t from, struct ts_error *err,
 				     struct ts_pool *pool)
 {
-	struct walk w = { .from = from };
+	struct pass w = { .from = from };
 
-	TS_TRY(pass(p, &w, err, pool, gather_statistics));
+	TS_TRY(run_pass(p, &w, err, pool, gather_statistics));
 	for (size_t k = 0; k < p->columns; k++) {
 		struct ts_compared *c = &p->column[k];
-		const struct ts_side *a = &c->side[TS_HERE], *b = &c->side[TS_PEER];
+		const struct ts_printed_column *a = &c->side[TS_SELF], *b = &c->side[TS_PEER];
 
-		if (!a->after || !b->after)
+		if (!a->n_after || !b->n_after)
 			continue;
 		c->mean = fabs(mean_of(a) - mean_of(b)) / c->scale;
 		c->spread = fabs(deviation_of(a) - deviation_of(b)) / c->scale;
@@ -489,7 +492,7 @@ enum ts_status ts_compare_statistics(struct ts_pairing *p, int64_t from, struct 
 
 bool ts_compare_lacks(const struct ts_compared *column, int who)
 {
-	return !column->side[who].named && column->side[!who].n;
+	return !column->side[who].present && column->side[!who].n;
 }
 
 void ts_compare_release(struct ts_pairing *p)

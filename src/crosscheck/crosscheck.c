@@ -24,11 +24,11 @@ struct options {
 	bool legacy;
 };
 
-/* How a peer may be called, and how it is installed. */
+/* Commands by which the other program is started, and its Debian package. */
 static const char *const program_names[] = { "liggghts", "lammps", NULL };
 static const struct {
 	const char *const *commands, *package;
-	bool legacy; /* tsim has a mode with its numbers */
+	bool legacy; /* tsim has a mode with the same results */
 } peers[] = {
 	{ (const char *const[]){ "liggghts", "lmp_liggghts", "lmp_auto", NULL }, "liggghts", true },
 	{ (const char *const[]){ "lmp", "lmp_serial", "lmp_mpi", "lammps", NULL }, "lammps", false },
@@ -38,17 +38,19 @@ static const struct ts_arg rows[] = {
 	TS_ENUM("program", struct options, program, program_names, .flags = TS_POSITIONAL,
 		.help = "the program to compare with"),
 	TS_REAL("tolerance", struct options, tolerance, .fallback = "1e-6", .unit = "", .range = TS_POSITIVE,
-		.help = "from which difference on, in units of a column's range, it parts"),
+		.help = "largest difference, relative to the range of the column, up to which runs agree"),
 	TS_INT("until", struct options, until, .flags = TS_OPTIONAL, .unit = "step", .range = TS_NOT_NEGATIVE,
-	       .help = "runs that part after this step are compared by their statistics alone"),
+	       .help = "runs that diverge after this step agree if their statistics do"),
 	TS_REAL("statistics", struct options, statistics, .fallback = "0.05", .unit = "",
-		.range = TS_POSITIVE, .help = "how far apart mean, spread and profile may be then"),
+		.range = TS_POSITIVE,
+		.help = "largest difference of mean, standard deviation and distribution in that case"),
 	TS_BOOL("legacy", struct options, legacy, .fallback = "yes",
-		.help = "beside liggghts tsim runs with -legacy"),
+		.help = "with liggghts, run tsim with -legacy"),
 	TS_WORD("peer", struct options, peer, .flags = TS_OPTIONAL,
-		.help = "file or command of the other program, if it has an unusual name"),
+		.help = "file or command of the other program, if its name is not a usual one"),
 	TS_WORD("keep", struct options, keep, .flags = TS_OPTIONAL,
-		.help = "a new folder to run in, which is kept; else all is removed at the end"),
+		.help = "a new folder for the runs, which is kept; without it all files are removed at the "
+			"end"),
 	TS_ARGS_END,
 };
 
@@ -62,11 +64,11 @@ struct crosscheck {
 	struct ts_inputs inputs;
 	struct ts_outputs outputs;
 	struct ts_pairing thermo;
-	const char *name[TS_BOTH], *command[TS_BOTH], *place[TS_BOTH], *screen[TS_BOTH];
-	struct ts_process process[TS_BOTH];
+	const char *name[TS_NPROGRAMS], *command[TS_NPROGRAMS], *place[TS_NPROGRAMS], *screen[TS_NPROGRAMS];
+	struct ts_process process[TS_NPROGRAMS];
 	const char *root;
-	int64_t parts_at;	 /* -1: nowhere, or at no known step */
-	const char *parts_in[2]; /* column and output where it was noticed; NULL: nowhere */
+	int64_t diverged_at;	    /* first step at which an output diverges; -1: none, or no step known */
+	const char *diverged_in[2]; /* its column and output; NULL: none */
 };
 
 static enum ts_status keep_text(struct crosscheck *c, struct ts_str *text, const char **out)
@@ -87,7 +89,7 @@ static bool find_peer(struct crosscheck *c, struct ts_str *path)
 	return *command != NULL;
 }
 
-static void say_absent(struct crosscheck *c)
+static void report_absent(struct crosscheck *c)
 {
 	const char *const *command = peers[c->o.program].commands;
 
@@ -104,8 +106,8 @@ static void say_absent(struct crosscheck *c)
 		    peers[c->o.program].package, c->name[TS_PEER]);
 }
 
-/* A program that is ended by MPI_Abort loses what it has not handed over: lines are, with stdbuf. */
-static enum ts_status words_of(struct crosscheck *c, int who)
+/* A program that MPI_Abort ends loses its buffered output; stdbuf makes it line-buffered. */
+static enum ts_status make_command(struct crosscheck *c, int who)
 {
 	const struct ts_crosscheck_input *in = c->in;
 	const char **words = ts_arena_alloc(&c->arena, MOST_WORDS + 12, sizeof *words);
@@ -124,16 +126,16 @@ static enum ts_status words_of(struct crosscheck *c, int who)
 	words[n++] = in->script;
 	for (size_t k = 0; k < in->vars.n && n < MOST_WORDS; k++)
 		words[n++] = in->vars.word[k].text;
-	for (size_t k = 0; who == TS_HERE && k < in->own.n && n < MOST_WORDS; k++)
+	for (size_t k = 0; who == TS_SELF && k < in->own.n && n < MOST_WORDS; k++)
 		words[n++] = in->own.word[k].text;
-	if (who == TS_HERE && c->o.legacy && peers[c->o.program].legacy)
+	if (who == TS_SELF && c->o.legacy && peers[c->o.program].legacy)
 		words[n++] = "-legacy";
 	c->process[who].words = words;
 	return TS_OK;
 }
 
-/* The last lines of what a program printed; those with its errors if there are such. */
-static enum ts_status add_last_words(struct crosscheck *c, int who)
+/* Appends the last lines that a program printed; if there are error messages, from the first of them on. */
+static enum ts_status add_last_output(struct crosscheck *c, int who)
 {
 	struct ts_lines l = { 0 };
 	const char *last[LAST_LINES] = { NULL };
@@ -166,8 +168,8 @@ static enum ts_status add_last_words(struct crosscheck *c, int who)
 	return status;
 }
 
-/* In a copy of what the script reads, in the folder ROOT/PROGRAM. */
-static enum ts_status run_one(struct crosscheck *c, int who)
+/* Runs a program in the folder ROOT/PROGRAM, with copies of the input files of the script. */
+static enum ts_status run_program(struct crosscheck *c, int who)
 {
 	struct ts_str text = { 0 };
 	struct ts_process *p = &c->process[who];
@@ -186,23 +188,23 @@ static enum ts_status run_one(struct crosscheck *c, int who)
 	ts_str_release(&text);
 	TS_TRY(status);
 	*p = (struct ts_process){ .folder = c->place[who], .output = c->screen[who] };
-	TS_TRY(words_of(c, who));
+	TS_TRY(make_command(c, who));
 	TS_TRY(ts_process_run(p, &c->sim->error));
 	ts_str_addf(c->text, "%-10s %s in %.2f s\n", c->name[who], p->status ? "failed" : "ran", p->seconds);
 	if (!p->status)
 		return TS_OK;
 	ts_str_addf(c->text, "    exit status %d; its last words:\n", p->status);
-	return add_last_words(c, who);
+	return add_last_output(c, who);
 }
 
-/* The tables on the screens, then the files. */
+/* Pairs the thermo outputs on the screens, then the output files. */
 static enum ts_status pair_outputs(struct crosscheck *c)
 {
 	struct ts_outputs *o = &c->outputs;
 	struct ts_pairing *thermo = &c->thermo;
 
 	*thermo = (struct ts_pairing){ .name = "thermo", .kind = TS_FRAMES_THERMO };
-	for (int who = 0; who < TS_BOTH; who++) {
+	for (int who = 0; who < TS_NPROGRAMS; who++) {
 		const char **files = ts_arena_alloc(&c->arena, 2, sizeof *files);
 		struct ts_str name = { 0 };
 
@@ -219,34 +221,35 @@ static enum ts_status pair_outputs(struct crosscheck *c)
 	return ts_outputs_pair(o, c->place, &c->sim->error, c->sim->pool);
 }
 
-static struct ts_pairing *pairing(struct crosscheck *c, size_t k)
+static struct ts_pairing *output_pairing(struct crosscheck *c, size_t k)
 {
 	return k ? &c->outputs.pairing[k - 1] : &c->thermo;
 }
 
-static void take_parting(struct crosscheck *c, const struct ts_pairing *p, int64_t step, const char *column)
+static void update_divergence(struct crosscheck *c, const struct ts_pairing *p, int64_t step,
+			      const char *column)
 {
-	if (p->lines ? c->parts_in[0] != NULL : c->parts_at >= 0 && step >= c->parts_at)
+	if (p->lines ? c->diverged_in[0] != NULL : c->diverged_at >= 0 && step >= c->diverged_at)
 		return;
-	c->parts_at = p->lines ? -1 : step;
-	c->parts_in[0] = column;
-	c->parts_in[1] = p->name;
+	c->diverged_at = p->lines ? -1 : step;
+	c->diverged_in[0] = column;
+	c->diverged_in[1] = p->name;
 }
 
-/* Where an output parts first; -1: nowhere. */
-static int64_t parting(struct crosscheck *c, const struct ts_pairing *p)
+/* The first step at which an output diverges; -1: none. */
+static int64_t first_divergence(struct crosscheck *c, const struct ts_pairing *p)
 {
-	int64_t first = p->alone_at;
+	int64_t first = p->unmatched_at;
 
-	if (p->alone_at >= 0)
-		take_parting(c, p, p->alone_at, "rows");
+	if (p->unmatched_at >= 0)
+		update_divergence(c, p, p->unmatched_at, "rows");
 	for (size_t k = 0; k < p->columns; k++) {
 		const struct ts_compared *column = &p->column[k];
 
-		if (!column->parts || column->differs)
+		if (!column->diverged || column->differs_on_purpose)
 			continue;
-		take_parting(c, p, column->parts_at, column->name);
-		first = first < 0 || column->parts_at < first ? column->parts_at : first;
+		update_divergence(c, p, column->diverged_at, column->name);
+		first = first < 0 || column->diverged_at < first ? column->diverged_at : first;
 	}
 	return first;
 }
@@ -259,15 +262,15 @@ static enum ts_status compare_all(struct crosscheck *c)
 
 	if (!first)
 		return ts_nomem(err);
-	c->parts_at = -1;
+	c->diverged_at = -1;
 	for (size_t k = 0; k < n; k++) {
-		pairing(c, k)->meanings = &c->meanings;
-		TS_TRY(ts_compare(pairing(c, k), c->o.tolerance, err, c->sim->pool));
-		first[k] = parting(c, pairing(c, k));
+		output_pairing(c, k)->meanings = &c->meanings;
+		TS_TRY(ts_compare(output_pairing(c, k), c->o.tolerance, err, c->sim->pool));
+		first[k] = first_divergence(c, output_pairing(c, k));
 	}
 	for (size_t k = 0; k < n; k++) {
-		struct ts_pairing *p = pairing(c, k);
-		int64_t from = p->lines ? first[k] : c->parts_at;
+		struct ts_pairing *p = output_pairing(c, k);
+		int64_t from = p->lines ? first[k] : c->diverged_at;
 
 		if (from >= 0)
 			TS_TRY(ts_compare_statistics(p, from, err, c->sim->pool));
@@ -285,19 +288,19 @@ static void list_files(const char *what, const char **name, size_t n, struct ts_
 		ts_str_add(out, "\n");
 }
 
-/* Whether the statistics of all columns are near each other. */
-static bool statistics_near(struct crosscheck *c, struct ts_str *worst)
+/* Whether the statistics of all columns agree within the tolerance; *worst: the largest difference. */
+static bool statistics_agree(struct crosscheck *c, struct ts_str *worst)
 {
 	double most = 0;
 
 	for (size_t k = 0; k <= c->outputs.n; k++) {
-		const struct ts_pairing *p = pairing(c, k);
+		const struct ts_pairing *p = output_pairing(c, k);
 
 		for (size_t m = 0; m < p->columns; m++) {
 			const struct ts_compared *column = &p->column[m];
 			double far = fmax(column->mean, fmax(column->spread, column->profile));
 
-			if (far <= most || column->differs)
+			if (far <= most || column->differs_on_purpose)
 				continue;
 			most = far;
 			ts_str_clear(worst);
@@ -310,25 +313,25 @@ static bool statistics_near(struct crosscheck *c, struct ts_str *worst)
 static enum ts_verdict judge_statistics(struct crosscheck *c)
 {
 	struct ts_str worst = { 0 };
-	bool near = statistics_near(c, &worst);
-	bool good = near && c->o.until != INT64_MIN && c->parts_at > c->o.until;
+	bool agree = statistics_agree(c, &worst);
+	bool good = agree && c->o.until != INT64_MIN && c->diverged_at > c->o.until;
 
 	ts_str_addf(c->text, "%s: %s of %s is off by more than %g of its range", good ? "agree" : "part",
-		    c->parts_in[0], c->parts_in[1], c->o.tolerance);
-	if (c->parts_at >= 0)
-		ts_str_addf(c->text, " at step %" PRId64, c->parts_at);
+		    c->diverged_in[0], c->diverged_in[1], c->o.tolerance);
+	if (c->diverged_at >= 0)
+		ts_str_addf(c->text, " at step %" PRId64, c->diverged_at);
 	ts_str_addf(c->text, "; from there statistics within %s\n", worst.length ? ts_str_text(&worst) : "0");
 	ts_str_release(&worst);
 	return good ? TS_AGREE : TS_PART;
 }
 
-static bool columns_lost(struct crosscheck *c)
+static bool columns_missing(struct crosscheck *c)
 {
 	for (size_t k = 0; k <= c->outputs.n; k++) {
-		const struct ts_pairing *p = pairing(c, k);
+		const struct ts_pairing *p = output_pairing(c, k);
 
 		for (size_t m = 0; m < p->columns; m++)
-			if (ts_compare_lacks(&p->column[m], TS_HERE) ||
+			if (ts_compare_lacks(&p->column[m], TS_SELF) ||
 			    ts_compare_lacks(&p->column[m], TS_PEER))
 				return true;
 	}
@@ -339,15 +342,15 @@ static enum ts_verdict judge(struct crosscheck *c)
 {
 	struct ts_outputs *o = &c->outputs;
 	size_t columns = 0;
-	bool lost = o->nonly[TS_HERE] || o->nonly[TS_PEER];
+	bool lost = o->nonly[TS_SELF] || o->nonly[TS_PEER];
 
 	for (size_t k = 0; k <= o->n; k++)
-		columns += pairing(c, k)->columns;
+		columns += output_pairing(c, k)->columns;
 	ts_str_add(c->text, "\n");
-	list_files("only tsim wrote ", o->only[TS_HERE], o->nonly[TS_HERE], c->text);
+	list_files("only tsim wrote ", o->only[TS_SELF], o->nonly[TS_SELF], c->text);
 	list_files(c->o.program ? "only lammps wrote " : "only liggghts wrote ", o->only[TS_PEER],
 		   o->nonly[TS_PEER], c->text);
-	list_files("left empty by tsim, not compared: ", o->empty[TS_HERE], o->nempty[TS_HERE], c->text);
+	list_files("left empty by tsim, not compared: ", o->empty[TS_SELF], o->nempty[TS_SELF], c->text);
 	list_files(c->o.program ? "left empty by lammps, not compared: "
 				: "left empty by liggghts, not compared: ",
 		   o->empty[TS_PEER], o->nempty[TS_PEER], c->text);
@@ -360,11 +363,11 @@ static enum ts_verdict judge(struct crosscheck *c)
 		ts_str_add(c->text, "failed: outputs are missing\n");
 		return TS_FAILED;
 	}
-	if (columns_lost(c)) {
+	if (columns_missing(c)) {
 		ts_str_add(c->text, "failed: columns are missing\n");
 		return TS_FAILED;
 	}
-	if (!c->parts_in[0]) {
+	if (!c->diverged_in[0]) {
 		ts_str_addf(c->text, "agree: %zu columns within %g of their range\n", columns,
 			    c->o.tolerance);
 		return TS_AGREE;
@@ -372,36 +375,37 @@ static enum ts_verdict judge(struct crosscheck *c)
 	return judge_statistics(c);
 }
 
-static enum ts_verdict compare(struct crosscheck *c)
+static enum ts_verdict compare_runs(struct crosscheck *c)
 {
-	if (c->process[TS_HERE].status || c->process[TS_PEER].status) {
+	if (c->process[TS_SELF].status || c->process[TS_PEER].status) {
 		ts_str_addf(c->text, "failed: %s\n",
 			    !c->process[TS_PEER].status	  ? "only the other program runs the script"
-			    : !c->process[TS_HERE].status ? "only tsim runs the script"
+			    : !c->process[TS_SELF].status ? "only tsim runs the script"
 							  : "neither runs the script");
 		return TS_FAILED;
 	}
 	if (pair_outputs(c) != TS_OK || compare_all(c) != TS_OK)
 		return TS_FAILED;
 	for (size_t k = 0; k <= c->outputs.n; k++)
-		if (pairing(c, k)->columns || k)
-			ts_report_pairing(pairing(c, k), c->parts_in[0] != NULL, c->name[TS_PEER], c->text);
+		if (output_pairing(c, k)->columns || k)
+			ts_report_pairing(output_pairing(c, k), c->diverged_in[0] != NULL, c->name[TS_PEER],
+					  c->text);
 	return judge(c);
 }
 
-static enum ts_verdict run_both(struct crosscheck *c, struct ts_str *path)
+static enum ts_verdict run_and_compare(struct crosscheck *c, struct ts_str *path)
 {
 	struct ts_error *err = &c->sim->error;
 	enum ts_verdict verdict;
 
 	if (!find_peer(c, path)) {
-		say_absent(c);
+		report_absent(c);
 		return TS_ABSENT;
 	}
 	if (keep_text(c, path, &c->command[TS_PEER]) != TS_OK)
 		return TS_FAILED;
 	ts_process_self(c->in->called, path);
-	if (keep_text(c, path, &c->command[TS_HERE]) != TS_OK ||
+	if (keep_text(c, path, &c->command[TS_SELF]) != TS_OK ||
 	    ts_inputs_find(&c->inputs, c->in->script, c->in->vars) != TS_OK)
 		return TS_FAILED;
 	if (c->o.keep)
@@ -410,7 +414,8 @@ static enum ts_verdict run_both(struct crosscheck *c, struct ts_str *path)
 		c->root = NULL;
 	if (!c->root)
 		return TS_FAILED;
-	verdict = run_one(c, TS_HERE) == TS_OK && run_one(c, TS_PEER) == TS_OK ? compare(c) : TS_FAILED;
+	verdict = run_program(c, TS_SELF) == TS_OK && run_program(c, TS_PEER) == TS_OK ? compare_runs(c)
+										       : TS_FAILED;
 	if (c->o.keep)
 		ts_str_addf(c->text, "all is kept in %s\n", c->root);
 	else
@@ -433,9 +438,9 @@ enum ts_verdict ts_crosscheck(struct tsim *sim, const struct ts_crosscheck_input
 	if (!input->script) {
 		ts_fail(&sim->error, TS_SYNTAX, NULL, "-crosscheck needs a script: -in FILE");
 	} else if (ts_args_parse(sim, "-crosscheck", rows, input->words, &where, &c.arena, &c.o) == TS_OK) {
-		c.name[TS_HERE] = "tsim";
+		c.name[TS_SELF] = "tsim";
 		c.name[TS_PEER] = program_names[c.o.program];
-		verdict = run_both(&c, &path);
+		verdict = run_and_compare(&c, &path);
 	}
 	ts_str_release(&path);
 	ts_inputs_release(&c.inputs);

@@ -4,7 +4,8 @@
 
 #include "crosscheck/compare.h"
 
-/* report.c: the table of one output. */
+/* Appends the table of one output. `statistics`: with the columns of the statistics; `peer`: name of the other
+ * program. */
 void ts_report_pairing(const struct ts_pairing *p, bool statistics, const char *peer, struct ts_str *out);
 
 #endif

@@ -16,7 +16,7 @@
 
 enum { COPY_BYTES = 1 << 16, DEEPEST = 30 };
 
-static enum ts_status failed(struct ts_error *err, const char *what, const char *path)
+static enum ts_status fail_errno(struct ts_error *err, const char *what, const char *path)
 {
 	int code = errno;
 
@@ -32,7 +32,7 @@ static bool is_folder(const char *path)
 
 enum ts_status ts_folder_make(const char *path, struct ts_error *err)
 {
-	return ts_mkdirs(NULL, path) == 0 ? TS_OK : failed(err, "make the folder", path);
+	return ts_mkdirs(NULL, path) == 0 ? TS_OK : fail_errno(err, "make the folder", path);
 }
 
 enum ts_status ts_folder_new(const char *path, struct ts_error *err)
@@ -51,10 +51,10 @@ enum ts_status ts_folder_scratch(struct ts_str *path, struct ts_error *err)
 	ts_str_addf(path, "%s/tsim-crosscheck-XXXXXX", parent && *parent ? parent : "/tmp");
 	if (path->failed)
 		return ts_nomem(err);
-	return mkdtemp(path->text) ? TS_OK : failed(err, "make the folder", path->text);
+	return mkdtemp(path->text) ? TS_OK : fail_errno(err, "make the folder", path->text);
 }
 
-static bool copy(FILE *from, FILE *to)
+static bool copy_bytes(FILE *from, FILE *to)
 {
 	char bytes[COPY_BYTES];
 	size_t n;
@@ -85,12 +85,12 @@ enum ts_status ts_folder_copy(const char *from, const char *to, int64_t date, st
 	ts_free(folder);
 	in = ts_files_open(NULL, from, "r");
 	if (!in)
-		return failed(err, "read", from);
+		return fail_errno(err, "read", from);
 	out = ts_files_open(NULL, to, "w");
-	good = out && copy(in, out);
+	good = out && copy_bytes(in, out);
 	good &= out && fclose(out) == 0;
 	fclose(in);
-	return good && utimensat(AT_FDCWD, to, times, 0) == 0 ? TS_OK : failed(err, "write", to);
+	return good && utimensat(AT_FDCWD, to, times, 0) == 0 ? TS_OK : fail_errno(err, "write", to);
 }
 
 static bool is_dots(const char *name)
@@ -98,7 +98,7 @@ static bool is_dots(const char *name)
 	return ts_streq(name, ".") || ts_streq(name, "..");
 }
 
-/* Whatever it does not understand, links first of all, is unlinked and never followed. */
+/* Everything that is not a folder is unlinked; links are not followed. */
 static void remove_tree(const char *path, int depth)
 {
 	DIR *folder = opendir(path);
@@ -130,7 +130,7 @@ void ts_folder_remove(const char *path)
 }
 
 /* Alphabetical, but "dump9" before "dump10". */
-static int in_order(const void *a, const void *b)
+static int compare_names(const void *a, const void *b)
 {
 	const char *x = *(const char *const *)a, *y = *(const char *const *)b;
 
@@ -165,10 +165,10 @@ struct search {
 	struct ts_error *err;
 };
 
-static enum ts_status search(const struct search *s, const char *inner, int depth);
+static enum ts_status search_folder(const struct search *s, const char *inner, int depth);
 
-/* One entry of a folder; `name` is relative to the root. */
-static enum ts_status found(const struct search *s, const char *name, int depth)
+/* Adds an entry of a folder to the list; `name` is relative to the root. */
+static enum ts_status add_entry(const struct search *s, const char *name, int depth)
 {
 	struct ts_str path = { 0 };
 	struct stat info;
@@ -179,7 +179,7 @@ static enum ts_status found(const struct search *s, const char *name, int depth)
 	there = !path.failed && lstat(path.text, &info) == 0;
 	ts_str_release(&path);
 	if (there && S_ISDIR(info.st_mode))
-		return depth < DEEPEST ? search(s, name, depth + 1) : TS_OK;
+		return depth < DEEPEST ? search_folder(s, name, depth + 1) : TS_OK;
 	if (!there || !S_ISREG(info.st_mode) || info.st_mtim.tv_sec == s->except)
 		return TS_OK;
 	kept = ts_pool_get(s->pool, name);
@@ -189,7 +189,7 @@ static enum ts_status found(const struct search *s, const char *name, int depth)
 	return TS_OK;
 }
 
-static enum ts_status search(const struct search *s, const char *inner, int depth)
+static enum ts_status search_folder(const struct search *s, const char *inner, int depth)
 {
 	struct ts_str name = { 0 };
 	struct dirent *entry;
@@ -203,7 +203,7 @@ static enum ts_status search(const struct search *s, const char *inner, int dept
 			continue;
 		ts_str_clear(&name);
 		ts_str_addf(&name, "%s%s%s", inner, *inner ? "/" : "", entry->d_name);
-		status = name.failed ? ts_nomem(s->err) : found(s, ts_str_text(&name), depth);
+		status = name.failed ? ts_nomem(s->err) : add_entry(s, ts_str_text(&name), depth);
 	}
 	if (folder)
 		closedir(folder);
@@ -216,7 +216,7 @@ enum ts_status ts_folder_list(const char *path, int64_t except, struct ts_listin
 {
 	struct search s = { path, except, out, pool, err };
 
-	TS_TRY(search(&s, "", 0));
-	qsort(out->name, out->n, sizeof *out->name, in_order);
+	TS_TRY(search_folder(&s, "", 0));
+	qsort(out->name, out->n, sizeof *out->name, compare_names);
 	return TS_OK;
 }

@@ -1,22 +1,22 @@
-/* Folders of files: made, filled, listed and removed. */
+/* Folders: creation, copies of files, lists, removal. */
 #ifndef TS_CROSSCHECK_FOLDER_H
 #define TS_CROSSCHECK_FOLDER_H
 
 #include "base/status.h"
 #include "base/str.h"
 
-/* With all that lead to it. */
+/* Creates the folder and its parents. */
 enum ts_status ts_folder_make(const char *path, struct ts_error *err);
-/* The same, but it must not be there yet. */
+/* The same; an error if it exists. */
 enum ts_status ts_folder_new(const char *path, struct ts_error *err);
-/* A new one for this process only, in TMPDIR. */
+/* Creates a folder for this process in TMPDIR. */
 enum ts_status ts_folder_scratch(struct ts_str *path, struct ts_error *err);
-/* Copies a file, making its folder, and gives it that date (seconds). */
+/* Copies a file, creates its folder, and sets the modification time of the copy (s). */
 enum ts_status ts_folder_copy(const char *from, const char *to, int64_t date, struct ts_error *err);
-/* Removes it and all in it. */
+/* Removes the folder and its contents. */
 void ts_folder_remove(const char *path);
 
-/* Names of all files below a folder, except those with that date; in order, numbers in them by value. */
+/* Names of all files below a folder, except those with this modification time; sorted, numbers by value. */
 struct ts_listing {
 	const char **name;
 	size_t n, capacity;

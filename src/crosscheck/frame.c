@@ -15,7 +15,7 @@ bool ts_printed_is_number(const char *word)
 	return ts_parse_real(word, &value) || ts_streq(bare, "nan") || ts_streq(bare, "inf");
 }
 
-static double hashed(const char *word)
+static double hash_value(const char *word)
 {
 	struct ts_hash hash = ts_hash_start();
 
@@ -29,7 +29,7 @@ struct ts_printed ts_printed(const char *word)
 	bool leading = true, exponent = false;
 
 	if (!ts_parse_real(word, &p.value)) {
-		p.value = hashed(word + (*word == '-' && ts_printed_is_number(word)));
+		p.value = hash_value(word + (*word == '-' && ts_printed_is_number(word)));
 		return p;
 	}
 	for (const char *c = word; *c && !exponent; c++) {

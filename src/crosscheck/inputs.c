@@ -13,21 +13,21 @@
 
 enum { DEEPEST = 10 };
 
-/* Commands whose files are written: of these only the folders are needed. */
+/* Commands that write files: only the folders of the files are needed. */
 static const char *const writers[] = { "dump",	     "dump_modify", "restart",	  "write_restart", "log",
 				       "write_data", "write_dump",  "thermo_log", "print",	   NULL };
-/* Commands whose file is a script too. */
+/* Commands whose file is a script. */
 static const char *const readers[] = { "include", "jump", NULL };
 
-static bool listed(const char *const *list, const char *word)
+static bool is_listed(const char *const *list, const char *word)
 {
 	while (*list && !ts_streq(*list, word))
 		list++;
 	return *list != NULL;
 }
 
-static enum ts_status add(struct ts_inputs *in, const char ***list, size_t *capacity, size_t *n,
-			  const char *path)
+static enum ts_status add_path(struct ts_inputs *in, const char ***list, size_t *capacity, size_t *n,
+			       const char *path)
 {
 	const char *kept = ts_pool_get(in->pool, path);
 	int up = 0;
@@ -43,8 +43,8 @@ static enum ts_status add(struct ts_inputs *in, const char ***list, size_t *capa
 	return ts_map_set(&in->seen, kept, in);
 }
 
-/* An existing file or folder. One with an absolute name is where it is for every program. */
-static enum ts_status take(struct ts_inputs *in, const char *path, bool folders_only, bool *is_file)
+/* Adds a file or folder, if it exists. Those with absolute names need no copy. */
+static enum ts_status add_if_exists(struct ts_inputs *in, const char *path, bool folders_only, bool *is_file)
 {
 	struct stat info;
 
@@ -55,9 +55,9 @@ static enum ts_status take(struct ts_inputs *in, const char *path, bool folders_
 	if (path[0] == '/')
 		return TS_OK;
 	if (S_ISDIR(info.st_mode) && !ts_streq(path, ".") && !ts_streq(path, ".."))
-		return add(in, &in->folder, &in->folder_capacity, &in->folders, path);
+		return add_path(in, &in->folder, &in->folder_capacity, &in->folders, path);
 	if (S_ISREG(info.st_mode) && !folders_only)
-		return add(in, &in->file, &in->file_capacity, &in->files, path);
+		return add_path(in, &in->file, &in->file_capacity, &in->files, path);
 	return TS_OK;
 }
 
@@ -73,8 +73,8 @@ static const char *value_of(struct ts_words vars, const char *name, size_t n)
 	return NULL;
 }
 
-/* `$x`, `${name}` or `$(formula)` at c: puts in its value or `*`; what follows it. */
-static const char *fill_in(const char *c, struct ts_words vars, struct ts_str *out)
+/* Replaces `$x`, `${name}` or `$(formula)` at c by its value or by `*`; returns the position after it. */
+static const char *substitute_variable(const char *c, struct ts_words vars, struct ts_str *out)
 {
 	const char *name = c + 1, *end, *value = NULL;
 
@@ -93,15 +93,15 @@ static const char *fill_in(const char *c, struct ts_words vars, struct ts_str *o
 	return end;
 }
 
-/* The word as a pattern for glob(): quotes stripped, variables filled in. *letters: there is something in
- * it besides wildcards. */
+/* Makes of the word a pattern for glob(): without quotes, variables replaced. *letters: it contains more than
+ * wildcards. */
 static void pattern_of(const char *word, struct ts_words vars, struct ts_str *out, bool *letters)
 {
 	ts_str_clear(out);
 	*letters = false;
 	while (*word) {
 		if (*word == '$') {
-			word = fill_in(word, vars, out);
+			word = substitute_variable(word, vars, out);
 			continue;
 		}
 		*letters |= !strchr("*\"'./", *word);
@@ -114,9 +114,9 @@ static void pattern_of(const char *word, struct ts_words vars, struct ts_str *ou
 		*letters |= !strchr("*./", *c);
 }
 
-static enum ts_status scan(struct ts_inputs *in, const char *script, struct ts_words vars, int depth);
+static enum ts_status scan_script(struct ts_inputs *in, const char *script, struct ts_words vars, int depth);
 
-/* All files and folders that fit the word, and the folder of a file that is yet to be written. */
+/* Adds all files and folders that match the word, and the folder of a file that does not exist yet. */
 static enum ts_status scan_word(struct ts_inputs *in, const char *word, struct ts_words vars,
 				const char *command, int depth)
 {
@@ -129,23 +129,23 @@ static enum ts_status scan_word(struct ts_inputs *in, const char *word, struct t
 	pattern_of(word, vars, &pattern, &letters);
 	if (letters && !pattern.failed && glob(pattern.text, 0, NULL, &found) == 0)
 		for (size_t k = 0; k < found.gl_pathc && status == TS_OK; k++) {
-			status = take(in, found.gl_pathv[k], listed(writers, command), &is_file);
-			if (status == TS_OK && is_file && listed(readers, command))
-				status = scan(in, found.gl_pathv[k], vars, depth + 1);
+			status = add_if_exists(in, found.gl_pathv[k], is_listed(writers, command), &is_file);
+			if (status == TS_OK && is_file && is_listed(readers, command))
+				status = scan_script(in, found.gl_pathv[k], vars, depth + 1);
 		}
 	globfree(&found);
 	slash = strrchr(ts_str_text(&pattern), '/');
 	if (letters && slash && slash > pattern.text && status == TS_OK) {
 		pattern.text[slash - pattern.text] = '\0';
-		status = take(in, pattern.text, true, &is_file);
+		status = add_if_exists(in, pattern.text, true, &is_file);
 	}
 	status = pattern.failed ? ts_nomem(in->err) : status;
 	ts_str_release(&pattern);
 	return status;
 }
 
-/* A word of the command at hand, with what -var fills in; one of which not all is known remains as it is. */
-static enum ts_status keep_word(struct ts_inputs *in, const char *word, struct ts_words vars)
+/* Stores a word of the present command with the values of -var; one with unknown variables is not changed. */
+static enum ts_status store_word(struct ts_inputs *in, const char *word, struct ts_words vars)
 {
 	struct ts_str filled = { 0 };
 	bool letters, known;
@@ -160,15 +160,15 @@ static enum ts_status keep_word(struct ts_inputs *in, const char *word, struct t
 	return in->word[in->words++] ? TS_OK : ts_nomem(in->err);
 }
 
-static enum ts_status keep_words(struct ts_inputs *in, const struct ts_lines *l, struct ts_words vars)
+static enum ts_status store_words(struct ts_inputs *in, const struct ts_lines *l, struct ts_words vars)
 {
 	bool goes_on = ts_streq(l->word[l->nwords - 1], "&");
 
 	for (size_t k = 0; k + goes_on < l->nwords; k++)
-		TS_TRY(keep_word(in, l->word[k], vars));
+		TS_TRY(store_word(in, l->word[k], vars));
 	if (goes_on)
 		return TS_OK;
-	TS_TRY(ts_meanings_take(in->meanings, in->word, in->words));
+	TS_TRY(ts_meanings_read_command(in->meanings, in->word, in->words));
 	in->words = 0;
 	return TS_OK;
 }
@@ -182,13 +182,13 @@ static enum ts_status scan_lines(struct ts_inputs *in, struct ts_lines *l, struc
 		if (!more)
 			return TS_OK;
 		if (in->meanings)
-			TS_TRY(keep_words(in, l, vars));
+			TS_TRY(store_words(in, l, vars));
 		for (size_t k = 0; k < l->nwords; k++)
 			TS_TRY(scan_word(in, l->word[k], vars, l->word[0], depth));
 	}
 }
 
-static enum ts_status scan(struct ts_inputs *in, const char *script, struct ts_words vars, int depth)
+static enum ts_status scan_script(struct ts_inputs *in, const char *script, struct ts_words vars, int depth)
 {
 	struct ts_lines lines;
 	enum ts_status status;
@@ -214,10 +214,10 @@ enum ts_status ts_inputs_find(struct ts_inputs *in, const char *script, struct t
 {
 	bool is_file;
 
-	TS_TRY(take(in, script, false, &is_file));
+	TS_TRY(add_if_exists(in, script, false, &is_file));
 	for (size_t k = 0; k < vars.n; k++)
 		TS_TRY(scan_word(in, vars.word[k].text, vars, "-var", 0));
-	return scan(in, script, vars, 0);
+	return scan_script(in, script, vars, 0);
 }
 
 void ts_inputs_release(struct ts_inputs *in)

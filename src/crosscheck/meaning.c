@@ -8,30 +8,30 @@
 
 enum { QUANTITIES = 12, TITLE = 8 };
 
-/* Columns of compute pair/gran/local, in this order whatever that of the words, in both programs.
- * `partner`: how far the column of the other partner is. How many numbers the history has is known
- * to the programs only. */
+/* Columns of compute pair/gran/local. Both programs write them in this order, whatever the order of the keywords.
+ * `partner`: distance to the column of the other partner. The number of history values depends on the contact
+ * law. */
 static const struct {
 	const char *name;
-	int width, partner; /* width 0: all that follow */
-	enum ts_turning turning;
-	bool usual; /* without words */
+	int width, partner; /* number of columns; 0: all that follow */
+	enum ts_swap_rule swap_rule;
+	bool usual; /* written if there are no keywords */
 } quantities[QUANTITIES] = {
-	{ "pos", 6, 3, TS_TURN_SWAP, true },
-	{ "vel", 6, 3, TS_TURN_SWAP, true },
-	{ "id", 3, 1, TS_TURN_SWAP, true }, /* the third: across a periodic face */
-	{ "force", 3, 0, TS_TURN_SIGN, true },
-	{ "force_normal", 3, 0, TS_TURN_SIGN, false },
-	{ "force_tangential", 3, 0, TS_TURN_SIGN, false },
-	{ "torque", 3, 0, TS_TURN_NOT, false },
-	{ "history", 0, 0, TS_TURN_EITHER, true },
-	{ "contactArea", 1, 0, TS_TURN_SAME, true },
-	{ "delta", 1, 0, TS_TURN_SAME, false },
-	{ "contactPoint", 3, 0, TS_TURN_SAME, false },
-	{ "heatFlux", 1, 0, TS_TURN_SIGN, false },
+	{ "pos", 6, 3, TS_SWAP_PARTNER, true },
+	{ "vel", 6, 3, TS_SWAP_PARTNER, true },
+	{ "id", 3, 1, TS_SWAP_PARTNER, true }, /* the third: whether the contact is across a periodic face */
+	{ "force", 3, 0, TS_SWAP_SIGN, true },
+	{ "force_normal", 3, 0, TS_SWAP_SIGN, false },
+	{ "force_tangential", 3, 0, TS_SWAP_SIGN, false },
+	{ "torque", 3, 0, TS_SWAP_UNKNOWN, false },
+	{ "history", 0, 0, TS_SWAP_EITHER_SIGN, true },
+	{ "contactArea", 1, 0, TS_SWAP_INVARIANT, true },
+	{ "delta", 1, 0, TS_SWAP_INVARIANT, false },
+	{ "contactPoint", 3, 0, TS_SWAP_INVARIANT, false },
+	{ "heatFlux", 1, 0, TS_SWAP_SIGN, false },
 };
 
-/* Keywords of thermo_style that count the elastic energy of contacts. */
+/* Keywords of thermo_style that include the elastic energy of contacts. */
 static const struct {
 	const char *keyword, *title;
 } energies[] = {
@@ -40,20 +40,20 @@ static const struct {
 };
 enum { ENERGIES = sizeof energies / sizeof *energies };
 
-/* Of computes of contacts: what they write. */
+/* Columns that a compute pair/gran/local writes. */
 struct contacts {
 	bool wanted[QUANTITIES];
 	bool known;
 };
 
-static enum ts_status remember(struct ts_meanings *m, struct ts_map *map, const char *key, void *value)
+static enum ts_status store_entry(struct ts_meanings *m, struct ts_map *map, const char *key, void *value)
 {
 	const char *kept = ts_pool_get(m->pool, key);
 
 	return kept ? ts_map_set(map, kept, value) : ts_nomem(m->err);
 }
 
-static enum ts_status take_contacts(struct ts_meanings *m, const char *const *word, size_t n)
+static enum ts_status read_contact_columns(struct ts_meanings *m, const char *const *word, size_t n)
 {
 	struct contacts *c = ts_arena_alloc(&m->arena, 1, sizeof *c),
 			*before = ts_map_get(&m->contacts, word[1]);
@@ -74,10 +74,10 @@ static enum ts_status take_contacts(struct ts_meanings *m, const char *const *wo
 	}
 	if (before) /* an ID that is used twice, after `clear` */
 		c->known &= before->known && memcmp(before->wanted, c->wanted, sizeof c->wanted) == 0;
-	return remember(m, &m->contacts, word[1], c);
+	return store_entry(m, &m->contacts, word[1], c);
 }
 
-/* Names in a formula: runs of letters, digits, underscores. */
+/* Whether a formula refers to such an energy by name. */
 static bool names_energy(const struct ts_meanings *m, const char *formula)
 {
 	char name[64];
@@ -98,7 +98,7 @@ static bool names_energy(const struct ts_meanings *m, const char *formula)
 	return false;
 }
 
-static bool differs(const struct ts_meanings *m, const char *const *word, size_t n)
+static bool refers_to_energy(const struct ts_meanings *m, const char *const *word, size_t n)
 {
 	if (ts_streq(word[0], "compute"))
 		return ts_streq(word[3], "pe") || ts_streq(word[3], "pe/atom");
@@ -108,18 +108,19 @@ static bool differs(const struct ts_meanings *m, const char *const *word, size_t
 	return false;
 }
 
-/* The title of a column of the log is cut, and without "c_"; two things may have the same. */
-static enum ts_status take_title(struct ts_meanings *m, const char *kept)
+/* The title of a column of the thermo output is truncated and without "c_"; two columns may have the same. */
+static enum ts_status store_title(struct ts_meanings *m, const char *kept)
 {
 	char title[TITLE + 1];
 	const char *before;
 
 	snprintf(title, sizeof title, "%s", kept + 2);
 	before = ts_map_get(&m->titles, title);
-	return remember(m, &m->titles, title, (void *)(uintptr_t)(!before || before == kept ? kept : "two"));
+	return store_entry(m, &m->titles, title,
+			   (void *)(uintptr_t)(!before || before == kept ? kept : "two"));
 }
 
-enum ts_status ts_meanings_take(struct ts_meanings *m, const char *const *word, size_t n)
+enum ts_status ts_meanings_read_command(struct ts_meanings *m, const char *const *word, size_t n)
 {
 	static const char *const commands[] = { "compute", "fix", "variable" };
 	char name[64];
@@ -134,10 +135,10 @@ enum ts_status ts_meanings_take(struct ts_meanings *m, const char *const *word, 
 	kept = ts_pool_get(m->pool, name);
 	if (!kept)
 		return ts_nomem(m->err);
-	TS_TRY(take_title(m, kept));
-	if (differs(m, word, n))
+	TS_TRY(store_title(m, kept));
+	if (refers_to_energy(m, word, n))
 		TS_TRY(ts_map_set(&m->differs, kept, m));
-	return k == 0 && ts_streq(word[3], "pair/gran/local") ? take_contacts(m, word, n) : TS_OK;
+	return k == 0 && ts_streq(word[3], "pair/gran/local") ? read_contact_columns(m, word, n) : TS_OK;
 }
 
 bool ts_meanings_differ(const struct ts_meanings *m, enum ts_frame_kind kind, const char *column)
@@ -158,8 +159,8 @@ bool ts_meanings_differ(const struct ts_meanings *m, enum ts_frame_kind kind, co
 	return ts_map_get(&m->differs, name) != NULL;
 }
 
-/* The k-th column, from 1. *partner: the column of the other partner. */
-static enum ts_turning turning_of(const struct contacts *c, int k, int *partner)
+/* Swap rule of column k, from 1. *partner: the column of the other partner. */
+static enum ts_swap_rule swap_rule_of(const struct contacts *c, int k, int *partner)
 {
 	int first = 1;
 
@@ -170,21 +171,21 @@ static enum ts_turning turning_of(const struct contacts *c, int k, int *partner)
 		if (!c->wanted[q])
 			continue;
 		if (!quantities[q].width)
-			return quantities[q].turning;
+			return quantities[q].swap_rule;
 		first += quantities[q].width;
 		if (k >= first)
 			continue;
 		if (!distance)
-			return quantities[q].turning;
+			return quantities[q].swap_rule;
 		if (inner >= 2 * distance)
-			return TS_TURN_SAME;
+			return TS_SWAP_INVARIANT;
 		*partner = inner < distance ? k + distance : k - distance;
-		return TS_TURN_SWAP;
+		return TS_SWAP_PARTNER;
 	}
-	return TS_TURN_SAME;
+	return TS_SWAP_INVARIANT;
 }
 
-/* Column "c_ID[k]" of a compute of contacts: its ID and k. */
+/* Splits "c_ID[k]" into ID and k, and finds the compute; NULL if it is not a column of contacts. */
 static const struct contacts *contacts_of(const struct ts_meanings *m, const char *column, char id[64],
 					  int *k)
 {
@@ -207,8 +208,8 @@ static size_t column_at(const struct ts_meanings *m, const struct ts_frame *f, c
 	return kept ? ts_frame_column(f, kept) : SIZE_MAX;
 }
 
-/* Where the identities of both partners are among its columns; 0: they are not. */
-static int ids_in(const struct contacts *c)
+/* The first of its columns with the identities of the partners, from 1; 0: none. */
+static int identity_column(const struct contacts *c)
 {
 	int first = 1;
 
@@ -220,8 +221,8 @@ static int ids_in(const struct contacts *c)
 	return 0;
 }
 
-/* What each column does; *id: the columns of the identities. */
-static void learn(const struct ts_meanings *m, struct ts_frame *f, size_t id[2])
+/* Sets the swap rule of each column; *id: the columns of the identities. */
+static void set_swap_rules(const struct ts_meanings *m, struct ts_frame *f, size_t id[2])
 {
 	char name[64];
 
@@ -230,28 +231,28 @@ static void learn(const struct ts_meanings *m, struct ts_frame *f, size_t id[2])
 		int at, partner, first;
 		const struct contacts *c = contacts_of(m, f->name[k], name, &at);
 
-		f->turning[k] = c ? turning_of(c, at, &partner) : TS_TURN_SAME;
+		f->swap_rule[k] = c ? swap_rule_of(c, at, &partner) : TS_SWAP_INVARIANT;
 		f->partner[k] = k;
 		if (!c)
 			continue;
-		if (f->turning[k] == TS_TURN_SWAP)
+		if (f->swap_rule[k] == TS_SWAP_PARTNER)
 			f->partner[k] = column_at(m, f, name, partner);
 		if (f->partner[k] == SIZE_MAX)
-			f->turning[k] = TS_TURN_NOT;
-		first = ids_in(c);
+			f->swap_rule[k] = TS_SWAP_UNKNOWN;
+		first = identity_column(c);
 		for (int who = 0; who < 2 && first && (id[0] == SIZE_MAX || id[1] == SIZE_MAX); who++)
 			id[who] = column_at(m, f, name, first + who);
 	}
 }
 
-static void turn_row(const struct ts_frame *f, struct ts_printed *cell)
+static void swap_partners(const struct ts_frame *f, struct ts_printed *cell)
 {
 	for (size_t k = 0; k < f->columns; k++) {
 		size_t other = f->partner[k];
 
-		if (f->turning[k] == TS_TURN_SIGN)
+		if (f->swap_rule[k] == TS_SWAP_SIGN)
 			cell[k].value = -cell[k].value;
-		if (f->turning[k] == TS_TURN_SWAP && k < other) {
+		if (f->swap_rule[k] == TS_SWAP_PARTNER && k < other) {
 			struct ts_printed swap = cell[k];
 
 			cell[k] = cell[other];
@@ -260,25 +261,25 @@ static void turn_row(const struct ts_frame *f, struct ts_printed *cell)
 	}
 }
 
-enum ts_status ts_meanings_turn(const struct ts_meanings *m, struct ts_frame *f)
+enum ts_status ts_meanings_order_partners(const struct ts_meanings *m, struct ts_frame *f)
 {
 	size_t id[2];
 
-	f->turns = false;
+	f->has_contacts = false;
 	if (!m || !f->entries || !m->contacts.used)
 		return TS_OK;
-	if (TS_GROW(f->turning, f->turning_capacity, f->columns + 1) != TS_OK ||
+	if (TS_GROW(f->swap_rule, f->swap_rule_capacity, f->columns + 1) != TS_OK ||
 	    TS_GROW(f->partner, f->partner_capacity, f->columns + 1) != TS_OK ||
-	    TS_GROW(f->turned, f->turned_capacity, f->rows + 1) != TS_OK)
+	    TS_GROW(f->swapped, f->swapped_capacity, f->rows + 1) != TS_OK)
 		return ts_nomem(m->err);
-	learn(m, f, id);
-	f->turns = id[0] != SIZE_MAX && id[1] != SIZE_MAX;
-	for (size_t row = 0; row < f->rows && f->turns; row++) {
+	set_swap_rules(m, f, id);
+	f->has_contacts = id[0] != SIZE_MAX && id[1] != SIZE_MAX;
+	for (size_t row = 0; row < f->rows && f->has_contacts; row++) {
 		struct ts_printed *cell = f->cell + row * f->columns;
 
-		f->turned[row] = cell[id[0]].value > cell[id[1]].value;
-		if (f->turned[row])
-			turn_row(f, cell);
+		f->swapped[row] = cell[id[0]].value > cell[id[1]].value;
+		if (f->swapped[row])
+			swap_partners(f, cell);
 	}
 	return TS_OK;
 }

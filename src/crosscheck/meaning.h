@@ -1,5 +1,5 @@
-/* What the script tells about columns of outputs: which are of contacts, whose numbers depend on
- * the partner that is named first, and which differ from those of the other program on purpose. */
+/* Information on columns of outputs from the commands of the script: which belong to contacts, whose numbers
+ * depend on the order of the two partners, and which differ from those of the other program on purpose. */
 #ifndef TS_CROSSCHECK_MEANING_H
 #define TS_CROSSCHECK_MEANING_H
 
@@ -13,16 +13,16 @@ struct ts_meanings {
 	struct ts_pool *pool;
 	struct ts_map contacts; /* ID of a compute pair/gran/local -> its columns */
 	struct ts_map differs;	/* "c_ID", "v_NAME" that differ on purpose */
-	struct ts_map titles;	/* as they stand above columns, cut, -> "c_ID" */
+	struct ts_map titles;	/* titles of thermo output, truncated, -> "c_ID" */
 	struct ts_arena arena;
 };
 
-/* A command of the script. */
-enum ts_status ts_meanings_take(struct ts_meanings *m, const char *const *word, size_t n);
-/* Whether a column differs on purpose: see the page of command legacy. */
+/* Evaluates a command of the script. */
+enum ts_status ts_meanings_read_command(struct ts_meanings *m, const char *const *word, size_t n);
+/* Whether a column differs on purpose; see the manual page of the command legacy. */
 bool ts_meanings_differ(const struct ts_meanings *m, enum ts_frame_kind kind, const char *column);
-/* In rows of contacts the partner with the smaller identity becomes the first. */
-enum ts_status ts_meanings_turn(const struct ts_meanings *m, struct ts_frame *frame);
+/* Exchanges the partners in rows of contacts so that the one with the smaller identity is first. */
+enum ts_status ts_meanings_order_partners(const struct ts_meanings *m, struct ts_frame *frame);
 void ts_meanings_release(struct ts_meanings *m);
 
 #endif

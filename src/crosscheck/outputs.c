@@ -1,4 +1,4 @@
-/* Which files two runs wrote, and which of them belong together. */
+/* Lists the output files of two runs, and pairs them. */
 #include <ctype.h>
 #include <string.h>
 #include <zlib.h>
@@ -10,10 +10,10 @@
 
 enum { PROBE = 512 };
 
-enum sort { SORT_EMPTY, SORT_TEXT, SORT_DUMP, SORT_VTK, SORT_LOG, SORT_OTHER };
+enum format { FORMAT_EMPTY, FORMAT_TEXT, FORMAT_DUMP, FORMAT_VTK, FORMAT_LOG, FORMAT_OTHER };
 
-/* By how the file begins. */
-static enum sort sort_of(const char *folder, const char *name)
+/* Format of a file, from its first bytes. */
+static enum format format_of(const char *folder, const char *name)
 {
 	static const char *const logs[] = { "tsim ", "LIGGGHTS (", "LAMMPS (" };
 	char bytes[PROBE + 1] = "";
@@ -28,19 +28,19 @@ static enum sort sort_of(const char *folder, const char *name)
 	if (file)
 		gzclose(file);
 	if (n == (int)strspn(bytes, " \t\r\n"))
-		return n < PROBE ? SORT_EMPTY : SORT_TEXT;
+		return n < PROBE ? FORMAT_EMPTY : FORMAT_TEXT;
 	for (int k = 0; k < n; k++)
 		if (!isprint((unsigned char)bytes[k]) && !isspace((unsigned char)bytes[k]) &&
 		    !(bytes[k] & 0x80))
-			return SORT_OTHER;
+			return FORMAT_OTHER;
 	for (size_t k = 0; k < sizeof logs / sizeof *logs; k++)
 		if (strncmp(bytes, logs[k], strlen(logs[k])) == 0)
-			return SORT_LOG;
+			return FORMAT_LOG;
 	if (strncmp(bytes, "<?xml", 5) == 0)
-		return SORT_OTHER;
+		return FORMAT_OTHER;
 	if (strncmp(bytes, "# vtk DataFile", 14) == 0)
-		return strstr(bytes, "\nBINARY") ? SORT_OTHER : SORT_VTK;
-	return strncmp(bytes, "ITEM:", 5) == 0 ? SORT_DUMP : SORT_TEXT;
+		return strstr(bytes, "\nBINARY") ? FORMAT_OTHER : FORMAT_VTK;
+	return strncmp(bytes, "ITEM:", 5) == 0 ? FORMAT_DUMP : FORMAT_TEXT;
 }
 
 /* "post/dump100.txt" -> "post/dump*.txt" */
@@ -65,7 +65,7 @@ static const char *pattern_of(const char *name, struct ts_pool *pool)
 	return kept;
 }
 
-static bool has(const struct ts_listing *list, const char *name)
+static bool list_has(const struct ts_listing *list, const char *name)
 {
 	for (size_t k = 0; k < list->n; k++)
 		if (list->name[k] == name)
@@ -73,15 +73,15 @@ static bool has(const struct ts_listing *list, const char *name)
 	return false;
 }
 
-/* What is no output to compare: logs, and the lists of frames that only tsim writes for ParaView. */
-static bool is_apart(const char *folder, const char *name)
+/* Files that are not compared: logs, and the lists of frames that only tsim writes for ParaView. */
+static bool is_excluded(const char *folder, const char *name)
 {
 	return strncmp(name, "log.", 4) == 0 || ts_ends_with(name, ".series") || ts_ends_with(name, ".pvd") ||
-	       sort_of(folder, name) == SORT_LOG;
+	       format_of(folder, name) == FORMAT_LOG;
 }
 
-static enum ts_status keep(const char ***list, size_t *n, size_t *capacity, const char *name,
-			   struct ts_error *err)
+static enum ts_status append_name(const char ***list, size_t *n, size_t *capacity, const char *name,
+				  struct ts_error *err)
 {
 	if (TS_GROW(*list, *capacity, *n + 1) != TS_OK)
 		return ts_nomem(err);
@@ -89,11 +89,11 @@ static enum ts_status keep(const char ***list, size_t *n, size_t *capacity, cons
 	return TS_OK;
 }
 
-/* All files in both folders that have the pattern of the k-th name; that one only, if it is the first. */
-static enum ts_status pair(struct ts_outputs *o, const char *const folder[TS_BOTH], size_t k, enum sort sort,
-			   struct ts_error *err, struct ts_pool *pool)
+/* Pairs all files in both folders whose pattern is that of the k-th name, if that is the first of them. */
+static enum ts_status pair_files(struct ts_outputs *o, const char *const folder[TS_NPROGRAMS], size_t k,
+				 enum format format, struct ts_error *err, struct ts_pool *pool)
 {
-	const struct ts_listing *list = &o->listing[TS_HERE];
+	const struct ts_listing *list = &o->listing[TS_SELF];
 	const char *pattern = pattern_of(list->name[k], pool), **names;
 	struct ts_pairing *p;
 	size_t n = 0;
@@ -106,72 +106,73 @@ static enum ts_status pair(struct ts_outputs *o, const char *const folder[TS_BOT
 
 		if (!other)
 			return ts_nomem(err);
-		if (other != pattern || !has(&o->listing[TS_PEER], name))
+		if (other != pattern || !list_has(&o->listing[TS_PEER], name))
 			continue;
 		if (m < k)
-			return TS_OK; /* came with that one */
+			return TS_OK; /* paired already */
 		names[n++] = name;
 	}
 	if (TS_GROW(o->pairing, o->capacity, o->n + 1) != TS_OK)
 		return ts_nomem(err);
 	p = &o->pairing[o->n++];
 	*p = (struct ts_pairing){ .name = n > 1 ? pattern : names[0],
-				  .kind = sort == SORT_DUMP  ? TS_FRAMES_DUMP
-					  : sort == SORT_VTK ? TS_FRAMES_VTK
-							     : TS_FRAMES_TEXT };
-	for (int who = 0; who < TS_BOTH; who++) {
+				  .kind = format == FORMAT_DUMP	 ? TS_FRAMES_DUMP
+					  : format == FORMAT_VTK ? TS_FRAMES_VTK
+								 : TS_FRAMES_TEXT };
+	for (int who = 0; who < TS_NPROGRAMS; who++) {
 		p->folder[who] = folder[who];
 		p->file[who] = names;
 	}
 	return TS_OK;
 }
 
-/* Takes those out of the list of tsim that one of the programs leaves empty: there is nothing to compare. */
-static enum ts_status set_aside_empty(struct ts_outputs *o, const char *const folder[TS_BOTH],
-				      struct ts_error *err)
+/* Removes from the list of tsim the files that only one program leaves empty: they cannot be compared. */
+static enum ts_status remove_empty(struct ts_outputs *o, const char *const folder[TS_NPROGRAMS],
+				   struct ts_error *err)
 {
-	struct ts_listing *list = &o->listing[TS_HERE];
+	struct ts_listing *list = &o->listing[TS_SELF];
 	size_t kept = 0;
 
 	for (size_t k = 0; k < list->n; k++) {
 		const char *name = list->name[k];
-		bool both = has(&o->listing[TS_PEER], name), empty[TS_BOTH];
+		bool both = list_has(&o->listing[TS_PEER], name), empty[TS_NPROGRAMS];
 
-		for (int who = 0; who < TS_BOTH; who++)
-			empty[who] = both && sort_of(folder[who], name) == SORT_EMPTY;
-		for (int who = 0; who < TS_BOTH; who++)
+		for (int who = 0; who < TS_NPROGRAMS; who++)
+			empty[who] = both && format_of(folder[who], name) == FORMAT_EMPTY;
+		for (int who = 0; who < TS_NPROGRAMS; who++)
 			if (empty[who] && !empty[!who])
-				TS_TRY(keep(&o->empty[who], &o->nempty[who], &o->empty_capacity[who], name,
-					    err));
-		if (empty[TS_HERE] == empty[TS_PEER])
+				TS_TRY(append_name(&o->empty[who], &o->nempty[who], &o->empty_capacity[who],
+						   name, err));
+		if (empty[TS_SELF] == empty[TS_PEER])
 			list->name[kept++] = name;
 	}
 	list->n = kept;
 	return TS_OK;
 }
 
-enum ts_status ts_outputs_pair(struct ts_outputs *o, const char *const folder[TS_BOTH], struct ts_error *err,
-			       struct ts_pool *pool)
+enum ts_status ts_outputs_pair(struct ts_outputs *o, const char *const folder[TS_NPROGRAMS],
+			       struct ts_error *err, struct ts_pool *pool)
 {
-	for (int who = 0; who < TS_BOTH; who++) {
+	for (int who = 0; who < TS_NPROGRAMS; who++) {
 		const struct ts_listing *list = &o->listing[who];
 
 		for (size_t k = 0; k < list->n; k++)
-			if (!has(&o->listing[!who], list->name[k]) && !is_apart(folder[who], list->name[k]))
-				TS_TRY(keep(&o->only[who], &o->nonly[who], &o->only_capacity[who],
-					    list->name[k], err));
+			if (!list_has(&o->listing[!who], list->name[k]) &&
+			    !is_excluded(folder[who], list->name[k]))
+				TS_TRY(append_name(&o->only[who], &o->nonly[who], &o->only_capacity[who],
+						   list->name[k], err));
 	}
-	TS_TRY(set_aside_empty(o, folder, err));
-	for (size_t k = 0; k < o->listing[TS_HERE].n; k++) {
-		const char *name = o->listing[TS_HERE].name[k];
-		enum sort sort = sort_of(folder[TS_HERE], name);
+	TS_TRY(remove_empty(o, folder, err));
+	for (size_t k = 0; k < o->listing[TS_SELF].n; k++) {
+		const char *name = o->listing[TS_SELF].name[k];
+		enum format format = format_of(folder[TS_SELF], name);
 
-		if (!has(&o->listing[TS_PEER], name) || is_apart(folder[TS_HERE], name))
+		if (!list_has(&o->listing[TS_PEER], name) || is_excluded(folder[TS_SELF], name))
 			continue;
-		if (sort == SORT_OTHER)
-			TS_TRY(keep(&o->skipped, &o->nskipped, &o->skipped_capacity, name, err));
+		if (format == FORMAT_OTHER)
+			TS_TRY(append_name(&o->skipped, &o->nskipped, &o->skipped_capacity, name, err));
 		else
-			TS_TRY(pair(o, folder, k, sort, err, pool));
+			TS_TRY(pair_files(o, folder, k, format, err, pool));
 	}
 	return TS_OK;
 }
@@ -180,7 +181,7 @@ void ts_outputs_release(struct ts_outputs *o)
 {
 	for (size_t k = 0; k < o->n; k++)
 		ts_compare_release(&o->pairing[k]);
-	for (int who = 0; who < TS_BOTH; who++) {
+	for (int who = 0; who < TS_NPROGRAMS; who++) {
 		ts_free(o->listing[who].name);
 		ts_free(o->only[who]);
 		ts_free(o->empty[who]);

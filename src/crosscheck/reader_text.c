@@ -1,4 +1,4 @@
-/* Frames from the texts that LIGGGHTS, LAMMPS and tsim write. */
+/* Reads frames from the text files of LIGGGHTS, LAMMPS and tsim. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 
 #include "base/banned.h"
 
-static enum ts_status take_names(struct ts_reader *r, struct ts_frame *f, char *const *word, size_t n)
+static enum ts_status set_names(struct ts_reader *r, struct ts_frame *f, char *const *word, size_t n)
 {
 	f->columns = 0;
 	for (size_t k = 0; k < n; k++)
@@ -16,8 +16,8 @@ static enum ts_status take_names(struct ts_reader *r, struct ts_frame *f, char *
 	return TS_OK;
 }
 
-/* The names of a comment. */
-static enum ts_status take_title(struct ts_reader *r, struct ts_frame *f)
+/* Reads the words of the comment as names of columns. */
+static enum ts_status set_names_from_comment(struct ts_reader *r, struct ts_frame *f)
 {
 	const char *c = r->lines.comment;
 
@@ -37,7 +37,7 @@ static enum ts_status take_title(struct ts_reader *r, struct ts_frame *f)
 	return TS_OK;
 }
 
-/* The words of the line as the next row, those from the k-th on. */
+/* Adds the words of the line, from index `from` on, as a row. */
 static enum ts_status add_row(struct ts_reader *r, size_t from)
 {
 	struct ts_frame *f = &r->frame;
@@ -51,7 +51,7 @@ static enum ts_status add_row(struct ts_reader *r, size_t from)
 	return TS_OK;
 }
 
-static bool numeric(const struct ts_lines *l)
+static bool is_numeric(const struct ts_lines *l)
 {
 	for (size_t k = 0; k < l->nwords; k++)
 		if (!ts_printed_is_number(l->word[k]))
@@ -59,8 +59,8 @@ static bool numeric(const struct ts_lines *l)
 	return l->nwords > 0;
 }
 
-/* Could these words stand above a table? */
-static bool heading(const struct ts_lines *l)
+/* Whether the words may be the titles of a table. */
+static bool is_heading(const struct ts_lines *l)
 {
 	if (l->nwords < 2)
 		return false;
@@ -73,7 +73,7 @@ static bool heading(const struct ts_lines *l)
 	return true;
 }
 
-/* The step of the one row of the frame, if it has one, or its number. */
+/* Sets the step of a frame of one row: from a column with the step, otherwise `number`. */
 static void set_step(struct ts_reader *r, int64_t number)
 {
 	static const char *const names[] = { "Step", "TimeStep", "Timestep" };
@@ -90,7 +90,7 @@ static void set_step(struct ts_reader *r, int64_t number)
 }
 
 /* LAMMPS writes c_rotation where LIGGGHTS and tsim write the first eight letters of what follows c_. */
-static enum ts_status add_title(struct ts_reader *r, const char *title)
+static enum ts_status add_thermo_title(struct ts_reader *r, const char *title)
 {
 	char name[32];
 	bool prefix = title[0] && strchr("cfv", title[0]) && title[1] == '_';
@@ -99,8 +99,8 @@ static enum ts_status add_title(struct ts_reader *r, const char *title)
 	return ts_reader_add_name(r, &r->frame, name);
 }
 
-/* A table begins with names, in the next line are its first numbers, and it ends with the loop time; what
- * is printed in between is passed over. */
+/* A table begins with a line of titles followed by a line of numbers, and ends with the loop time; other lines
+ * within are skipped. */
 static enum ts_status next_thermo(struct ts_reader *r, bool *got)
 {
 	struct ts_lines *l = &r->lines;
@@ -112,17 +112,17 @@ static enum ts_status next_thermo(struct ts_reader *r, bool *got)
 			return TS_OK;
 		if (l->nwords > 2 && ts_streq(l->word[0], "Loop") && ts_streq(l->word[1], "time"))
 			r->table = false;
-		if (!r->table && r->title.columns == l->nwords && numeric(l)) {
+		if (!r->table && r->title.columns == l->nwords && is_numeric(l)) {
 			r->table = true;
 			r->frame.columns = 0;
 			for (size_t k = 0; k < r->title.columns; k++)
-				TS_TRY(add_title(r, r->title.name[k]));
+				TS_TRY(add_thermo_title(r, r->title.name[k]));
 		}
-		if (r->table && l->nwords == r->frame.columns && numeric(l))
+		if (r->table && l->nwords == r->frame.columns && is_numeric(l))
 			break;
 		r->title.columns = 0;
-		if (!r->table && heading(l))
-			TS_TRY(take_names(r, &r->title, l->word, l->nwords));
+		if (!r->table && is_heading(l))
+			TS_TRY(set_names(r, &r->title, l->word, l->nwords));
 	}
 	r->title.columns = 0;
 	r->frame.rows = 0;
@@ -132,12 +132,12 @@ static enum ts_status next_thermo(struct ts_reader *r, bool *got)
 	return TS_OK;
 }
 
-static enum ts_status dump_rows(struct ts_reader *r, int64_t n)
+static enum ts_status read_dump_rows(struct ts_reader *r, int64_t n)
 {
 	struct ts_lines *l = &r->lines;
 	bool more;
 
-	TS_TRY(take_names(r, &r->frame, l->word + 2, l->nwords - 2));
+	TS_TRY(set_names(r, &r->frame, l->word + 2, l->nwords - 2));
 	r->frame.entries = ts_streq(l->word[1], "ENTRIES");
 	r->frame.rows = 0;
 	for (int64_t row = 0; row < n; row++) {
@@ -149,7 +149,7 @@ static enum ts_status dump_rows(struct ts_reader *r, int64_t n)
 	return TS_OK;
 }
 
-/* Any ITEM but the rows takes the lines up to the next; of two of them the first number counts. */
+/* Lines of other items are skipped; of TIMESTEP and NUMBER the first number is read. */
 static enum ts_status next_dump(struct ts_reader *r, bool *got)
 {
 	struct ts_lines *l = &r->lines;
@@ -165,7 +165,7 @@ static enum ts_status next_dump(struct ts_reader *r, bool *got)
 		if (l->nwords < 2 || !ts_streq(l->word[0], "ITEM:"))
 			continue;
 		if (ts_streq(l->word[1], "ATOMS") || ts_streq(l->word[1], "ENTRIES")) {
-			TS_TRY(dump_rows(r, n));
+			TS_TRY(read_dump_rows(r, n));
 			*got = true;
 		}
 		step = ts_streq(l->word[1], "TIMESTEP");
@@ -178,9 +178,9 @@ static enum ts_status next_dump(struct ts_reader *r, bool *got)
 	return TS_OK;
 }
 
-/* Names for the numbers of a line: those of the comment above if it has as many words, else the words in
- * front of them: "vertex", "hello (2)". */
-static enum ts_status text_names(struct ts_reader *r)
+/* Names of the numbers of a line: the words of the comment above if their number is the same, otherwise the word
+ * before each number: "vertex", "hello (2)". */
+static enum ts_status set_text_names(struct ts_reader *r)
 {
 	struct ts_lines *l = &r->lines;
 	struct ts_frame *f = &r->frame;
@@ -188,7 +188,7 @@ static enum ts_status text_names(struct ts_reader *r)
 	char name[40];
 
 	f->columns = 0;
-	if (r->inner.columns == l->nwords && numeric(l)) {
+	if (r->inner.columns == l->nwords && is_numeric(l)) {
 		for (size_t k = 0; k < l->nwords; k++)
 			TS_TRY(ts_reader_add_name(r, f, r->inner.name[k]));
 		return TS_OK;
@@ -204,8 +204,8 @@ static enum ts_status text_names(struct ts_reader *r)
 	return TS_OK;
 }
 
-/* Rows below a line that gives step and number of them. */
-static enum ts_status block(struct ts_reader *r)
+/* Reads a block: a line with the step and the number of rows, and the rows. */
+static enum ts_status read_block(struct ts_reader *r)
 {
 	struct ts_lines *l = &r->lines;
 	int64_t n;
@@ -225,8 +225,8 @@ static enum ts_status block(struct ts_reader *r)
 	return TS_OK;
 }
 
-/* Words without numbers that begin a file are a title. */
-static bool titled(const struct ts_reader *r)
+/* Whether the line is the first one of the file and contains no numbers: a title. */
+static bool is_title(const struct ts_reader *r)
 {
 	for (size_t k = 0; k < r->lines.nwords; k++)
 		if (ts_printed_is_number(r->lines.word[k]))
@@ -234,7 +234,7 @@ static bool titled(const struct ts_reader *r)
 	return r->line == 1;
 }
 
-/* The two last comments are kept: of a block the first names its first line, the second its rows. */
+/* The last two comments are stored: those of a block contain the names in its first line and in its rows. */
 static enum ts_status next_text(struct ts_reader *r, bool *got)
 {
 	struct ts_lines *l = &r->lines;
@@ -245,8 +245,8 @@ static enum ts_status next_text(struct ts_reader *r, bool *got)
 		if (!more)
 			return TS_OK;
 		r->line++;
-		if (l->nwords && titled(r))
-			TS_TRY(take_names(r, &r->inner, l->word, l->nwords));
+		if (l->nwords && is_title(r))
+			TS_TRY(set_names(r, &r->inner, l->word, l->nwords));
 		else if (l->nwords)
 			break;
 		else if (*l->comment) {
@@ -254,20 +254,20 @@ static enum ts_status next_text(struct ts_reader *r, bool *got)
 
 			r->title = r->inner;
 			r->inner = swap;
-			TS_TRY(take_title(r, &r->inner));
+			TS_TRY(set_names_from_comment(r, &r->inner));
 		}
 	}
 	*got = true;
 	if (l->nwords > 1 && r->title.columns > 1 && strncmp(r->title.name[1], "Number-of-", 10) == 0)
-		return block(r);
-	TS_TRY(text_names(r));
+		return read_block(r);
+	TS_TRY(set_text_names(r));
 	r->frame.rows = 0;
 	TS_TRY(add_row(r, 0));
 	set_step(r, r->line);
 	return TS_OK;
 }
 
-/* The next file, if there is one. */
+/* Opens the next file, if there is one. */
 static enum ts_status open_file(struct ts_reader *r)
 {
 	struct ts_str path = { 0 };
@@ -306,28 +306,28 @@ enum ts_status ts_reader_next(struct ts_reader *r, bool *got)
 		else
 			TS_TRY(next_text(r, got));
 		if (*got)
-			TS_TRY(ts_meanings_turn(r->meanings, &r->frame));
+			TS_TRY(ts_meanings_order_partners(r->meanings, &r->frame));
 		if (!*got)
 			TS_TRY(open_file(r));
 	}
 	return TS_OK;
 }
 
-static void drop(struct ts_frame *f)
+static void release_frame(struct ts_frame *f)
 {
 	ts_free(f->name);
 	ts_free(f->cell);
-	ts_free(f->turning);
+	ts_free(f->swap_rule);
 	ts_free(f->partner);
-	ts_free(f->turned);
+	ts_free(f->swapped);
 	*f = (struct ts_frame){ 0 };
 }
 
 void ts_reader_close(struct ts_reader *r)
 {
 	ts_lines_close(&r->lines);
-	drop(&r->frame);
-	drop(&r->title);
-	drop(&r->inner);
+	release_frame(&r->frame);
+	release_frame(&r->title);
+	release_frame(&r->inner);
 	r->open = false;
 }

@@ -1,5 +1,5 @@
-/* Frames from legacy VTK files that are text: points and their arrays, arrays of cells, coordinates of a
- * grid. The step is the number in the name of the file. */
+/* Reads frames from legacy VTK files in ASCII: points and their arrays, arrays of cells, coordinates of a grid. The
+ * step is the number in the file name. */
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 
 #include "base/banned.h"
 
-/* The next word, of whichever line; NULL: there is none. */
+/* Reads the next word of the file; NULL at the end. */
 static enum ts_status next_word(struct ts_reader *r, const char **word)
 {
 	bool more = true;
@@ -44,7 +44,7 @@ static enum ts_status add_column(struct ts_reader *r, const char *name, size_t c
 	return ts_reader_add_name(r, &r->frame, text);
 }
 
-/* Numbers of `of` new columns; the rows so far get wider. */
+/* Reads `of` new columns and adds them to the rows. */
 static enum ts_status read_columns(struct ts_reader *r, const char *name, size_t rows, size_t of)
 {
 	struct ts_frame *f = &r->frame;
@@ -109,8 +109,8 @@ static enum ts_status read_attribute(struct ts_reader *r, bool vector)
 	return read_columns(r, name, r->data_rows, (size_t)n);
 }
 
-/* A keyword; numbers that belong to none (cells and their corners) are passed over. *done: the word begins
- * another table, and is read again then. */
+/* Reads the data of a keyword; numbers of other keywords (cells and their corners) are skipped. *done: the word
+ * begins another table, and will be read again. */
 static enum ts_status read_keyword(struct ts_reader *r, const char *word, bool *done)
 {
 	static const char *const tables[] = { "POINTS", "X_COORDINATES", "Y_COORDINATES", "Z_COORDINATES",
@@ -142,8 +142,8 @@ static enum ts_status read_keyword(struct ts_reader *r, const char *word, bool *
 	return read_columns(r, tables[k], rows, 1);
 }
 
-/* The last number in the name. */
-static int64_t number_in(const char *name)
+/* The last number in the file name. */
+static int64_t number_in_name(const char *name)
 {
 	const char *end = name + strlen(name);
 	char text[24] = "";
@@ -165,7 +165,7 @@ enum ts_status ts_reader_next_vtk(struct ts_reader *r, bool *got)
 	bool done = false, first = r->line == 0;
 
 	f->columns = f->rows = 0;
-	f->step = number_in(r->file[-1]);
+	f->step = number_in_name(r->file[-1]);
 	if (r->line++ == 0) { /* the title */
 		bool more;
 

@@ -111,14 +111,14 @@ START_TEST(thermo_of_screens)
 	const struct ts_compared *ke = column(&p, "KinEng"), *atoms = column(&p, "Atoms");
 
 	ck_assert_uint_eq(p.frames, 4);
-	ck_assert(p.left_out);
+	ck_assert(p.wall_times_skipped);
 	ck_assert_uint_eq(p.columns, 5);
 	ck_assert_uint_eq(column(&p, "rotation")->side[TS_PEER].n, 2);
 	ck_assert_int_eq(ke->at, 10);
 	/* 3e-5 minus one unit of the sixth digit, over a range of 1.00003 */
 	ck_assert_double_eq_tol(ke->most, (3e-5 - 1e-5) / 1.00003, 1e-10);
-	ck_assert(ke->parts && atoms->parts && !column(&p, "1")->parts);
-	ck_assert_int_eq(atoms->parts_at, 20);
+	ck_assert(ke->diverged && atoms->diverged && !column(&p, "1")->diverged);
+	ck_assert_int_eq(atoms->diverged_at, 20);
 	ck_assert_double_eq_tol(atoms->most, 1, 1e-12);
 	ts_compare_release(&p);
 }
@@ -139,13 +139,13 @@ START_TEST(dumps)
 	const struct ts_compared *vx = column(&p, "vx"), *vy = column(&p, "vy");
 
 	ck_assert_uint_eq(p.frames, 2);
-	ck_assert_uint_eq(p.alone[TS_HERE], 1);
-	ck_assert_uint_eq(p.alone[TS_PEER], 0);
-	ck_assert_uint_eq(p.rows_alone, 1);
-	ck_assert_int_eq(p.alone_at, 5);
+	ck_assert_uint_eq(p.unmatched_frames[TS_SELF], 1);
+	ck_assert_uint_eq(p.unmatched_frames[TS_PEER], 0);
+	ck_assert_uint_eq(p.unmatched_rows, 1);
+	ck_assert_int_eq(p.unmatched_at, 5);
 	ck_assert_double_eq_tol(vx->most, 0.5 / 4.5, 1e-5);
 	ck_assert_int_eq(vx->at, 10);
-	ck_assert_msg(vy->most < 1e-15 && !vy->parts, "round-off in a component that is zero");
+	ck_assert_msg(vy->most < 1e-15 && !vy->diverged, "round-off in a component that is zero");
 	ts_compare_release(&p);
 }
 END_TEST
@@ -166,7 +166,7 @@ static struct ts_pairing compared_contacts(struct ts_meanings *m, const char *a,
 				.meanings = m };
 
 	*m = (struct ts_meanings){ .err = &sim->error, .pool = sim->pool };
-	ck_assert_int_eq(ts_meanings_take(m, line, 9), TS_OK);
+	ck_assert_int_eq(ts_meanings_read_command(m, line, 9), TS_OK);
 	put("a/out", a);
 	put("b/out", b);
 	ck_assert_int_eq(ts_compare(&p, 1e-6, &sim->error, sim->pool), TS_OK);
@@ -199,10 +199,10 @@ START_TEST(partners_in_the_other_order)
 
 		snprintf(there, sizeof there, CONTACTS("2", "%s0.5 1.5 1 2 7.5 0.25 3.5\n"), cases[k].row);
 		p = compared_contacts(&m, here, there);
-		ck_assert_uint_eq(p.rows_alone, 0);
-		ck_assert_uint_eq(p.turned, k < 5);
+		ck_assert_uint_eq(p.unmatched_rows, 0);
+		ck_assert_uint_eq(p.swapped, k < 5);
 		for (size_t n = 0; n < p.columns; n++)
-			ck_assert_msg(p.column[n].parts ==
+			ck_assert_msg(p.column[n].diverged ==
 					      (cases[k].parts &&
 					       (ts_streq(p.column[n].name, cases[k].parts) ||
 						(k == 3 && ts_streq(p.column[n].name, "c_c[4]")))),
@@ -220,15 +220,15 @@ START_TEST(empty_frames)
 	struct ts_str text = { 0 };
 
 	ck_assert_uint_eq(p.frames, 1);
-	ck_assert(p.columns == 7 && !ts_compare_lacks(&p.column[0], TS_HERE) &&
+	ck_assert(p.columns == 7 && !ts_compare_lacks(&p.column[0], TS_SELF) &&
 		  !ts_compare_lacks(&p.column[0], TS_PEER));
 	ts_report_pairing(&p, false, "peer", &text);
 	ck_assert_str_eq(ts_str_text(&text), "\nout: 1 step, empty in both\n");
 	ts_str_release(&text);
 	ts_compare_release(&p);
 	p = compared_contacts(&m, CONTACTS("1", "0.5 1.5 1 2 7.5 0.25 3.5\n"), CONTACTS("0", ""));
-	ck_assert_uint_eq(p.rows_alone, 1);
-	ck_assert_int_eq(p.alone_at, 0);
+	ck_assert_uint_eq(p.unmatched_rows, 1);
+	ck_assert_int_eq(p.unmatched_at, 0);
 	ts_compare_release(&p);
 }
 END_TEST
@@ -263,7 +263,7 @@ START_TEST(differences_on_purpose)
 	};
 
 	for (size_t k = 0; k < sizeof lines / sizeof *lines; k++)
-		ck_assert_int_eq(ts_meanings_take(&m, lines[k], 4), TS_OK);
+		ck_assert_int_eq(ts_meanings_read_command(&m, lines[k], 4), TS_OK);
 	for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
 		ck_assert_msg(ts_meanings_differ(&m, cases[k].kind, cases[k].column) == cases[k].differs,
 			      "%s", cases[k].column);
@@ -278,7 +278,7 @@ START_TEST(statistics)
 				       DUMP("0", "4", "1 4 0\n2 3 1\n3 2 1\n4 1 0\n"));
 	const struct ts_compared *vx = column(&p, "vx"), *vy = column(&p, "vy");
 
-	ck_assert(vx->parts);
+	ck_assert(vx->diverged);
 	ck_assert_int_eq(ts_compare_statistics(&p, 0, &sim->error, sim->pool), TS_OK);
 	ck_assert_double_eq_tol(vx->most, 1, 1e-12);
 	ck_assert_double_eq_tol(vx->mean + vx->spread + vx->profile, 0, 1e-12);
@@ -298,8 +298,8 @@ START_TEST(averages)
 			 "# Time-averaged data for fix a\n# TimeStep c_e v_q\n100 2 7\n200 3 7\n",
 			 "# Time-averaged data for fix a\n# TimeStep c_e v_q\n100 2 7\n200 4 7\n");
 
-	ck_assert_int_eq(column(&p, "c_e")->parts_at, 200);
-	ck_assert(!column(&p, "v_q")->parts);
+	ck_assert_int_eq(column(&p, "c_e")->diverged_at, 200);
+	ck_assert(!column(&p, "v_q")->diverged);
 	ts_compare_release(&p);
 	p = compared(TS_FRAMES_TEXT,
 		     "# Chunks\n# Timestep Number-of-chunks\n# Chunk vx\n100 2\n1 0.5\n2 0.75\n200 1\n1 "
@@ -307,8 +307,8 @@ START_TEST(averages)
 		     "# Chunks\n# Timestep Number-of-chunks\n# Chunk vx\n100 2\n1 0.5\n2 0.75\n200 1\n1 "
 		     "2.75\n");
 	ck_assert_uint_eq(p.frames, 2);
-	ck_assert_int_eq(column(&p, "vx")->parts_at, 200);
-	ck_assert(!column(&p, "Chunk")->parts);
+	ck_assert_int_eq(column(&p, "vx")->diverged_at, 200);
+	ck_assert(!column(&p, "Chunk")->diverged);
 	ts_compare_release(&p);
 }
 END_TEST
@@ -319,12 +319,12 @@ START_TEST(texts)
 	struct ts_pairing p = compared(TS_FRAMES_TEXT, "solid tsim\nvertex 1.5 2 3\nvertex 1 2 4\n",
 				       "solid STL\nvertex 1.5 2 3\nvertex 1 2 5\n");
 
-	ck_assert(column(&p, "word vertex")->parts == false);
-	ck_assert_int_eq(column(&p, "vertex (3)")->parts_at, 3);
-	ck_assert(!column(&p, "vertex (2)")->parts);
+	ck_assert(column(&p, "word vertex")->diverged == false);
+	ck_assert_int_eq(column(&p, "vertex (3)")->diverged_at, 3);
+	ck_assert(!column(&p, "vertex (2)")->diverged);
 	ts_compare_release(&p);
 	p = compared(TS_FRAMES_TEXT, "ke v\n1.5 2\nat 3 end\n", "ke v\n1.5 3\nat 3 stop\n");
-	ck_assert(column(&p, "v")->parts && !column(&p, "ke")->parts && !column(&p, "at")->parts);
+	ck_assert(column(&p, "v")->diverged && !column(&p, "ke")->diverged && !column(&p, "at")->diverged);
 	ck_assert(column(&p, "word end")->side[TS_PEER].n == 0);
 	ts_compare_release(&p);
 }
@@ -350,9 +350,9 @@ START_TEST(vtk_files)
 	ck_assert_msg(ts_compare(&p, 1e-6, &sim->error, sim->pool) == TS_OK, "%s", sim->error.message);
 	ck_assert_uint_eq(p.frames, 2);
 	ck_assert_uint_eq(p.columns, 8);
-	ck_assert_int_eq(column(&p, "v[1]")->parts_at, 20);
-	ck_assert(!column(&p, "x[1]")->parts && !column(&p, "x[3]")->parts);
-	ck_assert(!column(&p, "area")->parts && !column(&p, "v[2]")->parts);
+	ck_assert_int_eq(column(&p, "v[1]")->diverged_at, 20);
+	ck_assert(!column(&p, "x[1]")->diverged && !column(&p, "x[3]")->diverged);
+	ck_assert(!column(&p, "area")->diverged && !column(&p, "v[2]")->diverged);
 	ts_compare_release(&p);
 }
 END_TEST
@@ -424,7 +424,7 @@ START_TEST(numbered_files_go_together)
 	ck_assert_str_eq(o.pairing[0].file[0][0], "d9.txt");
 	ck_assert_str_eq(o.pairing[0].file[0][1], "d10.txt");
 	ck_assert_uint_eq(o.nskipped, 1);
-	ck_assert_str_eq(o.only[TS_HERE][0], "ours");
+	ck_assert_str_eq(o.only[TS_SELF][0], "ours");
 	ck_assert_str_eq(o.only[TS_PEER][0], "theirs");
 	ts_outputs_release(&o);
 }
