@@ -1,4 +1,4 @@
-/* Command line in, exit status out. */
+/* The program: command line, signals, exit status. */
 #include <inttypes.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -22,13 +22,13 @@
 
 #include "base/banned.h"
 
-/* A signal handler can reach the simulation by no other way. */
+/* The simulation that the signal handlers act on. */
 static struct tsim *volatile interrupted;
 static volatile sig_atomic_t signal_number;
 static volatile double signal_time;
 
-/* The first signal asks politely; one that comes later kills. `timeout` and some batch systems send
- * theirs twice at once, which means the same as once. */
+/* The first signal stops the run after the present step; a later one terminates the program. `timeout` and
+ * some batch systems send a signal twice at once, which counts as one. */
 static void on_signal(int number)
 {
 	struct tsim *sim = interrupted;
@@ -45,7 +45,7 @@ static void on_signal(int number)
 		tsim_stop(sim);
 }
 
-/* USR1: the state is saved after the step or command at hand, and the script goes on. */
+/* USR1: the state is saved after the present step or command, and the script continues. */
 static void on_save(int number)
 {
 	struct tsim *sim = interrupted;
@@ -55,7 +55,7 @@ static void on_save(int number)
 		sim->requests.save = 1;
 }
 
-/* The kernel says it each second. */
+/* SIGXCPU, which the kernel sends each second once the processor time is used up. */
 static void on_time_up(int number)
 {
 	struct tsim *sim = interrupted;
@@ -77,12 +77,12 @@ static void catch_signals(struct tsim *sim)
 	sigaction(SIGUSR1, &save, NULL);
 	sigaction(SIGUSR2, &action, NULL);
 	sigaction(SIGHUP, NULL, &before);
-	if (before.sa_handler != SIG_IGN) /* nohup */
+	if (before.sa_handler != SIG_IGN) /* ignored under nohup */
 		sigaction(SIGHUP, &action, NULL);
 	if (sim->files.closed)
 		sigaction(SIGXCPU, &time_up, NULL);
-	signal(SIGXFSZ, SIG_IGN); /* ulimit -f: likewise */
-	signal(SIGPIPE, SIG_IGN); /* a reader that goes is an error of writing like others */
+	signal(SIGXFSZ, SIG_IGN); /* beyond ulimit -f: an error of writing */
+	signal(SIGPIPE, SIG_IGN); /* a closed pipe: an error of writing */
 }
 
 static int open_output(struct tsim *sim, struct ts_setup *setup)
@@ -112,7 +112,7 @@ static void report_error(struct tsim *sim)
 	ts_log_file(&sim->log, "%s", text);
 }
 
-static void print_bill(struct tsim *sim)
+static void print_cost(struct tsim *sim)
 {
 	struct ts_str text = { 0 };
 
@@ -135,7 +135,7 @@ static void print_bill(struct tsim *sim)
 	ts_str_release(&text);
 }
 
-/* Errors of a script that was only checked; the exit status. */
+/* Prints the errors of a script that was only checked; returns the exit status. */
 static int report_check(struct tsim *sim)
 {
 	struct ts_str errors = { 0 }, report = { 0 };
@@ -160,7 +160,7 @@ struct saver {
 	const struct ts_setup *setup;
 };
 
-/* Where it is saved: beside the log file unless the user says otherwise; "": nowhere. */
+/* Path of the restart file: in the folder of the log file, unless the user gives one; "": none. */
 static void saved_path(const struct tsim *sim, const struct ts_setup *setup, struct ts_str *out)
 {
 	const char *log = setup->log_given ? setup->log : "", *slash = strrchr(log, '/');
@@ -175,7 +175,7 @@ static void saved_path(const struct tsim *sim, const struct ts_setup *setup, str
 	ts_str_release(&file);
 }
 
-/* USR1. What fails here does not end the run. */
+/* USR1. An error here does not end the run. */
 static enum ts_status save_and_go_on(struct ts_saver *self, struct tsim *sim)
 {
 	struct ts_str path = { 0 };
@@ -199,8 +199,8 @@ static enum ts_status save_and_go_on(struct ts_saver *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* After a signal that ended the run: saves the state and says how to go on. False: it should, and could
- * not. */
+/* After a signal that ended the run: saves the state and prints how to continue. False if the state could
+ * not be saved. */
 static bool save_interrupted(struct tsim *sim, const struct ts_setup *setup)
 {
 	struct ts_str path = { 0 };
@@ -231,7 +231,7 @@ static bool save_interrupted(struct tsim *sim, const struct ts_setup *setup)
 	return good;
 }
 
-/* Runs the script; the exit status. */
+/* Runs the script; returns the exit status. */
 static int run(struct tsim *sim, struct ts_setup *setup)
 {
 	struct saver saver = { { save_and_go_on }, setup };
@@ -261,11 +261,11 @@ static int run(struct tsim *sim, struct ts_setup *setup)
 		if (sim->error.status == TS_STOPPED && signal_number) {
 			quit = 128 + signal_number;
 			if (!save_interrupted(sim, setup) && signal_number == SIGUSR2)
-				quit = EXIT_FAILURE; /* it is what was asked for */
+				quit = EXIT_FAILURE; /* SIGUSR2 requests that the state is saved */
 		}
 	} else {
 		if (setup->explain)
-			print_bill(sim);
+			print_cost(sim);
 		ts_script_warn_unused(sim->script_api_data);
 		ts_script_quit(sim->script_api_data, &quit);
 		if (setup->check)
@@ -285,7 +285,7 @@ static struct ts_words words_of(const struct ts_word_list *list)
 	return (struct ts_words){ list->word, list->n };
 }
 
-/* The exit status is the verdict. */
+/* Returns the verdict as the exit status. */
 static int crosscheck(struct tsim *sim, const struct ts_setup *setup, const char *called)
 {
 	struct ts_crosscheck_input input = { setup->input, called, words_of(&setup->crosscheck),
@@ -315,7 +315,7 @@ static int advise(struct tsim *sim, const struct ts_setup *setup)
 	return ts_program_print(&text) ? EXIT_FAILURE : status;
 }
 
-static int act(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
+static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
 {
 	int status = ts_program_options(sim, setup, argc, argv);
 
@@ -332,7 +332,7 @@ static int act(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
 	if (setup->doc)
 		return ts_program_manual(setup->doc);
 	if (setup->sandboxed && (setup->advised || setup->crosscheck.n))
-		return ts_program_sandbox(sim, setup, &(struct ts_str){ 0 }); /* says why not */
+		return ts_program_sandbox(sim, setup, &(struct ts_str){ 0 }); /* prints why it is refused */
 	if (setup->advised)
 		return advise(sim, setup);
 	if (setup->crosscheck.n)
@@ -353,7 +353,7 @@ int main(int argc, char **argv)
 		exit(EXIT_FAILURE);
 	}
 	sim->log.echo_file = true;
-	status = act(sim, &setup, argc, argv);
+	status = run_command_line(sim, &setup, argc, argv);
 	sim->log.screen = NULL;
 	if (setup.screen_file && fclose(setup.screen_file) != 0)
 		status = status ? status : EXIT_FAILURE;

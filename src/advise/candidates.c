@@ -16,9 +16,9 @@ static const double SAFE = 0.8; /* longest time step tried, as a fraction of the
 static const double steps[] = { 0.25, 0.5, 2, 4 }, skins[] = { 0.5, 2 };
 enum { MOST_THREADS = 8 };
 
-/* Arguments of styles that are varied. The values `to` are tried if the present one is among `from` ("*": any).
- * `needs`: a material property that the new value requires; if it is not defined, it is estimated from the
- * speeds of the particles. */
+/* Arguments of styles that are varied. The values `to` are tried if the present one is among `from` ("*":
+ * any). `needs`: a material property that the new value requires; if it is not defined, it is estimated
+ * from the speeds of the particles. */
 static const struct {
 	enum ts_kind kind;
 	const char *style, *keyword;
@@ -257,7 +257,8 @@ static enum ts_status define_missing_property(struct tsim *sim, const char *prop
 	return run_line(sim, "fix advise_%s all property/global %s scalar %.3g", property, property, speed);
 }
 
-/* Sets the argument of the style, and that of walls with contact laws of their own if it had the same value. */
+/* Sets the argument of the style, and that of walls with contact laws of their own if it had the same
+ * value. */
 static enum ts_status apply_choice(struct tsim *sim, int c, const char *value)
 {
 	struct ts_instance *inst = ts_sim_only(sim, choices[c].kind);

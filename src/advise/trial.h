@@ -1,4 +1,5 @@
-/* Trials of settings, and their results: memory that the processes of -advise share, hence without pointers. */
+/* Trials of settings, and their results: memory that the processes of -advise share, hence without
+ * pointers. */
 #ifndef TS_ADVISE_TRIAL_H
 #define TS_ADVISE_TRIAL_H
 
@@ -14,7 +15,7 @@ enum {
 	TS_TRIAL_TEXT = 96,    /* length of labels */
 };
 
-/* What a trial changes. For each subject the best setting is advised, if it is better than the present one. */
+/* What a trial changes. For each subject the best setting is advised if it is better than the present one. */
 enum ts_subject {
 	TS_SUBJECT_PRESENT, /* nothing: the settings of the script */
 	/* nothing, but each particle is displaced by round-off: shows to how many digits the columns are
@@ -86,7 +87,7 @@ struct ts_trial_results {
 	struct ts_trial trial[TS_TRIAL_MOST];
 };
 
-/* Measures some steps in a forked copy, for `seconds`: sets step_seconds, limit, titles and interval_fixes. */
+/* Measures some steps in a forked copy, for `seconds`; sets step_seconds, limit, title, interval_fixes. */
 void ts_trial_probe(struct tsim *sim, struct ts_trial_results *results, double seconds);
 /* Runs trial k, with its repetitions, in forked copies; each is given up after `seconds`. */
 void ts_trial_run(struct tsim *sim, struct ts_trial_results *results, int k, double seconds);

@@ -1,5 +1,5 @@
-/* Evaluation of the trials: changes of the columns against the reference trial (the one with the smallest time
- * step), the Pareto front of cost and change, and advice. */
+/* Evaluation of the trials: changes of the columns against the reference trial (the one with the smallest
+ * time step), the Pareto front of cost and change, and advice. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -200,8 +200,8 @@ static void mark_front(struct ts_trial_results *b)
 
 /* ---- advice */
 
-/* The cheapest time step within the tolerance of the reference; the reference itself has nothing to be compared
- * with. */
+/* The cheapest time step within the tolerance of the reference; the reference itself has nothing to be
+ * compared with. */
 static void advise_step(struct ts_trial_results *b, double tolerance)
 {
 	const struct ts_trial *reference = reference_trial(b);

@@ -4,7 +4,7 @@
 
 #include "advise/trial.h"
 
-/* Whether trial k is cheaper than the present settings, but by less than the scatter of the measured times. */
+/* Whether trial k is cheaper than the present settings, but by less than the scatter of the times. */
 bool ts_verdict_open(struct ts_trial_results *results, int k);
 /* Appends a trial with all settings that are advised; false if fewer than two are. */
 bool ts_verdict_combine(struct ts_trial_results *results, double tolerance);

@@ -26,7 +26,8 @@ const struct ts_drag_style ts_fix_drag_ergun = {
 			"the particle. The resistance of the bed per volume is f = C1 (1-e)^2 mu w/(e d^2)\n"
 			"+ C2 (1-e) rho |w| w/d, and its pressure gradient f/e. With the superficial\n"
 			"velocity U = e w this is Ergun's equation, C1 mu (1-e)^2 U/(e^3 d^2) + C2 rho\n"
-			"(1-e) U^2/(e^3 d). C1 = 180 and C2 = 0 give the Kozeny-Carman equation.""\n\n" TS_DRAG_CROWD_DOC TS_DRAG_DOC,
+			"(1-e) U^2/(e^3 d). C1 = 180 and C2 = 0 give the Kozeny-Carman equation.\n\n"
+			TS_DRAG_CROWD_DOC TS_DRAG_DOC,
 		.example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3 density 1000\n"
 			   "fix drag bed drag/ergun void 0.4 C1 180 C2 0",
 		.cite = "S. Ergun, Chem. Eng. Prog. 48 (1952) 89",

@@ -1,9 +1,10 @@
 /* Distribution of the volume of a particle over the cells of the fluid.
  *
  * centre    the whole volume is in the cell that contains the centre of the particle
- * divided   each cell contains the part of the sphere (in two dimensions: of the disc) that lies in it, exactly
- * kernel    the volume is distributed along each axis with the density (1 + cos(pi s/b))/(2 b), |s| < b, integrated
- *           over each cell: smooth in space and time, and independent of the grid
+ * divided   each cell contains the part of the sphere (in two dimensions: of the disc) that lies in it,
+ *           exactly
+ * kernel    the volume is distributed along each axis with the density (1 + cos(pi s/b))/(2 b), |s| < b,
+ *           integrated over each cell: smooth in space and time, and independent of the grid
  * The part beyond a boundary goes to the cells along it: the sum over the cells is the volume of the
  * particle. */
 #ifndef TS_COUPLING_VOLUME_DISTRIBUTION_H

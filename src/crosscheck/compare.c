@@ -98,8 +98,8 @@ static enum ts_status find_columns(struct ts_pairing *p, int who, struct ts_read
 	}
 }
 
-/* Length of the part of the name that the components of a vector have in common: 1 of "fx", 3 of "f_a[2]"; 0 if
- * it is not a component. *floor: lower limit of their scales relative to the largest of them. */
+/* Length of the part of the name that the components of a vector have in common: 1 of "fx", 3 of "f_a[2]";
+ * 0 if it is not a component. *floor: lower limit of their scales relative to the largest of them. */
 static size_t vector_stem(const char *name, double *floor)
 {
 	size_t n = strlen(name);
@@ -215,8 +215,8 @@ static bool has_keys(enum ts_frame_kind kind)
 	return kind == TS_FRAMES_DUMP || kind == TS_FRAMES_VTK;
 }
 
-/* Finds the columns that identify a row: of particles the identity, of other dumps all integer columns; lines are
- * matched by their order. The indices are those of the frame of `who`. */
+/* Finds the columns that identify a row: of particles the identity, of other dumps all integer columns;
+ * lines are matched by their order. The indices are those of the frame of `who`. */
 static enum ts_status find_keys(struct pass *w, int who, size_t **key, size_t *n)
 {
 	const struct ts_frame *f = &w->reader[who].frame;
@@ -365,7 +365,8 @@ static double quantile_distance(const double *a, size_t n, const double *b, size
 	return count ? sum / (double)count : 0;
 }
 
-/* Whether signs in the column depend on the order of the partners, so that distributions cannot be compared. */
+/* Whether signs in the column depend on the order of the partners, so that distributions cannot be
+ * compared. */
 static bool depends_on_order(const struct ts_frame *f, size_t k)
 {
 	return f->has_contacts &&

@@ -1,11 +1,11 @@
 /* Comparison of the outputs of two runs of the same script, output by output and column by column.
  *
- * A difference counts as far as it exceeds the resolution of the printed digits, in units of the scale of the
- * column: its range, but at least a thousandth of its largest magnitude, so that round-off of a constant is no
- * difference. The components of a vector have one scale. Granular systems are chaotic: a difference in the
- * last digit grows until only the statistics of the runs agree. Therefore the first step is found at which any
- * column diverges by more than the tolerance, and from there on means, standard deviations and distributions
- * are compared. */
+ * A difference counts as far as it exceeds the resolution of the printed digits, in units of the scale of
+ * the column: its range, but at least a thousandth of its largest magnitude, so that round-off of a
+ * constant is no difference. The components of a vector have one scale. Granular systems are chaotic: a
+ * difference in the last digit grows until only the statistics of the runs agree. Therefore the first step
+ * is found at which any column diverges by more than the tolerance, and from there on means, standard
+ * deviations and distributions are compared. */
 #ifndef TS_CROSSCHECK_COMPARE_H
 #define TS_CROSSCHECK_COMPARE_H
 
@@ -35,8 +35,8 @@ struct ts_compared {
 	bool diverged;	      /* the difference exceeds the tolerance */
 	int64_t diverged_at;  /* at this step for the first time */
 	bool differs_on_purpose;
-	/* since the runs diverged: difference of the means and of the standard deviations; sum, later mean, of
-	 * the distance of the distributions; number of frames in it */
+	/* since the runs diverged: difference of the means and of the standard deviations; sum, later mean,
+	 * of the distance of the distributions; number of frames in it */
 	double mean, spread, profile, frames;
 };
 

@@ -7,9 +7,9 @@
 
 enum ts_verdict { TS_AGREE, TS_FAILED, TS_USAGE, TS_PART, TS_ABSENT };
 
-/* Returns the verdict, which is the exit status of the program. `words`: arguments of -crosscheck; `vars`: -var
- * NAME VALUE ... for both programs; `own`: options for tsim only; `called`: argv[0]. Appends the report to
- * `text`; sets sim->error if the comparison itself fails. */
+/* Returns the verdict, which is the exit status of the program. `words`: arguments of -crosscheck; `vars`:
+ * -var NAME VALUE ... for both programs; `own`: options for tsim only; `called`: argv[0]. Appends the
+ * report to `text`; sets sim->error if the comparison itself fails. */
 struct ts_crosscheck_input {
 	const char *script, *called;
 	struct ts_words words, vars, own;

@@ -4,8 +4,8 @@
 
 #include "crosscheck/compare.h"
 
-/* Appends the table of one output. `statistics`: with the columns of the statistics; `peer`: name of the other
- * program. */
+/* Appends the table of one output. `statistics`: with the columns of the statistics; `peer`: name of the
+ * other program. */
 void ts_report_pairing(const struct ts_pairing *p, bool statistics, const char *peer, struct ts_str *out);
 
 #endif

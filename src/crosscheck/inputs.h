@@ -1,5 +1,5 @@
-/* The input files of a script: every file and folder that it mentions. They are copied to a folder in which the
- * script can run without changing the user's files. */
+/* The input files of a script: every file and folder that it mentions. They are copied to a folder in which
+ * the script can run without changing the user's files. */
 #ifndef TS_CROSSCHECK_INPUTS_H
 #define TS_CROSSCHECK_INPUTS_H
 
@@ -18,13 +18,13 @@ struct ts_inputs {
 	size_t words, word_capacity;
 };
 
-/* Searches the script, the files that it includes, and the values of variables (-var) for words that are names
- * of files, or may be, with `*` in place of unknown variables. `vars`: -var NAME VALUE ... */
+/* Searches the script, the files that it includes, and the values of variables (-var) for words that are
+ * names of files, or may be, with `*` in place of unknown variables. `vars`: -var NAME VALUE ... */
 enum ts_status ts_inputs_find(struct ts_inputs *in, const char *script, struct ts_words vars);
 void ts_inputs_release(struct ts_inputs *in);
 
-/* Copies the input files to a folder in `root`; *place is the working directory for the script. All copies have
- * the modification time TS_INPUT_DATE (s), which distinguishes them from files that a program writes. */
+/* Copies the input files to a folder in `root`; *place is the working directory for the script. All copies
+ * have the modification time TS_INPUT_DATE (s), which distinguishes them from files that a program writes. */
 enum { TS_INPUT_DATE = 86400 };
 enum ts_status ts_inputs_copy(struct ts_inputs *in, const char *root, struct ts_str *place);
 

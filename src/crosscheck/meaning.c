@@ -8,9 +8,9 @@
 
 enum { QUANTITIES = 12, TITLE = 8 };
 
-/* Columns of compute pair/gran/local. Both programs write them in this order, whatever the order of the keywords.
- * `partner`: distance to the column of the other partner. The number of history values depends on the contact
- * law. */
+/* Columns of compute pair/gran/local. Both programs write them in this order, whatever the order of the
+ * keywords. `partner`: distance to the column of the other partner. The number of history values depends on
+ * the contact law. */
 static const struct {
 	const char *name;
 	int width, partner; /* number of columns; 0: all that follow */

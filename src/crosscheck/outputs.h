@@ -5,8 +5,8 @@
 #include "crosscheck/compare.h"
 #include "crosscheck/folder.h"
 
-/* Output files with the same names in both folders are paired; files whose names differ in a number (steps) are
- * one output. */
+/* Output files with the same names in both folders are paired; files whose names differ in a number (steps)
+ * are one output. */
 struct ts_outputs {
 	struct ts_listing listing[TS_NPROGRAMS];
 	struct ts_pairing *pairing;

@@ -99,8 +99,8 @@ static enum ts_status add_thermo_title(struct ts_reader *r, const char *title)
 	return ts_reader_add_name(r, &r->frame, name);
 }
 
-/* A table begins with a line of titles followed by a line of numbers, and ends with the loop time; other lines
- * within are skipped. */
+/* A table begins with a line of titles followed by a line of numbers, and ends with the loop time; other
+ * lines within are skipped. */
 static enum ts_status next_thermo(struct ts_reader *r, bool *got)
 {
 	struct ts_lines *l = &r->lines;
@@ -178,8 +178,8 @@ static enum ts_status next_dump(struct ts_reader *r, bool *got)
 	return TS_OK;
 }
 
-/* Names of the numbers of a line: the words of the comment above if their number is the same, otherwise the word
- * before each number: "vertex", "hello (2)". */
+/* Names of the numbers of a line: the words of the comment above if their number is the same, otherwise the
+ * word before each number: "vertex", "hello (2)". */
 static enum ts_status set_text_names(struct ts_reader *r)
 {
 	struct ts_lines *l = &r->lines;

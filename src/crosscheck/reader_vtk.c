@@ -1,5 +1,5 @@
-/* Reads frames from legacy VTK files in ASCII: points and their arrays, arrays of cells, coordinates of a grid. The
- * step is the number in the file name. */
+/* Reads frames from legacy VTK files in ASCII: points and their arrays, arrays of cells, coordinates of a
+ * grid. The step is the number in the file name. */
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
@@ -109,8 +109,8 @@ static enum ts_status read_attribute(struct ts_reader *r, bool vector)
 	return read_columns(r, name, r->data_rows, (size_t)n);
 }
 
-/* Reads the data of a keyword; numbers of other keywords (cells and their corners) are skipped. *done: the word
- * begins another table, and will be read again. */
+/* Reads the data of a keyword; numbers of other keywords (cells and their corners) are skipped. *done: the
+ * word begins another table, and will be read again. */
 static enum ts_status read_keyword(struct ts_reader *r, const char *word, bool *done)
 {
 	static const char *const tables[] = { "POINTS", "X_COORDINATES", "Y_COORDINATES", "Z_COORDINATES",

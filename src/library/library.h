@@ -1,4 +1,4 @@
-/* What the functions of tsim.h share. */
+/* Internal interface of the functions of tsim.h. */
 #ifndef TS_LIBRARY_LIBRARY_H
 #define TS_LIBRARY_LIBRARY_H
 
@@ -17,18 +17,18 @@ struct ts_library_calls {
 };
 
 struct ts_library {
-	struct ts_instance outside; /* takes part in steps for those who asked by tsim_on_step */
+	struct ts_instance outside; /* calls the functions of tsim_on_step in each step */
 	struct ts_library_calls calls[TSIM_STAGES];
-	int stage; /* where a function of tsim_on_step acts now; -1: nowhere */
+	int stage; /* the stage in which a function of tsim_on_step is running; -1: none */
 	struct ts_stepping stepping;
-	struct ts_table table; /* what tsim_evaluate gave away */
+	struct ts_table table; /* the result of the last tsim_evaluate */
 	tsim_log_fn *on_log;
 	void *on_log_data;
 };
 
-/* The status as the value of a public function; makes sure that there is a message. */
-int ts_library_settle(struct tsim *sim, enum ts_status status);
-/* Refuses a pointer that is NULL and may not be; sim itself may be that. */
+/* Converts the status to the return value of a public function, and ensures that there is an error message. */
+int ts_library_result(struct tsim *sim, enum ts_status status);
+/* Error: a pointer argument is NULL. sim may be NULL. */
 int ts_library_null(struct tsim *sim, const char *function, const char *argument);
 #define TS_LIBRARY_NEEDS(sim, pointer)                                     \
 	do {                                                               \
@@ -41,13 +41,14 @@ int ts_library_null(struct tsim *sim, const char *function, const char *argument
 		if ((n) && !(pointer))                                     \
 			return ts_library_null((sim), __func__, #pointer); \
 	} while (0)
-/* Refuses what is not possible inside a step. */
-enum ts_status ts_library_idle(struct tsim *sim, const char *what);
-/* Fills a structure of the caller, which may be older and shorter than ours. */
-void ts_library_give(void *out, const void *full, size_t size);
-/* Copies a text into `room` characters. */
+/* An error inside a step; `what` names the operation. */
+enum ts_status ts_library_refuse_in_step(struct tsim *sim, const char *what);
+/* Copies the first out->size bytes to a structure of the caller, which may be an older and shorter version. */
+void ts_library_copy_struct(void *out, const void *full, size_t size);
+/* Copies a text, truncated to `room` bytes including the final 0; *length: its full length. */
 void ts_library_copy(const char *text, char *out, size_t room, size_t *length);
-/* Rows of the particles with these identities, freed by ts_free; id NULL: all, by identity. */
+/* Rows of the particles with these identities; id NULL: of all particles, sorted by identity. The caller
+ * frees them by ts_free. */
 enum ts_status ts_library_rows(struct tsim *sim, const int32_t *id, size_t n, int32_t **rows);
 
 #endif

@@ -57,7 +57,7 @@ enum ts_status ts_library_rows(struct tsim *sim, const int32_t *id, size_t n, in
 	return TS_OK;
 }
 
-static enum ts_status quantity(struct tsim *sim, const char *name, struct ts_table *table)
+static enum ts_status evaluate_quantity(struct tsim *sim, const char *name, struct ts_table *table)
 {
 	struct ts_suggest suggest = ts_suggest_start(name);
 
@@ -68,11 +68,12 @@ static enum ts_status quantity(struct tsim *sim, const char *name, struct ts_tab
 		       ts_suggest_text(&suggest));
 }
 
-/* row NULL: in the order of memory. */
-static enum ts_status get(struct tsim *sim, const char *name, const int32_t *row, double *out, size_t n)
+/* Copies a quantity. row NULL: in the order of memory. */
+static enum ts_status read_quantity(struct tsim *sim, const char *name, const int32_t *row, double *out,
+				    size_t n)
 {
 	struct ts_table table = { 0 };
-	enum ts_status status = quantity(sim, name, &table);
+	enum ts_status status = evaluate_quantity(sim, name, &table);
 
 	for (size_t k = 0; status == TS_OK && k < n; k++)
 		out[k] = table.data[row ? (size_t)row[k] : k];
@@ -80,8 +81,9 @@ static enum ts_status get(struct tsim *sim, const char *name, const int32_t *row
 	return status;
 }
 
-/* Inside a step ghosts carry copies of positions and velocities, and contacts hang on radii. */
-static enum ts_status may_write(struct tsim *sim, const char *name)
+/* Inside a step ghosts have copies of positions and velocities, and contacts depend on radii, so these
+ * cannot be changed. */
+static enum ts_status check_writable(struct tsim *sim, const char *name)
 {
 	enum ts_assign kind = ts_particles_assignable(sim, name);
 	int stage = sim->library->stage;
@@ -99,10 +101,12 @@ static enum ts_status may_write(struct tsim *sim, const char *name)
 	return TS_OK;
 }
 
-/* What forces depend on is compared before each run, so new values need no further notice. */
-static enum ts_status put(struct tsim *sim, const char *name, const int32_t *row, const double *in, size_t n)
+/* Before each run all data that forces depend on are compared with their state after the last one
+ * (fingerprint), so new values need not be registered. */
+static enum ts_status write_quantity(struct tsim *sim, const char *name, const int32_t *row, const double *in,
+				     size_t n)
 {
-	TS_TRY(may_write(sim, name));
+	TS_TRY(check_writable(sim, name));
 	if (!sim->run.inside)
 		TS_TRY(ts_stepping_watch(&sim->library->stepping, sim));
 	return ts_particles_assign(sim, name, row, in, n);
@@ -117,8 +121,8 @@ int tsim_column_read(struct tsim *sim, const char *name, double *out, size_t n)
 	enum ts_status status = check_count(sim, n);
 
 	if (status == TS_OK)
-		status = get(sim, name, NULL, out, n);
-	return ts_library_settle(sim, status);
+		status = read_quantity(sim, name, NULL, out, n);
+	return ts_library_result(sim, status);
 }
 
 int tsim_column_write(struct tsim *sim, const char *name, const double *in, size_t n)
@@ -130,8 +134,8 @@ int tsim_column_write(struct tsim *sim, const char *name, const double *in, size
 	enum ts_status status = check_count(sim, n);
 
 	if (status == TS_OK)
-		status = put(sim, name, NULL, in, n);
-	return ts_library_settle(sim, status);
+		status = write_quantity(sim, name, NULL, in, n);
+	return ts_library_result(sim, status);
 }
 
 int tsim_gather(struct tsim *sim, const char *name, const int32_t *id, double *out, size_t n)
@@ -144,9 +148,9 @@ int tsim_gather(struct tsim *sim, const char *name, const int32_t *id, double *o
 	enum ts_status status = ts_library_rows(sim, id, n, &rows);
 
 	if (status == TS_OK)
-		status = get(sim, name, rows, out, n);
+		status = read_quantity(sim, name, rows, out, n);
 	ts_free(rows);
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
 int tsim_scatter(struct tsim *sim, const char *name, const int32_t *id, const double *in, size_t n)
@@ -159,9 +163,9 @@ int tsim_scatter(struct tsim *sim, const char *name, const int32_t *id, const do
 	enum ts_status status = ts_library_rows(sim, id, n, &rows);
 
 	if (status == TS_OK)
-		status = put(sim, name, rows, in, n);
+		status = write_quantity(sim, name, rows, in, n);
 	ts_free(rows);
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
 int tsim_hold(struct tsim *sim, void *data)
@@ -169,7 +173,7 @@ int tsim_hold(struct tsim *sim, void *data)
 	TS_LIBRARY_NEEDS(sim, sim);
 	if (!data)
 		return TSIM_OK;
-	return ts_library_settle(sim, ts_shared_buffer(&sim->holds, data));
+	return ts_library_result(sim, ts_shared_buffer(&sim->holds, data));
 }
 
 void tsim_release(struct tsim *sim, const void *data)
@@ -196,7 +200,7 @@ static const struct ts_column *find_column(const struct ts_particles *p, const c
 	return NULL;
 }
 
-static enum ts_status no_column(struct tsim *sim, const char *name)
+static enum ts_status fail_no_column(struct tsim *sim, const char *name)
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_suggest suggest = ts_suggest_start(name);
@@ -234,7 +238,7 @@ int tsim_column_view(struct tsim *sim, const char *name, struct tsim_view *out)
 	struct tsim_view full;
 
 	if (!c)
-		return (int)no_column(sim, name);
+		return (int)fail_no_column(sim, name);
 	full = (struct tsim_view){ .data = c->data,
 				   .type = ts_streq(name, "mask") ? TSIM_U32 : (int)c->type,
 				   .writable = is_writable(sim, c),
@@ -246,9 +250,9 @@ int tsim_column_view(struct tsim *sim, const char *name, struct tsim_view *out)
 		enum ts_status status = ts_stepping_watch(stepping, sim);
 
 		if (status != TS_OK)
-			return ts_library_settle(sim, status);
+			return ts_library_result(sim, status);
 		stepping->always = true;
 	}
-	ts_library_give(out, &full, sizeof full);
+	ts_library_copy_struct(out, &full, sizeof full);
 	return TSIM_OK;
 }

@@ -44,7 +44,7 @@ struct tsim *tsim_open(void)
 	return sim;
 }
 
-static void release(struct ts_library *library)
+static void release_library(struct ts_library *library)
 {
 	if (!library)
 		return;
@@ -61,7 +61,7 @@ void tsim_close(struct tsim *sim)
 	if (sim->library)
 		ts_stepping_end(&sim->library->stepping, sim);
 	ts_script_free(sim->script_api_data);
-	release(sim->library);
+	release_library(sim->library);
 	ts_sim_free(sim);
 }
 
@@ -96,8 +96,7 @@ const char *tsim_version(void)
 	return PACKAGE_VERSION;
 }
 
-/* Whoever only passes a status on may have left no message. */
-int ts_library_settle(struct tsim *sim, enum ts_status status)
+int ts_library_result(struct tsim *sim, enum ts_status status)
 {
 	if (status != TS_OK && sim->error.status == TS_OK)
 		ts_fail(&sim->error, status, NULL, "%s", ts_status_text(status));
@@ -111,14 +110,14 @@ int ts_library_null(struct tsim *sim, const char *function, const char *argument
 	return TSIM_RANGE;
 }
 
-enum ts_status ts_library_idle(struct tsim *sim, const char *what)
+enum ts_status ts_library_refuse_in_step(struct tsim *sim, const char *what)
 {
 	if (!sim->run.inside)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, NULL, "%s: not possible inside a step", what);
 }
 
-void ts_library_give(void *out, const void *full, size_t size)
+void ts_library_copy_struct(void *out, const void *full, size_t size)
 {
 	size_t room;
 
@@ -175,7 +174,7 @@ void tsim_error_where(struct tsim *sim, struct tsim_error_place *out)
 	};
 
 	if (out)
-		ts_library_give(out, &full, sizeof full);
+		ts_library_copy_struct(out, &full, sizeof full);
 }
 
 void tsim_error_clear(struct tsim *sim)
@@ -203,7 +202,7 @@ int tsim_log(struct tsim *sim, const char *path)
 	return (int)ts_log_open(&sim->log, &sim->error, NULL, path, false);
 }
 
-static void pass_on(void *data, enum ts_log_level level, const char *text)
+static void forward_log(void *data, enum ts_log_level level, const char *text)
 {
 	const struct ts_library *library = data;
 
@@ -216,6 +215,6 @@ void tsim_on_log(struct tsim *sim, tsim_log_fn *fn, void *data)
 		return;
 	sim->library->on_log = fn;
 	sim->library->on_log_data = data;
-	sim->log.sink = fn ? pass_on : NULL;
+	sim->log.sink = fn ? forward_log : NULL;
 	sim->log.sink_data = sim->library;
 }

@@ -1,4 +1,4 @@
-/* What there is: kinds, styles, their pages and arguments. */
+/* Kinds, styles, their manual pages and arguments. */
 #include "library/library.h"
 
 #include "library/tsim_tables.h"
@@ -8,7 +8,7 @@
 
 const char *tsim_kind(size_t k)
 {
-	size_t kind = TS_KIND_COMMAND + k; /* systems cannot be named */
+	size_t kind = TS_KIND_COMMAND + k; /* systems have no names in scripts */
 
 	return kind < TS_NKIND ? ts_kind_name((enum ts_kind)kind) : NULL;
 }
@@ -34,7 +34,7 @@ const char *tsim_style(const char *kind, size_t k, const char **summary)
 	return NULL;
 }
 
-static const struct ts_style *find(const char *kind, const char *style, struct ts_str *why)
+static const struct ts_style *find_style(const char *kind, const char *style, struct ts_str *why)
 {
 	struct ts_suggest suggest;
 	const struct ts_style *found;
@@ -64,7 +64,7 @@ static const struct ts_style *find(const char *kind, const char *style, struct t
 int tsim_help(const char *kind, const char *style, int markdown, char *out, size_t room, size_t *length)
 {
 	struct ts_str text = { 0 };
-	const struct ts_style *found = find(kind, style, &text);
+	const struct ts_style *found = find_style(kind, style, &text);
 	bool bad;
 
 	if (found)
@@ -80,7 +80,7 @@ int tsim_help(const char *kind, const char *style, int markdown, char *out, size
 }
 
 /* The k-th row in the order of the manual page; k counts down. */
-static const struct ts_arg *find_row(const struct ts_arg *row, size_t *k, const char **mode)
+static const struct ts_arg *find_argument(const struct ts_arg *row, size_t *k, const char **mode)
 {
 	for (; row && row->type != TS_ARG_END; row++) {
 		if (*k == 0)
@@ -91,7 +91,7 @@ static const struct ts_arg *find_row(const struct ts_arg *row, size_t *k, const 
 			const struct ts_arg *found;
 
 			*mode = m->name;
-			found = find_row(m->args, k, mode);
+			found = find_argument(m->args, k, mode);
 			if (found)
 				return found;
 			*mode = outer;
@@ -126,9 +126,9 @@ static const char *type_name(const struct ts_arg *row)
 int tsim_argument(const char *kind, const char *style, size_t k, struct tsim_argument *out)
 {
 	struct ts_str ignored = { 0 };
-	const struct ts_style *found = find(kind, style, &ignored);
+	const struct ts_style *found = find_style(kind, style, &ignored);
 	const char *mode = NULL;
-	const struct ts_arg *row = found ? find_row(found->args, &k, &mode) : NULL;
+	const struct ts_arg *row = found ? find_argument(found->args, &k, &mode) : NULL;
 	struct tsim_argument full;
 
 	ts_str_release(&ignored);
@@ -158,6 +158,6 @@ int tsim_argument(const char *kind, const char *style, size_t k, struct tsim_arg
 		full.least = 0;
 		full.most = row->range == TS_FRACTION ? 1 : INFINITY;
 	}
-	ts_library_give(out, &full, sizeof full);
+	ts_library_copy_struct(out, &full, sizeof full);
 	return TSIM_OK;
 }

@@ -1,4 +1,4 @@
-/* Particles made and deleted from outside; groups. */
+/* Creation and deletion of particles by the calling program; groups. */
 #include "library/library.h"
 
 #include <math.h>
@@ -58,7 +58,7 @@ static enum ts_status check_new(struct tsim *sim, const struct tsim_particles *f
 	return TS_OK;
 }
 
-static void fill(struct ts_particles *p, size_t i, const struct tsim_particles *from, size_t k)
+static void set_particle(struct ts_particles *p, size_t i, const struct tsim_particles *from, size_t k)
 {
 	double volume, mass;
 
@@ -78,12 +78,12 @@ static void fill(struct ts_particles *p, size_t i, const struct tsim_particles *
 	p->imass[i] = 1 / p->mass[i];
 }
 
-static enum ts_status create(struct tsim *sim, const struct tsim_particles *from, int32_t *id)
+static enum ts_status create_particles(struct tsim *sim, const struct tsim_particles *from, int32_t *id)
 {
 	struct ts_particles *p = sim->particles;
 	size_t first;
 
-	TS_TRY(ts_library_idle(sim, "tsim_create"));
+	TS_TRY(ts_library_refuse_in_step(sim, "tsim_create"));
 	if (!ts_sim_has_box(sim))
 		return ts_fail(&sim->error, TS_STATE, NULL, "tsim_create needs a simulation box");
 	if (from->n && !from->x)
@@ -92,7 +92,7 @@ static enum ts_status create(struct tsim *sim, const struct tsim_particles *from
 	TS_TRY(ts_stepping_end(&sim->library->stepping, sim));
 	TS_TRY(ts_particles_add(sim, from->n, &first));
 	for (size_t k = 0; k < from->n; k++) {
-		fill(p, first + k, from, k);
+		set_particle(p, first + k, from, k);
 		if (id)
 			id[k] = p->tag[first + k];
 	}
@@ -107,7 +107,7 @@ int tsim_create(struct tsim *sim, const struct tsim_particles *particles, int32_
 	struct tsim_particles full = { 0 };
 
 	memcpy(&full, particles, particles->size < sizeof full ? particles->size : sizeof full);
-	return ts_library_settle(sim, create(sim, &full, id));
+	return ts_library_result(sim, create_particles(sim, &full, id));
 }
 
 static enum ts_status delete_rows(struct tsim *sim, const int32_t *row, size_t n)
@@ -130,7 +130,7 @@ int tsim_delete(struct tsim *sim, const int32_t *id, size_t n)
 	TS_LIBRARY_NEEDS_ARRAY(sim, id, n);
 
 	int32_t *rows = NULL;
-	enum ts_status status = ts_library_idle(sim, "tsim_delete");
+	enum ts_status status = ts_library_refuse_in_step(sim, "tsim_delete");
 
 	if (status == TS_OK && n)
 		status = ts_library_rows(sim, id, n, &rows);
@@ -139,7 +139,7 @@ int tsim_delete(struct tsim *sim, const int32_t *id, size_t n)
 	if (status == TS_OK && n)
 		status = delete_rows(sim, rows, n);
 	ts_free(rows);
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
 static enum ts_status require_group(struct tsim *sim, const char *name, int *bit)
@@ -154,7 +154,7 @@ int tsim_group_bit(struct tsim *sim, const char *name, int *bit)
 	TS_LIBRARY_NEEDS(sim, sim);
 	TS_LIBRARY_NEEDS(sim, name);
 	TS_LIBRARY_NEEDS(sim, bit);
-	return ts_library_settle(sim, require_group(sim, name, bit));
+	return ts_library_result(sim, require_group(sim, name, bit));
 }
 
 const char *tsim_group_name(struct tsim *sim, int bit)
@@ -183,7 +183,7 @@ int tsim_group_get(struct tsim *sim, const char *name, unsigned char *member, si
 		status = check_members(sim, n);
 	for (size_t i = 0; status == TS_OK && i < n; i++)
 		member[i] = ts_in_group(sim->particles, i, bit);
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
 static enum ts_status set_group(struct tsim *sim, const char *name, const unsigned char *member, size_t n)
@@ -191,7 +191,7 @@ static enum ts_status set_group(struct tsim *sim, const char *name, const unsign
 	uint32_t *mask = sim->particles->mask;
 	int bit;
 
-	TS_TRY(ts_library_idle(sim, "tsim_group_set"));
+	TS_TRY(ts_library_refuse_in_step(sim, "tsim_group_set"));
 	TS_TRY(check_members(sim, n));
 	if (ts_streq(name, "all"))
 		return ts_fail(&sim->error, TS_STATE, NULL, "all particles are in group all");
@@ -207,5 +207,5 @@ int tsim_group_set(struct tsim *sim, const char *name, const unsigned char *memb
 	TS_LIBRARY_NEEDS(sim, sim);
 	TS_LIBRARY_NEEDS(sim, name);
 	TS_LIBRARY_NEEDS_ARRAY(sim, member, n);
-	return ts_library_settle(sim, set_group(sim, name, member, n));
+	return ts_library_result(sim, set_group(sim, name, member, n));
 }

@@ -1,4 +1,4 @@
-/* Scripts, steps, and those who take part in steps. */
+/* Scripts, steps, and functions of the calling program that act in steps. */
 #include "library/library.h"
 
 #include <inttypes.h>
@@ -8,10 +8,10 @@
 
 #include "base/banned.h"
 
-/* Before a script line the run of tsim_step ends. */
-static enum ts_status between_runs(struct tsim *sim, const char *what)
+/* Ends the run of tsim_step, for example before a script line. */
+static enum ts_status end_run(struct tsim *sim, const char *what)
 {
-	TS_TRY(ts_library_idle(sim, what));
+	TS_TRY(ts_library_refuse_in_step(sim, what));
 	return ts_stepping_end(&sim->library->stepping, sim);
 }
 
@@ -35,11 +35,11 @@ int tsim_text(struct tsim *sim, const char *text, const char *name)
 	TS_LIBRARY_NEEDS(sim, text);
 	TS_LIBRARY_NEEDS(sim, name);
 
-	enum ts_status status = between_runs(sim, "a script line");
+	enum ts_status status = end_run(sim, "a script line");
 
 	if (status == TS_OK)
 		status = ts_script_string(sim->script_api_data, text, name);
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
 int tsim_file(struct tsim *sim, const char *path)
@@ -47,11 +47,11 @@ int tsim_file(struct tsim *sim, const char *path)
 	TS_LIBRARY_NEEDS(sim, sim);
 	TS_LIBRARY_NEEDS(sim, path);
 
-	enum ts_status status = between_runs(sim, "a script");
+	enum ts_status status = end_run(sim, "a script");
 
 	if (status == TS_OK)
 		status = ts_script_file(sim->script_api_data, path);
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
 int tsim_stream(struct tsim *sim, FILE *stream, const char *name)
@@ -60,11 +60,11 @@ int tsim_stream(struct tsim *sim, FILE *stream, const char *name)
 	TS_LIBRARY_NEEDS(sim, stream);
 	TS_LIBRARY_NEEDS(sim, name);
 
-	enum ts_status status = between_runs(sim, "a script");
+	enum ts_status status = end_run(sim, "a script");
 
 	if (status == TS_OK)
 		status = ts_script_stream(sim->script_api_data, stream, name);
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
 int tsim_check_report(struct tsim *sim, int *errors, char *out, size_t room, size_t *length)
@@ -89,7 +89,7 @@ int tsim_check_report(struct tsim *sim, int *errors, char *out, size_t room, siz
 		ts_library_copy(ts_str_text(&text), out, room, length);
 	ts_str_release(&text);
 	ts_str_release(&report);
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
 int tsim_has_quit(struct tsim *sim, int *status)
@@ -109,7 +109,7 @@ int tsim_step(struct tsim *sim, int64_t n)
 {
 	TS_LIBRARY_NEEDS(sim, sim);
 
-	enum ts_status status = ts_library_idle(sim, "tsim_step");
+	enum ts_status status = ts_library_refuse_in_step(sim, "tsim_step");
 
 	if (status == TS_OK && !ts_sim_has_box(sim))
 		status = ts_fail(&sim->error, TS_STATE, NULL,
@@ -119,11 +119,11 @@ int tsim_step(struct tsim *sim, int64_t n)
 				 "tsim_step: %" PRId64 " steps asked for, expected 0 or more", n);
 	if (status == TS_OK)
 		status = ts_stepping_go(&sim->library->stepping, sim, n);
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
-/* An error that a function looked at and got over is no error of the run. */
-static enum ts_status call_all(struct tsim *sim, enum tsim_stage stage)
+/* Calls the functions of a stage. An error that a function caused and handled is no error of the run. */
+static enum ts_status call_functions(struct tsim *sim, enum tsim_stage stage)
 {
 	struct ts_library *library = sim->library;
 	const struct ts_library_calls *calls = &library->calls[stage];
@@ -148,19 +148,19 @@ static enum ts_status call_all(struct tsim *sim, enum tsim_stage stage)
 static enum ts_status before_force(struct ts_instance *self, struct tsim *sim)
 {
 	(void)self;
-	return call_all(sim, TSIM_BEFORE_FORCE);
+	return call_functions(sim, TSIM_BEFORE_FORCE);
 }
 
 static enum ts_status after_force(struct ts_instance *self, struct tsim *sim)
 {
 	(void)self;
-	return call_all(sim, TSIM_AFTER_FORCE);
+	return call_functions(sim, TSIM_AFTER_FORCE);
 }
 
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
 	(void)self;
-	return call_all(sim, TSIM_END_OF_STEP);
+	return call_functions(sim, TSIM_END_OF_STEP);
 }
 
 static const struct ts_style outside = {
@@ -179,8 +179,9 @@ static enum ts_status check_stage(struct tsim *sim, enum tsim_stage stage)
 	return ts_fail(&sim->error, TS_RANGE, NULL, "there is no stage %d of a step", (int)stage);
 }
 
-/* Who adds forces is part of what forces depend on: the next run computes them anew. */
-static void changed(struct tsim *sim, enum tsim_stage stage)
+/* Enables or disables the calls. Forces depend on the functions that add to them, so the next run computes
+ * them anew. */
+static void update_outside(struct tsim *sim, enum tsim_stage stage)
 {
 	struct ts_library *library = sim->library;
 	size_t n = 0;
@@ -198,11 +199,11 @@ static enum ts_status add_call(struct tsim *sim, enum tsim_stage stage, struct t
 {
 	struct ts_library_calls *calls = &sim->library->calls[stage];
 
-	TS_TRY(between_runs(sim, "tsim_on_step"));
+	TS_TRY(end_run(sim, "tsim_on_step"));
 	if (TS_GROW(calls->item, calls->capacity, calls->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	calls->item[calls->n++] = call;
-	changed(sim, stage);
+	update_outside(sim, stage);
 	return TS_OK;
 }
 
@@ -211,7 +212,7 @@ static enum ts_status remove_call(struct tsim *sim, enum tsim_stage stage, struc
 	struct ts_library_calls *calls = &sim->library->calls[stage];
 	size_t k = 0;
 
-	TS_TRY(between_runs(sim, "tsim_off_step"));
+	TS_TRY(end_run(sim, "tsim_off_step"));
 	while (k < calls->n && (calls->item[k].fn != call.fn || calls->item[k].data != call.data))
 		k++;
 	if (k == calls->n)
@@ -219,7 +220,7 @@ static enum ts_status remove_call(struct tsim *sim, enum tsim_stage stage, struc
 			       "tsim_off_step: this function does not take part in this stage");
 	memmove(&calls->item[k], &calls->item[k + 1], (calls->n - k - 1) * sizeof *calls->item);
 	calls->n--;
-	changed(sim, stage);
+	update_outside(sim, stage);
 	return TS_OK;
 }
 
@@ -232,8 +233,8 @@ int tsim_on_step(struct tsim *sim, enum tsim_stage stage, tsim_step_fn *fn, void
 
 	if (status == TS_OK)
 		status = add_call(sim, stage, (struct ts_library_call){ fn, data });
-	sim->run.shows_contacts = true; /* the function may ask for any formula */
-	return ts_library_settle(sim, status);
+	sim->run.shows_contacts = true; /* the function may evaluate any formula */
+	return ts_library_result(sim, status);
 }
 
 int tsim_off_step(struct tsim *sim, enum tsim_stage stage, tsim_step_fn *fn, void *data)
@@ -245,5 +246,5 @@ int tsim_off_step(struct tsim *sim, enum tsim_stage stage, tsim_step_fn *fn, voi
 
 	if (status == TS_OK)
 		status = remove_call(sim, stage, (struct ts_library_call){ fn, data });
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }

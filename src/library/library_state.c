@@ -1,4 +1,4 @@
-/* The state of the simulation as a whole. */
+/* Global state of the simulation: box, clock, settings, live styles. */
 #include "library/library.h"
 
 #include "box/domain.h"
@@ -29,7 +29,7 @@ void tsim_box(struct tsim *sim, struct tsim_box *out)
 		for (int side = 0; side < 2; side++)
 			full.face[d][side] = letter[box->face[d][side]];
 	}
-	ts_library_give(out, &full, sizeof full);
+	ts_library_copy_struct(out, &full, sizeof full);
 }
 
 void tsim_clock(struct tsim *sim, int64_t *step, double *time, double *dt)

@@ -1,4 +1,4 @@
-/* Numbers by name: formulas, outputs of computes and fixes, variables. */
+/* Evaluation by name: formulas, outputs of computes and fixes, variables. */
 #include "library/library.h"
 
 #include <math.h>
@@ -20,11 +20,11 @@ int tsim_value(struct tsim *sim, const char *formula, double *out)
 	TS_LIBRARY_NEEDS(sim, sim);
 	TS_LIBRARY_NEEDS(sim, formula);
 	TS_LIBRARY_NEEDS(sim, out);
-	return ts_library_settle(sim, ts_script_value(sim->script_api_data, formula, out));
+	return ts_library_result(sim, ts_script_value(sim->script_api_data, formula, out));
 }
 
-static enum ts_status whole_output(struct tsim *sim, struct ts_instance *inst, enum ts_shape shape,
-				   struct ts_table *out)
+static enum ts_status evaluate_output(struct tsim *sim, struct ts_instance *inst, enum ts_shape shape,
+				      struct ts_table *out)
 {
 	static const char *const shapes[] = {
 		[TSIM_PER_PARTICLE] = "per-particle", [TSIM_LOCAL] = "local", [TSIM_ARRAY] = "array"
@@ -37,25 +37,25 @@ static enum ts_status whole_output(struct tsim *sim, struct ts_instance *inst, e
 		       ts_kind_name(inst->style->kind), inst->id, inst->style->name, shapes[shape]);
 }
 
-static enum ts_status by_reference(struct tsim *sim, const char *name, enum ts_shape shape,
-				   struct ts_table *out)
+static enum ts_status evaluate_reference(struct tsim *sim, const char *name, enum ts_shape shape,
+					 struct ts_table *out)
 {
 	struct ts_ref ref;
 
 	TS_TRY(ts_ref_resolve(sim, name, NULL, &ref));
 	if (shape == TS_VECTOR) {
 		TS_TRY(ts_ref_vector(sim, &ref, NULL, out));
-		out->rows *= out->columns; /* some keep it lying, some standing */
+		out->rows *= out->columns; /* a vector may be one row or one column */
 		out->columns = 1;
 		return TS_OK;
 	}
 	if (ref.inst && !ref.index)
-		return whole_output(sim, ref.inst, shape, out);
+		return evaluate_output(sim, ref.inst, shape, out);
 	return shape == TS_LOCAL ? ts_ref_local(sim, &ref, NULL, out) : ts_ref_peratom(sim, &ref, NULL, out);
 }
 
-static enum ts_status evaluate(struct tsim *sim, const char *name, enum tsim_shape shape,
-			       struct ts_table *out)
+static enum ts_status evaluate_shape(struct tsim *sim, const char *name, enum tsim_shape shape,
+				     struct ts_table *out)
 {
 	if (shape < TSIM_SCALAR || shape > TSIM_ARRAY)
 		return ts_fail(&sim->error, TS_RANGE, NULL, "there is no shape %d", (int)shape);
@@ -66,7 +66,7 @@ static enum ts_status evaluate(struct tsim *sim, const char *name, enum tsim_sha
 	}
 	if (shape == TSIM_PER_PARTICLE && ts_quantity_has(sim, name))
 		return ts_quantity_eval(sim, name, out);
-	return by_reference(sim, name, (enum ts_shape)shape, out);
+	return evaluate_reference(sim, name, (enum ts_shape)shape, out);
 }
 
 int tsim_evaluate(struct tsim *sim, const char *name, enum tsim_shape shape, struct tsim_table *out)
@@ -76,12 +76,12 @@ int tsim_evaluate(struct tsim *sim, const char *name, enum tsim_shape shape, str
 	TS_LIBRARY_NEEDS(sim, out);
 
 	struct ts_table *table = &sim->library->table;
-	enum ts_status status = evaluate(sim, name, shape, table);
+	enum ts_status status = evaluate_shape(sim, name, shape, table);
 	const struct tsim_table full = { 0, table->data, table->rows, table->columns };
 
 	if (status == TS_OK)
-		ts_library_give(out, &full, sizeof full);
-	return ts_library_settle(sim, status);
+		ts_library_copy_struct(out, &full, sizeof full);
+	return ts_library_result(sim, status);
 }
 
 int tsim_read(struct tsim *sim, const char *name, enum tsim_shape shape, double *out, size_t rows,
@@ -92,7 +92,7 @@ int tsim_read(struct tsim *sim, const char *name, enum tsim_shape shape, double 
 	TS_LIBRARY_NEEDS_ARRAY(sim, out, rows && columns);
 
 	struct ts_table *table = &sim->library->table;
-	enum ts_status status = evaluate(sim, name, shape, table);
+	enum ts_status status = evaluate_shape(sim, name, shape, table);
 
 	if (status == TS_OK && (rows != table->rows || columns != table->columns))
 		status = ts_fail(&sim->error, TS_RANGE, NULL,
@@ -100,7 +100,7 @@ int tsim_read(struct tsim *sim, const char *name, enum tsim_shape shape, double 
 				 table->columns, rows, columns);
 	if (status == TS_OK && rows && columns)
 		memcpy(out, table->data, rows * columns * sizeof *out);
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
 int tsim_extent(struct tsim *sim, const char *name, enum tsim_shape shape, size_t *rows, size_t *columns)
@@ -111,11 +111,11 @@ int tsim_extent(struct tsim *sim, const char *name, enum tsim_shape shape, size_
 	TS_LIBRARY_NEEDS(sim, columns);
 
 	struct ts_table *table = &sim->library->table;
-	enum ts_status status = evaluate(sim, name, shape, table);
+	enum ts_status status = evaluate_shape(sim, name, shape, table);
 
 	*rows = status == TS_OK ? table->rows : 0;
 	*columns = status == TS_OK ? table->columns : 0;
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
 int tsim_output(struct tsim *sim, const char *name, size_t k, struct tsim_output *out)
@@ -130,7 +130,7 @@ int tsim_output(struct tsim *sim, const char *name, size_t k, struct tsim_output
 	struct tsim_output full;
 
 	if (status != TS_OK)
-		return ts_library_settle(sim, status);
+		return ts_library_result(sim, status);
 	for (value = ref.inst ? ref.inst->style->values : NULL; value && value->name; value++)
 		if (ts_value_given(ref.inst, value) && k-- == 0)
 			break;
@@ -142,12 +142,12 @@ int tsim_output(struct tsim *sim, const char *name, size_t k, struct tsim_output
 				     .shape = (int)value->shape,
 				     .columns = value->shape == TS_SCALAR ? 1 : value->columns,
 				     .column_names = value->column_names };
-	ts_library_give(out, &full, sizeof full);
+	ts_library_copy_struct(out, &full, sizeof full);
 	return TSIM_OK;
 }
 
 /* Variables may stand in arguments of styles, so forces may depend on them. */
-static enum ts_status before_change(struct tsim *sim)
+static enum ts_status watch_changes(struct tsim *sim)
 {
 	return sim->run.inside ? TS_OK : ts_stepping_watch(&sim->library->stepping, sim);
 }
@@ -158,16 +158,17 @@ int tsim_variable(struct tsim *sim, const char *name, const char *value)
 	TS_LIBRARY_NEEDS(sim, name);
 	TS_LIBRARY_NEEDS(sim, value);
 
-	enum ts_status status = before_change(sim);
+	enum ts_status status = watch_changes(sim);
 
 	if (status == TS_OK)
 		status = ts_script_set(sim->script_api_data, name, &value, 1, "variable");
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
-static enum ts_status define(struct tsim *sim, const char *name, const char *style, const char *value)
+static enum ts_status define_variable(struct tsim *sim, const char *name, const char *style,
+				      const char *value)
 {
-	TS_TRY(before_change(sim));
+	TS_TRY(watch_changes(sim));
 	return ts_script_define(sim->script_api_data, name, style, value);
 }
 
@@ -177,7 +178,7 @@ int tsim_variable_set(struct tsim *sim, const char *name, const char *style, con
 	TS_LIBRARY_NEEDS(sim, name);
 	TS_LIBRARY_NEEDS(sim, style);
 	TS_LIBRARY_NEEDS(sim, value);
-	return ts_library_settle(sim, define(sim, name, style, value));
+	return ts_library_result(sim, define_variable(sim, name, style, value));
 }
 
 int tsim_variable_number(struct tsim *sim, const char *name, double value)
@@ -191,7 +192,7 @@ int tsim_variable_number(struct tsim *sim, const char *name, double value)
 		return (int)ts_fail(&sim->error, TS_RANGE, NULL,
 				    "variable '%s' would be %g, expected a finite number", name, value);
 	snprintf(text, sizeof text, "%.17g", value);
-	return ts_library_settle(sim, define(sim, name, "equal", text));
+	return ts_library_result(sim, define_variable(sim, name, "equal", text));
 }
 
 int tsim_variable_text(struct tsim *sim, const char *name, char *out, size_t room, size_t *length)
@@ -213,7 +214,7 @@ int tsim_variable_text(struct tsim *sim, const char *name, char *out, size_t roo
 		ts_library_copy(ts_str_text(&text), out, room, length);
 	ts_str_release(&wanted);
 	ts_str_release(&text);
-	return ts_library_settle(sim, status);
+	return ts_library_result(sim, status);
 }
 
 const char *tsim_variable_name(struct tsim *sim, size_t k)

@@ -31,7 +31,7 @@ static const struct ts_system_style *const systems[] = {
 	&ts_flow_system,
 	&ts_thermo_system,
 	&ts_guard_system,
-	/* without an instance; their order is that of the manual's lists */
+	/* without an instance; their order is that in the manual */
 	&ts_regions_system,
 	&ts_groups_system,
 	&ts_integrators_system,

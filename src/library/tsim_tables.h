@@ -1,10 +1,10 @@
-/* What tsim is made of: its styles, systems and checks. */
+/* The tables of styles, systems and checks of tsim. */
 #ifndef TS_LIBRARY_TSIM_TABLES_H
 #define TS_LIBRARY_TSIM_TABLES_H
 
 #include "core/tables.h"
 
-/* Generated (library/style_table.c) from the marks TS_STYLE; sorted by kind, then name; closed by NULL. */
+/* Generated (library/style_table.c) from the TS_STYLE marks; sorted by kind, then name; NULL-terminated. */
 extern const struct ts_style *const ts_style_table[];
 extern const struct ts_tables ts_tables;
 

@@ -1,5 +1,5 @@
-/* Grammar files for editors, from the tables: commands at the start of a line, styles where they stand,
- * keywords, functions, references. */
+/* Grammar files for editors: commands at the beginning of a line, styles at their position, keywords,
+ * functions, references. */
 #include <stdio.h>
 #include <string.h>
 
@@ -11,7 +11,7 @@
 
 #include "base/banned.h"
 
-/* Words in order of their first mention, each once. */
+/* A list of different words in order of their first occurrence. */
 struct word_list {
 	struct ts_map seen;
 	const char **word;
@@ -19,7 +19,7 @@ struct word_list {
 	bool failed;
 };
 
-static void add(struct word_list *list, const char *word)
+static void add_word(struct word_list *list, const char *word)
 {
 	bool plain = strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/-") ==
 		     strlen(word);
@@ -32,23 +32,23 @@ static void add(struct word_list *list, const char *word)
 		list->word[list->n++] = word;
 }
 
-static void release(struct word_list *list)
+static void release_words(struct word_list *list)
 {
 	ts_map_release(&list->seen);
 	ts_free(list->word);
 	*list = (struct word_list){ 0 };
 }
 
-static void add_rows(struct word_list *list, const struct ts_arg *row)
+static void add_arguments(struct word_list *list, const struct ts_arg *row)
 {
 	for (; row && row->type != TS_ARG_END; row++) {
 		if (!(row->flags & TS_POSITIONAL))
-			add(list, row->name);
+			add_word(list, row->name);
 		for (size_t k = 0; row->choices && row->choices[k]; k++)
-			add(list, row->choices[k]);
+			add_word(list, row->choices[k]);
 		for (const struct ts_mode *m = row->modes; m && m->name; m++) {
-			add(list, m->name);
-			add_rows(list, m->args);
+			add_word(list, m->name);
+			add_arguments(list, m->args);
 		}
 	}
 }
@@ -59,22 +59,22 @@ static void add_keywords(const struct ts_tables *tables, struct word_list *list)
 					     "no",  "on",   "off", "then", "elif", "else" };
 
 	for (size_t k = 0; k < sizeof fixed / sizeof *fixed; k++)
-		add(list, fixed[k]);
+		add_word(list, fixed[k]);
 	for (const struct ts_style *const *s = tables->styles; *s; s++) {
-		add_rows(list, (*s)->args);
-		add_rows(list, (*s)->coeff);
+		add_arguments(list, (*s)->args);
+		add_arguments(list, (*s)->coeff);
 	}
 	for (const struct ts_variable_style *const *v = ts_variable_styles; *v; v++)
-		add(list, (*v)->name);
+		add_word(list, (*v)->name);
 }
 
 static void add_style(struct word_list *list, const struct ts_style *style)
 {
 	const char *other;
 
-	add(list, style->name);
+	add_word(list, style->name);
 	for (size_t k = 0; (other = ts_style_other_name(style, k)); k++)
-		add(list, other);
+		add_word(list, other);
 }
 
 static void add_styles(const struct ts_tables *tables, struct word_list *list, enum ts_kind kind)
@@ -88,10 +88,10 @@ static void add_functions(const struct ts_tables *tables, struct word_list *list
 {
 	for (const struct ts_expr_function *const *t = ts_expr_functions; *t; t++)
 		for (const struct ts_expr_function *f = *t; f->name; f++)
-			add(list, f->name);
+			add_word(list, f->name);
 	for (const struct ts_system_style *const *s = tables->systems; *s; s++)
 		for (const struct ts_function *f = (*s)->functions; f && f->name; f++)
-			add(list, f->name);
+			add_word(list, f->name);
 }
 
 static void add_names(const struct ts_tables *tables, struct word_list *list)
@@ -100,15 +100,15 @@ static void add_names(const struct ts_tables *tables, struct word_list *list)
 
 	for (const struct ts_system_style *const *s = tables->systems; *s; s++) {
 		for (const struct ts_keyword *k = (*s)->keywords; k && k->name; k++)
-			add(list, k->name);
+			add_word(list, k->name);
 		for (size_t k = 0; (*s)->quantity_text && (q = (*s)->quantity_text(k)); k++)
-			add(list, q->name);
+			add_word(list, q->name);
 	}
 	for (const struct ts_constant *c = ts_constants; c->name; c++)
-		add(list, c->name);
+		add_word(list, c->name);
 }
 
-/* Where styles of a kind stand: behind so many words of a line that begins with the command. */
+/* Position of the style in a line: after the command and this number of words. */
 static const struct {
 	enum ts_kind kind;
 	const char *command;
@@ -123,7 +123,7 @@ enum { NPLACES = sizeof places / sizeof *places };
 
 /* ---- vim */
 
-/* `contained` and the like in a list of keywords would be read as options. */
+/* Words such as `contained` are read as options in a list of keywords. */
 static bool is_vim_option(const char *word)
 {
 	static const char *const options[] = { "contained", "transparent", "skipwhite", "skipnl", "skipempty",
@@ -135,7 +135,7 @@ static bool is_vim_option(const char *word)
 	return false;
 }
 
-/* Words as alternatives of a pattern. */
+/* Appends the words as alternatives of a pattern. */
 static void vim_alternatives(struct ts_str *out, const struct word_list *list)
 {
 	for (size_t k = 0; k < list->n; k++)
@@ -143,7 +143,7 @@ static void vim_alternatives(struct ts_str *out, const struct word_list *list)
 	out->failed |= list->failed;
 }
 
-/* A keyword wins over every match: one that is a command too would never be seen as one. */
+/* In Vim a keyword has precedence over a match, so words that are also commands are written as matches. */
 static void vim_keywords(const struct ts_tables *tables, struct ts_str *out, const char *group,
 			 const char *options, const struct word_list *list)
 {
@@ -181,7 +181,7 @@ static void vim_styles(const struct ts_tables *tables, struct ts_str *out)
 		add_styles(tables, &list, places[k].kind);
 		vim_keywords(tables, out, group, "contained", &list);
 		ts_str_addf(out, "hi def link %s Type\n", group);
-		release(&list);
+		release_words(&list);
 	}
 }
 
@@ -218,21 +218,21 @@ void ts_grammar_vim(const struct ts_tables *tables, struct ts_str *out)
 	ts_str_add(out, "\n\" keywords and words to choose from");
 	add_keywords(tables, &list);
 	vim_keywords(tables, out, "tsimKeyword", "", &list);
-	release(&list);
+	release_words(&list);
 	ts_str_add(out, "\n\" numbers of the simulation and of particles");
 	add_names(tables, &list);
 	vim_keywords(tables, out, "tsimName", "", &list);
-	release(&list);
+	release_words(&list);
 	add_functions(tables, &list);
 	ts_str_add(out, "\nsyn match tsimFunction /\\<\\%(");
 	vim_alternatives(out, &list);
 	ts_str_add(out, "\\)\\ze(/\n");
-	release(&list);
+	release_words(&list);
 	add_styles(tables, &list, TS_KIND_COMMAND);
 	ts_str_add(out, "\n\" commands, at the start of a line\nsyn match tsimCommand /^\\s*\\%(");
 	vim_alternatives(out, &list);
 	ts_str_add(out, "\\)\\ze\\%(\\s\\|$\\)/\n");
-	release(&list);
+	release_words(&list);
 	ts_str_add(out, "\n\" styles, behind their command, name and group\n");
 	vim_styles(tables, out);
 	ts_str_add(out, end);
@@ -242,7 +242,7 @@ void ts_grammar_vim(const struct ts_tables *tables, struct ts_str *out)
 
 static void json_alternatives(struct ts_str *out, const struct word_list *list)
 {
-	/* longer ones first, so that no word hides one that begins with it */
+	/* longer words first: the first alternative that matches is taken */
 	for (size_t length = 64; length > 0; length--)
 		for (size_t k = 0; k < list->n; k++)
 			if (strlen(list->word[k]) == length)
@@ -275,7 +275,7 @@ static void json_styles(const struct ts_tables *tables, struct ts_str *out)
 			    ")(?=\\\\s|$)\", \"captures\": { \"1\": { \"name\": \"keyword.control.tsim\" }, "
 			    "\"2\": { \"name\": \"support.type.%s.tsim\" } } },\n",
 			    ts_kind_name(places[k].kind));
-		release(&list);
+		release_words(&list);
 	}
 }
 
@@ -316,15 +316,15 @@ void ts_grammar_textmate(const struct ts_tables *tables, struct ts_str *out)
 	json_styles(tables, out);
 	add_styles(tables, &list, TS_KIND_COMMAND);
 	json_rule(out, "keyword.control", "^\\\\s*", &list, "(?=\\\\s|$)");
-	release(&list);
+	release_words(&list);
 	add_functions(tables, &list);
 	json_rule(out, "support.function", "\\\\b", &list, "(?=\\\\()");
-	release(&list);
+	release_words(&list);
 	add_keywords(tables, &list);
 	json_rule(out, "variable.language.keyword", "(?<![A-Za-z0-9_/])", &list, "(?![A-Za-z0-9_/])");
-	release(&list);
+	release_words(&list);
 	add_names(tables, &list);
 	json_rule(out, "constant.language", "(?<![A-Za-z0-9_/])", &list, "(?![A-Za-z0-9_/])");
-	release(&list);
+	release_words(&list);
 	ts_str_add(out, end);
 }

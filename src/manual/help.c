@@ -13,12 +13,12 @@ void ts_help_file_name(const struct ts_style *style, struct ts_str *out)
 	ts_str_add(out, ".md");
 }
 
-static void heading(const char *text, bool markdown, struct ts_str *out)
+static void add_heading(const char *text, bool markdown, struct ts_str *out)
 {
 	ts_str_addf(out, markdown ? "\n## %s\n\n" : "\n%s\n", text);
 }
 
-/* What stands before the arguments of the table. */
+/* Appends the part of a script line before the arguments. */
 static void add_prefix(const struct ts_style *style, struct ts_str *out)
 {
 	static const char *const before[TS_NKIND] = {
@@ -39,7 +39,7 @@ static void add_synopsis(const struct ts_arg *row, struct ts_str *out)
 	}
 }
 
-/* Up to the next blank; what stands in brackets is not torn apart. */
+/* Length up to the next blank; text in brackets is not broken. */
 static size_t word_length(const char *text)
 {
 	size_t n = strcspn(text, " \n"), all = *text == '[' ? strcspn(text, "]") : 0;
@@ -47,8 +47,8 @@ static size_t word_length(const char *text)
 	return all > n && all < 40 && text[all] ? all + strcspn(text + all, " \n") : n;
 }
 
-/* The text in lines of at most 78 characters behind the indent, those after the first behind `more`
- * blanks in addition. A single line end counts as a blank, two keep paragraphs apart. */
+/* Appends the text in lines of at most 78 characters, indented by `indent` blanks, and by `more` further
+ * ones after the first line. A single line end is a blank, two separate paragraphs. */
 static void add_wrapped(const char *text, size_t indent, size_t more, struct ts_str *out)
 {
 	size_t column = 0;
@@ -75,7 +75,7 @@ static void add_wrapped(const char *text, size_t indent, size_t more, struct ts_
 	}
 }
 
-/* What kind of value is expected, where the synopsis does not say. */
+/* Type of the value, if the synopsis does not show it. */
 static const char *type_text(const struct ts_arg *row)
 {
 	static const char *const texts[] = {
@@ -131,7 +131,7 @@ static void add_notes(const struct ts_arg *row, struct ts_str *out)
 	ts_str_release(&notes);
 }
 
-/* A name and what it is: one item of a list. */
+/* Appends an item of a list: a name and its description. */
 static void add_item(const struct ts_str *name, const struct ts_str *text, size_t depth, bool markdown,
 		     struct ts_str *out)
 {
@@ -171,7 +171,7 @@ static void add_rows(const struct ts_arg *row, size_t depth, bool markdown, stru
 	ts_str_release(&text);
 }
 
-/* How scripts read an output: c_ID, f_ID[k] ... */
+/* Appends the reference of an output in scripts: c_ID, f_ID[k] ... */
 static void add_reference(const struct ts_style *style, const struct ts_value *v, struct ts_str *out)
 {
 	bool indexed = v->shape == TS_VECTOR || (v->shape != TS_SCALAR && v->column_names);
@@ -191,7 +191,7 @@ static void add_values(const struct ts_style *style, bool markdown, struct ts_st
 
 	if (!style->values || !style->values->name)
 		return;
-	heading("Output", markdown, out);
+	add_heading("Output", markdown, out);
 	for (const struct ts_value *v = style->values; v->name; v++) {
 		ts_str_clear(&name);
 		ts_str_clear(&text);
@@ -207,7 +207,7 @@ static void add_values(const struct ts_style *style, bool markdown, struct ts_st
 	ts_str_release(&text);
 }
 
-/* The lines of the text, each behind the indent. */
+/* Appends the lines of the text, indented. */
 static void add_lines(const char *text, const char *indent, struct ts_str *out)
 {
 	while (*text) {
@@ -220,19 +220,20 @@ static void add_lines(const char *text, const char *indent, struct ts_str *out)
 	}
 }
 
-/* Lines that begin with blanks, as formulas and tables do, are kept as they are. */
-static bool is_kept(const char *line)
+/* Lines that begin with blanks, such as formulas and tables, are preformatted. */
+static bool is_preformatted(const char *line)
 {
 	return line[0] == ' ' && line[1] == ' ';
 }
 
-/* The lines up to an empty one, or to one of the other sort; with them the line end. */
+/* Length of the lines up to an empty one, or one of the other kind (preformatted or not), with the line
+ * end. */
 static size_t part_length(const char *text)
 {
-	bool kept = is_kept(text);
+	bool preformatted = is_preformatted(text);
 	size_t n = 0;
 
-	while (text[n] && text[n] != '\n' && is_kept(text + n) == kept) {
+	while (text[n] && text[n] != '\n' && is_preformatted(text + n) == preformatted) {
 		n += strcspn(text + n, "\n");
 		n += text[n] == '\n';
 	}
@@ -243,7 +244,7 @@ static void add_part(const char *text, bool markdown, struct ts_str *out)
 {
 	struct ts_str lines = { 0 };
 
-	if (is_kept(text)) {
+	if (is_preformatted(text)) {
 		ts_str_add(out, markdown ? "```\n" : "");
 		add_lines(text, markdown ? "" : "  ", out);
 		ts_str_add(out, markdown ? "```\n" : "");
@@ -281,7 +282,7 @@ static void add_syntax(const struct ts_style *style, bool markdown, struct ts_st
 {
 	struct ts_str line = { 0 }, lines = { 0 };
 
-	heading("Syntax", markdown, out);
+	add_heading("Syntax", markdown, out);
 	add_prefix(style, &line);
 	add_synopsis(style->args, &line);
 	add_wrapped(ts_str_text(&line), markdown ? 0 : 2, 4, &lines);
@@ -301,11 +302,11 @@ static void add_table(const char *title, const struct ts_arg *rows, bool markdow
 {
 	if (!rows || rows->type == TS_ARG_END)
 		return;
-	heading(title, markdown, out);
+	add_heading(title, markdown, out);
 	add_rows(rows, 0, markdown, out);
 }
 
-/* Starts with a capital, however the table writes it. */
+/* The first letter is made a capital. */
 static void add_summary(const struct ts_style *style, struct ts_str *out)
 {
 	char first[2] = { (char)toupper((unsigned char)style->summary[0]), '\0' };
@@ -333,25 +334,25 @@ void ts_help_page(const struct ts_style *style, bool markdown, struct ts_str *ou
 	add_table("Coefficients", style->coeff, markdown, out);
 	add_values(style, markdown, out);
 	if (style->doc) {
-		heading("Description", markdown, out);
+		add_heading("Description", markdown, out);
 		add_paragraphs(style->doc, markdown, out);
 		add_other_names(style, markdown, out);
 	}
 	if (style->example) {
-		heading("Example", markdown, out);
+		add_heading("Example", markdown, out);
 		ts_str_add(out, markdown ? "```\n" : "");
 		add_lines(style->example, markdown ? "" : "  ", out);
 		ts_str_add(out, markdown ? "```\n" : "");
 	}
 	if (style->cite) {
-		heading("Source", markdown, out);
+		add_heading("Source", markdown, out);
 		add_paragraphs(style->cite, markdown, out);
 	}
 }
 
 void ts_help_heading(const char *text, bool markdown, struct ts_str *out)
 {
-	heading(text, markdown, out);
+	add_heading(text, markdown, out);
 }
 
 void ts_help_item(const char *name, const char *text, bool markdown, struct ts_str *out)

@@ -1,4 +1,4 @@
-/* Manual pages, made from the tables of the styles. */
+/* Manual pages, generated from the tables of the styles. */
 #ifndef TS_MANUAL_HELP_H
 #define TS_MANUAL_HELP_H
 
@@ -7,11 +7,11 @@
 #include "base/str.h"
 #include "core/tables.h"
 
-/* The page of one style, for the terminal or as Markdown. */
+/* Appends the page of a style, for the terminal or as Markdown. */
 void ts_help_page(const struct ts_style *style, bool markdown, struct ts_str *out);
-/* One line for each style of the kind; as Markdown with links to the pages. */
+/* Appends a line for each style of the kind; in Markdown with links to the pages. */
 void ts_help_list(const struct ts_tables *tables, enum ts_kind kind, bool markdown, struct ts_str *out);
-/* A heading, and one item of a list, for pages that are not of styles. */
+/* Appends a heading, and an item of a list, for pages of other topics. */
 void ts_help_heading(const char *text, bool markdown, struct ts_str *out);
 void ts_help_item(const char *name, const char *text, bool markdown, struct ts_str *out);
 /* "fix_drag_ergun.md" */

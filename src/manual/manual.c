@@ -24,7 +24,7 @@ void ts_manual_index(const struct ts_tables *tables, struct ts_str *out)
 	}
 }
 
-/* "pair_style" is how scripts say the kind. */
+/* Finds a kind by its name or, as in scripts, by "pair_style". */
 static bool find_kind(const char *word, enum ts_kind *kind)
 {
 	struct ts_str name = { 0 };
@@ -40,8 +40,8 @@ static bool find_kind(const char *word, enum ts_kind *kind)
 	return found;
 }
 
-/* One line for everything in the tables that is not a style. */
-static void find_words(const struct ts_tables *tables, const char *name, struct ts_str *out)
+/* Appends a line for each entry of the tables with this name that is not a style. */
+static void add_other_entries(const struct ts_tables *tables, const char *name, struct ts_str *out)
 {
 	const struct ts_quantity *q;
 	const struct ts_expr_function *f = ts_expr_function_find(name);
@@ -68,8 +68,8 @@ static void find_words(const struct ts_tables *tables, const char *name, struct 
 				    w->remark);
 }
 
-/* Styles in whose name the word stands, and further pages with it. */
-static void find_similar(const struct ts_tables *tables, const char *name, struct ts_str *out)
+/* Appends the styles whose name contains the word, and the pages that contain it. */
+static void add_similar(const struct ts_tables *tables, const char *name, struct ts_str *out)
 {
 	for (const struct ts_style *const *s = tables->styles; *s; s++)
 		if (strstr((*s)->name, name))
@@ -79,8 +79,8 @@ static void find_similar(const struct ts_tables *tables, const char *name, struc
 	ts_manual_search(tables, name, out);
 }
 
-static void find_pages(const struct ts_tables *tables, const char *name, const enum ts_kind *of,
-		       struct ts_str *out)
+static void add_pages(const struct ts_tables *tables, const char *name, const enum ts_kind *of,
+		      struct ts_str *out)
 {
 	for (const struct ts_style *const *s = tables->styles; *s; s++)
 		if ((!of || (*s)->kind == *of) && ts_style_find(tables, (*s)->kind, name) == *s) {
@@ -89,7 +89,8 @@ static void find_pages(const struct ts_tables *tables, const char *name, const e
 		}
 }
 
-static void suggest(const struct ts_tables *tables, const char *name, const char *of, struct ts_str *out)
+static void add_suggestion(const struct ts_tables *tables, const char *name, const char *of,
+			   struct ts_str *out)
 {
 	struct ts_suggest suggest = ts_suggest_start(name);
 
@@ -103,35 +104,35 @@ static void suggest(const struct ts_tables *tables, const char *name, const char
 	ts_str_addf(out, "there is no %s '%s'%s", of ? of : "kind or style", name, ts_suggest_text(&suggest));
 }
 
-/* A style of a kind: its page, or why there is none. */
-static bool find_style(const struct ts_tables *tables, const char *name, enum ts_kind kind,
-		       struct ts_str *out)
+/* Appends the page of a style, or the reason why there is none. */
+static bool add_style_page(const struct ts_tables *tables, const char *name, enum ts_kind kind,
+			   struct ts_str *out)
 {
-	const struct ts_unsupported *known = ts_unsupported_find(kind, name);
+	const struct ts_unsupported *unsupported = ts_unsupported_find(kind, name);
 
-	find_pages(tables, name, &kind, out);
-	if (!out->length && known)
+	add_pages(tables, name, &kind, out);
+	if (!out->length && unsupported)
 		ts_str_addf(out, "  %s %s of LIGGGHTS or LAMMPS: %s\n", ts_kind_name(kind), name,
-			    known->remark);
+			    unsupported->remark);
 	if (out->length)
 		return true;
-	suggest(tables, name, ts_kind_name(kind), out);
+	add_suggestion(tables, name, ts_kind_name(kind), out);
 	return false;
 }
 
-static void find_word(const struct ts_tables *tables, const char *name, struct ts_str *out)
+static void add_word(const struct ts_tables *tables, const char *name, struct ts_str *out)
 {
 	enum ts_kind kind;
 
-	find_pages(tables, name, NULL, out);
+	add_pages(tables, name, NULL, out);
 	if (ts_kind_find(name, &kind)) {
 		ts_str_add(out, out->length ? "\n\n" : "");
 		ts_help_list(tables, kind, false, out);
 		ts_str_addf(out, "\n'tsim -help %s NAME' shows the page of one of them\n", name);
 	}
-	find_words(tables, name, out);
+	add_other_entries(tables, name, out);
 	if (!out->length)
-		find_similar(tables, name, out);
+		add_similar(tables, name, out);
 }
 
 bool ts_manual_find(const struct ts_tables *tables, const char *words, struct ts_str *out)
@@ -150,11 +151,11 @@ bool ts_manual_find(const struct ts_tables *tables, const char *words, struct ts
 	style = blank && find_kind(ts_str_text(&first), &kind) && !strchr(blank + 1, ' ');
 	ts_str_release(&first);
 	if (style)
-		return find_style(tables, blank + 1, kind, out);
+		return add_style_page(tables, blank + 1, kind, out);
 	if (!blank)
-		find_word(tables, words, out);
+		add_word(tables, words, out);
 	if (out->length || ts_manual_search(tables, words, out))
 		return true;
-	suggest(tables, words, NULL, out);
+	add_suggestion(tables, words, NULL, out);
 	return false;
 }

@@ -7,13 +7,13 @@
 #include "base/str.h"
 #include "core/tables.h"
 
-/* Whatever goes by the name: topic, kind, style, function, keyword ...; "KIND NAME" is one style, the kind
- * also as scripts say it ("pair_style gran"); else pages in whose text the words stand. false: there is
- * nothing, and out says so. */
+/* Appends everything with this name: topic, kind, style, function, keyword ...; for "KIND NAME" the page of
+ * that style, where the kind may also be written as in scripts ("pair_style gran"); otherwise the list of
+ * pages that contain the words. Returns false and appends a message if nothing is found. */
 bool ts_manual_find(const struct ts_tables *tables, const char *words, struct ts_str *out);
-/* Pages on which the words stand, in whatever case; false: there are none, or no memory. */
+/* Appends the list of pages that contain the words, ignoring case; false if there are none, or no memory. */
 bool ts_manual_search(const struct ts_tables *tables, const char *words, struct ts_str *out);
-/* The page that lists all others. */
+/* Appends the index of all pages. */
 void ts_manual_index(const struct ts_tables *tables, struct ts_str *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* Finds pages of the manual by words of their text. */
+/* Full-text search in the pages of the manual. */
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,10 +16,10 @@ struct hit {
 	const struct ts_style *style; /* NULL: a topic */
 	const struct ts_topic *topic;
 	size_t count;
-	char line[WIDTH + 1]; /* where it stands first */
+	char line[WIDTH + 1]; /* the first line that contains it */
 };
 
-static void lower(struct ts_str *text)
+static void make_lower_case(struct ts_str *text)
 {
 	for (size_t k = 0; k < text->length; k++)
 		text->text[k] = (char)tolower((unsigned char)text->text[k]);
@@ -34,8 +34,7 @@ static size_t count_of(const char *text, const char *word)
 	return n;
 }
 
-/* How often the words stand there one after the other or, where they do not, the one of them that is
- * rarest. */
+/* Number of occurrences of the whole phrase or, if there are none, of the rarest of its words. */
 static size_t occurrences(const char *text, const char *words)
 {
 	size_t least = count_of(text, words);
@@ -57,8 +56,8 @@ static size_t occurrences(const char *text, const char *words)
 	return least;
 }
 
-/* The line around the first of the words, of the page as it is printed. */
-static void quote(const char *page, const char *small, const char *words, char line[WIDTH + 1])
+/* Copies the line of the page with the first occurrence. */
+static void copy_line(const char *page, const char *small, const char *words, char line[WIDTH + 1])
 {
 	size_t first = strcspn(words, " ");
 	struct ts_str word = { 0 };
@@ -77,9 +76,9 @@ static void quote(const char *page, const char *small, const char *words, char l
 	snprintf(line, WIDTH + 1, "%.*s", (int)(n < WIDTH ? n : WIDTH), page + begin);
 }
 
-/* Appends the page if the words stand there. */
-static void look(const struct ts_tables *tables, struct hit hit, const char *words, struct ts_str *page,
-		 struct ts_str *small, struct hit *hits, size_t *n)
+/* Appends the page to the hits if it contains the words. */
+static void search_page(const struct ts_tables *tables, struct hit hit, const char *words,
+			struct ts_str *page, struct ts_str *small, struct hit *hits, size_t *n)
 {
 	ts_str_clear(page);
 	ts_str_clear(small);
@@ -90,15 +89,15 @@ static void look(const struct ts_tables *tables, struct hit hit, const char *wor
 	ts_str_add(small, ts_str_text(page));
 	if (page->failed || small->failed || !small->length)
 		return;
-	lower(small);
+	make_lower_case(small);
 	hit.count = occurrences(ts_str_text(small), words);
 	if (!hit.count)
 		return;
-	quote(ts_str_text(page), ts_str_text(small), words, hit.line);
+	copy_line(ts_str_text(page), ts_str_text(small), words, hit.line);
 	hits[(*n)++] = hit;
 }
 
-static int by_count(const void *a, const void *b)
+static int compare_hits(const void *a, const void *b)
 {
 	const struct hit *p = a, *q = b;
 
@@ -110,7 +109,7 @@ static int by_count(const void *a, const void *b)
 						: strcmp(p->style->name, q->style->name);
 }
 
-static void list(const struct hit *hits, size_t n, const char *words, struct ts_str *out)
+static void add_hits(const struct hit *hits, size_t n, const char *words, struct ts_str *out)
 {
 	ts_str_addf(out, "'%s' stands on %zu page%s of the manual:\n\n", words, n, n == 1 ? "" : "s");
 	for (size_t k = 0; k < n && k < SHOWN; k++)
@@ -138,14 +137,16 @@ bool ts_manual_search(const struct ts_tables *tables, const char *words, struct 
 		ts_free(hits);
 		return false;
 	}
-	lower(&wanted);
+	make_lower_case(&wanted);
 	for (const struct ts_topic *t = ts_topics; t->name; t++)
-		look(tables, (struct hit){ .topic = t }, ts_str_text(&wanted), &page, &small, hits, &n);
+		search_page(tables, (struct hit){ .topic = t }, ts_str_text(&wanted), &page, &small, hits,
+			    &n);
 	for (const struct ts_style *const *s = tables->styles; *s; s++)
-		look(tables, (struct hit){ .style = *s }, ts_str_text(&wanted), &page, &small, hits, &n);
-	qsort(hits, n, sizeof *hits, by_count);
+		search_page(tables, (struct hit){ .style = *s }, ts_str_text(&wanted), &page, &small, hits,
+			    &n);
+	qsort(hits, n, sizeof *hits, compare_hits);
 	if (n)
-		list(hits, n, words, out);
+		add_hits(hits, n, words, out);
 	ts_str_release(&page);
 	ts_str_release(&small);
 	ts_str_release(&wanted);

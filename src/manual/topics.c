@@ -22,7 +22,7 @@ void ts_topic_entry(const char *name, const char *arguments, const char *help, c
 	ts_str_release(&text);
 }
 
-static void title(const char *text, const char *summary, bool markdown, struct ts_str *out)
+static void add_title(const char *text, const char *summary, bool markdown, struct ts_str *out)
 {
 	ts_str_addf(out, markdown ? "# %s\n\n%s.\n" : "%s: %s\n", text, summary);
 }
@@ -33,7 +33,7 @@ static void functions(const struct ts_tables *tables, bool markdown, struct ts_s
 					      "Of lists of numbers (v_NAME, c_ID, f_ID)", "Of names" };
 	size_t group = 0;
 
-	title("Functions", "what formulas can call", markdown, out);
+	add_title("Functions", "what formulas can call", markdown, out);
 	for (const struct ts_expr_function *const *t = ts_expr_functions; *t; t++, group++) {
 		ts_help_heading(groups[group], markdown, out);
 		for (const struct ts_expr_function *f = *t; f->name; f++)
@@ -58,7 +58,7 @@ static void variables(const struct ts_tables *tables, bool markdown, struct ts_s
 	struct ts_str name = { 0 };
 
 	(void)tables;
-	title("Variables", "what the styles of variables stand for", markdown, out);
+	add_title("Variables", "what the styles of variables stand for", markdown, out);
 	ts_help_heading("Styles", markdown, out);
 	for (const struct ts_variable_style *const *v = ts_variable_styles; *v; v++) {
 		ts_str_clear(&name);
@@ -77,7 +77,8 @@ static void variables(const struct ts_tables *tables, bool markdown, struct ts_s
 
 static void keywords(const struct ts_tables *tables, bool markdown, struct ts_str *out)
 {
-	title("Keywords", "numbers of the whole simulation, for thermo_style and formulas", markdown, out);
+	add_title("Keywords", "numbers of the whole simulation, for thermo_style and formulas", markdown,
+		  out);
 	for (const struct ts_system_style *const *s = tables->systems; *s; s++) {
 		if (!(*s)->keywords)
 			continue;
@@ -91,9 +92,9 @@ static void quantities(const struct ts_tables *tables, bool markdown, struct ts_
 {
 	const struct ts_quantity *q;
 
-	title("Quantities",
-	      "numbers of each particle, for dumps, atom-style variables and compute property/atom", markdown,
-	      out);
+	add_title("Quantities",
+		  "numbers of each particle, for dumps, atom-style variables and compute property/atom",
+		  markdown, out);
 	ts_str_add(out, "\n");
 	for (const struct ts_system_style *const *s = tables->systems; *s; s++)
 		for (size_t k = 0; (*s)->quantity_text && (q = (*s)->quantity_text(k)); k++)

@@ -1,5 +1,5 @@
-/* The program around the library: its command line, and the pages that it prints. Functions return an exit
- * status; only main.c ends the program. */
+/* The command line of the program, and the pages that it prints. Functions return an exit status; only main.c
+ * ends the program. */
 #ifndef TS_PROGRAM_PROGRAM_H
 #define TS_PROGRAM_PROGRAM_H
 
@@ -14,24 +14,26 @@ struct ts_word_list {
 	size_t n;
 };
 
-/* What the command line says. */
+/* The options of the command line. */
 struct ts_setup {
 	const char *input, *log, *screen, *doc, *grammar;
 	bool help, version, log_given, check, explain, advised, programs, sandboxed;
 	const char *help_kind, *help_style;
-	FILE *screen_file; /* of -screen, to be closed */
-	/* the last two: for the programs that it runs */
+	FILE *screen_file; /* of -screen; the caller closes it */
+	/* arguments of options; variables and own: -var, -threads and -shell, for programs that -crosscheck
+	 * and -advise run */
 	struct ts_word_list crosscheck, advise, sandbox, variables, own;
 };
 
-/* Reads the options into the setup and, those that are settings of it, into the simulation. */
+/* Reads the options into the setup and, if they are settings of the simulation, into sim. */
 int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char **argv);
-/* A line for each option. */
+/* Prints a line for each option. */
 void ts_program_list_options(void);
-/* To standard error, with a hint. `format` has two %s. */
+/* Prints an error and a hint to standard error; returns TS_EXIT_USAGE. `format` has two %s. */
 int ts_program_usage_error(const char *format, const char *what, const char *more);
 
-/* -sandbox: closes the door for good; what is kept, and by whom, is said in the text. */
+/* -sandbox: restricts access to files irrevocably; appends to `said` what is restricted, and by which
+ * means. */
 int ts_program_sandbox(struct tsim *sim, const struct ts_setup *setup, struct ts_str *said);
 void ts_program_sandbox_help(struct ts_str *out);
 

@@ -36,15 +36,15 @@ enum option_id {
 
 static const struct {
 	const char *name, *values, *help;
-	int least; /* number of values it must have */
+	int least; /* smallest number of values */
 } options[NOPTIONS] = {
 	[OPT_IN] = { "in", "FILE", "script to run; without it standard input is read", 1 },
 	[OPT_VAR] = { "var", "NAME VALUE ...", "set an index variable of the script", 2 },
 	[OPT_LOG] = { "log", "FILE|none", "log file (log.tsim)", 1 },
-	[OPT_SCREEN] = { "screen", "FILE|none", "write there what else goes to the screen", 1 },
-	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are shown (log)", 1 },
+	[OPT_SCREEN] = { "screen", "FILE|none", "file for the screen output", 1 },
+	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are echoed (log)", 1 },
 	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
-	[OPT_LEGACY] = { "legacy", "", "the numbers of LIGGGHTS where they differ, see -help legacy", 0 },
+	[OPT_LEGACY] = { "legacy", "", "results of LIGGGHTS where they differ, see -help legacy", 0 },
 	[OPT_LIMIT] = { "input-limit", "GB",
 			"most that a compressed input may unfold to, a frame of a dump; a line: a thousandth "
 			"(4)",
@@ -54,16 +54,16 @@ static const struct {
 			"anywhere (no)",
 			1 },
 	[OPT_SANDBOX] = { "sandbox", "[WORDS]",
-			  "for scripts of somebody else: files of their folder only, limits", 0 },
-	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
-	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "where an interrupted run saves its state", 1 },
+			  "run an untrusted script: files of its folder only, with limits", 0 },
+	[OPT_CHECK] = { "check", "", "run nothing: print all errors and what the script would do", 0 },
+	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "restart file of an interrupted run", 1 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
 	[OPT_FULL] = { "full", "[PART ...]",
-		       "do also what -explain says is left out: slower, the same results", 0 },
-	[OPT_ADVISE] = { "advise", "[SECONDS] [WORDS]",
-			 "try settings on the scene: what each costs and changes", 0 },
+		       "no optimizations that -explain lists as left out: slower, same results", 0 },
+	[OPT_ADVISE] = { "advise", "[SECONDS] [WORDS]", "measure cost and effect of settings on the script",
+			 0 },
 	[OPT_CROSSCHECK] = { "crosscheck", "PROGRAM [WORDS]",
-			     "run the script with liggghts or lammps too and compare all outputs", 1 },
+			     "run the script also with liggghts or lammps and compare all outputs", 1 },
 	[OPT_HELP] = { "help", "[KIND] [NAME]", "manual page, e.g. -help fix gravity, -help ave/time", 0 },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
 	[OPT_GRAMMAR] = { "grammar", "vim|vscode", "print the grammar file for that editor", 1 },
@@ -119,7 +119,7 @@ static int set_threads(struct tsim *sim, const char *text)
 	return 0;
 }
 
-static int set_limit(const char *text)
+static int set_input_limit(const char *text)
 {
 	double value;
 
@@ -133,7 +133,7 @@ static int set_limit(const char *text)
 	return 0;
 }
 
-/* No parts: all. */
+/* Without parts: all. */
 static int set_full(struct tsim *sim, char *const *value, int n)
 {
 	static const char *const parts[] = { "columns", "rows",	 "history", "rebuilds",
@@ -184,12 +184,12 @@ static int add_words(struct ts_word_list *list, const char *option, char *const 
 	return 0;
 }
 
-static int usage(bool wrong)
+static int usage_status(bool wrong)
 {
 	return wrong ? TS_EXIT_USAGE : 0;
 }
 
-/* Options that ask for a page. */
+/* Options that print a page. */
 static void apply_page(struct ts_setup *setup, enum option_id id, char *const *value, int n)
 {
 	if (id == OPT_HELP) {
@@ -205,14 +205,16 @@ static void apply_page(struct ts_setup *setup, enum option_id id, char *const *v
 	}
 }
 
-static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, char *const *value, int n)
+static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id id, char *const *value,
+			int n)
 {
 	switch (id) {
 	case OPT_IN:
 		setup->input = value[0];
 		break;
 	case OPT_VAR:
-		return usage(add_words(&setup->variables, "-var", value, n) || set_variable(sim, value, n));
+		return usage_status(add_words(&setup->variables, "-var", value, n) ||
+				    set_variable(sim, value, n));
 	case OPT_LOG:
 		setup->log = value[0];
 		setup->log_given = true;
@@ -223,7 +225,8 @@ static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, ch
 	case OPT_ECHO:
 		return set_echo(sim, value[0]);
 	case OPT_THREADS:
-		return usage(add_words(&setup->own, "-threads", value, n) || set_threads(sim, value[0]));
+		return usage_status(add_words(&setup->own, "-threads", value, n) ||
+				    set_threads(sim, value[0]));
 	case OPT_LEGACY:
 		sim->legacy = true;
 		break;
@@ -234,10 +237,10 @@ static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, ch
 		setup->sandboxed = true;
 		return add_words(&setup->sandbox, NULL, value, n);
 	case OPT_LIMIT:
-		return set_limit(value[0]);
+		return set_input_limit(value[0]);
 	case OPT_SHELL:
 		setup->programs = ts_streq(value[0], "yes");
-		return usage(add_words(&setup->own, "-shell", value, n) || set_shell(sim, value[0]));
+		return usage_status(add_words(&setup->own, "-shell", value, n) || set_shell(sim, value[0]));
 	case OPT_EXPLAIN:
 		sim->reading.explain = setup->explain = true;
 		break;
@@ -307,7 +310,7 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 		if (n < options[id].least)
 			return ts_program_usage_error("option -%s needs %s", options[id].name,
 						      options[id].values);
-		status = apply(sim, setup, (enum option_id)id, argv + k, n);
+		status = apply_option(sim, setup, (enum option_id)id, argv + k, n);
 		if (status)
 			return status;
 		k += n;

@@ -1,4 +1,4 @@
-/* -sandbox: scripts of somebody else. What they may do, and who keeps it so. */
+/* -sandbox: restrictions for untrusted scripts. */
 #include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -18,10 +18,10 @@ struct options {
 
 static const struct ts_arg rows[] = {
 	TS_REAL("memory", struct options, memory, .fallback = "8", .range = TS_WITHIN, .lo = 0.1, .hi = 1e6,
-		.unit = "GB", .help = "address space of the program; what needs more is out of memory"),
+		.unit = "GB", .help = "address space of the program; beyond it memory cannot be allocated"),
 	TS_REAL("time", struct options, time, .fallback = "86400", .range = TS_WITHIN, .lo = 1, .hi = 1e9,
 		.unit = "s",
-		.help = "processor time of all threads together; then the state is saved and the run ends"),
+		.help = "processor time of all threads; after it the state is saved and the run ends"),
 	TS_REAL("disk", struct options, disk, .fallback = "10", .range = TS_WITHIN, .lo = 1e-6, .hi = 1e6,
 		.unit = "GB",
 		.help = "bytes that are written in all, what is written over or removed later included; a "
@@ -32,8 +32,8 @@ static const struct ts_arg rows[] = {
 	TS_ARGS_END,
 };
 
-/* What would be a way out. */
-static int refuse_others(const struct ts_setup *setup)
+/* Refuses options that would evade the restrictions. */
+static int refuse_conflicts(const struct ts_setup *setup)
 {
 	const char *other = setup->programs	  ? "-shell yes"
 			    : setup->crosscheck.n ? "-crosscheck"
@@ -50,7 +50,7 @@ static int admit_failed(const char *folder)
 	return ts_program_usage_error("-sandbox: cannot open the folder '%s': %s", folder, strerror(errno));
 }
 
-/* The folder that the script is in, links resolved. */
+/* Permits reading below the folder of the script, with links resolved. */
 static int admit_script(struct ts_files *files, const char *input)
 {
 	char path[PATH_MAX], *slash;
@@ -79,8 +79,8 @@ static int admit_all(struct ts_files *files, const char *input)
 	return status;
 }
 
-/* These stay: what they say is known to be let through. */
-static int empty_environment(void)
+/* Clears the environment but for these variables, whose values are permitted. */
+static int clear_environment(void)
 {
 	static const char *const names[] = { "TSIM_POTENTIALS", TS_INPUT_LIMIT };
 	char kept[2][PATH_MAX] = { "", "" };
@@ -101,8 +101,8 @@ static int empty_environment(void)
 	return 0;
 }
 
-static void tell(const struct ts_files *files, const struct options *o, int paths, bool calls,
-		 struct ts_str *out)
+static void report_limits(const struct ts_files *files, const struct options *o, int paths, bool calls,
+			  struct ts_str *out)
 {
 	ts_str_add(out, "sandbox: reads below");
 	for (int k = 0; k < files->n; k++)
@@ -124,15 +124,15 @@ static void tell(const struct ts_files *files, const struct options *o, int path
 		    calls ? "the kernel (seccomp) and by tsim" : "tsim alone");
 }
 
-static int close_door(struct tsim *sim, const struct ts_setup *setup, const struct options *o,
-		      struct ts_str *said)
+static int restrict_process(struct tsim *sim, const struct ts_setup *setup, const struct options *o,
+			    struct ts_str *said)
 {
 	const struct ts_sandbox_limits limits = { 1e9 * o->memory, o->time, 1e9 * o->disk };
 	int status = admit_all(&sim->files, setup->input), paths;
 	bool calls;
 
 	if (!status)
-		status = empty_environment();
+		status = clear_environment();
 	if (status)
 		return status;
 	ts_files_close(&sim->files, (int64_t)(1e9 * o->disk));
@@ -140,7 +140,7 @@ static int close_door(struct tsim *sim, const struct ts_setup *setup, const stru
 		return ts_program_usage_error("-sandbox: cannot set the limits: %s%s", strerror(errno), "");
 	paths = o->kernel ? ts_sandbox_paths(&sim->files) : 0;
 	calls = o->kernel && ts_sandbox_calls(setup->explain);
-	tell(&sim->files, o, paths, calls, said);
+	report_limits(&sim->files, o, paths, calls, said);
 	return 0;
 }
 
@@ -150,7 +150,7 @@ int ts_program_sandbox(struct tsim *sim, const struct ts_setup *setup, struct ts
 	struct ts_place where = { .file = "-sandbox" };
 	struct ts_arena arena = { 0 };
 	struct options o = { 0 };
-	int status = refuse_others(setup);
+	int status = refuse_conflicts(setup);
 
 	if (!status && ts_args_parse(sim, "-sandbox", rows, words, &where, &arena, &o) != TS_OK) {
 		fputs(sim->error.message, stderr);
@@ -159,7 +159,7 @@ int ts_program_sandbox(struct tsim *sim, const struct ts_setup *setup, struct ts
 		status = TS_EXIT_USAGE;
 	}
 	if (!status)
-		status = close_door(sim, setup, &o, said);
+		status = restrict_process(sim, setup, &o, said);
 	ts_arena_release(&arena);
 	return status;
 }
