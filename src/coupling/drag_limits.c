@@ -99,8 +99,8 @@ static enum ts_status limit_lagged(struct ts_instance *self, struct tsim *sim, d
 	if (s->scheme == TS_DRAG_EXPLICIT)
 		rate += 1 / relaxation;
 	return ts_report_limit(report, rate > 0 ? 2 / rate : INFINITY, false, &self->where,
-			       "what lagged fix %s gives to the fluid, 2 e rho/k (lagged no has no such "
-			       "limit)",
+			       "the force of fix %s with `lagged yes` on the fluid, 2 e rho/k (lagged no has "
+			       "no such limit)",
 			       self->style->name);
 }
 

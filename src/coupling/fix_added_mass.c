@@ -133,8 +133,8 @@ static enum ts_status check_particles(struct ts_instance *self, struct tsim *sim
 		if (ts_in_group(p, i, self->group) && ts_rigid_member(p, i))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix added_mass: particle %lld belongs to a rigid body, which does "
-				       "not move as "
-				       "the force on one of its spheres says: give a group without bodies",
+				       "not follow the force on one of its spheres: use a group without "
+				       "bodies",
 				       (long long)p->tag[i]);
 	return TS_OK;
 }

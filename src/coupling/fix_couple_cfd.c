@@ -20,7 +20,7 @@ enum { MOST = 3 };
 
 struct partner {
 	int64_t every;
-	bool mpi, told;
+	bool mpi, warned;
 	const char *file;
 };
 
@@ -31,19 +31,19 @@ static enum ts_status init_couple_cfd(struct ts_instance *self, struct tsim *sim
 	if (!s->file)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "file"),
-		       "fix couple/cfd: exchange through files is not built; say `mpi`, and let a program of "
-		       "the library (doc/library.md) read and write the numbers");
+		       "fix couple/cfd: exchange through files is not supported; use `mpi`, and let a "
+		       "program with the library (doc/library.md) read and write the values");
 }
 
 static enum ts_status warn_without_program(struct ts_instance *self, struct tsim *sim)
 {
 	struct partner *s = self->state;
 
-	if (!sim->run.in_pieces && !sim->outside && !s->told)
+	if (!sim->run.in_pieces && !sim->outside && !s->warned)
 		ts_warn(&sim->log, &self->where,
 			"fix couple/cfd: no program is coupled: dragforce, Ksl, uf and convectiveHeatFlux "
-			"stay what the script makes them, 0 else");
-	s->told = true;
+			"have the values of the script, otherwise 0");
+	s->warned = true;
 	return TS_OK;
 }
 

@@ -23,7 +23,7 @@ struct state {
 	struct ts_fluid *fluid;
 	struct ts_cell_order order;
 	bool warned;
-	bool told;		     /* warned that the cells do not resolve the kernel */
+	bool warned_kernel;	     /* warned that the cells do not resolve the kernel */
 	double found;		     /* smallest value of a cell, before the lower limit */
 	double (*last_particles)[4]; /* positions and radii from which the field was computed; owned */
 	size_t nlast, last_capacity;
@@ -102,14 +102,14 @@ static void check_kernel(struct ts_instance *self, struct tsim *sim, double diam
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int i = 0; i < grid->n[d] && grid->n[d] > 1; i++)
 			most = fmax(most, grid->width[d][i]);
-	if (s->told || s->method != TS_VOLUME_KERNEL || !(diameter > 0) || !(most > 1.000001 * fits))
+	if (s->warned_kernel || s->method != TS_VOLUME_KERNEL || !(diameter > 0) || !(most > 1.000001 * fits))
 		return;
-	s->told = true;
+	s->warned_kernel = true;
 	ts_warn(&sim->log, &self->where,
 		"fix void_fraction: cells are up to %.4g wide, %.3g diameters of the largest particle, and "
 		"do not resolve the kernel, which reaches %.4g to either side: the void fraction is the mean "
-		"over cells, as with method divided; use cells of at most %.4g, or method divided (not said "
-		"again)",
+		"over cells, as with method divided; use cells of at most %.4g, or method divided (printed "
+		"once)",
 		most, most / diameter, s->reach * diameter, fits);
 }
 
@@ -126,8 +126,8 @@ static enum ts_status check_reach(struct ts_instance *self, struct tsim *sim, in
 	if (2 * *reach + 1 <= TS_VOLUME_MAX_CELLS)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
-		       "fix void_fraction: a particle of radius %g counts for more than %d cells across: the "
-		       "grid is too fine for drag that is not resolved",
+		       "fix void_fraction: a particle of radius %g covers more than %d cells across: the "
+		       "grid is too fine for unresolved drag",
 		       largest, TS_VOLUME_MAX_CELLS);
 }
 
@@ -156,7 +156,7 @@ static void limit_void_fraction(struct ts_instance *self, struct tsim *sim)
 	if (cells && !s->warned) {
 		ts_warn(&sim->log, &self->where,
 			"fix void_fraction: %lld cells have a void fraction down to %g, below `least` %g, "
-			"which is used instead (not said again)",
+			"which is used instead (printed once)",
 			(long long)cells, least, s->least);
 		s->warned = true;
 	}
@@ -233,8 +233,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 	if (!fluid || !fluid->void_fraction)
 		return ts_fail(&s->sim->error, TS_STATE, &self->where,
-			       "fix void_fraction: the fluid is another one now, which has no void fraction "
-			       "before a run");
+			       "fix void_fraction: the flow style has been replaced, and there is no void "
+			       "fraction before the next run");
 	grid = &fluid->grid;
 	for (int k = 0; k < grid->n[2]; k++)
 		for (int j = 0; j < grid->n[1]; j++)

@@ -39,11 +39,11 @@ static enum ts_status set_face_type(struct ts_projection *p, struct tsim *sim, i
 	const struct ts_flow_condition *condition = &p->condition[d][side];
 	bool flat = d >= fluid->grid.dimensions;
 
-	fluid->face[d][side] = condition->said		 ? condition->kind
+	fluid->face[d][side] = condition->given		 ? condition->kind
 			       : fluid->grid.periodic[d] ? TS_FLOW_PERIODIC
 			       : flat			 ? TS_FLOW_SLIP
 							 : TS_FLOW_WALL;
-	if (condition->said && fluid->grid.periodic[d])
+	if (condition->given && fluid->grid.periodic[d])
 		return refuse_condition(sim, condition, d, side,
 					"the box is periodic there; choose other faces with the boundary "
 					"command");
@@ -262,7 +262,7 @@ static const struct ts_place *place_of_flow(const struct ts_instance *self, doub
 			double part = face_outflow(&p->fluid, d, (enum ts_grid_side)side, &size) *
 				      (net < 0 ? -1 : 1);
 
-			if (p->condition[d][side].said && part > most) {
+			if (p->condition[d][side].given && part > most) {
 				most = part;
 				place = &p->condition[d][side].where;
 			}

@@ -12,8 +12,8 @@ enum ts_flow_depth { TS_FLOW_PRESSURE_UNSAID, TS_FLOW_EVEN, TS_FLOW_HYDROSTATIC 
 /* Arguments of flow_boundary for one face. Strings belong to the instance. */
 struct ts_flow_condition {
 	enum ts_flow_face kind;
-	bool said; /* a flow_boundary command has set this face; else the default applies */
-	bool once; /* velocities are evaluated at the beginning of a run, not in each step */
+	bool given; /* a flow_boundary command has set this face; else the default applies */
+	bool once;  /* velocities are evaluated at the beginning of a run, not in each step */
 	struct ts_number velocity[3];
 	struct ts_number pressure;
 	enum ts_flow_depth hydrostatic;

@@ -61,7 +61,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 {
 	const struct state *s = state;
 	struct ts_flow_condition condition = {
-		.kind = face_type(s), .said = true, .once = s->update == ONCE, .where = *where
+		.kind = face_type(s), .given = true, .once = s->update == ONCE, .where = *where
 	};
 	const enum ts_flow_depth depth[] = { TS_FLOW_PRESSURE_UNSAID, TS_FLOW_EVEN, TS_FLOW_HYDROSTATIC };
 	struct ts_projection *projection;

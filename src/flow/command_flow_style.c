@@ -10,7 +10,7 @@ struct style_line {
 static const struct ts_flow_condition *first_condition(const struct ts_projection *p)
 {
 	for (int face = 0; face < 6; face++)
-		if (p->condition[face / 2][face % 2].said)
+		if (p->condition[face / 2][face % 2].given)
 			return &p->condition[face / 2][face % 2];
 	return NULL;
 }

@@ -42,8 +42,8 @@ static enum ts_status check_viscous(struct ts_instance *self, struct tsim *sim)
 			       viscous, ts_flow_time_names[p->time]);
 	if (!(p->viscosity > 0))
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "flow_style projection: viscous %s has no viscosity to work on: it is 0; use "
-			       "viscous explicit, which then has no limit of its own",
+			       "flow_style projection: viscous %s needs a viscosity above 0; use viscous "
+			       "explicit, which has no stability limit without viscosity",
 			       viscous);
 	p->theta = p->viscous == TS_VISCOUS_BACKWARD ? 1 : 0.5;
 	p->fluid.incremental = true;
@@ -271,8 +271,8 @@ static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, st
 	TS_TRY(ts_projection_check_pressure(self, sim));
 	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.void_fraction)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, viscous_names[p->viscous]),
-			       "flow_style projection: viscous %s does not know the room between particles "
-			       "(fix void_fraction): use viscous explicit, with substeps auto if it limits "
+			       "flow_style projection: viscous %s cannot be used with a void fraction (fix "
+			       "void_fraction): use viscous explicit, with substeps auto if it limits "
 			       "the step",
 			       viscous_names[p->viscous]);
 	warn_of_walls(self, sim);
@@ -283,11 +283,11 @@ static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, st
 	report->bytes += 8 * fields * (double)grid->size;
 	if (!p->fluid.void_fraction)
 		ts_report_left_out(report, "void fraction", 0, 8 * VOID_FIELDS * (double)grid->size,
-				   "no fix says that particles take room from the fluid");
+				   "there is no fix void_fraction");
 	if (!p->substeps)
 		ts_report_line(report, "fluid's steps",
-			       "as its limits want, %g of the stable one, which is %g", p->courant,
-			       ts_flow_limit(p));
+			       "as its stability limits require: %g of the stable step, which is %g",
+			       p->courant, ts_flow_limit(p));
 	return TS_OK;
 }
 
@@ -312,8 +312,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 			       "the fluid's Courant number, %g h/u, or use substeps auto", scheme->courant));
 	ts_report_watched(report, before);
 	return ts_report_limit(report, limits.growth / steps, false, &self->where,
-			       "slow growth where convection moves waves that viscosity does not damp (time "
-			       "%s)",
+			       "slow growth of convected waves that viscosity does not damp (time %s)",
 			       scheme->name);
 }
 

@@ -26,8 +26,7 @@ enum ts_status ts_flow_scalar_field(struct tsim *sim, const char *what, const st
 	TS_TRY(ts_sim_require(sim, TS_KIND_FIX, &id, &fix));
 	if (!transports_scalar(fix))
 		return ts_fail(&sim->error, TS_STATE, &word->place,
-			       "%s: fix %s (style %s) carries no scalar with the fluid", what, fix->id,
-			       fix->style->name);
+			       "%s: fix %s (style %s) transports no scalar", what, fix->id, fix->style->name);
 	*out = ((const struct ts_flow_part *)fix->state)->scalar(fix);
 	return TS_OK;
 }

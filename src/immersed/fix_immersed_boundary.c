@@ -47,7 +47,7 @@ struct state {
 	struct ts_solid_prescribed prescribed;
 	struct ts_solid_pose stand; /* saved */
 	struct ts_immersed immersed;
-	bool placed, told;
+	bool placed, warned;
 	bool stepped; /* its points have been found in a step of this run */
 	/* time of the last search for points; cells moved since the last search for closed regions */
 	double seen_at, drift;
@@ -117,8 +117,8 @@ static enum ts_status make_region(struct ts_instance *self, struct tsim *sim, in
 
 	if (isnan(ts_region_depth(s->region, somewhere)))
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->region->id),
-			       "fix immersed/boundary: how far a place is from the surface is not known for "
-			       "a region of style %s; take block, cone, cylinder, plane, prism, sphere, "
+			       "fix immersed/boundary: the distance from the surface is not available for a "
+			       "region of style %s; use block, cone, cylinder, plane, prism, sphere, "
 			       "wedge, or a union or intersect of these, or a mesh",
 			       s->region->style->name);
 	s->solid = ts_solid_of_region(s->region, dimensions, &s->prescribed, &s->stand);
@@ -219,7 +219,7 @@ static void warn_unresolved(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	if (s->told || s->solid->parts == 0)
+	if (s->warned || s->solid->parts == 0)
 		return;
 	if (s->immersed.inside == 0)
 		ts_warn(&sim->log, &self->where,
@@ -228,9 +228,9 @@ static void warn_unresolved(struct ts_instance *self, struct tsim *sim)
 	else if (s->immersed.thickness < 2)
 		ts_warn(&sim->log, &self->where,
 			"fix immersed/boundary: the body is nowhere thicker than %.3g cells; the fluid leaks "
-			"through it, take 2 at least",
+			"through it; use at least 2",
 			s->immersed.thickness);
-	s->told = true;
+	s->warned = true;
 }
 
 /* Whether the velocity of the body is not known yet: that of a moving region or mesh follows from a step. */

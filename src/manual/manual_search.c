@@ -111,13 +111,13 @@ static int compare_hits(const void *a, const void *b)
 
 static void add_hits(const struct hit *hits, size_t n, const char *words, struct ts_str *out)
 {
-	ts_str_addf(out, "'%s' stands on %zu page%s of the manual:\n\n", words, n, n == 1 ? "" : "s");
+	ts_str_addf(out, "'%s' is found on %zu page%s of the manual:\n\n", words, n, n == 1 ? "" : "s");
 	for (size_t k = 0; k < n && k < SHOWN; k++)
 		ts_str_addf(out, "  tsim -help %s%s%s\n      %s\n",
 			    hits[k].style ? ts_kind_name(hits[k].style->kind) : "", hits[k].style ? " " : "",
 			    hits[k].style ? hits[k].style->name : hits[k].topic->name, hits[k].line);
 	if (n > SHOWN)
-		ts_str_addf(out, "\nand %zu that have it less often\n", n - SHOWN);
+		ts_str_addf(out, "\nand %zu further pages with fewer occurrences\n", n - SHOWN);
 }
 
 bool ts_manual_search(const struct ts_tables *tables, const char *words, struct ts_str *out)

@@ -29,25 +29,27 @@ static void add_title(const char *text, const char *summary, bool markdown, stru
 
 static void functions(const struct ts_tables *tables, bool markdown, struct ts_str *out)
 {
-	static const char *const groups[] = { "Of numbers", "Of the step",
-					      "Of lists of numbers (v_NAME, c_ID, f_ID)", "Of names" };
+	static const char *const groups[] = { "Functions of numbers", "Functions of the time step",
+					      "Functions of lists of numbers (v_NAME, c_ID, f_ID)",
+					      "Functions of names" };
 	size_t group = 0;
 
-	add_title("Functions", "what formulas can call", markdown, out);
+	add_title("Functions", "functions, operators and constants of formulas", markdown, out);
 	for (const struct ts_expr_function *const *t = ts_expr_functions; *t; t++, group++) {
 		ts_help_heading(groups[group], markdown, out);
 		for (const struct ts_expr_function *f = *t; f->name; f++)
 			ts_topic_entry(f->name, f->arguments, f->help, NULL, markdown, out);
 	}
-	ts_help_heading("Of groups and regions", markdown, out);
+	ts_help_heading("Functions of groups and regions", markdown, out);
 	for (const struct ts_system_style *const *s = tables->systems; *s; s++)
 		for (const struct ts_function *f = (*s)->functions; f && f->name; f++)
 			ts_topic_entry(f->name, f->arguments, f->help, NULL, markdown, out);
-	ts_help_heading("Operators, those that bind least first", markdown, out);
+	ts_help_heading("Operators, in order of increasing precedence", markdown, out);
 	for (const struct ts_operator *o = ts_operators; o->text; o++)
 		ts_topic_entry(o->text, NULL, o->help, NULL, markdown, out);
-	ts_topic_entry("-x !x", NULL, "negative; 1 if 0. They bind before all others: -2^2 is 4", NULL,
-		       markdown, out);
+	ts_topic_entry("-x !x", NULL,
+		       "negation; logical not (1 if x is 0). They have the highest precedence: -2^2 is 4",
+		       NULL, markdown, out);
 	ts_help_heading("Constants", markdown, out);
 	for (const struct ts_constant *c = ts_constants; c->name; c++)
 		ts_topic_entry(c->name, NULL, c->help, NULL, markdown, out);
@@ -58,7 +60,7 @@ static void variables(const struct ts_tables *tables, bool markdown, struct ts_s
 	struct ts_str name = { 0 };
 
 	(void)tables;
-	add_title("Variables", "what the styles of variables stand for", markdown, out);
+	add_title("Variables", "styles of variables and their use", markdown, out);
 	ts_help_heading("Styles", markdown, out);
 	for (const struct ts_variable_style *const *v = ts_variable_styles; *v; v++) {
 		ts_str_clear(&name);
@@ -68,17 +70,19 @@ static void variables(const struct ts_tables *tables, bool markdown, struct ts_s
 	out->failed |= name.failed;
 	ts_str_release(&name);
 	ts_help_heading("Use", markdown, out);
-	ts_topic_entry("${name} $x", NULL, "puts the value into the line before it is run", NULL, markdown,
+	ts_topic_entry("${name} $x", NULL,
+		       "replaced by the value of the variable before the line is executed", NULL, markdown,
 		       out);
-	ts_topic_entry("$(formula)", NULL, "the value of a formula; $(formula:%.3f) with that format", NULL,
+	ts_topic_entry("$(formula)", NULL,
+		       "replaced by the value of the formula; $(formula:%.3f) in that format", NULL, markdown,
+		       out);
+	ts_topic_entry("v_name", NULL, "the value of the variable in a formula or as an argument", NULL,
 		       markdown, out);
-	ts_topic_entry("v_name", NULL, "the value inside a formula or as an argument", NULL, markdown, out);
 }
 
 static void keywords(const struct ts_tables *tables, bool markdown, struct ts_str *out)
 {
-	add_title("Keywords", "numbers of the whole simulation, for thermo_style and formulas", markdown,
-		  out);
+	add_title("Keywords", "global values, for thermo_style and formulas", markdown, out);
 	for (const struct ts_system_style *const *s = tables->systems; *s; s++) {
 		if (!(*s)->keywords)
 			continue;
@@ -93,8 +97,8 @@ static void quantities(const struct ts_tables *tables, bool markdown, struct ts_
 	const struct ts_quantity *q;
 
 	add_title("Quantities",
-		  "numbers of each particle, for dumps, atom-style variables and compute property/atom",
-		  markdown, out);
+		  "per-particle values, for dumps, atom-style variables and compute property/atom", markdown,
+		  out);
 	ts_str_add(out, "\n");
 	for (const struct ts_system_style *const *s = tables->systems; *s; s++)
 		for (size_t k = 0; (*s)->quantity_text && (q = (*s)->quantity_text(k)); k++)
@@ -104,7 +108,7 @@ static void quantities(const struct ts_tables *tables, bool markdown, struct ts_
 const struct ts_topic ts_topics[] = {
 	{ "functions", "functions, operators and constants of formulas", functions },
 	{ "variables", "styles of variables and their use", variables },
-	{ "keywords", "numbers of the whole simulation", keywords },
-	{ "quantities", "numbers of each particle", quantities },
+	{ "keywords", "global values of the simulation", keywords },
+	{ "quantities", "per-particle values", quantities },
 	{ .name = NULL },
 };

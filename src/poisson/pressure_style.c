@@ -54,8 +54,7 @@ enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *s
 	largest = ts_stencil_largest(s, it->b);
 	if (!isfinite(largest))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-			       "the fluid's velocities are beyond what numbers can hold: a smaller time "
-			       "step may help");
+			       "the fluid's velocities are not finite: use a smaller time step");
 	*goal = it->tolerance * largest;
 	if (largest > 0)
 		ts_stencil_from_grid(s, it->problem->grid, p, false, it->p);
@@ -81,11 +80,11 @@ enum ts_status ts_iteration_end(struct ts_iteration *it, struct ts_instance *sel
 			       "right-hand side, not %g; give it more iterations, a larger tolerance, or "
 			       "choose another pressure_style",
 			       name, report->iterations, left, it->tolerance);
-	if (!it->told)
+	if (!it->warned)
 		ts_warn(&sim->log, &self->where,
 			"pressure_style %s: after %d iterations the residual is %.3g of the largest "
 			"right-hand side, not %g; later ones are not reported",
 			name, report->iterations, left, it->tolerance);
-	it->told = true;
+	it->warned = true;
 	return TS_OK;
 }

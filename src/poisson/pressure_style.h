@@ -15,7 +15,7 @@ struct ts_iteration {
 	double tolerance; /* largest residual by largest right-hand side */
 	int64_t most;	  /* largest number of iterations */
 	int unfinished;	  /* enum ts_iteration_unfinished */
-	bool told;	  /* the warning has been written */
+	bool warned;	  /* the warning has been written */
 	bool weighed;	  /* the links have been set; without weights that is done once */
 	bool changed;	  /* the last ts_iteration_begin has changed the links */
 	struct ts_stencil stencil;

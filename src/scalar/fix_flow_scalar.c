@@ -343,7 +343,8 @@ static enum ts_status find_grid(const struct ts_instance *self, const struct ts_
 	if (fluid && fluid->grid.size == s->size)
 		return TS_OK;
 	return ts_fail(&s->sim->error, TS_STATE, &self->where,
-		       "fix flow/scalar: the fluid is another one now, a run comes first");
+		       "fix flow/scalar: the flow style has been replaced, its scalar is not defined before "
+		       "the next run");
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -411,8 +412,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 	(void)sim;
 	ts_report_line(report, "scalar",
-		       "convection %s, diffusivity %g, at present stable up to %g (shorter steps "
-		       "are made by itself)",
+		       "convection %s, diffusivity %g, stable at present up to %g (divided into substeps "
+		       "automatically)",
 		       ts_scalar_schemes[s->scheme], s->transport.diffusivity,
 		       ts_transport_limit(&s->transport, s->fluid));
 	report->bytes += 4 * 8.0 * (double)s->size;

@@ -110,7 +110,7 @@ print 'is T \$(c_t) \$(300+2.5*100*1e-5/(10*v_m))'"
 rejects "${box/fix cfd/#}
 fix f all couple/cfd/force" 'needs a fix couple/cfd before it'
 rejects "$box
-fix cfd2 all couple/cfd couple_every 10 file data" 'exchange through files is not built'
+fix cfd2 all couple/cfd couple_every 10 file data" 'exchange through files is not supported'
 rejects "$box
 fix f all couple/cfd/force/implicit CrankNicolson 2" 'a number from 0 to 1'
 rejects "$box

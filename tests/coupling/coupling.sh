@@ -97,11 +97,11 @@ print 'is heat \$(f_T[1]/3000) 1'"
 rejects "$empty
 flow_style none
 flow_style projection cells 4 4 4 viscosity 1 density 1000
-print \"\$(f_e[1])\"" 'the fluid is another one now'
+print \"\$(f_e[1])\"" 'the flow style has been replaced'
 rejects "$empty
 flow_style none
 flow_style projection cells 4 4 4 viscosity 1 density 1000
-print \"\$(f_T[1])\"" 'the fluid is another one now'
+print \"\$(f_T[1])\"" 'the flow style has been replaced'
 # a fluid that has moved, or has got its faces, is not replaced without a word
 rejects "$empty
 flow_style projection cells 4 4 4 viscosity 1 density 1000" 'has moved in a run; another flow_style would begin at rest'
@@ -245,7 +245,7 @@ set group all diameter 0.16
 fix e all void_fraction method divided least 0.9
 fix m all nve
 timestep 1e-4
-run 3" '*below `least` 0.9, which is used instead (not said again)'
+run 3" '*below `least` 0.9, which is used instead (printed once)'
 [ "$(grep -c 'below .least' out)" = 1 ]
 report 'said once' $? out
 

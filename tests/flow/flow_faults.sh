@@ -82,10 +82,10 @@ rejects 'include box
 flow_style projection cells 8 6 5 viscosity -1 density 2' 'viscosity is -1, expected a number >= 0'
 rejects 'include box
 flow_style projection cells 8 6 5 viscosity 0 density 2 viscous implicit
-run 1' 'viscous implicit has no viscosity to work on'
+run 1' 'viscous implicit needs a viscosity above 0'
 rejects 'include box
 flow_style projection cells 8 6 5 viscosity 0 density 2 viscous backward
-run 1' 'viscous backward has no viscosity to work on: it is 0; use viscous explicit'
+run 1' 'viscous backward needs a viscosity above 0; use viscous explicit'
 rejects 'include box
 flow_style projection cells 8 6 5 viscosity 1 density 0' 'density is 0, expected a number > 0'
 rejects 'include box

@@ -98,7 +98,7 @@ rejects 'include warm
 compute p all flow/probe 0.1 0.2 0.2 values f_t' "there is no fix 't'; known: T"
 rejects 'include warm
 fix m all ave/time 1 1 1 c_thermo_temp
-compute p all flow/probe 0.1 0.2 0.2 values f_m' 'fix m (style ave/time) carries no scalar'
+compute p all flow/probe 0.1 0.2 0.2 values f_m' 'fix m (style ave/time) transports no scalar'
 
 cat >in.table <<'END'
 include steady

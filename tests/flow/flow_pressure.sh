@@ -216,7 +216,7 @@ run 1" 'flow_boundary xhi: the body_force of flow_style acts along this face, al
 rejects "variable g equal -10*step
 $fluid body_force 0 v_g 0
 flow_boundary xhi outlet pressure 3
-run 4" 'or `hydrostatic no` where nothing weighs outside'
+run 4" 'or `hydrostatic no` if the pressure outside is uniform'
 rejects "$fluid pressure_level 5
 flow_boundary xhi outlet
 run 1" 'pressure_level is for a fluid without open faces'

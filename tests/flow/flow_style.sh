@@ -30,7 +30,7 @@ rejects "$box
 flow_style uniform velocity 0 0 1 viscosity 0
 flow_boundary xlo outlet" 'which flow_style uniform is not'
 rejects "$fluid viscous implicit time rk3" 'goes with time ab2 or euler, not rk3'
-rejects "${fluid/0.01/0} viscous implicit" 'has no viscosity to work on'
+rejects "${fluid/0.01/0} viscous implicit" 'needs a viscosity above 0'
 rejects "${fluid/8 1/8 4}" 'in two dimensions there is one cell along z'
 rejects "${fluid/8 1/8}" 'NZ is missing'
 rejects "${fluid/16 8/1 8}" 'at least two cells between the boundaries along x'

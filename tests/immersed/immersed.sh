@@ -297,7 +297,7 @@ create_box 1 box
 fix b all immersed/boundary region box" 'fluid'
 rejects "$scene
 region e ellipsoid 0.5 0.5 0.5 0.2 0.2 0.2 units box
-fix b all immersed/boundary region e" 'how far a place is from the surface is not known'
+fix b all immersed/boundary region e" 'the distance from the surface is not available'
 plate 2 0.5 >plate.stl # of side 1 about the z axis
 rejects "$scene
 fix m all mesh/surface file plate.stl type 1 move 0.5 0.5 0
