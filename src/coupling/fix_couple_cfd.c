@@ -241,8 +241,7 @@ static enum ts_status post_force_heat(struct ts_instance *self, struct tsim *sim
 /* ---- the styles */
 
 static const struct ts_value sums[] = {
-	{ "force", "force", "sum of the forces that it has added in the last step", TS_VECTOR, 3, NULL,
-	  eval_sum },
+	{ "force", "force", "sum of the forces added in the last step", TS_VECTOR, 3, NULL, eval_sum },
 	{ .name = NULL },
 };
 

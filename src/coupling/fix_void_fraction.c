@@ -251,8 +251,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 static const char *const columns[] = { "mean", "least" };
 static const struct ts_value values[] = {
-	{ "void_fraction", "", "mean of the grid, and the least of a cell before it is limited", TS_VECTOR, 2,
-	  columns, eval },
+	{ "void_fraction", "", "mean over the grid, and the smallest value of a cell before it is limited",
+	  TS_VECTOR, 2, columns, eval },
 	{ .name = NULL },
 };
 

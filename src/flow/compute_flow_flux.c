@@ -76,9 +76,10 @@ static enum ts_status eval_all(struct ts_instance *self, const struct tsim *sim,
 static const char *const columns[] = { "flux", "area", "velocity" };
 
 static const struct ts_value values[] = {
-	{ "flux", "length^3/time", "volume of fluid per time, > 0 along the axis", TS_SCALAR, 1, NULL,
+	{ "flux", "length^3/time", "volume flow rate, positive along the axis", TS_SCALAR, 1, NULL,
 	  eval_flux },
-	{ "all", "", "flux; area; flux by area, the superficial velocity", TS_VECTOR, 3, columns, eval_all },
+	{ "all", "", "flow rate, area, flow rate divided by area (superficial velocity)", TS_VECTOR, 3,
+	  columns, eval_all },
 	{ .name = NULL },
 };
 

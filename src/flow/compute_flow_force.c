@@ -49,7 +49,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 static const char *const columns[] = { "fx", "fy", "fz", "fpx", "fpy", "fpz", "fsx", "fsy", "fsz", "area" };
 
 static const struct ts_value values[] = {
-	{ "force", "force", "force (3 numbers), its part of pressure (3), of shear (3); area", TS_VECTOR, 10,
+	{ "force", "force", "force (3 components), pressure force (3), shear force (3), area", TS_VECTOR, 10,
 	  columns, eval },
 	{ .name = NULL },
 };

@@ -78,8 +78,8 @@ static enum ts_status eval_first(struct ts_instance *self, const struct tsim *si
 }
 
 static const struct ts_value values[] = {
-	{ "first", "", "of the first point, the numbers asked for", TS_VECTOR, 0, NULL, eval_first },
-	{ "points", "", "of each point, a column for each number", TS_ARRAY, 0, NULL, eval },
+	{ "first", "", "the values at the first point", TS_VECTOR, 0, NULL, eval_first },
+	{ "points", "", "one row for each point, one column for each value", TS_ARRAY, 0, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -118,9 +118,9 @@ const struct ts_style ts_compute_flow_line = {
 	.name = "flow/line",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Velocity, pressure and other fields of the fluid along a line",
-	.doc = "One row for each point of the line: N equidistant points between two positions, or the "
-	       "centres of the cells along an axis. c_ID[i][j] is the j-th value at the i-th point, c_ID[j] "
-	       "the list of the j-th value at all points. \n" TS_FLOW_SAMPLE_DOC,
+	.doc = "One row for each point of the line: N equidistant points between two positions, or the\n"
+	       "centres of the cells along an axis. c_ID[i][j] is the j-th value at the i-th point,\n"
+	       "c_ID[j] the list of the j-th value at all points.\n\n" TS_FLOW_SAMPLE_DOC,
 	.example =
 		"compute profile all flow/line cells y 0.5 0.5 values y vx\n"
 		"compute axis all flow/line between 0 0.5 0.5 1 0.5 0.5 129 values s vy interpolation cubic\n"

@@ -56,7 +56,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 }
 
 static const struct ts_value values[] = {
-	{ "cells", "", "of each cell, a column for each number", TS_ARRAY, 0, NULL, eval },
+	{ "cells", "", "one row for each cell, one column for each value", TS_ARRAY, 0, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -74,8 +74,8 @@ const struct ts_style ts_compute_flow_plane = {
 	.name = "flow/plane",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Velocity, pressure and other fields of the fluid in a plane",
-	.doc = "One row for each cell of the grid in the plane, at the centre of the cell seen along the "
-	       "axis. Of the two other axes the first one varies fastest.\n" TS_FLOW_SAMPLE_DOC,
+	.doc = "One row for each cell of the grid in the plane, at the centre of the cell seen along the\n"
+	       "axis. Of the two other axes the first one varies fastest.\n\n" TS_FLOW_SAMPLE_DOC,
 	.example = "compute cut all flow/plane z 0.5 values x y vx vy p wz\n"
 		   "fix out all ave/time 1000 1 1000 c_cut[*] mode vector file cut.txt",
 	.args = args,

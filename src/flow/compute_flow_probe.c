@@ -58,8 +58,8 @@ static enum ts_status eval_first(struct ts_instance *self, const struct tsim *si
 }
 
 static const struct ts_value values[] = {
-	{ "first", "", "of the first point, the numbers asked for", TS_VECTOR, 0, NULL, eval_first },
-	{ "points", "", "of each point, a column for each number", TS_ARRAY, 0, NULL, eval },
+	{ "first", "", "the values at the first point", TS_VECTOR, 0, NULL, eval_first },
+	{ "points", "", "one row for each point, one column for each value", TS_ARRAY, 0, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -74,8 +74,8 @@ const struct ts_style ts_compute_flow_probe = {
 	.name = "flow/probe",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Velocity, pressure and other fields of the fluid at points",
-	.doc = "One row for each point: c_ID[i][j] is the j-th value at the i-th point, c_ID[k] the k-th "
-	       "value at the first point.\n" TS_FLOW_SAMPLE_DOC,
+	.doc = "One row for each point: c_ID[i][j] is the j-th value at the i-th point, c_ID[k] the k-th\n"
+	       "value at the first point.\n\n" TS_FLOW_SAMPLE_DOC,
 	.example = "compute wake all flow/probe 0.5 0.25 0 0.8 0.25 0 values vx vy p",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -4,7 +4,7 @@
 
 const struct ts_convection_scheme ts_convection_schemes[TS_NCONVECTION] = {
 	[TS_CONVECTION_DONOR] = { .name = "donor",
-				  .help = "gamma of it the value upstream, the rest central",
+				  .help = "fraction gamma upwind, the rest central",
 				  .order = 1,
 				  .decay = 2,
 				  .difference = true },
@@ -19,7 +19,7 @@ const struct ts_convection_scheme ts_convection_schemes[TS_NCONVECTION] = {
 				  .decay = 1 },
 	/* M. A. Alves, P. J. Oliveira & F. T. Pinho, Int. J. Numer. Meth. Fluids 41 (2003) 47 */
 	[TS_CONVECTION_CUBISTA] = { .name = "cubista",
-				    .help = "quick where the profile is smooth, never beyond its neighbours",
+				    .help = "quick, bounded by the neighbouring values",
 				    .order = 3,
 				    .bounded = true,
 				    .decay = 2 },

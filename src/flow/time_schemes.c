@@ -16,7 +16,7 @@ const struct ts_flow_time_scheme ts_flow_time_schemes[TS_NTIME] = {
 			    .real = 2,
 			    .courant = 1 },
 	[TS_TIME_AB2] = { .name = "ab2",
-			  .help = "Adams-Bashforth, second order, the price of euler",
+			  .help = "Adams-Bashforth, second order, at the cost of euler",
 			  .order = 2,
 			  .stages = 1,
 			  .take = { 1 },

@@ -650,12 +650,12 @@ static const struct ts_arg args[] = {
 static const char *const components[] = { "fx", "fy", "fz", "tx", "ty", "tz", "slip", NULL };
 static const struct ts_value values[] = {
 	{ "force", "force",
-	  "[1..3] force and [4..6] torque of the fluid on the body, of spheres the sums; [7] largest "
-	  "difference of the velocity in the body from that of the body",
+	  "[1..3] force and [4..6] torque of the fluid on the body, for spheres their sums; [7] largest "
+	  "difference between the velocity of the fluid inside and that of the body",
 	  TS_VECTOR, 7, components, eval_total },
 	{ "force on each", "force",
-	  "force and torque of the fluid on each particle; 0 for those that are no bodies", TS_PERATOM, 6,
-	  components, eval_parts },
+	  "force and torque of the fluid on each particle; 0 for particles that are not bodies", TS_PERATOM,
+	  6, components, eval_parts },
 	{ .name = NULL },
 };
 

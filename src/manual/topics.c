@@ -34,7 +34,7 @@ static void functions(const struct ts_tables *tables, bool markdown, struct ts_s
 					      "Functions of names" };
 	size_t group = 0;
 
-	add_title("Functions", "functions, operators and constants of formulas", markdown, out);
+	add_title("Functions", "Functions, operators and constants of formulas", markdown, out);
 	for (const struct ts_expr_function *const *t = ts_expr_functions; *t; t++, group++) {
 		ts_help_heading(groups[group], markdown, out);
 		for (const struct ts_expr_function *f = *t; f->name; f++)
@@ -60,7 +60,7 @@ static void variables(const struct ts_tables *tables, bool markdown, struct ts_s
 	struct ts_str name = { 0 };
 
 	(void)tables;
-	add_title("Variables", "styles of variables and their use", markdown, out);
+	add_title("Variables", "Styles of variables and their use", markdown, out);
 	ts_help_heading("Styles", markdown, out);
 	for (const struct ts_variable_style *const *v = ts_variable_styles; *v; v++) {
 		ts_str_clear(&name);
@@ -82,7 +82,7 @@ static void variables(const struct ts_tables *tables, bool markdown, struct ts_s
 
 static void keywords(const struct ts_tables *tables, bool markdown, struct ts_str *out)
 {
-	add_title("Keywords", "global values, for thermo_style and formulas", markdown, out);
+	add_title("Keywords", "Global values, for thermo_style and formulas", markdown, out);
 	for (const struct ts_system_style *const *s = tables->systems; *s; s++) {
 		if (!(*s)->keywords)
 			continue;
@@ -97,7 +97,7 @@ static void quantities(const struct ts_tables *tables, bool markdown, struct ts_
 	const struct ts_quantity *q;
 
 	add_title("Quantities",
-		  "per-particle values, for dumps, atom-style variables and compute property/atom", markdown,
+		  "Per-particle values, for dumps, atom-style variables and compute property/atom", markdown,
 		  out);
 	ts_str_add(out, "\n");
 	for (const struct ts_system_style *const *s = tables->systems; *s; s++)
