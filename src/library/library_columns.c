@@ -208,7 +208,7 @@ static enum ts_status fail_no_column(struct tsim *sim, const char *name)
 	for (size_t c = 0; c < p->ncolumns; c++) {
 		if (!p->column[c].active && ts_streq(p->column[c].name, name))
 			return ts_fail(&sim->error, TS_STATE, NULL,
-				       "column '%s' is not kept: no style of the script needs it", name);
+				       "column '%s' is not stored: no style of the script needs it", name);
 		if (p->column[c].active)
 			ts_suggest_try(&suggest, p->column[c].name);
 	}

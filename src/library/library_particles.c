@@ -17,15 +17,14 @@ static enum ts_status check_position(struct tsim *sim, size_t k, const double x[
 	for (int d = 0; d < 3; d++) {
 		if (!isfinite(x[d]))
 			return ts_fail(&sim->error, TS_RANGE, NULL,
-				       "particle %zu of the new: coordinate %d is not finite", k, d);
+				       "new particle %zu: coordinate %d is not finite", k, d);
 		if (d == 2 && sim->dimension == 2 && !(x[2] == 0))
 			return ts_fail(&sim->error, TS_RANGE, NULL,
-				       "particle %zu of the new: z is %g, in two dimensions it is 0", k,
-				       x[2]);
+				       "new particle %zu: z is %g, in two dimensions it is 0", k, x[2]);
 		if (box->face[d][0] == TS_FACE_FIXED && !(x[d] >= box->lo[d] && x[d] <= box->hi[d]))
 			return ts_fail(&sim->error, TS_RANGE, NULL,
-				       "particle %zu of the new lies outside the box: (%g %g %g)", k, x[0],
-				       x[1], x[2]);
+				       "new particle %zu is outside the box: (%g %g %g)", k, x[0], x[1],
+				       x[2]);
 	}
 	return TS_OK;
 }
@@ -34,8 +33,8 @@ static enum ts_status check_positive(struct tsim *sim, size_t k, const double *v
 {
 	if (!value || (value[k] > 0 && isfinite(value[k])))
 		return TS_OK;
-	return ts_fail(&sim->error, TS_RANGE, NULL, "particle %zu of the new: %s is %g, expected > 0", k,
-		       name, value[k]);
+	return ts_fail(&sim->error, TS_RANGE, NULL, "new particle %zu: %s is %g, expected > 0", k, name,
+		       value[k]);
 }
 
 static enum ts_status check_new(struct tsim *sim, const struct tsim_particles *from)
@@ -48,12 +47,12 @@ static enum ts_status check_new(struct tsim *sim, const struct tsim_particles *f
 		TS_TRY(check_positive(sim, k, from->density, "density"));
 		if (from->type && (from->type[k] < 1 || from->type[k] > ntypes))
 			return ts_fail(&sim->error, TS_RANGE, NULL,
-				       "particle %zu of the new: type is %d, expected 1 to %d", k,
-				       from->type[k], ntypes);
+				       "new particle %zu: type is %d, expected 1 to %d", k, from->type[k],
+				       ntypes);
 		for (int d = 0; from->v && d < 3; d++)
 			if (!isfinite(from->v[3 * k + (size_t)d]))
 				return ts_fail(&sim->error, TS_RANGE, NULL,
-					       "particle %zu of the new: velocity is not finite", k);
+					       "new particle %zu: velocity is not finite", k);
 	}
 	return TS_OK;
 }

@@ -166,7 +166,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 static const struct ts_style outside = {
 	.name = "outside",
 	.kind = TS_KIND_SYSTEM,
-	.summary = "what the program around the library does in each step",
+	.summary = "functions of the calling program, called in each step",
 	.hook = { [TS_STAGE_PRE_FORCE] = before_force,
 		  [TS_STAGE_POST_FORCE] = after_force,
 		  [TS_STAGE_END_OF_STEP] = end_of_step },
