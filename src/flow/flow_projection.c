@@ -378,8 +378,7 @@ const struct ts_flow_style ts_flow_projection = {
 	.style = { .name = "projection",
 		   .kind = TS_KIND_FLOW,
 		   .family = TS_FAMILY_PROJECTION,
-		   .summary = "An incompressible fluid, solved for on a staggered Cartesian grid by the\n"
-			      "projection method",
+		   .summary = "Incompressible flow on a staggered grid by the projection method",
 		   .doc = "Solves du/dt + div(u u) = -grad p/rho + nu lap u + g, div u = 0, on a Cartesian\n"
 			  "grid that fills the box or the bounding box of a region. Pressures are defined "
 			  "at\n"
