@@ -745,9 +745,11 @@ library_sources = \
 	src/neigh/order.c \
 	src/neigh/order.h \
 	src/particle/assign.c \
+	src/particle/assign.h \
 	src/particle/assign_words.c \
 	src/particle/assign_words.h \
 	src/particle/columns.c \
+	src/particle/columns.h \
 	src/particle/command_atom_modify.c \
 	src/particle/command_atom_style.c \
 	src/particle/command_delete_atoms.c \
@@ -763,6 +765,7 @@ library_sources = \
 	src/particle/compute_property_atom.c \
 	src/particle/compute_vacf.c \
 	src/particle/crowd.c \
+	src/particle/crowd.h \
 	src/particle/draw.c \
 	src/particle/draw.h \
 	src/particle/exchange.c \
@@ -776,16 +779,18 @@ library_sources = \
 	src/particle/fix_remove.c \
 	src/particle/fix_scale_diameter.c \
 	src/particle/fix_store_state.c \
+	src/particle/group_moments.c \
+	src/particle/group_moments.h \
 	src/particle/identity.c \
 	src/particle/identity.h \
 	src/particle/molecule.c \
-	src/particle/moments.c \
-	src/particle/moments.h \
+	src/particle/molecule.h \
 	src/particle/particles.c \
 	src/particle/particles.h \
 	src/particle/prescribed.c \
 	src/particle/prescribed.h \
 	src/particle/quantity.c \
+	src/particle/quantity.h \
 	src/particle/reference.c \
 	src/particle/reference.h \
 	src/particle/sphere_shape.h \

@@ -247,7 +247,7 @@ static enum ts_status run_line(struct tsim *sim, const char *format, ...)
 
 static enum ts_status define_missing_property(struct tsim *sim, const char *property)
 {
-	double speed = ts_fastest(sim, 0);
+	double speed = ts_prescribed_max_speed(sim, 0);
 
 	if (!property || ts_property_has(sim, property))
 		return TS_OK;

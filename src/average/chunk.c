@@ -5,6 +5,7 @@
 
 #include "average/chunk_bins.h"
 #include "math/exactsum.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
 #include "region/region.h"
 

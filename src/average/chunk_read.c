@@ -4,6 +4,7 @@
 
 #include "average/chunk.h"
 #include "box/domain.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"

@@ -6,7 +6,7 @@
 #include "core/name_list.h"
 #include "core/units.h"
 #include "math/vec3.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 

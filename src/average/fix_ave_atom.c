@@ -1,6 +1,7 @@
 /* Fix ave/atom: time averages of per-particle values. */
 #include "average/average.h"
 #include "core/ref_list.h"
+#include "particle/columns.h"
 
 #include "particle/particles.h"
 

@@ -5,8 +5,8 @@
 #include "contact/virial.h"
 #include "geom/box.h"
 #include "math/constants.h"
+#include "particle/group_moments.h"
 #include "particle/identity.h"
-#include "particle/moments.h"
 #include "region/region.h"
 
 #include <math.h>

@@ -128,7 +128,7 @@ static enum ts_status delete_bonds_of_lost_particles(struct tsim *sim, struct ts
 	if (!lost)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < b->n; k++) {
-		lost[k] = ts_contact_of(map, b->tag[k][0]) < 0 || ts_contact_of(map, b->tag[k][1]) < 0;
+		lost[k] = ts_identity_row(map, b->tag[k][0]) < 0 || ts_identity_row(map, b->tag[k][1]) < 0;
 		b->gone += lost[k];
 	}
 	ts_bonds_delete(b, lost);

@@ -32,7 +32,8 @@ static enum ts_status join_bonds(struct tsim *sim, const struct cluster_search *
 
 	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t b = 0; b < bonds->n; b++) {
-		int32_t i = ts_contact_of(&map, bonds->tag[b][0]), j = ts_contact_of(&map, bonds->tag[b][1]);
+		int32_t i = ts_identity_row(&map, bonds->tag[b][0]),
+			j = ts_identity_row(&map, bonds->tag[b][1]);
 
 		if (i >= 0 && j >= 0)
 			join_pair((void *)(uintptr_t)t, i < j ? (size_t)i : (size_t)j,

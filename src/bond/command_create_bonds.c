@@ -113,7 +113,7 @@ static enum ts_status create_single(struct tsim *sim, const struct create_bonds 
 
 	TS_TRY(ts_identities(sim, false, &map));
 	for (int k = 0; k < 2; k++)
-		if (ts_contact_of(&map, tags[k]) < 0)
+		if (ts_identity_row(&map, tags[k]) < 0)
 			return ts_fail(&sim->error, TS_RANGE, where,
 				       "create_bonds: there is no particle %" PRId64, tags[k]);
 	if (c->tag_a == c->tag_b)

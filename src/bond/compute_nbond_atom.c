@@ -29,7 +29,7 @@ static enum ts_status count_bonds(struct ts_instance *self, const struct tsim *s
 		out->data[i] = 0;
 	for (size_t b = 0; b < bonds->n; b++) {
 		for (int side = 0; side < 2; side++) {
-			int32_t i = ts_contact_of(&map, bonds->tag[b][side]);
+			int32_t i = ts_identity_row(&map, bonds->tag[b][side]);
 
 			if (i >= 0 && ts_in_group(p, (size_t)i, self->group) &&
 			    (s->type == INT64_MIN || bonds->type[b] == s->type))

@@ -6,6 +6,7 @@
 
 #include "bond/bonds.h"
 #include "box/domain.h"
+#include "particle/columns.h"
 #include "particle/exchange.h"
 #include "particle/identity.h"
 #include "particle/particles.h"

@@ -59,7 +59,7 @@ static enum ts_status add_kinetic(struct pressure *s, double out[6])
 	if (value)
 		TS_TRY(ts_value_eval(inst, s->sim, value, &s->kinetic));
 	else
-		ts_kinetic_tensor(s->sim, 0, NULL, sum);
+		ts_temperature_tensor(s->sim, 0, NULL, sum);
 	for (int k = 0; k < 6; k++)
 		out[k] += value ? s->kinetic.data[k] : sum[k];
 	return TS_OK;

@@ -1,7 +1,7 @@
 /* Compute stress/atom: stress times volume of each particle. */
 #include "contact/contact_view.h"
 #include "contact/virial.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 

@@ -3,7 +3,7 @@
 #include "bond/bonds.h"
 #include "contact/contact_loop.h"
 #include "law/elastic_energy.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 

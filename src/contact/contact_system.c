@@ -18,7 +18,7 @@ static enum ts_status pressure_tensor(struct tsim *sim, double out[6])
 	if (pair)
 		TS_TRY(ts_contacts_forces(sim, pair));
 	ts_virial_total(sim, &parts, out);
-	ts_kinetic_tensor(sim, 0, NULL, kinetic);
+	ts_temperature_tensor(sim, 0, NULL, kinetic);
 	for (int k = 0; k < 6; k++)
 		out[k] = volume > 0 ? (out[k] + kinetic[k]) / volume : 0;
 	return TS_OK;

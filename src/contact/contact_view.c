@@ -7,6 +7,7 @@
 #include "math/vec3.h"
 #include "neigh/contact_memory.h"
 #include "neigh/force_slots.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 

@@ -113,7 +113,7 @@ static double *least_by_type(const struct tsim *sim, int group, number_fn *numbe
 /* The Rayleigh time is proportional to it. */
 static double radius_root_density(const struct tsim *sim, size_t i)
 {
-	return sim->particles->radius[i] * sqrt(ts_material_density(sim, i));
+	return sim->particles->radius[i] * sqrt(ts_rigid_material_density(sim, i));
 }
 
 static enum ts_status least_rayleigh_time(struct tsim *sim, int group, const char *who,
@@ -173,7 +173,7 @@ static enum ts_status least_hertz_time(struct tsim *sim, const struct ts_lightes
 static double mass2_by_radius(const struct tsim *sim, size_t i)
 {
 	double radius = sim->particles->radius[i];
-	double mass = ts_material_density(sim, i) * ts_particle_volume(sim, radius);
+	double mass = ts_rigid_material_density(sim, i) * ts_particle_volume(sim, radius);
 
 	return mass * mass / (0.5 * radius);
 }

@@ -7,6 +7,7 @@
 #include "law/capillary.h"
 #include "material/property.h"
 #include "neigh/contact_memory.h"
+#include "particle/columns.h"
 #include "particle/style_column.h"
 
 #include "base/banned.h"

@@ -9,6 +9,7 @@
 #include "contact/substep_contacts.h"
 #include "core/report.h"
 #include "insert/template.h"
+#include "particle/columns.h"
 #include "particle/prescribed.h"
 
 #include "base/banned.h"
@@ -285,7 +286,7 @@ enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim, struct t
 {
 	const struct ts_pair *pair = self->state;
 	struct ts_lightest *lightest = ts_lightest(sim, 0);
-	double *overlap = deepest_overlaps(sim, pair), speed = 2 * ts_fastest(sim, 0);
+	double *overlap = deepest_overlaps(sim, pair), speed = 2 * ts_prescribed_max_speed(sim, 0);
 	enum ts_status status = lightest && overlap ? TS_OK : ts_nomem(&sim->error);
 
 	if (status == TS_OK)

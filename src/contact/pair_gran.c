@@ -19,7 +19,7 @@ struct gran {
 static enum ts_status read_materials(struct ts_instance *self, struct tsim *sim)
 {
 	struct gran *g = self->state;
-	int most = ts_largest_type(sim);
+	int most = ts_template_max_type(sim);
 
 	for (int a = 1; a <= most; a++) {
 		for (int b = 1; b <= most; b++) {
@@ -114,7 +114,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 		return TS_OK;
 	if (law != TS_NORMAL_HERTZ && law != TS_NORMAL_HOOKE && law != TS_NORMAL_HOOKE_HYSTERESIS)
 		return TS_OK;
-	speed = 2 * ts_fastest(sim, 0);
+	speed = 2 * ts_prescribed_max_speed(sim, 0);
 	TS_TRY(ts_granular_times(sim, 0, speed, false, "pair_style gran", &self->where, &times));
 	if (isfinite(times.rayleigh))
 		TS_TRY(ts_report_limit(report, times.rayleigh, false, &self->where,

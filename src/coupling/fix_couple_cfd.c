@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "heat/heat.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"

@@ -29,7 +29,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 static enum ts_status find_particle(struct ts_instance *self, struct tsim *sim,
 				    const struct ts_identities *map, double id, int32_t *row)
 {
-	*row = id >= 1 && id <= map->max && floor(id) == id ? ts_contact_of(map, (int32_t)id) : -1;
+	*row = id >= 1 && id <= map->max && floor(id) == id ? ts_identity_row(map, (int32_t)id) : -1;
 	if (*row >= 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,

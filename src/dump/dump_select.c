@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "particle/columns.h"
 #include "particle/particles.h"
 #include "region/region.h"
 

@@ -8,6 +8,7 @@
 #include "contact/pair.h"
 #include "core/sim.h"
 #include "math/quaternion.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
 #include "rigid/rigid.h"
 #include "wall/wall.h"

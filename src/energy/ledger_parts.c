@@ -345,7 +345,7 @@ static void remove_pairs_of_deleted(struct tsim *sim, struct ts_ledger *l, const
 		/* a contact across a periodic face has two rows */
 		double fraction = (size_t)rows->j[r] < rows->particles ? -1 : -0.5;
 
-		if (ts_contact_of(map, rows->tag[0][r]) >= 0 && ts_contact_of(map, rows->tag[1][r]) >= 0)
+		if (ts_identity_row(map, rows->tag[0][r]) >= 0 && ts_identity_row(map, rows->tag[1][r]) >= 0)
 			continue;
 		for (int k = 0; k < TS_NCONTACT_STORE; k++)
 			ts_exactsum_add(&gone[k], fraction * l->row_energy[r][k]);
@@ -367,7 +367,8 @@ static void remove_notes_of_deleted(struct ts_ledger *l, struct ts_ledger_note *
 		gone[k] = ts_exactsum_start();
 	for (size_t e = 0; e < *n; e++) {
 		const int32_t *tag = list[e].tag;
-		bool here = ts_contact_of(map, tag[0]) >= 0 && (!tag[1] || ts_contact_of(map, tag[1]) >= 0);
+		bool here =
+			ts_identity_row(map, tag[0]) >= 0 && (!tag[1] || ts_identity_row(map, tag[1]) >= 0);
 
 		for (int k = 0; k < count && !here; k++)
 			ts_exactsum_add(&gone[k], -list[e].energy[k]);

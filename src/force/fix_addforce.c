@@ -2,7 +2,7 @@
 #include "core/number_or_peratom.h"
 #include "energy/potential_energy.h"
 #include "group/chosen.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 
 #include <string.h>
 

@@ -8,7 +8,7 @@
 #include "force/gravity.h"
 #include "math/constants.h"
 #include "math/vec3.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"

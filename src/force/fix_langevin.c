@@ -5,7 +5,7 @@
 
 #include "core/units.h"
 #include "math/rng.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 #include "particle/type_factors.h"
 
 #include "base/banned.h"

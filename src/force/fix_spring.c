@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "math/vec3.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 

@@ -6,7 +6,7 @@
 
 #include "average/particle_tally.h"
 #include "math/vec3.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 #include "particle/reference.h"
 
 #include "base/banned.h"

@@ -1,5 +1,6 @@
 /* Fix store/force: stores the forces at this point of the time step. */
 #include "core/sim.h"
+#include "particle/columns.h"
 
 #include <string.h>
 

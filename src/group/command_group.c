@@ -9,6 +9,7 @@
 #include "core/uses.h"
 #include "group/group_dynamic.h"
 #include "neigh/neigh.h"
+#include "particle/molecule.h"
 #include "particle/particles.h"
 #include "region/region.h"
 

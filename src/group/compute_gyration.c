@@ -1,5 +1,5 @@
 /* Compute: radius and tensor of gyration. */
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 
 #include <math.h>
 

@@ -8,7 +8,7 @@ static enum ts_status eval_temperature(struct ts_instance *self, const struct ts
 	double sum[7], mean[3];
 
 	ts_group_velocity(sim, self->group, mean);
-	ts_kinetic_tensor(sim, self->group, mean, sum);
+	ts_temperature_tensor(sim, self->group, mean, sum);
 	out->data[0] = ts_temperature(sim, sum, self->state);
 	return TS_OK;
 }
@@ -18,7 +18,7 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 	double sum[7], mean[3];
 
 	ts_group_velocity(sim, self->group, mean);
-	ts_kinetic_tensor(sim, self->group, mean, sum);
+	ts_temperature_tensor(sim, self->group, mean, sum);
 	for (int k = 0; k < 6; k++)
 		out->data[k] = sum[k];
 	return TS_OK;

@@ -1,7 +1,7 @@
 #include "group/kinetic_energy.h"
 
 #include "math/vec3.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 #include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 
@@ -24,7 +24,7 @@ double ts_kinetic_energy(const struct tsim *sim, size_t i)
 	return 0.5 * p->mass[i] * ts_dot(v, v);
 }
 
-double ts_rotation_energy(const struct tsim *sim, size_t i)
+double ts_kinetic_energy_rotation(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -42,7 +42,7 @@ static void kinetic_term(const struct tsim *sim, size_t i, void *context, double
 static void rotation_term(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	(void)context;
-	term[0] = ts_rotation_energy(sim, i);
+	term[0] = ts_kinetic_energy_rotation(sim, i);
 }
 
 double ts_group_kinetic_energy(const struct tsim *sim, int group)

@@ -8,7 +8,7 @@
 
 /* m v^2 / 2 and I omega^2 / 2 of particle i. */
 double ts_kinetic_energy(const struct tsim *sim, size_t i);
-double ts_rotation_energy(const struct tsim *sim, size_t i);
+double ts_kinetic_energy_rotation(const struct tsim *sim, size_t i);
 
 /* The sums over the group, rounded once, so that the order of the particles does not matter. */
 double ts_group_kinetic_energy(const struct tsim *sim, int group);

@@ -15,7 +15,7 @@ static void kinetic(const struct tsim *sim, size_t i, void *context, double *ter
 	term[6] = 1;
 }
 
-void ts_kinetic_tensor(const struct tsim *sim, int group, const double mean[3], double out[7])
+void ts_temperature_tensor(const struct tsim *sim, int group, const double mean[3], double out[7])
 {
 	double shift[3] = { 0 };
 

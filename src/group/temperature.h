@@ -2,11 +2,11 @@
 #ifndef TS_GROUP_TEMPERATURE_H
 #define TS_GROUP_TEMPERATURE_H
 
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 
 /* Sums of m u_a u_b, u = v - mean, over the group, in the order of ts_tensor_names, and the number of
  * particles behind them. mean NULL: 0. */
-void ts_kinetic_tensor(const struct tsim *sim, int group, const double mean[3], double out[7]);
+void ts_temperature_tensor(const struct tsim *sim, int group, const double mean[3], double out[7]);
 /* How many of the D N degrees of freedom do not count: D, or what compute_modify extra says. First member
  * of the state of computes that give temperatures. */
 struct ts_freedom {

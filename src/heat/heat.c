@@ -8,7 +8,8 @@
 #include "insert/template.h"
 #include "law/granular_limit.h"
 #include "material/property.h"
-#include "particle/moments.h"
+#include "particle/columns.h"
+#include "particle/group_moments.h"
 #include "particle/style_column.h"
 
 #include "base/banned.h"

@@ -14,6 +14,7 @@
 #include "math/vec3.h"
 #include "mesh/mesh_distance.h"
 #include "mesh/mesh_surface.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 #include "region/region.h"
@@ -462,7 +463,7 @@ static double density_of(const struct tsim *sim, size_t i)
 	size_t b;
 
 	if (!body || body->density > 0)
-		return ts_material_density(sim, i);
+		return ts_rigid_material_density(sim, i);
 	b = (size_t)(body - rigid->body);
 	for (size_t k = rigid->start[b]; k < rigid->start[b + 1]; k++)
 		volume += ts_particle_volume(sim, sim->particles->radius[rigid->member[k]]);

@@ -11,6 +11,7 @@
 #include "geom/pointhash.h"
 #include "insert/sites.h"
 #include "math/rng.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
 #include "region/region.h"
 

@@ -1,3 +1,4 @@
+#include "particle/columns.h"
 #include "particle/particles.h"
 #include "region/region.h"
 

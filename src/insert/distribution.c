@@ -22,7 +22,7 @@ enum ts_status ts_distribution_archive(struct ts_instance *self, struct tsim *si
 {
 	struct ts_distribution *d = self->state;
 
-	return ts_minstd_archive(archive, sim, "random", &d->random);
+	return ts_template_archive_stream(archive, sim, "random", &d->random);
 }
 
 static const struct ts_template *template_of(const struct ts_distribution *d, int64_t k)
@@ -94,8 +94,8 @@ static enum ts_status define(struct ts_instance *self, struct tsim *sim, bool by
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix %s: expected %lld pairs of a template and its weight, found %zu words",
 			       self->style->name, (long long)d->n, d->pairs.n);
-	TS_TRY(ts_seed_check(sim, self->style->name, d->seed,
-			     ts_instance_word(self, self->words.word[0].text)));
+	TS_TRY(ts_template_check_seed(sim, self->style->name, d->seed,
+				      ts_instance_word(self, self->words.word[0].text)));
 	d->random = ts_minstd_start(d->seed);
 	d->template = ts_arena_alloc(&self->arena, (size_t)d->n, sizeof *d->template);
 	d->share = ts_arena_alloc(&self->arena, (size_t)d->n, sizeof *d->share);

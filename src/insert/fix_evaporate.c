@@ -5,6 +5,7 @@
 
 #include "group/chosen.h"
 #include "math/rng.h"
+#include "particle/columns.h"
 
 #include "base/banned.h"
 

@@ -8,6 +8,7 @@
 #include "math/rigid_turn.h"
 #include "math/vec3.h"
 #include "mesh/mesh_surface.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
 #include "rigid/rigid_motion.h"
 
@@ -503,7 +504,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	struct state *s = self->state;
 
 	TS_TRY(ts_insertion_archive(self, sim, a));
-	TS_TRY(ts_minstd_archive(a, sim, "face", &s->face->random));
+	TS_TRY(ts_template_archive_stream(a, sim, "face", &s->face->random));
 	return ts_particles_archive_column(a, sim, sim->particles->column[s->stream.column].name,
 					   s->stream.column);
 }

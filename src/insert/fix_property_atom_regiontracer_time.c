@@ -1,5 +1,6 @@
 /* Fix property/atom/regiontracer/time: how long particles have been in regions. */
 #include "math/exactsum.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
 #include "region/region.h"
 

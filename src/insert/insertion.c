@@ -3,6 +3,7 @@
 
 #include "math/constants.h"
 #include "math/quaternion.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 
@@ -238,7 +239,7 @@ enum ts_status ts_insertion_init(struct ts_instance *self, struct tsim *sim, boo
 	TS_TRY(read_every(self, sim));
 	if (!*first)
 		return refuse_start(self, sim);
-	TS_TRY(ts_seed_check(sim, self->style->name, s->seed, ts_instance_word(self, "seed")));
+	TS_TRY(ts_template_check_seed(sim, self->style->name, s->seed, ts_instance_word(self, "seed")));
 	TS_TRY(read_words(self, sim));
 	TS_TRY(refuse(self, sim));
 	if (s->omega_words.n)
@@ -252,7 +253,8 @@ enum ts_status ts_insertion_init(struct ts_instance *self, struct tsim *sim, boo
 
 enum ts_status ts_insertion_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
-	return ts_minstd_archive(archive, sim, "random", &((struct ts_insertion *)self->state)->random);
+	return ts_template_archive_stream(archive, sim, "random",
+					  &((struct ts_insertion *)self->state)->random);
 }
 
 void ts_insertion_fini(struct ts_instance *self)

@@ -9,7 +9,9 @@
 #include "math/quaternion.h"
 #include "math/rigid_turn.h"
 #include "math/vec3.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
+#include "particle/quantity.h"
 #include "particle/sphere_shape.h"
 
 #include "base/banned.h"

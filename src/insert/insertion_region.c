@@ -281,5 +281,5 @@ enum ts_status ts_insertion_region_archive(struct ts_instance *self, struct tsim
 	const struct ts_insertion_region *s = self->state;
 
 	TS_TRY(ts_insertion_archive(self, sim, archive));
-	return ts_minstd_archive(archive, sim, "places", stream_of(s));
+	return ts_template_archive_stream(archive, sim, "places", stream_of(s));
 }

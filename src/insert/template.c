@@ -14,7 +14,8 @@ static const int64_t LEAST_LIGGGHTS = 10000; /* it takes primes above this one o
 
 /* The stream starts at the seed as it is, which gives LIGGGHTS' numbers for the seeds that it takes, and
  * those of older editions, which took all, for others. */
-enum ts_status ts_seed_check(struct tsim *sim, const char *what, int64_t seed, const struct ts_place *where)
+enum ts_status ts_template_check_seed(struct tsim *sim, const char *what, int64_t seed,
+				      const struct ts_place *where)
 {
 	if (seed > SEED_LIMIT)
 		return ts_fail(&sim->error, TS_RANGE, where, "%s: the seed is %lld, expected 1 to %lld", what,
@@ -26,8 +27,8 @@ enum ts_status ts_seed_check(struct tsim *sim, const char *what, int64_t seed, c
 	return TS_OK;
 }
 
-enum ts_status ts_minstd_archive(struct ts_archive *archive, struct tsim *sim, const char *name,
-				 struct ts_minstd *random)
+enum ts_status ts_template_archive_stream(struct ts_archive *archive, struct tsim *sim, const char *name,
+					  struct ts_minstd *random)
 {
 	double number[3] = { random->state, random->has_spare, random->spare };
 
@@ -43,7 +44,8 @@ enum ts_status ts_minstd_archive(struct ts_archive *archive, struct tsim *sim, c
 
 enum ts_status ts_template_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
-	return ts_minstd_archive(archive, sim, "random", &((struct ts_template *)self->state)->random);
+	return ts_template_archive_stream(archive, sim, "random",
+					  &((struct ts_template *)self->state)->random);
 }
 
 /* ---- constant, uniform ... */
@@ -131,7 +133,7 @@ enum ts_status ts_template_start(struct ts_instance *self, struct tsim *sim)
 			       "fix %s: there is no type %lld, types go from 1 to %d", self->style->name,
 			       (long long)t->type, sim->particles->ntypes);
 	snprintf(what, sizeof what, "fix %s", self->style->name);
-	TS_TRY(ts_seed_check(sim, what, t->seed, ts_instance_word(self, self->words.word[0].text)));
+	TS_TRY(ts_template_check_seed(sim, what, t->seed, ts_instance_word(self, self->words.word[0].text)));
 	t->random = ts_minstd_start(t->seed);
 	snprintf(what, sizeof what, "fix %s: density", self->style->name);
 	return ts_template_spread(self, sim, what, t->density_words, &t->density);
@@ -180,7 +182,7 @@ static bool prospect_of(const struct ts_instance *fix, struct ts_prospect *out)
 	return true;
 }
 
-int ts_largest_type(const struct tsim *sim)
+int ts_template_max_type(const struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	const struct ts_particles *p = sim->particles;

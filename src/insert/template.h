@@ -57,8 +57,8 @@ enum ts_status ts_template_check_volume(struct ts_instance *self, struct tsim *s
 
 /* The archive function of templates; and of any stream. */
 enum ts_status ts_template_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive);
-enum ts_status ts_minstd_archive(struct ts_archive *archive, struct tsim *sim, const char *name,
-				 struct ts_minstd *random);
+enum ts_status ts_template_archive_stream(struct ts_archive *archive, struct tsim *sim, const char *name,
+					  struct ts_minstd *random);
 
 /* The template that the word names, or an error. */
 enum ts_status ts_template_require(struct tsim *sim, const struct ts_word *id, struct ts_instance **out);
@@ -72,12 +72,13 @@ struct ts_prospect {
 
 /* The largest type that a particle has or may get from a template or another fix; 0: there are none. Laws
  * of contact must be known for all up to it, as in LIGGGHTS. */
-int ts_largest_type(const struct tsim *sim);
+int ts_template_max_type(const struct tsim *sim);
 /* 1 / mass of the lightest particle of this type that a fix may make, and its radius (may be NULL); -1:
  * there is no such fix. */
 double ts_template_inverse_mass(const struct tsim *sim, int type, double *radius);
 
 /* Any seed from 1 to 2^31 - 2 will do. `where` it stands, the `what` names the owner. */
-enum ts_status ts_seed_check(struct tsim *sim, const char *what, int64_t seed, const struct ts_place *where);
+enum ts_status ts_template_check_seed(struct tsim *sim, const char *what, int64_t seed,
+				      const struct ts_place *where);
 
 #endif

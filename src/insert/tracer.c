@@ -1,5 +1,7 @@
 #include "insert/tracer.h"
 
+#include "particle/columns.h"
+
 #include "base/banned.h"
 
 enum ts_status ts_tracer_init(struct ts_instance *self, struct tsim *sim)

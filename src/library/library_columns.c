@@ -1,8 +1,10 @@
 /* Per-particle quantities: copied by name, and stored columns without copying. */
 #include "library/library.h"
 
+#include "particle/assign.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
+#include "particle/quantity.h"
 
 #include "base/banned.h"
 
@@ -46,7 +48,7 @@ enum ts_status ts_library_rows(struct tsim *sim, const int32_t *id, size_t n, in
 	for (size_t k = 0; !id && k < map.n; k++)
 		(*rows)[k] = map.row[k];
 	for (size_t k = 0; id && k < n; k++) {
-		(*rows)[k] = ts_contact_of(&map, id[k]);
+		(*rows)[k] = ts_identity_row(&map, id[k]);
 		if ((*rows)[k] < 0) {
 			ts_free(*rows);
 			*rows = NULL;

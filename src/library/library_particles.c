@@ -6,6 +6,7 @@
 
 #include "box/domain.h"
 #include "core/group.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"

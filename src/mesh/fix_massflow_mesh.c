@@ -4,7 +4,9 @@
 #include "mesh/mesh_touch.h"
 #include "mesh/mesh_tree.h"
 #include "neigh/neigh.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
+#include "particle/quantity.h"
 #include "rigid/rigid.h"
 #include "thermo/thermo.h"
 

@@ -5,6 +5,7 @@
 
 #include "core/group.h"
 #include "neigh/neigh.h"
+#include "particle/molecule.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"

@@ -146,7 +146,7 @@ static enum ts_status chain_keys_by_particle(struct tsim *sim, struct restoring 
 	if (!g->first || !g->link)
 		return ts_nomem(&sim->error);
 	for (size_t k = g->h->n; k-- > 0;) {
-		int32_t at = ts_contact_of(&map, g->h->key[k].tag[0]);
+		int32_t at = ts_identity_row(&map, g->h->key[k].tag[0]);
 
 		if (at < 0) /* the particle has left */
 			continue;

@@ -7,6 +7,7 @@
 #include "box/domain.h"
 #include "math/vec3.h"
 #include "neigh/neigh.h"
+#include "particle/columns.h"
 #include "particle/exchange.h"
 #include "particle/particles.h"
 

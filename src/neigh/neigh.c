@@ -15,7 +15,9 @@
 #include "neigh/contact_memory.h"
 #include "neigh/leaving.h"
 #include "neigh/order.h"
+#include "particle/columns.h"
 #include "particle/exchange.h"
+#include "particle/molecule.h"
 #include "particle/particles.h"
 #include "rigid/rigid.h"
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "particle/columns.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
 

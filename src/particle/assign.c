@@ -1,9 +1,10 @@
-/* Per-particle numbers written by the names scripts use. */
-#include "particle/particles.h"
+#include "particle/assign.h"
 
 #include <math.h>
 
 #include "geom/box.h"
+#include "particle/columns.h"
+#include "particle/quantity.h"
 
 #include "base/banned.h"
 

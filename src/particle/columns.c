@@ -1,9 +1,8 @@
-/* Storage of the particle columns: growth, adding, deleting, reordering of rows. */
-#include "particle/identity.h"
-#include "particle/particles.h"
+#include "particle/columns.h"
 
 #include <string.h>
 
+#include "particle/identity.h"
 #include "particle/sphere_shape.h"
 
 #include "base/banned.h"
@@ -124,8 +123,8 @@ static enum ts_status distribute(struct tsim *sim, const struct ts_column *c, co
 
 	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t k = 0; k < n; k++)
-		if (ts_contact_of(&map, tag[k]) >= 0)
-			memcpy(column_row(c, (size_t)ts_contact_of(&map, tag[k])), data + k * c->width,
+		if (ts_identity_row(&map, tag[k]) >= 0)
+			memcpy(column_row(c, (size_t)ts_identity_row(&map, tag[k])), data + k * c->width,
 			       c->width * c->element);
 	return TS_OK;
 }

@@ -5,6 +5,7 @@
 #include "core/group.h"
 #include "geom/pointhash.h"
 #include "group/group_dynamic.h"
+#include "particle/columns.h"
 #include "particle/draw.h"
 #include "particle/identity.h"
 #include "particle/particles.h"

@@ -1,5 +1,6 @@
 /* Command mass: the mass of particles of a type. */
 #include "core/sim.h"
+#include "particle/columns.h"
 
 #include "particle/particles.h"
 

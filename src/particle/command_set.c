@@ -5,7 +5,9 @@
 
 #include "bond/bonds.h"
 #include "particle/assign_words.h"
+#include "particle/columns.h"
 #include "particle/identity.h"
+#include "particle/molecule.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 #include "region/region.h"
@@ -181,7 +183,7 @@ static enum ts_status set_bond(struct tsim *sim, struct ts_words words, const un
 			       "set: bond takes a type of bonds from 1 to %d", b->ntypes);
 	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t k = *count = 0; k < b->n; k++) {
-		int32_t i = ts_contact_of(&map, b->tag[k][0]), j = ts_contact_of(&map, b->tag[k][1]);
+		int32_t i = ts_identity_row(&map, b->tag[k][0]), j = ts_identity_row(&map, b->tag[k][1]);
 
 		if (i < 0 || j < 0 || !chosen[i] || !chosen[j])
 			continue;

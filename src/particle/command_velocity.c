@@ -8,7 +8,7 @@
 #include "group/temperature.h"
 #include "math/rng.h"
 #include "math/vec3.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 #include "particle/particles.h"
 #include "region/region.h"
 
@@ -72,7 +72,7 @@ static double temperature(const struct tsim *sim, int group, double *count)
 {
 	double tensor[7];
 
-	ts_kinetic_tensor(sim, group, NULL, tensor);
+	ts_temperature_tensor(sim, group, NULL, tensor);
 	*count = tensor[6];
 	if (tensor[6] == 1) /* one particle has all its degrees of freedom */
 		tensor[6] = 2;

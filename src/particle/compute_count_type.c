@@ -35,7 +35,8 @@ static enum ts_status count_bonds(const struct ts_instance *self, struct tsim *s
 
 	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t b = 0; b < bonds->n; b++) {
-		int32_t i = ts_contact_of(&map, bonds->tag[b][0]), j = ts_contact_of(&map, bonds->tag[b][1]);
+		int32_t i = ts_identity_row(&map, bonds->tag[b][0]),
+			j = ts_identity_row(&map, bonds->tag[b][1]);
 
 		if (i >= 0 && j >= 0 && ts_in_group(p, (size_t)i, self->group) &&
 		    ts_in_group(p, (size_t)j, self->group))

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "math/vec3.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 #include "particle/reference.h"
 
 #include "base/banned.h"

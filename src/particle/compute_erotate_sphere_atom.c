@@ -10,7 +10,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 	TS_TRY(ts_table_resize(out, p->n, 1));
 	for (size_t i = 0; i < p->n; i++)
-		out->data[i] = ts_in_group(p, i, self->group) ? ts_rotation_energy(sim, i) : 0;
+		out->data[i] = ts_in_group(p, i, self->group) ? ts_kinetic_energy_rotation(sim, i) : 0;
 	return TS_OK;
 }
 

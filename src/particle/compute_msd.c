@@ -1,5 +1,5 @@
 /* Compute: mean squared displacement. */
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 #include "particle/reference.h"
 
 #include "math/vec3.h"

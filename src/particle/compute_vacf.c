@@ -1,5 +1,5 @@
 /* Compute: autocorrelation of velocities. */
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 #include "particle/reference.h"
 
 #include "base/banned.h"

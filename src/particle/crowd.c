@@ -1,6 +1,4 @@
-/* Particles moved together, for -explain: a run that begins with scattered grains may end with a bed of
- * them, and costs more then. */
-#include "particle/particles.h"
+#include "particle/crowd.h"
 
 #include <math.h>
 

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "box/domain.h"
+#include "particle/columns.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"

@@ -1,5 +1,7 @@
 #include "particle/first_size.h"
 
+#include "particle/columns.h"
+
 #include "base/banned.h"
 
 enum ts_status ts_first_size_start(struct tsim *sim, const struct ts_instance *self, size_t *column)

@@ -5,6 +5,7 @@
 
 #include "contact/pair.h"
 #include "core/number_or_peratom.h"
+#include "particle/columns.h"
 #include "particle/first_size.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"

@@ -3,7 +3,7 @@
 
 #include "group/group_spin.h"
 #include "math/vec3.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 

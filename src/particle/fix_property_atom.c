@@ -1,5 +1,6 @@
 /* Fix property/atom: numbers of particles that the user keeps. */
 #include "core/sim.h"
+#include "particle/columns.h"
 
 #include <string.h>
 

@@ -5,7 +5,7 @@
 
 #include "box/domain.h"
 #include "math/vec3.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 

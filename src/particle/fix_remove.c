@@ -4,6 +4,7 @@
 #include "core/sim.h"
 #include "group/chosen.h"
 #include "math/rng.h"
+#include "particle/columns.h"
 #include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 

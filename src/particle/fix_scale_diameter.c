@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "core/sim.h"
+#include "particle/columns.h"
 #include "particle/first_size.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"

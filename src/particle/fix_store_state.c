@@ -2,7 +2,8 @@
 #include "core/ref_list.h"
 
 #include "core/sim.h"
-#include "particle/moments.h"
+#include "particle/columns.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 

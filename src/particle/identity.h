@@ -16,7 +16,7 @@ struct ts_identities {
 enum ts_status ts_identities(struct tsim *sim, bool ordered, struct ts_identities *out);
 
 /* The row of a local particle, -1 if there is none of that identity. */
-static inline int32_t ts_contact_of(const struct ts_identities *map, int64_t tag)
+static inline int32_t ts_identity_row(const struct ts_identities *map, int64_t tag)
 {
 	size_t lo = 0, hi = map->n;
 

@@ -1,5 +1,6 @@
-/* Molecules: numbers that the user keeps by fix property/atom. */
-#include "particle/particles.h"
+#include "particle/molecule.h"
+
+#include "particle/quantity.h"
 
 #include "base/banned.h"
 

@@ -4,6 +4,9 @@
 #include "core/report.h"
 #include "geom/box.h"
 #include "material/property.h"
+#include "particle/columns.h"
+#include "particle/crowd.h"
+#include "particle/quantity.h"
 
 #include "base/banned.h"
 

@@ -135,62 +135,6 @@ enum ts_lost { TS_LOST_IGNORE, TS_LOST_WARN, TS_LOST_ERROR };
 /* Makes the box, from lo to hi, with room for so many types of particles; `where` may be NULL. */
 enum ts_status ts_particles_make_box(struct tsim *sim, int ntypes, const double lo[3], const double hi[3],
 				     const struct ts_place *where);
-/* Adds n particles with consecutive new tags at the end of the locals (ghosts are dropped); they are
- * in group all, v = 0, radius 0.5, mass from density 1; the caller fills in the rest. */
-enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first);
-/* Deletes the local particles whose flag is set; order of the others is kept. Ghosts are dropped. */
-enum ts_status ts_particles_delete(struct tsim *sim, const unsigned char *flag);
-/* Reorders locals: new row k is old row order[k]. */
-enum ts_status ts_particles_reorder(struct tsim *sim, const int32_t *order);
-
-/* Makes the columns exist (zero-filled); bits of enum ts_column_id. */
-enum ts_status ts_particles_need(struct tsim *sim, unsigned columns);
-/* Adds or finds a column of doubles for a style, e.g. "f_heat"; *index into particles->column. */
-enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_t width, unsigned flags,
-				       size_t *index);
-/* Initial values of the column for particles that are created from now on, `width` numbers. */
-enum ts_status ts_particles_column_initial(struct tsim *sim, size_t index, const double *initial);
-/* Writes the initial values to rows from .. to-1. */
-void ts_particles_fill_initial(struct ts_column *column, size_t from, size_t to);
-
-/* For a style's archive function: the column it has added, by identity, since the style may be defined
- * again only after particles have come and gone. Such columns are not TS_COL_SAVED. */
-enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct tsim *sim, const char *name,
-					   size_t index);
-
-/* Moves all mobile particles together as in a bed, to estimate its cost: crowd.c. */
-enum ts_status ts_particles_crowd(struct ts_instance *self, struct tsim *sim);
-/* Room for so many rows, ghosts included. */
-enum ts_status ts_particles_reserve(struct tsim *sim, size_t rows);
-/* imass = 1/mass; the fix that freezes particles sets theirs to 0 afterwards. */
-void ts_particles_inverse_mass(struct ts_particles *p);
-
-/* Per-particle quantity by its script name (x, vy, fz, radius, mass, id, type, diameter, density ...):
- * one value for each local particle. */
-enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct ts_table *out);
-bool ts_particles_has_quantity(const struct tsim *sim, const char *name);
-bool ts_particles_keeps_quantity(const struct tsim *sim, const char *name);
-void ts_particles_suggest_quantity(struct ts_suggest *suggest);
-
-/* A column that a style keeps under the name, NAME or NAME[k]; *k counted from 0. NULL: none. */
-const struct ts_column *ts_particles_named_column(const struct ts_particles *p, const char *name, size_t *k);
-
-/* The molecules of particles, as `fix property/atom mol` keeps them; NULL: there are none. */
-const double *ts_particles_molecules(const struct ts_particles *p);
-/* An error where they are needed; `what` for the message: "group". */
-enum ts_status ts_particles_need_molecules(struct tsim *sim, const char *what, const struct ts_place *where);
-
-/* The same, written: the k-th value goes to row[k], or to row k where row is NULL. All values are
- * checked before the first is written. A radius keeps the density, a density the radius, a mass
- * the radius. */
-enum ts_assign { TS_ASSIGN_NOT, TS_ASSIGN_MOTION, TS_ASSIGN_FORCE, TS_ASSIGN_PROPERTY };
-enum ts_assign ts_particles_assignable(const struct tsim *sim, const char *name);
-enum ts_status ts_particles_assign(struct tsim *sim, const char *name, const int32_t *row,
-				   const double *value, size_t n);
-const struct ts_quantity *ts_particles_quantity_text(size_t k);
-/* Name of the k-th quantity that can be read; NULL: there are no more. */
-const char *ts_particles_quantity_name(size_t k);
-
 static inline bool ts_in_group(const struct ts_particles *p, size_t i, int group)
 {
 	return (p->mask[i] >> group) & 1u;

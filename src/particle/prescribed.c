@@ -17,7 +17,7 @@ uint32_t ts_prescribed(const struct tsim *sim)
 	return groups;
 }
 
-double ts_fastest(const struct tsim *sim, int group)
+double ts_prescribed_max_speed(const struct tsim *sim, int group)
 {
 	const struct ts_particles *p = sim->particles;
 	double most = 0;

@@ -14,6 +14,6 @@ struct ts_prescribed_motion {
 uint32_t ts_prescribed(const struct tsim *sim);
 
 /* The largest speed in the group. */
-double ts_fastest(const struct tsim *sim, int group);
+double ts_prescribed_max_speed(const struct tsim *sim, int group);
 
 #endif

@@ -1,9 +1,9 @@
-/* Per-particle numbers by the names scripts use. */
+#include "particle/quantity.h"
+
 #include <string.h>
 
 #include "box/domain.h"
-#include "particle/moments.h"
-#include "particle/particles.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 

@@ -1,5 +1,7 @@
 #include "particle/reference.h"
 
+#include "particle/columns.h"
+
 #include "base/banned.h"
 
 enum { KNOWN = 3, WIDTH = 4 }; /* three numbers, and 1 where they are known */

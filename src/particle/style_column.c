@@ -1,5 +1,7 @@
 #include "particle/style_column.h"
 
+#include "particle/columns.h"
+
 #include "base/banned.h"
 
 /* A fix property/atom of the user's keeps this name. */

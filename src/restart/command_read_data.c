@@ -121,8 +121,8 @@ static enum ts_status make_bonds(struct tsim *sim, const struct ts_data *data,
 			return ts_fail(&sim->error, TS_RANGE, &place,
 				       "type %d of the bond with its offset is %lld", from->type,
 				       (long long)type);
-		row[0] = (size_t)ts_contact_of(&map, i);
-		row[1] = (size_t)ts_contact_of(&map, j);
+		row[0] = (size_t)ts_identity_row(&map, i);
+		row[1] = (size_t)ts_identity_row(&map, j);
 		length = ts_bond_separation(sim, row[0], row[1], d);
 		TS_TRY(ts_coincide_bond(sim, &place, row[0], row[1], length));
 		TS_TRY(ts_bonds_add(sim, i, j, (int)type, length));
@@ -191,7 +191,7 @@ static enum ts_status assign_sections(struct tsim *sim, struct read_data *c, con
 			const double *line = s->value + j * (s->width + 1);
 			int32_t tag = (int32_t)(line[0] + (double)c->options.tag_offset);
 
-			ts_user_columns_set(sim->particles, columns, (size_t)ts_contact_of(&map, tag),
+			ts_user_columns_set(sim->particles, columns, (size_t)ts_identity_row(&map, tag),
 					    line + 1);
 		}
 		ts_log(&sim->log, "  reading %s ...\n  %zu lines\n", s->title, s->n);

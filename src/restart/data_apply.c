@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "box/domain.h"
+#include "particle/columns.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 
 #include "box/domain.h"
+#include "particle/assign.h"
+#include "particle/columns.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
 #include "restart/frames.h"
@@ -91,7 +93,7 @@ static enum ts_status match_ids(struct frame_import *u, unsigned char *missing)
 	for (size_t r = 0; r < u->f->n; r++) {
 		double tag = frame_value(u, r, id);
 
-		u->row[r] = tag <= p->max_tag ? ts_contact_of(&map, (int32_t)tag) : -1;
+		u->row[r] = tag <= p->max_tag ? ts_identity_row(&map, (int32_t)tag) : -1;
 		if (u->row[r] >= 0)
 			missing[u->row[r]] = 0;
 	}

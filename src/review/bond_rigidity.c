@@ -25,7 +25,8 @@ static void join_bonded(const struct tsim *sim, const struct ts_identities *map,
 	const struct ts_bonds *bonds = sim->bonds;
 
 	for (size_t b = 0; b < bonds->n; b++) {
-		int32_t i = ts_contact_of(map, bonds->tag[b][0]), j = ts_contact_of(map, bonds->tag[b][1]);
+		int32_t i = ts_identity_row(map, bonds->tag[b][0]),
+			j = ts_identity_row(map, bonds->tag[b][1]);
 
 		if (i >= 0 && j >= 0)
 			ts_sets_join(parent, sim->particles->tag, (size_t)i, (size_t)j);
@@ -47,7 +48,8 @@ static void count_members(const struct tsim *sim, const struct ts_identities *ma
 		of->rigid |= ts_rigid_member(p, i);
 	}
 	for (size_t b = 0; b < bonds->n; b++) {
-		int32_t i = ts_contact_of(map, bonds->tag[b][0]), j = ts_contact_of(map, bonds->tag[b][1]);
+		int32_t i = ts_identity_row(map, bonds->tag[b][0]),
+			j = ts_identity_row(map, bonds->tag[b][1]);
 
 		if (i >= 0 && j >= 0 &&
 		    (is_free(p, (size_t)i, prescribed) || is_free(p, (size_t)j, prescribed)))

@@ -6,6 +6,7 @@
 
 #include "force/gravity.h"
 #include "material/property.h"
+#include "particle/columns.h"
 #include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 #include "wall/wall.h"

@@ -5,7 +5,8 @@
 
 #include "core/report.h"
 #include "math/rigid_turn.h"
-#include "particle/moments.h"
+#include "particle/columns.h"
+#include "particle/group_moments.h"
 #include "particle/sphere_shape.h"
 #include "rigid/rigid_motion.h"
 
@@ -136,7 +137,7 @@ const struct ts_body *ts_rigid_body_of(const struct tsim *sim, size_t i)
 	return b < r->n ? &r->body[b] : NULL;
 }
 
-double ts_material_density(const struct tsim *sim, size_t i)
+double ts_rigid_material_density(const struct tsim *sim, size_t i)
 {
 	const struct ts_body *body = ts_rigid_body_of(sim, i);
 	const struct ts_particles *p = sim->particles;

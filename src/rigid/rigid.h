@@ -92,7 +92,7 @@ const struct ts_body *ts_rigid_body_of(const struct tsim *sim, size_t i);
 
 /* The density of what particle i is made of: mass by volume, in a clump that of the clump's material, as
  * its overlapping spheres share the mass. */
-double ts_material_density(const struct tsim *sim, size_t i);
+double ts_rigid_material_density(const struct tsim *sim, size_t i);
 
 /* An acceleration of the bodies of which a member is in the group. */
 enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3]);

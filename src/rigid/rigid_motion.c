@@ -3,7 +3,7 @@
 #include "box/domain.h"
 #include "math/rigid_turn.h"
 #include "math/symmetric3.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 #include "particle/sphere_shape.h"
 
 #include "base/banned.h"

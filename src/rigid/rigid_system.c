@@ -225,7 +225,7 @@ static void fini(struct ts_instance *self)
 
 static void connect_rigid_bodies(struct tsim *sim)
 {
-	sim->particles->material_density = ts_material_density;
+	sim->particles->material_density = ts_rigid_material_density;
 }
 
 const struct ts_system_style ts_rigid_system = {

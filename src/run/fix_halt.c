@@ -41,8 +41,8 @@ static enum ts_status longest_bond(struct ts_instance *self, struct tsim *sim, d
 	*out = 0;
 	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t b = 0; b < bonds->n; b++) {
-		const double *x = p->x[ts_contact_of(&map, bonds->tag[b][0])];
-		const double *y = p->x[ts_contact_of(&map, bonds->tag[b][1])];
+		const double *x = p->x[ts_identity_row(&map, bonds->tag[b][0])];
+		const double *y = p->x[ts_identity_row(&map, bonds->tag[b][1])];
 		double d[3] = { x[0] - y[0], x[1] - y[1], x[2] - y[2] };
 
 		ts_box_nearest(&sim->domain->box, d);

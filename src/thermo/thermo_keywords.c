@@ -127,7 +127,7 @@ static enum ts_status temp(struct tsim *sim, double *out)
 	TS_TRY(ts_standard_value(sim, TS_STANDARD_TEMPERATURE, -1, &replaced, out));
 	if (replaced)
 		return TS_OK;
-	ts_kinetic_tensor(sim, 0, NULL, tensor);
+	ts_temperature_tensor(sim, 0, NULL, tensor);
 	*out = ts_temperature(sim, tensor, &sim->thermo->freedom);
 	return TS_OK;
 }

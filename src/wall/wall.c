@@ -10,6 +10,7 @@
 #include "contact/substep_contacts.h"
 #include "core/report.h"
 #include "insert/template.h"
+#include "particle/columns.h"
 #include "particle/prescribed.h"
 #include "rigid/rigid.h"
 
@@ -143,7 +144,7 @@ static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int w
 enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type)
 {
 	struct ts_wall *w = self->state;
-	int most = ts_largest_type(sim);
+	int most = ts_template_max_type(sim);
 
 	TS_TRY(check_bridges(self, sim, true));
 	w->batch = ts_wall_batch_of(ts_wall_model(w, sim));
@@ -259,7 +260,7 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 {
 	const struct ts_wall *w = self->state;
 	struct ts_lightest *lightest;
-	double speed = ts_fastest(sim, self->group);
+	double speed = ts_prescribed_max_speed(sim, self->group);
 	enum ts_status status = TS_OK;
 	char what[64];
 

@@ -2,6 +2,7 @@
  * evaluates the contacts, and whether an infinitely heavy, flat partner is a particle or a wall. */
 #include "../cloud.h"
 #include "../deck.h"
+#include "particle/columns.h"
 
 #include <string.h>
 

@@ -8,6 +8,7 @@
 #include "box/domain.h"
 #include "math/rng.h"
 #include "neigh/neigh.h"
+#include "particle/columns.h"
 #include "particle/exchange.h"
 #include "particle/particles.h"
 

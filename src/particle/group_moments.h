@@ -1,7 +1,7 @@
 /* Sums over the particles of a group, without rounding in the sum. Positions are those without periodic
  * wrapping. */
-#ifndef TS_PARTICLE_MOMENTS_H
-#define TS_PARTICLE_MOMENTS_H
+#ifndef TS_PARTICLE_GROUP_MOMENTS_H
+#define TS_PARTICLE_GROUP_MOMENTS_H
 
 #include "box/domain.h"
 #include "particle/particles.h"

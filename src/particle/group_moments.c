@@ -1,4 +1,4 @@
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 
 #include "math/exactsum.h"
 

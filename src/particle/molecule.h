@@ -1,0 +1,12 @@
+/* Molecules: molecule numbers of particles, which the script defines by `fix ID all property/atom mol`. */
+#ifndef TS_PARTICLE_MOLECULE_H
+#define TS_PARTICLE_MOLECULE_H
+
+#include "particle/particles.h"
+
+/* The molecule number of each particle; NULL if the script has defined none. */
+const double *ts_particles_molecules(const struct ts_particles *p);
+/* Fails if there are particles without molecule numbers; the message begins with `what`, e.g. "group". */
+enum ts_status ts_particles_need_molecules(struct tsim *sim, const char *what, const struct ts_place *where);
+
+#endif
