@@ -10,7 +10,7 @@
 
 typedef void assign_fn(struct ts_particles *p, size_t i, double value);
 
-static double volume(double radius)
+static double sphere_volume(double radius)
 {
 	return 4.18879020478639098462 * radius * radius * radius; /* 4 pi / 3 */
 }
@@ -22,10 +22,10 @@ static void set_type(struct ts_particles *p, size_t i, double value)
 
 static void set_radius(struct ts_particles *p, size_t i, double value)
 {
-	double density = p->mass[i] / volume(p->radius[i]);
+	double density = p->mass[i] / sphere_volume(p->radius[i]);
 
 	p->radius[i] = value;
-	p->mass[i] = density * volume(value);
+	p->mass[i] = density * sphere_volume(value);
 }
 
 static void set_diameter(struct ts_particles *p, size_t i, double value)
@@ -40,10 +40,10 @@ static void set_mass(struct ts_particles *p, size_t i, double value)
 
 static void set_density(struct ts_particles *p, size_t i, double value)
 {
-	p->mass[i] = value * volume(p->radius[i]);
+	p->mass[i] = value * sphere_volume(p->radius[i]);
 }
 
-/* Either a component of a column or a function. */
+/* A quantity that can be written: a component of a column, or a function that writes it. */
 struct target {
 	const char *name;
 	enum ts_assign kind;
@@ -73,7 +73,7 @@ static const struct target targets[] = {
 };
 enum { NTARGETS = sizeof targets / sizeof *targets };
 
-static const struct target *find(const char *name)
+static const struct target *find_target(const char *name)
 {
 	for (int k = 0; k < NTARGETS; k++)
 		if (ts_streq(targets[k].name, name))
@@ -83,7 +83,7 @@ static const struct target *find(const char *name)
 
 enum ts_assign ts_particles_assignable(const struct tsim *sim, const char *name)
 {
-	const struct target *target = find(name);
+	const struct target *target = find_target(name);
 	size_t k;
 
 	if (target)
@@ -91,8 +91,8 @@ enum ts_assign ts_particles_assignable(const struct tsim *sim, const char *name)
 	return ts_particles_named_column(sim->particles, name, &k) ? TS_ASSIGN_MOTION : TS_ASSIGN_NOT;
 }
 
-/* What was expected instead of the value; NULL: it is good. */
-static const char *problem(const struct ts_particles *p, const struct target *target, double value)
+/* Describes the values that are allowed if this one is not; NULL: it is. */
+static const char *expected_value(const struct ts_particles *p, const struct target *target, double value)
 {
 	bool is_real = target->column != TS_COL_IMAGE && target->column != TS_COL_TYPE;
 
@@ -107,7 +107,7 @@ static const char *problem(const struct ts_particles *p, const struct target *ta
 	return NULL;
 }
 
-static void store(struct ts_particles *p, const struct target *target, size_t i, double value)
+static void write_value(struct ts_particles *p, const struct target *target, size_t i, double value)
 {
 	if (target->assign)
 		target->assign(p, i, value);
@@ -117,7 +117,7 @@ static void store(struct ts_particles *p, const struct target *target, size_t i,
 		((double *)p->column[target->column].data)[3 * i + (size_t)target->component] = value;
 }
 
-static enum ts_status unknown(struct tsim *sim, const char *name)
+static enum ts_status fail_unknown(struct tsim *sim, const char *name)
 {
 	struct ts_suggest suggest = ts_suggest_start(name);
 
@@ -129,7 +129,7 @@ static enum ts_status unknown(struct tsim *sim, const char *name)
 		       ts_suggest_text(&suggest));
 }
 
-/* Columns of styles. */
+/* Writes one component of a column that a style has added. */
 static enum ts_status assign_named(struct tsim *sim, const struct ts_column *c, size_t component,
 				   const int32_t *row, const double *value, size_t n)
 {
@@ -146,17 +146,17 @@ enum ts_status ts_particles_assign(struct tsim *sim, const char *name, const int
 				   const double *value, size_t n)
 {
 	struct ts_particles *p = sim->particles;
-	const struct target *target = find(name);
+	const struct target *target = find_target(name);
 	size_t component;
 	const struct ts_column *named = ts_particles_named_column(p, name, &component);
 
 	if (named && !target)
 		return assign_named(sim, named, component, row, value, n);
 	if (!target)
-		return unknown(sim, name);
+		return fail_unknown(sim, name);
 	for (size_t k = 0; k < n; k++) {
 		size_t i = row ? (size_t)row[k] : k;
-		const char *expected = problem(p, target, value[k]);
+		const char *expected = expected_value(p, target, value[k]);
 
 		if (expected)
 			return ts_fail(&sim->error, TS_RANGE, NULL,
@@ -165,7 +165,7 @@ enum ts_status ts_particles_assign(struct tsim *sim, const char *name, const int
 	}
 	TS_TRY(ts_particles_need(sim, 1u << target->column));
 	for (size_t k = 0; k < n; k++)
-		store(p, target, row ? (size_t)row[k] : k, value[k]);
+		write_value(p, target, row ? (size_t)row[k] : k, value[k]);
 	if (target->column == TS_COL_MASS || target->column == TS_COL_RADIUS)
 		ts_particles_inverse_mass(p);
 	return TS_OK;

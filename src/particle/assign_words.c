@@ -25,7 +25,7 @@ enum ts_status ts_assign_values(struct tsim *sim, const struct ts_number *number
 	return TS_OK;
 }
 
-static size_t count_of(const struct tsim *sim, const unsigned char *chosen)
+static size_t count_chosen(const struct tsim *sim, const unsigned char *chosen)
 {
 	size_t count = 0;
 
@@ -34,22 +34,23 @@ static size_t count_of(const struct tsim *sim, const unsigned char *chosen)
 	return count;
 }
 
-/* ---- types for a part ---- */
+/* ---- type/fraction, type/ratio, type/subset ---- */
 
-struct part {
+struct type_choice {
 	int64_t type, seed;
-	double amount; /* fraction or number */
+	double amount; /* fraction, 0 to 1, or number of particles */
 };
 
-static enum ts_status read_part(struct tsim *sim, enum ts_part part, struct ts_words w, struct part *out)
+static enum ts_status read_type_choice(struct tsim *sim, enum ts_part selection, struct ts_words w,
+				       struct type_choice *out)
 {
 	static const char *const names[] = { "type/fraction", "type/ratio", "type/subset" };
-	bool subset = part == TS_PART_SUBSET;
+	bool subset = selection == TS_PART_SUBSET;
 	const struct ts_word *bad = NULL;
 
 	if (w.n != 3)
 		return ts_fail(&sim->error, TS_SYNTAX, &w.word[w.n ? w.n - 1 : 0].place,
-			       "set: %s takes a type, a %s and a seed", names[part],
+			       "set: %s takes a type, a %s and a seed", names[selection],
 			       subset ? "number" : "fraction");
 	if (!ts_parse_int(w.word[0].text, &out->type) || out->type < 1 || out->type > sim->particles->ntypes)
 		bad = &w.word[0];
@@ -60,7 +61,7 @@ static enum ts_status read_part(struct tsim *sim, enum ts_part part, struct ts_w
 		bad = &w.word[2];
 	if (!bad)
 		return TS_OK;
-	return ts_fail(&sim->error, TS_RANGE, &bad->place, "set: %s is '%s', expected %s", names[part],
+	return ts_fail(&sim->error, TS_RANGE, &bad->place, "set: %s is '%s', expected %s", names[selection],
 		       bad->text,
 		       bad == &w.word[0]   ? "a type, 1 or more and at most what create_box says"
 		       : bad == &w.word[2] ? "a seed, an integer > 0"
@@ -68,19 +69,19 @@ static enum ts_status read_part(struct tsim *sim, enum ts_part part, struct ts_w
 					   : "a fraction from 0 to 1");
 }
 
-enum ts_status ts_assign_type(struct tsim *sim, enum ts_part part, struct ts_words words,
+enum ts_status ts_assign_type(struct tsim *sim, enum ts_part selection, struct ts_words words,
 			      const unsigned char *chosen, size_t *count)
 {
 	struct ts_particles *p = sim->particles;
-	struct part want;
+	struct type_choice want;
 	struct ts_draw *draw;
 	size_t n, wanted;
 
-	TS_TRY(read_part(sim, part, words, &want));
+	TS_TRY(read_type_choice(sim, selection, words, &want));
 	TS_TRY(ts_draw(sim, chosen, want.seed, &draw, &n));
-	wanted = part == TS_PART_SUBSET	 ? (size_t)fmin(want.amount, 4e9)
-		 : part == TS_PART_EXACT ? ts_draw_part(n, want.amount)
-					 : ts_draw_below(draw, n, want.amount);
+	wanted = selection == TS_PART_SUBSET  ? (size_t)fmin(want.amount, 4e9)
+		 : selection == TS_PART_EXACT ? ts_draw_part(n, want.amount)
+					      : ts_draw_below(draw, n, want.amount);
 	if (wanted > n) {
 		ts_free(draw);
 		return ts_fail(&sim->error, TS_RANGE, &words.word[1].place,
@@ -121,11 +122,11 @@ enum ts_status ts_assign_image(struct tsim *sim, struct ts_words words, const un
 			if (chosen[i])
 				p->image[i][d] = (int32_t)flag;
 	}
-	*count = count_of(sim, chosen);
+	*count = count_chosen(sim, chosen);
 	return TS_OK;
 }
 
-/* ---- columns of fixes ---- */
+/* ---- columns added by fixes ---- */
 
 static struct ts_column *find_column(struct ts_particles *p, const char *name, size_t n)
 {
@@ -143,8 +144,8 @@ static struct ts_column *find_column(struct ts_particles *p, const char *name, s
 	return NULL;
 }
 
-/* The k of NAME[k], counted from 0; false where it is none from 1 to width. */
-static bool read_index(const char *bracket, size_t width, size_t *k)
+/* The index k of NAME[k], counted from 0; false if the script's index is not within 1..width. */
+static bool read_component(const char *bracket, size_t width, size_t *k)
 {
 	size_t digits = strcspn(bracket + 1, "]");
 	char number[16] = "";
@@ -159,13 +160,14 @@ static bool read_index(const char *bracket, size_t width, size_t *k)
 	return true;
 }
 
-/* What NAME, or NAME[k], is: the numbers first .. first + n - 1 of each row of the column. */
-struct part_of_column {
+/* The components that NAME, or NAME[k], denotes: first .. first + n - 1 of the column. */
+struct column_components {
 	struct ts_column *column;
 	size_t first, n;
 };
 
-static enum ts_status find_part(struct tsim *sim, const struct ts_word *word, struct part_of_column *out)
+static enum ts_status find_components(struct tsim *sim, const struct ts_word *word,
+				      struct column_components *out)
 {
 	struct ts_particles *p = sim->particles;
 	size_t length = strcspn(word->text, "[");
@@ -179,8 +181,8 @@ static enum ts_status find_part(struct tsim *sim, const struct ts_word *word, st
 		return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
 			       "set: no fix keeps a property '%s' of particles%s", word->text,
 			       ts_suggest_text(&suggest));
-	*out = (struct part_of_column){ c, 0, one ? 1 : c->width };
-	if (one && !read_index(word->text + length, c->width, &out->first))
+	*out = (struct column_components){ c, 0, one ? 1 : c->width };
+	if (one && !read_component(word->text + length, c->width, &out->first))
 		return ts_fail(&sim->error, TS_RANGE, &word->place,
 			       "set: property '%.*s' has the numbers [1] to [%zu], not %s", (int)length,
 			       word->text, c->width, word->text + length);
@@ -199,8 +201,9 @@ static enum ts_status read_value(struct tsim *sim, const struct ts_word *word, s
 		       "set: property/atom is '%s', expected a number or v_name", word->text);
 }
 
-static enum ts_status assign_number(struct tsim *sim, const struct ts_word *word, const unsigned char *chosen,
-				    const struct part_of_column *to, size_t k, struct ts_table *value)
+static enum ts_status assign_component(struct tsim *sim, const struct ts_word *word,
+				       const unsigned char *chosen, const struct column_components *to,
+				       size_t k, struct ts_table *value)
 {
 	const struct ts_column *c = to->column;
 	bool integer = strncmp(c->name, "i_", 2) == 0 || strncmp(c->name, "i2_", 3) == 0;
@@ -220,7 +223,7 @@ static enum ts_status assign_number(struct tsim *sim, const struct ts_word *word
 	return TS_OK;
 }
 
-/* The words up to the next that is no value. */
+/* Number of words before the first that is neither a number nor v_NAME. */
 static size_t count_values(struct ts_words words)
 {
 	size_t n = 0;
@@ -238,18 +241,18 @@ static enum ts_status assign_column(struct tsim *sim, struct ts_words words, con
 	size_t given = count_values(ts_words_from(words, 1));
 	struct ts_table value = { 0 };
 	enum ts_status status = TS_OK;
-	struct part_of_column to = { 0 };
+	struct column_components to = { 0 };
 
-	TS_TRY(find_part(sim, &words.word[0], &to));
+	TS_TRY(find_components(sim, &words.word[0], &to));
 	if (given < to.n && given + 1 < words.n)
-		given = to.n; /* the message is about the word that is no value */
+		given = to.n; /* the message is about the word that is not a value */
 	*used = given + 1;
 	if (given != to.n)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 			       "set: property '%s' takes %zu number%s, but %zu are given", words.word[0].text,
 			       to.n, to.n > 1 ? "s" : "", given);
 	for (size_t k = 0; k < to.n && status == TS_OK; k++)
-		status = assign_number(sim, &words.word[k + 1], chosen, &to, k, &value);
+		status = assign_component(sim, &words.word[k + 1], chosen, &to, k, &value);
 	ts_table_release(&value);
 	return status;
 }
@@ -259,6 +262,6 @@ enum ts_status ts_assign_properties(struct tsim *sim, struct ts_words words, con
 {
 	for (size_t used; words.n; words = ts_words_from(words, used))
 		TS_TRY(assign_column(sim, words, chosen, &used));
-	*count = count_of(sim, chosen);
+	*count = count_chosen(sim, chosen);
 	return TS_OK;
 }

@@ -12,13 +12,13 @@ static void *column_row(const struct ts_column *c, size_t row)
 	return (char *)c->data + row * c->element * c->width;
 }
 
-static void bind(struct ts_column *c)
+static void update_bound_pointer(struct ts_column *c)
 {
 	if (c->bound)
 		*c->bound = c->data;
 }
 
-static enum ts_status enlarge(struct tsim *sim, struct ts_column *c, size_t rows, size_t capacity)
+static enum ts_status reallocate_column(struct tsim *sim, struct ts_column *c, size_t rows, size_t capacity)
 {
 	void *data = ts_alloc_aligned(capacity * c->width, c->element);
 
@@ -28,7 +28,7 @@ static enum ts_status enlarge(struct tsim *sim, struct ts_column *c, size_t rows
 		memcpy(data, c->data, rows * c->width * c->element);
 	ts_shared_buffer_free(&sim->holds, c->data);
 	c->data = data;
-	bind(c);
+	update_bound_pointer(c);
 	sim->generation++;
 	return TS_OK;
 }
@@ -44,7 +44,7 @@ enum ts_status ts_particles_reserve(struct tsim *sim, size_t rows)
 		capacity = 16;
 	for (size_t k = 0; k < p->ncolumns; k++)
 		if (p->column[k].active)
-			TS_TRY(enlarge(sim, &p->column[k], p->n + p->nghost, capacity));
+			TS_TRY(reallocate_column(sim, &p->column[k], p->n + p->nghost, capacity));
 	p->capacity = capacity;
 	return TS_OK;
 }
@@ -60,7 +60,7 @@ enum ts_status ts_particles_need(struct tsim *sim, unsigned columns)
 			continue;
 		c->active = true;
 		if (p->capacity)
-			TS_TRY(enlarge(sim, c, 0, p->capacity));
+			TS_TRY(reallocate_column(sim, c, 0, p->capacity));
 	}
 	return TS_OK;
 }
@@ -91,7 +91,7 @@ enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_
 				 .width = width,
 				 .flags = flags,
 				 .active = true };
-	if (!c->name || (p->capacity && enlarge(sim, c, 0, p->capacity) != TS_OK))
+	if (!c->name || (p->capacity && reallocate_column(sim, c, 0, p->capacity) != TS_OK))
 		return ts_nomem(&sim->error);
 	p->ncolumns++;
 	return TS_OK;
@@ -115,9 +115,9 @@ void ts_particles_fill_initial(struct ts_column *column, size_t from, size_t to)
 		memcpy(column_row(column, i), column->initial, column->width * column->element);
 }
 
-/* Gives the numbers of each identity to the particle that has it now. */
-static enum ts_status distribute(struct tsim *sim, const struct ts_column *c, const int32_t *tag, size_t n,
-				 const double *data)
+/* Copies the numbers saved for each tag to the particle that has the tag; others are skipped. */
+static enum ts_status scatter_by_tag(struct tsim *sim, const struct ts_column *c, const int32_t *tag,
+				     size_t n, const double *data)
 {
 	struct ts_identities map;
 
@@ -159,7 +159,7 @@ enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct ts
 			status = ts_fail(&sim->error, TS_DAMAGED, NULL, "'%s' does not fit its particles",
 					 name);
 		if (status == TS_OK)
-			status = distribute(sim, c, tag, tags, data);
+			status = scatter_by_tag(sim, c, tag, tags, data);
 	}
 	ts_str_release(&key);
 	ts_free(tag);
@@ -190,13 +190,13 @@ enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
 		p->mass[i] = ts_particle_volume(sim, 0.5);
 	}
 	p->n += n;
-	if (sim->run.inside) /* inserted, by who looks at overlaps himself */
-		p->settled = p->max_tag;
+	if (sim->run.inside) /* inserted during a run: the fix has checked overlaps */
+		p->max_run_tag = p->max_tag;
 	sim->generation++;
 	return TS_OK;
 }
 
-static void move_row(struct ts_particles *p, size_t from, size_t to)
+static void copy_row(struct ts_particles *p, size_t from, size_t to)
 {
 	for (size_t k = 0; k < p->ncolumns; k++)
 		if (p->column[k].active)
@@ -214,7 +214,7 @@ enum ts_status ts_particles_delete(struct tsim *sim, const unsigned char *flag)
 		if (flag[i])
 			continue;
 		if (kept != i)
-			move_row(p, i, kept);
+			copy_row(p, i, kept);
 		kept++;
 	}
 	p->n = kept;
@@ -242,7 +242,7 @@ enum ts_status ts_particles_reorder(struct tsim *sim, const int32_t *order)
 			memcpy(data + i * row, column_row(c, (size_t)order[i]), row);
 		ts_shared_buffer_free(&sim->holds, c->data);
 		c->data = data;
-		bind(c);
+		update_bound_pointer(c);
 	}
 	return TS_OK;
 }

@@ -1,4 +1,4 @@
-/* Command atom_modify: accepted for compatibility. */
+/* Command atom_modify: accepted for compatibility, without effect. */
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -12,7 +12,7 @@ struct state {
 
 static const char *const maps[] = { "array", "hash", "yes", NULL };
 
-/* sort EVERY SIZE */
+/* sort EVERY SIZE: steps and width of the bins */
 static enum ts_status check_sort(struct tsim *sim, struct ts_words words)
 {
 	int64_t every;
@@ -31,21 +31,21 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 	if (!s->id)
 		return ts_fail(&sim->error, TS_RANGE, ts_sim_word_of(sim, "id", where),
-			       "atom_modify: particles always have identities: contact histories, random "
-			       "numbers and the order of sums hang on them; leave `id no` out");
+			       "atom_modify: particles always have atom IDs: contact histories, random "
+			       "numbers and the order of sums depend on them; leave `id no` out");
 	return check_sort(sim, s->sort);
 }
 
 static const struct ts_arg args[] = {
 	TS_ENUM("map", struct state, map, maps, .fallback = "array",
-		.help = "no effect: particles are found by identity when that is needed"),
+		.help = "no effect: particles are looked up by atom ID when that is needed"),
 	TS_BOOL("id", struct state, id, .fallback = "yes",
-		.help = "yes; no is refused: histories and random numbers hang on identities"),
+		.help = "yes; no is an error, since histories and random numbers depend on atom IDs"),
 	TS_WORD("first", struct state, first, .flags = TS_OPTIONAL,
-		.help = "no effect: the order in memory decides only the speed; see neigh_modify include"),
+		.help = "no effect: the order in memory affects only the speed; see neigh_modify include"),
 	TS_SOME_KEYWORD("sort", struct state, sort, 0,
-			.help = "steps and size of bins: no effect, particles are sorted by place when "
-				"that pays; results and dumps (sort id) do not depend on it"),
+			.help = "steps and bin size: no effect, particles are sorted in space when that is "
+				"faster; results and dumps (sort id) do not depend on it"),
 	TS_ARGS_END,
 };
 
@@ -55,13 +55,11 @@ const struct ts_command_style ts_command_atom_modify = {
 		.name = "atom_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "Elsewhere it says how particles are found by identity and when they are sorted. Here "
-		       "both are\n"
-		       "settled, and results do not depend on them: sums go by identity, and dumps are "
-		       "sorted by\n"
-		       "identity unless `dump_modify sort off` asks for the order in memory, which is that "
-		       "of this\n"
-		       "program and not of another.",
+		.doc = "In LAMMPS and LIGGGHTS this command selects how particles are looked up by their\n"
+		       "atom ID and how often they are sorted in memory. tsim chooses both itself, and\n"
+		       "results do not depend on them: sums are evaluated in the order of atom IDs, and\n"
+		       "dumps are sorted by atom ID unless `dump_modify sort off` requests the order in\n"
+		       "memory, which differs from that of other programs.",
 		.example = "atom_modify map array sort 0 0",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -36,7 +36,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 static const struct ts_arg args[] = {
 	TS_REST("style", struct state, words,
 		.help = "sphere, granular, bond, bond/gran, bpm/sphere, molecular, atomic, or hybrid and "
-			"several of them, with their settings; granular/omp is granular"),
+			"several of these, with their arguments; granular/omp means granular"),
 	TS_ARGS_END,
 };
 
@@ -45,10 +45,12 @@ const struct ts_command_style ts_command_atom_style = {
 	.style = {
 		.name = "atom_style",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Says which columns the particles of a data file have",
-		.doc = "Particles are spheres with a radius, mass and velocity. Rotation, bonds and all "
-		       "else\n"
-		       "exist as soon as something in the script needs them.",
+		.summary = "Sets the columns of particles in data files",
+		.doc = "Sets which columns the section Atoms of a data file has (read_data, write_data).\n"
+		       "It does not restrict which properties particles have: they are always spheres\n"
+		       "with a radius, mass and velocity; rotation, bonds and other properties exist as\n"
+		       "soon as a command of the script needs them.\n\n"
+		       "The command must come before the simulation box is created.",
 		.example = "atom_style granular\n"
 		       "atom_style hybrid granular bond/gran n_bondtypes 1 bonds_per_atom 6",
 		.args = args,

@@ -20,7 +20,7 @@ struct state {
 	struct ts_instance *region;
 	double cutoff;
 	struct ts_words porosity;
-	int part; /* of random: enum part */
+	int part; /* of mode RANDOM: enum part */
 	double amount;
 	bool exact, compress, bond, molecule;
 	int64_t seed;
@@ -28,8 +28,9 @@ struct state {
 };
 enum part { FRACTION, COUNT };
 
-/* In order of identity, so that the result does not depend on the order of rows: a member of
- * `group` goes if a particle of `other` that stays is nearer than the cutoff. */
+/* Marks a particle of `group` if the distance to a particle of `other` that is kept is below the cutoff.
+ * Particles are processed in the order of their tags, so that the result does not depend on the order in
+ * memory. */
 static enum ts_status mark_overlaps(struct tsim *sim, const struct state *s, struct ts_pointhash *hash,
 				    unsigned char *flag)
 {
@@ -53,7 +54,7 @@ static enum ts_status mark_overlaps(struct tsim *sim, const struct state *s, str
 	return TS_OK;
 }
 
-/* [GROUP] REGION FRACTION SEED: each goes with this probability. */
+/* [GROUP] REGION FRACTION SEED: each particle is deleted with the probability FRACTION. */
 static enum ts_status read_porosity(struct tsim *sim, struct state *s)
 {
 	struct ts_words w = s->porosity;
@@ -78,9 +79,9 @@ static enum ts_status read_porosity(struct tsim *sim, struct state *s)
 	return TS_OK;
 }
 
-/* How many of those drawn go. */
-static enum ts_status wanted(struct tsim *sim, const struct state *s, const struct ts_draw *draw, size_t n,
-			     const struct ts_place *where, size_t *out)
+/* How many of the n candidates, in random order, are deleted. */
+static enum ts_status count_to_delete(struct tsim *sim, const struct state *s, const struct ts_draw *draw,
+				      size_t n, const struct ts_place *where, size_t *out)
 {
 	bool count = s->mode == RANDOM && s->part == COUNT;
 
@@ -96,21 +97,21 @@ static enum ts_status wanted(struct tsim *sim, const struct state *s, const stru
 	return TS_OK;
 }
 
-/* The flags say first who may go, then who goes. */
+/* flag[] first selects the candidates for ts_draw; those that are kept are then reset. */
 static enum ts_status mark_random(struct tsim *sim, const struct state *s, unsigned char *flag,
 				  const struct ts_place *where)
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_draw *draw;
-	size_t n, gone = 0;
+	size_t n, ndeleted = 0;
 	enum ts_status status;
 
 	for (size_t i = 0; i < p->n; i++)
 		flag[i] =
 			ts_in_group(p, i, s->group) && (!s->region || ts_region_contains(s->region, p->x[i]));
 	TS_TRY(ts_draw(sim, flag, s->seed, &draw, &n));
-	status = wanted(sim, s, draw, n, where, &gone);
-	for (size_t k = gone; status == TS_OK && k < n; k++)
+	status = count_to_delete(sim, s, draw, n, where, &ndeleted);
+	for (size_t k = ndeleted; status == TS_OK && k < n; k++)
 		flag[draw[k].row] = 0;
 	ts_free(draw);
 	return status;
@@ -128,8 +129,8 @@ static enum ts_status mark_variable(struct tsim *sim, const struct state *s, uns
 	return status;
 }
 
-static enum ts_status mark(struct tsim *sim, const struct state *s, unsigned char *flag,
-			   const struct ts_place *where)
+static enum ts_status mark_deleted(struct tsim *sim, const struct state *s, unsigned char *flag,
+				   const struct ts_place *where)
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_pointhash hash;
@@ -170,7 +171,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	flag = ts_alloc(p->n, 1);
 	if (!flag)
 		return ts_nomem(&sim->error);
-	status = mark(sim, s, flag, where);
+	status = mark_deleted(sim, s, flag, where);
 	if (status == TS_OK)
 		status = ts_particles_delete(sim, flag);
 	ts_free(flag);
@@ -180,23 +181,23 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg group_args[] = {
-	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "who is removed"),
+	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "particles that are deleted"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg region_args[] = {
 	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL,
-		  .help = "where particles are removed"),
+		  .help = "region in which particles are deleted"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg overlap_args[] = {
 	TS_REAL("cutoff", struct state, cutoff, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-		.unit = "length", .help = "distance of centers below which one is removed"),
+		.unit = "length", .help = "distance between centers below which one particle is deleted"),
 	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL,
-		 .help = "particles that may be removed"),
+		 .help = "group of which particles may be deleted"),
 	TS_GROUP("other", struct state, other, .flags = TS_POSITIONAL,
-		 .help = "particles that they may be too near to"),
+		 .help = "group to which the distance is measured"),
 	TS_ARGS_END,
 };
 
@@ -209,44 +210,45 @@ static const struct ts_arg porosity_args[] = {
 static const char *const parts[] = { "fraction", "count", NULL };
 static const struct ts_arg random_args[] = {
 	TS_ENUM("part", struct state, part, parts, .flags = TS_POSITIONAL,
-		.help = "whether a part or a number is given"),
+		.help = "whether amount is a fraction or a number"),
 	TS_REAL("amount", struct state, amount, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-		.help = "the part, or the number"),
+		.help = "fraction of the particles, or number of particles"),
 	TS_BOOL("exact", struct state, exact, .flags = TS_POSITIONAL,
-		.help = "fraction: exactly this part, not this probability; count: refuse if there "
-			"are not so many"),
-	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "who may go"),
+		.help = "fraction: yes deletes exactly this fraction, no deletes each particle with this "
+			"probability; count: yes is an error if there are fewer particles"),
+	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL,
+		 .help = "group of which particles may be deleted"),
 	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL | TS_NULLABLE,
-		  .help = "where; NULL: everywhere"),
+		  .help = "region in which particles may be deleted; NULL: everywhere"),
 	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "seed of the random numbers, which are keyed by identity"),
+	       .help = "seed of the random numbers, which are functions of seed and atom ID"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg variable_args[] = {
 	TS_REF("variable", struct state, variable, .flags = TS_POSITIONAL,
-	       .help = "an atom-style variable, NAME or v_NAME: those for which it is not 0"),
+	       .help = "an atom-style variable, NAME or v_NAME: particles for which it is not 0 are deleted"),
 	TS_ARGS_END,
 };
 
 static const struct ts_mode modes[] = {
 	[GROUP] = { "group", "all particles of a group", group_args },
 	[REGION] = { "region", "all particles whose centers lie in a region", region_args },
-	[OVERLAP] = { "overlap", "particles too near to others", overlap_args },
-	[POROSITY] = { "porosity", "a random part of a region", porosity_args },
-	[RANDOM] = { "random", "a random part, or a number", random_args },
-	[VARIABLE] = { "variable", "those that a variable names", variable_args },
+	[OVERLAP] = { "overlap", "particles that are too close to others", overlap_args },
+	[POROSITY] = { "porosity", "a random fraction of the particles in a region", porosity_args },
+	[RANDOM] = { "random", "a random fraction or number of particles", random_args },
+	[VARIABLE] = { "variable", "particles selected by a variable", variable_args },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
 	TS_MODE("style", struct state, mode, modes, .help = "which particles are removed"),
 	TS_BOOL("compress", struct state, compress, .fallback = "no",
-		.help = "no effect: identities are kept and never used again"),
+		.help = "no effect: atom IDs are kept and never reused"),
 	TS_BOOL("bond", struct state, bond, .fallback = "yes",
-		.help = "no effect: bonds of removed particles always go with them"),
+		.help = "no effect: bonds of deleted particles are always deleted"),
 	TS_BOOL("mol", struct state, molecule, .fallback = "no",
-		.help = "no effect: particles belong to no molecules"),
+		.help = "no effect: only the particles selected are deleted, not their molecules"),
 	TS_ARGS_END,
 };
 
@@ -255,11 +257,12 @@ const struct ts_command_style ts_command_delete_atoms = {
 	.style = {
 		.name = "delete_atoms",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Removes particles",
-		.doc = "Bonds of removed particles go with them. overlap looks at the particles in the "
-		       "order\n"
-		       "of their identities; of two members of both groups that are too near the first "
-		       "stays.",
+		.summary = "Deletes particles",
+		.doc = "Deletes the selected particles and their bonds. Particles keep their atom IDs,\n"
+		       "and IDs of deleted particles are not used again.\n\n"
+		       "overlap processes the particles in the order of their atom IDs. Of two particles\n"
+		       "that belong to both groups and are closer than the cutoff, the one with the\n"
+		       "smaller ID is kept.",
 		.example = "delete_atoms group loose\n"
 			   "delete_atoms region hole\n"
 			   "delete_atoms overlap 0.001 all all\n"

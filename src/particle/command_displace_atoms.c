@@ -19,30 +19,31 @@ struct state {
 	int group, mode, units;
 	struct ts_number shift[3];
 	int component, dim; /* of ramp */
-	double d[2], at[2];
-	double most[3]; /* of random */
+	double d[2], at[2]; /* of ramp: displacements and coordinates of both ends */
+	double most[3];	    /* of random: largest displacement */
 	int64_t seed;
 	double point[3], axis[3], angle; /* of rotate; degrees */
 };
 
-static enum ts_status move(struct tsim *sim, const struct state *s, const struct ts_place *where)
+static enum ts_status displace_by_vector(struct tsim *sim, const struct state *s,
+					 const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
-	struct ts_number_or_peratom each[3] = { { 0 } };
+	struct ts_number_or_peratom shift[3] = { { 0 } };
 	enum ts_status status = TS_OK;
 
 	for (int d = 0; d < 3 && status == TS_OK; d++)
-		status = ts_number_or_peratom_now(sim, &s->shift[d], where, &each[d]);
+		status = ts_number_or_peratom_now(sim, &s->shift[d], where, &shift[d]);
 	for (size_t i = 0; i < p->n && status == TS_OK; i++)
 		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
 			p->x[i][d] +=
-				ts_domain_scale(sim, s->units, d) * ts_number_or_peratom_of(&each[d], i);
+				ts_domain_scale(sim, s->units, d) * ts_number_or_peratom_of(&shift[d], i);
 	for (int d = 0; d < 3; d++)
-		ts_number_or_peratom_release(&each[d]);
+		ts_number_or_peratom_release(&shift[d]);
 	return status;
 }
 
-static enum ts_status ramp(struct tsim *sim, const struct state *s, const struct ts_place *where)
+static enum ts_status displace_by_ramp(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
 	double scale = ts_domain_scale(sim, s->units, s->component);
@@ -61,8 +62,8 @@ static enum ts_status ramp(struct tsim *sim, const struct state *s, const struct
 	return TS_OK;
 }
 
-/* The numbers belong to the identities of the particles. */
-static void at_random(struct tsim *sim, const struct state *s)
+/* Random numbers are functions of seed and tag, so they do not depend on the order in memory. */
+static void displace_randomly(struct tsim *sim, const struct state *s)
 {
 	struct ts_particles *p = sim->particles;
 
@@ -75,8 +76,9 @@ static void at_random(struct tsim *sim, const struct state *s)
 	}
 }
 
-/* x -> P + C + A cos a + B sin a with C along the axis e, A at right angles to it, B = e x A. */
-static enum ts_status rotate(struct tsim *sim, const struct state *s, const struct ts_place *where)
+/* Rotation by the angle t about the axis e through P: x -> P + C + A cos t + B sin t, where x - P = C + A
+ * with C along e and A perpendicular to it, B = e x A. */
+static enum ts_status rotate_positions(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
 	double axis[3], a[3], b[3], point[3], angle = s->angle * acos(-1.0) / 180;
@@ -109,13 +111,13 @@ static enum ts_status displace(struct tsim *sim, const struct state *s, const st
 {
 	switch (s->mode) {
 	case MOVE:
-		return move(sim, s, where);
+		return displace_by_vector(sim, s, where);
 	case RAMP:
-		return ramp(sim, s, where);
+		return displace_by_ramp(sim, s, where);
 	case ROTATE:
-		return rotate(sim, s, where);
+		return rotate_positions(sim, s, where);
 	default:
-		at_random(sim, s);
+		displace_randomly(sim, s);
 		return TS_OK;
 	}
 }
@@ -132,7 +134,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 #define SHIFT(name, k)                                                                    \
 	TS_NUMBER(name, struct state, shift[k], .flags = TS_POSITIONAL, .unit = "length", \
-		  .help = "displacement, or v_name; an atom-style variable gives each its own")
+		  .help = "displacement, or v_NAME; an atom-style variable gives each particle its own")
 static const struct ts_arg move_args[] = {
 	SHIFT("dx", 0),
 	SHIFT("dy", 1),
@@ -144,19 +146,21 @@ static const struct ts_arg ramp_args[] = {
 	TS_ENUM("ddim", struct state, component, ts_region_axes, .flags = TS_POSITIONAL,
 		.help = "direction of the displacement"),
 	TS_REAL("dlo", struct state, d[0], .flags = TS_POSITIONAL, .unit = "length",
-		.help = "displacement at the low end and below"),
+		.help = "displacement at clo and below"),
 	TS_REAL("dhi", struct state, d[1], .flags = TS_POSITIONAL, .unit = "length",
-		.help = "displacement at the high end and above"),
+		.help = "displacement at chi and above"),
 	TS_ENUM("dim", struct state, dim, ts_region_axes, .flags = TS_POSITIONAL,
-		.help = "coordinate along which it changes"),
-	TS_REAL("clo", struct state, at[0], .flags = TS_POSITIONAL, .unit = "length", .help = "the low end"),
-	TS_REAL("chi", struct state, at[1], .flags = TS_POSITIONAL, .unit = "length", .help = "the high end"),
+		.help = "coordinate on which the displacement depends"),
+	TS_REAL("clo", struct state, at[0], .flags = TS_POSITIONAL, .unit = "length",
+		.help = "lower coordinate"),
+	TS_REAL("chi", struct state, at[1], .flags = TS_POSITIONAL, .unit = "length",
+		.help = "upper coordinate"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg random_args[] = {
 	TS_VEC3("most", struct state, most, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-		.unit = "length", .help = "largest displacement along x, y and z, either way"),
+		.unit = "length", .help = "largest displacement in x, y and z, in both directions"),
 	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "seed of the random numbers"),
 	TS_ARGS_END,
@@ -164,26 +168,27 @@ static const struct ts_arg random_args[] = {
 
 static const struct ts_arg rotate_args[] = {
 	TS_VEC3("P", struct state, point, .flags = TS_POSITIONAL, .unit = "length",
-		.help = "a point of the axis"),
+		.help = "a point on the axis"),
 	TS_VEC3("R", struct state, axis, .flags = TS_POSITIONAL, .help = "direction of the axis"),
 	TS_REAL("theta", struct state, angle, .flags = TS_POSITIONAL, .unit = "degrees",
-		.help = "angle, right-handed about the axis"),
+		.help = "angle of rotation, right-handed about the axis"),
 	TS_ARGS_END,
 };
 
 static const struct ts_mode modes[] = {
-	[MOVE] = { "move", "by a vector, or one from variables", move_args },
-	[RAMP] = { "ramp", "by a length that changes linearly in space", ramp_args },
-	[RANDOM] = { "random", "at random within +-(most)", random_args },
+	[MOVE] = { "move", "by a constant vector, or one from variables", move_args },
+	[RAMP] = { "ramp", "by a displacement that varies linearly along a coordinate", ramp_args },
+	[RANDOM] = { "random", "by random displacements within +-most", random_args },
 	[ROTATE] = { "rotate", "about an axis", rotate_args },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
-	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "who is displaced"),
-	TS_MODE("style", struct state, mode, modes, .help = "how"),
+	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL,
+		 .help = "particles that are displaced"),
+	TS_MODE("style", struct state, mode, modes, .help = "kind of displacement"),
 	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
-		.help = "whether lengths are given in lattice spacings or as they are"),
+		.help = "whether lengths are in lattice spacings or in units of length"),
 	TS_ARGS_END,
 };
 
@@ -192,13 +197,16 @@ const struct ts_command_style ts_command_displace_atoms = {
 	.style = {
 		.name = "displace_atoms",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Moves particles at once",
-		.doc = "rotate turns positions as they are in the box, not unwrapped ones. random draws each "
-		       "component uniformly from -most to +most, keyed by seed and\n"
-		       "identity. Particles do not turn about themselves, and velocities stay. Afterwards\n"
-		       "positions are wrapped into periodic faces, particles outside of fixed faces are "
-		       "lost\n"
-		       "(see thermo_modify lost), and faces of boundary s and m are fitted to the particles.",
+		.summary = "Displaces particles",
+		.doc = "Displaces the particles of the group once. Velocities and the orientation of\n"
+		       "particles do not change.\n\n"
+		       "ramp interpolates the displacement linearly between clo and chi; it is constant\n"
+		       "outside of them. random draws each component uniformly from -most to +most; the\n"
+		       "numbers are functions of seed and atom ID. rotate rotates the positions in the\n"
+		       "box, not the unwrapped ones.\n\n"
+		       "Afterwards positions are wrapped into the periodic box, particles outside of\n"
+		       "fixed faces are lost (see thermo_modify lost), and faces with boundary s and m\n"
+		       "are fitted to the particles.",
 		.example = "displace_atoms top move 0 0 0.05 units box\n"
 		       "displace_atoms all ramp x 0 0.01 z 0 0.2 units box\n"
 		       "displace_atoms all random 0.001 0.001 0 86028157 units box\n"

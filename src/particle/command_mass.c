@@ -1,7 +1,7 @@
 /* Command mass: the mass of particles of a type. */
 #include "core/sim.h"
-#include "particle/columns.h"
 
+#include "particle/columns.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -42,9 +42,9 @@ const struct ts_command_style ts_command_mass = {
 		.name = "mass",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the mass of particles of a type",
-		.doc = "All particles of these types get the mass, also those that create_atoms makes "
-		       "later.\n"
-		       "`set ... density`, `diameter` or `mass` afterwards overrides it.",
+		.doc = "Sets the mass of all present particles of these types, and of particles that\n"
+		       "create_atoms creates later. `set` with the keyword density, diameter or mass\n"
+		       "changes it afterwards.",
 		.example = "mass 1 1.0\n"
 		       "mass * 0.5",
 		.args = args,

@@ -1,4 +1,4 @@
-/* Command set: gives particles properties. */
+/* Command set: sets properties of particles. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -16,7 +16,7 @@
 
 enum { ATOM, TYPE, GROUP, REGION, MOLECULE };
 
-/* Plain numbers; they are set in the order of the line. */
+/* Keywords with one number; they are applied in the order of the line. */
 enum {
 	TO_TYPE,
 	DIAMETER,
@@ -34,7 +34,7 @@ enum {
 	OMEGAZ,
 	NPROPERTIES
 };
-/* Words that take more; they come after the numbers. */
+/* Keywords with several words; they are applied after those with one number. */
 enum { TYPE_FRACTION, TYPE_RATIO, TYPE_SUBSET, IMAGE, OMEGA, PROPERTY, NAMED, MOLECULES, BOND, NWORDS };
 
 struct state {
@@ -66,7 +66,7 @@ static bool selected(const struct tsim *sim, const struct state *s, size_t i)
 	return number >= s->range.lo && (number <= s->range.hi || s->range.hi == 0);
 }
 
-static const char *problem(const struct ts_particles *p, int what, double value)
+static const char *expected_value(const struct ts_particles *p, int what, double value)
 {
 	if (!isfinite(value))
 		return "a finite number";
@@ -77,7 +77,7 @@ static const char *problem(const struct ts_particles *p, int what, double value)
 	return NULL;
 }
 
-static void apply(struct tsim *sim, size_t i, int what, double value)
+static void set_value(struct tsim *sim, size_t i, int what, double value)
 {
 	struct ts_particles *p = sim->particles;
 	double density = p->mass[i] / ts_particle_volume(sim, p->radius[i]);
@@ -127,17 +127,17 @@ static enum ts_status set_number(struct tsim *sim, const struct state *s, const 
 
 		if (!chosen[i])
 			continue;
-		expected = problem(p, what, table->data[i]);
+		expected = expected_value(p, what, table->data[i]);
 		if (expected)
 			return ts_fail(&sim->error, TS_RANGE, where,
 				       "set: %s of particle %d would be %g, expected %s", names[what],
 				       p->tag[i], table->data[i], expected);
-		apply(sim, i, what, table->data[i]);
+		set_value(sim, i, what, table->data[i]);
 	}
 	return TS_OK;
 }
 
-/* The number that stands next in the line after word `*at`, or -1. */
+/* The next keyword with one number after word *at of the line, or -1; *at becomes its position. */
 static int next_number(const struct state *s, size_t *at)
 {
 	int next = -1;
@@ -170,7 +170,7 @@ static enum ts_status set_omega(struct tsim *sim, struct ts_words words, const u
 	return TS_OK;
 }
 
-/* The type of the bonds whose partners are both chosen. */
+/* Sets the type of the bonds of which both particles are chosen. */
 static enum ts_status set_bond(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
 			       size_t *count)
 {
@@ -193,16 +193,16 @@ static enum ts_status set_bond(struct tsim *sim, struct ts_words words, const un
 	return TS_OK;
 }
 
-/* What `fix property/atom mol` keeps. */
+/* Sets the column of `fix property/atom mol`. */
 static enum ts_status set_molecule(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
 				   size_t *count)
 {
-	struct ts_word both[2] = { { .text = "mol", .place = words.word[0].place }, words.word[0] };
+	struct ts_word name_and_value[2] = { { .text = "mol", .place = words.word[0].place }, words.word[0] };
 
 	if (words.n != 1)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 			       "set: mol takes one number or v_name");
-	return ts_assign_properties(sim, (struct ts_words){ both, 2 }, chosen, count);
+	return ts_assign_properties(sim, (struct ts_words){ name_and_value, 2 }, chosen, count);
 }
 
 static enum ts_status set_words(struct tsim *sim, const struct state *s, const unsigned char *chosen,
@@ -275,8 +275,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg by_id[] = {
-	TS_TYPES("ids", struct state, range, .flags = TS_POSITIONAL,
-		 .help = "identities: n, *, n*, *m or n*m"),
+	TS_TYPES("ids", struct state, range, .flags = TS_POSITIONAL, .help = "atom IDs: n, *, n*, *m or n*m"),
 	TS_ARGS_END,
 };
 
@@ -302,7 +301,7 @@ static const struct ts_arg by_molecule[] = {
 };
 
 static const struct ts_mode modes[] = {
-	[ATOM] = { "atom", "particles with these identities", by_id },
+	[ATOM] = { "atom", "particles with these atom IDs", by_id },
 	[TYPE] = { "type", "particles of these types", by_type },
 	[GROUP] = { "group", "particles of a group", by_group },
 	[REGION] = { "region", "particles whose centers lie in a region", by_region },
@@ -320,13 +319,13 @@ static const struct ts_mode modes[] = {
 	}
 
 static const struct ts_arg args[] = {
-	TS_MODE("style", struct state, mode, modes, .help = "how particles are chosen"),
+	TS_MODE("style", struct state, mode, modes, .help = "how particles are selected"),
 	VALUE("type", TO_TYPE, "", "type"),
-	VALUE("diameter", DIAMETER, "length", "diameter; the density stays"),
-	VALUE("density", DENSITY, "mass/volume", "density; the diameter stays"),
+	VALUE("diameter", DIAMETER, "length", "diameter; the density is kept"),
+	VALUE("density", DENSITY, "mass/volume", "density; the diameter is kept"),
 	VALUE("density/disc", DENSITY_DISC, "mass/area",
-	      "density of discs, mass by pi R^2; the diameter stays; needs dimension 2"),
-	VALUE("mass", MASS, "mass", "mass; the diameter stays"),
+	      "density of discs, mass / (pi R^2); the diameter is kept; needs dimension 2"),
+	VALUE("mass", MASS, "mass", "mass; the diameter is kept"),
 	VALUE("x", X, "length", "x of the center"),
 	VALUE("y", Y, "length", "y of the center"),
 	VALUE("z", Z, "length", "z of the center"),
@@ -336,24 +335,28 @@ static const struct ts_arg args[] = {
 	VALUE("omegax", OMEGAX, "1/time", "x component of the angular velocity"),
 	VALUE("omegay", OMEGAY, "1/time", "y component of the angular velocity"),
 	VALUE("omegaz", OMEGAZ, "1/time", "z component of the angular velocity"),
-	WORDS("omega", OMEGA, "three numbers: the angular velocity"),
-	WORDS("image", IMAGE, "three integers or NULL: image flags; 0 where the box is not periodic"),
+	WORDS("omega", OMEGA, "angular velocity: three numbers"),
+	WORDS("image", IMAGE,
+	      "image flags: three integers, or NULL to keep one; 0 if the box is not periodic in the "
+	      "dimension"),
 	WORDS("type/fraction", TYPE_FRACTION,
-	      "type, fraction, seed: each gets the type with this probability"),
-	WORDS("type/ratio", TYPE_RATIO, "type, fraction, seed: exactly this part of them gets the type"),
-	WORDS("type/subset", TYPE_SUBSET, "type, number, seed: so many of them get the type"),
+	      "type, fraction, seed: the type is set for each particle with this probability"),
+	WORDS("type/ratio", TYPE_RATIO,
+	      "type, fraction, seed: the type is set for exactly this fraction of the particles"),
+	WORDS("type/subset", TYPE_SUBSET, "type, number, seed: the type is set for this number of particles"),
 	TS_SOME_KEYWORD("property/atom", struct state, words[PROPERTY], TS_REPEAT,
-			.help = "name of a property that a fix keeps, and its numbers or v_names"),
+			.help = "name of a property of a fix, and its numbers or v_NAMEs"),
 	TS_SOME_KEYWORD("d_NAME", struct state, words[NAMED], TS_REPEAT | TS_NAMED,
-			.help = "number or v_name: for what fix property/atom d_NAME keeps; also d_NAME[k]"),
+			.help = "number or v_NAME, for the property d_NAME of fix property/atom; also "
+				"d_NAME[k]"),
 	TS_SOME_KEYWORD("i_NAME", struct state, words[NAMED], TS_REPEAT | TS_NAMED,
-			.help = "the same for i_NAME, an integer"),
+			.help = "as d_NAME for i_NAME, an integer"),
 	TS_SOME_KEYWORD("d2_NAME", struct state, words[NAMED], TS_REPEAT | TS_NAMED,
-			.help = "the same for one number d2_NAME[k] of several"),
+			.help = "as d_NAME for one component d2_NAME[k]"),
 	TS_SOME_KEYWORD("i2_NAME", struct state, words[NAMED], TS_REPEAT | TS_NAMED,
-			.help = "the same for one integer i2_NAME[k] of several"),
-	WORDS("mol", MOLECULES, "number or v_name of the molecule, for fix property/atom mol"),
-	WORDS("bond", BOND, "type of bonds: for bonds whose partners are both chosen"),
+			.help = "as d_NAME for one component i2_NAME[k], an integer"),
+	WORDS("mol", MOLECULES, "molecule number or v_NAME, for fix property/atom mol"),
+	WORDS("bond", BOND, "bond type, for bonds between two selected particles"),
 	TS_ARGS_END,
 };
 
@@ -362,14 +365,14 @@ const struct ts_command_style ts_command_set = {
 	.style = {
 		.name = "set",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Gives particles properties",
-		.doc = "Numbers may be v_name; an atom-style variable gives each particle a value of its "
-		       "own. They\n"
-		       "are set from left to right: `diameter 2 mass 1` ends with the mass 1, `mass 1 "
-		       "diameter 2` with\n"
-		       "the density that mass 1 gave. The words that take more than one number come last. "
-		       "Random\n"
-		       "choices are keyed by seed and identity.",
+		.summary = "Sets properties of particles",
+		.doc = "Sets properties of the selected particles. A number may be v_NAME; an atom-style\n"
+		       "variable gives each particle its own value.\n\n"
+		       "Keywords with one number are applied from left to right: `diameter 2 mass 1`\n"
+		       "results in mass 1; `mass 1 diameter 2` results in the mass of diameter 2 with\n"
+		       "the density that mass 1 gave. Keywords that take several words are applied last.\n\n"
+		       "Random selections are functions of seed and atom ID. They depend neither on the\n"
+		       "number of threads nor on the order of particles.",
 		.example = "set group all diameter 0.005 density 2500\n"
 			   "set type 2 vz -1\n"
 			   "set atom 1*10 diameter v_size\n"

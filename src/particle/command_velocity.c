@@ -1,4 +1,4 @@
-/* Command velocity: gives particles velocities. */
+/* Command velocity: sets velocities of particles. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -26,13 +26,13 @@ struct state {
 	bool momentum, rotation;
 	int gaussian, loop;
 	int component, dim; /* of ramp */
-	double v[2], x[2];
+	double v[2], x[2];  /* of ramp: values and coordinates of both ends */
 	int zero, units;
-	const char *temp; /* name of the compute that measures temperatures; NULL: of the group */
+	const char *temp; /* ID of the compute for the temperature; NULL: that of the group */
 	bool bias;
 };
 
-/* Lengths of `units lattice` are lattice spacings. */
+/* Length of one unit in this dimension: 1, or the lattice spacing with `units lattice`. */
 static double scale_of(const struct tsim *sim, const struct state *s, int dim)
 {
 	return ts_domain_scale(sim, s->units, dim);
@@ -49,7 +49,7 @@ static void zero_momentum(struct tsim *sim, int group)
 			p->v[i][d] -= v[d];
 }
 
-/* The velocities of the rigid turn that has the group's angular momentum are taken away. */
+/* Subtracts the rigid rotation with the angular momentum of the group. */
 static void zero_rotation(struct tsim *sim, int group)
 {
 	struct ts_particles *p = sim->particles;
@@ -68,19 +68,19 @@ static void zero_rotation(struct tsim *sim, int group)
 	}
 }
 
-static double temperature(const struct tsim *sim, int group, double *count)
+static double group_temperature(const struct tsim *sim, int group, double *count)
 {
 	double tensor[7];
 
 	ts_temperature_tensor(sim, group, NULL, tensor);
 	*count = tensor[6];
-	if (tensor[6] == 1) /* one particle has all its degrees of freedom */
+	if (tensor[6] == 1) /* a single particle has all D degrees of freedom: D (N - 1) with N = 2 */
 		tensor[6] = 2;
 	return ts_temperature(sim, tensor, NULL);
 }
 
-static enum ts_status thermometer(struct tsim *sim, const struct state *s, const struct ts_place *where,
-				  struct ts_instance **out)
+static enum ts_status find_temperature_compute(struct tsim *sim, const struct state *s,
+					       const struct ts_place *where, struct ts_instance **out)
 {
 	const struct ts_word id = { .text = s->temp, .place = *ts_sim_word_of(sim, s->temp, where) };
 	const struct ts_value *value;
@@ -98,19 +98,20 @@ static enum ts_status thermometer(struct tsim *sim, const struct state *s, const
 	return TS_OK;
 }
 
-static enum ts_status measure(struct tsim *sim, const struct state *s, const struct ts_place *where,
-			      double *now)
+static enum ts_status measure_temperature(struct tsim *sim, const struct state *s,
+					  const struct ts_place *where, double *now)
 {
 	struct ts_instance *inst;
 
-	TS_TRY(thermometer(sim, s, where, &inst));
+	TS_TRY(find_temperature_compute(sim, s, where, &inst));
 	TS_TRY(ts_value_eval(inst, sim, ts_value_find(inst, TS_SCALAR), &inst->table));
 	*now = inst->table.data[0];
 	return TS_OK;
 }
 
-/* The velocity of the centre of mass, which temp/com leaves out, times `sign` onto its group. */
-static void shift(struct tsim *sim, const struct state *s, const double mean[3], double sign)
+/* Adds sign * mean, the velocity of the centre of mass that temp/com excludes, to the group of the
+ * compute. */
+static void add_mean_velocity(struct tsim *sim, const struct state *s, const double mean[3], double sign)
 {
 	struct ts_particles *p = sim->particles;
 	int group = ts_sim_find(sim, TS_KIND_COMPUTE, s->temp)->group;
@@ -120,17 +121,18 @@ static void shift(struct tsim *sim, const struct state *s, const double mean[3],
 			ts_axpy(sign, mean, p->v[i]);
 }
 
-/* `alone`: as the group moves now, whatever compute there is. */
-static enum ts_status rescale(struct tsim *sim, const struct state *s, bool alone,
-			      const struct ts_place *where)
+/* Scales velocities to the temperature. `alone`: the present temperature is that of the group, even if `temp`
+ * names a compute. */
+static enum ts_status rescale_to_temperature(struct tsim *sim, const struct state *s, bool alone,
+					     const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
-	double count, now = temperature(sim, s->group, &count), factor;
+	double count, now = group_temperature(sim, s->group, &count), factor;
 
 	if (count == 0)
 		return TS_OK;
 	if (s->temp && !alone)
-		TS_TRY(measure(sim, s, where, &now));
+		TS_TRY(measure_temperature(sim, s, where, &now));
 	if (!(now > 0) && s->temperature > 0)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "velocity: the group is at rest, so no factor gives it a temperature");
@@ -141,23 +143,23 @@ static enum ts_status rescale(struct tsim *sim, const struct state *s, bool alon
 	return TS_OK;
 }
 
-static enum ts_status scale(struct tsim *sim, const struct state *s, const struct ts_place *where)
+static enum ts_status scale_velocities(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	struct ts_instance *inst;
 	double mean[3];
 	enum ts_status status;
 
 	if (!s->bias)
-		return rescale(sim, s, false, where);
-	TS_TRY(thermometer(sim, s, where, &inst));
+		return rescale_to_temperature(sim, s, false, where);
+	TS_TRY(find_temperature_compute(sim, s, where, &inst));
 	ts_group_velocity(sim, inst->group, mean);
-	shift(sim, s, mean, -1);
-	status = rescale(sim, s, false, where);
-	shift(sim, s, mean, 1);
+	add_mean_velocity(sim, s, mean, -1);
+	status = rescale_to_temperature(sim, s, false, where);
+	add_mean_velocity(sim, s, mean, 1);
 	return status;
 }
 
-static enum ts_status set(struct tsim *sim, const struct state *s, const struct ts_place *where)
+static enum ts_status set_velocities(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_table table = { 0 };
@@ -166,23 +168,24 @@ static enum ts_status set(struct tsim *sim, const struct state *s, const struct 
 	for (int d = 0; d < 3 && status == TS_OK; d++) {
 		const char *variable = s->value[d].variable;
 		double constant = 0, scale = scale_of(sim, s, d);
-		bool each = variable && sim->script_api->is_peratom(sim->script_api_data, variable);
+		bool peratom = variable && sim->script_api->is_peratom(sim->script_api_data, variable);
 
 		if (s->value[d].null)
 			continue;
-		status = each ? sim->script_api->peratom(sim->script_api_data, variable, where, &table)
-			      : ts_number_now(sim, &s->value[d], where, &constant);
+		status = peratom ? sim->script_api->peratom(sim->script_api_data, variable, where, &table)
+				 : ts_number_now(sim, &s->value[d], where, &constant);
 		for (size_t i = 0; i < p->n && status == TS_OK; i++)
 			if (ts_in_group(p, i, s->group))
-				p->v[i][d] =
-					(s->sum ? p->v[i][d] : 0) + scale * (each ? table.data[i] : constant);
+				p->v[i][d] = (s->sum ? p->v[i][d] : 0) +
+					     scale * (peratom ? table.data[i] : constant);
 	}
 	ts_table_release(&table);
 	return status;
 }
 
-/* Before the temperature is made exact: components of unit variance by the root of the mass. */
-static void draw(struct tsim *sim, const struct state *s)
+/* Draws components with variance 1/m; rescaling makes the temperature exact. The variance of the uniform
+ * distribution on +-1/2 is 1/12. */
+static void draw_velocities(struct tsim *sim, const struct state *s)
 {
 	struct ts_particles *p = sim->particles;
 
@@ -200,9 +203,9 @@ static void draw(struct tsim *sim, const struct state *s)
 	}
 }
 
-/* The numbers belong to the identities of the particles. With `bias` the mean velocity stays; with `sum`
- * the old velocities come back on top. */
-static enum ts_status create(struct tsim *sim, const struct state *s, const struct ts_place *where)
+/* Random numbers are functions of seed and tag. With `bias` the mean velocity is kept; with `sum` the former
+ * velocities are added at the end. */
+static enum ts_status create_velocities(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
 	double(*old)[3], mean[3] = { 0 };
@@ -210,7 +213,7 @@ static enum ts_status create(struct tsim *sim, const struct state *s, const stru
 	enum ts_status status;
 
 	if (s->temp)
-		TS_TRY(thermometer(sim, s, where, &inst));
+		TS_TRY(find_temperature_compute(sim, s, where, &inst));
 	if (s->bias)
 		ts_group_velocity(sim, inst->group, mean);
 	old = ts_alloc(p->n, sizeof *old);
@@ -220,15 +223,15 @@ static enum ts_status create(struct tsim *sim, const struct state *s, const stru
 		for (int d = 0; d < 3; d++)
 			old[i][d] = p->v[i][d];
 	if (s->bias)
-		shift(sim, s, mean, -1);
-	draw(sim, s);
+		add_mean_velocity(sim, s, mean, -1);
+	draw_velocities(sim, s);
 	if (s->momentum && ts_group_count(sim, s->group) > 1)
 		zero_momentum(sim, s->group);
 	if (s->rotation)
 		zero_rotation(sim, s->group);
-	status = rescale(sim, s, s->bias, where);
+	status = rescale_to_temperature(sim, s, s->bias, where);
 	if (s->bias)
-		shift(sim, s, mean, 1);
+		add_mean_velocity(sim, s, mean, 1);
 	for (size_t i = 0; s->sum && status == TS_OK && i < p->n; i++)
 		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
 			p->v[i][d] += old[i][d];
@@ -236,7 +239,7 @@ static enum ts_status create(struct tsim *sim, const struct state *s, const stru
 	return status;
 }
 
-static enum ts_status ramp(struct tsim *sim, const struct state *s, const struct ts_place *where)
+static enum ts_status ramp_velocities(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
 	double scale = scale_of(sim, s, s->component), along = scale_of(sim, s, s->dim);
@@ -266,13 +269,13 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		ts_domain_units_said(sim, s->units, where);
 	switch (s->mode) {
 	case SET:
-		return set(sim, s, where);
+		return set_velocities(sim, s, where);
 	case CREATE:
-		return create(sim, s, where);
+		return create_velocities(sim, s, where);
 	case SCALE:
-		return scale(sim, s, where);
+		return scale_velocities(sim, s, where);
 	case RAMP:
-		return ramp(sim, s, where);
+		return ramp_velocities(sim, s, where);
 	default:
 		break;
 	}
@@ -288,7 +291,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 #define COMPONENT(name, d)                                                                                \
 	TS_NUMBER(name, struct state, value[d], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "velocity", \
-		  .help = "component, v_name, or NULL: leave it")
+		  .help = "component, v_NAME, or NULL: not changed")
 static const struct ts_arg set_args[] = {
 	COMPONENT("vx", 0),
 	COMPONENT("vy", 1),
@@ -300,7 +303,7 @@ static const char *const distributions[] = { "uniform", "gaussian", NULL };
 static const char *const loops[] = { "all", "local", "geom", NULL };
 static const struct ts_arg create_args[] = {
 	TS_REAL("temperature", struct state, temperature, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-		.unit = "temperature", .help = "temperature of the translation"),
+		.unit = "temperature", .help = "temperature of the translational motion"),
 	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "seed of the random numbers"),
 	TS_ARGS_END,
@@ -308,7 +311,7 @@ static const struct ts_arg create_args[] = {
 
 static const struct ts_arg scale_args[] = {
 	TS_REAL("temperature", struct state, temperature, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-		.unit = "temperature", .help = "temperature of the translation"),
+		.unit = "temperature", .help = "temperature of the translational motion"),
 	TS_ARGS_END,
 };
 
@@ -318,13 +321,15 @@ static const struct ts_arg ramp_args[] = {
 	TS_ENUM("component", struct state, component, components, .flags = TS_POSITIONAL,
 		.help = "component that is set"),
 	TS_REAL("vlo", struct state, v[0], .flags = TS_POSITIONAL, .unit = "velocity",
-		.help = "its value at the low end"),
+		.help = "value at lo and below"),
 	TS_REAL("vhi", struct state, v[1], .flags = TS_POSITIONAL, .unit = "velocity",
-		.help = "its value at the high end"),
+		.help = "value at hi and above"),
 	TS_ENUM("dim", struct state, dim, dims, .flags = TS_POSITIONAL,
-		.help = "coordinate along which it changes"),
-	TS_REAL("lo", struct state, x[0], .flags = TS_POSITIONAL, .unit = "length", .help = "the low end"),
-	TS_REAL("hi", struct state, x[1], .flags = TS_POSITIONAL, .unit = "length", .help = "the high end"),
+		.help = "coordinate on which the velocity depends"),
+	TS_REAL("lo", struct state, x[0], .flags = TS_POSITIONAL, .unit = "length",
+		.help = "lower coordinate"),
+	TS_REAL("hi", struct state, x[1], .flags = TS_POSITIONAL, .unit = "length",
+		.help = "upper coordinate"),
 	TS_ARGS_END,
 };
 
@@ -332,40 +337,40 @@ static const char *const zeros[] = { "linear", "angular", "angularIndividual", N
 static const struct ts_arg zero_args[] = {
 	TS_ENUM("what", struct state, zero, zeros, .flags = TS_POSITIONAL,
 		.help = "linear: the momentum of the group; angular: its angular momentum; "
-			"angularIndividual: the spin of each particle"),
+			"angularIndividual: the angular velocity of each particle"),
 	TS_ARGS_END,
 };
 
 static const struct ts_mode modes[] = {
 	[SET] = { "set", "the same velocity for all, or one from a variable", set_args },
-	[CREATE] = { "create", "random velocities of a temperature", create_args },
-	[SCALE] = { "scale", "one factor for all that gives a temperature", scale_args },
-	[RAMP] = { "ramp", "a component that changes linearly in space", ramp_args },
-	[ZERO] = { "zero", "take away momentum or spin", zero_args },
+	[CREATE] = { "create", "random velocities with a given temperature", create_args },
+	[SCALE] = { "scale", "scale all velocities by one factor to a temperature", scale_args },
+	[RAMP] = { "ramp", "a component that varies linearly along a coordinate", ramp_args },
+	[ZERO] = { "zero", "remove momentum or rotation", zero_args },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
 	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "particles that are changed"),
-	TS_MODE("style", struct state, mode, modes, .help = "which velocities they get"),
+	TS_MODE("style", struct state, mode, modes, .help = "how velocities are set"),
 	TS_BOOL("sum", struct state, sum, .fallback = "no",
-		.help = "add to the velocities they have (not scale and zero)"),
+		.help = "add to the present velocities (not for scale and zero)"),
 	TS_ENUM("dist", struct state, gaussian, distributions, .fallback = "uniform",
 		.help = "create: distribution of each component"),
 	TS_BOOL("mom", struct state, momentum, .fallback = "yes",
-		.help = "create: take away the momentum of the group"),
+		.help = "create: remove the momentum of the group"),
 	TS_BOOL("rot", struct state, rotation, .fallback = "no",
-		.help = "create: take away the angular momentum of the group"),
+		.help = "create: remove the angular momentum of the group"),
 	TS_ENUM("loop", struct state, loop, loops, .fallback = "all",
-		.help = "no effect: the numbers belong to the identities"),
+		.help = "no effect: random numbers are functions of seed and atom ID"),
 	TS_WORD("temp", struct state, temp, .flags = TS_OPTIONAL,
-		.help = "name of a compute whose temperature create and scale reach; without it that of the "
-			"group"),
+		.help = "ID of a compute whose temperature create and scale set; without it the temperature "
+			"of the group"),
 	TS_BOOL("bias", struct state, bias, .fallback = "no",
-		.help = "create and scale keep what compute temp/com, given by temp, leaves out: the motion "
-			"of the centre of mass"),
+		.help = "create and scale keep the velocity that the compute temp/com of `temp` excludes: "
+			"that of the centre of mass"),
 	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
-		.help = "whether set and ramp count lengths in lattice spacings or as they are"),
+		.help = "whether lengths of set and ramp are in lattice spacings or in units of length"),
 	TS_ARGS_END,
 };
 
@@ -374,16 +379,17 @@ const struct ts_command_style ts_command_velocity = {
 	.style = {
 		.name = "velocity",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Gives particles velocities",
-		.doc = "create draws each component with the variance 1/m, keyed by seed and identity, takes "
-		       "away the\n"
-		       "momentum, and scales to the exact temperature T = sum m v^2 / (D (N - 1) k), D "
-		       "dimensions, N\n"
-		       "particles. ramp interpolates linearly between the ends and is constant beyond them. "
-		       "zero\n"
-		       "angular takes away the turn as a rigid body, omega x (x - x_cm), that has the "
-		       "angular momentum\n"
-		       "of the group.",
+		.summary = "Sets velocities of particles",
+		.doc = "create draws each velocity component with the variance 1/m, from a uniform or\n"
+		       "Gaussian distribution; the random numbers are functions of seed and atom ID. It\n"
+		       "then removes the momentum (unless `mom no`) and scales the velocities to the\n"
+		       "exact temperature\n\n"
+		       "    T = sum m v^2 / (D (N - 1) k)\n\n"
+		       "with D dimensions, N particles and the Boltzmann constant k. scale multiplies\n"
+		       "all velocities by one factor to that temperature.\n\n"
+		       "ramp interpolates linearly between lo and hi; the velocity is constant outside\n"
+		       "of them. zero angular subtracts the rigid-body rotation omega x (x - x_cm) that\n"
+		       "has the angular momentum of the group.",
 		.example = "velocity all set 0 0 -1.5\n"
 			   "velocity gas create 300 86028157 dist gaussian\n"
 			   "velocity gas scale 250 temp drifting bias yes\n"

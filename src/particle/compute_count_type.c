@@ -1,4 +1,4 @@
-/* Compute: how many particles or bonds there are of each type. */
+/* Compute count/type: number of particles or bonds of each type. */
 #include "bond/bonds.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
@@ -26,7 +26,7 @@ static void count_particles(const struct ts_instance *self, const struct ts_part
 			out->data[p->type[i] - 1] += 1;
 }
 
-/* Partners are found by identity: bonds know their rows only during a run. */
+/* Particles of bonds are looked up by tag: their local indices are valid only during a run. */
 static enum ts_status count_bonds(const struct ts_instance *self, struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_bonds *bonds = sim->bonds;
@@ -76,10 +76,9 @@ TS_STYLE(compute, ts_style, ts_compute_count_type)
 const struct ts_style ts_compute_count_type = {
 	.name = "count/type",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "How many particles or bonds there are of each type",
-	.doc = "c_ID[k] is the number of particles of type k in the group, or of bonds of type k with both "
-	       "partners in\n"
-	       "it.",
+	.summary = "Number of particles or bonds of each type",
+	.doc = "c_ID[k] is the number of particles of type k in the group, or of bonds of type k\n"
+	       "with both particles in the group.",
 	.example = "compute kinds all count/type atom\ncompute left all count/type bond",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -1,4 +1,4 @@
-/* Compute: how far each particle has come. */
+/* Compute displace/atom: displacement of each particle. */
 #include <string.h>
 
 #include "math/vec3.h"
@@ -10,10 +10,11 @@
 struct displace {
 	struct ts_reference start;
 	struct tsim *sim;
-	const char *variable; /* who starts anew where a dump says so; NULL: all */
+	const char *variable; /* != 0: particles whose reference a dump resets; NULL: all */
 };
 
-static void place(const struct ts_instance *self, const struct tsim *sim, size_t i, double now[3])
+static void unwrapped_position(const struct ts_instance *self, const struct tsim *sim, size_t i,
+			       double now[3])
 {
 	(void)self;
 	ts_unwrapped(sim, i, now);
@@ -34,7 +35,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       "compute displace/atom: refresh takes an atom-style variable, there is no "
 			       "such variable '%s'",
 			       name);
-	return ts_reference_init(self, sim, &s->start, place);
+	return ts_reference_init(self, sim, &s->start, unwrapped_position);
 }
 
 static enum ts_status new_particles(struct ts_instance *self, struct tsim *sim)
@@ -54,7 +55,7 @@ static enum ts_status refresh(struct ts_instance *self, struct tsim *sim)
 		status = sim->script_api->peratom(sim->script_api_data, s->variable, &self->where, &chosen);
 	for (size_t i = 0; i < sim->particles->n && status == TS_OK; i++)
 		if (!s->variable || chosen.data[i] != 0)
-			place(self, sim, i, ts_reference_of(sim, &s->start, i));
+			unwrapped_position(self, sim, i, ts_reference_of(sim, &s->start, i));
 	ts_table_release(&chosen);
 	return status;
 }
@@ -87,8 +88,9 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 static const struct ts_arg args[] = {
 	TS_WORD("refresh", struct displace, variable, .flags = TS_OPTIONAL,
-		.help = "an atom-style variable, NAME or v_NAME: after a frame of a dump that says so "
-			"(dump_modify refresh) particles where it is not 0 start anew; without it all do"),
+		.help = "an atom-style variable, NAME or v_NAME: after a frame of a dump with dump_modify "
+			"refresh the present positions become the reference of the particles for which it is "
+			"not 0; without it, of all"),
 	TS_ARGS_END,
 };
 
@@ -104,11 +106,10 @@ const struct ts_style ts_compute_displace_atom = {
 	.name = "displace/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Displacement of each particle",
-	.doc = "How far each particle of the group is from where it was when the compute was defined, or "
-	       "when it\n"
-	       "was inserted if that was later. Periodic wrapping does not count. The places are kept in "
-	       "restart\n"
-	       "files.",
+	.doc = "Displacement of each particle of the group from its reference position: that at\n"
+	       "the time when the compute was defined, or when the particle was inserted if that\n"
+	       "was later. Positions are unwrapped: periodic wrapping does not change the\n"
+	       "displacement. Reference positions are written to restart files.",
 	.example = "compute way all displace/atom\ndump d all custom 100 post/way*.txt id c_way[4]",
 	.args = args,
 	.state_size = sizeof(struct displace),

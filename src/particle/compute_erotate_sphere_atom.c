@@ -1,4 +1,4 @@
-/* Compute: kinetic energy of rotation of each particle. */
+/* Compute erotate/sphere/atom: rotational kinetic energy of each particle. */
 #include "group/kinetic_energy.h"
 #include "particle/particles.h"
 
@@ -17,7 +17,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 static const struct ts_value values[] = {
 	{ .name = "energy",
 	  .unit = "energy",
-	  .help = "kinetic energy of rotation; 0 outside the group",
+	  .help = "rotational kinetic energy; 0 for particles outside the group",
 	  .shape = TS_PERATOM,
 	  .columns = 1,
 	  .eval = eval },
@@ -28,9 +28,10 @@ TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
 const struct ts_style ts_compute_erotate_sphere_atom = {
 	.name = "erotate/sphere/atom",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Kinetic energy of rotation of each particle",
-	.doc = "I omega^2 / 2 with I = 0.4 m R^2 (0.5 m R^2 for discs); 0 where nothing makes particles "
-	       "rotate.",
+	.summary = "Rotational kinetic energy of each particle",
+	.doc = "I omega^2 / 2 with I = 0.4 m R^2 (0.5 m R^2 for discs). It is 0 if no style of\n"
+	       "the script makes particles rotate, and for the spheres of a clump: see compute\n"
+	       "erotate/multisphere.",
 	.example = "compute rotation all erotate/sphere/atom",
 	.values = values,
 };

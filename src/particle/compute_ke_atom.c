@@ -1,4 +1,4 @@
-/* Compute: kinetic energy of translation of each particle. */
+/* Compute ke/atom: translational kinetic energy of each particle. */
 #include "group/kinetic_energy.h"
 #include "particle/particles.h"
 
@@ -17,7 +17,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 static const struct ts_value values[] = {
 	{ .name = "energy",
 	  .unit = "energy",
-	  .help = "kinetic energy of translation; 0 outside the group",
+	  .help = "translational kinetic energy; 0 for particles outside the group",
 	  .shape = TS_PERATOM,
 	  .columns = 1,
 	  .eval = eval },
@@ -28,9 +28,10 @@ TS_STYLE(compute, ts_style, ts_compute_ke_atom)
 const struct ts_style ts_compute_ke_atom = {
 	.name = "ke/atom",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Kinetic energy of translation of each particle",
-	.doc = "m v^2 / 2 of each particle of the group, 0 for others. Rotation is in compute\n"
-	       "erotate/sphere/atom. The spheres of a clump share the energy of its centre of mass.",
+	.summary = "Translational kinetic energy of each particle",
+	.doc = "m v^2 / 2 of each particle of the group, without rotation (see compute\n"
+	       "erotate/sphere/atom). For the spheres of a clump v is the velocity of its centre\n"
+	       "of mass.",
 	.example = "compute energy all ke/atom",
 	.values = values,
 };

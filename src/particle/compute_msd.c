@@ -1,4 +1,4 @@
-/* Compute: mean squared displacement. */
+/* Compute msd: mean squared displacement. */
 #include "particle/group_moments.h"
 #include "particle/reference.h"
 
@@ -9,13 +9,14 @@
 struct msd {
 	bool com, average;
 	struct ts_reference start;
-	double centre[3]; /* saved: of mass, when the compute was defined */
-	int64_t samples;  /* saved: in the average positions */
-	int64_t last;	  /* saved: step of the last of them */
+	double centre[3]; /* saved: centre of mass when the compute was defined */
+	int64_t samples;  /* saved: number of samples in the mean positions */
+	int64_t last;	  /* saved: step of the last sample */
 	struct tsim *sim;
 };
 
-static void place(const struct ts_instance *self, const struct tsim *sim, size_t i, double now[3])
+static void unwrapped_position(const struct ts_instance *self, const struct tsim *sim, size_t i,
+			       double now[3])
 {
 	(void)self;
 	ts_unwrapped(sim, i, now);
@@ -31,7 +32,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (ts_sim_has_box(sim))
 		ts_group_centre(sim, self->group, s->centre);
 	s->last = -1;
-	return ts_reference_init(self, sim, &s->start, place);
+	return ts_reference_init(self, sim, &s->start, unwrapped_position);
 }
 
 static enum ts_status new_particles(struct ts_instance *self, struct tsim *sim)
@@ -40,7 +41,7 @@ static enum ts_status new_particles(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Displacement of particle i; with `com` that of the centre of mass is taken off. */
+/* Displacement of particle i minus drift, the displacement of the centre of mass (0 without `com`). */
 static void displacement(const struct tsim *sim, const struct msd *s, const double drift[3], size_t i,
 			 double d[3])
 {
@@ -49,14 +50,14 @@ static void displacement(const struct tsim *sim, const struct msd *s, const doub
 	ts_sub(d, drift, d);
 }
 
-struct task {
+struct msd_context {
 	const struct msd *s;
 	double drift[3];
 };
 
-static void square(const struct tsim *sim, size_t i, void *context, double *term)
+static void squared_displacement_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
-	const struct task *t = context;
+	const struct msd_context *t = context;
 	double d[3];
 
 	displacement(sim, t->s, t->drift, i, d);
@@ -66,8 +67,8 @@ static void square(const struct tsim *sim, size_t i, void *context, double *term
 	term[4] = 1;
 }
 
-/* The mean position so far takes the place of the first one: x0 += (x - drift - x0) / samples. */
-static void average(struct ts_instance *self, const double drift[3])
+/* Updates the reference to the mean position: x0 += (x - drift - x0) / (samples + 1), once per step. */
+static void update_mean_positions(struct ts_instance *self, const double drift[3])
 {
 	struct msd *s = self->state;
 	struct tsim *sim = s->sim;
@@ -87,17 +88,17 @@ static void average(struct ts_instance *self, const double drift[3])
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct msd *s = self->state;
-	struct task task = { s, { 0 } };
+	struct msd_context context = { s, { 0 } };
 	double sum[5];
 
 	ts_reference_add(s->sim, &s->start);
 	if (s->com) {
-		ts_group_centre(sim, self->group, task.drift);
-		ts_sub(task.drift, s->centre, task.drift);
+		ts_group_centre(sim, self->group, context.drift);
+		ts_sub(context.drift, s->centre, context.drift);
 	}
 	if (s->average)
-		average(self, task.drift);
-	ts_group_sum(sim, self->group, 5, square, &task, sum);
+		update_mean_positions(self, context.drift);
+	ts_group_sum(sim, self->group, 5, squared_displacement_terms, &context, sum);
 	for (int k = 0; k < 4; k++)
 		out->data[k] = sum[4] > 0 ? sum[k] / sum[4] : 0;
 	return TS_OK;
@@ -110,7 +111,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 static const char *const names[] = { "x", "y", "z", "total", NULL };
 static const struct ts_value values[] = {
-	{ "msd", "length^2", "mean squared displacement along the axes, and their sum", TS_VECTOR, 4, names,
+	{ "msd", "length^2", "mean squared displacement in x, y, z, and their sum", TS_VECTOR, 4, names,
 	  eval },
 	{ .name = NULL },
 };
@@ -124,9 +125,9 @@ static const struct ts_saved saved[] = {
 
 static const struct ts_arg args[] = {
 	TS_BOOL("com", struct msd, com, .flags = TS_STATEFUL, .fallback = "no",
-		.help = "take off the drift of the centre of mass"),
+		.help = "subtract the displacement of the centre of mass of the group"),
 	TS_BOOL("average", struct msd, average, .flags = TS_STATEFUL, .fallback = "no",
-		.help = "from the mean position so far instead of the first one"),
+		.help = "measure from the mean position so far instead of the first one"),
 	TS_ARGS_END,
 };
 
@@ -135,13 +136,11 @@ const struct ts_style ts_compute_msd = {
 	.name = "msd",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Mean squared displacement",
-	.doc = "The mean of (x - x0)^2 over the group, x0 being the place when the compute was defined, or "
-	       "when the\n"
-	       "particle was inserted if that was later. Periodic wrapping does not count. The places are "
-	       "kept in\n"
-	       "restart files. With `average yes` x0 is the mean of all places in which the compute has "
-	       "been\n"
-	       "evaluated so far, one for each step.",
+	.doc = "Mean of (x - x0)^2 over the particles of the group. x0 is the position when the\n"
+	       "compute was defined, or when the particle was inserted if that was later.\n"
+	       "Positions are unwrapped. Reference positions are written to restart files.\n\n"
+	       "With `average yes` x0 is the mean of all positions at which the compute has been\n"
+	       "evaluated so far, one per step.",
 	.example = "compute msd all msd com yes\nthermo_style custom step c_msd[4]",
 	.args = args,
 	.state_size = sizeof(struct msd),

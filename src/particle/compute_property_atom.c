@@ -1,4 +1,4 @@
-/* Compute: properties of each particle, by name. */
+/* Compute property/atom: per-particle quantities by name. */
 #include "core/sim.h"
 
 #include "particle/particles.h"
@@ -8,7 +8,7 @@
 struct property {
 	struct ts_words names;
 	struct ts_table one;
-	struct tsim *sim; /* evaluation may need memory */
+	struct tsim *sim; /* for eval, which gets a const one: evaluation may allocate */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -70,8 +70,9 @@ const struct ts_style ts_compute_property_atom = {
 	.name = "property/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Properties of each particle",
-	.doc = "Makes what is known of the particles by name available as c_ID[k], k counting the names; of\n"
-	       "a single name also as c_ID. Particles outside the group have 0.",
+	.doc = "Makes per-particle quantities available by name: c_ID[k] is the k-th of them,\n"
+	       "and c_ID that of a compute with a single one. The value is 0 for particles\n"
+	       "outside the group.",
 	.example = "compute size all property/atom radius mass",
 	.args = args,
 	.state_size = sizeof(struct property),

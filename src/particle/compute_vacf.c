@@ -1,4 +1,4 @@
-/* Compute: autocorrelation of velocities. */
+/* Compute vacf: velocity autocorrelation function. */
 #include "particle/group_moments.h"
 #include "particle/reference.h"
 
@@ -9,7 +9,7 @@ struct vacf {
 	struct tsim *sim;
 };
 
-static void velocity(const struct ts_instance *self, const struct tsim *sim, size_t i, double now[3])
+static void store_velocity(const struct ts_instance *self, const struct tsim *sim, size_t i, double now[3])
 {
 	(void)self;
 	for (int d = 0; d < 3; d++)
@@ -21,7 +21,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct vacf *s = self->state;
 
 	s->sim = sim;
-	return ts_reference_init(self, sim, &s->start, velocity);
+	return ts_reference_init(self, sim, &s->start, store_velocity);
 }
 
 static enum ts_status new_particles(struct ts_instance *self, struct tsim *sim)
@@ -30,7 +30,7 @@ static enum ts_status new_particles(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static void product(const struct tsim *sim, size_t i, void *context, double *term)
+static void velocity_product_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	const double *v0 = ts_reference_of(sim, context, i);
 
@@ -46,7 +46,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	double sum[5];
 
 	TS_TRY(new_particles(self, s->sim));
-	ts_group_sum(sim, self->group, 5, product, &s->start, sum);
+	ts_group_sum(sim, self->group, 5, velocity_product_terms, &s->start, sum);
 	for (int k = 0; k < 4; k++)
 		out->data[k] = sum[4] > 0 ? sum[k] / sum[4] : 0;
 	return TS_OK;
@@ -59,7 +59,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 static const char *const names[] = { "x", "y", "z", "total", NULL };
 static const struct ts_value values[] = {
-	{ "vacf", "velocity^2", "mean of v v0 along the axes, and their sum", TS_VECTOR, 4, names, eval },
+	{ "vacf", "velocity^2", "mean of v v0 in x, y, z, and their sum", TS_VECTOR, 4, names, eval },
 	{ .name = NULL },
 };
 
@@ -67,10 +67,10 @@ TS_STYLE(compute, ts_style, ts_compute_vacf)
 const struct ts_style ts_compute_vacf = {
 	.name = "vacf",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Autocorrelation of velocities",
-	.doc = "The mean of v v0 over the group, v0 being the velocity when the compute was defined, or "
-	       "when the\n"
-	       "particle was inserted if that was later. The velocities are kept in restart files.",
+	.summary = "Velocity autocorrelation function",
+	.doc = "Mean of the product v v0 over the particles of the group. v0 is the velocity\n"
+	       "when the compute was defined, or when the particle was inserted if that was\n"
+	       "later. Reference velocities are written to restart files.",
 	.example = "compute memory all vacf\nfix series all vector 10 c_memory[4]",
 	.state_size = sizeof(struct vacf),
 	.archive = archive,

@@ -20,8 +20,6 @@ static double mean_diameter(const struct ts_particles *p, size_t *mobile)
 	return *mobile ? sum / (double)*mobile : 0;
 }
 
-/* A simple cubic lattice from the low corner of the box up, neighbours just touching: six contacts each,
- * as in a bed. Where there is no room for that the particles are together already. */
 enum ts_status ts_particles_crowd(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_particles *p = self->state;

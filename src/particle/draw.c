@@ -8,7 +8,7 @@
 
 #include "base/banned.h"
 
-static int compare(const void *a, const void *b)
+static int compare_draws(const void *a, const void *b)
 {
 	const struct ts_draw *p = a, *q = b;
 
@@ -33,7 +33,7 @@ enum ts_status ts_draw(struct tsim *sim, const unsigned char *chosen, int64_t se
 		if (chosen[i])
 			draw[(*n)++] = (struct ts_draw){ ts_rng_uniform(&rng), p->tag[i], (int32_t)i };
 	}
-	qsort(draw, *n, sizeof *draw, compare);
+	qsort(draw, *n, sizeof *draw, compare_draws);
 	return TS_OK;
 }
 

@@ -11,7 +11,7 @@
 
 #include "base/banned.h"
 
-static enum ts_status lost_in_space(struct tsim *sim, size_t i)
+static enum ts_status fail_position(struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 	const double *x = p->x[i], *v = p->v[i];
@@ -22,10 +22,10 @@ static enum ts_status lost_in_space(struct tsim *sim, size_t i)
 		       p->tag[i], p->type[i], x[0], x[1], x[2], v[0], v[1], v[2]);
 }
 
-/* Beyond this a distance squared is infinite, and no cell can be found. */
+/* Beyond this coordinate a squared distance overflows and no cell index can be computed. */
 static const double FARTHEST = 1e150;
 
-static enum ts_status wrap(struct tsim *sim, int dim)
+static enum ts_status wrap_periodic(struct tsim *sim, int dim)
 {
 	struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
@@ -36,7 +36,7 @@ static enum ts_status wrap(struct tsim *sim, int dim)
 
 		if (!(fabs(p->x[i][dim]) < FARTHEST) ||
 		    (periodic && !ts_box_wrap(box, dim, &p->x[i][dim], &p->image[i][dim])))
-			return lost_in_space(sim, i);
+			return fail_position(sim, i);
 		if (ts_in_group(p, i, sim->domain->drift_group))
 			p->v[i][dim] -= (p->image[i][dim] - before) * sim->domain->drift[dim];
 	}
@@ -127,8 +127,8 @@ static enum ts_status drop_lost(struct tsim *sim)
 	return status;
 }
 
-/* Room that fixes such as meshes take up. */
-static void add_fixes(const struct tsim *sim, int dim, double *lo, double *hi)
+/* Extends lo..hi by the extents of fixes such as meshes. */
+static void include_fix_extents(const struct tsim *sim, int dim, double *lo, double *hi)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 
@@ -137,7 +137,7 @@ static void add_fixes(const struct tsim *sim, int dim, double *lo, double *hi)
 			fixes->item[k]->style->extent(fixes->item[k], dim, lo, hi);
 }
 
-static void shrink_dimension(const struct tsim *sim, int dim)
+static void fit_faces(const struct tsim *sim, int dim)
 {
 	struct ts_domain *d = sim->domain;
 	const struct ts_particles *p = sim->particles;
@@ -145,13 +145,13 @@ static void shrink_dimension(const struct tsim *sim, int dim)
 	double lo = INFINITY, hi = -INFINITY;
 
 	if (d->box.face[dim][0] < TS_FACE_SHRINK && d->box.face[dim][1] < TS_FACE_SHRINK)
-		return; /* neither follows */
+		return; /* neither face is shrink-wrapped */
 
 	for (size_t i = 0; i < p->n; i++) {
 		lo = fmin(lo, p->x[i][dim]);
 		hi = fmax(hi, p->x[i][dim]);
 	}
-	add_fixes(sim, dim, &lo, &hi);
+	include_fix_extents(sim, dim, &lo, &hi);
 	if (!(lo <= hi))
 		return;
 	if (d->box.face[dim][0] == TS_FACE_SHRINK)
@@ -164,14 +164,14 @@ static void shrink_dimension(const struct tsim *sim, int dim)
 		d->box.hi[dim] = fmax(hi + margin, d->first_hi[dim]);
 }
 
-/* Fits `s` and `m` faces to the particles. */
-static void fit_moving_faces(struct tsim *sim)
+/* Moves shrink-wrapped faces (boundary s and m) to the particles. */
+static void fit_all_faces(struct tsim *sim)
 {
 	for (int dim = 0; dim < 3; dim++) {
 		const enum ts_face *face = sim->domain->box.face[dim];
 
 		sim->run.box_moves |= face[0] >= TS_FACE_SHRINK || face[1] >= TS_FACE_SHRINK;
-		shrink_dimension(sim, dim);
+		fit_faces(sim, dim);
 	}
 }
 
@@ -179,9 +179,9 @@ enum ts_status ts_exchange_migrate(struct tsim *sim)
 {
 	sim->particles->nghost = 0;
 	for (int dim = 0; dim < 3; dim++)
-		TS_TRY(wrap(sim, dim));
+		TS_TRY(wrap_periodic(sim, dim));
 	TS_TRY(drop_lost(sim));
-	fit_moving_faces(sim);
+	fit_all_faces(sim);
 	return TS_OK;
 }
 
@@ -205,8 +205,8 @@ static void copy_row(struct ts_particles *p, size_t from, size_t to, unsigned fl
 	}
 }
 
-/* A ghost's coordinates are its original's plus whole box lengths, always from the original, so that
- * they do not depend on the way the ghost was made. */
+/* Computes positions and velocities of ghosts from their originals, never from other ghosts: those in edges
+ * and corners would differ in the last bit. */
 static void place_ghosts(const struct ts_particles *p, const struct ts_domain *domain, size_t from, size_t to)
 {
 	const double length[3] = { ts_box_length(&domain->box, 0), ts_box_length(&domain->box, 1),
@@ -225,8 +225,8 @@ static void place_ghosts(const struct ts_particles *p, const struct ts_domain *d
 	}
 }
 
-/* The same of where it was when rows were built, which stays until they are built anew. */
-static void hold_ghost(const struct ts_particles *p, const struct ts_domain *domain, size_t k)
+/* xhold of a ghost: position of the original, and the box, at the last build of the contact list. */
+static void set_ghost_xhold(const struct ts_particles *p, const struct ts_domain *domain, size_t k)
 {
 	size_t owner = (size_t)p->ghost_owner[k];
 
@@ -255,16 +255,16 @@ static enum ts_status add_ghost(struct tsim *sim, size_t from, int dim, int shif
 		memcpy(p->ghost_shift[k], p->ghost_shift[from - p->n], sizeof p->ghost_shift[k]);
 	p->ghost_shift[k][dim] = (int8_t)shift;
 	place_ghosts(p, sim->domain, k, k + 1);
-	hold_ghost(p, sim->domain, k);
+	set_ghost_xhold(p, sim->domain, k);
 	p->nghost++;
 	return TS_OK;
 }
 
-static enum ts_status borders(struct tsim *sim, int dim, double cutoff, double most)
+static enum ts_status add_ghosts_of_faces(struct tsim *sim, int dim, double cutoff, double most)
 {
 	struct ts_particles *p = sim->particles;
 	double lo = sim->domain->held_lo[dim], hi = sim->domain->held_hi[dim];
-	size_t present = p->n + p->nghost; /* images of images fill edges and corners */
+	size_t present = p->n + p->nghost; /* ghosts of ghosts fill edges and corners */
 
 	if (most > hi - lo && present > 0)
 		return ts_fail(&sim->error, TS_RANGE, NULL,
@@ -285,15 +285,16 @@ static enum ts_status borders(struct tsim *sim, int dim, double cutoff, double m
 enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double most)
 {
 	sim->particles->nghost = 0;
-	if (!sim->particles->n) /* a fluid alone may be in a box smaller than the skin */
+	if (!sim->particles->n) /* a box for a fluid alone may be smaller than the skin */
 		return TS_OK;
-	for (int dim = 0; dim < sim->dimension; dim++) /* images of a plane never touch it */
+	for (int dim = 0; dim < sim->dimension; dim++) /* in two dimensions there are no images in z */
 		if (ts_box_periodic(&sim->domain->box, dim))
-			TS_TRY(borders(sim, dim, cutoff, most));
+			TS_TRY(add_ghosts_of_faces(sim, dim, cutoff, most));
 	return TS_OK;
 }
 
-/* Rows of a column from the originals; those of one number and of vectors have loops of their own. */
+/* Copies a column from the originals to ghosts from..to-1. A constant size in the loops of scalars and
+ * vectors lets the compiler inline memcpy. */
 static void copy_column(const struct ts_particles *p, const struct ts_column *c, size_t from, size_t to)
 {
 	size_t bytes = c->element * c->width;
@@ -311,7 +312,7 @@ static void copy_column(const struct ts_particles *p, const struct ts_column *c,
 #undef COPY
 }
 
-static void forward_share(void *context, size_t from, size_t to)
+static void forward_range(void *context, size_t from, size_t to)
 {
 	const struct tsim *sim = context;
 	const struct ts_particles *p = sim->particles;
@@ -325,12 +326,12 @@ static void forward_share(void *context, size_t from, size_t to)
 	place_ghosts(p, sim->domain, from, to);
 }
 
-/* To copy and place a ghost takes as long as so many rounds of a simple loop. */
-enum { NUMBERS = 9 };
+/* Cost of copying a ghost, in iterations of a simple loop; ts_team derives the number of threads from it. */
+enum { FORWARD_COST = 9 };
 
 void ts_exchange_forward(struct tsim *sim)
 {
 	size_t n = sim->particles->nghost;
 
-	ts_parallel(ts_team(sim, NUMBERS * n), n, forward_share, sim);
+	ts_parallel(ts_team(sim, FORWARD_COST * n), n, forward_range, sim);
 }

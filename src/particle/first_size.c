@@ -15,7 +15,7 @@ enum ts_status ts_first_size_start(struct tsim *sim, const struct ts_instance *s
 						       column);
 	ts_str_release(&name);
 	TS_TRY(status);
-	for (size_t i = 0; i < sim->particles->n; i++) /* of a fix of this name that is gone */
+	for (size_t i = 0; i < sim->particles->n; i++) /* left by a former fix of this name */
 		ts_first_size(sim, *column, i)[TS_FIRST_KNOWN] = 0;
 	return TS_OK;
 }

@@ -1,4 +1,4 @@
-/* Radius and mass of each particle as a fix first saw them: a column of that fix. */
+/* Original radius and mass of each particle, before a fix changed them: a column of that fix. */
 #ifndef TS_PARTICLE_FIRST_SIZE_H
 #define TS_PARTICLE_FIRST_SIZE_H
 
@@ -6,12 +6,12 @@
 
 enum { TS_FIRST_RADIUS, TS_FIRST_MASS, TS_FIRST_KNOWN, TS_FIRST_WIDTH };
 
-/* Makes the column; no particle is known yet. */
+/* Adds the column; no particle is stored yet. */
 enum ts_status ts_first_size_start(struct tsim *sim, const struct ts_instance *self, size_t *column);
-/* Notes radius and mass of particle i if it is not known. */
+/* Stores radius and mass of particle i unless they are stored already. */
 void ts_first_size_note(const struct tsim *sim, size_t column, size_t i);
 
-/* TS_FIRST_WIDTH numbers of particle i. */
+/* The TS_FIRST_WIDTH numbers of particle i: radius, mass, and 1 if they are stored. */
 static inline double *ts_first_size(const struct tsim *sim, size_t column, size_t i)
 {
 	return (double *)sim->particles->column[column].data + TS_FIRST_WIDTH * i;

@@ -1,4 +1,4 @@
-/* Fix adapt: sizes, masses and coefficients of contacts that change during a run. */
+/* Fix adapt: changes diameter, density or mass of particles, or coefficients of contacts, during a run. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -13,37 +13,38 @@
 #include "base/banned.h"
 
 enum { DIAMETER, DENSITY, MASS, PAIR };
-enum { MOST = 8 }; /* changes in a line */
+enum { MAX_CHANGES = 8 }; /* changes per fix */
 
 struct change {
 	int what;
 	struct ts_number value;
 	struct ts_types a, b;
 	const struct ts_word *style, *number; /* of PAIR */
-	const struct ts_arg *row;
-	double *first; /* by pair of types */
+	const struct ts_arg *row;	      /* the coefficient in the table of pair_coeff */
+	double *first;			      /* [ntypes + 1][ntypes + 1], original coefficients */
 };
 
 struct state {
 	int64_t every;
 	struct ts_words words;
 	bool scale, reset, mass;
-	struct change change[MOST];
+	struct change change[MAX_CHANGES];
 	size_t n, column;
 	struct ts_number_or_peratom now;
-	double *first; /* saved: coefficients as they were, of all changes */
+	double *first; /* saved: original coefficients of all changes */
 	size_t first_n, first_capacity;
-	int64_t applied, epoch; /* saved; the epoch makes forces be computed anew */
+	int64_t applied,
+		epoch; /* saved; a new epoch changes the fingerprint, so that forces are computed again */
 };
 
-static enum ts_status expected(struct tsim *sim, const struct ts_instance *self, const struct ts_word *word,
-			       const char *what)
+static enum ts_status fail_expected(struct tsim *sim, const struct ts_instance *self,
+				    const struct ts_word *word, const char *what)
 {
 	return ts_fail(&sim->error, TS_SYNTAX, word ? &word->place : &self->where,
 		       "fix adapt: found '%s', expected %s", word ? word->text : "the end of the line", what);
 }
 
-static const struct ts_word *take(struct ts_words *words)
+static const struct ts_word *next_word(struct ts_words *words)
 {
 	const struct ts_word *word = words->n ? &words->word[0] : NULL;
 
@@ -51,15 +52,15 @@ static const struct ts_word *take(struct ts_words *words)
 	return word;
 }
 
-static enum ts_status take_variable(struct ts_instance *self, struct tsim *sim, struct ts_words *words,
+static enum ts_status read_variable(struct ts_instance *self, struct tsim *sim, struct ts_words *words,
 				    struct change *c)
 {
-	const struct ts_word *word = take(words);
+	const struct ts_word *word = next_word(words);
 	const char *name = word && word->text[0] == 'v' && word->text[1] == '_' ? word->text + 2 : NULL;
 	struct ts_suggest suggest = ts_suggest_start(name ? name : "");
 
 	if (!name)
-		return expected(sim, self, word, "v_NAME");
+		return fail_expected(sim, self, word, "v_NAME");
 	c->value.variable = name;
 	if (sim->script_api && sim->script_api->has_variable(sim->script_api_data, name))
 		return TS_OK;
@@ -70,43 +71,43 @@ static enum ts_status take_variable(struct ts_instance *self, struct tsim *sim, 
 }
 
 /* atom diameter|density|mass v_NAME */
-static enum ts_status take_atom(struct ts_instance *self, struct tsim *sim, struct ts_words *words,
-				struct change *c)
+static enum ts_status read_atom_change(struct ts_instance *self, struct tsim *sim, struct ts_words *words,
+				       struct change *c)
 {
 	static const char *const names[] = { "diameter", "density", "mass" };
-	const struct ts_word *word = take(words);
+	const struct ts_word *word = next_word(words);
 
 	for (c->what = 0; c->what < PAIR; c->what++)
 		if (word && ts_streq(word->text, names[c->what]))
-			return take_variable(self, sim, words, c);
-	return expected(sim, self, word, "diameter, density or mass");
+			return read_variable(self, sim, words, c);
+	return fail_expected(sim, self, word, "diameter, density or mass");
 }
 
-static enum ts_status take_types(struct ts_instance *self, struct tsim *sim, struct ts_words *words,
+static enum ts_status read_types(struct ts_instance *self, struct tsim *sim, struct ts_words *words,
 				 struct ts_types *types)
 {
-	const struct ts_word *word = take(words);
+	const struct ts_word *word = next_word(words);
 
 	if (!word || !ts_parse_types(word->text, types) ||
 	    (types->hi ? types->hi : types->lo) > sim->particles->ntypes)
-		return expected(sim, self, word, "a type of particles or a range such as 1*2");
+		return fail_expected(sim, self, word, "a type of particles or a range such as 1*2");
 	if (!types->hi)
 		types->hi = sim->particles->ntypes;
 	return TS_OK;
 }
 
 /* pair STYLE NUMBER I J v_NAME */
-static enum ts_status take_pair(struct ts_instance *self, struct tsim *sim, struct ts_words *words,
-				struct change *c)
+static enum ts_status read_pair_change(struct ts_instance *self, struct tsim *sim, struct ts_words *words,
+				       struct change *c)
 {
 	c->what = PAIR;
-	c->style = take(words);
-	c->number = take(words);
+	c->style = next_word(words);
+	c->number = next_word(words);
 	if (!c->number)
-		return expected(sim, self, NULL, "pair STYLE NUMBER I J v_NAME");
-	TS_TRY(take_types(self, sim, words, &c->a));
-	TS_TRY(take_types(self, sim, words, &c->b));
-	return take_variable(self, sim, words, c);
+		return fail_expected(sim, self, NULL, "pair STYLE NUMBER I J v_NAME");
+	TS_TRY(read_types(self, sim, words, &c->a));
+	TS_TRY(read_types(self, sim, words, &c->b));
+	return read_variable(self, sim, words, c);
 }
 
 static enum ts_status read_changes(struct ts_instance *self, struct tsim *sim)
@@ -115,23 +116,23 @@ static enum ts_status read_changes(struct ts_instance *self, struct tsim *sim)
 	struct ts_words words = s->words;
 
 	while (words.n) {
-		const struct ts_word *word = take(&words);
+		const struct ts_word *word = next_word(&words);
 		struct change *c = &s->change[s->n];
 
-		if (s->n++ == MOST)
-			return expected(sim, self, word, "at most 8 changes");
+		if (s->n++ == MAX_CHANGES)
+			return fail_expected(sim, self, word, "at most 8 changes");
 		if (ts_streq(word->text, "atom"))
-			TS_TRY(take_atom(self, sim, &words, c));
+			TS_TRY(read_atom_change(self, sim, &words, c));
 		else if (ts_streq(word->text, "pair"))
-			TS_TRY(take_pair(self, sim, &words, c));
+			TS_TRY(read_pair_change(self, sim, &words, c));
 		else
-			return expected(sim, self, word, "atom or pair");
+			return fail_expected(sim, self, word, "atom or pair");
 	}
 	return TS_OK;
 }
 
-/* The coefficients as they are when the fix is made; room by pair of types and change. */
-static enum ts_status keep_first(struct ts_instance *self, struct tsim *sim)
+/* Stores the coefficients at the time when the fix is defined: an array of pairs of types for each change. */
+static enum ts_status store_first_coefficients(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	size_t types = (size_t)sim->particles->ntypes + 1, room = types * types;
@@ -154,19 +155,19 @@ static enum ts_status keep_first(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static void see_new(const struct state *s, const struct tsim *sim)
+static void store_new_sizes(const struct state *s, const struct tsim *sim)
 {
 	for (size_t i = 0; i < sim->particles->n; i++)
 		ts_first_size_note(sim, s->column, i);
 }
 
-static enum ts_status start(struct ts_instance *self, struct tsim *sim)
+static enum ts_status init_changes(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
 	TS_TRY(read_changes(self, sim));
 	TS_TRY(ts_first_size_start(sim, self, &s->column));
-	see_new(s, sim);
+	store_new_sizes(s, sim);
 	return TS_OK;
 }
 
@@ -175,10 +176,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	if (!s->n)
-		TS_TRY(start(self, sim));
+		TS_TRY(init_changes(self, sim));
 	if (!s->applied)
 		s->epoch++;
-	return keep_first(self, sim);
+	return store_first_coefficients(self, sim);
 }
 
 static void set_particle(const struct state *s, struct tsim *sim, size_t i, int what, double value)
@@ -202,7 +203,8 @@ static void set_particle(const struct state *s, struct tsim *sim, size_t i, int 
 		p->imass[i] = 1 / p->mass[i];
 }
 
-static enum ts_status change_particles(struct ts_instance *self, struct tsim *sim, const struct change *c)
+static enum ts_status apply_particle_change(struct ts_instance *self, struct tsim *sim,
+					    const struct change *c)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -222,7 +224,7 @@ static enum ts_status change_particles(struct ts_instance *self, struct tsim *si
 	return TS_OK;
 }
 
-static enum ts_status change_pairs(struct ts_instance *self, struct tsim *sim, const struct change *c)
+static enum ts_status apply_pair_change(struct ts_instance *self, struct tsim *sim, const struct change *c)
 {
 	const struct state *s = self->state;
 	size_t types = (size_t)sim->particles->ntypes + 1;
@@ -239,19 +241,19 @@ static enum ts_status change_pairs(struct ts_instance *self, struct tsim *sim, c
 	return TS_OK;
 }
 
-static enum ts_status change(struct ts_instance *self, struct tsim *sim)
+static enum ts_status apply_changes(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	see_new(s, sim);
+	store_new_sizes(s, sim);
 	for (size_t k = 0; k < s->n; k++)
-		TS_TRY(s->change[k].what == PAIR ? change_pairs(self, sim, &s->change[k])
-						 : change_particles(self, sim, &s->change[k]));
+		TS_TRY(s->change[k].what == PAIR ? apply_pair_change(self, sim, &s->change[k])
+						 : apply_particle_change(self, sim, &s->change[k]));
 	s->applied = 1;
 	return TS_OK;
 }
 
-/* Before the rows are built: they must know the new sizes. */
+/* Before the contact list is built, which depends on the new sizes. */
 static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
@@ -259,15 +261,15 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	if (sim->clock.step % s->every != 0)
 		return TS_OK;
 	sim->run.rebuild = true;
-	return change(self, sim);
+	return apply_changes(self, sim);
 }
 
-/* At the start of the first run. */
+/* Applies the changes at the start of the first run. */
 static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 
-	return s->applied ? TS_OK : change(self, sim);
+	return s->applied ? TS_OK : apply_changes(self, sim);
 }
 
 static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
@@ -298,9 +300,9 @@ static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* The coefficients as they are now: the script that reads the restart file says those of the beginning. */
-static enum ts_status archive_present(struct ts_instance *self, struct tsim *sim, const struct change *c,
-				      struct ts_archive *a, const char *name)
+/* Saves the present coefficients: the script that reads the restart file sets the original ones. */
+static enum ts_status archive_coefficients(struct ts_instance *self, struct tsim *sim, const struct change *c,
+					   struct ts_archive *a, const char *name)
 {
 	size_t types = (size_t)sim->particles->ntypes + 1, n = types * types;
 	double *now = ts_alloc(n, sizeof *now);
@@ -330,7 +332,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	for (size_t k = 0; k < s->n; k++) {
 		snprintf(name, sizeof name, "change%zu", k);
 		if (s->change[k].what == PAIR)
-			TS_TRY(archive_present(self, sim, &s->change[k], a, name));
+			TS_TRY(archive_coefficients(self, sim, &s->change[k], a, name));
 	}
 	return ts_particles_archive_column(a, sim, "particles", s->column);
 }
@@ -355,14 +357,15 @@ static const struct ts_arg args[] = {
 	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
 	       .help = "steps between changes"),
 	TS_LIST_STATEFUL("changes", struct state, words,
-			 .help = "atom diameter|density|mass v_NAME, or pair STYLE NUMBER I J v_NAME, one or "
-				 "more"),
+			 .help = "one or more of atom diameter|density|mass v_NAME and pair STYLE NUMBER I J "
+				 "v_NAME"),
 	TS_BOOL("scale", struct state, scale, .flags = TS_STATEFUL, .fallback = "no",
-		.help = "the variables are factors of what there was when the fix was made"),
+		.help = "the variables are factors of the values at the time when the fix was defined"),
 	TS_BOOL("reset", struct state, reset, .fallback = "no",
-		.help = "at the end of a run all is again as it was when the fix was made"),
+		.help = "restore the values of that time at the end of each run"),
 	TS_BOOL("mass", struct state, mass, .fallback = "yes",
-		.help = "with a diameter changes the mass (the density stays); no: the mass stays"),
+		.help = "a change of the diameter changes the mass at constant density; no: the mass is "
+			"kept"),
 	TS_ARGS_END,
 };
 
@@ -376,15 +379,15 @@ TS_STYLE(fix, ts_style, ts_fix_adapt)
 const struct ts_style ts_fix_adapt = {
 	.name = "adapt",
 	.kind = TS_KIND_FIX,
-	.summary = "Changes particles or coefficients of contacts during a run",
-	.doc = "At the start of the first run and in each step that is a multiple of N the variables are "
-	       "evaluated\n"
-	       "and what they stand for is set: diameter, density or mass of the particles of the group, or "
-	       "a number\n"
-	       "of `pair_coeff` for all pairs of types I and J. `scale yes` counts from when the fix was "
-	       "made,\n"
-	       "however many runs there have been. The limit of the time step is checked only when a run "
-	       "begins.",
+	.summary = "Changes properties of particles or coefficients of contacts during a run",
+	.doc = "At the start of the first run, and in each step that is a multiple of N, the\n"
+	       "variables are evaluated and assigned: to the diameter, density or mass of the\n"
+	       "particles in the group, or to a number of `pair_coeff` for all pairs of the\n"
+	       "types I and J.\n\n"
+	       "With `scale yes` a variable is a factor of the value at the time when the fix\n"
+	       "was defined, however many runs there have been since. With `mass no` a change of\n"
+	       "the diameter keeps the mass.\n\n"
+	       "The stability limit of the time step is checked only at the start of a run.",
 	.example = "variable size equal ramp(0.01,0.012)\n"
 		   "fix grow beads adapt 10 atom diameter v_size\n"
 		   "fix soft all adapt 100 pair spring/dashpot stiffness 1 1* v_factor scale yes",

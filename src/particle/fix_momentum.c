@@ -1,4 +1,4 @@
-/* Fix momentum: takes away the motion of a group as a whole. */
+/* Fix momentum: removes linear and angular momentum of a group. */
 #include "core/sim.h"
 
 #include "group/group_spin.h"
@@ -9,7 +9,7 @@
 
 struct state {
 	int64_t every;
-	double linear[3]; /* 0 or 1; NaN: not given */
+	double linear[3]; /* 1: remove this component, 0: keep it; NaN: not given */
 	bool angular, rescale;
 };
 
@@ -27,7 +27,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		       "fix momentum: expected linear, angular or both");
 }
 
-static void take_linear(const struct ts_instance *self, struct tsim *sim)
+static void remove_linear(const struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -41,8 +41,8 @@ static void take_linear(const struct ts_instance *self, struct tsim *sim)
 				p->v[i][k] -= v[k];
 }
 
-/* v -= omega x (x - centre), L = I omega. */
-static void take_angular(const struct ts_instance *self, struct tsim *sim)
+/* v -= omega x (x - x_cm), where L = I omega. */
+static void remove_angular(const struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_particles *p = sim->particles;
 	double centre[3], omega[3];
@@ -50,18 +50,18 @@ static void take_angular(const struct ts_instance *self, struct tsim *sim)
 	ts_group_spin(sim, self->group, centre, omega);
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
-		double arm[3], turn[3];
+		double arm[3], rotation[3];
 
 		if (!ts_in_group(p, i, self->group))
 			continue;
 		ts_unwrapped(sim, i, arm);
 		ts_sub(arm, centre, arm);
-		ts_cross(omega, arm, turn);
-		ts_sub(p->v[i], turn, p->v[i]);
+		ts_cross(omega, arm, rotation);
+		ts_sub(p->v[i], rotation, p->v[i]);
 	}
 }
 
-static void twice_kinetic(const struct tsim *sim, size_t i, void *context, double *term)
+static void twice_kinetic_energy_term(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -78,13 +78,13 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	if (sim->clock.step % s->every != 0)
 		return TS_OK;
 	if (s->rescale)
-		ts_group_sum(sim, self->group, 1, twice_kinetic, NULL, &before);
+		ts_group_sum(sim, self->group, 1, twice_kinetic_energy_term, NULL, &before);
 	if (s->linear[0] >= 0)
-		take_linear(self, sim);
+		remove_linear(self, sim);
 	if (s->angular)
-		take_angular(self, sim);
+		remove_angular(self, sim);
 	if (s->rescale)
-		ts_group_sum(sim, self->group, 1, twice_kinetic, NULL, &after);
+		ts_group_sum(sim, self->group, 1, twice_kinetic_energy_term, NULL, &after);
 	if (!(after > 0))
 		return TS_OK;
 	factor = sqrt(before / after);
@@ -97,13 +97,12 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 
 static const struct ts_arg args[] = {
 	TS_INT("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
-	       .help = "steps between"),
+	       .help = "steps between corrections"),
 	TS_VEC3("linear", struct state, linear, .flags = TS_OPTIONAL, .range = TS_FRACTION,
-		.help = "three numbers, 1 for the components of the momentum that are taken away, 0 "
-			"for the others"),
-	TS_FLAG("angular", struct state, angular, .help = "take away the turn of the group, too"),
+		.help = "three numbers, 1 or 0 for x, y and z: components of the momentum that are removed"),
+	TS_FLAG("angular", struct state, angular, .help = "remove the angular momentum"),
 	TS_FLAG("rescale", struct state, rescale,
-		.help = "scale the velocities so that the kinetic energy stays"),
+		.help = "scale the velocities to keep the kinetic energy of translation"),
 	TS_ARGS_END,
 };
 
@@ -111,12 +110,12 @@ TS_STYLE(fix, ts_style, ts_fix_momentum)
 const struct ts_style ts_fix_momentum = {
 	.name = "momentum",
 	.kind = TS_KIND_FIX,
-	.summary = "Takes away the motion of a group as a whole",
-	.doc = "Every N steps v -= v of the centre of mass (linear), then v -= omega x (x - centre) "
-	       "(angular), where\n"
-	       "omega is the turn of a rigid body with the same angular momentum, L = I omega. The spin of "
-	       "the\n"
-	       "particles themselves is left alone.",
+	.summary = "Removes linear and angular momentum of a group",
+	.doc = "Every N steps, at the end of the step, the velocity of the centre of mass is\n"
+	       "subtracted from the velocities of the group (linear), then the rigid-body\n"
+	       "rotation omega x (x - x_cm) (angular), where omega follows from the angular\n"
+	       "momentum L = I omega of the group. The angular velocities of the particles\n"
+	       "themselves do not change.",
 	.example = "fix still all momentum 100 linear 1 1 0 angular",
 	.args = args,
 	.state_size = sizeof(struct state),

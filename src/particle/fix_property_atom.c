@@ -1,22 +1,22 @@
-/* Fix property/atom: numbers of particles that the user keeps. */
+/* Fix property/atom: user-defined properties of particles. */
 #include "core/sim.h"
-#include "particle/columns.h"
 
 #include <string.h>
 
+#include "particle/columns.h"
 #include "particle/user_columns.h"
 
 #include "base/banned.h"
 
-/* numbers of a vector, names in a line */
+/* components of a vector, names per fix */
 enum { MOST = TS_MOST_USER_COLUMNS };
 
 struct state {
 	struct ts_user_columns columns;
 	struct ts_words words;
-	bool ghost, write_data; /* as LAMMPS says */
-	bool keep;		/* in restart files */
-	double initial[MOST];	/* of the numbers of LIGGGHTS' grammar */
+	bool ghost, write_data; /* keywords of LAMMPS */
+	bool keep;		/* write to restart files */
+	double initial[MOST];	/* values of new particles, in the syntax of LIGGGHTS */
 };
 
 static bool is_yes_or_no(const struct ts_word *word)
@@ -46,8 +46,8 @@ static enum ts_status read_flag(struct tsim *sim, const struct ts_word *word, bo
 		       word->text);
 }
 
-static enum ts_status add(struct ts_instance *self, struct tsim *sim, const struct ts_word *name,
-			  const char *column, size_t width)
+static enum ts_status add_column(struct ts_instance *self, struct tsim *sim, const struct ts_word *name,
+				 const char *column, size_t width)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -92,11 +92,11 @@ static enum ts_status read_liggghts(struct ts_instance *self, struct tsim *sim)
 		    !ts_parse_real(word[5 + k].text, &s->initial[k]))
 			return ts_fail(&sim->error, TS_SYNTAX, &word[5 + k].place,
 				       "fix property/atom: '%s' is not a number", word[5 + k].text);
-	TS_TRY(add(self, sim, &word[0], word[0].text, values));
+	TS_TRY(add_column(self, sim, &word[0], word[0].text, values));
 	return ts_particles_column_initial(sim, s->columns.column[0], s->initial);
 }
 
-/* mol q rmass temperature heatflow, i_NAME d_NAME, i2_NAME n d2_NAME n */
+/* LAMMPS: mol q rmass temperature heatflow, i_NAME d_NAME, i2_NAME n d2_NAME n */
 static enum ts_status read_lammps(struct ts_instance *self, struct tsim *sim)
 {
 	static const char *const known[] = { "mol", "q", "temperature", "heatflow" };
@@ -110,7 +110,7 @@ static enum ts_status read_lammps(struct ts_instance *self, struct tsim *sim)
 		bool one = strncmp(name, "i_", 2) == 0 || strncmp(name, "d_", 2) == 0;
 		int64_t width = 1;
 
-		if (ts_streq(name, "rmass")) /* every particle has its mass */
+		if (ts_streq(name, "rmass")) /* always present */
 			continue;
 		for (size_t j = 0; j < sizeof known / sizeof *known; j++)
 			one |= ts_streq(name, known[j]);
@@ -125,12 +125,12 @@ static enum ts_status read_lammps(struct ts_instance *self, struct tsim *sim)
 			return ts_fail(&sim->error, TS_SYNTAX, &word->place,
 				       "fix property/atom: %s is followed by the number of its columns",
 				       name);
-		TS_TRY(add(self, sim, word, name, (size_t)width));
+		TS_TRY(add_column(self, sim, word, name, (size_t)width));
 	}
 	return TS_OK;
 }
 
-/* As LAMMPS calls the section of a data file. */
+/* Title of the section in data files, as in LAMMPS. */
 static const char *section_title(const struct ts_instance *self)
 {
 	const struct state *s = self->state;
@@ -144,8 +144,8 @@ static const char *section_title(const struct ts_instance *self)
 	return self->id;
 }
 
-/* What particles have before anyone sets it. */
-static void fill(const struct state *s, struct ts_particles *p)
+/* Sets the columns of all particles to their initial values. */
+static void fill_initial(const struct state *s, struct ts_particles *p)
 {
 	for (size_t k = 0; k < s->columns.n; k++) {
 		struct ts_column *c = &p->column[s->columns.column[k]];
@@ -164,7 +164,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	TS_TRY(is_liggghts(s) ? read_liggghts(self, sim) : read_lammps(self, sim));
 	s->columns.title = section_title(self);
-	fill(s, sim->particles);
+	fill_initial(s, sim->particles);
 	return TS_OK;
 }
 
@@ -190,21 +190,21 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 static const struct ts_arg args[] = {
 	TS_LIST_STATEFUL("names", struct state, words,
-			 .help = "NAME scalar|vector|vector_one_entry, then yes or no for restart files, "
-				 "ghosts and reverse (no effect), then the first value or values, none for "
-				 "0; or mol, q, rmass, i_NAME, d_NAME, i2_NAME N, d2_NAME N"),
+			 .help = "NAME scalar|vector|vector_one_entry, yes or no for restart files, for "
+				 "ghosts and for reverse (no effect), then the initial values, none for 0; "
+				 "or mol, q, rmass, i_NAME, d_NAME, i2_NAME N, d2_NAME N"),
 	TS_BOOL("ghost", struct state, ghost, .fallback = "no",
-		.help = "periodic images have the numbers, too"),
+		.help = "periodic images (ghosts) have the values, too"),
 	TS_BOOL("writedata", struct state, write_data, .fallback = "yes",
-		.help = "with the names of LAMMPS: write_data writes a section Molecules (mol alone), "
-			"Charges (q alone) or with the name of the fix"),
+		.help = "in the syntax of LAMMPS: write_data writes a section Molecules (mol alone), Charges "
+			"(q alone) or one named by the ID of the fix"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
 	{ .name = "property",
 	  .unit = "",
-	  .help = "the numbers, one column each",
+	  .help = "the values, one column per component",
 	  .shape = TS_PERATOM,
 	  .eval = eval },
 	{ .name = NULL },
@@ -214,14 +214,13 @@ TS_STYLE(fix, ts_style, ts_fix_property_atom)
 const struct ts_style ts_fix_property_atom = {
 	.name = "property/atom",
 	.kind = TS_KIND_FIX,
-	.summary = "Gives particles numbers for the user's own purposes",
-	.doc = "All particles get the numbers, whatever the group, and particles that come later get the "
-	       "first\n"
-	       "values again. `set ... property/atom NAME value` changes them; f_ID reads them. The names of "
-	       "LAMMPS\n"
-	       "(d_NAME ...) are 0 at first and can also be read as such in formulas, computes and dumps. "
-	       "The fix\n"
-	       "may stand before the box is made.",
+	.summary = "Adds user-defined properties to particles",
+	.doc = "Adds properties to all particles, whatever the group of the fix. In the syntax\n"
+	       "of LIGGGHTS (NAME scalar ...) particles start with the given values, also those\n"
+	       "inserted later; in the syntax of LAMMPS (d_NAME ...) they start with 0. `set ...\n"
+	       "property/atom NAME value` assigns values; f_ID reads them. The names can also be\n"
+	       "used directly in formulas, computes and dumps.\n\n"
+	       "The fix may be defined before the simulation box.",
 	.example = "fix age all property/atom age scalar yes no no 0.0\n"
 		   "set region top property/atom age 2.385\n"
 		   "fix marks all property/atom i_mark d2_spot 3",

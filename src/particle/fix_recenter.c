@@ -1,4 +1,4 @@
-/* Fix recenter: the centre of mass of a group stays where it should be. */
+/* Fix recenter: keeps the centre of mass of a group at a given position. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -12,8 +12,8 @@
 enum { LATTICE, BOX, FRACTION };
 
 struct state {
-	const char *word[3]; /* a number, INIT or NULL */
-	int shifted, units;  /* group; -1: that of the fix */
+	const char *word[3]; /* number, INIT or NULL */
+	int shifted, units;  /* shifted: group that is moved, -1: that of the fix */
 	bool held[3], initial[3];
 	double given[3];
 	double at_first[3], shift[3]; /* saved */
@@ -41,7 +41,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static double goal(const struct state *s, const struct tsim *sim, int k)
+static double target_coordinate(const struct state *s, const struct tsim *sim, int k)
 {
 	const struct ts_box *box = &sim->domain->box;
 
@@ -63,7 +63,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 		return TS_OK;
 	ts_group_centre(sim, self->group, centre);
 	for (int k = 0; k < 3; k++)
-		s->shift[k] = s->held[k] ? goal(s, sim, k) - centre[k] : 0;
+		s->shift[k] = s->held[k] ? target_coordinate(s, sim, k) - centre[k] : 0;
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++)
 		for (int k = 0; ts_in_group(p, i, group) && k < 3; k++)
@@ -88,27 +88,27 @@ static enum ts_status eval_shift(struct ts_instance *self, const struct tsim *si
 
 static const char *const units[] = { [LATTICE] = "lattice", [BOX] = "box", [FRACTION] = "fraction", NULL };
 
-#define COMPONENT(name_, k)                                                                         \
-	TS_WORD(name_, struct state, word[k], .flags = TS_POSITIONAL,                               \
-		.help = "where the centre is to be: a number, INIT (where it was when the fix was " \
-			"made) or NULL (anywhere)")
+#define COMPONENT(name_, k)                                                                        \
+	TS_WORD(name_, struct state, word[k], .flags = TS_POSITIONAL,                              \
+		.help = "coordinate of the centre of mass: a number, INIT (that when the fix was " \
+			"defined) or NULL (not controlled)")
 static const struct ts_arg args[] = {
 	COMPONENT("x", 0),
 	COMPONENT("y", 1),
 	COMPONENT("z", 2),
 	TS_GROUP("shift", struct state, shifted, .flags = TS_OPTIONAL,
-		 .help = "particles that are moved, those of the fix if it is not given"),
+		 .help = "group that is shifted; default: the group of the fix"),
 	TS_ENUM("units", struct state, units, units, .fallback = "lattice",
-		.help = "whether the place is given in lattice spacings, as it is, or from 0 to 1 "
-			"across the box"),
+		.help = "whether coordinates are in lattice spacings, in units of length, or a fraction of "
+			"the box from 0 to 1"),
 	TS_ARGS_END,
 };
 
 static const char *const components[] = { "x", "y", "z" };
 static const struct ts_value values[] = {
-	{ "distance", "length", "by which particles were moved at the last step", TS_SCALAR, 1, NULL,
-	  eval_distance },
-	{ "shift", "length", "its components", TS_VECTOR, 3, components, eval_shift },
+	{ "distance", "length", "distance by which particles were shifted in the last step", TS_SCALAR, 1,
+	  NULL, eval_distance },
+	{ "shift", "length", "components of that shift", TS_VECTOR, 3, components, eval_shift },
 	{ .name = NULL },
 };
 
@@ -123,12 +123,11 @@ TS_STYLE(fix, ts_style, ts_fix_recenter)
 const struct ts_style ts_fix_recenter = {
 	.name = "recenter",
 	.kind = TS_KIND_FIX,
-	.summary = "Keeps the centre of mass of a group where it should be",
-	.doc = "After particles have been moved in a step, those of the shifted group are moved together so "
-	       "that the\n"
-	       "centre of mass of the group (positions not wrapped) is where it should be. Velocities stay "
-	       "as they\n"
-	       "are. Define it after the fixes that integrate.",
+	.summary = "Keeps the centre of mass of a group at a given position",
+	.doc = "In each step, after positions have been integrated, the particles of the shifted\n"
+	       "group are moved together so that the centre of mass of the fix's group\n"
+	       "(unwrapped positions) is at the given coordinates. Velocities do not change.\n"
+	       "Define the fix after the fixes that integrate.",
 	.example = "fix still ball recenter INIT INIT NULL shift all",
 	.args = args,
 	.state_size = sizeof(struct state),

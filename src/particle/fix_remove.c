@@ -1,4 +1,4 @@
-/* Fix remove: takes mass out of a bed at a given rate. */
+/* Fix remove: removes mass of particles at a given rate. */
 #include <stdlib.h>
 
 #include "core/sim.h"
@@ -10,9 +10,9 @@
 
 #include "base/banned.h"
 
-/* A particle that may be taken. */
+/* A particle of which mass may be removed. */
 struct candidate {
-	double number; /* its lot */
+	double number; /* random, uniform in (0, 1) */
 	int32_t tag;
 	size_t row;
 };
@@ -23,19 +23,19 @@ struct state {
 	struct ts_number rate;
 	const char *rate_variable;
 	int mode;
-	double least; /* radius; NaN: not given */
-	bool carries, verbose, compress;
+	double min_radius; /* delete_below; NaN: not given */
+	bool carry_error, verbose, compress;
 	struct ts_instance *region;
 
-	struct candidate *candidate; /* of this step */
+	struct candidate *candidate; /* [n], of this event */
 	size_t n, capacity;
-	unsigned char *gone;
-	size_t gone_capacity;
+	unsigned char *deleted;
+	size_t deleted_capacity;
 	bool due, begun;
 	/* saved */
 	double since;	   /* time of the last event */
-	double owed, mass; /* still to be removed; removed */
-	int64_t number;
+	double owed, mass; /* mass still to be removed (< 0: too much was); mass removed so far */
+	int64_t number;	   /* particles deleted so far */
 };
 
 enum { SHRINK, DELETE };
@@ -65,11 +65,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix remove: expected one of massrate, massratevariable, found %s",
 			       has_rate ? "both" : "none");
-	if (s->mode == SHRINK && isnan(s->least))
+	if (s->mode == SHRINK && isnan(s->min_radius))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "shrink"),
 			       "fix remove: style shrink needs delete_below, the radius below which "
 			       "particles are deleted");
-	if (s->mode == DELETE && !isnan(s->least))
+	if (s->mode == DELETE && !isnan(s->min_radius))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "delete_below"),
 			       "fix remove: delete_below has a meaning with style shrink only");
 	if (s->type > sim->particles->ntypes)
@@ -84,9 +84,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* ---- who may be taken ---- */
+/* ---- candidates ---- */
 
-static int by_lot(const void *a, const void *b)
+static int compare_candidates(const void *a, const void *b)
 {
 	const struct candidate *s = a, *t = b;
 
@@ -95,7 +95,7 @@ static int by_lot(const void *a, const void *b)
 	return (s->tag > t->tag) - (s->tag < t->tag);
 }
 
-/* In an order drawn by lot: each particle's lot depends on seed, step and identity only. */
+/* Lists the candidates in random order: the random number of each is a function of seed, step and tag. */
 static enum ts_status find_candidates(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -103,13 +103,13 @@ static enum ts_status find_candidates(struct ts_instance *self, struct tsim *sim
 
 	TS_TRY(ts_region_update(s->region, sim));
 	if (TS_GROW(s->candidate, s->capacity, p->n) != TS_OK ||
-	    TS_GROW(s->gone, s->gone_capacity, p->n) != TS_OK)
+	    TS_GROW(s->deleted, s->deleted_capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
 	s->n = 0;
 	for (size_t i = 0; i < p->n; i++) {
 		struct ts_rng rng = ts_rng_start((uint64_t)s->seed, (uint64_t)p->tag[i]);
 
-		s->gone[i] = 0;
+		s->deleted[i] = 0;
 		if (!ts_chosen(p, i, self->group, s->region) || (s->type > 0 && p->type[i] != s->type))
 			continue;
 		if (ts_rigid_member(p, i))
@@ -121,28 +121,29 @@ static enum ts_status find_candidates(struct ts_instance *self, struct tsim *sim
 		s->candidate[s->n++] = (struct candidate){ ts_rng_uniform(&rng), p->tag[i], i };
 	}
 	if (s->n)
-		qsort(s->candidate, s->n, sizeof *s->candidate, by_lot);
+		qsort(s->candidate, s->n, sizeof *s->candidate, compare_candidates);
 	return TS_OK;
 }
 
-/* ---- taking ---- */
+/* ---- removal ---- */
 
-static void take(struct state *s, double mass)
+static void account_mass(struct state *s, double mass)
 {
 	s->owed -= mass;
 	s->mass += mass;
 }
 
-static void drop(struct state *s, const struct tsim *sim, size_t i)
+static void mark_deleted(struct state *s, const struct tsim *sim, size_t i)
 {
-	s->gone[i] = 1;
+	s->deleted[i] = 1;
 	s->number++;
-	take(s, sim->particles->mass[i]);
+	account_mass(s, sim->particles->mass[i]);
 }
 
-/* Whole particles, until nothing is owed. The last one takes too much: with `integrated_error yes`
- * the next event takes less for it, else it goes with a probability that makes the mean right. */
-static void delete_some(struct ts_instance *self, const struct tsim *sim)
+/* Deletes particles until the mass due is reached; the last one may exceed it. With `integrated_error
+ * yes` the excess is subtracted from the next event; else the last particle is deleted with the
+ * probability (mass due) / (its mass), so that the mean rate is exact. */
+static void delete_particles(struct ts_instance *self, const struct tsim *sim)
 {
 	struct state *s = self->state;
 
@@ -152,14 +153,15 @@ static void delete_some(struct ts_instance *self, const struct tsim *sim)
 		struct ts_rng rng = ts_rng_start((uint64_t)s->seed, UINT64_MAX);
 
 		rng.counter = (uint64_t)sim->clock.step;
-		if (!s->carries && mass > s->owed && ts_rng_uniform(&rng) * mass > s->owed)
+		if (!s->carry_error && mass > s->owed && ts_rng_uniform(&rng) * mass > s->owed)
 			return;
-		drop(s, sim, i);
+		mark_deleted(s, sim, i);
 	}
 }
 
-/* The same part of the mass of each, in the order of their lots, which does not hang on memory. */
-static void shrink_all(struct ts_instance *self, const struct tsim *sim)
+/* Removes the same fraction of mass from each candidate, in their random order, so that the sum of masses
+ * does not depend on the order in memory. */
+static void shrink_particles(struct ts_instance *self, const struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -174,11 +176,11 @@ static void shrink_all(struct ts_instance *self, const struct tsim *sim)
 	for (size_t k = 0; k < s->n; k++) {
 		size_t i = s->candidate[k].row;
 
-		if (size * p->radius[i] < s->least || !(keep > 0)) {
-			drop(s, sim, i);
+		if (size * p->radius[i] < s->min_radius || !(keep > 0)) {
+			mark_deleted(s, sim, i);
 			continue;
 		}
-		take(s, (1 - keep) * p->mass[i]);
+		account_mass(s, (1 - keep) * p->mass[i]);
 		p->mass[i] *= keep;
 		p->radius[i] *= size;
 		if (p->imass[i] > 0)
@@ -186,7 +188,7 @@ static void shrink_all(struct ts_instance *self, const struct tsim *sim)
 	}
 }
 
-static enum ts_status owe(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_due_mass(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	double rate, now = ts_sim_time(sim);
@@ -196,7 +198,7 @@ static enum ts_status owe(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "fix remove: the rate v_%s is %g, expected a mass per time >= 0",
 			       s->rate.variable, rate);
-	s->owed = (s->carries ? s->owed : 0) + rate * (now - s->since);
+	s->owed = (s->carry_error ? s->owed : 0) + rate * (now - s->since);
 	s->since = now;
 	return TS_OK;
 }
@@ -207,21 +209,21 @@ static enum ts_status remove_mass(struct ts_instance *self, struct tsim *sim)
 	double mass = s->mass;
 	int64_t number = s->number;
 
-	TS_TRY(owe(self, sim));
+	TS_TRY(add_due_mass(self, sim));
 	TS_TRY(find_candidates(self, sim));
 	if (s->mode == DELETE)
-		delete_some(self, sim);
+		delete_particles(self, sim);
 	else
-		shrink_all(self, sim);
+		shrink_particles(self, sim);
 	if (s->verbose)
 		ts_log(&sim->log,
 		       "fix remove %s: step %lld, mass %g removed, %lld particles deleted, %zu chosen from\n",
 		       self->id, (long long)sim->clock.step, s->mass - mass, (long long)(s->number - number),
 		       s->n);
-	return s->number > number ? ts_particles_delete(sim, s->gone) : TS_OK;
+	return s->number > number ? ts_particles_delete(sim, s->deleted) : TS_OK;
 }
 
-/* The rows must be built anew for what is smaller, or gone. */
+/* The contact list must be rebuilt if particles shrink or are deleted. */
 static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -257,37 +259,37 @@ static void fini(struct ts_instance *self)
 	struct state *s = self->state;
 
 	ts_free(s->candidate);
-	ts_free(s->gone);
+	ts_free(s->deleted);
 }
 
 static const struct ts_arg args[] = {
 	TS_INT("nevery", struct state, every, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
 	       .help = "steps between events"),
 	TS_NUMBER("massrate", struct state, rate, .flags = TS_OPTIONAL, .unit = "mass/time",
-		  .range = TS_NOT_NEGATIVE, .help = "mass to be removed per time"),
+		  .range = TS_NOT_NEGATIVE, .help = "mass removed per time"),
 	TS_WORD("massratevariable", struct state, rate_variable, .flags = TS_OPTIONAL,
-		.help = "NAME of an equal-style variable for that; the same as massrate v_NAME"),
+		.help = "NAME of an equal-style variable for the rate; the same as massrate v_NAME"),
 	TS_ENUM("style", struct state, mode, modes,
-		.help = "shrink: all particles become smaller; delete: some, chosen at random, are deleted"),
-	TS_REAL("delete_below", struct state, least, .flags = TS_OPTIONAL, .unit = "length",
-		.range = TS_NOT_NEGATIVE,
-		.help = "with shrink: the radius below which a particle is deleted"),
+		.help = "shrink: all particles become smaller; delete: randomly chosen particles are "
+			"deleted"),
+	TS_REAL("delete_below", struct state, min_radius, .flags = TS_OPTIONAL, .unit = "length",
+		.range = TS_NOT_NEGATIVE, .help = "style shrink: radius below which a particle is deleted"),
 	TS_INT("seed", struct state, seed, .flags = TS_STATEFUL, .range = TS_POSITIVE,
 	       .help = "seed of the random numbers"),
 	TS_REGION_KEYWORD(struct state),
 	TS_INT("atomtype", struct state, type, .fallback = "0", .range = TS_NOT_NEGATIVE,
-	       .help = "only particles of this type; 0: of any"),
-	TS_BOOL("integrated_error", struct state, carries, .fallback = "yes", .flags = TS_STATEFUL,
-		.help = "what an event has removed too much, or could not remove, counts in the next"),
-	TS_BOOL("verbose", struct state, verbose, .fallback = "no", .help = "each event is told in the log"),
-	TS_BOOL("compress", struct state, compress, .fallback = "no",
-		.help = "no effect: a particle keeps its number"),
+	       .help = "only particles of this type; 0: of any type"),
+	TS_BOOL("integrated_error", struct state, carry_error, .fallback = "yes", .flags = TS_STATEFUL,
+		.help = "carry the difference between the mass removed and the mass due over to the next "
+			"event"),
+	TS_BOOL("verbose", struct state, verbose, .fallback = "no", .help = "print each event to the log"),
+	TS_BOOL("compress", struct state, compress, .fallback = "no", .help = "no effect: atom IDs are kept"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
-	{ "removed", "mass, 1, mass", "mass removed, particles deleted, mass still to be removed", TS_VECTOR,
-	  3, NULL, eval },
+	{ "removed", "mass, 1, mass", "mass removed, particles deleted, mass still due", TS_VECTOR, 3, NULL,
+	  eval },
 	{ .name = NULL },
 };
 
@@ -304,30 +306,27 @@ const struct ts_style ts_fix_remove = {
 	.name = "remove",
 	.kind = TS_KIND_FIX,
 	.summary = "Removes mass of particles at a given rate",
-	.doc = "In each step that is a multiple of nevery the mass rate*t is to be removed from the "
-	       "particles of the\n"
-	       "group whose centres are in the region, t being the time since the last event or since the "
-	       "fix was\n"
-	       "defined.\n\n"
-	       "style delete: particles are chosen at random, and deleted until that mass is reached; the "
-	       "last one may\n"
-	       "exceed it. With `integrated_error yes` what was too much, or what could not be removed "
-	       "because there\n"
-	       "was no particle, counts in the next event, so that the mass removed differs from the "
-	       "integral of the\n"
-	       "rate by less than one particle. With `no` each event stands for itself, and the last "
-	       "particle is deleted with the\n"
-	       "probability (mass left)/(mass of the particle): the mean is right.\n\n"
-	       "style shrink: all particles lose the same part of their mass, M being the mass of all of "
-	       "them:\n\n"
-	       "    m' = m (1 - rate*t/M),   R' = R (m'/m)^(1/3)   (in two dimensions 1/2)\n\n"
-	       "The density stays. Who would be smaller than delete_below is deleted as a whole.\n\n"
-	       "f_ID[1], f_ID[2], f_ID[3]: the mass removed, the number of particles deleted, the mass still "
-	       "to be removed (< 0:\n"
-	       "too much was). Lots depend on seed, step and identity only: results are the same on any "
-	       "number of\n"
-	       "threads and after a restart. Particles of rigid bodies are refused. Another edition of\n"
-	       "LIGGGHTS (PFM) has this fix; which particles it chooses is its own.",
+	.doc = "In each step that is a multiple of nevery, mass is removed from the particles of\n"
+	       "the group whose centres are in the region. The mass due is rate*t, where t is\n"
+	       "the time since the last event, or since the fix was defined.\n\n"
+	       "Style delete: randomly chosen particles are deleted until the mass due is\n"
+	       "reached; the last one may exceed it. With `integrated_error yes` the excess, or\n"
+	       "the mass that could not be removed for lack of particles, is carried over to the\n"
+	       "next event, so the total mass removed differs from the integral of the rate by\n"
+	       "less than one particle. With `integrated_error no` events are independent, and\n"
+	       "the last particle is deleted with the probability (remaining mass due)/(mass of\n"
+	       "the particle), so that the mean rate is exact.\n\n"
+	       "Style shrink: all particles lose the same fraction of their mass. With M the\n"
+	       "mass of all of them,\n\n"
+	       "    m' = m (1 - rate*t/M),   R' = R (m'/m)^(1/3)   (exponent 1/2 in two dimensions)\n\n"
+	       "The density is kept. A particle that would become smaller than delete_below is\n"
+	       "deleted.\n\n"
+	       "f_ID[1] is the mass removed, f_ID[2] the number of particles deleted, f_ID[3]\n"
+	       "the mass still due (negative if too much was removed). Random numbers are\n"
+	       "functions of seed, step and atom ID: results do not depend on the number of\n"
+	       "threads and are the same after a restart.\n\n"
+	       "Particles of rigid bodies are an error. The fix exists in another edition of\n"
+	       "LIGGGHTS (PFM), which chooses other particles.",
 	.example = "fix out all remove nevery 500 massrate 3.5 style delete seed 5143 region hole atomtype "
 		   "1\n"
 		   "fix burn all remove nevery 500 massrate v_rate style shrink delete_below 0.001 seed 7543",

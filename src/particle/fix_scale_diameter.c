@@ -1,4 +1,4 @@
-/* Fix scale/diameter: particles shrink or grow as they come nearer to the centre of a region. */
+/* Fix scale/diameter: scales diameters by the distance from the centre of a region. */
 #include <math.h>
 
 #include "core/sim.h"
@@ -16,9 +16,9 @@ struct state {
 	struct ts_instance *region;
 	struct ts_number scale;
 	double width;
-	size_t column; /* of first sizes */
+	size_t column; /* of the original sizes: particle/first_size.h */
 	bool begun;
-	/* saved; the epoch makes forces be computed anew */
+	/* saved; a new epoch changes the fingerprint, so that forces are computed again */
 	int64_t applied, epoch;
 };
 
@@ -41,8 +41,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* From 1 at the surface to `scale` where the outer part of the radius ends. */
-static double factor(const struct state *s, const double x[3], double scale)
+/* Linear from 1 at the surface of the region to `scale` at the depth width * radius. */
+static double diameter_factor(const struct state *s, const double x[3], double scale)
 {
 	double in;
 
@@ -52,7 +52,7 @@ static double factor(const struct state *s, const double x[3], double scale)
 	return in < s->width ? 1 + (scale - 1) * in / s->width : scale;
 }
 
-static void resize(const struct state *s, struct tsim *sim, size_t i, double f)
+static void set_size(const struct state *s, struct tsim *sim, size_t i, double f)
 {
 	struct ts_particles *p = sim->particles;
 	const double *first = ts_first_size(sim, s->column, i);
@@ -67,7 +67,7 @@ static void resize(const struct state *s, struct tsim *sim, size_t i, double f)
 		p->imass[i] = 1 / p->mass[i];
 }
 
-static enum ts_status change(struct ts_instance *self, struct tsim *sim)
+static enum ts_status scale_diameters(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -88,13 +88,13 @@ static enum ts_status change(struct ts_instance *self, struct tsim *sim)
 				       "and inertia "
 				       "would not follow; give the fix a group without such particles",
 				       p->tag[i]);
-		resize(s, sim, i, factor(s, p->x[i], scale));
+		set_size(s, sim, i, diameter_factor(s, p->x[i], scale));
 	}
 	s->applied = 1;
 	return TS_OK;
 }
 
-/* Before the rows are built: they must know the new sizes. */
+/* Before the contact list is built, which depends on the new sizes. */
 static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
@@ -102,15 +102,15 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	if (s->every == 0 || sim->clock.step % s->every != 0)
 		return TS_OK;
 	sim->run.rebuild = true;
-	return change(self, sim);
+	return scale_diameters(self, sim);
 }
 
-/* At the start of the first run. */
+/* Applies the factor at the start of the first run. */
 static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 
-	return s->applied ? TS_OK : change(self, sim);
+	return s->applied ? TS_OK : scale_diameters(self, sim);
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
@@ -128,12 +128,12 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim, 
 
 static const struct ts_arg args[] = {
 	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0, .hi = 1e15,
-	       .help = "steps between changes; 0: once, when the first run begins"),
+	       .help = "steps between changes; 0: only once, at the start of the first run"),
 	TS_REGION("region", struct state, region, .help = "a sphere or a cylinder"),
 	TS_NUMBER("scale", struct state, scale, .fallback = "1.0", .unit = "", .range = TS_POSITIVE,
-		  .help = "factor of the diameter in the middle"),
+		  .help = "factor of the diameter in the centre"),
 	TS_REAL("scale_width", struct state, width, .fallback = "1.0", .range = TS_FRACTION, .unit = "",
-		.help = "part of the radius of the region, from its surface on, over which the "
+		.help = "fraction of the radius of the region, from its surface inwards, over which the "
 			"factor changes"),
 	TS_ARGS_END,
 };
@@ -148,21 +148,19 @@ TS_STYLE(fix, ts_style, ts_fix_scale_diameter)
 const struct ts_style ts_fix_scale_diameter = {
 	.name = "scale/diameter",
 	.kind = TS_KIND_FIX,
-	.summary = "Changes diameters by the distance from the centre of a region",
-	.doc = "At the start of the first run and in each step that is a multiple of N the "
-	       "diameter of each particle of\n"
-	       "the group is set to f times what it was when the fix first saw it. With r the "
-	       "distance of its centre\n"
-	       "from the centre of the sphere, or from the axis of the cylinder, of radius R, and "
-	       "w = scale_width:\n\n"
+	.summary = "Scales diameters by the distance from the centre of a region",
+	.doc = "At the start of the first run, and in each step that is a multiple of N, the\n"
+	       "diameter of each particle of the group is set to f times its original diameter,\n"
+	       "that at the time when the fix first processed the particle. With r the distance\n"
+	       "of its centre from the centre of the sphere, or from the axis of the cylinder,\n"
+	       "of radius R, and w = scale_width:\n\n"
 	       "    f = 1                              outside the region\n"
 	       "    f = 1 + (scale - 1) (1 - r/R)/w    for 1 - r/R < w\n"
-	       "    f = scale                          further in\n\n"
-	       "The mass changes with the volume: the density stays. The region may move. "
-	       "Particles that are inserted\n"
-	       "later are seen in the next step in which diameters change. Particles of rigid "
-	       "bodies are refused.\n"
-	       "Another edition of LIGGGHTS (PFM) has this fix.",
+	       "    f = scale                          further inside\n\n"
+	       "The mass changes with the volume at constant density. The region may move.\n"
+	       "Particles that are inserted later are included from the next change on.\n"
+	       "Particles of rigid bodies are an error. The fix exists in another edition of\n"
+	       "LIGGGHTS (PFM).",
 	.example = "region core sphere 0 0 0 0.5 units box\n"
 		   "fix fine all scale/diameter 10 region core scale 0.5 scale_width 0.2",
 	.args = args,

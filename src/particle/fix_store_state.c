@@ -1,4 +1,4 @@
-/* Fix store/state: what particles were like at some time. */
+/* Fix store/state: stores per-particle quantities at a given time. */
 #include "core/ref_list.h"
 
 #include "core/sim.h"
@@ -17,12 +17,12 @@ struct state {
 	bool started;
 };
 
-static double *row_of(const struct state *s, const struct tsim *sim, size_t i)
+static double *stored_row(const struct state *s, const struct tsim *sim, size_t i)
 {
 	return (double *)sim->particles->column[s->column].data + s->input.n * i;
 }
 
-/* The coordinate xu, yu, zu stand for, or -1. */
+/* Dimension of the names xu, yu, zu; -1 for others. */
 static int unwrapped_dim(const char *name)
 {
 	static const char *const names[] = { "xu", "yu", "zu" };
@@ -33,7 +33,7 @@ static int unwrapped_dim(const char *name)
 	return -1;
 }
 
-static enum ts_status store(struct ts_instance *self, struct tsim *sim)
+static enum ts_status store_inputs(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -47,7 +47,8 @@ static enum ts_status store(struct ts_instance *self, struct tsim *sim)
 
 		TS_TRY(ts_ref_input_eval(sim, input, &s->now));
 		for (size_t i = 0; i < p->n; i++)
-			row_of(s, sim, i)[k] = ts_in_group(p, i, self->group) ? s->now.data[i] - origin : 0;
+			stored_row(s, sim, i)[k] =
+				ts_in_group(p, i, self->group) ? s->now.data[i] - origin : 0;
 	}
 	return TS_OK;
 }
@@ -68,7 +69,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	ts_str_release(&name);
 	TS_TRY(status);
 	s->started = true;
-	return store(self, sim);
+	return store_inputs(self, sim);
 }
 
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
@@ -77,7 +78,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 
 	if (s->every == 0 || sim->clock.step % s->every != 0)
 		return TS_OK;
-	return store(self, sim);
+	return store_inputs(self, sim);
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
@@ -95,7 +96,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	TS_TRY(ts_table_resize(out, sim->particles->n, n));
 	for (size_t i = 0; i < sim->particles->n; i++)
 		for (size_t k = 0; k < n; k++)
-			out->data[i * n + k] = row_of(s, sim, i)[k];
+			out->data[i * n + k] = stored_row(s, sim, i)[k];
 	return TS_OK;
 }
 
@@ -109,20 +110,20 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_INT("N", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_NOT_NEGATIVE,
-	       .help = "steps between; 0: only when the fix is made"),
+	       .help = "steps between updates; 0: only when the fix is defined"),
 	TS_LIST_STATEFUL("inputs", struct state, words,
 			 .help = "id, x, xu, vx, radius ..., c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k] or "
 				 "v_NAME"),
 	TS_BOOL("com", struct state, com, .flags = TS_STATEFUL, .fallback = "no",
-		.help = "count xu, yu, zu from the centre of mass of the group"),
+		.help = "subtract the centre of mass of the group from xu, yu, zu"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
 	{ .name = "stored",
 	  .unit = "",
-	  .help = "the inputs as they were, one column each; 0 for particles outside the group and "
-		  "for those that came later",
+	  .help = "the stored inputs, one column each; 0 for particles outside the group and for "
+		  "those inserted later",
 	  .shape = TS_PERATOM,
 	  .eval = eval },
 	{ .name = NULL },
@@ -132,10 +133,10 @@ TS_STYLE(fix, ts_style, ts_fix_store_state)
 const struct ts_style ts_fix_store_state = {
 	.name = "store/state",
 	.kind = TS_KIND_FIX,
-	.summary = "Remembers what particles were like",
-	.doc = "The inputs are stored when the fix is made and, unless N is 0, at the end of each step that "
-	       "is a\n"
-	       "multiple of N. What is stored goes with the particles, also into restart files.",
+	.summary = "Stores per-particle quantities",
+	.doc = "Stores the inputs of the particles in the group when the fix is defined and,\n"
+	       "unless N is 0, at the end of each step that is a multiple of N. The values move\n"
+	       "with the particles and are written to restart files.",
 	.example = "fix before all store/state 0 xu yu zu com yes\n"
 		   "variable gone atom sqrt((xu-f_before[1])^2+(yu-f_before[2])^2)",
 	.args = args,

@@ -27,19 +27,19 @@ void ts_group_sum(const struct tsim *sim, int group, size_t width, ts_term_fn *t
 		out[k] = ts_exactsum_value(&sum[k]);
 }
 
-static void one(const struct tsim *sim, size_t i, void *context, double *term)
+static void count_term(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	(void)sim, (void)i, (void)context;
 	term[0] = 1;
 }
 
-static void mass(const struct tsim *sim, size_t i, void *context, double *term)
+static void mass_term(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	(void)context;
 	term[0] = sim->particles->mass[i];
 }
 
-static void mass_x(const struct tsim *sim, size_t i, void *context, double *term)
+static void mass_position_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	double x[3];
 
@@ -50,7 +50,7 @@ static void mass_x(const struct tsim *sim, size_t i, void *context, double *term
 		term[d] = term[3] * x[d];
 }
 
-static void mass_v(const struct tsim *sim, size_t i, void *context, double *term)
+static void momentum_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	(void)context;
 	term[3] = sim->particles->mass[i];
@@ -62,7 +62,7 @@ double ts_group_count(const struct tsim *sim, int group)
 {
 	double out;
 
-	ts_group_sum(sim, group, 1, one, NULL, &out);
+	ts_group_sum(sim, group, 1, count_term, NULL, &out);
 	return out;
 }
 
@@ -70,11 +70,11 @@ double ts_group_mass(const struct tsim *sim, int group)
 {
 	double out;
 
-	ts_group_sum(sim, group, 1, mass, NULL, &out);
+	ts_group_sum(sim, group, 1, mass_term, NULL, &out);
 	return out;
 }
 
-static void mean(const struct tsim *sim, int group, ts_term_fn *term, double out[3])
+static void mass_weighted_mean(const struct tsim *sim, int group, ts_term_fn *term, double out[3])
 {
 	double sum[4];
 
@@ -85,10 +85,10 @@ static void mean(const struct tsim *sim, int group, ts_term_fn *term, double out
 
 void ts_group_centre(const struct tsim *sim, int group, double x[3])
 {
-	mean(sim, group, mass_x, x);
+	mass_weighted_mean(sim, group, mass_position_terms, x);
 }
 
 void ts_group_velocity(const struct tsim *sim, int group, double v[3])
 {
-	mean(sim, group, mass_v, v);
+	mass_weighted_mean(sim, group, momentum_terms, v);
 }

@@ -1,12 +1,12 @@
-/* Sums over the particles of a group, without rounding in the sum. Positions are those without periodic
- * wrapping. */
+/* Sums over the particles of a group: number, mass, centre of mass, momentum. Sums are exact and rounded
+ * once, so they do not depend on the order of the particles. Positions are unwrapped. */
 #ifndef TS_PARTICLE_GROUP_MOMENTS_H
 #define TS_PARTICLE_GROUP_MOMENTS_H
 
 #include "box/domain.h"
 #include "particle/particles.h"
 
-/* Where particle i would be had it never been wrapped. */
+/* Unwrapped position of particle i: x + image * box length. */
 static inline void ts_unwrapped(const struct tsim *sim, size_t i, double x[3])
 {
 	const struct ts_particles *p = sim->particles;
@@ -15,13 +15,14 @@ static inline void ts_unwrapped(const struct tsim *sim, size_t i, double x[3])
 		x[d] = p->x[i][d] + p->image[i][d] * ts_box_length(&sim->domain->box, d);
 }
 
+/* Number and mass of the particles in the group. */
 double ts_group_count(const struct tsim *sim, int group);
 double ts_group_mass(const struct tsim *sim, int group);
 /* Centre of mass and its velocity; 0 for a group without particles. */
 void ts_group_centre(const struct tsim *sim, int group, double x[3]);
 void ts_group_velocity(const struct tsim *sim, int group, double v[3]);
 
-/* The sum of any `width` <= 8 numbers over the group. */
+/* Sums `width` <= TS_MOST_TERMS numbers over the group; the function writes those of particle i to term[]. */
 enum { TS_MOST_TERMS = 8 };
 typedef void ts_term_fn(const struct tsim *sim, size_t i, void *context, double *term);
 void ts_group_sum(const struct tsim *sim, int group, size_t width, ts_term_fn *term, void *context,

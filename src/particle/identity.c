@@ -5,19 +5,19 @@
 
 #include "base/banned.h"
 
-/* A table of all identities costs 4 bytes for each, a search more time: the table may have so many entries
- * for each particle. */
-enum { LARGEST_RATIO = 16, ALWAYS = 1 << 20 };
+/* A table by tag takes 4 bytes for each tag ever assigned; a binary search takes no memory but more time. The
+ * table is used up to this ratio of tags to particles, and always below this number of tags. */
+enum { LARGEST_RATIO = 16, TABLE_ALWAYS = 1 << 20 };
 
-static int by_tag(const void *a, const void *b)
+static int compare_tags(const void *a, const void *b)
 {
 	const int32_t *p = a, *q = b;
 
 	return (*p > *q) - (*p < *q);
 }
 
-/* Pairs of identity and row, sorted unless they are in order as they stand. */
-static void sort(struct ts_particles *p, int32_t (*pair)[2])
+/* Fills p->by_tag with the pairs of tag and index, sorted by tag; skips the sort if they are in order. */
+static void sort_by_tag(struct ts_particles *p, int32_t (*pair)[2])
 {
 	bool ordered = true;
 
@@ -27,20 +27,20 @@ static void sort(struct ts_particles *p, int32_t (*pair)[2])
 		ordered &= i == 0 || p->tag[i - 1] < p->tag[i];
 	}
 	if (!ordered)
-		qsort(pair, p->n, sizeof *pair, by_tag);
+		qsort(pair, p->n, sizeof *pair, compare_tags);
 	for (size_t i = 0; i < p->n; i++) {
 		p->by_tag[i] = pair[i][0];
 		p->by_tag[p->n + i] = pair[i][1];
 	}
 }
 
-static enum ts_status list_by_search(struct ts_particles *p)
+static enum ts_status list_by_sorting(struct ts_particles *p)
 {
 	int32_t(*pair)[2] = ts_alloc(p->n + 1, sizeof *pair);
 
 	if (!pair)
 		return TS_NOMEM;
-	sort(p, pair);
+	sort_by_tag(p, pair);
 	ts_free(pair);
 	return TS_OK;
 }
@@ -70,7 +70,7 @@ static enum ts_status fill_table(struct ts_particles *p)
 enum ts_status ts_identities(struct tsim *sim, bool ordered, struct ts_identities *out)
 {
 	struct ts_particles *p = sim->particles;
-	bool table = p->max_tag < ALWAYS || (size_t)p->max_tag / LARGEST_RATIO < p->n;
+	bool table = p->max_tag < TABLE_ALWAYS || (size_t)p->max_tag / LARGEST_RATIO < p->n;
 	enum ts_status status = TS_OK;
 
 	if (table)
@@ -78,7 +78,7 @@ enum ts_status ts_identities(struct tsim *sim, bool ordered, struct ts_identitie
 	if (status == TS_OK && (ordered || !table))
 		status = TS_GROW(p->by_tag, p->by_tag_capacity, 2 * p->n + 1);
 	if (status == TS_OK && !table)
-		status = list_by_search(p);
+		status = list_by_sorting(p);
 	else if (status == TS_OK && ordered)
 		list_by_table(p);
 	*out = (struct ts_identities){ .n = p->n, .max = p->max_tag };

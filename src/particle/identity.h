@@ -1,4 +1,4 @@
-/* Where particles of given identities are. */
+/* Lookup of the local index of a particle by its tag (atom ID). */
 #ifndef TS_PARTICLE_IDENTITY_H
 #define TS_PARTICLE_IDENTITY_H
 
@@ -6,16 +6,16 @@
 
 /* Valid until particles are added, deleted or reordered. */
 struct ts_identities {
-	const int32_t *row_of_tag; /* NULL: far more identities than particles, rows are searched */
-	const int32_t *tag, *row;  /* those there are, in order */
+	const int32_t *row_of_tag; /* [max + 1], -1: no such particle; NULL: use the sorted list */
+	const int32_t *tag, *row;  /* [n], tags in ascending order and their local indices; may be NULL */
 	size_t n;
-	int32_t max;
+	int32_t max; /* largest tag ever assigned */
 };
 
-/* Rows by identity; with `ordered` also the list of all in the order of their identities. */
+/* Makes the lookup; with `ordered` the sorted list, too. The arrays belong to the particles. */
 enum ts_status ts_identities(struct tsim *sim, bool ordered, struct ts_identities *out);
 
-/* The row of a local particle, -1 if there is none of that identity. */
+/* The local index of the particle with this tag, or -1. */
 static inline int32_t ts_identity_row(const struct ts_identities *map, int64_t tag)
 {
 	size_t lo = 0, hi = map->n;

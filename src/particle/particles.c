@@ -10,7 +10,7 @@
 
 #include "base/banned.h"
 
-/* Type of a column's numbers in files, by their C type. */
+/* Type of a column's numbers in restart files, by their C type. */
 #define SAVED_TYPE(type) \
 	_Generic((type)0, double : TS_SAVED_F64, int32_t : TS_SAVED_I32, uint32_t : TS_SAVED_I32)
 
@@ -100,7 +100,7 @@ static enum ts_status archive_groups(struct tsim *sim, struct ts_archive *a)
 	return TS_OK;
 }
 
-static enum ts_status archive_dynamic(struct tsim *sim, struct ts_particles *p, struct ts_archive *a)
+static enum ts_status archive_dynamic_groups(struct tsim *sim, struct ts_particles *p, struct ts_archive *a)
 {
 	for (int bit = 1; bit < TS_MAX_GROUPS; bit++) {
 		struct ts_dynamic_group *g = &p->dynamic[bit];
@@ -143,7 +143,8 @@ static enum ts_status archive_columns(struct tsim *sim, struct ts_particles *p, 
 	return TS_OK;
 }
 
-/* What all that follows relies on. */
+/* Checks a restored state for what all other code assumes: finite numbers, radius and mass > 0, known types
+ * and tags. */
 static enum ts_status check_particles(struct tsim *sim, const struct ts_particles *p)
 {
 	for (size_t i = 0; i < p->n; i++) {
@@ -185,10 +186,10 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 			ts_particles_fill_initial(&p->column[k], 0, p->n);
 		sim->generation++;
 		p->ntypes = ntypes;
-		p->settled = sim->clock.step > 0 ? p->max_tag : 0;
+		p->max_run_tag = sim->clock.step > 0 ? p->max_tag : 0;
 	}
 	TS_TRY(archive_groups(sim, a));
-	TS_TRY(archive_dynamic(sim, p, a));
+	TS_TRY(archive_dynamic_groups(sim, p, a));
 	TS_TRY(archive_columns(sim, p, a));
 	return ts_archive_writing(a) ? TS_OK : check_particles(sim, p);
 }
@@ -206,7 +207,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim, 
 				    p->n * p->column[k].width * p->column[k].element);
 }
 
-/* Nothing holds particles in the plane but the script. */
+/* Only fix enforce2d keeps particles in the plane, so a script may have forgotten it. */
 static void warn_out_of_plane(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
@@ -252,29 +253,29 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	return TS_OK;
 }
 
-static enum ts_status choose_due(struct ts_instance *self, struct tsim *sim)
+static enum ts_status assign_due_groups(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_particles *p = self->state;
 
 	return p->choose_members(sim, false);
 }
 
-/* Exchange comes before the first step only if something has changed since the last: then the members of
- * dynamic groups are chosen anew. A run that goes on keeps those it has. */
-static enum ts_status choose_all(struct ts_instance *self, struct tsim *sim)
+/* The stage EXCHANGE is executed before the first step only if the state was changed since the last run: the
+ * members of dynamic groups are then assigned again. A run that resumes keeps them. */
+static enum ts_status assign_all_groups(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_particles *p = self->state;
 
 	return sim->clock.step == sim->clock.first_step ? p->choose_members(sim, true) : TS_OK;
 }
 
-/* From now on forces decide where the particles lie. */
-static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
+/* From now on overlaps of the particles result from contact forces. */
+static enum ts_status mark_particles_run(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_particles *p = self->state;
 
-	if (sim->clock.last_step > sim->clock.step + 1) /* one step is only a set-up, as the review has it */
-		p->settled = p->max_tag;
+	if (sim->clock.last_step > sim->clock.step + 1) /* `run 0` and `run 1` only set up forces */
+		p->max_run_tag = p->max_tag;
 	return TS_OK;
 }
 
@@ -295,9 +296,9 @@ const struct ts_system_style ts_particles_system = {
 		   .fingerprint = fingerprint,
 		   .init = init,
 		   .plan = plan,
-		   .hook = { [TS_STAGE_POST_INTEGRATE] = choose_due,
-			     [TS_STAGE_EXCHANGE] = choose_all,
-			     [TS_STAGE_SETUP] = settle },
+		   .hook = { [TS_STAGE_POST_INTEGRATE] = assign_due_groups,
+			     [TS_STAGE_EXCHANGE] = assign_all_groups,
+			     [TS_STAGE_SETUP] = mark_particles_run },
 		   .defers = TS_DEFERS(POST_INTEGRATE),
 		   .fini = fini },
 	.slot = offsetof(struct tsim, particles),

@@ -1,19 +1,19 @@
-/* Particles that move as a fix says, whatever acts on them, and the largest speed. */
+/* Particles whose motion is prescribed by a fix and does not depend on forces. */
 #ifndef TS_PARTICLE_PRESCRIBED_H
 #define TS_PARTICLE_PRESCRIBED_H
 
 #include "particle/particles.h"
 
-/* Family of fixes that move particles whatever acts on them, unless they are free: to contacts they are
- * walls. */
+/* Family of fixes that prescribe the motion of particles, unless `free` is set. In contacts such particles
+ * have infinite mass, like walls. */
 #define TS_FAMILY_PRESCRIBED "prescribed"
 struct ts_prescribed_motion {
-	bool free; /* some component moves as forces say; set in init */
+	bool free; /* some component still follows forces; set in init */
 };
-/* The groups that these fixes move, as bits of particles->mask. */
+/* The groups moved by these fixes, as bits of particles->mask. */
 uint32_t ts_prescribed(const struct tsim *sim);
 
-/* The largest speed in the group. */
+/* The largest speed |v| in the group; 0 if it is empty. */
 double ts_prescribed_max_speed(const struct tsim *sim, int group);
 
 #endif

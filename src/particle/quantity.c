@@ -40,8 +40,9 @@ VECTOR_QUANTITY(spin, omega)
 VECTOR_QUANTITY(torque, torque)
 VECTOR_QUANTITY(image, image)
 
-/* xu: not wrapped; xs: from 0 to 1 across the box; xsu: both. */
-static double unwrapped(const struct tsim *sim, size_t i, int k)
+/* xu: unwrapped position; xs: position in units of the box, 0 to 1; xsu: unwrapped position in these
+ * units. */
+static double unwrapped_coordinate(const struct tsim *sim, size_t i, int k)
 {
 	double x[3];
 
@@ -49,31 +50,31 @@ static double unwrapped(const struct tsim *sim, size_t i, int k)
 	return x[k];
 }
 
-static double scaled(const struct tsim *sim, double x, int k)
+static double fractional_coordinate(const struct tsim *sim, double x, int k)
 {
 	const struct ts_box *box = &sim->domain->box;
 
 	return (x - box->lo[k]) / ts_box_length(box, k);
 }
 
-#define POSITION_QUANTITY(name, k)                                              \
-	static double name##_unwrapped(const struct tsim *sim, size_t i)        \
-	{                                                                       \
-		return unwrapped(sim, i, k);                                    \
-	}                                                                       \
-	static double name##_scaled(const struct tsim *sim, size_t i)           \
-	{                                                                       \
-		return scaled(sim, sim->particles->x[i][k], k);                 \
-	}                                                                       \
-	static double name##_scaled_unwrapped(const struct tsim *sim, size_t i) \
-	{                                                                       \
-		return scaled(sim, unwrapped(sim, i, k), k);                    \
+#define POSITION_QUANTITY(name, k)                                                     \
+	static double name##_unwrapped(const struct tsim *sim, size_t i)               \
+	{                                                                              \
+		return unwrapped_coordinate(sim, i, k);                                \
+	}                                                                              \
+	static double name##_scaled(const struct tsim *sim, size_t i)                  \
+	{                                                                              \
+		return fractional_coordinate(sim, sim->particles->x[i][k], k);         \
+	}                                                                              \
+	static double name##_scaled_unwrapped(const struct tsim *sim, size_t i)        \
+	{                                                                              \
+		return fractional_coordinate(sim, unwrapped_coordinate(sim, i, k), k); \
 	}
 POSITION_QUANTITY(x, 0)
 POSITION_QUANTITY(y, 1)
 POSITION_QUANTITY(z, 2)
 
-static double id(const struct tsim *sim, size_t i)
+static double tag(const struct tsim *sim, size_t i)
 {
 	return sim->particles->tag[i];
 }
@@ -103,19 +104,19 @@ static double density(const struct tsim *sim, size_t i)
 	return sim->particles->material_density(sim, i);
 }
 
-static double body(const struct tsim *sim, size_t i)
+static double body_id(const struct tsim *sim, size_t i)
 {
 	return sim->particles->body ? sim->particles->body[i] : 0;
 }
 
-static double process(const struct tsim *sim, size_t i)
+static double always_zero(const struct tsim *sim, size_t i)
 {
 	(void)sim, (void)i;
 	return 0;
 }
 
-/* Of a sphere, or in two dimensions of a disc. */
-static double angular(const struct tsim *sim, size_t i, int k)
+/* L = I omega of a sphere, or in two dimensions of a disc; k: component. */
+static double angular_momentum(const struct tsim *sim, size_t i, int k)
 {
 	const struct ts_particles *p = sim->particles;
 	double part = sim->dimension == 2 ? 0.5 : 0.4;
@@ -123,29 +124,31 @@ static double angular(const struct tsim *sim, size_t i, int k)
 	return p->omega ? part * p->mass[i] * p->radius[i] * p->radius[i] * p->omega[i][k] : 0;
 }
 
-static double angular_x(const struct tsim *sim, size_t i)
+static double angular_momentum_x(const struct tsim *sim, size_t i)
 {
-	return angular(sim, i, 0);
+	return angular_momentum(sim, i, 0);
 }
 
-static double angular_y(const struct tsim *sim, size_t i)
+static double angular_momentum_y(const struct tsim *sim, size_t i)
 {
-	return angular(sim, i, 1);
+	return angular_momentum(sim, i, 1);
 }
 
-static double angular_z(const struct tsim *sim, size_t i)
+static double angular_momentum_z(const struct tsim *sim, size_t i)
 {
-	return angular(sim, i, 2);
+	return angular_momentum(sim, i, 2);
 }
 
 static const struct quantity quantities[] = {
-	{ { "id", "", "identity, from 1" }, id },
-	{ { "type", "", "type, from 1" }, type },
+	{ { "id", "", "atom ID, 1 or larger" }, tag },
+	{ { "type", "", "type, 1 or larger" }, type },
 	{ { "radius", "length", "radius" }, radius },
 	{ { "diameter", "length", "diameter" }, diameter },
 	{ { "mass", "mass", "mass" }, mass },
-	{ { "density", "density", "mass by volume; in a clump that of its material" }, density },
-	{ { "mol", "", "molecule, by fix property/atom mol; else id of its rigid body, or 0" }, body },
+	{ { "density", "density", "mass / volume; in a clump the density of its material" }, density },
+	{ { "mol", "",
+	    "molecule number of fix property/atom mol; without that fix id of the rigid body, or 0" },
+	  body_id },
 	{ { "x", "length", "position" }, position_x },
 	{ { "y", "length", "position" }, position_y },
 	{ { "z", "length", "position" }, position_z },
@@ -161,27 +164,30 @@ static const struct quantity quantities[] = {
 	{ { "tqx", "force*length", "torque at the last step" }, torque_x },
 	{ { "tqy", "force*length", "torque at the last step" }, torque_y },
 	{ { "tqz", "force*length", "torque at the last step" }, torque_z },
-	{ { "xu", "length", "position as if it had never been wrapped into the box" }, x_unwrapped },
-	{ { "yu", "length", "position as if it had never been wrapped into the box" }, y_unwrapped },
-	{ { "zu", "length", "position as if it had never been wrapped into the box" }, z_unwrapped },
-	{ { "xs", "", "position from 0 to 1 across the box" }, x_scaled },
-	{ { "ys", "", "position from 0 to 1 across the box" }, y_scaled },
-	{ { "zs", "", "position from 0 to 1 across the box" }, z_scaled },
-	{ { "xsu", "", "position across the box, not wrapped" }, x_scaled_unwrapped },
-	{ { "ysu", "", "position across the box, not wrapped" }, y_scaled_unwrapped },
-	{ { "zsu", "", "position across the box, not wrapped" }, z_scaled_unwrapped },
-	{ { "ix", "", "how often it has crossed the periodic box" }, image_x },
-	{ { "iy", "", "how often it has crossed the periodic box" }, image_y },
-	{ { "iz", "", "how often it has crossed the periodic box" }, image_z },
-	{ { "proc", "", "number of the process: 0" }, process },
-	{ { "thread", "", "number of the thread: 0, results do not depend on it" }, process },
-	{ { "angmomx", "mass*length^2/time", "angular momentum about its centre" }, angular_x },
-	{ { "angmomy", "mass*length^2/time", "angular momentum about its centre" }, angular_y },
-	{ { "angmomz", "mass*length^2/time", "angular momentum about its centre" }, angular_z },
+	{ { "xu", "length", "unwrapped position" }, x_unwrapped },
+	{ { "yu", "length", "unwrapped position" }, y_unwrapped },
+	{ { "zu", "length", "unwrapped position" }, z_unwrapped },
+	{ { "xs", "", "scaled position, 0 to 1 across the box" }, x_scaled },
+	{ { "ys", "", "scaled position, 0 to 1 across the box" }, y_scaled },
+	{ { "zs", "", "scaled position, 0 to 1 across the box" }, z_scaled },
+	{ { "xsu", "", "scaled and unwrapped position" }, x_scaled_unwrapped },
+	{ { "ysu", "", "scaled and unwrapped position" }, y_scaled_unwrapped },
+	{ { "zsu", "", "scaled and unwrapped position" }, z_scaled_unwrapped },
+	{ { "ix", "", "image flag: net number of crossings of the periodic box" }, image_x },
+	{ { "iy", "", "image flag: net number of crossings of the periodic box" }, image_y },
+	{ { "iz", "", "image flag: net number of crossings of the periodic box" }, image_z },
+	{ { "proc", "", "processor: always 0" }, always_zero },
+	{ { "thread", "", "thread: always 0, results do not depend on threads" }, always_zero },
+	{ { "angmomx", "mass*length^2/time", "angular momentum about its centre, I omega" },
+	  angular_momentum_x },
+	{ { "angmomy", "mass*length^2/time", "angular momentum about its centre, I omega" },
+	  angular_momentum_y },
+	{ { "angmomz", "mass*length^2/time", "angular momentum about its centre, I omega" },
+	  angular_momentum_z },
 };
 enum { NQUANTITIES = sizeof quantities / sizeof *quantities };
 
-static const struct quantity *find(const char *name)
+static const struct quantity *find_quantity(const char *name)
 {
 	for (int k = 0; k < NQUANTITIES; k++)
 		if (ts_streq(quantities[k].text.name, name))
@@ -208,7 +214,7 @@ const struct ts_column *ts_particles_named_column(const struct ts_particles *p, 
 
 		if (!(c->flags & TS_COL_NAMED) || strlen(c->name) != n || strncmp(c->name, name, n) != 0)
 			continue;
-		if (!name[n] || !column) /* LIGGGHTS: [0] is the number where there is one */
+		if (!name[n] || !column) /* as in LIGGGHTS, [0] denotes a scalar */
 			return c->width == 1 ? c : NULL;
 		*k = (size_t)column - 1;
 		return *k < c->width ? c : NULL;
@@ -220,14 +226,14 @@ bool ts_particles_has_quantity(const struct tsim *sim, const char *name)
 {
 	size_t k;
 
-	return find(name) || ts_particles_named_column(sim->particles, name, &k);
+	return find_quantity(name) || ts_particles_named_column(sim->particles, name, &k);
 }
 
 bool ts_particles_keeps_quantity(const struct tsim *sim, const char *name)
 {
 	size_t k;
 
-	return !find(name) && ts_particles_named_column(sim->particles, name, &k);
+	return !find_quantity(name) && ts_particles_named_column(sim->particles, name, &k);
 }
 
 void ts_particles_suggest_quantity(struct ts_suggest *suggest)
@@ -249,13 +255,14 @@ const struct ts_quantity *ts_particles_quantity_text(size_t k)
 enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct ts_table *out)
 {
 	const struct ts_particles *p = sim->particles;
-	const struct quantity *q = find(name);
+	const struct quantity *q = find_quantity(name);
 	const struct ts_column *named;
 	size_t k;
 
 	if (ts_table_resize(out, p->n, 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	named = ts_particles_named_column(p, name, &k); /* first: `mol` may be one */
+	named = ts_particles_named_column(p, name,
+					  &k); /* before built-in names, since `mol` may be a column */
 	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = named ? ((const double *)named->data)[i * named->width + k] : q->value(sim, i);
 	return TS_OK;

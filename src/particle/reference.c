@@ -4,7 +4,7 @@
 
 #include "base/banned.h"
 
-enum { KNOWN = 3, WIDTH = 4 }; /* three numbers, and 1 where they are known */
+enum { KNOWN = 3, WIDTH = 4 }; /* the vector, and 1 if it is stored */
 
 double *ts_reference_of(const struct tsim *sim, const struct ts_reference *ref, size_t i)
 {
@@ -39,7 +39,7 @@ enum ts_status ts_reference_init(struct ts_instance *self, struct tsim *sim, str
 	ref->now = now;
 	ref->owner = self;
 	ref->started = true;
-	/* a column of this name may be left over from a compute that is gone */
+	/* a former compute of this name may have left its column */
 	for (size_t i = 0; i < sim->particles->n; i++)
 		ts_reference_of(sim, ref, i)[KNOWN] = 0;
 	ts_reference_add(sim, ref);

@@ -1,5 +1,5 @@
-/* What shape a particle of a given radius is: a sphere, or in two dimensions a disc. The one place that
- * knows the volume its density refers to and its moment of inertia. */
+/* Volume and moment of inertia of a particle: a sphere, or in two dimensions a disc. Used wherever
+ * density and mass are converted. */
 #ifndef TS_PARTICLE_SPHERE_SHAPE_H
 #define TS_PARTICLE_SPHERE_SHAPE_H
 
@@ -7,7 +7,7 @@
 #include "math/constants.h"
 #include "particle/particles.h"
 
-/* 4 pi r^3 / 3, or in two dimensions the area pi r^2: densities are then masses per area. */
+/* 4/3 pi r^3, or in two dimensions the area pi r^2, where densities are masses per area. */
 static inline double ts_particle_volume(const struct tsim *sim, double radius)
 {
 	if (sim->dimension == 2)
@@ -15,7 +15,7 @@ static inline double ts_particle_volume(const struct tsim *sim, double radius)
 	return 4.0 / 3.0 * TS_PI * radius * radius * radius;
 }
 
-/* Moment of inertia in m r^2: 2/5 of a sphere, 1/2 of a disc about its axis. */
+/* Moment of inertia divided by m r^2: 2/5 for a sphere, 1/2 for a disc about its axis. */
 static inline double ts_inertia_factor(const struct tsim *sim)
 {
 	enum ts_inertia shape = sim->particles->inertia;
@@ -25,6 +25,7 @@ static inline double ts_inertia_factor(const struct tsim *sim)
 	return shape == TS_INERTIA_DISC ? 0.5 : 0.4;
 }
 
+/* Moment of inertia of particle i. */
 static inline double ts_inertia(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;

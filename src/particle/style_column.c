@@ -4,8 +4,8 @@
 
 #include "base/banned.h"
 
-/* A fix property/atom of the user's keeps this name. */
-static bool is_users(const struct tsim *sim, const char *name)
+/* Whether the script has a fix property/atom of this name. */
+static bool is_user_column(const struct tsim *sim, const char *name)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 
@@ -25,7 +25,7 @@ enum ts_status ts_particles_style_column(struct tsim *sim, const char *name, siz
 
 	TS_TRY(ts_particles_add_column(sim, name, width, flags, column));
 	p->column[*column].flags |= flags;
-	if (is_users(sim, name))
+	if (is_user_column(sim, name))
 		return TS_OK;
 	TS_TRY(ts_particles_column_initial(sim, *column, first));
 	if (*column == known)

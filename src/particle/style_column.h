@@ -1,11 +1,11 @@
-/* Columns that a style keeps for scripts: they may have been made by the user. */
+/* Columns that a style shares with the script: the user may have defined them by fix property/atom. */
 #ifndef TS_PARTICLE_STYLE_COLUMN_H
 #define TS_PARTICLE_STYLE_COLUMN_H
 
 #include "particle/particles.h"
 
-/* Values that are there stay: of the style's own earlier life. A fix property/atom of this name
- * says what particles start with, `initial` otherwise; the width is at most three. */
+/* Adds or finds the column; width <= 3. Values of an existing column are kept. New particles start with the
+ * values of the fix property/atom of this name if there is one, else with `initial`. */
 enum ts_status ts_particles_style_column(struct tsim *sim, const char *name, size_t width, unsigned flags,
 					 double initial, size_t *column);
 

@@ -1,16 +1,16 @@
-/* Factors by type of particle: `scale TYPE FACTOR`, any number of times. */
+/* The keyword `scale TYPE FACTOR`, repeated: a factor for each particle type. */
 #ifndef TS_PARTICLE_TYPE_FACTORS_H
 #define TS_PARTICLE_TYPE_FACTORS_H
 
 #include "core/sim.h"
 
-/* One for each type, from index 1 on; 1 where none is given. Memory comes from the arena. */
+/* Reads the factors: (*out)[type], 1 if not given. Memory is from the arena; `what` begins messages. */
 enum ts_status ts_type_factors(struct tsim *sim, const char *what, struct ts_arena *arena,
 			       struct ts_words words, double **out);
 
-#define TS_TYPE_FACTORS(T, field, what)                                                                 \
-	TS_SOME_KEYWORD("scale", T, field, TS_REPEAT,                                                   \
-			.help = "TYPE FACTOR: " what " is that many times larger for particles of the " \
-				"type; may be given again")
+#define TS_TYPE_FACTORS(T, field, what)                                                                \
+	TS_SOME_KEYWORD("scale", T, field, TS_REPEAT,                                                  \
+			.help = "TYPE FACTOR: " what " is multiplied by FACTOR for particles of this " \
+				"type; may be repeated")
 
 #endif

@@ -40,7 +40,7 @@ void ts_review_add(struct ts_review_overlaps *o, const struct ts_granular_model 
 /* Both particles were in a previous run: their overlap is a result of forces. */
 static bool both_settled(const struct ts_particles *p, size_t i, size_t j)
 {
-	return p->tag[i] <= p->settled && p->tag[j] <= p->settled;
+	return p->tag[i] <= p->max_run_tag && p->tag[j] <= p->max_run_tag;
 }
 
 static void check_candidate(const struct tsim *sim, const struct ts_pair *pair, size_t r,

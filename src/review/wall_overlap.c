@@ -74,7 +74,7 @@ static enum ts_status check_wall(struct tsim *sim, const struct ts_instance *by,
 		size_t i = deepest_contact(by, sim, k, &k, &distance, &type);
 		struct ts_touch t;
 
-		if (!(distance < (1 - ts_review_depth) * p->radius[i]) || p->tag[i] <= p->settled ||
+		if (!(distance < (1 - ts_review_depth) * p->radius[i]) || p->tag[i] <= p->max_run_tag ||
 		    !(p->imass[i] > 0))
 			continue;
 		make_wall_touch(sim, i, distance, ts_wall_model(w, sim), &t);

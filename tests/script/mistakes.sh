@@ -195,7 +195,7 @@ read_restart nothing.restart
 => 9:1: error: there is a box already: read_restart comes before create_box
 $box
 velocity all set 0 0
-=> 9:1: error: velocity: vz is missing, expected a number, v_name or NULL (component, v_name, or NULL: leave it)
+=> 9:1: error: velocity: vz is missing, expected a number, v_name or NULL (component, v_NAME, or NULL: not changed)
 $box
 neighbor 0.001 bins
 => 9:16: error: neighbor: style is 'bins', expected one of bin, nsq ...
