@@ -8,8 +8,8 @@
 
 #include "base/banned.h"
 
-static enum ts_status put(struct ts_instance *self, struct tsim *sim, const struct ts_place *where,
-			  double value, size_t k, struct ts_clump *out)
+static enum ts_status store_number(struct ts_instance *self, struct tsim *sim, const struct ts_place *where,
+				   double value, size_t k, struct ts_clump *out)
 {
 	struct ts_clump_sphere *s = &out->sphere[k / 4];
 
@@ -42,7 +42,7 @@ static enum ts_status read_lines(struct ts_instance *self, struct tsim *sim, str
 			double value;
 
 			TS_TRY(ts_lines_real(l, k, what[k], &value));
-			TS_TRY(put(self, sim, &place, value, 4 * row + k, out));
+			TS_TRY(store_number(self, sim, &place, value, 4 * row + k, out));
 		}
 		row++;
 		TS_TRY(ts_lines_next_filled(l, &more));
@@ -79,12 +79,12 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim, str
 		if (!ts_parse_real(word->text, &value))
 			return ts_fail(&sim->error, TS_SYNTAX, &word->place, "fix %s: '%s' is not a number",
 				       self->style->name, word->text);
-		TS_TRY(put(self, sim, &word->place, value, k, out));
+		TS_TRY(store_number(self, sim, &word->place, value, k, out));
 	}
 	return TS_OK;
 }
 
-/* "x y z r" n times, or "file NAME" with n such lines; then perhaps "scale FACTOR". */
+/* Reads "x y z r" n times, or "file NAME" with n such lines; optionally followed by "scale FACTOR". */
 static enum ts_status read_spheres(struct ts_instance *self, struct tsim *sim, struct ts_words words,
 				   int64_t n, struct ts_clump *out)
 {

@@ -1,4 +1,4 @@
-/* Command create_atoms: makes particles, on a lattice, at random or one. */
+/* Command create_atoms: creates particles on a lattice, at random positions, or a single one. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@
 #include "base/banned.h"
 
 enum { BOX, REGION, SINGLE, RANDOM, MESH };
-enum { LOOK = 1024 }; /* tries until a request to stop is heard */
+enum { STOP_INTERVAL = 1024 }; /* trial positions between checks for a request to stop */
 
 struct state {
 	int64_t type;
@@ -26,16 +26,16 @@ struct state {
 	struct ts_instance *region;
 	double x[3];
 	int64_t count, seed, most_tries;
-	double distance; /* NaN: none asked for */
+	double distance; /* smallest distance of centres; NaN: not given */
 	struct ts_words basis, ratio, subset, set, mesh, molecule, rotate;
 	const char *variable; /* NULL: none */
 	bool remap;
 };
 
-/* Reads the words of a keyword, of a repeated one from the k-th on. */
-static enum ts_status read_part(struct tsim *sim, const char *what, const struct ts_arg *rows,
-				struct ts_words words, size_t k, size_t n, const struct ts_place *where,
-				struct ts_arena *arena, void *out)
+/* Parses n words of a keyword, from the k-th on. */
+static enum ts_status parse_keyword(struct tsim *sim, const char *what, const struct ts_arg *rows,
+				    struct ts_words words, size_t k, size_t n, const struct ts_place *where,
+				    struct ts_arena *arena, void *out)
 {
 	struct ts_words part = ts_words_from(words, k);
 
@@ -46,8 +46,8 @@ static enum ts_status read_part(struct tsim *sim, const char *what, const struct
 
 /* ---- positions */
 
-static enum ts_status single(struct tsim *sim, const struct state *s, struct ts_sites *to,
-			     const struct ts_place *where)
+static enum ts_status place_single(struct tsim *sim, const struct state *s, struct ts_sites *to,
+				   const struct ts_place *where)
 {
 	const struct ts_box *box = &sim->domain->box;
 	double x[3];
@@ -76,17 +76,18 @@ static enum ts_status add_existing(struct tsim *sim, struct ts_pointhash *hash)
 	return TS_OK;
 }
 
-/* One position uniform in the region; the k-th particle has a random stream of its own, so what is
- * drawn for it depends on the seed and k only. False: all tries failed. */
-static enum ts_status place_one(struct tsim *sim, const struct state *s, struct ts_pointhash *hash,
-				struct ts_rng rng, struct ts_sites *to, bool *placed)
+/* Draws positions uniformly in the region until one is accepted. The random stream of the k-th particle
+ * depends on seed and k only. *placed is false if all tries failed. */
+static enum ts_status place_one_at_random(struct tsim *sim, const struct state *s, struct ts_pointhash *hash,
+					  struct ts_rng rng, struct ts_sites *to, bool *placed)
 {
 	const struct ts_box *box = &sim->domain->box;
 	double lo[3], hi[3], x[3];
 
 	ts_sites_limits(sim, s->region, lo, hi);
 	*placed = false;
-	for (int64_t try = 0; try < s->most_tries && !(sim->requests.stop && try % LOOK == 0); try++) {
+	for (int64_t try = 0; try < s->most_tries && !(sim->requests.stop && try % STOP_INTERVAL == 0);
+	     try++) {
 		for (int d = 0; d < 3; d++)
 			x[d] = lo[d] + (hi[d] - lo[d]) * ts_rng_uniform(&rng);
 		if (sim->dimension == 2)
@@ -103,7 +104,7 @@ static enum ts_status place_one(struct tsim *sim, const struct state *s, struct 
 	return TS_OK;
 }
 
-static void tell_progress(struct tsim *sim, int64_t done, int64_t placed, int64_t count, double *next)
+static void print_progress(struct tsim *sim, int64_t done, int64_t placed, int64_t count, double *next)
 {
 	char text[128];
 
@@ -115,8 +116,8 @@ static void tell_progress(struct tsim *sim, int64_t done, int64_t placed, int64_
 	ts_log_progress(&sim->log, text);
 }
 
-static enum ts_status at_random(struct tsim *sim, const struct state *s, struct ts_sites *to,
-				const struct ts_place *where)
+static enum ts_status place_at_random(struct tsim *sim, const struct state *s, struct ts_sites *to,
+				      const struct ts_place *where)
 {
 	struct ts_pointhash hash = { 0 };
 	enum ts_status status = TS_OK;
@@ -130,9 +131,10 @@ static enum ts_status at_random(struct tsim *sim, const struct state *s, struct 
 	for (int64_t k = 0; k < s->count && status == TS_OK; k++) {
 		bool placed = false;
 
-		status = place_one(sim, s, &hash, ts_rng_start((uint64_t)s->seed, (uint64_t)k), to, &placed);
+		status = place_one_at_random(sim, s, &hash, ts_rng_start((uint64_t)s->seed, (uint64_t)k), to,
+					     &placed);
 		missing += !placed;
-		tell_progress(sim, k + 1, k + 1 - missing, s->count, &next);
+		print_progress(sim, k + 1, k + 1 - missing, s->count, &next);
 		if (status == TS_OK && sim->requests.stop && k + 1 < s->count)
 			status = ts_fail(&sim->error, TS_STOPPED, where,
 					 "stopped on request: %lld of %lld particles had been placed, none "
@@ -147,7 +149,7 @@ static enum ts_status at_random(struct tsim *sim, const struct state *s, struct 
 	return status;
 }
 
-/* ---- on a lattice: types by the point of the cell, a share of the points, points by a formula */
+/* ---- on a lattice: types by basis point, subsets of the points, points selected by a formula */
 
 struct basis_type {
 	int64_t point, type;
@@ -155,9 +157,9 @@ struct basis_type {
 
 static const struct ts_arg basis_rows[] = {
 	TS_INT("M", struct basis_type, point, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "number of a point of the unit cell"),
+	       .help = "basis point of the unit cell, counted from 1"),
 	TS_INT("itype", struct basis_type, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "type of the particles there"),
+	       .help = "type of the particles at this point"),
 	TS_ARGS_END,
 };
 
@@ -171,7 +173,8 @@ static enum ts_status read_basis(struct tsim *sim, const struct state *s, const 
 	for (size_t k = 0; k < s->basis.n; k += 2) {
 		struct basis_type b = { 0 };
 
-		TS_TRY(read_part(sim, "create_atoms: basis", basis_rows, s->basis, k, 2, where, arena, &b));
+		TS_TRY(parse_keyword(sim, "create_atoms: basis", basis_rows, s->basis, k, 2, where, arena,
+				     &b));
 		if (b.point > (int64_t)nbasis || b.type > sim->particles->ntypes)
 			return ts_fail(&sim->error, TS_RANGE, &s->basis.word[k].place,
 				       "create_atoms: basis %lld %lld: the unit cell has %zu points, "
@@ -182,67 +185,68 @@ static enum ts_status read_basis(struct tsim *sim, const struct state *s, const 
 	return TS_OK;
 }
 
-struct share {
+struct subset {
 	double ratio;
 	int64_t count, seed;
 };
 
 static const struct ts_arg ratio_rows[] = {
-	TS_REAL("fraction", struct share, ratio, .flags = TS_POSITIONAL, .range = TS_FRACTION,
-		.help = "share of the points that is filled"),
-	TS_INT("seed", struct share, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "seed of the random choice"),
+	TS_REAL("fraction", struct subset, ratio, .flags = TS_POSITIONAL, .range = TS_FRACTION,
+		.help = "fraction of the lattice points that are filled"),
+	TS_INT("seed", struct subset, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "seed of the random selection"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg subset_rows[] = {
-	TS_INT("count", struct share, count, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-	       .help = "number of points that are filled"),
-	TS_INT("seed", struct share, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "seed of the random choice"),
+	TS_INT("count", struct subset, count, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+	       .help = "number of lattice points that are filled"),
+	TS_INT("seed", struct subset, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "seed of the random selection"),
 	TS_ARGS_END,
 };
 
-static enum ts_status choose(struct tsim *sim, const struct state *s, struct ts_sites *sites,
-			     const struct ts_place *where, struct ts_arena *arena)
+static enum ts_status select_subset(struct tsim *sim, const struct state *s, struct ts_sites *sites,
+				    const struct ts_place *where, struct ts_arena *arena)
 {
-	struct share share = { 0 };
+	struct subset subset = { 0 };
 
 	if (s->ratio.n && s->subset.n)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "create_atoms: ratio and subset exclude each other");
 	if (s->ratio.n) {
-		TS_TRY(read_part(sim, "create_atoms: ratio", ratio_rows, s->ratio, 0, s->ratio.n, where,
-				 arena, &share));
-		share.count = (int64_t)(share.ratio * (double)sites->n);
+		TS_TRY(parse_keyword(sim, "create_atoms: ratio", ratio_rows, s->ratio, 0, s->ratio.n, where,
+				     arena, &subset));
+		subset.count = (int64_t)(subset.ratio * (double)sites->n);
 	} else if (s->subset.n) {
-		TS_TRY(read_part(sim, "create_atoms: subset", subset_rows, s->subset, 0, s->subset.n, where,
-				 arena, &share));
-		if ((size_t)share.count > sites->n)
+		TS_TRY(parse_keyword(sim, "create_atoms: subset", subset_rows, s->subset, 0, s->subset.n,
+				     where, arena, &subset));
+		if ((size_t)subset.count > sites->n)
 			return ts_fail(&sim->error, TS_RANGE, &s->subset.word[0].place,
 				       "create_atoms: subset asks for %lld of %zu lattice points",
-				       (long long)share.count, sites->n);
+				       (long long)subset.count, sites->n);
 	} else {
 		return TS_OK;
 	}
-	return ts_sites_choose(sim, sites, (size_t)share.count, (uint64_t)share.seed);
+	return ts_sites_choose(sim, sites, (size_t)subset.count, (uint64_t)subset.seed);
 }
 
-struct setting {
+struct coordinate_variable {
 	int dim;
 	const char *name;
 };
 
 static const struct ts_arg setting_rows[] = {
-	TS_ENUM("dim", struct setting, dim, ts_region_axes, .flags = TS_POSITIONAL, .help = "coordinate"),
-	TS_WORD("name", struct setting, name, .flags = TS_POSITIONAL,
-		.help = "internal-style variable that gets it"),
+	TS_ENUM("dim", struct coordinate_variable, dim, ts_region_axes, .flags = TS_POSITIONAL,
+		.help = "coordinate"),
+	TS_WORD("name", struct coordinate_variable, name, .flags = TS_POSITIONAL,
+		.help = "internal-style variable that is set to it"),
 	TS_ARGS_END,
 };
 
-/* Keeps the sites for which the variable is not zero. */
-static enum ts_status filter(struct tsim *sim, const struct state *s, struct ts_sites *sites,
-			     const struct ts_place *where, struct ts_arena *arena)
+/* Keeps the sites where the variable is not 0. */
+static enum ts_status filter_by_variable(struct tsim *sim, const struct state *s, struct ts_sites *sites,
+					 const struct ts_place *where, struct ts_arena *arena)
 {
 	const char *name[3] = { NULL, NULL, NULL };
 	size_t kept = 0;
@@ -251,9 +255,10 @@ static enum ts_status filter(struct tsim *sim, const struct state *s, struct ts_
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "create_atoms: set x|y|z is of use together with var only");
 	for (size_t k = 0; k < s->set.n; k += 2) {
-		struct setting one = { 0 };
+		struct coordinate_variable one = { 0 };
 
-		TS_TRY(read_part(sim, "create_atoms: set", setting_rows, s->set, k, 2, where, arena, &one));
+		TS_TRY(parse_keyword(sim, "create_atoms: set", setting_rows, s->set, k, 2, where, arena,
+				     &one));
 		name[one.dim] = one.name;
 	}
 	for (size_t k = 0; k < sites->n && s->variable; k++) {
@@ -272,8 +277,8 @@ static enum ts_status filter(struct tsim *sim, const struct state *s, struct ts_
 	return TS_OK;
 }
 
-static enum ts_status on_lattice(struct tsim *sim, const struct state *s, struct ts_sites *to,
-				 const struct ts_place *where)
+static enum ts_status place_on_lattice(struct tsim *sim, const struct state *s, struct ts_sites *to,
+				       const struct ts_place *where)
 {
 	struct ts_arena arena = { 0 };
 	int *type = ts_arena_alloc(&arena, sim->domain->lattice.nbasis + 1, sizeof *type);
@@ -287,17 +292,17 @@ static enum ts_status on_lattice(struct tsim *sim, const struct state *s, struct
 	if (status == TS_OK)
 		status = ts_sites_on_lattice(sim, s->region, type, where, to);
 	if (status == TS_OK)
-		status = filter(sim, s, to, where, &arena);
+		status = filter_by_variable(sim, s, to, where, &arena);
 	if (status == TS_OK)
-		status = choose(sim, s, to, where, &arena);
+		status = select_subset(sim, s, to, where, &arena);
 	ts_arena_release(&arena);
 	return status;
 }
 
 /* ---- particles */
 
-/* Numbers of a particle in all columns that there are. */
-static double bytes_of_one(const struct tsim *sim)
+/* Memory of a particle in all active columns. */
+static double bytes_per_particle(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 	double bytes = 0;
@@ -308,8 +313,8 @@ static double bytes_of_one(const struct tsim *sim)
 	return bytes;
 }
 
-/* The memory of this machine, or what the process may take of it. */
-static double memory_there_is(void)
+/* Physical memory of the machine, or the limit of the process if that is smaller. */
+static double available_memory(void)
 {
 	double all = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
 	struct rlimit limit;
@@ -319,13 +324,15 @@ static double memory_there_is(void)
 	return all;
 }
 
-/* Says what n particles take before it is taken, and refuses what there is not: the system grants more
- * than it has, and ends the process when it is used. */
-static enum ts_status weigh(struct tsim *sim, const struct state *s, double n, const struct ts_place *where)
+/* Fails if n particles need more memory than there is, before it is allocated: Linux grants more than it
+ * has and kills the process when the memory is used. Logs large amounts. */
+static enum ts_status check_memory(struct tsim *sim, const struct state *s, double n,
+				   const struct ts_place *where)
 {
 	static const double MUCH = 1e9;
 	double hash = s->mode == RANDOM && s->distance > 0 ? 4 * sizeof(double) + 2 * sizeof(int32_t) : 0;
-	double bytes = n * (bytes_of_one(sim) + sizeof(struct ts_site) + hash), there = memory_there_is();
+	double bytes = n * (bytes_per_particle(sim) + sizeof(struct ts_site) + hash),
+	       there = available_memory();
 
 	if (bytes > there && there > 0)
 		return ts_fail(&sim->error, TS_NOMEM, where,
@@ -337,7 +344,7 @@ static enum ts_status weigh(struct tsim *sim, const struct state *s, double n, c
 	return TS_OK;
 }
 
-static enum ts_status make(struct tsim *sim, const struct ts_sites *from)
+static enum ts_status create_particles(struct tsim *sim, const struct ts_sites *from)
 {
 	struct ts_particles *p = sim->particles;
 	size_t first;
@@ -358,7 +365,7 @@ static enum ts_status make(struct tsim *sim, const struct ts_sites *from)
 	return TS_OK;
 }
 
-static enum ts_status refuse(struct tsim *sim, const struct state *s, const struct ts_place *where)
+static enum ts_status check_arguments(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	bool lattice = s->mode == BOX || s->mode == REGION;
 
@@ -378,11 +385,11 @@ static enum ts_status refuse(struct tsim *sim, const struct state *s, const stru
 	return TS_OK;
 }
 
-static enum ts_status random_ones(struct tsim *sim, const struct state *s, struct ts_sites *to,
-				  const struct ts_place *where)
+static enum ts_status check_and_place_at_random(struct tsim *sim, const struct state *s, struct ts_sites *to,
+						const struct ts_place *where)
 {
-	TS_TRY(weigh(sim, s, (double)s->count, where));
-	return at_random(sim, s, to, where);
+	TS_TRY(check_memory(sim, s, (double)s->count, where));
+	return place_at_random(sim, s, to, where);
 }
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
@@ -391,30 +398,31 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	struct ts_sites to = { 0 };
 	enum ts_status status;
 
-	TS_TRY(refuse(sim, s, where));
+	TS_TRY(check_arguments(sim, s, where));
 	TS_TRY(ts_region_update(s->region, sim));
 	if (s->mode == SINGLE)
-		status = single(sim, s, &to, where);
+		status = place_single(sim, s, &to, where);
 	else if (s->mode == RANDOM)
-		status = random_ones(sim, s, &to, where);
+		status = check_and_place_at_random(sim, s, &to, where);
 	else
-		status = on_lattice(sim, s, &to, where);
+		status = place_on_lattice(sim, s, &to, where);
 	if (status == TS_OK && s->mode != RANDOM)
-		status = weigh(sim, s, (double)to.n, where);
+		status = check_memory(sim, s, (double)to.n, where);
 	if (status == TS_OK)
-		status = make(sim, &to);
+		status = create_particles(sim, &to);
 	ts_sites_release(&to);
 	return status;
 }
 
 static const struct ts_arg region_args[] = {
 	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL,
-		  .help = "where lattice points are filled"),
+		  .help = "region whose lattice points are filled"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg single_args[] = {
-	TS_VEC3("position", struct state, x, .flags = TS_POSITIONAL, .unit = "length", .help = "the center"),
+	TS_VEC3("position", struct state, x, .flags = TS_POSITIONAL, .unit = "length",
+		.help = "position of the center"),
 	TS_BOOL("remap", struct state, remap, .fallback = "no",
 		.help = "wrap a position outside a periodic box into it"),
 	TS_ARGS_END,
@@ -426,16 +434,17 @@ static const struct ts_arg random_args[] = {
 	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "seed of the random numbers"),
 	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL | TS_NULLABLE,
-		  .help = "where they are placed; NULL: in the whole box"),
+		  .help = "region of the positions; NULL: the whole box"),
 	TS_REAL("overlap", struct state, distance, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
-		.unit = "length", .help = "least distance between centers, old and new"),
+		.unit = "length",
+		.help = "smallest distance between centers of new and of present particles"),
 	TS_INT("maxtry", struct state, most_tries, .fallback = "1000", .range = TS_POSITIVE,
-	       .help = "tries for each particle before it is given up"),
+	       .help = "trial positions per particle"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg mesh_args[] = {
-	TS_REST("file", struct state, mesh, .help = "known, but not built"),
+	TS_REST("file", struct state, mesh, .help = "not implemented"),
 	TS_ARGS_END,
 };
 
@@ -444,30 +453,32 @@ static const struct ts_mode modes[] = {
 	[REGION] = { "region", "on all lattice points in a region", region_args },
 	[SINGLE] = { "single", "one particle", single_args },
 	[RANDOM] = { "random", "at random positions", random_args },
-	[MESH] = { "mesh", "on a surface: known, but not built", mesh_args },
+	[MESH] = { "mesh", "on a surface: not implemented", mesh_args },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
 	TS_INT("type", struct state, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "their type"),
-	TS_MODE("style", struct state, mode, modes, .help = "where they stand"),
+	       .help = "particle type"),
+	TS_MODE("style", struct state, mode, modes, .help = "where particles are created"),
 	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
-		.help = "whether the position of a single one is in lattice spacings or as it is"),
+		.help = "whether the position of a single particle is in lattice spacings or in units of "
+			"length"),
 	TS_SOME_KEYWORD("basis", struct state, basis, TS_REPEAT,
-			.help = "M itype: particles on point M of the unit cell have this type; may be "
+			.help = "M itype: particles at basis point M of the unit cell have this type; may be "
 				"repeated"),
 	TS_SOME_KEYWORD("ratio", struct state, ratio, 0,
-			.help = "fraction seed: only this share of the lattice points, at random"),
+			.help = "fraction seed: fill only this fraction of the lattice points, selected at "
+				"random"),
 	TS_SOME_KEYWORD("subset", struct state, subset, 0,
-			.help = "count seed: only so many of the lattice points, at random"),
+			.help = "count seed: fill only this number of lattice points, selected at random"),
 	TS_WORD("var", struct state, variable, .flags = TS_OPTIONAL,
-		.help = "equal-style variable; lattice points where it is 0 stay empty"),
+		.help = "equal-style variable; lattice points where it is 0 are not filled"),
 	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
-			.help = "x|y|z name: internal-style variable that gets the coordinate before "
+			.help = "x|y|z name: internal-style variable that is set to the coordinate before "
 				"var is evaluated; may be repeated"),
-	TS_SOME_KEYWORD("mol", struct state, molecule, 0, .help = "known, but not built"),
-	TS_SOME_KEYWORD("rotate", struct state, rotate, 0, .help = "of molecules: not built"),
+	TS_SOME_KEYWORD("mol", struct state, molecule, 0, .help = "not implemented"),
+	TS_SOME_KEYWORD("rotate", struct state, rotate, 0, .help = "not implemented"),
 	TS_ARGS_END,
 };
 
@@ -476,27 +487,23 @@ const struct ts_command_style ts_command_create_atoms = {
 	.style = {
 		.name = "create_atoms",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Makes particles",
-		.doc = "New particles are at rest, with diameter 1 and density 1 or the mass given by the "
-		       "mass\n"
-		       "command; use set to change them. Their identities go on from the largest there is, "
-		       "on\n"
-		       "a lattice in the order z, y, x of unit cells, then of the points in the cell.\n"
-		       "Positions lie in the box if lo <= x < hi. Across a periodic face lattice points "
-		       "nearer\n"
-		       "to the upper face than 2e-6 lengths are left out, for they are those of the lower "
-		       "one.\n\n"
-		       "var and set choose lattice points by a formula: `variable v equal "
-		       "\"v_xx^2+v_yy^2<4\"`\n"
-		       "with internal-style variables xx and yy and `var v set x xx set y yy`.\n\n"
-		       "random draws the tries for its k-th particle from a random stream of its own, keyed "
-		       "by\n"
-		       "seed and k, and with overlap rejects positions that are too near to a particle. "
-		       "That\n"
-		       "fills space up to about a third.\n\n"
-		       "More than 1 GB of memory for the particles is told before it is taken; more than the "
-		       "machine has, or\n"
-		       "the process may take, is refused.",
+		.summary = "Creates particles",
+		.doc = "Creates particles at rest, with diameter 1 and density 1, or the mass given by\n"
+		       "the mass command; use `set` to change these. Atom IDs continue from the largest\n"
+		       "one in use; on a lattice in the order z, y, x of unit cells, then of the basis\n"
+		       "points.\n\n"
+		       "Positions lie in the box if lo <= x < hi. Lattice points closer than 2e-6 box\n"
+		       "lengths to the upper periodic face are skipped, since they coincide with points\n"
+		       "at the lower face.\n\n"
+		       "var and set select lattice points by a formula: for example `variable v equal\n"
+		       "\"v_xx^2+v_yy^2<4\"` with internal-style variables xx and yy, and `var v set x xx\n"
+		       "set y yy`.\n\n"
+		       "random draws the trial positions of the k-th particle from a random stream that\n"
+		       "depends on seed and k only. With overlap it rejects positions too close to\n"
+		       "another particle; this fills about a third of the volume at most.\n\n"
+		       "If the particles need more than 1 GB of memory, this is printed before it is\n"
+		       "allocated. It is an error if they need more than the machine has or the process\n"
+		       "may use.",
 		.example = "create_atoms 1 box\n"
 			   "create_atoms 1 region bed basis 2 3 ratio 0.5 7919\n"
 			   "create_atoms 1 single 0.5 0.5 0.9 units box\n"

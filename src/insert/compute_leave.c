@@ -6,9 +6,9 @@
 
 struct leave {
 	struct ts_instance *region;
-	int64_t seen;	/* entries into the region, those there at the start included */
-	int64_t inside; /* now */
-	size_t column;	/* per particle: 1 inside, 0 not */
+	int64_t seen;	/* entries into the region, particles inside at the start included */
+	int64_t inside; /* particles inside now */
+	size_t column;	/* of the particles: 1 inside, 0 outside */
 	bool started;
 };
 
@@ -21,14 +21,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	ts_str_addf(&name, "compute leave %s", self->id);
 	status = ts_particles_add_column(sim, ts_str_text(&name), 1, TS_COL_RESULT, &s->column);
 	ts_str_release(&name);
-	/* a column of this name may be left over from a compute that is gone */
+	/* a former compute of this name may have left its column */
 	for (size_t i = 0; status == TS_OK && !s->started && i < sim->particles->n; i++)
 		((double *)sim->particles->column[s->column].data)[i] = 0;
 	s->started = status == TS_OK;
 	return status;
 }
 
-static enum ts_status look(struct ts_instance *self, struct tsim *sim)
+static enum ts_status count_entries(struct ts_instance *self, struct tsim *sim)
 {
 	struct leave *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -73,15 +73,15 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 static const struct ts_arg args[] = {
 	TS_REGION("region", struct leave, region, .flags = TS_POSITIONAL | TS_STATEFUL,
-		  .help = "region to watch"),
+		  .help = "region that is monitored"),
 	TS_ARGS_END,
 };
 
 static const char *const names[] = { "left", "inside", "entered" };
 static const struct ts_value values[] = {
-	{ "left", "", "how often a particle of the group has left the region", TS_SCALAR, 1, NULL,
+	{ "left", "", "number of times that a particle of the group has left the region", TS_SCALAR, 1, NULL,
 	  eval_left },
-	{ "counts", "", "how many have left, are inside now, have entered", TS_VECTOR, 3, names,
+	{ "counts", "", "numbers of particles that have left, are inside, have entered", TS_VECTOR, 3, names,
 	  eval_counts },
 	{ .name = NULL },
 };
@@ -96,10 +96,10 @@ TS_STYLE(compute, ts_style, ts_compute_leave)
 const struct ts_style ts_compute_leave = {
 	.name = "leave",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "counts the particles that leave a region",
-	.doc = "Looks at the end of every step which particles of the group are in the region. Those "
-	       "that are not any more, also because they left the simulation through a fixed face or "
-	       "were deleted, count as having left: left = entered - inside.",
+	.summary = "Counts particles that leave a region",
+	.doc = "At the end of each step the particles of the group in the region are counted.\n"
+	       "Particles that are no longer there count as having left, also if they were lost\n"
+	       "through a fixed face or deleted: left = entered - inside.",
 	.example = "region hole block INF INF INF INF INF 0.02\ncompute out rock leave hole",
 	.args = args,
 	.state_size = sizeof(struct leave),
@@ -107,5 +107,5 @@ const struct ts_style ts_compute_leave = {
 	.archive = archive,
 	.values = values,
 	.init = init,
-	.hook = { [TS_STAGE_SETUP] = look, [TS_STAGE_END_OF_STEP] = look },
+	.hook = { [TS_STAGE_SETUP] = count_entries, [TS_STAGE_END_OF_STEP] = count_entries },
 };

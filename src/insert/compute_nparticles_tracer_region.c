@@ -1,4 +1,4 @@
-/* Compute nparticles/tracer/region: counts the marked particles in a region. */
+/* Compute nparticles/tracer/region: counts marked particles in a region. */
 #include "box/domain.h"
 #include "insert/tracer.h"
 #include "math/exactsum.h"
@@ -17,14 +17,14 @@ struct state {
 
 	struct tsim *sim;
 	struct ts_tracer *tracer;
-	int dim; /* in which only one image counts; -1: all count */
+	int dim; /* dimension in which only particles with this image flag count; -1: all count */
 	int64_t image;
-	/* saved: in one step the answer stays */
+	/* saved: results, the same for all evaluations in a step */
 	double answer[NVALUES];
-	int64_t answered; /* the step + 1 */
+	int64_t answered; /* their step + 1 */
 };
 
-/* x|y|z IMAGE; of several the last counts. */
+/* Reads x|y|z IMAGE; the last of several is used. */
 static enum ts_status read_periodic(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -62,7 +62,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_tracer_require(sim, &tracer, &s->tracer);
 }
 
-static bool counts(const struct ts_instance *self, const struct ts_particles *p, size_t i)
+static bool is_counted(const struct ts_instance *self, const struct ts_particles *p, size_t i)
 {
 	const struct state *s = self->state;
 
@@ -70,7 +70,7 @@ static bool counts(const struct ts_instance *self, const struct ts_particles *p,
 	       ts_region_contains(s->region, p->x[i]);
 }
 
-static void count(struct ts_instance *self, const struct tsim *sim, double result[NVALUES])
+static void count_particles(struct ts_instance *self, const struct tsim *sim, double result[NVALUES])
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -79,7 +79,7 @@ static void count(struct ts_instance *self, const struct tsim *sim, double resul
 
 	result[NUMBER] = result[MARKED] = 0;
 	for (size_t i = 0; i < p->n; i++) {
-		if (!counts(self, p, i))
+		if (!is_counted(self, p, i))
 			continue;
 		result[NUMBER]++;
 		ts_exactsum_add(&mass, p->mass[i]);
@@ -104,7 +104,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 		return TS_OK;
 	}
 	TS_TRY(ts_region_update(s->region, s->sim));
-	count(self, sim, out->data);
+	count_particles(self, sim, out->data);
 	for (int k = 0; !sim->reading.looking && k < NVALUES; k++)
 		s->answer[k] = out->data[k];
 	if (!sim->reading.looking)
@@ -113,22 +113,23 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 }
 
 static const struct ts_arg args[] = {
-	TS_REGION("region_count", struct state, region, .help = "where particles are counted"),
+	TS_REGION("region_count", struct state, region, .help = "region in which particles are counted"),
 	TS_WORD("tracer", struct state, tracer_id,
-		.help = "the fix property/atom/tracer or property/atom/tracer/stream that marks"),
+		.help = "ID of the fix property/atom/tracer or property/atom/tracer/stream that marks "
+			"particles"),
 	TS_SOME_KEYWORD("periodic", struct state, periodic, TS_REPEAT,
-			.help = "x|y|z IMAGE: only particles that have crossed the periodic faces so often "
-				"count, upwards less downwards; all: whatever they have crossed; of several "
-				"the last counts"),
+			.help = "x|y|z IMAGE: count only particles with this image flag (net number of "
+				"crossings of the periodic faces); all: no restriction; the last of several "
+				"is used"),
 	TS_BOOL("reset_marker", struct state, reset, .fallback = "yes",
-		.help = "who has been counted loses the mark"),
+		.help = "remove the mark of particles that have been counted"),
 	TS_ARGS_END,
 };
 
 static const char *const names[] = { "number", "marked", "mass", "marked_mass" };
 static const struct ts_value values[] = {
 	{ "particles", "1, 1, mass, mass",
-	  "number of particles in the region, marked ones among them, their masses", TS_VECTOR, NVALUES,
+	  "number of particles in the region, number of marked ones, masses of both", TS_VECTOR, NVALUES,
 	  names, eval },
 	{ .name = NULL },
 };
@@ -143,13 +144,16 @@ TS_STYLE(compute, ts_style, ts_compute_nparticles_tracer_region)
 const struct ts_style ts_compute_nparticles_tracer_region = {
 	.name = "nparticles/tracer/region",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Counts the particles in a region, and those that a tracer has marked",
-	.doc = "c_ID[1], c_ID[2]: number of particles of the group in the region, and of marked ones among\n"
-	       "them; c_ID[3], c_ID[4]: their masses. With reset_marker yes a marked particle is counted "
-	       "once:\n"
-	       "it loses the mark when the value is asked for. In one step all who ask get the same answer.\n"
-	       "Rows of the table that only begin or end a run take no marks away.\n\n"
-	       "LIGGGHTS 3.8 counts nothing where `periodic` says all; here that is no restriction.",
+	.summary = "Counts particles, and particles marked by a tracer, in a region",
+	.doc = "c_ID[1] and c_ID[2] are the number of particles of the group in the region and\n"
+	       "the number of marked ones among them; c_ID[3] and c_ID[4] are the masses of\n"
+	       "both.\n\n"
+	       "With reset_marker yes a marked particle is counted once: the evaluation of the\n"
+	       "compute removes its mark. All evaluations in one step give the same values.\n"
+	       "Lines of the thermo table that are printed only because a run begins or ends do\n"
+	       "not remove marks.\n\n"
+	       "LIGGGHTS 3.8 counts nothing with `periodic ... all`; here `all` means no\n"
+	       "restriction.",
 	.example = "compute passed all nparticles/tracer/region region_count outlet tracer tr periodic z -1\n"
 		   "fix times all ave/time 100 1 100 c_passed[2] file post/residence.txt",
 	.args = args,

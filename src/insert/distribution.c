@@ -14,7 +14,7 @@ const struct ts_arg ts_distribution_args[] = {
 	TS_INT("n", struct ts_distribution, n, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e6,
 	       .help = "number of templates"),
 	TS_REST("pairs", struct ts_distribution, pairs,
-		.help = "ID weight, n times: a fix particletemplate/... and its share"),
+		.help = "ID weight, n times: a fix particletemplate/... and its weight"),
 	TS_ARGS_END,
 };
 
@@ -48,7 +48,7 @@ static enum ts_status read_pair(struct ts_instance *self, struct tsim *sim, int6
 	return TS_OK;
 }
 
-static void report(const struct ts_instance *self, struct tsim *sim, bool by_mass)
+static void print_composition(const struct ts_instance *self, struct tsim *sim, bool by_mass)
 {
 	const struct ts_distribution *d = self->state;
 
@@ -63,7 +63,7 @@ static void report(const struct ts_instance *self, struct tsim *sim, bool by_mas
 	}
 }
 
-static void add_up(struct ts_distribution *d)
+static void update_means(struct ts_distribution *d)
 {
 	double sum = 0;
 
@@ -85,7 +85,7 @@ static void add_up(struct ts_distribution *d)
 	}
 }
 
-static enum ts_status define(struct ts_instance *self, struct tsim *sim, bool by_mass)
+static enum ts_status init_distribution(struct ts_instance *self, struct tsim *sim, bool by_mass)
 {
 	struct ts_distribution *d = self->state;
 	double sum = 0;
@@ -114,10 +114,10 @@ static enum ts_status define(struct ts_instance *self, struct tsim *sim, bool by
 			self->style->name, sum);
 	for (int64_t k = 0; by_mass && k < d->n; k++)
 		d->share[k] /= sum * template_of(d, k)->mass;
-	add_up(d);
+	update_means(d);
 	if (by_mass)
-		report(self, sim, true);
-	report(self, sim, false);
+		print_composition(self, sim, true);
+	print_composition(self, sim, false);
 	return TS_OK;
 }
 
@@ -126,8 +126,8 @@ enum ts_status ts_distribution_init(struct ts_instance *self, struct tsim *sim, 
 	struct ts_distribution *d = self->state;
 
 	if (!d->template)
-		return define(self, sim, by_mass);
-	for (int64_t k = 0; k < d->n; k++) /* they may have been defined anew */
+		return init_distribution(self, sim, by_mass);
+	for (int64_t k = 0; k < d->n; k++) /* the script may have redefined them */
 		TS_TRY(ts_template_require(sim, &d->pairs.word[2 * k], &d->template[k]));
 	return TS_OK;
 }
@@ -146,8 +146,9 @@ enum ts_status ts_distribution_require(struct tsim *sim, const struct ts_word *i
 
 /* ---- drawing particles */
 
-/* What whole numbers leave over goes to templates drawn in proportion to their remainders. */
-static void fill_gap(struct ts_distribution *d, int64_t n, int64_t *count)
+/* Rounds n * share down to count[]; the rest is given to templates drawn in proportion to their
+ * remainders. */
+static void round_counts(struct ts_distribution *d, int64_t n, int64_t *count)
 {
 	int64_t gap = n;
 
@@ -168,14 +169,14 @@ static void fill_gap(struct ts_distribution *d, int64_t n, int64_t *count)
 	}
 }
 
-static enum ts_status append(struct tsim *sim, const struct ts_instance *self, struct ts_instance *template,
-			     struct ts_newcomers *out)
+static enum ts_status append_particle(struct tsim *sim, const struct ts_instance *self,
+				      struct ts_instance *template, struct ts_new_particles *out)
 {
 	struct ts_template *t = template->state;
 
 	if (TS_GROW(out->item, out->capacity, out->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	out->item[out->n++] = (struct ts_newcomer){
+	out->item[out->n++] = (struct ts_new_particle){
 		.template = template,
 		.mask = 1u << self->group | 1u << template->group,
 		.type = (int32_t)t->type,
@@ -185,30 +186,30 @@ static enum ts_status append(struct tsim *sim, const struct ts_instance *self, s
 	return TS_OK;
 }
 
-struct ranked {
+struct sort_key {
 	double size;
 	size_t k;
 };
 
-static int by_size(const void *a, const void *b)
+static int compare_sizes(const void *a, const void *b)
 {
-	const struct ranked *s = a, *t = b;
+	const struct sort_key *s = a, *t = b;
 
 	if (s->size < t->size || s->size > t->size)
 		return s->size > t->size ? -1 : 1;
 	return (s->k > t->k) - (s->k < t->k);
 }
 
-/* Large ones find a place more easily while there is room; equal ones keep their order. */
-static enum ts_status large_first(struct tsim *sim, struct ts_newcomers *list)
+/* Sorts by decreasing radius, since large particles are more difficult to place; the sort is stable. */
+static enum ts_status sort_by_size(struct tsim *sim, struct ts_new_particles *list)
 {
-	struct ranked *rank = ts_alloc(list->n + 1, sizeof *rank);
-	struct ts_newcomer *sorted = ts_alloc(list->n + 1, sizeof *sorted);
+	struct sort_key *rank = ts_alloc(list->n + 1, sizeof *rank);
+	struct ts_new_particle *sorted = ts_alloc(list->n + 1, sizeof *sorted);
 
 	if (rank && sorted) {
 		for (size_t k = 0; k < list->n; k++)
-			rank[k] = (struct ranked){ list->item[k].radius, k };
-		qsort(rank, list->n, sizeof *rank, by_size);
+			rank[k] = (struct sort_key){ list->item[k].radius, k };
+		qsort(rank, list->n, sizeof *rank, compare_sizes);
 		for (size_t k = 0; k < list->n; k++)
 			sorted[k] = list->item[rank[k].k];
 		if (list->n)
@@ -220,7 +221,7 @@ static enum ts_status large_first(struct tsim *sim, struct ts_newcomers *list)
 }
 
 enum ts_status ts_distribution_draw(struct ts_instance *self, struct tsim *sim, int64_t n, bool exact,
-				    struct ts_newcomers *out)
+				    struct ts_new_particles *out)
 {
 	struct ts_distribution *d = self->state;
 	int64_t *count = ts_alloc((size_t)d->n, sizeof *count);
@@ -228,12 +229,12 @@ enum ts_status ts_distribution_draw(struct ts_instance *self, struct tsim *sim, 
 
 	out->n = 0;
 	if (status == TS_OK && exact)
-		fill_gap(d, n, count);
+		round_counts(d, n, count);
 	for (int64_t k = 0; status == TS_OK && !exact && k < d->n; k++)
 		count[k] = (int64_t)((double)n * d->share[k] + ts_minstd_uniform(&d->random));
 	for (int64_t k = 0; k < d->n; k++)
 		for (int64_t j = 0; status == TS_OK && j < count[k]; j++)
-			status = append(sim, self, d->template[k], out);
+			status = append_particle(sim, self, d->template[k], out);
 	ts_free(count);
-	return status == TS_OK ? large_first(sim, out) : status;
+	return status == TS_OK ? sort_by_size(sim, out) : status;
 }

@@ -1,4 +1,4 @@
-/* Fix evaporate: particles vanish at random. */
+/* Fix evaporate: deletes randomly chosen particles. */
 #include "core/sim.h"
 
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 
 #include "base/banned.h"
 
-struct lot {
+struct draw {
 	double number;
 	int32_t tag;
 	size_t row;
@@ -19,9 +19,9 @@ struct state {
 	int64_t every, number, seed;
 	struct ts_instance *region;
 	bool molecule;
-	struct lot *lot;
+	struct draw *draw;
 	size_t capacity;
-	int64_t gone; /* saved: ever */
+	int64_t gone; /* saved: particles deleted since the beginning */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -34,23 +34,24 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		       "fix evaporate: there are no molecules, molecule yes has no meaning");
 }
 
-static int by_number(const void *a, const void *b)
+static int compare_draws(const void *a, const void *b)
 {
-	const struct lot *s = a, *t = b;
+	const struct draw *s = a, *t = b;
 
 	if (s->number < t->number || s->number > t->number)
 		return s->number < t->number ? -1 : 1;
 	return (s->tag > t->tag) - (s->tag < t->tag);
 }
 
-/* Each particle draws a number of its own for this step; those with the least go. */
-static enum ts_status draw(struct ts_instance *self, struct tsim *sim, size_t *n)
+/* Chooses the particles with the smallest random numbers, which are functions of seed, step and tag; *n:
+ * how many. */
+static enum ts_status choose_particles(struct ts_instance *self, struct tsim *sim, size_t *n)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 
 	TS_TRY(ts_region_update(s->region, sim));
-	if (TS_GROW(s->lot, s->capacity, p->n) != TS_OK)
+	if (TS_GROW(s->draw, s->capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
 	*n = 0;
 	for (size_t i = 0; i < p->n; i++) {
@@ -59,11 +60,11 @@ static enum ts_status draw(struct ts_instance *self, struct tsim *sim, size_t *n
 		if (!ts_chosen(p, i, self->group, s->region))
 			continue;
 		rng.counter = (uint64_t)sim->clock.step;
-		s->lot[*n] = (struct lot){ ts_rng_uniform(&rng), p->tag[i], i };
+		s->draw[*n] = (struct draw){ ts_rng_uniform(&rng), p->tag[i], i };
 		++*n;
 	}
 	if (*n)
-		qsort(s->lot, *n, sizeof *s->lot, by_number);
+		qsort(s->draw, *n, sizeof *s->draw, compare_draws);
 	if (*n > (size_t)s->number)
 		*n = (size_t)s->number;
 	return TS_OK;
@@ -86,14 +87,14 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 
 	if (!sim->run.rebuild || sim->clock.step % s->every != 0)
 		return TS_OK;
-	TS_TRY(draw(self, sim, &n));
+	TS_TRY(choose_particles(self, sim, &n));
 	if (!n)
 		return TS_OK;
 	flag = ts_alloc(sim->particles->n, 1);
 	if (!flag)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < n; k++)
-		flag[s->lot[k].row] = 1;
+		flag[s->draw[k].row] = 1;
 	status = ts_particles_delete(sim, flag);
 	ts_free(flag);
 	s->gone += (int64_t)n;
@@ -109,24 +110,25 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 static void fini(struct ts_instance *self)
 {
-	ts_free(((struct state *)self->state)->lot);
+	ts_free(((struct state *)self->state)->draw);
 }
 
 static const struct ts_arg args[] = {
 	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
-	       .help = "steps between"),
+	       .help = "steps between deletions"),
 	TS_INT("M", struct state, number, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e9,
-	       .help = "how many particles vanish each time"),
-	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL, .help = "where they must be"),
+	       .help = "number of particles deleted each time"),
+	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL,
+		  .help = "region in which particles are deleted"),
 	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "seed of the random numbers"),
 	TS_BOOL("molecule", struct state, molecule, .fallback = "no",
-		.help = "only no: there are no molecules"),
+		.help = "only no is accepted: there are no molecules"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
-	{ "gone", "", "how many have vanished, ever", TS_SCALAR, 1, NULL, eval },
+	{ "gone", "", "number of particles deleted so far", TS_SCALAR, 1, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -136,12 +138,11 @@ TS_STYLE(fix, ts_style, ts_fix_evaporate)
 const struct ts_style ts_fix_evaporate = {
 	.name = "evaporate",
 	.kind = TS_KIND_FIX,
-	.summary = "Lets particles vanish at random",
-	.doc = "In each step that is a multiple of N, M particles of the group whose centres are in the "
-	       "region are\n"
-	       "chosen at random and deleted; all of them if there are fewer. Each particle's lot depends on "
-	       "seed, step\n"
-	       "and identity only, so the choice is the same on any number of threads and after a restart.",
+	.summary = "Deletes randomly chosen particles",
+	.doc = "In each step that is a multiple of N, M particles are chosen at random among\n"
+	       "those of the group whose centres are in the region, and deleted; all of them if\n"
+	       "there are fewer. The random numbers are functions of seed, step and atom ID: the\n"
+	       "choice does not depend on the number of threads and is the same after a restart.",
 	.example = "fix dry all evaporate 1000 10 top 49892",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -8,7 +8,7 @@ struct state {
 		struct ts_insertion base;
 		struct ts_insertion_region place;
 	};
-	double fraction, mass; /* NaN: not asked for */
+	double fraction, mass; /* NaN: not given */
 	int64_t number;
 };
 
@@ -25,9 +25,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		       targets);
 }
 
-/* How many are missing; numbers found by division are rounded up or down by lot. *filled: which part of
- * the target is there. */
-static int64_t missing(struct state *s, const struct ts_region_content *now, double *filled)
+/* Number of particles missing to the target. Numbers computed from a mass or a volume are rounded up or
+ * down at random, so that their mean is exact. *filled: fraction of the target that is present. */
+static int64_t count_missing(struct state *s, const struct ts_region_content *now, double *filled)
 {
 	const struct ts_distribution *d = s->base.distribution->state;
 	double target = s->fraction * now->room, lot;
@@ -45,8 +45,8 @@ static int64_t missing(struct state *s, const struct ts_region_content *now, dou
 	return (int64_t)((target - now->volume) / d->volume + lot);
 }
 
-/* The fuller it is, the more tries a particle needs. */
-static int64_t most_tries(const struct state *s, int64_t n, double filled)
+/* The number of tries grows as the region fills: n * maxattempt / (1 - filled). */
+static int64_t max_tries(const struct state *s, int64_t n, double filled)
 {
 	double tries = (double)n * (double)s->base.maxattempt / (1 - filled);
 
@@ -64,21 +64,21 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	ts_insertion_next(self);
 	TS_TRY(ts_insertion_region_content(self, sim, &now));
-	n = missing(s, &now, &filled);
-	return n > 0 ? ts_insertion_region_event(self, sim, n, most_tries(s, n, filled)) : TS_OK;
+	n = count_missing(s, &now, &filled);
+	return n > 0 ? ts_insertion_region_event(self, sim, n, max_tries(s, n, filled)) : TS_OK;
 }
 
 static const struct ts_arg args[] = {
 	TS_INSERTION_ARGS(struct state),
 	TS_WORD("insert_every", struct state, base.every_word,
-		.help = "steps between events, or once: in the step after the fix is defined"),
+		.help = "steps between insertions, or once: only in the step after the definition"),
 	TS_INSERTION_REGION_ARGS(struct state),
 	TS_INT("particles_in_region", struct state, number, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
-	       .help = "particles are inserted until the region has so many"),
+	       .help = "target: number of particles in the region"),
 	TS_REAL("volumefraction_region", struct state, fraction, .flags = TS_OPTIONAL, .range = TS_WITHIN,
-		.lo = 0, .hi = 1, .help = "... until they fill this part of its volume"),
+		.lo = 0, .hi = 1, .help = "target: fraction of the volume of the region that particles fill"),
 	TS_REAL("mass_in_region", struct state, mass, .flags = TS_OPTIONAL, .unit = "mass",
-		.range = TS_POSITIVE, .help = "... until they have this mass"),
+		.range = TS_POSITIVE, .help = "target: mass of the particles in the region"),
 	TS_ARGS_END,
 };
 
@@ -89,26 +89,21 @@ const struct ts_style ts_fix_insert_pack = {
 	.name = "insert/pack",
 	.kind = TS_KIND_FIX,
 	.summary = "Fills a region with particles",
-	.doc = "In the step after the definition, or at the step start, and then every insert_every steps as "
-	       "many particles\n"
-	       "are made as the region lacks to reach a number, a mass or a share of its volume. What is in "
-	       "the region\n"
-	       "is counted by centres. Numbers that follow from a mass or a volume are rounded up or down by "
-	       "lot.\n\n"
-	       "Particles come from a mixture, fix particledistribution/discrete, large ones first. Each is "
-	       "tried at\n"
-	       "random points of the region until it overlaps no other particle. All tries together are at "
-	       "most the\n"
-	       "number of particles times maxattempt, divided by the part of the target that is missing; "
-	       "then a warning\n"
-	       "says how many found no place. New particles are members of the group of the fix and of the "
-	       "groups of\n"
-	       "the mixture and the template, and feel forces from this step on.\n\n"
-	       "The random streams are those of LIGGGHTS 3.8: a script gives the same particles at the same "
-	       "places.\n"
-	       "Regions that share a surface are not seen as one by all_in yes: a particle must lie wholly "
-	       "in one of the\n"
-	       "members of a union.",
+	.doc = "In the step after the definition, or in the step start, and then every\n"
+	       "insert_every steps, particles are inserted until the region contains a given\n"
+	       "number, mass or volume fraction of particles. Particles whose centers are in the\n"
+	       "region count. Numbers computed from a mass or a volume are rounded up or down at\n"
+	       "random, so that their mean is exact.\n\n"
+	       "Particles are drawn from a mixture, fix particledistribution/discrete, and\n"
+	       "inserted in the order of decreasing size. For each, random positions in the\n"
+	       "region are tried until it overlaps no other particle. All tries together are\n"
+	       "limited to the number of particles times maxattempt, divided by the fraction of\n"
+	       "the target that is missing; if some particles were not placed, a warning gives\n"
+	       "their number. New particles belong to the groups of the fix, the mixture and the\n"
+	       "template, and are subject to forces from this step on.\n\n"
+	       "The random streams are those of LIGGGHTS 3.8: a script gives the same particles\n"
+	       "at the same positions. With all_in yes and a union of regions, a particle must\n"
+	       "lie completely in one member of the union, even if members share a surface.",
 	.example = "fix fill all insert/pack seed 32452867 distributiontemplate mix insert_every once "
 		   "overlapcheck yes all_in yes vel constant 0 0 -0.5 region bed volumefraction_region 0.3",
 	.args = args,

@@ -1,4 +1,4 @@
-/* Fix insert/pack/dense: fills a region densely, once. */
+/* Fix insert/pack/dense: fills a region once with a dense random packing. */
 #include "insert/insertion_region.h"
 
 #include "box/domain.h"
@@ -10,11 +10,11 @@
 
 #include "base/banned.h"
 
-/* Spheres are moved apart until they would not overlap were they larger by this part. */
+/* Relative gap: spheres are moved apart until they would not overlap with radii larger by this fraction. */
 static const double MARGIN = 1e-3;
-/* FIRE: E. Bitzek, P. Koskinen, F. Gaehler, M. Moseler, P. Gumbsch, Structural relaxation made
- * simple, Phys. Rev. Lett. 97 (2006) 170201, with the numbers given there; times in units of the
- * period of a pair. */
+/* Minimisation by FIRE: E. Bitzek, P. Koskinen, F. Gaehler, M. Moseler, P. Gumbsch, Structural relaxation
+ * made simple, Phys. Rev. Lett. 97 (2006) 170201, with the parameters given there. Mass and stiffness are
+ * 1, so times are in units of sqrt(mass / stiffness). */
 static const double FIRST_STEP = 0.1, LONGEST_STEP = 0.6, FASTER = 1.1, SLOWER = 0.5, MIXED = 0.1,
 		    LESS_MIXED = 0.99;
 enum { PATIENCE = 5 };
@@ -28,14 +28,15 @@ struct state {
 	int64_t most_rounds;
 };
 
-/* Spheres in the order of identities, then new ones: the first `fixed` stay. */
+/* All spheres: first the `fixed` present particles in the order of their tags, which do not move, then
+ * new ones. */
 struct packing {
 	const struct ts_instance *region;
 	size_t n, fixed;
 	double (*x)[3], (*v)[3], (*f)[3], *radius, largest;
-	double worst; /* overlap, as a part of the sum of the radii */
+	double worst; /* largest overlap / sum of the radii */
 	double step, mix;
-	int well; /* rounds downhill */
+	int well; /* iterations since the power f.v was last <= 0 */
 };
 
 static enum ts_status refuse_clumps(struct ts_instance *self, struct tsim *sim)
@@ -63,9 +64,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return refuse_clumps(self, sim);
 }
 
-/* ---- moving apart */
+/* ---- relaxation of overlaps */
 
-static void release(struct packing *p)
+static void free_packing(struct packing *p)
 {
 	ts_free(p->x);
 	ts_free(p->v);
@@ -73,7 +74,7 @@ static void release(struct packing *p)
 	ts_free(p->radius);
 }
 
-static enum ts_status gather(struct state *s, struct tsim *sim, struct packing *p)
+static enum ts_status init_packing(struct state *s, struct tsim *sim, struct packing *p)
 {
 	const struct ts_particles *all = sim->particles;
 	struct ts_identities order;
@@ -91,7 +92,7 @@ static enum ts_status gather(struct state *s, struct tsim *sim, struct packing *
 	if (!p->x || !p->v || !p->f || !p->radius)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < p->n; k++) {
-		const struct ts_newcomer *one = k < p->fixed ? NULL : &s->base.list.item[k - p->fixed];
+		const struct ts_new_particle *one = k < p->fixed ? NULL : &s->base.list.item[k - p->fixed];
 
 		ts_scale(1, one ? one->x : all->x[order.row[k]], p->x[k]);
 		p->radius[k] = one ? one->radius : all->radius[order.row[k]];
@@ -100,15 +101,15 @@ static enum ts_status gather(struct state *s, struct tsim *sim, struct packing *
 	return TS_OK;
 }
 
-/* Overlapping spheres push each other with a force that is the overlap. */
-static void push(void *context, size_t i, size_t j, const double d[3])
+/* Repulsion of overlapping spheres: force = overlap. */
+static void add_pair_force(void *context, size_t i, size_t j, const double d[3])
 {
 	struct packing *p = context;
 	double sum = (1 + MARGIN) * (p->radius[i] + p->radius[j]), distance = ts_norm(d), share;
 
 	if (i < p->fixed || distance >= sum)
 		return;
-	share = j < p->fixed ? 2 : 1; /* one that stays does not give way */
+	share = j < p->fixed ? 2 : 1; /* twice the force if the partner is fixed */
 	p->worst = fmax(p->worst, (sum - distance) / sum);
 	if (distance > 0)
 		ts_axpy(share * (sum - distance) / distance, d, p->f[i]);
@@ -116,8 +117,8 @@ static void push(void *context, size_t i, size_t j, const double d[3])
 		p->f[i][i % 3] += i < j ? sum : -sum;
 }
 
-/* The surface of the region pushes, too, in the direction in which the depth grows. */
-static void push_in(struct packing *p, size_t i)
+/* Force of the surface of the region along the gradient of the depth, by central differences. */
+static void add_region_force(struct packing *p, size_t i)
 {
 	double reach = (1 + MARGIN) * p->radius[i], miss = reach - ts_region_depth(p->region, p->x[i]);
 	double up[3], size;
@@ -137,20 +138,21 @@ static void push_in(struct packing *p, size_t i)
 		ts_axpy(2 * miss / size, up, p->f[i]);
 }
 
-static enum ts_status find_forces(struct packing *p, const struct tsim *sim)
+static enum ts_status compute_forces(struct packing *p, const struct tsim *sim)
 {
 	p->worst = 0;
 	for (size_t i = 0; i < p->n; i++)
 		ts_scale(0, p->f[i], p->f[i]);
 	TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n,
-			      2 * (1 + MARGIN) * p->largest, push, p));
+			      2 * (1 + MARGIN) * p->largest, add_pair_force, p));
 	for (size_t i = p->fixed; i < p->n; i++)
-		push_in(p, i);
+		add_region_force(p, i);
 	return TS_OK;
 }
 
-/* A step of FIRE: inertia, turned towards the force, and stopped where it leads uphill. */
-static void move(struct packing *p)
+/* A step of FIRE: mixes velocities with the direction of forces, and stops all if the power f.v is not
+ * positive. */
+static void fire_step(struct packing *p)
 {
 	double power = 0, vv = 0, ff = 0, turn;
 
@@ -177,18 +179,18 @@ static void move(struct packing *p)
 	}
 }
 
-static enum ts_status move_apart(struct ts_instance *self, struct tsim *sim, struct packing *p)
+static enum ts_status relax_overlaps(struct ts_instance *self, struct tsim *sim, struct packing *p)
 {
 	const struct state *s = self->state;
 
 	for (int64_t round = 0; round < s->most_rounds; round++) {
 		if (sim->requests.stop)
 			return ts_fail(&sim->error, TS_STOPPED, &self->where, "stopped on request");
-		if (find_forces(p, sim) != TS_OK)
+		if (compute_forces(p, sim) != TS_OK)
 			return ts_nomem(&sim->error);
 		if (p->worst < 0.9 * MARGIN)
 			return TS_OK;
-		move(p);
+		fire_step(p);
 	}
 	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "volumefraction_region"),
 		       "fix insert/pack/dense: %zu particles that fill %g of region %s were not moved apart: "
@@ -198,21 +200,21 @@ static enum ts_status move_apart(struct ts_instance *self, struct tsim *sim, str
 		       100 * p->worst);
 }
 
-static enum ts_status pack(struct ts_instance *self, struct tsim *sim)
+static enum ts_status relax_packing(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct packing p = { 0 };
-	enum ts_status status = gather(s, sim, &p);
+	enum ts_status status = init_packing(s, sim, &p);
 
 	if (status == TS_OK)
-		status = move_apart(self, sim, &p);
+		status = relax_overlaps(self, sim, &p);
 	for (size_t k = 0; status == TS_OK && k < s->base.list.n; k++)
 		ts_scale(1, p.x[p.fixed + k], s->base.list.item[k].x);
-	release(&p);
+	free_packing(&p);
 	return status;
 }
 
-/* ---- the event */
+/* ---- insertion */
 
 static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 {
@@ -231,8 +233,8 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 	if (!(wanted >= 0.5))
 		return TS_OK;
 	TS_TRY(ts_insertion_region_scatter(self, sim, (int64_t)(wanted + 0.5)));
-	status = pack(self, sim);
-	if (status == TS_STOPPED) /* who goes on from here has it still before him */
+	status = relax_packing(self, sim);
+	if (status == TS_STOPPED) /* a run that continues from the saved state repeats the insertion */
 		s->base.wait = 1;
 	TS_TRY(status);
 	return ts_insertion_make(self, sim, &from);
@@ -242,21 +244,21 @@ static const struct ts_arg args[] = {
 	TS_INT("seed", struct state, base.seed, .range = TS_POSITIVE,
 	       .help = TS_SEED_HELP " - and another one than those of the distribution and its templates"),
 	TS_WORD("distributiontemplate", struct state, base.distribution_id,
-		.help = "the fix particledistribution/discrete whose particles are inserted"),
-	TS_REGION("region", struct state, place.region, .help = "what is filled"),
+		.help = "ID of the fix particledistribution/discrete whose particles are inserted"),
+	TS_REGION("region", struct state, place.region, .help = "region that is filled"),
 	TS_REAL("volumefraction_region", struct state, fraction, .range = TS_WITHIN, .lo = 0, .hi = 0.74,
-		.unit = "", .help = "part of its volume that particles fill"),
+		.unit = "", .help = "fraction of the volume of the region that particles fill"),
 	TS_INT("max_rounds", struct state, most_rounds, .fallback = "5000", .range = TS_POSITIVE,
-	       .help = "how often particles are moved before that is given up"),
+	       .help = "largest number of iterations of the relaxation"),
 	TS_INT("start", struct state, base.start, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
-	       .help = "step of the event; without it the next one"),
+	       .help = "step of the insertion; default: the next step"),
 	TS_LIST_KEYWORD("vel", struct state, base.velocity_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,
 			.help = "constant vx vy vz | uniform vx vy vz dx dy dz | gaussian vx vy vz "
 				"sx sy sz: velocity; 0 by default"),
 	TS_LIST_KEYWORD("omega", struct state, base.omega_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,
 			.help = "constant wx wy wz: angular velocity, 0 by default"),
 	TS_BOOL("verbose", struct state, base.verbose, .fallback = "yes",
-		.help = "the event is told in the log"),
+		.help = "print the insertion to the log"),
 	TS_ARGS_END,
 };
 
@@ -266,29 +268,26 @@ TS_STYLE(fix, ts_style, ts_fix_insert_pack_dense)
 const struct ts_style ts_fix_insert_pack_dense = {
 	.name = "insert/pack/dense",
 	.kind = TS_KIND_FIX,
-	.summary = "Fills a region densely with particles",
-	.doc = "In the step after the definition, or at the step start, the region is filled once, "
-	       "so that particles take\n"
-	       "volumefraction_region of its volume. Their number is what is missing, divided by "
-	       "the mean volume of the\n"
-	       "mixture and rounded. They come from a mixture, fix particledistribution/discrete, "
-	       "are placed at random and then\n"
-	       "moved apart: overlapping spheres push each other with a force that is the overlap, "
-	       "the surface of the region\n"
-	       "pushes them in, particles that are there already stay, and all follow these forces "
-	       "by the method FIRE\n"
-	       "(Bitzek et al., Phys. Rev. Lett. 97 (2006) 170201), until no two overlap and each "
-	       "lies wholly in the\n"
-	       "region. Between neighbours 1e-3 of their radii is kept free, about. The bed is "
-	       "random and isotropic,\n"
-	       "but for layers at the surface of the region. Nothing is in contact: under gravity "
-	       "it settles.\n\n"
-	       "Spheres of one size fill at most 0.64 at random; to 0.55 some hundred rounds are "
-	       "enough; beyond 0.57 it\n"
-	       "takes thousands, and a region that is narrow holds less. What is not found in "
-	       "max_rounds is an\n"
-	       "error. fix insert/pack, which tries places at random, reaches about 0.3.\n\n"
-	       "Another edition of LIGGGHTS (PFM) has this fix; its places are others.",
+	.summary = "Fills a region with a dense random packing",
+	.doc = "Fills the region once, in the step after the definition or in the step start, so\n"
+	       "that particles occupy volumefraction_region of its volume. The number of new\n"
+	       "particles is the missing volume divided by the mean particle volume of the\n"
+	       "mixture, rounded. They are drawn from a mixture, fix\n"
+	       "particledistribution/discrete.\n\n"
+	       "New particles are placed at random and then moved apart: overlapping spheres\n"
+	       "repel each other with a force equal to the overlap, the surface of the region\n"
+	       "repels them, and particles that were present before do not move. The method FIRE\n"
+	       "(Bitzek et al., Phys. Rev. Lett. 97 (2006) 170201) minimises the overlaps until\n"
+	       "none is left and each particle lies completely in the region. A gap of about\n"
+	       "1e-3 of their radii is left between neighbours. The packing is random and\n"
+	       "isotropic, except for layers at the surface of the region. No particles are in\n"
+	       "contact: under gravity the packing settles.\n\n"
+	       "Random packings of equal spheres reach a fraction of at most 0.64. Some hundred\n"
+	       "iterations are sufficient up to 0.55, thousands are needed beyond 0.57, and\n"
+	       "narrow regions hold less. It is an error if overlaps remain after max_rounds\n"
+	       "iterations. fix insert/pack, which tries random positions, reaches about 0.3.\n\n"
+	       "The fix exists in another edition of LIGGGHTS (PFM), which gives other\n"
+	       "positions.",
 	.example = "fix bed all insert/pack/dense seed 32452867 distributiontemplate mix region "
 		   "drum volumefraction_region 0.55",
 	.args = args,

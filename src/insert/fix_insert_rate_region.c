@@ -1,4 +1,4 @@
-/* Fix insert/rate/region: particles come into a region at a rate. */
+/* Fix insert/rate/region: inserts particles in a region at a given rate. */
 #include "insert/insertion_rate.h"
 #include "insert/insertion_region.h"
 
@@ -28,7 +28,7 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	ts_insertion_rate_tell(self, sim, &s->rate);
+	ts_insertion_rate_print(self, sim, &s->rate);
 	return TS_OK;
 }
 
@@ -51,7 +51,7 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 static const struct ts_arg args[] = {
 	TS_INSERTION_ARGS(struct state),
 	TS_INSERTION_RATE_ARGS(struct state),
-	TS_WORD("insert_every", struct state, base.every_word, .help = "steps between events"),
+	TS_WORD("insert_every", struct state, base.every_word, .help = "steps between insertions"),
 	TS_INSERTION_REGION_ARGS(struct state),
 	TS_ARGS_END,
 };
@@ -62,14 +62,12 @@ TS_STYLE(fix, ts_style, ts_fix_insert_rate_region)
 const struct ts_style ts_fix_insert_rate_region = {
 	.name = "insert/rate/region",
 	.kind = TS_KIND_FIX,
-	.summary = "Particles come into a region at a rate",
-	.doc = "Every insert_every steps, the first time in the step after the definition or at the step "
-	       "start, as many\n"
-	       "particles are made at random places of a region as the rate gives in that time, rounded up "
-	       "or down by\n"
-	       "lot, until a number or a mass is reached. Particles that find no place come later. The rest "
-	       "is as with\n"
-	       "fix insert/pack.",
+	.summary = "Inserts particles in a region at a given rate",
+	.doc = "Every insert_every steps, first in the step after the definition or in the step\n"
+	       "start, particles are inserted at random positions in the region. Their number is\n"
+	       "rate times interval, rounded up or down at random so that the mean is exact,\n"
+	       "until a total number or mass is reached. Particles for which no position was\n"
+	       "found are inserted later. For everything else see fix insert/pack.",
 	.example = "fix rain all insert/rate/region seed 32452867 distributiontemplate mix nparticles 1000 "
 		   "particlerate 5000 insert_every 1000 overlapcheck yes region sky",
 	.args = args,

@@ -1,4 +1,4 @@
-/* Fix insert/stream: particles come through a face, in a stream. */
+/* Fix insert/stream: inserts a stream of particles through a plane face. */
 #include "core/deferred_loops.h"
 #include "core/sim.h"
 
@@ -27,30 +27,29 @@ struct state {
 
 	struct ts_mesh_surface *face;
 	double length;	  /* of the space behind the face that is filled */
-	double normal[3]; /* of the face, against the stream */
-	double speed;	  /* through the face */
-	/* the particles on their way to the face, maybe some who are free; of this generation */
-	int32_t *way;
-	size_t nway, way_capacity;
-	uint64_t generation;
+	double normal[3]; /* unit normal of the face, against the stream */
+	double speed;	  /* normal to the face */
+	int32_t *moving;  /* [nmoving], local indices of particles moving to the face, or just released */
+	size_t nmoving, moving_capacity;
+	uint64_t generation; /* of the particles when `moving` was listed */
 	/* saved */
-	int64_t release; /* age at which the last one is free */
-	int32_t measured;
+	int64_t release;  /* largest age of the stream at which a particle is released */
+	int32_t measured; /* the space behind the face has been checked */
 };
 
-/* LIGGGHTS seeds the stream of points on a mesh with this; fixes with the same face share it. */
+/* As in LIGGGHTS, seed of the random stream of points on a mesh, which fixes with the same face share. */
 static const int64_t MESH_SEED = 179424799;
-/* A quotient this near to the next integer is taken as this, so that a stream of 1 m/s takes 1500 steps of
- * 2e-5 s for 0.03 m. LIGGGHTS adds 1e-14 in units of length to the length. */
+/* Relative tolerance when length / (speed dt) is rounded down, so that a stream of 1 m/s takes 1500 steps of
+ * 2e-5 s for 0.03 m. LIGGGHTS adds 1e-14 units of length to the length. */
 static const double ROUNDING = 1e-13;
-/* A stream whose velocity includes a smaller angle with the face, in radian, does not go through it. */
+/* Smallest angle, in radian, between the velocity and the face. */
 static const double ALONG = 1e-6;
-/* As many points show how much of the space behind the face is in the box. */
+/* Random points to estimate which fraction of the space behind the face lies in the box. */
 enum { NMEASURE = 100000 };
 
 /* ---- set-up */
 
-static enum ts_status face_of(struct ts_instance *self, struct tsim *sim)
+static enum ts_status find_face(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_word id = { .text = s->face_id, .place = *ts_instance_word(self, s->face_id) };
@@ -88,7 +87,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_insertion_init(self, sim, &first));
 	TS_TRY(ts_insertion_rate_init(self, sim, &s->rate));
-	TS_TRY(face_of(self, sim));
+	TS_TRY(find_face(self, sim));
 	if ((s->base.every_word != NULL) == !isnan(s->given_length))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix insert/stream: expected one of insert_every and extrude_length");
@@ -102,10 +101,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->face->random.state)
 		s->face->random = ts_minstd_start(MESH_SEED);
 	snprintf(name, sizeof name, "stream %s", self->id);
-	return ts_particles_add_column(sim, name, TS_STREAM_MEMORY, 0, &s->stream.column);
+	return ts_particles_add_column(sim, name, TS_STREAM_WIDTH, 0, &s->stream.column);
 }
 
-/* Interval and length belong together by the speed; the step may be another one in each run. */
+/* interval * speed = length; computed for each run, since the time step may change. */
 static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -131,13 +130,13 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 			       "fix insert/stream: particles move %g in a step, the space behind the face "
 			       "is %g long; raise extrude_length or take a smaller step",
 			       travel, s->length);
-	ts_insertion_rate_tell(self, sim, &s->rate);
+	ts_insertion_rate_print(self, sim, &s->rate);
 	return TS_OK;
 }
 
-/* ---- places */
+/* ---- positions */
 
-/* Not nearer than radius to an outer edge of the face. */
+/* Whether the distance to all outer edges of the face is at least the radius. */
 static bool inside_face(const struct ts_mesh *mesh, const double x[3], double radius)
 {
 	for (size_t t = 0; t < mesh->n; t++) {
@@ -156,7 +155,7 @@ static bool inside_face(const struct ts_mesh *mesh, const double x[3], double ra
 	return true;
 }
 
-/* A triangle by its area, then a point of a square until it lies in the half that is the triangle. */
+/* Draws a triangle with a probability proportional to its area, then a uniform point on it by rejection. */
 static void draw_on_face(struct ts_mesh_surface *face, double x[3])
 {
 	const struct ts_mesh *mesh = &face->mesh;
@@ -176,9 +175,10 @@ static void draw_on_face(struct ts_mesh_surface *face, double x[3])
 		x[d] = (1 - u - v) * mesh->x[t][0][d] + v * mesh->x[t][1][d] + u * mesh->x[t][2][d];
 }
 
+/* The search fails after this number of points on the face that are too close to its edge. */
 static const int64_t MOST_POINTS = 10000000;
 
-/* From radius behind the face on; where overlaps are not looked for, wholly within the length. */
+/* Draws a position at the depth R .. L + R behind the face; without a check of overlaps R .. L - R. */
 static enum ts_status draw_place(struct ts_instance *self, struct tsim *sim, double radius, double x[3])
 {
 	struct state *s = self->state;
@@ -206,8 +206,9 @@ static bool in_box(const struct ts_box *box, const double x[3], double radius)
 	return true;
 }
 
-/* In the first event, and in all if the box moves: the points drawn here move the streams on. */
-static enum ts_status measure(struct ts_instance *self, struct tsim *sim)
+/* Checks, in the first insertion and in all with shrink-wrapped faces, how much of the space behind the
+ * face lies in the box; as in LIGGGHTS the points drawn here advance the random streams. */
+static enum ts_status check_space_in_box(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_box *box = &sim->domain->box;
@@ -241,12 +242,12 @@ static enum ts_status measure(struct ts_instance *self, struct tsim *sim)
 
 struct search {
 	const struct ts_box *box;
-	struct ts_spherehash crowd;
+	struct ts_spherehash occupied;
 	int64_t tries, most_tries;
 };
 
-static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct search *search,
-			    struct ts_newcomer *one)
+static enum ts_status place_particle(struct ts_instance *self, struct tsim *sim, struct search *search,
+				     struct ts_new_particle *one)
 {
 	struct state *s = self->state;
 
@@ -258,38 +259,38 @@ static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct s
 		if (search->tries == search->most_tries)
 			return TS_OK;
 		ts_insertion_draw_orientation(&s->base, one);
-		one->placed = !ts_insertion_overlaps(sim, &search->crowd, one);
+		one->placed = !ts_insertion_overlaps(sim, &search->occupied, one);
 	}
-	return one->placed ? ts_insertion_join(sim, &search->crowd, one) : TS_OK;
+	return one->placed ? ts_insertion_hash_add(sim, &search->occupied, one) : TS_OK;
 }
 
 static enum ts_status place_all(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_newcomers *list = &s->base.list;
+	struct ts_new_particles *list = &s->base.list;
 	struct search search = { .box = &sim->domain->box,
 				 .most_tries = (int64_t)list->n * s->base.maxattempt };
 	enum ts_status status = TS_OK;
 
 	if (s->base.overlapcheck)
-		status = ts_insertion_crowd(sim, &search.crowd);
+		status = ts_insertion_hash_particles(sim, &search.occupied);
 	for (size_t k = 0; status == TS_OK && k < list->n; k++) {
 		if (s->base.overlapcheck) {
-			status = place(self, sim, &search, &list->item[k]);
+			status = place_particle(self, sim, &search, &list->item[k]);
 			continue;
 		}
 		status = draw_place(self, sim, list->item[k].radius, list->item[k].x);
 		ts_insertion_draw_orientation(&s->base, &list->item[k]);
 		list->item[k].placed = true;
 	}
-	ts_spherehash_release(&search.crowd);
+	ts_spherehash_release(&search.occupied);
 	return status;
 }
 
 /* ---- the stream */
 
-/* The spheres of a body go together: what it remembers is with the first of them. */
-static bool leads(const struct ts_particles *p, size_t from, size_t i)
+/* The data of a rigid body are stored with its first sphere. */
+static bool is_first_of_body(const struct ts_particles *p, size_t from, size_t i)
 {
 	return i == from || !ts_rigid_same(p, i - 1, i);
 }
@@ -301,9 +302,10 @@ static struct ts_body *body_of(struct tsim *sim, size_t i)
 	return body ? &sim->rigid->body[body - sim->rigid->body] : NULL;
 }
 
-/* On its way to the face a body does not turn, nor does it in LIGGGHTS when it is let go. */
-static void steer_body(const struct state *s, const struct tsim *sim, struct ts_body *body,
-		       const double *memory, bool free)
+/* Prescribes the motion of a rigid body: it does not rotate until it is released, and in LIGGGHTS not
+ * then either. */
+static void prescribe_body(const struct state *s, const struct tsim *sim, struct ts_body *body,
+			   const double *memory, bool free)
 {
 	double time = ((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt;
 
@@ -318,34 +320,34 @@ static void steer_body(const struct state *s, const struct tsim *sim, struct ts_
 	ts_rigid_angular_momentum(body->q, body->inertia, body->omega, body->spin);
 }
 
-/* New particles move straight to the face; there they get the velocity that was asked for. */
-static void start(struct ts_instance *self, struct tsim *sim, size_t from)
+/* New particles move along the normal to the face, where they get the velocity of the keyword vel. */
+static void start_particles(struct ts_instance *self, struct tsim *sim, size_t from)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
 
 	for (size_t i = from; i < p->n; i++) {
-		double *memory = ts_stream_memory(&s->stream, sim, i), d[3];
+		double *memory = ts_stream_record(&s->stream, sim, i), d[3];
 		struct ts_body *body = body_of(sim, i);
-		struct ts_newcomer free = { 0 };
+		struct ts_new_particle free = { 0 };
 
 		for (int k = 0; k < 3; k++)
 			p->v[i][k] = -s->speed * s->normal[k];
 		memory[TS_STREAM_RELEASE] = 0;
 		s->generation = 0;
-		if (!leads(p, from, i))
+		if (!is_first_of_body(p, from, i))
 			continue;
 		ts_insertion_draw_velocity(&s->base, &free);
 		ts_scale(1, body ? body->x : p->x[i], memory + TS_STREAM_PLACE);
 		ts_scale(1, free.v, memory + TS_STREAM_VELOCITY);
 		ts_sub(memory + TS_STREAM_PLACE, s->face->mesh.x[0][0], d);
 		memory[TS_STREAM_START] = (double)s->stream.age;
-		memory[TS_STREAM_WAY] = ts_dot(d, s->normal);
-		memory[TS_STREAM_RELEASE] =
-			(double)s->stream.age + floor(memory[TS_STREAM_WAY] / (s->speed * sim->clock.dt));
+		memory[TS_STREAM_DISTANCE] = ts_dot(d, s->normal);
+		memory[TS_STREAM_RELEASE] = (double)s->stream.age +
+					    floor(memory[TS_STREAM_DISTANCE] / (s->speed * sim->clock.dt));
 		s->release = (int64_t)fmax((double)s->release, memory[TS_STREAM_RELEASE]);
 		if (body)
-			steer_body(s, sim, body, memory, false);
+			prescribe_body(s, sim, body, memory, false);
 	}
 }
 
@@ -365,21 +367,21 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	n = ts_insertion_rate_count(self, sim, &s->rate);
 	if (n > 0) {
-		TS_TRY(measure(self, sim));
+		TS_TRY(check_space_in_box(self, sim));
 		TS_TRY(ts_distribution_draw(s->base.distribution, sim, n, s->base.random_distribute == 0,
 					    &s->base.list));
 		TS_TRY(place_all(self, sim));
 		TS_TRY(ts_insertion_make(self, sim, &from));
-		start(self, sim, from);
+		start_particles(self, sim, from);
 	}
 	ts_insertion_rate_next(self, &s->rate);
 	return TS_OK;
 }
 
-/* Counted from where it began: neither rounding nor the forces of a set-up push a particle off its way, as in
- * LIGGGHTS. One that has been wrapped into a periodic box is left alone. */
-static void keep_on_its_way(struct ts_particles *p, size_t i, const double start[3], const double v[3],
-			    double time, double dt)
+/* Sets the position to start + time * v, so that neither rounding nor the forces of a set-up change the
+ * path, as in LIGGGHTS. Particles that were wrapped into a periodic box are not corrected. */
+static void correct_position(struct ts_particles *p, size_t i, const double start[3], const double v[3],
+			     double time, double dt)
 {
 	for (int k = 0; k < 3; k++) {
 		double to = start[k] + time * v[k];
@@ -389,14 +391,15 @@ static void keep_on_its_way(struct ts_particles *p, size_t i, const double start
 	}
 }
 
-static void steer_sphere(const struct state *s, struct tsim *sim, size_t i, const double *memory, bool free)
+static void prescribe_sphere(const struct state *s, struct tsim *sim, size_t i, const double *memory,
+			     bool free)
 {
 	struct ts_particles *p = sim->particles;
 	double v[3];
 
 	ts_scale(-s->speed, s->normal, v);
-	keep_on_its_way(p, i, memory + TS_STREAM_PLACE, v,
-			((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt, sim->clock.dt);
+	correct_position(p, i, memory + TS_STREAM_PLACE, v,
+			 ((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt, sim->clock.dt);
 	for (int k = 0; k < 3; k++) {
 		p->v[i][k] = free ? memory[TS_STREAM_VELOCITY + k] : v[k];
 		p->f[i][k] = 0;
@@ -407,9 +410,9 @@ static void steer_sphere(const struct state *s, struct tsim *sim, size_t i, cons
 	}
 }
 
-static void steer(const struct state *s, struct tsim *sim, size_t i)
+static void prescribe_motion(const struct state *s, struct tsim *sim, size_t i)
 {
-	double *memory = ts_stream_memory(&s->stream, sim, i);
+	double *memory = ts_stream_record(&s->stream, sim, i);
 	bool free = (double)s->stream.age >= memory[TS_STREAM_RELEASE];
 	struct ts_body *body = body_of(sim, i);
 
@@ -419,30 +422,30 @@ static void steer(const struct state *s, struct tsim *sim, size_t i)
 		size_t first = sim->rigid->start[body - sim->rigid->body];
 		size_t end = sim->rigid->start[body - sim->rigid->body + 1];
 
-		steer_body(s, sim, body, memory, free);
-		if (!free || !sim->legacy) /* there its spheres learn of it in the next step */
+		prescribe_body(s, sim, body, memory, free);
+		if (!free || !sim->legacy) /* in LIGGGHTS its spheres follow in the next step */
 			ts_rigid_place(sim, body, sim->rigid->member + first, end - first);
 	} else {
-		steer_sphere(s, sim, i, memory, free);
+		prescribe_sphere(s, sim, i, memory, free);
 	}
 	if (free)
 		memory[TS_STREAM_RELEASE] *= -1;
 }
 
-struct steering {
+struct prescribe_task {
 	const struct state *s;
 	struct tsim *sim;
 };
 
-/* The first in the list that stands at i in memory, or behind it. */
-static size_t first_from(const struct state *s, size_t i)
+/* Position in `moving` of the first local index >= i. */
+static size_t find_first_from(const struct state *s, size_t i)
 {
-	size_t low = 0, high = s->nway;
+	size_t low = 0, high = s->nmoving;
 
 	while (low < high) {
 		size_t middle = (low + high) / 2;
 
-		if ((size_t)s->way[middle] < i)
+		if ((size_t)s->moving[middle] < i)
 			low = middle + 1;
 		else
 			high = middle;
@@ -450,27 +453,28 @@ static size_t first_from(const struct state *s, size_t i)
 	return low;
 }
 
-static void steer_share(void *context, size_t from, size_t to)
+static void prescribe_range(void *context, size_t from, size_t to)
 {
-	const struct steering *t = context;
+	const struct prescribe_task *t = context;
 
-	for (size_t k = first_from(t->s, from); k < t->s->nway && (size_t)t->s->way[k] < to; k++)
-		steer(t->s, t->sim, (size_t)t->s->way[k]);
+	for (size_t k = find_first_from(t->s, from); k < t->s->nmoving && (size_t)t->s->moving[k] < to; k++)
+		prescribe_motion(t->s, t->sim, (size_t)t->s->moving[k]);
 }
 
-/* Few of many are on their way: who they are changes with the rows of particles. */
-static enum ts_status list_way(struct state *s, struct tsim *sim)
+/* Lists the particles moving to the face, which are few of many, whenever the order of particles has
+ * changed. */
+static enum ts_status list_moving(struct state *s, struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 
 	if (s->generation == sim->generation)
 		return TS_OK;
-	if (TS_GROW(s->way, s->way_capacity, p->n) != TS_OK)
+	if (TS_GROW(s->moving, s->moving_capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	s->nway = 0;
+	s->nmoving = 0;
 	for (size_t i = 0; i < p->n; i++)
-		if (ts_stream_memory(&s->stream, sim, i)[TS_STREAM_RELEASE] > 0)
-			s->way[s->nway++] = (int32_t)i;
+		if (ts_stream_record(&s->stream, sim, i)[TS_STREAM_RELEASE] > 0)
+			s->moving[s->nmoving++] = (int32_t)i;
 	s->generation = sim->generation;
 	return TS_OK;
 }
@@ -478,24 +482,24 @@ static enum ts_status list_way(struct state *s, struct tsim *sim)
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct steering task = { s, sim };
+	struct prescribe_task task = { s, sim };
 
 	if (s->stream.age > s->release)
 		return TS_OK;
-	TS_TRY(list_way(s, sim));
+	TS_TRY(list_moving(s, sim));
 	if (!sim->rigid->n) {
-		TS_DEFER_LOOP(sim, sim->particles->n, steer_share, &task);
+		TS_DEFER_LOOP(sim, sim->particles->n, prescribe_range, &task);
 		return TS_OK;
 	}
-	ts_run_deferred_loops(sim); /* a body places spheres anywhere in memory */
+	ts_run_deferred_loops(sim); /* the spheres of a body may have any index */
 	TS_TRY(ts_rigid_list(sim));
-	steer_share(&task, 0, sim->particles->n);
+	prescribe_range(&task, 0, sim->particles->n);
 	return TS_OK;
 }
 
 static void fini(struct ts_instance *self)
 {
-	ts_free(((struct state *)self->state)->way);
+	ts_free(((struct state *)self->state)->moving);
 	ts_insertion_fini(self);
 }
 
@@ -512,16 +516,17 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 static const struct ts_arg args[] = {
 	TS_INSERTION_ARGS(struct state),
 	TS_INSERTION_RATE_ARGS(struct state),
-	TS_WORD("insertion_face", struct state, face_id, .help = "a plane mesh through which particles come"),
+	TS_WORD("insertion_face", struct state, face_id,
+		.help = "ID of a plane fix mesh/surface through which particles are inserted"),
 	TS_REAL("extrude_length", struct state, given_length, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
 		.unit = "length",
-		.help = "length of the space behind the face that an event fills; the next event comes "
-			"when the stream has left it"),
+		.help = "length of the space behind the face that is filled; the next insertion is due when "
+			"the stream has left it"),
 	TS_WORD("insert_every", struct state, base.every_word, .flags = TS_OPTIONAL,
-		.help = "instead of extrude_length: steps between events"),
+		.help = "instead of extrude_length: steps between insertions"),
 	TS_INT("duration", struct state, duration, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
-	       .help = "with insert_every: steps that it takes the particles of an event to go through "
-		       "the face; the rest is a pause"),
+	       .help = "with insert_every: number of steps in which the particles of an insertion pass the "
+		       "face, followed by a pause"),
 	TS_BOOL("parallel", struct state, parallel, .fallback = "no", .help = "no effect"),
 	TS_ARGS_END,
 };
@@ -538,32 +543,27 @@ TS_STYLE(fix, ts_style, ts_fix_insert_stream)
 const struct ts_style ts_fix_insert_stream = {
 	.name = "insert/stream",
 	.kind = TS_KIND_FIX,
-	.summary = "Particles come through a face, in a stream",
-	.doc = "As many particles as the rate gives in an interval are placed at random in the space behind "
-	       "a plane\n"
-	       "mesh: the face moved by the length L against the velocity. They move towards the face with "
-	       "the part of\n"
-	       "the velocity that is normal to it, whatever the forces on them, and when their centers reach "
-	       "it they get\n"
-	       "the velocity and the angular velocity asked for, and are free. The interval is L over the "
-	       "normal speed;\n"
-	       "extrude_length gives L, or insert_every the interval, of which only duration is filled.\n\n"
-	       "Places, numbers and velocities are drawn from the random streams of LIGGGHTS 3.8, in its "
-	       "order. With\n"
-	       "overlapcheck yes centers lie from R to L + R behind the face and are tried anew if particles "
-	       "overlap or\n"
-	       "reach out of the box; else from R to L - R. all_in yes keeps particles within the outer "
-	       "edges of the\n"
-	       "face. The number in an event is rounded up or down by lot. The face must not move.\n\n"
-	       "A rigid clump goes to the face by its centre of mass, without turning. LIGGGHTS gives it no "
-	       "angular\n"
-	       "velocity there either, which `legacy yes` follows.\n\n"
-	       "As in LIGGGHTS, f_release_fix_insert_stream[1] to [14] are of each particle: the place where "
-	       "it was\n"
-	       "inserted (1 to 3), the step of that (4), the step in which it is free (5), its velocity "
-	       "until then (6 to\n"
-	       "8), and the velocity (9 to 11) and angular velocity (12 to 14) that it gets then; 0 of other "
-	       "particles.",
+	.summary = "Inserts a stream of particles through a plane face",
+	.doc = "In each insertion, rate times interval particles are placed at random in the\n"
+	       "space behind a plane mesh: the face extruded by the length L against the\n"
+	       "velocity. They move towards the face with the normal component of the velocity,\n"
+	       "irrespective of forces. When their centers reach the face, they get the given\n"
+	       "velocity and angular velocity and are released. The interval is L divided by the\n"
+	       "normal speed; extrude_length sets L, or insert_every sets the interval, of which\n"
+	       "only duration is filled.\n\n"
+	       "Positions, numbers and velocities are drawn from the random streams of LIGGGHTS\n"
+	       "3.8, in the same order. With overlapcheck yes centers lie between R and L + R\n"
+	       "behind the face, and positions are drawn again if particles overlap or extend\n"
+	       "beyond the box; else they lie between R and L - R. all_in yes keeps particles\n"
+	       "within the outer edges of the face. The number of particles is rounded up or\n"
+	       "down at random so that the mean is exact. The face must not move.\n\n"
+	       "A rigid clump is released when its centre of mass reaches the face; it does not\n"
+	       "rotate before. LIGGGHTS does not give it the angular velocity at the face;\n"
+	       "neither does tsim with `legacy yes`.\n\n"
+	       "As in LIGGGHTS, f_release_fix_insert_stream[1] to [14] are per-particle\n"
+	       "quantities: position (1 to 3) and step (4) of the insertion, step of the release\n"
+	       "(5), velocity until then (6 to 8), velocity (9 to 11) and angular velocity (12\n"
+	       "to 14) at the release. They are 0 for other particles.",
 	.example = "fix pour all insert/stream seed 32452867 distributiontemplate mix nparticles 5000 vel "
 		   "constant 0 -0.5 -2 particlerate 1000 overlapcheck yes insertion_face hole extrude_length "
 		   "0.6",

@@ -1,4 +1,4 @@
-/* Fixes particledistribution/discrete and .../numberbased: a mixture of particle templates by mass, or by
+/* Fixes particledistribution/discrete and .../numberbased: mixtures of particle templates by mass or
  * number. */
 #include "insert/distribution.h"
 
@@ -14,22 +14,20 @@ static enum ts_status init_by_number(struct ts_instance *self, struct tsim *sim)
 	return ts_distribution_init(self, sim, false);
 }
 
-#define DOC(share)                                                                                         \
-	"Names n fixes particletemplate/... and the share of each in the " share                           \
-	" of what is inserted. If the shares\n"                                                            \
-	"do not add up to 1 a warning is given and they are divided by their sum. Of N particles each "    \
-	"template gets\n"                                                                                  \
-	"the whole part of its number; what is left goes to templates drawn in proportion to their "       \
-	"remainders, as\n"                                                                                 \
-	"in LIGGGHTS. Larger ones are placed before smaller ones. The group of the fix is one more group " \
-	"that\n"                                                                                           \
-	"inserted particles become members of."
+#define DOC(quantity)                                                                                \
+	"Defines a mixture of n fixes particletemplate/... by their fractions of the " quantity "\n" \
+	"of inserted particles. If the weights do not add up to 1, a warning is given and\n"         \
+	"they are divided by their sum.\n\n"                                                         \
+	"Of N particles each template contributes its number rounded down; the rest is\n"            \
+	"assigned to templates drawn in proportion to their remainders, as in LIGGGHTS.\n"           \
+	"Larger particles are placed before smaller ones. Inserted particles also become\n"          \
+	"members of the group of this fix."
 
 TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete)
 const struct ts_style ts_fix_particledistribution_discrete = {
 	.name = "particledistribution/discrete",
 	.kind = TS_KIND_FIX,
-	.summary = "A mixture of particle templates by mass, for fixes that insert",
+	.summary = "Mixture of particle templates by mass, for insertion",
 	.doc = DOC("mass"),
 	.example = "fix mix all particledistribution/discrete 32452843 2 small 0.3 large 0.7",
 	.args = ts_distribution_args,
@@ -42,7 +40,7 @@ TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete_numberbased)
 const struct ts_style ts_fix_particledistribution_discrete_numberbased = {
 	.name = "particledistribution/discrete/numberbased",
 	.kind = TS_KIND_FIX,
-	.summary = "A mixture of particle templates by number, for fixes that insert",
+	.summary = "Mixture of particle templates by number, for insertion",
 	.doc = DOC("number"),
 	.example = "fix mix all particledistribution/discrete/numberbased 32452843 2 small 0.3 large 0.7",
 	.args = ts_distribution_args,

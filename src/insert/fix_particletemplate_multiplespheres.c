@@ -1,4 +1,4 @@
-/* Fix particletemplate/multiplespheres: several spheres that are inserted together. */
+/* Fix particletemplate/multiplespheres: groups of independent spheres that are inserted together. */
 #include "insert/clump_template.h"
 
 #include "base/banned.h"
@@ -31,16 +31,15 @@ TS_STYLE(fix, ts_style, ts_fix_particletemplate_multiplespheres)
 const struct ts_style ts_fix_particletemplate_multiplespheres = {
 	.name = "particletemplate/multiplespheres",
 	.kind = TS_KIND_FIX,
-	.summary = "Several spheres that are inserted together",
-	.doc = "The spheres keep their places to each other only while they are inserted; after that each "
-	       "moves on its\n"
-	       "own. A clump counts as one particle in numbers, with the mass of the space that its spheres "
-	       "fill; that\n"
-	       "volume, and the sphere around the clump by which places in a region are judged, are found by "
-	       "lot with the\n"
-	       "random stream of LIGGGHTS. orientation of fix insert/... turns the clump. Velocity and "
-	       "angular velocity\n"
-	       "are given to each sphere.",
+	.summary = "Template of several independent spheres that are inserted together",
+	.doc = "The spheres have the given positions relative to each other when they are\n"
+	       "inserted; afterwards each moves independently. A clump counts as one particle in\n"
+	       "numbers. Its mass is the density times the volume that the spheres fill\n"
+	       "together. This volume, and the bounding sphere by which positions in a region\n"
+	       "are checked, are computed by Monte Carlo integration with the random stream of\n"
+	       "LIGGGHTS.\n\n"
+	       "The keyword orientation of fix insert/... rotates the clump. Each sphere gets\n"
+	       "the velocity and angular velocity of the insertion.",
 	.example = "fix twins all particletemplate/multiplespheres 15485863 atom_type 1 density constant "
 		   "2500 nspheres 2 ntry 100000 spheres 0 0 0 0.005 0.011 0 0 0.005",
 	.args = args,

@@ -10,19 +10,20 @@ struct state {
 		struct ts_clump_template shape;
 	};
 	int64_t kind;
-	double mass; /* NaN: from the volume */
+	double mass; /* NaN: density * volume */
 	struct ts_words moment_words, shift_words, turn_words;
 	bool use_volume, use_density;
 };
 
-/* xx xy xz yy yz zz, as LIGGGHTS orders them */
+/* Reads xx xy xz yy yz zz, the order of LIGGGHTS, to the order xx yy zz xy xz yz. */
 static enum ts_status read_moments(struct ts_instance *self, struct tsim *sim, double tensor[6])
 {
-	static const int place[6] = { 0, 3, 4, 1, 5, 2 };
+	static const int index_of[6] = { 0, 3, 4, 1, 5, 2 };
 	const struct state *s = self->state;
 
 	for (size_t k = 0; k < s->moment_words.n; k++)
-		if (s->moment_words.n != 6 || !ts_parse_real(s->moment_words.word[k].text, &tensor[place[k]]))
+		if (s->moment_words.n != 6 ||
+		    !ts_parse_real(s->moment_words.word[k].text, &tensor[index_of[k]]))
 			return ts_fail(&sim->error, TS_SYNTAX, &s->moment_words.word[k].place,
 				       "fix particletemplate/multisphere: inertia_tensor is followed by the "
 				       "six numbers xx xy xz yy yz zz");
@@ -67,7 +68,7 @@ static enum ts_status define_body(struct ts_instance *self, struct tsim *sim)
 
 	for (int k = 0; k < 6; k++)
 		tensor[k] = s->shape.clump.moments[k] * t->density.a;
-	if (sim->legacy) /* LIGGGHTS takes the mean of these two */
+	if (sim->legacy) /* LIGGGHTS 3.8 uses the mean of xz and yz for yz */
 		tensor[5] = 0.5 * (tensor[4] + tensor[5]);
 	TS_TRY(read_moments(self, sim, tensor));
 	if (!isnan(s->mass)) {
@@ -111,18 +112,18 @@ static const struct ts_arg args[] = {
 	TS_TEMPLATE_ARGS(struct state),
 	TS_CLUMP_TEMPLATE_ARGS(struct state),
 	TS_INT("type", struct state, kind, .range = TS_POSITIVE,
-	       .help = "number of the template, from 1; another one for each"),
+	       .help = "number of the template, from 1; different for each template"),
 	TS_REAL("mass", struct state, mass, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "mass",
-		.help = "mass of a clump, instead of density times volume"),
+		.help = "mass of a clump; default: density times volume"),
 	TS_SOME_KEYWORD("inertia_tensor", struct state, moment_words, 0,
-			.help = "xx xy xz yy yz zz: with mass, moments of inertia about the centre"),
-	TS_FLAG("use_volume", struct state, use_volume, .help = "with mass: the density is mass over volume"),
-	TS_FLAG("use_density", struct state, use_density,
-		.help = "with mass: the volume is mass over density"),
+			.help = "xx xy xz yy yz zz, together with mass: moments of inertia about the centre "
+				"of mass"),
+	TS_FLAG("use_volume", struct state, use_volume, .help = "with mass: the density is mass / volume"),
+	TS_FLAG("use_density", struct state, use_density, .help = "with mass: the volume is mass / density"),
 	TS_SOME_KEYWORD("fflag", struct state, shift_words, 0,
-			.help = "on or off for x, y and z: whether clumps move in that direction"),
+			.help = "on or off for x, y and z: whether clumps move in this direction"),
 	TS_SOME_KEYWORD("tflag", struct state, turn_words, 0,
-			.help = "on or off for x, y and z: whether clumps turn about that axis"),
+			.help = "on or off for x, y and z: whether clumps rotate about this axis"),
 	TS_ARGS_END,
 };
 
@@ -130,16 +131,15 @@ TS_STYLE(fix, ts_style, ts_fix_particletemplate_multisphere)
 const struct ts_style ts_fix_particletemplate_multisphere = {
 	.name = "particletemplate/multisphere",
 	.kind = TS_KIND_FIX,
-	.summary = "Clumps of spheres that are inserted as rigid bodies",
-	.doc = "Spheres that may overlap make a body of the given density; fix multisphere moves it. Its "
-	       "volume, centre of\n"
-	       "mass and moments of inertia are found with ntry random points each, from the random stream "
-	       "of LIGGGHTS:\n"
-	       "the relative error is about 1/sqrt(ntry). Places of fix insert/... are those of the centre "
-	       "of mass;\n"
-	       "orientation turns the clump, omega is its angular velocity.\n\n"
-	       "LIGGGHTS 3.8 takes for the product of inertia yz the mean of yz and xz; so does `legacy "
-	       "yes`.",
+	.summary = "Template of clumps of spheres that are inserted as rigid bodies",
+	.doc = "Defines a rigid body of spheres, which may overlap; fix multisphere integrates\n"
+	       "its motion. Volume, centre of mass and moments of inertia of the union of the\n"
+	       "spheres are computed by Monte Carlo integration with ntry random points each,\n"
+	       "from the random stream of LIGGGHTS; the relative error is about 1/sqrt(ntry).\n"
+	       "fix insert/... places the centre of mass; its keyword orientation rotates the\n"
+	       "clump, and omega is its angular velocity.\n\n"
+	       "LIGGGHTS 3.8 uses the mean of the products of inertia yz and xz for yz; so does\n"
+	       "`legacy yes`.",
 	.example =
 		"fix stone all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 "
 		"nspheres 3 ntry 1000000 spheres 0 0 0 0.01 0.012 0 0 0.008 0.015 0.011 0.003 0.009 type 1",

@@ -1,4 +1,4 @@
-/* Fix particletemplate/sphere: what spheres look like that other fixes insert. */
+/* Fix particletemplate/sphere: radius and density of spheres that other fixes insert. */
 #include "insert/template.h"
 
 #include "particle/sphere_shape.h"
@@ -40,19 +40,17 @@ TS_STYLE(fix, ts_style, ts_fix_particletemplate_sphere)
 const struct ts_style ts_fix_particletemplate_sphere = {
 	.name = "particletemplate/sphere",
 	.kind = TS_KIND_FIX,
-	.summary = "What spheres look like that other fixes insert",
-	.doc = "Radius and density of the particles that a fix particledistribution/discrete mixes and a "
-	       "fix\n"
-	       "insert/... inserts. The group of the fix is one more group that they become members of.\n\n"
-	       "Radius and density are the same for all, or spread: uniform between two values, gaussian "
-	       "with mean\n"
-	       "and standard deviation, cut off three deviations from the mean, or lognormal: median and "
-	       "standard\n"
-	       "deviation of the logarithm, cut off in the same way. number, the default, or mass says what "
-	       "the\n"
-	       "spread counts: with uniform mass 1 2 the particles of each interval of radius have the same "
-	       "mass\n"
-	       "together. LIGGGHTS 3.8 has constant only.",
+	.summary = "Template of spheres for insertion",
+	.doc = "Defines radius and density of spheres, which fix particledistribution/discrete\n"
+	       "mixes and fix insert/... inserts. Inserted particles also become members of the\n"
+	       "group of this fix.\n\n"
+	       "Radius and density are constant or distributed: uniform between two values,\n"
+	       "gaussian with mean and standard deviation, truncated at three standard\n"
+	       "deviations from the mean, or lognormal with median and standard deviation of the\n"
+	       "logarithm, truncated in the same way. The distribution counts particles by\n"
+	       "number (default) or by mass: with `uniform mass 1 2` the particles in radius\n"
+	       "intervals of equal width have the same total mass. LIGGGHTS 3.8 has constant\n"
+	       "only.",
 	.example = "fix grains all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius "
 		   "constant 0.0015\n"
 		   "fix sand all particletemplate/sphere 15485867 density constant 2650 radius uniform mass "

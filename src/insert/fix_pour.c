@@ -1,7 +1,7 @@
-/* Fix pour: particles rain into a region, as LAMMPS pours them.
+/* Fix pour: inserts particles that fall into a region, as in LAMMPS.
  *
  * The random numbers, and the order in which they are drawn, are those of LAMMPS: the same seed gives the
- * same particles at the same places. */
+ * same particles at the same positions. */
 #include <math.h>
 
 #include "box/domain.h"
@@ -26,21 +26,21 @@ struct pour {
 	struct ts_words refused[MOLECULES];
 	int numbering;
 	bool ignore;
-	double rate; /* of the region, upwards */
+	double rate; /* velocity of the region, upwards */
 
 	/* set in init */
-	int up;		     /* the dimension against which they fall */
-	double lo[3], hi[3]; /* of the region */
-	int spread;	     /* of diameters */
-	double diameter[2];  /* one; from, to */
+	int up;		     /* vertical dimension: 2, in two dimensions 1 */
+	double lo[3], hi[3]; /* bounds of the region */
+	int spread;	     /* distribution of diameters */
+	double diameter[2];  /* the diameter; or the smallest and the largest */
 	int64_t nsizes;
-	struct ts_words sizes; /* diameter, share, diameter, share ... */
+	struct ts_words sizes; /* diameter, fraction, diameter, fraction ... */
 	double density[2], fraction;
-	double sideways[2][2], along; /* velocities: from, to in x and y; on entering at the top */
-	int64_t each;		      /* how many in an event */
-	bool told;
+	double sideways[2][2], along; /* velocities: smallest and largest in x and y; vertical at the top */
+	int64_t each;		      /* particles per insertion */
+	bool told;		      /* the log has the plan */
 
-	double risen; /* saved: how far the region has moved */
+	double risen; /* saved: displacement of the region */
 };
 
 /* ---- arguments ---- */
@@ -59,50 +59,50 @@ static const struct ts_arg one_rows[] = {
 static const struct ts_arg range_rows[] = { PAIR_ROWS("diameter", diameter, "length"), TS_ARGS_END };
 static const struct ts_arg poly_rows[] = {
 	TS_INT("N", struct pour, nsizes, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "number of diameters"),
-	TS_REST("sizes", struct pour, sizes, .help = "each with its share of the number"),
+	       .help = "total number of particles"),
+	TS_REST("sizes", struct pour, sizes, .help = "diameter and fraction of the number, N times"),
 	TS_ARGS_END,
 };
 static const struct ts_mode spreads[] = {
-	[ONE] = { "one", "all the same", one_rows },
-	[RANGE] = { "range", "uniform between two", range_rows },
-	[POLY] = { "poly", "some sizes", poly_rows },
+	[ONE] = { "one", "the same for all", one_rows },
+	[RANGE] = { "range", "uniform between two diameters", range_rows },
+	[POLY] = { "poly", "a set of diameters", poly_rows },
 	{ .name = NULL },
 };
 static const struct ts_arg diameter_rows[] = {
-	TS_MODE("spread", struct pour, spread, spreads, .help = "how they are spread"),
+	TS_MODE("spread", struct pour, spread, spreads, .help = "distribution"),
 	TS_ARGS_END,
 };
 static const struct ts_arg density_rows[] = { PAIR_ROWS("density", density, "mass/volume"), TS_ARGS_END };
 static const struct ts_arg fill_rows[] = {
 	TS_REAL("fraction", struct pour, fraction, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1e-12,
-		.hi = 1, .unit = "", .help = "part of the volume of the region"),
+		.hi = 1, .unit = "", .help = "fraction of the volume of the region"),
 	TS_INT("attempts", struct pour, base.maxattempt, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "tries for a particle, on average"),
+	       .help = "average number of trial positions per particle"),
 	TS_ARGS_END,
 };
 #define SIDEWAYS(name, k, side)                                                                   \
 	TS_REAL(name, struct pour, sideways[k][side], .flags = TS_POSITIONAL, .unit = "velocity", \
-		.help = "velocity across")
+		.help = "horizontal velocity")
 static const struct ts_arg velocity_rows[] = {
 	SIDEWAYS("vxlo", 0, 0),
 	SIDEWAYS("vxhi", 0, 1),
 	SIDEWAYS("vylo", 1, 0),
 	SIDEWAYS("vyhi", 1, 1),
 	TS_REAL("vz", struct pour, along, .flags = TS_POSITIONAL, .unit = "velocity",
-		.help = "velocity upwards at the top"),
+		.help = "vertical velocity at the top"),
 	TS_ARGS_END,
 };
 static const struct ts_arg velocity_rows_2d[] = {
 	SIDEWAYS("vxlo", 0, 0),
 	SIDEWAYS("vxhi", 0, 1),
 	TS_REAL("vy", struct pour, along, .flags = TS_POSITIONAL, .unit = "velocity",
-		.help = "velocity upwards at the top"),
+		.help = "vertical velocity at the top"),
 	TS_ARGS_END,
 };
 
-static enum ts_status read_part(struct ts_instance *self, struct tsim *sim, const char *keyword,
-				const struct ts_arg *rows, struct ts_words words)
+static enum ts_status parse_keyword(struct ts_instance *self, struct tsim *sim, const char *keyword,
+				    const struct ts_arg *rows, struct ts_words words)
 {
 	char what[32];
 
@@ -112,7 +112,7 @@ static enum ts_status read_part(struct ts_instance *self, struct tsim *sim, cons
 	return ts_args_parse(sim, what, rows, words, &words.word[0].place, &self->arena, self->state);
 }
 
-/* The k-th size of `poly`, and its share. */
+/* Reads the k-th diameter of `poly` and its fraction. */
 static bool read_size(const struct pour *s, int64_t k, double *diameter, double *share)
 {
 	const struct ts_word *word = s->sizes.word + 2 * k;
@@ -174,10 +174,10 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	s->fraction = 0.25;
 	s->base.maxattempt = 50;
 	TS_TRY(refuse_molecules(self, sim));
-	TS_TRY(read_part(self, sim, "diam", diameter_rows, s->diameter_words));
-	TS_TRY(read_part(self, sim, "dens", density_rows, s->density_words));
-	TS_TRY(read_part(self, sim, "vol", fill_rows, s->fill_words));
-	TS_TRY(read_part(self, sim, "vel", flat ? velocity_rows_2d : velocity_rows, s->velocity_words));
+	TS_TRY(parse_keyword(self, sim, "diam", diameter_rows, s->diameter_words));
+	TS_TRY(parse_keyword(self, sim, "dens", density_rows, s->density_words));
+	TS_TRY(parse_keyword(self, sim, "vol", fill_rows, s->fill_words));
+	TS_TRY(parse_keyword(self, sim, "vel", flat ? velocity_rows_2d : velocity_rows, s->velocity_words));
 	if (s->density[0] > s->density[1])
 		return ts_fail(&sim->error, TS_RANGE, &s->density_words.word[0].place,
 			       "fix pour: dens goes from %g to %g, expected the smaller first", s->density[0],
@@ -185,9 +185,9 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	return check_sizes(self, sim);
 }
 
-/* ---- what is poured ---- */
+/* ---- particles ---- */
 
-static double least_diameter(const struct pour *s)
+static double min_diameter(const struct pour *s)
 {
 	double least = s->diameter[0], one, share;
 
@@ -197,8 +197,8 @@ static double least_diameter(const struct pour *s)
 	return least;
 }
 
-/* What a particle counts for: of a range the largest, of several sizes the mean. */
-static double volume_of_one(const struct pour *s, const struct tsim *sim)
+/* Volume per particle by which their number is computed: of `range` the largest, of `poly` the mean. */
+static double counted_volume(const struct pour *s, const struct tsim *sim)
 {
 	double sum = 0, one, share;
 
@@ -224,8 +224,8 @@ static bool is_block(const struct pour *s)
 	return ts_region_volume(s->region) == box_volume(s, 3);
 }
 
-/* Whether it is as wide at the top and the bottom as anywhere: a block, an upright cylinder. Of other
- * shapes heights would be drawn where there is hardly any room. */
+/* Whether the cross section touches all lateral bounds at the top and the bottom: a block or an upright
+ * cylinder. In other shapes heights would be drawn where the region is narrow. */
 static bool is_upright(const struct pour *s)
 {
 	const double *edge[2] = { s->lo, s->hi };
@@ -244,8 +244,9 @@ static bool is_upright(const struct pour *s)
 	return true;
 }
 
-/* As LAMMPS counts it: a block thinner than 1 in y, whatever the units, counts as if it were 1. */
-static double room(const struct pour *s)
+/* Volume of the region as in LAMMPS: a block thinner than 1 in y, in any units, counts as if it were 1
+ * thick. */
+static double region_room(const struct pour *s)
 {
 	double thickness = s->hi[1] - s->lo[1];
 
@@ -258,7 +259,7 @@ static double room(const struct pour *s)
 
 /* ---- gravity ---- */
 
-/* They fall along -z, in two dimensions along -y. */
+/* Finds the acceleration of gravity, which must be along -z, in two dimensions along -y. */
 static enum ts_status find_gravity(struct ts_instance *self, struct tsim *sim, double *out)
 {
 	const struct pour *s = self->state;
@@ -280,7 +281,7 @@ static enum ts_status find_gravity(struct ts_instance *self, struct tsim *sim, d
 	return ts_fail(&sim->error, TS_STATE, &fix->where, "fix pour needs gravity along -%c", 'x' + s->up);
 }
 
-/* How long a particle that enters at the top needs to leave the region, which itself rises. */
+/* Steps that a particle needs to fall from the top to the bottom of the region, which moves with `rate`. */
 static int64_t steps_between(const struct pour *s, const struct tsim *sim, double g)
 {
 	double v = s->along - s->rate, height = s->hi[s->up] - s->lo[s->up];
@@ -288,7 +289,7 @@ static int64_t steps_between(const struct pour *s, const struct tsim *sim, doubl
 	return (int64_t)fmin((v + sqrt(v * v + 2 * g * height)) / g / sim->clock.dt + 0.5, 1e15);
 }
 
-/* ---- where ---- */
+/* ---- region ---- */
 
 static enum ts_status check_region(struct ts_instance *self, struct tsim *sim)
 {
@@ -309,7 +310,7 @@ static enum ts_status check_region(struct ts_instance *self, struct tsim *sim)
 				       "fix pour: region %s reaches from %c = %g to %g, beyond the box "
 				       "from %g to %g",
 				       s->region->id, 'x' + d, s->lo[d], s->hi[d], box->lo[d], box->hi[d]);
-	if (!(room(s) > 0) || !(s->up == 1 ? is_block(s) : is_upright(s)))
+	if (!(region_room(s) > 0) || !(s->up == 1 ? is_block(s) : is_upright(s)))
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "fix pour: region %s is of style %s, expected %s", s->region->id,
 			       s->region->style->name,
@@ -328,7 +329,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(read_words(self, sim));
 		TS_TRY(check_region(self, sim));
 		s->base.random = ts_minstd_start(s->base.seed);
-		for (int k = 0; k < 30; k++) /* LAMMPS leaves the first ones out */
+		for (int k = 0; k < 30; k++) /* LAMMPS skips the first 30 numbers */
 			ts_minstd_uniform(&s->base.random);
 		s->base.wait = 1;
 	}
@@ -337,20 +338,20 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_RANGE, &self->words.word[1].place,
 			       "fix pour: particle type %lld does not exist, create_box made %d",
 			       (long long)s->base.own.type, sim->particles->ntypes);
-	s->base.own.least = 0.5 * least_diameter(s);
+	s->base.own.least = 0.5 * min_diameter(s);
 	s->base.own.lightest = s->density[0] * ts_particle_volume(sim, s->base.own.least);
-	s->each = (int64_t)fmin(s->fraction * room(s) / volume_of_one(s, sim), 1e15);
+	s->each = (int64_t)fmin(s->fraction * region_room(s) / counted_volume(s, sim), 1e15);
 	if (first)
 		s->base.every = steps_between(s, sim, g);
 	if (s->each < 1)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "fix pour: no particle fits, for `vol` asks for %g of the region's "
 			       "volume %g, and a particle has %g",
-			       s->fraction, room(s), volume_of_one(s, sim));
+			       s->fraction, region_room(s), counted_volume(s, sim));
 	return TS_OK;
 }
 
-/* ---- events ---- */
+/* ---- insertion ---- */
 
 static double draw_between(struct ts_minstd *random, const double range[2])
 {
@@ -374,18 +375,19 @@ static double draw_diameter(struct pour *s)
 	return diameter;
 }
 
-/* The height as in a stream that falls from the top. */
-static void draw_particle(struct pour *s, struct ts_newcomer *one)
+/* Draws height and diameter; heights are distributed as in a stream that falls from the top: h = top -
+ * u^2 H. */
+static void draw_particle(struct pour *s, struct ts_new_particle *one)
 {
 	double u = ts_minstd_uniform(&s->base.random), top = s->hi[s->up];
 
-	*one = (struct ts_newcomer){ .type = (int32_t)s->base.own.type, .placed = true };
+	*one = (struct ts_new_particle){ .type = (int32_t)s->base.own.type, .placed = true };
 	one->x[s->up] = top - u * u * (top - s->lo[s->up]) + s->risen;
 	one->radius = 0.5 * draw_diameter(s);
 }
 
-/* Across, in the region where it was defined. One that is no block is met by trying. */
-static void draw_place(struct pour *s, struct ts_newcomer *one)
+/* Draws the horizontal position within the bounds, until it lies in the region. */
+static void draw_place(struct pour *s, struct ts_new_particle *one)
 {
 	enum { MOST = 100000 };
 	double x[3] = { 0, 0, one->x[2] - s->risen };
@@ -399,7 +401,7 @@ static void draw_place(struct pour *s, struct ts_newcomer *one)
 	}
 }
 
-static void draw_motion(struct pour *s, double g, struct ts_newcomer *one)
+static void draw_motion(struct pour *s, double g, struct ts_new_particle *one)
 {
 	double fallen = s->hi[s->up] + s->risen - one->x[s->up];
 
@@ -409,34 +411,34 @@ static void draw_motion(struct pour *s, double g, struct ts_newcomer *one)
 	one->density = draw_between(&s->base.random, s->density);
 }
 
-/* All tries count together, and a particle is tried until it finds a place. */
-static enum ts_status place_all(struct pour *s, struct tsim *sim, double g, struct ts_spherehash *crowd)
+/* Tries each particle until it is placed; the limit of trial positions is common to all. */
+static enum ts_status place_all(struct pour *s, struct tsim *sim, double g, struct ts_spherehash *occupied)
 {
-	struct ts_newcomers *list = &s->base.list;
+	struct ts_new_particles *list = &s->base.list;
 	int64_t tries = (int64_t)list->n * s->base.maxattempt;
 
 	for (size_t k = 0; k < list->n && tries > 0; k++) {
-		struct ts_newcomer one;
+		struct ts_new_particle one;
 
 		draw_particle(s, &one);
 		do
 			draw_place(s, &one);
-		while (ts_insertion_overlaps(sim, crowd, &one) && --tries > 0);
+		while (ts_insertion_overlaps(sim, occupied, &one) && --tries > 0);
 		if (!tries)
 			break;
 		tries--;
 		draw_motion(s, g, &one);
-		TS_TRY(ts_insertion_join(sim, crowd, &one));
+		TS_TRY(ts_insertion_hash_add(sim, occupied, &one));
 		list->item[k] = one;
 	}
 	return TS_OK;
 }
 
-static enum ts_status pour(struct ts_instance *self, struct tsim *sim, double g)
+static enum ts_status pour_particles(struct ts_instance *self, struct tsim *sim, double g)
 {
 	struct pour *s = self->state;
-	struct ts_newcomers *list = &s->base.list;
-	struct ts_spherehash crowd = { 0 };
+	struct ts_new_particles *list = &s->base.list;
+	struct ts_spherehash occupied = { 0 };
 	int64_t left = s->n - s->base.inserted;
 	enum ts_status status;
 
@@ -445,11 +447,11 @@ static enum ts_status pour(struct ts_instance *self, struct tsim *sim, double g)
 		return ts_nomem(&sim->error);
 	list->n = (size_t)(left < s->each ? left : s->each);
 	for (size_t k = 0; k < list->n; k++)
-		list->item[k] = (struct ts_newcomer){ .placed = false };
-	status = ts_insertion_crowd(sim, &crowd);
+		list->item[k] = (struct ts_new_particle){ .placed = false };
+	status = ts_insertion_hash_particles(sim, &occupied);
 	if (status == TS_OK)
-		status = place_all(s, sim, g, &crowd);
-	ts_spherehash_release(&crowd);
+		status = place_all(s, sim, g, &occupied);
+	ts_spherehash_release(&occupied);
 	return status;
 }
 
@@ -462,7 +464,7 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 	if (!s->base.due)
 		return TS_OK;
 	TS_TRY(find_gravity(self, sim, &g));
-	TS_TRY(pour(self, sim, g));
+	TS_TRY(pour_particles(self, sim, g));
 	TS_TRY(ts_insertion_make(self, sim, &from));
 	s->risen += (double)s->base.every * sim->clock.dt * s->rate;
 	ts_insertion_next(self);
@@ -514,33 +516,33 @@ static const struct ts_value values[] = {
 static const char *const numberings[] = { "max", "next", NULL };
 #define REFUSED(name, k)                                  \
 	TS_SOME_KEYWORD(name, struct pour, refused[k], 0, \
-			.help = "known, but not built: molecules are clumps, see fix insert/stream")
+			.help = "not implemented: for clumps see fix insert/stream")
 
 static const struct ts_arg args[] = {
 	TS_INT("N", struct pour, n, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "how many particles in all"),
 	TS_INT("type", struct pour, base.own.type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "their type"),
+	       .help = "particle type"),
 	TS_INT("seed", struct pour, base.seed, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
 	       .hi = 2147483646, .help = "seed of the random numbers"),
-	TS_REGION("region", struct pour, region, .help = "where particles are inserted"),
+	TS_REGION("region", struct pour, region, .help = "region in which particles are inserted"),
 	TS_SOME_KEYWORD("diam", struct pour, diameter_words, 0, .unit = "length",
-			.help = "one D | range Dlo Dhi | poly N D1 P1 D2 P2 ...: diameters; of N "
-				"sizes each with its share of the number; one 1.0 by default"),
+			.help = "one D | range Dlo Dhi | poly N D1 P1 D2 P2 ...: diameters; for poly each "
+				"with its fraction of the number; default one 1.0"),
 	TS_SOME_KEYWORD("dens", struct pour, density_words, 0, .unit = "mass/volume",
-			.help = "lo hi: densities, uniform between; 1.0 1.0 by default"),
+			.help = "lo hi: densities, uniformly distributed; default 1.0 1.0"),
 	TS_SOME_KEYWORD("vol", struct pour, fill_words, 0,
-			.help = "fraction attempts: how much of the region an event fills, and how "
-				"many tries a particle has on average; 0.25 50 by default"),
+			.help = "fraction attempts: fraction of the region that an insertion fills, and "
+				"average number of trial positions per particle; default 0.25 50"),
 	TS_REAL("rate", struct pour, rate, .fallback = "0", .unit = "velocity",
-		.help = "velocity at which the region rises"),
+		.help = "velocity of the region, upwards"),
 	TS_SOME_KEYWORD("vel", struct pour, velocity_words, 0, .unit = "velocity",
-			.help = "vxlo vxhi vylo vyhi vz, in two dimensions vxlo vxhi vy: velocities across, "
-				"uniform between, and along gravity at the top of the region; 0 by default"),
+			.help = "vxlo vxhi vylo vyhi vz, in two dimensions vxlo vxhi vy: horizontal "
+				"velocities, uniformly distributed, and vertical velocity at the top of the "
+				"region; default 0"),
 	TS_ENUM("id", struct pour, numbering, numberings, .fallback = "max",
-		.help = "no effect: a new particle has a number that none had before"),
-	TS_FLAG("ignore", struct pour, ignore,
-		.help = "no effect: there are no lines and triangles among the particles"),
+		.help = "no effect: a new particle always gets a new atom ID"),
+	TS_FLAG("ignore", struct pour, ignore, .help = "no effect: there are no line and triangle particles"),
 	REFUSED("mol", 0),
 	REFUSED("molfrac", 1),
 	REFUSED("rigid", 2),
@@ -554,32 +556,30 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct pour, risen),	 TS_SAVED_ROWS_END,
 };
 
-static const char doc[] =
-	"From the next step on particles are made at random places of a region, without overlaps, as in a "
-	"stream\n"
-	"that falls: with u uniform in (0, 1) the height is that of the top less u^2 h, h the height of the "
-	"region,\n"
-	"and the velocity along gravity -sqrt(v^2 + 2 g d) at the depth d. The next ones come when the first "
-	"have\n"
-	"fallen out of the region, after (w + sqrt(w^2 + 2 g h))/g, w = v - rate, in steps as they are when "
-	"the fix is\n"
-	"defined (like LAMMPS; a warning tells where they change), until there are N. An event makes\n"
-	"fraction V/V_1 of them, rounded down: V the volume of the region, V_1 that of a particle (of "
-	"`range` of the\n"
-	"largest, of `poly` the mean). Where an event finds no place for some, later ones make up for it.\n\n"
-	"As in LAMMPS, V of a block less than 1 thick in y counts as if it were 1 thick, whatever the units; "
-	"the\n"
-	"places are those of LAMMPS, too. Fix gravity must act along -z, in two dimensions along -y. The "
-	"region has\n"
-	"side in and stands still, but for `rate`; it is a block, or in three dimensions a cylinder along z. "
-	"f_ID is the\n"
-	"number of particles made so far.";
+static const char doc[] = "From the next step on particles are inserted at random positions in a region,\n"
+			  "without overlaps, as in a falling stream: with u uniform in (0, 1), the height\n"
+			  "is that of the top minus u^2 h, where h is the height of the region, and the\n"
+			  "vertical velocity at the depth d is -sqrt(v^2 + 2 g d), where v is the velocity\n"
+			  "at the top.\n\n"
+			  "The next insertion is due when the particles have fallen out of the region,\n"
+			  "after the time (w + sqrt(w^2 + 2 g h))/g with w = v - rate, until N particles\n"
+			  "are inserted. As in LAMMPS, this is converted to a number of steps when the fix\n"
+			  "is defined; a warning is given if time step or gravity change. An insertion has\n"
+			  "fraction*V/V_1 particles, rounded down, with the volume V of the region and V_1\n"
+			  "of a particle (for `range` of the largest, for `poly` the mean). Particles for\n"
+			  "which no position is found are inserted later.\n\n"
+			  "As in LAMMPS, V of a block less than 1 thick in y is computed as if it were 1\n"
+			  "thick, in any units; the positions are those of LAMMPS, too. Fix gravity must\n"
+			  "act along -z, in two dimensions along -y. The region must have side in and must\n"
+			  "not move, except by `rate`; it is a block, or in three dimensions a cylinder\n"
+			  "along z.\n\n"
+			  "f_ID is the number of particles inserted so far.";
 
 TS_STYLE(fix, ts_style, ts_fix_pour)
 const struct ts_style ts_fix_pour = {
 	.name = "pour",
 	.kind = TS_KIND_FIX,
-	.summary = "particles are poured into a region, as in LAMMPS",
+	.summary = "Pours particles into a region, as in LAMMPS",
 	.doc = doc,
 	.example = "fix rain all pour 3000 1 300719 region slab vol 0.13 50 diam range 0.004 0.006 dens "
 		   "2500 2500",

@@ -1,4 +1,4 @@
-/* Fix property/atom/regiontracer/time: how long particles have been in regions. */
+/* Fix property/atom/regiontracer/time: residence times of particles in regions. */
 #include "math/exactsum.h"
 #include "particle/columns.h"
 #include "particle/particles.h"
@@ -6,7 +6,7 @@
 
 #include "base/banned.h"
 
-/* Which regions a particle was in at the last look is kept in the bits of a double. */
+/* The regions that contain a particle at the last check are bits of a whole number in a double. */
 enum { MOST_REGIONS = 53 };
 
 struct state {
@@ -14,17 +14,17 @@ struct state {
 	int64_t every;
 
 	struct ts_instance *region[MOST_REGIONS];
-	size_t width;	 /* of the times: the box, then the regions */
-	size_t time, in; /* columns */
+	size_t width;	 /* numbers in the column of times: for the box, then for each region */
+	size_t time, in; /* indices of the columns: times; bits of the regions */
 	bool started;
 };
 
-static double *times(const struct state *s, const struct tsim *sim, size_t i)
+static double *residence_times(const struct state *s, const struct tsim *sim, size_t i)
 {
 	return (double *)sim->particles->column[s->time].data + i * s->width;
 }
 
-static double *inside(const struct state *s, const struct tsim *sim, size_t i)
+static double *region_bits(const struct state *s, const struct tsim *sim, size_t i)
 {
 	return (double *)sim->particles->column[s->in].data + i;
 }
@@ -53,17 +53,17 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->width = 1 + s->region_words.n;
 	TS_TRY(add_column(self, sim, "times", s->width, &s->time));
 	TS_TRY(add_column(self, sim, "inside", 1, &s->in));
-	/* columns of these names may be left over from a fix that is gone */
+	/* a former fix of this name may have left its columns */
 	for (size_t i = 0; !s->started && i < sim->particles->n; i++) {
-		*inside(s, sim, i) = 0;
+		*region_bits(s, sim, i) = 0;
 		for (size_t k = 0; k < s->width; k++)
-			times(s, sim, i)[k] = 0;
+			residence_times(s, sim, i)[k] = 0;
 	}
 	s->started = true;
 	return TS_OK;
 }
 
-static enum ts_status look(struct ts_instance *self, struct tsim *sim)
+static enum ts_status update_regions(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -75,7 +75,7 @@ static enum ts_status look(struct ts_instance *self, struct tsim *sim)
 
 		for (size_t k = 0; k < s->region_words.n; k++)
 			in |= (uint64_t)ts_region_contains(s->region[k], p->x[i]) << k;
-		*inside(s, sim, i) = (double)in;
+		*region_bits(s, sim, i) = (double)in;
 	}
 	return TS_OK;
 }
@@ -86,16 +86,16 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	const struct ts_particles *p = sim->particles;
 
 	if (sim->clock.step % s->every == 0)
-		TS_TRY(look(self, sim));
+		TS_TRY(update_regions(self, sim));
 	for (size_t i = 0; i < p->n; i++) {
-		uint64_t in = (uint64_t)*inside(s, sim, i);
+		uint64_t in = (uint64_t)*region_bits(s, sim, i);
 
 		if (!ts_in_group(p, i, self->group))
 			continue;
-		times(s, sim, i)[0] += sim->clock.dt;
+		residence_times(s, sim, i)[0] += sim->clock.dt;
 		for (size_t k = 1; k < s->width; k++, in >>= 1)
 			if (in & 1)
-				times(s, sim, i)[k] += sim->clock.dt;
+				residence_times(s, sim, i)[k] += sim->clock.dt;
 	}
 	return TS_OK;
 }
@@ -109,7 +109,7 @@ static enum ts_status eval_times(struct ts_instance *self, const struct tsim *si
 	TS_TRY(ts_table_resize(out, sim->particles->n, s->width));
 	for (size_t i = 0; i < out->rows; i++)
 		for (size_t k = 0; k < s->width; k++)
-			out->data[i * s->width + k] = times(s, sim, i)[k];
+			out->data[i * s->width + k] = residence_times(s, sim, i)[k];
 	return TS_OK;
 }
 
@@ -120,7 +120,8 @@ static enum ts_status eval_means(struct ts_instance *self, const struct tsim *si
 
 	TS_TRY(ts_table_resize(out, s->width, 1));
 	for (size_t k = 0; k < s->width; k++)
-		out->data[k] = n ? ts_exactsum_of(times(s, sim, 0) + k, n, s->width) / (double)n : 0;
+		out->data[k] =
+			n ? ts_exactsum_of(residence_times(s, sim, 0) + k, n, s->width) / (double)n : 0;
 	return TS_OK;
 }
 
@@ -135,14 +136,14 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 static const struct ts_arg args[] = {
 	TS_LIST_KEYWORD("add_region", struct state, region_words,
 			.flags = TS_TO_KEYWORD | TS_OPTIONAL | TS_REPEAT | TS_STATEFUL,
-			.help = "a region to look at; again for more"),
+			.help = "a region; may be repeated"),
 	TS_INT("check_region_every", struct state, every, .fallback = "10", .range = TS_POSITIVE,
-	       .help = "steps between looks, which are in steps that are multiples of it"),
+	       .help = "regions are checked in steps that are multiples of this number"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
-	{ "times", "time", "of each particle: the time in the box, then in each region", TS_PERATOM, 0, NULL,
+	{ "times", "time", "per particle: time in the box, then in each region", TS_PERATOM, 0, NULL,
 	  eval_times },
 	{ "means", "time", "means of these times over all particles", TS_VECTOR, 0, NULL, eval_means },
 	{ .name = NULL },
@@ -152,15 +153,13 @@ TS_STYLE(fix, ts_style, ts_fix_property_atom_regiontracer_time)
 const struct ts_style ts_fix_property_atom_regiontracer_time = {
 	.name = "property/atom/regiontracer/time",
 	.kind = TS_KIND_FIX,
-	.summary = "How long particles have been in the box and in regions",
-	.doc = "Each step adds dt to the time in the box of the particles of the group, and to the time in "
-	       "a\n"
-	       "region of those that were there at the last look. Particles that come later start at 0.\n\n"
-	       "f_ID, or f_ID[1], f_ID[2] ... with regions, of a particle: time in the box and in the "
-	       "regions as\n"
-	       "they were given. f_ID[k] as numbers: their means over all particles, those outside the "
-	       "group,\n"
-	       "whose times are 0, included.",
+	.summary = "Residence times of particles in the box and in regions",
+	.doc = "In each step dt is added to the time in the box of each particle of the group,\n"
+	       "and to the time in the regions that contained its center at the last check.\n"
+	       "Particles that are inserted later start at 0.\n\n"
+	       "f_ID of a particle, or f_ID[1], f_ID[2] ... with regions, are the times in the\n"
+	       "box and in the regions in the given order. f_ID[k] as a vector are the means\n"
+	       "over all particles, including those outside the group, whose times are 0.",
 	.example = "fix stay all property/atom/regiontracer/time add_region mixer add_region chute "
 		   "check_region_every 5\n"
 		   "thermo_style custom step f_stay[1] f_stay[2]",

@@ -9,7 +9,7 @@ struct state {
 	struct ts_instance *region;
 	int64_t step, every;
 	int when;
-	int32_t done; /* saved: the pulse is over */
+	int32_t done; /* saved: a dirac pulse has been marked */
 };
 
 enum { DIRAC, HEAVISIDE };
@@ -31,13 +31,13 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 }
 
 static const struct ts_arg args[] = {
-	TS_REGION("region_mark", struct state, region, .help = "where particles are marked"),
+	TS_REGION("region_mark", struct state, region, .help = "region in which particles are marked"),
 	TS_INT("mark_step", struct state, step, .range = TS_NOT_NEGATIVE, .flags = TS_STATEFUL,
-	       .help = "step from which on particles are marked"),
+	       .help = "first step in which particles are marked"),
 	TS_ENUM("marker_style", struct state, when, when_names, .fallback = "dirac", .flags = TS_STATEFUL,
-		.help = "dirac: at that step only; heaviside: from then on, whoever comes by"),
+		.help = "dirac: particles are marked once; heaviside: from mark_step on"),
 	TS_INT("check_mark_every", struct state, every, .fallback = "10", .range = TS_POSITIVE,
-	       .help = "steps between looks: particles are marked in steps that are multiples of it"),
+	       .help = "particles are marked only in steps that are multiples of this number"),
 	TS_ARGS_END,
 };
 
@@ -51,16 +51,14 @@ TS_STYLE(fix, ts_style, ts_fix_property_atom_tracer)
 const struct ts_style ts_fix_property_atom_tracer = {
 	.name = "property/atom/tracer",
 	.kind = TS_KIND_FIX,
-	.summary = "Marks the particles that are in a region",
-	.doc = "At the end of the first step that is not before mark_step and is a multiple of\n"
-	       "check_mark_every, the particles of the group with their centers in the region are marked; "
-	       "with\n"
-	       "heaviside at every such step. The mark goes with the particle until compute\n"
-	       "nparticles/tracer/region takes it away. Together they measure distributions of residence "
-	       "times.\n\n"
-	       "f_ID of a particle: 1 marked, 0 not. f_ID as a number: how many have been marked since it "
-	       "was\n"
-	       "last asked for in another step.",
+	.summary = "Marks the particles in a region",
+	.doc = "At the end of the first step that is at least mark_step and a multiple of\n"
+	       "check_mark_every, the particles of the group whose centers are in the region are\n"
+	       "marked; with heaviside in every such step. A particle keeps the mark until\n"
+	       "compute nparticles/tracer/region removes it. Both together measure residence\n"
+	       "time distributions.\n\n"
+	       "f_ID of a particle is 1 if it is marked, else 0. f_ID as a scalar is the number\n"
+	       "of particles marked since its last evaluation in another step.",
 	.example = "region mark block INF INF INF INF 0.2 0.25 units box\n"
 		   "fix tracer all property/atom/tracer region_mark mark mark_step 10000 marker_style dirac "
 		   "check_mark_every 10",

@@ -1,4 +1,4 @@
-/* Fix property/atom/tracer/stream: marks particles that come through the face of a stream. */
+/* Fix property/atom/tracer/stream: marks particles that fix insert/stream inserts. */
 #include "insert/stream.h"
 #include "insert/tracer.h"
 
@@ -9,15 +9,15 @@
 
 #include "base/banned.h"
 
-/* So many particles that pass the face in this step or later are still to be marked. */
+/* A request to mark `left` more particles that pass the face in this step or later. */
 struct request {
 	int64_t step, left;
 };
 
-/* A particle that is on its way to the face. */
+/* A particle that moves to the face. */
 struct passage {
-	int64_t step;
-	double way; /* to the face: who has less of it is first, of those that pass in one step */
+	int64_t step;	 /* in which it passes the face */
+	double distance; /* initial distance to the face: order of those that pass in the same step */
 	size_t i;
 };
 
@@ -31,14 +31,14 @@ struct state {
 	struct passage *passage;
 	size_t passage_capacity;
 	/* saved */
-	struct request *request; /* by step */
+	struct request *request; /* [nrequests], by step */
 	size_t nrequests, capacity;
 	int64_t next; /* step of the next request */
 	int64_t seen; /* age of the stream at the last event */
 	int32_t started;
 };
 
-static enum ts_status ask(struct state *s, struct tsim *sim, int64_t step)
+static enum ts_status add_request(struct state *s, struct tsim *sim, int64_t step)
 {
 	if (TS_GROW(s->request, s->capacity, s->nrequests + 1) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -76,14 +76,15 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	s->started = 1;
 	s->next = s->step + s->every;
-	return ask(s, sim, s->step);
+	return add_request(s, sim, s->step);
 }
 
-/* ---- an event of the stream ---- */
+/* ---- after an insertion of the stream ---- */
 
-/* Old requests that nobody can meet any more are given up, new ones are made for this event. In LIGGGHTS the
- * interval between events is open at its beginning: a request for just this step is lost. */
-static enum ts_status renew_requests(struct ts_instance *self, struct tsim *sim, int64_t interval)
+/* Drops requests older than the previous insertion, with a warning if they are not complete, and adds
+ * those of this insertion. In LIGGGHTS the interval between insertions does not include its first step: a
+ * request for just this step is lost. */
+static enum ts_status update_requests(struct ts_instance *self, struct tsim *sim, int64_t interval)
 {
 	struct state *s = self->state;
 	int64_t now = sim->clock.step;
@@ -102,20 +103,21 @@ static enum ts_status renew_requests(struct ts_instance *self, struct tsim *sim,
 	s->nrequests = kept;
 	for (; s->next < now + interval; s->next += s->every)
 		if (s->next > now || (s->next == now && !sim->legacy))
-			TS_TRY(ask(s, sim, s->next));
+			TS_TRY(add_request(s, sim, s->next));
 	return TS_OK;
 }
 
-static int by_passage(const void *a, const void *b)
+static int compare_passages(const void *a, const void *b)
 {
 	const struct passage *p = a, *q = b;
 
 	if (p->step != q->step)
 		return p->step < q->step ? -1 : 1;
-	return (p->way > q->way) - (p->way < q->way);
+	return (p->distance > q->distance) - (p->distance < q->distance);
 }
 
-/* The particles of the group that the event has made, in the order in which they will pass the face. */
+/* Lists the particles of the group that the insertion has created, in the order in which they pass the
+ * face. */
 static enum ts_status list_passages(struct ts_instance *self, struct tsim *sim, size_t *n)
 {
 	struct state *s = self->state;
@@ -125,7 +127,7 @@ static enum ts_status list_passages(struct ts_instance *self, struct tsim *sim, 
 
 	*n = 0;
 	for (size_t i = 0; i < p->n; i++) {
-		const double *memory = ts_stream_memory(stream, sim, i);
+		const double *memory = ts_stream_record(stream, sim, i);
 
 		if (memory[TS_STREAM_START] != age || !(memory[TS_STREAM_RELEASE] > 0) ||
 		    !ts_in_group(p, i, self->group))
@@ -134,10 +136,10 @@ static enum ts_status list_passages(struct ts_instance *self, struct tsim *sim, 
 			return ts_nomem(&sim->error);
 		s->passage[(*n)++] =
 			(struct passage){ sim->clock.step + (int64_t)(memory[TS_STREAM_RELEASE] - age),
-					  memory[TS_STREAM_WAY], i };
+					  memory[TS_STREAM_DISTANCE], i };
 	}
 	if (*n)
-		qsort(s->passage, *n, sizeof *s->passage, by_passage);
+		qsort(s->passage, *n, sizeof *s->passage, compare_passages);
 	return TS_OK;
 }
 
@@ -150,11 +152,11 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 	if (s->seen == stream->age)
 		return TS_OK;
 	TS_TRY(list_passages(self, sim, &n));
-	if (!n) /* a rebuild without an event */
+	if (!n) /* a rebuild without an insertion */
 		return TS_OK;
 	s->seen = stream->age;
 	if (s->every)
-		TS_TRY(renew_requests(self, sim, stream->base.every));
+		TS_TRY(update_requests(self, sim, stream->base.every));
 	for (size_t k = 0; k < s->nrequests; k++) {
 		struct request *r = &s->request[k];
 
@@ -194,13 +196,13 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_WORD("insert_stream", struct state, stream_id,
-		.help = "the fix insert/stream whose particles are marked"),
+		.help = "ID of the fix insert/stream whose particles are marked"),
 	TS_INT("mark_step", struct state, step, .range = TS_NOT_NEGATIVE, .flags = TS_STATEFUL,
-	       .help = "particles that pass the face in this step or later are marked ..."),
+	       .help = "particles that pass the face in this step or later are marked"),
 	TS_INT("n_tracer", struct state, number, .range = TS_POSITIVE, .flags = TS_STATEFUL,
-	       .help = "... the first so many of them"),
+	       .help = "number of particles that are marked"),
 	TS_WORD("every", struct state, every_word, .flags = TS_STATEFUL,
-		.help = "once, or after how many steps the next so many are marked"),
+		.help = "once, or the number of steps after which the next n_tracer particles are marked"),
 	TS_ARGS_END,
 };
 
@@ -216,19 +218,16 @@ TS_STYLE(fix, ts_style, ts_fix_property_atom_tracer_stream)
 const struct ts_style ts_fix_property_atom_tracer_stream = {
 	.name = "property/atom/tracer/stream",
 	.kind = TS_KIND_FIX,
-	.summary = "Marks particles that come through the face of a stream",
-	.doc = "Of the particles of the group that fix insert/stream lets through its face in the step "
-	       "mark_step\n"
-	       "or later, the first n_tracer are marked; with `every E` so many again from mark_step + E on, "
-	       "and\n"
-	       "so on. They are marked when they are made, since it is known then when they pass. If an "
-	       "event of\n"
-	       "the stream has too few, those of the next one are taken; what is missing then is given up "
-	       "with a\n"
-	       "warning, except with `every once`. Of a rigid clump the first sphere is marked.\n\n"
-	       "f_ID of a particle: 1 marked, 0 not. f_ID as a number: how many have been marked since it "
-	       "was\n"
-	       "last asked for in another step.",
+	.summary = "Marks particles that pass the face of a fix insert/stream",
+	.doc = "Marks the first n_tracer particles of the group that pass the face of fix\n"
+	       "insert/stream in the step mark_step or later; with `every E` n_tracer more from\n"
+	       "the step mark_step + E on, and so on. Particles are marked when they are\n"
+	       "inserted, since the step in which they pass the face is known then.\n\n"
+	       "If an insertion has too few particles, those of the next one are marked; what is\n"
+	       "missing after that is dropped with a warning, except with `every once`. Of a\n"
+	       "rigid clump the first sphere is marked.\n\n"
+	       "f_ID of a particle is 1 if it is marked, else 0. f_ID as a scalar is the number\n"
+	       "of particles marked since its last evaluation in another step.",
 	.example = "fix tracer all property/atom/tracer/stream mark_step 10000 insert_stream pour n_tracer "
 		   "20 every 10000",
 	.family = TS_FAMILY_TRACER,

@@ -1,4 +1,4 @@
-/* Arguments and events of the fixes that insert particles. */
+/* Arguments and schedule of the fixes that insert particles. */
 #include "insert/insertion.h"
 
 #include "math/constants.h"
@@ -31,13 +31,13 @@ static const struct ts_arg fluctuation_rows[] = {
 
 static const struct ts_mode velocity_modes[] = {
 	[CONSTANT] = { "constant", "the same for all", mean_rows },
-	[UNIFORM] = { "uniform", "up to dv from the mean", fluctuation_rows },
-	[GAUSSIAN] = { "gaussian", "normal with deviation dv", fluctuation_rows },
+	[UNIFORM] = { "uniform", "uniform within +-dv of the mean", fluctuation_rows },
+	[GAUSSIAN] = { "gaussian", "normal with standard deviation dv", fluctuation_rows },
 	{ .name = NULL },
 };
 
 static const struct ts_arg velocity_rows[] = {
-	TS_MODE("spread", struct ts_insertion_velocity, spread, velocity_modes, .help = "how it is spread"),
+	TS_MODE("spread", struct ts_insertion_velocity, spread, velocity_modes, .help = "distribution"),
 	TS_ARGS_END,
 };
 
@@ -58,7 +58,7 @@ static const struct ts_mode omega_modes[] = {
 };
 
 static const struct ts_arg omega_rows[] = {
-	TS_MODE("spread", struct omega, mode, omega_modes, .help = "how it is spread"),
+	TS_MODE("spread", struct omega, mode, omega_modes, .help = "distribution"),
 	TS_ARGS_END,
 };
 
@@ -76,18 +76,18 @@ static const struct ts_arg quaternion_rows[] = {
 
 static const struct ts_mode orientation_modes[] = {
 	[TEMPLATE] = { "template", "as in the template", NULL },
-	[RANDOM] = { "random", "uniform over all", NULL },
-	[QUATERNION] = { "constant", "turned by a quaternion", quaternion_rows },
+	[RANDOM] = { "random", "uniform over all orientations", NULL },
+	[QUATERNION] = { "constant", "rotated by a quaternion", quaternion_rows },
 	{ .name = NULL },
 };
 
 static const struct ts_arg orientation_rows[] = {
-	TS_MODE("mode", struct orientation, mode, orientation_modes, .help = "how it is chosen"),
+	TS_MODE("mode", struct orientation, mode, orientation_modes, .help = "how the orientation is chosen"),
 	TS_ARGS_END,
 };
 
-static enum ts_status read_part(struct ts_instance *self, struct tsim *sim, const char *keyword,
-				const struct ts_arg *rows, struct ts_words words, void *out)
+static enum ts_status parse_keyword(struct ts_instance *self, struct tsim *sim, const char *keyword,
+				    const struct ts_arg *rows, struct ts_words words, void *out)
 {
 	char what[80];
 
@@ -150,18 +150,17 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	struct orientation orientation = { 0 };
 	struct omega omega = { 0 };
 
-	TS_TRY(read_part(self, sim, "vel", velocity_rows, s->velocity_words, &s->velocity));
-	TS_TRY(read_part(self, sim, "omega", omega_rows, s->omega_words, &omega));
+	TS_TRY(parse_keyword(self, sim, "vel", velocity_rows, s->velocity_words, &s->velocity));
+	TS_TRY(parse_keyword(self, sim, "omega", omega_rows, s->omega_words, &omega));
 	for (int d = 0; d < 3; d++)
 		s->omega[d] = omega.omega[d];
-	TS_TRY(read_part(self, sim, "orientation", orientation_rows, s->orientation_words, &orientation));
+	TS_TRY(parse_keyword(self, sim, "orientation", orientation_rows, s->orientation_words, &orientation));
 	s->turns = orientation.mode == RANDOM;
 	TS_TRY(read_quaternion(self, sim, &orientation));
 	return read_property(self, sim);
 }
 
-/* The fix whose stream begins where the k-th does: the insertion, its distribution, its templates in
- * order. */
+/* The k-th seed: that of the insertion, of its distribution, then of its templates. */
 static int64_t seed_of(const struct ts_insertion *s, size_t k)
 {
 	const struct ts_distribution *d = s->distribution->state;
@@ -171,8 +170,8 @@ static int64_t seed_of(const struct ts_insertion *s, size_t k)
 			: ((const struct ts_template *)d->template[k - 2] -> state)->seed;
 }
 
-/* Fixes with the same seed draw the same numbers: sizes and places go together, which nobody wants.
- * LIGGGHTS 3.8 refuses that, older editions do not. */
+/* Warns if two fixes have the same seed: they draw the same numbers, so that sizes and positions are
+ * correlated. LIGGGHTS 3.8 refuses that, older editions do not. */
 static void check_seeds(const struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_insertion *s = self->state;
@@ -194,7 +193,7 @@ static void check_seeds(const struct ts_instance *self, struct tsim *sim)
 		}
 }
 
-static enum ts_status refuse(struct ts_instance *self, struct tsim *sim)
+static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_insertion *s = self->state;
 	const struct ts_distribution *d = s->distribution->state;
@@ -216,8 +215,8 @@ static enum ts_status refuse(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Looked at when the fix is met again: a restart file may have told it how to go on. */
-static enum ts_status refuse_start(const struct ts_instance *self, struct tsim *sim)
+/* Only checked in later calls of init: a restart file may have set `wait`. */
+static enum ts_status check_start(const struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_insertion *s = self->state;
 
@@ -238,10 +237,10 @@ enum ts_status ts_insertion_init(struct ts_instance *self, struct tsim *sim, boo
 	TS_TRY(ts_distribution_require(sim, &id, &s->distribution));
 	TS_TRY(read_every(self, sim));
 	if (!*first)
-		return refuse_start(self, sim);
+		return check_start(self, sim);
 	TS_TRY(ts_template_check_seed(sim, self->style->name, s->seed, ts_instance_word(self, "seed")));
 	TS_TRY(read_words(self, sim));
-	TS_TRY(refuse(self, sim));
+	TS_TRY(check_arguments(self, sim));
 	if (s->omega_words.n)
 		TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA)));
 	s->random = ts_minstd_start(s->seed);
@@ -262,7 +261,7 @@ void ts_insertion_fini(struct ts_instance *self)
 	ts_free(((struct ts_insertion *)self->state)->list.item);
 }
 
-/* ---- events */
+/* ---- schedule and random motion */
 
 enum ts_status ts_insertion_check(struct ts_instance *self, struct tsim *sim)
 {
@@ -283,7 +282,7 @@ void ts_insertion_next(struct ts_instance *self)
 	s->wait = s->every;
 }
 
-void ts_insertion_draw_velocity(struct ts_insertion *s, struct ts_newcomer *one)
+void ts_insertion_draw_velocity(struct ts_insertion *s, struct ts_new_particle *one)
 {
 	const struct ts_insertion_velocity *v = &s->velocity;
 
@@ -296,8 +295,8 @@ void ts_insertion_draw_velocity(struct ts_insertion *s, struct ts_newcomer *one)
 	}
 }
 
-/* Uniform over all orientations (Shoemake, Graphics Gems III, 1992). */
-void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_newcomer *one)
+/* Uniformly distributed unit quaternions (Shoemake, Graphics Gems III, 1992). */
+void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_new_particle *one)
 {
 	double u, a, b;
 

@@ -1,7 +1,7 @@
-/* Insertion of particles into a running simulation: what the fixes insert/... share.
+/* Insertion of particles during a run: common part of the fixes insert/...
  *
- * The random streams, and the order in which numbers are taken from them, are those of LIGGGHTS 3.8, so that
- * a script gives the same particles at the same places. */
+ * The random streams, and the order in which numbers are drawn from them, are those of LIGGGHTS 3.8, so
+ * that a script gives the same particles at the same positions. */
 #ifndef TS_INSERT_INSERTION_H
 #define TS_INSERT_INSERTION_H
 
@@ -9,13 +9,13 @@
 #include "insert/distribution.h"
 
 struct ts_insertion_velocity {
-	int spread; /* constant, uniform, gaussian */
-	double mean[3], fluctuation[3];
+	int spread;			/* constant, uniform, gaussian */
+	double mean[3], fluctuation[3]; /* fluctuation: largest or standard deviation */
 };
 
 /* First member of the state of every fix insert/... */
 struct ts_insertion {
-	struct ts_prospect own; /* of fixes that have no templates */
+	struct ts_prospect own; /* of fixes without templates */
 	int64_t seed, maxattempt, start;
 	const char *distribution_id, *every_word;
 	int random_distribute;
@@ -24,55 +24,56 @@ struct ts_insertion {
 
 	/* set by ts_insertion_init */
 	struct ts_instance *distribution;
-	int64_t every; /* steps between events; 0: one event */
+	int64_t every; /* steps between insertions; 0: a single insertion */
 	struct ts_insertion_velocity velocity;
 	double omega[3];
-	bool turns;  /* orientation random */
-	double q[4]; /* else: the orientation */
-	double property;
-	struct ts_newcomers list;
-	bool warned, due; /* an event is due in this step */
+	bool turns;		      /* random orientation */
+	double q[4];		      /* else the orientation, a quaternion */
+	double property;	      /* value of set_property */
+	struct ts_new_particles list; /* of this insertion */
+	bool warned, due;	      /* due: particles are inserted in this step */
 
 	/* saved */
 	struct ts_minstd random;
-	int64_t wait; /* steps until the next event; 0: there is none */
-	int64_t inserted;
-	double mass;
+	int64_t wait;	  /* steps until the next insertion; 0: there is none */
+	int64_t inserted; /* particles, or clumps, so far */
+	double mass;	  /* mass inserted so far */
 };
-#define TS_INSERTION_ARGS(T)                                                                                \
-	TS_INT("seed", T, base.seed, .range = TS_POSITIVE,                                                  \
-	       .help = TS_SEED_HELP " - and another one than those of the distribution and its templates"), \
-		TS_WORD("distributiontemplate", T, base.distribution_id,                                    \
-			.help = "the fix particledistribution/discrete whose particles are inserted"),      \
-		TS_INT("maxattempt", T, base.maxattempt, .fallback = "50", .range = TS_POSITIVE,            \
-		       .help = "tries to place a particle, on average"),                                    \
-		TS_INT("start", T, base.start, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,              \
-		       .help = "step of the first event; without it the next one"),                         \
-		TS_BOOL("overlapcheck", T, base.overlapcheck, .fallback = "yes",                            \
-			.help = "particles must not overlap others, old or new"),                           \
-		TS_BOOL("all_in", T, base.all_in, .fallback = "no",                                         \
-			.help = "particles lie in the region wholly, not just with their centers"),         \
-		TS_ENUM("random_distribute", T, base.random_distribute, ts_insertion_shares,                \
-			.fallback = "exact",                                                                \
-			.help = "whether shares of templates are kept exactly, or on average"),             \
-		TS_LIST_KEYWORD("vel", T, base.velocity_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,        \
-				.help = "constant vx vy vz | uniform vx vy vz dx dy dz | gaussian vx vy "   \
-					"vz sx sy sz: velocity, with its largest or standard deviation; "   \
-					"0 by default"),                                                    \
-		TS_LIST_KEYWORD("omega", T, base.omega_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,         \
-				.help = "constant wx wy wz: angular velocity, 0 by default"),               \
-		TS_LIST_KEYWORD("orientation", T, base.orientation_words,                                   \
-				.flags = TS_TO_KEYWORD | TS_OPTIONAL,                                       \
-				.help = "random | template | constant q1 q2 q3 q4: of clumps; template "    \
-					"by default"),                                                      \
-		TS_LIST_KEYWORD("set_property", T, base.property_words,                                     \
-				.flags = TS_TO_KEYWORD | TS_OPTIONAL,                                       \
-				.help = "name value: a number of fix property/atom that inserted "          \
-					"particles get"),                                                   \
-		TS_BOOL("verbose", T, base.verbose, .fallback = "yes",                                      \
-			.help = "each event is told in the log"),                                           \
-		TS_BOOL("compress_tags", T, base.compress_tags, .fallback = "no",                           \
-			.help = "only no: a particle keeps its number")
+#define TS_INSERTION_ARGS(T)                                                                                 \
+	TS_INT("seed", T, base.seed, .range = TS_POSITIVE,                                                   \
+	       .help = TS_SEED_HELP "; must differ from the seeds of the distribution and its templates"),   \
+		TS_WORD("distributiontemplate", T, base.distribution_id,                                     \
+			.help = "ID of the fix particledistribution/discrete whose particles are inserted"), \
+		TS_INT("maxattempt", T, base.maxattempt, .fallback = "50", .range = TS_POSITIVE,             \
+		       .help = "average number of trial positions per particle"),                            \
+		TS_INT("start", T, base.start, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,               \
+		       .help = "step of the first insertion; default: the next step"),                       \
+		TS_BOOL("overlapcheck", T, base.overlapcheck, .fallback = "yes",                             \
+			.help = "inserted particles must not overlap each other or present particles"),      \
+		TS_BOOL("all_in", T, base.all_in, .fallback = "no",                                          \
+			.help = "particles must lie completely in the region, not only their centers"),      \
+		TS_ENUM("random_distribute", T, base.random_distribute, ts_insertion_shares,                 \
+			.fallback = "exact",                                                                 \
+			.help = "whether the fractions of the templates are exact or random in each "        \
+				"insertion"),                                                                \
+		TS_LIST_KEYWORD("vel", T, base.velocity_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,         \
+				.help = "constant vx vy vz | uniform vx vy vz dx dy dz | gaussian vx vy "    \
+					"vz sx sy sz: velocity, with its largest or standard deviation; "    \
+					"default 0"),                                                        \
+		TS_LIST_KEYWORD("omega", T, base.omega_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,          \
+				.help = "constant wx wy wz: angular velocity; default 0"),                   \
+		TS_LIST_KEYWORD("orientation", T, base.orientation_words,                                    \
+				.flags = TS_TO_KEYWORD | TS_OPTIONAL,                                        \
+				.help = "random | template | constant q1 q2 q3 q4: orientation of clumps; "  \
+					"default template"),                                                 \
+		TS_LIST_KEYWORD("set_property", T, base.property_words,                                      \
+				.flags = TS_TO_KEYWORD | TS_OPTIONAL,                                        \
+				.help = "name value: a property of fix property/atom, and its value for "    \
+					"inserted particles"),                                               \
+		TS_BOOL("verbose", T, base.verbose, .fallback = "yes",                                       \
+			.help = "print each insertion to the log"),                                          \
+		TS_BOOL("compress_tags", T, base.compress_tags, .fallback = "no",                            \
+			.help = "only no is accepted: particles keep their atom IDs")
 extern const char *const ts_insertion_shares[];
 
 #define TS_INSERTION_SAVED(T) \
@@ -81,28 +82,28 @@ enum ts_status ts_insertion_archive(struct ts_instance *self, struct tsim *sim, 
 /* f_ID[1], f_ID[2]: number and mass inserted so far. */
 extern const struct ts_value ts_insertion_values[];
 
-/* Parses and checks. *first: this is the first call, of a new fix. */
+/* Parses and checks the arguments. *first: this is the first call for the fix. */
 enum ts_status ts_insertion_init(struct ts_instance *self, struct tsim *sim, bool *first);
 void ts_insertion_fini(struct ts_instance *self);
 
-/* Hook for CHECK: asks for a rebuild when an event is due. */
+/* Hook for CHECK: requests a rebuild of the contact list if an insertion is due. */
 enum ts_status ts_insertion_check(struct ts_instance *self, struct tsim *sim);
-/* In PRE_EXCHANGE, after the list has been drawn and placed: makes the particles and says so. *from: row of
- * the first one made. */
+/* In PRE_EXCHANGE, after particles have been drawn and placed in the list: creates them and writes to the
+ * log. *from: local index of the first one. */
 enum ts_status ts_insertion_make(struct ts_instance *self, struct tsim *sim, size_t *from);
-/* The event is over; the next comes after `every` steps, if there is one. */
+/* Schedules the next insertion, after `every` steps if that is not 0. */
 void ts_insertion_next(struct ts_instance *self);
 
-void ts_insertion_draw_velocity(struct ts_insertion *s, struct ts_newcomer *one);
-/* For each try. */
-void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_newcomer *one);
+/* Draws the velocity of a particle; and its orientation, for each trial position. */
+void ts_insertion_draw_velocity(struct ts_insertion *s, struct ts_new_particle *one);
+void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_new_particle *one);
 
-/* All particles there are, for checks of overlap; whether a new one would overlap them; and it takes its
- * place among them. */
-enum ts_status ts_insertion_crowd(struct tsim *sim, struct ts_spherehash *crowd);
-bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *crowd,
-			   const struct ts_newcomer *one);
-enum ts_status ts_insertion_join(struct tsim *sim, struct ts_spherehash *crowd,
-				 const struct ts_newcomer *one);
+/* Adds all present particles to the hash; tests whether a new particle overlaps those in the hash; adds
+ * the new particle to it. */
+enum ts_status ts_insertion_hash_particles(struct tsim *sim, struct ts_spherehash *occupied);
+bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *occupied,
+			   const struct ts_new_particle *one);
+enum ts_status ts_insertion_hash_add(struct tsim *sim, struct ts_spherehash *occupied,
+				     const struct ts_new_particle *one);
 
 #endif

@@ -1,5 +1,4 @@
-/* Newcomers of the fixes that insert: their spheres, whether they overlap others, and the particles made
- * of them. */
+/* New particles of the fixes that insert: positions of their spheres, overlap with others, creation. */
 #include "insert/insertion.h"
 
 #include <inttypes.h>
@@ -16,23 +15,23 @@
 
 #include "base/banned.h"
 
-static const struct ts_template *template_of(const struct ts_newcomer *one)
+static const struct ts_template *template_of(const struct ts_new_particle *one)
 {
 	return one->template ? one->template->state : NULL;
 }
 
-static const struct ts_clump *clump_of(const struct ts_newcomer *one)
+static const struct ts_clump *clump_of(const struct ts_new_particle *one)
 {
 	return one->template ? template_of(one)->clump : NULL;
 }
 
-static size_t spheres_of(const struct ts_newcomer *one)
+static size_t sphere_count(const struct ts_new_particle *one)
 {
 	return clump_of(one) ? clump_of(one)->n : 1;
 }
 
-/* Where its k-th sphere is; returns the radius. */
-static double sphere_of(const struct ts_newcomer *one, size_t k, double x[3])
+/* Computes the position of sphere k and returns its radius. */
+static double sphere_position(const struct ts_new_particle *one, size_t k, double x[3])
 {
 	const struct ts_template *t = template_of(one);
 	double m[3][3], d[3], arm[3];
@@ -47,41 +46,43 @@ static double sphere_of(const struct ts_newcomer *one, size_t k, double x[3])
 	return t->clump->sphere[k].radius;
 }
 
-enum ts_status ts_insertion_crowd(struct tsim *sim, struct ts_spherehash *crowd)
+enum ts_status ts_insertion_hash_particles(struct tsim *sim, struct ts_spherehash *occupied)
 {
 	const struct ts_particles *p = sim->particles;
 
 	for (size_t i = 0; i < p->n; i++)
-		if (ts_spherehash_add(crowd, p->x[i], p->radius[i]) != TS_OK)
+		if (ts_spherehash_add(occupied, p->x[i], p->radius[i]) != TS_OK)
 			return ts_nomem(&sim->error);
 	return TS_OK;
 }
 
-bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *crowd,
-			   const struct ts_newcomer *one)
+bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *occupied,
+			   const struct ts_new_particle *one)
 {
-	for (size_t k = 0; k < spheres_of(one); k++) {
-		double x[3], radius = sphere_of(one, k, x);
+	for (size_t k = 0; k < sphere_count(one); k++) {
+		double x[3], radius = sphere_position(one, k, x);
 
-		if (ts_spherehash_overlaps_periodic(crowd, &sim->domain->box, x, radius))
+		if (ts_spherehash_overlaps_periodic(occupied, &sim->domain->box, x, radius))
 			return true;
 	}
 	return false;
 }
 
-enum ts_status ts_insertion_join(struct tsim *sim, struct ts_spherehash *crowd, const struct ts_newcomer *one)
+enum ts_status ts_insertion_hash_add(struct tsim *sim, struct ts_spherehash *occupied,
+				     const struct ts_new_particle *one)
 {
-	for (size_t k = 0; k < spheres_of(one); k++) {
-		double x[3], radius = sphere_of(one, k, x);
+	for (size_t k = 0; k < sphere_count(one); k++) {
+		double x[3], radius = sphere_position(one, k, x);
 
-		if (ts_spherehash_add(crowd, x, radius) != TS_OK)
+		if (ts_spherehash_add(occupied, x, radius) != TS_OK)
 			return ts_nomem(&sim->error);
 	}
 	return TS_OK;
 }
 
-/* Rounded as LIGGGHTS rounds it, where particles are inserted. */
-static double sphere_mass(const struct tsim *sim, const struct ts_newcomer *one, double r)
+/* density * volume, with the order of operations and the value of pi of LIGGGHTS, so that masses are
+ * equal. */
+static double sphere_mass(const struct tsim *sim, const struct ts_new_particle *one, double r)
 {
 	if (sim->dimension == 2)
 		return one->density * ts_particle_volume(sim, r);
@@ -90,14 +91,14 @@ static double sphere_mass(const struct tsim *sim, const struct ts_newcomer *one,
 	return one->density * (r * r * r * 4 * TS_PI / 3);
 }
 
-static void fill_in(struct ts_instance *self, struct tsim *sim, const struct ts_newcomer *one, size_t k,
-		    size_t i)
+static void set_sphere(struct ts_instance *self, struct tsim *sim, const struct ts_new_particle *one,
+		       size_t k, size_t i)
 {
 	struct ts_particles *p = sim->particles;
 
 	p->type[i] = one->type;
 	p->mask[i] |= one->mask | 1u << self->group;
-	p->radius[i] = sphere_of(one, k, p->x[i]);
+	p->radius[i] = sphere_position(one, k, p->x[i]);
 	p->mass[i] = sphere_mass(sim, one, p->radius[i]);
 	p->imass[i] = 1 / p->mass[i];
 	for (int d = 0; d < 3; d++) {
@@ -107,8 +108,8 @@ static void fill_in(struct ts_instance *self, struct tsim *sim, const struct ts_
 	}
 }
 
-/* Spheres of a rigid clump overlap: they share its mass by their volumes. */
-static void share_mass(struct ts_particles *p, double mass, size_t from, size_t n)
+/* Distributes the mass of a rigid clump among its spheres, which overlap, by their volumes. */
+static void distribute_mass(struct ts_particles *p, double mass, size_t from, size_t n)
 {
 	double sum = 0;
 
@@ -118,8 +119,8 @@ static void share_mass(struct ts_particles *p, double mass, size_t from, size_t 
 		p->mass[i] *= mass / sum;
 }
 
-static enum ts_status make_body(struct ts_instance *self, struct tsim *sim, const struct ts_newcomer *one,
-				size_t from, size_t n)
+static enum ts_status create_body(struct ts_instance *self, struct tsim *sim,
+				  const struct ts_new_particle *one, size_t from, size_t n)
 {
 	const struct ts_template *t = one->template->state;
 	const struct ts_instance *fix = NULL;
@@ -141,8 +142,8 @@ static enum ts_status make_body(struct ts_instance *self, struct tsim *sim, cons
 		body.v[i] = one->v[i];
 		body.omega[i] = one->omega[i];
 	}
-	ts_rigid_angular_momentum(body.q, body.inertia, one->omega, body.spin);
-	share_mass(sim->particles, body.mass, from, n);
+	ts_rigid_spin(body.q, body.inertia, one->omega, body.spin);
+	distribute_mass(sim->particles, body.mass, from, n);
 	row = ts_alloc(n, sizeof *row);
 	if (!row)
 		return ts_nomem(&sim->error);
@@ -153,17 +154,17 @@ static enum ts_status make_body(struct ts_instance *self, struct tsim *sim, cons
 	return status;
 }
 
-static enum ts_status make_one(struct ts_instance *self, struct tsim *sim, const struct ts_newcomer *one,
-			       size_t from)
+static enum ts_status create_particle(struct ts_instance *self, struct tsim *sim,
+				      const struct ts_new_particle *one, size_t from)
 {
 	const struct ts_template *t = template_of(one);
 	struct ts_insertion *s = self->state;
 
-	for (size_t k = 0; k < spheres_of(one); k++)
-		fill_in(self, sim, one, k, from + k);
+	for (size_t k = 0; k < sphere_count(one); k++)
+		set_sphere(self, sim, one, k, from + k);
 	s->mass += clump_of(one) ? t->mass : sim->particles->mass[from];
 	s->inserted++;
-	return t && t->rigid ? make_body(self, sim, one, from, t->clump->n) : TS_OK;
+	return t && t->rigid ? create_body(self, sim, one, from, t->clump->n) : TS_OK;
 }
 
 static enum ts_status set_property(struct ts_instance *self, struct tsim *sim, size_t from)
@@ -185,7 +186,7 @@ static enum ts_status set_property(struct ts_instance *self, struct tsim *sim, s
 	return TS_OK;
 }
 
-static void report(struct ts_instance *self, struct tsim *sim, size_t made, double mass)
+static void print_insertion(struct ts_instance *self, struct tsim *sim, size_t made, double mass)
 {
 	struct ts_insertion *s = self->state;
 
@@ -213,18 +214,18 @@ enum ts_status ts_insertion_make(struct ts_instance *self, struct tsim *sim, siz
 
 	for (size_t k = 0; k < s->list.n; k++) {
 		made += s->list.item[k].placed;
-		spheres += s->list.item[k].placed ? spheres_of(&s->list.item[k]) : 0;
+		spheres += s->list.item[k].placed ? sphere_count(&s->list.item[k]) : 0;
 	}
 	TS_TRY(ts_particles_add(sim, spheres, from));
 	row = *from;
 	for (size_t k = 0; k < s->list.n; k++) {
 		if (!s->list.item[k].placed)
 			continue;
-		TS_TRY(make_one(self, sim, &s->list.item[k], row));
-		row += spheres_of(&s->list.item[k]);
+		TS_TRY(create_particle(self, sim, &s->list.item[k], row));
+		row += sphere_count(&s->list.item[k]);
 	}
 	TS_TRY(set_property(self, sim, *from));
 	if (s->list.n)
-		report(self, sim, made, s->mass - before);
+		print_insertion(self, sim, made, s->mass - before);
 	return TS_OK;
 }

@@ -43,7 +43,7 @@ static double per_event(const struct ts_insertion *s, const struct tsim *sim,
 	return rate->rate * (double)s->every * sim->clock.dt;
 }
 
-void ts_insertion_rate_tell(struct ts_instance *self, struct tsim *sim, struct ts_insertion_rate *rate)
+void ts_insertion_rate_print(struct ts_instance *self, struct tsim *sim, struct ts_insertion_rate *rate)
 {
 	const struct ts_insertion *s = self->state;
 	const struct ts_distribution *d = s->distribution->state;

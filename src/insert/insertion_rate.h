@@ -1,4 +1,4 @@
-/* Insertion at a rate, until a number or a mass is reached: fix insert/stream and insert/rate/region. */
+/* Insertion at a given rate until a number or mass is reached: fix insert/stream and insert/rate/region. */
 #ifndef TS_INSERT_INSERTION_RATE_H
 #define TS_INSERT_INSERTION_RATE_H
 
@@ -9,15 +9,15 @@ struct ts_insertion_rate {
 	double particlerate, massrate;	     /* NaN: not given */
 
 	/* set by ts_insertion_rate_init */
-	int64_t total; /* -1: no end */
+	int64_t total; /* number of particles; -1: unlimited */
 	double rate;   /* particles per time */
-	bool told;
+	bool told;     /* the log has the rate */
 };
 #define TS_INSERTION_RATE_ARGS(T)                                                                         \
 	TS_WORD("nparticles", T, rate.number_word, .flags = TS_OPTIONAL,                                  \
-		.help = "how many particles are inserted in all, or INF"),                                \
+		.help = "total number of particles to insert, or INF"),                                   \
 		TS_WORD("mass", T, rate.mass_word, .flags = TS_OPTIONAL,                                  \
-			.help = "instead of nparticles: how much mass, or INF"),                          \
+			.help = "instead of nparticles: total mass, or INF"),                             \
 		TS_REAL("particlerate", T, rate.particlerate, .flags = TS_OPTIONAL, .range = TS_POSITIVE, \
 			.unit = "1/time", .help = "particles per time"),                                  \
 		TS_REAL("massrate", T, rate.massrate, .flags = TS_OPTIONAL, .range = TS_POSITIVE,         \
@@ -26,12 +26,12 @@ struct ts_insertion_rate {
 /* After ts_insertion_init. */
 enum ts_status ts_insertion_rate_init(struct ts_instance *self, struct tsim *sim,
 				      struct ts_insertion_rate *rate);
-/* At the beginning of a run, when base.every is known: says once what will come. */
-void ts_insertion_rate_tell(struct ts_instance *self, struct tsim *sim, struct ts_insertion_rate *rate);
-/* How many in this event: the rate times the interval, rounded up or down by lot, as far as the total goes.
- * Draws one number. */
+/* In SETUP, when base.every is known: writes rate and total to the log, once. */
+void ts_insertion_rate_print(struct ts_instance *self, struct tsim *sim, struct ts_insertion_rate *rate);
+/* Number of particles of this insertion: rate * interval, rounded up or down at random so that the mean
+ * is exact, limited by the total. Draws one random number. */
 int64_t ts_insertion_rate_count(struct ts_instance *self, struct tsim *sim, struct ts_insertion_rate *rate);
-/* After an event: no more of them when the total is reached. */
+/* Schedules the next insertion unless the total is reached. */
 void ts_insertion_rate_next(struct ts_instance *self, const struct ts_insertion_rate *rate);
 
 #endif

@@ -8,14 +8,14 @@
 
 #include "base/banned.h"
 
-/* LIGGGHTS seeds the stream of the region with that of the fix plus this. */
+/* As in LIGGGHTS, the seed of the stream of the region is that of the fix plus this. */
 static const int64_t SEED_OFFSET = 12;
-/* So many points in a row without one where the particle fits: there is no such place. */
+/* The search fails after this number of consecutive points where the particle does not fit in the region. */
 static const int64_t MOST_POINTS = 20000000;
-/* After a request to stop so many tries are made before the step is given up. */
-static const int64_t PATIENCE = 500000;
+/* Trial positions after a request to stop before the step is aborted. */
+static const int64_t TRIES_AFTER_STOP = 500000;
 
-static struct ts_minstd *stream_of(const struct ts_insertion_region *s)
+static struct ts_minstd *position_stream(const struct ts_insertion_region *s)
 {
 	return &((struct ts_region *)s->region->state)->random;
 }
@@ -26,13 +26,13 @@ static void draw_point(struct ts_minstd *random, const double lo[3], const doubl
 		x[d] = lo[d] + ts_minstd_uniform(random) * (hi[d] - lo[d]);
 }
 
-static bool fits(const struct ts_insertion_region *s, const double x[3], double radius)
+static bool fits_region(const struct ts_insertion_region *s, const double x[3], double radius)
 {
 	return ts_region_contains(s->region, x) &&
 	       (!s->base.all_in || ts_region_depth(s->region, x) >= radius);
 }
 
-static enum ts_status no_volume(struct ts_instance *self, struct tsim *sim)
+static enum ts_status fail_no_volume(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_insertion_region *s = self->state;
 	const struct ts_distribution *d = s->base.distribution->state;
@@ -45,12 +45,13 @@ static enum ts_status no_volume(struct ts_instance *self, struct tsim *sim)
 		       s->base.all_in ? "take" : "it is too small:", d->largest);
 }
 
-/* By lot, since the numbers drawn here move the stream of places on. */
-static enum ts_status measure(struct ts_instance *self, struct tsim *sim)
+/* Monte Carlo integration even where the volume is known: as in LIGGGHTS, it advances the stream of
+ * positions. */
+static enum ts_status estimate_volume(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_insertion_region *s = self->state;
 	const struct ts_distribution *d = s->base.distribution->state;
-	struct ts_minstd *random = stream_of(s);
+	struct ts_minstd *random = position_stream(s);
 	int64_t hits = 0, deep = 0;
 	double lo[3], hi[3], x[3];
 
@@ -60,10 +61,10 @@ static enum ts_status measure(struct ts_instance *self, struct tsim *sim)
 		if (!ts_region_contains(s->region, x))
 			continue;
 		hits++;
-		deep += !deep && fits(s, x, d->largest);
+		deep += !deep && fits_region(s, x, d->largest);
 	}
 	if (!deep)
-		return no_volume(self, sim);
+		return fail_no_volume(self, sim);
 	s->volume = (double)hits / (double)s->ntry_mc * (hi[0] - lo[0]) * (hi[1] - lo[1]) * (hi[2] - lo[2]);
 	if (s->volume >= ((const struct ts_region *)s->region->state)->volume_limit)
 		return TS_OK;
@@ -81,7 +82,7 @@ static bool box_moves(const struct ts_box *box)
 	return moves;
 }
 
-static enum ts_status refuse(struct ts_instance *self, struct tsim *sim)
+static enum ts_status check_region(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_insertion_region *s = self->state;
 	const struct ts_box *box = &sim->domain->box;
@@ -121,9 +122,9 @@ enum ts_status ts_insertion_region_init(struct ts_instance *self, struct tsim *s
 	if (!first)
 		return TS_OK;
 	TS_TRY(ts_region_update(s->region, sim));
-	TS_TRY(refuse(self, sim));
-	*stream_of(s) = ts_minstd_start((s->base.seed + SEED_OFFSET - 1) % 2147483646 + 1);
-	return measure(self, sim);
+	TS_TRY(check_region(self, sim));
+	*position_stream(s) = ts_minstd_start((s->base.seed + SEED_OFFSET - 1) % 2147483646 + 1);
+	return estimate_volume(self, sim);
 }
 
 enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim *sim,
@@ -141,19 +142,19 @@ enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim
 		out->mass += p->mass[i];
 		out->volume += ts_particle_volume(sim, p->radius[i]);
 	}
-	/* in LIGGGHTS, too, this counts from the next event on */
-	return box_moves(&sim->domain->box) ? measure(self, sim) : TS_OK;
+	/* as in LIGGGHTS, the new volume is used from the next insertion on */
+	return box_moves(&sim->domain->box) ? estimate_volume(self, sim) : TS_OK;
 }
 
-/* ---- places */
+/* ---- positions */
 
 struct search {
 	struct ts_insertion_region *s;
 	const struct ts_box *box;
-	double lo[3], hi[3]; /* where points are drawn */
-	struct ts_spherehash crowd;
+	double lo[3], hi[3]; /* box in which points are drawn */
+	struct ts_spherehash occupied;
 	int64_t tries, most_tries;
-	int64_t patience; /* until so many tries after a request to stop; 0: there was none */
+	int64_t patience; /* limit of `tries` after a request to stop; 0: no request */
 };
 
 static bool near_border(const struct ts_box *box, const double x[3], double radius)
@@ -165,13 +166,13 @@ static bool near_border(const struct ts_box *box, const double x[3], double radi
 }
 
 static enum ts_status draw_in_region(struct ts_instance *self, struct tsim *sim, const struct search *search,
-				     struct ts_newcomer *one)
+				     struct ts_new_particle *one)
 {
 	const struct ts_insertion_region *s = self->state;
 
 	for (int64_t k = 0; k < MOST_POINTS; k++) {
-		draw_point(stream_of(s), search->lo, search->hi, one->x);
-		if (fits(s, one->x, one->radius))
+		draw_point(position_stream(s), search->lo, search->hi, one->x);
+		if (fits_region(s, one->x, one->radius))
 			return TS_OK;
 	}
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
@@ -180,7 +181,7 @@ static enum ts_status draw_in_region(struct ts_instance *self, struct tsim *sim,
 		       self->style->name, s->region->id, one->radius);
 }
 
-static void draw_motion(struct ts_insertion *s, struct ts_newcomer *one)
+static void draw_motion(struct ts_insertion *s, struct ts_new_particle *one)
 {
 	ts_insertion_draw_velocity(s, one);
 	for (int d = 0; d < 3; d++)
@@ -188,13 +189,14 @@ static void draw_motion(struct ts_insertion *s, struct ts_newcomer *one)
 	ts_insertion_draw_orientation(s, one);
 }
 
-/* What ends within a second or so goes on: the step is finished then, and its state can be saved. */
-static enum ts_status look_for_stop(struct ts_instance *self, struct tsim *sim, struct search *search)
+/* Fails some time after a request to stop: a search that ends earlier completes the step, whose state can
+ * then be saved. */
+static enum ts_status check_stop_request(struct ts_instance *self, struct tsim *sim, struct search *search)
 {
 	if (!sim->requests.stop)
 		return TS_OK;
 	if (!search->patience)
-		search->patience = search->tries + PATIENCE;
+		search->patience = search->tries + TRIES_AFTER_STOP;
 	if (search->tries < search->patience)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STOPPED, &self->where,
@@ -203,14 +205,14 @@ static enum ts_status look_for_stop(struct ts_instance *self, struct tsim *sim, 
 		       self->style->name, search->tries);
 }
 
-/* Tries of all particles count together. */
-static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct search *search,
-			    struct ts_newcomer *one)
+/* Searches a position; the limit of trial positions is common to all particles. */
+static enum ts_status place_particle(struct ts_instance *self, struct tsim *sim, struct search *search,
+				     struct ts_new_particle *one)
 {
 	struct ts_insertion_region *s = self->state;
 
 	while (!one->placed && search->tries < search->most_tries) {
-		TS_TRY(look_for_stop(self, sim, search));
+		TS_TRY(check_stop_request(self, sim, search));
 		do {
 			TS_TRY(draw_in_region(self, sim, search, one));
 			search->tries++;
@@ -219,13 +221,13 @@ static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct s
 		if (search->tries == search->most_tries)
 			return TS_OK;
 		draw_motion(&s->base, one);
-		one->placed = !ts_insertion_overlaps(sim, &search->crowd, one);
+		one->placed = !ts_insertion_overlaps(sim, &search->occupied, one);
 	}
-	return one->placed ? ts_insertion_join(sim, &search->crowd, one) : TS_OK;
+	return one->placed ? ts_insertion_hash_add(sim, &search->occupied, one) : TS_OK;
 }
 
-static enum ts_status place_anywhere(struct ts_instance *self, struct tsim *sim, struct search *search,
-				     struct ts_newcomer *one)
+static enum ts_status place_unchecked(struct ts_instance *self, struct tsim *sim, struct search *search,
+				      struct ts_new_particle *one)
 {
 	struct ts_insertion_region *s = self->state;
 
@@ -247,11 +249,11 @@ static enum ts_status place_all(struct ts_instance *self, struct tsim *sim, int6
 		search.hi[d] = fmin(search.hi[d], search.box->hi[d]);
 	}
 	if (s->base.overlapcheck)
-		status = ts_insertion_crowd(sim, &search.crowd);
+		status = ts_insertion_hash_particles(sim, &search.occupied);
 	for (size_t k = 0; status == TS_OK && k < s->base.list.n; k++)
-		status = (s->base.overlapcheck ? place : place_anywhere)(self, sim, &search,
-									 &s->base.list.item[k]);
-	ts_spherehash_release(&search.crowd);
+		status = (s->base.overlapcheck ? place_particle : place_unchecked)(self, sim, &search,
+										   &s->base.list.item[k]);
+	ts_spherehash_release(&search.occupied);
 	return status;
 }
 
@@ -281,5 +283,5 @@ enum ts_status ts_insertion_region_archive(struct ts_instance *self, struct tsim
 	const struct ts_insertion_region *s = self->state;
 
 	TS_TRY(ts_insertion_archive(self, sim, archive));
-	return ts_template_archive_stream(archive, sim, "places", stream_of(s));
+	return ts_template_archive_stream(archive, sim, "places", position_stream(s));
 }

@@ -54,7 +54,7 @@ void ts_sites_limits(const struct tsim *sim, const struct ts_instance *region, d
 	}
 }
 
-/* The cells of the lattice that the box from lo to hi can touch. */
+/* Range of the lattice cells that intersect the box from lo to hi. */
 static enum ts_status find_cells(struct tsim *sim, const double lo[3], const double hi[3],
 				 const struct ts_place *where, long first[3], long last[3])
 {
@@ -138,45 +138,45 @@ enum ts_status ts_sites_on_lattice(struct tsim *sim, const struct ts_instance *r
 	return TS_OK;
 }
 
-struct lot {
-	double drawn;
+struct draw {
+	double number;
 	size_t index;
 };
 
-static int compare_lots(const void *a, const void *b)
+static int compare_draws(const void *a, const void *b)
 {
-	const struct lot *x = a, *y = b;
+	const struct draw *x = a, *y = b;
 
-	if (x->drawn != y->drawn)
-		return x->drawn < y->drawn ? -1 : 1;
+	if (x->number != y->number)
+		return x->number < y->number ? -1 : 1;
 	return (x->index > y->index) - (x->index < y->index);
 }
 
-/* Each draws a lot of its own; the lowest lots stay. */
+/* Each site has a random number, a function of seed and index; the sites with the smallest are kept. */
 enum ts_status ts_sites_choose(struct tsim *sim, struct ts_sites *sites, size_t count, uint64_t seed)
 {
-	struct lot *lot = ts_alloc(sites->n, sizeof *lot);
-	unsigned char *stays = ts_alloc(sites->n, 1);
+	struct draw *draw = ts_alloc(sites->n, sizeof *draw);
+	unsigned char *is_kept = ts_alloc(sites->n, 1);
 	size_t kept = 0;
 
-	if (!lot || !stays) {
-		ts_free(lot);
-		ts_free(stays);
+	if (!draw || !is_kept) {
+		ts_free(draw);
+		ts_free(is_kept);
 		return ts_nomem(&sim->error);
 	}
 	for (size_t k = 0; k < sites->n; k++) {
 		struct ts_rng rng = ts_rng_start(seed, k);
 
-		lot[k] = (struct lot){ ts_rng_uniform(&rng), k };
+		draw[k] = (struct draw){ ts_rng_uniform(&rng), k };
 	}
-	qsort(lot, sites->n, sizeof *lot, compare_lots);
+	qsort(draw, sites->n, sizeof *draw, compare_draws);
 	for (size_t k = 0; k < count && k < sites->n; k++)
-		stays[lot[k].index] = 1;
+		is_kept[draw[k].index] = 1;
 	for (size_t k = 0; k < sites->n; k++)
-		if (stays[k])
+		if (is_kept[k])
 			sites->site[kept++] = sites->site[k];
 	sites->n = kept;
-	ts_free(lot);
-	ts_free(stays);
+	ts_free(draw);
+	ts_free(is_kept);
 	return TS_OK;
 }

@@ -7,8 +7,8 @@
 
 enum { PLACE, START = 3, RELEASE, DRIFT, VELOCITY = 8, OMEGA = 11, NUMBERS = 14 };
 
-/* Which of them, from 0; -1: another name, or there is no stream. */
-static int quantity_of(const struct tsim *sim, const char *name)
+/* Index of the quantity, from 0; -1: another name, or there is no fix insert/stream. */
+static int quantity_index(const struct tsim *sim, const char *name)
 {
 	static const char ours[] = "release_fix_insert_stream[";
 	char index[4] = "";
@@ -28,7 +28,8 @@ static int quantity_of(const struct tsim *sim, const char *name)
 	return (int)column - 1;
 }
 
-static double value_of(const struct ts_stream *stream, const struct tsim *sim, const double *memory, int k)
+static double stream_value(const struct ts_stream *stream, const struct tsim *sim, const double *memory,
+			   int k)
 {
 	double first = (double)(sim->clock.step - stream->age); /* step of age 0 */
 
@@ -40,34 +41,34 @@ static double value_of(const struct ts_stream *stream, const struct tsim *sim, c
 			      : stream->base.omega[k - OMEGA];
 }
 
-static double value_of_particle(const struct tsim *sim, size_t i, int k)
+static double particle_value(const struct tsim *sim, size_t i, int k)
 {
 	const struct ts_instance *inst;
 
 	for (size_t n = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_STREAM, &n));) {
 		const struct ts_stream *stream = inst->state;
-		const double *memory = ts_stream_memory(stream, sim, i);
+		const double *memory = ts_stream_record(stream, sim, i);
 
 		if (memory[TS_STREAM_START] > 0)
-			return value_of(stream, sim, memory, k);
+			return stream_value(stream, sim, memory, k);
 	}
 	return 0;
 }
 
 static bool has_quantity(const struct tsim *sim, const char *name)
 {
-	return quantity_of(sim, name) >= 0;
+	return quantity_index(sim, name) >= 0;
 }
 
 static enum ts_status quantity(struct tsim *sim, const char *name, struct ts_table *out)
 {
 	size_t n = sim->particles->n;
-	int k = quantity_of(sim, name);
+	int k = quantity_index(sim, name);
 
 	if (ts_table_resize(out, n, 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < n; i++)
-		out->data[i] = value_of_particle(sim, i, k);
+		out->data[i] = particle_value(sim, i, k);
 	return TS_OK;
 }
 

@@ -8,12 +8,12 @@
 
 #include "base/banned.h"
 
-/* Of math/minstd.h: each of them is a place in its one cycle. */
+/* Range of math/minstd.h: each seed is a state in its one cycle. */
 static const int64_t SEED_LIMIT = 2147483646;
-static const int64_t LEAST_LIGGGHTS = 10000; /* it takes primes above this one only */
+static const int64_t LEAST_LIGGGHTS = 10000; /* LIGGGHTS accepts only primes above this number */
 
-/* The stream starts at the seed as it is, which gives LIGGGHTS' numbers for the seeds that it takes, and
- * those of older editions, which took all, for others. */
+/* The stream starts at the seed itself: this gives the numbers of LIGGGHTS 3.8 for seeds that it accepts, and
+ * those of older editions, which accepted all, for others. */
 enum ts_status ts_template_check_seed(struct tsim *sim, const char *what, int64_t seed,
 				      const struct ts_place *where)
 {
@@ -48,28 +48,28 @@ enum ts_status ts_template_archive(struct ts_instance *self, struct tsim *sim, s
 					  &((struct ts_template *)self->state)->random);
 }
 
-/* ---- constant, uniform ... */
+/* ---- distributions of a quantity: constant, uniform ... */
 
-struct given {
+struct spread_words {
 	int shape;
 	struct ts_words words;
 };
 
 static const struct ts_arg given_rows[] = {
-	TS_REST("numbers", struct given, words, .help = "[number|mass] a [b]"),
+	TS_REST("numbers", struct spread_words, words, .help = "[number|mass] a [b]"),
 	TS_ARGS_END,
 };
 
 static const struct ts_mode shapes[] = {
-	[TS_SPREAD_CONSTANT] = { "constant", "all alike", given_rows },
-	[TS_SPREAD_UNIFORM] = { "uniform", "between two values", given_rows },
-	[TS_SPREAD_NORMAL] = { "gaussian", "normal", given_rows },
-	[TS_SPREAD_LOGNORMAL] = { "lognormal", "its logarithm is normal", given_rows },
+	[TS_SPREAD_CONSTANT] = { "constant", "the same for all particles", given_rows },
+	[TS_SPREAD_UNIFORM] = { "uniform", "uniform between two values", given_rows },
+	[TS_SPREAD_NORMAL] = { "gaussian", "normal distribution", given_rows },
+	[TS_SPREAD_LOGNORMAL] = { "lognormal", "lognormal distribution", given_rows },
 	{ .name = NULL },
 };
 
 static const struct ts_arg shape_rows[] = {
-	TS_MODE("shape", struct given, shape, shapes, .help = "how it is spread"),
+	TS_MODE("shape", struct spread_words, shape, shapes, .help = "distribution"),
 	TS_ARGS_END,
 };
 
@@ -95,7 +95,7 @@ static enum ts_status check_spread(struct tsim *sim, const char *what, const str
 enum ts_status ts_template_spread(struct ts_instance *self, struct tsim *sim, const char *what,
 				  struct ts_words words, struct ts_spread *out)
 {
-	struct given given = { 0 };
+	struct spread_words given = { 0 };
 	const struct ts_place *where = words.n ? &words.word[0].place : &self->where;
 	size_t first = 0, numbers;
 	double value[2] = { 0 };
@@ -121,7 +121,7 @@ enum ts_status ts_template_spread(struct ts_instance *self, struct tsim *sim, co
 	return check_spread(sim, what, out, where);
 }
 
-/* ---- what all templates have */
+/* ---- common to all templates */
 
 enum ts_status ts_template_start(struct ts_instance *self, struct tsim *sim)
 {
@@ -168,8 +168,8 @@ enum ts_status ts_template_require(struct tsim *sim, const struct ts_word *id, s
 		       id->text, (*out)->style->name);
 }
 
-/* What the fix may make. */
-static bool prospect_of(const struct ts_instance *fix, struct ts_prospect *out)
+/* Type, smallest radius and mass of what the fix can insert; false if it inserts nothing of its own. */
+static bool insertable_kind(const struct ts_instance *fix, struct ts_prospect *out)
 {
 	const struct ts_template *t = fix->state;
 
@@ -193,7 +193,7 @@ int ts_template_max_type(const struct tsim *sim)
 	for (size_t k = 0; k < fixes->n; k++) {
 		struct ts_prospect one;
 
-		if (prospect_of(fixes->item[k], &one) && one.type > most)
+		if (insertable_kind(fixes->item[k], &one) && one.type > most)
 			most = (int)one.type;
 	}
 	return most;
@@ -207,7 +207,7 @@ double ts_template_inverse_mass(const struct tsim *sim, int type, double *radius
 	for (size_t k = 0; k < fixes->n; k++) {
 		struct ts_prospect one;
 
-		if (!prospect_of(fixes->item[k], &one) || one.type != type || !(1 / one.lightest > most))
+		if (!insertable_kind(fixes->item[k], &one) || one.type != type || !(1 / one.lightest > most))
 			continue;
 		most = 1 / one.lightest;
 		if (radius)

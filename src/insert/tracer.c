@@ -13,7 +13,7 @@ enum ts_status ts_tracer_init(struct ts_instance *self, struct tsim *sim)
 	ts_str_addf(&name, "%s %s", self->style->name, self->id);
 	status = ts_particles_add_column(sim, ts_str_text(&name), 1, TS_COL_RESULT, &t->column);
 	ts_str_release(&name);
-	/* a column of this name may be left over from a fix that is gone */
+	/* a former fix of this name may have left its column */
 	for (size_t i = 0; status == TS_OK && !t->started && i < sim->particles->n; i++)
 		ts_tracer_marks(sim, t)[i] = 0;
 	t->started = status == TS_OK;
@@ -55,7 +55,8 @@ enum ts_status ts_tracer_require(struct tsim *sim, const struct ts_word *id, str
 
 /* ---- outputs ---- */
 
-/* Whoever asks first in a step of a run is told what is new; all others of that step hear the same. */
+/* Counts the particles marked since the last evaluation; all evaluations in one step of a run give the
+ * same number. */
 static enum ts_status eval_new(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct ts_tracer *t = self->state;
@@ -83,8 +84,8 @@ static enum ts_status eval_marks(struct ts_instance *self, const struct tsim *si
 }
 
 const struct ts_value ts_tracer_values[] = {
-	{ "new", "", "how many particles have been marked since this was last asked for in another step",
-	  TS_SCALAR, 1, NULL, eval_new },
-	{ "marks", "", "of each particle: 1 marked, 0 not", TS_PERATOM, 1, NULL, eval_marks },
+	{ "new", "", "number of particles marked since the last evaluation in another step", TS_SCALAR, 1,
+	  NULL, eval_new },
+	{ "marks", "", "per particle: 1 marked, 0 not", TS_PERATOM, 1, NULL, eval_marks },
 	{ .name = NULL },
 };
