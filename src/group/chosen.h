@@ -1,4 +1,4 @@
-/* Whom a fix acts on: its group and, where one is given, a region. */
+/* Particles on which a fix acts: those of its group and, if one is given, in a region. */
 #ifndef TS_GROUP_CHOSEN_H
 #define TS_GROUP_CHOSEN_H
 
@@ -13,6 +13,6 @@ static inline bool ts_chosen(const struct ts_particles *p, size_t i, int group,
 
 #define TS_REGION_KEYWORD(T)                                 \
 	TS_REGION("region", T, region, .flags = TS_OPTIONAL, \
-		  .help = "only on particles whose centres are in it now")
+		  .help = "the fix acts only on particles whose centres are in the region at that step")
 
 #endif

@@ -1,4 +1,4 @@
-/* Command group: puts particles into groups. */
+/* Command group: assigns particles to groups. */
 #include "core/sim.h"
 
 #include <math.h>
@@ -43,12 +43,12 @@ struct state {
 	int64_t every;
 };
 
-static void add(struct ts_particles *p, size_t i, int bit)
+static void add_member(struct ts_particles *p, size_t i, int bit)
 {
 	p->mask[i] |= 1u << bit;
 }
 
-/* "3", "3:8", "3:8:2" */
+/* Reads "3", "3:8" or "3:8:2": first, last, step. */
 static bool read_range(const char *text, int64_t range[3])
 {
 	char part[3][24] = { "", "", "1" };
@@ -70,7 +70,7 @@ static bool read_range(const char *text, int64_t range[3])
 	return (n == 1 || ts_parse_int(part[1], &range[1])) && range[2] > 0;
 }
 
-static bool compare(int op, int64_t value, int64_t a, int64_t b)
+static bool compare_number(int op, int64_t value, int64_t a, int64_t b)
 {
 	switch (op) {
 	case 0:
@@ -90,7 +90,7 @@ static bool compare(int op, int64_t value, int64_t a, int64_t b)
 	}
 }
 
-/* Types or identities: "< 10", "<> 3 8", or a list of numbers and ranges. */
+/* Adds particles by type, tag or molecule number: "< 10", "<> 3 8", or a list of numbers and ranges. */
 static enum ts_status add_numbers(struct tsim *sim, struct ts_words words, const int32_t *number, int bit)
 {
 	static const char *const operators[] = { "<", ">", "<=", ">=", "==", "!=", "<>", NULL };
@@ -109,8 +109,8 @@ static enum ts_status add_numbers(struct tsim *sim, struct ts_words words, const
 				       "group: expected %zu integer%s after '%s'", need - 1,
 				       need == 3 ? "s" : "", operators[op]);
 		for (size_t i = 0; i < p->n; i++)
-			if (compare(op, number[i], r[0], r[1]))
-				add(p, i, bit);
+			if (compare_number(op, number[i], r[0], r[1]))
+				add_member(p, i, bit);
 		return TS_OK;
 	}
 	for (size_t k = 0; k < words.n; k++) {
@@ -120,14 +120,14 @@ static enum ts_status add_numbers(struct tsim *sim, struct ts_words words, const
 				       words.word[k].text);
 		for (size_t i = 0; i < p->n; i++)
 			if (number[i] >= r[0] && number[i] <= r[1] && (number[i] - r[0]) % r[2] == 0)
-				add(p, i, bit);
+				add_member(p, i, bit);
 	}
 	return TS_OK;
 }
 
-/* Sets what the groups named give together: any of them, all of them, or the first without the
- * others. The group itself may be among them. */
-static enum ts_status combine(struct tsim *sim, struct ts_words words, int mode, int bit)
+/* Adds the union, the intersection, or the first group without the others. The group itself may be one of
+ * them. */
+static enum ts_status combine_groups(struct tsim *sim, struct ts_words words, int mode, int bit)
 {
 	struct ts_particles *p = sim->particles;
 	uint32_t first = 0, all = 0;
@@ -147,7 +147,7 @@ static enum ts_status combine(struct tsim *sim, struct ts_words words, int mode,
 					      : (now & first) && !(now & all & ~first);
 
 		if (in)
-			add(p, i, bit);
+			add_member(p, i, bit);
 	}
 	return TS_OK;
 }
@@ -161,12 +161,12 @@ static enum ts_status add_where_variable(struct tsim *sim, const struct state *s
 
 	for (size_t i = 0; status == TS_OK && i < p->n; i++)
 		if (value.data[i] != 0)
-			add(p, i, bit);
+			add_member(p, i, bit);
 	ts_table_release(&value);
 	return status;
 }
 
-/* The group's members come from the parent from now on. */
+/* Makes the group dynamic, with members of the parent group. */
 static enum ts_status make_dynamic(struct tsim *sim, const struct state *s, int bit,
 				   const struct ts_place *where)
 {
@@ -177,7 +177,7 @@ static enum ts_status make_dynamic(struct tsim *sim, const struct state *s, int 
 	if (s->parent == bit || p->dynamic[s->parent].every)
 		return ts_fail(&sim->error, TS_STATE, where, "group %s: its parent group %s is %s", s->id,
 			       ts_group_name(sim, s->parent), s->parent == bit ? "itself" : "dynamic too");
-	if (s->variable) { /* blamed here, where it is written */
+	if (s->variable) { /* reports errors at this line of the script */
 		TS_TRY(ts_group_variable(sim, s->variable, where, &value));
 		ts_table_release(&value);
 	}
@@ -228,19 +228,20 @@ static int compare_numbers(const void *a, const void *b)
 	return (i > j) - (i < j);
 }
 
-/* Members bring in all of their molecules. */
-static void include_molecules(struct ts_particles *p, const int32_t *molecule, int32_t *known, int bit)
+/* Adds all particles of the molecules of members; numbers_of_members: memory for n numbers. */
+static void include_molecules(struct ts_particles *p, const int32_t *molecule, int32_t *numbers_of_members,
+			      int bit)
 {
 	size_t n = 0;
 
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, bit))
-			known[n++] = molecule[i];
+			numbers_of_members[n++] = molecule[i];
 	if (n)
-		qsort(known, n, sizeof *known, compare_numbers);
+		qsort(numbers_of_members, n, sizeof *numbers_of_members, compare_numbers);
 	for (size_t i = 0; n && i < p->n; i++)
-		if (bsearch(&molecule[i], known, n, sizeof *known, compare_numbers))
-			add(p, i, bit);
+		if (bsearch(&molecule[i], numbers_of_members, n, sizeof *numbers_of_members, compare_numbers))
+			add_member(p, i, bit);
 }
 
 static enum ts_status add_molecules(struct tsim *sim, const struct state *s, int bit)
@@ -262,7 +263,8 @@ static enum ts_status add_molecules(struct tsim *sim, const struct state *s, int
 	return status;
 }
 
-static enum ts_status fill(struct tsim *sim, const struct state *s, int bit, const struct ts_place *where)
+static enum ts_status assign_members(struct tsim *sim, const struct state *s, int bit,
+				     const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
 
@@ -275,12 +277,12 @@ static enum ts_status fill(struct tsim *sim, const struct state *s, int bit, con
 		TS_TRY(ts_region_update(s->region, sim));
 		for (size_t i = 0; i < p->n; i++)
 			if (ts_region_contains(s->region, p->x[i]))
-				add(p, i, bit);
+				add_member(p, i, bit);
 		return TS_OK;
 	case UNION:
 	case SUBTRACT:
 	case INTERSECT:
-		return combine(sim, s->rest, s->mode, bit);
+		return combine_groups(sim, s->rest, s->mode, bit);
 	case MOLECULE:
 	case INCLUDE:
 		return add_molecules(sim, s, bit);
@@ -319,7 +321,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			       "group '%s' is dynamic and changes by itself: `group %s static` ends that",
 			       s->id, s->id);
 	TS_TRY(ts_group_make(sim, s->id, where, &bit));
-	TS_TRY(fill(sim, s, bit, where));
+	TS_TRY(assign_members(sim, s, bit, where));
 	for (size_t i = 0; i < p->n; i++)
 		count += ts_in_group(p, i, bit);
 	ts_log(&sim->log, "%zu atoms in group %s\n", count, s->id);
@@ -339,50 +341,50 @@ static const struct ts_arg groups[] = {
 
 static const struct ts_arg region[] = {
 	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL,
-		  .help = "the region that the centers lie in"),
+		  .help = "region in which the centers lie"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg variable[] = {
 	TS_REF("variable", struct state, variable, .flags = TS_POSITIONAL,
-	       .help = "an atom-style variable, NAME or v_NAME: members are where it is not 0"),
+	       .help = "an atom-style variable, NAME or v_NAME: particles for which it is not 0 are added"),
 	TS_ARGS_END,
 };
 
 static const char *const include_words[] = { "molecule", NULL };
 static const struct ts_arg includes[] = {
 	TS_ENUM("molecule", struct state, of, include_words, .flags = TS_POSITIONAL,
-		.help = "all particles of the molecules (fix property/atom mol) that members belong to"),
+		.help = "add all particles of the molecules (fix property/atom mol) to which members belong"),
 	TS_ARGS_END,
 };
 
 static const struct ts_arg dynamic[] = {
 	TS_GROUP("parent", struct state, parent, .flags = TS_POSITIONAL,
-		 .help = "the group that the members come from; not dynamic itself"),
+		 .help = "group whose members can be members; it must not be dynamic"),
 	TS_REGION("region", struct state, region, .flags = TS_OPTIONAL,
-		  .help = "the region that they are in"),
+		  .help = "region in which members are"),
 	TS_REF("var", struct state, variable, .flags = TS_OPTIONAL,
-	       .help = "an atom-style variable, NAME or v_NAME, that is not 0 for them"),
+	       .help = "an atom-style variable, NAME or v_NAME, that is not 0 for members"),
 	TS_INT("every", struct state, every, .fallback = "1", .range = TS_POSITIVE, .unit = "steps",
-	       .help = "they are chosen anew when the step is a multiple of this"),
+	       .help = "members are assigned again in steps that are multiples of this number"),
 	TS_ARGS_END,
 };
 
 static const struct ts_mode modes[] = {
 	[TYPE] = { "type", "particles of these types", numbers },
-	[ID] = { "id", "particles with these identities", numbers },
-	[REGION] = { "region", "particles in a region now", region },
+	[ID] = { "id", "particles with these atom IDs", numbers },
+	[REGION] = { "region", "particles in a region at present", region },
 	[UNION] = { "union", "members of any of the groups", groups },
-	[SUBTRACT] = { "subtract", "members of the first group but none of the others", groups },
+	[SUBTRACT] = { "subtract", "members of the first group and of none of the others", groups },
 	[INTERSECT] = { "intersect", "members of all of the groups", groups },
 	[VARIABLE] = { "variable", "particles for which a variable is not 0", variable },
 	[EMPTY] = { "empty", "a group without members, if it does not exist yet", NULL },
 	[INITIALIZE] = { "initialize", "the same as empty", NULL },
 	[CLEAR] = { "clear", "remove all members", NULL },
-	[DELETE] = { "delete", "forget the group", NULL },
-	[DYNAMIC] = { "dynamic", "members chosen anew during runs", dynamic },
-	[STATIC] = { "static", "a dynamic group keeps the members it has", NULL },
-	[INCLUDE] = { "include", "also those of the same molecules as members", includes },
+	[DELETE] = { "delete", "delete the group", NULL },
+	[DYNAMIC] = { "dynamic", "members are assigned again during runs", dynamic },
+	[STATIC] = { "static", "a dynamic group becomes static with its present members", NULL },
+	[INCLUDE] = { "include", "add particles of the same molecules as members", includes },
 	[MOLECULE] = { "molecule", "particles of these molecules (fix property/atom mol)", numbers },
 	{ .name = NULL },
 };
@@ -398,14 +400,13 @@ const struct ts_command_style ts_command_group = {
 	.style = {
 		.name = "group",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Puts particles into a group",
-		.doc = "The particles that fit now are added to those already in the group; particles made\n"
-		       "later are not. There can be 31 groups besides all.\n"
-		       "The members of a dynamic group are chosen anew when a run starts, unless it goes on "
-		       "where the\n"
-		       "one before has ended, and after the particles have moved in each step that is a "
-		       "multiple of\n"
-		       "every.",
+		.summary = "Assigns particles to a group",
+		.doc = "Adds the particles that fulfil the condition at present to those already in the\n"
+		       "group. Particles that are created later are not added. There can be 31 groups\n"
+		       "besides all.\n\n"
+		       "The members of a dynamic group are assigned again when a run starts, unless it\n"
+		       "resumes the previous run without changes, and in each step that is a multiple of\n"
+		       "every, after positions have been integrated.",
 		.example = "group wall type 2\n"
 			   "group left id <= 100\n"
 			   "group bottom region lower\n"

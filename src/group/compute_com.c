@@ -1,4 +1,4 @@
-/* Compute: center of mass. */
+/* Compute com: center of mass. */
 #include "core/sim.h"
 
 #include "box/domain.h"
@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-/* Of positions as they would be without periodic wrapping. */
+/* Sums are exact; positions are unwrapped. */
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_particles *p = sim->particles;
@@ -36,7 +36,7 @@ static const char *const names[] = { "x", "y", "z", NULL };
 static const struct ts_value values[] = {
 	{ .name = "center",
 	  .unit = "length",
-	  .help = "center of mass of the group",
+	  .help = "center of mass of the group, unwrapped",
 	  .shape = TS_VECTOR,
 	  .columns = 3,
 	  .column_names = names,
@@ -49,8 +49,8 @@ const struct ts_style ts_compute_com = {
 	.name = "com",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Center of mass",
-	.doc = "c_ID[1], c_ID[2], c_ID[3] are the sums of m x over the group divided by its mass, with x as\n"
-	       "it would be without periodic wrapping. An empty group has its center at 0.",
+	.doc = "c_ID[1], c_ID[2] and c_ID[3] are the components of sum(m x)/sum(m) over the\n"
+	       "group, where x are unwrapped positions. They are 0 for an empty group.",
 	.example = "compute center all com",
 	.values = values,
 };

@@ -1,4 +1,4 @@
-/* Compute: kinetic energy of rotation. */
+/* Compute erotate/sphere: rotational kinetic energy. */
 #include "group/kinetic_energy.h"
 
 #include "base/banned.h"
@@ -12,7 +12,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 static const struct ts_value values[] = {
 	{ .name = "energy",
 	  .unit = "energy",
-	  .help = "kinetic energy of rotation of the group",
+	  .help = "rotational kinetic energy of the group",
 	  .shape = TS_SCALAR,
 	  .eval = eval },
 	{ .name = NULL },
@@ -22,12 +22,11 @@ TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
 const struct ts_style ts_compute_erotate_sphere = {
 	.name = "erotate/sphere",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Kinetic energy of rotation",
-	.doc = "The sum of I omega^2 / 2 over the group with I = 0.4 m R^2 (0.5 m R^2 for discs), rounded "
-	       "once. It is 0 where nothing\n"
-	       "makes particles rotate. The spheres of a clump of fix multisphere are not counted: see "
-	       "compute\n"
-	       "erotate/multisphere.",
+	.summary = "Rotational kinetic energy",
+	.doc = "Sum of I omega^2 / 2 over the group with I = 0.4 m R^2 (0.5 m R^2 for discs).\n"
+	       "The sum is exact and rounded once. It is 0 if no style of the script makes\n"
+	       "particles rotate. Spheres of clumps of fix multisphere are not included: see\n"
+	       "compute erotate/multisphere.",
 	.example = "compute rotation all erotate/sphere",
 	.values = values,
 };

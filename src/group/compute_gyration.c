@@ -1,4 +1,4 @@
-/* Compute: radius and tensor of gyration. */
+/* Compute gyration: radius and tensor of gyration. */
 #include "particle/group_moments.h"
 
 #include <math.h>
@@ -7,8 +7,8 @@
 
 #include "base/banned.h"
 
-/* m (x - centre) (x - centre), and m */
-static void second_moment(const struct tsim *sim, size_t i, void *context, double *term)
+/* Terms m (x_a - c_a) (x_b - c_b), and m. */
+static void second_moment_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	const double *centre = context;
 	double m = sim->particles->mass[i], d[3];
@@ -20,12 +20,12 @@ static void second_moment(const struct tsim *sim, size_t i, void *context, doubl
 	term[6] = m;
 }
 
-static void tensor(const struct ts_instance *self, const struct tsim *sim, double out[6])
+static void gyration_tensor(const struct ts_instance *self, const struct tsim *sim, double out[6])
 {
 	double centre[3], sum[7];
 
 	ts_group_centre(sim, self->group, centre);
-	ts_group_sum(sim, self->group, 7, second_moment, centre, sum);
+	ts_group_sum(sim, self->group, 7, second_moment_terms, centre, sum);
 	for (int k = 0; k < 6; k++)
 		out[k] = sum[6] > 0 ? sum[k] / sum[6] : 0;
 }
@@ -34,20 +34,20 @@ static enum ts_status eval_radius(struct ts_instance *self, const struct tsim *s
 {
 	double t[6];
 
-	tensor(self, sim, t);
+	gyration_tensor(self, sim, t);
 	out->data[0] = sqrt(t[0] + t[1] + t[2]);
 	return TS_OK;
 }
 
 static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	tensor(self, sim, out->data);
+	gyration_tensor(self, sim, out->data);
 	return TS_OK;
 }
 
 static const struct ts_value values[] = {
 	{ "radius", "length", "radius of gyration", TS_SCALAR, 1, NULL, eval_radius },
-	{ "tensor", "length^2", "the tensor whose trace is the square of that radius", TS_VECTOR, 6,
+	{ "tensor", "length^2", "gyration tensor; its trace is the square of the radius", TS_VECTOR, 6,
 	  ts_tensor_names, eval_tensor },
 	{ .name = NULL },
 };
@@ -57,11 +57,11 @@ const struct ts_style ts_compute_gyration = {
 	.name = "gyration",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Radius of gyration of a group",
-	.doc = "R^2 = sum m (x - c)^2 / sum m with c the centre of mass and x the positions without "
-	       "periodic\n"
-	       "wrapping; the list has sum m (x_a - c_a) (x_b - c_b) / sum m for ab = xx, yy, zz, xy, "
-	       "xz, yz. An\n"
-	       "empty group has 0.",
+	.doc = "Radius of gyration R of the group with the centre of mass c and unwrapped positions x:\n\n"
+	       "    R^2 = sum m (x - c)^2 / sum m\n\n"
+	       "The vector is the gyration tensor with the components xx, yy, zz, xy, xz, yz:\n\n"
+	       "    G_ab = sum m (x_a - c_a) (x_b - c_b) / sum m\n\n"
+	       "All are 0 for an empty group.",
 	.example = "compute size clump gyration",
 	.values = values,
 };

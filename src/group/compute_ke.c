@@ -1,4 +1,4 @@
-/* Compute: kinetic energy of translation. */
+/* Compute ke: translational kinetic energy. */
 #include "group/kinetic_energy.h"
 
 #include "base/banned.h"
@@ -12,7 +12,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 static const struct ts_value values[] = {
 	{ .name = "energy",
 	  .unit = "energy",
-	  .help = "kinetic energy of the group",
+	  .help = "translational kinetic energy of the group",
 	  .shape = TS_SCALAR,
 	  .eval = eval },
 	{ .name = NULL },
@@ -22,10 +22,10 @@ TS_STYLE(compute, ts_style, ts_compute_ke)
 const struct ts_style ts_compute_ke = {
 	.name = "ke",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Kinetic energy of translation",
-	.doc = "The sum of m v^2 / 2 over the group, rounded once, so that it does not depend on the order\n"
-	       "of the particles. Rotation is not in it. A clump of fix\n"
-	       "multisphere counts as one particle.",
+	.summary = "Translational kinetic energy",
+	.doc = "Sum of m v^2 / 2 over the group, without rotation (see compute erotate/sphere).\n"
+	       "The sum is exact and rounded once, so it does not depend on the order of\n"
+	       "particles. A clump of fix multisphere counts as one particle.",
 	.example = "compute energy all ke",
 	.values = values,
 };

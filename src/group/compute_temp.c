@@ -1,4 +1,4 @@
-/* Compute: temperature of the translation. */
+/* Compute temp: temperature of the translational motion. */
 #include "group/temperature.h"
 
 #include "base/banned.h"
@@ -23,9 +23,9 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 }
 
 static const struct ts_value values[] = {
-	{ "temperature", "temperature", "of the translation of the group", TS_SCALAR, 1, NULL,
-	  eval_temperature },
-	{ "tensor", "energy", "sum of m u_a u_b", TS_VECTOR, 6, ts_tensor_names, eval_tensor },
+	{ "temperature", "temperature", "temperature of the group", TS_SCALAR, 1, NULL, eval_temperature },
+	{ "tensor", "energy", "kinetic tensor: sum of m v_a v_b", TS_VECTOR, 6, ts_tensor_names,
+	  eval_tensor },
 	{ .name = NULL },
 };
 
@@ -33,11 +33,13 @@ TS_STYLE(compute, ts_style, ts_compute_temp)
 const struct ts_style ts_compute_temp = {
 	.name = "temp",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Temperature of the translation",
-	.doc = "T = sum m u^2 / (D (N - 1) k_B), u = v, for N particles of the group in D dimensions. k_B is "
-	       "1 in lj units\nand 1.380649e-23 in si. The list has sum m u_a u_b for ab = xx, yy, zz, xy, "
-	       "xz, yz: twice the kinetic\nenergy in its trace. Without degrees of freedom T is 0. "
-	       "`compute_modify ID extra M` makes of D (N - 1)\ndegrees of freedom D N - M.",
+	.summary = "Temperature of the translational motion",
+	.doc = "T = sum m v^2 / (D (N - 1) k_B) for the N particles of the group in D\n"
+	       "dimensions, where k_B is 1 in lj units and 1.380649e-23 in si units. It is 0\n"
+	       "without degrees of freedom. `compute_modify ID extra M` replaces the D (N - 1)\n"
+	       "degrees of freedom by D N - M.\n\n"
+	       "The vector is the kinetic tensor sum m v_a v_b for ab = xx, yy, zz, xy, xz, yz;\n"
+	       "its trace is twice the kinetic energy.",
 	.example = "compute heat gas temp",
 	.state_size = sizeof(struct ts_freedom),
 	.values = values,

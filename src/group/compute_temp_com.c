@@ -1,4 +1,4 @@
-/* Compute: temperature of the motion relative to the centre of mass. */
+/* Compute temp/com: temperature of the motion relative to the centre of mass. */
 #include "group/temperature.h"
 
 #include "base/banned.h"
@@ -25,9 +25,10 @@ static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *s
 }
 
 static const struct ts_value values[] = {
-	{ "temperature", "temperature", "of the motion relative to the centre of mass", TS_SCALAR, 1, NULL,
+	{ "temperature", "temperature", "temperature relative to the centre of mass", TS_SCALAR, 1, NULL,
 	  eval_temperature },
-	{ "tensor", "energy", "sum of m u_a u_b", TS_VECTOR, 6, ts_tensor_names, eval_tensor },
+	{ "tensor", "energy", "kinetic tensor: sum of m u_a u_b", TS_VECTOR, 6, ts_tensor_names,
+	  eval_tensor },
 	{ .name = NULL },
 };
 
@@ -36,9 +37,9 @@ const struct ts_style ts_compute_temp_com = {
 	.name = "temp/com",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Temperature relative to the centre of mass",
-	.doc = "As compute temp, of the velocities u relative to that of the centre of mass of the group. "
-	       "With the factor k_B\nby the mass of a grain it is the granular temperature of a cloud that "
-	       "drifts as a whole.",
+	.doc = "As compute temp for the velocities u relative to the velocity of the centre of\n"
+	       "mass of the group. Multiplied by k_B / m, with m the mass of a grain, it is the\n"
+	       "granular temperature of a cloud of equal grains with a mean velocity.",
 	.example = "compute heat gas temp/com",
 	.state_size = sizeof(struct ts_freedom),
 	.values = values,

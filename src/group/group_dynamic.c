@@ -1,4 +1,4 @@
-/* Dynamic groups: their members are chosen anew every so many steps. */
+/* Dynamic groups: their members are assigned again at regular intervals. */
 #include "group/group_dynamic.h"
 
 #include <string.h>
@@ -10,7 +10,7 @@
 
 #include "base/banned.h"
 
-static struct ts_instance *region_of(struct tsim *sim, int bit)
+static struct ts_instance *find_region(struct tsim *sim, int bit)
 {
 	return ts_sim_find(sim, TS_KIND_REGION, sim->particles->dynamic[bit].region);
 }
@@ -22,7 +22,7 @@ enum ts_status ts_group_variable(struct tsim *sim, const char *name, const struc
 	struct ts_ref ref;
 	enum ts_status status;
 
-	/* LAMMPS writes the bare name */
+	/* LAMMPS scripts give the bare name */
 	ts_str_addf(&text, "%s%s", strncmp(name, "v_", 2) == 0 ? "" : "v_", name);
 	status = text.failed ? ts_nomem(&sim->error) : ts_ref_resolve(sim, ts_str_text(&text), where, &ref);
 	if (status == TS_OK)
@@ -31,14 +31,14 @@ enum ts_status ts_group_variable(struct tsim *sim, const char *name, const struc
 	return status;
 }
 
-static enum ts_status check(struct tsim *sim, int bit)
+static enum ts_status check_definition(struct tsim *sim, int bit)
 {
 	const struct ts_dynamic_group *g = &sim->particles->dynamic[bit];
 
 	if (!ts_group_name(sim, g->parent))
 		return ts_fail(&sim->error, TS_STATE, NULL, "dynamic group %s: its parent group is gone",
 			       ts_group_name(sim, bit));
-	if (g->region && !region_of(sim, bit))
+	if (g->region && !find_region(sim, bit))
 		return ts_fail(&sim->error, TS_STATE, NULL, "dynamic group %s: there is no region %s",
 			       ts_group_name(sim, bit), g->region);
 	return TS_OK;
@@ -52,8 +52,8 @@ enum ts_status ts_group_choose(struct tsim *sim, int bit)
 	struct ts_table value = { 0 };
 	enum ts_status status = TS_OK;
 
-	TS_TRY(check(sim, bit));
-	region = g->region ? region_of(sim, bit) : NULL;
+	TS_TRY(check_definition(sim, bit));
+	region = g->region ? find_region(sim, bit) : NULL;
 	TS_TRY(ts_region_update(region, sim));
 	if (g->variable)
 		status = ts_group_variable(sim, g->variable, NULL, &value);

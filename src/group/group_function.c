@@ -1,5 +1,5 @@
-/* Functions of formulas that sum over a group, or over the part of it in a region. As in LAMMPS positions
- * count without the wrapping at periodic faces, and particles as points. */
+/* Functions of formulas that sum over a group, or over its particles in a region. As in LAMMPS, positions are
+ * unwrapped, and particles are points. */
 #include "group/group_function.h"
 
 #include <math.h>
@@ -14,8 +14,8 @@
 
 #include "base/banned.h"
 
-/* Whom a function sums over, and what it needs to know of them. */
-struct chosen {
+/* The particles that a function sums over, their mass and centre of mass. */
+struct selection {
 	struct tsim *sim;
 	const struct ts_particles *p;
 	const struct ts_instance *region; /* NULL: everywhere */
@@ -23,25 +23,26 @@ struct chosen {
 	double mass, centre[3];
 };
 
-typedef double term_fn(const struct chosen *c, size_t i, int a, int b);
+typedef double term_fn(const struct selection *c, size_t i, int a, int b);
 
-static bool is_chosen(const struct chosen *c, size_t i)
+static bool is_selected(const struct selection *c, size_t i)
 {
 	return ts_in_group(c->p, i, c->group) && (!c->region || ts_region_contains(c->region, c->p->x[i]));
 }
 
-/* Exactly rounded, so that it does not depend on the order of particles. */
-static double sum(const struct chosen *c, term_fn *term, int a, int b)
+/* Sum of a term; exact and rounded once, so it does not depend on the order of particles. a, b:
+ * components. */
+static double sum_terms(const struct selection *c, term_fn *term, int a, int b)
 {
 	struct ts_exactsum sum = { 0 };
 
 	for (size_t i = 0; i < c->p->n; i++)
-		if (is_chosen(c, i))
+		if (is_selected(c, i))
 			ts_exactsum_add(&sum, term(c, i, a, b));
 	return ts_exactsum_value(&sum);
 }
 
-static enum ts_status choose_region(struct chosen *c, const struct ts_word *name)
+static enum ts_status read_region(struct selection *c, const struct ts_word *name)
 {
 	struct ts_instance *region = NULL;
 
@@ -51,116 +52,115 @@ static enum ts_status choose_region(struct chosen *c, const struct ts_word *name
 	return TS_OK;
 }
 
-/* The group is the first word, the region the last of `most`, if there are so many. */
-static enum ts_status choose(struct tsim *sim, struct ts_words args, size_t most, struct chosen *c)
+/* Reads the group, the first argument, and the region, argument number `most`, if it is given. */
+static enum ts_status read_group(struct tsim *sim, struct ts_words args, size_t most, struct selection *c)
 {
-	*c = (struct chosen){ .sim = sim, .p = sim->particles };
+	*c = (struct selection){ .sim = sim, .p = sim->particles };
 	TS_TRY(ts_group_require(sim, &args.word[0], &c->group));
-	return args.n == most ? choose_region(c, &args.word[most - 1]) : TS_OK;
+	return args.n == most ? read_region(c, &args.word[most - 1]) : TS_OK;
 }
 
-/* Position without wrapping. */
-static double unwrapped(const struct chosen *c, size_t i, int dim)
+static double unwrapped_coordinate(const struct selection *c, size_t i, int dim)
 {
 	return c->p->x[i][dim] + c->p->image[i][dim] * ts_box_length(&c->sim->domain->box, dim);
 }
 
-static double one(const struct chosen *c, size_t i, int a, int b)
+static double count_term(const struct selection *c, size_t i, int a, int b)
 {
 	(void)c, (void)i, (void)a, (void)b;
 	return 1;
 }
 
-static double mass(const struct chosen *c, size_t i, int a, int b)
+static double mass_term(const struct selection *c, size_t i, int a, int b)
 {
 	(void)a, (void)b;
 	return c->p->mass[i];
 }
 
-static double mass_x(const struct chosen *c, size_t i, int a, int b)
+static double mass_position_term(const struct selection *c, size_t i, int a, int b)
 {
 	(void)b;
-	return c->p->mass[i] * unwrapped(c, i, a);
+	return c->p->mass[i] * unwrapped_coordinate(c, i, a);
 }
 
-static double mass_v(const struct chosen *c, size_t i, int a, int b)
+static double momentum_term(const struct selection *c, size_t i, int a, int b)
 {
 	(void)b;
 	return c->p->mass[i] * c->p->v[i][a];
 }
 
-static double kinetic(const struct chosen *c, size_t i, int a, int b)
+static double kinetic_energy_term(const struct selection *c, size_t i, int a, int b)
 {
 	(void)a, (void)b;
 	return ts_kinetic_energy(c->sim, i);
 }
 
-static double force(const struct chosen *c, size_t i, int a, int b)
+static double force_term(const struct selection *c, size_t i, int a, int b)
 {
 	(void)b;
 	return c->p->f[i][a];
 }
 
-static void arm(const struct chosen *c, size_t i, double d[3])
+static void arm_from_centre(const struct selection *c, size_t i, double d[3])
 {
 	for (int k = 0; k < 3; k++)
-		d[k] = unwrapped(c, i, k) - c->centre[k];
+		d[k] = unwrapped_coordinate(c, i, k) - c->centre[k];
 }
 
-static double mass_r2(const struct chosen *c, size_t i, int a, int b)
+static double mass_r2_term(const struct selection *c, size_t i, int a, int b)
 {
 	double d[3];
 
 	(void)a, (void)b;
-	arm(c, i, d);
+	arm_from_centre(c, i, d);
 	return c->p->mass[i] * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 }
 
-static double inertia(const struct chosen *c, size_t i, int a, int b)
+static double inertia_term(const struct selection *c, size_t i, int a, int b)
 {
 	double d[3];
 
-	arm(c, i, d);
+	arm_from_centre(c, i, d);
 	if (a != b)
 		return -c->p->mass[i] * d[a] * d[b];
 	return c->p->mass[i] * (d[(a + 1) % 3] * d[(a + 1) % 3] + d[(a + 2) % 3] * d[(a + 2) % 3]);
 }
 
-static double moment_of_momentum(const struct chosen *c, size_t i, int a, int b)
+static double angular_momentum_term(const struct selection *c, size_t i, int a, int b)
 {
 	int u = (a + 1) % 3, w = (a + 2) % 3;
 	double d[3];
 
 	(void)b;
-	arm(c, i, d);
+	arm_from_centre(c, i, d);
 	return c->p->mass[i] * (d[u] * c->p->v[i][w] - d[w] * c->p->v[i][u]);
 }
 
-static double moment_of_force(const struct chosen *c, size_t i, int a, int b)
+static double torque_term(const struct selection *c, size_t i, int a, int b)
 {
 	int u = (a + 1) % 3, w = (a + 2) % 3;
 	double d[3];
 
 	(void)b;
-	arm(c, i, d);
+	arm_from_centre(c, i, d);
 	return d[u] * c->p->f[i][w] - d[w] * c->p->f[i][u];
 }
 
-static enum ts_status find_centre(struct chosen *c, const struct ts_word *name)
+static enum ts_status find_centre(struct selection *c, const struct ts_word *name)
 {
-	c->mass = sum(c, mass, 0, 0);
+	c->mass = sum_terms(c, mass_term, 0, 0);
 	if (!(c->mass > 0))
 		return ts_fail(&c->sim->error, TS_STATE, &name->place,
 			       "group '%s' has no particles%s: its centre is not defined", name->text,
 			       c->region ? " in that region" : "");
 	for (int k = 0; k < 3; k++)
-		c->centre[k] = sum(c, mass_x, k, 0) / c->mass;
+		c->centre[k] = sum_terms(c, mass_position_term, k, 0) / c->mass;
 	return TS_OK;
 }
 
-/* A word such as "x" or "yz": one of a list of names; its number. */
-static enum ts_status pick(struct tsim *sim, const struct ts_word *word, const char *const *names,
-			   const char *expected, int *out)
+/* *out: index of the word, such as "x" or "yz", in a list of names. */
+static enum ts_status find_name(struct tsim *sim, const struct ts_word *word, const char *const *names,
+				const char *expected, int *out)
 {
 	for (*out = 0; names[*out]; ++*out)
 		if (ts_streq(word->text, names[*out]))
@@ -172,54 +172,54 @@ static enum ts_status read_dim(struct tsim *sim, const struct ts_word *word, int
 {
 	static const char *const names[] = { "x", "y", "z", NULL };
 
-	return pick(sim, word, names, "x, y or z", dim);
+	return find_name(sim, word, names, "x, y or z", dim);
 }
 
-static enum ts_status plain(struct tsim *sim, struct ts_words args, term_fn *term, double *out)
+static enum ts_status eval_sum(struct tsim *sim, struct ts_words args, term_fn *term, double *out)
 {
-	struct chosen c;
+	struct selection c;
 
-	TS_TRY(choose(sim, args, 2, &c));
-	*out = sum(&c, term, 0, 0);
+	TS_TRY(read_group(sim, args, 2, &c));
+	*out = sum_terms(&c, term, 0, 0);
 	return TS_OK;
 }
 
 static enum ts_status eval_count(struct tsim *sim, struct ts_words args, double *out)
 {
-	return plain(sim, args, one, out);
+	return eval_sum(sim, args, count_term, out);
 }
 
 static enum ts_status eval_mass(struct tsim *sim, struct ts_words args, double *out)
 {
-	return plain(sim, args, mass, out);
+	return eval_sum(sim, args, mass_term, out);
 }
 
 static enum ts_status eval_ke(struct tsim *sim, struct ts_words args, double *out)
 {
-	return plain(sim, args, kinetic, out);
+	return eval_sum(sim, args, kinetic_energy_term, out);
 }
 
-/* (group,dim[,region]); about: relative to the centre of mass. */
-static enum ts_status component(struct tsim *sim, struct ts_words args, term_fn *term, bool about,
-				double *out)
+/* (group,dim[,region]); about: terms are relative to the centre of mass. */
+static enum ts_status eval_component(struct tsim *sim, struct ts_words args, term_fn *term, bool about,
+				     double *out)
 {
-	struct chosen c;
+	struct selection c;
 	int dim;
 
-	TS_TRY(choose(sim, args, 3, &c));
+	TS_TRY(read_group(sim, args, 3, &c));
 	TS_TRY(read_dim(sim, &args.word[1], &dim));
 	if (about)
 		TS_TRY(find_centre(&c, &args.word[0]));
-	*out = sum(&c, term, dim, 0);
+	*out = sum_terms(&c, term, dim, 0);
 	return TS_OK;
 }
 
-static enum ts_status per_mass(struct tsim *sim, struct ts_words args, term_fn *term, double *out)
+static enum ts_status eval_per_mass(struct tsim *sim, struct ts_words args, term_fn *term, double *out)
 {
-	struct chosen c;
+	struct selection c;
 
-	TS_TRY(component(sim, args, term, false, out));
-	TS_TRY(choose(sim, args, 3, &c));
+	TS_TRY(eval_component(sim, args, term, false, out));
+	TS_TRY(read_group(sim, args, 3, &c));
 	TS_TRY(find_centre(&c, &args.word[0]));
 	*out /= c.mass;
 	return TS_OK;
@@ -227,36 +227,36 @@ static enum ts_status per_mass(struct tsim *sim, struct ts_words args, term_fn *
 
 static enum ts_status eval_xcm(struct tsim *sim, struct ts_words args, double *out)
 {
-	return per_mass(sim, args, mass_x, out);
+	return eval_per_mass(sim, args, mass_position_term, out);
 }
 
 static enum ts_status eval_vcm(struct tsim *sim, struct ts_words args, double *out)
 {
-	return per_mass(sim, args, mass_v, out);
+	return eval_per_mass(sim, args, momentum_term, out);
 }
 
 static enum ts_status eval_fcm(struct tsim *sim, struct ts_words args, double *out)
 {
-	return component(sim, args, force, false, out);
+	return eval_component(sim, args, force_term, false, out);
 }
 
 static enum ts_status eval_angmom(struct tsim *sim, struct ts_words args, double *out)
 {
-	return component(sim, args, moment_of_momentum, true, out);
+	return eval_component(sim, args, angular_momentum_term, true, out);
 }
 
 static enum ts_status eval_torque(struct tsim *sim, struct ts_words args, double *out)
 {
-	return component(sim, args, moment_of_force, true, out);
+	return eval_component(sim, args, torque_term, true, out);
 }
 
 static enum ts_status eval_gyration(struct tsim *sim, struct ts_words args, double *out)
 {
-	struct chosen c;
+	struct selection c;
 
-	TS_TRY(choose(sim, args, 2, &c));
+	TS_TRY(read_group(sim, args, 2, &c));
 	TS_TRY(find_centre(&c, &args.word[0]));
-	*out = sqrt(sum(&c, mass_r2, 0, 0) / c.mass);
+	*out = sqrt(sum_terms(&c, mass_r2_term, 0, 0) / c.mass);
 	return TS_OK;
 }
 
@@ -264,13 +264,13 @@ static enum ts_status eval_inertia(struct tsim *sim, struct ts_words args, doubl
 {
 	static const char *const names[] = { "xx", "yy", "zz", "xy", "yz", "xz", NULL };
 	static const int first[] = { 0, 1, 2, 0, 1, 0 }, second[] = { 0, 1, 2, 1, 2, 2 };
-	struct chosen c;
+	struct selection c;
 	int k;
 
-	TS_TRY(choose(sim, args, 3, &c));
-	TS_TRY(pick(sim, &args.word[1], names, "xx, yy, zz, xy, yz or xz", &k));
+	TS_TRY(read_group(sim, args, 3, &c));
+	TS_TRY(find_name(sim, &args.word[1], names, "xx, yy, zz, xy, yz or xz", &k));
 	TS_TRY(find_centre(&c, &args.word[0]));
-	*out = sum(&c, inertia, first[k], second[k]);
+	*out = sum_terms(&c, inertia_term, first[k], second[k]);
 	return TS_OK;
 }
 
@@ -286,19 +286,19 @@ static double determinant(double m[3][3])
 	return value;
 }
 
-/* Solves inertia omega = angular momentum by Cramer's rule. */
+/* Solves I omega = L by Cramer's rule. */
 static enum ts_status eval_omega(struct tsim *sim, struct ts_words args, double *out)
 {
 	double tensor[3][3], whole, trace;
-	struct chosen c;
+	struct selection c;
 	int dim;
 
-	TS_TRY(choose(sim, args, 3, &c));
+	TS_TRY(read_group(sim, args, 3, &c));
 	TS_TRY(read_dim(sim, &args.word[1], &dim));
 	TS_TRY(find_centre(&c, &args.word[0]));
 	for (int a = 0; a < 3; a++)
 		for (int b = 0; b < 3; b++)
-			tensor[a][b] = sum(&c, inertia, a, b);
+			tensor[a][b] = sum_terms(&c, inertia_term, a, b);
 	whole = determinant(tensor);
 	trace = tensor[0][0] + tensor[1][1] + tensor[2][2];
 	if (!(whole > 1e-12 * trace * trace * trace))
@@ -307,7 +307,7 @@ static enum ts_status eval_omega(struct tsim *sim, struct ts_words args, double 
 			       "about it is not defined",
 			       args.word[0].text);
 	for (int a = 0; a < 3; a++)
-		tensor[a][dim] = sum(&c, moment_of_momentum, a, 0);
+		tensor[a][dim] = sum_terms(&c, angular_momentum_term, a, 0);
 	*out = determinant(tensor) / whole;
 	return TS_OK;
 }
@@ -315,16 +315,16 @@ static enum ts_status eval_omega(struct tsim *sim, struct ts_words args, double 
 static enum ts_status eval_bound(struct tsim *sim, struct ts_words args, double *out)
 {
 	static const char *const names[] = { "xmin", "xmax", "ymin", "ymax", "zmin", "zmax", NULL };
-	struct chosen c;
+	struct selection c;
 	bool found = false;
 	int side;
 
-	TS_TRY(choose(sim, args, 3, &c));
-	TS_TRY(pick(sim, &args.word[1], names, "xmin, xmax, ymin, ymax, zmin or zmax", &side));
+	TS_TRY(read_group(sim, args, 3, &c));
+	TS_TRY(find_name(sim, &args.word[1], names, "xmin, xmax, ymin, ymax, zmin or zmax", &side));
 	for (size_t i = 0; i < c.p->n; i++) {
 		double x = c.p->x[i][side / 2];
 
-		if (!is_chosen(&c, i))
+		if (!is_selected(&c, i))
 			continue;
 		if (!found || (side % 2 ? x > *out : x < *out))
 			*out = x;
@@ -336,29 +336,29 @@ static enum ts_status eval_bound(struct tsim *sim, struct ts_words args, double 
 	return TS_OK;
 }
 
-static enum ts_status mask(const struct chosen *c, struct ts_table *out)
+static enum ts_status eval_mask(const struct selection *c, struct ts_table *out)
 {
 	if (ts_table_resize(out, c->p->n, 1) != TS_OK)
 		return ts_nomem(&c->sim->error);
 	for (size_t i = 0; i < c->p->n; i++)
-		out->data[i] = is_chosen(c, i);
+		out->data[i] = is_selected(c, i);
 	return TS_OK;
 }
 
-static enum ts_status each_gmask(struct tsim *sim, struct ts_words args, struct ts_table *out)
+static enum ts_status eval_gmask(struct tsim *sim, struct ts_words args, struct ts_table *out)
 {
-	struct chosen c;
+	struct selection c;
 
-	TS_TRY(choose(sim, args, 2, &c)); /* grmask too */
-	return mask(&c, out);
+	TS_TRY(read_group(sim, args, 2, &c)); /* grmask too */
+	return eval_mask(&c, out);
 }
 
-static enum ts_status each_rmask(struct tsim *sim, struct ts_words args, struct ts_table *out)
+static enum ts_status eval_rmask(struct tsim *sim, struct ts_words args, struct ts_table *out)
 {
-	struct chosen c = { .sim = sim, .p = sim->particles };
+	struct selection c = { .sim = sim, .p = sim->particles };
 
-	TS_TRY(choose_region(&c, &args.word[0]));
-	return mask(&c, out);
+	TS_TRY(read_region(&c, &args.word[0]));
+	return eval_mask(&c, out);
 }
 
 static enum ts_status read_type(struct tsim *sim, const struct ts_word *word, int *out)
@@ -398,17 +398,19 @@ static enum ts_status eval_property(struct tsim *sim, struct ts_words args, doub
 static const struct ts_function functions[] = {
 	WHOLE("count", eval_count, "number of particles"),
 	WHOLE("mass", eval_mass, "total mass"),
-	WHOLE("ke", eval_ke, "kinetic energy of translation"),
-	WHOLE("gyration", eval_gyration, "radius of gyration: root of the mean of m r^2"),
+	WHOLE("ke", eval_ke, "translational kinetic energy"),
+	WHOLE("gyration", eval_gyration, "radius of gyration: sqrt(sum m r^2 / sum m)"),
 	PART("xcm", "x|y|z", eval_xcm, "centre of mass"),
 	PART("vcm", "x|y|z", eval_vcm, "velocity of the centre of mass"),
 	PART("fcm", "x|y|z", eval_fcm, "total force"),
-	PART("angmom", "x|y|z", eval_angmom, "angular momentum about the centre of mass, without spin"),
+	PART("angmom", "x|y|z", eval_angmom,
+	     "angular momentum about the centre of mass, without rotation of the particles"),
 	PART("torque", "x|y|z", eval_torque, "torque of the forces about the centre of mass"),
 	PART("inertia", "xx|yy|zz|xy|yz|xz", eval_inertia,
-	     "tensor of inertia about the centre of mass, of points"),
-	PART("omega", "x|y|z", eval_omega, "angular velocity: inertia omega = angmom"),
-	PART("bound", "xmin|xmax|ymin|ymax|zmin|zmax", eval_bound, "extreme coordinate of centres"),
+	     "inertia tensor about the centre of mass, of point masses"),
+	PART("omega", "x|y|z", eval_omega, "angular velocity omega, where I omega = L"),
+	PART("bound", "xmin|xmax|ymin|ymax|zmin|zmax", eval_bound,
+	     "smallest or largest coordinate of centres"),
 	{ .name = "property",
 	  .arguments = "name,type[,type]",
 	  .help = "property of a material or of a pair of materials, see fix property/global",
@@ -420,19 +422,19 @@ static const struct ts_function functions[] = {
 	  .help = "1 for particles of the group, else 0",
 	  .least = 1,
 	  .most = 1,
-	  .peratom = each_gmask },
+	  .peratom = eval_gmask },
 	{ .name = "rmask",
 	  .arguments = "region",
 	  .help = "1 for particles in the region, else 0",
 	  .least = 1,
 	  .most = 1,
-	  .peratom = each_rmask },
+	  .peratom = eval_rmask },
 	{ .name = "grmask",
 	  .arguments = "group,region",
 	  .help = "1 for particles of the group in the region, else 0",
 	  .least = 2,
 	  .most = 2,
-	  .peratom = each_gmask },
+	  .peratom = eval_gmask },
 	{ .name = NULL },
 };
 

@@ -4,7 +4,7 @@
 
 #include "base/banned.h"
 
-TS_CLONES static size_t count(const uint32_t *mask, int group, size_t from, size_t to)
+TS_CLONES static size_t count_members(const uint32_t *mask, int group, size_t from, size_t to)
 {
 	uint32_t members = 0;
 
@@ -16,7 +16,7 @@ TS_CLONES static size_t count(const uint32_t *mask, int group, size_t from, size
 
 size_t ts_group_members(const struct ts_particles *p, int group, size_t from, size_t to)
 {
-	return count(p->mask, group, from, to);
+	return count_members(p->mask, group, from, to);
 }
 
 bool ts_groups_meet(const struct ts_particles *p, int a, int b)

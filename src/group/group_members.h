@@ -1,12 +1,12 @@
-/* Members of groups. Whether particle i is in a group: ts_in_group of particle/particles.h. */
+/* Numbers of members of groups. For a single particle see ts_in_group in particle/particles.h. */
 #ifndef TS_GROUP_GROUP_MEMBERS_H
 #define TS_GROUP_GROUP_MEMBERS_H
 
 #include "particle/particles.h"
 
-/* How many of the particles from .. to-1. */
+/* Number of members among the particles from <= i < to. */
 size_t ts_group_members(const struct ts_particles *p, int group, size_t from, size_t to);
-/* Whether groups have, or will have, particles in common: as far as can be told now. */
+/* Whether two groups have members in common now, or are equal, or one of them is `all`. */
 bool ts_groups_meet(const struct ts_particles *p, int a, int b);
 
 #endif

@@ -5,10 +5,10 @@
 
 #include "base/banned.h"
 
-/* A body is taken for a line if det I is less than this part of (trace I)^3. */
-static const double FLAT = 1e-12;
+/* The inertia tensor I is singular, particles on a line, if det I is below this fraction of (trace I)^3. */
+static const double SINGULAR = 1e-12;
 
-static void angular_momentum(const struct tsim *sim, size_t i, void *context, double *term)
+static void angular_momentum_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	const struct ts_particles *p = sim->particles;
 	double arm[3];
@@ -19,8 +19,8 @@ static void angular_momentum(const struct tsim *sim, size_t i, void *context, do
 	ts_scale(p->mass[i], term, term);
 }
 
-/* xx, yy, zz, xy, xz, yz of sum m (r^2 - r r). */
-static void inertia(const struct tsim *sim, size_t i, void *context, double *term)
+/* Terms m (r^2 1 - r r) of the inertia tensor: xx, yy, zz, xy, xz, yz. */
+static void inertia_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	double r[3], m = sim->particles->mass[i];
 
@@ -39,8 +39,8 @@ void ts_group_spin(const struct tsim *sim, int group, double centre[3], double o
 	double l[3], t[6], a[3], b[3], c[3], bc[3], ca[3], ab[3], det, trace;
 
 	ts_group_centre(sim, group, centre);
-	ts_group_sum(sim, group, 3, angular_momentum, centre, l);
-	ts_group_sum(sim, group, 6, inertia, centre, t);
+	ts_group_sum(sim, group, 3, angular_momentum_terms, centre, l);
+	ts_group_sum(sim, group, 6, inertia_terms, centre, t);
 	trace = t[0] + t[1] + t[2];
 	a[0] = t[0], a[1] = b[0] = t[3], a[2] = c[0] = t[4];
 	b[1] = t[1], b[2] = c[1] = t[5], c[2] = t[2];
@@ -49,9 +49,9 @@ void ts_group_spin(const struct tsim *sim, int group, double centre[3], double o
 	ts_cross(a, b, ab);
 	det = ts_dot(a, bc);
 	for (int k = 0; k < 3; k++) {
-		if (det > FLAT * trace * trace * trace) /* the inverse by cofactors */
+		if (det > SINGULAR * trace * trace * trace) /* inverse by cofactors */
 			omega[k] = (bc[k] * l[0] + ca[k] * l[1] + ab[k] * l[2]) / det;
-		else /* I = (1 - e e) trace/2 */
+		else /* on a line along e: I = (1 - e e) trace/2 */
 			omega[k] = trace > 0 ? 2 * l[k] / trace : 0;
 	}
 }

@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-/* The clump that particle i belongs to, or NULL. */
+/* The clump of particle i, or NULL; kind > 0: inserted from a template of clumps. */
 static const struct ts_body *clump_of(const struct tsim *sim, size_t i)
 {
 	const struct ts_body *body = ts_rigid_body_of(sim, i);

@@ -1,16 +1,16 @@
-/* Kinetic energies of groups. A clump of several spheres (fix multisphere) counts as one particle: its
- * spheres share the energy of its centre of mass, and its rotation is left to compute
- * erotate/multisphere, as in LIGGGHTS. Members of other rigid bodies count one by one. */
+/* Kinetic energies of groups. As in LIGGGHTS, a clump (fix multisphere) counts as one particle: its
+ * spheres have the velocity of its centre of mass, and its rotational energy is in compute
+ * erotate/multisphere. Members of other rigid bodies count as single particles. */
 #ifndef TS_GROUP_KINETIC_ENERGY_H
 #define TS_GROUP_KINETIC_ENERGY_H
 
 #include "core/sim.h"
 
-/* m v^2 / 2 and I omega^2 / 2 of particle i. */
+/* Translational energy m v^2 / 2 and rotational energy I omega^2 / 2 of particle i. */
 double ts_kinetic_energy(const struct tsim *sim, size_t i);
 double ts_kinetic_energy_rotation(const struct tsim *sim, size_t i);
 
-/* The sums over the group, rounded once, so that the order of the particles does not matter. */
+/* The sums over the group; exact and rounded once, so they do not depend on the order of particles. */
 double ts_group_kinetic_energy(const struct tsim *sim, int group);
 double ts_group_rotation_energy(const struct tsim *sim, int group);
 

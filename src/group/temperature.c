@@ -5,7 +5,7 @@
 
 #include "base/banned.h"
 
-static void kinetic(const struct tsim *sim, size_t i, void *context, double *term)
+static void kinetic_tensor_terms(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	double v[3];
 
@@ -21,7 +21,7 @@ void ts_temperature_tensor(const struct tsim *sim, int group, const double mean[
 
 	for (int d = 0; mean && d < 3; d++)
 		shift[d] = mean[d];
-	ts_group_sum(sim, group, 7, kinetic, shift, out);
+	ts_group_sum(sim, group, 7, kinetic_tensor_terms, shift, out);
 }
 
 enum ts_status ts_freedom_read(struct ts_freedom *freedom, struct tsim *sim, struct ts_words words,

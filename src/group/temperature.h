@@ -1,24 +1,24 @@
-/* Kinetic tensors and the temperature made of them. */
+/* Kinetic tensor of a group, and its temperature. */
 #ifndef TS_GROUP_TEMPERATURE_H
 #define TS_GROUP_TEMPERATURE_H
 
 #include "particle/group_moments.h"
 
-/* Sums of m u_a u_b, u = v - mean, over the group, in the order of ts_tensor_names, and the number of
- * particles behind them. mean NULL: 0. */
+/* Kinetic tensor: sums of m u_a u_b, u = v - mean, over the group in the order of ts_tensor_names;
+ * out[6]: number of particles. mean NULL: 0. */
 void ts_temperature_tensor(const struct tsim *sim, int group, const double mean[3], double out[7]);
-/* How many of the D N degrees of freedom do not count: D, or what compute_modify extra says. First member
- * of the state of computes that give temperatures. */
+/* Number of degrees of freedom that are subtracted from D N: D, or that of compute_modify extra. First
+ * member of the state of computes that give temperatures. */
 struct ts_freedom {
-	bool given;
+	bool given; /* by compute_modify */
 	double missing;
 };
-/* The words of compute_modify: the slot modify of such computes; and the same for other owners. */
+/* Reads the words of compute_modify: as the slot `modify` of such computes, and for any ts_freedom. */
 enum ts_status ts_freedom_modify(struct ts_instance *self, struct tsim *sim, struct ts_words words,
 				 size_t *used);
 enum ts_status ts_freedom_read(struct ts_freedom *freedom, struct tsim *sim, struct ts_words words,
 			       size_t *used);
-/* sum m u^2 / ((D N - missing) k_B); 0 without degrees of freedom. freedom NULL: D are missing. */
+/* T = sum m u^2 / ((D N - missing) k_B); 0 without degrees of freedom. freedom NULL: missing = D. */
 double ts_temperature(const struct tsim *sim, const double tensor[7], const struct ts_freedom *freedom);
 
 #endif

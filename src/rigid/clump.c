@@ -7,10 +7,10 @@
 
 #include "base/banned.h"
 
-/* So many orders are tried; the smallest sphere is taken. */
-enum { ORDERS = 200 };
+/* Number of random orders in which spheres are added; the smallest bounding sphere is used. */
+enum { NORDERS = 200 };
 
-static size_t draw_new(const unsigned char *seen, size_t n, struct ts_minstd *random)
+static size_t draw_unused(const unsigned char *seen, size_t n, struct ts_minstd *random)
 {
 	size_t k;
 
@@ -20,8 +20,8 @@ static size_t draw_new(const unsigned char *seen, size_t n, struct ts_minstd *ra
 	return k;
 }
 
-/* A sphere around what it had and one more: it grows and moves just enough. */
-static void take_in(const struct ts_clump_sphere *one, double middle[3], double *reach)
+/* The smallest sphere that contains the bounding sphere so far and one more sphere. */
+static void enlarge_bounding_sphere(const struct ts_clump_sphere *one, double middle[3], double *reach)
 {
 	double d[3], distance, part;
 
@@ -38,27 +38,27 @@ static void take_in(const struct ts_clump_sphere *one, double middle[3], double 
 	*reach += part * distance;
 }
 
-static enum ts_status surround(struct ts_clump *c, struct ts_minstd *random)
+static enum ts_status find_bounding_sphere(struct ts_clump *c, struct ts_minstd *random)
 {
 	unsigned char *seen = ts_alloc(c->n, 1);
 
 	if (!seen)
 		return TS_NOMEM;
 	c->reach = INFINITY;
-	for (int order = 0; order < ORDERS; order++) {
+	for (int order = 0; order < NORDERS; order++) {
 		double middle[3] = { 0 }, reach = 0;
 
 		for (size_t k = 0; k < c->n; k++)
 			seen[k] = 0;
 		for (size_t k = 0; k < c->n; k++) {
-			size_t next = draw_new(seen, c->n, random);
+			size_t next = draw_unused(seen, c->n, random);
 
 			seen[next] = 1;
 			if (k == 0) {
 				ts_scale(1, c->sphere[next].x, middle);
 				reach = c->sphere[next].radius;
 			} else {
-				take_in(&c->sphere[next], middle, &reach);
+				enlarge_bounding_sphere(&c->sphere[next], middle, &reach);
 			}
 		}
 		if (reach < c->reach) {
@@ -70,7 +70,7 @@ static enum ts_status surround(struct ts_clump *c, struct ts_minstd *random)
 	return TS_OK;
 }
 
-static void box_around(const struct ts_clump *c, double lo[3], double hi[3])
+static void find_bounding_box(const struct ts_clump *c, double lo[3], double hi[3])
 {
 	for (int d = 0; d < 3; d++) {
 		lo[d] = INFINITY;
@@ -82,7 +82,7 @@ static void box_around(const struct ts_clump *c, double lo[3], double hi[3])
 	}
 }
 
-/* A point of the box, relative to `origin`; false if it is in none of the spheres. */
+/* Draws a point of the bounding box; x: relative to `origin`. False if it is in none of the spheres. */
 static bool draw_point(const struct ts_clump *c, const double lo[3], const double hi[3],
 		       const double origin[3], struct ts_minstd *random, double x[3])
 {
@@ -113,8 +113,8 @@ enum ts_status ts_clump_measure(struct ts_clump *c, int64_t tries, struct ts_min
 	double lo[3], hi[3], x[3], sum[3] = { 0 }, moments[6] = { 0 }, box = 1;
 	int64_t hits = 0;
 
-	TS_TRY(surround(c, random));
-	box_around(c, lo, hi);
+	TS_TRY(find_bounding_sphere(c, random));
+	find_bounding_box(c, lo, hi);
 	for (int64_t k = 0; k < tries; k++) {
 		if (!draw_point(c, lo, hi, origin, random, x))
 			continue;

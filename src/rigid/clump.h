@@ -1,9 +1,9 @@
-/* Clumps of spheres that may overlap: the sphere around them, and volume, centre of mass and moments of
- * the body they make, by lot.
+/* Clumps of overlapping spheres: bounding sphere, and volume, centre of mass and moments of inertia of
+ * their union by Monte Carlo integration.
  *
- * All random numbers come from one minimal standard generator, in the order of LIGGGHTS 3.8: first the
- * orders in which spheres are put into the sphere around them, then `tries` points in their box for volume
- * and centre, then as many for the moments. */
+ * All random numbers are from one minimal standard generator, in the order of LIGGGHTS 3.8: first the
+ * orders in which spheres are added to the bounding sphere, then `tries` points in the bounding box for
+ * volume and centre, then the same number for the moments. */
 #ifndef TS_RIGID_CLUMP_H
 #define TS_RIGID_CLUMP_H
 
@@ -20,13 +20,13 @@ struct ts_clump_sphere {
 struct ts_clump {
 	struct ts_clump_sphere *sphere;
 	size_t n;
-	double middle[3], reach; /* sphere around them */
-	double volume;
-	double centre[3];  /* of mass */
-	double moments[6]; /* of inertia about it, xx yy zz xy xz yz, for density 1 */
+	double middle[3], reach; /* centre and radius of the bounding sphere */
+	double volume;		 /* of the union */
+	double centre[3];	 /* of mass */
+	double moments[6];	 /* of inertia about it, xx yy zz xy xz yz, for density 1 */
 };
 
-/* TS_RANGE: none of the points lies in a sphere. */
+/* Computes all but the spheres. TS_RANGE: none of the points lies in a sphere. */
 enum ts_status ts_clump_measure(struct ts_clump *clump, int64_t tries, struct ts_minstd *random);
 
 #endif

@@ -1,21 +1,22 @@
-/* Computes: kinetic energy of rigid bodies, of translation and of rotation. */
+/* Computes ke/multisphere and erotate/multisphere: translational and rotational kinetic energy of rigid
+ * bodies. */
 #include "math/exactsum.h"
 #include "math/vec3.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"
 
-static double translation(const struct ts_body *body)
+static double translational_energy(const struct ts_body *body)
 {
 	return 0.5 * body->mass * ts_dot(body->v, body->v);
 }
 
-static double rotation(const struct ts_body *body)
+static double rotational_energy(const struct ts_body *body)
 {
 	return 0.5 * ts_dot(body->spin, body->omega);
 }
 
-static double sum_of(const struct ts_rigid *rigid, double (*energy)(const struct ts_body *body))
+static double sum_over_bodies(const struct ts_rigid *rigid, double (*energy)(const struct ts_body *body))
 {
 	struct ts_exactsum sum = ts_exactsum_start();
 
@@ -27,25 +28,25 @@ static double sum_of(const struct ts_rigid *rigid, double (*energy)(const struct
 static enum ts_status eval_translation(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)self;
-	out->data[0] = sum_of(sim->rigid, translation);
+	out->data[0] = sum_over_bodies(sim->rigid, translational_energy);
 	return TS_OK;
 }
 
 static enum ts_status eval_rotation(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)self;
-	out->data[0] = sum_of(sim->rigid, rotation);
+	out->data[0] = sum_over_bodies(sim->rigid, rotational_energy);
 	return TS_OK;
 }
 
 static const struct ts_value translations[] = {
-	{ "energy", "energy", "kinetic energy of translation of all rigid bodies", TS_SCALAR, 1, NULL,
+	{ "energy", "energy", "translational kinetic energy of all rigid bodies", TS_SCALAR, 1, NULL,
 	  eval_translation },
 	{ .name = NULL },
 };
 
 static const struct ts_value rotations[] = {
-	{ "energy", "energy", "kinetic energy of rotation of all rigid bodies", TS_SCALAR, 1, NULL,
+	{ "energy", "energy", "rotational kinetic energy of all rigid bodies", TS_SCALAR, 1, NULL,
 	  eval_rotation },
 	{ .name = NULL },
 };
@@ -54,8 +55,9 @@ TS_STYLE(compute, ts_style, ts_compute_ke_multisphere)
 const struct ts_style ts_compute_ke_multisphere = {
 	.name = "ke/multisphere",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Kinetic energy of translation of rigid bodies",
-	.doc = "The sum of M V^2 / 2 over all rigid bodies, rounded once. The group is without effect.",
+	.summary = "Translational kinetic energy of rigid bodies",
+	.doc = "Sum of M V^2 / 2 over all rigid bodies, exact and rounded once. The group has no\n"
+	       "effect.",
 	.example = "compute energy all ke/multisphere",
 	.values = translations,
 };
@@ -64,8 +66,9 @@ TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
 const struct ts_style ts_compute_erotate_multisphere = {
 	.name = "erotate/multisphere",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Kinetic energy of rotation of rigid bodies",
-	.doc = "The sum of L omega / 2 over all rigid bodies, rounded once. The group is without effect.",
+	.summary = "Rotational kinetic energy of rigid bodies",
+	.doc = "Sum of L . omega / 2 over all rigid bodies, exact and rounded once. The group\n"
+	       "has no effect.",
 	.example = "compute rotation all erotate/multisphere",
 	.values = rotations,
 };

@@ -1,4 +1,4 @@
-/* Compute: properties of rigid bodies. */
+/* Computes multisphere and multisphere/single: properties of rigid bodies. */
 #include "rigid/rigid.h"
 
 #include <string.h>
@@ -9,10 +9,10 @@
 
 struct state {
 	int property;
-	int64_t id; /* of the one body */
+	int64_t id; /* of multisphere/single: id of the body */
 };
 
-/* The numbers of a body start at `offset`; or `make` writes them. */
+/* A property: `columns` numbers at `offset` in struct ts_body, or written by `make`. */
 struct property {
 	const char *name;
 	size_t columns, offset;
@@ -24,7 +24,7 @@ static void make_id(const struct ts_rigid *r, size_t b, double *out)
 	out[0] = r->id[b];
 }
 
-static void axis(const struct ts_rigid *r, size_t b, int k, double *out)
+static void principal_axis(const struct ts_rigid *r, size_t b, int k, double *out)
 {
 	double m[3][3];
 
@@ -35,17 +35,17 @@ static void axis(const struct ts_rigid *r, size_t b, int k, double *out)
 
 static void make_ex(const struct ts_rigid *r, size_t b, double *out)
 {
-	axis(r, b, 0, out);
+	principal_axis(r, b, 0, out);
 }
 
 static void make_ey(const struct ts_rigid *r, size_t b, double *out)
 {
-	axis(r, b, 1, out);
+	principal_axis(r, b, 1, out);
 }
 
 static void make_ez(const struct ts_rigid *r, size_t b, double *out)
 {
-	axis(r, b, 2, out);
+	principal_axis(r, b, 2, out);
 }
 
 /* F(name, field of the body), M(name, columns, function) */
@@ -66,7 +66,7 @@ static void make_ez(const struct ts_rigid *r, size_t b, double *out)
 static const struct property properties[] = { PROPERTY_LIST(FIELD_ROW, MADE_ROW) };
 static const char *const names[] = { PROPERTY_LIST(FIELD_NAME, MADE_NAME) NULL };
 
-static void copy(const struct property *property, const struct ts_rigid *r, size_t b, double *to)
+static void copy_property(const struct property *property, const struct ts_rigid *r, size_t b, double *to)
 {
 	if (property->make)
 		property->make(r, b, to);
@@ -82,18 +82,18 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 	TS_TRY(ts_table_resize(out, r->n, property->columns));
 	for (size_t b = 0; b < r->n; b++)
-		copy(property, r, b, out->data + b * property->columns);
+		copy_property(property, r, b, out->data + b * property->columns);
 	return TS_OK;
 }
 
 static const struct ts_value values[] = {
-	{ "bodies", "", "the property, a row for each body", TS_LOCAL, 0, NULL, eval },
+	{ "bodies", "", "the property, one row per body", TS_LOCAL, 0, NULL, eval },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
 	TS_ENUM("property", struct state, property, names,
-		.help = "of the centre of mass: place, velocity, force, torque; orientation, angular "
+		.help = "of the centre of mass: position, velocity, force, torque; orientation, angular "
 			"momentum and velocity; mass, principal moments and axes; number of the template; "
 			"id"),
 	TS_ARGS_END,
@@ -104,8 +104,8 @@ const struct ts_style ts_compute_multisphere = {
 	.name = "multisphere",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "A property of all rigid bodies",
-	.doc = "A row for each rigid body, in the order of their ids, for dump local. The group is without\n"
-	       "effect.",
+	.doc = "A property of all rigid bodies, one row per body in the order of their ids, for\n"
+	       "dump local. The group has no effect.",
 	.example = "compute centres all multisphere property xcm\n"
 		   "dump bodies all local 100 bodies.txt c_centres[1] c_centres[2] c_centres[3]",
 	.args = args,
@@ -113,9 +113,9 @@ const struct ts_style ts_compute_multisphere = {
 	.values = values,
 };
 
-/* ---- of one body ---- */
+/* ---- compute multisphere/single ---- */
 
-/* Its numbers are 0 while it is not there. */
+/* All numbers are 0 if the body does not exist. */
 static enum ts_status eval_one(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
@@ -126,7 +126,7 @@ static enum ts_status eval_one(struct ts_instance *self, const struct tsim *sim,
 	memset(out->data, 0, property->columns * sizeof *out->data);
 	for (size_t b = 0; b < r->n; b++)
 		if (r->id[b] == s->id)
-			copy(property, r, b, out->data);
+			copy_property(property, r, b, out->data);
 	return TS_OK;
 }
 
@@ -138,14 +138,14 @@ static bool gives(const struct ts_instance *self, const struct ts_value *value)
 }
 
 static const struct ts_value values_of_one[] = {
-	{ "number", "", "the property, where it is one number", TS_SCALAR, 1, NULL, eval_one },
-	{ "numbers", "", "the property, where it is several", TS_VECTOR, 0, NULL, eval_one },
+	{ "number", "", "the property, if it is one number", TS_SCALAR, 1, NULL, eval_one },
+	{ "numbers", "", "the property, if it has several components", TS_VECTOR, 0, NULL, eval_one },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args_of_one[] = {
-	TS_INT("id", struct state, id, .range = TS_POSITIVE, .help = "number of the body, from 1"),
-	TS_ENUM("property", struct state, property, names, .help = "as of compute multisphere"),
+	TS_INT("id", struct state, id, .range = TS_POSITIVE, .help = "id of the body, 1 or larger"),
+	TS_ENUM("property", struct state, property, names, .help = "as for compute multisphere"),
 	TS_ARGS_END,
 };
 
@@ -154,10 +154,9 @@ const struct ts_style ts_compute_multisphere_single = {
 	.name = "multisphere/single",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "A property of one rigid body",
-	.doc = "c_ID, or c_ID[1], c_ID[2] ... where the property is several numbers; 0 while there is no "
-	       "body of\n"
-	       "this number. (LIGGGHTS 3.8 gives the first body, whatever the number.) The group is without\n"
-	       "effect.",
+	.doc = "A property of one rigid body: c_ID, or c_ID[1], c_ID[2] ... if it has several\n"
+	       "components. It is 0 while there is no body with this id. (LIGGGHTS 3.8 always\n"
+	       "gives the first body.) The group has no effect.",
 	.example = "compute centre all multisphere/single id 1 property xcm\n"
 		   "thermo_style custom step c_centre[3]",
 	.args = args_of_one,

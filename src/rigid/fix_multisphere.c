@@ -1,5 +1,5 @@
-/* Fix: integrates the clumps that templates of several spheres insert. The work is done in
- * rigid/rigid.c; bodies come apart when this fix is gone. */
+/* Fix multisphere: rigid clumps that are inserted from templates of several spheres. The system of rigid
+ * bodies (rigid/rigid_system.c) integrates them, and dissolves them when this fix is deleted. */
 #include "rigid/rigid.h"
 
 #include "base/banned.h"
@@ -35,15 +35,18 @@ TS_STYLE(fix, ts_style, ts_fix_multisphere)
 const struct ts_style ts_fix_multisphere = {
 	.name = "multisphere",
 	.kind = TS_KIND_FIX,
-	.summary = "Moves clumps of spheres as rigid bodies",
-	.doc = "Clumps inserted from fix particletemplate/multisphere move as rigid bodies:\n"
-	       "M dV/dt = F, dL/dt = T with the sums of what acts on their spheres, by velocity Verlet;\n"
-	       "the orientation follows from L by a step extrapolated from one whole and two half steps.\n"
-	       "Spheres of a clump do not touch each other, and touch others with the mass of the\n"
-	       "clump. Gravity acts on the clump as a whole, whose mass is not that of its overlapping\n"
-	       "spheres. A clump that loses a sphere through a fixed face is deleted. The group is\n"
-	       "without effect.\n\n"
-	       "The spheres must not be moved by another fix (nve/sphere) as well.",
+	.summary = "Integrates clumps of spheres as rigid bodies",
+	.doc = "Integrates clumps inserted from fix particletemplate/multisphere as rigid\n"
+	       "bodies, by velocity Verlet:\n\n"
+	       "    M dV/dt = F,   dL/dt = T\n\n"
+	       "where F and T are sums over the forces and torques on their spheres. The\n"
+	       "orientation follows from L by a step that is extrapolated from one full and two\n"
+	       "half steps.\n\n"
+	       "Spheres of a clump do not interact with each other; in contacts with others they\n"
+	       "have the mass of the clump. Gravity acts on the clump as a whole, whose mass is\n"
+	       "not the sum of its overlapping spheres. A clump of which a sphere is lost\n"
+	       "through a fixed face is deleted. The group has no effect.\n\n"
+	       "The spheres must not be integrated by another fix such as nve/sphere.",
 	.example = "fix clumps all multisphere",
 	.args = args,
 	.state_size = sizeof(struct multisphere),

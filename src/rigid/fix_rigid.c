@@ -1,4 +1,4 @@
-/* Fix: particles as one rigid body, or one per group. */
+/* Fix rigid: particles as one rigid body, or one body per group. */
 #include "core/unclaimed_state.h"
 #include "rigid/rigid.h"
 #include "rigid/rigid_motion.h"
@@ -13,12 +13,12 @@ struct rigid {
 	int mode;
 	int64_t ngroups;
 	struct ts_words groups;
-	struct ts_words force, torque; /* which body, and on or off for x, y, z */
+	struct ts_words force, torque; /* bodies, and on or off for x, y, z */
 	uint8_t made;		       /* saved: the bodies exist */
-	int *group;		       /* of each body */
+	int *group;		       /* [number of bodies] */
 };
 
-/* "*", or a number: bodies from .. to-1 of n. */
+/* Reads "*", a number or a range: bodies from .. to-1 of n. */
 static enum ts_status read_bodies(struct tsim *sim, const struct ts_word *word, size_t n, size_t *from,
 				  size_t *to)
 {
@@ -42,7 +42,7 @@ static enum ts_status read_switch(struct tsim *sim, const struct ts_word *word, 
 				   "fix rigid: expected on or off, found '%s'", word->text);
 }
 
-/* `force 2 on on off`, any number of times. */
+/* Reads "2 on on off", any number of times, to free[first .. first + 2]. */
 static enum ts_status read_freedom(struct tsim *sim, struct ts_words words, size_t first,
 				   struct ts_body *body, size_t n)
 {
@@ -60,8 +60,9 @@ static enum ts_status read_freedom(struct tsim *sim, struct ts_words words, size
 	return TS_OK;
 }
 
-/* Rows of the particles in this group and that of the fix; members of another body are refused. */
-static enum ts_status members(struct ts_instance *self, struct tsim *sim, int group, int32_t *row, size_t *n)
+/* Lists the particles in this group and in that of the fix; members of another body are an error. */
+static enum ts_status list_members(struct ts_instance *self, struct tsim *sim, int group, int32_t *row,
+				   size_t *n)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -79,8 +80,8 @@ static enum ts_status members(struct ts_instance *self, struct tsim *sim, int gr
 			    ts_group_name(sim, group));
 }
 
-static enum ts_status make_bodies(struct ts_instance *self, struct tsim *sim, const int *group, size_t n,
-				  struct ts_body *body, int32_t *row)
+static enum ts_status create_bodies(struct ts_instance *self, struct tsim *sim, const int *group, size_t n,
+				    struct ts_body *body, int32_t *row)
 {
 	const struct rigid *s = self->state;
 	int64_t owner = ts_rigid_owner(self->id);
@@ -90,14 +91,14 @@ static enum ts_status make_bodies(struct ts_instance *self, struct tsim *sim, co
 			body[b].free[k] = 1;
 	TS_TRY(read_freedom(sim, s->force, 0, body, n));
 	TS_TRY(read_freedom(sim, s->torque, 3, body, n));
-	TS_TRY(ts_rigid_dissolve(sim, owner)); /* of a fix of the same id before this one */
+	TS_TRY(ts_rigid_dissolve(sim, owner)); /* of a former fix with this ID */
 	if (!sim->unclaimed)
 		TS_TRY(ts_rigid_dissolve_orphans(sim));
 	for (size_t b = 0; b < n; b++) {
 		struct ts_body made;
 		size_t count;
 
-		TS_TRY(members(self, sim, group[b], row, &count));
+		TS_TRY(list_members(self, sim, group[b], row, &count));
 		TS_TRY(ts_rigid_of_spheres(sim, row, count, &made));
 		memcpy(made.free, body[b].free, sizeof made.free);
 		TS_TRY(ts_rigid_add(sim, &made, owner, row, count));
@@ -105,7 +106,7 @@ static enum ts_status make_bodies(struct ts_instance *self, struct tsim *sim, co
 	return TS_OK;
 }
 
-static enum ts_status groups_of(struct ts_instance *self, struct tsim *sim, int **group, size_t *n)
+static enum ts_status read_groups(struct ts_instance *self, struct tsim *sim, int **group, size_t *n)
 {
 	struct rigid *s = self->state;
 
@@ -124,7 +125,8 @@ static enum ts_status groups_of(struct ts_instance *self, struct tsim *sim, int 
 	return TS_OK;
 }
 
-/* When it is made; not again before each run, nor after a restart that has the bodies. */
+/* Creates the bodies when the fix is defined; not again before each run, nor after a restart that has
+ * them. */
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct rigid *s = self->state;
@@ -134,12 +136,12 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	int *group;
 	enum ts_status status;
 
-	TS_TRY(groups_of(self, sim, &group, &n));
+	TS_TRY(read_groups(self, sim, &group, &n));
 	if (s->made || ts_unclaimed_waits(sim, self))
 		return TS_OK;
 	body = ts_alloc(n, sizeof *body);
 	row = ts_alloc(sim->particles->n, sizeof *row);
-	status = body && row ? make_bodies(self, sim, group, n, body, row) : ts_nomem(&sim->error);
+	status = body && row ? create_bodies(self, sim, group, n, body, row) : ts_nomem(&sim->error);
 	ts_free(body);
 	ts_free(row);
 	s->made = status == TS_OK;
@@ -174,30 +176,31 @@ static const char *const columns[] = { "x",  "y",  "z",	 "vx", "vy", "vz", "fx",
 				       "fy", "fz", "tx", "ty", "tz", NULL };
 
 static const struct ts_value values[] = {
-	{ "bodies", "", "of each body: centre of mass (not wrapped), its velocity, force and torque",
-	  TS_ARRAY, 12, columns, eval },
+	{ "bodies", "", "per body: centre of mass (unwrapped), its velocity, force and torque", TS_ARRAY, 12,
+	  columns, eval },
 	{ .name = NULL },
 };
 
 static const struct ts_arg group_rows[] = {
 	TS_INT("number", struct rigid, ngroups, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "how many groups follow"),
-	TS_LIST("groups", struct rigid, groups, .help = "a body each"),
+	       .help = "number of groups"),
+	TS_LIST("groups", struct rigid, groups, .help = "groups, one per body"),
 	TS_ARGS_END,
 };
 static const struct ts_mode modes[] = {
 	{ "single", "all particles of the group are one body", NULL },
-	{ "group", "a body of each of these groups", group_rows },
+	{ "group", "one body per group", group_rows },
 	{ .name = NULL },
 };
 
 static const struct ts_arg args[] = {
-	TS_MODE("bodystyle", struct rigid, mode, modes, .help = "which particles make a body"),
+	TS_MODE("bodystyle", struct rigid, mode, modes, .help = "which particles form a body"),
 	TS_SOME_KEYWORD("force", struct rigid, force, TS_REPEAT,
-			.help = "a body, *, or a range, and on or off for x, y, z: whether it moves "
-				"along; may be given again"),
+			.help = "a body, *, or a range, and on or off for x, y and z: whether it moves in "
+				"this direction; may be repeated"),
 	TS_SOME_KEYWORD("torque", struct rigid, torque, TS_REPEAT,
-			.help = "the same: whether it turns about x, y, z"),
+			.help = "a body, *, or a range, and on or off for x, y and z: whether it rotates "
+				"about this axis; may be repeated"),
 	TS_ARGS_END,
 };
 
@@ -210,13 +213,16 @@ TS_STYLE(fix, ts_style, ts_fix_rigid)
 const struct ts_style ts_fix_rigid = {
 	.name = "rigid",
 	.kind = TS_KIND_FIX,
-	.summary = "Particles as one rigid body, or one per group",
-	.doc = "The bodies are made when the line is read, from the places, masses, radii and\n"
-	       "velocities that the particles have then; the inertia is that of the spheres, which\n"
-	       "may overlap: M = sum m, I = sum (0.4 m R^2 + m (d^2 - d d)). They move by\n"
-	       "M dV/dt = F, dL/dt = T as told of fix multisphere. Members do not touch each other; in\n"
-	       "contacts with others their mass is that of the body. After unfix they are on\n"
-	       "their own again. The particles must not be moved by another fix as well.",
+	.summary = "Integrates particles as one rigid body, or one body per group",
+	.doc = "Creates rigid bodies when the fix is defined, from the present positions,\n"
+	       "masses, radii and velocities of the particles. The inertia is that of spheres,\n"
+	       "which may overlap:\n\n"
+	       "    M = sum m,   I = sum (0.4 m R^2 + m (d^2 1 - d d))\n\n"
+	       "with the vector d from the centre of mass. The bodies are integrated by M dV/dt\n"
+	       "= F, dL/dt = T as described for fix multisphere.\n\n"
+	       "Members do not interact with each other; in contacts with others they have the\n"
+	       "mass of the body. After unfix they are independent particles again. The\n"
+	       "particles must not be integrated by another fix.",
 	.example = "fix dumbbell pair rigid single\n"
 		   "fix parts all rigid group 2 left right force 1 on on off torque * off off on",
 	.args = args,

@@ -1,4 +1,4 @@
-/* Which particles belong to which rigid body; how bodies come and go. */
+/* Members of rigid bodies; creation and deletion of bodies. */
 #include "rigid/rigid.h"
 
 #include <string.h>
@@ -20,7 +20,7 @@ int64_t ts_rigid_owner(const char *fix)
 	return (int64_t)(ts_hash_value(&hash) >> 1);
 }
 
-static enum ts_status reserve(struct tsim *sim, struct ts_rigid *r, size_t n)
+static enum ts_status reserve_bodies(struct tsim *sim, struct ts_rigid *r, size_t n)
 {
 	if (TS_GROW(r->body, r->body_capacity, n) != TS_OK || TS_GROW(r->id, r->id_capacity, n) != TS_OK ||
 	    TS_GROW(r->size, r->size_capacity, n) != TS_OK ||
@@ -29,9 +29,9 @@ static enum ts_status reserve(struct tsim *sim, struct ts_rigid *r, size_t n)
 	return TS_OK;
 }
 
-/* Places of the members in the frame of the principal axes. */
-static void take_members(struct tsim *sim, const struct ts_body *body, int32_t id, const int32_t *row,
-			 size_t n)
+/* Stores the positions of the members in the principal-axes frame of the body. */
+static void attach_members(struct tsim *sim, const struct ts_body *body, int32_t id, const int32_t *row,
+			   size_t n)
 {
 	struct ts_particles *p = sim->particles;
 	double m[3][3], arm[3];
@@ -54,19 +54,19 @@ enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_
 	struct ts_rigid *r = sim->rigid;
 
 	TS_TRY(ts_particles_need(sim, TS_NEED(BODY) | TS_NEED(BODY_X) | TS_NEED(OMEGA) | TS_NEED(TORQUE)));
-	TS_TRY(reserve(sim, r, r->n + 1));
+	TS_TRY(reserve_bodies(sim, r, r->n + 1));
 	r->body[r->n] = *body;
 	r->id[r->n] = ++r->last_id;
 	r->size[r->n] = (int32_t)n;
 	r->owner[r->n] = owner;
 	r->n++;
-	take_members(sim, body, r->last_id, row, n);
+	attach_members(sim, body, r->last_id, row, n);
 	r->generation = 0;
 	ts_rigid_place(sim, body, row, n);
 	return TS_OK;
 }
 
-/* Keeps the bodies that are not flagged; members of the others are on their own. */
+/* Removes the flagged bodies; their members become independent particles. */
 static void drop_bodies(struct tsim *sim, const unsigned char *gone)
 {
 	struct ts_particles *p = sim->particles;
@@ -110,8 +110,8 @@ enum ts_status ts_rigid_dissolve(struct tsim *sim, int64_t owner)
 	return TS_OK;
 }
 
-/* Number of the body with this id, or r->n. */
-static size_t body_of(const struct ts_rigid *r, int32_t id)
+/* Index of the body with this id, or r->n. */
+static size_t find_body(const struct ts_rigid *r, int32_t id)
 {
 	size_t lo = 0, hi = r->n;
 
@@ -133,7 +133,7 @@ const struct ts_body *ts_rigid_body_of(const struct tsim *sim, size_t i)
 
 	if (!ts_rigid_member(sim->particles, i))
 		return NULL;
-	b = body_of(r, sim->particles->body[i]);
+	b = find_body(r, sim->particles->body[i]);
 	return b < r->n ? &r->body[b] : NULL;
 }
 
@@ -145,7 +145,7 @@ double ts_rigid_material_density(const struct tsim *sim, size_t i)
 	return body && body->density > 0 ? body->density : p->mass[i] / ts_particle_volume(sim, p->radius[i]);
 }
 
-/* By identity, so that sums over members do not depend on their order in memory. */
+/* Insertion sort by tag, so that sums over members do not depend on their order in memory. */
 static void sort_members(const struct ts_particles *p, int32_t *member, size_t n)
 {
 	for (size_t k = 1; k < n; k++) {
@@ -158,13 +158,13 @@ static void sort_members(const struct ts_particles *p, int32_t *member, size_t n
 	}
 }
 
-/* Counts them, and notes in which order bodies have their first ones. */
+/* Counts the members of each body, in start[b + 2], and lists bodies in the order of their first members. */
 static void count_members(const struct ts_particles *p, struct ts_rigid *r)
 {
 	r->ordered = 0;
 	memset(r->start, 0, (r->n + 2) * sizeof *r->start);
 	for (size_t i = 0; i < p->n; i++) {
-		size_t b = p->body[i] ? body_of(r, p->body[i]) : r->n;
+		size_t b = p->body[i] ? find_body(r, p->body[i]) : r->n;
 
 		if (b < r->n && !r->start[b + 2]++)
 			r->order[r->ordered++] = (int32_t)b;
@@ -187,7 +187,7 @@ enum ts_status ts_rigid_list(struct tsim *sim)
 		r->start[b] += r->start[b - 1];
 	for (size_t i = 0; i < p->n; i++)
 		if (p->body[i])
-			r->member[r->start[body_of(r, p->body[i]) + 1]++] = (int32_t)i;
+			r->member[r->start[find_body(r, p->body[i]) + 1]++] = (int32_t)i;
 	for (size_t b = 0; b < r->n; b++)
 		sort_members(p, r->member + r->start[b], r->start[b + 1] - r->start[b]);
 	r->generation = sim->generation;
@@ -252,7 +252,7 @@ bool ts_rigid_owner_lives(const struct tsim *sim, int64_t owner)
 enum ts_status ts_rigid_dissolve_orphans(struct tsim *sim)
 {
 	const struct ts_rigid *r = sim->rigid;
-	int64_t lives = -1; /* neighbours mostly have the same */
+	int64_t lives = -1; /* consecutive bodies mostly have the same owner */
 	size_t b = 0;
 
 	while (b < r->n) {

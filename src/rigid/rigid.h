@@ -1,9 +1,9 @@
-/* Rigid bodies made of particles that keep their places in it.
+/* Rigid bodies whose members are particles at fixed positions in the body.
  *
- * A system: bodies are integrated as soon as there are some, by velocity Verlet for the centre of mass
- * and for the angular momentum, the orientation as math/rigid_turn.h says. Members touch others
- * like all particles, but not each other, with the mass of the whole body; what acts on them acts on the
- * body. A body whose member is lost or deleted is deleted as a whole. */
+ * A system: it integrates all bodies by velocity Verlet for the centre of mass and the angular momentum;
+ * the orientation is integrated by math/rigid_turn.h. Members have contacts with other particles, with
+ * the mass of the body, but not with each other; forces on them act on the body. If a member is lost or
+ * deleted, the whole body is deleted. */
 #ifndef TS_RIGID_RIGID_H
 #define TS_RIGID_RIGID_H
 
@@ -12,16 +12,16 @@
 
 struct ts_body {
 	double mass;
-	double inertia[3]; /* principal moments about the centre of mass */
-	double q[4];	   /* orientation of the principal axes */
-	double x[3], v[3]; /* of the centre of mass; not wrapped into the box */
-	double spin[3];	   /* angular momentum */
-	double omega[3];
+	double inertia[3];	    /* principal moments about the centre of mass */
+	double q[4];		    /* quaternion: orientation of the principal axes */
+	double x[3], v[3];	    /* centre of mass, unwrapped, and its velocity */
+	double spin[3];		    /* angular momentum about the centre of mass */
+	double omega[3];	    /* angular velocity */
 	double force[3], torque[3]; /* of the last step */
-	double external[3];	    /* force on the body itself in this step (gravity) */
-	double free[6];		    /* 1: moves along, turns about x, y, z; 0: does not */
+	double external[3];	    /* force on the body as a whole in this step (gravity) */
+	double free[6];		    /* 1 or 0: translation along x, y, z; rotation about x, y, z */
 	double density;		    /* of its material, or 0 */
-	double kind;		    /* a clump: number of its template; else 0 */
+	double kind;		    /* of a clump: number of its template; else 0 */
 };
 
 /* Rows of saved state for a body that is a field of a style's state. */
@@ -31,53 +31,53 @@ struct ts_body {
 		TS_SAVE_F64(T, f.force), TS_SAVE_F64(T, f.torque), TS_SAVE_F64(T, f.external),       \
 		TS_SAVE_F64(T, f.free), TS_SAVE_F64(T, f.density), TS_SAVE_F64(T, f.kind)
 
-enum { TS_BODY_NUMBERS = sizeof(struct ts_body) / sizeof(double) }; /* nothing else is in it */
+enum { TS_BODY_NUMBERS = sizeof(struct ts_body) / sizeof(double) }; /* all members are doubles */
 
 struct ts_rigid {
 	size_t n;
-	struct ts_body *body; /* in the order of their ids */
-	int32_t *id;
-	int32_t *size;	/* how many members it was made of */
-	int64_t *owner; /* the fix that made it: ts_rigid_owner */
+	struct ts_body *body; /* [n], in the order of their ids */
+	int32_t *id;	      /* [n], ascending */
+	int32_t *size;	      /* [n], number of members when it was created */
+	int64_t *owner;	      /* [n], the fix that created it: ts_rigid_owner */
 	size_t body_capacity, id_capacity, size_capacity, owner_capacity;
 	int32_t last_id;
 
-	/* rows of the members of body b: member[start[b]] .. member[start[b + 1] - 1], by identity */
+	/* local indices of the members of body b: member[start[b]] .. member[start[b + 1] - 1], by tag */
 	int32_t *member;
 	size_t *start;
 	size_t member_capacity, start_capacity;
-	/* the bodies as their members follow each other in memory; those without members are not there */
+	/* [ordered], bodies with members, in the order of their first members in memory */
 	int32_t *order;
 	size_t ordered, order_capacity;
-	uint64_t generation; /* of the particles, as the members were listed; 0: not listed */
-	/* Refuses members, in rows[0..n-1], that fixes would move, too; set by the integrators. */
+	uint64_t generation; /* of the particles when members were listed; 0: not listed */
+	/* Fails if a fix also integrates one of the members row[0..n-1]; set by the integrators. */
 	enum ts_status (*check_members)(struct tsim *sim, const int32_t *row, size_t n);
 };
 
-/* A number for the fix of this id; its bodies come apart when it is gone. */
+/* Identifies the fix with this ID as owner of bodies, which are dissolved when it is deleted. */
 int64_t ts_rigid_owner(const char *fix);
 
-/* Makes the particles of these rows members of a new body. Its mass, moments, orientation, centre and
- * motion are given; the members' motion follows. */
+/* Adds a body with the n particles row[] as members. Mass, moments, orientation, centre and velocities
+ * are those of `body`; positions and velocities of the members are computed from them. */
 enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_t owner, const int32_t *row,
 			    size_t n);
-/* Its bodies come apart; the particles stay. */
+/* Dissolves the bodies of this owner; their particles become independent. */
 enum ts_status ts_rigid_dissolve(struct tsim *sim, int64_t owner);
 
-/* The same for all bodies whose fix is gone. Done before steps, not as soon as it goes: after a restart
- * the bodies are there before the script has their fix. */
+/* Dissolves all bodies whose fix does not exist. This is done before a step, not when a fix is deleted:
+ * after a restart bodies exist before the script defines their fix. */
 enum ts_status ts_rigid_dissolve_orphans(struct tsim *sim);
 
-/* Whether the fix with this number is there. */
+/* Whether the fix with this number exists. */
 bool ts_rigid_owner_lives(const struct tsim *sim, int64_t owner);
 
-/* Members left of bodies that are no longer whole are deleted, and their bodies. The members are listed. */
+/* Deletes bodies that have lost members, and their other members. The members must be listed. */
 enum ts_status ts_rigid_drop_incomplete(struct tsim *sim);
 
-/* Lists the members anew if particles have moved in memory. */
+/* Lists the members again if the order of particles in memory has changed. */
 enum ts_status ts_rigid_list(struct tsim *sim);
 
-/* Particle i belongs to a body; a and b, to the same one. */
+/* Whether particle i is in a body; and whether a and b are in the same one. */
 static inline bool ts_rigid_member(const struct ts_particles *p, size_t i)
 {
 	return p->body && p->body[i];
@@ -87,14 +87,14 @@ static inline bool ts_rigid_same(const struct ts_particles *p, size_t a, size_t 
 	return p->body && p->body[a] && p->body[a] == p->body[b];
 }
 
-/* The body that particle i belongs to, or NULL. */
+/* The body of particle i, or NULL. */
 const struct ts_body *ts_rigid_body_of(const struct tsim *sim, size_t i);
 
-/* The density of what particle i is made of: mass by volume, in a clump that of the clump's material, as
- * its overlapping spheres share the mass. */
+/* Material density of particle i: mass / volume; in a clump the density of the clump, since its overlapping
+ * spheres share its mass. */
 double ts_rigid_material_density(const struct tsim *sim, size_t i);
 
-/* An acceleration of the bodies of which a member is in the group. */
+/* Adds the force of an acceleration to all bodies with a member in the group. */
 enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3]);
 
 extern const struct ts_system_style ts_rigid_system;

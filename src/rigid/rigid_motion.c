@@ -8,16 +8,16 @@
 
 #include "base/banned.h"
 
-/* arm: R d of particle i. */
+/* Sets position and velocity of member i; arm: its vector from the centre of mass, in space. */
 static void move_member(struct tsim *sim, const struct ts_body *b, size_t i, const double arm[3])
 {
 	struct ts_particles *p = sim->particles;
-	double turn[3];
+	double rotational[3];
 
-	ts_cross(b->omega, arm, turn);
+	ts_cross(b->omega, arm, rotational);
 	for (int k = 0; k < 3; k++) {
 		p->x[i][k] = b->x[k] + arm[k] - p->image[i][k] * ts_box_length(&sim->domain->box, k);
-		p->v[i][k] = b->v[k] + turn[k];
+		p->v[i][k] = b->v[k] + rotational[k];
 		p->omega[i][k] = b->omega[k];
 	}
 }
@@ -48,7 +48,7 @@ void ts_body_move(struct ts_body *b, double dt)
 	ts_rigid_advance_orientation(b->inertia, b->spin, b->omega, dt, b->q);
 }
 
-/* I = sum of (I_i + m (d^2 1 - d d)). */
+/* Adds I_i + m (d^2 1 - d d) of particle i to the inertia tensor. */
 static void add_inertia(const struct tsim *sim, size_t i, const double d[3], double tensor[6])
 {
 	double m = sim->particles->mass[i], own = ts_inertia(sim, i), d2 = ts_dot(d, d);
@@ -66,7 +66,7 @@ void ts_rigid_principal(struct ts_body *body, const double tensor[6])
 
 	ts_symmetric3_eigen(tensor, body->inertia, m);
 	most = fmax(body->inertia[0], fmax(body->inertia[1], body->inertia[2]));
-	for (int k = 0; k < 3; k++) /* a line of points, to rounding */
+	for (int k = 0; k < 3; k++) /* points on a line: 0 instead of rounding errors */
 		if (body->inertia[k] < 1e-12 * most)
 			body->inertia[k] = 0;
 	ts_cross((double[]){ m[0][0], m[1][0], m[2][0] }, (double[]){ m[0][1], m[1][1], m[2][1] }, last);

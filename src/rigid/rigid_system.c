@@ -1,4 +1,4 @@
-/* The system of rigid bodies: their steps, and what becomes of them when particles are lost or files read. */
+/* The system of rigid bodies: integration, lost members, restart files. */
 #include "rigid/rigid.h"
 
 #include <string.h>
@@ -9,8 +9,8 @@
 
 #include "base/banned.h"
 
-/* Velocities only: places are those of the step. */
-static void set_velocities(struct tsim *sim, size_t b)
+/* Sets velocities of the members; their positions are up to date. */
+static void set_member_velocities(struct tsim *sim, size_t b)
 {
 	const struct ts_rigid *r = sim->rigid;
 	const struct ts_body *body = &r->body[b];
@@ -28,8 +28,8 @@ static void set_velocities(struct tsim *sim, size_t b)
 	}
 }
 
-/* F and T of the members act on the body: T += arm x F. */
-static void gather(struct tsim *sim, size_t b)
+/* Sums forces and torques of the members, T += arm x F, and sets those of constrained directions to 0. */
+static void sum_forces(struct tsim *sim, size_t b)
 {
 	const struct ts_rigid *r = sim->rigid;
 	const struct ts_particles *p = sim->particles;
@@ -54,7 +54,7 @@ static void gather(struct tsim *sim, size_t b)
 	}
 }
 
-/* ---- the stages: all that is done with a body, and its members, at once */
+/* ---- the stages: all work on a body and its members in one pass */
 
 static void begin_step(struct tsim *sim, size_t b)
 {
@@ -68,23 +68,25 @@ static void begin_step(struct tsim *sim, size_t b)
 
 static void end_step(struct tsim *sim, size_t b)
 {
-	gather(sim, b);
+	sum_forces(sim, b);
 	ts_body_kick(&sim->rigid->body[b], 0.5 * sim->clock.dt);
-	set_velocities(sim, b);
+	set_member_velocities(sim, b);
 }
 
-/* Bodies stand in the order of their identities, but are taken as their members are in memory: so many
- * before their turn they are sent for. */
-enum { AHEAD = 4 };
+/* Bodies are stored in the order of their ids, but processed in the order of their members in memory:
+ * they are prefetched this number of bodies ahead. */
+enum { PREFETCH_AHEAD = 4 };
 
-static enum ts_status each_body(struct tsim *sim, void (*work)(struct tsim *sim, size_t b))
+static enum ts_status for_each_body(struct tsim *sim, void (*work)(struct tsim *sim, size_t b))
 {
 	const struct ts_rigid *r = sim->rigid;
 
 	TS_TRY(ts_rigid_list(sim));
 #pragma omp parallel for num_threads(ts_team(sim, r->n)) schedule(static)
 	for (size_t k = 0; k < r->ordered; k++) {
-		const char *next = (const char *)&r->body[r->order[k + AHEAD < r->ordered ? k + AHEAD : k]];
+		const char *next =
+			(const char *)&r
+				->body[r->order[k + PREFETCH_AHEAD < r->ordered ? k + PREFETCH_AHEAD : k]];
 
 		for (size_t line = 0; line < sizeof *r->body; line += 64)
 			__builtin_prefetch(next + line, 1);
@@ -100,7 +102,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	if (!r->n)
 		return TS_OK;
 	ts_run_deferred_loops(sim);
-	return each_body(sim, begin_step);
+	return for_each_body(sim, begin_step);
 }
 
 static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
@@ -120,20 +122,20 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	if (!r->n)
 		return TS_OK;
 	ts_run_deferred_loops(sim);
-	return each_body(sim, end_step);
+	return for_each_body(sim, end_step);
 }
 
-/* What acts on the bodies at the start. A run that goes on has it from the last step. */
+/* Forces at the start of a run; a run that resumes has them from the last step. */
 static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_rigid *r = self->state;
 
 	if (!r->n || sim->run.resuming)
 		return TS_OK;
-	return each_body(sim, gather);
+	return for_each_body(sim, sum_forces);
 }
 
-/* After particles were lost, and their inverse masses made anew. */
+/* After particles were lost and inverse masses were set: deletes incomplete bodies, sets imass of members. */
 static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_rigid *r = self->state;
@@ -151,7 +153,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* A damaged file may have members of bodies that are not there. */
+/* A damaged file may have members of bodies that do not exist. */
 static enum ts_status check_members(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
@@ -175,7 +177,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	size_t ids = r->n, sizes = r->n, owners = r->n;
 
 	if (!ts_archive_writing(a) && !ts_archive_has(a, "body"))
-		return TS_OK; /* older files */
+		return TS_OK; /* files of older versions */
 	TS_TRY(ts_archive_array(a, "body", TS_SAVED_F64, (void **)&r->body, &room, &numbers));
 	r->body_capacity = room / TS_BODY_NUMBERS;
 	TS_TRY(ts_archive_array(a, "id", TS_SAVED_I32, (void **)&r->id, &r->id_capacity, &ids));
