@@ -1,4 +1,4 @@
-/* Command region: names a set of points. */
+/* Command region: defines or deletes a region. */
 #include "core/life.h"
 
 #include "core/uses.h"
@@ -37,7 +37,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_WORD("id", struct state, id, .flags = TS_POSITIONAL, .help = "its name"),
+	TS_WORD("id", struct state, id, .flags = TS_POSITIONAL, .help = "name of the region"),
 	TS_REST("style", struct state, rest, .help = "style and its arguments, or delete"),
 	TS_ARGS_END,
 };
@@ -47,10 +47,10 @@ const struct ts_command_style ts_command_region = {
 	.style = {
 		.name = "region",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Names a set of points",
-		.doc = "Other commands refer to it by its name. `region ID delete` forgets it; what refers "
-		       "to it\n"
-		       "must go, too, before the next run. See the pages of the region styles.",
+		.summary = "Defines a region of space",
+		.doc = "Defines a region, a set of points to which other commands refer by its name; see\n"
+		       "the pages of the region styles. `region ID delete` deletes it; commands that use\n"
+		       "it must be deleted, too, before the next run.",
 		.example = "region bed block 0 1 0 1 0 0.5 units box\n"
 		       "region bed delete",
 		.args = args,

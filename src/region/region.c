@@ -17,10 +17,10 @@ static const struct ts_region_style *style_of(const struct ts_instance *region)
 	return (const struct ts_region_style *)region->style;
 }
 
-/* ---- where a region is */
+/* ---- motion */
 
 /* The matrix of a rotation by an angle about a unit vector (Rodrigues). */
-static void rotation(const double axis[3], double angle, double turn[3][3])
+static void rotation_matrix(const double axis[3], double angle, double turn[3][3])
 {
 	double c = cos(angle), s = sin(angle);
 
@@ -35,8 +35,8 @@ static void rotation(const double axis[3], double angle, double turn[3][3])
 	}
 }
 
-/* Where the point x would be if the region had stayed where it was defined. */
-static void to_shape(const struct ts_region *r, const double x[3], double y[3])
+/* Transforms x to the frame of the shape as it was defined: y = turn^T (x - shift - pivot) + pivot. */
+static void to_shape_frame(const struct ts_region *r, const double x[3], double y[3])
 {
 	double d[3];
 
@@ -60,7 +60,7 @@ enum ts_status ts_region_update(struct ts_instance *region, struct tsim *sim)
 	for (int k = 0; k < 3; k++)
 		TS_TRY(ts_number_now(sim, &r->move[k], &region->where, &r->shift[k]));
 	TS_TRY(ts_number_now(sim, &r->angle, &region->where, &angle));
-	rotation(r->axis, angle, r->turn);
+	rotation_matrix(r->axis, angle, r->turn);
 	r->turned = angle;
 	return TS_OK;
 }
@@ -71,7 +71,7 @@ bool ts_region_contains(const struct ts_instance *region, const double x[3])
 	double y[3];
 
 	if (r->moves) {
-		to_shape(r, x, y);
+		to_shape_frame(r, x, y);
 		x = y;
 	}
 	return style_of(region)->contains(region, x) != (r->side == 1);
@@ -85,7 +85,7 @@ double ts_region_depth(const struct ts_instance *region, const double x[3])
 	if (!style_of(region)->depth)
 		return NAN;
 	if (r->moves) {
-		to_shape(r, x, y);
+		to_shape_frame(r, x, y);
 		x = y;
 	}
 	depth = style_of(region)->depth(region, x);
@@ -100,13 +100,13 @@ double ts_region_radial(const struct ts_instance *region, const double x[3])
 	if (!style_of(region)->radial || r->side == 1)
 		return NAN;
 	if (r->moves) {
-		to_shape(r, x, y);
+		to_shape_frame(r, x, y);
 		x = y;
 	}
 	return style_of(region)->radial(region, x);
 }
 
-/* ---- its surface */
+/* ---- surface */
 
 int ts_region_faces(const struct ts_instance *region)
 {
@@ -114,8 +114,8 @@ int ts_region_faces(const struct ts_instance *region)
 	const struct ts_instance *member;
 	int sum = 0;
 
-	if (!style->spots || !style->member)
-		return style->spots ? style->faces : 0;
+	if (!style->contact_points || !style->member)
+		return style->contact_points ? style->faces : 0;
 	for (int64_t k = 0; (member = style->member(region, k)); k++) {
 		int faces = ts_region_faces(member);
 
@@ -153,9 +153,10 @@ int ts_region_contact_points_all(const struct ts_instance *region, const double 
 	int n;
 
 	if (!r->moves)
-		return style_of(region)->spots(region, x, style_of(region)->contains(region, x), out);
-	to_shape(r, x, y);
-	n = style_of(region)->spots(region, y, style_of(region)->contains(region, y), out);
+		return style_of(region)->contact_points(region, x, style_of(region)->contains(region, x),
+							out);
+	to_shape_frame(r, x, y);
+	n = style_of(region)->contact_points(region, y, style_of(region)->contains(region, y), out);
 	for (int k = 0; k < n; k++) {
 		double there[3];
 
@@ -188,7 +189,7 @@ bool ts_region_reshapes(const struct ts_instance *region)
 	return ((const struct ts_region *)region->state)->reshapes;
 }
 
-/* The box around the turned and shifted box of the shape. */
+/* Bounding box of the rotated and shifted bounds of the shape. */
 static void move_bounds(const struct ts_region *r, double lo[3], double hi[3])
 {
 	double a[3], b[3];
@@ -202,7 +203,7 @@ static void move_bounds(const struct ts_region *r, double lo[3], double hi[3])
 		for (int j = 0; j < 3; j++) {
 			double t = r->turn[i][j];
 
-			if (t == 0) /* also where the shape has no end */
+			if (t == 0) /* also if the bounds are infinite */
 				continue;
 			lo[i] += fmin(t * a[j], t * b[j]);
 			hi[i] += fmax(t * a[j], t * b[j]);
@@ -235,11 +236,11 @@ double ts_region_volume(const struct ts_instance *region)
 	return style_of(region)->volume ? style_of(region)->volume(region) : NAN;
 }
 
-/* ---- the definition */
+/* ---- definition */
 
 #define MOVE_ROW(name, k)                                                                                  \
 	TS_NUMBER(name, struct ts_region, move[k], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "length", \
-		  .help = "v_name or NULL")
+		  .help = "v_NAME or NULL")
 static const struct ts_arg move_rows[] = {
 	MOVE_ROW("v_x", 0),
 	MOVE_ROW("v_y", 1),
@@ -248,9 +249,9 @@ static const struct ts_arg move_rows[] = {
 };
 
 static const struct ts_arg rotate_rows[] = {
-	TS_NUMBER("v_theta", struct ts_region, angle, .flags = TS_POSITIONAL, .help = "angle"),
+	TS_NUMBER("v_theta", struct ts_region, angle, .flags = TS_POSITIONAL, .help = "angle in radians"),
 	TS_VEC3("P", struct ts_region, pivot, .flags = TS_POSITIONAL, .unit = "length",
-		.help = "a point of the axis"),
+		.help = "a point on the axis"),
 	TS_VEC3("R", struct ts_region, axis, .flags = TS_POSITIONAL, .help = "direction of the axis"),
 	TS_ARGS_END,
 };
@@ -355,7 +356,7 @@ enum ts_status ts_region_length(struct ts_instance *self, struct tsim *sim, cons
 	return TS_OK;
 }
 
-/* ---- in expressions */
+/* ---- functions of formulas */
 
 static enum ts_status eval_volume(struct tsim *sim, struct ts_words args, double *out)
 {
@@ -373,7 +374,7 @@ static enum ts_status eval_volume(struct tsim *sim, struct ts_words args, double
 static const struct ts_function functions[] = {
 	{ .name = "volume",
 	  .arguments = "region",
-	  .help = "exact volume of a region, where it is known",
+	  .help = "exact volume of a region, for styles that provide it",
 	  .least = 1,
 	  .most = 1,
 	  .eval = eval_volume },

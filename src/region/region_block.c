@@ -1,4 +1,4 @@
-/* Region: a cuboid with edges along the axes. */
+/* Region block: an axis-aligned box. */
 #include "region/region.h"
 
 #include <math.h>
@@ -53,8 +53,9 @@ static double depth(const struct ts_instance *self, const double x[3])
 	return least < 0 ? -sqrt(beyond) : least;
 }
 
-/* The faces from within, each with its plane. */
-static int from_within(const struct block *b, const double x[3], struct ts_region_contact_point *out)
+/* Contact points from inside: one on the plane of each face. */
+static int contact_points_inside(const struct block *b, const double x[3],
+				 struct ts_region_contact_point *out)
 {
 	int n = 0;
 
@@ -70,8 +71,8 @@ static int from_within(const struct block *b, const double x[3], struct ts_regio
 	return n;
 }
 
-/* Which point of the face is nearest. */
-static double nearest_on(const struct block *b, int face, const double x[3], double at[3])
+/* at: the point of the face closest to x; returns the squared distance. */
+static double nearest_on_face(const struct block *b, int face, const double x[3], double at[3])
 {
 	for (int d = 0; d < 3; d++)
 		at[d] = fmin(fmax(x[d], b->lo[d]), b->hi[d]);
@@ -79,14 +80,16 @@ static double nearest_on(const struct block *b, int face, const double x[3], dou
 	return ts_distance2(x, at);
 }
 
-static int from_without(const struct block *b, const double x[3], struct ts_region_contact_point *out)
+/* The contact point from outside: the closest point of all faces. Returns 0 if all are open. */
+static int contact_point_outside(const struct block *b, const double x[3],
+				 struct ts_region_contact_point *out)
 {
 	double at[3], d2, least = INFINITY;
 
 	for (int face = 0; face < 6; face++) {
 		if (b->region.open & 1u << face)
 			continue;
-		d2 = nearest_on(b, face, x, at);
+		d2 = nearest_on_face(b, face, x, at);
 		if (!(d2 < least))
 			continue;
 		least = d2;
@@ -97,10 +100,11 @@ static int from_without(const struct block *b, const double x[3], struct ts_regi
 	return isfinite(least);
 }
 
-static int spots(const struct ts_instance *self, const double x[3], bool inside,
-		 struct ts_region_contact_point *out)
+static int contact_points(const struct ts_instance *self, const double x[3], bool inside,
+			  struct ts_region_contact_point *out)
 {
-	return inside ? from_within(self->state, x, out) : from_without(self->state, x, out);
+	return inside ? contact_points_inside(self->state, x, out)
+		      : contact_point_outside(self->state, x, out);
 }
 
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
@@ -122,17 +126,17 @@ static double volume(const struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_COORD("xlo", struct block, given[0], .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "least x, INF or EDGE"),
+		 .help = "lower x, INF or EDGE"),
 	TS_COORD("xhi", struct block, given[1], .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "largest x, INF or EDGE"),
+		 .help = "upper x, INF or EDGE"),
 	TS_COORD("ylo", struct block, given[2], .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "least y, INF or EDGE"),
+		 .help = "lower y, INF or EDGE"),
 	TS_COORD("yhi", struct block, given[3], .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "largest y, INF or EDGE"),
+		 .help = "upper y, INF or EDGE"),
 	TS_COORD("zlo", struct block, given[4], .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "least z, INF or EDGE"),
+		 .help = "lower z, INF or EDGE"),
 	TS_COORD("zhi", struct block, given[5], .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "largest z, INF or EDGE"),
+		 .help = "upper z, INF or EDGE"),
 	TS_REGION_ARGS(struct block),
 	TS_ARGS_END,
 };
@@ -142,10 +146,10 @@ const struct ts_region_style ts_region_block = {
 	.style = {
 		.name = "block",
 		.kind = TS_KIND_REGION,
-		.summary = "A cuboid along the axes",
-		.doc = "All points with xlo <= x <= xhi, ylo <= y <= yhi and zlo <= z <= zhi. INF is\n"
-		       "infinitely far; EDGE is the face of the box where it is when the region is defined.\n"
-		       "Faces 1 to 6 are xlo xhi ylo yhi zlo zhi.",
+		.summary = "Axis-aligned box",
+		.doc = "All points with xlo <= x <= xhi, ylo <= y <= yhi and zlo <= z <= zhi. INF means\n"
+		       "infinity; EDGE is the face of the simulation box at the time when the region is\n"
+		       "defined. Faces 1 to 6 are xlo, xhi, ylo, yhi, zlo, zhi.",
 		.example = "region bed block 0 1 0 1 0 0.5 units box\n"
 			   "region top block INF INF INF INF 0.4 INF units box",
 		.args = args,
@@ -157,5 +161,5 @@ const struct ts_region_style ts_region_block = {
 	.bounds = bounds,
 	.volume = volume,
 	.faces = 6,
-	.spots = spots,
+	.contact_points = contact_points,
 };

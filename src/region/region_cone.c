@@ -1,4 +1,4 @@
-/* Region: a truncated cone along an axis. */
+/* Region cone: a truncated cone along a coordinate axis. */
 #include "math/constants.h"
 #include "region/region_frustum.h"
 
@@ -8,8 +8,8 @@
 
 struct cone {
 	struct ts_region region;
-	int axis, c[2];		   /* the axis and the other two dimensions, ascending */
-	struct ts_number given[4]; /* center, radius at the lower and upper end */
+	int axis, c[2];		   /* dimension of the axis; the other two, ascending */
+	struct ts_number given[4]; /* center (2), radius at the lower and at the upper end */
 	double given_lo, given_hi;
 	double center[2], radius[2], lo, hi;
 };
@@ -56,7 +56,7 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	return along >= 0 && along <= 1 && a * a + b * b <= radius * radius;
 }
 
-/* In the half-plane through the axis the shape is convex: the least distance to its sides. */
+/* Smallest distance to the sides of the convex cross section in the half-plane through the axis. */
 static double depth(const struct ts_instance *self, const double x[3])
 {
 	const struct cone *z = self->state;
@@ -68,8 +68,8 @@ static double depth(const struct ts_instance *self, const double x[3])
 	return fmin(along, in * length / sqrt(length * length + widening * widening));
 }
 
-static int spots(const struct ts_instance *self, const double x[3], bool inside,
-		 struct ts_region_contact_point *out)
+static int contact_points(const struct ts_instance *self, const double x[3], bool inside,
+			  struct ts_region_contact_point *out)
 {
 	const struct cone *z = self->state;
 	struct ts_frustum shape = { z->lo, z->hi, { z->radius[0], z->radius[1] } };
@@ -123,12 +123,12 @@ const struct ts_region_style ts_region_cone = {
 	.style = {
 		.name = "cone",
 		.kind = TS_KIND_REGION,
-		.summary = "A truncated cone along an axis",
-		.doc = "All points between lo and hi whose distance from the axis is at most a radius that\n"
-		       "changes linearly from radius_lo to radius_hi. The center is given in the other two\n"
-		       "dimensions, in the order x y z; center and radii may be variables. In lattice units\n"
-		       "the radii count spacings of the first of these dimensions. Faces 1 to 3 are the\n"
-		       "lower end, the upper end and the curved side.",
+		.summary = "Truncated cone along a coordinate axis",
+		.doc = "All points between lo and hi whose distance from the axis is at most a radius\n"
+		       "that varies linearly from radius_lo to radius_hi. The center is given in the\n"
+		       "other two dimensions, in the order x y z; center and radii may be variables. In\n"
+		       "lattice units radii are in spacings of the first of these dimensions. Faces 1 to\n"
+		       "3 are the lower end, the upper end and the curved side.",
 		.example = "region funnel cone z 0 0 0.05 0.25 0 1 units box",
 		.args = args,
 		.state_size = sizeof(struct cone),
@@ -140,5 +140,5 @@ const struct ts_region_style ts_region_cone = {
 	.volume = volume,
 	.update = update,
 	.faces = 3,
-	.spots = spots,
+	.contact_points = contact_points,
 };

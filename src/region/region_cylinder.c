@@ -1,4 +1,4 @@
-/* Region: a cylinder along an axis. */
+/* Region cylinder: a cylinder along a coordinate axis. */
 #include "math/constants.h"
 #include "region/region_frustum.h"
 
@@ -6,8 +6,8 @@
 
 struct cylinder {
 	struct ts_region region;
-	int axis, c[2];		   /* the axis and the other two dimensions, ascending */
-	struct ts_number given[3]; /* center, radius */
+	int axis, c[2];		   /* dimension of the axis; the other two, ascending */
+	struct ts_number given[3]; /* center (2), radius */
 	double given_lo, given_hi;
 	double center[2], radius, lo, hi;
 };
@@ -66,8 +66,8 @@ static double radial(const struct ts_instance *self, const double x[3])
 	return sqrt(a * a + b * b) / z->radius;
 }
 
-static int spots(const struct ts_instance *self, const double x[3], bool inside,
-		 struct ts_region_contact_point *out)
+static int contact_points(const struct ts_instance *self, const double x[3], bool inside,
+			  struct ts_region_contact_point *out)
 {
 	const struct cylinder *z = self->state;
 	struct ts_frustum shape = { z->lo, z->hi, { z->radius, z->radius } };
@@ -116,12 +116,12 @@ const struct ts_region_style ts_region_cylinder = {
 	.style = {
 		.name = "cylinder",
 		.kind = TS_KIND_REGION,
-		.summary = "A cylinder along an axis",
-		.doc = "All points within the radius of the axis, between lo and hi. The center is given\n"
-		       "in the other two dimensions, in the order x y z: (y, z) for axis x, (x, z) for\n"
-		       "axis y, (x, y) for axis z. Center and radius may be variables. In lattice units the\n"
-		       "radius counts spacings of the first of these dimensions. Faces 1 to 3 are the lower\n"
-		       "end, the upper end and the curved side.",
+		.summary = "Cylinder along a coordinate axis",
+		.doc = "All points between lo and hi whose distance from the axis is at most the radius.\n"
+		       "The center is given in the other two dimensions, in the order x y z: (y, z) for\n"
+		       "axis x, (x, z) for axis y, (x, y) for axis z. Center and radius may be\n"
+		       "variables. In lattice units the radius is in spacings of the first of these\n"
+		       "dimensions. Faces 1 to 3 are the lower end, the upper end and the curved side.",
 		.example = "region hole cylinder z 0 0 0.25 0 1 units box\n"
 			   "region outside cylinder z 0 0 0.25 INF INF side out units box",
 		.args = args,
@@ -135,5 +135,5 @@ const struct ts_region_style ts_region_cylinder = {
 	.volume = volume,
 	.update = update,
 	.faces = 3,
-	.spots = spots,
+	.contact_points = contact_points,
 };

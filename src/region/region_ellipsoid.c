@@ -1,4 +1,4 @@
-/* Region: an ellipsoid with its half axes along x, y and z. */
+/* Region ellipsoid: semi-axes along x, y and z. */
 #include "math/constants.h"
 #include "region/region.h"
 
@@ -6,7 +6,7 @@
 
 struct ellipsoid {
 	struct ts_region region;
-	struct ts_number given[6]; /* center, half axes */
+	struct ts_number given[6]; /* center, semi-axes */
 	double center[3], half[3];
 };
 
@@ -68,9 +68,9 @@ static const struct ts_arg args[] = {
 	NUMBER("x", 0, "x of the center", .range = TS_ANY),
 	NUMBER("y", 1, "y of the center", .range = TS_ANY),
 	NUMBER("z", 2, "z of the center", .range = TS_ANY),
-	NUMBER("a", 3, "half axis along x", .range = TS_POSITIVE),
-	NUMBER("b", 4, "half axis along y", .range = TS_POSITIVE),
-	NUMBER("c", 5, "half axis along z", .range = TS_POSITIVE),
+	NUMBER("a", 3, "semi-axis along x", .range = TS_POSITIVE),
+	NUMBER("b", 4, "semi-axis along y", .range = TS_POSITIVE),
+	NUMBER("c", 5, "semi-axis along z", .range = TS_POSITIVE),
 	TS_REGION_ARGS(struct ellipsoid),
 	TS_ARGS_END,
 };
@@ -80,10 +80,9 @@ const struct ts_region_style ts_region_ellipsoid = {
 	.style = {
 		.name = "ellipsoid",
 		.kind = TS_KIND_REGION,
-		.summary = "An ellipsoid",
-		.doc = "All points with ((x - x0)/a)^2 + ((y - y0)/b)^2 + ((z - z0)/c)^2 <= 1. Center and "
-		       "half\n"
-		       "axes may be variables; `rotate` turns it.",
+		.summary = "Ellipsoid",
+		.doc = "All points with ((x - x0)/a)^2 + ((y - y0)/b)^2 + ((z - z0)/c)^2 <= 1. Center\n"
+		       "and semi-axes may be variables; the keyword `rotate` rotates the ellipsoid.",
 		.example = "region egg ellipsoid 0 0 0.5 0.1 0.1 0.15 units box",
 		.args = args,
 		.state_size = sizeof(struct ellipsoid),

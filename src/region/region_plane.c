@@ -1,4 +1,4 @@
-/* Region: a half-space. */
+/* Region plane: a half-space. */
 #include "region/region.h"
 
 #include <math.h>
@@ -49,8 +49,8 @@ static double depth(const struct ts_instance *self, const double x[3])
 	return ts_dot(d, p->normal);
 }
 
-static int spots(const struct ts_instance *self, const double x[3], bool inside,
-		 struct ts_region_contact_point *out)
+static int contact_points(const struct ts_instance *self, const double x[3], bool inside,
+			  struct ts_region_contact_point *out)
 {
 	const struct plane *p = self->state;
 
@@ -73,9 +73,9 @@ static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 
 static const struct ts_arg args[] = {
 	TS_VEC3("point", struct plane, given_point, .flags = TS_POSITIONAL, .unit = "length",
-		.help = "a point of the plane"),
+		.help = "a point on the plane"),
 	TS_VEC3("normal", struct plane, given_normal, .flags = TS_POSITIONAL,
-		.help = "direction into the region, of any length"),
+		.help = "normal vector into the region, of any length"),
 	TS_REGION_ARGS(struct plane),
 	TS_ARGS_END,
 };
@@ -85,8 +85,8 @@ const struct ts_region_style ts_region_plane = {
 	.style = {
 		.name = "plane",
 		.kind = TS_KIND_REGION,
-		.summary = "All points on one side of a plane",
-		.doc = "The half-space (x - point) . normal >= 0.",
+		.summary = "Half-space on one side of a plane",
+		.doc = "All points with (x - point) . normal >= 0.",
 		.example = "region upper plane 0 0 0.5 0 0 1 units box",
 		.args = args,
 		.state_size = sizeof(struct plane),
@@ -96,5 +96,5 @@ const struct ts_region_style ts_region_plane = {
 	.depth = depth,
 	.bounds = bounds,
 	.faces = 1,
-	.spots = spots,
+	.contact_points = contact_points,
 };

@@ -1,4 +1,4 @@
-/* Region: a parallelepiped whose base lies along x. */
+/* Region prism: a parallelepiped with one edge along x. */
 #include "region/region.h"
 
 #include <math.h>
@@ -37,7 +37,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Coordinates along the edges, from 0 to 1. */
+/* a, b, c: coordinates along the edges, 0 to 1 inside. */
 static bool contains(const struct ts_instance *self, const double x[3])
 {
 	const struct prism *p = self->state;
@@ -48,7 +48,7 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	return a >= 0 && a <= 1 && b >= 0 && b <= 1 && c >= 0 && c <= 1;
 }
 
-/* The least distance to the planes of the six faces. The gradients of the coordinates a, b, c along the
+/* Smallest distance to the planes of the six faces: the gradients of the coordinates a, b, c along the
  * edges are normal to these. */
 static double depth(const struct ts_instance *self, const double x[3])
 {
@@ -91,15 +91,15 @@ static double volume(const struct ts_instance *self)
 #define TILT(name, k, help_) \
 	TS_REAL(name, struct prism, given_tilt[k], .flags = TS_POSITIONAL, .unit = "length", .help = help_)
 static const struct ts_arg args[] = {
-	END("xlo", 0, "least x before the tilt, or EDGE"),
-	END("xhi", 1, "largest x before the tilt, or EDGE"),
-	END("ylo", 2, "least y before the tilt, or EDGE"),
-	END("yhi", 3, "largest y before the tilt, or EDGE"),
-	END("zlo", 4, "least z, or EDGE"),
-	END("zhi", 5, "largest z, or EDGE"),
-	TILT("xy", 0, "how far the edge along y leans towards x"),
-	TILT("xz", 1, "how far the edge along z leans towards x"),
-	TILT("yz", 2, "how far the edge along z leans towards y"),
+	END("xlo", 0, "lower x before the tilt, or EDGE"),
+	END("xhi", 1, "upper x before the tilt, or EDGE"),
+	END("ylo", 2, "lower y before the tilt, or EDGE"),
+	END("yhi", 3, "upper y before the tilt, or EDGE"),
+	END("zlo", 4, "lower z, or EDGE"),
+	END("zhi", 5, "upper z, or EDGE"),
+	TILT("xy", 0, "displacement of the upper y face in x"),
+	TILT("xz", 1, "displacement of the upper z face in x"),
+	TILT("yz", 2, "displacement of the upper z face in y"),
 	TS_REGION_ARGS(struct prism),
 	TS_ARGS_END,
 };
@@ -109,11 +109,10 @@ const struct ts_region_style ts_region_prism = {
 	.style = {
 		.name = "prism",
 		.kind = TS_KIND_REGION,
-		.summary = "A parallelepiped",
-		.doc = "The body spanned from the corner (xlo ylo zlo) by the edges (xhi-xlo 0 0),\n"
-		       "(xy yhi-ylo 0) and (xz yz zhi-zlo). Faces 1 to 6 are the low and high ones along "
-		       "the\n"
-		       "three edges.",
+		.summary = "Parallelepiped",
+		.doc = "The parallelepiped spanned by the edges (xhi-xlo 0 0), (xy yhi-ylo 0) and (xz yz\n"
+		       "zhi-zlo) from the corner (xlo ylo zlo). Faces 1 to 6 are the lower and upper\n"
+		       "faces of the three edges.",
 		.example = "region ramp prism 0 1 0 1 0 0.5 0.2 0 0 units box",
 		.args = args,
 		.state_size = sizeof(struct prism),

@@ -1,4 +1,4 @@
-/* Region: a ball. */
+/* Region sphere. */
 #include "math/constants.h"
 #include "region/region.h"
 
@@ -8,7 +8,7 @@
 
 #include "base/banned.h"
 
-struct ball {
+struct sphere {
 	struct ts_region region;
 	struct ts_number given[4]; /* center, radius */
 	double center[3], radius;
@@ -16,7 +16,7 @@ struct ball {
 
 static enum ts_status update(struct ts_instance *self, struct tsim *sim)
 {
-	struct ball *b = self->state;
+	struct sphere *b = self->state;
 
 	for (int d = 0; d < 3; d++)
 		TS_TRY(ts_region_length(self, sim, &b->given[d], d, &b->center[d]));
@@ -35,29 +35,29 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static bool contains(const struct ts_instance *self, const double x[3])
 {
-	const struct ball *b = self->state;
+	const struct sphere *b = self->state;
 
 	return ts_distance2(x, b->center) <= b->radius * b->radius;
 }
 
 static double depth(const struct ts_instance *self, const double x[3])
 {
-	const struct ball *b = self->state;
+	const struct sphere *b = self->state;
 
 	return b->radius - sqrt(ts_distance2(x, b->center));
 }
 
 static double radial(const struct ts_instance *self, const double x[3])
 {
-	const struct ball *b = self->state;
+	const struct sphere *b = self->state;
 
 	return sqrt(ts_distance2(x, b->center)) / b->radius;
 }
 
-static int spots(const struct ts_instance *self, const double x[3], bool inside,
-		 struct ts_region_contact_point *out)
+static int contact_points(const struct ts_instance *self, const double x[3], bool inside,
+			  struct ts_region_contact_point *out)
 {
-	const struct ball *b = self->state;
+	const struct sphere *b = self->state;
 	double d[3], r, sign = inside ? -1 : 1;
 
 	ts_sub(x, b->center, d);
@@ -72,7 +72,7 @@ static int spots(const struct ts_instance *self, const double x[3], bool inside,
 
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
-	const struct ball *b = self->state;
+	const struct sphere *b = self->state;
 
 	for (int d = 0; d < 3; d++) {
 		lo[d] = b->center[d] - b->radius;
@@ -82,21 +82,21 @@ static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 
 static double volume(const struct ts_instance *self)
 {
-	double r = ((const struct ball *)self->state)->radius;
+	double r = ((const struct sphere *)self->state)->radius;
 
 	return 4 * TS_PI / 3 * r * r * r;
 }
 
 static const struct ts_arg args[] = {
-	TS_NUMBER("x", struct ball, given[0], .flags = TS_POSITIONAL, .unit = "length",
+	TS_NUMBER("x", struct sphere, given[0], .flags = TS_POSITIONAL, .unit = "length",
 		  .help = "x of the center"),
-	TS_NUMBER("y", struct ball, given[1], .flags = TS_POSITIONAL, .unit = "length",
+	TS_NUMBER("y", struct sphere, given[1], .flags = TS_POSITIONAL, .unit = "length",
 		  .help = "y of the center"),
-	TS_NUMBER("z", struct ball, given[2], .flags = TS_POSITIONAL, .unit = "length",
+	TS_NUMBER("z", struct sphere, given[2], .flags = TS_POSITIONAL, .unit = "length",
 		  .help = "z of the center"),
-	TS_NUMBER("radius", struct ball, given[3], .flags = TS_POSITIONAL, .unit = "length",
-		  .range = TS_NOT_NEGATIVE, .help = "radius of the ball"),
-	TS_REGION_ARGS(struct ball),
+	TS_NUMBER("radius", struct sphere, given[3], .flags = TS_POSITIONAL, .unit = "length",
+		  .range = TS_NOT_NEGATIVE, .help = "radius"),
+	TS_REGION_ARGS(struct sphere),
 	TS_ARGS_END,
 };
 
@@ -105,11 +105,11 @@ const struct ts_region_style ts_region_sphere = {
 	.style = {
 		.name = "sphere",
 		.kind = TS_KIND_REGION,
-		.summary = "A ball",
+		.summary = "Sphere",
 		.doc = "All points x with |x - center| <= radius. Center and radius may be variables.",
 		.example = "region drop sphere 0 0 0.5 0.1 units box",
 		.args = args,
-		.state_size = sizeof(struct ball),
+		.state_size = sizeof(struct sphere),
 		.init = init,
 	},
 	.contains = contains,
@@ -119,5 +119,5 @@ const struct ts_region_style ts_region_sphere = {
 	.volume = volume,
 	.update = update,
 	.faces = 1,
-	.spots = spots,
+	.contact_points = contact_points,
 };

@@ -1,4 +1,4 @@
-/* Regions that combine others: their union and their intersection. */
+/* Regions union and intersect: combinations of other regions. */
 #include "region/region.h"
 
 #include <math.h>
@@ -10,22 +10,22 @@ struct state {
 	int64_t n;
 	struct ts_words names;
 	struct ts_instance **member;
-	double parts; /* plain regions in it, each as often as it is asked about a point */
+	double parts; /* number of elementary regions that are evaluated for a point */
 };
 
-static const double MOST_PARTS = 2e6;
+static const double MAX_PARTS = 2e6;
 
 extern const struct ts_region_style ts_region_union, ts_region_intersect;
 
-/* An intersection has the points that are in all of its members, a union those in any. */
-static bool wants_all(const struct ts_instance *self)
+/* Points are in all members of an intersection, in at least one of a union. */
+static bool is_intersection(const struct ts_instance *self)
 {
 	return self->style == &ts_region_intersect.style;
 }
 
-static double parts_of(const struct ts_instance *region)
+static double count_parts(const struct ts_instance *region)
 {
-	bool made_of_others = region->style == &ts_region_union.style || wants_all(region);
+	bool made_of_others = region->style == &ts_region_union.style || is_intersection(region);
 
 	return made_of_others ? ((const struct state *)region->state)->parts : 1;
 }
@@ -46,15 +46,15 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->parts = 0;
 	for (size_t k = 0; k < s->names.n; k++) {
 		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &s->names.word[k], &s->member[k]));
-		s->parts += parts_of(s->member[k]);
+		s->parts += count_parts(s->member[k]);
 		s->region.varies |= ts_region_varies(s->member[k]);
 		s->region.reshapes |= ts_region_reshapes(s->member[k]);
 	}
-	if (s->parts > MOST_PARTS)
+	if (s->parts > MAX_PARTS)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "region %s: with its members and theirs it is made of %.3g regions, of which "
 			       "each point is asked; at most %g are allowed: name each region once",
-			       self->style->name, s->parts, MOST_PARTS);
+			       self->style->name, s->parts, MAX_PARTS);
 	return TS_OK;
 }
 
@@ -70,7 +70,7 @@ static enum ts_status update(struct ts_instance *self, struct tsim *sim)
 static bool contains(const struct ts_instance *self, const double x[3])
 {
 	const struct state *s = self->state;
-	bool all = wants_all(self);
+	bool all = is_intersection(self);
 
 	for (int64_t k = 0; k < s->n; k++)
 		if (ts_region_contains(s->member[k], x) != all)
@@ -81,7 +81,7 @@ static bool contains(const struct ts_instance *self, const double x[3])
 static double depth(const struct ts_instance *self, const double x[3])
 {
 	const struct state *s = self->state;
-	bool all = wants_all(self);
+	bool all = is_intersection(self);
 	double d = all ? INFINITY : -INFINITY;
 
 	for (int64_t k = 0; k < s->n; k++) {
@@ -94,7 +94,7 @@ static double depth(const struct ts_instance *self, const double x[3])
 	return d;
 }
 
-/* ---- the surface: faces of the members */
+/* ---- surface: faces of the members */
 
 static const struct ts_instance *member(const struct ts_instance *self, int64_t k)
 {
@@ -103,24 +103,25 @@ static const struct ts_instance *member(const struct ts_instance *self, int64_t 
 	return k < s->n ? s->member[k] : NULL;
 }
 
-/* A spot of a member bounds the whole where all other members have it, or of a union none. */
+/* Whether a contact point of member `of` is on the surface: in all other members of an intersection, in
+ * none of a union. */
 static bool bounds_whole(const struct ts_instance *self, int64_t of, const double x[3],
-			 const struct ts_region_contact_point *spot)
+			 const struct ts_region_contact_point *point)
 {
 	const struct state *s = self->state;
-	bool all = wants_all(self);
+	bool all = is_intersection(self);
 	double at[3];
 
 	for (int d = 0; d < 3; d++)
-		at[d] = x[d] - spot->distance * spot->n[d];
+		at[d] = x[d] - point->distance * point->n[d];
 	for (int64_t k = 0; k < s->n; k++)
 		if (k != of && ts_region_contains(s->member[k], at) != all)
 			return false;
 	return true;
 }
 
-static int spots(const struct ts_instance *self, const double x[3], bool inside,
-		 struct ts_region_contact_point *out)
+static int contact_points(const struct ts_instance *self, const double x[3], bool inside,
+			  struct ts_region_contact_point *out)
 {
 	const struct state *s = self->state;
 	int n = 0, first = 0;
@@ -128,7 +129,7 @@ static int spots(const struct ts_instance *self, const double x[3], bool inside,
 	for (int64_t k = 0; k < s->n; k++) {
 		const struct ts_instance *one = s->member[k];
 		const struct ts_region *r = one->state;
-		/* from within the whole only members that have x turn faces to it */
+		/* from inside, only members that contain x have faces towards it */
 		bool seen = r->open || ts_region_contains(one, x) == inside;
 		int end = n + (seen ? ts_region_contact_points_all(one, x, out + n) : 0);
 
@@ -146,7 +147,7 @@ static int spots(const struct ts_instance *self, const double x[3], bool inside,
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
 	const struct state *s = self->state;
-	bool all = wants_all(self);
+	bool all = is_intersection(self);
 	double a[3], b[3];
 
 	for (int64_t k = 0; k < s->n; k++) {
@@ -161,7 +162,7 @@ static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 static const struct ts_arg args[] = {
 	TS_INT("n", struct state, n, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e6,
 	       .help = "number of regions"),
-	TS_LIST("regions", struct state, names, .help = "the names of n regions"),
+	TS_LIST("regions", struct state, names, .help = "names of the n regions"),
 	TS_REGION_ARGS(struct state),
 	TS_ARGS_END,
 };
@@ -171,11 +172,10 @@ const struct ts_region_style ts_region_union = {
 	.style = {
 		.name = "union",
 		.kind = TS_KIND_REGION,
-		.summary = "All points of any of several regions",
-		.doc = "A point belongs to it if it belongs to at least one of the n regions; the side of "
-		       "each\n"
-		       "counts. With the members of members, each counted as often as it is named, at most "
-		       "2e6 regions.",
+		.summary = "Union of regions",
+		.doc = "All points that are in at least one of the n regions, each with its own side.\n"
+		       "Including members of members, counted each time they are named, there may be at\n"
+		       "most 2e6 regions.",
 		.example = "region both union 2 left right",
 		.args = args,
 		.state_size = sizeof(struct state),
@@ -185,7 +185,7 @@ const struct ts_region_style ts_region_union = {
 	.depth = depth,
 	.bounds = bounds,
 	.update = update,
-	.spots = spots,
+	.contact_points = contact_points,
 	.member = member,
 };
 
@@ -194,10 +194,9 @@ const struct ts_region_style ts_region_intersect = {
 	.style = {
 		.name = "intersect",
 		.kind = TS_KIND_REGION,
-		.summary = "All points that several regions share",
-		.doc = "A point belongs to it if it belongs to all of the n regions; the side of each "
-		       "counts, so\n"
-		       "that a region with `side out` cuts a hole.",
+		.summary = "Intersection of regions",
+		.doc = "All points that are in all of the n regions, each with its own side: a region\n"
+		       "with `side out` cuts a hole.",
 		.example = "region ring intersect 2 outer_cylinder not_inner_cylinder",
 		.args = args,
 		.state_size = sizeof(struct state),
@@ -207,6 +206,6 @@ const struct ts_region_style ts_region_intersect = {
 	.depth = depth,
 	.bounds = bounds,
 	.update = update,
-	.spots = spots,
+	.contact_points = contact_points,
 	.member = member,
 };

@@ -1,4 +1,4 @@
-/* Region: a sector of a cylinder. */
+/* Region wedge: a sector of a cylinder. */
 #include "math/constants.h"
 #include "region/region.h"
 
@@ -8,13 +8,13 @@
 
 struct wedge {
 	struct ts_region region;
-	int axis, c[2]; /* the axis and the next two dimensions, in cyclic order */
+	int axis, c[2]; /* dimension of the axis; the next two, in cyclic order */
 	struct {
 		double center[2], radius, bounds[2], angle0, angle;
 	} given;
 	struct ts_words center_words, bounds_words;
 	double center[2], radius, lo, hi;
-	double start[2], end[2]; /* directions of the two flat faces */
+	double start[2], end[2]; /* unit vectors along the two flat faces */
 };
 
 /* (cos, sin) of an angle in degrees; exact for multiples of 90. */
@@ -29,22 +29,22 @@ static void direction(double degrees, double out[2])
 	out[1] = k == 0 ? s : k == 1 ? c : k == 2 ? -s : -c;
 }
 
-static double cross(const double a[2], const double b[2])
+static double cross_product(const double a[2], const double b[2])
 {
 	return a[0] * b[1] - a[1] * b[0];
 }
 
-/* Does the vector point into the sector? */
+/* Whether a vector from the axis points into the sector. */
 static bool in_sector(const struct wedge *w, const double d[2])
 {
-	bool after = cross(w->start, d) >= 0, before = cross(w->end, d) <= 0;
+	bool after = cross_product(w->start, d) >= 0, before = cross_product(w->end, d) <= 0;
 
 	return w->given.angle <= 180 ? after && before : after || before;
 }
 
 static const struct ts_arg center_rows[] = {
 	TS_REAL("c1", struct wedge, given.center[0], .flags = TS_POSITIONAL, .unit = "length",
-		.help = "center in the next dimension"),
+		.help = "center in the next dimension, cyclically"),
 	TS_REAL("c2", struct wedge, given.center[1], .flags = TS_POSITIONAL, .unit = "length",
 		.help = "center in the one after"),
 	TS_ARGS_END,
@@ -102,18 +102,20 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	       d[0] * d[0] + d[1] * d[1] <= w->radius * w->radius && in_sector(w, d);
 }
 
-/* Around the center, the ends of the two faces, and the outermost points of the circle between. */
+/* Smallest distance to the planes and the cylinder that bound the sector; of a reflex sector a lower
+ * bound. */
 static double depth(const struct ts_instance *self, const double x[3])
 {
 	const struct wedge *w = self->state;
 	double d[2] = { x[w->c[0]] - w->center[0], x[w->c[1]] - w->center[1] };
-	double after = cross(w->start, d), before = -cross(w->end, d);
+	double after = cross_product(w->start, d), before = -cross_product(w->end, d);
 	double sector = w->given.angle <= 180 ? fmin(after, before) : fmax(after, before);
 	double along = fmin(x[w->axis] - w->lo, w->hi - x[w->axis]);
 
 	return fmin(fmin(sector, along), w->radius - sqrt(d[0] * d[0] + d[1] * d[1]));
 }
 
+/* Bounds of the center, the ends of the two faces, and the extreme points of the arc between them. */
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
 	static const double around[4][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
@@ -146,17 +148,17 @@ static double volume(const struct ts_instance *self)
 static const struct ts_arg args[] = {
 	TS_ENUM("axis", struct wedge, axis, ts_region_axes, .help = "direction of the axis"),
 	TS_SOME_KEYWORD("center", struct wedge, center_words, 0,
-			.help = "c1 c2: a point of the axis in the other dimensions, in cyclic order: "
-				"y z, z x or x y"),
+			.help = "c1 c2: a point on the axis, in the other dimensions in cyclic order: y z, z "
+				"x or x y"),
 	TS_REAL("radius", struct wedge, given.radius, .range = TS_POSITIVE, .unit = "length",
 		.help = "radius of the cylinder"),
 	TS_SOME_KEYWORD("bounds", struct wedge, bounds_words, 0,
-			.help = "lo hi: the ends along the axis, INF or EDGE"),
+			.help = "lo hi: lower and upper end along the axis, or INF or EDGE"),
 	TS_REAL("angle0", struct wedge, given.angle0, .unit = "degrees",
-		.help = "where the sector begins, counted from the first of the other dimensions "
-			"towards the second"),
+		.help = "angle of the first flat face, from the first of the other dimensions towards the "
+			"second"),
 	TS_REAL("angle", struct wedge, given.angle, .unit = "degrees", .range = TS_WITHIN, .lo = 0, .hi = 360,
-		.help = "angle between its two flat faces"),
+		.help = "angle between the two flat faces"),
 	TS_REGION_ARGS(struct wedge),
 	TS_ARGS_END,
 };
@@ -166,12 +168,10 @@ const struct ts_region_style ts_region_wedge = {
 	.style = {
 		.name = "wedge",
 		.kind = TS_KIND_REGION,
-		.summary = "A sector of a cylinder",
-		.doc = "All points of a cylinder between two half-planes through its axis, one at angle0 "
-		       "and\n"
-		       "one at angle0 + angle. Angles are in degrees and count from y to z about axis x, "
-		       "from\n"
-		       "z to x about y, from x to y about z.",
+		.summary = "Sector of a cylinder",
+		.doc = "All points of a cylinder between two half-planes from its axis, at angle0 and at\n"
+		       "angle0 + angle. Angles are in degrees and increase from y to z about axis x,\n"
+		       "from z to x about y, from x to y about z.",
 		.example = "region slice wedge axis z center 0 0 radius 0.25 bounds 0 1 angle0 -22.5 angle "
 			   "45 &\n"
 			   "  units box",

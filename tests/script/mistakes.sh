@@ -48,7 +48,7 @@ boundary fp p p
 regoin b block 0 1 0 1 0 1
 => 1:1: error: unknown command 'regoin'; did you mean 'region'?
 region b block 0 1 0 1 0
-=> 1:10: error: region block: zhi is missing, expected a number, INF or EDGE (largest z, INF or EDGE)
+=> 1:10: error: region block: zhi is missing, expected a number, INF or EDGE (upper z, INF or EDGE)
 region b block 0 1 1 0 0 1
 => 1:10: error: region block: ylo = 1 is above yhi = 0
 region b block 0 1 0 1 0 1 unit box
