@@ -191,7 +191,7 @@ static enum ts_status make_dynamic(struct tsim *sim, const struct state *s, int 
 	return ts_group_choose(sim, bit);
 }
 
-static void remove_all(struct ts_particles *p, int bit)
+static void remove_members(struct ts_particles *p, int bit)
 {
 	for (size_t i = 0; i < p->n; i++)
 		p->mask[i] &= ~(1u << bit);
@@ -215,7 +215,7 @@ static enum ts_status delete_group(struct tsim *sim, const struct state *s, cons
 				       ts_group_name(sim, child));
 	if (ts_neigh_uses_group(sim->neigh, bit))
 		return ts_fail(&sim->error, TS_STATE, where, "group '%s' is used by neigh_modify", s->id);
-	remove_all(sim->particles, bit);
+	remove_members(sim->particles, bit);
 	sim->particles->dynamic[bit].every = 0;
 	sim->groups.name[bit] = NULL;
 	return TS_OK;
@@ -289,7 +289,7 @@ static enum ts_status assign_members(struct tsim *sim, const struct state *s, in
 	case VARIABLE:
 		return add_where_variable(sim, s, bit, where);
 	case CLEAR:
-		remove_all(p, bit);
+		remove_members(p, bit);
 		return TS_OK;
 	case DYNAMIC:
 		return make_dynamic(sim, s, bit, where);

@@ -36,7 +36,7 @@ static enum ts_status check_definition(struct tsim *sim, int bit)
 	const struct ts_dynamic_group *g = &sim->particles->dynamic[bit];
 
 	if (!ts_group_name(sim, g->parent))
-		return ts_fail(&sim->error, TS_STATE, NULL, "dynamic group %s: its parent group is gone",
+		return ts_fail(&sim->error, TS_STATE, NULL, "dynamic group %s: its parent group was deleted",
 			       ts_group_name(sim, bit));
 	if (g->region && !find_region(sim, bit))
 		return ts_fail(&sim->error, TS_STATE, NULL, "dynamic group %s: there is no region %s",

@@ -303,7 +303,7 @@ static enum ts_status eval_omega(struct tsim *sim, struct ts_words args, double 
 	trace = tensor[0][0] + tensor[1][1] + tensor[2][2];
 	if (!(whole > 1e-12 * trace * trace * trace))
 		return ts_fail(&sim->error, TS_STATE, &args.word[0].place,
-			       "the particles of group '%s' stand on one line: the angular velocity "
+			       "the particles of group '%s' lie on one line: the angular velocity "
 			       "about it is not defined",
 			       args.word[0].text);
 	for (int a = 0; a < 3; a++)
@@ -349,7 +349,7 @@ static enum ts_status eval_gmask(struct tsim *sim, struct ts_words args, struct 
 {
 	struct selection c;
 
-	TS_TRY(read_group(sim, args, 2, &c)); /* grmask too */
+	TS_TRY(read_group(sim, args, 2, &c)); /* also of grmask */
 	return eval_mask(&c, out);
 }
 

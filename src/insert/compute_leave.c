@@ -1,3 +1,4 @@
+/* Compute leave: counts particles that leave a region. */
 #include "particle/columns.h"
 #include "particle/particles.h"
 #include "region/region.h"

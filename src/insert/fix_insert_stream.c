@@ -179,7 +179,7 @@ static void draw_on_face(struct ts_mesh_surface *face, double x[3])
 static const int64_t MOST_POINTS = 10000000;
 
 /* Draws a position at the depth R .. L + R behind the face; without a check of overlaps R .. L - R. */
-static enum ts_status draw_place(struct ts_instance *self, struct tsim *sim, double radius, double x[3])
+static enum ts_status draw_position(struct ts_instance *self, struct tsim *sim, double radius, double x[3])
 {
 	struct state *s = self->state;
 	double depth, length = s->base.overlapcheck ? s->length : s->length - 2 * radius;
@@ -253,7 +253,7 @@ static enum ts_status place_particle(struct ts_instance *self, struct tsim *sim,
 
 	while (!one->placed && search->tries < search->most_tries) {
 		do {
-			TS_TRY(draw_place(self, sim, one->radius, one->x));
+			TS_TRY(draw_position(self, sim, one->radius, one->x));
 			search->tries++;
 		} while (search->tries < search->most_tries && !in_box(search->box, one->x, one->radius));
 		if (search->tries == search->most_tries)
@@ -264,7 +264,7 @@ static enum ts_status place_particle(struct ts_instance *self, struct tsim *sim,
 	return one->placed ? ts_insertion_hash_add(sim, &search->occupied, one) : TS_OK;
 }
 
-static enum ts_status place_all(struct ts_instance *self, struct tsim *sim)
+static enum ts_status place_particles(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_new_particles *list = &s->base.list;
@@ -279,7 +279,7 @@ static enum ts_status place_all(struct ts_instance *self, struct tsim *sim)
 			status = place_particle(self, sim, &search, &list->item[k]);
 			continue;
 		}
-		status = draw_place(self, sim, list->item[k].radius, list->item[k].x);
+		status = draw_position(self, sim, list->item[k].radius, list->item[k].x);
 		ts_insertion_draw_orientation(&s->base, &list->item[k]);
 		list->item[k].placed = true;
 	}
@@ -351,7 +351,7 @@ static void start_particles(struct ts_instance *self, struct tsim *sim, size_t f
 	}
 }
 
-static enum ts_status check(struct ts_instance *self, struct tsim *sim)
+static enum ts_status advance_stream(struct ts_instance *self, struct tsim *sim)
 {
 	((struct ts_stream *)self->state)->age++;
 	return ts_insertion_check(self, sim);
@@ -370,7 +370,7 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(check_space_in_box(self, sim));
 		TS_TRY(ts_distribution_draw(s->base.distribution, sim, n, s->base.random_distribute == 0,
 					    &s->base.list));
-		TS_TRY(place_all(self, sim));
+		TS_TRY(place_particles(self, sim));
 		TS_TRY(ts_insertion_make(self, sim, &from));
 		start_particles(self, sim, from);
 	}
@@ -574,7 +574,7 @@ const struct ts_style ts_fix_insert_stream = {
 	.archive = archive,
 	.values = ts_insertion_values,
 	.init = init,
-	.hook = { [TS_STAGE_CHECK] = check,
+	.hook = { [TS_STAGE_CHECK] = advance_stream,
 		  [TS_STAGE_PRE_EXCHANGE] = pre_exchange,
 		  [TS_STAGE_SETUP] = setup,
 		  [TS_STAGE_END_OF_STEP] = end_of_step },

@@ -377,7 +377,7 @@ static double draw_diameter(struct pour *s)
 
 /* Draws height and diameter; heights are distributed as in a stream that falls from the top: h = top -
  * u^2 H. */
-static void draw_particle(struct pour *s, struct ts_new_particle *one)
+static void draw_height_and_diameter(struct pour *s, struct ts_new_particle *one)
 {
 	double u = ts_minstd_uniform(&s->base.random), top = s->hi[s->up];
 
@@ -387,7 +387,7 @@ static void draw_particle(struct pour *s, struct ts_new_particle *one)
 }
 
 /* Draws the horizontal position within the bounds, until it lies in the region. */
-static void draw_place(struct pour *s, struct ts_new_particle *one)
+static void draw_horizontal_position(struct pour *s, struct ts_new_particle *one)
 {
 	enum { MOST = 100000 };
 	double x[3] = { 0, 0, one->x[2] - s->risen };
@@ -401,7 +401,7 @@ static void draw_place(struct pour *s, struct ts_new_particle *one)
 	}
 }
 
-static void draw_motion(struct pour *s, double g, struct ts_new_particle *one)
+static void draw_velocity_and_density(struct pour *s, double g, struct ts_new_particle *one)
 {
 	double fallen = s->hi[s->up] + s->risen - one->x[s->up];
 
@@ -412,7 +412,8 @@ static void draw_motion(struct pour *s, double g, struct ts_new_particle *one)
 }
 
 /* Tries each particle until it is placed; the limit of trial positions is common to all. */
-static enum ts_status place_all(struct pour *s, struct tsim *sim, double g, struct ts_spherehash *occupied)
+static enum ts_status place_particles(struct pour *s, struct tsim *sim, double g,
+				      struct ts_spherehash *occupied)
 {
 	struct ts_new_particles *list = &s->base.list;
 	int64_t tries = (int64_t)list->n * s->base.maxattempt;
@@ -420,14 +421,14 @@ static enum ts_status place_all(struct pour *s, struct tsim *sim, double g, stru
 	for (size_t k = 0; k < list->n && tries > 0; k++) {
 		struct ts_new_particle one;
 
-		draw_particle(s, &one);
+		draw_height_and_diameter(s, &one);
 		do
-			draw_place(s, &one);
+			draw_horizontal_position(s, &one);
 		while (ts_insertion_overlaps(sim, occupied, &one) && --tries > 0);
 		if (!tries)
 			break;
 		tries--;
-		draw_motion(s, g, &one);
+		draw_velocity_and_density(s, g, &one);
 		TS_TRY(ts_insertion_hash_add(sim, occupied, &one));
 		list->item[k] = one;
 	}
@@ -450,7 +451,7 @@ static enum ts_status pour_particles(struct ts_instance *self, struct tsim *sim,
 		list->item[k] = (struct ts_new_particle){ .placed = false };
 	status = ts_insertion_hash_particles(sim, &occupied);
 	if (status == TS_OK)
-		status = place_all(s, sim, g, &occupied);
+		status = place_particles(s, sim, g, &occupied);
 	ts_spherehash_release(&occupied);
 	return status;
 }

@@ -27,14 +27,14 @@ struct state {
 	int64_t step, number;
 
 	const struct ts_instance *stream;
-	int64_t every; /* steps between requests; 0: there is one */
+	int64_t every; /* steps between requests; 0: a single request */
 	struct passage *passage;
 	size_t passage_capacity;
 	/* saved */
 	struct request *request; /* [nrequests], by step */
 	size_t nrequests, capacity;
 	int64_t next; /* step of the next request */
-	int64_t seen; /* age of the stream at the last event */
+	int64_t seen; /* age of the stream at the last insertion */
 	int32_t started;
 };
 

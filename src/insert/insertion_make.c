@@ -86,7 +86,7 @@ static double sphere_mass(const struct tsim *sim, const struct ts_new_particle *
 {
 	if (sim->dimension == 2)
 		return one->density * ts_particle_volume(sim, r);
-	if (clump_of(one)) /* its 4 pi / 3 */
+	if (clump_of(one)) /* 4 pi / 3 of LIGGGHTS */
 		return one->density * (r * r * r * 4.18879020479);
 	return one->density * (r * r * r * 4 * TS_PI / 3);
 }

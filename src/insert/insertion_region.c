@@ -73,7 +73,7 @@ static enum ts_status estimate_volume(struct ts_instance *self, struct tsim *sim
 		       s->volume);
 }
 
-static bool box_moves(const struct ts_box *box)
+static bool is_shrink_wrapped(const struct ts_box *box)
 {
 	bool moves = false;
 
@@ -96,7 +96,8 @@ static enum ts_status check_region(struct ts_instance *self, struct tsim *sim)
 	for (int d = 0; d < 3; d++) {
 		if (!isfinite(lo[d]) || !isfinite(hi[d]))
 			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, s->region->id),
-				       "fix %s: region %s has no end in %c; give its faces numbers, or EDGE",
+				       "fix %s: region %s is unbounded in %c; use numbers or EDGE for its "
+				       "faces",
 				       self->style->name, s->region->id, 'x' + d);
 		if ((box->face[d][0] == TS_FACE_FIXED && lo[d] < box->lo[d]) ||
 		    (box->face[d][1] == TS_FACE_FIXED && hi[d] > box->hi[d]))
@@ -143,7 +144,7 @@ enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim
 		out->volume += ts_particle_volume(sim, p->radius[i]);
 	}
 	/* as in LIGGGHTS, the new volume is used from the next insertion on */
-	return box_moves(&sim->domain->box) ? estimate_volume(self, sim) : TS_OK;
+	return is_shrink_wrapped(&sim->domain->box) ? estimate_volume(self, sim) : TS_OK;
 }
 
 /* ---- positions */
@@ -200,7 +201,7 @@ static enum ts_status check_stop_request(struct ts_instance *self, struct tsim *
 	if (search->tries < search->patience)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STOPPED, &self->where,
-		       "fix %s: stopped on request while places were searched for, after %" PRId64
+		       "fix %s: stopped on request during the search for positions, after %" PRId64
 		       " tries; the step is not finished, and no particle is made in it",
 		       self->style->name, search->tries);
 }
@@ -237,7 +238,7 @@ static enum ts_status place_unchecked(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
-static enum ts_status place_all(struct ts_instance *self, struct tsim *sim, int64_t most_tries)
+static enum ts_status place_particles(struct ts_instance *self, struct tsim *sim, int64_t most_tries)
 {
 	struct ts_insertion_region *s = self->state;
 	struct search search = { .s = s, .box = &sim->domain->box, .most_tries = most_tries };
@@ -264,7 +265,7 @@ enum ts_status ts_insertion_region_event(struct ts_instance *self, struct tsim *
 	size_t from;
 
 	TS_TRY(ts_distribution_draw(s->distribution, sim, n, s->random_distribute == 0, &s->list));
-	TS_TRY(place_all(self, sim, most_tries));
+	TS_TRY(place_particles(self, sim, most_tries));
 	return ts_insertion_make(self, sim, &from);
 }
 
@@ -274,7 +275,7 @@ enum ts_status ts_insertion_region_scatter(struct ts_instance *self, struct tsim
 
 	s->overlapcheck = false;
 	TS_TRY(ts_distribution_draw(s->distribution, sim, n, s->random_distribute == 0, &s->list));
-	return place_all(self, sim, n);
+	return place_particles(self, sim, n);
 }
 
 enum ts_status ts_insertion_region_archive(struct ts_instance *self, struct tsim *sim,

@@ -28,7 +28,7 @@ void ts_sites_release(struct ts_sites *sites)
 	*sites = (struct ts_sites){ 0 };
 }
 
-static bool within(const double lo[3], const double hi[3], const double x[3])
+static bool is_within(const double lo[3], const double hi[3], const double x[3])
 {
 	for (int d = 0; d < 3; d++)
 		if (!(x[d] >= lo[d] && x[d] < hi[d]))
@@ -38,7 +38,7 @@ static bool within(const double lo[3], const double hi[3], const double x[3])
 
 bool ts_sites_in_box(const struct tsim *sim, const double x[3])
 {
-	return within(sim->domain->box.lo, sim->domain->box.hi, x);
+	return is_within(sim->domain->box.lo, sim->domain->box.hi, x);
 }
 
 void ts_sites_limits(const struct tsim *sim, const struct ts_instance *region, double lo[3], double hi[3])
@@ -97,10 +97,10 @@ static enum ts_status fill_cell(struct tsim *sim, const struct ts_instance *regi
 		for (int d = 0; d < 3; d++)
 			c[d] = (double)cell[d] + l->basis[k][d];
 		ts_lattice_to_space(l, c, x);
-		if (!within(fill->lo, fill->hi, x) || (region && !ts_region_contains(region, x)))
+		if (!is_within(fill->lo, fill->hi, x) || (region && !ts_region_contains(region, x)))
 			continue;
 		for (int d = 0; d < 3; d++)
-			x[d] = fmax(x[d], lo[d]); /* rounding */
+			x[d] = fmax(x[d], lo[d]); /* removes rounding errors */
 		TS_TRY(ts_sites_add(sim, sites, x, type_of_basis[k]));
 	}
 	return TS_OK;

@@ -1,4 +1,4 @@
-/* Command delete_atoms: removes particles. */
+/* Command delete_atoms: deletes particles. */
 #include "core/sim.h"
 
 #include "box/domain.h"
@@ -72,10 +72,10 @@ static enum ts_status read_porosity(struct tsim *sim, struct state *s)
 		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &w.word[0], &s->region));
 	if (!ts_parse_real(w.word[1].text, &s->amount) || s->amount < 0 || s->amount > 1)
 		return ts_fail(&sim->error, TS_RANGE, &w.word[1].place,
-			       "delete_atoms porosity: '%s' is no fraction from 0 to 1", w.word[1].text);
+			       "delete_atoms porosity: '%s' is not a fraction from 0 to 1", w.word[1].text);
 	if (!ts_parse_int(w.word[2].text, &s->seed) || s->seed < 1)
 		return ts_fail(&sim->error, TS_RANGE, &w.word[2].place,
-			       "delete_atoms porosity: '%s' is no seed, an integer > 0", w.word[2].text);
+			       "delete_atoms porosity: '%s' is not a seed, an integer > 0", w.word[2].text);
 	return TS_OK;
 }
 
@@ -167,7 +167,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		TS_TRY(read_porosity(sim, s));
 	if (s->mode == RANDOM && s->part == FRACTION && s->amount > 1)
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "delete_atoms random: %g is no fraction from 0 to 1", s->amount);
+			       "delete_atoms random: %g is not a fraction from 0 to 1", s->amount);
 	flag = ts_alloc(p->n, 1);
 	if (!flag)
 		return ts_nomem(&sim->error);

@@ -1,4 +1,4 @@
-/* Command displace_atoms: moves particles at once. */
+/* Command displace_atoms: displaces particles. */
 #include "core/sim.h"
 
 #include <math.h>

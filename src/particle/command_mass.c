@@ -1,4 +1,4 @@
-/* Command mass: the mass of particles of a type. */
+/* Command mass: sets the mass of particles by type. */
 #include "core/sim.h"
 
 #include "particle/columns.h"

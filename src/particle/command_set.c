@@ -52,7 +52,7 @@ static const char *const word_names[NWORDS] = { "type/fraction", "type/ratio", "
 						"image",	 "omega",      "property/atom",
 						"named numbers", "mol",	       "bond" };
 
-static bool selected(const struct tsim *sim, const struct state *s, size_t i)
+static bool is_selected(const struct tsim *sim, const struct state *s, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 	double number = s->mode == ATOM	      ? p->tag[i]
@@ -226,8 +226,8 @@ static enum ts_status set_words(struct tsim *sim, const struct state *s, const u
 	}
 }
 
-static enum ts_status set_all(struct tsim *sim, const struct state *s, const unsigned char *chosen,
-			      size_t count, const struct ts_place *where)
+static enum ts_status apply_settings(struct tsim *sim, const struct state *s, const unsigned char *chosen,
+				     size_t count, const struct ts_place *where)
 {
 	struct ts_table table = { 0 };
 	enum ts_status status = TS_OK;
@@ -267,8 +267,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (!chosen)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < p->n; i++)
-		count += chosen[i] = selected(sim, s, i);
-	status = set_all(sim, s, chosen, count, where);
+		count += chosen[i] = is_selected(sim, s, i);
+	status = apply_settings(sim, s, chosen, count, where);
 	ts_free(chosen);
 	ts_particles_inverse_mass(p);
 	return status;

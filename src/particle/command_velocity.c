@@ -33,7 +33,7 @@ struct state {
 };
 
 /* Length of one unit in this dimension: 1, or the lattice spacing with `units lattice`. */
-static double scale_of(const struct tsim *sim, const struct state *s, int dim)
+static double unit_length(const struct tsim *sim, const struct state *s, int dim)
 {
 	return ts_domain_scale(sim, s->units, dim);
 }
@@ -167,7 +167,7 @@ static enum ts_status set_velocities(struct tsim *sim, const struct state *s, co
 
 	for (int d = 0; d < 3 && status == TS_OK; d++) {
 		const char *variable = s->value[d].variable;
-		double constant = 0, scale = scale_of(sim, s, d);
+		double constant = 0, scale = unit_length(sim, s, d);
 		bool peratom = variable && sim->script_api->is_peratom(sim->script_api_data, variable);
 
 		if (s->value[d].null)
@@ -242,7 +242,7 @@ static enum ts_status create_velocities(struct tsim *sim, const struct state *s,
 static enum ts_status ramp_velocities(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
-	double scale = scale_of(sim, s, s->component), along = scale_of(sim, s, s->dim);
+	double scale = unit_length(sim, s, s->component), along = unit_length(sim, s, s->dim);
 
 	if (s->x[0] == s->x[1])
 		return ts_fail(&sim->error, TS_RANGE, where, "velocity ramp: both ends lie at %g", s->x[0]);

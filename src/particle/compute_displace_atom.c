@@ -38,7 +38,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_reference_init(self, sim, &s->start, unwrapped_position);
 }
 
-static enum ts_status new_particles(struct ts_instance *self, struct tsim *sim)
+static enum ts_status store_new_references(struct ts_instance *self, struct tsim *sim)
 {
 	ts_reference_add(sim, &((struct displace *)self->state)->start);
 	return TS_OK;
@@ -50,7 +50,7 @@ static enum ts_status refresh(struct ts_instance *self, struct tsim *sim)
 	struct ts_table chosen = { 0 };
 	enum ts_status status = TS_OK;
 
-	TS_TRY(new_particles(self, sim));
+	TS_TRY(store_new_references(self, sim));
 	if (s->variable)
 		status = sim->script_api->peratom(sim->script_api_data, s->variable, &self->where, &chosen);
 	for (size_t i = 0; i < sim->particles->n && status == TS_OK; i++)
@@ -66,7 +66,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	const struct ts_particles *p = sim->particles;
 
 	TS_TRY(ts_table_resize(out, p->n, 4));
-	TS_TRY(new_particles(self, s->sim));
+	TS_TRY(store_new_references(self, s->sim));
 	for (size_t i = 0; i < p->n; i++) {
 		double *row = out->data + 4 * i, x[3] = { 0 };
 
@@ -117,5 +117,5 @@ const struct ts_style ts_compute_displace_atom = {
 	.values = values,
 	.init = init,
 	.refresh = refresh,
-	.hook = { [TS_STAGE_POST_BUILD] = new_particles, [TS_STAGE_SETUP] = new_particles },
+	.hook = { [TS_STAGE_POST_BUILD] = store_new_references, [TS_STAGE_SETUP] = store_new_references },
 };

@@ -35,7 +35,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_reference_init(self, sim, &s->start, unwrapped_position);
 }
 
-static enum ts_status new_particles(struct ts_instance *self, struct tsim *sim)
+static enum ts_status store_new_references(struct ts_instance *self, struct tsim *sim)
 {
 	ts_reference_add(sim, &((struct msd *)self->state)->start);
 	return TS_OK;
@@ -148,5 +148,5 @@ const struct ts_style ts_compute_msd = {
 	.archive = archive,
 	.values = values,
 	.init = init,
-	.hook = { [TS_STAGE_POST_BUILD] = new_particles, [TS_STAGE_SETUP] = new_particles },
+	.hook = { [TS_STAGE_POST_BUILD] = store_new_references, [TS_STAGE_SETUP] = store_new_references },
 };

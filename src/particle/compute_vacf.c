@@ -24,7 +24,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_reference_init(self, sim, &s->start, store_velocity);
 }
 
-static enum ts_status new_particles(struct ts_instance *self, struct tsim *sim)
+static enum ts_status store_new_references(struct ts_instance *self, struct tsim *sim)
 {
 	ts_reference_add(sim, &((struct vacf *)self->state)->start);
 	return TS_OK;
@@ -45,7 +45,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct vacf *s = self->state;
 	double sum[5];
 
-	TS_TRY(new_particles(self, s->sim));
+	TS_TRY(store_new_references(self, s->sim));
 	ts_group_sum(sim, self->group, 5, velocity_product_terms, &s->start, sum);
 	for (int k = 0; k < 4; k++)
 		out->data[k] = sum[4] > 0 ? sum[k] / sum[4] : 0;
@@ -76,5 +76,5 @@ const struct ts_style ts_compute_vacf = {
 	.archive = archive,
 	.values = values,
 	.init = init,
-	.hook = { [TS_STAGE_POST_BUILD] = new_particles, [TS_STAGE_SETUP] = new_particles },
+	.hook = { [TS_STAGE_POST_BUILD] = store_new_references, [TS_STAGE_SETUP] = store_new_references },
 };

@@ -17,8 +17,8 @@ static enum ts_status fail_position(struct tsim *sim, size_t i)
 	const double *x = p->x[i], *v = p->v[i];
 
 	return ts_fail(&sim->error, TS_PHYSICS, NULL,
-		       "particle %d (type %d) is nowhere: position (%g %g %g), velocity (%g %g %g); a "
-		       "coordinate is not a number, or too far from the box for its images to be counted",
+		       "particle %d (type %d) has the invalid position (%g %g %g), velocity (%g %g %g): a "
+		       "coordinate is not a number, or too far from the box for its image flags",
 		       p->tag[i], p->type[i], x[0], x[1], x[2], v[0], v[1], v[2]);
 }
 

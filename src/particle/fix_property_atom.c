@@ -88,7 +88,7 @@ static enum ts_status read_liggghts(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(read_flag(sim, &word[3], &s->ghost));
 	TS_TRY(read_flag(sim, &word[4], &reverse));
 	for (size_t k = 0; k < values; k++)
-		if (!ts_streq(word[5 + k].text, "none") && /* 0 */
+		if (!ts_streq(word[5 + k].text, "none") && /* none: 0 */
 		    !ts_parse_real(word[5 + k].text, &s->initial[k]))
 			return ts_fail(&sim->error, TS_SYNTAX, &word[5 + k].place,
 				       "fix property/atom: '%s' is not a number", word[5 + k].text);

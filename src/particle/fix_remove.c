@@ -114,8 +114,8 @@ static enum ts_status find_candidates(struct ts_instance *self, struct tsim *sim
 			continue;
 		if (ts_rigid_member(p, i))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix remove: particle %d belongs to a rigid body, of which no part "
-				       "can be taken; give the fix a group without such particles",
+				       "fix remove: particle %d belongs to a rigid body, which cannot "
+				       "lose mass; give the fix a group without such particles",
 				       p->tag[i]);
 		rng.counter = (uint64_t)sim->clock.step;
 		s->candidate[s->n++] = (struct candidate){ ts_rng_uniform(&rng), p->tag[i], i };

@@ -18,7 +18,7 @@ static inline void ts_unwrapped(const struct tsim *sim, size_t i, double x[3])
 /* Number and mass of the particles in the group. */
 double ts_group_count(const struct tsim *sim, int group);
 double ts_group_mass(const struct tsim *sim, int group);
-/* Centre of mass and its velocity; 0 for a group without particles. */
+/* Centre of mass (unwrapped) and its velocity; 0 for an empty group. */
 void ts_group_centre(const struct tsim *sim, int group, double x[3]);
 void ts_group_velocity(const struct tsim *sim, int group, double v[3]);
 

@@ -16,7 +16,8 @@ static int compare_tags(const void *a, const void *b)
 	return (*p > *q) - (*p < *q);
 }
 
-/* Fills p->by_tag with the pairs of tag and index, sorted by tag; skips the sort if they are in order. */
+/* Fills p->sorted_tags with the pairs of tag and index, sorted by tag; skips the sort if they are in
+ * order. */
 static void sort_by_tag(struct ts_particles *p, int32_t (*pair)[2])
 {
 	bool ordered = true;
@@ -29,8 +30,8 @@ static void sort_by_tag(struct ts_particles *p, int32_t (*pair)[2])
 	if (!ordered)
 		qsort(pair, p->n, sizeof *pair, compare_tags);
 	for (size_t i = 0; i < p->n; i++) {
-		p->by_tag[i] = pair[i][0];
-		p->by_tag[p->n + i] = pair[i][1];
+		p->sorted_tags[i] = pair[i][0];
+		p->sorted_tags[p->n + i] = pair[i][1];
 	}
 }
 
@@ -50,9 +51,9 @@ static void list_by_table(struct ts_particles *p)
 	size_t filled = 0;
 
 	for (int32_t tag = 1; tag <= p->max_tag; tag++)
-		if (p->map[tag] >= 0) {
-			p->by_tag[filled] = tag;
-			p->by_tag[p->n + filled++] = p->map[tag];
+		if (p->row_of_tag[tag] >= 0) {
+			p->sorted_tags[filled] = tag;
+			p->sorted_tags[p->n + filled++] = p->row_of_tag[tag];
 		}
 }
 
@@ -60,10 +61,10 @@ static enum ts_status fill_table(struct ts_particles *p)
 {
 	size_t size = (size_t)p->max_tag + 1;
 
-	TS_TRY(TS_GROW(p->map, p->map_capacity, size));
-	memset(p->map, 0xff, size * sizeof *p->map); /* -1 */
+	TS_TRY(TS_GROW(p->row_of_tag, p->row_of_tag_capacity, size));
+	memset(p->row_of_tag, 0xff, size * sizeof *p->row_of_tag); /* -1 */
 	for (size_t i = 0; i < p->n; i++)
-		p->map[p->tag[i]] = (int32_t)i;
+		p->row_of_tag[p->tag[i]] = (int32_t)i;
 	return TS_OK;
 }
 
@@ -76,17 +77,17 @@ enum ts_status ts_identities(struct tsim *sim, bool ordered, struct ts_identitie
 	if (table)
 		status = fill_table(p);
 	if (status == TS_OK && (ordered || !table))
-		status = TS_GROW(p->by_tag, p->by_tag_capacity, 2 * p->n + 1);
+		status = TS_GROW(p->sorted_tags, p->sorted_tags_capacity, 2 * p->n + 1);
 	if (status == TS_OK && !table)
 		status = list_by_sorting(p);
 	else if (status == TS_OK && ordered)
 		list_by_table(p);
 	*out = (struct ts_identities){ .n = p->n, .max = p->max_tag };
 	if (table)
-		out->row_of_tag = p->map;
+		out->row_of_tag = p->row_of_tag;
 	if (status == TS_OK && (ordered || !table)) {
-		out->tag = p->by_tag;
-		out->row = p->by_tag + p->n;
+		out->tag = p->sorted_tags;
+		out->row = p->sorted_tags + p->n;
 	}
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }

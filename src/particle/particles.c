@@ -83,8 +83,8 @@ static void fini(struct ts_instance *self)
 	ts_materials_release(&p->materials);
 	ts_free(p->ghost_owner);
 	ts_free(p->ghost_shift);
-	ts_free(p->map);
-	ts_free(p->by_tag);
+	ts_free(p->row_of_tag);
+	ts_free(p->sorted_tags);
 }
 
 static enum ts_status archive_groups(struct tsim *sim, struct ts_archive *a)

@@ -78,7 +78,7 @@ struct ts_particles {
 	int32_t *type;	     /* 1..ntypes */
 	uint32_t *mask;	     /* bit g: member of group g */
 	int32_t (*image)[3]; /* periodic image flags */
-	double (*x)[3];	     /* position, wrapped into the box */
+	double (*x)[3];	     /* position, wrapped into the box at the last exchange */
 	double (*v)[3], (*f)[3];
 	double *radius, *mass;
 	/* effective 1/mass in contacts: 0 if frozen or prescribed, 1/(mass of the body) for members of
@@ -116,9 +116,9 @@ struct ts_particles {
 
 	struct ts_shared_buffers *holds; /* of the simulation: columns that callers of the library read */
 	/* lookup of indices by tag: particle/identity.h */
-	int32_t *map;	 /* [max_tag + 1]: local index of a tag, or -1 */
-	int32_t *by_tag; /* [2][n]: the tags in ascending order, then their local indices */
-	size_t map_capacity, by_tag_capacity;
+	int32_t *row_of_tag;  /* [max_tag + 1]: local index of a tag, or -1 */
+	int32_t *sorted_tags; /* [2][n]: the tags in ascending order, then their local indices */
+	size_t row_of_tag_capacity, sorted_tags_capacity;
 
 	/* Functions of folders above this one, set when their systems are initialised. */
 
@@ -143,6 +143,8 @@ enum ts_lost { TS_LOST_IGNORE, TS_LOST_WARN, TS_LOST_ERROR };
  * or NULL. */
 enum ts_status ts_particles_make_box(struct tsim *sim, int ntypes, const double lo[3], const double hi[3],
 				     const struct ts_place *where);
+
+/* Whether particle i is in the group with this bit. */
 static inline bool ts_in_group(const struct ts_particles *p, size_t i, int group)
 {
 	return (p->mask[i] >> group) & 1u;

@@ -74,37 +74,37 @@ POSITION_QUANTITY(x, 0)
 POSITION_QUANTITY(y, 1)
 POSITION_QUANTITY(z, 2)
 
-static double tag(const struct tsim *sim, size_t i)
+static double particle_tag(const struct tsim *sim, size_t i)
 {
 	return sim->particles->tag[i];
 }
 
-static double type(const struct tsim *sim, size_t i)
+static double particle_type(const struct tsim *sim, size_t i)
 {
 	return sim->particles->type[i];
 }
 
-static double radius(const struct tsim *sim, size_t i)
+static double particle_radius(const struct tsim *sim, size_t i)
 {
 	return sim->particles->radius[i];
 }
 
-static double diameter(const struct tsim *sim, size_t i)
+static double particle_diameter(const struct tsim *sim, size_t i)
 {
 	return 2 * sim->particles->radius[i];
 }
 
-static double mass(const struct tsim *sim, size_t i)
+static double particle_mass(const struct tsim *sim, size_t i)
 {
 	return sim->particles->mass[i];
 }
 
-static double density(const struct tsim *sim, size_t i)
+static double particle_density(const struct tsim *sim, size_t i)
 {
 	return sim->particles->material_density(sim, i);
 }
 
-static double body_id(const struct tsim *sim, size_t i)
+static double particle_body(const struct tsim *sim, size_t i)
 {
 	return sim->particles->body ? sim->particles->body[i] : 0;
 }
@@ -140,15 +140,16 @@ static double angular_momentum_z(const struct tsim *sim, size_t i)
 }
 
 static const struct quantity quantities[] = {
-	{ { "id", "", "atom ID, 1 or larger" }, tag },
-	{ { "type", "", "type, 1 or larger" }, type },
-	{ { "radius", "length", "radius" }, radius },
-	{ { "diameter", "length", "diameter" }, diameter },
-	{ { "mass", "mass", "mass" }, mass },
-	{ { "density", "density", "mass / volume; in a clump the density of its material" }, density },
+	{ { "id", "", "atom ID, 1 or larger" }, particle_tag },
+	{ { "type", "", "type, 1 or larger" }, particle_type },
+	{ { "radius", "length", "radius" }, particle_radius },
+	{ { "diameter", "length", "diameter" }, particle_diameter },
+	{ { "mass", "mass", "mass" }, particle_mass },
+	{ { "density", "density", "mass / volume; in a clump the density of its material" },
+	  particle_density },
 	{ { "mol", "",
 	    "molecule number of fix property/atom mol; without that fix id of the rigid body, or 0" },
-	  body_id },
+	  particle_body },
 	{ { "x", "length", "position" }, position_x },
 	{ { "y", "length", "position" }, position_y },
 	{ { "z", "length", "position" }, position_z },

@@ -19,7 +19,7 @@ static const struct ts_region_style *style_of(const struct ts_instance *region)
 
 /* ---- motion */
 
-/* The matrix of a rotation by an angle about a unit vector (Rodrigues). */
+/* Rotation matrix of an angle about a unit vector (Rodrigues' formula). */
 static void rotation_matrix(const double axis[3], double angle, double turn[3][3])
 {
 	double c = cos(angle), s = sin(angle);
@@ -190,7 +190,7 @@ bool ts_region_reshapes(const struct ts_instance *region)
 }
 
 /* Bounding box of the rotated and shifted bounds of the shape. */
-static void move_bounds(const struct ts_region *r, double lo[3], double hi[3])
+static void transform_bounds(const struct ts_region *r, double lo[3], double hi[3])
 {
 	double a[3], b[3];
 
@@ -218,7 +218,7 @@ void ts_region_bounds(const struct ts_instance *region, double lo[3], double hi[
 	if (r->side == 0) {
 		style_of(region)->bounds(region, lo, hi);
 		if (r->moves)
-			move_bounds(r, lo, hi);
+			transform_bounds(r, lo, hi);
 		return;
 	}
 	for (int d = 0; d < 3; d++) {

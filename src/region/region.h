@@ -17,7 +17,7 @@ struct ts_region {
 	double volume_limit; /* insertion in a region of smaller volume is an error */
 	int64_t seed;	     /* no effect */
 
-	/* as it was defined; set by ts_region_init */
+	/* set by ts_region_init */
 	bool defined;
 	double scale[3];   /* length of one unit: 1 or the lattice spacing */
 	double edge[2][3]; /* lower and upper faces of the box; NaN before it exists */
@@ -43,7 +43,7 @@ struct ts_region {
 			.unit = "length^3",                                                                \
 			.help = "insertion in the region is an error if its volume is smaller"),           \
 		TS_INT("seed", T, region.seed, .flags = TS_OPTIONAL, .range = TS_POSITIVE,                 \
-		       .help = "no effect: who draws points in a region has a seed of its own")
+		       .help = "no effect: fixes that insert particles in a region have their own seeds")
 #define TS_REGION_ARGS(T)                                                                               \
 	TS_REGION_SIDE_ARGS(T),                                                                         \
 		TS_SOME_KEYWORD("move", T, region.move_words, 0,                                        \

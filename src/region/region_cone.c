@@ -39,7 +39,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_region_coord(self, sim, z->given_hi, z->axis, &z->hi));
 	if (isinf(z->lo) || isinf(z->hi))
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "region cone: it must end on both sides; where the box ends is EDGE");
+			       "region cone: both ends must be finite; EDGE is the face of the box");
 	if (z->lo >= z->hi)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "region cone: lo = %g is not below hi = %g", z->lo, z->hi);

@@ -25,7 +25,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_region_coord(self, sim, p->given[2 * d + 1], d, &p->hi[d]));
 		if (isinf(p->lo[d]) || isinf(p->hi[d]))
 			return ts_fail(&sim->error, TS_RANGE, &self->where,
-				       "region prism: it must end on all sides; where the box ends is EDGE");
+				       "region prism: all faces must be finite; EDGE is the face of the box");
 		if (p->lo[d] >= p->hi[d])
 			return ts_fail(&sim->error, TS_RANGE, &self->where,
 				       "region prism: %clo = %g is not below %chi = %g", 'x' + d, p->lo[d],

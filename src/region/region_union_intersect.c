@@ -52,8 +52,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	}
 	if (s->parts > MAX_PARTS)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "region %s: with its members and theirs it is made of %.3g regions, of which "
-			       "each point is asked; at most %g are allowed: name each region once",
+			       "region %s: with its members and theirs it consists of %.3g regions, which "
+			       "are evaluated for each point; at most %g are allowed: name each region once",
 			       self->style->name, s->parts, MAX_PARTS);
 	return TS_OK;
 }
@@ -105,8 +105,8 @@ static const struct ts_instance *member(const struct ts_instance *self, int64_t 
 
 /* Whether a contact point of member `of` is on the surface: in all other members of an intersection, in
  * none of a union. */
-static bool bounds_whole(const struct ts_instance *self, int64_t of, const double x[3],
-			 const struct ts_region_contact_point *point)
+static bool is_on_surface(const struct ts_instance *self, int64_t of, const double x[3],
+			  const struct ts_region_contact_point *point)
 {
 	const struct state *s = self->state;
 	bool all = is_intersection(self);
@@ -134,7 +134,7 @@ static int contact_points(const struct ts_instance *self, const double x[3], boo
 		int end = n + (seen ? ts_region_contact_points_all(one, x, out + n) : 0);
 
 		for (int at = n; at < end; at++) {
-			if (!bounds_whole(self, k, x, &out[at]))
+			if (!is_on_surface(self, k, x, &out[at]))
 				continue;
 			out[n] = out[at];
 			out[n++].face += first;

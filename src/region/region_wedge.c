@@ -18,7 +18,7 @@ struct wedge {
 };
 
 /* (cos, sin) of an angle in degrees; exact for multiples of 90. */
-static void direction(double degrees, double out[2])
+static void unit_vector(double degrees, double out[2])
 {
 	double quarters = rint(degrees / 90), rest = (degrees - 90 * quarters) * TS_PI / 180;
 	int k = (int)fmod(quarters, 4);
@@ -88,8 +88,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!(w->given.angle > 0))
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "region wedge: angle is %g, expected a number > 0, to 360", w->given.angle);
-	direction(w->given.angle0, w->start);
-	direction(w->given.angle0 + w->given.angle, w->end);
+	unit_vector(w->given.angle0, w->start);
+	unit_vector(w->given.angle0 + w->given.angle, w->end);
 	return TS_OK;
 }
 

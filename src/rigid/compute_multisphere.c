@@ -19,7 +19,7 @@ struct property {
 	void (*make)(const struct ts_rigid *r, size_t b, double *out);
 };
 
-static void make_id(const struct ts_rigid *r, size_t b, double *out)
+static void write_id(const struct ts_rigid *r, size_t b, double *out)
 {
 	out[0] = r->id[b];
 }
@@ -33,17 +33,17 @@ static void principal_axis(const struct ts_rigid *r, size_t b, int k, double *ou
 		out[d] = m[d][k];
 }
 
-static void make_ex(const struct ts_rigid *r, size_t b, double *out)
+static void write_ex(const struct ts_rigid *r, size_t b, double *out)
 {
 	principal_axis(r, b, 0, out);
 }
 
-static void make_ey(const struct ts_rigid *r, size_t b, double *out)
+static void write_ey(const struct ts_rigid *r, size_t b, double *out)
 {
 	principal_axis(r, b, 1, out);
 }
 
-static void make_ez(const struct ts_rigid *r, size_t b, double *out)
+static void write_ez(const struct ts_rigid *r, size_t b, double *out)
 {
 	principal_axis(r, b, 2, out);
 }
@@ -53,9 +53,9 @@ static void make_ez(const struct ts_rigid *r, size_t b, double *out)
 #define PROPERTY_LIST(F, M)                                                                        \
 	F("xcm", x) F("vcm", v) F("fcm", force) F("torque", torque) F("quat", q)                   \
 	F("angmom", spin) F("omega", omega) F("density", density) F("masstotal", mass)             \
-	F("inertia", inertia) F("clumptype", kind) F("type", kind) M("id_multisphere", 1, make_id) \
-	M("id", 1, make_id) M("ex_space", 3, make_ex) M("ey_space", 3, make_ey)                    \
-	M("ez_space", 3, make_ez)
+	F("inertia", inertia) F("clumptype", kind) F("type", kind) M("id_multisphere", 1, write_id) \
+	M("id", 1, write_id) M("ex_space", 3, write_ex) M("ey_space", 3, write_ey)                    \
+	M("ez_space", 3, write_ez)
 /* clang-format on */
 
 #define FIELD_ROW(name, f) { name, sizeof(((struct ts_body *)0)->f) / 8, offsetof(struct ts_body, f), NULL },

@@ -175,7 +175,7 @@ delete_atoms porosity all low 1 28157 compress no" \
 reject 'more than there are' "$cube
 delete_atoms random count 9 yes all NULL 3" '9 are to go, but there are only 8'
 reject 'a seed of 0' "$cube
-delete_atoms porosity NULL 0.5 0" "'0' is no seed"
+delete_atoms porosity NULL 0.5 0" "'0' is not a seed"
 expect 'bonds of a type' "$cube
 bond_style contact
 bond_coeff 1*2 stiffness 20 ultimate 3

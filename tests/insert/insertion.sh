@@ -175,7 +175,7 @@ run 1" 'start 0 is past'
 with "region big block -0.1 1 0 0.8 0 0.9
 $pack region big particles_in_region 3" 'from x = -0.1 to 1, beyond the fixed faces of the box at 0 and 1'
 with "region open block 0 1 0 0.8 INF INF
-$pack region open particles_in_region 3" 'region open has no end in z'
+$pack region open particles_in_region 3" 'region open is unbounded in z'
 with "region thin block 0.1 0.15 0.1 0.8 0.1 0.9
 $pack all_in yes region thin particles_in_region 3" 'so deep that the largest particle fits'
 with "region egg ellipsoid 0.5 0.4 0.4 0.3 0.3 0.2

@@ -189,7 +189,7 @@ END
 	echo 'print "$(v_a63)"'
 } >in.formula
 soon 'a formula that takes for ever' 'stopped on request in a formula' <in.formula
-soon 'an insertion that cannot end' 'fix insert/pack: stopped on request while places were searched for' <<'END'
+soon 'an insertion that cannot end' 'fix insert/pack: stopped on request during the search for positions' <<'END'
 units si
 boundary f f f
 region b block 0 1 0 1 0 1 units box

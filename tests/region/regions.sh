@@ -106,8 +106,8 @@ print "in spacings $(volume(box))"' 'in spacings 1' '*as in LAMMPS'
 
 rejects 'region r block EDGE 1 0 1 0 1' 'there is no box yet'
 rejects 'region r block 1 0 0 1 0 1' 'is above'
-rejects 'region r cone z 0 0 1 2 INF 1' 'must end on both sides'
-rejects 'region r prism 0 1 0 1 0 INF 0 0 0' 'must end on all sides'
+rejects 'region r cone z 0 0 1 2 INF 1' 'both ends must be finite'
+rejects 'region r prism 0 1 0 1 0 INF 0 0 0' 'all faces must be finite'
 rejects 'region r ellipsoid 0 0 0 1 0 1' 'expected a number > 0'
 rejects 'variable r equal -1
 region r sphere 0 0 0 v_r' 'the radius is -1'
