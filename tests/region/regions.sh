@@ -127,5 +127,5 @@ rejects 'region r mesh/tet file a.vtk scale 1' 'cannot open'
 rejects 'region r plane 0 0 0 0 0 1
 print "$(volume(r))"' 'is not known'
 rejects "region r0 sphere 0 0 0 1
-$(for k in $(seq 59); do echo "region r$k union 2 r$((k - 1)) r$((k - 1))"; done)" 'is made of 2.1e+06 regions'
+$(for k in $(seq 59); do echo "region r$k union 2 r$((k - 1)) r$((k - 1))"; done)" 'consists of 2.1e+06 regions'
 finish
