@@ -76,7 +76,7 @@ rejects "$four
 communicate single group low" 'contacts of the others across periodic faces'
 rejects 'processors 2 2' 'expected three numbers of processes, found 2'
 rejects 'processors 2 2 x' "found 'x', expected three numbers"
-rejects 'atom_modify id no' 'particles always have identities'
+rejects 'atom_modify id no' 'particles always have atom IDs'
 rejects 'atom_modify sort 10' 'sort takes a number of steps'
 
 prints "$four
