@@ -204,7 +204,7 @@ static enum ts_status update_partner_indices(struct ts_instance *self, struct ts
 	TS_TRY(delete_bonds_of_lost_particles(sim, b, &map));
 	for (size_t k = 0; k < b->n; k++)
 		for (int s = 0; s < 2; s++)
-			b->row[k][s] = ts_contact_of(&map, b->tag[k][s]);
+			b->row[k][s] = ts_identity_row(&map, b->tag[k][s]);
 	TS_TRY(refuse_coincident_partners(sim, b));
 	return ts_bonds_build_index(sim);
 }

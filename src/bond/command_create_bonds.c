@@ -119,8 +119,8 @@ static enum ts_status create_single(struct tsim *sim, const struct create_bonds 
 	if (c->tag_a == c->tag_b)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "create_bonds: a particle cannot be bonded to itself");
-	i = (size_t)ts_contact_of(&map, c->tag_a);
-	j = (size_t)ts_contact_of(&map, c->tag_b);
+	i = (size_t)ts_identity_row(&map, c->tag_a);
+	j = (size_t)ts_identity_row(&map, c->tag_b);
 	d = nearest_image_distance(sim, i, j);
 	TS_TRY(ts_coincide_bond(sim, where, i, j, d));
 	return ts_bonds_add(sim, (int32_t)c->tag_a, (int32_t)c->tag_b, (int)c->type, d);

@@ -56,8 +56,8 @@ static enum ts_status delete_bonds_command(struct tsim *sim, void *state, const 
 	if (!drop)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < b->n; k++)
-		drop[k] = is_selected(c, sim, k, ts_contact_of(&map, b->tag[k][0]),
-				      ts_contact_of(&map, b->tag[k][1]));
+		drop[k] = is_selected(c, sim, k, ts_identity_row(&map, b->tag[k][0]),
+				      ts_identity_row(&map, b->tag[k][1]));
 	ts_bonds_delete(b, drop);
 	ts_free(drop);
 	ts_log(&sim->log, "Deleted %zu bonds, total bonds = %zu\n", before - b->n, b->n);

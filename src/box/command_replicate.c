@@ -164,7 +164,7 @@ static enum ts_status copy_bonds(struct tsim *sim, const struct before *b)
 	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t k = 0; k < n; k++) {
 		const int32_t tag[2] = { bonds->tag[k][0], bonds->tag[k][1] };
-		const int32_t row[2] = { ts_contact_of(&map, tag[0]), ts_contact_of(&map, tag[1]) };
+		const int32_t row[2] = { ts_identity_row(&map, tag[0]), ts_identity_row(&map, tag[1]) };
 		int64_t shift[3];
 
 		if (row[0] < 0 || row[1] < 0)

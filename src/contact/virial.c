@@ -4,7 +4,7 @@
 #include "box/domain.h"
 #include "contact/contact_view.h"
 #include "math/vec3.h"
-#include "particle/moments.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 

@@ -192,7 +192,7 @@ static enum ts_status heat_capacity_of_type(struct tsim *sim, int type, const st
 enum ts_status ts_heat_materials(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
-	int last_type = ts_largest_type(sim);
+	int last_type = ts_template_max_type(sim);
 
 	TS_TRY(allocate_constants(self, sim));
 	for (int t = 1; t <= last_type; t++) {

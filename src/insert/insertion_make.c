@@ -142,7 +142,7 @@ static enum ts_status create_body(struct ts_instance *self, struct tsim *sim,
 		body.v[i] = one->v[i];
 		body.omega[i] = one->omega[i];
 	}
-	ts_rigid_spin(body.q, body.inertia, one->omega, body.spin);
+	ts_rigid_angular_momentum(body.q, body.inertia, one->omega, body.spin);
 	distribute_mass(sim->particles, body.mass, from, n);
 	row = ts_alloc(n, sizeof *row);
 	if (!row)

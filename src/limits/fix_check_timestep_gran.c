@@ -104,7 +104,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 
 	if (sim->clock.step % s->every)
 		return TS_OK;
-	v = fmax(ts_fastest(sim, self->group), s->vmax);
+	v = fmax(ts_prescribed_max_speed(sim, self->group), s->vmax);
 	speed = fmax(2 * v, v + largest_mesh_speed(sim));
 	TS_TRY(ts_granular_times(sim, self->group, speed, legacy, "fix check/timestep/gran", &self->where,
 				 &times));

@@ -78,7 +78,7 @@ double ts_neigh_choose_skin(const struct tsim *sim)
 	    (deletes_at_rebuild && !ts_leaving_apart(sim)) || !p->n)
 		return skin;
 	ts_neigh_radii(p, &least, &most);
-	displacement = ts_fastest(sim, 0) * sim->clock.dt;
+	displacement = ts_prescribed_max_speed(sim, 0) * sim->clock.dt;
 	small = sqrt(SKIN_MEMORY * displacement * 2 * least);
 	small = deletes_at_rebuild || boundaries_move(sim) ? skin
 							   : fmin(skin, fmax(small, SKIN_LEAST * least));

@@ -420,7 +420,7 @@ static void transform_strips(void *context, size_t from, size_t to)
 	}
 }
 
-static void share_among_threads(struct task *task, size_t shares, ts_share_fn *share)
+static void share_among_threads(struct task *task, size_t shares, ts_range_fn *share)
 {
 	task->shares = shares;
 	task->threads = shares < (size_t)task->s->threads ? shares : (size_t)task->s->threads;

@@ -63,7 +63,7 @@ static enum ts_status check_atoms(struct tsim *sim, const struct ts_data *data, 
 			return refuse_line(sim, data, a->line,
 					   "type %d with its offset is more than the %d there are",
 					   (int)a->type, ntypes);
-		if (ts_contact_of(&map, tag) >= 0)
+		if (ts_identity_row(&map, tag) >= 0)
 			return refuse_line(sim, data, a->line,
 					   "there is a particle %lld already: use `add append`",
 					   (long long)tag);
