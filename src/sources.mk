@@ -237,7 +237,6 @@ library_sources = \
 	src/core/plan.h \
 	src/core/ref_list.c \
 	src/core/ref_list.h \
-	src/core/registry.c \
 	src/core/report.c \
 	src/core/report.h \
 	src/core/review.c \
@@ -253,6 +252,7 @@ library_sources = \
 	src/core/standard.h \
 	src/core/stepping.c \
 	src/core/stepping.h \
+	src/core/style.c \
 	src/core/style.h \
 	src/core/tables.h \
 	src/core/unclaimed_state.c \
@@ -437,6 +437,8 @@ library_sources = \
 	src/force/gravity.h \
 	src/force/restraint.c \
 	src/force/restraint.h \
+	src/formula/dry_run.c \
+	src/formula/dry_run.h \
 	src/formula/expr.c \
 	src/formula/expr.h \
 	src/formula/expr_argument.c \
@@ -447,10 +449,12 @@ library_sources = \
 	src/formula/expr_series.c \
 	src/formula/expr_special.c \
 	src/formula/expr_step.c \
+	src/formula/formulas.c \
 	src/formula/formulas.h \
 	src/formula/number_format.c \
 	src/formula/number_format.h \
 	src/formula/random_stream.c \
+	src/formula/random_stream.h \
 	src/formula/unknown.c \
 	src/formula/unknown.h \
 	src/formula/variable.c \
@@ -901,20 +905,24 @@ library_sources = \
 	src/script/check_unreached.c \
 	src/script/condition.c \
 	src/script/diagnostic.c \
+	src/script/diagnostic.h \
 	src/script/flow_control.c \
-	src/script/interpreter.h \
+	src/script/internal.h \
 	src/script/later.c \
 	src/script/line.c \
 	src/script/line.h \
 	src/script/partition.c \
 	src/script/script.c \
 	src/script/script.h \
+	src/script/script_api.c \
+	src/script/script_check_report.c \
+	src/script/script_run.c \
+	src/script/script_unused.c \
 	src/script/shell.c \
 	src/script/source.c \
 	src/script/source.h \
 	src/script/substitute.c \
 	src/script/text.c \
-	src/script/unused.c \
 	src/script/variable_command.c \
 	src/thermo/command_thermo.c \
 	src/thermo/command_thermo_log.c \

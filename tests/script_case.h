@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "core/sim.h"
-#include "script/interpreter.h"
+#include "script/internal.h"
 #include "tsim.h"
 
 /* The simulation of the running test; what it shows is caught. */

@@ -20,6 +20,7 @@
 #include "crosscheck/inputs.h"
 #include "neigh/neigh.h"
 #include "particle/particles.h"
+#include "script/diagnostic.h"
 #include "script/script.h"
 
 #include "base/banned.h"

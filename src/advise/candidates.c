@@ -249,7 +249,7 @@ static enum ts_status define_missing_property(struct tsim *sim, const char *prop
 {
 	double speed = ts_prescribed_max_speed(sim, 0);
 
-	if (!property || ts_property_has(sim, property))
+	if (!property || ts_sim_has_property(sim, property))
 		return TS_OK;
 	if (!(speed > 0))
 		return ts_fail(&sim->error, TS_STATE, NULL, "needs %s, and nothing moves to estimate it from",

@@ -223,7 +223,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 	if (!sim->reading.explain || !path)
 		return TS_OK;
-	return ts_report_output(report, path, ts_report_times(sim, s->average.freq),
+	return ts_report_output(report, path, ts_report_count(sim, s->average.freq),
 				rows * (10 + 12 * (double)s->input.n)) == TS_OK
 		       ? TS_OK
 		       : ts_nomem(&sim->error);

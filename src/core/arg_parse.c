@@ -86,7 +86,7 @@ static enum ts_status read_rows(struct ts_parse *p, const struct ts_arg *rows, c
 static enum ts_status read_mode(struct ts_parse *p, const struct ts_arg *row, int *out,
 				const struct ts_arg *common)
 {
-	const struct ts_word *word = ts_arg_take(p);
+	const struct ts_word *word = ts_arg_next_word(p);
 	struct ts_suggest suggest = ts_suggest_start(word ? word->text : "");
 	struct ts_str expected = { 0 };
 	enum ts_status status;
@@ -196,7 +196,7 @@ static enum ts_status read_keywords(struct ts_parse *p, const struct ts_arg *row
 		p->is_keyword = ts_arena_alloc(p->arena, p->words.n + 1, sizeof *p->is_keyword);
 	if (!p->is_keyword)
 		return ts_nomem(&p->sim->error);
-	while ((word = ts_arg_take(p))) {
+	while ((word = ts_arg_next_word(p))) {
 		const struct ts_arg *row = find_keyword(rows, word->text);
 
 		if (!row)

@@ -8,7 +8,7 @@
 
 #include "base/banned.h"
 
-const struct ts_word *ts_arg_take(struct ts_parse *p)
+const struct ts_word *ts_arg_next_word(struct ts_parse *p)
 {
 	return p->next < p->words.n ? &p->words.word[p->next++] : NULL;
 }
@@ -68,7 +68,7 @@ static enum ts_status check_range(struct ts_parse *p, const struct ts_arg *row, 
 
 enum ts_status ts_arg_read_real(struct ts_parse *p, const struct ts_arg *row, double *out)
 {
-	const struct ts_word *word = ts_arg_take(p);
+	const struct ts_word *word = ts_arg_next_word(p);
 
 	if (!word || !ts_parse_real(word->text, out))
 		return ts_arg_refuse(p, row, word, "a number");
@@ -77,7 +77,7 @@ enum ts_status ts_arg_read_real(struct ts_parse *p, const struct ts_arg *row, do
 
 enum ts_status ts_arg_read_int(struct ts_parse *p, const struct ts_arg *row, int64_t *out)
 {
-	const struct ts_word *word = ts_arg_take(p);
+	const struct ts_word *word = ts_arg_next_word(p);
 
 	if (!word || !ts_parse_int(word->text, out))
 		return ts_arg_refuse(p, row, word, "an integer");
@@ -86,7 +86,7 @@ enum ts_status ts_arg_read_int(struct ts_parse *p, const struct ts_arg *row, int
 
 enum ts_status ts_arg_read_bool(struct ts_parse *p, const struct ts_arg *row, bool *out)
 {
-	const struct ts_word *word = ts_arg_take(p);
+	const struct ts_word *word = ts_arg_next_word(p);
 
 	if (word && (ts_streq(word->text, "yes") || ts_streq(word->text, "on")))
 		*out = true;
@@ -99,7 +99,7 @@ enum ts_status ts_arg_read_bool(struct ts_parse *p, const struct ts_arg *row, bo
 
 enum ts_status ts_arg_read_word(struct ts_parse *p, const struct ts_arg *row, const char **out)
 {
-	const struct ts_word *word = ts_arg_take(p);
+	const struct ts_word *word = ts_arg_next_word(p);
 
 	if (!word)
 		return ts_arg_refuse(p, row, NULL, "a word");
@@ -115,7 +115,7 @@ static void list_choices(const char *const *choices, struct ts_str *out)
 
 enum ts_status ts_arg_read_enum(struct ts_parse *p, const struct ts_arg *row, int *out)
 {
-	const struct ts_word *word = ts_arg_take(p);
+	const struct ts_word *word = ts_arg_next_word(p);
 	struct ts_suggest suggest = ts_suggest_start(word ? word->text : "");
 	struct ts_str expected = { 0 };
 	const char *remark;
@@ -142,7 +142,7 @@ enum ts_status ts_arg_read_enum(struct ts_parse *p, const struct ts_arg *row, in
 
 enum ts_status ts_arg_read_coord(struct ts_parse *p, const struct ts_arg *row, double *out)
 {
-	const struct ts_word *word = ts_arg_take(p);
+	const struct ts_word *word = ts_arg_next_word(p);
 	bool low = ts_ends_with(row->name, "lo");
 
 	if (word && (ts_streq(word->text, "INF") || ts_streq(word->text, "EDGE"))) {
@@ -157,7 +157,7 @@ enum ts_status ts_arg_read_coord(struct ts_parse *p, const struct ts_arg *row, d
 
 enum ts_status ts_arg_read_number(struct ts_parse *p, const struct ts_arg *row, struct ts_number *out)
 {
-	const struct ts_word *word = ts_arg_take(p);
+	const struct ts_word *word = ts_arg_next_word(p);
 	const struct ts_script_api *host = p->sim->script_api;
 	struct ts_suggest suggest;
 
@@ -213,7 +213,7 @@ bool ts_parse_types(const char *text, struct ts_types *out)
 
 enum ts_status ts_arg_read_types(struct ts_parse *p, const struct ts_arg *row, struct ts_types *out)
 {
-	const struct ts_word *word = ts_arg_take(p);
+	const struct ts_word *word = ts_arg_next_word(p);
 
 	if (!word || !ts_parse_types(word->text, out))
 		return ts_arg_refuse(p, row, word, "a type n or a range such as * or 1*3");
@@ -231,7 +231,7 @@ enum ts_status ts_arg_read_group(struct ts_parse *p, const struct ts_arg *row, i
 	struct ts_error *error = &p->sim->error;
 	enum ts_status status;
 	char *tail;
-	const struct ts_word *word = ts_arg_take(p);
+	const struct ts_word *word = ts_arg_next_word(p);
 
 	if (!word)
 		return ts_arg_refuse(p, row, NULL, "the name of a group");
@@ -250,7 +250,7 @@ enum ts_status ts_arg_read_group(struct ts_parse *p, const struct ts_arg *row, i
 
 enum ts_status ts_arg_read_region(struct ts_parse *p, const struct ts_arg *row, struct ts_instance **out)
 {
-	const struct ts_word *word = ts_arg_take(p);
+	const struct ts_word *word = ts_arg_next_word(p);
 
 	*out = NULL;
 	if (!word)
@@ -268,7 +268,7 @@ enum ts_status ts_arg_read_vec3(struct ts_parse *p, const struct ts_arg *row, do
 	char expected[48];
 
 	for (int d = 0; d < 3; d++) {
-		const struct ts_word *word = ts_arg_take(p);
+		const struct ts_word *word = ts_arg_next_word(p);
 
 		snprintf(expected, sizeof expected, "the %s of three numbers", ordinals[d]);
 		if (!word || !ts_parse_real(word->text, &out[d]))

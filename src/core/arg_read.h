@@ -18,7 +18,7 @@ struct ts_parse {
 };
 
 /* The next word; NULL: there is none. */
-const struct ts_word *ts_arg_take(struct ts_parse *p);
+const struct ts_word *ts_arg_next_word(struct ts_parse *p);
 /* What was expected of the row instead of the word; NULL: there is none. */
 enum ts_status ts_arg_refuse(struct ts_parse *p, const struct ts_arg *row, const struct ts_word *word,
 			     const char *expected);

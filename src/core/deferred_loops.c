@@ -22,7 +22,7 @@ static void run_fused(void *context, size_t from, size_t to)
 	}
 }
 
-void ts_run_deferred_loops(struct tsim *sim)
+void ts_deferred_loops_run(struct tsim *sim)
 {
 	struct ts_deferred_loops *deferred = &sim->deferred;
 	uint64_t begin;
@@ -40,7 +40,7 @@ void ts_defer_loop(struct tsim *sim, size_t rounds, ts_range_fn *body, const voi
 	struct ts_deferred_loops *deferred = &sim->deferred;
 
 	if (deferred->n == TS_MAX_DEFERRED || rounds != deferred->rounds)
-		ts_run_deferred_loops(sim);
+		ts_deferred_loops_run(sim);
 	deferred->rounds = rounds;
 	deferred->loop[deferred->n].body = body;
 	memcpy(deferred->loop[deferred->n++].context, context, size);

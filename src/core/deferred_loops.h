@@ -6,7 +6,7 @@
  * other, so that each column is read from memory once.
  *
  * The plan executes them before each hook, but not before hooks that defer loops themselves (`defers` in
- * struct ts_style): these call ts_run_deferred_loops before they read columns of particles. */
+ * struct ts_style): these call ts_deferred_loops_run before they read columns of particles. */
 #ifndef TS_CORE_DEFERRED_LOOPS_H
 #define TS_CORE_DEFERRED_LOOPS_H
 
@@ -38,6 +38,6 @@ struct ts_deferred_loops {
 void ts_defer_loop(struct tsim *sim, size_t rounds, ts_range_fn *body, const void *context, size_t size);
 
 /* Executes the deferred loops; does nothing if there are none. */
-void ts_run_deferred_loops(struct tsim *sim);
+void ts_deferred_loops_run(struct tsim *sim);
 
 #endif

@@ -295,7 +295,7 @@ enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
 
 	TS_TRY(ts_style_require(sim, TS_KIND_COMMAND, &words.word[0], &style));
 	for (size_t k = 2; k < words.n; k++) /* the first is an ID or the like */
-		ts_keywords_named(sim, words.word[k].text);
+		ts_keywords_scan(sim, words.word[k].text);
 	command = (const struct ts_command_style *)style;
 	if (command->needs_box && !ts_sim_has_box(sim))
 		return ts_fail(&sim->error, TS_STATE, &where,

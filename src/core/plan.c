@@ -100,7 +100,7 @@ static enum ts_status refuse_retired(struct tsim *sim)
 {
 	for (size_t k = 0; k < sim->retired.n; k++) {
 		const struct ts_instance *region = sim->retired.item[k];
-		const struct ts_instance *user = ts_uses_retired(sim, region);
+		const struct ts_instance *user = ts_uses_retired_region(sim, region);
 
 		if (user)
 			return ts_fail(&sim->error, TS_STATE, &user->where,
@@ -117,14 +117,15 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 		plan->n[stage] = 0;
 	plan->watch = (struct ts_stopwatch){ .first = ts_ticks(), .begin = ts_clock() };
 	sim->run.explicit_euler = sim->run.clamped = false; /* their fixes say so in init */
-	TS_TRY(ts_defer_error(sim, refuse_retired(sim)));
+	TS_TRY(ts_sim_defer_error(sim, refuse_retired(sim)));
 	for (int k = 0; k < NORDER; k++) {
 		const struct ts_instances *list = &sim->instances[kind_order[k]];
 
 		for (size_t i = 0; i < list->n; i++) {
 			if (list->item[i]->style->init)
-				TS_TRY(ts_defer_error(sim, list->item[i]->style->init(list->item[i], sim)));
-			TS_TRY(ts_defer_error(sim, ts_refs_read(sim, list->item[i])));
+				TS_TRY(ts_sim_defer_error(sim,
+							  list->item[i]->style->init(list->item[i], sim)));
+			TS_TRY(ts_sim_defer_error(sim, ts_refs_check(sim, list->item[i])));
 			TS_TRY(add_actions(plan, sim, list->item[i]));
 		}
 	}
@@ -183,7 +184,7 @@ static enum ts_status act(struct ts_plan *plan, struct tsim *sim, enum ts_stage 
 		const struct ts_action *action = &plan->actions[stage][k];
 
 		if (!action->defers)
-			ts_run_deferred_loops(sim);
+			ts_deferred_loops_run(sim);
 		begin_action(sim, action, stage);
 		status = action->hook(action->self, sim);
 		if (!action->watches)
@@ -211,7 +212,7 @@ enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_st
 {
 	enum ts_status status = act_in(plan, sim, first, last);
 
-	ts_run_deferred_loops(sim);
+	ts_deferred_loops_run(sim);
 	return status;
 }
 
@@ -260,7 +261,7 @@ enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 /* What holds only inside a run. */
 static enum ts_status leave_run(struct tsim *sim, enum ts_status status)
 {
-	ts_run_deferred_loops(sim);
+	ts_deferred_loops_run(sim);
 	sim->run.inside = sim->run.in_setup = sim->run.resuming = sim->run.rebuild = sim->requests.saving =
 		false;
 	return status;
@@ -309,7 +310,7 @@ enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 		sim->requests.saving = sim->requests.save && sim->requests.saver;
 		status = ts_plan_step(plan, sim);
 		if (status == TS_OK && sim->requests.saving)
-			status = ts_saver_act(sim);
+			status = ts_saver_save(sim);
 		look_at_clock(sim);
 	}
 	return leave_run(sim, status);
@@ -450,13 +451,13 @@ static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
 enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
 {
 	const struct ts_draws before = sim->draws;
-	bool looking = sim->reading.looking;
+	bool probing = sim->reading.probing;
 	enum ts_status status;
 
 	sim->draws = (struct ts_draws){ LOOKING, 0 };
-	sim->reading.looking = true;
+	sim->reading.probing = true;
 	status = hash_all(sim, out);
-	sim->reading.looking = looking;
+	sim->reading.probing = probing;
 	sim->draws = before;
 	return status;
 }

@@ -148,7 +148,7 @@ static enum ts_status extent(struct tsim *sim, const struct ts_ref_input *input,
 		*n = value->columns;
 		if (*n)
 			return TS_OK;
-		TS_TRY(ts_value_held(input->ref.inst, sim, value));
+		TS_TRY(ts_value_cached(input->ref.inst, sim, value));
 		*n = parts[k].whole == TS_VECTOR ? table->rows * table->columns : table->columns;
 		return TS_OK;
 	}
@@ -232,7 +232,7 @@ enum ts_status ts_ref_list_init(struct tsim *sim, const char *what, struct ts_ar
 	return TS_OK;
 }
 
-enum ts_status ts_refs_read(struct tsim *sim, const struct ts_instance *inst)
+enum ts_status ts_refs_check(struct tsim *sim, const struct ts_instance *inst)
 {
 	enum ts_kind kind = inst->style->kind;
 
@@ -245,13 +245,14 @@ enum ts_status ts_refs_read(struct tsim *sim, const struct ts_instance *inst)
 		if (strncmp(word->text, "v_", 2) != 0 ||
 		    !sim->script_api->has_variable(sim->script_api_data, name))
 			continue;
-		TS_TRY(sim->script_api->reads(sim->script_api_data, name,
-					      sim->script_api->is_peratom(sim->script_api_data, name)
-						      ? TS_PERATOM
-					      : sim->script_api->is_vector(sim->script_api_data, name)
-						      ? TS_VECTOR
-						      : TS_SCALAR,
-					      &word->place));
+		TS_TRY(sim->script_api->check_variable(sim->script_api_data, name,
+						       sim->script_api->is_peratom(sim->script_api_data, name)
+							       ? TS_PERATOM
+						       : sim->script_api->is_vector(sim->script_api_data,
+										    name)
+							       ? TS_VECTOR
+							       : TS_SCALAR,
+						       &word->place));
 	}
 	return TS_OK;
 }

@@ -44,7 +44,7 @@ enum ts_status ts_ref_list_init(struct tsim *sim, const char *what, struct ts_ar
 				struct ts_words words, unsigned shapes, struct ts_ref_list *list);
 /* Variables among the words of a fix, compute or dump: are their formulas right, as far as names and
  * shapes tell? */
-enum ts_status ts_refs_read(struct tsim *sim, const struct ts_instance *inst);
+enum ts_status ts_refs_check(struct tsim *sim, const struct ts_instance *inst);
 void ts_ref_list_release(struct ts_ref_list *list);
 
 /* The numbers of one input: one column; of an ARRAY all columns. */

@@ -51,7 +51,7 @@ static void add_line(struct ts_str *to, const char *name, const char *format, va
 	ts_str_add(to, "\n");
 }
 
-int64_t ts_report_times(const struct tsim *sim, int64_t every)
+int64_t ts_report_count(const struct tsim *sim, int64_t every)
 {
 	return every > 0 ? sim->clock.last_step / every - sim->clock.step / every : 0;
 }
@@ -116,8 +116,8 @@ enum ts_status ts_report_collect(struct ts_plan_report *report, struct tsim *sim
 			continue;
 		for (size_t k = 0; k < list->n; k++)
 			if (list->item[k]->style->plan)
-				TS_TRY(ts_defer_error(sim, list->item[k]->style->plan(list->item[k], sim,
-										      report)));
+				TS_TRY(ts_sim_defer_error(sim, list->item[k]->style->plan(list->item[k], sim,
+											  report)));
 	}
 	return TS_OK;
 }

@@ -46,7 +46,7 @@ enum ts_status ts_report_limit(struct ts_plan_report *report, double dt, bool fa
 /* Says so of the limits reported since there were n. */
 void ts_report_watched(struct ts_plan_report *report, size_t n);
 /* How many multiples of `every` lie in (first, last] of the run. */
-int64_t ts_report_times(const struct tsim *sim, int64_t every);
+int64_t ts_report_count(const struct tsim *sim, int64_t every);
 /* A file that the run writes in `frames` pieces of so many bytes each, as far as can be told. */
 enum ts_status ts_report_output(struct ts_plan_report *report, const char *name, int64_t frames,
 				double bytes);

@@ -64,8 +64,8 @@ static enum ts_status note(struct tsim *sim, uint64_t cause, bool *new)
 	return TS_OK;
 }
 
-enum ts_status ts_review_find(struct tsim *sim, const char *check, const struct ts_place *where,
-			      const char *format, ...)
+enum ts_status ts_review_report(struct tsim *sim, const char *check, const struct ts_place *where,
+				const char *format, ...)
 {
 	uint64_t cause = cause_of(check, where, format);
 	int k = number_of(sim, check);
@@ -97,7 +97,8 @@ static enum ts_status ask_styles(struct tsim *sim)
 
 		for (size_t k = 0; k < list->n; k++)
 			if (list->item[k]->style->review)
-				TS_TRY(ts_defer_error(sim, list->item[k]->style->review(list->item[k], sim)));
+				TS_TRY(ts_sim_defer_error(sim,
+							  list->item[k]->style->review(list->item[k], sim)));
 	}
 	return TS_OK;
 }
@@ -111,7 +112,7 @@ enum ts_status ts_review_scene(struct tsim *sim, int64_t steps)
 	r->steps = steps;
 	for (int k = 0; sim->tables->checks[k].name; k++)
 		if (sim->tables->checks[k].look && r->answer[k] != TS_REVIEW_OFF)
-			TS_TRY(ts_defer_error(sim, sim->tables->checks[k].look(sim)));
+			TS_TRY(ts_sim_defer_error(sim, sim->tables->checks[k].look(sim)));
 	TS_TRY(ask_styles(sim));
 	r->made = true;
 	r->stale = r->stale || (sim->reading.explain && steps > 0);

@@ -44,7 +44,7 @@ void ts_review_release(struct ts_review *review);
 
 /* A finding: a number, where, and what to do. Of the same check at the same place it is told once;
  * place NULL: it is about the whole scene, and shown at the run. */
-enum ts_status ts_review_find(struct tsim *sim, const char *check, const struct ts_place *where,
-			      const char *format, ...) __attribute__((format(printf, 4, 5)));
+enum ts_status ts_review_report(struct tsim *sim, const char *check, const struct ts_place *where,
+				const char *format, ...) __attribute__((format(printf, 4, 5)));
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_saver_act(struct tsim *sim)
+enum ts_status ts_saver_save(struct tsim *sim)
 {
 	if (!sim->requests.save || !sim->requests.saver)
 		return TS_OK;

@@ -11,6 +11,6 @@ struct ts_saver {
 };
 
 /* After a step or a command: saves if sim->save is set, and there is somebody to do it. */
-enum ts_status ts_saver_act(struct tsim *sim);
+enum ts_status ts_saver_save(struct tsim *sim);
 
 #endif

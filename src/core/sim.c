@@ -67,14 +67,14 @@ enum ts_status ts_sim_require(struct tsim *sim, enum ts_kind kind, const struct 
 			  ts_kind_name(kind), id->text, ts_suggest_text(&suggest));
 }
 
-enum ts_status ts_defer_error(struct tsim *sim, enum ts_status status)
+enum ts_status ts_sim_defer_error(struct tsim *sim, enum ts_status status)
 {
 	if (status == TS_OK || !sim->reading.explain || !sim->script_api)
 		return status;
 	return sim->script_api->defer_error(sim->script_api_data, status);
 }
 
-bool ts_from_run(struct tsim *sim, const char *name)
+bool ts_sim_awaits_run(struct tsim *sim, const char *name)
 {
 	if (sim->reading.dry)
 		return true;
@@ -83,6 +83,15 @@ bool ts_from_run(struct tsim *sim, const char *name)
 	if (!sim->reading.from_run[0])
 		snprintf(sim->reading.from_run, sizeof sim->reading.from_run, "%s", name);
 	return true;
+}
+
+bool ts_sim_has_property(const struct tsim *sim, const char *name)
+{
+	bool found = false;
+
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
+		found |= (*s)->has_property && (*s)->has_property(sim, name);
+	return found;
 }
 
 const struct ts_place *ts_instance_word(const struct ts_instance *inst, const char *text)

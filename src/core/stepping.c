@@ -79,7 +79,7 @@ static enum ts_status go(struct ts_stepping *stepping, struct tsim *sim, int64_t
 	return ts_plan_stopped(sim);
 }
 
-enum ts_status ts_stepping_go(struct ts_stepping *stepping, struct tsim *sim, int64_t n)
+enum ts_status ts_stepping_advance(struct ts_stepping *stepping, struct tsim *sim, int64_t n)
 {
 	enum ts_status status = go(stepping, sim, n);
 

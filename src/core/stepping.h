@@ -16,7 +16,7 @@ struct ts_stepping {
 };
 
 /* Steps n times; TS_STOPPED if someone asked for it. */
-enum ts_status ts_stepping_go(struct ts_stepping *stepping, struct tsim *sim, int64_t n);
+enum ts_status ts_stepping_advance(struct ts_stepping *stepping, struct tsim *sim, int64_t n);
 /* To be called before the state is changed between pieces. */
 enum ts_status ts_stepping_watch(struct ts_stepping *stepping, struct tsim *sim);
 /* Ends the run, as before a script line. */

@@ -126,7 +126,7 @@ static enum ts_status check_identity(struct tsim *sim, const struct ts_instance 
 	return TS_OK;
 }
 
-bool ts_unclaimed_waits(const struct tsim *sim, const struct ts_instance *inst)
+bool ts_unclaimed_exists(const struct tsim *sim, const struct ts_instance *inst)
 {
 	for (const struct ts_unclaimed *p = sim->unclaimed; p; p = p->next)
 		if (p->kind == inst->style->kind && ts_streq(p->id, inst->id))

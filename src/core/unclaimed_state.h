@@ -13,7 +13,7 @@ enum ts_status ts_unclaimed_add(struct tsim *sim, enum ts_kind kind, const char 
 enum ts_status ts_unclaimed_apply(struct tsim *sim, struct ts_instance *inst, struct ts_words args);
 
 /* Does state wait for this style? Then what it would start with is not to be made up. */
-bool ts_unclaimed_waits(const struct tsim *sim, const struct ts_instance *inst);
+bool ts_unclaimed_exists(const struct tsim *sim, const struct ts_instance *inst);
 
 /* An instance for a restart file: its arguments as they are now, then its state. */
 enum ts_status ts_unclaimed_write(struct tsim *sim, struct ts_instance *inst, struct ts_archive *archive);

@@ -59,7 +59,7 @@ const struct ts_instance *ts_uses_region(const struct tsim *sim, const struct ts
 	return search(sim, &(struct target){ .region = region });
 }
 
-const struct ts_instance *ts_uses_retired(const struct tsim *sim, const struct ts_instance *region)
+const struct ts_instance *ts_uses_retired_region(const struct tsim *sim, const struct ts_instance *region)
 {
 	return search(sim, &(struct target){ .region = region, .retired = true });
 }

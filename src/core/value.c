@@ -47,21 +47,21 @@ enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const s
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
 
-enum ts_status ts_value_held(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value)
+enum ts_status ts_value_cached(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value)
 {
 	const struct ts_draws draws = sim->draws;
 	enum ts_status status;
 
-	if (sim->run.epoch && inst->held == value && inst->held_since == sim->run.epoch)
+	if (sim->run.epoch && inst->cached == value && inst->cached_epoch == sim->run.epoch)
 		return TS_OK;
-	inst->held = NULL;
+	inst->cached = NULL;
 	if (draws.site) /* random numbers in it do not depend on who reads it first */
 		sim->draws = (struct ts_draws){ ts_instance_site(inst, TS_NSTAGE), 0 };
 	status = ts_value_eval(inst, sim, value, &inst->table);
 	sim->draws = draws;
 	if (status == TS_OK) {
-		inst->held = value;
-		inst->held_since = sim->run.epoch;
+		inst->cached = value;
+		inst->cached_epoch = sim->run.epoch;
 	}
 	return status;
 }
@@ -120,15 +120,6 @@ void ts_quantity_suggest(const struct tsim *sim, struct ts_suggest *suggest)
 	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
 		if ((*s)->suggest_quantity)
 			(*s)->suggest_quantity(suggest);
-}
-
-bool ts_property_has(const struct tsim *sim, const char *name)
-{
-	bool found = false;
-
-	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
-		found |= (*s)->has_property && (*s)->has_property(sim, name);
-	return found;
 }
 
 enum { MOST_ID = 128 };
@@ -197,7 +188,7 @@ static enum ts_status resolve_variable(struct tsim *sim, const char *name, const
 	return TS_OK;
 }
 
-void ts_keywords_named(struct tsim *sim, const char *text)
+void ts_keywords_scan(struct tsim *sim, const char *text)
 {
 	char name[16];
 
@@ -387,7 +378,7 @@ static enum ts_status instance_element(struct tsim *sim, const struct ts_ref *re
 
 	if (!value)
 		return no_such_output(sim, ref, where, "array");
-	TS_TRY(ts_value_held(ref->inst, sim, value));
+	TS_TRY(ts_value_cached(ref->inst, sim, value));
 	if (ref->index > (long)table->rows || ref->column > (long)table->columns)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "%s %s: element [%ld][%ld] asked for, the array has %zu rows and %zu columns",
@@ -407,7 +398,7 @@ static enum ts_status instance_scalar(struct tsim *sim, const struct ts_ref *ref
 
 	if (!value)
 		return no_such_output(sim, ref, where, ref->index ? "vector" : "scalar (use an index [k]?)");
-	TS_TRY(ts_value_held(ref->inst, sim, value));
+	TS_TRY(ts_value_cached(ref->inst, sim, value));
 	count = table->rows * table->columns;
 	if (ref->index > (long)count)
 		return ts_fail(&sim->error, TS_RANGE, where,
@@ -458,12 +449,12 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref, const s
 	return now.column ? instance_element(sim, &now, where, out) : instance_scalar(sim, &now, where, out);
 }
 
-enum ts_status ts_ref_reads(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where)
+enum ts_status ts_ref_check(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where)
 {
 	if (ref->kind != TS_REF_VARIABLE)
 		return TS_OK;
-	return sim->script_api->reads(sim->script_api_data, ref->variable, ref->index ? TS_VECTOR : TS_SCALAR,
-				      where);
+	return sim->script_api->check_variable(sim->script_api_data, ref->variable,
+					       ref->index ? TS_VECTOR : TS_SCALAR, where);
 }
 
 static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
@@ -478,7 +469,7 @@ static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref, con
 				      shape == TS_LOCAL	  ? "local"
 				      : shape == TS_ARRAY ? "array"
 							  : "per-particle");
-	TS_TRY(ts_value_held(ref->inst, sim, value));
+	TS_TRY(ts_value_cached(ref->inst, sim, value));
 	TS_TRY(pick_column(sim, ref, where, table->columns, &column));
 	if (ts_table_resize(out, table->rows, 1) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -492,7 +483,7 @@ static enum ts_status copy_held(struct tsim *sim, struct ts_instance *inst, cons
 {
 	const struct ts_table *table = &inst->table;
 
-	TS_TRY(ts_value_held(inst, sim, value));
+	TS_TRY(ts_value_cached(inst, sim, value));
 	if (ts_table_resize(out, table->rows, table->columns) != TS_OK)
 		return ts_nomem(&sim->error);
 	if (table->rows && table->columns)

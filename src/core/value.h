@@ -1,6 +1,7 @@
-/* What styles let others read: outputs of computes and fixes, thermo keywords, variables.
+/* Values that scripts and styles can read: outputs of computes and fixes, thermo keywords, variables, quantities of
+ * particles.
  *
- * A style lists its outputs in rows; scripts read them as c_ID, c_ID[2], f_ID[1], v_NAME. */
+ * A style lists its outputs in a table; scripts read them as c_ID, c_ID[2], f_ID[1], v_NAME. */
 #ifndef TS_CORE_VALUE_H
 #define TS_CORE_VALUE_H
 
@@ -19,15 +20,13 @@ struct ts_tables;
 
 enum ts_shape {
 	TS_SCALAR = 1, /* one number                                      c_ID                 */
-	TS_VECTOR,     /* `columns` numbers, or as many as rows come out  c_ID[k]              */
-	TS_PERATOM,    /* rows = local particles, `columns` each          c_ID or c_ID[k]      */
-	TS_LOCAL,      /* any number of rows (contacts, bonds ...)        c_ID[k] in dump local */
-	TS_ARRAY,      /* a table of numbers           c_ID[i][j]; its column j as a list: c_ID[j] */
-	TS_SURFACE     /* rows = triangles of a mesh, `columns` each; f_ID[k] in dump mesh/vtk, and wherever
-			* TS_LOCAL is read. The style says which mesh by its slot `surface`. */
+	TS_VECTOR,     /* `columns` numbers, or one for each row          c_ID[k]              */
+	TS_PERATOM,    /* a row for each local particle                   c_ID or c_ID[k]      */
+	TS_LOCAL,      /* a row for each contact, bond ...                c_ID[k] in dump local */
+	TS_ARRAY       /* a table of numbers           c_ID[i][j]; its column j as a vector: c_ID[j] */
 };
 
-/* A table of doubles that grows and is reused from call to call; zero-initialise. */
+/* A table of doubles whose memory is reused from call to call; zero-initialise. */
 struct ts_table {
 	double *data; /* data[row * columns + column] */
 	size_t rows, columns, capacity;
@@ -39,20 +38,20 @@ void ts_table_release(struct ts_table *table);
 struct ts_value {
 	const char *name, *unit, *help;
 	enum ts_shape shape;
-	size_t columns;			 /* 0: not known before evaluation */
+	size_t columns;			 /* 0: known only after evaluation */
 	const char *const *column_names; /* may be NULL */
-	/* Fills `out` (already resized for TS_SCALAR and, with columns > 0, TS_VECTOR). */
+	/* Fills `out`, which has been resized for TS_SCALAR and, if columns > 0, for TS_VECTOR. */
 	enum ts_status (*eval)(struct ts_instance *self, const struct tsim *sim, struct ts_table *out);
 };
-/* Whether an instance has this output of its style, with its arguments. */
+/* Whether an instance has this output of its style with the arguments it was given. */
 bool ts_value_given(const struct ts_instance *inst, const struct ts_value *value);
 /* The first output of that shape; of TS_LOCAL else one of TS_SURFACE. NULL: none. */
 const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_shape shape);
 enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
 			     struct ts_table *out);
 
-/* The same into the table of the instance, where it stays as long as nothing changes. */
-enum ts_status ts_value_held(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value);
+/* The same into the table of the instance, unless it is there already, evaluated in this epoch of the run. */
+enum ts_status ts_value_cached(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value);
 
 /* A name that stands for a number or a list of numbers. */
 enum ts_ref_kind {
@@ -60,12 +59,12 @@ enum ts_ref_kind {
 	TS_REF_COMPUTE,
 	TS_REF_FIX,
 	TS_REF_VARIABLE,
-	TS_REF_COLUMN /* f_NAME: what some fix keeps of each particle under that name */
+	TS_REF_COLUMN /* f_NAME: a column of particles that some fix stores under that name */
 };
 struct ts_keyword;
 struct ts_ref {
 	enum ts_ref_kind kind;
-	const char *name;
+	const char *name;	  /* as written, with brackets; owned by the caller */
 	uint64_t removals;	  /* sim->removals when it was resolved */
 	struct ts_instance *inst; /* compute or fix */
 	const struct ts_keyword *keyword;
@@ -74,13 +73,13 @@ struct ts_ref {
 	long column; /* j of [i][j]; 0: none given */
 };
 
-/* Resolves a name. `name` must outlive the ref (arg tables copy it to the owner's arena). Should what it
- * names be deleted and defined anew, the ref goes on with the new one. */
+/* Resolves a name. `name` must outlive the ref (argument tables copy it to the owner's arena). If the compute or fix
+ * is deleted and defined anew, the ref refers to the new one. */
 enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct ts_place *where,
 			      struct ts_ref *ref);
 enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
 			     double *out);
-/* One value per local particle, in local order. A scalar is repeated. */
+/* One value per local particle, in the order of storage. A scalar is repeated. */
 enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
 			      struct ts_table *out);
 /* A whole global vector (c_ID, f_ID without index), or column j of an array (c_ID[j]). */
@@ -89,22 +88,21 @@ enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref, const s
 /* One column of a local table: c_ID[k], or c_ID where it has one column. */
 enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
 			    struct ts_table *out);
-/* Before it is asked for a number for the first time: is the formula of a variable right, as far as names
- * and shapes tell? */
-enum ts_status ts_ref_reads(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where);
-/* Which of the shapes a ref can give: bit (1 << shape) set. */
+/* Checks names and shapes in the formula of a variable without evaluating it. */
+enum ts_status ts_ref_check(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where);
+/* The shapes a ref can be evaluated as: bits 1 << shape. */
 unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref);
 
 enum ts_keyword_flags {
 	TS_KEYWORD_INTEGER = 1,	 /* printed as %8ld */
-	TS_KEYWORD_CONTACTS = 2, /* looks at the forces of contacts */
-	/* what is known of it before a run that changes it: */
-	TS_KEYWORD_CLOCK = 4, /* all, if it is known how many steps are made */
-	TS_KEYWORD_BOX = 8,   /* all, if nothing changes the box */
+	TS_KEYWORD_CONTACTS = 2, /* reads the forces of contacts */
+	/* -explain: its value behind a run that is left out is known */
+	TS_KEYWORD_CLOCK = 4, /* if the number of steps of the run is known */
+	TS_KEYWORD_BOX = 8,   /* if no run changes the box */
 	TS_KEYWORD_CONSTANT = 16
 };
 
-/* A named number of a system, usable in thermo_style and expressions; closed by .name NULL. */
+/* A named number of a system, for thermo_style and formulas; tables are closed by .name NULL. */
 struct ts_keyword {
 	const char *name;  /* "vol" */
 	const char *title; /* thermo column title: "Volume" */
@@ -113,31 +111,28 @@ struct ts_keyword {
 	enum ts_status (*eval)(struct tsim *sim, double *out);
 };
 const struct ts_keyword *ts_keyword_find(const struct ts_tables *tables, const char *name);
-/* Notes what keywords in a line of the script may look at later: see sim->shows_contacts. */
-void ts_keywords_named(struct tsim *sim, const char *text);
+/* Searches a script word for keywords that read forces of contacts, and sets sim->run.shows_contacts if it has one. */
+void ts_keywords_scan(struct tsim *sim, const char *text);
 
-/* Per-particle numbers by script name (x, vy, radius ...), from whichever system has them. */
+/* Quantities of particles by script name (x, vy, radius ...), from the system that has them. */
 bool ts_quantity_has(const struct tsim *sim, const char *name);
 enum ts_status ts_quantity_eval(struct tsim *sim, const char *name, struct ts_table *out);
-/* Whether a fix keeps numbers of particles under the name NAME or NAME[k]. */
+/* Whether a fix stores a column of particles under the name NAME or NAME[k]. */
 bool ts_quantity_kept(const struct tsim *sim, const char *name);
 void ts_quantity_suggest(const struct tsim *sim, struct ts_suggest *suggest);
 struct ts_quantity {
 	const char *name, *unit, *help;
 };
 
-/* A function of expressions that needs the simulation: count(group), xcm(group,x) ...; closed by
- * .name NULL. Arguments come as words, since groups and regions are no numbers. */
+/* A function of formulas that reads the simulation: count(group), xcm(group,x) ...; tables are closed by .name NULL.
+ * Arguments are words, such as names of groups and regions. */
 struct ts_function {
 	const char *name, *arguments, *help;
 	size_t least, most; /* number of arguments */
 	enum ts_status (*eval)(struct tsim *sim, struct ts_words args, double *out);
-	/* One value per local particle, in formulas of particles; eval may be NULL then. */
+	/* One value per local particle, in formulas of variables of style atom; eval may be NULL then. */
 	enum ts_status (*peratom)(struct tsim *sim, struct ts_words args, struct ts_table *out);
 };
 const struct ts_function *ts_function_find(const struct ts_tables *tables, const char *name);
-
-/* Whether some system has a material property of that name (property/global of LIGGGHTS). */
-bool ts_property_has(const struct tsim *sim, const char *name);
 
 #endif

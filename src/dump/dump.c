@@ -39,7 +39,7 @@ enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due
 
 	*due = d->variable ? d->next > 0 && step == d->next : step % d->every == 0;
 	if (*due || d->variable || d->frames == 0)
-		ts_run_deferred_loops(sim);
+		ts_deferred_loops_run(sim);
 	if (d->variable && (*due || step == sim->clock.first_step || d->next <= step))
 		TS_TRY(evaluate_next_step(self, sim));
 	*due = ((*due && step >= d->delay) || (d->first && d->frames == 0)) &&

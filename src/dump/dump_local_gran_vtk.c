@@ -70,7 +70,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_dump_due(self, sim, &due));
 	if (!due)
 		return TS_OK;
-	TS_TRY(ts_value_held(s->contacts, sim, ts_value_find(s->contacts, TS_LOCAL)));
+	TS_TRY(ts_value_cached(s->contacts, sim, ts_value_find(s->contacts, TS_LOCAL)));
 	poly.ncell_data = ts_contact_columns_arrays(s->contacts->state, table->columns, array, &pos);
 	if (pos == SIZE_MAX)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->compute),

@@ -52,7 +52,7 @@ static int64_t count_frames(const struct ts_dump_common *d, const struct tsim *s
 	int64_t step = sim->clock.step;
 	bool now = step % d->every == 0 || (d->first && d->frames == 0);
 
-	return ts_report_times(sim, d->every) + (now && !(d->frames && d->last == step));
+	return ts_report_count(sim, d->every) + (now && !(d->frames && d->last == step));
 }
 
 enum ts_status ts_dump_price_frame(struct ts_instance *self, struct tsim *sim, double bytes,

@@ -221,7 +221,7 @@ static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, 
 	ts_report_line(report, "energy ledger", "%zu bytes a particle", numbers * sizeof(double));
 	if (!sim->reading.explain || !s->path)
 		return TS_OK;
-	return ts_report_output(report, s->path, ts_report_times(sim, s->every),
+	return ts_report_output(report, s->path, ts_report_count(sim, s->every),
 				20 + 18.0 * TS_LEDGER_VALUES) == TS_OK
 		       ? TS_OK
 		       : ts_nomem(&sim->error);

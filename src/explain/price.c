@@ -76,7 +76,7 @@ static enum ts_status time_steps(struct trial *t, double budget, double *seconds
 		TS_TRY(ts_plan_step(t->plan, t->sim));
 		*seconds = (ts_clock() - first) / (double)(*steps)++;
 	}
-	ts_run_deferred_loops(t->sim);
+	ts_deferred_loops_run(t->sim);
 	return TS_OK;
 }
 

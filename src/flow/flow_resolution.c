@@ -205,14 +205,15 @@ static enum ts_status report_wiggle(const struct ts_instance *self, struct tsim 
 	else
 		snprintf(remedy, sizeof remedy, "use `convection %s`, or smaller cells",
 			 p->convection == TS_CONVECTION_QUICK ? "cubista" : "quick");
-	return ts_review_find(sim, "flow_resolution", &self->where,
-			      "the cells are too wide for the flow: at time %.4g the velocity alternates "
-			      "from cell to cell along %c by %.2g %% of the largest speed %.4g at (%.4g %.4g "
-			      "%.4g), where the cell Reynolds number |u| h/nu is %.3g (convection %s "
-			      "oscillates above 2 where the flow changes within a cell); %s there "
-			      "(flow_grid)",
-			      fluid->time, "xyz"[w.axis], 100 * w.size / fastest, fastest, w.x[0], w.x[1],
-			      w.x[2], w.reynolds, ts_convection_names[p->convection], remedy);
+	return ts_review_report(sim, "flow_resolution", &self->where,
+				"the cells are too wide for the flow: at time %.4g the velocity alternates "
+				"from cell to cell along %c by %.2g %% of the largest speed %.4g at (%.4g "
+				"%.4g "
+				"%.4g), where the cell Reynolds number |u| h/nu is %.3g (convection %s "
+				"oscillates above 2 where the flow changes within a cell); %s there "
+				"(flow_grid)",
+				fluid->time, "xyz"[w.axis], 100 * w.size / fastest, fastest, w.x[0], w.x[1],
+				w.x[2], w.reynolds, ts_convection_names[p->convection], remedy);
 }
 
 static enum ts_status report_wall(const struct ts_instance *self, struct tsim *sim, const struct wall *wall,
@@ -225,7 +226,7 @@ static enum ts_status report_wall(const struct ts_instance *self, struct tsim *s
 	if (!(layer.share > STEEP || (layer.miss > MISSES && layer.share > MATTERS)) ||
 	    !is_developed(fluid, layer.width, fastest))
 		return TS_OK;
-	return ts_review_find(
+	return ts_review_report(
 		sim, "flow_resolution", &self->where,
 		"the cells are too wide for the flow beside the wall %s: at time %.4g the velocity "
 		"changes by %.2g %% of the largest speed %.4g from the wall to the first centres, "

@@ -20,7 +20,7 @@ enum ts_status ts_expr_fail(struct ts_expr *e, enum ts_status code, size_t at, s
 	return code;
 }
 
-enum ts_status ts_expr_blame(struct ts_expr *e, enum ts_status status, size_t at, size_t end)
+enum ts_status ts_expr_locate_error(struct ts_expr *e, enum ts_status status, size_t at, size_t end)
 {
 	if (status != TS_OK && status != TS_NOMEM && !e->sim->error.place.line)
 		e->sim->error.place = ts_place_inside(e->place, e->length, at, end - at);
@@ -66,8 +66,8 @@ enum ts_status ts_expr_array(struct ts_expr *e, size_t n, struct ts_operand *out
 	return out->data ? TS_OK : ts_nomem(&e->sim->error);
 }
 
-enum ts_status ts_expr_given(struct ts_expr *e, const char *name, enum ts_status status,
-			     struct ts_operand *out)
+enum ts_status ts_expr_or_unknown(struct ts_expr *e, const char *name, enum ts_status status,
+				  struct ts_operand *out)
 {
 	if (!ts_unknown_value(e->formulas, name, &status))
 		return status;
@@ -77,8 +77,8 @@ enum ts_status ts_expr_given(struct ts_expr *e, const char *name, enum ts_status
 	return TS_OK;
 }
 
-enum ts_status ts_expr_take(struct ts_expr *e, enum ts_status status, struct ts_table *table,
-			    struct ts_operand *out)
+enum ts_status ts_expr_take_table(struct ts_expr *e, enum ts_status status, struct ts_table *table,
+				  struct ts_operand *out)
 {
 	if (status == TS_OK)
 		status = ts_expr_array(e, table->rows, out);
@@ -318,30 +318,6 @@ enum ts_status ts_expr_scalar(struct ts_formulas *formulas, const char *text, co
 	return status;
 }
 
-struct ts_dry ts_dry_begin(struct ts_formulas *formulas)
-{
-	struct ts_dry before = { formulas->sim->reading.dry, formulas->sim->reading.looking,
-				 formulas->misfit };
-
-	formulas->sim->reading.dry = formulas->sim->reading.looking = true;
-	formulas->misfit = false;
-	return before;
-}
-
-enum ts_status ts_dry_end(struct ts_formulas *formulas, struct ts_dry before, enum ts_status status, bool now)
-{
-	bool meant = status == TS_NOMEM || formulas->misfit ||
-		     (now && (status == TS_UNKNOWN || status == TS_SYNTAX));
-
-	formulas->sim->reading.dry = before.dry;
-	formulas->sim->reading.looking = before.looking;
-	formulas->misfit = before.misfit;
-	if (status == TS_OK || meant)
-		return status;
-	ts_error_clear(&formulas->sim->error);
-	return TS_OK;
-}
-
 enum ts_status ts_expr_condition(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 				 enum ts_truth *out)
 {
@@ -379,7 +355,7 @@ enum ts_status ts_expr_peratom(struct ts_formulas *formulas, const char *text, c
 
 	e.rows = id.rows;
 	e.id = id.data;
-	status = status == TS_OK ? evaluate(&e, &value) : ts_expr_blame(&e, status, 0, e.length);
+	status = status == TS_OK ? evaluate(&e, &value) : ts_expr_locate_error(&e, status, 0, e.length);
 	if (status == TS_OK)
 		status = store(&e, &value, e.rows, out);
 	ts_arena_release(&e.arena);

@@ -7,7 +7,25 @@
 #ifndef TS_FORMULA_EXPR_H
 #define TS_FORMULA_EXPR_H
 
+#include "base/quotes.h"
 #include "formula/unknown.h"
+#include "math/rng.h"
+
+/* TS_OPEN: known only after a run (-check, -explain). */
+enum ts_truth { TS_NO, TS_YES, TS_OPEN };
+
+/* Evaluate the formula `text`, which was written at `place`: a number; a number per local particle; a list. */
+enum ts_status ts_expr_scalar(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
+			      double *out);
+enum ts_status ts_expr_peratom(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
+			       struct ts_table *out);
+enum ts_status ts_expr_vector(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
+			      struct ts_table *out);
+/* The condition of an `if`, where bare names are words that can be compared. */
+enum ts_status ts_expr_condition(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
+				 enum ts_truth *out);
+
+/* The rest is for the files of this folder and the manual. */
 
 struct ts_operand {
 	double scalar;
@@ -38,7 +56,7 @@ struct ts_expr {
 enum ts_status ts_expr_fail(struct ts_expr *e, enum ts_status code, size_t at, size_t end, const char *format,
 			    ...) __attribute__((format(printf, 5, 6)));
 /* An error of a callee that knew no place gets this one. */
-enum ts_status ts_expr_blame(struct ts_expr *e, enum ts_status status, size_t at, size_t end);
+enum ts_status ts_expr_locate_error(struct ts_expr *e, enum ts_status status, size_t at, size_t end);
 enum ts_status ts_expr_read(struct ts_expr *e, int level, struct ts_operand *out);
 /* The same, and it must be one number. */
 enum ts_status ts_expr_read_number(struct ts_expr *e, double *out);
@@ -49,12 +67,12 @@ const char *ts_expr_copy(struct ts_expr *e, size_t at, size_t end); /* NULL: out
 enum ts_status ts_expr_array(struct ts_expr *e, size_t n, struct ts_operand *out);
 /* A value that was asked of the simulation, whose name is known: if only a run can give it, it is unknown
  * now. */
-enum ts_status ts_expr_given(struct ts_expr *e, const char *name, enum ts_status status,
-			     struct ts_operand *out);
+enum ts_status ts_expr_or_unknown(struct ts_expr *e, const char *name, enum ts_status status,
+				  struct ts_operand *out);
 /* Makes the operand a copy of the first column, unless status says that the table failed; releases the
  * table. */
-enum ts_status ts_expr_take(struct ts_expr *e, enum ts_status status, struct ts_table *table,
-			    struct ts_operand *out);
+enum ts_status ts_expr_take_table(struct ts_expr *e, enum ts_status status, struct ts_table *table,
+				  struct ts_operand *out);
 
 /* expr_operand.c */
 struct ts_operator {
@@ -115,7 +133,7 @@ const struct ts_expr_function *ts_expr_function_find(const char *name);
 /* e->at stands at the opening bracket. */
 enum ts_status ts_expr_call(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
 			    struct ts_operand *out);
-enum ts_status ts_group_function_call(struct ts_expr *e, const struct ts_function *f, size_t at,
-				      struct ts_operand *out);
+enum ts_status ts_expr_call_group(struct ts_expr *e, const struct ts_function *f, size_t at,
+				  struct ts_operand *out);
 
 #endif

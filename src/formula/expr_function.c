@@ -42,7 +42,7 @@ static enum ts_status evaluate(struct ts_expr *e, const struct ts_expr_function 
 	if (f->pure)
 		*out = f->pure(arg[0]);
 	else
-		TS_TRY(ts_expr_blame(e, f->eval(e, arg, out), at, e->at));
+		TS_TRY(ts_expr_locate_error(e, f->eval(e, arg, out), at, e->at));
 	return f->lazy && ts_unknown(e->sim, *out) ? TS_OK : check_value(e, f, at, arg[0], *out);
 }
 
@@ -114,8 +114,8 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 		out->scalar = NAN;
 		return TS_OK;
 	}
-	TS_TRY(ts_expr_blame(e, ts_random_stream_of(e->formulas, arg[f->most - 1].scalar, &stream), at,
-			     e->at));
+	TS_TRY(ts_expr_locate_error(e, ts_random_stream_of(e->formulas, arg[f->most - 1].scalar, &stream), at,
+				    e->at));
 	if (each) {
 		TS_TRY(ts_expr_array(e, e->rows, out));
 		n = e->rows;
@@ -128,7 +128,7 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 
 		for (size_t k = 0; k < f->most; k++)
 			number[k] = arg[k].data ? arg[k].data[i] : arg[k].scalar;
-		TS_TRY(ts_expr_blame(e, f->draw(e, number, &rng, &to[i]), at, e->at));
+		TS_TRY(ts_expr_locate_error(e, f->draw(e, number, &rng, &to[i]), at, e->at));
 		TS_TRY(check_value(e, f, at, number[0], to[i]));
 	}
 	return TS_OK;
@@ -183,7 +183,7 @@ static enum ts_status of_words(struct ts_expr *e, const struct ts_expr_function 
 
 	TS_TRY(ts_expr_words(e, at, word, TS_MOST_ARGUMENTS, &n));
 	TS_TRY(ts_expr_count(e, at, f->name, f->arguments, f->least, f->most, n));
-	return ts_expr_blame(e, f->words(e, (struct ts_words){ word, n }, out), at, e->at);
+	return ts_expr_locate_error(e, f->words(e, (struct ts_words){ word, n }, out), at, e->at);
 }
 
 enum ts_status ts_expr_call(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
@@ -212,8 +212,8 @@ enum ts_status ts_expr_call(struct ts_expr *e, const struct ts_expr_function *f,
 	return f->draw ? drawn(e, f, at, arg, out) : of_numbers(e, f, at, arg, out);
 }
 
-enum ts_status ts_group_function_call(struct ts_expr *e, const struct ts_function *f, size_t at,
-				      struct ts_operand *out)
+enum ts_status ts_expr_call_group(struct ts_expr *e, const struct ts_function *f, size_t at,
+				  struct ts_operand *out)
 {
 	struct ts_word word[TS_MOST_ARGUMENTS] = { 0 };
 	struct ts_words words = { word, 0 };
@@ -223,16 +223,16 @@ enum ts_status ts_group_function_call(struct ts_expr *e, const struct ts_functio
 	TS_TRY(ts_expr_words(e, at, word, TS_MOST_ARGUMENTS, &words.n));
 	TS_TRY(ts_expr_count(e, at, f->name, f->arguments, f->least, f->most, words.n));
 	if (f->peratom && e->kind == TS_FORMULA_PERATOM) {
-		status = ts_expr_take(e, f->peratom(e->sim, words, &table), &table, out);
-		return ts_expr_blame(e, ts_expr_given(e, f->name, status, out), at, e->at);
+		status = ts_expr_take_table(e, f->peratom(e->sim, words, &table), &table, out);
+		return ts_expr_locate_error(e, ts_expr_or_unknown(e, f->name, status, out), at, e->at);
 	}
 	if (!f->eval)
 		return ts_expr_fail(e, TS_STATE, at, e->at,
 				    "%s has a value for each particle; it has its place in a "
 				    "variable of style atom",
 				    f->name);
-	status = ts_expr_given(e, f->name, f->eval(e->sim, words, &out->scalar), out);
-	TS_TRY(ts_expr_blame(e, status, at, e->at));
+	status = ts_expr_or_unknown(e, f->name, f->eval(e->sim, words, &out->scalar), out);
+	TS_TRY(ts_expr_locate_error(e, status, at, e->at));
 	if (isfinite(out->scalar) || ts_unknown(e->sim, out->scalar))
 		return TS_OK;
 	return ts_expr_fail(e, TS_RANGE, at, e->at, "%s has no finite value", f->name);

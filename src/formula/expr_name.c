@@ -64,7 +64,7 @@ static enum ts_status find_particle(struct ts_expr *e, int64_t identity, size_t 
 		status = ts_expr_fail(e, TS_RANGE, at, e->at, "there is no particle with id %" PRId64,
 				      identity);
 	ts_table_release(&id);
-	return ts_expr_blame(e, status, at, e->at);
+	return ts_expr_locate_error(e, status, at, e->at);
 }
 
 /* v_NAME[k] of a variable of particles: of the one with identity k. */
@@ -81,7 +81,7 @@ static enum ts_status of_one(struct ts_expr *e, struct ts_variable *variable, co
 	if (status == TS_OK)
 		out->scalar = table.data[row];
 	ts_table_release(&table);
-	return ts_expr_given(e, variable->name, status, out);
+	return ts_expr_or_unknown(e, variable->name, status, out);
 }
 
 /* Of a list the k-th number. */
@@ -132,9 +132,11 @@ static enum ts_status variable(struct ts_expr *e, const char *name, size_t at, s
 	if (e->text[e->at] == '[')
 		return element(e, found, &place, at, out);
 	if (e->kind == TS_FORMULA_PERATOM && found->style->peratom && !found->style->number)
-		return ts_expr_take(e, ts_variable_peratom(e->formulas, found, &place, &table), &table, out);
+		return ts_expr_take_table(e, ts_variable_peratom(e->formulas, found, &place, &table), &table,
+					  out);
 	if (e->kind == TS_FORMULA_VECTOR && found->style->vector)
-		return ts_expr_take(e, ts_variable_vector(e->formulas, found, &place, &table), &table, out);
+		return ts_expr_take_table(e, ts_variable_vector(e->formulas, found, &place, &table), &table,
+					  out);
 	return ts_variable_number(e->formulas, found, &place, &out->scalar);
 }
 
@@ -172,18 +174,18 @@ static enum ts_status of_reference(struct ts_expr *e, const struct ts_ref *ref, 
 	struct ts_table table = { 0 };
 
 	if (e->kind == TS_FORMULA_PERATOM && shapes & (1u << TS_PERATOM) && !(shapes & (1u << TS_SCALAR)))
-		return ts_expr_take(e, ts_ref_peratom(e->sim, ref, place, &table), &table, out);
+		return ts_expr_take_table(e, ts_ref_peratom(e->sim, ref, place, &table), &table, out);
 	if (e->kind == TS_FORMULA_VECTOR && shapes & (1u << TS_VECTOR)) {
 		enum ts_status status = ts_ref_vector(e->sim, ref, place, &table);
 
 		table.rows *= table.columns;
 		table.columns = 1;
-		return ts_expr_take(e, status, &table, out);
+		return ts_expr_take_table(e, status, &table, out);
 	}
 	if (e->kind == TS_FORMULA_VECTOR && shapes & (1u << TS_LOCAL))
-		return ts_expr_take(e, ts_ref_local(e->sim, ref, place, &table), &table, out);
+		return ts_expr_take_table(e, ts_ref_local(e->sim, ref, place, &table), &table, out);
 	if (e->kind == TS_FORMULA_VECTOR && shapes & (1u << TS_PERATOM))
-		return ts_expr_take(e, ts_ref_peratom(e->sim, ref, place, &table), &table, out);
+		return ts_expr_take_table(e, ts_ref_peratom(e->sim, ref, place, &table), &table, out);
 	return ts_ref_scalar(e->sim, ref, place, &out->scalar);
 }
 
@@ -227,7 +229,7 @@ static enum ts_status read_output(struct ts_expr *e, const char *name, const cha
 	if (e->sim->reading.dry && given)
 		return nothing(out);
 	status = identity ? of_identity(e, name, k[0], k[1], at, out) : of_reference(e, &ref, &place, out);
-	return given ? ts_expr_given(e, name, status, out) : status;
+	return given ? ts_expr_or_unknown(e, name, status, out) : status;
 }
 
 /* c_ID, c_ID[k], c_ID[k][j], and the same of fixes */
@@ -251,7 +253,7 @@ static enum ts_status output(struct ts_expr *e, const char *name, size_t at, str
 	ts_str_release(&whole);
 	if (status == TS_OK && open)
 		*out = (struct ts_operand){ .scalar = NAN, .at = at };
-	return ts_expr_blame(e, status, at, e->at);
+	return ts_expr_locate_error(e, status, at, e->at);
 }
 
 /* Some keywords are known without running. */
@@ -266,7 +268,8 @@ static enum ts_status of_keyword(struct ts_expr *e, const struct ts_keyword *key
 	if (e->sim->reading.dry)
 		return nothing(out);
 	status = keyword->eval(e->sim, &out->scalar);
-	return ts_expr_blame(e, known ? status : ts_expr_given(e, keyword->name, status, out), at, e->at);
+	return ts_expr_locate_error(e, known ? status : ts_expr_or_unknown(e, keyword->name, status, out), at,
+				    e->at);
 }
 
 /* A quantity of all particles, e.g. `vx` in an atom-style formula. */
@@ -278,8 +281,8 @@ static enum ts_status column(struct ts_expr *e, const char *name, size_t at, str
 	if (e->sim->reading.dry)
 		return nothing(out);
 	status = ts_quantity_eval(e->sim, name, &table);
-	status = ts_expr_take(e, status, &table, out);
-	return ts_expr_blame(e, ts_expr_given(e, name, status, out), at, e->at);
+	status = ts_expr_take_table(e, status, &table, out);
+	return ts_expr_locate_error(e, ts_expr_or_unknown(e, name, status, out), at, e->at);
 }
 
 /* A quantity of the particle with a given identity: vx[17]. */
@@ -297,7 +300,7 @@ static enum ts_status of_particle(struct ts_expr *e, const char *name, size_t at
 	if (status == TS_OK)
 		out->scalar = table.data[row];
 	ts_table_release(&table);
-	return ts_expr_blame(e, ts_expr_given(e, name, status, out), at, e->at);
+	return ts_expr_locate_error(e, ts_expr_or_unknown(e, name, status, out), at, e->at);
 }
 
 static enum ts_status unknown(struct ts_expr *e, const char *name, size_t at, bool call)
@@ -339,7 +342,7 @@ static enum ts_status call(struct ts_expr *e, const char *name, size_t at, struc
 	if (function)
 		return ts_expr_call(e, function, at, out);
 	if (of_group)
-		return ts_group_function_call(e, of_group, at, out);
+		return ts_expr_call_group(e, of_group, at, out);
 	return unknown(e, name, at, true);
 }
 
@@ -350,7 +353,7 @@ static enum ts_status bare_word(struct ts_expr *e, const char *name, struct ts_o
 	const struct ts_constant *constant = constant_find(name);
 
 	if (strncmp(name, property, sizeof property - 1) == 0) {
-		out->scalar = ts_property_has(e->sim, name + sizeof property - 1);
+		out->scalar = ts_sim_has_property(e->sim, name + sizeof property - 1);
 		return TS_OK;
 	}
 	out->word = name;

@@ -24,14 +24,14 @@ static enum ts_status eval_next(struct ts_expr *e, struct ts_words words, struct
 	if (variable->style == &ts_var_file)
 		TS_TRY(ts_variable_number(e->formulas, variable, &word->place, &out->scalar));
 	else if (variable->style == &ts_var_atomfile && e->kind == TS_FORMULA_PERATOM)
-		TS_TRY(ts_expr_take(e, ts_variable_peratom(e->formulas, variable, &word->place, &table),
-				    &table, out));
+		TS_TRY(ts_expr_take_table(e, ts_variable_peratom(e->formulas, variable, &word->place, &table),
+					  &table, out));
 	else
 		return ts_fail(&e->sim->error, TS_STATE, &word->place,
 			       "next() needs a variable of style file or, in formulas of particles, "
 			       "atomfile; '%s' is of style %s",
 			       word->text, variable->style->name);
-	if (e->sim->reading.looking)
+	if (e->sim->reading.probing)
 		return TS_OK;
 	variable->in_run |= e->sim->run.inside;
 	TS_TRY(ts_variable_next(e->formulas, variable, &word->place, &exhausted));

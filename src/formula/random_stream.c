@@ -1,4 +1,5 @@
-/* Streams of random numbers: one per seed, which lives as long as the script. */
+#include "formula/random_stream.h"
+
 #include <math.h>
 
 #include "formula/formulas.h"
@@ -24,8 +25,8 @@ enum ts_status ts_random_stream_of(struct ts_formulas *s, double seed, struct ts
 	return TS_OK;
 }
 
-/* Streams that the archive does not name go on as they are. */
-static enum ts_status restore(struct ts_formulas *s, const int64_t *number, size_t n)
+/* Streams of seeds that the archive does not have stay as they are. */
+static enum ts_status restore_streams(struct ts_formulas *s, const int64_t *number, size_t n)
 {
 	struct ts_random_stream *stream;
 
@@ -40,7 +41,7 @@ static enum ts_status restore(struct ts_formulas *s, const int64_t *number, size
 	return TS_OK;
 }
 
-enum ts_status ts_formulas_archive(struct ts_formulas *s, struct ts_archive *archive)
+enum ts_status ts_random_streams_archive(struct ts_formulas *s, struct ts_archive *archive)
 {
 	size_t n = 0, capacity = 0;
 	int64_t *number = NULL;
@@ -55,15 +56,7 @@ enum ts_status ts_formulas_archive(struct ts_formulas *s, struct ts_archive *arc
 	}
 	status = ts_archive_array(archive, "random", TS_SAVED_I64, (void **)&number, &capacity, &n);
 	if (status == TS_OK && !ts_archive_writing(archive))
-		status = restore(s, number, n);
+		status = restore_streams(s, number, n);
 	ts_free(number);
-	return status == TS_OK ? ts_variables_archive(s, archive) : status;
-}
-
-void ts_formulas_release(struct ts_formulas *formulas)
-{
-	ts_variables_release(formulas);
-	ts_free(formulas->stream);
-	ts_free(formulas->waiting);
-	ts_map_release(&formulas->waiting_at);
+	return status;
 }

@@ -12,7 +12,7 @@ static const char mark[] = "00000000000000001";
 
 bool ts_unknown_read(struct ts_formulas *formulas, const char *name)
 {
-	return ts_from_run(formulas->sim, name);
+	return ts_sim_awaits_run(formulas->sim, name);
 }
 
 bool ts_unknown_value(struct ts_formulas *formulas, const char *name, enum ts_status *status)
@@ -45,7 +45,7 @@ bool ts_unknown_in(struct ts_formulas *formulas, const char *text)
 
 	if (!ts_unknown_text(sim, text))
 		return false;
-	ts_from_run(sim, formulas->unknown ? formulas->unknown : "a value");
+	ts_sim_awaits_run(sim, formulas->unknown ? formulas->unknown : "a value");
 	return true;
 }
 

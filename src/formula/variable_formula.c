@@ -1,7 +1,8 @@
 /* Variables that keep a formula, evaluated each time they are used: equal, atom, vector. */
 #include <string.h>
 
-#include "formula/unknown.h"
+#include "formula/dry_run.h"
+#include "formula/expr.h"
 
 #include "base/banned.h"
 
@@ -120,7 +121,7 @@ static enum ts_status read_formula(struct ts_formulas *formulas, struct ts_varia
 				   read_table *read)
 {
 	const struct ts_word *formula = &variable->values.word[0];
-	struct ts_dry before = ts_dry_begin(formulas);
+	struct ts_dry_run before = ts_dry_run_begin(formulas);
 	struct ts_table table = { 0 };
 	enum ts_status status;
 	double number;
@@ -128,7 +129,7 @@ static enum ts_status read_formula(struct ts_formulas *formulas, struct ts_varia
 	status = read ? read(formulas, formula->text, &formula->place, &table)
 		      : ts_expr_scalar(formulas, formula->text, &formula->place, &number);
 	ts_table_release(&table);
-	return ts_dry_end(formulas, before, status, false);
+	return ts_dry_run_end(formulas, before, status, false);
 }
 
 static enum ts_status define_equal(struct ts_formulas *formulas, struct ts_variable *variable)

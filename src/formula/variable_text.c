@@ -2,8 +2,8 @@
 #include <stdlib.h>
 
 #include "base/clock.h"
+#include "formula/expr.h"
 #include "formula/number_format.h"
-#include "formula/unknown.h"
 
 #include "base/banned.h"
 

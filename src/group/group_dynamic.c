@@ -73,7 +73,7 @@ enum ts_status ts_group_choose_due(struct tsim *sim, bool all)
 
 	for (int bit = 1; bit < TS_MAX_GROUPS; bit++)
 		if (p->dynamic[bit].every && (all || sim->clock.step % p->dynamic[bit].every == 0)) {
-			ts_run_deferred_loops(sim);
+			ts_deferred_loops_run(sim);
 			TS_TRY(ts_group_choose(sim, bit));
 		}
 	return TS_OK;

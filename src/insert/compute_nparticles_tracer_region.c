@@ -87,7 +87,7 @@ static void count_particles(struct ts_instance *self, const struct tsim *sim, do
 			continue;
 		result[MARKED]++;
 		ts_exactsum_add(&marked, p->mass[i]);
-		if (s->reset && !sim->reading.looking)
+		if (s->reset && !sim->reading.probing)
 			mark[i] = 0;
 	}
 	result[MASS] = ts_exactsum_value(&mass);
@@ -107,7 +107,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	count_particles(self, sim, out->data);
 	for (int k = 0; !sim->reading.looking && k < NVALUES; k++)
 		s->answer[k] = out->data[k];
-	if (!sim->reading.looking)
+	if (!sim->reading.probing)
 		s->answered = sim->clock.step + 1;
 	return TS_OK;
 }

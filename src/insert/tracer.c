@@ -64,7 +64,7 @@ static enum ts_status eval_new(struct ts_instance *self, const struct tsim *sim,
 
 	if (sim->run.inside && t->answered == now)
 		answer += t->answer;
-	if (!sim->reading.looking) {
+	if (!sim->reading.probing) {
 		t->told = t->marked;
 		t->answer = answer;
 		t->answered = now;

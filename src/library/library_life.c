@@ -6,6 +6,7 @@
 #include "core/life.h"
 #include "library/tsim_tables.h"
 #include "particle/particles.h"
+#include "script/diagnostic.h"
 #include "script/script.h"
 
 #include "base/banned.h"

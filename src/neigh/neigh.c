@@ -56,7 +56,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_neigh *nb = self->state;
 
 	sim->particles->describe_contacts = describe_contacts;
-	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) || sim->full & TS_FULL_ROWS;
+	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) || sim->full & TS_FULL_CONTACTS;
 	nb->builds = 0;
 	nb->skin_observed = nb->keep_forces = false; /* outputs that do set them in their init, after this */
 	nb->keep_forces_every = 0;
@@ -166,7 +166,7 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	TS_DEFER_LOOP(sim, p->n, check_share, &limits);
 	ts_contact_list_locate_locals(sim, &sim->neigh->contacts);
 	ts_leaving_watch(sim, &moved);
-	ts_run_deferred_loops(sim);
+	ts_deferred_loops_run(sim);
 	sim->run.rebuild |= moved && ts_leaving_due(sim);
 	if (!beyond)
 		return TS_OK;

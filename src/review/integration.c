@@ -29,12 +29,12 @@ enum ts_status ts_review_integrator(struct tsim *sim)
 	}
 	if (!idle)
 		return TS_OK;
-	return ts_review_find(sim, "integrator", NULL,
-			      "%zu of %zu particles are moved by no fix and stay where they are, the first "
-			      "is particle %d (type %d) at (%g %g %g); add `fix ID GROUP nve/sphere`, or "
-			      "`fix ID GROUP freeze` if they are to stay",
-			      idle, p->n, p->tag[first], p->type[first], p->x[first][0], p->x[first][1],
-			      p->x[first][2]);
+	return ts_review_report(sim, "integrator", NULL,
+				"%zu of %zu particles are moved by no fix and stay where they are, the first "
+				"is particle %d (type %d) at (%g %g %g); add `fix ID GROUP nve/sphere`, or "
+				"`fix ID GROUP freeze` if they are to stay",
+				idle, p->n, p->tag[first], p->type[first], p->x[first][0], p->x[first][1],
+				p->x[first][2]);
 }
 
 /* ---- rotation ---- */
@@ -78,12 +78,12 @@ static enum ts_status check_fix(struct tsim *sim, const struct ts_instance *fix)
 		double friction = friction_of(sim, t);
 
 		if (friction > 0 && has_type(p, fix->group, t))
-			return ts_review_find(sim, "rotation", &fix->where,
-					      "fix %s moves particles but does not turn them, and the "
-					      "contacts of type %d have friction (coefficient %g), which "
-					      "makes particles turn; use `fix %s %s nve/sphere`",
-					      fix->style->name, t, friction, fix->id,
-					      ts_group_name(sim, fix->group));
+			return ts_review_report(sim, "rotation", &fix->where,
+						"fix %s moves particles but does not turn them, and the "
+						"contacts of type %d have friction (coefficient %g), which "
+						"makes particles turn; use `fix %s %s nve/sphere`",
+						fix->style->name, t, friction, fix->id,
+						ts_group_name(sim, fix->group));
 	}
 	return TS_OK;
 }

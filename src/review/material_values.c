@@ -35,18 +35,20 @@ enum ts_status ts_review_units(struct tsim *sim)
 		return TS_OK;
 	g = earth_gravity(sim, &by);
 	if (g != 0)
-		return ts_review_find(sim, "units", &by->where,
-				      "gravity is %g, as on the earth in SI units, but the script has no "
-				      "`units` and runs in units lj (time step %g unless `timestep` says "
-				      "otherwise); begin it with `units si`, or `units lj` if that is meant",
-				      g, sim->clock.dt);
+		return ts_review_report(sim, "units", &by->where,
+					"gravity is %g, as on the earth in SI units, but the script has no "
+					"`units` and runs in units lj (time step %g unless `timestep` says "
+					"otherwise); begin it with `units si`, or `units lj` if that is "
+					"meant",
+					g, sim->clock.dt);
 	young = ts_property_find(sim, "youngsModulus", &by);
 	if (young && young->n && young->value[0] >= 1e5)
-		return ts_review_find(sim, "units", &by->where,
-				      "youngsModulus is %g, as in SI units, but the script has no `units` "
-				      "and runs in units lj (time step %g unless `timestep` says otherwise); "
-				      "begin it with `units si`, or `units lj` if that is meant",
-				      young->value[0], sim->clock.dt);
+		return ts_review_report(sim, "units", &by->where,
+					"youngsModulus is %g, as in SI units, but the script has no `units` "
+					"and runs in units lj (time step %g unless `timestep` says "
+					"otherwise); "
+					"begin it with `units si`, or `units lj` if that is meant",
+					young->value[0], sim->clock.dt);
 	return TS_OK;
 }
 
@@ -83,11 +85,12 @@ enum ts_status ts_review_diameter(struct tsim *sim)
 	n = count_particles(sim, has_defaults, &first);
 	if (!n)
 		return TS_OK;
-	return ts_review_find(sim, "diameter", NULL,
-			      "%zu of %zu particles have the diameter 1 and the density 1 that create_atoms "
-			      "gives, the first is particle %d (type %d); say `set type %d diameter D "
-			      "density RHO` before the run",
-			      n, p->n, p->tag[first], p->type[first], p->type[first]);
+	return ts_review_report(sim, "diameter", NULL,
+				"%zu of %zu particles have the diameter 1 and the density 1 that "
+				"create_atoms "
+				"gives, the first is particle %d (type %d); say `set type %d diameter D "
+				"density RHO` before the run",
+				n, p->n, p->tag[first], p->type[first], p->type[first]);
 }
 
 /* ---- densities ---- */
@@ -116,12 +119,14 @@ enum ts_status ts_review_density(struct tsim *sim)
 	n = count_particles(sim, has_unlikely_density, &first);
 	if (!n)
 		return TS_OK;
-	return ts_review_find(sim, "density", NULL,
-			      "%zu of %zu particles have densities that no grain has, the first is particle "
-			      "%d (type %d) with %g "
-			      "kg/m3; water has 1000, sand 2650, steel 7850 kg/m3: `set type %d density RHO`",
-			      n, p->n, p->tag[first], p->type[first],
-			      p->mass[first] / ts_particle_volume(sim, p->radius[first]), p->type[first]);
+	return ts_review_report(sim, "density", NULL,
+				"%zu of %zu particles have densities that no grain has, the first is "
+				"particle "
+				"%d (type %d) with %g "
+				"kg/m3; water has 1000, sand 2650, steel 7850 kg/m3: `set type %d density "
+				"RHO`",
+				n, p->n, p->tag[first], p->type[first],
+				p->mass[first] / ts_particle_volume(sim, p->radius[first]), p->type[first]);
 }
 
 /* ---- moduli ---- */
@@ -144,12 +149,14 @@ static bool is_unlikely_modulus(double modulus)
 static enum ts_status report_modulus(struct tsim *sim, const struct ts_instance *by, const char *what,
 				     double modulus)
 {
-	return ts_review_find(sim, "modulus", &by->where,
-			      "%s have the modulus E* = %g Pa (1/E* = (1 - nu^2)/E of both partners), which "
-			      "no solid has: rubber has 1e6 to 1e8, glass 7e10, steel 2e11 Pa; check the "
-			      "units of Young's modulus (softened grains seldom have less than 1e5), or say "
-			      "another system by `units`",
-			      what, modulus);
+	return ts_review_report(sim, "modulus", &by->where,
+				"%s have the modulus E* = %g Pa (1/E* = (1 - nu^2)/E of both partners), "
+				"which "
+				"no solid has: rubber has 1e6 to 1e8, glass 7e10, steel 2e11 Pa; check the "
+				"units of Young's modulus (softened grains seldom have less than 1e5), or "
+				"say "
+				"another system by `units`",
+				what, modulus);
 }
 
 static bool has_type(const struct ts_particles *p, int type)

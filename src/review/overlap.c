@@ -74,7 +74,7 @@ static enum ts_status report_overlaps(struct tsim *sim, const struct ts_review_o
 	const struct ts_particles *p = sim->particles;
 	const double *x = p->x[o->a];
 
-	return ts_review_find(
+	return ts_review_report(
 		sim, "overlap", NULL,
 		"contacts that overlap by more than %g %% of a radius at the start: %zu, the worst "
 		"by %g (%.3g %%), of particles %d and %d at (%g %g %g); they hold an energy of %g, "

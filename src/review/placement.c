@@ -225,13 +225,15 @@ static enum ts_status check_floor(struct tsim *sim, const struct ts_instance *by
 
 	if (!fall.n || any_may_stop(sim, dim, &fall))
 		return TS_OK;
-	return ts_review_find(sim, "floor", &by->where,
-			      "gravity pulls particles to the fixed face %c%s, and there is no wall, mesh or "
-			      "held particle below them: in the time %g of this run %zu of %zu particles "
-			      "fall out of the box; add `fix ID all wall/gran primitive type 1 %cplane %g`, "
-			      "or say `thermo_modify lost ignore`",
-			      'x' + dim, g[dim] < 0 ? "lo" : "hi", fall.time, fall.n, p->n, 'x' + dim,
-			      g[dim] < 0 ? box->lo[dim] : box->hi[dim]);
+	return ts_review_report(sim, "floor", &by->where,
+				"gravity pulls particles to the fixed face %c%s, and there is no wall, mesh "
+				"or "
+				"held particle below them: in the time %g of this run %zu of %zu particles "
+				"fall out of the box; add `fix ID all wall/gran primitive type 1 %cplane "
+				"%g`, "
+				"or say `thermo_modify lost ignore`",
+				'x' + dim, g[dim] < 0 ? "lo" : "hi", fall.time, fall.n, p->n, 'x' + dim,
+				g[dim] < 0 ? box->lo[dim] : box->hi[dim]);
 }
 
 enum ts_status ts_review_floor(struct tsim *sim)
@@ -275,11 +277,11 @@ enum ts_status ts_review_mesh_size(struct tsim *sim)
 		for (int dim = 0; dim < 3; dim++)
 			size = fmax(size, hi[dim] - lo[dim]);
 		if (size < 0.2 * least)
-			TS_TRY(ts_review_find(sim, "mesh_size", &by->where,
-					      "mesh %s is %g long, less than a tenth of the diameter %g of "
-					      "the "
-					      "smallest particle; check the units of its file, and `scale`",
-					      by->id, size, 2 * least));
+			TS_TRY(ts_review_report(sim, "mesh_size", &by->where,
+						"mesh %s is %g long, less than a tenth of the diameter %g of "
+						"the "
+						"smallest particle; check the units of its file, and `scale`",
+						by->id, size, 2 * least));
 	}
 	return TS_OK;
 }

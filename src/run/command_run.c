@@ -101,7 +101,7 @@ static enum ts_status run_with_commands(struct tsim *sim, int64_t last, const st
 	if (sim->reading.explain) /* a single piece: the commands are read once */
 		every = last - sim->clock.step;
 	else
-		TS_TRY(sim->script_api->reads_commands(sim->script_api_data, ts_words_from(r->pieces, 1)));
+		TS_TRY(sim->script_api->check_commands(sim->script_api_data, ts_words_from(r->pieces, 1)));
 	while (left > 0 && !sim->run.halted) {
 		if (!ts_sim_has_box(sim))
 			return ts_fail(&sim->error, TS_STATE, &word[0].place,

@@ -1,8 +1,10 @@
 #include "script/check.h"
-#include "formula/unknown.h"
 
 #include <stdio.h>
 #include <string.h>
+
+#include "formula/unknown.h"
+#include "script/diagnostic.h"
 
 #include "base/banned.h"
 
@@ -32,12 +34,6 @@ enum ts_status ts_check_new(struct ts_script *script)
 		return ts_nomem(&script->sim->error);
 	script->check->last = &script->check->first;
 	return TS_OK;
-}
-
-enum ts_status ts_script_check(struct ts_script *script)
-{
-	script->sim->reading.explain = script->sim->reading.check = true;
-	return script->check ? TS_OK : ts_check_new(script);
 }
 
 void ts_check_free(struct ts_script *script)
@@ -206,7 +202,7 @@ static enum ts_status put_box(struct ts_script *script, struct ts_words words)
 	return status;
 }
 
-enum ts_status ts_check_lose(struct ts_script *script, const char *kind, const char *name)
+enum ts_status ts_check_mark_lost(struct ts_script *script, const char *kind, const char *name)
 {
 	struct ts_str key = { 0 };
 	const char *kept;
@@ -231,7 +227,7 @@ static enum ts_status lose_names(struct ts_script *script, struct ts_words words
 		if (makes[k].word == 0)
 			return put_box(script, words);
 		if (makes[k].word < words.n)
-			return ts_check_lose(script, makes[k].kind, words.word[makes[k].word].text);
+			return ts_check_mark_lost(script, makes[k].kind, words.word[makes[k].word].text);
 	}
 	if (ts_streq(command, "run") && script->sim->clock.step < script->sim->clock.last_step)
 		script->sim->clock.step = script->sim->clock.last_step;

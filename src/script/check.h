@@ -13,7 +13,7 @@
 #define TS_SCRIPT_CHECK_H
 
 #include "base/map.h"
-#include "script/interpreter.h"
+#include "script/internal.h"
 
 enum ts_check_kind { TS_CHECK_STEP, TS_CHECK_RUN, TS_CHECK_WRITE };
 
@@ -93,7 +93,7 @@ enum ts_status ts_check_defer_error(struct ts_script *script, enum ts_status sta
 /* A line with an unknown value is about to be run. */
 enum ts_status ts_check_guess(struct ts_script *script, const struct ts_line *line, struct ts_words words);
 /* What is not there any more, or may not be: messages that miss it are left out. */
-enum ts_status ts_check_lose(struct ts_script *script, const char *kind, const char *name);
+enum ts_status ts_check_mark_lost(struct ts_script *script, const char *kind, const char *name);
 
 /* check_trace.c */
 enum ts_status ts_check_begin_line(struct ts_script *script, const struct ts_place *row);
@@ -111,14 +111,14 @@ enum ts_status ts_check_branch(struct ts_script *script, const struct ts_place *
 enum ts_status ts_check_jump(struct ts_script *script, const struct ts_place *where, const char *file,
 			     const char *label, bool *follow);
 /* The jump that closes the loop is passed by. */
-void ts_check_left(struct ts_script *script, const struct ts_place *where);
+void ts_check_leave_loop(struct ts_script *script, const struct ts_place *where);
 /* `next` has given these variables another value. */
 void ts_check_next(struct ts_script *script, struct ts_words names);
 /* The loop that a jump from here to the label closes; *out NULL: it goes forward, or elsewhere. */
 enum ts_status ts_check_loop_of(struct ts_script *script, const struct ts_place *where, const char *file,
 				const char *label, struct ts_check_loop **out);
 /* How many turns it takes is not known from now on. */
-void ts_check_open(struct ts_script *script, struct ts_check_loop *loop);
+void ts_check_open_loop(struct ts_script *script, struct ts_check_loop *loop);
 
 /* check_branch.c: the branches of an `if` from the k-th word on, of which any may be the one. */
 enum ts_status ts_check_branches(struct ts_script *script, struct ts_words words, size_t k,

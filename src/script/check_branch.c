@@ -3,7 +3,7 @@
  * here again, behind one of the jumps. */
 #include <string.h>
 
-#include "formula/unknown.h"
+#include "formula/expr.h"
 #include "script/check.h"
 
 #include "base/banned.h"
@@ -41,7 +41,7 @@ static enum ts_status doubt(struct ts_script *script, struct ts_words words)
 	for (size_t k = 0; words.n > 1 && k < sizeof takes / sizeof *takes; k++)
 		if (ts_streq(takes[k].command, words.word[0].text) &&
 		    (!takes[k].last || ts_streq(takes[k].last, words.word[words.n - 1].text)))
-			TS_TRY(ts_check_lose(script, takes[k].kind, words.word[1].text));
+			TS_TRY(ts_check_mark_lost(script, takes[k].kind, words.word[1].text));
 	if (words.n < 3 || !ts_streq(words.word[0].text, "variable"))
 		return TS_OK;
 	variable = ts_variable_find(&script->formulas, words.word[1].text);
@@ -60,7 +60,7 @@ static enum ts_status note_jump(struct ts_script *script, const struct ts_word *
 	if (words.n > 1)
 		TS_TRY(ts_check_loop_of(script, &command->place, words.word[1].text, label, &loop));
 	if (loop) {
-		ts_check_open(script, loop);
+		ts_check_open_loop(script, loop);
 		ways->back = command;
 	} else if (ways->n < MOST_WAYS) {
 		ways->jump[ways->n++] = command;

@@ -74,7 +74,7 @@ enum ts_status ts_check_loop_of(struct ts_script *script, const struct ts_place 
 	return TS_OK;
 }
 
-void ts_check_open(struct ts_script *script, struct ts_check_loop *loop)
+void ts_check_open_loop(struct ts_script *script, struct ts_check_loop *loop)
 {
 	loop->open = true;
 	script->sim->reading.open_clock |= script->sim->reading.planned;
@@ -161,7 +161,7 @@ static enum ts_status close_loop(struct ts_script *script, struct ts_check_loop 
 
 	loop->turns++;
 	if (!loop->open && ends_open(check, loop))
-		ts_check_open(script, loop);
+		ts_check_open_loop(script, loop);
 	*follow = again(script, loop);
 	if (*follow)
 		return begin_turn(script, loop);
@@ -171,7 +171,7 @@ static enum ts_status close_loop(struct ts_script *script, struct ts_check_loop 
 		multiply(script, loop, check->turns_left);
 	} else {
 		event->endless = !loop->open && !steps && check->branches == loop->branches;
-		ts_check_open(script, loop);
+		ts_check_open_loop(script, loop);
 	}
 	if (steps)
 		end_next(script);
@@ -204,7 +204,7 @@ enum ts_status ts_check_jump(struct ts_script *script, const struct ts_place *wh
 	return TS_OK;
 }
 
-void ts_check_left(struct ts_script *script, const struct ts_place *where)
+void ts_check_leave_loop(struct ts_script *script, const struct ts_place *where)
 {
 	struct ts_check_loop *loop =
 		script->check && where->file ? find_loop(script->check, where->file, -1, where->line) : NULL;

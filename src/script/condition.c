@@ -1,6 +1,7 @@
 /* if "condition" then commands [elif "condition" commands ...] [else commands] */
+#include "formula/expr.h"
 #include "script/check.h"
-#include "script/interpreter.h"
+#include "script/internal.h"
 
 #include "base/banned.h"
 

@@ -1,7 +1,6 @@
-/* The error as the user sees it. */
-#include <string.h>
+#include "script/diagnostic.h"
 
-#include "script/script.h"
+#include <string.h>
 
 #include "base/banned.h"
 

@@ -1,7 +1,7 @@
 /* Which line comes next: label, jump, next, include, quit, clear. */
 #include "core/life.h"
 #include "script/check.h"
-#include "script/interpreter.h"
+#include "script/internal.h"
 
 #include "base/banned.h"
 
@@ -34,7 +34,7 @@ static enum ts_status run_jump(struct tsim *sim, void *state, const struct ts_pl
 	TS_TRY(ts_script_of(sim, where, &script));
 	if (script->skip_jump) {
 		script->skip_jump = false;
-		ts_check_left(script, where);
+		ts_check_leave_loop(script, where);
 		return TS_OK;
 	}
 	if (!script->source)

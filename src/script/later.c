@@ -3,6 +3,8 @@
  */
 #include <string.h>
 
+#include "formula/dry_run.h"
+#include "formula/expr.h"
 #include "script/check.h"
 
 #include "base/banned.h"
@@ -40,16 +42,16 @@ static enum ts_status forgive(struct later *later, enum ts_status status)
 static enum ts_status read_text(struct later *later, const char *text, const struct ts_place *where,
 				struct ts_str *out)
 {
-	struct ts_dry before = ts_dry_begin(&later->script->formulas);
+	struct ts_dry_run before = ts_dry_run_begin(&later->script->formulas);
 	enum ts_status status = ts_substitute_text(later->script, text, where, out);
 
-	return ts_dry_end(&later->script->formulas, before, forgive(later, status), true);
+	return ts_dry_run_end(&later->script->formulas, before, forgive(later, status), true);
 }
 
 static enum ts_status read_condition(struct later *later, const struct ts_word *word, enum ts_truth *truth)
 {
 	struct ts_script *script = later->script;
-	struct ts_dry before = ts_dry_begin(&script->formulas);
+	struct ts_dry_run before = ts_dry_run_begin(&script->formulas);
 	struct ts_str text = { 0 };
 	enum ts_status status = ts_substitute_text(script, word->text, &word->place, &text);
 
@@ -57,7 +59,7 @@ static enum ts_status read_condition(struct later *later, const struct ts_word *
 	if (status == TS_OK)
 		status = ts_expr_condition(&script->formulas, ts_str_text(&text), &word->place, truth);
 	ts_str_release(&text);
-	return ts_dry_end(&script->formulas, before, forgive(later, status), true);
+	return ts_dry_run_end(&script->formulas, before, forgive(later, status), true);
 }
 
 static enum ts_status read_command(struct later *later, const struct ts_word *word);
@@ -122,7 +124,7 @@ static enum ts_status read_command(struct later *later, const struct ts_word *wo
 	return status;
 }
 
-enum ts_status ts_later_commands(struct ts_script *script, struct ts_words commands)
+enum ts_status ts_later_check_commands(struct ts_script *script, struct ts_words commands)
 {
 	struct later later = { .script = script, .commands = commands };
 
@@ -132,7 +134,7 @@ enum ts_status ts_later_commands(struct ts_script *script, struct ts_words comma
 	return TS_OK;
 }
 
-enum ts_status ts_later_text(struct ts_script *script, const char *text, const struct ts_place *where)
+enum ts_status ts_later_check_text(struct ts_script *script, const char *text, const struct ts_place *where)
 {
 	struct later later = { .script = script, .commands = script->expected };
 	struct ts_str out = { 0 };

@@ -115,7 +115,7 @@ static size_t readable_end(const char *text)
 	return at;
 }
 
-bool ts_quote_open(const char *text)
+bool ts_line_quote_open(const char *text)
 {
 	return text[readable_end(text)] == '"';
 }

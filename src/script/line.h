@@ -41,7 +41,7 @@ enum ts_status ts_line_set(struct ts_line *line, const char *text, size_t n, con
 /* The place of the characters at..at+n. */
 struct ts_place ts_line_place(const struct ts_line *line, size_t at, size_t n);
 /* Whether a triple quote is open at the end of the text. */
-bool ts_quote_open(const char *text);
+bool ts_line_quote_open(const char *text);
 
 /* Cuts off the comment. */
 void ts_line_uncomment(struct ts_line *line);

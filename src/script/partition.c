@@ -1,7 +1,7 @@
 /* Lines for some of several simulations that run side by side: here there is one, the first. */
 #include <string.h>
 
-#include "script/interpreter.h"
+#include "script/internal.h"
 
 #include "base/banned.h"
 

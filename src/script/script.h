@@ -48,7 +48,4 @@ enum ts_status ts_script_check(struct ts_script *script);
 enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *errors, struct ts_str *report,
 				      int *nerrors);
 
-/* The error as the user sees it: place, message, the line and a mark below the culprit. */
-void ts_diagnostic(const struct ts_error *error, struct ts_str *out);
-
 #endif

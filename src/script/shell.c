@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "base/mkdirs.h"
-#include "script/interpreter.h"
+#include "script/internal.h"
 
 #include "base/banned.h"
 

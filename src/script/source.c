@@ -50,7 +50,7 @@ void ts_source_rewind(struct ts_source *source)
 	source->line = 0;
 }
 
-void ts_source_go(struct ts_source *source, size_t at, int line)
+void ts_source_set_position(struct ts_source *source, size_t at, int line)
 {
 	source->at = at;
 	source->line = line;
@@ -75,7 +75,7 @@ bool ts_source_seek(struct ts_source *source, const char *label)
 {
 	ts_source_rewind(source);
 	for (size_t k = 0; k < source->nlabels; k++) {
-		ts_source_go(source, source->label[k].at, source->label[k].line);
+		ts_source_set_position(source, source->label[k].at, source->label[k].line);
 		if (ts_streq(source->label[k].name, label))
 			return true;
 	}
@@ -118,7 +118,7 @@ static enum ts_status fetch(struct ts_source *source, struct tsim *sim)
 	return TS_OK;
 }
 
-enum ts_status ts_source_rest(struct ts_source *source, struct tsim *sim)
+enum ts_status ts_source_read_all(struct ts_source *source, struct tsim *sim)
 {
 	size_t n;
 
@@ -175,7 +175,7 @@ enum ts_status ts_source_line(struct ts_source *source, struct tsim *sim, struct
 		n = strlen(row.text);
 		more = n && row.text[n - 1] == '&';
 		ts_line_add(line, row.text, n - more, 1, 0);
-		if (!more && ts_quote_open(ts_str_text(&line->text))) {
+		if (!more && ts_line_quote_open(ts_str_text(&line->text))) {
 			ts_line_add(line, "\n", 1, (int)n + 1, 0);
 			more = true;
 		}

@@ -38,9 +38,9 @@ void ts_source_rewind(struct ts_source *source);
 enum ts_status ts_source_mark(struct ts_source *source, struct tsim *sim, const char *label);
 /* Goes behind the label if it is known, else to where it has to be looked for; whether it is known. */
 bool ts_source_seek(struct ts_source *source, const char *label);
-void ts_source_go(struct ts_source *source, size_t at, int line);
+void ts_source_set_position(struct ts_source *source, size_t at, int line);
 /* Reads all that is left. */
-enum ts_status ts_source_rest(struct ts_source *source, struct tsim *sim);
+enum ts_status ts_source_read_all(struct ts_source *source, struct tsim *sim);
 void ts_source_close(struct ts_source *source);
 
 /* The next logical line, as written; *end: there is none. */

@@ -1,9 +1,9 @@
 /* Replaces ${name}, $x and $(formula) in lines and texts. */
 #include <string.h>
 
+#include "formula/expr.h"
 #include "formula/number_format.h"
-#include "formula/unknown.h"
-#include "script/interpreter.h"
+#include "script/internal.h"
 
 #include "base/banned.h"
 

@@ -5,7 +5,7 @@
 
 #include "base/mkdirs.h"
 #include "formula/unknown.h"
-#include "script/interpreter.h"
+#include "script/internal.h"
 
 #include "base/banned.h"
 

@@ -1,5 +1,5 @@
 /* Command variable: defines one. */
-#include "script/interpreter.h"
+#include "script/internal.h"
 
 #include "base/banned.h"
 

@@ -70,11 +70,11 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	const char *path = s->file ? s->file : s->append;
 
 	if (sim->script_api && !report->limits_only)
-		TS_TRY(sim->script_api->reads_text(sim->script_api_data, s->text,
+		TS_TRY(sim->script_api->check_text(sim->script_api_data, s->text,
 						   ts_instance_word(self, s->text)));
 	if (!sim->reading.explain || !path)
 		return TS_OK;
-	return ts_report_output(report, path, ts_report_times(sim, s->every), (double)strlen(s->text) + 1) ==
+	return ts_report_output(report, path, ts_report_count(sim, s->every), (double)strlen(s->text) + 1) ==
 			       TS_OK
 		       ? TS_OK
 		       : ts_nomem(&sim->error);

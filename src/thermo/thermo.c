@@ -101,8 +101,8 @@ static enum ts_status resolve_columns(struct ts_thermo *t, struct tsim *sim)
 		enum ts_status status = ts_ref_input_resolve(sim, "thermo_style", TS_WANT(SCALAR), input);
 
 		if (status == TS_OK)
-			status = ts_ref_reads(sim, &input->ref, &input->where);
-		TS_TRY(ts_defer_error(sim, status));
+			status = ts_ref_check(sim, &input->ref, &input->where);
+		TS_TRY(ts_sim_defer_error(sim, status));
 	}
 	return set_formats(t, sim);
 }
@@ -241,7 +241,7 @@ static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 
 	*due = asked || c->step == c->first_step || (c->step == c->last_step && !sim->run.in_pieces) ||
 	       (sim->requests.stop && sim->run.complete);
-	sim->reading.looking = !asked || t->counted == c->step + 1;
+	sim->reading.probing = !asked || t->counted == c->step + 1;
 	if (asked)
 		t->counted = c->step + 1;
 	if (t->variable && (c->step == c->first_step || c->step == t->next))
@@ -273,7 +273,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	enum ts_status status;
 
 	if (first || t->variable)
-		ts_run_deferred_loops(sim);
+		ts_deferred_loops_run(sim);
 	if (first) {
 		t->last_row_step = c->step;
 		t->last_row_time = t->progress_due = 0;

@@ -272,7 +272,7 @@ static enum ts_status add_found(struct tsim *sim, struct ts_wall *w, struct ts_m
 
 double ts_mesh_wall_max_approach(const struct tsim *sim, struct ts_mesh_wall *mw)
 {
-	double most = sim->full & TS_FULL_LOOKS ? INFINITY : 0;
+	double most = sim->full & TS_FULL_ACTIVE_PAIRS ? INFINITY : 0;
 
 	for (size_t k = 0; k < mw->nmeshes; k++) {
 		struct ts_mesh_part_of_wall *part = &mw->mesh[k];

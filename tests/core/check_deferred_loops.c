@@ -38,8 +38,8 @@ START_TEST(in_order)
 	a.what = 5; /* the first pass has its own copy */
 	TS_DEFER_LOOP(sim, N, add_share, &a);
 	ck_assert_double_eq(number[0], 0);
-	ts_run_deferred_loops(sim);
-	ts_run_deferred_loops(sim); /* nothing waits any more */
+	ts_deferred_loops_run(sim);
+	ts_deferred_loops_run(sim); /* nothing waits any more */
 	for (size_t i = 0; i < N; i++)
 		ck_assert_double_eq(number[i], 7);
 	for (int k = 0; k < 3 * TS_MAX_DEFERRED; k++)
@@ -47,7 +47,7 @@ START_TEST(in_order)
 	a.what = 1000;
 	TS_DEFER_LOOP(sim, N / 2, add_share, &a); /* of another length: those before are done */
 	ck_assert_double_eq(number[N - 1], 7 + 5 * 3 * TS_MAX_DEFERRED);
-	ts_run_deferred_loops(sim);
+	ts_deferred_loops_run(sim);
 	ck_assert_double_eq(number[0], 1007 + 5 * 3 * TS_MAX_DEFERRED);
 	ck_assert_double_eq(number[N / 2], 7 + 5 * 3 * TS_MAX_DEFERRED);
 	tsim_close(sim);

@@ -497,7 +497,7 @@ sort -u provoked >here
 same 'every check is provoked' checks here
 sed -n 's/^### `\([a-z_]*\)`.*/\1/p' "$top_srcdir/doc/review.md" | sort >told
 same 'every check is in doc/review.md' checks told
-find "$top_srcdir/src" -name '*.c' -exec cat {} + | tr '\n\t' '  ' | grep -oE 'ts_review_find\( *sim, *"[a-z_]*"' |
+find "$top_srcdir/src" -name '*.c' -exec cat {} + | tr '\n\t' '  ' | grep -oE 'ts_review_report\( *sim, *"[a-z_]*"' |
 	sed 's/.*"\(.*\)"/\1/' | sort -u >used
 same 'every finding has a check' checks used
 

@@ -357,8 +357,8 @@ START_TEST(text_helpers)
 	ck_assert_uint_eq(ts_quote_end("a'b'c", 1), 4);
 	ck_assert_uint_eq(ts_quote_end("don't", 3), 3);
 	ck_assert_uint_eq(ts_quote_end("\"\"\"a\"b\"\"\"c", 0), 9);
-	ck_assert(!ts_quote_open("a # \"\"\""));
-	ck_assert(ts_quote_open("a \"\"\"b"));
+	ck_assert(!ts_line_quote_open("a # \"\"\""));
+	ck_assert(ts_line_quote_open("a \"\"\"b"));
 	place = ts_place_inside(&word, 3, 1, 2);
 	ck_assert_int_eq(place.column, 5);
 	ck_assert_int_eq(place.length, 2);

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/map.h"
-#include "script/interpreter.h"
+#include "script/internal.h"
 
 #include "base/banned.h"
 

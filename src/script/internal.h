@@ -1,6 +1,6 @@
-/* The inside of the interpreter, for the files of this folder. */
-#ifndef TS_SCRIPT_INTERPRETER_H
-#define TS_SCRIPT_INTERPRETER_H
+/* Internals of the interpreter, for the files of this folder. */
+#ifndef TS_SCRIPT_INTERNAL_H
+#define TS_SCRIPT_INTERNAL_H
 
 #include "core/sim.h"
 #include "formula/formulas.h"
@@ -38,6 +38,8 @@ struct ts_script {
 	struct ts_check *check; /* -check: go through all of it, whatever fails */
 };
 
+extern const struct ts_script_api ts_script_api_table;
+
 /* The interpreter a command was called by; fails if there is none. */
 enum ts_status ts_script_of(struct tsim *sim, const struct ts_place *where, struct ts_script **out);
 /* The place of the k-th word of the running command, or `where`. */
@@ -63,7 +65,7 @@ enum ts_status ts_substitute_text(struct ts_script *script, const char *text, co
 enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const struct ts_place *where);
 
 /* later.c: reads commands, or a text, that are to be executed or substituted later. */
-enum ts_status ts_later_commands(struct ts_script *script, struct ts_words commands);
-enum ts_status ts_later_text(struct ts_script *script, const char *text, const struct ts_place *where);
+enum ts_status ts_later_check_commands(struct ts_script *script, struct ts_words commands);
+enum ts_status ts_later_check_text(struct ts_script *script, const char *text, const struct ts_place *where);
 
 #endif

@@ -1,4 +1,6 @@
-/* The only look-up of styles by name. */
+/* Look-up of styles by name, with the aliases of LIGGGHTS and LAMMPS. */
+#include "core/style.h"
+
 #include <string.h>
 
 #include "core/sim.h"

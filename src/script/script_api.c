@@ -1,0 +1,222 @@
+/* The functions of struct ts_script_api (core/script_api.h), by which the core and the styles use the script
+ * interpreter. */
+#include "formula/dry_run.h"
+#include "formula/unknown.h"
+#include "script/check.h"
+
+#include "base/banned.h"
+
+static enum ts_status api_execute(void *data, const char *text, const struct ts_place *where)
+{
+	return ts_script_execute(data, text, where);
+}
+
+static enum ts_status api_substitute(void *data, const char *text, const struct ts_place *where,
+				     struct ts_str *out)
+{
+	return ts_substitute_text(data, text, where, out);
+}
+
+static struct ts_formulas *get_formulas(void *data)
+{
+	return &((struct ts_script *)data)->formulas;
+}
+
+/* The rest of the program gets 1 for an unknown value, and -check leaves out errors that may follow from it. */
+static double replace_unknown(struct ts_script *script, double value)
+{
+	if (!ts_unknown(script->sim, value))
+		return value;
+	if (script->check)
+		script->check->weak = true;
+	return 1;
+}
+
+static enum ts_status api_scalar(void *data, const char *name, const struct ts_place *where, double *out)
+{
+	struct ts_variable *variable;
+
+	TS_TRY(ts_variable_require(get_formulas(data), name, where, &variable));
+	TS_TRY(ts_variable_number(get_formulas(data), variable, where, out));
+	*out = replace_unknown(data, *out);
+	return TS_OK;
+}
+
+static enum ts_status replace_unknown_values(struct ts_script *script, struct ts_table *table)
+{
+	for (size_t k = 0; script->sim->reading.explain && k < table->rows; k++)
+		table->data[k] = replace_unknown(script, table->data[k]);
+	return TS_OK;
+}
+
+static enum ts_status api_peratom(void *data, const char *name, const struct ts_place *where,
+				  struct ts_table *out)
+{
+	struct ts_variable *variable;
+
+	TS_TRY(ts_variable_require(get_formulas(data), name, where, &variable));
+	TS_TRY(ts_variable_peratom(get_formulas(data), variable, where, out));
+	return replace_unknown_values(data, out);
+}
+
+static bool api_has_variable(void *data, const char *name)
+{
+	return ts_variable_find(get_formulas(data), name) != NULL;
+}
+
+static bool api_is_peratom(void *data, const char *name)
+{
+	const struct ts_variable *variable = ts_variable_find(get_formulas(data), name);
+
+	return variable && variable->style->peratom && !variable->style->number;
+}
+
+static bool api_is_vector(void *data, const char *name)
+{
+	const struct ts_variable *variable = ts_variable_find(get_formulas(data), name);
+
+	return variable && variable->style->vector;
+}
+
+static enum ts_status api_vector(void *data, const char *name, const struct ts_place *where,
+				 struct ts_table *out)
+{
+	struct ts_variable *variable;
+
+	TS_TRY(ts_variable_require(get_formulas(data), name, where, &variable));
+	TS_TRY(ts_variable_vector(get_formulas(data), variable, where, out));
+	return replace_unknown_values(data, out);
+}
+
+static enum ts_status api_check_variable(void *data, const char *name, enum ts_shape shape,
+					 const struct ts_place *where)
+{
+	struct ts_dry_run before = ts_dry_run_begin(get_formulas(data));
+	struct ts_table table = { 0 };
+	struct ts_variable *variable;
+	enum ts_status status = ts_variable_require(get_formulas(data), name, where, &variable);
+	double number;
+
+	if (status == TS_OK && shape == TS_PERATOM && variable->style->peratom)
+		status = ts_variable_peratom(get_formulas(data), variable, where, &table);
+	else if (status == TS_OK && shape == TS_VECTOR)
+		status = ts_variable_vector(get_formulas(data), variable, where, &table);
+	else if (status == TS_OK && !variable->style->vector)
+		status = ts_variable_number(get_formulas(data), variable, where, &number);
+	ts_table_release(&table);
+	return ts_dry_run_end(get_formulas(data), before, status, true);
+}
+
+static enum ts_status api_check_commands(void *data, struct ts_words commands)
+{
+	return ts_later_check_commands(data, commands);
+}
+
+static enum ts_status api_check_text(void *data, const char *text, const struct ts_place *where)
+{
+	return ts_later_check_text(data, text, where);
+}
+
+static void api_expect_commands(void *data, struct ts_words commands)
+{
+	struct ts_script *script = data;
+
+	script->expected = commands;
+}
+
+static enum ts_status api_set(void *data, const char *name, const struct ts_place *where, double value)
+{
+	struct ts_script *script = data;
+	struct ts_variable *variable;
+
+	TS_TRY(ts_variable_require(&script->formulas, name, where, &variable));
+	if (variable->style != &ts_var_internal)
+		return ts_fail(&script->sim->error, TS_STATE, where,
+			       "variable '%s' is of style %s; one of style internal is needed here", name,
+			       variable->style->name);
+	variable->number = value;
+	script->formulas.evaluation++; /* values computed with the old number are void */
+	return TS_OK;
+}
+
+static enum ts_status api_archive(void *data, struct ts_archive *archive)
+{
+	return ts_formulas_archive(get_formulas(data), archive);
+}
+
+static void api_suggest_variable(void *data, struct ts_suggest *suggest)
+{
+	const struct ts_script *script = data;
+
+	ts_variables_pack(get_formulas(data));
+	for (size_t k = 0; k < script->formulas.variables.n; k++)
+		ts_suggest_try(suggest, script->formulas.variables.item[k]->name);
+}
+
+/* "  k, equal, 2*b, in.script:7"; variables that step through a list also show their present value. */
+static enum ts_status api_list_variables(void *data, struct ts_str *out)
+{
+	struct ts_script *script = data;
+
+	ts_variables_pack(&script->formulas);
+	for (size_t k = 0; k < script->formulas.variables.n; k++) {
+		struct ts_variable *v = script->formulas.variables.item[k];
+
+		ts_str_addf(out, "  %s, %s,", v->name, v->style->name);
+		for (size_t j = 0; j < v->values.n; j++)
+			ts_str_addf(out, " %s", v->values.word[j].text);
+		if (v->style->next && !v->feed) {
+			ts_str_add(out, ", now ");
+			TS_TRY(v->style->text(&script->formulas, v, &v->where, out));
+		}
+		if (v->where.file && v->where.line)
+			ts_str_addf(out, ", %s:%d", v->where.file, v->where.line);
+		ts_str_add(out, "\n");
+	}
+	return TS_OK;
+}
+
+static enum ts_status api_defer_error(void *data, enum ts_status status)
+{
+	return ts_check_defer_error(data, status);
+}
+
+static enum ts_status api_planned(void *data, const struct ts_place *where, int64_t steps)
+{
+	const struct ts_script *script = data;
+
+	if (script->check)
+		return ts_check_run(data, where, steps);
+	script->sim->reading.planned = true;
+	return TS_OK;
+}
+
+static enum ts_status api_would_write(void *data, const struct ts_place *where, const char *what,
+				      const char *path)
+{
+	const struct ts_script *script = data;
+
+	return script->check ? ts_check_write(data, where, what, path) : TS_OK;
+}
+
+const struct ts_script_api ts_script_api_table = {
+	.execute = api_execute,
+	.substitute = api_substitute,
+	.scalar = api_scalar,
+	.peratom = api_peratom,
+	.has_variable = api_has_variable,
+	.vector = api_vector,
+	.is_peratom = api_is_peratom,
+	.is_vector = api_is_vector,
+	.set = api_set,
+	.check_variable = api_check_variable,
+	.check_commands = api_check_commands,
+	.check_text = api_check_text,
+	.expect_commands = api_expect_commands,
+	.archive = api_archive,
+	.list_variables = api_list_variables,
+	.suggest_variable = api_suggest_variable,
+	.defer_error = api_defer_error,
+	.planned = api_planned,
+	.would_write = api_would_write,
+};

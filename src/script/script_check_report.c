@@ -1,0 +1,183 @@
+/* The report of -check: what the script does and would write, lines never reached, errors. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "script/check.h"
+
+#include "base/banned.h"
+
+static void add_place(struct ts_str *out, const struct ts_place *where)
+{
+	char place[64];
+
+	snprintf(place, sizeof place, "%s:%d", where->file ? where->file : "", where->line);
+	ts_str_addf(out, "  %-20s ", where->line ? place : "");
+}
+
+static void add_count(struct ts_str *out, const char *before, int64_t n, const char *what)
+{
+	ts_str_addf(out, "%s%" PRId64 " %s%s", before, n, what, n == 1 ? "" : "s");
+}
+
+/* The innermost loop around the place of which it is not known how many turns it takes. */
+static const struct ts_check_loop *open_loop(const struct ts_check *check, const struct ts_place *where)
+{
+	const struct ts_check_loop *found = NULL;
+
+	for (const struct ts_check_loop *l = check->loop; l; l = l->next)
+		if (l->open && where->file && ts_streq(l->file, where->file) && l->from <= where->line &&
+		    where->line <= l->to && (!found || l->from > found->from))
+			found = l;
+	return found;
+}
+
+static void add_run(const struct ts_check *check, const struct ts_check_event *e, struct ts_str *out)
+{
+	const struct ts_check_loop *loop = open_loop(check, &e->where);
+
+	if (e->open) {
+		ts_str_add(out, " a number of steps that only a run can tell, each");
+	} else if (loop && e->count && e->steps % e->count == 0) {
+		add_count(out, " ", e->steps / e->count, "step");
+		ts_str_addf(out, " in each turn of lines %d-%d,", loop->from, loop->to);
+	} else {
+		ts_str_add(out, loop ? " at least" : "");
+		if (e->count > 1)
+			add_count(out, " ", e->count, "time");
+		add_count(out, e->count > 1 ? ", " : " ", e->steps, "step");
+		ts_str_add(out, e->count > 1 ? " in all" : "");
+	}
+	ts_str_addf(out, " of %g from step %" PRId64 "%s", e->dt, e->step, e->late ? " or later" : "");
+	if (loop)
+		ts_str_add(out, "; at least one turn: how many, only a run can tell");
+}
+
+static void add_jump(const struct ts_check_event *e, struct ts_str *out)
+{
+	if (e->turns)
+		ts_str_addf(out, ": %" PRId64 " turns, all like the %" PRId64 " that were gone through",
+			    e->turns, e->count + 1);
+	else
+		add_count(out, ": taken ", e->count, "time");
+	if (e->bounded && !e->turns)
+		ts_str_addf(out, ", not followed further%s", e->endless ? ": is there an end?" : "");
+}
+
+static void add_event_text(const struct ts_check *check, const struct ts_check_event *e, struct ts_str *out)
+{
+	add_place(out, &e->where);
+	ts_str_add(out, e->what);
+	if (e->kind == TS_CHECK_RUN) {
+		add_run(check, e, out);
+	} else if (strncmp(e->what, "jump", 4) == 0) {
+		add_jump(e, out);
+	} else if (e->count > 1) {
+		add_count(out, ", ", e->count, "time");
+	}
+	if (e->hangs)
+		ts_str_addf(out, "; hangs on %s, which only a run can give", e->hangs);
+	ts_str_add(out, "\n");
+}
+
+/* Events of the kinds from..to. */
+static void add_events(const struct ts_check *check, enum ts_check_kind from, enum ts_check_kind to,
+		       const char *title, struct ts_str *out)
+{
+	bool any = false;
+
+	for (const struct ts_check_event *e = check->first; e; e = e->next) {
+		if (e->kind < from || e->kind > to)
+			continue;
+		ts_str_add(out, any ? "" : title);
+		any = true;
+		add_event_text(check, e, out);
+	}
+}
+
+/* Is there something to run that was not run? Labels are passed by. */
+static bool is_unreached(struct ts_script *script, struct ts_line *line)
+{
+	struct ts_str key = { 0 };
+	const char *text;
+	bool reached;
+
+	ts_line_uncomment(line);
+	text = ts_str_text(&line->text);
+	text += strspn(text, " \t");
+	if (!*text || (strncmp(text, "label", 5) == 0 && strchr(" \t", text[5])))
+		return false;
+	ts_str_addf(&key, "%s:%d", line->row[0].file, line->row[0].line);
+	reached = ts_map_get(&script->check->seen, ts_str_text(&key));
+	ts_str_release(&key);
+	return !reached;
+}
+
+static void add_range(struct ts_str *out, const char *name, int from, int to)
+{
+	if (from == to)
+		ts_str_addf(out, "  %s:%d\n", name, from);
+	else if (from)
+		ts_str_addf(out, "  %s:%d-%d\n", name, from, to);
+}
+
+/* The lines of the file that were not run, in ranges; and what is wrong in them. */
+static enum ts_status add_unreached(struct ts_script *script, const struct ts_script_text *text,
+				    struct ts_str *out)
+{
+	struct ts_line line = { 0 };
+	struct ts_source source;
+	enum ts_status status = ts_source_string(&source, script->sim, text->text, text->name);
+	int from = 0, to = 0;
+	bool end = false;
+
+	while (status == TS_OK && !end) {
+		status = ts_source_line(&source, script->sim, &line, &end);
+		if (status != TS_OK || end)
+			break;
+		if (!is_unreached(script, &line))
+			continue;
+		if (from && line.row[0].line > to + 1) {
+			add_range(out, text->name, from, to);
+			from = 0;
+		}
+		from = from ? from : line.row[0].line;
+		to = source.line;
+		status = ts_check_unreached(script, &line, " (in a line that is never reached)");
+	}
+	if (from)
+		add_range(out, text->name, from, to);
+	ts_line_release(&line);
+	ts_source_close(&source);
+	return status;
+}
+
+enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *errors, struct ts_str *report,
+				      int *nerrors)
+{
+	struct ts_check *check = script->check;
+	struct ts_str unreached = { 0 };
+	enum ts_status status = TS_OK;
+
+	for (const struct ts_script_text *t = script->text; t && status == TS_OK; t = t->next)
+		status = add_unreached(script, t, &unreached);
+	add_events(check, TS_CHECK_STEP, TS_CHECK_RUN, "what it does:\n", report);
+	add_events(check, TS_CHECK_WRITE, TS_CHECK_WRITE, "what it would write or change:\n", report);
+	if (unreached.length)
+		ts_str_addf(report, "lines never reached:\n%s", ts_str_text(&unreached));
+	ts_str_release(&unreached);
+	ts_str_add(errors, ts_str_text(&check->errors));
+	if (!check->nerrors)
+		ts_str_add(report, "no errors");
+	else
+		add_count(report, "", check->nerrors, "error");
+	ts_str_add(report, check->unjudged ? "" : "\n");
+	if (check->unjudged)
+		ts_str_addf(report, "; %d more message%s left out, since they may follow from these\n",
+			    check->unjudged, check->unjudged == 1 ? " was" : "s were");
+	if (check->open)
+		ts_str_addf(report, "%d message%s left out that hang on values which only a run can give\n",
+			    check->open, check->open == 1 ? " was" : "s were");
+	*nerrors = check->nerrors;
+	return status;
+}

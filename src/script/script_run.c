@@ -1,0 +1,231 @@
+/* Execution of scripts, line by line. */
+#include <string.h>
+
+#include "core/life.h"
+#include "core/saver.h"
+#include "formula/unknown.h"
+#include "script/check.h"
+
+#include "base/banned.h"
+
+enum { DEEPEST = 50 /* scripts and commands nested in each other */ };
+
+const struct ts_place *ts_script_place(const struct ts_script *script, size_t k, const struct ts_place *where)
+{
+	return k < script->current.n ? &script->current.word[k].place : where;
+}
+
+enum ts_status ts_script_run_words(struct ts_script *script, struct ts_words words)
+{
+	struct ts_words outer = script->current;
+	struct ts_error *error = &script->sim->error;
+	enum ts_status status;
+
+	script->current = words;
+	status = ts_sim_command(script->sim, words);
+	script->current = outer;
+	if (status == TS_NOMEM) /* who only passes it on may have left no message */
+		ts_nomem(error);
+	if (status != TS_OK && !error->place.line) {
+		error->place = words.word[0].place;
+		error->place.column = error->place.length = 0;
+	}
+	return status;
+}
+
+static enum ts_status begin_line(struct ts_script *script, const struct ts_line *line)
+{
+	if (script->sim->reading.explain && !script->check)
+		TS_TRY(ts_check_new(script));
+	else if (!script->sim->reading.explain)
+		ts_check_free(script);
+	return script->check && line->rows ? ts_check_begin_line(script, &line->row[0]) : TS_OK;
+}
+
+static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
+{
+	struct ts_error *error = &script->sim->error;
+	struct ts_arena arena = { 0 };
+	struct ts_words words = { 0 };
+	enum ts_status status;
+
+	ts_log_echo(&script->sim->log, ts_str_text(&line->text));
+	ts_line_uncomment(line);
+	status = begin_line(script, line);
+	if (status == TS_OK)
+		status = ts_substitute(script, line, true);
+	if (status == TS_OK)
+		status = ts_line_cut(line, error, &arena, &words);
+	if (status == TS_OK && words.n && script->check &&
+	    ts_unknown_text(script->sim, ts_str_text(&line->text)))
+		status = ts_check_guess(script, line, words);
+	if (status == TS_OK && words.n)
+		status = ts_script_run_words(script, words);
+	if (status == TS_OK)
+		status = ts_log_check(&script->sim->log, error);
+	if (status == TS_OK && words.n)
+		status = ts_saver_save(script->sim);
+	script->sim->requests.stopped_whole |= status == TS_OK && script->sim->requests.stop;
+	if (status == TS_OK && words.n && script->sim->requests.stop)
+		status = ts_fail(error, TS_STOPPED, &words.word[0].place, "stopped on request");
+	if (status != TS_OK && script->check)
+		status = ts_check_recover(script, line, words, status);
+	ts_arena_release(&arena);
+	return status;
+}
+
+/* A line that is skipped: does it carry the label that is looked for? */
+static enum ts_status look_for_label(struct ts_script *script, struct ts_line *line)
+{
+	struct ts_arena arena = { 0 };
+	struct ts_words words = { 0 };
+	struct ts_error ignored = { 0 }; /* skipped lines may be wrong */
+	enum ts_status status;
+
+	ts_line_uncomment(line);
+	status = ts_line_cut(line, &ignored, &arena, &words);
+	if (status == TS_OK && words.n == 2 && ts_streq(words.word[0].text, "label")) {
+		status = ts_source_mark(script->source, script->sim, words.word[1].text);
+		if (ts_streq(words.word[1].text, script->label))
+			script->label = NULL;
+	}
+	ts_arena_release(&arena);
+	return status == TS_NOMEM ? ts_nomem(&script->sim->error) : TS_OK;
+}
+
+/* The end of the script came before the label. -check goes on behind the jump. */
+static enum ts_status no_label(struct ts_script *script)
+{
+	enum ts_status status = ts_fail(&script->sim->error, TS_UNKNOWN, &script->label_place,
+					"there is no 'label %s' in %s", script->label, script->source->name);
+
+	if (!script->sim->reading.check)
+		return status;
+	script->label = NULL;
+	if (ts_streq(script->label_place.file, script->source->name))
+		ts_source_set_position(script->source, script->check->at, script->check->line);
+	return ts_check_keep_error(script, "");
+}
+
+static enum ts_status run_lines(struct ts_script *script)
+{
+	struct ts_line line = { 0 };
+	enum ts_status status = TS_OK;
+	bool end = false;
+
+	while (status == TS_OK && !script->quit) {
+		status = ts_source_line(script->source, script->sim, &line, &end);
+		if (status != TS_OK || (end && !script->label))
+			break;
+		if (end)
+			status = no_label(script);
+		else
+			status = script->label ? look_for_label(script, &line) : run_line(script, &line);
+	}
+	ts_line_release(&line);
+	return status;
+}
+
+enum ts_status ts_script_keep(struct ts_script *script, struct ts_source *source)
+{
+	struct ts_script_text *text;
+
+	if (!source->stream)
+		return TS_OK;
+	for (text = script->text; text; text = text->next)
+		if (ts_streq(text->name, source->name))
+			return TS_OK;
+	if (source->owns_stream || script->sim->reading.check)
+		TS_TRY(ts_source_read_all(source, script->sim));
+	text = ts_arena_alloc(&script->arena, 1, sizeof *text);
+	if (!text)
+		return ts_nomem(&script->sim->error);
+	text->name = source->name;
+	text->text = ts_arena_strdup(&script->arena, ts_str_text(&source->text));
+	text->next = script->text;
+	script->text = text;
+	return text->text ? TS_OK : ts_nomem(&script->sim->error);
+}
+
+/* Runs and closes the source. */
+static enum ts_status run_source(struct ts_script *script, struct ts_source *source,
+				 const struct ts_place *where)
+{
+	struct ts_source *outer = script->source;
+	enum ts_status status;
+
+	if (script->depth >= DEEPEST) {
+		ts_source_close(source);
+		return ts_fail(&script->sim->error, TS_RANGE, where,
+			       "scripts include each other more than %d deep", DEEPEST);
+	}
+	script->depth++;
+	script->source = source;
+	script->label = NULL;
+	status = run_lines(script);
+	if (status == TS_OK)
+		status = ts_script_keep(script, source);
+	script->label = NULL;
+	script->source = outer;
+	script->depth--;
+	ts_source_close(source);
+	return status;
+}
+
+enum ts_status ts_script_include(struct ts_script *script, const char *path, const struct ts_place *where)
+{
+	struct ts_source source;
+
+	TS_TRY(ts_source_open(&source, script->sim, path, where));
+	return run_source(script, &source, where);
+}
+
+enum ts_status ts_script_file(struct ts_script *script, const char *path)
+{
+	return ts_script_include(script, path, NULL);
+}
+
+enum ts_status ts_script_stream(struct ts_script *script, FILE *stream, const char *name)
+{
+	struct ts_source source;
+
+	TS_TRY(ts_source_stream(&source, script->sim, stream, name));
+	return run_source(script, &source, NULL);
+}
+
+enum ts_status ts_script_string(struct ts_script *script, const char *text, const char *name)
+{
+	struct ts_source source;
+
+	TS_TRY(ts_source_string(&source, script->sim, text, name));
+	return run_source(script, &source, NULL);
+}
+
+enum ts_status ts_script_execute(struct ts_script *script, const char *text, const struct ts_place *where)
+{
+	struct ts_place nowhere = { 0 };
+	struct ts_line line = { 0 };
+	size_t length = strlen(text), at = 0, n;
+	enum ts_status status = TS_OK;
+
+	if (!where)
+		where = &nowhere;
+	if (script->depth >= DEEPEST)
+		return ts_fail(&script->sim->error, TS_RANGE, where, "commands are nested more than %d deep",
+			       DEEPEST);
+	script->depth++;
+	while (status == TS_OK && at < length && !script->quit && !script->label) {
+		struct ts_place part;
+
+		n = strcspn(text + at, "\n");
+		part = n == length ? *where : ts_place_inside(where, length, at, n);
+		if (ts_line_set(&line, text + at, n, &part) != TS_OK)
+			status = ts_nomem(&script->sim->error);
+		else
+			status = run_line(script, &line);
+		at += n + 1;
+	}
+	script->depth--;
+	ts_line_release(&line);
+	return status;
+}
