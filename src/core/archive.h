@@ -1,7 +1,7 @@
 /* Saved state: one description serves writing and reading, so a restart is exact by construction.
  *
- * A style lists plain fields of its state in rows. State of changing length goes through
- * ts_archive_array in the style's archive function. restart/restart.c moves the bytes. */
+ * A style lists the plain fields of its state in a table. Arrays of variable length are saved by
+ * ts_archive_array in the style's archive function. restart/restart.c writes and reads the file. */
 #ifndef TS_CORE_ARCHIVE_H
 #define TS_CORE_ARCHIVE_H
 
@@ -21,11 +21,11 @@ enum ts_saved_type { TS_SAVED_END, TS_SAVED_F64, TS_SAVED_I64, TS_SAVED_I32, TS_
 struct ts_saved {
 	const char *name;
 	enum ts_saved_type type;
-	size_t offset, count; /* count: elements of a fixed array, 1 for a scalar */
+	size_t offset, count; /* offset in bytes; elements of a fixed array, 1 for a scalar */
 };
 
-/* A row for a number, an array, or a table with rows of 2 or 3; does not compile for a field of another
- * type, whose bytes would be saved as something else, or not at all. */
+/* A row for a number, an array, or a two-dimensional array with rows of 2 or 3 numbers; does not compile
+ * for a field of another type, whose bytes would be saved wrongly. */
 #define TS_SAVED_OF(T, f, type, columns)                    \
 	(sizeof(((T *)0)->f) < (columns) * sizeof(type) ? 1 \
 							: sizeof(((T *)0)->f) / ((columns) * sizeof(type)))
@@ -56,39 +56,40 @@ struct ts_saved {
 		.type = TS_SAVED_END \
 	}
 
-/* An archive holds named fields {name, type, element count, bytes}. Opaque. */
+/* An archive consists of named fields {name, type, element count, bytes}. */
 bool ts_archive_writing(const struct ts_archive *archive);
 
-/* Writes `count` elements, or reads exactly that many; a field missing or of another type or length
- * is an error (TS_DAMAGED). */
+/* Writes `count` elements, or reads exactly that many; a missing field, another type or another length is
+ * an error (TS_DAMAGED). */
 enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name, enum ts_saved_type type,
 				void *data, size_t count);
 
-/* Before memory is taken for what a number in the file promises: is the field there with as many
- * elements? TS_DAMAGED where not; when writing always TS_OK. */
+/* When reading: TS_DAMAGED unless the field exists with that many elements. To be called before memory is
+ * allocated for a count read from the file, which may be wrong. When writing always TS_OK. */
 enum ts_status ts_archive_expect(struct ts_archive *archive, const char *name, enum ts_saved_type type,
 				 size_t count);
 
-/* Writes *count elements of *data; or reads as many as there are, growing *data as ts_grow does and
- * setting *count. */
+/* Writes *count elements of *data; or reads all elements of the field, enlarging *data as ts_grow does,
+ * and sets *count. */
 enum ts_status ts_archive_array(struct ts_archive *archive, const char *name, enum ts_saved_type type,
 				void **data, size_t *capacity, size_t *count);
 
-/* A string; when reading it lives in the simulation's string pool. */
+/* A string; when reading it is owned by sim->pool. */
 enum ts_status ts_archive_string(struct ts_archive *archive, const char *name, const char **text);
 
-/* When reading: is the field there? (Writing: true.) */
+/* When reading: whether the field exists. When writing: true. */
 bool ts_archive_has(const struct ts_archive *archive, const char *name);
 
-/* The rows of a style and then its archive function. */
+/* Saves or restores the fields in the table `saved` of the style, then calls its archive function. */
 enum ts_status ts_archive_instance(struct ts_archive *archive, struct ts_instance *inst, struct tsim *sim);
 
-/* In memory: for restart/restart.c and for pending state of styles not yet defined again. */
+/* Archives in memory: for restart/restart.c and for state of styles not yet defined again
+ * (core/unclaimed_state.h). */
 struct ts_archive *ts_archive_new(struct tsim *sim, bool writing); /* NULL: out of memory */
 void ts_archive_free(struct ts_archive *archive);
-/* All fields as one block of bytes, owned by the archive. */
+/* All fields as one block of bytes with a checksum, owned by the archive. */
 enum ts_status ts_archive_bytes(struct ts_archive *archive, const unsigned char **bytes, size_t *n);
-/* Makes the archive read from a copy of the block; checks that it is well formed. */
+/* Makes the archive read from a copy of the block; checks checksum and format. */
 enum ts_status ts_archive_from(struct ts_archive *archive, const unsigned char *bytes, size_t n);
 
 #endif

@@ -1,11 +1,11 @@
 /* Argument tables: one row per argument of a style or command.
  *
- * From the same rows come parsing, range checks, suggestions, `tsim -help`, the manual pages, the
- * record of resolved values in the log, and the archive of coefficients in restart files.
+ * The same rows serve parsing, range checks, suggestions, `tsim -help`, the manual pages, the record of
+ * resolved values in the log, and the archive of coefficients in restart files.
  *
- * Grammar: positional rows (TS_POSITIONAL) come first, in order; then keywords in any order, each at
- * most once. A TS_MODE row is a positional word that selects further rows (`create_atoms 1 random ...`
- * against `create_atoms 1 single ...`). A TS_REST row takes all remaining words. */
+ * Grammar: positional rows (TS_POSITIONAL) come first, in order; then keywords in any order, each at most
+ * once. A TS_MODE row is a positional word that selects further rows (`create_atoms 1 random ...` against
+ * `create_atoms 1 single ...`). A TS_REST row takes all remaining words. */
 #ifndef TS_CORE_ARG_H
 #define TS_CORE_ARG_H
 
@@ -26,18 +26,18 @@ enum ts_arg_type {
 	TS_ARG_END, /* closes a table */
 	TS_ARG_REAL,
 	TS_ARG_INT,
-	TS_ARG_BOOL,   /* yes|no, on|off                                      -> bool        */
-	TS_ARG_FLAG,   /* a keyword without value                             -> bool        */
-	TS_ARG_WORD,   /* any word; copied                                    -> const char* */
-	TS_ARG_ENUM,   /* one of the choices                                  -> int (index) */
-	TS_ARG_VEC3,   /* three reals                                         -> double[3]   */
-	TS_ARG_COORD,  /* a real, INF (infinity) or EDGE (TS_EDGE); < 0 in rows "...lo" -> double */
+	TS_ARG_BOOL,  /* yes|no, on|off                                      -> bool        */
+	TS_ARG_FLAG,  /* a keyword without value                             -> bool        */
+	TS_ARG_WORD,  /* any word; copied                                    -> const char* */
+	TS_ARG_ENUM,  /* one of the choices                                  -> int (index) */
+	TS_ARG_VEC3,  /* three reals                                         -> double[3]   */
+	TS_ARG_COORD, /* a real, INF (infinity) or EDGE (TS_EDGE); negative in rows named "...lo" -> double */
 	TS_ARG_NUMBER, /* a real, v_name, or NULL where TS_NULLABLE           -> struct ts_number */
 	TS_ARG_TYPES,  /* particle types: n, *, n*, *m, n*m                   -> struct ts_types  */
 	TS_ARG_GROUP,  /* an existing group                                   -> int (bit number) */
 	TS_ARG_REGION, /* an existing region                                  -> struct ts_instance* */
 	TS_ARG_REF,    /* c_ID, c_ID[k], f_ID, v_NAME or thermo keyword; copied -> const char* */
-	TS_ARG_MODE,   /* one of the modes, each with rows of its own         -> int (index) */
+	TS_ARG_MODE,   /* one of the modes, each with its own rows            -> int (index) */
 	TS_ARG_REST    /* all remaining words                                 -> struct ts_words */
 };
 
@@ -46,29 +46,29 @@ struct ts_number {
 	double value;
 	const char *variable; /* NULL: constant */
 	bool null;	      /* the user wrote NULL */
-	size_t at;	      /* which word of the line it was, from 1; 0: a default */
+	size_t at;	      /* number of its word among the arguments, from 1; 0: a default */
 };
 
-/* Inclusive range of particle types, counted from 1. hi == 0: up to the last. */
+/* Inclusive range of particle types, counted from 1. hi == 0: up to the last type. */
 struct ts_types {
 	int lo, hi;
 };
 
-/* A coordinate written as EDGE: the face of the box, for who knows the box. */
+/* Value of a coordinate written as EDGE; the style replaces it by the face of the box. */
 #define TS_EDGE DBL_MAX
 
 enum ts_range { TS_ANY, TS_POSITIVE, TS_NOT_NEGATIVE, TS_FRACTION /* 0..1 */, TS_WITHIN /* lo..hi */ };
 
 enum ts_arg_flags {
 	TS_POSITIONAL = 1,
-	TS_OPTIONAL = 2, /* may be missing: NaN, INT64_MIN, NULL, -1, null ... is stored */
-	TS_NULLABLE = 4,
+	TS_OPTIONAL = 2,   /* may be missing: then NaN, INT64_MIN, NULL, -1, null ... is stored */
+	TS_NULLABLE = 4,   /* the word NULL is allowed */
 	TS_TO_KEYWORD = 8, /* TS_ARG_REST: ends before the first word that is a keyword of the table */
-	TS_STATEFUL = 16,  /* state saved in a restart file has a meaning only with the same value */
+	TS_STATEFUL = 16,  /* state of a restart file is valid only with the same value of this argument */
 	TS_WRITES = 32,	   /* TS_ARG_WORD: a file that will be written */
-	TS_REPEAT = 64,	   /* a TS_ARG_REST keyword that may be given again, and then adds words */
-	TS_NAMED = 128	   /* the keyword itself is the first of its words, so that one without others shows;
-			    * where its name ends in NAME, that stands for anything: d_NAME is met by d_heat */
+	TS_REPEAT = 64,	   /* TS_ARG_REST: a keyword that may be given several times; words are appended */
+	TS_NAMED = 128	   /* TS_ARG_REST: the keyword itself is stored as the first of the words; a name that
+			    * ends in NAME is a pattern: d_NAME matches d_heat */
 };
 
 struct ts_mode;
@@ -77,17 +77,17 @@ struct ts_arg {
 	const char *name, *help;
 	enum ts_arg_type type;
 	unsigned flags;
-	size_t offset;
+	size_t offset;	  /* of the field in the state of the style, bytes */
 	const char *unit; /* dimension: "length", "force/length", "" ... */
 	enum ts_range range;
 	double lo, hi;		     /* for TS_WITHIN */
 	const char *fallback;	     /* default, as the user would write it; NULL: required or TS_OPTIONAL */
 	const char *const *choices;  /* TS_ARG_ENUM, closed by NULL */
 	const struct ts_mode *modes; /* TS_ARG_MODE, closed by .name NULL */
-	/* TS_ARG_REST with TS_TO_KEYWORD: the TS_ARG_INT row that says, where it was given before, how many
-	 * words there are at least, whatever they are. */
+	/* TS_ARG_REST with TS_TO_KEYWORD: name of a TS_ARG_INT row; if that was given before, at least as
+	 * many words are taken, even if they are keywords. */
 	const char *count;
-	/* TS_ARG_REST with TS_TO_KEYWORD: keywords and choices of these rows belong to the words, though
+	/* TS_ARG_REST with TS_TO_KEYWORD: keywords and choices of these rows are taken as words, although
 	 * the table has keywords of the same name. */
 	const struct ts_arg *inner;
 };
@@ -97,7 +97,7 @@ struct ts_mode {
 	const struct ts_arg *args;
 };
 
-/* offsetof that does not compile when the field has another type than the row says. */
+/* offsetof that does not compile if the type of the field is not that of the row. */
 #define TS_FIELD(T, field, type)                                                                        \
 	(offsetof(T, field) + 0 * sizeof(struct {                                                       \
 				      int ok;                                                           \
@@ -181,13 +181,14 @@ struct ts_mode {
 		.name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_TO_KEYWORD | TS_STATEFUL, \
 		.offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__                                    \
 	}
-/* As TS_REST, but the line may end before it. */
+/* As TS_REST, but there may be no words. */
 #define TS_REST_OPTIONAL(name_, T, f, ...)                                                  \
 	{                                                                                   \
 		.name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_OPTIONAL, \
 		.offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__                    \
 	}
-/* A keyword that takes the words after it up to the next keyword, where its flags say TS_TO_KEYWORD. */
+/* A keyword that takes the words after it: all, or with the flag TS_TO_KEYWORD those before the next
+ * keyword. */
 #define TS_LIST_KEYWORD(name_, T, f, ...)                                                          \
 	{                                                                                          \
 		.name = (name_), .type = TS_ARG_REST, .offset = TS_FIELD(T, f, struct ts_words *), \
@@ -199,7 +200,7 @@ struct ts_mode {
 		.name = (name_), .type = TS_ARG_REST, .flags = TS_OPTIONAL, \
 		.offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__    \
 	}
-/* A keyword that takes the words up to the next keyword, none or more of them; `flags_` adds TS_REPEAT. */
+/* An optional keyword that takes the words before the next keyword; `flags_` may add TS_REPEAT. */
 #define TS_SOME_KEYWORD(name_, T, f, flags_, ...)                                                      \
 	{                                                                                              \
 		.name = (name_), .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD | (flags_), \
@@ -210,35 +211,35 @@ struct ts_mode {
 		.type = TS_ARG_END \
 	}
 
-/* Reads words into base after filling in the defaults. `what` names the owner in messages ("fix
- * gravity"); `where` is its place for a word that is missing. Strings are copied to the arena.
- * Rows NULL: no arguments allowed. */
+/* Sets the fields of the struct at `base` to their defaults, then to the values in `words`. `what` is the
+ * name of the owner for messages ("fix gravity"), `where` the place reported for a missing word. Strings
+ * are copied to the arena. rows NULL: no arguments allowed. */
 enum ts_status ts_args_parse(struct tsim *sim, const char *what, const struct ts_arg *rows,
 			     struct ts_words words, const struct ts_place *where, struct ts_arena *arena,
 			     void *base);
 
-/* Only the defaults. */
+/* Sets only the defaults. */
 enum ts_status ts_args_defaults(struct tsim *sim, const struct ts_arg *rows, struct ts_arena *arena,
 				void *base);
 
-/* "stiffness 20000 restitution 0.8 ..." with the resolved values of all rows, given or default;
- * numbers with 17 digits. Used in the log and to recognise a changed setting at restart. */
+/* Appends "stiffness 20000 restitution 0.8 ...": the resolved values of all rows, given or default, with
+ * as many digits as give the same numbers again. For the fingerprint of runs and for restart files. */
 void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const void *base, struct ts_str *out);
 
-/* The value alone, " 20000"; false where the argument is absent. A flag that is set: " yes". */
+/* Appends only the value, " 20000", or " yes" for a flag that is set; false if the argument is absent. */
 bool ts_arg_record(const struct tsim *sim, const struct ts_arg *row, const void *base, struct ts_str *out);
 
-/* -check: tells the host of the files that rows marked TS_WRITES name. */
+/* -check: reports the files named by rows with TS_WRITES to the script interpreter. */
 enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct ts_arg *rows,
 			       const void *base, struct ts_words words, const struct ts_place *where);
 
-/* How a row is written in a synopsis: "stiffness K", "[side in|out]", "x y z" ... */
+/* Appends the argument as written in a synopsis: "stiffness K", "[side in|out]", "x y z" ... */
 void ts_arg_synopsis(const struct ts_arg *row, struct ts_str *out);
 
 /* n, *, n*, *m or n*m */
 bool ts_parse_types(const char *text, struct ts_types *out);
 
-/* The number as it is now: evaluates its variable if it has one. */
+/* The present value of the number: evaluates its variable if it has one. */
 enum ts_status ts_number_now(struct tsim *sim, const struct ts_number *number, const struct ts_place *where,
 			     double *out);
 

@@ -1,4 +1,4 @@
-/* The parse of one line, inside arg_parse.c, and the values of its types, in arg_read.c. */
+/* State of the parse of one line (arg_parse.c), and readers of each argument type (arg_read.c). */
 #ifndef TS_CORE_ARG_READ_H
 #define TS_CORE_ARG_READ_H
 
@@ -13,16 +13,16 @@ struct ts_parse {
 	const struct ts_place *where;
 	struct ts_arena *arena;
 	char *base;
-	bool *is_keyword;	   /* by word */
-	const struct ts_arg *rows; /* being read: those of the innermost mode */
+	bool *is_keyword;	   /* for each word: it has been read as a keyword */
+	const struct ts_arg *rows; /* rows being read: those of the innermost mode */
 };
 
-/* The next word; NULL: there is none. */
+/* The next word, which counts as read; NULL: there is none. */
 const struct ts_word *ts_arg_next_word(struct ts_parse *p);
-/* What was expected of the row instead of the word; NULL: there is none. */
+/* Fails with "... is 'word', expected ..."; word NULL: the argument is missing. */
 enum ts_status ts_arg_refuse(struct ts_parse *p, const struct ts_arg *row, const struct ts_word *word,
 			     const char *expected);
-/* The next word or words as a value of the row's type. */
+/* Read the next word or words as a value of the row's type. */
 enum ts_status ts_arg_read_real(struct ts_parse *p, const struct ts_arg *row, double *out);
 enum ts_status ts_arg_read_int(struct ts_parse *p, const struct ts_arg *row, int64_t *out);
 enum ts_status ts_arg_read_bool(struct ts_parse *p, const struct ts_arg *row, bool *out);

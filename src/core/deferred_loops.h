@@ -23,12 +23,13 @@ struct ts_deferred_loops {
 		ts_range_fn *body;
 		double context[TS_DEFERRED_CONTEXT];
 	} loop[TS_MAX_DEFERRED];
-	size_t n;	/* loops */
-	size_t rounds;	/* of each of them */
-	uint64_t spent; /* ticks, since the plan read them last */
+	size_t n;	/* deferred loops */
+	size_t rounds;	/* iterations of each */
+	uint64_t spent; /* time spent in them since the plan read it last, ticks of ts_ticks() */
 };
 
-/* Defers body(context, from, to) for 0 .. rounds-1. The context is copied; what it points to must stay. */
+/* Defers body(context, from, to) for the iterations 0 .. rounds-1. The context is copied; what it points
+ * to must remain valid. */
 #define TS_DEFER_LOOP(sim, rounds, body, context)                                         \
 	do {                                                                              \
 		_Static_assert(sizeof *(context) <= TS_DEFERRED_CONTEXT * sizeof(double), \

@@ -1,5 +1,5 @@
-/* Groups as all know them: named sets of particles, a bit for each. Which particles are in a group is a
- * column of particles: particle/particles.h. */
+/* Names of groups. A group is a set of particles with one bit; the column `mask` of particles
+ * (particle/particles.h) has the bits of the groups of each particle. */
 #ifndef TS_CORE_GROUP_H
 #define TS_CORE_GROUP_H
 
@@ -12,7 +12,7 @@ struct tsim;
 enum { TS_MAX_GROUPS = 32 };
 
 struct ts_groups {
-	const char *name[TS_MAX_GROUPS]; /* by bit, of the string pool; NULL: free. name[0] is "all" */
+	const char *name[TS_MAX_GROUPS]; /* by bit, owned by sim->pool; NULL: unused. name[0] is "all" */
 };
 
 /* The bit of a group, or -1. */
@@ -22,7 +22,7 @@ enum ts_status ts_group_require(struct tsim *sim, const struct ts_word *name, in
 bool ts_group_exists(const struct tsim *sim, const char *name);
 /* NULL: there is no group of that bit. */
 const char *ts_group_name(const struct tsim *sim, int bit);
-/* The bit of the group of that name, which is made if there is none. */
+/* The bit of the group of that name, which is created if it does not exist. */
 enum ts_status ts_group_make(struct tsim *sim, const char *name, const struct ts_place *where, int *bit);
 
 #endif

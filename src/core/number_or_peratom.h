@@ -1,4 +1,4 @@
-/* An argument that is one number, or one for each particle (an atom-style variable). */
+/* An argument with one value, or one for each particle (a variable of style atom). */
 #ifndef TS_CORE_NUMBER_OR_PERATOM_H
 #define TS_CORE_NUMBER_OR_PERATOM_H
 
@@ -8,11 +8,11 @@
 /* Zero-initialise; ts_number_or_peratom_release when done. */
 struct ts_number_or_peratom {
 	double value;
-	const double *list; /* by particle, or NULL */
+	const double *list; /* a value for each local particle, in `table`; NULL: `value` for all */
 	struct ts_table table;
 };
 
-/* The number as it is now. */
+/* Evaluates the number: its variable may be of style equal or atom. */
 enum ts_status ts_number_or_peratom_now(struct tsim *sim, const struct ts_number *number,
 					const struct ts_place *where, struct ts_number_or_peratom *each);
 static inline double ts_number_or_peratom_of(const struct ts_number_or_peratom *each, size_t i)

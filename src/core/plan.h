@@ -34,9 +34,9 @@ void ts_plan_release(struct ts_plan *plan);
 /* Wall time spent in the stage in this run, s. */
 double ts_plan_seconds(const struct ts_plan *plan, enum ts_stage stage);
 
-/* Steps until sim->clock.last_step or a request to stop. `setup`: first rebuild the contact list and compute forces,
- * unless nothing that forces depend on has changed since the last step. With sim->reading.explain nothing is stepped
- * or written: the plan is printed. */
+/* Steps until sim->clock.last_step or a request to stop. `setup`: first rebuild the contact list and
+ * compute forces, unless nothing that forces depend on has changed since the last step. With
+ * sim->reading.explain nothing is stepped or written: the plan is printed. */
 enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup);
 /* Its parts, for runs in pieces: set-up and first output; the steps up to clock.last_step; the end. */
 enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup);
@@ -50,8 +50,8 @@ enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool
 /* TS_STOPPED if a signal handler or the outside program has requested it. */
 enum ts_status ts_plan_stopped(struct tsim *sim);
 
-/* Hash of all that forces depend on: resolved arguments of pair, bond, flow and fixes; dt; box, columns of particles
- * and what else styles add in their slot `fingerprint`. */
+/* Hash of all that forces depend on: resolved arguments of pair, bond, flow and fixes; dt; box, columns of
+ * particles and what else styles add in their slot `fingerprint`. */
 enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out);
 
 #endif

@@ -1,64 +1,64 @@
-/* What styles report of a run before it starts, and of limits while it goes on: lines of the plan, limits
- * of the time step, outputs, what is left out. explain/plan_report.c prints it. */
+/* Reports of live styles for -explain and for the check of the time step: lines of the plan, limits of the
+ * time step, output files, work left out. explain/plan_report.c prints them. */
 #ifndef TS_CORE_REPORT_H
 #define TS_CORE_REPORT_H
 
 #include "core/sim.h"
 
-/* What a style may add to the report of -explain and to the checks before a run. */
 struct ts_limit {
-	double dt;	/* the largest stable step */
-	bool fatal;	/* beyond it the run is refused; else only warned */
-	bool watched;	/* who reported it stops the run itself, at the very step */
-	uint64_t cause; /* the same for the same sort of limit of the same line */
+	double dt;	/* the largest stable time step [time] */
+	bool fatal;	/* a larger step is refused; else only a warning is given */
+	bool watched;	/* the style that reported it checks it itself in each step and stops the run */
+	uint64_t cause; /* hash of script line and sort of limit: warnings are given once for each */
 	char text[160]; /* "contact of types 1-1: 2/omega0, k* = ..., m* = ..." */
 	struct ts_place where;
 };
-/* A file, or a series of them, that the run writes. */
+/* A file, or a series of files, that the run writes. */
 struct ts_output {
 	char name[80];
 	int64_t frames;
 	double bytes; /* of one frame */
 };
-/* What the results do not depend on and is not done. */
+/* Work that is left out because results do not depend on it. */
 struct ts_left_out {
 	char name[24], why[120];
-	unsigned part; /* the bit of enum ts_full that does it nevertheless; 0: none can */
-	double bytes;  /* memory that it would take; 0: none, or not known */
-	double share;  /* of the time of a step that it would add; NaN: not known */
+	unsigned part; /* the bit of enum ts_full by which it is done nevertheless; 0: there is none */
+	double bytes;  /* memory that it would take, bytes; 0: none, or not known */
+	double share;  /* time that it would add, as a fraction of the time of a step; NaN: not known */
 };
 struct ts_plan_report {
 	struct ts_limit *limit;
 	size_t nlimits, limit_capacity;
-	bool limits_only;    /* while running: nothing but limits is asked for */
-	bool advice;	     /* limits that are advice are wanted, too */
-	double enough;	     /* limits that are surely larger need not be exact; infinite: all must */
+	bool limits_only;    /* during a run: only limits are collected */
+	bool advice;	     /* also collect recommended, not only stability limits */
+	double enough;	     /* limits above this [time] may be estimates; infinite: all are exact */
 	struct ts_str lines; /* "  particles    3100 ..." */
 	struct ts_left_out *left_out;
 	size_t nleft_out, left_out_capacity;
-	double bytes; /* memory */
+	double bytes; /* memory of the simulation, bytes */
 	struct ts_output *output;
 	size_t noutputs, output_capacity;
 };
 enum ts_status ts_report_limit(struct ts_plan_report *report, double dt, bool fatal,
 			       const struct ts_place *where, const char *format, ...)
 	__attribute__((format(printf, 5, 6)));
-/* Says so of the limits reported since there were n. */
+/* Sets `watched` of the limits reported after the first n. */
 void ts_report_watched(struct ts_plan_report *report, size_t n);
-/* How many multiples of `every` lie in (first, last] of the run. */
+/* The number of multiples of `every` among the steps of the run. */
 int64_t ts_report_count(const struct tsim *sim, int64_t every);
-/* A file that the run writes in `frames` pieces of so many bytes each, as far as can be told. */
+/* A file that the run writes, with the estimated size of each frame in bytes. */
 enum ts_status ts_report_output(struct ts_plan_report *report, const char *name, int64_t frames,
 				double bytes);
 void ts_report_line(struct ts_plan_report *report, const char *name, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
-/* Each name has its proof in tests/core/omissions.sh: the same results with it. */
+/* tests/omissions.sh proves for each name that results are the same with and without it. */
 void ts_report_left_out(struct ts_plan_report *report, const char *name, unsigned part, double bytes,
 			const char *format, ...) __attribute__((format(printf, 5, 6)));
 void ts_report_release(struct ts_plan_report *report);
-/* Asks every live instance, but for outputs if only limits are wanted. */
+/* Calls the slot `plan` of every live instance; computes and dumps are left out if only limits are
+ * collected. */
 enum ts_status ts_report_collect(struct ts_plan_report *report, struct tsim *sim);
-/* The smallest limit of this sort; NULL: there is none. */
+/* The smallest fatal, or not fatal, limit; NULL: there is none. */
 const struct ts_limit *ts_report_binding(const struct ts_plan_report *report, bool fatal);
 
 #endif

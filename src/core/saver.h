@@ -10,7 +10,7 @@ struct ts_saver {
 	enum ts_status (*save)(struct ts_saver *self, struct tsim *sim);
 };
 
-/* After a step or a command: saves if sim->save is set, and there is somebody to do it. */
+/* After a step or a command: writes a restart file if sim->requests.save is set and there is a saver. */
 enum ts_status ts_saver_save(struct tsim *sim);
 
 #endif

@@ -1,4 +1,5 @@
-/* The simulation: everything that a run reads or changes. Several can live in one process; nothing is global. */
+/* The simulation: everything that a run reads or changes. Several can live in one process; nothing is
+ * global. */
 #ifndef TS_CORE_SIM_H
 #define TS_CORE_SIM_H
 
@@ -33,9 +34,9 @@ enum ts_units { TS_UNITS_LJ, TS_UNITS_SI, TS_UNITS_CGS, TS_UNITS_MICRO };
 /* Estimated wall time of a run, for -explain: explain/price.h. */
 struct ts_price {
 	double seconds; /* wall time of a step from the present state, s; NaN: not known */
-	double crowded; /* the same with the particles packed as a bed, s, if that takes longer; else `seconds` */
-	double frames; /* wall time of all frames of dumps that were not among the steps tried, s */
-	int64_t steps; /* steps tried; 0: the times are those of an earlier run */
+	double crowded; /* the same with the particles packed as a bed, if that takes longer, s */
+	double frames;	/* wall time of all frames of dumps that were not among the steps tried, s */
+	int64_t steps;	/* steps tried; 0: the times are those of an earlier run */
 };
 
 /* Estimated cost of all runs of the script so far, for -explain. */
@@ -48,8 +49,8 @@ struct ts_total_cost {
 	bool open;	      /* the number or length of some runs is not known */
 };
 
-/* Callbacks around run commands (-advise): `before` gets the last step of the run, which it may lower; an error of
- * either ends the script. */
+/* Callbacks around run commands (-advise): `before` gets the last step of the run, which it may lower; an
+ * error of either ends the script. */
 struct ts_run_watch {
 	enum ts_status (*before)(struct ts_run_watch *self, struct tsim *sim, const struct ts_place *where,
 				 int64_t *last);
@@ -62,11 +63,11 @@ struct ts_instances {
 	size_t n, capacity;
 };
 
-/* Random numbers that formulas draw in a run are functions of the seed, the step, the instance and stage that draw,
- * and the number of draws before in this step: a run cut in two by a restart draws the same as the whole run. */
+/* Random numbers that formulas draw in a run are functions of the seed, the step, the instance and stage
+ * that draw, and the number of draws before in this step: a run cut in two by a restart draws the same as
+ * the whole run. */
 struct ts_draws {
-	uint64_t
-		site; /* hash of instance and stage; 0: outside of a run, draws are numbered one after the other */
+	uint64_t site;	/* hash of instance and stage; 0 outside of runs: one draw after the other */
 	uint64_t count; /* draws of this hook in this step */
 };
 
@@ -92,8 +93,8 @@ struct ts_acted {
 /* Thermo keywords that a compute can replace; see core/standard.h. */
 enum ts_standard { TS_STANDARD_TEMPERATURE, TS_STANDARD_PRESSURE, TS_NSTANDARD };
 
-/* -full: work that tsim leaves out because results do not depend on it, done nevertheless: tests compare results
- * with and without it, -explain measures what it would cost. */
+/* -full: work that tsim leaves out because results do not depend on it, done nevertheless: tests compare
+ * results with and without it, -explain measures what it would cost. */
 enum ts_full {
 	TS_FULL_COLUMNS = 1,	   /* all columns of particles */
 	TS_FULL_CONTACTS = 2,	   /* the contact list, where there is no pair style */
@@ -106,9 +107,9 @@ enum ts_full {
 
 /* How the script is read: to be run, explained or checked. */
 struct ts_reading {
-	bool explain; /* -explain: plan runs, do not step or write */
-	bool check;   /* -check: as explain, but errors do not end the script */
-	bool planned; /* -explain: a run has been left out, so that the state is not the one a script would see */
+	bool explain;	   /* -explain: plan runs, do not step or write */
+	bool check;	   /* -check: as explain, but errors do not end the script */
+	bool planned;	   /* -explain: a run has been left out, after which the state is unknown */
 	bool open_clock;   /* -explain: the present step is unknown, since the length of some run is */
 	char from_run[48]; /* -explain: name of a value read by this line that only a run can give */
 	bool unreached;	   /* -check: reads a line that is not executed: names need not exist */
@@ -118,22 +119,22 @@ struct ts_reading {
 
 /* State of the run and of the present step, set and read by the run command, live styles and stages. */
 struct ts_run_state {
-	bool inside;	/* between the start and the end of a run */
-	bool in_pieces; /* this run is stepped by an outside program, its last step unknown: core/stepping.h */
-	bool in_setup;	/* forces before the first step are computed: contact history is not advanced */
-	bool halted;	/* by fix halt or timer timeout: later runs do nothing */
-	bool unsafe;	/* this run only warns of a time step beyond the stability limit */
+	bool inside;	     /* between the start and the end of a run */
+	bool in_pieces;	     /* this run is stepped by an outside program: core/stepping.h */
+	bool in_setup;	     /* forces before the first step are computed: contact history is not advanced */
+	bool halted;	     /* by fix halt or timer timeout: later runs do nothing */
+	bool unsafe;	     /* this run only warns of a time step beyond the stability limit */
 	bool box_moves;	     /* a run changes the box */
 	bool explicit_euler; /* a live integrator is explicit Euler, which has stability limits of its own */
 	bool clamped;	     /* a live integrator limits the displacement of particles in a step */
 	bool rebuild;	     /* this step exchanges particles and rebuilds the contact list */
 	bool complete;	     /* the run may end with this step: it stores all that can be read afterwards */
 	bool shows_contacts; /* an output reads forces of contacts, or an outside program may do so */
-	/* Nothing that forces depend on has changed since the last step: the run continues with the forces and the
-	 * contact list of that step. */
+	/* Nothing that forces depend on has changed since the last step: the run continues with the forces
+	 * and the contact list of that step. */
 	bool resuming;
-	/* Number of the present hook call, during which nothing changes that outputs depend on: each output is
-	 * evaluated once. 0: outputs may change at any time. */
+	/* Number of the present hook call, during which nothing changes that outputs depend on: each
+	 * output is evaluated once. 0: outputs may change at any time. */
 	uint64_t epoch;
 	uint64_t epochs;	    /* numbers given so far */
 	uint64_t fingerprint;	    /* hash of all that forces depend on, at the end of the last run */
@@ -149,7 +150,8 @@ struct ts_requests {
 	bool stopped_whole;	/* stopped between two steps or commands, so that the state is consistent */
 	bool saving;		/* this step ends with a restart file */
 	struct ts_saver *saver; /* writes the restart file; NULL: requests to save are ignored */
-	/* File written when a signal stops the run; "": none; NULL: tsim.interrupted.restart beside the log. */
+	/* File written when a signal stops the run; "": none; NULL: tsim.interrupted.restart beside the
+	 * log. */
 	const char *restart_file;
 };
 
@@ -167,8 +169,8 @@ struct tsim {
 	struct ts_deferred_loops deferred;
 	struct ts_shared_buffers holds; /* columns of particles whose pointers the library has given out */
 	struct ts_draws draws;
-	/* How often the step counter has been set (reset_timestep, clear): part of the key of random numbers, so that
-	 * a step with the same number draws others. */
+	/* How often the step counter has been set (reset_timestep, clear): part of the key of random
+	 * numbers, so that a step with the same number draws others. */
 	int64_t era;
 
 	/* global settings of the script */
@@ -199,8 +201,8 @@ struct tsim {
 	struct ts_unclaimed *unclaimed;	    /* state from a restart file for styles not yet defined again */
 	const char *standard[TS_NSTANDARD]; /* names of computes; NULL: none */
 	unsigned columns; /* columns of particles that live styles need; bits of particle/particles.h */
-	/* Incremented when particles are added, deleted or reordered or their columns move in memory; never reset,
-	 * not by `clear` either. */
+	/* Incremented when particles are added, deleted or reordered or their columns move in memory;
+	 * never reset, not by `clear` either. */
 	uint64_t generation;
 	struct ts_groups groups;
 
@@ -222,8 +224,8 @@ struct tsim {
 	void *script_api_data;
 };
 
-/* Number of threads for a loop of n iterations: starting a team costs as much as some thousand simple iterations.
- * Results do not depend on it. */
+/* Number of threads for a loop of n iterations: starting a team costs as much as some thousand simple
+ * iterations. Results do not depend on it. */
 static inline int ts_team(const struct tsim *sim, size_t n)
 {
 	size_t most = n / (size_t)sim->grain;
@@ -252,8 +254,8 @@ static inline bool ts_sim_has_box(const struct tsim *sim)
 
 /* For reporting several errors at once: with -check the error is recorded, and TS_OK is returned. */
 enum ts_status ts_sim_defer_error(struct tsim *sim, enum ts_status status);
-/* Whether the value of this name, which is read now, depends on a run that -explain has left out; records the name
- * in sim->reading.from_run. */
+/* Whether the value of this name, which is read now, depends on a run that -explain has left out; records
+ * the name in sim->reading.from_run. */
 bool ts_sim_awaits_run(struct tsim *sim, const char *name);
 /* Whether some system has a material property of that name (fix property/global). */
 bool ts_sim_has_property(const struct tsim *sim, const char *name);

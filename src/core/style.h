@@ -1,5 +1,5 @@
-/* Styles: everything a script can name (fix gravity, pair gran ...). One file, one constant table, one exported
- * symbol.
+/* Styles: everything a script can name (fix gravity, pair gran ...). One file, one constant table, one
+ * exported symbol.
  *
  * The core allocates the state, fills in defaults, parses the arguments, documents, archives and
  * frees; the style's own code is its physics. Life cycle:
@@ -42,10 +42,11 @@ const char *ts_kind_name(enum ts_kind kind);
 /* "fix" -> TS_KIND_FIX; false: no kind has this name. */
 bool ts_kind_find(const char *name, enum ts_kind *out);
 
-/* The stages of a run, in order. SETUP is executed once, after the forces of the first step have been computed. Of
- * each step, PRE_EXCHANGE to POST_BUILD are executed if sim->run.rebuild is set (CHECK decides), otherwise FORWARD.
- * Particles are inserted in PRE_EXCHANGE, which the set-up of a run leaves out. Within a stage hooks are called in
- * this order: systems, pair, bond, flow, pressure, regions, fixes in script order, computes, dumps. */
+/* The stages of a run, in order. SETUP is executed once, after the forces of the first step have been
+ * computed. Of each step, PRE_EXCHANGE to POST_BUILD are executed if sim->run.rebuild is set (CHECK
+ * decides), otherwise FORWARD. Particles are inserted in PRE_EXCHANGE, which the set-up of a run leaves
+ * out. Within a stage hooks are called in this order: systems, pair, bond, flow, pressure, regions, fixes
+ * in script order, computes, dumps. */
 /* clang-format off */
 #define TS_STAGE_LIST(X)                                                                           \
 	X(INITIAL_INTEGRATE)                                                                       \
@@ -70,8 +71,8 @@ enum ts_stage { TS_STAGE_LIST(TS_STAGE_ENUM) TS_NSTAGE };
 #undef TS_STAGE_ENUM
 #define TS_DEFERS(stage) (1u << TS_STAGE_##stage)
 
-/* The order of late hooks: first drag forces that relax velocities over the step, last forces proportional to the
- * acceleration (added mass). */
+/* The order of late hooks: first drag forces that relax velocities over the step, last forces proportional
+ * to the acceleration (added mass). */
 enum ts_late { TS_LATE_RELAX, TS_LATE_INERTIA, TS_NLATE };
 
 struct ts_restraint;
@@ -93,8 +94,8 @@ struct ts_style {
 	const char *doc;     /* paragraphs for the manual page: what it does, equations */
 	const char *example; /* script lines */
 	const char *cite;    /* source of the method, or NULL */
-	/* Name of the struct that its state begins with ("wall", "mesh" ...): by it other styles find the live
-	 * styles of one sort, see ts_sim_next_of. NULL: none. */
+	/* Name of the struct that its state begins with ("wall", "mesh" ...): by it other styles find the
+	 * live styles of one sort, see ts_sim_next_of. NULL: none. */
 	const char *family;
 	const struct ts_arg *args;
 	size_t state_size;	      /* bytes */
@@ -105,43 +106,46 @@ struct ts_style {
 	/* Adds to the fingerprint of the run whatever forces depend on besides the arguments. */
 	void (*fingerprint)(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash);
 	const struct ts_value *values; /* its outputs */
-	/* Whether it has this output with the arguments given (e.g. a scalar for one value, a vector for several);
-	 * NULL: it has all. */
+	/* Whether it has this output with the arguments given (e.g. a scalar for one value, a vector for
+	 * several); NULL: it has all. */
 	bool (*gives)(const struct ts_instance *self, const struct ts_value *value);
 	bool boxless;	  /* fix, compute: may be defined before the simulation box */
 	unsigned columns; /* columns of particles it needs: bits of particle/particles.h */
 	ts_hook_fn *init;
 	ts_hook_fn *hook[TS_NSTAGE];
-	/* Called at the end of POST_FORCE, in script order, after all its hooks and the functions of the outside
-	 * program: forces that depend on the sum of all others. */
+	/* Called at the end of POST_FORCE, in script order, after all its hooks and the functions of the
+	 * outside program: forces that depend on the sum of all others. */
 	ts_hook_fn *late[TS_NLATE];
 	bool (*is_late)(
 		const struct ts_instance *self); /* whether it has late hooks, after init; NULL: always */
 	/* Fixes: which component of the force on a particle takes effect (setforce, freeze). See
 	 * force/restraint.h. */
 	const struct ts_restraint *restraint;
-	/* TS_DEFERS of the stages in whose hooks loops over particles may stay deferred: core/deferred_loops.h */
+	/* TS_DEFERS of the stages in whose hooks loops over particles may stay deferred:
+	 * core/deferred_loops.h */
 	unsigned defers;
 	/* Fixes: observes each step from INITIAL_INTEGRATE to END_OF_STEP: called when a stage begins and
 	 * after each hook of another style (sim->acted). It changes nothing. */
 	ts_hook_fn *watch;
-	/* Potential energy [energy]; NULL: there is none. That of a fix is part of pe only after fix_modify energy
-	 * yes. */
+	/* Potential energy [energy]; NULL: there is none. That of a fix is part of pe only after
+	 * fix_modify energy yes. */
 	enum ts_status (*energy)(struct ts_instance *self, struct tsim *sim, double *out);
-	/* Computes: takes the present state as the new reference, e.g. initial positions (dump_modify refresh). */
+	/* Computes: takes the present state as the new reference, e.g. initial positions (dump_modify
+	 * refresh). */
 	ts_hook_fn *refresh;
-	/* Options of fix_modify or compute_modify of this style: reads the first of `words`; *used: how many words
-	 * belong to it, 0: it is not an option of this style. */
+	/* Options of fix_modify or compute_modify of this style: reads the first of `words`; *used: how
+	 * many words belong to it, 0: it is not an option of this style. */
 	enum ts_status (*modify)(struct ts_instance *self, struct tsim *sim, struct ts_words words,
 				 size_t *used);
-	/* Appends limits of the time step and other lines to the report of the plan; see core/report.h. Also called
-	 * after steps of a run, and must not change anything then. */
+	/* Appends limits of the time step and other lines to the report of the plan; see core/report.h.
+	 * Also called after steps of a run, and must not change anything then. */
 	enum ts_status (*plan)(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *);
-	/* Checks of the scene that only this style can make; reported by ts_review_report, see core/review.h. */
+	/* Checks of the scene that only this style can make; reported by ts_review_report, see
+	 * core/review.h. */
 	ts_hook_fn *review;
 	unsigned integrates; /* fixes: enum ts_integrates */
-	/* Fixes: enlarges lo..hi [length] of one dimension (0..2) to include its geometry, for faces of the box that
-	 * follow what they enclose (boundary s, m). */
+	/* Fixes: enlarges lo..hi [length] of one dimension (0..2) to include its geometry, for faces of
+	 * the box that follow what they enclose (boundary s, m). */
 	void (*extent)(const struct ts_instance *self, int dim, double *lo, double *hi);
 	void (*fini)(struct ts_instance *self);
 };
@@ -181,13 +185,14 @@ struct ts_command_style {
 /* A system: a part of the simulation that exists once (particles, contact list, thermo ...). */
 struct ts_system_style {
 	struct ts_style style;
-	/* Offset in struct tsim of the typed pointer to its state; 0: no other part of the program reads its state. */
+	/* Offset in struct tsim of the typed pointer to its state; 0: no other part of the program reads
+	 * its state. */
 	size_t slot;
-	/* It only provides names for formulas, or functions for other systems: it has no live instance, state or
-	 * stages. */
+	/* It only provides names for formulas, or functions for other systems: it has no live instance,
+	 * state or stages. */
 	bool no_instance;
-	/* Sets the function pointers by which systems of folders below call this one; called when all systems have
-	 * been created. */
+	/* Sets the function pointers by which systems of folders below call this one; called when all
+	 * systems have been created. */
 	void (*connect)(struct tsim *sim);
 	/* Appends what commands have set to the record of settings in the log; core/settings.h. */
 	void (*settings)(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out);

@@ -1,5 +1,6 @@
-/* Tables of all styles, systems and checks of a program. The core, the script language and the manual reach these
- * only through the tables, which are passed to ts_sim_new (those of tsim: library/tsim_tables.h). */
+/* Tables of all styles, systems and checks of a program. The core, the script language and the manual
+ * reach these only through the tables, which are passed to ts_sim_new (those of tsim:
+ * library/tsim_tables.h). */
 #ifndef TS_CORE_TABLES_H
 #define TS_CORE_TABLES_H
 
@@ -13,8 +14,8 @@ struct ts_tables {
 	/* in the order of their hooks in a stage; closed by NULL */
 	const struct ts_system_style *const *systems;
 	const struct ts_review_check *checks; /* of the scene before a run; closed by .name NULL */
-	/* Called before the first step of a run of that many steps: prints its plan with -explain, refuses a time step
-	 * beyond a stability limit. */
+	/* Called before the first step of a run of that many steps: prints its plan with -explain, refuses
+	 * a time step beyond a stability limit. */
 	enum ts_status (*judge)(struct ts_plan *plan, struct tsim *sim, int64_t steps);
 };
 

@@ -5,19 +5,20 @@
 
 #include "core/style.h"
 
-/* Keeps a copy of the block for the style of this kind, name and id. */
+/* Stores a copy of the block for the style of this kind, name and id. */
 enum ts_status ts_unclaimed_add(struct tsim *sim, enum ts_kind kind, const char *style, const char *id,
 				const char *group, const unsigned char *bytes, size_t n);
-/* Restores the state of a new instance, made from `args`, if some waits for it, and says so in the
- * log. A fix or compute of another style or group, or with another TS_STATEFUL argument, is refused. */
+/* Restores the state of a new instance with the arguments `args` if there is state for it, and reports it
+ * in the log. A fix or compute of another style or group, or with another TS_STATEFUL argument, is
+ * refused. */
 enum ts_status ts_unclaimed_apply(struct tsim *sim, struct ts_instance *inst, struct ts_words args);
 
-/* Does state wait for this style? Then what it would start with is not to be made up. */
+/* Whether there is state for this instance; then its init must not set initial values. */
 bool ts_unclaimed_exists(const struct tsim *sim, const struct ts_instance *inst);
 
-/* An instance for a restart file: its arguments as they are now, then its state. */
+/* Writes an instance to a restart file: its present arguments, then its state. */
 enum ts_status ts_unclaimed_write(struct tsim *sim, struct ts_instance *inst, struct ts_archive *archive);
-/* Says once in the log which fixes and computes of the restart file the script has not defined again. */
+/* Reports once in the log which fixes and computes of the restart file the script has not defined again. */
 void ts_unclaimed_report(struct tsim *sim);
 void ts_unclaimed_free(struct tsim *sim);
 

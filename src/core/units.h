@@ -1,10 +1,10 @@
-/* Constants of nature in the units of the script. */
+/* Physical constants and defaults in the units of the script. */
 #ifndef TS_CORE_UNITS_H
 #define TS_CORE_UNITS_H
 
 #include "core/sim.h"
 
-/* Boltzmann's constant; exact in si since 2019. */
+/* Boltzmann constant k_B [energy/temperature]; exact in si since 2019. */
 static inline double ts_boltzmann(const struct tsim *sim)
 {
 	static const double constant[] = { [TS_UNITS_LJ] = 1,
@@ -15,7 +15,7 @@ static inline double ts_boltzmann(const struct tsim *sim)
 	return constant[sim->units];
 }
 
-/* The time step that `units` sets. */
+/* Default time step [time], which `units` sets. */
 static inline double ts_units_dt(enum ts_units units)
 {
 	static const double dt[] = {

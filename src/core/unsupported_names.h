@@ -1,5 +1,5 @@
-/* Words of LIGGGHTS and LAMMPS that tsim knows of but does not have, so that a script that uses
- * one is told why instead of "unknown". */
+/* Names of LIGGGHTS and LAMMPS that tsim does not support, so that the error says why, and what to use
+ * instead. */
 #ifndef TS_CORE_UNSUPPORTED_NAMES_H
 #define TS_CORE_UNSUPPORTED_NAMES_H
 
@@ -8,17 +8,17 @@
 struct ts_unsupported {
 	enum ts_kind kind;
 	const char *name;   /* a trailing * stands for any ending */
-	const char *remark; /* what tsim offers instead, or why not */
+	const char *remark; /* what tsim has instead, or why not */
 };
 
 extern const struct ts_unsupported ts_unsupported_table[]; /* closed by .name NULL */
 
-/* NULL: not known either. */
+/* NULL: not in the table. */
 const struct ts_unsupported *ts_unsupported_find(enum ts_kind kind, const char *name);
 
-/* The same for words in lines, the remark or NULL. `of` is the keyword whose choice it is (`model` of
- * contact laws), the line it is a keyword of ("set", "fix wall/gran"), or, for quantities of particles,
- * TS_UNSUPPORTED_QUANTITY. */
+/* The remark about a word of a line, or NULL. `of` is the keyword of which it is a choice (`model` of
+ * contact laws), the command or style of which it is a keyword ("set", "fix wall/gran"), or, for
+ * quantities of particles, TS_UNSUPPORTED_QUANTITY. */
 #define TS_UNSUPPORTED_QUANTITY "quantity"
 const char *ts_unsupported_word_remark(const char *of, const char *word);
 

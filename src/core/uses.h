@@ -1,4 +1,4 @@
-/* Who refers to what: searches the arguments of live styles. */
+/* References between live styles: which style uses a region or a group, by its arguments. */
 #ifndef TS_CORE_USES_H
 #define TS_CORE_USES_H
 
@@ -6,9 +6,10 @@
 
 /* A live style whose arguments name this region, or NULL. */
 const struct ts_instance *ts_uses_region(const struct tsim *sim, const struct ts_instance *region);
-/* The same of a region that is retired: not by its name, which another may have now. */
+/* The same for a retired (deleted) region: only pointers count, since another region may have its name
+ * now. */
 const struct ts_instance *ts_uses_retired_region(const struct tsim *sim, const struct ts_instance *region);
-/* A live style that acts on this group or names it, or NULL. */
+/* A live style that acts on this group or has it as an argument, or NULL. */
 const struct ts_instance *ts_uses_group(const struct tsim *sim, int bit);
 
 #endif

@@ -1,5 +1,5 @@
-/* Values that scripts and styles can read: outputs of computes and fixes, thermo keywords, variables, quantities of
- * particles.
+/* Values that scripts and styles can read: outputs of computes and fixes, thermo keywords, variables,
+ * quantities of particles.
  *
  * A style lists its outputs in a table; scripts read them as c_ID, c_ID[2], f_ID[1], v_NAME. */
 #ifndef TS_CORE_VALUE_H
@@ -73,8 +73,8 @@ struct ts_ref {
 	long column; /* j of [i][j]; 0: none given */
 };
 
-/* Resolves a name. `name` must outlive the ref (argument tables copy it to the owner's arena). If the compute or fix
- * is deleted and defined anew, the ref refers to the new one. */
+/* Resolves a name. `name` must outlive the ref (argument tables copy it to the owner's arena). If the
+ * compute or fix is deleted and defined anew, the ref refers to the new one. */
 enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct ts_place *where,
 			      struct ts_ref *ref);
 enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
@@ -111,7 +111,8 @@ struct ts_keyword {
 	enum ts_status (*eval)(struct tsim *sim, double *out);
 };
 const struct ts_keyword *ts_keyword_find(const struct ts_tables *tables, const char *name);
-/* Searches a script word for keywords that read forces of contacts, and sets sim->run.shows_contacts if it has one. */
+/* Searches a script word for keywords that read forces of contacts, and sets sim->run.shows_contacts if it
+ * has one. */
 void ts_keywords_scan(struct tsim *sim, const char *text);
 
 /* Quantities of particles by script name (x, vy, radius ...), from the system that has them. */
@@ -124,8 +125,8 @@ struct ts_quantity {
 	const char *name, *unit, *help;
 };
 
-/* A function of formulas that reads the simulation: count(group), xcm(group,x) ...; tables are closed by .name NULL.
- * Arguments are words, such as names of groups and regions. */
+/* A function of formulas that reads the simulation: count(group), xcm(group,x) ...; tables are closed by
+ * .name NULL. Arguments are words, such as names of groups and regions. */
 struct ts_function {
 	const char *name, *arguments, *help;
 	size_t least, most; /* number of arguments */

@@ -1,5 +1,5 @@
-/* Formulas, evaluated while they are read: no tree is kept. A value is one number, or one per local
- * particle, or a list of numbers, or (in conditions) a word.
+/* Formulas: a recursive-descent parser that evaluates while it reads, without a syntax tree. A value is a
+ * number, a number per local particle, a list of numbers, or (in conditions) a word.
  *
  * Precedence from low to high, all left-associative as in LIGGGHTS (ts_operators in expr_operand.c):
  *   ||   &&   == !=   < <= > >=   + -   * / %   ^   then unary - and !
@@ -14,7 +14,8 @@
 /* TS_OPEN: known only after a run (-check, -explain). */
 enum ts_truth { TS_NO, TS_YES, TS_OPEN };
 
-/* Evaluate the formula `text`, which was written at `place`: a number; a number per local particle; a list. */
+/* Evaluate the formula `text`, which was written at `place`: a number; a number per local particle; a
+ * list. */
 enum ts_status ts_expr_scalar(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 			      double *out);
 enum ts_status ts_expr_peratom(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
@@ -31,12 +32,12 @@ struct ts_operand {
 	double scalar;
 	double *data; /* not NULL: n values, owned by the arena */
 	size_t n;
-	const char *word; /* as written, if it is a bare name or a quoted word */
-	bool is_word;	  /* has no number */
-	size_t at, end;	  /* where it stands in the text */
+	const char *word; /* as written, if it is a bare name or a quoted word; else NULL */
+	bool is_word;	  /* it has no numeric value */
+	size_t at, end;	  /* its position in the text */
 };
 
-/* What names stand for: numbers; numbers and columns of particles; numbers and lists. */
+/* Which values names may have in a formula: numbers; numbers and columns of particles; numbers and lists. */
 enum ts_formula { TS_FORMULA_SCALAR, TS_FORMULA_PERATOM, TS_FORMULA_VECTOR };
 
 struct ts_expr {
@@ -44,45 +45,46 @@ struct ts_expr {
 	struct tsim *sim;
 	struct ts_arena arena;
 	const char *text;
-	size_t length, at;
+	size_t length, at; /* of the text; position of the parser */
 	const struct ts_place *place;
 	enum ts_formula kind;
 	bool condition;	  /* bare names are words */
-	size_t rows;	  /* local particles, for formulas of particles */
+	size_t rows;	  /* TS_FORMULA_PERATOM: number of local particles */
 	const double *id; /* their identities */
 };
 
 /* expr.c */
 enum ts_status ts_expr_fail(struct ts_expr *e, enum ts_status code, size_t at, size_t end, const char *format,
 			    ...) __attribute__((format(printf, 5, 6)));
-/* An error of a callee that knew no place gets this one. */
+/* Sets the place of an error that has none. */
 enum ts_status ts_expr_locate_error(struct ts_expr *e, enum ts_status status, size_t at, size_t end);
+/* Evaluates operators of precedence `level` and higher; level 1: a whole formula, or one in parentheses. */
 enum ts_status ts_expr_read(struct ts_expr *e, int level, struct ts_operand *out);
-/* The same, and it must be one number. */
+/* A whole formula, which must have one number. */
 enum ts_status ts_expr_read_number(struct ts_expr *e, double *out);
-char ts_expr_peek(struct ts_expr *e); /* the next character that is no blank */
+char ts_expr_peek(struct ts_expr *e); /* skips blanks and returns the next character */
 enum ts_status ts_expr_expect(struct ts_expr *e, char wanted);
 const char *ts_expr_copy(struct ts_expr *e, size_t at, size_t end); /* NULL: out of memory */
 /* Makes the operand a list of n numbers. */
 enum ts_status ts_expr_array(struct ts_expr *e, size_t n, struct ts_operand *out);
-/* A value that was asked of the simulation, whose name is known: if only a run can give it, it is unknown
- * now. */
+/* To be called with a value read from the simulation, and the status of reading it: if it depends on a run
+ * that was left out, makes it unknown and returns TS_OK. */
 enum ts_status ts_expr_or_unknown(struct ts_expr *e, const char *name, enum ts_status status,
 				  struct ts_operand *out);
-/* Makes the operand a copy of the first column, unless status says that the table failed; releases the
- * table. */
+/* Copies the first column of the table to the operand if status is TS_OK; releases the table. */
 enum ts_status ts_expr_take_table(struct ts_expr *e, enum ts_status status, struct ts_table *table,
 				  struct ts_operand *out);
 
 /* expr_operand.c */
 struct ts_operator {
 	const char *text;
-	int level; /* 1 to 7: how tight it binds */
+	int level; /* precedence, 1 to 7 */
 	double (*apply)(double a, double b);
 	const char *help;
-	bool divides; /* the right number must not be 0 */
+	bool divides; /* the right operand must not be 0 */
 	bool compares_words;
-	bool (*decides)(double a, double b); /* what is known of the two is enough; NULL: never */
+	bool (*decides)(double a,
+			double b); /* the result is known though an operand is unknown; NULL: never */
 };
 extern const struct ts_operator ts_operators[];		      /* closed by .text NULL */
 const struct ts_operator *ts_operator_find(const char *text); /* the one the text begins with, or NULL */
@@ -92,7 +94,7 @@ enum ts_status ts_op_unary(struct ts_expr *e, char op, struct ts_operand *a);
 /* Refuses words where numbers are needed. */
 enum ts_status ts_op_need_number(struct ts_expr *e, const struct ts_operand *a);
 
-/* expr_name.c: the name at `at`..`e->at`, which may be followed by [..] or (..). */
+/* expr_name.c: evaluates the name at `at`..`e->at`, which may be followed by [..] or (..). */
 enum ts_status ts_expr_name(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out);
 struct ts_constant {
 	const char *name;
@@ -101,28 +103,28 @@ struct ts_constant {
 };
 extern const struct ts_constant ts_constants[]; /* closed by .name NULL */
 
-/* expr_argument.c: what stands in the brackets of a call; e->at goes from the opening one to behind the
- * closing one. Formulas, or words such as names of groups. */
+/* expr_argument.c: read the arguments of a call, which are formulas, or words such as names of groups.
+ * e->at is at the opening parenthesis before, behind the closing one after. */
 enum ts_status ts_expr_arguments(struct ts_expr *e, struct ts_operand *arg, size_t most, size_t *n);
 enum ts_status ts_expr_words(struct ts_expr *e, size_t at, struct ts_word *word, size_t most, size_t *n);
 enum ts_status ts_expr_count(struct ts_expr *e, size_t at, const char *name, const char *arguments,
 			     size_t least, size_t most, size_t found);
 enum { TS_MOST_ARGUMENTS = 8 };
 
-/* A function of formulas. The tables below have one per row, closed by .name NULL; each row has one of
- * the six functions. */
+/* A function of formulas. The tables below are closed by .name NULL; each row has one of the six function
+ * pointers. */
 struct ts_expr_function {
 	const char *name, *arguments, *help;
-	size_t least, most;	/* how many arguments it takes */
+	size_t least, most;	/* number of arguments */
 	double (*pure)(double); /* of one number */
 	enum ts_status (*eval)(struct ts_expr *e, const double *arg, double *out);
 	/* random; the last argument is the seed */
 	enum ts_status (*draw)(struct ts_expr *e, const double *arg, struct ts_rng *rng, double *out);
-	enum ts_status (*series)(const double *x, size_t n, double *out); /* of at least `length` */
+	enum ts_status (*series)(const double *x, size_t n, double *out); /* number of a list, n >= length */
 	size_t length;
-	bool lazy;			  /* does not look at all arguments: ternary */
-	void (*map)(double *x, size_t n); /* turns a list into another */
-	/* of names */
+	bool lazy;			  /* arguments but the first may be unknown: ternary */
+	void (*map)(double *x, size_t n); /* replaces a list by another */
+	/* of words */
 	enum ts_status (*words)(struct ts_expr *e, struct ts_words words, struct ts_operand *out);
 };
 extern const struct ts_expr_function ts_math_functions[], ts_step_functions[], ts_series_functions[],
@@ -130,7 +132,7 @@ extern const struct ts_expr_function ts_math_functions[], ts_step_functions[], t
 /* All tables of functions, closed by NULL. */
 extern const struct ts_expr_function *const ts_expr_functions[];
 const struct ts_expr_function *ts_expr_function_find(const char *name);
-/* e->at stands at the opening bracket. */
+/* Evaluate a call; e->at is at the opening parenthesis. */
 enum ts_status ts_expr_call(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
 			    struct ts_operand *out);
 enum ts_status ts_expr_call_group(struct ts_expr *e, const struct ts_function *f, size_t at,

@@ -1,5 +1,5 @@
-/* State of the formulas and variables of a simulation. They use each other: a formula refers to variables, and the
- * value of a variable may be a formula. */
+/* State of the formulas and variables of a simulation. They use each other: a formula refers to variables,
+ * and the value of a variable may be a formula. */
 #ifndef TS_FORMULA_FORMULAS_H
 #define TS_FORMULA_FORMULAS_H
 
@@ -10,8 +10,7 @@
 struct ts_formulas {
 	struct tsim *sim;
 	struct ts_variables variables;
-	uint64_t
-		evaluation; /* number of the outermost evaluation; within it each variable is evaluated once */
+	uint64_t evaluation;	  /* number of this evaluation; within it each variable is evaluated once */
 	uint64_t evaluated;	  /* formulas evaluated within it */
 	struct ts_variable *kept; /* variables whose columns or lists are cached within it */
 	uint64_t drawn; /* evaluations of functions that change from call to call: random(), next() */

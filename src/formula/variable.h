@@ -1,5 +1,5 @@
-/* Variables of a script. Each style is a constant record in its own file: variable_list.c (index, loop and
- * their kin), variable_text.c, variable_file.c, variable_formula.c. */
+/* Variables of a script. Each style is a constant table: variable_list.c (index, loop, world ...),
+ * variable_text.c, variable_file.c, variable_formula.c. */
 #ifndef TS_FORMULA_VARIABLE_H
 #define TS_FORMULA_VARIABLE_H
 
@@ -35,22 +35,22 @@ struct ts_variable;
 	X(vector)
 /* clang-format on */
 
-/* What a restart file keeps of a variable, for the one of the same style, name and first word. */
+/* State of a variable in a restart file, restored for a variable of the same style, name and first word. */
 struct ts_variable_state {
 	const char *style, *name, *text;
-	double number; /* what the style makes of it */
+	double number; /* defined by the style: a value, or a position in a file */
 };
 
-/* A slot left NULL: not possible with this style; `number` NULL: the text, read as a number. */
+/* A slot left NULL: not possible with this style; `number` NULL: the text is parsed as a number. */
 struct ts_variable_style {
 	const char *name, *values, *help;
-	size_t least, most; /* how many words it takes; most 0: any number */
-	bool keeps;	    /* defining one that exists already does nothing */
+	size_t least, most; /* number of words; most 0: no limit */
+	bool keeps;	    /* defining a variable that exists already does nothing */
 	enum ts_status (*define)(struct ts_formulas *formulas, struct ts_variable *variable);
-	/* what ${name} stands for */
+	/* value of ${name} */
 	enum ts_status (*text)(struct ts_formulas *formulas, struct ts_variable *variable,
 			       const struct ts_place *where, struct ts_str *out);
-	/* what v_name stands for */
+	/* value of v_name */
 	enum ts_status (*number)(struct ts_formulas *formulas, struct ts_variable *variable,
 				 const struct ts_place *where, double *out);
 	/* one value per local particle; rows x 1 */
@@ -59,9 +59,9 @@ struct ts_variable_style {
 	/* a list of numbers; rows x 1 */
 	enum ts_status (*vector)(struct ts_formulas *formulas, struct ts_variable *variable,
 				 const struct ts_place *where, struct ts_table *out);
-	/* goes on to the next value; *exhausted: there is none */
+	/* advances to the next value; *exhausted: there is none */
 	enum ts_status (*next)(struct ts_formulas *formulas, struct ts_variable *variable, bool *exhausted);
-	/* For restart files; false: there is nothing to keep. */
+	/* For restart files; false: there is nothing to save. */
 	bool (*save)(const struct ts_variable *variable, double *number);
 	enum ts_status (*restore)(struct ts_formulas *formulas, struct ts_variable *variable, double number);
 	void (*release)(struct ts_variable *variable);
@@ -77,21 +77,21 @@ struct ts_variable {
 	const char *name;
 	const struct ts_variable_style *style;
 	struct ts_words values; /* as written */
-	int64_t at, last;	/* index: which value; loop: the number itself */
+	int64_t at, last;	/* present and last value; index: counted from 0, loop: the number itself */
 	int pad;		/* loop: digits */
-	double number;		/* internal, once, timer; of a formula: as it was read last */
-	uint64_t evaluation;	/* of the script, when that was */
-	struct ts_table kept;	/* of a formula of particles or a list: likewise, within a reading */
+	double number;		/* internal, once, timer: the value; equal: its last value */
+	uint64_t evaluation;	/* formulas->evaluation when `number` or `kept` was evaluated */
+	struct ts_table kept;	/* atom, vector: values, cached within one evaluation */
 	struct ts_variable *next_kept;
-	size_t place; /* among all */
+	size_t place; /* index in ts_variables.item */
 	struct ts_variable_feed *feed;
 	struct ts_arena arena;
 	struct ts_place where;
 	bool busy;  /* its formula is being evaluated */
 	bool given; /* from the command line */
 	bool used;
-	bool open;   /* -explain: set in a branch that may not be the one */
-	bool in_run; /* a run has taken values from its file */
+	bool open;   /* -explain: set in a branch of which it is unknown whether it is taken */
+	bool in_run; /* file, atomfile: a run has read values */
 };
 
 /* In the order in which they were defined, and by name. */
@@ -102,14 +102,14 @@ struct ts_variables {
 };
 
 struct ts_variable *ts_variable_find(const struct ts_formulas *formulas, const char *name);
-/* The same and marks it used; or an error with a suggestion. */
+/* The same, and marks it as used; or an error with a suggestion. */
 enum ts_status ts_variable_require(struct ts_formulas *formulas, const char *name,
 				   const struct ts_place *where, struct ts_variable **out);
-/* Defines it, or leaves it alone if it exists and its style says so. */
+/* Defines a variable; one that exists is replaced, or kept if its style `keeps`. */
 enum ts_status ts_variable_define(struct ts_formulas *formulas, const struct ts_word *name,
 				  const struct ts_variable_style *style, struct ts_words values);
 void ts_variable_delete(struct ts_formulas *formulas, struct ts_variable *variable);
-/* From now on until one is deleted item[0..n-1] are those that exist. */
+/* Removes the gaps in variables.item: until a variable is deleted, item[0..n-1] are not NULL. */
 void ts_variables_pack(struct ts_formulas *formulas);
 void ts_variables_release(struct ts_formulas *formulas);
 
@@ -124,12 +124,12 @@ enum ts_status ts_variable_vector(struct ts_formulas *formulas, struct ts_variab
 enum ts_status ts_variable_next(struct ts_formulas *formulas, struct ts_variable *variable,
 				const struct ts_place *where, bool *exhausted);
 
-/* At the end of a reading: columns and lists that were kept within it. */
+/* At the end of an evaluation: releases the columns and lists cached within it. */
 void ts_variables_forget(struct ts_formulas *formulas);
 
-/* Gives a variable that is being defined what a restart file keeps of it; *resumed: there was something. */
+/* Restores the state of a variable that is being defined from the restart file; *resumed: there was one. */
 enum ts_status ts_variable_resume(struct ts_formulas *formulas, struct ts_variable *variable, bool *resumed);
-/* The states of all variables, written or read. */
+/* Saves or restores the states of all variables. */
 enum ts_status ts_variables_archive(struct ts_formulas *formulas, struct ts_archive *archive);
 
 #endif

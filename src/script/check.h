@@ -1,14 +1,15 @@
-/* `tsim -check`: a script is gone through without running it, and all its errors are told at once.
+/* `tsim -check`: reads a script without running the simulation and reports all its errors at once.
  *
- * The interpreter works as with -explain (sim->reading.explain: nothing is stepped or written), but a line that
- * fails does not end it: its message is kept, the names it would have defined are remembered as lost, and
- * messages that only follow from that are left out. Runs, jumps and branches are recorded. Commands of
- * branches not taken and lines never reached are read as far as is possible without knowing what their
- * variables and names would stand for.
+ * Commands are executed as with -explain (sim->reading.explain: nothing is stepped or written), but a line
+ * that fails does not end the script: its message is recorded, the names that it would have defined are
+ * marked as lost, and messages that only follow from that are left out. Runs, jumps and branches are
+ * recorded. Commands of branches not taken and lines never reached are parsed as far as that is possible
+ * without the values of variables.
  *
- * Values that only a run can give are unknown (formula/unknown.h). Where a condition is unknown all
- * branches are gone through; a loop that ends by one, or that runs in many turns, is gone through until it
- * reaches no new lines. -explain goes the same way, but its first error ends it. */
+ * Values that only a run can give are unknown (formula/unknown.h). If a condition is unknown, all branches
+ * are executed. A loop whose end depends on an unknown condition, or which has many iterations, is
+ * executed until it reaches no new lines. -explain reads scripts in the same way, but its first error ends
+ * the script. */
 #ifndef TS_SCRIPT_CHECK_H
 #define TS_SCRIPT_CHECK_H
 
@@ -17,25 +18,26 @@
 
 enum ts_check_kind { TS_CHECK_STEP, TS_CHECK_RUN, TS_CHECK_WRITE };
 
-/* Something a line does, however often. */
+/* An action of a script line, recorded once, however often it is executed. */
 struct ts_check_event {
 	struct ts_check_event *next;
 	enum ts_check_kind kind;
 	struct ts_place where;
-	const char *what;
-	int64_t count, step, steps; /* run: the first step, and how many in all */
-	double dt;
-	const char *hangs;     /* the value of a run that decides, or NULL */
+	const char *what;      /* text for the report */
+	int64_t count;	       /* how often it was executed */
+	int64_t step, steps;   /* run: the first step; the steps of all its executions */
+	double dt;	       /* run: time step [time] */
+	const char *hangs;     /* name of the unknown value on which it depends, or NULL */
 	const char *path;      /* write: of the file */
-	int64_t turns;	       /* jump: of a loop of which only some were gone through */
-	size_t index;	       /* run: how many were before it */
-	bool bounded, endless; /* not followed to its end; nothing seems to end it */
-	bool open;	       /* run: its steps are not known; if: the condition is not */
-	bool leaves;	       /* if: it may leave the lines around it */
-	bool late;	       /* run: how many steps are before it is not known */
+	int64_t turns;	       /* jump: iterations of a loop, of which only some were executed */
+	size_t index;	       /* run: number of runs before it */
+	bool bounded, endless; /* jump: not followed to the end of the loop; the loop seems to have no end */
+	bool open;	       /* run: its number of steps is unknown; if: the condition is */
+	bool leaves;	       /* if: a branch may jump or quit */
+	bool late;	       /* run: its first step is unknown */
 };
 
-/* A run, as far as it was counted. */
+/* Executions and steps of a run so far. */
 struct ts_check_sum {
 	int64_t count, steps;
 };
@@ -44,10 +46,10 @@ struct ts_check_sum {
 struct ts_check_loop {
 	struct ts_check_loop *next;
 	const char *file;
-	int from, to;
-	int64_t turns; /* gone through since it began */
-	bool open;     /* how many turns it takes is not known */
-	/* as the last turn began */
+	int from, to;  /* lines */
+	int64_t turns; /* iterations executed since it began */
+	bool open;     /* its number of iterations is unknown */
+	/* counters of struct ts_check, and cost, at the start of the last iteration */
 	int64_t reached, nexts, branches, step;
 	struct ts_total_cost cost;
 	struct ts_check_sum *run;
@@ -56,43 +58,44 @@ struct ts_check_loop {
 
 struct ts_check {
 	struct ts_str errors; /* diagnostics, in order */
-	int nerrors, unjudged;
-	int open;     /* messages that may be there only because a value is not known */
-	bool weak;    /* a line failed that later ones may build on: only what is wrong by itself counts */
-	bool boxless; /* the box is one that was put in for a box that could not be made */
-	bool placing; /* that one is being made */
-	struct ts_map seen;    /* "file:line:column" of errors, "file:line" of lines run */
-	struct ts_map lost;    /* "fix ID" that a failed line would have made */
+	int nerrors;	      /* errors reported */
+	int unjudged;	      /* messages left out because they may follow from an error */
+	int open;	      /* messages left out because they may follow from an unknown value */
+	bool weak; /* a line has failed on which later ones may depend: errors of state or range are left out */
+	bool boxless;	       /* the box stands in for one that could not be created */
+	bool placing;	       /* that box is being created */
+	struct ts_map seen;    /* "file:line:column" of errors, "file:line" of lines executed */
+	struct ts_map lost;    /* "fix ID" that a failed line would have defined */
 	struct ts_map events;  /* by kind, place and text */
 	struct ts_map guessed; /* "file:line" of lines with an unknown value, and the names they define */
 	struct ts_check_event *first, **last;
 	struct ts_check_loop *loop;
 	size_t nruns;		/* events that are runs */
-	int64_t reached;	/* lines so far */
-	int64_t branches;	/* `if` so far */
-	int64_t nexts;		/* `next` so far */
-	int64_t turns_left;	/* that the last `next` has begun; 0: not known */
+	int64_t reached;	/* different lines executed so far */
+	int64_t branches;	/* `if` commands executed so far */
+	int64_t nexts;		/* `next` commands executed so far */
+	int64_t turns_left;	/* iterations left after the last `next`; 0: unknown */
 	const char *stepped[8]; /* the variables of the last `next` */
-	int64_t jumps, runs;
-	int alternatives; /* > 0: another branch was gone through before this one */
-	size_t at;	  /* behind the last jump, in case its label is not found */
+	int64_t jumps, runs;	/* executed so far */
+	int alternatives;	/* > 0: another branch has been executed before this one */
+	size_t at;		/* position behind the last jump, in case its label is not found */
 	int line;
 	struct ts_arena arena;
 };
 
-/* Begins one, for -check and -explain. */
+/* Allocates the state of -check and -explain. */
 enum ts_status ts_check_new(struct ts_script *script);
 void ts_check_free(struct ts_script *script);
-/* check.c: a line that failed. TS_OK: go on with the next one. */
+/* check.c: records the error of a line. TS_OK: continue with the next line. */
 enum ts_status ts_check_recover(struct ts_script *script, const struct ts_line *line, struct ts_words words,
 				enum ts_status status);
-/* The message of sim->error is kept, if it is not a consequence of others, and cleared. */
+/* Records the message of sim->error, unless it may follow from other errors, and clears it. */
 enum ts_status ts_check_keep_error(struct ts_script *script, const char *remark);
-/* The same, but -explain goes on only if the error may be there because a value is not known. */
+/* The same, but -explain continues only if the error may follow from an unknown value. */
 enum ts_status ts_check_defer_error(struct ts_script *script, enum ts_status status);
-/* A line with an unknown value is about to be run. */
+/* To be called before a line with an unknown value is executed. */
 enum ts_status ts_check_guess(struct ts_script *script, const struct ts_line *line, struct ts_words words);
-/* What is not there any more, or may not be: messages that miss it are left out. */
+/* Marks a name as lost: messages that it does not exist are left out. */
 enum ts_status ts_check_mark_lost(struct ts_script *script, const char *kind, const char *name);
 
 /* check_trace.c */
@@ -104,30 +107,31 @@ enum ts_status ts_check_run(struct ts_script *script, const struct ts_place *whe
 /* A file that would be written or changed. */
 enum ts_status ts_check_write(struct ts_script *script, const struct ts_place *where, const char *what,
 			      const char *path);
-/* Which of the branches of `if` was taken: the k-th word begins it; 0: none. */
+/* Records which branch of an `if` was taken: "then", "elif", "else" or "no branch". */
 enum ts_status ts_check_branch(struct ts_script *script, const struct ts_place *where, const char *which);
 
-/* check_loop.c. *follow: whether to jump. */
+/* check_loop.c: records a jump; *follow: whether to execute it. */
 enum ts_status ts_check_jump(struct ts_script *script, const struct ts_place *where, const char *file,
 			     const char *label, bool *follow);
-/* The jump that closes the loop is passed by. */
+/* To be called when the jump at the end of a loop is skipped: the loop has ended. */
 void ts_check_leave_loop(struct ts_script *script, const struct ts_place *where);
-/* `next` has given these variables another value. */
+/* To be called after `next` has advanced these variables. */
 void ts_check_next(struct ts_script *script, struct ts_words names);
-/* The loop that a jump from here to the label closes; *out NULL: it goes forward, or elsewhere. */
+/* The loop that a jump from here to the label closes; *out NULL: the jump goes forward, or into another
+ * file. */
 enum ts_status ts_check_loop_of(struct ts_script *script, const struct ts_place *where, const char *file,
 				const char *label, struct ts_check_loop **out);
-/* How many turns it takes is not known from now on. */
+/* Marks the number of iterations of a loop as unknown. */
 void ts_check_open_loop(struct ts_script *script, struct ts_check_loop *loop);
 
-/* check_branch.c: the branches of an `if` from the k-th word on, of which any may be the one. */
+/* check_branch.c: executes all branches of an `if` from the k-th word on, since its condition is unknown. */
 enum ts_status ts_check_branches(struct ts_script *script, struct ts_words words, size_t k,
 				 const struct ts_place *where);
 
-/* check_unreached.c: reads a command of a branch not taken, or a line never reached; or one that is to be
- * run later. */
+/* check_unreached.c: parses a command of a branch not taken, a line never reached, or a command that will
+ * be executed later. `remark` is appended to the message of an error. */
 enum ts_status ts_check_unreached(struct ts_script *script, const struct ts_line *line, const char *remark);
-/* All commands of an `if`. */
+/* Parses all commands of an `if`. */
 enum ts_status ts_check_commands(struct ts_script *script, struct ts_words words);
 
 #endif

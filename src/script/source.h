@@ -1,4 +1,4 @@
-/* Where script lines come from: a file, a stream such as standard input, or a string. */
+/* Source of script lines: a file, a stream such as standard input, or a string. */
 #ifndef TS_SCRIPT_SOURCE_H
 #define TS_SCRIPT_SOURCE_H
 
@@ -9,22 +9,21 @@
 
 struct tsim;
 
-/* Where a label stands. */
 struct ts_source_label {
 	const char *name;
-	size_t at; /* of the line behind it */
-	int line;
+	size_t at; /* offset of the line behind it, bytes */
+	int line;  /* number of its line */
 };
 
-/* What was read is kept, so that `jump SELF` works on a pipe too. */
+/* All text read is stored, so that `jump SELF` works with a pipe, too. */
 struct ts_source {
-	const char *name; /* in the string pool */
+	const char *name; /* owned by sim->pool */
 	struct ts_str text;
-	size_t at; /* position of the next line */
-	int line;  /* its number minus one */
+	size_t at; /* offset of the next line, bytes */
+	int line;  /* number of lines before it */
 	FILE *stream;
 	bool owns_stream;
-	struct ts_source_label *label; /* those met so far, in the order of the file */
+	struct ts_source_label *label; /* labels found so far, in the order of the file */
 	size_t nlabels, label_capacity;
 };
 
@@ -34,16 +33,17 @@ enum ts_status ts_source_stream(struct ts_source *source, struct tsim *sim, FILE
 enum ts_status ts_source_string(struct ts_source *source, struct tsim *sim, const char *text,
 				const char *name);
 void ts_source_rewind(struct ts_source *source);
-/* Remembers that the line just read is this label. */
+/* Records that the line just read has this label. */
 enum ts_status ts_source_mark(struct ts_source *source, struct tsim *sim, const char *label);
-/* Goes behind the label if it is known, else to where it has to be looked for; whether it is known. */
+/* Moves behind the label if it is known, else behind the last known label, from where lines must be
+ * searched; returns whether it is known. */
 bool ts_source_seek(struct ts_source *source, const char *label);
 void ts_source_set_position(struct ts_source *source, size_t at, int line);
-/* Reads all that is left. */
+/* Reads the rest of the stream into `text`. */
 enum ts_status ts_source_read_all(struct ts_source *source, struct tsim *sim);
 void ts_source_close(struct ts_source *source);
 
-/* The next logical line, as written; *end: there is none. */
+/* The next logical line, before substitution; *end: there is none. */
 enum ts_status ts_source_line(struct ts_source *source, struct tsim *sim, struct ts_line *line, bool *end);
 
 #endif
