@@ -26,7 +26,7 @@ struct ts_archive {
 	size_t length, capacity;
 	struct field *field;
 	size_t nfields, field_capacity;
-	size_t next; /* the field expected to be asked for next */
+	size_t next; /* the field behind the last one read: the search begins there */
 };
 
 static size_t element_size(enum ts_saved_type type)
@@ -50,7 +50,7 @@ bool ts_archive_writing(const struct ts_archive *archive)
 	return archive->writing;
 }
 
-static enum ts_status append(struct ts_archive *a, const void *bytes, size_t n)
+static enum ts_status append_bytes(struct ts_archive *a, const void *bytes, size_t n)
 {
 	if (TS_GROW(a->block, a->capacity, a->length + n) != TS_OK)
 		return ts_nomem(&a->sim->error);
@@ -66,14 +66,15 @@ static enum ts_status write_field(struct ts_archive *a, const char *name, enum t
 	uint32_t head[2] = { (uint32_t)strlen(name) + 1, (uint32_t)type };
 	uint64_t n = count;
 
-	TS_TRY(append(a, head, sizeof head));
-	TS_TRY(append(a, &n, sizeof n));
-	TS_TRY(append(a, name, head[0]));
-	return append(a, data, count * element_size(type));
+	TS_TRY(append_bytes(a, head, sizeof head));
+	TS_TRY(append_bytes(a, &n, sizeof n));
+	TS_TRY(append_bytes(a, name, head[0]));
+	return append_bytes(a, data, count * element_size(type));
 }
 
-/* Fields are mostly asked for in the order in which they were written. */
-static const struct field *find(const struct ts_archive *a, const char *name, size_t *at)
+/* Fields are mostly read in the order in which they were written, so the search begins behind the last
+ * one. */
+static const struct field *find_field(const struct ts_archive *a, const char *name, size_t *at)
 {
 	for (size_t k = 0; k < a->nfields; k++) {
 		size_t i = (a->next + k) % a->nfields;
@@ -86,11 +87,11 @@ static const struct field *find(const struct ts_archive *a, const char *name, si
 	return NULL;
 }
 
-static enum ts_status find_typed(struct ts_archive *a, const char *name, enum ts_saved_type type,
-				 const struct field **out)
+static enum ts_status find_field_of_type(struct ts_archive *a, const char *name, enum ts_saved_type type,
+					 const struct field **out)
 {
 	size_t at = 0;
-	const struct field *field = find(a, name, &at);
+	const struct field *field = find_field(a, name, &at);
 
 	if (!field)
 		return ts_fail(&a->sim->error, TS_DAMAGED, NULL, "saved state: field '%s' is missing", name);
@@ -102,10 +103,10 @@ static enum ts_status find_typed(struct ts_archive *a, const char *name, enum ts
 	return TS_OK;
 }
 
-static enum ts_status find_counted(struct ts_archive *a, const char *name, enum ts_saved_type type,
-				   size_t count, const struct field **out)
+static enum ts_status find_field_of_size(struct ts_archive *a, const char *name, enum ts_saved_type type,
+					 size_t count, const struct field **out)
 {
-	TS_TRY(find_typed(a, name, type, out));
+	TS_TRY(find_field_of_type(a, name, type, out));
 	if ((*out)->count != count)
 		return ts_fail(&a->sim->error, TS_DAMAGED, NULL,
 			       "saved state: field '%s' has %zu elements, expected %zu", name, (*out)->count,
@@ -121,7 +122,7 @@ enum ts_status ts_archive_expect(struct ts_archive *archive, const char *name, e
 
 	if (archive->writing)
 		return TS_OK;
-	TS_TRY(find_counted(archive, name, type, count, &field));
+	TS_TRY(find_field_of_size(archive, name, type, count, &field));
 	archive->next = next;
 	return TS_OK;
 }
@@ -133,7 +134,7 @@ enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name, en
 
 	if (archive->writing)
 		return write_field(archive, name, type, data, count);
-	TS_TRY(find_counted(archive, name, type, count, &field));
+	TS_TRY(find_field_of_size(archive, name, type, count, &field));
 	if (count)
 		memcpy(data, archive->block + field->data, count * element_size(type));
 	return TS_OK;
@@ -147,7 +148,7 @@ enum ts_status ts_archive_array(struct ts_archive *archive, const char *name, en
 
 	if (archive->writing)
 		return write_field(archive, name, type, *data, *count);
-	TS_TRY(find_typed(archive, name, type, &field));
+	TS_TRY(find_field_of_type(archive, name, type, &field));
 	if (ts_grow(data, capacity, field->count, size) != TS_OK)
 		return ts_nomem(&archive->sim->error);
 	if (field->count)
@@ -164,7 +165,7 @@ enum ts_status ts_archive_string(struct ts_archive *archive, const char *name, c
 
 	if (archive->writing)
 		return write_field(archive, name, TS_SAVED_U8, *text, strlen(*text) + 1);
-	TS_TRY(find_typed(archive, name, TS_SAVED_U8, &field));
+	TS_TRY(find_field_of_type(archive, name, TS_SAVED_U8, &field));
 	saved = (const char *)archive->block + field->data;
 	if (!field->count || strnlen(saved, field->count) != field->count - 1)
 		return ts_fail(&archive->sim->error, TS_DAMAGED, NULL,
@@ -177,7 +178,7 @@ bool ts_archive_has(const struct ts_archive *archive, const char *name)
 {
 	size_t at;
 
-	return archive->writing || find(archive, name, &at);
+	return archive->writing || find_field(archive, name, &at);
 }
 
 enum ts_status ts_archive_instance(struct ts_archive *archive, struct ts_instance *inst, struct tsim *sim)
@@ -199,7 +200,7 @@ struct ts_archive *ts_archive_new(struct tsim *sim, bool writing)
 		return NULL;
 	a->sim = sim;
 	a->writing = writing;
-	if (writing && append(a, &magic, sizeof magic) != TS_OK) {
+	if (writing && append_bytes(a, &magic, sizeof magic) != TS_OK) {
 		ts_archive_free(a);
 		return NULL;
 	}
@@ -227,7 +228,7 @@ enum ts_status ts_archive_bytes(struct ts_archive *archive, const unsigned char 
 
 	if (archive->writing && !archive->sealed) {
 		sum = checksum(archive->block, archive->length);
-		TS_TRY(append(archive, &sum, sizeof sum));
+		TS_TRY(append_bytes(archive, &sum, sizeof sum));
 		archive->sealed = true;
 	}
 	*bytes = archive->block;
@@ -235,7 +236,7 @@ enum ts_status ts_archive_bytes(struct ts_archive *archive, const unsigned char 
 	return TS_OK;
 }
 
-/* One field at `at`, which moves behind it; false if it does not fit before `end`. */
+/* Parses the field at `at` and moves `at` behind it; false if it does not fit before `end`. */
 static bool parse_field(const unsigned char *block, size_t *at, size_t end, struct field *field)
 {
 	uint32_t head[2];
@@ -262,7 +263,7 @@ static bool parse_field(const unsigned char *block, size_t *at, size_t end, stru
 	return true;
 }
 
-static enum ts_status damaged(struct ts_archive *a, const char *why)
+static enum ts_status fail_damaged(struct ts_archive *a, const char *why)
 {
 	a->nfields = a->length = a->next = 0;
 	return ts_fail(&a->sim->error, TS_DAMAGED, NULL, "saved state is damaged: %s", why);
@@ -275,20 +276,20 @@ enum ts_status ts_archive_from(struct ts_archive *archive, const unsigned char *
 
 	archive->length = archive->nfields = archive->next = 0;
 	if (n < sizeof magic + sizeof sum)
-		return damaged(archive, "too short");
-	TS_TRY(append(archive, bytes, n));
+		return fail_damaged(archive, "too short");
+	TS_TRY(append_bytes(archive, bytes, n));
 	end = n - sizeof sum;
 	memcpy(&magic, bytes, sizeof magic);
 	memcpy(&sum, bytes + end, sizeof sum);
 	if (magic != MAGIC)
-		return damaged(archive, "it does not begin as it should");
+		return fail_damaged(archive, "it does not begin as it should");
 	if (sum != checksum(bytes, end))
-		return damaged(archive, "the checksum is wrong");
+		return fail_damaged(archive, "the checksum is wrong");
 	while (at < end) {
 		if (TS_GROW(archive->field, archive->field_capacity, archive->nfields + 1) != TS_OK)
 			return ts_nomem(&archive->sim->error);
 		if (!parse_field(archive->block, &at, end, &archive->field[archive->nfields]))
-			return damaged(archive, "a field does not fit into it");
+			return fail_damaged(archive, "a field does not fit into it");
 		archive->nfields++;
 	}
 	return TS_OK;

@@ -12,10 +12,11 @@ struct comparison {
 	const char *what, *lines;
 	struct ts_words words;
 	struct ts_str *out;
-	struct ts_str before, now; /* the values of the row at hand */
+	struct ts_str before, now; /* values of the present argument in the restart file and in the script */
 };
 
-static void add_line(const struct tsim *sim, const struct ts_arg *row, const void *base, struct ts_str *out)
+static void add_argument_line(const struct tsim *sim, const struct ts_arg *row, const void *base,
+			      struct ts_str *out)
 {
 	struct ts_str value = { 0 };
 
@@ -34,14 +35,14 @@ void ts_args_lines(const struct tsim *sim, const struct ts_arg *rows, const void
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		int mode = row->type == TS_ARG_MODE ? *(const int *)((const char *)base + row->offset) : -1;
 
-		add_line(sim, row, base, out);
+		add_argument_line(sim, row, base, out);
 		if (mode >= 0)
 			ts_args_lines(sim, row->modes[mode].args, base, out);
 	}
 }
 
-/* A number as a user writes it: with 17 digits only where fewer are not the same number. */
-static void add_word(const char *text, size_t n, struct ts_str *out)
+/* A number with as few digits as give the same value again. */
+static void add_shortest_number(const char *text, size_t n, struct ts_str *out)
 {
 	char word[64], brief[40];
 	double value, again;
@@ -57,8 +58,8 @@ static void add_word(const char *text, size_t n, struct ts_str *out)
 	ts_str_add_n(out, text, n);
 }
 
-/* The words of a value, one blank between them. */
-static void set_value(struct ts_str *out, const char *text, size_t n)
+/* The words of a value, separated by one blank, numbers in their shortest form. */
+static void normalise_value(struct ts_str *out, const char *text, size_t n)
 {
 	ts_str_clear(out);
 	for (size_t at = 0, length; at < n; at += length + 1) {
@@ -68,25 +69,25 @@ static void set_value(struct ts_str *out, const char *text, size_t n)
 		if (length && out->length)
 			ts_str_add(out, " ");
 		if (length)
-			add_word(text + at, length, out);
+			add_shortest_number(text + at, length, out);
 	}
 }
 
-static bool find_line(struct comparison *c, const struct ts_arg *row)
+static bool find_saved_value(struct comparison *c, const struct ts_arg *row)
 {
 	size_t n = strlen(row->name);
 
 	for (const char *line = c->lines; *line; line += strcspn(line, "\n"), line += *line != 0) {
 		if (strncmp(line, row->name, n) != 0 || line[n] != ' ')
 			continue;
-		set_value(&c->before, line + n, strcspn(line, "\n") - n);
+		normalise_value(&c->before, line + n, strcspn(line, "\n") - n);
 		return true;
 	}
 	return false;
 }
 
-/* The word that sets the row: behind its keyword, or with the value it has. */
-static const struct ts_place *blame(const struct comparison *c, const struct ts_arg *row)
+/* The place of the word that sets the argument: the one behind its keyword, or the one with its value. */
+static const struct ts_place *place_of_argument(const struct comparison *c, const struct ts_arg *row)
 {
 	struct ts_str word = { 0 };
 	const struct ts_place *place = NULL;
@@ -95,7 +96,7 @@ static const struct ts_place *blame(const struct comparison *c, const struct ts_
 		if (ts_streq(c->words.word[k].text, row->name))
 			return &c->words.word[k + 1].place;
 	for (size_t k = 0; k < c->words.n && !place; k++) {
-		set_value(&word, c->words.word[k].text, strlen(c->words.word[k].text));
+		normalise_value(&word, c->words.word[k].text, strlen(c->words.word[k].text));
 		if (word.length && c->now.length >= word.length &&
 		    strncmp(ts_str_text(&word), ts_str_text(&c->now), word.length) == 0)
 			place = &c->words.word[k].place;
@@ -104,27 +105,27 @@ static const struct ts_place *blame(const struct comparison *c, const struct ts_
 	return place ? place : &c->inst->where;
 }
 
-static enum ts_status refuse(const struct comparison *c, const struct ts_arg *row, bool was, bool is)
+static enum ts_status refuse_change(const struct comparison *c, const struct ts_arg *row, bool was, bool is)
 {
 	const char *kind = ts_kind_name(c->inst->style->kind);
 
-	return ts_fail(&c->sim->error, TS_STATE, blame(c, row),
+	return ts_fail(&c->sim->error, TS_STATE, place_of_argument(c, row),
 		       "%s: %s is '%s' here but '%s' in the restart file, and what was saved has a meaning "
 		       "only with that; give it as before, or start afresh with another id for this %s",
 		       c->what, row->name, is ? ts_str_text(&c->now) : "not given",
 		       was ? ts_str_text(&c->before) : "not given", kind);
 }
 
-static enum ts_status compare_row(struct comparison *c, const struct ts_arg *row)
+static enum ts_status compare_argument(struct comparison *c, const struct ts_arg *row)
 {
 	struct ts_str value = { 0 };
-	bool is = ts_arg_record(c->sim, row, c->inst->state, &value), was = find_line(c, row);
+	bool is = ts_arg_record(c->sim, row, c->inst->state, &value), was = find_saved_value(c, row);
 
-	set_value(&c->now, ts_str_text(&value), value.length);
+	normalise_value(&c->now, ts_str_text(&value), value.length);
 	c->now.failed |= value.failed;
 	ts_str_release(&value);
-	if (!was && row->fallback) { /* an argument the program did not have then */
-		set_value(&c->before, row->fallback, strlen(row->fallback));
+	if (!was && row->fallback) { /* the file is of a version without this argument */
+		normalise_value(&c->before, row->fallback, strlen(row->fallback));
 		was = true;
 	}
 	if (c->before.failed || c->now.failed)
@@ -132,20 +133,20 @@ static enum ts_status compare_row(struct comparison *c, const struct ts_arg *row
 	if (was == is && (!is || ts_streq(ts_str_text(&c->before), ts_str_text(&c->now))))
 		return TS_OK;
 	if (row->flags & TS_STATEFUL)
-		return refuse(c, row, was, is);
+		return refuse_change(c, row, was, is);
 	ts_str_addf(c->out, "%s%s %s -> %s", c->out->length ? ", " : "", row->name,
 		    was ? ts_str_text(&c->before) : "none", is ? ts_str_text(&c->now) : "none");
 	return TS_OK;
 }
 
-static enum ts_status compare_rows(struct comparison *c, const struct ts_arg *rows)
+static enum ts_status compare_arguments(struct comparison *c, const struct ts_arg *rows)
 {
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)c->inst->state + row->offset;
 
-		TS_TRY(compare_row(c, row));
+		TS_TRY(compare_argument(c, row));
 		if (row->type == TS_ARG_MODE && *(const int *)field >= 0)
-			TS_TRY(compare_rows(c, row->modes[*(const int *)field].args));
+			TS_TRY(compare_arguments(c, row->modes[*(const int *)field].args));
 	}
 	return TS_OK;
 }
@@ -156,7 +157,7 @@ enum ts_status ts_args_changes(struct tsim *sim, const struct ts_instance *inst,
 	struct comparison c = {
 		.sim = sim, .inst = inst, .what = what, .lines = lines, .words = words, .out = out
 	};
-	enum ts_status status = compare_rows(&c, inst->style->args);
+	enum ts_status status = compare_arguments(&c, inst->style->args);
 
 	ts_str_release(&c.before);
 	ts_str_release(&c.now);

@@ -1,4 +1,4 @@
-/* Reads the words of a line into a state, guided by argument rows. */
+/* Parses the words of a line into the state of a style, according to its argument table. */
 #include "core/arg_read.h"
 #include "core/unsupported_names.h"
 
@@ -6,7 +6,7 @@
 
 #include "base/banned.h"
 
-static bool is_named(const struct ts_arg *row, const char *name)
+static bool matches_name(const struct ts_arg *row, const char *name)
 {
 	size_t n;
 
@@ -19,13 +19,14 @@ static bool is_named(const struct ts_arg *row, const char *name)
 static const struct ts_arg *find_keyword(const struct ts_arg *rows, const char *name)
 {
 	for (; rows && rows->type != TS_ARG_END; rows++)
-		if (!(rows->flags & TS_POSITIONAL) && is_named(rows, name))
+		if (!(rows->flags & TS_POSITIONAL) && matches_name(rows, name))
 			return rows;
 	return NULL;
 }
 
-/* How many words another row says there are. */
-static size_t announced(const struct ts_arg *row, const struct ts_words *out, const struct ts_arg *common)
+/* The number of words that the row `count` announces; 0 if that was not given. */
+static size_t words_counted_by_row(const struct ts_arg *row, const struct ts_words *out,
+				   const struct ts_arg *common)
 {
 	const struct ts_arg *count = find_keyword(common, row->count);
 	const char *state = (const char *)out - row->offset;
@@ -34,7 +35,7 @@ static size_t announced(const struct ts_arg *row, const struct ts_words *out, co
 	return n > 0 ? (size_t)n : 0;
 }
 
-static bool is_choice(const struct ts_arg *row, const char *text)
+static bool is_choice_of(const struct ts_arg *row, const char *text)
 {
 	for (int k = 0; row->choices && row->choices[k]; k++)
 		if (ts_streq(row->choices[k], text))
@@ -45,11 +46,11 @@ static bool is_choice(const struct ts_arg *row, const char *text)
 	return false;
 }
 
-/* Whether a table has it as a keyword or a choice. */
-static bool has_word(const struct ts_arg *rows, const char *text)
+/* Whether the text is a keyword of the table, or a choice of one of its rows. */
+static bool is_keyword_or_choice(const struct ts_arg *rows, const char *text)
 {
 	for (; rows && rows->type != TS_ARG_END; rows++)
-		if ((!(rows->flags & TS_POSITIONAL) && is_named(rows, text)) || is_choice(rows, text))
+		if ((!(rows->flags & TS_POSITIONAL) && matches_name(rows, text)) || is_choice_of(rows, text))
 			return true;
 	return false;
 }
@@ -58,17 +59,17 @@ static enum ts_status read_rest(struct ts_parse *p, const struct ts_arg *row, st
 				const struct ts_arg *common)
 {
 	struct ts_words rest;
-	size_t least = row->flags & TS_REPEAT ? 1 : 0; /* one word at least, whatever it is */
+	size_t least = row->flags & TS_REPEAT ? 1 : 0; /* words taken even if they are keywords */
 
 	if (row->count)
-		least = announced(row, out, common);
+		least = words_counted_by_row(row, out, common);
 	if (row->flags & TS_NAMED) {
 		p->next--;
 		least++;
 	}
 	rest = ts_words_from(p->words, p->next);
 	for (size_t k = least; k < rest.n && (row->flags & TS_TO_KEYWORD); k++)
-		if (!has_word(row->inner, rest.word[k].text) &&
+		if (!is_keyword_or_choice(row->inner, rest.word[k].text) &&
 		    (find_keyword(common, rest.word[k].text) || find_keyword(p->rows, rest.word[k].text)))
 			rest.n = k;
 	if (!rest.n && !(row->flags & TS_OPTIONAL))
@@ -81,7 +82,8 @@ static enum ts_status read_rest(struct ts_parse *p, const struct ts_arg *row, st
 	return TS_OK;
 }
 
-static enum ts_status read_rows(struct ts_parse *p, const struct ts_arg *rows, const struct ts_arg *common);
+static enum ts_status read_arguments(struct ts_parse *p, const struct ts_arg *rows,
+				     const struct ts_arg *common);
 
 static enum ts_status read_mode(struct ts_parse *p, const struct ts_arg *row, int *out,
 				const struct ts_arg *common)
@@ -95,7 +97,7 @@ static enum ts_status read_mode(struct ts_parse *p, const struct ts_arg *row, in
 		if (word && ts_streq(word->text, row->modes[k].name)) {
 			*out = k;
 			ts_str_release(&expected);
-			return read_rows(p, row->modes[k].args, common);
+			return read_arguments(p, row->modes[k].args, common);
 		}
 		ts_suggest_try(&suggest, row->modes[k].name);
 		ts_str_addf(&expected, "%s%s", k ? ", " : "one of ", row->modes[k].name);
@@ -106,7 +108,7 @@ static enum ts_status read_mode(struct ts_parse *p, const struct ts_arg *row, in
 	return status;
 }
 
-static enum ts_status read_row(struct ts_parse *p, const struct ts_arg *row, const struct ts_arg *common)
+static enum ts_status read_argument(struct ts_parse *p, const struct ts_arg *row, const struct ts_arg *common)
 {
 	void *field = p->base + row->offset;
 
@@ -154,8 +156,8 @@ static void suggest_keywords(const struct ts_arg *rows, struct ts_suggest *sugge
 			ts_suggest_try(suggest, rows->name);
 }
 
-static enum ts_status unknown_keyword(struct ts_parse *p, const struct ts_arg *rows,
-				      const struct ts_arg *common, const struct ts_word *word)
+static enum ts_status fail_unknown_keyword(struct ts_parse *p, const struct ts_arg *rows,
+					   const struct ts_arg *common, const struct ts_word *word)
 {
 	struct ts_suggest suggest = ts_suggest_start(word->text);
 	const char *remark = ts_unsupported_word_remark(p->what, word->text);
@@ -178,8 +180,8 @@ static enum ts_status unknown_keyword(struct ts_parse *p, const struct ts_arg *r
 		       word->text, ts_suggest_text(&suggest));
 }
 
-/* A keyword given twice: stands earlier among the words already read as keywords. */
-static bool given_before(const struct ts_parse *p, const char *name)
+/* Whether the keyword is among the words that have been read as keywords before the present one. */
+static bool is_given_before(const struct ts_parse *p, const char *name)
 {
 	for (size_t k = 0; k + 1 < p->next; k++)
 		if (p->is_keyword[k] && ts_streq(p->words.word[k].text, name))
@@ -202,12 +204,12 @@ static enum ts_status read_keywords(struct ts_parse *p, const struct ts_arg *row
 		if (!row)
 			row = find_keyword(common, word->text);
 		if (!row)
-			return unknown_keyword(p, rows, common, word);
-		if (!(row->flags & TS_REPEAT) && given_before(p, word->text))
+			return fail_unknown_keyword(p, rows, common, word);
+		if (!(row->flags & TS_REPEAT) && is_given_before(p, word->text))
 			return ts_fail(&p->sim->error, TS_SYNTAX, &word->place,
 				       "%s: keyword '%s' is given twice", p->what, word->text);
 		p->is_keyword[p->next - 1] = true;
-		TS_TRY(read_row(p, row, common ? common : rows));
+		TS_TRY(read_argument(p, row, common ? common : rows));
 	}
 	return TS_OK;
 }
@@ -220,7 +222,7 @@ static bool has_mode(const struct ts_arg *rows)
 	return false;
 }
 
-/* Is the next word the keyword of a row? Then optional positional rows before it are absent. */
+/* Whether the next word is a keyword; then optional positional arguments before it are absent. */
 static bool at_keyword(const struct ts_parse *p, const struct ts_arg *rows, const struct ts_arg *common)
 {
 	const char *text = p->words.word[p->next].text;
@@ -228,7 +230,8 @@ static bool at_keyword(const struct ts_parse *p, const struct ts_arg *rows, cons
 	return find_keyword(rows, text) || find_keyword(common, text);
 }
 
-static enum ts_status read_rows(struct ts_parse *p, const struct ts_arg *rows, const struct ts_arg *common)
+static enum ts_status read_arguments(struct ts_parse *p, const struct ts_arg *rows,
+				     const struct ts_arg *common)
 {
 	p->rows = rows;
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
@@ -238,15 +241,15 @@ static enum ts_status read_rows(struct ts_parse *p, const struct ts_arg *rows, c
 			continue;
 		if (may_lack && (p->next == p->words.n || at_keyword(p, rows, common)))
 			continue;
-		TS_TRY(read_row(p, row, common ? common : rows));
+		TS_TRY(read_argument(p, row, common ? common : rows));
 	}
-	/* the rows of a mode read the keywords of both levels */
+	/* the rows of the mode have read the keywords of both levels */
 	if (has_mode(rows) && p->next == p->words.n)
 		return TS_OK;
 	return read_keywords(p, rows, common);
 }
 
-/* Every keyword without default that is not optional must have been written. */
+/* Every keyword that has no default and is not optional must have been given. */
 static enum ts_status check_required(struct ts_parse *p, const struct ts_arg *rows)
 {
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
@@ -263,7 +266,7 @@ static enum ts_status check_required(struct ts_parse *p, const struct ts_arg *ro
 	return TS_OK;
 }
 
-static void set_absent(const struct ts_arg *row, void *field)
+static void store_absent_value(const struct ts_arg *row, void *field)
 {
 	switch (row->type) {
 	case TS_ARG_REAL:
@@ -297,12 +300,12 @@ static enum ts_status set_default(struct tsim *sim, const struct ts_arg *row, st
 	struct ts_parse p = { sim, "default", { NULL, 0 }, 0, &nowhere, arena, base, NULL, NULL };
 
 	if (!row->fallback) {
-		set_absent(row, (char *)base + row->offset);
+		store_absent_value(row, (char *)base + row->offset);
 		return TS_OK;
 	}
 	if (ts_words_split(arena, row->fallback, &nowhere, &p.words) != TS_OK)
 		return ts_nomem(&sim->error);
-	return read_row(&p, row, NULL);
+	return read_argument(&p, row, NULL);
 }
 
 enum ts_status ts_args_defaults(struct tsim *sim, const struct ts_arg *rows, struct ts_arena *arena,
@@ -323,7 +326,7 @@ enum ts_status ts_args_parse(struct tsim *sim, const char *what, const struct ts
 	struct ts_parse p = { sim, what, words, 0, where, arena, base, NULL, NULL };
 
 	TS_TRY(ts_args_defaults(sim, rows, arena, base));
-	TS_TRY(read_rows(&p, rows, NULL));
+	TS_TRY(read_arguments(&p, rows, NULL));
 	TS_TRY(check_required(&p, rows));
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++)
 		if (row->type == TS_ARG_MODE && *(int *)((char *)base + row->offset) >= 0)

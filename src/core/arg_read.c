@@ -1,4 +1,4 @@
-/* Reads a value of each type from the words of a line. */
+/* Readers for each argument type: words of a line to values. */
 #include "core/arg_read.h"
 
 #include <string.h>
@@ -19,7 +19,7 @@ enum ts_status ts_arg_refuse(struct ts_parse *p, const struct ts_arg *row, const
 	const struct ts_place *where = p->where;
 	char meaning[96] = "";
 
-	/* choices explain themselves */
+	/* the message lists the choices of TS_ARG_ENUM and TS_ARG_MODE; they need no help text */
 	if (row->help && strlen(row->help) < sizeof meaning - 8 && expected != row->help &&
 	    row->type != TS_ARG_ENUM && row->type != TS_ARG_MODE)
 		snprintf(meaning, sizeof meaning, " (%s)", row->help);
@@ -107,7 +107,7 @@ enum ts_status ts_arg_read_word(struct ts_parse *p, const struct ts_arg *row, co
 	return *out ? TS_OK : ts_nomem(&p->sim->error);
 }
 
-static void list_choices(const char *const *choices, struct ts_str *out)
+static void append_choices(const char *const *choices, struct ts_str *out)
 {
 	for (size_t k = 0; choices[k]; k++)
 		ts_str_addf(out, "%s%s", k ? ", " : "", choices[k]);
@@ -130,7 +130,7 @@ enum ts_status ts_arg_read_enum(struct ts_parse *p, const struct ts_arg *row, in
 		ts_suggest_try(&suggest, row->choices[k]);
 	remark = word ? ts_unsupported_word_remark(row->name, word->text) : NULL;
 	ts_str_add(&expected, "one of ");
-	list_choices(row->choices, &expected);
+	append_choices(row->choices, &expected);
 	if (remark)
 		ts_str_addf(&expected, "; that one is known, but tsim does not have it: %s", remark);
 	else
@@ -220,7 +220,7 @@ enum ts_status ts_arg_read_types(struct ts_parse *p, const struct ts_arg *row, s
 	return TS_OK;
 }
 
-static bool names_style(const struct ts_tables *tables, const char *name)
+static bool is_style_name(const struct ts_tables *tables, const char *name)
 {
 	return ts_style_find(tables, TS_KIND_FIX, name) || ts_style_find(tables, TS_KIND_COMPUTE, name) ||
 	       ts_style_find(tables, TS_KIND_DUMP, name);
@@ -240,7 +240,7 @@ enum ts_status ts_arg_read_group(struct ts_parse *p, const struct ts_arg *row, i
 		return TS_OK;
 	}
 	status = ts_group_require(p->sim, word, out);
-	if (status == TS_UNKNOWN && names_style(p->sim->tables, word->text)) {
+	if (status == TS_UNKNOWN && is_style_name(p->sim->tables, word->text)) {
 		tail = error->message + strlen(error->message);
 		snprintf(tail, sizeof error->message - (size_t)(tail - error->message),
 			 "; '%s' is a style, the group stands before it", word->text);

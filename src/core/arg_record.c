@@ -1,4 +1,4 @@
-/* Writes argument rows back as text: synopsis and resolved values. */
+/* Arguments as text: synopsis and resolved values. */
 #include "core/arg.h"
 
 #include <inttypes.h>
@@ -9,7 +9,7 @@
 
 #include "base/banned.h"
 
-static void add_real(struct ts_str *out, double value)
+static void append_real(struct ts_str *out, double value)
 {
 	double again;
 	char text[32];
@@ -27,17 +27,17 @@ static void add_real(struct ts_str *out, double value)
 	ts_str_addf(out, " %s", text);
 }
 
-static void add_number(struct ts_str *out, const struct ts_number *number)
+static void append_number(struct ts_str *out, const struct ts_number *number)
 {
 	if (number->null)
 		ts_str_add(out, " NULL");
 	else if (number->variable)
 		ts_str_addf(out, " v_%s", number->variable);
 	else
-		add_real(out, number->value);
+		append_real(out, number->value);
 }
 
-static void add_types(struct ts_str *out, const struct ts_types *t)
+static void append_types(struct ts_str *out, const struct ts_types *t)
 {
 	if (t->hi)
 		ts_str_addf(out, " %d*%d", t->lo, t->hi);
@@ -45,13 +45,13 @@ static void add_types(struct ts_str *out, const struct ts_types *t)
 		ts_str_addf(out, " %d*", t->lo);
 }
 
-static void add_words(struct ts_str *out, const struct ts_words *words)
+static void append_words(struct ts_str *out, const struct ts_words *words)
 {
 	for (size_t k = 0; k < words->n; k++)
 		ts_str_addf(out, " %s", words->word[k].text);
 }
 
-static bool absent(const struct ts_arg *row, const void *field)
+static bool is_absent(const struct ts_arg *row, const void *field)
 {
 	switch (row->type) {
 	case TS_ARG_REAL:
@@ -77,16 +77,17 @@ static bool absent(const struct ts_arg *row, const void *field)
 	}
 }
 
-static void add_value(const struct tsim *sim, const struct ts_arg *row, const void *field, struct ts_str *out)
+static void append_value(const struct tsim *sim, const struct ts_arg *row, const void *field,
+			 struct ts_str *out)
 {
 	switch (row->type) {
 	case TS_ARG_REAL:
 	case TS_ARG_COORD:
-		add_real(out, *(const double *)field);
+		append_real(out, *(const double *)field);
 		break;
 	case TS_ARG_VEC3:
 		for (int d = 0; d < 3; d++)
-			add_real(out, ((const double *)field)[d]);
+			append_real(out, ((const double *)field)[d]);
 		break;
 	case TS_ARG_INT:
 		ts_str_addf(out, " %" PRId64, *(const int64_t *)field);
@@ -105,10 +106,10 @@ static void add_value(const struct tsim *sim, const struct ts_arg *row, const vo
 		ts_str_addf(out, " %s", row->modes[*(const int *)field].name);
 		break;
 	case TS_ARG_NUMBER:
-		add_number(out, field);
+		append_number(out, field);
 		break;
 	case TS_ARG_TYPES:
-		add_types(out, field);
+		append_types(out, field);
 		break;
 	case TS_ARG_GROUP:
 		ts_str_addf(out, " %s", ts_group_name(sim, *(const int *)field));
@@ -117,7 +118,7 @@ static void add_value(const struct tsim *sim, const struct ts_arg *row, const vo
 		ts_str_addf(out, " %s", (*(struct ts_instance *const *)field)->id);
 		break;
 	case TS_ARG_REST:
-		add_words(out, field);
+		append_words(out, field);
 		break;
 	case TS_ARG_FLAG:
 	case TS_ARG_END:
@@ -129,12 +130,12 @@ bool ts_arg_record(const struct tsim *sim, const struct ts_arg *row, const void 
 {
 	const void *field = (const char *)base + row->offset;
 
-	if (absent(row, field))
+	if (is_absent(row, field))
 		return false;
 	if (row->type == TS_ARG_FLAG)
 		ts_str_add(out, " yes");
 	else
-		add_value(sim, row, field, out);
+		append_value(sim, row, field, out);
 	return true;
 }
 
@@ -143,18 +144,18 @@ void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const voi
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)base + row->offset;
 
-		if (absent(row, field))
+		if (is_absent(row, field))
 			continue;
 		if (!(row->flags & TS_POSITIONAL))
 			ts_str_addf(out, " %s", row->name);
-		add_value(sim, row, field, out);
+		append_value(sim, row, field, out);
 		if (row->type == TS_ARG_MODE)
 			ts_args_record(sim, row->modes[*(const int *)field].args, base, out);
 	}
 }
 
-static enum ts_status would_write(struct tsim *sim, const char *what, const char *path, struct ts_words words,
-				  const struct ts_place *where)
+static enum ts_status report_file_written(struct tsim *sim, const char *what, const char *path,
+					  struct ts_words words, const struct ts_place *where)
 {
 	for (size_t k = 0; k < words.n; k++)
 		if (ts_streq(words.word[k].text, path))
@@ -170,10 +171,10 @@ enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct 
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)base + row->offset;
 
-		if (absent(row, field))
+		if (is_absent(row, field))
 			continue;
 		if (row->flags & TS_WRITES)
-			TS_TRY(would_write(sim, what, *(const char *const *)field, words, where));
+			TS_TRY(report_file_written(sim, what, *(const char *const *)field, words, where));
 		if (row->type == TS_ARG_MODE)
 			TS_TRY(ts_args_outputs(sim, what, row->modes[*(const int *)field].args, base, words,
 					       where));
@@ -181,26 +182,26 @@ enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct 
 	return TS_OK;
 }
 
-static void add_choices(const char *const *choices, struct ts_str *out)
+static void append_choices(const char *const *choices, struct ts_str *out)
 {
 	for (size_t k = 0; choices[k]; k++)
 		ts_str_addf(out, "%s%s", k ? "|" : "", choices[k]);
 }
 
-static void add_modes(const struct ts_mode *modes, struct ts_str *out)
+static void append_modes(const struct ts_mode *modes, struct ts_str *out)
 {
 	for (size_t k = 0; modes[k].name; k++)
 		ts_str_addf(out, "%s%s", k ? "|" : "", modes[k].name);
 }
 
-static void add_placeholder(const struct ts_arg *row, struct ts_str *out)
+static void append_placeholder(const struct ts_arg *row, struct ts_str *out)
 {
 	switch (row->type) {
 	case TS_ARG_ENUM:
-		add_choices(row->choices, out);
+		append_choices(row->choices, out);
 		break;
 	case TS_ARG_MODE:
-		add_modes(row->modes, out);
+		append_modes(row->modes, out);
 		ts_str_add(out, " ...");
 		break;
 	case TS_ARG_BOOL:
@@ -230,12 +231,12 @@ void ts_arg_synopsis(const struct ts_arg *row, struct ts_str *out)
 
 	ts_str_add(out, bracket ? "[" : "");
 	if (row->flags & TS_POSITIONAL) {
-		add_placeholder(row, out);
+		append_placeholder(row, out);
 	} else {
 		ts_str_add(out, row->name);
 		if (row->type != TS_ARG_FLAG) {
 			ts_str_add(out, " ");
-			add_placeholder(row, out);
+			append_placeholder(row, out);
 		}
 	}
 	ts_str_add(out, bracket ? "]" : "");

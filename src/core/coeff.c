@@ -50,7 +50,7 @@ void ts_coeffs_release(struct ts_coeffs *c)
 #define TS_POTENTIALS "potentials"
 #endif
 
-/* The folder that the path is in; false: none is said. */
+/* The folder part of the path; false: it has none, or it is too long. */
 static bool folder_of(const char *path, char *folder, size_t room)
 {
 	const char *slash = path ? strrchr(path, '/') : NULL;
@@ -60,10 +60,9 @@ static bool folder_of(const char *path, char *folder, size_t room)
 
 enum { PLACES = 5, LONGEST = 1024 };
 
-/* Where coefficient files are: beside the script, in the folder of TSIM_POTENTIALS, in potentials/ here
- * and of the tree that the program has been built in, and where it was installed. Places that are not
- * there are "". */
-static void list_places(const char *script, char place[PLACES][LONGEST])
+/* Folders searched for coefficient files: that of the script, that given by TSIM_POTENTIALS, ./potentials,
+ * potentials/ of the source tree of the program, and the installed one. Those that do not exist are "". */
+static void list_folders(const char *script, char place[PLACES][LONGEST])
 {
 	const char *given = getenv("TSIM_POTENTIALS");
 	struct ts_str self = { 0 };
@@ -97,8 +96,8 @@ static FILE *open_potential(struct tsim *sim, const char *name, const char *endi
 	return file;
 }
 
-static enum ts_status not_found(struct tsim *sim, const struct ts_word *name, const char *ending,
-				char place[PLACES][LONGEST])
+static enum ts_status fail_not_found(struct tsim *sim, const struct ts_word *name, const char *ending,
+				     char place[PLACES][LONGEST])
 {
 	const char *why = ts_files_why(&sim->files);
 	struct ts_str places = { 0 };
@@ -117,8 +116,8 @@ static enum ts_status not_found(struct tsim *sim, const struct ts_word *name, co
 }
 
 /* All words of the file, one after the other, each with its place. */
-static enum ts_status read_words(struct tsim *sim, FILE *file, const char *name, struct ts_arena *arena,
-				 struct ts_words *out)
+static enum ts_status read_file_words(struct tsim *sim, FILE *file, const char *name, struct ts_arena *arena,
+				      struct ts_words *out)
 {
 	struct ts_word *all = NULL;
 	size_t capacity = 0, n = 0;
@@ -129,7 +128,7 @@ static enum ts_status read_words(struct tsim *sim, FILE *file, const char *name,
 	while (status == TS_OK && fgets(line, sizeof line, file)) {
 		struct ts_words words;
 
-		if (!strchr(line, '\n') && !feof(file)) { /* its rest would be taken for another line */
+		if (!strchr(line, '\n') && !feof(file)) { /* the rest would be parsed as another line */
 			place.line++;
 			status = ts_fail(&sim->error, TS_RANGE, &place,
 					 "a line of a coefficient file has at most %zu bytes",
@@ -158,20 +157,20 @@ enum ts_status ts_coeff_words(struct tsim *sim, const struct ts_word *name, cons
 	enum ts_status status;
 	FILE *file;
 
-	list_places(name->place.file, place);
+	list_folders(name->place.file, place);
 	errno = 0;
 	file = open_potential(sim, name->text, "", place);
 	if (!file && *ending)
 		file = open_potential(sim, name->text, ending, place);
 	if (!file)
-		return not_found(sim, name, ending, place);
-	status = read_words(sim, file, name->text, arena, out);
+		return fail_not_found(sim, name, ending, place);
+	status = read_file_words(sim, file, name->text, arena, out);
 	fclose(file);
 	return status;
 }
 
-static enum ts_status parse_file(struct tsim *sim, const char *what, const struct ts_coeffs *c,
-				 const struct ts_word *name, struct ts_arena *arena, void *entry)
+static enum ts_status parse_coefficient_file(struct tsim *sim, const char *what, const struct ts_coeffs *c,
+					     const struct ts_word *name, struct ts_arena *arena, void *entry)
 {
 	struct ts_words words;
 
@@ -185,7 +184,7 @@ enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, struct ts_coef
 	enum ts_status status;
 
 	if (words.n == 2 && ts_streq(words.word[0].text, "file"))
-		status = parse_file(sim, what, c, &words.word[1], &c->arena, entry);
+		status = parse_coefficient_file(sim, what, c, &words.word[1], &c->arena, entry);
 	else
 		status = ts_args_parse(sim, what, c->rows, words, where, &c->arena, entry);
 	if (status == TS_OK)
@@ -193,8 +192,8 @@ enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, struct ts_coef
 	return status;
 }
 
-static enum ts_status archive_entry(struct ts_archive *archive, struct tsim *sim, struct ts_coeffs *c,
-				    size_t k)
+static enum ts_status archive_coefficients(struct ts_archive *archive, struct tsim *sim, struct ts_coeffs *c,
+					   size_t k)
 {
 	const struct ts_place where = { .file = "restart file" };
 	struct ts_str record = { 0 };
@@ -228,7 +227,7 @@ enum ts_status ts_coeffs_archive(struct ts_archive *archive, struct tsim *sim, s
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible number of coefficients");
 	TS_TRY(ts_coeffs_resize(sim, c, (size_t)n));
 	for (size_t k = 0; k < (size_t)n; k++)
-		TS_TRY(archive_entry(archive, sim, c, k));
+		TS_TRY(archive_coefficients(archive, sim, c, k));
 	return TS_OK;
 }
 

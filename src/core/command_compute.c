@@ -1,9 +1,9 @@
-/* Command compute: makes a compute. */
+/* Command compute: defines a compute. */
 #include "core/definition.h"
 
 #include "base/banned.h"
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status run_compute(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	struct ts_definition *made = state;
 	const struct ts_word *word = made->line.word;
@@ -20,7 +20,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_DEFINITION_ARGS("particles it looks at", "style and its arguments"),
+	TS_DEFINITION_ARGS("particles it is computed from", "style and its arguments"),
 	TS_ARGS_END,
 };
 
@@ -30,13 +30,13 @@ const struct ts_command_style ts_command_compute = {
 		.name = "compute",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Defines a quantity computed from particles",
-		.doc = "It is evaluated when something asks for it by the name c_ID. See the pages of the "
-		       "compute\n"
-		       "styles. `update_on_run_end yes` of LIGGGHTS, behind the style, is not needed.",
+		.doc = "A compute is evaluated when its value c_ID is needed: by a thermo keyword, a variable, a fix or\n"
+		       "a dump. See the pages of the compute styles. `update_on_run_end yes|no` of LIGGGHTS behind the\n"
+		       "style has no effect.",
 		.example = "compute energy all ke",
 		.args = args,
 		.state_size = sizeof(struct ts_definition),
 	},
 	.needs_box = true,
-	.run = run,
+	.run = run_compute,
 };

@@ -8,14 +8,14 @@ struct state {
 	struct ts_words words;
 };
 
-/* Computes that always exist elsewhere: the keywords temp, press and pe. */
+/* Computes that LIGGGHTS and LAMMPS define by themselves; here they are the keywords temp, press and pe. */
 static bool is_standard(const char *id)
 {
 	return ts_streq(id, "thermo_temp") || ts_streq(id, "thermo_press") || ts_streq(id, "thermo_pe");
 }
 
-/* dynamic: particles are counted whenever a temperature is taken. */
-static enum ts_status without_effect(struct tsim *sim, struct ts_words words, size_t *used)
+/* dynamic has no effect: particles are counted whenever a temperature is computed. */
+static enum ts_status skip_ignored_option(struct tsim *sim, struct ts_words words, size_t *used)
 {
 	static const char *const names[] = { "dynamic", "dynamic/dof", NULL };
 	const struct ts_word *word = words.word;
@@ -37,18 +37,18 @@ static enum ts_status without_effect(struct tsim *sim, struct ts_words words, si
 		       ts_suggest_text(&suggest));
 }
 
-static enum ts_status modify(struct tsim *sim, const char *id, struct ts_instance *compute,
-			     struct ts_words words, size_t *used)
+static enum ts_status apply_option(struct tsim *sim, const char *id, struct ts_instance *compute,
+				   struct ts_words words, size_t *used)
 {
 	*used = 0;
 	if (ts_streq(id, "thermo_temp"))
 		TS_TRY(ts_freedom_read(&sim->thermo->freedom, sim, words, used));
 	else if (compute && compute->style->modify)
 		TS_TRY(compute->style->modify(compute, sim, words, used));
-	return *used ? TS_OK : without_effect(sim, words, used);
+	return *used ? TS_OK : skip_ignored_option(sim, words, used);
 }
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status run_compute_modify(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
 	const struct ts_word id = { .text = s->id, .place = *ts_sim_word(sim, 1, where) };
@@ -59,7 +59,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (!is_standard(s->id))
 		TS_TRY(ts_sim_require(sim, TS_KIND_COMPUTE, &id, &compute));
 	for (; rest.n; rest = ts_words_from(rest, used))
-		TS_TRY(modify(sim, s->id, compute, rest, &used));
+		TS_TRY(apply_option(sim, s->id, compute, rest, &used));
 	return TS_OK;
 }
 
@@ -67,7 +67,7 @@ static const struct ts_arg args[] = {
 	TS_WORD("id", struct state, id, .flags = TS_POSITIONAL, .help = "name of the compute"),
 	TS_REST("words", struct state, words,
 		.help = "extra M or extra/dof M; dynamic yes|no or dynamic/dof yes|no: no effect, particles "
-			"are counted anew"),
+			"are counted whenever a temperature is computed"),
 	TS_ARGS_END,
 };
 
@@ -76,15 +76,13 @@ const struct ts_command_style ts_command_compute_modify = {
 	.style = {
 		.name = "compute_modify",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Degrees of freedom of a temperature",
-		.doc = "extra M: a temperature is taken with D N - M degrees of freedom in place of D (N - "
-		       "1).\n"
-		       "thermo_temp is the temperature of the keyword temp; thermo_press and thermo_pe are "
-		       "taken to\n"
-		       "exist.",
+		.summary = "Changes the degrees of freedom of a temperature",
+		.doc = "extra M: the temperature is computed with D N - M degrees of freedom instead of D (N - 1),\n"
+		       "where D is the dimension and N the number of particles. The id thermo_temp is the temperature\n"
+		       "of the thermo keyword temp; the ids thermo_press and thermo_pe are accepted, too.",
 		.example = "compute_modify thermo_temp dynamic yes\ncompute_modify heat extra 0",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
+	.run = run_compute_modify,
 };

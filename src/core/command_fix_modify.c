@@ -1,4 +1,4 @@
-/* Command fix_modify: what counts of a fix, and words that are its own. */
+/* Command fix_modify: whether the energy of a fix is part of pe, and options of single fixes. */
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -10,7 +10,7 @@ struct state {
 
 typedef enum ts_status answer_fn(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer);
 
-static enum ts_status read_answer(struct tsim *sim, const struct ts_word *word, bool *out)
+static enum ts_status read_yes_or_no(struct tsim *sim, const struct ts_word *word, bool *out)
 {
 	*out = ts_streq(word->text, "yes");
 	if (*out || ts_streq(word->text, "no"))
@@ -19,11 +19,11 @@ static enum ts_status read_answer(struct tsim *sim, const struct ts_word *word, 
 		       word->text);
 }
 
-static enum ts_status energy(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer)
+static enum ts_status set_energy(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer)
 {
 	bool yes;
 
-	TS_TRY(read_answer(sim, answer, &yes));
+	TS_TRY(read_yes_or_no(sim, answer, &yes));
 	if (yes && !fix->style->energy)
 		return ts_fail(&sim->error, TS_RANGE, &answer->place,
 			       "fix_modify: fix %s has no potential energy that could be counted",
@@ -32,11 +32,11 @@ static enum ts_status energy(struct tsim *sim, struct ts_instance *fix, const st
 	return TS_OK;
 }
 
-static enum ts_status virial(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer)
+static enum ts_status set_virial(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer)
 {
 	bool yes;
 
-	TS_TRY(read_answer(sim, answer, &yes));
+	TS_TRY(read_yes_or_no(sim, answer, &yes));
 	if (!yes)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &answer->place,
@@ -44,17 +44,17 @@ static enum ts_status virial(struct tsim *sim, struct ts_instance *fix, const st
 		       fix->style->name);
 }
 
-/* The number of degrees of freedom is counted anew whenever a temperature is taken. */
-static enum ts_status dynamic(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer)
+/* No effect: degrees of freedom are counted whenever a temperature is computed. */
+static enum ts_status accept_dynamic(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer)
 {
 	bool ignored;
 
 	(void)fix;
-	return read_answer(sim, answer, &ignored);
+	return read_yes_or_no(sim, answer, &ignored);
 }
 
-/* There are no levels of time steps. */
-static enum ts_status respa(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer)
+/* No effect: there is one time step, no r-RESPA levels. */
+static enum ts_status accept_respa(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer)
 {
 	int64_t level;
 
@@ -65,7 +65,8 @@ static enum ts_status respa(struct tsim *sim, struct ts_instance *fix, const str
 		       "fix_modify: respa is '%s', expected an integer >= 0", answer->text);
 }
 
-static enum ts_status other_compute(struct tsim *sim, struct ts_instance *fix, const struct ts_word *answer)
+static enum ts_status refuse_other_compute(struct tsim *sim, struct ts_instance *fix,
+					   const struct ts_word *answer)
 {
 	return ts_fail(&sim->error, TS_RANGE, &answer->place,
 		       "fix_modify: fix %s takes no temperature or pressure from another compute",
@@ -76,13 +77,14 @@ static const struct {
 	const char *name;
 	answer_fn *take;
 } common[] = {
-	{ "energy", energy },	    { "virial", virial }, { "dynamic", dynamic },
-	{ "dynamic/dof", dynamic }, { "respa", respa },	  { "temp", other_compute },
-	{ "press", other_compute },
+	{ "energy", set_energy },	   { "virial", set_virial },  { "dynamic", accept_dynamic },
+	{ "dynamic/dof", accept_dynamic }, { "respa", accept_respa }, { "temp", refuse_other_compute },
+	{ "press", refuse_other_compute },
 };
 enum { NCOMMON = sizeof common / sizeof *common };
 
-static enum ts_status unknown(struct tsim *sim, const struct ts_instance *fix, const struct ts_word *word)
+static enum ts_status fail_unknown_option(struct tsim *sim, const struct ts_instance *fix,
+					  const struct ts_word *word)
 {
 	struct ts_suggest suggest = ts_suggest_start(word->text);
 
@@ -92,8 +94,9 @@ static enum ts_status unknown(struct tsim *sim, const struct ts_instance *fix, c
 		       fix->style->name, word->text, ts_suggest_text(&suggest));
 }
 
-/* The first words, which belong together; *used of them. */
-static enum ts_status modify(struct tsim *sim, struct ts_instance *fix, struct ts_words words, size_t *used)
+/* Applies the option at the start of `words`; *used: how many words it has. */
+static enum ts_status apply_option(struct tsim *sim, struct ts_instance *fix, struct ts_words words,
+				   size_t *used)
 {
 	const struct ts_word *word = words.word;
 	int k = 0;
@@ -106,7 +109,7 @@ static enum ts_status modify(struct tsim *sim, struct ts_instance *fix, struct t
 	while (k < NCOMMON && !ts_streq(common[k].name, word->text))
 		k++;
 	if (k == NCOMMON)
-		return unknown(sim, fix, word);
+		return fail_unknown_option(sim, fix, word);
 	if (words.n < 2)
 		return ts_fail(&sim->error, TS_SYNTAX, &word->place, "fix_modify: %s lacks its value",
 			       word->text);
@@ -114,7 +117,7 @@ static enum ts_status modify(struct tsim *sim, struct ts_instance *fix, struct t
 	return common[k].take(sim, fix, &word[1]);
 }
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status run_fix_modify(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
 	const struct ts_word id = { .text = s->id, .place = *ts_sim_word(sim, 1, where) };
@@ -124,14 +127,14 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 	TS_TRY(ts_sim_require(sim, TS_KIND_FIX, &id, &fix));
 	for (; rest.n; rest = ts_words_from(rest, used))
-		TS_TRY(modify(sim, fix, rest, &used));
+		TS_TRY(apply_option(sim, fix, rest, &used));
 	return TS_OK;
 }
 
 static const struct ts_arg args[] = {
 	TS_WORD("id", struct state, id, .flags = TS_POSITIONAL, .help = "name of the fix"),
 	TS_REST("words", struct state, words,
-		.help = "energy yes|no, virial no, dynamic/dof yes|no, respa N, or words of the fix itself"),
+		.help = "energy yes|no, virial no, dynamic/dof yes|no, respa N, or options of this fix"),
 	TS_ARGS_END,
 };
 
@@ -140,21 +143,16 @@ const struct ts_command_style ts_command_fix_modify = {
 	.style = {
 		.name = "fix_modify",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Whether the energy of a fix counts, and words of the fix itself",
-		.doc = "energy yes: the potential energy of the fix (gravity, addforce, spring, spring/self) "
-		       "is part\n"
-		       "of pe, etotal and compute pe; from the start it is not. dynamic/dof and respa have "
-		       "no effect:\n"
-		       "degrees of freedom are counted whenever a temperature is taken, and there is one "
-		       "time step.\n"
-		       "virial yes, temp and press are refused: pressures are of contacts, bonds and motion, "
-		       "and no\n"
-		       "fix takes a temperature or a pressure from another compute. What else there is, the "
-		       "pages of\n"
-		       "the fixes say.",
+		.summary = "Changes options of a fix",
+		.doc = "energy yes: the potential energy of the fix (gravity, addforce, spring, spring/self) is part of\n"
+		       "the thermo keywords pe and etotal and of compute pe; by default it is not. dynamic/dof and respa\n"
+		       "have no effect: degrees of freedom are counted whenever a temperature is computed, and all forces\n"
+		       "have the same time step. virial yes, temp and press are refused: pressures have contributions of\n"
+		       "contacts, bonds and motion, and no fix takes a temperature or a pressure from another compute.\n"
+		       "Further options are described on the pages of the fixes that have them.",
 		.example = "fix_modify fall energy yes",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
+	.run = run_fix_modify,
 };

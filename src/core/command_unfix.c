@@ -1,4 +1,4 @@
-/* Command unfix: ends a fix. */
+/* Command unfix: deletes a fix. */
 #include "core/life.h"
 
 #include "base/banned.h"
@@ -7,7 +7,7 @@ struct state {
 	const char *id;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status run_unfix(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct ts_word id = { .text = ((const struct state *)state)->id,
 				    .place = *ts_sim_word(sim, 1, where) };
@@ -25,11 +25,11 @@ const struct ts_command_style ts_command_unfix = {
 	.style = {
 		.name = "unfix",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Ends a fix",
-		.doc = "It is removed with all that it holds.",
+		.summary = "Deletes a fix",
+		.doc = "The fix and its data are deleted.",
 		.example = "unfix fall",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
+	.run = run_unfix,
 };

@@ -7,10 +7,10 @@
 
 #include "base/banned.h"
 
-/* Particles of a block: their columns fit into the first-level cache, with room for what is prefetched. */
+/* Particles per block: their columns fit into the first-level cache together with prefetched data. */
 enum { BLOCK = 32 };
 
-static void run_fused(void *context, size_t from, size_t to)
+static void execute_fused(void *context, size_t from, size_t to)
 {
 	struct ts_deferred_loops *deferred = context;
 
@@ -30,7 +30,7 @@ void ts_deferred_loops_run(struct tsim *sim)
 	if (!deferred->n)
 		return;
 	begin = ts_ticks();
-	ts_parallel(ts_team(sim, deferred->n * deferred->rounds), deferred->rounds, run_fused, deferred);
+	ts_parallel(ts_team(sim, deferred->n * deferred->rounds), deferred->rounds, execute_fused, deferred);
 	deferred->n = 0;
 	deferred->spent += ts_ticks() - begin;
 }

@@ -113,7 +113,7 @@ struct tsim *ts_sim_new(const struct ts_tables *tables)
 	return sim;
 }
 
-static void free_list(struct ts_instances *list)
+static void free_instance_list(struct ts_instances *list)
 {
 	while (list->n)
 		instance_free(list->item[--list->n]);
@@ -121,12 +121,12 @@ static void free_list(struct ts_instances *list)
 	*list = (struct ts_instances){ 0 };
 }
 
-/* Later kinds may refer to earlier ones, systems to nothing: free in reverse. */
-static void free_instances(struct tsim *sim)
+/* In reverse order: instances of a kind may point to those of kinds before it, systems to none. */
+static void free_all_instances(struct tsim *sim)
 {
 	for (int kind = TS_NKIND - 1; kind >= 0; kind--)
-		free_list(&sim->instances[kind]);
-	free_list(&sim->retired);
+		free_instance_list(&sim->instances[kind]);
+	free_instance_list(&sim->retired);
 	ts_unclaimed_free(sim);
 }
 
@@ -134,7 +134,7 @@ void ts_sim_free(struct tsim *sim)
 {
 	if (!sim)
 		return;
-	free_instances(sim);
+	free_all_instances(sim);
 	ts_log_close(&sim->log, &sim->error);
 	ts_shared_buffers_end(&sim->holds);
 	ts_review_release(&sim->review);
@@ -145,14 +145,15 @@ void ts_sim_free(struct tsim *sim)
 
 enum ts_status ts_sim_clear(struct tsim *sim)
 {
-	free_instances(sim);
+	free_all_instances(sim);
 	set_defaults(sim);
 	sim->era++;
 	return start_systems(sim);
 }
 
-/* Pair and bond get their coefficients later; all others can be checked when they are made. */
-static enum ts_status first_init(struct tsim *sim, struct ts_instance *inst, struct ts_words args)
+/* init of pair and bond needs their coefficients, which come later; all others are checked when they are
+ * defined. */
+static enum ts_status init_new_instance(struct tsim *sim, struct ts_instance *inst, struct ts_words args)
 {
 	const struct ts_instances *systems = &sim->instances[TS_KIND_SYSTEM];
 	enum ts_kind kind = inst->style->kind;
@@ -166,8 +167,8 @@ static enum ts_status first_init(struct tsim *sim, struct ts_instance *inst, str
 	return ts_unclaimed_apply(sim, inst, args);
 }
 
-static enum ts_status place_of_new(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,
-				   const char *id, const struct ts_place *where, size_t *at)
+static enum ts_status find_position(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,
+				    const char *id, const struct ts_place *where, size_t *at)
 {
 	struct ts_instances *list = &sim->instances[kind];
 
@@ -193,7 +194,7 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 	char what[128];
 	size_t at;
 
-	TS_TRY(place_of_new(sim, kind, style, id, where, &at));
+	TS_TRY(find_position(sim, kind, style, id, where, &at));
 	TS_TRY(instance_new(sim, style, id, group, where, &inst));
 	snprintf(what, sizeof what, "%s %s", ts_kind_name(kind), style->name);
 	status = ts_words_copy(&inst->arena, args, &inst->words) == TS_OK ? TS_OK : ts_nomem(&sim->error);
@@ -202,7 +203,7 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 	if (status == TS_OK)
 		status = ts_args_outputs(sim, what, style->args, inst->state, args, where);
 	if (status == TS_OK)
-		status = first_init(sim, inst, args);
+		status = init_new_instance(sim, inst, args);
 	if (status != TS_OK) {
 		instance_free(inst);
 		return status;
@@ -232,8 +233,8 @@ enum ts_status ts_sim_choose(struct tsim *sim, enum ts_kind kind, struct ts_word
 	return ts_sim_create(sim, kind, style, "", 0, ts_words_from(line, 1), where, NULL);
 }
 
-static enum ts_status take_out(struct tsim *sim, enum ts_kind kind, const struct ts_word *id,
-			       struct ts_instance **out)
+static enum ts_status remove_from_list(struct tsim *sim, enum ts_kind kind, const struct ts_word *id,
+				       struct ts_instance **out)
 {
 	struct ts_instances *list = &sim->instances[kind];
 	size_t at = 0;
@@ -251,7 +252,7 @@ enum ts_status ts_sim_destroy(struct tsim *sim, enum ts_kind kind, const struct 
 {
 	struct ts_instance *inst = NULL;
 
-	TS_TRY(take_out(sim, kind, id, &inst));
+	TS_TRY(remove_from_list(sim, kind, id, &inst));
 	instance_free(inst);
 	return TS_OK;
 }
@@ -263,14 +264,14 @@ enum ts_status ts_sim_retire(struct tsim *sim, enum ts_kind kind, const struct t
 
 	if (TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	TS_TRY(take_out(sim, kind, id, &inst));
+	TS_TRY(remove_from_list(sim, kind, id, &inst));
 	list->item[list->n++] = inst;
 	return TS_OK;
 }
 
-/* Commands can run others. */
-static enum ts_status run_command(struct tsim *sim, const struct ts_command_style *command, void *state,
-				  struct ts_words words)
+/* Restores sim->line behind the command, since commands can execute others (run every). */
+static enum ts_status execute_command(struct tsim *sim, const struct ts_command_style *command, void *state,
+				      struct ts_words words)
 {
 	struct ts_words outer = sim->line;
 	enum ts_status status;
@@ -294,7 +295,7 @@ enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
 	void *state;
 
 	TS_TRY(ts_style_require(sim, TS_KIND_COMMAND, &words.word[0], &style));
-	for (size_t k = 2; k < words.n; k++) /* the first is an ID or the like */
+	for (size_t k = 2; k < words.n; k++) /* word 1 is mostly an ID, which may be spelt like a keyword */
 		ts_keywords_scan(sim, words.word[k].text);
 	command = (const struct ts_command_style *)style;
 	if (command->needs_box && !ts_sim_has_box(sim))
@@ -308,7 +309,7 @@ enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
 	if (status == TS_OK)
 		status = ts_args_outputs(sim, style->name, style->args, state, words, &where);
 	if (status == TS_OK && command->run)
-		status = run_command(sim, command, state, words);
+		status = execute_command(sim, command, state, words);
 	ts_arena_release(&arena);
 	ts_free(state);
 	return status;

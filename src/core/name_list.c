@@ -4,7 +4,7 @@
 
 #include "base/banned.h"
 
-/* Copied out, as the rows of the table may be of any type. */
+/* By memcpy, since the rows of the table may be structs of any type. */
 static const char *name_at(const void *table, size_t stride, int k)
 {
 	const char *name;
@@ -13,8 +13,8 @@ static const char *name_at(const void *table, size_t stride, int k)
 	return name;
 }
 
-static enum ts_status unknown(struct tsim *sim, const char *what, const struct ts_word *word,
-			      const void *table, size_t stride)
+static enum ts_status fail_unknown_name(struct tsim *sim, const char *what, const struct ts_word *word,
+					const void *table, size_t stride)
 {
 	struct ts_suggest suggest = ts_suggest_start(word->text);
 
@@ -42,7 +42,7 @@ enum ts_status ts_name_list_find(struct tsim *sim, const char *what, const struc
 			*index = k;
 			return TS_OK;
 		}
-	return unknown(sim, what, word, table, stride);
+	return fail_unknown_name(sim, what, word, table, stride);
 }
 
 enum ts_status ts_name_list_read(struct tsim *sim, const char *what, struct ts_arena *arena,

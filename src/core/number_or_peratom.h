@@ -14,14 +14,14 @@ struct ts_number_or_peratom {
 
 /* Evaluates the number: its variable may be of style equal or atom. */
 enum ts_status ts_number_or_peratom_now(struct tsim *sim, const struct ts_number *number,
-					const struct ts_place *where, struct ts_number_or_peratom *each);
-static inline double ts_number_or_peratom_of(const struct ts_number_or_peratom *each, size_t i)
+					const struct ts_place *where, struct ts_number_or_peratom *values);
+static inline double ts_number_or_peratom_of(const struct ts_number_or_peratom *values, size_t i)
 {
-	return each->list ? each->list[i] : each->value;
+	return values->list ? values->list[i] : values->value;
 }
-static inline void ts_number_or_peratom_release(struct ts_number_or_peratom *each)
+static inline void ts_number_or_peratom_release(struct ts_number_or_peratom *values)
 {
-	ts_table_release(&each->table);
+	ts_table_release(&values->table);
 }
 
 #endif

@@ -13,16 +13,16 @@
 
 #include "base/banned.h"
 
-/* Within a stage, kinds act in this order. */
+/* The order of hooks in a stage. */
 static const enum ts_kind kind_order[] = { TS_KIND_SYSTEM, TS_KIND_PAIR,     TS_KIND_BOND,
 					   TS_KIND_FLOW,   TS_KIND_PRESSURE, TS_KIND_REGION,
 					   TS_KIND_FIX,	   TS_KIND_COMPUTE,  TS_KIND_DUMP };
 enum { NORDER = sizeof kind_order / sizeof *kind_order };
-/* The site of random numbers that only the fingerprint sees. */
-enum { LOOKING = 2 };
+/* Key of the random numbers drawn while the fingerprint is computed: struct ts_draws. */
+enum { FINGERPRINT_SITE = 2 };
 
-static enum ts_status add_action(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst, int stage,
-				 ts_hook_fn *hook)
+static enum ts_status append_action(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst,
+				    int stage, ts_hook_fn *hook)
 {
 	bool usual = hook == inst->style->hook[stage], watches = hook == inst->style->watch;
 
@@ -38,17 +38,17 @@ static enum ts_status add_action(struct ts_plan *plan, struct tsim *sim, struct 
 	return TS_OK;
 }
 
-static enum ts_status add_actions(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst)
+static enum ts_status append_hooks(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst)
 {
 	for (int stage = 0; stage < TS_NSTAGE; stage++) {
 		if (inst->style->hook[stage])
-			TS_TRY(add_action(plan, sim, inst, stage, inst->style->hook[stage]));
+			TS_TRY(append_action(plan, sim, inst, stage, inst->style->hook[stage]));
 	}
 	return TS_OK;
 }
 
-/* Who needs the forces of all others, the outside program's too. */
-static enum ts_status add_late(struct ts_plan *plan, struct tsim *sim, int when)
+/* Hooks that need the sum of all forces, also those of the outside program. */
+static enum ts_status append_late_hooks(struct ts_plan *plan, struct tsim *sim, int when)
 {
 	for (int k = 0; k < NORDER; k++) {
 		const struct ts_instances *list = &sim->instances[kind_order[k]];
@@ -59,14 +59,15 @@ static enum ts_status add_late(struct ts_plan *plan, struct tsim *sim, int when)
 
 			if (!hook || (inst->style->is_late && !inst->style->is_late(inst)))
 				continue;
-			TS_TRY(add_action(plan, sim, inst, TS_STAGE_POST_FORCE, hook));
+			TS_TRY(append_action(plan, sim, inst, TS_STAGE_POST_FORCE, hook));
 		}
 	}
 	return TS_OK;
 }
 
-/* The stage with looks of this one at its beginning and after each action of others. */
-static enum ts_status watch_stage(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst, int stage)
+/* Inserts the `watch` hook of this instance at the beginning of the stage and after each hook of another. */
+static enum ts_status insert_watch_hooks(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst,
+					 int stage)
 {
 	struct ts_action *before = plan->actions[stage];
 	size_t n = plan->n[stage];
@@ -74,28 +75,28 @@ static enum ts_status watch_stage(struct ts_plan *plan, struct tsim *sim, struct
 
 	plan->actions[stage] = NULL;
 	plan->n[stage] = plan->capacity[stage] = 0;
-	status = n ? add_action(plan, sim, inst, stage, inst->style->watch) : TS_OK;
+	status = n ? append_action(plan, sim, inst, stage, inst->style->watch) : TS_OK;
 	for (size_t k = 0; k < n && status == TS_OK; k++) {
-		status = add_action(plan, sim, before[k].self, stage, before[k].hook);
+		status = append_action(plan, sim, before[k].self, stage, before[k].hook);
 		if (status == TS_OK && !before[k].watches && before[k].self != inst)
-			status = add_action(plan, sim, inst, stage, inst->style->watch);
+			status = append_action(plan, sim, inst, stage, inst->style->watch);
 	}
 	ts_free(before);
 	return status;
 }
 
-static enum ts_status add_watchers(struct ts_plan *plan, struct tsim *sim)
+static enum ts_status append_watch_hooks(struct ts_plan *plan, struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 
 	for (size_t k = 0; k < fixes->n; k++)
 		for (int stage = TS_STAGE_INITIAL_INTEGRATE;
 		     fixes->item[k]->style->watch && stage <= TS_STAGE_END_OF_STEP; stage++)
-			TS_TRY(watch_stage(plan, sim, fixes->item[k], stage));
+			TS_TRY(insert_watch_hooks(plan, sim, fixes->item[k], stage));
 	return TS_OK;
 }
 
-/* A region may be deleted while others use it, as long as none does in a run. */
+/* A region may be deleted while styles point to it, but no such style may remain in a run. */
 static enum ts_status refuse_retired(struct tsim *sim)
 {
 	for (size_t k = 0; k < sim->retired.n; k++) {
@@ -116,7 +117,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 	for (int stage = 0; stage < TS_NSTAGE; stage++)
 		plan->n[stage] = 0;
 	plan->watch = (struct ts_stopwatch){ .first = ts_ticks(), .begin = ts_clock() };
-	sim->run.explicit_euler = sim->run.clamped = false; /* their fixes say so in init */
+	sim->run.explicit_euler = sim->run.clamped = false; /* set by the init of integrators */
 	TS_TRY(ts_sim_defer_error(sim, refuse_retired(sim)));
 	for (int k = 0; k < NORDER; k++) {
 		const struct ts_instances *list = &sim->instances[kind_order[k]];
@@ -126,14 +127,14 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 				TS_TRY(ts_sim_defer_error(sim,
 							  list->item[i]->style->init(list->item[i], sim)));
 			TS_TRY(ts_sim_defer_error(sim, ts_refs_check(sim, list->item[i])));
-			TS_TRY(add_actions(plan, sim, list->item[i]));
+			TS_TRY(append_hooks(plan, sim, list->item[i]));
 		}
 	}
 	if (sim->outside)
-		TS_TRY(add_actions(plan, sim, sim->outside));
+		TS_TRY(append_hooks(plan, sim, sim->outside));
 	for (int when = 0; when < TS_NLATE; when++)
-		TS_TRY(add_late(plan, sim, when));
-	return add_watchers(plan, sim);
+		TS_TRY(append_late_hooks(plan, sim, when));
+	return append_watch_hooks(plan, sim);
 }
 
 void ts_plan_release(struct ts_plan *plan)
@@ -143,7 +144,8 @@ void ts_plan_release(struct ts_plan *plan)
 	*plan = (struct ts_plan){ 0 };
 }
 
-/* Outputs only look: what one has evaluated holds for the next. The program around may do anything. */
+/* Begins the epoch of a hook, in which cached outputs are valid. All hooks of OUTPUT share one epoch,
+ * since they change nothing; the outside program may change anything, so that nothing is cached. */
 static void begin_action(struct tsim *sim, const struct ts_action *action, enum ts_stage stage)
 {
 	sim->draws = (struct ts_draws){ action->site, 0 };
@@ -153,9 +155,10 @@ static void begin_action(struct tsim *sim, const struct ts_action *action, enum 
 		sim->run.epoch = ++sim->run.epochs;
 }
 
-/* The time since the last look was spent in this stage, but for passes that have waited: these mostly move
- * particles. One look a stage, for steps of few particles are short. */
-static void look_at_watch(struct ts_stopwatch *watch, struct tsim *sim, enum ts_stage stage)
+/* Adds the time since the last reading to this stage, except that of deferred loops, which are mostly
+ * integration and count as INITIAL_INTEGRATE. The clock is read only once in each stage, since steps of
+ * few particles are short. */
+static void read_stopwatch(struct ts_stopwatch *watch, struct tsim *sim, enum ts_stage stage)
 {
 	uint64_t now = ts_ticks();
 
@@ -173,7 +176,7 @@ double ts_plan_seconds(const struct ts_plan *plan, enum ts_stage stage)
 	return ticks > 0 ? (double)watch->spent[stage] / ticks * (ts_clock() - watch->begin) : 0;
 }
 
-static enum ts_status act(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage)
+static enum ts_status run_stage(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage)
 {
 	enum ts_status status = TS_OK;
 
@@ -192,14 +195,15 @@ static enum ts_status act(struct ts_plan *plan, struct tsim *sim, enum ts_stage 
 	}
 	sim->draws = (struct ts_draws){ 0 };
 	sim->run.epoch = 0;
-	look_at_watch(&plan->watch, sim, stage);
+	read_stopwatch(&plan->watch, sim, stage);
 	return status;
 }
 
-static enum ts_status act_in(struct ts_plan *plan, struct tsim *sim, enum ts_stage first, enum ts_stage last)
+static enum ts_status run_stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
+				 enum ts_stage last)
 {
 	for (int stage = (int)first; stage <= (int)last; stage++)
-		TS_TRY(act(plan, sim, (enum ts_stage)stage));
+		TS_TRY(run_stage(plan, sim, (enum ts_stage)stage));
 	return TS_OK;
 }
 
@@ -210,15 +214,16 @@ enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_sta
 
 enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first, enum ts_stage last)
 {
-	enum ts_status status = act_in(plan, sim, first, last);
+	enum ts_status status = run_stages(plan, sim, first, last);
 
 	ts_deferred_loops_run(sim);
 	return status;
 }
 
-/* Rows are always built anew; forces only if something they depend on has changed since the last
- * step. So a run cut in two, in one script or through a restart file, is the run in one. */
-static enum ts_status set_up(struct ts_plan *plan, struct tsim *sim)
+/* The contact list is always rebuilt; forces are computed only if something they depend on has changed
+ * since the last step. So a run cut in two, in one script or by a restart file, gives the results of the
+ * whole run. */
+static enum ts_status set_up_run(struct ts_plan *plan, struct tsim *sim)
 {
 	uint64_t fingerprint;
 
@@ -243,22 +248,22 @@ enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool
 	return ts_plan_stage(plan, sim, TS_STAGE_SETUP);
 }
 
-/* The order is that of LIGGGHTS. */
+/* Velocity Verlet; the order of stages is that of LIGGGHTS. */
 enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 {
 	sim->clock.step++;
-	TS_TRY(act_in(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
+	TS_TRY(run_stages(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
 	sim->run.rebuild |= (sim->full & TS_FULL_REBUILDS) != 0;
 	plan->rebuilds += sim->run.rebuild;
 	if (sim->run.rebuild)
-		TS_TRY(act_in(plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
+		TS_TRY(run_stages(plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
 	else
-		TS_TRY(act(plan, sim, TS_STAGE_FORWARD));
+		TS_TRY(run_stage(plan, sim, TS_STAGE_FORWARD));
 	sim->run.rebuild = false;
-	return act_in(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
+	return run_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
 }
 
-/* What holds only inside a run. */
+/* Resets the flags that are valid only inside a run. */
 static enum ts_status leave_run(struct tsim *sim, enum ts_status status)
 {
 	ts_deferred_loops_run(sim);
@@ -276,16 +281,16 @@ enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
 	plan->watch.last = ts_ticks();
 	sim->clock.wall_start = ts_clock();
 	if (setup || sim->reading.explain)
-		status = set_up(plan, sim);
+		status = set_up_run(plan, sim);
 	if (sim->reading.explain)
 		sim->clock.step = sim->clock.last_step;
-	else if (status == TS_OK) /* only now have all fixes seen the first state */
+	else if (status == TS_OK) /* after SETUP, in which fixes evaluate the initial state */
 		status = ts_plan_stage(plan, sim, TS_STAGE_OUTPUT);
 	return leave_run(sim, status);
 }
 
 /* timer timeout: the run ends with this step, later ones do nothing. */
-static void look_at_clock(struct tsim *sim)
+static void check_timeout(struct tsim *sim)
 {
 	int64_t done = sim->clock.step - sim->clock.first_step;
 
@@ -305,13 +310,13 @@ enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 	while (status == TS_OK && sim->clock.step < sim->clock.last_step) {
 		if (sim->requests.stop && sim->run.complete)
 			break;
-		if (sim->requests.stop) /* one more, of which all know that it is the last */
+		if (sim->requests.stop) /* one more step, which is known to be the last: outputs write it */
 			sim->clock.last_step = sim->clock.step + 1;
 		sim->requests.saving = sim->requests.save && sim->requests.saver;
 		status = ts_plan_step(plan, sim);
 		if (status == TS_OK && sim->requests.saving)
 			status = ts_saver_save(sim);
-		look_at_clock(sim);
+		check_timeout(sim);
 	}
 	return leave_run(sim, status);
 }
@@ -348,7 +353,7 @@ enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
 
 static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *inst, struct ts_hash *hash);
 
-/* Variables that move a region, and the regions a region is made of, stand in it as words. */
+/* Arguments of regions that are words: v_NAME of a motion, and members of a union or intersection. */
 static enum ts_status hash_words(struct tsim *sim, const struct ts_instance *inst, struct ts_words words,
 				 struct ts_hash *hash)
 {
@@ -380,16 +385,16 @@ static enum ts_status hash_variable(struct tsim *sim, const struct ts_instance *
 	return TS_OK;
 }
 
-/* What arguments stand for: variables count with the value they have now, regions with their shape. */
-static enum ts_status hash_meaning(struct tsim *sim, const struct ts_instance *inst,
-				   const struct ts_arg *rows, struct ts_hash *hash)
+/* Hashes what arguments refer to: the present value of variables, the geometry of regions. */
+static enum ts_status hash_references(struct tsim *sim, const struct ts_instance *inst,
+				      const struct ts_arg *rows, struct ts_hash *hash)
 {
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)inst->state + row->offset;
 		const struct ts_instance *region;
 
 		if (row->type == TS_ARG_MODE && *(const int *)field >= 0)
-			TS_TRY(hash_meaning(sim, inst, row->modes[*(const int *)field].args, hash));
+			TS_TRY(hash_references(sim, inst, row->modes[*(const int *)field].args, hash));
 		if (row->type == TS_ARG_NUMBER)
 			TS_TRY(hash_variable(sim, inst, field, hash));
 		if (row->type == TS_ARG_REST && inst->style->kind == TS_KIND_REGION)
@@ -411,11 +416,11 @@ static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *
 	ts_str_release(&record);
 	if (inst->style->fingerprint)
 		inst->style->fingerprint(inst, sim, hash);
-	return hash_meaning(sim, inst, inst->style->args, hash);
+	return hash_references(sim, inst, inst->style->args, hash);
 }
 
-/* Fixes that only look (averages, prints) may come and go: the forces stay what they are. */
-static bool only_looks(const struct ts_instance *inst)
+/* Fixes that only read (averages, prints) are not part of the fingerprint: they do not change forces. */
+static bool has_no_effect_on_forces(const struct ts_instance *inst)
 {
 	if (inst->style->kind != TS_KIND_FIX)
 		return false;
@@ -427,7 +432,7 @@ static bool only_looks(const struct ts_instance *inst)
 
 static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
 {
-	/* Not who solves for the pressure: the fluid that is there does not depend on it. */
+	/* without the pressure solver: the present state of the fluid does not depend on it */
 	static const enum ts_kind kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND, TS_KIND_FLOW,
 					      TS_KIND_FIX };
 	struct ts_hash hash = ts_hash_start();
@@ -440,21 +445,21 @@ static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
 		const struct ts_instances *list = &sim->instances[kinds[k]];
 
 		for (size_t i = 0; i < list->n; i++)
-			if (!only_looks(list->item[i]))
+			if (!has_no_effect_on_forces(list->item[i]))
 				TS_TRY(hash_instance(sim, list->item[i], &hash));
 	}
 	*out = ts_hash_value(&hash);
 	return TS_OK;
 }
 
-/* Variables are evaluated here, but to look must not change anything. */
+/* Evaluates variables without side effects: streams of random numbers and next() do not advance. */
 enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
 {
 	const struct ts_draws before = sim->draws;
 	bool probing = sim->reading.probing;
 	enum ts_status status;
 
-	sim->draws = (struct ts_draws){ LOOKING, 0 };
+	sim->draws = (struct ts_draws){ FINGERPRINT_SITE, 0 };
 	sim->reading.probing = true;
 	status = hash_all(sim, out);
 	sim->reading.probing = probing;

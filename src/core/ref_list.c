@@ -20,14 +20,14 @@ static const struct {
 };
 enum { NSHAPES = sizeof preference / sizeof *preference };
 
-static void describe(unsigned shapes, struct ts_str *out)
+static void append_shapes(unsigned shapes, struct ts_str *out)
 {
 	for (int k = 0; k < NSHAPES; k++)
 		if (shapes & 1u << preference[k].shape)
 			ts_str_addf(out, "%s%s", out->length ? " or " : "", preference[k].text);
 }
 
-static const char *advice(unsigned found, unsigned shapes, const struct ts_ref *ref)
+static const char *hint_for_shapes(unsigned found, unsigned shapes, const struct ts_ref *ref)
 {
 	if (shapes & TS_WANT(SCALAR) && found & TS_WANT(VECTOR))
 		return "; choose an element with [k]";
@@ -36,25 +36,25 @@ static const char *advice(unsigned found, unsigned shapes, const struct ts_ref *
 	return ref->index ? "; is the index right?" : "";
 }
 
-static enum ts_status wrong_shape(struct tsim *sim, const char *what, unsigned found, unsigned shapes,
-				  const struct ts_ref_input *input)
+static enum ts_status fail_wrong_shape(struct tsim *sim, const char *what, unsigned found, unsigned shapes,
+				       const struct ts_ref_input *input)
 {
 	struct ts_str has = { 0 }, wanted = { 0 };
 	enum ts_status status;
 
-	describe(found, &has);
-	describe(shapes, &wanted);
+	append_shapes(found, &has);
+	append_shapes(shapes, &wanted);
 	status = ts_fail(&sim->error, TS_STATE, &input->where, "%s: '%s' is %s, expected %s%s", what,
 			 input->name, has.length ? has.text : "no output", ts_str_text(&wanted),
-			 advice(found, shapes, &input->ref));
+			 hint_for_shapes(found, shapes, &input->ref));
 	ts_str_release(&has);
 	ts_str_release(&wanted);
 	return status;
 }
 
-/* Where particles or rows are wanted a bare name is a quantity, not a number of the log. */
-static enum ts_status unknown_quantity(struct tsim *sim, const char *what, unsigned shapes,
-				       const struct ts_ref_input *input)
+/* Where values of particles or local rows are expected, a bare name is a quantity, not a thermo keyword. */
+static enum ts_status fail_unknown_quantity(struct tsim *sim, const char *what, unsigned shapes,
+					    const struct ts_ref_input *input)
 {
 	struct ts_suggest suggest = ts_suggest_start(input->name);
 	const char *remark = ts_unsupported_word_remark(TS_UNSUPPORTED_QUANTITY, input->name);
@@ -71,7 +71,7 @@ static enum ts_status unknown_quantity(struct tsim *sim, const char *what, unsig
 		       shapes & TS_WANT(PERATOM) ? " or v_NAME" : "", ts_suggest_text(&suggest));
 }
 
-static bool has_prefix(const char *name)
+static bool is_reference(const char *name)
 {
 	return name[0] && strchr("cfv", name[0]) && name[1] == '_';
 }
@@ -82,9 +82,8 @@ enum ts_status ts_ref_input_resolve(struct tsim *sim, const char *what, unsigned
 	unsigned found = TS_WANT(PERATOM);
 
 	input->quantity = shapes & TS_WANT(PERATOM) && ts_quantity_has(sim, input->name);
-	if (!input->quantity && shapes & (TS_WANT(PERATOM) | TS_WANT(LOCAL) | TS_WANT(SURFACE)) &&
-	    !has_prefix(input->name))
-		return unknown_quantity(sim, what, shapes, input);
+	if (!input->quantity && shapes & (TS_WANT(PERATOM) | TS_WANT(LOCAL)) && !is_reference(input->name))
+		return fail_unknown_quantity(sim, what, shapes, input);
 	if (!input->quantity) {
 		TS_TRY(ts_ref_resolve(sim, input->name, &input->where, &input->ref));
 		found = ts_ref_shapes(sim, &input->ref);
@@ -94,13 +93,13 @@ enum ts_status ts_ref_input_resolve(struct tsim *sim, const char *what, unsigned
 		if (found & shapes & 1u << input->shape)
 			return TS_OK;
 	}
-	return wrong_shape(sim, what, found, shapes, input);
+	return fail_wrong_shape(sim, what, found, shapes, input);
 }
 
-/* A name cut at the brackets around its `*`: head [lo * hi]. */
+/* A name with a `*` in its last brackets, split into head[lo*hi]. */
 struct wildcard {
 	char head[128];
-	int64_t lo, hi; /* hi == 0: to the last */
+	int64_t lo, hi; /* hi == 0: up to the last */
 };
 
 static bool read_bound(const char *from, const char *to, int64_t *bound)
@@ -116,7 +115,7 @@ static bool read_bound(const char *from, const char *to, int64_t *bound)
 	return ts_parse_int(digits, bound) && *bound >= 1;
 }
 
-static bool cut_wildcard(const char *name, struct wildcard *w)
+static bool parse_wildcard(const char *name, struct wildcard *w)
 {
 	const char *star = strchr(name, '*'), *open = star, *close = star ? strchr(star, ']') : NULL;
 
@@ -129,15 +128,19 @@ static bool cut_wildcard(const char *name, struct wildcard *w)
 	return read_bound(open + 1, star, &w->lo) && read_bound(star + 1, close, &w->hi);
 }
 
-/* How many columns or elements the `*` may stand for: of the shape that [k] turns into one wanted. */
-static enum ts_status extent(struct tsim *sim, const struct ts_ref_input *input, unsigned shapes, size_t *n)
+/* The number of columns or elements over which the `*` ranges: those of an output from which [k] selects
+ * one of the accepted shapes. */
+static enum ts_status count_wildcard(struct tsim *sim, const struct ts_ref_input *input, unsigned shapes,
+				     size_t *n)
 {
 	static const struct {
 		enum ts_shape whole, part;
-		bool second; /* of two indices */
-	} parts[] = { { TS_PERATOM, TS_PERATOM, false }, { TS_SURFACE, TS_SURFACE, false },
-		      { TS_LOCAL, TS_LOCAL, false },	 { TS_ARRAY, TS_VECTOR, false },
-		      { TS_ARRAY, TS_SCALAR, true },	 { TS_VECTOR, TS_SCALAR, false } };
+		bool second; /* the `*` is the second of two indices */
+	} parts[] = { { TS_PERATOM, TS_PERATOM, false },
+		      { TS_LOCAL, TS_LOCAL, false },
+		      { TS_ARRAY, TS_VECTOR, false },
+		      { TS_ARRAY, TS_SCALAR, true },
+		      { TS_VECTOR, TS_SCALAR, false } };
 
 	for (size_t k = 0; input->ref.inst && k < sizeof parts / sizeof *parts; k++) {
 		const struct ts_value *value = ts_value_find(input->ref.inst, parts[k].whole);
@@ -156,15 +159,15 @@ static enum ts_status extent(struct tsim *sim, const struct ts_ref_input *input,
 		       input->name);
 }
 
-/* The names a word stands for are appended to the list (list NULL: only counted). */
-static enum ts_status expand_one(struct tsim *sim, struct ts_arena *arena, const struct ts_word *word,
-				 unsigned shapes, struct ts_word *list, size_t *n)
+/* Appends the names that a word expands to (list NULL: only counts them). */
+static enum ts_status expand_word(struct tsim *sim, struct ts_arena *arena, const struct ts_word *word,
+				  unsigned shapes, struct ts_word *list, size_t *n)
 {
 	struct ts_ref_input whole = { .where = word->place };
 	struct wildcard w;
 	size_t count = 0;
 
-	if (!cut_wildcard(word->text, &w)) {
+	if (!parse_wildcard(word->text, &w)) {
 		if (list)
 			list[*n] = *word;
 		++*n;
@@ -172,7 +175,7 @@ static enum ts_status expand_one(struct tsim *sim, struct ts_arena *arena, const
 	}
 	whole.name = w.head;
 	TS_TRY(ts_ref_resolve(sim, w.head, &word->place, &whole.ref));
-	TS_TRY(extent(sim, &whole, shapes, &count));
+	TS_TRY(count_wildcard(sim, &whole, shapes, &count));
 	if (w.hi > (int64_t)count || w.lo > (w.hi ? w.hi : (int64_t)count))
 		return ts_fail(&sim->error, TS_RANGE, &word->place, "'%s': '%s' has %zu", word->text, w.head,
 			       count);
@@ -198,12 +201,12 @@ enum ts_status ts_refs_expand(struct tsim *sim, struct ts_arena *arena, struct t
 	size_t n = 0, filled = 0;
 
 	for (size_t k = 0; k < words.n; k++)
-		TS_TRY(expand_one(sim, arena, &words.word[k], shapes, NULL, &n));
+		TS_TRY(expand_word(sim, arena, &words.word[k], shapes, NULL, &n));
 	list = ts_arena_alloc(arena, n + 1, sizeof *list);
 	if (!list)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < words.n; k++)
-		TS_TRY(expand_one(sim, arena, &words.word[k], shapes, list, &filled));
+		TS_TRY(expand_word(sim, arena, &words.word[k], shapes, list, &filled));
 	if (ts_words_copy(arena, (struct ts_words){ list, n }, out) != TS_OK)
 		return ts_nomem(&sim->error);
 	return TS_OK;
@@ -260,7 +263,7 @@ enum ts_status ts_refs_check(struct tsim *sim, const struct ts_instance *inst)
 void ts_ref_list_release(struct ts_ref_list *list)
 {
 	ts_table_release(&list->column);
-	list->n = 0; /* the items are the arena's */
+	list->n = 0; /* the arena owns the items */
 }
 
 enum ts_status ts_ref_input_scalar(struct tsim *sim, const struct ts_ref_input *input, double *out)

@@ -44,7 +44,7 @@ void ts_report_watched(struct ts_plan_report *report, size_t n)
 		report->limit[n].watched = true;
 }
 
-static void add_line(struct ts_str *to, const char *name, const char *format, va_list args)
+static void append_line(struct ts_str *to, const char *name, const char *format, va_list args)
 {
 	ts_str_addf(to, "  %-16s ", name);
 	ts_str_vaddf(to, format, args);
@@ -77,7 +77,7 @@ void ts_report_line(struct ts_plan_report *report, const char *name, const char 
 	if (report->limits_only)
 		return;
 	va_start(args, format);
-	add_line(&report->lines, name, format, args);
+	append_line(&report->lines, name, format, args);
 	va_end(args);
 }
 

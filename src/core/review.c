@@ -9,7 +9,7 @@
 
 #include "base/banned.h"
 
-static int number_of(const struct tsim *sim, const char *name)
+static int find_check(const struct tsim *sim, const char *name)
 {
 	for (int k = 0; k < TS_REVIEW_MOST && sim->tables->checks[k].name; k++)
 		if (ts_streq(sim->tables->checks[k].name, name))
@@ -19,7 +19,7 @@ static int number_of(const struct tsim *sim, const char *name)
 
 bool ts_review_set(struct tsim *sim, const char *name, enum ts_review_answer answer)
 {
-	int only = name ? number_of(sim, name) : -1;
+	int only = name ? find_check(sim, name) : -1;
 
 	if (name && only < 0)
 		return false;
@@ -48,8 +48,8 @@ static uint64_t cause_of(const char *check, const struct ts_place *where, const 
 	return ts_hash_value(&hash);
 }
 
-/* Whether it is new; it is told from now on. */
-static enum ts_status note(struct tsim *sim, uint64_t cause, bool *new)
+/* Records a finding; *new: it has not been reported before. */
+static enum ts_status record_finding(struct tsim *sim, uint64_t cause, bool *new)
 {
 	struct ts_review *r = &sim->review;
 
@@ -68,7 +68,7 @@ enum ts_status ts_review_report(struct tsim *sim, const char *check, const struc
 				const char *format, ...)
 {
 	uint64_t cause = cause_of(check, where, format);
-	int k = number_of(sim, check);
+	int k = find_check(sim, check);
 	char text[900];
 	va_list args;
 	bool new = true;
@@ -80,7 +80,7 @@ enum ts_status ts_review_report(struct tsim *sim, const char *check, const struc
 	va_start(args, format);
 	vsnprintf(text, sizeof text, format, args);
 	va_end(args);
-	TS_TRY(note(sim, cause, &new));
+	TS_TRY(record_finding(sim, cause, &new));
 	if (sim->review.answer[k] == TS_REVIEW_ERROR && (new || !sim->reading.check))
 		return ts_fail_at(&sim->error, TS_STATE, where, check, 0, "%s (review: %s)", text, check);
 	if (new)
@@ -90,7 +90,7 @@ enum ts_status ts_review_report(struct tsim *sim, const char *check, const struc
 
 /* ---- the review ---- */
 
-static enum ts_status ask_styles(struct tsim *sim)
+static enum ts_status review_styles(struct tsim *sim)
 {
 	for (int kind = 0; kind < TS_NKIND; kind++) {
 		const struct ts_instances *list = &sim->instances[kind];
@@ -113,7 +113,7 @@ enum ts_status ts_review_scene(struct tsim *sim, int64_t steps)
 	for (int k = 0; sim->tables->checks[k].name; k++)
 		if (sim->tables->checks[k].look && r->answer[k] != TS_REVIEW_OFF)
 			TS_TRY(ts_sim_defer_error(sim, sim->tables->checks[k].look(sim)));
-	TS_TRY(ask_styles(sim));
+	TS_TRY(review_styles(sim));
 	r->made = true;
 	r->stale = r->stale || (sim->reading.explain && steps > 0);
 	return TS_OK;

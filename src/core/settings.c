@@ -17,12 +17,12 @@ void ts_setting(struct ts_str *out, bool is_default, const char *format, ...)
 	ts_str_add(out, is_default ? " (default)" : "");
 }
 
-static bool is_listened_to(const struct tsim *sim)
+static bool is_log_written(const struct tsim *sim)
 {
 	return sim->log.file && sim->log.echo_file && !sim->log.quiet;
 }
 
-static bool written(const struct ts_arg *row, struct ts_words words, size_t position)
+static bool is_given(const struct ts_arg *row, struct ts_words words, size_t position)
 {
 	if (row->flags & TS_POSITIONAL)
 		return position < words.n;
@@ -32,17 +32,17 @@ static bool written(const struct ts_arg *row, struct ts_words words, size_t posi
 	return false;
 }
 
-/* What was given and what was not. */
+/* Text of the arguments given, and of those with their defaults. */
 struct record {
 	struct ts_str given, defaults;
 };
 
-static void add_rows(const struct tsim *sim, const struct ts_arg *row, const void *base,
-		     struct ts_words words, size_t position, struct record *out)
+static void append_arguments(const struct tsim *sim, const struct ts_arg *row, const void *base,
+			     struct ts_words words, size_t position, struct record *out)
 {
 	for (; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)base + row->offset;
-		bool is_default = row->fallback && !written(row, words, position);
+		bool is_default = row->fallback && !is_given(row, words, position);
 		struct ts_str *to = is_default ? &out->defaults : &out->given;
 		struct ts_str value = { 0 };
 
@@ -51,7 +51,8 @@ static void add_rows(const struct tsim *sim, const struct ts_arg *row, const voi
 		ts_str_release(&value);
 		position += row->type == TS_ARG_VEC3 ? 3 : (row->flags & TS_POSITIONAL) != 0;
 		if (row->type == TS_ARG_MODE && *(const int *)field >= 0)
-			add_rows(sim, row->modes[*(const int *)field].args, base, words, position, out);
+			append_arguments(sim, row->modes[*(const int *)field].args, base, words, position,
+					 out);
 	}
 }
 
@@ -60,8 +61,8 @@ void ts_settings_log(struct tsim *sim, const char *what, const struct ts_arg *ro
 {
 	struct record record = { 0 };
 
-	if (is_listened_to(sim))
-		add_rows(sim, rows, base, words, 0, &record);
+	if (is_log_written(sim))
+		append_arguments(sim, rows, base, words, 0, &record);
 	if (record.defaults.length)
 		ts_log_file(&sim->log, "# %s:%s%s by default:%s\n", what, ts_str_text(&record.given),
 			    record.given.length ? ";" : "", ts_str_text(&record.defaults));
@@ -76,7 +77,7 @@ void ts_settings_log_run(struct tsim *sim)
 	struct ts_str line = { 0 };
 	const char *text;
 
-	if (!is_listened_to(sim))
+	if (!is_log_written(sim))
 		return;
 	ts_setting(&line, sim->units == TS_UNITS_LJ, "units %s", ts_units_name(sim->units));
 	ts_setting(&line, sim->dimension == 3, "dimension %d", sim->dimension);

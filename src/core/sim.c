@@ -15,7 +15,7 @@ double ts_sim_time(const struct tsim *sim)
 
 void ts_sim_set_dt(struct tsim *sim, double dt)
 {
-	if (dt == sim->clock.dt) /* said again after read_restart: the time goes on unrounded */
+	if (dt == sim->clock.dt) /* given again after read_restart: a new base would round the time */
 		return;
 	sim->clock.base_time = ts_sim_time(sim);
 	sim->clock.base_step = sim->clock.step;

@@ -181,10 +181,10 @@ struct tsim {
 	bool has_box;	  /* there is a simulation box; set by the domain */
 	/* commands of these names: Young's moduli above or below the usual range are intended */
 	bool hard_particles, soft_particles;
-	bool newton_on,
-		still_ghosts; /* `newton on`, `communicate ... vel no`: no effect, but pair gran refuses them */
-	bool legacy;	      /* results of LIGGGHTS: see the command of this name */
-	unsigned full;	      /* bits of enum ts_full */
+	/* `newton on`, `communicate ... vel no`: no effect, but pair gran refuses them */
+	bool newton_on, still_ghosts;
+	bool legacy;   /* results of LIGGGHTS: see the command of this name */
+	unsigned full; /* bits of enum ts_full */
 
 	struct ts_reading reading;
 	struct ts_run_state run;

@@ -11,14 +11,14 @@ enum ts_status ts_stepping_watch(struct ts_stepping *stepping, struct tsim *sim)
 	return TS_OK;
 }
 
-static void release(struct ts_stepping *stepping, struct tsim *sim)
+static void release_run(struct ts_stepping *stepping, struct tsim *sim)
 {
 	ts_plan_release(&stepping->plan);
 	stepping->open = stepping->watched = false;
 	sim->run.in_pieces = false;
 }
 
-/* What the next run compares itself with is the state at the end of the last piece. */
+/* The next run resumes if the state is still that at the end of the last piece. */
 enum ts_status ts_stepping_end(struct ts_stepping *stepping, struct tsim *sim)
 {
 	enum ts_status status;
@@ -29,11 +29,11 @@ enum ts_status ts_stepping_end(struct ts_stepping *stepping, struct tsim *sim)
 	if (status == TS_OK)
 		status = ts_plan_finish(&stepping->plan, sim);
 	sim->run.fingerprint = status == TS_OK ? stepping->fingerprint : 0;
-	release(stepping, sim);
+	release_run(stepping, sim);
 	return status;
 }
 
-static enum ts_status unchanged(struct ts_stepping *stepping, struct tsim *sim, bool *yes)
+static enum ts_status is_unchanged(struct ts_stepping *stepping, struct tsim *sim, bool *yes)
 {
 	uint64_t now = 0;
 
@@ -45,7 +45,7 @@ static enum ts_status unchanged(struct ts_stepping *stepping, struct tsim *sim, 
 	return TS_OK;
 }
 
-static enum ts_status begin(struct ts_stepping *stepping, struct tsim *sim, int64_t n)
+static enum ts_status begin_run(struct ts_stepping *stepping, struct tsim *sim, int64_t n)
 {
 	sim->clock.first_step = sim->clock.ramp_first = sim->clock.step;
 	sim->clock.last_step = sim->clock.ramp_last = sim->clock.step + n;
@@ -55,17 +55,17 @@ static enum ts_status begin(struct ts_stepping *stepping, struct tsim *sim, int6
 	return ts_plan_start(&stepping->plan, sim, true);
 }
 
-static enum ts_status go(struct ts_stepping *stepping, struct tsim *sim, int64_t n)
+static enum ts_status advance_run(struct ts_stepping *stepping, struct tsim *sim, int64_t n)
 {
 	bool on = false;
 	int64_t last;
 
 	if (sim->run.halted)
 		return TS_OK;
-	TS_TRY(unchanged(stepping, sim, &on));
+	TS_TRY(is_unchanged(stepping, sim, &on));
 	if (!on) {
 		TS_TRY(ts_stepping_end(stepping, sim));
-		TS_TRY(begin(stepping, sim, n));
+		TS_TRY(begin_run(stepping, sim, n));
 	}
 	last = sim->clock.goal = sim->clock.last_step = sim->clock.ramp_last = sim->clock.step + n;
 	if (sim->reading.explain)
@@ -81,11 +81,11 @@ static enum ts_status go(struct ts_stepping *stepping, struct tsim *sim, int64_t
 
 enum ts_status ts_stepping_advance(struct ts_stepping *stepping, struct tsim *sim, int64_t n)
 {
-	enum ts_status status = go(stepping, sim, n);
+	enum ts_status status = advance_run(stepping, sim, n);
 
 	if (status == TS_STOPPED)
 		ts_stepping_end(stepping, sim);
 	else if (status != TS_OK || sim->reading.explain)
-		release(stepping, sim);
+		release_run(stepping, sim);
 	return status;
 }

@@ -26,12 +26,13 @@ bool ts_kind_find(const char *name, enum ts_kind *out)
 	return false;
 }
 
-static bool same_name(const char *name, const char *text, size_t length)
+static bool is_name_of_length(const char *name, const char *text, size_t length)
 {
 	return strncmp(name, text, length) == 0 && name[length] == '\0';
 }
 
-/* Accelerated variants of LAMMPS and LIGGGHTS (fix gravity/omp) are the style itself here. */
+/* Length of the name without the suffix of an accelerated variant of LAMMPS or LIGGGHTS (fix gravity/omp),
+ * which is the style itself here. */
 static size_t length_without_accelerator(const char *name)
 {
 	static const char *const endings[] = { "/omp", "/opt", "/kk", "/intel", "/gpu" };
@@ -43,7 +44,7 @@ static size_t length_without_accelerator(const char *name)
 	return n;
 }
 
-/* Names that other programs have for the same thing. */
+/* Names that LIGGGHTS, LAMMPS or other versions have for the same style. */
 static const struct alias {
 	enum ts_kind kind;
 	const char *other, *usual;
@@ -58,7 +59,7 @@ static const struct alias {
 };
 enum { NALIASES = sizeof aliases / sizeof *aliases };
 
-static const char *usual_name(enum ts_kind kind, const char *name)
+static const char *resolve_alias(enum ts_kind kind, const char *name)
 {
 	for (size_t k = 0; k < NALIASES; k++)
 		if (aliases[k].kind == kind && ts_streq(aliases[k].other, name))
@@ -78,15 +79,15 @@ const struct ts_style *ts_style_find(const struct ts_tables *tables, enum ts_kin
 {
 	size_t n;
 
-	name = usual_name(kind, name);
+	name = resolve_alias(kind, name);
 	n = length_without_accelerator(name);
 	for (const struct ts_style *const *s = tables->styles; *s; s++)
-		if ((*s)->kind == kind && same_name((*s)->name, name, n))
+		if ((*s)->kind == kind && is_name_of_length((*s)->name, name, n))
 			return *s;
 	return NULL;
 }
 
-/* How a kind is spoken of: "command", "fix style". */
+/* For messages: "command", "fix style". */
 static const char *kind_noun(enum ts_kind kind)
 {
 	return kind == TS_KIND_COMMAND ? "" : " style";

@@ -12,13 +12,13 @@
 struct ts_unclaimed {
 	struct ts_unclaimed *next;
 	enum ts_kind kind;
-	const char *style, *id, *group; /* in the pool */
+	const char *style, *id, *group; /* owned by sim->pool */
 	unsigned char *bytes;
 	size_t n;
 	bool reported;
 };
 
-static void pending_free(struct ts_unclaimed *p)
+static void unclaimed_free(struct ts_unclaimed *p)
 {
 	ts_free(p->bytes);
 	ts_free(p);
@@ -38,7 +38,7 @@ enum ts_status ts_unclaimed_add(struct tsim *sim, enum ts_kind kind, const char 
 	p->bytes = ts_alloc(n, 1);
 	p->n = n;
 	if (!p->style || !p->id || !p->group || !p->bytes) {
-		pending_free(p);
+		unclaimed_free(p);
 		return ts_nomem(&sim->error);
 	}
 	memcpy(p->bytes, bytes, n);
@@ -47,7 +47,7 @@ enum ts_status ts_unclaimed_add(struct tsim *sim, enum ts_kind kind, const char 
 	return TS_OK;
 }
 
-/* In the block of a style, before its state. Files of version 1 do not have it. */
+/* Field of the arguments, before the state of a style. Files of version 1 do not have it. */
 static const char arguments_field[] = "/arguments";
 
 enum ts_status ts_unclaimed_write(struct tsim *sim, struct ts_instance *inst, struct ts_archive *archive)
@@ -60,7 +60,7 @@ enum ts_status ts_unclaimed_write(struct tsim *sim, struct ts_instance *inst, st
 	text = ts_str_text(&lines);
 	if (lines.failed)
 		status = ts_nomem(&sim->error);
-	else if (inst->style->kind != TS_KIND_DUMP) /* its file may change, its progress is the same */
+	else if (inst->style->kind != TS_KIND_DUMP) /* state of a dump is valid with other arguments, too */
 		status = ts_archive_string(archive, arguments_field, &text);
 	ts_str_release(&lines);
 	return status == TS_OK ? ts_archive_instance(archive, inst, sim) : status;
@@ -83,8 +83,8 @@ static enum ts_status check_arguments(struct tsim *sim, struct ts_instance *inst
 	return status;
 }
 
-static enum ts_status restore(struct tsim *sim, struct ts_instance *inst, const struct ts_unclaimed *p,
-			      const char *what, struct ts_words args)
+static enum ts_status restore_instance(struct tsim *sim, struct ts_instance *inst,
+				       const struct ts_unclaimed *p, const char *what, struct ts_words args)
 {
 	struct ts_archive *archive = ts_archive_new(sim, false);
 	const char *kind = ts_kind_name(p->kind);
@@ -104,8 +104,8 @@ static enum ts_status restore(struct tsim *sim, struct ts_instance *inst, const 
 	return status;
 }
 
-/* State of a fix or compute belongs to its style and group. What a dump has saved is only how far it
- * came, and of pairs, bonds and flows one lives at most: these may become others. */
+/* State of a fix or compute is valid only for the same style and group. A dump saves only its frame
+ * counter, and pair, bond and flow have no id: the script may replace them by other styles. */
 static enum ts_status check_identity(struct tsim *sim, const struct ts_instance *inst,
 				     const struct ts_unclaimed *p, const char *what)
 {
@@ -153,9 +153,9 @@ enum ts_status ts_unclaimed_apply(struct tsim *sim, struct ts_instance *inst, st
 		       found->style);
 		return TS_OK;
 	}
-	status = restore(sim, inst, found, what, args);
+	status = restore_instance(sim, inst, found, what, args);
 	*p = found->next;
-	pending_free(found);
+	unclaimed_free(found);
 	return status;
 }
 
@@ -180,6 +180,6 @@ void ts_unclaimed_free(struct tsim *sim)
 		struct ts_unclaimed *p = sim->unclaimed;
 
 		sim->unclaimed = p->next;
-		pending_free(p);
+		unclaimed_free(p);
 	}
 }

@@ -153,7 +153,7 @@ static const struct {
 	{ .of = NULL },
 };
 
-static bool matches(const char *pattern, const char *name)
+static bool matches_pattern(const char *pattern, const char *name)
 {
 	size_t n = strlen(pattern);
 
@@ -163,7 +163,7 @@ static bool matches(const char *pattern, const char *name)
 const struct ts_unsupported *ts_unsupported_find(enum ts_kind kind, const char *name)
 {
 	for (const struct ts_unsupported *k = ts_unsupported_table; k->name; k++)
-		if (k->kind == kind && matches(k->name, name))
+		if (k->kind == kind && matches_pattern(k->name, name))
 			return k;
 	return NULL;
 }
@@ -171,7 +171,7 @@ const struct ts_unsupported *ts_unsupported_find(enum ts_kind kind, const char *
 const char *ts_unsupported_word_remark(const char *of, const char *word)
 {
 	for (size_t k = 0; words[k].of; k++)
-		if (ts_streq(words[k].of, of) && matches(words[k].word, word))
+		if (ts_streq(words[k].of, of) && matches_pattern(words[k].word, word))
 			return words[k].remark;
 	return NULL;
 }

@@ -2,15 +2,15 @@
 
 #include "base/banned.h"
 
-/* What is looked for: a region, or a group where region is NULL. */
+/* The region searched for; or, if region is NULL, the group. */
 struct target {
 	const struct ts_instance *region;
 	bool retired;
 	int bit;
 };
 
-/* Combined regions list their members by name. */
-static bool rest_names(struct ts_words rest, const char *id)
+/* Regions of style union and intersect have their members as words. */
+static bool has_word(struct ts_words rest, const char *id)
 {
 	for (size_t k = 0; k < rest.n; k++)
 		if (ts_streq(rest.word[k].text, id))
@@ -18,7 +18,8 @@ static bool rest_names(struct ts_words rest, const char *id)
 	return false;
 }
 
-static bool rows_name(const struct ts_arg *row, const struct ts_instance *inst, const struct target *target)
+static bool arguments_refer_to(const struct ts_arg *row, const struct ts_instance *inst,
+			       const struct target *target)
 {
 	for (; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)inst->state + row->offset;
@@ -30,17 +31,17 @@ static bool rows_name(const struct ts_arg *row, const struct ts_instance *inst, 
 			return true;
 		if (row->type == TS_ARG_REST && target->region && !target->retired &&
 		    inst->style->kind == TS_KIND_REGION &&
-		    rest_names(*(const struct ts_words *)field, target->region->id))
+		    has_word(*(const struct ts_words *)field, target->region->id))
 			return true;
 		if (row->type == TS_ARG_MODE)
 			for (const struct ts_mode *m = row->modes; m->name; m++)
-				if (rows_name(m->args, inst, target))
+				if (arguments_refer_to(m->args, inst, target))
 					return true;
 	}
 	return false;
 }
 
-static const struct ts_instance *search(const struct tsim *sim, const struct target *target)
+static const struct ts_instance *find_user(const struct tsim *sim, const struct target *target)
 {
 	for (int kind = 0; kind < TS_NKIND; kind++)
 		for (size_t k = 0; k < sim->instances[kind].n; k++) {
@@ -48,7 +49,7 @@ static const struct ts_instance *search(const struct tsim *sim, const struct tar
 
 			if (!target->region && target->bit != 0 && inst->group == target->bit)
 				return inst;
-			if (rows_name(inst->style->args, inst, target))
+			if (arguments_refer_to(inst->style->args, inst, target))
 				return inst;
 		}
 	return NULL;
@@ -56,15 +57,15 @@ static const struct ts_instance *search(const struct tsim *sim, const struct tar
 
 const struct ts_instance *ts_uses_region(const struct tsim *sim, const struct ts_instance *region)
 {
-	return search(sim, &(struct target){ .region = region });
+	return find_user(sim, &(struct target){ .region = region });
 }
 
 const struct ts_instance *ts_uses_retired_region(const struct tsim *sim, const struct ts_instance *region)
 {
-	return search(sim, &(struct target){ .region = region, .retired = true });
+	return find_user(sim, &(struct target){ .region = region, .retired = true });
 }
 
 const struct ts_instance *ts_uses_group(const struct tsim *sim, int bit)
 {
-	return search(sim, &(struct target){ .bit = bit });
+	return find_user(sim, &(struct target){ .bit = bit });
 }

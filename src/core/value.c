@@ -55,7 +55,7 @@ enum ts_status ts_value_cached(struct ts_instance *inst, struct tsim *sim, const
 	if (sim->run.epoch && inst->cached == value && inst->cached_epoch == sim->run.epoch)
 		return TS_OK;
 	inst->cached = NULL;
-	if (draws.site) /* random numbers in it do not depend on who reads it first */
+	if (draws.site) /* random numbers of an output do not depend on which hook reads it first */
 		sim->draws = (struct ts_draws){ ts_instance_site(inst, TS_NSTAGE), 0 };
 	status = ts_value_eval(inst, sim, value, &inst->table);
 	sim->draws = draws;
@@ -84,7 +84,7 @@ const struct ts_function *ts_function_find(const struct ts_tables *tables, const
 	return NULL;
 }
 
-static const struct ts_system_style *quantity_owner(const struct tsim *sim, const char *name)
+static const struct ts_system_style *find_quantity_owner(const struct tsim *sim, const char *name)
 {
 	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
 		if ((*s)->has_quantity && (*s)->has_quantity(sim, name))
@@ -94,7 +94,7 @@ static const struct ts_system_style *quantity_owner(const struct tsim *sim, cons
 
 bool ts_quantity_has(const struct tsim *sim, const char *name)
 {
-	return quantity_owner(sim, name) != NULL;
+	return find_quantity_owner(sim, name) != NULL;
 }
 
 bool ts_quantity_kept(const struct tsim *sim, const char *name)
@@ -108,7 +108,7 @@ bool ts_quantity_kept(const struct tsim *sim, const char *name)
 
 enum ts_status ts_quantity_eval(struct tsim *sim, const char *name, struct ts_table *out)
 {
-	const struct ts_system_style *owner = quantity_owner(sim, name);
+	const struct ts_system_style *owner = find_quantity_owner(sim, name);
 
 	if (!owner)
 		return ts_fail(&sim->error, TS_UNKNOWN, NULL, "unknown per-particle quantity '%s'", name);
@@ -124,8 +124,8 @@ void ts_quantity_suggest(const struct tsim *sim, struct ts_suggest *suggest)
 
 enum { MOST_ID = 128 };
 
-/* Reads "[12]" and moves on. */
-static bool read_bracket(const char **text, long *index)
+/* Parses "[12]" and moves *text behind it. */
+static bool parse_bracket(const char **text, long *index)
 {
 	const char *close = strchr(*text, ']');
 	size_t n = close ? (size_t)(close - *text) : 0;
@@ -143,8 +143,8 @@ static bool read_bracket(const char **text, long *index)
 	return true;
 }
 
-/* "name[12][3]" -> name, 12 and 3; where there is no bracket: 0. */
-static bool split_index(const char *text, char *name, size_t size, long *index, long *column)
+/* "name[12][3]" -> name, 12 and 3; a missing index is 0. */
+static bool parse_indices(const char *text, char *name, size_t size, long *index, long *column)
 {
 	size_t n = strcspn(text, "[");
 
@@ -154,14 +154,14 @@ static bool split_index(const char *text, char *name, size_t size, long *index, 
 	memcpy(name, text, n);
 	name[n] = '\0';
 	text += n;
-	if (*text && !read_bracket(&text, index))
+	if (*text && !parse_bracket(&text, index))
 		return false;
-	if (*text && (*index == 0 || !read_bracket(&text, column) || *column == 0))
+	if (*text && (*index == 0 || !parse_bracket(&text, column) || *column == 0))
 		return false;
 	return *text == '\0';
 }
 
-/* v_name or, of a list, v_name[k] */
+/* v_name, or v_name[k] of a variable of style vector */
 static enum ts_status resolve_variable(struct tsim *sim, const char *name, const struct ts_place *where,
 				       struct ts_ref *ref)
 {
@@ -169,7 +169,7 @@ static enum ts_status resolve_variable(struct tsim *sim, const char *name, const
 	char plain[128];
 
 	ref->kind = TS_REF_VARIABLE;
-	if (!split_index(name, plain, sizeof plain, &ref->index, &ref->column) || ref->column)
+	if (!parse_indices(name, plain, sizeof plain, &ref->index, &ref->column) || ref->column)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "'v_%s' is malformed, expected v_NAME or v_NAME[k]", name);
 	ref->variable = ts_pool_get(sim->pool, plain);
@@ -233,7 +233,7 @@ static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum 
 	if (where)
 		word.place = *where;
 	ref->kind = kind == TS_KIND_COMPUTE ? TS_REF_COMPUTE : TS_REF_FIX;
-	if (!split_index(name + 2, id, sizeof id, &ref->index, &ref->column))
+	if (!parse_indices(name + 2, id, sizeof id, &ref->index, &ref->column))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "'%s' is malformed, expected %.2sID, %.2sID[k] or %.2sID[i][j]", name, name,
 			       name, name);
@@ -249,7 +249,7 @@ static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum 
 	return TS_OK;
 }
 
-/* Computes that exist elsewhere without a line of the script: what the keywords give. */
+/* The thermo keyword that replaces a compute which LIGGGHTS and LAMMPS define by themselves; NULL: none. */
 static const char *standard_keyword(const struct tsim *sim, const char *name)
 {
 	static const struct {
@@ -289,16 +289,16 @@ enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct t
 	return resolve_keyword(sim, name, where, ref);
 }
 
-/* The ref as it is now: instances may have been deleted since it was resolved. */
-static enum ts_status refresh(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
-			      struct ts_ref *now)
+/* Resolves the ref again if an instance has been deleted since it was resolved. */
+static enum ts_status refresh_ref(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+				  struct ts_ref *now)
 {
 	*now = *ref;
 	return ref->removals == sim->removals ? TS_OK : ts_ref_resolve(sim, ref->name, where, now);
 }
 
-/* What an output of this shape is when read with the brackets of the ref; 0: nothing. */
-static unsigned shape_seen(const struct ts_ref *ref, enum ts_shape shape)
+/* The shape that the indices of the ref select from an output of this shape, as a bit; 0: none. */
+static unsigned shape_with_indices(const struct ts_ref *ref, enum ts_shape shape)
 {
 	if (shape == TS_ARRAY && ref->index)
 		return 1u << (ref->column ? TS_SCALAR : TS_VECTOR);
@@ -309,7 +309,7 @@ static unsigned shape_seen(const struct ts_ref *ref, enum ts_shape shape)
 	return 1u << (shape == TS_VECTOR && ref->index ? TS_SCALAR : shape);
 }
 
-static unsigned variable_shape(const struct tsim *sim, const struct ts_ref *ref)
+static unsigned shape_of_variable(const struct tsim *sim, const struct ts_ref *ref)
 {
 	if (sim->script_api->is_peratom(sim->script_api_data, ref->variable))
 		return 1u << TS_PERATOM;
@@ -318,12 +318,12 @@ static unsigned variable_shape(const struct tsim *sim, const struct ts_ref *ref)
 	return 1u << TS_SCALAR;
 }
 
-static struct ts_instance *find_again(const struct tsim *sim, const struct ts_ref *ref)
+static struct ts_instance *find_instance_of_ref(const struct tsim *sim, const struct ts_ref *ref)
 {
 	char id[MOST_ID];
 	long index, column;
 
-	if (!split_index(ref->name + 2, id, sizeof id, &index, &column))
+	if (!parse_indices(ref->name + 2, id, sizeof id, &index, &column))
 		return NULL;
 	return ts_sim_find(sim, ref->kind == TS_REF_COMPUTE ? TS_KIND_COMPUTE : TS_KIND_FIX, id);
 }
@@ -336,26 +336,26 @@ unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref)
 	if (ref->kind == TS_REF_KEYWORD)
 		return 1u << TS_SCALAR;
 	if (ref->kind == TS_REF_VARIABLE)
-		return variable_shape(sim, ref);
+		return shape_of_variable(sim, ref);
 	if (ref->kind == TS_REF_COLUMN)
 		return 1u << TS_PERATOM;
 	inst = ref->inst;
 	if (ref->removals != sim->removals)
-		inst = find_again(sim, ref);
+		inst = find_instance_of_ref(sim, ref);
 	for (const struct ts_value *v = inst ? inst->style->values : NULL; v && v->name; v++)
 		if (ts_value_given(inst, v))
-			shapes |= shape_seen(ref, v->shape);
+			shapes |= shape_with_indices(ref, v->shape);
 	return shapes;
 }
 
-static enum ts_status no_such_output(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+static enum ts_status fail_no_output(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
 				     const char *wanted)
 {
 	return ts_fail(&sim->error, TS_STATE, where, "%s %s (style %s) has no %s output",
 		       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->inst->style->name, wanted);
 }
 
-/* Column k of the rows: *column counted from 0. */
+/* The column that the index of the ref selects; *column counts from 0. */
 static enum ts_status pick_column(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
 				  size_t columns, size_t *column)
 {
@@ -370,14 +370,14 @@ static enum ts_status pick_column(struct tsim *sim, const struct ts_ref *ref, co
 }
 
 /* [i][j] of an array. */
-static enum ts_status instance_element(struct tsim *sim, const struct ts_ref *ref,
+static enum ts_status element_of_array(struct tsim *sim, const struct ts_ref *ref,
 				       const struct ts_place *where, double *out)
 {
 	const struct ts_value *value = ts_value_find(ref->inst, TS_ARRAY);
 	struct ts_table *table = &ref->inst->table;
 
 	if (!value)
-		return no_such_output(sim, ref, where, "array");
+		return fail_no_output(sim, ref, where, "array");
 	TS_TRY(ts_value_cached(ref->inst, sim, value));
 	if (ref->index > (long)table->rows || ref->column > (long)table->columns)
 		return ts_fail(&sim->error, TS_RANGE, where,
@@ -388,8 +388,8 @@ static enum ts_status instance_element(struct tsim *sim, const struct ts_ref *re
 	return TS_OK;
 }
 
-static enum ts_status instance_scalar(struct tsim *sim, const struct ts_ref *ref,
-				      const struct ts_place *where, double *out)
+static enum ts_status scalar_of_instance(struct tsim *sim, const struct ts_ref *ref,
+					 const struct ts_place *where, double *out)
 {
 	enum ts_shape shape = ref->index ? TS_VECTOR : TS_SCALAR;
 	const struct ts_value *value = ts_value_find(ref->inst, shape);
@@ -397,7 +397,7 @@ static enum ts_status instance_scalar(struct tsim *sim, const struct ts_ref *ref
 	size_t count;
 
 	if (!value)
-		return no_such_output(sim, ref, where, ref->index ? "vector" : "scalar (use an index [k]?)");
+		return fail_no_output(sim, ref, where, ref->index ? "vector" : "scalar (use an index [k]?)");
 	TS_TRY(ts_value_cached(ref->inst, sim, value));
 	count = table->rows * table->columns;
 	if (ref->index > (long)count)
@@ -408,8 +408,8 @@ static enum ts_status instance_scalar(struct tsim *sim, const struct ts_ref *ref
 	return TS_OK;
 }
 
-static enum ts_status variable_scalar(struct tsim *sim, const struct ts_ref *ref,
-				      const struct ts_place *where, double *out)
+static enum ts_status scalar_of_variable(struct tsim *sim, const struct ts_ref *ref,
+					 const struct ts_place *where, double *out)
 {
 	struct ts_table table = { 0 };
 	enum ts_status status;
@@ -436,7 +436,7 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref, const s
 	case TS_REF_KEYWORD:
 		return ref->keyword->eval(sim, out);
 	case TS_REF_VARIABLE:
-		return variable_scalar(sim, ref, where, out);
+		return scalar_of_variable(sim, ref, where, out);
 	case TS_REF_COLUMN:
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "'%s' is a number of each particle; compute reduce makes one of them",
@@ -445,8 +445,9 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref, const s
 	case TS_REF_FIX:
 		break;
 	}
-	TS_TRY(refresh(sim, ref, where, &now));
-	return now.column ? instance_element(sim, &now, where, out) : instance_scalar(sim, &now, where, out);
+	TS_TRY(refresh_ref(sim, ref, where, &now));
+	return now.column ? element_of_array(sim, &now, where, out)
+			  : scalar_of_instance(sim, &now, where, out);
 }
 
 enum ts_status ts_ref_check(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where)
@@ -457,15 +458,15 @@ enum ts_status ts_ref_check(struct tsim *sim, const struct ts_ref *ref, const st
 					       ref->index ? TS_VECTOR : TS_SCALAR, where);
 }
 
-static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
-				 enum ts_shape shape, struct ts_table *out)
+static enum ts_status copy_column(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
+				  enum ts_shape shape, struct ts_table *out)
 {
 	const struct ts_value *value = ts_value_find(ref->inst, shape);
 	const struct ts_table *table = &ref->inst->table;
 	size_t column = 0;
 
 	if (!value)
-		return no_such_output(sim, ref, where,
+		return fail_no_output(sim, ref, where,
 				      shape == TS_LOCAL	  ? "local"
 				      : shape == TS_ARRAY ? "array"
 							  : "per-particle");
@@ -478,8 +479,8 @@ static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref, con
 	return TS_OK;
 }
 
-static enum ts_status copy_held(struct tsim *sim, struct ts_instance *inst, const struct ts_value *value,
-				struct ts_table *out)
+static enum ts_status copy_table(struct tsim *sim, struct ts_instance *inst, const struct ts_value *value,
+				 struct ts_table *out)
 {
 	const struct ts_table *table = &inst->table;
 
@@ -496,7 +497,7 @@ static enum ts_status repeat_scalar(struct tsim *sim, const struct ts_ref *ref, 
 {
 	double value;
 
-	TS_TRY(ts_quantity_eval(sim, "id", out)); /* as many rows as there are particles */
+	TS_TRY(ts_quantity_eval(sim, "id", out)); /* a row for each local particle */
 	TS_TRY(ts_ref_scalar(sim, ref, where, &value));
 	for (size_t i = 0; i < out->rows; i++)
 		out->data[i] = value;
@@ -509,14 +510,14 @@ enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref, const 
 	struct ts_ref now;
 
 	if (ref->kind != TS_REF_VARIABLE)
-		TS_TRY(refresh(sim, ref, where, &now));
+		TS_TRY(refresh_ref(sim, ref, where, &now));
 	if (!(ts_ref_shapes(sim, ref) & (1u << TS_PERATOM)))
 		return repeat_scalar(sim, ref, where, out);
 	if (ref->kind == TS_REF_VARIABLE)
 		return sim->script_api->peratom(sim->script_api_data, ref->variable, where, out);
 	if (now.kind == TS_REF_COLUMN)
 		return ts_quantity_eval(sim, now.quantity, out);
-	return one_column(sim, &now, where, TS_PERATOM, out);
+	return copy_column(sim, &now, where, TS_PERATOM, out);
 }
 
 enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
@@ -527,15 +528,15 @@ enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref, const s
 
 	if (ref->kind == TS_REF_VARIABLE)
 		return sim->script_api->vector(sim->script_api_data, ref->variable, where, out);
-	TS_TRY(refresh(sim, ref, where, &now));
+	TS_TRY(refresh_ref(sim, ref, where, &now));
 	if (now.inst && now.index)
-		return one_column(sim, &now, where, TS_ARRAY, out);
+		return copy_column(sim, &now, where, TS_ARRAY, out);
 	value = now.inst ? ts_value_find(now.inst, TS_VECTOR) : NULL;
 	if (!value)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "expected a compute or fix with a vector output, or a variable of "
 			       "style vector");
-	return copy_held(sim, now.inst, value, out);
+	return copy_table(sim, now.inst, value, out);
 }
 
 enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
@@ -543,8 +544,8 @@ enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref, const st
 {
 	struct ts_ref now;
 
-	TS_TRY(refresh(sim, ref, where, &now));
+	TS_TRY(refresh_ref(sim, ref, where, &now));
 	if (!now.inst)
 		return ts_fail(&sim->error, TS_STATE, where, "expected a compute or fix with a local output");
-	return one_column(sim, &now, where, TS_LOCAL, out);
+	return copy_column(sim, &now, where, TS_LOCAL, out);
 }

@@ -20,8 +20,7 @@ struct ts_formulas {
 	size_t nstreams, stream_capacity;
 	struct ts_variable_state *waiting; /* from a restart file, for variables not yet defined */
 	size_t nwaiting, waiting_capacity;
-	struct ts_map
-		waiting_at;  /* by name: index into `waiting` of states not yet restored, counted from 1 */
+	struct ts_map waiting_at; /* by name: index into `waiting` from 1, until restored */
 	const char *unknown; /* -check: name of the last unknown value that was substituted into a line */
 };
 
