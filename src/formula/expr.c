@@ -6,7 +6,10 @@
 
 #include "base/banned.h"
 
-enum { DEEPEST = 500, PATIENCE = 10000 /* formulas in one, until a request to stop is heard */ };
+enum {
+	DEEPEST = 500,	 /* nesting of formulas */
+	PATIENCE = 10000 /* formulas within one evaluation before a request to stop ends it */
+};
 
 enum ts_status ts_expr_fail(struct ts_expr *e, enum ts_status code, size_t at, size_t end, const char *format,
 			    ...)
@@ -100,7 +103,7 @@ static enum ts_status read_number(struct ts_expr *e, struct ts_operand *out)
 			n += 1 + sign + strspn(s + n + 1 + sign, "0123456789");
 	}
 	while (isalnum((unsigned char)s[n]) || s[n] == '_')
-		n++; /* "3abc" is one mistake, not two words */
+		n++; /* "3abc" is reported as one error */
 	copy = ts_expr_copy(e, e->at, e->at + n);
 	if (!copy)
 		return TS_NOMEM;
@@ -125,7 +128,7 @@ static enum ts_status read_quoted(struct ts_expr *e, struct ts_operand *out)
 	return out->word ? TS_OK : TS_NOMEM;
 }
 
-/* In a condition, /home/x, ./x and ../x are words. */
+/* In a condition /home/x, ./x and ../x are words. */
 static bool at_path(const struct ts_expr *e)
 {
 	const char *s = e->text + e->at;
@@ -140,7 +143,7 @@ static enum ts_status read_name(struct ts_expr *e, struct ts_operand *out)
 	size_t at = e->at;
 	bool word = e->condition && !(s[1] == '_' && strchr("cfv", s[0]));
 
-	/* a bare word of a condition may be a path; v_x/2 is a quotient */
+	/* a bare word of a condition may be a path with / . -, but v_x/2 is a quotient */
 	while (isalnum((unsigned char)e->text[e->at]) || e->text[e->at] == '_' ||
 	       (word && e->text[e->at] && strchr("/.-", e->text[e->at])))
 		e->at++;
@@ -148,7 +151,7 @@ static enum ts_status read_name(struct ts_expr *e, struct ts_operand *out)
 	return name ? ts_expr_name(e, name, at, out) : TS_NOMEM;
 }
 
-/* [1,2.5,v_x], the list of a variable of style vector. */
+/* [1,2.5,v_x] in a formula of a variable of style vector. */
 static enum ts_status read_list(struct ts_expr *e, struct ts_operand *out)
 {
 	size_t at = e->at, n = 1, k = 0;
@@ -171,8 +174,8 @@ static enum ts_status read_list(struct ts_expr *e, struct ts_operand *out)
 	return ts_expr_expect(e, ']');
 }
 
-/* A number, a name, or a bracket. */
-static enum ts_status read_plain(struct ts_expr *e, struct ts_operand *out)
+/* A primary expression: a number, a name, a call, a list, or a formula in parentheses. */
+static enum ts_status read_primary(struct ts_expr *e, struct ts_operand *out)
 {
 	char c = ts_expr_peek(e);
 
@@ -202,8 +205,8 @@ static enum ts_status read_plain(struct ts_expr *e, struct ts_operand *out)
 	return TS_OK;
 }
 
-/* The same, perhaps behind - or !, of which the last acts first. */
-static enum ts_status read_operand(struct ts_expr *e, struct ts_operand *out)
+/* A primary expression with unary operators - + ! before it, applied from right to left. */
+static enum ts_status read_signed(struct ts_expr *e, struct ts_operand *out)
 {
 	size_t first, at;
 
@@ -214,7 +217,7 @@ static enum ts_status read_operand(struct ts_expr *e, struct ts_operand *out)
 		ts_expr_peek(e);
 	}
 	at = e->at;
-	TS_TRY(read_plain(e, out));
+	TS_TRY(read_primary(e, out));
 	while (at-- > first)
 		if (strchr("-!+", e->text[at]))
 			TS_TRY(ts_op_unary(e, e->text[at], out));
@@ -222,7 +225,7 @@ static enum ts_status read_operand(struct ts_expr *e, struct ts_operand *out)
 	return TS_OK;
 }
 
-/* Operators of at least this level; level 1 is a whole formula, or what stands in brackets. */
+/* Precedence climbing: evaluates binary operators of `level` and higher. */
 enum ts_status ts_expr_read(struct ts_expr *e, int level, struct ts_operand *out)
 {
 	const struct ts_operator *op;
@@ -235,7 +238,7 @@ enum ts_status ts_expr_read(struct ts_expr *e, int level, struct ts_operand *out
 		return ts_expr_fail(e, TS_RANGE, e->at, e->at + 1,
 				    "the formula is nested too deeply, more than %d times", DEEPEST);
 	e->formulas->depth += level == 1;
-	TS_TRY(read_operand(e, out));
+	TS_TRY(read_signed(e, out));
 	for (;;) {
 		ts_expr_peek(e);
 		op = ts_operator_find(e->text + e->at);
@@ -267,8 +270,8 @@ enum ts_status ts_expr_read_number(struct ts_expr *e, double *out)
 	return status;
 }
 
-static struct ts_expr start(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
-			    enum ts_formula kind)
+static struct ts_expr init_expr(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
+				enum ts_formula kind)
 {
 	static const struct ts_place nowhere;
 
@@ -280,9 +283,9 @@ static struct ts_expr start(struct ts_formulas *formulas, const char *text, cons
 				 .kind = kind };
 }
 
-/* The whole text. The depth counts formulas within formulas too, so that a long chain of variables
- * cannot exhaust the stack. */
-static enum ts_status evaluate(struct ts_expr *e, struct ts_operand *out)
+/* Evaluates the whole text. The depth includes the formulas of variables, so that a long chain of
+ * variables cannot exhaust the stack. */
+static enum ts_status evaluate_formula(struct ts_expr *e, struct ts_operand *out)
 {
 	int depth = e->formulas->depth;
 	enum ts_status status;
@@ -308,9 +311,9 @@ static enum ts_status evaluate(struct ts_expr *e, struct ts_operand *out)
 enum ts_status ts_expr_scalar(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 			      double *out)
 {
-	struct ts_expr e = start(formulas, text, place, TS_FORMULA_SCALAR);
+	struct ts_expr e = init_expr(formulas, text, place, TS_FORMULA_SCALAR);
 	struct ts_operand value;
-	enum ts_status status = evaluate(&e, &value);
+	enum ts_status status = evaluate_formula(&e, &value);
 
 	ts_arena_release(&e.arena);
 	if (status == TS_OK)
@@ -321,12 +324,12 @@ enum ts_status ts_expr_scalar(struct ts_formulas *formulas, const char *text, co
 enum ts_status ts_expr_condition(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 				 enum ts_truth *out)
 {
-	struct ts_expr e = start(formulas, text, place, TS_FORMULA_SCALAR);
+	struct ts_expr e = init_expr(formulas, text, place, TS_FORMULA_SCALAR);
 	struct ts_operand value;
 	enum ts_status status;
 
 	e.condition = true;
-	status = evaluate(&e, &value);
+	status = evaluate_formula(&e, &value);
 	ts_arena_release(&e.arena);
 	if (status == TS_OK)
 		*out = ts_unknown(formulas->sim, value.scalar) ? TS_OPEN
@@ -335,8 +338,9 @@ enum ts_status ts_expr_condition(struct ts_formulas *formulas, const char *text,
 	return status;
 }
 
-/* Stores n copies of a number, or as many numbers as there are. */
-static enum ts_status store(struct ts_expr *e, const struct ts_operand *value, size_t n, struct ts_table *out)
+/* Stores the n values of a list or column, or n copies of a number. */
+static enum ts_status store_values(struct ts_expr *e, const struct ts_operand *value, size_t n,
+				   struct ts_table *out)
 {
 	if (ts_table_resize(out, n, 1) != TS_OK)
 		return ts_nomem(&e->sim->error);
@@ -348,16 +352,17 @@ static enum ts_status store(struct ts_expr *e, const struct ts_operand *value, s
 enum ts_status ts_expr_peratom(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 			       struct ts_table *out)
 {
-	struct ts_expr e = start(formulas, text, place, TS_FORMULA_PERATOM);
+	struct ts_expr e = init_expr(formulas, text, place, TS_FORMULA_PERATOM);
 	struct ts_table id = { 0 };
 	struct ts_operand value;
 	enum ts_status status = ts_quantity_eval(e.sim, "id", &id);
 
 	e.rows = id.rows;
 	e.id = id.data;
-	status = status == TS_OK ? evaluate(&e, &value) : ts_expr_locate_error(&e, status, 0, e.length);
+	status = status == TS_OK ? evaluate_formula(&e, &value)
+				 : ts_expr_locate_error(&e, status, 0, e.length);
 	if (status == TS_OK)
-		status = store(&e, &value, e.rows, out);
+		status = store_values(&e, &value, e.rows, out);
 	ts_arena_release(&e.arena);
 	ts_table_release(&id);
 	return status;
@@ -366,12 +371,12 @@ enum ts_status ts_expr_peratom(struct ts_formulas *formulas, const char *text, c
 enum ts_status ts_expr_vector(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 			      struct ts_table *out)
 {
-	struct ts_expr e = start(formulas, text, place, TS_FORMULA_VECTOR);
+	struct ts_expr e = init_expr(formulas, text, place, TS_FORMULA_VECTOR);
 	struct ts_operand value;
-	enum ts_status status = evaluate(&e, &value);
+	enum ts_status status = evaluate_formula(&e, &value);
 
 	if (status == TS_OK)
-		status = store(&e, &value, value.data ? value.n : 1, out);
+		status = store_values(&e, &value, value.data ? value.n : 1, out);
 	ts_arena_release(&e.arena);
 	return status;
 }

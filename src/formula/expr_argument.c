@@ -1,4 +1,4 @@
-/* What stands in the brackets of a call. */
+/* Arguments of a call. */
 #include <ctype.h>
 #include <string.h>
 
@@ -34,7 +34,7 @@ enum ts_status ts_expr_arguments(struct ts_expr *e, struct ts_operand *arg, size
 			return ts_expr_expect(e, ')');
 		e->at++;
 		if (*n == most) {
-			++*n; /* too many: the caller says so */
+			++*n; /* too many: ts_expr_count fails */
 			return TS_OK;
 		}
 	}

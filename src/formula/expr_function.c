@@ -28,8 +28,8 @@ static enum ts_status check_value(struct ts_expr *e, const struct ts_expr_functi
 			    isnan(value) ? "not a real number" : "infinite", f->arguments, x);
 }
 
-static enum ts_status evaluate(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
-			       const double *arg, double *out)
+static enum ts_status call_scalar(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
+				  const double *arg, double *out)
 {
 	bool open = false;
 
@@ -46,9 +46,9 @@ static enum ts_status evaluate(struct ts_expr *e, const struct ts_expr_function 
 	return f->lazy && ts_unknown(e->sim, *out) ? TS_OK : check_value(e, f, at, arg[0], *out);
 }
 
-/* One number by scalar arguments, else one for each element of the lists among them. */
-static enum ts_status of_numbers(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
-				 const struct ts_operand *arg, struct ts_operand *out)
+/* One number if all arguments are numbers, else one for each element of the lists among them. */
+static enum ts_status call_elementwise(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
+				       const struct ts_operand *arg, struct ts_operand *out)
 {
 	double number[TS_MOST_ARGUMENTS] = { 0 };
 	const struct ts_operand *list = NULL;
@@ -63,19 +63,20 @@ static enum ts_status of_numbers(struct ts_expr *e, const struct ts_expr_functio
 			list = &arg[k];
 	}
 	if (!list)
-		return evaluate(e, f, at, number, &out->scalar);
+		return call_scalar(e, f, at, number, &out->scalar);
 	TS_TRY(ts_expr_array(e, list->n, out));
 	for (size_t i = 0; i < out->n; i++) {
 		for (size_t k = 0; k < f->most; k++)
 			number[k] = arg[k].data ? arg[k].data[i] : arg[k].scalar;
-		TS_TRY(evaluate(e, f, at, number, &out->data[i]));
+		TS_TRY(call_scalar(e, f, at, number, &out->data[i]));
 	}
 	return TS_OK;
 }
 
-/* How far a stream has come: in a run that is said by step, who acts and how often he has drawn, else numbers
- * come one after the other. */
-static uint64_t advance(struct tsim *sim, int64_t *taken)
+/* The counter of a counter-based random number (math/rng.h): in a run a hash of step, instance, stage and
+ * number of draws in this step, so that runs can be cut anywhere; outside of runs draws are counted in
+ * *taken. */
+static uint64_t next_draw(struct tsim *sim, int64_t *taken)
 {
 	const int64_t when[] = { sim->era, sim->clock.step };
 	struct ts_draws *draws = &sim->draws;
@@ -89,10 +90,10 @@ static uint64_t advance(struct tsim *sim, int64_t *taken)
 	return ts_hash_value(&hash);
 }
 
-/* Random numbers come from one stream per seed. In formulas of particles each draws from a stream of its
- * own, so that the numbers do not depend on the order of particles. */
-static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
-			    const struct ts_operand *arg, struct ts_operand *out)
+/* Functions that draw random numbers, whose key is the seed. In formulas of particles the identity of the
+ * particle is part of the key, so that numbers do not depend on the order of storage. */
+static enum ts_status call_random(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
+				  const struct ts_operand *arg, struct ts_operand *out)
 {
 	bool each = e->kind == TS_FORMULA_PERATOM;
 	double number[TS_MOST_ARGUMENTS] = { 0 };
@@ -122,7 +123,7 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 		to = out->data;
 	}
 	e->formulas->drawn++;
-	at_number = advance(e->sim, each ? &stream->rounds : &stream->draws);
+	at_number = next_draw(e->sim, each ? &stream->rounds : &stream->draws);
 	for (size_t i = 0; i < n; i++) {
 		struct ts_rng rng = { (uint64_t)stream->seed, each ? (uint64_t)e->id[i] : 0, at_number };
 
@@ -134,9 +135,9 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 	return TS_OK;
 }
 
-/* A list of which something is unknown, or that only a run can fill. */
-static bool open_list(const struct ts_expr *e, const struct ts_expr_function *f,
-		      const struct ts_operand *list)
+/* Whether an element of the list is unknown, or the list is too short because no run has filled it. */
+static bool is_list_unknown(const struct ts_expr *e, const struct ts_expr_function *f,
+			    const struct ts_operand *list)
 {
 	bool open = !list->data && ts_unknown(e->sim, list->scalar);
 
@@ -146,13 +147,13 @@ static bool open_list(const struct ts_expr *e, const struct ts_expr_function *f,
 	       (list->data && list->n < f->length && e->sim->reading.explain && e->sim->reading.planned);
 }
 
-static enum ts_status of_list(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
-			      struct ts_operand *arg, struct ts_operand *out)
+static enum ts_status call_on_list(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
+				   struct ts_operand *arg, struct ts_operand *out)
 {
 	size_t n = arg->n;
 	enum ts_status status;
 
-	if (open_list(e, f, arg)) {
+	if (is_list_unknown(e, f, arg)) {
 		out->scalar = NAN;
 		return TS_OK;
 	}
@@ -175,8 +176,8 @@ static enum ts_status of_list(struct ts_expr *e, const struct ts_expr_function *
 	return status == TS_NOMEM ? ts_nomem(&e->sim->error) : status;
 }
 
-static enum ts_status of_words(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
-			       struct ts_operand *out)
+static enum ts_status call_on_words(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
+				    struct ts_operand *out)
 {
 	struct ts_word word[TS_MOST_ARGUMENTS] = { 0 };
 	size_t n;
@@ -196,7 +197,7 @@ enum ts_status ts_expr_call(struct ts_expr *e, const struct ts_expr_function *f,
 	size_t n;
 
 	if (f->words)
-		return of_words(e, f, at, out);
+		return call_on_words(e, f, at, out);
 	if (list)
 		e->kind = TS_FORMULA_VECTOR;
 	status = ts_expr_arguments(e, arg, f->most, &n);
@@ -208,8 +209,8 @@ enum ts_status ts_expr_call(struct ts_expr *e, const struct ts_expr_function *f,
 		return ts_expr_fail(e, TS_SYNTAX, at, e->at, "%s gives a list; one number is needed here",
 				    f->name);
 	if (list)
-		return of_list(e, f, at, arg, out);
-	return f->draw ? drawn(e, f, at, arg, out) : of_numbers(e, f, at, arg, out);
+		return call_on_list(e, f, at, arg, out);
+	return f->draw ? call_random(e, f, at, arg, out) : call_elementwise(e, f, at, arg, out);
 }
 
 enum ts_status ts_expr_call_group(struct ts_expr *e, const struct ts_function *f, size_t at,

@@ -1,17 +1,17 @@
-/* Functions of numbers. */
+/* Functions of numbers in formulas. */
 #include <math.h>
 
 #include "formula/expr.h"
 
 #include "base/banned.h"
 
-static double sign(double x)
+static double sign_of(double x)
 {
 	return x < 0 ? -1 : 1;
 }
 
-/* Halves go up, also below 0 (LIGGGHTS, LAMMPS). */
-static double nearest(double x)
+/* Halves are rounded up, also negative ones (LIGGGHTS, LAMMPS). */
+static double round_half_up(double x)
 {
 	double below = floor(x);
 
@@ -59,7 +59,7 @@ const struct ts_expr_function ts_math_functions[] = {
 	ONE("ln", log, "natural logarithm"),
 	ONE("log", log10, "logarithm of base 10"),
 	ONE("abs", fabs, "absolute value"),
-	ONE("sign", sign, "1 for x >= 0, -1 for x < 0"),
+	ONE("sign", sign_of, "1 for x >= 0, -1 for x < 0"),
 	ONE("sin", sin, "sine of an angle in radians"),
 	ONE("cos", cos, "cosine"),
 	ONE("tan", tan, "tangent"),
@@ -74,7 +74,7 @@ const struct ts_expr_function ts_math_functions[] = {
 	  .eval = eval_atan2 },
 	ONE("ceil", ceil, "smallest whole number not below x"),
 	ONE("floor", floor, "largest whole number not above x"),
-	ONE("round", nearest, "nearest whole number, halves up: round(-2.5) is -2"),
+	ONE("round", round_half_up, "nearest whole number, halves up: round(-2.5) is -2"),
 	{ .name = "ternary",
 	  .arguments = "x,y,z",
 	  .help = "y if x is not 0, else z",

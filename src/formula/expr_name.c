@@ -1,4 +1,4 @@
-/* What a name in a formula stands for. */
+/* Values of names in formulas. */
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
@@ -27,7 +27,7 @@ static const struct ts_constant *constant_find(const char *name)
 	return NULL;
 }
 
-/* An index that only a run can give. */
+/* An index whose value is unknown. */
 static const int64_t OPEN_INDEX = INT64_MIN;
 
 /* The number between [ and ], at least `least`, or OPEN_INDEX. */
@@ -51,7 +51,7 @@ static enum ts_status read_index(struct ts_expr *e, double least, int64_t *out)
 	return TS_OK;
 }
 
-/* The row of the particle with that identity. */
+/* The index in storage of the particle with that identity. */
 static enum ts_status find_particle(struct ts_expr *e, int64_t identity, size_t at, size_t *row)
 {
 	struct ts_table id = { 0 };
@@ -67,9 +67,10 @@ static enum ts_status find_particle(struct ts_expr *e, int64_t identity, size_t 
 	return ts_expr_locate_error(e, status, at, e->at);
 }
 
-/* v_NAME[k] of a variable of particles: of the one with identity k. */
-static enum ts_status of_one(struct ts_expr *e, struct ts_variable *variable, const struct ts_place *place,
-			     int64_t k, size_t at, struct ts_operand *out)
+/* v_NAME[k] of a variable of style atom: the value of the particle with identity k. */
+static enum ts_status variable_of_particle(struct ts_expr *e, struct ts_variable *variable,
+					   const struct ts_place *place, int64_t k, size_t at,
+					   struct ts_operand *out)
 {
 	struct ts_table table = { 0 };
 	enum ts_status status;
@@ -84,9 +85,10 @@ static enum ts_status of_one(struct ts_expr *e, struct ts_variable *variable, co
 	return ts_expr_or_unknown(e, variable->name, status, out);
 }
 
-/* Of a list the k-th number. */
-static enum ts_status of_list(struct ts_expr *e, struct ts_variable *variable, const struct ts_place *place,
-			      int64_t k, size_t at, struct ts_operand *out)
+/* v_NAME[k] of a variable of style vector: element k. */
+static enum ts_status element_of_vector(struct ts_expr *e, struct ts_variable *variable,
+					const struct ts_place *place, int64_t k, size_t at,
+					struct ts_operand *out)
 {
 	struct ts_table table = { 0 };
 	enum ts_status status = ts_variable_vector(e->formulas, variable, place, &table);
@@ -106,23 +108,23 @@ static enum ts_status of_list(struct ts_expr *e, struct ts_variable *variable, c
 	return status;
 }
 
-static enum ts_status element(struct ts_expr *e, struct ts_variable *variable, const struct ts_place *place,
-			      size_t at, struct ts_operand *out)
+static enum ts_status element_of_variable(struct ts_expr *e, struct ts_variable *variable,
+					  const struct ts_place *place, size_t at, struct ts_operand *out)
 {
 	int64_t k = 0;
 
 	TS_TRY(read_index(e, 1, &k));
 	if (variable->style->vector)
-		return of_list(e, variable, place, k, at, out);
+		return element_of_vector(e, variable, place, k, at, out);
 	if (variable->style->peratom && !variable->style->number)
-		return of_one(e, variable, place, k, at, out);
+		return variable_of_particle(e, variable, place, k, at, out);
 	return ts_expr_fail(e, TS_SYNTAX, at, e->at,
 			    "variable '%s' (style %s) has one value; '[' has its place "
 			    "behind a variable of style vector or atom",
 			    variable->name, variable->style->name);
 }
 
-static enum ts_status variable(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
+static enum ts_status read_variable(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
 {
 	struct ts_place place = ts_place_inside(e->place, e->length, at, e->at - at);
 	struct ts_table table = { 0 };
@@ -130,7 +132,7 @@ static enum ts_status variable(struct ts_expr *e, const char *name, size_t at, s
 
 	TS_TRY(ts_variable_require(e->formulas, name + 2, &place, &found));
 	if (e->text[e->at] == '[')
-		return element(e, found, &place, at, out);
+		return element_of_variable(e, found, &place, at, out);
 	if (e->kind == TS_FORMULA_PERATOM && found->style->peratom && !found->style->number)
 		return ts_expr_take_table(e, ts_variable_peratom(e->formulas, found, &place, &table), &table,
 					  out);
@@ -140,9 +142,10 @@ static enum ts_status variable(struct ts_expr *e, const char *name, size_t at, s
 	return ts_variable_number(e->formulas, found, &place, &out->scalar);
 }
 
-/* c_ID[k] of a style that has no such element but values of particles: of the one with identity k. */
-static enum ts_status of_identity(struct ts_expr *e, const char *name, int64_t identity, int64_t column,
-				  size_t at, struct ts_operand *out)
+/* c_ID[k] of a style without a vector but with per-particle values: the value of the particle with
+ * identity k. */
+static enum ts_status output_of_particle(struct ts_expr *e, const char *name, int64_t identity,
+					 int64_t column, size_t at, struct ts_operand *out)
 {
 	struct ts_place place = ts_place_inside(e->place, e->length, at, e->at - at);
 	struct ts_table table = { 0 };
@@ -166,9 +169,9 @@ static enum ts_status of_identity(struct ts_expr *e, const char *name, int64_t i
 	return status;
 }
 
-/* The values a reference has for this kind of formula. */
-static enum ts_status of_reference(struct ts_expr *e, const struct ts_ref *ref, const struct ts_place *place,
-				   struct ts_operand *out)
+/* The values of a reference in this kind of formula. */
+static enum ts_status value_of_reference(struct ts_expr *e, const struct ts_ref *ref,
+					 const struct ts_place *place, struct ts_operand *out)
 {
 	unsigned shapes = ts_ref_shapes(e->sim, ref);
 	struct ts_table table = { 0 };
@@ -189,8 +192,9 @@ static enum ts_status of_reference(struct ts_expr *e, const struct ts_ref *ref, 
 	return ts_ref_scalar(e->sim, ref, place, &out->scalar);
 }
 
-/* Whether the style gives what is asked for, as far as can be told without running. */
-static bool gives(const struct ts_expr *e, const struct ts_ref *ref, unsigned shapes, bool of_identity)
+/* Whether the style has an output of a shape that the formula needs, as far as that is known without a
+ * run. */
+static bool has_shape(const struct ts_expr *e, const struct ts_ref *ref, unsigned shapes, bool of_identity)
 {
 	const struct ts_value *list = ref->inst ? ts_value_find(ref->inst, TS_VECTOR) : NULL;
 	unsigned wanted = 1u << TS_SCALAR;
@@ -204,8 +208,8 @@ static bool gives(const struct ts_expr *e, const struct ts_ref *ref, unsigned sh
 	return shapes & wanted;
 }
 
-/* In a formula that is only read. */
-static enum ts_status nothing(struct ts_operand *out)
+/* The result of a dry run. */
+static enum ts_status set_unknown(struct ts_operand *out)
 {
 	out->scalar = NAN;
 	return TS_OK;
@@ -224,16 +228,17 @@ static enum ts_status read_output(struct ts_expr *e, const char *name, const cha
 	shapes = ts_ref_shapes(e->sim, &ref);
 	identity = k[0] > 0 && !(shapes & (1u << TS_SCALAR)) &&
 		   (k[1] > 0 || (e->kind == TS_FORMULA_SCALAR && shapes & (1u << TS_PERATOM)));
-	given = gives(e, &ref, shapes, identity);
+	given = has_shape(e, &ref, shapes, identity);
 	e->formulas->misfit |= !given;
 	if (e->sim->reading.dry && given)
-		return nothing(out);
-	status = identity ? of_identity(e, name, k[0], k[1], at, out) : of_reference(e, &ref, &place, out);
+		return set_unknown(out);
+	status = identity ? output_of_particle(e, name, k[0], k[1], at, out)
+			  : value_of_reference(e, &ref, &place, out);
 	return given ? ts_expr_or_unknown(e, name, status, out) : status;
 }
 
 /* c_ID, c_ID[k], c_ID[k][j], and the same of fixes */
-static enum ts_status output(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
+static enum ts_status read_output_name(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
 {
 	enum ts_status status = TS_OK;
 	struct ts_str whole = { 0 };
@@ -256,9 +261,9 @@ static enum ts_status output(struct ts_expr *e, const char *name, size_t at, str
 	return ts_expr_locate_error(e, status, at, e->at);
 }
 
-/* Some keywords are known without running. */
-static enum ts_status of_keyword(struct ts_expr *e, const struct ts_keyword *keyword, size_t at,
-				 struct ts_operand *out)
+/* A thermo keyword. The values of some are known behind a run that is left out. */
+static enum ts_status value_of_keyword(struct ts_expr *e, const struct ts_keyword *keyword, size_t at,
+				       struct ts_operand *out)
 {
 	bool known = keyword->flags & TS_KEYWORD_CONSTANT ||
 		     (keyword->flags & TS_KEYWORD_CLOCK && !e->sim->reading.open_clock) ||
@@ -266,27 +271,29 @@ static enum ts_status of_keyword(struct ts_expr *e, const struct ts_keyword *key
 	enum ts_status status;
 
 	if (e->sim->reading.dry)
-		return nothing(out);
+		return set_unknown(out);
 	status = keyword->eval(e->sim, &out->scalar);
 	return ts_expr_locate_error(e, known ? status : ts_expr_or_unknown(e, keyword->name, status, out), at,
 				    e->at);
 }
 
-/* A quantity of all particles, e.g. `vx` in an atom-style formula. */
-static enum ts_status column(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
+/* A quantity of all particles, e.g. `vx` in a formula of style atom. */
+static enum ts_status quantity_of_particles(struct ts_expr *e, const char *name, size_t at,
+					    struct ts_operand *out)
 {
 	struct ts_table table = { 0 };
 	enum ts_status status;
 
 	if (e->sim->reading.dry)
-		return nothing(out);
+		return set_unknown(out);
 	status = ts_quantity_eval(e->sim, name, &table);
 	status = ts_expr_take_table(e, status, &table, out);
 	return ts_expr_locate_error(e, ts_expr_or_unknown(e, name, status, out), at, e->at);
 }
 
 /* A quantity of the particle with a given identity: vx[17]. */
-static enum ts_status of_particle(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
+static enum ts_status quantity_of_particle(struct ts_expr *e, const char *name, size_t at,
+					   struct ts_operand *out)
 {
 	struct ts_table table = { 0 };
 	enum ts_status status;
@@ -303,7 +310,7 @@ static enum ts_status of_particle(struct ts_expr *e, const char *name, size_t at
 	return ts_expr_locate_error(e, ts_expr_or_unknown(e, name, status, out), at, e->at);
 }
 
-static enum ts_status unknown(struct ts_expr *e, const char *name, size_t at, bool call)
+static enum ts_status fail_unknown_name(struct ts_expr *e, const char *name, size_t at, bool call)
 {
 	struct ts_suggest suggest = ts_suggest_start(name);
 	struct ts_str with_prefix = { 0 };
@@ -325,7 +332,7 @@ static enum ts_status unknown(struct ts_expr *e, const char *name, size_t at, bo
 			ts_suggest_try(&suggest, c->name);
 		if (e->kind == TS_FORMULA_PERATOM)
 			ts_quantity_suggest(e->sim, &suggest);
-		if (ts_variable_find(e->formulas, name)) /* a forgotten v_ explains best */
+		if (ts_variable_find(e->formulas, name)) /* most likely v_ is missing */
 			suggest.distance = 0, suggest.best = ts_str_text(&with_prefix);
 	}
 	status = ts_expr_fail(e, TS_UNKNOWN, at, at + strlen(name), "unknown %s '%s'%s",
@@ -334,7 +341,7 @@ static enum ts_status unknown(struct ts_expr *e, const char *name, size_t at, bo
 	return status;
 }
 
-static enum ts_status call(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
+static enum ts_status call_function(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
 {
 	const struct ts_expr_function *function = ts_expr_function_find(name);
 	const struct ts_function *of_group = ts_function_find(e->sim->tables, name);
@@ -343,11 +350,12 @@ static enum ts_status call(struct ts_expr *e, const char *name, size_t at, struc
 		return ts_expr_call(e, function, at, out);
 	if (of_group)
 		return ts_expr_call_group(e, of_group, at, out);
-	return unknown(e, name, at, true);
+	return fail_unknown_name(e, name, at, true);
 }
 
-/* A bare word of a condition: a constant has a number too; property_NAME asks whether there is one. */
-static enum ts_status bare_word(struct ts_expr *e, const char *name, struct ts_operand *out)
+/* A bare word of a condition. Constants also have a number; property_NAME is 1 if there is a material
+ * property NAME. */
+static enum ts_status value_of_bare_word(struct ts_expr *e, const char *name, struct ts_operand *out)
 {
 	static const char property[] = "property_";
 	const struct ts_constant *constant = constant_find(name);
@@ -369,23 +377,23 @@ enum ts_status ts_expr_name(struct ts_expr *e, const char *name, size_t at, stru
 	char next = e->text[e->at];
 
 	if (strncmp(name, "v_", 2) == 0)
-		return variable(e, name, at, out);
+		return read_variable(e, name, at, out);
 	if (strncmp(name, "c_", 2) == 0 || strncmp(name, "f_", 2) == 0)
-		return output(e, name, at, out);
+		return read_output_name(e, name, at, out);
 	if (next == '(')
-		return call(e, name, at, out);
+		return call_function(e, name, at, out);
 	if (next == '[' && ts_quantity_has(e->sim, name))
-		return of_particle(e, name, at, out);
+		return quantity_of_particle(e, name, at, out);
 	if (e->kind == TS_FORMULA_PERATOM && ts_quantity_has(e->sim, name))
-		return column(e, name, at, out);
+		return quantity_of_particles(e, name, at, out);
 	if (e->condition)
-		return bare_word(e, name, out);
+		return value_of_bare_word(e, name, out);
 	if (constant) {
 		out->scalar = constant->value;
 		return TS_OK;
 	}
 	keyword = ts_keyword_find(e->sim->tables, name);
 	if (keyword)
-		return of_keyword(e, keyword, at, out);
-	return unknown(e, name, at, false);
+		return value_of_keyword(e, keyword, at, out);
+	return fail_unknown_name(e, name, at, false);
 }

@@ -1,4 +1,4 @@
-/* Operators of formulas: finding them, applying them to numbers and to columns. */
+/* Operators of formulas, applied to numbers, lists and columns of particles. */
 #include <math.h>
 #include <string.h>
 
@@ -6,36 +6,36 @@
 
 #include "base/banned.h"
 
-static bool truth(double a)
+static bool is_true(double a)
 {
 	return a < 0 || a > 0;
 }
 
-/* Operators that may know their result when one side is unknown, a NaN: that is neither true nor false
- * here. */
-static bool either(double a, double b)
+/* Whether the result of || or && is known although one operand is unknown, a NaN, which is neither true nor
+ * zero here. */
+static bool is_either_true(double a, double b)
 {
-	return truth(a) || truth(b);
+	return is_true(a) || is_true(b);
 }
 
-static bool not_both(double a, double b)
+static bool is_either_zero(double a, double b)
 {
 	return a == 0 || b == 0;
 }
 
 static double op_or(double a, double b)
 {
-	return truth(a) || truth(b);
+	return is_true(a) || is_true(b);
 }
 
 static double op_xor(double a, double b)
 {
-	return truth(a) != truth(b);
+	return is_true(a) != is_true(b);
 }
 
 static double op_and(double a, double b)
 {
-	return truth(a) && truth(b);
+	return is_true(a) && is_true(b);
 }
 
 static double op_equal(double a, double b)
@@ -88,11 +88,11 @@ static double op_divide(double a, double b)
 	return a / b;
 }
 
-/* Longer spellings first, where one begins with another. */
+/* Where one operator begins with another, the longer one is first. */
 const struct ts_operator ts_operators[] = {
-	{ "||", 1, op_or, "1 if one of the two is not 0", false, false, either },
+	{ "||", 1, op_or, "1 if one of the two is not 0", false, false, is_either_true },
 	{ "|^", 1, op_xor, "1 if exactly one of the two is not 0", false, false, NULL },
-	{ "&&", 2, op_and, "1 if neither is 0", false, false, not_both },
+	{ "&&", 2, op_and, "1 if neither is 0", false, false, is_either_zero },
 	{ "==", 3, op_equal, "1 if equal", false, true, NULL },
 	{ "!=", 3, op_unequal, "1 if not equal", false, true, NULL },
 	{ "<=", 4, op_not_above, "1 if less or equal", false, false, NULL },
@@ -116,8 +116,8 @@ const struct ts_operator *ts_operator_find(const char *text)
 	return NULL;
 }
 
-static enum ts_status checked(struct ts_expr *e, const struct ts_operator *op, size_t at, double a, double b,
-			      double *out)
+static enum ts_status apply_checked(struct ts_expr *e, const struct ts_operator *op, size_t at, double a,
+				    double b, double *out)
 {
 	size_t end = at + strlen(op->text);
 
@@ -125,7 +125,7 @@ static enum ts_status checked(struct ts_expr *e, const struct ts_operator *op, s
 		*out = op->decides && op->decides(a, b) ? op->apply(a, b) : NAN;
 		return TS_OK;
 	}
-	if (op->divides && !truth(b))
+	if (op->divides && !is_true(b))
 		return ts_expr_fail(e, TS_RANGE, at, end, "division of %.6g by zero", a);
 	*out = op->apply(a, b);
 	if (isfinite(*out))
@@ -156,21 +156,21 @@ enum ts_status ts_op_binary(struct ts_expr *e, const struct ts_operator *op, siz
 		out->scalar = op->apply(same, true);
 		return TS_OK;
 	}
-	if (words && op->compares_words) { /* one of them unknown: it may be this word */
+	if (words && op->compares_words) { /* one operand is unknown and may be this word */
 		out->scalar = NAN;
 		return TS_OK;
 	}
 	TS_TRY(ts_op_need_number(e, a));
 	TS_TRY(ts_op_need_number(e, b));
 	if (!a->data && !b->data)
-		return checked(e, op, at, a->scalar, b->scalar, &out->scalar);
+		return apply_checked(e, op, at, a->scalar, b->scalar, &out->scalar);
 	if (a->data && b->data && a->n != b->n)
 		return ts_expr_fail(e, TS_RANGE, a->at, b->end,
 				    "lists of %zu and %zu numbers cannot be combined", a->n, b->n);
 	TS_TRY(ts_expr_array(e, a->data ? a->n : b->n, out));
 	for (size_t i = 0; i < out->n; i++)
-		TS_TRY(checked(e, op, at, a->data ? a->data[i] : a->scalar, b->data ? b->data[i] : b->scalar,
-			       &out->data[i]));
+		TS_TRY(apply_checked(e, op, at, a->data ? a->data[i] : a->scalar,
+				     b->data ? b->data[i] : b->scalar, &out->data[i]));
 	return TS_OK;
 }
 
@@ -183,7 +183,7 @@ enum ts_status ts_op_unary(struct ts_expr *e, char op, struct ts_operand *a)
 		if (op == '-')
 			data[i] = -data[i];
 		else if (op == '!')
-			data[i] = ts_unknown(e->sim, data[i]) ? NAN : !truth(data[i]);
+			data[i] = ts_unknown(e->sim, data[i]) ? NAN : !is_true(data[i]);
 	}
 	a->word = NULL;
 	return TS_OK;

@@ -1,4 +1,4 @@
-/* Functions of a whole list of numbers, such as the record of a fix: slope(f_trace). */
+/* Functions of a list of numbers, such as the vector of a fix: slope(f_trace). */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-/* Functions that ask about the script and the program; their arguments are names. */
+/* Functions of words: properties of the script, the simulation and the program. */
 #include <ctype.h>
 #include <errno.h>
 #include <string.h>
@@ -10,8 +10,8 @@
 
 #include "base/banned.h"
 
-/* The present value of a file variable, which then goes on to the next; as with the command `next` it is
- * deleted when there is none. */
+/* The present value of a file variable, which then advances to the next; if there is none it is deleted,
+ * as by the command `next`. */
 static enum ts_status eval_next(struct ts_expr *e, struct ts_words words, struct ts_operand *out)
 {
 	const struct ts_word *word = &words.word[0];
@@ -52,7 +52,7 @@ static enum ts_status eval_is_file(struct ts_expr *e, struct ts_words words, str
 	return TS_OK;
 }
 
-/* Does the name of the operating system begin with the word? (LAMMPS: a regular expression ^Linux) */
+/* Whether the name of the operating system begins with the word (LAMMPS has a regular expression, ^Linux). */
 static enum ts_status eval_is_os(struct ts_expr *e, struct ts_words words, struct ts_operand *out)
 {
 	const char *word = words.word[0].text;
@@ -69,8 +69,8 @@ static enum ts_status eval_is_os(struct ts_expr *e, struct ts_words words, struc
 	return TS_OK;
 }
 
-/* Categories of LAMMPS of which there is nothing here. */
-static bool is_foreign(const char *category)
+/* Categories of LAMMPS that are always empty here. */
+static bool is_lammps_category(const char *category)
 {
 	static const char *const names[] = { "package",	  "newton",   "comm",	    "min_style", "run_style",
 					     "integrate", "minimize", "atom_style", "atom",	 "angle",
@@ -103,7 +103,7 @@ static enum ts_status eval_is_defined(struct ts_expr *e, struct ts_words words, 
 		out->scalar = ts_variable_find(e->formulas, id) != NULL;
 	} else if (ts_streq(category, "group")) {
 		out->scalar = ts_group_exists(e->sim, id);
-	} else if (!is_foreign(category)) {
+	} else if (!is_lammps_category(category)) {
 		TS_TRY(find_kind(e, &words.word[0], &kind));
 		out->scalar = ts_sim_find(e->sim, kind, id) != NULL;
 	}
@@ -114,20 +114,20 @@ static enum ts_status eval_is_available(struct ts_expr *e, struct ts_words words
 {
 	enum ts_kind kind = TS_KIND_COMMAND;
 
-	if (is_foreign(words.word[0].text))
+	if (is_lammps_category(words.word[0].text))
 		return TS_OK;
 	TS_TRY(find_kind(e, &words.word[0], &kind));
 	out->scalar = ts_style_find(e->sim->tables, kind, words.word[1].text) != NULL;
 	return TS_OK;
 }
 
-/* Is a style of that name in use? */
+/* Whether a live instance is of that style. */
 static enum ts_status eval_is_active(struct ts_expr *e, struct ts_words words, struct ts_operand *out)
 {
 	enum ts_kind kind = TS_KIND_FIX;
 	const struct ts_instances *all;
 
-	if (is_foreign(words.word[0].text))
+	if (is_lammps_category(words.word[0].text))
 		return TS_OK;
 	TS_TRY(find_kind(e, &words.word[0], &kind));
 	all = &e->sim->instances[kind];

@@ -1,5 +1,5 @@
-/* Functions of the clock: values that change in the course of a run, and the next of a sequence of steps
- * (for `dump_modify every`, `thermo v_name` and the like). */
+/* Functions of the step: values that vary over a run, and the next step of a sequence (for `dump_modify
+ * every`, `thermo v_name` ...). */
 #include <math.h>
 
 #include "math/constants.h"
@@ -8,11 +8,11 @@
 #include "base/banned.h"
 
 static const double two_pi = 2 * TS_PI;
-/* What a sequence that is over gives: a step that never comes. */
+/* Value of a sequence that has ended: a step beyond all runs. */
 static const double never = 9e18;
 
 /* Steps since the start of the run. */
-static double done(const struct ts_expr *e)
+static double steps_done(const struct ts_expr *e)
 {
 	return (double)(e->sim->clock.step - e->sim->clock.ramp_first);
 }
@@ -23,22 +23,22 @@ static enum ts_status eval_ramp(struct ts_expr *e, const double *arg, double *ou
 
 	if (!e->sim->run.inside)
 		return ts_fail(&e->sim->error, TS_STATE, NULL, "ramp() has a value only in a run");
-	*out = arg[0] + (arg[1] - arg[0]) * (steps > 0 ? done(e) / steps : 0);
+	*out = arg[0] + (arg[1] - arg[0]) * (steps > 0 ? steps_done(e) / steps : 0);
 	return TS_OK;
 }
 
 static enum ts_status eval_vdisplace(struct ts_expr *e, const double *arg, double *out)
 {
-	*out = arg[0] + arg[1] * done(e) * e->sim->clock.dt;
+	*out = arg[0] + arg[1] * steps_done(e) * e->sim->clock.dt;
 	return TS_OK;
 }
 
-static enum ts_status periodic(struct ts_expr *e, const double *arg, double *phase)
+static enum ts_status phase_of_oscillation(struct ts_expr *e, const double *arg, double *phase)
 {
 	if (!(arg[2] > 0))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL, "the period must be positive, found %.6g",
 			       arg[2]);
-	*phase = two_pi / arg[2] * done(e) * e->sim->clock.dt;
+	*phase = two_pi / arg[2] * steps_done(e) * e->sim->clock.dt;
 	return TS_OK;
 }
 
@@ -46,7 +46,7 @@ static enum ts_status eval_swiggle(struct ts_expr *e, const double *arg, double 
 {
 	double phase = 0;
 
-	TS_TRY(periodic(e, arg, &phase));
+	TS_TRY(phase_of_oscillation(e, arg, &phase));
 	*out = arg[0] + arg[1] * sin(phase);
 	return TS_OK;
 }
@@ -55,13 +55,13 @@ static enum ts_status eval_cwiggle(struct ts_expr *e, const double *arg, double 
 {
 	double phase = 0;
 
-	TS_TRY(periodic(e, arg, &phase));
+	TS_TRY(phase_of_oscillation(e, arg, &phase));
 	*out = arg[0] + arg[1] * (1 - cos(phase));
 	return TS_OK;
 }
 
-/* Steps are whole: a fraction is cut off. */
-static void whole(const double *arg, size_t n, double *out)
+/* Steps are integers: fractions are truncated. */
+static void truncate_to_steps(const double *arg, size_t n, double *out)
 {
 	for (size_t k = 0; k < n; k++)
 		out[k] = trunc(arg[k]);
@@ -71,7 +71,7 @@ static enum ts_status eval_stagger(struct ts_expr *e, const double *arg, double 
 {
 	double step = (double)e->sim->clock.step, start, a[2];
 
-	whole(arg, 2, a);
+	truncate_to_steps(arg, 2, a);
 	if (!(a[0] > a[1] && a[1] > 0))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
 			       "stagger(x,y) needs x > y > 0, found %.6g and %.6g", arg[0], arg[1]);
@@ -80,12 +80,13 @@ static enum ts_status eval_stagger(struct ts_expr *e, const double *arg, double 
 	return TS_OK;
 }
 
-/* Checks x, y, z of the logarithmic sequences and finds the start of the present decade. */
-static enum ts_status decade(struct ts_expr *e, const char *name, const double *arg, double *a, double *out)
+/* Checks x, y, z of the logarithmic sequences; *out: the start x z^m of the present decade. */
+static enum ts_status find_decade(struct ts_expr *e, const char *name, const double *arg, double *a,
+				  double *out)
 {
 	double step = (double)e->sim->clock.step;
 
-	whole(arg, 3, a);
+	truncate_to_steps(arg, 3, a);
 	if (!(a[0] > 0 && a[1] > 0 && a[2] > 1))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
 			       "%s(x,y,z) needs x > 0, y > 0 and z > 1, found %.6g, %.6g, %.6g", name, arg[0],
@@ -95,12 +96,12 @@ static enum ts_status decade(struct ts_expr *e, const char *name, const double *
 	return TS_OK;
 }
 
-/* x, 2x .. yx, then z times as much */
+/* x, 2x .. yx, then the same multiplied by z, z^2 ... */
 static enum ts_status eval_logfreq(struct ts_expr *e, const double *arg, double *out)
 {
 	double a[3], start = 0, multiple;
 
-	TS_TRY(decade(e, "logfreq", arg, a, &start));
+	TS_TRY(find_decade(e, "logfreq", arg, a, &start));
 	if (!(a[1] < a[2]))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
 			       "logfreq(x,y,z) needs y < z, found %.6g and %.6g", arg[1], arg[2]);
@@ -114,7 +115,7 @@ static enum ts_status eval_logfreq2(struct ts_expr *e, const double *arg, double
 {
 	double step = (double)e->sim->clock.step, a[3], start = 0, width, k;
 
-	TS_TRY(decade(e, "logfreq2", arg, a, &start));
+	TS_TRY(find_decade(e, "logfreq2", arg, a, &start));
 	*out = a[0];
 	if (step < a[0])
 		return TS_OK;
@@ -129,7 +130,7 @@ static enum ts_status eval_logfreq3(struct ts_expr *e, const double *arg, double
 {
 	double step = (double)e->sim->clock.step, a[3], ratio, k = 0;
 
-	whole(arg, 3, a);
+	truncate_to_steps(arg, 3, a);
 	if (!(a[0] > 0 && a[1] > 1 && a[2] > a[0] && a[2] - a[0] + 1 >= a[1]))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
 			       "logfreq3(x,y,z) needs 0 < x < z and 1 < y <= z - x + 1, found %.6g, "
@@ -146,7 +147,7 @@ static enum ts_status eval_logfreq3(struct ts_expr *e, const double *arg, double
 	return TS_OK;
 }
 
-static double strided(double step, double first, double last, double width)
+static double next_multiple(double step, double first, double last, double width)
 {
 	double next = first + (floor((step - first) / width) + 1) * width;
 
@@ -157,12 +158,12 @@ static enum ts_status eval_stride(struct ts_expr *e, const double *arg, double *
 {
 	double step = (double)e->sim->clock.step, a[3];
 
-	whole(arg, 3, a);
+	truncate_to_steps(arg, 3, a);
 	if (!(a[0] >= 0 && a[1] >= a[0] && a[2] > 0))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
 			       "stride(x,y,z) needs 0 <= x <= y and z > 0, found %.6g, %.6g, %.6g", arg[0],
 			       arg[1], arg[2]);
-	*out = strided(step, a[0], a[1], a[2]);
+	*out = next_multiple(step, a[0], a[1], a[2]);
 	return TS_OK;
 }
 
@@ -170,18 +171,18 @@ static enum ts_status eval_stride2(struct ts_expr *e, const double *arg, double 
 {
 	double step = (double)e->sim->clock.step, a[6];
 
-	whole(arg, 6, a);
+	truncate_to_steps(arg, 6, a);
 	if (!(a[0] >= 0 && a[1] >= a[0] && a[2] > 0 && a[3] >= a[0] && a[4] >= a[3] && a[4] <= a[1] &&
 	      a[5] > 0))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
 			       "stride2(x,y,z,a,b,c) needs 0 <= x <= a <= b <= y, z > 0 and c > 0");
 	*out = never;
 	if (step < a[3])
-		*out = fmin(strided(step, a[0], a[1], a[2]), a[3]);
+		*out = fmin(next_multiple(step, a[0], a[1], a[2]), a[3]);
 	else if (step < a[4])
-		*out = strided(step, a[3], a[4], a[5]);
-	if (*out >= never) /* behind the fine part */
-		*out = strided(fmax(step, a[4]), a[0], a[1], a[2]);
+		*out = next_multiple(step, a[3], a[4], a[5]);
+	if (*out >= never) /* behind the steps a..b */
+		*out = next_multiple(fmax(step, a[4]), a[0], a[1], a[2]);
 	return TS_OK;
 }
 

@@ -7,8 +7,8 @@
 
 enum { WIDEST = 3 /* digits of a width or precision */ };
 
-/* The letter of the conversion that starts behind a %, or NULL; *end is the position behind it. */
-static const char *conversion(const char *text, const char **end)
+/* The letter of the conversion that begins behind a %, or NULL; *end is the position behind it. */
+static const char *find_conversion(const char *text, const char **end)
 {
 	const char *c = text + strspn(text, "-+ 0#");
 	size_t width = strspn(c, "0123456789"), precision = 0;
@@ -33,7 +33,7 @@ enum ts_status ts_number_format_check(struct ts_error *error, const char *format
 			c += 2;
 			continue;
 		}
-		good = conversion(c + 1, &c) != NULL;
+		good = find_conversion(c + 1, &c) != NULL;
 		found++;
 	}
 	if (good && found == 1)
@@ -44,7 +44,7 @@ enum ts_status ts_number_format_check(struct ts_error *error, const char *format
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
-static void add_real(struct ts_str *out, const char *format, double value)
+static void append_real(struct ts_str *out, const char *format, double value)
 {
 	ts_str_addf(out, format, value);
 }
@@ -59,19 +59,19 @@ void ts_number_format_add(struct ts_str *out, const char *format, double value)
 		if (c[1] == '%')
 			c += 2;
 		else
-			letter = conversion(c + 1, &c);
+			letter = find_conversion(c + 1, &c);
 	}
 	if (!letter || *letter != 'd') {
-		add_real(out, format, value);
+		append_real(out, format, value);
 		return;
 	}
-	/* %.0f shows a whole number as %d does, and any double is fit for it */
+	/* %.0f prints an integer like %d, and has no overflow for large values */
 	end = memchr(format, '.', (size_t)(letter - format));
 	ts_str_add_n(&whole, format, (size_t)((end ? end : letter) - format));
 	ts_str_addf(&whole, ".0f%s", letter + 1);
 	if (whole.failed)
 		out->failed = true;
 	else
-		add_real(out, whole.text, round(value) + 0.0);
+		append_real(out, whole.text, round(value) + 0.0);
 	ts_str_release(&whole);
 }

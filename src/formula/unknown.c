@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-/* The number 1, for whoever takes it as a number. */
+/* Text of an unknown value in a line; it parses as the number 1. */
 static const char mark[] = "00000000000000001";
 
 bool ts_unknown_read(struct ts_formulas *formulas, const char *name)

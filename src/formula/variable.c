@@ -34,7 +34,7 @@ enum ts_status ts_variable_require(struct ts_formulas *formulas, const char *nam
 			  ts_suggest_text(&suggest));
 }
 
-static void release(struct ts_variable *variable)
+static void release_variable(struct ts_variable *variable)
 {
 	if (variable->style->release)
 		variable->style->release(variable);
@@ -47,9 +47,9 @@ void ts_variable_delete(struct ts_formulas *formulas, struct ts_variable *variab
 	struct ts_variables *all = &formulas->variables;
 
 	all->item[variable->place] = NULL;
-	if (ts_variable_find(formulas, variable->name) == variable) /* not replaced */
+	if (ts_variable_find(formulas, variable->name) == variable) /* not replaced by another */
 		ts_map_remove(&all->by_name, variable->name);
-	release(variable);
+	release_variable(variable);
 	if (++all->deleted > all->n / 2)
 		ts_variables_pack(formulas);
 }
@@ -74,7 +74,7 @@ void ts_variables_release(struct ts_formulas *formulas)
 {
 	ts_variables_pack(formulas);
 	for (size_t k = 0; k < formulas->variables.n; k++)
-		release(formulas->variables.item[k]);
+		release_variable(formulas->variables.item[k]);
 	ts_map_release(&formulas->variables.by_name);
 	ts_free(formulas->variables.item);
 	formulas->variables = (struct ts_variables){ 0 };
@@ -114,8 +114,8 @@ static enum ts_status read_values(struct ts_formulas *formulas, struct ts_variab
 	return style->define ? style->define(formulas, variable) : TS_OK;
 }
 
-static enum ts_status check_old(struct ts_formulas *formulas, const struct ts_word *name,
-				const struct ts_variable *old, const struct ts_variable_style *style)
+static enum ts_status check_existing(struct ts_formulas *formulas, const struct ts_word *name,
+				     const struct ts_variable *old, const struct ts_variable_style *style)
 {
 	struct ts_error *error = &formulas->sim->error;
 
@@ -142,7 +142,7 @@ enum ts_status ts_variable_define(struct ts_formulas *formulas, const struct ts_
 	if (old && style->keeps)
 		return TS_OK;
 	if (old)
-		TS_TRY(check_old(formulas, name, old, style));
+		TS_TRY(check_existing(formulas, name, old, style));
 	if (TS_GROW(all->item, all->capacity, all->n + 1) != TS_OK)
 		return ts_nomem(error);
 	made = ts_alloc(1, sizeof *made);
@@ -155,7 +155,7 @@ enum ts_status ts_variable_define(struct ts_formulas *formulas, const struct ts_
 	if (status == TS_OK && ts_map_set(&all->by_name, made->name, made) != TS_OK)
 		status = ts_nomem(error);
 	if (status != TS_OK) {
-		release(made);
+		release_variable(made);
 		return status;
 	}
 	made->used = old && old->used;
@@ -166,8 +166,8 @@ enum ts_status ts_variable_define(struct ts_formulas *formulas, const struct ts_
 	return TS_OK;
 }
 
-static enum ts_status enter(struct ts_formulas *formulas, struct ts_variable *variable,
-			    const struct ts_place *where)
+static enum ts_status begin_evaluation(struct ts_formulas *formulas, struct ts_variable *variable,
+				       const struct ts_place *where)
 {
 	if (variable->busy)
 		return ts_fail(&formulas->sim->error, TS_STATE, where,
@@ -176,9 +176,10 @@ static enum ts_status enter(struct ts_formulas *formulas, struct ts_variable *va
 	return TS_OK;
 }
 
-/* Says who asked for a formula that failed, if that is not plain from the place. */
-static enum ts_status leave(struct ts_formulas *formulas, struct ts_variable *variable, enum ts_status status,
-			    const struct ts_place *where)
+/* Appends to the message of a formula that failed where its variable was used, unless that is the place of
+ * the error. */
+static enum ts_status end_evaluation(struct ts_formulas *formulas, struct ts_variable *variable,
+				     enum ts_status status, const struct ts_place *where)
 {
 	struct ts_error *error = &formulas->sim->error;
 	size_t n = strlen(error->message);
@@ -207,13 +208,14 @@ enum ts_status ts_variable_text(struct ts_formulas *formulas, struct ts_variable
 		ts_unknown_add(formulas->sim, out, "%g", NAN);
 		return TS_OK;
 	}
-	TS_TRY(enter(formulas, variable, where));
-	TS_TRY(leave(formulas, variable, variable->style->text(formulas, variable, where, out), where));
+	TS_TRY(begin_evaluation(formulas, variable, where));
+	TS_TRY(end_evaluation(formulas, variable, variable->style->text(formulas, variable, where, out),
+			      where));
 	return out->failed ? ts_nomem(error) : TS_OK;
 }
 
-static enum ts_status text_as_number(struct ts_formulas *formulas, struct ts_variable *variable,
-				     const struct ts_place *where, double *out)
+static enum ts_status parse_text_as_number(struct ts_formulas *formulas, struct ts_variable *variable,
+					   const struct ts_place *where, double *out)
 {
 	struct ts_str text = { 0 };
 	enum ts_status status = ts_variable_text(formulas, variable, where, &text);
@@ -246,9 +248,9 @@ enum ts_status ts_variable_number(struct ts_formulas *formulas, struct ts_variab
 			       "variable '%s' is a list of numbers; choose one with v_%s[k]", variable->name,
 			       variable->name);
 	if (!style->number)
-		return text_as_number(formulas, variable, where, out);
-	TS_TRY(enter(formulas, variable, where));
-	return leave(formulas, variable, style->number(formulas, variable, where, out), where);
+		return parse_text_as_number(formulas, variable, where, out);
+	TS_TRY(begin_evaluation(formulas, variable, where));
+	return end_evaluation(formulas, variable, style->number(formulas, variable, where, out), where);
 }
 
 enum ts_status ts_variable_peratom(struct ts_formulas *formulas, struct ts_variable *variable,
@@ -259,8 +261,9 @@ enum ts_status ts_variable_peratom(struct ts_formulas *formulas, struct ts_varia
 			       "variable '%s' is of style %s; values for each particle need style "
 			       "atom or atomfile",
 			       variable->name, variable->style->name);
-	TS_TRY(enter(formulas, variable, where));
-	return leave(formulas, variable, variable->style->peratom(formulas, variable, where, out), where);
+	TS_TRY(begin_evaluation(formulas, variable, where));
+	return end_evaluation(formulas, variable, variable->style->peratom(formulas, variable, where, out),
+			      where);
 }
 
 enum ts_status ts_variable_vector(struct ts_formulas *formulas, struct ts_variable *variable,
@@ -270,8 +273,9 @@ enum ts_status ts_variable_vector(struct ts_formulas *formulas, struct ts_variab
 		return ts_fail(&formulas->sim->error, TS_STATE, where,
 			       "variable '%s' is of style %s; a list of numbers needs style vector",
 			       variable->name, variable->style->name);
-	TS_TRY(enter(formulas, variable, where));
-	return leave(formulas, variable, variable->style->vector(formulas, variable, where, out), where);
+	TS_TRY(begin_evaluation(formulas, variable, where));
+	return end_evaluation(formulas, variable, variable->style->vector(formulas, variable, where, out),
+			      where);
 }
 
 enum ts_status ts_variable_next(struct ts_formulas *formulas, struct ts_variable *variable,

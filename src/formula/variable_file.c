@@ -1,5 +1,5 @@
 /* Variables read from a file, one value (file) or one value for each particle (atomfile) at a time. The
- * format is that of LAMMPS: `#` starts a comment, blank lines do not count. */
+ * format is that of LAMMPS: `#` begins a comment, blank lines are skipped. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,14 +13,14 @@
 struct ts_variable_feed {
 	FILE *stream;
 	struct ts_str row;    /* the last line read */
-	struct ts_place line; /* the same as a place */
-	struct ts_str text;   /* file: its first word */
-	double *id, *value;   /* atomfile: the present set */
+	struct ts_place line; /* its place, for messages */
+	struct ts_str text;   /* file: the first word of the line, which is the present value */
+	double *id, *value;   /* atomfile: identities and values of the present set, n each */
 	size_t n, id_capacity, value_capacity;
-	int64_t position; /* how many values or sets were read */
+	int64_t position; /* number of values or sets read */
 };
 
-static void release(struct ts_variable *variable)
+static void release_feed(struct ts_variable *variable)
 {
 	struct ts_variable_feed *feed = variable->feed;
 
@@ -35,7 +35,7 @@ static void release(struct ts_variable *variable)
 	ts_free(feed);
 }
 
-/* The bytes up to the end of the line, without it; *end: there were none. */
+/* Reads a line without its end; *end: there is none. */
 static enum ts_status read_row(struct ts_formulas *formulas, struct ts_variable_feed *feed, bool *end)
 {
 	size_t most = ts_input_longest_line();
@@ -65,9 +65,9 @@ static enum ts_status read_row(struct ts_formulas *formulas, struct ts_variable_
 	return feed->row.failed ? ts_nomem(&formulas->sim->error) : TS_OK;
 }
 
-/* The words of the next line that has any. Memory comes from the arena. */
-static enum ts_status next_words(struct ts_formulas *formulas, struct ts_variable_feed *feed,
-				 struct ts_arena *arena, struct ts_words *words, bool *end)
+/* The words of the next line that is not blank; memory comes from the arena. */
+static enum ts_status read_words_of_next_line(struct ts_formulas *formulas, struct ts_variable_feed *feed,
+					      struct ts_arena *arena, struct ts_words *words, bool *end)
 {
 	*end = false;
 	for (words->n = 0; !words->n;) {
@@ -80,7 +80,7 @@ static enum ts_status next_words(struct ts_formulas *formulas, struct ts_variabl
 	return TS_OK;
 }
 
-/* The message about a bad line outlives the line. */
+/* Copies the line of an error to the string pool, since the error outlives it. */
 static enum ts_status keep_line(struct ts_formulas *formulas, const struct ts_variable_feed *feed,
 				enum ts_status status)
 {
@@ -91,12 +91,13 @@ static enum ts_status keep_line(struct ts_formulas *formulas, const struct ts_va
 	return status;
 }
 
-static enum ts_status next_text(struct ts_formulas *formulas, struct ts_variable *variable, bool *exhausted)
+static enum ts_status next_file_value(struct ts_formulas *formulas, struct ts_variable *variable,
+				      bool *exhausted)
 {
 	struct ts_variable_feed *feed = variable->feed;
 	struct ts_arena arena = { 0 };
 	struct ts_words words;
-	enum ts_status status = next_words(formulas, feed, &arena, &words, exhausted);
+	enum ts_status status = read_words_of_next_line(formulas, feed, &arena, &words, exhausted);
 
 	if (status == TS_OK && !*exhausted) {
 		ts_str_clear(&feed->text);
@@ -118,7 +119,7 @@ static enum ts_status read_pair(struct ts_formulas *formulas, struct ts_variable
 	double number[2] = { 0 };
 	bool end;
 
-	TS_TRY(next_words(formulas, feed, arena, &words, &end));
+	TS_TRY(read_words_of_next_line(formulas, feed, arena, &words, &end));
 	if (end)
 		return ts_fail(error, TS_SYNTAX, &feed->line,
 			       "the file ends within a set of values: %lld more were announced",
@@ -138,13 +139,14 @@ static enum ts_status read_pair(struct ts_formulas *formulas, struct ts_variable
 	return TS_OK;
 }
 
-static enum ts_status next_set(struct ts_formulas *formulas, struct ts_variable *variable, bool *exhausted)
+static enum ts_status next_atomfile_set(struct ts_formulas *formulas, struct ts_variable *variable,
+					bool *exhausted)
 {
 	struct ts_variable_feed *feed = variable->feed;
 	struct ts_arena arena = { 0 };
 	struct ts_words words;
 	int64_t count = 0;
-	enum ts_status status = next_words(formulas, feed, &arena, &words, exhausted);
+	enum ts_status status = read_words_of_next_line(formulas, feed, &arena, &words, exhausted);
 
 	if (status == TS_OK && !*exhausted) {
 		feed->n = 0;
@@ -168,7 +170,8 @@ static bool save_feed(const struct ts_variable *variable, double *number)
 	return variable->in_run;
 }
 
-/* To where the runs before had come. A file that the script itself steps through is the script's. */
+/* Reads on to the position saved in the restart file. Only files read during runs have one; others depend
+ * on the script. */
 static enum ts_status restore_feed(struct ts_formulas *formulas, struct ts_variable *variable, double number)
 {
 	struct ts_variable_feed *feed = variable->feed;
@@ -221,14 +224,14 @@ static enum ts_status file_text(struct ts_formulas *formulas, struct ts_variable
 	return TS_OK;
 }
 
-struct named {
+struct id_value {
 	double id, value;
-	size_t at; /* in the file: the last one wins */
+	size_t at; /* position in the file: of several values the last counts */
 };
 
-static int by_id(const void *a, const void *b)
+static int compare_id(const void *a, const void *b)
 {
-	const struct named *p = a, *q = b;
+	const struct id_value *p = a, *q = b;
 
 	if (p->id < q->id || p->id > q->id)
 		return p->id < q->id ? -1 : 1;
@@ -236,7 +239,7 @@ static int by_id(const void *a, const void *b)
 }
 
 /* The last value of that identity, or 0. */
-static double value_of(const struct named *list, size_t n, double id)
+static double find_value(const struct id_value *list, size_t n, double id)
 {
 	size_t lo = 0, hi = n;
 
@@ -251,12 +254,12 @@ static double value_of(const struct named *list, size_t n, double id)
 	return lo && !(list[lo - 1].id < id) ? list[lo - 1].value : 0;
 }
 
-/* Particles the set does not name have the value 0. */
+/* Particles that the set does not have get the value 0. */
 static enum ts_status atomfile_peratom(struct ts_formulas *formulas, struct ts_variable *variable,
 				       const struct ts_place *where, struct ts_table *out)
 {
 	const struct ts_variable_feed *feed = variable->feed;
-	struct named *list;
+	struct id_value *list;
 
 	(void)where;
 	TS_TRY(ts_quantity_eval(formulas->sim, "id", out));
@@ -264,10 +267,10 @@ static enum ts_status atomfile_peratom(struct ts_formulas *formulas, struct ts_v
 	if (!list)
 		return ts_nomem(&formulas->sim->error);
 	for (size_t k = 0; k < feed->n; k++)
-		list[k] = (struct named){ feed->id[k], feed->value[k], k };
-	qsort(list, feed->n, sizeof *list, by_id);
+		list[k] = (struct id_value){ feed->id[k], feed->value[k], k };
+	qsort(list, feed->n, sizeof *list, compare_id);
 	for (size_t i = 0; i < out->rows; i++)
-		out->data[i] = value_of(list, feed->n, out->data[i]);
+		out->data[i] = find_value(list, feed->n, out->data[i]);
 	ts_free(list);
 	return TS_OK;
 }
@@ -281,10 +284,10 @@ const struct ts_variable_style ts_var_file = {
 	.keeps = true,
 	.define = open_feed,
 	.text = file_text,
-	.next = next_text,
+	.next = next_file_value,
 	.save = save_feed,
 	.restore = restore_feed,
-	.release = release,
+	.release = release_feed,
 };
 
 const struct ts_variable_style ts_var_atomfile = {
@@ -297,8 +300,8 @@ const struct ts_variable_style ts_var_atomfile = {
 	.keeps = true,
 	.define = open_feed,
 	.peratom = atomfile_peratom,
-	.next = next_set,
+	.next = next_atomfile_set,
 	.save = save_feed,
 	.restore = restore_feed,
-	.release = release,
+	.release = release_feed,
 };

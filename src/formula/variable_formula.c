@@ -1,4 +1,4 @@
-/* Variables that keep a formula, evaluated each time they are used: equal, atom, vector. */
+/* Variables with a formula, evaluated each time they are used: equal, atom, vector. */
 #include <string.h>
 
 #include "formula/dry_run.h"
@@ -46,9 +46,9 @@ static enum ts_status copy_table(struct ts_formulas *formulas, const struct ts_t
 	return TS_OK;
 }
 
-/* Within a reading each column and list is evaluated once, unless it drew random numbers. */
-static enum ts_status table_once(struct ts_formulas *formulas, struct ts_variable *variable, read_table *read,
-				 struct ts_table *out)
+/* Within one evaluation each column and list is computed once, unless it has drawn random numbers. */
+static enum ts_status evaluate_once(struct ts_formulas *formulas, struct ts_variable *variable,
+				    read_table *read, struct ts_table *out)
 {
 	const struct ts_word *formula = &variable->values.word[0];
 	bool inner = formulas->depth > 0;
@@ -79,10 +79,10 @@ static enum ts_status formula_peratom(struct ts_formulas *formulas, struct ts_va
 				      const struct ts_place *where, struct ts_table *out)
 {
 	(void)where;
-	return table_once(formulas, variable, ts_expr_peratom, out);
+	return evaluate_once(formulas, variable, ts_expr_peratom, out);
 }
 
-/* Asked for from outside only: formulas take its number. */
+/* Called only by styles that need a value for each particle; formulas use the number. */
 static enum ts_status equal_peratom(struct ts_formulas *formulas, struct ts_variable *variable,
 				    const struct ts_place *where, struct ts_table *out)
 {
@@ -96,10 +96,10 @@ static enum ts_status formula_vector(struct ts_formulas *formulas, struct ts_var
 				     const struct ts_place *where, struct ts_table *out)
 {
 	(void)where;
-	return table_once(formulas, variable, ts_expr_vector, out);
+	return evaluate_once(formulas, variable, ts_expr_vector, out);
 }
 
-/* As LAMMPS shows it: [1,2.5,3] */
+/* In the format of LAMMPS: [1,2.5,3] */
 static enum ts_status vector_text(struct ts_formulas *formulas, struct ts_variable *variable,
 				  const struct ts_place *where, struct ts_str *out)
 {
@@ -116,9 +116,9 @@ static enum ts_status vector_text(struct ts_formulas *formulas, struct ts_variab
 	return status;
 }
 
-/* What is there already must be of the right shape; what is not may come later. */
-static enum ts_status read_formula(struct ts_formulas *formulas, struct ts_variable *variable,
-				   read_table *read)
+/* Checks the formula: outputs that exist must have the right shape, other names may be defined later. */
+static enum ts_status check_formula(struct ts_formulas *formulas, struct ts_variable *variable,
+				    read_table *read)
 {
 	const struct ts_word *formula = &variable->values.word[0];
 	struct ts_dry_run before = ts_dry_run_begin(formulas);
@@ -134,12 +134,12 @@ static enum ts_status read_formula(struct ts_formulas *formulas, struct ts_varia
 
 static enum ts_status define_equal(struct ts_formulas *formulas, struct ts_variable *variable)
 {
-	return read_formula(formulas, variable, NULL);
+	return check_formula(formulas, variable, NULL);
 }
 
 static enum ts_status define_vector(struct ts_formulas *formulas, struct ts_variable *variable)
 {
-	return read_formula(formulas, variable, ts_expr_vector);
+	return check_formula(formulas, variable, ts_expr_vector);
 }
 
 const struct ts_variable_style ts_var_equal = {

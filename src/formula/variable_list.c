@@ -1,5 +1,5 @@
-/* Variables that step through a list with `next`: index, loop, and the words for runs of several partitions,
- * of which there is one here. */
+/* Variables that `next` steps through a list: index, loop, and world, universe, uloop for several
+ * partitions, of which tsim has one. */
 #include <inttypes.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* What a restart file keeps of variables: values found once, and how far runs have come in files. */
+/* State of variables in restart files: values of style once, and positions in files read during runs. */
 #include <stdio.h>
 #include <string.h>
 
@@ -8,7 +8,7 @@
 
 static const char list_field[] = "variables";
 
-/* Fields of one variable; `what` is one of style, text, number. */
+/* Name of a field of one variable; `what` is style, text or number. */
 static void field_name(char *to, size_t size, const char *what, const char *name)
 {
 	snprintf(to, size, "%s of %s", what, name);
@@ -26,7 +26,7 @@ static enum ts_status archive_one(struct ts_archive *archive, struct ts_variable
 	return ts_archive_fixed(archive, field, TS_SAVED_F64, &state->number, 1);
 }
 
-static bool is_kept(const struct ts_variable *variable, double *number)
+static bool is_saved(const struct ts_variable *variable, double *number)
 {
 	return variable->style->save && strlen(variable->name) < 128 &&
 	       variable->style->save(variable, number);
@@ -41,7 +41,7 @@ static enum ts_status write_states(struct ts_formulas *formulas, struct ts_archi
 
 	ts_variables_pack(formulas);
 	for (size_t k = 0; k < formulas->variables.n; k++)
-		if (is_kept(formulas->variables.item[k], &number))
+		if (is_saved(formulas->variables.item[k], &number))
 			ts_str_addf(&names, "%s ", formulas->variables.item[k]->name);
 	list = ts_str_text(&names);
 	status = names.failed ? ts_nomem(&formulas->sim->error)
@@ -51,7 +51,7 @@ static enum ts_status write_states(struct ts_formulas *formulas, struct ts_archi
 		const struct ts_variable *v = formulas->variables.item[k];
 		struct ts_variable_state state = { v->style->name, v->name, "", 0 };
 
-		if (!is_kept(v, &state.number))
+		if (!is_saved(v, &state.number))
 			continue;
 		state.text = v->values.word[0].text;
 		status = archive_one(archive, &state);
@@ -59,7 +59,7 @@ static enum ts_status write_states(struct ts_formulas *formulas, struct ts_archi
 	return status;
 }
 
-static bool is_for(const struct ts_variable_state *state, const struct ts_variable *variable)
+static bool matches_variable(const struct ts_variable_state *state, const struct ts_variable *variable)
 {
 	return ts_streq(state->name, variable->name) && ts_streq(state->style, variable->style->name) &&
 	       ts_streq(state->text, variable->values.word[0].text);
@@ -69,7 +69,7 @@ enum ts_status ts_variable_resume(struct ts_formulas *formulas, struct ts_variab
 {
 	size_t k = (size_t)(uintptr_t)ts_map_get(&formulas->waiting_at, variable->name);
 
-	*resumed = k && is_for(&formulas->waiting[k - 1], variable);
+	*resumed = k && matches_variable(&formulas->waiting[k - 1], variable);
 	if (!*resumed)
 		return TS_OK;
 	ts_map_remove(&formulas->waiting_at, variable->name);

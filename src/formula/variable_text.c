@@ -1,4 +1,4 @@
-/* Variables of one value that is no formula: string, getenv, format, timer, internal. */
+/* Variables of one value: string, getenv, format, timer, once, internal. */
 #include <stdlib.h>
 
 #include "base/clock.h"
@@ -115,7 +115,7 @@ const struct ts_variable_style ts_var_timer = {
 	.number = plain_number,
 };
 
-/* In a script that goes on from a restart file the value is that of before. */
+/* In a script that continues from a restart file the value is the saved one. */
 static enum ts_status define_once(struct ts_formulas *formulas, struct ts_variable *variable)
 {
 	const struct ts_word *formula = &variable->values.word[0];

@@ -8,7 +8,7 @@
 
 #include "base/banned.h"
 
-/* What a line would have made: a thing of that kind, named by its k-th word. */
+/* Commands that define something: its kind, and the number of the word that is its name. */
 static const struct {
 	const char *command, *kind;
 	size_t word;
@@ -19,7 +19,7 @@ static const struct {
 	{ "read_restart", "box", 0 },
 };
 
-/* Commands on which nothing later builds. */
+/* Commands on whose effect later lines do not depend. */
 static const char *const harmless[] = {
 	"print",    "echo",	     "log",	      "shell",	    "label", "jump",	    "next",
 	"thermo",   "thermo_style",  "thermo_modify", "thermo_log", "dump",  "dump_modify", "undump",
@@ -62,8 +62,8 @@ static bool is_harmless(const char *command)
 	return false;
 }
 
-/* Does the line name something that was defined with an unknown value? */
-static bool names_guess(const struct ts_check *check, const char *text)
+/* Whether the line names something that was defined with an unknown value. */
+static bool names_unknown_value(const struct ts_check *check, const char *text)
 {
 	char name[64];
 
@@ -79,8 +79,8 @@ static bool names_guess(const struct ts_check *check, const char *text)
 	return false;
 }
 
-/* A file that was to be read is not there, but the script would have written it. */
-static bool would_be_there(const struct ts_check *check, const struct ts_error *error)
+/* Whether the error is that a file does not exist which the script would have written before. */
+static bool would_have_been_written(const struct ts_check *check, const struct ts_error *error)
 {
 	for (const struct ts_check_event *e = check->first; e && error->status == TS_IO; e = e->next) {
 		size_t n = e->path ? strcspn(e->path, "*%?") : 0;
@@ -97,23 +97,23 @@ static bool would_be_there(const struct ts_check *check, const struct ts_error *
 	return false;
 }
 
-/* Whether the error may be there only because a value is unknown, or because nothing is run and written. */
-static bool is_open(const struct ts_script *script, const struct ts_error *error)
+/* Whether the error may follow from an unknown value, or from a file that is not written. */
+static bool may_be_unknown(const struct ts_script *script, const struct ts_error *error)
 {
 	const struct ts_check *check = script->check;
 	char key[300];
 
-	if (would_be_there(check, error) || ts_unknown_text(script->sim, error->message))
+	if (would_have_been_written(check, error) || ts_unknown_text(script->sim, error->message))
 		return true;
 	if (error->status == TS_SYNTAX || error->status == TS_UNKNOWN)
 		return false;
 	snprintf(key, sizeof key, "%s:%d", error->place.file ? error->place.file : "", error->place.line);
 	return check->alternatives || ts_map_get(&check->guessed, key) ||
-	       names_guess(check, error->place.text);
+	       names_unknown_value(check, error->place.text);
 }
 
-/* Whether the error may be there only because of an earlier one. */
-static bool follows(const struct ts_check *check, const struct ts_error *error)
+/* Whether the error may follow from an earlier one. */
+static bool may_follow_from_error(const struct ts_check *check, const struct ts_error *error)
 {
 	if (error->missing[0] && ts_map_get(&check->lost, error->missing))
 		return true;
@@ -122,14 +122,15 @@ static bool follows(const struct ts_check *check, const struct ts_error *error)
 	return error->status == TS_RANGE && check->boxless;
 }
 
-/* NULL: out of memory. */
-static const char *place_key(struct ts_script *script, const struct ts_error *error)
+/* By this key each error is reported once; NULL: out of memory. */
+static const char *key_of_place(struct ts_script *script, const struct ts_error *error)
 {
 	const struct ts_place *place = &error->place;
 	struct ts_str key = { 0 };
 	const char *kept;
 
-	/* at the line of a run several findings of the review may be told, which name their check */
+	/* several findings of the review may be reported at the same run command: the name of the check is
+	 * part of the key */
 	if (place->line)
 		ts_str_addf(&key, "%s:%d:%d%s", place->file, place->line, place->column,
 			    error->source_line ? "" : error->source);
@@ -145,14 +146,14 @@ enum ts_status ts_check_keep_error(struct ts_script *script, const char *remark)
 	struct ts_check *check = script->check;
 	struct ts_error error = script->sim->error;
 	size_t n = strlen(error.message);
-	const char *key = place_key(script, &error);
+	const char *key = key_of_place(script, &error);
 
 	if (error.status == TS_NOMEM || error.status == TS_STOPPED)
 		return error.status;
 	ts_error_clear(&script->sim->error);
 	if (!key)
 		return ts_nomem(&script->sim->error);
-	if (is_open(script, &error) || follows(check, &error)) {
+	if (may_be_unknown(script, &error) || may_follow_from_error(check, &error)) {
 		*(check->nerrors ? &check->unjudged : &check->open) += 1;
 		return TS_OK;
 	}
@@ -172,13 +173,14 @@ enum ts_status ts_check_defer_error(struct ts_script *script, enum ts_status sta
 
 	if (status == TS_OK || !script->check || status == TS_NOMEM || status == TS_STOPPED)
 		return status;
-	if (!script->sim->reading.check && !is_open(script, error) && !follows(script->check, error))
+	if (!script->sim->reading.check && !may_be_unknown(script, error) &&
+	    !may_follow_from_error(script->check, error))
 		return status;
 	return ts_check_keep_error(script, "");
 }
 
-/* Stands in for a box that could not be made, so that the lines after it can be read. */
-static enum ts_status put_box(struct ts_script *script, struct ts_words words)
+/* Creates a box in place of one whose command has failed, so that later lines can be checked. */
+static enum ts_status create_substitute_box(struct ts_script *script, struct ts_words words)
 {
 	struct ts_check *check = script->check;
 	char text[160];
@@ -215,7 +217,7 @@ enum ts_status ts_check_mark_lost(struct ts_script *script, const char *kind, co
 	return TS_OK;
 }
 
-static enum ts_status lose_names(struct ts_script *script, struct ts_words words)
+static enum ts_status mark_names_lost(struct ts_script *script, struct ts_words words)
 {
 	const char *command = words.word[0].text;
 
@@ -225,7 +227,7 @@ static enum ts_status lose_names(struct ts_script *script, struct ts_words words
 		if (!ts_streq(makes[k].command, command))
 			continue;
 		if (makes[k].word == 0)
-			return put_box(script, words);
+			return create_substitute_box(script, words);
 		if (makes[k].word < words.n)
 			return ts_check_mark_lost(script, makes[k].kind, words.word[makes[k].word].text);
 	}
@@ -234,7 +236,7 @@ static enum ts_status lose_names(struct ts_script *script, struct ts_words words
 	return TS_OK;
 }
 
-static enum ts_status guess(struct ts_script *script, const char *text)
+static enum ts_status mark_guessed(struct ts_script *script, const char *text)
 {
 	const char *kept = ts_pool_get(script->sim->pool, text);
 
@@ -253,11 +255,11 @@ enum ts_status ts_check_guess(struct ts_script *script, const struct ts_line *li
 	if (script->sim->reading.from_run[0])
 		script->formulas.unknown = ts_pool_get(script->sim->pool, script->sim->reading.from_run);
 	snprintf(place, sizeof place, "%s:%d", line->row[0].file, line->row[0].line);
-	TS_TRY(guess(script, place));
+	TS_TRY(mark_guessed(script, place));
 	for (size_t k = 0; k < sizeof makes / sizeof *makes; k++)
 		if (ts_streq(makes[k].command, command) && makes[k].word && makes[k].word < words.n &&
 		    !ts_streq(command, "variable"))
-			TS_TRY(guess(script, words.word[makes[k].word].text));
+			TS_TRY(mark_guessed(script, words.word[makes[k].word].text));
 	return TS_OK;
 }
 
@@ -275,7 +277,7 @@ enum ts_status ts_check_recover(struct ts_script *script, const struct ts_line *
 	if (status == TS_OK && !words.n && line->rows)
 		status = ts_words_split(&arena, line->row[0].text, &line->row[0], &words);
 	if (status == TS_OK && words.n)
-		status = lose_names(script, words);
+		status = mark_names_lost(script, words);
 	ts_arena_release(&arena);
 	return status == TS_NOMEM ? ts_nomem(error) : status;
 }

@@ -1,6 +1,6 @@
-/* An `if` whose condition only a run can tell: all its branches are gone through, one after the other, and
- * what they define is there afterwards. Then the script goes on where it may: below, or, when it comes
- * here again, behind one of the jumps. */
+/* An `if` with an unknown condition: all its branches are executed, one after the other, and their
+ * definitions remain. Then the script continues below the `if`; each further time that the line is
+ * executed it follows another of the jumps in the branches. */
 #include <string.h>
 
 #include "formula/expr.h"
@@ -8,22 +8,22 @@
 
 #include "base/banned.h"
 
-enum { MOST_WAYS = 8 };
+enum { MOST_EXITS = 8 };
 
-/* Where the script may go on. */
-struct ways {
-	const struct ts_word *jump[MOST_WAYS]; /* forward; the command */
+/* Where the script may continue after the `if`. */
+struct exits {
+	const struct ts_word *jump[MOST_EXITS]; /* commands that jump forward */
 	size_t n;
 	const struct ts_word *back, *quit; /* a jump back, and `quit`: only if there is nothing else */
-	bool below, leaves;
+	bool falls_through, leaves;
 };
 
-static bool is(const struct ts_word *word, const char *text)
+static bool is_bare_word(const struct ts_word *word, const char *text)
 {
 	return !word->quoted && ts_streq(word->text, text);
 }
 
-/* Things that a command takes away, named by its k-th word; `last`: only with this word at the end. */
+/* Commands that delete something: its kind; its name is word 1; `last`: the last word must be this one. */
 static const struct {
 	const char *command, *kind, *last;
 } takes[] = {
@@ -32,9 +32,9 @@ static const struct {
 	{ "group", "group", "delete" }, { "variable", "variable", "delete" },
 };
 
-/* After a branch that may not be the one: what it has taken away may be there, what it has set may be
- * otherwise. */
-static enum ts_status doubt(struct ts_script *script, struct ts_words words)
+/* After a command of a branch that may not be taken: what it has deleted may exist, and the variable it
+ * has set may have another value. */
+static enum ts_status mark_doubtful(struct ts_script *script, struct ts_words words)
 {
 	struct ts_variable *variable;
 
@@ -50,27 +50,27 @@ static enum ts_status doubt(struct ts_script *script, struct ts_words words)
 	return TS_OK;
 }
 
-static enum ts_status note_jump(struct ts_script *script, const struct ts_word *command,
-				struct ts_words words, struct ways *ways)
+static enum ts_status record_jump(struct ts_script *script, const struct ts_word *command,
+				  struct ts_words words, struct exits *exits)
 {
 	const char *label = words.n > 2 ? words.word[2].text : NULL;
 	struct ts_check_loop *loop = NULL;
 
-	ways->leaves = true;
+	exits->leaves = true;
 	if (words.n > 1)
 		TS_TRY(ts_check_loop_of(script, &command->place, words.word[1].text, label, &loop));
 	if (loop) {
 		ts_check_open_loop(script, loop);
-		ways->back = command;
-	} else if (ways->n < MOST_WAYS) {
-		ways->jump[ways->n++] = command;
+		exits->back = command;
+	} else if (exits->n < MOST_EXITS) {
+		exits->jump[exits->n++] = command;
 	}
 	return TS_OK;
 }
 
-/* One command of a branch; *end: nothing behind it is run. */
-static enum ts_status go_through(struct ts_script *script, const struct ts_word *command, struct ways *ways,
-				 bool *end)
+/* Executes one command of a branch, but records jumps and `quit`; *end: the branch ends with it. */
+static enum ts_status run_branch_command(struct ts_script *script, const struct ts_word *command,
+					 struct exits *exits, bool *end)
 {
 	const struct ts_source *source = script->source;
 	size_t at = source ? source->at : 0;
@@ -85,17 +85,17 @@ static enum ts_status go_through(struct ts_script *script, const struct ts_word 
 	else
 		status = ts_check_defer_error(script, status);
 	if (status == TS_OK && words.n && ts_streq(words.word[0].text, "jump")) {
-		status = note_jump(script, command, words, ways);
+		status = record_jump(script, command, words, exits);
 		stays = false;
 	} else if (status == TS_OK && words.n && ts_streq(words.word[0].text, "quit")) {
-		ways->quit = command;
-		ways->leaves = true;
+		exits->quit = command;
+		exits->leaves = true;
 		stays = false;
 	} else if (status == TS_OK) {
 		status = ts_script_execute(script, command->text, &command->place);
 		stays = !script->label && !script->quit && (!source || source->at == at);
 		if (status == TS_OK)
-			status = doubt(script, words);
+			status = mark_doubtful(script, words);
 	}
 	*end = !stays;
 	ts_arena_release(&arena);
@@ -103,24 +103,24 @@ static enum ts_status go_through(struct ts_script *script, const struct ts_word 
 	return status;
 }
 
-static enum ts_status branch(struct ts_script *script, struct ts_words words, size_t from, size_t to,
-			     struct ways *ways, bool *below)
+static enum ts_status run_branch(struct ts_script *script, struct ts_words words, size_t from, size_t to,
+				 struct exits *exits, bool *falls_through)
 {
 	enum ts_status status = TS_OK;
 	bool end = false;
 
 	script->branches++;
 	for (size_t k = from; k < to && status == TS_OK && !end; k++)
-		status = go_through(script, &words.word[k], ways, &end);
+		status = run_branch_command(script, &words.word[k], exits, &end);
 	script->branches--;
 	script->check->alternatives++;
-	*below |= !end;
+	*falls_through |= !end;
 	return status;
 }
 
-/* Whether the condition of an elif may hold; after one that holds there is no other. */
-static enum ts_status may_hold(struct ts_script *script, const struct ts_word *condition,
-			       enum ts_truth *truth)
+/* Evaluates the condition of an elif. */
+static enum ts_status evaluate_elif(struct ts_script *script, const struct ts_word *condition,
+				    enum ts_truth *truth)
 {
 	struct ts_str text = { 0 };
 	enum ts_status status = ts_substitute_text(script, condition->text, &condition->place, &text);
@@ -132,47 +132,47 @@ static enum ts_status may_hold(struct ts_script *script, const struct ts_word *c
 	return ts_check_defer_error(script, status);
 }
 
-static enum ts_status all_branches(struct ts_script *script, struct ts_words words, size_t k,
-				   struct ways *ways)
+static enum ts_status run_all_branches(struct ts_script *script, struct ts_words words, size_t k,
+				       struct exits *exits)
 {
 	bool last = false;
 
 	while (k < words.n && !last) {
-		bool otherwise = is(&words.word[k], "else");
+		bool otherwise = is_bare_word(&words.word[k], "else");
 		size_t first = otherwise ? k + 1 : k + 2 - (k == 0), end;
 		enum ts_truth truth = TS_OPEN;
 
 		if (!otherwise && k && words.n > k + 1)
-			TS_TRY(may_hold(script, &words.word[k + 1], &truth));
-		if (!otherwise && first < words.n && is(&words.word[first], "then"))
+			TS_TRY(evaluate_elif(script, &words.word[k + 1], &truth));
+		if (!otherwise && first < words.n && is_bare_word(&words.word[first], "then"))
 			first++;
-		for (end = first;
-		     end < words.n && !is(&words.word[end], "elif") && !is(&words.word[end], "else");)
+		for (end = first; end < words.n && !is_bare_word(&words.word[end], "elif") &&
+				  !is_bare_word(&words.word[end], "else");)
 			end++;
 		if (truth != TS_NO)
-			TS_TRY(branch(script, words, first, end, ways, &ways->below));
+			TS_TRY(run_branch(script, words, first, end, exits, &exits->falls_through));
 		last = otherwise || truth == TS_YES;
 		k = end;
 	}
-	ways->below |= !last; /* no branch at all */
+	exits->falls_through |= !last; /* no branch at all */
 	return TS_OK;
 }
 
-/* The k-th time that it comes here. */
-static enum ts_status go_on(struct ts_script *script, const struct ways *ways, int64_t k)
+/* Continues the script at its k-th execution of the `if`. */
+static enum ts_status continue_after_branches(struct ts_script *script, const struct exits *exits, int64_t k)
 {
-	int64_t most = (int64_t)ways->n + ways->below;
-	const struct ts_word *way = NULL;
+	int64_t most = (int64_t)exits->n + exits->falls_through;
+	const struct ts_word *next = NULL;
 
 	if (k > most)
 		k = most;
-	if (k > 0 && !(ways->below && k == 1))
-		way = ways->jump[k - 1 - ways->below];
-	else if (!ways->below)
-		way = ways->back ? ways->back : ways->quit;
-	if (!way || script->label || script->quit)
+	if (k > 0 && !(exits->falls_through && k == 1))
+		next = exits->jump[k - 1 - exits->falls_through];
+	else if (!exits->falls_through)
+		next = exits->back ? exits->back : exits->quit;
+	if (!next || script->label || script->quit)
 		return TS_OK;
-	return ts_script_execute(script, way->text, &way->place);
+	return ts_script_execute(script, next->text, &next->place);
 }
 
 enum ts_status ts_check_branches(struct ts_script *script, struct ts_words words, size_t k,
@@ -183,17 +183,17 @@ enum ts_status ts_check_branches(struct ts_script *script, struct ts_words words
 	size_t at = source ? source->at : 0;
 	int alternatives = check->alternatives;
 	struct ts_check_event *event;
-	struct ways ways = { 0 };
+	struct exits exits = { 0 };
 	enum ts_status status;
 
 	check->branches++;
 	TS_TRY(ts_check_note(script, TS_CHECK_STEP, where, script->sim->reading.from_run, &event,
 			     "if: any branch"));
 	event->open = true;
-	status = all_branches(script, words, k, &ways);
+	status = run_all_branches(script, words, k, &exits);
 	check->alternatives = alternatives;
-	event->leaves |= ways.leaves;
+	event->leaves |= exits.leaves;
 	if (status != TS_OK || (source && source->at != at))
 		return status; /* a command of a branch has jumped */
-	return go_on(script, &ways, event->count);
+	return continue_after_branches(script, &exits, event->count);
 }

@@ -1,6 +1,6 @@
-/* Loops of a script that is gone through without running it. Those that run nothing are followed to their
- * end; others as long as they reach new lines, or when they have few turns. What is left is multiplied if
- * the number of turns is known, and told to be not known else. */
+/* Loops of a script that is read without running. Loops without a run command are executed to their end;
+ * others while they reach new lines, or if they have few iterations. The remaining iterations are
+ * extrapolated if their number is known, otherwise reported as unknown. */
 #include <string.h>
 
 #include "script/check.h"
@@ -10,14 +10,14 @@
 
 enum { FEW = 20, MOST_ROUNDS = 1000, MOST_JUMPS = 100000, MOST_RUNS = 2000 };
 
-static bool inside(const struct ts_check_loop *loop, const struct ts_place *where)
+static bool is_inside_loop(const struct ts_check_loop *loop, const struct ts_place *where)
 {
 	return where->file && ts_streq(loop->file, where->file) && loop->from <= where->line &&
 	       where->line <= loop->to;
 }
 
-/* What has been counted up to here: the next turn begins. */
-static enum ts_status begin_turn(struct ts_script *script, struct ts_check_loop *loop)
+/* Stores the counters at the start of an iteration. */
+static enum ts_status begin_iteration(struct ts_script *script, struct ts_check_loop *loop)
 {
 	const struct ts_check *check = script->check;
 
@@ -81,11 +81,11 @@ void ts_check_open_loop(struct ts_script *script, struct ts_check_loop *loop)
 	script->sim->cost.open = true;
 }
 
-/* Does it end by a value that only a run can give? */
-static bool ends_open(const struct ts_check *check, const struct ts_check_loop *loop)
+/* Whether an `if` with an unknown condition may leave the loop. */
+static bool may_end_by_unknown(const struct ts_check *check, const struct ts_check_loop *loop)
 {
 	for (const struct ts_check_event *e = check->first; e; e = e->next)
-		if (e->leaves && inside(loop, &e->where))
+		if (e->leaves && is_inside_loop(loop, &e->where))
 			return true;
 	return false;
 }
@@ -93,13 +93,13 @@ static bool ends_open(const struct ts_check *check, const struct ts_check_loop *
 static bool has_run(const struct ts_check *check, const struct ts_check_loop *loop)
 {
 	for (const struct ts_check_event *e = check->first; e; e = e->next)
-		if (e->kind == TS_CHECK_RUN && inside(loop, &e->where))
+		if (e->kind == TS_CHECK_RUN && is_inside_loop(loop, &e->where))
 			return true;
 	return false;
 }
 
-/* The turns that are not gone through are like the last one. */
-static void multiply(struct ts_script *script, const struct ts_check_loop *loop, int64_t left)
+/* Adds `left` iterations that are not executed, each equal to the last one, to steps and cost. */
+static void extrapolate_iterations(struct ts_script *script, const struct ts_check_loop *loop, int64_t left)
 {
 	struct tsim *sim = script->sim;
 	struct ts_total_cost *cost = &sim->cost;
@@ -120,8 +120,8 @@ static void multiply(struct ts_script *script, const struct ts_check_loop *loop,
 	cost->bytes += (double)left * (cost->bytes - loop->cost.bytes);
 }
 
-/* As if `next` had found no further value. */
-static void end_next(struct ts_script *script)
+/* Deletes the variables of the last `next`, as if it had found no further value. */
+static void delete_next_variables(struct ts_script *script)
 {
 	struct ts_check *check = script->check;
 
@@ -135,8 +135,8 @@ static void end_next(struct ts_script *script)
 	}
 }
 
-/* Another turn? */
-static bool again(struct ts_script *script, struct ts_check_loop *loop)
+/* Whether to execute another iteration. */
+static bool needs_another_iteration(struct ts_script *script, struct ts_check_loop *loop)
 {
 	const struct ts_check *check = script->check;
 	bool steps = check->nexts != loop->nexts, news = loop->turns == 1 || check->reached != loop->reached;
@@ -160,21 +160,21 @@ static enum ts_status close_loop(struct ts_script *script, struct ts_check_loop 
 	bool steps = check->nexts != loop->nexts;
 
 	loop->turns++;
-	if (!loop->open && ends_open(check, loop))
+	if (!loop->open && may_end_by_unknown(check, loop))
 		ts_check_open_loop(script, loop);
-	*follow = again(script, loop);
+	*follow = needs_another_iteration(script, loop);
 	if (*follow)
-		return begin_turn(script, loop);
+		return begin_iteration(script, loop);
 	event->bounded = true;
 	if (steps && check->turns_left && !loop->open) {
 		event->turns = loop->turns + check->turns_left;
-		multiply(script, loop, check->turns_left);
+		extrapolate_iterations(script, loop, check->turns_left);
 	} else {
 		event->endless = !loop->open && !steps && check->branches == loop->branches;
 		ts_check_open_loop(script, loop);
 	}
 	if (steps)
-		end_next(script);
+		delete_next_variables(script);
 	loop->turns = 0;
 	return TS_OK;
 }

@@ -10,7 +10,7 @@
 
 #include "base/banned.h"
 
-static const char *keep(struct ts_script *script, struct ts_str *text)
+static const char *keep_text(struct ts_script *script, struct ts_str *text)
 {
 	const char *kept = text->failed ? NULL : ts_pool_get(script->sim->pool, ts_str_text(text));
 
@@ -27,7 +27,7 @@ enum ts_status ts_check_begin_line(struct ts_script *script, const struct ts_pla
 	if (!row->line)
 		return TS_OK;
 	ts_str_addf(&text, "%s:%d", row->file, row->line);
-	key = keep(script, &text);
+	key = keep_text(script, &text);
 	if (!key)
 		return ts_nomem(&script->sim->error);
 	if (ts_map_get(&script->check->seen, key))
@@ -63,9 +63,9 @@ enum ts_status ts_check_note(struct ts_script *script, enum ts_check_kind kind, 
 	va_end(args);
 	ts_unknown_show(script->sim, ts_str_text(&text), "?", &shown);
 	ts_str_release(&text);
-	what = keep(script, &shown);
+	what = keep_text(script, &shown);
 	ts_str_addf(&text, "%d %s:%d %s", (int)kind, place.file, place.line, what ? what : "");
-	key = keep(script, &text);
+	key = keep_text(script, &text);
 	event = what && key ? ts_map_get(&check->events, key) : NULL;
 	if (what && key && !event) {
 		event = add_event(check, key);
@@ -103,7 +103,7 @@ enum ts_status ts_check_run(struct ts_script *script, const struct ts_place *whe
 	return TS_OK;
 }
 
-/* Folders are made with the files in them. */
+/* The folder need not exist: it is created with the file. */
 enum ts_status ts_check_write(struct ts_script *script, const struct ts_place *where, const char *what,
 			      const char *path)
 {

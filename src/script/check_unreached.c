@@ -1,5 +1,6 @@
-/* Commands that are not run are still read: do they exist, do their arguments fit their rows? What hangs
- * on variables is left alone, names of groups, regions and variables are taken as they come. */
+/* Checks of commands that are not executed: does the command exist, do its arguments match its table?
+ * Lines with variables are checked only for the command; names of groups, regions and variables need not
+ * exist. */
 #include <string.h>
 
 #include "core/unsupported_names.h"
@@ -7,7 +8,7 @@
 
 #include "base/banned.h"
 
-/* Commands that hand the words from the k-th on to a style. */
+/* Commands with a style: the kind, and the number of the word that is the style's name. */
 static const struct {
 	const char *command;
 	enum ts_kind kind;
@@ -19,8 +20,8 @@ static const struct {
 	{ "flow_style", TS_KIND_FLOW, 1 }, { "pressure_style", TS_KIND_PRESSURE, 1 },
 };
 
-static enum ts_status parse(struct ts_script *script, const struct ts_style *style, struct ts_words words,
-			    const struct ts_place *where)
+static enum ts_status parse_arguments(struct ts_script *script, const struct ts_style *style,
+				      struct ts_words words, const struct ts_place *where)
 {
 	struct ts_arena arena = { 0 };
 	void *state = ts_alloc_aligned(1, style->state_size + 1);
@@ -36,9 +37,10 @@ static enum ts_status parse(struct ts_script *script, const struct ts_style *sty
 	return status;
 }
 
-/* What another program has and tsim lacks does no harm in a line that is not run. */
-static enum ts_status find(struct ts_script *script, enum ts_kind kind, const struct ts_word *name,
-			   const struct ts_style **style)
+/* Names of other programs that tsim does not support are no error in a line that is not executed: *style
+ * is NULL. */
+static enum ts_status find_style_unless_foreign(struct ts_script *script, enum ts_kind kind,
+						const struct ts_word *name, const struct ts_style **style)
 {
 	*style = ts_style_find(script->sim->tables, kind, name->text);
 	if (*style || strchr(name->text, '$') || ts_unsupported_find(kind, name->text))
@@ -46,27 +48,27 @@ static enum ts_status find(struct ts_script *script, enum ts_kind kind, const st
 	return ts_style_require(script->sim, kind, name, style);
 }
 
-static enum ts_status read_command(struct ts_script *script, struct ts_words words, bool open)
+static enum ts_status parse_command(struct ts_script *script, struct ts_words words, bool open)
 {
 	const struct ts_style *style;
 
-	TS_TRY(find(script, TS_KIND_COMMAND, &words.word[0], &style));
+	TS_TRY(find_style_unless_foreign(script, TS_KIND_COMMAND, &words.word[0], &style));
 	if (!style)
 		return TS_OK;
 	if (ts_streq(style->name, "if"))
 		return ts_check_commands(script, ts_words_from(words, 1));
 	if (!open)
-		TS_TRY(parse(script, style, ts_words_from(words, 1), &words.word[0].place));
+		TS_TRY(parse_arguments(script, style, ts_words_from(words, 1), &words.word[0].place));
 	for (size_t k = 0; k < sizeof hands_on / sizeof *hands_on; k++) {
 		size_t n = hands_on[k].word;
 
 		if (!ts_streq(hands_on[k].command, style->name) || n >= words.n ||
 		    ts_streq(words.word[n].text, "delete"))
 			continue;
-		TS_TRY(find(script, hands_on[k].kind, &words.word[n], &style));
-		return style && !open
-			       ? parse(script, style, ts_words_from(words, n + 1), &words.word[n].place)
-			       : TS_OK;
+		TS_TRY(find_style_unless_foreign(script, hands_on[k].kind, &words.word[n], &style));
+		return style && !open ? parse_arguments(script, style, ts_words_from(words, n + 1),
+							&words.word[n].place)
+				      : TS_OK;
 	}
 	return TS_OK;
 }
@@ -80,7 +82,7 @@ enum ts_status ts_check_unreached(struct ts_script *script, const struct ts_line
 	enum ts_status status = ts_line_cut(line, error, &arena, &words);
 
 	if (status == TS_OK && words.n)
-		status = read_command(script, words, open);
+		status = parse_command(script, words, open);
 	if (status != TS_OK && script->sim->reading.check)
 		status = ts_check_keep_error(script, remark);
 	ts_arena_release(&arena);

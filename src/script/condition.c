@@ -18,12 +18,13 @@ static const struct ts_arg if_args[] = {
 	TS_ARGS_END
 };
 
-static bool is(const struct ts_word *word, const char *text)
+static bool is_bare_word(const struct ts_word *word, const char *text)
 {
 	return !word->quoted && ts_streq(word->text, text);
 }
 
-static enum ts_status holds(struct ts_script *script, const struct ts_word *word, enum ts_truth *out)
+static enum ts_status evaluate_condition(struct ts_script *script, const struct ts_word *word,
+					 enum ts_truth *out)
 {
 	struct ts_str text = { 0 };
 	enum ts_status status = ts_substitute_text(script, word->text, &word->place, &text);
@@ -35,20 +36,20 @@ static enum ts_status holds(struct ts_script *script, const struct ts_word *word
 }
 
 /* Index of the first word at or behind k that is elif or else. */
-static size_t branch_end(struct ts_words words, size_t k)
+static size_t find_branch_end(struct ts_words words, size_t k)
 {
-	while (k < words.n && !is(&words.word[k], "elif") && !is(&words.word[k], "else"))
+	while (k < words.n && !is_bare_word(&words.word[k], "elif") && !is_bare_word(&words.word[k], "else"))
 		k++;
 	return k;
 }
 
-static enum ts_status no_command(struct tsim *sim, const struct ts_word *word)
+static enum ts_status fail_no_command(struct tsim *sim, const struct ts_word *word)
 {
 	return ts_fail(&sim->error, TS_SYNTAX, &word->place,
 		       "expected a command for this branch, found none");
 }
 
-/* An `else` with nothing behind it is an error only where it is reached. */
+/* An `else` without a command is an error only when it is executed. */
 enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const struct ts_place *where)
 {
 	const struct ts_word *word = words.word;
@@ -56,20 +57,20 @@ enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const
 	if (words.n < 3)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "expected: if \"condition\" then \"command\" ...");
-	if (!is(&word[1], "then"))
+	if (!is_bare_word(&word[1], "then"))
 		return ts_fail(&sim->error, TS_SYNTAX, &word[1].place,
 			       "expected 'then' after the condition, found '%s' (a condition with "
 			       "blanks needs quotes)",
 			       word[1].text);
 	for (size_t k = 0, end; k < words.n; k = end) {
-		bool otherwise = is(&word[k], "else");
+		bool otherwise = is_bare_word(&word[k], "else");
 		size_t first = k == 0 ? 2 : k + 2 - otherwise;
 
-		if (first < words.n && k && !otherwise && is(&word[first], "then"))
+		if (first < words.n && k && !otherwise && is_bare_word(&word[first], "then"))
 			first++;
-		end = branch_end(words, first);
+		end = find_branch_end(words, first);
 		if ((first >= words.n || end == first) && !(otherwise && k))
-			return no_command(sim, &word[k]);
+			return fail_no_command(sim, &word[k]);
 		if (otherwise && end < words.n)
 			return ts_fail(&sim->error, TS_SYNTAX, &word[end].place,
 				       "nothing may follow the else branch, found '%s'", word[end].text);
@@ -79,7 +80,7 @@ enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const
 
 static enum ts_status run_branch(struct ts_script *script, struct ts_words words, size_t k)
 {
-	size_t end = branch_end(words, k);
+	size_t end = find_branch_end(words, k);
 	enum ts_status status = TS_OK;
 
 	script->branches++;
@@ -95,9 +96,10 @@ static enum ts_status run_branch(struct ts_script *script, struct ts_words words
 	return status;
 }
 
-/* -check: once, the commands of all branches, also of those not taken. An error of the condition waits. */
-static enum ts_status also_read(struct ts_script *script, struct ts_words words, bool *read,
-				enum ts_status waiting)
+/* -check: parses the commands of all branches, also of those not taken, once. An error of the condition
+ * (`waiting`) is restored afterwards. */
+static enum ts_status check_all_branches(struct ts_script *script, struct ts_words words, bool *read,
+					 enum ts_status waiting)
 {
 	struct ts_error *error = &script->sim->error, kept = *error;
 	enum ts_status status;
@@ -124,26 +126,26 @@ static enum ts_status run_if(struct tsim *sim, void *state, const struct ts_plac
 	TS_TRY(ts_script_of(sim, where, &script));
 	TS_TRY(ts_condition_words(sim, words, where));
 	while (k < words.n) {
-		bool otherwise = is(&words.word[k], "else");
+		bool otherwise = is_bare_word(&words.word[k], "else");
 		enum ts_truth yes = TS_YES;
 		size_t test = k == 0 ? 0 : k + 1, first = otherwise ? k + 1 : test + 1;
 
 		if (!otherwise) {
-			status = holds(script, &words.word[test], &yes);
+			status = evaluate_condition(script, &words.word[test], &yes);
 			if (sim->reading.check && (status != TS_OK || yes != TS_OPEN))
-				TS_TRY(also_read(script, words, &read, status));
+				TS_TRY(check_all_branches(script, words, &read, status));
 			TS_TRY(status);
-			first += is(&words.word[first], "then");
+			first += is_bare_word(&words.word[first], "then");
 		}
 		if (yes != TS_NO && first >= words.n)
-			return no_command(sim, &words.word[k]);
+			return fail_no_command(sim, &words.word[k]);
 		if (yes == TS_OPEN && script->check)
 			return ts_check_branches(script, words, k, where);
 		if (yes == TS_YES) {
 			TS_TRY(ts_check_branch(script, where, k ? words.word[k].text : "then"));
 			return run_branch(script, words, first);
 		}
-		k = branch_end(words, first);
+		k = find_branch_end(words, first);
 	}
 	return ts_check_branch(script, where, "no branch");
 }

@@ -4,9 +4,9 @@
 
 #include "base/banned.h"
 
-/* Blanks under the first n bytes of the line: tabs stay, bytes that continue a UTF-8 character take
- * no room. */
-static void indent(struct ts_str *out, const char *text, int n)
+/* Blanks as wide as the first n bytes of the line: tabs remain tabs, continuation bytes of UTF-8 have no
+ * width. */
+static void append_indent(struct ts_str *out, const char *text, int n)
 {
 	for (int k = 0; k < n && text[k]; k++) {
 		if (text[k] == '\t')
@@ -16,12 +16,12 @@ static void indent(struct ts_str *out, const char *text, int n)
 	}
 }
 
-static void underline(struct ts_str *out, const char *text, const struct ts_place *place)
+static void append_mark(struct ts_str *out, const char *text, const struct ts_place *place)
 {
 	int length = place->length > 0 ? place->length : 1;
 
 	ts_str_add(out, "  ");
-	indent(out, text, place->column - 1);
+	append_indent(out, text, place->column - 1);
 	ts_str_add(out, "^");
 	for (int k = 1; k < length; k++)
 		if (((unsigned char)text[place->column - 1 + k] & 0xc0) != 0x80)
@@ -29,8 +29,8 @@ static void underline(struct ts_str *out, const char *text, const struct ts_plac
 	ts_str_add(out, "\n");
 }
 
-/* Of a long line only the part around the mark is shown. The place is moved to that part. */
-static void cut_line(struct ts_place *place, struct ts_str *part)
+/* Of a long line only the part around the place is shown; the place is made relative to it. */
+static void shorten_line(struct ts_place *place, struct ts_str *part)
 {
 	enum { WIDTH = 200, BEFORE = 80 };
 	size_t width = strlen(place->text), first, n;
@@ -66,10 +66,10 @@ void ts_diagnostic(const struct ts_error *error, struct ts_str *out)
 	ts_str_addf(out, "error: %s\n", error->message);
 	if (!place.line || !place.text || !place.text[0])
 		return;
-	cut_line(&place, &part);
+	shorten_line(&place, &part);
 	width = strlen(place.text);
 	ts_str_addf(out, "  %s\n", place.text);
 	if (place.column > 0 && (size_t)(place.column + place.length) <= width + 2)
-		underline(out, place.text, &place);
+		append_mark(out, place.text, &place);
 	ts_str_release(&part);
 }

@@ -1,4 +1,4 @@
-/* Which line comes next: label, jump, next, include, quit, clear. */
+/* Flow of control: commands label, jump, next, include, quit, clear. */
 #include "core/life.h"
 #include "script/check.h"
 #include "script/internal.h"

@@ -28,8 +28,8 @@ enum ts_status ts_line_row(struct ts_line *line, const struct ts_place *row)
 	return TS_OK;
 }
 
-/* step 1: each character has a column of its own; 0: all share the mark. */
-static void add(struct ts_line *line, const char *text, size_t n, struct ts_mark mark, int step)
+/* Appends text. step 1: columns of the characters are consecutive; 0: all have the same mark. */
+static void append_marked(struct ts_line *line, const char *text, size_t n, struct ts_mark mark, int step)
 {
 	size_t first = line->text.length;
 
@@ -48,7 +48,7 @@ void ts_line_add(struct ts_line *line, const char *text, size_t n, int column, i
 {
 	struct ts_mark mark = { (int)line->rows - 1, column, length ? length : 1 };
 
-	add(line, text, n, mark, length == 0 && column != 0);
+	append_marked(line, text, n, mark, length == 0 && column != 0);
 }
 
 void ts_line_add_from(struct ts_line *line, const char *text, size_t n, const struct ts_line *from, size_t at,
@@ -57,7 +57,7 @@ void ts_line_add_from(struct ts_line *line, const char *text, size_t n, const st
 	struct ts_place place = ts_line_place(from, at, m);
 	struct ts_mark mark = { from->mark[at].row, place.column, place.length };
 
-	add(line, text, n, mark, 0);
+	append_marked(line, text, n, mark, 0);
 }
 
 enum ts_status ts_line_same_rows(struct ts_line *line, const struct ts_line *from)
@@ -100,8 +100,8 @@ struct ts_place ts_line_place(const struct ts_line *line, size_t at, size_t n)
 	return place;
 }
 
-/* The position of the `#` or of an open triple quote that ends what can be read, or of the end. */
-static size_t readable_end(const char *text)
+/* The position of the `#` of a comment, of a triple quote that is not closed, or of the end. */
+static size_t find_comment(const char *text)
 {
 	size_t at = 0;
 
@@ -117,13 +117,13 @@ static size_t readable_end(const char *text)
 
 bool ts_line_quote_open(const char *text)
 {
-	return text[readable_end(text)] == '"';
+	return text[find_comment(text)] == '"';
 }
 
 void ts_line_uncomment(struct ts_line *line)
 {
 	const char *text = ts_str_text(&line->text);
-	size_t end = readable_end(text);
+	size_t end = find_comment(text);
 
 	if (text[end] != '#')
 		return;
@@ -131,7 +131,7 @@ void ts_line_uncomment(struct ts_line *line)
 	line->text.text[end] = '\0';
 }
 
-/* The word at `at`, which is no blank; *next is the position behind it. */
+/* Copies the word that begins at `at`; *next is the position behind it. */
 static enum ts_status cut_word(const struct ts_line *line, struct ts_error *error, struct ts_arena *arena,
 			       size_t at, size_t *next, struct ts_word *word)
 {

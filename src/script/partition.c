@@ -1,4 +1,4 @@
-/* Lines for some of several simulations that run side by side: here there is one, the first. */
+/* Command partition: lines for some of several simultaneous simulations, of which tsim has one, number 1. */
 #include <string.h>
 
 #include "script/internal.h"
@@ -21,8 +21,9 @@ static const struct ts_arg args[] = {
 	TS_REST("command", struct partition, command, .help = "command and its arguments"), TS_ARGS_END
 };
 
-/* Is partition 1 of the range? */
-static enum ts_status has_first(struct tsim *sim, const char *range, const struct ts_place *where, bool *out)
+/* Whether the range includes partition 1. */
+static enum ts_status includes_first(struct tsim *sim, const char *range, const struct ts_place *where,
+				     bool *out)
 {
 	struct ts_str low = { 0 };
 	const char *star = strchr(range, '*'), *high = star ? star + 1 : range;
@@ -41,14 +42,14 @@ static enum ts_status has_first(struct tsim *sim, const char *range, const struc
 		       "expected numbers of partitions such as 2, 1* or 2*4, found '%s'", range);
 }
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status run_partition(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct partition *partition = state;
 	struct ts_script *script;
 	bool first = false;
 
 	TS_TRY(ts_script_of(sim, where, &script));
-	TS_TRY(has_first(sim, partition->range, ts_script_place(script, 2, where), &first));
+	TS_TRY(includes_first(sim, partition->range, ts_script_place(script, 2, where), &first));
 	if (first != partition->included)
 		return TS_OK;
 	return ts_script_run_words(script, partition->command);
@@ -66,5 +67,5 @@ const struct ts_command_style ts_command_partition = {
 		.args = args,
 		.state_size = sizeof(struct partition),
 	},
-	.run = run,
+	.run = run_partition,
 };

@@ -82,7 +82,7 @@ enum ts_status ts_script_define(struct ts_script *script, const char *name, cons
 	if (old && old->busy)
 		return ts_fail(&script->sim->error, TS_STATE, NULL,
 			       "variable '%s' cannot change while it is evaluated", name);
-	if (old) /* hidden until the new one is there */
+	if (old) /* hidden, not deleted, until the new one has been defined */
 		ts_map_remove(&script->formulas.variables.by_name, old->name);
 	status = ts_sim_command(script->sim, (struct ts_words){ word, value ? 4 : 3 });
 	if (old && status == TS_OK)

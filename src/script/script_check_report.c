@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-static void add_place(struct ts_str *out, const struct ts_place *where)
+static void append_place(struct ts_str *out, const struct ts_place *where)
 {
 	char place[64];
 
@@ -15,13 +15,13 @@ static void add_place(struct ts_str *out, const struct ts_place *where)
 	ts_str_addf(out, "  %-20s ", where->line ? place : "");
 }
 
-static void add_count(struct ts_str *out, const char *before, int64_t n, const char *what)
+static void append_count(struct ts_str *out, const char *before, int64_t n, const char *what)
 {
 	ts_str_addf(out, "%s%" PRId64 " %s%s", before, n, what, n == 1 ? "" : "s");
 }
 
-/* The innermost loop around the place of which it is not known how many turns it takes. */
-static const struct ts_check_loop *open_loop(const struct ts_check *check, const struct ts_place *where)
+/* The innermost loop around the place with an unknown number of iterations. */
+static const struct ts_check_loop *find_open_loop(const struct ts_check *check, const struct ts_place *where)
 {
 	const struct ts_check_loop *found = NULL;
 
@@ -32,20 +32,20 @@ static const struct ts_check_loop *open_loop(const struct ts_check *check, const
 	return found;
 }
 
-static void add_run(const struct ts_check *check, const struct ts_check_event *e, struct ts_str *out)
+static void append_run(const struct ts_check *check, const struct ts_check_event *e, struct ts_str *out)
 {
-	const struct ts_check_loop *loop = open_loop(check, &e->where);
+	const struct ts_check_loop *loop = find_open_loop(check, &e->where);
 
 	if (e->open) {
 		ts_str_add(out, " a number of steps that only a run can tell, each");
 	} else if (loop && e->count && e->steps % e->count == 0) {
-		add_count(out, " ", e->steps / e->count, "step");
+		append_count(out, " ", e->steps / e->count, "step");
 		ts_str_addf(out, " in each turn of lines %d-%d,", loop->from, loop->to);
 	} else {
 		ts_str_add(out, loop ? " at least" : "");
 		if (e->count > 1)
-			add_count(out, " ", e->count, "time");
-		add_count(out, e->count > 1 ? ", " : " ", e->steps, "step");
+			append_count(out, " ", e->count, "time");
+		append_count(out, e->count > 1 ? ", " : " ", e->steps, "step");
 		ts_str_add(out, e->count > 1 ? " in all" : "");
 	}
 	ts_str_addf(out, " of %g from step %" PRId64 "%s", e->dt, e->step, e->late ? " or later" : "");
@@ -53,36 +53,36 @@ static void add_run(const struct ts_check *check, const struct ts_check_event *e
 		ts_str_add(out, "; at least one turn: how many, only a run can tell");
 }
 
-static void add_jump(const struct ts_check_event *e, struct ts_str *out)
+static void append_jump(const struct ts_check_event *e, struct ts_str *out)
 {
 	if (e->turns)
 		ts_str_addf(out, ": %" PRId64 " turns, all like the %" PRId64 " that were gone through",
 			    e->turns, e->count + 1);
 	else
-		add_count(out, ": taken ", e->count, "time");
+		append_count(out, ": taken ", e->count, "time");
 	if (e->bounded && !e->turns)
 		ts_str_addf(out, ", not followed further%s", e->endless ? ": is there an end?" : "");
 }
 
-static void add_event_text(const struct ts_check *check, const struct ts_check_event *e, struct ts_str *out)
+static void append_event(const struct ts_check *check, const struct ts_check_event *e, struct ts_str *out)
 {
-	add_place(out, &e->where);
+	append_place(out, &e->where);
 	ts_str_add(out, e->what);
 	if (e->kind == TS_CHECK_RUN) {
-		add_run(check, e, out);
+		append_run(check, e, out);
 	} else if (strncmp(e->what, "jump", 4) == 0) {
-		add_jump(e, out);
+		append_jump(e, out);
 	} else if (e->count > 1) {
-		add_count(out, ", ", e->count, "time");
+		append_count(out, ", ", e->count, "time");
 	}
 	if (e->hangs)
 		ts_str_addf(out, "; hangs on %s, which only a run can give", e->hangs);
 	ts_str_add(out, "\n");
 }
 
-/* Events of the kinds from..to. */
-static void add_events(const struct ts_check *check, enum ts_check_kind from, enum ts_check_kind to,
-		       const char *title, struct ts_str *out)
+/* Appends the events of the kinds from..to. */
+static void append_events(const struct ts_check *check, enum ts_check_kind from, enum ts_check_kind to,
+			  const char *title, struct ts_str *out)
 {
 	bool any = false;
 
@@ -91,11 +91,11 @@ static void add_events(const struct ts_check *check, enum ts_check_kind from, en
 			continue;
 		ts_str_add(out, any ? "" : title);
 		any = true;
-		add_event_text(check, e, out);
+		append_event(check, e, out);
 	}
 }
 
-/* Is there something to run that was not run? Labels are passed by. */
+/* Whether the line has a command, other than `label`, that was not executed. */
 static bool is_unreached(struct ts_script *script, struct ts_line *line)
 {
 	struct ts_str key = { 0 };
@@ -113,7 +113,7 @@ static bool is_unreached(struct ts_script *script, struct ts_line *line)
 	return !reached;
 }
 
-static void add_range(struct ts_str *out, const char *name, int from, int to)
+static void append_line_range(struct ts_str *out, const char *name, int from, int to)
 {
 	if (from == to)
 		ts_str_addf(out, "  %s:%d\n", name, from);
@@ -121,9 +121,9 @@ static void add_range(struct ts_str *out, const char *name, int from, int to)
 		ts_str_addf(out, "  %s:%d-%d\n", name, from, to);
 }
 
-/* The lines of the file that were not run, in ranges; and what is wrong in them. */
-static enum ts_status add_unreached(struct ts_script *script, const struct ts_script_text *text,
-				    struct ts_str *out)
+/* Appends the ranges of lines of a file that were not executed, and parses these for errors. */
+static enum ts_status append_unreached_lines(struct ts_script *script, const struct ts_script_text *text,
+					     struct ts_str *out)
 {
 	struct ts_line line = { 0 };
 	struct ts_source source;
@@ -138,7 +138,7 @@ static enum ts_status add_unreached(struct ts_script *script, const struct ts_sc
 		if (!is_unreached(script, &line))
 			continue;
 		if (from && line.row[0].line > to + 1) {
-			add_range(out, text->name, from, to);
+			append_line_range(out, text->name, from, to);
 			from = 0;
 		}
 		from = from ? from : line.row[0].line;
@@ -146,7 +146,7 @@ static enum ts_status add_unreached(struct ts_script *script, const struct ts_sc
 		status = ts_check_unreached(script, &line, " (in a line that is never reached)");
 	}
 	if (from)
-		add_range(out, text->name, from, to);
+		append_line_range(out, text->name, from, to);
 	ts_line_release(&line);
 	ts_source_close(&source);
 	return status;
@@ -160,9 +160,9 @@ enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *e
 	enum ts_status status = TS_OK;
 
 	for (const struct ts_script_text *t = script->text; t && status == TS_OK; t = t->next)
-		status = add_unreached(script, t, &unreached);
-	add_events(check, TS_CHECK_STEP, TS_CHECK_RUN, "what it does:\n", report);
-	add_events(check, TS_CHECK_WRITE, TS_CHECK_WRITE, "what it would write or change:\n", report);
+		status = append_unreached_lines(script, t, &unreached);
+	append_events(check, TS_CHECK_STEP, TS_CHECK_RUN, "what it does:\n", report);
+	append_events(check, TS_CHECK_WRITE, TS_CHECK_WRITE, "what it would write or change:\n", report);
 	if (unreached.length)
 		ts_str_addf(report, "lines never reached:\n%s", ts_str_text(&unreached));
 	ts_str_release(&unreached);
@@ -170,7 +170,7 @@ enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *e
 	if (!check->nerrors)
 		ts_str_add(report, "no errors");
 	else
-		add_count(report, "", check->nerrors, "error");
+		append_count(report, "", check->nerrors, "error");
 	ts_str_add(report, check->unjudged ? "" : "\n");
 	if (check->unjudged)
 		ts_str_addf(report, "; %d more message%s left out, since they may follow from these\n",

@@ -24,7 +24,7 @@ enum ts_status ts_script_run_words(struct ts_script *script, struct ts_words wor
 	script->current = words;
 	status = ts_sim_command(script->sim, words);
 	script->current = outer;
-	if (status == TS_NOMEM) /* who only passes it on may have left no message */
+	if (status == TS_NOMEM) /* some callers return it without a message */
 		ts_nomem(error);
 	if (status != TS_OK && !error->place.line) {
 		error->place = words.word[0].place;
@@ -33,7 +33,7 @@ enum ts_status ts_script_run_words(struct ts_script *script, struct ts_words wor
 	return status;
 }
 
-static enum ts_status begin_line(struct ts_script *script, const struct ts_line *line)
+static enum ts_status begin_checked_line(struct ts_script *script, const struct ts_line *line)
 {
 	if (script->sim->reading.explain && !script->check)
 		TS_TRY(ts_check_new(script));
@@ -51,7 +51,7 @@ static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
 
 	ts_log_echo(&script->sim->log, ts_str_text(&line->text));
 	ts_line_uncomment(line);
-	status = begin_line(script, line);
+	status = begin_checked_line(script, line);
 	if (status == TS_OK)
 		status = ts_substitute(script, line, true);
 	if (status == TS_OK)
@@ -74,8 +74,8 @@ static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
 	return status;
 }
 
-/* A line that is skipped: does it carry the label that is looked for? */
-static enum ts_status look_for_label(struct ts_script *script, struct ts_line *line)
+/* Searches a skipped line for labels; lines are executed again from the one at script->label on. */
+static enum ts_status search_label(struct ts_script *script, struct ts_line *line)
 {
 	struct ts_arena arena = { 0 };
 	struct ts_words words = { 0 };
@@ -93,8 +93,8 @@ static enum ts_status look_for_label(struct ts_script *script, struct ts_line *l
 	return status == TS_NOMEM ? ts_nomem(&script->sim->error) : TS_OK;
 }
 
-/* The end of the script came before the label. -check goes on behind the jump. */
-static enum ts_status no_label(struct ts_script *script)
+/* The script has ended before the label was found. -check continues behind the jump. */
+static enum ts_status fail_no_label(struct ts_script *script)
 {
 	enum ts_status status = ts_fail(&script->sim->error, TS_UNKNOWN, &script->label_place,
 					"there is no 'label %s' in %s", script->label, script->source->name);
@@ -118,9 +118,9 @@ static enum ts_status run_lines(struct ts_script *script)
 		if (status != TS_OK || (end && !script->label))
 			break;
 		if (end)
-			status = no_label(script);
+			status = fail_no_label(script);
 		else
-			status = script->label ? look_for_label(script, &line) : run_line(script, &line);
+			status = script->label ? search_label(script, &line) : run_line(script, &line);
 	}
 	ts_line_release(&line);
 	return status;
@@ -147,7 +147,7 @@ enum ts_status ts_script_keep(struct ts_script *script, struct ts_source *source
 	return text->text ? TS_OK : ts_nomem(&script->sim->error);
 }
 
-/* Runs and closes the source. */
+/* Executes the lines of the source and closes it. */
 static enum ts_status run_source(struct ts_script *script, struct ts_source *source,
 				 const struct ts_place *where)
 {

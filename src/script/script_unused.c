@@ -1,8 +1,8 @@
-/* Names that a script defines and never mentions again: most often one of two spellings.
+/* Names that a script defines and never mentions again: most often misspelt ones.
  *
- * Only the text is looked at, that of lines never reached included: a name counts as used wherever it
- * stands outside of comments and of the line that defines it, also behind c_, f_, v_ or in quotes. So a
- * use in a branch not taken, or by a command that is put together later, is never overlooked. */
+ * The search is purely textual and includes lines never reached: a name counts as used wherever it occurs
+ * outside of comments and of the line that defines it, also behind c_, f_, v_ or in quotes. So a use in a
+ * branch not taken, or in a command composed of variables, is never overlooked. */
 #include <ctype.h>
 #include <string.h>
 
@@ -34,7 +34,7 @@ static bool is_name_character(char c)
 	return isalnum((unsigned char)c) || c == '_';
 }
 
-static void use(struct search *s, const char *text, size_t n)
+static void mark_used(struct search *s, const char *text, size_t n)
 {
 	char name[LONGEST_NAME];
 	const char *kept;
@@ -49,25 +49,25 @@ static void use(struct search *s, const char *text, size_t n)
 	s->failed |= !kept || ts_map_set(&s->used, kept, s) != TS_OK;
 }
 
-/* All names of a stretch of text; c_ID is a use of ID too, and $xy may be one of x. */
-static void use_all(struct search *s, const char *text, size_t n)
+/* Marks all names in a text as used; c_ID is also a use of ID, and $xy may be one of x. */
+static void mark_names_used(struct search *s, const char *text, size_t n)
 {
 	for (size_t k = 0; k < n;) {
 		size_t m = 0;
 
 		while (k + m < n && is_name_character(text[k + m]))
 			m++;
-		use(s, text + k, m);
+		mark_used(s, text + k, m);
 		if (m > 2 && text[k + 1] == '_' && strchr("cfv", text[k]))
-			use(s, text + k + 2, m - 2);
+			mark_used(s, text + k + 2, m - 2);
 		if (m > 1 && k > 0 && text[k - 1] == '$')
-			use(s, text + k, 1);
+			mark_used(s, text + k, 1);
 		k += m + 1;
 	}
 }
 
-static void define(struct search *s, const char *kind, const char *text, size_t n,
-		   const struct ts_place *where)
+static void add_definition(struct search *s, const char *kind, const char *text, size_t n,
+			   const struct ts_place *where)
 {
 	struct definition *new = ts_arena_alloc(&s->arena, 1, sizeof *new);
 	char name[LONGEST_NAME];
@@ -77,7 +77,8 @@ static void define(struct search *s, const char *kind, const char *text, size_t 
 	memcpy(name, text, n);
 	name[n] = '\0';
 	for (size_t k = 0; k < n; k++)
-		if (!is_name_character(name[k])) /* made of variables, or not to be told apart */
+		if (!is_name_character(
+			    name[k])) /* composed of variables, or not one word for mark_names_used */
 			return;
 	if (!new) {
 		s->failed = true;
@@ -90,8 +91,8 @@ static void define(struct search *s, const char *kind, const char *text, size_t 
 	s->last = &new->next;
 }
 
-/* Up to the comment. */
-static size_t length_of(const char *line, size_t n)
+/* The length of the line up to the comment. */
+static size_t length_without_comment(const char *line, size_t n)
 {
 	for (size_t k = 0; k < n; k++)
 		if (line[k] == '#' && (k == 0 || isspace((unsigned char)line[k - 1])))
@@ -105,7 +106,7 @@ static void search_line(struct search *s, const char *line, size_t n, bool conti
 	static const char blanks[] = " \t";
 	size_t first = strspn(line, blanks), word, id, end;
 
-	n = length_of(line, n);
+	n = length_without_comment(line, n);
 	if (first >= n)
 		return;
 	word = strcspn(line + first, " \t\n");
@@ -116,11 +117,11 @@ static void search_line(struct search *s, const char *line, size_t n, bool conti
 		end = id + strcspn(line + id, " \t\n");
 		if (end > n)
 			end = n;
-		define(s, defining[k], line + id, end - id, where);
-		use_all(s, line + end, n - end);
+		add_definition(s, defining[k], line + id, end - id, where);
+		mark_names_used(s, line + end, n - end);
 		return;
 	}
-	use_all(s, line + first, n - first);
+	mark_names_used(s, line + first, n - first);
 }
 
 static void search_text(struct search *s, const char *name, const char *text)
@@ -139,7 +140,7 @@ static void search_text(struct search *s, const char *name, const char *text)
 	}
 }
 
-static void warn(struct search *s)
+static void warn_unused(struct search *s)
 {
 	for (const struct definition *d = s->first; d; d = d->next) {
 		if (s->failed || ts_map_get(&s->used, d->name))
@@ -165,7 +166,7 @@ void ts_script_warn_unused(struct ts_script *script)
 	}
 	for (const struct ts_script_text *t = script->text; t; t = t->next)
 		search_text(&s, t->name, t->text);
-	warn(&s);
+	warn_unused(&s);
 	ts_map_release(&s.used);
 	ts_arena_release(&s.arena);
 }

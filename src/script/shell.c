@@ -1,6 +1,6 @@
-/* The few things scripts ask of the operating system. Only if the user has allowed it with -shell yes are
- * other programs started, the environment changed, and files removed or moved outside of the folder of the
- * run. */
+/* Command shell: operations on files and folders. Other programs are started, the environment is changed,
+ * and files outside of the working folder are removed or moved only if the user has allowed it by -shell
+ * yes. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,10 +43,10 @@ static int set_environment(struct ts_files *files, const char *text)
 static const struct {
 	const char *name;
 	int (*act)(struct ts_files *files, const char *path);
-	bool writes;	/* left out by -explain */
-	bool removes;	/* only below the folder of the run, unless -shell yes */
-	bool options;	/* words such as -p and -rf have no effect */
-	bool forgiving; /* nothing later depends on it: a failure is a warning, as nothing in LIGGGHTS */
+	bool writes;	/* not done with -explain */
+	bool removes;	/* only below the working folder, unless -shell yes */
+	bool options;	/* words such as -p and -rf are ignored */
+	bool forgiving; /* a failure is only a warning, since nothing depends on it; LIGGGHTS ignores it */
 } actions[] = {
 	{ "mkdir", ts_mkdirs, true, false, true, false },
 	{ "rm", ts_files_remove, true, true, true, true },
@@ -55,13 +55,15 @@ static const struct {
 	{ "putenv", set_environment, false, false, false, false },
 };
 
-static enum ts_status note(struct tsim *sim, const char *what, const struct ts_word *word)
+static enum ts_status report_change(struct tsim *sim, const char *what, const struct ts_word *word)
 {
 	return sim->script_api->would_write(sim->script_api_data, &word->place, what, word->text);
 }
 
-/* Links that lead to the file are resolved; the file itself may be one, which goes as it is. */
-static enum ts_status keep_below(struct ts_script *script, const char *what, const struct ts_word *word)
+/* Refuses a file outside of the working folder. Symbolic links in the path are resolved, but not the file
+ * itself, which is removed or moved as a link. */
+static enum ts_status require_below_home(struct ts_script *script, const char *what,
+					 const struct ts_word *word)
 {
 	struct ts_error *err = &script->sim->error;
 	struct ts_str path = { 0 };
@@ -74,7 +76,7 @@ static enum ts_status keep_below(struct ts_script *script, const char *what, con
 		!ts_streq(ts_str_text(&path), script->home);
 	known |= errno != ENOENT && errno != ENOTDIR;
 	ts_str_release(&path);
-	if (below || !known) /* what is not there cannot be touched */
+	if (below || !known) /* a file that does not exist cannot be changed */
 		return TS_OK;
 	return ts_fail(err, TS_STATE, &word->place,
 		       "shell %s '%s': this is not below '%s', where tsim was started; files elsewhere are "
@@ -82,23 +84,23 @@ static enum ts_status keep_below(struct ts_script *script, const char *what, con
 		       what, word->text, script->home);
 }
 
-static enum ts_status move(struct ts_script *script, struct ts_words words)
+static enum ts_status move_file(struct ts_script *script, struct ts_words words)
 {
 	struct tsim *sim = script->sim;
 
 	if (words.n != 3)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place, "expected: shell mv OLD NEW");
-	TS_TRY(keep_below(script, "mv", &words.word[1]));
-	TS_TRY(keep_below(script, "mv", &words.word[2]));
+	TS_TRY(require_below_home(script, "mv", &words.word[1]));
+	TS_TRY(require_below_home(script, "mv", &words.word[2]));
 	if (sim->reading.check)
-		return note(sim, "shell mv", &words.word[1]);
+		return report_change(sim, "shell mv", &words.word[1]);
 	if (sim->reading.explain || ts_files_move(&sim->files, words.word[1].text, words.word[2].text) == 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_IO, &words.word[1].place, "cannot move '%s' to '%s': %s",
 		       words.word[1].text, words.word[2].text, ts_files_why(&sim->files));
 }
 
-/* Any other word: a command line for the system's shell. */
+/* Executes the words as a command line of the system's shell. */
 static enum ts_status run_program(struct tsim *sim, struct ts_words words)
 {
 	const struct ts_word *first = &words.word[0];
@@ -144,10 +146,10 @@ static enum ts_status run_action(struct ts_script *script, size_t a, const struc
 	if (actions[a].options && word->text[0] == '-')
 		return TS_OK;
 	if (actions[a].removes)
-		TS_TRY(keep_below(script, actions[a].name, word));
+		TS_TRY(require_below_home(script, actions[a].name, word));
 	if (sim->reading.check && actions[a].writes) {
 		snprintf(what, sizeof what, "shell %s", actions[a].name);
-		return note(sim, what, word);
+		return report_change(sim, what, word);
 	}
 	if ((sim->reading.explain && actions[a].writes) || actions[a].act(&sim->files, word->text) == 0)
 		return TS_OK;
@@ -159,7 +161,7 @@ static enum ts_status run_action(struct ts_script *script, size_t a, const struc
 	return TS_OK;
 }
 
-static enum ts_status find_home(struct ts_script *script)
+static enum ts_status set_home(struct ts_script *script)
 {
 	struct ts_str home = { 0 };
 
@@ -178,9 +180,9 @@ static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_p
 	struct ts_script *script;
 
 	TS_TRY(ts_script_of(sim, where, &script));
-	TS_TRY(find_home(script));
+	TS_TRY(set_home(script));
 	if (ts_streq(words.word[0].text, "mv"))
-		return move(script, words);
+		return move_file(script, words);
 	while (a < n && !ts_streq(actions[a].name, words.word[0].text))
 		a++;
 	if (a == n)

@@ -8,10 +8,10 @@
 
 #include "base/banned.h"
 
-/* Some editors put it before UTF-8. */
+/* At the start of UTF-8 files of some editors. */
 static const char byte_order_mark[] = "\xef\xbb\xbf";
 
-static enum ts_status start(struct ts_source *source, struct tsim *sim, const char *name)
+static enum ts_status init_source(struct ts_source *source, struct tsim *sim, const char *name)
 {
 	*source = (struct ts_source){ .name = ts_pool_get(sim->pool, name) };
 	return source->name ? TS_OK : ts_nomem(&sim->error);
@@ -20,7 +20,7 @@ static enum ts_status start(struct ts_source *source, struct tsim *sim, const ch
 enum ts_status ts_source_open(struct ts_source *source, struct tsim *sim, const char *path,
 			      const struct ts_place *where)
 {
-	TS_TRY(start(source, sim, path));
+	TS_TRY(init_source(source, sim, path));
 	source->stream = ts_files_open(&sim->files, path, "r");
 	source->owns_stream = true;
 	if (!source->stream)
@@ -31,7 +31,7 @@ enum ts_status ts_source_open(struct ts_source *source, struct tsim *sim, const 
 
 enum ts_status ts_source_stream(struct ts_source *source, struct tsim *sim, FILE *stream, const char *name)
 {
-	TS_TRY(start(source, sim, name));
+	TS_TRY(init_source(source, sim, name));
 	source->stream = stream;
 	return TS_OK;
 }
@@ -39,7 +39,7 @@ enum ts_status ts_source_stream(struct ts_source *source, struct tsim *sim, FILE
 enum ts_status ts_source_string(struct ts_source *source, struct tsim *sim, const char *text,
 				const char *name)
 {
-	TS_TRY(start(source, sim, name));
+	TS_TRY(init_source(source, sim, name));
 	ts_str_add(&source->text, text);
 	return source->text.failed ? ts_nomem(&sim->error) : TS_OK;
 }
@@ -70,7 +70,7 @@ enum ts_status ts_source_mark(struct ts_source *source, struct tsim *sim, const 
 	return new->name ? TS_OK : ts_nomem(&sim->error);
 }
 
-/* All labels up to the last one met are known: lines are read or skipped in order. */
+/* All labels before the last known one are known, since lines are read or skipped in order. */
 bool ts_source_seek(struct ts_source *source, const char *label)
 {
 	ts_source_rewind(source);
@@ -92,7 +92,7 @@ void ts_source_close(struct ts_source *source)
 }
 
 /* Reads one more line of the stream into the text. */
-static enum ts_status fetch(struct ts_source *source, struct tsim *sim)
+static enum ts_status fetch_line(struct ts_source *source, struct tsim *sim)
 {
 	struct ts_place place = { .file = source->name, .text = "", .line = source->line + 1 };
 	size_t n = 0, most = ts_input_longest_line();
@@ -125,12 +125,12 @@ enum ts_status ts_source_read_all(struct ts_source *source, struct tsim *sim)
 	do {
 		n = source->text.length;
 		if (source->stream)
-			TS_TRY(fetch(source, sim));
+			TS_TRY(fetch_line(source, sim));
 	} while (source->text.length > n);
 	return TS_OK;
 }
 
-/* The next line of the file as a row; NULL in place->text at the end. */
+/* Reads the next row of the file; place->text is NULL at the end. */
 static enum ts_status next_row(struct ts_source *source, struct tsim *sim, struct ts_place *place)
 {
 	struct ts_str row = { 0 };
@@ -139,7 +139,7 @@ static enum ts_status next_row(struct ts_source *source, struct tsim *sim, struc
 
 	*place = (struct ts_place){ .file = source->name };
 	if (source->at == source->text.length && source->stream)
-		TS_TRY(fetch(source, sim));
+		TS_TRY(fetch_line(source, sim));
 	if (source->at == source->text.length)
 		return TS_OK;
 	if (source->at == 0 && strncmp(source->text.text, byte_order_mark, 3) == 0)
@@ -171,7 +171,8 @@ enum ts_status ts_source_line(struct ts_source *source, struct tsim *sim, struct
 			break;
 		if (ts_line_row(line, &row) != TS_OK)
 			return ts_nomem(&sim->error);
-		/* `&` counts even behind a comment sign, and not before one (LIGGGHTS). */
+		/* `&` at the end of a row joins rows even in a comment, but not before a comment
+		 * (LIGGGHTS) */
 		n = strlen(row.text);
 		more = n && row.text[n - 1] == '&';
 		ts_line_add(line, row.text, n - more, 1, 0);

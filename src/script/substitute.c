@@ -1,4 +1,4 @@
-/* Replaces ${name}, $x and $(formula) in lines and texts. */
+/* Substitution of ${name}, $x and $(formula) in lines and texts. */
 #include <string.h>
 
 #include "formula/expr.h"
@@ -7,10 +7,10 @@
 
 #include "base/banned.h"
 
-enum { MOST_SHOWN = 100 /* substitutions of a line whose echo is shown; then only the last */ };
+enum { MOST_SHOWN = 100 /* substitutions of a line that are echoed; behind these only the last */ };
 
-/* Position of the bracket that closes the one at `at`, 0 if none does. */
-static size_t closing(const char *text, size_t at)
+/* Position of the parenthesis that closes the one at `at`; 0: there is none. */
+static size_t find_closing_parenthesis(const char *text, size_t at)
 {
 	int depth = 0;
 
@@ -23,8 +23,8 @@ static size_t closing(const char *text, size_t at)
 	return 0;
 }
 
-/* Cuts `text:%format` that stands at from..to of the line at the colon; *format is what follows, or the
- * default. Places are those of the two parts. */
+/* Splits `text:%format`, which begins at `from` of the line, at the colon. *format is changed if there is
+ * one; *place is that of the text before the colon. */
 static enum ts_status split_format(struct ts_script *script, const struct ts_line *line, size_t from,
 				   struct ts_str *text, const char **format, struct ts_place *place)
 {
@@ -45,9 +45,9 @@ static enum ts_status split_format(struct ts_script *script, const struct ts_lin
 	return ts_number_format_check(&script->sim->error, *format, &part);
 }
 
-/* $(formula) or $(formula:%format), whose inside stands at from..to of the line. */
-static enum ts_status expression(struct ts_script *script, const struct ts_line *line, size_t from, size_t to,
-				 struct ts_str *out)
+/* $(formula) or $(formula:%format); from..to is the text between the parentheses. */
+static enum ts_status substitute_formula(struct ts_script *script, const struct ts_line *line, size_t from,
+					 size_t to, struct ts_str *out)
 {
 	struct ts_place place;
 	struct ts_str inner = { 0 };
@@ -70,9 +70,9 @@ static enum ts_status expression(struct ts_script *script, const struct ts_line 
 	return status;
 }
 
-/* ${name} or ${name:%format}, whose inside stands at from..to. */
-static enum ts_status variable(struct ts_script *script, const struct ts_line *line, size_t from, size_t to,
-			       const struct ts_place *where, struct ts_str *out)
+/* ${name} or ${name:%format}; from..to is the text between the braces. */
+static enum ts_status substitute_variable(struct ts_script *script, const struct ts_line *line, size_t from,
+					  size_t to, const struct ts_place *where, struct ts_str *out)
 {
 	struct ts_variable *found;
 	struct ts_str name = { 0 };
@@ -95,19 +95,19 @@ static enum ts_status variable(struct ts_script *script, const struct ts_line *l
 	return status;
 }
 
-/* The value of the reference whose $ stands at `at`; *next is the position behind it. */
-static enum ts_status reference(struct ts_script *script, const struct ts_line *line, size_t at, size_t *next,
-				struct ts_str *out)
+/* Appends the value of the reference with its $ at `at`; *next is the position behind it. */
+static enum ts_status substitute_reference(struct ts_script *script, const struct ts_line *line, size_t at,
+					   size_t *next, struct ts_str *out)
 {
 	const char *text = line->text.text, *brace;
 	struct ts_place where;
 	size_t end;
 
 	if (text[at + 1] == '(') {
-		end = closing(text, at + 1);
+		end = find_closing_parenthesis(text, at + 1);
 		*next = end + 1;
 		if (end)
-			return expression(script, line, at + 2, end, out);
+			return substitute_formula(script, line, at + 2, end, out);
 		where = ts_line_place(line, at, 2);
 		return ts_fail(&script->sim->error, TS_SYNTAX, &where, "'$(' is never closed");
 	}
@@ -120,7 +120,7 @@ static enum ts_status reference(struct ts_script *script, const struct ts_line *
 		end = (size_t)(brace - text);
 		where = ts_line_place(line, at, end + 1 - at);
 		*next = end + 1;
-		return variable(script, line, at + 2, end, &where, out);
+		return substitute_variable(script, line, at + 2, end, &where, out);
 	}
 	if (!text[at + 1] || strchr(" \t\n", text[at + 1])) {
 		where = ts_line_place(line, at, 1);
@@ -129,11 +129,11 @@ static enum ts_status reference(struct ts_script *script, const struct ts_line *
 	}
 	where = ts_line_place(line, at, 2);
 	*next = at + 2;
-	return variable(script, line, at + 1, at + 2, &where, out);
+	return substitute_variable(script, line, at + 1, at + 2, &where, out);
 }
 
-/* The line as it is after a substitution. */
-static void show(struct ts_script *script, const struct ts_line *done, const char *rest)
+/* Echoes the line after a substitution; `rest` is not substituted yet. */
+static void echo_line(struct ts_script *script, const struct ts_line *done, const char *rest)
 {
 	struct ts_str shown = { 0 };
 
@@ -144,8 +144,8 @@ static void show(struct ts_script *script, const struct ts_line *done, const cha
 	ts_str_release(&shown);
 }
 
-static enum ts_status replace(struct ts_script *script, const struct ts_line *line, bool echo,
-			      struct ts_line *out, struct ts_str *value)
+static enum ts_status substitute_all(struct ts_script *script, const struct ts_line *line, bool echo,
+				     struct ts_line *out, struct ts_str *value)
 {
 	const char *text = ts_str_text(&line->text);
 	size_t at = 0, steps = 0;
@@ -157,10 +157,10 @@ static enum ts_status replace(struct ts_script *script, const struct ts_line *li
 
 		if (text[at] == '$') {
 			ts_str_clear(value);
-			TS_TRY(reference(script, line, at, &end, value));
+			TS_TRY(substitute_reference(script, line, at, &end, value));
 			ts_line_add_from(out, ts_str_text(value), value->length, line, at, end - at);
 			if (echo && ++steps < MOST_SHOWN)
-				show(script, out, text + end);
+				echo_line(script, out, text + end);
 			at = end;
 			continue;
 		}
@@ -168,7 +168,7 @@ static enum ts_status replace(struct ts_script *script, const struct ts_line *li
 			ts_line_add_from(out, text + at, 1, line, at, 1);
 	}
 	if (steps >= MOST_SHOWN)
-		show(script, out, "");
+		echo_line(script, out, "");
 	return out->text.failed || value->failed ? TS_NOMEM : TS_OK;
 }
 
@@ -180,7 +180,7 @@ enum ts_status ts_substitute(struct ts_script *script, struct ts_line *line, boo
 
 	if (!strchr(ts_str_text(&line->text), '$'))
 		return TS_OK;
-	status = replace(script, line, echo, &out, &value);
+	status = substitute_all(script, line, echo, &out, &value);
 	if (status == TS_NOMEM)
 		ts_nomem(&script->sim->error);
 	ts_str_release(&value);

@@ -1,4 +1,4 @@
-/* What the user reads: print, echo, log. */
+/* Output of text: commands print, echo, log. */
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -32,15 +32,15 @@ static const struct ts_arg print_args[] = {
 	TS_ARGS_END
 };
 
-static enum ts_status write_line(struct tsim *sim, const char *path, const char *mode, const char *text,
-				 const struct ts_place *where)
+static enum ts_status write_text_to_file(struct tsim *sim, const char *path, const char *mode,
+					 const char *text, const struct ts_place *where)
 {
 	FILE *file;
 	int bad;
 
 	if (!path || sim->reading.explain)
 		return TS_OK;
-	ts_mkdirs_for(&sim->files, path); /* opening tells if that failed */
+	ts_mkdirs_for(&sim->files, path); /* a failure shows when the file is opened */
 	errno = 0;
 	file = ts_files_open(&sim->files, path, mode);
 	if (!file)
@@ -54,7 +54,7 @@ static enum ts_status write_line(struct tsim *sim, const char *path, const char 
 	return TS_OK;
 }
 
-static void show(struct tsim *sim, const char *text)
+static void print_text(struct tsim *sim, const char *text)
 {
 	struct ts_str shown = { 0 };
 
@@ -73,11 +73,11 @@ static enum ts_status run_print(struct tsim *sim, void *state, const struct ts_p
 	TS_TRY(ts_script_of(sim, where, &script));
 	status = ts_substitute_text(script, print->text, ts_script_place(script, 1, where), &text);
 	if (status == TS_OK && print->screen)
-		show(sim, ts_str_text(&text));
+		print_text(sim, ts_str_text(&text));
 	if (status == TS_OK)
-		status = write_line(sim, print->file, "w", ts_str_text(&text), where);
+		status = write_text_to_file(sim, print->file, "w", ts_str_text(&text), where);
 	if (status == TS_OK)
-		status = write_line(sim, print->append, "a", ts_str_text(&text), where);
+		status = write_text_to_file(sim, print->append, "a", ts_str_text(&text), where);
 	ts_str_release(&text);
 	return status;
 }

@@ -1,4 +1,4 @@
-/* Command variable: defines one. */
+/* Command variable: defines or deletes a variable. */
 #include "script/internal.h"
 
 #include "base/banned.h"
@@ -26,14 +26,16 @@ static const struct ts_arg variable_args[] = {
 	TS_ARGS_END
 };
 
-/* One that does not exist is no error (LIGGGHTS): scripts delete before they define. */
-static enum ts_status delete (struct ts_script *script, const struct ts_word *name) {
+/* Deleting a variable that does not exist is no error (LIGGGHTS). */
+static enum ts_status delete_variable(struct ts_script *script, const struct ts_word *name)
+{
 	struct ts_variable *found = ts_variable_find(&script->formulas, name->text);
 
-	if (found && found->busy) return ts_fail(&script->sim->error, TS_STATE, &name->place,
-						 "variable '%s' cannot be deleted while it is evaluated",
-						 name->text);
-	if (found) ts_variable_delete(&script->formulas, found);
+	if (found && found->busy)
+		return ts_fail(&script->sim->error, TS_STATE, &name->place,
+			       "variable '%s' cannot be deleted while it is evaluated", name->text);
+	if (found)
+		ts_variable_delete(&script->formulas, found);
 	return TS_OK;
 }
 
@@ -47,7 +49,7 @@ static enum ts_status run_variable(struct tsim *sim, void *state, const struct t
 	TS_TRY(ts_script_of(sim, where, &script));
 	name = (struct ts_word){ .text = args->name, .place = *ts_script_place(script, 1, where) };
 	return style ? ts_variable_define(&script->formulas, &name, style, args->values)
-		     : delete (script, &name);
+		     : delete_variable(script, &name);
 }
 
 const struct ts_command_style ts_command_variable = {
