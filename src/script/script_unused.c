@@ -77,8 +77,7 @@ static void add_definition(struct search *s, const char *kind, const char *text,
 	memcpy(name, text, n);
 	name[n] = '\0';
 	for (size_t k = 0; k < n; k++)
-		if (!is_name_character(
-			    name[k])) /* composed of variables, or not one word for mark_names_used */
+		if (!is_name_character(name[k])) /* composed of variables, or several words */
 			return;
 	if (!new) {
 		s->failed = true;
