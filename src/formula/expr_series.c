@@ -95,7 +95,7 @@ const struct ts_expr_function ts_series_functions[] = {
 	SERIES("min", eval_min, 1, "least number of a list"),
 	SERIES("max", eval_max, 1, "greatest number of a list"),
 	SERIES("trap", eval_trap, 2, "integral by the trapezoidal rule with unit spacing"),
-	SERIES("slope", eval_slope, 2, "slope of the straight line of least squares, unit spacing"),
+	SERIES("slope", eval_slope, 2, "slope of the least-squares straight line, unit spacing"),
 	SERIES("stderr", eval_stderr, 3, "standard error of that slope"),
 	{ .name = "sort",
 	  .arguments = "list",

@@ -199,15 +199,15 @@ static enum ts_status eval_extract_setting(struct ts_expr *e, struct ts_words wo
 
 const struct ts_expr_function ts_special_functions[] = {
 	ASK("next", "variable", 1, eval_next,
-	    "present value of a variable of style file or atomfile, which then goes on to the next"),
-	ASK("is_file", "path", 1, eval_is_file, "1 if there is a file of that name"),
-	ASK("is_os", "name", 1, eval_is_os, "1 if the name of the operating system begins with that"),
+	    "present value of a variable of style file or atomfile, which then advances to the next"),
+	ASK("is_file", "path", 1, eval_is_file, "1 if a file of that name exists"),
+	ASK("is_os", "name", 1, eval_is_os, "1 if the name of the operating system begins with this word"),
 	ASK("is_defined", "category,id", 2, eval_is_defined,
-	    "1 if there is a variable, group, region, compute, fix or dump of that id"),
+	    "1 if a variable, group, region, compute, fix or dump of that id exists"),
 	ASK("is_active", "category,style", 2, eval_is_active,
-	    "1 if a fix, compute, pair, ... of that style is in use"),
+	    "1 if a fix, compute, pair, ... of that style is defined"),
 	ASK("is_available", "category,style", 2, eval_is_available,
-	    "1 if this program knows a command, fix, pair, ... of that name"),
+	    "1 if tsim has a command, fix, pair, ... of that name"),
 	ASK("extract_setting", "name", 1, eval_extract_setting,
 	    "one of dimension, box_exist, nthreads, world_size, world_rank, universe_size, "
 	    "universe_rank, triclinic, newton_bond, newton_pair"),

@@ -189,7 +189,7 @@ static enum ts_status eval_stride2(struct ts_expr *e, const double *arg, double 
 const struct ts_expr_function ts_step_functions[] = {
 	{ .name = "ramp",
 	  .arguments = "first,last",
-	  .help = "goes evenly from first to last in the course of the run",
+	  .help = "varies linearly from first to last over the run",
 	  .least = 2,
 	  .most = 2,
 	  .eval = eval_ramp },

@@ -278,7 +278,7 @@ static enum ts_status atomfile_peratom(struct ts_formulas *formulas, struct ts_v
 const struct ts_variable_style ts_var_file = {
 	.name = "file",
 	.values = "PATH",
-	.help = "the first word of each line of a file, one after the other with `next` or next()",
+	.help = "the first word of a line of a file; `next` or next() advances to the next line",
 	.least = 1,
 	.most = 1,
 	.keeps = true,
@@ -293,8 +293,8 @@ const struct ts_variable_style ts_var_file = {
 const struct ts_variable_style ts_var_atomfile = {
 	.name = "atomfile",
 	.values = "PATH",
-	.help = "values for particles from a file: sets of a line with a number N and N lines `id "
-		"value`, one set after the other with `next` or next(); 0 for particles not named",
+	.help = "a value for each particle from a file of sets: a line with a number N and N lines `id "
+		"value`; `next` or next() advances to the next set; 0 for particles that a set does not have",
 	.least = 1,
 	.most = 1,
 	.keeps = true,

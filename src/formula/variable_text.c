@@ -18,7 +18,7 @@ static enum ts_status string_text(struct ts_formulas *formulas, struct ts_variab
 const struct ts_variable_style ts_var_string = {
 	.name = "string",
 	.values = "text",
-	.help = "a text; in quotes if it has blanks",
+	.help = "a text, in quotes if it has blanks",
 	.least = 1,
 	.most = 1,
 	.text = string_text,
@@ -44,7 +44,7 @@ static enum ts_status getenv_text(struct ts_formulas *formulas, struct ts_variab
 const struct ts_variable_style ts_var_getenv = {
 	.name = "getenv",
 	.values = "NAME",
-	.help = "what the environment says for that name when the variable is used",
+	.help = "the environment variable of that name, read when the variable is used",
 	.least = 1,
 	.most = 1,
 	.text = getenv_text,
@@ -73,7 +73,7 @@ static enum ts_status format_text(struct ts_formulas *formulas, struct ts_variab
 const struct ts_variable_style ts_var_format = {
 	.name = "format",
 	.values = "NAME FORMAT",
-	.help = "the number another variable stands for, written in a format such as %.6g",
+	.help = "the value of another variable, in a format such as %.6g",
 	.least = 2,
 	.most = 2,
 	.define = define_format,
@@ -109,7 +109,7 @@ static enum ts_status plain_number(struct ts_formulas *formulas, struct ts_varia
 const struct ts_variable_style ts_var_timer = {
 	.name = "timer",
 	.values = "",
-	.help = "seconds on the clock when this line was run; the difference of two is a duration",
+	.help = "wall time in seconds when this line is executed; the difference of two is a duration",
 	.define = define_timer,
 	.text = plain_text,
 	.number = plain_number,
@@ -142,8 +142,9 @@ static enum ts_status restore_once(struct ts_formulas *formulas, struct ts_varia
 const struct ts_variable_style ts_var_once = {
 	.name = "once",
 	.values = "formula",
-	.help = "the value that a formula has when this line is run first; restart files keep it, and "
-		"a script that goes on from one gets it back",
+	.help = "the value of a formula when this line is executed first; it is saved in restart files, and "
+		"a "
+		"script that continues from one gets the saved value",
 	.least = 1,
 	.most = 1,
 	.keeps = true,
@@ -169,7 +170,7 @@ static enum ts_status define_internal(struct ts_formulas *formulas, struct ts_va
 const struct ts_variable_style ts_var_internal = {
 	.name = "internal",
 	.values = "number",
-	.help = "a number that a command sets for its formulas, e.g. create_atoms var",
+	.help = "a number that a command sets for the formulas it evaluates, e.g. create_atoms var",
 	.least = 1,
 	.most = 1,
 	.define = define_internal,

@@ -154,13 +154,14 @@ const struct ts_command_style ts_command_if = {
 	.style = {
 		.name = "if",
 		.kind = TS_KIND_COMMAND,
-		.summary = "runs commands if a condition holds",
+		.summary = "executes commands if a condition is true",
 		.doc = "The condition is a formula: numbers, v_NAME, c_ID, functions, comparisons, "
-		       "&& and ||; it holds if its value is not 0. Bare names are words, which can "
-		       "be compared with == and !=; words with blanks need quotes. The word "
-		       "property_NAME asks whether there is a material property NAME (fix "
-		       "property/global). Variables are put into the condition and the commands when "
-		       "they are reached. `include` has no place among the commands; use `jump`.",
+		       "&& and ||; it is true if its value is not 0. Bare names are words, which can "
+		       "be compared by == and !=; words with blanks need quotes. The word "
+		       "property_NAME is 1 if there is a material property NAME (fix "
+		       "property/global), else 0. Variables in the condition and in the commands are substituted "
+		       "when these are evaluated and executed. `include` is not allowed among the commands; use "
+		       "`jump`.",
 		.example = "if \"${n} > 3 && ${mode} == drill\" then \"print 'deep enough'\" \"quit\" "
 			   "else \"print 'go on'\"",
 		.args = if_args,

@@ -18,7 +18,7 @@ struct jump {
 
 static const struct ts_arg jump_args[] = {
 	TS_WORD("file", struct jump, file, .flags = TS_POSITIONAL,
-		.help = "script to go on with; SELF: the present one from its first line"),
+		.help = "script to continue with; SELF: the present one from its first line"),
 	TS_WORD("label", struct jump, label, .flags = TS_POSITIONAL | TS_OPTIONAL,
 		.help = "skip all lines up to this label"),
 	TS_ARGS_END
@@ -67,11 +67,11 @@ const struct ts_command_style ts_command_jump = {
 	.style = {
 		.name = "jump",
 		.kind = TS_KIND_COMMAND,
-		.summary = "goes on with another line or script",
-		.doc = "The script goes on with the first line of the file, or with the line behind "
-		       "the label. Lines that are skipped are neither substituted nor checked. A "
-		       "jump that follows a `next` without a further value does nothing: so loops "
-		       "end. A script that comes from standard input cannot jump to SELF.",
+		.summary = "continues with another line or script",
+		.doc = "Execution continues with the first line of the file, or with the line behind "
+		       "the label. Lines that are skipped are neither substituted nor checked. The "
+		       "first jump after a `next` that has found no further value does nothing, which ends a "
+		       "loop. A script that is read from standard input cannot jump to SELF.",
 		.example = "variable n loop 3\nlabel again\nprint \"round $n\"\nnext n\njump SELF again",
 		.args = jump_args,
 		.state_size = sizeof(struct jump),
@@ -83,9 +83,9 @@ struct name {
 	const char *name;
 };
 
-static const struct ts_arg label_args[] = { TS_WORD("name", struct name, name, .flags = TS_POSITIONAL,
-						    .help = "name that `jump` can look for"),
-					    TS_ARGS_END };
+static const struct ts_arg label_args[] = {
+	TS_WORD("name", struct name, name, .flags = TS_POSITIONAL, .help = "name for `jump`"), TS_ARGS_END
+};
 
 static enum ts_status run_label(struct tsim *sim, void *state, const struct ts_place *where)
 {
@@ -101,7 +101,7 @@ const struct ts_command_style ts_command_label = {
 		.name = "label",
 		.kind = TS_KIND_COMMAND,
 		.summary = "marks a line for jump",
-		.doc = "By itself the line does nothing.",
+		.doc = "The command itself has no effect.",
 		.example = "label again",
 		.args = label_args,
 		.state_size = sizeof(struct name),
@@ -145,9 +145,9 @@ const struct ts_command_style ts_command_next = {
 	.style = {
 		.name = "next",
 		.kind = TS_KIND_COMMAND,
-		.summary = "gives index, loop and file variables their next value",
+		.summary = "advances index, loop and file variables to their next value",
 		.doc = "A variable that has no further value is deleted, and the next `jump` does "
-		       "nothing. Several variables step together.",
+		       "nothing. Several variables are advanced together.",
 		.example = "next n\nnext n rock",
 		.args = next_args,
 		.state_size = sizeof(struct next),
@@ -176,9 +176,9 @@ const struct ts_command_style ts_command_include = {
 	.style = {
 		.name = "include",
 		.kind = TS_KIND_COMMAND,
-		.summary = "runs another script, then goes on here",
-		.doc = "The other script shares all variables. Its jumps stay inside of it. Scripts may "
-		       "include others 50 deep. Not possible within `if`.",
+		.summary = "executes another script, then continues here",
+		.doc = "The other script shares all variables. Its jumps stay inside of it. Includes can be "
+		       "nested 50 deep. Not allowed within `if`.",
 		.example = "include materials.in",
 		.args = include_args,
 		.state_size = sizeof(struct name),
@@ -210,8 +210,8 @@ const struct ts_command_style ts_command_quit = {
 	.style = {
 		.name = "quit",
 		.kind = TS_KIND_COMMAND,
-		.summary = "ends the script here",
-		.doc = "All scripts that include this one end too; files are closed properly.",
+		.summary = "ends the script",
+		.doc = "All scripts that include this one end, too; all files are closed.",
 		.example = "if \"${broken} > 0\" then \"quit 3\"",
 		.args = quit_args,
 		.state_size = sizeof(struct quit),
@@ -229,9 +229,9 @@ const struct ts_command_style ts_command_clear = {
 	.style = {
 		.name = "clear",
 		.kind = TS_KIND_COMMAND,
-		.summary = "forgets the simulation, but not the variables",
-		.doc = "Box, particles, all styles and the step counter are as at the start of the "
-		       "program; variables, working directory and log file stay.",
+		.summary = "deletes the simulation, but not the variables",
+		.doc = "Box, particles and all styles are deleted, and settings and the step counter are reset "
+		       "to those at the start of the program; variables, working folder and log file are kept.",
 		.example = "clear",
 	},
 	.run = run_clear,

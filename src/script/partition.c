@@ -15,7 +15,7 @@ struct partition {
 
 static const struct ts_arg args[] = {
 	TS_BOOL("which", struct partition, included, .flags = TS_POSITIONAL,
-		.help = "yes: those of the range run the command; no: those outside of it"),
+		.help = "yes: partitions of the range execute the command; no: those outside of it"),
 	TS_WORD("range", struct partition, range, .flags = TS_POSITIONAL,
 		.help = "numbers of partitions, N, N*, *M or N*M; there is one, number 1"),
 	TS_REST("command", struct partition, command, .help = "command and its arguments"), TS_ARGS_END
@@ -59,9 +59,9 @@ const struct ts_command_style ts_command_partition = {
 	.style = {
 		.name = "partition",
 		.kind = TS_KIND_COMMAND,
-		.summary = "runs a command in some of several partitions",
-		.doc = "Elsewhere several simulations can run side by side, in partitions; here there is "
-		       "one, which is number 1. The command is run if its range has (yes) or has not "
+		.summary = "executes a command in some of several partitions",
+		.doc = "LIGGGHTS and LAMMPS can run several simulations at the same time, in partitions; tsim has "
+		       "one, number 1. The command is executed if the range includes (yes) or does not include "
 		       "(no) that number.",
 		.example = "partition yes 1 print \"the first\"",
 		.args = args,

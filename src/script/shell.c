@@ -202,15 +202,15 @@ const struct ts_command_style ts_command_shell = {
 	.style = {
 		.name = "shell",
 		.kind = TS_KIND_COMMAND,
-		.summary = "makes directories, moves and removes files",
-		.doc = "mkdir makes the directories that lead to it too, and a directory that exists is no "
-		       "error. rm or rmdir of what is not there is a warning; rm removes no directories. "
-		       "Options such as -p and -rf have no effect. rm, rmdir and mv act only below the "
-		       "folder in which tsim was started, links resolved. With the option -shell yes of the "
-		       "command line they act anywhere, putenv sets the environment, and any other words are "
-		       "run as a command of the system's shell; without it these are refused. What else a "
-		       "script may do to files is said in doc/language.md; for scripts from elsewhere there "
-		       "is -sandbox.",
+		.summary = "creates folders, moves and removes files",
+		.doc = "mkdir also creates the parent folders; a folder that exists is no error. rm or rmdir of a "
+		       "name that does not exist gives a warning; rm does not remove folders. Options such as -p "
+		       "and -rf have no effect. rm, rmdir and mv act only below the folder in which tsim was "
+		       "started; symbolic links are resolved. With the option -shell yes of the command line they "
+		       "act everywhere, putenv sets environment variables, and any other words are executed by "
+		       "the system's shell; without it these are refused. doc/language.md describes which files "
+		       "a script may change by other commands; scripts from unknown sources can be run with "
+		       "-sandbox.",
 		.example = "shell mkdir post\nshell mv profile.txt post/profile_old.txt",
 		.args = shell_args,
 		.state_size = sizeof(struct shell),

@@ -22,11 +22,11 @@ static const struct ts_arg print_args[] = {
 	TS_WORD("text", struct print, text, .flags = TS_POSITIONAL,
 		.help = "text, in quotes if it has blanks; variables in it are replaced"),
 	TS_WORD("file", struct print, file, .flags = TS_OPTIONAL | TS_WRITES,
-		.help = "file to write the line to; it is made anew"),
+		.help = "file to write the line to; an existing file is overwritten"),
 	TS_WORD("append", struct print, append, .flags = TS_OPTIONAL | TS_WRITES,
-		.help = "file to add the line to"),
+		.help = "file to append the line to"),
 	TS_BOOL("screen", struct print, screen, .fallback = "yes",
-		.help = "whether the line goes to screen and log too"),
+		.help = "whether the line is also written to screen and log"),
 	TS_BOOL("universe", struct print, universe, .fallback = "no",
 		.help = "no effect: there is one partition"),
 	TS_ARGS_END
@@ -87,8 +87,9 @@ const struct ts_command_style ts_command_print = {
 		.name = "print",
 		.kind = TS_KIND_COMMAND,
 		.summary = "prints a line of text",
-		.doc = "The text goes to the screen, to the log file, and to a file if one is named. "
-		       "$(formula:%.3f) prints a number with the format given.",
+		.doc = "The text is written to the screen, to the log file, and to the file given by `file` or "
+		       "`append`. Variables in the text are substituted; $(formula:%.3f) prints a number with "
+		       "this format.",
 		.example = "print \"depth ${depth} m, energy $(ke:%.4g) J\" append depth.txt",
 		.args = print_args,
 		.state_size = sizeof(struct print),
@@ -102,10 +103,11 @@ struct echo {
 
 static const char *const echo_choices[] = { "none", "screen", "log", "both", NULL };
 
-static const struct ts_arg echo_args[] = { TS_ENUM("where", struct echo, where, echo_choices,
-						   .flags = TS_POSITIONAL,
-						   .help = "where input lines are shown before they are run"),
-					   TS_ARGS_END };
+static const struct ts_arg echo_args[] = {
+	TS_ENUM("where", struct echo, where, echo_choices, .flags = TS_POSITIONAL,
+		.help = "where input lines are printed before they are executed"),
+	TS_ARGS_END
+};
 
 static enum ts_status run_echo(struct tsim *sim, void *state, const struct ts_place *where)
 {
@@ -121,8 +123,8 @@ const struct ts_command_style ts_command_echo = {
 	.style = {
 		.name = "echo",
 		.kind = TS_KIND_COMMAND,
-		.summary = "chooses where input lines are shown",
-		.doc = "At the start it is `log`, or what the option -echo says.",
+		.summary = "sets where input lines are printed",
+		.doc = "The default is `log`, or that of the option -echo.",
 		.example = "echo both",
 		.args = echo_args,
 		.state_size = sizeof(struct echo),
@@ -138,7 +140,7 @@ struct log_to {
 static const struct ts_arg log_args[] = {
 	TS_WORD("file", struct log_to, file, .flags = TS_POSITIONAL | TS_WRITES,
 		.help = "new log file; none: write no log"),
-	TS_FLAG("append", struct log_to, append, .help = "add to the file if it exists"), TS_ARGS_END
+	TS_FLAG("append", struct log_to, append, .help = "append to the file if it exists"), TS_ARGS_END
 };
 
 static enum ts_status run_log(struct tsim *sim, void *state, const struct ts_place *where)
@@ -158,7 +160,7 @@ const struct ts_command_style ts_command_log = {
 		.name = "log",
 		.kind = TS_KIND_COMMAND,
 		.summary = "closes the log file and opens another",
-		.doc = "At the start it is log.tsim, or what the option -log says.",
+		.doc = "The first log file is log.tsim, or that of the option -log.",
 		.example = "log drilling.log",
 		.args = log_args,
 		.state_size = sizeof(struct log_to),

@@ -18,7 +18,7 @@ static const char *const styles[] = { TS_VARIABLE_STYLES(NAME) "delete", NULL };
 static const struct ts_arg variable_args[] = {
 	TS_WORD("name", struct variable, name, .flags = TS_POSITIONAL, .help = "letters, digits and _"),
 	TS_ENUM("style", struct variable, style, styles, .flags = TS_POSITIONAL,
-		.help = "what the variable is; delete: there shall be none of that name"),
+		.help = "style of the variable; delete: deletes the variable of that name"),
 	TS_REST_OPTIONAL("values", struct variable, values,
 			 .help = "index, universe: words; loop, uloop: N, or N1 N2, and pad; string, "
 				 "getenv, world: one word; equal, atom, vector: a formula; format: a "
@@ -57,15 +57,15 @@ const struct ts_command_style ts_command_variable = {
 		.name = "variable",
 		.kind = TS_KIND_COMMAND,
 		.summary = "defines a variable",
-		.doc = "`tsim -help variables` lists what each style stands for. Those that step through "
-		       "values with `next` (index, loop, world, universe, uloop, file, atomfile) stay as "
-		       "they are if one of that name exists already, so that the option -var wins; the "
-		       "others replace one of the same style. `equal`, `atom` and `vector` keep a formula, "
-		       "which is evaluated each time the variable is used; the page `functions` says what "
-		       "stands in it. `delete` removes the variable, if there is one.\n\n"
-		       "${name} (or $x for a one-letter name) puts the value into a line before it is run, "
-		       "outside of quotes; v_name reads it inside a formula; $(formula) evaluates at once. "
-		       "${name:%.3f} and $(formula:%.3f) say how the number is written.",
+		.doc = "`tsim -help variables` describes the value of each style. A definition of style index, loop, "
+		       "world, universe, uloop, file or atomfile has no effect if a variable of that name exists, "
+		       "so that the option -var overrides it; the other styles replace a variable of the same "
+		       "style. `equal`, `atom` and `vector` store a formula, which is evaluated each time the "
+		       "variable is used; the page `functions` describes formulas. `delete` deletes the variable, "
+		       "if it exists.\n\n"
+		       "${name} (or $x for a one-letter name) outside of quotes is replaced by the value before "
+		       "the line is executed; v_name is the value inside a formula; $(formula) is replaced by the "
+		       "value of the formula. ${name:%.3f} and $(formula:%.3f) set the format of the number.",
 		.example = "variable wob index 2000\nvariable area equal PI*v_r^2\n"
 			   "variable n loop 5\nvariable deep atom z<0.05\n"
 			   "variable edges vector [0,0.1,0.25]",
