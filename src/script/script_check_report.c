@@ -37,10 +37,10 @@ static void append_run(const struct ts_check *check, const struct ts_check_event
 	const struct ts_check_loop *loop = find_open_loop(check, &e->where);
 
 	if (e->open) {
-		ts_str_add(out, " a number of steps that only a run can tell, each");
+		ts_str_add(out, " a number of steps that is known only in a run, each");
 	} else if (loop && e->count && e->steps % e->count == 0) {
 		append_count(out, " ", e->steps / e->count, "step");
-		ts_str_addf(out, " in each turn of lines %d-%d,", loop->from, loop->to);
+		ts_str_addf(out, " in each iteration of lines %d-%d,", loop->from, loop->to);
 	} else {
 		ts_str_add(out, loop ? " at least" : "");
 		if (e->count > 1)
@@ -50,18 +50,21 @@ static void append_run(const struct ts_check *check, const struct ts_check_event
 	}
 	ts_str_addf(out, " of %g from step %" PRId64 "%s", e->dt, e->step, e->late ? " or later" : "");
 	if (loop)
-		ts_str_add(out, "; at least one turn: how many, only a run can tell");
+		ts_str_add(out, "; at least one iteration, their number is known only in a run");
 }
 
 static void append_jump(const struct ts_check_event *e, struct ts_str *out)
 {
 	if (e->turns)
-		ts_str_addf(out, ": %" PRId64 " turns, all like the %" PRId64 " that were gone through",
+		ts_str_addf(out,
+			    ": %" PRId64 " iterations; %" PRId64
+			    " executed, the others counted like the last",
 			    e->turns, e->count + 1);
 	else
 		append_count(out, ": taken ", e->count, "time");
 	if (e->bounded && !e->turns)
-		ts_str_addf(out, ", not followed further%s", e->endless ? ": is there an end?" : "");
+		ts_str_addf(out, ", not followed further%s",
+			    e->endless ? ": the loop seems to have no end" : "");
 }
 
 static void append_event(const struct ts_check *check, const struct ts_check_event *e, struct ts_str *out)
@@ -76,7 +79,7 @@ static void append_event(const struct ts_check *check, const struct ts_check_eve
 		append_count(out, ", ", e->count, "time");
 	}
 	if (e->hangs)
-		ts_str_addf(out, "; hangs on %s, which only a run can give", e->hangs);
+		ts_str_addf(out, "; depends on %s, which is known only in a run", e->hangs);
 	ts_str_add(out, "\n");
 }
 
@@ -176,7 +179,7 @@ enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *e
 		ts_str_addf(report, "; %d more message%s left out, since they may follow from these\n",
 			    check->unjudged, check->unjudged == 1 ? " was" : "s were");
 	if (check->open)
-		ts_str_addf(report, "%d message%s left out that hang on values which only a run can give\n",
+		ts_str_addf(report, "%d message%s left out that depend on values known only in a run\n",
 			    check->open, check->open == 1 ? " was" : "s were");
 	*nerrors = check->nerrors;
 	return status;

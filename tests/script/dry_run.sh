@@ -116,7 +116,7 @@ errors 'nothing to complain of' </dev/null
 report 'nothing is written or made' $?
 says trace '  good.in:9            run 3 times, 300 steps in all of 0.005 from step 0'
 says trace '  good.in:11           jump SELF again: taken 2 times'
-says trace '  good.in:12           if: any branch; hangs on ke, which only a run can give'
+says trace '  good.in:12           if: any branch; depends on ke, which is known only in a run'
 says trace '  good.in:16           dump restart made/a.restart'
 says trace '  good.in:18           write_restart made/end.restart'
 says trace '  good.in:5            shell mkdir made'
@@ -143,12 +143,12 @@ label never
 jump SELF never
 END
 errors 'loops that do not end' </dev/null
-each='; at least one turn: how many, only a run can tell'
-says 'a loop that a run ends' "  loops.in:7           run 5 steps in each turn of lines 6-9, of 0.005 from step 0$each"
-says 'a loop that a run ends' "  loops.in:12          run 7 steps in each turn of lines 11-13, of 0.005 from step 10 or later$each"
-says 'a loop that a run ends' '  loops.in:13          if: any branch; hangs on ke, which only a run can give'
+each='; at least one iteration, their number is known only in a run'
+says 'a loop that a run ends' "  loops.in:7           run 5 steps in each iteration of lines 6-9, of 0.005 from step 0$each"
+says 'a loop that a run ends' "  loops.in:12          run 7 steps in each iteration of lines 11-13, of 0.005 from step 10 or later$each"
+says 'a loop that a run ends' '  loops.in:13          if: any branch; depends on ke, which is known only in a run'
 says 'a long loop that runs nothing' '  loops.in:17          jump SELF four: taken 1999 times'
-says 'an endless loop' '  loops.in:19          jump SELF never: taken 999 times, not followed further: is there an end?'
+says 'an endless loop' '  loops.in:19          jump SELF never: taken 999 times, not followed further: the loop seems to have no end'
 
 # a loop of many turns is gone through until it reaches no new lines, and the rest is counted
 check turns.in <<END
@@ -179,9 +179,9 @@ print "\$i"
 END
 errors 'many turns' </dev/null
 says 'many turns' '  turns.in:10          run 3000 times, 30000 steps in all of 0.005 from step 0'
-says 'many turns' '  turns.in:14          jump SELF o: 1000 turns, all like the 2 that were gone through'
+says 'many turns' '  turns.in:14          jump SELF o: 1000 iterations; 2 executed, the others counted like the last'
 says 'few turns' '  turns.in:18          run 5 times, 25 steps in all of 0.005 from step 30000'
-says 'turns that a formula ends' "  turns.in:23          run 7 steps in each turn of lines 21-24, of 0.005 from step 30025$each"
+says 'turns that a formula ends' "  turns.in:23          run 7 steps in each iteration of lines 21-24, of 0.005 from step 30025$each"
 
 # what scripts of LIGGGHTS do with values that only a run can give; it runs, too
 cat >head.in <<'END'
@@ -258,9 +258,9 @@ END
 sed '/made.txt/d' idioms.in >idioms.run
 "$TSIM" -check -in idioms.run >out 2>err
 report 'idioms that -check accepts' $? err
-says 'idioms' "  idioms.run:19        run 100 steps in each turn of lines 18-24, of 1e-05 from step 1$each"
-says 'idioms' '  idioms.run:16        if: any branch; hangs on bound, which only a run can give'
-says 'idioms' '  idioms.run:34        run a number of steps that only a run can tell, each of 1e-05 from step 261 or later; hangs on dz, which only a run can give'
+says 'idioms' "  idioms.run:19        run 100 steps in each iteration of lines 18-24, of 1e-05 from step 1$each"
+says 'idioms' '  idioms.run:16        if: any branch; depends on bound, which is known only in a run'
+says 'idioms' '  idioms.run:34        run a number of steps that is known only in a run, each of 1e-05 from step 261 or later; depends on dz, which is known only in a run'
 "$TSIM" -in idioms.run -log none >out 2>err
 report 'they run' $? err
 "$TSIM" -explain -in idioms.run -log none >out 2>err
