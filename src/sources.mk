@@ -225,6 +225,8 @@ library_sources = \
 	src/core/deferred_loops.h \
 	src/core/definition.c \
 	src/core/definition.h \
+	src/core/fingerprint.c \
+	src/core/fingerprint.h \
 	src/core/group.c \
 	src/core/group.h \
 	src/core/life.c \
@@ -235,6 +237,8 @@ library_sources = \
 	src/core/number_or_peratom.h \
 	src/core/plan.c \
 	src/core/plan.h \
+	src/core/ref.c \
+	src/core/ref.h \
 	src/core/ref_list.c \
 	src/core/ref_list.h \
 	src/core/report.c \

@@ -50,8 +50,4 @@ enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool
 /* TS_STOPPED if a signal handler or the outside program has requested it. */
 enum ts_status ts_plan_stopped(struct tsim *sim);
 
-/* Hash of all that forces depend on: resolved arguments of pair, bond, flow and fixes; dt; box, columns of
- * particles and what else styles add in their slot `fingerprint`. */
-enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out);
-
 #endif

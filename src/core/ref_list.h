@@ -8,7 +8,7 @@
 #ifndef TS_CORE_REF_LIST_H
 #define TS_CORE_REF_LIST_H
 
-#include "core/value.h"
+#include "core/ref.h"
 
 struct ts_ref_input {
 	const char *name; /* with a wildcard expanded: "c_ID[3]" */

@@ -13,6 +13,7 @@
 #include "base/str.h"
 #include "core/deferred_loops.h"
 #include "core/group.h"
+#include "core/ref.h"
 #include "core/review.h"
 #include "core/script_api.h"
 #include "core/style.h"

@@ -1,5 +1,7 @@
 #include "core/stepping.h"
 
+#include "core/fingerprint.h"
+
 #include "base/banned.h"
 
 enum ts_status ts_stepping_watch(struct ts_stepping *stepping, struct tsim *sim)

@@ -4,13 +4,13 @@
 
 #include "base/banned.h"
 
-#define MOLECULAR "force fields of molecules are beyond grains"
-#define SPH "smoothed-particle hydrodynamics is not built; the fluid is solved on a grid (flow_style)"
-#define COUPLING                                                                                           \
-	"of the exchange with other programs there are couple/cfd, couple/cfd/force, /force/implicit and " \
+#define MOLECULAR "molecular force fields are not supported: particles are grains"
+#define SPH "smoothed-particle hydrodynamics is not supported; the fluid is solved on a grid (flow_style)"
+#define COUPLING                                                                                            \
+	"of the couplings with other programs there are couple/cfd, couple/cfd/force, /force/implicit and " \
 	"/convection; a fluid is also solved by tsim (flow_style)"
 #define SHAPES "grains are spheres; other shapes are made of bonded spheres (bond_style)"
-#define CHEMISTRY "chemical reactions are not built"
+#define CHEMISTRY "chemical reactions are not supported"
 #define BONDS                                                                                       \
 	"bonds are made by create_bonds and break as bond_style says (bond_style contact), not by " \
 	"cohesion models or fixes"
@@ -19,7 +19,7 @@
 #define UNPUBLISHED "it belongs to another edition of LIGGGHTS, and no description of it is public"
 #define RESOLUTION                                                                                       \
 	"it belongs to the coupling of coarse and fine grains across the faces of a mesh, which is not " \
-	"built"
+	"supported"
 #define ACCELERATORS "all styles use threads by themselves; see -threads"
 
 const struct ts_unsupported ts_unsupported_table[] = {
@@ -33,7 +33,7 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_COMMAND, "neb", MOLECULAR },
 	{ TS_KIND_COMMAND, "prd", MOLECULAR },
 	{ TS_KIND_COMMAND, "python", "tsim runs no Python; a Python program can run tsim (module tsim)" },
-	{ TS_KIND_COMMAND, "run_style", "there is one way to step; integrators are fixes (nve ...)" },
+	{ TS_KIND_COMMAND, "run_style", "the time integration is chosen by fixes (nve ...)" },
 	{ TS_KIND_COMMAND, "suffix", ACCELERATORS },
 	{ TS_KIND_COMMAND, "tad", MOLECULAR },
 	{ TS_KIND_COMMAND, "temper", MOLECULAR },
@@ -48,14 +48,14 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_FIX, "couple/cfd/radiation*", COUPLING },
 	{ TS_KIND_FIX, "couple/cfd/species*", COUPLING },
 	{ TS_KIND_FIX, "couple/pascal*", COUPLING },
-	{ TS_KIND_FIX, "nph*", "grains have no thermostat" },
-	{ TS_KIND_FIX, "npt*", "grains have no thermostat" },
+	{ TS_KIND_FIX, "nph*", "grains have no thermostat or barostat" },
+	{ TS_KIND_FIX, "npt*", "grains have no thermostat or barostat" },
 	{ TS_KIND_FIX, "nve/asphere*", SHAPES },
 	{ TS_KIND_FIX, "nve/nonspherical", SHAPES },
 	{ TS_KIND_FIX, "nve/sph", SPH },
 	{ TS_KIND_FIX, "nve/sph/*", SPH },
 	{ TS_KIND_FIX, "nve/superquadric", SHAPES },
-	{ TS_KIND_FIX, "nvt*", "grains have no thermostat" },
+	{ TS_KIND_FIX, "nvt*", "grains have no thermostat or barostat" },
 	{ TS_KIND_FIX, "particletemplate/superquadric", SHAPES },
 	{ TS_KIND_FIX, "qeq/*", MOLECULAR },
 	{ TS_KIND_FIX, "shake", MOLECULAR },
@@ -67,7 +67,7 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_PAIR, "lj/*", MOLECULAR },
 	{ TS_KIND_PAIR, "sph/*", SPH },
 	{ TS_KIND_BOND, "fene*", MOLECULAR },
-	{ TS_KIND_REGION, "grid", "there are no grids of computes and fixes" },
+	{ TS_KIND_REGION, "grid", "per-grid data of computes and fixes are not supported" },
 	{ TS_KIND_COMPUTE, "erotate/superquadric", SHAPES },
 	{ TS_KIND_COMPUTE, "erotate/asphere", SHAPES },
 	{ TS_KIND_COMMAND, "coarsegraining", RESOLUTION },
@@ -107,7 +107,7 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_COMPUTE, "pair/gran/local/bond",
 	  "write `compute ID GROUP bond/local dist force fx fy fz`, and `compute ID2 GROUP property/local "
 	  "batom1 batom2 btype` for the partners" },
-	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process, the box is not cut into parts" },
+	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process, the box has no subdomains" },
 	{ TS_KIND_DUMP, "image", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
 	{ TS_KIND_DUMP, "movie", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
 	{ .name = NULL },
@@ -148,8 +148,7 @@ static const struct {
 	{ TS_UNSUPPORTED_QUANTITY, "blockiness*", SHAPES },
 	{ TS_UNSUPPORTED_QUANTITY, "quat*", SHAPES },
 	{ TS_UNSUPPORTED_QUANTITY, "shape*", SHAPES },
-	{ TS_UNSUPPORTED_QUANTITY, "i_cg_level",
-	  "grains of several levels of coarse graining are not built" },
+	{ TS_UNSUPPORTED_QUANTITY, "i_cg_level", "several levels of coarse graining are not supported" },
 	{ .of = NULL },
 };
 

@@ -53,46 +53,6 @@ enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const s
 /* The same into the table of the instance, unless it is there already, evaluated in this epoch of the run. */
 enum ts_status ts_value_cached(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value);
 
-/* A name that stands for a number or a list of numbers. */
-enum ts_ref_kind {
-	TS_REF_KEYWORD,
-	TS_REF_COMPUTE,
-	TS_REF_FIX,
-	TS_REF_VARIABLE,
-	TS_REF_COLUMN /* f_NAME: a column of particles that some fix stores under that name */
-};
-struct ts_keyword;
-struct ts_ref {
-	enum ts_ref_kind kind;
-	const char *name;	  /* as written, with brackets; owned by the caller */
-	uint64_t removals;	  /* sim->removals when it was resolved */
-	struct ts_instance *inst; /* compute or fix */
-	const struct ts_keyword *keyword;
-	const char *variable, *quantity;
-	long index;  /* k of [k], counted from 1; 0: none given */
-	long column; /* j of [i][j]; 0: none given */
-};
-
-/* Resolves a name. `name` must outlive the ref (argument tables copy it to the owner's arena). If the
- * compute or fix is deleted and defined anew, the ref refers to the new one. */
-enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct ts_place *where,
-			      struct ts_ref *ref);
-enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
-			     double *out);
-/* One value per local particle, in the order of storage. A scalar is repeated. */
-enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
-			      struct ts_table *out);
-/* A whole global vector (c_ID, f_ID without index), or column j of an array (c_ID[j]). */
-enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
-			     struct ts_table *out);
-/* One column of a local table: c_ID[k], or c_ID where it has one column. */
-enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where,
-			    struct ts_table *out);
-/* Checks names and shapes in the formula of a variable without evaluating it. */
-enum ts_status ts_ref_check(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where);
-/* The shapes a ref can be evaluated as: bits 1 << shape. */
-unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref);
-
 enum ts_keyword_flags {
 	TS_KEYWORD_INTEGER = 1,	 /* printed as %8ld */
 	TS_KEYWORD_CONTACTS = 2, /* reads the forces of contacts */

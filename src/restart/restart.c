@@ -7,6 +7,7 @@
 #include <zlib.h>
 
 #include "box/domain.h"
+#include "core/fingerprint.h"
 #include "core/group.h"
 #include "core/plan.h"
 #include "core/unclaimed_state.h"

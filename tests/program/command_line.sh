@@ -76,7 +76,7 @@ page 'pair gran: ' pair_style gran
 page 'pair gran: ' 'pair_style gran'
 page 'fix drag: ' 'fix drag'
 page 'command pair_style: ' pair_style
-page 'beyond grains' pair_style lj/cut
+page 'particles are grains' pair_style lj/cut
 page 'tsim -help pair gran' restitution
 page 'tsim -help fix mesh/surface' hopper
 page 'tsim -help pair gran' Rolling

@@ -1,0 +1,124 @@
+#include "core/fingerprint.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+/* Key of the random numbers drawn while the fingerprint is computed: struct ts_draws. */
+enum { FINGERPRINT_SITE = 2 };
+
+static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *inst, struct ts_hash *hash);
+
+/* Arguments of regions that are words: v_NAME of a motion, and members of a union or intersection. */
+static enum ts_status hash_words(struct tsim *sim, const struct ts_instance *inst, struct ts_words words,
+				 struct ts_hash *hash)
+{
+	for (size_t k = 0; k < words.n; k++) {
+		const char *text = words.word[k].text;
+		const struct ts_instance *member = ts_sim_find(sim, TS_KIND_REGION, text);
+		struct ts_number number = { .variable = text + 2 };
+		double value;
+
+		if (member && member != inst)
+			TS_TRY(hash_instance(sim, member, hash));
+		if (strncmp(text, "v_", 2) != 0)
+			continue;
+		TS_TRY(ts_number_now(sim, &number, &inst->where, &value));
+		ts_hash_add(hash, &value, sizeof value);
+	}
+	return TS_OK;
+}
+
+static enum ts_status hash_variable(struct tsim *sim, const struct ts_instance *inst,
+				    const struct ts_number *number, struct ts_hash *hash)
+{
+	double value;
+
+	if (!number->variable || sim->script_api->is_peratom(sim->script_api_data, number->variable))
+		return TS_OK;
+	TS_TRY(ts_number_now(sim, number, &inst->where, &value));
+	ts_hash_add(hash, &value, sizeof value);
+	return TS_OK;
+}
+
+/* Hashes what arguments refer to: the present value of variables, the geometry of regions. */
+static enum ts_status hash_references(struct tsim *sim, const struct ts_instance *inst,
+				      const struct ts_arg *rows, struct ts_hash *hash)
+{
+	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
+		const void *field = (const char *)inst->state + row->offset;
+		const struct ts_instance *region;
+
+		if (row->type == TS_ARG_MODE && *(const int *)field >= 0)
+			TS_TRY(hash_references(sim, inst, row->modes[*(const int *)field].args, hash));
+		if (row->type == TS_ARG_NUMBER)
+			TS_TRY(hash_variable(sim, inst, field, hash));
+		if (row->type == TS_ARG_REST && inst->style->kind == TS_KIND_REGION)
+			TS_TRY(hash_words(sim, inst, *(const struct ts_words *)field, hash));
+		region = row->type == TS_ARG_REGION ? *(struct ts_instance *const *)field : NULL;
+		if (region)
+			TS_TRY(hash_instance(sim, region, hash));
+	}
+	return TS_OK;
+}
+
+static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *inst, struct ts_hash *hash)
+{
+	struct ts_str record = { 0 };
+
+	ts_str_addf(&record, "%s %s %d", inst->style->name, inst->id, inst->group);
+	ts_args_record(sim, inst->style->args, inst->state, &record);
+	ts_hash_text(hash, ts_str_text(&record));
+	ts_str_release(&record);
+	if (inst->style->fingerprint)
+		inst->style->fingerprint(inst, sim, hash);
+	return hash_references(sim, inst, inst->style->args, hash);
+}
+
+/* Fixes that only read (averages, prints) are not part of the fingerprint: they do not change forces. */
+static bool has_no_effect_on_forces(const struct ts_instance *inst)
+{
+	if (inst->style->kind != TS_KIND_FIX)
+		return false;
+	for (int stage = TS_STAGE_INITIAL_INTEGRATE; stage <= TS_STAGE_FINAL_INTEGRATE; stage++)
+		if (inst->style->hook[stage])
+			return false;
+	return true;
+}
+
+static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
+{
+	/* without the pressure solver: the present state of the fluid does not depend on it */
+	static const enum ts_kind kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND, TS_KIND_FLOW,
+					      TS_KIND_FIX };
+	struct ts_hash hash = ts_hash_start();
+
+	ts_hash_add(&hash, &sim->clock.dt, sizeof sim->clock.dt);
+	ts_hash_add(&hash, &sim->clock.step, sizeof sim->clock.step);
+	ts_hash_add(&hash, &sim->units, sizeof sim->units);
+	ts_hash_add(&hash, &sim->dimension, sizeof sim->dimension);
+	for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+		const struct ts_instances *list = &sim->instances[kinds[k]];
+
+		for (size_t i = 0; i < list->n; i++)
+			if (!has_no_effect_on_forces(list->item[i]))
+				TS_TRY(hash_instance(sim, list->item[i], &hash));
+	}
+	*out = ts_hash_value(&hash);
+	return TS_OK;
+}
+
+/* Evaluates variables without side effects: streams of random numbers and next() do not advance. */
+enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
+{
+	const struct ts_draws before = sim->draws;
+	bool probing = sim->reading.probing;
+	enum ts_status status;
+
+	sim->draws = (struct ts_draws){ FINGERPRINT_SITE, 0 };
+	sim->reading.probing = true;
+	status = hash_all(sim, out);
+	sim->reading.probing = probing;
+	sim->draws = before;
+	return status;
+}
