@@ -158,7 +158,7 @@ enum ts_status ts_arg_read_coord(struct ts_parse *p, const struct ts_arg *row, d
 enum ts_status ts_arg_read_number(struct ts_parse *p, const struct ts_arg *row, struct ts_number *out)
 {
 	const struct ts_word *word = ts_arg_next_word(p);
-	const struct ts_script_api *host = p->sim->script_api;
+	const struct ts_script_api *api = p->sim->script_api;
 	struct ts_suggest suggest;
 
 	*out = (struct ts_number){ .at = p->next };
@@ -170,9 +170,9 @@ enum ts_status ts_arg_read_number(struct ts_parse *p, const struct ts_arg *row, 
 		suggest = ts_suggest_start(word->text + 2);
 		if (p->sim->reading.unreached)
 			return TS_OK;
-		if (!host || !host->has_variable(p->sim->script_api_data, word->text + 2)) {
-			if (host)
-				host->suggest_variable(p->sim->script_api_data, &suggest);
+		if (!api || !api->has_variable(p->sim->script_api_data, word->text + 2)) {
+			if (api)
+				api->suggest_variable(p->sim->script_api_data, &suggest);
 			return ts_missing(&p->sim->error, "variable", word->text + 2, &word->place,
 					  "%s: %s names an unknown variable '%s'%s", p->what, row->name,
 					  word->text + 2, ts_suggest_text(&suggest));

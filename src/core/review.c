@@ -31,7 +31,7 @@ bool ts_review_set(struct tsim *sim, const char *name, enum ts_review_answer ans
 
 void ts_review_release(struct ts_review *review)
 {
-	ts_free(review->told);
+	ts_free(review->reported);
 	*review = (struct ts_review){ 0 };
 }
 
@@ -54,12 +54,12 @@ static enum ts_status record_finding(struct tsim *sim, uint64_t cause, bool *new
 	struct ts_review *r = &sim->review;
 
 	*new = false;
-	for (size_t k = 0; k < r->ntold; k++)
-		if (r->told[k] == cause)
+	for (size_t k = 0; k < r->nreported; k++)
+		if (r->reported[k] == cause)
 			return TS_OK;
-	if (TS_GROW(r->told, r->told_capacity, r->ntold + 1) != TS_OK)
+	if (TS_GROW(r->reported, r->reported_capacity, r->nreported + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	r->told[r->ntold++] = cause;
+	r->reported[r->nreported++] = cause;
 	*new = true;
 	return TS_OK;
 }
@@ -111,8 +111,8 @@ enum ts_status ts_review_scene(struct tsim *sim, int64_t steps)
 		return TS_OK;
 	r->steps = steps;
 	for (int k = 0; sim->tables->checks[k].name; k++)
-		if (sim->tables->checks[k].look && r->answer[k] != TS_REVIEW_OFF)
-			TS_TRY(ts_sim_defer_error(sim, sim->tables->checks[k].look(sim)));
+		if (sim->tables->checks[k].run && r->answer[k] != TS_REVIEW_OFF)
+			TS_TRY(ts_sim_defer_error(sim, sim->tables->checks[k].run(sim)));
 	TS_TRY(review_styles(sim));
 	r->made = true;
 	r->stale = r->stale || (sim->reading.explain && steps > 0);

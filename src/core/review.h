@@ -17,9 +17,9 @@
 struct tsim;
 
 struct ts_review_check {
-	const char *name;			  /* for the command `review`; findings end with it */
-	const char *summary;			  /* what it finds: for the manual */
-	enum ts_status (*look)(struct tsim *sim); /* NULL: the check is in the slot `review` of styles */
+	const char *name;			 /* for the command `review`; findings end with it */
+	const char *summary;			 /* what it finds: for the manual */
+	enum ts_status (*run)(struct tsim *sim); /* NULL: the check is in the slot `review` of styles */
 };
 
 enum ts_review_answer { TS_REVIEW_WARN, TS_REVIEW_ERROR, TS_REVIEW_OFF };
@@ -28,8 +28,8 @@ enum { TS_REVIEW_MOST = 32 }; /* checks */
 /* Part of struct tsim. */
 struct ts_review {
 	uint8_t answer[TS_REVIEW_MOST]; /* enum ts_review_answer of each check of the table */
-	uint64_t *told;			/* hashes (check, place) of the findings reported so far */
-	size_t ntold, told_capacity;
+	uint64_t *reported;		/* hashes (check, place) of the findings reported so far */
+	size_t nreported, reported_capacity;
 	bool made;     /* a run has been reviewed */
 	bool stale;    /* -check, -explain: a run before this one was not stepped */
 	bool doubtful; /* -check: a line has failed, so that the scene is not the one intended; no review */

@@ -107,7 +107,7 @@ static enum ts_status read_number(struct ts_expr *e, struct ts_operand *out)
 	copy = ts_expr_copy(e, e->at, e->at + n);
 	if (!copy)
 		return TS_NOMEM;
-	if (ts_unknown_in(e->formulas, copy))
+	if (ts_unknown_read_text(e->formulas, copy))
 		out->scalar = NAN;
 	else if (!ts_parse_real(copy, &out->scalar))
 		return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + n, "'%s' is not a number", copy);
@@ -123,7 +123,7 @@ static enum ts_status read_quoted(struct ts_expr *e, struct ts_operand *out)
 		return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1, "this quote is never closed");
 	out->word = ts_expr_copy(e, e->at + 1, end - 1);
 	out->is_word = true;
-	out->scalar = out->word && ts_unknown_in(e->formulas, out->word) ? NAN : 0;
+	out->scalar = out->word && ts_unknown_read_text(e->formulas, out->word) ? NAN : 0;
 	e->at = end;
 	return out->word ? TS_OK : TS_NOMEM;
 }
@@ -298,7 +298,7 @@ static enum ts_status evaluate_formula(struct ts_expr *e, struct ts_operand *out
 	status = ts_expr_read(e, 1, out);
 	e->formulas->depth = depth;
 	if (!depth)
-		ts_variables_forget(e->formulas);
+		ts_variables_release_cache(e->formulas);
 	if (status != TS_OK)
 		return status;
 	if (ts_expr_peek(e))

@@ -366,7 +366,7 @@ static enum ts_status value_of_bare_word(struct ts_expr *e, const char *name, st
 	}
 	out->word = name;
 	out->is_word = !constant;
-	out->scalar = constant ? constant->value : ts_unknown_in(e->formulas, name) ? NAN : 0;
+	out->scalar = constant ? constant->value : ts_unknown_read_text(e->formulas, name) ? NAN : 0;
 	return TS_OK;
 }
 

@@ -34,16 +34,16 @@ void ts_unknown_add(const struct tsim *sim, struct ts_str *out, const char *form
 		ts_number_format_add(out, format, value);
 }
 
-bool ts_unknown_text(const struct tsim *sim, const char *text)
+bool ts_unknown_in_text(const struct tsim *sim, const char *text)
 {
 	return (sim->reading.dry || (sim->reading.explain && sim->reading.planned)) && strstr(text, mark);
 }
 
-bool ts_unknown_in(struct ts_formulas *formulas, const char *text)
+bool ts_unknown_read_text(struct ts_formulas *formulas, const char *text)
 {
 	struct tsim *sim = formulas->sim;
 
-	if (!ts_unknown_text(sim, text))
+	if (!ts_unknown_in_text(sim, text))
 		return false;
 	ts_sim_awaits_run(sim, formulas->unknown ? formulas->unknown : "a value");
 	return true;
@@ -53,7 +53,7 @@ void ts_unknown_show(const struct tsim *sim, const char *text, const char *what,
 {
 	const char *at;
 
-	while (ts_unknown_text(sim, text)) {
+	while (ts_unknown_in_text(sim, text)) {
 		at = strstr(text, mark);
 		ts_str_add_n(out, text, (size_t)(at - text));
 		ts_str_add(out, what);

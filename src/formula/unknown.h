@@ -23,9 +23,9 @@ bool ts_unknown_value(struct ts_formulas *formulas, const char *name, enum ts_st
 /* Appends a number as it is substituted into lines: `format` has one conversion of a double. */
 void ts_unknown_add(const struct tsim *sim, struct ts_str *out, const char *format, double value);
 /* Whether an unknown value was substituted into the text; if so, it is recorded as read now. */
-bool ts_unknown_in(struct ts_formulas *formulas, const char *text);
+bool ts_unknown_read_text(struct ts_formulas *formulas, const char *text);
 /* The same without the record. */
-bool ts_unknown_text(const struct tsim *sim, const char *text);
+bool ts_unknown_in_text(const struct tsim *sim, const char *text);
 /* Appends the text for users: `what` in place of unknown values. */
 void ts_unknown_show(const struct tsim *sim, const char *text, const char *what, struct ts_str *out);
 #endif

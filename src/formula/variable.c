@@ -27,7 +27,7 @@ enum ts_status ts_variable_require(struct ts_formulas *formulas, const char *nam
 		(*out)->used = true;
 		return TS_OK;
 	}
-	ts_variables_pack(formulas);
+	ts_variables_compact(formulas);
 	for (size_t k = 0; k < formulas->variables.n; k++)
 		ts_suggest_try(&suggest, formulas->variables.item[k]->name);
 	return ts_missing(&formulas->sim->error, "variable", name, where, "unknown variable '%s'%s", name,
@@ -51,10 +51,10 @@ void ts_variable_delete(struct ts_formulas *formulas, struct ts_variable *variab
 		ts_map_remove(&all->by_name, variable->name);
 	release_variable(variable);
 	if (++all->deleted > all->n / 2)
-		ts_variables_pack(formulas);
+		ts_variables_compact(formulas);
 }
 
-void ts_variables_pack(struct ts_formulas *formulas)
+void ts_variables_compact(struct ts_formulas *formulas)
 {
 	struct ts_variables *all = &formulas->variables;
 	size_t n = 0;
@@ -72,7 +72,7 @@ void ts_variables_pack(struct ts_formulas *formulas)
 
 void ts_variables_release(struct ts_formulas *formulas)
 {
-	ts_variables_pack(formulas);
+	ts_variables_compact(formulas);
 	for (size_t k = 0; k < formulas->variables.n; k++)
 		release_variable(formulas->variables.item[k]);
 	ts_map_release(&formulas->variables.by_name);
@@ -220,7 +220,7 @@ static enum ts_status parse_text_as_number(struct ts_formulas *formulas, struct 
 	struct ts_str text = { 0 };
 	enum ts_status status = ts_variable_text(formulas, variable, where, &text);
 
-	if (status == TS_OK && ts_unknown_in(formulas, ts_str_text(&text)))
+	if (status == TS_OK && ts_unknown_read_text(formulas, ts_str_text(&text)))
 		*out = NAN;
 	else if (status == TS_OK && !ts_parse_real(ts_str_text(&text), out))
 		status = ts_fail(&formulas->sim->error, TS_SYNTAX, where,

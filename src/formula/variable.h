@@ -96,7 +96,7 @@ struct ts_variable {
 
 /* In the order in which they were defined, and by name. */
 struct ts_variables {
-	struct ts_variable **item; /* NULL: deleted since the last ts_variables_pack */
+	struct ts_variable **item; /* NULL: deleted since the last ts_variables_compact */
 	size_t n, capacity, deleted;
 	struct ts_map by_name;
 };
@@ -110,7 +110,7 @@ enum ts_status ts_variable_define(struct ts_formulas *formulas, const struct ts_
 				  const struct ts_variable_style *style, struct ts_words values);
 void ts_variable_delete(struct ts_formulas *formulas, struct ts_variable *variable);
 /* Removes the gaps in variables.item: until a variable is deleted, item[0..n-1] are not NULL. */
-void ts_variables_pack(struct ts_formulas *formulas);
+void ts_variables_compact(struct ts_formulas *formulas);
 void ts_variables_release(struct ts_formulas *formulas);
 
 enum ts_status ts_variable_text(struct ts_formulas *formulas, struct ts_variable *variable,
@@ -125,7 +125,7 @@ enum ts_status ts_variable_next(struct ts_formulas *formulas, struct ts_variable
 				const struct ts_place *where, bool *exhausted);
 
 /* At the end of an evaluation: releases the columns and lists cached within it. */
-void ts_variables_forget(struct ts_formulas *formulas);
+void ts_variables_release_cache(struct ts_formulas *formulas);
 
 /* Restores the state of a variable that is being defined from the restart file; *resumed: there was one. */
 enum ts_status ts_variable_resume(struct ts_formulas *formulas, struct ts_variable *variable, bool *resumed);

@@ -66,7 +66,7 @@ static enum ts_status evaluate_once(struct ts_formulas *formulas, struct ts_vari
 	return TS_OK;
 }
 
-void ts_variables_forget(struct ts_formulas *formulas)
+void ts_variables_release_cache(struct ts_formulas *formulas)
 {
 	for (struct ts_variable *v = formulas->kept; v; v = v->next_kept) {
 		ts_table_release(&v->kept);

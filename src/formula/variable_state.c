@@ -39,7 +39,7 @@ static enum ts_status write_states(struct ts_formulas *formulas, struct ts_archi
 	double number;
 	enum ts_status status;
 
-	ts_variables_pack(formulas);
+	ts_variables_compact(formulas);
 	for (size_t k = 0; k < formulas->variables.n; k++)
 		if (is_saved(formulas->variables.item[k], &number))
 			ts_str_addf(&names, "%s ", formulas->variables.item[k]->name);

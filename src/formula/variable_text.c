@@ -159,7 +159,7 @@ static enum ts_status define_internal(struct ts_formulas *formulas, struct ts_va
 {
 	const struct ts_word *word = variable->values.word;
 
-	if (ts_unknown_in(formulas, word->text))
+	if (ts_unknown_read_text(formulas, word->text))
 		variable->number = NAN;
 	else if (!ts_parse_real(word->text, &variable->number))
 		return ts_fail(&formulas->sim->error, TS_SYNTAX, &word->place,

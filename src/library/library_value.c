@@ -219,5 +219,5 @@ int tsim_variable_text(struct tsim *sim, const char *name, char *out, size_t roo
 
 const char *tsim_variable_name(struct tsim *sim, size_t k)
 {
-	return sim ? ts_script_variable(sim->script_api_data, k) : NULL;
+	return sim ? ts_script_variable_name(sim->script_api_data, k) : NULL;
 }

@@ -165,7 +165,7 @@ static int set_variable(struct tsim *sim, char *const *value, int n)
 		return ts_program_usage_error("too many values for variable '%s'%s", value[0], "");
 	for (int k = 1; k < n; k++)
 		list[k - 1] = value[k];
-	if (ts_script_set(sim->script_api_data, value[0], list, (size_t)n - 1, "-var") == TS_OK)
+	if (ts_script_set_variable(sim->script_api_data, value[0], list, (size_t)n - 1, "-var") == TS_OK)
 		return 0;
 	fputs(tsim_error(sim), stderr);
 	return TS_EXIT_USAGE;

@@ -103,7 +103,7 @@ static bool may_be_unknown(const struct ts_script *script, const struct ts_error
 	const struct ts_check *check = script->check;
 	char key[300];
 
-	if (would_have_been_written(check, error) || ts_unknown_text(script->sim, error->message))
+	if (would_have_been_written(check, error) || ts_unknown_in_text(script->sim, error->message))
 		return true;
 	if (error->status == TS_SYNTAX || error->status == TS_UNKNOWN)
 		return false;
@@ -118,8 +118,8 @@ static bool may_follow_from_error(const struct ts_check *check, const struct ts_
 	if (error->missing[0] && ts_map_get(&check->lost, error->missing))
 		return true;
 	if (error->status == TS_STATE || error->status == TS_PHYSICS)
-		return check->weak || check->boxless;
-	return error->status == TS_RANGE && check->boxless;
+		return check->weak || check->substitute_box;
+	return error->status == TS_RANGE && check->substitute_box;
 }
 
 /* By this key each error is reported once; NULL: out of memory. */
@@ -154,7 +154,7 @@ enum ts_status ts_check_keep_error(struct ts_script *script, const char *remark)
 	if (!key)
 		return ts_nomem(&script->sim->error);
 	if (may_be_unknown(script, &error) || may_follow_from_error(check, &error)) {
-		*(check->nerrors ? &check->unjudged : &check->open) += 1;
+		*(check->nerrors ? &check->left_out : &check->open) += 1;
 		return TS_OK;
 	}
 	if (ts_map_get(&check->seen, key))
@@ -187,8 +187,8 @@ static enum ts_status create_substitute_box(struct ts_script *script, struct ts_
 	int64_t types;
 	enum ts_status status;
 
-	check->boxless = true;
-	if (ts_sim_has_box(script->sim) || check->placing)
+	check->substitute_box = true;
+	if (ts_sim_has_box(script->sim) || check->creating_box)
 		return TS_OK;
 	if (words.n < 2 || !ts_parse_int(words.word[1].text, &types) || types < 1 || types > 1000)
 		types = 8;
@@ -197,9 +197,9 @@ static enum ts_status create_substitute_box(struct ts_script *script, struct ts_
 		 "create_box %d box-of-check\nregion box-of-check delete",
 		 script->sim->dimension == 2 ? "boundary f f p\n" : "", (int)types);
 	check->weak = false;
-	check->placing = true;
+	check->creating_box = true;
 	status = ts_script_execute(script, text, NULL);
-	check->placing = false;
+	check->creating_box = false;
 	check->weak = true;
 	return status;
 }
@@ -245,7 +245,8 @@ static enum ts_status mark_guessed(struct ts_script *script, const char *text)
 	return TS_OK;
 }
 
-enum ts_status ts_check_guess(struct ts_script *script, const struct ts_line *line, struct ts_words words)
+enum ts_status ts_check_mark_guessed(struct ts_script *script, const struct ts_line *line,
+				     struct ts_words words)
 {
 	const char *command = words.word[0].text;
 	struct ts_check *check = script->check;

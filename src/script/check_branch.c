@@ -175,8 +175,8 @@ static enum ts_status continue_after_branches(struct ts_script *script, const st
 	return ts_script_execute(script, next->text, &next->place);
 }
 
-enum ts_status ts_check_branches(struct ts_script *script, struct ts_words words, size_t k,
-				 const struct ts_place *where)
+enum ts_status ts_check_run_all_branches(struct ts_script *script, struct ts_words words, size_t k,
+					 const struct ts_place *where)
 {
 	struct ts_check *check = script->check;
 	const struct ts_source *source = script->source;
@@ -187,8 +187,8 @@ enum ts_status ts_check_branches(struct ts_script *script, struct ts_words words
 	enum ts_status status;
 
 	check->branches++;
-	TS_TRY(ts_check_note(script, TS_CHECK_STEP, where, script->sim->reading.from_run, &event,
-			     "if: any branch"));
+	TS_TRY(ts_check_record_event(script, TS_CHECK_STEP, where, script->sim->reading.from_run, &event,
+				     "if: any branch"));
 	event->open = true;
 	status = run_all_branches(script, words, k, &exits);
 	check->alternatives = alternatives;

@@ -125,13 +125,14 @@ static void delete_next_variables(struct ts_script *script)
 {
 	struct ts_check *check = script->check;
 
-	for (size_t k = 0; k < sizeof check->stepped / sizeof *check->stepped; k++) {
+	for (size_t k = 0; k < sizeof check->next_variable / sizeof *check->next_variable; k++) {
 		struct ts_variable *variable =
-			check->stepped[k] ? ts_variable_find(&script->formulas, check->stepped[k]) : NULL;
+			check->next_variable[k] ? ts_variable_find(&script->formulas, check->next_variable[k])
+						: NULL;
 
 		if (variable)
 			ts_variable_delete(&script->formulas, variable);
-		check->stepped[k] = NULL;
+		check->next_variable[k] = NULL;
 	}
 }
 
@@ -139,18 +140,19 @@ static void delete_next_variables(struct ts_script *script)
 static bool needs_another_iteration(struct ts_script *script, struct ts_check_loop *loop)
 {
 	const struct ts_check *check = script->check;
-	bool steps = check->nexts != loop->nexts, news = loop->turns == 1 || check->reached != loop->reached;
+	bool steps = check->nexts != loop->nexts,
+	     news = loop->iterations == 1 || check->reached != loop->reached;
 
 	if (!has_run(check, loop))
-		return loop->turns < (steps && check->turns_left ? MOST_JUMPS : MOST_ROUNDS) &&
-		       (!loop->open || loop->turns < FEW);
+		return loop->iterations < (steps && check->iterations_left ? MOST_JUMPS : MOST_ROUNDS) &&
+		       (!loop->open || loop->iterations < FEW);
 	if (check->runs > MOST_RUNS)
 		return false;
 	if (loop->open)
-		return news && loop->turns < MOST_ROUNDS;
-	if (steps && check->turns_left)
-		return news || loop->turns + check->turns_left <= FEW;
-	return loop->turns < FEW;
+		return news && loop->iterations < MOST_ROUNDS;
+	if (steps && check->iterations_left)
+		return news || loop->iterations + check->iterations_left <= FEW;
+	return loop->iterations < FEW;
 }
 
 static enum ts_status close_loop(struct ts_script *script, struct ts_check_loop *loop,
@@ -159,23 +161,23 @@ static enum ts_status close_loop(struct ts_script *script, struct ts_check_loop 
 	struct ts_check *check = script->check;
 	bool steps = check->nexts != loop->nexts;
 
-	loop->turns++;
+	loop->iterations++;
 	if (!loop->open && may_end_by_unknown(check, loop))
 		ts_check_open_loop(script, loop);
 	*follow = needs_another_iteration(script, loop);
 	if (*follow)
 		return begin_iteration(script, loop);
 	event->bounded = true;
-	if (steps && check->turns_left && !loop->open) {
-		event->turns = loop->turns + check->turns_left;
-		extrapolate_iterations(script, loop, check->turns_left);
+	if (steps && check->iterations_left && !loop->open) {
+		event->iterations = loop->iterations + check->iterations_left;
+		extrapolate_iterations(script, loop, check->iterations_left);
 	} else {
 		event->endless = !loop->open && !steps && check->branches == loop->branches;
 		ts_check_open_loop(script, loop);
 	}
 	if (steps)
 		delete_next_variables(script);
-	loop->turns = 0;
+	loop->iterations = 0;
 	return TS_OK;
 }
 
@@ -189,8 +191,8 @@ enum ts_status ts_check_jump(struct ts_script *script, const struct ts_place *wh
 	*follow = true;
 	if (!check)
 		return TS_OK;
-	TS_TRY(ts_check_note(script, TS_CHECK_STEP, where, NULL, &event, "jump %s%s%s", file,
-			     label ? " " : "", label ? label : ""));
+	TS_TRY(ts_check_record_event(script, TS_CHECK_STEP, where, NULL, &event, "jump %s%s%s", file,
+				     label ? " " : "", label ? label : ""));
 	TS_TRY(ts_check_loop_of(script, where, file, label, &loop));
 	if (loop)
 		TS_TRY(close_loop(script, loop, event, follow));
@@ -210,28 +212,28 @@ void ts_check_leave_loop(struct ts_script *script, const struct ts_place *where)
 		script->check && where->file ? find_loop(script->check, where->file, -1, where->line) : NULL;
 
 	if (loop)
-		loop->turns = 0;
+		loop->iterations = 0;
 }
 
-void ts_check_next(struct ts_script *script, struct ts_words names)
+void ts_check_record_next(struct ts_script *script, struct ts_words names)
 {
 	struct ts_check *check = script->check;
-	size_t most = check ? sizeof check->stepped / sizeof *check->stepped : 0;
+	size_t most = check ? sizeof check->next_variable / sizeof *check->next_variable : 0;
 
 	if (!check)
 		return;
 	check->nexts++;
-	check->turns_left = 0;
+	check->iterations_left = 0;
 	for (size_t k = 0; k < most; k++) {
 		const struct ts_variable *v =
 			k < names.n ? ts_variable_find(&script->formulas, names.word[k].text) : NULL;
 		int64_t left = v && !v->feed ? v->last - v->at + 1 : 0;
 
-		check->stepped[k] = v ? v->name : NULL;
-		if (left && (!check->turns_left || left < check->turns_left))
-			check->turns_left = left;
+		check->next_variable[k] = v ? v->name : NULL;
+		if (left && (!check->iterations_left || left < check->iterations_left))
+			check->iterations_left = left;
 		for (size_t j = 0; v && j < v->values.n; j++)
-			if (ts_unknown_text(script->sim, v->values.word[j].text))
-				check->turns_left = -1;
+			if (ts_unknown_in_text(script->sim, v->values.word[j].text))
+				check->iterations_left = -1;
 	}
 }

@@ -48,8 +48,9 @@ static struct ts_check_event *add_event(struct ts_check *check, const char *key)
 	return event;
 }
 
-enum ts_status ts_check_note(struct ts_script *script, enum ts_check_kind kind, const struct ts_place *where,
-			     const char *hangs, struct ts_check_event **out, const char *format, ...)
+enum ts_status ts_check_record_event(struct ts_script *script, enum ts_check_kind kind,
+				     const struct ts_place *where, const char *depends_on,
+				     struct ts_check_event **out, const char *format, ...)
 {
 	struct ts_check *check = script->check;
 	struct ts_place place = where ? *where : (struct ts_place){ .file = "" };
@@ -75,26 +76,26 @@ enum ts_status ts_check_note(struct ts_script *script, enum ts_check_kind kind, 
 	if (!event)
 		return ts_nomem(&script->sim->error);
 	event->count++;
-	if (hangs && *hangs && !event->hangs)
-		event->hangs = ts_pool_get(script->sim->pool, hangs);
+	if (depends_on && *depends_on && !event->depends_on)
+		event->depends_on = ts_pool_get(script->sim->pool, depends_on);
 	if (out)
 		*out = event;
 	return TS_OK;
 }
 
-enum ts_status ts_check_run(struct ts_script *script, const struct ts_place *where, int64_t steps)
+enum ts_status ts_check_record_run(struct ts_script *script, const struct ts_place *where, int64_t steps)
 {
 	struct tsim *sim = script->sim;
 	struct ts_check_event *event;
 
-	TS_TRY(ts_check_note(script, TS_CHECK_RUN, where, sim->reading.from_run, &event, "run"));
+	TS_TRY(ts_check_record_event(script, TS_CHECK_RUN, where, sim->reading.from_run, &event, "run"));
 	if (event->count == 1) {
 		event->index = script->check->nruns++;
 		event->step = sim->clock.step;
 		event->dt = sim->clock.dt;
-		event->late = sim->reading.open_clock;
+		event->start_unknown = sim->reading.open_clock;
 	}
-	event->open |= sim->line.n > 1 && ts_unknown_text(sim, sim->line.word[1].text);
+	event->open |= sim->line.n > 1 && ts_unknown_in_text(sim, sim->line.word[1].text);
 	event->steps += steps;
 	script->check->runs++;
 	sim->reading.open_clock |= event->open;
@@ -104,8 +105,8 @@ enum ts_status ts_check_run(struct ts_script *script, const struct ts_place *whe
 }
 
 /* The folder need not exist: it is created with the file. */
-enum ts_status ts_check_write(struct ts_script *script, const struct ts_place *where, const char *what,
-			      const char *path)
+enum ts_status ts_check_record_write(struct ts_script *script, const struct ts_place *where, const char *what,
+				     const char *path)
 {
 	struct ts_check_event *event;
 	char by[256];
@@ -113,18 +114,19 @@ enum ts_status ts_check_write(struct ts_script *script, const struct ts_place *w
 	if (ts_mkdirs_blocked(&script->sim->files, path, by, sizeof by))
 		return ts_fail(&script->sim->error, TS_IO, where,
 			       "%s '%s': '%s' is no folder that one can write to", what, path, by);
-	TS_TRY(ts_check_note(script, TS_CHECK_WRITE, where, NULL, &event, "%s %s", what, path));
+	TS_TRY(ts_check_record_event(script, TS_CHECK_WRITE, where, NULL, &event, "%s %s", what, path));
 	event->path = strrchr(event->what, ' ') + 1;
 	return TS_OK;
 }
 
-enum ts_status ts_check_branch(struct ts_script *script, const struct ts_place *where, const char *which)
+enum ts_status ts_check_record_branch(struct ts_script *script, const struct ts_place *where,
+				      const char *which)
 {
 	struct ts_check *check = script->check;
 
 	if (!check)
 		return TS_OK;
 	check->branches++;
-	return ts_check_note(script, TS_CHECK_STEP, where, script->sim->reading.from_run, NULL, "if: %s",
-			     which);
+	return ts_check_record_event(script, TS_CHECK_STEP, where, script->sim->reading.from_run, NULL,
+				     "if: %s", which);
 }

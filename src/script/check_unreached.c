@@ -56,7 +56,7 @@ static enum ts_status parse_command(struct ts_script *script, struct ts_words wo
 	if (!style)
 		return TS_OK;
 	if (ts_streq(style->name, "if"))
-		return ts_check_commands(script, ts_words_from(words, 1));
+		return ts_check_unreached_commands(script, ts_words_from(words, 1));
 	if (!open)
 		TS_TRY(parse_arguments(script, style, ts_words_from(words, 1), &words.word[0].place));
 	for (size_t k = 0; k < sizeof hands_on / sizeof *hands_on; k++) {
@@ -79,7 +79,7 @@ enum ts_status ts_check_unreached(struct ts_script *script, const struct ts_line
 	bool open = strchr(ts_str_text(&line->text), '$') != NULL;
 	struct ts_arena arena = { 0 };
 	struct ts_words words = { 0 };
-	enum ts_status status = ts_line_cut(line, error, &arena, &words);
+	enum ts_status status = ts_line_split(line, error, &arena, &words);
 
 	if (status == TS_OK && words.n)
 		status = parse_command(script, words, open);
@@ -89,7 +89,7 @@ enum ts_status ts_check_unreached(struct ts_script *script, const struct ts_line
 	return status;
 }
 
-enum ts_status ts_check_commands(struct ts_script *script, struct ts_words words)
+enum ts_status ts_check_unreached_commands(struct ts_script *script, struct ts_words words)
 {
 	struct ts_line line = { 0 };
 	enum ts_status status = TS_OK;

@@ -109,7 +109,7 @@ static enum ts_status check_all_branches(struct ts_script *script, struct ts_wor
 	*read = true;
 	if (waiting != TS_OK)
 		ts_error_clear(error);
-	status = ts_check_commands(script, words);
+	status = ts_check_unreached_commands(script, words);
 	if (status == TS_OK && waiting != TS_OK)
 		*error = kept;
 	return status;
@@ -140,14 +140,14 @@ static enum ts_status run_if(struct tsim *sim, void *state, const struct ts_plac
 		if (yes != TS_NO && first >= words.n)
 			return fail_no_command(sim, &words.word[k]);
 		if (yes == TS_OPEN && script->check)
-			return ts_check_branches(script, words, k, where);
+			return ts_check_run_all_branches(script, words, k, where);
 		if (yes == TS_YES) {
-			TS_TRY(ts_check_branch(script, where, k ? words.word[k].text : "then"));
+			TS_TRY(ts_check_record_branch(script, where, k ? words.word[k].text : "then"));
 			return run_branch(script, words, first);
 		}
 		k = find_branch_end(words, first);
 	}
-	return ts_check_branch(script, where, "no branch");
+	return ts_check_record_branch(script, where, "no branch");
 }
 
 const struct ts_command_style ts_command_if = {

@@ -48,11 +48,11 @@ static enum ts_status run_jump(struct tsim *sim, void *state, const struct ts_pl
 			       "with -in FILE");
 	if (ts_streq(jump->file, "SELF")) {
 		ts_source_rewind(script->source);
-		if (jump->label && ts_source_seek(script->source, jump->label))
+		if (jump->label && ts_source_seek_label(script->source, jump->label))
 			return TS_OK;
 	} else {
 		TS_TRY(ts_source_open(&source, sim, jump->file, ts_script_place(script, 1, where)));
-		TS_TRY(ts_script_keep(script, script->source));
+		TS_TRY(ts_script_store_text(script, script->source));
 		ts_source_close(script->source);
 		*script->source = source;
 	}
@@ -93,7 +93,7 @@ static enum ts_status run_label(struct tsim *sim, void *state, const struct ts_p
 	struct ts_script *script;
 
 	TS_TRY(ts_script_of(sim, where, &script));
-	return script->source ? ts_source_mark(script->source, sim, label->name) : TS_OK;
+	return script->source ? ts_source_add_label(script->source, sim, label->name) : TS_OK;
 }
 
 const struct ts_command_style ts_command_label = {
@@ -137,7 +137,7 @@ static enum ts_status run_next(struct tsim *sim, void *state, const struct ts_pl
 		script->skip_jump = true;
 		ts_variable_delete(&script->formulas, variable);
 	}
-	ts_check_next(script, next->names);
+	ts_check_record_next(script, next->names);
 	return TS_OK;
 }
 

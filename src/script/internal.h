@@ -51,7 +51,7 @@ enum ts_status ts_script_run_words(struct ts_script *script, struct ts_words wor
 /* Executes one or several lines, which are the argument of a command at `where`. */
 enum ts_status ts_script_execute(struct ts_script *script, const char *text, const struct ts_place *where);
 /* Stores the text of a file or a stream, once for each name. */
-enum ts_status ts_script_keep(struct ts_script *script, struct ts_source *source);
+enum ts_status ts_script_store_text(struct ts_script *script, struct ts_source *source);
 /* Executes a script within the present one. */
 enum ts_status ts_script_include(struct ts_script *script, const char *path, const struct ts_place *where);
 

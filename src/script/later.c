@@ -96,7 +96,7 @@ static enum ts_status check_inner_if(struct later *later, const struct ts_line *
 {
 	struct ts_arena arena = { 0 };
 	struct ts_words words = { 0 };
-	enum ts_status status = ts_line_cut(line, &later->script->sim->error, &arena, &words);
+	enum ts_status status = ts_line_split(line, &later->script->sim->error, &arena, &words);
 
 	later->depth++;
 	if (status == TS_OK && words.n && ts_streq(words.word[0].text, "if") && later->depth < DEEPEST_IF)

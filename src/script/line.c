@@ -21,7 +21,7 @@ void ts_line_release(struct ts_line *line)
 	*line = (struct ts_line){ 0 };
 }
 
-enum ts_status ts_line_row(struct ts_line *line, const struct ts_place *row)
+enum ts_status ts_line_start_row(struct ts_line *line, const struct ts_place *row)
 {
 	TS_TRY(TS_GROW(line->row, line->row_capacity, line->rows + 1));
 	line->row[line->rows++] = *row;
@@ -60,17 +60,17 @@ void ts_line_add_from(struct ts_line *line, const char *text, size_t n, const st
 	append_marked(line, text, n, mark, 0);
 }
 
-enum ts_status ts_line_same_rows(struct ts_line *line, const struct ts_line *from)
+enum ts_status ts_line_copy_rows(struct ts_line *line, const struct ts_line *from)
 {
 	for (size_t k = 0; k < from->rows; k++)
-		TS_TRY(ts_line_row(line, &from->row[k]));
+		TS_TRY(ts_line_start_row(line, &from->row[k]));
 	return TS_OK;
 }
 
 enum ts_status ts_line_set(struct ts_line *line, const char *text, size_t n, const struct ts_place *where)
 {
 	ts_line_clear(line);
-	TS_TRY(ts_line_row(line, where));
+	TS_TRY(ts_line_start_row(line, where));
 	ts_line_add(line, "", 0, 0, 0);
 	for (size_t k = 0; k < n; k++) {
 		struct ts_place place = ts_place_inside(where, n, k, 1);
@@ -161,8 +161,8 @@ static enum ts_status cut_word(const struct ts_line *line, struct ts_error *erro
 	return TS_OK;
 }
 
-enum ts_status ts_line_cut(const struct ts_line *line, struct ts_error *error, struct ts_arena *arena,
-			   struct ts_words *out)
+enum ts_status ts_line_split(const struct ts_line *line, struct ts_error *error, struct ts_arena *arena,
+			     struct ts_words *out)
 {
 	const char *text = ts_str_text(&line->text);
 	struct ts_word *word = ts_arena_alloc(arena, line->text.length / 2 + 1, sizeof *word);

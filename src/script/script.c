@@ -44,8 +44,8 @@ enum ts_status ts_script_check(struct ts_script *script)
 	return script->check ? TS_OK : ts_check_new(script);
 }
 
-enum ts_status ts_script_set(struct ts_script *script, const char *name, const char *const *values, size_t n,
-			     const char *origin)
+enum ts_status ts_script_set_variable(struct ts_script *script, const char *name, const char *const *values,
+				      size_t n, const char *origin)
 {
 	struct ts_error *error = &script->sim->error;
 	struct ts_arena arena = { 0 };
@@ -70,8 +70,8 @@ enum ts_status ts_script_set(struct ts_script *script, const char *name, const c
 	return status;
 }
 
-enum ts_status ts_script_define(struct ts_script *script, const char *name, const char *style,
-				const char *value)
+enum ts_status ts_script_define_variable(struct ts_script *script, const char *name, const char *style,
+					 const char *value)
 {
 	const struct ts_word word[] = {
 		{ .text = "variable" }, { .text = name }, { .text = style }, { .text = value }
@@ -92,9 +92,9 @@ enum ts_status ts_script_define(struct ts_script *script, const char *name, cons
 	return status;
 }
 
-const char *ts_script_variable(struct ts_script *script, size_t k)
+const char *ts_script_variable_name(struct ts_script *script, size_t k)
 {
-	ts_variables_pack(&script->formulas);
+	ts_variables_compact(&script->formulas);
 	return k < script->formulas.variables.n ? script->formulas.variables.item[k]->name : NULL;
 }
 

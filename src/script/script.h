@@ -21,14 +21,14 @@ enum ts_status ts_script_string(struct ts_script *script, const char *text, cons
 
 /* Sets a variable of style index from outside (option -var), which overrides that of the script. `origin`
  * replaces the file name in messages. */
-enum ts_status ts_script_set(struct ts_script *script, const char *name, const char *const *values, size_t n,
-			     const char *origin);
+enum ts_status ts_script_set_variable(struct ts_script *script, const char *name, const char *const *values,
+				      size_t n, const char *origin);
 /* Executes `variable NAME STYLE VALUE` without substitution. It replaces a variable of any style, which is
  * kept if the line is wrong. value NULL: none. */
-enum ts_status ts_script_define(struct ts_script *script, const char *name, const char *style,
-				const char *value);
+enum ts_status ts_script_define_variable(struct ts_script *script, const char *name, const char *style,
+					 const char *value);
 /* Name of the k-th variable; NULL: there are no more. */
-const char *ts_script_variable(struct ts_script *script, size_t k);
+const char *ts_script_variable_name(struct ts_script *script, size_t k);
 /* The value of a formula: "v_x", "2*PI", "c_ke", "step" ... */
 enum ts_status ts_script_value(struct ts_script *script, const char *expression, double *out);
 
@@ -38,8 +38,8 @@ void ts_script_allow_programs(struct ts_script *script, bool allowed);
 
 /* Whether the script has executed `quit`, and its exit status. */
 bool ts_script_quit(const struct ts_script *script, int *status);
-/* Warns of variables of ts_script_set that the script has not used, and of names that it defines and never
- * mentions again: most often misspelt ones. */
+/* Warns of variables of ts_script_set_variable that the script has not used, and of names that it defines
+ * and never mentions again: most often misspelt ones. */
 void ts_script_warn_unused(struct ts_script *script);
 
 /* -check: from now on scripts are read without running the simulation, and errors do not end them. */

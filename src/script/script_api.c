@@ -22,7 +22,8 @@ static struct ts_formulas *get_formulas(void *data)
 	return &((struct ts_script *)data)->formulas;
 }
 
-/* The rest of the program gets 1 for an unknown value, and -check leaves out errors that may follow from it. */
+/* The rest of the program gets 1 for an unknown value, and -check leaves out errors that may follow from
+ * it. */
 static double replace_unknown(struct ts_script *script, double value)
 {
 	if (!ts_unknown(script->sim, value))
@@ -148,7 +149,7 @@ static void api_suggest_variable(void *data, struct ts_suggest *suggest)
 {
 	const struct ts_script *script = data;
 
-	ts_variables_pack(get_formulas(data));
+	ts_variables_compact(get_formulas(data));
 	for (size_t k = 0; k < script->formulas.variables.n; k++)
 		ts_suggest_try(suggest, script->formulas.variables.item[k]->name);
 }
@@ -158,7 +159,7 @@ static enum ts_status api_list_variables(void *data, struct ts_str *out)
 {
 	struct ts_script *script = data;
 
-	ts_variables_pack(&script->formulas);
+	ts_variables_compact(&script->formulas);
 	for (size_t k = 0; k < script->formulas.variables.n; k++) {
 		struct ts_variable *v = script->formulas.variables.item[k];
 
@@ -186,7 +187,7 @@ static enum ts_status api_planned(void *data, const struct ts_place *where, int6
 	const struct ts_script *script = data;
 
 	if (script->check)
-		return ts_check_run(data, where, steps);
+		return ts_check_record_run(data, where, steps);
 	script->sim->reading.planned = true;
 	return TS_OK;
 }
@@ -196,7 +197,7 @@ static enum ts_status api_would_write(void *data, const struct ts_place *where, 
 {
 	const struct ts_script *script = data;
 
-	return script->check ? ts_check_write(data, where, what, path) : TS_OK;
+	return script->check ? ts_check_record_write(data, where, what, path) : TS_OK;
 }
 
 const struct ts_script_api ts_script_api_table = {

@@ -48,21 +48,22 @@ static void append_run(const struct ts_check *check, const struct ts_check_event
 		append_count(out, e->count > 1 ? ", " : " ", e->steps, "step");
 		ts_str_add(out, e->count > 1 ? " in all" : "");
 	}
-	ts_str_addf(out, " of %g from step %" PRId64 "%s", e->dt, e->step, e->late ? " or later" : "");
+	ts_str_addf(out, " of %g from step %" PRId64 "%s", e->dt, e->step,
+		    e->start_unknown ? " or later" : "");
 	if (loop)
 		ts_str_add(out, "; at least one iteration, their number is known only in a run");
 }
 
 static void append_jump(const struct ts_check_event *e, struct ts_str *out)
 {
-	if (e->turns)
+	if (e->iterations)
 		ts_str_addf(out,
 			    ": %" PRId64 " iterations; %" PRId64
 			    " executed, the others counted like the last",
-			    e->turns, e->count + 1);
+			    e->iterations, e->count + 1);
 	else
 		append_count(out, ": taken ", e->count, "time");
-	if (e->bounded && !e->turns)
+	if (e->bounded && !e->iterations)
 		ts_str_addf(out, ", not followed further%s",
 			    e->endless ? ": the loop seems to have no end" : "");
 }
@@ -78,8 +79,8 @@ static void append_event(const struct ts_check *check, const struct ts_check_eve
 	} else if (e->count > 1) {
 		append_count(out, ", ", e->count, "time");
 	}
-	if (e->hangs)
-		ts_str_addf(out, "; depends on %s, which is known only in a run", e->hangs);
+	if (e->depends_on)
+		ts_str_addf(out, "; depends on %s, which is known only in a run", e->depends_on);
 	ts_str_add(out, "\n");
 }
 
@@ -174,10 +175,10 @@ enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *e
 		ts_str_add(report, "no errors");
 	else
 		append_count(report, "", check->nerrors, "error");
-	ts_str_add(report, check->unjudged ? "" : "\n");
-	if (check->unjudged)
+	ts_str_add(report, check->left_out ? "" : "\n");
+	if (check->left_out)
 		ts_str_addf(report, "; %d more message%s left out, since they may follow from these\n",
-			    check->unjudged, check->unjudged == 1 ? " was" : "s were");
+			    check->left_out, check->left_out == 1 ? " was" : "s were");
 	if (check->open)
 		ts_str_addf(report, "%d message%s left out that depend on values known only in a run\n",
 			    check->open, check->open == 1 ? " was" : "s were");

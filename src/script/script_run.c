@@ -55,10 +55,10 @@ static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
 	if (status == TS_OK)
 		status = ts_substitute(script, line, true);
 	if (status == TS_OK)
-		status = ts_line_cut(line, error, &arena, &words);
+		status = ts_line_split(line, error, &arena, &words);
 	if (status == TS_OK && words.n && script->check &&
-	    ts_unknown_text(script->sim, ts_str_text(&line->text)))
-		status = ts_check_guess(script, line, words);
+	    ts_unknown_in_text(script->sim, ts_str_text(&line->text)))
+		status = ts_check_mark_guessed(script, line, words);
 	if (status == TS_OK && words.n)
 		status = ts_script_run_words(script, words);
 	if (status == TS_OK)
@@ -83,9 +83,9 @@ static enum ts_status search_label(struct ts_script *script, struct ts_line *lin
 	enum ts_status status;
 
 	ts_line_uncomment(line);
-	status = ts_line_cut(line, &ignored, &arena, &words);
+	status = ts_line_split(line, &ignored, &arena, &words);
 	if (status == TS_OK && words.n == 2 && ts_streq(words.word[0].text, "label")) {
-		status = ts_source_mark(script->source, script->sim, words.word[1].text);
+		status = ts_source_add_label(script->source, script->sim, words.word[1].text);
 		if (ts_streq(words.word[1].text, script->label))
 			script->label = NULL;
 	}
@@ -126,7 +126,7 @@ static enum ts_status run_lines(struct ts_script *script)
 	return status;
 }
 
-enum ts_status ts_script_keep(struct ts_script *script, struct ts_source *source)
+enum ts_status ts_script_store_text(struct ts_script *script, struct ts_source *source)
 {
 	struct ts_script_text *text;
 
@@ -164,7 +164,7 @@ static enum ts_status run_source(struct ts_script *script, struct ts_source *sou
 	script->label = NULL;
 	status = run_lines(script);
 	if (status == TS_OK)
-		status = ts_script_keep(script, source);
+		status = ts_script_store_text(script, source);
 	script->label = NULL;
 	script->source = outer;
 	script->depth--;

@@ -154,7 +154,7 @@ void ts_script_warn_unused(struct ts_script *script)
 	struct search s = { .script = script };
 
 	s.last = &s.first;
-	ts_variables_pack(&script->formulas);
+	ts_variables_compact(&script->formulas);
 	for (size_t k = 0; k < script->formulas.variables.n; k++) {
 		const struct ts_variable *variable = script->formulas.variables.item[k];
 

@@ -56,7 +56,7 @@ void ts_source_set_position(struct ts_source *source, size_t at, int line)
 	source->line = line;
 }
 
-enum ts_status ts_source_mark(struct ts_source *source, struct tsim *sim, const char *label)
+enum ts_status ts_source_add_label(struct ts_source *source, struct tsim *sim, const char *label)
 {
 	struct ts_source_label *new;
 
@@ -71,7 +71,7 @@ enum ts_status ts_source_mark(struct ts_source *source, struct tsim *sim, const 
 }
 
 /* All labels before the last known one are known, since lines are read or skipped in order. */
-bool ts_source_seek(struct ts_source *source, const char *label)
+bool ts_source_seek_label(struct ts_source *source, const char *label)
 {
 	ts_source_rewind(source);
 	for (size_t k = 0; k < source->nlabels; k++) {
@@ -169,7 +169,7 @@ enum ts_status ts_source_line(struct ts_source *source, struct tsim *sim, struct
 		TS_TRY(next_row(source, sim, &row));
 		if (!row.text)
 			break;
-		if (ts_line_row(line, &row) != TS_OK)
+		if (ts_line_start_row(line, &row) != TS_OK)
 			return ts_nomem(&sim->error);
 		/* `&` at the end of a row joins rows even in a comment, but not before a comment
 		 * (LIGGGHTS) */

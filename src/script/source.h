@@ -34,10 +34,10 @@ enum ts_status ts_source_string(struct ts_source *source, struct tsim *sim, cons
 				const char *name);
 void ts_source_rewind(struct ts_source *source);
 /* Records that the line just read has this label. */
-enum ts_status ts_source_mark(struct ts_source *source, struct tsim *sim, const char *label);
+enum ts_status ts_source_add_label(struct ts_source *source, struct tsim *sim, const char *label);
 /* Moves behind the label if it is known, else behind the last known label, from where lines must be
  * searched; returns whether it is known. */
-bool ts_source_seek(struct ts_source *source, const char *label);
+bool ts_source_seek_label(struct ts_source *source, const char *label);
 void ts_source_set_position(struct ts_source *source, size_t at, int line);
 /* Reads the rest of the stream into `text`. */
 enum ts_status ts_source_read_all(struct ts_source *source, struct tsim *sim);

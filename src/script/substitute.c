@@ -150,7 +150,7 @@ static enum ts_status substitute_all(struct ts_script *script, const struct ts_l
 	const char *text = ts_str_text(&line->text);
 	size_t at = 0, steps = 0;
 
-	if (ts_line_same_rows(out, line) != TS_OK)
+	if (ts_line_copy_rows(out, line) != TS_OK)
 		return TS_NOMEM;
 	while (text[at]) {
 		size_t end = ts_quote_end(text, at);
