@@ -110,8 +110,8 @@ static enum ts_status refuse_change(const struct comparison *c, const struct ts_
 	const char *kind = ts_kind_name(c->inst->style->kind);
 
 	return ts_fail(&c->sim->error, TS_STATE, place_of_argument(c, row),
-		       "%s: %s is '%s' here but '%s' in the restart file, and what was saved has a meaning "
-		       "only with that; give it as before, or start afresh with another id for this %s",
+		       "%s: %s is '%s' here but '%s' in the restart file, and the saved state is valid only "
+		       "with that; use it again, or give this %s another id to start without that state",
 		       c->what, row->name, is ? ts_str_text(&c->now) : "not given",
 		       was ? ts_str_text(&c->before) : "not given", kind);
 }

@@ -305,7 +305,8 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref, const s
 		return scalar_of_variable(sim, ref, where, out);
 	case TS_REF_COLUMN:
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "'%s' is a number of each particle; compute reduce makes one of them",
+			       "'%s' has a value for each particle, one number is needed here; see compute "
+			       "reduce",
 			       ref->name);
 	case TS_REF_COMPUTE:
 	case TS_REF_FIX:

@@ -155,7 +155,7 @@ static enum ts_status count_wildcard(struct tsim *sim, const struct ts_ref_input
 		*n = parts[k].whole == TS_VECTOR ? table->rows * table->columns : table->columns;
 		return TS_OK;
 	}
-	return ts_fail(&sim->error, TS_STATE, &input->where, "'%s': nothing here for * to stand for",
+	return ts_fail(&sim->error, TS_STATE, &input->where, "'%s': there are no elements or columns for *",
 		       input->name);
 }
 

@@ -34,7 +34,7 @@ enum ts_status ts_standard_value(struct tsim *sim, enum ts_standard which, int k
 	value = ts_value_find(inst, k < 0 ? TS_SCALAR : TS_VECTOR);
 	if (!value)
 		return ts_fail(&sim->error, TS_STATE, &inst->where,
-			       "compute %s stands for the %s, but has no components", id.text, units[which]);
+			       "compute %s replaces the %s, but has no components", id.text, units[which]);
 	TS_TRY(ts_value_eval(inst, sim, value, &inst->table));
 	*out = inst->table.data[k < 0 ? 0 : k];
 	return TS_OK;

@@ -159,7 +159,7 @@ static enum ts_status read_list(struct ts_expr *e, struct ts_operand *out)
 
 	if (e->kind != TS_FORMULA_VECTOR)
 		return ts_expr_fail(e, TS_SYNTAX, at, at + 1,
-				    "a list [..] has its place in a variable of style vector and "
+				    "a list [..] is allowed only in a variable of style vector and "
 				    "in sum(), ave() and the like; one number is needed here");
 	for (const char *c = e->text + at; *c && *c != ']'; c++)
 		n += *c == ',';

@@ -229,7 +229,7 @@ enum ts_status ts_expr_call_group(struct ts_expr *e, const struct ts_function *f
 	}
 	if (!f->eval)
 		return ts_expr_fail(e, TS_STATE, at, e->at,
-				    "%s has a value for each particle; it has its place in a "
+				    "%s has a value for each particle; it is allowed only in a "
 				    "variable of style atom",
 				    f->name);
 	status = ts_expr_or_unknown(e, f->name, f->eval(e->sim, words, &out->scalar), out);

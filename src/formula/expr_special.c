@@ -62,7 +62,7 @@ static enum ts_status eval_is_os(struct ts_expr *e, struct ts_words words, struc
 	word += *word == '^';
 	if (uname(&name) < 0)
 		return ts_fail(&e->sim->error, TS_IO, &words.word[0].place,
-			       "the operating system does not tell its name");
+			       "cannot read the name of the operating system");
 	while (word[k] && tolower((unsigned char)word[k]) == tolower((unsigned char)name.sysname[k]))
 		k++;
 	out->scalar = word[k] == '\0';

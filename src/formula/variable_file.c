@@ -52,7 +52,8 @@ static enum ts_status read_row(struct ts_formulas *formulas, struct ts_variable_
 		if (feed->row.length == most) {
 			feed->line.text = "";
 			return ts_fail(&formulas->sim->error, TS_RANGE, &feed->line,
-				       "the line has more than %zu bytes; if that is meant, start tsim with "
+				       "the line has more than %zu bytes; if that is intended, raise the "
+				       "limit by "
 				       "-input-limit GB, of which a line may have a thousandth",
 				       most);
 		}
@@ -187,7 +188,7 @@ static enum ts_status restore_feed(struct ts_formulas *formulas, struct ts_varia
 	if (exhausted)
 		return ts_fail(&formulas->sim->error, TS_IO, &variable->where,
 			       "variable '%s': the file '%s' has %lld values, but the run saved in the "
-			       "restart file had come to number %.0f",
+			       "restart file had read number %.0f",
 			       variable->name, variable->values.word[0].text, (long long)feed->position,
 			       number);
 	variable->in_run = true;

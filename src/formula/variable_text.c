@@ -35,7 +35,7 @@ static enum ts_status getenv_text(struct ts_formulas *formulas, struct ts_variab
 			       variable->name);
 	if (!text)
 		return ts_fail(&formulas->sim->error, TS_UNKNOWN, where,
-			       "the environment has no '%s', which variable '%s' stands for", name,
+			       "there is no environment variable '%s', which variable '%s' reads", name,
 			       variable->name);
 	ts_str_add(out, text);
 	return TS_OK;
@@ -134,8 +134,8 @@ static bool save_once(const struct ts_variable *variable, double *number)
 static enum ts_status restore_once(struct ts_formulas *formulas, struct ts_variable *variable, double number)
 {
 	variable->number = number;
-	ts_log(&formulas->sim->log, "Variable %s goes on with %.15g from the restart file\n", variable->name,
-	       number);
+	ts_log(&formulas->sim->log, "Variable %s continues with %.15g from the restart file\n",
+	       variable->name, number);
 	return TS_OK;
 }
 

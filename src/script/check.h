@@ -57,11 +57,11 @@ struct ts_check_loop {
 };
 
 struct ts_check {
-	struct ts_str errors; /* diagnostics, in order */
-	int nerrors;	      /* errors reported */
-	int left_out;	      /* messages left out because they may follow from an error */
-	int open;	      /* messages left out because they may follow from an unknown value */
-	bool weak; /* a line has failed on which later ones may depend: errors of state or range are left out */
+	struct ts_str errors;  /* diagnostics, in order */
+	int nerrors;	       /* errors reported */
+	int left_out;	       /* messages left out because they may follow from an error */
+	int open;	       /* messages left out because they may follow from an unknown value */
+	bool weak;	       /* a line has failed on which later ones may depend: may_follow_from_error */
 	bool substitute_box;   /* the box stands in for one that could not be created */
 	bool creating_box;     /* that box is being created */
 	struct ts_map seen;    /* "file:line:column" of errors, "file:line" of lines executed */

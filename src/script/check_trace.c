@@ -113,7 +113,7 @@ enum ts_status ts_check_record_write(struct ts_script *script, const struct ts_p
 
 	if (ts_mkdirs_blocked(&script->sim->files, path, by, sizeof by))
 		return ts_fail(&script->sim->error, TS_IO, where,
-			       "%s '%s': '%s' is no folder that one can write to", what, path, by);
+			       "%s '%s': '%s' is not a folder that can be written to", what, path, by);
 	TS_TRY(ts_check_record_event(script, TS_CHECK_WRITE, where, NULL, &event, "%s %s", what, path));
 	event->path = strrchr(event->what, ' ') + 1;
 	return TS_OK;

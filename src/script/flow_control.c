@@ -167,7 +167,7 @@ static enum ts_status run_include(struct tsim *sim, void *state, const struct ts
 	TS_TRY(ts_script_of(sim, where, &script));
 	if (script->branches)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "include has no place within an if; use jump, or set a variable to "
+			       "include is not allowed within an if; use jump, or set a variable to "
 			       "the file's name and include it in a line of its own");
 	return ts_script_include(script, file->name, ts_script_place(script, 1, where));
 }

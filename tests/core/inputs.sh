@@ -58,7 +58,7 @@ wrong "unknown quantity 'radios'" 'compute a all reduce sum radios'
 wrong "did you mean 'radius'" 'compute a all reduce sum radios'
 wrong "'c_p[2*5]': 'c_p' has 3" 'compute a all reduce sum c_p[2*5]'
 wrong "'c_p[4*]': 'c_p' has 3" 'compute a all reduce sum c_p[4*]'
-wrong 'nothing here for * to stand for' 'fix a all vector 1 c_p[*]'
+wrong 'there are no elements or columns for *' 'fix a all vector 1 c_p[*]'
 wrong "dump custom: unknown quantity 'step'" 'dump a all custom 1 a.dump step'
 wrong "dump local: 'c_p[1]' is numbers of particles, expected rows of contacts or bonds" \
 	'dump a all local 1 a.dump c_p[1]'

@@ -29,7 +29,7 @@ refused_change() { # WHAT TEXT OPTIONS...
 	[ $? = 1 ]
 	report "$what: refused" $? err
 	says "$what: says why" "$text" err
-	says "$what: says what to do" 'start afresh with another id' err
+	says "$what: says what to do" 'another id to start without that state' err
 }
 
 "$TSIM" -in in.part -log none -screen none -var out first -var last 437 2>err

@@ -63,7 +63,7 @@ for cut in 40 33 35; do
 	compare one two
 	compare_rows $cut one two
 done
-shows 'Variable start goes on with' two/log
+shows 'Variable start continues with' two/log
 report 'the log tells what goes on' $? two/log
 
 # steps that come again draw other numbers

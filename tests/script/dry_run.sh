@@ -81,7 +81,7 @@ errors 'all errors at once' <<'END'
 22:11: there is no 'label nowhere'
 23:21: unknown command 'prnt'
 23:66: expected a number or v_name
-24:22: 'many.in' is no folder that one can write to
+24:22: 'many.in' is not a folder that can be written to
 26:16: unknown keyword 'stifness'
 28:7: there is no fix '9'
 31:9: group: style is 'typ'
