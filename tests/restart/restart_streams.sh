@@ -89,7 +89,7 @@ print "again $(abs(f_keep-v_a)<1e-12) range $(f_keep>0) $(f_keep<1)"' 'again 0 r
 # a file that is shorter now, and one that the script itself steps through
 head -n 3 numbers >short && mv short numbers
 mkdir short && cp in.begin short && cd short || exit 99
-refused 'a file that is shorter now' "'../numbers' has 3 values, but the run saved in the restart file had come to" \
+refused 'a file that is shorter now' "'../numbers' has 3 values, but the run saved in the restart file had read number" \
 	-in in.begin -var from ../one/end.restart
 cd ..
 prints 'variable n file numbers
