@@ -208,7 +208,7 @@ fix heat all heat/gran initial_temperature 300
 run 1' 'thermalConductivity must be >= 0'
 rejects 'include in.two
 fix heat all heat/gran initial_temperature 300
-print "$(f_Temp)"' 'is a number of each particle'
+print "$(f_Temp)"' 'has a value for each particle'
 
 # cut by a restart file, and threads
 cat >in.grains <<'END'
