@@ -880,7 +880,6 @@ library_sources = \
 	src/review/placement.c \
 	src/review/table.c \
 	src/review/table.h \
-	src/review/touching.h \
 	src/review/wall_overlap.c \
 	src/rigid/clump.c \
 	src/rigid/clump.h \

@@ -76,7 +76,8 @@ static void recompute_force(const struct tsim *sim, const struct ts_contact_view
 	for (int k = 0; k < 3; k++) {
 		f->force[k] = v->sign * acting.force[k];
 		if (list->parts > 1)
-			f->torque[k] = (p->radius[v->a] - ts_granular_arm_reduction(model, &t)) * acting.turn[k];
+			f->torque[k] =
+				(p->radius[v->a] - ts_granular_arm_reduction(model, &t)) * acting.turn[k];
 	}
 }
 

@@ -40,8 +40,9 @@ static double attraction_range(const struct ts_contact_task *task, const struct 
 	if (at < block->touching)
 		load_memory(list, block, at, memory);
 	if (ts_cohesion_bridges(m))
-		return ts_granular_bridge_reach(m, law, (double[2]){ p->liquid[active->i], p->liquid[active->j] },
-					   (double[2]){ a, b }, false, memory);
+		return ts_granular_bridge_reach(m, law,
+						(double[2]){ p->liquid[active->i], p->liquid[active->j] },
+						(double[2]){ a, b }, false, memory);
 	return ts_granular_pull_off_reach(m, law, a * b / (a + b), memory);
 }
 

@@ -48,8 +48,9 @@ static void extend_adhesive_contacts(struct ts_batch *b, const struct ts_stages 
 		for (int c = 0; c < memories; c++)
 			memory[c] = b->memory[c][k];
 		ts_batch_inputs(b, k, &e);
-		b->touch[k] = -(long long)ts_contact_inputs_within(&e, ts_granular_pull_off_reach(m, law, s->r_eff[k],
-											  memory));
+		b->touch[k] = -(long long)ts_contact_inputs_within(&e, ts_granular_pull_off_reach(m, law,
+												  s->r_eff[k],
+												  memory));
 	}
 }
 

@@ -172,6 +172,8 @@ static unsigned shape_with_indices(const struct ts_ref *ref, enum ts_shape shape
 		return 1u << (ref->column ? TS_SCALAR : TS_VECTOR);
 	if (ref->column)
 		return 0;
+	if (shape == TS_SURFACE)
+		return 1u << TS_SURFACE | 1u << TS_LOCAL;
 	return 1u << (shape == TS_VECTOR && ref->index ? TS_SCALAR : shape);
 }
 

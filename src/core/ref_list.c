@@ -82,7 +82,8 @@ enum ts_status ts_ref_input_resolve(struct tsim *sim, const char *what, unsigned
 	unsigned found = TS_WANT(PERATOM);
 
 	input->quantity = shapes & TS_WANT(PERATOM) && ts_quantity_has(sim, input->name);
-	if (!input->quantity && shapes & (TS_WANT(PERATOM) | TS_WANT(LOCAL)) && !is_reference(input->name))
+	if (!input->quantity && shapes & (TS_WANT(PERATOM) | TS_WANT(LOCAL) | TS_WANT(SURFACE)) &&
+	    !is_reference(input->name))
 		return fail_unknown_quantity(sim, what, shapes, input);
 	if (!input->quantity) {
 		TS_TRY(ts_ref_resolve(sim, input->name, &input->where, &input->ref));
@@ -136,11 +137,9 @@ static enum ts_status count_wildcard(struct tsim *sim, const struct ts_ref_input
 	static const struct {
 		enum ts_shape whole, part;
 		bool second; /* the `*` is the second of two indices */
-	} parts[] = { { TS_PERATOM, TS_PERATOM, false },
-		      { TS_LOCAL, TS_LOCAL, false },
-		      { TS_ARRAY, TS_VECTOR, false },
-		      { TS_ARRAY, TS_SCALAR, true },
-		      { TS_VECTOR, TS_SCALAR, false } };
+	} parts[] = { { TS_PERATOM, TS_PERATOM, false }, { TS_SURFACE, TS_SURFACE, false },
+		      { TS_LOCAL, TS_LOCAL, false },	 { TS_ARRAY, TS_VECTOR, false },
+		      { TS_ARRAY, TS_SCALAR, true },	 { TS_VECTOR, TS_SCALAR, false } };
 
 	for (size_t k = 0; input->ref.inst && k < sizeof parts / sizeof *parts; k++) {
 		const struct ts_value *value = ts_value_find(input->ref.inst, parts[k].whole);

@@ -51,7 +51,7 @@ enum ts_status ts_report_output(struct ts_plan_report *report, const char *name,
 				double bytes);
 void ts_report_line(struct ts_plan_report *report, const char *name, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
-/* tests/omissions.sh proves for each name that results are the same with and without it. */
+/* tests/core/omissions.sh proves for each name that results are the same with and without it. */
 void ts_report_left_out(struct ts_plan_report *report, const char *name, unsigned part, double bytes,
 			const char *format, ...) __attribute__((format(printf, 5, 6)));
 void ts_report_release(struct ts_plan_report *report);

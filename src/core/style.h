@@ -71,9 +71,9 @@ enum ts_stage { TS_STAGE_LIST(TS_STAGE_ENUM) TS_NSTAGE };
 #undef TS_STAGE_ENUM
 #define TS_DEFERS(stage) (1u << TS_STAGE_##stage)
 
-/* The order of late hooks: first drag forces that relax velocities over the step, last forces proportional
- * to the acceleration (added mass). */
-enum ts_late { TS_LATE_RELAX, TS_LATE_INERTIA, TS_NLATE };
+/* The order of late hooks: first sums over contacts, which change no force; then drag forces that relax
+ * velocities over the step; last forces proportional to the acceleration (added mass). */
+enum ts_late { TS_LATE_CONTACTS, TS_LATE_RELAX, TS_LATE_INERTIA, TS_NLATE };
 
 struct ts_restraint;
 struct ts_mesh_surface;
@@ -106,6 +106,8 @@ struct ts_style {
 	/* Adds to the fingerprint of the run whatever forces depend on besides the arguments. */
 	void (*fingerprint)(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash);
 	const struct ts_value *values; /* its outputs */
+	/* The mesh whose triangles are the rows of outputs of shape TS_SURFACE; valid after init. */
+	const struct ts_mesh_surface *(*surface)(const struct ts_instance *self);
 	/* Whether it has this output with the arguments given (e.g. a scalar for one value, a vector for
 	 * several); NULL: it has all. */
 	bool (*gives)(const struct ts_instance *self, const struct ts_value *value);

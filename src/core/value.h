@@ -23,7 +23,9 @@ enum ts_shape {
 	TS_VECTOR,     /* `columns` numbers, or one for each row          c_ID[k]              */
 	TS_PERATOM,    /* a row for each local particle                   c_ID or c_ID[k]      */
 	TS_LOCAL,      /* a row for each contact, bond ...                c_ID[k] in dump local */
-	TS_ARRAY       /* a table of numbers           c_ID[i][j]; its column j as a vector: c_ID[j] */
+	TS_ARRAY,      /* a table of numbers           c_ID[i][j]; its column j as a vector: c_ID[j] */
+	TS_SURFACE     /* a row for each triangle of a mesh, which is that of the slot `surface`; f_ID[k] in
+			* dump mesh/vtk, and wherever TS_LOCAL is read */
 };
 
 /* A table of doubles whose memory is reused from call to call; zero-initialise. */
@@ -45,7 +47,7 @@ struct ts_value {
 };
 /* Whether an instance has this output of its style with the arguments it was given. */
 bool ts_value_given(const struct ts_instance *inst, const struct ts_value *value);
-/* The first output of that shape; of TS_LOCAL else one of TS_SURFACE. NULL: none. */
+/* The first output of that shape; for TS_LOCAL otherwise one of TS_SURFACE. NULL: none. */
 const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_shape shape);
 enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
 			     struct ts_table *out);

@@ -70,7 +70,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	for (int kind = 0; kind < TS_NKIND && sim->reading.explain && !sim->log.quiet; kind++)
 		for (size_t k = 0; k < sim->instances[kind].n; k++)
 			TS_TRY(add_instance_size(sim->instances[kind].item[k], sim, &bytes));
-	return ts_report_output(report, s->common.file, ts_report_times(sim, s->common.every), bytes) == TS_OK
+	return ts_report_output(report, s->common.file, ts_report_count(sim, s->common.every), bytes) == TS_OK
 		       ? TS_OK
 		       : ts_nomem(&sim->error);
 }

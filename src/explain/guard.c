@@ -201,7 +201,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	}
 	if (sim->clock.step < g->next)
 		return TS_OK;
-	ts_run_deferred_loops(sim);
+	ts_deferred_loops_run(sim);
 	status = evaluate_limits(sim, ts_guard_enough(sim),
 				 g->interval == FIRST / 2 || g->interval == LONGEST, &report);
 	if (status == TS_OK)

@@ -114,7 +114,7 @@ static enum ts_status add_gravity(struct ts_instance *self, struct tsim *sim)
 	double magnitude;
 
 	if (g->base.magnitude.variable) /* the variable may read forces */
-		ts_run_deferred_loops(sim);
+		ts_deferred_loops_run(sim);
 	TS_TRY(ts_number_now(sim, &g->base.magnitude, &self->where, &magnitude));
 	ts_scale(magnitude, g->base.direction, task.a);
 	TS_DEFER_LOOP(sim, p->n, self->group == 0 && !p->body ? accelerate_all : accelerate_group, &task);

@@ -254,7 +254,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	struct task task = { s, sim, moment_of(s, sim), self->group };
 
 	if (s->mode == VARIABLE) {
-		ts_run_deferred_loops(sim); /* variables may read any particle data */
+		ts_deferred_loops_run(sim); /* variables may read any particle data */
 		TS_TRY(evaluate_variables(self, sim));
 	}
 	TS_DEFER_LOOP(sim, sim->particles->n, move_range, &task);

@@ -87,7 +87,8 @@ TS_CLONES static void compute_flows_of_blocks(void *context, size_t from, size_t
 			ts_heat_batch_constants(&t, types, &b, k);
 		for (size_t at = 0; at < block->touching; at += TS_BATCH) {
 			ts_heat_batch_start(&b, near + at,
-					    block->touching - at < TS_BATCH ? block->touching - at : TS_BATCH);
+					    block->touching - at < TS_BATCH ? block->touching - at
+									    : TS_BATCH);
 			ts_heat_batch_load(&t, true, &b);
 			ts_heat_batch_conductances(&t, &b);
 			compute_flows(&t, &b);
@@ -195,7 +196,8 @@ static enum ts_status start_pass(struct tsim *sim, void *context)
 	h->keeps = h->scheme == TS_HEAT_EXACT || h->store || sim->run.complete;
 	if (TS_RENEW(h->inner, h->inner_capacity, sim->particles->n) != TS_OK ||
 	    allocate_flows(h, &h->pairs[0],
-			   h->fused_pass.begun ? rows->result_capacity / (size_t)rows->parts : rows->n) != TS_OK ||
+			   h->fused_pass.begun ? rows->result_capacity / (size_t)rows->parts : rows->n) !=
+		    TS_OK ||
 	    allocate_flows(h, &h->pairs[1], n) != TS_OK)
 		return ts_nomem(&sim->error);
 	held = ts_heat_task(self, 1);

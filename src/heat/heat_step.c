@@ -161,7 +161,7 @@ static enum ts_status advance_euler(struct ts_instance *self, struct tsim *sim)
 	TS_DEFER_LOOP(sim, sim->particles->n, euler_range, &task);
 	if (!sim->run.complete)
 		return TS_OK;
-	ts_run_deferred_loops(sim);
+	ts_deferred_loops_run(sim);
 	return ts_heat_check_divergence(self, sim);
 }
 
@@ -245,7 +245,7 @@ static enum ts_status advance_exact(struct ts_instance *self, struct tsim *sim)
 	s = sim->clock.dt / parts;
 	if (TS_GROW(h->work, h->work_capacity, 2 * sim->particles->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	ts_run_deferred_loops(sim);
+	ts_deferred_loops_run(sim);
 	compute_rates(self, sim);
 	for (int64_t k = 0; k < (int64_t)parts; k++)
 		advance_part(&task, sim, s);

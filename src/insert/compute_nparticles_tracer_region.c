@@ -105,7 +105,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	}
 	TS_TRY(ts_region_update(s->region, s->sim));
 	count_particles(self, sim, out->data);
-	for (int k = 0; !sim->reading.looking && k < NVALUES; k++)
+	for (int k = 0; !sim->reading.probing && k < NVALUES; k++)
 		s->answer[k] = out->data[k];
 	if (!sim->reading.probing)
 		s->answered = sim->clock.step + 1;

@@ -491,7 +491,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 		TS_DEFER_LOOP(sim, sim->particles->n, prescribe_range, &task);
 		return TS_OK;
 	}
-	ts_run_deferred_loops(sim); /* the spheres of a body may have any index */
+	ts_deferred_loops_run(sim); /* the spheres of a body may have any index */
 	TS_TRY(ts_rigid_list(sim));
 	prescribe_range(&task, 0, sim->particles->n);
 	return TS_OK;

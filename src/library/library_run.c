@@ -118,7 +118,7 @@ int tsim_step(struct tsim *sim, int64_t n)
 		status = ts_fail(&sim->error, TS_RANGE, NULL,
 				 "tsim_step: %" PRId64 " steps asked for, expected 0 or more", n);
 	if (status == TS_OK)
-		status = ts_stepping_go(&sim->library->stepping, sim, n);
+		status = ts_stepping_advance(&sim->library->stepping, sim, n);
 	return ts_library_result(sim, status);
 }
 

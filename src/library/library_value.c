@@ -161,7 +161,7 @@ int tsim_variable(struct tsim *sim, const char *name, const char *value)
 	enum ts_status status = watch_changes(sim);
 
 	if (status == TS_OK)
-		status = ts_script_set(sim->script_api_data, name, &value, 1, "variable");
+		status = ts_script_set_variable(sim->script_api_data, name, &value, 1, "variable");
 	return ts_library_result(sim, status);
 }
 
@@ -169,7 +169,7 @@ static enum ts_status define_variable(struct tsim *sim, const char *name, const 
 				      const char *value)
 {
 	TS_TRY(watch_changes(sim));
-	return ts_script_define(sim->script_api_data, name, style, value);
+	return ts_script_define_variable(sim->script_api_data, name, style, value);
 }
 
 int tsim_variable_set(struct tsim *sim, const char *name, const char *style, const char *value)

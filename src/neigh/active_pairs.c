@@ -262,8 +262,9 @@ static double choose_inner_skin(const struct tsim *sim, const struct ts_contact_
 	double inner =
 		fmax(sqrt(2 * REBUILD_COST * list->max_displacement * list->skin), LEAST_PART * list->skin);
 
-	return list->all_active || sim->full & TS_FULL_LOOKS || !(inner < MOST_PART * list->skin) ? INFINITY
-												  : inner;
+	return list->all_active || sim->full & TS_FULL_ACTIVE_PAIRS || !(inner < MOST_PART * list->skin)
+		       ? INFINITY
+		       : inner;
 }
 
 enum ts_status ts_active_pairs_choose(struct tsim *sim, struct ts_contact_list *list)

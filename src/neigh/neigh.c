@@ -434,7 +434,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 	TS_TRY(nb->callback.network(report, sim));
 	if (!nb->wanted) {
-		ts_report_left_out(report, "contact list", TS_FULL_ROWS, 0, "no pair_style");
+		ts_report_left_out(report, "contact list", TS_FULL_CONTACTS, 0, "no pair_style");
 		return TS_OK;
 	}
 	report->bytes += (double)ts_contact_list_bytes(&nb->contacts);
@@ -449,7 +449,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 		ts_report_line(report, "contacts", "none between bonded particles (special_bonds)");
 	ts_report_left_out(report, "rebuilds", TS_FULL_REBUILDS, 0,
 			   "the list is kept until a particle has moved half the skin");
-	ts_report_left_out(report, "looks", TS_FULL_LOOKS, 0,
+	ts_report_left_out(report, "looks", TS_FULL_ACTIVE_PAIRS, 0,
 			   "only pairs that may have come near enough to touch are computed");
 	if (!is_periodic(&sim->domain->box))
 		ts_report_left_out(report, "ghosts", 0, image_bytes(sim), "no periodic faces");

@@ -87,13 +87,14 @@ static enum ts_status report_clusters(struct tsim *sim, const struct cluster *c)
 	}
 	if (!n)
 		return TS_OK;
-	return ts_review_find(sim, "bonds", by ? &by->where : NULL,
-			      "bonded structures that keep no shape: %zu, the largest of %zu particles "
-			      "(particle %d is one) with %zu bonds, where %zu are needed: these bonds resist "
-			      "stretching only, so that it shears and bends without resistance; bond "
-			      "particles with more partners (a larger distance of `create_bonds`), or say "
-			      "`review off bonds` if it is to be flexible",
-			      n, c[most].n, p->tag[most], c[most].nbonds, rigid_bond_count(sim, &c[most]));
+	return ts_review_report(sim, "bonds", by ? &by->where : NULL,
+				"bonded structures that keep no shape: %zu, the largest of %zu particles "
+				"(particle %d is one) with %zu bonds, where %zu are needed: these bonds "
+				"resist "
+				"stretching only, so that it shears and bends without resistance; bond "
+				"particles with more partners (a larger distance of `create_bonds`), or say "
+				"`review off bonds` if it is to be flexible",
+				n, c[most].n, p->tag[most], c[most].nbonds, rigid_bond_count(sim, &c[most]));
 }
 
 /* No check after bonds have broken, since structures are then expected to lose rigidity, or with -check if

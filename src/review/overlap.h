@@ -28,7 +28,8 @@ void ts_review_add(struct ts_review_overlaps *o, const struct ts_granular_model 
  * run. */
 static inline bool ts_review_blind(const struct tsim *sim)
 {
-	return sim->review.stale || sim->run.clamped || (!ts_integrated_groups(sim, TS_MOVES) && !sim->rigid->n);
+	return sim->review.stale || sim->run.clamped ||
+	       (!ts_integrated_groups(sim, TS_MOVES) && !sim->rigid->n);
 }
 
 #endif

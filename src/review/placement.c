@@ -72,13 +72,13 @@ static enum ts_status check_primitives(struct tsim *sim, const struct ts_instanc
 		double gap = distance_to_box(box, &w->primitive[k]);
 
 		if (gap > radius && is_normal_to_fixed_faces(box, &w->primitive[k]))
-			return ts_review_find(sim, "reach", &by->where,
-					      "this wall is %g away from the box (%g %g %g) to (%g %g %g), "
-					      "so that no particle can touch it: particles are lost at the "
-					      "fixed faces of the box; check the units of its numbers, or "
-					      "take a larger box",
-					      gap, box->lo[0], box->lo[1], box->lo[2], box->hi[0], box->hi[1],
-					      box->hi[2]);
+			return ts_review_report(sim, "reach", &by->where,
+						"this wall is %g away from the box (%g %g %g) to (%g %g %g), "
+						"so that no particle can touch it: particles are lost at the "
+						"fixed faces of the box; check the units of its numbers, or "
+						"take a larger box",
+						gap, box->lo[0], box->lo[1], box->lo[2], box->hi[0],
+						box->hi[1], box->hi[2]);
 	}
 	return TS_OK;
 }

@@ -137,7 +137,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	enum ts_status status;
 
 	TS_TRY(read_groups(self, sim, &group, &n));
-	if (s->made || ts_unclaimed_waits(sim, self))
+	if (s->made || ts_unclaimed_exists(sim, self))
 		return TS_OK;
 	body = ts_alloc(n, sizeof *body);
 	row = ts_alloc(sim->particles->n, sizeof *row);

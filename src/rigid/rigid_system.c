@@ -101,7 +101,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 
 	if (!r->n)
 		return TS_OK;
-	ts_run_deferred_loops(sim);
+	ts_deferred_loops_run(sim);
 	return for_each_body(sim, begin_step);
 }
 
@@ -121,7 +121,7 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 
 	if (!r->n)
 		return TS_OK;
-	ts_run_deferred_loops(sim);
+	ts_deferred_loops_run(sim);
 	return for_each_body(sim, end_step);
 }
 

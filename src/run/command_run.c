@@ -122,9 +122,9 @@ static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct ru
 {
 	enum ts_status status;
 
-	sim->script_api->expects(sim->script_api_data, ts_words_from(r->pieces, 1));
+	sim->script_api->expect_commands(sim->script_api_data, ts_words_from(r->pieces, 1));
 	status = run_with_commands(sim, last, r);
-	sim->script_api->expects(sim->script_api_data, (struct ts_words){ 0 });
+	sim->script_api->expect_commands(sim->script_api_data, (struct ts_words){ 0 });
 	return status;
 }
 

@@ -109,7 +109,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_suggest suggest = ts_suggest_start(s->attribute);
 
 	ts_neigh_keep_forces_every(sim->neigh,
-			    s->every); /* each may be the last step, whose contact forces are kept */
+				   s->every); /* each may be the last step, whose contact forces are kept */
 	if (strncmp(s->attribute, "v_", 2) == 0)
 		return use_variable(self, sim, s->attribute + 2);
 	for (int k = 0; k < NATTRIBUTES; k++) {

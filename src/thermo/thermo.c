@@ -62,7 +62,7 @@ enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names, bool m
 			return ts_nomem(&sim->error);
 	}
 	for (size_t k = 0; k < copy.n; k++)
-		TS_TRY(ts_defer_error(sim, check_column(sim, &t->column[k].input)));
+		TS_TRY(ts_sim_defer_error(sim, check_column(sim, &t->column[k].input)));
 	t->n = copy.n;
 	return TS_OK;
 }
@@ -114,7 +114,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	if (report->limits_only)
 		return TS_OK;
 	TS_TRY(resolve_columns(self->state, sim));
-	return ts_report_output(report, "rows of the log", ts_report_times(sim, t->every) + 2,
+	return ts_report_output(report, "rows of the log", ts_report_count(sim, t->every) + 2,
 				16 * (double)t->n) == TS_OK
 		       ? TS_OK
 		       : ts_nomem(&sim->error);
@@ -232,7 +232,7 @@ static enum ts_status evaluate_next_step(struct ts_thermo *t, struct tsim *sim)
 }
 
 /* Whether a row is due. Only rows due by `every` or `variable`, each once, may advance variables that read
- * from files (reading.looking is false): then a run cut in two reads the same lines as the whole run. */
+ * from files (reading.probing is false): then a run cut in two reads the same lines as the whole run. */
 static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 {
 	const struct ts_clock *c = &sim->clock;
@@ -283,9 +283,9 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	}
 	TS_TRY(is_due(t, sim, &due));
 	if (due)
-		ts_run_deferred_loops(sim);
+		ts_deferred_loops_run(sim);
 	status = due ? write_row(t, sim) : TS_OK;
-	sim->reading.looking = false;
+	sim->reading.probing = false;
 	if (sim->log.progress || sim->log.sink)
 		show_progress(t, sim);
 	return status;

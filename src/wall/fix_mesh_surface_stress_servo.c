@@ -193,15 +193,15 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	s->warned = part < 1;
 	if (!s->warned)
 		return TS_OK;
-	return ts_review_find(sim, "servo", &self->where,
-			      "the servo of mesh %s cannot come to rest: with %g contact%s at the target "
-			      "(stiffness %.3g, damping %.3g by speed) and the time step %g it is stable "
-			      "with up to %.3g times its %s only; take a smaller %s%.3g, vel_max or "
-			      "`timestep`",
-			      self->id, few.n, few.n > 1 ? "s" : "", few.stiffness, few.damping,
-			      sim->clock.dt, part, s->mode == AUTO ? "ratio" : "gains",
-			      s->mode == AUTO ? "ratio, below " : "kp, below ",
-			      part * (s->mode == AUTO ? s->ratio : present_kp(s)));
+	return ts_review_report(sim, "servo", &self->where,
+				"the servo of mesh %s cannot come to rest: with %g contact%s at the target "
+				"(stiffness %.3g, damping %.3g by speed) and the time step %g it is stable "
+				"with up to %.3g times its %s only; take a smaller %s%.3g, vel_max or "
+				"`timestep`",
+				self->id, few.n, few.n > 1 ? "s" : "", few.stiffness, few.damping,
+				sim->clock.dt, part, s->mode == AUTO ? "ratio" : "gains",
+				s->mode == AUTO ? "ratio, below " : "kp, below ",
+				part * (s->mode == AUTO ? s->ratio : present_kp(s)));
 }
 
 /* The limit of vel_max is that of LIGGGHTS; it applies if the script gives a skin. */
@@ -298,13 +298,13 @@ static enum ts_status detect_oscillation(struct ts_instance *self, struct tsim *
 	if (++s->since < WATCHED)
 		return TS_OK;
 	if (s->flips >= FLIPS && !s->warned)
-		TS_TRY(ts_review_find(sim, "servo", &self->where,
-				      "the servo of mesh %s oscillated %d times in %d steps, with its "
-				      "largest speed or by more than half of the target: its gain is too "
-				      "large for the stiffness and damping of the contacts; take a smaller "
-				      "%s (now %g), vel_max (now %g) or `timestep`",
-				      self->id, (int)s->flips, WATCHED, s->mode == AUTO ? "ratio" : "kp",
-				      s->mode == AUTO ? s->ratio : present_kp(s), s->fastest));
+		TS_TRY(ts_review_report(sim, "servo", &self->where,
+					"the servo of mesh %s oscillated %d times in %d steps, with its "
+					"largest speed or by more than half of the target: its gain is too "
+					"large for the stiffness and damping of the contacts; take a smaller "
+					"%s (now %g), vel_max (now %g) or `timestep`",
+					self->id, (int)s->flips, WATCHED, s->mode == AUTO ? "ratio" : "kp",
+					s->mode == AUTO ? s->ratio : present_kp(s), s->fastest));
 	s->flips = s->since = 0;
 	return TS_OK;
 }

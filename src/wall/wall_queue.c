@@ -299,8 +299,9 @@ bool ts_wall_in_range(const struct ts_wall_queue *q, size_t k, const struct ts_w
 		beyond = ts_granular_bridge_reach(q->model, law, (double[2]){ p->liquid[i] },
 						  (double[2]){ radius }, true, memory);
 	else
-		beyond = ts_granular_pull_off_reach(q->model, law, ts_wall_effective_radius(radius, point->curvature),
-					    memory);
+		beyond = ts_granular_pull_off_reach(q->model, law,
+						    ts_wall_effective_radius(radius, point->curvature),
+						    memory);
 	return point->distance < radius + beyond;
 }
 
