@@ -46,13 +46,12 @@ const struct ts_style ts_compute_angmom_chunk = {
 	.name = "angmom/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Angular momentum of each chunk",
-	.doc = "Calculates the angular momentum of the particles of the group in each chunk of "
-	       "compute chunk/atom,\n\n"
+	.doc = "Calculates the angular momentum of the particles of the group in each chunk of compute "
+	       "chunk/atom,\n\n"
 	       "    L = sum m d x v\n\n"
-	       "with d the vector from the centre of mass of the chunk, from positions without "
-	       "periodic wrapping. The spin of the particles themselves is not included. "
-	       "c_ID[i][1], c_ID[i][2], c_ID[i][3] are the components for chunk i. See also "
-	       "compute omega/chunk, inertia/chunk.",
+	       "with d the vector from the centre of mass of the chunk, from positions without periodic "
+	       "wrapping. The spin of the particles themselves is not included. c_ID[i][1], c_ID[i][2], "
+	       "c_ID[i][3] are the components for chunk i. See also compute omega/chunk, inertia/chunk.",
 	.example = "compute l all angmom/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -50,13 +50,13 @@ const struct ts_style ts_compute_inertia_chunk = {
 	.name = "inertia/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Tensor of inertia of each chunk",
-	.doc = "Calculates the inertia tensor of the particles of the group in each chunk of "
-	       "compute chunk/atom,\n\n"
+	.doc = "Calculates the inertia tensor of the particles of the group in each chunk of compute "
+	       "chunk/atom,\n\n"
 	       "    I_ab = sum m (d^2 delta_ab - d_a d_b)\n\n"
-	       "with d the vector from the centre of mass of the chunk, from positions without "
-	       "periodic wrapping. Particles are point masses: their own moment of inertia is not "
-	       "included. c_ID[i][1] ... c_ID[i][6] are xx, yy, zz, xy, yz, xz for chunk i. See "
-	       "also compute omega/chunk.",
+	       "with d the vector from the centre of mass of the chunk, from positions without periodic "
+	       "wrapping. Particles are point masses: their own moment of inertia is not included. "
+	       "c_ID[i][1] ... c_ID[i][6] are xx, yy, zz, xy, yz, xz for chunk i. See also compute "
+	       "omega/chunk.",
 	.example = "compute i all inertia/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

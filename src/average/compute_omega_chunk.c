@@ -75,10 +75,9 @@ const struct ts_style ts_compute_omega_chunk = {
 	.summary = "Angular velocity of each chunk",
 	.doc = "Calculates the angular velocity of each chunk of compute chunk/atom,\n\n"
 	       "    omega = I^-1 L\n\n"
-	       "with the inertia tensor I of compute inertia/chunk and the angular momentum L of "
-	       "compute angmom/chunk. About an axis without inertia, such as that through two "
-	       "particles, it is 0. c_ID[i][1], c_ID[i][2], c_ID[i][3] are the components for "
-	       "chunk i.",
+	       "with the inertia tensor I of compute inertia/chunk and the angular momentum L of compute "
+	       "angmom/chunk. About an axis without inertia, such as that through two particles, it is 0. "
+	       "c_ID[i][1], c_ID[i][2], c_ID[i][3] are the components for chunk i.",
 	.example = "compute w all omega/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

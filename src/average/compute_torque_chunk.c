@@ -43,12 +43,11 @@ const struct ts_style ts_compute_torque_chunk = {
 	.name = "torque/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Torque on each chunk",
-	.doc = "Calculates the torque on the particles of the group in each chunk of compute "
-	       "chunk/atom,\n\n"
+	.doc = "Calculates the torque on the particles of the group in each chunk of compute chunk/atom,\n\n"
 	       "    T = sum d x F\n\n"
-	       "with F the total force on the particle and d its vector from the centre of mass of "
-	       "the chunk, from positions without periodic wrapping. c_ID[i][1], c_ID[i][2], "
-	       "c_ID[i][3] are the components for chunk i.",
+	       "with F the total force on the particle and d its vector from the centre of mass of the "
+	       "chunk, from positions without periodic wrapping. c_ID[i][1], c_ID[i][2], c_ID[i][3] are the "
+	       "components for chunk i.",
 	.example = "compute t all torque/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

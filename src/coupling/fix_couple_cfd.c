@@ -262,15 +262,15 @@ const struct ts_style ts_fix_couple_cfd = {
 	.kind = TS_KIND_FIX,
 	.family = FAMILY_PARTNER,
 	.summary = "Couples particles to a fluid that another program computes",
-	.doc = "Must precede the fixes couple/cfd/force, couple/cfd/force/implicit and\n"
-	       "couple/cfd/convection, which use per-particle values that the other program writes:\n"
-	       "dragforce, Ksl, uf, convectiveHeatFlux. That program uses the C library (doc/library.md)\n"
-	       "or Python: it writes values by tsim_column_write(sim, \"uf[1]\", numbers, n), reads\n"
-	       "positions, velocities and radii by tsim_column_read, and advances the simulation by\n"
-	       "tsim_step. examples/library/fluid.c is an example. Dumps and formulas refer to the values\n"
-	       "as f_dragforce[1], f_Ksl ...; restart files contain them.\n\n"
-	       "If a script is run without such a program the values are zero, as in LIGGGHTS, and a\n"
-	       "message is printed once. For a fluid that tsim itself solves for see flow_style and fix\n"
+	.doc = "Must precede the fixes couple/cfd/force, couple/cfd/force/implicit and "
+	       "couple/cfd/convection, which use per-particle values that the other program writes: "
+	       "dragforce, Ksl, uf, convectiveHeatFlux. That program uses the C library (doc/library.md) or "
+	       "Python: it writes values by tsim_column_write(sim, \"uf[1]\", numbers, n), reads positions, "
+	       "velocities and radii by tsim_column_read, and advances the simulation by tsim_step. "
+	       "examples/library/fluid.c is an example. Dumps and formulas refer to the values as "
+	       "f_dragforce[1], f_Ksl ...; restart files contain them.\n\n"
+	       "If a script is run without such a program the values are zero, as in LIGGGHTS, and a "
+	       "message is printed once. For a fluid that tsim itself solves for see flow_style and fix "
 	       "drag/gidaspow.",
 	.example = "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix drag all couple/cfd/force/implicit",
@@ -287,7 +287,7 @@ const struct ts_style ts_fix_couple_cfd_force = {
 	.name = "couple/cfd/force",
 	.kind = TS_KIND_FIX,
 	.summary = "Adds a force of the fluid on each particle, given by another program",
-	.doc = "f += dragforce, a vector of each particle that the program coupled to tsim writes (fix\n"
+	.doc = "f += dragforce, a vector of each particle that the program coupled to tsim writes (fix "
 	       "couple/cfd). f_ID is the sum of these forces over the group.",
 	.example = "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix drag all couple/cfd/force",
@@ -310,13 +310,13 @@ const struct ts_style ts_fix_couple_cfd_force_implicit = {
 	.name = "couple/cfd/force/implicit",
 	.kind = TS_KIND_FIX,
 	.summary = "Adds a drag from coefficients and fluid velocities given by another program",
-	.doc = "f += dragforce + Ksl (uf - v), evaluated in each step with the present velocity v of the\n"
-	       "particle, so that the force follows v between two exchanges. dragforce (vector), Ksl\n"
-	       "(scalar) and uf (vector) are values of each particle that the program coupled to tsim\n"
-	       "writes (fix couple/cfd). With CrankNicolson a the drag is that of the velocity (1 - a) v +\n"
-	       "a v', where v' is the velocity after a step h under the drag alone, m (v' - v) = h Ksl (uf\n"
-	       "- (1 - a) v - a v'). Without it time steps must be shorter than 2 m/Ksl. f_ID is the sum\n"
-	       "of the forces over the group.",
+	.doc = "f += dragforce + Ksl (uf - v), evaluated in each step with the present velocity v of the "
+	       "particle, so that the force follows v between two exchanges. dragforce (vector), Ksl "
+	       "(scalar) and uf (vector) are values of each particle that the program coupled to tsim "
+	       "writes (fix couple/cfd). With CrankNicolson a the drag is that of the velocity (1 - a) v + "
+	       "a v', where v' is the velocity after a step h under the drag alone, m (v' - v) = h Ksl (uf "
+	       "- (1 - a) v - a v'). Without it time steps must be shorter than 2 m/Ksl. f_ID is the sum of "
+	       "the forces over the group.",
 	.example = "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix drag all couple/cfd/force/implicit CrankNicolson 0.5",
 	.args = implicit_args,
@@ -339,9 +339,9 @@ const struct ts_style ts_fix_couple_cfd_convection = {
 	.name = "couple/cfd/convection",
 	.kind = TS_KIND_FIX,
 	.summary = "Adds a convective heat flux to each particle, given by another program",
-	.doc = "convectiveHeatFlux, a value of each particle (energy/time) that the program coupled to\n"
-	       "tsim writes (fix couple/cfd), is added to the heat flux of fix heat/gran. That program\n"
-	       "reads the temperatures as Temp.",
+	.doc = "convectiveHeatFlux, a value of each particle (energy/time) that the program coupled to tsim "
+	       "writes (fix couple/cfd), is added to the heat flux of fix heat/gran. That program reads the "
+	       "temperatures as Temp.",
 	.example = "fix heat all heat/gran initial_temperature 300\n"
 		   "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix warm all couple/cfd/convection T0 300",

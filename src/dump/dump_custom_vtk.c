@@ -84,24 +84,21 @@ const struct ts_style ts_dump_custom_vtk = {
 	.name = "custom/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "Particles as points with quantities for ParaView",
-	.doc = "Writes one file per frame; the ending of its name selects the format. .vtp: "
-	       "compressed VTK XML (PolyData), recommended; .vtu: the same as UnstructuredGrid; "
-	       ".vtk: the legacy format as text, with `dump_modify binary yes` as binary; .pvtp, "
-	       ".pvtu: a list of pieces, with one piece. A collection, named like the frames "
-	       "without the `*` and ending in .pvd (for .vtk in .vtk.series), lists the frames "
-	       "with their times; open this file in ParaView. It is replaced by renaming, so that "
-	       "it is complete at any time. With .vtk the simulation box is written to a file with "
-	       "boundingBox_ before the step, as in LIGGGHTS.\n\n"
-	       "Positions are always written; a column that is named twice is written once. "
-	       "Components are merged into vectors: vx vy vz into v, fx fy fz into f, three "
-	       "columns c_ID[1] c_ID[2] c_ID[3] into c_ID[1-3]. The order of the arrays is that of "
-	       "LIGGGHTS, not that of the command: id, type, mass, v, f, radius, omega and so on, "
-	       "then c_, f_ and v_ in the order of the command. A variable v_NAME is written as "
-	       "NAME.\n\n"
-	       "Files .vtk are of version 5.1, the format of VTK 9 (ParaView 5.9). They equal "
-	       "those of LIGGGHTS byte for byte, except for the title, which contains the time, "
-	       "and for positions, which are in double precision; with `legacy yes` in single "
-	       "precision as in LIGGGHTS.",
+	.doc = "Writes one file per frame; the ending of its name selects the format. .vtp: compressed VTK "
+	       "XML (PolyData), recommended; .vtu: the same as UnstructuredGrid; .vtk: the legacy format as "
+	       "text, with `dump_modify binary yes` as binary; .pvtp, .pvtu: a list of pieces, with one "
+	       "piece. A collection, named like the frames without the `*` and ending in .pvd (for .vtk in "
+	       ".vtk.series), lists the frames with their times; open this file in ParaView. It is replaced "
+	       "by renaming, so that it is complete at any time. With .vtk the simulation box is written to "
+	       "a file with boundingBox_ before the step, as in LIGGGHTS.\n\n"
+	       "Positions are always written; a column that is named twice is written once. Components are "
+	       "merged into vectors: vx vy vz into v, fx fy fz into f, three columns c_ID[1] c_ID[2] "
+	       "c_ID[3] into c_ID[1-3]. The order of the arrays is that of LIGGGHTS, not that of the "
+	       "command: id, type, mass, v, f, radius, omega and so on, then c_, f_ and v_ in the order of "
+	       "the command. A variable v_NAME is written as NAME.\n\n"
+	       "Files .vtk are of version 5.1, the format of VTK 9 (ParaView 5.9). They equal those of "
+	       "LIGGGHTS byte for byte, except for the title, which contains the time, and for positions, "
+	       "which are in double precision; with `legacy yes` in single precision as in LIGGGHTS.",
 	.example = "dump rock all custom/vtk 1000 post/rock*.vtp id type x y z vx vy vz radius\n"
 		   "dump old all custom/vtk 1000 post/old*.vtk id type radius",
 	.args = args,

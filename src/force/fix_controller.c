@@ -113,8 +113,7 @@ const struct ts_style ts_fix_controller = {
 	.summary = "PID controller: changes a variable so that a quantity approaches a setpoint",
 	.doc = "At the end of each time step that is a multiple of Nevery the control variable c, the "
 	       "internal-style variable cvar, is changed by\n\n"
-	       "    c += -Kp alpha tau e - Ki alpha tau^2 (e2 + e3 + ... + e) - Kd alpha (e - "
-	       "e_previous)\n\n"
+	       "    c += -Kp alpha tau e - Ki alpha tau^2 (e2 + e3 + ... + e) - Kd alpha (e - e_previous)\n\n"
 	       "where e is the deviation of the process variable pvar from the setpoint, e1, e2 ... its "
 	       "earlier values from the first on, and tau = Nevery times the time step. The state of the "
 	       "controller is saved in restart files.",

@@ -49,8 +49,8 @@ const struct ts_style ts_compute_com = {
 	.name = "com",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Center of mass",
-	.doc = "c_ID[1], c_ID[2] and c_ID[3] are the components of sum(m x)/sum(m) over the\n"
-	       "group, where x are unwrapped positions. They are 0 for an empty group.",
+	.doc = "c_ID[1], c_ID[2] and c_ID[3] are the components of sum(m x)/sum(m) over the group, where x "
+	       "are unwrapped positions. They are 0 for an empty group.",
 	.example = "compute center all com",
 	.values = values,
 };

@@ -23,9 +23,9 @@ const struct ts_style ts_compute_ke = {
 	.name = "ke",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Translational kinetic energy",
-	.doc = "Sum of m v^2 / 2 over the group, without rotation (see compute erotate/sphere).\n"
-	       "The sum is exact and rounded once, so it does not depend on the order of\n"
-	       "particles. A clump of fix multisphere counts as one particle.",
+	.doc = "Sum of m v^2 / 2 over the group, without rotation (see compute erotate/sphere). The sum is "
+	       "exact and rounded once, so it does not depend on the order of particles. A clump of fix "
+	       "multisphere counts as one particle.",
 	.example = "compute energy all ke",
 	.values = values,
 };

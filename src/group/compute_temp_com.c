@@ -37,9 +37,9 @@ const struct ts_style ts_compute_temp_com = {
 	.name = "temp/com",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Temperature relative to the centre of mass",
-	.doc = "As compute temp for the velocities u relative to the velocity of the centre of\n"
-	       "mass of the group. Multiplied by k_B / m, with m the mass of a grain, it is the\n"
-	       "granular temperature of a cloud of equal grains with a mean velocity.",
+	.doc = "As compute temp for the velocities u relative to the velocity of the centre of mass of the "
+	       "group. Multiplied by k_B / m, with m the mass of a grain, it is the granular temperature of "
+	       "a cloud of equal grains with a mean velocity.",
 	.example = "compute heat gas temp/com",
 	.state_size = sizeof(struct ts_freedom),
 	.values = values,

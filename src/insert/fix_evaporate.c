@@ -139,10 +139,10 @@ const struct ts_style ts_fix_evaporate = {
 	.name = "evaporate",
 	.kind = TS_KIND_FIX,
 	.summary = "Deletes randomly chosen particles",
-	.doc = "In each step that is a multiple of N, M particles are chosen at random among\n"
-	       "those of the group whose centres are in the region, and deleted; all of them if\n"
-	       "there are fewer. The random numbers are functions of seed, step and atom ID: the\n"
-	       "choice does not depend on the number of threads and is the same after a restart.",
+	.doc = "In each step that is a multiple of N, M particles are chosen at random among those of the "
+	       "group whose centres are in the region, and deleted; all of them if there are fewer. The "
+	       "random numbers are functions of seed, step and atom ID: the choice does not depend on the "
+	       "number of threads and is the same after a restart.",
 	.example = "fix dry all evaporate 1000 10 top 49892",
 	.args = args,
 	.state_size = sizeof(struct state),

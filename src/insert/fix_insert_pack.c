@@ -89,21 +89,19 @@ const struct ts_style ts_fix_insert_pack = {
 	.name = "insert/pack",
 	.kind = TS_KIND_FIX,
 	.summary = "Fills a region with particles",
-	.doc = "In the step after the definition, or in the step start, and then every\n"
-	       "insert_every steps, particles are inserted until the region contains a given\n"
-	       "number, mass or volume fraction of particles. Particles whose centers are in the\n"
-	       "region count. Numbers computed from a mass or a volume are rounded up or down at\n"
-	       "random, so that their mean is exact.\n\n"
-	       "Particles are drawn from a mixture, fix particledistribution/discrete, and\n"
-	       "inserted in the order of decreasing size. For each, random positions in the\n"
-	       "region are tried until it overlaps no other particle. All tries together are\n"
-	       "limited to the number of particles times maxattempt, divided by the fraction of\n"
-	       "the target that is missing; if some particles were not placed, a warning gives\n"
-	       "their number. New particles belong to the groups of the fix, the mixture and the\n"
-	       "template, and are subject to forces from this step on.\n\n"
-	       "The random streams are those of LIGGGHTS 3.8: a script gives the same particles\n"
-	       "at the same positions. With all_in yes and a union of regions, a particle must\n"
-	       "lie completely in one member of the union, even if members share a surface.",
+	.doc = "In the step after the definition, or in the step start, and then every insert_every steps, "
+	       "particles are inserted until the region contains a given number, mass or volume fraction of "
+	       "particles. Particles whose centers are in the region count. Numbers computed from a mass or "
+	       "a volume are rounded up or down at random, so that their mean is exact.\n\n"
+	       "Particles are drawn from a mixture, fix particledistribution/discrete, and inserted in the "
+	       "order of decreasing size. For each, random positions in the region are tried until it "
+	       "overlaps no other particle. All tries together are limited to the number of particles times "
+	       "maxattempt, divided by the fraction of the target that is missing; if some particles were "
+	       "not placed, a warning gives their number. New particles belong to the groups of the fix, "
+	       "the mixture and the template, and are subject to forces from this step on.\n\n"
+	       "The random streams are those of LIGGGHTS 3.8: a script gives the same particles at the same "
+	       "positions. With all_in yes and a union of regions, a particle must lie completely in one "
+	       "member of the union, even if members share a surface.",
 	.example = "fix fill all insert/pack seed 32452867 distributiontemplate mix insert_every once "
 		   "overlapcheck yes all_in yes vel constant 0 0 -0.5 region bed volumefraction_region 0.3",
 	.args = args,

@@ -269,25 +269,22 @@ const struct ts_style ts_fix_insert_pack_dense = {
 	.name = "insert/pack/dense",
 	.kind = TS_KIND_FIX,
 	.summary = "Fills a region with a dense random packing",
-	.doc = "Fills the region once, in the step after the definition or in the step start, so\n"
-	       "that particles occupy volumefraction_region of its volume. The number of new\n"
-	       "particles is the missing volume divided by the mean particle volume of the\n"
-	       "mixture, rounded. They are drawn from a mixture, fix\n"
-	       "particledistribution/discrete.\n\n"
-	       "New particles are placed at random and then moved apart: overlapping spheres\n"
-	       "repel each other with a force equal to the overlap, the surface of the region\n"
-	       "repels them, and particles that were present before do not move. The method FIRE\n"
-	       "(Bitzek et al., Phys. Rev. Lett. 97 (2006) 170201) minimises the overlaps until\n"
-	       "none is left and each particle lies completely in the region. A gap of about\n"
-	       "1e-3 of their radii is left between neighbours. The packing is random and\n"
-	       "isotropic, except for layers at the surface of the region. No particles are in\n"
-	       "contact: under gravity the packing settles.\n\n"
-	       "Random packings of equal spheres reach a fraction of at most 0.64. Some hundred\n"
-	       "iterations are sufficient up to 0.55, thousands are needed beyond 0.57, and\n"
-	       "narrow regions hold less. It is an error if overlaps remain after max_rounds\n"
-	       "iterations. fix insert/pack, which tries random positions, reaches about 0.3.\n\n"
-	       "The fix exists in another edition of LIGGGHTS (PFM), which gives other\n"
-	       "positions.",
+	.doc = "Fills the region once, in the step after the definition or in the step start, so that "
+	       "particles occupy volumefraction_region of its volume. The number of new particles is the "
+	       "missing volume divided by the mean particle volume of the mixture, rounded. They are drawn "
+	       "from a mixture, fix particledistribution/discrete.\n\n"
+	       "New particles are placed at random and then moved apart: overlapping spheres repel each "
+	       "other with a force equal to the overlap, the surface of the region repels them, and "
+	       "particles that were present before do not move. The method FIRE (Bitzek et al., Phys. Rev. "
+	       "Lett. 97 (2006) 170201) minimises the overlaps until none is left and each particle lies "
+	       "completely in the region. A gap of about 1e-3 of their radii is left between neighbours. "
+	       "The packing is random and isotropic, except for layers at the surface of the region. No "
+	       "particles are in contact: under gravity the packing settles.\n\n"
+	       "Random packings of equal spheres reach a fraction of at most 0.64. Some hundred iterations "
+	       "are sufficient up to 0.55, thousands are needed beyond 0.57, and narrow regions hold less. "
+	       "It is an error if overlaps remain after max_rounds iterations. fix insert/pack, which tries "
+	       "random positions, reaches about 0.3.\n\n"
+	       "The fix exists in another edition of LIGGGHTS (PFM), which gives other positions.",
 	.example = "fix bed all insert/pack/dense seed 32452867 distributiontemplate mix region "
 		   "drum volumefraction_region 0.55",
 	.args = args,

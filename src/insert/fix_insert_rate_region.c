@@ -63,11 +63,11 @@ const struct ts_style ts_fix_insert_rate_region = {
 	.name = "insert/rate/region",
 	.kind = TS_KIND_FIX,
 	.summary = "Inserts particles in a region at a given rate",
-	.doc = "Every insert_every steps, first in the step after the definition or in the step\n"
-	       "start, particles are inserted at random positions in the region. Their number is\n"
-	       "rate times interval, rounded up or down at random so that the mean is exact,\n"
-	       "until a total number or mass is reached. Particles for which no position was\n"
-	       "found are inserted later. For everything else see fix insert/pack.",
+	.doc = "Every insert_every steps, first in the step after the definition or in the step start, "
+	       "particles are inserted at random positions in the region. Their number is rate times "
+	       "interval, rounded up or down at random so that the mean is exact, until a total number or "
+	       "mass is reached. Particles for which no position was found are inserted later. For "
+	       "everything else see fix insert/pack.",
 	.example = "fix rain all insert/rate/region seed 32452867 distributiontemplate mix nparticles 1000 "
 		   "particlerate 5000 insert_every 1000 overlapcheck yes region sky",
 	.args = args,

@@ -32,14 +32,13 @@ const struct ts_style ts_fix_particletemplate_multiplespheres = {
 	.name = "particletemplate/multiplespheres",
 	.kind = TS_KIND_FIX,
 	.summary = "Template of several independent spheres that are inserted together",
-	.doc = "The spheres have the given positions relative to each other when they are\n"
-	       "inserted; afterwards each moves independently. A clump counts as one particle in\n"
-	       "numbers. Its mass is the density times the volume that the spheres fill\n"
-	       "together. This volume, and the bounding sphere by which positions in a region\n"
-	       "are checked, are computed by Monte Carlo integration with the random stream of\n"
-	       "LIGGGHTS.\n\n"
-	       "The keyword orientation of fix insert/... rotates the clump. Each sphere gets\n"
-	       "the velocity and angular velocity of the insertion.",
+	.doc = "The spheres have the given positions relative to each other when they are inserted; "
+	       "afterwards each moves independently. A clump counts as one particle in numbers. Its mass is "
+	       "the density times the volume that the spheres fill together. This volume, and the bounding "
+	       "sphere by which positions in a region are checked, are computed by Monte Carlo integration "
+	       "with the random stream of LIGGGHTS.\n\n"
+	       "The keyword orientation of fix insert/... rotates the clump. Each sphere gets the velocity "
+	       "and angular velocity of the insertion.",
 	.example = "fix twins all particletemplate/multiplespheres 15485863 atom_type 1 density constant "
 		   "2500 nspheres 2 ntry 100000 spheres 0 0 0 0.005 0.011 0 0 0.005",
 	.args = args,

@@ -132,14 +132,13 @@ const struct ts_style ts_fix_particletemplate_multisphere = {
 	.name = "particletemplate/multisphere",
 	.kind = TS_KIND_FIX,
 	.summary = "Template of clumps of spheres that are inserted as rigid bodies",
-	.doc = "Defines a rigid body of spheres, which may overlap; fix multisphere integrates\n"
-	       "its motion. Volume, centre of mass and moments of inertia of the union of the\n"
-	       "spheres are computed by Monte Carlo integration with ntry random points each,\n"
-	       "from the random stream of LIGGGHTS; the relative error is about 1/sqrt(ntry).\n"
-	       "fix insert/... places the centre of mass; its keyword orientation rotates the\n"
-	       "clump, and omega is its angular velocity.\n\n"
-	       "LIGGGHTS 3.8 uses the mean of the products of inertia yz and xz for yz; so does\n"
-	       "`legacy yes`.",
+	.doc = "Defines a rigid body of spheres, which may overlap; fix multisphere integrates its motion. "
+	       "Volume, centre of mass and moments of inertia of the union of the spheres are computed by "
+	       "Monte Carlo integration with ntry random points each, from the random stream of LIGGGHTS; "
+	       "the relative error is about 1/sqrt(ntry). fix insert/... places the centre of mass; its "
+	       "keyword orientation rotates the clump, and omega is its angular velocity.\n\n"
+	       "LIGGGHTS 3.8 uses the mean of the products of inertia yz and xz for yz; so does `legacy "
+	       "yes`.",
 	.example =
 		"fix stone all particletemplate/multisphere 15485863 atom_type 1 density constant 2500 "
 		"nspheres 3 ntry 1000000 spheres 0 0 0 0.01 0.012 0 0 0.008 0.015 0.011 0.003 0.009 type 1",

@@ -41,16 +41,14 @@ const struct ts_style ts_fix_particletemplate_sphere = {
 	.name = "particletemplate/sphere",
 	.kind = TS_KIND_FIX,
 	.summary = "Template of spheres for insertion",
-	.doc = "Defines radius and density of spheres, which fix particledistribution/discrete\n"
-	       "mixes and fix insert/... inserts. Inserted particles also become members of the\n"
-	       "group of this fix.\n\n"
-	       "Radius and density are constant or distributed: uniform between two values,\n"
-	       "gaussian with mean and standard deviation, truncated at three standard\n"
-	       "deviations from the mean, or lognormal with median and standard deviation of the\n"
-	       "logarithm, truncated in the same way. The distribution counts particles by\n"
-	       "number (default) or by mass: with `uniform mass 1 2` the particles in radius\n"
-	       "intervals of equal width have the same total mass. LIGGGHTS 3.8 has constant\n"
-	       "only.",
+	.doc = "Defines radius and density of spheres, which fix particledistribution/discrete mixes and "
+	       "fix insert/... inserts. Inserted particles also become members of the group of this fix.\n\n"
+	       "Radius and density are constant or distributed: uniform between two values, gaussian with "
+	       "mean and standard deviation, truncated at three standard deviations from the mean, or "
+	       "lognormal with median and standard deviation of the logarithm, truncated in the same way. "
+	       "The distribution counts particles by number (default) or by mass: with `uniform mass 1 2` "
+	       "the particles in radius intervals of equal width have the same total mass. LIGGGHTS 3.8 has "
+	       "constant only.",
 	.example = "fix grains all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius "
 		   "constant 0.0015\n"
 		   "fix sand all particletemplate/sphere 15485867 density constant 2650 radius uniform mass "

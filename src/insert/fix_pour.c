@@ -557,24 +557,22 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct pour, risen),	 TS_SAVED_ROWS_END,
 };
 
-static const char doc[] = "From the next step on particles are inserted at random positions in a region,\n"
-			  "without overlaps, as in a falling stream: with u uniform in (0, 1), the height\n"
-			  "is that of the top minus u^2 h, where h is the height of the region, and the\n"
-			  "vertical velocity at the depth d is -sqrt(v^2 + 2 g d), where v is the velocity\n"
-			  "at the top.\n\n"
-			  "The next insertion is due when the particles have fallen out of the region,\n"
-			  "after the time (w + sqrt(w^2 + 2 g h))/g with w = v - rate, until N particles\n"
-			  "are inserted. As in LAMMPS, this is converted to a number of steps when the fix\n"
-			  "is defined; a warning is given if time step or gravity change. An insertion has\n"
-			  "fraction*V/V_1 particles, rounded down, with the volume V of the region and V_1\n"
-			  "of a particle (for `range` of the largest, for `poly` the mean). Particles for\n"
-			  "which no position is found are inserted later.\n\n"
-			  "As in LAMMPS, V of a block less than 1 thick in y is computed as if it were 1\n"
-			  "thick, in any units; the positions are those of LAMMPS, too. Fix gravity must\n"
-			  "act along -z, in two dimensions along -y. The region must have side in and must\n"
-			  "not move, except by `rate`; it is a block, or in three dimensions a cylinder\n"
-			  "along z.\n\n"
-			  "f_ID is the number of particles inserted so far.";
+static const char doc[] =
+	"From the next step on particles are inserted at random positions in a region, without overlaps, as "
+	"in a falling stream: with u uniform in (0, 1), the height is that of the top minus u^2 h, where h "
+	"is the height of the region, and the vertical velocity at the depth d is -sqrt(v^2 + 2 g d), where "
+	"v is the velocity at the top.\n\n"
+	"The next insertion is due when the particles have fallen out of the region, after the time (w + "
+	"sqrt(w^2 + 2 g h))/g with w = v - rate, until N particles are inserted. As in LAMMPS, this is "
+	"converted to a number of steps when the fix is defined; a warning is given if time step or gravity "
+	"change. An insertion has fraction*V/V_1 particles, rounded down, with the volume V of the region "
+	"and V_1 of a particle (for `range` of the largest, for `poly` the mean). Particles for which no "
+	"position is found are inserted later.\n\n"
+	"As in LAMMPS, V of a block less than 1 thick in y is computed as if it were 1 thick, in any units; "
+	"the positions are those of LAMMPS, too. Fix gravity must act along -z, in two dimensions along -y. "
+	"The region must have side in and must not move, except by `rate`; it is a block, or in three "
+	"dimensions a cylinder along z.\n\n"
+	"f_ID is the number of particles inserted so far.";
 
 TS_STYLE(fix, ts_style, ts_fix_pour)
 const struct ts_style ts_fix_pour = {

@@ -154,12 +154,12 @@ const struct ts_style ts_fix_property_atom_regiontracer_time = {
 	.name = "property/atom/regiontracer/time",
 	.kind = TS_KIND_FIX,
 	.summary = "Residence times of particles in the box and in regions",
-	.doc = "In each step dt is added to the time in the box of each particle of the group,\n"
-	       "and to the time in the regions that contained its center at the last check.\n"
-	       "Particles that are inserted later start at 0.\n\n"
-	       "f_ID of a particle, or f_ID[1], f_ID[2] ... with regions, are the times in the\n"
-	       "box and in the regions in the given order. f_ID[k] as a vector are the means\n"
-	       "over all particles, including those outside the group, whose times are 0.",
+	.doc = "In each step dt is added to the time in the box of each particle of the group, and to the "
+	       "time in the regions that contained its center at the last check. Particles that are "
+	       "inserted later start at 0.\n\n"
+	       "f_ID of a particle, or f_ID[1], f_ID[2] ... with regions, are the times in the box and in "
+	       "the regions in the given order. f_ID[k] as a vector are the means over all particles, "
+	       "including those outside the group, whose times are 0.",
 	.example = "fix stay all property/atom/regiontracer/time add_region mixer add_region chute "
 		   "check_region_every 5\n"
 		   "thermo_style custom step f_stay[1] f_stay[2]",

@@ -52,13 +52,12 @@ const struct ts_style ts_fix_property_atom_tracer = {
 	.name = "property/atom/tracer",
 	.kind = TS_KIND_FIX,
 	.summary = "Marks the particles in a region",
-	.doc = "At the end of the first step that is at least mark_step and a multiple of\n"
-	       "check_mark_every, the particles of the group whose centers are in the region are\n"
-	       "marked; with heaviside in every such step. A particle keeps the mark until\n"
-	       "compute nparticles/tracer/region removes it. Both together measure residence\n"
-	       "time distributions.\n\n"
-	       "f_ID of a particle is 1 if it is marked, else 0. f_ID as a scalar is the number\n"
-	       "of particles marked since its last evaluation in another step.",
+	.doc = "At the end of the first step that is at least mark_step and a multiple of check_mark_every, "
+	       "the particles of the group whose centers are in the region are marked; with heaviside in "
+	       "every such step. A particle keeps the mark until compute nparticles/tracer/region removes "
+	       "it. Both together measure residence time distributions.\n\n"
+	       "f_ID of a particle is 1 if it is marked, else 0. f_ID as a scalar is the number of "
+	       "particles marked since its last evaluation in another step.",
 	.example = "region mark block INF INF INF INF 0.2 0.25 units box\n"
 		   "fix tracer all property/atom/tracer region_mark mark mark_step 10000 marker_style dirac "
 		   "check_mark_every 10",

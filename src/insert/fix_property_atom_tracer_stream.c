@@ -219,15 +219,15 @@ const struct ts_style ts_fix_property_atom_tracer_stream = {
 	.name = "property/atom/tracer/stream",
 	.kind = TS_KIND_FIX,
 	.summary = "Marks particles that pass the face of a fix insert/stream",
-	.doc = "Marks the first n_tracer particles of the group that pass the face of fix\n"
-	       "insert/stream in the step mark_step or later; with `every E` n_tracer more from\n"
-	       "the step mark_step + E on, and so on. Particles are marked when they are\n"
-	       "inserted, since the step in which they pass the face is known then.\n\n"
-	       "If an insertion has too few particles, those of the next one are marked; what is\n"
-	       "missing after that is dropped with a warning, except with `every once`. Of a\n"
-	       "rigid clump the first sphere is marked.\n\n"
-	       "f_ID of a particle is 1 if it is marked, else 0. f_ID as a scalar is the number\n"
-	       "of particles marked since its last evaluation in another step.",
+	.doc = "Marks the first n_tracer particles of the group that pass the face of fix insert/stream in "
+	       "the step mark_step or later; with `every E` n_tracer more from the step mark_step + E on, "
+	       "and so on. Particles are marked when they are inserted, since the step in which they pass "
+	       "the face is known then.\n\n"
+	       "If an insertion has too few particles, those of the next one are marked; what is missing "
+	       "after that is dropped with a warning, except with `every once`. Of a rigid clump the first "
+	       "sphere is marked.\n\n"
+	       "f_ID of a particle is 1 if it is marked, else 0. f_ID as a scalar is the number of "
+	       "particles marked since its last evaluation in another step.",
 	.example = "fix tracer all property/atom/tracer/stream mark_step 10000 insert_stream pour n_tracer "
 		   "20 every 10000",
 	.family = TS_FAMILY_TRACER,

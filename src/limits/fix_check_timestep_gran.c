@@ -154,12 +154,11 @@ const struct ts_style ts_fix_check_timestep_gran = {
 	.name = "check/timestep/gran",
 	.kind = TS_KIND_FIX,
 	.summary = "compares the time step with the Rayleigh time and the duration of collisions",
-	.doc = "Every N steps three ratios are computed. f_ID[1] = dt/t_R, the smallest Rayleigh time t_R "
-	       "= pi R sqrt(rho/G)/(0.1631 nu + 0.8766), G = Y/(2(1+nu)), of the particles of the group. "
+	.doc = "Every N steps three ratios are computed. f_ID[1] = dt/t_R, the smallest Rayleigh time t_R = "
+	       "pi R sqrt(rho/G)/(0.1631 nu + 0.8766), G = Y/(2(1+nu)), of the particles of the group. "
 	       "f_ID[2] = dt/t_H, the smallest Hertz time t_H = 2.87 (m*^2/(R* Y*^2 v))^(1/5) of all pairs "
-	       "of these particles. f_ID[3] = v dt/skin. v is twice the largest speed in the group, or "
-	       "this speed plus that of a mesh, whichever is larger. All ratios are 0 before the first "
-	       "check.\n\n"
+	       "of these particles. f_ID[3] = v dt/skin. v is twice the largest speed in the group, or this "
+	       "speed plus that of a mesh, whichever is larger. All ratios are 0 before the first check.\n\n"
 	       "With `legacy yes` (or the command legacy) t_H is that of LIGGGHTS: each particle collides "
 	       "with an equal one, but with its mass m instead of m* = m/2, so that t_H is 1.32 times as "
 	       "long; it is 1e6 where all particles are at rest. f_ID[3] > 1 is reported as well; in tsim "

@@ -432,9 +432,9 @@ const struct ts_style ts_dump_mesh_vtk = {
 	.name = "mesh/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "Meshes with quantities of each triangle, as legacy VTK for ParaView",
-	.doc = "Writes one file per frame, PolyData of version 5.1 as text; each triangle has points of "
-	       "its own. With `output interpolate` the quantities are point data, else (face, original) "
-	       "cell data. Arrays:\n\n"
+	.doc = "Writes one file per frame, PolyData of version 5.1 as text; each triangle has points of its "
+	       "own. With `output interpolate` the quantities are point data, else (face, original) cell "
+	       "data. Arrays:\n\n"
 	       "  stress             normal_stress_average, shear_stress_average\n"
 	       "  stresscomponents   stress, the vector F/A\n"
 	       "  id                 meshid\n"
@@ -443,11 +443,11 @@ const struct ts_style ts_dump_mesh_vtk = {
 	       "  vel                v\n"
 	       "  temp               Temp\n\n"
 	       "The other arrays have the name of their keyword. Stresses and wear are written only if a "
-	       "mesh is a fix mesh/surface/stress, velocities only if a mesh moves, and Temp only if a "
-	       "mesh has a temperature. LIGGGHTS 3.8 writes the temperature for the first triangle of a "
-	       "mesh only.\n\n"
-	       "f_ID[k] writes an array of this name with column k of an output of fix ID that has a row for "
-	       "each triangle of its mesh, and 0 for the triangles of other meshes. f_ID[*] writes all "
+	       "mesh is a fix mesh/surface/stress, velocities only if a mesh moves, and Temp only if a mesh "
+	       "has a temperature. LIGGGHTS 3.8 writes the temperature for the first triangle of a mesh "
+	       "only.\n\n"
+	       "f_ID[k] writes an array of this name with column k of an output of fix ID that has a row "
+	       "for each triangle of its mesh, and 0 for the triangles of other meshes. f_ID[*] writes all "
 	       "columns.\n\n"
 	       "Related: dump mesh/stl, fix mesh/surface, fix mesh/surface/stress.",
 	.example = "dump stress all mesh/vtk 200 post/mesh*.vtk id area vel\n"

@@ -194,10 +194,9 @@ const struct ts_style ts_compute_rdf = {
 	       "r\n\n"
 	       "n(r) is the number of ordered pairs i, j of the group whose distance is in the bin, from "
 	       "r_i to r_o, N_i the number of particles of the first types, N_j' that of the second types "
-	       "without the central particle itself, V the volume of the box. In two dimensions pi (r_o^2 "
-	       "- r_i^2) and the area take the place of the volumes. Periodic images count, also beyond "
-	       "half the box; there is no correction for fixed faces. Average it with fix ave/time mode "
-	       "vector.",
+	       "without the central particle itself, V the volume of the box. In two dimensions pi (r_o^2 - "
+	       "r_i^2) and the area take the place of the volumes. Periodic images count, also beyond half "
+	       "the box; there is no correction for fixed faces. Average it with fix ave/time mode vector.",
 	.example = "compute g all rdf 100 cutoff 0.03\n"
 		   "compute g2 all rdf 100 1 1 1 2 cutoff 0.03\n"
 		   "fix mean all ave/time 100 10 1000 c_g[*] mode vector file post/rdf.txt",

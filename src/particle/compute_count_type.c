@@ -77,8 +77,8 @@ const struct ts_style ts_compute_count_type = {
 	.name = "count/type",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Number of particles or bonds of each type",
-	.doc = "c_ID[k] is the number of particles of type k in the group, or of bonds of type k\n"
-	       "with both particles in the group.",
+	.doc = "c_ID[k] is the number of particles of type k in the group, or of bonds of type k with both "
+	       "particles in the group.",
 	.example = "compute kinds all count/type atom\ncompute left all count/type bond",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -136,11 +136,11 @@ const struct ts_style ts_compute_msd = {
 	.name = "msd",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Mean squared displacement",
-	.doc = "Mean of (x - x0)^2 over the particles of the group. x0 is the position when the\n"
-	       "compute was defined, or when the particle was inserted if that was later.\n"
-	       "Positions are unwrapped. Reference positions are written to restart files.\n\n"
-	       "With `average yes` x0 is the mean of all positions at which the compute has been\n"
-	       "evaluated so far, one per step.",
+	.doc = "Mean of (x - x0)^2 over the particles of the group. x0 is the position when the compute was "
+	       "defined, or when the particle was inserted if that was later. Positions are unwrapped. "
+	       "Reference positions are written to restart files.\n\n"
+	       "With `average yes` x0 is the mean of all positions at which the compute has been evaluated "
+	       "so far, one per step.",
 	.example = "compute msd all msd com yes\nthermo_style custom step c_msd[4]",
 	.args = args,
 	.state_size = sizeof(struct msd),

@@ -70,9 +70,8 @@ const struct ts_style ts_compute_property_atom = {
 	.name = "property/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Properties of each particle",
-	.doc = "Makes per-particle quantities available by name: c_ID[k] is the k-th of them,\n"
-	       "and c_ID that of a compute with a single one. The value is 0 for particles\n"
-	       "outside the group.",
+	.doc = "Makes per-particle quantities available by name: c_ID[k] is the k-th of them, and c_ID that "
+	       "of a compute with a single one. The value is 0 for particles outside the group.",
 	.example = "compute size all property/atom radius mass",
 	.args = args,
 	.state_size = sizeof(struct property),

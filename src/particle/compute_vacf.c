@@ -68,9 +68,9 @@ const struct ts_style ts_compute_vacf = {
 	.name = "vacf",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Velocity autocorrelation function",
-	.doc = "Mean of the product v v0 over the particles of the group. v0 is the velocity\n"
-	       "when the compute was defined, or when the particle was inserted if that was\n"
-	       "later. Reference velocities are written to restart files.",
+	.doc = "Mean of the product v v0 over the particles of the group. v0 is the velocity when the "
+	       "compute was defined, or when the particle was inserted if that was later. Reference "
+	       "velocities are written to restart files.",
 	.example = "compute memory all vacf\nfix series all vector 10 c_memory[4]",
 	.state_size = sizeof(struct vacf),
 	.archive = archive,

@@ -380,13 +380,12 @@ const struct ts_style ts_fix_adapt = {
 	.name = "adapt",
 	.kind = TS_KIND_FIX,
 	.summary = "Changes properties of particles or coefficients of contacts during a run",
-	.doc = "At the start of the first run, and in each step that is a multiple of N, the\n"
-	       "variables are evaluated and assigned: to the diameter, density or mass of the\n"
-	       "particles in the group, or to a number of `pair_coeff` for all pairs of the\n"
-	       "types I and J.\n\n"
-	       "With `scale yes` a variable is a factor of the value at the time when the fix\n"
-	       "was defined, however many runs there have been since. With `mass no` a change of\n"
-	       "the diameter keeps the mass.\n\n"
+	.doc = "At the start of the first run, and in each step that is a multiple of N, the variables are "
+	       "evaluated and assigned: to the diameter, density or mass of the particles in the group, or "
+	       "to a number of `pair_coeff` for all pairs of the types I and J.\n\n"
+	       "With `scale yes` a variable is a factor of the value at the time when the fix was defined, "
+	       "however many runs there have been since. With `mass no` a change of the diameter keeps the "
+	       "mass.\n\n"
 	       "The stability limit of the time step is checked only at the start of a run.",
 	.example = "variable size equal ramp(0.01,0.012)\n"
 		   "fix grow beads adapt 10 atom diameter v_size\n"

@@ -215,11 +215,11 @@ const struct ts_style ts_fix_property_atom = {
 	.name = "property/atom",
 	.kind = TS_KIND_FIX,
 	.summary = "Adds user-defined properties to particles",
-	.doc = "Adds properties to all particles, whatever the group of the fix. In the syntax\n"
-	       "of LIGGGHTS (NAME scalar ...) particles start with the given values, also those\n"
-	       "inserted later; in the syntax of LAMMPS (d_NAME ...) they start with 0. `set ...\n"
-	       "property/atom NAME value` assigns values; f_ID reads them. The names can also be\n"
-	       "used directly in formulas, computes and dumps.\n\n"
+	.doc = "Adds properties to all particles, whatever the group of the fix. In the syntax of LIGGGHTS "
+	       "(NAME scalar ...) particles start with the given values, also those inserted later; in the "
+	       "syntax of LAMMPS (d_NAME ...) they start with 0. `set ... property/atom NAME value` assigns "
+	       "values; f_ID reads them. The names can also be used directly in formulas, computes and "
+	       "dumps.\n\n"
 	       "The fix may be defined before the simulation box.",
 	.example = "fix age all property/atom age scalar yes no no 0.0\n"
 		   "set region top property/atom age 2.385\n"

@@ -149,18 +149,16 @@ const struct ts_style ts_fix_scale_diameter = {
 	.name = "scale/diameter",
 	.kind = TS_KIND_FIX,
 	.summary = "Scales diameters by the distance from the centre of a region",
-	.doc = "At the start of the first run, and in each step that is a multiple of N, the\n"
-	       "diameter of each particle of the group is set to f times its original diameter,\n"
-	       "that at the time when the fix first processed the particle. With r the distance\n"
-	       "of its centre from the centre of the sphere, or from the axis of the cylinder,\n"
-	       "of radius R, and w = scale_width:\n\n"
+	.doc = "At the start of the first run, and in each step that is a multiple of N, the diameter of "
+	       "each particle of the group is set to f times its original diameter, that at the time when "
+	       "the fix first processed the particle. With r the distance of its centre from the centre of "
+	       "the sphere, or from the axis of the cylinder, of radius R, and w = scale_width:\n\n"
 	       "    f = 1                              outside the region\n"
 	       "    f = 1 + (scale - 1) (1 - r/R)/w    for 1 - r/R < w\n"
 	       "    f = scale                          further inside\n\n"
-	       "The mass changes with the volume at constant density. The region may move.\n"
-	       "Particles that are inserted later are included from the next change on.\n"
-	       "Particles of rigid bodies are an error. The fix exists in another edition of\n"
-	       "LIGGGHTS (PFM).",
+	       "The mass changes with the volume at constant density. The region may move. Particles that "
+	       "are inserted later are included from the next change on. Particles of rigid bodies are an "
+	       "error. The fix exists in another edition of LIGGGHTS (PFM).",
 	.example = "region core sphere 0 0 0 0.5 units box\n"
 		   "fix fine all scale/diameter 10 region core scale 0.5 scale_width 0.2",
 	.args = args,

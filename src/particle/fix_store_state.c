@@ -134,9 +134,9 @@ const struct ts_style ts_fix_store_state = {
 	.name = "store/state",
 	.kind = TS_KIND_FIX,
 	.summary = "Stores per-particle quantities",
-	.doc = "Stores the inputs of the particles in the group when the fix is defined and,\n"
-	       "unless N is 0, at the end of each step that is a multiple of N. The values move\n"
-	       "with the particles and are written to restart files.",
+	.doc = "Stores the inputs of the particles in the group when the fix is defined and, unless N is 0, "
+	       "at the end of each step that is a multiple of N. The values move with the particles and are "
+	       "written to restart files.",
 	.example = "fix before all store/state 0 xu yu zu com yes\n"
 		   "variable gone atom sqrt((xu-f_before[1])^2+(yu-f_before[2])^2)",
 	.args = args,

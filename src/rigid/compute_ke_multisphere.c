@@ -56,8 +56,7 @@ const struct ts_style ts_compute_ke_multisphere = {
 	.name = "ke/multisphere",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Translational kinetic energy of rigid bodies",
-	.doc = "Sum of M V^2 / 2 over all rigid bodies, exact and rounded once. The group has no\n"
-	       "effect.",
+	.doc = "Sum of M V^2 / 2 over all rigid bodies, exact and rounded once. The group has no effect.",
 	.example = "compute energy all ke/multisphere",
 	.values = translations,
 };
@@ -67,8 +66,7 @@ const struct ts_style ts_compute_erotate_multisphere = {
 	.name = "erotate/multisphere",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Rotational kinetic energy of rigid bodies",
-	.doc = "Sum of L . omega / 2 over all rigid bodies, exact and rounded once. The group\n"
-	       "has no effect.",
+	.doc = "Sum of L . omega / 2 over all rigid bodies, exact and rounded once. The group has no effect.",
 	.example = "compute rotation all erotate/multisphere",
 	.values = rotations,
 };

@@ -36,16 +36,15 @@ const struct ts_style ts_fix_multisphere = {
 	.name = "multisphere",
 	.kind = TS_KIND_FIX,
 	.summary = "Integrates clumps of spheres as rigid bodies",
-	.doc = "Integrates clumps inserted from fix particletemplate/multisphere as rigid\n"
-	       "bodies, by velocity Verlet:\n\n"
+	.doc = "Integrates clumps inserted from fix particletemplate/multisphere as rigid bodies, by "
+	       "velocity Verlet:\n\n"
 	       "    M dV/dt = F,   dL/dt = T\n\n"
-	       "where F and T are sums over the forces and torques on their spheres. The\n"
-	       "orientation follows from L by a step that is extrapolated from one full and two\n"
-	       "half steps.\n\n"
-	       "Spheres of a clump do not interact with each other; in contacts with others they\n"
-	       "have the mass of the clump. Gravity acts on the clump as a whole, whose mass is\n"
-	       "not the sum of its overlapping spheres. A clump of which a sphere is lost\n"
-	       "through a fixed face is deleted. The group has no effect.\n\n"
+	       "where F and T are sums over the forces and torques on their spheres. The orientation "
+	       "follows from L by a step that is extrapolated from one full and two half steps.\n\n"
+	       "Spheres of a clump do not interact with each other; in contacts with others they have the "
+	       "mass of the clump. Gravity acts on the clump as a whole, whose mass is not the sum of its "
+	       "overlapping spheres. A clump of which a sphere is lost through a fixed face is deleted. The "
+	       "group has no effect.\n\n"
 	       "The spheres must not be integrated by another fix such as nve/sphere.",
 	.example = "fix clumps all multisphere",
 	.args = args,

@@ -464,18 +464,18 @@ const struct ts_style ts_fix_flow_scalar = {
 	.name = "flow/scalar",
 	.kind = TS_KIND_FIX,
 	.summary = "Transport of temperature or another scalar by the fluid",
-	.doc = "rho c (d(e T)/dt + div(e u T)) = div(e k grad T) + source + exchange, with e the void\n"
-	       "fraction (of fix void_fraction, else 1). With capacity 1 and conductivity rho D, T is any\n"
-	       "concentration with diffusivity D. The finite-volume scheme is conservative. Steps of the\n"
+	.doc = "rho c (d(e T)/dt + div(e u T)) = div(e k grad T) + source + exchange, with e the void "
+	       "fraction (of fix void_fraction, else 1). With capacity 1 and conductivity rho D, T is any "
+	       "concentration with diffusivity D. The finite-volume scheme is conservative. Steps of the "
 	       "fluid are divided into substeps if the stability of the scheme requires it.\n\n"
-	       "On a face of the grid either T is given (`value`), or the heat flux by conduction\n"
-	       "(`flux`), or there is no conduction (`none`, the default). An inflow should have a value;\n"
-	       "otherwise the fluid enters with the T of the first cell.\n\n"
-	       "`exchange ranz_marshall` transfers to each particle of the group the heat per time Q = pi\n"
-	       "d^2 h (T - T_p), with h = Nu k/d, Nu = 2 + 0.6 Re^(1/2) Pr^(1/3), Re = rho e |u - v| d/mu,\n"
+	       "On a face of the grid either T is given (`value`), or the heat flux by conduction (`flux`), "
+	       "or there is no conduction (`none`, the default). An inflow should have a value; otherwise "
+	       "the fluid enters with the T of the first cell.\n\n"
+	       "`exchange ranz_marshall` transfers to each particle of the group the heat per time Q = pi "
+	       "d^2 h (T - T_p), with h = Nu k/d, Nu = 2 + 0.6 Re^(1/2) Pr^(1/3), Re = rho e |u - v| d/mu, "
 	       "and takes it from the fluid; T_p is the temperature of fix heat/gran.\n\n"
-	       "f_ID[1] is the heat in the fluid, the integral of rho c e T over the grid, f_ID[2] the\n"
-	       "heat per time into all particles, f_ID[3] and f_ID[4] are the minimum and maximum of T;\n"
+	       "f_ID[1] is the heat in the fluid, the integral of rho c e T over the grid, f_ID[2] the heat "
+	       "per time into all particles, f_ID[3] and f_ID[4] are the minimum and maximum of T; "
 	       "f_ID[i][j] is for cell i the centre (j = 1, 2, 3) and T (j = 4).",
 	.example =
 		"flow_style projection cells 32 32 1 viscosity 1.8e-5 density 1.2\n"

@@ -139,9 +139,9 @@ const struct ts_style ts_compute_wall_gran_local = {
 	.name = "wall/gran/local",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Data of each contact of a particle with a wall",
-	.doc = "A table with one row for each contact of a particle of the group with a triangle of a "
-	       "mesh, as compute pair/gran/local gives for contacts of particles. Whatever the order of "
-	       "the keywords, the columns are in this order:\n\n"
+	.doc = "A table with one row for each contact of a particle of the group with a triangle of a mesh, "
+	       "as compute pair/gran/local gives for contacts of particles. Whatever the order of the "
+	       "keywords, the columns are in this order:\n\n"
 	       "  pos                contact point and position of the particle (6)\n"
 	       "  vel                velocity of the surface at the contact point and of the particle (6)\n"
 	       "  id                 number of the mesh, from 0, number of the triangle, from 0, id of the "
@@ -154,11 +154,11 @@ const struct ts_style ts_compute_wall_gran_local = {
 	       "  contactArea        area of the circle in which sphere and plane intersect (1)\n"
 	       "  delta              overlap (1)\n"
 	       "  contactPoint       contact point on the surface (3)\n\n"
-	       "Meshes are numbered in the order in which fixes wall/gran name them. Without keywords: "
-	       "pos vel id force history contactArea.\n\n"
-	       "With `primitives yes` contacts with planes and cylinders are listed, too; their mesh is "
-	       "-1. Contacts and forces are those of the last force computation, or with `legacy` as "
-	       "LIGGGHTS computes them, see compute pair/gran/local. LIGGGHTS gives contactPoint as 0.\n\n"
+	       "Meshes are numbered in the order in which fixes wall/gran name them. Without keywords: pos "
+	       "vel id force history contactArea.\n\n"
+	       "With `primitives yes` contacts with planes and cylinders are listed, too; their mesh is -1. "
+	       "Contacts and forces are those of the last force computation, or with `legacy` as LIGGGHTS "
+	       "computes them, see compute pair/gran/local. LIGGGHTS gives contactPoint as 0.\n\n"
 	       "Related: fix wall/gran, compute pair/gran/local, dump local.",
 	.example = "compute hits all wall/gran/local id pos force\n"
 		   "dump hits all local/gran/vtk 1000 post/hits*.vtp hits",
