@@ -60,7 +60,7 @@ wrong "'c_p[2*5]': 'c_p' has 3" 'compute a all reduce sum c_p[2*5]'
 wrong "'c_p[4*]': 'c_p' has 3" 'compute a all reduce sum c_p[4*]'
 wrong 'there are no elements or columns for *' 'fix a all vector 1 c_p[*]'
 wrong "dump custom: unknown quantity 'step'" 'dump a all custom 1 a.dump step'
-wrong "dump local: 'c_p[1]' is numbers of particles, expected rows of contacts or bonds" \
+wrong "dump local: 'c_p[1]' is numbers of particles, expected rows of contacts, bonds or triangles" \
 	'dump a all local 1 a.dump c_p[1]'
 wrong "'f_a' is an array" 'fix a all vector 1 step time' 'fix b all ave/time 1 1 1 f_a mode vector'
 wrong 'the array has 1 rows and 2 columns' 'fix a all vector 1 step time' 'run 0' \

@@ -192,7 +192,7 @@ delete_bonds all atom 2
 delete_bonds all" '  1 settings made for bond' '3 bonds of 2 types' 'Deleted 0 bonds, total bonds = 3' \
 	'Deleted 1 bonds, total bonds = 2' 'Deleted 1 bonds, total bonds = 1' 'Deleted 1 bonds, total bonds = 0'
 reject 'undo' "$cube
-delete_bonds all undo" 'nothing to undo'
+delete_bonds all undo" 'undo is not possible'
 expect 'random velocities without momentum and angular momentum' "$cube
 variable k equal 1.380649e-23
 velocity all create \$(2.385/v_k) 4928459 rot yes dist gaussian

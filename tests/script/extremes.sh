@@ -71,7 +71,7 @@ says 'a particle a million boxes away is put back' 'bogus' "$ready
 set type 1 x 1e6
 run 1
 bogus"
-says 'images that cannot be counted' 'nowhere' "$ready
+says 'images that cannot be counted' 'invalid position' "$ready
 set type 1 x 1e14
 run 1"
 says 'a velocity of 1e300' '(not a number|moves more)' "$ready
