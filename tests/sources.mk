@@ -90,6 +90,7 @@ shell_tests = \
 	tests/group/groups.sh \
 	tests/group/temperature_words.sh \
 	tests/heat/heat.sh \
+	tests/house/declared.sh \
 	tests/house/door.sh \
 	tests/house/format.sh \
 	tests/house/house.sh \
