@@ -45,13 +45,13 @@ style() {
 
 # Why a word is refused, as tsim says it.
 reason() {
-	local said="$1 (style )?'$2' is known from .*|$1 is '$2', expected.* is known, .*|$1 $2 is known but .*"
+	local said="$1 (style )?'$2' is known from .*|$1 is '$2', expected.* is known, .*|$1 $2 is known, but .*"
 
 	case $1 in
 	'dump column') said="quantity '$2' is known, .*" ;;
 	'pair gran' | wall/gran | set) said="keyword '$2' is known, .*" ;;
 	esac
-	grep -hoE -- "$said" "$work/errors" | sed 's/.*but tsim does not have it: //; s/.*is known but /it is /' | head -n 1
+	grep -hoE -- "$said" "$work/errors" | sed 's/.*but tsim does not have it: //' | head -n 1
 }
 
 # Other words: on one of the manual pages, or refused with a reason.

@@ -134,7 +134,7 @@ static enum ts_status apply_operation(struct work *w, const struct change *c, bo
 		break;
 	default:
 		return ts_fail(&w->sim->error, TS_STATE, w->where,
-			       "change_box: boxes with tilted faces are known, but not built");
+			       "change_box: boxes with tilted faces are not supported");
 	}
 	return TS_OK;
 }

@@ -29,7 +29,7 @@ static enum ts_status create_box(struct tsim *sim, void *state, const struct ts_
 				       "or impropers");
 	if (ts_streq(s->region->style->name, "prism"))
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "region '%s' is a prism: boxes with tilted faces are known, but not built",
+			       "region '%s' is a prism: boxes with tilted faces are not supported",
 			       s->region->id);
 	TS_TRY(ts_region_update(s->region, sim));
 	ts_region_bounds(s->region, lo, hi);

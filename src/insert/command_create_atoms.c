@@ -374,10 +374,10 @@ static enum ts_status check_arguments(struct tsim *sim, const struct state *s, c
 			       "create_atoms: there is no type %lld, types go from 1 to %d",
 			       (long long)s->type, sim->particles->ntypes);
 	if (s->mode == MESH)
-		return ts_fail(&sim->error, TS_STATE, where, "create_atoms mesh is known, but not built");
+		return ts_fail(&sim->error, TS_STATE, where, "create_atoms mesh is not supported");
 	if (s->molecule.n || s->rotate.n)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "create_atoms: molecules are not built; make particles and bond them "
+			       "create_atoms: molecules are not supported; make particles and bond them "
 			       "with create_bonds");
 	if (!lattice && (s->basis.n || s->ratio.n || s->subset.n))
 		return ts_fail(&sim->error, TS_SYNTAX, where,

@@ -158,7 +158,7 @@ static enum ts_status refuse_molecules(struct ts_instance *self, struct tsim *si
 	for (int k = 0; k < MOLECULES; k++)
 		if (s->refused[k].n)
 			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, molecule_words[k]),
-				       "fix pour: '%s' is known, but not built: molecules are clumps here, "
+				       "fix pour: '%s' is not supported: molecules are clumps here, "
 				       "poured by fix insert/stream from fix particletemplate/multisphere",
 				       molecule_words[k]);
 	return TS_OK;

@@ -204,7 +204,7 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 			       self->style->name);
 	if (s->compress_tags)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "compress_tags"),
-			       "fix %s: compress_tags yes is known, but not built: particles keep their atom "
+			       "fix %s: compress_tags yes is not supported: particles keep their atom "
 			       "IDs",
 			       self->style->name);
 	if (d->largest_type > sim->particles->ntypes)

@@ -88,7 +88,8 @@ enum ts_status ts_data_refuse_style(struct tsim *sim, const struct ts_word *word
 	for (size_t k = 0; others[k]; k++)
 		if (ts_streq(word->text, others[k]))
 			return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
-				       "atom_style %s is known but not built: particles are spheres",
+				       "atom_style %s is known, but tsim does not have it: particles are "
+				       "spheres",
 				       word->text);
 	for (size_t k = 0; k < sizeof layouts / sizeof *layouts; k++)
 		ts_suggest_try(&suggest, layouts[k].style);

@@ -109,9 +109,9 @@ change_box all x volume units box" 'must follow a change'
 rejects "$two
 change_box all x scale 2 x volume units box" 'must follow a change'
 rejects "$two
-change_box all xy final 0.1 units box" 'known, but not built'
+change_box all xy final 0.1 units box" 'not supported'
 rejects "$two
-change_box all triclinic" 'known, but not built'
+change_box all triclinic" 'not supported'
 rejects "$two
 change_box all x final 2 1 units box" 'the box would reach'
 rejects "$two
@@ -129,7 +129,7 @@ replicate 100000 100000 1" 'identities would be needed'
 rejects "$two
 replicate 0 1 1" 'expected a number from 1'
 rejects 'region box prism 0 1 0 1 0 1 0.1 0 0
-create_box 1 box' 'tilted faces are known'
+create_box 1 box' 'tilted faces are not supported'
 rejects 'region box block 0 1 0 1 0 1
 create_box 1 box angle/types 2' 'no angles'
 finish

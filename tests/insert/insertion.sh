@@ -169,7 +169,7 @@ with "$pack vel uniform 1 2 3 region bed particles_in_region 3" 'fix insert/pack
 with "$pack set_property a region bed particles_in_region 3" 'a name and a number'
 with "$pack set_property a 1 region bed particles_in_region 3
 run 1" "no fix property/atom gives particles 'a'"
-with "$pack compress_tags yes region bed particles_in_region 3" 'known, but not built'
+with "$pack compress_tags yes region bed particles_in_region 3" 'not supported'
 with "$pack start 0 region bed particles_in_region 3
 run 1" 'start 0 is past'
 with "region big block -0.1 1 0 0.8 0 0.9

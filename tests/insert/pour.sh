@@ -108,7 +108,7 @@ region beyond block 0 1 0 1 1 3 units box
 $rain region beyond diam one 0.1" 'reaches from z = 1 to 3, beyond the box from 0 to 2'
 rejects "$box
 $down
-$rain region sky mol object" "'mol' is known, but not built: molecules are clumps"
+$rain region sky mol object" "'mol' is not supported: molecules are clumps"
 rejects "$box
 $down
 $rain region sky diam poly 2 0.1 0.3 0.2 0.6" 'add up to 0.9, expected 1'

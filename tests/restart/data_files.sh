@@ -140,7 +140,7 @@ malformed 'bonded twice' 's/^1 atom types/&\n2 bonds\n1 bond types/; $s/$/\nBond
 malformed 'mass 0' 's/^Atoms/Masses\n\n1 0\n\nAtoms/' 'the mass is 0, expected a number > 0'
 malformed 'no mass for points' 's/^Atoms/Atoms # atomic/; s/^7.*/7 1 0 0 0/; s/^3 .*/3 1 0 0 0/' 'type 1 has no mass'
 malformed 'coefficients without a style' '$s/$/\nPair Coeffs\n\n1 stiffness 3/' 'bad.data:15:'
-malformed 'style of others' 's/^Atoms/Atoms # ellipsoid/' 'atom_style ellipsoid is known but not built'
+malformed 'style of others' 's/^Atoms/Atoms # ellipsoid/' 'atom_style ellipsoid is known, but tsim does not have it'
 printf 'title\n2 at\0oms\n' >zero.data
 printf 'read_data zero.data' >in.script
 refused 'zero byte' 'contains a zero byte' -in in.script
