@@ -52,10 +52,10 @@ const struct ts_style ts_compute_pe = {
 	       "law of Hertz, whose k_n is proportional to sqrt(delta). Springs of sliding and rolling "
 	       "friction store k_t xi^2/2 and M^2/(2 k_r) at the present overlap. The energy of cohesion is "
 	       "the integral of its force over the overlap, < 0. Dashpots and sliders store nothing. A "
-	       "contact of hooke/hysteresis is plastic and has no potential energy: the run is refused. * "
-	       "`bond`: K U^2/2 of each bond of bond style contact. * `fix`: the energy of fixes for which "
-	       "`fix_modify ID energy yes` is set, e.g. -sum m g . x of fix gravity with unwrapped "
-	       "positions. Walls are fixes.\n\n"
+	       "contact of hooke/hysteresis is plastic and has no potential energy: the run is refused.\n"
+	       "* `bond`: K U^2/2 of each bond of bond style contact.\n"
+	       "* `fix`: the energy of fixes for which `fix_modify ID energy yes` is set, e.g. -sum m g . x "
+	       "of fix gravity with unwrapped positions. Walls are fixes.\n\n"
 	       "LAMMPS and LIGGGHTS have no energy of granular contacts: there, compute pe is 0 for that "
 	       "part (see `legacy`). LIGGGHTS has no thermo keyword pe.",
 	.example = "compute stored all pe pair bond",

@@ -226,14 +226,21 @@ static bool is_preformatted(const char *line)
 	return line[0] == ' ' && line[1] == ' ';
 }
 
-/* Length of the lines up to an empty one, or one of the other kind (preformatted or not), with the line
- * end. */
+/* Whether the line is the first one of an item of a list. */
+static bool begins_item(const char *text)
+{
+	return text[0] == '*' && text[1] == ' ';
+}
+
+/* Length of the lines up to an empty one, the next item of a list, or one of the other kind (preformatted or not), with
+ * the line end. */
 static size_t part_length(const char *text)
 {
 	bool preformatted = is_preformatted(text);
 	size_t n = 0;
 
-	while (text[n] && text[n] != '\n' && is_preformatted(text + n) == preformatted) {
+	while (text[n] && text[n] != '\n' && is_preformatted(text + n) == preformatted &&
+	       !(n && begins_item(text + n))) {
 		n += strcspn(text + n, "\n");
 		n += text[n] == '\n';
 	}
@@ -251,7 +258,7 @@ static void add_part(const char *text, bool markdown, struct ts_str *out)
 	} else if (markdown) {
 		ts_str_addf(out, "%s\n", text);
 	} else {
-		add_wrapped(text, 2, 0, &lines);
+		add_wrapped(text, 2, begins_item(text) ? 2 : 0, &lines);
 		ts_str_addf(out, "%s\n", ts_str_text(&lines));
 	}
 	out->failed |= lines.failed;
