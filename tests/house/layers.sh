@@ -5,7 +5,7 @@
 # Within a folder files call each other in circles only as far as the list `circles` of doc/design.md says.
 command -v nm >/dev/null || { echo 'skipped: needs nm (apt-get install binutils)'; exit 77; }
 builddir=$(cd "${top_builddir:-.}" && pwd)
-cd "${top_srcdir:-$(dirname "$0")/..}" || exit 99
+cd "${top_srcdir:-$(dirname "$0")/../..}" || exit 99
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
