@@ -5,42 +5,40 @@
 #include "geom/box.h"
 #include "particle/columns.h"
 #include "particle/quantity.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 
-typedef void assign_fn(struct ts_particles *p, size_t i, double value);
+typedef void assign_fn(struct tsim *sim, size_t i, double value);
 
-static double sphere_volume(double radius)
+static void set_type(struct tsim *sim, size_t i, double value)
 {
-	return 4.18879020478639098462 * radius * radius * radius; /* 4 pi / 3 */
+	sim->particles->type[i] = (int32_t)value;
 }
 
-static void set_type(struct ts_particles *p, size_t i, double value)
+/* The density stays. */
+static void set_radius(struct tsim *sim, size_t i, double value)
 {
-	p->type[i] = (int32_t)value;
-}
-
-static void set_radius(struct ts_particles *p, size_t i, double value)
-{
-	double density = p->mass[i] / sphere_volume(p->radius[i]);
+	struct ts_particles *p = sim->particles;
+	double density = p->mass[i] / ts_particle_volume(sim, p->radius[i]);
 
 	p->radius[i] = value;
-	p->mass[i] = density * sphere_volume(value);
+	p->mass[i] = density * ts_particle_volume(sim, value);
 }
 
-static void set_diameter(struct ts_particles *p, size_t i, double value)
+static void set_diameter(struct tsim *sim, size_t i, double value)
 {
-	set_radius(p, i, 0.5 * value);
+	set_radius(sim, i, 0.5 * value);
 }
 
-static void set_mass(struct ts_particles *p, size_t i, double value)
+static void set_mass(struct tsim *sim, size_t i, double value)
 {
-	p->mass[i] = value;
+	sim->particles->mass[i] = value;
 }
 
-static void set_density(struct ts_particles *p, size_t i, double value)
+static void set_density(struct tsim *sim, size_t i, double value)
 {
-	p->mass[i] = value * sphere_volume(p->radius[i]);
+	sim->particles->mass[i] = value * ts_particle_volume(sim, sim->particles->radius[i]);
 }
 
 /* A quantity that can be written: a component of a column, or a function that writes it. */
@@ -107,10 +105,12 @@ static const char *expected_value(const struct ts_particles *p, const struct tar
 	return NULL;
 }
 
-static void write_value(struct ts_particles *p, const struct target *target, size_t i, double value)
+static void write_value(struct tsim *sim, const struct target *target, size_t i, double value)
 {
+	struct ts_particles *p = sim->particles;
+
 	if (target->assign)
-		target->assign(p, i, value);
+		target->assign(sim, i, value);
 	else if (target->column == TS_COL_IMAGE)
 		p->image[i][target->component] = (int32_t)value;
 	else
@@ -165,7 +165,7 @@ enum ts_status ts_particles_assign(struct tsim *sim, const char *name, const int
 	}
 	TS_TRY(ts_particles_need(sim, 1u << target->column));
 	for (size_t k = 0; k < n; k++)
-		write_value(p, target, row ? (size_t)row[k] : k, value[k]);
+		write_value(sim, target, row ? (size_t)row[k] : k, value[k]);
 	if (target->column == TS_COL_MASS || target->column == TS_COL_RADIUS)
 		ts_particles_inverse_mass(p);
 	return TS_OK;

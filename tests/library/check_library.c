@@ -165,6 +165,28 @@ START_TEST(every_quantity_can_be_read_and_written_back)
 }
 END_TEST
 
+/* In two dimensions particles are discs, and their density is mass per area (set, create_atoms). */
+START_TEST(density_of_discs)
+{
+	struct tsim *plane = tsim_open();
+	const double density = 7.3, radius = 0.29;
+	double value;
+
+	deck(plane,
+	     "units si\ndimension 2\nboundary f f p\nregion b block -1 1 -1 1 -0.5 0.5 units box\n"
+	     "create_box 1 b\ncreate_atoms 1 single 0.1 0.2 0 units box\nset group all diameter 0.46\n");
+	ck_assert_int_eq(tsim_column_write(plane, "density", &density, 1), 0);
+	ck_assert_int_eq(tsim_column_read(plane, "mass", &value, 1), 0);
+	DECK_NEAR(value, 7.3 * 3.14159265358979323846 * 0.23 * 0.23, 1e-15);
+	ck_assert_int_eq(tsim_column_write(plane, "radius", &radius, 1), 0);
+	ck_assert_int_eq(tsim_column_read(plane, "mass", &value, 1), 0);
+	DECK_NEAR(value, 7.3 * 3.14159265358979323846 * 0.29 * 0.29, 1e-15);
+	ck_assert_int_eq(tsim_column_read(plane, "density", &value, 1), 0);
+	DECK_NEAR(value, 7.3, 1e-15);
+	tsim_close(plane);
+}
+END_TEST
+
 START_TEST(columns_of_the_script)
 {
 	const double two = 2.385, bad = NAN;
@@ -577,6 +599,7 @@ int main(void)
 	tcase_add_test(tests, tables);
 	tcase_add_test(tests, variables);
 	tcase_add_test(tests, every_quantity_can_be_read_and_written_back);
+	tcase_add_test(tests, density_of_discs);
 	tcase_add_test(tests, columns_of_the_script);
 	tcase_add_test(tests, values_are_checked);
 	tcase_add_test(tests, views_and_generation);
