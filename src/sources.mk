@@ -656,7 +656,6 @@ library_sources = \
 	src/math/exactsum.h \
 	src/math/fit.c \
 	src/math/fit.h \
-	src/math/gsl.h \
 	src/math/minstd.c \
 	src/math/minstd.h \
 	src/math/quaternion.h \

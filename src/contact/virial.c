@@ -1,8 +1,11 @@
 #include "contact/virial.h"
 
+#include <stdio.h>
+
 #include "bond/bonds.h"
 #include "box/domain.h"
 #include "contact/contact_view.h"
+#include "core/name_list.h"
 #include "math/vec3.h"
 #include "particle/group_moments.h"
 
@@ -84,23 +87,16 @@ enum ts_status ts_virial_read_parts(struct tsim *sim, const struct ts_instance *
 	/* the last six are accepted; contacts and bonds have nothing to add to them */
 	static const char *const names[] = { "ke",    "pair",	  "bond",     "virial", "fix",
 					     "angle", "dihedral", "improper", "kspace", NULL };
+	char what[80];
 
+	snprintf(what, sizeof what, "compute %s", self->style->name);
+	TS_TRY(ts_name_list_check_keywords(sim, what, words, names));
 	*parts = (struct ts_virial_parts){ 0 };
 	if (!words.n)
 		*parts = (struct ts_virial_parts){ true, true, true };
 	for (size_t k = 0; k < words.n; k++) {
 		const char *word = words.word[k].text;
-		struct ts_suggest suggest = ts_suggest_start(word);
-		bool known = false;
 
-		for (const char *const *name = names; *name; name++) {
-			known |= ts_streq(word, *name);
-			ts_suggest_try(&suggest, *name);
-		}
-		if (!known)
-			return ts_fail(&sim->error, TS_UNKNOWN, &words.word[k].place,
-				       "compute %s: unknown keyword '%s'%s", self->style->name, word,
-				       ts_suggest_text(&suggest));
 		parts->kinetic |= ts_streq(word, "ke");
 		parts->pair |= ts_streq(word, "pair") || ts_streq(word, "virial");
 		parts->bond |= ts_streq(word, "bond") || ts_streq(word, "virial");

@@ -13,14 +13,15 @@ static const char *name_at(const void *table, size_t stride, int k)
 	return name;
 }
 
-static enum ts_status fail_unknown_name(struct tsim *sim, const char *what, const struct ts_word *word,
-					const void *table, size_t stride)
+/* `noun`: what the names of the table are. */
+static enum ts_status fail_unknown_name(struct tsim *sim, const char *what, const char *noun,
+					const struct ts_word *word, const void *table, size_t stride)
 {
 	struct ts_suggest suggest = ts_suggest_start(word->text);
 
 	for (int k = 0; name_at(table, stride, k); k++)
 		ts_suggest_try(&suggest, name_at(table, stride, k));
-	return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "%s: unknown quantity '%s'%s", what, word->text,
+	return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "%s: unknown %s '%s'%s", what, noun, word->text,
 		       ts_suggest_text(&suggest));
 }
 
@@ -32,17 +33,31 @@ enum ts_status ts_name_list_room(struct tsim *sim, struct ts_arena *arena, size_
 	return out->item ? TS_OK : ts_nomem(&sim->error);
 }
 
-enum ts_status ts_name_list_find(struct tsim *sim, const char *what, const struct ts_word *word,
-				 const void *table, size_t stride, int *index)
+/* The index of the word in the table; -1: it is not there. */
+static int find_name(const struct ts_word *word, const void *table, size_t stride)
 {
 	const char *name;
 
 	for (int k = 0; (name = name_at(table, stride, k)); k++)
-		if (ts_streq(name, word->text)) {
-			*index = k;
-			return TS_OK;
-		}
-	return fail_unknown_name(sim, what, word, table, stride);
+		if (ts_streq(name, word->text))
+			return k;
+	return -1;
+}
+
+enum ts_status ts_name_list_find(struct tsim *sim, const char *what, const struct ts_word *word,
+				 const void *table, size_t stride, int *index)
+{
+	*index = find_name(word, table, stride);
+	return *index >= 0 ? TS_OK : fail_unknown_name(sim, what, "quantity", word, table, stride);
+}
+
+enum ts_status ts_name_list_check_keywords(struct tsim *sim, const char *what, struct ts_words words,
+					   const char *const *names)
+{
+	for (size_t k = 0; k < words.n; k++)
+		if (find_name(&words.word[k], names, sizeof *names) < 0)
+			return fail_unknown_name(sim, what, "keyword", &words.word[k], names, sizeof *names);
+	return TS_OK;
 }
 
 enum ts_status ts_name_list_read(struct tsim *sim, const char *what, struct ts_arena *arena,

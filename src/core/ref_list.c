@@ -243,18 +243,15 @@ enum ts_status ts_refs_check(struct tsim *sim, const struct ts_instance *inst)
 	for (size_t k = 0; k < inst->words.n; k++) {
 		const struct ts_word *word = &inst->words.word[k];
 		const char *name = word->text + 2;
+		enum ts_shape shape;
 
 		if (strncmp(word->text, "v_", 2) != 0 ||
 		    !sim->script_api->has_variable(sim->script_api_data, name))
 			continue;
-		TS_TRY(sim->script_api->check_variable(sim->script_api_data, name,
-						       sim->script_api->is_peratom(sim->script_api_data, name)
-							       ? TS_PERATOM
-						       : sim->script_api->is_vector(sim->script_api_data,
-										    name)
-							       ? TS_VECTOR
-							       : TS_SCALAR,
-						       &word->place));
+		shape = sim->script_api->is_peratom(sim->script_api_data, name)	 ? TS_PERATOM
+			: sim->script_api->is_vector(sim->script_api_data, name) ? TS_VECTOR
+										 : TS_SCALAR;
+		TS_TRY(sim->script_api->check_variable(sim->script_api_data, name, shape, &word->place));
 	}
 	return TS_OK;
 }

@@ -1,5 +1,9 @@
 #include "energy/potential_energy.h"
 
+#include <stdio.h>
+
+#include "core/name_list.h"
+
 #include "base/banned.h"
 
 enum ts_status ts_energy_output(struct ts_instance *self, struct tsim *sim, double *out)
@@ -44,21 +48,14 @@ enum ts_status ts_energy_parse_parts(struct tsim *sim, const struct ts_instance 
 	/* the last four contribute nothing */
 	static const char *const names[] = { "pair",	 "bond",     "fix",    "angle",
 					     "dihedral", "improper", "kspace", NULL };
+	char what[80];
 
+	snprintf(what, sizeof what, "compute %s", self->style->name);
+	TS_TRY(ts_name_list_check_keywords(sim, what, words, names));
 	*parts = (struct ts_energy_parts){ !words.n, !words.n, !words.n };
 	for (size_t k = 0; k < words.n; k++) {
 		const char *word = words.word[k].text;
-		struct ts_suggest suggest = ts_suggest_start(word);
-		bool known = false;
 
-		for (const char *const *name = names; *name; name++) {
-			known |= ts_streq(word, *name);
-			ts_suggest_try(&suggest, *name);
-		}
-		if (!known)
-			return ts_fail(&sim->error, TS_UNKNOWN, &words.word[k].place,
-				       "compute %s: unknown keyword '%s'%s", self->style->name, word,
-				       ts_suggest_text(&suggest));
 		parts->pair |= ts_streq(word, "pair");
 		parts->bond |= ts_streq(word, "bond");
 		parts->fix |= ts_streq(word, "fix");

@@ -232,8 +232,8 @@ static bool begins_item(const char *text)
 	return text[0] == '*' && text[1] == ' ';
 }
 
-/* Length of the lines up to an empty one, the next item of a list, or one of the other kind (preformatted or not), with
- * the line end. */
+/* Length of the lines up to an empty one, the next item of a list, or one of the other kind (preformatted
+ * or not), with the line end. */
 static size_t part_length(const char *text)
 {
 	bool preformatted = is_preformatted(text);

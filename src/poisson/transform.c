@@ -1,12 +1,12 @@
 #include "poisson/transform.h"
 
 #include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <string.h>
 
 #include "base/alloc.h"
 #include "base/clones.h"
-#include "math/gsl.h"
 
 #include "base/banned.h"
 
@@ -80,7 +80,8 @@ static enum ts_status solve_modes(struct ts_transform *t, const struct ts_poisso
 
 static enum ts_status make_matrix(struct ts_transform *t, const struct ts_poisson *problem, int d)
 {
-	gsl_error_handler_t *handler = ts_gsl_errors_off();
+	/* GSL's default handler aborts the process; afterwards the one of the program around the library acts again */
+	gsl_error_handler_t *handler = gsl_set_error_handler_off();
 	size_t n = (size_t)t->n;
 	gsl_matrix *a = gsl_matrix_alloc(n, n), *modes = gsl_matrix_alloc(n, n);
 	gsl_vector *values = gsl_vector_alloc(n);
@@ -95,7 +96,7 @@ static enum ts_status make_matrix(struct ts_transform *t, const struct ts_poisso
 	gsl_vector_free(values);
 	gsl_matrix_free(modes);
 	gsl_matrix_free(a);
-	ts_gsl_errors_restore(handler);
+	gsl_set_error_handler(handler);
 	return status;
 }
 

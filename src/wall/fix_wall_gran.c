@@ -55,9 +55,7 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
 			       "fix wall/gran: bridges of liquid reach beyond the touch, which contacts with "
 			       "triangles do "
 			       "not follow; take a plane, a cylinder or a region, or leave cohesion out");
-	TS_TRY(ts_mesh_wall_find(self, sim, &w->mesh, w->meshes));
-	w->wall.contacts.want_reports |= ts_mesh_wall_observed(&w->mesh);
-	return TS_OK;
+	return ts_mesh_wall_find(self, sim, &w->mesh, w->meshes);
 }
 
 static enum ts_status place_primitive(struct ts_instance *self, struct tsim *sim)
@@ -150,6 +148,7 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 		return TS_OK; /* refused by the plan */
 	for (size_t k = 0; k < count_surface_types(w); k++)
 		TS_TRY(ts_wall_make_law(self, sim, surface_type(w, k)));
+	w->wall.contacts.want_reports |= ts_mesh_wall_observed(&w->mesh); /* all have said so in init */
 	ts_wall_rebuild_start(&w->wall, sim, w->mesh_word ? TS_MESH_MEMORY : 0, &rebuild);
 	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
 				      w->mesh_word

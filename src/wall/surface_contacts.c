@@ -12,23 +12,6 @@ static const struct ts_mesh_surface *surface_at(const struct ts_mesh_wall *mw, s
 	return mw->mesh[mw->near[k].mesh].surface;
 }
 
-static bool made_of(const struct ts_wall *w, const struct ts_mesh_surface *surface)
-{
-	for (size_t k = 0; w->mesh && k < w->mesh->nmeshes; k++)
-		if (w->mesh->mesh[k].surface == surface)
-			return true;
-	return false;
-}
-
-void ts_surface_contacts_want(struct tsim *sim, struct ts_mesh_surface *surface)
-{
-	struct ts_wall *w;
-
-	surface->observed = true;
-	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
-		w->contacts.want_reports |= made_of(w, surface);
-}
-
 /* ---- the list of a wall ---- */
 
 static int by_element(const void *a, const void *b)
@@ -58,15 +41,15 @@ enum ts_status ts_surface_contacts_collect(struct tsim *sim, const struct ts_wal
 	return TS_OK;
 }
 
-size_t ts_surface_contacts_listed(const struct tsim *sim, const struct ts_mesh_surface *surface)
+bool ts_surface_contacts_listed(const struct tsim *sim, const struct ts_mesh_surface *surface)
 {
 	const struct ts_wall *w;
-	size_t n = 0;
 
 	for (size_t at = 0; (w = ts_walls_next(sim, &at, NULL));)
-		for (size_t k = 0; made_of(w, surface) && k < w->contacts.n; k++)
-			n += surface_at(w->mesh, k) == surface;
-	return n;
+		for (size_t k = 0; w->mesh && k < w->contacts.n; k++)
+			if (surface_at(w->mesh, k) == surface)
+				return true;
+	return false;
 }
 
 /* ---- iteration ---- */

@@ -1,6 +1,6 @@
 /* Contacts of particles with the triangles of one mesh, after the walls have computed their forces:
  *
- *   init                          ts_surface_contacts_want
+ *   init                          surface->observed = true: walls keep reports of these contacts
  *   late[TS_LATE_CONTACTS]        struct ts_surface_contacts it = ts_surface_contacts(sim, surface);
  *                                 struct ts_surface_contact c;
  *                                 while (ts_surface_contacts_next(&it, &c)) ...
@@ -32,9 +32,6 @@ struct ts_surface_contacts {
 	size_t at; /* in the wall's list of touching contacts */
 };
 
-/* Walls keep reports of contacts with this mesh from the next rebuild on, of immobile particles, too. */
-void ts_surface_contacts_want(struct tsim *sim, struct ts_mesh_surface *surface);
-
 struct ts_surface_contacts ts_surface_contacts(struct tsim *sim, const struct ts_mesh_surface *surface);
 /* false: there are no more. */
 bool ts_surface_contacts_next(struct ts_surface_contacts *it, struct ts_surface_contact *out);
@@ -42,8 +39,8 @@ bool ts_surface_contacts_next(struct ts_surface_contacts *it, struct ts_surface_
  * the centre relative to that point. */
 void ts_surface_contact_motion(const struct ts_surface_contacts *it, const struct ts_surface_contact *contact,
 			       double n[3], double v[3]);
-/* How many pairs of a particle and a triangle of the mesh are listed, touching or not. */
-size_t ts_surface_contacts_listed(const struct tsim *sim, const struct ts_mesh_surface *surface);
+/* Whether some pair of a particle and a triangle of the mesh is listed, touching or not. */
+bool ts_surface_contacts_listed(const struct tsim *sim, const struct ts_mesh_surface *surface);
 
 /* By a wall in POST_FORCE: makes its list of touching contacts, if somebody reads it. */
 enum ts_status ts_surface_contacts_collect(struct tsim *sim, const struct ts_wall *w,
