@@ -269,7 +269,7 @@ static enum ts_status check_combination(struct tsim *sim, const struct ts_gran_c
 			       c->prefactor);
 	if (c->heat.n && !(c->heat.n == 1 && ts_streq(c->heat.word[0].text, "none")))
 		return ts_fail(&sim->error, TS_STATE, &c->heat.word[0].place,
-			       "granular: heat %s is not implemented: use fix heat/gran for conduction "
+			       "granular: heat %s is not supported: use fix heat/gran for conduction "
 			       "through contacts",
 			       c->heat.word[0].text);
 	return TS_OK;

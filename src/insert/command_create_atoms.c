@@ -444,7 +444,7 @@ static const struct ts_arg random_args[] = {
 };
 
 static const struct ts_arg mesh_args[] = {
-	TS_REST("file", struct state, mesh, .help = "not implemented"),
+	TS_REST("file", struct state, mesh, .help = "not supported"),
 	TS_ARGS_END,
 };
 
@@ -453,7 +453,7 @@ static const struct ts_mode modes[] = {
 	[REGION] = { "region", "on all lattice points in a region", region_args },
 	[SINGLE] = { "single", "one particle", single_args },
 	[RANDOM] = { "random", "at random positions", random_args },
-	[MESH] = { "mesh", "on a surface: not implemented", mesh_args },
+	[MESH] = { "mesh", "on a surface: not supported", mesh_args },
 	{ .name = NULL },
 };
 
@@ -477,8 +477,8 @@ static const struct ts_arg args[] = {
 	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
 			.help = "x|y|z name: internal-style variable that is set to the coordinate before "
 				"var is evaluated; may be repeated"),
-	TS_SOME_KEYWORD("mol", struct state, molecule, 0, .help = "not implemented"),
-	TS_SOME_KEYWORD("rotate", struct state, rotate, 0, .help = "not implemented"),
+	TS_SOME_KEYWORD("mol", struct state, molecule, 0, .help = "not supported"),
+	TS_SOME_KEYWORD("rotate", struct state, rotate, 0, .help = "not supported"),
 	TS_ARGS_END,
 };
 

@@ -517,7 +517,7 @@ static const struct ts_value values[] = {
 static const char *const numberings[] = { "max", "next", NULL };
 #define REFUSED(name, k)                                  \
 	TS_SOME_KEYWORD(name, struct pour, refused[k], 0, \
-			.help = "not implemented: for clumps see fix insert/stream")
+			.help = "not supported: for clumps see fix insert/stream")
 
 static const struct ts_arg args[] = {
 	TS_INT("N", struct pour, n, .flags = TS_POSITIONAL, .range = TS_POSITIVE,

@@ -70,16 +70,16 @@ struct ts_region_style {
 	bool (*contains)(const struct ts_instance *self, const double x[3]);
 	/* Bounding box of the shape; +-INFINITY if it is unbounded. */
 	void (*bounds)(const struct ts_instance *self, double lo[3], double hi[3]);
-	/* Exact volume of the shape; NULL: not implemented. */
+	/* Exact volume of the shape; NULL: not supported. */
 	double (*volume)(const struct ts_instance *self);
 	/* Depth of x in the shape: distance from its surface, < 0 outside, or a bound that is closer to
-	 * 0. NULL: not implemented. */
+	 * 0. NULL: not supported. */
 	double (*depth)(const struct ts_instance *self, const double x[3]);
 	/* Distance from the centre or axis divided by the radius. NULL: the shape has no radius. */
 	double (*radial)(const struct ts_instance *self, const double x[3]);
 	int faces; /* number of faces that can be open */
 	/* Contact points of x on faces that are not open: from inside one on each face, from outside the
-	 * closest of all, with face 0. Returns their number. NULL: not implemented. */
+	 * closest of all, with face 0. Returns their number. NULL: not supported. */
 	int (*contact_points)(const struct ts_instance *self, const double x[3], bool inside,
 			      struct ts_region_contact_point *out);
 	/* Of a union or intersection the k-th member; NULL: k is beyond the last. */
@@ -98,7 +98,7 @@ void ts_region_bounds(const struct ts_instance *region, double lo[3], double hi[
 double ts_region_depth(const struct ts_instance *region, const double x[3]);
 /* Distance of x from the centre or axis of a round region, divided by its radius; NaN: it has no radius. */
 double ts_region_radial(const struct ts_instance *region, const double x[3]);
-/* Volume: NaN if not implemented, infinite with side out. */
+/* Volume: NaN if not supported, infinite with side out. */
 double ts_region_volume(const struct ts_instance *region);
 
 /* Region walls: the largest number of contact points of a particle; 0: the region cannot be a wall. */

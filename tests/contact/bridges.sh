@@ -262,5 +262,5 @@ rejects "$(one "pair_style gran model jkr cohesion $easo" 'pair_coeff * *')" 'mo
 rejects "$(one "pair_style gran model hertz cohesion $easo modifyLbVolume on" 'pair_coeff * *')" \
 	"'modifyLbVolume' belongs to cohesion washino/capillary/viscous"
 rejects "$(one "pair_style gran model hertz cohesion $washino limitLiquidContent on" 'pair_coeff * *')" \
-	'limitLiquidContent on is not implemented'
+	'limitLiquidContent on is not supported'
 finish
