@@ -2,15 +2,9 @@
 # A function that other files use is declared in the header of its file, in that of its family (check.h for check_loop.c) or in
 # the internal.h of its folder; and its name says its subject: ts_SUBJECT..., the subject being the folder, a word of the
 # file's name, or a struct or enum of the folder. base, the vocabulary of all, is free of the second rule.
-command -v nm >/dev/null || { echo 'skipped: needs nm (apt-get install binutils)'; exit 77; }
-builddir=$(cd "${top_builddir:-.}" && pwd)
-cd "${top_srcdir:-$(dirname "$0")/../..}" || exit 99
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+# shellcheck source=tests/lib_objects.sh
+. "${top_srcdir:-$(dirname "$0")/../..}/tests/lib_objects.sh" || exit 99
 
-find src -mindepth 2 -name '*.[ch]' ! -path src/library/style_table.c | sort >"$work/sources"
-sed -n "s|^\\(.*\\)\\.c$|$builddir/\\1.o|p" "$work/sources" >"$work/objects"
-xargs ls <"$work/objects" >/dev/null || exit 99
 xargs nm -A <"$work/objects" | sed -n "s|^$builddir/src/\\(.*\\)\\.o:[^ ]* T \\(ts_[A-Za-z0-9_]*\\).*|function \\1 \\2|p" |
 	sort -u >"$work/functions"
 [ "$(wc -l <"$work/functions")" -gt 1000 ] || { echo "no objects in $builddir"; exit 99; }

@@ -3,14 +3,9 @@
 # objects link to (nm): the library part of a folder uses only the folders named in its line, all of which have
 # their own line above it; its styles those and the ones of the last column, and no other style. So there is no circle of folders.
 # Within a folder files call each other in circles only as far as the list `circles` of doc/design.md says.
-command -v nm >/dev/null || { echo 'skipped: needs nm (apt-get install binutils)'; exit 77; }
-builddir=$(cd "${top_builddir:-.}" && pwd)
-cd "${top_srcdir:-$(dirname "$0")/../..}" || exit 99
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+# shellcheck source=tests/lib_objects.sh
+. "${top_srcdir:-$(dirname "$0")/../..}/tests/lib_objects.sh" || exit 99
 
-# the generated table of styles alone names them all
-find src -mindepth 2 -name '*.[ch]' ! -path src/library/style_table.c | sort >"$work/sources"
 xargs grep -l '^TS_STYLE(' <"$work/sources" | grep -v '^src/script/' | sed 's|^src/|style |' >"$work/styles"
 
 # "FILE FILE how": the first includes a header of, or links to a symbol of, the second
@@ -20,8 +15,6 @@ xargs awk '/^[ \t]*#[ \t]*include[ \t]*"/ {
 	sub(/".*/, "", header)
 	print "edge", substr(FILENAME, 5), header, "includes"
 }' <"$work/sources" >"$work/edges"
-sed -n "s|^\\(.*\\)\\.c$|$builddir/\\1.o|p" "$work/sources" >"$work/objects"
-xargs ls <"$work/objects" >/dev/null || exit 99
 xargs nm -A <"$work/objects" | sed "s|^$builddir/src/\\(.*\\)\\.o:|\\1.c |" | awk '
 	NF == 3 && $2 ~ /^[Uu]$/ { used[$1 " " $3] = 1 }
 	NF == 4 && $3 ~ /^[TDBRVWCi]$/ { by[$4] = $1 }
