@@ -4,10 +4,11 @@
 # configure_in FOLDER,OPTIONS: once; later calls build what has changed
 configure_in = $(MKDIR_P) $(1) && cd $(1) && { test -f Makefile || CC='$(CC)' $(abs_top_srcdir)/configure -q $(2); }
 
-# Address and undefined-behaviour sanitizers: the first fault ends the program with a status that no test expects.
+# Address and undefined-behaviour sanitizers: the first fault ends the program with a status that no test expects. Tests of
+# scenes that are too large for the memory need an allocation that fails.
 sanitize:
 	$(call configure_in,sanitize,--enable-sanitize CFLAGS='-O1 -g')
-	cd sanitize && ASAN_OPTIONS=exitcode=99:$$ASAN_OPTIONS UBSAN_OPTIONS=print_stacktrace=1:$$UBSAN_OPTIONS \
+	cd sanitize && ASAN_OPTIONS=exitcode=99:allocator_may_return_null=1:$$ASAN_OPTIONS UBSAN_OPTIONS=print_stacktrace=1:$$UBSAN_OPTIONS \
 		CK_TIMEOUT_MULTIPLIER=10 $(MAKE) $(AM_MAKEFLAGS) check
 
 # Lines executed by the quick tests (or by TESTS), in each folder of src; gcovr, where installed, makes pages of all files.

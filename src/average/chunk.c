@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "average/chunk_bins.h"
+#include "base/sort.h"
 #include "math/exactsum.h"
 #include "particle/columns.h"
 #include "particle/particles.h"
@@ -85,8 +86,7 @@ static enum ts_status compress_ids(struct ts_chunks *c, int64_t *id)
 	TS_TRY(TS_GROW(c->original, c->original_capacity, n + 1));
 	for (size_t i = 0; i < n; i++)
 		c->original[i] = id[i];
-	if (n)
-		qsort(c->original, n, sizeof *c->original, compare_ids);
+	ts_sort(c->original, n, sizeof *c->original, compare_ids);
 	for (size_t i = 0; i < n; i++)
 		if (c->original[i] > 0 && (kinds == 0 || c->original[i] != c->original[kinds - 1]))
 			c->original[kinds++] = c->original[i];
@@ -148,7 +148,7 @@ static enum ts_status list_members(struct ts_chunks *c, const int64_t *id)
 		c->id[i] = id[i] > (int64_t)c->n ? 0 : (int32_t)id[i];
 		c->first[c->id[i] + 2] += c->id[i] > 0;
 	}
-	qsort(order, p->n, sizeof *order, compare_tags);
+	ts_sort(order, p->n, sizeof *order, compare_tags);
 	for (size_t k = 2; k < c->n + 3; k++)
 		c->first[k] += c->first[k - 1];
 	/* first[k + 1] is the start of chunk k, and moves to its end as members are entered */

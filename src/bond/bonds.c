@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "box/domain.h"
 #include "core/report.h"
 #include "math/vec3.h"
@@ -76,7 +77,7 @@ void ts_bonds_sort(struct ts_bonds *b)
 		return;
 	for (size_t k = 0; k < b->n; k++)
 		r[k] = (struct record){ { b->tag[k][0], b->tag[k][1] }, b->type[k], b->rest[k] };
-	qsort(r, b->n, sizeof *r, compare_records);
+	ts_sort(r, b->n, sizeof *r, compare_records);
 	for (size_t k = 0; k < b->n; k++) {
 		memcpy(b->tag[k], r[k].tag, sizeof b->tag[k]);
 		b->type[k] = r[k].type;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "contact/pair.h"
 #include "law/capillary.h"
 #include "material/property.h"
@@ -210,8 +211,7 @@ enum ts_status ts_liquid_redistribute(struct tsim *sim, const struct ts_pair *pa
 	for (size_t r = 0; r < list->n; r++)
 		if (has_broken(list, pair, r))
 			*bridge_state(list, pair, r) = 0;
-	if (transfers.n)
-		qsort(transfers.item, transfers.n, sizeof *transfers.item, compare_transfers);
+	ts_sort(transfers.item, transfers.n, sizeof *transfers.item, compare_transfers);
 	for (size_t k = 0; k < transfers.n; k++)
 		flux[transfers.item[k].i] += transfers.item[k].amount / sim->clock.dt;
 	ts_free(transfers.item);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "crosscheck/meaning.h"
 #include "crosscheck/reader.h"
 
@@ -247,7 +248,7 @@ static enum ts_status order_rows(struct pass *w, int who, const size_t *key, siz
 		w->row[who][k] =
 			(struct row){ f->cell + k * f->columns, key, keys, f->has_contacts && f->swapped[k] };
 	if (keys)
-		qsort(w->row[who], f->rows, sizeof *w->row[who], compare_rows_by_key);
+		ts_sort(w->row[who], f->rows, sizeof *w->row[who], compare_rows_by_key);
 	return TS_OK;
 }
 
@@ -349,7 +350,7 @@ static enum ts_status sort_column(struct pass *w, int who, struct ts_compared *c
 		side->sum += d;
 		side->squares += d * d;
 	}
-	qsort(v, f->rows, sizeof *v, compare_values);
+	ts_sort(v, f->rows, sizeof *v, compare_values);
 	return TS_OK;
 }
 

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "base/mkdirs.h"
+#include "base/sort.h"
 
 #include "base/banned.h"
 
@@ -217,6 +218,6 @@ enum ts_status ts_folder_list(const char *path, int64_t except, struct ts_listin
 	struct search s = { path, except, out, pool, err };
 
 	TS_TRY(search_folder(&s, "", 0));
-	qsort(out->name, out->n, sizeof *out->name, compare_names);
+	ts_sort(out->name, out->n, sizeof *out->name, compare_names);
 	return TS_OK;
 }

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "math/exactsum.h"
 #include "math/fit.h"
 #include "formula/expr.h"
@@ -75,12 +76,12 @@ static int descending(const void *a, const void *b)
 
 static void map_sort(double *x, size_t n)
 {
-	qsort(x, n, sizeof *x, ascending);
+	ts_sort(x, n, sizeof *x, ascending);
 }
 
 static void map_rsort(double *x, size_t n)
 {
-	qsort(x, n, sizeof *x, descending);
+	ts_sort(x, n, sizeof *x, descending);
 }
 
 #define SERIES(name_, f, length_, help_)                                                                     \

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/input_limit.h"
+#include "base/sort.h"
 #include "formula/formulas.h"
 
 #include "base/banned.h"
@@ -269,7 +270,7 @@ static enum ts_status atomfile_peratom(struct ts_formulas *formulas, struct ts_v
 		return ts_nomem(&formulas->sim->error);
 	for (size_t k = 0; k < feed->n; k++)
 		list[k] = (struct id_value){ feed->id[k], feed->value[k], k };
-	qsort(list, feed->n, sizeof *list, compare_id);
+	ts_sort(list, feed->n, sizeof *list, compare_id);
 	for (size_t i = 0; i < out->rows; i++)
 		out->data[i] = find_value(list, feed->n, out->data[i]);
 	ts_free(list);

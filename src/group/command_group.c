@@ -1,4 +1,5 @@
 /* Command group: assigns particles to groups. */
+#include "base/sort.h"
 #include "core/sim.h"
 
 #include <math.h>
@@ -237,8 +238,7 @@ static void include_molecules(struct ts_particles *p, const int32_t *molecule, i
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, bit))
 			numbers_of_members[n++] = molecule[i];
-	if (n)
-		qsort(numbers_of_members, n, sizeof *numbers_of_members, compare_numbers);
+	ts_sort(numbers_of_members, n, sizeof *numbers_of_members, compare_numbers);
 	for (size_t i = 0; n && i < p->n; i++)
 		if (bsearch(&molecule[i], numbers_of_members, n, sizeof *numbers_of_members, compare_numbers))
 			add_member(p, i, bit);

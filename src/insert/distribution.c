@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -209,7 +210,7 @@ static enum ts_status sort_by_size(struct tsim *sim, struct ts_new_particles *li
 	if (rank && sorted) {
 		for (size_t k = 0; k < list->n; k++)
 			rank[k] = (struct sort_key){ list->item[k].radius, k };
-		qsort(rank, list->n, sizeof *rank, compare_sizes);
+		ts_sort(rank, list->n, sizeof *rank, compare_sizes);
 		for (size_t k = 0; k < list->n; k++)
 			sorted[k] = list->item[rank[k].k];
 		if (list->n)

@@ -1,4 +1,5 @@
 /* Fix evaporate: deletes randomly chosen particles. */
+#include "base/sort.h"
 #include "core/sim.h"
 
 #include <stdlib.h>
@@ -63,8 +64,7 @@ static enum ts_status choose_particles(struct ts_instance *self, struct tsim *si
 		s->draw[*n] = (struct draw){ ts_rng_uniform(&rng), p->tag[i], i };
 		++*n;
 	}
-	if (*n)
-		qsort(s->draw, *n, sizeof *s->draw, compare_draws);
+	ts_sort(s->draw, *n, sizeof *s->draw, compare_draws);
 	if (*n > (size_t)s->number)
 		*n = (size_t)s->number;
 	return TS_OK;

@@ -1,4 +1,5 @@
 /* Fix property/atom/tracer/stream: marks particles that fix insert/stream inserts. */
+#include "base/sort.h"
 #include "insert/stream.h"
 #include "insert/tracer.h"
 
@@ -138,8 +139,7 @@ static enum ts_status list_passages(struct ts_instance *self, struct tsim *sim, 
 			(struct passage){ sim->clock.step + (int64_t)(memory[TS_STREAM_RELEASE] - age),
 					  memory[TS_STREAM_DISTANCE], i };
 	}
-	if (*n)
-		qsort(s->passage, *n, sizeof *s->passage, compare_passages);
+	ts_sort(s->passage, *n, sizeof *s->passage, compare_passages);
 	return TS_OK;
 }
 

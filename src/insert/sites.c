@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "box/domain.h"
 #include "math/rng.h"
 #include "region/region.h"
@@ -169,7 +170,7 @@ enum ts_status ts_sites_choose(struct tsim *sim, struct ts_sites *sites, size_t 
 
 		draw[k] = (struct draw){ ts_rng_uniform(&rng), k };
 	}
-	qsort(draw, sites->n, sizeof *draw, compare_draws);
+	ts_sort(draw, sites->n, sizeof *draw, compare_draws);
 	for (size_t k = 0; k < count && k < sites->n; k++)
 		is_kept[draw[k].index] = 1;
 	for (size_t k = 0; k < sites->n; k++)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/sort.h"
 
 #include "base/banned.h"
 
@@ -99,8 +100,7 @@ enum ts_status ts_series_find(struct ts_files *files, const char *pattern, struc
 		closedir(open);
 	}
 	ts_str_release(&folder);
-	if (out->n)
-		qsort(out->file, out->n, sizeof *out->file, compare_steps);
+	ts_sort(out->file, out->n, sizeof *out->file, compare_steps);
 	return status;
 }
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "manual/help.h"
 #include "manual/manual.h"
 #include "manual/topics.h"
@@ -144,7 +145,7 @@ bool ts_manual_search(const struct ts_tables *tables, const char *words, struct 
 	for (const struct ts_style *const *s = tables->styles; *s; s++)
 		search_page(tables, (struct hit){ .style = *s }, ts_str_text(&wanted), &page, &small, hits,
 			    &n);
-	qsort(hits, n, sizeof *hits, compare_hits);
+	ts_sort(hits, n, sizeof *hits, compare_hits);
 	if (n)
 		add_hits(hits, n, words, out);
 	ts_str_release(&page);

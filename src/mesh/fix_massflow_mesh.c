@@ -1,4 +1,5 @@
 /* Fix massflow/mesh: mass and number of particles that pass a mesh. */
+#include "base/sort.h"
 #include "io/textfile.h"
 #include "mesh/mesh_surface.h"
 #include "mesh/mesh_touch.h"
@@ -363,8 +364,7 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
 			TS_TRY(check_particle(s, sim, i));
-	if (s->npassages)
-		qsort(s->passage, s->npassages, sizeof *s->passage, by_triangle);
+	ts_sort(s->passage, s->npassages, sizeof *s->passage, by_triangle);
 	for (size_t k = 0; k < s->npassages; k++)
 		TS_TRY(count_passage(s, sim, s->passage[k].i));
 	return TS_OK;
@@ -384,7 +384,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	flag = ts_alloc(p->n, 1);
 	if (!flag)
 		return ts_nomem(&sim->error);
-	qsort(s->doomed, s->ndoomed, sizeof *s->doomed, by_tag);
+	ts_sort(s->doomed, s->ndoomed, sizeof *s->doomed, by_tag);
 	for (size_t i = 0; i < p->n; i++) {
 		int64_t tag = p->tag[i];
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "io/textfile.h"
 #include "mesh/mesh_scan.h"
 
@@ -219,8 +220,7 @@ static enum ts_status read_lines(struct ts_scan *s, struct lines *l)
 		TS_TRY(ts_scan_this_int(s, "the line of a triangle", 0, INT32_MAX, &l->line[l->n]));
 		l->n++;
 	}
-	if (l->n)
-		qsort(l->line, l->n, sizeof *l->line, by_number);
+	ts_sort(l->line, l->n, sizeof *l->line, by_number);
 	return TS_OK;
 }
 

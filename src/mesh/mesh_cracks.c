@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/sort.h"
 #include "math/vec3.h"
 
 #include "base/banned.h"
@@ -128,7 +129,7 @@ static void list_ends(struct search *s, const struct ts_mesh_edge *edge, size_t 
 	ts_mesh_bounds(s->m, lo, hi);
 	ts_sub(hi, lo, hi);
 	s->axis = hi[0] >= hi[1] && hi[0] >= hi[2] ? 0 : hi[1] >= hi[2] ? 1 : 2;
-	qsort(s->end, s->nends, sizeof *s->end, sorts[s->axis]);
+	ts_sort(s->end, s->nends, sizeof *s->end, sorts[s->axis]);
 }
 
 enum ts_status ts_mesh_cracks(const struct ts_mesh *mesh, const struct ts_mesh_edge *edge, size_t n,

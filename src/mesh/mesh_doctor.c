@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "base/sort.h"
 #include "math/constants.h"
 #include "math/vec3.h"
 #include "mesh/mesh_cracks.h"
@@ -132,7 +133,7 @@ static enum ts_status examine_duplicates(struct examination *d)
 		sort3(key[t].v);
 		key[t].triangle = (int32_t)t;
 	}
-	qsort(key, d->m->n, sizeof *key, by_key);
+	ts_sort(key, d->m->n, sizeof *key, by_key);
 	status = mark_duplicates(d, key);
 	ts_free(key);
 	return status;
@@ -164,7 +165,7 @@ static enum ts_status list_edges(struct examination *d)
 								      .triangle = (int32_t)(c / 3),
 								      .k = (int32_t)(c % 3) };
 	}
-	qsort(d->edge, d->nedges, sizeof *d->edge, by_edge);
+	ts_sort(d->edge, d->nedges, sizeof *d->edge, by_edge);
 	return TS_OK;
 }
 
@@ -304,8 +305,7 @@ static void sort_findings(struct ts_mesh_findings *f)
 {
 	size_t n = 0;
 
-	if (f->n)
-		qsort(f->list, f->n, sizeof *f->list, by_fault);
+	ts_sort(f->list, f->n, sizeof *f->list, by_fault);
 	for (size_t k = 0; k < f->n; k++) {
 		if (n && f->list[n - 1].fault == f->list[k].fault &&
 		    f->list[n - 1].triangle == f->list[k].triangle)

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/sort.h"
 #include "geom/pointhash.h"
 #include "math/vec3.h"
 
@@ -147,7 +148,7 @@ static enum ts_status link_edges(struct ts_mesh *m, int32_t (*shift)[3])
 		return TS_NOMEM;
 	for (size_t c = 0; c < n; c++)
 		list[c] = canonical_edge(m, c / 3, (int)(c % 3), shift);
-	qsort(list, n, sizeof *list, by_vertices);
+	ts_sort(list, n, sizeof *list, by_vertices);
 	for (size_t k = 0, same; k < n; k += same) {
 		for (same = 1; k + same < n && !compare_ends(&list[k], &list[k + same]);)
 			same++;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/alloc.h"
+#include "base/sort.h"
 #include "math/vec3.h"
 
 #include "base/banned.h"
@@ -50,7 +51,7 @@ static enum ts_status sort_along_curve(struct ts_mesh_tree *tree, const struct t
 	ts_mesh_bounds(m, lo, hi);
 	for (size_t t = 0; t < m->n; t++)
 		list[t] = (struct curve_point){ morton(m->centre[t], lo, hi), (int32_t)t };
-	qsort(list, m->n, sizeof *list, by_code);
+	ts_sort(list, m->n, sizeof *list, by_code);
 	for (size_t t = 0; t < m->n; t++)
 		tree->triangle[t] = list[t].triangle;
 	ts_free(list);
@@ -217,8 +218,7 @@ enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const st
 		if (!is_outside_box(tree->lo[k], tree->hi[k], x, distance))
 			TS_TRY(collect_leaf(tree, m, k - tree->leaves, x, distance, list));
 	}
-	if (list->n > 1)
-		qsort(list->item, list->n, sizeof *list->item, by_index);
+	ts_sort(list->item, list->n, sizeof *list->item, by_index);
 	return TS_OK;
 }
 
@@ -242,7 +242,6 @@ enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct t
 			stack[depth++] = 2 * k + 1;
 		}
 	}
-	if (list->n > 1)
-		qsort(list->item, list->n, sizeof *list->item, by_index);
+	ts_sort(list->item, list->n, sizeof *list->item, by_index);
 	return TS_OK;
 }

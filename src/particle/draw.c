@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "math/rng.h"
 #include "particle/particles.h"
 
@@ -33,7 +34,7 @@ enum ts_status ts_draw(struct tsim *sim, const unsigned char *chosen, int64_t se
 		if (chosen[i])
 			draw[(*n)++] = (struct ts_draw){ ts_rng_uniform(&rng), p->tag[i], (int32_t)i };
 	}
-	qsort(draw, *n, sizeof *draw, compare_draws);
+	ts_sort(draw, *n, sizeof *draw, compare_draws);
 	return TS_OK;
 }
 

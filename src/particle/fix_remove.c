@@ -1,6 +1,7 @@
 /* Fix remove: removes mass of particles at a given rate. */
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "core/sim.h"
 #include "group/chosen.h"
 #include "math/rng.h"
@@ -120,8 +121,7 @@ static enum ts_status find_candidates(struct ts_instance *self, struct tsim *sim
 		rng.counter = (uint64_t)sim->clock.step;
 		s->candidate[s->n++] = (struct candidate){ ts_rng_uniform(&rng), p->tag[i], i };
 	}
-	if (s->n)
-		qsort(s->candidate, s->n, sizeof *s->candidate, compare_candidates);
+	ts_sort(s->candidate, s->n, sizeof *s->candidate, compare_candidates);
 	return TS_OK;
 }
 

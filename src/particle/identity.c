@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
+
 #include "base/banned.h"
 
 /* A table by tag takes 4 bytes for each tag ever assigned; a binary search takes no memory but more time. The
@@ -28,7 +30,7 @@ static void sort_by_tag(struct ts_particles *p, int32_t (*pair)[2])
 		ordered &= i == 0 || p->tag[i - 1] < p->tag[i];
 	}
 	if (!ordered)
-		qsort(pair, p->n, sizeof *pair, compare_tags);
+		ts_sort(pair, p->n, sizeof *pair, compare_tags);
 	for (size_t i = 0; i < p->n; i++) {
 		p->sorted_tags[i] = pair[i][0];
 		p->sorted_tags[p->n + i] = pair[i][1];

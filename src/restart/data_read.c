@@ -1,4 +1,5 @@
 /* Data files: reads a file into struct ts_data. */
+#include "base/sort.h"
 #include "restart/data.h"
 
 #include <inttypes.h>
@@ -310,7 +311,7 @@ static enum ts_status sort_atoms(struct reader *r)
 		return ts_nomem(&r->sim->error);
 	for (size_t k = 0; k < d->n; k++)
 		r->by_tag[k] = &d->atom[k];
-	qsort(r->by_tag, d->n, sizeof(struct ts_data_atom *), compare_atoms);
+	ts_sort(r->by_tag, d->n, sizeof(struct ts_data_atom *), compare_atoms);
 	for (size_t k = 1; k < d->n; k++) {
 		const struct ts_data_atom *a = r->by_tag[k - 1], *b = r->by_tag[k];
 		struct ts_place place = { .file = r->l->file, .line = a->line > b->line ? a->line : b->line };

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "box/domain.h"
 #include "particle/assign.h"
 #include "particle/columns.h"
@@ -68,7 +69,7 @@ static enum ts_status refuse_repeated_ids(const struct frame_import *u)
 		return ts_nomem(&u->sim->error);
 	for (size_t r = 0; r < u->f->n; r++)
 		ids[r] = frame_value(u, r, id);
-	qsort(ids, u->f->n, sizeof *ids, compare_numbers);
+	ts_sort(ids, u->f->n, sizeof *ids, compare_numbers);
 	for (size_t r = 1; r < u->f->n && twice == 0; r++)
 		if (ids[r - 1] == ids[r])
 			twice = ids[r];

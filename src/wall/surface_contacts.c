@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "box/domain.h"
 #include "mesh/mesh_touch.h"
 
@@ -36,8 +37,7 @@ enum ts_status ts_surface_contacts_collect(struct tsim *sim, const struct ts_wal
 		if (surface_at(mw, k)->observed && ts_wall_report(c, k))
 			mw->touching[mw->ntouching++] =
 				(struct ts_mesh_touching){ c->key[k][1], c->key[k][0], k };
-	if (mw->ntouching)
-		qsort(mw->touching, mw->ntouching, sizeof *mw->touching, by_element);
+	ts_sort(mw->touching, mw->ntouching, sizeof *mw->touching, by_element);
 	return TS_OK;
 }
 

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -73,7 +74,7 @@ static int32_t (*sorted_keys(const struct ts_wall_contacts *c, size_t *n))[3]
 		list[(*n)++][2] = (int32_t)k;
 	}
 	if (list)
-		qsort(list, *n, sizeof *list, compare_keys);
+		ts_sort(list, *n, sizeof *list, compare_keys);
 	return list;
 }
 

@@ -153,6 +153,7 @@ report 'the example judges itself ok' $? out
 mkdir -p scripts shelf
 cp oak.material scripts/elm.material
 cp oak.material shelf/ash.material
+cp "$top_srcdir/potentials/glass.material" shelf
 printf 'units si\n%s\nmaterial 1 file elm\nmaterial 2 file ash\nmaterial 3 file glass\nprint "is $(property(density,3)) 2500"\nmaterial 3 file nowhere' \
 	"$start" | sed '/^material [123] file [ob]/d' >scripts/in.where
 TSIM_POTENTIALS=shelf "$TSIM" -in scripts/in.where -log none >out 2>err </dev/null
@@ -161,7 +162,7 @@ TSIM_POTENTIALS=shelf "$TSIM" -in scripts/in.where -log none >out 2>err </dev/nu
 report 'where materials are' $? err
 
 # Installed pairs, from either side
-agree 'pairs of installed materials' "units si
+TSIM_POTENTIALS=$top_srcdir/potentials agree 'pairs of installed materials' "units si
 boundary f f f
 region b block -1 1 -1 1 -1 1 units box
 create_box 4 b

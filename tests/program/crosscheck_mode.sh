@@ -30,6 +30,7 @@ touch before
 cat >../peer <<'END'
 #!/bin/sh
 echo "$@" >>"$PEER_CALLS"
+unset LD_PRELOAD # of stdbuf, which AddressSanitizer refuses
 "$TSIM" "$@" -log none || exit 1
 [ -z "$PEER_CHANGE" ] || sh -c "$PEER_CHANGE"
 exit "${PEER_STATUS:-0}"
