@@ -4,10 +4,10 @@
 	sed 's/^/- /' head
 	cat <<'END'
 
-Nanoseconds of a particle and step; "processor" is processor time, "wall" the loop's own clock, "spread" that of the
-rounds. The last columns are the peer's times over those of tsim with one thread.
+Times are in nanoseconds per particle and step: "processor" is processor time, "wall" the loop time, "spread" the
+spread over the rounds. The last columns are the times of the other program divided by those of tsim on one thread.
 
-| scene | particles | law and words | tsim, processor (spread) | tsim, wall | tsim, 2 threads, wall | peer, processor (spread) | peer, wall | bound | bytes a particle, tsim : peer | lists built | peer / tsim, processor | wall |
+| scene | particles | commands of | tsim, processor (spread) | tsim, wall | tsim, 2 threads, wall | other, processor (spread) | other, wall | bound | bytes per particle, tsim : other | list builds | other / tsim, processor | wall |
 |---|---|---|---|---|---|---|---|---|---|---|---|---|
 END
 	awk -F , '
