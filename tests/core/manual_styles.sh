@@ -32,7 +32,7 @@ report 'they compile without a warning' $? out
 
 ./with -help fix trap | grep -q 'spring constant k'
 report 'fix trap has help' $?
-block 'a deck that can fail' '' >in.trap
+block 'whose result is known' '' >in.trap
 ./with -in in.trap -log none >out 2>&1 && grep -qx 'energy 1.28214625, expected 1.28214625' out
 report 'fix trap: the energy stays' $? out
 sed 's|v_period/1000|v_period/3|' in.trap >in.long
@@ -41,7 +41,7 @@ sed 's|v_period/1000|v_period/3|' in.trap >in.long
 report 'fix trap: a step too large is refused' $? out
 
 printf '%s\n' '-0.9 -0.9 0 1.9 -0.9 0 -0.9 0.9 0' '1.9 -0.9 0 1.9 0.9 0 -0.9 0.9 0' | solid >plate.stl
-block 'A sphere that does not turn' '' >in.friction
+block 'a sphere slides without rotation' '' >in.friction
 echo 'dump worn all mesh/vtk 1 worn*.vtk f_rubbed[1] plate
 run 0' >>in.friction
 ./with -in in.friction -log none >out 2>&1 && awk '/^friction/ { n++; exit !(($2 - $4) ^ 2 < (2e-3 * $4) ^ 2) } END { exit !n }' out
