@@ -1,15 +1,15 @@
 # Integrators and time steps on a wave in a column of spheres
-title='A wave runs through columns of 100 spheres and back'
+title='Waves in columns of 100 spheres'
 kind=Grains
 error='relative error'
-reference='positions: velocity Verlet with contacts located within the step, with 8 times as many steps as the finest point, relative to how far the spheres
-have moved (root mean square); energy: exact, it is conserved where e = 1'
+reference='positions: velocity Verlet with sub-step contact detection and 8 times as many steps as the finest point, relative to the displacement of the spheres
+(root mean square); energy: exact, it is conserved for e = 1'
 setting='steps per contact of two spheres'
 budget=60
-pick='plain velocity Verlet with 25 to 50 steps per contact: half the step costs twice as much and divides the error by two
-to four. `nve/symplectic` finds the same positions, but its velocities, and with them the energy, lag behind by half a step. Contacts
-located within the step gain nothing where contacts last, and cost up to twice as much. Explicit Euler feeds energy into
-an undamped column until it flies apart (missing points).'
+pick='velocity Verlet with 25 to 50 steps per contact. Half the time step doubles the cost and divides the error by two to
+four. `nve/symplectic` gives the same positions, but its velocities, and therefore the energy, lag behind by half a step. Sub-step
+contact detection (`located`) has no advantage for lasting contacts, and costs up to twice as much. Explicit Euler adds energy to an
+undamped column until it becomes unstable (missing points).'
 
 difference() {
 	awk 'FNR < 10 { file += FNR == 1; next }

@@ -1,14 +1,14 @@
 # Void fraction: its methods and the size of cells, in a packed bed that is held
-title='Packed bed of spheres: methods of the void fraction and the size of cells'
-error='relative error of the pressure gradient inside'
-reference="Ergun's equation for the mean void fraction of the part that is measured, 0.395"
-setting='width of cells in diameters'
-also='width of cells in diameters'
+title='Packed bed of spheres: methods of the void fraction and cell size'
+error='relative error of the pressure gradient in the bed'
+reference='Ergun equation for the mean void fraction of the measured part, 0.395'
+setting='cell width / particle diameter'
+also='cell width / particle diameter'
 kind=Fluid
 budget=10
-pick='`method divided` with cells two diameters wide, with `interpolation cell` if they are wider: smaller ones resolve the pores between single spheres, for which the laws
-of drag are not made, wider ones smear the ends of the bed. Where cells must be smaller, `kernel`; `centre` only for
-cells of many diameters. A bed that is even across wants one cell across.'
+pick='`method divided` with cells two diameters wide, and with `interpolation cell` if they are wider. Smaller cells resolve the
+pores between single spheres, for which drag laws are not valid; wider cells smear the ends of the bed. If cells must be smaller, use
+`kernel`. Use `centre` only for cells of many diameters. For a bed that is uniform across use one cell across.'
 
 # widths METHOD WORDS: a line. Cells are cubes, or as wide as the bed where $across is 1.
 widths() {
@@ -26,7 +26,7 @@ points() {
 	simulate -var bed "$work/bed.restart"
 	void=$(sed -n 's/^VOID //p' "$work/output")
 	set -- -var bed "$work/bed.restart" -var void "$void"
-	problem 'cubes'
+	problem 'cubic cells'
 	idle "$@" -var method divided -var steps 0
 	for method in centre divided kernel; do
 		widths $method "$@"

@@ -1,15 +1,15 @@
 # Drag: how it is stepped, and how fluid and particles exchange it
-title='Drag on spheres: schemes and steps'
-error='velocity or slip at the end, by what it ends or begins with'
-reference='exact: exponentials'
-setting='steps in the time that is simulated, one relaxation time'
-also='steps in one relaxation time'
+title='Drag on spheres: schemes and time steps'
+error='error of velocity or slip / its final or initial value'
+reference='exact exponential solutions'
+setting='steps per simulated time of one relaxation time'
+also='steps per relaxation time'
 kind=Fluid
 budget=20
-pick='`scheme exact`: of second order where the fluid is given; ten steps to a relaxation time for 0.1 %. Particles and a fluid that
-feels them exchange to first order with every scheme, `exact` with a quarter of the error where the fluid is the heavier one: 20
-steps for 1 %. `lagged yes` is a quarter cheaper and as good, as long as its step is stable; take one step of the fluid in several (`every`) only where the fluid
-changes that much more slowly than the particles.'
+pick='`scheme exact`. It is of second order if the velocity of the fluid is given: ten steps per relaxation time for 0.1 %. The
+exchange between particles and a computed fluid is of first order with every scheme; if the fluid is heavier the error of `exact` is a
+quarter of that of the others: 20 steps for 1 %. `lagged yes` costs a quarter less and is equally accurate, as long as its step is
+stable. Use one step of the fluid in several (`every`) only if the fluid changes correspondingly more slowly than the particles.'
 
 # line METHOD DRAG WORDS
 line() {
@@ -22,13 +22,13 @@ line() {
 
 points() {
 	local M scheme
-	problem 'sinking from rest in a fluid that stays at rest'
+	problem 'settling in a fluid at rest'
 	idle -var T 1e-6 -var steps 1
 	for scheme in explicit implicit exact; do
 		line $scheme "scheme $scheme"
 	done
 	for M in 0.3 20; do
-		problem "slowing down with the fluid; spheres of $M times its mass"
+		problem "relaxation with the fluid; mass ratio $M"
 		set -- -var case share -var M $M -var side 16
 		idle "$@" -var T 1e-6 -var steps 1
 		for scheme in explicit implicit exact; do

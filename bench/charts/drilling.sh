@@ -2,13 +2,13 @@
 title='Rotary drilling: rate of penetration'
 kind=Grains
 error='relative error of the rate of penetration'
-reference='velocity Verlet with a quarter of the finest step, the same eight rocks (700 grains, 29 revolutions in all)'
-setting='time step in grain diameters by the velocity of the fluid; in.drilling has 0.01, the limit of stability is 0.1'
-spread='standard error of the difference, from rock to rock'
+reference='velocity Verlet with a quarter of the finest step and the same eight random rock samples (700 grains, 29 revolutions in all)'
+setting='time step x velocity of the fluid / grain diameter; in.drilling has 0.01, the stability limit is 0.1'
+spread='standard error of the difference over the samples'
 budget=100
-pick='0.04, four times the step of the example, and several rocks: the rate differs more from rock to rock than with the
-step, so what a smaller step costs is better spent on another rock. A step near the limit of stability breaks bonds that
-should hold (0.08: more than three times the rate). Explicit Euler breaks them at any affordable step.'
+pick='0.04, four times the step of the example, and several rock samples. The rate of penetration differs more between samples
+than between these steps, so another sample reduces the error more than a smaller step. A step near the stability limit breaks bonds
+that should not break (0.08: more than three times the rate). Explicit Euler does so at any affordable step.'
 
 points() {
 	local seeds='1 2 3 4 5 6 7 8' seed scheme step words='-var T 150 -var WOB 0.283 -var vtk no'

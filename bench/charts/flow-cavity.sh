@@ -1,14 +1,14 @@
 # Schemes and grids on the lid-driven cavity, examples/flow/cavity
-title='Lid-driven cavity, Re = 1000, run until it is steady'
-error='largest error on the two middle lines, lid speeds'
-reference='the converged profiles of tests/data/cavity_profiles_129.csv, good to 1e-5'
-setting='cells a side'
-also='cells a side'
+title='Lid-driven cavity, Re = 1000, steady state'
+error='largest error on the two centre lines / lid speed'
+reference='the converged profiles of tests/data/cavity_profiles_129.csv, error 1e-5'
+setting='cells per side'
+also='cells per side'
 kind=Fluid
 budget=165
-pick='`convection quick`, the default, on cells that are finer towards the walls (`flow_grid ... tanh 1.2`): two thirds of the
-error of even cells at the same cost, with a third of the cells. Next is `central`; take `cubista` where nothing may
-overshoot. Donor cells and `form fd` are off by several times as much: only where nothing else stays stable.'
+pick='`convection quick`, the default, on cells graded towards the walls (`flow_grid ... tanh 1.2`): two thirds of the error of
+uniform cells at the same cost, with a third of the cells. The second choice is `central`; use `cubista` if values must not
+overshoot. Donor cells and `form fd` have errors several times as large: use them only if no other scheme is stable.'
 
 place=$top/examples/flow/cavity
 deck=$place/in.cavity
@@ -31,14 +31,14 @@ points() {
 	local sizes fine form
 	sizes=$(levels 16 32 64 -- 128)
 	fine=$(levels 16 32 64 128 -- 192)
-	problem 'even cells'
+	problem 'uniform cells'
 	for form in fd fv; do
 		cavity "donor $form" "$sizes" -var convection donor -var form $form
 		cavity "central $form" "$sizes" -var convection central -var form $form
 	done
 	cavity cubista "$sizes" -var convection cubista
 	cavity quick "$fine" -var convection quick
-	problem 'finer towards the walls (tanh 1.2)'
+	problem 'graded cells (tanh 1.2)'
 	cavity 'donor fv' "$sizes" -var convection donor -var tanh 1.2
 	cavity 'central fv' "$sizes" -var convection central -var tanh 1.2
 	cavity cubista "$sizes" -var convection cubista -var tanh 1.2

@@ -1,14 +1,14 @@
 # Cells across an immersed body: a cylinder in free flow, examples/flow/cylinder
-title='Cylinder in free flow, an immersed body'
+title='Cylinder in a free stream, an immersed body'
 error='relative error'
-reference='the same with 48 cells to the diameter, of the Strouhal number with 40 and averages over 40 D/U'
-setting='cells to the diameter'
-also='cells to the diameter'
+reference='48 cells per diameter; for the Strouhal number 40 cells and averages over 40 D/U'
+setting='cells per diameter'
+also='cells per diameter'
 kind=Fluid
 budget=95
-pick='12 cells to the diameter for some per cent of the Strouhal number and the bubble and less than one of the drag, 16 for one, 24
-for half a per cent; the cost grows with the third power, and more where viscosity limits the step. `convection quick` from 12 cells
-on; the fewest cells shed better with `central`.'
+pick='12 cells per diameter for errors of a few per cent in the Strouhal number and the bubble length and less than 1 % in the
+drag, 16 for 1 %, 24 for 0.5 %. The cost grows with the third power, and faster where viscosity limits the step. Use `convection quick`
+for 12 cells or more; with fewer cells `central` gives a better Strouhal number.'
 
 place=$top/examples/flow/cylinder
 deck=$place/in.cylinder
@@ -21,7 +21,7 @@ steady() {
 		simulate -var Re 40 -var cells $cells -var begin 60 "$@"
 		problem 'Re 40: drag'
 		record "$method" $cells "$(off Cd 1.52384)"
-		problem 'Re 40: length of the bubble'
+		problem 'Re 40: bubble length'
 		record "$method" $cells "$(off L 2.2625)"
 	done
 }

@@ -1,13 +1,13 @@
 # Solvers of the pressure and their tolerances
-title='Solvers of the pressure: the same flow by each'
-error='velocities at four places, off by a part of their rms'
-reference='direct solver, which leaves round-off only; for the bed cg to 1e-13'
+title='Pressure solvers'
+error='rms error of velocities at four points / rms'
+reference='direct solver, whose error is round-off; for the bed cg with a tolerance of 1e-13'
 setting='tolerance'
 kind=Fluid
 budget=50
-pick='`direct` wherever all faces weigh the same (no void fraction): cheapest, and nothing is left. With a void fraction `cg`
-with its default, the direct solver as preconditioner (`multigrid` where drag is very strong): a tolerance of 1e-4
-suffices for velocities to 1e-5, and each further digit costs a few per cent. `sor` is there to compare with.'
+pick='`direct` if all faces have equal weights (no void fraction): it has the lowest cost, and its error is round-off. With a void
+fraction `cg` with its default preconditioner, the direct solver (`multigrid` for very strong drag): a tolerance of 1e-4 is sufficient
+for velocities to 1e-5, and each further digit costs a few per cent. `sor` is available for comparison.'
 
 # tolerances METHOD SOLVER WORDS: a line over tolerances
 tolerances() {

@@ -1,14 +1,14 @@
 # Schemes in time on decaying vortices, examples/flow/taylor_green
-title='Vortices of Taylor and Green on 128^2 cells: schemes in time'
-error='largest error at the end, amplitudes'
-reference='the same cells with rk3 and so many steps that more change nothing'
-setting='steps'
-also='steps'
+title='Taylor-Green vortices on 128^2 cells: time schemes'
+error='largest error at the end / amplitude'
+reference='the same cells with rk3 and a step small enough that its error is negligible'
+setting='number of steps'
+also='number of steps'
 kind=Fluid
 budget=40
-pick='`time rk3` wherever the step may be near its limit: it takes the largest steps, and at the limit the error of the step is gone already.
-Where viscosity limits the step far below what the flow needs, `time ab2 viscous implicit` (Crank-Nicolson) down to errors of 1e-6;
-`viscous backward` and `euler` only for what becomes steady.'
+pick='`time rk3` if the step can be near its limit: it allows the largest steps, and the error of the step is already negligible
+at the limit. If viscosity limits the step far below what the flow requires, `time ab2 viscous implicit` (Crank-Nicolson) for errors down
+to 1e-6; `viscous backward` and `euler` only for steady flows.'
 
 place=$top/examples/flow/taylor_green
 deck=$place/in.taylor_green

@@ -1,12 +1,12 @@
 # Schemes in space on decaying vortices, examples/flow/taylor_green
-title='Vortices of Taylor and Green that decay in a stream: schemes in space'
-error='largest error at the end, amplitudes'
-reference='exact; time rk3, with steps whose error does not count'
-setting='cells a side'
-also='cells a side'
+title='Taylor-Green vortices in a uniform stream: convection schemes'
+error='largest error at the end / amplitude'
+reference='exact; time rk3 with steps whose error is negligible'
+setting='cells per side'
+also='cells per side'
 kind=Fluid
 budget=15
-pick='`convection quick`, the default: half the cells a side of `central` for the same error. Donor cells are of first order.'
+pick='`convection quick`, the default: half as many cells per side as `central` for the same error. Donor cells are of first order.'
 
 place=$top/examples/flow/taylor_green
 deck=$place/in.taylor_green

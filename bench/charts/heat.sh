@@ -1,14 +1,14 @@
 # Schemes of heat conduction and time steps
-title='Conduction in arrays of 5 x 5 x 5 touching spheres, the middle one hot'
+title='Heat conduction in 5 x 5 x 5 touching spheres with a hot centre'
 kind=Grains
-error='largest error of a temperature / initial difference'
-reference='exact: the exponential of the matrix, by the eigenvectors of a chain of 5 along each axis'
-setting='steps in a time of 2.385 m c/h, h the conductance of a contact'
+error='largest temperature error / initial difference'
+reference='exact: matrix exponential, from the eigenvectors of a chain of 5 along each axis'
+setting='number of steps in a time of 2.385 m c/h, where h is the conductance of a contact'
 also='steps'
 budget=20
-pick='`scheme exact` where a step may be long: any step, errors of round-off, for the time of about a hundred explicit steps.
-`scheme euler` (that of LIGGGHTS) where collisions keep the step short anyway: it is of first order, and even near its limit of stability
-(16 steps here) off by less than a thousandth of the initial difference.'
+pick='`scheme exact` for large steps: its error is round-off for any step, at the cost of about a hundred explicit steps.
+`scheme euler` (that of LIGGGHTS) if collisions require a small step anyway. It is of first order, and even near its stability limit
+(16 steps here) its error is below a thousandth of the initial difference.'
 
 # T = 273.15 + 500 product over the axes of sum over k of v_k(2) v_k(i) exp(-l_k t/tau), with v_k(i) = cos(pi k (i + 1/2)/5)
 # (normalised) and l_k = 2 - 2 cos(pi k/5): the matrix is the sum of those of chains along the axes.
@@ -32,6 +32,6 @@ points() {
 		point 'explicit Euler' $steps -var scheme euler -var steps $steps
 	done
 	for steps in $(levels 1 4 16 64 -- 256); do
-		point 'exact over a step' $steps -var scheme exact -var steps $steps
+		point 'exact' $steps -var scheme exact -var steps $steps
 	done
 }

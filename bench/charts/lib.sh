@@ -195,7 +195,7 @@ section() { # CSV
 	[ "$(dirname "$page")/charts" = "$out" ] || links=.
 	printf '\n## %s\n\n![%s](%s/%s.png)\n\n' "$title" "$title" "$links" "$chart"
 	[ -z "$also" ] || printf '![%s, by setting](%s/%s-setting.png)\n\n' "$title" "$links" "$chart"
-	printf '**What to pick:** %s\n\n' "$pick"
+	printf '**Recommended:** %s\n\n' "$pick"
 	printf 'Error: %s. Reference: %s. Setting: %s.%s Data: [%s.csv](%s/%s.csv).\n\n' \
 		"$error" "$reference" "$setting" "${spread:+ Spread: $spread.}" "$chart" "$links" "$chart"
 	awk -f "$here/winners.awk" "$1"

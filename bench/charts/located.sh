@@ -1,16 +1,16 @@
 # Contacts that are located within the step, in a bed
-title='Located contacts: velocities and lost energy in a shaken bed'
+title='Sub-step contact detection in a shaken bed: velocities and dissipated energy'
 error='relative error'
-reference='the same with located contacts and 1600 steps per contact; of velocities the root mean square over all particles, of the mechanical energy what has been lost in the time of three contacts'
+reference='sub-step contact detection with 1600 steps per contact; velocities: root mean square over all particles; energy: mechanical energy dissipated in the time of three contacts'
 setting='steps per contact'
 also='steps per contact'
 kind=Grains
 budget=60
-pick='`located yes`, with the pair style and with walls, where it matters how collisions go or what they cost: 25 steps per
-contact are then as good as 200 to 400 without, in half the processor time or less, though a step costs 1.3 to 3.5
-times as much (most where the default has a loop of its own). With `tangential history` and its dashpot the law itself
-jumps where slip begins: first order stays, errors of velocities are a third smaller, and smaller steps give the same for less.
-Without dashpots it changes nothing.'
+pick='`located yes`, for the pair style and for walls, if the trajectories or the dissipated energy of collisions are important.
+With 25 steps per contact the error is that of 200 to 400 steps without, in half the processor time or less, although a step costs 1.3
+to 3.5 times as much (most for models with a vectorised loop of their own). With `tangential history` and its dashpot the
+law is discontinuous where sliding begins: the order stays one, errors of velocities are a third smaller, and smaller steps
+without `located` give the same error at lower cost. Without dashpots `located` has no effect.'
 
 points() {
 	local law name located steps

@@ -1,15 +1,15 @@
 # Integrators on the impact of two spheres
-title='Coefficient of restitution: spheres that hit held ones'
-error='relative error of e, largest over all phases of entry'
-reference='exact: such a sphere leaves with e times its speed (linear: damped oscillator; Hertz: Antypov and Elliott, EPL 94 (2011) 50004)'
+title='Coefficient of restitution: collision with a fixed sphere'
+error='relative error of e, maximum over all phases of begin'
+reference='exact: e times the velocity before the collision (linear: damped oscillator; Hertz: Antypov and Elliott, EPL 94 (2011) 50004)'
 setting='steps per contact'
 also='steps per contact'
 kind=Grains
 budget=60
-pick='With damping contacts located within the step (`pair_style ... located yes`): 10 to 25 steps per contact give the linear
-law to 1e-5 or better and the Hertzian one to 1 %, for which plain velocity Verlet needs 100 to 800 steps. Without damping, or where
-the numbers of LIGGGHTS are wanted, plain `fix nve`: 50 steps for some per cent, 200 for 1 %. `nve/symplectic` is as good;
-`nve/euler` needs several times the work for the same error.'
+pick='with damping, sub-step contact detection (`pair_style ... located yes`): with 10 to 25 steps per contact the error is 1e-5
+or less for the linear law and 1 % for Hertz, for which plain velocity Verlet needs 100 to 800 steps. Without damping, or to reproduce
+LIGGGHTS, plain `fix nve`: 50 steps for a few per cent, 200 for 1 %. `nve/symplectic` is equivalent; `nve/euler` needs several times
+the work for the same error.'
 
 points() {
 	local law e method steps

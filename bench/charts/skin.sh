@@ -1,17 +1,17 @@
 # The skin of the neighbour search
-title='Skin of the neighbour search: 2940 grains fall together in a box'
+title='Skin of the neighbour list: collapse of 2940 grains in a box'
 kind=Grains
 error='relative difference of positions'
-reference='the run with a skin of 0.2 diameters'
-setting='skin given by the diameter of the grains'
-price='skin given by the diameter'
+reference='a skin of 0.2 diameters'
+setting='skin / grain diameter'
+price='skin / grain diameter'
 budget=25
 deck=$here/collapse.in
-pick='Anything: what is given hardly matters where all faces are fixed, as the program takes at each search a skin that suits the
-speeds. Through other faces, and where particles that leave are ignored, it is at most what is given: 0.2 diameters or more then. It is a
-matter of cost alone: in this box results are the same bit for bit (all
-differences are 0), for pairs are found before they can touch, and forces are added in one order. (Through periodic faces grains go at
-rebuilds of the lists, which changes the rounding of positions.)'
+pick='any value if all faces are fixed, because each search chooses a skin suitable for the present speeds. With other faces,
+and if lost particles are ignored, the skin is at most the given one: use 0.2 diameters or more. The skin affects only the computing
+time. In this box results are the same bitwise (all differences are 0), because pairs are found before they touch and forces are
+summed in a fixed order. (With periodic faces particles are wrapped at rebuilds of the lists, which changes the rounding of
+positions.)'
 
 difference() {
 	awk 'FNR < 10 { next }

@@ -1,15 +1,15 @@
 # Time steps in a packing that falls together
-title='Time step: 2940 grains with friction fall together in a box'
+title='Time step: collapse of 2940 grains with friction in a box'
 kind=Grains
 error='relative error'
-reference='a quarter of the finest step (half of it for the centre of mass, in four packings), relative to how far the grains have moved'
-setting='step by the time of Rayleigh'
+reference='a quarter of the finest step (half of it for the centre of mass, in four packings), relative to the displacement of the grains'
+setting='time step / Rayleigh time'
 spread='standard error of the mean over four packings'
 budget=60
 deck=$here/collapse.in
-pick='0.2 of the time of Rayleigh: paths are good to 0.1 % as long as grains have hit each other a few times only. Later no
-step is small enough for the path of a single grain (that is chaos, not an error of the scheme), while means over many
-grains, as the fall of the centre of mass, have errors of about 1 % with 0.3 and less.'
+pick='0.2 of the Rayleigh time. The error of trajectories is 0.1 % as long as each grain has had only a few collisions. Later the
+trajectory of a single grain does not converge for any step, because the motion is chaotic; averages over many grains, such as the
+fall of the centre of mass, have errors of about 1 % with 0.3 and less.'
 
 difference() {
 	awk 'FNR < 10 { file += FNR == 1; next }
@@ -29,7 +29,7 @@ points() {
 			point nve/sphere $rayleigh -var seconds $duration -var rayleigh $rayleigh
 		done
 	done
-	problem 'fall of the centre of mass in 0.12 s (mean of 4)'
+	problem 'displacement of the centre of mass in 0.12 s (mean of 4)'
 	ensemble "$seeds" -var rayleigh $([ -z "${LONG-}" ] && echo 0.1 || echo 0.0125)
 	keep_finest
 	for rayleigh in $(levels 0.4 0.3 0.2 -- 0.1 0.05); do

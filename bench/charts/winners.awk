@@ -9,7 +9,7 @@ $8 == 1 && $5 <= 0.5 {
 	if ($2 != "") many = 1
 }
 END {
-	printf "|%s error at most | cheapest | setting | its error | seconds |\n", many ? " problem |" : ""
+	printf "|%s error at most | method | setting | error | seconds |\n", many ? " problem |" : ""
 	printf "|%s---|---|---|---|---|\n", many ? "---|" : ""
 	for (p = 1; p <= m; p++) {
 		last = 0
