@@ -1,7 +1,7 @@
 #!/bin/bash
-# Which of the words of LIGGGHTS scripts tsim knows: a table in Markdown, made from tests/data/words.txt (words
-# of 480 public scripts with the number of scripts that use them), from what tsim says to a line with the
-# style, and from its manual pages. doc/words.md is its output.
+# Makes doc/words.md: which commands, styles and keywords of LIGGGHTS scripts tsim supports. Sources are
+# tests/data/words.txt (words of 480 public scripts with the number of scripts that use them), the messages of
+# tsim for a line with each style, and its manual pages.
 #	TSIM=./tsim sh doc/words.sh >doc/words.md
 cd "$(dirname "$0")/.." || exit 1
 tsim=${TSIM:-tsim}
@@ -11,11 +11,11 @@ tab=$(printf '\t')
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Styles and commands: yes, no, or known (refused with a reason).
+# Styles and commands: yes (supported), no, or known (refused with a reason).
 {
 	awk -F'\t' '$1 == "atom_style" { print $1, $2 }' $words
 	printf 'region b block 0 1 0 1 0 1 units box\ncreate_box 1 b\n'
-	# commands last: `jump` and others lead away
+	# commands last, because `jump` and others leave the script
 	{ grep -v '^#' $words | grep -v '^command'; grep '^command' $words; } | awk -F'\t' '
 		$1 == "fix" || $1 == "compute" { print $1, "x" NR, "all", $2; next }
 		$1 == "dump" { print $1, "x" NR, "all", $2, "1 f"; next }
@@ -43,7 +43,7 @@ style() {
 	fi
 }
 
-# Why a word is refused, as tsim says it.
+# The reason in the message of tsim.
 reason() {
 	local said="$1 (style )?'$2' is known from .*|$1 is '$2', expected.* is known, .*|$1 $2 is known, but .*"
 
@@ -54,7 +54,7 @@ reason() {
 	grep -hoE -- "$said" "$work/errors" | sed 's/.*but tsim does not have it: //' | head -n 1
 }
 
-# Other words: on one of the manual pages, or refused with a reason.
+# Other words: found on one of the manual pages, or refused with a reason.
 # shellcheck disable=SC2048,SC2086
 page() {
 	local word=$1
@@ -97,15 +97,16 @@ grep -v '^#' $words | while IFS=$tab read -r kind word scripts; do
 done >"$work/judged"
 
 cat <<'END'
-# Words of LIGGGHTS scripts
+# Supported LIGGGHTS commands and keywords
 
-480 public LIGGGHTS scripts from 21 repositories were counted: which words they use, and how many scripts use each.
-Here is which of them tsim has. A word counts as known if it is a style or command, or stands on the manual page
-where it belongs. `refused` words are met with a reason, which is listed below: most belong to methods that tsim does
-not have (smoothed particles, other shapes, reactions), or to editions of LIGGGHTS other than 3.8. "By use" weighs
-each word by the scripts that use it. Made by `doc/words.sh`.
+This page lists which commands, styles and keywords of LIGGGHTS scripts tsim supports. The words of 480 public LIGGGHTS
+scripts from 21 repositories were counted, with the number of scripts that use each. A word is *supported* if it is a
+style or command of tsim, or is described on its manual page. A word is *refused* if tsim knows it and gives a reason;
+the reasons are listed below. Most refused words belong to methods that tsim does not have (smoothed particles, other
+shapes, reactions), or to editions of LIGGGHTS other than 3.8. Other words are *missing*. In the last column each word
+is weighted by the number of scripts that use it. The page is made by `doc/words.sh`.
 
-| kind | words | known | refused | lacking | known, by use |
+| kind | words | supported | refused | missing | supported, weighted by use |
 |---|---|---|---|---|---|
 END
 awk -F'\t' '
@@ -122,11 +123,11 @@ awk -F'\t' '
 		printf "| **all** | %d | %d | %d | %d | %.1f %% |\n", N, Y, K, L, 100 * V / U
 	}' "$work/judged"
 echo
-echo '## Lacking, most used first'
+echo '## Missing, by number of scripts'
 echo
 sort -t "$tab" -k3,3nr -s "$work/judged" | awk -F'\t' '$4 == "no" { printf "%s%s %s (%d)", n++ ? ", " : "", $1, $2, $3 } END { print "" }' | fold -s -w 110 | sed 's/ *$//'
 echo
-echo '## Refused with a reason'
+echo '## Refused, with the reason'
 echo
 awk -F'\t' '$4 == "known"' "$work/judged" | sort -t "$tab" -k3,3nr -s | while IFS=$tab read -r kind word scripts _; do
 	printf '%s\n' "- $kind $word ($scripts): $(reason "$kind" "$word")" | fold -s -w 110 | sed 's/ *$//; 2,$s/^/  /'

@@ -6,21 +6,21 @@
 
 #define MOLECULAR "molecular force fields are not supported: particles are grains"
 #define SPH "smoothed-particle hydrodynamics is not supported; the fluid is solved on a grid (flow_style)"
-#define COUPLING                                                                                            \
-	"of the couplings with other programs there are couple/cfd, couple/cfd/force, /force/implicit and " \
-	"/convection; a fluid is also solved by tsim (flow_style)"
-#define SHAPES "grains are spheres; other shapes are made of bonded spheres (bond_style)"
+#define COUPLING                                                                                         \
+	"the supported couplings with other programs are couple/cfd, couple/cfd/force, /force/implicit " \
+	"and /convection; tsim can also compute the fluid (flow_style)"
+#define SHAPES "particles are spheres; other shapes are modelled by bonded spheres (bond_style)"
 #define CHEMISTRY "chemical reactions are not supported"
-#define BONDS                                                                                       \
-	"bonds are made by create_bonds and break as bond_style says (bond_style contact), not by " \
+#define BONDS                                                                                          \
+	"bonds are created by create_bonds and broken by the bond style (bond_style contact), not by " \
 	"cohesion models or fixes"
-#define FRAGMENTS "particles do not break into others; bonded spheres do (bond_style)"
-#define OTHER_EDITION "it belongs to another edition of LIGGGHTS: 3.8 does not have it either"
+#define FRAGMENTS "particles do not break into fragments; use bonded spheres (bond_style)"
+#define OTHER_EDITION "it belongs to another edition of LIGGGHTS and is not in 3.8 either"
 #define UNPUBLISHED "it belongs to another edition of LIGGGHTS, and no description of it is public"
 #define RESOLUTION                                                                                       \
 	"it belongs to the coupling of coarse and fine grains across the faces of a mesh, which is not " \
 	"supported"
-#define ACCELERATORS "all styles use threads by themselves; see -threads"
+#define ACCELERATORS "all styles use threads without a suffix; see -threads"
 
 const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_COMMAND, "angle_*", MOLECULAR },
@@ -28,12 +28,15 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_COMMAND, "dielectric", MOLECULAR },
 	{ TS_KIND_COMMAND, "improper_*", MOLECULAR },
 	{ TS_KIND_COMMAND, "kspace_*", MOLECULAR },
-	{ TS_KIND_COMMAND, "minimize", "grains come to rest by their own damping; see fix viscous" },
-	{ TS_KIND_COMMAND, "min_*", "grains come to rest by their own damping; see fix viscous" },
+	{ TS_KIND_COMMAND, "minimize",
+	  "energy minimization is not supported; particles come to rest by damping, see fix viscous" },
+	{ TS_KIND_COMMAND, "min_*",
+	  "energy minimization is not supported; particles come to rest by damping, see fix viscous" },
 	{ TS_KIND_COMMAND, "neb", MOLECULAR },
 	{ TS_KIND_COMMAND, "prd", MOLECULAR },
-	{ TS_KIND_COMMAND, "python", "tsim runs no Python; a Python program can run tsim (module tsim)" },
-	{ TS_KIND_COMMAND, "run_style", "the time integration is chosen by fixes (nve ...)" },
+	{ TS_KIND_COMMAND, "python",
+	  "Python in scripts is not supported; a Python program can run tsim (module tsim)" },
+	{ TS_KIND_COMMAND, "run_style", "the time integration is selected by fixes (nve ...)" },
 	{ TS_KIND_COMMAND, "suffix", ACCELERATORS },
 	{ TS_KIND_COMMAND, "tad", MOLECULAR },
 	{ TS_KIND_COMMAND, "temper", MOLECULAR },
@@ -48,14 +51,14 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_FIX, "couple/cfd/radiation*", COUPLING },
 	{ TS_KIND_FIX, "couple/cfd/species*", COUPLING },
 	{ TS_KIND_FIX, "couple/pascal*", COUPLING },
-	{ TS_KIND_FIX, "nph*", "grains have no thermostat or barostat" },
-	{ TS_KIND_FIX, "npt*", "grains have no thermostat or barostat" },
+	{ TS_KIND_FIX, "nph*", "thermostats and barostats are not supported" },
+	{ TS_KIND_FIX, "npt*", "thermostats and barostats are not supported" },
 	{ TS_KIND_FIX, "nve/asphere*", SHAPES },
 	{ TS_KIND_FIX, "nve/nonspherical", SHAPES },
 	{ TS_KIND_FIX, "nve/sph", SPH },
 	{ TS_KIND_FIX, "nve/sph/*", SPH },
 	{ TS_KIND_FIX, "nve/superquadric", SHAPES },
-	{ TS_KIND_FIX, "nvt*", "grains have no thermostat or barostat" },
+	{ TS_KIND_FIX, "nvt*", "thermostats and barostats are not supported" },
 	{ TS_KIND_FIX, "particletemplate/superquadric", SHAPES },
 	{ TS_KIND_FIX, "qeq/*", MOLECULAR },
 	{ TS_KIND_FIX, "shake", MOLECULAR },
@@ -74,15 +77,15 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_COMMAND, "extract_surface", OTHER_EDITION },
 	{ TS_KIND_COMMAND, "extrude_surface", OTHER_EDITION },
 	{ TS_KIND_FIX, "ave/euler/region",
-	  "cells of a mesh of hexahedra are not averaged one by one; `fix ID GROUP ave/euler nevery N "
-	  "cell_size_relative C parallel no` has cells of its own, `compute ID GROUP reduce/region REGION "
-	  "ave vx vy vz` a region" },
+	  "averages over the cells of a hexahedral mesh are not supported; `fix ID GROUP ave/euler nevery N "
+	  "cell_size_relative C parallel no` averages over a regular grid, `compute ID GROUP reduce/region "
+	  "REGION ave vx vy vz` over a region" },
 	{ TS_KIND_FIX, "bond/create", BONDS },
 	{ TS_KIND_FIX, "bond/create/gran", BONDS },
 	{ TS_KIND_FIX, "bond/break", BONDS },
 	{ TS_KIND_FIX, "break/particle", FRAGMENTS },
 	{ TS_KIND_FIX, "check/timestep/bond",
-	  "each run is refused that steps beyond the stability limit of its bonds" },
+	  "runs with a time step beyond the stability limit of the bonds are refused without this fix" },
 	{ TS_KIND_FIX, "forcecontrol/region", RESOLUTION },
 	{ TS_KIND_FIX, "insert/pack/face", RESOLUTION },
 	{ TS_KIND_FIX, "mesh/surface/stress/6dof",
@@ -95,33 +98,33 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_FIX, "pour/dev",
 	  "write `fix ID GROUP insert/rate/region seed S distributiontemplate D nparticles N particlerate "
 	  "RATE insert_every STEPS region REGION`" },
-	{ TS_KIND_FIX, "property/atom/timetracer", "it is called property/atom/regiontracer/time now" },
-	{ TS_KIND_BOND, "gran", "bonded grains are bond_style contact here" },
+	{ TS_KIND_FIX, "property/atom/timetracer", "its present name is property/atom/regiontracer/time" },
+	{ TS_KIND_BOND, "gran", "use bond_style contact" },
 	{ TS_KIND_BOND, "harmonic*", MOLECULAR },
 	{ TS_KIND_COMPUTE, "bond/counter",
-	  "write `compute ID GROUP bonds`: c_ID is the number of bonds that hold; `fix ID GROUP "
-	  "bond/breakage` tells of those that broke" },
+	  "write `compute ID GROUP bonds`: c_ID is the number of unbroken bonds; `fix ID GROUP "
+	  "bond/breakage` gives the broken ones" },
 	{ TS_KIND_FIX, "massflow/mesh/face",
-	  "meshes have no faces with numbers of their own; write a `fix mesh/surface` for each face, and for "
-	  "each of them `fix ID GROUP massflow/mesh mesh MESH vec_side X Y Z`" },
+	  "faces of a mesh are not numbered; write a `fix mesh/surface` for each face, and for each of them "
+	  "`fix ID GROUP massflow/mesh mesh MESH vec_side X Y Z`" },
 	{ TS_KIND_COMPUTE, "pair/gran/local/bond",
 	  "write `compute ID GROUP bond/local dist force fx fy fz`, and `compute ID2 GROUP property/local "
-	  "batom1 batom2 btype` for the partners" },
-	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process, the box has no subdomains" },
-	{ TS_KIND_DUMP, "image", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
-	{ TS_KIND_DUMP, "movie", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
+	  "batom1 batom2 btype` for the bonded particles" },
+	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process; the box has no subdomains" },
+	{ TS_KIND_DUMP, "image", "images are made from dumps by other programs (ParaView, OVITO)" },
+	{ TS_KIND_DUMP, "movie", "images are made from dumps by other programs (ParaView, OVITO)" },
 	{ .name = NULL },
 };
 
-#define BRIDGES "easo/capillary/viscous and washino/capillary/viscous are its successors"
+#define BRIDGES "use easo/capillary/viscous or washino/capillary/viscous"
 
 static const struct {
 	const char *of, *word, *remark;
 } words[] = {
 	{ "model", "hertz/break", FRAGMENTS },
-	{ "model", "hysteretic/nonlinear2", UNPUBLISHED "; hooke/hysteresis is the law of its kind here" },
-	{ "model", "luding", "hooke/hysteresis is the law of its kind here" },
-	{ "rolling_friction", "cdtnonlinear2", UNPUBLISHED "; cdt is the law of its kind here" },
+	{ "model", "hysteretic/nonlinear2", UNPUBLISHED "; hooke/hysteresis is a similar law" },
+	{ "model", "luding", "hooke/hysteresis is a similar law" },
+	{ "rolling_friction", "cdtnonlinear2", UNPUBLISHED "; cdt is a similar law" },
 	{ "cohesion", "bond", BONDS },
 	{ "cohesion", "bond/nonlinear", BONDS },
 	{ "cohesion", "capillary", BRIDGES },
@@ -133,11 +136,11 @@ static const struct {
 	{ "fix wall/gran", "createBondAlways", BONDS },
 	{ "fix wall/gran", "stressBreak", BONDS },
 	{ "fix wall/gran", "general_plane",
-	  "planes at any angle are regions: `region W plane PX PY PZ NX NY NZ` and `fix ID GROUP "
+	  "for planes at any angle use a region: `region W plane PX PY PZ NX NY NZ` and `fix ID GROUP "
 	  "wall/gran/region model ... type T region W`" },
 	{ "fix wall/gran", "general_cylinder",
-	  "cylinders along x, y or z are `primitive ... zcylinder R X Y`; one at another angle is a region "
-	  "(region cylinder with rotate, fix wall/gran/region) or a mesh" },
+	  "for cylinders along x, y or z write `primitive ... zcylinder R X Y`; for other directions use a "
+	  "region (region cylinder with rotate, fix wall/gran/region) or a mesh" },
 	{ "set", "blockiness", SHAPES },
 	{ "set", "quat", SHAPES },
 	{ "set", "shape", SHAPES },

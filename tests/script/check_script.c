@@ -261,7 +261,7 @@ START_TEST(conditions)
 	expect_error("partition yes x print a", 1, 15, 1, "expected numbers of partitions");
 	expect_error("partition yes 1 prnit a", 1, 17, 5, "did you mean 'print'");
 	expect_error("if 1 then \"include x\"", 1, 12, 7, "include is not allowed within an if");
-	expect_error("python f input 1", 1, 1, 6, "runs no Python");
+	expect_error("python f input 1", 1, 1, 6, "Python in scripts is not supported");
 	expect_error("if \"1\" \"print x\"", 1, 1, 2, "expected");
 	expect_error("if \"1\" than \"print x\"", 1, 8, 4, "expected 'then'");
 	expect_error("if \"0\" then \"print x\" else", 1, 23, 4, "expected a command");
