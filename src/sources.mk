@@ -934,6 +934,22 @@ library_sources = \
 	src/thermo/thermo.c \
 	src/thermo/thermo.h \
 	src/thermo/thermo_keywords.c \
+	src/voxel/fix_surface_voxel.c \
+	src/voxel/voxel_field.c \
+	src/voxel/voxel_field.h \
+	src/voxel/voxel_gaussian.c \
+	src/voxel/voxel_gaussian.h \
+	src/voxel/voxel_image.c \
+	src/voxel/voxel_image.h \
+	src/voxel/voxel_png.c \
+	src/voxel/voxel_source.c \
+	src/voxel/voxel_source.h \
+	src/voxel/voxel_surface.c \
+	src/voxel/voxel_surface.h \
+	src/voxel/voxel_text.c \
+	src/voxel/voxel_text.h \
+	src/voxel/voxel_touch.c \
+	src/voxel/voxel_touch.h \
 	src/wall/compute_wall_gran_local.c \
 	src/wall/fix_drill_bit.c \
 	src/wall/fix_mesh_surface_stress.c \
@@ -959,6 +975,8 @@ library_sources = \
 	src/wall/servo_response.h \
 	src/wall/surface_contacts.c \
 	src/wall/surface_contacts.h \
+	src/wall/voxel_wall.c \
+	src/wall/voxel_wall.h \
 	src/wall/wall.c \
 	src/wall/wall.h \
 	src/wall/wall_batch.h \

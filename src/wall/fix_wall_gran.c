@@ -1,6 +1,7 @@
 #include "wall/surface_contacts.h"
 #include "wall/mesh_wall_queue.h"
 #include "wall/primitive_wall.h"
+#include "wall/voxel_wall.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_law.h"
 
@@ -15,9 +16,11 @@ struct wall {
 	bool primitive_word, mesh_word;
 	int64_t type, nmeshes;
 	struct ts_words meshes;
+	const char *voxels; /* ID of the fix of a height field; NULL: a mesh or a primitive */
 	struct ts_wall_law law;
 	struct ts_primitive_wall primitive;
 	struct ts_mesh_wall mesh;
+	struct ts_voxel_wall voxel;
 };
 
 static enum ts_status check_shape(struct ts_instance *self, struct tsim *sim)
@@ -25,14 +28,14 @@ static enum ts_status check_shape(struct ts_instance *self, struct tsim *sim)
 	const struct wall *w = self->state;
 	int given = ts_primitive_wall_shapes(&w->primitive);
 
-	if (given == !w->mesh_word)
+	if (given + w->mesh_word + (w->voxels != NULL) == 1)
 		return TS_OK;
-	if (w->mesh_word)
+	if (w->mesh_word || w->voxels)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix wall/gran: a wall is a mesh or a primitive, not both");
+			       "fix wall/gran: a wall is a mesh, a height field or a primitive, one of them");
 	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 		       "fix wall/gran: expected one of xplane, yplane, zplane, xcylinder, ycylinder, "
-		       "zcylinder, found %d of them",
+		       "zcylinder, or mesh, or voxels, found %d of them",
 		       given);
 }
 
@@ -58,6 +61,17 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
 	return ts_mesh_wall_find(self, sim, &w->mesh, w->meshes);
 }
 
+static enum ts_status find_surface(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+	struct ts_word id = { .text = w->voxels, .place = *ts_instance_word(self, w->voxels) };
+
+	if (w->type != INT64_MIN)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "type"),
+			       "fix wall/gran: a height field has the type that its fix says");
+	return ts_voxel_wall_find(sim, &w->voxel, &id);
+}
+
 static enum ts_status place_primitive(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
@@ -77,6 +91,11 @@ static double contact_distance(const struct ts_instance *self, const struct tsim
 	const struct ts_wall_contacts *c = &w->wall.contacts;
 	size_t i = (size_t)c->row[k];
 
+	if (w->voxels) {
+		*type = (int)w->voxel.surface->type;
+		return ts_voxel_wall_distance(&w->voxel, sim, sim->particles->x[i],
+					      sim->particles->radius[i]);
+	}
 	*type = (int)(w->mesh_word ? w->mesh.mesh[ts_mesh_wall_near(&w->mesh, k)->mesh].surface->type
 				   : w->type);
 	return w->mesh_word
@@ -101,6 +120,8 @@ static enum ts_status check_types(struct ts_instance *self, struct tsim *sim)
 
 	if (w->wall.given) /* numbers, no material */
 		return TS_OK;
+	if (w->voxels)
+		return check_type(sim, w->voxel.surface->type, ts_instance_word(self, w->voxels));
 	if (!w->mesh_word)
 		return check_type(sim, w->type, ts_instance_word(self, "type"));
 	for (size_t k = 0; k < w->mesh.nmeshes; k++)
@@ -115,15 +136,19 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(check_shape(self, sim));
 	TS_TRY(ts_wall_law_choose(self, sim, &w->law, &w->wall));
-	TS_TRY(w->mesh_word ? find_meshes(self, sim) : place_primitive(self, sim));
+	TS_TRY(w->voxels      ? find_surface(self, sim)
+	       : w->mesh_word ? find_meshes(self, sim)
+			      : place_primitive(self, sim));
 	TS_TRY(check_types(self, sim));
-	w->wall.primitive = w->mesh_word ? NULL : &w->primitive;
+	w->wall.primitive = w->mesh_word || w->voxels ? NULL : &w->primitive;
 	w->wall.distance = contact_distance;
-	w->wall.meshes = w->mesh_word ? (int)w->mesh.nmeshes : 0;
+	w->wall.meshes = w->voxels ? 1 : w->mesh_word ? (int)w->mesh.nmeshes : 0;
 	w->wall.mesh = w->mesh_word ? &w->mesh : NULL;
-	w->wall.moves = !w->mesh_word && ts_primitive_wall_moves(&w->primitive);
-	w->wall.warm = !w->mesh_word && !isnan(w->primitive.temperature);
-	for (int k = 0; k < w->wall.meshes; k++)
+	w->wall.voxel = w->voxels ? &w->voxel : NULL;
+	w->wall.moves = w->wall.primitive && ts_primitive_wall_moves(&w->primitive);
+	w->wall.warm = (w->wall.primitive && !isnan(w->primitive.temperature)) ||
+		       (w->voxels && !isnan(w->voxel.surface->temperature));
+	for (size_t k = 0; w->mesh_word && k < w->mesh.nmeshes; k++)
 		w->wall.warm |= !isnan(w->mesh.mesh[k].surface->temperature);
 	return ts_wall_init(self, sim);
 }
@@ -136,7 +161,9 @@ static size_t count_surface_types(const struct wall *w)
 
 static int surface_type(const struct wall *w, size_t k)
 {
-	return (int)(w->mesh_word ? w->mesh.mesh[k].surface->type : w->type);
+	return (int)(w->voxels	    ? w->voxel.surface->type
+		     : w->mesh_word ? w->mesh.mesh[k].surface->type
+				    : w->type);
 }
 
 static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
@@ -148,6 +175,8 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 		return TS_OK; /* refused by the plan */
 	for (size_t k = 0; k < count_surface_types(w); k++)
 		TS_TRY(ts_wall_make_law(self, sim, surface_type(w, k)));
+	if (w->voxels)
+		return ts_voxel_wall_list(self, sim, &w->wall, &w->voxel);
 	w->wall.contacts.want_reports |= ts_mesh_wall_observed(&w->mesh); /* all have said so in init */
 	ts_wall_rebuild_start(&w->wall, sim, w->mesh_word ? TS_MESH_MEMORY : 0, &rebuild);
 	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
@@ -160,6 +189,10 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
 
+	if (w->voxels) {
+		sim->run.rebuild |= ts_voxel_wall_has_moved(sim, &w->voxel);
+		return ts_voxel_wall_check_displacement(self, sim, &w->voxel);
+	}
 	sim->run.rebuild |= w->mesh_word ? ts_mesh_wall_has_moved(sim, &w->mesh)
 					 : ts_primitive_wall_has_moved(sim, &w->primitive);
 	return w->mesh_word ? ts_mesh_wall_check_displacement(self, sim, &w->mesh)
@@ -171,6 +204,8 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct wall *w = self->state;
 
 	ts_wall_start(&w->wall, sim);
+	if (w->voxels)
+		return ts_voxel_wall_enqueue_contacts(self, sim, &w->wall, &w->voxel);
 	if (!w->mesh_word)
 		return ts_primitive_wall_enqueue_contacts(sim, &w->wall, &w->primitive, (int)w->type);
 	TS_TRY(ts_mesh_wall_enqueue_contacts(sim, &w->wall, &w->mesh));
@@ -181,7 +216,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 {
 	const struct wall *w = self->state;
 
-	if (!w->mesh_word)
+	if (w->wall.primitive)
 		ts_primitive_wall_plan(self, sim, &w->primitive);
 	for (size_t k = 0; k < count_surface_types(w); k++)
 		TS_TRY(ts_wall_plan(self, sim, surface_type(w, k), report));
@@ -191,6 +226,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 static void fini(struct ts_instance *self)
 {
 	ts_mesh_wall_release(&((struct wall *)self->state)->mesh);
+	ts_voxel_wall_release(&((struct wall *)self->state)->voxel);
 	ts_wall_fini(self);
 }
 
@@ -212,6 +248,10 @@ static const struct ts_arg args[] = {
 	TS_SOME_KEYWORD("meshes", struct wall, meshes, TS_STATEFUL, .count = "n_meshes",
 			.help = "mesh: IDs of the fixes of the meshes; each has the material of its own "
 				"type"),
+	TS_WORD("voxels", struct wall, voxels, .flags = TS_OPTIONAL | TS_STATEFUL,
+		.help = "ID of the fix surface/voxel that the wall is made of; it has the material of its "
+			"own "
+			"type"),
 	TS_PRIMITIVE_WALL_ARGS(struct wall, primitive),
 	TS_WALL_ARGS(struct wall, wall),
 	TS_ARGS_END,
@@ -270,13 +310,21 @@ static const char doc[] =
 	"to a flat neighbour keeps its history. Laws that act beyond the touch (model jkr) do so on meshes "
 	"as on planes: each point of the mesh that is nearest to the particle in all triangles that share "
 	"it is one contact, which keeps its history when it moves across edges and corners, too.\n\n"
-	"Related: fix wall/gran/region, fix mesh/surface, fix heat/gran, compute wall/gran/local.";
+	"`voxels ID` makes a wall of a height field, see fix surface/voxel. Particles of the groups of both "
+	"fixes interact with it from outside; a particle whose centre gets into the solid stops the run. "
+	"Each "
+	"point of the surface that is nearer to the centre than all other points around it is one contact: "
+	"on a top, a side, an edge or a corner of the columns. A contact that slides to another column keeps "
+	"its history: a new contact continues the one that has ended in the same step, of several that "
+	"with the nearest normal, if the angle between the normals is less than 8 degrees.\n\n"
+	"Related: fix wall/gran/region, fix mesh/surface, fix surface/voxel, fix heat/gran, compute "
+	"wall/gran/local.";
 
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 const struct ts_style ts_fix_wall_gran = {
 	.name = "wall/gran",
 	.kind = TS_KIND_FIX,
-	.summary = "Rigid walls with a contact law: planes, cylinders and meshes",
+	.summary = "Rigid walls with a contact law: planes, cylinders, meshes and height fields",
 	.doc = doc,
 	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
 		   "fix belt all wall/gran model hertz tangential history primitive type 1 zplane 0.0 shear "
@@ -286,7 +334,8 @@ const struct ts_style ts_fix_wall_gran = {
 		   "z 0.001 0.02\n"
 		   "fix side all wall/gran granular hertz/material 1e7 0.7 0.3 tangential mindlin NULL 1.0 "
 		   "0.5 damping tsuji xplane 0.0 NULL\n"
-		   "fix walls all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad1 cad2",
+		   "fix walls all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad1 cad2\n"
+		   "fix plate all wall/gran model hertz tangential history voxels rough",
 	.args = args,
 	.family = TS_FAMILY_WALL,
 	.state_size = sizeof(struct wall),

@@ -24,6 +24,7 @@
 
 struct ts_primitive_wall;
 struct ts_mesh_wall;
+struct ts_voxel_wall;
 
 /* First member of the state of every wall with contact laws; its style is of TS_FAMILY_WALL. */
 struct ts_wall {
@@ -33,9 +34,10 @@ struct ts_wall {
 	/* first contact of the last step whose particle has its centre in the surface, or TS_WALL_NONE */
 	size_t inside;
 	const struct ts_primitive_wall *primitive; /* its planes or cylinders, or NULL; set in init */
-	int meshes;				   /* number of its meshes; 0: not a mesh wall. Set in init */
-	const struct ts_mesh_wall *mesh;	   /* its meshes, or NULL; set in init */
-	const struct ts_instance *region;	   /* the region whose surface it is, or NULL; set in init */
+	int meshes; /* number of its meshes, 1 of a height field; 0: neither. Set in init */
+	const struct ts_mesh_wall *mesh;   /* its meshes, or NULL; set in init */
+	const struct ts_voxel_wall *voxel; /* its height field, or NULL; set in init */
+	const struct ts_instance *region;  /* the region whose surface it is, or NULL; set in init */
 	/* Returns the present distance of the centre of the particle of contact k from the surface, and
 	 * stores the type of the surface; set in init. NULL: not available */
 	double (*distance)(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type);
@@ -84,8 +86,9 @@ struct ts_wall_contact_point {
 	double curvature;   /* mean curvature of the surface, 1/length, > 0: convex towards the particle */
 	bool sums;	    /* the load on the wall is summed: immobile particles contribute, too */
 	int type;	    /* particle type whose material the surface has */
-	int mesh, triangle; /* for reports: mesh from 1, triangle from 0; 0, 0: no mesh */
-	bool warm;	    /* the surface has a temperature and conducts heat */
+	/* for reports: mesh from 1, triangle from 0; 0, 0: no mesh. Of a height field 1 and the column */
+	int mesh, triangle;
+	bool warm; /* the surface has a temperature and conducts heat */
 	double temperature;
 };
 

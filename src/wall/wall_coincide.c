@@ -5,6 +5,7 @@
 #include "neigh/coincide.h"
 #include "particle/prescribed.h"
 #include "wall/mesh_wall.h"
+#include "wall/voxel_wall.h"
 
 #include "base/banned.h"
 
@@ -34,12 +35,15 @@ enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall)
 	by = find_instance(sim, wall);
 	if (wall->mesh)
 		ts_mesh_wall_name(wall->mesh, k, &where);
+	if (wall->voxel)
+		ts_voxel_wall_name(wall, wall->voxel, k, &where);
 	status = ts_fail(&sim->error, TS_PHYSICS, by ? &by->where : NULL,
 			 "at step %" PRId64
-			 " the centre of particle %d (type %d) at (%g %g %g) lies in the surface of wall "
-			 "%s%s: it is on neither side, and no contact force has a direction there; %s",
+			 " the centre of particle %d (type %d) at (%g %g %g) lies in the %s of wall "
+			 "%s%s: %s, and no contact force has a direction there; %s",
 			 sim->clock.step, p->tag[i], p->type[i], p->x[i][0], p->x[i][1], p->x[i][2],
-			 by ? by->id : "", ts_str_text(&where),
+			 wall->voxel ? "solid" : "surface", by ? by->id : "", ts_str_text(&where),
+			 wall->voxel ? "it is inside" : "it is on neither side",
 			 sim->run.in_setup || sim->reading.explain
 				 ? "place it a radius away from the wall, or move the wall"
 				 : "the time step is too large or the contact too soft, or the "

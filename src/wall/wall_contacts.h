@@ -17,7 +17,7 @@ struct ts_wall_report {
 	double velocity[3];	    /* of the surface at this point */
 	double curvature;      /* mean curvature of the surface, 1/length, > 0: convex towards the particle */
 	double type;	       /* particle type whose material the surface has */
-	double mesh, triangle; /* mesh from 1, triangle from 0; 0, 0: not a mesh wall */
+	double mesh, triangle; /* as in struct ts_wall_contact_point */
 };
 enum { TS_WALL_REPORT = sizeof(struct ts_wall_report) / sizeof(double) };
 

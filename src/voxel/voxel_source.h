@@ -1,0 +1,41 @@
+/* Where the heights of a voxel field come from. */
+#ifndef TS_VOXEL_VOXEL_SOURCE_H
+#define TS_VOXEL_VOXEL_SOURCE_H
+
+#include "core/sim.h"
+#include "voxel/voxel_field.h"
+
+enum ts_voxel_kind { TS_VOXEL_CONSTANT, TS_VOXEL_FILE, TS_VOXEL_IMAGE, TS_VOXEL_FORMULA, TS_VOXEL_GAUSSIAN };
+
+/* Arguments of `fix surface/voxel` */
+struct ts_voxel_source {
+	int kind; /* enum ts_voxel_kind */
+	double height, scale;
+	const char *file;
+	double black, white;	  /* image: heights of black and white, length */
+	struct ts_number formula; /* of the coordinates in the variables of `set`, for x, y and z */
+	const char *set[3];
+	double mean, deviation;	     /* Gaussian surface, length */
+	struct ts_words correlation; /* its one or two correlation lengths */
+	int64_t seed;
+	bool exact; /* its sample has the mean and deviation given */
+};
+
+/* Numbers read from a file, [n[1]][n[0]], the row of least coordinate first. Zero-initialise. */
+struct ts_voxel_grid {
+	int64_t n[2];
+	double *value;
+	size_t capacity;
+};
+void ts_voxel_grid_release(struct ts_voxel_grid *grid);
+
+/* Reads the file, if there is one; else grid->n is 0. */
+enum ts_status ts_voxel_source_read(struct ts_instance *self, struct tsim *sim,
+				    const struct ts_voxel_source *source, struct ts_voxel_grid *grid);
+/* Sets the heights; those below the datum are raised to it (-INFINITY: none). Heights that are not finite are
+ * errors. */
+enum ts_status ts_voxel_source_fill(struct ts_instance *self, struct tsim *sim,
+				    const struct ts_voxel_source *source, const struct ts_voxel_grid *grid,
+				    double datum, struct ts_voxel_field *field);
+
+#endif

@@ -1,0 +1,66 @@
+/* Walls made of a voxel height field. A particle near the field has a fixed number of slots, which are contacts
+ * of the wall; those of all columns near it would be too many. In each step its contact points
+ * (voxel/voxel_touch.h) are matched to its slots:
+ *
+ *   a contact point of the same column continues the contact;
+ *   a new one takes over the history of the contact that has ended in this step at the nearest point of the
+ *   particle's surface, if that is within TS_VOXEL_SAME_NORMAL of it: the contact has slid to another column;
+ *   any other begins a contact.
+ *
+ * If a particle has more contact points than slots, particles are listed again with more slots. */
+#ifndef TS_WALL_VOXEL_WALL_H
+#define TS_WALL_VOXEL_WALL_H
+
+#include "voxel/voxel_surface.h"
+#include "voxel/voxel_touch.h"
+#include "wall/wall.h"
+
+/* Least cosine of the angle between the normals of a contact that has ended and of one that continues it on
+ * another column. Contacts that slide change their normal by a part of displacement/radius in a step. */
+#define TS_VOXEL_SAME_NORMAL 0.99
+
+/* History values of a contact besides those of its law: 1 + number of the column and its periodic image (0: no
+ * contact), unit normal. */
+enum { TS_VOXEL_COLUMN, TS_VOXEL_NORMAL, TS_VOXEL_MEMORY = TS_VOXEL_NORMAL + 3 };
+
+/* A particle near the field. Its slots are contacts first .. first + slots - 1 of the wall. */
+struct ts_voxel_neighbor {
+	size_t i, first, slots; /* i: index of the particle */
+	size_t found;		/* number of contact points in this step */
+};
+
+struct ts_voxel_wall {
+	const struct ts_instance *by; /* the fix of the surface */
+	const struct ts_voxel_surface *surface;
+	struct ts_voxel_neighbor *neighbor; /* [nneighbors] */
+	size_t nneighbors, neighbor_capacity;
+	/* [contacts]: the contact points of a particle in this step, from the index of its first slot on, */
+	struct ts_voxel_contact *at;
+	double *column; /* their columns as in the history, */
+	size_t *slot;	/* their contacts; SIZE_MAX: none yet */
+	bool *used;	/* [contacts]: the slot has a contact point */
+	size_t at_capacity, column_capacity, slot_capacity, used_capacity;
+};
+
+/* Finds the surface of this ID; in init. */
+enum ts_status ts_voxel_wall_find(struct tsim *sim, struct ts_voxel_wall *vw, const struct ts_word *id);
+/* Lists the particles near the surface with their slots; in POST_BUILD. */
+enum ts_status ts_voxel_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
+				  struct ts_voxel_wall *vw);
+/* Computes all forces of the step; fails if the centre of a particle lies in the solid. */
+enum ts_status ts_voxel_wall_enqueue_contacts(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
+					      struct ts_voxel_wall *vw);
+/* Whether the surface has moved more than half the skin since the listing, so that a rebuild is due. */
+bool ts_voxel_wall_has_moved(const struct tsim *sim, const struct ts_voxel_wall *vw);
+/* Fails if the surface passes through a particle in one step: it moved by more than the radius. */
+enum ts_status ts_voxel_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
+						const struct ts_voxel_wall *vw);
+/* Present distance of a point from the solid, 0 inside of it; infinite if it is not less than `reach`. */
+double ts_voxel_wall_distance(const struct ts_voxel_wall *vw, const struct tsim *sim, const double x[3],
+			      double reach);
+/* Appends the name of the column of contact k: ", column 12 3 of surface rough". */
+void ts_voxel_wall_name(const struct ts_wall *w, const struct ts_voxel_wall *vw, size_t k,
+			struct ts_str *out);
+void ts_voxel_wall_release(struct ts_voxel_wall *vw);
+
+#endif
