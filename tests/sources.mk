@@ -220,7 +220,8 @@ unit_tests = \
 	tests/stability/check_flow_limits \
 	tests/stability/check_limits \
 	tests/stability/check_network \
-	tests/stability/check_relaxation
+	tests/stability/check_relaxation \
+	tests/voxel/check_voxel
 libtests_a_SOURCES = \
 	tests/cloud.c \
 	tests/cloud.h \
@@ -454,3 +455,7 @@ tests_stability_check_network_LDADD = $(tests_ldadd)
 tests_stability_check_relaxation_SOURCES = tests/stability/check_relaxation.c
 tests_stability_check_relaxation_CFLAGS = $(tests_cflags)
 tests_stability_check_relaxation_LDADD = $(tests_ldadd)
+
+tests_voxel_check_voxel_SOURCES = tests/voxel/check_voxel.c
+tests_voxel_check_voxel_CFLAGS = $(tests_cflags)
+tests_voxel_check_voxel_LDADD = $(tests_ldadd)
