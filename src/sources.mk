@@ -934,14 +934,18 @@ library_sources = \
 	src/thermo/thermo.c \
 	src/thermo/thermo.h \
 	src/thermo/thermo_keywords.c \
+	src/voxel/dump_voxel_vtk.c \
 	src/voxel/fix_surface_voxel.c \
 	src/voxel/voxel_field.c \
 	src/voxel/voxel_field.h \
 	src/voxel/voxel_gaussian.c \
 	src/voxel/voxel_gaussian.h \
+	src/voxel/voxel_grid.c \
+	src/voxel/voxel_grid.h \
 	src/voxel/voxel_image.c \
 	src/voxel/voxel_image.h \
 	src/voxel/voxel_png.c \
+	src/voxel/voxel_png.h \
 	src/voxel/voxel_source.c \
 	src/voxel/voxel_source.h \
 	src/voxel/voxel_surface.c \
@@ -977,6 +981,8 @@ library_sources = \
 	src/wall/surface_contacts.h \
 	src/wall/voxel_wall.c \
 	src/wall/voxel_wall.h \
+	src/wall/voxel_wall_queue.c \
+	src/wall/voxel_wall_queue.h \
 	src/wall/wall.c \
 	src/wall/wall.h \
 	src/wall/wall_batch.h \

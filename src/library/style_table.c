@@ -170,6 +170,7 @@ TS_STYLE(dump, ts_style, ts_dump_local_vtk)
 TS_STYLE(dump, ts_style, ts_dump_mesh_stl)
 TS_STYLE(dump, ts_style, ts_dump_mesh_vtk)
 TS_STYLE(dump, ts_style, ts_dump_restart)
+TS_STYLE(dump, ts_style, ts_dump_voxel_vtk)
 TS_STYLE(dump, ts_style, ts_dump_xyz)
 TS_STYLE(fix, ts_style, ts_fix_adapt)
 TS_STYLE(fix, ts_coupling_force_style, ts_fix_added_mass)
@@ -455,6 +456,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_mesh_stl,
 	&ts_dump_mesh_vtk,
 	&ts_dump_restart,
+	&ts_dump_voxel_vtk,
 	&ts_dump_xyz,
 	&ts_fix_adapt,
 	&ts_fix_added_mass.style,

@@ -13,6 +13,7 @@
 #include "particle/particles.h"
 #include "wall/primitive_wall.h"
 #include "wall/region_wall.h"
+#include "wall/voxel_wall.h"
 
 #include "base/banned.h"
 
@@ -130,6 +131,12 @@ static double gap_of_region(const struct tsim *sim, const void *surface, const d
 	return ts_region_varies(surface) || isnan(depth) ? 0 : fabs(depth);
 }
 
+/* A field that moves may be anywhere within its displacement in a step. */
+static double gap_of_voxels(const struct tsim *sim, const void *surface, const double x[3])
+{
+	return ts_voxel_wall_gap(surface, sim, x);
+}
+
 /* Distance from the mesh minus the displacement of the corners in a step. */
 static double gap_of_mesh(const struct tsim *sim, const void *surface, const double x[3])
 {
@@ -155,6 +162,7 @@ static bool hits_wall(struct tsim *sim, size_t i, char *what, size_t room)
 		if (!ts_wall_interacts(by, sim, i, false))
 			continue;
 		if ((w->primitive && meets_surface(sim, i, gap_of_primitive, w->primitive)) ||
+		    (w->voxel && meets_surface(sim, i, gap_of_voxels, w->voxel)) ||
 		    (w->region && meets_surface(sim, i, gap_of_region, w->region))) {
 			snprintf(what, room, " past wall %.60s", by->id);
 			return true;

@@ -6,7 +6,6 @@
 #include "core/report.h"
 #include "math/constants.h"
 #include "math/vec3.h"
-#include "voxel/voxel_image.h"
 #include "voxel/voxel_source.h"
 #include "voxel/voxel_surface.h"
 

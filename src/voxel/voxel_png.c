@@ -1,7 +1,4 @@
-/* PNG images by libpng. */
-#include "voxel/voxel_image.h"
-
-#include "mesh/mesh_scan.h"
+#include "voxel/voxel_png.h"
 
 #ifdef TS_WITH_PNG
 #include <png.h>

@@ -8,12 +8,6 @@
 
 #include "base/banned.h"
 
-void ts_voxel_grid_release(struct ts_voxel_grid *grid)
-{
-	ts_free(grid->value);
-	*grid = (struct ts_voxel_grid){ 0 };
-}
-
 enum ts_status ts_voxel_source_read(struct ts_instance *self, struct tsim *sim,
 				    const struct ts_voxel_source *source, struct ts_voxel_grid *grid)
 {

@@ -4,6 +4,7 @@
 
 #include "core/sim.h"
 #include "voxel/voxel_field.h"
+#include "voxel/voxel_grid.h"
 
 enum ts_voxel_kind { TS_VOXEL_CONSTANT, TS_VOXEL_FILE, TS_VOXEL_IMAGE, TS_VOXEL_FORMULA, TS_VOXEL_GAUSSIAN };
 
@@ -20,14 +21,6 @@ struct ts_voxel_source {
 	int64_t seed;
 	bool exact; /* its sample has the mean and deviation given */
 };
-
-/* Numbers read from a file, [n[1]][n[0]], the row of least coordinate first. Zero-initialise. */
-struct ts_voxel_grid {
-	int64_t n[2];
-	double *value;
-	size_t capacity;
-};
-void ts_voxel_grid_release(struct ts_voxel_grid *grid);
 
 /* Reads the file, if there is one; else grid->n is 0. */
 enum ts_status ts_voxel_source_read(struct ts_instance *self, struct tsim *sim,

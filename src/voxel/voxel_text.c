@@ -1,5 +1,7 @@
 #include "voxel/voxel_text.h"
 
+#include <math.h>
+
 #include "io/lines.h"
 
 #include "base/banned.h"

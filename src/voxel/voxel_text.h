@@ -3,7 +3,8 @@
 #ifndef TS_VOXEL_VOXEL_TEXT_H
 #define TS_VOXEL_VOXEL_TEXT_H
 
-#include "voxel/voxel_source.h"
+#include "core/sim.h"
+#include "voxel/voxel_grid.h"
 
 enum ts_status ts_voxel_text_read(struct tsim *sim, const struct ts_place *where, const char *path,
 				  struct ts_voxel_grid *grid);

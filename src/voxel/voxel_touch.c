@@ -93,8 +93,9 @@ static void visit_column(struct search *s, int64_t i, int64_t j)
 	r2 = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
 	if (!(r2 < s->reach2))
 		return;
-	s->least2 = fmin(s->least2, r2);
-	if (s->out && !is_covered(s, i, j, &near))
+	if (!s->out)
+		s->least2 = s->reach2 = r2; /* only nearer columns matter from now on */
+	else if (!is_covered(s, i, j, &near))
 		add_contact(s, i, j, r);
 }
 
@@ -231,5 +232,5 @@ double ts_voxel_distance(const struct ts_voxel_field *f, const double x[3], doub
 	if (!(s.x[2] - f->level[f->nlevels - 1].top[0] < reach))
 		return INFINITY;
 	visit_all(&s);
-	return s.least2 < s.reach2 ? sqrt(s.least2) : INFINITY;
+	return sqrt(s.least2) < reach ? sqrt(s.least2) : INFINITY;
 }

@@ -1,7 +1,7 @@
 #include "wall/surface_contacts.h"
 #include "wall/mesh_wall_queue.h"
 #include "wall/primitive_wall.h"
-#include "wall/voxel_wall.h"
+#include "wall/voxel_wall_queue.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_law.h"
 
@@ -176,7 +176,7 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 	for (size_t k = 0; k < count_surface_types(w); k++)
 		TS_TRY(ts_wall_make_law(self, sim, surface_type(w, k)));
 	if (w->voxels)
-		return ts_voxel_wall_list(self, sim, &w->wall, &w->voxel);
+		return ts_voxel_wall_list(self, sim, &w->wall, &w->voxel, false);
 	w->wall.contacts.want_reports |= ts_mesh_wall_observed(&w->mesh); /* all have said so in init */
 	ts_wall_rebuild_start(&w->wall, sim, w->mesh_word ? TS_MESH_MEMORY : 0, &rebuild);
 	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild,

@@ -11,6 +11,7 @@
 #ifndef TS_WALL_VOXEL_WALL_H
 #define TS_WALL_VOXEL_WALL_H
 
+#include "geom/box.h"
 #include "voxel/voxel_surface.h"
 #include "voxel/voxel_touch.h"
 #include "wall/wall.h"
@@ -22,6 +23,8 @@
 /* History values of a contact besides those of its law: 1 + number of the column and its periodic image (0: no
  * contact), unit normal. */
 enum { TS_VOXEL_COLUMN, TS_VOXEL_NORMAL, TS_VOXEL_MEMORY = TS_VOXEL_NORMAL + 3 };
+/* Periodic images of a column that the history tells apart. */
+enum { TS_VOXEL_IMAGES = 27 };
 
 /* A particle near the field. Its slots are contacts first .. first + slots - 1 of the wall. */
 struct ts_voxel_neighbor {
@@ -44,12 +47,10 @@ struct ts_voxel_wall {
 
 /* Finds the surface of this ID; in init. */
 enum ts_status ts_voxel_wall_find(struct tsim *sim, struct ts_voxel_wall *vw, const struct ts_word *id);
-/* Lists the particles near the surface with their slots; in POST_BUILD. */
+/* Lists the particles near the surface with their slots; in POST_BUILD, or `full`: in a step in which particles
+ * have more contact points than slots. */
 enum ts_status ts_voxel_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
-				  struct ts_voxel_wall *vw);
-/* Computes all forces of the step; fails if the centre of a particle lies in the solid. */
-enum ts_status ts_voxel_wall_enqueue_contacts(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
-					      struct ts_voxel_wall *vw);
+				  struct ts_voxel_wall *vw, bool full);
 /* Whether the surface has moved more than half the skin since the listing, so that a rebuild is due. */
 bool ts_voxel_wall_has_moved(const struct tsim *sim, const struct ts_voxel_wall *vw);
 /* Fails if the surface passes through a particle in one step: it moved by more than the radius. */
@@ -58,9 +59,31 @@ enum ts_status ts_voxel_wall_check_displacement(struct ts_instance *self, struct
 /* Present distance of a point from the solid, 0 inside of it; infinite if it is not less than `reach`. */
 double ts_voxel_wall_distance(const struct ts_voxel_wall *vw, const struct tsim *sim, const double x[3],
 			      double reach);
+/* The distance less the displacement of the surface in a step; at most the size of the box. */
+double ts_voxel_wall_gap(const struct ts_voxel_wall *vw, const struct tsim *sim, const double x[3]);
 /* Appends the name of the column of contact k: ", column 12 3 of surface rough". */
 void ts_voxel_wall_name(const struct ts_wall *w, const struct ts_voxel_wall *vw, size_t k,
 			struct ts_str *out);
 void ts_voxel_wall_release(struct ts_voxel_wall *vw);
+
+/* The history values TS_VOXEL_... of contact k. */
+static inline double *ts_voxel_memory(const struct ts_wall_contacts *c, size_t k)
+{
+	return ts_wall_memory(c, k) + c->width - TS_VOXEL_MEMORY;
+}
+
+/* The index in the heights of a column as in the history. */
+static inline int64_t ts_voxel_column_index(double column)
+{
+	return ((int64_t)column - 1) / TS_VOXEL_IMAGES;
+}
+
+/* The point x in the frames of the images of the field that may be near it. */
+struct ts_voxel_images {
+	int n, shift[TS_VOXEL_IMAGES][3]; /* of the image, in box lengths */
+	double x[TS_VOXEL_IMAGES][3];
+};
+void ts_voxel_images(const struct ts_voxel_surface *s, const struct ts_box *box, const double x[3],
+		     struct ts_voxel_images *out);
 
 #endif

@@ -114,22 +114,23 @@ syn keyword tsimKeyword  molfrac rigid shake title ghost writedata add_region
 syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style dirac
 syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer peratomtype
 syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink delete_below
-syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple method divided
-syn keyword tsimKeyword  kernel reach least model hooke hertz hooke/stiffness
-syn keyword tsimKeyword  hertz/stiffness hooke/hysteresis jkr tangential history no_history
-syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
-syn keyword tsimKeyword  cohesion sjkr sjkr2 easo/capillary/viscous
+syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple constant black
+syn keyword tsimKeyword  white formula mean deviation correlation normal size datum base
+syn keyword tsimKeyword  method divided kernel reach least model hooke hertz
+syn keyword tsimKeyword  hooke/stiffness hertz/stiffness hooke/hysteresis jkr tangential
+syn keyword tsimKeyword  history no_history incremental_history jkr_tan rolling_friction
+syn keyword tsimKeyword  cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 easo/capillary/viscous
 syn keyword tsimKeyword  washino/capillary/viscous surface multicontact limitForce
 syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
 syn keyword tsimKeyword  tangential_reduce modifyLbVolume limitLiquidContent torsionTorque
 syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
 syn keyword tsimKeyword  disableNormalWhenBonded located hooke/history hertz/history
-syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes xplane yplane
-syn keyword tsimKeyword  zplane xcylinder ycylinder zcylinder shear store_force contacts
-syn keyword tsimKeyword  store_force_contact store_force_contact_stress viscosity ab2 rk2
-syn keyword tsimKeyword  rk3 backward substeps courant quick cubista gamma form fv fd
-syn keyword tsimKeyword  conservative quadratic body_force pressure_level generic
+syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes voxels xplane
+syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear store_force
+syn keyword tsimKeyword  contacts store_force_contact store_force_contact_stress viscosity
+syn keyword tsimKeyword  ab2 rk2 rk3 backward substeps courant quick cubista gamma form fv
+syn keyword tsimKeyword  fd conservative quadratic body_force pressure_level generic
 syn keyword tsimKeyword  hertz/material dmt mass_velocity viscoelastic tsuji
 syn keyword tsimKeyword  coeff_restitution rolling twisting heat restitution unfinished
 syn keyword tsimKeyword  preconditioner diagonal direct multigrid relaxation side in out
@@ -183,8 +184,8 @@ syn match tsim_fix /\<print\>/ contained
 syn keyword tsim_fix contained property/atom property/atom/regiontracer/time property/atom/tracer
 syn keyword tsim_fix contained property/atom/tracer/stream property/global recenter remove rigid
 syn keyword tsim_fix contained scale/diameter setforce spring spring/self store/force store/state
-syn keyword tsim_fix contained vector viscous viscous/sphere void_fraction wall/gran
-syn keyword tsim_fix contained wall/gran/region wall/reflect
+syn keyword tsim_fix contained surface/voxel vector viscous viscous/sphere void_fraction
+syn keyword tsim_fix contained wall/gran wall/gran/region wall/reflect
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom
@@ -208,7 +209,7 @@ syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVaria
 syn keyword tsim_dump contained atom custom custom/vtk euler/vtk flow/vtk local local/gran/vtk
 syn keyword tsim_dump contained local/vtk mesh/stl stl mesh/vtk mesh/gran/VTK
 syn match tsim_dump /\<restart\>/ contained
-syn keyword tsim_dump contained xyz
+syn keyword tsim_dump contained voxel/vtk xyz
 hi def link tsim_dump Type
 syn match tsimHead /^\s*pair_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pair
 syn keyword tsim_pair contained gran gran/hertz/history gran/hooke gran/hooke/history granular

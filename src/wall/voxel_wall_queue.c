@@ -1,0 +1,224 @@
+#include "wall/voxel_wall_queue.h"
+
+#include <math.h>
+
+#include "box/domain.h"
+#include "math/vec3.h"
+#include "wall/wall_coincide.h"
+#include "wall/wall_queue.h"
+
+#include "base/banned.h"
+
+/* ---- contact points of a step */
+
+static int modulo3(int64_t a)
+{
+	return (int)((a % 3 + 3) % 3);
+}
+
+/* 1 + number of a column and of its periodic image relative to the unwrapped position of particle i, modulo
+ * three box lengths: it stays the same when the particle is wrapped. */
+static double column_number(const struct ts_voxel_field *f, const struct ts_particles *p, size_t i,
+			    const int64_t column[2], const int shift[3])
+{
+	int64_t local[2];
+	int code = modulo3(p->image[i][f->axis[2]] + shift[f->axis[2]]);
+
+	for (int d = 0; d < 2; d++) {
+		int axis = f->axis[d];
+
+		local[d] = f->periodic[d] ? ts_voxel_wrap(f, d, column[d]) : column[d];
+		code = 3 * code + modulo3(p->image[i][axis] + shift[axis] + (column[d] - local[d]) / f->n[d]);
+	}
+	return 1 + (double)(TS_VOXEL_IMAGES * (local[1] * f->n[0] + local[0]) + code);
+}
+
+struct force_task {
+	struct tsim *sim;
+	struct ts_wall *w;
+	struct ts_voxel_wall *vw;
+	bool pulls;
+};
+
+/* Stores the contact points of a particle, as many as it has slots, and counts all. */
+static void find_points(const struct force_task *t, struct ts_voxel_neighbor *v)
+{
+	const struct ts_particles *p = t->sim->particles;
+	const struct ts_voxel_field *f = &t->vw->surface->field;
+	struct ts_voxel_wall *vw = t->vw;
+	double radius = p->radius[v->i];
+	double reach = radius + (t->pulls ? ts_wall_reach(t->w, t->sim, radius) : 0);
+	struct ts_voxel_images images;
+
+	v->found = 0;
+	ts_voxel_images(vw->surface, &t->sim->domain->box, p->x[v->i], &images);
+	for (int k = 0; k < images.n; k++) {
+		size_t room = v->found < v->slots ? v->slots - v->found : 0, from = v->first + v->found;
+		size_t n = ts_voxel_contacts(f, images.x[k], reach, vw->at + from, room);
+
+		for (size_t m = 0; m < n && m < room; m++)
+			vw->column[from + m] =
+				column_number(f, p, v->i, vw->at[from + m].column, images.shift[k]);
+		v->found += n;
+	}
+}
+
+static void find_range(void *context, size_t from, size_t to)
+{
+	const struct force_task *t = context;
+
+	for (size_t k = from; k < to; k++)
+		find_points(t, &t->vw->neighbor[k]);
+}
+
+static void find_all(const struct force_task *t)
+{
+	/* a search costs as much as about 4 particles of simple loops */
+	ts_parallel(ts_team(t->sim, 4 * t->vw->nneighbors), t->vw->nneighbors, find_range, (void *)t);
+}
+
+static bool is_full(const struct ts_voxel_wall *vw)
+{
+	for (size_t k = 0; k < vw->nneighbors; k++)
+		if (vw->neighbor[k].found > vw->neighbor[k].slots)
+			return true;
+	return false;
+}
+
+/* ---- matching of contact points and contacts */
+
+static void take_slot(const struct ts_voxel_wall *vw, size_t point, size_t k)
+{
+	vw->slot[point] = k;
+	vw->used[k] = true;
+}
+
+static void match_columns(const struct ts_wall_contacts *c, const struct ts_voxel_wall *vw,
+			  const struct ts_voxel_neighbor *v)
+{
+	for (size_t point = v->first; point < v->first + v->found; point++) {
+		double column = vw->column[point];
+
+		vw->slot[point] = SIZE_MAX;
+		for (size_t k = v->first; k < v->first + v->slots; k++)
+			if (!(ts_voxel_memory(c, k)[TS_VOXEL_COLUMN] < column) &&
+			    !(ts_voxel_memory(c, k)[TS_VOXEL_COLUMN] > column))
+				take_slot(vw, point, k);
+	}
+}
+
+/* The contact that has ended at the nearest point of the particle's surface; SIZE_MAX: none near enough. */
+static size_t ended_contact(const struct ts_wall_contacts *c, const struct ts_voxel_wall *vw,
+			    const struct ts_voxel_neighbor *v, const double n[3])
+{
+	double most = TS_VOXEL_SAME_NORMAL;
+	size_t best = SIZE_MAX;
+
+	for (size_t k = v->first; k < v->first + v->slots; k++) {
+		const double *own = ts_voxel_memory(c, k);
+		double cosine = ts_dot(own + TS_VOXEL_NORMAL, n);
+
+		if (vw->used[k] || !(own[TS_VOXEL_COLUMN] > 0) || !(cosine > most))
+			continue;
+		most = cosine;
+		best = k;
+	}
+	return best;
+}
+
+static size_t free_slot(const struct ts_voxel_wall *vw, const struct ts_voxel_neighbor *v)
+{
+	size_t k = v->first;
+
+	while (vw->used[k])
+		k++;
+	return k;
+}
+
+/* Gives each contact point a slot, and ends the contacts that have none. */
+static void match_points(struct ts_wall_contacts *c, const struct ts_voxel_wall *vw,
+			 const struct ts_voxel_neighbor *v)
+{
+	for (size_t k = v->first; k < v->first + v->slots; k++)
+		vw->used[k] = false;
+	match_columns(c, vw, v);
+	for (size_t point = v->first; point < v->first + v->found; point++) {
+		size_t k = vw->slot[point] == SIZE_MAX ? ended_contact(c, vw, v, vw->at[point].n) : SIZE_MAX;
+
+		if (k != SIZE_MAX)
+			take_slot(vw, point, k);
+	}
+	for (size_t k = v->first; k < v->first + v->slots; k++)
+		if (!vw->used[k])
+			ts_wall_contact_end(c, k);
+	for (size_t point = v->first; point < v->first + v->found; point++)
+		if (vw->slot[point] == SIZE_MAX)
+			take_slot(vw, point, free_slot(vw, v));
+}
+
+static void compute_point(const struct force_task *t, struct ts_wall_queue *q, size_t at)
+{
+	const struct ts_voxel_surface *s = t->vw->surface;
+	const struct ts_voxel_contact *from = &t->vw->at[at];
+	struct ts_wall_contacts *c = &t->w->contacts;
+	struct ts_wall_contact_point point = { .distance = from->distance,
+					       .type = (int)s->type,
+					       .mesh = 1,
+					       .triangle = (int)ts_voxel_column_index(t->vw->column[at]),
+					       .warm = !isnan(s->temperature),
+					       .temperature = s->temperature };
+	size_t k = t->vw->slot[at];
+	double *own = ts_voxel_memory(c, k);
+
+	for (int d = 0; d < 3; d++) {
+		point.n[d] = from->n[d];
+		point.velocity[d] = s->velocity[d];
+	}
+	if (!ts_wall_touches(q, k, &point)) {
+		ts_wall_contact_end(c, k);
+		return;
+	}
+	own[TS_VOXEL_COLUMN] = t->vw->column[at];
+	for (int d = 0; d < 3; d++)
+		own[TS_VOXEL_NORMAL + d] = from->n[d];
+	ts_wall_enqueue_contact(q, k, &point);
+}
+
+/* In the order of slots, in which the forces of a particle are summed. */
+static void compute_neighbor(const struct force_task *t, struct ts_wall_queue *q,
+			     const struct ts_voxel_neighbor *v)
+{
+	const struct ts_voxel_wall *vw = t->vw;
+
+	match_points(&t->w->contacts, vw, v);
+	for (size_t k = v->first; v->found && k < v->first + v->slots; k++)
+		for (size_t at = v->first; vw->used[k] && at < v->first + v->found; at++)
+			if (vw->slot[at] == k)
+				compute_point(t, q, at);
+}
+
+static void compute_range(void *context, size_t from, size_t to)
+{
+	const struct force_task *t = context;
+	struct ts_wall_queue queue;
+
+	ts_wall_queue_start(&queue, t->w, t->sim);
+	for (size_t k = from; k < to; k++)
+		compute_neighbor(t, &queue, &t->vw->neighbor[k]);
+	ts_wall_queue_end(&queue);
+}
+
+enum ts_status ts_voxel_wall_enqueue_contacts(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
+					      struct ts_voxel_wall *vw)
+{
+	struct force_task task = { sim, w, vw, ts_wall_long_ranged(w, sim) };
+
+	find_all(&task);
+	if (is_full(vw)) {
+		TS_TRY(ts_voxel_wall_list(self, sim, w, vw, true));
+		find_all(&task);
+	}
+	ts_parallel(ts_team(sim, 4 * vw->nneighbors), vw->nneighbors, compute_range, &task);
+	ts_wall_finish(w);
+	return ts_coincide_wall(sim, w);
+}
