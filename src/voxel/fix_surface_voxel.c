@@ -111,6 +111,12 @@ static enum ts_status read_extent(struct ts_instance *self, struct tsim *sim)
 		f->periodic[d] = ts_box_periodic(box, axis) && fabs(extent - length) <= 1e-9 * length;
 		if (f->periodic[d])
 			f->width[d] = length / (double)f->n[d];
+		else if (ts_box_periodic(box, axis) && extent > length)
+			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "size"),
+				       "fix surface/voxel: the field is longer than the periodic box along "
+				       "%s, "
+				       "%g and %g: it would overlap its own images",
+				       normals[axis], extent, length);
 		end = ts_voxel_border(f, d, f->n[d]);
 		if (ts_voxel_border(f, d, 1) > f->origin[d] && end > ts_voxel_border(f, d, f->n[d] - 1))
 			continue;

@@ -85,6 +85,18 @@ faces='f f f'
 equals 'a larger field' "$history" 'zplane 0.013' '' \
 	'constant 0.013 type 1 cells 70 90 origin -1.5 -1.7 size 4 3.1 base -0.1'
 
+# Grooves along y: the contacts with tops, sides and edges slide along them, from column to column or in one.
+faces='p p f'
+grooves='variable cx internal 0
+variable h equal 0.1*sin(7*PI*v_cx)
+fix s all surface/voxel formula v_h x cx type 1'
+for n in 1 37 800; do
+	scene $n "$grooves cells 40 $n
+fix w all wall/gran model $history voxels s"
+done
+same 'grooves of 37 columns' result.1 result.37
+same 'grooves of 800 columns' result.1 result.800
+
 # The side of a step is a plane, too; heights along x and y.
 sed -i 's/vector 0 0 -1/vector -1 0 0/; s/velocity all set .*/velocity all set -1.7 0.2 0.1 units box/; /ramp/d' in.scene
 sed -i 's/^create_atoms 1 single .*//; s/block -0.9 0.9 -0.9 0.9 0.1 0.7/block -0.8 0.7 -0.9 0.9 0.1 0.7/' in.scene
