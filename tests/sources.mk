@@ -175,6 +175,7 @@ unit_tests = \
 	tests/accuracy/check_oscillator \
 	tests/accuracy/check_restitution \
 	tests/accuracy/check_settling \
+	tests/accuracy/check_staircase \
 	tests/base/check_files \
 	tests/bond/check_bonds \
 	tests/contact/check_contact_parts \
@@ -265,6 +266,10 @@ tests_accuracy_check_restitution_LDADD = $(tests_ldadd)
 tests_accuracy_check_settling_SOURCES = tests/accuracy/check_settling.c
 tests_accuracy_check_settling_CFLAGS = $(tests_cflags)
 tests_accuracy_check_settling_LDADD = $(tests_ldadd)
+
+tests_accuracy_check_staircase_SOURCES = tests/accuracy/check_staircase.c
+tests_accuracy_check_staircase_CFLAGS = $(tests_cflags)
+tests_accuracy_check_staircase_LDADD = $(tests_ldadd)
 
 tests_base_check_files_SOURCES = tests/base/check_files.c
 tests_base_check_files_CFLAGS = $(tests_cflags)
