@@ -428,6 +428,8 @@ static const struct ts_arg args[] = {
 		.help = "lower heights are raised to this one"),
 	TS_REAL("base", struct state, base, .flags = TS_OPTIONAL | TS_STATEFUL, .unit = "length",
 		.help = "bottom of all columns; default: they have none"),
+	TS_BOOL("merge", struct state, surface.merges, .flags = TS_STATEFUL, .fallback = "no",
+		.help = "whether contact points within the contact area of a deeper one belong to it"),
 	TS_REAL("temperature", struct state, surface.temperature, .flags = TS_OPTIONAL, .unit = "temperature",
 		.help = "for fix heat/gran"),
 	TS_SOME_KEYWORD("move", struct state, move_words, TS_STATEFUL,
@@ -476,9 +478,18 @@ static const char doc[] =
 	"is nearer to the centre than all other points around it is one contact. There are no seams: a "
 	"particle on columns of equal height has one contact, as on a plane, with the same force bit for "
 	"bit. The history of a contact that slides from column to column is kept, see fix wall/gran. If the "
-	"centre of a particle gets into the solid the run stops. Choose columns that are not much narrower "
-	"than the contact area, of radius sqrt(R overlap): each edge of narrower ones that is touched is a "
-	"contact of its own, and on a rough or inclined surface the wall gets stiffer than the plane.\n\n"
+	"centre of a particle gets into the solid the run stops.\n\n"
+	"Where columns are narrower than the contact area, as on a ramp of narrow columns, a particle "
+	"touches "
+	"several edges, each of which is a contact of its own, and the wall is stiffer than the plane. With "
+	"`merge yes` a contact point p belongs to a deeper one p_1 if\n\n"
+	"  |p - p_1|^2 < 2 (R^2 - d_1^2),\n\n"
+	"d_1 being the distance of p_1 from the centre: sqrt(R^2 - d_1^2) is the radius of the circle in "
+	"which "
+	"the sphere cuts the tangent plane. Only the deepest contact of an area acts, so that the force "
+	"converges "
+	"to that of the smooth surface as the columns become narrower, with an error of first order in their "
+	"width. Contacts with sides and in corners stay apart as long as overlaps are small.\n\n"
 	"The field is periodic along an axis along which it spans a periodic box. Elsewhere it ends with "
 	"side "
 	"faces. In a box that is periodic along the heights a `base` is needed.\n\n"

@@ -12,6 +12,7 @@
 struct ts_voxel_surface {
 	struct ts_voxel_field field; /* at its reference position */
 	int64_t type;		     /* particle type whose material it has */
+	bool merges;		     /* contact points within one contact area are one contact */
 	double temperature;	     /* for fix heat/gran; NaN: it conducts no heat */
 	double shift[3];	     /* displacement from the reference position, length */
 	double velocity[3];	     /* of the surface */

@@ -85,6 +85,49 @@ static bool is_full(const struct ts_voxel_wall *vw)
 	return false;
 }
 
+/* ---- contact points in the contact area of a deeper one */
+
+static void swap_points(const struct ts_voxel_wall *vw, size_t a, size_t b)
+{
+	struct ts_voxel_contact at = vw->at[a];
+	double column = vw->column[a];
+
+	vw->at[a] = vw->at[b];
+	vw->at[b] = at;
+	vw->column[a] = vw->column[b];
+	vw->column[b] = column;
+}
+
+/* Whether point b lies in the contact area of point a of a sphere of this radius: within a distance of
+ * sqrt(2 (R^2 - d_a^2)). Positions relative to the centre are -d n. */
+static bool is_in_area(const struct ts_voxel_contact *a, const struct ts_voxel_contact *b, double radius)
+{
+	double away[3];
+
+	for (int d = 0; d < 3; d++)
+		away[d] = a->distance * a->n[d] - b->distance * b->n[d];
+	return ts_dot(away, away) < 2 * (radius * radius - a->distance * a->distance);
+}
+
+/* Keeps the deepest point of each contact area. */
+static void merge_points(const struct ts_voxel_wall *vw, struct ts_voxel_neighbor *v, double radius)
+{
+	size_t kept = v->first, end = v->first + v->found;
+
+	for (size_t k = v->first; k < end; k++) {
+		bool merged = false;
+
+		for (size_t m = k + 1; m < end; m++)
+			if (vw->at[m].distance < vw->at[k].distance)
+				swap_points(vw, k, m);
+		for (size_t m = v->first; m < kept && !merged; m++)
+			merged = is_in_area(&vw->at[m], &vw->at[k], radius);
+		if (!merged)
+			swap_points(vw, kept++, k);
+	}
+	v->found = kept - v->first;
+}
+
 /* ---- matching of contact points and contacts */
 
 static void take_slot(const struct ts_voxel_wall *vw, size_t point, size_t k)
@@ -185,11 +228,12 @@ static void compute_point(const struct force_task *t, struct ts_wall_queue *q, s
 }
 
 /* In the order of slots, in which the forces of a particle are summed. */
-static void compute_neighbor(const struct force_task *t, struct ts_wall_queue *q,
-			     const struct ts_voxel_neighbor *v)
+static void compute_neighbor(const struct force_task *t, struct ts_wall_queue *q, struct ts_voxel_neighbor *v)
 {
 	const struct ts_voxel_wall *vw = t->vw;
 
+	if (vw->surface->merges && v->found > 1)
+		merge_points(vw, v, t->sim->particles->radius[v->i]);
 	match_points(&t->w->contacts, vw, v);
 	for (size_t k = v->first; v->found && k < v->first + v->slots; k++)
 		for (size_t at = v->first; vw->used[k] && at < v->first + v->found; at++)

@@ -136,6 +136,67 @@ START_TEST(rebound_from_a_staircase)
 }
 END_TEST
 
+/* The force on a sphere pressed by 0.05 R into a ramp with `merge yes`, relative to that of the plane: the largest
+ * difference for PHASES places. */
+static double force_error(int columns)
+{
+	const double slope = tan(20 * acos(-1) / 180), c = cos(atan(slope)), n[2] = { -slope * c, c };
+	double fx[PHASES], fz[PHASES], most = 0;
+	struct tsim *sim =
+		deck_open("units si\n"
+			  "boundary f p f\n"
+			  "newton off\n"
+			  "communicate single vel yes\n"
+			  "neighbor 0.01 bin\n"
+			  "region box block -0.5 0.5 0 4 -1 1 units box\n"
+			  "create_box 1 box\n"
+			  "timestep 1e-7\n"
+			  "fix kn all property/global kn peratomtypepair 1 1000\n"
+			  "fix kt all property/global kt peratomtypepair 1 1e-13\n"
+			  "fix gn all property/global gamman peratomtypepair 1 1e-13\n"
+			  "fix gt all property/global gammat peratomtypepair 1 1e-13\n"
+			  "fix mu all property/global coefficientFriction peratomtypepair 1 0\n"
+			  "variable cx internal 0\n"
+			  "variable h equal %.17g*(v_cx-%.17g)\n"
+			  "fix ramp all surface/voxel formula v_h x cx type 1 cells %d 1 merge yes\n"
+			  "fix wall all wall/gran model hooke/stiffness tangential no_history "
+			  "voxels ramp",
+			  slope, 0.5 / columns, columns);
+
+	for (int k = 0; k < PHASES; k++) {
+		double foot = (k + 0.5) / PHASES / columns;
+
+		deck(sim, "create_atoms 1 single %.17g %.17g %.17g units box", foot + 0.95 * RADIUS * n[0],
+		     0.125 + 0.25 * k, slope * foot + 0.95 * RADIUS * n[1]);
+	}
+	deck(sim, "set group all diameter %.17g density 1000\nrun 0", 2 * RADIUS);
+	deck_column(sim, "fx", fx, PHASES, 0);
+	deck_column(sim, "fz", fz, PHASES, 0);
+	for (int k = 0; k < PHASES; k++) {
+		double plane = 1000 * 0.05 * RADIUS;
+
+		most = fmax(most, hypot(fx[k] / plane - n[0], fz[k] / plane - n[1]));
+	}
+	tsim_close(sim);
+	return most;
+}
+
+START_TEST(force_of_merged_contacts)
+{
+	double width[WIDTHS], error[WIDTHS];
+
+	for (int k = 0; k < WIDTHS; k++) {
+		int columns = 200 << k;
+
+		width[k] = 1.0 / columns;
+		error[k] = force_error(columns);
+		printf("width %g R: force %g\n", width[k] / RADIUS, error[k]);
+	}
+	DECK_NEAR(deck_order(width, error, WIDTHS), 1, 0.05);
+	ck_assert_double_lt(error[WIDTHS - 1], 0.6 * width[WIDTHS - 1] / RADIUS);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("staircase");
@@ -143,6 +204,7 @@ int main(void)
 
 	tcase_add_test(tests, distance_and_direction);
 	tcase_add_test(tests, rebound_from_a_staircase);
+	tcase_add_test(tests, force_of_merged_contacts);
 	suite_add_tcase(suite, tests);
 	return deck_main(suite);
 }

@@ -116,7 +116,7 @@ syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer perat
 syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink delete_below
 syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple constant black
 syn keyword tsimKeyword  white formula mean deviation correlation normal size datum base
-syn keyword tsimKeyword  method divided kernel reach least model hooke hertz
+syn keyword tsimKeyword  merge method divided kernel reach least model hooke hertz
 syn keyword tsimKeyword  hooke/stiffness hertz/stiffness hooke/hysteresis jkr tangential
 syn keyword tsimKeyword  history no_history incremental_history jkr_tan rolling_friction
 syn keyword tsimKeyword  cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 easo/capillary/viscous
