@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "box/domain.h"
 #include "math/vec3.h"
 #include "neigh/coincide.h"
@@ -152,8 +153,7 @@ static enum ts_status find_needs(struct tsim *sim, const struct ts_wall_contacts
 		if (vw->neighbor[k].found > vw->neighbor[k].slots)
 			TS_TRY(add_need(sim, needs, sim->particles->tag[vw->neighbor[k].i],
 					vw->neighbor[k].found));
-	if (needs->n)
-		qsort(needs->item, needs->n, sizeof *needs->item, compare_needs);
+	ts_sort(needs->item, needs->n, sizeof *needs->item, compare_needs);
 	for (size_t k = 0; k < needs->n; k++) { /* one item for each particle */
 		if (!n || needs->item[n - 1].tag != needs->item[k].tag)
 			needs->item[n++] = needs->item[k];
