@@ -534,6 +534,7 @@ library_sources = \
 	src/insert/distribution.c \
 	src/insert/distribution.h \
 	src/insert/fix_evaporate.c \
+	src/insert/fix_insert_jet.c \
 	src/insert/fix_insert_pack.c \
 	src/insert/fix_insert_pack_dense.c \
 	src/insert/fix_insert_rate_region.c \
@@ -553,6 +554,8 @@ library_sources = \
 	src/insert/insertion_rate.h \
 	src/insert/insertion_region.c \
 	src/insert/insertion_region.h \
+	src/insert/nozzle.c \
+	src/insert/nozzle.h \
 	src/insert/sites.c \
 	src/insert/sites.h \
 	src/insert/stream.c \

@@ -170,20 +170,27 @@ static void round_counts(struct ts_distribution *d, int64_t n, int64_t *count)
 	}
 }
 
+static struct ts_new_particle particle_of(const struct ts_instance *self, struct ts_instance *template)
+{
+	return (struct ts_new_particle){
+		.template = template,
+		.mask = 1u << self->group | 1u << template->group,
+		.type = (int32_t)((struct ts_template *)template->state)->type,
+	};
+}
+
 static enum ts_status append_particle(struct tsim *sim, const struct ts_instance *self,
 				      struct ts_instance *template, struct ts_new_particles *out)
 {
 	struct ts_template *t = template->state;
+	struct ts_new_particle *one;
 
 	if (TS_GROW(out->item, out->capacity, out->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	out->item[out->n++] = (struct ts_new_particle){
-		.template = template,
-		.mask = 1u << self->group | 1u << template->group,
-		.type = (int32_t)t->type,
-		.radius = ts_spread_draw(&t->radius, &t->random),
-		.density = ts_spread_draw(&t->density, &t->random),
-	};
+	one = &out->item[out->n++];
+	*one = particle_of(self, template);
+	one->radius = ts_spread_draw(&t->radius, &t->random);
+	one->density = ts_spread_draw(&t->density, &t->random);
 	return TS_OK;
 }
 
@@ -238,4 +245,28 @@ enum ts_status ts_distribution_draw(struct ts_instance *self, struct tsim *sim, 
 			status = append_particle(sim, self, d->template[k], out);
 	ts_free(count);
 	return status == TS_OK ? sort_by_size(sim, out) : status;
+}
+
+enum ts_status ts_distribution_archive_particle(struct ts_instance *self, struct tsim *sim,
+						struct ts_archive *archive, const char *name,
+						struct ts_new_particle *one, bool *some)
+{
+	const struct ts_distribution *d = self->state;
+	double number[3] = { -1, one->radius, one->density }; /* index of the template, or -1 */
+
+	for (int64_t k = 0; *some && k < d->n; k++)
+		if (d->template[k] == one->template)
+			number[0] = (double)k;
+	TS_TRY(ts_archive_fixed(archive, name, TS_SAVED_F64, number, 3));
+	if (ts_archive_writing(archive))
+		return TS_OK;
+	*some = number[0] >= 0;
+	if (!*some)
+		return TS_OK;
+	if (!(number[0] < (double)d->n && number[1] > 0 && number[2] > 0))
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "the particle drawn last is damaged");
+	*one = particle_of(self, d->template[(size_t)number[0]]);
+	one->radius = number[1];
+	one->density = number[2];
+	return TS_OK;
 }

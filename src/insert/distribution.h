@@ -48,4 +48,9 @@ struct ts_new_particles {
 enum ts_status ts_distribution_draw(struct ts_instance *self, struct tsim *sim, int64_t n, bool exact,
 				    struct ts_new_particles *out);
 
+/* Writes or reads a particle that has been drawn but not been inserted yet; *some: there is one. */
+enum ts_status ts_distribution_archive_particle(struct ts_instance *self, struct tsim *sim,
+						struct ts_archive *archive, const char *name,
+						struct ts_new_particle *one, bool *some);
+
 #endif

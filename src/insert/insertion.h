@@ -39,7 +39,8 @@ struct ts_insertion {
 	int64_t inserted; /* particles, or clumps, so far */
 	double mass;	  /* mass inserted so far */
 };
-#define TS_INSERTION_ARGS(T)                                                                                 \
+/* Arguments that all these fixes share, in three parts, and the whole of most of them. */
+#define TS_INSERTION_SOURCE_ARGS(T)                                                                          \
 	TS_INT("seed", T, base.seed, .range = TS_POSITIVE,                                                   \
 	       .help = TS_SEED_HELP "; must differ from the seeds of the distribution and its templates"),   \
 		TS_WORD("distributiontemplate", T, base.distribution_id,                                     \
@@ -49,30 +50,34 @@ struct ts_insertion {
 		TS_INT("start", T, base.start, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,               \
 		       .help = "step of the first insertion; default: the next step"),                       \
 		TS_BOOL("overlapcheck", T, base.overlapcheck, .fallback = "yes",                             \
-			.help = "inserted particles must not overlap each other or present particles"),      \
-		TS_BOOL("all_in", T, base.all_in, .fallback = "no",                                          \
-			.help = "particles must lie completely in the region, not only their centers"),      \
-		TS_ENUM("random_distribute", T, base.random_distribute, ts_insertion_shares,                 \
-			.fallback = "exact",                                                                 \
-			.help = "whether the fractions of the templates are exact or random in each "        \
-				"insertion"),                                                                \
-		TS_LIST_KEYWORD("vel", T, base.velocity_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,         \
-				.help = "constant vx vy vz | uniform vx vy vz dx dy dz | gaussian vx vy "    \
-					"vz sx sy sz: velocity, with its largest or standard deviation; "    \
-					"default 0"),                                                        \
-		TS_LIST_KEYWORD("omega", T, base.omega_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,          \
-				.help = "constant wx wy wz: angular velocity; default 0"),                   \
-		TS_LIST_KEYWORD("orientation", T, base.orientation_words,                                    \
-				.flags = TS_TO_KEYWORD | TS_OPTIONAL,                                        \
-				.help = "random | template | constant q1 q2 q3 q4: orientation of clumps; "  \
-					"default template"),                                                 \
-		TS_LIST_KEYWORD("set_property", T, base.property_words,                                      \
-				.flags = TS_TO_KEYWORD | TS_OPTIONAL,                                        \
-				.help = "name value: a property of fix property/atom, and its value for "    \
-					"inserted particles"),                                               \
-		TS_BOOL("verbose", T, base.verbose, .fallback = "yes",                                       \
-			.help = "print each insertion to the log"),                                          \
-		TS_BOOL("compress_tags", T, base.compress_tags, .fallback = "no",                            \
+			.help = "inserted particles must not overlap each other or present particles")
+#define TS_INSERTION_MOTION_ARGS(T)                                                                         \
+	TS_LIST_KEYWORD("omega", T, base.omega_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,                 \
+			.help = "constant wx wy wz: angular velocity; default 0"),                          \
+		TS_LIST_KEYWORD("orientation", T, base.orientation_words,                                   \
+				.flags = TS_TO_KEYWORD | TS_OPTIONAL,                                       \
+				.help = "random | template | constant q1 q2 q3 q4: orientation of clumps; " \
+					"default template"),                                                \
+		TS_LIST_KEYWORD("set_property", T, base.property_words,                                     \
+				.flags = TS_TO_KEYWORD | TS_OPTIONAL,                                       \
+				.help = "name value: a property of fix property/atom, and its value for "   \
+					"inserted particles")
+#define TS_INSERTION_ARGS(T)                                                                              \
+	TS_INSERTION_SOURCE_ARGS(T),                                                                      \
+		TS_BOOL("all_in", T, base.all_in, .fallback = "no",                                       \
+			.help = "particles must lie completely in the region, not only their centers"),   \
+		TS_ENUM("random_distribute", T, base.random_distribute, ts_insertion_shares,              \
+			.fallback = "exact",                                                              \
+			.help = "whether the fractions of the templates are exact or random in each "     \
+				"insertion"),                                                             \
+		TS_LIST_KEYWORD("vel", T, base.velocity_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,      \
+				.help = "constant vx vy vz | uniform vx vy vz dx dy dz | gaussian vx vy " \
+					"vz sx sy sz: velocity, with its largest or standard deviation; " \
+					"default 0"),                                                     \
+		TS_INSERTION_MOTION_ARGS(T),                                                              \
+		TS_BOOL("verbose", T, base.verbose, .fallback = "yes",                                    \
+			.help = "print each insertion to the log"),                                       \
+		TS_BOOL("compress_tags", T, base.compress_tags, .fallback = "no",                         \
 			.help = "only no is accepted: particles keep their atom IDs")
 extern const char *const ts_insertion_shares[];
 
@@ -98,9 +103,14 @@ void ts_insertion_next(struct ts_instance *self);
 void ts_insertion_draw_velocity(struct ts_insertion *s, struct ts_new_particle *one);
 void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_new_particle *one);
 
-/* Adds all present particles to the hash; tests whether a new particle overlaps those in the hash; adds
+/* Mass of a new particle, or of a new clump. */
+double ts_insertion_mass(const struct tsim *sim, const struct ts_new_particle *one);
+
+/* Adds all present particles to the hash, or those that reach within `reach` of a point; tests whether a new particle overlaps those in the hash; adds
  * the new particle to it. */
 enum ts_status ts_insertion_hash_particles(struct tsim *sim, struct ts_spherehash *occupied);
+enum ts_status ts_insertion_hash_near(struct tsim *sim, struct ts_spherehash *occupied, const double x[3],
+				      double reach);
 bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *occupied,
 			   const struct ts_new_particle *one);
 enum ts_status ts_insertion_hash_add(struct tsim *sim, struct ts_spherehash *occupied,

@@ -56,6 +56,36 @@ enum ts_status ts_insertion_hash_particles(struct tsim *sim, struct ts_spherehas
 	return TS_OK;
 }
 
+/* Square of the distance to the nearest periodic image. */
+static double image_distance2(const struct ts_box *box, const double a[3], const double b[3])
+{
+	double sum = 0;
+
+	for (int k = 0; k < 3; k++) {
+		double d = a[k] - b[k];
+
+		if (ts_box_periodic(box, k))
+			d -= ts_box_length(box, k) * round(d / ts_box_length(box, k));
+		sum += d * d;
+	}
+	return sum;
+}
+
+enum ts_status ts_insertion_hash_near(struct tsim *sim, struct ts_spherehash *occupied, const double x[3],
+				      double reach)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; i < p->n; i++) {
+		double most = reach + p->radius[i];
+
+		if (image_distance2(&sim->domain->box, p->x[i], x) <= most * most &&
+		    ts_spherehash_add(occupied, p->x[i], p->radius[i]) != TS_OK)
+			return ts_nomem(&sim->error);
+	}
+	return TS_OK;
+}
+
 bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *occupied,
 			   const struct ts_new_particle *one)
 {
@@ -89,6 +119,11 @@ static double sphere_mass(const struct tsim *sim, const struct ts_new_particle *
 	if (clump_of(one)) /* 4 pi / 3 of LIGGGHTS */
 		return one->density * (r * r * r * 4.18879020479);
 	return one->density * (r * r * r * 4 * TS_PI / 3);
+}
+
+double ts_insertion_mass(const struct tsim *sim, const struct ts_new_particle *one)
+{
+	return clump_of(one) ? template_of(one)->mass : sphere_mass(sim, one, one->radius);
 }
 
 static void set_sphere(struct ts_instance *self, struct tsim *sim, const struct ts_new_particle *one,
@@ -162,7 +197,7 @@ static enum ts_status create_particle(struct ts_instance *self, struct tsim *sim
 
 	for (size_t k = 0; k < sphere_count(one); k++)
 		set_sphere(self, sim, one, k, from + k);
-	s->mass += clump_of(one) ? t->mass : sim->particles->mass[from];
+	s->mass += ts_insertion_mass(sim, one);
 	s->inserted++;
 	return t && t->rigid ? create_body(self, sim, one, from, t->clump->n) : TS_OK;
 }

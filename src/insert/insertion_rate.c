@@ -9,12 +9,14 @@ static enum ts_status read_total(struct ts_instance *self, struct tsim *sim, str
 	double mass;
 
 	rate->total = -1;
+	rate->total_mass = INFINITY;
 	if (ts_streq(word, "INF"))
 		return TS_OK;
 	if (rate->number_word && ts_parse_int(word, &rate->total) && rate->total > 0)
 		return TS_OK;
 	if (rate->mass_word && ts_parse_real(word, &mass) && mass > 0 && mass < 1e15 * d->mass) {
 		rate->total = (int64_t)(mass / d->mass);
+		rate->total_mass = mass;
 		return TS_OK;
 	}
 	return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, word),

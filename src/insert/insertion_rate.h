@@ -9,9 +9,10 @@ struct ts_insertion_rate {
 	double particlerate, massrate;	     /* NaN: not given */
 
 	/* set by ts_insertion_rate_init */
-	int64_t total; /* number of particles; -1: unlimited */
-	double rate;   /* particles per time */
-	bool told;     /* the log has the rate */
+	int64_t total;	   /* number of particles; -1: unlimited. Of `mass` it is the mean number */
+	double total_mass; /* by `mass`; else infinite */
+	double rate;	   /* particles per time */
+	bool told;	   /* the log has the rate */
 };
 #define TS_INSERTION_RATE_ARGS(T)                                                                         \
 	TS_WORD("nparticles", T, rate.number_word, .flags = TS_OPTIONAL,                                  \

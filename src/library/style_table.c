@@ -215,6 +215,7 @@ TS_STYLE(fix, ts_style, ts_fix_gravity)
 TS_STYLE(fix, ts_style, ts_fix_halt)
 TS_STYLE(fix, ts_style, ts_fix_heat_gran)
 TS_STYLE(fix, ts_style, ts_fix_immersed_boundary)
+TS_STYLE(fix, ts_style, ts_fix_insert_jet)
 TS_STYLE(fix, ts_style, ts_fix_insert_pack)
 TS_STYLE(fix, ts_style, ts_fix_insert_pack_dense)
 TS_STYLE(fix, ts_style, ts_fix_insert_rate_region)
@@ -501,6 +502,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_halt,
 	&ts_fix_heat_gran,
 	&ts_fix_immersed_boundary,
+	&ts_fix_insert_jet,
 	&ts_fix_insert_pack,
 	&ts_fix_insert_pack_dense,
 	&ts_fix_insert_rate_region,
