@@ -106,6 +106,7 @@ shell_tests = \
 	tests/immersed/immersed_light.sh \
 	tests/insert/clump_stream.sh \
 	tests/insert/insertion.sh \
+	tests/insert/jet.sh \
 	tests/insert/pour.sh \
 	tests/insert/tracers.sh \
 	tests/integrate/integrators.sh \

@@ -103,17 +103,6 @@ static enum ts_status read_nozzle(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status read_speed(struct ts_instance *self, struct tsim *sim)
-{
-	struct jet *s = self->state;
-
-	TS_TRY(ts_template_spread(self, sim, "fix insert/jet: speed", s->speed_words, &s->speed));
-	if (s->speed.by_mass)
-		return ts_fail(&sim->error, TS_SYNTAX, &s->speed_words.word[0].place,
-			       "fix insert/jet: the distribution of speeds is by number, not by mass");
-	return TS_OK;
-}
-
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct jet *s = self->state;
@@ -133,7 +122,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->quantum = isnan(s->rate.massrate) ? 1 : d->mass;
 	if (first)
 		s->steps_left = s->base.every;
-	TS_TRY(read_speed(self, sim));
+	TS_TRY(ts_template_spread(self, sim, "fix insert/jet: speed", s->speed_words, &s->speed));
 	return read_nozzle(self, sim);
 }
 

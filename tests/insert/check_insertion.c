@@ -4,6 +4,8 @@
 #include <stdlib.h>
 
 #include "geom/spherehash.h"
+#include "insert/nozzle.h"
+#include "math/constants.h"
 #include "math/minstd.h"
 #include "math/rng.h"
 #include "math/size_spread.h"
@@ -114,6 +116,132 @@ START_TEST(clump_has_the_moments_of_its_spheres)
 }
 END_TEST
 
+/* ---- nozzles */
+
+static const double directions[][3] = {
+	{ 0, 0, -1 }, { 2.385, 0, 0 }, { 0.3, -0.7, 0.2 }, { -1e-9, 3e-9, 0 }
+};
+
+START_TEST(nozzle_has_a_frame)
+{
+	for (size_t k = 0; k < sizeof directions / sizeof *directions; k++) {
+		struct ts_nozzle n = { .outer = 1 };
+		const double *e[3] = { n.side[0], n.side[1], n.axis };
+
+		ts_nozzle_orient(&n, directions[k]);
+		ck_assert_double_eq_tol(ts_dot(n.axis, directions[k]) / ts_norm(directions[k]), 1, 1e-15);
+		for (int i = 0; i < 3; i++)
+			for (int j = 0; j < 3; j++)
+				ck_assert_double_eq_tol(ts_dot(e[i], e[j]), i == j, 1e-15);
+	}
+}
+END_TEST
+
+enum { NOZZLE_DRAWS = 100000 };
+
+/* Uniform over a ring: r^2 is uniform between the squares of its radii, the mean position is the centre. */
+START_TEST(nozzle_points_fill_the_ring)
+{
+	struct ts_nozzle n = { .centre = { 1, 2, 3 }, .outer = 1.1, .inner = 0.6 };
+	struct ts_minstd r = ts_minstd_start(32452843);
+	double sum = 0, mean[3] = { 0 }, lo = 0.7 * 0.7, hi = 1;
+
+	ts_nozzle_orient(&n, directions[2]);
+	for (int k = 0; k < NOZZLE_DRAWS; k++) {
+		double x[3], d[3], d2;
+
+		ts_nozzle_draw_point(&n, 0.1, &r, x);
+		ts_sub(x, n.centre, d);
+		d2 = ts_dot(d, d);
+		ck_assert(fabs(ts_dot(d, n.axis)) < 1e-14 && d2 > lo - 1e-14 && d2 < hi + 1e-14);
+		sum += d2;
+		ts_axpy(1.0 / NOZZLE_DRAWS, d, mean);
+	}
+	ck_assert_double_eq_tol(sum / NOZZLE_DRAWS, (lo + hi) / 2, 4 * (hi - lo) / sqrt(12.0 * NOZZLE_DRAWS));
+	for (int i = 0; i < 2; i++)
+		ck_assert_double_eq_tol(ts_dot(mean, n.side[i]), 0, 4 * sqrt((lo + hi) / 4 / NOZZLE_DRAWS));
+}
+END_TEST
+
+/* Means of cos t and cos^2 t over the density w(t) sin t, by the midpoint rule. */
+static void cone_means(const struct ts_nozzle *n, double mean[2])
+{
+	const int steps = 20000;
+	double widest = ts_nozzle_widest(n), weights = 0;
+
+	mean[0] = mean[1] = 0;
+	for (int k = 0; k < steps; k++) {
+		double t = widest * (k + 0.5) / steps, w = sin(t);
+
+		if (n->cone == TS_CONE_GAUSSIAN)
+			w *= exp(-0.5 * t * t / (n->angle * n->angle));
+		weights += w;
+		mean[0] += w * cos(t);
+		mean[1] += w * cos(t) * cos(t);
+	}
+	mean[0] /= weights;
+	mean[1] /= weights;
+}
+
+static void compare_cone(struct ts_nozzle n)
+{
+	struct ts_minstd r = ts_minstd_start(15485863);
+	double expected[2], cosines = 0, sum[3] = { 0 }, error;
+
+	ts_nozzle_orient(&n, directions[2]);
+	cone_means(&n, expected);
+	for (int k = 0; k < NOZZLE_DRAWS; k++) {
+		double e[3];
+
+		ts_nozzle_draw_direction(&n, &r, e);
+		ck_assert(fabs(ts_norm(e) - 1) < 1e-14);
+		ck_assert(ts_dot(e, n.axis) >= cos(ts_nozzle_widest(&n)) - 1e-14);
+		cosines += ts_dot(e, n.axis);
+		ts_axpy(1.0 / NOZZLE_DRAWS, e, sum);
+	}
+	error = 4 * sqrt((expected[1] - expected[0] * expected[0]) / NOZZLE_DRAWS);
+	ck_assert_double_eq_tol(cosines / NOZZLE_DRAWS, expected[0], error);
+	for (int i = 0; i < 2; i++) /* <sin^2 t>/2 in each direction across */
+		ck_assert_double_eq_tol(ts_dot(sum, n.side[i]), 0,
+					4 * sqrt((1 - expected[1]) / 2 / NOZZLE_DRAWS));
+}
+
+START_TEST(nozzle_directions_fill_the_cone)
+{
+	struct ts_minstd r = ts_minstd_start(17);
+	struct ts_nozzle n = { .outer = 1 };
+	double e[3];
+
+	compare_cone((struct ts_nozzle){ .cone = TS_CONE_UNIFORM, .angle = 1.2 });
+	compare_cone((struct ts_nozzle){ .cone = TS_CONE_UNIFORM, .angle = TS_PI / 2 });
+	compare_cone((struct ts_nozzle){ .cone = TS_CONE_GAUSSIAN, .angle = 0.05 });
+	compare_cone((struct ts_nozzle){ .cone = TS_CONE_GAUSSIAN, .angle = TS_PI / 6 });
+	ts_nozzle_orient(&n, directions[2]);
+	ts_nozzle_draw_direction(&n, &r, e); /* parallel: no number is drawn */
+	ck_assert(r.state == 17 && e[0] == n.axis[0] && e[1] == n.axis[1] && e[2] == n.axis[2]);
+}
+END_TEST
+
+/* All lines of a linear cone meet in one apex, R/tan A behind the nozzle. */
+START_TEST(nozzle_linear_cone_has_an_apex)
+{
+	struct ts_nozzle n = { .centre = { 1, 2, 3 }, .outer = 0.7, .cone = TS_CONE_LINEAR, .angle = 0.6 };
+	struct ts_minstd r = ts_minstd_start(15485863);
+
+	ts_nozzle_orient(&n, directions[2]);
+	for (int k = 0; k < 1000; k++) {
+		double x[3], e[3], apex[3], from[3];
+
+		ts_nozzle_draw_point(&n, 0, &r, x);
+		ts_nozzle_linear_direction(&n, x, e);
+		ts_scale(1, n.centre, apex);
+		ts_axpy(-n.outer / tan(n.angle), n.axis, apex);
+		ts_sub(x, apex, from);
+		ck_assert_double_eq_tol(ts_dot(e, from) / ts_norm(from), 1, 1e-14);
+	}
+}
+END_TEST
+
 enum { N = 600 };
 
 /* Against all pairs: spheres whose radii span three decades, in a box periodic in two directions. */
@@ -165,6 +293,10 @@ int main(void)
 	tcase_add_test(tests, uniform_means_are_exact);
 	tcase_add_test(tests, clump_has_the_moments_of_its_spheres);
 	tcase_add_test(tests, spherehash_agrees_with_all_pairs);
+	tcase_add_test(tests, nozzle_has_a_frame);
+	tcase_add_test(tests, nozzle_points_fill_the_ring);
+	tcase_add_test(tests, nozzle_directions_fill_the_cone);
+	tcase_add_test(tests, nozzle_linear_cone_has_an_apex);
 	tcase_set_timeout(tests, 60);
 	suite_add_tcase(suite, tests);
 	runner = srunner_create(suite);

@@ -88,13 +88,14 @@ syn keyword tsimKeyword  donor exchange ranz_marshall chute spherical hard soft 
 syn keyword tsimKeyword  message path initial_temperature contact_area area_correction
 syn keyword tsimKeyword  store_contact_data euler centre iterations min_cells relax
 syn keyword tsimKeyword  virtual_mass spheres seed distributiontemplate maxattempt
-syn keyword tsimKeyword  overlapcheck all_in random_distribute uncorrelated orientation
-syn keyword tsimKeyword  set_property verbose compress_tags insert_every ntry_mc
-syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
-syn keyword tsimKeyword  volumefraction_region mass_in_region max_rounds nparticles
-syn keyword tsimKeyword  particlerate massrate insertion_face extrude_length duration law
-syn keyword tsimKeyword  rubinow oesterle saffman mei vec_side multiple point_at_outlet
-syn keyword tsimKeyword  inside_out writeTime
+syn keyword tsimKeyword  overlapcheck all_in position direction inner_diameter speed cone
+syn keyword tsimKeyword  orientation set_property nparticles particlerate massrate
+syn keyword tsimKeyword  insert_every verbose random_distribute uncorrelated compress_tags
+syn keyword tsimKeyword  ntry_mc check_dist_from_subdomain_border warn_region
+syn keyword tsimKeyword  particles_in_region volumefraction_region mass_in_region
+syn keyword tsimKeyword  max_rounds insertion_face extrude_length duration law rubinow
+syn keyword tsimKeyword  oesterle saffman mei vec_side multiple point_at_outlet inside_out
+syn keyword tsimKeyword  writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
 syn keyword tsimKeyword  interval sum_property temperature element_exclusion_list precision
 syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
@@ -169,12 +170,12 @@ syn keyword tsim_fix contained deform drag drag/beetstra drag/di_felice drag/erg
 syn keyword tsim_fix contained drag/koch_hill drag/schiller_naumann drag/stokes drag/wen_yu
 syn keyword tsim_fix contained drill/bit energy/ledger enforce2d evaporate flow/pressure_gradient
 syn keyword tsim_fix contained flow/scalar freeze gravity halt heat/gran heat/gran/conduction
-syn keyword tsim_fix contained immersed/boundary insert/pack insert/pack/dense insert/rate/region
-syn keyword tsim_fix contained insert/stream langevin lift/magnus lift/saffman lineforce
-syn keyword tsim_fix contained massflow/mesh mesh/surface mesh/surface/planar mesh/surface/stress
-syn keyword tsim_fix contained mesh/surface/stress/servo momentum move move/mesh move/mesh/free
-syn keyword tsim_fix contained multicontact/halfspace multisphere nve nve/euler nve/limit
-syn keyword tsim_fix contained nve/noforce nve/sphere nve/symplectic
+syn keyword tsim_fix contained immersed/boundary insert/jet insert/pack insert/pack/dense
+syn keyword tsim_fix contained insert/rate/region insert/stream langevin lift/magnus lift/saffman
+syn keyword tsim_fix contained lineforce massflow/mesh mesh/surface mesh/surface/planar
+syn keyword tsim_fix contained mesh/surface/stress mesh/surface/stress/servo momentum move
+syn keyword tsim_fix contained move/mesh move/mesh/free multicontact/halfspace multisphere nve
+syn keyword tsim_fix contained nve/euler nve/limit nve/noforce nve/sphere nve/symplectic
 syn keyword tsim_fix contained particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased
