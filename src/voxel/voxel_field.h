@@ -60,7 +60,15 @@ static inline double ts_voxel_border(const struct ts_voxel_field *f, int d, int6
 /* Brings i into 0 .. n[d] - 1 along a periodic axis. */
 static inline int64_t ts_voxel_wrap(const struct ts_voxel_field *f, int d, int64_t i)
 {
+	if (i >= 0 && i < f->n[d]) /* divisions of integers are slow */
+		return i;
 	return (i % f->n[d] + f->n[d]) % f->n[d];
+}
+
+/* The periodic image in which column i is: 0 for 0 .. n[d] - 1, 1 for n[d] .. 2 n[d] - 1. */
+static inline int64_t ts_voxel_image(const struct ts_voxel_field *f, int d, int64_t i)
+{
+	return i >= 0 && i < f->n[d] ? 0 : (i - ts_voxel_wrap(f, d, i)) / f->n[d];
 }
 
 /* Height of column i, j; -INFINITY: it is empty, or outside of the field. */

@@ -173,7 +173,7 @@ static void find_images(const struct search *s, int d, int64_t column[2], int64_
 	column[0] = ts_voxel_index(f, d, s->x[d] - s->reach) - 1;
 	column[1] = ts_voxel_index(f, d, s->x[d] + s->reach) + 1;
 	for (int k = 0; k < 2; k++)
-		image[k] = f->periodic[d] ? (column[k] - ts_voxel_wrap(f, d, column[k])) / f->n[d] : 0;
+		image[k] = f->periodic[d] ? ts_voxel_image(f, d, column[k]) : 0;
 }
 
 /* Sets the columns of one image along index d; false: there are none within reach. */

@@ -35,8 +35,8 @@ static enum ts_status check_shape(struct ts_instance *self, struct tsim *sim)
 			       "fix wall/gran: a wall is a mesh, a height field or a primitive, one of them");
 	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 		       "fix wall/gran: expected one of xplane, yplane, zplane, xcylinder, ycylinder, "
-		       "zcylinder, or mesh, or voxels, found %d of them",
-		       given);
+		       "zcylinder, found %d of them%s",
+		       given, given ? "" : "; or `mesh n_meshes 1 meshes ID`, or `voxels ID`");
 }
 
 static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)

@@ -25,10 +25,10 @@ static double column_number(const struct ts_voxel_field *f, const struct ts_part
 	int code = modulo3(p->image[i][f->axis[2]] + shift[f->axis[2]]);
 
 	for (int d = 0; d < 2; d++) {
-		int axis = f->axis[d];
+		int64_t image = f->periodic[d] ? ts_voxel_image(f, d, column[d]) : 0;
 
-		local[d] = f->periodic[d] ? ts_voxel_wrap(f, d, column[d]) : column[d];
-		code = 3 * code + modulo3(p->image[i][axis] + shift[axis] + (column[d] - local[d]) / f->n[d]);
+		local[d] = column[d] - image * f->n[d];
+		code = 3 * code + modulo3(p->image[i][f->axis[d]] + shift[f->axis[d]] + image);
 	}
 	return 1 + (double)(TS_VOXEL_IMAGES * (local[1] * f->n[0] + local[0]) + code);
 }

@@ -75,7 +75,7 @@ fix w all wall/gran primitive type 1 zplan 0
 => 9:38: error: fix wall/gran: unknown keyword 'zplan'; did you mean 'zplane'?
 $box
 fix w all wall/gran
-=> 9:11: error: fix wall/gran: expected one of xplane, yplane, zplane, xcylinder, ycylinder, zcylinder, found 0 of them
+=> 9:11: error: fix wall/gran: expected one of xplane, yplane, zplane, xcylinder, ycylinder, zcylinder, found 0 of them; or `mesh n_meshes 1 meshes ID`, or `voxels ID`
 $box
 dump d all custom post.dump 100 id x
 => 9:19: error: dump custom: every is 'post.dump', expected an integer (steps between frames)

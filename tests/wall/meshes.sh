@@ -136,7 +136,7 @@ fix cad all mesh/surface file cube.stl type 1
 fix w all wall/gran model hertz mesh n_meshes 2 meshes cad" 'n_meshes is 2, but 1 meshes are named'
 rejects "$start
 fix cad all mesh/surface file cube.stl type 1
-fix w all wall/gran model hertz mesh meshes cad zplane 0" 'a mesh or a primitive, not both'
+fix w all wall/gran model hertz mesh meshes cad zplane 0" 'a wall is a mesh, a height field or a primitive, one of them'
 rejects "$start
 fix g all gravity 9.81 vector 0 0 -1
 fix w all wall/gran model hertz mesh meshes g" 'fix g is no mesh'
