@@ -55,6 +55,10 @@ static enum ts_status read_header(struct reader *r)
 	type = png_get_color_type(r->png, r->info);
 	if (type != PNG_COLOR_TYPE_GRAY && type != PNG_COLOR_TYPE_GRAY_ALPHA)
 		return ts_scan_refuse(s, TS_SYNTAX, "'%s' is a colour image; expected a grey one", s->file);
+	/* deflate packs at most 1032 bytes into one: so a wrong header cannot demand much memory */
+	if ((double)nx * ny * png_get_bit_depth(r->png, r->info) / 8 > 1100.0 * (double)s->n)
+		return ts_scan_refuse(s, TS_DAMAGED, "'%s' ends early: %zu bytes for %u x %u pixels", s->file,
+				      s->n, (unsigned)nx, (unsigned)ny);
 	if (png_get_bit_depth(r->png, r->info) < 8)
 		png_set_expand_gray_1_2_4_to_8(r->png);
 	png_set_strip_alpha(r->png);

@@ -5,6 +5,7 @@
 struct search {
 	const struct ts_voxel_field *f;
 	double x[3];		      /* along the axes of the field */
+	double aside;		      /* reach across the axis of the heights, for the highest column */
 	double reach, reach2;	      /* reach2: its square, enlarged by more than rounding */
 	struct ts_voxel_contact *out; /* NULL: only the least distance is needed */
 	size_t n, most;
@@ -104,6 +105,16 @@ struct range {
 	int64_t first[2], lo[2], hi[2];
 };
 
+static int64_t larger(int64_t a, int64_t b)
+{
+	return a > b ? a : b;
+}
+
+static int64_t smaller(int64_t a, int64_t b)
+{
+	return a < b ? a : b;
+}
+
 /* Whether block b of level l may have a column within reach. */
 static bool is_near(const struct search *s, int l, const int64_t b[2], const struct range *range)
 {
@@ -116,10 +127,8 @@ static bool is_near(const struct search *s, int l, const int64_t b[2], const str
 		int64_t lo = b[d] << TS_VOXEL_SHIFT * l, hi = (b[d] + 1) << TS_VOXEL_SHIFT * l;
 		double r;
 
-		lo = lo > range->lo[d] ? lo : range->lo[d];
-		hi = hi < range->hi[d] ? hi : range->hi[d];
-		if (lo >= hi)
-			return false;
+		lo = larger(lo, range->lo[d]);
+		hi = smaller(hi, range->hi[d]);
 		r = offset(s->x[d], ts_voxel_border(f, d, range->first[d] + lo),
 			   ts_voxel_border(f, d, range->first[d] + hi));
 		r2 += r * r;
@@ -130,7 +139,8 @@ static bool is_near(const struct search *s, int l, const int64_t b[2], const str
 
 static void visit_block(struct search *s, int l, int64_t bi, int64_t bj, const struct range *range)
 {
-	const int64_t b[2] = { bi, bj }, *n = s->f->level[l > 0 ? l - 1 : 0].n;
+	const int64_t b[2] = { bi, bj };
+	int64_t lo[2], hi[2];
 
 	if (!is_near(s, l, b, range))
 		return;
@@ -138,8 +148,13 @@ static void visit_block(struct search *s, int l, int64_t bi, int64_t bj, const s
 		visit_column(s, range->first[0] + bi, range->first[1] + bj);
 		return;
 	}
-	for (int64_t j = bj << TS_VOXEL_SHIFT; j < (bj + 1) << TS_VOXEL_SHIFT && j < n[1]; j++)
-		for (int64_t i = bi << TS_VOXEL_SHIFT; i < (bi + 1) << TS_VOXEL_SHIFT && i < n[0]; i++)
+	for (int d = 0; d < 2; d++) {
+		lo[d] = larger(b[d] << TS_VOXEL_SHIFT, range->lo[d] >> TS_VOXEL_SHIFT * (l - 1));
+		hi[d] = smaller(((b[d] + 1) << TS_VOXEL_SHIFT) - 1,
+				(range->hi[d] - 1) >> TS_VOXEL_SHIFT * (l - 1));
+	}
+	for (int64_t j = lo[1]; j <= hi[1]; j++)
+		for (int64_t i = lo[0]; i <= hi[0]; i++)
 			visit_block(s, l - 1, i, j, range);
 }
 
@@ -170,8 +185,10 @@ static void find_images(const struct search *s, int d, int64_t column[2], int64_
 {
 	const struct ts_voxel_field *f = s->f;
 
-	column[0] = ts_voxel_index(f, d, s->x[d] - s->reach) - 1;
-	column[1] = ts_voxel_index(f, d, s->x[d] + s->reach) + 1;
+	double aside = s->aside + 1e-15 * (fabs(s->x[d]) + fabs(f->origin[d])); /* and rounding */
+
+	column[0] = ts_voxel_index(f, d, s->x[d] - aside);
+	column[1] = ts_voxel_index(f, d, s->x[d] + aside);
 	for (int k = 0; k < 2; k++)
 		image[k] = f->periodic[d] ? ts_voxel_image(f, d, column[k]) : 0;
 }
@@ -183,17 +200,22 @@ static bool set_range(const struct ts_voxel_field *f, int d, int64_t image, cons
 	range->first[d] = image * f->n[d];
 	range->lo[d] = column[0] - range->first[d];
 	range->hi[d] = column[1] + 1 - range->first[d];
-	range->lo[d] = range->lo[d] < 0 ? 0 : range->lo[d];
-	range->hi[d] = range->hi[d] > f->n[d] ? f->n[d] : range->hi[d];
+	range->lo[d] = larger(range->lo[d], 0);
+	range->hi[d] = smaller(range->hi[d], f->n[d]);
 	return range->lo[d] < range->hi[d];
 }
 
 static void visit_all(struct search *s)
 {
 	const struct ts_voxel_field *f = s->f;
+	double away = offset(s->x[2], f->base, f->level[f->nlevels - 1].top[0]);
 	int64_t column[2][2], image[2][2];
 	struct range range;
 
+	/* above the highest column, as most particles are */
+	if (!(away * away < s->reach2))
+		return;
+	s->aside = sqrt(s->reach2 - away * away);
 	for (int d = 0; d < 2; d++)
 		find_images(s, d, column[d], image[d]);
 	for (int64_t v = image[1][0]; v <= image[1][1]; v++)
@@ -216,9 +238,6 @@ size_t ts_voxel_contacts(const struct ts_voxel_field *f, const double x[3], doub
 {
 	struct search s = start_search(f, x, reach);
 
-	/* above the highest column, as most particles are */
-	if (!(s.x[2] - f->level[f->nlevels - 1].top[0] < reach))
-		return 0;
 	s.out = out;
 	s.most = most;
 	visit_all(&s);
@@ -229,8 +248,6 @@ double ts_voxel_distance(const struct ts_voxel_field *f, const double x[3], doub
 {
 	struct search s = start_search(f, x, reach);
 
-	if (!(s.x[2] - f->level[f->nlevels - 1].top[0] < reach))
-		return INFINITY;
 	visit_all(&s);
 	return sqrt(s.least2) < reach ? sqrt(s.least2) : INFINITY;
 }

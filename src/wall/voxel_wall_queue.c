@@ -232,10 +232,14 @@ static void compute_neighbor(const struct force_task *t, struct ts_wall_queue *q
 {
 	const struct ts_voxel_wall *vw = t->vw;
 
+	for (size_t k = v->first; !v->found && k < v->first + v->slots; k++)
+		ts_wall_contact_end(&t->w->contacts, k);
+	if (!v->found) /* as most particles near the surface */
+		return;
 	if (vw->surface->merges && v->found > 1)
 		merge_points(vw, v, t->sim->particles->radius[v->i]);
 	match_points(&t->w->contacts, vw, v);
-	for (size_t k = v->first; v->found && k < v->first + v->slots; k++)
+	for (size_t k = v->first; k < v->first + v->slots; k++)
 		for (size_t at = v->first; vw->used[k] && at < v->first + v->found; at++)
 			if (vw->slot[at] == k)
 				compute_point(t, q, at);

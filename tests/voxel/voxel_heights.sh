@@ -86,6 +86,10 @@ png("short.png", 0, 8, [bytes(row) for row in grey], cut=20)
 damaged = bytearray(open("grey.png", "rb").read())
 damaged[45] ^= 255
 open("damaged.png", "wb").write(damaged)
+huge = bytearray(open("grey.png", "rb").read())
+huge[16:24] = struct.pack(">II", 40000, 40000)
+huge[29:33] = struct.pack(">I", zlib.crc32(bytes(huge[12:29])))
+open("huge.png", "wb").write(huge)
 END
 	printf '%s\n' 'include in.box' "fix s all surface/voxel image grey.png $image" >in.script
 	if "$TSIM" -in in.script -log none >out 2>&1; then
@@ -95,7 +99,7 @@ END
 		gives "image alpha.png black 0 white 255 type 1" "$@"
 		gives "image bits.png $image" 9 9 9 -1 -1 9
 		for wrong in 'colour.png|is a colour image; expected a grey one' 'short.png|is damaged: the file ends early' \
-			'damaged.png|is damaged: '; do
+			'damaged.png|is damaged: ' 'huge.png|bytes for 40000 x 40000 pixels'; do
 			rejects "include in.box
 fix s all surface/voxel image ${wrong%%|*} $image" "${wrong#*|}"
 		done

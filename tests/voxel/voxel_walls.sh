@@ -85,6 +85,32 @@ faces='f f f'
 equals 'a larger field' "$history" 'zplane 0.013' '' \
 	'constant 0.013 type 1 cells 70 90 origin -1.5 -1.7 size 4 3.1 base -0.1'
 
+# Laws that reach beyond the touch, or depend on other contacts or on the time within the step: the decks of these,
+# with a field in place of their plane
+# deck NAME FIX TYPE HEIGHT
+deck() {
+	local side file options=(-var out o -var last 400 -var located yes -var law 'hertz tangential history')
+	rm -rf plane field
+	mkdir plane field
+	cp "$top_srcdir/tests/decks/in.$1" plane/in
+	sed "s/^\\(fix[[:space:]]*$2[[:space:]].*\\)primitive type $3 zplane $4/fix f all surface\\/voxel constant $4 type $3 cells 31 17\\n\\1voxels f/" \
+		plane/in >field/in
+	for side in plane field; do
+		(cd $side && "$TSIM" -in in "${options[@]}" -log log -screen none 2>err)
+		report "$1: $side" $? $side/err
+		rows $side/log >$side/rows
+	done
+	cmp -s plane/in field/in
+	[ $? = 1 ]
+	report "$1: the field is there" $?
+	for file in rows o.dump wet100.txt; do
+		[ ! -e plane/$file ] || same "$1: $file" plane/$file field/$file
+	done
+}
+deck multicontact floor 2 0.005
+deck located w 1 0.0
+deck bridges floor 1 0.0
+
 # Grooves along y: the contacts with tops, sides and edges slide along them, from column to column or in one.
 faces='p p f'
 grooves='variable cx internal 0
