@@ -504,6 +504,8 @@ const struct ts_style ts_fix_surface_voxel = {
 	.doc = doc,
 	.example =
 		"fix flat all surface/voxel constant 0.0 type 1 cells 100 100\n"
+		"variable cx internal 0\nvariable cy internal 0\nvariable height equal "
+		"0.2*v_cx+0.1*sin(v_cy)\n"
 		"fix ramp all surface/voxel formula v_height x cx y cy type 1 cells 200 1\n"
 		"fix plate all surface/voxel image plate.pgm black 0.0 white 1e-05 type 2 datum 2e-06\n"
 		"fix rough all surface/voxel gaussian mean 0.0 deviation 1e-06 correlation 5e-06 8e-06 seed "
