@@ -384,6 +384,20 @@ rejects "$base
 fix s all surface/voxel constant 0 type 1 cells 3 3 move linear 0 0 1e6
 fix w all wall/gran \${law} voxels s
 run 1" 'surface s'
+# too fast: 1 in a step, through the upper step; beside it there is room
+fast="fix s all surface/voxel formula v_h x cx y cy type 1 cells 10 10
+fix w all wall/gran \${law} voxels s
+fix move all nve
+timestep 1e-5
+set atom 1 vz -6e4
+run 1"
+rejects "variable h equal 0.8*(v_cx<0.2)-0.9
+$base
+$fast" 'past wall w'
+prints "variable h equal 0.8*(v_cx>0.2)-0.9
+$base
+$fast
+print \"passed \$(z[1]:%.3f)\"" 'passed -0.300'
 prints "$base
 $field
 group none empty
