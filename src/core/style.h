@@ -75,8 +75,13 @@ enum ts_stage { TS_STAGE_LIST(TS_STAGE_ENUM) TS_NSTAGE };
  * velocities over the step; last forces proportional to the acceleration (added mass). */
 enum ts_late { TS_LATE_CONTACTS, TS_LATE_RELAX, TS_LATE_INERTIA, TS_NLATE };
 
+/* What a style reads of the surface that its slot `surface` names; bits. Walls keep it only then. */
+enum ts_observes {
+	TS_OBSERVES_CONTACTS = 1, /* wall/surface_contacts.h */
+	TS_OBSERVES_IMPACTS = 2	  /* wall/impacts.h */
+};
+
 struct ts_restraint;
-struct ts_mesh_surface;
 typedef enum ts_status ts_hook_fn(struct ts_instance *self, struct tsim *sim);
 
 /* What a fix integrates for the particles of its group; bits. */
@@ -106,8 +111,10 @@ struct ts_style {
 	/* Adds to the fingerprint of the run whatever forces depend on besides the arguments. */
 	void (*fingerprint)(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash);
 	const struct ts_value *values; /* its outputs */
-	/* The mesh whose triangles are the rows of outputs of shape TS_SURFACE; valid after init. */
-	const struct ts_mesh_surface *(*surface)(const struct ts_instance *self);
+	/* The fix whose surface has the elements that are the rows of outputs of shape TS_SURFACE: a mesh, a
+	 * wall (wall/surface.h); valid after init. */
+	const struct ts_instance *(*surface)(const struct ts_instance *self);
+	unsigned observes; /* what it reads of that surface: bits of enum ts_observes */
 	/* Whether it has this output with the arguments given (e.g. a scalar for one value, a vector for
 	 * several); NULL: it has all. */
 	bool (*gives)(const struct ts_instance *self, const struct ts_value *value);

@@ -24,8 +24,8 @@ enum ts_shape {
 	TS_PERATOM,    /* a row for each local particle                   c_ID or c_ID[k]      */
 	TS_LOCAL,      /* a row for each contact, bond ...                c_ID[k] in dump local */
 	TS_ARRAY,      /* a table of numbers           c_ID[i][j]; its column j as a vector: c_ID[j] */
-	TS_SURFACE     /* a row for each triangle of a mesh, which is that of the slot `surface`; f_ID[k] in
-			* dump mesh/vtk, and wherever TS_LOCAL is read */
+	TS_SURFACE     /* a row for each element (triangle, plane) of a surface, which is that of the slot
+			* `surface`; f_ID[k] in dump mesh/vtk, and wherever TS_LOCAL is read */
 };
 
 /* A table of doubles whose memory is reused from call to call; zero-initialise. */

@@ -1,0 +1,36 @@
+/* Surfaces: what particles hit and wear. A surface is named by the ID of its fix and consists of elements:
+ *
+ *   fix mesh/surface ...        one element for each triangle
+ *   fix wall/gran, primitive    one for each plane or cylinder
+ *
+ * A style that has a row for each element of a surface (values of shape TS_SURFACE) finds it in its init by
+ * ts_surface_require, returns its fix in the slot `surface`, and says in `observes` (core/style.h) what it reads of
+ * it: contacts (wall/surface_contacts.h) or impacts (wall/impacts.h). The walls made of the surface keep just that. */
+#ifndef TS_WALL_SURFACE_H
+#define TS_WALL_SURFACE_H
+
+#include "core/sim.h"
+
+struct ts_surface_kind;
+
+struct ts_surface {
+	const struct ts_instance *by; /* its fix; valid until the next init */
+	const struct ts_surface_kind *kind;
+};
+
+/* Finds the surface of this ID; fails with an error at the word, and a suggestion, if there is none. */
+enum ts_status ts_surface_require(struct tsim *sim, const struct ts_word *id, struct ts_surface *out);
+/* Number of elements. */
+size_t ts_surface_elements(const struct ts_surface *s);
+/* Of an element, length^2: of a triangle, now; of a plane that of the cross-section of the box; of a cylinder that
+ * of its part in the box, along its axis. */
+double ts_surface_area(const struct ts_surface *s, const struct tsim *sim, size_t element);
+/* Particle type whose material the surface has. */
+int ts_surface_type(const struct ts_surface *s);
+/* What its elements are called: "triangle", "plane". */
+const char *ts_surface_element_name(const struct ts_surface *s);
+
+/* What live styles read of the surface of this fix: bits of enum ts_observes. Valid after all init functions. */
+unsigned ts_surface_observers(const struct tsim *sim, const struct ts_instance *by);
+
+#endif

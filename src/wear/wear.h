@@ -1,0 +1,97 @@
+/* Wear of a surface by the particles that hit it or slide on it: what all fixes wear/LAW have in common.
+ *
+ * A law is a table of two functions, numbers in, volume out. The machine calls `impact` once for each impact that has
+ * ended (wall/impacts.h), `slide` for each touching contact in each step (wall/surface_contacts.h), and sums for each
+ * element what they give, beside speeds, angles and energies. Elements that no particle has touched take no time and
+ * no memory but a number of 4 bytes.
+ *
+ * A style of a law begins its state with a struct ts_wear, its arguments with TS_WEAR_ARGS, and has these slots:
+ *
+ *	.surface = ts_wear_surface, .observes = TS_OBSERVES_IMPACTS (a law with `slide`: | TS_OBSERVES_CONTACTS),
+ *	.values = ts_wear_values, .archive = ts_wear_archive, .fini = ts_wear_fini,
+ *	.init: calls ts_wear_init, then checks its own arguments,
+ *	.late = { [TS_LATE_CONTACTS] = ts_wear_step } */
+#ifndef TS_WEAR_WEAR_H
+#define TS_WEAR_WEAR_H
+
+#include "wall/impact_event.h"
+#include "wall/surface.h"
+
+/* A touching contact in one step. */
+struct ts_wear_slide {
+	size_t element;	     /* of the surface */
+	size_t particle;     /* local index */
+	double type;	     /* of the particle */
+	double mass, radius; /* of the particle */
+	double normal_force; /* >= 0 */
+	double slip;	     /* path of the contact point along the surface in this step, length */
+	double work;	     /* of friction on it, energy */
+	double normal[3];    /* unit vector, towards the particle */
+	double velocity[3];  /* of the particle's centre relative to the surface */
+};
+
+/* Either function may be NULL. */
+struct ts_wear_law {
+	/* Volume that an impact removes, length^3. */
+	double (*impact)(const struct ts_instance *self, const struct ts_impact_event *e);
+	/* Volume that a touching contact removes in a step, length^3. */
+	double (*slide)(const struct ts_instance *self, const struct ts_wear_slide *s);
+};
+
+/* Sums of one element; all numbers of type double, for restart files. */
+struct ts_wear_sums {
+	double hits, mass;   /* number of impacts, mass of the particles */
+	double speed, angle; /* sums over impacts, angle in degrees */
+	double energy, work, impulse;
+	double force; /* maximum */
+	double volume;
+};
+enum { TS_WEAR_SUMS = sizeof(struct ts_wear_sums) / sizeof(double) };
+
+/* First member of the state. */
+struct ts_wear {
+	/* arguments */
+	const char *surface_id;
+	double density; /* of the surface; NaN: not given */
+
+	const struct ts_wear_law *law;
+	struct ts_surface surface;
+	size_t elements;	   /* of the surface */
+	int32_t *row;		   /* [elements] 1 + index in `sums`; 0: never touched */
+	int32_t *touched;	   /* [n] element of each row */
+	struct ts_wear_sums *sums; /* [n], in the order of the first touch */
+	size_t n, row_capacity, touched_capacity, sums_capacity;
+};
+
+#define TS_WEAR_ARGS(T, f)                                                                       \
+	TS_WORD("surface", T, f.surface_id, .flags = TS_STATEFUL,                                \
+		.help = "ID of a fix mesh/surface or of a fix wall/gran with a plane or "        \
+			"cylinder"),                                                             \
+		TS_REAL("density", T, f.density, .flags = TS_OPTIONAL, .range = TS_POSITIVE,     \
+			.unit = "mass/length^3",                                                 \
+			.help = "of the surface, for the masses of f_ID[6] and f_ID[7]")
+
+/* In the init of the style: finds the surface. */
+enum ts_status ts_wear_init(struct ts_instance *self, struct tsim *sim, const struct ts_wear_law *law);
+
+/* Slots. */
+enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim);
+const struct ts_instance *ts_wear_surface(const struct ts_instance *self);
+enum ts_status ts_wear_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive);
+void ts_wear_fini(struct ts_instance *self);
+/* Outputs: f_ID the volume, f_ID[1..7] the totals, f_ID[1..9] of each element. */
+extern const struct ts_value ts_wear_values[];
+/* The paragraphs of the manual about surface, group and outputs, which follow those of the law. */
+#define TS_WEAR_DOC                                                                                             \
+	"\n\nOnly particles of the group wear the surface. An impact lasts from the first to the last step in "  \
+	"which the particle touches any element of the surface; its volume belongs to the element that is "     \
+	"touched first, of several that with the largest overlap, and is added when the impact ends. If the "   \
+	"particle is deleted or leaves the box meanwhile, the impact ends there. Speed and angle are those of "  \
+	"the free flight before the first contact force, relative to the surface. The angle is that between "   \
+	"velocity and surface: 90 degrees is a normal impact. Particles that touch the surface when the first " \
+	"run begins make an impact only after they have left it.\n\n"                                           \
+	"f_ID is the volume removed so far, f_ID[1..7] are the sums over all elements, in dump mesh/vtk, "       \
+	"compute reduce and dump local f_ID[1..9] are the columns of each element. Elements are the triangles " \
+	"of a mesh, or the planes and cylinders of a primitive wall, whose area is that within the box."
+
+#endif
