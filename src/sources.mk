@@ -593,6 +593,7 @@ library_sources = \
 	src/io/vtk_legacy.h \
 	src/io/vtk_xml.c \
 	src/io/vtk_xml.h \
+	src/law/archard.h \
 	src/law/buoyancy.h \
 	src/law/capillary.h \
 	src/law/cohesion.h \
@@ -600,6 +601,12 @@ library_sources = \
 	src/law/contact_parts.h \
 	src/law/drag.h \
 	src/law/elastic_energy.h \
+	src/law/erosion.h \
+	src/law/erosion_bitter.h \
+	src/law/erosion_finnie.h \
+	src/law/erosion_neilson.h \
+	src/law/erosion_oka.h \
+	src/law/erosion_zhao_chang.h \
 	src/law/granular.h \
 	src/law/granular_force.h \
 	src/law/granular_limit.h \

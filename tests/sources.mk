@@ -197,6 +197,7 @@ unit_tests = \
 	tests/geom/check_geom \
 	tests/insert/check_insertion \
 	tests/io/check_io \
+	tests/law/check_erosion \
 	tests/law/check_law \
 	tests/law/check_law_stages \
 	tests/law/check_wear \
@@ -351,6 +352,10 @@ tests_insert_check_insertion_LDADD = $(tests_ldadd)
 tests_io_check_io_SOURCES = tests/io/check_io.c
 tests_io_check_io_CFLAGS = $(tests_cflags)
 tests_io_check_io_LDADD = $(tests_ldadd)
+
+tests_law_check_erosion_SOURCES = tests/law/check_erosion.c
+tests_law_check_erosion_CFLAGS = $(tests_cflags)
+tests_law_check_erosion_LDADD = $(tests_ldadd)
 
 tests_law_check_law_SOURCES = tests/law/check_law.c
 tests_law_check_law_CFLAGS = $(tests_cflags)
