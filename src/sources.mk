@@ -971,6 +971,9 @@ library_sources = \
 	src/wall/fix_wall_gran.c \
 	src/wall/fix_wall_gran_region.c \
 	src/wall/fix_wall_reflect.c \
+	src/wall/impact_event.h \
+	src/wall/impacts.c \
+	src/wall/impacts.h \
 	src/wall/mesh_stick.c \
 	src/wall/mesh_stick.h \
 	src/wall/mesh_stress.c \
@@ -987,6 +990,8 @@ library_sources = \
 	src/wall/region_wall.h \
 	src/wall/servo_response.c \
 	src/wall/servo_response.h \
+	src/wall/surface.c \
+	src/wall/surface.h \
 	src/wall/surface_contacts.c \
 	src/wall/surface_contacts.h \
 	src/wall/voxel_wall.c \
@@ -1012,4 +1017,8 @@ library_sources = \
 	src/wall/wall_stages.c \
 	src/wall/wall_stages.h \
 	src/wall/wall_system.c \
-	src/wall/wall_system.h
+	src/wall/wall_system.h \
+	src/wear/fix_wear_archard.c \
+	src/wear/fix_wear_finnie.c \
+	src/wear/wear.c \
+	src/wear/wear.h

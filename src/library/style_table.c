@@ -271,6 +271,8 @@ TS_STYLE(fix, ts_style, ts_fix_void_fraction)
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 TS_STYLE(fix, ts_style, ts_fix_wall_gran_region)
 TS_STYLE(fix, ts_style, ts_fix_wall_reflect)
+TS_STYLE(fix, ts_style, ts_fix_wear_archard)
+TS_STYLE(fix, ts_style, ts_fix_wear_finnie)
 TS_STYLE(flow, ts_flow_style, ts_flow_projection)
 TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran)
@@ -558,6 +560,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_wall_gran,
 	&ts_fix_wall_gran_region,
 	&ts_fix_wall_reflect,
+	&ts_fix_wear_archard,
+	&ts_fix_wear_finnie,
 	&ts_flow_projection.style,
 	&ts_flow_uniform.style,
 	&ts_pair_gran.style,

@@ -219,11 +219,12 @@ static enum ts_status read_word(struct ts_instance *self, struct tsim *sim, stru
 	return read_form(s, sim, rest);
 }
 
+/* The mesh of an output; NULL: it is about a surface of another kind. */
 static const struct ts_mesh_surface *surface_of(const struct ts_ref_input *input)
 {
-	const struct ts_instance *inst = input->ref.inst;
+	const struct ts_instance *inst = input->ref.inst, *by = inst->style->surface(inst);
 
-	return inst->style->surface(inst);
+	return by->style->family && ts_streq(by->style->family, TS_FAMILY_MESH) ? by->state : NULL;
 }
 
 static bool dumps(const struct state *s, const struct ts_mesh_surface *surface)
@@ -245,8 +246,9 @@ static enum ts_status find_inputs(struct ts_instance *self, struct tsim *sim)
 	for (size_t k = 0; k < s->inputs.n; k++)
 		if (!dumps(s, surface_of(&s->inputs.item[k])))
 			return ts_fail(&sim->error, TS_STATE, &s->inputs.item[k].where,
-				       "dump mesh/vtk: '%s' is about a mesh that this dump does not write",
-				       s->inputs.item[k].name);
+				       "dump mesh/vtk: '%s' is about %s that this dump does not write",
+				       s->inputs.item[k].name,
+				       surface_of(&s->inputs.item[k]) ? "a mesh" : "a surface");
 	return TS_OK;
 }
 

@@ -193,7 +193,6 @@ enum ts_status ts_mesh_surface_init(struct ts_instance *self, struct tsim *sim,
 	if (!surface->mesh.n)
 		TS_TRY(load_mesh(self, sim, words, surface));
 	surface->mesh.legacy = sim->legacy;
-	surface->observed = false; /* those who read its contacts say so in their init, which is later */
 	ts_mesh_motions_remove_ended(self, sim);
 	return ts_mesh_surface_check_box(self, sim, surface);
 }

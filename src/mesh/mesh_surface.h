@@ -35,8 +35,7 @@ struct ts_mesh_surface {
 	/* Velocity of the surface at each corner, [triangle][corner]; within a triangle it is linear.
 	 * NULL: at rest. */
 	double (*v)[3][3];
-	uint64_t moves; /* incremented whenever the positions of the corners change */
-	bool observed; /* a fix reads its contacts (wall/surface_contacts.h); those of immobile particles count */
+	uint64_t moves;		       /* incremented whenever the positions of the corners change */
 	struct ts_mesh_stress *stress; /* forces on it, of fix mesh/surface/stress; else NULL */
 
 	/* motion by movers, see mesh/mesh_motion.h */

@@ -64,6 +64,7 @@ const struct ts_style ts_fix_mesh_surface_stress = {
 	.extent = ts_mesh_surface_extent,
 	.values = values,
 	.surface = ts_mesh_stress_surface,
+	.observes = TS_OBSERVES_CONTACTS,
 	.init = init,
 	.late = { [TS_LATE_CONTACTS] = ts_mesh_stress_sum },
 	.hook = { [TS_STAGE_POST_BUILD] = ts_mesh_stress_post_build,

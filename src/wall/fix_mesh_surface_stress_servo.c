@@ -255,12 +255,13 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 /* Speed in mode auto: vel_max while no particle is near, else ratio R_min/h, times min(|e|, 1) g with g =
  * 0.1 for |e| <= 0.9, from there linear to 1 at |e| = 1. */
-static double auto_speed(const struct state *s, const struct tsim *sim, double error)
+static double auto_speed(const struct ts_instance *self, const struct tsim *sim, double error)
 {
+	const struct state *s = self->state;
 	double size = fmin(fabs(error), 1), gain = size <= 0.9 ? 0.1 : 0.1 + 9 * (size - 0.9);
 	double speed = s->fastest;
 
-	if (ts_surface_contacts_listed(sim, &s->surface))
+	if (ts_surface_contacts_listed(sim, self))
 		speed = s->ratio * smallest_radius(sim->particles) / sim->clock.dt;
 	return copysign(size * gain, error) * speed;
 }
@@ -337,7 +338,7 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 		TS_TRY(set_target(self, sim));
 	met = -ts_dot(s->stress.sum[s->controlled == TORQUE], s->unit);
 	error = (s->target - met) / fabs(s->target);
-	s->speed = s->mode == AUTO ? auto_speed(s, sim, error) : pid_speed(s, error, sim->clock.dt);
+	s->speed = s->mode == AUTO ? auto_speed(self, sim, error) : pid_speed(s, error, sim->clock.dt);
 	set_velocities(s, s->speed);
 	return detect_oscillation(self, sim, before, error);
 }
@@ -515,6 +516,7 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	.extent = ts_mesh_surface_extent,
 	.values = values,
 	.surface = ts_mesh_stress_surface,
+	.observes = TS_OBSERVES_CONTACTS,
 	.init = init,
 	.modify = modify,
 	.plan = plan,

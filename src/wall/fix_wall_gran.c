@@ -1,6 +1,7 @@
-#include "wall/surface_contacts.h"
+#include "wall/impacts.h"
 #include "wall/mesh_wall_queue.h"
 #include "wall/primitive_wall.h"
+#include "wall/surface_contacts.h"
 #include "wall/voxel_wall_queue.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_law.h"
@@ -141,10 +142,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			      : place_primitive(self, sim));
 	TS_TRY(check_types(self, sim));
 	w->wall.primitive = w->mesh_word || w->voxels ? NULL : &w->primitive;
+	w->wall.type = (int)w->type;
 	w->wall.distance = contact_distance;
 	w->wall.meshes = w->voxels ? 1 : w->mesh_word ? (int)w->mesh.nmeshes : 0;
 	w->wall.mesh = w->mesh_word ? &w->mesh : NULL;
 	w->wall.voxel = w->voxels ? &w->voxel : NULL;
+	w->wall.surfaces = w->voxels	  ? &ts_voxel_wall_surfaces
+			   : w->mesh_word ? &ts_mesh_wall_surfaces
+					  : &ts_primitive_wall_surfaces;
 	w->wall.moves = w->wall.primitive && ts_primitive_wall_moves(&w->primitive);
 	w->wall.warm = (w->wall.primitive && !isnan(w->primitive.temperature)) ||
 		       (w->voxels && !isnan(w->voxel.surface->temperature));
@@ -175,14 +180,17 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 		return TS_OK; /* refused by the plan */
 	for (size_t k = 0; k < count_surface_types(w); k++)
 		TS_TRY(ts_wall_make_law(self, sim, surface_type(w, k)));
-	if (w->voxels)
-		return ts_voxel_wall_list(self, sim, &w->wall, &w->voxel, false);
-	w->wall.contacts.want_reports |= ts_mesh_wall_observed(&w->mesh); /* all have said so in init */
+	TS_TRY(ts_surface_contacts_find_observers(sim, &w->wall));
+	if (w->voxels) {
+		TS_TRY(ts_voxel_wall_list(self, sim, &w->wall, &w->voxel, false));
+		return ts_impacts_prepare(self, sim);
+	}
 	ts_wall_rebuild_start(&w->wall, sim, w->mesh_word ? TS_MESH_MEMORY : 0, &rebuild);
-	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
+	TS_TRY(ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
 				      w->mesh_word
 					      ? ts_mesh_wall_list(self, sim, &w->wall, &w->mesh)
-					      : ts_primitive_wall_list(self, sim, &w->wall, &w->primitive));
+					      : ts_primitive_wall_list(self, sim, &w->wall, &w->primitive)));
+	return ts_impacts_prepare(self, sim);
 }
 
 static enum ts_status check(struct ts_instance *self, struct tsim *sim)
@@ -204,12 +212,11 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct wall *w = self->state;
 
 	ts_wall_start(&w->wall, sim);
-	if (w->voxels)
-		return ts_voxel_wall_enqueue_contacts(self, sim, &w->wall, &w->voxel);
-	if (!w->mesh_word)
-		return ts_primitive_wall_enqueue_contacts(sim, &w->wall, &w->primitive, (int)w->type);
-	TS_TRY(ts_mesh_wall_enqueue_contacts(sim, &w->wall, &w->mesh));
-	return ts_surface_contacts_collect(sim, &w->wall, &w->mesh);
+	TS_TRY(w->voxels      ? ts_voxel_wall_enqueue_contacts(self, sim, &w->wall, &w->voxel)
+	       : w->mesh_word ? ts_mesh_wall_enqueue_contacts(sim, &w->wall, &w->mesh)
+			      : ts_primitive_wall_enqueue_contacts(sim, &w->wall, &w->primitive, (int)w->type));
+	TS_TRY(ts_surface_contacts_collect(sim, &w->wall));
+	return ts_impacts_update(sim, &w->wall);
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)

@@ -16,7 +16,7 @@
  * An observer reads the impacts that have ended in this step in late[TS_LATE_CONTACTS]:
  *
  *	struct ts_surface_impacts it = ts_surface_impacts(sim, surface.by);
- *	const struct ts_impact *impact;
+ *	const struct ts_surface_impact *impact;
  *	while ((impact = ts_surface_impacts_next(&it))) ...
  *
  * walls in script order, in each of them by element and there by the particles' identities: sums over them depend neither
@@ -28,7 +28,7 @@
 #include "wall/wall.h"
 
 /* All members are numbers of type double, so that restart files store it as a row of numbers. */
-struct ts_impact {
+struct ts_surface_impact {
 	struct ts_impact_event event;
 	double surface; /* of the wall: number of its mesh, from 0; 0: a primitive */
 	double groups;	/* of the particle at entry: bits */
@@ -36,10 +36,10 @@ struct ts_impact {
 	double tail;	/* estimated time from the last step with contact to separation */
 	double touches; /* in this step */
 };
-enum { TS_IMPACT_NUMBERS = sizeof(struct ts_impact) / sizeof(double) };
+enum { TS_SURFACE_IMPACT_NUMBERS = sizeof(struct ts_surface_impact) / sizeof(double) };
 
 struct ts_impact_list {
-	struct ts_impact *item;
+	struct ts_surface_impact *item;
 	size_t n, capacity;
 };
 
@@ -47,13 +47,13 @@ struct ts_impacts {
 	struct ts_impact_list live;  /* by surface and particle */
 	struct ts_impact_list ended; /* in this step, by surface, element and particle */
 	struct ts_impact_list added; /* since the last update, by ts_impacts_append */
-	uint8_t *tracked; /* [surfaces] whether contacts are tracked since an earlier step */
+	uint8_t *tracked;	     /* [surfaces] whether contacts are tracked since an earlier step */
 	size_t surfaces, tracked_capacity;
 	struct ts_impact_touch *touch; /* buffer */
 	size_t touch_capacity;
 };
 
-static inline bool ts_impact_in_group(const struct ts_impact *impact, int group)
+static inline bool ts_surface_impact_in_group(const struct ts_surface_impact *impact, int group)
 {
 	return ((uint32_t)impact->groups >> group) & 1u;
 }
@@ -70,7 +70,7 @@ struct ts_surface_impacts {
 };
 struct ts_surface_impacts ts_surface_impacts(const struct tsim *sim, const struct ts_instance *surface);
 /* NULL: there are no more. */
-const struct ts_impact *ts_surface_impacts_next(struct ts_surface_impacts *it);
+const struct ts_surface_impact *ts_surface_impacts_next(struct ts_surface_impacts *it);
 
 /* ---- by walls ---- */
 

@@ -12,7 +12,12 @@ const char *const ts_mesh_stress_triangle_names[] = { "normal", "shear", "x", "y
 
 /* ---- the fix of the mesh ---- */
 
-const struct ts_mesh_surface *ts_mesh_stress_surface(const struct ts_instance *self)
+const struct ts_instance *ts_mesh_stress_surface(const struct ts_instance *self)
+{
+	return self;
+}
+
+static const struct ts_mesh_surface *surface_of(const struct ts_instance *self)
 {
 	return self->state;
 }
@@ -23,7 +28,6 @@ enum ts_status ts_mesh_stress_init(struct ts_instance *self, struct tsim *sim,
 	size_t n = surface->mesh.n;
 
 	surface->stress = s;
-	surface->observed = true;
 	TS_TRY(ts_mesh_wear_init(self, sim, surface, &s->wear));
 	if (s->load)
 		return TS_OK;
@@ -36,7 +40,7 @@ enum ts_status ts_mesh_stress_init(struct ts_instance *self, struct tsim *sim,
 
 void ts_mesh_stress_fini(struct ts_instance *self)
 {
-	struct ts_mesh_stress *s = ts_mesh_stress_surface(self)->stress;
+	struct ts_mesh_stress *s = surface_of(self)->stress;
 
 	if (s) { /* else init has not come so far */
 		ts_free(s->load);
@@ -49,7 +53,7 @@ void ts_mesh_stress_fini(struct ts_instance *self)
 
 enum ts_status ts_mesh_stress_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
-	const struct ts_mesh_surface *surface = ts_mesh_stress_surface(self);
+	const struct ts_mesh_surface *surface = surface_of(self);
 	struct ts_mesh_stress *s = surface->stress;
 	size_t n = surface->mesh.n;
 
@@ -64,13 +68,13 @@ enum ts_status ts_mesh_stress_archive(struct ts_instance *self, struct tsim *sim
 
 enum ts_status ts_mesh_stress_eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	const struct ts_mesh_stress *s = ts_mesh_stress_surface(self)->stress;
+	const struct ts_mesh_stress *s = surface_of(self)->stress;
 
 	(void)sim;
 	for (int k = 0; k < 3; k++) {
 		out->data[k] = s->total[0][k];
 		out->data[3 + k] = s->total[1][k];
-		out->data[6 + k] = ts_mesh_stress_surface(self)->anchor[k];
+		out->data[6 + k] = surface_of(self)->anchor[k];
 	}
 	return TS_OK;
 }
@@ -78,8 +82,7 @@ enum ts_status ts_mesh_stress_eval(struct ts_instance *self, const struct tsim *
 enum ts_status ts_mesh_stress_post_build(struct ts_instance *self, struct tsim *sim)
 {
 	TS_TRY(ts_mesh_surface_post_build(self, sim));
-	return ts_mesh_wear_find_constants(self, sim, ts_mesh_stress_surface(self),
-					   &ts_mesh_stress_surface(self)->stress->wear);
+	return ts_mesh_wear_find_constants(self, sim, surface_of(self), &surface_of(self)->stress->wear);
 }
 
 /* Adds force and torque of one contact. */
@@ -87,7 +90,7 @@ static void add_contact(const struct ts_surface_contact *c, const double about[3
 {
 	double arm[3], torque[3];
 
-	ts_add(s->load[c->triangle], c->force, s->load[c->triangle]);
+	ts_add(s->load[c->element], c->force, s->load[c->element]);
 	ts_add(s->sum[0], c->force, s->sum[0]);
 	ts_sub(c->point, about, arm);
 	ts_cross(arm, c->force, torque);
@@ -96,9 +99,9 @@ static void add_contact(const struct ts_surface_contact *c, const double about[3
 
 enum ts_status ts_mesh_stress_sum(struct ts_instance *self, struct tsim *sim)
 {
-	const struct ts_mesh_surface *surface = ts_mesh_stress_surface(self);
+	const struct ts_mesh_surface *surface = surface_of(self);
 	struct ts_mesh_stress *s = surface->stress;
-	struct ts_surface_contacts contacts = ts_surface_contacts(sim, surface);
+	struct ts_surface_contacts contacts = ts_surface_contacts(sim, self);
 	struct ts_surface_contact c;
 
 	memset(s->load, 0, surface->mesh.n * sizeof *s->load);
@@ -106,14 +109,14 @@ enum ts_status ts_mesh_stress_sum(struct ts_instance *self, struct tsim *sim)
 	while (ts_surface_contacts_next(&contacts, &c)) {
 		add_contact(&c, surface->anchor, s);
 		if (!sim->run.in_setup)
-			ts_mesh_wear_add(&contacts, &c, &s->wear);
+			ts_mesh_wear_add(sim, surface, &c, &s->wear);
 	}
 	return TS_OK;
 }
 
 enum ts_status ts_mesh_stress_settle(struct ts_instance *self, struct tsim *sim)
 {
-	const struct ts_mesh_surface *surface = ts_mesh_stress_surface(self);
+	const struct ts_mesh_surface *surface = surface_of(self);
 	const struct ts_mesh *m = &surface->mesh;
 	struct ts_mesh_stress *s = surface->stress;
 
@@ -136,8 +139,8 @@ enum ts_status ts_mesh_stress_settle(struct ts_instance *self, struct tsim *sim)
 enum ts_status ts_mesh_stress_eval_triangles(struct ts_instance *self, const struct tsim *sim,
 					     struct ts_table *out)
 {
-	const struct ts_mesh *m = &ts_mesh_stress_surface(self)->mesh;
-	const struct ts_mesh_stress *s = ts_mesh_stress_surface(self)->stress;
+	const struct ts_mesh *m = &surface_of(self)->mesh;
+	const struct ts_mesh_stress *s = surface_of(self)->stress;
 
 	(void)sim;
 	TS_TRY(ts_table_resize(out, m->n, 6));

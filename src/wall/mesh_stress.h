@@ -42,7 +42,7 @@ enum ts_status ts_mesh_stress_eval(struct ts_instance *self, const struct tsim *
 /* f_ID[1..6] of each triangle. */
 enum ts_status ts_mesh_stress_eval_triangles(struct ts_instance *self, const struct tsim *sim,
 					     struct ts_table *out);
-const struct ts_mesh_surface *ts_mesh_stress_surface(const struct ts_instance *self);
+const struct ts_instance *ts_mesh_stress_surface(const struct ts_instance *self);
 extern const char *const ts_mesh_stress_triangle_names[];
 #define TS_MESH_STRESS_TRIANGLES                                                                         \
 	{                                                                                                \

@@ -48,13 +48,26 @@ enum ts_status ts_mesh_wall_find(struct ts_instance *self, struct tsim *sim, str
 	return TS_OK;
 }
 
-bool ts_mesh_wall_observed(const struct ts_mesh_wall *mw)
+static size_t count_surfaces(const struct ts_wall *w)
 {
-	for (size_t k = 0; k < mw->nmeshes; k++)
-		if (mw->mesh[k].surface->observed)
-			return true;
-	return false;
+	return w->mesh->nmeshes;
 }
+
+static const struct ts_instance *fix_of_surface(const struct ts_wall *w, size_t surface)
+{
+	return w->mesh->mesh[surface].by;
+}
+
+static void place_of_contact(const struct ts_wall *w, size_t k, struct ts_wall_place *out)
+{
+	const struct ts_mesh_near *near = &w->mesh->near[k];
+
+	*out = (struct ts_wall_place){ (size_t)near->mesh,
+				       (size_t)near->triangle,
+				       { near->shift[0], near->shift[1], near->shift[2] } };
+}
+
+const struct ts_wall_surfaces ts_mesh_wall_surfaces = { count_surfaces, fix_of_surface, place_of_contact };
 
 void ts_mesh_wall_release(struct ts_mesh_wall *mw)
 {
@@ -62,7 +75,6 @@ void ts_mesh_wall_release(struct ts_mesh_wall *mw)
 	ts_free(mw->near);
 	ts_free(mw->place);
 	ts_free(mw->neighbor);
-	ts_free(mw->touching);
 	*mw = (struct ts_mesh_wall){ 0 };
 }
 
@@ -230,7 +242,7 @@ static bool is_candidate(const struct searching *s, size_t mesh, size_t i)
 
 	return ts_in_group(p, i, part->by->group) &&
 	       (ts_wall_interacts(s->self, s->sim, i, !isnan(part->surface->temperature)) ||
-		(part->surface->observed && ts_in_group(p, i, s->self->group)));
+		(s->w->observers[mesh] && ts_in_group(p, i, s->self->group)));
 }
 
 static void search_range(void *context, size_t from, size_t to)

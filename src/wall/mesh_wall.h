@@ -51,12 +51,6 @@ struct ts_mesh_neighbor {
 	double check_travel; /* minimum over its contacts; -INFINITY: one touches */
 };
 
-/* A touching contact, with the keys that define the order of summation. */
-struct ts_mesh_touching {
-	int32_t element, tag;
-	size_t k;
-};
-
 struct ts_mesh_wall {
 	struct ts_mesh_part_of_wall *mesh;
 	size_t nmeshes;
@@ -64,9 +58,7 @@ struct ts_mesh_wall {
 	struct ts_mesh_place *place;	   /* [contacts], if the law acts at a distance; else NULL */
 	struct ts_mesh_neighbor *neighbor; /* [nneighbors] */
 	size_t nneighbors, near_capacity, place_capacity, neighbor_capacity;
-	double length[3];		   /* of the box at the last force computation */
-	struct ts_mesh_touching *touching; /* sorted contacts that touch: wall/surface_contacts.h */
-	size_t ntouching, touching_capacity;
+	double length[3]; /* of the box at the last force computation */
 };
 
 /* History values of a contact with a mesh besides those of its law: 1 if the contact exists, else 0. */
@@ -84,8 +76,8 @@ bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *m
 /* Fails if a triangle passes through a particle in one step: it moved by more than the radius. */
 enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
 					       struct ts_mesh_wall *mw);
-/* Whether a fix reads the contacts of one of its meshes: then contacts keep reports. */
-bool ts_mesh_wall_observed(const struct ts_mesh_wall *mw);
+/* Its meshes as surfaces. */
+extern const struct ts_wall_surfaces ts_mesh_wall_surfaces;
 void ts_mesh_wall_release(struct ts_mesh_wall *mw);
 
 /* Present distance of the centre of particle i from the triangle of contact k. */

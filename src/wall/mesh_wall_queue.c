@@ -59,15 +59,17 @@ static bool is_out_of_reach(const struct ts_mesh *m, struct ts_mesh_near *near,
 	return far > 0;
 }
 
-static void make_contact_point(const struct ts_mesh_surface *s, const struct ts_mesh_near *near,
+static void make_contact_point(const struct force_task *task, const struct ts_mesh_near *near,
 			       const struct ts_mesh_contact_point *at, struct ts_wall_contact_point *point)
 {
+	const struct ts_mesh_surface *s = task->mw->mesh[near->mesh].surface;
+
 	for (int d = 0; d < 3; d++)
 		point->n[d] = at->n[d];
 	point->distance = at->distance;
 	ts_mesh_surface_velocity(s, (size_t)near->triangle, at->weight, point->velocity);
 	point->curvature = 0;
-	point->sums = s->observed;
+	point->sums = task->w->observers[near->mesh] != 0;
 	point->type = (int)s->type;
 	point->mesh = near->mesh + 1;
 	point->triangle = near->triangle;
@@ -97,7 +99,7 @@ static void compute_triangle(const struct force_task *task, struct ts_wall_queue
 	near->check_travel = -INFINITY;
 	if (!near->touches)
 		return;
-	make_contact_point(s, near, &at, &point);
+	make_contact_point(task, near, &at, &point);
 	ts_wall_enqueue_contact(q, k, &point);
 }
 
@@ -124,7 +126,7 @@ static bool continue_contact(const struct force_task *task, struct ts_wall_queue
 	const struct ts_mesh_near *near = &task->mw->near[k];
 	size_t from = *ts_mesh_contact_exists(c, k) > 0 ? k : ts_mesh_donor(task->mw, c, v, k);
 
-	make_contact_point(task->mw->mesh[near->mesh].surface, near, &task->mw->place[k].at, point);
+	make_contact_point(task, near, &task->mw->place[k].at, point);
 	for (size_t m = 0; m < c->width && from != SIZE_MAX; m++)
 		ts_wall_memory(c, k)[m] = ts_wall_memory(c, from)[m];
 	if (ts_wall_touches(q, k, point))

@@ -46,21 +46,18 @@ enum ts_status ts_mesh_wear_find_constants(struct ts_instance *self, struct tsim
 	return TS_OK;
 }
 
-void ts_mesh_wear_add(const struct ts_surface_contacts *contacts, const struct ts_surface_contact *c,
-		      struct ts_mesh_wear *wear)
+void ts_mesh_wear_add(const struct tsim *sim, const struct ts_mesh_surface *surface,
+		      const struct ts_surface_contact *c, struct ts_mesh_wear *wear)
 {
-	const struct tsim *sim = contacts->sim;
-	const struct ts_mesh *m = &contacts->surface->mesh;
-	double n[3], v[3];
+	const struct ts_mesh *m = &surface->mesh;
 
 	if (wear->law == TS_MESH_WEAR_OFF)
 		return;
-	ts_surface_contact_motion(contacts, c, n, v);
-	if (ts_dot(n, v) > 0) /* it parts */
+	if (ts_dot(c->normal, c->velocity) > 0) /* it parts */
 		return;
-	wear->depth[c->triangle] +=
-		ts_wear_finnie(wear->k[sim->particles->type[c->particle]], v, m->normal[c->triangle],
-			       ts_norm(c->force), m->area[c->triangle], sim->clock.dt);
+	wear->depth[c->element] +=
+		ts_wear_finnie(wear->k[sim->particles->type[c->particle]], c->velocity, m->normal[c->element],
+			       ts_norm(c->force), m->area[c->element], sim->clock.dt);
 }
 
 void ts_mesh_wear_release(struct ts_mesh_wear *wear)

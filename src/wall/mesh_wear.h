@@ -2,6 +2,7 @@
 #ifndef TS_WALL_MESH_WEAR_H
 #define TS_WALL_MESH_WEAR_H
 
+#include "mesh/mesh_surface.h"
 #include "wall/surface_contacts.h"
 
 struct ts_mesh_wear {
@@ -18,8 +19,8 @@ enum ts_status ts_mesh_wear_init(struct ts_instance *self, struct tsim *sim,
 enum ts_status ts_mesh_wear_find_constants(struct ts_instance *self, struct tsim *sim,
 					   const struct ts_mesh_surface *surface, struct ts_mesh_wear *wear);
 /* What a contact wears off in a step. */
-void ts_mesh_wear_add(const struct ts_surface_contacts *contacts, const struct ts_surface_contact *c,
-		      struct ts_mesh_wear *wear);
+void ts_mesh_wear_add(const struct tsim *sim, const struct ts_mesh_surface *surface,
+		      const struct ts_surface_contact *c, struct ts_mesh_wear *wear);
 void ts_mesh_wear_release(struct ts_mesh_wear *wear);
 
 #endif

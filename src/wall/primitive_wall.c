@@ -350,6 +350,40 @@ enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
+/* ---- as a surface ---- */
+
+static size_t one_surface(const struct ts_wall *w)
+{
+	(void)w;
+	return 1;
+}
+
+static const struct ts_instance *fix_of_surface(const struct ts_wall *w, size_t surface)
+{
+	(void)surface;
+	return w->by;
+}
+
+static void place_of_contact(const struct ts_wall *w, size_t k, struct ts_wall_place *out)
+{
+	*out = (struct ts_wall_place){ .element = (size_t)w->contacts.key[k][1] };
+}
+
+const struct ts_wall_surfaces ts_primitive_wall_surfaces = { one_surface, fix_of_surface, place_of_contact };
+
+double ts_primitive_wall_area(const struct ts_primitive_wall *w, const struct tsim *sim, int k)
+{
+	const struct ts_primitive *p = &w->primitive[k];
+	const struct ts_box *box = &sim->domain->box;
+	int axis = (int)p->shape % 3;
+
+	if (p->shape >= TS_XCYLINDER)
+		return 2 * TS_PI * p->radius * ts_box_length(box, axis);
+	return ts_box_length(box, (axis + 1) % 3) * ts_box_length(box, (axis + 2) % 3);
+}
+
+/* ---- forces ---- */
+
 struct force_task {
 	struct tsim *sim;
 	struct ts_wall *wall;

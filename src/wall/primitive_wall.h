@@ -50,6 +50,10 @@ double ts_primitive_wall_gap(const struct ts_primitive_wall *w, const struct tsi
 /* Present distance of a point from element k. */
 double ts_primitive_wall_distance(const struct ts_primitive_wall *w, const struct tsim *sim, int k,
 				  const double x[3]);
+/* Its planes or cylinders as elements of a surface. */
+extern const struct ts_wall_surfaces ts_primitive_wall_surfaces;
+/* Of element k in the box, length^2. */
+double ts_primitive_wall_area(const struct ts_primitive_wall *w, const struct tsim *sim, int k);
 /* Warnings before a run. */
 void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim, const struct ts_primitive_wall *w);
 enum ts_status ts_primitive_wall_archive(struct ts_archive *a, struct ts_primitive_wall *w);

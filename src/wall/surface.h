@@ -1,6 +1,7 @@
 /* Surfaces: what particles hit and wear. A surface is named by the ID of its fix and consists of elements:
  *
  *   fix mesh/surface ...        one element for each triangle
+ *   fix surface/voxel ...       one for each column
  *   fix wall/gran, primitive    one for each plane or cylinder
  *
  * A style that has a row for each element of a surface (values of shape TS_SURFACE) finds it in its init by
@@ -27,8 +28,6 @@ size_t ts_surface_elements(const struct ts_surface *s);
 double ts_surface_area(const struct ts_surface *s, const struct tsim *sim, size_t element);
 /* Particle type whose material the surface has. */
 int ts_surface_type(const struct ts_surface *s);
-/* What its elements are called: "triangle", "plane". */
-const char *ts_surface_element_name(const struct ts_surface *s);
 
 /* What live styles read of the surface of this fix: bits of enum ts_observes. Valid after all init functions. */
 unsigned ts_surface_observers(const struct tsim *sim, const struct ts_instance *by);

@@ -4,110 +4,145 @@
 
 #include "base/sort.h"
 #include "box/domain.h"
-#include "mesh/mesh_touch.h"
+#include "wall/surface.h"
 
 #include "base/banned.h"
 
-static const struct ts_mesh_surface *surface_at(const struct ts_mesh_wall *mw, size_t k)
+/* The fix of the surface of contact k. */
+static const struct ts_instance *surface_at(const struct ts_wall *w, size_t k)
 {
-	return mw->mesh[mw->near[k].mesh].surface;
+	struct ts_wall_place place;
+
+	w->surfaces->place(w, k, &place);
+	return w->surfaces->fix(w, place.surface);
 }
 
 /* ---- the list of a wall ---- */
 
+enum ts_status ts_surface_contacts_find_observers(struct tsim *sim, struct ts_wall *w)
+{
+	size_t n = w->surfaces->count(w);
+
+	if (TS_GROW(w->observers, w->observers_capacity, n) != TS_OK)
+		return ts_nomem(&sim->error);
+	w->observed = 0;
+	for (size_t s = 0; s < n; s++) {
+		w->observers[s] = ts_surface_observers(sim, w->surfaces->fix(w, s));
+		w->observed |= w->observers[s];
+	}
+	w->contacts.want_reports |= w->observed != 0;
+	return TS_OK;
+}
+
 static int by_element(const void *a, const void *b)
 {
-	const struct ts_mesh_touching *p = a, *q = b;
+	const struct ts_wall_touching *p = a, *q = b;
 
+	if (p->surface != q->surface)
+		return p->surface < q->surface ? -1 : 1;
 	if (p->element != q->element)
 		return p->element < q->element ? -1 : 1;
 	return (p->tag > q->tag) - (p->tag < q->tag);
 }
 
-enum ts_status ts_surface_contacts_collect(struct tsim *sim, const struct ts_wall *w, struct ts_mesh_wall *mw)
+enum ts_status ts_surface_contacts_collect(struct tsim *sim, struct ts_wall *w)
 {
 	const struct ts_wall_contacts *c = &w->contacts;
+	struct ts_wall_place place;
 
-	mw->ntouching = 0;
-	if (!c->report || !ts_mesh_wall_observed(mw))
+	w->ntouching = 0;
+	if (!c->report || !w->observed)
 		return TS_OK;
-	if (TS_GROW(mw->touching, mw->touching_capacity, c->n) != TS_OK)
+	if (TS_GROW(w->touching, w->touching_capacity, c->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	for (size_t k = 0; k < c->n; k++)
-		if (surface_at(mw, k)->observed && ts_wall_report(c, k))
-			mw->touching[mw->ntouching++] =
-				(struct ts_mesh_touching){ c->key[k][1], c->key[k][0], k };
-	ts_sort(mw->touching, mw->ntouching, sizeof *mw->touching, by_element);
+	for (size_t k = 0; k < c->n; k++) {
+		if (!ts_wall_report(c, k))
+			continue;
+		w->surfaces->place(w, k, &place);
+		if (w->observers[place.surface])
+			w->touching[w->ntouching++] = (struct ts_wall_touching){
+				(int32_t)place.surface, (int32_t)place.element, c->key[k][0], k
+			};
+	}
+	ts_sort(w->touching, w->ntouching, sizeof *w->touching, by_element);
 	return TS_OK;
 }
 
-bool ts_surface_contacts_listed(const struct tsim *sim, const struct ts_mesh_surface *surface)
+bool ts_surface_contacts_listed(const struct tsim *sim, const struct ts_instance *surface)
 {
 	const struct ts_wall *w;
 
 	for (size_t at = 0; (w = ts_walls_next(sim, &at, NULL));)
-		for (size_t k = 0; w->mesh && k < w->contacts.n; k++)
-			if (surface_at(w->mesh, k) == surface)
+		for (size_t k = 0; w->surfaces && k < w->contacts.n; k++)
+			if (surface_at(w, k) == surface)
 				return true;
 	return false;
 }
 
 /* ---- iteration ---- */
 
-struct ts_surface_contacts ts_surface_contacts(struct tsim *sim, const struct ts_mesh_surface *surface)
+struct ts_surface_contacts ts_surface_contacts(const struct tsim *sim, const struct ts_instance *surface)
 {
 	return (struct ts_surface_contacts){ .sim = sim, .surface = surface };
 }
 
-/* Into the frame of the mesh from that of the image which is touched. */
-static void into_frame(const struct tsim *sim, const struct ts_mesh_near *near, const double x[3],
+/* Into the frame of the surface from that of the image which is touched. */
+static void into_frame(const struct tsim *sim, const struct ts_wall_place *place, const double x[3],
 		       double out[3])
 {
 	for (int d = 0; d < 3; d++)
-		out[d] = x[d] - near->shift[d] * ts_box_length(&sim->domain->box, d);
+		out[d] = x[d] - place->shift[d] * ts_box_length(&sim->domain->box, d);
 }
 
-static void describe(const struct ts_surface_contacts *it, size_t k, struct ts_surface_contact *out)
+void ts_surface_contact_of(const struct tsim *sim, const struct ts_wall *w, size_t k,
+			   struct ts_surface_contact *out)
 {
-	const struct ts_wall_contacts *c = &it->wall->contacts;
-	const struct ts_mesh_near *near = &it->wall->mesh->near[k];
+	const struct ts_wall_contacts *c = &w->contacts;
 	const struct ts_wall_report *r = &c->report[k];
+	struct ts_wall_place place;
 
-	out->triangle = (size_t)near->triangle;
+	w->surfaces->place(w, k, &place);
+	out->element = place.element;
 	out->particle = (size_t)c->row[k];
 	out->overlap = r->overlap;
 	ts_scale(-1, r->force, out->force);
-	into_frame(it->sim, near, r->point, out->point);
-	into_frame(it->sim, near, it->sim->particles->x[out->particle], out->centre);
+	ts_scale(1, c->last[k].n, out->normal);
+	ts_sub(sim->particles->v[out->particle], r->velocity, out->velocity);
+	into_frame(sim, &place, r->point, out->point);
+	into_frame(sim, &place, sim->particles->x[out->particle], out->centre);
 }
 
 bool ts_surface_contacts_next(struct ts_surface_contacts *it, struct ts_surface_contact *out)
 {
 	for (;;) {
-		while (it->wall && it->at < it->wall->mesh->ntouching) {
-			size_t k = it->wall->mesh->touching[it->at++].k;
+		while (it->wall && it->at < it->wall->ntouching) {
+			size_t k = it->wall->touching[it->at++].k;
 
-			if (surface_at(it->wall->mesh, k) != it->surface)
+			if (surface_at(it->wall, k) != it->surface)
 				continue;
-			describe(it, k, out);
+			ts_surface_contact_of(it->sim, it->wall, k, out);
 			return true;
 		}
-		do {
-			it->wall = ts_walls_next(it->sim, &it->next_wall, NULL);
-		} while (it->wall && !it->wall->mesh);
+		it->wall = ts_walls_next(it->sim, &it->next_wall, NULL);
 		it->at = 0;
 		if (!it->wall)
 			return false;
 	}
 }
 
-void ts_surface_contact_motion(const struct ts_surface_contacts *it, const struct ts_surface_contact *contact,
-			       double n[3], double v[3])
+double ts_surface_contact_normal_force(const struct ts_surface_contact *c)
 {
-	struct ts_mesh_contact_point at;
+	return -ts_dot(c->force, c->normal);
+}
 
-	ts_mesh_nearest(&it->surface->mesh, contact->triangle, contact->centre, &at);
-	ts_scale(1, at.n, n);
-	ts_mesh_surface_velocity(it->surface, contact->triangle, at.weight, v);
-	ts_sub(it->sim->particles->v[contact->particle], v, v);
+double ts_surface_contact_slip(const struct tsim *sim, const struct ts_surface_contact *c, double v[3])
+{
+	double arm[3], turn[3] = { 0 };
+
+	ts_sub(c->point, c->centre, arm);
+	if (sim->particles->omega)
+		ts_cross(sim->particles->omega[c->particle], arm, turn);
+	ts_add(c->velocity, turn, v);
+	ts_axpy(-ts_dot(v, c->normal), c->normal, v);
+	return ts_dot(c->force, v);
 }

@@ -11,6 +11,50 @@
 
 #include "base/banned.h"
 
+/* ---- the surface of the wall ---- */
+
+static size_t count_surfaces(const struct ts_wall *w)
+{
+	(void)w;
+	return 1;
+}
+
+static const struct ts_instance *fix_of_surface(const struct ts_wall *w, size_t surface)
+{
+	(void)surface;
+	return w->voxel->by;
+}
+
+/* Number of periodic images by which x is away from the interval [lo, hi] of a column. */
+static int32_t image_at(double x, double lo, double hi, double length)
+{
+	return (int32_t)lround((x - 0.5 * (lo + hi)) / length);
+}
+
+static void place_of_contact(const struct ts_wall *w, size_t k, struct ts_wall_place *out)
+{
+	const struct ts_voxel_surface *s = w->voxel->surface;
+	const struct ts_voxel_field *f = &s->field;
+	const double *x = w->contacts.report[k].point;
+	int64_t column = ts_voxel_column_index(ts_voxel_memory(&w->contacts, k)[TS_VOXEL_COLUMN]);
+	int64_t index[2] = { column % f->n[0], column / f->n[0] };
+
+	*out = (struct ts_wall_place){ .element = (size_t)column };
+	for (int d = 0; d < 2; d++) {
+		int a = f->axis[d];
+
+		out->shift[a] = image_at(x[a] - s->shift[a], ts_voxel_border(f, d, index[d]),
+					 ts_voxel_border(f, d, index[d] + 1), w->voxel->length[a]);
+	}
+	if (isfinite(f->base))
+		out->shift[f->axis[2]] = image_at(x[f->axis[2]] - s->shift[f->axis[2]], f->base,
+						  ts_voxel_heights(f)[column], w->voxel->length[f->axis[2]]);
+}
+
+const struct ts_wall_surfaces ts_voxel_wall_surfaces = { count_surfaces, fix_of_surface, place_of_contact };
+
+/* ---- the list ---- */
+
 enum { LEAST_SLOTS = 4 };
 
 enum ts_status ts_voxel_wall_find(struct tsim *sim, struct ts_voxel_wall *vw, const struct ts_word *id)

@@ -35,6 +35,7 @@ struct ts_voxel_neighbor {
 struct ts_voxel_wall {
 	const struct ts_instance *by; /* the fix of the surface */
 	const struct ts_voxel_surface *surface;
+	double length[3]; /* of the box at the last force computation */
 	struct ts_voxel_neighbor *neighbor; /* [nneighbors] */
 	size_t nneighbors, neighbor_capacity;
 	/* [contacts]: the contact points of a particle in this step, from the index of its first slot on, */
@@ -44,6 +45,8 @@ struct ts_voxel_wall {
 	bool *used;	/* [contacts]: the slot has a contact point */
 	size_t at_capacity, column_capacity, slot_capacity, used_capacity;
 };
+
+extern const struct ts_wall_surfaces ts_voxel_wall_surfaces;
 
 /* Finds the surface of this ID; in init. */
 enum ts_status ts_voxel_wall_find(struct tsim *sim, struct ts_voxel_wall *vw, const struct ts_word *id);

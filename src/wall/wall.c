@@ -13,6 +13,7 @@
 #include "particle/columns.h"
 #include "particle/prescribed.h"
 #include "rigid/rigid.h"
+#include "wall/impacts.h"
 
 #include "base/banned.h"
 
@@ -67,6 +68,7 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
 
+	w->by = self;
 	TS_TRY(ts_granular_words_check(sim, self, "fix wall/gran", &w->words));
 	TS_TRY(ts_heat_read_area(sim, "fix wall/gran", w->area_words, &w->area));
 	if (w->store_force)
@@ -369,10 +371,16 @@ enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struc
 	if (w->store_force)
 		TS_TRY(ts_particles_archive_column(a, sim, sim->particles->column[w->stored].name,
 						   w->stored));
-	return ts_wall_contacts_archive(a, sim, &w->contacts);
+	TS_TRY(ts_wall_contacts_archive(a, sim, &w->contacts));
+	return ts_impacts_archive(a, sim, w);
 }
 
 void ts_wall_fini(struct ts_instance *self)
 {
-	ts_wall_contacts_release(&((struct ts_wall *)self->state)->contacts);
+	struct ts_wall *w = self->state;
+
+	ts_wall_contacts_release(&w->contacts);
+	ts_impacts_free(w->impacts);
+	ts_free(w->observers);
+	ts_free(w->touching);
 }

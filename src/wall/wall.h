@@ -25,19 +25,49 @@
 struct ts_primitive_wall;
 struct ts_mesh_wall;
 struct ts_voxel_wall;
+struct ts_impacts;
+struct ts_wall;
+
+/* Where a contact of a wall is on its surfaces. */
+struct ts_wall_place {
+	size_t surface, element; /* number of the surface of the wall; number of its element */
+	int32_t shift[3];	 /* periodic image of the surface that is touched, in box lengths */
+};
+
+/* The surfaces that a wall is made of (wall/surface.h). */
+struct ts_wall_surfaces {
+	size_t (*count)(const struct ts_wall *w);
+	const struct ts_instance *(*fix)(const struct ts_wall *w, size_t surface);
+	void (*place)(const struct ts_wall *w, size_t k, struct ts_wall_place *out); /* of contact k */
+};
+
+/* A touching contact, with the keys that define the order of summation. */
+struct ts_wall_touching {
+	int32_t surface, element, tag;
+	size_t k;
+};
 
 /* First member of the state of every wall with contact laws; its style is of TS_FAMILY_WALL. */
 struct ts_wall {
+	const struct ts_instance *by;	/* its fix; set in init */
 	struct ts_granular_words words; /* `model ...`; normal off: the model of the pair style */
 	struct ts_wall_contacts contacts;
 	double force[3]; /* sum of the forces of particles on the wall in the last step */
 	/* first contact of the last step whose particle has its centre in the surface, or TS_WALL_NONE */
 	size_t inside;
 	const struct ts_primitive_wall *primitive; /* its planes or cylinders, or NULL; set in init */
+	int type;   /* of the material of a primitive wall; set in init */
 	int meshes; /* number of its meshes, 1 of a height field; 0: neither. Set in init */
 	const struct ts_mesh_wall *mesh;   /* its meshes, or NULL; set in init */
 	const struct ts_voxel_wall *voxel; /* its height field, or NULL; set in init */
-	const struct ts_instance *region;  /* the region whose surface it is, or NULL; set in init */
+	const struct ts_instance *region;	   /* the region whose surface it is, or NULL; set in init */
+	/* its surfaces, set in init; NULL: nobody can observe its contacts */
+	const struct ts_wall_surfaces *surfaces;
+	unsigned *observers,
+		observed; /* [surfaces] bits of enum ts_observes, and all of them; set in POST_BUILD */
+	struct ts_wall_touching *touching; /* sorted observed contacts that touch: wall/surface_contacts.h */
+	size_t ntouching, touching_capacity, observers_capacity;
+	struct ts_impacts *impacts; /* NULL: nobody observes impacts; wall/impacts.h */
 	/* Returns the present distance of the centre of the particle of contact k from the surface, and
 	 * stores the type of the surface; set in init. NULL: not available */
 	double (*distance)(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type);

@@ -57,7 +57,7 @@ enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall)
 static bool is_computed(const struct ts_wall *w, const struct tsim *sim, size_t k)
 {
 	return sim->particles->imass[w->contacts.row[k]] > 0 ||
-	       (w->mesh && w->mesh->mesh[w->mesh->near[k].mesh].surface->observed);
+	       (w->mesh && w->observed && w->observers[w->mesh->near[k].mesh]);
 }
 
 enum ts_status ts_coincide_review(struct ts_instance *self, struct tsim *sim)

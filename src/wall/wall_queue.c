@@ -329,6 +329,8 @@ void ts_wall_enqueue_contact(struct ts_wall_queue *q, size_t k, const struct ts_
 		add_wall_heat(q->w, q->sim, i, point);
 	if (!(q->sim->particles->imass[i] > 0 || point->sums)) {
 		ts_wall_contact_zero_force(c, k);
+		if (c->report)
+			c->report[k].touching = 0;
 		return;
 	}
 	if (ts_coincide(point->distance, q->sim->particles->radius[i]))

@@ -63,13 +63,12 @@ struct ts_wear {
 	size_t n, row_capacity, touched_capacity, sums_capacity;
 };
 
-#define TS_WEAR_ARGS(T, f)                                                                       \
-	TS_WORD("surface", T, f.surface_id, .flags = TS_STATEFUL,                                \
-		.help = "ID of a fix mesh/surface or of a fix wall/gran with a plane or "        \
-			"cylinder"),                                                             \
-		TS_REAL("density", T, f.density, .flags = TS_OPTIONAL, .range = TS_POSITIVE,     \
-			.unit = "mass/length^3",                                                 \
-			.help = "of the surface, for the masses of f_ID[6] and f_ID[7]")
+#define TS_WEAR_ARGS(T, f)                                                                   \
+	TS_WORD("surface", T, f.surface_id, .flags = TS_STATEFUL,                            \
+		.help = "ID of a fix mesh/surface or of a fix wall/gran with a plane or "    \
+			"cylinder"),                                                         \
+		TS_REAL("density", T, f.density, .flags = TS_OPTIONAL, .range = TS_POSITIVE, \
+			.unit = "mass/length^3", .help = "of the surface, for the mass removed")
 
 /* In the init of the style: finds the surface. */
 enum ts_status ts_wear_init(struct ts_instance *self, struct tsim *sim, const struct ts_wear_law *law);
@@ -79,19 +78,34 @@ enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim);
 const struct ts_instance *ts_wear_surface(const struct ts_instance *self);
 enum ts_status ts_wear_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive);
 void ts_wear_fini(struct ts_instance *self);
-/* Outputs: f_ID the volume, f_ID[1..7] the totals, f_ID[1..9] of each element. */
+/* Outputs: f_ID the volume, f_ID[1..8] the totals, f_ID[1..9] of each element. */
 extern const struct ts_value ts_wear_values[];
-/* The paragraphs of the manual about surface, group and outputs, which follow those of the law. */
-#define TS_WEAR_DOC                                                                                             \
-	"\n\nOnly particles of the group wear the surface. An impact lasts from the first to the last step in "  \
-	"which the particle touches any element of the surface; its volume belongs to the element that is "     \
-	"touched first, of several that with the largest overlap, and is added when the impact ends. If the "   \
-	"particle is deleted or leaves the box meanwhile, the impact ends there. Speed and angle are those of "  \
-	"the free flight before the first contact force, relative to the surface. The angle is that between "   \
-	"velocity and surface: 90 degrees is a normal impact. Particles that touch the surface when the first " \
-	"run begins make an impact only after they have left it.\n\n"                                           \
-	"f_ID is the volume removed so far, f_ID[1..7] are the sums over all elements, in dump mesh/vtk, "       \
-	"compute reduce and dump local f_ID[1..9] are the columns of each element. Elements are the triangles " \
-	"of a mesh, or the planes and cylinders of a primitive wall, whose area is that within the box."
+
+/* The end of the manual of each style: surface, impacts, outputs. */
+#define TS_WEAR_DOC                                                                                          \
+	"\n\nAn impact lasts from the first to the last step in which a particle touches any element of "    \
+	"the "                                                                                               \
+	"surface. Its speed and angle are those of the free flight before the first contact force, "         \
+	"relative to "                                                                                       \
+	"the surface at the contact point; the angle is that between velocity and surface, 90 degrees for "  \
+	"a "                                                                                                 \
+	"normal impact. What an impact removes belongs to the element that is touched first, of several "    \
+	"touched "                                                                                           \
+	"in the same step to that with the largest overlap. It is added when the impact has ended: when "    \
+	"the "                                                                                               \
+	"particle has separated, has been deleted or has left the box. Particles that touch the surface "    \
+	"when "                                                                                              \
+	"the first run begins make an impact only after they have left it. Two walls made of the same mesh " \
+	"have "                                                                                              \
+	"impacts of their own. Only particles of the group wear the surface.\n\n"                            \
+	"The elements of a mesh are its triangles, those of a primitive wall its planes or cylinders, "      \
+	"whose "                                                                                             \
+	"area is that within the box. dump mesh/vtk (of meshes), dump local, compute reduce and formulas "   \
+	"read "                                                                                              \
+	"f_ID[1..9] of each element; f_ID is the volume removed from the whole surface, and f_ID[1..8] are " \
+	"its "                                                                                               \
+	"totals elsewhere. Sums over elements are exact, as those of compute reduce. Elements without "      \
+	"impacts "                                                                                           \
+	"have zeros.\n\n"
 
 #endif

@@ -1,0 +1,253 @@
+#include "wear/wear.h"
+
+#include <math.h>
+
+#include "core/archive.h"
+#include "math/constants.h"
+#include "math/exactsum.h"
+#include "math/vec3.h"
+#include "particle/particles.h"
+#include "wall/impacts.h"
+#include "wall/surface_contacts.h"
+
+#include "base/banned.h"
+
+/* ---- surface and elements ---- */
+
+enum ts_status ts_wear_init(struct ts_instance *self, struct tsim *sim, const struct ts_wear_law *law)
+{
+	struct ts_wear *w = self->state;
+	struct ts_word id = { .text = w->surface_id, .place = *ts_instance_word(self, w->surface_id) };
+	size_t elements;
+
+	w->law = law;
+	TS_TRY(ts_surface_require(sim, &id, &w->surface));
+	elements = ts_surface_elements(&w->surface);
+	if (w->n && elements != w->elements)
+		return ts_fail(&sim->error, TS_STATE, &id.place,
+			       "fix %s %s: surface '%s' has %zu elements, but had %zu when it was worn",
+			       self->style->name, self->id, id.text, elements, w->elements);
+	if (TS_GROW(w->row, w->row_capacity, elements) != TS_OK)
+		return ts_nomem(&sim->error);
+	w->elements = elements;
+	return TS_OK;
+}
+
+const struct ts_instance *ts_wear_surface(const struct ts_instance *self)
+{
+	return ((const struct ts_wear *)self->state)->surface.by;
+}
+
+/* The sums of an element; makes them when it is touched for the first time. */
+static enum ts_status sums_of(struct tsim *sim, struct ts_wear *w, size_t element, struct ts_wear_sums **out)
+{
+	if (!w->row[element]) {
+		if (TS_GROW(w->touched, w->touched_capacity, w->n + 1) != TS_OK ||
+		    TS_GROW(w->sums, w->sums_capacity, w->n + 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		w->sums[w->n] = (struct ts_wear_sums){ 0 };
+		w->touched[w->n++] = (int32_t)element;
+		w->row[element] = (int32_t)w->n;
+	}
+	*out = &w->sums[w->row[element] - 1];
+	return TS_OK;
+}
+
+/* ---- a step ---- */
+
+static enum ts_status add_impact(struct ts_instance *self, struct tsim *sim, const struct ts_impact_event *e)
+{
+	struct ts_wear *w = self->state;
+	struct ts_wear_sums *s;
+
+	TS_TRY(sums_of(sim, w, (size_t)e->element, &s));
+	s->hits += 1;
+	s->mass += e->mass;
+	s->speed += ts_impact_speed(e);
+	s->angle += ts_impact_angle(e) * 180 / TS_PI;
+	s->energy += ts_impact_energy(e);
+	s->impulse += e->impulse;
+	s->force = fmax(s->force, e->peak_force);
+	if (!w->law->slide) /* else it is added step by step */
+		s->work += e->work;
+	if (w->law->impact)
+		s->volume += w->law->impact(self, e);
+	return TS_OK;
+}
+
+static enum ts_status add_slide(struct ts_instance *self, struct tsim *sim,
+				const struct ts_surface_contact *c)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_wear *w = self->state;
+	struct ts_wear_sums *s;
+	size_t i = c->particle;
+	double v[3], power = ts_surface_contact_slip(sim, c, v);
+	struct ts_wear_slide slide = { .element = c->element,
+				       .particle = i,
+				       .type = p->type[i],
+				       .mass = p->mass[i],
+				       .radius = p->radius[i],
+				       .normal_force = fmax(ts_surface_contact_normal_force(c), 0),
+				       .slip = ts_norm(v) * sim->clock.dt,
+				       .work = power * sim->clock.dt };
+
+	ts_scale(1, c->normal, slide.normal);
+	ts_scale(1, c->velocity, slide.velocity);
+	TS_TRY(sums_of(sim, w, c->element, &s));
+	s->work += slide.work;
+	s->volume += w->law->slide(self, &slide);
+	return TS_OK;
+}
+
+enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_wear *w = self->state;
+	struct ts_surface_impacts impacts = ts_surface_impacts(sim, w->surface.by);
+	struct ts_surface_contacts contacts = ts_surface_contacts(sim, w->surface.by);
+	const struct ts_surface_impact *impact;
+	struct ts_surface_contact c;
+
+	if (sim->run.in_setup) /* these forces belong to the step before */
+		return TS_OK;
+	while ((impact = ts_surface_impacts_next(&impacts)))
+		if (ts_surface_impact_in_group(impact, self->group))
+			TS_TRY(add_impact(self, sim, &impact->event));
+	while (w->law->slide && ts_surface_contacts_next(&contacts, &c))
+		if (ts_in_group(sim->particles, c.particle, self->group))
+			TS_TRY(add_slide(self, sim, &c));
+	return TS_OK;
+}
+
+/* ---- outputs ---- */
+
+/* Sum of one member of struct ts_wear_sums over the elements: exact, rounded once. */
+static double total(const struct ts_wear *w, size_t member)
+{
+	const double *first = w->n ? &w->sums[0].hits : NULL;
+
+	return w->n ? ts_exactsum_of(first + member, w->n, TS_WEAR_SUMS) : 0;
+}
+#define TOTAL(w, f) total((w), offsetof(struct ts_wear_sums, f) / sizeof(double))
+
+static enum ts_status eval_volume(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	(void)sim;
+	out->data[0] = TOTAL(self->state, volume);
+	return TS_OK;
+}
+
+static double quotient(double a, double b)
+{
+	return b > 0 ? a / b : 0;
+}
+
+static enum ts_status eval_totals(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct ts_wear *w = self->state;
+	double volume = TOTAL(w, volume), mass = TOTAL(w, mass);
+	double removed = isnan(w->density) ? 0 : w->density * volume;
+	double totals[] = {
+		volume,		  quotient(volume, mass), TOTAL(w, hits), mass,
+		TOTAL(w, energy), TOTAL(w, work),	  removed,	  quotient(removed, mass)
+	};
+
+	(void)sim;
+	for (size_t k = 0; k < sizeof totals / sizeof *totals; k++)
+		out->data[k] = totals[k];
+	return TS_OK;
+}
+
+static const char *const total_names[] = { "volume", "volume_per_mass", "impacts",	   "mass", "energy",
+					   "work",   "removed",		"removed_per_mass" };
+static const char *const element_names[] = { "hits",	"speed", "angle",  "energy", "work",
+					     "impulse", "force", "volume", "depth" };
+enum {
+	TOTALS = sizeof total_names / sizeof *total_names,
+	COLUMNS = sizeof element_names / sizeof *element_names
+};
+
+static enum ts_status eval_elements(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct ts_wear *w = self->state;
+
+	TS_TRY(ts_table_resize(out, w->elements, COLUMNS));
+	for (size_t k = 0; k < w->elements * COLUMNS; k++)
+		out->data[k] = 0;
+	for (size_t k = 0; k < w->n; k++) {
+		const struct ts_wear_sums *s = &w->sums[k];
+		size_t element = (size_t)w->touched[k];
+		double column[COLUMNS] = {
+			s->hits,
+			quotient(s->speed, s->hits),
+			quotient(s->angle, s->hits),
+			s->energy,
+			s->work,
+			s->impulse,
+			s->force,
+			s->volume,
+			quotient(s->volume, ts_surface_area(&w->surface, sim, element)),
+		};
+
+		for (size_t c = 0; c < COLUMNS; c++)
+			out->data[element * COLUMNS + c] = column[c];
+	}
+	return TS_OK;
+}
+
+const struct ts_value ts_wear_values[] = {
+	{ "volume", "length^3", "volume removed", TS_SCALAR, 1, NULL, eval_volume },
+	{ "totals", "length^3, length^3/mass, -, mass, energy, energy, mass, -",
+	  "totals: volume removed, volume per mass of the particles that have hit, number of impacts, mass "
+	  "of the "
+	  "particles that have hit (once for each impact), their kinetic energy before, work of friction, "
+	  "mass "
+	  "removed and this per mass of particles (0 without `density`)",
+	  TS_VECTOR, TOTALS, total_names, eval_totals },
+	{ "elements", "-, velocity, degrees, energy, energy, force*time, force, length^3, length",
+	  "of each element: number of impacts, their mean speed, mean angle, kinetic energy before, work of "
+	  "friction, impulse of the normal forces, largest normal force; volume removed, and divided by the "
+	  "area",
+	  TS_SURFACE, COLUMNS, element_names, eval_elements },
+	{ .name = NULL },
+};
+
+/* ---- saved state ---- */
+
+/* After reading: finds the rows of elements; fails if the file does not fit. */
+static enum ts_status restore_rows(struct tsim *sim, struct ts_wear *w, size_t rows)
+{
+	for (size_t k = 0; k < w->n; k++) {
+		size_t element = (size_t)w->touched[k];
+
+		if (rows != w->n || w->touched[k] < 0 || element >= w->elements || w->row[element])
+			return ts_fail(&sim->error, TS_DAMAGED, NULL,
+				       "saved wear does not fit the surface '%s' of %zu elements",
+				       w->surface_id, w->elements);
+		w->row[element] = (int32_t)k + 1;
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_wear_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
+{
+	struct ts_wear *w = self->state;
+	size_t n = w->n * TS_WEAR_SUMS, capacity = w->sums_capacity * TS_WEAR_SUMS;
+
+	TS_TRY(ts_archive_array(archive, "touched", TS_SAVED_I32, (void **)&w->touched, &w->touched_capacity,
+				&w->n));
+	TS_TRY(ts_archive_array(archive, "sums", TS_SAVED_F64, (void **)&w->sums, &capacity, &n));
+	if (ts_archive_writing(archive))
+		return TS_OK;
+	w->sums_capacity = capacity / TS_WEAR_SUMS;
+	return restore_rows(sim, w, n / TS_WEAR_SUMS);
+}
+
+void ts_wear_fini(struct ts_instance *self)
+{
+	struct ts_wear *w = self->state;
+
+	ts_free(w->row);
+	ts_free(w->touched);
+	ts_free(w->sums);
+}
