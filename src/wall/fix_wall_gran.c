@@ -212,9 +212,10 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct wall *w = self->state;
 
 	ts_wall_start(&w->wall, sim);
-	TS_TRY(w->voxels      ? ts_voxel_wall_enqueue_contacts(self, sim, &w->wall, &w->voxel)
-	       : w->mesh_word ? ts_mesh_wall_enqueue_contacts(sim, &w->wall, &w->mesh)
-			      : ts_primitive_wall_enqueue_contacts(sim, &w->wall, &w->primitive, (int)w->type));
+	TS_TRY(w->voxels ? ts_voxel_wall_enqueue_contacts(self, sim, &w->wall, &w->voxel)
+	       : w->mesh_word
+		       ? ts_mesh_wall_enqueue_contacts(sim, &w->wall, &w->mesh)
+		       : ts_primitive_wall_enqueue_contacts(sim, &w->wall, &w->primitive, (int)w->type));
 	TS_TRY(ts_surface_contacts_collect(sim, &w->wall));
 	return ts_impacts_update(sim, &w->wall);
 }

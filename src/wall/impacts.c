@@ -1,8 +1,8 @@
 #include "wall/impacts.h"
 
 #include <math.h>
-#include <stdlib.h>
 
+#include "base/sort.h"
 #include "math/vec3.h"
 #include "rigid/rigid.h"
 #include "wall/surface_contacts.h"
@@ -55,8 +55,7 @@ static enum ts_status add(struct tsim *sim, struct ts_impact_list *list,
 
 static void sort(struct ts_impact_list *list, int (*order)(const void *, const void *))
 {
-	if (list->n > 1)
-		qsort(list->item, list->n, sizeof *list->item, order);
+	ts_sort(list->item, list->n, sizeof *list->item, order);
 }
 
 /* Among the first n, which are sorted by surface and particle. */
@@ -250,8 +249,7 @@ static enum ts_status collect(struct tsim *sim, const struct ts_wall *w, struct 
 			impacts->touch[(*n)++] =
 				(struct ts_impact_touch){ place.surface, w->touching[at].tag, at };
 	}
-	if (*n > 1)
-		qsort(impacts->touch, *n, sizeof *impacts->touch, by_particle);
+	ts_sort(impacts->touch, *n, sizeof *impacts->touch, by_particle);
 	return TS_OK;
 }
 

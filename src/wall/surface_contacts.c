@@ -60,9 +60,9 @@ enum ts_status ts_surface_contacts_collect(struct tsim *sim, struct ts_wall *w)
 			continue;
 		w->surfaces->place(w, k, &place);
 		if (w->observers[place.surface])
-			w->touching[w->ntouching++] = (struct ts_wall_touching){
-				(int32_t)place.surface, (int32_t)place.element, c->key[k][0], k
-			};
+			w->touching[w->ntouching++] =
+				(struct ts_wall_touching){ (int32_t)place.surface, (int32_t)place.element,
+							   c->key[k][0], k };
 	}
 	ts_sort(w->touching, w->ntouching, sizeof *w->touching, by_element);
 	return TS_OK;

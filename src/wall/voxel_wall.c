@@ -262,6 +262,8 @@ enum ts_status ts_voxel_wall_list(struct ts_instance *self, struct tsim *sim, st
 	struct needs needs = { 0 };
 	enum ts_status status = find_needs(sim, &w->contacts, vw, full, &needs);
 
+	for (int d = 0; d < 3; d++)
+		vw->length[d] = ts_box_length(&sim->domain->box, d);
 	if (status == TS_OK) {
 		ts_wall_rebuild_start(w, sim, TS_VOXEL_MEMORY, &rebuild);
 		status = ts_wall_rebuild_finish(w, sim, &rebuild, list_particles(self, sim, w, vw, &needs));

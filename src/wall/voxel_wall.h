@@ -35,7 +35,7 @@ struct ts_voxel_neighbor {
 struct ts_voxel_wall {
 	const struct ts_instance *by; /* the fix of the surface */
 	const struct ts_voxel_surface *surface;
-	double length[3]; /* of the box at the last force computation */
+	double length[3];		    /* of the box when particles were listed */
 	struct ts_voxel_neighbor *neighbor; /* [nneighbors] */
 	size_t nneighbors, neighbor_capacity;
 	/* [contacts]: the contact points of a particle in this step, from the index of its first slot on, */

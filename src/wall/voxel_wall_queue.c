@@ -261,8 +261,6 @@ enum ts_status ts_voxel_wall_enqueue_contacts(struct ts_instance *self, struct t
 {
 	struct force_task task = { sim, w, vw, ts_wall_long_ranged(w, sim) };
 
-	for (int d = 0; d < 3; d++)
-		vw->length[d] = ts_box_length(&sim->domain->box, d);
 	find_all(&task);
 	if (is_full(vw)) {
 		TS_TRY(ts_voxel_wall_list(self, sim, w, vw, true));

@@ -56,11 +56,11 @@ struct ts_wall {
 	/* first contact of the last step whose particle has its centre in the surface, or TS_WALL_NONE */
 	size_t inside;
 	const struct ts_primitive_wall *primitive; /* its planes or cylinders, or NULL; set in init */
-	int type;   /* of the material of a primitive wall; set in init */
+	int type;				   /* of the material of a primitive wall; set in init */
 	int meshes; /* number of its meshes, 1 of a height field; 0: neither. Set in init */
 	const struct ts_mesh_wall *mesh;   /* its meshes, or NULL; set in init */
 	const struct ts_voxel_wall *voxel; /* its height field, or NULL; set in init */
-	const struct ts_instance *region;	   /* the region whose surface it is, or NULL; set in init */
+	const struct ts_instance *region;  /* the region whose surface it is, or NULL; set in init */
 	/* its surfaces, set in init; NULL: nobody can observe its contacts */
 	const struct ts_wall_surfaces *surfaces;
 	unsigned *observers,

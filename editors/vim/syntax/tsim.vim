@@ -129,13 +129,13 @@ syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
 syn keyword tsimKeyword  disableNormalWhenBonded located hooke/history hertz/history
 syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes voxels xplane
 syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear store_force
-syn keyword tsimKeyword  contacts store_force_contact store_force_contact_stress viscosity
-syn keyword tsimKeyword  ab2 rk2 rk3 backward substeps courant quick cubista gamma form fv
-syn keyword tsimKeyword  fd conservative quadratic body_force pressure_level generic
-syn keyword tsimKeyword  hertz/material dmt mass_velocity viscoelastic tsuji
-syn keyword tsimKeyword  coeff_restitution rolling twisting heat restitution unfinished
-syn keyword tsimKeyword  preconditioner diagonal direct multigrid relaxation side in out
-syn keyword tsimKeyword  open center bounds angle0
+syn keyword tsimKeyword  contacts store_force_contact store_force_contact_stress k hardness
+syn keyword tsimKeyword  flow_stress depth_ratio force_ratio viscosity ab2 rk2 rk3 backward
+syn keyword tsimKeyword  substeps courant quick cubista gamma form fv fd conservative
+syn keyword tsimKeyword  quadratic body_force pressure_level generic hertz/material dmt
+syn keyword tsimKeyword  mass_velocity viscoelastic tsuji coeff_restitution rolling
+syn keyword tsimKeyword  twisting heat restitution unfinished preconditioner diagonal
+syn keyword tsimKeyword  direct multigrid relaxation side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -186,7 +186,7 @@ syn keyword tsim_fix contained property/atom property/atom/regiontracer/time pro
 syn keyword tsim_fix contained property/atom/tracer/stream property/global recenter remove rigid
 syn keyword tsim_fix contained scale/diameter setforce spring spring/self store/force store/state
 syn keyword tsim_fix contained surface/voxel vector viscous viscous/sphere void_fraction
-syn keyword tsim_fix contained wall/gran wall/gran/region wall/reflect
+syn keyword tsim_fix contained wall/gran wall/gran/region wall/reflect wear/archard wear/finnie
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom
