@@ -1019,6 +1019,13 @@ library_sources = \
 	src/wall/wall_system.c \
 	src/wall/wall_system.h \
 	src/wear/fix_wear_archard.c \
+	src/wear/fix_wear_bitter.c \
 	src/wear/fix_wear_finnie.c \
+	src/wear/fix_wear_formula.c \
+	src/wear/fix_wear_neilson_gilchrist.c \
+	src/wear/fix_wear_oka.c \
+	src/wear/fix_wear_zhao_chang.c \
 	src/wear/wear.c \
-	src/wear/wear.h
+	src/wear/wear.h \
+	src/wear/wear_material.c \
+	src/wear/wear_material.h

@@ -166,7 +166,8 @@ shell_tests = \
 	tests/wall/region_walls.sh \
 	tests/wall/wall_contacts.sh \
 	tests/wall/walls.sh \
-	tests/wall/wear.sh
+	tests/wall/wear.sh \
+	tests/wear/erosion_laws.sh
 unit_tests = \
 	tests/accuracy/check_breakage \
 	tests/accuracy/check_heat \

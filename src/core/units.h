@@ -25,6 +25,21 @@ static inline double ts_units_dt(enum ts_units units)
 	return dt[units];
 }
 
+/* Units of the script in SI units. */
+struct ts_si_units {
+	double length, mass, time; /* 0: no equivalent (lj) */
+};
+
+static inline struct ts_si_units ts_si_units(enum ts_units units)
+{
+	static const struct ts_si_units si[] = { [TS_UNITS_LJ] = { 0, 0, 0 },
+						 [TS_UNITS_SI] = { 1, 1, 1 },
+						 [TS_UNITS_CGS] = { 1e-2, 1e-3, 1 },
+						 [TS_UNITS_MICRO] = { 1e-6, 1e-15, 1e-6 } };
+
+	return si[units];
+}
+
 static inline const char *ts_units_name(enum ts_units units)
 {
 	static const char *const names[] = {

@@ -272,7 +272,13 @@ TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 TS_STYLE(fix, ts_style, ts_fix_wall_gran_region)
 TS_STYLE(fix, ts_style, ts_fix_wall_reflect)
 TS_STYLE(fix, ts_style, ts_fix_wear_archard)
+TS_STYLE(fix, ts_style, ts_fix_wear_bitter)
 TS_STYLE(fix, ts_style, ts_fix_wear_finnie)
+TS_STYLE(fix, ts_style, ts_fix_wear_formula)
+TS_STYLE(fix, ts_style, ts_fix_wear_neilson_gilchrist)
+TS_STYLE(fix, ts_style, ts_fix_wear_oka)
+TS_STYLE(fix, ts_style, ts_fix_wear_zhao_chang)
+TS_STYLE(fix, ts_style, ts_fix_wear_zhao_chang_contact)
 TS_STYLE(flow, ts_flow_style, ts_flow_projection)
 TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran)
@@ -561,7 +567,13 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_wall_gran_region,
 	&ts_fix_wall_reflect,
 	&ts_fix_wear_archard,
+	&ts_fix_wear_bitter,
 	&ts_fix_wear_finnie,
+	&ts_fix_wear_formula,
+	&ts_fix_wear_neilson_gilchrist,
+	&ts_fix_wear_oka,
+	&ts_fix_wear_zhao_chang,
+	&ts_fix_wear_zhao_chang_contact,
 	&ts_flow_projection.style,
 	&ts_flow_uniform.style,
 	&ts_pair_gran.style,

@@ -198,6 +198,35 @@ START_TEST(oka_hardness)
 }
 END_TEST
 
+/* The numbers of doc/erosion.md. */
+START_TEST(oka_of_three_surfaces)
+{
+	static const struct {
+		double hv, angle, normal, exponent;
+	} of[] = { { 22.4, 17.6, 0.48, 2.17 }, { 112, 28.1, 0.63, 2.31 }, { 277.3, 39.6, 0.76, 2.39 } };
+
+	for (int k = 0; k < 3; k++) {
+		struct ts_erosion_oka law = oka_of(TS_OKA_SIO2, 9.80665e-3 * of[k].hv);
+		double peak = ts_erosion_oka_peak(&law);
+
+		ck_assert_double_eq_tol(asin(peak) * 180 / TS_PI, of[k].angle, 0.06);
+		ck_assert_double_eq_tol(1 / ts_erosion_oka_angle(&law, peak), of[k].normal, 5e-3);
+		ck_assert_double_eq_tol(law.k2, of[k].exponent, 5e-3);
+	}
+}
+END_TEST
+
+START_TEST(normal_impacts_on_steel)
+{
+	struct ts_erosion_oka oka = oka_of(TS_OKA_SIO2, 9.80665e-3 * 277.3);
+	struct ts_erosion_zhao_chang law = { 5.63e10, 9.80665e6 * 277.3, 0.02, 0, false, false };
+	struct ts_erosion_impact i = grain(105, 0);
+
+	ck_assert_double_eq_tol(1e9 * ts_erosion_oka_volume(&oka, &i) / i.mass, 36.2, 0.05);
+	ck_assert_double_eq_tol(1e9 * ts_erosion_zhao_chang_volume(&law, &i) / i.mass, 40.5, 0.05);
+}
+END_TEST
+
 START_TEST(archard_values)
 {
 	assert_near(ts_archard_volume(0.003, 1.7e9, 23, 0.4), 0.003 * 23 * 0.4 / 1.7e9, 1e-15);
@@ -385,6 +414,28 @@ START_TEST(plastic_impact)
 }
 END_TEST
 
+/* Where the groove is largest: n t at 45 degrees, n^(3/2) t at tan^2 = 3/2. */
+START_TEST(angle_of_the_largest_groove)
+{
+	struct ts_erosion_zhao_chang law = zhao;
+
+	law.hardness = 1e13;
+	for (int plastic = 0; plastic <= 1; plastic++) {
+		double angle = atan(plastic ? sqrt(1.5) : 1);
+		struct ts_erosion_impact at = grain_at(105, angle);
+
+		law.plastic = plastic;
+		for (int sign = -1; sign <= 1; sign += 2) {
+			struct ts_erosion_impact aside = grain_at(105, angle + sign * 1e-3);
+
+			ck_assert_double_lt(ts_zhao_groove_volume(&law, &aside),
+					    ts_zhao_groove_volume(&law, &at));
+		}
+	}
+	ck_assert_double_eq_tol(atan(sqrt(1.5)) * 180 / TS_PI, 50.8, 0.05);
+}
+END_TEST
+
 /* At the speed at which the elastic impact just reaches delta*, the closed form is continuous. */
 START_TEST(transition_of_the_groove)
 {
@@ -501,6 +552,8 @@ static Suite *erosion_suite(void)
 	tcase_add_test(tests, oka_angles);
 	tcase_add_test(tests, oka_volumes);
 	tcase_add_test(tests, oka_hardness);
+	tcase_add_test(tests, oka_of_three_surfaces);
+	tcase_add_test(tests, normal_impacts_on_steel);
 	tcase_add_test(tests, archard_values);
 	tcase_add_test(tests, sections_of_a_groove);
 	tcase_add_test(tests, indentation);
@@ -508,6 +561,7 @@ static Suite *erosion_suite(void)
 	tcase_add_test(tests, groove_of_resolved_contacts);
 	tcase_add_test(tests, quadrature_of_sections);
 	tcase_add_test(tests, plastic_impact);
+	tcase_add_test(tests, angle_of_the_largest_groove);
 	tcase_add_test(tests, transition_of_the_groove);
 	tcase_add_test(tests, nothing_is_removed_without_an_approach);
 	tcase_add_test(tests, grazing_and_normal_impacts_are_finite);
