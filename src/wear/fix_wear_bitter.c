@@ -48,8 +48,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (isnan(s->law.cutting_constant))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix wear/bitter: the cutting constant is missing: cutting_constant C, or "
-			       "yield Y from "
-			       "which it follows");
+			       "yield Y from which it follows");
 	if (isnan(s->law.threshold))
 		s->law.threshold = 0;
 	if (isnan(s->law.elastic_constant))
@@ -89,21 +88,18 @@ const struct ts_style ts_fix_wear_bitter = {
 	.kind = TS_KIND_FIX,
 	.summary = "erosion of a surface by deformation and cutting (Bitter)",
 	.doc = "An impact of a particle with the mass m, the normal speed n and the tangential speed t "
-	       "removes the volume, "
-	       "for n > K,\n\n"
+	       "removes the volume, for n > K,\n\n"
 	       "    m (n - K)^2/(2 epsilon) + 2 m X (t - X phi),         X = C (n - K)^2/sqrt(n), or\n"
 	       "    m (n - K)^2/(2 epsilon) + m (t^2 - K1 (n - K)^(3/2))/(2 phi)\n\n"
 	       "The first holds for t > 2 X phi + sqrt(K1 (n - K)^(3/2)): the particle leaves with velocity "
-	       "along the "
-	       "surface. At that t both are equal. epsilon and phi are fitted to measured volumes. K, C and "
-	       "K1 may "
-	       "be given, or follow from the elastic load limit y (`yield`), the density rho of the particle "
-	       "and the "
-	       "effective modulus E*:\n\n"
+	       "along the surface. At that t both are equal. epsilon and phi are fitted to measured "
+	       "volumes. K, C and K1 may be given, or follow from the elastic load limit y (`yield`), the "
+	       "density rho of the particle and the effective modulus E*:\n\n"
 	       "    K = pi^2/(2 sqrt(10)) y^(5/2)/(sqrt(rho) E*^2)\n"
 	       "    C = 0.288/y (rho/y)^(1/4)\n"
 	       "    K1 = 0.82 y^2 (y/rho)^(1/4)/E*^2\n\n"
-	       "K is the speed at which the largest pressure of an elastic impact reaches y." TS_WEAR_DOC,
+	       "K is the speed at which the largest pressure of an elastic impact reaches y." TS_WEAR_DOC
+	       "Related: fix wear/neilson/gilchrist, fix wear/oka, fix wear/finnie.",
 	.example = "fix target all wall/gran model hertz primitive type 2 zplane 0\n"
 		   "fix scar all wear/bitter surface target deformation 3.1e10 cutting 1.3e10 yield 4e8 "
 		   "modulus 5.3e10",

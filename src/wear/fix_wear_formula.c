@@ -82,8 +82,7 @@ static enum ts_status evaluate(const struct ts_instance *self, const struct ts_i
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
 		       "fix wear/formula: the volume is %g for an impact of particle %.0f at the speed %g "
-		       "and %g degrees, "
-		       "expected a finite number that is not negative",
+		       "and %g degrees, expected a finite number that is not negative",
 		       *out, e->tag, ts_impact_speed(e), ts_impact_angle(e) * 180 / TS_PI);
 }
 
@@ -151,8 +150,7 @@ static const struct ts_arg args[] = {
 		  .help = "that an impact removes: v_NAME of an equal-style variable, or a number"),
 	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
 			.help = "QUANTITY NAME: internal-style variable that is set to a quantity of the "
-				"impact before the "
-				"volume is evaluated; may be repeated"),
+				"impact before the volume is evaluated; may be repeated"),
 	TS_WEAR_HARDNESS_ARG(struct state, hardness),
 	TS_ARGS_END,
 };
@@ -163,8 +161,7 @@ const struct ts_style ts_fix_wear_formula = {
 	.kind = TS_KIND_FIX,
 	.summary = "wear of a surface by a formula of the impact",
 	.doc = "The variable of `volume` is evaluated once for each impact, after the internal-style "
-	       "variables of `set` have "
-	       "been set to its quantities:\n\n"
+	       "variables of `set` have been set to its quantities:\n\n"
 	       "    speed      V, velocity\n"
 	       "    angle      between velocity and surface, degrees; 90 is a normal impact\n"
 	       "    normal     V sin(angle), velocity\n"
@@ -176,7 +173,8 @@ const struct ts_style ts_fix_wear_formula = {
 	       "    overlap    largest overlap, length\n"
 	       "    duration   of the contact, time\n"
 	       "    slip       path of the contact point along the surface, length\n\n"
-	       "The run ends with an error if a volume is negative or not a number." TS_WEAR_DOC,
+	       "The run ends with an error if a volume is negative or not a number." TS_WEAR_DOC
+	       "Related: fix wear/oka, fix wear/bitter, fix wear/zhao/chang, fix wear/archard.",
 	.example =
 		"variable v internal 0\n"
 		"variable a internal 0\n"

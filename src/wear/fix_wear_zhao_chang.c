@@ -101,8 +101,7 @@ static void fini(struct ts_instance *self)
 		TS_REAL("yield", struct state, yield, .fallback = "0", .range = TS_NOT_NEGATIVE,         \
 			.unit = "pressure",                                                              \
 			.help = "largest pressure of the elastic contact at yield, 1.6 times the yield " \
-				"stress of a "                                                           \
-				"metal: slower impacts leave no crater"),                                \
+				"stress of a metal: slower impacts leave no crater"),                    \
 		TS_ENUM("section", struct state, section, sections, .fallback = "limit",                 \
 			.help = "of the groove: limit of shallow grooves, or circular segment")
 
@@ -120,22 +119,17 @@ static const struct ts_arg contact_args[] = {
 	TS_ARGS_END,
 };
 
-#define LAW_DOC                                                                                              \
-	"A particle of the diameter d that is pressed by the force F into a surface of the hardness H "      \
-	"indents it by "                                                                                     \
-	"delta, the larger of the elastic and the plastic indentation,\n\n"                                  \
-	"    (3 F/(4 E* sqrt(d/2)))^(2/3)  and  F/(pi d H)\n\n"                                              \
-	"and ploughs a groove of the section A = (4/3) sqrt(d) delta^(3/2) (`section limit`) or of the "     \
-	"circular "                                                                                          \
-	"segment of the depth delta. The volume removed is A times the path of sliding. An impact at the "   \
-	"normal "                                                                                            \
-	"speed n also removes the fraction c of the volume of the plastic crater, c m (n^2 - K^2)/(2 H); K " \
-	"is the "                                                                                            \
-	"speed at which the largest elastic pressure is `yield`, 0 by default. Without this term no "        \
-	"material is "                                                                                       \
-	"removed at 90 degrees. The default c = 0.02 gives at 90 degrees about the volume that fix "         \
-	"wear/oka gives "                                                                                    \
-	"for silica on steel; c is to be fitted to measured volumes.\n\n"
+#define LAW_DOC                                                                                            \
+	"A particle of the diameter d that is pressed by the force F into a surface of the hardness H "    \
+	"indents it by delta, the larger of the elastic and the plastic indentation,\n\n"                  \
+	"    (3 F/(4 E* sqrt(d/2)))^(2/3)  and  F/(pi d H)\n\n"                                            \
+	"and ploughs a groove of the section A = (4/3) sqrt(d) delta^(3/2) (`section limit`) or of the "   \
+	"circular segment of the depth delta. The volume removed is A times the path of sliding. An "      \
+	"impact at the normal speed n also removes the fraction c of the volume of the plastic crater, c " \
+	"m (n^2 - K^2)/(2 H); K is the speed at which the largest elastic pressure is `yield`, 0 by "      \
+	"default. Without this term no material is removed at 90 degrees. The default c = 0.02 gives at "  \
+	"90 degrees about the volume that fix wear/oka gives for silica on steel; c is to be fitted to "   \
+	"measured volumes.\n\n"
 
 TS_STYLE(fix, ts_style, ts_fix_wear_zhao_chang)
 const struct ts_style ts_fix_wear_zhao_chang = {
@@ -143,14 +137,13 @@ const struct ts_style ts_fix_wear_zhao_chang = {
 	.kind = TS_KIND_FIX,
 	.summary = "wear of a surface by the groove and the crater of each impact (Zhao, Chang)",
 	.doc = LAW_DOC "The section is integrated over the duration of each impact with the tangential speed "
-		       "t at its begin. `force "
-		       "hertz`: with the force of an elastic impact, the elastic groove being 2 sqrt(2) m n "
-		       "t/E*; the volumes are those "
-		       "of fix wear/zhao/chang/contact with model hertz without damping and friction. On a "
-		       "surface that is soft for this "
-		       "force (E* much above 4 H) they are too large. `force plastic`: with the force pi d H "
-		       "delta, until the "
-		       "particle stops; the groove grows as n^1.5 t." TS_WEAR_DOC,
+		       "t at its begin. `force hertz`: with the force of an elastic impact, the elastic "
+		       "groove being 2 sqrt(2) m n t/E*; the volumes are those of fix "
+		       "wear/zhao/chang/contact with model hertz without damping and friction. On metals at "
+		       "100 m/s they are about twice those of `force plastic`, as the surface does not bear "
+		       "the elastic force. `force plastic`: with the force pi d H delta, until the particle "
+		       "stops; the groove grows as n^1.5 t." TS_WEAR_DOC
+		       "Related: fix wear/oka, fix wear/archard, fix wear/finnie.",
 	.example = "fix target all wall/gran model hertz primitive type 2 zplane 0\n"
 		   "fix scar all wear/zhao/chang surface target hardness 1.1e9 modulus 5.3e10 crater 0.05",
 	.cite = "Y. Zhao, L. Chang, Wear 252 (2002) 220; K. L. Johnson, Contact Mechanics, 1985, 11.4",
@@ -171,9 +164,9 @@ const struct ts_style ts_fix_wear_zhao_chang_contact = {
 	.kind = TS_KIND_FIX,
 	.summary = "wear of a surface by the groove of each contact, step by step (Zhao, Chang)",
 	.doc = LAW_DOC "The groove is summed in each step over the contacts, with their normal force and the "
-		       "path of the contact point "
-		       "in the step: also for particles that slide or roll on the surface. The crater "
-		       "belongs to the impact." TS_WEAR_DOC,
+		       "path of the contact point in the step: also for particles that slide or roll on the "
+		       "surface. The crater belongs to the impact." TS_WEAR_DOC
+		       "Related: fix wear/oka, fix wear/archard, fix wear/finnie.",
 	.example =
 		"fix pad all wall/gran model hertz primitive type 2 zplane 0\n"
 		"fix polish all wear/zhao/chang/contact surface pad hardness 1.1e9 modulus 5.3e10 crater 0",

@@ -6,16 +6,14 @@
 #include "law/erosion.h"
 #include "wear/wear.h"
 
-#define TS_WEAR_HARDNESS_ARG(T, f)                                                                      \
-	TS_REAL("hardness", T, f, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "pressure",       \
-		.help = "of the surface: Vickers hardness times 9.80665 N/mm^2; default: the property " \
-			"hardness of its "                                                              \
-			"material")
+#define TS_WEAR_HARDNESS_ARG(T, f)                                                                         \
+	TS_REAL("hardness", T, f, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "pressure",          \
+		.help = "of the surface, 9.80665 MPa for each unit of HV; default: the property hardness " \
+			"of its material")
 #define TS_WEAR_MODULUS_ARG(T, f)                                                                    \
 	TS_REAL("modulus", T, f, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "pressure",     \
 		.help = "effective modulus E*; default: 1/((1 - nu1^2)/Y1 + (1 - nu2^2)/Y2) by the " \
-			"properties "                                                                \
-			"youngsModulus Y and poissonsRatio nu of particle and surface")
+			"properties youngsModulus Y and poissonsRatio nu of particle and surface")
 #define TS_WEAR_FACTOR_ARG(T, f)                                                                            \
 	TS_REAL("factor", T, f, .fallback = "1", .range = TS_NOT_NEGATIVE, .unit = "",                      \
 		.help = "multiplies the volume: for another shape of the particles than that of the law's " \

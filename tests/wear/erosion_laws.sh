@@ -24,7 +24,7 @@ velocity all set $(v_t*v_velocity) 0 $(-v_n*v_velocity) units box
 fix move all nve/sphere
 timestep $(2e-9*v_time)
 include in.wear
-run 1200
+run 2000
 print "back $(vz[1]/v_velocity:%.9g)"
 print "volume $(f_scar/v_length^3:%.12g)"
 END
