@@ -130,12 +130,15 @@ syn keyword tsimKeyword  disableNormalWhenBonded located hooke/history hertz/his
 syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes voxels xplane
 syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear store_force
 syn keyword tsimKeyword  contacts store_force_contact store_force_contact_stress k hardness
-syn keyword tsimKeyword  flow_stress depth_ratio force_ratio viscosity ab2 rk2 rk3 backward
-syn keyword tsimKeyword  substeps courant quick cubista gamma form fv fd conservative
-syn keyword tsimKeyword  quadratic body_force pressure_level generic hertz/material dmt
-syn keyword tsimKeyword  mass_velocity viscoelastic tsuji coeff_restitution rolling
-syn keyword tsimKeyword  twisting heat restitution unfinished preconditioner diagonal
-syn keyword tsimKeyword  direct multigrid relaxation side in out open center bounds angle0
+syn keyword tsimKeyword  deformation cutting yield modulus threshold cutting_constant
+syn keyword tsimKeyword  elastic_constant factor flow_stress depth_ratio force_ratio
+syn keyword tsimKeyword  transition particles sio2 sic glass relaxation crater section
+syn keyword tsimKeyword  segment plastic viscosity ab2 rk2 rk3 backward substeps courant
+syn keyword tsimKeyword  quick cubista gamma form fv fd conservative quadratic body_force
+syn keyword tsimKeyword  pressure_level generic hertz/material dmt mass_velocity
+syn keyword tsimKeyword  viscoelastic tsuji coeff_restitution rolling twisting heat
+syn keyword tsimKeyword  restitution unfinished preconditioner diagonal direct multigrid
+syn keyword tsimKeyword  side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -186,7 +189,9 @@ syn keyword tsim_fix contained property/atom property/atom/regiontracer/time pro
 syn keyword tsim_fix contained property/atom/tracer/stream property/global recenter remove rigid
 syn keyword tsim_fix contained scale/diameter setforce spring spring/self store/force store/state
 syn keyword tsim_fix contained surface/voxel vector viscous viscous/sphere void_fraction
-syn keyword tsim_fix contained wall/gran wall/gran/region wall/reflect wear/archard wear/finnie
+syn keyword tsim_fix contained wall/gran wall/gran/region wall/reflect wear/archard wear/bitter
+syn keyword tsim_fix contained wear/finnie wear/formula wear/neilson/gilchrist wear/oka
+syn keyword tsim_fix contained wear/zhao/chang wear/zhao/chang/contact
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom
