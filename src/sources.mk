@@ -286,6 +286,7 @@ library_sources = \
 	src/coupling/fix_buoyancy.c \
 	src/coupling/fix_couple_cfd.c \
 	src/coupling/fix_drag_beetstra.c \
+	src/coupling/fix_drag_carlson_hoglund.c \
 	src/coupling/fix_drag_di_felice.c \
 	src/coupling/fix_drag_ergun.c \
 	src/coupling/fix_drag_gidaspow.c \
@@ -393,6 +394,7 @@ library_sources = \
 	src/flow/flow_resolution.h \
 	src/flow/flow_sampling.c \
 	src/flow/flow_sampling.h \
+	src/flow/flow_stagnation.c \
 	src/flow/flow_uniform.c \
 	src/flow/fluid.c \
 	src/flow/fluid.h \
@@ -400,6 +402,8 @@ library_sources = \
 	src/flow/fluid_interpolation.c \
 	src/flow/implicit_viscosity.c \
 	src/flow/implicit_viscosity.h \
+	src/flow/imposed_flow.c \
+	src/flow/imposed_flow.h \
 	src/flow/operators.c \
 	src/flow/operators.h \
 	src/flow/particle_sources.c \
@@ -411,6 +415,8 @@ library_sources = \
 	src/flow/projection.h \
 	src/flow/projection_setup.c \
 	src/flow/projection_step.c \
+	src/flow/stagnation_profile.c \
+	src/flow/stagnation_profile.h \
 	src/flow/step_diagnostics.c \
 	src/flow/step_diagnostics.h \
 	src/flow/time_schemes.c \

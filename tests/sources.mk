@@ -188,11 +188,13 @@ unit_tests = \
 	tests/coupling/check_coupling \
 	tests/coupling/check_drag \
 	tests/coupling/check_drag_order \
+	tests/coupling/check_jet \
 	tests/energy/check_energy \
 	tests/explain/check_price \
 	tests/flow/check_flow \
 	tests/flow/check_flow_measures \
 	tests/flow/check_scalar \
+	tests/flow/check_stagnation \
 	tests/formula/check_formulas \
 	tests/formula/check_variables \
 	tests/geom/check_geom \
@@ -314,6 +316,10 @@ tests_coupling_check_drag_order_SOURCES = tests/coupling/check_drag_order.c
 tests_coupling_check_drag_order_CFLAGS = $(tests_cflags)
 tests_coupling_check_drag_order_LDADD = $(tests_ldadd)
 
+tests_coupling_check_jet_SOURCES = tests/coupling/check_jet.c
+tests_coupling_check_jet_CFLAGS = $(tests_cflags)
+tests_coupling_check_jet_LDADD = $(tests_ldadd)
+
 tests_energy_check_energy_SOURCES = tests/energy/check_energy.c
 tests_energy_check_energy_CFLAGS = $(tests_cflags)
 tests_energy_check_energy_LDADD = $(tests_ldadd)
@@ -333,6 +339,10 @@ tests_flow_check_flow_measures_LDADD = $(tests_ldadd)
 tests_flow_check_scalar_SOURCES = tests/flow/check_scalar.c
 tests_flow_check_scalar_CFLAGS = $(tests_cflags)
 tests_flow_check_scalar_LDADD = $(tests_ldadd)
+
+tests_flow_check_stagnation_SOURCES = tests/flow/check_stagnation.c
+tests_flow_check_stagnation_CFLAGS = $(tests_cflags)
+tests_flow_check_stagnation_LDADD = $(tests_ldadd)
 
 tests_formula_check_formulas_SOURCES = tests/formula/check_formulas.c
 tests_formula_check_formulas_CFLAGS = $(tests_cflags)

@@ -55,6 +55,7 @@ struct ts_drag {
 	bool two_way, lagged;
 	double fraction; /* void fraction given; NaN: that of the fluid */
 	double c1, c2;	 /* coefficients of Ergun's equation */
+	double sound;	 /* speed of sound of a gas */
 
 	struct ts_instance *flow;
 	struct ts_fluid *fluid; /* NULL: the flow is imposed, not solved for */

@@ -52,6 +52,21 @@ static inline double ts_drag_schiller_naumann(const struct ts_slip *s)
 	return ts_drag_stokes(s) * ts_drag_sphere_factor(ts_slip_reynolds(&alone));
 }
 
+/* Drag of Schiller and Naumann below Re = 1000, in a gas at the Mach number M = |w|/sound:
+ *   F = 3 pi mu d w (1 + 0.15 Re^0.687) (1 + exp(-0.427/M^4.63 - 3/Re^0.88))
+ *       /(1 + M/Re (3.82 + 1.28 exp(-1.25 Re/M)))
+ * The last factor of the numerator is for compressibility, the denominator for rarefaction: for small spheres
+ * it is a slip correction (D. J. Carlson, R. F. Hoglund, AIAA J. 2 (1964) 1980). M/Re does not depend on w. */
+static inline double ts_drag_carlson_hoglund(const struct ts_slip *s, double sound)
+{
+	double re = s->density * s->speed * s->diameter / s->viscosity, mach = s->speed / sound;
+	double rare = s->viscosity / (s->density * s->diameter * sound);
+	double fast = re > 0 ? exp(-0.427 / pow(mach, 4.63) - 3 / pow(re, 0.88)) : 0;
+
+	return ts_drag_stokes(s) * ts_drag_sphere_factor(re) * (1 + fast) /
+	       (1 + rare * (3.82 + 1.28 * exp(-1.25 / rare)));
+}
+
 /* beta = C1 (1-e)^2 mu/(e d^2) + C2 (1-e) rho |w|/d (S. Ergun, Chem. Eng. Prog. 48 (1952) 89; C1 = 150,
  * C2 = 1.75. C1 = 180, C2 = 0: Carman-Kozeny). The pressure gradient is that of Ergun's equation,
  * C1 mu (1-e)^2 U/(e^3 d^2) + C2 (1-e) rho U^2/(e^3 d), U = e w. */

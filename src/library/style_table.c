@@ -197,6 +197,7 @@ TS_STYLE(fix, ts_style, ts_fix_couple_cfd_force_implicit)
 TS_STYLE(fix, ts_style, ts_fix_deform)
 TS_STYLE(fix, ts_style, ts_fix_drag)
 TS_STYLE(fix, ts_drag_style, ts_fix_drag_beetstra)
+TS_STYLE(fix, ts_drag_style, ts_fix_drag_carlson_hoglund)
 TS_STYLE(fix, ts_drag_style, ts_fix_drag_di_felice)
 TS_STYLE(fix, ts_drag_style, ts_fix_drag_ergun)
 TS_STYLE(fix, ts_drag_style, ts_fix_drag_gidaspow)
@@ -280,6 +281,7 @@ TS_STYLE(fix, ts_style, ts_fix_wear_oka)
 TS_STYLE(fix, ts_style, ts_fix_wear_zhao_chang)
 TS_STYLE(fix, ts_style, ts_fix_wear_zhao_chang_contact)
 TS_STYLE(flow, ts_flow_style, ts_flow_projection)
+TS_STYLE(flow, ts_flow_style, ts_flow_stagnation)
 TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran_hertz_history)
@@ -492,6 +494,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_deform,
 	&ts_fix_drag,
 	&ts_fix_drag_beetstra.style,
+	&ts_fix_drag_carlson_hoglund.style,
 	&ts_fix_drag_di_felice.style,
 	&ts_fix_drag_ergun.style,
 	&ts_fix_drag_gidaspow.style,
@@ -575,6 +578,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_wear_zhao_chang,
 	&ts_fix_wear_zhao_chang_contact,
 	&ts_flow_projection.style,
+	&ts_flow_stagnation.style,
 	&ts_flow_uniform.style,
 	&ts_pair_gran.style,
 	&ts_pair_gran_hertz_history.style,
