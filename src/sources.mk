@@ -402,8 +402,6 @@ library_sources = \
 	src/flow/fluid_interpolation.c \
 	src/flow/implicit_viscosity.c \
 	src/flow/implicit_viscosity.h \
-	src/flow/imposed_flow.c \
-	src/flow/imposed_flow.h \
 	src/flow/operators.c \
 	src/flow/operators.h \
 	src/flow/particle_sources.c \

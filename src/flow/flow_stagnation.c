@@ -1,10 +1,8 @@
 #include "flow/flow.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "core/report.h"
-#include "flow/imposed_flow.h"
 #include "flow/stagnation_profile.h"
 #include "math/vec3.h"
 
@@ -118,12 +116,14 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 {
 	const struct stagnation *s = self->state;
 
+	(void)sim;
 	if (s->length > 0)
 		ts_report_line(report, "fluid", "stagnation flow, %g per time, boundary layer of %.3g", s->a,
 			       2 * s->length);
 	else
 		ts_report_line(report, "fluid", "stagnation flow, %g per time, potential flow", s->a);
-	ts_imposed_flow_report(report, sim);
+	ts_report_left_out(report, "fluid solver", 0, 0,
+			   "the velocity is imposed, particles do not act on it");
 	return TS_OK;
 }
 

@@ -442,7 +442,7 @@ const struct ts_style ts_fix_insert_jet = {
 	       "path; if that is long compared with the scene, no pair_style is needed.",
 	.example =
 		"fix dust all particletemplate/sphere 15485863 atom_type 1 density constant 2900 radius "
-		"lognormal 11.6e-6 0.375 volume_limit 1e-18\n"
+		"lognormal 11.024e-6 0.5 volume_limit 1e-18\n"
 		"fix mix all particledistribution/discrete 32452843 1 dust 1.0\n"
 		"fix jet all insert/jet seed 32452867 distributiontemplate mix position 0 0 0.01 direction 0 "
 		"0 -1 diameter 1.5e-3 speed gaussian 105 5 cone gaussian 2 massrate 3.33e-5 time 1e-3 "
