@@ -140,7 +140,7 @@ static const struct ts_arg args[] = {
 
 static const struct ts_arg coeff[] = { TS_ARGS_END };
 
-static const char gran_doc[] =
+static const char normal_laws[] =
 	"With delta the overlap, n the unit normal towards i, R* = R_i R_j/(R_i+R_j), m* = m_i "
 	"m_j/(m_i+m_j), v_n the normal velocity (negative while approaching) and v_t the tangential "
 	"velocity at the contact point, the force on i is F_n n + F_t with F_n = k_n delta - gamma_n v_n. "
@@ -155,7 +155,9 @@ static const char gran_doc[] =
 	"pi W Y* a^3) with the contact radius a from delta = a^2/R* - sqrt(2 pi W a/Y*), W the work of "
 	"adhesion; once surfaces have touched they attract beyond the touch and separate at the pull-off "
 	"force 3/2 pi W R* (K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) "
-	"301). k_t = 8 G* a; damping as hertz, sqrt(R* delta) replaced by a.\n\n"
+	"301). k_t = 8 G* a; damping as hertz, sqrt(R* delta) replaced by a.";
+
+static const char other_laws[] =
 	"Tangential laws. `tangential history`: F_t = -k_t xi - gamma_t v_t, xi the tangential "
 	"displacement since the first touch; where the spring force k_t |xi| exceeds mu |F_n|, xi is "
 	"shortened to mu |F_n|/k_t, and there is no damping. `no_history`: F_t = -min(gamma_t, mu "
@@ -169,7 +171,9 @@ static const char gran_doc[] =
 	"`epsd3`: a rolling spring and dashpot, limited to mu_r |F_n| R*. `cohesion sjkr`: an attraction k "
 	"A, A the area in which the spheres intersect; `sjkr2`: A = 4 pi delta R*. `easo/...`, "
 	"`washino/...`: liquid bridges (doc/bridges.md). `surface multicontact`: fix "
-	"multicontact/halfspace.\n\n"
+	"multicontact/halfspace.";
+
+static const char usage[] =
 	"The constants are defined by fix property/global. Per type: youngsModulus, poissonsRatio. Per "
 	"pair of types: coefficientRestitution, coefficientFriction, coefficientRollingFriction, "
 	"coefficientRollingViscousDamping (epsd, epsd3), cohesionEnergyDensity, workOfAdhesion (jkr; "
@@ -190,12 +194,15 @@ static const char gran_doc[] =
 	"round-off if the neighbour list is rebuilt between two contacts of a pair: LIGGGHTS keeps the "
 	"history of an ended contact until then, here it ends with the contact, unless `legacy yes` is set.";
 
+static const char *const doc_more[] = { other_laws, usage, NULL };
+
 TS_STYLE(pair, ts_pair_style, ts_pair_gran)
 const struct ts_pair_style ts_pair_gran = {
 	.style = { .name = "gran",
 		   .kind = TS_KIND_PAIR,
 		   .summary = "contact laws of granular materials",
-		   .doc = gran_doc,
+		   .doc = normal_laws,
+		   .doc_more = doc_more,
 		   .cite = "P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47; Y. Tsuji, T. "
 			   "Tanaka, T. Ishida, Powder Technol. 71 (1992) 239; J. Ai, J.-F. Chen, J. M. "
 			   "Rotter, J. Y. Ooi, Powder Technol. 206 (2011) 269. Bridges of liquid: F. "

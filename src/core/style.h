@@ -97,6 +97,8 @@ struct ts_style {
 	enum ts_kind kind;
 	const char *summary; /* one line, no full stop */
 	const char *doc;     /* paragraphs for the manual page: what it does, equations */
+	/* further paragraphs, NULL-terminated: a string literal has at most 4095 characters (C11 5.2.4.1) */
+	const char *const *doc_more;
 	const char *example; /* script lines */
 	const char *cite;    /* source of the method, or NULL */
 	/* Name of the struct that its state begins with ("wall", "mesh" ...): by it other styles find the

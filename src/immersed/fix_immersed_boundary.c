@@ -669,6 +669,27 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct state, slip),	 TS_SAVED_ROWS_END,
 };
 
+static const char forces_and_limits[] =
+	"The force on the body is the opposite of the force that the forcing exerts on the fluid, "
+	"plus the rate of change of the momentum of the fluid inside,\n\n"
+	"    F = -sum rho (u_forced - u) V/dt + d/dt int rho u dV,\n\n"
+	"and 0 before the first step. With `viscous implicit` velocities next to the body have an "
+	"error of first order in the step: keep the step near h^2/nu. Bodies of fewer than "
+	"`min_cells` cells across, along the axis where they are fewest, are refused: with 4 the "
+	"error of the drag is 5 to 13 %, with 8 it is 1 to 4 %. The thickness of a clump is that of "
+	"its largest sphere. A body that is nowhere thicker than two cells leaks, and a warning is "
+	"printed.\n\n"
+	"The pressure cannot drive fluid through a body. At the beginning of a run, and when bodies "
+	"move, all cells are marked that are connected with an outlet (or an inlet with given "
+	"pressure) through faces of cells whose centre is in the fluid. A body is refused, and the "
+	"position reported, if it closes off a part of the fluid into which more flows through faces "
+	"of the grid than out of it, or, for a region or mesh, if its motion displaces fluid in a "
+	"closed part that is at least three cells wide. Closed parts without inflow are allowed. A "
+	"body may touch walls and outlets; it may touch an inlet with given velocity only if that is "
+	"the velocity of the body.";
+
+static const char *const doc_more[] = { forces_and_limits, NULL };
+
 TS_STYLE(fix, ts_style, ts_fix_immersed_boundary)
 const struct ts_style ts_fix_immersed_boundary = {
 	.name = "immersed/boundary",
@@ -704,24 +725,8 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "are as light as the fluid or lighter, with an error of first order in the step. It is "
 	       "applied when all other forces are known, regardless of the order in the script. Bodies "
 	       "whose added mass is more than 4.5 times the mass of the displaced fluid (light ones in "
-	       "narrow channels) need a larger value, or `relax`.\n\n"
-	       "The force on the body is the opposite of the force that the forcing exerts on the fluid, "
-	       "plus the rate of change of the momentum of the fluid inside,\n\n"
-	       "    F = -sum rho (u_forced - u) V/dt + d/dt int rho u dV,\n\n"
-	       "and 0 before the first step. With `viscous implicit` velocities next to the body have an "
-	       "error of first order in the step: keep the step near h^2/nu. Bodies of fewer than "
-	       "`min_cells` cells across, along the axis where they are fewest, are refused: with 4 the "
-	       "error of the drag is 5 to 13 %, with 8 it is 1 to 4 %. The thickness of a clump is that of "
-	       "its largest sphere. A body that is nowhere thicker than two cells leaks, and a warning is "
-	       "printed.\n\n"
-	       "The pressure cannot drive fluid through a body. At the beginning of a run, and when bodies "
-	       "move, all cells are marked that are connected with an outlet (or an inlet with given "
-	       "pressure) through faces of cells whose centre is in the fluid. A body is refused, and the "
-	       "position reported, if it closes off a part of the fluid into which more flows through faces "
-	       "of the grid than out of it, or, for a region or mesh, if its motion displaces fluid in a "
-	       "closed part that is at least three cells wide. Closed parts without inflow are allowed. A "
-	       "body may touch walls and outlets; it may touch an inlet with given velocity only if that is "
-	       "the velocity of the body.",
+	       "narrow channels) need a larger value, or `relax`.",
+	.doc_more = doc_more,
 	.example = "region rod cylinder z 0 0 0.5 INF INF units box\n"
 		   "fix rod all immersed/boundary region rod\n"
 		   "fix spin all immersed/boundary region rod omega 0 0 2.385\n"

@@ -343,6 +343,10 @@ void ts_help_page(const struct ts_style *style, bool markdown, struct ts_str *ou
 	if (style->doc) {
 		add_heading("Description", markdown, out);
 		add_paragraphs(style->doc, markdown, out);
+		for (const char *const *more = style->doc_more; more && *more; more++) {
+			ts_str_add(out, "\n");
+			add_paragraphs(*more, markdown, out);
+		}
 		add_other_names(style, markdown, out);
 	}
 	if (style->example) {

@@ -35,6 +35,10 @@ START_TEST(described)
 	EXPECT(!ts_ends_with(s->summary, "."), "the summary ends with a full stop");
 	EXPECT(!strchr(s->summary, '\n'), "the summary is longer than a line");
 	EXPECT(filled(s->doc), "no doc");
+	for (const char *const *more = s->doc_more; more && *more; more++)
+		EXPECT(filled(*more) && !ts_ends_with(*more, "\n"),
+		       "a part of doc is empty or ends in a newline");
+	EXPECT(!s->doc_more || !ts_ends_with(s->doc, "\n"), "doc ends in a newline before doc_more");
 	EXPECT(filled(s->example), "no example");
 	EXPECT(!s->args || s->state_size > 0, "arguments, but no state to put them in");
 	EXPECT(s->kind != TS_KIND_COMMAND || ((const struct ts_command_style *)s)->run ||
