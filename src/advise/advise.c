@@ -37,10 +37,10 @@ struct options {
 
 static const struct ts_arg rows[] = {
 	TS_REAL("seconds", struct options, seconds, .flags = TS_POSITIONAL, .fallback = "60",
-		.range = TS_POSITIVE, .unit = "s", .help = "approximate wall time of everything"),
+		.range = TS_POSITIVE, .unit = "s", .help = "approximate total wall time"),
 	TS_INT("at", struct options, at, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE, .unit = "step",
-	       .help = "step at which the trials start; default: the step that the script reaches in a third "
-		       "of the time, or, if it ends before, the beginning of the run with the most work"),
+	       .help = "step at which the trials start; default: the step reached after 30 % of the time, "
+		       "or, if the script ends earlier, the start of the run with the most work"),
 	TS_INT("steps", struct options, steps, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "step",
 	       .help = "length of a trial in steps of the script; default: as long as the time allows"),
 	TS_REAL("tolerance", struct options, tolerance, .fallback = "0.01", .range = TS_POSITIVE, .unit = "",
@@ -79,7 +79,7 @@ static enum ts_status stop_at_start(struct approach *w, struct tsim *sim)
 	b->time = ts_sim_time(sim);
 	b->dt = sim->clock.dt;
 	b->threads = sim->threads;
-	return ts_fail(&sim->error, TS_STOPPED, NULL, "here the trials start");
+	return ts_fail(&sim->error, TS_STOPPED, NULL, "start of the trials");
 }
 
 static enum ts_status before_run(struct ts_run_watch *watch, struct tsim *sim, const struct ts_place *where,
@@ -176,7 +176,7 @@ static void repeat_undecided(struct advise *a, struct ts_log *screen)
 	struct ts_trial_results *b = a->results;
 	bool open = true;
 
-	ts_log_progress(screen, "repeating trials that are not decided");
+	ts_log_progress(screen, "repeating undecided trials");
 	for (int round = 0; open && round < MOST_ROUNDS; round++) {
 		open = false;
 		for (int k = 0; k < b->n; k++) {
@@ -254,8 +254,8 @@ static void run_child(struct advise *a, const char *place, int64_t wanted)
 	ts_log_progress(&screen, "running the script up to the start of the trials");
 	export_potentials();
 	status = chdir(place) == 0 ? ts_script_file(sim->script_api_data, a->in->script)
-				   : ts_fail(&sim->error, TS_IO, NULL, "cannot work in '%s': %s", place,
-					     strerror(errno));
+				   : ts_fail(&sim->error, TS_IO, NULL, "cannot change to folder '%s': %s",
+					     place, strerror(errno));
 	if (a->results->started) {
 		ts_error_clear(&sim->error);
 		sim->run.watch = NULL;
@@ -296,7 +296,7 @@ static enum ts_status run_in_child(struct advise *a, struct ts_inputs *inputs, c
 	}
 	ts_str_release(&place);
 	if (status == TS_OK && WIFSIGNALED(ended))
-		status = ts_fail(&a->sim->error, TS_STOPPED, NULL, "the trials were ended by signal %d",
+		status = ts_fail(&a->sim->error, TS_STOPPED, NULL, "the trials were terminated by signal %d",
 				 WTERMSIG(ended));
 	return status;
 }
@@ -310,17 +310,16 @@ static enum ts_status find_start_and_try(struct advise *a, struct ts_inputs *inp
 	if (b->started || *b->failure)
 		return TS_OK;
 	if (!(b->work > 0))
-		return ts_fail(&a->sim->error, TS_STATE, NULL,
-			       "-advise: the script runs no steps to try settings with");
+		return ts_fail(&a->sim->error, TS_STATE, NULL, "-advise: the script runs no time steps");
 	if (a->o.at >= 0)
 		return ts_fail(&a->sim->error, TS_RANGE, NULL,
-			       "-advise: the script has no run that goes on from step %" PRId64, a->o.at);
+			       "-advise: the script has no run that continues after step %" PRId64, a->o.at);
 	b->runs = 0;
 	TS_TRY(run_in_child(a, inputs, root, b->costliest));
 	if (b->started || *b->failure)
 		return TS_OK;
 	return ts_fail(&a->sim->error, TS_STATE, NULL,
-		       "-advise: the script does not do the same when it is run again");
+		       "-advise: the second execution of the script differs from the first");
 }
 
 static enum ts_status advise_in_scratch_folder(struct advise *a)

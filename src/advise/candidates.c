@@ -213,10 +213,10 @@ void ts_candidates_list(struct tsim *sim, struct ts_trial_results *b)
 {
 	struct ts_trial *t = add_trial(b, TS_SUBJECT_PRESENT);
 
-	snprintf(t->label, sizeof t->label, "as it is: %.4g, %d thread%s", b->dt, b->threads,
+	snprintf(t->label, sizeof t->label, "present: %.4g, %d thread%s", b->dt, b->threads,
 		 b->threads == 1 ? "" : "s");
 	if (b->particles && (t = add_trial(b, TS_SUBJECT_PERTURBED)))
-		snprintf(t->label, sizeof t->label, "the same, moved by round-off");
+		snprintf(t->label, sizeof t->label, "present, perturbed by 1e-10 R");
 	list_steps(b);
 	list_skins(b);
 	list_threads(b);
@@ -252,8 +252,8 @@ static enum ts_status define_missing_property(struct tsim *sim, const char *prop
 	if (!property || ts_sim_has_property(sim, property))
 		return TS_OK;
 	if (!(speed > 0))
-		return ts_fail(&sim->error, TS_STATE, NULL, "needs %s, and nothing moves to estimate it from",
-			       property);
+		return ts_fail(&sim->error, TS_STATE, NULL,
+			       "requires %s, which cannot be estimated: no particle moves", property);
 	return run_line(sim, "fix advise_%s all property/global %s scalar %.3g", property, property, speed);
 }
 

@@ -306,7 +306,7 @@ static enum ts_status integrate_trial(struct copy *c)
 	for (int k = 1; k <= samples; k++) {
 		TS_TRY(run_steps(c, n, &t->seconds));
 		if (c->sim->run.halted) {
-			snprintf(t->failure, sizeof t->failure, "given up after %.3g s", c->seconds);
+			snprintf(t->failure, sizeof t->failure, "stopped after %.3g s", c->seconds);
 			return TS_OK;
 		}
 		sample_columns(c->sim, t->column[k]);
@@ -369,7 +369,7 @@ static void fork_copy(struct copy *c, char *trouble, size_t room)
 	while (waitpid(child, &status, 0) < 0 && errno == EINTR)
 		continue;
 	if (WIFSIGNALED(status))
-		snprintf(trouble, room, "ended by signal %d", WTERMSIG(status));
+		snprintf(trouble, room, "terminated by signal %d", WTERMSIG(status));
 }
 
 void ts_trial_probe(struct tsim *sim, struct ts_trial_results *results, double seconds)

@@ -259,7 +259,7 @@ static void advise_others(struct ts_trial_results *b, double tolerance)
 
 bool ts_verdict_combine(struct ts_trial_results *b, double tolerance)
 {
-	struct ts_trial all = { .subject = TS_SUBJECT_TOGETHER, .label = "all that is advised" };
+	struct ts_trial all = { .subject = TS_SUBJECT_TOGETHER, .label = "all advised settings" };
 	int n = 0;
 
 	compute_changes(b);
@@ -308,7 +308,7 @@ static void add_percent(struct ts_str *out, double part, bool noise)
 	char text[32];
 
 	if (isinf(part))
-		snprintf(text, sizeof text, "lost");
+		snprintf(text, sizeof text, "nan");
 	else if (part < 1e-8)
 		snprintf(text, sizeof text, part > 0 ? "<1e-6 %%" : "0");
 	else
@@ -323,7 +323,7 @@ static void add_row(const struct ts_trial_results *b, const struct ts_trial *t, 
 
 	ts_str_addf(out, "%s%s %-*s", t->pareto ? "*" : " ", t->advised ? ">" : " ", LABEL_WIDTH, t->label);
 	if (!t->done) {
-		ts_str_addf(out, " %.76s%s\n", *t->failure ? t->failure : "not tried, the time was used up",
+		ts_str_addf(out, " %.76s%s\n", *t->failure ? t->failure : "not tried, time limit reached",
 			    strlen(t->failure) > 76 ? " ..." : "");
 		return;
 	}
@@ -331,7 +331,7 @@ static void add_row(const struct ts_trial_results *b, const struct ts_trial *t, 
 	if (present && present->seconds > 0)
 		ts_str_addf(out, " %6.2f", t->seconds / present->seconds);
 	if (t == reference)
-		ts_str_addf(out, " %9s", "finest");
+		ts_str_addf(out, " %9s", "reference");
 	for (int k = 0; k < n && t != reference; k++) {
 		double noise = noise_of(b, shown[k], scale_of(reference, shown[k]));
 
@@ -350,29 +350,24 @@ static void add_table(const struct ts_trial_results *b, struct ts_str *out)
 	ts_str_add(out, "\n");
 	for (int k = 0; k < b->n; k++)
 		add_row(b, &b->trial[k], shown, n, out);
-	ts_str_add(out,
-		   "s/time: computing time in seconds per unit of simulated time; cost: the same relative to "
-		   "the "
-		   "present settings.\n"
-		   "Then the largest change of each column of the thermo output against the trial with the "
-		   "smallest time step\n"
-		   "(finest), relative to the range of the column in a trial. ~: not larger than the growth "
-		   "of "
-		   "round-off.\n"
-		   "*: no other setting is both cheaper and closer to the finest. >: advised\n");
+	ts_str_add(out, "s/time: computing time in seconds per unit of simulated time; cost: relative to the "
+			"present settings.\nOther columns: largest difference of the thermo output from the "
+			"trial with the smallest time step\n(reference), relative to the range of the "
+			"column. ~: within the growth of round-off errors.\n*: no other setting is both "
+			"cheaper and closer to the reference (Pareto front). >: advised\n");
 	for (int c = 0; c < b->columns; c++)
 		if (b->step_dependent[c]) {
-			ts_str_add(out, "# of a fix that counts or measures steps: its meaning depends on "
-					"the time step, not judged\n");
+			ts_str_add(out, "#: value of a fix with intervals in steps; it depends on the time "
+					"step and is not assessed\n");
 			break;
 		}
 	if (*b->interval_fixes)
 		ts_str_addf(out,
-			    "with another time step, these intervals in steps were changed to stand for the "
-			    "same time: %s\n",
+			    "intervals in steps, scaled to the same physical time with other time steps: "
+			    "%s\n",
 			    b->interval_fixes);
 	if (n < b->columns)
-		ts_str_addf(out, "%d columns with smaller changes are not shown\n", b->columns - n);
+		ts_str_addf(out, "%d columns with smaller differences are not shown\n", b->columns - n);
 }
 
 static void add_head(const struct ts_trial_results *b, struct ts_str *out)
@@ -381,20 +376,20 @@ static void add_head(const struct ts_trial_results *b, struct ts_str *out)
 
 	ts_str_addf(out, "Trials start at step %" PRId64 ", time %g, %s, with %" PRId64 " particles\n",
 		    b->step, b->time, b->location, b->particles);
-	ts_str_addf(out, "Each covers a time of %g, %" PRId64 " steps of %g", span, b->steps, b->dt);
+	ts_str_addf(out, "Each trial covers a time of %g, %" PRId64 " steps of %g", span, b->steps, b->dt);
 	if (b->run_steps > 0)
 		ts_str_addf(out, ": %.2g %% of the run", 100 * (double)b->steps / (double)b->run_steps);
 	if (isfinite(b->limit))
 		ts_str_addf(out, "; stability limit of the time step %.4g", b->limit);
-	ts_str_addf(out, "\nThe same again: -advise at %" PRId64 " steps %" PRId64 "\n\n", b->step, b->steps);
+	ts_str_addf(out, "\nTo repeat: -advise at %" PRId64 " steps %" PRId64 "\n\n", b->step, b->steps);
 }
 
 static void add_change(const struct ts_trial_results *b, double worst, int column, struct ts_str *out)
 {
 	if (column < 0)
-		ts_str_add(out, "nothing changes");
+		ts_str_add(out, "no difference");
 	else
-		ts_str_addf(out, "the largest change is %.2g %% (%s)", 100 * worst, b->title[column]);
+		ts_str_addf(out, "largest difference %.2g %% (%s)", 100 * worst, b->title[column]);
 }
 
 static void add_duration(const struct ts_trial_results *b, const struct ts_trial *present,
@@ -402,7 +397,7 @@ static void add_duration(const struct ts_trial_results *b, const struct ts_trial
 {
 	double per_run = (double)b->steps_left / (double)b->steps;
 
-	ts_str_add(out, "the rest of the run would take ");
+	ts_str_add(out, "the rest of the run takes ");
 	ts_price_time(per_run * t->seconds, out);
 	ts_str_add(out, " instead of ");
 	ts_price_time(per_run * present->seconds, out);
@@ -418,13 +413,13 @@ static int add_undecided(const struct ts_trial_results *b, struct ts_str *out)
 		const struct ts_trial *t = &b->trial[k];
 
 		if (t->no_contacts && !idle)
-			ts_str_add(out, "contact laws: not decided, since there was no contact in the "
-					"trials; start them later (-advise at STEP)\n");
+			ts_str_add(out, "contact laws: not decided, no contacts in the trials; start them "
+					"later (-advise at STEP)\n");
 		idle |= t->no_contacts;
 		if (t->undecided)
 			ts_str_addf(out,
-				    "%s: not decided, %.2f of the cost, but times of equal trials differ by "
-				    "%.2g %%; increase the time\n",
+				    "%s: not decided, cost %.2f, but times of equal trials differ by %.2g "
+				    "%%; increase SECONDS\n",
 				    t->label, t->seconds / present_seconds(b), 100 * time_noise(b, t));
 		n += t->undecided;
 	}
@@ -448,11 +443,11 @@ static void add_advice(const struct ts_trial_results *b, double tolerance, struc
 			continue;
 		if (!step)
 			worst = worst_change(b, t, present, &column);
-		ts_str_addf(out, "%s: %.2f of the cost, ", t->label, t->seconds / present->seconds);
+		ts_str_addf(out, "%s: cost %.2f, ", t->label, t->seconds / present->seconds);
 		add_change(b, worst, column, out);
 		ts_str_addf(out, "%s\n",
 			    step && present->worst > tolerance
-				    ? "; the present step is too long for the tolerance"
+				    ? "; the present time step exceeds the tolerance"
 				    : "");
 		only = t;
 		step_advised |= step;
@@ -460,17 +455,17 @@ static void add_advice(const struct ts_trial_results *b, double tolerance, struc
 	}
 	if (present && present->worst > tolerance && !step_advised)
 		ts_str_addf(out,
-			    "The time step is too long: %s differs by %.2g %%, and no time step tried is "
-			    "within %g %% of the finest. Try smaller ones.\n",
+			    "The time step is too large: %s differs by %.2g %%, and no time step tried is "
+			    "within %g %% of the reference. Try smaller ones.\n",
 			    b->title[present->worst_column], 100 * present->worst, 100 * tolerance);
 	else if (!add_undecided(b, out) && !n)
-		ts_str_add(out, "No setting that was tried is better than the present ones.\n");
+		ts_str_add(out, "No better setting was found.\n");
 	only = all ? all : n == 1 ? only : NULL;
 	if (!only)
 		return;
-	ts_str_add(out, all ? "Together: " : "With it ");
+	ts_str_add(out, all ? "With all of them: " : "With it: ");
 	add_duration(b, present, only, out);
-	ts_str_add(out, "; to the finest, ");
+	ts_str_add(out, "; from the reference: ");
 	add_change(b, only->worst, only->worst_column, out);
 	ts_str_add(out, "\n");
 }

@@ -179,11 +179,10 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	if (!s->void_fix || s->force.part.after_step || sim->review.steps <= 1)
 		return TS_OK;
 	return ts_review_report(sim, "momentum", &self->where,
-				"the box is periodic on all sides, but with fix %s beside fix %s the "
-				"momentum "
-				"of particles and fluid together drifts, by 1e-3 to 1e-2 of what they "
-				"exchange; use `flow_style projection ... form conservative` and leave "
-				"`interpolation` here to its default: it is kept to round-off then",
+				"the box is periodic in all directions, but with fix %s and fix %s the total "
+				"momentum of particles and fluid drifts by 1e-3 to 1e-2 of the exchanged "
+				"momentum; use `flow_style projection ... form conservative` and the default "
+				"`interpolation` of this fix, which conserve it to round-off",
 				self->style->name, s->void_fix->style->name);
 }
 

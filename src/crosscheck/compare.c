@@ -386,7 +386,7 @@ static enum ts_status gather_statistics(struct pass *w)
 			continue;
 		TS_TRY(sort_column(w, TS_SELF, c, k));
 		TS_TRY(sort_column(w, TS_PEER, c, m));
-		c->profile +=
+		c->quantiles +=
 			quantile_distance(w->sorted[TS_SELF], self->rows, w->sorted[TS_PEER], peer->rows) /
 			c->scale;
 		c->frames++;
@@ -486,8 +486,8 @@ enum ts_status ts_compare_statistics(struct ts_pairing *p, int64_t from, struct 
 		if (!a->n_after || !b->n_after)
 			continue;
 		c->mean = fabs(mean_of(a) - mean_of(b)) / c->scale;
-		c->spread = fabs(deviation_of(a) - deviation_of(b)) / c->scale;
-		c->profile /= c->frames;
+		c->deviation = fabs(deviation_of(a) - deviation_of(b)) / c->scale;
+		c->quantiles /= c->frames;
 	}
 	return TS_OK;
 }

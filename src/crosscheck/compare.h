@@ -37,7 +37,7 @@ struct ts_compared {
 	bool differs_on_purpose;
 	/* since the runs diverged: difference of the means and of the standard deviations; sum, later mean,
 	 * of the distance of the distributions; number of frames in it */
-	double mean, spread, profile, frames;
+	double mean, deviation, quantiles, frames;
 };
 
 /* An output that both programs wrote, and its comparison. */

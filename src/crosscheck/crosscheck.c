@@ -49,8 +49,7 @@ static const struct ts_arg rows[] = {
 	TS_WORD("peer", struct options, peer, .flags = TS_OPTIONAL,
 		.help = "file or command of the other program, if its name is not a usual one"),
 	TS_WORD("keep", struct options, keep, .flags = TS_OPTIONAL,
-		.help = "a new folder for the runs, which is kept; without it all files are removed at the "
-			"end"),
+		.help = "new folder in which the files of both runs are kept; default: they are removed"),
 	TS_ARGS_END,
 };
 
@@ -94,15 +93,13 @@ static void report_absent(struct crosscheck *c)
 	const char *const *command = peers[c->o.program].commands;
 
 	if (c->o.peer) {
-		ts_str_addf(c->text, "there is no program '%s'\n", c->o.peer);
+		ts_str_addf(c->text, "program '%s' not found\n", c->o.peer);
 		return;
 	}
-	ts_str_addf(c->text, "%s is not installed: there is no program", c->name[TS_PEER]);
+	ts_str_addf(c->text, "%s is not installed: not found in the PATH:", c->name[TS_PEER]);
 	for (; *command; command++)
 		ts_str_addf(c->text, " %s%s", *command, command[1] ? "," : "");
-	ts_str_addf(c->text,
-		    " in the PATH. Install it (apt-get install %s), or say where it is: "
-		    "-crosscheck %s peer FILE\n",
+	ts_str_addf(c->text, "; install it (apt-get install %s) or give its path: -crosscheck %s peer FILE\n",
 		    peers[c->o.program].package, c->name[TS_PEER]);
 }
 
@@ -193,7 +190,7 @@ static enum ts_status run_program(struct crosscheck *c, int who)
 	ts_str_addf(c->text, "%-10s %s in %.2f s\n", c->name[who], p->status ? "failed" : "ran", p->seconds);
 	if (!p->status)
 		return TS_OK;
-	ts_str_addf(c->text, "    exit status %d; its last words:\n", p->status);
+	ts_str_addf(c->text, "    exit status %d; last lines of output:\n", p->status);
 	return add_last_output(c, who);
 }
 
@@ -298,7 +295,7 @@ static bool statistics_agree(struct crosscheck *c, struct ts_str *worst)
 
 		for (size_t m = 0; m < p->columns; m++) {
 			const struct ts_compared *column = &p->column[m];
-			double far = fmax(column->mean, fmax(column->spread, column->profile));
+			double far = fmax(column->mean, fmax(column->deviation, column->quantiles));
 
 			if (far <= most || column->differs_on_purpose)
 				continue;
@@ -316,13 +313,14 @@ static enum ts_verdict judge_statistics(struct crosscheck *c)
 	bool agree = statistics_agree(c, &worst);
 	bool good = agree && c->o.until != INT64_MIN && c->diverged_at > c->o.until;
 
-	ts_str_addf(c->text, "%s: %s of %s is off by more than %g of its range", good ? "agree" : "part",
+	ts_str_addf(c->text, "%s: %s of %s differs by more than %g of its range", good ? "agree" : "differ",
 		    c->diverged_in[0], c->diverged_in[1], c->o.tolerance);
 	if (c->diverged_at >= 0)
 		ts_str_addf(c->text, " at step %" PRId64, c->diverged_at);
-	ts_str_addf(c->text, "; from there statistics within %s\n", worst.length ? ts_str_text(&worst) : "0");
+	ts_str_addf(c->text, "; statistics from there differ by at most %s\n",
+		    worst.length ? ts_str_text(&worst) : "0");
 	ts_str_release(&worst);
-	return good ? TS_AGREE : TS_PART;
+	return good ? TS_AGREE : TS_DIFFER;
 }
 
 static bool columns_missing(struct crosscheck *c)
@@ -354,9 +352,9 @@ static enum ts_verdict judge(struct crosscheck *c)
 	list_files(c->o.program ? "left empty by lammps, not compared: "
 				: "left empty by liggghts, not compared: ",
 		   o->empty[TS_PEER], o->nempty[TS_PEER], c->text);
-	list_files("no plain text, not compared: ", o->skipped, o->nskipped, c->text);
+	list_files("not plain text, not compared: ", o->skipped, o->nskipped, c->text);
 	if (!columns) {
-		ts_str_add(c->text, "failed: there is nothing to compare\n");
+		ts_str_add(c->text, "failed: no outputs to compare\n");
 		return TS_FAILED;
 	}
 	if (lost) {
@@ -379,9 +377,9 @@ static enum ts_verdict compare_runs(struct crosscheck *c)
 {
 	if (c->process[TS_SELF].status || c->process[TS_PEER].status) {
 		ts_str_addf(c->text, "failed: %s\n",
-			    !c->process[TS_PEER].status	  ? "only the other program runs the script"
-			    : !c->process[TS_SELF].status ? "only tsim runs the script"
-							  : "neither runs the script");
+			    !c->process[TS_PEER].status	  ? "tsim did not complete the script"
+			    : !c->process[TS_SELF].status ? "the other program did not complete the script"
+							  : "neither program completed the script");
 		return TS_FAILED;
 	}
 	if (pair_outputs(c) != TS_OK || compare_all(c) != TS_OK)
@@ -417,7 +415,7 @@ static enum ts_verdict run_and_compare(struct crosscheck *c, struct ts_str *path
 	verdict = run_program(c, TS_SELF) == TS_OK && run_program(c, TS_PEER) == TS_OK ? compare_runs(c)
 										       : TS_FAILED;
 	if (c->o.keep)
-		ts_str_addf(c->text, "all is kept in %s\n", c->root);
+		ts_str_addf(c->text, "files kept in %s\n", c->root);
 	else
 		ts_folder_remove(c->root);
 	return verdict;

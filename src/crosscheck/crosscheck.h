@@ -5,7 +5,7 @@
 
 #include "core/sim.h"
 
-enum ts_verdict { TS_AGREE, TS_FAILED, TS_USAGE, TS_PART, TS_ABSENT };
+enum ts_verdict { TS_AGREE, TS_FAILED, TS_USAGE, TS_DIFFER, TS_ABSENT };
 
 /* Returns the verdict, which is the exit status of the program. `words`: arguments of -crosscheck; `vars`:
  * -var NAME VALUE ... for both programs; `own`: options for tsim only; `called`: argv[0]. Appends the

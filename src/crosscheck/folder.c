@@ -33,14 +33,13 @@ static bool is_folder(const char *path)
 
 enum ts_status ts_folder_make(const char *path, struct ts_error *err)
 {
-	return ts_mkdirs(NULL, path) == 0 ? TS_OK : fail_errno(err, "make the folder", path);
+	return ts_mkdirs(NULL, path) == 0 ? TS_OK : fail_errno(err, "create the folder", path);
 }
 
 enum ts_status ts_folder_new(const char *path, struct ts_error *err)
 {
 	if (is_folder(path))
-		return ts_fail(err, TS_STATE, NULL, "there is a folder '%s' already; a new one is needed",
-			       path);
+		return ts_fail(err, TS_STATE, NULL, "folder '%s' exists; a new folder is required", path);
 	return ts_folder_make(path, err);
 }
 
@@ -52,7 +51,7 @@ enum ts_status ts_folder_scratch(struct ts_str *path, struct ts_error *err)
 	ts_str_addf(path, "%s/tsim-crosscheck-XXXXXX", parent && *parent ? parent : "/tmp");
 	if (path->failed)
 		return ts_nomem(err);
-	return mkdtemp(path->text) ? TS_OK : fail_errno(err, "make the folder", path->text);
+	return mkdtemp(path->text) ? TS_OK : fail_errno(err, "create the folder", path->text);
 }
 
 static bool copy_bytes(FILE *from, FILE *to)

@@ -143,7 +143,8 @@ static enum ts_status read_dump_rows(struct ts_reader *r, int64_t n)
 	for (int64_t row = 0; row < n; row++) {
 		TS_TRY(ts_lines_next_filled(l, &more));
 		if (!more || l->nwords != r->frame.columns)
-			return ts_reader_damaged(r, "the dump has not as many words as it says");
+			return ts_reader_damaged(r,
+						 "the number of words in the dump differs from its header");
 		TS_TRY(add_row(r, 0));
 	}
 	return TS_OK;
@@ -219,7 +220,7 @@ static enum ts_status read_block(struct ts_reader *r)
 	for (int64_t row = 0; row < n; row++) {
 		TS_TRY(ts_lines_next_filled(l, &more));
 		if (!more || l->nwords != r->inner.columns)
-			return ts_reader_damaged(r, "a block has not as many words as it says");
+			return ts_reader_damaged(r, "the number of words in a block differs from its header");
 		TS_TRY(add_row(r, 0));
 	}
 	return TS_OK;

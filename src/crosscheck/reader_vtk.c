@@ -52,7 +52,8 @@ static enum ts_status read_columns(struct ts_reader *r, const char *name, size_t
 	const char *word;
 
 	if (before && rows != f->rows)
-		return ts_reader_damaged(r, "an array has not as many values as there are points");
+		return ts_reader_damaged(r, "the number of values of an array differs from the number of "
+					    "points");
 	for (size_t k = 0; k < of; k++)
 		TS_TRY(add_column(r, name, k, of));
 	if (TS_GROW(f->cell, f->cell_capacity, rows * wide + 1) != TS_OK)
@@ -103,7 +104,7 @@ static enum ts_status read_attribute(struct ts_reader *r, bool vector)
 	snprintf(name, sizeof name, "%.60s", word ? word : "");
 	TS_TRY(next_word(r, &word));
 	if (!vector && r->at < r->lines.nwords && !ts_parse_int(r->lines.word[r->at++], &n))
-		return ts_reader_damaged(r, "a number of components is wrong");
+		return ts_reader_damaged(r, "invalid number of components");
 	for (int k = 0; k < 2 && !vector; k++)
 		TS_TRY(next_word(r, &word));
 	return read_columns(r, name, r->data_rows, (size_t)n);

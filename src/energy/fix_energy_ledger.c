@@ -43,10 +43,10 @@ static void log_energies(struct tsim *sim, const struct ts_ledger *l, const doub
 
 	for (int k = 0; k < TS_NSTORE; k++)
 		before += l->start_store[k];
-	ts_log(&sim->log, "  energy now\n");
+	ts_log(&sim->log, "  energies\n");
 	for (int k = 0; k < TS_LEDGER_TOTAL_VALUE; k++)
 		log_value(sim, texts[k], v[k]);
-	ts_log(&sim->log, "    %-52s %16.8g, %.8g more than at the start\n", texts[TS_LEDGER_TOTAL_VALUE],
+	ts_log(&sim->log, "    %-52s %16.8g, change %.8g\n", texts[TS_LEDGER_TOTAL_VALUE],
 	       v[TS_LEDGER_TOTAL_VALUE], v[TS_LEDGER_TOTAL_VALUE] - before);
 }
 
@@ -54,27 +54,27 @@ static void log_sources(struct tsim *sim, const struct ts_ledger *l)
 {
 	double came = 0;
 
-	ts_log(&sim->log, "  came from\n");
+	ts_log(&sim->log, "  sources\n");
 	for (size_t a = 0; a < l->nactors; a++)
 		log_named_value(sim,
-				a == l->rest ? "forces made before, or changed later, than"
-				: l->actor[a].pushes == TS_LEDGER_IS_WALL ? "motion of"
-									  : "forces of",
+				a == l->rest ? "unattributed forces, computed outside of"
+				: l->actor[a].pushes == TS_LEDGER_IS_WALL ? "work of wall"
+									  : "work of",
 				l->actor[a].name, ts_compensated_value(&l->actor[a].work));
-	log_value(sim, "the box that changes its shape", ts_compensated_value(&l->box));
+	log_value(sim, "box deformation", ts_compensated_value(&l->box));
 	for (size_t a = 0; a < l->nactors; a++)
-		log_named_value(sim, "motion set, particles made or taken by", l->actor[a].name,
+		log_named_value(sim, "velocities set, particles added or removed by", l->actor[a].name,
 				ts_compensated_value(&l->actor[a].own));
 	for (int k = 0; k < TS_NSTORE; k++)
 		came += ts_compensated_value(&l->moved[k]);
-	log_value(sim, "springs of particles that came or went", came);
-	log_value(sim, "particles held against forces", ts_compensated_value(&l->held));
+	log_value(sim, "elastic energy of added or removed particles", came);
+	log_value(sim, "constraints", ts_compensated_value(&l->held));
 	log_value(sim, "commands between runs", ts_compensated_value(&l->between));
 }
 
 static void log_losses(struct tsim *sim, const double v[])
 {
-	ts_log(&sim->log, "  was lost\n");
+	ts_log(&sim->log, "  dissipation\n");
 	for (int k = TS_LEDGER_NORMAL_DASHPOTS_VALUE; k < TS_LEDGER_LOST_VALUE; k++)
 		log_value(sim, texts[k], v[k]);
 	log_value(sim, texts[TS_LEDGER_LOST_VALUE], v[TS_LEDGER_LOST_VALUE]);
@@ -89,8 +89,8 @@ static double relative_to_turnover(const double v[], int value)
 
 static void log_heat(struct tsim *sim, const struct ts_ledger *l, const double v[])
 {
-	ts_log(&sim->log, "  heat\n    %-52s %16.8g, %.8g more than at the start\n",
-	       texts[TS_LEDGER_HEAT_VALUE], v[TS_LEDGER_HEAT_VALUE], v[TS_LEDGER_HEAT_VALUE] - l->heat.start);
+	ts_log(&sim->log, "  heat\n    %-52s %16.8g, change %.8g\n", texts[TS_LEDGER_HEAT_VALUE],
+	       v[TS_LEDGER_HEAT_VALUE], v[TS_LEDGER_HEAT_VALUE] - l->heat.start);
 	for (size_t a = 0; a < l->nactors; a++)
 		log_named_value(sim, "from", l->actor[a].name, ts_compensated_value(&l->actor[a].heat));
 	log_value(sim, "from sources", ts_compensated_value(&l->heat.source));
@@ -107,7 +107,7 @@ static enum ts_status log_summary(struct ts_instance *self, struct tsim *sim)
 						"",
 						"",
 						"in bonds",
-						"in turning bodies" };
+						"in rotation of rigid bodies" };
 	const struct ledger *s = self->state;
 	double v[TS_LEDGER_VALUES], drift[TS_NSTORE + 1];
 
@@ -120,10 +120,10 @@ static enum ts_status log_summary(struct ts_instance *self, struct tsim *sim)
 	log_energies(sim, &s->books, v);
 	log_sources(sim, &s->books);
 	log_losses(sim, v);
-	ts_log(&sim->log, "  cannot be explained\n");
+	ts_log(&sim->log, "  residuals\n");
 	for (int k = TS_LEDGER_CLOSURE_VALUE; k <= TS_LEDGER_DRIFT_VALUE; k++)
 		ts_log(&sim->log, "    %-52s %16.8g, %.2g of the largest turnover\n",
-		       k == TS_LEDGER_DRIFT_VALUE ? "drift: error of the time step" : "closure: rounding",
+		       k == TS_LEDGER_DRIFT_VALUE ? "drift (time integration error)" : "closure (round-off)",
 		       v[k], relative_to_turnover(v, k));
 	for (int k = 0; k <= TS_NSTORE; k++)
 		if (*suspects[k])
@@ -137,7 +137,7 @@ static enum ts_status log_summary(struct ts_instance *self, struct tsim *sim)
 static const char *largest_drift(const struct ts_ledger *l)
 {
 	static const char *const text[] = { "normal springs between particles", "normal springs at walls",
-					    "bonds", "turning bodies" };
+					    "bonds", "rotation of rigid bodies" };
 	static const int store[] = { TS_STORE_NORMAL, TS_NCONTACT_STORE + TS_STORE_NORMAL, TS_LEDGER_BOND,
 				     TS_NSTORE };
 	double drift[TS_NSTORE + 1];
@@ -159,9 +159,8 @@ static enum ts_status finish_run(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(log_summary(self, sim));
 	if (fabs(relative_to_turnover(v, TS_LEDGER_DRIFT_VALUE)) > s->tolerance)
 		ts_warn(&sim->log, &self->where,
-			"fix %s %s: the elastic energy drifted by %.2g of the largest turnover (tolerance "
-			"%g), mostly in %s. The drift decreases with the square of the time step if forces "
-			"have no jumps",
+			"fix %s %s: the energy drift is %.2g of the largest turnover (tolerance %g), mostly "
+			"in %s. It decreases with the square of the time step if forces are continuous",
 			self->id, self->style->name, relative_to_turnover(v, TS_LEDGER_DRIFT_VALUE),
 			s->tolerance, largest_drift(&s->books));
 	return TS_OK;
@@ -218,7 +217,7 @@ static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, 
 
 	for (size_t a = 0; a < s->books.nactors; a++)
 		numbers += s->books.actor[a].pushes ? TS_CAUSE_NUMBERS : 0;
-	ts_report_line(report, "energy ledger", "%zu bytes a particle", numbers * sizeof(double));
+	ts_report_line(report, "energy ledger", "%zu bytes per particle", numbers * sizeof(double));
 	if (!sim->reading.explain || !s->path)
 		return TS_OK;
 	return ts_report_output(report, s->path, ts_report_count(sim, s->every),

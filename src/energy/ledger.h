@@ -188,29 +188,29 @@ static inline double *ts_ledger_causes(const struct ts_ledger *l, const struct t
 #define TS_LEDGER_LIST(X)                                                                          \
 	X(TRANSLATION, "kinetic energy of translation")                                            \
 	X(ROTATION, "kinetic energy of rotation")                                                  \
-	X(CONTACTS, "stored in contacts of particles")                                             \
-	X(WALLS, "stored in contacts with walls")                                                  \
-	X(BONDS, "stored in bonds")                                                                \
-	X(TOTAL, "all energy")                                                                     \
-	X(FORCES, "work of fixes' forces")                                                         \
+	X(CONTACTS, "elastic energy of particle contacts")                                             \
+	X(WALLS, "elastic energy of wall contacts")                                                  \
+	X(BONDS, "elastic energy of bonds")                                                                \
+	X(TOTAL, "total energy")                                                                     \
+	X(FORCES, "work of fixes")                                                         \
 	X(DRIVE, "work of moving walls")                                                           \
-	X(MOVED, "set, brought in or taken away by other means than forces")                       \
-	X(NORMAL_DASHPOTS, "lost in normal dashpots")                                              \
-	X(TANGENTIAL_DASHPOTS, "lost in tangential dashpots")                                      \
-	X(FRICTION, "lost in slip")                                                                \
-	X(SPRINGS, "lost by springs of slip that turn, soften or part")                            \
-	X(ROLLING, "lost in rolling and twisting")                                                 \
-	X(PLASTIC, "lost in contacts that yield or stick")                                         \
-	X(BOND_DASHPOTS, "lost in dashpots of bonds")                                              \
-	X(BROKEN, "lost with broken bonds")                                                        \
-	X(LOST, "all that is lost")                                                                \
+	X(MOVED, "energy set, added or removed other than by forces")                       \
+	X(NORMAL_DASHPOTS, "dissipated by normal dashpots")                                              \
+	X(TANGENTIAL_DASHPOTS, "dissipated by tangential dashpots")                                      \
+	X(FRICTION, "dissipated by sliding friction")                                                                \
+	X(SPRINGS, "lost by rotated or released tangential springs")                            \
+	X(ROLLING, "dissipated by rolling and twisting friction")                                                 \
+	X(PLASTIC, "dissipated in plastic or adhesive contacts")                                         \
+	X(BOND_DASHPOTS, "dissipated by bond dashpots")                                              \
+	X(BROKEN, "elastic energy of broken bonds")                                                        \
+	X(LOST, "total dissipation")                                                                \
 	X(CLOSURE, "closure")                                                                      \
 	X(DRIFT, "drift")                                                                          \
 	X(TURNOVER, "largest turnover")                                                            \
-	X(HEAT, "heat of the particles")                                                           \
+	X(HEAT, "heat content of particles")                                                           \
 	X(HEAT_IN, "heat from walls, fluid and sources")                                           \
-	X(HEAT_MOVED, "heat set, brought in or taken away with particles")                         \
-	X(HEAT_CLOSURE, "heat that is not explained")
+	X(HEAT_MOVED, "heat set, added or removed with particles")                         \
+	X(HEAT_CLOSURE, "heat closure")
 /* clang-format on */
 #define TS_LEDGER_ENUM(name, text) TS_LEDGER_##name##_VALUE,
 enum { TS_LEDGER_LIST(TS_LEDGER_ENUM) TS_LEDGER_VALUES };

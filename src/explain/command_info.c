@@ -27,7 +27,7 @@ static void print_system(struct tsim *sim, struct ts_str *out)
 		    ts_units_name(sim->units), sim->dimension, sim->clock.step, ts_sim_time(sim),
 		    sim->clock.dt);
 	if (!ts_sim_has_box(sim)) {
-		ts_str_addf(out, "  no box yet\n");
+		ts_str_addf(out, "  no simulation box\n");
 		return;
 	}
 	ts_str_addf(out, "  box (%g %g %g) to (%g %g %g), faces", box->lo[0], box->lo[1], box->lo[2],
@@ -129,14 +129,14 @@ static void print_times(struct tsim *sim, struct ts_str *out)
 {
 	double wall = sim->run.inside ? ts_clock() - sim->clock.wall_start : 0;
 
-	ts_str_addf(out, "Times:\n  %.3f s of processors, %.3f s since the start of the run\n",
+	ts_str_addf(out, "Times:\n  CPU time %.3f s, %.3f s since the start of the run\n",
 		    (double)clock() / CLOCKS_PER_SEC, wall);
 }
 
 static void print_configuration(struct tsim *sim, struct ts_str *out)
 {
 	(void)sim;
-	ts_str_addf(out, "Configuration:\n  tsim %s, %s, particles numbered with 32 bits, steps with 64\n",
+	ts_str_addf(out, "Configuration:\n  tsim %s, %s, 32-bit particle IDs, 64-bit step numbers\n",
 		    PACKAGE_VERSION,
 #ifdef _OPENMP
 		    "threads by OpenMP"

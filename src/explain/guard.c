@@ -56,8 +56,8 @@ static void reset_if_new_dt(struct ts_guard *g, const struct tsim *sim)
 static void warn_beyond(struct tsim *sim, const struct ts_limit *limit)
 {
 	ts_warn(&sim->log, &limit->where,
-		limit->fatal ? "the time step %g is beyond the stability limit %g of %s"
-			     : "the time step %g is larger than %g, the limit of %s",
+		limit->fatal ? "the time step %g exceeds the stability limit %g of %s"
+			     : "the time step %g exceeds the recommended limit %g of %s",
 		sim->clock.dt, limit->dt, limit->text);
 }
 
@@ -91,8 +91,8 @@ enum ts_status ts_guard_judge(struct tsim *sim, const struct ts_plan_report *rep
 	reset_if_new_dt(g, sim);
 	if (hard && level_of(sim, hard) == BEYOND && !sim->run.unsafe)
 		return ts_fail(&sim->error, TS_PHYSICS, &hard->where,
-			       "the time step %g is beyond the stability limit %g of %s; "
-			       "use `timestep` with less than that, a tenth or less for accuracy",
+			       "the time step %g exceeds the stability limit %g of %s; use a smaller "
+			       "`timestep`, at most a tenth of the limit for accuracy",
 			       sim->clock.dt, hard->dt, hard->text);
 	for (int k = 0; k < 2; k++) {
 		const struct ts_limit *limit = k ? soft : hard;
@@ -110,8 +110,9 @@ enum ts_status ts_guard_judge(struct tsim *sim, const struct ts_plan_report *rep
 static enum ts_status stop_run(struct tsim *sim, const struct ts_limit *hard)
 {
 	return ts_fail(&sim->error, TS_PHYSICS, &hard->where,
-		       "at step %" PRId64 " the time step %g is beyond the stability limit %g of %s; use "
-		       "`timestep %.2g` (a tenth of the limit) or at least less than the limit",
+		       "at step %" PRId64
+		       " the time step %g exceeds the stability limit %g of %s; use `timestep %.2g` (a tenth "
+		       "of the limit) or at least less than the limit",
 		       sim->clock.step, sim->clock.dt, hard->dt, hard->text, 0.1 * hard->dt);
 }
 

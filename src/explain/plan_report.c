@@ -51,9 +51,9 @@ static void print_outputs(const struct ts_plan_report *report, struct tsim *sim)
 	}
 	sim->cost.bytes += bytes;
 	if (text.length) {
-		ts_str_add(&text, "  in all ");
+		ts_str_add(&text, "  total ");
 		ts_price_bytes(bytes, &text);
-		ts_log(&sim->log, "files:\n%s\n", ts_str_text(&text));
+		ts_log(&sim->log, "output files:\n%s\n", ts_str_text(&text));
 	}
 	ts_str_release(&text);
 }
@@ -76,10 +76,10 @@ static void add_price(struct ts_str *text, const struct ts_price *price, int64_t
 
 	ts_str_add(text, "about ");
 	add_duration(text, price->seconds * n + price->frames, price->crowded * n + price->frames);
-	ts_str_add(text, ", a step takes ");
+	ts_str_add(text, ", time per step ");
 	ts_price_time(price->seconds, text);
 	if (price->steps)
-		ts_str_addf(text, " (%" PRId64 " steps tried from the current state)", price->steps);
+		ts_str_addf(text, " (%" PRId64 " steps measured from the current state)", price->steps);
 	else
 		ts_str_add(text, " (as in the previous run)");
 	if (price->crowded > price->seconds) {
@@ -101,7 +101,7 @@ static void print_price(const struct ts_plan *plan, struct tsim *sim, const stru
 		sim->cost.seconds += price->seconds * (double)steps + price->frames;
 		sim->cost.most += price->crowded * (double)steps + price->frames;
 	} else {
-		ts_str_add(&text, "unknown, the first steps could not be tried");
+		ts_str_add(&text, "unknown, the first steps failed");
 	}
 	if (steps)
 		ts_log(&sim->log, "duration: %s\n", ts_str_text(&text));
@@ -142,11 +142,11 @@ static void print_left_out(const struct ts_plan_report *report, struct tsim *sim
 			ts_str_addf(&text, "%s%.2g %% of a step", left->bytes > 0 ? ", " : "",
 				    100 * left->share);
 		else if (takes)
-			ts_str_addf(&text, "%sthe time of %.2g steps in each", left->bytes > 0 ? ", " : "",
+			ts_str_addf(&text, "%s%.2g times the time of a step", left->bytes > 0 ? ", " : "",
 				    left->share);
 		ts_str_add(&text, "\n");
 	}
-	ts_log(&sim->log, "left out:\n%s", ts_str_text(&text));
+	ts_log(&sim->log, "omitted:\n%s", ts_str_text(&text));
 	ts_str_release(&text);
 }
 
@@ -160,7 +160,7 @@ static void print_report(const struct ts_plan *plan, const struct ts_plan_report
 	ts_log(&sim->log, "modelled:\n%s", ts_str_text(&report->lines));
 	print_left_out(report, sim);
 	ts_log(&sim->log, "memory: about %.3g MB\n", report->bytes / 1e6);
-	ts_log(&sim->log, "limits of the time step (now %g):\n", sim->clock.dt);
+	ts_log(&sim->log, "time step limits (present %g):\n", sim->clock.dt);
 	for (size_t k = 0; k < report->nlimits; k++)
 		ts_log(&sim->log, "%s %-12.6g %s%s\n", &report->limit[k] == hard ? "->" : "  ",
 		       report->limit[k].dt, report->limit[k].text, report->limit[k].fatal ? "" : " (advice)");

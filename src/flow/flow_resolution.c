@@ -201,7 +201,7 @@ static enum ts_status report_wiggle(const struct ts_instance *self, struct tsim 
 	if (!(w.size > ALTERNATES * fastest) || !is_developed(fluid, w.width, fastest))
 		return TS_OK;
 	if (ts_convection_schemes[p->convection].bounded)
-		snprintf(remedy, sizeof remedy, "take smaller cells");
+		snprintf(remedy, sizeof remedy, "use smaller cells");
 	else
 		snprintf(remedy, sizeof remedy, "use `convection %s`, or smaller cells",
 			 p->convection == TS_CONVECTION_QUICK ? "cubista" : "quick");
@@ -226,15 +226,15 @@ static enum ts_status report_wall(const struct ts_instance *self, struct tsim *s
 	if (!(layer.share > STEEP || (layer.miss > MISSES && layer.share > MATTERS)) ||
 	    !is_developed(fluid, layer.width, fastest))
 		return TS_OK;
-	return ts_review_report(
-		sim, "flow_resolution", &self->where,
-		"the cells are too wide for the flow beside the wall %s: at time %.4g the velocity "
-		"changes by %.2g %% of the largest speed %.4g from the wall to the first centres, "
-		"and is there %.2g %% off the parabola through the wall and the next two (y+ is "
-		"%.3g); shear and flow are wrong by several per cent: take more cells along %c, or "
-		"finer ones at the wall (`flow_grid %c tanh 1.5`)",
-		ts_flow_face_names[2 * wall->d + (wall->side != TS_LOW)], fluid->time, 100 * layer.share,
-		fastest, 100 * layer.miss, layer.plus, axis, axis);
+	return ts_review_report(sim, "flow_resolution", &self->where,
+				"the cells are too wide for the flow beside the wall %s: at time %.4g the "
+				"velocity changes by %.2g %% of the largest speed %.4g from the wall to the "
+				"first centres, and differs there by %.2g %% from the parabola through the "
+				"wall and the next two (y+ = %.3g); the error of shear and flow rate is "
+				"several per cent: use more cells along %c, or finer ones at the wall "
+				"(`flow_grid %c tanh 1.5`)",
+				ts_flow_face_names[2 * wall->d + (wall->side != TS_LOW)], fluid->time,
+				100 * layer.share, fastest, 100 * layer.miss, layer.plus, axis, axis);
 }
 
 enum ts_status ts_projection_check_resolution(const struct ts_instance *self, struct tsim *sim)

@@ -48,9 +48,9 @@ static enum ts_status refuse_two_integrators(struct tsim *sim, size_t i, const s
 static enum ts_status report_member(struct tsim *sim, size_t i, const struct ts_instance *fix)
 {
 	return ts_review_report(sim, "members", &fix->where,
-				"fix %s (%s) moves particle %d, which belongs to a rigid body and moves with "
-				"that: within a step it is moved twice, by one step more than the body; give "
-				"the fix a group without the members of rigid bodies",
+				"fix %s (%s) integrates particle %d, a member of a rigid body, which also "
+				"moves it: within a step the particle is ahead of the body by v dt; use a "
+				"group without members of rigid bodies",
 				fix->id, fix->style->name, sim->particles->tag[i]);
 }
 

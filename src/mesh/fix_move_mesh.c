@@ -286,10 +286,9 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	if (!(first < time))
 		return TS_OK;
 	return ts_review_report(sim, "mesh_leaves", &self->where,
-				"mesh %s leaves the box %g from now, after %.0f of the %" PRId64
-				" steps of this run, which stops there; make the run shorter, the box "
-				"larger, "
-				"or its face `m`, which follows the mesh",
+				"mesh %s leaves the box in a time of %g, after %.0f of the %" PRId64
+				" steps of this run, which stops there; shorten the run, enlarge the box, or "
+				"use boundary `m`, which follows the mesh",
 				s->mover.mesh, first, floor(first / sim->clock.dt + 1e-6), sim->review.steps);
 }
 

@@ -59,7 +59,7 @@ static const struct {
 	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "restart file of an interrupted run", 1 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
 	[OPT_FULL] = { "full", "[PART ...]",
-		       "no optimizations that -explain lists as left out: slower, same results", 0 },
+		       "no optimizations that -explain lists as omitted: slower, same results", 0 },
 	[OPT_ADVISE] = { "advise", "[SECONDS] [WORDS]", "measure cost and effect of settings on the script",
 			 0 },
 	[OPT_CROSSCHECK] = { "crosscheck", "PROGRAM [WORDS]",

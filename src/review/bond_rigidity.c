@@ -88,12 +88,11 @@ static enum ts_status report_clusters(struct tsim *sim, const struct cluster *c)
 	if (!n)
 		return TS_OK;
 	return ts_review_report(sim, "bonds", by ? &by->where : NULL,
-				"bonded structures that keep no shape: %zu, the largest of %zu particles "
-				"(particle %d is one) with %zu bonds, where %zu are needed: these bonds "
-				"resist "
-				"stretching only, so that it shears and bends without resistance; bond "
-				"particles with more partners (a larger distance of `create_bonds`), or say "
-				"`review off bonds` if it is to be flexible",
+				"bonded structures that are not rigid: %zu; the largest has %zu particles "
+				"(among them particle %d) and %zu bonds, but rigidity requires %zu: the "
+				"bonds resist stretching only, not shear and bending of the structure; add "
+				"bonds (larger distance of `create_bonds`), or use `review off bonds` for "
+				"flexible structures",
 				n, c[most].n, p->tag[most], c[most].nbonds, rigid_bond_count(sim, &c[most]));
 }
 

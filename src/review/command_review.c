@@ -18,7 +18,7 @@ static enum ts_status refuse_name(struct tsim *sim, const struct ts_word *word)
 	for (const struct ts_review_check *c = sim->tables->checks; c->name; c++)
 		ts_suggest_try(&suggest, c->name);
 	return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
-		       "review: there is no check '%s'%s; -help review lists them", word->text,
+		       "review: unknown check '%s'%s; -help review lists all", word->text,
 		       ts_suggest_text(&suggest));
 }
 
@@ -37,8 +37,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_ENUM("answer", struct state, answer, answers, .flags = TS_POSITIONAL,
-		.help = "findings are warnings (warn), errors that refuse the run (error), or the checks are "
-			"not made (off)"),
+		.help = "warn: print findings as warnings; error: refuse runs with findings; off: skip the "
+			"checks"),
 	TS_REST_OPTIONAL("names", struct state, names, .help = "names of checks; default: all"),
 	TS_ARGS_END,
 };

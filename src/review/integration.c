@@ -30,9 +30,9 @@ enum ts_status ts_review_integrator(struct tsim *sim)
 	if (!idle)
 		return TS_OK;
 	return ts_review_report(sim, "integrator", NULL,
-				"%zu of %zu particles are moved by no fix and stay where they are, the first "
-				"is particle %d (type %d) at (%g %g %g); add `fix ID GROUP nve/sphere`, or "
-				"`fix ID GROUP freeze` if they are to stay",
+				"%zu of %zu particles are not integrated by any fix; the first is particle "
+				"%d (type %d) at (%g %g %g); add `fix ID GROUP nve/sphere`, or `fix ID GROUP "
+				"freeze` for fixed particles",
 				idle, p->n, p->tag[first], p->type[first], p->x[first][0], p->x[first][1],
 				p->x[first][2]);
 }
@@ -79,9 +79,9 @@ static enum ts_status check_fix(struct tsim *sim, const struct ts_instance *fix)
 
 		if (friction > 0 && has_type(p, fix->group, t))
 			return ts_review_report(sim, "rotation", &fix->where,
-						"fix %s moves particles but does not turn them, and the "
-						"contacts of type %d have friction (coefficient %g), which "
-						"makes particles turn; use `fix %s %s nve/sphere`",
+						"fix %s does not integrate rotation, but contacts of type %d "
+						"have friction (coefficient %g), which exerts torques; use "
+						"`fix %s %s nve/sphere`",
 						fix->style->name, t, friction, fix->id,
 						ts_group_name(sim, fix->group));
 	}

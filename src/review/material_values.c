@@ -36,18 +36,16 @@ enum ts_status ts_review_units(struct tsim *sim)
 	g = earth_gravity(sim, &by);
 	if (g != 0)
 		return ts_review_report(sim, "units", &by->where,
-					"gravity is %g, as on the earth in SI units, but the script has no "
-					"`units` and runs in units lj (time step %g unless `timestep` says "
-					"otherwise); begin it with `units si`, or `units lj` if that is "
-					"meant",
+					"gravity is %g, its value in SI units, but the script has no `units` "
+					"command and uses units lj (time step %g); begin it with `units si`, "
+					"or with `units lj` if intended",
 					g, sim->clock.dt);
 	young = ts_property_find(sim, "youngsModulus", &by);
 	if (young && young->n && young->value[0] >= 1e5)
 		return ts_review_report(sim, "units", &by->where,
-					"youngsModulus is %g, as in SI units, but the script has no `units` "
-					"and runs in units lj (time step %g unless `timestep` says "
-					"otherwise); "
-					"begin it with `units si`, or `units lj` if that is meant",
+					"youngsModulus is %g, a value in SI units, but the script has no "
+					"`units` command and uses units lj (time step %g); begin it with "
+					"`units si`, or with `units lj` if intended",
 					young->value[0], sim->clock.dt);
 	return TS_OK;
 }
@@ -86,10 +84,9 @@ enum ts_status ts_review_diameter(struct tsim *sim)
 	if (!n)
 		return TS_OK;
 	return ts_review_report(sim, "diameter", NULL,
-				"%zu of %zu particles have the diameter 1 and the density 1 that "
-				"create_atoms "
-				"gives, the first is particle %d (type %d); say `set type %d diameter D "
-				"density RHO` before the run",
+				"%zu of %zu particles have diameter 1 and density 1, the defaults of "
+				"create_atoms; the first is particle %d (type %d); use `set type %d diameter "
+				"D density RHO` before the run",
 				n, p->n, p->tag[first], p->type[first], p->type[first]);
 }
 
@@ -120,11 +117,9 @@ enum ts_status ts_review_density(struct tsim *sim)
 	if (!n)
 		return TS_OK;
 	return ts_review_report(sim, "density", NULL,
-				"%zu of %zu particles have densities that no grain has, the first is "
-				"particle "
-				"%d (type %d) with %g "
-				"kg/m3; water has 1000, sand 2650, steel 7850 kg/m3: `set type %d density "
-				"RHO`",
+				"%zu of %zu particles have densities outside the range of solids; the first "
+				"is particle %d (type %d) with %g kg/m3 (water 1000, sand 2650, steel 7850 "
+				"kg/m3); use `set type %d density RHO`",
 				n, p->n, p->tag[first], p->type[first],
 				p->mass[first] / ts_particle_volume(sim, p->radius[first]), p->type[first]);
 }
@@ -150,12 +145,10 @@ static enum ts_status report_modulus(struct tsim *sim, const struct ts_instance 
 				     double modulus)
 {
 	return ts_review_report(sim, "modulus", &by->where,
-				"%s have the modulus E* = %g Pa (1/E* = (1 - nu^2)/E of both partners), "
-				"which "
-				"no solid has: rubber has 1e6 to 1e8, glass 7e10, steel 2e11 Pa; check the "
-				"units of Young's modulus (softened grains seldom have less than 1e5), or "
-				"say "
-				"another system by `units`",
+				"%s have the modulus E* = %g Pa (1/E* = sum of (1 - nu^2)/E), outside the "
+				"range of solids: rubber 1e6 to 1e8, glass 7e10, steel 2e11 Pa; check the "
+				"units of Young's modulus (softened grains seldom have less than 1e5) and "
+				"the command `units`",
 				what, modulus);
 }
 

@@ -74,14 +74,14 @@ static enum ts_status report_overlaps(struct tsim *sim, const struct ts_review_o
 	const struct ts_particles *p = sim->particles;
 	const double *x = p->x[o->a];
 
-	return ts_review_report(
-		sim, "overlap", NULL,
-		"contacts that overlap by more than %g %% of a radius at the start: %zu, the worst "
-		"by %g (%.3g %%), of particles %d and %d at (%g %g %g); they hold an energy of %g, "
-		"with which the worst pair flies apart at a speed of %g; place the particles farther "
-		"apart, check their diameters, or use `fix nve/limit` until the overlaps are gone",
-		100 * ts_review_depth, o->n, o->overlap, 100 * o->depth, p->tag[o->a], o->b, x[0], x[1], x[2],
-		o->energy, o->speed);
+	return ts_review_report(sim, "overlap", NULL,
+				"contacts with an overlap of more than %g %% of a radius at the start: %zu; "
+				"the largest overlap is %g (%.3g %%), of particles %d and %d at (%g %g %g); "
+				"the total elastic energy is %g, the separation speed of this pair %g; "
+				"increase the distances, check the diameters, or use `fix nve/limit` until "
+				"the overlaps are gone",
+				100 * ts_review_depth, o->n, o->overlap, 100 * o->depth, p->tag[o->a], o->b,
+				x[0], x[1], x[2], o->energy, o->speed);
 }
 
 enum ts_status ts_review_overlap(struct tsim *sim)

@@ -73,10 +73,10 @@ static enum ts_status check_primitives(struct tsim *sim, const struct ts_instanc
 
 		if (gap > radius && is_normal_to_fixed_faces(box, &w->primitive[k]))
 			return ts_review_report(sim, "reach", &by->where,
-						"this wall is %g away from the box (%g %g %g) to (%g %g %g), "
-						"so that no particle can touch it: particles are lost at the "
-						"fixed faces of the box; check the units of its numbers, or "
-						"take a larger box",
+						"this wall is at distance %g from the box (%g %g %g) to (%g "
+						"%g %g) and no particle can touch it: particles are lost at "
+						"the fixed faces of the box; check the units, or enlarge the "
+						"box",
 						gap, box->lo[0], box->lo[1], box->lo[2], box->hi[0],
 						box->hi[1], box->hi[2]);
 	}
@@ -226,12 +226,10 @@ static enum ts_status check_floor(struct tsim *sim, const struct ts_instance *by
 	if (!fall.n || any_may_stop(sim, dim, &fall))
 		return TS_OK;
 	return ts_review_report(sim, "floor", &by->where,
-				"gravity pulls particles to the fixed face %c%s, and there is no wall, mesh "
-				"or "
-				"held particle below them: in the time %g of this run %zu of %zu particles "
-				"fall out of the box; add `fix ID all wall/gran primitive type 1 %cplane "
-				"%g`, "
-				"or say `thermo_modify lost ignore`",
+				"gravity acts towards the fixed face %c%s without a wall, mesh or fixed "
+				"particle below: in the time %g of this run %zu of %zu particles leave the "
+				"box; add `fix ID all wall/gran primitive type 1 %cplane %g`, or use "
+				"`thermo_modify lost ignore`",
 				'x' + dim, g[dim] < 0 ? "lo" : "hi", fall.time, fall.n, p->n, 'x' + dim,
 				g[dim] < 0 ? box->lo[dim] : box->hi[dim]);
 }
@@ -278,9 +276,9 @@ enum ts_status ts_review_mesh_size(struct tsim *sim)
 			size = fmax(size, hi[dim] - lo[dim]);
 		if (size < 0.2 * least)
 			TS_TRY(ts_review_report(sim, "mesh_size", &by->where,
-						"mesh %s is %g long, less than a tenth of the diameter %g of "
-						"the "
-						"smallest particle; check the units of its file, and `scale`",
+						"mesh %s has the length %g, less than a tenth of the "
+						"smallest particle diameter %g; check the units of its file, "
+						"and `scale`",
 						by->id, size, 2 * least));
 	}
 	return TS_OK;

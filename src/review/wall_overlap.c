@@ -55,10 +55,10 @@ static enum ts_status report_overlaps(struct tsim *sim, const struct ts_instance
 
 	return ts_review_report(sim, "wall_overlap", &by->where,
 				"particles that overlap this wall by more than %g %% of their radius at the "
-				"start: %zu, the worst by %g (%.3g %%), particle %d at (%g %g %g); they hold "
-				"an energy of %g, with which the worst flies off at a speed of %g; move the "
-				"wall or the particles, check their diameters, or use `fix nve/limit` until "
-				"the overlaps are gone",
+				"start: %zu; the largest overlap is %g (%.3g %%), of particle %d at (%g %g "
+				"%g); the total elastic energy is %g, the separation speed of this particle "
+				"%g; move the wall or the particles, check the diameters, or use `fix "
+				"nve/limit` until the overlaps are gone",
 				100 * ts_review_depth, o->n, o->overlap, 100 * o->depth, p->tag[o->a], x[0],
 				x[1], x[2], o->energy, o->speed);
 }

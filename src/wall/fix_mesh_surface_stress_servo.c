@@ -194,13 +194,12 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	if (!s->warned)
 		return TS_OK;
 	return ts_review_report(sim, "servo", &self->where,
-				"the servo of mesh %s cannot come to rest: with %g contact%s at the target "
-				"(stiffness %.3g, damping %.3g by speed) and the time step %g it is stable "
-				"with up to %.3g times its %s only; take a smaller %s%.3g, vel_max or "
-				"`timestep`",
+				"the servo of mesh %s is unstable: with %g contact%s at the target "
+				"(stiffness %.3g, damping coefficient %.3g) and the time step %g its "
+				"stability limit is %.3g times its %s; reduce %s%.3g, vel_max or `timestep`",
 				self->id, few.n, few.n > 1 ? "s" : "", few.stiffness, few.damping,
 				sim->clock.dt, part, s->mode == AUTO ? "ratio" : "gains",
-				s->mode == AUTO ? "ratio, below " : "kp, below ",
+				s->mode == AUTO ? "the ratio below " : "kp below ",
 				part * (s->mode == AUTO ? s->ratio : present_kp(s)));
 }
 
@@ -302,8 +301,8 @@ static enum ts_status detect_oscillation(struct ts_instance *self, struct tsim *
 		TS_TRY(ts_review_report(sim, "servo", &self->where,
 					"the servo of mesh %s oscillated %d times in %d steps, with its "
 					"largest speed or by more than half of the target: its gain is too "
-					"large for the stiffness and damping of the contacts; take a smaller "
-					"%s (now %g), vel_max (now %g) or `timestep`",
+					"large for the stiffness and damping of the contacts; reduce %s (now "
+					"%g), vel_max (now %g) or `timestep`",
 					self->id, (int)s->flips, WATCHED, s->mode == AUTO ? "ratio" : "kp",
 					s->mode == AUTO ? s->ratio : present_kp(s), s->fastest));
 	s->flips = s->since = 0;

@@ -20,7 +20,7 @@ row() {
 }
 # what is not measured
 untimed() {
-	sed -E 's/^(.{33}).{17}/\1/; s/^[*> ]*//; /^s.time: /,$d; /^all that is advised/d' ../out
+	sed -E 's/^(.{33}).{17}/\1/; s/^[*> ]*//; /^s.time: /,$d; /^all advised settings/d' ../out
 }
 
 # An oscillator: velocity Verlet is of second order, so against dt/4 the phase of dt is off by 1 - 1/16 where that
@@ -49,18 +49,18 @@ echo mine >note.txt
 touch ../before
 advise 0 20 at 0 steps 240
 report 'a scene is tried' $? ../err
-awk '{ sub(/^[*> ]*/, "") } /^as it is:/ { a = $(NF - 3) } /^timestep 0.00125 / { b = $(NF - 3) }
+awk '{ sub(/^[*> ]*/, "") } /^present:/ { a = $(NF - 3) } /^timestep 0.00125 / { b = $(NF - 3) }
 	END { print "ratio", a / b; exit !(a / b > 4.8 && a / b < 5.2) }' ../out >../ratio
 report 'the change of the step is of second order' $? ../ratio
-[ "$(row 'timestep 0.000625')" = finest ]
-report 'the finest step is the measure' $? ../out
-grep -qE '^# of a fix that counts or measures steps' ../out && grep -qE ' #slow( |$)' ../out
+[ "$(row 'timestep 0.000625')" = reference ]
+report 'the finest step is the reference' $? ../out
+grep -qE '^#: value of a fix with intervals in steps' ../out && grep -qE ' #slow( |$)' ../out
 report 'averages over steps are marked' $? ../out
 ! grep -qE '(Step|Time|CPU)( |$)' ../out
 report 'clocks are no columns' $? ../out
 [ "$(cat note.txt)" = mine ] && [ "$(find . ../tmp -newer ../before ! -type d)" = '' ]
 report 'nothing is written where the user is, nothing left elsewhere' $?
-grep -q '^The same again: -advise at 0 steps 240$' ../out
+grep -q '^To repeat: -advise at 0 steps 240$' ../out
 report 'it says how to repeat it' $? ../out
 
 # grains on a floor: what is exact changes nothing
@@ -96,7 +96,7 @@ advise 0 20 at 1001 steps 160 -var step 2e-5
 report 'grains are tried in the middle of a run' $? ../err
 shows 'at step 1001, time 0.02002, in.scene:26: run of 1500 steps, with 60 particles' ../out
 report 'where they start is told' $? ../out
-here=$(row 'as it is: 2e-05, 1 thread')
+here=$(row 'present: 2e-05, 1 thread')
 [ -n "$here" ] && [ "$(row 'neighbor 0.0005 bin')" = "$here" ] && [ "$(row 'neighbor 0.002 bin')" = "$here" ]
 report 'the skin changes nothing' $? ../out
 [ "$(getconf _NPROCESSORS_ONLN)" = 1 ] || [ "$(row '-threads 2')" = "$here" ]
@@ -119,7 +119,7 @@ sed -e 's/^create_atoms.*/create_atoms 1 single 0.01 0.01 0.04 units box\ncreate
 mv in.scene in.kept
 { cat in.apart; echo 'run 2000'; } >in.scene
 advise 0 5 at 0 steps 160
-grep -q '^contact laws: not decided, since there was no contact' ../out && ! grep -qE '^(model|tangential|rolling_friction) .* of the cost' ../out
+grep -q '^contact laws: not decided, no contacts' ../out && ! grep -qE '^(model|tangential|rolling_friction).*: cost ' ../out
 report 'laws of contacts without contacts are not decided' $? ../out
 ! grep -qE '^  ?>' ../out
 report 'nothing is advised from trials of milliseconds' $? ../out
@@ -138,7 +138,7 @@ advise 0 20 at 300 steps 960
 report 'particles come in during the trials' $? ../err
 [ "$(row 'timestep 1e-05' | awk '{ print $1 }')" = 0 ] && [ "$(row 'timestep 4e-05' | awk '{ print $1 }')" = 0 ]
 report 'as many with each step' $? ../out
-grep -q 'changed to stand for the same time: ins insert_every$' ../out
+grep -q '^intervals in steps, .*: ins insert_every$' ../out
 report 'it says what was changed' $? ../out
 mv in.grains in.scene
 
@@ -150,11 +150,11 @@ advise 2 twenty && shows twenty ../err
 report 'a wrong time' $? ../err
 advise 2 60 tolerence 0.1 && shows "did you mean 'tolerance'" ../err
 report 'a wrong word' $? ../err
-advise 1 at 7777 -var step 2e-5 && shows 'no run that goes on from step 7777' ../err
+advise 1 at 7777 -var step 2e-5 && shows 'no run that continues after step 7777' ../err
 report 'a step that does not come' $? ../err
 advise 1 -var step 2e-5x && grep -q '^in.scene:24:10: error: ' ../err && [ ! -s ../out ]
 report 'an error of the scene' $? ../err
 sed -i '/^run/d' in.scene
-advise 1 -var step 2e-5 && shows 'runs no steps' ../err
+advise 1 -var step 2e-5 && shows 'runs no time steps' ../err
 report 'a scene that runs nothing' $? ../err
 finish

@@ -105,7 +105,7 @@ rejects "$(pair "1 1 hooke 1e5 1 $smooth")
 run 1" 'there is no `pair_coeff 1 2 ...`'
 rejects "$(pair "* * hooke 1e9 1 $smooth")
 timestep 1e-3
-run 1" 'is beyond the stability limit'
+run 1" 'exceeds the stability limit'
 rejects "$(pair "* * hooke 1e5 1 $smooth")
 fix w all wall/gran granular hooke 1e5 1 tangential linear_history 1 0.5 zplane 0.0 NULL" 'mu is missing'
 rejects "$(pair "* * hooke 1e5 1 $smooth")

@@ -37,7 +37,7 @@ block 'whose result is known' '' >in.trap
 report 'fix trap: the energy stays' $? out
 sed 's|v_period/1000|v_period/3|' in.trap >in.long
 ./with -in in.long -log none >out 2>&1
-[ $? = 1 ] && grep -q 'beyond the stability limit 0.537342 of fix trap' out
+[ $? = 1 ] && grep -q 'exceeds the stability limit 0.537342 of fix trap' out
 report 'fix trap: a step too large is refused' $? out
 
 printf '%s\n' '-0.9 -0.9 0 1.9 -0.9 0 -0.9 0.9 0' '1.9 -0.9 0 1.9 0.9 0 -0.9 0.9 0' | solid >plate.stl

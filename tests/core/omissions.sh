@@ -273,7 +273,7 @@ while read -r line; do
 			diff -r without with >difference
 		report "$name: $b with -full $a, bit for bit" $? difference
 		"$TSIM" -explain -threads $threads -in "in.$b" >told 2>&1 &&
-			sed -n '/^left out/,/^memory/p' told | grep -q "^  $name "
+			sed -n '/^omitted/,/^memory/p' told | grep -q "^  $name "
 		report "$name: is left out of $b" $? told
 		;;
 	pair)

@@ -214,7 +214,7 @@ rejects "$still
 fix d all drag/stokes
 fix m all nve
 timestep 26.6
-run 1" 'is beyond the stability limit 26.5 of explicit fix drag/stokes, 2 tau'
+run 1" 'exceeds the stability limit 26.5 of explicit fix drag/stokes, 2 tau'
 rejects "$still
 create_atoms 1 single 0.5 0.5 0.505 units box
 set group all diameter 0.01 density 2385
@@ -226,7 +226,7 @@ prints "$still
 fix d all drag/stokes
 fix m all nve
 timestep 26.6
-run 0 unsafe yes" '*is beyond the stability limit 26.5 of explicit fix drag/stokes'
+run 0 unsafe yes" '*exceeds the stability limit 26.5 of explicit fix drag/stokes'
 rejects "$head
 flow_style uniform velocity 0.5 0 0 viscosity 1e-3 density 1e5
 fix d all drag/schiller_naumann

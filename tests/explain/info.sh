@@ -17,7 +17,7 @@ info styles
 END
 "$TSIM" -in in.info -log none >out 2>&1
 report 'info' $? out
-for line in '  no box yet' '  units micro, 3 dimensions, step 0, time 0, time step 2' \
+for line in '  no simulation box' '  units micro, 3 dimensions, step 0, time 0, time step 2' \
 	'  box (0 0 0) to (1 1 1), faces pp pp pp' '  20 particles of 2 types, 0 bonds of 0 types, 0 lost' \
 	'  few, static, 3 particles' '  dy, dynamic, 3 particles' '  box, block, in.info:3' \
 	'  hot, ke, group all, in.info:7' '  fall, gravity, group all, in.info:6' '*  region: block'; do

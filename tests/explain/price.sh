@@ -29,7 +29,7 @@ END
 report 'explained' $? err
 [ ! -e post ] && [ ! -e log.tsim ]
 report 'nothing is written' $?
-grep -q '^duration: about .* a step takes .* steps tried from the current state' out
+grep -q '^duration: about .* time per step .* steps measured from the current state' out
 report 'steps were tried' $? out
 grep -q '^All runs together: about .* of files' out
 report 'the whole script has a price' $? out
@@ -37,7 +37,7 @@ report 'the whole script has a price' $? out
 # without outputs what counts is who touches whom
 sed '/^dump/d; /^fix [pt]/d; /^restart/d; s/^run.*/run 100000/' in.price >in.scattered
 "$TSIM" -explain -in in.scattered >scattered 2>err
-grep -q '^duration: about .* to .*, a step takes .* in a dense packing' scattered
+grep -q '^duration: about .* to .*, time per step .* in a dense packing' scattered
 report 'scattered particles cost more when they lie together' $? scattered
 
 # files of an earlier run stay as they are

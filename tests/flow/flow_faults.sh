@@ -157,7 +157,7 @@ run 500' 'error:'
 rejects 'include fluid
 flow_boundary yhi wall velocity 1 0 0
 timestep 1
-run 5' 'is beyond the stability limit'
+run 5' 'exceeds the stability limit'
 rejects 'include box
 flow_style projection cells 8 6 5 viscosity 0.0001 density 2
 flow_boundary yhi wall velocity 1 0 0

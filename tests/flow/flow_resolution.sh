@@ -55,7 +55,7 @@ flow_boundary ylo slip
 flow_boundary yhi slip')"
 
 lid='flow_boundary yhi wall velocity 1 0 0'
-told 'a lid, 8 cells' "$(scene 8 200 central "$lid")" 'beside the wall' 'take more cells along'
+told 'a lid, 8 cells' "$(scene 8 200 central "$lid")" 'beside the wall' 'use more cells along'
 told 'a lid, 32 cells' "$(scene 32 100 central "$lid")"
 told 'a lid that has just started' "$(scene 8 200 central "$lid" | sed 's/run 300/run 2/; s/run 100/run 2/')"
 told 'the layer of a wall' "$(scene 16 5000 quick 'flow_boundary xlo inlet velocity 1 0 0

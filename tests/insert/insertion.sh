@@ -133,7 +133,7 @@ pair_style spring/dashpot
 pair_coeff * * stiffness 2385 restitution 0.5
 $pack region bed particles_in_region 3
 timestep 1
-run 1" 'beyond the stability limit'
+run 1" 'exceeds the stability limit'
 
 with() { # LINES... TEXT: the scene with these lines is refused
 	rejects "$scene

@@ -138,5 +138,5 @@ $down
 pair_style gran/hooke/history 1e9 NULL 50 NULL 0.5 1
 pair_coeff * *
 $rain region sky diam one 0.1
-run 1" 'is beyond the stability limit'
+run 1" 'exceeds the stability limit'
 finish

@@ -45,10 +45,10 @@ twice 'fix a two nve
 fix b all nve/sphere' 'moves particle 2 (type 2), which fix a (nve, line 14)'
 twice 'review error
 fix a all rigid single
-fix b all nve/sphere' 'fix b (nve/sphere) moves particle 1, which belongs to a rigid body'
+fix b all nve/sphere' 'fix b (nve/sphere) integrates particle 1, a member of a rigid body'
 twice 'review error
 fix b two nve
-fix a all rigid single' 'fix b (nve) moves particle 2, which belongs to a rigid body'
+fix a all rigid single' 'fix b (nve) integrates particle 2, a member of a rigid body'
 once 'fix a all rigid single
 fix b all nve/sphere'
 shows 'review: members' out

@@ -158,7 +158,7 @@ rejects 'include in.two
 pair_style gran model hooke
 pair_coeff * *
 timestep 0.1
-run 1' 'is beyond the stability limit'
+run 1' 'exceeds the stability limit'
 prints 'include in.two
 unfix n
 pair_style gran model hooke

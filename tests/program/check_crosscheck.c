@@ -281,11 +281,11 @@ START_TEST(statistics)
 	ck_assert(vx->diverged);
 	ck_assert_int_eq(ts_compare_statistics(&p, 0, &sim->error, sim->pool), TS_OK);
 	ck_assert_double_eq_tol(vx->most, 1, 1e-12);
-	ck_assert_double_eq_tol(vx->mean + vx->spread + vx->profile, 0, 1e-12);
+	ck_assert_double_eq_tol(vx->mean + vx->deviation + vx->quantiles, 0, 1e-12);
 	/* vy and vx have one scale, 3 */
 	ck_assert_double_eq_tol(vy->mean, 0.5 / 3, 1e-12);
-	ck_assert_double_eq_tol(vy->spread, 0.5 / 3, 1e-12);
-	ck_assert_double_eq_tol(vy->profile, 0.5 / 3, 1e-12);
+	ck_assert_double_eq_tol(vy->deviation, 0.5 / 3, 1e-12);
+	ck_assert_double_eq_tol(vy->quantiles, 0.5 / 3, 1e-12);
 	ts_compare_release(&p);
 }
 END_TEST

@@ -57,11 +57,11 @@ report 'all outputs are compared' $? ../out
 report 'nothing is written where the user is' $?
 
 PEER_CHANGE='sed -i "s/^1 0 0 .*/1 0 0 1.2/" post/d200.txt'
-crosscheck 'a dump differs from some step on' 3 '^part: z of post/d\*\.txt is off by more than 1e-06 of its range at step 200( |,|;|$)'
+crosscheck 'a dump differs from some step on' 3 '^differ: z of post/d\*\.txt differs by more than 1e-06 of its range at step 200( |,|;|$)'
 crosscheck 'but not by more than the tolerance' 0 '^agree' tolerance 1
-crosscheck 'and its statistics are near' 0 '^agree: .* at step 200; from there statistics within' until 199 statistics 0.6
-crosscheck 'or not near enough' 3 '^part' until 199 statistics 0.001
-crosscheck 'or it parts too early' 3 '^part' until 200 statistics 0.6
+crosscheck 'and its statistics are near' 0 '^agree: .* at step 200; statistics from there differ by at most' until 199 statistics 0.6
+crosscheck 'or not near enough' 3 '^differ' until 199 statistics 0.001
+crosscheck 'or it diverges too early' 3 '^differ' until 200 statistics 0.6
 PEER_CHANGE='rm z.txt'
 crosscheck 'a file is missing' 1 '^only tsim wrote z.txt'
 PEER_CHANGE='echo 1 >more.txt'
@@ -79,37 +79,37 @@ crosscheck 'one of many that is empty' 0 '^left empty by liggghts, not compared:
 grep -q '^post/d\*\.txt: 3 steps\>' ../out
 report 'the others are compared' $? ../out
 PEER_CHANGE='for f in post/*.txt; do sed -i "/^ITEM: NUMBER/{n;s/1/0/}; /^1 0 0/d" "$f"; done'
-crosscheck 'frames that only one program leaves without rows' 3 '4 rows without a partner'
+crosscheck 'frames that only one program leaves without rows' 3 '4 unmatched rows'
 cp in.fall in.all
 sed -i 's/^dump.*/group none empty\ndump d none custom 100 post\/d*.txt id x y z/' in.fall
 PEER_CHANGE=''
 crosscheck 'frames without rows in both programs' 0 '^post/d\*\.txt: 4 steps, empty in both'
 sed 's/^run/compute e all pe\nfix a all ave\/time 100 1 100 c_e file e.txt\n&/' in.all >in.fall
 PEER_CHANGE='sed -i "s/^\([0-9][0-9]*\) .*/\1 7/" e.txt'
-crosscheck 'the elastic energy of contacts' 0 '^  c_e .* differs on purpose, see -help legacy'
+crosscheck 'the elastic energy of contacts' 0 '^  c_e .* intended difference, see -help legacy'
 sed -i 's/compute e all pe/compute e all ke/' in.fall
-crosscheck 'another energy' 3 '^part: c_e of e.txt'
+crosscheck 'another energy' 3 '^differ: c_e of e.txt'
 mv in.all in.fall
 PEER_CHANGE='echo ERROR: no such thing'
 PEER_STATUS=3
 crosscheck 'the other program fails' 1 'ERROR: no such thing'
-crosscheck 'which is said' 1 '^failed: only tsim runs the script'
+crosscheck 'which is said' 1 '^failed: the other program did not complete the script'
 PEER_STATUS=0 PEER_CHANGE=''
-crosscheck 'all can be kept' 0 'all is kept in run' keep run
+crosscheck 'all can be kept' 0 'files kept in run' keep run
 [ -f run/tsim/post/d300.txt ] && [ -f run/liggghts.screen ] && [ ! -f run/tsim/post/d7.txt ]
 report 'and is there' $?
-crosscheck 'in a new folder' 1 "there is a folder 'run' already" keep run
+crosscheck 'in a new folder' 1 "folder 'run' exists" keep run
 crosscheck 'no such program' 2 "did you mean 'tolerance'" tolerence 1
 
 "$TSIM" -crosscheck liggghts peer ../missing -in in.fall >../out 2>&1
-[ $? = 4 ] && grep -q "there is no program '../missing'" ../out
+[ $? = 4 ] && grep -q "program '../missing' not found" ../out
 report 'the program is missing' $? ../out
 PATH=/nowhere "$TSIM" -crosscheck lammps -in in.fall >../out 2>&1
-[ $? = 4 ] && grep -q 'lammps is not installed: there is no program lmp, .*apt-get install lammps' ../out
+[ $? = 4 ] && grep -q 'lammps is not installed: not found in the PATH: lmp, .*apt-get install lammps' ../out
 report 'the program is not installed' $? ../out
 echo 'run here' >in.wrong
 "$TSIM" -crosscheck liggghts peer ../peer -in in.wrong >../out 2>&1
-[ $? = 1 ] && shows "in.wrong:1:1: error:" ../out && grep -q '^failed: neither runs the script' ../out
+[ $? = 1 ] && shows "in.wrong:1:1: error:" ../out && grep -q '^failed: neither program completed the script' ../out
 report 'the script is wrong' $? ../out
 "$TSIM" -crosscheck liggghts peer ../peer -in in.none >../out 2>&1
 [ $? = 1 ] && shows "in.none" ../out

@@ -66,7 +66,7 @@ $rest"
 found 'no integrator' integrator "$start
 $two
 $law
-$rest" '2 of 2 particles are moved by no fix' 'particle 1 (type 1)' 'fix ID GROUP nve/sphere'
+$rest" '2 of 2 particles are not integrated by any fix' 'particle 1 (type 1)' 'fix ID GROUP nve/sphere'
 found 'no integrator for some, in a loop of runs' integrator "$start
 $two
 $law
@@ -169,11 +169,11 @@ run 10"
 
 # ---- overlap: k/2 delta^2 = 5000 0.04^2 = 8, m* = 1000 pi/6 0.2^3/2 = 2.0944, sqrt(2 8/2.0944) = 2.76395 ----
 found 'overlap at the start' overlap "${whole/0.6 0.5 0.15/0.46 0.5 0.15}
-$rest" ': 1, the worst by 0.04 (40 %)' 'particles 1 and 2 at (0.3 0.5 0.15)' 'an energy of 8,' 'a speed of 2.76395'
+$rest" ': 1; the largest overlap is 0.04 (40 %)' 'particles 1 and 2 at (0.3 0.5 0.15)' 'elastic energy is 8,' 'separation speed of this pair 2.76395'
 across=${whole/0.3 0.5 0.15/0.02 0.5 0.15}
 across=${across/boundary f f f/boundary p f f}
 found 'overlap across a periodic face' overlap "${across/0.6 0.5 0.15/0.86 0.5 0.15}
-$rest" ': 1, the worst by 0.04 (40 %)'
+$rest" ': 1; the largest overlap is 0.04 (40 %)'
 sound 'a small overlap' "${whole/0.6 0.5 0.15/0.496 0.5 0.15}
 $rest"
 sound 'overlaps that fix nve/limit takes out' "${whole/0.6 0.5 0.15/0.46 0.5 0.15}
@@ -198,12 +198,12 @@ printf '%s\n' "${whole/0.6 0.5 0.15/0.46 0.5 0.15}" 'write_restart start.restart
 found 'overlap from a restart file written before the first step' overlap "read_restart start.restart
 $law
 fix move all nve/sphere
-$rest" ': 1, the worst by 0.04'
+$rest" ': 1; the largest overlap is 0.04'
 
 # ---- wall_overlap ----
 found 'in a plane wall' wall_overlap "$whole
 fix floor all wall/gran primitive type 1 zplane 0.1
-$rest" ': 2, the worst by 0.05 (50 %)' 'particle 1 at (0.3 0.5 0.15)' 'an energy of 25,'
+$rest" ': 2; the largest overlap is 0.05 (50 %)' 'particle 1 at (0.3 0.5 0.15)' 'elastic energy is 25,'
 cat >plate.stl <<'STL'
 solid plate
 facet normal 0 0 1
@@ -225,15 +225,15 @@ STL
 found 'in a mesh' wall_overlap "$whole
 fix plate all mesh/surface file plate.stl type 1
 fix floor all wall/gran mesh n_meshes 1 meshes plate
-$rest" ': 2, the worst by 0.04 (40 %)'
+$rest" ': 2; the largest overlap is 0.04 (40 %)'
 found 'in the surface of a region' wall_overlap "$whole
 region cup block 0 1 0 1 0.1 1 units box
 fix floor all wall/gran/region type 1 region cup
-$rest" ': 2, the worst by 0.05 (50 %)' 'particle 1 at (0.3 0.5 0.15)' 'an energy of 25,'
+$rest" ': 2; the largest overlap is 0.05 (50 %)' 'particle 1 at (0.3 0.5 0.15)' 'elastic energy is 25,'
 found 'around a region' wall_overlap "$whole
 region ball sphere 0.3 0.5 0.3 0.1 side out units box
 fix ball all wall/gran/region type 1 region ball
-$rest" ': 1, the worst by 0.05 (50 %)'
+$rest" ': 1; the largest overlap is 0.05 (50 %)'
 sound 'on the other side of the surface of a region' "$whole
 region cup block 0 1 0 1 0.2 1 units box
 fix floor all wall/gran/region type 1 region cup
@@ -268,16 +268,16 @@ cube='0.29 0.61 0.29 0.61 0.29 0.61'
 row='0.09 0.91 0.49 0.51 0.49 0.51'
 # a square lattice: 2 5 4 = 40 bonds; with diagonals 72. In a plane 2 25 - 3 = 47 are needed, in space 3 25 - 6 = 69
 found 'a square lattice in a plane' bonds "$(bonded 'dimension 2' "${plate/0.49 0.51/-0.1 0.1}" 0.11 | sed 's/boundary f f f/boundary f f p/; s/0 1 units box/-0.5 0.5 units box/; s/lattice sc/lattice sq/')" \
-	': 1, the largest of 25 particles (particle 1 is one) with 40 bonds, where 47 are needed'
+	': 1; the largest has 25 particles (among them particle 1) and 40 bonds, but rigidity requires 47'
 sound 'with diagonals' "$(bonded 'dimension 2' "${plate/0.49 0.51/-0.1 0.1}" 0.145 | sed 's/boundary f f f/boundary f f p/; s/0 1 units box/-0.5 0.5 units box/; s/lattice sc/lattice sq/')"
-found 'a square lattice in space' bonds "$(bonded '' "$plate" 0.11)" 'with 40 bonds, where 69 are needed'
+found 'a square lattice in space' bonds "$(bonded '' "$plate" 0.11)" '40 bonds, but rigidity requires 69'
 # a cubic lattice: 3 4 4 3 = 144 bonds of 3 64 - 6 = 186; with diagonals of its faces 360
-found 'a cubic lattice' bonds "$(bonded '' "$cube" 0.11)" 'of 64 particles' 'with 144 bonds, where 186 are needed'
+found 'a cubic lattice' bonds "$(bonded '' "$cube" 0.11)" 'has 64 particles' '144 bonds, but rigidity requires 186'
 sound 'a cubic lattice with diagonals' "$(bonded '' "$cube" 0.145)"
 # 16 are held: 144 - 24 bonds of the free ones, 3 48 = 144 needed
 found 'a cubic lattice that stands on a plate' bonds "$(bonded '' "$cube" 0.11 'region foot block 0 1 0 1 0 0.35 units box
 group foot region foot
-fix hold foot freeze')" 'with 120 bonds, where 144 are needed'
+fix hold foot freeze')" '120 bonds, but rigidity requires 144'
 sound 'a chain' "$(bonded '' "$row" 0.11)"
 sound 'a rock of which bonds have broken' "$(bonded '' "$cube" 0.145 'velocity all ramp vx 0 3 x 0.3 0.6 units box
 bond_coeff 1 stiffness 1e4 ultimate 1')
@@ -322,10 +322,10 @@ $rest" 'contacts of type 1 with wall floor'
 # ---- reach ----
 found 'a plane in millimetres' reach "$whole
 fix side all wall/gran primitive type 1 xplane 1000
-$rest" 'this wall is 999 away from the box (0 0 0) to (1 1 1)'
+$rest" 'this wall is at distance 999 from the box (0 0 0) to (1 1 1)'
 found 'a cylinder that is too large' reach "$whole
 fix side all wall/gran primitive type 1 zcylinder 100 0.5 0.5
-$rest" 'this wall is 99.2929 away'
+$rest" 'this wall is at distance 99.2929'
 sound 'walls at and just outside of the faces' "$whole
 fix low all wall/gran primitive type 1 xplane 0
 fix high all wall/gran primitive type 1 xplane 1.05
@@ -379,7 +379,7 @@ run 2000"
 found 'a mesh in metres' mesh_size "$whole
 fix plate all mesh/surface file plate.stl type 1 scale 0.001 move 0.5 0.5 0.5
 fix floor all wall/gran mesh n_meshes 1 meshes plate
-$rest" 'mesh plate is 0.0008 long' 'the diameter 0.2'
+$rest" 'mesh plate has the length 0.0008' 'particle diameter 0.2'
 leaving="$whole
 fix plate all mesh/surface file plate.stl type 1 move 0 0 0.6
 fix push all move/mesh mesh plate linear 0 0 1
@@ -389,7 +389,7 @@ sound 'a mesh that stays' "$leaving
 run 300"
 printf '%s\n' "$leaving" 'run 320' >in.script
 "$TSIM" -check -in in.script 2>&1 </dev/null | grep '(review: ' >told
-grep -qE 'mesh plate leaves the box 0.31 from now, after 310 of the 320 steps .*mesh_leaves' told && [ "$(grep -c . told)" = 1 ]
+grep -qE 'mesh plate leaves the box in a time of 0.31, after 310 of the 320 steps .*mesh_leaves' told && [ "$(grep -c . told)" = 1 ]
 report 'a mesh that leaves' $? told
 echo mesh_leaves >>provoked
 
@@ -407,14 +407,14 @@ press='fix press all wall/gran mesh n_meshes 1 meshes lid
 timestep 1e-5
 run 5000'
 found 'a servo beyond its limit' servo "$servo vel_max 1 kp 1000
-$press" 'mesh lid cannot come to rest: with 1 contact' 'stiffness 1e+05' 'take a smaller kp, below '
+$press" 'mesh lid is unstable: with 1 contact' 'stiffness 1e+05' 'reduce kp below '
 sound 'one far below it' "$servo vel_max 1 kp 0.1
 $press"
 found 'the automatic mode beyond its limit' servo "$servo vel_max 1 mode auto ratio 0.5
-$press" 'take a smaller ratio, below '
+$press" 'reduce the ratio below '
 found 'the gain of LIGGGHTS where it is too large' servo "legacy yes
 ${servo/target_val 20/target_val 0.001} vel_max 1
-$press" 'take a smaller kp, below '
+$press" 'reduce kp below '
 # a held particle and a dashpot of 5 m = 2.618: kp_max = 2 20/(1 (1e5 1e-5 + 2 2.618)) = 6.414
 held="${servo//gamman peratomtypepair 2 1 1 1 1/gamman peratomtypepair 2 5 5 5 5}"
 held="${held/diameter 0.1 density 1000/diameter 0.1 density 1000
@@ -427,7 +427,7 @@ print \"force \$(f_lid[3]:%.9g)\""
 grep -q '^force 20$' run.log
 report 'the servo is at rest there' $? run.log
 found 'just beyond the limit' servo "${held} vel_max 1 kp 6.6
-$press" 'up to 0.972 times' 'take a smaller kp, below 6.41'
+$press" 'limit is 0.972 times' 'reduce kp below 6.41'
 # four held particles that the lid does not touch yet: known only when it does
 four="$held vel_max 1 kp 3.3"
 four="${four/create_atoms/create_atoms 1 single 0.7 0.5 0.05 units box
@@ -465,9 +465,9 @@ fix e all void_fraction
 fix d all drag/stokes
 fix p all flow/pressure_gradient'
 found 'momentum that is not kept' momentum "$suspension
-$rest" 'the box is periodic on all sides' 'form conservative'
+$rest" 'the box is periodic in all directions' 'form conservative'
 found 'nor so' momentum "${suspension/density 1000/density 1000 form conservative} interpolation linear
-$rest" 'leave `interpolation` here to its default'
+$rest" 'the default `interpolation` of this fix'
 sound 'momentum that is kept' "${suspension/density 1000/density 1000 form conservative}
 $rest"
 sound 'a channel' "${suspension/boundary p p p/boundary p p f}
@@ -481,13 +481,13 @@ printf '%s\n' "$start" 'create_atoms 1 single 0.3 0.5 0.3 units box' 'set group 
 	'fix body all rigid single' 'fix move all nve/sphere' 'timestep 1e-5' 'run 10' >in.script
 "$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null
 grep '(review: ' run.log >told
-[ "$(grep -c . told)" = 1 ] && grep -qE 'fix move .nve/sphere. moves particle 1, which belongs to a rigid body.*review: members' told
+[ "$(grep -c . told)" = 1 ] && grep -qE 'fix move .nve/sphere. integrates particle 1, a member of a rigid body.*review: members' told
 report 'members of rigid bodies' $? run.log
 echo members >>provoked
 
 # ---- the command ----
 rejects "$start
-review off overlpa" "there is no check 'overlpa'; did you mean 'overlap'?"
+review off overlpa" "unknown check 'overlpa'; did you mean 'overlap'?"
 rejects "$start
 review silent" "answer is 'silent'"
 

@@ -112,7 +112,7 @@ report 'near the limit of what has come together: one warning' $ok
 
 ok=1
 press 1.5 no 0 && ok=0
-for text in 'in.press:21' 'error: at step' 'the time step 1.5 is beyond the stability limit 1.41421 of' \
+for text in 'in.press:21' 'error: at step' 'the time step 1.5 exceeds the stability limit 1.41421 of' \
 	'all contacts together, about particle 1 of type 1 (2 contacts) at (0 0 0)' 'timestep 0.14'; do
 	shows "$text" out || { ok=0; echo "missing: $text"; }
 done
