@@ -125,13 +125,11 @@ static void print_cost(struct tsim *sim)
 	ts_str_add(&text, " and ");
 	ts_price_bytes(sim->cost.bytes, &text);
 	ts_log(&sim->log,
-	       "\nAll runs together: %s of files%s.\nNothing was run: values that only a run can give are "
-	       "unknown, and a run is priced from the state that\n"
-	       "the script has without the runs before it, and for the case that its particles come to lie "
-	       "together.\n",
+	       "\nAll runs together: %s of files%s.\nNothing was run: values that depend on results of runs "
+	       "are unknown. The duration of a run\nis measured from the state without the previous runs, "
+	       "and for a dense packing of its particles.\n",
 	       ts_str_text(&text),
-	       sim->cost.open ? " (how many turns loops take, or how long a run is, only a run can tell)"
-			      : "");
+	       sim->cost.open ? " (loop iterations and steps that depend on results are unknown)" : "");
 	ts_str_release(&text);
 }
 

@@ -463,9 +463,9 @@ static void add_advice(const struct ts_trial_results *b, double tolerance, struc
 	only = all ? all : n == 1 ? only : NULL;
 	if (!only)
 		return;
-	ts_str_add(out, all ? "With all of them: " : "With it: ");
+	ts_str_add(out, all ? "With all advised settings: " : "With this setting: ");
 	add_duration(b, present, only, out);
-	ts_str_add(out, "; from the reference: ");
+	ts_str_add(out, "; compared with the reference: ");
 	add_change(b, only->worst, only->worst_column, out);
 	ts_str_add(out, "\n");
 }

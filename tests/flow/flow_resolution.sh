@@ -59,7 +59,7 @@ told 'a lid, 8 cells' "$(scene 8 200 central "$lid")" 'beside the wall' 'use mor
 told 'a lid, 32 cells' "$(scene 32 100 central "$lid")"
 told 'a lid that has just started' "$(scene 8 200 central "$lid" | sed 's/run 300/run 2/; s/run 100/run 2/')"
 told 'the layer of a wall' "$(scene 16 5000 quick 'flow_boundary xlo inlet velocity 1 0 0
-flow_boundary xhi outlet')" 'beside the wall ylo' 'y+ is'
+flow_boundary xhi outlet')" 'beside the wall ylo' 'y+ = '
 for cells in 3 6; do
 	(cd "$top_srcdir/examples/flow/poiseuille" &&
 		"$TSIM" -in in.poiseuille -var drive force -var N $cells -log none) 2>&1 </dev/null | grep -c '(review: flow_resolution)'

@@ -265,7 +265,7 @@ says 'idioms' '  idioms.run:34        run a number of steps that is known only i
 report 'they run' $? err
 "$TSIM" -explain -in idioms.run -log none >out 2>err
 report '-explain goes the same way' $? err
-grep -q '^All runs together: at least .*only a run can tell' out && grep -q '^there are (unknown), 1/n = (unknown)' out
+grep -q '^All runs together: at least .*that depend on results are unknown' out && grep -q '^there are (unknown), 1/n = (unknown)' out
 report '-explain says what it does not know' $? out
 
 # all branches are checked by what they name, too; what one takes away may be there
