@@ -82,16 +82,16 @@ syn keyword tsimKeyword  scalar kind global beyond end extra level dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate volume
 syn keyword tsimKeyword  wiggle xy xz yz v flip axes xyz scheme explicit exact implicit
-syn keyword tsimKeyword  lagged cell void C1 C2 wob spring body clearance tolerance summary
-syn keyword tsimKeyword  conductivity capacity initial source convection vanleer central
-syn keyword tsimKeyword  donor exchange ranz_marshall chute spherical hard soft continue
-syn keyword tsimKeyword  message path initial_temperature contact_area area_correction
-syn keyword tsimKeyword  store_contact_data euler centre iterations min_cells relax
-syn keyword tsimKeyword  virtual_mass spheres seed distributiontemplate maxattempt
-syn keyword tsimKeyword  overlapcheck all_in position direction inner_diameter speed cone
-syn keyword tsimKeyword  orientation set_property nparticles particlerate massrate
-syn keyword tsimKeyword  insert_every verbose random_distribute uncorrelated compress_tags
-syn keyword tsimKeyword  ntry_mc check_dist_from_subdomain_border warn_region
+syn keyword tsimKeyword  lagged cell void sound C1 C2 wob spring body clearance tolerance
+syn keyword tsimKeyword  summary conductivity capacity initial source convection vanleer
+syn keyword tsimKeyword  central donor exchange ranz_marshall chute spherical hard soft
+syn keyword tsimKeyword  continue message path initial_temperature contact_area
+syn keyword tsimKeyword  area_correction store_contact_data euler centre iterations
+syn keyword tsimKeyword  min_cells relax virtual_mass spheres seed distributiontemplate
+syn keyword tsimKeyword  maxattempt overlapcheck all_in position direction inner_diameter
+syn keyword tsimKeyword  speed cone orientation set_property nparticles particlerate
+syn keyword tsimKeyword  massrate insert_every verbose random_distribute uncorrelated
+syn keyword tsimKeyword  compress_tags ntry_mc check_dist_from_subdomain_border warn_region
 syn keyword tsimKeyword  particles_in_region volumefraction_region mass_in_region
 syn keyword tsimKeyword  max_rounds insertion_face extrude_length duration law rubinow
 syn keyword tsimKeyword  oesterle saffman mei vec_side multiple point_at_outlet inside_out
@@ -135,10 +135,11 @@ syn keyword tsimKeyword  elastic_constant factor flow_stress depth_ratio force_r
 syn keyword tsimKeyword  transition particles sio2 sic glass relaxation crater section
 syn keyword tsimKeyword  segment plastic viscosity ab2 rk2 rk3 backward substeps courant
 syn keyword tsimKeyword  quick cubista gamma form fv fd conservative quadratic body_force
-syn keyword tsimKeyword  pressure_level generic hertz/material dmt mass_velocity
-syn keyword tsimKeyword  viscoelastic tsuji coeff_restitution rolling twisting heat
-syn keyword tsimKeyword  restitution unfinished preconditioner diagonal direct multigrid
-syn keyword tsimKeyword  side in out open center bounds angle0
+syn keyword tsimKeyword  pressure_level axisymmetric plane point span distance profile
+syn keyword tsimKeyword  potential generic hertz/material dmt mass_velocity viscoelastic
+syn keyword tsimKeyword  tsuji coeff_restitution rolling twisting heat restitution
+syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid side in out
+syn keyword tsimKeyword  open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -169,16 +170,17 @@ syn keyword tsim_fix contained ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage buoyancy check/timestep/gran controller couple/cfd
 syn keyword tsim_fix contained couple/cfd/convection couple/cfd/force couple/cfd/force/implicit
-syn keyword tsim_fix contained deform drag drag/beetstra drag/di_felice drag/ergun drag/gidaspow
-syn keyword tsim_fix contained drag/koch_hill drag/schiller_naumann drag/stokes drag/wen_yu
-syn keyword tsim_fix contained drill/bit energy/ledger enforce2d evaporate flow/pressure_gradient
-syn keyword tsim_fix contained flow/scalar freeze gravity halt heat/gran heat/gran/conduction
-syn keyword tsim_fix contained immersed/boundary insert/jet insert/pack insert/pack/dense
-syn keyword tsim_fix contained insert/rate/region insert/stream langevin lift/magnus lift/saffman
-syn keyword tsim_fix contained lineforce massflow/mesh mesh/surface mesh/surface/planar
-syn keyword tsim_fix contained mesh/surface/stress mesh/surface/stress/servo momentum move
-syn keyword tsim_fix contained move/mesh move/mesh/free multicontact/halfspace multisphere nve
-syn keyword tsim_fix contained nve/euler nve/limit nve/noforce nve/sphere nve/symplectic
+syn keyword tsim_fix contained deform drag drag/beetstra drag/carlson_hoglund drag/di_felice
+syn keyword tsim_fix contained drag/ergun drag/gidaspow drag/koch_hill drag/schiller_naumann
+syn keyword tsim_fix contained drag/stokes drag/wen_yu drill/bit energy/ledger enforce2d
+syn keyword tsim_fix contained evaporate flow/pressure_gradient flow/scalar freeze gravity halt
+syn keyword tsim_fix contained heat/gran heat/gran/conduction immersed/boundary insert/jet
+syn keyword tsim_fix contained insert/pack insert/pack/dense insert/rate/region insert/stream
+syn keyword tsim_fix contained langevin lift/magnus lift/saffman lineforce massflow/mesh
+syn keyword tsim_fix contained mesh/surface mesh/surface/planar mesh/surface/stress
+syn keyword tsim_fix contained mesh/surface/stress/servo momentum move move/mesh move/mesh/free
+syn keyword tsim_fix contained multicontact/halfspace multisphere nve nve/euler nve/limit
+syn keyword tsim_fix contained nve/noforce nve/sphere nve/symplectic
 syn keyword tsim_fix contained particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased
@@ -225,7 +227,7 @@ syn match tsimHead /^\s*bond_style\s\+/ contains=tsimCommand,tsimVariable nextgr
 syn keyword tsim_bond contained contact
 hi def link tsim_bond Type
 syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_flow
-syn keyword tsim_flow contained projection uniform
+syn keyword tsim_flow contained projection stagnation uniform
 hi def link tsim_flow Type
 syn match tsimHead /^\s*pressure_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pressure
 syn keyword tsim_pressure contained cg direct hypre multigrid sor
