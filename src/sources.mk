@@ -486,6 +486,8 @@ library_sources = \
 	src/geom/primitive.h \
 	src/geom/spherehash.c \
 	src/geom/spherehash.h \
+	src/geom/sweep.c \
+	src/geom/sweep.h \
 	src/grid/command_flow_grid.c \
 	src/grid/grid.c \
 	src/grid/grid.h \
@@ -723,6 +725,8 @@ library_sources = \
 	src/mesh/mesh_style.h \
 	src/mesh/mesh_surface.c \
 	src/mesh/mesh_surface.h \
+	src/mesh/mesh_sweep.c \
+	src/mesh/mesh_sweep.h \
 	src/mesh/mesh_touch.c \
 	src/mesh/mesh_touch.h \
 	src/mesh/mesh_tree.c \
@@ -969,6 +973,10 @@ library_sources = \
 	src/voxel/voxel_touch.c \
 	src/voxel/voxel_touch.h \
 	src/wall/compute_wall_gran_local.c \
+	src/wall/exact_collision.c \
+	src/wall/exact_collision.h \
+	src/wall/exact_impacts.c \
+	src/wall/exact_impacts.h \
 	src/wall/fix_drill_bit.c \
 	src/wall/fix_mesh_surface_stress.c \
 	src/wall/fix_mesh_surface_stress_servo.c \
@@ -986,6 +994,7 @@ library_sources = \
 	src/wall/mesh_wall.h \
 	src/wall/mesh_wall_queue.c \
 	src/wall/mesh_wall_queue.h \
+	src/wall/mesh_wall_sweep.c \
 	src/wall/mesh_wear.c \
 	src/wall/mesh_wear.h \
 	src/wall/primitive_wall.c \
@@ -1002,6 +1011,7 @@ library_sources = \
 	src/wall/voxel_wall.h \
 	src/wall/voxel_wall_queue.c \
 	src/wall/voxel_wall_queue.h \
+	src/wall/voxel_wall_sweep.c \
 	src/wall/wall.c \
 	src/wall/wall.h \
 	src/wall/wall_batch.h \

@@ -229,7 +229,7 @@ unit_tests = \
 	tests/stability/check_limits \
 	tests/stability/check_network \
 	tests/stability/check_relaxation \
-	tests/voxel/check_voxel
+	tests/voxel/check_voxel \
 	tests/wall/check_exact_collision
 libtests_a_SOURCES = \
 	tests/cloud.c \
@@ -484,6 +484,7 @@ tests_stability_check_relaxation_LDADD = $(tests_ldadd)
 tests_voxel_check_voxel_SOURCES = tests/voxel/check_voxel.c
 tests_voxel_check_voxel_CFLAGS = $(tests_cflags)
 tests_voxel_check_voxel_LDADD = $(tests_ldadd)
+
 tests_wall_check_exact_collision_SOURCES = tests/wall/check_exact_collision.c
 tests_wall_check_exact_collision_CFLAGS = $(tests_cflags)
 tests_wall_check_exact_collision_LDADD = $(tests_ldadd)

@@ -11,6 +11,8 @@
 #include "neigh/neigh.h"
 #include "particle/exchange.h"
 #include "particle/particles.h"
+#include "wall/exact_impacts.h"
+#include "wall/mesh_wall.h"
 #include "wall/primitive_wall.h"
 #include "wall/region_wall.h"
 #include "wall/voxel_wall.h"
@@ -161,7 +163,7 @@ static bool hits_wall(struct tsim *sim, size_t i, char *what, size_t room)
 	const struct ts_wall *w;
 
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by));) {
-		if (!ts_wall_interacts(by, sim, i, false))
+		if (!ts_wall_interacts(by, sim, i, false) || ts_exact_passes(w, sim->particles->tag[i]))
 			continue;
 		if ((w->primitive && meets_surface(sim, i, gap_of_primitive, w->primitive)) ||
 		    (w->voxel && meets_surface(sim, i, gap_of_voxels, w->voxel)) ||
@@ -173,6 +175,19 @@ static bool hits_wall(struct tsim *sim, size_t i, char *what, size_t room)
 	return false;
 }
 
+/* Whether a wall made of this mesh has carried the particle through what it met. */
+static bool is_exact(const struct tsim *sim, const struct ts_mesh_surface *s, size_t i)
+{
+	const struct ts_instance *by;
+	const struct ts_wall *w;
+
+	for (size_t at = 0; (w = ts_walls_next(sim, &at, &by));)
+		for (int k = 0; k < w->meshes && ts_exact_passes(w, sim->particles->tag[i]); k++)
+			if (w->mesh->mesh[k].surface == s && ts_wall_interacts(by, sim, i, false))
+				return true;
+	return false;
+}
+
 /* All meshes, also those without contact forces: particles that pass some of them are counted. */
 static bool hits_mesh(struct tsim *sim, size_t i, char *what, size_t room)
 {
@@ -180,7 +195,7 @@ static bool hits_mesh(struct tsim *sim, size_t i, char *what, size_t room)
 	struct ts_instance *by;
 
 	for (size_t k = 0; (s = ts_mesh_surface_next(sim, &k, &by));) {
-		if (!meets_surface(sim, i, gap_of_mesh, s))
+		if (is_exact(sim, s, i) || !meets_surface(sim, i, gap_of_mesh, s))
 			continue;
 		snprintf(what, room, " past mesh %.60s", by->id);
 		return true;

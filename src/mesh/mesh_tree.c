@@ -245,3 +245,42 @@ enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct t
 	ts_sort(list->item, list->n, sizeof *list->item, by_index);
 	return TS_OK;
 }
+
+static enum ts_status collect_within(const struct ts_mesh_tree *tree, const struct ts_mesh *m, size_t leaf,
+				     const double from[3], const double to[3], struct ts_mesh_list *list)
+{
+	for (size_t at = leaf * LEAF; at < tree->n && at < (leaf + 1) * LEAF; at++) {
+		double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY };
+
+		extend_box(m, (size_t)tree->triangle[at], lo, hi);
+		if (are_boxes_apart(lo, hi, from, to, 0))
+			continue;
+		TS_TRY(TS_GROW(list->item, list->capacity, list->n + 1));
+		list->item[list->n++] = tree->triangle[at];
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_mesh_tree_within(const struct ts_mesh_tree *tree, const struct ts_mesh *m,
+				   const double lo[3], const double hi[3], struct ts_mesh_list *list)
+{
+	size_t stack[STACK], depth = 0;
+
+	list->n = 0;
+	if (tree->n)
+		stack[depth++] = 1;
+	while (depth > 0) {
+		size_t k = stack[--depth];
+
+		if (are_boxes_apart(tree->lo[k], tree->hi[k], lo, hi, 0))
+			continue;
+		if (k >= tree->leaves) {
+			TS_TRY(collect_within(tree, m, k - tree->leaves, lo, hi, list));
+		} else {
+			stack[depth++] = 2 * k;
+			stack[depth++] = 2 * k + 1;
+		}
+	}
+	ts_sort(list->item, list->n, sizeof *list->item, by_index);
+	return TS_OK;
+}

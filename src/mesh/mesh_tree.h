@@ -25,6 +25,10 @@ struct ts_mesh_list {
 enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct ts_mesh *mesh,
 				 const double x[3], double distance, struct ts_mesh_list *list);
 
+/* All triangles whose bounding boxes overlap the box lo .. hi, in ascending order. */
+enum ts_status ts_mesh_tree_within(const struct ts_mesh_tree *tree, const struct ts_mesh *mesh,
+				   const double lo[3], const double hi[3], struct ts_mesh_list *list);
+
 /* Result of a search that can be used for other points nearby. Zero-initialise, release by
  * ts_free(vicinity.leaf.item). */
 struct ts_mesh_vicinity {

@@ -256,7 +256,8 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	ts_scale(1, surface->shift, before);
 	advance_time(s, sim->clock.dt);
 	place(s);
-	surface->step = sqrt(ts_distance2(surface->shift, before));
+	ts_sub(surface->shift, before, surface->moved);
+	surface->step = ts_norm(surface->moved);
 	surface->travelled += surface->step;
 	return TS_OK;
 }

@@ -18,7 +18,7 @@ struct ts_voxel_surface {
 	double velocity[3];	     /* of the surface */
 	/* upper bound of the displacement since the last rebuild, length; infinite: columns have grown */
 	double travelled;
-	double step; /* displacement in the last step, length */
+	double moved[3], step; /* displacement in the last step and its length, length */
 };
 
 /* Sets the height of column i, j during a run. */

@@ -1,3 +1,4 @@
+#include "wall/exact_impacts.h"
 #include "wall/impacts.h"
 #include "wall/mesh_wall_queue.h"
 #include "wall/primitive_wall.h"
@@ -22,7 +23,11 @@ struct wall {
 	struct ts_primitive_wall primitive;
 	struct ts_mesh_wall mesh;
 	struct ts_voxel_wall voxel;
+	int impact; /* EXACT: `impact exact` */
 };
+
+enum { EXACT = 1 };
+static const char *const impacts[] = { "resolved", "exact", NULL };
 
 static enum ts_status check_shape(struct ts_instance *self, struct tsim *sim)
 {
@@ -131,6 +136,24 @@ static enum ts_status check_types(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static enum ts_status init_exact(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+
+	if (w->impact != EXACT)
+		return TS_OK;
+	w->primitive.type = (int)w->type;
+	if (w->voxels)
+		return ts_exact_init(self, sim, &ts_voxel_wall_exact, &w->voxel);
+	if (!w->mesh_word && ts_primitive_wall_pumps(&w->primitive))
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "impact"),
+			       "fix wall/gran impact exact: the surface of a plane that stays in place has "
+			       "no velocity "
+			       "along its normal");
+	return w->mesh_word ? ts_exact_init(self, sim, &ts_mesh_wall_exact, &w->mesh)
+			    : ts_exact_init(self, sim, &ts_primitive_wall_exact, &w->primitive);
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
@@ -141,6 +164,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	       : w->mesh_word ? find_meshes(self, sim)
 			      : place_primitive(self, sim));
 	TS_TRY(check_types(self, sim));
+	TS_TRY(init_exact(self, sim));
 	w->wall.primitive = w->mesh_word || w->voxels ? NULL : &w->primitive;
 	w->wall.type = (int)w->type;
 	w->wall.distance = contact_distance;
@@ -203,6 +227,8 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	}
 	sim->run.rebuild |= w->mesh_word ? ts_mesh_wall_has_moved(sim, &w->mesh)
 					 : ts_primitive_wall_has_moved(sim, &w->primitive);
+	if (w->wall.exact) /* also finds what it passes */
+		return TS_OK;
 	return w->mesh_word ? ts_mesh_wall_check_displacement(self, sim, &w->mesh)
 			    : ts_primitive_wall_check_displacement(self, sim, &w->primitive);
 }
@@ -216,6 +242,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	       : w->mesh_word
 		       ? ts_mesh_wall_enqueue_contacts(sim, &w->wall, &w->mesh)
 		       : ts_primitive_wall_enqueue_contacts(sim, &w->wall, &w->primitive, (int)w->type));
+	ts_exact_add_force(&w->wall, sim);
 	TS_TRY(ts_surface_contacts_collect(sim, &w->wall));
 	return ts_impacts_update(sim, &w->wall);
 }
@@ -261,6 +288,10 @@ static const struct ts_arg args[] = {
 			"own "
 			"type"),
 	TS_PRIMITIVE_WALL_ARGS(struct wall, primitive),
+	TS_ENUM("impact", struct wall, impact, impacts, .flags = TS_STATEFUL, .fallback = "resolved",
+		.help = "resolved: contacts are resolved by time steps; exact: a particle that hits the wall "
+			"alone is "
+			"carried through the whole impact in one step"),
 	TS_WALL_ARGS(struct wall, wall),
 	TS_ARGS_END,
 };
@@ -352,9 +383,11 @@ const struct ts_style ts_fix_wall_gran = {
 	.gives = ts_wall_gives,
 	.init = init,
 	.saved = saved,
-	.hook = { [TS_STAGE_CHECK] = check,
+	.hook = { [TS_STAGE_POST_INTEGRATE] = ts_exact_carry,
+		  [TS_STAGE_CHECK] = check,
 		  [TS_STAGE_POST_BUILD] = post_build,
 		  [TS_STAGE_POST_FORCE] = post_force },
+	.defers = TS_DEFERS(POST_INTEGRATE),
 	.plan = plan,
 	.review = ts_coincide_review,
 	.fini = fini,

@@ -87,6 +87,13 @@ static enum ts_status update_tree(struct tsim *sim, struct ts_mesh_part_of_wall 
 	return ts_mesh_tree_build(&part->tree, &part->surface->mesh) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
+enum ts_status ts_mesh_wall_update_trees(struct tsim *sim, struct ts_mesh_wall *mw)
+{
+	for (size_t k = 0; k < mw->nmeshes; k++)
+		TS_TRY(update_tree(sim, &mw->mesh[k]));
+	return TS_OK;
+}
+
 static int modulo3(int a)
 {
 	return (a % 3 + 3) % 3;

@@ -15,6 +15,8 @@
 #include "mesh/mesh_tree.h"
 #include "wall/wall.h"
 
+struct ts_exact_surface;
+
 /* One of the wall's meshes. */
 struct ts_mesh_part_of_wall {
 	const struct ts_instance *by; /* fix of the mesh */
@@ -79,6 +81,12 @@ enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct 
 /* Its meshes as surfaces. */
 extern const struct ts_wall_surfaces ts_mesh_wall_surfaces;
 void ts_mesh_wall_release(struct ts_mesh_wall *mw);
+
+/* For `impact exact`; its shape is the struct ts_mesh_wall. */
+extern const struct ts_exact_surface ts_mesh_wall_exact;
+
+/* Makes the trees of the meshes that have moved since they were made. */
+enum ts_status ts_mesh_wall_update_trees(struct tsim *sim, struct ts_mesh_wall *mw);
 
 /* Present distance of the centre of particle i from the triangle of contact k. */
 double ts_mesh_wall_distance(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t k, size_t i);

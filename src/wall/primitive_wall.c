@@ -7,6 +7,7 @@
 #include "core/sim.h"
 #include "math/constants.h"
 #include "neigh/coincide.h"
+#include "wall/exact_impacts.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_queue.h"
 
@@ -432,6 +433,67 @@ enum ts_status ts_primitive_wall_enqueue_contacts(struct tsim *sim, struct ts_wa
 	ts_wall_finish(wall);
 	return ts_coincide_wall(sim, wall);
 }
+
+bool ts_primitive_wall_pumps(const struct ts_primitive_wall *w)
+{
+	int dim = w->n ? (int)w->primitive[0].shape : TS_XCYLINDER;
+
+	return dim <= TS_ZPLANE && (w->velocity[dim] != 0 || (w->shear_words.n && w->shear_dim == dim));
+}
+
+/* First touch of element k. The wall moves along its normal with the mean velocity of the step. */
+static bool sweep_element(const struct tsim *sim, const struct ts_primitive_wall *w, int k, double moved,
+			  double speed, const struct ts_sweep *path, struct ts_exact_touch *out)
+{
+	struct ts_primitive at = displaced_primitive(w, k, moved);
+	struct ts_sweep relative = *path;
+	int dim = (int)at.shape;
+	double x[3];
+
+	if (dim <= TS_ZPLANE) {
+		relative.x[dim] += speed * path->span;
+		relative.v[dim] -= speed;
+	}
+	if (!ts_sweep_primitive(&relative, &at, &out->hit))
+		return false;
+	ts_scale(1, relative.x, x);
+	ts_axpy(out->hit.time, relative.v, x);
+	surface_velocity(w, sim, x, out->velocity);
+	if (dim <= TS_ZPLANE)
+		out->velocity[dim] = speed;
+	ts_scale(1, x, out->point);
+	ts_axpy(-path->radius, out->hit.n, out->point);
+	out->curvature = surface_curvature(w, out->hit.n, x);
+	out->type = w->type;
+	out->surface = 0;
+	out->element = (size_t)k;
+	return true;
+}
+
+static enum ts_status sweep(const struct tsim *sim, const void *shape, size_t i, const struct ts_sweep *path,
+			    struct ts_mesh_list *list, bool *found, struct ts_exact_touch *out)
+{
+	const struct ts_primitive_wall *w = shape;
+	double moved = displacement(w, sim), speed = 0;
+
+	(void)i;
+	(void)list;
+	*found = false;
+	if (ts_primitive_wall_moves(w))
+		speed = (moved - displacement_at(w, ts_sim_time(sim) - sim->clock.dt)) / sim->clock.dt;
+	for (int k = 0; k < w->n; k++) {
+		struct ts_exact_touch touch;
+
+		if (!sweep_element(sim, w, k, moved, speed, path, &touch) ||
+		    (*found && !(touch.hit.time < out->hit.time)))
+			continue;
+		*found = true;
+		*out = touch;
+	}
+	return TS_OK;
+}
+
+const struct ts_exact_surface ts_primitive_wall_exact = { .sweep = sweep };
 
 void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim, const struct ts_primitive_wall *w)
 {

@@ -7,6 +7,8 @@
 
 enum { TS_PRIMITIVE_SHAPES = 6, TS_MOST_PRIMITIVES = 2 };
 
+struct ts_exact_surface;
+
 struct ts_primitive_wall {
 	struct ts_words shape_words[TS_PRIMITIVE_SHAPES], shear_words, wiggle_words;
 	double velocity[3]; /* of the surface */
@@ -22,6 +24,7 @@ struct ts_primitive_wall {
 	double period;	  /* time */
 	/* saved: start time of wiggle, displacement at the last rebuild (length), 1 if wiggle has begun */
 	double origin, built_displacement, begun;
+	int type; /* particle type whose material it has */
 };
 
 /* Number of shapes given. */
@@ -54,6 +57,10 @@ double ts_primitive_wall_distance(const struct ts_primitive_wall *w, const struc
 extern const struct ts_wall_surfaces ts_primitive_wall_surfaces;
 /* Of element k in the box, length^2. */
 double ts_primitive_wall_area(const struct ts_primitive_wall *w, const struct tsim *sim, int k);
+/* Whether the surface has a velocity along its normal, although the wall stays in place. */
+bool ts_primitive_wall_pumps(const struct ts_primitive_wall *w);
+/* For `impact exact`; its shape is the struct ts_primitive_wall. */
+extern const struct ts_exact_surface ts_primitive_wall_exact;
 /* Warnings before a run. */
 void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim, const struct ts_primitive_wall *w);
 enum ts_status ts_primitive_wall_archive(struct ts_archive *a, struct ts_primitive_wall *w);

@@ -47,6 +47,8 @@ struct ts_voxel_wall {
 };
 
 extern const struct ts_wall_surfaces ts_voxel_wall_surfaces;
+/* For `impact exact`; its shape is the struct ts_voxel_wall. */
+extern const struct ts_exact_surface ts_voxel_wall_exact;
 
 /* Finds the surface of this ID; in init. */
 enum ts_status ts_voxel_wall_find(struct tsim *sim, struct ts_voxel_wall *vw, const struct ts_word *id);

@@ -25,6 +25,7 @@
 struct ts_primitive_wall;
 struct ts_mesh_wall;
 struct ts_voxel_wall;
+struct ts_exact_impacts;
 struct ts_impacts;
 struct ts_wall;
 
@@ -75,6 +76,9 @@ struct ts_wall {
 	bool store_force, store_contacts[2];
 	bool list_contacts; /* output f_ID[1..8]: the contact of each particle */
 	size_t stored;	    /* with store_force: index of the particle column force_ID */
+
+	/* `impact exact`: wall/exact_impacts.h; NULL: all contacts are resolved by time steps. Set in init */
+	struct ts_exact_impacts *exact;
 
 	bool own_model; /* the contact law is given on the line of the fix, else by the pair style */
 	bool given;	/* the constants of the law are given on the line, the same for all types */

@@ -1,0 +1,598 @@
+#include "wall/exact_impacts.h"
+
+#include <math.h>
+
+#include "base/parallel.h"
+#include "base/sort.h"
+#include "box/domain.h"
+#include "core/deferred_loops.h"
+#include "integrate/integrators.h"
+#include "neigh/neigh.h"
+#include "particle/columns.h"
+#include "particle/sphere_shape.h"
+#include "rigid/rigid.h"
+#include "wall/exact_collision.h"
+#include "wall/impacts.h"
+#include "wall/mesh_wall.h"
+
+#include "base/banned.h"
+
+/* Overlaps up to this part of the radius are rounding errors of the position. */
+static const double NEGLIGIBLE = 1e-9;
+/* A contact is resolved by the steps if it lasts for so many of them. */
+static const double RESOLVED = 10;
+
+/* ---- arguments and checks ---- */
+
+enum ts_status ts_exact_init(struct ts_instance *self, struct tsim *sim,
+			     const struct ts_exact_surface *surface, void *shape)
+{
+	struct ts_wall *w = self->state;
+
+	if (!w->exact)
+		w->exact = ts_arena_alloc(&self->arena, 1, sizeof *w->exact);
+	if (!w->exact)
+		return ts_nomem(&sim->error);
+	w->exact->surface = surface;
+	w->exact->shape = shape;
+	return ts_particles_add_column(sim, "impact_wait", 1, TS_COL_NAMED, &w->exact->wait);
+}
+
+static enum ts_status refuse(struct ts_instance *self, struct tsim *sim, const char *why)
+{
+	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "impact"),
+		       "fix %s impact exact: %s; leave `impact exact` out", self->style->name, why);
+}
+
+static bool has_members(const struct tsim *sim, int group)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; p->body && i < p->n; i++)
+		if (ts_in_group(p, i, group) && ts_rigid_member(p, i))
+			return true;
+	return false;
+}
+
+enum ts_status ts_exact_plan(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_wall *w = self->state;
+	const char *why;
+
+	if (!ts_wall_has_law(w, sim))
+		return TS_OK; /* refused by ts_wall_plan */
+	why = ts_collision_unsupported(ts_wall_model(w, sim));
+	if (sim->run.explicit_euler || sim->run.clamped)
+		why = "the integrator must move particles by h v, as fix nve and fix nve/sphere do";
+	else if (w->warm && ts_wall_heats(sim))
+		why = "heat is conducted in resolved contacts only";
+	else if (has_members(sim, self->group))
+		why = "members of rigid bodies are not carried, only single spheres";
+	for (int k = 0; k < w->meshes; k++)
+		if (w->mesh->mesh[k].surface->stress)
+			why = "fix mesh/surface/stress sums the forces of resolved contacts only";
+	return why ? refuse(self, sim, why) : TS_OK;
+}
+
+enum ts_status ts_exact_archive(struct ts_archive *a, struct tsim *sim, struct ts_wall *w)
+{
+	double warned[2];
+
+	if (!w->exact)
+		return TS_OK;
+	warned[0] = w->exact->warned_left;
+	warned[1] = w->exact->warned_many;
+	if (ts_archive_has(a, "impact_warned"))
+		TS_TRY(ts_archive_fixed(a, "impact_warned", TS_SAVED_F64, warned, 2));
+	w->exact->warned_left = warned[0];
+	w->exact->warned_many = warned[1];
+	return ts_particles_archive_column(a, sim, "impact_wait", w->exact->wait);
+}
+
+void ts_exact_fini(struct ts_wall *w)
+{
+	if (!w->exact)
+		return;
+	ts_free(w->exact->item);
+	ts_free(w->exact->left);
+}
+
+const struct ts_exact_impact *ts_exact_impacts(const struct ts_wall *w, size_t *n)
+{
+	*n = w->exact ? w->exact->n : 0;
+	return w->exact ? w->exact->item : NULL;
+}
+
+bool ts_exact_passes(const struct ts_wall *w, int32_t tag)
+{
+	bool left = !w->exact;
+
+	for (size_t k = 0; !left && k < w->exact->nleft; k++)
+		left = w->exact->left[k] == tag;
+	return !left;
+}
+
+void ts_exact_add_force(struct ts_wall *w, const struct tsim *sim)
+{
+	if (sim->run.in_setup)
+		return;
+	for (size_t k = 0; w->exact && k < w->exact->n; k++)
+		ts_axpy(-1 / sim->clock.dt, w->exact->item[k].push, w->force);
+}
+
+/* ---- the search of one step ---- */
+
+/* A wall that takes part. */
+struct target {
+	const struct ts_instance *by;
+	struct ts_wall *wall;
+};
+
+struct found {
+	struct ts_exact_impact impact;
+	size_t target;
+};
+
+/* The new state of a particle. */
+struct change {
+	size_t i;
+	double x[3], v[3], omega[3], wait;
+};
+
+/* A particle that touches another one in the step. */
+struct left {
+	size_t i, target;
+	double duration; /* of its collision with the wall, if it were alone; 0: not known */
+};
+
+/* What one thread finds. */
+struct share {
+	struct ts_collision_solver *solver;
+	struct ts_mesh_list list;
+	struct found *found;
+	struct change *change;
+	struct left *left;
+	size_t nfound, nchanges, nleft, found_capacity, change_capacity, left_capacity;
+	size_t many;   /* 1 + index of a particle with too many impacts */
+	size_t member; /* 1 + index of a member of a rigid body */
+	enum ts_status status;
+};
+
+struct search {
+	struct tsim *sim;
+	struct target *target;
+	size_t targets, shares;
+	struct share *share;
+	const double *wait; /* by particle */
+	uint32_t moving;    /* bits of the groups that are integrated */
+};
+
+/* A particle on its way through the step. */
+struct flight {
+	size_t i;
+	double x[3], v[3], omega[3], time; /* since the begin of the step */
+};
+
+static bool first_touch(const struct search *s, struct share *share, const struct flight *f,
+			struct ts_exact_touch *touch, size_t *target)
+{
+	const struct ts_particles *p = s->sim->particles;
+	struct ts_sweep path = { { f->x[0], f->x[1], f->x[2] },
+				 { f->v[0], f->v[1], f->v[2] },
+				 p->radius[f->i],
+				 s->sim->clock.dt - f->time };
+	bool any = false, found;
+
+	for (size_t k = 0; k < s->targets; k++) {
+		const struct ts_exact_impacts *e = s->target[k].wall->exact;
+		struct ts_exact_touch t;
+
+		if (!ts_in_group(p, f->i, s->target[k].by->group))
+			continue;
+		share->status = e->surface->sweep(s->sim, e->shape, f->i, &path, &share->list, &found, &t);
+		if (share->status != TS_OK)
+			return false;
+		if (!found || (any && !(t.hit.time < touch->hit.time)))
+			continue;
+		any = true;
+		*touch = t;
+		*target = k;
+	}
+	return any;
+}
+
+/* Whether particle i comes nearer to j than the sum of the radii in the step. `x`: of j at its end. */
+static bool meets(const struct ts_particles *p, size_t i, size_t j, const double x[3], double h)
+{
+	double d[3], v[3], v2, t, sum = p->radius[i] + p->radius[j];
+
+	ts_sub(p->x[i], x, d);
+	ts_sub(p->v[i], p->v[j], v);
+	v2 = ts_dot(v, v);
+	t = v2 > 0 ? fmax(-h, fmin(0, -ts_dot(d, v) / v2)) : 0;
+	ts_axpy(t, v, d);
+	return ts_dot(d, d) < sum * sum;
+}
+
+/* Of the pairs that are listed. */
+static bool meets_other(const struct tsim *sim, size_t i)
+{
+	const struct ts_contact_list *list = &sim->neigh->contacts;
+	const struct ts_particles *p = sim->particles;
+	const struct ts_gather *g = &list->gather;
+
+	if (!list->n || !g->first || list->particles != p->n)
+		return false;
+	for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
+		size_t pair = g->entry[k] / 2, j = (size_t)(g->entry[k] % 2 ? list->i : list->j)[pair];
+		double x[3];
+
+		if (j >= p->n) {
+			const int8_t *shift = p->ghost_shift[j - p->n];
+
+			j = (size_t)p->ghost_owner[j - p->n];
+			for (int d = 0; d < 3; d++)
+				x[d] = p->x[j][d] + shift[d] * ts_box_length(&sim->domain->box, d);
+		} else {
+			ts_scale(1, p->x[j], x);
+		}
+		if (meets(p, i, j, x, sim->clock.dt))
+			return true;
+	}
+	return false;
+}
+
+static struct ts_collision collision_of(const struct search *s, const struct flight *f,
+					const struct ts_exact_touch *t, size_t target)
+{
+	const struct ts_wall *w = s->target[target].wall;
+	const struct ts_particles *p = s->sim->particles;
+	struct ts_collision c = { .model = ts_wall_model(w, s->sim),
+				  .law = ts_wall_law(w, s->sim, t->type, p->type[f->i]),
+				  .mass = p->mass[f->i],
+				  .radius = p->radius[f->i],
+				  .r_eff = ts_wall_effective_radius(p->radius[f->i], t->curvature),
+				  .inertia = ts_inertia_factor(s->sim),
+				  .longest = TS_EXACT_LONGEST * s->sim->clock.dt };
+
+	ts_scale(1, t->hit.n, c.n);
+	ts_sub(f->v, t->velocity, c.velocity);
+	ts_scale(1, f->omega, c.omega);
+	return c;
+}
+
+static struct ts_impact_event event_of(const struct search *s, const struct flight *f,
+				       const struct ts_exact_touch *t, const struct ts_collision *c,
+				       const struct ts_collision_result *r)
+{
+	const struct ts_particles *p = s->sim->particles;
+	struct ts_impact_event e = { .tag = p->tag[f->i],
+				     .type = p->type[f->i],
+				     .element = (double)t->element,
+				     .mass = c->mass,
+				     .radius = c->radius,
+				     .begin = ts_sim_time(s->sim) - s->sim->clock.dt + f->time,
+				     .duration = r->duration,
+				     .peak_force = r->peak_force,
+				     .peak_overlap = r->peak_overlap,
+				     .impulse = r->impulse,
+				     .slip = r->slip,
+				     .work = r->work };
+
+	ts_scale(1, c->velocity, e.velocity);
+	ts_scale(1, c->omega, e.omega);
+	ts_scale(1, c->n, e.normal);
+	ts_scale(1, t->point, e.point);
+	return e;
+}
+
+/* Puts the particle where it leaves the surface, outside of it by more than rounding. */
+static void leave(struct flight *f, const struct ts_exact_touch *t, const struct ts_collision *c,
+		  const struct ts_collision_result *r)
+{
+	double size = fmax(fabs(f->x[0]), fmax(fabs(f->x[1]), fabs(f->x[2])));
+
+	ts_axpy(t->hit.overlap + 1e-12 * c->radius + 2e-15 * size, c->n, f->x);
+	ts_add(f->x, r->shift, f->x);
+	ts_axpy(r->duration, t->velocity, f->x);
+	ts_add(r->velocity, t->velocity, f->v);
+	ts_scale(1, r->omega, f->omega);
+	f->time += r->duration;
+}
+
+/* Carries the particle through its next impact; false: the rest of its path is free, or left to the forces. */
+static bool carry_once(const struct search *s, struct share *share, struct flight *f, bool first)
+{
+	const struct ts_particles *p = s->sim->particles;
+	struct ts_exact_touch touch;
+	struct ts_collision_result r;
+	struct ts_collision c;
+	struct found *to;
+	size_t target = 0;
+
+	if (!first_touch(s, share, f, &touch, &target))
+		return false;
+	if (ts_rigid_member(p, f->i))
+		share->member = f->i + 1;
+	if (share->member || (first && touch.hit.overlap > NEGLIGIBLE * p->radius[f->i]))
+		return false;
+	c = collision_of(s, f, &touch, target);
+	if (first && meets_other(s->sim, f->i)) {
+		if (TS_GROW(share->left, share->left_capacity, share->nleft + 1) != TS_OK)
+			share->status = TS_NOMEM;
+		else
+			share->left[share->nleft++] = (struct left){ f->i, target, 0 };
+		if (share->status == TS_OK && !(s->target[target].wall->exact->warned_left > 0) &&
+		    ts_collision_compute(share->solver, &c, &r) == TS_COLLISION_PARTS)
+			share->left[share->nleft - 1].duration = r.duration;
+		return false;
+	}
+	ts_axpy(touch.hit.time, f->v, f->x);
+	f->time += touch.hit.time;
+	if (ts_collision_compute(share->solver, &c, &r) == TS_COLLISION_STAYS)
+		return false;
+	if (TS_GROW(share->found, share->found_capacity, share->nfound + 1) != TS_OK) {
+		share->status = TS_NOMEM;
+		return false;
+	}
+	to = &share->found[share->nfound++];
+	*to = (struct found){
+		{ .event = event_of(s, f, &touch, &c, &r), .surface = touch.surface, .particle = f->i },
+		target
+	};
+	ts_sub(r.velocity, c.velocity, to->impact.push);
+	ts_scale(c.mass, to->impact.push, to->impact.push);
+	leave(f, &touch, &c, &r);
+	return true;
+}
+
+static void store_change(const struct search *s, struct share *share, struct flight *f)
+{
+	double rest = s->sim->clock.dt - f->time;
+	struct change *to;
+
+	if (TS_GROW(share->change, share->change_capacity, share->nchanges + 1) != TS_OK) {
+		share->status = TS_NOMEM;
+		return;
+	}
+	to = &share->change[share->nchanges++];
+	*to = (struct change){ .i = f->i, .wait = fmax(0, -rest) };
+	if (rest > 0)
+		ts_axpy(rest, f->v, f->x);
+	ts_scale(1, f->x, to->x);
+	ts_scale(1, f->v, to->v);
+	ts_scale(1, f->omega, to->omega);
+}
+
+/* The path of particle i in this step. */
+static void carry(const struct search *s, struct share *share, size_t i)
+{
+	const struct ts_particles *p = s->sim->particles;
+	struct flight f = { .i = i, .time = s->wait[i] };
+	double h = s->sim->clock.dt;
+	int impacts = 0;
+
+	ts_scale(1, p->x[i], f.x);
+	ts_scale(1, p->v[i], f.v);
+	ts_axpy(-h, f.v, f.x);
+	if (p->omega)
+		ts_scale(1, p->omega[i], f.omega);
+	while (f.time < h && impacts < TS_EXACT_MOST && carry_once(s, share, &f, impacts == 0))
+		impacts++;
+	if (impacts == TS_EXACT_MOST) { /* it waits for the next step where it is */
+		share->many = i + 1;
+		f.time = fmax(f.time, h);
+	}
+	if (impacts || s->wait[i] > 0)
+		store_change(s, share, &f);
+}
+
+static void search_range(void *context, size_t from, size_t to)
+{
+	const struct search *s = context;
+	const struct ts_particles *p = s->sim->particles;
+
+	for (size_t t = from; t < to; t++) {
+		struct share *share = &s->share[t];
+		size_t end = p->n * (t + 1) / s->shares;
+
+		for (size_t i = p->n * t / s->shares; i < end && share->status == TS_OK; i++)
+			if (p->imass[i] > 0 && p->mask[i] & s->moving)
+				carry(s, share, i);
+	}
+}
+
+/* ---- results ---- */
+
+static int by_particle_and_time(const void *a, const void *b)
+{
+	const struct ts_impact_event *p = &((const struct ts_exact_impact *)a)->event;
+	const struct ts_impact_event *q = &((const struct ts_exact_impact *)b)->event;
+
+	if (p->tag != q->tag)
+		return p->tag < q->tag ? -1 : 1;
+	return (p->begin > q->begin) - (p->begin < q->begin);
+}
+
+static enum ts_status store_left(const struct search *s, const struct left *left)
+{
+	struct ts_exact_impacts *e = s->target[left->target].wall->exact;
+	const struct ts_instance *by = s->target[left->target].by;
+	double h = s->sim->clock.dt;
+
+	for (size_t k = 0; k < s->targets; k++) { /* what it meets next may be any of the walls */
+		struct ts_exact_impacts *o = s->target[k].wall->exact;
+
+		if (TS_GROW(o->left, o->left_capacity, o->nleft + 1) != TS_OK)
+			return ts_nomem(&s->sim->error);
+		o->left[o->nleft++] = s->sim->particles->tag[left->i];
+	}
+	if (e->warned_left > 0 || !(left->duration > 0 && left->duration < RESOLVED * h))
+		return TS_OK;
+	e->warned_left = 1;
+	ts_warn(&s->sim->log, &by->where,
+		"impact exact: particle %d touches another particle and wall %s in the same step, so this "
+		"contact is "
+		"resolved by time steps; it lasts %.3g, only %.2g steps of %g",
+		s->sim->particles->tag[left->i], by->id, left->duration, left->duration / h, h);
+	return TS_OK;
+}
+
+static void warn_many(const struct search *s, size_t i)
+{
+	struct ts_exact_impacts *e = s->target[0].wall->exact;
+	const struct ts_particles *p = s->sim->particles;
+
+	if (e->warned_many > 0)
+		return;
+	e->warned_many = 1;
+	ts_warn(&s->sim->log, &s->target[0].by->where,
+		"impact exact: particle %d at (%g %g %g) has had %d impacts in one step, as between two "
+		"surfaces nearer "
+		"to each other than its diameter; it stays where it is for the rest of the step",
+		p->tag[i], p->x[i][0], p->x[i][1], p->x[i][2], TS_EXACT_MOST);
+}
+
+static enum ts_status take_share(const struct search *s, const struct share *share)
+{
+	struct ts_particles *p = s->sim->particles;
+
+	if (share->status != TS_OK)
+		return ts_nomem(&s->sim->error);
+	if (share->member)
+		return refuse((struct ts_instance *)s->target[0].by, s->sim,
+			      "members of rigid bodies are not carried, only single spheres");
+	for (size_t k = 0; k < share->nleft; k++)
+		TS_TRY(store_left(s, &share->left[k]));
+	if (share->many)
+		warn_many(s, share->many - 1);
+	for (size_t k = 0; k < share->nfound; k++) {
+		struct ts_exact_impacts *e = s->target[share->found[k].target].wall->exact;
+
+		if (TS_GROW(e->item, e->capacity, e->n + 1) != TS_OK)
+			return ts_nomem(&s->sim->error);
+		e->item[e->n++] = share->found[k].impact;
+	}
+	for (size_t k = 0; k < share->nchanges; k++) {
+		const struct change *c = &share->change[k];
+
+		ts_scale(1, c->x, p->x[c->i]);
+		ts_scale(1, c->v, p->v[c->i]);
+		if (p->omega)
+			ts_scale(1, c->omega, p->omega[c->i]);
+		((double *)s->wait)[c->i] = c->wait;
+	}
+	return TS_OK;
+}
+
+static void release_share(struct share *share)
+{
+	ts_collision_solver_free(share->solver);
+	ts_free(share->list.item);
+	ts_free(share->found);
+	ts_free(share->change);
+	ts_free(share->left);
+}
+
+static enum ts_status search(struct search *s)
+{
+	enum ts_status status = TS_OK;
+
+	s->share = ts_alloc(s->shares, sizeof *s->share);
+	for (size_t k = 0; s->share && k < s->shares; k++) {
+		s->share[k].solver = ts_collision_solver_new();
+		status = s->share[k].solver ? status : TS_NOMEM;
+	}
+	if (!s->share || status != TS_OK) {
+		status = ts_nomem(&s->sim->error);
+	} else {
+		ts_parallel((int)s->shares, s->shares, search_range, s);
+		for (size_t k = 0; k < s->shares && status == TS_OK; k++)
+			status = take_share(s, &s->share[k]);
+	}
+	for (size_t k = 0; s->share && k < s->shares; k++)
+		release_share(&s->share[k]);
+	ts_free(s->share);
+	for (size_t k = 0; k < s->targets; k++) {
+		struct ts_exact_impacts *e = s->target[k].wall->exact;
+
+		ts_sort(e->item, e->n, sizeof *e->item, by_particle_and_time);
+	}
+	return status;
+}
+
+/* All walls that take part; *first: whether `self` is the first of them. NULL: out of memory. */
+static struct target *list_targets(const struct ts_instance *self, const struct tsim *sim, size_t *n,
+				   bool *first)
+{
+	const struct ts_instance *by;
+	struct target *list = NULL;
+	struct ts_wall *w;
+	size_t capacity = 0;
+
+	*n = 0;
+	*first = true;
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by));) {
+		if (!w->exact)
+			continue;
+		*first = *n ? *first : by == self;
+		if (TS_GROW(list, capacity, *n + 1) != TS_OK) {
+			ts_free(list);
+			return NULL;
+		}
+		list[(*n)++] = (struct target){ by, w };
+	}
+	return list;
+}
+
+static enum ts_status prepare(struct search *s)
+{
+	for (size_t k = 0; k < s->targets; k++) {
+		struct ts_exact_impacts *e = s->target[k].wall->exact;
+
+		e->n = e->nleft = 0;
+		if (e->surface->prepare)
+			TS_TRY(e->surface->prepare(s->sim, e->shape));
+	}
+	return TS_OK;
+}
+
+/* To those who observe the impacts on surfaces of this wall. */
+static enum ts_status report_impacts(struct tsim *sim, const struct ts_wall *w)
+{
+	const struct ts_exact_impacts *e = w->exact;
+
+	for (size_t k = 0; w->impacts && k < e->n; k++)
+		if (w->observers[e->item[k].surface] & TS_OBSERVES_IMPACTS)
+			TS_TRY(ts_impacts_append(sim, w->impacts, e->item[k].surface, e->item[k].particle,
+						 &e->item[k].event));
+	return TS_OK;
+}
+
+enum ts_status ts_exact_carry(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_wall *w = self->state;
+	struct search s = { .sim = sim };
+	enum ts_status status;
+	bool first;
+
+	if (!w->exact || !(sim->clock.dt > 0))
+		return TS_OK;
+	s.target = list_targets(self, sim, &s.targets, &first);
+	if (!s.target)
+		return ts_nomem(&sim->error);
+	status = TS_OK;
+	if (first) {
+		ts_deferred_loops_run(sim);
+		s.wait = sim->particles->column[w->exact->wait].data;
+		s.moving = ts_integrated_groups(sim, TS_MOVES | TS_OBEYS);
+		s.shares = (size_t)ts_team(sim, 4 * sim->particles->n);
+		status = prepare(&s);
+		if (status == TS_OK && sim->particles->n)
+			status = search(&s);
+		for (size_t k = 0; k < s.targets && status == TS_OK; k++)
+			status = report_impacts(sim, s.target[k].wall);
+	}
+	ts_free(s.target);
+	return status;
+}
