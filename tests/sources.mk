@@ -159,6 +159,7 @@ shell_tests = \
 	tests/voxel/voxel_heights.sh \
 	tests/voxel/voxel_walls.sh \
 	tests/wall/coincide.sh \
+	tests/wall/exact_impacts.sh \
 	tests/wall/fast.sh \
 	tests/wall/mesh_servo.sh \
 	tests/wall/mesh_stress.sh \

@@ -173,14 +173,14 @@ struct flight {
 	double x[3], v[3], omega[3], time; /* since the begin of the step */
 };
 
-static bool first_touch(const struct search *s, struct share *share, const struct flight *f,
+/* The first touch of the particle with any wall within the time `span`. */
+static bool first_touch(const struct search *s, struct share *share, const struct flight *f, double span,
 			struct ts_exact_touch *touch, size_t *target)
 {
 	const struct ts_particles *p = s->sim->particles;
-	struct ts_sweep path = { { f->x[0], f->x[1], f->x[2] },
-				 { f->v[0], f->v[1], f->v[2] },
-				 p->radius[f->i],
-				 s->sim->clock.dt - f->time };
+	struct ts_sweep path = {
+		{ f->x[0], f->x[1], f->x[2] }, { f->v[0], f->v[1], f->v[2] }, p->radius[f->i], span
+	};
 	bool any = false, found;
 
 	for (size_t k = 0; k < s->targets; k++) {
@@ -286,15 +286,34 @@ static struct ts_impact_event event_of(const struct search *s, const struct flig
 	return e;
 }
 
-/* Puts the particle where it leaves the surface, outside of it by more than rounding. */
-static void leave(struct flight *f, const struct ts_exact_touch *t, const struct ts_collision *c,
-		  const struct ts_collision_result *r)
+/* Moves the particle away from a surface by more than rounding. */
+static void move_off(struct flight *f, const struct ts_sweep_hit *hit, double radius)
 {
 	double size = fmax(fabs(f->x[0]), fmax(fabs(f->x[1]), fabs(f->x[2])));
 
-	ts_axpy(t->hit.overlap + 1e-12 * c->radius + 2e-15 * size, c->n, f->x);
-	ts_add(f->x, r->shift, f->x);
-	ts_axpy(r->duration, t->velocity, f->x);
+	ts_axpy(hit->overlap + 1e-12 * radius + 2e-15 * size, hit->n, f->x);
+}
+
+/* Puts the particle where it leaves the surface: displaced along it during the collision, but not into another surface,
+ * or into this one where it is curved. */
+static void leave(const struct search *s, struct share *share, struct flight *f,
+		  const struct ts_exact_touch *t, const struct ts_collision *c,
+		  const struct ts_collision_result *r)
+{
+	struct flight along = *f;
+	struct ts_exact_touch other;
+	size_t target;
+
+	move_off(&along, &t->hit, c->radius);
+	ts_scale(1 / r->duration, r->shift, along.v);
+	ts_add(along.v, t->velocity, along.v);
+	if (first_touch(s, share, &along, r->duration, &other, &target)) {
+		ts_axpy(other.hit.time, along.v, along.x);
+		move_off(&along, &other.hit, c->radius);
+	} else {
+		ts_axpy(r->duration, along.v, along.x);
+	}
+	ts_scale(1, along.x, f->x);
 	ts_add(r->velocity, t->velocity, f->v);
 	ts_scale(1, r->omega, f->omega);
 	f->time += r->duration;
@@ -310,7 +329,7 @@ static bool carry_once(const struct search *s, struct share *share, struct fligh
 	struct found *to;
 	size_t target = 0;
 
-	if (!first_touch(s, share, f, &touch, &target))
+	if (!first_touch(s, share, f, s->sim->clock.dt - f->time, &touch, &target))
 		return false;
 	if (ts_rigid_member(p, f->i))
 		share->member = f->i + 1;
@@ -342,8 +361,8 @@ static bool carry_once(const struct search *s, struct share *share, struct fligh
 	};
 	ts_sub(r.velocity, c.velocity, to->impact.push);
 	ts_scale(c.mass, to->impact.push, to->impact.push);
-	leave(f, &touch, &c, &r);
-	return true;
+	leave(s, share, f, &touch, &c, &r);
+	return share->status == TS_OK;
 }
 
 static void store_change(const struct search *s, struct share *share, struct flight *f)

@@ -1,0 +1,155 @@
+#!/bin/bash
+# `impact exact`: a jet on a plane and on the same plane as a mesh, against resolved contacts in small steps; threads and
+# restarts; a particle that comes to rest; walls that move; what is refused.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+. "$top_srcdir/tests/lib_meshes.sh"
+
+printf '%s\n' '-3e-3 -3e-3 0 3e-3 -3e-3 0 -3e-3 3e-3 0' '3e-3 -3e-3 0 3e-3 3e-3 0 -3e-3 3e-3 0' | solid >plate.stl
+cat >in.material <<'END'
+units si
+hard_particles yes
+boundary f f f
+newton off
+communicate single vel yes
+region box block -2e-3 2e-3 -2e-3 2e-3 -1e-3 1e-3 units box
+create_box 1 box
+neighbor 1e-5 bin
+fix Y all property/global youngsModulus peratomtype 7e10
+fix nu all property/global poissonsRatio peratomtype 0.3
+fix e all property/global coefficientRestitution peratomtypepair 1 ${e}
+fix mu all property/global coefficientFriction peratomtypepair 1 0.3
+fix V all property/global characteristicVelocity scalar 50
+END
+cat >in.jet <<'END'
+include in.material
+region jet block -1e-3 1e-3 -1e-3 1e-3 -1e-3 1e-3 units box
+create_atoms 1 random 200 12345 jet
+set group all diameter 24.8e-6 density 2900
+variable vx atom 90*sin(17*id)
+variable vy atom 90*sin(29*id)
+variable vz atom -105*abs(sin(37*id))-5
+variable z atom 13e-6+1e-6*abs(sin(3*id))
+variable wx atom 1e6*sin(11*id)
+variable wz atom 1e6*sin(13*id)
+set group all vx v_vx vy v_vy vz v_vz z v_z
+set group all omegax v_wx omegaz v_wz
+fix move all nve/sphere
+if "${wall} == 0" then "variable shape string 'primitive type 1 zplane 0.0'" else "fix plate all mesh/surface file plate.stl type 1" "variable shape string 'mesh n_meshes 1 meshes plate'"
+fix floor all wall/gran model hertz tangential history ${shape} impact ${impact}
+timestep ${h}
+variable push equal f_floor[3]*dt
+fix sum all ave/time 1 ${n} ${n} v_push
+run ${n}
+print "pushed $(f_sum*v_n:%.12g)"
+dump d all custom 1 ${out} id vx vy vz omegax omegay omegaz
+dump_modify d sort id format float %.15g
+run 0
+END
+# jet OUT IMPACT WALL STEP STEPS [ARGUMENT...]
+jet() {
+	local out=$1 impact=$2 wall=$3 h=$4 n=$5
+	shift 5
+	"$TSIM" -in in.jet -log none -var e 0.8 -var impact "$impact" -var wall "$wall" -var h "$h" -var n "$n" -var out "$out" "$@" >"$out.log" 2>&1
+	report "jet $out" $? "$out.log"
+}
+# apart FILE FILE: mean of the differences of velocity and spin, over 105 m/s
+apart() {
+	paste "$1" "$2" | awk '
+		NF == 14 && $1 ~ /^[0-9]/ {
+			d = 0
+			for (k = 2; k <= 7; k++) { x = ($k - $(k + 7)) * (k > 4 ? 12.4e-6 : 1); d += x * x }
+			s += sqrt(d) / 105; n++
+		}
+		END { print n == 200 ? s / n : "nan" }'
+}
+for wall in 0 1; do
+	jet exact.$wall exact $wall 1e-8 40
+	jet coarse.$wall resolved $wall 4e-11 10000
+	jet fine.$wall resolved $wall 1e-11 40000
+	echo "$(apart coarse.$wall exact.$wall) $(apart fine.$wall exact.$wall)" >errors
+	awk '{ print "errors " $0; exit !($2 < 6e-5 && $2 < $1 / 3) }' errors >said
+	report "wall $wall: the error of resolved contacts falls with the step" $? said
+	cat said
+	# momentum: the wall's mean forces times the time
+	grep -h pushed exact.$wall.log fine.$wall.log | awk '
+		{ f[NR] = $2; print } END { exit !(NR == 2 && f[1] < 0 && (f[1] / f[2] - 1) ^ 2 < 1e-8) }' >said
+	report "wall $wall: impulse on the wall" $? said
+done
+echo "plane and mesh differ by $(apart exact.0 exact.1)" >said
+awk '{ exit !($NF < 1e-11) }' said
+report 'plane and mesh agree' $? said
+
+# steps of a fraction of a contact, and much longer ones
+jet short exact 0 4e-9 100
+jet long exact 0 1e-7 4
+for other in short long; do
+	echo "$other steps differ by $(apart exact.0 $other)" >said
+	awk '{ exit !($NF < 1e-10) }' said
+	report "$other steps" $? said
+done
+for wall in 0 1; do
+	jet threads.$wall exact $wall 1e-8 40 -threads 2 -full threads
+	same "threads, wall $wall" exact.$wall threads.$wall
+done
+
+# At rest under gravity: the mean force is the weight, and nothing is gained; a step is longer than an impact.
+agree 'rest' 'variable e string 0.5
+include in.material
+create_atoms 1 single 0 0 2e-5 units box
+set group all diameter 24.8e-6 density 2900
+fix move all nve/sphere
+fix weight all gravity 9.81 vector 0 0 -1
+fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0 impact exact
+timestep 1e-6
+run 20000
+variable f equal f_floor[3]
+fix mean all ave/time 1 5000 5000 v_f
+run 10000
+print "is weight $(abs(f_mean/(mass(all)*9.81)+1)<1e-3) 1"
+print "is near $(abs(xcm(all,z)-12.4e-6)<1e-10) 1"
+print "is slow $(abs(vcm(all,z))<3e-5) 1"'
+
+# a wall that moves: as with the relative velocity
+agree 'moving mesh' 'variable e string 0.7
+include in.material
+create_atoms 1 single 0 0 2e-5 units box
+set group all diameter 24.8e-6 density 2900
+set group all vx 30 vz -20
+fix move all nve/sphere
+fix plate all mesh/surface file plate.stl type 1
+fix lift all move/mesh mesh plate linear 10 0 40
+fix floor all wall/gran model hertz tangential off mesh n_meshes 1 meshes plate impact exact
+timestep 2e-7
+run 3
+print "is up $(vcm(all,z):%.9g) $(40+0.7*60:%.9g)"
+print "is along $(vcm(all,x):%.12g) 30"'
+# between two planes and in a tube: the energy stays
+agree 'channel and tube' 'variable e string 1
+include in.material
+create_atoms 1 single 1e-5 0 2e-5 units box
+set group all diameter 24.8e-6 density 2900
+set group all vx 80 vy 50 vz -100
+fix move all nve/sphere
+fix floor all wall/gran model hertz tangential off primitive type 1 zplane -1e-4 1e-4 impact exact
+fix tube all wall/gran model hertz tangential off primitive type 1 zcylinder 1e-4 0 0 impact exact
+timestep 1e-6
+run 1000
+print "is energy $(ke/mass(all):%.9g) $(0.5*(80^2+50^2+100^2):%.9g)"
+print "is inside $(xcm(all,x)^2+xcm(all,y)^2<0.877e-4^2&&abs(xcm(all,z))<0.877e-4) 1"'
+
+cat >in.refused <<'END'
+variable e string 0.7
+include in.material
+fix r all property/global coefficientRollingFriction peratomtypepair 1 0.1
+create_atoms 1 single 0 0 2e-5 units box
+set group all diameter 24.8e-6 density 2900
+fix move all ${move}
+fix floor all wall/gran ${law} impact exact
+timestep 1e-9
+run 1
+END
+refused rolling 'no rolling friction' -in in.refused -var move nve/sphere -var law 'model hertz tangential history rolling_friction cdt primitive type 1 zplane 0'
+refused euler 'move particles by h v' -in in.refused -var move nve/euler -var law 'model hertz tangential off primitive type 1 zplane 0'
+refused pump 'no velocity along its normal' -in in.refused -var move nve/sphere -var law 'model hertz tangential off primitive type 1 zplane 0 velocity 0 0 1'
+finish
