@@ -6,6 +6,7 @@
 
 #include <math.h>
 
+#include "box/domain.h"
 #include "math/vec3.h"
 #include "wall/exact_impacts.h"
 

@@ -128,18 +128,18 @@ syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
 syn keyword tsimKeyword  disableNormalWhenBonded located hooke/history hertz/history
 syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes voxels xplane
-syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear store_force
-syn keyword tsimKeyword  contacts store_force_contact store_force_contact_stress k hardness
-syn keyword tsimKeyword  deformation cutting yield modulus threshold cutting_constant
-syn keyword tsimKeyword  elastic_constant factor flow_stress depth_ratio force_ratio
-syn keyword tsimKeyword  transition particles sio2 sic glass relaxation crater section
-syn keyword tsimKeyword  segment plastic viscosity ab2 rk2 rk3 backward substeps courant
-syn keyword tsimKeyword  quick cubista gamma form fv fd conservative quadratic body_force
-syn keyword tsimKeyword  pressure_level axisymmetric plane point span distance profile
-syn keyword tsimKeyword  potential generic hertz/material dmt mass_velocity viscoelastic
-syn keyword tsimKeyword  tsuji coeff_restitution rolling twisting heat restitution
-syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid side in out
-syn keyword tsimKeyword  open center bounds angle0
+syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear impact resolved
+syn keyword tsimKeyword  store_force contacts store_force_contact
+syn keyword tsimKeyword  store_force_contact_stress k hardness deformation cutting yield
+syn keyword tsimKeyword  modulus threshold cutting_constant elastic_constant factor
+syn keyword tsimKeyword  flow_stress depth_ratio force_ratio transition particles sio2 sic
+syn keyword tsimKeyword  glass relaxation crater section segment plastic viscosity ab2 rk2
+syn keyword tsimKeyword  rk3 backward substeps courant quick cubista gamma form fv fd
+syn keyword tsimKeyword  conservative quadratic body_force pressure_level axisymmetric
+syn keyword tsimKeyword  plane point span distance profile potential generic hertz/material
+syn keyword tsimKeyword  dmt mass_velocity viscoelastic tsuji coeff_restitution rolling
+syn keyword tsimKeyword  twisting heat restitution unfinished preconditioner diagonal
+syn keyword tsimKeyword  direct multigrid side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
