@@ -168,7 +168,8 @@ shell_tests = \
 	tests/wall/wall_contacts.sh \
 	tests/wall/walls.sh \
 	tests/wall/wear.sh \
-	tests/wear/erosion_laws.sh
+	tests/wear/erosion_laws.sh \
+	tests/wear/wear_impacts.sh
 unit_tests = \
 	tests/accuracy/check_breakage \
 	tests/accuracy/check_heat \
