@@ -8,7 +8,7 @@
  * An impact begins with the first step in which the surfaces overlap. Contact laws have the velocities of the half
  * step, which at entry no contact force has changed yet: that is the entry velocity. The time of entry within the step
  * follows from the overlap and the normal speed. The impact ends in the first step without contact; if the particle has
- * been deleted or has left the box, too: what has happened so far counts.
+ * been deleted or has left the box in the run, too: what has happened so far counts.
  *
  * Contacts that exist when the observation begins, or that other commands than a run have made, are no impacts: nobody
  * has seen the entry.

@@ -64,8 +64,8 @@ struct ts_wall {
 	const struct ts_instance *region;  /* the region whose surface it is, or NULL; set in init */
 	/* its surfaces, set in init; NULL: nobody can observe its contacts */
 	const struct ts_wall_surfaces *surfaces;
-	unsigned *observers,
-		observed; /* [surfaces] bits of enum ts_observes, and all of them; set in POST_BUILD */
+	unsigned *observers;		   /* [surfaces] bits of enum ts_observes; set in POST_BUILD */
+	unsigned observed;		   /* all of them */
 	struct ts_wall_touching *touching; /* sorted observed contacts that touch: wall/surface_contacts.h */
 	size_t ntouching, touching_capacity, observers_capacity;
 	struct ts_impacts *impacts; /* NULL: nobody observes impacts; wall/impacts.h */

@@ -93,7 +93,8 @@ extern const struct ts_value ts_wear_values[];
 	"touched "                                                                                           \
 	"in the same step to that with the largest overlap. It is added when the impact has ended: when "    \
 	"the "                                                                                               \
-	"particle has separated, has been deleted or has left the box. Particles that touch the surface "    \
+	"particle has separated, or has been deleted or left the box in a run. Particles that touch the "    \
+	"surface "                                                                                           \
 	"when "                                                                                              \
 	"the first run begins make an impact only after they have left it. Two walls made of the same mesh " \
 	"have "                                                                                              \
