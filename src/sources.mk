@@ -605,6 +605,7 @@ library_sources = \
 	src/law/cohesion.h \
 	src/law/conduction.h \
 	src/law/contact_parts.h \
+	src/law/contact_wear.h \
 	src/law/drag.h \
 	src/law/elastic_energy.h \
 	src/law/erosion.h \
@@ -630,7 +631,6 @@ library_sources = \
 	src/law/tangential_turning.h \
 	src/law/touch.h \
 	src/law/twisting.h \
-	src/law/wear.h \
 	src/library/library.h \
 	src/library/library_columns.c \
 	src/library/library_life.c \

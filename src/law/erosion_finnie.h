@@ -13,7 +13,7 @@
  * The largest volume is at tan 2 alpha = K/3: for K = 2 at 16.845 degrees. There is none at 90 degrees,
  * where ductile metals in fact lose 0.3 to 0.5 of the largest volume: valid at grazing to medium angles.
  * Equation, psi and K agree with the function object ParticleErosion of OpenFOAM. The wear of meshes as
- * in LIGGGHTS, by the contact force, is in law/wear.h. */
+ * in LIGGGHTS, by the contact force, is in law/contact_wear.h. */
 #ifndef TS_LAW_EROSION_FINNIE_H
 #define TS_LAW_EROSION_FINNIE_H
 

@@ -262,13 +262,15 @@ static void fini(struct ts_instance *self)
 {
 	ts_mesh_wall_release(&((struct wall *)self->state)->mesh);
 	ts_voxel_wall_release(&((struct wall *)self->state)->voxel);
+	ts_impacts_free(((struct wall *)self->state)->wall.impacts);
 	ts_wall_fini(self);
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	TS_TRY(ts_primitive_wall_archive(a, &((struct wall *)self->state)->primitive));
-	return ts_wall_archive(self, sim, a);
+	TS_TRY(ts_wall_archive(self, sim, a));
+	return ts_impacts_archive(a, sim, self->state);
 }
 
 static const struct ts_arg args[] = {

@@ -1,6 +1,6 @@
 #include "wall/mesh_wear.h"
 
-#include "law/wear.h"
+#include "law/contact_wear.h"
 #include "material/property.h"
 
 #include "base/banned.h"

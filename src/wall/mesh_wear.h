@@ -1,4 +1,4 @@
-/* Depth worn from each triangle of a mesh by the particles that touch it (law/wear.h). */
+/* Depth worn from each triangle of a mesh by the particles that touch it (law/contact_wear.h). */
 #ifndef TS_WALL_MESH_WEAR_H
 #define TS_WALL_MESH_WEAR_H
 

@@ -14,7 +14,6 @@
 #include "particle/prescribed.h"
 #include "rigid/rigid.h"
 #include "wall/exact_impacts.h"
-#include "wall/impacts.h"
 
 #include "base/banned.h"
 
@@ -375,8 +374,7 @@ enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struc
 		TS_TRY(ts_particles_archive_column(a, sim, sim->particles->column[w->stored].name,
 						   w->stored));
 	TS_TRY(ts_exact_archive(a, sim, w));
-	TS_TRY(ts_wall_contacts_archive(a, sim, &w->contacts));
-	return ts_impacts_archive(a, sim, w);
+	return ts_wall_contacts_archive(a, sim, &w->contacts);
 }
 
 void ts_wall_fini(struct ts_instance *self)
@@ -385,7 +383,6 @@ void ts_wall_fini(struct ts_instance *self)
 
 	ts_exact_fini(w);
 	ts_wall_contacts_release(&w->contacts);
-	ts_impacts_free(w->impacts);
 	ts_free(w->observers);
 	ts_free(w->touching);
 }

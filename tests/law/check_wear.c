@@ -2,7 +2,7 @@
 #include <check.h>
 #include <stdlib.h>
 
-#include "law/wear.h"
+#include "law/contact_wear.h"
 
 START_TEST(branches_meet)
 {

@@ -4,7 +4,7 @@
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 . "$top_srcdir/tests/lib_meshes.sh"
 
-# I. Finnie, Wear 3 (1960) 87, as manual and src/law/wear.h have it: dW/dt = 2 k v F f(g)/A while the grain comes nearer,
+# I. Finnie, Wear 3 (1960) 87, as manual and src/law/contact_wear.h have it: dW/dt = 2 k v F f(g)/A while the grain comes nearer,
 # f = cos^2 g/3 for tan g > 1/3, else sin 2g - 3 sin^2 g. Without friction the speed t along the surface stays, and that
 # towards it, u, goes from its first value to 0 by F dt = -m du, whatever the spring. With s = sqrt(t^2 + u^2),
 # sin g = u/s and cos g = t/s the depth is, exactly,

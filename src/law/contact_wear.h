@@ -4,8 +4,8 @@
  *   2 k v F f(g) h/A,   f = cos^2 g/3 for tan g > 1/3, else sin 2g - 3 sin^2 g
  *
  * The factor 1/3 is 0.33333, as in LIGGGHTS. */
-#ifndef TS_LAW_WEAR_H
-#define TS_LAW_WEAR_H
+#ifndef TS_LAW_CONTACT_WEAR_H
+#define TS_LAW_CONTACT_WEAR_H
 
 #include <math.h>
 
