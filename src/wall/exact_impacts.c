@@ -14,6 +14,7 @@
 #include "wall/exact_collision.h"
 #include "wall/impacts.h"
 #include "wall/mesh_wall.h"
+#include "wall/surface.h"
 
 #include "base/banned.h"
 
@@ -68,9 +69,10 @@ enum ts_status ts_exact_plan(struct ts_instance *self, struct tsim *sim)
 		why = "heat is conducted in resolved contacts only";
 	else if (has_members(sim, self->group))
 		why = "members of rigid bodies are not carried, only single spheres";
-	for (int k = 0; k < w->meshes; k++)
-		if (w->mesh->mesh[k].surface->stress)
-			why = "fix mesh/surface/stress sums the forces of resolved contacts only";
+	for (size_t k = 0; w->surfaces && k < w->surfaces->count(w); k++)
+		if (ts_surface_observers(sim, w->surfaces->fix(w, k)) & TS_OBSERVES_CONTACTS)
+			why = "the fixes that read resolved contacts of the surface step by step (mesh/surface/stress, "
+			      "wear/archard, wear/zhao/chang/contact) would miss the impacts";
 	return why ? refuse(self, sim, why) : TS_OK;
 }
 

@@ -350,16 +350,29 @@ static const char doc[] =
 	"corners that are active, and for the temperature of a mesh. A contact that moves from one triangle "
 	"to a flat neighbour keeps its history. Laws that act beyond the touch (model jkr) do so on meshes "
 	"as on planes: each point of the mesh that is nearest to the particle in all triangles that share "
-	"it is one contact, which keeps its history when it moves across edges and corners, too.\n\n"
+	"it is one contact, which keeps its history when it moves across edges and corners, too.";
+
+static const char *const doc_more[] = {
 	"`voxels ID` makes a wall of a height field, see fix surface/voxel. Particles of the groups of both "
-	"fixes interact with it from outside; a particle whose centre gets into the solid stops the run. "
-	"Each "
+	"fixes interact with it from outside; a particle whose centre gets into the solid stops the run. Each "
 	"point of the surface that is nearer to the centre than all other points around it is one contact: "
 	"on a top, a side, an edge or a corner of the columns. A contact that slides to another column keeps "
 	"its history: a new contact continues the one that has ended in the same step, of several that "
-	"with the nearest normal, if the angle between the normals is less than 8 degrees.\n\n"
+	"with the nearest normal, if the angle between the normals is less than 8 degrees.",
+	"`impact exact`: a particle that hits the wall alone is carried through the whole impact in one time "
+	"step. From the first touch on its path the motion under the contact law is integrated until the "
+	"surfaces separate; the free flight then continues. If the step ends before the separation, the "
+	"particle waits (particle column impact_wait). The surface is taken as flat, other forces as zero. "
+	"f_ID[1..3] is the mean force, impulse over time step; other outputs contain resolved contacts only: "
+	"those that exist when the run begins, that last longer than 50 steps, or of particles that touch "
+	"another one in the step. Impacts are counted by the fixes wear/.... Laws: hooke, hertz, "
+	"hooke/stiffness, hertz/stiffness; tangential off, no_history, history. Walls must not rotate; rigid "
+	"bodies, fixes that read resolved contacts (mesh/surface/stress, wear/archard), explicit Euler and heat "
+	"are refused.",
 	"Related: fix wall/gran/region, fix mesh/surface, fix surface/voxel, fix heat/gran, compute "
-	"wall/gran/local.";
+	"wall/gran/local.",
+	NULL
+};
 
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 const struct ts_style ts_fix_wall_gran = {
@@ -367,6 +380,7 @@ const struct ts_style ts_fix_wall_gran = {
 	.kind = TS_KIND_FIX,
 	.summary = "Rigid walls with a contact law: planes, cylinders, meshes and height fields",
 	.doc = doc,
+	.doc_more = doc_more,
 	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
 		   "fix belt all wall/gran model hertz tangential history primitive type 1 zplane 0.0 shear "
 		   "x 0.5\n"
