@@ -182,7 +182,7 @@ static bool is_exact(const struct tsim *sim, const struct ts_mesh_surface *s, si
 	const struct ts_wall *w;
 
 	for (size_t at = 0; (w = ts_walls_next(sim, &at, &by));)
-		for (int k = 0; k < w->meshes && ts_exact_passes(w, sim->particles->tag[i]); k++)
+		for (int k = 0; w->mesh && k < w->meshes && ts_exact_passes(w, sim->particles->tag[i]); k++)
 			if (w->mesh->mesh[k].surface == s && ts_wall_interacts(by, sim, i, false))
 				return true;
 	return false;

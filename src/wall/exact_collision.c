@@ -23,6 +23,13 @@ static const double TOLERANCE = 1e-11;
 /* Friction below this part of the usual one has no effect on the motion, so the time in which its direction turns need
  * not be as short as the law has it. */
 static const double NEGLIGIBLE = 1e-6;
+/* Factor of the tolerance of slip path and work. */
+static const double LESS_PRECISE = 1e4;
+/* If stick and slide both end at once - the dashpot, which acts on contacts that stick alone, can bring that about -
+ * the motion follows the limit between them. Then slide is left only when s.e is below r' by a margin, in units of the
+ * speed of approach, which grows with the number of changes. */
+static const double MARGIN = 1e-6, MARGIN_GROWS = 1.05;
+enum { FEW_CHANGES = 10 };
 enum { STEPS_MOST = 20000, CHANGES_MOST = 200, HALVINGS = 60 };
 
 struct ts_collision_solver {
@@ -38,7 +45,8 @@ struct motion {
 	int d;		       /* tangential dimensions */
 	double kappa, damping; /* k ~ q^kappa, gamma ~ q^damping */
 	enum mode mode;
-	double sign; /* of F_n */
+	double margin; /* velocity */
+	double sign;   /* of F_n */
 	double scale[MOST];
 	double elongation;  /* scale of xi */
 	double least_limit; /* of friction, in the rate at which its direction turns */
@@ -241,7 +249,7 @@ static double changes_mode(const struct motion *o, const double *y)
 		return m.n.kt * length2(x, o->d) - limit;
 	along = o->d == 2 ? m.slip[0] * cos(x[0]) + m.slip[1] * sin(x[0]) : m.slip[0] * x[0];
 	grows = o->law->friction * o->sign * force_rate(o, &m);
-	return grows - (o->kappa > 0 ? limit * o->kappa * m.u / m.q : 0) - m.n.kt * along;
+	return grows - (o->kappa > 0 ? limit * o->kappa * m.u / m.q : 0) - m.n.kt * (along + o->margin);
 }
 
 /* ---- steps ---- */
@@ -308,7 +316,7 @@ static void locate(const struct stepper *s, event_fn *event, const double *from,
 static void record_peaks(const struct stepper *s, const double *from, double sigma, const double *to)
 {
 	/* the maximum is flat: its error is the square of that of the time */
-	static const double PRECISION = 1e-7;
+	static const double PRECISION = 1e-6;
 	struct motion *o = s->o;
 	double y[MOST], part = sigma;
 	struct moment m;
@@ -482,8 +490,9 @@ static void begin(struct motion *o, const struct ts_collision *c, double *y)
 	o->elongation = speeds * depth / u;
 	o->least_limit = NEGLIGIBLE * c->law->friction * c->mass * u * u / depth;
 	if (o->d) {
-		o->scale[TANGENTIAL + 4 * o->d] = speeds * depth / u;
-		o->scale[TANGENTIAL + 4 * o->d + 1] = c->mass * speeds * speeds;
+		/* nothing depends on these sums; |s| has a kink where slip reverses */
+		o->scale[TANGENTIAL + 4 * o->d] = LESS_PRECISE * speeds * depth / u;
+		o->scale[TANGENTIAL + 4 * o->d + 1] = LESS_PRECISE * c->mass * speeds * speeds;
 	}
 }
 
@@ -518,7 +527,7 @@ static enum outcome cut_step(const struct stepper *s, const double *y, double *s
 
 	if (to[Z] <= 0) {
 		outcome = PARTS;
-		locate(s, parts, y, 1e-15, sigma, to);
+		locate(s, parts, y, 1e-14, sigma, to);
 		cut = (1 - SHORTLY) * *sigma;
 		make_step(s, y, cut, seen);
 	} else {
@@ -526,11 +535,11 @@ static enum outcome cut_step(const struct stepper *s, const double *y, double *s
 	}
 	if (o->sign > 0 && seen[U] < 0 && changes_sign(o, seen) >= 0) {
 		outcome = PULLS;
-		locate(s, changes_sign, y, 1e-15, &cut, seen);
+		locate(s, changes_sign, y, 1e-13, &cut, seen);
 	}
 	if (o->d && changes_mode(o, seen) > 0) {
 		outcome = CHANGES_MODE;
-		locate(s, changes_mode, y, 1e-15, &cut, seen);
+		locate(s, changes_mode, y, 1e-13, &cut, seen);
 	}
 	if (outcome == PULLS || outcome == CHANGES_MODE) {
 		*sigma = cut;
@@ -580,7 +589,8 @@ static bool advance(const struct stepper *s, double *y, double longest, bool no_
 		memcpy(y, to, sizeof to);
 		if (outcome == CHANGES_MODE) {
 			enter_other_mode(o, y);
-			changes++;
+			if (++changes > FEW_CHANGES)
+				o->margin = MARGIN * pow(MARGIN_GROWS, changes) * o->scale[U];
 		} else if (outcome == PULLS && no_tension) {
 			fly(o, y);
 			outcome = PARTS;

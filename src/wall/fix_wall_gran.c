@@ -354,7 +354,8 @@ static const char doc[] =
 
 static const char *const doc_more[] = {
 	"`voxels ID` makes a wall of a height field, see fix surface/voxel. Particles of the groups of both "
-	"fixes interact with it from outside; a particle whose centre gets into the solid stops the run. Each "
+	"fixes interact with it from outside; a particle whose centre gets into the solid stops the run. "
+	"Each "
 	"point of the surface that is nearer to the centre than all other points around it is one contact: "
 	"on a top, a side, an edge or a corner of the columns. A contact that slides to another column keeps "
 	"its history: a new contact continues the one that has ended in the same step, of several that "
@@ -367,7 +368,8 @@ static const char *const doc_more[] = {
 	"those that exist when the run begins, that last longer than 50 steps, or of particles that touch "
 	"another one in the step. Impacts are counted by the fixes wear/.... Laws: hooke, hertz, "
 	"hooke/stiffness, hertz/stiffness; tangential off, no_history, history. Walls must not rotate; rigid "
-	"bodies, fixes that read resolved contacts (mesh/surface/stress, wear/archard), explicit Euler and heat "
+	"bodies, fixes that read resolved contacts (mesh/surface/stress, wear/archard), explicit Euler and "
+	"heat "
 	"are refused.",
 	"Related: fix wall/gran/region, fix mesh/surface, fix surface/voxel, fix heat/gran, compute "
 	"wall/gran/local.",
