@@ -64,7 +64,7 @@ static bool hits_particle(struct tsim *sim, size_t i, char *what, size_t room)
 	const struct ts_particles *p = sim->particles;
 	double least, largest, reach;
 
-	if (!ts_sim_only(sim, TS_KIND_PAIR) && !sim->bonds->n)
+	if (!sim->neigh->wanted && !sim->bonds->n) /* particles do not interact */
 		return false;
 	ts_neigh_radii(p, &least, &largest);
 	reach = sim->neigh->wanted ? ts_pair_reach(sim, largest) : 0;

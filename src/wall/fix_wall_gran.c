@@ -255,7 +255,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 		ts_primitive_wall_plan(self, sim, &w->primitive);
 	for (size_t k = 0; k < count_surface_types(w); k++)
 		TS_TRY(ts_wall_plan(self, sim, surface_type(w, k), report));
-	return TS_OK;
+	return w->wall.exact ? ts_exact_plan(self, sim) : TS_OK;
 }
 
 static void fini(struct ts_instance *self)
@@ -263,12 +263,14 @@ static void fini(struct ts_instance *self)
 	ts_mesh_wall_release(&((struct wall *)self->state)->mesh);
 	ts_voxel_wall_release(&((struct wall *)self->state)->voxel);
 	ts_impacts_free(((struct wall *)self->state)->wall.impacts);
+	ts_exact_fini(self->state);
 	ts_wall_fini(self);
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	TS_TRY(ts_primitive_wall_archive(a, &((struct wall *)self->state)->primitive));
+	TS_TRY(ts_exact_archive(a, sim, self->state));
 	TS_TRY(ts_wall_archive(self, sim, a));
 	return ts_impacts_archive(a, sim, self->state);
 }
@@ -384,6 +386,8 @@ const struct ts_style ts_fix_wall_gran = {
 	.doc = doc,
 	.doc_more = doc_more,
 	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
+		   "fix target all wall/gran model hertz tangential history primitive type 2 zplane 0.0 "
+		   "impact exact\n"
 		   "fix belt all wall/gran model hertz tangential history primitive type 1 zplane 0.0 shear "
 		   "x 0.5\n"
 		   "fix drum all wall/gran primitive type 2 zcylinder 0.05 0.0 0.0 temperature 373.15\n"

@@ -1,3 +1,4 @@
+/* Walls of meshes with `impact exact`: the first touch of a moving sphere, in all periodic images. */
 #include "box/domain.h"
 #include "mesh/mesh_sweep.h"
 #include "wall/exact_impacts.h"

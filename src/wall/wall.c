@@ -13,7 +13,6 @@
 #include "particle/columns.h"
 #include "particle/prescribed.h"
 #include "rigid/rigid.h"
-#include "wall/exact_impacts.h"
 
 #include "base/banned.h"
 
@@ -270,7 +269,7 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 	TS_TRY(ts_multicontact_check(sim, ts_wall_model(w, sim), &self->where));
 	TS_TRY(ts_substep_check(sim, ts_wall_model(w, sim), ts_instance_word(self, "located")));
 	if (w->exact) /* no contact is stepped through */
-		return ts_exact_plan(self, sim);
+		return TS_OK;
 	lightest = ts_lightest(sim, self->group);
 	if (!lightest)
 		return ts_nomem(&sim->error);
@@ -373,7 +372,6 @@ enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struc
 	if (w->store_force)
 		TS_TRY(ts_particles_archive_column(a, sim, sim->particles->column[w->stored].name,
 						   w->stored));
-	TS_TRY(ts_exact_archive(a, sim, w));
 	return ts_wall_contacts_archive(a, sim, &w->contacts);
 }
 
@@ -381,7 +379,6 @@ void ts_wall_fini(struct ts_instance *self)
 {
 	struct ts_wall *w = self->state;
 
-	ts_exact_fini(w);
 	ts_wall_contacts_release(&w->contacts);
 	ts_free(w->observers);
 	ts_free(w->touching);

@@ -135,7 +135,7 @@ fix floor all wall/gran model hertz tangential off primitive type 1 zplane -1e-4
 fix tube all wall/gran model hertz tangential off primitive type 1 zcylinder 1e-4 0 0 impact exact
 timestep 1e-6
 run 1000
-print "is energy $(ke/mass(all):%.9g) $(0.5*(80^2+50^2+100^2):%.9g)"
+print "is energy $(ke/mass(all):%.7g) $(0.5*(80^2+50^2+100^2):%.7g)"
 print "is inside $(xcm(all,x)^2+xcm(all,y)^2<0.877e-4^2&&abs(xcm(all,z))<0.877e-4) 1"'
 
 cat >in.refused <<'END'
