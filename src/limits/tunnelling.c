@@ -205,9 +205,9 @@ static bool hits_mesh(struct tsim *sim, size_t i, char *what, size_t room)
 
 /* ---- the box ---- */
 
-/* Whether it has left the box while lost particles are not ignored, or moved so far that periodic images are
- * ambiguous. */
-static bool leaves_box(const struct tsim *sim, size_t i)
+/* Whether it has moved so far that periodic images are ambiguous, or has left the box while lost particles are not
+ * ignored. */
+static bool leaves_box(const struct tsim *sim, size_t i, char *what, size_t room)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
@@ -216,12 +216,15 @@ static bool leaves_box(const struct tsim *sim, size_t i)
 	for (int k = 0; k < 3; k++)
 		far |= ts_box_periodic(box, k) &&
 		       fabs(p->v[i][k]) * sim->clock.dt > 0.25 * ts_box_length(box, k);
-	return far || (p->lost_policy != TS_LOST_IGNORE && ts_exchange_left(box, p->x[i]) >= 0);
+	if (far || p->lost_policy == TS_LOST_IGNORE || ts_exchange_left(box, p->x[i]) < 0)
+		return far;
+	snprintf(what, room, " out of the box (`thermo_modify lost ignore` lets free particles leave)");
+	return true;
 }
 
 bool ts_tunnelling_hits(struct tsim *sim, size_t i, char *what, size_t room)
 {
 	what[0] = 0;
-	return leaves_box(sim, i) || hits_particle(sim, i, what, room) || hits_wall(sim, i, what, room) ||
-	       hits_mesh(sim, i, what, room);
+	return leaves_box(sim, i, what, room) || hits_particle(sim, i, what, room) ||
+	       hits_wall(sim, i, what, room) || hits_mesh(sim, i, what, room);
 }

@@ -1,6 +1,7 @@
 /* Dump voxel/vtk: the tops of the columns of a height field, as legacy VTK (text). */
 #include <string.h>
 
+#include "core/ref_list.h"
 #include "core/sim.h"
 #include "dump/dump.h"
 #include "voxel/voxel_surface.h"
@@ -10,8 +11,31 @@
 struct state {
 	struct ts_dump_common common;
 	const char *id;
+	struct ts_words names; /* words of the line that name outputs */
 	const struct ts_voxel_surface *surface;
+	struct ts_ref_list inputs; /* those outputs; each has a row for each column of the surface */
+	struct ts_table values;	   /* one of them */
 };
+
+/* Finds the outputs that are to be written. */
+static enum ts_status find_inputs(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (!s->names.n)
+		return TS_OK;
+	TS_TRY(ts_ref_list_init(sim, "dump voxel/vtk", &self->arena, s->names, TS_WANT(SURFACE), &s->inputs));
+	for (size_t k = 0; k < s->inputs.n; k++) {
+		const struct ts_ref_input *input = &s->inputs.item[k];
+		const struct ts_instance *by = input->ref.inst;
+
+		if (by->style->surface(by)->state != s->surface)
+			return ts_fail(&sim->error, TS_STATE, &input->where,
+				       "dump voxel/vtk: '%s' is about surface %s, this dump writes %s",
+				       input->name, by->style->surface(by)->id, s->id);
+	}
+	return TS_OK;
+}
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
@@ -26,7 +50,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       s->common.file);
 	TS_TRY(ts_voxel_surface_require(sim, &id, &surface));
 	s->surface = surface;
-	return TS_OK;
+	return find_inputs(self, sim);
 }
 
 static size_t count_columns(const struct ts_voxel_field *f)
@@ -70,9 +94,10 @@ static void add_points(struct ts_str *text, const struct ts_voxel_surface *s, si
 		ts_str_addf(text, "4 %zu %zu %zu %zu\n", 4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 3);
 }
 
-static void add_heights(struct ts_str *text, const struct ts_voxel_field *f, size_t n)
+/* `arrays`: number of arrays that follow the heights. */
+static void add_heights(struct ts_str *text, const struct ts_voxel_field *f, size_t n, size_t arrays)
 {
-	ts_str_addf(text, "CELL_DATA %zu\nFIELD FieldData 2\ncolumn 1 %zu int\n", n, n);
+	ts_str_addf(text, "CELL_DATA %zu\nFIELD FieldData %zu\ncolumn 1 %zu int\n", n, 2 + arrays, n);
 	for (int64_t j = 0; j < f->n[1]; j++)
 		for (int64_t i = 0; i < f->n[0]; i++)
 			if (ts_voxel_top(f, i, j) > f->base)
@@ -82,6 +107,24 @@ static void add_heights(struct ts_str *text, const struct ts_voxel_field *f, siz
 		for (int64_t i = 0; i < f->n[0]; i++)
 			if (ts_voxel_top(f, i, j) > f->base)
 				ts_str_addf(text, "%.17g\n", ts_voxel_top(f, i, j));
+}
+
+static enum ts_status add_input(struct state *s, struct tsim *sim, const struct ts_ref_input *input, size_t n)
+{
+	const struct ts_voxel_field *f = &s->surface->field;
+	struct ts_str *text = &s->common.text;
+
+	TS_TRY(ts_ref_input_eval(sim, input, &s->values));
+	if (s->values.rows != (size_t)(f->n[0] * f->n[1]))
+		return ts_fail(&sim->error, TS_STATE, &input->where,
+			       "dump voxel/vtk: '%s' has %zu rows, the surface has %lld columns", input->name,
+			       s->values.rows, (long long)(f->n[0] * f->n[1]));
+	ts_str_addf(text, "%s 1 %zu double\n", input->name, n);
+	for (int64_t j = 0; j < f->n[1]; j++)
+		for (int64_t i = 0; i < f->n[0]; i++)
+			if (ts_voxel_top(f, i, j) > f->base)
+				ts_str_addf(text, "%.11g\n", s->values.data[j * f->n[0] + i]);
+	return TS_OK;
 }
 
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
@@ -98,7 +141,9 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	n = count_columns(&s->surface->field);
 	ts_str_add(text, "# vtk DataFile Version 3.0\nheight field\nASCII\nDATASET POLYDATA\n");
 	add_points(text, s->surface, n);
-	add_heights(text, &s->surface->field, n);
+	add_heights(text, &s->surface->field, n, s->inputs.n);
+	for (size_t k = 0; k < s->inputs.n; k++)
+		TS_TRY(add_input(s, sim, &s->inputs.item[k], n));
 	if (text->failed)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_textfile_write(&s->common.out, ts_str_text(text), text->length));
@@ -107,14 +152,29 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
-	const struct ts_voxel_field *f = &((const struct state *)self->state)->surface->field;
+	const struct state *s = self->state;
+	const struct ts_voxel_field *f = &s->surface->field;
+	double column = 170 + 12 * (double)s->inputs.n;
 
-	return ts_dump_price_frame(self, sim, 200 + 170 * (double)(f->n[0] * f->n[1]), report);
+	return ts_dump_price_frame(self, sim, 200 + column * (double)(f->n[0] * f->n[1]), report);
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_ref_list_release(&s->inputs);
+	ts_table_release(&s->values);
+	ts_dump_fini(self);
 }
 
 static const struct ts_arg args[] = {
 	TS_DUMP_ARGS(struct state),
 	TS_WORD("surface", struct state, id, .flags = TS_POSITIONAL, .help = "ID of a fix surface/voxel"),
+	TS_REST_OPTIONAL("outputs", struct state, names,
+			 .help = "f_ID[k] or f_ID[*]: columns of outputs that have a row for each column of "
+				 "the "
+				 "surface, as of the fixes wear/..."),
 	TS_ARGS_END,
 };
 
@@ -129,14 +189,15 @@ const struct ts_style ts_dump_voxel_vtk = {
 	       "column at "
 	       "its present position; empty columns are left out. Cell data:\n\n"
 	       "  column   number of the column, from 0; the first index varies fastest\n"
-	       "  height   height of the column, without the displacement of the field\n\n"
-	       "Related: fix surface/voxel, dump mesh/vtk.",
-	.example = "dump scar all voxel/vtk 1000 post/scar*.vtk rough",
+	       "  height   height of the column, without the displacement of the field\n"
+	       "  f_ID[k]  of the column, by an output of a fix about this surface\n\n"
+	       "Related: fix surface/voxel, fix wear/finnie, dump mesh/vtk.",
+	.example = "dump scar all voxel/vtk 1000 post/scar*.vtk rough f_worn[8]",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.init = init,
 	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
-	.fini = ts_dump_fini,
+	.fini = fini,
 };

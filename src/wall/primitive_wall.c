@@ -383,6 +383,20 @@ double ts_primitive_wall_area(const struct ts_primitive_wall *w, const struct ts
 	return ts_box_length(box, (axis + 1) % 3) * ts_box_length(box, (axis + 2) % 3);
 }
 
+void ts_primitive_wall_centre(const struct ts_primitive_wall *w, const struct tsim *sim, int k, double out[3])
+{
+	struct ts_primitive p = displaced_primitive(w, k, displacement(w, sim));
+	const struct ts_box *box = &sim->domain->box;
+	int axis = (int)p.shape % 3;
+
+	for (int d = 0; d < 3; d++)
+		out[d] = 0.5 * (box->lo[d] + box->hi[d]);
+	if (p.shape < TS_XCYLINDER)
+		out[axis] = p.position;
+	for (int d = 0; p.shape >= TS_XCYLINDER && d < 2; d++)
+		out[(axis + 1 + d) % 3] = p.centre[d];
+}
+
 /* ---- forces ---- */
 
 struct force_task {

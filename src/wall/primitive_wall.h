@@ -57,6 +57,9 @@ double ts_primitive_wall_distance(const struct ts_primitive_wall *w, const struc
 extern const struct ts_wall_surfaces ts_primitive_wall_surfaces;
 /* Of element k in the box, length^2. */
 double ts_primitive_wall_area(const struct ts_primitive_wall *w, const struct tsim *sim, int k);
+/* Centre of the part of element k in the box: of a plane, or of the axis of a cylinder. */
+void ts_primitive_wall_centre(const struct ts_primitive_wall *w, const struct tsim *sim, int k,
+			      double out[3]);
 /* Whether the surface has a velocity along its normal, although the wall stays in place. */
 bool ts_primitive_wall_pumps(const struct ts_primitive_wall *w);
 /* For `impact exact`; its shape is the struct ts_primitive_wall. */

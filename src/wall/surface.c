@@ -1,5 +1,6 @@
 #include "wall/surface.h"
 
+#include "math/vec3.h"
 #include "mesh/mesh_surface.h"
 #include "voxel/voxel_surface.h"
 #include "wall/primitive_wall.h"
@@ -12,6 +13,7 @@ struct ts_surface_kind {
 	bool (*is)(const struct ts_instance *by); /* NULL: all of the family are surfaces */
 	size_t (*elements)(const struct ts_instance *by);
 	double (*area)(const struct ts_instance *by, const struct tsim *sim, size_t element);
+	void (*centre)(const struct ts_instance *by, const struct tsim *sim, size_t element, double out[3]);
 	int (*type)(const struct ts_instance *by);
 };
 
@@ -26,6 +28,13 @@ static double triangle_area(const struct ts_instance *by, const struct tsim *sim
 {
 	(void)sim;
 	return ((const struct ts_mesh_surface *)by->state)->mesh.area[element];
+}
+
+static void triangle_centre(const struct ts_instance *by, const struct tsim *sim, size_t element,
+			    double out[3])
+{
+	(void)sim;
+	ts_scale(1, ((const struct ts_mesh_surface *)by->state)->mesh.centre[element], out);
 }
 
 static int mesh_type(const struct ts_instance *by)
@@ -50,6 +59,19 @@ static double column_area(const struct ts_instance *by, const struct tsim *sim, 
 	(void)sim;
 	(void)element;
 	return field_of(by)->field.width[0] * field_of(by)->field.width[1];
+}
+
+static void column_centre(const struct ts_instance *by, const struct tsim *sim, size_t element, double out[3])
+{
+	const struct ts_voxel_surface *s = field_of(by);
+	const struct ts_voxel_field *f = &s->field;
+	int64_t index[2] = { (int64_t)element % f->n[0], (int64_t)element / f->n[0] };
+
+	(void)sim;
+	for (int d = 0; d < 2; d++)
+		out[f->axis[d]] = f->origin[d] + ((double)index[d] + 0.5) * f->width[d];
+	out[f->axis[2]] = ts_voxel_heights(f)[element];
+	ts_add(out, s->shift, out);
 }
 
 static int field_type(const struct ts_instance *by)
@@ -79,15 +101,21 @@ static double primitive_area(const struct ts_instance *by, const struct tsim *si
 	return ts_primitive_wall_area(primitive_of(by), sim, (int)element);
 }
 
+static void primitive_centre(const struct ts_instance *by, const struct tsim *sim, size_t element,
+			     double out[3])
+{
+	ts_primitive_wall_centre(primitive_of(by), sim, (int)element, out);
+}
+
 static int primitive_type(const struct ts_instance *by)
 {
 	return ((const struct ts_wall *)by->state)->type;
 }
 
 static const struct ts_surface_kind kinds[] = {
-	{ TS_FAMILY_MESH, NULL, count_triangles, triangle_area, mesh_type },
-	{ TS_FAMILY_VOXEL, NULL, count_columns, column_area, field_type },
-	{ TS_FAMILY_WALL, is_primitive, count_primitives, primitive_area, primitive_type },
+	{ TS_FAMILY_MESH, NULL, count_triangles, triangle_area, triangle_centre, mesh_type },
+	{ TS_FAMILY_VOXEL, NULL, count_columns, column_area, column_centre, field_type },
+	{ TS_FAMILY_WALL, is_primitive, count_primitives, primitive_area, primitive_centre, primitive_type },
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
@@ -125,8 +153,9 @@ static enum ts_status not_a_surface(struct tsim *sim, const struct ts_word *id, 
 
 	if (wall && w->surfaces)
 		return ts_fail(&sim->error, TS_STATE, &id->place,
-			       "fix %s is a wall made of other surfaces; name one of them: '%s'%s", id->text,
-			       w->surfaces->fix(w, 0)->id, w->surfaces->count(w) > 1 ? ", ..." : "");
+			       "fix %s is a wall made of %s; name one of them: '%s'%s", id->text,
+			       w->voxel ? "a height field" : "meshes", w->surfaces->fix(w, 0)->id,
+			       w->surfaces->count(w) > 1 ? ", ..." : "");
 	return ts_fail(&sim->error, TS_STATE, &id->place,
 		       "fix %s, of style %s, has no elements: expected the ID of a fix mesh/surface, a fix "
 		       "surface/voxel, or a fix wall/gran with a plane or cylinder",
@@ -152,6 +181,11 @@ size_t ts_surface_elements(const struct ts_surface *s)
 double ts_surface_area(const struct ts_surface *s, const struct tsim *sim, size_t element)
 {
 	return s->kind->area(s->by, sim, element);
+}
+
+void ts_surface_centre(const struct ts_surface *s, const struct tsim *sim, size_t element, double out[3])
+{
+	s->kind->centre(s->by, sim, element, out);
 }
 
 int ts_surface_type(const struct ts_surface *s)

@@ -26,6 +26,8 @@ size_t ts_surface_elements(const struct ts_surface *s);
 /* Of an element, length^2: of a triangle, now; of a plane that of the cross-section of the box; of a cylinder that
  * of its part in the box, along its axis. */
 double ts_surface_area(const struct ts_surface *s, const struct tsim *sim, size_t element);
+/* Its centre: of a triangle, of the top of a column, of a plane or of the axis of a cylinder within the box. */
+void ts_surface_centre(const struct ts_surface *s, const struct tsim *sim, size_t element, double out[3]);
 /* Particle type whose material the surface has. */
 int ts_surface_type(const struct ts_surface *s);
 

@@ -160,11 +160,12 @@ static enum ts_status eval_totals(struct ts_instance *self, const struct tsim *s
 
 static const char *const total_names[] = { "volume", "volume_per_mass", "impacts",	   "mass", "energy",
 					   "work",   "removed",		"removed_per_mass" };
-static const char *const element_names[] = { "hits",	"speed", "angle",  "energy", "work",
-					     "impulse", "force", "volume", "depth" };
+static const char *const element_names[] = { "hits",  "speed",	"angle", "energy", "work", "impulse",
+					     "force", "volume", "depth", "x",	   "y",	   "z" };
 enum {
 	TOTALS = sizeof total_names / sizeof *total_names,
-	COLUMNS = sizeof element_names / sizeof *element_names
+	COLUMNS = sizeof element_names / sizeof *element_names,
+	SUMS = COLUMNS - 3 /* before the coordinates of the centre */
 };
 
 static enum ts_status eval_elements(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -172,12 +173,15 @@ static enum ts_status eval_elements(struct ts_instance *self, const struct tsim 
 	const struct ts_wear *w = self->state;
 
 	TS_TRY(ts_table_resize(out, w->elements, COLUMNS));
-	for (size_t k = 0; k < w->elements * COLUMNS; k++)
-		out->data[k] = 0;
+	for (size_t k = 0; k < w->elements; k++) {
+		for (size_t c = 0; c < SUMS; c++)
+			out->data[k * COLUMNS + c] = 0;
+		ts_surface_centre(&w->surface, sim, k, out->data + k * COLUMNS + SUMS);
+	}
 	for (size_t k = 0; k < w->n; k++) {
 		const struct ts_wear_sums *s = &w->sums[k];
 		size_t element = (size_t)w->touched[k];
-		double column[COLUMNS] = {
+		double column[SUMS] = {
 			s->hits,
 			quotient(s->speed, s->hits),
 			quotient(s->angle, s->hits),
@@ -189,7 +193,7 @@ static enum ts_status eval_elements(struct ts_instance *self, const struct tsim 
 			quotient(s->volume, ts_surface_area(&w->surface, sim, element)),
 		};
 
-		for (size_t c = 0; c < COLUMNS; c++)
+		for (size_t c = 0; c < SUMS; c++)
 			out->data[element * COLUMNS + c] = column[c];
 	}
 	return TS_OK;
@@ -204,10 +208,10 @@ const struct ts_value ts_wear_values[] = {
 	  "mass "
 	  "removed and this per mass of particles (0 without `density`)",
 	  TS_VECTOR, TOTALS, total_names, eval_totals },
-	{ "elements", "-, velocity, degrees, energy, energy, force*time, force, length^3, length",
+	{ "elements", "-, velocity, degrees, energy, energy, force*time, force, length^3, length, length",
 	  "of each element: number of impacts, their mean speed, mean angle, kinetic energy before, work of "
 	  "friction, impulse of the normal forces, largest normal force; volume removed, and divided by the "
-	  "area",
+	  "area; coordinates of its centre",
 	  TS_SURFACE, COLUMNS, element_names, eval_elements },
 	{ .name = NULL },
 };

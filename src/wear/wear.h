@@ -78,7 +78,7 @@ enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim);
 const struct ts_instance *ts_wear_surface(const struct ts_instance *self);
 enum ts_status ts_wear_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive);
 void ts_wear_fini(struct ts_instance *self);
-/* Outputs: f_ID the volume, f_ID[1..8] the totals, f_ID[1..9] of each element. */
+/* Outputs: f_ID the volume, f_ID[1..8] the totals, f_ID[1..12] of each element. */
 extern const struct ts_value ts_wear_values[];
 
 /* The end of the manual of each style: surface, impacts, outputs. */
@@ -103,7 +103,8 @@ extern const struct ts_value ts_wear_values[];
 	"whose "                                                                                             \
 	"area is that within the box. dump mesh/vtk (of meshes), dump local, compute reduce and formulas "   \
 	"read "                                                                                              \
-	"f_ID[1..9] of each element; f_ID is the volume removed from the whole surface, and f_ID[1..8] are " \
+	"f_ID[1..12] of each element; f_ID is the volume removed from the whole surface, and f_ID[1..8] "    \
+	"are "                                                                                               \
 	"its "                                                                                               \
 	"totals elsewhere. Sums over elements are exact, as those of compute reduce. Elements without "      \
 	"impacts "                                                                                           \

@@ -48,7 +48,7 @@ for target in "${targets[@]}"; do
 	parts=("$here/sandbox.c")
 	case $target in script | check | explain) parts+=("$here"/{scripts,tokens}.c) ;; esac
 	$clang $flags -fsanitize=fuzzer -D_GNU_SOURCE -I"$top_srcdir/src" "$here/fuzz_$target.c" \
-		"${parts[@]}" libtsim.a -lgsl -lgslcblas -lz -lm @"$here/wrap.ld" \
+		"${parts[@]}" libtsim.a -lgsl -lgslcblas -lz $(pkg-config --libs libpng 2>/dev/null) -lm @"$here/wrap.ld" \
 		-o "fuzz_$target" || exit 1
 	mkdir -p "corpus.$target" "found.$target" "empty.$target"
 	(

@@ -164,7 +164,7 @@ timestep $(v_factor*v_limit)
 END
 prints 'variable factor equal 1.01
 include in.limit
-run 2' '*larger than' '*the limit of explicit heat conduction, m c / sum h'
+run 2' '*the time step' '*exceeds' '*explicit heat conduction, m c / sum h'
 prints 'variable factor equal 1.01
 include in.limit
 neighbor 1e-5 bin
@@ -179,7 +179,7 @@ refused 'beyond twice the limit' 'use a smaller one, a smaller thermalConductivi
 echo 'variable factor equal 0.99
 include in.limit
 run 5' >in.script
-"$TSIM" -in in.script -log none >out 2>&1 && ! grep -q larger out
+"$TSIM" -in in.script -log none >out 2>&1 && ! grep -qE 'larger|exceeds' out
 report 'no warning below the limit' $? out
 
 rejects 'include in.two
