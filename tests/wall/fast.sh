@@ -113,7 +113,7 @@ thermo_modify lost ignore
 run 30
 print 'left \$(count(all))'" 'left 0'
 rejects "$(fast)
-run 30" 'moves more than its radius in one step at step 18:'
+run 30" 'moves more than its radius in one step at step 18 out of the box'
 unset faces
 
 # surfaces: a region that jumps, turns or grows by more than a radius in a step, onto a particle that rests
