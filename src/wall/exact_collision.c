@@ -19,7 +19,7 @@ enum mode { STICK, SLIDE };
 
 /* Largest estimated error of a step, relative to the scale of each number: that of the embedded scheme of order 7, the
  * state of order 8 is better by some powers of ten; largest number of steps and of changes of mode. */
-static const double TOLERANCE = 1e-11;
+static const double TOLERANCE = 1e-10;
 /* Friction below this part of the usual one has no effect on the motion, so the time in which its direction turns need
  * not be as short as the law has it. */
 static const double NEGLIGIBLE = 1e-6;
@@ -39,11 +39,11 @@ struct ts_collision_solver {
 struct motion {
 	const struct ts_granular_pair *law;
 	struct ts_granular_model model;
-	struct ts_touch touch; /* what does not change */
-	double inertia;	       /* I */
-	int power;	       /* p: q = z^p */
-	int d;		       /* tangential dimensions */
-	double kappa, damping; /* k ~ q^kappa, gamma ~ q^damping */
+	struct ts_touch *touch; /* overlap, distance and speed are set by each evaluation */
+	double inertia;		/* I */
+	int power;		/* p: q = z^p */
+	int d;			/* tangential dimensions */
+	double kappa, damping;	/* k ~ q^kappa, gamma ~ q^damping */
 	enum mode mode;
 	double margin; /* velocity */
 	double sign;   /* of F_n */
@@ -152,18 +152,18 @@ static void tangential_force(const struct motion *o, const double *x, struct mom
 static void evaluate(const struct motion *o, const double *y, struct moment *m)
 {
 	const double *v = y + TANGENTIAL, *w = v + o->d, *x = w + o->d;
-	struct ts_touch t = o->touch;
+	struct ts_touch *t = o->touch;
 	double none = 0;
 
 	*m = (struct moment){ .q = overlap_of(o, y[Z]), .u = y[U] };
 	m->rate = o->power == 1 ? 1 : o->power == 2 ? y[Z] : y[Z] * y[Z] * y[Z];
-	t.overlap = m->q;
-	t.distance = t.radius[0] - m->q;
-	t.vn = -m->u;
-	ts_normal_force(&o->model, o->law, &t, false, &none, &m->n);
-	ts_granular_arms(&o->model, &t);
-	m->lever = t.lever[0];
-	m->arm = t.arm[0];
+	t->overlap = m->q;
+	t->distance = t->radius[0] - m->q;
+	t->vn = -m->u;
+	ts_normal_force(&o->model, o->law, t, false, &none, &m->n);
+	ts_granular_arms(&o->model, t);
+	m->lever = t->lever[0];
+	m->arm = t->arm[0];
 	for (int k = 0; k < o->d; k++)
 		m->slip[k] = v[k] + m->lever * w[k];
 	if (o->d)
@@ -179,10 +179,10 @@ static int derivative(double sigma, const double y[], double dy[], void *context
 	(void)sigma;
 	evaluate(o, y, &m);
 	dy[Z] = m.u / o->power;
-	dy[U] = -m.n.force / o->touch.m_eff * m.rate;
+	dy[U] = -m.n.force / o->touch->m_eff * m.rate;
 	dy[TIME] = m.rate;
 	for (int k = 0; k < o->d; k++) {
-		v[k] = m.force[k] / o->touch.m_eff * m.rate;
+		v[k] = m.force[k] / o->touch->m_eff * m.rate;
 		w[k] = m.arm * m.force[k] / o->inertia * m.rate;
 		x[k] = m.xi[k] * m.rate;
 		shift[k] = y[TANGENTIAL + k] * m.rate;
@@ -199,7 +199,7 @@ static double force_rate(const struct motion *o, const struct moment *m)
 {
 	double stretch = o->damping > 0 ? o->damping * m->u * m->u / m->q : 0;
 
-	return (1 + o->kappa) * m->n.kn * m->u + m->n.gamman * (stretch - m->n.force / o->touch.m_eff);
+	return (1 + o->kappa) * m->n.kn * m->u + m->n.gamman * (stretch - m->n.force / o->touch->m_eff);
 }
 
 /* ---- functions of the state whose sign changes from - to + are located */
@@ -277,13 +277,23 @@ static double make_step(const struct stepper *s, const double *from, double sigm
 	return worst;
 }
 
-/* The step up to which `event` changes its sign within the step *sigma, by the Illinois method; `to` becomes the
- * state there, where event >= 0. `precision`: of the step, relative. */
+/* The factor by which regula falsi reduces the value at the end of the interval that stays, if the root is found on the
+ * same side of it twice: N. Anderson, A. Bjorck, BIT 13 (1973) 253. */
+static double reduction(double now, double before)
+{
+	double factor = 1 - now / before;
+
+	return factor > 0 ? factor : 0.5;
+}
+
+/* The step up to which `event` changes its sign within the step *sigma; `to` becomes the state there, where event >= 0.
+ * `precision`: of the step, relative. */
 static void locate(const struct stepper *s, event_fn *event, const double *from, double precision,
 		   double *sigma, double *to)
 {
 	double lo = 0, hi = *sigma, f = event(s->o, from), g = event(s->o, to), y[MOST];
 	double least = 0.5 * precision * hi;
+	int side = 0; /* of the root, of the last state: -1 before, 1 beyond */
 
 	if (!(f < 0) || isinf(f))
 		f = -g;
@@ -298,15 +308,16 @@ static void locate(const struct stepper *s, event_fn *event, const double *from,
 		make_step(s, from, at, y);
 		held = event(s->o, y);
 		if (held >= 0) {
+			f *= side > 0 ? reduction(held, g) : 1;
 			hi = at;
 			g = held;
-			f *= 0.5;
 			memcpy(to, y, sizeof y);
 		} else {
+			g *= side < 0 ? reduction(held, f) : 1;
 			lo = at;
 			f = held;
-			g *= 0.5;
 		}
+		side = held >= 0 ? 1 : -1;
 		if (held == 0)
 			break;
 	}
@@ -316,7 +327,7 @@ static void locate(const struct stepper *s, event_fn *event, const double *from,
 static void record_peaks(const struct stepper *s, const double *from, double sigma, const double *to)
 {
 	/* the maximum is flat: its error is the square of that of the time */
-	static const double PRECISION = 1e-6;
+	static const double PRECISION = 1e-5;
 	struct motion *o = s->o;
 	double y[MOST], part = sigma;
 	struct moment m;
@@ -442,26 +453,26 @@ static void choose_axes(struct motion *o, const struct ts_collision *c, double *
 	}
 }
 
-/* Sets model, constants, scales of all numbers and the state at the touch. */
-static void begin(struct motion *o, const struct ts_collision *c, double *y)
+/* Sets model, constants, scales of all numbers and the state at the touch. `touch`: memory. */
+static void begin(struct motion *o, struct ts_touch *touch, const struct ts_collision *c, double *y)
 {
 	double u = -ts_dot(c->velocity, c->n), depth, speed, speeds, root;
 	struct ts_normal n;
 
-	*o = (struct motion){ .law = c->law, .model = *c->model, .sign = 1 };
+	*o = (struct motion){ .law = c->law, .model = *c->model, .touch = touch, .sign = 1 };
 	o->model.no_tension = false;
-	o->touch = (struct ts_touch){ .wall = true,
-				      .radius = { c->radius },
-				      .mass = { c->mass },
-				      .r_eff = c->r_eff,
-				      .m_eff = c->mass,
-				      .overlap = c->radius };
+	*o->touch = (struct ts_touch){ .wall = true,
+				       .radius = { c->radius },
+				       .mass = { c->mass },
+				       .r_eff = c->r_eff,
+				       .m_eff = c->mass,
+				       .overlap = c->radius };
 	if (o->model.normal == TS_NORMAL_HOOKE) {
-		o->touch.solved = ts_hooke_stiffness(c->law, &o->touch);
+		o->touch->solved = ts_hooke_stiffness(c->law, o->touch);
 		o->model.solved = true;
 	}
 	o->inertia = c->inertia * c->mass * c->radius * c->radius;
-	ts_normal_force(&o->model, c->law, &o->touch, false, &(double){ 0 }, &n);
+	ts_normal_force(&o->model, c->law, o->touch, false, &(double){ 0 }, &n);
 	if (ts_granular_stiffens(&o->model)) {
 		depth = ts_granular_impact_overlap(&o->model, c->law, c->r_eff, c->mass, u);
 		o->kappa = 0.5;
@@ -527,7 +538,7 @@ static enum outcome cut_step(const struct stepper *s, const double *y, double *s
 
 	if (to[Z] <= 0) {
 		outcome = PARTS;
-		locate(s, parts, y, 1e-14, sigma, to);
+		locate(s, parts, y, 1e-12, sigma, to);
 		cut = (1 - SHORTLY) * *sigma;
 		make_step(s, y, cut, seen);
 	} else {
@@ -535,11 +546,11 @@ static enum outcome cut_step(const struct stepper *s, const double *y, double *s
 	}
 	if (o->sign > 0 && seen[U] < 0 && changes_sign(o, seen) >= 0) {
 		outcome = PULLS;
-		locate(s, changes_sign, y, 1e-13, &cut, seen);
+		locate(s, changes_sign, y, 1e-12, &cut, seen);
 	}
 	if (o->d && changes_mode(o, seen) > 0) {
 		outcome = CHANGES_MODE;
-		locate(s, changes_mode, y, 1e-13, &cut, seen);
+		locate(s, changes_mode, y, 1e-12, &cut, seen);
 	}
 	if (outcome == PULLS || outcome == CHANGES_MODE) {
 		*sigma = cut;
@@ -570,7 +581,7 @@ static void fly(struct motion *o, double *y)
 static bool advance(const struct stepper *s, double *y, double longest, bool no_tension)
 {
 	struct motion *o = s->o;
-	double sigma = 0.01 * o->power * o->scale[Z] / o->scale[U], to[MOST];
+	double sigma = 0.1 * o->power * o->scale[Z] / o->scale[U], to[MOST];
 	int changes = 0;
 
 	for (int steps = 0; steps < STEPS_MOST && changes < CHANGES_MOST; steps++) {
@@ -579,7 +590,7 @@ static bool advance(const struct stepper *s, double *y, double longest, bool no_
 
 		scale_spring(o);
 		error = make_step(s, y, sigma, to);
-		factor = error > 0 ? 0.9 * pow(TOLERANCE / error, 0.125) : 5;
+		factor = error > 0 ? 0.8 * pow(TOLERANCE / error, 0.125) : 5;
 
 		sigma *= factor < 0.2 ? 0.2 : factor < 5 ? factor : isnan(factor) ? 0.2 : 5;
 		if (!(error <= TOLERANCE))
@@ -638,9 +649,10 @@ enum ts_collision_end ts_collision_compute(struct ts_collision_solver *solver, c
 {
 	double start[MOST], y[MOST];
 	struct stepper s;
+	struct ts_touch touch;
 	struct motion o;
 
-	begin(&o, c, start);
+	begin(&o, &touch, c, start);
 	if (!(start[U] > 0) || !isfinite(o.scale[Z]))
 		return TS_COLLISION_STAYS;
 	memcpy(y, start, sizeof y);

@@ -122,13 +122,13 @@ START_TEST(hertz_keeps_energy)
 		c = sphere(&m, &law, degrees);
 		r = collide(&c);
 		u = -ts_dot(c.velocity, c.n);
-		DECK_NEAR(energy(&c, r.velocity, r.omega) / energy(&c, c.velocity, c.omega), 1, 1e-11);
-		DECK_NEAR(ts_dot(r.velocity, c.n) / u, 1, 1e-11);
+		DECK_NEAR(energy(&c, r.velocity, r.omega) / energy(&c, c.velocity, c.omega), 1, 5e-11);
+		DECK_NEAR(ts_dot(r.velocity, c.n) / u, 1, 5e-11);
 		/* F = K q^1.5: m u^2/2 = 2/5 K q^2.5; the time from the beta function, 2.94327... */
 		k = sqrt(RADIUS) * (_i % 2 ? law.kn : 4.0 / 3 * law.young);
 		most = pow(1.25 * c.mass * u * u / k, 0.4);
-		DECK_NEAR(r.peak_overlap / most, 1, 1e-11);
-		DECK_NEAR(r.peak_force / (k * pow(most, 1.5)), 1, 1e-11);
+		DECK_NEAR(r.peak_overlap / most, 1, 5e-11);
+		DECK_NEAR(r.peak_force / (k * pow(most, 1.5)), 1, 5e-11);
 		DECK_NEAR(r.duration * u / most, 2 * sqrt(TS_PI) * tgamma(1.4) / tgamma(0.9), 1e-10);
 		DECK_NEAR(r.impulse / (2 * c.mass * u), 1, 1e-11);
 		DECK_NEAR(ts_norm(r.shift), SPEED * cos(degrees * TS_PI / 180) * r.duration, 1e-10 * RADIUS);
