@@ -73,6 +73,7 @@ shell_tests = \
 	tests/examples/benchmarks.sh \
 	tests/examples/coupling_cases.sh \
 	tests/examples/drilling.sh \
+	tests/examples/erosion.sh \
 	tests/examples/flow_bodies.sh \
 	tests/examples/flow_cases.sh \
 	tests/explain/info.sh \

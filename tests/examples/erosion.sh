@@ -1,0 +1,24 @@
+#!/bin/bash
+# The example of erosive wear with a tenth of its dust, and its sweep of angles: all RESULT lines are ok.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+cp -r "$top_srcdir/examples/erosion" "$top_srcdir/examples/flow" . || exit 99
+cd erosion || exit 99
+
+# results WHAT SCRIPT NUMBER WORDS...: so many RESULT lines, all ok
+results() {
+	local what=$1 script=$2 number=$3
+	shift 3
+	"$TSIM" -in "$script" -log none "$@" >out 2>&1 </dev/null &&
+		[ "$(grep -c '^RESULT .* ok$' out)" = "$number" ] && ! grep -q '^RESULT .* off$' out
+	report "$what" $? out
+}
+
+results 'a jet on three materials at two angles' in.erosion 5 -var dust 2e-7
+[ "$(grep -c '^[a-z]* [39]0 4237 ' out)" = 6 ]
+report 'the same impacts on all of them' $? out
+head -n 12 post/steel.30.*.txt | grep -q '^ITEM: NUMBER OF ENTRIES' && grep -q '^f_wear\[8\] 1 14400 double' post/steel.30.*.vtk
+report 'maps of the wear' $?
+results 'angles, speeds and sizes by five laws' in.angles 8
+[ "$(wc -l <post/angles.txt)" = 87 ]
+report 'all angles' $? post/angles.txt
