@@ -57,6 +57,7 @@ const struct ts_style ts_fix_wear_archard = {
 	.surface = ts_wear_surface,
 	.observes = TS_OBSERVES_CONTACTS | TS_OBSERVES_IMPACTS,
 	.init = init,
+	.plan = ts_wear_plan,
 	.late = { [TS_LATE_CONTACTS] = ts_wear_step },
 	.fini = ts_wear_fini,
 };

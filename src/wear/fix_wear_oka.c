@@ -95,6 +95,7 @@ const struct ts_style ts_fix_wear_oka = {
 	.values = ts_wear_values,
 	.archive = ts_wear_archive,
 	.init = init,
+	.plan = ts_wear_plan,
 	.late = { [TS_LATE_CONTACTS] = ts_wear_step },
 	.fini = ts_wear_fini,
 };

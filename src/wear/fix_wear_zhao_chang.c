@@ -154,6 +154,7 @@ const struct ts_style ts_fix_wear_zhao_chang = {
 	.values = ts_wear_values,
 	.archive = ts_wear_archive,
 	.init = init_impacts,
+	.plan = ts_wear_plan,
 	.late = { [TS_LATE_CONTACTS] = ts_wear_step },
 	.fini = fini,
 };
@@ -178,6 +179,7 @@ const struct ts_style ts_fix_wear_zhao_chang_contact = {
 	.values = ts_wear_values,
 	.archive = ts_wear_archive,
 	.init = init_contacts,
+	.plan = ts_wear_plan,
 	.late = { [TS_LATE_CONTACTS] = ts_wear_step },
 	.fini = fini,
 };

@@ -10,7 +10,7 @@
  *	.surface = ts_wear_surface, .observes = TS_OBSERVES_IMPACTS (a law with `slide`: | TS_OBSERVES_CONTACTS),
  *	.values = ts_wear_values, .archive = ts_wear_archive, .fini = ts_wear_fini,
  *	.init: calls ts_wear_init, then checks its own arguments,
- *	.late = { [TS_LATE_CONTACTS] = ts_wear_step } */
+ *	.late = { [TS_LATE_CONTACTS] = ts_wear_step }, .plan = ts_wear_plan */
 #ifndef TS_WEAR_WEAR_H
 #define TS_WEAR_WEAR_H
 
@@ -75,6 +75,8 @@ enum ts_status ts_wear_init(struct ts_instance *self, struct tsim *sim, const st
 
 /* Slots. */
 enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim);
+/* Warns if no wall is made of the surface. */
+enum ts_status ts_wear_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
 const struct ts_instance *ts_wear_surface(const struct ts_instance *self);
 enum ts_status ts_wear_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive);
 void ts_wear_fini(struct ts_instance *self);

@@ -206,4 +206,48 @@ done
 same 'threads' whole.1 whole.3
 awk '$1 == 1700 { seen = 1; bad = !($4 > 0 && $5 > 0 && $7 > 10) } END { exit bad || !seen }' out.1
 report 'the deck wears' $? out.1
+# A surface without a wall; a law of sliding where impacts are not resolved.
+{
+	cat in.head
+	echo 'fix cad all mesh/surface file flat.stl type 2
+fix worn all wear/finnie surface cad flow_stress 1e6
+run 0'
+} >in.unused
+"$TSIM" -in in.unused -log none >out 2>&1 && grep -q 'no fix wall/gran is made of the surface cad' out
+report 'a surface that no wall is made of' $? out
+{
+	cat in.head
+	echo 'fix cad all wall/gran model hooke/stiffness primitive type 2 zplane 0 impact exact
+fix worn all wear/archard surface cad k 1 hardness 1e9
+run 1'
+} >in.missed
+"$TSIM" -in in.missed -log none >out 2>&1
+[ $? = 1 ] && grep -q 'would miss the impacts' out
+report 'sliding and impact exact' $? out
+
+# impact exact gives the volume of the closed form, on a plane, a mesh and a height field.
+for wall in 'primitive type 2 zplane 0' 'mesh n_meshes 1 meshes cad' 'voxels cad'; do
+	{
+		cat in.head
+		case $wall in
+		primitive*) surface=hit ;;
+		mesh*) surface=cad && echo 'fix cad all mesh/surface file flat.stl type 2' ;;
+		*) surface=cad && echo 'fix cad all surface/voxel constant 0 type 2 cells 7 9' ;;
+		esac
+		cat <<-END
+			fix hit all wall/gran model hooke/stiffness $wall impact exact
+			fix worn all wear/finnie surface $surface flow_stress 1e6
+			create_atoms 1 single 0.1 0.05 0.06 units box
+			set group all diameter 0.1 density 2385
+			velocity all set 3 0 -1
+			timestep 0.01
+			run 4
+			variable v equal mass(all)*10/(2*2*1e6)*(sin(2*v_a)-3*sin(v_a)^2)
+			variable a equal atan(1/3)
+			print 'hits \$(f_worn[3]) error \$(abs(f_worn/v_v-1)<1e-12)'
+		END
+	} >in.exact
+	"$TSIM" -in in.exact -log none >out 2>&1 && grep -qx 'hits 1 error 1' out
+	report "impact exact, $wall" $? out
+done
 finish
