@@ -532,6 +532,13 @@ library_sources = \
 	src/immersed/solid_spheres.c \
 	src/immersed/virtual_mass_stabilization.c \
 	src/immersed/virtual_mass_stabilization.h \
+	src/impact/exact_collision.c \
+	src/impact/exact_collision.h \
+	src/impact/exact_impacts.c \
+	src/impact/exact_impacts.h \
+	src/impact/impact_event.h \
+	src/impact/impacts.c \
+	src/impact/impacts.h \
 	src/insert/clump_template.c \
 	src/insert/clump_template.h \
 	src/insert/command_create_atoms.c \
@@ -973,19 +980,13 @@ library_sources = \
 	src/voxel/voxel_touch.c \
 	src/voxel/voxel_touch.h \
 	src/wall/compute_wall_gran_local.c \
-	src/wall/exact_collision.c \
-	src/wall/exact_collision.h \
-	src/wall/exact_impacts.c \
-	src/wall/exact_impacts.h \
+	src/wall/exact_surface.h \
 	src/wall/fix_drill_bit.c \
 	src/wall/fix_mesh_surface_stress.c \
 	src/wall/fix_mesh_surface_stress_servo.c \
 	src/wall/fix_wall_gran.c \
 	src/wall/fix_wall_gran_region.c \
 	src/wall/fix_wall_reflect.c \
-	src/wall/impact_event.h \
-	src/wall/impacts.c \
-	src/wall/impacts.h \
 	src/wall/mesh_stick.c \
 	src/wall/mesh_stick.h \
 	src/wall/mesh_stress.c \

@@ -105,6 +105,7 @@ shell_tests = \
 	tests/house/version.sh \
 	tests/immersed/immersed.sh \
 	tests/immersed/immersed_light.sh \
+	tests/impact/exact_impacts.sh \
 	tests/insert/clump_stream.sh \
 	tests/insert/insertion.sh \
 	tests/insert/jet.sh \
@@ -160,7 +161,6 @@ shell_tests = \
 	tests/voxel/voxel_heights.sh \
 	tests/voxel/voxel_walls.sh \
 	tests/wall/coincide.sh \
-	tests/wall/exact_impacts.sh \
 	tests/wall/fast.sh \
 	tests/wall/mesh_servo.sh \
 	tests/wall/mesh_stress.sh \
@@ -201,6 +201,7 @@ unit_tests = \
 	tests/formula/check_formulas \
 	tests/formula/check_variables \
 	tests/geom/check_geom \
+	tests/impact/check_exact_collision \
 	tests/insert/check_insertion \
 	tests/io/check_io \
 	tests/law/check_erosion \
@@ -232,8 +233,7 @@ unit_tests = \
 	tests/stability/check_limits \
 	tests/stability/check_network \
 	tests/stability/check_relaxation \
-	tests/voxel/check_voxel \
-	tests/wall/check_exact_collision
+	tests/voxel/check_voxel
 libtests_a_SOURCES = \
 	tests/cloud.c \
 	tests/cloud.h \
@@ -359,6 +359,10 @@ tests_formula_check_variables_LDADD = $(tests_ldadd)
 tests_geom_check_geom_SOURCES = tests/geom/check_geom.c
 tests_geom_check_geom_CFLAGS = $(tests_cflags)
 tests_geom_check_geom_LDADD = $(tests_ldadd)
+
+tests_impact_check_exact_collision_SOURCES = tests/impact/check_exact_collision.c
+tests_impact_check_exact_collision_CFLAGS = $(tests_cflags)
+tests_impact_check_exact_collision_LDADD = $(tests_ldadd)
 
 tests_insert_check_insertion_SOURCES = tests/insert/check_insertion.c
 tests_insert_check_insertion_CFLAGS = $(tests_cflags)
@@ -487,7 +491,3 @@ tests_stability_check_relaxation_LDADD = $(tests_ldadd)
 tests_voxel_check_voxel_SOURCES = tests/voxel/check_voxel.c
 tests_voxel_check_voxel_CFLAGS = $(tests_cflags)
 tests_voxel_check_voxel_LDADD = $(tests_ldadd)
-
-tests_wall_check_exact_collision_SOURCES = tests/wall/check_exact_collision.c
-tests_wall_check_exact_collision_CFLAGS = $(tests_cflags)
-tests_wall_check_exact_collision_LDADD = $(tests_ldadd)

@@ -11,7 +11,7 @@
 #include "neigh/neigh.h"
 #include "particle/exchange.h"
 #include "particle/particles.h"
-#include "wall/exact_impacts.h"
+#include "impact/exact_impacts.h"
 #include "wall/mesh_wall.h"
 #include "wall/primitive_wall.h"
 #include "wall/region_wall.h"

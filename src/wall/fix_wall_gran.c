@@ -1,5 +1,5 @@
-#include "wall/exact_impacts.h"
-#include "wall/impacts.h"
+#include "impact/exact_impacts.h"
+#include "impact/impacts.h"
 #include "wall/mesh_wall_queue.h"
 #include "wall/primitive_wall.h"
 #include "wall/surface_contacts.h"

@@ -1,7 +1,7 @@
 /* Walls of meshes with `impact exact`: the first touch of a moving sphere, in all periodic images. */
 #include "box/domain.h"
 #include "mesh/mesh_sweep.h"
-#include "wall/exact_impacts.h"
+#include "wall/exact_surface.h"
 #include "wall/mesh_wall.h"
 
 #include "base/banned.h"

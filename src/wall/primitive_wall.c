@@ -7,7 +7,7 @@
 #include "core/sim.h"
 #include "math/constants.h"
 #include "neigh/coincide.h"
-#include "wall/exact_impacts.h"
+#include "wall/exact_surface.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_queue.h"
 

@@ -6,7 +6,7 @@
  *
  * A style that has a row for each element of a surface (values of shape TS_SURFACE) finds it in its init by
  * ts_surface_require, returns its fix in the slot `surface`, and says in `observes` (core/style.h) what it reads of
- * it: contacts (wall/surface_contacts.h) or impacts (wall/impacts.h). The walls made of the surface keep just that. */
+ * it: contacts (wall/surface_contacts.h) or impacts (impact/impacts.h). The walls made of the surface keep just that. */
 #ifndef TS_WALL_SURFACE_H
 #define TS_WALL_SURFACE_H
 

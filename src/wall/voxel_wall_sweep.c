@@ -1,4 +1,4 @@
-/* `impact exact` on height fields (wall/exact_impacts.h): the first touch of a sphere on a straight path, by conservative
+/* `impact exact` on height fields (wall/exact_surface.h): the first touch of a sphere on a straight path, by conservative
  * advancement. No part of the solid is reached before the sphere has travelled its distance from the nearest contact
  * point that it approaches; so the path is followed in steps of that length until the distance is that of a touch. Near
  * it the rate at which the distance decreases predicts the touch. */
@@ -8,7 +8,7 @@
 
 #include "box/domain.h"
 #include "math/vec3.h"
-#include "wall/exact_impacts.h"
+#include "wall/exact_surface.h"
 
 #include "base/banned.h"
 

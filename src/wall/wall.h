@@ -68,7 +68,7 @@ struct ts_wall {
 	unsigned observed;		   /* all of them */
 	struct ts_wall_touching *touching; /* sorted observed contacts that touch: wall/surface_contacts.h */
 	size_t ntouching, touching_capacity, observers_capacity;
-	struct ts_impacts *impacts; /* NULL: nobody observes impacts; wall/impacts.h */
+	struct ts_impacts *impacts; /* NULL: nobody observes impacts; impact/impacts.h */
 	/* Returns the present distance of the centre of the particle of contact k from the surface, and
 	 * stores the type of the surface; set in init. NULL: not available */
 	double (*distance)(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type);
@@ -77,7 +77,7 @@ struct ts_wall {
 	bool list_contacts; /* output f_ID[1..8]: the contact of each particle */
 	size_t stored;	    /* with store_force: index of the particle column force_ID */
 
-	/* `impact exact`: wall/exact_impacts.h; NULL: all contacts are resolved by time steps. Set in init */
+	/* `impact exact`: impact/exact_impacts.h; NULL: all contacts are resolved by time steps. Set in init */
 	struct ts_exact_impacts *exact;
 
 	bool own_model; /* the contact law is given on the line of the fix, else by the pair style */

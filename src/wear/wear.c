@@ -7,7 +7,7 @@
 #include "math/exactsum.h"
 #include "math/vec3.h"
 #include "particle/particles.h"
-#include "wall/impacts.h"
+#include "impact/impacts.h"
 #include "wall/surface_contacts.h"
 
 #include "base/banned.h"

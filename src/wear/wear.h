@@ -1,7 +1,7 @@
 /* Wear of a surface by the particles that hit it or slide on it: what all fixes wear/LAW have in common.
  *
  * A law is a table of two functions, numbers in, volume out. The machine calls `impact` once for each impact that has
- * ended (wall/impacts.h), `slide` for each touching contact in each step (wall/surface_contacts.h), and sums for each
+ * ended (impact/impacts.h), `slide` for each touching contact in each step (wall/surface_contacts.h), and sums for each
  * element what they give, beside speeds, angles and energies. Elements that no particle has touched take no time and
  * no memory but a number of 4 bytes.
  *
@@ -14,7 +14,7 @@
 #ifndef TS_WEAR_WEAR_H
 #define TS_WEAR_WEAR_H
 
-#include "wall/impact_event.h"
+#include "impact/impact_event.h"
 #include "wall/surface.h"
 
 /* A touching contact in one step. */

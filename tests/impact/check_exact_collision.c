@@ -8,7 +8,7 @@
 #include "../deck.h"
 #include "law/granular_force.h"
 #include "math/constants.h"
-#include "wall/exact_collision.h"
+#include "impact/exact_collision.h"
 
 /* A grain of lunar dust on a metal, 105 m/s. */
 static const double RADIUS = 12.4e-6, DENSITY = 2900, SPEED = 105;

@@ -1,4 +1,4 @@
-#include "wall/exact_impacts.h"
+#include "impact/exact_impacts.h"
 
 #include <math.h>
 
@@ -11,8 +11,8 @@
 #include "particle/columns.h"
 #include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
-#include "wall/exact_collision.h"
-#include "wall/impacts.h"
+#include "impact/exact_collision.h"
+#include "impact/impacts.h"
 #include "wall/mesh_wall.h"
 #include "wall/surface.h"
 

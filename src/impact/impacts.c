@@ -1,4 +1,4 @@
-#include "wall/impacts.h"
+#include "impact/impacts.h"
 
 #include <math.h>
 

@@ -1,4 +1,4 @@
-/* Impacts of particles on the surfaces of a wall, from touch to separation (wall/impact_event.h).
+/* Impacts of particles on the surfaces of a wall, from touch to separation (impact/impact_event.h).
  *
  * A wall keeps a struct ts_impacts if some fix observes the impacts on one of its surfaces. An impact belongs to one
  * particle and one surface of one wall; it goes on while the particle touches any element of the surface, in any
@@ -21,10 +21,10 @@
  *
  * walls in script order, in each of them by element and there by the particles' identities: sums over them depend neither
  * on threads nor on where particles are in memory. */
-#ifndef TS_WALL_IMPACTS_H
-#define TS_WALL_IMPACTS_H
+#ifndef TS_IMPACT_IMPACTS_H
+#define TS_IMPACT_IMPACTS_H
 
-#include "wall/impact_event.h"
+#include "impact/impact_event.h"
 #include "wall/wall.h"
 
 /* All members are numbers of type double, so that restart files store it as a row of numbers. */

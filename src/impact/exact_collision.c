@@ -1,4 +1,4 @@
-#include "wall/exact_collision.h"
+#include "impact/exact_collision.h"
 
 #include <math.h>
 #include <string.h>

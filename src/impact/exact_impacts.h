@@ -1,5 +1,5 @@
 /* `impact exact` of fix wall/gran: particles that hit a wall alone are carried through the whole impact in one step,
- * however long the step is (wall/exact_collision.h).
+ * however long the step is (impact/exact_collision.h).
  *
  * In POST_INTEGRATE, after integrators and movers of meshes, particle i has moved from x - h v to x. The first wall of
  * this sort, in script order, looks for the first touch on this path with any of them, replaces the motion from there on
@@ -12,40 +12,17 @@
  *   - touches another particle in the step, or
  *   - stays for more than TS_EXACT_LONGEST steps, which resolve the contact.
  *
- * A kind of surface takes part by a struct ts_exact_surface. All are at rest or move without rotation and with a
- * constant velocity during the step. */
-#ifndef TS_WALL_EXACT_IMPACTS_H
-#define TS_WALL_EXACT_IMPACTS_H
+ * A sort of surface takes part by a struct ts_exact_surface (wall/exact_surface.h). */
+#ifndef TS_IMPACT_EXACT_IMPACTS_H
+#define TS_IMPACT_EXACT_IMPACTS_H
 
-#include "geom/sweep.h"
-#include "mesh/mesh_tree.h"
-#include "wall/impact_event.h"
+#include "impact/impact_event.h"
+#include "wall/exact_surface.h"
 #include "wall/wall.h"
 
 enum {
 	TS_EXACT_LONGEST = 50, /* steps; longer collisions are resolved by the steps */
 	TS_EXACT_MOST = 100    /* impacts of one particle in one step */
-};
-
-/* The first touch of a particle with a surface. */
-struct ts_exact_touch {
-	struct ts_sweep_hit hit;
-	double velocity[3];	 /* of the surface at the point of contact */
-	double point[3];	 /* of contact, in the frame of the surface */
-	double curvature;	 /* see struct ts_wall_contact_point */
-	int type;		 /* particle type whose material it has */
-	size_t surface, element; /* number of the mesh in the wall, or 0; of the triangle or plane */
-};
-
-/* A sort of surface. `shape` is what ts_exact_init was given. */
-struct ts_exact_surface {
-	/* Before the search of a step; may fail if the surface rotates. NULL: nothing to do. */
-	enum ts_status (*prepare)(struct tsim *sim, void *shape);
-	/* Whether the sphere touches the surface on its path, which ends with the step; the present position of
-	 * the surface is that at the end of the step. Called by several threads. `list`: buffer. */
-	enum ts_status (*sweep)(const struct tsim *sim, const void *shape, size_t i,
-				const struct ts_sweep *path, struct ts_mesh_list *list, bool *found,
-				struct ts_exact_touch *out);
 };
 
 /* An impact that has been computed in this step. */
