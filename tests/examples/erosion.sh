@@ -2,7 +2,7 @@
 # The example of erosive wear with a tenth of its dust, and its sweep of angles: all RESULT lines are ok.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-cp -r "$top_srcdir/examples/erosion" "$top_srcdir/examples/flow" . || exit 99
+cp -r "$top_srcdir/examples/erosion" "$top_srcdir/examples/wear" "$top_srcdir/examples/flow" . || exit 99
 cd erosion || exit 99
 
 # results WHAT SCRIPT NUMBER WORDS...: so many RESULT lines, all ok
@@ -22,3 +22,9 @@ report 'maps of the wear' $?
 results 'angles, speeds and sizes by five laws' in.angles 8
 [ "$(wc -l <post/angles.txt)" = 87 ]
 report 'all angles' $? post/angles.txt
+cd ../wear || exit 99
+results 'a layer that slides down a chute' in.chute 1
+ls post/slid.20000.vtk post/chute.20000.vtk >out 2>&1
+report 'maps of the chute' $? out
+
+finish
