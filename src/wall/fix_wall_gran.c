@@ -223,7 +223,7 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 
 	if (w->voxels) {
 		sim->run.rebuild |= ts_voxel_wall_has_moved(sim, &w->voxel);
-		return ts_voxel_wall_check_displacement(self, sim, &w->voxel);
+		return w->wall.exact ? TS_OK : ts_voxel_wall_check_displacement(self, sim, &w->voxel);
 	}
 	sim->run.rebuild |= w->mesh_word ? ts_mesh_wall_has_moved(sim, &w->mesh)
 					 : ts_primitive_wall_has_moved(sim, &w->primitive);

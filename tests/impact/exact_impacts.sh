@@ -152,4 +152,57 @@ END
 refused rolling 'no rolling friction' -in in.refused -var move nve/sphere -var law 'model hertz tangential history rolling_friction cdt primitive type 1 zplane 0'
 refused euler 'move particles by h v' -in in.refused -var move nve/euler -var law 'model hertz tangential off primitive type 1 zplane 0'
 refused pump 'no velocity along its normal' -in in.refused -var move nve/sphere -var law 'model hertz tangential off primitive type 1 zplane 0 velocity 0 0 1'
+
+# Height fields: a flat one gives the impacts of the plane, a moving one and a rough one the same for any time step.
+# Particles cross the periodic faces.
+cat >in.field <<'END'
+units si
+hard_particles yes
+boundary p p f
+region b block -1e-3 1e-3 -1e-3 1e-3 -1e-3 1e-3 units box
+create_box 2 b
+fix E all property/global youngsModulus peratomtype 72e9 68.9e9
+fix nu all property/global poissonsRatio peratomtype 0.17 0.33
+fix e all property/global coefficientRestitution peratomtypepair 2 0.6 0.6 0.6 0.6
+fix mu all property/global coefficientFriction peratomtypepair 2 0.3 0.3 0.3 0.3
+region r block -1e-3 1e-3 -1e-3 1e-3 1e-4 9e-4 units box
+create_atoms 1 random 500 777 r
+set group all diameter 25e-6 density 2900
+variable vx atom 90*sin(17*id)
+variable vy atom 90*sin(11*id)
+variable vz atom -105*abs(sin(37*id))-5
+set group all vx v_vx vy v_vy vz v_vz
+include in.surface
+fix worn all wear/oka surface s particles sio2 hardness 1e9
+fix m all nve/sphere
+thermo_modify lost ignore
+timestep ${h}
+run $(round(1e-4/v_h))
+print "worn $(f_worn[3]) $(f_worn:%.15g) $(ke(all):%.15g)"
+END
+law='wall/gran model hertz tangential history'
+field() {
+	local name=$1 h=$2
+	shift 2
+	printf '%s\n' "$@" >in.surface
+	"$TSIM" -in in.field -log none -var h "$h" >out.field 2>&1 </dev/null
+	grep '^worn ' out.field >"worn.$name"
+}
+like() {
+	paste "worn.$1" "worn.$2" | awk -v within="$3" 'NF == 8 && $2 > 400 && $2 == $6 {
+		a = $3 / $7 - 1; b = $4 / $8 - 1; good = a * a < within * within && b * b < within * within } END { exit !good }'
+	report "$1 like $2" $? "worn.$1"
+}
+field plane 1e-6 "fix s all $law primitive type 2 zplane 0 impact exact"
+field flat 1e-6 'fix s all surface/voxel constant 0 type 2 cells 37 53' "fix w all $law voxels s impact exact"
+like plane flat 1e-12
+for h in 1e-6 2.5e-7; do
+	field "moving.$h" "$h" 'fix s all surface/voxel constant 0 type 2 cells 37 53 move linear 30 0 0' \
+		"fix w all $law voxels s impact exact"
+	field "rough.$h" "$h" 'fix s all surface/voxel gaussian deviation 2e-6 correlation 5e-5 5e-5 seed 5 type 2 cells 100 100' \
+		"fix w all $law voxels s impact exact"
+done
+like moving.1e-6 moving.2.5e-7 1e-12
+like rough.1e-6 rough.2.5e-7 1e-5
+
 finish
