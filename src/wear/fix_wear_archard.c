@@ -52,12 +52,9 @@ const struct ts_style ts_fix_wear_archard = {
 		   "fix rubbed all wear/archard surface floor k 1e-4 hardness 1.2e9 density 7850",
 	.args = args,
 	.state_size = sizeof(struct state),
-	.archive = ts_wear_archive,
-	.values = ts_wear_values,
-	.surface = ts_wear_surface,
+	TS_WEAR_SLOTS,
 	.observes = TS_OBSERVES_CONTACTS | TS_OBSERVES_IMPACTS,
 	.init = init,
-	.plan = ts_wear_plan,
 	.late = { [TS_LATE_CONTACTS] = ts_wear_step },
 	.fini = ts_wear_fini,
 };

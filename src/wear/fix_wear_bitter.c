@@ -106,12 +106,9 @@ const struct ts_style ts_fix_wear_bitter = {
 	.cite = "J. G. A. Bitter, Wear 6 (1963) 5 and 169",
 	.args = args,
 	.state_size = sizeof(struct state),
-	.surface = ts_wear_surface,
+	TS_WEAR_SLOTS,
 	.observes = TS_OBSERVES_IMPACTS,
-	.values = ts_wear_values,
-	.archive = ts_wear_archive,
 	.init = init,
-	.plan = ts_wear_plan,
 	.late = { [TS_LATE_CONTACTS] = ts_wear_step },
 	.fini = fini,
 };

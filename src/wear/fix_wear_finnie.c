@@ -67,12 +67,9 @@ const struct ts_style ts_fix_wear_finnie = {
 		   "dump map all mesh/vtk 1000 worn*.vtk f_worn[8] f_worn[9] chute",
 	.args = args,
 	.state_size = sizeof(struct state),
-	.archive = ts_wear_archive,
-	.values = ts_wear_values,
-	.surface = ts_wear_surface,
+	TS_WEAR_SLOTS,
 	.observes = TS_OBSERVES_IMPACTS,
 	.init = init,
-	.plan = ts_wear_plan,
 	.late = { [TS_LATE_CONTACTS] = ts_wear_step },
 	.fini = ts_wear_fini,
 };

@@ -184,12 +184,9 @@ const struct ts_style ts_fix_wear_formula = {
 		"fix scar all wear/formula surface target volume v_lost set speed v set angle a set mass m",
 	.args = args,
 	.state_size = sizeof(struct state),
-	.surface = ts_wear_surface,
+	TS_WEAR_SLOTS,
 	.observes = TS_OBSERVES_IMPACTS,
-	.values = ts_wear_values,
-	.archive = ts_wear_archive,
 	.init = init,
-	.plan = ts_wear_plan,
 	.late = { [TS_LATE_CONTACTS] = step },
 	.fini = ts_wear_fini,
 };

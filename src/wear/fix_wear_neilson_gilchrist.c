@@ -67,12 +67,9 @@ const struct ts_style ts_fix_wear_neilson_gilchrist = {
 	.cite = "J. H. Neilson, A. Gilchrist, Wear 11 (1968) 111",
 	.args = args,
 	.state_size = sizeof(struct state),
-	.surface = ts_wear_surface,
+	TS_WEAR_SLOTS,
 	.observes = TS_OBSERVES_IMPACTS,
-	.values = ts_wear_values,
-	.archive = ts_wear_archive,
 	.init = init,
-	.plan = ts_wear_plan,
 	.late = { [TS_LATE_CONTACTS] = ts_wear_step },
 	.fini = ts_wear_fini,
 };

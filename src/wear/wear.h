@@ -5,12 +5,11 @@
  * element what they give, beside speeds, angles and energies. Elements that no particle has touched take no time and
  * no memory but a number of 4 bytes.
  *
- * A style of a law begins its state with a struct ts_wear, its arguments with TS_WEAR_ARGS, and has these slots:
+ * A style of a law begins its state with a struct ts_wear, its arguments with TS_WEAR_ARGS, and its table has
  *
- *	.surface = ts_wear_surface, .observes = TS_OBSERVES_IMPACTS (a law with `slide`: | TS_OBSERVES_CONTACTS),
- *	.values = ts_wear_values, .archive = ts_wear_archive, .fini = ts_wear_fini,
+ *	TS_WEAR_SLOTS, .observes = TS_OBSERVES_IMPACTS (a law with `slide`: | TS_OBSERVES_CONTACTS),
  *	.init: calls ts_wear_init, then checks its own arguments,
- *	.late = { [TS_LATE_CONTACTS] = ts_wear_step }, .plan = ts_wear_plan */
+ *	.late = { [TS_LATE_CONTACTS] = ts_wear_step }, .fini = ts_wear_fini, or functions that call these */
 #ifndef TS_WEAR_WEAR_H
 #define TS_WEAR_WEAR_H
 
@@ -82,6 +81,8 @@ enum ts_status ts_wear_archive(struct ts_instance *self, struct tsim *sim, struc
 void ts_wear_fini(struct ts_instance *self);
 /* Outputs: f_ID the volume, f_ID[1..8] the totals, f_ID[1..12] of each element. */
 extern const struct ts_value ts_wear_values[];
+#define TS_WEAR_SLOTS \
+	.surface = ts_wear_surface, .values = ts_wear_values, .archive = ts_wear_archive, .plan = ts_wear_plan
 
 /* The end of the manual of each style: surface, impacts, outputs. */
 #define TS_WEAR_DOC                                                                                          \
