@@ -578,7 +578,7 @@ static void fly(struct motion *o, double *y)
 		sums[0] += 0.5 * time * (length2(from.slip, o->d) + length2(to.slip, o->d));
 }
 
-static bool advance(const struct stepper *s, double *y, double longest, bool no_tension)
+static enum ts_collision_end advance(const struct stepper *s, double *y, double longest, bool no_tension)
 {
 	struct motion *o = s->o;
 	double sigma = 0.1 * o->power * o->scale[Z] / o->scale[U], to[MOST];
@@ -609,11 +609,11 @@ static bool advance(const struct stepper *s, double *y, double longest, bool no_
 			begin_pull(o, y);
 		}
 		if (outcome == PARTS)
-			return y[TIME] <= longest;
+			return y[TIME] <= longest ? TS_COLLISION_PARTS : TS_COLLISION_STAYS;
 		if (!(y[TIME] <= longest))
-			return false;
+			return TS_COLLISION_STAYS;
 	}
-	return false;
+	return TS_COLLISION_FAILS;
 }
 
 static void store_result(const struct motion *o, const struct ts_collision *c, const double *start,
@@ -649,6 +649,7 @@ enum ts_collision_end ts_collision_compute(struct ts_collision_solver *solver, c
 {
 	double start[MOST], y[MOST];
 	struct stepper s;
+	enum ts_collision_end end;
 	struct ts_touch touch;
 	struct motion o;
 
@@ -658,8 +659,8 @@ enum ts_collision_end ts_collision_compute(struct ts_collision_solver *solver, c
 	memcpy(y, start, sizeof y);
 	s = (struct stepper){ &o, solver->step[o.d], { derivative, NULL, size_of(&o), &o } };
 	choose_first_mode(&o, y);
-	if (!advance(&s, y, c->longest, c->model->no_tension))
-		return TS_COLLISION_STAYS;
-	store_result(&o, c, start, y, out);
-	return TS_COLLISION_PARTS;
+	end = advance(&s, y, c->longest, c->model->no_tension);
+	if (end == TS_COLLISION_PARTS)
+		store_result(&o, c, start, y, out);
+	return end;
 }

@@ -58,7 +58,8 @@ struct ts_collision_result {
 
 enum ts_collision_end {
 	TS_COLLISION_PARTS,
-	TS_COLLISION_STAYS, /* longer than `longest`, or without end: the result is not set */
+	TS_COLLISION_STAYS, /* longer than `longest`: the result is not set */
+	TS_COLLISION_FAILS  /* the integration does not converge: the result is not set */
 };
 enum ts_collision_end ts_collision_compute(struct ts_collision_solver *solver, const struct ts_collision *c,
 					   struct ts_collision_result *out);

@@ -158,6 +158,7 @@ struct share {
 	size_t nfound, nchanges, nleft, found_capacity, change_capacity, left_capacity;
 	size_t many;   /* 1 + index of a particle with too many impacts */
 	size_t member; /* 1 + index of a member of a rigid body */
+	size_t failed; /* 1 + index of a particle whose collision could not be integrated */
 	enum ts_status status;
 };
 
@@ -329,6 +330,7 @@ static bool carry_once(const struct search *s, struct share *share, struct fligh
 	struct ts_exact_touch touch;
 	struct ts_collision_result r;
 	struct ts_collision c;
+	enum ts_collision_end end;
 	struct found *to;
 	size_t target = 0;
 
@@ -351,7 +353,10 @@ static bool carry_once(const struct search *s, struct share *share, struct fligh
 	}
 	ts_axpy(touch.hit.time, f->v, f->x);
 	f->time += touch.hit.time;
-	if (ts_collision_compute(share->solver, &c, &r) == TS_COLLISION_STAYS)
+	end = ts_collision_compute(share->solver, &c, &r);
+	if (end == TS_COLLISION_FAILS)
+		share->failed = f->i + 1;
+	if (end != TS_COLLISION_PARTS)
 		return false;
 	if (TS_GROW(share->found, share->found_capacity, share->nfound + 1) != TS_OK) {
 		share->status = TS_NOMEM;
@@ -484,6 +489,15 @@ static enum ts_status take_share(const struct search *s, const struct share *sha
 	if (share->member)
 		return refuse((struct ts_instance *)s->target[0].by, s->sim,
 			      "members of rigid bodies are not carried, only single spheres");
+	if (share->failed)
+		return ts_fail(&s->sim->error, TS_PHYSICS, &s->target[0].by->where,
+			       "impact exact: the impact of particle %d at (%g %g %g), velocity (%g %g %g), "
+			       "could not be "
+			       "integrated; use `impact resolved` and a time step that resolves contacts",
+			       p->tag[share->failed - 1], p->x[share->failed - 1][0],
+			       p->x[share->failed - 1][1], p->x[share->failed - 1][2],
+			       p->v[share->failed - 1][0], p->v[share->failed - 1][1],
+			       p->v[share->failed - 1][2]);
 	for (size_t k = 0; k < share->nleft; k++)
 		TS_TRY(store_left(s, &share->left[k]));
 	if (share->many)
