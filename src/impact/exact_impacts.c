@@ -96,6 +96,9 @@ void ts_exact_fini(struct ts_wall *w)
 {
 	if (!w->exact)
 		return;
+	for (size_t k = 0; k < w->exact->nsolvers; k++)
+		ts_collision_solver_free(w->exact->solver[k]);
+	ts_free(w->exact->solver);
 	ts_free(w->exact->item);
 	ts_free(w->exact->left);
 }
@@ -523,30 +526,41 @@ static enum ts_status take_share(const struct search *s, const struct share *sha
 
 static void release_share(struct share *share)
 {
-	ts_collision_solver_free(share->solver);
 	ts_free(share->list.item);
 	ts_free(share->found);
 	ts_free(share->change);
 	ts_free(share->left);
 }
 
+/* Workspaces of the threads, kept by the first wall from step to step. Made by one thread, as that sets GSL's error
+ * handler for a moment. */
+static enum ts_status reserve_solvers(struct tsim *sim, struct ts_exact_impacts *e, size_t n)
+{
+	if (TS_GROW(e->solver, e->solver_capacity, n) != TS_OK)
+		return ts_nomem(&sim->error);
+	while (e->nsolvers < n) {
+		e->solver[e->nsolvers] = ts_collision_solver_new();
+		if (!e->solver[e->nsolvers])
+			return ts_nomem(&sim->error);
+		e->nsolvers++;
+	}
+	return TS_OK;
+}
+
 static enum ts_status search(struct search *s)
 {
 	enum ts_status status = TS_OK;
 
+	TS_TRY(reserve_solvers(s->sim, s->target[0].wall->exact, s->shares));
 	s->share = ts_alloc(s->shares, sizeof *s->share);
-	for (size_t k = 0; s->share && k < s->shares; k++) {
-		s->share[k].solver = ts_collision_solver_new();
-		status = s->share[k].solver ? status : TS_NOMEM;
-	}
-	if (!s->share || status != TS_OK) {
-		status = ts_nomem(&s->sim->error);
-	} else {
-		ts_parallel((int)s->shares, s->shares, search_range, s);
-		for (size_t k = 0; k < s->shares && status == TS_OK; k++)
-			status = take_share(s, &s->share[k]);
-	}
-	for (size_t k = 0; s->share && k < s->shares; k++)
+	if (!s->share)
+		return ts_nomem(&s->sim->error);
+	for (size_t k = 0; k < s->shares; k++)
+		s->share[k].solver = s->target[0].wall->exact->solver[k];
+	ts_parallel((int)s->shares, s->shares, search_range, s);
+	for (size_t k = 0; k < s->shares && status == TS_OK; k++)
+		status = take_share(s, &s->share[k]);
+	for (size_t k = 0; k < s->shares; k++)
 		release_share(&s->share[k]);
 	ts_free(s->share);
 	for (size_t k = 0; k < s->targets; k++) {

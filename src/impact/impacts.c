@@ -242,12 +242,10 @@ static enum ts_status collect(struct tsim *sim, const struct ts_wall *w, struct 
 	if (TS_GROW(impacts->touch, impacts->touch_capacity, w->ntouching) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t at = 0; at < w->ntouching; at++) {
-		struct ts_wall_place place;
+		const struct ts_wall_touching *t = &w->touching[at];
 
-		w->surfaces->place(w, w->touching[at].k, &place);
-		if (w->observers[place.surface] & TS_OBSERVES_IMPACTS)
-			impacts->touch[(*n)++] =
-				(struct ts_impact_touch){ place.surface, w->touching[at].tag, at };
+		if (w->observers[t->surface] & TS_OBSERVES_IMPACTS)
+			impacts->touch[(*n)++] = (struct ts_impact_touch){ (size_t)t->surface, t->tag, at };
 	}
 	ts_sort(impacts->touch, *n, sizeof *impacts->touch, by_particle);
 	return TS_OK;

@@ -51,6 +51,12 @@ static inline double *ts_voxel_heights(const struct ts_voxel_field *f)
 	return f->level[0].top;
 }
 
+/* The largest height. */
+static inline double ts_voxel_highest(const struct ts_voxel_field *f)
+{
+	return f->level[f->nlevels - 1].top[0];
+}
+
 /* Coordinate of the lower border of column i along the first (d = 0) or second index. */
 static inline double ts_voxel_border(const struct ts_voxel_field *f, int d, int64_t i)
 {

@@ -208,7 +208,7 @@ static bool set_range(const struct ts_voxel_field *f, int d, int64_t image, cons
 static void visit_all(struct search *s)
 {
 	const struct ts_voxel_field *f = s->f;
-	double away = offset(s->x[2], f->base, f->level[f->nlevels - 1].top[0]);
+	double away = offset(s->x[2], f->base, ts_voxel_highest(f));
 	int64_t column[2][2], image[2][2];
 	struct range range;
 

@@ -1,7 +1,5 @@
 #include "wall/surface_contacts.h"
 
-#include <stdlib.h>
-
 #include "base/sort.h"
 #include "box/domain.h"
 #include "wall/surface.h"
@@ -116,11 +114,11 @@ bool ts_surface_contacts_next(struct ts_surface_contacts *it, struct ts_surface_
 {
 	for (;;) {
 		while (it->wall && it->at < it->wall->ntouching) {
-			size_t k = it->wall->touching[it->at++].k;
+			const struct ts_wall_touching *t = &it->wall->touching[it->at++];
 
-			if (surface_at(it->wall, k) != it->surface)
+			if (it->wall->surfaces->fix(it->wall, (size_t)t->surface) != it->surface)
 				continue;
-			ts_surface_contact_of(it->sim, it->wall, k, out);
+			ts_surface_contact_of(it->sim, it->wall, t->k, out);
 			return true;
 		}
 		it->wall = ts_walls_next(it->sim, &it->next_wall, NULL);

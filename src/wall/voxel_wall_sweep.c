@@ -74,12 +74,9 @@ static struct approach nearest_approach(const struct search *s, const double x[3
 static double time_to_top(const struct search *s)
 {
 	const struct ts_voxel_field *f = s->field;
-	const struct ts_voxel_level *all = &f->level[f->nlevels - 1];
-	double most = -INFINITY, above, speed = -s->path->v[f->axis[2]];
+	double above = s->path->x[f->axis[2]] - s->path->radius - ts_voxel_highest(f);
+	double speed = -s->path->v[f->axis[2]];
 
-	for (int64_t k = 0; k < all->n[0] * all->n[1]; k++)
-		most = fmax(most, all->top[k]);
-	above = s->path->x[f->axis[2]] - s->path->radius - most;
 	if (!(above > 0))
 		return 0;
 	return speed > 0 ? above / speed : INFINITY;

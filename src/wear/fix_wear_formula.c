@@ -1,7 +1,7 @@
 /* Fix wear/formula: the volume that an impact removes is a formula of the script. */
 #include "core/script_api.h"
-#include "wear/wear_material.h"
 #include "math/constants.h"
+#include "wear/wear_material.h"
 
 #include "base/banned.h"
 

@@ -3,11 +3,11 @@
 #include <math.h>
 
 #include "core/archive.h"
+#include "impact/impacts.h"
 #include "math/constants.h"
 #include "math/exactsum.h"
 #include "math/vec3.h"
 #include "particle/particles.h"
-#include "impact/impacts.h"
 #include "wall/surface_contacts.h"
 
 #include "base/banned.h"
