@@ -675,10 +675,14 @@ library_sources = \
 	src/material/property.h \
 	src/math/compensated.h \
 	src/math/constants.h \
+	src/math/convolution.c \
+	src/math/convolution.h \
 	src/math/exactsum.c \
 	src/math/exactsum.h \
 	src/math/fit.c \
 	src/math/fit.h \
+	src/math/fourier.c \
+	src/math/fourier.h \
 	src/math/minstd.c \
 	src/math/minstd.h \
 	src/math/quaternion.h \
@@ -837,8 +841,6 @@ library_sources = \
 	src/poisson/conjugate_gradient.h \
 	src/poisson/direct.c \
 	src/poisson/direct.h \
-	src/poisson/fourier.c \
-	src/poisson/fourier.h \
 	src/poisson/hypre.c \
 	src/poisson/hypre.h \
 	src/poisson/multigrid.c \
@@ -916,6 +918,13 @@ library_sources = \
 	src/rigid/rigid_motion.c \
 	src/rigid/rigid_motion.h \
 	src/rigid/rigid_system.c \
+	src/rough/asperity_theory.c \
+	src/rough/asperity_theory.h \
+	src/rough/compute_surface_contact.c \
+	src/rough/half_space.c \
+	src/rough/half_space.h \
+	src/rough/rough_contact.c \
+	src/rough/rough_contact.h \
 	src/run/command_reset_timestep.c \
 	src/run/command_run.c \
 	src/run/command_timer.c \
@@ -971,6 +980,8 @@ library_sources = \
 	src/voxel/voxel_image.h \
 	src/voxel/voxel_png.c \
 	src/voxel/voxel_png.h \
+	src/voxel/voxel_self_affine.c \
+	src/voxel/voxel_self_affine.h \
 	src/voxel/voxel_source.c \
 	src/voxel/voxel_source.h \
 	src/voxel/voxel_surface.c \

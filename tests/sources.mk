@@ -146,6 +146,7 @@ shell_tests = \
 	tests/restart/restart_streams.sh \
 	tests/review/review.sh \
 	tests/rigid/rigid.sh \
+	tests/rough/surface_contact.sh \
 	tests/script/accepted.sh \
 	tests/script/commands.sh \
 	tests/script/corpus.sh \
@@ -224,6 +225,7 @@ unit_tests = \
 	tests/poisson/check_poisson \
 	tests/program/check_crosscheck \
 	tests/rigid/check_rigid \
+	tests/rough/check_rough \
 	tests/script/check_script \
 	tests/script/check_unbreakable \
 	tests/stability/check_contacts \
@@ -451,6 +453,10 @@ tests_program_check_crosscheck_LDADD = $(tests_ldadd)
 tests_rigid_check_rigid_SOURCES = tests/rigid/check_rigid.c
 tests_rigid_check_rigid_CFLAGS = $(tests_cflags)
 tests_rigid_check_rigid_LDADD = $(tests_ldadd)
+
+tests_rough_check_rough_SOURCES = tests/rough/check_rough.c
+tests_rough_check_rough_CFLAGS = $(tests_cflags)
+tests_rough_check_rough_LDADD = $(tests_ldadd)
 
 tests_script_check_script_SOURCES = tests/script/check_script.c
 tests_script_check_script_CFLAGS = $(tests_cflags)

@@ -14,7 +14,7 @@
 #ifndef TS_POISSON_TRANSFORM_H
 #define TS_POISSON_TRANSFORM_H
 
-#include "poisson/fourier.h"
+#include "math/fourier.h"
 #include "poisson/poisson.h"
 
 enum { TS_LINES = 16 }; /* number of lines transformed at once */

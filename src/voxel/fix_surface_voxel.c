@@ -401,12 +401,34 @@ static const struct ts_arg gaussian_rows[] = {
 			"seeds"),
 	TS_ARGS_END,
 };
+static const struct ts_arg self_affine_rows[] = {
+	TS_REAL("mean", struct state, source.mean, .flags = TS_STATEFUL, .fallback = "0", .unit = "length",
+		.help = "mean height"),
+	TS_REAL("deviation", struct state, source.deviation, .flags = TS_STATEFUL, .range = TS_NOT_NEGATIVE,
+		.unit = "length", .help = "standard deviation of the heights"),
+	TS_REAL("hurst", struct state, source.hurst, .flags = TS_STATEFUL, .range = TS_POSITIVE,
+		.help = "Hurst exponent, at most 1"),
+	TS_REAL("shortest", struct state, source.shortest, .flags = TS_OPTIONAL | TS_STATEFUL,
+		.range = TS_POSITIVE, .unit = "length",
+		.help = "shortest wavelength; default: twice the width of the columns"),
+	TS_REAL("roll", struct state, source.roll, .flags = TS_OPTIONAL | TS_STATEFUL, .range = TS_POSITIVE,
+		.unit = "length", .help = "longer waves have a constant spectrum; default: `longest`"),
+	TS_REAL("longest", struct state, source.longest, .flags = TS_OPTIONAL | TS_STATEFUL,
+		.range = TS_POSITIVE, .unit = "length",
+		.help = "longest wavelength; default: the larger size of the field"),
+	TS_INT("seed", struct state, source.seed, .flags = TS_STATEFUL, .range = TS_POSITIVE,
+	       .help = "of the random numbers"),
+	TS_BOOL("exact", struct state, source.exact, .flags = TS_STATEFUL, .fallback = "yes",
+		.help = "as for gaussian"),
+	TS_ARGS_END,
+};
 static const struct ts_mode sources[] = {
 	[TS_VOXEL_CONSTANT] = { "constant", "one height", constant_rows },
 	[TS_VOXEL_FILE] = { "file", "a matrix of numbers", file_rows },
 	[TS_VOXEL_IMAGE] = { "image", "a grey image", image_rows },
 	[TS_VOXEL_FORMULA] = { "formula", "a function of the coordinates", formula_rows },
 	[TS_VOXEL_GAUSSIAN] = { "gaussian", "a Gaussian random surface", gaussian_rows },
+	[TS_VOXEL_SELF_AFFINE] = { "selfaffine", "a self-affine random surface", self_affine_rows },
 	{ .name = NULL },
 };
 
@@ -462,7 +484,8 @@ static const char doc[] =
 	"  formula v_NAME      an equal-style variable, evaluated at the centre of each column; the "
 	"coordinates "
 	"are set in the internal-style variables named by `x`, `y`, `z`\n"
-	"  gaussian            a Gaussian random surface\n\n"
+	"  gaussian            a Gaussian random surface\n"
+	"  selfaffine          a self-affine random surface\n\n"
 	"Files and images are seen from above, with the first axis to the right: their first row is the one "
 	"of the largest second coordinate. Images are PGM (P2, P5) or, if tsim was built with libpng, PNG; "
 	"grey, of up to 16 bits. Heights below `datum` are raised to it; columns whose height is not above "
@@ -475,6 +498,12 @@ static const char doc[] =
 	"have "
 	"the mean and standard deviation given, before the datum is applied; with `exact no` they have them "
 	"on average over seeds.\n\n"
+	"The heights of a self-affine surface have a normal distribution with the isotropic power "
+	"spectrum\n\n"
+	"  C(q) = constant for longest >= 2 pi/q > roll\n"
+	"  C(q) ~ q^(-2 - 2 hurst) for roll >= 2 pi/q >= shortest\n"
+	"  C(q) = 0 for other wave numbers q.\n\n"
+	"It is periodic along both axes; seed and `exact` are those of a Gaussian surface.\n\n"
 	"A particle touches the tops, sides, edges and corners of the columns: each point of the solid that "
 	"is nearer to the centre than all other points around it is one contact. There are no seams: a "
 	"particle on columns of equal height has one contact, as on a plane, with the same force bit for "

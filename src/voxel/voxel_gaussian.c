@@ -117,8 +117,7 @@ enum ts_status ts_voxel_gaussian_filter(const struct ts_voxel_gaussian *g, doubl
 	return good ? TS_OK : TS_NOMEM;
 }
 
-/* Shifts and scales the sample to mean 0 and standard deviation 1. */
-static void normalise(double *value, size_t n)
+void ts_voxel_normalise(double *value, size_t n)
 {
 	double mean = 0, square = 0;
 
@@ -144,7 +143,7 @@ enum ts_status ts_voxel_gaussian(const struct ts_voxel_gaussian *g, double *heig
 	}
 	TS_TRY(ts_voxel_gaussian_filter(g, height));
 	if (g->exact)
-		normalise(height, n);
+		ts_voxel_normalise(height, n);
 	for (size_t k = 0; k < n; k++)
 		height[k] = g->mean + g->deviation * height[k];
 	return TS_OK;

@@ -9,6 +9,7 @@
 #define TS_VOXEL_VOXEL_GAUSSIAN_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "base/status.h"
@@ -26,5 +27,7 @@ struct ts_voxel_gaussian {
 enum ts_status ts_voxel_gaussian(const struct ts_voxel_gaussian *g, double *height);
 /* Filters noise of variance 1 in place, so that its covariance is that of the surface with deviation 1. */
 enum ts_status ts_voxel_gaussian_filter(const struct ts_voxel_gaussian *g, double *noise);
+/* Shifts and scales n numbers, not all equal, to mean 0 and standard deviation 1. */
+void ts_voxel_normalise(double *value, size_t n);
 
 #endif

@@ -1,9 +1,11 @@
 #include "voxel/voxel_source.h"
 
 #include <inttypes.h>
+#include <math.h>
 
 #include "voxel/voxel_gaussian.h"
 #include "voxel/voxel_image.h"
+#include "voxel/voxel_self_affine.h"
 #include "voxel/voxel_text.h"
 
 #include "base/banned.h"
@@ -136,10 +138,56 @@ static enum ts_status fill_gaussian(const struct filling *f)
 	return ts_voxel_gaussian(&g, ts_voxel_heights(f->field)) == TS_OK ? TS_OK : ts_nomem(&f->sim->error);
 }
 
+/* The wavelengths of the spectrum, where none are given as wide as the grid permits. */
+static void read_wavelengths(const struct filling *f, struct ts_voxel_self_affine *s)
+{
+	const struct ts_voxel_source *source = f->source;
+
+	s->shortest = isnan(source->shortest) ? 2 * fmax(s->width[0], s->width[1]) : source->shortest;
+	s->longest =
+		isnan(source->longest) ? fmax(s->n[0] * s->width[0], s->n[1] * s->width[1]) : source->longest;
+	s->roll = isnan(source->roll) ? s->longest : source->roll;
+}
+
+static enum ts_status fill_self_affine(const struct filling *f)
+{
+	const struct ts_voxel_source *source = f->source;
+	struct ts_voxel_self_affine s = { .n = { (int)f->field->n[0], (int)f->field->n[1] },
+					  .width = { f->field->width[0], f->field->width[1] },
+					  .mean = source->mean,
+					  .deviation = source->deviation,
+					  .hurst = source->hurst,
+					  .seed = (uint64_t)source->seed,
+					  .exact = source->exact };
+	enum ts_status status;
+
+	read_wavelengths(f, &s);
+	if (!(s.shortest <= s.roll && s.roll <= s.longest))
+		return ts_fail(&f->sim->error, TS_RANGE, &f->self->where,
+			       "fix surface/voxel: the wavelengths shortest %g, roll %g, longest %g are not "
+			       "in "
+			       "this order",
+			       s.shortest, s.roll, s.longest);
+	if (s.shortest < 2 * fmin(s.width[0], s.width[1]) * (1 - 1e-9))
+		return ts_fail(&f->sim->error, TS_RANGE, &f->self->where,
+			       "fix surface/voxel: waves of length %g need columns of at most half this "
+			       "width; "
+			       "the columns are %g x %g",
+			       s.shortest, s.width[0], s.width[1]);
+	status = ts_voxel_self_affine(&s, ts_voxel_heights(f->field));
+	if (status == TS_RANGE)
+		return ts_fail(&f->sim->error, TS_RANGE, &f->self->where,
+			       "fix surface/voxel: no wave that is periodic in the field of %g x %g has a "
+			       "length "
+			       "from %g to %g",
+			       s.n[0] * s.width[0], s.n[1] * s.width[1], s.shortest, s.longest);
+	return status == TS_OK ? TS_OK : ts_nomem(&f->sim->error);
+}
+
 static enum ts_status (*const fill[])(const struct filling *f) = {
 	[TS_VOXEL_CONSTANT] = fill_constant, [TS_VOXEL_FILE] = fill_file,
 	[TS_VOXEL_IMAGE] = fill_image,	     [TS_VOXEL_FORMULA] = fill_formula,
-	[TS_VOXEL_GAUSSIAN] = fill_gaussian,
+	[TS_VOXEL_GAUSSIAN] = fill_gaussian, [TS_VOXEL_SELF_AFFINE] = fill_self_affine,
 };
 
 enum ts_status ts_voxel_source_fill(struct ts_instance *self, struct tsim *sim,

@@ -6,7 +6,14 @@
 #include "voxel/voxel_field.h"
 #include "voxel/voxel_grid.h"
 
-enum ts_voxel_kind { TS_VOXEL_CONSTANT, TS_VOXEL_FILE, TS_VOXEL_IMAGE, TS_VOXEL_FORMULA, TS_VOXEL_GAUSSIAN };
+enum ts_voxel_kind {
+	TS_VOXEL_CONSTANT,
+	TS_VOXEL_FILE,
+	TS_VOXEL_IMAGE,
+	TS_VOXEL_FORMULA,
+	TS_VOXEL_GAUSSIAN,
+	TS_VOXEL_SELF_AFFINE
+};
 
 /* Arguments of `fix surface/voxel` */
 struct ts_voxel_source {
@@ -16,8 +23,11 @@ struct ts_voxel_source {
 	double black, white;	  /* image: heights of black and white, length */
 	struct ts_number formula; /* of the coordinates in the variables of `set`, for x, y and z */
 	const char *set[3];
-	double mean, deviation;	     /* Gaussian surface, length */
-	struct ts_words correlation; /* its one or two correlation lengths */
+	double mean, deviation;	     /* random surfaces, length */
+	struct ts_words correlation; /* Gaussian surface: one or two correlation lengths */
+	double hurst;		     /* self-affine surface: Hurst exponent */
+	/* and its wavelengths, length; NaN: twice the width of the columns, the longest, the size of the field */
+	double shortest, roll, longest;
 	int64_t seed;
 	bool exact; /* its sample has the mean and deviation given */
 };

@@ -8,7 +8,7 @@
 #include "core/life.h"
 #include "library/tsim_tables.h"
 #include "math/rng.h"
-#include "poisson/fourier.h"
+#include "math/fourier.h"
 #include "poisson/poisson.h"
 #include "poisson/pressure_choice.h"
 

@@ -74,28 +74,29 @@ syn keyword tsimKeyword  kspace tensor com average property xcm vcm fcm torque q
 syn keyword tsimKeyword  masstotal inertia clumptype id_multisphere ex_space ey_space
 syn keyword tsimKeyword  ez_space bond/type region_count tracer periodic reset_marker
 syn keyword tsimKeyword  radius min max ave sumsq avesq sumabs aveabs minabs maxabs inputs
-syn keyword tsimKeyword  peratom update_on_run_end adof cdof primitives reset coefficient
-syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
-syn keyword tsimKeyword  title1 title2 title3 auto upper lower auto/upper auto/lower full
-syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume_region
-syn keyword tsimKeyword  scalar kind global beyond end extra level dim vmax
+syn keyword tsimKeyword  peratom update_on_run_end winkler halfspace young poisson
+syn keyword tsimKeyword  counter_young counter_poisson tolerance iterations hardness
+syn keyword tsimKeyword  counter adof cdof primitives reset coefficient fluid_acceleration
+syn keyword tsimKeyword  two_way energy sample running window overwrite title1 title2
+syn keyword tsimKeyword  title3 auto upper lower auto/upper auto/lower full prefactor
+syn keyword tsimKeyword  nevery cell_size_relative parallel basevolume_region scalar kind
+syn keyword tsimKeyword  global beyond end extra level dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate volume
 syn keyword tsimKeyword  wiggle xy xz yz v flip axes xyz scheme explicit exact implicit
-syn keyword tsimKeyword  lagged cell void sound C1 C2 wob spring body clearance tolerance
-syn keyword tsimKeyword  summary conductivity capacity initial source convection vanleer
-syn keyword tsimKeyword  central donor exchange ranz_marshall chute spherical hard soft
-syn keyword tsimKeyword  continue message path initial_temperature contact_area
-syn keyword tsimKeyword  area_correction store_contact_data euler centre iterations
-syn keyword tsimKeyword  min_cells relax virtual_mass spheres seed distributiontemplate
-syn keyword tsimKeyword  maxattempt overlapcheck all_in position direction inner_diameter
-syn keyword tsimKeyword  speed cone orientation set_property nparticles particlerate
-syn keyword tsimKeyword  massrate insert_every verbose random_distribute uncorrelated
-syn keyword tsimKeyword  compress_tags ntry_mc check_dist_from_subdomain_border warn_region
-syn keyword tsimKeyword  particles_in_region volumefraction_region mass_in_region
-syn keyword tsimKeyword  max_rounds insertion_face extrude_length duration law rubinow
-syn keyword tsimKeyword  oesterle saffman mei vec_side multiple point_at_outlet inside_out
-syn keyword tsimKeyword  writeTime
+syn keyword tsimKeyword  lagged cell void sound C1 C2 wob spring body clearance summary
+syn keyword tsimKeyword  conductivity capacity initial source convection vanleer central
+syn keyword tsimKeyword  donor exchange ranz_marshall chute spherical hard soft continue
+syn keyword tsimKeyword  message path initial_temperature contact_area area_correction
+syn keyword tsimKeyword  store_contact_data euler centre min_cells relax virtual_mass
+syn keyword tsimKeyword  spheres seed distributiontemplate maxattempt overlapcheck all_in
+syn keyword tsimKeyword  position direction inner_diameter speed cone orientation
+syn keyword tsimKeyword  set_property nparticles particlerate massrate insert_every verbose
+syn keyword tsimKeyword  random_distribute uncorrelated compress_tags ntry_mc
+syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
+syn keyword tsimKeyword  volumefraction_region mass_in_region max_rounds insertion_face
+syn keyword tsimKeyword  extrude_length duration law rubinow oesterle saffman mei vec_side
+syn keyword tsimKeyword  multiple point_at_outlet inside_out writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
 syn keyword tsimKeyword  interval sum_property temperature element_exclusion_list precision
 syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
@@ -116,11 +117,12 @@ syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style d
 syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer peratomtype
 syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink delete_below
 syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple constant black
-syn keyword tsimKeyword  white formula mean deviation correlation normal size datum base
-syn keyword tsimKeyword  merge method divided kernel reach least model hooke hertz
-syn keyword tsimKeyword  hooke/stiffness hertz/stiffness hooke/hysteresis jkr tangential
-syn keyword tsimKeyword  history no_history incremental_history jkr_tan rolling_friction
-syn keyword tsimKeyword  cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 easo/capillary/viscous
+syn keyword tsimKeyword  white formula mean deviation correlation selfaffine hurst shortest
+syn keyword tsimKeyword  roll longest normal size datum base merge method divided kernel
+syn keyword tsimKeyword  reach least model hooke hertz hooke/stiffness hertz/stiffness
+syn keyword tsimKeyword  hooke/hysteresis jkr tangential history no_history
+syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
+syn keyword tsimKeyword  cohesion sjkr sjkr2 easo/capillary/viscous
 syn keyword tsimKeyword  washino/capillary/viscous surface multicontact limitForce
 syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
 syn keyword tsimKeyword  tangential_reduce modifyLbVolume limitLiquidContent torsionTorque
@@ -130,11 +132,11 @@ syn keyword tsimKeyword  disableNormalWhenBonded located hooke/history hertz/his
 syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes voxels xplane
 syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear impact resolved
 syn keyword tsimKeyword  store_force contacts store_force_contact
-syn keyword tsimKeyword  store_force_contact_stress k hardness deformation cutting yield
-syn keyword tsimKeyword  modulus threshold cutting_constant elastic_constant factor
-syn keyword tsimKeyword  flow_stress depth_ratio force_ratio transition particles sio2 sic
-syn keyword tsimKeyword  glass relaxation crater section segment plastic viscosity ab2 rk2
-syn keyword tsimKeyword  rk3 backward substeps courant quick cubista gamma form fv fd
+syn keyword tsimKeyword  store_force_contact_stress k deformation cutting yield modulus
+syn keyword tsimKeyword  threshold cutting_constant elastic_constant factor flow_stress
+syn keyword tsimKeyword  depth_ratio force_ratio transition particles sio2 sic glass
+syn keyword tsimKeyword  relaxation crater section segment plastic viscosity ab2 rk2 rk3
+syn keyword tsimKeyword  backward substeps courant quick cubista gamma form fv fd
 syn keyword tsimKeyword  conservative quadratic body_force pressure_level axisymmetric
 syn keyword tsimKeyword  plane point span distance profile potential generic hertz/material
 syn keyword tsimKeyword  dmt mass_velocity viscoelastic tsuji coeff_restitution rolling
@@ -206,8 +208,8 @@ syn keyword tsim_compute contained msd/chunk multisphere rigid multisphere/singl
 syn keyword tsim_compute contained neighbor/atom nparticles/tracer/region omega/chunk pair/gran/local
 syn keyword tsim_compute contained pair/local pe pe/atom pressure property/atom property/chunk
 syn keyword tsim_compute contained property/local rdf reduce reduce/chunk reduce/region slice
-syn keyword tsim_compute contained stress/atom temp temp/chunk temp/com torque/chunk vacf vcm/chunk
-syn keyword tsim_compute contained wall/gran/local
+syn keyword tsim_compute contained stress/atom surface/contact temp temp/chunk temp/com torque/chunk
+syn keyword tsim_compute contained vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane

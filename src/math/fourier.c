@@ -1,4 +1,4 @@
-#include "poisson/fourier.h"
+#include "math/fourier.h"
 
 #include <math.h>
 #include <stdbool.h>

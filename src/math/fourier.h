@@ -6,8 +6,8 @@
  * Stockham's algorithm: Cochran et al., Proc. IEEE 55 (1967) 1664; C. Van Loan, Computational Frameworks
  * for the Fast Fourier Transform (1992), section 1.7. The order of operations depends on nothing but the
  * length. */
-#ifndef TS_POISSON_FOURIER_H
-#define TS_POISSON_FOURIER_H
+#ifndef TS_MATH_FOURIER_H
+#define TS_MATH_FOURIER_H
 
 #include <stddef.h>
 
