@@ -606,6 +606,7 @@ library_sources = \
 	src/io/vtk_legacy.h \
 	src/io/vtk_xml.c \
 	src/io/vtk_xml.h \
+	src/law/active_particles.h \
 	src/law/archard.h \
 	src/law/buoyancy.h \
 	src/law/capillary.h \
@@ -864,6 +865,10 @@ library_sources = \
 	src/poisson/stencil.h \
 	src/poisson/transform.c \
 	src/poisson/transform.h \
+	src/polish/compute_active_pi.c \
+	src/polish/compute_active_pml.c \
+	src/polish/slurry.c \
+	src/polish/slurry.h \
 	src/region/command_region.c \
 	src/region/region.c \
 	src/region/region.h \
@@ -923,6 +928,8 @@ library_sources = \
 	src/rough/compute_surface_contact.c \
 	src/rough/half_space.c \
 	src/rough/half_space.h \
+	src/rough/pressed_surface.c \
+	src/rough/pressed_surface.h \
 	src/rough/rough_contact.c \
 	src/rough/rough_contact.h \
 	src/run/command_reset_timestep.c \

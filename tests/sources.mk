@@ -131,6 +131,7 @@ shell_tests = \
 	tests/particle/computes.sh \
 	tests/particle/velocity_words.sh \
 	tests/poisson/pressure.sh \
+	tests/polish/active.sh \
 	tests/program/command_line.sh \
 	tests/program/crosscheck_mode.sh \
 	tests/program/kill.sh \
@@ -205,6 +206,7 @@ unit_tests = \
 	tests/impact/check_exact_collision \
 	tests/insert/check_insertion \
 	tests/io/check_io \
+	tests/law/check_active_particles \
 	tests/law/check_erosion \
 	tests/law/check_law \
 	tests/law/check_law_stages \
@@ -373,6 +375,10 @@ tests_insert_check_insertion_LDADD = $(tests_ldadd)
 tests_io_check_io_SOURCES = tests/io/check_io.c
 tests_io_check_io_CFLAGS = $(tests_cflags)
 tests_io_check_io_LDADD = $(tests_ldadd)
+
+tests_law_check_active_particles_SOURCES = tests/law/check_active_particles.c
+tests_law_check_active_particles_CFLAGS = $(tests_cflags)
+tests_law_check_active_particles_LDADD = $(tests_ldadd)
 
 tests_law_check_erosion_SOURCES = tests/law/check_erosion.c
 tests_law_check_erosion_CFLAGS = $(tests_cflags)

@@ -99,6 +99,8 @@ TS_STYLE(command, ts_command_style, ts_command_write_data)
 TS_STYLE(command, ts_command_style, ts_command_write_dump)
 TS_STYLE(command, ts_command_style, ts_command_write_restart)
 TS_STYLE(command, ts_command_style, ts_command_write_restart_on_signal)
+TS_STYLE(compute, ts_style, ts_compute_active_pi)
+TS_STYLE(compute, ts_style, ts_compute_active_pml)
 TS_STYLE(compute, ts_style, ts_compute_aggregate_atom)
 TS_STYLE(compute, ts_style, ts_compute_angmom_chunk)
 TS_STYLE(compute, ts_style, ts_compute_bond_local)
@@ -397,6 +399,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_write_dump.style,
 	&ts_command_write_restart.style,
 	&ts_command_write_restart_on_signal.style,
+	&ts_compute_active_pi,
+	&ts_compute_active_pml,
 	&ts_compute_aggregate_atom,
 	&ts_compute_angmom_chunk,
 	&ts_compute_bond_local,

@@ -68,14 +68,14 @@ syn keyword tsimKeyword  string getenv
 syn match tsimKeyword /\<timer\>/ 
 syn keyword tsimKeyword  internal atomfile equal vector create zero linear angular
 syn keyword tsimKeyword  angularIndividual sum dist gaussian mom rot local geom bias pair
-syn keyword tsimKeyword  ii ij nofix modify noinit discard default mixed bound reduced
-syn keyword tsimKeyword  nchunk limit ids nfreq between cells values interpolation cubic
-syn keyword tsimKeyword  kspace tensor com average property xcm vcm fcm torque quat angmom
-syn keyword tsimKeyword  masstotal inertia clumptype id_multisphere ex_space ey_space
-syn keyword tsimKeyword  ez_space bond/type region_count tracer periodic reset_marker
-syn keyword tsimKeyword  radius min max ave sumsq avesq sumabs aveabs minabs maxabs inputs
-syn keyword tsimKeyword  peratom update_on_run_end winkler halfspace young poisson
-syn keyword tsimKeyword  counter_young counter_poisson tolerance iterations hardness
+syn keyword tsimKeyword  ii ij nofix modify noinit radius deviation hardness discard
+syn keyword tsimKeyword  default mixed bound reduced nchunk limit ids nfreq between cells
+syn keyword tsimKeyword  values interpolation cubic kspace tensor com average property xcm
+syn keyword tsimKeyword  vcm fcm torque quat angmom masstotal inertia clumptype
+syn keyword tsimKeyword  id_multisphere ex_space ey_space ez_space bond/type region_count
+syn keyword tsimKeyword  tracer periodic reset_marker min max ave sumsq avesq sumabs aveabs
+syn keyword tsimKeyword  minabs maxabs inputs peratom update_on_run_end winkler halfspace
+syn keyword tsimKeyword  young poisson counter_young counter_poisson tolerance iterations
 syn keyword tsimKeyword  counter adof cdof primitives reset coefficient fluid_acceleration
 syn keyword tsimKeyword  two_way energy sample running window overwrite title1 title2
 syn keyword tsimKeyword  title3 auto upper lower auto/upper auto/lower full prefactor
@@ -117,9 +117,9 @@ syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style d
 syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer peratomtype
 syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink delete_below
 syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple constant black
-syn keyword tsimKeyword  white formula mean deviation correlation selfaffine hurst shortest
-syn keyword tsimKeyword  roll longest normal size datum base merge method divided kernel
-syn keyword tsimKeyword  reach least model hooke hertz hooke/stiffness hertz/stiffness
+syn keyword tsimKeyword  white formula mean correlation selfaffine hurst shortest roll
+syn keyword tsimKeyword  longest normal size datum base merge method divided kernel reach
+syn keyword tsimKeyword  least model hooke hertz hooke/stiffness hertz/stiffness
 syn keyword tsimKeyword  hooke/hysteresis jkr tangential history no_history
 syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
 syn keyword tsimKeyword  cohesion sjkr sjkr2 easo/capillary/viscous
@@ -198,18 +198,19 @@ syn keyword tsim_fix contained wear/finnie wear/formula wear/neilson/gilchrist w
 syn keyword tsim_fix contained wear/zhao/chang wear/zhao/chang/contact
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
-syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom
-syn keyword tsim_compute contained chunk/spread/atom cluster/atom com com/chunk contact/atom contacts
-syn keyword tsim_compute contained coord/atom count/type displace/atom erotate/multisphere
-syn keyword tsim_compute contained erotate/sphere erotate erotate/sphere/atom flow/flux flow/force
-syn keyword tsim_compute contained flow/line flow/plane flow/probe fragment/atom group/group gyration
-syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave msd
-syn keyword tsim_compute contained msd/chunk multisphere rigid multisphere/single nbond/atom
-syn keyword tsim_compute contained neighbor/atom nparticles/tracer/region omega/chunk pair/gran/local
-syn keyword tsim_compute contained pair/local pe pe/atom pressure property/atom property/chunk
-syn keyword tsim_compute contained property/local rdf reduce reduce/chunk reduce/region slice
-syn keyword tsim_compute contained stress/atom surface/contact temp temp/chunk temp/com torque/chunk
-syn keyword tsim_compute contained vacf vcm/chunk wall/gran/local
+syn keyword tsim_compute contained active/pi active/pml aggregate/atom angmom/chunk bond/local bonds
+syn keyword tsim_compute contained chunk/atom chunk/spread/atom cluster/atom com com/chunk
+syn keyword tsim_compute contained contact/atom contacts coord/atom count/type displace/atom
+syn keyword tsim_compute contained erotate/multisphere erotate/sphere erotate erotate/sphere/atom
+syn keyword tsim_compute contained flow/flux flow/force flow/line flow/plane flow/probe fragment/atom
+syn keyword tsim_compute contained group/group gyration gyration/chunk inertia/chunk ke ke/atom
+syn keyword tsim_compute contained ke/multisphere leave msd msd/chunk multisphere rigid
+syn keyword tsim_compute contained multisphere/single nbond/atom neighbor/atom
+syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local pair/local pe
+syn keyword tsim_compute contained pe/atom pressure property/atom property/chunk property/local rdf
+syn keyword tsim_compute contained reduce reduce/chunk reduce/region slice stress/atom
+syn keyword tsim_compute contained surface/contact temp temp/chunk temp/com torque/chunk vacf
+syn keyword tsim_compute contained vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane
