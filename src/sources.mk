@@ -1013,6 +1013,7 @@ library_sources = \
 	src/wall/mesh_wall.h \
 	src/wall/mesh_wall_queue.c \
 	src/wall/mesh_wall_queue.h \
+	src/wall/mesh_wall_shape.c \
 	src/wall/mesh_wall_sweep.c \
 	src/wall/mesh_wear.c \
 	src/wall/mesh_wear.h \
@@ -1030,6 +1031,7 @@ library_sources = \
 	src/wall/voxel_wall.h \
 	src/wall/voxel_wall_queue.c \
 	src/wall/voxel_wall_queue.h \
+	src/wall/voxel_wall_shape.c \
 	src/wall/voxel_wall_sweep.c \
 	src/wall/wall.c \
 	src/wall/wall.h \
@@ -1047,6 +1049,9 @@ library_sources = \
 	src/wall/wall_multicontact.h \
 	src/wall/wall_queue.c \
 	src/wall/wall_queue.h \
+	src/wall/wall_shape.h \
+	src/wall/wall_shapes.c \
+	src/wall/wall_shapes.h \
 	src/wall/wall_stages.c \
 	src/wall/wall_stages.h \
 	src/wall/wall_system.c \

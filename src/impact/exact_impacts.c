@@ -69,8 +69,8 @@ enum ts_status ts_exact_plan(struct ts_instance *self, struct tsim *sim)
 		why = "heat is conducted in resolved contacts only";
 	else if (has_members(sim, self->group))
 		why = "members of rigid bodies are not carried, only single spheres";
-	for (size_t k = 0; w->surfaces && k < w->surfaces->count(w); k++)
-		if (ts_surface_observers(sim, w->surfaces->fix(w, k)) & TS_OBSERVES_CONTACTS)
+	for (size_t k = 0; k < ts_wall_surfaces(w); k++)
+		if (ts_surface_observers(sim, ts_wall_surface(w, k)) & TS_OBSERVES_CONTACTS)
 			why = "the fixes that read resolved contacts of the surface step by step "
 			      "(mesh/surface/stress, "
 			      "wear/archard, wear/zhao/chang/contact) would miss the impacts";

@@ -76,7 +76,7 @@ static double groups_of(const struct tsim *sim, size_t i)
 /* ---- preparation ---- */
 
 /* Contacts that exist before the first step of the observation. */
-static enum ts_status add_unseen(struct ts_instance *self, struct tsim *sim, struct ts_wall *w)
+static enum ts_status add_unseen(struct tsim *sim, struct ts_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_impact_list *live = &w->impacts->live;
@@ -88,7 +88,7 @@ static enum ts_status add_unseen(struct ts_instance *self, struct tsim *sim, str
 		struct ts_wall_place place;
 		int type;
 
-		w->surfaces->place(w, k, &place);
+		ts_wall_place(w, k, &place);
 		impact.surface = (double)place.surface;
 		if (w->impacts->tracked[place.surface] ||
 		    !(w->observers[place.surface] & TS_OBSERVES_IMPACTS) ||
@@ -96,7 +96,7 @@ static enum ts_status add_unseen(struct ts_instance *self, struct tsim *sim, str
 			continue;
 		/* several contacts of a particle make several entries, of which those that are not
 		 * continued vanish with the next forces */
-		if (w->contacts.touching[k] || w->distance(self, sim, k, &type) < p->radius[i])
+		if (w->contacts.touching[k] || w->shape->distance(w, sim, k, &type) < p->radius[i])
 			TS_TRY(add(sim, live, &impact));
 	}
 	sort(live, by_surface_and_particle);
@@ -126,7 +126,7 @@ static void drop_foreign(struct ts_impact_list *live, size_t surfaces)
 enum ts_status ts_impacts_prepare(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
-	size_t surfaces = w->surfaces->count(w);
+	size_t surfaces = ts_wall_surfaces(w);
 
 	if (!(w->observed & TS_OBSERVES_IMPACTS)) {
 		ts_impacts_free(w->impacts);
@@ -139,7 +139,7 @@ enum ts_status ts_impacts_prepare(struct ts_instance *self, struct tsim *sim)
 		return ts_nomem(&sim->error);
 	TS_TRY(reserve_tracked(sim, w->impacts, surfaces));
 	drop_foreign(&w->impacts->live, surfaces);
-	TS_TRY(add_unseen(self, sim, w));
+	TS_TRY(add_unseen(sim, w));
 	for (size_t s = 0; s < surfaces; s++)
 		w->impacts->tracked[s] = (w->observers[s] & TS_OBSERVES_IMPACTS) != 0;
 	return TS_OK;
@@ -339,7 +339,7 @@ const struct ts_surface_impact *ts_surface_impacts_next(struct ts_surface_impact
 		while (it->wall && it->wall->impacts && it->at < it->wall->impacts->ended.n) {
 			const struct ts_surface_impact *impact = &it->wall->impacts->ended.item[it->at++];
 
-			if (it->wall->surfaces->fix(it->wall, (size_t)impact->surface) == it->surface)
+			if (ts_wall_surface(it->wall, (size_t)impact->surface) == it->surface)
 				return impact;
 		}
 		it->wall = ts_walls_next(it->sim, &it->next_wall, NULL);

@@ -12,10 +12,7 @@
 #include "neigh/neigh.h"
 #include "particle/exchange.h"
 #include "particle/particles.h"
-#include "wall/mesh_wall.h"
-#include "wall/primitive_wall.h"
-#include "wall/region_wall.h"
-#include "wall/voxel_wall.h"
+#include "wall/wall.h"
 
 #include "base/banned.h"
 
@@ -121,24 +118,11 @@ static bool meets_surface(const struct tsim *sim, size_t i, gap_fn *gap, const v
 	return false;
 }
 
-static double gap_of_primitive(const struct tsim *sim, const void *surface, const double x[3])
+static double gap_of_wall(const struct tsim *sim, const void *surface, const double x[3])
 {
-	return ts_primitive_wall_gap(surface, sim, x);
-}
+	const struct ts_wall *w = surface;
 
-/* The surface of a region that moves or changes may be anywhere: gap 0. */
-static double gap_of_region(const struct tsim *sim, const void *surface, const double x[3])
-{
-	double depth = ts_region_depth(surface, x);
-
-	(void)sim;
-	return ts_region_varies(surface) || isnan(depth) ? 0 : fabs(depth);
-}
-
-/* A field that moves may be anywhere within its displacement in a step. */
-static double gap_of_voxels(const struct tsim *sim, const void *surface, const double x[3])
-{
-	return ts_voxel_wall_gap(surface, sim, x);
+	return w->shape->gap(w, sim, x);
 }
 
 /* Distance from the mesh minus the displacement of the corners in a step. */
@@ -165,9 +149,7 @@ static bool hits_wall(struct tsim *sim, size_t i, char *what, size_t room)
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by));) {
 		if (!ts_wall_interacts(by, sim, i, false) || ts_exact_passes(w, sim->particles->tag[i]))
 			continue;
-		if ((w->primitive && meets_surface(sim, i, gap_of_primitive, w->primitive)) ||
-		    (w->voxel && meets_surface(sim, i, gap_of_voxels, w->voxel)) ||
-		    (w->region && meets_surface(sim, i, gap_of_region, w->region))) {
+		if (w->shape->gap && meets_surface(sim, i, gap_of_wall, w)) {
 			snprintf(what, room, " past wall %.60s", by->id);
 			return true;
 		}
@@ -176,15 +158,15 @@ static bool hits_wall(struct tsim *sim, size_t i, char *what, size_t room)
 }
 
 /* Whether a wall made of this mesh has carried the particle through what it met. */
-static bool is_exact(const struct tsim *sim, const struct ts_mesh_surface *s, size_t i)
+static bool is_exact(const struct tsim *sim, const struct ts_instance *mesh, size_t i)
 {
 	const struct ts_instance *by;
 	const struct ts_wall *w;
 
 	for (size_t at = 0; (w = ts_walls_next(sim, &at, &by));)
-		for (int k = 0; w->mesh && k < w->meshes && ts_exact_passes(w, sim->particles->tag[i]); k++)
-			if (w->mesh->mesh[k].surface == s && ts_wall_interacts(by, sim, i, false))
-				return true;
+		if (ts_exact_passes(w, sim->particles->tag[i]) && ts_wall_interacts(by, sim, i, false) &&
+		    ts_wall_find_surface(w, mesh) != SIZE_MAX)
+			return true;
 	return false;
 }
 
@@ -195,7 +177,7 @@ static bool hits_mesh(struct tsim *sim, size_t i, char *what, size_t room)
 	struct ts_instance *by;
 
 	for (size_t k = 0; (s = ts_mesh_surface_next(sim, &k, &by));) {
-		if (is_exact(sim, s, i) || !meets_surface(sim, i, gap_of_mesh, s))
+		if (is_exact(sim, by, i) || !meets_surface(sim, i, gap_of_mesh, s))
 			continue;
 		snprintf(what, room, " past mesh %.60s", by->id);
 		return true;

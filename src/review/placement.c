@@ -9,7 +9,6 @@
 #include "integrate/integrators.h"
 #include "mesh/mesh_motion.h"
 #include "mesh/mesh_surface.h"
-#include "wall/mesh_wall.h"
 #include "wall/primitive_wall.h"
 
 #include "base/banned.h"
@@ -90,8 +89,8 @@ enum ts_status ts_review_reach(struct tsim *sim)
 	double radius = largest_radius(sim);
 
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by));)
-		if (w->primitive)
-			TS_TRY(check_primitives(sim, by, w->primitive, radius));
+		if (ts_primitive_wall_of(w))
+			TS_TRY(check_primitives(sim, by, ts_primitive_wall_of(w), radius));
 	return TS_OK;
 }
 
@@ -145,15 +144,14 @@ static struct fall free_fall(const struct tsim *sim, const struct ts_instance *b
 
 /* Whether a mesh may stop a falling particle: it intersects the swept space (periodic directions always
  * count), or it moves. */
-static bool mesh_may_stop(const struct tsim *sim, const struct ts_mesh_part_of_wall *part,
-			  const struct fall *fall)
+static bool mesh_may_stop(const struct tsim *sim, const struct ts_instance *by, const struct fall *fall)
 {
-	const struct ts_mesh_surface *s = part->surface;
+	const struct ts_mesh_surface *s = by->state;
 	double lo[3], hi[3];
 	bool meets = true;
 	size_t first = 0;
 
-	if (part->by->style->hook
+	if (by->style->hook
 		    [TS_STAGE_INITIAL_INTEGRATE] || /* the mesh moves by itself, or some fix moves meshes */
 	    ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &first))
 		return true;
@@ -168,11 +166,15 @@ static bool mesh_may_stop(const struct tsim *sim, const struct ts_mesh_part_of_w
  * cylinders whose axis is not dim, meshes, regions. */
 static bool wall_may_stop(const struct tsim *sim, const struct ts_wall *w, int dim, const struct fall *fall)
 {
-	const struct ts_primitive_wall *p = w->primitive;
-	bool stops = !p && !w->mesh;
+	const struct ts_primitive_wall *p = ts_primitive_wall_of(w);
+	size_t n = p ? 0 : ts_wall_surfaces(w);
+	bool stops = false;
 
-	for (int k = 0; w->mesh && k < w->meshes; k++)
-		stops |= mesh_may_stop(sim, &w->mesh->mesh[k], fall);
+	for (size_t k = 0; k < n; k++) {
+		const struct ts_instance *by = ts_wall_surface(w, k);
+
+		stops |= !ts_streq(by->style->family, TS_FAMILY_MESH) || mesh_may_stop(sim, by, fall);
+	}
 	for (int k = 0; p && k < p->n; k++) {
 		int shape = (int)p->primitive[k].shape;
 		double at = p->primitive[k].position;

@@ -26,17 +26,16 @@ static void make_wall_touch(const struct tsim *sim, size_t i, double distance,
 
 /* Smallest distance between wall and particle over the contacts of one particle, of which contact k is the
  * first; *next: first contact of the next particle. Returns the index of the particle. */
-static size_t deepest_contact(const struct ts_instance *by, const struct tsim *sim, size_t k, size_t *next,
+static size_t deepest_contact(const struct ts_wall *w, const struct tsim *sim, size_t k, size_t *next,
 			      double *distance, int *type)
 {
-	const struct ts_wall *w = by->state;
 	const struct ts_wall_contacts *c = &w->contacts;
 	size_t first = k;
 
 	*distance = INFINITY;
 	for (; k < c->n && c->row[k] == c->row[first]; k++) {
 		int of;
-		double d = w->distance(by, sim, k, &of);
+		double d = w->shape->distance(w, sim, k, &of);
 
 		if (d < *distance) {
 			*distance = d;
@@ -71,7 +70,7 @@ static enum ts_status check_wall(struct tsim *sim, const struct ts_instance *by,
 	for (size_t k = 0; k < w->contacts.n;) {
 		int type = 1;
 		double distance;
-		size_t i = deepest_contact(by, sim, k, &k, &distance, &type);
+		size_t i = deepest_contact(w, sim, k, &k, &distance, &type);
 		struct ts_touch t;
 
 		if (!(distance < (1 - ts_review_depth) * p->radius[i]) || p->tag[i] <= p->max_run_tag ||
@@ -91,7 +90,6 @@ enum ts_status ts_review_wall_overlap(struct tsim *sim)
 	const struct ts_wall *w;
 
 	for (size_t k = 0; !ts_review_blind(sim) && (w = ts_walls_next(sim, &k, &by));)
-		if (w->distance)
-			TS_TRY(check_wall(sim, by, w));
+		TS_TRY(check_wall(sim, by, w));
 	return TS_OK;
 }

@@ -21,7 +21,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	s->sim = sim;
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
-		any |= w->meshes > 0 || s->primitives;
+		any |= ts_wall_meshes(w) > 0 || s->primitives;
 	if (!any)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "compute wall/gran/local needs a fix wall/gran before it, %s",
@@ -96,7 +96,7 @@ static size_t list_contacts(const struct ts_instance *self, size_t history, doub
 			}
 			n++;
 		}
-		meshes_before += w->meshes;
+		meshes_before += (int)ts_wall_meshes(w);
 	}
 	return n;
 }

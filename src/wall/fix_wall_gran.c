@@ -1,13 +1,11 @@
 #include "impact/exact_impacts.h"
 #include "impact/impacts.h"
-#include "wall/mesh_wall_queue.h"
+#include "wall/mesh_wall.h"
 #include "wall/primitive_wall.h"
 #include "wall/surface_contacts.h"
-#include "wall/voxel_wall_queue.h"
+#include "wall/voxel_wall.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_law.h"
-
-#include <math.h>
 
 #include "core/sim.h"
 
@@ -15,10 +13,7 @@
 
 struct wall {
 	struct ts_wall wall;
-	bool primitive_word, mesh_word;
-	int64_t type, nmeshes;
-	struct ts_words meshes;
-	const char *voxels; /* ID of the fix of a height field; NULL: a mesh or a primitive */
+	bool primitive_word;
 	struct ts_wall_law law;
 	struct ts_primitive_wall primitive;
 	struct ts_mesh_wall mesh;
@@ -29,268 +24,144 @@ struct wall {
 enum { EXACT = 1 };
 static const char *const impacts[] = { "resolved", "exact", NULL };
 
-static enum ts_status check_shape(struct ts_instance *self, struct tsim *sim)
-{
-	const struct wall *w = self->state;
-	int given = ts_primitive_wall_shapes(&w->primitive);
+/* The shapes that a wall may have, and where their states are. */
+static const struct {
+	const struct ts_wall_shape *shape;
+	size_t offset;
+} shapes[] = {
+	{ &ts_primitive_wall_shape, offsetof(struct wall, primitive) },
+	{ &ts_mesh_wall_shape, offsetof(struct wall, mesh) },
+	{ &ts_voxel_wall_shape, offsetof(struct wall, voxel) },
+};
+enum { PRIMITIVE, SHAPES = sizeof shapes / sizeof *shapes };
 
-	if (given + w->mesh_word + (w->voxels != NULL) == 1)
+static void *geometry_of(struct ts_instance *self, int shape)
+{
+	return (char *)self->state + shapes[shape].offset;
+}
+
+/* ---- arguments ---- */
+
+/* The one shape that the line gives. */
+static enum ts_status choose_shape(struct ts_instance *self, struct tsim *sim, int *shape)
+{
+	int given[SHAPES], sum = 0;
+
+	for (int k = 0; k < SHAPES; k++) {
+		given[k] = shapes[k].shape->given(geometry_of(self, k));
+		sum += given[k];
+		*shape = given[k] ? k : *shape;
+	}
+	if (sum == 1)
 		return TS_OK;
-	if (w->mesh_word || w->voxels)
+	if (sum > given[PRIMITIVE])
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix wall/gran: a wall is a mesh, a height field or a primitive, one of them");
 	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 		       "fix wall/gran: expected one of xplane, yplane, zplane, xcylinder, ycylinder, "
 		       "zcylinder, found %d of them%s",
-		       given, given ? "" : "; or `mesh n_meshes 1 meshes ID`, or `voxels ID`");
-}
-
-static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
-{
-	struct wall *w = self->state;
-
-	if (!w->meshes.n)
-		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix wall/gran mesh: which meshes? `n_meshes 1 meshes ID`");
-	if (w->nmeshes != INT64_MIN && w->nmeshes != (int64_t)w->meshes.n)
-		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "n_meshes"),
-			       "fix wall/gran: n_meshes is %d, but %zu meshes are named", (int)w->nmeshes,
-			       w->meshes.n);
-	if (w->type != INT64_MIN)
-		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "type"),
-			       "fix wall/gran: each mesh has the type that its fix says");
-	if (ts_wall_has_law(&w->wall, sim) && ts_cohesion_bridges(ts_wall_model(&w->wall, sim)))
-		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix wall/gran: bridges of liquid reach beyond the touch, which contacts with "
-			       "triangles do "
-			       "not follow; take a plane, a cylinder or a region, or leave cohesion out");
-	return ts_mesh_wall_find(self, sim, &w->mesh, w->meshes);
-}
-
-static enum ts_status find_surface(struct ts_instance *self, struct tsim *sim)
-{
-	struct wall *w = self->state;
-	struct ts_word id = { .text = w->voxels, .place = *ts_instance_word(self, w->voxels) };
-
-	if (w->type != INT64_MIN)
-		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "type"),
-			       "fix wall/gran: a height field has the type that its fix says");
-	return ts_voxel_wall_find(sim, &w->voxel, &id);
-}
-
-static enum ts_status place_primitive(struct ts_instance *self, struct tsim *sim)
-{
-	struct wall *w = self->state;
-
-	if (w->type == INT64_MIN && !w->wall.given)
-		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix wall/gran primitive: which `type`?");
-	if (w->type == INT64_MIN) /* LAMMPS' walls have no material */
-		w->type = 1;
-	w->primitive.lammps = w->wall.given;
-	return ts_primitive_wall_read(self, sim, &w->primitive);
-}
-
-static double contact_distance(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type)
-{
-	const struct wall *w = self->state;
-	const struct ts_wall_contacts *c = &w->wall.contacts;
-	size_t i = (size_t)c->row[k];
-
-	if (w->voxels) {
-		*type = (int)w->voxel.surface->type;
-		return ts_voxel_wall_distance(&w->voxel, sim, sim->particles->x[i],
-					      sim->particles->radius[i]);
-	}
-	*type = (int)(w->mesh_word ? w->mesh.mesh[ts_mesh_wall_near(&w->mesh, k)->mesh].surface->type
-				   : w->type);
-	return w->mesh_word
-		       ? ts_mesh_wall_distance(sim, &w->mesh, k, i)
-		       : ts_primitive_wall_distance(&w->primitive, sim, c->key[k][1], sim->particles->x[i]);
-}
-
-static enum ts_status check_type(struct tsim *sim, int64_t type, const struct ts_place *where)
-{
-	if (type <= sim->particles->ntypes || !sim->particles->ntypes)
-		return TS_OK;
-	return ts_fail(&sim->error, TS_RANGE, where,
-		       "fix wall/gran: the wall is of type %lld, but create_box made %d", (long long)type,
-		       sim->particles->ntypes);
-}
-
-/* A type that does not exist is a frequent error: reported here rather than by a material property with
- * too few values. */
-static enum ts_status check_types(struct ts_instance *self, struct tsim *sim)
-{
-	const struct wall *w = self->state;
-
-	if (w->wall.given) /* numbers, no material */
-		return TS_OK;
-	if (w->voxels)
-		return check_type(sim, w->voxel.surface->type, ts_instance_word(self, w->voxels));
-	if (!w->mesh_word)
-		return check_type(sim, w->type, ts_instance_word(self, "type"));
-	for (size_t k = 0; k < w->mesh.nmeshes; k++)
-		TS_TRY(check_type(sim, w->mesh.mesh[k].surface->type,
-				  ts_instance_word(self, w->meshes.word[k].text)));
-	return TS_OK;
+		       sum, sum ? "" : "; or `mesh n_meshes 1 meshes ID`, or `voxels ID`");
 }
 
 static enum ts_status init_exact(struct ts_instance *self, struct tsim *sim)
 {
-	struct wall *w = self->state;
+	const struct wall *w = self->state;
+	const struct ts_wall_shape *shape = w->wall.shape;
+	const char *why = shape->not_exact ? shape->not_exact(&w->wall) : NULL;
 
 	if (w->impact != EXACT)
 		return TS_OK;
-	w->primitive.type = (int)w->type;
-	if (w->voxels)
-		return ts_exact_init(self, sim, &ts_voxel_wall_exact, &w->voxel);
-	if (!w->mesh_word && ts_primitive_wall_pumps(&w->primitive))
+	if (why)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "impact"),
-			       "fix wall/gran impact exact: the surface of a plane that stays in place has "
-			       "no velocity "
-			       "along its normal");
-	return w->mesh_word ? ts_exact_init(self, sim, &ts_mesh_wall_exact, &w->mesh)
-			    : ts_exact_init(self, sim, &ts_primitive_wall_exact, &w->primitive);
+			       "fix wall/gran impact exact: %s", why);
+	return ts_exact_init(self, sim, shape->exact, w->wall.geometry);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
+	int shape = PRIMITIVE;
 
-	TS_TRY(check_shape(self, sim));
+	TS_TRY(choose_shape(self, sim, &shape));
 	TS_TRY(ts_wall_law_choose(self, sim, &w->law, &w->wall));
-	TS_TRY(w->voxels      ? find_surface(self, sim)
-	       : w->mesh_word ? find_meshes(self, sim)
-			      : place_primitive(self, sim));
-	TS_TRY(check_types(self, sim));
+	TS_TRY(ts_wall_find(self, sim, shapes[shape].shape, geometry_of(self, shape)));
 	TS_TRY(init_exact(self, sim));
-	w->wall.primitive = w->mesh_word || w->voxels ? NULL : &w->primitive;
-	w->wall.type = (int)w->type;
-	w->wall.distance = contact_distance;
-	w->wall.meshes = w->voxels ? 1 : w->mesh_word ? (int)w->mesh.nmeshes : 0;
-	w->wall.mesh = w->mesh_word ? &w->mesh : NULL;
-	w->wall.voxel = w->voxels ? &w->voxel : NULL;
-	w->wall.surfaces = w->voxels	  ? &ts_voxel_wall_surfaces
-			   : w->mesh_word ? &ts_mesh_wall_surfaces
-					  : &ts_primitive_wall_surfaces;
-	w->wall.moves = w->wall.primitive && ts_primitive_wall_moves(&w->primitive);
-	w->wall.warm = (w->wall.primitive && !isnan(w->primitive.temperature)) ||
-		       (w->voxels && !isnan(w->voxel.surface->temperature));
-	for (size_t k = 0; w->mesh_word && k < w->mesh.nmeshes; k++)
-		w->wall.warm |= !isnan(w->mesh.mesh[k].surface->temperature);
 	return ts_wall_init(self, sim);
 }
 
-/* Number of particle types whose materials the wall has: one for each mesh. */
-static size_t count_surface_types(const struct wall *w)
-{
-	return w->mesh_word ? w->mesh.nmeshes : 1;
-}
-
-static int surface_type(const struct wall *w, size_t k)
-{
-	return (int)(w->voxels	    ? w->voxel.surface->type
-		     : w->mesh_word ? w->mesh.mesh[k].surface->type
-				    : w->type);
-}
+/* ---- stages ---- */
 
 static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 {
-	struct wall *w = self->state;
-	struct ts_wall_rebuild rebuild;
+	struct ts_wall *w = self->state;
 
-	if (!ts_wall_has_law(&w->wall, sim))
+	if (!ts_wall_has_law(w, sim))
 		return TS_OK; /* refused by the plan */
-	for (size_t k = 0; k < count_surface_types(w); k++)
-		TS_TRY(ts_wall_make_law(self, sim, surface_type(w, k)));
-	TS_TRY(ts_surface_contacts_find_observers(sim, &w->wall));
-	if (w->voxels) {
-		TS_TRY(ts_voxel_wall_list(self, sim, &w->wall, &w->voxel, false));
-		return ts_impacts_prepare(self, sim);
-	}
-	ts_wall_rebuild_start(&w->wall, sim, w->mesh_word ? TS_MESH_MEMORY : 0, &rebuild);
-	TS_TRY(ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
-				      w->mesh_word
-					      ? ts_mesh_wall_list(self, sim, &w->wall, &w->mesh)
-					      : ts_primitive_wall_list(self, sim, &w->wall, &w->primitive)));
+	TS_TRY(ts_wall_make_laws(self, sim));
+	TS_TRY(ts_surface_contacts_find_observers(sim, w));
+	TS_TRY(w->shape->list(self, sim));
 	return ts_impacts_prepare(self, sim);
 }
 
 static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 {
-	struct wall *w = self->state;
+	const struct ts_wall *w = self->state;
 
-	if (w->voxels) {
-		sim->run.rebuild |= ts_voxel_wall_has_moved(sim, &w->voxel);
-		return w->wall.exact ? TS_OK : ts_voxel_wall_check_displacement(self, sim, &w->voxel);
-	}
-	sim->run.rebuild |= w->mesh_word ? ts_mesh_wall_has_moved(sim, &w->mesh)
-					 : ts_primitive_wall_has_moved(sim, &w->primitive);
-	if (w->wall.exact) /* also finds what it passes */
-		return TS_OK;
-	return w->mesh_word ? ts_mesh_wall_check_displacement(self, sim, &w->mesh)
-			    : ts_primitive_wall_check_displacement(self, sim, &w->primitive);
+	sim->run.rebuild |= w->shape->has_moved(w, sim);
+	return w->exact ? TS_OK /* also finds what it passes */ : w->shape->check_displacement(self, sim);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
-	struct wall *w = self->state;
+	struct ts_wall *w = self->state;
 
-	ts_wall_start(&w->wall, sim);
-	TS_TRY(w->voxels ? ts_voxel_wall_enqueue_contacts(self, sim, &w->wall, &w->voxel)
-	       : w->mesh_word
-		       ? ts_mesh_wall_enqueue_contacts(sim, &w->wall, &w->mesh)
-		       : ts_primitive_wall_enqueue_contacts(sim, &w->wall, &w->primitive, (int)w->type));
-	ts_exact_add_force(&w->wall, sim);
-	TS_TRY(ts_surface_contacts_collect(sim, &w->wall));
-	return ts_impacts_update(sim, &w->wall);
+	ts_wall_start(w, sim);
+	TS_TRY(w->shape->enqueue(self, sim));
+	ts_exact_add_force(w, sim);
+	TS_TRY(ts_surface_contacts_collect(sim, w));
+	return ts_impacts_update(sim, w);
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
-	const struct wall *w = self->state;
-
-	if (w->wall.primitive)
-		ts_primitive_wall_plan(self, sim, &w->primitive);
-	for (size_t k = 0; k < count_surface_types(w); k++)
-		TS_TRY(ts_wall_plan(self, sim, surface_type(w, k), report));
-	return w->wall.exact ? ts_exact_plan(self, sim) : TS_OK;
+	TS_TRY(ts_wall_plan(self, sim, report));
+	return ((const struct ts_wall *)self->state)->exact ? ts_exact_plan(self, sim) : TS_OK;
 }
 
+/* Of all shapes: a line that has been refused may have given several. */
 static void fini(struct ts_instance *self)
 {
-	ts_mesh_wall_release(&((struct wall *)self->state)->mesh);
-	ts_voxel_wall_release(&((struct wall *)self->state)->voxel);
-	ts_impacts_free(((struct wall *)self->state)->wall.impacts);
-	ts_exact_fini(self->state);
+	struct ts_wall *w = self->state;
+
+	for (int k = 0; k < SHAPES; k++)
+		if (shapes[k].shape->release)
+			shapes[k].shape->release(geometry_of(self, k));
+	ts_impacts_free(w->impacts);
+	ts_exact_fini(w);
 	ts_wall_fini(self);
 }
 
+/* Of all shapes, as older restart files have it. */
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
-	TS_TRY(ts_primitive_wall_archive(a, &((struct wall *)self->state)->primitive));
-	TS_TRY(ts_exact_archive(a, sim, self->state));
+	struct ts_wall *w = self->state;
+
+	for (int k = 0; k < SHAPES; k++)
+		if (shapes[k].shape->archive)
+			TS_TRY(shapes[k].shape->archive(a, geometry_of(self, k)));
+	TS_TRY(ts_exact_archive(a, sim, w));
 	TS_TRY(ts_wall_archive(self, sim, a));
-	return ts_impacts_archive(a, sim, self->state);
+	return ts_impacts_archive(a, sim, w);
 }
 
 static const struct ts_arg args[] = {
 	TS_GRANULAR_ARGS(struct wall, wall.words),
 	TS_WALL_LAW_ARGS(struct wall, law),
 	TS_FLAG("primitive", struct wall, primitive_word, .help = "the wall is a plane or cylinder"),
-	TS_INT("type", struct wall, type, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+	TS_INT("type", struct wall, wall.type, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
 	       .help = "primitive: particle type whose material the wall has"),
-	TS_FLAG("mesh", struct wall, mesh_word, .help = "the wall is made of meshes"),
-	TS_INT("n_meshes", struct wall, nmeshes, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
-	       .help = "mesh: number of meshes"),
-	TS_SOME_KEYWORD("meshes", struct wall, meshes, TS_STATEFUL, .count = "n_meshes",
-			.help = "mesh: IDs of the fixes of the meshes; each has the material of its own "
-				"type"),
-	TS_WORD("voxels", struct wall, voxels, .flags = TS_OPTIONAL | TS_STATEFUL,
-		.help = "ID of the fix surface/voxel that the wall is made of; it has the material of its "
-			"own "
-			"type"),
+	TS_MESH_WALL_ARGS(struct wall, mesh),
+	TS_VOXEL_WALL_ARGS(struct wall, voxel),
 	TS_PRIMITIVE_WALL_ARGS(struct wall, primitive),
 	TS_ENUM("impact", struct wall, impact, impacts, .flags = TS_STATEFUL, .fallback = "resolved",
 		.help = "resolved: contacts are resolved by time steps; exact: a particle that hits the wall "

@@ -10,77 +10,40 @@ struct wall {
 	struct ts_wall wall;
 	struct ts_wall_law law;
 	struct ts_region_wall region;
-	int64_t type;
 };
-
-static double contact_distance(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type)
-{
-	const struct wall *w = self->state;
-
-	*type = (int)w->type;
-	return ts_region_wall_distance(&w->region, sim, &w->wall, k);
-}
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
 
 	TS_TRY(ts_wall_law_choose(self, sim, &w->law, &w->wall));
-	if (w->type == INT64_MIN && !w->wall.given)
-		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix wall/gran/region: which law? `hertz/history ...`, `granular ...`, or "
-			       "the `type` of its material");
-	if (w->type == INT64_MIN) /* LAMMPS' walls have no material */
-		w->type = 1;
-	TS_TRY(ts_region_wall_init(self, sim, &w->region));
-	w->wall.region = w->region.region;
-	w->wall.distance = contact_distance;
+	TS_TRY(ts_wall_find(self, sim, &ts_region_wall_shape, &w->region));
 	return ts_wall_init(self, sim);
-}
-
-static enum ts_status list_contacts(struct ts_instance *self, struct tsim *sim)
-{
-	struct wall *w = self->state;
-	struct ts_wall_rebuild rebuild;
-
-	ts_wall_rebuild_start(&w->wall, sim, 0, &rebuild);
-	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
-				      ts_region_wall_list(self, sim, &w->wall, &w->region));
 }
 
 static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 {
-	struct wall *w = self->state;
+	const struct ts_wall *w = self->state;
 
-	if (!ts_wall_has_law(&w->wall, sim))
+	if (!ts_wall_has_law(w, sim))
 		return TS_OK; /* refused by the plan */
-	TS_TRY(ts_wall_make_law(self, sim, (int)w->type));
-	TS_TRY(ts_region_wall_update(self, sim, &w->region));
-	return list_contacts(self, sim);
+	TS_TRY(ts_wall_make_laws(self, sim));
+	return w->shape->list(self, sim);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
-	struct wall *w = self->state;
-	bool far;
+	struct ts_wall *w = self->state;
 
-	TS_TRY(ts_region_wall_needs_list(self, sim, &w->region, &far));
-	if (far)
-		TS_TRY(list_contacts(self, sim));
-	ts_wall_start(&w->wall, sim);
-	return ts_region_wall_enqueue_contacts(sim, &w->wall, &w->region, (int)w->type);
-}
-
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
-{
-	return ts_wall_plan(self, sim, (int)((const struct wall *)self->state)->type, report);
+	ts_wall_start(w, sim);
+	return w->shape->enqueue(self, sim);
 }
 
 static const struct ts_arg args[] = {
 	TS_GRANULAR_ARGS(struct wall, wall.words),
 	TS_WALL_LAW_ARGS(struct wall, law),
 	TS_REGION("region", struct wall, region.region, .help = "ID of the region whose surface is the wall"),
-	TS_INT("type", struct wall, type, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+	TS_INT("type", struct wall, wall.type, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
 	       .help = "with `model` or the law of the pair style: particle type whose material the "
 		       "wall has"),
 	TS_WALL_ARGS(struct wall, wall),
@@ -100,7 +63,7 @@ static const struct ts_saved saved[] = {
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
-	TS_TRY(ts_region_wall_archive(a, &((struct wall *)self->state)->region));
+	TS_TRY(ts_region_wall_shape.archive(a, &((struct wall *)self->state)->region));
 	return ts_wall_archive(self, sim, a);
 }
 
@@ -148,7 +111,7 @@ const struct ts_style ts_fix_wall_gran_region = {
 	.init = init,
 	.saved = saved,
 	.hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
-	.plan = plan,
+	.plan = ts_wall_plan,
 	.review = ts_coincide_review,
 	.fini = ts_wall_fini,
 };

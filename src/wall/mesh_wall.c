@@ -10,74 +10,6 @@
 
 #include "base/banned.h"
 
-/* The key of a contact contains the periodic image of the triangle relative to the unwrapped position of
- * the particle, modulo three box lengths in each dimension: 27 numbers for each triangle. So it stays the
- * same when the particle is wrapped. */
-enum { IMAGES = 27 };
-
-static void release_trees(struct ts_mesh_wall *mw)
-{
-	for (size_t k = 0; k < mw->nmeshes; k++)
-		ts_mesh_tree_release(&mw->mesh[k].tree);
-	mw->nmeshes = 0;
-}
-
-enum ts_status ts_mesh_wall_find(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw,
-				 struct ts_words names)
-{
-	size_t first = 0;
-
-	release_trees(mw);
-	if (!mw->mesh)
-		mw->mesh = ts_arena_alloc(&self->arena, names.n, sizeof *mw->mesh);
-	if (!mw->mesh)
-		return ts_nomem(&sim->error);
-	for (size_t k = 0; k < names.n; k++) {
-		struct ts_mesh_part_of_wall *part = &mw->mesh[k];
-		struct ts_mesh_surface *surface;
-
-		TS_TRY(ts_mesh_surface_require(sim, &names.word[k], &surface));
-		*part = (struct ts_mesh_part_of_wall){ .surface = surface, .first = first };
-		part->by = ts_sim_find(sim, TS_KIND_FIX, names.word[k].text);
-		mw->nmeshes = k + 1;
-		first += surface->mesh.n;
-		if (first > INT32_MAX / IMAGES)
-			return ts_fail(&sim->error, TS_RANGE, &names.word[k].place,
-				       "a wall of %zu triangles is too large", first);
-	}
-	return TS_OK;
-}
-
-static size_t count_surfaces(const struct ts_wall *w)
-{
-	return w->mesh->nmeshes;
-}
-
-static const struct ts_instance *fix_of_surface(const struct ts_wall *w, size_t surface)
-{
-	return w->mesh->mesh[surface].by;
-}
-
-static void place_of_contact(const struct ts_wall *w, size_t k, struct ts_wall_place *out)
-{
-	const struct ts_mesh_near *near = &w->mesh->near[k];
-
-	*out = (struct ts_wall_place){ (size_t)near->mesh,
-				       (size_t)near->triangle,
-				       { near->shift[0], near->shift[1], near->shift[2] } };
-}
-
-const struct ts_wall_surfaces ts_mesh_wall_surfaces = { count_surfaces, fix_of_surface, place_of_contact };
-
-void ts_mesh_wall_release(struct ts_mesh_wall *mw)
-{
-	release_trees(mw);
-	ts_free(mw->near);
-	ts_free(mw->place);
-	ts_free(mw->neighbor);
-	*mw = (struct ts_mesh_wall){ 0 };
-}
-
 static enum ts_status update_tree(struct tsim *sim, struct ts_mesh_part_of_wall *part)
 {
 	if (part->tree.n && part->moves == part->surface->moves)
@@ -160,7 +92,8 @@ static enum ts_status add_contact(struct tsim *sim, struct ts_wall *w, struct ts
 	};
 	TS_TRY(add_neighbor_triangle(sim, mw, f->i, k));
 	return ts_wall_contacts_add(sim, &w->contacts, f->i,
-				    ((int)mw->mesh[f->mesh].first + f->triangle) * IMAGES + code);
+				    ((int)mw->mesh[f->mesh].first + f->triangle) * TS_MESH_WALL_IMAGES +
+					    code);
 }
 
 /* The range of periodic images of a mesh, in box lengths, that come within r of x in dimension `dim`. */
@@ -309,8 +242,8 @@ double ts_mesh_wall_max_approach(const struct tsim *sim, struct ts_mesh_wall *mw
 	return most;
 }
 
-enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
-				 struct ts_mesh_wall *mw)
+static enum ts_status add_all_found(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
+				    struct ts_mesh_wall *mw)
 {
 	size_t n = sim->particles->n;
 	/* a search costs as much as about 16 particles of simple loops */
@@ -337,9 +270,19 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 	return status;
 }
 
-/* Particles are listed within the skin; particles and mesh may each move by half of it. */
-bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *mw)
+enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim)
 {
+	struct ts_wall *w = self->state;
+	struct ts_wall_rebuild rebuild;
+
+	ts_wall_rebuild_start(w, sim, TS_MESH_MEMORY, &rebuild);
+	return ts_wall_rebuild_finish(w, sim, &rebuild, add_all_found(self, sim, w, ts_mesh_wall_of(w)));
+}
+
+/* Particles are listed within the skin; particles and mesh may each move by half of it. */
+bool ts_mesh_wall_has_moved(const struct ts_wall *w, const struct tsim *sim)
+{
+	const struct ts_mesh_wall *mw = ts_mesh_wall_of(w);
 	bool far = false;
 
 	for (size_t k = 0; k < mw->nmeshes; k++)
@@ -405,9 +348,9 @@ static bool is_slow(const struct tsim *sim, struct ts_mesh_part_of_wall *part, d
 	return *step <= sim->neigh->least_radius;
 }
 
-enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
-					       struct ts_mesh_wall *mw)
+enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct tsim *sim)
 {
+	struct ts_mesh_wall *mw = ts_mesh_wall_of(self->state);
 	const struct ts_particles *p = sim->particles;
 	struct ts_mesh_list list = { 0 };
 	enum ts_status status = TS_OK;
@@ -431,20 +374,4 @@ void ts_mesh_wall_position(const struct tsim *sim, const struct ts_mesh_near *ne
 {
 	for (int d = 0; d < 3; d++)
 		x[d] = sim->particles->x[i][d] - near->shift[d] * ts_box_length(&sim->domain->box, d);
-}
-
-double ts_mesh_wall_distance(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t k, size_t i)
-{
-	const struct ts_mesh_near *near = &mw->near[k];
-	double x[3];
-
-	ts_mesh_wall_position(sim, near, i, x);
-	return ts_mesh_distance(&mw->mesh[near->mesh].surface->mesh, (size_t)near->triangle, x);
-}
-
-void ts_mesh_wall_name(const struct ts_mesh_wall *mw, size_t k, struct ts_str *out)
-{
-	const struct ts_mesh_near *near = &mw->near[k];
-
-	ts_str_addf(out, ", triangle %d of mesh %s", near->triangle + 1, mw->mesh[near->mesh].by->id);
 }

@@ -15,8 +15,6 @@
 #include "mesh/mesh_tree.h"
 #include "wall/wall.h"
 
-struct ts_exact_surface;
-
 /* One of the wall's meshes. */
 struct ts_mesh_part_of_wall {
 	const struct ts_instance *by; /* fix of the mesh */
@@ -54,6 +52,10 @@ struct ts_mesh_neighbor {
 };
 
 struct ts_mesh_wall {
+	bool given;	       /* the word `mesh` */
+	int64_t count;	       /* n_meshes; INT64_MIN: not given */
+	struct ts_words names; /* IDs of the fixes of the meshes */
+
 	struct ts_mesh_part_of_wall *mesh;
 	size_t nmeshes;
 	struct ts_mesh_near *near;	   /* [contacts] */
@@ -65,34 +67,38 @@ struct ts_mesh_wall {
 
 /* History values of a contact with a mesh besides those of its law: 1 if the contact exists, else 0. */
 enum { TS_MESH_MEMORY = 1 };
+/* The key of a contact contains the periodic image of the triangle relative to the unwrapped position of the particle,
+ * modulo three box lengths in each dimension: 27 numbers for each triangle. So it stays the same when the particle is
+ * wrapped. */
+enum { TS_MESH_WALL_IMAGES = 27 };
 
-/* Resolves the meshes of these IDs; to be called in init, which is called again before each run. */
-enum ts_status ts_mesh_wall_find(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw,
-				 struct ts_words names);
-/* Between ts_wall_rebuild_start and _finish: lists pairs of a triangle and a particle of the groups of both
- * the wall and the mesh. */
-enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
-				 struct ts_mesh_wall *mw);
-/* Whether a mesh has moved more than half the skin since the listing, so that a rebuild is due. */
-bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *mw);
-/* Fails if a triangle passes through a particle in one step: it moved by more than the radius. */
-enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
-					       struct ts_mesh_wall *mw);
-/* Its meshes as surfaces. */
-extern const struct ts_wall_surfaces ts_mesh_wall_surfaces;
-void ts_mesh_wall_release(struct ts_mesh_wall *mw);
+extern const struct ts_wall_shape ts_mesh_wall_shape;
 
-/* For `impact exact`; its shape is the struct ts_mesh_wall. */
+#define TS_MESH_WALL_ARGS(T, f)                                                                           \
+	TS_FLAG("mesh", T, f.given, .help = "the wall is made of meshes"),                                \
+		TS_INT("n_meshes", T, f.count, .flags = TS_OPTIONAL, .range = TS_POSITIVE,                \
+		       .help = "mesh: number of meshes"),                                                 \
+		TS_SOME_KEYWORD("meshes", T, f.names, TS_STATEFUL, .count = "n_meshes",                   \
+				.help = "mesh: IDs of the fixes of the meshes; each has the material of " \
+					"its own type")
+
+/* ---- for the files of this shape; struct ts_wall_shape says what the slots do */
+
+/* The state of a wall that is made of meshes. */
+static inline struct ts_mesh_wall *ts_mesh_wall_of(const struct ts_wall *w)
+{
+	return w->geometry;
+}
+
+/* Slots. A pair is listed if the particle is in the groups of both the wall and the mesh. */
+enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim);
+bool ts_mesh_wall_has_moved(const struct ts_wall *w, const struct tsim *sim);
+enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct tsim *sim);
 extern const struct ts_exact_surface ts_mesh_wall_exact;
 
 /* Makes the trees of the meshes that have moved since they were made. */
 enum ts_status ts_mesh_wall_update_trees(struct tsim *sim, struct ts_mesh_wall *mw);
 
-/* Present distance of the centre of particle i from the triangle of contact k. */
-double ts_mesh_wall_distance(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t k, size_t i);
-
-/* Appends the name of the triangle of contact k: ", triangle 12 of mesh cad". */
-void ts_mesh_wall_name(const struct ts_mesh_wall *mw, size_t k, struct ts_str *out);
 /* Position of particle i relative to the periodic image of the mesh, in the frame of the mesh. */
 void ts_mesh_wall_position(const struct tsim *sim, const struct ts_mesh_near *near, size_t i, double x[3]);
 /* The history value that is > 0 if the contact exists: since the last step, or found in this one. */
@@ -120,12 +126,6 @@ static inline double ts_mesh_wall_safe_travel(const struct ts_mesh *m, int32_t t
 					      double radius)
 {
 	return 0.999 * (distance - radius - ts_mesh_wall_slack(m, triangle));
-}
-
-/* Mesh and triangle of contact k. */
-static inline const struct ts_mesh_near *ts_mesh_wall_near(const struct ts_mesh_wall *mw, size_t k)
-{
-	return &mw->near[k];
 }
 
 #endif

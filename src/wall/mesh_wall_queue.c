@@ -212,8 +212,10 @@ static void compute_range(void *context, size_t from, size_t end)
 	ts_wall_queue_end(&queue);
 }
 
-enum ts_status ts_mesh_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw)
+enum ts_status ts_mesh_wall_enqueue_contacts(struct ts_instance *self, struct tsim *sim)
 {
+	struct ts_wall *w = self->state;
+	struct ts_mesh_wall *mw = ts_mesh_wall_of(w);
 	struct force_task task = { sim, w, mw, ts_mesh_wall_max_approach(sim, mw) };
 
 	/* a contact costs as much as about 4 particles of simple loops */

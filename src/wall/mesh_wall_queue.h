@@ -5,7 +5,7 @@
 
 #include "wall/mesh_wall.h"
 
-/* Computes all forces of the step; fails if the centre of a particle lies in the surface. */
-enum ts_status ts_mesh_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw);
+/* The slot `enqueue` of struct ts_wall_shape. */
+enum ts_status ts_mesh_wall_enqueue_contacts(struct ts_instance *self, struct tsim *sim);
 
 #endif

@@ -77,13 +77,14 @@ static enum ts_status read_cylinder(struct ts_primitive_wall *w, struct tsim *si
 	return TS_OK;
 }
 
-int ts_primitive_wall_shapes(const struct ts_primitive_wall *w)
+static int given(const void *geometry)
 {
-	int given = 0;
+	const struct ts_primitive_wall *w = geometry;
+	int n = 0;
 
 	for (int k = 0; k < NSHAPES; k++)
-		given += w->shape_words[k].n > 0;
-	return given;
+		n += w->shape_words[k].n > 0;
+	return n;
 }
 
 /* A plane normal to a periodic dimension: LAMMPS refuses it; in LIGGGHTS particles interact with it, their
@@ -157,13 +158,31 @@ static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim, st
 	return TS_OK;
 }
 
-enum ts_status ts_primitive_wall_read(struct ts_instance *self, struct tsim *sim, struct ts_primitive_wall *w)
+static enum ts_status find(struct ts_instance *self, struct tsim *sim)
 {
+	struct ts_wall *wall = self->state;
+	struct ts_primitive_wall *w = wall->geometry;
+
+	if (wall->type == INT64_MIN && !wall->given)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix wall/gran primitive: which `type`?");
+	if (wall->type == INT64_MIN) /* LAMMPS' walls have no material */
+		wall->type = 1;
+	w->type = (int)wall->type;
+	w->lammps = wall->given;
 	TS_TRY(read_shape(self, sim, w));
-	return read_motion(self, sim, w);
+	TS_TRY(read_motion(self, sim, w));
+	wall->moves = ts_primitive_wall_moves(w);
+	wall->warm = !isnan(w->temperature);
+	return ts_wall_check_type(self, sim, wall->type, "type");
 }
 
 /* ---- motion ---- */
+
+const struct ts_primitive_wall *ts_primitive_wall_of(const struct ts_wall *w)
+{
+	return w->shape == &ts_primitive_wall_shape ? w->geometry : NULL;
+}
 
 bool ts_primitive_wall_moves(const struct ts_primitive_wall *w)
 {
@@ -253,8 +272,10 @@ static double surface_curvature(const struct ts_primitive_wall *w, const double 
 /* ---- stages ---- */
 
 /* The list of contacts is valid while particles and wall each have moved less than half the skin. */
-bool ts_primitive_wall_has_moved(const struct tsim *sim, const struct ts_primitive_wall *w)
+static bool has_moved(const struct ts_wall *wall, const struct tsim *sim)
 {
+	const struct ts_primitive_wall *w = wall->geometry;
+
 	return ts_primitive_wall_moves(w) &&
 	       !(fabs(displacement(w, sim) - w->built_displacement) < 0.5 * sim->neigh->built_skin);
 }
@@ -280,9 +301,9 @@ bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive
 	return false;
 }
 
-enum ts_status ts_primitive_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
-						    const struct ts_primitive_wall *w)
+static enum ts_status check_displacement(struct ts_instance *self, struct tsim *sim)
 {
+	const struct ts_primitive_wall *w = ((const struct ts_wall *)self->state)->geometry;
 	const struct ts_particles *p = sim->particles;
 	double now, travel;
 	char what[80];
@@ -306,8 +327,9 @@ enum ts_status ts_primitive_wall_check_displacement(struct ts_instance *self, st
 	return TS_OK;
 }
 
-double ts_primitive_wall_gap(const struct ts_primitive_wall *w, const struct tsim *sim, const double x[3])
+static double gap(const struct ts_wall *wall, const struct tsim *sim, const double x[3])
 {
+	const struct ts_primitive_wall *w = wall->geometry;
 	double now = displacement(w, sim), least = INFINITY;
 
 	for (int k = 0; k < w->n; k++) {
@@ -320,16 +342,18 @@ double ts_primitive_wall_gap(const struct ts_primitive_wall *w, const struct tsi
 		       : least;
 }
 
-double ts_primitive_wall_distance(const struct ts_primitive_wall *w, const struct tsim *sim, int k,
-				  const double x[3])
+static double contact_distance(const struct ts_wall *wall, const struct tsim *sim, size_t k, int *type)
 {
-	struct ts_primitive at = displaced_primitive(w, k, displacement(w, sim));
+	const struct ts_primitive_wall *w = wall->geometry;
+	const struct ts_wall_contacts *c = &wall->contacts;
+	struct ts_primitive at = displaced_primitive(w, c->key[k][1], displacement(w, sim));
 
-	return primitive_distance(&at, x);
+	*type = w->type;
+	return primitive_distance(&at, sim->particles->x[c->row[k]]);
 }
 
-enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
-				      struct ts_primitive_wall *w)
+static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
+				struct ts_primitive_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
 	bool pulls = ts_wall_long_ranged(wall, sim);
@@ -351,6 +375,15 @@ enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
+static enum ts_status list(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_wall *wall = self->state;
+	struct ts_wall_rebuild rebuild;
+
+	ts_wall_rebuild_start(wall, sim, 0, &rebuild);
+	return ts_wall_rebuild_finish(wall, sim, &rebuild, add_pairs(self, sim, wall, wall->geometry));
+}
+
 /* ---- as a surface ---- */
 
 static size_t one_surface(const struct ts_wall *w)
@@ -370,11 +403,25 @@ static void place_of_contact(const struct ts_wall *w, size_t k, struct ts_wall_p
 	*out = (struct ts_wall_place){ .element = (size_t)w->contacts.key[k][1] };
 }
 
-const struct ts_wall_surfaces ts_primitive_wall_surfaces = { one_surface, fix_of_surface, place_of_contact };
-
-double ts_primitive_wall_area(const struct ts_primitive_wall *w, const struct tsim *sim, int k)
+static const struct ts_primitive_wall *primitives_of(const struct ts_instance *by)
 {
-	const struct ts_primitive *p = &w->primitive[k];
+	return ts_primitive_wall_of(by->state);
+}
+
+static size_t count_primitives(const struct ts_instance *by)
+{
+	return (size_t)primitives_of(by)->n;
+}
+
+static int primitive_type(const struct ts_instance *by)
+{
+	return primitives_of(by)->type;
+}
+
+/* Of the part in the box. */
+static double primitive_area(const struct ts_instance *by, const struct tsim *sim, size_t element)
+{
+	const struct ts_primitive *p = &primitives_of(by)->primitive[element];
 	const struct ts_box *box = &sim->domain->box;
 	int axis = (int)p->shape % 3;
 
@@ -383,9 +430,12 @@ double ts_primitive_wall_area(const struct ts_primitive_wall *w, const struct ts
 	return ts_box_length(box, (axis + 1) % 3) * ts_box_length(box, (axis + 2) % 3);
 }
 
-void ts_primitive_wall_centre(const struct ts_primitive_wall *w, const struct tsim *sim, int k, double out[3])
+/* Of the part in the box: of a plane, or of the axis of a cylinder. */
+static void primitive_centre(const struct ts_instance *by, const struct tsim *sim, size_t element,
+			     double out[3])
 {
-	struct ts_primitive p = displaced_primitive(w, k, displacement(w, sim));
+	const struct ts_primitive_wall *w = primitives_of(by);
+	struct ts_primitive p = displaced_primitive(w, (int)element, displacement(w, sim));
 	const struct ts_box *box = &sim->domain->box;
 	int axis = (int)p.shape % 3;
 
@@ -404,7 +454,6 @@ struct force_task {
 	struct ts_wall *wall;
 	const struct ts_primitive_wall *w;
 	struct ts_primitive at[MOST];
-	int type;
 };
 
 static void compute_range(void *context, size_t from, size_t to)
@@ -413,7 +462,7 @@ static void compute_range(void *context, size_t from, size_t to)
 	const struct ts_primitive_wall *w = t->w;
 	const struct ts_particles *p = t->sim->particles;
 	struct ts_wall_contacts *c = &t->wall->contacts;
-	struct ts_wall_contact_point point = { .type = t->type,
+	struct ts_wall_contact_point point = { .type = w->type,
 					       .warm = !isnan(w->temperature),
 					       .temperature = w->temperature };
 	struct ts_wall_queue queue;
@@ -435,10 +484,11 @@ static void compute_range(void *context, size_t from, size_t to)
 	ts_wall_queue_end(&queue);
 }
 
-enum ts_status ts_primitive_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall,
-						  const struct ts_primitive_wall *w, int type)
+static enum ts_status enqueue(struct ts_instance *self, struct tsim *sim)
 {
-	struct force_task task = { sim, wall, w, { { 0 } }, type };
+	struct ts_wall *wall = self->state;
+	const struct ts_primitive_wall *w = wall->geometry;
+	struct force_task task = { sim, wall, w, { { 0 } } };
 	double moved = displacement(w, sim);
 
 	for (int k = 0; k < w->n; k++)
@@ -448,11 +498,21 @@ enum ts_status ts_primitive_wall_enqueue_contacts(struct tsim *sim, struct ts_wa
 	return ts_coincide_wall(sim, wall);
 }
 
-bool ts_primitive_wall_pumps(const struct ts_primitive_wall *w)
+/* ---- `impact exact` ---- */
+
+/* Whether the surface has a velocity along its normal, although the wall stays in place. */
+static bool pumps(const struct ts_primitive_wall *w)
 {
 	int dim = w->n ? (int)w->primitive[0].shape : TS_XCYLINDER;
 
 	return dim <= TS_ZPLANE && (w->velocity[dim] != 0 || (w->shear_words.n && w->shear_dim == dim));
+}
+
+static const char *not_exact(const struct ts_wall *wall)
+{
+	return pumps(wall->geometry) ? "the surface of a plane that stays in place has no velocity along its "
+				       "normal"
+				     : NULL;
 }
 
 /* First touch of element k. The wall moves along its normal with the mean velocity of the step. */
@@ -507,10 +567,14 @@ static enum ts_status sweep(const struct tsim *sim, const void *shape, size_t i,
 	return TS_OK;
 }
 
-const struct ts_exact_surface ts_primitive_wall_exact = { .sweep = sweep };
+static const struct ts_exact_surface exact = { .sweep = sweep };
 
-void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim, const struct ts_primitive_wall *w)
+/* ---- the shape ---- */
+
+static void plan(struct ts_instance *self, struct tsim *sim)
 {
+	const struct ts_primitive_wall *w = ((const struct ts_wall *)self->state)->geometry;
+
 	if (w->n && w->shear_words.n && (int)w->primitive[0].shape == w->shear_dim)
 		ts_warn(&sim->log, ts_instance_word(self, "shear"),
 			"fix wall/gran: a shear along the normal moves no plane, only the dashpot of "
@@ -521,8 +585,9 @@ void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim, const st
 }
 
 /* Older restart files do not have these values. */
-enum ts_status ts_primitive_wall_archive(struct ts_archive *a, struct ts_primitive_wall *w)
+static enum ts_status archive(struct ts_archive *a, void *geometry)
 {
+	struct ts_primitive_wall *w = geometry;
 	double wiggle[3] = { w->origin, w->built_displacement, w->begun };
 
 	if (ts_archive_has(a, "wiggle"))
@@ -532,3 +597,23 @@ enum ts_status ts_primitive_wall_archive(struct ts_archive *a, struct ts_primiti
 	w->begun = wiggle[2];
 	return TS_OK;
 }
+
+const struct ts_wall_shape ts_primitive_wall_shape = {
+	.made_of = "planes or cylinders",
+	.given = given,
+	.find = find,
+	.plan = plan,
+	.archive = archive,
+	.surfaces = one_surface,
+	.fix = fix_of_surface,
+	.place = place_of_contact,
+	.surface = { TS_FAMILY_WALL, count_primitives, primitive_area, primitive_centre, primitive_type },
+	.list = list,
+	.has_moved = has_moved,
+	.check_displacement = check_displacement,
+	.enqueue = enqueue,
+	.distance = contact_distance,
+	.gap = gap,
+	.exact = &exact,
+	.not_exact = not_exact,
+};

@@ -7,8 +7,6 @@
 
 enum { TS_PRIMITIVE_SHAPES = 6, TS_MOST_PRIMITIVES = 2 };
 
-struct ts_exact_surface;
-
 struct ts_primitive_wall {
 	struct ts_words shape_words[TS_PRIMITIVE_SHAPES], shear_words, wiggle_words;
 	double velocity[3]; /* of the surface */
@@ -27,46 +25,15 @@ struct ts_primitive_wall {
 	int type; /* particle type whose material it has */
 };
 
-/* Number of shapes given. */
-int ts_primitive_wall_shapes(const struct ts_primitive_wall *w);
-/* In init, if one shape is given: reads shape and motion. */
-enum ts_status ts_primitive_wall_read(struct ts_instance *self, struct tsim *sim,
-				      struct ts_primitive_wall *w);
+extern const struct ts_wall_shape ts_primitive_wall_shape;
+
+/* The planes or cylinders of a wall; NULL: it is of another shape. */
+const struct ts_primitive_wall *ts_primitive_wall_of(const struct ts_wall *w);
 /* Whether the wall moves along its normal (`wiggle`). */
 bool ts_primitive_wall_moves(const struct ts_primitive_wall *w);
-/* Whether the wall has moved half the skin or more since the last rebuild, so that another one is due. */
-bool ts_primitive_wall_has_moved(const struct tsim *sim, const struct ts_primitive_wall *w);
 /* Whether one of its planes normal to `dim` is now between the coordinates a and b; stores its position. */
 bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive_wall *w, int dim, double a,
 			       double b, double *position);
-/* Fails if a plane passes through a particle in one step: it moved by more than the radius. */
-enum ts_status ts_primitive_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
-						    const struct ts_primitive_wall *w);
-/* Between ts_wall_rebuild_start and _finish: lists the particles of the group that may touch. */
-enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
-				      struct ts_primitive_wall *w);
-/* Computes all forces; `type`: particle type whose material the surface has. */
-enum ts_status ts_primitive_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall,
-						  const struct ts_primitive_wall *w, int type);
-/* Present distance of a point from the wall, less the displacement of the wall in a step. */
-double ts_primitive_wall_gap(const struct ts_primitive_wall *w, const struct tsim *sim, const double x[3]);
-/* Present distance of a point from element k. */
-double ts_primitive_wall_distance(const struct ts_primitive_wall *w, const struct tsim *sim, int k,
-				  const double x[3]);
-/* Its planes or cylinders as elements of a surface. */
-extern const struct ts_wall_surfaces ts_primitive_wall_surfaces;
-/* Of element k in the box, length^2. */
-double ts_primitive_wall_area(const struct ts_primitive_wall *w, const struct tsim *sim, int k);
-/* Centre of the part of element k in the box: of a plane, or of the axis of a cylinder. */
-void ts_primitive_wall_centre(const struct ts_primitive_wall *w, const struct tsim *sim, int k,
-			      double out[3]);
-/* Whether the surface has a velocity along its normal, although the wall stays in place. */
-bool ts_primitive_wall_pumps(const struct ts_primitive_wall *w);
-/* For `impact exact`; its shape is the struct ts_primitive_wall. */
-extern const struct ts_exact_surface ts_primitive_wall_exact;
-/* Warnings before a run. */
-void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim, const struct ts_primitive_wall *w);
-enum ts_status ts_primitive_wall_archive(struct ts_archive *a, struct ts_primitive_wall *w);
 
 #define TS_PRIMITIVE_PLANE(T, f, axis, k)                                       \
 	TS_SOME_KEYWORD(axis "plane", T, f.shape_words[k], 0, .unit = "length", \

@@ -11,7 +11,14 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w)
+/* ---- definition ---- */
+
+static int given(const void *geometry)
+{
+	return ((const struct ts_region_wall *)geometry)->region != NULL;
+}
+
+static enum ts_status find_region(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w)
 {
 	const struct ts_place *where = ts_instance_word(self, w->region->id);
 
@@ -38,6 +45,19 @@ enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim, s
 		       "fix wall/gran/region: region %s moves, and %s, which it is made of, moves in it; "
 		       "expected one of both",
 		       w->region->id, w->mover[1]->id);
+}
+
+static enum ts_status find(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_wall *wall = self->state;
+
+	if (wall->type == INT64_MIN && !wall->given)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix wall/gran/region: which law? `hertz/history ...`, `granular ...`, or "
+			       "the `type` of its material");
+	if (wall->type == INT64_MIN) /* LAMMPS' walls have no material */
+		wall->type = 1;
+	return find_region(self, sim, wall->geometry);
 }
 
 /* ---- motion ---- */
@@ -198,7 +218,8 @@ static enum ts_status check_displacement(struct ts_instance *self, struct tsim *
 	return TS_OK;
 }
 
-enum ts_status ts_region_wall_update(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w)
+/* Updates the region to the present step; fails if its surface has passed through a particle in one step. */
+static enum ts_status update(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w)
 {
 	double *before = NULL;
 	enum ts_status status;
@@ -219,19 +240,19 @@ enum ts_status ts_region_wall_update(struct ts_instance *self, struct tsim *sim,
 /* If particles would be listed again within fewer steps than this, listing all of them is cheaper. */
 enum { MIN_LIST_STEPS = 8 };
 
-enum ts_status ts_region_wall_needs_list(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w,
-					 bool *list)
+/* Whether the surface has moved so far that particles must be listed again. */
+static bool needs_list(const struct tsim *sim, struct ts_region_wall *w)
 {
-	TS_TRY(ts_region_wall_update(self, sim, w));
-	*list = max_approach(w) > w->margin;
-	w->list_all |= *list && sim->clock.step - w->listed_step < MIN_LIST_STEPS;
-	return TS_OK;
+	bool far = max_approach(w) > w->margin;
+
+	w->list_all |= far && sim->clock.step - w->listed_step < MIN_LIST_STEPS;
+	return far;
 }
 
 /* Lists the particles near the surface: within the skin; of a region that moves within the skin plus
  * `margin`; of a region that changes its shape all particles. */
-enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
-				   struct ts_region_wall *w)
+static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
+				struct ts_region_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
 	bool all = w->list_all || ts_region_reshapes(w->region);
@@ -250,6 +271,21 @@ enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, s
 	return TS_OK;
 }
 
+static enum ts_status list_pairs(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_wall *wall = self->state;
+	struct ts_wall_rebuild rebuild;
+
+	ts_wall_rebuild_start(wall, sim, 0, &rebuild);
+	return ts_wall_rebuild_finish(wall, sim, &rebuild, add_pairs(self, sim, wall, wall->geometry));
+}
+
+static enum ts_status list(struct ts_instance *self, struct tsim *sim)
+{
+	TS_TRY(update(self, sim, ((struct ts_wall *)self->state)->geometry));
+	return list_pairs(self, sim);
+}
+
 static const struct ts_region_contact_point *face_point(const struct ts_region_contact_point *point, int n,
 							int face)
 {
@@ -259,20 +295,22 @@ static const struct ts_region_contact_point *face_point(const struct ts_region_c
 	return NULL;
 }
 
-double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim *sim,
-			       const struct ts_wall *wall, size_t k)
+/* Infinite: the face has no contact point for the particle. */
+static double contact_distance(const struct ts_wall *wall, const struct tsim *sim, size_t k, int *type)
 {
+	const struct ts_region_wall *w = wall->geometry;
 	int n = ts_region_contact_points(w->region, sim->particles->x[wall->contacts.row[k]], w->point);
 	const struct ts_region_contact_point *on = face_point(w->point, n, wall->contacts.key[k][1]);
 
+	*type = (int)wall->type;
 	return on ? on->distance : INFINITY;
 }
 
 /* Contact k of a particle with a face, at the contact point `on`. */
 static void compute_face(struct ts_wall_queue *q, struct ts_wall *wall, const struct ts_region_wall *w,
-			 size_t k, const struct ts_region_contact_point *on, int type)
+			 size_t k, const struct ts_region_contact_point *on)
 {
-	struct ts_wall_contact_point point = { .type = type,
+	struct ts_wall_contact_point point = { .type = (int)wall->type,
 					       .distance = on->distance,
 					       .curvature = on->curvature };
 
@@ -291,7 +329,6 @@ struct force_task {
 	struct tsim *sim;
 	struct ts_wall *wall;
 	const struct ts_region_wall *w;
-	int type;
 	bool far; /* the list contains particles that are far from the surface */
 };
 
@@ -317,7 +354,7 @@ static void compute_contacts(const struct force_task *t, size_t from, size_t to,
 				    : ts_region_contact_points(t->w->region, x, point);
 		on = face_point(point, n, face);
 		if (on)
-			compute_face(&queue, t->wall, t->w, k, on, t->type);
+			compute_face(&queue, t->wall, t->w, k, on);
 		else
 			ts_wall_contact_end(c, k);
 	}
@@ -334,11 +371,15 @@ static void compute_range(void *context, size_t from, size_t to)
 	compute_contacts(context, from, to, point);
 }
 
-enum ts_status ts_region_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall,
-					       struct ts_region_wall *w, int type)
+static enum ts_status enqueue(struct ts_instance *self, struct tsim *sim)
 {
-	struct force_task task = { sim, wall, w, type, ts_region_varies(w->region) };
+	struct ts_wall *wall = self->state;
+	struct ts_region_wall *w = wall->geometry;
+	struct force_task task = { sim, wall, w, ts_region_varies(w->region) };
 
+	TS_TRY(update(self, sim, w));
+	if (needs_list(sim, w))
+		TS_TRY(list_pairs(self, sim));
 	for (int k = 0; k < w->nmovers; k++)
 		update_motion(w->mover[k], &w->motion[k], sim);
 	if (w->faces <= MAX_STACK_POINTS)
@@ -349,9 +390,60 @@ enum ts_status ts_region_wall_enqueue_contacts(struct tsim *sim, struct ts_wall 
 	return ts_coincide_wall(sim, wall);
 }
 
-enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w)
+/* The surface of a region that moves or changes may be anywhere: gap 0. */
+static double gap(const struct ts_wall *wall, const struct tsim *sim, const double x[3])
 {
+	const struct ts_region_wall *w = wall->geometry;
+	double depth = ts_region_depth(w->region, x);
+
+	(void)sim;
+	return ts_region_varies(w->region) || isnan(depth) ? 0 : fabs(depth);
+}
+
+/* ---- as a surface, which no style can observe: from outside all contacts are with face 0 ---- */
+
+static size_t one_surface(const struct ts_wall *wall)
+{
+	(void)wall;
+	return 1;
+}
+
+static const struct ts_instance *fix_of_surface(const struct ts_wall *wall, size_t surface)
+{
+	(void)surface;
+	return wall->by;
+}
+
+static void place_of_contact(const struct ts_wall *wall, size_t k, struct ts_wall_place *out)
+{
+	*out = (struct ts_wall_place){ .element = (size_t)wall->contacts.key[k][1] };
+}
+
+static int surface_type(const struct ts_instance *by)
+{
+	return (int)((const struct ts_wall *)by->state)->type;
+}
+
+static enum ts_status archive(struct ts_archive *a, void *geometry)
+{
+	struct ts_region_wall *w = geometry;
+
 	if (!w->nmovers)
 		return TS_OK;
 	return ts_archive_fixed(a, "motion", TS_SAVED_F64, w->motion, (size_t)w->nmovers * TS_REGION_MOTION);
 }
+
+const struct ts_wall_shape ts_region_wall_shape = {
+	.made_of = "the surface of a region",
+	.given = given,
+	.find = find,
+	.archive = archive,
+	.surfaces = one_surface,
+	.fix = fix_of_surface,
+	.place = place_of_contact,
+	.surface = { .type = surface_type },
+	.list = list,
+	.enqueue = enqueue,
+	.distance = contact_distance,
+	.gap = gap,
+};

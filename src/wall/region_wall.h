@@ -37,25 +37,6 @@ struct ts_region_wall {
 	int64_t updated; /* 1 + the step of the last update; 0: never */
 };
 
-/* In init, after `region` has been set. */
-enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w);
-/* Between ts_wall_rebuild_start and _finish: lists the particles of the group near the surface, as of the
- * last update of the region. */
-enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
-				   struct ts_region_wall *w);
-/* Updates the region to the present step; fails if its surface has passed through a particle in one step. */
-enum ts_status ts_region_wall_update(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w);
-/* Before the forces: updates the region; *list: the surface has moved so far that particles must be listed
- * again. */
-enum ts_status ts_region_wall_needs_list(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w,
-					 bool *list);
-/* Present distance of the particle of contact k from its face; infinite: the face has no contact point for
- * it. */
-double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim *sim,
-			       const struct ts_wall *wall, size_t k);
-/* Computes all forces; `type`: particle type whose material the surface has. */
-enum ts_status ts_region_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall,
-					       struct ts_region_wall *w, int type);
-enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w);
+extern const struct ts_wall_shape ts_region_wall_shape;
 
 #endif

@@ -54,13 +54,15 @@ static struct ts_servo_contacts contact_response(const struct ts_granular_model 
 	return (struct ts_servo_contacts){ 1, f.kn, fabs(f.gamman) };
 }
 
-/* Index of the mesh in the wall; -1: the wall does not have it. */
-static int mesh_index(const struct ts_wall *w, const struct ts_mesh_surface *surface)
+/* Number of the mesh among the surfaces of the wall; SIZE_MAX: the wall does not have it. */
+static size_t mesh_index(const struct ts_wall *w, const struct ts_mesh_surface *surface)
 {
-	for (int k = 0; w->mesh && k < w->meshes; k++)
-		if (w->mesh->mesh[k].surface == surface)
+	size_t n = ts_wall_surfaces(w);
+
+	for (size_t k = 0; k < n; k++)
+		if (ts_wall_surface(w, k)->state == surface)
 			return k;
-	return -1;
+	return SIZE_MAX;
 }
 
 /* K h + 2 C: the largest stable gain kp is proportional to its inverse (law/servo.h). */
@@ -78,7 +80,7 @@ struct ts_servo_contacts ts_servo_contacts(const struct tsim *sim, const struct 
 	const struct ts_wall *w;
 
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));) {
-		if (mesh_index(w, mesh->surface) < 0 || !ts_wall_has_law(w, sim))
+		if (mesh_index(w, mesh->surface) == SIZE_MAX || !ts_wall_has_law(w, sim))
 			continue;
 		for (int t = 1; t <= sim->particles->ntypes; t++) {
 			struct smallest s = smallest_of(sim, t);
@@ -107,14 +109,16 @@ size_t ts_servo_touching(const struct tsim *sim, const struct ts_mesh_surface *s
 	size_t n = 0;
 
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));) {
-		int index = mesh_index(w, surface);
-		size_t last = SIZE_MAX;
+		size_t index = mesh_index(w, surface), last = SIZE_MAX;
 
-		for (size_t c = 0; index >= 0 && c < w->contacts.n; c++) {
+		for (size_t c = 0; index != SIZE_MAX && c < w->contacts.n; c++) {
 			size_t i = (size_t)w->contacts.row[c];
+			struct ts_wall_place place;
+			int type;
 
-			if (i == last || w->mesh->near[c].mesh != index ||
-			    !(ts_mesh_wall_distance(sim, w->mesh, c, i) < sim->particles->radius[i]))
+			ts_wall_place(w, c, &place);
+			if (i == last || place.surface != index ||
+			    !(w->shape->distance(w, sim, c, &type) < sim->particles->radius[i]))
 				continue;
 			last = i;
 			n++;

@@ -3,7 +3,8 @@
 #ifndef TS_WALL_SERVO_RESPONSE_H
 #define TS_WALL_SERVO_RESPONSE_H
 
-#include "wall/mesh_wall.h"
+#include "mesh/mesh_surface.h"
+#include "wall/wall.h"
 
 /* A controlled mesh. Force control: load, stiffness and damping refer to the force along the axis. Torque
  * control: they refer to the torque about the axis as a function of displacement and speed at the distance

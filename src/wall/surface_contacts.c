@@ -11,21 +11,21 @@ static const struct ts_instance *surface_at(const struct ts_wall *w, size_t k)
 {
 	struct ts_wall_place place;
 
-	w->surfaces->place(w, k, &place);
-	return w->surfaces->fix(w, place.surface);
+	ts_wall_place(w, k, &place);
+	return ts_wall_surface(w, place.surface);
 }
 
 /* ---- the list of a wall ---- */
 
 enum ts_status ts_surface_contacts_find_observers(struct tsim *sim, struct ts_wall *w)
 {
-	size_t n = w->surfaces->count(w);
+	size_t n = ts_wall_surfaces(w);
 
 	if (TS_GROW(w->observers, w->observers_capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
 	w->observed = 0;
 	for (size_t s = 0; s < n; s++) {
-		w->observers[s] = ts_surface_observers(sim, w->surfaces->fix(w, s));
+		w->observers[s] = ts_surface_observers(sim, ts_wall_surface(w, s));
 		w->observed |= w->observers[s];
 	}
 	w->contacts.want_reports |= w->observed != 0;
@@ -56,7 +56,7 @@ enum ts_status ts_surface_contacts_collect(struct tsim *sim, struct ts_wall *w)
 	for (size_t k = 0; k < c->n; k++) {
 		if (!ts_wall_report(c, k))
 			continue;
-		w->surfaces->place(w, k, &place);
+		ts_wall_place(w, k, &place);
 		if (w->observers[place.surface])
 			w->touching[w->ntouching++] =
 				(struct ts_wall_touching){ (int32_t)place.surface, (int32_t)place.element,
@@ -71,7 +71,7 @@ bool ts_surface_contacts_listed(const struct tsim *sim, const struct ts_instance
 	const struct ts_wall *w;
 
 	for (size_t at = 0; (w = ts_walls_next(sim, &at, NULL));)
-		for (size_t k = 0; w->surfaces && k < w->contacts.n; k++)
+		for (size_t k = 0; k < w->contacts.n; k++)
 			if (surface_at(w, k) == surface)
 				return true;
 	return false;
@@ -99,7 +99,7 @@ void ts_surface_contact_of(const struct tsim *sim, const struct ts_wall *w, size
 	const struct ts_wall_report *r = &c->report[k];
 	struct ts_wall_place place;
 
-	w->surfaces->place(w, k, &place);
+	ts_wall_place(w, k, &place);
 	out->element = place.element;
 	out->particle = (size_t)c->row[k];
 	out->overlap = r->overlap;
@@ -116,7 +116,7 @@ bool ts_surface_contacts_next(struct ts_surface_contacts *it, struct ts_surface_
 		while (it->wall && it->at < it->wall->ntouching) {
 			const struct ts_wall_touching *t = &it->wall->touching[it->at++];
 
-			if (it->wall->surfaces->fix(it->wall, (size_t)t->surface) != it->surface)
+			if (ts_wall_surface(it->wall, (size_t)t->surface) != it->surface)
 				continue;
 			ts_surface_contact_of(it->sim, it->wall, t->k, out);
 			return true;

@@ -11,71 +11,9 @@
 
 #include "base/banned.h"
 
-/* ---- the surface of the wall ---- */
-
-static size_t count_surfaces(const struct ts_wall *w)
-{
-	(void)w;
-	return 1;
-}
-
-static const struct ts_instance *fix_of_surface(const struct ts_wall *w, size_t surface)
-{
-	(void)surface;
-	return w->voxel->by;
-}
-
-/* Number of periodic images by which x is away from the interval [lo, hi] of a column. */
-static int32_t image_at(double x, double lo, double hi, double length)
-{
-	return (int32_t)lround((x - 0.5 * (lo + hi)) / length);
-}
-
-static void place_of_contact(const struct ts_wall *w, size_t k, struct ts_wall_place *out)
-{
-	const struct ts_voxel_surface *s = w->voxel->surface;
-	const struct ts_voxel_field *f = &s->field;
-	const double *x = w->contacts.report[k].point;
-	int64_t column = ts_voxel_column_index(ts_voxel_memory(&w->contacts, k)[TS_VOXEL_COLUMN]);
-	int64_t index[2] = { column % f->n[0], column / f->n[0] };
-
-	*out = (struct ts_wall_place){ .element = (size_t)column };
-	for (int d = 0; d < 2; d++) {
-		int a = f->axis[d];
-
-		out->shift[a] = image_at(x[a] - s->shift[a], ts_voxel_border(f, d, index[d]),
-					 ts_voxel_border(f, d, index[d] + 1), w->voxel->length[a]);
-	}
-	if (isfinite(f->base))
-		out->shift[f->axis[2]] = image_at(x[f->axis[2]] - s->shift[f->axis[2]], f->base,
-						  ts_voxel_heights(f)[column], w->voxel->length[f->axis[2]]);
-}
-
-const struct ts_wall_surfaces ts_voxel_wall_surfaces = { count_surfaces, fix_of_surface, place_of_contact };
-
 /* ---- the list ---- */
 
 enum { LEAST_SLOTS = 4 };
-
-enum ts_status ts_voxel_wall_find(struct tsim *sim, struct ts_voxel_wall *vw, const struct ts_word *id)
-{
-	struct ts_voxel_surface *surface;
-
-	TS_TRY(ts_voxel_surface_require(sim, id, &surface));
-	vw->surface = surface;
-	vw->by = ts_sim_find(sim, TS_KIND_FIX, id->text);
-	return TS_OK;
-}
-
-void ts_voxel_wall_release(struct ts_voxel_wall *vw)
-{
-	ts_free(vw->neighbor);
-	ts_free(vw->at);
-	ts_free(vw->column);
-	ts_free(vw->slot);
-	ts_free(vw->used);
-	*vw = (struct ts_voxel_wall){ 0 };
-}
 
 /* ---- periodic images */
 
@@ -139,8 +77,9 @@ double ts_voxel_wall_distance(const struct ts_voxel_wall *vw, const struct tsim 
 	return least;
 }
 
-double ts_voxel_wall_gap(const struct ts_voxel_wall *vw, const struct tsim *sim, const double x[3])
+double ts_voxel_wall_gap(const struct ts_wall *w, const struct tsim *sim, const double x[3])
 {
+	const struct ts_voxel_wall *vw = ts_voxel_wall_of(w);
 	const struct ts_voxel_field *f = &vw->surface->field;
 	double far = 0, reach = f->width[0] + f->width[1];
 
@@ -255,9 +194,10 @@ static enum ts_status list_particles(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
-enum ts_status ts_voxel_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
-				  struct ts_voxel_wall *vw, bool full)
+enum ts_status ts_voxel_wall_list_slots(struct ts_instance *self, struct tsim *sim, bool full)
 {
+	struct ts_wall *w = self->state;
+	struct ts_voxel_wall *vw = ts_voxel_wall_of(w);
 	struct ts_wall_rebuild rebuild;
 	struct needs needs = { 0 };
 	enum ts_status status = find_needs(sim, &w->contacts, vw, full, &needs);
@@ -272,17 +212,22 @@ enum ts_status ts_voxel_wall_list(struct ts_instance *self, struct tsim *sim, st
 	return status;
 }
 
+enum ts_status ts_voxel_wall_list(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_voxel_wall_list_slots(self, sim, false);
+}
+
 /* ---- motion of the surface */
 
 /* Particles are listed within the skin; particles and surface may each move by half of it. */
-bool ts_voxel_wall_has_moved(const struct tsim *sim, const struct ts_voxel_wall *vw)
+bool ts_voxel_wall_has_moved(const struct ts_wall *w, const struct tsim *sim)
 {
-	return vw->surface->travelled > 0.5 * sim->neigh->built_skin;
+	return ts_voxel_wall_of(w)->surface->travelled > 0.5 * sim->neigh->built_skin;
 }
 
-enum ts_status ts_voxel_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
-						const struct ts_voxel_wall *vw)
+enum ts_status ts_voxel_wall_check_displacement(struct ts_instance *self, struct tsim *sim)
 {
+	const struct ts_voxel_wall *vw = ts_voxel_wall_of(self->state);
 	const struct ts_particles *p = sim->particles;
 	double step = vw->surface->step;
 	char what[80];
@@ -298,17 +243,4 @@ enum ts_status ts_voxel_wall_check_displacement(struct ts_instance *self, struct
 		return ts_coincide_passed(sim, &vw->by->where, i, step, what);
 	}
 	return TS_OK;
-}
-
-/* ---- names */
-
-void ts_voxel_wall_name(const struct ts_wall *w, const struct ts_voxel_wall *vw, size_t k, struct ts_str *out)
-{
-	double column = ts_voxel_memory(&w->contacts, k)[TS_VOXEL_COLUMN];
-	int64_t nx = vw->surface->field.n[0];
-
-	if (column > 0)
-		ts_str_addf(out, ", column %lld %lld of surface %s",
-			    (long long)(ts_voxel_column_index(column) % nx + 1),
-			    (long long)(ts_voxel_column_index(column) / nx + 1), vw->by->id);
 }

@@ -33,6 +33,7 @@ struct ts_voxel_neighbor {
 };
 
 struct ts_voxel_wall {
+	const char *id;		      /* of the fix of the surface; NULL: the wall is of another shape */
 	const struct ts_instance *by; /* the fix of the surface */
 	const struct ts_voxel_surface *surface;
 	double length[3];		    /* of the box when particles were listed */
@@ -46,30 +47,34 @@ struct ts_voxel_wall {
 	size_t at_capacity, column_capacity, slot_capacity, used_capacity;
 };
 
-extern const struct ts_wall_surfaces ts_voxel_wall_surfaces;
-/* For `impact exact`; its shape is the struct ts_voxel_wall. */
+extern const struct ts_wall_shape ts_voxel_wall_shape;
+
+#define TS_VOXEL_WALL_ARGS(T, f)                                                                            \
+	TS_WORD("voxels", T, f.id, .flags = TS_OPTIONAL | TS_STATEFUL,                                      \
+		.help = "ID of the fix surface/voxel that the wall is made of; it has the material of its " \
+			"own type")
+
+/* ---- for the files of this shape; struct ts_wall_shape says what the slots do */
+
+/* The state of a wall that is made of a height field. */
+static inline struct ts_voxel_wall *ts_voxel_wall_of(const struct ts_wall *w)
+{
+	return w->geometry;
+}
+
+/* Slots. */
+enum ts_status ts_voxel_wall_list(struct ts_instance *self, struct tsim *sim);
+bool ts_voxel_wall_has_moved(const struct ts_wall *w, const struct tsim *sim);
+enum ts_status ts_voxel_wall_check_displacement(struct ts_instance *self, struct tsim *sim);
+double ts_voxel_wall_gap(const struct ts_wall *w, const struct tsim *sim, const double x[3]);
 extern const struct ts_exact_surface ts_voxel_wall_exact;
 
-/* Finds the surface of this ID; in init. */
-enum ts_status ts_voxel_wall_find(struct tsim *sim, struct ts_voxel_wall *vw, const struct ts_word *id);
-/* Lists the particles near the surface with their slots; in POST_BUILD, or `full`: in a step in which particles
- * have more contact points than slots. */
-enum ts_status ts_voxel_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
-				  struct ts_voxel_wall *vw, bool full);
-/* Whether the surface has moved more than half the skin since the listing, so that a rebuild is due. */
-bool ts_voxel_wall_has_moved(const struct tsim *sim, const struct ts_voxel_wall *vw);
-/* Fails if the surface passes through a particle in one step: it moved by more than the radius. */
-enum ts_status ts_voxel_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
-						const struct ts_voxel_wall *vw);
+/* Lists the particles near the surface with their slots; `full`: in a step in which particles have more contact points
+ * than slots. */
+enum ts_status ts_voxel_wall_list_slots(struct ts_instance *self, struct tsim *sim, bool full);
 /* Present distance of a point from the solid, 0 inside of it; infinite if it is not less than `reach`. */
 double ts_voxel_wall_distance(const struct ts_voxel_wall *vw, const struct tsim *sim, const double x[3],
 			      double reach);
-/* The distance less the displacement of the surface in a step; at most the size of the box. */
-double ts_voxel_wall_gap(const struct ts_voxel_wall *vw, const struct tsim *sim, const double x[3]);
-/* Appends the name of the column of contact k: ", column 12 3 of surface rough". */
-void ts_voxel_wall_name(const struct ts_wall *w, const struct ts_voxel_wall *vw, size_t k,
-			struct ts_str *out);
-void ts_voxel_wall_release(struct ts_voxel_wall *vw);
 
 /* The history values TS_VOXEL_... of contact k. */
 static inline double *ts_voxel_memory(const struct ts_wall_contacts *c, size_t k)

@@ -256,14 +256,15 @@ static void compute_range(void *context, size_t from, size_t to)
 	ts_wall_queue_end(&queue);
 }
 
-enum ts_status ts_voxel_wall_enqueue_contacts(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
-					      struct ts_voxel_wall *vw)
+enum ts_status ts_voxel_wall_enqueue_contacts(struct ts_instance *self, struct tsim *sim)
 {
+	struct ts_wall *w = self->state;
+	struct ts_voxel_wall *vw = ts_voxel_wall_of(w);
 	struct force_task task = { sim, w, vw, ts_wall_long_ranged(w, sim) };
 
 	find_all(&task);
 	if (is_full(vw)) {
-		TS_TRY(ts_voxel_wall_list(self, sim, w, vw, true));
+		TS_TRY(ts_voxel_wall_list_slots(self, sim, true));
 		find_all(&task);
 	}
 	ts_parallel(ts_team(sim, 4 * vw->nneighbors), vw->nneighbors, compute_range, &task);

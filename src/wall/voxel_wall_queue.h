@@ -4,8 +4,7 @@
 
 #include "wall/voxel_wall.h"
 
-/* Computes all forces of the step; fails if the centre of a particle lies in the solid. */
-enum ts_status ts_voxel_wall_enqueue_contacts(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
-					      struct ts_voxel_wall *vw);
+/* The slot `enqueue` of struct ts_wall_shape. */
+enum ts_status ts_voxel_wall_enqueue_contacts(struct ts_instance *self, struct tsim *sim);
 
 #endif

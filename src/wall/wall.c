@@ -16,6 +16,55 @@
 
 #include "base/banned.h"
 
+/* ---- shape and surfaces ---- */
+
+enum ts_status ts_wall_find(struct ts_instance *self, struct tsim *sim, const struct ts_wall_shape *shape,
+			    void *geometry)
+{
+	struct ts_wall *w = self->state;
+
+	w->by = self;
+	w->shape = shape;
+	w->geometry = geometry;
+	return shape->find(self, sim);
+}
+
+enum ts_status ts_wall_check_type(struct ts_instance *self, struct tsim *sim, int64_t type, const char *word)
+{
+	const struct ts_wall *w = self->state;
+	int most = sim->particles->ntypes;
+
+	if (w->given || type <= most || !most) /* `given`: numbers, no material */
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, word),
+		       "fix wall/gran: the wall is of type %lld, but create_box made %d", (long long)type,
+		       most);
+}
+
+int ts_wall_surface_type(const struct ts_wall *w, size_t surface)
+{
+	return w->shape->surface.type(ts_wall_surface(w, surface));
+}
+
+size_t ts_wall_find_surface(const struct ts_wall *w, const struct ts_instance *by)
+{
+	size_t n = ts_wall_surfaces(w);
+
+	for (size_t k = 0; k < n; k++)
+		if (ts_wall_surface(w, k) == by)
+			return k;
+	return SIZE_MAX;
+}
+
+size_t ts_wall_meshes(const struct ts_wall *w)
+{
+	size_t n = ts_wall_surfaces(w);
+
+	return n && ts_wall_surface(w, 0) != w->by ? n : 0;
+}
+
+/* ---- arguments of all walls ---- */
+
 /* Adds the particle column force_ID, the name that LIGGGHTS uses. */
 static enum ts_status add_force_column(struct ts_instance *self, struct tsim *sim)
 {
@@ -67,7 +116,6 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
 
-	w->by = self;
 	TS_TRY(ts_granular_words_check(sim, self, "fix wall/gran", &w->words));
 	TS_TRY(ts_heat_read_area(sim, "fix wall/gran", w->area_words, &w->area));
 	if (w->store_force)
@@ -142,7 +190,7 @@ static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int w
 	return TS_OK;
 }
 
-enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type)
+static enum ts_status make_laws_of_type(struct ts_instance *self, struct tsim *sim, int type)
 {
 	struct ts_wall *w = self->state;
 	int most = ts_template_max_type(sim);
@@ -152,6 +200,16 @@ enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int 
 	TS_TRY(reserve_laws(self, sim, type));
 	for (int t = 1; t <= most; t++)
 		TS_TRY(make_law(self, sim, type, t));
+	return TS_OK;
+}
+
+enum ts_status ts_wall_make_laws(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_wall *w = self->state;
+	size_t n = ts_wall_surfaces(w);
+
+	for (size_t k = 0; k < n; k++)
+		TS_TRY(make_laws_of_type(self, sim, ts_wall_surface_type(w, k)));
 	return TS_OK;
 }
 
@@ -257,7 +315,8 @@ static enum ts_status check_pair_coeffs(struct ts_instance *self, struct tsim *s
 	return TS_OK;
 }
 
-enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type, struct ts_plan_report *plan)
+static enum ts_status plan_type(struct ts_instance *self, struct tsim *sim, int type,
+				struct ts_plan_report *plan)
 {
 	const struct ts_wall *w = self->state;
 	struct ts_lightest *lightest;
@@ -287,6 +346,18 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 	}
 	ts_free(lightest);
 	return status;
+}
+
+enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *plan)
+{
+	const struct ts_wall *w = self->state;
+	size_t n = ts_wall_surfaces(w);
+
+	if (w->shape->plan)
+		w->shape->plan(self, sim);
+	for (size_t k = 0; k < n; k++)
+		TS_TRY(plan_type(self, sim, ts_wall_surface_type(w, k), plan));
+	return TS_OK;
 }
 
 bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_contact_case *out)

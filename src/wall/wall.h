@@ -1,5 +1,5 @@
-/* Walls: rigid bodies of infinite mass that interact with particles by a contact law. A style computes the
- * contact points from the shape of the wall; everything after that is common to all walls:
+/* Walls: rigid bodies of infinite mass that interact with particles by a contact law. The shape of the wall
+ * (wall/wall_shape.h) gives the contact points; everything after that is common to all walls:
  *
  *   POST_BUILD  ts_wall_rebuild_start; ts_wall_contacts_add for each pair of a particle and an element of the
  *               wall (a plane, a face, a triangle) that may touch before the next rebuild;
@@ -21,26 +21,10 @@
 #include "heat/heat.h"
 #include "wall/wall_batch.h"
 #include "wall/wall_contacts.h"
+#include "wall/wall_shape.h"
 
-struct ts_primitive_wall;
-struct ts_mesh_wall;
-struct ts_voxel_wall;
 struct ts_exact_impacts;
 struct ts_impacts;
-struct ts_wall;
-
-/* Where a contact of a wall is on its surfaces. */
-struct ts_wall_place {
-	size_t surface, element; /* number of the surface of the wall; number of its element */
-	int32_t shift[3];	 /* periodic image of the surface that is touched, in box lengths */
-};
-
-/* The surfaces that a wall is made of (wall/surface.h). */
-struct ts_wall_surfaces {
-	size_t (*count)(const struct ts_wall *w);
-	const struct ts_instance *(*fix)(const struct ts_wall *w, size_t surface);
-	void (*place)(const struct ts_wall *w, size_t k, struct ts_wall_place *out); /* of contact k */
-};
 
 /* A touching contact, with the keys that define the order of summation. */
 struct ts_wall_touching {
@@ -56,22 +40,15 @@ struct ts_wall {
 	double force[3]; /* sum of the forces of particles on the wall in the last step */
 	/* first contact of the last step whose particle has its centre in the surface, or TS_WALL_NONE */
 	size_t inside;
-	const struct ts_primitive_wall *primitive; /* its planes or cylinders, or NULL; set in init */
-	int type;				   /* of the material of a primitive wall; set in init */
-	int meshes; /* number of its meshes, 1 of a height field; 0: neither. Set in init */
-	const struct ts_mesh_wall *mesh;   /* its meshes, or NULL; set in init */
-	const struct ts_voxel_wall *voxel; /* its height field, or NULL; set in init */
-	const struct ts_instance *region;  /* the region whose surface it is, or NULL; set in init */
-	/* its surfaces, set in init; NULL: nobody can observe its contacts */
-	const struct ts_wall_surfaces *surfaces;
+	const struct ts_wall_shape *shape; /* set by ts_wall_find, with */
+	void *geometry;			   /* its state: struct ts_primitive_wall, ts_mesh_wall ... */
+	/* particle type whose material the wall has; INT64_MIN: not given, its surfaces have types of their own */
+	int64_t type;
 	unsigned *observers;		   /* [surfaces] bits of enum ts_observes; set in POST_BUILD */
 	unsigned observed;		   /* all of them */
 	struct ts_wall_touching *touching; /* sorted observed contacts that touch: wall/surface_contacts.h */
 	size_t ntouching, touching_capacity, observers_capacity;
 	struct ts_impacts *impacts; /* NULL: nobody observes impacts; impact/impacts.h */
-	/* Returns the present distance of the centre of the particle of contact k from the surface, and
-	 * stores the type of the surface; set in init. NULL: not available */
-	double (*distance)(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type);
 	struct ts_words area_words;
 	bool store_force, store_contacts[2];
 	bool list_contacts; /* output f_ID[1..8]: the contact of each particle */
@@ -126,8 +103,14 @@ struct ts_wall_contact_point {
 	double temperature;
 };
 
-/* To be called in the init of the style. */
+/* To be called in the init of the style: the wall is of this shape; resolves the words of the shape. */
+enum ts_status ts_wall_find(struct ts_instance *self, struct tsim *sim, const struct ts_wall_shape *shape,
+			    void *geometry);
+/* In the init of the style, after ts_wall_find. */
 enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim);
+/* Fails at this word of the line if the type of a surface does not exist. It is a frequent error: reported here rather
+ * than by a material property with too few values. */
+enum ts_status ts_wall_check_type(struct ts_instance *self, struct tsim *sim, int64_t type, const char *word);
 
 /* Whether walls with a temperature exchange heat with particles: a fix heat/gran exists. */
 bool ts_wall_heats(const struct tsim *sim);
@@ -141,16 +124,35 @@ static inline bool ts_wall_interacts(const struct ts_instance *self, const struc
 	       (sim->particles->imass[i] > 0 || (warm && ts_wall_heats(sim)));
 }
 
+/* Number of its surfaces; the fix of one of them; where contact k is on them. */
+static inline size_t ts_wall_surfaces(const struct ts_wall *w)
+{
+	return w->shape->surfaces(w);
+}
+static inline const struct ts_instance *ts_wall_surface(const struct ts_wall *w, size_t surface)
+{
+	return w->shape->fix(w, surface);
+}
+static inline void ts_wall_place(const struct ts_wall *w, size_t k, struct ts_wall_place *out)
+{
+	w->shape->place(w, k, out);
+}
+/* Particle type whose material a surface has. */
+int ts_wall_surface_type(const struct ts_wall *w, size_t surface);
+/* The number of the surface of this fix; SIZE_MAX: it is none of them. */
+size_t ts_wall_find_surface(const struct ts_wall *w, const struct ts_instance *by);
+/* Number of its meshes, 1 of a height field; 0: the wall itself is the surface. */
+size_t ts_wall_meshes(const struct ts_wall *w);
+
 /* Sets the force on the wall and stored forces to 0. */
 void ts_wall_start(struct ts_wall *w, struct tsim *sim);
 /* Sums the force on the wall in the order of contacts; finds a centre of a particle in the surface
  * (`inside`), which ts_coincide_wall (wall/wall_coincide.h) refuses. */
 void ts_wall_finish(struct ts_wall *w);
 
-/* Checks that the law is defined between particles of the group and a wall of this type, and reports the
- * largest stable time step of the contacts. */
-enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type,
-			    struct ts_plan_report *report);
+/* Checks that the law is defined between particles of the group and all surfaces, and reports the largest stable time
+ * step of the contacts. */
+enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
 
 /* The law, masses and radii of contact k in the last force evaluation; false: it did not touch, or the
  * particle is immobile. */
@@ -159,10 +161,9 @@ bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, str
 
 /* Whether a contact law is defined; if not, no contacts are listed and ts_wall_plan fails. */
 bool ts_wall_has_law(const struct ts_wall *w, const struct tsim *sim);
-/* Computes the constants of the law for a surface of this type; after each rebuild, before contacts are
- * enqueued. */
-enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type);
-/* Starts a rebuild of w->contacts, see ts_wall_contacts_start. `own`: number of history values of the style
+/* Computes the constants of the law for all surfaces; after each rebuild, before contacts are listed. */
+enum ts_status ts_wall_make_laws(struct ts_instance *self, struct tsim *sim);
+/* Starts a rebuild of w->contacts, see ts_wall_contacts_start. `own`: number of history values of the shape
  * for each contact, stored after those of the law. */
 void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own,
 			   struct ts_wall_rebuild *rebuild);

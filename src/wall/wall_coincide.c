@@ -4,8 +4,6 @@
 
 #include "neigh/coincide.h"
 #include "particle/prescribed.h"
-#include "wall/mesh_wall.h"
-#include "wall/voxel_wall.h"
 
 #include "base/banned.h"
 
@@ -33,17 +31,15 @@ enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall)
 	if (p->mask[i] & ts_prescribed(sim))
 		return TS_OK;
 	by = find_instance(sim, wall);
-	if (wall->mesh)
-		ts_mesh_wall_name(wall->mesh, k, &where);
-	if (wall->voxel)
-		ts_voxel_wall_name(wall, wall->voxel, k, &where);
+	if (wall->shape->name)
+		wall->shape->name(wall, k, &where);
 	status = ts_fail(&sim->error, TS_PHYSICS, by ? &by->where : NULL,
 			 "at step %" PRId64
 			 " the centre of particle %d (type %d) at (%g %g %g) lies in the %s of wall "
 			 "%s%s: %s, and no contact force has a direction there; %s",
 			 sim->clock.step, p->tag[i], p->type[i], p->x[i][0], p->x[i][1], p->x[i][2],
-			 wall->voxel ? "solid" : "surface", by ? by->id : "", ts_str_text(&where),
-			 wall->voxel ? "it is inside" : "it is on neither side",
+			 wall->shape->solid ? "solid" : "surface", by ? by->id : "", ts_str_text(&where),
+			 wall->shape->solid ? "it is inside" : "it is on neither side",
 			 sim->run.in_setup || sim->reading.explain
 				 ? "place it a radius away from the wall, or move the wall"
 				 : "the time step is too large or the contact too soft, or the "
@@ -52,12 +48,18 @@ enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall)
 	return status;
 }
 
-/* Whether the contact is computed: immobile particles have contacts only where the load on a mesh is
+/* Whether the contact is computed: immobile particles have contacts only where the load on a surface is
  * summed. */
 static bool is_computed(const struct ts_wall *w, const struct tsim *sim, size_t k)
 {
-	return sim->particles->imass[w->contacts.row[k]] > 0 ||
-	       (w->mesh && w->observed && w->observers[w->mesh->near[k].mesh]);
+	struct ts_wall_place place;
+
+	if (sim->particles->imass[w->contacts.row[k]] > 0)
+		return true;
+	if (!w->shape->sums || !w->observed)
+		return false;
+	ts_wall_place(w, k, &place);
+	return w->observers[place.surface];
 }
 
 enum ts_status ts_coincide_review(struct ts_instance *self, struct tsim *sim)
@@ -67,12 +69,12 @@ enum ts_status ts_coincide_review(struct ts_instance *self, struct tsim *sim)
 	if (!sim->reading.explain || sim->review.stale)
 		return TS_OK;
 	w->inside = TS_WALL_NONE;
-	for (size_t k = 0; w->distance && k < w->contacts.n && w->inside == TS_WALL_NONE; k++) {
+	for (size_t k = 0; k < w->contacts.n && w->inside == TS_WALL_NONE; k++) {
 		size_t i = (size_t)w->contacts.row[k];
 		int type;
 
 		if (is_computed(w, sim, k) &&
-		    ts_coincide(w->distance(self, sim, k, &type), sim->particles->radius[i]))
+		    ts_coincide(w->shape->distance(w, sim, k, &type), sim->particles->radius[i]))
 			w->inside = k;
 	}
 	return ts_coincide_wall(sim, w);

@@ -17,8 +17,9 @@ static bool explain_plane(struct tsim *sim, size_t i, int dim, struct ts_str *ou
 	double middle = 0.5 * (box->lo[dim] + box->hi[dim]), position;
 
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by));) {
-		if (!w->primitive ||
-		    !ts_primitive_wall_between(sim, w->primitive, dim, p->x[i][dim], middle, &position))
+		const struct ts_primitive_wall *at = ts_primitive_wall_of(w);
+
+		if (!at || !ts_primitive_wall_between(sim, at, dim, p->x[i][dim], middle, &position))
 			continue;
 		if (!ts_in_group(p, i, by->group))
 			ts_str_addf(out, "wall %s at %c = %g acts on group %s only, and it is not in it",
@@ -41,8 +42,11 @@ void ts_wall_explain_loss(struct tsim *sim, size_t i, int face, struct ts_str *o
 
 	if (explain_plane(sim, i, face / 2, out))
 		return;
-	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
-		others |= !w->primitive || w->primitive->primitive[0].shape >= TS_XCYLINDER;
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));) {
+		const struct ts_primitive_wall *at = ts_primitive_wall_of(w);
+
+		others |= !at || at->primitive[0].shape >= TS_XCYLINDER;
+	}
 	if (others)
 		ts_str_add(out, "no plane wall stands at that face, and it was outside of the other walls, "
 				"or these have a gap");

@@ -119,14 +119,6 @@ enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static bool has_surface(const struct ts_wall *w, const struct ts_instance *surface)
-{
-	for (size_t k = 0; w->surfaces && k < w->surfaces->count(w); k++)
-		if (w->surfaces->fix(w, k) == surface)
-			return true;
-	return false;
-}
-
 enum ts_status ts_wear_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_wear *wear = self->state;
@@ -135,7 +127,7 @@ enum ts_status ts_wear_plan(struct ts_instance *self, struct tsim *sim, struct t
 
 	(void)report;
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
-		used |= has_surface(w, wear->surface.by);
+		used |= ts_wall_find_surface(w, wear->surface.by) != SIZE_MAX;
 	if (!used)
 		ts_warn(&sim->log, ts_instance_word(self, wear->surface_id),
 			"fix %s: no fix wall/gran is made of the surface %s, so no particle touches it",

@@ -1,0 +1,183 @@
+/* Meshes as a shape of walls. */
+#include <math.h>
+
+#include "mesh/mesh_distance.h"
+#include "wall/mesh_wall.h"
+#include "wall/mesh_wall_queue.h"
+
+#include "base/banned.h"
+
+/* ---- definition */
+
+static int given(const void *geometry)
+{
+	return ((const struct ts_mesh_wall *)geometry)->given;
+}
+
+static void release_trees(struct ts_mesh_wall *mw)
+{
+	for (size_t k = 0; k < mw->nmeshes; k++)
+		ts_mesh_tree_release(&mw->mesh[k].tree);
+	mw->nmeshes = 0;
+}
+
+static void release(void *geometry)
+{
+	struct ts_mesh_wall *mw = geometry;
+
+	release_trees(mw);
+	ts_free(mw->near);
+	ts_free(mw->place);
+	ts_free(mw->neighbor);
+}
+
+static enum ts_status check_words(struct ts_instance *self, struct tsim *sim, const struct ts_wall *w,
+				  const struct ts_mesh_wall *mw)
+{
+	if (!mw->names.n)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix wall/gran mesh: which meshes? `n_meshes 1 meshes ID`");
+	if (mw->count != INT64_MIN && mw->count != (int64_t)mw->names.n)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "n_meshes"),
+			       "fix wall/gran: n_meshes is %d, but %zu meshes are named", (int)mw->count,
+			       mw->names.n);
+	if (w->type != INT64_MIN)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "type"),
+			       "fix wall/gran: each mesh has the type that its fix says");
+	if (ts_wall_has_law(w, sim) && ts_cohesion_bridges(ts_wall_model(w, sim)))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix wall/gran: bridges of liquid reach beyond the touch, which contacts with "
+			       "triangles do "
+			       "not follow; take a plane, a cylinder or a region, or leave cohesion out");
+	return TS_OK;
+}
+
+static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw)
+{
+	size_t first = 0;
+
+	release_trees(mw);
+	if (!mw->mesh)
+		mw->mesh = ts_arena_alloc(&self->arena, mw->names.n, sizeof *mw->mesh);
+	if (!mw->mesh)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < mw->names.n; k++) {
+		const struct ts_word *name = &mw->names.word[k];
+		struct ts_mesh_part_of_wall *part = &mw->mesh[k];
+		struct ts_mesh_surface *surface;
+
+		TS_TRY(ts_mesh_surface_require(sim, name, &surface));
+		*part = (struct ts_mesh_part_of_wall){ .surface = surface, .first = first };
+		part->by = ts_sim_find(sim, TS_KIND_FIX, name->text);
+		mw->nmeshes = k + 1;
+		first += surface->mesh.n;
+		if (first > INT32_MAX / TS_MESH_WALL_IMAGES)
+			return ts_fail(&sim->error, TS_RANGE, &name->place,
+				       "a wall of %zu triangles is too large", first);
+	}
+	return TS_OK;
+}
+
+static enum ts_status find(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_wall *w = self->state;
+	struct ts_mesh_wall *mw = ts_mesh_wall_of(w);
+
+	TS_TRY(check_words(self, sim, w, mw));
+	TS_TRY(find_meshes(self, sim, mw));
+	w->warm = false;
+	for (size_t k = 0; k < mw->nmeshes; k++) {
+		TS_TRY(ts_wall_check_type(self, sim, mw->mesh[k].surface->type, mw->names.word[k].text));
+		w->warm |= !isnan(mw->mesh[k].surface->temperature);
+	}
+	return TS_OK;
+}
+
+/* ---- surfaces */
+
+static size_t count_surfaces(const struct ts_wall *w)
+{
+	return ts_mesh_wall_of(w)->nmeshes;
+}
+
+static const struct ts_instance *fix_of_surface(const struct ts_wall *w, size_t surface)
+{
+	return ts_mesh_wall_of(w)->mesh[surface].by;
+}
+
+static void place_of_contact(const struct ts_wall *w, size_t k, struct ts_wall_place *out)
+{
+	const struct ts_mesh_near *near = &ts_mesh_wall_of(w)->near[k];
+
+	*out = (struct ts_wall_place){ (size_t)near->mesh,
+				       (size_t)near->triangle,
+				       { near->shift[0], near->shift[1], near->shift[2] } };
+}
+
+static const struct ts_mesh_surface *surface_of(const struct ts_instance *by)
+{
+	return by->state;
+}
+
+static size_t count_triangles(const struct ts_instance *by)
+{
+	return surface_of(by)->mesh.n;
+}
+
+static double triangle_area(const struct ts_instance *by, const struct tsim *sim, size_t element)
+{
+	(void)sim;
+	return surface_of(by)->mesh.area[element];
+}
+
+static void triangle_centre(const struct ts_instance *by, const struct tsim *sim, size_t element,
+			    double out[3])
+{
+	(void)sim;
+	ts_scale(1, surface_of(by)->mesh.centre[element], out);
+}
+
+static int mesh_type(const struct ts_instance *by)
+{
+	return (int)surface_of(by)->type;
+}
+
+/* ---- contacts */
+
+static double contact_distance(const struct ts_wall *w, const struct tsim *sim, size_t k, int *type)
+{
+	const struct ts_mesh_wall *mw = ts_mesh_wall_of(w);
+	const struct ts_mesh_near *near = &mw->near[k];
+	double x[3];
+
+	*type = (int)mw->mesh[near->mesh].surface->type;
+	ts_mesh_wall_position(sim, near, (size_t)w->contacts.row[k], x);
+	return ts_mesh_distance(&mw->mesh[near->mesh].surface->mesh, (size_t)near->triangle, x);
+}
+
+static void name_triangle(const struct ts_wall *w, size_t k, struct ts_str *out)
+{
+	const struct ts_mesh_wall *mw = ts_mesh_wall_of(w);
+	const struct ts_mesh_near *near = &mw->near[k];
+
+	ts_str_addf(out, ", triangle %d of mesh %s", near->triangle + 1, mw->mesh[near->mesh].by->id);
+}
+
+const struct ts_wall_shape ts_mesh_wall_shape = {
+	.made_of = "meshes",
+	.sums = true,
+	.given = given,
+	.find = find,
+	.release = release,
+	.surfaces = count_surfaces,
+	.fix = fix_of_surface,
+	.place = place_of_contact,
+	.surface = { TS_FAMILY_MESH, count_triangles, triangle_area, triangle_centre, mesh_type },
+	.list = ts_mesh_wall_list,
+	.has_moved = ts_mesh_wall_has_moved,
+	.check_displacement = ts_mesh_wall_check_displacement,
+	.enqueue = ts_mesh_wall_enqueue_contacts,
+	.distance = contact_distance,
+	.name = name_triangle,
+	.exact = &ts_mesh_wall_exact,
+};

@@ -1,0 +1,90 @@
+/* The shape of a wall: planes and cylinders, meshes, a height field, the surface of a region. Each shape is one table,
+ * alone in its file of all that the rest of the program calls, and a line of ts_wall_shapes (wall/wall_shapes.h). Its
+ * state, `geometry`, is a struct of the shape that the style of the wall has in its own state; only the files of the
+ * shape read it.
+ *
+ * Functions of a shape that is in use take its wall and find the state in w->geometry. Slots may be NULL only where
+ * that is said. */
+#ifndef TS_WALL_WALL_SHAPE_H
+#define TS_WALL_WALL_SHAPE_H
+
+#include "core/sim.h"
+
+struct ts_exact_surface;
+struct ts_wall;
+
+/* Where a contact of a wall is on its surfaces. */
+struct ts_wall_place {
+	size_t surface, element; /* number of the surface of the wall; number of its element */
+	int32_t shift[3];	 /* periodic image of the surface that is touched, in box lengths */
+};
+
+/* The surfaces that walls of one shape are made of (wall/surface.h). `by`: the fix of the surface, after its init;
+ * that of a wall if the wall itself is the surface. */
+struct ts_surface_kind {
+	const char
+		*family; /* of the fix; NULL: no style can observe these surfaces, which have a type only */
+	/* The functions of ts_surface_elements, _area, _centre and _type. */
+	size_t (*elements)(const struct ts_instance *by);
+	double (*area)(const struct ts_instance *by, const struct tsim *sim, size_t element);
+	void (*centre)(const struct ts_instance *by, const struct tsim *sim, size_t element, double out[3]);
+	int (*type)(const struct ts_instance *by);
+};
+
+struct ts_wall_shape {
+	const char *made_of; /* what a wall of this shape is made of, for messages */
+	bool solid;	     /* particles touch it from outside only; else it is a sheet with two sides */
+	bool sums;	     /* immobile particles are listed, too, where contacts are observed */
+
+	/* ---- definition */
+
+	/* Number of words of the line that ask for this shape; more than 1 is an error. */
+	int (*given)(const void *geometry);
+	/* In init, which is called again before each run: resolves the words; sets w->warm and w->moves. */
+	enum ts_status (*find)(struct ts_instance *self, struct tsim *sim);
+	/* Warnings before a run. NULL: none. */
+	void (*plan)(struct ts_instance *self, struct tsim *sim);
+	/* Saved state, also of a shape that the wall does not have. NULL: none. */
+	enum ts_status (*archive)(struct ts_archive *a, void *geometry);
+	/* Frees what is not in the arena of the fix. NULL: nothing. */
+	void (*release)(void *geometry);
+
+	/* ---- its surfaces, at least one, numbered from 0 */
+
+	size_t (*surfaces)(const struct ts_wall *w);
+	const struct ts_instance *(*fix)(const struct ts_wall *w, size_t surface);
+	void (*place)(const struct ts_wall *w, size_t k, struct ts_wall_place *out); /* of contact k */
+	struct ts_surface_kind surface;
+
+	/* ---- stages of a step; see wall/wall.h */
+
+	/* In POST_BUILD: lists the pairs that may touch before the next rebuild. */
+	enum ts_status (*list)(struct ts_instance *self, struct tsim *sim);
+	/* In CHECK, both NULL: the list is kept up to date by `enqueue`. */
+	/* Whether the wall has moved half the skin since the listing, so that another one is due. */
+	bool (*has_moved)(const struct ts_wall *w, const struct tsim *sim);
+	/* Fails if the surface passes through a particle in one step: it moved by more than the radius. */
+	enum ts_status (*check_displacement)(struct ts_instance *self, struct tsim *sim);
+	/* In POST_FORCE, after ts_wall_start: computes all forces; fails if the centre of a particle lies in the
+	 * surface. */
+	enum ts_status (*enqueue)(struct ts_instance *self, struct tsim *sim);
+
+	/* ---- questions of checks and messages */
+
+	/* Present distance of the centre of the particle of contact k from the surface; stores the type of the
+	 * surface. */
+	double (*distance)(const struct ts_wall *w, const struct tsim *sim, size_t k, int *type);
+	/* Present distance of a point from the wall, less the displacement of the wall in a step. NULL: the gap of
+	 * all surfaces of the sort is looked at, whether a wall is made of them or not. */
+	double (*gap)(const struct ts_wall *w, const struct tsim *sim, const double x[3]);
+	/* Appends the name of the element of contact k: ", triangle 12 of mesh cad". NULL: the ID of the wall tells. */
+	void (*name)(const struct ts_wall *w, size_t k, struct ts_str *out);
+
+	/* ---- `impact exact`; its shape is `geometry`. NULL: refused by the style */
+
+	const struct ts_exact_surface *exact;
+	/* Why this wall cannot have it; NULL: it can. The slot may be NULL, too. */
+	const char *(*not_exact)(const struct ts_wall *w);
+};
+
+#endif
