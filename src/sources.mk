@@ -1002,6 +1002,7 @@ library_sources = \
 	src/wall/fix_drill_bit.c \
 	src/wall/fix_mesh_surface_stress.c \
 	src/wall/fix_mesh_surface_stress_servo.c \
+	src/wall/fix_surface_heat.c \
 	src/wall/fix_wall_gran.c \
 	src/wall/fix_wall_gran_region.c \
 	src/wall/fix_wall_reflect.c \
@@ -1027,6 +1028,8 @@ library_sources = \
 	src/wall/surface.h \
 	src/wall/surface_contacts.c \
 	src/wall/surface_contacts.h \
+	src/wall/surface_rows.c \
+	src/wall/surface_rows.h \
 	src/wall/voxel_wall.c \
 	src/wall/voxel_wall.h \
 	src/wall/voxel_wall_queue.c \

@@ -168,6 +168,7 @@ shell_tests = \
 	tests/wall/mesh_stress.sh \
 	tests/wall/meshes.sh \
 	tests/wall/region_walls.sh \
+	tests/wall/surface_heat.sh \
 	tests/wall/wall_contacts.sh \
 	tests/wall/walls.sh \
 	tests/wall/wear.sh \

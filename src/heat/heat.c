@@ -261,6 +261,7 @@ void ts_heat_fini(struct ts_instance *self)
 	ts_contact_list_release(&h->held);
 	ts_free(h->work);
 	ts_free(h->inner);
+	ts_free(h->mean_rise);
 	for (int k = 0; k < 2; k++) {
 		ts_free(h->pairs[k].conductance);
 		ts_free(h->pairs[k].flow);

@@ -57,8 +57,10 @@ struct ts_heat {
 	struct ts_fused_pass fused_pass; /* fused with the pass of the contact forces */
 	double *inner;			 /* by particle: heat rate from other particles */
 	size_t inner_capacity;
-	double *work; /* scratch memory of scheme exact: two numbers per particle */
+	double *work; /* scratch memory of scheme exact: three numbers per particle */
 	size_t work_capacity;
+	double *mean_rise; /* by particle, for ts_heat_mean_rise */
+	size_t mean_rise_capacity;
 	bool keeps;   /* store the conductances in this step */
 	bool examine; /* the contact list was rebuilt: check the time step against the stability limit */
 	bool warned;
@@ -81,10 +83,17 @@ enum ts_status ts_heat_read_area(struct tsim *sim, const char *who, struct ts_wo
 struct ts_heat *ts_heat_of(const struct tsim *sim);
 enum ts_status ts_heat_conductivity(struct tsim *sim, int type, const char *who, const struct ts_place *where,
 				    double *out);
-/* Adds the heat flow from a wall of this temperature to particle i; `conductance`: h of the contact. To
- * be called in stage POST_FORCE. */
-void ts_heat_from_wall(const struct ts_heat *heat, struct tsim *sim, size_t i, double conductance,
-		       double temperature);
+/* Adds the heat flow from a wall of this temperature to particle i and returns it, energy/time; `conductance`:
+ * h of the contact. To be called in stage POST_FORCE; in the set-up of a run nothing is added. */
+double ts_heat_from_wall(const struct ts_heat *heat, struct tsim *sim, size_t i, double conductance,
+			 double temperature);
+/* Mean temperature of particle i over this step, minus that of stage POST_FORCE, with which heat flows are
+ * computed: scheme euler advances all temperatures by these flows, so it is 0. Known from the stage
+ * FINAL_INTEGRATE of the fix heat/gran until the end of the step. */
+static inline double ts_heat_mean_rise(const struct ts_heat *heat, size_t i)
+{
+	return heat->scheme == TS_HEAT_EXACT ? heat->mean_rise[i] : 0;
+}
 
 /* Slots of the style. */
 extern const struct ts_value ts_heat_values[];

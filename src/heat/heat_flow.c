@@ -253,15 +253,16 @@ enum ts_status ts_heat_conduct(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-void ts_heat_from_wall(const struct ts_heat *h, struct tsim *sim, size_t i, double conductance,
-		       double temperature)
+double ts_heat_from_wall(const struct ts_heat *h, struct tsim *sim, size_t i, double conductance,
+			 double temperature)
 {
 	double q = conductance * (temperature - ts_heat_column(sim, h->temperature)[i]);
 
 	if (sim->run.in_setup)
-		return;
+		return q;
 	ts_heat_column(sim, h->flux)[i] += q;
 	ts_heat_column(sim, h->wall_conductance)[i] += conductance;
 	if (h->store)
 		ts_heat_column(sim, h->wall_flux)[i] += q;
+	return q;
 }

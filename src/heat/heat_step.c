@@ -9,7 +9,8 @@
  *
  * exact: the system is linear, dT/dt = A T + b, so r = A T + b obeys dr/dt = A r, and T(t + s) = T + s
  * sum_k (sA)^k r/(k + 1)!. The step is divided into parts s with ||A|| s <= 1, for which a fixed number
- * of terms is exact to double precision. No stability limit. */
+ * of terms is exact to double precision. No stability limit. The integral of T - T(t) over s, for the heat that
+ * walls have received, is s^2 sum_k (sA)^k r/(k + 2)!. */
 #include "heat/heat.h"
 
 #include <inttypes.h>
@@ -207,20 +208,28 @@ static void compute_next_term(void *context, size_t from, size_t to)
  * 2)! < 2^-62. */
 enum { LAST_TERM = 18 };
 
-/* Advances T and r by the time s. */
+/* Advances T and r by the time s; adds the integral of T - T(start of the step) to mean_rise. */
 static void advance_part(const struct task *task, struct tsim *sim, double s)
 {
 	const struct ts_heat *h = task->h;
 	size_t n = sim->particles->n;
 	double *temperature = ts_heat_column(sim, h->temperature);
-	double *term = ts_heat_column(sim, h->rate), *sum = h->work, *after = h->work + n;
+	double *term = ts_heat_column(sim, h->rate), *sum = h->work, *after = h->work + n,
+	       *rise = h->work + 2 * n;
 
 	memcpy(sum, term, n * sizeof *sum);
+	for (size_t i = 0; i < n; i++)
+		h->mean_rise[i] += rise[i] * s;
 	for (int k = 0; k <= LAST_TERM; k++) {
 		struct stage stage = { *task, term, after, s / (k + 1) };
 
-		for (size_t i = 0; i < n; i++)
-			temperature[i] += term[i] * s / (k + 1);
+		for (size_t i = 0; i < n; i++) {
+			double change = term[i] * s / (k + 1);
+
+			temperature[i] += change;
+			rise[i] += change;
+			h->mean_rise[i] += change * s / (k + 2);
+		}
 		ts_exchange_forward(sim); /* the terms of the ghosts */
 		ts_parallel(ts_team(sim, n), n, compute_next_term, &stage);
 		for (size_t i = 0; i < n; i++)
@@ -235,6 +244,7 @@ static enum ts_status advance_exact(struct ts_instance *self, struct tsim *sim)
 	struct task task = { self, h, sim->particles, sim->clock.dt };
 	/* ||A|| <= 2 / limit */
 	double parts = ceil(2 * sim->clock.dt / stability_limit(self, sim)), s;
+	size_t n = sim->particles->n;
 
 	if (!(parts <= 1e6))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
@@ -243,12 +253,17 @@ static enum ts_status advance_exact(struct ts_instance *self, struct tsim *sim)
 			       self->style->name, sim->clock.dt);
 	parts = fmax(parts, 1);
 	s = sim->clock.dt / parts;
-	if (TS_GROW(h->work, h->work_capacity, 2 * sim->particles->n) != TS_OK)
+	if (TS_GROW(h->work, h->work_capacity, 3 * n) != TS_OK ||
+	    TS_GROW(h->mean_rise, h->mean_rise_capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
 	ts_deferred_loops_run(sim);
 	compute_rates(self, sim);
+	for (size_t i = 0; i < n; i++)
+		h->mean_rise[i] = h->work[2 * n + i] = 0;
 	for (int64_t k = 0; k < (int64_t)parts; k++)
 		advance_part(&task, sim, s);
+	for (size_t i = 0; i < n; i++)
+		h->mean_rise[i] /= sim->clock.dt;
 	return TS_OK;
 }
 

@@ -30,11 +30,20 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 					       "cylinders, too");
 	ts_walls_want_reports(sim);
 	TS_TRY(ts_contact_columns_init(self, sim));
-	if (s->columns.wanted[TS_CONTACT_HEAT])
+	if (s->columns.wanted[TS_CONTACT_HEAT] && !ts_heat_of(sim))
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "heatFlux"),
-			       "compute wall/gran/local has no heat flow of single contacts; that from all "
-			       "walls to a particle is f_wallHeatFlux of fix heat/gran");
+			       "compute wall/gran/local: no heat flows without a fix heat/gran");
 	return TS_OK;
+}
+
+/* Into the particle, at its present temperature, as in compute pair/gran/local. */
+static double heat_of_contact(const struct tsim *sim, const struct ts_wall_report *r, size_t i)
+{
+	const struct ts_heat *heat = ts_heat_of(sim);
+
+	return heat && heat->ready && r->conductance > 0
+		       ? r->conductance * (r->temperature - ts_heat_column(sim, heat->temperature)[i])
+		       : 0;
 }
 
 /* Fills in the data of contact k of a wall. `meshes_before`: number of meshes of the walls before it. */
@@ -60,6 +69,7 @@ static void contact_facts(const struct tsim *sim, const struct ts_wall *w, size_
 		f->torque[d] = r->torque[d] - r->rolling[d];
 		f->n[d] = distance > 0 ? (p->x[i][d] - r->point[d]) / distance : 0;
 	}
+	f->heat = heat_of_contact(sim, r, i);
 	for (size_t m = 0; m < ts_wall_history(w, sim); m++)
 		f->history[m] = ts_wall_memory(&w->contacts, k)[m];
 	if (sim->legacy)
@@ -153,7 +163,9 @@ const struct ts_style ts_compute_wall_gran_local = {
 	       "  history            history of the contact law\n"
 	       "  contactArea        area of the circle in which sphere and plane intersect (1)\n"
 	       "  delta              overlap (1)\n"
-	       "  contactPoint       contact point on the surface (3)\n\n"
+	       "  contactPoint       contact point on the surface (3)\n"
+	       "  heatFlux           heat conducted into the particle, energy/time (1); needs a fix "
+	       "heat/gran\n\n"
 	       "Meshes are numbered in the order in which fixes wall/gran name them. Without keywords: pos "
 	       "vel id force history contactArea.\n\n"
 	       "With `primitives yes` contacts with planes and cylinders are listed, too; their mesh is -1. "

@@ -142,6 +142,11 @@ static int mesh_type(const struct ts_instance *by)
 	return (int)surface_of(by)->type;
 }
 
+static double mesh_temperature(const struct ts_instance *by)
+{
+	return surface_of(by)->temperature;
+}
+
 /* ---- contacts */
 
 static double contact_distance(const struct ts_wall *w, const struct tsim *sim, size_t k, int *type)
@@ -172,7 +177,8 @@ const struct ts_wall_shape ts_mesh_wall_shape = {
 	.surfaces = count_surfaces,
 	.fix = fix_of_surface,
 	.place = place_of_contact,
-	.surface = { TS_FAMILY_MESH, count_triangles, triangle_area, triangle_centre, mesh_type },
+	.surface = { TS_FAMILY_MESH, count_triangles, triangle_area, triangle_centre, mesh_type,
+		     mesh_temperature },
 	.list = ts_mesh_wall_list,
 	.has_moved = ts_mesh_wall_has_moved,
 	.check_displacement = ts_mesh_wall_check_displacement,

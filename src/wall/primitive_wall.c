@@ -418,6 +418,11 @@ static int primitive_type(const struct ts_instance *by)
 	return primitives_of(by)->type;
 }
 
+static double primitive_temperature(const struct ts_instance *by)
+{
+	return primitives_of(by)->temperature;
+}
+
 /* Of the part in the box. */
 static double primitive_area(const struct ts_instance *by, const struct tsim *sim, size_t element)
 {
@@ -607,7 +612,8 @@ const struct ts_wall_shape ts_primitive_wall_shape = {
 	.surfaces = one_surface,
 	.fix = fix_of_surface,
 	.place = place_of_contact,
-	.surface = { TS_FAMILY_WALL, count_primitives, primitive_area, primitive_centre, primitive_type },
+	.surface = { TS_FAMILY_WALL, count_primitives, primitive_area, primitive_centre, primitive_type,
+		     primitive_temperature },
 	.list = list,
 	.has_moved = has_moved,
 	.check_displacement = check_displacement,

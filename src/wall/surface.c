@@ -90,6 +90,11 @@ int ts_surface_type(const struct ts_surface *s)
 	return s->kind->type(s->by);
 }
 
+double ts_surface_temperature(const struct ts_surface *s)
+{
+	return s->kind->temperature(s->by);
+}
+
 /* ---- observers ---- */
 
 static unsigned observers_of_kind(const struct tsim *sim, enum ts_kind kind, const struct ts_instance *by)

@@ -30,6 +30,8 @@ double ts_surface_area(const struct ts_surface *s, const struct tsim *sim, size_
 void ts_surface_centre(const struct ts_surface *s, const struct tsim *sim, size_t element, double out[3]);
 /* Particle type whose material the surface has. */
 int ts_surface_type(const struct ts_surface *s);
+/* Its temperature; NaN: it conducts no heat. */
+double ts_surface_temperature(const struct ts_surface *s);
 
 /* What live styles read of the surface of this fix: bits of enum ts_observes. Valid after all init functions. */
 unsigned ts_surface_observers(const struct tsim *sim, const struct ts_instance *by);

@@ -40,30 +40,52 @@ static int by_element(const void *a, const void *b)
 		return p->surface < q->surface ? -1 : 1;
 	if (p->element != q->element)
 		return p->element < q->element ? -1 : 1;
-	return (p->tag > q->tag) - (p->tag < q->tag);
+	if (p->tag != q->tag)
+		return p->tag < q->tag ? -1 : 1;
+	return (p->k > q->k) - (p->k < q->k); /* images of the particle, contact points on one column */
+}
+
+/* Appends the observed contacts that touch, or those that only conduct heat, to the first n of the list; returns
+ * their number. */
+static size_t append_sorted(struct ts_wall *w, size_t n, bool touch)
+{
+	const struct ts_wall_contacts *c = &w->contacts;
+	struct ts_wall_place place;
+	size_t from = n;
+
+	for (size_t k = 0; k < c->n; k++) {
+		if (!(touch ? ts_wall_report(c, k) != NULL : ts_wall_only_conducts(c, k)))
+			continue;
+		ts_wall_place(w, k, &place);
+		if (w->observers[place.surface])
+			w->touching[n++] =
+				(struct ts_wall_touching){ (int32_t)place.surface, (int32_t)place.element,
+							   c->key[k][0], k };
+	}
+	ts_sort(w->touching + from, n - from, sizeof *w->touching, by_element);
+	return n;
 }
 
 enum ts_status ts_surface_contacts_collect(struct tsim *sim, struct ts_wall *w)
 {
-	const struct ts_wall_contacts *c = &w->contacts;
-	struct ts_wall_place place;
-
-	w->ntouching = 0;
-	if (!c->report || !w->observed)
+	w->ntouching = w->nlisted = 0;
+	if (!w->contacts.report || !w->observed)
 		return TS_OK;
-	if (TS_GROW(w->touching, w->touching_capacity, c->n) != TS_OK)
+	if (TS_GROW(w->touching, w->touching_capacity, w->contacts.n) != TS_OK)
 		return ts_nomem(&sim->error);
-	for (size_t k = 0; k < c->n; k++) {
-		if (!ts_wall_report(c, k))
-			continue;
-		ts_wall_place(w, k, &place);
-		if (w->observers[place.surface])
-			w->touching[w->ntouching++] =
-				(struct ts_wall_touching){ (int32_t)place.surface, (int32_t)place.element,
-							   c->key[k][0], k };
-	}
-	ts_sort(w->touching, w->ntouching, sizeof *w->touching, by_element);
+	w->ntouching = append_sorted(w, 0, true);
+	w->nlisted = w->warm ? append_sorted(w, w->ntouching, false) : w->ntouching;
 	return TS_OK;
+}
+
+bool ts_surface_has_wall(const struct tsim *sim, const struct ts_instance *surface)
+{
+	const struct ts_wall *w;
+
+	for (size_t at = 0; (w = ts_walls_next(sim, &at, NULL));)
+		if (ts_wall_find_surface(w, surface) != SIZE_MAX)
+			return true;
+	return false;
 }
 
 bool ts_surface_contacts_listed(const struct tsim *sim, const struct ts_instance *surface)
@@ -82,6 +104,11 @@ bool ts_surface_contacts_listed(const struct tsim *sim, const struct ts_instance
 struct ts_surface_contacts ts_surface_contacts(const struct tsim *sim, const struct ts_instance *surface)
 {
 	return (struct ts_surface_contacts){ .sim = sim, .surface = surface };
+}
+
+struct ts_surface_contacts ts_surface_heat_contacts(const struct tsim *sim, const struct ts_instance *surface)
+{
+	return (struct ts_surface_contacts){ .sim = sim, .surface = surface, .immobile = true };
 }
 
 /* Into the frame of the surface from that of the image which is touched. */
@@ -103,6 +130,8 @@ void ts_surface_contact_of(const struct tsim *sim, const struct ts_wall *w, size
 	out->element = place.element;
 	out->particle = (size_t)c->row[k];
 	out->overlap = r->overlap;
+	out->conductance = r->conductance;
+	out->heat = r->heat;
 	ts_scale(-1, r->force, out->force);
 	ts_scale(1, c->last[k].n, out->normal);
 	ts_sub(sim->particles->v[out->particle], r->velocity, out->velocity);
@@ -113,7 +142,7 @@ void ts_surface_contact_of(const struct tsim *sim, const struct ts_wall *w, size
 bool ts_surface_contacts_next(struct ts_surface_contacts *it, struct ts_surface_contact *out)
 {
 	for (;;) {
-		while (it->wall && it->at < it->wall->ntouching) {
+		while (it->wall && it->at < (it->immobile ? it->wall->nlisted : it->wall->ntouching)) {
 			const struct ts_wall_touching *t = &it->wall->touching[it->at++];
 
 			if (ts_wall_surface(it->wall, (size_t)t->surface) != it->surface)

@@ -7,7 +7,10 @@
  *
  * All walls that are made of the surface are gone through in script order, in each of them the touching contacts by
  * element and there by the particles' identities: sums over them depend neither on threads nor on where particles
- * are in memory. Velocities are those of the half step, as in contact laws. */
+ * are in memory. Velocities are those of the half step, as in contact laws.
+ *
+ * Immobile particles touch without force: planes, cylinders and height fields compute none for them. They conduct
+ * heat; ts_surface_heat_contacts starts an iteration that also visits them, in each wall after the others. */
 #ifndef TS_WALL_SURFACE_CONTACTS_H
 #define TS_WALL_SURFACE_CONTACTS_H
 
@@ -23,6 +26,10 @@ struct ts_surface_contact {
 	double overlap;
 	double normal[3];   /* unit vector from the point to the centre */
 	double velocity[3]; /* of the centre relative to the surface at the point */
+	/* Conductance h, energy/(time temperature), and heat flow from the particle to the surface, energy/time, at the
+	 * temperatures with which forces were computed. Over this step it is on average heat + h ts_heat_mean_rise(i)
+	 * (heat/heat.h). 0: no heat is conducted. */
+	double conductance, heat;
 };
 
 /* The state of an iteration. */
@@ -31,10 +38,13 @@ struct ts_surface_contacts {
 	const struct ts_instance *surface; /* its fix */
 	size_t next_wall;		   /* of ts_walls_next */
 	const struct ts_wall *wall;
-	size_t at; /* in the wall's list of touching contacts */
+	size_t at;     /* in the wall's list of touching contacts */
+	bool immobile; /* also those of immobile particles, without force */
 };
 
 struct ts_surface_contacts ts_surface_contacts(const struct tsim *sim, const struct ts_instance *surface);
+struct ts_surface_contacts ts_surface_heat_contacts(const struct tsim *sim,
+						    const struct ts_instance *surface);
 /* false: there are no more. */
 bool ts_surface_contacts_next(struct ts_surface_contacts *it, struct ts_surface_contact *out);
 /* Normal force on the surface. */
@@ -42,6 +52,8 @@ double ts_surface_contact_normal_force(const struct ts_surface_contact *c);
 /* Velocity v of the contact point of the particle along the surface, with its rotation. Returns the power of friction:
  * what the tangential force takes from the particle. */
 double ts_surface_contact_slip(const struct tsim *sim, const struct ts_surface_contact *c, double v[3]);
+/* Whether a wall is made of the surface. Valid after all init functions. */
+bool ts_surface_has_wall(const struct tsim *sim, const struct ts_instance *surface);
 /* Whether some pair of a particle and an element of the surface is listed, touching or not. */
 bool ts_surface_contacts_listed(const struct tsim *sim, const struct ts_instance *surface);
 

@@ -119,6 +119,11 @@ static int field_type(const struct ts_instance *by)
 	return (int)field_of(by)->type;
 }
 
+static double field_temperature(const struct ts_instance *by)
+{
+	return field_of(by)->temperature;
+}
+
 /* ---- contacts */
 
 static double contact_distance(const struct ts_wall *w, const struct tsim *sim, size_t k, int *type)
@@ -151,7 +156,8 @@ const struct ts_wall_shape ts_voxel_wall_shape = {
 	.surfaces = one_surface,
 	.fix = fix_of_surface,
 	.place = place_of_contact,
-	.surface = { TS_FAMILY_VOXEL, count_columns, column_area, column_centre, field_type },
+	.surface = { TS_FAMILY_VOXEL, count_columns, column_area, column_centre, field_type,
+		     field_temperature },
 	.list = ts_voxel_wall_list,
 	.has_moved = ts_voxel_wall_has_moved,
 	.check_displacement = ts_voxel_wall_check_displacement,

@@ -26,7 +26,7 @@
 struct ts_exact_impacts;
 struct ts_impacts;
 
-/* A touching contact, with the keys that define the order of summation. */
+/* An observed contact, with the keys that define the order of summation. */
 struct ts_wall_touching {
 	int32_t surface, element, tag;
 	size_t k;
@@ -44,10 +44,12 @@ struct ts_wall {
 	void *geometry;			   /* its state: struct ts_primitive_wall, ts_mesh_wall ... */
 	/* particle type whose material the wall has; INT64_MIN: not given, its surfaces have types of their own */
 	int64_t type;
-	unsigned *observers;		   /* [surfaces] bits of enum ts_observes; set in POST_BUILD */
-	unsigned observed;		   /* all of them */
-	struct ts_wall_touching *touching; /* sorted observed contacts that touch: wall/surface_contacts.h */
-	size_t ntouching, touching_capacity, observers_capacity;
+	unsigned *observers; /* [surfaces] bits of enum ts_observes; set in POST_BUILD */
+	unsigned observed;   /* all of them */
+	/* observed contacts, wall/surface_contacts.h: first ntouching that touch, then up to nlisted those that
+	 * only conduct heat; both parts sorted */
+	struct ts_wall_touching *touching;
+	size_t ntouching, nlisted, touching_capacity, observers_capacity;
 	struct ts_impacts *impacts; /* NULL: nobody observes impacts; impact/impacts.h */
 	struct ts_words area_words;
 	bool store_force, store_contacts[2];

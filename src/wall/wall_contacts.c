@@ -51,7 +51,7 @@ static int compare_keys(const void *a, const void *b)
 /* Whether there is anything to copy: most listed particles do not touch. */
 static bool has_history(const struct ts_wall_contacts *c, size_t k)
 {
-	if (c->report && c->report[k].touching > 0)
+	if (ts_wall_report(c, k) || ts_wall_only_conducts(c, k))
 		return true;
 	for (size_t d = 0; d < c->width; d++)
 		if (c->memory[k * c->width + d] != 0)
@@ -116,7 +116,7 @@ void ts_wall_contact_reset(struct ts_wall_contacts *c, size_t k)
 	c->last[k].overlap = 0;
 	if (c->width)
 		memset(ts_wall_memory(c, k), 0, c->width * sizeof *c->memory);
-	if (c->report && c->report[k].touching > 0)
+	if (c->report)
 		c->report[k] = (struct ts_wall_report){ 0 };
 }
 
@@ -150,12 +150,12 @@ void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_cont
 	ts_parallel(ts_team(sim, 16 * c->n), c->n, share_whole_particles, &split);
 }
 
-/* Reports are stored only if an output needs them. Those of older files have no curvature and are ignored:
- * the next step makes new ones. */
+/* Reports are stored only if an output needs them. Those of older files have no heat flow and are ignored: the next
+ * step makes new ones. */
 static enum ts_status archive_reports(struct ts_archive *archive, struct tsim *sim,
 				      struct ts_wall_contacts *c)
 {
-	static const char name[] = "curved_reports";
+	static const char name[] = "conducting_reports";
 	bool there = ts_archive_writing(archive) ? c->report != NULL : ts_archive_has(archive, name);
 
 	if (!there)

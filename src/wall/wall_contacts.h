@@ -18,6 +18,11 @@ struct ts_wall_report {
 	double curvature;      /* mean curvature of the surface, 1/length, > 0: convex towards the particle */
 	double type;	       /* particle type whose material the surface has */
 	double mesh, triangle; /* as in struct ts_wall_contact_point */
+	/* Conductance of the contact, energy/(time temperature), and heat flow from the particle into the surface,
+	 * energy/time, at the temperatures of this force computation; 0: no heat is conducted. Immobile particles
+	 * conduct heat, too: if no force was computed, touching and all forces are 0. */
+	double conductance, heat;
+	double temperature; /* of the surface; 0 if no heat is conducted */
 };
 enum { TS_WALL_REPORT = sizeof(struct ts_wall_report) / sizeof(double) };
 
@@ -58,10 +63,17 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts *c,
 				       struct ts_wall_rebuild *rebuild);
 
-/* NULL if they do not touch, or if reports are not stored. */
+/* NULL if they do not touch, if the particle is immobile and no force was computed, or if reports are not
+ * stored. */
 static inline const struct ts_wall_report *ts_wall_report(const struct ts_wall_contacts *c, size_t k)
 {
 	return c->report && c->report[k].touching > 0 ? &c->report[k] : NULL;
+}
+
+/* Whether contact k only conducts heat: the particle is immobile, and no force was computed. */
+static inline bool ts_wall_only_conducts(const struct ts_wall_contacts *c, size_t k)
+{
+	return c->report && !(c->report[k].touching > 0) && c->report[k].conductance > 0;
 }
 
 /* The history of contact k: `width` values. */

@@ -78,15 +78,41 @@ struct result {
 	ts_four force, torque, roll;
 };
 
+/* Heat flow through a contact: conductance, energy/(time temperature); flow into the surface, energy/time;
+ * temperature of the surface. */
+struct heat {
+	double conductance, flow, temperature;
+};
+
+/* Conducts heat between the surface and particle i. */
+static struct heat conduct(const struct ts_wall *w, struct tsim *sim, size_t i,
+			   const struct ts_wall_contact_point *point)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_heat *heat = point->warm ? ts_heat_of(sim) : NULL;
+	double k, h;
+
+	if (!heat || !(point->distance < p->radius[i])) /* no conduction through a contact without touch */
+		return (struct heat){ 0 };
+	k = w->conductivity[point->type * (w->ntypes + 1) + p->type[i]];
+	h = ts_heat_conductance(k, ts_heat_area_at_wall(&w->area, point->distance, p->radius[i]));
+	return (struct heat){ h, -ts_heat_from_wall(heat, sim, i, h, point->temperature),
+			      point->temperature };
+}
+
 static void fill_report(struct ts_wall_report *r, const double x[3],
-			const struct ts_wall_contact_point *point, const struct result *f)
+			const struct ts_wall_contact_point *point, const struct result *f,
+			const struct heat *heat)
 {
 	*r = (struct ts_wall_report){ .touching = 1,
 				      .overlap = f->force[3],
 				      .type = point->type,
 				      .mesh = point->mesh,
 				      .triangle = point->triangle,
-				      .curvature = point->curvature };
+				      .curvature = point->curvature,
+				      .conductance = heat->conductance,
+				      .heat = heat->flow,
+				      .temperature = heat->temperature };
 	for (int k = 0; k < 3; k++) {
 		r->force[k] = f->force[k];
 		r->torque[k] = f->torque[k];
@@ -96,14 +122,15 @@ static void fill_report(struct ts_wall_report *r, const double x[3],
 	}
 }
 
-/* Adds the force to the particle and stores it with the contact, from where ts_wall_finish sums the force
- * on the wall in the order of contacts. */
+/* Adds force and heat to the particle and stores the force with the contact, from where ts_wall_finish sums the
+ * force on the wall in the order of contacts. */
 static void apply_contact(const struct ts_wall_queue *q, size_t at, const struct result *f)
 {
 	const struct ts_wall *w = q->w;
 	const struct ts_wall_contact_point *point = &q->point[at];
 	struct ts_particles *p = q->sim->particles;
 	size_t k = q->contact[at], i = (size_t)w->contacts.row[k];
+	struct heat heat = conduct(w, q->sim, i, point);
 
 	for (int d = 0; d < 3; d++) {
 		p->f[i][d] += f->force[d];
@@ -117,7 +144,7 @@ static void apply_contact(const struct ts_wall_queue *q, size_t at, const struct
 	for (size_t d = 0; d < 3 && w->store_force; d++)
 		((double *)p->column[w->stored].data)[3 * i + d] += f->force[d];
 	if (w->contacts.report)
-		fill_report(&w->contacts.report[k], p->x[i], point, f);
+		fill_report(&w->contacts.report[k], p->x[i], point, f, &heat);
 }
 
 /* The law of the queued contact `at`. */
@@ -305,18 +332,22 @@ bool ts_wall_in_range(const struct ts_wall_queue *q, size_t k, const struct ts_w
 	return point->distance < radius + beyond;
 }
 
-static void add_wall_heat(const struct ts_wall *w, struct tsim *sim, size_t i,
-			  const struct ts_wall_contact_point *point)
+/* An immobile particle feels no force, but conducts heat. */
+static void hold_contact(const struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *point)
 {
-	const struct ts_particles *p = sim->particles;
-	const struct ts_heat *heat = ts_heat_of(sim);
-	double k, area;
+	const struct ts_wall_contacts *c = &q->w->contacts;
+	size_t i = (size_t)c->row[k];
+	struct heat heat = conduct(q->w, q->sim, i, point);
+	struct result none = { 0 };
 
-	if (!heat || !(point->distance < p->radius[i])) /* no conduction through a contact without touch */
+	ts_wall_contact_zero_force(c, k);
+	if (!c->report)
 		return;
-	k = w->conductivity[point->type * (w->ntypes + 1) + p->type[i]];
-	area = ts_heat_area_at_wall(&w->area, point->distance, p->radius[i]);
-	ts_heat_from_wall(heat, sim, i, ts_heat_conductance(k, area), point->temperature);
+	none.force[3] = q->sim->particles->radius[i] - point->distance;
+	fill_report(&c->report[k], q->sim->particles->x[i], point, &none, &heat);
+	c->report[k].touching = 0;
+	for (int d = 0; d < 3; d++)
+		c->last[k].n[d] = point->n[d];
 }
 
 void ts_wall_enqueue_contact(struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *point)
@@ -325,12 +356,8 @@ void ts_wall_enqueue_contact(struct ts_wall_queue *q, size_t k, const struct ts_
 	size_t i = (size_t)c->row[k];
 
 	c->touching[k] = 1;
-	if (point->warm)
-		add_wall_heat(q->w, q->sim, i, point);
 	if (!(q->sim->particles->imass[i] > 0 || point->sums)) {
-		ts_wall_contact_zero_force(c, k);
-		if (c->report)
-			c->report[k].touching = 0;
+		hold_contact(q, k, point);
 		return;
 	}
 	if (ts_coincide(point->distance, q->sim->particles->radius[i]))

@@ -24,11 +24,12 @@ struct ts_wall_place {
 struct ts_surface_kind {
 	const char
 		*family; /* of the fix; NULL: no style can observe these surfaces, which have a type only */
-	/* The functions of ts_surface_elements, _area, _centre and _type. */
+	/* The functions of ts_surface_elements, _area, _centre, _type and _temperature. */
 	size_t (*elements)(const struct ts_instance *by);
 	double (*area)(const struct ts_instance *by, const struct tsim *sim, size_t element);
 	void (*centre)(const struct ts_instance *by, const struct tsim *sim, size_t element, double out[3]);
 	int (*type)(const struct ts_instance *by);
+	double (*temperature)(const struct ts_instance *by);
 };
 
 struct ts_wall_shape {

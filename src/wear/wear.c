@@ -122,13 +122,9 @@ enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim)
 enum ts_status ts_wear_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_wear *wear = self->state;
-	const struct ts_wall *w;
-	bool used = false;
 
 	(void)report;
-	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
-		used |= ts_wall_find_surface(w, wear->surface.by) != SIZE_MAX;
-	if (!used)
+	if (!ts_surface_has_wall(sim, wear->surface.by))
 		ts_warn(&sim->log, ts_instance_word(self, wear->surface_id),
 			"fix %s: no fix wall/gran is made of the surface %s, so no particle touches it",
 			self->style->name, wear->surface_id);

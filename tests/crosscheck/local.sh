@@ -108,12 +108,15 @@ set atom 1 vx 0.5 vy 0.1 omegaz 1
 set atom 2 vx -0.3 vz 0.2
 set atom 3 vx 0.1 vz 0.2 omegay 3
 fix i all nve/sphere
-fix cad all mesh/surface file ../plate.stl type 1
+fix m5 all property/global thermalConductivity peratomtype 100. 50.
+fix m6 all property/global thermalCapacity peratomtype 10. 23.85
+fix ht all heat/gran initial_temperature 300.
+fix cad all mesh/surface file ../plate.stl type 1 temperature 411.
 fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes cad
-compute c all wall/gran/local pos vel id force force_normal force_tangential torque history contactArea delta
+compute c all wall/gran/local pos vel id force force_normal force_tangential torque history contactArea delta heatFlux
 dump l all local/gran/vtk 10 w*.vtk c
 END
-	echo "dump t all local 10 w.txt $(sed 's/c_c.33.*//' columns)"
+	echo "dump t all local 10 w.txt $(sed 's/c_c.34.*//' columns)"
 	echo 'run 30'
 } >in.walls
 (cd liggghts && liggghts -in ../in.walls -log log) >err 2>&1
@@ -121,7 +124,7 @@ report 'LIGGGHTS runs with a mesh' $? err
 (cd tsim && "$TSIM" -in ../in.walls -log none -screen none -legacy 2>../err)
 report 'tsim runs with a mesh' $? err
 for side in liggghts tsim; do
-	sed 's/ -0 / 0 /g; s/ -0 / 0 /g' $side/w.txt | awk 'NF == 32 { print t, $15, $0 } /TIMESTEP/ { t++ }' | sort -n >$side.txt
+	sed 's/ -0 / 0 /g; s/ -0 / 0 /g' $side/w.txt | awk 'NF == 33 { print t, $15, $0 } /TIMESTEP/ { t++ }' | sort -n >$side.txt
 done
 same 'compute wall/gran/local, as text' liggghts.txt tsim.txt
 
