@@ -998,6 +998,7 @@ library_sources = \
 	src/voxel/voxel_touch.c \
 	src/voxel/voxel_touch.h \
 	src/wall/compute_wall_gran_local.c \
+	src/wall/contact_node.h \
 	src/wall/exact_surface.h \
 	src/wall/fix_drill_bit.c \
 	src/wall/fix_mesh_surface_stress.c \

@@ -106,6 +106,7 @@ shell_tests = \
 	tests/immersed/immersed.sh \
 	tests/immersed/immersed_light.sh \
 	tests/impact/exact_impacts.sh \
+	tests/impact/exact_observers.sh \
 	tests/insert/clump_stream.sh \
 	tests/insert/insertion.sh \
 	tests/insert/jet.sh \

@@ -78,7 +78,8 @@ enum ts_late { TS_LATE_CONTACTS, TS_LATE_RELAX, TS_LATE_INERTIA, TS_NLATE };
 /* What a style reads of the surface that its slot `surface` names; bits. Walls keep it only then. */
 enum ts_observes {
 	TS_OBSERVES_CONTACTS = 1, /* wall/surface_contacts.h */
-	TS_OBSERVES_IMPACTS = 2	  /* impact/impacts.h */
+	TS_OBSERVES_IMPACTS = 2,  /* impact/impacts.h */
+	TS_OBSERVES_BRIEF = 4 /* also contacts that begin and end within a step: wall/surface_contacts.h */
 };
 
 struct ts_restraint;

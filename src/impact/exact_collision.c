@@ -30,6 +30,13 @@ static const double LESS_PRECISE = 1e4;
  * speed of approach, which grows with the number of changes. */
 static const double MARGIN = 1e-6, MARGIN_GROWS = 1.05;
 enum { FEW_CHANGES = 10 };
+/* Nodes and weights of Gauss' quadrature on (-1, 1) in each step. */
+enum { NODES = 3 };
+static const double gauss[NODES][2] = { { -0.77459666924148337704, 5.0 / 9 },
+					{ 0, 8.0 / 9 },
+					{ 0.77459666924148337704, 5.0 / 9 } };
+/* Steps shorter than this part of z/(dz/dsigma) at the largest overlap have one node: where slip turns they are many. */
+static const double SHORT = 0.002;
 enum { STEPS_MOST = 20000, CHANGES_MOST = 200, HALVINGS = 60 };
 
 struct ts_collision_solver {
@@ -51,6 +58,7 @@ struct motion {
 	double elongation;  /* scale of xi */
 	double least_limit; /* of friction, in the rate at which its direction turns */
 	double peak_force, peak_overlap;
+	double slips; /* sign of the slip along the axis before it reverses */
 	/* axes of the tangential dimensions, and the initial v and w along them */
 	double axis[2][3];
 };
@@ -232,6 +240,15 @@ static double force_falls(const struct motion *o, const double *y)
 
 	evaluate(o, y, &m);
 	return m.q > 0 || !(o->damping > 0) ? -force_rate(o, &m) : -1;
+}
+
+/* In one dimension. */
+static double slip_reverses(const struct motion *o, const double *y)
+{
+	struct moment m;
+
+	evaluate(o, y, &m);
+	return -o->slips * m.slip[0];
 }
 
 /* Leaves the present mode of the tangential force. k_t r' = mu |F_n|' - mu |F_n| kappa u/q. */
@@ -420,6 +437,86 @@ static void begin_pull(struct motion *o, double *y)
 		set_direction(o, x, m.slip);
 }
 
+/* Velocity, spin and displacement along the surface in the state y. */
+static void find_motion(const struct motion *o, const struct ts_collision *c, const double *start,
+			const double *y, double velocity[3], double omega[3], double shift[3])
+{
+	const double *v = y + TANGENTIAL, *w = v + o->d, *moved = w + 2 * (ptrdiff_t)o->d;
+
+	ts_scale(1, c->velocity, velocity);
+	ts_axpy(start[U] - y[U], c->n, velocity);
+	ts_scale(1, c->omega, omega);
+	ts_scale(y[TIME], c->velocity, shift);
+	ts_project(c->n, shift);
+	for (int k = 0; k < o->d; k++) {
+		double torque[3];
+
+		/* w = n x omega, so omega changes by w x n */
+		ts_axpy(v[k] - start[TANGENTIAL + k], o->axis[k], velocity);
+		ts_cross(o->axis[k], c->n, torque);
+		ts_axpy(w[k] - start[TANGENTIAL + o->d + k], torque, omega);
+		ts_axpy(moved[k] - y[TIME] * start[TANGENTIAL + k], o->axis[k], shift);
+	}
+}
+
+/* ---- quadrature over the collision ---- */
+
+/* What the nodes are computed from. */
+struct record {
+	const struct ts_collision *c;
+	const double *start;
+	bool full; /* no memory */
+};
+
+/* Nodes in the part of a step from sigma = lo to hi. */
+static void add_nodes(const struct stepper *s, struct record *r, const double *from, double lo, double hi,
+		      bool is_short)
+{
+	struct ts_contact_nodes *nodes = r->c->nodes;
+	double half = 0.5 * (hi - lo);
+
+	if (TS_GROW(nodes->item, nodes->capacity, nodes->n + NODES) != TS_OK) {
+		r->full = true;
+		return;
+	}
+	for (int k = is_short ? NODES / 2 : 0; k < (is_short ? NODES / 2 + 1 : NODES); k++) {
+		struct ts_contact_node *to = &nodes->item[nodes->n];
+		struct moment m;
+		double y[MOST];
+
+		make_step(s, from, lo + half * (1 + gauss[k][0]), y);
+		evaluate(s->o, y, &m);
+		if (!(m.rate > 0))
+			continue;
+		*to = (struct ts_contact_node){ .time = y[TIME],
+						.duration = (is_short ? 2 : gauss[k][1]) * half * m.rate,
+						.overlap = m.q };
+		find_motion(s->o, r->c, r->start, y, to->velocity, to->omega, to->shift);
+		ts_scale(m.n.force, r->c->n, to->force);
+		for (int d = 0; d < s->o->d; d++)
+			ts_axpy(m.force[d], s->o->axis[d], to->force);
+		nodes->n++;
+	}
+}
+
+/* Nodes in the step sigma from `from` to `to`: before and after a reversal of the slip. */
+static void record_nodes(const struct stepper *s, struct record *r, const double *from, double sigma,
+			 const double *to)
+{
+	bool is_short = sigma < SHORT * s->o->power * s->o->scale[Z] / s->o->scale[U];
+	double y[MOST], at = sigma;
+
+	s->o->slips = 1;
+	if (s->o->d == 1 && slip_reverses(s->o, from) * slip_reverses(s->o, to) < 0) {
+		s->o->slips = slip_reverses(s->o, from) < 0 ? 1 : -1;
+		memcpy(y, to, sizeof y);
+		locate(s, slip_reverses, from, 1e-8, &at, y);
+	}
+	add_nodes(s, r, from, 0, at, is_short);
+	if (at < sigma && !r->full)
+		add_nodes(s, r, from, at, sigma, is_short);
+}
+
 /* ---- the whole collision ---- */
 
 /* Directions along the surface: that of the slip and, if the velocity of the centre and the rotation are not along it
@@ -578,8 +675,9 @@ static void fly(struct motion *o, double *y)
 		sums[0] += 0.5 * time * (length2(from.slip, o->d) + length2(to.slip, o->d));
 }
 
-static enum ts_collision_end advance(const struct stepper *s, double *y, double longest, bool no_tension)
+static enum ts_collision_end advance(const struct stepper *s, double *y, struct record *record)
 {
+	const struct ts_collision *c = record->c;
 	struct motion *o = s->o;
 	double sigma = 0.1 * o->power * o->scale[Z] / o->scale[U], to[MOST];
 	int changes = 0;
@@ -597,20 +695,24 @@ static enum ts_collision_end advance(const struct stepper *s, double *y, double 
 			continue;
 		outcome = cut_step(s, y, &made, to);
 		record_peaks(s, y, made, to);
+		if (c->nodes)
+			record_nodes(s, record, y, made, to);
+		if (record->full)
+			return TS_COLLISION_NOMEM;
 		memcpy(y, to, sizeof to);
 		if (outcome == CHANGES_MODE) {
 			enter_other_mode(o, y);
 			if (++changes > FEW_CHANGES)
 				o->margin = MARGIN * pow(MARGIN_GROWS, changes) * o->scale[U];
-		} else if (outcome == PULLS && no_tension) {
+		} else if (outcome == PULLS && c->model->no_tension) {
 			fly(o, y);
 			outcome = PARTS;
 		} else if (outcome == PULLS) {
 			begin_pull(o, y);
 		}
 		if (outcome == PARTS)
-			return y[TIME] <= longest ? TS_COLLISION_PARTS : TS_COLLISION_STAYS;
-		if (!(y[TIME] <= longest))
+			return y[TIME] <= c->longest ? TS_COLLISION_PARTS : TS_COLLISION_STAYS;
+		if (!(y[TIME] <= c->longest))
 			return TS_COLLISION_STAYS;
 	}
 	return TS_COLLISION_FAILS;
@@ -619,35 +721,23 @@ static enum ts_collision_end advance(const struct stepper *s, double *y, double 
 static void store_result(const struct motion *o, const struct ts_collision *c, const double *start,
 			 const double *y, struct ts_collision_result *out)
 {
-	const double *v = y + TANGENTIAL, *w = v + o->d, *shift = w + 2 * (ptrdiff_t)o->d;
-	double u = start[U];
+	const double *sums = y + TANGENTIAL + 4 * (ptrdiff_t)o->d;
 
 	*out = (struct ts_collision_result){ .duration = y[TIME],
 					     .peak_force = o->peak_force,
 					     .peak_overlap = o->peak_overlap,
-					     .impulse = c->mass * (u - y[U]),
-					     .slip = o->d ? shift[o->d] : 0,
-					     .work = o->d ? shift[o->d + 1] : 0 };
-	ts_scale(1, c->velocity, out->velocity);
-	ts_axpy(u - y[U], c->n, out->velocity);
-	ts_scale(1, c->omega, out->omega);
-	ts_scale(y[TIME], c->velocity, out->shift);
-	ts_project(c->n, out->shift);
-	for (int k = 0; k < o->d; k++) {
-		double torque[3];
-
-		/* w = n x omega, so omega changes by w x n */
-		ts_axpy(v[k] - start[TANGENTIAL + k], o->axis[k], out->velocity);
-		ts_cross(o->axis[k], c->n, torque);
-		ts_axpy(w[k] - start[TANGENTIAL + o->d + k], torque, out->omega);
-		ts_axpy(shift[k] - y[TIME] * start[TANGENTIAL + k], o->axis[k], out->shift);
-	}
+					     .impulse = c->mass * (start[U] - y[U]),
+					     .slip = o->d ? sums[0] : 0,
+					     .work = o->d ? sums[1] : 0 };
+	find_motion(o, c, start, y, out->velocity, out->omega, out->shift);
 }
 
 enum ts_collision_end ts_collision_compute(struct ts_collision_solver *solver, const struct ts_collision *c,
 					   struct ts_collision_result *out)
 {
 	double start[MOST], y[MOST];
+	struct record record = { c, start, false };
+	size_t nodes = c->nodes ? c->nodes->n : 0;
 	struct stepper s;
 	enum ts_collision_end end;
 	struct ts_touch touch;
@@ -659,8 +749,10 @@ enum ts_collision_end ts_collision_compute(struct ts_collision_solver *solver, c
 	memcpy(y, start, sizeof y);
 	s = (struct stepper){ &o, solver->step[o.d], { derivative, NULL, size_of(&o), &o } };
 	choose_first_mode(&o, y);
-	end = advance(&s, y, c->longest, c->model->no_tension);
+	end = advance(&s, y, &record);
 	if (end == TS_COLLISION_PARTS)
 		store_result(&o, c, start, y, out);
+	else if (c->nodes)
+		c->nodes->n = nodes;
 	return end;
 }

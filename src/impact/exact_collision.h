@@ -24,6 +24,7 @@
 #define TS_WALL_EXACT_COLLISION_H
 
 #include "law/granular.h"
+#include "wall/contact_node.h"
 
 struct ts_collision_solver;
 
@@ -44,6 +45,10 @@ struct ts_collision {
 		[3]; /* of the centre relative to the surface at the contact point, at touch; v.n < 0 */
 	double omega[3];
 	double longest; /* a collision that lasts longer is given up; may be infinite */
+	/* If the surfaces part, the nodes of Gauss' quadrature in each step of the integration are appended, at states of
+	 * the same accuracy as the result. Changes between stick and slide and a reversal of the slip along a line lie
+	 * between steps, so that integrands may have kinks there. NULL: not wanted */
+	struct ts_contact_nodes *nodes;
 };
 
 struct ts_collision_result {
@@ -59,7 +64,8 @@ struct ts_collision_result {
 enum ts_collision_end {
 	TS_COLLISION_PARTS,
 	TS_COLLISION_STAYS, /* longer than `longest`: the result is not set */
-	TS_COLLISION_FAILS  /* the integration does not converge: the result is not set */
+	TS_COLLISION_FAILS, /* the integration does not converge: the result is not set */
+	TS_COLLISION_NOMEM  /* for the nodes: the result is not set */
 };
 enum ts_collision_end ts_collision_compute(struct ts_collision_solver *solver, const struct ts_collision *c,
 					   struct ts_collision_result *out);

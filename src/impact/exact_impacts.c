@@ -1,6 +1,7 @@
 #include "impact/exact_impacts.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/parallel.h"
 #include "base/sort.h"
@@ -55,6 +56,25 @@ static bool has_members(const struct tsim *sim, int group)
 	return false;
 }
 
+/* Those of resolved contacts only. */
+static enum ts_status refuse_observers(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_wall *w = self->state;
+
+	for (size_t k = 0; k < ts_wall_surfaces(w); k++) {
+		const struct ts_instance *by = ts_surface_observer(sim, ts_wall_surface(w, k),
+								   TS_OBSERVES_CONTACTS, TS_OBSERVES_BRIEF);
+
+		if (by)
+			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "impact"),
+				       "fix %s impact exact: fix %s %s reads resolved contacts only and "
+				       "would miss "
+				       "the impacts; leave `impact exact` out",
+				       self->style->name, by->style->name, by->id);
+	}
+	return TS_OK;
+}
+
 enum ts_status ts_exact_plan(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_wall *w = self->state;
@@ -69,12 +89,7 @@ enum ts_status ts_exact_plan(struct ts_instance *self, struct tsim *sim)
 		why = "heat is conducted in resolved contacts only";
 	else if (has_members(sim, self->group))
 		why = "members of rigid bodies are not carried, only single spheres";
-	for (size_t k = 0; k < ts_wall_surfaces(w); k++)
-		if (ts_surface_observers(sim, ts_wall_surface(w, k)) & TS_OBSERVES_CONTACTS)
-			why = "the fixes that read resolved contacts of the surface step by step "
-			      "(mesh/surface/stress, "
-			      "wear/archard, wear/zhao/chang/contact) would miss the impacts";
-	return why ? refuse(self, sim, why) : TS_OK;
+	return why ? refuse(self, sim, why) : refuse_observers(self, sim);
 }
 
 enum ts_status ts_exact_archive(struct ts_archive *a, struct tsim *sim, struct ts_wall *w)
@@ -100,6 +115,7 @@ void ts_exact_fini(struct ts_wall *w)
 		ts_collision_solver_free(w->exact->solver[k]);
 	ts_free(w->exact->solver);
 	ts_free(w->exact->item);
+	ts_free(w->exact->nodes.item);
 	ts_free(w->exact->left);
 }
 
@@ -155,6 +171,7 @@ struct left {
 struct share {
 	struct ts_collision_solver *solver;
 	struct ts_mesh_list list;
+	struct ts_contact_nodes nodes;
 	struct found *found;
 	struct change *change;
 	struct left *left;
@@ -335,7 +352,7 @@ static bool carry_once(const struct search *s, struct share *share, struct fligh
 	struct ts_collision c;
 	enum ts_collision_end end;
 	struct found *to;
-	size_t target = 0;
+	size_t target = 0, nodes;
 
 	if (!first_touch(s, share, f, s->sim->clock.dt - f->time, &touch, &target))
 		return false;
@@ -356,9 +373,14 @@ static bool carry_once(const struct search *s, struct share *share, struct fligh
 	}
 	ts_axpy(touch.hit.time, f->v, f->x);
 	f->time += touch.hit.time;
+	if (s->target[target].wall->observers[touch.surface] & TS_OBSERVES_CONTACTS)
+		c.nodes = &share->nodes;
+	nodes = share->nodes.n;
 	end = ts_collision_compute(share->solver, &c, &r);
 	if (end == TS_COLLISION_FAILS)
 		share->failed = f->i + 1;
+	if (end == TS_COLLISION_NOMEM)
+		share->status = TS_NOMEM;
 	if (end != TS_COLLISION_PARTS)
 		return false;
 	if (TS_GROW(share->found, share->found_capacity, share->nfound + 1) != TS_OK) {
@@ -366,10 +388,12 @@ static bool carry_once(const struct search *s, struct share *share, struct fligh
 		return false;
 	}
 	to = &share->found[share->nfound++];
-	*to = (struct found){
-		{ .event = event_of(s, f, &touch, &c, &r), .surface = touch.surface, .particle = f->i },
-		target
-	};
+	*to = (struct found){ { .event = event_of(s, f, &touch, &c, &r),
+				.surface = touch.surface,
+				.particle = f->i,
+				.first = nodes,
+				.nnodes = share->nodes.n - nodes },
+			      target };
 	ts_sub(r.velocity, c.velocity, to->impact.push);
 	ts_scale(c.mass, to->impact.push, to->impact.push);
 	leave(s, share, f, &touch, &c, &r);
@@ -483,6 +507,23 @@ static void warn_many(const struct search *s, size_t i)
 		p->tag[i], p->x[i][0], p->x[i][1], p->x[i][2], TS_EXACT_MOST);
 }
 
+/* Takes over an impact and its nodes. */
+static enum ts_status take_impact(struct tsim *sim, struct ts_exact_impacts *e,
+				  const struct ts_exact_impact *impact, const struct ts_contact_nodes *from)
+{
+	struct ts_contact_nodes *to = &e->nodes;
+
+	if (TS_GROW(e->item, e->capacity, e->n + 1) != TS_OK ||
+	    TS_GROW(to->item, to->capacity, to->n + impact->nnodes) != TS_OK)
+		return ts_nomem(&sim->error);
+	if (impact->nnodes)
+		memcpy(to->item + to->n, from->item + impact->first, impact->nnodes * sizeof *to->item);
+	e->item[e->n] = *impact;
+	e->item[e->n++].first = to->n;
+	to->n += impact->nnodes;
+	return TS_OK;
+}
+
 static enum ts_status take_share(const struct search *s, const struct share *share)
 {
 	struct ts_particles *p = s->sim->particles;
@@ -506,11 +547,10 @@ static enum ts_status take_share(const struct search *s, const struct share *sha
 	if (share->many)
 		warn_many(s, share->many - 1);
 	for (size_t k = 0; k < share->nfound; k++) {
-		struct ts_exact_impacts *e = s->target[share->found[k].target].wall->exact;
+		const struct found *found = &share->found[k];
 
-		if (TS_GROW(e->item, e->capacity, e->n + 1) != TS_OK)
-			return ts_nomem(&s->sim->error);
-		e->item[e->n++] = share->found[k].impact;
+		TS_TRY(take_impact(s->sim, s->target[found->target].wall->exact, &found->impact,
+				   &share->nodes));
 	}
 	for (size_t k = 0; k < share->nchanges; k++) {
 		const struct change *c = &share->change[k];
@@ -527,6 +567,7 @@ static enum ts_status take_share(const struct search *s, const struct share *sha
 static void release_share(struct share *share)
 {
 	ts_free(share->list.item);
+	ts_free(share->nodes.item);
 	ts_free(share->found);
 	ts_free(share->change);
 	ts_free(share->left);
@@ -600,9 +641,38 @@ static enum ts_status prepare(struct search *s)
 	for (size_t k = 0; k < s->targets; k++) {
 		struct ts_exact_impacts *e = s->target[k].wall->exact;
 
-		e->n = e->nleft = 0;
+		e->n = e->nleft = e->nodes.n = s->target[k].wall->nbriefs = 0;
 		if (e->surface->prepare)
 			TS_TRY(e->surface->prepare(s->sim, e->shape));
+	}
+	return TS_OK;
+}
+
+/* For those who observe contacts with surfaces of this wall. */
+static enum ts_status list_briefs(struct tsim *sim, struct ts_wall *w)
+{
+	const struct ts_exact_impacts *e = w->exact;
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t k = 0; k < e->n; k++) {
+		const struct ts_exact_impact *from = &e->item[k];
+		struct ts_wall_brief *to;
+
+		if (!from->nnodes)
+			continue;
+		if (TS_GROW(w->brief, w->brief_capacity, w->nbriefs + 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		to = &w->brief[w->nbriefs++];
+		*to = (struct ts_wall_brief){ .surface = from->surface,
+					      .element = (size_t)from->event.element,
+					      .type = p->type[from->particle],
+					      .groups = (uint32_t)p->mask[from->particle],
+					      .mass = from->event.mass,
+					      .radius = from->event.radius,
+					      .node = e->nodes.item + from->first,
+					      .nnodes = from->nnodes };
+		ts_scale(1, from->event.normal, to->normal);
+		ts_scale(1, from->event.point, to->point);
 	}
 	return TS_OK;
 }
@@ -640,6 +710,8 @@ enum ts_status ts_exact_carry(struct ts_instance *self, struct tsim *sim)
 		status = prepare(&s);
 		if (status == TS_OK && sim->particles->n)
 			status = search(&s);
+		for (size_t k = 0; k < s.targets && status == TS_OK; k++)
+			status = list_briefs(sim, s.target[k].wall);
 		for (size_t k = 0; k < s.targets && status == TS_OK; k++)
 			status = report_impacts(sim, s.target[k].wall);
 	}

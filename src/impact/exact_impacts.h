@@ -30,9 +30,10 @@ struct ts_collision_solver;
 /* An impact that has been computed in this step. */
 struct ts_exact_impact {
 	struct ts_impact_event event;
-	double push[3];	 /* impulse on the particle */
-	size_t surface;	 /* of the wall: number of its mesh, or 0 */
-	size_t particle; /* local index in POST_INTEGRATE; a rebuild changes it */
+	double push[3];	      /* impulse on the particle */
+	size_t surface;	      /* of the wall: number of its mesh, or 0 */
+	size_t particle;      /* local index in POST_INTEGRATE; a rebuild changes it */
+	size_t first, nnodes; /* of `nodes`; none if nobody observes contacts with this surface */
 };
 
 struct ts_exact_impacts {
@@ -41,6 +42,7 @@ struct ts_exact_impacts {
 	size_t wait;		      /* index of the particle column */
 	struct ts_exact_impact *item; /* of this step, by particle and time */
 	size_t n, capacity;
+	struct ts_contact_nodes nodes; /* of this step */
 	int32_t *left; /* tags of the particles that touch others in this step and are left to the forces */
 	size_t nleft, left_capacity;
 	struct ts_collision_solver *

@@ -191,7 +191,7 @@ static void follow(const struct tsim *sim, const struct ts_surface_contact *c, d
 	struct ts_impact_event *e = &impact->event;
 	double h = sim->clock.dt, slip[3];
 
-	ts_surface_contact_slip(sim, c, slip);
+	ts_surface_contact_slip(c, slip);
 	e->peak_force = fmax(e->peak_force, force);
 	e->peak_overlap = fmax(e->peak_overlap, c->overlap);
 	e->impulse += force * h;
@@ -211,7 +211,7 @@ static void touch(const struct tsim *sim, const struct ts_wall *w, const struct 
 	for (size_t k = 0; k < n; k++) {
 		ts_surface_contact_of(sim, w, w->touching[t[k].at].k, &c);
 		force += ts_surface_contact_normal_force(&c);
-		power += ts_surface_contact_slip(sim, &c, v);
+		power += ts_surface_contact_slip(&c, v);
 		main = !k || c.overlap > main.overlap ? c : main;
 	}
 	if (is_new)

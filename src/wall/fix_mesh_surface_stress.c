@@ -50,6 +50,9 @@ const struct ts_style ts_fix_mesh_surface_stress = {
 	       "v being the velocity of the particle relative to the surface, g the angle between this "
 	       "velocity and the surface, F the magnitude of the contact force, h the time step and k the "
 	       "property k_finnie of both types.\n\n"
+	       "With `impact exact` of fix wall/gran an impact counts as a whole in the step of the touch: "
+	       "force "
+	       "and torque are their impulses over h, and the wear is the integral over the impact.\n\n"
 	       "Related: fix mesh/surface, fix wall/gran, fix mesh/surface/stress/servo, fix "
 	       "move/mesh/free, dump mesh/vtk.",
 	.cite = "I. Finnie, Wear 3 (1960) 87",
@@ -64,7 +67,7 @@ const struct ts_style ts_fix_mesh_surface_stress = {
 	.extent = ts_mesh_surface_extent,
 	.values = values,
 	.surface = ts_mesh_stress_surface,
-	.observes = TS_OBSERVES_CONTACTS,
+	.observes = TS_OBSERVES_CONTACTS | TS_OBSERVES_BRIEF,
 	.init = init,
 	.late = { [TS_LATE_CONTACTS] = ts_mesh_stress_sum },
 	.hook = { [TS_STAGE_POST_BUILD] = ts_mesh_stress_post_build,

@@ -239,11 +239,12 @@ static const char *const doc_more[] = {
 	"particle waits (particle column impact_wait). The surface is taken as flat, other forces as zero. "
 	"f_ID[1..3] is the mean force, impulse over time step; other outputs contain resolved contacts only: "
 	"those that exist when the run begins, that last longer than 50 steps, or of particles that touch "
-	"another one in the step. Impacts are counted by the fixes wear/.... Laws: hooke, hertz, "
-	"hooke/stiffness, hertz/stiffness; tangential off, no_history, history. Walls must not rotate; rigid "
-	"bodies, fixes that read resolved contacts (mesh/surface/stress, wear/archard), explicit Euler and "
-	"heat "
-	"are refused.",
+	"another one in the step. The fixes wear/... count the impacts; wear/archard, "
+	"wear/zhao/chang/contact "
+	"and the load and wear of mesh/surface/stress are integrals over each impact, in the step of its "
+	"touch, for the element touched first. Laws: hooke, hertz, hooke/stiffness, hertz/stiffness; "
+	"tangential off, no_history, history. Walls must not rotate; rigid bodies, fix "
+	"mesh/surface/stress/servo, explicit Euler and heat are refused.",
 	"Related: fix wall/gran/region, fix mesh/surface, fix surface/voxel, fix heat/gran, compute "
 	"wall/gran/local.",
 	NULL

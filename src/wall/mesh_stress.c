@@ -85,15 +85,17 @@ enum ts_status ts_mesh_stress_post_build(struct ts_instance *self, struct tsim *
 	return ts_mesh_wear_find_constants(self, sim, surface_of(self), &surface_of(self)->stress->wear);
 }
 
-/* Adds force and torque of one contact. */
-static void add_contact(const struct ts_surface_contact *c, const double about[3], struct ts_mesh_stress *s)
+/* Adds force and torque of one contact, their mean in the step. */
+static void add_contact(const struct ts_surface_contact *c, double step, const double about[3],
+			struct ts_mesh_stress *s)
 {
-	double arm[3], torque[3];
+	double arm[3], torque[3], force[3];
 
-	ts_add(s->load[c->element], c->force, s->load[c->element]);
-	ts_add(s->sum[0], c->force, s->sum[0]);
+	ts_scale(step > 0 ? c->duration / step : 1, c->force, force);
+	ts_add(s->load[c->element], force, s->load[c->element]);
+	ts_add(s->sum[0], force, s->sum[0]);
 	ts_sub(c->point, about, arm);
-	ts_cross(arm, c->force, torque);
+	ts_cross(arm, force, torque);
 	ts_add(s->sum[1], torque, s->sum[1]);
 }
 
@@ -107,9 +109,9 @@ enum ts_status ts_mesh_stress_sum(struct ts_instance *self, struct tsim *sim)
 	memset(s->load, 0, surface->mesh.n * sizeof *s->load);
 	memset(s->sum, 0, sizeof s->sum);
 	while (ts_surface_contacts_next(&contacts, &c)) {
-		add_contact(&c, surface->anchor, s);
+		add_contact(&c, sim->clock.dt, surface->anchor, s);
 		if (!sim->run.in_setup)
-			ts_mesh_wear_add(sim, surface, &c, &s->wear);
+			ts_mesh_wear_add(surface, &c, &s->wear);
 	}
 	return TS_OK;
 }

@@ -46,8 +46,8 @@ enum ts_status ts_mesh_wear_find_constants(struct ts_instance *self, struct tsim
 	return TS_OK;
 }
 
-void ts_mesh_wear_add(const struct tsim *sim, const struct ts_mesh_surface *surface,
-		      const struct ts_surface_contact *c, struct ts_mesh_wear *wear)
+void ts_mesh_wear_add(const struct ts_mesh_surface *surface, const struct ts_surface_contact *c,
+		      struct ts_mesh_wear *wear)
 {
 	const struct ts_mesh *m = &surface->mesh;
 
@@ -55,9 +55,8 @@ void ts_mesh_wear_add(const struct tsim *sim, const struct ts_mesh_surface *surf
 		return;
 	if (ts_dot(c->normal, c->velocity) > 0) /* it parts */
 		return;
-	wear->depth[c->element] +=
-		ts_wear_finnie(wear->k[sim->particles->type[c->particle]], c->velocity, m->normal[c->element],
-			       ts_norm(c->force), m->area[c->element], sim->clock.dt);
+	wear->depth[c->element] += ts_wear_finnie(wear->k[c->type], c->velocity, m->normal[c->element],
+						  ts_norm(c->force), m->area[c->element], c->duration);
 }
 
 void ts_mesh_wear_release(struct ts_mesh_wear *wear)

@@ -19,8 +19,8 @@ enum ts_status ts_mesh_wear_init(struct ts_instance *self, struct tsim *sim,
 enum ts_status ts_mesh_wear_find_constants(struct ts_instance *self, struct tsim *sim,
 					   const struct ts_mesh_surface *surface, struct ts_mesh_wear *wear);
 /* What a contact wears off in a step. */
-void ts_mesh_wear_add(const struct tsim *sim, const struct ts_mesh_surface *surface,
-		      const struct ts_surface_contact *c, struct ts_mesh_wear *wear);
+void ts_mesh_wear_add(const struct ts_mesh_surface *surface, const struct ts_surface_contact *c,
+		      struct ts_mesh_wear *wear);
 void ts_mesh_wear_release(struct ts_mesh_wear *wear);
 
 #endif

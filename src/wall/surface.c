@@ -111,6 +111,29 @@ static unsigned observers_of_kind(const struct tsim *sim, enum ts_kind kind, con
 	return bits;
 }
 
+static const struct ts_instance *observer_of_kind(const struct tsim *sim, enum ts_kind kind,
+						  const struct ts_instance *by, unsigned bit, unsigned lacks)
+{
+	const struct ts_instances *list = &sim->instances[kind];
+
+	for (size_t k = 0; k < list->n; k++) {
+		const struct ts_style *style = list->item[k]->style;
+
+		if (style->observes & bit && !(style->observes & lacks) &&
+		    style->surface(list->item[k]) == by)
+			return list->item[k];
+	}
+	return NULL;
+}
+
+const struct ts_instance *ts_surface_observer(const struct tsim *sim, const struct ts_instance *by,
+					      unsigned bit, unsigned lacks)
+{
+	const struct ts_instance *found = observer_of_kind(sim, TS_KIND_FIX, by, bit, lacks);
+
+	return found ? found : observer_of_kind(sim, TS_KIND_COMPUTE, by, bit, lacks);
+}
+
 unsigned ts_surface_observers(const struct tsim *sim, const struct ts_instance *by)
 {
 	return observers_of_kind(sim, TS_KIND_FIX, by) | observers_of_kind(sim, TS_KIND_COMPUTE, by);

@@ -35,5 +35,8 @@ double ts_surface_temperature(const struct ts_surface *s);
 
 /* What live styles read of the surface of this fix: bits of enum ts_observes. Valid after all init functions. */
 unsigned ts_surface_observers(const struct tsim *sim, const struct ts_instance *by);
+/* The first style that reads what `bit` says of the surface of this fix, and nothing of `lacks`; NULL: none. */
+const struct ts_instance *ts_surface_observer(const struct tsim *sim, const struct ts_instance *by,
+					      unsigned bit, unsigned lacks);
 
 #endif

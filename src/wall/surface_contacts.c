@@ -119,6 +119,18 @@ static void into_frame(const struct tsim *sim, const struct ts_wall_place *place
 		out[d] = x[d] - place->shift[d] * ts_box_length(&sim->domain->box, d);
 }
 
+static void set_particle(const struct ts_particles *p, struct ts_surface_contact *out)
+{
+	static const double none[3] = { 0 };
+	size_t i = out->particle;
+
+	out->type = p->type[i];
+	out->groups = (uint32_t)p->mask[i];
+	out->mass = p->mass[i];
+	out->radius = p->radius[i];
+	ts_scale(1, p->omega ? p->omega[i] : none, out->omega);
+}
+
 void ts_surface_contact_of(const struct tsim *sim, const struct ts_wall *w, size_t k,
 			   struct ts_surface_contact *out)
 {
@@ -137,6 +149,44 @@ void ts_surface_contact_of(const struct tsim *sim, const struct ts_wall *w, size
 	ts_sub(sim->particles->v[out->particle], r->velocity, out->velocity);
 	into_frame(sim, &place, r->point, out->point);
 	into_frame(sim, &place, sim->particles->x[out->particle], out->centre);
+	set_particle(sim->particles, out);
+	out->duration = sim->clock.dt;
+}
+
+static void node_of(const struct ts_wall_brief *b, const struct ts_contact_node *node,
+		    struct ts_surface_contact *out)
+{
+	*out = (struct ts_surface_contact){ .element = b->element,
+					    .particle = SIZE_MAX,
+					    .type = b->type,
+					    .groups = b->groups,
+					    .mass = b->mass,
+					    .radius = b->radius,
+					    .duration = node->duration,
+					    .overlap = node->overlap };
+	ts_scale(1, node->omega, out->omega);
+	ts_scale(-1, node->force, out->force);
+	ts_add(b->point, node->shift, out->point);
+	ts_scale(1, b->normal, out->normal);
+	ts_scale(1, node->velocity, out->velocity);
+	ts_scale(1, out->point, out->centre);
+	ts_axpy(b->radius - node->overlap, b->normal, out->centre);
+}
+
+/* The next node of a brief contact with the surface on the present wall. */
+static bool next_node(struct ts_surface_contacts *it, struct ts_surface_contact *out)
+{
+	const struct ts_wall *w = it->wall;
+
+	for (; it->brief < w->nbriefs; it->brief++, it->node = 0) {
+		const struct ts_wall_brief *b = &w->brief[it->brief];
+
+		if (it->node == b->nnodes || ts_wall_surface(w, b->surface) != it->surface)
+			continue;
+		node_of(b, &b->node[it->node++], out);
+		return true;
+	}
+	return false;
 }
 
 bool ts_surface_contacts_next(struct ts_surface_contacts *it, struct ts_surface_contact *out)
@@ -150,8 +200,11 @@ bool ts_surface_contacts_next(struct ts_surface_contacts *it, struct ts_surface_
 			ts_surface_contact_of(it->sim, it->wall, t->k, out);
 			return true;
 		}
+		/* forces before the first step belong to the step before, whose brief contacts have been counted */
+		if (it->wall && !it->sim->run.in_setup && next_node(it, out))
+			return true;
 		it->wall = ts_walls_next(it->sim, &it->next_wall, NULL);
-		it->at = 0;
+		it->at = it->brief = it->node = 0;
 		if (!it->wall)
 			return false;
 	}
@@ -162,13 +215,12 @@ double ts_surface_contact_normal_force(const struct ts_surface_contact *c)
 	return -ts_dot(c->force, c->normal);
 }
 
-double ts_surface_contact_slip(const struct tsim *sim, const struct ts_surface_contact *c, double v[3])
+double ts_surface_contact_slip(const struct ts_surface_contact *c, double v[3])
 {
-	double arm[3], turn[3] = { 0 };
+	double arm[3], turn[3];
 
 	ts_sub(c->point, c->centre, arm);
-	if (sim->particles->omega)
-		ts_cross(sim->particles->omega[c->particle], arm, turn);
+	ts_cross(c->omega, arm, turn);
 	ts_add(c->velocity, turn, v);
 	ts_axpy(-ts_dot(v, c->normal), c->normal, v);
 	return ts_dot(c->force, v);

@@ -10,7 +10,12 @@
  * are in memory. Velocities are those of the half step, as in contact laws.
  *
  * Immobile particles touch without force: planes, cylinders and height fields compute none for them. They conduct
- * heat; ts_surface_heat_contacts starts an iteration that also visits them, in each wall after the others. */
+ * heat; ts_surface_heat_contacts starts an iteration that also visits them, in each wall after the others.
+ *
+ * A contact that begins and ends within the step (`impact exact`, impact/exact_impacts.h; refused if an observer of contacts
+ * has not TS_OBSERVES_BRIEF, too) is gone through as the nodes of a quadrature over its time (wall/contact_node.h), each a
+ * contact with a duration of its own, after the contacts of the same wall, by particle and time. All of them belong to the
+ * element touched first. So the sum of f duration over contacts and steps is the integral of f dt for both sorts. */
 #ifndef TS_WALL_SURFACE_CONTACTS_H
 #define TS_WALL_SURFACE_CONTACTS_H
 
@@ -18,7 +23,12 @@
 
 struct ts_surface_contact {
 	size_t element;	 /* of the surface */
-	size_t particle; /* local index */
+	size_t particle; /* local index; SIZE_MAX: a node, whose particle may have left the box since then */
+	int type;	 /* of the particle, as all that follow */
+	uint32_t groups; /* bits */
+	double mass, radius;
+	double omega[3];
+	double duration; /* of the contact in this step, time */
 	double force[3]; /* of the particle on the surface */
 	/* In the frame of the surface, not of its periodic image that is touched: */
 	double point[3];  /* where the force acts: the point of the surface nearest to the centre */
@@ -38,8 +48,9 @@ struct ts_surface_contacts {
 	const struct ts_instance *surface; /* its fix */
 	size_t next_wall;		   /* of ts_walls_next */
 	const struct ts_wall *wall;
-	size_t at;     /* in the wall's list of touching contacts */
-	bool immobile; /* also those of immobile particles, without force */
+	size_t at;	    /* in the wall's list of touching contacts */
+	bool immobile;	    /* also those of immobile particles, without force */
+	size_t brief, node; /* in its list of brief contacts; number of the node */
 };
 
 struct ts_surface_contacts ts_surface_contacts(const struct tsim *sim, const struct ts_instance *surface);
@@ -51,7 +62,11 @@ bool ts_surface_contacts_next(struct ts_surface_contacts *it, struct ts_surface_
 double ts_surface_contact_normal_force(const struct ts_surface_contact *c);
 /* Velocity v of the contact point of the particle along the surface, with its rotation. Returns the power of friction:
  * what the tangential force takes from the particle. */
-double ts_surface_contact_slip(const struct tsim *sim, const struct ts_surface_contact *c, double v[3]);
+double ts_surface_contact_slip(const struct ts_surface_contact *c, double v[3]);
+static inline bool ts_surface_contact_in_group(const struct ts_surface_contact *c, int group)
+{
+	return (c->groups >> group) & 1u;
+}
 /* Whether a wall is made of the surface. Valid after all init functions. */
 bool ts_surface_has_wall(const struct tsim *sim, const struct ts_instance *surface);
 /* Whether some pair of a particle and an element of the surface is listed, touching or not. */

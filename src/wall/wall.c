@@ -453,4 +453,5 @@ void ts_wall_fini(struct ts_instance *self)
 	ts_wall_contacts_release(&w->contacts);
 	ts_free(w->observers);
 	ts_free(w->touching);
+	ts_free(w->brief);
 }

@@ -19,6 +19,7 @@
 #include "contact/materials.h"
 #include "contact/pair.h"
 #include "heat/heat.h"
+#include "wall/contact_node.h"
 #include "wall/wall_batch.h"
 #include "wall/wall_contacts.h"
 #include "wall/wall_shape.h"
@@ -30,6 +31,18 @@ struct ts_impacts;
 struct ts_wall_touching {
 	int32_t surface, element, tag;
 	size_t k;
+};
+
+/* A contact that began and ended within this step, with the nodes of a quadrature over its time. */
+struct ts_wall_brief {
+	size_t surface, element;
+	int type;	 /* of the particle, as all that follow */
+	uint32_t groups; /* bits */
+	double mass, radius;
+	double normal[3]; /* of the surface, unit vector, towards the particle */
+	double point[3];  /* contact point at the touch, in the frame of the surface at the end of the step */
+	const struct ts_contact_node *node; /* [nnodes] */
+	size_t nnodes;
 };
 
 /* First member of the state of every wall with contact laws; its style is of TS_FAMILY_WALL. */
@@ -50,6 +63,9 @@ struct ts_wall {
 	 * only conduct heat; both parts sorted */
 	struct ts_wall_touching *touching;
 	size_t ntouching, nlisted, touching_capacity, observers_capacity;
+	/* By particle and time, of observed surfaces; made in POST_INTEGRATE by `impact exact`. */
+	struct ts_wall_brief *brief;
+	size_t nbriefs, brief_capacity;
 	struct ts_impacts *impacts; /* NULL: nobody observes impacts; impact/impacts.h */
 	struct ts_words area_words;
 	bool store_force, store_contacts[2];

@@ -44,7 +44,7 @@ const struct ts_style ts_fix_wear_archard = {
 	       "volume "
 	       "belongs to the element in contact. A pulling force (adhesion) removes nothing. The work of "
 	       "friction is "
-	       "summed step by step, too; the other columns count impacts." TS_WEAR_DOC
+	       "summed step by step, too; the other columns count impacts. " TS_WEAR_EXACT TS_WEAR_DOC
 	       "Related: fix wear/finnie, fix mesh/surface, fix wall/gran.",
 	.cite = "J. F. Archard, J. Appl. Phys. 24 (1953) 981",
 	.example = "fix worn all wear/archard surface chute k 1e-4 hardness 1.2e9\n"
@@ -53,7 +53,7 @@ const struct ts_style ts_fix_wear_archard = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	TS_WEAR_SLOTS,
-	.observes = TS_OBSERVES_CONTACTS | TS_OBSERVES_IMPACTS,
+	.observes = TS_OBSERVES_CONTACTS | TS_OBSERVES_BRIEF | TS_OBSERVES_IMPACTS,
 	.init = init,
 	.late = { [TS_LATE_CONTACTS] = ts_wear_step },
 	.fini = ts_wear_fini,

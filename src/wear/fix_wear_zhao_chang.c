@@ -163,7 +163,7 @@ const struct ts_style ts_fix_wear_zhao_chang_contact = {
 	.summary = "wear of a surface by the groove of each contact, step by step (Zhao, Chang)",
 	.doc = LAW_DOC "The groove is summed in each step over the contacts, with their normal force and the "
 		       "path of the contact point in the step: also for particles that slide or roll on the "
-		       "surface. The crater belongs to the impact." TS_WEAR_DOC
+		       "surface. The crater belongs to the impact. " TS_WEAR_EXACT TS_WEAR_DOC
 		       "Related: fix wear/oka, fix wear/archard, fix wear/finnie.",
 	.example =
 		"fix pad all wall/gran model hertz primitive type 2 zplane 0\n"
@@ -172,7 +172,7 @@ const struct ts_style ts_fix_wear_zhao_chang_contact = {
 	.args = contact_args,
 	.state_size = sizeof(struct state),
 	TS_WEAR_SLOTS,
-	.observes = TS_OBSERVES_IMPACTS | TS_OBSERVES_CONTACTS,
+	.observes = TS_OBSERVES_IMPACTS | TS_OBSERVES_CONTACTS | TS_OBSERVES_BRIEF,
 	.init = init_contacts,
 	.late = { [TS_LATE_CONTACTS] = ts_wear_step },
 	.fini = fini,

@@ -78,19 +78,16 @@ static enum ts_status add_impact(struct ts_instance *self, struct tsim *sim, con
 static enum ts_status add_slide(struct ts_instance *self, struct tsim *sim,
 				const struct ts_surface_contact *c)
 {
-	const struct ts_particles *p = sim->particles;
 	struct ts_wear *w = self->state;
 	struct ts_wear_sums *s;
-	size_t i = c->particle;
-	double v[3], power = ts_surface_contact_slip(sim, c, v);
+	double v[3], power = ts_surface_contact_slip(c, v);
 	struct ts_wear_slide slide = { .element = c->element,
-				       .particle = i,
-				       .type = p->type[i],
-				       .mass = p->mass[i],
-				       .radius = p->radius[i],
+				       .type = c->type,
+				       .mass = c->mass,
+				       .radius = c->radius,
 				       .normal_force = fmax(ts_surface_contact_normal_force(c), 0),
-				       .slip = ts_norm(v) * sim->clock.dt,
-				       .work = power * sim->clock.dt };
+				       .slip = ts_norm(v) * c->duration,
+				       .work = power * c->duration };
 
 	ts_scale(1, c->normal, slide.normal);
 	ts_scale(1, c->velocity, slide.velocity);
@@ -114,7 +111,7 @@ enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim)
 		if (ts_surface_impact_in_group(impact, self->group))
 			TS_TRY(add_impact(self, sim, &impact->event));
 	while (w->law->slide && ts_surface_contacts_next(&contacts, &c))
-		if (ts_in_group(sim->particles, c.particle, self->group))
+		if (ts_surface_contact_in_group(&c, self->group))
 			TS_TRY(add_slide(self, sim, &c));
 	return TS_OK;
 }

@@ -1,13 +1,15 @@
 /* Wear of a surface by the particles that hit it or slide on it: what all fixes wear/LAW have in common.
  *
  * A law is a table of two functions, numbers in, volume out. The machine calls `impact` once for each impact that has
- * ended (impact/impacts.h), `slide` for each touching contact in each step (wall/surface_contacts.h), and sums for each
+ * ended (impact/impacts.h), `slide` for each touching contact in each step (wall/surface_contacts.h; of an impact that is
+ * computed as a whole, for each node of a quadrature over its time), and sums for each
  * element what they give, beside speeds, angles and energies. Elements that no particle has touched take no time and
  * no memory but a number of 4 bytes.
  *
  * A style of a law begins its state with a struct ts_wear, its arguments with TS_WEAR_ARGS, and its table has
  *
- *	TS_WEAR_SLOTS, .observes = TS_OBSERVES_IMPACTS (a law with `slide`: | TS_OBSERVES_CONTACTS),
+ *	TS_WEAR_SLOTS, .observes = TS_OBSERVES_IMPACTS (a law with `slide`: | TS_OBSERVES_CONTACTS |
+ *	TS_OBSERVES_BRIEF),
  *	.init: calls ts_wear_init, then checks its own arguments,
  *	.late = { [TS_LATE_CONTACTS] = ts_wear_step }, .fini = ts_wear_fini, or functions that call these */
 #ifndef TS_WEAR_WEAR_H
@@ -16,10 +18,9 @@
 #include "impact/impact_event.h"
 #include "wall/surface.h"
 
-/* A touching contact in one step. */
+/* A touching contact in one step, or a part of an impact that is computed as a whole (wall/surface_contacts.h). */
 struct ts_wear_slide {
 	size_t element;	     /* of the surface */
-	size_t particle;     /* local index */
 	double type;	     /* of the particle */
 	double mass, radius; /* of the particle */
 	double normal_force; /* >= 0 */
@@ -83,6 +84,12 @@ void ts_wear_fini(struct ts_instance *self);
 extern const struct ts_value ts_wear_values[];
 #define TS_WEAR_SLOTS \
 	.surface = ts_wear_surface, .values = ts_wear_values, .archive = ts_wear_archive, .plan = ts_wear_plan
+
+/* In the manual of laws with `slide`. */
+#define TS_WEAR_EXACT                                                                                     \
+	"With `impact exact` of fix wall/gran, force times path is integrated over the whole impact; it " \
+	"belongs "                                                                                        \
+	"to the element that is touched first."
 
 /* The end of the manual of each style: surface, impacts, outputs. */
 #define TS_WEAR_DOC                                                                                          \

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "../deck.h"
+#include "base/alloc.h"
 #include "law/granular_force.h"
 #include "math/constants.h"
 #include "impact/exact_collision.h"
@@ -295,6 +296,80 @@ START_TEST(agrees_with_small_steps)
 }
 END_TEST
 
+/* Sums over the nodes are the integrals of the result; energy and momentum follow along the collision. */
+START_TEST(nodes_add_up_to_the_collision)
+{
+	const struct ts_granular_model *m = &models[_i / 4 % 6];
+	struct ts_granular_pair law = law_of(0.85, 0.37);
+	struct ts_collision c = sphere(m, &law, angles[_i % 4]);
+	struct ts_contact_nodes nodes = { 0 };
+	struct ts_collision_result r;
+	double time = 0, push[3] = { 0 }, work = 0, moved[3] = { 0 }, turn[3] = { 0 };
+
+	if (_i / 24) {
+		c.omega[0] = 1.7e6;
+		c.omega[1] = -0.9e6;
+		c.omega[2] = 0.6e6;
+	}
+	c.nodes = &nodes;
+	r = collide(&c);
+	ck_assert_uint_gt(nodes.n, 20);
+	for (size_t k = 0; k < nodes.n; k++) {
+		const struct ts_contact_node *at = &nodes.item[k];
+		double arm = RADIUS - 0.5 * at->overlap, slip[3], torque[3];
+
+		ck_assert_double_gt(at->duration, 0);
+		ck_assert_double_gt(at->time, k ? at[-1].time : 0);
+		time += at->duration;
+		ts_axpy(at->duration, at->force, push);
+		ts_axpy(at->duration, at->velocity, moved);
+		ts_cross(c.n, at->force, torque);
+		ts_axpy(-at->duration * arm, torque, turn);
+		ts_cross(at->omega, c.n, slip);
+		ts_scale(-arm, slip, slip);
+		ts_add(slip, at->velocity, slip);
+		ts_project(c.n, slip);
+		work -= at->duration * ts_dot(at->force, slip);
+	}
+	ts_project(c.n, moved);
+	/* a force that is limited ends before the surfaces part */
+	if (!m->no_tension)
+		DECK_NEAR(time / r.duration, 1, 1e-8);
+	DECK_NEAR(work, r.work, 1e-6 * energy(&c, c.velocity, c.omega));
+	for (int k = 0; k < 3; k++) {
+		DECK_NEAR(c.velocity[k] + push[k] / c.mass, r.velocity[k], 1e-6 * SPEED);
+		DECK_NEAR(c.omega[k] + turn[k] / (0.4 * c.mass * RADIUS * RADIUS), r.omega[k],
+			  1e-6 * SPEED / RADIUS);
+		if (!m->no_tension)
+			DECK_NEAR(moved[k], r.shift[k], 1e-6 * SPEED * r.duration);
+	}
+	ts_free(nodes.item);
+}
+END_TEST
+
+/* k F_n s along a frictionless Hertz impact: 2 m u times the speed along the surface. */
+START_TEST(nodes_integrate_sliding)
+{
+	struct ts_granular_model m = { .normal = TS_NORMAL_HERTZ };
+	struct ts_granular_pair law = law_of(1, 0);
+	struct ts_contact_nodes nodes = { 0 };
+	struct ts_collision c = sphere(&m, &law, 33);
+	double u = SPEED * sin(33 * TS_PI / 180), t = SPEED * cos(33 * TS_PI / 180), sum = 0;
+
+	c.nodes = &nodes;
+	collide(&c);
+	for (size_t k = 0; k < nodes.n; k++) {
+		double along[3];
+
+		ts_scale(1, nodes.item[k].velocity, along);
+		ts_project(c.n, along);
+		sum += ts_dot(nodes.item[k].force, c.n) * ts_norm(along) * nodes.item[k].duration;
+	}
+	DECK_NEAR(sum / (2 * c.mass * u * t), 1, 1e-8);
+	ts_free(nodes.item);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("exact collision");
@@ -306,6 +381,8 @@ int main(void)
 	tcase_add_loop_test(exact, gross_sliding_has_impulses_in_the_ratio_of_friction, 0, 2);
 	tcase_add_test(exact, rolling_goes_on);
 	tcase_add_loop_test(steps, agrees_with_small_steps, 0, 12 * (int)DECK_LENGTH(models));
+	tcase_add_loop_test(exact, nodes_add_up_to_the_collision, 0, 48);
+	tcase_add_test(exact, nodes_integrate_sliding);
 	suite_add_tcase(suite, exact);
 	suite_add_tcase(suite, steps);
 	return deck_main(suite);

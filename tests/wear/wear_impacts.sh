@@ -215,16 +215,6 @@ run 0'
 } >in.unused
 "$TSIM" -in in.unused -log none >out 2>&1 && grep -q 'no fix wall/gran is made of the surface cad' out
 report 'a surface that no wall is made of' $? out
-{
-	cat in.head
-	echo 'fix cad all wall/gran model hooke/stiffness primitive type 2 zplane 0 impact exact
-fix worn all wear/archard surface cad k 1 hardness 1e9
-run 1'
-} >in.missed
-"$TSIM" -in in.missed -log none >out 2>&1
-[ $? = 1 ] && grep -q 'would miss the impacts' out
-report 'sliding and impact exact' $? out
-
 # impact exact gives the volume of the closed form, on a plane, a mesh and a height field.
 for wall in 'primitive type 2 zplane 0' 'mesh n_meshes 1 meshes cad' 'voxels cad'; do
 	{
