@@ -171,7 +171,7 @@ rejects "$(one plane '' euler)
 fix other all surface/heat surface cat" "no surface 'cat'"
 rejects "$(one flat 'impact exact' euler)
 fix move all nve/sphere
-run 1" 'would miss the impacts'
+run 1" 'heat is conducted in resolved contacts only'
 {
 	cat in.head
 	echo 'fix heat all heat/gran initial_temperature 300
