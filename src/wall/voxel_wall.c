@@ -123,7 +123,8 @@ static enum ts_status add_need(struct tsim *sim, struct needs *needs, int32_t ta
 	return TS_OK;
 }
 
-/* Of the contacts of the list before, and of particles whose slots do not suffice in this step. */
+/* Of the contacts of the list before; `full`: and of the contact points in this step, of all particles: those that have
+ * slots enough keep them. */
 static enum ts_status find_needs(struct tsim *sim, const struct ts_wall_contacts *c,
 				 const struct ts_voxel_wall *vw, bool full, struct needs *needs)
 {
@@ -133,9 +134,7 @@ static enum ts_status find_needs(struct tsim *sim, const struct ts_wall_contacts
 		if (ts_voxel_memory(c, k)[TS_VOXEL_COLUMN] > 0)
 			TS_TRY(add_need(sim, needs, c->key[k][0], (size_t)c->key[k][1] + 1));
 	for (size_t k = 0; full && k < vw->nneighbors; k++)
-		if (vw->neighbor[k].found > vw->neighbor[k].slots)
-			TS_TRY(add_need(sim, needs, sim->particles->tag[vw->neighbor[k].i],
-					vw->neighbor[k].found));
+		TS_TRY(add_need(sim, needs, sim->particles->tag[vw->neighbor[k].i], vw->neighbor[k].found));
 	ts_sort(needs->item, needs->n, sizeof *needs->item, compare_needs);
 	for (size_t k = 0; k < needs->n; k++) { /* one item for each particle */
 		if (!n || needs->item[n - 1].tag != needs->item[k].tag)
@@ -170,7 +169,8 @@ static enum ts_status add_neighbor(struct tsim *sim, struct ts_wall *w, struct t
 	    TS_GROW(vw->slot, vw->slot_capacity, first + slots) != TS_OK ||
 	    TS_GROW(vw->used, vw->used_capacity, first + slots) != TS_OK)
 		return ts_nomem(&sim->error);
-	vw->neighbor[vw->nneighbors++] = (struct ts_voxel_neighbor){ i, first, slots, 0 };
+	vw->neighbor[vw->nneighbors++] =
+		(struct ts_voxel_neighbor){ .i = i, .first = first, .slots = slots, .travel = INFINITY };
 	for (size_t k = 0; k < slots; k++)
 		TS_TRY(ts_wall_contacts_add(sim, &w->contacts, i, (int)k));
 	return TS_OK;

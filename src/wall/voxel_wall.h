@@ -7,6 +7,9 @@
  *   particle's surface, if that is within TS_VOXEL_SAME_NORMAL of it: the contact has slid to another column;
  *   any other begins a contact.
  *
+ * Most listed particles do not touch. A search that finds no contact point finds the distance from the surface; no other
+ * search is due before particle and surface may have travelled it, so no touch is missed.
+ *
  * If a particle has more contact points than slots, particles are listed again with more slots. */
 #ifndef TS_WALL_VOXEL_WALL_H
 #define TS_WALL_VOXEL_WALL_H
@@ -30,6 +33,12 @@ enum { TS_VOXEL_IMAGES = 27 };
 struct ts_voxel_neighbor {
 	size_t i, first, slots; /* i: index of the particle */
 	size_t found;		/* number of contact points in this step */
+	/* If it has no contact point it is searched again only after it may have come near enough. */
+	double place[3],
+		reach; /* position, and distance up to which contact points count, in the last step */
+	double travel; /* upper bound of its displacement relative to the surface since the last search; infinite: due */
+	double check_travel; /* no contact point is possible while `travel` is smaller, length */
+	bool waits;	     /* it has not been searched in this step */
 };
 
 struct ts_voxel_wall {
@@ -37,6 +46,7 @@ struct ts_voxel_wall {
 	const struct ts_instance *by; /* the fix of the surface */
 	const struct ts_voxel_surface *surface;
 	double length[3];		    /* of the box when particles were listed */
+	double travelled;		    /* surface->travelled at the last force computation, length */
 	struct ts_voxel_neighbor *neighbor; /* [nneighbors] */
 	size_t nneighbors, neighbor_capacity;
 	/* [contacts]: the contact points of a particle in this step, from the index of its first slot on, */

@@ -4,6 +4,7 @@
 
 #include "box/domain.h"
 #include "math/vec3.h"
+#include "neigh/neigh.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_queue.h"
 
@@ -38,23 +39,83 @@ struct force_task {
 	struct ts_wall *w;
 	struct ts_voxel_wall *vw;
 	bool pulls;
+	/* upper bound of the displacement of the surface since the last force computation, length; infinite: all
+	 * particles are searched */
+	double step;
 };
 
-/* Stores the contact points of a particle, as many as it has slots, and counts all. */
+/* ---- which particles are searched */
+
+static double max_approach(const struct tsim *sim, struct ts_voxel_wall *vw)
+{
+	/* infinite when columns have grown, NaN if they have before, too; columns that shrink make no contact */
+	double step = vw->surface->travelled - vw->travelled;
+	bool bounded = step >= 0 && !(sim->full & TS_FULL_ACTIVE_PAIRS);
+
+	for (int d = 0; d < 3; d++) /* periodic images move with the box */
+		bounded &= ts_box_length(&sim->domain->box, d) == vw->length[d];
+	vw->travelled = vw->surface->travelled;
+	return bounded ? step : INFINITY;
+}
+
+/* Distance up to which contact points of the particle count. */
+static double reach_of(const struct force_task *t, double radius)
+{
+	return radius + (t->pulls ? ts_wall_reach(t->w, t->sim, radius) : 0);
+}
+
+/* Adds the displacement of this step to the travel of the particle; whether it may have a contact point. */
+static bool update_travel(const struct force_task *t, struct ts_voxel_neighbor *v)
+{
+	const struct ts_particles *p = t->sim->particles;
+	const double *x = p->x[v->i];
+	double reach = reach_of(t, p->radius[v->i]), step = sqrt(ts_distance2(x, v->place));
+
+	v->travel += reach == v->reach ? step + t->step : INFINITY;
+	ts_scale(1, x, v->place);
+	v->reach = reach;
+	return !(v->travel < v->check_travel);
+}
+
+/* Stores the travel after which a particle may have a contact point; false: it may have one now. */
+static bool is_out_of_reach(const struct force_task *t, const struct ts_voxel_images *images,
+			    struct ts_voxel_neighbor *v)
+{
+	const struct ts_voxel_field *f = &t->vw->surface->field;
+	double look = v->reach + t->sim->neigh->built_skin, least = look, size = 0, far;
+
+	for (int k = 0; k < images->n; k++) {
+		least = fmin(least, ts_voxel_distance(f, images->x[k], look));
+		for (int d = 0; d < 3; d++)
+			size = fmax(size, fabs(images->x[k][d]));
+	}
+	/* less than the distance by more than the rounding of it and of a sum of many steps */
+	far = (1 - 1e-7) * (least - v->reach) - 1e-12 * (look + size);
+	v->travel = 0;
+	v->check_travel = far > 0 ? far : -INFINITY;
+	return far > 0;
+}
+
+/* Stores the contact points of a particle, as many as it has slots, and counts all; unless none is possible. */
 static void find_points(const struct force_task *t, struct ts_voxel_neighbor *v)
 {
 	const struct ts_particles *p = t->sim->particles;
 	const struct ts_voxel_field *f = &t->vw->surface->field;
 	struct ts_voxel_wall *vw = t->vw;
-	double radius = p->radius[v->i];
-	double reach = radius + (t->pulls ? ts_wall_reach(t->w, t->sim, radius) : 0);
+	bool touched = v->found > 0;
 	struct ts_voxel_images images;
 
 	v->found = 0;
+	v->waits = !update_travel(t, v);
+	if (v->waits)
+		return;
 	ts_voxel_images(vw->surface, &t->sim->domain->box, p->x[v->i], &images);
+	v->check_travel = -INFINITY;
+	if (!touched && is_out_of_reach(t, &images, v))
+		return;
 	for (int k = 0; k < images.n; k++) {
 		size_t room = v->found < v->slots ? v->slots - v->found : 0, from = v->first + v->found;
-		size_t n = ts_voxel_contacts(f, images.x[k], reach, vw->at + from, room);
+		size_t n = ts_voxel_contacts(f, images.x[k], v->reach, vw->at + from, room);
 
 		for (size_t m = 0; m < n && m < room; m++)
 			vw->column[from + m] =
@@ -232,9 +293,11 @@ static void compute_neighbor(const struct force_task *t, struct ts_wall_queue *q
 {
 	const struct ts_voxel_wall *vw = t->vw;
 
+	if (v->waits) /* as most particles near the surface */
+		return;
 	for (size_t k = v->first; !v->found && k < v->first + v->slots; k++)
 		ts_wall_contact_end(&t->w->contacts, k);
-	if (!v->found) /* as most particles near the surface */
+	if (!v->found)
 		return;
 	if (vw->surface->merges && v->found > 1)
 		merge_points(vw, v, t->sim->particles->radius[v->i]);
@@ -260,7 +323,7 @@ enum ts_status ts_voxel_wall_enqueue_contacts(struct ts_instance *self, struct t
 {
 	struct ts_wall *w = self->state;
 	struct ts_voxel_wall *vw = ts_voxel_wall_of(w);
-	struct force_task task = { sim, w, vw, ts_wall_long_ranged(w, sim) };
+	struct force_task task = { sim, w, vw, ts_wall_long_ranged(w, sim), max_approach(sim, vw) };
 
 	find_all(&task);
 	if (is_full(vw)) {

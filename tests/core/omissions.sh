@@ -22,6 +22,8 @@ looks            full looks grains
 looks            full looks bonded
 looks            full looks walled
 looks            full looks drum
+looks            full looks fields
+looks            full looks sticky
 threads          full threads grains
 ghosts           pair walled walled_periodic
 fluid solver     bound uniform solved 1e-10
@@ -140,6 +142,33 @@ awk 'function p(y, k) { return sprintf("vertex %.12g %.12g %.12g", 0.012 * cos(0
 	END
 	outputs 1500
 } >in.drum
+# on a rough height field that moves along and down, beside one that shakes, whose columns stick out; with liquid bridges
+fields() {
+	grains 'p p f'
+	cat <<-END
+	$1
+	pair_style gran model hertz tangential history $2
+	pair_coeff * *
+	variable c internal 0
+	variable steps equal 0.001*(v_c>0.01)+0.002*(v_c>0.022)
+	fix rough all surface/voxel gaussian mean 0.002 deviation 0.0005 correlation 0.003 0.002 seed 29 type 1 cells 60 50 datum 0 merge yes move linear 0.05 0.02 -0.01
+	fix steps all surface/voxel formula v_steps x c type 1 cells 15 4 move wiggle 0 0 0.0007 0.031
+	fix w1 all wall/gran model hertz tangential history $2 voxels rough
+	fix w2 all wall/gran model hertz tangential history $2 voxels steps
+	fix g all gravity 9.81 vector 0.1 0.05 -1
+	fix i all nve/sphere
+	END
+	seeded
+	echo 'set atom 21*30 diameter 0.0011'
+	outputs 1500
+}
+fields >in.fields '' ''
+fields 'fix m5 all property/global surfaceLiquidContentInitial scalar 0.1
+fix m6 all property/global surfaceTension scalar 0.073
+fix m7 all property/global fluidViscosity scalar 0.001
+fix m8 all property/global contactAngle peratomtype 30
+fix m9 all property/global minSeparationDistanceRatio scalar 0.01
+fix m10 all property/global maxSeparationDistanceRatio scalar 1.3' 'cohesion easo/capillary/viscous' >in.sticky
 cat >in.bonded <<END
 units si
 boundary f f f
