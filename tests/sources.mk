@@ -206,6 +206,7 @@ unit_tests = \
 	tests/formula/check_variables \
 	tests/geom/check_geom \
 	tests/impact/check_exact_collision \
+	tests/impact/check_impact_event \
 	tests/insert/check_insertion \
 	tests/io/check_io \
 	tests/law/check_active_particles \
@@ -369,6 +370,10 @@ tests_geom_check_geom_LDADD = $(tests_ldadd)
 tests_impact_check_exact_collision_SOURCES = tests/impact/check_exact_collision.c
 tests_impact_check_exact_collision_CFLAGS = $(tests_cflags)
 tests_impact_check_exact_collision_LDADD = $(tests_ldadd)
+
+tests_impact_check_impact_event_SOURCES = tests/impact/check_impact_event.c
+tests_impact_check_impact_event_CFLAGS = $(tests_cflags)
+tests_impact_check_impact_event_LDADD = $(tests_ldadd)
 
 tests_insert_check_insertion_SOURCES = tests/insert/check_insertion.c
 tests_insert_check_insertion_CFLAGS = $(tests_cflags)

@@ -24,13 +24,14 @@ struct ts_impact_event {
 
 #define TS_IMPACT_EVENT_NUMBERS (sizeof(struct ts_impact_event) / sizeof(double))
 
-/* Component of the entry velocity towards the surface; 0 if the particle did not approach it. */
+/* Component of the entry velocity towards the surface; 0 if the particle did not approach it, NaN if the velocity or
+ * the normal is not a number. */
 static inline double ts_impact_normal_speed(const struct ts_impact_event *e)
 {
 	double towards = -(e->velocity[0] * e->normal[0] + e->velocity[1] * e->normal[1] +
 			   e->velocity[2] * e->normal[2]);
 
-	return towards > 0 ? towards : 0;
+	return towards <= 0 ? 0 : towards;
 }
 
 /* Component of the entry velocity along the surface. */

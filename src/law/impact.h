@@ -1,6 +1,6 @@
 /* Motion of a single contact along its normal under constant external acceleration:
  *
- *   m q'' = -F(q, q') + m g,   F = k q + c q'  (linear),   k ~ q^(1/2), c ~ q^(1/4) or q^(1/2)  (Hertz)
+ *   m q'' = -F(q, q') + m g,   F = k q + c q'  (linear),   k ~ q^(1/2), c ~ q^(1/4), q^(1/2) or constant  (Hertz)
  *
  * with the overlap q, the effective mass m, and the acceleration g by all other forces. Integrated by
  * the classical fourth-order Runge-Kutta scheme in eighths of a time step: it is needed only in steps
@@ -10,13 +10,28 @@
 
 #include "law/normal.h"
 
+/* How c of Hertzian contacts depends on the overlap q. */
+enum ts_impact_damping {
+	TS_IMPACT_FOURTH_ROOT, /* hertz: c ~ sqrt(k) */
+	TS_IMPACT_SQUARE_ROOT, /* hertz/stiffness */
+	TS_IMPACT_CONSTANT     /* hertz/stiffness with absolute_damping */
+};
+
 struct ts_impact {
 	double mass, g;
 	double k, c; /* stiffness and damping at the overlap `at` */
 	double at;
-	bool hertz, root; /* k ~ q^(1/2), then c ~ q^(1/2) if root, else q^(1/4) */
-	bool no_tension;  /* the contact ends at zero force, else at zero overlap */
+	bool hertz;			/* k ~ q^(1/2), c by `damping`; else both are constant */
+	enum ts_impact_damping damping; /* only with hertz */
+	bool no_tension;		/* the contact ends at zero force, else at zero overlap */
 };
+
+static inline enum ts_impact_damping ts_impact_damping_of(const struct ts_granular_model *m)
+{
+	if (m->normal != TS_NORMAL_HERTZ_STIFFNESS)
+		return TS_IMPACT_FOURTH_ROOT;
+	return m->absolute_damping ? TS_IMPACT_CONSTANT : TS_IMPACT_SQUARE_ROOT;
+}
 
 static inline struct ts_impact ts_impact_of(const struct ts_granular_model *m, const struct ts_touch *t,
 					    const struct ts_normal *n)
@@ -27,20 +42,22 @@ static inline struct ts_impact ts_impact_of(const struct ts_granular_model *m, c
 				   .at = t->overlap,
 				   .hertz = m->normal == TS_NORMAL_HERTZ ||
 					    m->normal == TS_NORMAL_HERTZ_STIFFNESS,
-				   .root = m->normal == TS_NORMAL_HERTZ_STIFFNESS,
+				   .damping = ts_impact_damping_of(m),
 				   .no_tension = m->no_tension };
 }
 
 static inline double ts_impact_force(const struct ts_impact *o, double q, double v)
 {
-	double s;
+	double s, c = o->c;
 
 	if (!o->hertz) /* also for q < 0: the search for the end needs a smooth force */
 		return o->k * q + o->c * v;
 	if (!(q > 0))
 		return 0;
 	s = sqrt(q / o->at);
-	return o->k * s * q + o->c * (o->root ? s : sqrt(s)) * v;
+	if (o->damping != TS_IMPACT_CONSTANT)
+		c *= o->damping == TS_IMPACT_SQUARE_ROOT ? s : sqrt(s);
+	return o->k * s * q + c * v;
 }
 
 /* One Runge-Kutta step over the time s. */

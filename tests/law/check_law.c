@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "law/granular_force.h"
+#include "law/impact.h"
 
 static const struct ts_granular_pair stuff = {
 	.young = 2.385e6,
@@ -247,6 +248,31 @@ START_TEST(restitution_is_kept)
 }
 END_TEST
 
+/* The motion of a single contact (law/impact.h), known at one overlap, has the force of the law at any other. */
+START_TEST(impact_has_the_force_of_the_law)
+{
+	static const int laws[] = { TS_NORMAL_SPRING, TS_NORMAL_HERTZ, TS_NORMAL_HOOKE,
+				    TS_NORMAL_HOOKE_STIFFNESS, TS_NORMAL_HERTZ_STIFFNESS };
+	struct ts_granular_model m = { .normal = laws[_i % 5], .absolute_damping = _i >= 5 };
+	const double at = 0.00037, overlaps[] = { 0.00023, 0.00037, 0.00111 };
+	struct ts_touch t = touch(0.0123, 0.0231, at, false);
+	struct ts_impact o;
+	struct ts_normal n;
+	double deepest = 0;
+
+	ts_normal_force(&m, &stuff, &t, false, &deepest, &n);
+	ck_assert_double_gt(n.gamman, 0);
+	o = ts_impact_of(&m, &t, &n);
+	for (int k = 0; k < 3; k++) {
+		t = touch(0.0123, 0.0231, overlaps[k], false);
+		ts_normal_force(&m, &stuff, &t, false, &deepest, &n);
+		close_to(ts_impact_force(&o, overlaps[k], 0), n.kn * overlaps[k], 1e-13);
+		close_to(ts_impact_force(&o, overlaps[k], 0.73) - ts_impact_force(&o, overlaps[k], 0),
+			 0.73 * n.gamman, 1e-11);
+	}
+}
+END_TEST
+
 START_TEST(hysteresis_loses_energy)
 {
 	struct ts_granular_model m = { .normal = TS_NORMAL_HOOKE_HYSTERESIS };
@@ -301,6 +327,7 @@ int main(void)
 	tcase_add_loop_test(c, wall_is_the_limit_of_areas, 0, 120);
 	tcase_add_test(c, sticky_surfaces);
 	tcase_add_loop_test(c, restitution_is_kept, 0, 8);
+	tcase_add_loop_test(c, impact_has_the_force_of_the_law, 0, 10);
 	tcase_add_test(c, hysteresis_loses_energy);
 	tcase_add_test(c, friction_is_limited);
 	suite_add_tcase(suite, c);
