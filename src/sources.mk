@@ -1060,6 +1060,7 @@ library_sources = \
 	src/wall/wall_stages.h \
 	src/wall/wall_system.c \
 	src/wall/wall_system.h \
+	src/wear/fix_surface_impacts.c \
 	src/wear/fix_wear_archard.c \
 	src/wear/fix_wear_bitter.c \
 	src/wear/fix_wear_finnie.c \

@@ -174,6 +174,7 @@ shell_tests = \
 	tests/wall/walls.sh \
 	tests/wall/wear.sh \
 	tests/wear/erosion_laws.sh \
+	tests/wear/surface_impacts.sh \
 	tests/wear/wear_impacts.sh
 unit_tests = \
 	tests/accuracy/check_breakage \

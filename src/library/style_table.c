@@ -268,6 +268,7 @@ TS_STYLE(fix, ts_style, ts_fix_spring_self)
 TS_STYLE(fix, ts_style, ts_fix_store_force)
 TS_STYLE(fix, ts_style, ts_fix_store_state)
 TS_STYLE(fix, ts_style, ts_fix_surface_heat)
+TS_STYLE(fix, ts_style, ts_fix_surface_impacts)
 TS_STYLE(fix, ts_style, ts_fix_surface_voxel)
 TS_STYLE(fix, ts_style, ts_fix_vector)
 TS_STYLE(fix, ts_style, ts_fix_viscous)
@@ -569,6 +570,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_store_force,
 	&ts_fix_store_state,
 	&ts_fix_surface_heat,
+	&ts_fix_surface_impacts,
 	&ts_fix_surface_voxel,
 	&ts_fix_vector,
 	&ts_fix_viscous,

@@ -167,25 +167,52 @@ static enum ts_status eval_totals(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
-static const char *const total_names[] = { "volume", "volume_per_mass", "impacts",	   "mass", "energy",
-					   "work",   "removed",		"removed_per_mass" };
-static const char *const element_names[] = { "hits",  "speed",	"angle", "energy", "work", "impulse",
-					     "force", "volume", "depth", "x",	   "y",	   "z" };
-enum {
-	TOTALS = sizeof total_names / sizeof *total_names,
-	COLUMNS = sizeof element_names / sizeof *element_names,
-	SUMS = COLUMNS - 3 /* before the coordinates of the centre */
-};
+static enum ts_status eval_hits(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	(void)sim;
+	out->data[0] = TOTAL(self->state, hits);
+	return TS_OK;
+}
 
-static enum ts_status eval_elements(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status eval_impact_totals(struct ts_instance *self, const struct tsim *sim,
+					 struct ts_table *out)
 {
 	const struct ts_wear *w = self->state;
 
-	TS_TRY(ts_table_resize(out, w->elements, COLUMNS));
+	(void)sim;
+	out->data[0] = TOTAL(w, hits);
+	out->data[1] = TOTAL(w, mass);
+	out->data[2] = TOTAL(w, energy);
+	out->data[3] = TOTAL(w, work);
+	return TS_OK;
+}
+
+static const char *const total_names[] = { "volume", "volume_per_mass", "impacts",	   "mass", "energy",
+					   "work",   "removed",		"removed_per_mass" };
+static const char *const impact_total_names[] = { "impacts", "mass", "energy", "work" };
+static const char *const element_names[] = { "hits",  "speed",	"angle", "energy", "work", "impulse",
+					     "force", "volume", "depth", "x",	   "y",	   "z" };
+static const char *const impact_names[] = { "hits",    "speed", "angle", "energy", "work",
+					    "impulse", "force", "x",	 "y",	   "z" };
+enum {
+	TOTALS = sizeof total_names / sizeof *total_names,
+	IMPACT_TOTALS = sizeof impact_total_names / sizeof *impact_total_names,
+	COLUMNS = sizeof element_names / sizeof *element_names,
+	IMPACT_COLUMNS = sizeof impact_names / sizeof *impact_names,
+	SUMS = COLUMNS - 3 /* before the coordinates of the centre */
+};
+
+/* The first columns of each element, then the coordinates of its centre: `columns` in all. */
+static enum ts_status list_elements(const struct ts_wear *w, const struct tsim *sim, size_t columns,
+				    struct ts_table *out)
+{
+	size_t sums = columns - 3;
+
+	TS_TRY(ts_table_resize(out, w->elements, columns));
 	for (size_t k = 0; k < w->elements; k++) {
-		for (size_t c = 0; c < SUMS; c++)
-			out->data[k * COLUMNS + c] = 0;
-		ts_surface_centre(&w->surface, sim, k, out->data + k * COLUMNS + SUMS);
+		for (size_t c = 0; c < sums; c++)
+			out->data[k * columns + c] = 0;
+		ts_surface_centre(&w->surface, sim, k, out->data + k * columns + sums);
 	}
 	for (size_t k = 0; k < w->n; k++) {
 		const struct ts_wear_sums *s = &w->sums[k];
@@ -202,10 +229,20 @@ static enum ts_status eval_elements(struct ts_instance *self, const struct tsim 
 			quotient(s->volume, ts_surface_area(&w->surface, sim, element)),
 		};
 
-		for (size_t c = 0; c < SUMS; c++)
-			out->data[element * COLUMNS + c] = column[c];
+		for (size_t c = 0; c < sums; c++)
+			out->data[element * columns + c] = column[c];
 	}
 	return TS_OK;
+}
+
+static enum ts_status eval_elements(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	return list_elements(self->state, sim, COLUMNS, out);
+}
+
+static enum ts_status eval_impacts(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	return list_elements(self->state, sim, IMPACT_COLUMNS, out);
 }
 
 const struct ts_value ts_wear_values[] = {
@@ -222,6 +259,20 @@ const struct ts_value ts_wear_values[] = {
 	  "friction, impulse of the normal forces, largest normal force; volume removed, and divided by the "
 	  "area; coordinates of its centre",
 	  TS_SURFACE, COLUMNS, element_names, eval_elements },
+	{ .name = NULL },
+};
+
+const struct ts_value ts_wear_impact_values[] = {
+	{ "impacts", "-", "number of impacts", TS_SCALAR, 1, NULL, eval_hits },
+	{ "totals", "-, mass, energy, energy",
+	  "totals: number of impacts, mass of the particles that have hit (once for each impact), their "
+	  "kinetic "
+	  "energy before, work of friction",
+	  TS_VECTOR, IMPACT_TOTALS, impact_total_names, eval_impact_totals },
+	{ "elements", "-, velocity, degrees, energy, energy, force*time, force, length, length, length",
+	  "of each element: number of impacts, their mean speed, mean angle, kinetic energy before, work of "
+	  "friction, impulse of the normal forces, largest normal force; coordinates of its centre",
+	  TS_SURFACE, IMPACT_COLUMNS, impact_names, eval_impacts },
 	{ .name = NULL },
 };
 

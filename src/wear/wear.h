@@ -63,10 +63,12 @@ struct ts_wear {
 	size_t n, row_capacity, touched_capacity, sums_capacity;
 };
 
+#define TS_WEAR_SURFACE_ARG(T, f)                                                                       \
+	TS_WORD("surface", T, f.surface_id, .flags = TS_STATEFUL,                                       \
+		.help = "ID of a fix mesh/surface, of a fix surface/voxel, or of a fix wall/gran with " \
+			"planes or a cylinder")
 #define TS_WEAR_ARGS(T, f)                                                                   \
-	TS_WORD("surface", T, f.surface_id, .flags = TS_STATEFUL,                            \
-		.help = "ID of a fix mesh/surface or of a fix wall/gran with a plane or "    \
-			"cylinder"),                                                         \
+	TS_WEAR_SURFACE_ARG(T, f),                                                           \
 		TS_REAL("density", T, f.density, .flags = TS_OPTIONAL, .range = TS_POSITIVE, \
 			.unit = "mass/length^3", .help = "of the surface, for the mass removed")
 
@@ -82,6 +84,9 @@ enum ts_status ts_wear_archive(struct ts_instance *self, struct tsim *sim, struc
 void ts_wear_fini(struct ts_instance *self);
 /* Outputs: f_ID the volume, f_ID[1..8] the totals, f_ID[1..12] of each element. */
 extern const struct ts_value ts_wear_values[];
+/* Of a style without a law, the same without volumes: f_ID the number of impacts, f_ID[1..4] the totals, f_ID[1..10]
+ * of each element. */
+extern const struct ts_value ts_wear_impact_values[];
 #define TS_WEAR_SLOTS \
 	.surface = ts_wear_surface, .values = ts_wear_values, .archive = ts_wear_archive, .plan = ts_wear_plan
 
@@ -91,33 +96,32 @@ extern const struct ts_value ts_wear_values[];
 	"belongs "                                                                                        \
 	"to the element that is touched first."
 
-/* The end of the manual of each style: surface, impacts, outputs. */
-#define TS_WEAR_DOC                                                                                          \
+/* In the manual of each style: what an impact is. */
+#define TS_WEAR_IMPACT_DOC                                                                                   \
 	"\n\nAn impact lasts from the first to the last step in which a particle touches any element of "    \
 	"the "                                                                                               \
 	"surface. Its speed and angle are those of the free flight before the first contact force, "         \
-	"relative to "                                                                                       \
-	"the surface at the contact point; the angle is that between velocity and surface, 90 degrees for "  \
-	"a "                                                                                                 \
-	"normal impact. What an impact removes belongs to the element that is touched first, of several "    \
-	"touched "                                                                                           \
-	"in the same step to that with the largest overlap. It is added when the impact has ended: when "    \
-	"the "                                                                                               \
-	"particle has separated, or has been deleted or left the box in a run. Particles that touch the "    \
-	"surface "                                                                                           \
+	"relative "                                                                                          \
+	"to the surface at the contact point; the angle is that between velocity and surface, 90 degrees "   \
+	"for a normal impact. An impact belongs to the element that is touched first, of several touched "   \
+	"in "                                                                                                \
+	"the same step to that with the largest overlap. It is counted when it has ended: when the "         \
+	"particle "                                                                                          \
+	"has separated, or has been deleted or left the box in a run. Particles that touch the surface "     \
 	"when "                                                                                              \
 	"the first run begins make an impact only after they have left it. Two walls made of the same mesh " \
-	"have "                                                                                              \
-	"impacts of their own. Only particles of the group wear the surface.\n\n"                            \
-	"The elements of a mesh are its triangles, those of a primitive wall its planes or cylinders, "      \
-	"whose "                                                                                             \
-	"area is that within the box. dump mesh/vtk (of meshes), dump local, compute reduce and formulas "   \
-	"read "                                                                                              \
-	"f_ID[1..12] of each element; f_ID is the volume removed from the whole surface, and f_ID[1..8] "    \
-	"are "                                                                                               \
-	"its "                                                                                               \
-	"totals elsewhere. Sums over elements are exact, as those of compute reduce. Elements without "      \
-	"impacts "                                                                                           \
-	"have zeros.\n\n"
+	"have impacts of their own. "
+#define TS_WEAR_ELEMENTS_DOC                                                                               \
+	"The elements of a mesh are its triangles, those of a height field its columns, those of a "       \
+	"primitive wall its planes or cylinders, whose area is that within the box. dump mesh/vtk (of "    \
+	"meshes), dump voxel/vtk (of height fields), dump local, compute reduce and formulas read values " \
+	"of each element. Sums over elements are exact, as those of compute reduce. Elements without "     \
+	"impacts have zeros. "
+/* The end of the manual of each law. */
+#define TS_WEAR_DOC                                                                                      \
+	TS_WEAR_IMPACT_DOC                                                                               \
+	"Only particles of the group wear the surface.\n\n" TS_WEAR_ELEMENTS_DOC                         \
+	"f_ID[1..12] are those of each element, f_ID is the volume removed from the whole surface, and " \
+	"f_ID[1..8] are its totals elsewhere.\n\n"
 
 #endif

@@ -1,0 +1,97 @@
+#!/bin/bash
+# fix surface/impacts: the columns of the fixes wear/LAW, without volumes.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+. "$top_srcdir/tests/lib_meshes.sh"
+
+printf '%s\n' '-0.5 -0.5 0 0.5 -0.5 0 0.5 0.5 0' '-0.5 -0.5 0 0.5 0.5 0 -0.5 0.5 0' | solid >flat.stl
+# A frictionless sphere of mass m hits at (1.5, 0, -2) a spring of 1e6: angle atan(4/3), force sqrt(1e6 m) 2.
+cat >in.head <<'END'
+units si
+boundary p p f
+region b block -1 1 -1 1 -1 1 units box
+create_box 2 b
+neighbor 0.02 bin
+fix kn all property/global kn peratomtypepair 2 1e6 1e6 1e6 1e6
+fix kt all property/global kt peratomtypepair 2 0 0 0 0
+fix gn all property/global gamman peratomtypepair 2 0 0 0 0
+fix gt all property/global gammat peratomtypepair 2 0 0 0 0
+fix mu all property/global coefficientFriction peratomtypepair 2 0 0 0 0
+pair_style gran model hooke/stiffness
+pair_coeff * *
+fix integrate all nve/sphere
+create_atoms 1 single 0.3 -0.1 0.0501 units box
+create_atoms 1 single -0.3 0.1 0.0501 units box
+create_atoms 1 single 0.3 0.2 0.3 units box
+set group all diameter 0.1 density 2385
+group one id 1
+velocity all set 1.5 0 -2 units box
+variable m equal 2385*PI*0.1^3/6
+timestep 1e-6
+END
+surface_of() {
+	case $1 in
+	plane) echo 'fix cad all wall/gran model hooke/stiffness primitive type 2 zplane 0' ;;
+	field) printf '%s\n' 'fix cad all surface/voxel constant 0 type 2 cells 2 2' \
+		'fix w all wall/gran model hooke/stiffness voxels cad' ;;
+	exact) echo 'fix cad all wall/gran model hooke/stiffness primitive type 2 zplane 0 impact exact' ;;
+	*) printf '%s\n' "fix cad all mesh/surface file $1.stl type 2" \
+		'fix w all wall/gran model hooke/stiffness mesh n_meshes 1 meshes cad' ;;
+	esac
+}
+names='hits speed angle energy work impulse force'
+for sort in plane flat field exact; do
+	cat in.head >in.$sort
+	{
+		surface_of $sort
+		echo 'fix hits all surface/impacts surface cad
+fix one one surface/impacts surface cad
+fix worn all wear/finnie surface cad flow_stress 1e9
+compute all all reduce sum f_hits[1] f_hits[4] f_hits[6]
+compute most all reduce max f_hits[2] f_hits[3] f_hits[7]'
+		for k in 1 2 3 4 5 6 7; do
+			echo "compute d$k all reduce sum f_hits[$k]
+compute w$k all reduce sum f_worn[$k]"
+		done
+		echo 'compute dx all reduce sum f_hits[8] f_hits[9] f_hits[10]
+compute wx all reduce sum f_worn[10] f_worn[11] f_worn[12]
+run 4500
+print "off hits $(f_hits-2) $(c_all[1]-2) $(f_one-1) $(f_hits[1]-2) $(f_one[1]-1)"
+print "off mass $(f_hits[2]/(2*v_m)-1)"
+print "off energy $(f_hits[3]/(6.25*v_m)-1) $(c_all[2]/(6.25*v_m)-1)"
+print "off work $(f_hits[4])"
+print "off speed $(c_most[1]/2.5-1)"
+print "off angle $(c_most[2]/(180/PI*atan(4/3))-1)"
+print "rough impulse $(c_all[3]/(8*v_m)-1)"
+print "rough force $(c_most[3]/(2*sqrt(1e6*v_m))-1)"
+print "off mine $(c_d1-c_w1) $(c_d2-c_w2) $(c_d3-c_w3) $(c_d4-c_w4) $(c_d5-c_w5) $(c_d6-c_w6) $(c_d7-c_w7)"
+print "off centres $(c_dx[1]-c_wx[1]) $(c_dx[2]-c_wx[2]) $(c_dx[3]-c_wx[3])"'
+	} >>in.$sort
+	"$TSIM" -in in.$sort -log none >out 2>&1
+	report "$sort: runs" $? out
+	awk '$1 == "off" || $1 == "rough" {
+		n++
+		for (k = 3; k <= NF; k++) if (!($k ^ 2 < ($1 == "off" ? 1e-24 : 1e-6))) { print "wrong: " $0; bad = 1 }
+	} END { exit bad || n != 10 }' out >>out
+	report "$sort: $names, those of a fix wear/finnie" $? out
+done
+
+rejects "$(cat in.head)
+$(surface_of plane)
+fix hits all surface/impacts surface cad
+compute all all reduce sum f_hits[11]
+run 0
+print \$(c_all)" 'column [11] asked for, it has 10'
+rejects "$(cat in.head)
+$(surface_of plane)
+fix hits all surface/impacts surface cad density 3" "unknown keyword 'density'"
+rejects "$(cat in.head)
+fix hits all surface/impacts surface cad" "no surface 'cad'"
+"$TSIM" -help fix surface/impacts >help 2>&1
+! grep -qi 'volume removed\|depth' help && grep -q 'surface/voxel' help
+report 'the manual has no volumes' $? help
+for law in archard bitter finnie formula neilson/gilchrist oka zhao/chang zhao/chang/contact; do
+	"$TSIM" -help fix wear/$law | grep -q 'surface.*fix surface/voxel'
+	report "wear/$law: the help of surface names fix surface/voxel" $?
+done
+finish
