@@ -5,7 +5,7 @@ error='relative error of the rate of penetration'
 reference='velocity Verlet with a quarter of the finest step and the same eight random rock samples (700 grains, 29 revolutions in all)'
 setting='time step x velocity of the fluid / grain diameter; in.drilling has 0.01, the stability limit is 0.1'
 spread='standard error of the difference over the samples'
-budget=100
+budget=75
 pick='0.04, four times the step of the example, and several rock samples. The rate of penetration differs more between samples
 than between these steps, so another sample reduces the error more than a smaller step. A step near the stability limit breaks bonds
 that should not break (0.08: more than three times the rate). Explicit Euler does so at any affordable step.'

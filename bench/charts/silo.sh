@@ -6,7 +6,7 @@ reference='Hertz with tangential history and a Young modulus of 1e7 Pa, mean of
 four fillings with 1000 grains'
 setting='Young modulus in Pa; the time step is a fifth of the Rayleigh time'
 spread='standard error of the difference'
-budget=100
+budget=75
 pick='tangential history, with Hertz or linear springs, and 1e6 Pa: discharge rate and heaps agree with those of stiffer grains to
 a few per cent, about the standard deviation between fillings, for a third of the work. Without history a run needs up to a fourth
 less time, and the rate and the heaps are wrong by a tenth.'

@@ -5,7 +5,7 @@ error='relative error'
 reference='a quarter of the finest step (half of it for the centre of mass, in four packings), relative to the displacement of the grains'
 setting='time step / Rayleigh time'
 spread='standard error of the mean over four packings'
-budget=60
+budget=40
 deck=$here/collapse.in
 pick='0.2 of the Rayleigh time. The error of trajectories is 0.1 % as long as each grain has had only a few collisions. Later the
 trajectory of a single grain does not converge for any step, because the motion is chaotic; averages over many grains, such as the

@@ -322,6 +322,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 		       self->id, s->rate.rate * sim->clock.dt, density * d->volume);
 	ts_report_line(report, "", "mean free path of a particle at rest in it 1/(n pi d^2) = %.3g",
 		       1 / (density * TS_PI * 4 * radius * radius));
+	if (!ts_sim_only(sim, TS_KIND_FLOW))
+		ts_report_left_out(report, "air", 0, 0, "no flow_style: the particles fly without drag");
 	return TS_OK;
 }
 

@@ -27,6 +27,7 @@ looks            full looks sticky
 threads          full threads grains
 ghosts           pair walled walled_periodic
 fluid solver     bound uniform solved 1e-10
+air              pair jet jet_in_air
 void fraction    pair fluid fluid_room
 END
 grep -rhoE 'ts_report_left_out\([a-z]+, "[^"]+"' "$top_srcdir/src" | sed 's/.*"\(.*\)"/\1/' | sort -u >named
@@ -232,6 +233,20 @@ END
 	echo 'fix drag all drag/stokes'
 	outputs
 } >in.solved
+# without drag, and with the drag of a fluid of no viscosity
+jet() {
+	sed '/^create_atoms/,/^set/d' free
+	cat <<-END
+	fix p1 all particletemplate/sphere 15485863 atom_type 1 density constant 2385 radius constant 0.0002
+	fix p2 all particledistribution/discrete 15485867 1 p1 1.0
+	fix jet all insert/jet seed 32452843 distributiontemplate p2 nparticles 60 particlerate 6000 position 0.01 0.01 0.019 direction 0.2 0 -1 diameter 0.002 speed gaussian 1.3 0.1 cone gaussian 4 overlapcheck no
+	$1
+	END
+	outputs
+}
+jet '' >in.jet
+jet 'flow_style uniform velocity 0 0 0.2 viscosity 0
+fix drag all drag/stokes' >in.jet_in_air
 fluid() {
 	cat free
 	echo 'flow_style projection cells 8 6 4 viscosity 1.1e-3 density 1000'
