@@ -74,6 +74,7 @@ shell_tests = \
 	tests/examples/coupling_cases.sh \
 	tests/examples/drilling.sh \
 	tests/examples/erosion.sh \
+	tests/examples/erosion_ladder.sh \
 	tests/examples/flow_bodies.sh \
 	tests/examples/flow_cases.sh \
 	tests/explain/info.sh \
