@@ -365,6 +365,21 @@ library_sources = \
 	src/explain/plan_report.h \
 	src/explain/price.c \
 	src/explain/price.h \
+	src/film/film.c \
+	src/film/film.h \
+	src/film/film_balance.c \
+	src/film/film_check.c \
+	src/film/film_faces.c \
+	src/film/film_guess.c \
+	src/film/film_jfo.c \
+	src/film/film_measures.c \
+	src/film/film_measures.h \
+	src/film/film_solve.c \
+	src/film/film_velocity.c \
+	src/film/film_velocity.h \
+	src/film/grid_lu.c \
+	src/film/grid_lu.h \
+	src/film/internal.h \
 	src/flow/boundary.c \
 	src/flow/boundary.h \
 	src/flow/boundary_formula.c \

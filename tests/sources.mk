@@ -200,6 +200,8 @@ unit_tests = \
 	tests/coupling/check_jet \
 	tests/energy/check_energy \
 	tests/explain/check_price \
+	tests/film/check_film \
+	tests/film/check_film_cavitation \
 	tests/flow/check_flow \
 	tests/flow/check_flow_measures \
 	tests/flow/check_scalar \
@@ -248,6 +250,7 @@ libtests_a_SOURCES = \
 	tests/cloud.h \
 	tests/deck.c \
 	tests/deck.h \
+	tests/films.h \
 	tests/packing.c \
 	tests/packing.h \
 	tests/script_case.c \
@@ -340,6 +343,14 @@ tests_energy_check_energy_LDADD = $(tests_ldadd)
 tests_explain_check_price_SOURCES = tests/explain/check_price.c
 tests_explain_check_price_CFLAGS = $(tests_cflags)
 tests_explain_check_price_LDADD = $(tests_ldadd)
+
+tests_film_check_film_SOURCES = tests/film/check_film.c
+tests_film_check_film_CFLAGS = $(tests_cflags)
+tests_film_check_film_LDADD = $(tests_ldadd)
+
+tests_film_check_film_cavitation_SOURCES = tests/film/check_film_cavitation.c
+tests_film_check_film_cavitation_CFLAGS = $(tests_cflags)
+tests_film_check_film_cavitation_LDADD = $(tests_ldadd)
 
 tests_flow_check_flow_SOURCES = tests/flow/check_flow.c
 tests_flow_check_flow_CFLAGS = $(tests_cflags)

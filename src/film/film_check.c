@@ -1,0 +1,166 @@
+/* Checks of the input of a film. */
+#include <math.h>
+
+#include "base/alloc.h"
+#include "film/internal.h"
+
+#include "base/banned.h"
+
+static enum ts_status check_constants(const struct ts_film *f, struct ts_error *error)
+{
+	if (!(f->viscosity > 0 && isfinite(f->viscosity)))
+		return ts_fail(error, TS_RANGE, NULL, "film: viscosity %g, expected > 0", f->viscosity);
+	if (!(f->density > 0 && isfinite(f->density)))
+		return ts_fail(error, TS_RANGE, NULL, "film: density %g, expected > 0", f->density);
+	if (!(f->time_step >= 0 && isfinite(f->time_step)))
+		return ts_fail(error, TS_RANGE, NULL, "film: time step %g, expected >= 0", f->time_step);
+	if (!isfinite(f->cavity_pressure) || !isfinite(f->ambient))
+		return ts_fail(error, TS_RANGE, NULL,
+			       "film: the pressure of the cavity is %g, the ambient one %g",
+			       f->cavity_pressure, f->ambient);
+	return TS_OK;
+}
+
+static enum ts_status check_pressure(const struct ts_film *f, double p, const char *where,
+				     struct ts_error *error)
+{
+	if (!isfinite(p))
+		return ts_fail(error, TS_RANGE, NULL, "film: the pressure given %s is %g", where, p);
+	if (f->cavitation != TS_FILM_NONE && p < f->cavity_pressure)
+		return ts_fail(error, TS_RANGE, NULL,
+			       "film: the pressure given %s, %g, is below that in the cavity, %g", where, p,
+			       f->cavity_pressure);
+	return TS_OK;
+}
+
+static enum ts_status check_axis(const struct ts_film *f, int d, struct ts_error *error)
+{
+	static const char *const names[2][2] = {
+		{ "at the lower edge of axis 1", "at the upper edge of axis 1" },
+		{ "at the lower edge of axis 2", "at the upper edge of axis 2" }
+	};
+
+	for (int i = 0; i < f->n[d]; i++)
+		if (!(f->face[d][i + 1] > f->face[d][i] && isfinite(f->face[d][i] + f->face[d][i + 1])))
+			return ts_fail(error, TS_RANGE, NULL,
+				       "film: borders of cells along axis %d do not increase: %g, %g", d + 1,
+				       f->face[d][i], f->face[d][i + 1]);
+	if ((f->edge[d][0] == TS_FILM_PERIODIC) != (f->edge[d][1] == TS_FILM_PERIODIC))
+		return ts_fail(error, TS_RANGE, NULL, "film: only one edge of axis %d is periodic", d + 1);
+	if (f->edge[d][0] == TS_FILM_PERIODIC && f->n[d] < 3)
+		return ts_fail(error, TS_RANGE, NULL,
+			       "film: %d cells along the periodic axis %d, expected at least 3", f->n[d],
+			       d + 1);
+	for (int side = 0; side < 2; side++)
+		if (f->edge[d][side] == TS_FILM_PRESSURE) {
+			TS_TRY(check_pressure(f, f->edge_pressure[d][side], names[d][side], error));
+			if (!(f->edge_void[d][side] >= 0 && f->edge_void[d][side] < 1))
+				return ts_fail(error, TS_RANGE, NULL,
+					       "film: the void fraction given %s is %g, expected 0 to 1",
+					       names[d][side], f->edge_void[d][side]);
+		}
+	return TS_OK;
+}
+
+static enum ts_status check_polar(const struct ts_film *f, struct ts_error *error)
+{
+	if (f->face[0][0] < 0)
+		return ts_fail(error, TS_RANGE, NULL, "film: the radius begins at %g, expected >= 0",
+			       f->face[0][0]);
+	if (f->edge[0][0] == TS_FILM_PERIODIC || (f->face[0][0] == 0 && f->edge[0][0] != TS_FILM_NO_FLOW))
+		return ts_fail(error, TS_RANGE, NULL,
+			       "film: the inner edge of a polar grid %s, expected no flow",
+			       f->face[0][0] == 0 ? "is the centre" : "is periodic");
+	return TS_OK;
+}
+
+static enum ts_status check_cell(const struct ts_film *f, int i, int j, struct ts_error *error)
+{
+	size_t c = ts_film_at(f, i, j);
+	double x = ts_film_centre(f, 0, i), y = ts_film_centre(f, 1, j);
+
+	if (f->kind[c] == TS_FILM_SOLID)
+		return TS_OK;
+	if (!(f->gap[c] > 0 && isfinite(f->gap[c])))
+		return ts_fail(error, TS_RANGE, NULL,
+			       "film: the gap is %g at (%g, %g), expected > 0: the surfaces touch or overlap",
+			       f->gap[c], x, y);
+	if (!isfinite(f->rate[c]) || !isfinite(f->velocity[0][0][c] + f->velocity[1][0][c]) ||
+	    !isfinite(f->velocity[0][1][c] + f->velocity[1][1][c]))
+		return ts_fail(error, TS_RANGE, NULL, "film: a velocity at (%g, %g) is not a finite number",
+			       x, y);
+	if (f->kind[c] == TS_FILM_GIVEN)
+		return check_pressure(f, f->pressure_given[c], "in a cell", error);
+	if (f->cavitation != TS_FILM_JFO)
+		return TS_OK;
+	if (f->time_step > 0 && !(f->content[c] >= 0 && isfinite(f->content[c])))
+		return ts_fail(error, TS_RANGE, NULL, "film: the content is %g at (%g, %g), expected >= 0",
+			       f->content[c], x, y);
+	if (!(f->time_step > 0) && f->rate[c] != 0)
+		return ts_fail(error, TS_STATE, NULL,
+			       "film: the gap changes at (%g, %g); cavitation jfo then needs a time step", x,
+			       y);
+	return TS_OK;
+}
+
+/* ---- parts of the film whose pressure is not determined */
+
+static int root_of(int *parent, int c)
+{
+	while (parent[c] != c)
+		c = parent[c] = parent[parent[c]];
+	return c;
+}
+
+/* Joins cells on both sides of a face; an edge or cell with a given pressure is the last node. */
+static void join_face(const struct ts_film *f, int *parent, int axis, int i, int j)
+{
+	struct ts_film_sides s = ts_film_sides_of(f, axis, i, j);
+	int given = (int)ts_film_cells(f), a, b;
+
+	if (!s.open)
+		return;
+	a = s.low < 0 || f->kind[s.low] == TS_FILM_GIVEN ? given : s.low;
+	b = s.high < 0 || f->kind[s.high] == TS_FILM_GIVEN ? given : s.high;
+	parent[root_of(parent, a)] = root_of(parent, b);
+}
+
+static enum ts_status check_connected(const struct ts_film *f, struct ts_error *error)
+{
+	size_t n = ts_film_cells(f), c;
+	int *parent = ts_alloc(n + 1, sizeof *parent);
+
+	if (!parent)
+		return ts_nomem(error);
+	for (c = 0; c <= n; c++)
+		parent[c] = (int)c;
+	for (int d = 0; d < 2; d++)
+		for (int j = 0; j < f->n[1] + (d == 1); j++)
+			for (int i = 0; i < f->n[0] + (d == 0); i++)
+				join_face(f, parent, d, i, j);
+	for (c = 0; c < n; c++)
+		if (f->kind[c] == TS_FILM_FLUID && root_of(parent, (int)c) != root_of(parent, (int)n))
+			break;
+	ts_free(parent);
+	if (c == n)
+		return TS_OK;
+	return ts_fail(error, TS_STATE, NULL,
+		       "film: no pressure is given at any border of the part of the film that contains (%g, "
+		       "%g), "
+		       "so that its pressure is not determined",
+		       ts_film_centre(f, 0, (int)(c % (size_t)f->n[0])),
+		       ts_film_centre(f, 1, (int)(c / (size_t)f->n[0])));
+}
+
+enum ts_status ts_film_check(const struct ts_film *f, struct ts_error *error)
+{
+	TS_TRY(check_constants(f, error));
+	TS_TRY(check_axis(f, 0, error));
+	TS_TRY(check_axis(f, 1, error));
+	if (f->polar)
+		TS_TRY(check_polar(f, error));
+	for (int j = 0; j < f->n[1]; j++)
+		for (int i = 0; i < f->n[0]; i++)
+			TS_TRY(check_cell(f, i, j, error));
+	return check_connected(f, error);
+}

@@ -1,0 +1,146 @@
+/* Coefficients of the flow through faces: the Reynolds equation in one dimension between two centres. */
+#include <math.h>
+
+#include "film/internal.h"
+
+#include "base/banned.h"
+
+static int wrapped(const struct ts_film *f, int axis, int i)
+{
+	return f->edge[axis][0] == TS_FILM_PERIODIC ? (i + f->n[axis]) % f->n[axis] : i;
+}
+
+static int cell_or_none(const struct ts_film *f, int i, int j)
+{
+	if (i < 0 || i >= f->n[0] || j < 0 || j >= f->n[1])
+		return -1;
+	return (int)ts_film_at(f, i, j);
+}
+
+struct ts_film_sides ts_film_sides_of(const struct ts_film *f, int axis, int i, int j)
+{
+	struct ts_film_sides s;
+	bool edge;
+
+	s.low = axis == 0 ? cell_or_none(f, wrapped(f, 0, i - 1), j)
+			  : cell_or_none(f, i, wrapped(f, 1, j - 1));
+	s.high = axis == 0 ? cell_or_none(f, wrapped(f, 0, i), j) : cell_or_none(f, i, wrapped(f, 1, j));
+	edge = s.low < 0 || s.high < 0;
+	s.open = (!edge || f->edge[axis][s.high < 0] == TS_FILM_PRESSURE) &&
+		 (s.low < 0 || f->kind[s.low] != TS_FILM_SOLID) &&
+		 (s.high < 0 || f->kind[s.high] != TS_FILM_SOLID);
+	return s;
+}
+
+double ts_film_face_length(const struct ts_film *f, int axis, int i, int j)
+{
+	if (axis == 1)
+		return f->face[0][i + 1] - f->face[0][i];
+	return (f->face[1][j + 1] - f->face[1][j]) * (f->polar ? f->face[0][i] : 1);
+}
+
+/* Width of the cell on one side of the lower face of (i, j), along the axis. */
+static double width_beside(const struct ts_film *f, int axis, int k, bool high)
+{
+	int cell = wrapped(f, axis, high ? k : k - 1);
+
+	return f->face[axis][cell + 1] - f->face[axis][cell];
+}
+
+double ts_film_edge_gap(const struct ts_film *f, int axis, int i, int j, bool high)
+{
+	double h = f->gap[ts_film_at(f, i, j)], x[3];
+	int k = axis == 0 ? i : j, next = high ? k - 1 : k + 1;
+	size_t other;
+
+	if (f->shape == TS_FILM_STEPPED || next < 0 || next >= f->n[axis])
+		return h;
+	other = axis == 0 ? ts_film_at(f, next, j) : ts_film_at(f, i, next);
+	if (f->kind[other] == TS_FILM_SOLID)
+		return h;
+	x[0] = ts_film_centre(f, axis, next);
+	x[1] = ts_film_centre(f, axis, k);
+	x[2] = f->face[axis][high ? k + 1 : k];
+	return fmax(h / 2, h + (h - f->gap[other]) * (x[2] - x[1]) / (x[1] - x[0]));
+}
+
+static double mean_velocity(const struct ts_film *f, int axis, int c)
+{
+	return (f->velocity[0][axis][c] + f->velocity[1][axis][c]) / 2;
+}
+
+double ts_film_entrainment(const struct ts_film *f, int axis, const struct ts_film_sides *s, int i, int j)
+{
+	int k = axis == 0 ? i : j;
+	double a, b;
+
+	if (s->low < 0 || s->high < 0)
+		return mean_velocity(f, axis, s->low < 0 ? s->high : s->low);
+	a = width_beside(f, axis, k, false);
+	b = width_beside(f, axis, k, true);
+	return (b * mean_velocity(f, axis, s->low) + a * mean_velocity(f, axis, s->high)) / (a + b);
+}
+
+/* A segment between two points with the gaps h[2] at the distances d[2] from the face: its resistance
+ * int dx/h^3, and the gap int dx/h^2 / int dx/h^3 that multiplies the mean velocity. */
+static void integrate_segment(enum ts_film_shape shape, const double h[2], const double d[2],
+			      double *resistance, double *gap)
+{
+	if (shape == TS_FILM_STEPPED) {
+		double a = d[0] / (h[0] * h[0] * h[0]), b = d[1] / (h[1] * h[1] * h[1]);
+
+		*resistance = a + b;
+		*gap = (h[0] * a + h[1] * b) / (a + b);
+	} else {
+		*resistance = (d[0] + d[1]) * (h[0] + h[1]) / (2 * h[0] * h[0] * h[1] * h[1]);
+		*gap = 2 * h[0] * h[1] / (h[0] + h[1]);
+	}
+}
+
+static void set_face(struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s)
+{
+	size_t at = ts_film_face(f, axis, i, j);
+	double length = ts_film_face_length(f, axis, i, j), d[2] = { 0 }, h[2], resistance, gap;
+	int k = axis == 0 ? i : j;
+
+	f->conductance[axis][at] = f->transport[axis][at] = 0;
+	if (!s->open)
+		return;
+	if (s->low >= 0)
+		d[0] = width_beside(f, axis, k, false) / 2;
+	if (s->high >= 0)
+		d[1] = width_beside(f, axis, k, true) / 2;
+	h[0] = s->low >= 0 ? f->gap[s->low] : ts_film_edge_gap(f, axis, i, j, false);
+	h[1] = s->high >= 0 ? f->gap[s->high]
+			    : ts_film_edge_gap(f, axis, i - (axis == 0), j - (axis == 1), true);
+	integrate_segment(f->shape, h, d, &resistance, &gap);
+	if (f->polar && axis == 1)
+		resistance *= ts_film_centre(f, 0, i);
+	f->conductance[axis][at] = length / (12 * f->viscosity * resistance);
+	f->transport[axis][at] = length * gap * ts_film_entrainment(f, axis, s, i, j);
+}
+
+void ts_film_each_face(struct ts_film *f, ts_film_face_fn *visit)
+{
+	for (int axis = 0; axis < 2; axis++)
+		for (int j = 0; j < f->n[1] + (axis == 1); j++)
+			for (int i = 0; i < f->n[0] + (axis == 0); i++) {
+				struct ts_film_sides s = ts_film_sides_of(f, axis, i, j);
+
+				visit(f, axis, i, j, &s);
+			}
+}
+
+void ts_film_set_faces(struct ts_film *f)
+{
+	bool in_time = f->cavitation == TS_FILM_JFO && f->time_step > 0;
+
+	ts_film_each_face(f, set_face);
+	for (int j = 0; j < f->n[1]; j++)
+		for (int i = 0; i < f->n[0]; i++) {
+			size_t c = ts_film_at(f, i, j);
+			double rate = in_time ? (f->gap[c] - f->content[c]) / f->time_step : f->rate[c];
+
+			f->source[c] = f->kind[c] == TS_FILM_FLUID ? rate * ts_film_area(f, i, j) : 0;
+		}
+}

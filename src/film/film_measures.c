@@ -1,0 +1,198 @@
+#include "film/film_measures.h"
+
+#include <math.h>
+
+#include "film/internal.h"
+
+#include "base/banned.h"
+
+/* Adds a force along an axis of the grid at the point (x, y) of the grid to its Cartesian sum. */
+static void add_force(const struct ts_film *f, int axis, double force, double x, double y, double sum[2],
+		      double *torque)
+{
+	double c = 1, s = 0;
+
+	if (f->polar) {
+		c = cos(y);
+		s = sin(y);
+	}
+	sum[0] += axis == 0 ? force * c : -force * s;
+	sum[1] += axis == 0 ? force * s : force * c;
+	if (!torque)
+		return;
+	if (f->polar)
+		*torque += axis == 1 ? force * x : 0;
+	else
+		*torque += axis == 0 ? -force * y : force * x;
+}
+
+/* Two neighbouring points between which p and h vary: centres of cells, or a centre and the edge. */
+struct segment {
+	double h[2], p[2], x, y; /* x, y: the middle of the face */
+	double inner;		 /* pressure on the face */
+	double length;
+};
+
+/* Pressure on a face where the gap steps, from the flow in the lower half of the segment. */
+static double pressure_at_step(const struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s,
+			       double length)
+{
+	size_t at = ts_film_face(f, axis, i, j);
+	int k = axis == 0 ? s->low % f->n[0] : s->low / f->n[0];
+	double h = f->gap[s->low], d = (f->face[axis][k + 1] - f->face[axis][k]) / 2;
+	double full = h * ts_film_entrainment(f, axis, s, i, j), share = 1;
+
+	if (f->transport[axis][at] != 0)
+		share = (f->flow[axis][at] - f->conductance[axis][at] * (f->p[s->low] - f->p[s->high])) /
+			f->transport[axis][at];
+	if (f->polar && axis == 1)
+		d *= ts_film_centre(f, 0, i);
+	return f->p[s->low] -
+	       12 * f->viscosity * d / (h * h * h) * (f->flow[axis][at] / length - share * full);
+}
+
+static struct segment segment_of(const struct ts_film *f, int axis, int i, int j,
+				 const struct ts_film_sides *s)
+{
+	struct segment g;
+
+	g.h[0] = s->low >= 0 ? f->gap[s->low] : ts_film_edge_gap(f, axis, i, j, false);
+	g.h[1] = s->high >= 0 ? f->gap[s->high]
+			      : ts_film_edge_gap(f, axis, i - (axis == 0), j - (axis == 1), true);
+	g.p[0] = s->low >= 0 ? f->p[s->low] : f->edge_pressure[axis][0];
+	g.p[1] = s->high >= 0 ? f->p[s->high] : f->edge_pressure[axis][1];
+	g.x = axis == 0 ? f->face[0][i] : ts_film_centre(f, 0, i);
+	g.y = axis == 1 ? f->face[1][j] : ts_film_centre(f, 1, j);
+	g.length = ts_film_face_length(f, axis, i, j);
+	g.inner = (g.p[0] + g.p[1]) / 2;
+	if (f->shape == TS_FILM_STEPPED && s->low >= 0 && s->high >= 0 && g.length > 0)
+		g.inner = pressure_at_step(f, axis, i, j, s, g.length);
+	return g;
+}
+
+/* Of a segment: integrals of h dp and p dh; their sum is the difference of p h. */
+static void add_segment(const struct ts_film *f, struct ts_film_measures *m, int axis, int i, int j)
+{
+	struct ts_film_sides s = ts_film_sides_of(f, axis, i, j);
+	struct segment g;
+	double h_dp, p_dh;
+
+	if (!s.open)
+		return;
+	g = segment_of(f, axis, i, j, &s);
+	if (f->shape == TS_FILM_STEPPED)
+		h_dp = g.h[0] * (g.inner - g.p[0]) + g.h[1] * (g.p[1] - g.inner);
+	else
+		h_dp = (g.h[0] + g.h[1]) / 2 * (g.p[1] - g.p[0]);
+	p_dh = (g.inner - f->ambient) * (g.h[1] - g.h[0]);
+	for (int side = 0; side < 2; side++)
+		add_force(f, axis, -h_dp / 2 * g.length, g.x, g.y, m->shear[side], &m->torque[side]);
+	add_force(f, axis, -p_dh * g.length, g.x, g.y, m->pressure_force, NULL);
+}
+
+static void add_edges(const struct ts_film *f, struct ts_film_measures *m)
+{
+	for (int axis = 0; axis < 2; axis++)
+		for (int k = 0; k < f->n[1 - axis]; k++) {
+			int low[2] = { axis == 0 ? 0 : k, axis == 0 ? k : 0 };
+			int high[2] = { axis == 0 ? f->n[0] : k, axis == 0 ? k : f->n[1] };
+
+			m->outflow[axis][0] -= f->flow[axis][ts_film_face(f, axis, low[0], low[1])];
+			m->outflow[axis][1] += f->flow[axis][ts_film_face(f, axis, high[0], high[1])];
+		}
+}
+
+static void add_cell(const struct ts_film *f, struct ts_film_measures *m, int i, int j)
+{
+	size_t c = ts_film_at(f, i, j);
+	double area = ts_film_area(f, i, j), x = ts_film_centre(f, 0, i), y = ts_film_centre(f, 1, j);
+	double push = (f->p[c] - f->ambient) * area;
+
+	if (f->kind[c] == TS_FILM_SOLID)
+		return;
+	m->load += push;
+	m->centre[0] += push * (f->polar ? x * cos(y) : x);
+	m->centre[1] += push * (f->polar ? x * sin(y) : y);
+	m->least_gap = fmin(m->least_gap, f->gap[c]);
+	m->volume += f->gap[c] * (1 - f->empty[c]) * area;
+	for (int axis = 0; axis < 2; axis++) {
+		double drag = f->viscosity * (1 - f->empty[c]) / f->gap[c] *
+			      (f->velocity[1][axis][c] - f->velocity[0][axis][c]) * area;
+
+		add_force(f, axis, drag, x, y, m->shear[0], &m->torque[0]);
+		add_force(f, axis, -drag, x, y, m->shear[1], &m->torque[1]);
+	}
+}
+
+/* Height and place of the maximum of the parabola through three points; the middle one is the highest. */
+static double parabola_top(const double x[3], const double p[3], double *at)
+{
+	double a = (p[0] - p[1]) / (x[0] - x[1]), b = (p[2] - p[1]) / (x[2] - x[1]);
+	double bend = (b - a) / (x[2] - x[0]), slope = a - bend * (x[0] - x[1]), d;
+
+	*at = x[1];
+	if (!(bend < 0))
+		return 0;
+	d = -slope / (2 * bend);
+	*at += d;
+	return d * (slope + bend * d);
+}
+
+/* Rise above the highest centre along one axis; 0 at edges and beside cells that are not fluid. */
+static double rise_along(const struct ts_film *f, int axis, const int top[2], double *at)
+{
+	double x[3], p[3];
+
+	*at = ts_film_centre(f, axis, top[axis]);
+	if (top[axis] == 0 || top[axis] == f->n[axis] - 1)
+		return 0;
+	for (int k = 0; k < 3; k++) {
+		int i = top[0] + (axis == 0 ? k - 1 : 0), j = top[1] + (axis == 1 ? k - 1 : 0);
+
+		if (f->kind[ts_film_at(f, i, j)] != TS_FILM_FLUID)
+			return 0;
+		x[k] = ts_film_centre(f, axis, axis == 0 ? i : j);
+		p[k] = f->p[ts_film_at(f, i, j)];
+	}
+	return parabola_top(x, p, at);
+}
+
+static void find_maximum(const struct ts_film *f, struct ts_film_measures *m)
+{
+	double x[2];
+	int top[2] = { 0, 0 };
+
+	m->p_max = -INFINITY;
+	for (int j = 0; j < f->n[1]; j++)
+		for (int i = 0; i < f->n[0]; i++)
+			if (f->kind[ts_film_at(f, i, j)] != TS_FILM_SOLID &&
+			    f->p[ts_film_at(f, i, j)] > m->p_max) {
+				m->p_max = f->p[ts_film_at(f, i, j)];
+				top[0] = i;
+				top[1] = j;
+			}
+	for (int axis = 0; axis < 2; axis++)
+		m->p_max += rise_along(f, axis, top, &x[axis]);
+	m->p_max_at[0] = f->polar ? x[0] * cos(x[1]) : x[0];
+	m->p_max_at[1] = f->polar ? x[0] * sin(x[1]) : x[1];
+}
+
+void ts_film_measure(const struct ts_film *f, struct ts_film_measures *m)
+{
+	*m = (struct ts_film_measures){ .least_gap = INFINITY };
+	for (int j = 0; j < f->n[1]; j++)
+		for (int i = 0; i < f->n[0]; i++)
+			add_cell(f, m, i, j);
+	/* the upper face of a periodic axis is the lower one */
+	for (int axis = 0; axis < 2; axis++) {
+		bool upper = f->edge[axis][0] != TS_FILM_PERIODIC;
+
+		for (int j = 0; j < f->n[1] + (axis == 1 && upper); j++)
+			for (int i = 0; i < f->n[0] + (axis == 0 && upper); i++)
+				add_segment(f, m, axis, i, j);
+	}
+	for (int axis = 0; axis < 2; axis++)
+		m->centre[axis] = m->load != 0 ? m->centre[axis] / m->load : NAN;
+	add_edges(f, m);
+	find_maximum(f, m);
+}

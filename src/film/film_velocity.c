@@ -1,0 +1,177 @@
+#include "film/film_velocity.h"
+
+#include <math.h>
+
+#include "film/internal.h"
+
+#include "base/banned.h"
+
+/* The cell that contains a coordinate, and the centres on both sides of it with their weights. */
+struct place {
+	double x;
+	int cell, near[2];
+	double weight[2], apart; /* apart: distance of the centres; 0: only one */
+};
+
+static int find_cell(const struct ts_film *f, int axis, double x)
+{
+	int low = 0, high = f->n[axis];
+
+	while (high - low > 1) {
+		int middle = (low + high) / 2;
+
+		if (x >= f->face[axis][middle])
+			low = middle;
+		else
+			high = middle;
+	}
+	return low;
+}
+
+static struct place find_place(const struct ts_film *f, int axis, double x)
+{
+	int n = f->n[axis], other;
+	const double *face = f->face[axis];
+	struct place at = { .x = fmin(fmax(x, face[0]), face[n]) };
+	double centre, period = face[n] - face[0], next;
+	bool above;
+
+	at.cell = find_cell(f, axis, at.x);
+	centre = ts_film_centre(f, axis, at.cell);
+	above = at.x >= centre;
+	other = at.cell + (above ? 1 : -1);
+	at.near[0] = at.near[1] = at.cell;
+	at.weight[0] = 1;
+	if (f->edge[axis][0] == TS_FILM_PERIODIC)
+		next = ts_film_centre(f, axis, (other + n) % n) + (other < 0	? -period
+								   : other >= n ? period
+										: 0);
+	else if (other >= 0 && other < n)
+		next = ts_film_centre(f, axis, other);
+	else
+		return at;
+	at.near[above] = (other + n) % n;
+	at.apart = fabs(next - centre);
+	at.weight[1 - above] = 1 - fabs(at.x - centre) / at.apart;
+	at.weight[above] = fabs(at.x - centre) / at.apart;
+	return at;
+}
+
+static double interpolate(const struct ts_film *f, const double *field, const struct place at[2])
+{
+	double sum = 0;
+
+	for (int b = 0; b < 2; b++)
+		for (int a = 0; a < 2; a++)
+			sum += at[0].weight[a] * at[1].weight[b] *
+			       field[ts_film_at(f, at[0].near[a], at[1].near[b])];
+	return sum;
+}
+
+static double slope_along(const struct ts_film *f, int axis, const struct place at[2])
+{
+	double sum = 0;
+
+	if (!(at[axis].apart > 0))
+		return 0;
+	for (int k = 0; k < 2; k++) {
+		int low[2] = { at[0].near[0], at[1].near[0] }, high[2];
+
+		low[1 - axis] = at[1 - axis].near[k];
+		high[0] = low[0];
+		high[1] = low[1];
+		high[axis] = at[axis].near[1];
+		sum += at[1 - axis].weight[k] *
+		       (f->gap[ts_film_at(f, high[0], high[1])] - f->gap[ts_film_at(f, low[0], low[1])]);
+	}
+	return sum / at[axis].apart;
+}
+
+/* Mean velocity along an axis, if the gap were full also in the cavity. In polar coordinates r q varies linearly with
+ * r^2, so that its divergence is constant in the cell. */
+static double mean_along(const struct ts_film *f, int axis, const struct place at[2], double gap)
+{
+	int i = at[0].cell, j = at[1].cell, k = at[axis].cell;
+	double low = ts_film_full_flow(f, axis, i, j);
+	double high = ts_film_full_flow(f, axis, i + (axis == 0), j + (axis == 1));
+	double a = f->face[axis][k], b = f->face[axis][k + 1], t = (at[axis].x - a) / (b - a);
+	double length = axis == 0 ? f->face[1][j + 1] - f->face[1][j] : f->face[0][i + 1] - f->face[0][i];
+
+	if (f->polar && axis == 0) {
+		t = (at[0].x * at[0].x - a * a) / (b * b - a * a);
+		length *= at[0].x;
+	}
+	return length > 0 ? (low + t * (high - low)) / (length * gap) : 0;
+}
+
+static bool touches_solid(const struct ts_film *f, const struct place at[2])
+{
+	for (int b = 0; b < 2; b++)
+		for (int a = 0; a < 2; a++)
+			if (f->kind[ts_film_at(f, at[0].near[a], at[1].near[b])] == TS_FILM_SOLID)
+				return true;
+	return false;
+}
+
+/* The gap: linear between centres, extrapolated to the edges as for the flow; constant in the cell if stepped, or
+ * beside cells that are solid. */
+static void sample_gap(const struct ts_film *f, const struct place at[2], struct ts_film_point *out)
+{
+	size_t c = ts_film_at(f, at[0].cell, at[1].cell);
+
+	out->gap = f->gap[c];
+	out->rate = f->rate[c];
+	out->slope[0] = out->slope[1] = 0;
+	if (f->shape == TS_FILM_STEPPED || touches_solid(f, at))
+		return;
+	out->gap = interpolate(f, f->gap, at);
+	out->rate = interpolate(f, f->rate, at);
+	for (int axis = 0; axis < 2; axis++) {
+		double centre = ts_film_centre(f, axis, at[axis].cell), edge, half;
+		bool high = at[axis].x > centre;
+
+		out->slope[axis] = slope_along(f, axis, at);
+		if (at[axis].apart > 0 || f->n[axis] < 2)
+			continue;
+		edge = ts_film_edge_gap(f, axis, at[0].cell, at[1].cell, high);
+		half = f->face[axis][at[axis].cell + high] - centre;
+		out->slope[axis] = (edge - f->gap[c]) / half;
+		out->gap += out->slope[axis] * (at[axis].x - centre);
+	}
+	if (f->polar && at[0].x > 0)
+		out->slope[1] /= at[0].x;
+}
+
+void ts_film_sample(const struct ts_film *f, const double x[2], struct ts_film_point *out)
+{
+	const struct place at[2] = { find_place(f, 0, x[0]), find_place(f, 1, x[1]) };
+	size_t c = ts_film_at(f, at[0].cell, at[1].cell);
+
+	out->p = touches_solid(f, at) ? f->p[c] : interpolate(f, f->p, at);
+	out->empty = f->empty[c];
+	for (int axis = 0; axis < 2; axis++)
+		for (int side = 0; side < 2; side++)
+			out->wall[side][axis] = interpolate(f, f->velocity[side][axis], at);
+	sample_gap(f, at, out);
+	for (int axis = 0; axis < 2; axis++)
+		out->mean[axis] = f->kind[c] == TS_FILM_SOLID ? (out->wall[0][axis] + out->wall[1][axis]) / 2
+							      : mean_along(f, axis, at, out->gap);
+}
+
+/* With S = int_h1^z u dz = h (f1 U1 + f2 U2) + f3 (q - h (U1 + U2)/2), div q = -dh/dt and grad s = -(grad h1 + s
+ * grad h)/h: w = dh1/dt - div S at constant z. */
+void ts_film_profile(const struct ts_film_point *point, double s, const double lower_slope[2],
+		     double lower_rate, double u[3])
+{
+	double f1 = s - s * s / 2, f2 = s * s / 2, f3 = s * s * (3 - 2 * s),
+	       w = lower_rate + f3 * point->rate;
+
+	for (int axis = 0; axis < 2; axis++) {
+		double low = point->wall[0][axis], high = point->wall[1][axis], mean = (low + high) / 2;
+
+		u[axis] = low * (1 - s) + high * s + 6 * s * (1 - s) * (point->mean[axis] - mean);
+		w += u[axis] * (lower_slope[axis] + s * point->slope[axis]) -
+		     (f1 * low + f2 * high - f3 * mean) * point->slope[axis];
+	}
+	u[2] = w;
+}

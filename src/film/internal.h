@@ -1,0 +1,56 @@
+/* Parts of the film solver that its files share. */
+#ifndef TS_FILM_INTERNAL_H
+#define TS_FILM_INTERNAL_H
+
+#include "film/film.h"
+
+/* The two cells of a face, -1: none (edge of the grid), and whether the face is between fluid or given cells. */
+struct ts_film_sides {
+	int low, high;
+	bool open;
+};
+
+/* ---- film_faces.c */
+
+/* Cells on both sides of the lower face of cell (i, j) along the axis; periodic faces have two cells. */
+struct ts_film_sides ts_film_sides_of(const struct ts_film *f, int axis, int i, int j);
+/* Gap on an edge of the grid next to a cell: extrapolated linearly from two cells, at least h/2. */
+double ts_film_edge_gap(const struct ts_film *f, int axis, int i, int j, bool high);
+/* Length of a face. */
+double ts_film_face_length(const struct ts_film *f, int axis, int i, int j);
+/* Mean velocity (U1 + U2)/2 along the axis at a face. */
+double ts_film_entrainment(const struct ts_film *f, int axis, const struct ts_film_sides *s, int i, int j);
+/* Computes conductance, transport and source. */
+void ts_film_set_faces(struct ts_film *f);
+/* Calls visit for all faces along axis 0, then axis 1. A periodic face is visited at both ends. */
+typedef void ts_film_face_fn(struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s);
+void ts_film_each_face(struct ts_film *f, ts_film_face_fn *visit);
+
+/* ---- film_balance.c */
+
+/* Computes flow from p and empty, and residual = flow out of each cell + source. */
+void ts_film_set_flow(struct ts_film *f);
+/* The flow through a face, if the gap were full also in the cavity. */
+double ts_film_full_flow(const struct ts_film *f, int axis, int i, int j);
+/* Rows of the matrix of the fluid cells: derivatives of their balances by p of free cells and by -theta of the
+ * others. With `transported` false the others have p = pc, theta = 0 and no unknown. */
+void ts_film_set_rows(struct ts_film *f, bool transported);
+/* Fills the report from flow and residual. */
+void ts_film_set_report(struct ts_film *f);
+
+/* ---- film_guess.c */
+
+/* Whether the grid has enough cells for the following. */
+bool ts_film_can_coarsen(const struct ts_film *f);
+/* Makes the same problem on half the cells along each axis that has enough of them, with means of the fields. To be
+ * released also after a failure. */
+enum ts_status ts_film_coarsen(const struct ts_film *f, struct ts_film *coarse);
+/* Sets free, p and empty of the fluid cells to a solution on the coarser grid. */
+void ts_film_take_guess(struct ts_film *f, const struct ts_film *coarse);
+
+/* ---- film_jfo.c */
+
+/* Solves the problem of enum TS_FILM_JFO from the present p, empty and free, those of TS_FILM_REYNOLDS or a guess. */
+enum ts_status ts_film_solve_jfo(struct ts_film *f, struct ts_error *error);
+
+#endif
