@@ -882,8 +882,11 @@ library_sources = \
 	src/poisson/transform.h \
 	src/polish/compute_active_pi.c \
 	src/polish/compute_active_pml.c \
+	src/polish/fix_wafer.c \
 	src/polish/slurry.c \
 	src/polish/slurry.h \
+	src/polish/wafer.c \
+	src/polish/wafer.h \
 	src/region/command_region.c \
 	src/region/region.c \
 	src/region/region.h \

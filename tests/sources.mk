@@ -232,6 +232,7 @@ unit_tests = \
 	tests/neigh/check_pairs \
 	tests/particle/check_particles \
 	tests/poisson/check_poisson \
+	tests/polish/check_wafer \
 	tests/program/check_crosscheck \
 	tests/rigid/check_rigid \
 	tests/rough/check_rough \
@@ -471,6 +472,10 @@ tests_particle_check_particles_LDADD = $(tests_ldadd)
 tests_poisson_check_poisson_SOURCES = tests/poisson/check_poisson.c
 tests_poisson_check_poisson_CFLAGS = $(tests_cflags)
 tests_poisson_check_poisson_LDADD = $(tests_ldadd)
+
+tests_polish_check_wafer_SOURCES = tests/polish/check_wafer.c
+tests_polish_check_wafer_CFLAGS = $(tests_cflags)
+tests_polish_check_wafer_LDADD = $(tests_ldadd)
 
 tests_program_check_crosscheck_SOURCES = tests/program/check_crosscheck.c
 tests_program_check_crosscheck_CFLAGS = $(tests_cflags)

@@ -1,4 +1,4 @@
-# Pictures of in.active: gnuplot plot.gp
+# Pictures of in.active and in.wafer: gnuplot plot.gp
 set terminal pngcairo size 1000,420 font ",10"
 set output "post/active.png"
 set multiplot layout 1,2
@@ -16,3 +16,12 @@ plot "post/modulus.txt" u 1:6:7 w yerrorlines pt 7 t "active, PML", \
      "" u 1:12:13 w yerrorlines pt 5 t "active, PI", \
      "" u 1:4 w lines dt 2 t "eligible, PML", "" u 1:10:11 w yerrorlines pt 4 t "eligible, PI"
 unset multiplot
+# in.wafer
+set output "post/tilt.png"
+set terminal pngcairo size 500,400 font ",10"
+unset logscale
+set autoscale
+set key off
+set xlabel "coefficient of friction"
+set ylabel "mean tilt of the wafer (degrees)"
+plot "post/tilt.txt" u 1:2:3 w yerrorlines pt 7

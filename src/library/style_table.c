@@ -274,6 +274,7 @@ TS_STYLE(fix, ts_style, ts_fix_vector)
 TS_STYLE(fix, ts_style, ts_fix_viscous)
 TS_STYLE(fix, ts_style, ts_fix_viscous_sphere)
 TS_STYLE(fix, ts_style, ts_fix_void_fraction)
+TS_STYLE(fix, ts_style, ts_fix_wafer)
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 TS_STYLE(fix, ts_style, ts_fix_wall_gran_region)
 TS_STYLE(fix, ts_style, ts_fix_wall_reflect)
@@ -576,6 +577,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_viscous,
 	&ts_fix_viscous_sphere,
 	&ts_fix_void_fraction,
+	&ts_fix_wafer,
 	&ts_fix_wall_gran,
 	&ts_fix_wall_gran_region,
 	&ts_fix_wall_reflect,

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Active particles from scripts: the example, numbers by hand, what is refused.
+# Active particles and the wafer from scripts: the examples, numbers by hand, what is refused.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 cp -r "$top_srcdir/examples/polishing" "$top_srcdir/examples/flow" . || exit 99
@@ -9,6 +9,8 @@ cd polishing || exit 99
 report 'the example' $? out
 [ "$(wc -l <post/spread.txt)" = 9 ] && [ "$(wc -l <post/modulus.txt)" = 20 ]
 report 'its tables' $? post/modulus.txt
+"$TSIM" -in in.wafer -log none -var pads 4 >out 2>&1 && [ "$(grep -c '^RESULT .* ok$' out)" = 2 ] && ! grep -q '^RESULT .* off$' out
+report 'the wafer' $? out
 cd ..
 
 # A quarter of the columns is 1 high, the others 0; the plane is pressed 0.1 deep into springs of stiffness 8: p = 0.2
@@ -45,9 +47,50 @@ no() {
 	printf '%s\n' 'include in.blocks' "$3" 'run 0' >in.script
 	refused "$1" "$2" -in in.script
 }
+# A wafer on a sliding flat pad, friction 0.5, the joint 0.02 above the face: closed form
+cat >in.flat <<'END'
+units si
+boundary p p f
+region box block 0 4 0 2 -1 2 units box
+create_box 1 box
+fix pad all surface/voxel constant 1 type 1 cells 8 4 move linear 0 0.001 0
+timestep 1e-3
+thermo 1000
+END
+prints "include in.flat
+fix w all wafer pad settled stiffness 8 pressure 0.2 friction 0.5 arm 0.02
+thermo_style custom step f_w[1] f_w[2] f_w[3]
+run 0
+variable slope equal 0.2*8*0.01/(8*8*2^2/12*(1-1/4^2))
+$(near settled 'f_w[1]' '1-0.2/8')
+$(near level 'f_w[2]+1' '1')
+$(near tilted 'f_w[3]' 'v_slope')
+$(near angle 'f_w' 'atan(v_slope)*180/PI')
+$(near carried 'f_w[4]' '0.2*8')" 'settled ok' 'level ok' 'tilted ok' 'angle ok' 'carried ok'
+# a free oscillation in height: omega^2 = k A/m; the back pressure is doubled at t = 0
+prints "include in.flat
+variable p equal 0.2*(1+(step>0))
+fix d all wafer pad dynamic mass 2 inertia_1 100 inertia_2 100 stiffness 8 pressure v_p
+thermo_style custom step f_d[1] f_d
+run 1
+variable half equal round(PI/sqrt(8*8/2)/dt)
+run \${half}
+variable low equal f_d[1]
+if \"abs(\${low}-(1-0.2/8-2*0.2/8)) < 1e-6\" then \"print 'oscillates'\"" 'oscillates'
+
 no 'no contact' "there is no compute surface/contact 'pres'; did you mean 'press'?" 'compute c all active/pml pres radius 1 fraction 0.1'
 no 'another compute' 'expected a compute surface/contact' 'compute ke all ke
 compute c all active/pml ke radius 1 fraction 0.1'
 no 'more than can be packed' 'fraction' 'compute c all active/pml press radius 1 fraction 0.8'
 no 'no radius' 'radius' 'compute c all active/pi press radius 0 deviation 0 fraction 0.1 hardness 1'
+nof() {
+	printf '%s\n' 'include in.flat' "$3" 'run 1' >in.script
+	refused "$1" "$2" -in in.script
+}
+nof 'a load beyond the hardness' 'the pad can carry at most 0.8 of the load 1.6' 'fix w all wafer pad settled stiffness 8 hardness 0.1 pressure 0.2'
+nof 'friction that topples' 'no equilibrium' 'fix w all wafer pad settled stiffness 8 pressure 0.2 friction 1 arm 1.01'
+nof 'no pressure' 'the back pressure is 0, must be > 0' 'fix w all wafer pad settled stiffness 8 pressure 0'
+nof 'an unstable step' 'time step' 'fix w all wafer pad dynamic mass 1e-6 inertia_1 1 inertia_2 1 stiffness 8 pressure 0.2'
+nof 'a pad that leaves' 'it would leave the wafer' 'fix q all surface/voxel constant 1 type 1 cells 2 2 origin 1 0.5 size 1 1 move linear 0.1 0 0
+fix w all wafer q settled stiffness 8 pressure 0.2'
 finish

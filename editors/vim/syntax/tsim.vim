@@ -116,15 +116,15 @@ syn keyword tsimKeyword  molfrac rigid shake title ghost writedata add_region
 syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style dirac
 syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer peratomtype
 syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink delete_below
-syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple constant black
-syn keyword tsimKeyword  white formula mean correlation selfaffine hurst shortest roll
-syn keyword tsimKeyword  longest normal size datum base merge method divided kernel reach
-syn keyword tsimKeyword  least model hooke hertz hooke/stiffness hertz/stiffness
-syn keyword tsimKeyword  hooke/hysteresis jkr tangential history no_history
-syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
-syn keyword tsimKeyword  cohesion sjkr sjkr2 easo/capillary/viscous
-syn keyword tsimKeyword  washino/capillary/viscous surface multicontact limitForce
-syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
+syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple surface
+syn keyword tsimKeyword  constant black white formula mean correlation selfaffine hurst
+syn keyword tsimKeyword  shortest roll longest normal size datum base merge method divided
+syn keyword tsimKeyword  kernel reach least settled inertia_1 inertia_2 friction arm model
+syn keyword tsimKeyword  hooke hertz hooke/stiffness hertz/stiffness hooke/hysteresis jkr
+syn keyword tsimKeyword  tangential history no_history incremental_history jkr_tan
+syn keyword tsimKeyword  rolling_friction cdt epsd epsd2 epsd3 cohesion sjkr sjkr2
+syn keyword tsimKeyword  easo/capillary/viscous washino/capillary/viscous multicontact
+syn keyword tsimKeyword  limitForce tangential_damping absolute_damping ktToKnUser viscous
 syn keyword tsimKeyword  tangential_reduce modifyLbVolume limitLiquidContent torsionTorque
 syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
@@ -192,10 +192,11 @@ syn match tsim_fix /\<print\>/ contained
 syn keyword tsim_fix contained property/atom property/atom/regiontracer/time property/atom/tracer
 syn keyword tsim_fix contained property/atom/tracer/stream property/global recenter remove rigid
 syn keyword tsim_fix contained scale/diameter setforce spring spring/self store/force store/state
-syn keyword tsim_fix contained surface/voxel vector viscous viscous/sphere void_fraction
-syn keyword tsim_fix contained wall/gran wall/gran/region wall/reflect wear/archard wear/bitter
-syn keyword tsim_fix contained wear/finnie wear/formula wear/neilson/gilchrist wear/oka
-syn keyword tsim_fix contained wear/zhao/chang wear/zhao/chang/contact
+syn keyword tsim_fix contained surface/heat surface/impacts surface/voxel vector viscous
+syn keyword tsim_fix contained viscous/sphere void_fraction wafer wall/gran wall/gran/region
+syn keyword tsim_fix contained wall/reflect wear/archard wear/bitter wear/finnie wear/formula
+syn keyword tsim_fix contained wear/neilson/gilchrist wear/oka wear/zhao/chang
+syn keyword tsim_fix contained wear/zhao/chang/contact
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained active/pi active/pml aggregate/atom angmom/chunk bond/local bonds
