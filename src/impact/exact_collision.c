@@ -550,6 +550,29 @@ static void choose_axes(struct motion *o, const struct ts_collision *c, double *
 	}
 }
 
+static double speed_of_slip(const struct motion *o, const struct ts_collision *c, const double *y)
+{
+	double slip[2] = { 0, 0 };
+
+	for (int k = 0; k < o->d; k++)
+		slip[k] = y[TANGENTIAL + k] + c->radius * y[TANGENTIAL + o->d + k];
+	return length2(slip, o->d);
+}
+
+/* Part e of the usual friction below which its direction may follow that of the slip more slowly than by the law. Fast
+ * slip along a slow collision would else need many steps: x being friction times normal over tangential speed, the
+ * direction follows within the part x q of the collision at the overlap q, relative to the largest. The slip turns at
+ * the rate x F, F ~ q^(3/2) being the relative force, so friction of F = e is wrong by e (x e) (x e^(2/3)); it lasts
+ * for e^(2/3) and has x of the momentum along the surface, which is wrong by x^3 e^(10/3). For e > 1, slower throughout:
+ * x^3 e. This stays below SMALL. */
+static double negligible(double x)
+{
+	static const double SMALL = 1e-13;
+	double part = SMALL / (x * x * x);
+
+	return fmax(part < 1 ? pow(part, 0.3) : part, NEGLIGIBLE);
+}
+
 /* Sets model, constants, scales of all numbers and the state at the touch. `touch`: memory. */
 static void begin(struct motion *o, struct ts_touch *touch, const struct ts_collision *c, double *y)
 {
@@ -596,8 +619,9 @@ static void begin(struct motion *o, struct ts_touch *touch, const struct ts_coll
 		at[3 * o->d] = speeds * depth / u;
 	}
 	o->elongation = speeds * depth / u;
-	o->least_limit = NEGLIGIBLE * c->law->friction * c->mass * u * u / depth;
 	if (o->d) {
+		o->least_limit = negligible(c->law->friction * u / (speed_of_slip(o, c, y) + u)) *
+				 c->law->friction * c->mass * u * u / depth;
 		/* nothing depends on these sums; |s| has a kink where slip reverses */
 		o->scale[TANGENTIAL + 4 * o->d] = LESS_PRECISE * speeds * depth / u;
 		o->scale[TANGENTIAL + 4 * o->d + 1] = LESS_PRECISE * c->mass * speeds * speeds;

@@ -205,4 +205,28 @@ done
 like moving.1e-6 moving.2.5e-7 1e-12
 like rough.1e-6 rough.2.5e-7 1e-5
 
+# a slow impact of a grain that slides fast and spins across: the direction of friction follows the slip at a rate that no
+# step could resolve. It stays about the same, so friction takes the same momentum as from a grain without spin.
+cat >in.grazing <<'END'
+variable e index 0.6
+include in.material
+create_atoms 1 single 0 0 1.262558e-6
+set group all diameter 2.525116e-6 density 2900
+velocity all set -24.126 29.841 $(-v_n)
+set group all omegax $(1.949e6*v_spin) omegay $(1.586e6*v_spin)
+fix move all nve/sphere
+fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0 impact exact
+timestep 1e-6
+run 5
+print "rubbed $(sqrt((vx[1]+24.126)^2+(vy[1]-29.841)^2)/v_n:%.12g) $(vz[1]/v_n:%.12g)"
+END
+for n in 1 0.042 0.001; do
+	for spin in 0 -1 3; do
+		"$TSIM" -in in.grazing -log none -var n "$n" -var spin "$spin" 2>&1 </dev/null
+	done >out
+	awk -v n="$n" '/^rubbed/ { if (!count++) first = $2; d = ($2 - first) / first
+		good += d * d < (1e-3 * n) ^ 2 + 1e-14 && $3 > 0.599999 && $3 < 0.600001 } END { exit !(count == 3 && good == 3) }' out
+	report "grazing impacts with spin, at $n" $? out
+done
+
 finish
