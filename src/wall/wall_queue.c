@@ -130,8 +130,10 @@ static void apply_contact(const struct ts_wall_queue *q, size_t at, const struct
 	const struct ts_wall_contact_point *point = &q->point[at];
 	struct ts_particles *p = q->sim->particles;
 	size_t k = q->contact[at], i = (size_t)w->contacts.row[k];
-	struct heat heat = conduct(w, q->sim, i, point);
+	struct heat heat = { 0 };
 
+	if (point->warm)
+		heat = conduct(w, q->sim, i, point);
 	for (int d = 0; d < 3; d++) {
 		p->f[i][d] += f->force[d];
 		w->contacts.force[k][d] = f->force[d];
