@@ -156,6 +156,9 @@ print \"is heat \$(c_heat:%.17g) \$(-v_h*(f_heat/v_mc-300):%.17g)\""
 
 rejects "$(cat in.head)
 $(surface_of plane '')
+compute c all wall/gran/local heatFlux primitives yes" 'no heat flows without a fix heat/gran'
+rejects "$(cat in.head)
+$(surface_of plane '')
 fix warmed all surface/heat surface cad" 'needs a fix heat/gran before it, and there is none'
 rejects "$(one plane '' euler)
 unfix heat
