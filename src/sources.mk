@@ -344,6 +344,8 @@ library_sources = \
 	src/dump/dump_price.c \
 	src/dump/dump_restart.c \
 	src/dump/dump_select.c \
+	src/dump/dump_surface.c \
+	src/dump/dump_surface.h \
 	src/dump/dump_vtk.c \
 	src/dump/dump_vtk.h \
 	src/dump/dump_xyz.c \

@@ -162,6 +162,7 @@ shell_tests = \
 	tests/stability/guard.sh \
 	tests/stability/refusal.sh \
 	tests/thermo/thermo.sh \
+	tests/voxel/voxel_dumps.sh \
 	tests/voxel/voxel_heights.sh \
 	tests/voxel/voxel_walls.sh \
 	tests/wall/coincide.sh \

@@ -1,21 +1,19 @@
 /* Dump mesh/vtk: meshes at their present position with quantities of each triangle, as legacy VTK (text). */
 #include <string.h>
 
-#include "core/ref_list.h"
 #include "core/sim.h"
 #include "dump/dump_mesh.h"
+#include "dump/dump_surface.h"
 #include "wall/mesh_stress.h"
 
 #include "base/banned.h"
 
 struct state {
 	struct ts_dump_mesh mesh;
-	unsigned chosen;	   /* bit k: quantities[k] is written */
-	struct ts_words names;	   /* words of the line that name outputs of fixes */
-	struct ts_ref_list inputs; /* those outputs; each has rows of triangles of one mesh */
-	struct ts_table values;	   /* one of them */
-	int form;		   /* FACE, INTERPOLATE or ORIGINAL */
-	size_t column;		   /* numbers in the present line */
+	unsigned chosen; /* bit k: quantities[k] is written */
+	struct ts_dump_surface_inputs inputs;
+	int form;      /* FACE, INTERPOLATE or ORIGINAL */
+	size_t column; /* numbers in the present line */
 };
 
 enum { FACE, INTERPOLATE, ORIGINAL };
@@ -209,9 +207,9 @@ static enum ts_status read_word(struct ts_instance *self, struct tsim *sim, stru
 		*taken += ts_streq(rest.word[0].text, missing[k]);
 	if (!*taken && names_output(sim, rest.word[0].text)) {
 		*taken = 1;
-		return s->inputs.n
-			       ? TS_OK
-			       : ts_words_append(&self->arena, (struct ts_words){ rest.word, 1 }, &s->names);
+		return s->inputs.list.n ? TS_OK
+					: ts_words_append(&self->arena, (struct ts_words){ rest.word, 1 },
+							  &s->inputs.names);
 	}
 	if (!ts_streq(rest.word[0].text, "output"))
 		return TS_OK;
@@ -219,37 +217,14 @@ static enum ts_status read_word(struct ts_instance *self, struct tsim *sim, stru
 	return read_form(s, sim, rest);
 }
 
-/* The mesh of an output; NULL: it is about a surface of another kind. */
-static const struct ts_mesh_surface *surface_of(const struct ts_ref_input *input)
+static bool writes(const struct ts_instance *self, const struct ts_instance *by)
 {
-	const struct ts_instance *inst = input->ref.inst, *by = inst->style->surface(inst);
+	const struct state *s = self->state;
 
-	return by->style->family && ts_streq(by->style->family, TS_FAMILY_MESH) ? by->state : NULL;
-}
-
-static bool dumps(const struct state *s, const struct ts_mesh_surface *surface)
-{
 	for (size_t k = 0; k < s->mesh.nsurfaces; k++)
-		if (s->mesh.surface[k] == surface)
+		if (by->state == s->mesh.surface[k])
 			return true;
 	return false;
-}
-
-/* Finds the outputs of fixes that are to be written. */
-static enum ts_status find_inputs(struct ts_instance *self, struct tsim *sim)
-{
-	struct state *s = self->state;
-
-	if (!s->names.n)
-		return TS_OK;
-	TS_TRY(ts_ref_list_init(sim, "dump mesh/vtk", &self->arena, s->names, TS_WANT(SURFACE), &s->inputs));
-	for (size_t k = 0; k < s->inputs.n; k++)
-		if (!dumps(s, surface_of(&s->inputs.item[k])))
-			return ts_fail(&sim->error, TS_STATE, &s->inputs.item[k].where,
-				       "dump mesh/vtk: '%s' is about %s that this dump does not write",
-				       s->inputs.item[k].name,
-				       surface_of(&s->inputs.item[k]) ? "a mesh" : "a surface");
-	return TS_OK;
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -259,8 +234,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->chosen = 0;
 	s->form = FACE;
 	TS_TRY(ts_dump_mesh_init(self, sim, read_word));
-	TS_TRY(find_inputs(self, sim));
-	if (s->chosen || s->inputs.n)
+	TS_TRY(ts_dump_surface_find(self, sim, writes, &s->inputs));
+	if (s->chosen || s->inputs.list.n)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 		       "dump mesh/vtk: say what to write of each triangle: stress, id, wear, vel, "
@@ -330,22 +305,18 @@ static void add_array(struct state *s, const struct quantity *q, size_t n)
 	end_numbers(s);
 }
 
-/* An output of a fix; 0 for the triangles of other meshes. */
-static enum ts_status add_input(struct state *s, struct tsim *sim, const struct ts_ref_input *input, size_t n)
+/* Output k of those named; 0 for the triangles of other meshes. */
+static enum ts_status add_input(struct state *s, struct tsim *sim, size_t k, size_t n)
 {
-	int copies = s->form == INTERPOLATE ? 3 : 1; /* one for each corner */
+	const struct ts_mesh_surface *of = ts_dump_surface_of(&s->inputs, k)->state;
+	size_t copies = s->form == INTERPOLATE ? 3 : 1; /* one for each corner */
 
-	TS_TRY(ts_ref_input_eval(sim, input, &s->values));
-	if (s->values.rows != surface_of(input)->mesh.n)
-		return ts_fail(&sim->error, TS_STATE, &input->where,
-			       "dump mesh/vtk: '%s' has %zu rows, its mesh has %zu triangles", input->name,
-			       s->values.rows, surface_of(input)->mesh.n);
-	ts_str_addf(&s->mesh.common.text, "%s 1 %zu double\n", input->name, n * (size_t)copies);
-	for (size_t k = 0; k < s->mesh.nsurfaces; k++)
-		for (size_t t = 0; t < s->mesh.surface[k]->mesh.n; t++)
-			for (int c = 0; c < copies; c++)
+	TS_TRY(ts_dump_surface_begin_array(sim, &s->inputs, k, of->mesh.n, n * copies, &s->mesh.common.text));
+	for (size_t m = 0; m < s->mesh.nsurfaces; m++)
+		for (size_t t = 0; t < s->mesh.surface[m]->mesh.n; t++)
+			for (size_t c = 0; c < copies; c++)
 				add_number(s, "%.11g ",
-					   s->mesh.surface[k] == surface_of(input) ? s->values.data[t] : 0);
+					   s->mesh.surface[m] == of ? s->inputs.values.data[t] : 0);
 	end_numbers(s);
 	return TS_OK;
 }
@@ -363,7 +334,7 @@ static bool written(const struct state *s, int k)
 static enum ts_status add_arrays(struct state *s, struct tsim *sim, size_t n)
 {
 	bool points = s->form == INTERPOLATE;
-	int count = (int)s->inputs.n;
+	int count = (int)s->inputs.list.n;
 
 	for (int k = 0; k < NQUANTITIES; k++)
 		count += written(s, k);
@@ -377,8 +348,8 @@ static enum ts_status add_arrays(struct state *s, struct tsim *sim, size_t n)
 		if (written(s, which))
 			add_array(s, &quantities[which], n);
 	}
-	for (size_t k = 0; k < s->inputs.n; k++)
-		TS_TRY(add_input(s, sim, &s->inputs.item[k], n));
+	for (size_t k = 0; k < s->inputs.list.n; k++)
+		TS_TRY(add_input(s, sim, k, n));
 	return TS_OK;
 }
 
@@ -412,8 +383,7 @@ static void fini(struct ts_instance *self)
 {
 	struct state *s = self->state;
 
-	ts_ref_list_release(&s->inputs);
-	ts_table_release(&s->values);
+	ts_dump_surface_release(&s->inputs);
 	ts_dump_mesh_fini(self);
 }
 

@@ -1,9 +1,9 @@
 /* Dump voxel/vtk: the tops of the columns of a height field, as legacy VTK (text). */
 #include <string.h>
 
-#include "core/ref_list.h"
 #include "core/sim.h"
 #include "dump/dump.h"
+#include "dump/dump_surface.h"
 #include "voxel/voxel_surface.h"
 
 #include "base/banned.h"
@@ -11,30 +11,13 @@
 struct state {
 	struct ts_dump_common common;
 	const char *id;
-	struct ts_words names; /* words of the line that name outputs */
 	const struct ts_voxel_surface *surface;
-	struct ts_ref_list inputs; /* those outputs; each has a row for each column of the surface */
-	struct ts_table values;	   /* one of them */
+	struct ts_dump_surface_inputs inputs;
 };
 
-/* Finds the outputs that are to be written. */
-static enum ts_status find_inputs(struct ts_instance *self, struct tsim *sim)
+static bool writes(const struct ts_instance *self, const struct ts_instance *by)
 {
-	struct state *s = self->state;
-
-	if (!s->names.n)
-		return TS_OK;
-	TS_TRY(ts_ref_list_init(sim, "dump voxel/vtk", &self->arena, s->names, TS_WANT(SURFACE), &s->inputs));
-	for (size_t k = 0; k < s->inputs.n; k++) {
-		const struct ts_ref_input *input = &s->inputs.item[k];
-		const struct ts_instance *by = input->ref.inst;
-
-		if (by->style->surface(by)->state != s->surface)
-			return ts_fail(&sim->error, TS_STATE, &input->where,
-				       "dump voxel/vtk: '%s' is about surface %s, this dump writes %s",
-				       input->name, by->style->surface(by)->id, s->id);
-	}
-	return TS_OK;
+	return by->state == ((const struct state *)self->state)->surface;
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -50,7 +33,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       s->common.file);
 	TS_TRY(ts_voxel_surface_require(sim, &id, &surface));
 	s->surface = surface;
-	return find_inputs(self, sim);
+	return ts_dump_surface_find(self, sim, writes, &s->inputs);
 }
 
 static size_t count_columns(const struct ts_voxel_field *f)
@@ -109,21 +92,16 @@ static void add_heights(struct ts_str *text, const struct ts_voxel_field *f, siz
 				ts_str_addf(text, "%.17g\n", ts_voxel_top(f, i, j));
 }
 
-static enum ts_status add_input(struct state *s, struct tsim *sim, const struct ts_ref_input *input, size_t n)
+static enum ts_status add_input(struct state *s, struct tsim *sim, size_t k, size_t n)
 {
 	const struct ts_voxel_field *f = &s->surface->field;
 	struct ts_str *text = &s->common.text;
 
-	TS_TRY(ts_ref_input_eval(sim, input, &s->values));
-	if (s->values.rows != (size_t)(f->n[0] * f->n[1]))
-		return ts_fail(&sim->error, TS_STATE, &input->where,
-			       "dump voxel/vtk: '%s' has %zu rows, the surface has %lld columns", input->name,
-			       s->values.rows, (long long)(f->n[0] * f->n[1]));
-	ts_str_addf(text, "%s 1 %zu double\n", input->name, n);
+	TS_TRY(ts_dump_surface_begin_array(sim, &s->inputs, k, (size_t)(f->n[0] * f->n[1]), n, text));
 	for (int64_t j = 0; j < f->n[1]; j++)
 		for (int64_t i = 0; i < f->n[0]; i++)
 			if (ts_voxel_top(f, i, j) > f->base)
-				ts_str_addf(text, "%.11g\n", s->values.data[j * f->n[0] + i]);
+				ts_str_addf(text, "%.11g\n", s->inputs.values.data[j * f->n[0] + i]);
 	return TS_OK;
 }
 
@@ -141,9 +119,9 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	n = count_columns(&s->surface->field);
 	ts_str_add(text, "# vtk DataFile Version 3.0\nheight field\nASCII\nDATASET POLYDATA\n");
 	add_points(text, s->surface, n);
-	add_heights(text, &s->surface->field, n, s->inputs.n);
-	for (size_t k = 0; k < s->inputs.n; k++)
-		TS_TRY(add_input(s, sim, &s->inputs.item[k], n));
+	add_heights(text, &s->surface->field, n, s->inputs.list.n);
+	for (size_t k = 0; k < s->inputs.list.n; k++)
+		TS_TRY(add_input(s, sim, k, n));
 	if (text->failed)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_textfile_write(&s->common.out, ts_str_text(text), text->length));
@@ -154,7 +132,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 {
 	const struct state *s = self->state;
 	const struct ts_voxel_field *f = &s->surface->field;
-	double column = 170 + 12 * (double)s->inputs.n;
+	double column = 170 + 12 * (double)s->inputs.list.n;
 
 	return ts_dump_price_frame(self, sim, 200 + column * (double)(f->n[0] * f->n[1]), report);
 }
@@ -163,15 +141,14 @@ static void fini(struct ts_instance *self)
 {
 	struct state *s = self->state;
 
-	ts_ref_list_release(&s->inputs);
-	ts_table_release(&s->values);
+	ts_dump_surface_release(&s->inputs);
 	ts_dump_fini(self);
 }
 
 static const struct ts_arg args[] = {
 	TS_DUMP_ARGS(struct state),
 	TS_WORD("surface", struct state, id, .flags = TS_POSITIONAL, .help = "ID of a fix surface/voxel"),
-	TS_REST_OPTIONAL("outputs", struct state, names,
+	TS_REST_OPTIONAL("outputs", struct state, inputs.names,
 			 .help = "f_ID[k] or f_ID[*]: columns of outputs that have a row for each column of "
 				 "the "
 				 "surface, as of the fixes wear/..."),
