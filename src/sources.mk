@@ -1065,6 +1065,8 @@ library_sources = \
 	src/wall/wall_coincide.h \
 	src/wall/wall_contacts.c \
 	src/wall/wall_contacts.h \
+	src/wall/wall_flight.c \
+	src/wall/wall_flight.h \
 	src/wall/wall_law.c \
 	src/wall/wall_law.h \
 	src/wall/wall_loss.c \

@@ -111,6 +111,7 @@ shell_tests = \
 	tests/insert/clump_stream.sh \
 	tests/insert/insertion.sh \
 	tests/insert/jet.sh \
+	tests/insert/jet_walls.sh \
 	tests/insert/pour.sh \
 	tests/insert/tracers.sh \
 	tests/integrate/integrators.sh \

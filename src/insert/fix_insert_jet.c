@@ -25,6 +25,8 @@ struct jet {
 	double per_time;	       /* massrate, or particlerate */
 	struct ts_new_particles drawn; /* room for one particle */
 	struct ts_spherehash occupied; /* spheres near the nozzle, in an insertion */
+	double *flown;		       /* [spheres] of an insertion: time since it left the nozzle */
+	size_t spheres, flown_capacity;
 	/* saved */
 	double owed;	    /* mass, or number, that the rate has delivered and that is not inserted yet */
 	double age;	    /* time since the beginning of the jet */
@@ -207,13 +209,19 @@ static enum ts_status draw_particle(struct jet *s, struct tsim *sim, struct ts_n
 	return TS_OK;
 }
 
-static enum ts_status append_particle(struct jet *s, struct tsim *sim, const struct ts_new_particle *one)
+/* `late`: see place_particle. */
+static enum ts_status append_particle(struct jet *s, struct tsim *sim, double late,
+				      const struct ts_new_particle *one)
 {
 	struct ts_new_particles *list = &s->base.list;
+	size_t spheres = ts_insertion_spheres(one);
 
-	if (TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK)
+	if (TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK ||
+	    TS_GROW(s->flown, s->flown_capacity, s->spheres + spheres) != TS_OK)
 		return ts_nomem(&sim->error);
 	list->item[list->n++] = *one;
+	for (size_t k = 0; k < spheres; k++)
+		s->flown[s->spheres++] = late;
 	return s->base.overlapcheck ? ts_insertion_hash_add(sim, &s->occupied, one) : TS_OK;
 }
 
@@ -242,25 +250,50 @@ static enum ts_status place_particles(struct ts_instance *self, struct tsim *sim
 	double mass = s->base.mass, one_mass;
 	struct ts_new_particle one;
 
-	s->base.list.n = 0;
+	s->base.list.n = s->spheres = 0;
 	while (is_due(s, s->base.inserted + (int64_t)s->base.list.n, mass, s->owed)) {
-		double late = (s->owed - 0.5 * s->quantum) / s->per_time + closed_for(s);
+		double late = fmin((s->owed - 0.5 * s->quantum) / s->per_time + closed_for(s), s->span);
 
 		TS_TRY(draw_particle(s, sim, &one));
-		place_particle(s, sim, fmin(late, s->span), &one);
+		place_particle(s, sim, late, &one);
 		if (!one.placed) {
 			s->keep = one;
 			s->kept = true;
 			warn_blocked(self, sim);
 			return TS_OK;
 		}
-		TS_TRY(append_particle(s, sim, &one));
+		TS_TRY(append_particle(s, sim, late, &one));
 		one_mass = ts_insertion_mass(sim, &one);
 		mass += one_mass;
 		s->owed -= isnan(s->rate.massrate) ? 1 : one_mass;
 		s->energy += 0.5 * one_mass * ts_dot(one.v, one.v);
 	}
 	return TS_OK;
+}
+
+/* Fails if a particle has met a wall on its way from the nozzle. `from`: index of the first new one. */
+static enum ts_status check_way(struct ts_instance *self, struct tsim *sim, size_t from)
+{
+	const struct jet *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	struct ts_missed_wall wall = { 0 };
+	char advice[80] = "take a smaller time step, or move the nozzle away from the wall";
+	double steps;
+
+	if (p->find_missed_wall)
+		TS_TRY(p->find_missed_wall(sim, from, s->spheres, s->flown, &wall));
+	if (!wall.id)
+		return TS_OK;
+	steps = floor(wall.met / sim->clock.dt);
+	if (steps >= 1)
+		snprintf(advice, sizeof advice, "take insert_every %.0f or less, or move the nozzle", steps);
+	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+		       "fix insert/jet %s: particle %d has left the nozzle %.3g ago and met wall %s on its "
+		       "way, "
+		       "at the distance %.3g from the nozzle, before it was inserted beyond it in step %lld; "
+		       "%s",
+		       self->id, p->tag[wall.i], wall.flown, wall.id, wall.met * ts_norm(p->v[wall.i]),
+		       (long long)sim->clock.step, advice);
 }
 
 static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
@@ -281,7 +314,9 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 	ts_spherehash_release(&s->occupied);
 	s->base.due = false;
 	s->span = 0;
-	return status == TS_OK ? ts_insertion_make(self, sim, &from) : status;
+	TS_TRY(status);
+	TS_TRY(ts_insertion_make(self, sim, &from));
+	return check_way(self, sim, from);
 }
 
 /* Counts what the rate delivers in this step. Only a step that inserts particles rebuilds the contact list.
@@ -357,6 +392,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 static void fini(struct ts_instance *self)
 {
 	ts_free(((struct jet *)self->state)->drawn.item);
+	ts_free(((struct jet *)self->state)->flown);
 	ts_insertion_fini(self);
 }
 
@@ -419,7 +455,11 @@ const struct ts_style ts_fix_insert_jet = {
 	       "1 "
 	       "t is up to N steps: forces do not act until then, and the distance v N dt from the nozzle "
 	       "must "
-	       "be free of walls. Since the contact list is only rebuilt when particles are inserted, this "
+	       "be free of walls: the run stops if a particle has met one on its way for more than a step, "
+	       "or "
+	       "a wall with `impact exact` at all. (Region walls that move are not looked at, meshes that "
+	       "rotate are taken to be at rest.) Since the contact list is only rebuilt when particles are "
+	       "inserted, this "
 	       "is "
 	       "cheaper where particles interact.\n\n"
 	       "Forces of the step act on a new particle for the second half of the step, as in the other "

@@ -103,6 +103,8 @@ void ts_insertion_next(struct ts_instance *self);
 void ts_insertion_draw_velocity(struct ts_insertion *s, struct ts_new_particle *one);
 void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_new_particle *one);
 
+/* Number of spheres of a new particle, or of a new clump. */
+size_t ts_insertion_spheres(const struct ts_new_particle *one);
 /* Mass of a new particle, or of a new clump. */
 double ts_insertion_mass(const struct tsim *sim, const struct ts_new_particle *one);
 

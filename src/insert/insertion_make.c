@@ -25,7 +25,7 @@ static const struct ts_clump *clump_of(const struct ts_new_particle *one)
 	return one->template ? template_of(one)->clump : NULL;
 }
 
-static size_t sphere_count(const struct ts_new_particle *one)
+size_t ts_insertion_spheres(const struct ts_new_particle *one)
 {
 	return clump_of(one) ? clump_of(one)->n : 1;
 }
@@ -89,7 +89,7 @@ enum ts_status ts_insertion_hash_near(struct tsim *sim, struct ts_spherehash *oc
 bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *occupied,
 			   const struct ts_new_particle *one)
 {
-	for (size_t k = 0; k < sphere_count(one); k++) {
+	for (size_t k = 0; k < ts_insertion_spheres(one); k++) {
 		double x[3], radius = sphere_position(one, k, x);
 
 		if (ts_spherehash_overlaps_periodic(occupied, &sim->domain->box, x, radius))
@@ -101,7 +101,7 @@ bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *o
 enum ts_status ts_insertion_hash_add(struct tsim *sim, struct ts_spherehash *occupied,
 				     const struct ts_new_particle *one)
 {
-	for (size_t k = 0; k < sphere_count(one); k++) {
+	for (size_t k = 0; k < ts_insertion_spheres(one); k++) {
 		double x[3], radius = sphere_position(one, k, x);
 
 		if (ts_spherehash_add(occupied, x, radius) != TS_OK)
@@ -195,7 +195,7 @@ static enum ts_status create_particle(struct ts_instance *self, struct tsim *sim
 	const struct ts_template *t = template_of(one);
 	struct ts_insertion *s = self->state;
 
-	for (size_t k = 0; k < sphere_count(one); k++)
+	for (size_t k = 0; k < ts_insertion_spheres(one); k++)
 		set_sphere(self, sim, one, k, from + k);
 	s->mass += ts_insertion_mass(sim, one);
 	s->inserted++;
@@ -249,7 +249,7 @@ enum ts_status ts_insertion_make(struct ts_instance *self, struct tsim *sim, siz
 
 	for (size_t k = 0; k < s->list.n; k++) {
 		made += s->list.item[k].placed;
-		spheres += s->list.item[k].placed ? sphere_count(&s->list.item[k]) : 0;
+		spheres += s->list.item[k].placed ? ts_insertion_spheres(&s->list.item[k]) : 0;
 	}
 	TS_TRY(ts_particles_add(sim, spheres, from));
 	row = *from;
@@ -257,7 +257,7 @@ enum ts_status ts_insertion_make(struct ts_instance *self, struct tsim *sim, siz
 		if (!s->list.item[k].placed)
 			continue;
 		TS_TRY(create_particle(self, sim, &s->list.item[k], row));
-		row += sphere_count(&s->list.item[k]);
+		row += ts_insertion_spheres(&s->list.item[k]);
 	}
 	TS_TRY(set_property(self, sim, *from));
 	if (s->list.n)

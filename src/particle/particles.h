@@ -70,6 +70,13 @@ struct ts_dynamic_group {
 /* Moment of inertia of a particle: particle/sphere_shape.h. */
 enum ts_inertia { TS_INERTIA_BY_DIMENSION, TS_INERTIA_SPHERE, TS_INERTIA_DISC };
 
+/* A wall that an inserted particle has met on its way. */
+struct ts_missed_wall {
+	const char *id;	   /* of its fix; NULL: none */
+	size_t i;	   /* the particle */
+	double flown, met; /* time of the whole way; until it touched the wall */
+};
+
 struct ts_particles {
 	size_t n, nghost, capacity; /* capacity: allocated rows, for local particles and ghosts together */
 
@@ -127,6 +134,10 @@ struct ts_particles {
 	/* Explains in a message the probable cause that particle i left through face 2 * dim + side; set by
 	 * the walls. */
 	void (*explain_loss)(struct tsim *sim, size_t i, int face, struct ts_str *out);
+	/* Finds a wall that one of the particles from .. from + n - 1 has met before it was inserted where it is,
+	 * having flown freely for the time flown[k]; set by the walls. */
+	enum ts_status (*find_missed_wall)(struct tsim *sim, size_t from, size_t n, const double *flown,
+					   struct ts_missed_wall *out);
 	/* Assigns the members of all dynamic groups, or of those that are due in this step; set by the
 	 * groups. */
 	enum ts_status (*choose_members)(struct tsim *sim, bool all);

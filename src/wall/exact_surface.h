@@ -1,4 +1,5 @@
-/* What surfaces of walls offer for `impact exact` (impact/exact_impacts.h): the first touch of a sphere on its path. */
+/* The first touch of a sphere on its path with the surface of a wall: for `impact exact` (impact/exact_impacts.h) and for
+ * particles that are inserted where they have flown (wall/wall_flight.h). */
 #ifndef TS_WALL_EXACT_SURFACE_H
 #define TS_WALL_EXACT_SURFACE_H
 
@@ -21,6 +22,8 @@ struct ts_exact_touch {
 struct ts_exact_surface {
 	/* Before the search of a step; may fail if the surface rotates. NULL: nothing to do. */
 	enum ts_status (*prepare)(struct tsim *sim, void *shape);
+	/* The same where a surface that rotates is taken to be at rest in its present position. */
+	enum ts_status (*update)(struct tsim *sim, void *shape);
 	/* Whether the sphere touches the surface on its path, which ends with the step; the present position of
 	 * the surface is that at the end of the step. Called by several threads. `list`: buffer. */
 	enum ts_status (*sweep)(const struct tsim *sim, const void *shape, size_t i,

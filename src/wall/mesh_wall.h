@@ -21,9 +21,10 @@ struct ts_mesh_part_of_wall {
 	const struct ts_mesh_surface *surface;
 	size_t first; /* index of its first triangle among those of all meshes of the wall */
 	struct ts_mesh_tree tree;
-	uint64_t moves;	  /* surface->moves when the tree was built */
-	double travelled; /* surface->travelled at the last force computation, length */
-	double checked;	  /* surface->travelled at the last check of its displacement in a step, length */
+	uint64_t moves;	    /* surface->moves when the tree was built */
+	double travelled;   /* surface->travelled at the last force computation, length */
+	double checked;	    /* surface->travelled at the last check of its displacement in a step, length */
+	double velocity[3]; /* for wall/exact_surface.h: of all corners; 0 if the mesh rotates */
 };
 
 /* The triangle of a contact of the wall. */

@@ -6,33 +6,44 @@
 
 #include "base/banned.h"
 
-/* Fails if the corners have different velocities: the mesh rotates. */
-static enum ts_status check_velocity(struct tsim *sim, const struct ts_mesh_part_of_wall *part)
+/* Whether the corners have different velocities: the mesh rotates. */
+static bool rotates(const struct ts_mesh_surface *s)
 {
-	const struct ts_mesh_surface *s = part->surface;
-
 	for (size_t k = 0; s->v && k < 9 * s->mesh.n; k++)
 		if (s->v[0][0][k] != s->v[0][0][k % 3])
-			return ts_fail(&sim->error, TS_STATE, &part->by->where,
-				       "mesh %s rotates; walls with `impact exact` are at rest or move along "
-				       "a line",
-				       part->by->id);
-	return TS_OK;
+			return true;
+	return false;
+}
+
+static enum ts_status update(struct tsim *sim, void *shape)
+{
+	static const double rest[3] = { 0 };
+	struct ts_mesh_wall *mw = shape;
+
+	for (size_t k = 0; k < mw->nmeshes; k++) {
+		const struct ts_mesh_surface *s = mw->mesh[k].surface;
+
+		ts_scale(1, s->v && s->mesh.n && !rotates(s) ? s->v[0][0] : rest, mw->mesh[k].velocity);
+	}
+	return ts_mesh_wall_update_trees(sim, mw);
 }
 
 static enum ts_status prepare(struct tsim *sim, void *shape)
 {
-	struct ts_mesh_wall *mw = shape;
+	const struct ts_mesh_wall *mw = shape;
 
 	for (size_t k = 0; k < mw->nmeshes; k++)
-		TS_TRY(check_velocity(sim, &mw->mesh[k]));
-	return ts_mesh_wall_update_trees(sim, mw);
+		if (rotates(mw->mesh[k].surface))
+			return ts_fail(&sim->error, TS_STATE, &mw->mesh[k].by->where,
+				       "mesh %s rotates; walls with `impact exact` are at rest or move along "
+				       "a line",
+				       mw->mesh[k].by->id);
+	return update(sim, shape);
 }
 
 /* `path`: in the frame of the image that is looked at, relative to the mesh at the end of the step. */
-static enum ts_status sweep_image(const struct ts_mesh_wall *mw, size_t k, const double velocity[3],
-				  const struct ts_sweep *path, struct ts_mesh_list *list, bool *found,
-				  struct ts_exact_touch *out)
+static enum ts_status sweep_image(const struct ts_mesh_wall *mw, size_t k, const struct ts_sweep *path,
+				  struct ts_mesh_list *list, bool *found, struct ts_exact_touch *out)
 {
 	const struct ts_mesh_part_of_wall *part = &mw->mesh[k];
 	struct ts_mesh_hit hit;
@@ -46,7 +57,7 @@ static enum ts_status sweep_image(const struct ts_mesh_wall *mw, size_t k, const
 					.type = (int)part->surface->type,
 					.surface = k,
 					.element = (size_t)hit.triangle };
-	ts_scale(1, velocity, out->velocity);
+	ts_scale(1, part->velocity, out->velocity);
 	ts_scale(1, path->x, out->point);
 	ts_axpy(hit.hit.time, path->v, out->point);
 	ts_axpy(-path->radius, hit.hit.n, out->point);
@@ -61,22 +72,20 @@ static enum ts_status sweep(const struct tsim *sim, const void *shape, size_t i,
 
 	*found = false;
 	for (size_t k = 0; k < mw->nmeshes; k++) {
-		const struct ts_mesh_surface *s = mw->mesh[k].surface;
-		double v[3] = { 0 }, x[3];
+		const double *v = mw->mesh[k].velocity;
+		double x[3];
 		struct ts_sweep relative = *path;
 
-		if (!s->mesh.n || !ts_in_group(sim->particles, i, mw->mesh[k].by->group))
+		if (!mw->mesh[k].surface->mesh.n || !ts_in_group(sim->particles, i, mw->mesh[k].by->group))
 			continue;
-		if (s->v)
-			ts_scale(1, s->v[0][0], v);
 		ts_sub(path->v, v, relative.v);
 		ts_scale(1, path->x, x);
 		ts_axpy(path->span, v, x);
 		for (int image = 0; image < 27; image++)
 			if (ts_box_image(&sim->domain->box, x, image, reach, relative.x))
-				TS_TRY(sweep_image(mw, k, v, &relative, list, found, out));
+				TS_TRY(sweep_image(mw, k, &relative, list, found, out));
 	}
 	return TS_OK;
 }
 
-const struct ts_exact_surface ts_mesh_wall_exact = { .prepare = prepare, .sweep = sweep };
+const struct ts_exact_surface ts_mesh_wall_exact = { .prepare = prepare, .update = update, .sweep = sweep };

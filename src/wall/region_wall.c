@@ -6,6 +6,7 @@
 #include "math/vec3.h"
 #include "neigh/coincide.h"
 #include "particle/particles.h"
+#include "wall/exact_surface.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_queue.h"
 
@@ -400,6 +401,59 @@ static double gap(const struct ts_wall *wall, const struct tsim *sim, const doub
 	return ts_region_varies(w->region) || isnan(depth) ? 0 : fabs(depth);
 }
 
+/* ---- the first touch on a path ---- */
+
+/* The face that a sphere at x with velocity v touches next, by the safe distance for which it may go on; NULL: it
+ * approaches none. *room: this distance; infinite: there is no face. */
+static const struct ts_region_contact_point *next_face(const struct ts_region_wall *w, const double x[3],
+						       const double v[3], double radius, double *room)
+{
+	const struct ts_region_contact_point *next = NULL;
+	int n = ts_region_contact_points(w->region, x, w->point);
+
+	*room = n ? 0.1 * radius : INFINITY;
+	for (int k = 0; k < n; k++) {
+		const struct ts_region_contact_point *at = &w->point[k];
+
+		if (ts_dot(at->n, v) < 0 && (!next || at->distance < next->distance))
+			next = at;
+	}
+	if (next)
+		*room = next->distance - radius;
+	return next;
+}
+
+/* Of a region that does not change with time; by one thread. A sphere touches where its distance is below a thousandth
+ * of its radius. */
+static enum ts_status sweep(const struct tsim *sim, const void *shape, size_t i, const struct ts_sweep *path,
+			    struct ts_mesh_list *list, bool *found, struct ts_exact_touch *out)
+{
+	const struct ts_region_wall *w = shape;
+	double speed = ts_norm(path->v), negligible = 1e-3 * path->radius, time = 0, room;
+
+	(void)sim;
+	(void)i;
+	(void)list;
+	*found = false;
+	while (!*found && !ts_region_varies(w->region) && speed > 0 && time <= path->span) {
+		const struct ts_region_contact_point *at;
+		double x[3];
+
+		ts_scale(1, path->x, x);
+		ts_axpy(time, path->v, x);
+		at = next_face(w, x, path->v, path->radius, &room);
+		*found = at && room <= negligible;
+		if (*found) {
+			*out = (struct ts_exact_touch){ .hit.time = time, .hit.overlap = fmax(0, -room) };
+			ts_scale(1, at->n, out->hit.n);
+		}
+		time += fmax(room, negligible) / speed;
+	}
+	return TS_OK;
+}
+
+static const struct ts_exact_surface exact = { .sweep = sweep };
+
 /* ---- as a surface, which no style can observe: from outside all contacts are with face 0 ---- */
 
 static size_t one_surface(const struct ts_wall *wall)
@@ -446,4 +500,5 @@ const struct ts_wall_shape ts_region_wall_shape = {
 	.enqueue = enqueue,
 	.distance = contact_distance,
 	.gap = gap,
+	.exact = &exact,
 };

@@ -81,10 +81,10 @@ struct ts_wall_shape {
 	/* Appends the name of the element of contact k: ", triangle 12 of mesh cad". NULL: the ID of the wall tells. */
 	void (*name)(const struct ts_wall *w, size_t k, struct ts_str *out);
 
-	/* ---- `impact exact`; its shape is `geometry`. NULL: refused by the style */
+	/* ---- the first touch on a path */
 
-	const struct ts_exact_surface *exact;
-	/* Why this wall cannot have it; NULL: it can. The slot may be NULL, too. */
+	const struct ts_exact_surface *exact; /* its shape is `geometry` */
+	/* Why this wall cannot have `impact exact`; NULL: it can. The slot may be NULL, too. */
 	const char *(*not_exact)(const struct ts_wall *w);
 };
 

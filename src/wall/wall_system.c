@@ -1,6 +1,7 @@
 #include "wall/wall_system.h"
 
 #include "neigh/neigh.h"
+#include "wall/wall_flight.h"
 #include "wall/wall_loss.h"
 #include "wall/wall.h"
 #include "wall/wall_multicontact.h"
@@ -22,6 +23,7 @@ static void connect_walls(struct tsim *sim)
 	sim->neigh->callback.walls_move = walls_move;
 	sim->neigh->multicontact_walls = &ts_wall_multicontact;
 	sim->particles->explain_loss = ts_wall_explain_loss;
+	sim->particles->find_missed_wall = ts_wall_flight;
 }
 
 const struct ts_system_style ts_walls_system = {
