@@ -444,6 +444,7 @@ library_sources = \
 	src/force/fix_aveforce.c \
 	src/force/fix_controller.c \
 	src/force/fix_drag.c \
+	src/force/fix_drill_bit.c \
 	src/force/fix_enforce2d.c \
 	src/force/fix_freeze.c \
 	src/force/fix_gravity.c \
@@ -676,6 +677,14 @@ library_sources = \
 	src/limits/network.h \
 	src/limits/tunnelling.c \
 	src/limits/tunnelling.h \
+	src/load/fix_mesh_surface_stress.c \
+	src/load/fix_mesh_surface_stress_servo.c \
+	src/load/mesh_stress.c \
+	src/load/mesh_stress.h \
+	src/load/mesh_wear.c \
+	src/load/mesh_wear.h \
+	src/load/servo_response.c \
+	src/load/servo_response.h \
 	src/manual/grammar.c \
 	src/manual/grammar.h \
 	src/manual/help.c \
@@ -1020,31 +1029,22 @@ library_sources = \
 	src/wall/compute_wall_gran_local.c \
 	src/wall/contact_node.h \
 	src/wall/exact_surface.h \
-	src/wall/fix_drill_bit.c \
-	src/wall/fix_mesh_surface_stress.c \
-	src/wall/fix_mesh_surface_stress_servo.c \
 	src/wall/fix_surface_heat.c \
 	src/wall/fix_wall_gran.c \
 	src/wall/fix_wall_gran_region.c \
 	src/wall/fix_wall_reflect.c \
 	src/wall/mesh_stick.c \
 	src/wall/mesh_stick.h \
-	src/wall/mesh_stress.c \
-	src/wall/mesh_stress.h \
 	src/wall/mesh_wall.c \
 	src/wall/mesh_wall.h \
 	src/wall/mesh_wall_queue.c \
 	src/wall/mesh_wall_queue.h \
 	src/wall/mesh_wall_shape.c \
 	src/wall/mesh_wall_sweep.c \
-	src/wall/mesh_wear.c \
-	src/wall/mesh_wear.h \
 	src/wall/primitive_wall.c \
 	src/wall/primitive_wall.h \
 	src/wall/region_wall.c \
 	src/wall/region_wall.h \
-	src/wall/servo_response.c \
-	src/wall/servo_response.h \
 	src/wall/surface.c \
 	src/wall/surface.h \
 	src/wall/surface_contacts.c \

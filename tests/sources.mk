@@ -119,6 +119,9 @@ shell_tests = \
 	tests/io/safety.sh \
 	tests/library/python.sh \
 	tests/limits/timestep.sh \
+	tests/load/mesh_servo.sh \
+	tests/load/mesh_stress.sh \
+	tests/load/wear.sh \
 	tests/manual/grammar.sh \
 	tests/manual/manual_current.sh \
 	tests/material/materials.sh \
@@ -168,14 +171,11 @@ shell_tests = \
 	tests/voxel/voxel_walls.sh \
 	tests/wall/coincide.sh \
 	tests/wall/fast.sh \
-	tests/wall/mesh_servo.sh \
-	tests/wall/mesh_stress.sh \
 	tests/wall/meshes.sh \
 	tests/wall/region_walls.sh \
 	tests/wall/surface_heat.sh \
 	tests/wall/wall_contacts.sh \
 	tests/wall/walls.sh \
-	tests/wall/wear.sh \
 	tests/wear/erosion_laws.sh \
 	tests/wear/surface_impacts.sh \
 	tests/wear/wear_impacts.sh

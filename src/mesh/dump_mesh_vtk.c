@@ -4,7 +4,7 @@
 #include "core/sim.h"
 #include "dump/dump_mesh.h"
 #include "dump/dump_surface.h"
-#include "wall/mesh_stress.h"
+#include "load/mesh_stress.h"
 
 #include "base/banned.h"
 

@@ -13,7 +13,7 @@
 #include "mesh/mesh_motion.h"
 #include "mesh/mesh_volume.h"
 #include "rigid/rigid_motion.h"
-#include "wall/mesh_stress.h"
+#include "load/mesh_stress.h"
 
 #include "base/banned.h"
 

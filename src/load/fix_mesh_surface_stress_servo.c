@@ -6,8 +6,8 @@
 #include "mesh/mesh_motion.h"
 #include "mesh/mesh_style.h"
 #include "neigh/neigh.h"
-#include "wall/mesh_stress.h"
-#include "wall/servo_response.h"
+#include "load/mesh_stress.h"
+#include "load/servo_response.h"
 
 #include <math.h>
 

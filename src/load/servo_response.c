@@ -1,4 +1,4 @@
-#include "wall/servo_response.h"
+#include "load/servo_response.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* Fix mesh/surface/stress: a surface of triangles that sums the load of particles on it. */
 #include "mesh/mesh_load.h"
 #include "mesh/mesh_style.h"
-#include "wall/mesh_stress.h"
+#include "load/mesh_stress.h"
 
 #include "base/banned.h"
 

@@ -1,4 +1,4 @@
-#include "wall/mesh_stress.h"
+#include "load/mesh_stress.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* Depth worn from each triangle of a mesh by the particles that touch it (law/contact_wear.h). */
-#ifndef TS_WALL_MESH_WEAR_H
-#define TS_WALL_MESH_WEAR_H
+#ifndef TS_LOAD_MESH_WEAR_H
+#define TS_LOAD_MESH_WEAR_H
 
 #include "mesh/mesh_surface.h"
 #include "wall/surface_contacts.h"

@@ -1,7 +1,7 @@
 /* Stiffness and damping of the contacts of a mesh with particles under a load, for the gains of a
  * controller. */
-#ifndef TS_WALL_SERVO_RESPONSE_H
-#define TS_WALL_SERVO_RESPONSE_H
+#ifndef TS_LOAD_SERVO_RESPONSE_H
+#define TS_LOAD_SERVO_RESPONSE_H
 
 #include "mesh/mesh_surface.h"
 #include "wall/wall.h"

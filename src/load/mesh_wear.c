@@ -1,4 +1,4 @@
-#include "wall/mesh_wear.h"
+#include "load/mesh_wear.h"
 
 #include "law/contact_wear.h"
 #include "material/property.h"

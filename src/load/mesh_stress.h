@@ -2,10 +2,10 @@
  *
  *   late[TS_LATE_CONTACTS]  ts_mesh_stress_sum
  *   FINAL_INTEGRATE         ts_mesh_stress_settle: outputs are those of the last whole step */
-#ifndef TS_WALL_MESH_STRESS_H
-#define TS_WALL_MESH_STRESS_H
+#ifndef TS_LOAD_MESH_STRESS_H
+#define TS_LOAD_MESH_STRESS_H
 
-#include "wall/mesh_wear.h"
+#include "load/mesh_wear.h"
 
 struct ts_mesh_stress {
 	/* arguments */
