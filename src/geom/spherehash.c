@@ -13,6 +13,7 @@ void ts_spherehash_release(struct ts_spherehash *hash)
 	for (int k = 0; k < hash->nlevels; k++) {
 		ts_pointhash_release(&hash->level[k].points);
 		ts_free(hash->level[k].radius);
+		ts_free(hash->level[k].item);
 	}
 	*hash = (struct ts_spherehash){ 0 };
 }
@@ -46,7 +47,9 @@ enum ts_status ts_spherehash_add(struct ts_spherehash *hash, const double x[3], 
 
 	TS_TRY(find_or_add_level(hash, radius, &level));
 	TS_TRY(TS_GROW(level->radius, level->capacity, level->points.n + 1));
+	TS_TRY(TS_GROW(level->item, level->item_capacity, level->points.n + 1));
 	level->radius[level->points.n] = radius;
+	level->item[level->points.n] = hash->n++;
 	level->largest = fmax(level->largest, radius);
 	return ts_pointhash_add(&level->points, x);
 }
@@ -55,29 +58,45 @@ struct overlap_query {
 	const struct ts_spherehash_level *level;
 	const double *x;
 	double radius;
+	ts_pointhash_fn *visit;
+	void *context;
 };
 
-static bool sphere_overlaps(void *context, size_t k)
+static bool visit_point(void *context, size_t k)
 {
 	const struct overlap_query *q = context;
 	double reach = q->radius + q->level->radius[k];
 
-	return ts_distance2(q->x, q->level->points.x[k]) <= reach * reach;
+	return ts_distance2(q->x, q->level->points.x[k]) <= reach * reach &&
+	       q->visit(q->context, q->level->item[k]);
 }
 
-bool ts_spherehash_overlaps(const struct ts_spherehash *hash, const double x[3], double radius)
+bool ts_spherehash_visit(const struct ts_spherehash *hash, const double x[3], double radius,
+			 ts_pointhash_fn *visit, void *context)
 {
 	for (int k = 0; k < hash->nlevels; k++) {
 		const struct ts_spherehash_level *level = &hash->level[k];
-		struct overlap_query q = { level, x, radius };
+		struct overlap_query q = { level, x, radius, visit, context };
 
-		if (ts_pointhash_visit(&level->points, x, radius + level->largest, sphere_overlaps, &q) >= 0)
+		if (ts_pointhash_visit(&level->points, x, radius + level->largest, visit_point, &q) >= 0)
 			return true;
 	}
 	return false;
 }
 
-static double largest_radius(const struct ts_spherehash *hash)
+static bool accept(void *context, size_t k)
+{
+	(void)context;
+	(void)k;
+	return true;
+}
+
+bool ts_spherehash_overlaps(const struct ts_spherehash *hash, const double x[3], double radius)
+{
+	return ts_spherehash_visit(hash, x, radius, accept, NULL);
+}
+
+double ts_spherehash_largest(const struct ts_spherehash *hash)
 {
 	double most = 0;
 
@@ -89,7 +108,7 @@ static double largest_radius(const struct ts_spherehash *hash)
 bool ts_spherehash_overlaps_periodic(const struct ts_spherehash *hash, const struct ts_box *box,
 				     const double x[3], double radius)
 {
-	double reach = radius + largest_radius(hash);
+	double reach = radius + ts_spherehash_largest(hash);
 
 	for (int k = 0; k < 27; k++) {
 		double image[3];

@@ -8,7 +8,7 @@
 
 static void connect_limits(struct tsim *sim)
 {
-	sim->neigh->callback.hits = ts_tunnelling_hits;
+	sim->neigh->callback.find_hit = ts_tunnelling_find;
 	sim->neigh->callback.network = ts_network_report;
 }
 

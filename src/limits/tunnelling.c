@@ -6,6 +6,7 @@
 #include "bond/bonds.h"
 #include "box/domain.h"
 #include "contact/pair.h"
+#include "geom/spherehash.h"
 #include "impact/exact_impacts.h"
 #include "mesh/mesh_distance.h"
 #include "mesh/mesh_surface.h"
@@ -56,22 +57,94 @@ static bool hits_other(const struct tsim *sim, size_t i, size_t j, double reach)
 	return sim->bonds->n && ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]);
 }
 
-static bool hits_particle(struct tsim *sim, size_t i, char *what, size_t room)
+/* The paths of all particles in the step, each within a sphere around its middle; particles that meet are in spheres
+ * that overlap. */
+struct paths {
+	bool listed; /* else all particles are looked at */
+	struct ts_spherehash sphere;
+	double reach; /* of attraction */
+};
+
+/* A list is made for so many fast particles: to make it costs as much as to look at all particles for each of them. */
+enum { MANY = 16 };
+
+static void middle_of_path(const struct tsim *sim, size_t i, double x[3])
+{
+	ts_scale(1, sim->particles->x[i], x);
+	ts_axpy(-0.5 * sim->clock.dt, sim->particles->v[i], x);
+}
+
+/* With more than the rounding of positions. */
+static double path_radius(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
-	double least, largest, reach;
 
-	if (!sim->neigh->wanted && !sim->bonds->n) /* particles do not interact */
-		return false;
+	return (1 + 1e-9) * (0.5 * sim->clock.dt * ts_norm(p->v[i]) + p->radius[i]);
+}
+
+static bool interact(const struct tsim *sim)
+{
+	return sim->neigh->wanted || sim->bonds->n;
+}
+
+static enum ts_status list_paths(struct tsim *sim, size_t fast, struct paths *paths)
+{
+	const struct ts_particles *p = sim->particles;
+	double least, largest;
+
+	/* a bond may be longer than any reach */
+	*paths = (struct paths){ .listed = sim->neigh->wanted && !sim->bonds->n && fast >= MANY };
+	if (!interact(sim))
+		return TS_OK;
 	ts_neigh_radii(p, &least, &largest);
-	reach = sim->neigh->wanted ? ts_pair_reach(sim, largest) : 0;
-	for (size_t j = 0; j < p->n; j++) {
-		if (j == i || !hits_other(sim, i, j, reach))
-			continue;
-		snprintf(what, room, " past particle %d", p->tag[j]);
-		return true;
+	paths->reach = sim->neigh->wanted ? ts_pair_reach(sim, largest) : 0;
+	for (size_t i = 0; paths->listed && i < p->n; i++) {
+		double x[3];
+
+		middle_of_path(sim, i, x);
+		if (ts_spherehash_add(&paths->sphere, x, path_radius(sim, i)) != TS_OK)
+			return ts_nomem(&sim->error);
 	}
+	return TS_OK;
+}
+
+/* The partner of the lowest index that i hits. */
+struct partner {
+	const struct tsim *sim;
+	const struct paths *paths;
+	size_t i, found; /* SIZE_MAX: none */
+};
+
+static bool try_partner(void *context, size_t j)
+{
+	struct partner *s = context;
+
+	if (j != s->i && j < s->found && hits_other(s->sim, s->i, j, s->paths->reach))
+		s->found = j;
 	return false;
+}
+
+static bool hits_particle(const struct tsim *sim, const struct paths *paths, size_t i, char *what,
+			  size_t room)
+{
+	const struct ts_box *box = &sim->domain->box;
+	double radius = path_radius(sim, i) + paths->reach, x[3], image[3];
+	/* a path may end outside of the box, where the particle is wrapped at the next rebuild */
+	double far = radius + 3 * ts_spherehash_largest(&paths->sphere) + sim->neigh->built_skin;
+	struct partner s = { sim, paths, i, SIZE_MAX };
+
+	if (!interact(sim))
+		return false;
+	middle_of_path(sim, i, x);
+	for (int k = 0; paths->listed && k < 27; k++)
+		if (ts_box_image(box, x, k, far, image))
+			ts_spherehash_visit(&paths->sphere, image, radius, try_partner, &s);
+	for (size_t j = 0; !paths->listed && j < sim->particles->n && s.found == SIZE_MAX; j++)
+		try_partner(&s, j);
+	if (s.found == SIZE_MAX)
+		return false;
+	snprintf(what, room, " past particle %d", sim->particles->tag[s.found]);
+	return true;
 }
 
 /* ---- surfaces: sphere tracing; the sphere advances by its gap to the surface until the gap vanishes or the
@@ -204,9 +277,21 @@ static bool leaves_box(const struct tsim *sim, size_t i, char *what, size_t room
 	return true;
 }
 
-bool ts_tunnelling_hits(struct tsim *sim, size_t i, char *what, size_t room)
+enum ts_status ts_tunnelling_find(struct tsim *sim, const size_t *fast, size_t n, size_t *hit, char *what,
+				  size_t room)
 {
-	what[0] = 0;
-	return leaves_box(sim, i, what, room) || hits_particle(sim, i, what, room) ||
-	       hits_wall(sim, i, what, room) || hits_mesh(sim, i, what, room);
+	struct paths paths;
+	enum ts_status status = list_paths(sim, n, &paths);
+
+	*hit = SIZE_MAX;
+	for (size_t k = 0; k < n && status == TS_OK && *hit == SIZE_MAX; k++) {
+		size_t i = fast[k];
+
+		what[0] = 0;
+		if (leaves_box(sim, i, what, room) || hits_particle(sim, &paths, i, what, room) ||
+		    hits_wall(sim, i, what, room) || hits_mesh(sim, i, what, room))
+			*hit = i;
+	}
+	ts_spherehash_release(&paths.sphere);
+	return status;
 }

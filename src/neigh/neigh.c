@@ -114,13 +114,20 @@ static bool runs_away(const struct ts_particles *p, size_t i, double dt2)
 static enum ts_status stop_runaways(struct tsim *sim, double dt2)
 {
 	const struct ts_particles *p = sim->particles;
+	size_t *fast = ts_alloc(p->n, sizeof *fast), n = 0, hit = SIZE_MAX;
+	enum ts_status status = fast ? TS_OK : ts_nomem(&sim->error);
 	char past[100] = "";
 
-	for (size_t i = 0; i < p->n; i++)
-		if (runs_away(p, i, dt2) && (!isfinite(ts_norm(p->v[i]) + ts_norm(p->x[i])) ||
-					     sim->neigh->callback.hits(sim, i, past, sizeof past)))
-			return fail_runaway(sim, i, past);
-	return TS_OK;
+	for (size_t i = 0; i < p->n && fast && hit == SIZE_MAX; i++) {
+		if (!isfinite(ts_norm(p->v[i]) + ts_norm(p->x[i])))
+			hit = i;
+		else if (runs_away(p, i, dt2))
+			fast[n++] = i;
+	}
+	if (n && hit == SIZE_MAX)
+		status = sim->neigh->callback.find_hit(sim, fast, n, &hit, past, sizeof past);
+	ts_free(fast);
+	return status == TS_OK && hit != SIZE_MAX ? fail_runaway(sim, hit, past) : status;
 }
 
 /* Counts the particles beyond a limit; without branches, as it runs in every step. */

@@ -72,6 +72,43 @@ $(other 0.5)
 set atom 2 vx \$(25*v_l)
 run 1000" 'moves more than its radius in one step at step 25 past particle 2'
 done
+# the same among many that are as fast, near the particle and across periodic faces, and a few large ones
+crowd() {
+	cat <<END
+lattice sc \$(0.03*v_l)
+region crowd block \$(0.05*v_l) \$(0.16*v_l) 0 \$(v_l) 0 \$(0.3*v_l) units box
+create_atoms 1 region crowd
+create_atoms 1 single \$(0.3*v_l) \$(0.2*v_l) \$(0.8*v_l) units box
+group before id ${1-2}
+group crowd subtract all before
+set group crowd diameter \$(0.02*v_l) density 1000
+set atom \$(atoms) diameter \$(0.06*v_l) density 1000
+velocity crowd set \$(50*v_l) 0 0
+END
+}
+for scale in 1 1e-6; do
+	goes "$(fast)
+$(other 0.5201)
+$(crowd 1:2)"
+	stops "$(fast)
+$(other 0.5199)
+$(crowd 1:2)" 'particle 2:'
+	stops "$(fast)
+$(other 0.545 0.08)
+$(crowd 1:2)" 'particle 2:'
+	# in the way of a member of the crowd: the 11 th row across the face y = 0
+	rejects "$(fast)
+create_atoms 2 single \$(0.725*v_l) \$(0.995*v_l) \$(0.09*v_l) units box
+set type 2 diameter \$(0.02*v_l) density 1000
+$(crowd 1:2)
+$all_steps" 'moves more than its radius in one step at step 12 past particle 2:'
+	# the large one, across the face x
+	rejects "$(fast)
+create_atoms 2 single \$(0.07*v_l) \$(0.235*v_l) \$(0.8*v_l) units box
+set type 2 diameter \$(0.02*v_l) density 1000
+$(crowd 1:2)
+$all_steps" 'moves more than its radius in one step at step 16 past particle 2:'
+done
 unset scale
 # across the periodic faces
 stops "$(fast | sed 's/0\.1\*v_l) \\*\$(0\.5/0.4*v_l) $(0.5/')
