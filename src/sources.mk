@@ -679,6 +679,7 @@ library_sources = \
 	src/limits/tunnelling.h \
 	src/load/fix_mesh_surface_stress.c \
 	src/load/fix_mesh_surface_stress_servo.c \
+	src/load/fix_surface_heat.c \
 	src/load/mesh_stress.c \
 	src/load/mesh_stress.h \
 	src/load/mesh_wear.c \
@@ -1029,7 +1030,6 @@ library_sources = \
 	src/wall/compute_wall_gran_local.c \
 	src/wall/contact_node.h \
 	src/wall/exact_surface.h \
-	src/wall/fix_surface_heat.c \
 	src/wall/fix_wall_gran.c \
 	src/wall/fix_wall_gran_region.c \
 	src/wall/fix_wall_reflect.c \

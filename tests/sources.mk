@@ -121,6 +121,7 @@ shell_tests = \
 	tests/limits/timestep.sh \
 	tests/load/mesh_servo.sh \
 	tests/load/mesh_stress.sh \
+	tests/load/surface_heat.sh \
 	tests/load/wear.sh \
 	tests/manual/grammar.sh \
 	tests/manual/manual_current.sh \
@@ -173,7 +174,6 @@ shell_tests = \
 	tests/wall/fast.sh \
 	tests/wall/meshes.sh \
 	tests/wall/region_walls.sh \
-	tests/wall/surface_heat.sh \
 	tests/wall/wall_contacts.sh \
 	tests/wall/walls.sh \
 	tests/wear/erosion_laws.sh \
