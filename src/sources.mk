@@ -367,11 +367,14 @@ library_sources = \
 	src/explain/plan_report.h \
 	src/explain/price.c \
 	src/explain/price.h \
+	src/film/compute_film.c \
 	src/film/film.c \
 	src/film/film.h \
 	src/film/film_balance.c \
 	src/film/film_check.c \
 	src/film/film_faces.c \
+	src/film/film_flow.c \
+	src/film/film_flow.h \
 	src/film/film_guess.c \
 	src/film/film_jfo.c \
 	src/film/film_measures.c \
@@ -379,6 +382,7 @@ library_sources = \
 	src/film/film_solve.c \
 	src/film/film_velocity.c \
 	src/film/film_velocity.h \
+	src/film/flow_reynolds.c \
 	src/film/grid_lu.c \
 	src/film/grid_lu.h \
 	src/film/internal.h \

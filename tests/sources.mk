@@ -204,6 +204,7 @@ unit_tests = \
 	tests/explain/check_price \
 	tests/film/check_film \
 	tests/film/check_film_cavitation \
+	tests/film/check_film_style \
 	tests/flow/check_flow \
 	tests/flow/check_flow_measures \
 	tests/flow/check_scalar \
@@ -354,6 +355,10 @@ tests_film_check_film_LDADD = $(tests_ldadd)
 tests_film_check_film_cavitation_SOURCES = tests/film/check_film_cavitation.c
 tests_film_check_film_cavitation_CFLAGS = $(tests_cflags)
 tests_film_check_film_cavitation_LDADD = $(tests_ldadd)
+
+tests_film_check_film_style_SOURCES = tests/film/check_film_style.c
+tests_film_check_film_style_CFLAGS = $(tests_cflags)
+tests_film_check_film_style_LDADD = $(tests_ldadd)
 
 tests_flow_check_flow_SOURCES = tests/flow/check_flow.c
 tests_flow_check_flow_CFLAGS = $(tests_cflags)

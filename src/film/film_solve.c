@@ -109,6 +109,7 @@ static void clamp(struct ts_film *f)
 		if (f->kind[c] == TS_FILM_FLUID && f->p[c] < f->cavity_pressure) {
 			f->p[c] = f->cavity_pressure;
 			f->free[c] = false;
+			f->report.cavitated++;
 		}
 	ts_film_set_flow(f);
 }

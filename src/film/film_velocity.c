@@ -68,23 +68,30 @@ static double interpolate(const struct ts_film *f, const double *field, const st
 	return sum;
 }
 
-static double slope_along(const struct ts_film *f, int axis, const struct place at[2])
+/* Derivative along an axis; beyond the last centres that between the last two. */
+static double slope_along(const struct ts_film *f, const double *field, int axis, const struct place at[2])
 {
+	struct place line = at[axis];
 	double sum = 0;
 
-	if (!(at[axis].apart > 0))
-		return 0;
-	for (int k = 0; k < 2; k++) {
-		int low[2] = { at[0].near[0], at[1].near[0] }, high[2];
-
-		low[1 - axis] = at[1 - axis].near[k];
-		high[0] = low[0];
-		high[1] = low[1];
-		high[axis] = at[axis].near[1];
-		sum += at[1 - axis].weight[k] *
-		       (f->gap[ts_film_at(f, high[0], high[1])] - f->gap[ts_film_at(f, low[0], low[1])]);
+	if (!(line.apart > 0)) {
+		if (f->n[axis] < 2)
+			return 0;
+		line.near[0] = line.cell == 0 ? 0 : f->n[axis] - 2;
+		line.near[1] = line.near[0] + 1;
+		line.apart = ts_film_centre(f, axis, line.near[1]) - ts_film_centre(f, axis, line.near[0]);
 	}
-	return sum / at[axis].apart;
+	for (int k = 0; k < 2; k++) {
+		int low[2], high[2];
+
+		low[1 - axis] = high[1 - axis] = at[1 - axis].near[k];
+		low[axis] = line.near[0];
+		high[axis] = line.near[1];
+		sum += at[1 - axis].weight[k] *
+		       (field[ts_film_at(f, high[0], high[1])] - field[ts_film_at(f, low[0], low[1])]);
+	}
+	sum /= line.apart;
+	return f->polar && axis == 1 && at[0].x > 0 ? sum / at[0].x : sum;
 }
 
 /* Mean velocity along an axis, if the gap were full also in the cavity. In polar coordinates r q varies linearly with
@@ -113,33 +120,40 @@ static bool touches_solid(const struct ts_film *f, const struct place at[2])
 	return false;
 }
 
-/* The gap: linear between centres, extrapolated to the edges as for the flow; constant in the cell if stepped, or
- * beside cells that are solid. */
-static void sample_gap(const struct ts_film *f, const struct place at[2], struct ts_film_point *out)
+/* Linear between centres and on to the edges; constant in the cell if stepped, or beside cells that are solid. */
+static void sample_field(const struct ts_film *f, const double *field, const struct place at[2],
+			 double *value, double slope[2])
 {
-	size_t c = ts_film_at(f, at[0].cell, at[1].cell);
-
-	out->gap = f->gap[c];
-	out->rate = f->rate[c];
-	out->slope[0] = out->slope[1] = 0;
+	*value = field[ts_film_at(f, at[0].cell, at[1].cell)];
+	slope[0] = slope[1] = 0;
 	if (f->shape == TS_FILM_STEPPED || touches_solid(f, at))
 		return;
-	out->gap = interpolate(f, f->gap, at);
-	out->rate = interpolate(f, f->rate, at);
+	*value = interpolate(f, field, at);
 	for (int axis = 0; axis < 2; axis++) {
-		double centre = ts_film_centre(f, axis, at[axis].cell), edge, half;
-		bool high = at[axis].x > centre;
-
-		out->slope[axis] = slope_along(f, axis, at);
-		if (at[axis].apart > 0 || f->n[axis] < 2)
-			continue;
-		edge = ts_film_edge_gap(f, axis, at[0].cell, at[1].cell, high);
-		half = f->face[axis][at[axis].cell + high] - centre;
-		out->slope[axis] = (edge - f->gap[c]) / half;
-		out->gap += out->slope[axis] * (at[axis].x - centre);
+		slope[axis] = slope_along(f, field, axis, at);
+		if (!(at[axis].apart > 0))
+			*value += slope[axis] * (at[axis].x - ts_film_centre(f, axis, at[axis].cell)) *
+				  (f->polar && axis == 1 ? at[0].x : 1);
 	}
-	if (f->polar && at[0].x > 0)
-		out->slope[1] /= at[0].x;
+}
+
+void ts_film_interpolate(const struct ts_film *f, const double *field, const double x[2], double *value,
+			 double slope[2])
+{
+	const struct place at[2] = { find_place(f, 0, x[0]), find_place(f, 1, x[1]) };
+
+	sample_field(f, field, at, value, slope);
+}
+
+/* The gap is at least half of that at the centre, as for the flow through edges. */
+static void sample_gap(const struct ts_film *f, const struct place at[2], struct ts_film_point *out)
+{
+	double least = f->gap[ts_film_at(f, at[0].cell, at[1].cell)] / 2, unused[2];
+
+	sample_field(f, f->gap, at, &out->gap, out->slope);
+	sample_field(f, f->rate, at, &out->rate, unused);
+	if (out->gap < least && (!(at[0].apart > 0) || !(at[1].apart > 0)))
+		out->gap = least;
 }
 
 void ts_film_sample(const struct ts_film *f, const double x[2], struct ts_film_point *out)

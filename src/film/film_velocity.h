@@ -18,6 +18,11 @@ struct ts_film_point {
  * -dh/dt as in the balance of the cell. */
 void ts_film_sample(const struct ts_film *f, const double x[2], struct ts_film_point *out);
 
+/* Interpolates any field at centres in the way of h, and its gradient; continued linearly from the centres to the
+ * edges. */
+void ts_film_interpolate(const struct ts_film *f, const double *field, const double x[2], double *value,
+			 double slope[2]);
+
 /* Velocity at the height z = h1 + s h, 0 <= s <= 1: along the film Couette flow and a parabola,
  *   u = U1 (1 - s) + U2 s + 6 s (1 - s) (mean - (U1 + U2)/2),
  * and across it w, for which div u = 0 and which is that of the surfaces at s = 0 and s = 1. lower_slope = grad h1 and

@@ -118,6 +118,7 @@ TS_STYLE(compute, ts_style, ts_compute_displace_atom)
 TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
+TS_STYLE(compute, ts_style, ts_compute_film)
 TS_STYLE(compute, ts_style, ts_compute_flow_flux)
 TS_STYLE(compute, ts_style, ts_compute_flow_force)
 TS_STYLE(compute, ts_style, ts_compute_flow_line)
@@ -287,6 +288,7 @@ TS_STYLE(fix, ts_style, ts_fix_wear_oka)
 TS_STYLE(fix, ts_style, ts_fix_wear_zhao_chang)
 TS_STYLE(fix, ts_style, ts_fix_wear_zhao_chang_contact)
 TS_STYLE(flow, ts_flow_style, ts_flow_projection)
+TS_STYLE(flow, ts_flow_style, ts_flow_reynolds)
 TS_STYLE(flow, ts_flow_style, ts_flow_stagnation)
 TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran)
@@ -421,6 +423,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_erotate_multisphere,
 	&ts_compute_erotate_sphere,
 	&ts_compute_erotate_sphere_atom,
+	&ts_compute_film,
 	&ts_compute_flow_flux,
 	&ts_compute_flow_force,
 	&ts_compute_flow_line,
@@ -590,6 +593,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_wear_zhao_chang,
 	&ts_fix_wear_zhao_chang_contact,
 	&ts_flow_projection.style,
+	&ts_flow_reynolds.style,
 	&ts_flow_stagnation.style,
 	&ts_flow_uniform.style,
 	&ts_pair_gran.style,

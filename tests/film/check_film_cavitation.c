@@ -306,6 +306,7 @@ START_TEST(conditions_compared)
 		struct ts_film_measures m = film_solve(&f);
 
 		load[c] = m.load;
+		ck_assert((f.report.cavitated > 0) == (c != TS_FILM_NONE));
 		for (size_t k = 0; k < ts_film_cells(&f); k++)
 			deck_assert(c == TS_FILM_NONE || f.p[k] >= -1e-12);
 		if (c != TS_FILM_HALF) /* what leaves is what the cavity makes */

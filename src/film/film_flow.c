@@ -1,0 +1,138 @@
+/* The surfaces of flow_style reynolds: heights from numbers, formulas and voxel fields, and their rates. */
+#include "film/film_flow.h"
+
+#include <math.h>
+
+#include "flow/flow_arguments.h"
+#include "voxel/voxel_surface.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_film_flow_require(struct tsim *sim, const char *who, const struct ts_place *where,
+				    struct ts_film_flow **out)
+{
+	struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
+
+	*out = NULL;
+	if (!flow || !flow->style->family || !ts_streq(flow->style->family, TS_FAMILY_FILM))
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "%s needs a film: use flow_style reynolds before it", who);
+	*out = flow->state;
+	return TS_OK;
+}
+
+enum ts_status ts_film_surface_find(struct ts_instance *self, struct tsim *sim, struct ts_film_surface *s,
+				    const char *name)
+{
+	struct ts_word id = { .text = s->voxel };
+
+	if (!s->voxel && s->height.null)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "flow_style reynolds: where is the %s surface? Give `%s` and a height or "
+			       "v_NAME",
+			       name, name);
+	if (!s->voxel)
+		return TS_OK;
+	if (!s->height.null)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, s->voxel),
+			       "flow_style reynolds: the %s surface is given twice, as a height and as '%s'",
+			       name, s->voxel);
+	id.place = *ts_instance_word(self, s->voxel);
+	TS_TRY(ts_voxel_surface_require(sim, &id, &s->field));
+	if (s->field->field.axis[2] != 2)
+		return ts_fail(&sim->error, TS_STATE, &id.place,
+			       "flow_style reynolds: the normal of fix '%s' is not z, the normal of the film",
+			       s->voxel);
+	return TS_OK;
+}
+
+static enum ts_status evaluate_formula(struct ts_instance *self, struct tsim *sim,
+				       const struct ts_film_flow *flow, struct ts_film_surface *s)
+{
+	const struct ts_film *f = &flow->film;
+	const char *name = s->height.variable;
+	const struct ts_place *where = name ? ts_instance_word(self, name) : &self->where;
+
+	for (int j = 0; j < f->n[1]; j++)
+		for (int i = 0; i < f->n[0]; i++) {
+			const double x[3] = { ts_film_centre(f, 0, i), ts_film_centre(f, 1, j), 0 };
+			double *z = &s->z[ts_film_at(f, i, j)];
+
+			if (name)
+				TS_TRY(ts_flow_set_coordinates(sim, flow->set, x, where));
+			TS_TRY(ts_number_now(sim, &s->height, where, z));
+			if (!isfinite(*z))
+				return ts_fail(&sim->error, TS_RANGE, where,
+					       "flow_style reynolds: the height %s is %g at (%g, %g), which "
+					       "is not a "
+					       "finite number",
+					       name ? name : "", *z, x[0], x[1]);
+		}
+	return TS_OK;
+}
+
+static enum ts_status read_columns(struct ts_instance *self, struct tsim *sim, const struct ts_film *f,
+				   struct ts_film_surface *s)
+{
+	const struct ts_voxel_field *field = &s->field->field;
+
+	for (int j = 0; j < f->n[1]; j++)
+		for (int i = 0; i < f->n[0]; i++) {
+			double x = ts_film_centre(f, 0, i), y = ts_film_centre(f, 1, j);
+			double top = ts_voxel_top(field, ts_voxel_index(field, 0, x - s->field->shift[0]),
+						  ts_voxel_index(field, 1, y - s->field->shift[1]));
+
+			if (!isfinite(top))
+				return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->voxel),
+					       "flow_style reynolds: fix '%s' has no column at (%g, %g), "
+					       "where the film "
+					       "is",
+					       s->voxel, x, y);
+			s->z[ts_film_at(f, i, j)] = top + s->field->shift[2];
+		}
+	return TS_OK;
+}
+
+/* Derivative of z along an axis by central differences, one-sided at edges that are not periodic. */
+static double slope(const struct ts_film *f, const double *z, int axis, int i, int j)
+{
+	int n = f->n[axis], k = axis == 0 ? i : j, low = k - 1, high = k + 1;
+	double period = 0, length = f->face[axis][n] - f->face[axis][0], rise;
+
+	if (f->edge[axis][0] == TS_FILM_PERIODIC) {
+		period = (low < 0) * length + (high >= n) * length;
+		low = (low + n) % n;
+		high %= n;
+	} else {
+		low = low < 0 ? 0 : low;
+		high = high >= n ? n - 1 : high;
+	}
+	if (low == high)
+		return 0;
+	rise = axis == 0 ? z[ts_film_at(f, high, j)] - z[ts_film_at(f, low, j)]
+			 : z[ts_film_at(f, i, high)] - z[ts_film_at(f, i, low)];
+	return rise / (ts_film_centre(f, axis, high) - ts_film_centre(f, axis, low) + period);
+}
+
+enum ts_status ts_film_surface_evaluate(struct ts_instance *self, struct tsim *sim,
+					const struct ts_film_flow *flow, struct ts_film_surface *s)
+{
+	const struct ts_film *f = &flow->film;
+
+	for (int d = 0; d < 3; d++)
+		s->now[d] = s->velocity[d] + (s->voxel ? s->field->velocity[d] : 0);
+	if (s->voxel)
+		TS_TRY(read_columns(self, sim, f, s));
+	else
+		TS_TRY(evaluate_formula(self, sim, flow, s));
+	for (int j = 0; j < f->n[1]; j++)
+		for (int i = 0; i < f->n[0]; i++) {
+			double *rate = &s->rate[ts_film_at(f, i, j)];
+
+			*rate = s->now[2];
+			for (int axis = 0; axis < 2 && !s->stays; axis++)
+				if (s->now[axis] != 0)
+					*rate -= s->now[axis] * slope(f, s->z, axis, i, j);
+		}
+	return TS_OK;
+}

@@ -1,0 +1,462 @@
+#include <inttypes.h>
+#include <math.h>
+
+#include "base/hash.h"
+#include "box/domain.h"
+#include "core/report.h"
+#include "film/film_flow.h"
+#include "film/film_velocity.h"
+#include "flow/flow.h"
+#include "flow/flow_arguments.h"
+
+#include "base/banned.h"
+
+enum { MOST_CELLS = 4000000 };
+enum { EACH_STEP, EACH_RUN };
+enum { REFUSED, SOLID };
+
+struct reynolds {
+	struct ts_film_flow flow;
+	struct ts_words cells, set, closed;
+	double edge[2][2]; /* pressures given; NaN: ambient */
+	double viscosity, density, ambient, cavity;
+	int shape, cavitation, update, touching;
+
+	bool ready;	/* solved since the beginning of the run */
+	bool solved;	/* `input` is that of the present solution */
+	bool told;	/* the warning that nothing drives the film */
+	uint64_t input; /* hash of all that the solution depends on */
+};
+
+/* ---- the fluid at a place */
+
+static void velocity(const struct ts_instance *self, const double x[3], double u[3])
+{
+	const struct ts_film_flow *flow = self->state;
+	const struct ts_film_surface *lower = &flow->surface[0];
+	struct ts_film_point point;
+	double z, slope[2], rate;
+
+	ts_film_sample(&flow->film, x, &point);
+	ts_film_interpolate(&flow->film, lower->z, x, &z, slope);
+	rate = lower->now[2];
+	if (!lower->stays)
+		rate -= lower->now[0] * slope[0] + lower->now[1] * slope[1];
+	ts_film_profile(&point, fmin(fmax((x[2] - z) / point.gap, 0), 1), slope, rate, u);
+}
+
+static double viscosity(const struct ts_instance *self)
+{
+	return ((const struct reynolds *)self->state)->viscosity;
+}
+
+static double density(const struct ts_instance *self)
+{
+	return ((const struct reynolds *)self->state)->density;
+}
+
+/* ---- geometry and edges, once */
+
+struct pair {
+	int64_t n[2];
+};
+static const struct ts_arg pair_rows[] = {
+	TS_INT("NX", struct pair, n[0], .flags = TS_POSITIONAL, .range = TS_POSITIVE),
+	TS_INT("NY", struct pair, n[1], .flags = TS_POSITIONAL, .range = TS_POSITIVE),
+	TS_ARGS_END,
+};
+
+static const char *const edges[] = { "xlo", "xhi", "ylo", "yhi", NULL };
+
+struct edge_word {
+	int edge;
+};
+static const struct ts_arg edge_rows[] = {
+	TS_ENUM("edge", struct edge_word, edge, edges, .flags = TS_POSITIONAL),
+	TS_ARGS_END,
+};
+
+static enum ts_status refuse_edge(struct ts_instance *self, struct tsim *sim, int k, const char *why)
+{
+	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, edges[k]),
+		       "flow_style reynolds: the edge %s %s", edges[k], why);
+}
+
+/* The film ends at the faces of the box, which must not follow particles. */
+static enum ts_status check_faces(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_box *box = &sim->domain->box;
+
+	for (int k = 0; k < 4; k++)
+		if (box->face[k / 2][k % 2] != TS_FACE_FIXED && box->face[k / 2][k % 2] != TS_FACE_PERIODIC)
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "flow_style reynolds: the film ends at the faces of the box, but %s "
+				       "follows the "
+				       "particles: use `boundary f f ...` or p along x and y",
+				       edges[k]);
+	return TS_OK;
+}
+
+static enum ts_status set_edges(struct ts_instance *self, struct tsim *sim)
+{
+	struct reynolds *s = self->state;
+	struct ts_film *f = &s->flow.film;
+
+	for (int k = 0; k < 4; k++) {
+		bool given = !isnan(s->edge[k / 2][k % 2]);
+
+		f->edge[k / 2][k % 2] = TS_FILM_PRESSURE;
+		f->edge_pressure[k / 2][k % 2] = given ? s->edge[k / 2][k % 2] : s->ambient;
+		if (!ts_box_periodic(&sim->domain->box, k / 2))
+			continue;
+		f->edge[k / 2][k % 2] = TS_FILM_PERIODIC;
+		if (given)
+			return refuse_edge(self, sim, k, "has a pressure, but the box is periodic there");
+	}
+	for (size_t k = 0; k < s->closed.n; k++) {
+		struct edge_word word = { 0 };
+		struct ts_words one = ts_words_from(s->closed, k);
+
+		one.n = 1;
+		TS_TRY(ts_args_parse(sim, "flow_style reynolds: closed", edge_rows, one,
+				     &s->closed.word[k].place, &self->arena, &word));
+		if (f->edge[word.edge / 2][0] == TS_FILM_PERIODIC)
+			return refuse_edge(self, sim, word.edge, "is closed, but the box is periodic there");
+		if (!isnan(s->edge[word.edge / 2][word.edge % 2]))
+			return refuse_edge(self, sim, word.edge, "is closed, and a pressure is given there");
+		f->edge[word.edge / 2][word.edge % 2] = TS_FILM_NO_FLOW;
+	}
+	return TS_OK;
+}
+
+static enum ts_status make_film(struct ts_instance *self, struct tsim *sim)
+{
+	struct reynolds *s = self->state;
+	struct ts_film *f = &s->flow.film;
+	struct pair cells = { .n = { 0 } };
+
+	TS_TRY(ts_args_parse(sim, "flow_style reynolds: cells", pair_rows, s->cells,
+			     ts_instance_word(self, "cells"), &self->arena, &cells));
+	if (cells.n[0] > MOST_CELLS / cells.n[1])
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "cells"),
+			       "flow_style reynolds: %" PRId64 " x %" PRId64
+			       " cells are too many: at most %d",
+			       cells.n[0], cells.n[1], MOST_CELLS);
+	for (int d = 0; d < 2; d++) {
+		f->n[d] = (int)cells.n[d];
+		if (ts_box_periodic(&sim->domain->box, d) && f->n[d] < 3)
+			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "cells"),
+				       "flow_style reynolds: %d cells along %s, where the box is periodic; "
+				       "expected at "
+				       "least 3",
+				       f->n[d], d ? "y" : "x");
+	}
+	f->viscosity = s->viscosity;
+	f->density = s->density;
+	f->ambient = s->ambient;
+	f->cavity_pressure = s->cavity;
+	f->shape = (enum ts_film_shape)s->shape;
+	f->cavitation = (enum ts_film_cavitation)s->cavitation;
+	for (int side = 0; side < 2; side++) {
+		struct ts_film_surface *surface = &s->flow.surface[side];
+
+		surface->z = ts_arena_alloc(&self->arena, ts_film_cells(f), sizeof *surface->z);
+		surface->rate = ts_arena_alloc(&self->arena, ts_film_cells(f), sizeof *surface->rate);
+		if (!surface->z || !surface->rate)
+			return ts_nomem(&sim->error);
+	}
+	if (ts_film_make(f) == TS_OK)
+		return TS_OK;
+	ts_film_release(f);
+	return ts_nomem(&sim->error);
+}
+
+/* ---- solution */
+
+/* The fingerprint of a run contains the values of the formulas: coordinates are at rest at 0 between evaluations, so
+ * that it is the same in a run that is continued from a restart file. */
+static enum ts_status reset_coordinates(struct ts_instance *self, struct tsim *sim)
+{
+	static const double origin[3] = { 0 };
+
+	return ts_flow_set_coordinates(sim, ((const struct reynolds *)self->state)->flow.set, origin,
+				       &self->where);
+}
+
+static void set_cells(struct reynolds *s, const struct tsim *sim)
+{
+	struct ts_film *f = &s->flow.film;
+	const struct ts_box *box = &sim->domain->box;
+
+	for (int d = 0; d < 2; d++)
+		for (int i = 0; i <= f->n[d]; i++)
+			f->face[d][i] =
+				i == f->n[d] ? box->hi[d] : box->lo[d] + ts_box_length(box, d) * i / f->n[d];
+}
+
+static void combine_surfaces(struct reynolds *s)
+{
+	const struct ts_film_surface *lower = &s->flow.surface[0], *upper = &s->flow.surface[1];
+	struct ts_film *f = &s->flow.film;
+
+	for (size_t c = 0; c < ts_film_cells(f); c++) {
+		f->gap[c] = upper->z[c] - lower->z[c];
+		f->rate[c] = upper->rate[c] - lower->rate[c];
+		f->kind[c] = s->touching == SOLID && !(f->gap[c] > 0) ? TS_FILM_SOLID : TS_FILM_FLUID;
+		for (int axis = 0; axis < 2; axis++) {
+			f->velocity[0][axis][c] = lower->now[axis];
+			f->velocity[1][axis][c] = upper->now[axis];
+		}
+	}
+}
+
+static uint64_t hash_input(const struct ts_film *f)
+{
+	struct ts_hash hash = ts_hash_start();
+	size_t bytes = ts_film_cells(f) * sizeof(double);
+
+	ts_hash_add(&hash, f->gap, bytes);
+	ts_hash_add(&hash, f->rate, bytes);
+	for (int d = 0; d < 2; d++) {
+		ts_hash_add(&hash, f->face[d], (size_t)(f->n[d] + 1) * sizeof(double));
+		ts_hash_add(&hash, f->velocity[0][d], sizeof(double));
+		ts_hash_add(&hash, f->velocity[1][d], sizeof(double));
+	}
+	ts_hash_add(&hash, f->edge, sizeof f->edge);
+	return ts_hash_value(&hash);
+}
+
+static enum ts_status check_cell(struct ts_instance *self, struct tsim *sim, size_t c)
+{
+	const struct ts_film *f = &((const struct reynolds *)self->state)->flow.film;
+	double x = ts_film_centre(f, 0, (int)(c % (size_t)f->n[0]));
+	double y = ts_film_centre(f, 1, (int)(c / (size_t)f->n[0]));
+
+	if (f->kind[c] == TS_FILM_FLUID && !(f->gap[c] > 0))
+		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+			       "flow_style reynolds: the gap is %g at (%g, %g), the surfaces touch or "
+			       "overlap; with "
+			       "`touching solid` there is no fluid in such cells",
+			       f->gap[c], x, y);
+	if (f->cavitation == TS_FILM_JFO && f->rate[c] != 0)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "flow_style reynolds: with cavitation jfo the film must be steady, but its "
+			       "gap "
+			       "changes at (%g, %g) by %g per time; cavitation reynolds allows it",
+			       x, y, f->rate[c]);
+	return TS_OK;
+}
+
+static enum ts_status solve(struct ts_instance *self, struct tsim *sim)
+{
+	struct reynolds *s = self->state;
+	struct ts_error error = { .status = TS_OK };
+	uint64_t input = hash_input(&s->flow.film);
+
+	if (s->solved && input == s->input)
+		return TS_OK;
+	s->solved = false;
+	for (size_t c = 0; c < ts_film_cells(&s->flow.film); c++)
+		TS_TRY(check_cell(self, sim, c));
+	if (ts_film_solve(&s->flow.film, &error) != TS_OK)
+		return ts_fail(&sim->error, error.status, &self->where, "%s", error.message);
+	s->solved = true;
+	s->input = input;
+	if (!s->flow.film.report.driven && !s->told) {
+		s->told = true;
+		ts_warn(&sim->log, &self->where,
+			"flow_style reynolds: the surfaces neither slide nor approach each other, and the "
+			"pressure is "
+			"the same at all edges: the fluid is at rest");
+	}
+	return TS_OK;
+}
+
+static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
+{
+	struct reynolds *s = self->state;
+
+	set_cells(s, sim);
+	for (int side = 0; side < 2; side++)
+		TS_TRY(ts_film_surface_evaluate(self, sim, &s->flow, &s->flow.surface[side]));
+	TS_TRY(reset_coordinates(self, sim));
+	combine_surfaces(s);
+	s->ready = true;
+	return solve(self, sim);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct reynolds *s = self->state;
+
+	if (sim->dimension == 2)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "flow_style reynolds: the gap is along z, so it needs three dimensions");
+	TS_TRY(ts_domain_require(sim, &self->where));
+	TS_TRY(check_faces(self, sim));
+	TS_TRY(ts_flow_read_set(sim, "flow_style reynolds: set", s->set, &self->where, &self->arena,
+				s->flow.set));
+	if (s->flow.set[2])
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "set"),
+			       "flow_style reynolds: heights are functions of x and y, not of z");
+	TS_TRY(ts_film_surface_find(self, sim, &s->flow.surface[0], "lower"));
+	TS_TRY(ts_film_surface_find(self, sim, &s->flow.surface[1], "upper"));
+	if (!s->flow.film.gap)
+		TS_TRY(make_film(self, sim));
+	TS_TRY(set_edges(self, sim));
+	s->ready = false;
+	return reset_coordinates(self, sim);
+}
+
+static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct reynolds *s = self->state;
+
+	return s->ready && s->update == EACH_RUN ? TS_OK : evaluate(self, sim);
+}
+
+/* At the beginning of a run, also of one that resumes with the forces of the last one. */
+static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
+{
+	return ((const struct reynolds *)self->state)->ready ? TS_OK : evaluate(self, sim);
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_film_release(&((struct reynolds *)self->state)->flow.film);
+}
+
+static const char *const cavitations[] = { "none", "half", "reynolds", "jfo", NULL };
+static const char *const shapes[] = { "linear", "stepped", NULL };
+static const char *const updates[] = { "step", "run", NULL };
+static const char *const touchings[] = { "stop", "solid", NULL };
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct reynolds *s = self->state;
+	const struct ts_film *f = &s->flow.film;
+
+	(void)sim;
+	ts_report_line(report, "fluid", "film of %d x %d cells, viscosity %g, cavitation %s, solved %s",
+		       f->n[0], f->n[1], s->viscosity, cavitations[s->cavitation],
+		       s->update == EACH_RUN ? "once in each run" : "when its surfaces have changed");
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_LIST_KEYWORD("cells", struct reynolds, cells, .flags = TS_TO_KEYWORD,
+			.help = "NX NY: numbers of cells along x and y"),
+	TS_NUMBER("lower", struct reynolds, flow.surface[0].height, .flags = TS_OPTIONAL, .unit = "length",
+		  .help = "height of the lower surface, or v_NAME, a function of the coordinates"),
+	TS_NUMBER("upper", struct reynolds, flow.surface[1].height, .flags = TS_OPTIONAL, .unit = "length",
+		  .help = "height of the upper surface"),
+	TS_WORD("lower_voxel", struct reynolds, flow.surface[0].voxel, .flags = TS_OPTIONAL,
+		.help = "instead of lower: ID of a fix surface/voxel with normal z"),
+	TS_SOME_KEYWORD("set", struct reynolds, set, 0,
+			.help = "`x NAME y NAME`: internal-style variables that receive the coordinates for "
+				"v_NAME"),
+	TS_VEC3("lower_velocity", struct reynolds, flow.surface[0].velocity, .fallback = "0 0 0",
+		.unit = "velocity", .help = "of the lower surface; is added to that of the voxel field"),
+	TS_VEC3("upper_velocity", struct reynolds, flow.surface[1].velocity, .fallback = "0 0 0",
+		.unit = "velocity", .help = "of the upper surface"),
+	TS_FLAG("lower_stays", struct reynolds, flow.surface[0].stays,
+		.help = "the material of the lower surface slides along its shape, which stays at its place"),
+	TS_FLAG("upper_stays", struct reynolds, flow.surface[1].stays,
+		.help = "the same for the upper surface"),
+	TS_REAL("viscosity", struct reynolds, viscosity, .range = TS_POSITIVE, .unit = "pressure time",
+		.help = "dynamic viscosity"),
+	TS_REAL("density", struct reynolds, density, .range = TS_POSITIVE, .unit = "mass/length^3",
+		.help = "density of the fluid"),
+	TS_REAL("ambient", struct reynolds, ambient, .fallback = "0", .unit = "pressure",
+		.help = "pressure around the film, on its edges and on the other sides of the surfaces"),
+	TS_REAL("pressure_xlo", struct reynolds, edge[0][0], .flags = TS_OPTIONAL, .unit = "pressure",
+		.help = "pressure at this edge; default: ambient"),
+	TS_REAL("pressure_xhi", struct reynolds, edge[0][1], .flags = TS_OPTIONAL, .unit = "pressure",
+		.help = "the same for the upper edge along x"),
+	TS_REAL("pressure_ylo", struct reynolds, edge[1][0], .flags = TS_OPTIONAL, .unit = "pressure",
+		.help = "the same for the lower edge along y"),
+	TS_REAL("pressure_yhi", struct reynolds, edge[1][1], .flags = TS_OPTIONAL, .unit = "pressure",
+		.help = "the same for the upper edge along y"),
+	TS_SOME_KEYWORD("closed", struct reynolds, closed, 0,
+			.help = "edges through which nothing flows: walls or planes of symmetry"),
+	TS_ENUM("cavitation", struct reynolds, cavitation, cavitations, .fallback = "none",
+		.help = "what happens where the pressure would be below that of the cavity"),
+	TS_REAL("cavity_pressure", struct reynolds, cavity, .fallback = "0", .unit = "pressure",
+		.help = "pressure in the cavity"),
+	TS_ENUM("gap", struct reynolds, shape, shapes, .fallback = "linear",
+		.help = "the gap between the centres of cells: linear, or constant in each cell"),
+	TS_ENUM("update", struct reynolds, update, updates, .fallback = "step",
+		.help = "heights are evaluated in each step, or at the beginning of each run"),
+	TS_ENUM("touching", struct reynolds, touching, touchings, .fallback = "stop",
+		.help = "where the gap is not positive: the run stops, or the cell is solid, without fluid"),
+	TS_ARGS_END,
+};
+
+static const char doc[] =
+	"A thin film between a lower and an upper surface, z = h1 and z = h2: lubrication. The film covers\n"
+	"the box along x and y, in NX x NY cells. The pressure p(x, y) in the gap h = h2 - h1 solves the\n"
+	"equation of Reynolds, with the velocities U1 and U2 of the surfaces along the film,\n\n"
+	"  dh/dt + div q = 0,   q = h (U1 + U2)/2 - h^3/(12 eta) grad p.\n\n"
+	"The fluid has the velocity of a Couette flow and a parabola, with s = (z - h1)/h\n\n"
+	"  u = (1 - s) U1 + s U2 + 6 s (1 - s) (q/h - (U1 + U2)/2),\n\n"
+	"and across the gap the one with which div u = 0 and the fluid follows both surfaces. Drag fixes "
+	"use\n"
+	"it; particles do not change it. Outside of the gap the fluid moves with the nearest surface.\n\n"
+	"Heights are numbers, v_NAME, or the columns of fix surface/voxel below the centres of cells. A\n"
+	"formula v_NAME is evaluated at the centres, whose coordinates are set in the internal-style\n"
+	"variables of `set` (afterwards 0); it may depend on time. The velocity must be consistent with such "
+	"a motion: it\n"
+	"is not integrated. The shape of a surface moves with its velocity V, dh/dt = V_z - V.grad h, "
+	"unless\n"
+	"`lower_stays` or `upper_stays` says that the material slides along a shape that stays, as a belt "
+	"or\n"
+	"the shaft of a bearing; then dh/dt = V_z.\n\n"
+	"The film is solved again in each step in which heights or velocities have changed, with `update "
+	"run`\n"
+	"only at the beginning of each run. A direct solver is used: 0.04 s for 256 x 64 cells.";
+static const char *const doc_more[] = {
+	"Edges are at the pressure `ambient`, or at one given by pressure_xlo ...; nothing flows through\n"
+	"`closed` edges; edges of a periodic box are periodic. Each part of the film needs an edge with a\n"
+	"given pressure.",
+	"Cavitation: `none` accepts any pressure. `half` (half-Sommerfeld) replaces pressures below that of\n"
+	"the cavity afterwards; `reynolds` finds the film that ends with a smooth pressure; both do not\n"
+	"conserve volume in the cavity, which `compute film` reports as imbalance. `jfo` (Jakobsson, "
+	"Floberg\n"
+	"and Olsson) conserves it: a fraction theta of the gap is void in the cavity; the film must be\n"
+	"steady.",
+	"Accuracy: second order in the width of the cells; the place where a film with `jfo` ruptures or\n"
+	"reforms is of first order. With `gap linear` the gap is linear between the centres of cells, and "
+	"the\n"
+	"pressure of a plane slider is exact; with `gap stepped` it is constant in each cell, for steps and\n"
+	"columns. The equation of Reynolds is the limit of thin gaps: it neglects inertia, of order Re h/L, "
+	"and\n"
+	"terms of order (h/L)^2. For thicker gaps use flow_style projection.",
+	"Related: compute film, fix surface/voxel, fix drag/stokes.",
+	NULL,
+};
+
+TS_STYLE(flow, ts_flow_style, ts_flow_reynolds)
+const struct ts_flow_style ts_flow_reynolds = {
+	.style = { .name = "reynolds",
+		   .kind = TS_KIND_FLOW,
+		   .summary = "A thin film between two surfaces, by the Reynolds equation of lubrication",
+		   .doc = doc,
+		   .doc_more = doc_more,
+		   .example = "variable cx internal 0\nvariable wedge equal 2e-6-1e-6*v_cx/1e-3\n"
+			      "flow_style reynolds cells 100 10 lower 0 lower_velocity 0.1 0 0 upper v_wedge "
+			      "set x cx "
+			      "viscosity 1e-3 density 1000 closed ylo yhi",
+		   .cite = "O. Reynolds, Phil. Trans. R. Soc. 177 (1886) 157; B. J. Hamrock, S. R. Schmid "
+			   "and B. O. "
+			   "Jacobson, Fundamentals of Fluid Film Lubrication, 2nd ed. (2004), chapter 7",
+		   .args = args,
+		   .family = TS_FAMILY_FILM,
+		   .state_size = sizeof(struct reynolds),
+		   .init = init,
+		   .hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_PRE_FORCE] = pre_force },
+		   .plan = plan,
+		   .fini = fini },
+	.velocity = velocity,
+	.viscosity = viscosity,
+	.density = density,
+};

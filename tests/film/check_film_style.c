@@ -1,0 +1,257 @@
+/* Flow_style reynolds and compute film: exact films, the velocity that drag fixes feel, surfaces, refusals. */
+#include <string.h>
+
+#include "deck.h"
+
+/* A slider over a plane that moves with speed U: gap 2 h to h on the length 1000 h; all in units of h. */
+static struct tsim *slider(double h, const char *words)
+{
+	return deck_open("units si\n"
+			 "atom_style granular\n"
+			 "atom_modify map array\n"
+			 "boundary f f f\n"
+			 "region box block 0 %.17g 0 %.17g 0 %.17g units box\n"
+			 "create_box 1 box\n"
+			 "variable cx internal 0\n"
+			 "variable wedge equal %.17g*(2-v_cx/%.17g)\n"
+			 "flow_style reynolds cells 200 3 lower 0 upper v_wedge set x cx lower_velocity "
+			 "%.17g 0 0 "
+			 "viscosity 2.5 density 1000 closed ylo yhi %s\n"
+			 "compute film all film\n"
+			 "timestep 1e-9\n",
+			 1000 * h, 500 * h, 3 * h, h, 1000 * h, h, words);
+}
+
+/* K = 2: W = 0.158883 eta U L^2/h^2 per width, F = 0.772589 eta U L/h, p_max = eta U L/(4 h^2), q = 2/3 U h; the same in
+ * micrometres, metres and kilometres. */
+START_TEST(slider_in_all_units)
+{
+	for (int k = 0; k < 3; k++) {
+		double h = (const double[]){ 1e-9, 1e-3, 1e3 }[k], u = h;
+		struct tsim *sim = slider(h, "");
+		double force = 2.5 * u * 1000 * 500 * h;
+
+		deck(sim, "run 0\n");
+		DECK_NEAR(deck_value(sim, "c_film[1]") / (force * 1000), 0.158883, 4e-6);
+		DECK_NEAR(deck_value(sim, "c_film[2]") / (1000 * h), 0.568688, 5e-6);
+		DECK_NEAR(deck_value(sim, "c_film[3]") / (500 * h), 0.5, 1e-12);
+		DECK_NEAR(deck_value(sim, "c_film[4]") / (2.5 * u * 1000 / h), 0.25, 1e-6);
+		DECK_NEAR(deck_value(sim, "c_film[5]") / (1000 * h), 2.0 / 3, 3e-5);
+		DECK_NEAR(deck_value(sim, "c_film[8]") / force, -0.772589, 1e-5);
+		DECK_NEAR((deck_value(sim, "c_film[8]") + deck_value(sim, "c_film[10]") +
+			   deck_value(sim, "c_film[12]")) /
+				  force,
+			  0, 1e-12);
+		DECK_NEAR(deck_value(sim, "c_film[15]") / (u * h * 500 * h), 2.0 / 3, 1e-12);
+		DECK_NEAR(deck_value(sim, "c_film[18]") / (1.5 * h * 1000 * h * 500 * h), 1, 1e-12);
+		ck_assert(deck_value(sim, "c_film[19]") == 0 && deck_value(sim, "c_film[21]") == 0);
+		DECK_NEAR(deck_value(sim, "c_film[1][4]"), 0, 1e-2 * deck_value(sim, "c_film[4]"));
+		DECK_NEAR(deck_value(sim, "c_film[100][3]") / h, 1.5025, 1e-12);
+		tsim_close(sim);
+	}
+}
+END_TEST
+
+/* The Stokes drag on a sphere at rest is 3 pi eta d u: inside the gap, below and above it. */
+START_TEST(velocity_in_the_gap)
+{
+	struct tsim *sim = slider(1, "");
+	const double c = 3 * 3.14159265358979324 * 2.5 * 1e-3;
+
+	deck(sim, "create_atoms 1 single 250 250 0.5 units box\n"
+		  "create_atoms 1 single 250 250 2.5 units box\n"
+		  "create_atoms 1 single 750 3 1.1 units box\n"
+		  "set group all diameter 1e-3 density 1000\n"
+		  "fix d all drag/stokes\n"
+		  "run 0\n");
+	for (int k = 0; k < 3; k += 2) {
+		double x = k ? 0.75 : 0.25, z = k ? 1.1 : 0.5, h = 2 - x, s = z / h, mean = 2.0 / 3 / h;
+		double u = 1 - s + 6 * s * (1 - s) * (mean - 0.5);
+		DECK_NEAR(deck_value(sim, k ? "fx[3]" : "fx[1]") / c, u, 1e-9);
+		/* w = s u dh/dx - (f1 - f3/2) dh/dx, f1 = s - s^2/2, f3 = 3 s^2 - 2 s^3 */
+		DECK_NEAR(deck_value(sim, k ? "fz[3]" : "fz[1]") / c,
+			  -1e-3 * (s * u - (s - s * s / 2 - s * s * (3 - 2 * s) / 2)), 1e-9);
+	}
+	DECK_NEAR(deck_value(sim, "fx[2]"), 0, 1e-15); /* above: at rest as the upper surface */
+	tsim_close(sim);
+}
+END_TEST
+
+/* A rigid slider that moves to the left over a plane at rest is the same film. If its shape stays while its material
+ * slides, the gap does not change, and half of the film is due to each surface. */
+START_TEST(moving_shapes)
+{
+	struct tsim *sim = slider(1, "");
+	double load;
+
+	deck(sim, "run 0\n");
+	load = deck_value(sim, "c_film[1]");
+	deck(sim, "flow_style none\n"
+		  "flow_style reynolds cells 200 3 lower 0 upper v_wedge set x cx upper_velocity -1 0 0 "
+		  "viscosity 2.5 "
+		  "density 1000 closed ylo yhi\nrun 0\n");
+	DECK_NEAR(deck_value(sim, "c_film[1]") / load, 1, 1e-4);
+	deck(sim, "flow_style none\n"
+		  "flow_style reynolds cells 200 3 lower 0 upper v_wedge set x cx upper_velocity 1 0 0 "
+		  "upper_stays "
+		  "viscosity 2.5 density 1000 closed ylo yhi\nrun 0\n");
+	DECK_NEAR(deck_value(sim, "c_film[1]") / load, 1, 1e-12);
+	deck(sim, "flow_style none\n"
+		  "flow_style reynolds cells 200 3 lower 0 upper v_wedge set x cx upper_velocity 1 0 0 "
+		  "upper_stays "
+		  "lower_velocity -1 0 0 viscosity 2.5 density 1000 closed ylo yhi\nrun 0\n");
+	DECK_NEAR(deck_value(sim, "c_film[1]") / load, 0, 1e-12);
+	tsim_close(sim);
+}
+END_TEST
+
+/* A plate that sinks on a film: height by a formula in time, W = eta V B^3 L/h^3 follows it; with `update run` it does
+ * not. */
+START_TEST(squeeze_in_time)
+{
+	for (int once = 0; once < 2; once++) {
+		struct tsim *sim =
+			deck_open("units si\nboundary f f f\nregion box block 0 1 0 2 0 1 units box\n"
+				  "create_box 1 box\n"
+				  "variable h equal 0.1-0.5*time\n"
+				  "flow_style reynolds cells 100 3 lower 0 upper v_h upper_velocity 0 0 -0.5 "
+				  "viscosity "
+				  "3 density 1 closed ylo yhi update %s\n"
+				  "compute film all film\ntimestep 0.01\nrun 10\n",
+				  once ? "run" : "step");
+		double h = once ? 0.1 : 0.05;
+
+		DECK_NEAR(deck_value(sim, "c_film[1]") * h * h * h / (3 * 0.5 * 2), 1, 3e-4);
+		DECK_NEAR(deck_value(sim, "c_film[14]+c_film[15]"), 1, 1e-10);
+		if (!once) {
+			ck_assert(!deck_accepts(sim, "run 10\n"));
+			ck_assert_msg(strstr(tsim_error(sim),
+					     "the surfaces touch or overlap; with `touching solid`"),
+				      "%s", tsim_error(sim));
+		}
+		tsim_close(sim);
+	}
+}
+END_TEST
+
+/* A Rayleigh step of voxel columns that faces a plane which slides: p = 6 eta U (h1 - h2)/(h1^3/L1 + h2^3/L2). As deep as
+ * the plane the columns are solid, or refused. */
+START_TEST(voxel_step)
+{
+	const char scene[] =
+		"units si\natom_style granular\nboundary f f f\nregion box block 0 1 0 0.5 0 1 units box\n"
+		"create_box 1 box\n"
+		"variable cx internal 0\nvariable s equal 0.1*(v_cx>%s)\n"
+		"fix pad all surface/voxel formula v_s x cx type 1 cells 10 1\n"
+		"flow_style reynolds cells 40 4 lower_voxel pad upper %s upper_velocity 2 0 0 viscosity 0.5 "
+		"density 1 gap stepped closed ylo yhi touching solid\n"
+		"compute film all film\nrun 0\n";
+	struct tsim *sim = deck_open(scene, "0.7", "0.225");
+
+	DECK_NEAR(deck_value(sim, "c_film[1]"),
+		  0.25 * 6 * 0.5 * 2 * 0.1 / (pow(0.225, 3) / 0.7 + pow(0.125, 3) / 0.3), 1e-10);
+	tsim_close(sim);
+	sim = deck_open(scene, "0.7", "0.1"); /* a dam: at p = 6 eta U L/h^2 nothing flows */
+	DECK_NEAR(deck_value(sim, "c_film[15]"), 0, 1e-15);
+	DECK_NEAR(deck_value(sim, "c_film[14]"), 0, 1e-12);
+	DECK_NEAR(deck_value(sim, "c_film[18]"), 0.1 * 0.7 * 0.5, 1e-12);
+	tsim_close(sim);
+}
+END_TEST
+
+/* Diverging gap: below ambient without cavitation, above the pressure of the cavity with it; jfo conserves volume. */
+START_TEST(cavitation)
+{
+	static const char *const names[] = { "none", "half", "reynolds", "jfo" };
+
+	for (int k = 0; k < 4; k++) {
+		struct tsim *sim =
+			deck_open("units si\nboundary f p f\nregion box block 0 2 0 1 0 2 units box\n"
+				  "create_box 1 box\n"
+				  "variable cx internal 0\nvariable h equal 1+0.5*cos(PI*v_cx)\n"
+				  "flow_style reynolds cells 200 3 lower 0 lower_velocity 1 0 0 upper v_h "
+				  "set x cx "
+				  "viscosity 1 density 1 cavitation %s ambient 5 cavity_pressure 5 "
+				  "pressure_xhi 5.1\n"
+				  "compute film all film\nrun 0\n",
+				  names[k]);
+		double net = deck_value(sim, "c_film[14]+c_film[15]");
+
+		ck_assert((deck_value(sim, "c_film[1]") > 0.3) == (k > 0));
+		ck_assert((deck_value(sim, "c_film[19]") > 0) == (k > 0));
+		ck_assert((deck_value(sim, "c_film[21]") > 1e-3) == (k == 1 || k == 2));
+		if (k != 1)
+			DECK_NEAR(net, deck_value(sim, "c_film[21]"), 1e-12);
+		ck_assert((deck_value(sim, "c_film[150][5]") > 0.1) == (k == 3));
+		tsim_close(sim);
+	}
+}
+END_TEST
+
+static void refuses(const char *boundary, const char *words, const char *text)
+{
+	struct tsim *sim =
+		deck_open("units si\natom_style granular\nboundary %s\n"
+			  "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
+			  "variable cx internal 0\n"
+			  "fix pad all surface/voxel constant 0.1 type 1 cells 4 4 normal x base 0\n"
+			  "fix half all surface/voxel constant 0.1 type 1 cells 4 4 size 0.5 0.5\n",
+			  boundary);
+
+	ck_assert_msg(!deck_accepts(sim, "flow_style reynolds %s\nrun 0\n", words), "accepted: %s", words);
+	ck_assert_msg(strstr(tsim_error(sim), text) != NULL, "%s", tsim_error(sim));
+	tsim_close(sim);
+}
+
+#define FILM "cells 8 8 viscosity 1 density 1 "
+
+START_TEST(refusals)
+{
+	refuses("f f f", FILM "lower 0", "where is the upper surface?");
+	refuses("f f f", FILM "upper 1", "where is the lower surface?");
+	refuses("f f f", FILM "upper 1 lower 0 lower_voxel half", "is given twice");
+	refuses("f f f", FILM "upper 1 lower_voxel none", "there is no height field 'none'");
+	refuses("f f f", FILM "upper 1 lower_voxel pad", "the normal of fix 'pad' is not z");
+	refuses("f f f", FILM "upper 1 lower_voxel half", "has no column at (0.5625, 0.0625)");
+	refuses("f f f", FILM "upper 1 lower 1", "the gap is 0 at (0.0625, 0.0625), the surfaces touch");
+	refuses("f f f", FILM "upper 1 lower 2", "the gap is -1 at");
+	refuses("f f f", "cells 8 8 viscosity 0 density 1 upper 1 lower 0", "viscosity");
+	refuses("f f f", "cells 8 8 viscosity -1 density 1 upper 1 lower 0", "viscosity");
+	refuses("f f f", "cells 8 8 viscosity 1 density 0 upper 1 lower 0", "density");
+	refuses("f f f", "cells 8 viscosity 1 density 1 upper 1 lower 0", "NY");
+	refuses("f f f", "cells 0 8 viscosity 1 density 1 upper 1 lower 0", "NX");
+	refuses("f f f", "cells 9000 9000 viscosity 1 density 1 upper 1 lower 0",
+		"too many: at most 4000000");
+	refuses("f f f", FILM "upper 1 lower 0 closed xlo pressure_xlo 1",
+		"the edge xlo is closed, and a pressure");
+	refuses("f f f", FILM "upper 1 lower 0 closed xlo xhi ylo yhi", "no pressure is given at any border");
+	refuses("f f f", FILM "upper 1 lower 0 closed zlo", "'zlo'");
+	refuses("p f f", FILM "upper 1 lower 0 closed xlo", "is closed, but the box is periodic there");
+	refuses("p f f", FILM "upper 1 lower 0 pressure_xhi 1", "has a pressure, but the box is periodic");
+	refuses("p f f", "cells 2 8 viscosity 1 density 1 upper 1 lower 0", "expected at least 3");
+	refuses("s f f", FILM "upper 1 lower 0", "xlo follows the particles");
+	refuses("f f f", FILM "upper 1 lower 0 set z cx", "not of z");
+	refuses("f f f", FILM "upper 1 lower 0 lower_velocity 0 0 1 cavitation jfo",
+		"the film must be steady");
+	refuses("f f f", FILM "upper 1 lower 0 cavitation reynolds cavity_pressure 1",
+		"is below that in the cavity, 1");
+	refuses("f f f", FILM "upper 1 lower 0\nfix d all immersed/boundary region box", "solved for");
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("film_style");
+	TCase *tcase = tcase_create("film_style");
+
+	tcase_set_timeout(tcase, 100);
+	tcase_add_test(tcase, slider_in_all_units);
+	tcase_add_test(tcase, velocity_in_the_gap);
+	tcase_add_test(tcase, moving_shapes);
+	tcase_add_test(tcase, squeeze_in_time);
+	tcase_add_test(tcase, voxel_step);
+	tcase_add_test(tcase, cavitation);
+	tcase_add_test(tcase, refusals);
+	suite_add_tcase(suite, tcase);
+	return deck_main(suite);
+}
