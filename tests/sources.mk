@@ -77,6 +77,7 @@ shell_tests = \
 	tests/examples/erosion_ladder.sh \
 	tests/examples/flow_bodies.sh \
 	tests/examples/flow_cases.sh \
+	tests/examples/polishing.sh \
 	tests/explain/info.sh \
 	tests/explain/price.sh \
 	tests/flow/flow_closed.sh \
