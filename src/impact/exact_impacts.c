@@ -46,16 +46,6 @@ static enum ts_status refuse(struct ts_instance *self, struct tsim *sim, const c
 		       "fix %s impact exact: %s; leave `impact exact` out", self->style->name, why);
 }
 
-static bool has_members(const struct tsim *sim, int group)
-{
-	const struct ts_particles *p = sim->particles;
-
-	for (size_t i = 0; p->body && i < p->n; i++)
-		if (ts_in_group(p, i, group) && ts_rigid_member(p, i))
-			return true;
-	return false;
-}
-
 /* Those of resolved contacts only. */
 static enum ts_status refuse_observers(struct ts_instance *self, struct tsim *sim)
 {
@@ -87,8 +77,6 @@ enum ts_status ts_exact_plan(struct ts_instance *self, struct tsim *sim)
 		why = "the integrator must move particles by h v, as fix nve and fix nve/sphere do";
 	else if (w->warm && ts_wall_heats(sim))
 		why = "heat is conducted in resolved contacts only";
-	else if (has_members(sim, self->group))
-		why = "members of rigid bodies are not carried, only single spheres";
 	return why ? refuse(self, sim, why) : refuse_observers(self, sim);
 }
 
@@ -98,6 +86,8 @@ enum ts_status ts_exact_archive(struct ts_archive *a, struct tsim *sim, struct t
 
 	if (!w->exact)
 		return TS_OK;
+	if (ts_archive_has(a, "impact_warned_body"))
+		TS_TRY(ts_archive_fixed(a, "impact_warned_body", TS_SAVED_F64, &w->exact->warned_body, 1));
 	warned[0] = w->exact->warned_left;
 	warned[1] = w->exact->warned_many;
 	if (ts_archive_has(a, "impact_warned"))
@@ -161,10 +151,11 @@ struct change {
 	double x[3], v[3], omega[3], wait;
 };
 
-/* A particle that touches another one in the step. */
+/* A particle whose contact is left to the forces: it touches another one in the step, or is in a rigid body. */
 struct left {
 	size_t i, target;
 	double duration; /* of its collision with the wall, if it were alone; 0: not known */
+	double speed;	 /* of approach, normal to the surface */
 };
 
 /* What one thread finds. */
@@ -177,7 +168,6 @@ struct share {
 	struct left *left;
 	size_t nfound, nchanges, nleft, found_capacity, change_capacity, left_capacity;
 	size_t many;   /* 1 + index of a particle with too many impacts */
-	size_t member; /* 1 + index of a member of a rigid body */
 	size_t failed; /* 1 + index of a particle whose collision could not be integrated */
 	enum ts_status status;
 };
@@ -273,7 +263,7 @@ static struct ts_collision collision_of(const struct search *s, const struct fli
 	const struct ts_particles *p = s->sim->particles;
 	struct ts_collision c = { .model = ts_wall_model(w, s->sim),
 				  .law = ts_wall_law(w, s->sim, t->type, p->type[f->i]),
-				  .mass = p->mass[f->i],
+				  .mass = ts_rigid_member(p, f->i) ? 1 / p->imass[f->i] : p->mass[f->i],
 				  .radius = p->radius[f->i],
 				  .r_eff = ts_wall_effective_radius(p->radius[f->i], t->curvature),
 				  .inertia = ts_inertia_factor(s->sim),
@@ -343,6 +333,27 @@ static void leave(const struct search *s, struct share *share, struct flight *f,
 	f->time += r->duration;
 }
 
+/* Whether the warning has been given of such a particle. */
+static double *warned_of(struct ts_exact_impacts *e, const struct ts_particles *p, size_t i)
+{
+	return ts_rigid_member(p, i) ? &e->warned_body : &e->warned_left;
+}
+
+static void leave_to_forces(const struct search *s, struct share *share, const struct flight *f,
+			    const struct ts_collision *c, size_t target)
+{
+	struct left left = { .i = f->i, .target = target, .speed = -ts_dot(c->velocity, c->n) };
+	struct ts_collision_result r;
+
+	if (!(*warned_of(s->target[target].wall->exact, s->sim->particles, f->i) > 0) &&
+	    ts_collision_compute(share->solver, c, &r) == TS_COLLISION_PARTS)
+		left.duration = r.duration;
+	if (TS_GROW(share->left, share->left_capacity, share->nleft + 1) != TS_OK)
+		share->status = TS_NOMEM;
+	else
+		share->left[share->nleft++] = left;
+}
+
 /* Carries the particle through its next impact; false: the rest of its path is free, or left to the forces. */
 static bool carry_once(const struct search *s, struct share *share, struct flight *f, bool first)
 {
@@ -356,19 +367,11 @@ static bool carry_once(const struct search *s, struct share *share, struct fligh
 
 	if (!first_touch(s, share, f, s->sim->clock.dt - f->time, &touch, &target))
 		return false;
-	if (ts_rigid_member(p, f->i))
-		share->member = f->i + 1;
-	if (share->member || (first && touch.hit.overlap > NEGLIGIBLE * p->radius[f->i]))
+	if (first && touch.hit.overlap > NEGLIGIBLE * p->radius[f->i])
 		return false;
 	c = collision_of(s, f, &touch, target);
-	if (first && meets_other(s->sim, f->i)) {
-		if (TS_GROW(share->left, share->left_capacity, share->nleft + 1) != TS_OK)
-			share->status = TS_NOMEM;
-		else
-			share->left[share->nleft++] = (struct left){ f->i, target, 0 };
-		if (share->status == TS_OK && !(s->target[target].wall->exact->warned_left > 0) &&
-		    ts_collision_compute(share->solver, &c, &r) == TS_COLLISION_PARTS)
-			share->left[share->nleft - 1].duration = r.duration;
+	if (ts_rigid_member(p, f->i) || (first && meets_other(s->sim, f->i))) {
+		leave_to_forces(s, share, f, &c, target);
 		return false;
 	}
 	ts_axpy(touch.hit.time, f->v, f->x);
@@ -451,7 +454,7 @@ static void search_range(void *context, size_t from, size_t to)
 		size_t end = p->n * (t + 1) / s->shares;
 
 		for (size_t i = p->n * t / s->shares; i < end && share->status == TS_OK; i++)
-			if (p->imass[i] > 0 && p->mask[i] & s->moving)
+			if (p->imass[i] > 0 && (p->mask[i] & s->moving || ts_rigid_member(p, i)))
 				carry(s, share, i);
 	}
 }
@@ -468,12 +471,52 @@ static int by_particle_and_time(const void *a, const void *b)
 	return (p->begin > q->begin) - (p->begin < q->begin);
 }
 
-static enum ts_status store_left(const struct search *s, const struct left *left)
+/* The surface and the particle must not pass each other before a contact force acts. */
+static enum ts_status check_left(const struct search *s, const struct left *left)
 {
+	const struct ts_particles *p = s->sim->particles;
+	const struct ts_instance *by = s->target[left->target].by;
+	double way = left->speed * s->sim->clock.dt;
+
+	if (!(way > p->radius[left->i]))
+		return TS_OK;
+	return ts_fail(&s->sim->error, TS_PHYSICS, &by->where,
+		       "impact exact: particle %d %s, so its contact with wall %s is resolved by time steps; "
+		       "but they "
+		       "approach each other by %g in a step, more than its radius %g; use a shorter time "
+		       "step",
+		       p->tag[left->i],
+		       ts_rigid_member(p, left->i) ? "is in a rigid body" : "touches another particle, too",
+		       by->id, way, p->radius[left->i]);
+}
+
+static void warn_left(const struct search *s, const struct left *left)
+{
+	const struct ts_particles *p = s->sim->particles;
 	struct ts_exact_impacts *e = s->target[left->target].wall->exact;
 	const struct ts_instance *by = s->target[left->target].by;
-	double h = s->sim->clock.dt;
+	double h = s->sim->clock.dt, *warned = warned_of(e, p, left->i);
 
+	if (*warned > 0 || !(left->duration > 0 && left->duration < RESOLVED * h))
+		return;
+	*warned = 1;
+	if (ts_rigid_member(p, left->i))
+		ts_warn(&s->sim->log, &by->where,
+			"impact exact: particle %d is in a rigid body, whose contacts with wall %s are "
+			"resolved by time "
+			"steps; this one lasts about %.3g, only %.2g steps of %g",
+			p->tag[left->i], by->id, left->duration, left->duration / h, h);
+	else
+		ts_warn(&s->sim->log, &by->where,
+			"impact exact: particle %d touches another particle and wall %s in the same step, so "
+			"this "
+			"contact is resolved by time steps; it lasts %.3g, only %.2g steps of %g",
+			p->tag[left->i], by->id, left->duration, left->duration / h, h);
+}
+
+static enum ts_status store_left(const struct search *s, const struct left *left)
+{
+	TS_TRY(check_left(s, left));
 	for (size_t k = 0; k < s->targets; k++) { /* what it meets next may be any of the walls */
 		struct ts_exact_impacts *o = s->target[k].wall->exact;
 
@@ -481,14 +524,7 @@ static enum ts_status store_left(const struct search *s, const struct left *left
 			return ts_nomem(&s->sim->error);
 		o->left[o->nleft++] = s->sim->particles->tag[left->i];
 	}
-	if (e->warned_left > 0 || !(left->duration > 0 && left->duration < RESOLVED * h))
-		return TS_OK;
-	e->warned_left = 1;
-	ts_warn(&s->sim->log, &by->where,
-		"impact exact: particle %d touches another particle and wall %s in the same step, so this "
-		"contact is "
-		"resolved by time steps; it lasts %.3g, only %.2g steps of %g",
-		s->sim->particles->tag[left->i], by->id, left->duration, left->duration / h, h);
+	warn_left(s, left);
 	return TS_OK;
 }
 
@@ -530,9 +566,6 @@ static enum ts_status take_share(const struct search *s, const struct share *sha
 
 	if (share->status != TS_OK)
 		return ts_nomem(&s->sim->error);
-	if (share->member)
-		return refuse((struct ts_instance *)s->target[0].by, s->sim,
-			      "members of rigid bodies are not carried, only single spheres");
 	if (share->failed)
 		return ts_fail(&s->sim->error, TS_PHYSICS, &s->target[0].by->where,
 			       "impact exact: the impact of particle %d at (%g %g %g), velocity (%g %g %g), "

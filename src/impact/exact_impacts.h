@@ -9,7 +9,8 @@
  *
  * A contact is left to the forces of POST_FORCE, as without `impact exact`, if the particle
  *   - overlaps the surface and approaches it at the begin of the step (it has been put there, or was left to them before),
- *   - touches another particle in the step, or
+ *   - touches another particle in the step,
+ *   - is in a rigid body, or
  *   - stays for more than TS_EXACT_LONGEST steps, which resolve the contact.
  *
  * A sort of surface takes part by a struct ts_exact_surface (wall/exact_surface.h). */
@@ -48,7 +49,7 @@ struct ts_exact_impacts {
 	struct ts_collision_solver *
 		*solver; /* [nsolvers] of the first wall of this sort: one for each thread */
 	size_t nsolvers, solver_capacity;
-	double warned_left, warned_many; /* saved: 1: the warning has been given */
+	double warned_left, warned_body, warned_many; /* saved: 1: the warning has been given */
 };
 
 /* In init of a wall with the keyword: makes w->exact. */

@@ -238,12 +238,14 @@ static const char *const doc_more[] = {
 	"surfaces separate; the free flight then continues. If the step ends before the separation, the "
 	"particle waits (particle column impact_wait). The surface is taken as flat, other forces as zero. "
 	"f_ID[1..3] is the mean force, impulse over time step; other outputs contain resolved contacts only: "
-	"those that exist when the run begins, that last longer than 50 steps, or of particles that touch "
-	"another one in the step. The fixes wear/... count the impacts; wear/archard, "
+	"those that exist when the run begins, that last longer than 50 steps, of particles that touch "
+	"another one in "
+	"the step, or of rigid bodies (a warning says if they last less than 10 steps). The fixes wear/... "
+	"count the impacts; wear/archard, "
 	"wear/zhao/chang/contact "
 	"and the load and wear of mesh/surface/stress are integrals over each impact, in the step of its "
 	"touch, for the element touched first. Laws: hooke, hertz, hooke/stiffness, hertz/stiffness; "
-	"tangential off, no_history, history. Walls must not rotate; rigid bodies, fix "
+	"tangential off, no_history, history. Walls must not rotate; fix "
 	"mesh/surface/stress/servo, explicit Euler and heat are refused.",
 	"Related: fix wall/gran/region, fix mesh/surface, fix surface/voxel, fix heat/gran, compute "
 	"wall/gran/local.",

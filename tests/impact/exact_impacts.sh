@@ -138,6 +138,72 @@ run 1000
 print "is energy $(ke/mass(all):%.7g) $(0.5*(80^2+50^2+100^2):%.7g)"
 print "is inside $(xcm(all,x)^2+xcm(all,y)^2<0.877e-4^2&&abs(xcm(all,z))<0.877e-4) 1"'
 
+# Rigid bodies are resolved by the steps, as without the keyword, beside spheres that are not. Where the steps are too long
+# for that there is a warning, and an error where a body would pass the wall.
+cat >in.bodies <<'END'
+variable e string 0.7
+include in.material
+fix clump all particletemplate/multisphere 15485863 atom_type 1 density constant 2900 nspheres 2 ntry 20000 spheres 0 0 0 1e-5 1.2e-5 0 0 0.8e-5 type 1 volume_limit 1e-16
+fix one all particledistribution/discrete 15485867 1 clump 1.0
+region place block -4e-4 4e-4 -4e-4 4e-4 1e-6 2e-4 units box
+fix bodies all insert/pack seed 32452843 distributiontemplate one insert_every once overlapcheck yes all_in yes vel constant 5 0 -20 omega constant 2e5 -1e5 3e5 orientation random region place particles_in_region 30
+fix solid all multisphere
+group single empty
+fix move single nve/sphere
+fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0 impact ${impact}
+timestep ${h}
+run 1
+region row block -8e-4 8e-4 8e-4 9e-4 1.4e-5 1.6e-5 units box
+if "${spheres} == 1" then "create_atoms 1 random 20 4321 row" "group single id > 60" "set group single diameter 24.8e-6 density 2900 vx 60 vz -70"
+run ${n}
+group clumps id <= 60
+dump d clumps custom 1 ${out} id x y z vx vy vz omegax omegay omegaz
+dump_modify d sort id format float %.17g
+run 0
+print "$(count(single)) spheres, energy $(ke(single):%.15g)"
+END
+bodies() {
+	local out=$1
+	shift
+	"$TSIM" -in in.bodies -log none -var out "$out" "$@" >"$out.log" 2>&1
+}
+for way in 'resolved 0' 'exact 0' 'exact 1'; do
+	# shellcheck disable=SC2086
+	set -- $way
+	bodies "bodies.$1.$2" -var impact "$1" -var spheres "$2" -var h 5e-10 -var n 12000
+	report "bodies, $way" $? "bodies.$1.$2.log"
+done
+same 'bodies beside a wall with exact impacts' bodies.resolved.0 bodies.exact.0
+same 'bodies beside spheres' bodies.resolved.0 bodies.exact.1
+for h in 2e-8 5e-9; do
+	bodies "bodies.$h" -var impact exact -var spheres 1 -var h "$h" -var n "$(awk -v h="$h" 'BEGIN { print 6e-6 / h }')"
+	report "bodies, $h" $? "bodies.$h.log"
+done
+[ "$(grep -h '^20 spheres' bodies.2e-8.log bodies.5e-9.log | cut -c1-36 | uniq | wc -l)" = 1 ]
+report 'spheres beside bodies' $? bodies.5e-9.log
+grep -q 'is in a rigid body, whose contacts with wall floor are resolved by time steps' bodies.2e-8.log
+report 'a warning' $? bodies.2e-8.log
+refused bodies 'is in a rigid body, so its contact with wall floor is resolved by time steps; but they approach' \
+	-in in.bodies -var out none -var impact exact -var spheres 1 -var h 1e-6 -var n 10
+# a wall that would pass a sphere while that touches another one
+cat >in.passes <<'END'
+variable e string 0.7
+include in.material
+pair_style gran model hertz tangential history
+pair_coeff * *
+create_atoms 1 single 0 0 2e-5 units box
+create_atoms 1 single 2.7e-5 0 2e-5 units box
+set group all diameter 24.8e-6 density 2900
+fix move all nve/sphere
+set atom 2 vx -5
+fix plate all mesh/surface file plate.stl type 1
+fix lift all move/mesh mesh plate linear 0 0 40
+fix floor all wall/gran model hertz tangential history mesh n_meshes 1 meshes plate impact exact
+timestep 1e-6
+run 1
+END
+refused passes 'touches another particle, too, so its contact with wall floor is resolved by time steps; but they approach' -in in.passes
+
 cat >in.refused <<'END'
 variable e string 0.7
 include in.material
