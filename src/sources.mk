@@ -506,6 +506,7 @@ library_sources = \
 	src/geom/pointhash.h \
 	src/geom/primitive.c \
 	src/geom/primitive.h \
+	src/geom/recession.h \
 	src/geom/spherehash.c \
 	src/geom/spherehash.h \
 	src/geom/sweep.c \
@@ -1021,6 +1022,8 @@ library_sources = \
 	src/voxel/voxel_image.h \
 	src/voxel/voxel_png.c \
 	src/voxel/voxel_png.h \
+	src/voxel/voxel_recede.c \
+	src/voxel/voxel_recede.h \
 	src/voxel/voxel_self_affine.c \
 	src/voxel/voxel_self_affine.h \
 	src/voxel/voxel_source.c \
@@ -1086,6 +1089,8 @@ library_sources = \
 	src/wall/wall_stages.h \
 	src/wall/wall_system.c \
 	src/wall/wall_system.h \
+	src/wear/evolution.c \
+	src/wear/evolution.h \
 	src/wear/fix_surface_impacts.c \
 	src/wear/fix_wear_archard.c \
 	src/wear/fix_wear_bitter.c \

@@ -334,22 +334,42 @@ static void extent(const struct ts_instance *self, int dim, double *lo, double *
 	*hi = fmax(*hi, most + s->shift[dim]);
 }
 
+/* The heights before recession, of a field that takes part in it; a file without them has the original heights. */
+static enum ts_status archive_original(struct tsim *sim, struct ts_archive *a, struct ts_voxel_surface *s)
+{
+	static const char name[] = "original";
+	size_t n = (size_t)s->field.n[0] * (size_t)s->field.n[1];
+	bool writing = ts_archive_writing(a), saved = writing ? s->original != NULL : ts_archive_has(a, name);
+
+	if (saved && !s->original)
+		s->original = ts_alloc(n, sizeof *s->original);
+	if (saved && !s->original)
+		return ts_nomem(&sim->error);
+	if (saved)
+		return ts_archive_fixed(a, name, TS_SAVED_F64, s->original, n);
+	for (size_t k = 0; s->original && k < n; k++)
+		s->original[k] = ts_voxel_heights(&s->field)[k];
+	return TS_OK;
+}
+
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct state *s = self->state;
 	struct ts_voxel_field *f = &s->surface.field;
 
-	(void)sim;
 	TS_TRY(ts_archive_fixed(a, "heights", TS_SAVED_F64, ts_voxel_heights(f),
 				(size_t)f->n[0] * (size_t)f->n[1]));
 	ts_voxel_field_update(f);
 	place(s);
-	return TS_OK;
+	return archive_original(sim, a, &s->surface);
 }
 
 static void fini(struct ts_instance *self)
 {
-	ts_voxel_field_release(&((struct state *)self->state)->surface.field);
+	struct ts_voxel_surface *surface = &((struct state *)self->state)->surface;
+
+	ts_voxel_field_release(&surface->field);
+	ts_free(surface->original);
 }
 
 /* ---- arguments */
@@ -523,7 +543,8 @@ static const char doc[] =
 	"The field is periodic along an axis along which it spans a periodic box. Elsewhere it ends with "
 	"side "
 	"faces. In a box that is periodic along the heights a `base` is needed.\n\n"
-	"The time t of `move` counts from the definition of the fix. Restart files contain the heights.\n\n"
+	"The time t of `move` counts from the definition of the fix. Fixes wear/... with `evolve yes` lower "
+	"the columns. Restart files contain the heights.\n\n"
 	"Related: fix wall/gran, fix mesh/surface, dump voxel/vtk.";
 
 TS_STYLE(fix, ts_style, ts_fix_surface_voxel)

@@ -11,6 +11,7 @@
 /* First member of the state of every style of TS_FAMILY_VOXEL. */
 struct ts_voxel_surface {
 	struct ts_voxel_field field; /* at its reference position */
+	double *original;	     /* heights before recession, [n[1]][n[0]]; NULL: there is none */
 	int64_t type;		     /* particle type whose material it has */
 	bool merges;		     /* contact points within one contact area are one contact */
 	double temperature;	     /* for fix heat/gran; NaN: it conducts no heat */

@@ -147,6 +147,21 @@ static double mesh_temperature(const struct ts_instance *by)
 	return surface_of(by)->temperature;
 }
 
+static bool is_back(const struct ts_instance *by, size_t element, const double normal[3])
+{
+	return ts_dot(surface_of(by)->mesh.normal[element], normal) < 0;
+}
+
+static enum ts_status refuse_recession(struct tsim *sim, const struct ts_instance *by,
+				       const struct ts_recession *how, const struct ts_place *where)
+{
+	(void)how;
+	return ts_fail(&sim->error, TS_STATE, where,
+		       "evolve: fix %s is a mesh, whose nodes do not recede; only height fields, of fix "
+		       "surface/voxel, do",
+		       by->id);
+}
+
 /* ---- contacts */
 
 static double contact_distance(const struct ts_wall *w, const struct tsim *sim, size_t k, int *type)
@@ -182,7 +197,9 @@ const struct ts_wall_shape ts_mesh_wall_shape = {
 		     .area = triangle_area,
 		     .centre = triangle_centre,
 		     .type = mesh_type,
-		     .temperature = mesh_temperature },
+		     .temperature = mesh_temperature,
+		     .check_recession = refuse_recession,
+		     .is_back = is_back },
 	.list = ts_mesh_wall_list,
 	.has_moved = ts_mesh_wall_has_moved,
 	.check_displacement = ts_mesh_wall_check_displacement,

@@ -423,6 +423,16 @@ static double primitive_temperature(const struct ts_instance *by)
 	return primitives_of(by)->temperature;
 }
 
+static enum ts_status refuse_recession(struct tsim *sim, const struct ts_instance *by,
+				       const struct ts_recession *how, const struct ts_place *where)
+{
+	(void)how;
+	return ts_fail(&sim->error, TS_STATE, where,
+		       "evolve: a plane or cylinder, as of fix %s, is one element and keeps its shape; make the "
+		       "wall of a height field: `fix ID all surface/voxel constant HEIGHT ...`",
+		       by->id);
+}
+
 /* Of the part in the box. */
 static double primitive_area(const struct ts_instance *by, const struct tsim *sim, size_t element)
 {
@@ -617,7 +627,8 @@ const struct ts_wall_shape ts_primitive_wall_shape = {
 		     .area = primitive_area,
 		     .centre = primitive_centre,
 		     .type = primitive_type,
-		     .temperature = primitive_temperature },
+		     .temperature = primitive_temperature,
+		     .check_recession = refuse_recession },
 	.list = list,
 	.has_moved = has_moved,
 	.check_displacement = check_displacement,

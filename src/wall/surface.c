@@ -95,6 +95,25 @@ double ts_surface_temperature(const struct ts_surface *s)
 	return s->kind->temperature(s->by);
 }
 
+/* ---- recession ---- */
+
+enum ts_status ts_surface_check_recession(struct tsim *sim, const struct ts_surface *s,
+					  const struct ts_recession *how, const struct ts_place *where)
+{
+	return s->kind->check_recession(sim, s->by, how, where);
+}
+
+enum ts_status ts_surface_recede(struct tsim *sim, const struct ts_surface *s, const struct ts_recession *how,
+				 const struct ts_place *where, struct ts_recession_element *e, size_t n)
+{
+	return s->kind->recede(sim, s->by, how, where, e, n);
+}
+
+bool ts_surface_is_back(const struct ts_surface *s, size_t element, const double normal[3])
+{
+	return s->kind->is_back && s->kind->is_back(s->by, element, normal);
+}
+
 /* ---- observers ---- */
 
 static unsigned observers_of_kind(const struct tsim *sim, enum ts_kind kind, const struct ts_instance *by)

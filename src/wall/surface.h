@@ -11,6 +11,7 @@
 #define TS_WALL_SURFACE_H
 
 #include "core/sim.h"
+#include "geom/recession.h"
 
 struct ts_surface_kind;
 
@@ -32,6 +33,18 @@ void ts_surface_centre(const struct ts_surface *s, const struct tsim *sim, size_
 int ts_surface_type(const struct ts_surface *s);
 /* Its temperature; NaN: it conducts no heat. */
 double ts_surface_temperature(const struct ts_surface *s);
+
+/* ---- recession: fixes wear/... with `evolve yes` ---- */
+
+/* In init: whether the surface can recede like this; if not, fails at `where` with the reason. */
+enum ts_status ts_surface_check_recession(struct tsim *sim, const struct ts_surface *s,
+					  const struct ts_recession *how, const struct ts_place *where);
+/* After the forces of a step: takes volume from n elements, each of them once, in an order that does not depend on
+ * threads. */
+enum ts_status ts_surface_recede(struct tsim *sim, const struct ts_surface *s, const struct ts_recession *how,
+				 const struct ts_place *where, struct ts_recession_element *e, size_t n);
+/* Whether a contact with this normal, towards the particle, is on the side against the normal of the element. */
+bool ts_surface_is_back(const struct ts_surface *s, size_t element, const double normal[3]);
 
 /* What live styles read of the surface of this fix: bits of enum ts_observes. Valid after all init functions. */
 unsigned ts_surface_observers(const struct tsim *sim, const struct ts_instance *by);

@@ -3,6 +3,7 @@
 
 #include "box/domain.h"
 #include "math/vec3.h"
+#include "voxel/voxel_recede.h"
 #include "wall/voxel_wall.h"
 #include "wall/voxel_wall_queue.h"
 
@@ -124,6 +125,21 @@ static double field_temperature(const struct ts_instance *by)
 	return field_of(by)->temperature;
 }
 
+static enum ts_status check_recession(struct tsim *sim, const struct ts_instance *by,
+				      const struct ts_recession *how, const struct ts_place *where)
+{
+	return ts_voxel_recede_check(sim, by->state, how, where);
+}
+
+static enum ts_status recede(struct tsim *sim, const struct ts_instance *by, const struct ts_recession *how,
+			     const struct ts_place *where, struct ts_recession_element *e, size_t n)
+{
+	(void)sim;
+	(void)where;
+	ts_voxel_recede(by->state, how, e, n);
+	return TS_OK;
+}
+
 /* ---- contacts */
 
 static double contact_distance(const struct ts_wall *w, const struct tsim *sim, size_t k, int *type)
@@ -161,7 +177,9 @@ const struct ts_wall_shape ts_voxel_wall_shape = {
 		     .area = column_area,
 		     .centre = column_centre,
 		     .type = field_type,
-		     .temperature = field_temperature },
+		     .temperature = field_temperature,
+		     .check_recession = check_recession,
+		     .recede = recede },
 	.list = ts_voxel_wall_list,
 	.has_moved = ts_voxel_wall_has_moved,
 	.check_displacement = ts_voxel_wall_check_displacement,

@@ -9,6 +9,7 @@
 #define TS_WALL_WALL_SHAPE_H
 
 #include "core/sim.h"
+#include "geom/recession.h"
 
 struct ts_exact_surface;
 struct ts_wall;
@@ -30,6 +31,13 @@ struct ts_surface_kind {
 	void (*centre)(const struct ts_instance *by, const struct tsim *sim, size_t element, double out[3]);
 	int (*type)(const struct ts_instance *by);
 	double (*temperature)(const struct ts_instance *by);
+	/* Those of ts_surface_check_recession, _recede and _is_back. */
+	enum ts_status (*check_recession)(struct tsim *sim, const struct ts_instance *by,
+					  const struct ts_recession *how, const struct ts_place *where);
+	/* NULL: check_recession refuses it */
+	enum ts_status (*recede)(struct tsim *sim, const struct ts_instance *by, const struct ts_recession *how,
+				 const struct ts_place *where, struct ts_recession_element *e, size_t n);
+	bool (*is_back)(const struct ts_instance *by, size_t element, const double normal[3]); /* NULL: no */
 };
 
 struct ts_wall_shape {

@@ -30,7 +30,7 @@ enum ts_status ts_wear_init(struct ts_instance *self, struct tsim *sim, const st
 	if (TS_GROW(w->row, w->row_capacity, elements) != TS_OK)
 		return ts_nomem(&sim->error);
 	w->elements = elements;
-	return TS_OK;
+	return ts_evolution_init(self, sim);
 }
 
 const struct ts_instance *ts_wear_surface(const struct ts_instance *self)
@@ -55,6 +55,16 @@ static enum ts_status sums_of(struct tsim *sim, struct ts_wear *w, size_t elemen
 
 /* ---- a step ---- */
 
+static enum ts_status remove_volume(struct tsim *sim, struct ts_wear *w, struct ts_wear_sums *s,
+				    double volume, const double normal[3])
+{
+	size_t row = (size_t)(s - w->sums);
+
+	s->volume += volume;
+	return ts_evolution_add(sim, &w->evolution, row, volume,
+				ts_surface_is_back(&w->surface, (size_t)w->touched[row], normal));
+}
+
 static enum ts_status add_impact(struct ts_instance *self, struct tsim *sim, const struct ts_impact_event *e)
 {
 	struct ts_wear *w = self->state;
@@ -70,9 +80,7 @@ static enum ts_status add_impact(struct ts_instance *self, struct tsim *sim, con
 	s->force = fmax(s->force, e->peak_force);
 	if (!w->law->slide) /* else it is added step by step */
 		s->work += e->work;
-	if (w->law->impact)
-		s->volume += w->law->impact(self, e);
-	return TS_OK;
+	return w->law->impact ? remove_volume(sim, w, s, w->law->impact(self, e), e->normal) : TS_OK;
 }
 
 static enum ts_status add_slide(struct ts_instance *self, struct tsim *sim,
@@ -93,8 +101,7 @@ static enum ts_status add_slide(struct ts_instance *self, struct tsim *sim,
 	ts_scale(1, c->velocity, slide.velocity);
 	TS_TRY(sums_of(sim, w, c->element, &s));
 	s->work += slide.work;
-	s->volume += w->law->slide(self, &slide);
-	return TS_OK;
+	return remove_volume(sim, w, s, w->law->slide(self, &slide), slide.normal);
 }
 
 enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim)
@@ -113,7 +120,7 @@ enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim)
 	while (w->law->slide && ts_surface_contacts_next(&contacts, &c))
 		if (ts_surface_contact_in_group(&c, self->group))
 			TS_TRY(add_slide(self, sim, &c));
-	return TS_OK;
+	return ts_evolution_update(self, sim);
 }
 
 enum ts_status ts_wear_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
@@ -138,6 +145,8 @@ static double total(const struct ts_wear *w, size_t member)
 	return w->n ? ts_exactsum_of(first + member, w->n, TS_WEAR_SUMS) : 0;
 }
 #define TOTAL(w, f) total((w), offsetof(struct ts_wear_sums, f) / sizeof(double))
+#define EVOLVED(w, f) \
+	ts_evolution_total(&(w)->evolution, offsetof(struct ts_evolution_sums, f) / sizeof(double))
 
 static enum ts_status eval_volume(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
@@ -156,10 +165,19 @@ static enum ts_status eval_totals(struct ts_instance *self, const struct tsim *s
 	const struct ts_wear *w = self->state;
 	double volume = TOTAL(w, volume), mass = TOTAL(w, mass);
 	double removed = isnan(w->density) ? 0 : w->density * volume;
-	double totals[] = {
-		volume,		  quotient(volume, mass), TOTAL(w, hits), mass,
-		TOTAL(w, energy), TOTAL(w, work),	  removed,	  quotient(removed, mass)
-	};
+	double taken = EVOLVED(w, taken), surplus = EVOLVED(w, surplus);
+	double totals[] = { volume,
+			    quotient(volume, mass),
+			    TOTAL(w, hits),
+			    mass,
+			    TOTAL(w, energy),
+			    TOTAL(w, work),
+			    removed,
+			    quotient(removed, mass),
+			    taken,
+			    w->evolution.on ? volume - taken - surplus : 0,
+			    surplus,
+			    EVOLVED(w, through) };
 
 	(void)sim;
 	for (size_t k = 0; k < sizeof totals / sizeof *totals; k++)
@@ -187,11 +205,13 @@ static enum ts_status eval_impact_totals(struct ts_instance *self, const struct 
 	return TS_OK;
 }
 
-static const char *const total_names[] = { "volume", "volume_per_mass", "impacts",	   "mass", "energy",
-					   "work",   "removed",		"removed_per_mass" };
+static const char *const total_names[] = { "volume",  "volume_per_mass",  "impacts",
+					   "mass",    "energy",		  "work",
+					   "removed", "removed_per_mass", "taken",
+					   "pending", "surplus",	  "through" };
 static const char *const impact_total_names[] = { "impacts", "mass", "energy", "work" };
-static const char *const element_names[] = { "hits",  "speed",	"angle", "energy", "work", "impulse",
-					     "force", "volume", "depth", "x",	   "y",	   "z" };
+static const char *const element_names[] = { "hits",   "speed", "angle", "energy", "work", "impulse", "force",
+					     "volume", "depth", "x",	 "y",	   "z",	   "taken" };
 static const char *const impact_names[] = { "hits",    "speed", "angle", "energy", "work",
 					    "impulse", "force", "x",	 "y",	   "z" };
 enum {
@@ -199,18 +219,19 @@ enum {
 	IMPACT_TOTALS = sizeof impact_total_names / sizeof *impact_total_names,
 	COLUMNS = sizeof element_names / sizeof *element_names,
 	IMPACT_COLUMNS = sizeof impact_names / sizeof *impact_names,
-	SUMS = COLUMNS - 3 /* before the coordinates of the centre */
+	/* columns before the coordinates of the centre */
+	SUMS = COLUMNS - 4,
+	IMPACT_SUMS = IMPACT_COLUMNS - 3,
+	TAKEN = COLUMNS - 1
 };
 
-/* The first columns of each element, then the coordinates of its centre: `columns` in all. */
-static enum ts_status list_elements(const struct ts_wear *w, const struct tsim *sim, size_t columns,
-				    struct ts_table *out)
+/* The first `sums` columns of each element, the coordinates of its centre, and zeros: `columns` in all. */
+static enum ts_status list_elements(const struct ts_wear *w, const struct tsim *sim, size_t sums,
+				    size_t columns, struct ts_table *out)
 {
-	size_t sums = columns - 3;
-
 	TS_TRY(ts_table_resize(out, w->elements, columns));
 	for (size_t k = 0; k < w->elements; k++) {
-		for (size_t c = 0; c < sums; c++)
+		for (size_t c = 0; c < columns; c++)
 			out->data[k * columns + c] = 0;
 		ts_surface_centre(&w->surface, sim, k, out->data + k * columns + sums);
 	}
@@ -237,27 +258,36 @@ static enum ts_status list_elements(const struct ts_wear *w, const struct tsim *
 
 static enum ts_status eval_elements(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	return list_elements(self->state, sim, COLUMNS, out);
+	const struct ts_wear *w = self->state;
+
+	TS_TRY(list_elements(w, sim, SUMS, COLUMNS, out));
+	for (size_t k = 0; k < w->evolution.n; k++)
+		out->data[(size_t)w->touched[k] * COLUMNS + TAKEN] = w->evolution.sums[k].taken;
+	return TS_OK;
 }
 
 static enum ts_status eval_impacts(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	return list_elements(self->state, sim, IMPACT_COLUMNS, out);
+	return list_elements(self->state, sim, IMPACT_SUMS, IMPACT_COLUMNS, out);
 }
 
 const struct ts_value ts_wear_values[] = {
 	{ "volume", "length^3", "volume removed", TS_SCALAR, 1, NULL, eval_volume },
-	{ "totals", "length^3, length^3/mass, -, mass, energy, energy, mass, -",
+	{ "totals",
+	  "length^3, length^3/mass, -, mass, energy, energy, mass, -, length^3, length^3, length^3, -",
 	  "totals: volume removed, volume per mass of the particles that have hit, number of impacts, mass "
 	  "of the "
 	  "particles that have hit (once for each impact), their kinetic energy before, work of friction, "
 	  "mass "
-	  "removed and this per mass of particles (0 without `density`)",
+	  "removed and this per mass of particles (0 without `density`); with `evolve yes` the volume taken "
+	  "from the geometry, pending, and surplus, and the number of elements that are worn through, else 0",
 	  TS_VECTOR, TOTALS, total_names, eval_totals },
-	{ "elements", "-, velocity, degrees, energy, energy, force*time, force, length^3, length, length",
+	{ "elements",
+	  "-, velocity, degrees, energy, energy, force*time, force, length^3, length, length, length, "
+	  "length, length^3",
 	  "of each element: number of impacts, their mean speed, mean angle, kinetic energy before, work of "
 	  "friction, impulse of the normal forces, largest normal force; volume removed, and divided by the "
-	  "area; coordinates of its centre",
+	  "area; coordinates of its centre; volume taken from the geometry",
 	  TS_SURFACE, COLUMNS, element_names, eval_elements },
 	{ .name = NULL },
 };
@@ -301,6 +331,7 @@ enum ts_status ts_wear_archive(struct ts_instance *self, struct tsim *sim, struc
 	TS_TRY(ts_archive_array(archive, "touched", TS_SAVED_I32, (void **)&w->touched, &w->touched_capacity,
 				&w->n));
 	TS_TRY(ts_archive_array(archive, "sums", TS_SAVED_F64, (void **)&w->sums, &capacity, &n));
+	TS_TRY(ts_evolution_archive(archive, sim, &w->evolution, w->n));
 	if (ts_archive_writing(archive))
 		return TS_OK;
 	w->sums_capacity = capacity / TS_WEAR_SUMS;
@@ -314,4 +345,41 @@ void ts_wear_fini(struct ts_instance *self)
 	ts_free(w->row);
 	ts_free(w->touched);
 	ts_free(w->sums);
+	ts_evolution_release(&w->evolution);
 }
+
+/* ---- manual ---- */
+
+static const char evolving[] =
+	"With `evolve yes` the surface recedes: every `evolve_every` steps the volume worn from an element "
+	"since "
+	"the last time is taken from the geometry. A column of a height field of area A is lowered by the "
+	"volume "
+	"over A, whether its top or its side was hit; with `layer L` it is lowered by whole voxels of height "
+	"L, "
+	"and the rest stays pending. Primitive walls keep their shape. Only one fix may change a surface; "
+	"others "
+	"may observe it.\n\n"
+	"The material ends at the depth `thickness` below the original surface - the one that fix "
+	"surface/voxel "
+	"has defined, also after a restart or with another fix wear/... - or at the `base` of the field. An "
+	"element that is worn "
+	"down to there gives no more (`through stop`): what impacts wear from it is surplus. With `through "
+	"open` "
+	"the column is removed; as the wall is open only where all material is gone, the field needs a "
+	"`base`, and the "
+	"thickness, if given, must reach it. With `through error` the run ends. At any time\n\n"
+	"  f_ID = f_ID[9] + f_ID[10] + f_ID[11]:   worn by the law = taken from the geometry + pending + "
+	"surplus,\n\n"
+	"and f_ID[9] is the volume by which the geometry has changed, to round-off. f_ID[8] of an element, "
+	"its volume, and "
+	"f_ID[9], its depth, are those of the law; the volume taken is f_ID[13].\n\n"
+	"A particle that touches an element when it recedes loses the overlap, with its elastic energy, by "
+	"which "
+	"it recedes: intervals should be so short that this depth is small beside overlaps, or so long that "
+	"touching particles are rare. Impacts after that see the new surface: angles and normals are those "
+	"at "
+	"tops, sides and edges of columns, so slopes of a scar count if columns are narrower than the "
+	"particles. Volume "
+	"that has not been taken when a run ends stays pending for the next run or the restart file.";
+const char *const ts_wear_doc_more[] = { evolving, NULL };

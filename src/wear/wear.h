@@ -17,6 +17,7 @@
 
 #include "impact/impact_event.h"
 #include "wall/surface.h"
+#include "wear/evolution.h"
 
 /* A touching contact in one step, or a part of an impact that is computed as a whole (wall/surface_contacts.h). */
 struct ts_wear_slide {
@@ -48,11 +49,14 @@ struct ts_wear_sums {
 };
 enum { TS_WEAR_SUMS = sizeof(struct ts_wear_sums) / sizeof(double) };
 
-/* First member of the state. */
+#define TS_FAMILY_WEAR "wear"
+
+/* First member of the state of every style of TS_FAMILY_WEAR. */
 struct ts_wear {
 	/* arguments */
 	const char *surface_id;
 	double density; /* of the surface; NaN: not given */
+	struct ts_evolution evolution;
 
 	const struct ts_wear_law *law;
 	struct ts_surface surface;
@@ -70,7 +74,8 @@ struct ts_wear {
 #define TS_WEAR_ARGS(T, f)                                                                   \
 	TS_WEAR_SURFACE_ARG(T, f),                                                           \
 		TS_REAL("density", T, f.density, .flags = TS_OPTIONAL, .range = TS_POSITIVE, \
-			.unit = "mass/length^3", .help = "of the surface, for the mass removed")
+			.unit = "mass/length^3", .help = "of the surface, for the mass removed"), \
+		TS_EVOLUTION_ARGS(T, f.evolution)
 
 /* In the init of the style: finds the surface. */
 enum ts_status ts_wear_init(struct ts_instance *self, struct tsim *sim, const struct ts_wear_law *law);
@@ -82,13 +87,16 @@ enum ts_status ts_wear_plan(struct ts_instance *self, struct tsim *sim, struct t
 const struct ts_instance *ts_wear_surface(const struct ts_instance *self);
 enum ts_status ts_wear_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive);
 void ts_wear_fini(struct ts_instance *self);
-/* Outputs: f_ID the volume, f_ID[1..8] the totals, f_ID[1..12] of each element. */
+/* Outputs: f_ID the volume, f_ID[1..12] the totals, f_ID[1..13] of each element. */
 extern const struct ts_value ts_wear_values[];
 /* Of a style without a law, the same without volumes: f_ID the number of impacts, f_ID[1..4] the totals, f_ID[1..10]
  * of each element. */
 extern const struct ts_value ts_wear_impact_values[];
-#define TS_WEAR_SLOTS \
-	.surface = ts_wear_surface, .values = ts_wear_values, .archive = ts_wear_archive, .plan = ts_wear_plan
+/* Manual: surfaces that evolve. */
+extern const char *const ts_wear_doc_more[];
+#define TS_WEAR_SLOTS                                                                       \
+	.family = TS_FAMILY_WEAR, .doc_more = ts_wear_doc_more, .surface = ts_wear_surface, \
+	.values = ts_wear_values, .archive = ts_wear_archive, .plan = ts_wear_plan
 
 /* In the manual of laws with `slide`. */
 #define TS_WEAR_EXACT                                                                                     \
@@ -121,7 +129,7 @@ extern const struct ts_value ts_wear_impact_values[];
 #define TS_WEAR_DOC                                                                                      \
 	TS_WEAR_IMPACT_DOC                                                                               \
 	"Only particles of the group wear the surface.\n\n" TS_WEAR_ELEMENTS_DOC                         \
-	"f_ID[1..12] are those of each element, f_ID is the volume removed from the whole surface, and " \
-	"f_ID[1..8] are its totals elsewhere.\n\n"
+	"f_ID[1..13] are those of each element, f_ID is the volume removed from the whole surface, and " \
+	"f_ID[1..12] are its totals elsewhere.\n\n"
 
 #endif
