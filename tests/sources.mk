@@ -178,6 +178,7 @@ shell_tests = \
 	tests/wall/wall_contacts.sh \
 	tests/wall/walls.sh \
 	tests/wear/erosion_laws.sh \
+	tests/wear/evolve_voxel.sh \
 	tests/wear/surface_impacts.sh \
 	tests/wear/wear_impacts.sh
 unit_tests = \

@@ -64,12 +64,21 @@ enum ts_status ts_voxel_recede_check(struct tsim *sim, struct ts_voxel_surface *
 
 /* ---- recession */
 
+/* The least height of a column: where its material ends. At the base it would be empty; a column that stays is higher by
+ * the least number. */
+static double least_height(const struct ts_voxel_field *f, const struct ts_recession *how, double original)
+{
+	double end = how->through == TS_THROUGH_OPEN ? f->base : nextafter(f->base, INFINITY);
+
+	return fmax(original - how->thickness, end);
+}
+
 static void lower_column(struct ts_voxel_surface *s, const struct ts_recession *how,
 			 struct ts_recession_element *e)
 {
 	const struct ts_voxel_field *f = &s->field;
 	double area = f->width[0] * f->width[1], original = s->original[e->element];
-	double height = ts_voxel_heights(f)[e->element], least = fmax(original - how->thickness, f->base);
+	double height = ts_voxel_heights(f)[e->element], least = least_height(f, how, original);
 	double depth = (original - height) + e->due / area, to = original - depth;
 
 	e->through = !(to > least) || !(height > least);
