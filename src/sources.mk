@@ -755,10 +755,18 @@ library_sources = \
 	src/mesh/mesh_load.h \
 	src/mesh/mesh_motion.c \
 	src/mesh/mesh_motion.h \
+	src/mesh/mesh_nodes.c \
+	src/mesh/mesh_nodes.h \
 	src/mesh/mesh_obj.c \
 	src/mesh/mesh_obj.h \
+	src/mesh/mesh_pierce.c \
+	src/mesh/mesh_pierce.h \
 	src/mesh/mesh_read.c \
 	src/mesh/mesh_read.h \
+	src/mesh/mesh_recede.c \
+	src/mesh/mesh_recede.h \
+	src/mesh/mesh_recession.c \
+	src/mesh/mesh_recession.h \
 	src/mesh/mesh_scan.c \
 	src/mesh/mesh_scan.h \
 	src/mesh/mesh_soup.c \

@@ -178,6 +178,7 @@ shell_tests = \
 	tests/wall/wall_contacts.sh \
 	tests/wall/walls.sh \
 	tests/wear/erosion_laws.sh \
+	tests/wear/evolve_mesh.sh \
 	tests/wear/evolve_voxel.sh \
 	tests/wear/surface_impacts.sh \
 	tests/wear/wear_impacts.sh
@@ -230,6 +231,7 @@ unit_tests = \
 	tests/mesh/check_mesh \
 	tests/mesh/check_mesh_doctor \
 	tests/mesh/check_mesh_files \
+	tests/mesh/check_recede \
 	tests/neigh/check_force_slots \
 	tests/neigh/check_leaving \
 	tests/neigh/check_neigh \
@@ -453,6 +455,10 @@ tests_mesh_check_mesh_doctor_LDADD = $(tests_ldadd)
 tests_mesh_check_mesh_files_SOURCES = tests/mesh/check_mesh_files.c
 tests_mesh_check_mesh_files_CFLAGS = $(tests_cflags)
 tests_mesh_check_mesh_files_LDADD = $(tests_ldadd)
+
+tests_mesh_check_recede_SOURCES = tests/mesh/check_recede.c
+tests_mesh_check_recede_CFLAGS = $(tests_cflags)
+tests_mesh_check_recede_LDADD = $(tests_ldadd)
 
 tests_neigh_check_force_slots_SOURCES = tests/neigh/check_force_slots.c
 tests_neigh_check_force_slots_CFLAGS = $(tests_cflags)

@@ -247,3 +247,25 @@ enum ts_status ts_mesh_link(struct ts_mesh *m, double precision, const struct ts
 	ts_free(shift);
 	return status == TS_OK ? link_corners(m) : status;
 }
+
+/* As link_edge does. */
+static bool is_edge_active(const struct ts_mesh *m, size_t t, int k)
+{
+	int32_t other = m->neighbour[t][k];
+
+	if (other == TS_MESH_MANY)
+		return ts_mesh_edge_active(m, t, k);
+	return other < 0 || ((size_t)other < t && !are_flat(m, (int32_t)t, other));
+}
+
+enum ts_status ts_mesh_update_active(struct ts_mesh *m)
+{
+	for (size_t t = 0; t < m->n; t++) {
+		uint8_t active = 0;
+
+		for (int k = 0; k < 3; k++)
+			active |= (uint8_t)(is_edge_active(m, t, k) << k);
+		m->active[t] = active;
+	}
+	return link_corners(m);
+}

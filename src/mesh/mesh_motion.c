@@ -81,6 +81,11 @@ static double place_mesh(const struct tsim *sim, struct ts_mesh_surface *s)
 	return sqrt(g.most);
 }
 
+void ts_mesh_surface_place(const struct tsim *sim, struct ts_mesh_surface *s)
+{
+	place_mesh(sim, s);
+}
+
 /* Sets the reference so that the present positions result from it: by the total motion of a single mover,
  * else by no motion. */
 static void reset_home(struct ts_mesh_surface *s)

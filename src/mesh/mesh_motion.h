@@ -32,6 +32,9 @@ enum ts_status ts_mesh_mover_set_velocity(struct ts_instance *self, struct tsim 
 enum ts_status ts_mesh_surface_set_motion(struct tsim *sim, struct ts_mesh_surface *surface,
 					  const struct ts_motion *motion);
 
+/* After a change of the reference positions of a mesh that moves: computes the present ones. */
+void ts_mesh_surface_place(const struct tsim *sim, struct ts_mesh_surface *surface);
+
 /* Before a run: ends the motions whose mover has been deleted. */
 void ts_mesh_motions_remove_ended(const struct ts_instance *by, struct tsim *sim);
 enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *surface, struct tsim *sim,

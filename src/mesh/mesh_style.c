@@ -6,6 +6,7 @@
 #include "box/domain.h"
 #include "core/report.h"
 #include "mesh/mesh_motion.h"
+#include "mesh/mesh_recede.h"
 
 #include "base/banned.h"
 
@@ -13,6 +14,7 @@ void ts_mesh_surface_release(struct ts_mesh_surface *s)
 {
 	ts_mesh_release(&s->mesh);
 	ts_mesh_motions_release(s);
+	ts_mesh_recede_release(s);
 	ts_free(s->v);
 	s->v = NULL;
 }
@@ -31,7 +33,8 @@ enum ts_status ts_mesh_surface_post_build(struct ts_instance *self, struct tsim 
 
 enum ts_status ts_mesh_surface_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
-	return ts_mesh_motions_archive(self->state, sim, archive);
+	TS_TRY(ts_mesh_motions_archive(self->state, sim, archive));
+	return ts_mesh_recede_archive(self->state, sim, archive);
 }
 
 void ts_mesh_surface_fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)

@@ -45,8 +45,9 @@ struct ts_mesh_surface {
 	struct ts_mesh_motion *motion;	  /* [nmotions] */
 	int64_t *serial;		  /* [nmotions], serial numbers of the motions */
 	size_t nmotions, motion_capacity, serial_capacity;
-	int64_t serials;  /* last serial number used */
-	double travelled; /* upper bound of the displacement since the last rebuild, length */
+	int64_t serials;	   /* last serial number used */
+	double travelled;	   /* upper bound of the displacement since the last rebuild, length */
+	struct ts_mesh_worn *worn; /* how far it has receded by wear, see mesh/mesh_recede.h; NULL: not */
 };
 
 /* Velocity of the surface at the point sum of weight[k] * corner k of triangle t. */

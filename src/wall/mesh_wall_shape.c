@@ -1,6 +1,7 @@
 /* Meshes as a shape of walls. */
 #include <math.h>
 
+#include "mesh/mesh_recede.h"
 #include "mesh/mesh_distance.h"
 #include "wall/mesh_wall.h"
 #include "wall/mesh_wall_queue.h"
@@ -152,14 +153,16 @@ static bool is_back(const struct ts_instance *by, size_t element, const double n
 	return ts_dot(surface_of(by)->mesh.normal[element], normal) < 0;
 }
 
-static enum ts_status refuse_recession(struct tsim *sim, const struct ts_instance *by,
-				       const struct ts_recession *how, const struct ts_place *where)
+static enum ts_status check_recession(struct tsim *sim, const struct ts_instance *by,
+				      const struct ts_recession *how, const struct ts_place *where)
 {
-	(void)how;
-	return ts_fail(&sim->error, TS_STATE, where,
-		       "evolve: fix %s is a mesh, whose nodes do not recede; only height fields, of fix "
-		       "surface/voxel, do",
-		       by->id);
+	return ts_mesh_recede_check(sim, by->state, how, where);
+}
+
+static enum ts_status recede(struct tsim *sim, const struct ts_instance *by, const struct ts_recession *how,
+			     const struct ts_place *where, struct ts_recession_element *e, size_t n)
+{
+	return ts_mesh_recede(sim, by->state, how, where, e, n);
 }
 
 /* ---- contacts */
@@ -198,7 +201,8 @@ const struct ts_wall_shape ts_mesh_wall_shape = {
 		     .centre = triangle_centre,
 		     .type = mesh_type,
 		     .temperature = mesh_temperature,
-		     .check_recession = refuse_recession,
+		     .check_recession = check_recession,
+		     .recede = recede,
 		     .is_back = is_back },
 	.list = ts_mesh_wall_list,
 	.has_moved = ts_mesh_wall_has_moved,

@@ -382,4 +382,29 @@ static const char evolving[] =
 	"tops, sides and edges of columns, so slopes of a scar count if columns are narrower than the "
 	"particles. Volume "
 	"that has not been taken when a run ends stays pending for the next run or the restart file.";
-const char *const ts_wear_doc_more[] = { evolving, NULL };
+static const char evolving_meshes[] =
+	"The nodes of a mesh recede along their normals, the mean of those of the triangles around weighted "
+	"by area; "
+	"the volume of a triangle goes to its three nodes, a third to each. The displacements are such that "
+	"each "
+	"node sweeps its volume exactly, also at the rim of an open mesh, where the volume ends at the walls "
+	"that the rim "
+	"sweeps. Windings may be mixed: those of a connected part are made consistent. The material is "
+	"behind the side on "
+	"which most has been worn; if more than a tenth is worn on the other side, the run ends with an "
+	"error, as a sheet "
+	"without thickness cannot recede both ways: closed bodies can. A triangle gives at most `thickness` "
+	"times the area "
+	"that it has in the mesh as defined. `through open` and `layer` are refused, as are meshes with "
+	"surface_vel, with "
+	"an edge that more than two triangles share, or with parts that touch at a corner only. A mesh that "
+	"moves recedes "
+	"in its own frame. dump mesh/vtk and dump mesh/stl write the worn mesh.\n\n"
+	"The run ends with an error that names the triangle if a triangle would turn by more than a right "
+	"angle, become "
+	"a needle, be folded onto its neighbour, or pass through another one of the mesh. Triangles should "
+	"be larger than the "
+	"scars are deep; volumes of single impacts are spread over three nodes, so that the mesh resolves "
+	"scars wider than "
+	"its triangles.";
+const char *const ts_wear_doc_more[] = { evolving, evolving_meshes, NULL };
