@@ -21,6 +21,7 @@ struct ts_mesh_worn {
 	double *given;	   /* [triangles] volume taken, length^3 */
 	double *area;	   /* [triangles] of the mesh as defined */
 	double (*worn)[2]; /* [parts] volume worn on the side of nodes.side = 1 and on the other */
+	bool *rim;	   /* [parts] whether the part has edges without neighbour */
 	bool used;	   /* some volume has been taken */
 };
 
@@ -33,6 +34,7 @@ void ts_mesh_recede_release(struct ts_mesh_surface *s)
 	ts_free(s->worn->given);
 	ts_free(s->worn->area);
 	ts_free(s->worn->worn);
+	ts_free(s->worn->rim);
 	ts_free(s->worn);
 	s->worn = NULL;
 }
@@ -98,8 +100,11 @@ static enum ts_status make_state(struct tsim *sim, struct ts_mesh_surface *s, co
 	w->given = ts_alloc(m->n, sizeof *w->given);
 	w->area = ts_alloc(m->n, sizeof *w->area);
 	w->worn = ts_alloc((size_t)w->nodes.parts, sizeof *w->worn);
-	if (!w->owed || !w->given || !w->area || !w->worn)
+	w->rim = ts_alloc((size_t)w->nodes.parts, sizeof *w->rim);
+	if (!w->owed || !w->given || !w->area || !w->worn || !w->rim)
 		return ts_nomem(&sim->error);
+	for (size_t c = 0; c < 3 * m->n; c++)
+		w->rim[w->nodes.part[c / 3]] |= m->neighbour[c / 3][c % 3] < 0;
 	for (t = 0; t < m->n; t++) /* not m->area, which depends on the motion by rounding */
 		w->area[t] = triangle_area(corners_of(s)[t]);
 	return TS_OK;
@@ -129,7 +134,8 @@ enum ts_status ts_mesh_recede_check(struct tsim *sim, struct ts_mesh_surface *s,
 
 /* ---- an update ---- */
 
-/* Volumes worn from each part on either side. Fails if both are worn. */
+/* Volumes worn from each part on either side. Fails if a sheet is worn on both. A closed body can be touched on one side
+ * only; there contacts with its sharp edges may have normals against that of the triangle to which the edge belongs. */
 static enum ts_status add_sides(struct tsim *sim, struct ts_mesh_surface *s, const struct ts_place *where,
 				const struct ts_recession_element *e, size_t n)
 {
@@ -148,7 +154,8 @@ static enum ts_status add_sides(struct tsim *sim, struct ts_mesh_surface *s, con
 	for (size_t k = 0; k < n; k++) {
 		const double *worn = w->worn[w->nodes.part[e[k].element]];
 
-		if (fmin(worn[0], worn[1]) > OTHER_SIDE * (worn[0] + worn[1]))
+		if (w->rim[w->nodes.part[e[k].element]] &&
+		    fmin(worn[0], worn[1]) > OTHER_SIDE * (worn[0] + worn[1]))
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "mesh %s is worn on both sides, by volumes of %g and %g, see its "
 				       "triangle "

@@ -2,8 +2,9 @@
  * each, which move along their normals (mesh_recession.h), away from the side on which particles touch.
  *
  * A mesh has no thickness and no inside: the material is behind the side of a connected part of the mesh on which most of
- * its volume has been worn so far. What has been worn on the other side, as at rims, is taken from there, too; more than
- * a tenth of all is refused, as the mesh would have to move both ways.
+ * its volume has been worn so far. What has been worn on the other side, as at rims and sharp edges, is taken from there,
+ * too. Of parts with a rim, which can be touched on both sides, more than a tenth of all is refused, as they would have to
+ * move both ways.
  *
  * A triangle that has lost the volume `thickness` times its area, as defined, gives no more.
  *

@@ -161,6 +161,43 @@ grep -q 'normal opposite' out &&
 	awk '$1 == "swept" { swept = $2 } $1 == "volume" { seen = 1; bad = (swept - $2) ^ 2 > (1e-9 * $2) ^ 2 } END { exit bad || !seen || !swept }' out
 report 'from below, mixed windings: the volume worn is that between the surfaces' $? out
 
+# A knife edge: contacts have normals against those of the triangles to which the edge belongs.
+awk 'function p(k) { return (k % 2 ? 0.5 : -0.5) " " (k > 3 ? 0 : int(k / 2) ? 0.05 : -0.05) " " (k > 3 ? 0 : -0.4) }
+	BEGIN {
+		n = split("0 3 1 0 2 3 0 1 5 0 5 4 2 4 5 2 5 3 0 4 2 1 3 5", k)
+		for (i = 1; i <= n; i += 3) print p(k[i]), p(k[i + 1]), p(k[i + 2])
+	}' | solid >body.stl
+# shellcheck disable=SC2016
+body_script 1e4 '' | sed 's/ move 0 0 -0.3//; s/v_u) \$(-0.4\*v_u) \$(0.4/v_u) $(-0.02*v_u) $(0.02/; s/2 -1 -5/2 0.1 -5/; s/^run/compute b all reduce sum f_worn[8]\nrun/' >in.one
+run_script 'a knife'
+awk -v before="$(body_volume body0.out)" -v after="$(body_volume body1400.out)" '
+	$1 == "volume" { seen = 1; change = before - after; bad = ($2 - change) ^ 2 > (0.05 * change) ^ 2 || $2 <= 0 || $4 - $2 > 1e-12 * $2 }
+	END { exit bad || !seen }' out
+report 'a knife loses the volume worn' $? out
+
+# Springs of contacts are kept: wear of next to nothing in each step changes next to nothing in the motion of a grain that
+# rolls, held by friction, over several triangles.
+for evolve in no yes; do
+	{
+		head_of 1
+		echo 'fix cad all mesh/surface file plate.stl type 2
+fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes cad
+create_atoms 1 single -0.11 0.02 0.0299 units box
+set type 1 diameter 0.06 density 2500
+fix g all gravity 9.81 vector 0 0 -1
+velocity all set 2 0.5 0 units box'
+		# shellcheck disable=SC2016
+		echo "fix worn all wear/archard surface cad k 1e-9 hardness 1e9 evolve $evolve evolve_every 1
+run 6000
+print \"moved \$(xcm(all,x):%.17g) \$(xcm(all,y):%.17g) \$(vcm(all,x):%.17g) \$(f_worn[9] > 0)\""
+	} >in.one
+	run_script "rolling, evolve $evolve"
+	grep '^moved' out >"rolled.$evolve"
+done
+cat rolled.no rolled.yes | awk '$1 == "moved" { for (k = 2; k < 5; k++) { if (NR > 1) bad += ($k - x[k]) ^ 2 > (1e-7 * $k) ^ 2; x[k] = $k } on = $5 }
+	END { exit bad || NR != 2 || on != 1 || x[2] < 0 }'
+report 'springs of contacts are kept' $? out
+
 # No volume: the mesh stays as it is, to the last bit.
 for evolve in no yes; do
 	{
