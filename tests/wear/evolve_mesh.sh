@@ -4,6 +4,7 @@
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 . "$top_srcdir/tests/lib_meshes.sh"
 needs python3
+export OMP_WAIT_POLICY=passive
 
 # head UNIT: a box of side 2 UNIT, with grains whose speed does not depend on the unit
 head_of() {
