@@ -1,8 +1,8 @@
 /* Meshes as a shape of walls. */
 #include <math.h>
 
-#include "mesh/mesh_recede.h"
 #include "mesh/mesh_distance.h"
+#include "mesh/mesh_recede.h"
 #include "wall/mesh_wall.h"
 #include "wall/mesh_wall_queue.h"
 

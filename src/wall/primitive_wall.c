@@ -428,7 +428,8 @@ static enum ts_status refuse_recession(struct tsim *sim, const struct ts_instanc
 {
 	(void)how;
 	return ts_fail(&sim->error, TS_STATE, where,
-		       "evolve: a plane or cylinder, as of fix %s, is one element and keeps its shape; make the "
+		       "evolve: a plane or cylinder, as of fix %s, is one element and keeps its shape; make "
+		       "the "
 		       "wall of a height field: `fix ID all surface/voxel constant HEIGHT ...`",
 		       by->id);
 }

@@ -35,8 +35,9 @@ struct ts_surface_kind {
 	enum ts_status (*check_recession)(struct tsim *sim, const struct ts_instance *by,
 					  const struct ts_recession *how, const struct ts_place *where);
 	/* NULL: check_recession refuses it */
-	enum ts_status (*recede)(struct tsim *sim, const struct ts_instance *by, const struct ts_recession *how,
-				 const struct ts_place *where, struct ts_recession_element *e, size_t n);
+	enum ts_status (*recede)(struct tsim *sim, const struct ts_instance *by,
+				 const struct ts_recession *how, const struct ts_place *where,
+				 struct ts_recession_element *e, size_t n);
 	bool (*is_back)(const struct ts_instance *by, size_t element, const double normal[3]); /* NULL: no */
 };
 

@@ -71,9 +71,9 @@ struct ts_wear {
 	TS_WORD("surface", T, f.surface_id, .flags = TS_STATEFUL,                                       \
 		.help = "ID of a fix mesh/surface, of a fix surface/voxel, or of a fix wall/gran with " \
 			"planes or a cylinder")
-#define TS_WEAR_ARGS(T, f)                                                                   \
-	TS_WEAR_SURFACE_ARG(T, f),                                                           \
-		TS_REAL("density", T, f.density, .flags = TS_OPTIONAL, .range = TS_POSITIVE, \
+#define TS_WEAR_ARGS(T, f)                                                                        \
+	TS_WEAR_SURFACE_ARG(T, f),                                                                \
+		TS_REAL("density", T, f.density, .flags = TS_OPTIONAL, .range = TS_POSITIVE,      \
 			.unit = "mass/length^3", .help = "of the surface, for the mass removed"), \
 		TS_EVOLUTION_ARGS(T, f.evolution)
 

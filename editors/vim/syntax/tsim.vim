@@ -132,16 +132,22 @@ syn keyword tsimKeyword  disableNormalWhenBonded located hooke/history hertz/his
 syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes voxels xplane
 syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear impact resolved
 syn keyword tsimKeyword  store_force contacts store_force_contact
-syn keyword tsimKeyword  store_force_contact_stress k deformation cutting yield modulus
-syn keyword tsimKeyword  threshold cutting_constant elastic_constant factor flow_stress
-syn keyword tsimKeyword  depth_ratio force_ratio transition particles sio2 sic glass
-syn keyword tsimKeyword  relaxation crater section segment plastic viscosity ab2 rk2 rk3
-syn keyword tsimKeyword  backward substeps courant quick cubista gamma form fv fd
-syn keyword tsimKeyword  conservative quadratic body_force pressure_level axisymmetric
-syn keyword tsimKeyword  plane point span distance profile potential generic hertz/material
-syn keyword tsimKeyword  dmt mass_velocity viscoelastic tsuji coeff_restitution rolling
-syn keyword tsimKeyword  twisting heat restitution unfinished preconditioner diagonal
-syn keyword tsimKeyword  direct multigrid side in out open center bounds angle0
+syn keyword tsimKeyword  store_force_contact_stress evolve evolve_every thickness layer
+syn keyword tsimKeyword  through open k deformation cutting yield modulus threshold
+syn keyword tsimKeyword  cutting_constant elastic_constant factor flow_stress depth_ratio
+syn keyword tsimKeyword  force_ratio transition particles sio2 sic glass relaxation crater
+syn keyword tsimKeyword  section segment plastic viscosity ab2 rk2 rk3 backward substeps
+syn keyword tsimKeyword  courant quick cubista gamma form fv fd conservative quadratic
+syn keyword tsimKeyword  body_force pressure_level lower_voxel lower_velocity
+syn keyword tsimKeyword  upper_velocity lower_stays upper_stays ambient pressure_xlo
+syn keyword tsimKeyword  pressure_xhi pressure_ylo pressure_yhi closed cavitation half
+syn keyword tsimKeyword  reynolds jfo cavity_pressure gap stepped
+syn match tsimKeyword /\<run\>/ 
+syn keyword tsimKeyword  touching solid axisymmetric plane point span distance profile
+syn keyword tsimKeyword  potential generic hertz/material dmt mass_velocity viscoelastic
+syn keyword tsimKeyword  tsuji coeff_restitution rolling twisting heat restitution
+syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid side in out
+syn keyword tsimKeyword  center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -203,9 +209,9 @@ syn keyword tsim_compute contained active/pi active/pml aggregate/atom angmom/ch
 syn keyword tsim_compute contained chunk/atom chunk/spread/atom cluster/atom com com/chunk
 syn keyword tsim_compute contained contact/atom contacts coord/atom count/type displace/atom
 syn keyword tsim_compute contained erotate/multisphere erotate/sphere erotate erotate/sphere/atom
-syn keyword tsim_compute contained flow/flux flow/force flow/line flow/plane flow/probe fragment/atom
-syn keyword tsim_compute contained group/group gyration gyration/chunk inertia/chunk ke ke/atom
-syn keyword tsim_compute contained ke/multisphere leave msd msd/chunk multisphere rigid
+syn keyword tsim_compute contained film flow/flux flow/force flow/line flow/plane flow/probe
+syn keyword tsim_compute contained fragment/atom group/group gyration gyration/chunk inertia/chunk ke
+syn keyword tsim_compute contained ke/atom ke/multisphere leave msd msd/chunk multisphere rigid
 syn keyword tsim_compute contained multisphere/single nbond/atom neighbor/atom
 syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local pair/local pe
 syn keyword tsim_compute contained pe/atom pressure property/atom property/chunk property/local rdf
@@ -231,7 +237,7 @@ syn match tsimHead /^\s*bond_style\s\+/ contains=tsimCommand,tsimVariable nextgr
 syn keyword tsim_bond contained contact
 hi def link tsim_bond Type
 syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_flow
-syn keyword tsim_flow contained projection stagnation uniform
+syn keyword tsim_flow contained projection reynolds stagnation uniform
 hi def link tsim_flow Type
 syn match tsimHead /^\s*pressure_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pressure
 syn keyword tsim_pressure contained cg direct hypre multigrid sor
