@@ -242,9 +242,10 @@ double ts_mesh_wall_max_approach(const struct tsim *sim, struct ts_mesh_wall *mw
 	return most;
 }
 
-static enum ts_status add_all_found(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
-				    struct ts_mesh_wall *mw)
+static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 {
+	struct ts_wall *w = self->state;
+	struct ts_mesh_wall *mw = ts_mesh_wall_of(w);
 	size_t n = sim->particles->n;
 	/* a search costs as much as about 16 particles of simple loops */
 	int team = ts_team(sim, 16 * n);
@@ -272,11 +273,7 @@ static enum ts_status add_all_found(struct ts_instance *self, struct tsim *sim, 
 
 enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim)
 {
-	struct ts_wall *w = self->state;
-	struct ts_wall_rebuild rebuild;
-
-	ts_wall_rebuild_start(w, sim, TS_MESH_MEMORY, &rebuild);
-	return ts_wall_rebuild_finish(w, sim, &rebuild, add_all_found(self, sim, w, ts_mesh_wall_of(w)));
+	return ts_wall_relist(self, sim, TS_MESH_MEMORY, add_pairs);
 }
 
 /* Particles are listed within the skin; particles and mesh may each move by half of it. */

@@ -352,9 +352,10 @@ static double contact_distance(const struct ts_wall *wall, const struct tsim *si
 	return primitive_distance(&at, sim->particles->x[c->row[k]]);
 }
 
-static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
-				struct ts_primitive_wall *w)
+static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 {
+	struct ts_wall *wall = self->state;
+	struct ts_primitive_wall *w = wall->geometry;
 	const struct ts_particles *p = sim->particles;
 	bool pulls = ts_wall_long_ranged(wall, sim);
 	struct ts_primitive at[MOST];
@@ -377,31 +378,10 @@ static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim, stru
 
 static enum ts_status list(struct ts_instance *self, struct tsim *sim)
 {
-	struct ts_wall *wall = self->state;
-	struct ts_wall_rebuild rebuild;
-
-	ts_wall_rebuild_start(wall, sim, 0, &rebuild);
-	return ts_wall_rebuild_finish(wall, sim, &rebuild, add_pairs(self, sim, wall, wall->geometry));
+	return ts_wall_relist(self, sim, 0, add_pairs);
 }
 
 /* ---- as a surface ---- */
-
-static size_t one_surface(const struct ts_wall *w)
-{
-	(void)w;
-	return 1;
-}
-
-static const struct ts_instance *fix_of_surface(const struct ts_wall *w, size_t surface)
-{
-	(void)surface;
-	return w->by;
-}
-
-static void place_of_contact(const struct ts_wall *w, size_t k, struct ts_wall_place *out)
-{
-	*out = (struct ts_wall_place){ .element = (size_t)w->contacts.key[k][1] };
-}
 
 static const struct ts_primitive_wall *primitives_of(const struct ts_instance *by)
 {
@@ -620,9 +600,9 @@ const struct ts_wall_shape ts_primitive_wall_shape = {
 	.find = find,
 	.plan = plan,
 	.archive = archive,
-	.surfaces = one_surface,
-	.fix = fix_of_surface,
-	.place = place_of_contact,
+	.surfaces = ts_wall_one_surface,
+	.fix = ts_wall_own_fix,
+	.place = ts_wall_own_place,
 	.surface = { .family = TS_FAMILY_WALL,
 		     .elements = count_primitives,
 		     .area = primitive_area,

@@ -252,9 +252,10 @@ static bool needs_list(const struct tsim *sim, struct ts_region_wall *w)
 
 /* Lists the particles near the surface: within the skin; of a region that moves within the skin plus
  * `margin`; of a region that changes its shape all particles. */
-static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
-				struct ts_region_wall *w)
+static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim)
 {
+	struct ts_wall *wall = self->state;
+	struct ts_region_wall *w = wall->geometry;
 	const struct ts_particles *p = sim->particles;
 	bool all = w->list_all || ts_region_reshapes(w->region);
 	double further;
@@ -272,19 +273,10 @@ static enum ts_status add_pairs(struct ts_instance *self, struct tsim *sim, stru
 	return TS_OK;
 }
 
-static enum ts_status list_pairs(struct ts_instance *self, struct tsim *sim)
-{
-	struct ts_wall *wall = self->state;
-	struct ts_wall_rebuild rebuild;
-
-	ts_wall_rebuild_start(wall, sim, 0, &rebuild);
-	return ts_wall_rebuild_finish(wall, sim, &rebuild, add_pairs(self, sim, wall, wall->geometry));
-}
-
 static enum ts_status list(struct ts_instance *self, struct tsim *sim)
 {
 	TS_TRY(update(self, sim, ((struct ts_wall *)self->state)->geometry));
-	return list_pairs(self, sim);
+	return ts_wall_relist(self, sim, 0, add_pairs);
 }
 
 static const struct ts_region_contact_point *face_point(const struct ts_region_contact_point *point, int n,
@@ -380,7 +372,7 @@ static enum ts_status enqueue(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(update(self, sim, w));
 	if (needs_list(sim, w))
-		TS_TRY(list_pairs(self, sim));
+		TS_TRY(ts_wall_relist(self, sim, 0, add_pairs));
 	for (int k = 0; k < w->nmovers; k++)
 		update_motion(w->mover[k], &w->motion[k], sim);
 	if (w->faces <= MAX_STACK_POINTS)
@@ -456,23 +448,6 @@ static const struct ts_exact_surface exact = { .sweep = sweep };
 
 /* ---- as a surface, which no style can observe: from outside all contacts are with face 0 ---- */
 
-static size_t one_surface(const struct ts_wall *wall)
-{
-	(void)wall;
-	return 1;
-}
-
-static const struct ts_instance *fix_of_surface(const struct ts_wall *wall, size_t surface)
-{
-	(void)surface;
-	return wall->by;
-}
-
-static void place_of_contact(const struct ts_wall *wall, size_t k, struct ts_wall_place *out)
-{
-	*out = (struct ts_wall_place){ .element = (size_t)wall->contacts.key[k][1] };
-}
-
 static int surface_type(const struct ts_instance *by)
 {
 	return (int)((const struct ts_wall *)by->state)->type;
@@ -492,9 +467,9 @@ const struct ts_wall_shape ts_region_wall_shape = {
 	.given = given,
 	.find = find,
 	.archive = archive,
-	.surfaces = one_surface,
-	.fix = fix_of_surface,
-	.place = place_of_contact,
+	.surfaces = ts_wall_one_surface,
+	.fix = ts_wall_own_fix,
+	.place = ts_wall_own_place,
 	.surface = { .type = surface_type },
 	.list = list,
 	.enqueue = enqueue,

@@ -46,12 +46,6 @@ static void release(void *geometry)
 
 /* ---- surface */
 
-static size_t one_surface(const struct ts_wall *w)
-{
-	(void)w;
-	return 1;
-}
-
 static const struct ts_instance *fix_of_surface(const struct ts_wall *w, size_t surface)
 {
 	(void)surface;
@@ -169,7 +163,7 @@ const struct ts_wall_shape ts_voxel_wall_shape = {
 	.given = given,
 	.find = find,
 	.release = release,
-	.surfaces = one_surface,
+	.surfaces = ts_wall_one_surface,
 	.fix = fix_of_surface,
 	.place = place_of_contact,
 	.surface = { .family = TS_FAMILY_VOXEL,

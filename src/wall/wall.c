@@ -56,6 +56,23 @@ size_t ts_wall_find_surface(const struct ts_wall *w, const struct ts_instance *b
 	return SIZE_MAX;
 }
 
+size_t ts_wall_one_surface(const struct ts_wall *w)
+{
+	(void)w;
+	return 1;
+}
+
+const struct ts_instance *ts_wall_own_fix(const struct ts_wall *w, size_t surface)
+{
+	(void)surface;
+	return w->by;
+}
+
+void ts_wall_own_place(const struct ts_wall *w, size_t k, struct ts_wall_place *out)
+{
+	*out = (struct ts_wall_place){ .element = (size_t)w->contacts.key[k][1] };
+}
+
 size_t ts_wall_meshes(const struct ts_wall *w)
 {
 	size_t n = ts_wall_surfaces(w);
@@ -227,6 +244,15 @@ enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim, struc
 		return ts_wall_contacts_finish(sim, &w->contacts, rebuild);
 	ts_wall_contacts_release(&rebuild->old);
 	return status;
+}
+
+enum ts_status ts_wall_relist(struct ts_instance *self, struct tsim *sim, size_t own, ts_hook_fn *add)
+{
+	struct ts_wall *w = self->state;
+	struct ts_wall_rebuild rebuild;
+
+	ts_wall_rebuild_start(w, sim, own, &rebuild);
+	return ts_wall_rebuild_finish(w, sim, &rebuild, add(self, sim));
 }
 
 bool ts_wall_long_ranged(const struct ts_wall *w, const struct tsim *sim)

@@ -159,6 +159,11 @@ static inline void ts_wall_place(const struct ts_wall *w, size_t k, struct ts_wa
 int ts_wall_surface_type(const struct ts_wall *w, size_t surface);
 /* The number of the surface of this fix; SIZE_MAX: it is none of them. */
 size_t ts_wall_find_surface(const struct ts_wall *w, const struct ts_instance *by);
+/* Slots of shapes with one surface: 1; and of those that are the surface themselves: the fix of the wall, the number of the
+ * element as in the key of the contact. */
+size_t ts_wall_one_surface(const struct ts_wall *w);
+const struct ts_instance *ts_wall_own_fix(const struct ts_wall *w, size_t surface);
+void ts_wall_own_place(const struct ts_wall *w, size_t k, struct ts_wall_place *out);
 /* Number of its meshes, 1 of a height field; 0: the wall itself is the surface. */
 size_t ts_wall_meshes(const struct ts_wall *w);
 
@@ -188,6 +193,8 @@ void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own
 /* `status`: of the listing; if it is an error, the old contacts are discarded and it is returned. */
 enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim, struct ts_wall_rebuild *rebuild,
 				      enum ts_status status);
+/* Both: `add` adds the pairs. */
+enum ts_status ts_wall_relist(struct ts_instance *self, struct tsim *sim, size_t own, ts_hook_fn *add);
 
 /* Whether the law acts beyond the touch (liquid bridges, adhesion, surfaces displaced by fix
  * multicontact/halfspace), and up to which distance of the surfaces for a particle of this radius. */

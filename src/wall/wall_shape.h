@@ -1,10 +1,10 @@
-/* The shape of a wall: planes and cylinders, meshes, a height field, the surface of a region. Each shape is one table,
- * alone in its file of all that the rest of the program calls, and a line of ts_wall_shapes (wall/wall_shapes.h). Its
- * state, `geometry`, is a struct of the shape that the style of the wall has in its own state; only the files of the
- * shape read it.
+/* The shape of a wall: planes and cylinders, meshes, a height field, the surface of a region. Each shape is a table, by
+ * which all other files call it, and a line of ts_wall_shapes (wall/wall_shapes.h). Its state, `geometry`, is a struct of
+ * the shape in the state of the fix. Only the files of the shape read it; that of planes and cylinders is read by the
+ * review of the scene and the message about lost particles, too.
  *
- * Functions of a shape that is in use take its wall and find the state in w->geometry. Slots may be NULL only where
- * that is said. */
+ * Functions of a shape that is in use take its wall, or the fix of the wall, and find the state in w->geometry. Slots
+ * may be NULL only where that is said. */
 #ifndef TS_WALL_WALL_SHAPE_H
 #define TS_WALL_WALL_SHAPE_H
 
@@ -23,8 +23,8 @@ struct ts_wall_place {
 /* The surfaces that walls of one shape are made of (wall/surface.h). `by`: the fix of the surface, after its init;
  * that of a wall if the wall itself is the surface. */
 struct ts_surface_kind {
-	const char
-		*family; /* of the fix; NULL: no style can observe these surfaces, which have a type only */
+	/* of the fix; NULL: no style can observe these surfaces, and `type` is the only other slot */
+	const char *family;
 	/* The functions of ts_surface_elements, _area, _centre, _type and _temperature. */
 	size_t (*elements)(const struct ts_instance *by);
 	double (*area)(const struct ts_instance *by, const struct tsim *sim, size_t element);
@@ -70,7 +70,7 @@ struct ts_wall_shape {
 
 	/* In POST_BUILD: lists the pairs that may touch before the next rebuild. */
 	enum ts_status (*list)(struct ts_instance *self, struct tsim *sim);
-	/* In CHECK, both NULL: the list is kept up to date by `enqueue`. */
+	/* In CHECK, these two; NULL: `enqueue` does what they do. */
 	/* Whether the wall has moved half the skin since the listing, so that another one is due. */
 	bool (*has_moved)(const struct ts_wall *w, const struct tsim *sim);
 	/* Fails if the surface passes through a particle in one step: it moved by more than the radius. */
