@@ -16,7 +16,7 @@ block() {
 
 # what `make styles` would do to a tree with these files
 mkdir tree && (cd "$top_srcdir" && find src tests -name '*.[ch]' -print0 | tar -c --null -T - src/build) | tar -x -C tree || exit 99
-for style in src/force/fix_trap.c src/wall/fix_friction_work.c; do
+for style in src/force/fix_trap.c src/load/fix_friction_work.c; do
 	block "\`$style\`:" c >"tree/$style"
 	[ -s "tree/$style" ]
 	report "the page shows $style" $?
@@ -26,7 +26,7 @@ report 'they are entered in the list of styles' $? out
 program=$(cd "$top_srcdir" && echo src/main.c src/program/*.c)
 # shellcheck disable=SC2086
 $CC $CFLAGS -std=gnu11 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -D_GNU_SOURCE -I"$top_srcdir/src" -o with \
-	tree/src/force/fix_trap.c tree/src/wall/fix_friction_work.c lists/src/library/style_table.c \
+	tree/src/force/fix_trap.c tree/src/load/fix_friction_work.c lists/src/library/style_table.c \
 	$(printf "$top_builddir/%s.o " ${program//.c/}) "$top_builddir/libtsim.a" $TSIM_LIBS >out 2>&1
 report 'they compile without a warning' $? out
 
