@@ -9,9 +9,11 @@
 /* Whether the corners have different velocities: the mesh rotates. */
 static bool rotates(const struct ts_mesh_surface *s)
 {
-	for (size_t k = 0; s->v && k < 9 * s->mesh.n; k++)
-		if (s->v[0][0][k] != s->v[0][0][k % 3])
-			return true;
+	for (size_t t = 0; s->v && t < s->mesh.n; t++)
+		for (int k = 0; k < 3; k++)
+			for (int d = 0; d < 3; d++)
+				if (s->v[t][k][d] != s->v[0][0][d])
+					return true;
 	return false;
 }
 
