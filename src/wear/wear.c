@@ -30,7 +30,8 @@ enum ts_status ts_wear_init(struct ts_instance *self, struct tsim *sim, const st
 	if (TS_GROW(w->row, w->row_capacity, elements) != TS_OK)
 		return ts_nomem(&sim->error);
 	w->elements = elements;
-	return ts_evolution_init(self, sim);
+	/* a style without a law has no words of evolution */
+	return law->impact || law->slide ? ts_evolution_init(self, sim) : TS_OK;
 }
 
 const struct ts_instance *ts_wear_surface(const struct ts_instance *self)
