@@ -109,6 +109,7 @@ shell_tests = \
 	tests/immersed/immersed_light.sh \
 	tests/impact/exact_impacts.sh \
 	tests/impact/exact_observers.sh \
+	tests/impact/exact_rough.sh \
 	tests/insert/clump_stream.sh \
 	tests/insert/insertion.sh \
 	tests/insert/jet.sh \

@@ -108,17 +108,22 @@ static double advance(const struct search *s, const struct approach *a)
 /* Whether the path touches this image of the field. */
 static bool sweep_image(const struct search *s, struct ts_exact_touch *out)
 {
-	double tolerance = touch_tolerance * s->path->radius, time = time_to_top(s), x[3];
+	double tolerance = touch_tolerance * s->path->radius, time = time_to_top(s), safe = time, x[3];
 
-	for (int k = 0; time <= s->path->span; k++) {
+	for (int k = 0; time <= s->path->span || safe < time; k++) {
 		struct approach a;
 
 		position_at(s->path, time, x);
 		a = nearest_approach(s, x);
+		if (safe < time && (a.gap < -tolerance || time > s->path->span)) {
+			time = safe; /* another column has come nearer, or may do so before the end of the path */
+			continue;
+		}
 		if (a.rate > 0 && (a.gap <= tolerance || k >= MAX_ADVANCES)) {
 			store_hit(s, time, &a, out);
 			return true;
 		}
+		safe = time + a.gap / s->speed;
 		time += advance(s, &a);
 	}
 	return false;
