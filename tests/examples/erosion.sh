@@ -22,6 +22,9 @@ report 'maps of the wear' $?
 results 'angles, speeds and sizes by five laws' in.angles 8
 [ "$(wc -l <post/angles.txt)" = 87 ]
 report 'all angles' $? post/angles.txt
+results 'a scar that deepens' in.evolving 4 -var impacts 10000 -var grains 144
+[ "$(grep -c '^[1-4] ' out)" = 4 ] && [ "$(awk '/ENTRIES$/ { getline; print }' post/evolving.4.txt)" = 16000 ]
+report 'its profiles' $? out
 cd ../wear || exit 99
 results 'a layer that slides down a chute' in.chute 1
 ls post/slid.20000.vtk post/chute.20000.vtk >out 2>&1
