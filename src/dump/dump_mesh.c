@@ -67,7 +67,8 @@ size_t ts_dump_mesh_triangles(const struct ts_dump_mesh *d)
 	size_t n = 0;
 
 	for (size_t k = 0; k < d->nsurfaces; k++)
-		n += d->surface[k]->mesh.n;
+		for (size_t t = 0; t < d->surface[k]->mesh.n; t++)
+			n += !ts_mesh_is_removed(&d->surface[k]->mesh, t);
 	return n;
 }
 

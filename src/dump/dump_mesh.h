@@ -32,7 +32,7 @@ enum ts_status ts_dump_mesh_init(struct ts_instance *self, struct tsim *sim, ts_
 enum ts_status ts_dump_mesh_begin(struct ts_instance *self, struct tsim *sim, bool *due);
 /* Writes common.text and ends the frame. */
 enum ts_status ts_dump_mesh_end(struct ts_instance *self, struct tsim *sim);
-/* Number of triangles of all meshes of the dump. */
+/* Number of triangles of all meshes of the dump, without those that have been removed. */
 size_t ts_dump_mesh_triangles(const struct ts_dump_mesh *d);
 
 void ts_dump_mesh_fini(struct ts_instance *self);

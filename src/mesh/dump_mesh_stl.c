@@ -69,7 +69,8 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 		const struct ts_mesh *m = &s->mesh.surface[k]->mesh;
 
 		for (size_t t = 0; t < m->n; t++)
-			if (!s->region || ts_region_contains(s->region, m->centre[t]))
+			if (!ts_mesh_is_removed(m, t) &&
+			    (!s->region || ts_region_contains(s->region, m->centre[t])))
 				add_facet(text, m, t);
 	}
 	ts_str_add(text, "endsolid LIGGGHTS_STL_EXPORT\n");

@@ -266,7 +266,8 @@ static void add_points(struct state *s)
 		const struct ts_mesh *m = &s->mesh.surface[k]->mesh;
 
 		for (size_t c = 0; c < 9 * m->n; c++)
-			add_number(s, "%g ", (double)(float)m->x[c / 9][c / 3 % 3][c % 3]);
+			if (!ts_mesh_is_removed(m, c / 9))
+				add_number(s, "%g ", (double)(float)m->x[c / 9][c / 3 % 3][c % 3]);
 	}
 	end_numbers(s);
 }
@@ -298,6 +299,8 @@ static void add_array(struct state *s, const struct quantity *q, size_t n)
 	for (size_t k = 0; k < s->mesh.nsurfaces; k++)
 		for (size_t t = 0; t < s->mesh.surface[k]->mesh.n; t++)
 			for (int corner = points ? 0 : -1; corner < (points ? 3 : 0); corner++) {
+				if (ts_mesh_is_removed(&s->mesh.surface[k]->mesh, t))
+					continue;
 				q->get(s->mesh.surface[k], t, corner, value);
 				for (int d = 0; d < q->components; d++)
 					add_number(s, format, value[d]);
@@ -314,7 +317,8 @@ static enum ts_status add_input(struct state *s, struct tsim *sim, size_t k, siz
 	TS_TRY(ts_dump_surface_begin_array(sim, &s->inputs, k, of->mesh.n, n * copies, &s->mesh.common.text));
 	for (size_t m = 0; m < s->mesh.nsurfaces; m++)
 		for (size_t t = 0; t < s->mesh.surface[m]->mesh.n; t++)
-			for (size_t c = 0; c < copies; c++)
+			for (size_t c = 0; c < copies && !ts_mesh_is_removed(&s->mesh.surface[m]->mesh, t);
+			     c++)
 				add_number(s, "%.11g ",
 					   s->mesh.surface[m] == of ? s->inputs.values.data[t] : 0);
 	end_numbers(s);

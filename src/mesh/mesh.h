@@ -39,7 +39,7 @@ struct ts_mesh {
 		*vertex)[3]; /* vertices of the corners, 0 .. nvertices-1; coincident corners have the same */
 	int32_t (*neighbour)[3]; /* the only other triangle that shares edge k; -1: none;
 				  * TS_MESH_MANY: several */
-	uint8_t *active;	 /* bit k: edge k is active, bit 3 + k: corner k is active */
+	uint8_t *active;	 /* bit k: edge k is active, bit 3 + k: corner k is active; TS_MESH_REMOVED */
 	double flat;		 /* cosine of the angle `curvature` */
 	/* upper bound of the distance of corners with the same vertex, including rounding, length */
 	double loose;
@@ -47,6 +47,14 @@ struct ts_mesh {
 };
 
 enum { TS_MESH_MANY = -2 };
+/* Bit of `active`: the triangle is worn through and has been removed. Its number and neighbours remain, but nothing
+ * touches it, and its neighbours have a rim there. */
+enum { TS_MESH_REMOVED = 1 << 6 };
+
+static inline bool ts_mesh_is_removed(const struct ts_mesh *mesh, size_t t)
+{
+	return mesh->active[t] & TS_MESH_REMOVED;
+}
 
 static inline bool ts_mesh_edge_active(const struct ts_mesh *mesh, size_t t, int k)
 {

@@ -216,14 +216,25 @@ static bool any_edge_active(const struct ts_mesh *m, const int32_t *corner, size
 	return false;
 }
 
+/* Removes the corners of removed triangles from a list; returns the number of the others. */
+static size_t leave_out_removed(const struct ts_mesh *m, int32_t *corner, size_t n)
+{
+	size_t kept = 0;
+
+	for (size_t k = 0; k < n; k++)
+		if (!ts_mesh_is_removed(m, (size_t)corner[k] / 3))
+			corner[kept++] = corner[k];
+	return kept;
+}
+
 static enum ts_status link_corners(struct ts_mesh *m)
 {
 	struct vertex_corners a = { 0 };
 	enum ts_status status = list_vertex_corners(m, &a);
 
 	for (size_t v = 0; status == TS_OK && v < m->nvertices; v++) {
-		const int32_t *corner = a.corner + a.start[v];
-		size_t n = a.start[v + 1] - a.start[v];
+		int32_t *corner = a.corner + a.start[v];
+		size_t n = leave_out_removed(m, corner, a.start[v + 1] - a.start[v]);
 
 		if (any_edge_active(m, corner, n) && !has_straight_edges(m, corner, n))
 			m->active[corner[n - 1] / 3] |= (uint8_t)(8u << corner[n - 1] % 3);
@@ -253,15 +264,18 @@ static bool is_edge_active(const struct ts_mesh *m, size_t t, int k)
 {
 	int32_t other = m->neighbour[t][k];
 
+	if (ts_mesh_is_removed(m, t))
+		return false;
 	if (other == TS_MESH_MANY)
 		return ts_mesh_edge_active(m, t, k);
-	return other < 0 || ((size_t)other < t && !are_flat(m, (int32_t)t, other));
+	return other < 0 || ts_mesh_is_removed(m, (size_t)other) ||
+	       ((size_t)other < t && !are_flat(m, (int32_t)t, other));
 }
 
 enum ts_status ts_mesh_update_active(struct ts_mesh *m)
 {
 	for (size_t t = 0; t < m->n; t++) {
-		uint8_t active = 0;
+		uint8_t active = m->active[t] & TS_MESH_REMOVED;
 
 		for (int k = 0; k < 3; k++)
 			active |= (uint8_t)(is_edge_active(m, t, k) << k);

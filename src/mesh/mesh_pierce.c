@@ -92,9 +92,9 @@ static enum ts_status search_around(struct search *s, size_t t, bool *found, siz
 	TS_TRY(ts_mesh_tree_within(&s->tree, s->m, lo, hi, &s->list));
 	for (size_t k = 0; k < s->list.n && !*found; k++) {
 		*other = (size_t)s->list.item[k];
-		*found = *other != t && (!s->moved[*other] || *other > t) &&
-			 count_shared(s->m, t, *other) < 2 && intersect(s->m, s->to, t, *other) &&
-			 !intersect(s->m, s->from, t, *other);
+		*found = *other != t && !ts_mesh_is_removed(s->m, *other) &&
+			 (!s->moved[*other] || *other > t) && count_shared(s->m, t, *other) < 2 &&
+			 intersect(s->m, s->to, t, *other) && !intersect(s->m, s->from, t, *other);
 	}
 	return TS_OK;
 }

@@ -21,7 +21,7 @@ struct ts_mesh_worn {
 	double *given;	   /* [triangles] volume taken, length^3 */
 	double *area;	   /* [triangles] of the mesh as defined */
 	double (*worn)[2]; /* [parts] volume worn on the side of nodes.side = 1 and on the other */
-	bool *rim;	   /* [parts] whether the part has edges without neighbour */
+	bool *rim;	   /* [parts] whether the part has edges without neighbour, or holes */
 	bool used;	   /* some volume has been taken */
 };
 
@@ -76,6 +76,15 @@ static double triangle_area(double x[3][3])
 	return 0.5 * ts_norm(c);
 }
 
+static void find_rims(struct ts_mesh_surface *s)
+{
+	struct ts_mesh_worn *w = s->worn;
+
+	for (size_t c = 0; c < 3 * s->mesh.n; c++)
+		w->rim[w->nodes.part[c / 3]] |=
+			s->mesh.neighbour[c / 3][c % 3] < 0 || ts_mesh_is_removed(&s->mesh, c / 3);
+}
+
 static enum ts_status make_state(struct tsim *sim, struct ts_mesh_surface *s, const struct ts_place *where)
 {
 	const struct ts_mesh *m = &s->mesh;
@@ -103,8 +112,7 @@ static enum ts_status make_state(struct tsim *sim, struct ts_mesh_surface *s, co
 	w->rim = ts_alloc((size_t)w->nodes.parts, sizeof *w->rim);
 	if (!w->owed || !w->given || !w->area || !w->worn || !w->rim)
 		return ts_nomem(&sim->error);
-	for (size_t c = 0; c < 3 * m->n; c++)
-		w->rim[w->nodes.part[c / 3]] |= m->neighbour[c / 3][c % 3] < 0;
+	find_rims(s);
 	for (t = 0; t < m->n; t++) /* not m->area, which depends on the motion by rounding */
 		w->area[t] = triangle_area(corners_of(s)[t]);
 	return TS_OK;
@@ -118,10 +126,9 @@ enum ts_status ts_mesh_recede_check(struct tsim *sim, struct ts_mesh_surface *s,
 			       "mesh %s: `layer` is for height fields; the nodes of a mesh recede by any "
 			       "depth",
 			       name_of(sim, s));
-	if (how->through == TS_THROUGH_OPEN)
+	if (how->through == TS_THROUGH_OPEN && isinf(how->thickness))
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "mesh %s: triangles cannot be taken out of a mesh; expected `through stop` or "
-			       "`through error`",
+			       "mesh %s: `through open` needs the `thickness` at which triangles are removed",
 			       name_of(sim, s));
 	if (s->v && !s->home)
 		return ts_fail(&sim->error, TS_STATE, where,
@@ -277,27 +284,15 @@ static enum ts_status check_areas(struct tsim *sim, const struct ts_mesh_surface
 	return TS_OK;
 }
 
-enum ts_status ts_mesh_recede(struct tsim *sim, struct ts_mesh_surface *s, const struct ts_recession *how,
-			      const struct ts_place *where, struct ts_recession_element *e, size_t n)
+/* Takes what has been found out for the elements from the geometry. */
+static enum ts_status take_from_geometry(struct tsim *sim, struct ts_mesh_surface *s,
+					 const struct ts_place *where, const struct ts_recession_element *e,
+					 size_t n)
 {
-	struct update u = { NULL, NULL, NULL };
-	double all = 0;
-	enum ts_status status;
+	struct update u = { ts_alloc(s->worn->nodes.n, sizeof *u.volume),
+			    ts_alloc(s->worn->nodes.n, sizeof *u.swept), ts_alloc(s->mesh.n, sizeof *u.to) };
+	enum ts_status status = u.volume && u.swept && u.to ? TS_OK : ts_nomem(&sim->error);
 
-	TS_TRY(make_state(sim, s, where));
-	TS_TRY(check_areas(sim, s, where, e, n));
-	TS_TRY(add_sides(sim, s, where, e, n));
-	for (size_t k = 0; k < n; k++) {
-		take_volume(s->worn, how->thickness, &e[k]);
-		all += e[k].taken;
-	}
-	if (!(all > 0))
-		return TS_OK;
-	s->worn->used = true;
-	u.volume = ts_alloc(s->worn->nodes.n, sizeof *u.volume);
-	u.swept = ts_alloc(s->worn->nodes.n, sizeof *u.swept);
-	u.to = ts_alloc(s->mesh.n, sizeof *u.to);
-	status = u.volume && u.swept && u.to ? TS_OK : ts_nomem(&sim->error);
 	if (status == TS_OK) {
 		share_volume(s, e, n, u.volume);
 		status = move_nodes(sim, s, where, &u);
@@ -308,6 +303,42 @@ enum ts_status ts_mesh_recede(struct tsim *sim, struct ts_mesh_surface *s, const
 	ts_free(u.swept);
 	ts_free(u.to);
 	return status;
+}
+
+/* Removes the elements that are worn through. */
+static enum ts_status open_triangles(struct tsim *sim, struct ts_mesh_surface *s,
+				     const struct ts_recession_element *e, size_t n)
+{
+	bool any = false;
+
+	for (size_t k = 0; k < n; k++)
+		if (e[k].through && !ts_mesh_is_removed(&s->mesh, e[k].element)) {
+			s->mesh.active[e[k].element] |= TS_MESH_REMOVED;
+			any = true;
+		}
+	if (!any)
+		return TS_OK;
+	find_rims(s);
+	return ts_mesh_update_active(&s->mesh) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_mesh_recede(struct tsim *sim, struct ts_mesh_surface *s, const struct ts_recession *how,
+			      const struct ts_place *where, struct ts_recession_element *e, size_t n)
+{
+	double all = 0;
+
+	TS_TRY(make_state(sim, s, where));
+	TS_TRY(check_areas(sim, s, where, e, n));
+	TS_TRY(add_sides(sim, s, where, e, n));
+	for (size_t k = 0; k < n; k++) {
+		take_volume(s->worn, how->thickness, &e[k]);
+		all += e[k].taken;
+	}
+	if (all > 0) {
+		s->worn->used = true;
+		TS_TRY(take_from_geometry(sim, s, where, e, n));
+	}
+	return how->through == TS_THROUGH_OPEN ? open_triangles(sim, s, e, n) : TS_OK;
 }
 
 /* ---- saved state ---- */
@@ -340,5 +371,7 @@ enum ts_status ts_mesh_recede_archive(struct ts_mesh_surface *s, struct tsim *si
 	TS_TRY(ts_archive_fixed(a, "worn given", TS_SAVED_F64, w->given, s->mesh.n));
 	TS_TRY(ts_archive_fixed(a, "worn owed", TS_SAVED_F64, w->owed, w->nodes.n));
 	TS_TRY(ts_archive_fixed(a, "worn sides", TS_SAVED_F64, w->worn, 2 * (size_t)w->nodes.parts));
-	return archive_places(s, a);
+	TS_TRY(archive_places(s, a));
+	find_rims(s);
+	return TS_OK;
 }

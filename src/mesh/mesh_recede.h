@@ -6,7 +6,8 @@
  * too. Of parts with a rim, which can be touched on both sides, more than a tenth of all is refused, as they would have to
  * move both ways.
  *
- * A triangle that has lost the volume `thickness` times its area, as defined, gives no more.
+ * A triangle that has lost the volume `thickness` times its area, as defined, gives no more, or is removed (TS_MESH_REMOVED):
+ * then it has no part in the volume that its nodes sweep.
  *
  * Positions are rounded, so a node may move by up to one digit less or more than its volume asks for; the difference is
  * kept and taken when its triangles are worn again: it does not grow. */

@@ -69,6 +69,8 @@ static bool find_normal(struct recession *r, size_t v)
 		size_t t = (size_t)nodes->corner[k] / 3;
 		double a[3];
 
+		if (ts_mesh_is_removed(r->m, t))
+			continue;
 		mean_area(r->from[t], rest, a);
 		ts_axpy(nodes->side[t] / 3.0, a, sum);
 		all += ts_norm(a) / 3;
@@ -91,6 +93,8 @@ static double facing_area(const struct recession *r, size_t v)
 		size_t t = (size_t)nodes->corner[k] / 3;
 		double d[3][3], a[3];
 
+		if (ts_mesh_is_removed(r->m, t))
+			continue;
 		for (int c = 0; c < 3; c++) {
 			size_t node = (size_t)r->m->vertex[t][c];
 
@@ -251,7 +255,8 @@ static bool check_triangle(struct recession *r, size_t t)
 	for (int k = 0; k < 3; k++) {
 		int32_t other = r->m->neighbour[t][k];
 
-		if (other >= 0 && (size_t)other != t && is_folded(r, t, k))
+		if (other >= 0 && (size_t)other != t && !ts_mesh_is_removed(r->m, (size_t)other) &&
+		    is_folded(r, t, k))
 			return refuse(r, TS_MESH_RECESSION_FOLDED, t, (size_t)other);
 	}
 	return true;

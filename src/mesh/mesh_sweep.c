@@ -48,6 +48,8 @@ static void sweep_triangle(const struct ts_mesh *m, size_t t, const struct ts_sw
 {
 	struct ts_sweep_hit hit;
 
+	if (ts_mesh_is_removed(m, t))
+		return;
 	if (touches_face(m, t, path, &hit))
 		take_earlier(path, &hit, t, TS_MESH_FACE, found, best);
 	for (int k = 0; k < 3; k++) {

@@ -29,7 +29,7 @@ static void compute_place(const struct tsim *sim, const struct ts_mesh_wall *mw,
 	ts_mesh_wall_position(sim, &mw->near[k], i, x);
 	place->distance = ts_mesh_distance(m, t, x);
 	place->part = TS_MESH_NOTHING;
-	if (place->distance <= within + place_tolerance(mw, k))
+	if (!ts_mesh_is_removed(m, t) && place->distance <= within + place_tolerance(mw, k))
 		place->part = ts_mesh_nearest(m, t, x, &place->at);
 	place->own = place->part != TS_MESH_NOTHING;
 	for (int d = 0; d < 3 && place->own; d++)

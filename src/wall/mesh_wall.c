@@ -313,7 +313,8 @@ static enum ts_status check_passage(struct tsim *sim, const struct ts_mesh_part_
 		size_t t = (size_t)list->item[k];
 		double travel = triangle_travel(sim, part->surface, t);
 
-		if (!(travel > p->radius[i]) || ts_mesh_distance(m, t, x) > p->radius[i] + travel)
+		if (ts_mesh_is_removed(m, t) || !(travel > p->radius[i]) ||
+		    ts_mesh_distance(m, t, x) > p->radius[i] + travel)
 			continue;
 		snprintf(what, sizeof what, "triangle %zu of mesh %.60s", t + 1, part->by->id);
 		return ts_coincide_passed(sim, &part->by->where, i, travel, what);

@@ -92,7 +92,7 @@ static void compute_triangle(const struct force_task *task, struct ts_wall_queue
 	ts_mesh_wall_position(task->sim, near, v->i, x);
 	if (!w->contacts.touching[k] && is_out_of_reach(&s->mesh, near, v, x))
 		return;
-	part = ts_mesh_nearest(&s->mesh, t, x, &at);
+	part = ts_mesh_is_removed(&s->mesh, t) ? TS_MESH_NOTHING : ts_mesh_nearest(&s->mesh, t, x, &at);
 	near->touches = part != TS_MESH_NOTHING && at.distance <= v->radius &&
 			(*ts_mesh_contact_exists(&w->contacts, k) > 0 ||
 			 begin_contact(w, task->mw, v->first, v->first + v->n, k, part));

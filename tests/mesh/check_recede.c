@@ -369,6 +369,43 @@ START_TEST(edges_of_a_dent_are_active)
 }
 END_TEST
 
+/* Triangles that are removed leave a rim: edges and corners are those of a mesh without them; they take no part in what
+ * their nodes sweep. */
+START_TEST(removed_triangles)
+{
+	const size_t hole[2] = { SIDE * SIDE + SIDE, SIDE * SIDE + SIDE + 1 };
+	double soup[2 * SIDE * SIDE][3][3];
+	struct ts_mesh fresh;
+	struct scene s;
+	size_t n = 0;
+
+	make_sheet(&s, 1, 0, false);
+	for (size_t k = 0; k < 2; k++)
+		s.m.active[hole[k]] |= TS_MESH_REMOVED;
+	ck_assert(ts_mesh_update_active(&s.m) == TS_OK);
+	for (size_t t = 0; t < s.m.n; t++)
+		if (t != hole[0] && t != hole[1])
+			memcpy(soup[n++], s.m.x[t], sizeof *soup);
+	ck_assert(ts_mesh_build(&fresh, (const double(*)[3][3])soup, n, 1e-7, 0.256235) == TS_OK);
+	for (size_t t = 0; t < s.m.n; t++) {
+		bool removed = t == hole[0] || t == hole[1];
+
+		ck_assert_int_eq(s.m.active[t],
+				 removed ? TS_MESH_REMOVED : fresh.active[t - 2 * (t > hole[1])]);
+	}
+	for (size_t t = 0; t < s.m.n; t++)
+		if (t != hole[0] && t != hole[1])
+			wear(&s, t, 0.01 * s.m.area[t]);
+	recede(&s);
+	ck_assert_int_eq(s.f.fault, TS_MESH_RECESSION_FINE);
+	for (size_t c = 0; c < 3 * s.m.n; c++)
+		ck_close(s.to[c / 3][c % 3][2], -0.01, 1e-13);
+	ck_close(sum_of(s.swept, s.nodes.n), 0.01 * (1 - 1.0 / (SIDE * SIDE)), 1e-13);
+	ts_mesh_release(&fresh);
+	end(&s);
+}
+END_TEST
+
 /* More volume than there is, and a node deeper than its triangles are wide next to nodes that rest. */
 START_TEST(folds_are_refused)
 {
@@ -488,6 +525,7 @@ int main(void)
 	tcase_add_test(tc, rough_sheet_with_any_winding);
 	tcase_add_test(tc, no_volume_no_motion);
 	tcase_add_test(tc, edges_of_a_dent_are_active);
+	tcase_add_test(tc, removed_triangles);
 	tcase_add_test(tc, folds_are_refused);
 	tcase_add_test(tc, intersection_is_refused);
 	tcase_add_test(tc, odd_surfaces_are_refused);
