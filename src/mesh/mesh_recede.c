@@ -85,6 +85,12 @@ static void find_rims(struct ts_mesh_surface *s)
 			s->mesh.neighbour[c / 3][c % 3] < 0 || ts_mesh_is_removed(&s->mesh, c / 3);
 }
 
+static enum ts_status fail_without_memory(struct tsim *sim, struct ts_mesh_surface *s)
+{
+	ts_mesh_recede_release(s);
+	return ts_nomem(&sim->error);
+}
+
 static enum ts_status make_state(struct tsim *sim, struct ts_mesh_surface *s, const struct ts_place *where)
 {
 	const struct ts_mesh *m = &s->mesh;
@@ -96,7 +102,7 @@ static enum ts_status make_state(struct tsim *sim, struct ts_mesh_surface *s, co
 		return TS_OK;
 	w = s->worn = ts_alloc(1, sizeof *w);
 	if (!w || ts_mesh_nodes_build(&w->nodes, m, &fault, &t) != TS_OK)
-		return ts_nomem(&sim->error);
+		return fail_without_memory(sim, s);
 	if (fault) {
 		ts_mesh_recede_release(s);
 		return ts_fail(&sim->error, TS_STATE, where,
@@ -111,7 +117,7 @@ static enum ts_status make_state(struct tsim *sim, struct ts_mesh_surface *s, co
 	w->worn = ts_alloc((size_t)w->nodes.parts, sizeof *w->worn);
 	w->rim = ts_alloc((size_t)w->nodes.parts, sizeof *w->rim);
 	if (!w->owed || !w->given || !w->area || !w->worn || !w->rim)
-		return ts_nomem(&sim->error);
+		return fail_without_memory(sim, s);
 	find_rims(s);
 	for (t = 0; t < m->n; t++) /* not m->area, which depends on the motion by rounding */
 		w->area[t] = triangle_area(corners_of(s)[t]);

@@ -391,7 +391,7 @@ START_TEST(removed_triangles)
 		bool removed = t == hole[0] || t == hole[1];
 
 		ck_assert_int_eq(s.m.active[t],
-				 removed ? TS_MESH_REMOVED : fresh.active[t - 2 * (t > hole[1])]);
+				 removed ? TS_MESH_REMOVED : fresh.active[t > hole[1] ? t - 2 : t]);
 	}
 	for (size_t t = 0; t < s.m.n; t++)
 		if (t != hole[0] && t != hole[1])
@@ -402,6 +402,38 @@ START_TEST(removed_triangles)
 		ck_close(s.to[c / 3][c % 3][2], -0.01, 1e-13);
 	ck_close(sum_of(s.swept, s.nodes.n), 0.01 * (1 - 1.0 / (SIDE * SIDE)), 1e-13);
 	ts_mesh_release(&fresh);
+	end(&s);
+}
+END_TEST
+
+/* Whichever allocation fails, the error is returned, and nothing stays allocated. */
+START_TEST(without_memory)
+{
+	struct ts_mesh_nodes nodes = { 0 };
+	enum ts_mesh_nodes_fault fault;
+	enum ts_status status = TS_NOMEM;
+	struct scene s;
+	size_t t;
+	long before;
+
+	make_sheet(&s, 1, 0.3, false);
+	wear(&s, 60, 1e-4);
+	before = ts_alloc_balance();
+	for (long k = 1; status != TS_OK; k++) {
+		ts_alloc_fail_at(k);
+		status = ts_mesh_nodes_build(&nodes, &s.m, &fault, &t);
+		ts_alloc_fail_at(0);
+		ck_assert(status == TS_OK || (status == TS_NOMEM && ts_alloc_balance() == before && k < 10));
+	}
+	ts_mesh_nodes_release(&nodes);
+	status = TS_NOMEM;
+	for (long k = 1; status != TS_OK; k++) {
+		ts_alloc_fail_at(k);
+		status = ts_mesh_recession(&s.m, &s.nodes, (const double(*)[3][3])s.m.x, s.volume, s.to,
+					   s.swept, &s.f);
+		ts_alloc_fail_at(0);
+		ck_assert((status == TS_OK || status == TS_NOMEM) && ts_alloc_balance() == before && k < 20);
+	}
 	end(&s);
 }
 END_TEST
@@ -526,6 +558,7 @@ int main(void)
 	tcase_add_test(tc, no_volume_no_motion);
 	tcase_add_test(tc, edges_of_a_dent_are_active);
 	tcase_add_test(tc, removed_triangles);
+	tcase_add_test(tc, without_memory);
 	tcase_add_test(tc, folds_are_refused);
 	tcase_add_test(tc, intersection_is_refused);
 	tcase_add_test(tc, odd_surfaces_are_refused);
