@@ -96,7 +96,8 @@ struct ts_film {
 	double *conductance[2], *transport[2]; /* of faces: flow = conductance dp + transport (1 - theta) */
 	double *source;			       /* volume per time that the motion of the surfaces takes up */
 	double *value, *residual, *step;
-	bool *free; /* reynolds, jfo: the pressure of the cell is solved for */
+	double scale[2]; /* jfo: sums of |transport| and of the conductances */
+	bool *free;	 /* reynolds, jfo: the pressure of the cell is solved for */
 	struct ts_grid_row *row;
 	struct ts_grid_lu lu;
 	bool ordered; /* lu is made for the present kinds */

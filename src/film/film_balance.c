@@ -1,4 +1,5 @@
 /* The balance of volume of the cells, and its derivatives. */
+#include <float.h>
 #include <math.h>
 
 #include "film/internal.h"
@@ -121,12 +122,67 @@ static double mean_flow(const struct ts_film *f)
 	return sum / (double)faces;
 }
 
+/* Lowest and highest of the pressures given. */
+static void given_pressures(const struct ts_film *f, double range[2])
+{
+	range[0] = INFINITY;
+	range[1] = -INFINITY;
+	for (int k = 0; k < 4; k++)
+		if (f->edge[k / 2][k % 2] == TS_FILM_PRESSURE) {
+			range[0] = fmin(range[0], f->edge_pressure[k / 2][k % 2]);
+			range[1] = fmax(range[1], f->edge_pressure[k / 2][k % 2]);
+		}
+	for (size_t c = 0; c < ts_film_cells(f); c++)
+		if (f->kind[c] == TS_FILM_GIVEN) {
+			range[0] = fmin(range[0], f->pressure_given[c]);
+			range[1] = fmax(range[1], f->pressure_given[c]);
+		}
+}
+
+bool ts_film_is_driven(const struct ts_film *f)
+{
+	double range[2];
+
+	for (int axis = 0; axis < 2; axis++)
+		for (int j = 0; j < f->n[1] + (axis == 1); j++)
+			for (int i = 0; i < f->n[0] + (axis == 0); i++)
+				if (f->transport[axis][ts_film_face(f, axis, i, j)] != 0)
+					return true;
+	for (size_t c = 0; c < ts_film_cells(f); c++)
+		if (f->source[c] != 0)
+			return true;
+	given_pressures(f, range);
+	return range[0] < range[1];
+}
+
+double ts_film_round_off(const struct ts_film *f)
+{
+	double pressure = 0, conductance = 0, transport = 0, content = 0;
+
+	for (int axis = 0; axis < 2; axis++)
+		for (int j = 0; j < f->n[1] + (axis == 1); j++)
+			for (int i = 0; i < f->n[0] + (axis == 0); i++) {
+				size_t at = ts_film_face(f, axis, i, j);
+
+				conductance = fmax(conductance, f->conductance[axis][at]);
+				transport = fmax(transport, fabs(f->transport[axis][at]));
+			}
+	for (int j = 0; j < f->n[1]; j++)
+		for (int i = 0; i < f->n[0]; i++) {
+			size_t c = ts_film_at(f, i, j);
+
+			pressure = fmax(pressure, fabs(f->p[c]));
+			if (is_in_time(f))
+				content = fmax(content, f->gap[c] * ts_film_area(f, i, j) / f->time_step);
+		}
+	return DBL_EPSILON * (conductance * pressure + transport + content);
+}
+
 void ts_film_set_report(struct ts_film *f)
 {
 	struct ts_film_report *r = &f->report;
 
 	r->throughput = mean_flow(f);
-	r->driven = r->throughput > 0;
 	r->balance = r->imbalance = 0;
 	r->cavitated = 0;
 	for (size_t c = 0; c < ts_film_cells(f); c++) {

@@ -71,24 +71,53 @@ static enum ts_status evaluate_formula(struct ts_instance *self, struct tsim *si
 	return TS_OK;
 }
 
+/* The part of a cell that column i covers along an axis. */
+static double overlap(const struct ts_voxel_field *field, int d, int64_t i, const double cell[2])
+{
+	double part =
+		fmin(cell[1], ts_voxel_border(field, d, i + 1)) - fmax(cell[0], ts_voxel_border(field, d, i));
+
+	part /= cell[1] - cell[0];
+	return part > 1e-9 ? part : 0; /* borders are rounded */
+}
+
+/* Mean height of the columns over a cell, so that the gap changes continuously as the columns move; -INFINITY: some
+ * are missing. */
+static double mean_height(const struct ts_voxel_field *field, const double x[2], const double y[2])
+{
+	int64_t begin[2] = { ts_voxel_index(field, 0, x[0]) - 1, ts_voxel_index(field, 1, y[0]) - 1 };
+	double sum = 0, area = 0;
+
+	for (int64_t j = begin[1]; ts_voxel_border(field, 1, j) < y[1]; j++)
+		for (int64_t i = begin[0]; ts_voxel_border(field, 0, i) < x[1]; i++) {
+			double part = overlap(field, 0, i, x) * overlap(field, 1, j, y);
+
+			if (!(part > 0))
+				continue;
+			sum += part * ts_voxel_top(field, i, j);
+			area += part;
+		}
+	return sum / area;
+}
+
 static enum ts_status read_columns(struct ts_instance *self, struct tsim *sim, const struct ts_film *f,
 				   struct ts_film_surface *s)
 {
-	const struct ts_voxel_field *field = &s->field->field;
+	const double *shift = s->field->shift;
 
 	for (int j = 0; j < f->n[1]; j++)
 		for (int i = 0; i < f->n[0]; i++) {
-			double x = ts_film_centre(f, 0, i), y = ts_film_centre(f, 1, j);
-			double top = ts_voxel_top(field, ts_voxel_index(field, 0, x - s->field->shift[0]),
-						  ts_voxel_index(field, 1, y - s->field->shift[1]));
+			const double x[2] = { f->face[0][i] - shift[0], f->face[0][i + 1] - shift[0] };
+			const double y[2] = { f->face[1][j] - shift[1], f->face[1][j + 1] - shift[1] };
+			double top = mean_height(&s->field->field, x, y);
 
 			if (!isfinite(top))
 				return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->voxel),
 					       "flow_style reynolds: fix '%s' has no column at (%g, %g), "
 					       "where the film "
 					       "is",
-					       s->voxel, x, y);
-			s->z[ts_film_at(f, i, j)] = top + s->field->shift[2];
+					       s->voxel, ts_film_centre(f, 0, i), ts_film_centre(f, 1, j));
+			s->z[ts_film_at(f, i, j)] = top + shift[2];
 		}
 	return TS_OK;
 }

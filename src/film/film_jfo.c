@@ -13,6 +13,7 @@
 
 #include "base/banned.h"
 
+static const double ROUND_OFF = 1e-12;
 enum { MOST_STEPS = 300, STEPS_AT_ONCE = 25 };
 
 static void set_cell(struct ts_film *f, size_t c, double s, double scale)
@@ -62,39 +63,60 @@ static void solve_step(struct ts_film *f)
 	ts_grid_lu_solve(&f->lu, f->step, f->step);
 }
 
-/* Makes this fraction of the step; returns the number of cells that change between p and theta. Without any the
- * full step is exact, because the equations are linear between such changes. */
-static size_t make_step(struct ts_film *f, double fraction, double scale)
+/* Cells that change between p and theta in a step. Without any the full step is exact, because the equations are linear
+ * between such changes. Where both are zero to round-off a cell may change without end, and it does not matter. */
+struct changes {
+	size_t all, of_size;
+};
+
+/* Makes this fraction of the step. */
+static struct changes make_step(struct ts_film *f, double fraction, double scale)
 {
-	size_t changes = 0;
+	struct changes changes = { 0 };
 
 	for (size_t c = 0; c < ts_film_cells(f); c++)
 		if (f->kind[c] == TS_FILM_FLUID) {
 			bool was = f->free[c];
 
 			set_cell(f, c, f->value[c] + fraction * f->step[c], scale);
-			changes += was != f->free[c];
+			changes.all += was != f->free[c];
+			changes.of_size += was != f->free[c] && fabs(f->value[c]) > ROUND_OFF;
 		}
 	ts_film_set_flow(f);
 	return changes;
 }
 
-static double largest_excess(const struct ts_film *f)
+static void add_scales(struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s)
+{
+	size_t at = ts_film_face(f, axis, i, j);
+
+	(void)s;
+	f->scale[0] += fabs(f->transport[axis][at]);
+	f->scale[1] += f->conductance[axis][at];
+}
+
+/* The largest pressure above pc, or if there is none yet, the one whose flow between neighbours is like that of the
+ * moving surfaces. */
+static double pressure_scale(struct ts_film *f)
 {
 	double most = 0;
 
-	for (size_t c = 0; c < ts_film_cells(f); c++)
+	f->scale[0] = f->scale[1] = 0;
+	ts_film_each_face(f, add_scales);
+	for (size_t c = 0; c < ts_film_cells(f); c++) {
+		f->scale[0] += fabs(f->source[c]);
 		if (f->kind[c] == TS_FILM_FLUID)
 			most = fmax(most, f->p[c] - f->cavity_pressure);
-	return most;
+	}
+	if (f->scale[0] > 0 && f->scale[1] > 0)
+		most = fmax(most, f->scale[0] / f->scale[1]);
+	return most > 0 ? most : 1;
 }
 
 enum ts_status ts_film_solve_jfo(struct ts_film *f, struct ts_error *error)
 {
-	double scale = largest_excess(f);
+	double scale = pressure_scale(f);
 
-	if (!(scale > 0))
-		scale = 1;
 	for (size_t c = 0; c < ts_film_cells(f); c++)
 		if (f->kind[c] == TS_FILM_FLUID)
 			set_cell(f, c,
@@ -104,13 +126,17 @@ enum ts_status ts_film_solve_jfo(struct ts_film *f, struct ts_error *error)
 	ts_film_set_flow(f);
 	for (int k = 0; k < MOST_STEPS; k++) {
 		bool damped = k / STEPS_AT_ONCE % 2 == 1;
+		struct changes changes;
 
 		TS_TRY(factorize(f, scale, error));
 		solve_step(f);
-		if (make_step(f, damped ? 0.5 : 1, scale) > 0 || damped)
+		changes = make_step(f, damped ? 0.5 : 1, scale);
+		if (changes.of_size > 0 || damped)
 			continue;
-		solve_step(f); /* refinement */
-		make_step(f, 1, scale);
+		if (changes.all == 0) { /* refinement by the same factors */
+			solve_step(f);
+			make_step(f, 1, scale);
+		}
 		return TS_OK;
 	}
 	return ts_fail(error, TS_PHYSICS, NULL,

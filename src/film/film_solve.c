@@ -179,17 +179,32 @@ static enum ts_status solve_cavitated(struct ts_film *f, struct ts_error *error)
 	return f->cavitation == TS_FILM_JFO ? ts_film_solve_jfo(f, error) : TS_OK;
 }
 
+static enum ts_status check_balance(const struct ts_film *f, struct ts_error *error)
+{
+	const double relative = 1e-7, round_offs = 1e4;
+
+	if (f->report.balance <= relative * f->report.throughput + round_offs * ts_film_round_off(f))
+		return TS_OK;
+	return ts_fail(error, TS_PHYSICS, NULL,
+		       "film: the flows out of a cell add up to %g of the mean flow through a face, expected "
+		       "0: the gap "
+		       "varies too much for the solver",
+		       f->report.balance / f->report.throughput);
+}
+
 enum ts_status ts_film_solve(struct ts_film *f, struct ts_error *error)
 {
 	TS_TRY(ts_film_check(f, error));
 	start(f);
 	TS_TRY(order_unknowns(f, error));
 	ts_film_set_faces(f);
+	f->report.driven = ts_film_is_driven(f);
 	if (f->cavitation == TS_FILM_NONE || f->cavitation == TS_FILM_HALF)
 		TS_TRY(solve_free(f, error));
 	else
 		TS_TRY(solve_cavitated(f, error));
 	ts_film_set_report(f);
+	TS_TRY(check_balance(f, error));
 	if (f->cavitation == TS_FILM_HALF) {
 		clamp(f);
 		report_clamped(f);

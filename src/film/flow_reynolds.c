@@ -21,9 +21,11 @@ struct reynolds {
 	double edge[2][2]; /* pressures given; NaN: ambient */
 	double viscosity, density, ambient, cavity;
 	int shape, cavitation, update, touching;
+	bool transient;
 
 	bool ready;	/* solved since the beginning of the run */
 	bool solved;	/* `input` is that of the present solution */
+	bool began;	/* transient: content is set; saved */
 	bool told;	/* the warning that nothing drives the film */
 	uint64_t input; /* hash of all that the solution depends on */
 };
@@ -223,12 +225,15 @@ static uint64_t hash_input(const struct ts_film *f)
 		ts_hash_add(&hash, f->velocity[1][d], sizeof(double));
 	}
 	ts_hash_add(&hash, f->edge, sizeof f->edge);
+	ts_hash_add(&hash, &f->time_step, sizeof f->time_step);
+	ts_hash_add(&hash, f->content, bytes);
 	return ts_hash_value(&hash);
 }
 
 static enum ts_status check_cell(struct ts_instance *self, struct tsim *sim, size_t c)
 {
-	const struct ts_film *f = &((const struct reynolds *)self->state)->flow.film;
+	const struct reynolds *s = self->state;
+	const struct ts_film *f = &s->flow.film;
 	double x = ts_film_centre(f, 0, (int)(c % (size_t)f->n[0]));
 	double y = ts_film_centre(f, 1, (int)(c / (size_t)f->n[0]));
 
@@ -238,11 +243,11 @@ static enum ts_status check_cell(struct ts_instance *self, struct tsim *sim, siz
 			       "overlap; with "
 			       "`touching solid` there is no fluid in such cells",
 			       f->gap[c], x, y);
-	if (f->cavitation == TS_FILM_JFO && f->rate[c] != 0)
+	if (f->cavitation == TS_FILM_JFO && !s->transient && f->rate[c] != 0)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "flow_style reynolds: with cavitation jfo the film must be steady, but its "
-			       "gap "
-			       "changes at (%g, %g) by %g per time; cavitation reynolds allows it",
+			       "flow_style reynolds: the gap changes at (%g, %g) by %g per time; with "
+			       "cavitation jfo this "
+			       "needs `transient yes`",
 			       x, y, f->rate[c]);
 	return TS_OK;
 }
@@ -272,17 +277,50 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
+/* Transient: before the first step the film was full. */
+static void begin_content(struct reynolds *s, double dt)
+{
+	struct ts_film *f = &s->flow.film;
+
+	for (size_t c = 0; c < ts_film_cells(f); c++)
+		f->content[c] = fmax(f->gap[c] - f->rate[c] * dt, 0);
+	f->time_step = dt;
+	s->began = true;
+}
+
+/* At the present time; `advance`: one step after the present solution. */
+static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim, bool advance)
 {
 	struct reynolds *s = self->state;
 
+	if (s->transient && advance) {
+		ts_film_keep_content(&s->flow.film);
+		s->flow.film.time_step = sim->clock.dt;
+	}
 	set_cells(s, sim);
 	for (int side = 0; side < 2; side++)
 		TS_TRY(ts_film_surface_evaluate(self, sim, &s->flow, &s->flow.surface[side]));
 	TS_TRY(reset_coordinates(self, sim));
 	combine_surfaces(s);
+	if (s->transient && !s->began)
+		begin_content(s, sim->clock.dt);
 	s->ready = true;
 	return solve(self, sim);
+}
+
+static enum ts_status check_transient(struct ts_instance *self, struct tsim *sim)
+{
+	const struct reynolds *s = self->state;
+	const char *why =
+		s->cavitation != TS_FILM_JFO ? "is for cavitation jfo only: other films have no memory"
+		: s->update == EACH_RUN	     ? "needs `update step`"
+		: s->touching == SOLID ? "conserves the fluid, but `touching solid` removes it from cells"
+				       : NULL;
+
+	if (!s->transient || !why)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "transient"),
+		       "flow_style reynolds: `transient yes` %s", why);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -294,6 +332,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       "flow_style reynolds: the gap is along z, so it needs three dimensions");
 	TS_TRY(ts_domain_require(sim, &self->where));
 	TS_TRY(check_faces(self, sim));
+	TS_TRY(check_transient(self, sim));
 	TS_TRY(ts_flow_read_set(sim, "flow_style reynolds: set", s->set, &self->where, &self->arena,
 				s->flow.set));
 	if (s->flow.set[2])
@@ -312,14 +351,30 @@ static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct reynolds *s = self->state;
 
-	return s->ready && s->update == EACH_RUN ? TS_OK : evaluate(self, sim);
+	return s->ready && s->update == EACH_RUN ? TS_OK : evaluate(self, sim, !sim->run.in_setup);
 }
 
 /* At the beginning of a run, also of one that resumes with the forces of the last one. */
 static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 {
-	return ((const struct reynolds *)self->state)->ready ? TS_OK : evaluate(self, sim);
+	return ((const struct reynolds *)self->state)->ready ? TS_OK : evaluate(self, sim, false);
 }
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
+{
+	const struct reynolds *s = self->state;
+
+	(void)sim;
+	return s->transient ? ts_archive_fixed(archive, "content", TS_SAVED_F64, s->flow.film.content,
+					       ts_film_cells(&s->flow.film))
+			    : TS_OK;
+}
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_U8(struct reynolds, began),
+	TS_SAVE_F64(struct reynolds, flow.film.time_step),
+	TS_SAVED_ROWS_END,
+};
 
 static void fini(struct ts_instance *self)
 {
@@ -344,7 +399,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 }
 
 static const struct ts_arg args[] = {
-	TS_LIST_KEYWORD("cells", struct reynolds, cells, .flags = TS_TO_KEYWORD,
+	TS_LIST_KEYWORD("cells", struct reynolds, cells, .flags = TS_TO_KEYWORD | TS_STATEFUL,
 			.help = "NX NY: numbers of cells along x and y"),
 	TS_NUMBER("lower", struct reynolds, flow.surface[0].height, .flags = TS_OPTIONAL, .unit = "length",
 		  .help = "height of the lower surface, or v_NAME, a function of the coordinates"),
@@ -383,6 +438,8 @@ static const struct ts_arg args[] = {
 		.help = "what happens where the pressure would be below that of the cavity"),
 	TS_REAL("cavity_pressure", struct reynolds, cavity, .fallback = "0", .unit = "pressure",
 		.help = "pressure in the cavity"),
+	TS_BOOL("transient", struct reynolds, transient, .flags = TS_STATEFUL, .fallback = "no",
+		.help = "cavitation jfo: the fluid in the gap is followed in time"),
 	TS_ENUM("gap", struct reynolds, shape, shapes, .fallback = "linear",
 		.help = "the gap between the centres of cells: linear, or constant in each cell"),
 	TS_ENUM("update", struct reynolds, update, updates, .fallback = "step",
@@ -402,7 +459,7 @@ static const char doc[] =
 	"and across the gap the one with which div u = 0 and the fluid follows both surfaces. Drag fixes "
 	"use\n"
 	"it; particles do not change it. Outside of the gap the fluid moves with the nearest surface.\n\n"
-	"Heights are numbers, v_NAME, or the columns of fix surface/voxel below the centres of cells. A\n"
+	"Heights are numbers, v_NAME, or the mean over each cell of the columns of fix surface/voxel. A\n"
 	"formula v_NAME is evaluated at the centres, whose coordinates are set in the internal-style\n"
 	"variables of `set` (afterwards 0); it may depend on time. The velocity must be consistent with such "
 	"a motion: it\n"
@@ -422,8 +479,11 @@ static const char *const doc_more[] = {
 	"the cavity afterwards; `reynolds` finds the film that ends with a smooth pressure; both do not\n"
 	"conserve volume in the cavity, which `compute film` reports as imbalance. `jfo` (Jakobsson, "
 	"Floberg\n"
-	"and Olsson) conserves it: a fraction theta of the gap is void in the cavity; the film must be\n"
-	"steady.",
+	"and Olsson) conserves it: a fraction theta of the gap is void in the cavity. The film is steady, "
+	"and\n"
+	"its gap must not change; with `transient yes` the fluid h (1 - theta) in each cell is followed in\n"
+	"time from a full film at the first step, by the implicit method of first order in the time step.\n"
+	"Restart files then contain it.",
 	"Accuracy: second order in the width of the cells; the place where a film with `jfo` ruptures or\n"
 	"reforms is of first order. With `gap linear` the gap is linear between the centres of cells, and "
 	"the\n"
@@ -452,6 +512,8 @@ const struct ts_flow_style ts_flow_reynolds = {
 		   .args = args,
 		   .family = TS_FAMILY_FILM,
 		   .state_size = sizeof(struct reynolds),
+		   .saved = saved,
+		   .archive = archive,
 		   .init = init,
 		   .hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_PRE_FORCE] = pre_force },
 		   .plan = plan,

@@ -35,7 +35,12 @@ double ts_film_full_flow(const struct ts_film *f, int axis, int i, int j);
 /* Rows of the matrix of the fluid cells: derivatives of their balances by p of free cells and by -theta of the
  * others. With `transported` false the others have p = pc, theta = 0 and no unknown. */
 void ts_film_set_rows(struct ts_film *f, bool transported);
-/* Fills the report from flow and residual. */
+/* Whether surfaces that slide or approach each other, or pressures given, drive a flow. */
+bool ts_film_is_driven(const struct ts_film *f);
+/* Round-off of the balance of a cell: of the largest conductance times the largest pressure, the largest transport and
+ * the largest content. */
+double ts_film_round_off(const struct ts_film *f);
+/* Fills the report from flow and residual, but for solves and driven. */
 void ts_film_set_report(struct ts_film *f);
 
 /* ---- film_guess.c */

@@ -225,6 +225,11 @@ START_TEST(parallel_surfaces)
 	film_fill(&f, f.gap, 0.5);
 	m = film_solve(&f);
 	ck_assert(!f.report.driven && m.load == 0 && isnan(m.centre[0]));
+	f.edge_pressure[0][0] = f.edge_pressure[0][1] = 5; /* at rest under pressure */
+	m = film_solve(&f);
+	ck_assert(!f.report.driven);
+	DECK_NEAR(m.load, 30, 1e-12);
+	DECK_NEAR(m.outflow[0][0], 0, 1e-15);
 	f.edge_pressure[0][0] = f.ambient = 5; /* Poiseuille: h^3/12 dp/L */
 	f.edge_pressure[0][1] = 1;
 	m = film_solve(&f);

@@ -188,6 +188,33 @@ START_TEST(cavitation)
 }
 END_TEST
 
+/* A plate that rises and sinks again: a cavity opens and closes; what leaves through the edges is missing in the gap, in
+ * each step. A film that stays full is that without cavitation. */
+START_TEST(transient)
+{
+	struct tsim *sim =
+		deck_open("units si\nboundary f f f\nregion box block 0 1 0 1 0 1 units box\n"
+			  "create_box 1 box\n"
+			  "variable h equal 0.1+0.04*sin(2*PI*time)\n"
+			  "flow_style reynolds cells 20 20 lower 0 upper v_h upper_velocity 0 0 0.25 "
+			  "lower_velocity 0.1 0 0 viscosity 1 density 1 cavitation jfo transient yes\n"
+			  "compute film all film\ntimestep 0.02\nrun 0\n");
+	double volume = deck_value(sim, "c_film[18]"), most = 0;
+
+	for (int k = 1; k <= 50; k++) {
+		deck(sim, "run 1 pre no post no\n");
+		volume -= 0.02 * deck_value(sim, "c_film[14]+c_film[15]+c_film[16]+c_film[17]");
+		DECK_NEAR(deck_value(sim, "c_film[18]"), volume, 1e-13);
+		ck_assert(deck_value(sim, "c_film[21]") == 0 && deck_value(sim, "c_film[1]") >= 0);
+		most = fmax(most, deck_value(sim, "c_film[19]"));
+	}
+	ck_assert(most == 400 && volume < 0.1);
+	deck(sim, "run 0\n"); /* the same time again: the same film */
+	DECK_NEAR(deck_value(sim, "c_film[18]"), volume, 1e-13);
+	tsim_close(sim);
+}
+END_TEST
+
 static void refuses(const char *boundary, const char *words, const char *text)
 {
 	struct tsim *sim =
@@ -232,7 +259,12 @@ START_TEST(refusals)
 	refuses("s f f", FILM "upper 1 lower 0", "xlo follows the particles");
 	refuses("f f f", FILM "upper 1 lower 0 set z cx", "not of z");
 	refuses("f f f", FILM "upper 1 lower 0 lower_velocity 0 0 1 cavitation jfo",
-		"the film must be steady");
+		"the gap changes at (0.0625, 0.0625) by -1 per time");
+	refuses("f f f", FILM "upper 1 lower 0 transient yes", "is for cavitation jfo only");
+	refuses("f f f", FILM "upper 1 lower 0 cavitation jfo transient yes update run",
+		"needs `update step`");
+	refuses("f f f", FILM "upper 1 lower 0 cavitation jfo transient yes touching solid",
+		"conserves the fluid");
 	refuses("f f f", FILM "upper 1 lower 0 cavitation reynolds cavity_pressure 1",
 		"is below that in the cavity, 1");
 	refuses("f f f", FILM "upper 1 lower 0\nfix d all immersed/boundary region box", "solved for");
@@ -251,6 +283,7 @@ int main(void)
 	tcase_add_test(tcase, squeeze_in_time);
 	tcase_add_test(tcase, voxel_step);
 	tcase_add_test(tcase, cavitation);
+	tcase_add_test(tcase, transient);
 	tcase_add_test(tcase, refusals);
 	suite_add_tcase(suite, tcase);
 	return deck_main(suite);
