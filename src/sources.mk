@@ -368,6 +368,7 @@ library_sources = \
 	src/explain/price.c \
 	src/explain/price.h \
 	src/film/compute_film.c \
+	src/film/compute_film_atom.c \
 	src/film/film.c \
 	src/film/film.h \
 	src/film/film_balance.c \

@@ -491,7 +491,7 @@ static const char *const doc_more[] = {
 	"columns. The equation of Reynolds is the limit of thin gaps: it neglects inertia, of order Re h/L, "
 	"and\n"
 	"terms of order (h/L)^2. For thicker gaps use flow_style projection.",
-	"Numbers: doc/film.md. Related: compute film, fix surface/voxel, fix drag/stokes.",
+	"Numbers: doc/film.md. Related: compute film, compute film/atom, fix surface/voxel, fix drag/stokes.",
 	NULL,
 };
 

@@ -119,6 +119,7 @@ TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
 TS_STYLE(compute, ts_style, ts_compute_film)
+TS_STYLE(compute, ts_style, ts_compute_film_atom)
 TS_STYLE(compute, ts_style, ts_compute_flow_flux)
 TS_STYLE(compute, ts_style, ts_compute_flow_force)
 TS_STYLE(compute, ts_style, ts_compute_flow_line)
@@ -424,6 +425,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_erotate_sphere,
 	&ts_compute_erotate_sphere_atom,
 	&ts_compute_film,
+	&ts_compute_film_atom,
 	&ts_compute_flow_flux,
 	&ts_compute_flow_force,
 	&ts_compute_flow_line,

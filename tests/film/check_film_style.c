@@ -63,6 +63,7 @@ START_TEST(velocity_in_the_gap)
 		  "create_atoms 1 single 750 3 1.1 units box\n"
 		  "set group all diameter 1e-3 density 1000\n"
 		  "fix d all drag/stokes\n"
+		  "compute q all film/atom\n"
 		  "run 0\n");
 	for (int k = 0; k < 3; k += 2) {
 		double x = k ? 0.75 : 0.25, z = k ? 1.1 : 0.5, h = 2 - x, s = z / h, mean = 2.0 / 3 / h;
@@ -72,6 +73,11 @@ START_TEST(velocity_in_the_gap)
 		DECK_NEAR(deck_value(sim, k ? "fz[3]" : "fz[1]") / c,
 			  -1e-3 * (s * u - (s - s * s / 2 - s * s * (3 - 2 * s) / 2)), 1e-9);
 	}
+	DECK_NEAR(deck_value(sim, "c_q[1][1]"), 2500 * 6 * (2 - 1.75) * 0.75 / (1.75 * 1.75 * 3), 1e-2);
+	DECK_NEAR(deck_value(sim, "c_q[3][2]"), 1.25, 1e-12);
+	DECK_NEAR(deck_value(sim, "c_q[3][3]"), 0.88, 1e-12);
+	DECK_NEAR(deck_value(sim, "c_q[2][3]"), 2.5 / 1.75, 1e-12);
+	DECK_NEAR(deck_value(sim, "c_q[1][4]"), deck_value(sim, "fx[1]") / c, 1e-12);
 	DECK_NEAR(deck_value(sim, "fx[2]"), 0, 1e-15); /* above: at rest as the upper surface */
 	tsim_close(sim);
 }
