@@ -271,6 +271,29 @@ START_TEST(turning_disc)
 }
 END_TEST
 
+/* A pressure difference between the ends of a sector: p is linear in the angle, the flow h^3/12 dp/angle ln(r2/r1). */
+START_TEST(flow_along_the_angle)
+{
+	struct ts_film f = film_open(40, 9, 1, 0.7);
+	struct ts_film_measures m;
+
+	for (int i = 0; i <= 40; i++)
+		f.face[0][i] = 1 + i / 40.;
+	f.polar = true;
+	f.edge[0][0] = f.edge[0][1] = TS_FILM_NO_FLOW;
+	f.edge[1][0] = f.edge[1][1] = TS_FILM_PRESSURE;
+	f.edge_pressure[1][0] = 3;
+	film_fill(&f, f.gap, 0.5);
+	m = film_solve(&f);
+	for (int j = 0; j < 9; j++)
+		DECK_NEAR(f.p[ts_film_at(&f, 17, j)], 3 * (1 - (j + 0.5) / 9), 1e-12);
+	DECK_NEAR(m.outflow[1][1], 0.125 / 12 * 3 / 0.7 * log(2), 1e-5);
+	DECK_NEAR(m.outflow[1][0], -m.outflow[1][1], 1e-14);
+	DECK_NEAR(m.load, 1.5 * 0.7 * 1.5, 1e-12); /* area 0.7 (4 - 1)/2 */
+	ts_film_release(&f);
+}
+END_TEST
+
 /* ---- gaps that vary by 100 from cell to cell, h^3 by 1e6: the balance stays at round-off */
 
 static double noise(int k)
@@ -494,6 +517,7 @@ int main(void)
 	tcase_add_test(tcase, disc_of_square_cells);
 	tcase_add_test(tcase, parallel_surfaces);
 	tcase_add_test(tcase, turning_disc);
+	tcase_add_test(tcase, flow_along_the_angle);
 	tcase_add_test(tcase, rough_gap_conserves);
 	tcase_add_test(tcase, velocity_has_no_divergence);
 	tcase_add_test(tcase, velocity_under_a_disc);
