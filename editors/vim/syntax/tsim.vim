@@ -141,7 +141,7 @@ syn keyword tsimKeyword  courant quick cubista gamma form fv fd conservative qua
 syn keyword tsimKeyword  body_force pressure_level lower_voxel lower_velocity
 syn keyword tsimKeyword  upper_velocity lower_stays upper_stays ambient pressure_xlo
 syn keyword tsimKeyword  pressure_xhi pressure_ylo pressure_yhi closed cavitation half
-syn keyword tsimKeyword  reynolds jfo cavity_pressure gap stepped
+syn keyword tsimKeyword  reynolds jfo cavity_pressure transient gap stepped
 syn match tsimKeyword /\<run\>/ 
 syn keyword tsimKeyword  touching solid axisymmetric plane point span distance profile
 syn keyword tsimKeyword  potential generic hertz/material dmt mass_velocity viscoelastic
@@ -209,10 +209,10 @@ syn keyword tsim_compute contained active/pi active/pml aggregate/atom angmom/ch
 syn keyword tsim_compute contained chunk/atom chunk/spread/atom cluster/atom com com/chunk
 syn keyword tsim_compute contained contact/atom contacts coord/atom count/type displace/atom
 syn keyword tsim_compute contained erotate/multisphere erotate/sphere erotate erotate/sphere/atom
-syn keyword tsim_compute contained film flow/flux flow/force flow/line flow/plane flow/probe
-syn keyword tsim_compute contained fragment/atom group/group gyration gyration/chunk inertia/chunk ke
-syn keyword tsim_compute contained ke/atom ke/multisphere leave msd msd/chunk multisphere rigid
-syn keyword tsim_compute contained multisphere/single nbond/atom neighbor/atom
+syn keyword tsim_compute contained film film/atom flow/flux flow/force flow/line flow/plane
+syn keyword tsim_compute contained flow/probe fragment/atom group/group gyration gyration/chunk
+syn keyword tsim_compute contained inertia/chunk ke ke/atom ke/multisphere leave msd msd/chunk
+syn keyword tsim_compute contained multisphere rigid multisphere/single nbond/atom neighbor/atom
 syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local pair/local pe
 syn keyword tsim_compute contained pe/atom pressure property/atom property/chunk property/local rdf
 syn keyword tsim_compute contained reduce reduce/chunk reduce/region slice stress/atom
