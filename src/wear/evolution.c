@@ -143,10 +143,9 @@ static enum ts_status take_results(struct ts_instance *self, struct tsim *sim,
 		s->taken += e->taken;
 		s->surplus += e->surplus;
 		s->back *= pending / e->due;
-		if (e->through && !(s->through > 0)) {
+		if (e->through && !(s->through > 0))
 			TS_TRY(tell_through(self, sim, e->element));
-			s->through = 1;
-		}
+		s->through = e->through; /* a thickness that has been enlarged since: no longer */
 	}
 	return TS_OK;
 }
