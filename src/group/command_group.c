@@ -131,21 +131,19 @@ static enum ts_status add_numbers(struct tsim *sim, struct ts_words words, const
 static enum ts_status combine_groups(struct tsim *sim, struct ts_words words, int mode, int bit)
 {
 	struct ts_particles *p = sim->particles;
-	uint32_t first = 0, all = 0;
+	uint32_t first = 0, others = 0;
 
 	for (size_t k = 0; k < words.n; k++) {
 		int other;
 
 		TS_TRY(ts_group_require(sim, &words.word[k], &other));
-		all |= 1u << other;
-		if (k == 0)
-			first = all;
+		*(k ? &others : &first) |= 1u << other;
 	}
 	for (size_t i = 0; i < p->n; i++) {
-		uint32_t now = p->mask[i] & all;
-		bool in = mode == UNION	      ? now != 0
-			  : mode == INTERSECT ? now == all
-					      : (now & first) && !(now & all & ~first);
+		uint32_t mask = p->mask[i];
+		bool in = mode == UNION	      ? (mask & (first | others)) != 0
+			  : mode == INTERSECT ? (mask & (first | others)) == (first | others)
+					      : (mask & first) && !(mask & others);
 
 		if (in)
 			add_member(p, i, bit);

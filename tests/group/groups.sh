@@ -38,9 +38,10 @@ group n id < 1
 group n initialize
 group u union a b
 group i intersect b d
-group s subtract all a b" \
+group s subtract all a b
+group none subtract a b a" \
 	'3 atoms in group a' '3 atoms in group b' '2 atoms in group c' '3 atoms in group d' \
-	'0 atoms in group n' '5 atoms in group u' '2 atoms in group i' '3 atoms in group s'
+	'0 atoms in group n' '5 atoms in group u' '2 atoms in group i' '3 atoms in group s' '0 atoms in group none'
 expect 'a group adds up, clear empties it' "$cube
 group a id 1
 group a id 2
