@@ -328,10 +328,24 @@ static const struct ts_arg args[] = {
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_F64(struct state, pose[0]), TS_SAVE_F64(struct state, pose[1]),
-	TS_SAVE_F64(struct state, pose[2]), TS_SAVE_F64(struct state, rate[0]),
-	TS_SAVE_F64(struct state, rate[1]), TS_SAVE_F64(struct state, rate[2]),
-	TS_SAVE_U8(struct state, placed),   TS_SAVED_ROWS_END,
+	TS_SAVE_F64(struct state, pose[0]),
+	TS_SAVE_F64(struct state, pose[1]),
+	TS_SAVE_F64(struct state, pose[2]),
+	TS_SAVE_F64(struct state, rate[0]),
+	TS_SAVE_F64(struct state, rate[1]),
+	TS_SAVE_F64(struct state, rate[2]),
+	TS_SAVE_U8(struct state, placed),
+	/* forces of the last step: a run that is continued does not compute them again */
+	TS_SAVE_F64(struct state, forces.normal),
+	TS_SAVE_F64(struct state, forces.moment[0]),
+	TS_SAVE_F64(struct state, forces.moment[1]),
+	TS_SAVE_F64(struct state, forces.area),
+	TS_SAVE_F64(struct state, forces.energy),
+	TS_SAVE_F64(struct state, mean_gap),
+	TS_SAVE_F64(struct state, wafer.load),
+	TS_SAVE_F64(struct state, wafer.friction[0]),
+	TS_SAVE_F64(struct state, wafer.friction[1]),
+	TS_SAVED_ROWS_END,
 };
 
 static const char doc[] = "A rigid, smooth wafer over the whole of a pad, a height field, is free to rise "
