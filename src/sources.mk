@@ -297,6 +297,7 @@ library_sources = \
 	src/coupling/fix_flow_pressure_gradient.c \
 	src/coupling/fix_lift_magnus.c \
 	src/coupling/fix_lift_saffman.c \
+	src/coupling/fix_lubrication.c \
 	src/coupling/fix_void_fraction.c \
 	src/coupling/interpolation_weights.c \
 	src/coupling/interpolation_weights.h \
@@ -653,6 +654,7 @@ library_sources = \
 	src/law/impact.h \
 	src/law/lens.h \
 	src/law/lift.h \
+	src/law/lubrication.h \
 	src/law/normal.h \
 	src/law/normal_area.h \
 	src/law/rolling.h \

@@ -30,6 +30,7 @@ shell_tests = \
 	tests/coupling/buoyancy.sh \
 	tests/coupling/couple_cfd.sh \
 	tests/coupling/coupling.sh \
+	tests/coupling/lubrication.sh \
 	tests/coupling/momentum.sh \
 	tests/crosscheck/bridges.sh \
 	tests/crosscheck/data_files.sh \
@@ -224,6 +225,7 @@ unit_tests = \
 	tests/law/check_erosion \
 	tests/law/check_law \
 	tests/law/check_law_stages \
+	tests/law/check_lubrication \
 	tests/law/check_wear \
 	tests/library/check_library \
 	tests/library/check_library_null \
@@ -424,6 +426,10 @@ tests_law_check_law_LDADD = $(tests_ldadd)
 tests_law_check_law_stages_SOURCES = tests/law/check_law_stages.c
 tests_law_check_law_stages_CFLAGS = $(tests_cflags)
 tests_law_check_law_stages_LDADD = $(tests_ldadd)
+
+tests_law_check_lubrication_SOURCES = tests/law/check_lubrication.c
+tests_law_check_lubrication_CFLAGS = $(tests_cflags)
+tests_law_check_lubrication_LDADD = $(tests_ldadd)
 
 tests_law_check_wear_SOURCES = tests/law/check_wear.c
 tests_law_check_wear_CFLAGS = $(tests_cflags)

@@ -230,6 +230,7 @@ TS_STYLE(fix, ts_style, ts_fix_langevin)
 TS_STYLE(fix, ts_coupling_force_style, ts_fix_lift_magnus)
 TS_STYLE(fix, ts_coupling_force_style, ts_fix_lift_saffman)
 TS_STYLE(fix, ts_style, ts_fix_lineforce)
+TS_STYLE(fix, ts_style, ts_fix_lubrication)
 TS_STYLE(fix, ts_style, ts_fix_massflow_mesh)
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface)
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface_planar)
@@ -536,6 +537,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_lift_magnus.style,
 	&ts_fix_lift_saffman.style,
 	&ts_fix_lineforce,
+	&ts_fix_lubrication,
 	&ts_fix_massflow_mesh,
 	&ts_fix_mesh_surface,
 	&ts_fix_mesh_surface_planar,

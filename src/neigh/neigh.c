@@ -58,6 +58,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	sim->particles->describe_contacts = describe_contacts;
 	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) || sim->full & TS_FULL_CONTACTS;
 	nb->builds = 0;
+	nb->fix_reach = 0;
 	nb->skin_observed = nb->keep_forces = false; /* outputs that do set them in their init, after this */
 	nb->keep_forces_every = 0;
 	nb->contacts.active_chosen = false; /* types of particles may have been changed */
@@ -247,11 +248,12 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_neigh *nb = self->state;
 	struct ts_particles *p = sim->particles;
-	double least, largest, reach;
+	double least, largest, reach, image_reach;
 
 	ts_neigh_radii(p, &least, &largest);
 	nb->least_radius = least;
 	reach = nb->wanted ? nb->callback.reach(sim, largest) : 0;
+	image_reach = fmax(reach, nb->fix_reach);
 	if (!sim->run.resuming)
 		TS_TRY(ts_order_by_place(sim));
 	nb->given_skin = ts_neigh_skin(sim);
@@ -262,8 +264,8 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 		ts_exchange_hold(sim);
 		ts_leaving_hold(sim);
 	}
-	TS_TRY(ts_exchange_borders(sim, 2 * largest + nb->built_skin + reach,
-				   2 * largest + fmax(nb->given_skin, nb->built_skin) + reach));
+	TS_TRY(ts_exchange_borders(sim, 2 * largest + nb->built_skin + image_reach,
+				   2 * largest + fmax(nb->given_skin, nb->built_skin) + image_reach));
 	nb->builds++;
 	/* a continued run rebuilds at the steps at which an uninterrupted one would */
 	nb->stale &= sim->run.resuming;

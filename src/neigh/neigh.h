@@ -50,8 +50,11 @@ struct ts_neigh {
 	int32_t include;     /* bit of the only group with contacts (neigh_modify include); 0: all */
 	int32_t nexclude;
 	struct ts_exclude exclude[TS_MAX_EXCLUDE];
-	bool skip_bonded;	   /* no contacts between bonded particles (special_bonds) */
-	bool stale;		   /* a bond broke under skip_bonded: a rebuild must list its pair */
+	bool skip_bonded; /* no contacts between bonded particles (special_bonds) */
+	bool stale;	  /* a bond broke under skip_bonded: a rebuild must list its pair */
+	/* largest gap, length, up to which fixes act between particles: ghosts reach as far. Set in their init,
+	 * to the largest of all */
+	double fix_reach;
 	int64_t builds;		   /* number of builds in this run */
 	bool wanted;		   /* some live style needs contacts */
 	bool contacts_first;	   /* contact forces are the first to be added in a step */

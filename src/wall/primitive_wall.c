@@ -301,6 +301,19 @@ bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive
 	return false;
 }
 
+bool ts_primitive_wall_plane(const struct tsim *sim, const struct ts_primitive_wall *w, int k,
+			     struct ts_primitive_plane *out)
+{
+	static const double origin[3] = { 0 }; /* all points of a plane have the same velocity */
+
+	if (w->primitive[k].shape > TS_ZPLANE)
+		return false;
+	out->dim = (int)w->primitive[k].shape;
+	out->position = w->primitive[k].position + displacement(w, sim);
+	surface_velocity(w, sim, origin, out->velocity);
+	return true;
+}
+
 static enum ts_status check_displacement(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_primitive_wall *w = ((const struct ts_wall *)self->state)->geometry;

@@ -31,6 +31,14 @@ extern const struct ts_wall_shape ts_primitive_wall_shape;
 const struct ts_primitive_wall *ts_primitive_wall_of(const struct ts_wall *w);
 /* Whether the wall moves along its normal (`wiggle`). */
 bool ts_primitive_wall_moves(const struct ts_primitive_wall *w);
+/* Its plane k, 0 <= k < w->n: present position along the axis `dim`, and velocity of the surface. */
+struct ts_primitive_plane {
+	int dim;
+	double position, velocity[3];
+};
+/* false: it is a cylinder. */
+bool ts_primitive_wall_plane(const struct tsim *sim, const struct ts_primitive_wall *w, int k,
+			     struct ts_primitive_plane *out);
 /* Whether one of its planes normal to `dim` is now between the coordinates a and b; stores its position. */
 bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive_wall *w, int dim, double a,
 			       double b, double *position);

@@ -95,8 +95,9 @@ syn keyword tsimKeyword  set_property nparticles particlerate massrate insert_ev
 syn keyword tsimKeyword  random_distribute uncorrelated compress_tags ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
 syn keyword tsimKeyword  volumefraction_region mass_in_region max_rounds insertion_face
-syn keyword tsimKeyword  extrude_length duration law rubinow oesterle saffman mei vec_side
-syn keyword tsimKeyword  multiple point_at_outlet inside_out writeTime
+syn keyword tsimKeyword  extrude_length duration law rubinow oesterle saffman mei viscosity
+syn keyword tsimKeyword  inner outer walls vec_side multiple point_at_outlet inside_out
+syn keyword tsimKeyword  writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
 syn keyword tsimKeyword  interval sum_property temperature element_exclusion_list precision
 syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
@@ -136,12 +137,12 @@ syn keyword tsimKeyword  store_force_contact_stress evolve evolve_every thicknes
 syn keyword tsimKeyword  through open k deformation cutting yield modulus threshold
 syn keyword tsimKeyword  cutting_constant elastic_constant factor flow_stress depth_ratio
 syn keyword tsimKeyword  force_ratio transition particles sio2 sic glass relaxation crater
-syn keyword tsimKeyword  section segment plastic viscosity ab2 rk2 rk3 backward substeps
-syn keyword tsimKeyword  courant quick cubista gamma form fv fd conservative quadratic
-syn keyword tsimKeyword  body_force pressure_level lower_voxel lower_velocity
-syn keyword tsimKeyword  upper_velocity lower_stays upper_stays ambient pressure_xlo
-syn keyword tsimKeyword  pressure_xhi pressure_ylo pressure_yhi closed cavitation half
-syn keyword tsimKeyword  reynolds jfo cavity_pressure transient gap stepped
+syn keyword tsimKeyword  section segment plastic ab2 rk2 rk3 backward substeps courant
+syn keyword tsimKeyword  quick cubista gamma form fv fd conservative quadratic body_force
+syn keyword tsimKeyword  pressure_level lower_voxel lower_velocity upper_velocity
+syn keyword tsimKeyword  lower_stays upper_stays ambient pressure_xlo pressure_xhi
+syn keyword tsimKeyword  pressure_ylo pressure_yhi closed cavitation half reynolds jfo
+syn keyword tsimKeyword  cavity_pressure transient gap stepped
 syn match tsimKeyword /\<run\>/ 
 syn keyword tsimKeyword  touching solid axisymmetric plane point span distance profile
 syn keyword tsimKeyword  potential generic hertz/material dmt mass_velocity viscoelastic
@@ -184,8 +185,8 @@ syn keyword tsim_fix contained drag/stokes drag/wen_yu drill/bit energy/ledger e
 syn keyword tsim_fix contained evaporate flow/pressure_gradient flow/scalar freeze gravity halt
 syn keyword tsim_fix contained heat/gran heat/gran/conduction immersed/boundary insert/jet
 syn keyword tsim_fix contained insert/pack insert/pack/dense insert/rate/region insert/stream
-syn keyword tsim_fix contained langevin lift/magnus lift/saffman lineforce massflow/mesh
-syn keyword tsim_fix contained mesh/surface mesh/surface/planar mesh/surface/stress
+syn keyword tsim_fix contained langevin lift/magnus lift/saffman lineforce lubrication
+syn keyword tsim_fix contained massflow/mesh mesh/surface mesh/surface/planar mesh/surface/stress
 syn keyword tsim_fix contained mesh/surface/stress/servo momentum move move/mesh move/mesh/free
 syn keyword tsim_fix contained multicontact/halfspace multisphere nve nve/euler nve/limit
 syn keyword tsim_fix contained nve/noforce nve/sphere nve/symplectic

@@ -1,0 +1,402 @@
+/* Fix lubrication: forces of thin layers of fluid between particles, and between particles and planes. */
+#include "law/lubrication.h"
+
+#include <inttypes.h>
+
+#include "base/alloc.h"
+#include "base/parallel.h"
+#include "core/report.h"
+#include "neigh/neigh.h"
+#include "particle/particles.h"
+#include "particle/sphere_shape.h"
+#include "wall/primitive_wall.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_lubrication law;
+	struct ts_words walls;
+
+	const struct ts_primitive_wall **wall; /* [walls.n] Owned */
+	size_t wall_capacity;
+	/* pairs whose gap may become less than `outer` before the next rebuild */
+	struct ts_contact_list pairs;
+};
+
+/* ---- definition */
+
+static enum ts_status find_wall(struct tsim *sim, const struct ts_word *word,
+				const struct ts_primitive_wall **out)
+{
+	const struct ts_instance *fix = ts_sim_find(sim, TS_KIND_FIX, word->text);
+	struct ts_primitive_plane plane;
+
+	if (!fix)
+		return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
+			       "fix lubrication: there is no fix '%s'; walls must be defined before",
+			       word->text);
+	if (!fix->style->family || !ts_streq(fix->style->family, TS_FAMILY_WALL))
+		return ts_fail(&sim->error, TS_STATE, &word->place,
+			       "fix lubrication: fix %s is no wall, but of style %s", word->text,
+			       fix->style->name);
+	*out = ts_primitive_wall_of(fix->state);
+	for (int k = 0; *out && k < (*out)->n; k++)
+		if (!ts_primitive_wall_plane(sim, *out, k, &plane))
+			*out = NULL;
+	if (*out)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &word->place,
+		       "fix lubrication: the wall %s is not made of planes (xplane, yplane, zplane); "
+		       "lubrication at "
+		       "cylinders, meshes and height fields is not supported",
+		       word->text);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (!(s->law.inner < s->law.outer))
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "outer"),
+			       "fix lubrication: outer is %g, expected more than inner, %g", s->law.outer,
+			       s->law.inner);
+	if (TS_GROW(s->wall, s->wall_capacity, s->walls.n) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < s->walls.n; k++) {
+		TS_TRY(find_wall(sim, &s->walls.word[k], &s->wall[k]));
+		for (size_t l = 0; l < k; l++)
+			if (s->wall[l] == s->wall[k])
+				return ts_fail(&sim->error, TS_SYNTAX, &s->walls.word[k].place,
+					       "fix lubrication: the wall %s is given twice",
+					       s->walls.word[k].text);
+	}
+	sim->neigh->fix_reach = fmax(sim->neigh->fix_reach, s->law.outer);
+	return TS_OK;
+}
+
+/* Members of rigid bodies: the limit of the time step would be that of the body. */
+static enum ts_status list_pairs(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; p->body && i < p->n; i++)
+		if (p->body[i] && ts_in_group(p, i, self->group))
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix lubrication: particle %d belongs to a rigid body, which is not "
+				       "supported; exclude it from the group",
+				       p->tag[i]);
+	s->pairs.n = 0; /* the pairs have no history to be carried over */
+	return ts_contact_list_build(sim, &s->pairs, sim->neigh->built_skin + s->law.outer,
+				     ts_neigh_excluded(sim));
+}
+
+/* ---- layers of one particle */
+
+/* What the layers of a particle do to it. */
+struct sums {
+	double force[3], torque[3];
+	double rate;	  /* bound of the rate at which they slow it down, 1/time; 0 if it is immobile */
+	double least_gap; /* less than `outer`; or infinite */
+};
+
+struct task {
+	const struct tsim *sim;
+	const struct state *s;
+	int group;
+	bool forces; /* false: only rate and gap */
+};
+
+static void add_layer(const struct task *t, size_t i, const struct ts_lubrication_pair *c, double other_imass,
+		      struct sums *out)
+{
+	const struct ts_lubrication *law = &t->s->law;
+	double imass = t->sim->particles->imass[i];
+
+	if (!(c->gap < law->outer))
+		return;
+	out->least_gap = fmin(out->least_gap, c->gap);
+	if (imass > 0)
+		out->rate += ts_lubrication_rate(law, c->radius, c->gap, imass, 1 / ts_inertia(t->sim, i),
+						 other_imass);
+	if (t->forces)
+		ts_lubrication_add(law, c, out->force, out->torque);
+}
+
+static void add_pair(const struct task *t, size_t i, size_t j, struct sums *out)
+{
+	const struct ts_particles *p = t->sim->particles;
+	struct ts_lubrication_pair c = { .radius = { p->radius[i], p->radius[j] } };
+	double distance;
+
+	if (!ts_in_group(p, j, t->group))
+		return;
+	ts_sub(p->x[i], p->x[j], c.n);
+	distance = ts_norm(c.n);
+	if (!(distance > 0)) /* no direction */
+		return;
+	ts_scale(1 / distance, c.n, c.n);
+	c.gap = distance - (c.radius[0] + c.radius[1]);
+	ts_sub(p->v[i], p->v[j], c.v);
+	ts_scale(1, p->omega[i], c.omega[0]);
+	ts_scale(1, p->omega[j], c.omega[1]);
+	add_layer(t, i, &c, p->imass[j], out);
+}
+
+static void add_planes(const struct task *t, size_t i, const struct ts_primitive_wall *wall, struct sums *out)
+{
+	const struct ts_particles *p = t->sim->particles;
+	struct ts_primitive_plane plane;
+
+	for (int k = 0; k < wall->n && ts_primitive_wall_plane(t->sim, wall, k, &plane); k++) {
+		struct ts_lubrication_pair c = { .radius = { p->radius[i], INFINITY } };
+		double height = p->x[i][plane.dim] - plane.position;
+
+		c.n[plane.dim] = height < 0 ? -1 : 1;
+		c.gap = fabs(height) - c.radius[0];
+		ts_sub(p->v[i], plane.velocity, c.v);
+		ts_scale(1, p->omega[i], c.omega[0]);
+		add_layer(t, i, &c, 0, out);
+	}
+}
+
+/* Pairs in the order of the identities of the partners, so that sums depend neither on threads nor on the order of
+ * particles in memory; then planes in the order of the line. */
+static void sum_layers(const struct task *t, size_t i, struct sums *out)
+{
+	const struct ts_contact_list *pairs = &t->s->pairs;
+	const struct ts_gather *g = &pairs->gather;
+
+	*out = (struct sums){ .least_gap = INFINITY };
+	if (!ts_in_group(t->sim->particles, i, t->group))
+		return;
+	for (size_t k = pairs->n ? g->first[i] : 0; pairs->n && k < g->first[i + 1]; k++) {
+		uint32_t r = g->entry[k] >> 1;
+
+		add_pair(t, i, (size_t)(g->entry[k] & 1 ? pairs->i[r] : pairs->j[r]), out);
+	}
+	for (size_t k = 0; k < t->s->walls.n; k++)
+		add_planes(t, i, t->s->wall[k], out);
+}
+
+/* ---- forces */
+
+/* Velocity Verlet is stable for steps below 2/rate. */
+static bool is_unstable(const struct tsim *sim, const struct sums *sums)
+{
+	return sums->rate * sim->clock.dt > 2;
+}
+
+/* Returns the number of particles for which the step is too large. */
+static long add_forces_range(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	const struct ts_particles *p = t->sim->particles;
+	long unstable = 0;
+
+	for (size_t i = from; i < to; i++) {
+		struct sums sums;
+
+		sum_layers(t, i, &sums);
+		ts_add(p->f[i], sums.force, p->f[i]);
+		ts_add(p->torque[i], sums.torque, p->torque[i]);
+		unstable += is_unstable(t->sim, &sums);
+	}
+	return unstable;
+}
+
+static enum ts_status fail_unstable(const struct ts_instance *self, struct tsim *sim, const struct task *t)
+{
+	const struct ts_particles *p = sim->particles;
+	struct sums sums = { 0 };
+	size_t i = 0;
+
+	while (i < p->n && !is_unstable(sim, &sums))
+		sum_layers(t, i++, &sums);
+	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+		       "fix lubrication: at step %" PRId64
+		       " the gap at particle %d is %g, and the time step %g "
+		       "exceeds the stability limit %g of its layers of fluid; use a smaller `timestep`, or "
+		       "a larger "
+		       "`inner`",
+		       sim->clock.step, p->tag[i - 1], sums.least_gap, sim->clock.dt, 2 / sums.rate);
+}
+
+static enum ts_status add_forces(struct ts_instance *self, struct tsim *sim)
+{
+	struct task task = { sim, self->state, self->group, true };
+	size_t n = sim->particles->n;
+	long unstable = ts_parallel_count(ts_team(sim, n), n, add_forces_range, &task);
+
+	return unstable && !sim->run.in_setup ? fail_unstable(self, sim, &task) : TS_OK;
+}
+
+/* ---- limits and outputs */
+
+/* The largest rate, and the smallest gap, of all particles. */
+static void find_extremes(const struct ts_instance *self, const struct tsim *sim, double *rate, double *gap)
+{
+	struct task task = { sim, self->state, self->group, false };
+
+	*rate = 0;
+	*gap = INFINITY;
+	for (size_t i = 0; i < sim->particles->n; i++) {
+		struct sums sums;
+
+		sum_layers(&task, i, &sums);
+		*rate = fmax(*rate, sums.rate);
+		*gap = fmin(*gap, sums.least_gap);
+	}
+}
+
+/* The largest rate of one layer with the gap `inner`, between the particle and an equal one or a plane. */
+static double largest_rate(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	double most = 0;
+
+	for (size_t i = 0; i < p->n; i++) {
+		double radius[2] = { p->radius[i], s->walls.n ? INFINITY : p->radius[i] };
+
+		if (p->imass[i] > 0 && ts_in_group(p, i, self->group))
+			most = fmax(most, ts_lubrication_rate(&s->law, radius, s->law.inner, p->imass[i],
+							      1 / ts_inertia(sim, i),
+							      s->walls.n ? 0 : p->imass[i]));
+	}
+	return most;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	size_t before = report->nlimits;
+	double rate, gap, most = largest_rate(self, sim);
+
+	find_extremes(self, sim, &rate, &gap);
+	if (rate > 0)
+		TS_TRY(ts_report_limit(report, 2 / rate, true, &self->where,
+				       "fix lubrication, 2/rate of the present layers, smallest gap %g",
+				       gap));
+	ts_report_watched(report, before);
+	if (most > 0)
+		TS_TRY(ts_report_limit(report, 2 / most, false, &self->where,
+				       "fix lubrication, 2/rate of a layer with the gap inner, %g",
+				       s->law.inner));
+	if (!report->limits_only)
+		ts_report_line(report, "lubrication", "%zu pairs within the skin, %zu walls", s->pairs.n,
+			       s->walls.n);
+	return TS_OK;
+}
+
+enum { GAP, STEP };
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	double rate;
+
+	find_extremes(self, sim, &rate, &out->data[GAP]);
+	out->data[STEP] = rate > 0 ? 2 / rate : INFINITY;
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_contact_list_release(&s->pairs);
+	ts_free(s->wall);
+}
+
+static const struct ts_arg args[] = {
+	TS_REAL("viscosity", struct state, law.viscosity, .range = TS_POSITIVE, .unit = "pressure time",
+		.help = "dynamic viscosity of the fluid"),
+	TS_REAL("inner", struct state, law.inner, .range = TS_POSITIVE, .unit = "length",
+		.help = "smallest gap, the roughness of the surfaces: smaller gaps count as this one"),
+	TS_REAL("outer", struct state, law.outer, .range = TS_POSITIVE, .unit = "length",
+		.help = "gap from which on there is no force"),
+	TS_SOME_KEYWORD("walls", struct state, walls, TS_REPEAT,
+			.help = "IDs of fixes wall/gran made of planes; without: no walls"),
+	TS_ARGS_END,
+};
+
+static const char *const components[] = { "gap", "step" };
+static const struct ts_value values[] = {
+	{ "layers", "",
+	  "smallest present gap that is less than `outer` (length), infinite if there is none; largest "
+	  "stable time step "
+	  "of the present layers (time)",
+	  TS_VECTOR, 2, components, eval },
+	{ .name = NULL },
+};
+
+static const char *const doc_more[] = {
+	"Particles and planes in contact keep the lubrication force, with the gap `inner`, in addition to "
+	"the force of "
+	"the contact law. The terms that remain finite as the gap closes are left out: far from contact the "
+	"force is "
+	"that of a drag (fix drag/stokes), which this fix does not include. The sum is accurate where h << "
+	"R. The "
+	"relative rotation about the line of centres has no force. At the gap `outer` the force jumps to "
+	"zero: the smaller "
+	"`outer`, the larger the jump 6 pi mu R^2 v_n/outer. Pairs of which one particle is not in the group "
+	"have no "
+	"force; neither have pairs without contact forces (neigh_modify exclude, special_bonds). Forces of "
+	"fluids that "
+	"are solved for (flow_style) are not changed.",
+	"The walls are fixes wall/gran primitive with xplane, yplane or zplane, which must be defined "
+	"before; their "
+	"motion (wiggle, shear, velocity) counts. Cylinders, meshes, height fields and regions, and members "
+	"of rigid "
+	"bodies, are refused. The force is not part of the force on the wall, f_ID of its fix.",
+	"The force is explicit and stiff: a layer slows down a particle of mass m at the rate 6 pi mu R^2/(h "
+	"m). Velocity "
+	"Verlet is stable for steps below 2/rate, with the rate the largest sum over the layers of a "
+	"particle (upper "
+	"bound of the rates of the system, and exact for two spheres and for a sphere at a plane). A run "
+	"with a larger "
+	"step is refused, the plan warns if it would be too large at the gap `inner`, and a run in which the "
+	"particles come so near that the step becomes too large stops with an error.",
+	NULL,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_lubrication)
+const struct ts_style ts_fix_lubrication = {
+	.name = "lubrication",
+	.kind = TS_KIND_FIX,
+	.summary =
+		"forces of thin layers of viscous fluid between particles, and between particles and planes",
+	.doc = "Two spheres of radii a and b, or a sphere and a plane (b infinite), with the gap h < `outer` "
+	       "between their "
+	       "surfaces, get the forces and torques that diverge as the gap closes. With R = ab/(a + b), n "
+	       "the normal "
+	       "and v_n the normal velocity of separation, the squeeze flow gives\n\n"
+	       "  F = -6 pi mu R^2/h v_n n.\n\n"
+	       "Slip and rolling along the surfaces give, with L = ln(min(a, b)/h), 0 where negative,\n\n"
+	       "  S = v_t - ((a + h/2) omega_a + (b + h/2) omega_b) x n,  W = -(omega_a - omega_b) x n\n"
+	       "  F = -(A S + B W),  T_a = n x ((a + h/2) (A S + B W) + B S + C W)\n"
+	       "  A = 8/5 pi mu R L (2 - 3 ab/(a + b)^2),  B = 12/5 pi mu R^2 L (a - b)/(a + b),\n"
+	       "  C = 24/5 pi mu R^3 L,\n\n"
+	       "all logarithmic terms of the resistance functions of two spheres (Jeffrey and Onishi 1984; "
+	       "Kim and "
+	       "Karrila 1991) and of a sphere at a plane (Goldman, Cox and Brenner 1967). n points to a, and "
+	       "v_t is the "
+	       "velocity of the centre of a minus that of b, along the surface. In both, h is at least "
+	       "`inner`. A pair that moves as one rigid body has no force; momentum and angular momentum of "
+	       "a pair of "
+	       "spheres are conserved. All spheres rotate as their angular velocity says: use an integrator "
+	       "of rotation "
+	       "(nve/sphere).",
+	.doc_more = doc_more,
+	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
+		   "fix layers all lubrication viscosity 1e-3 inner 1e-5 outer 2e-4 walls floor",
+	.cite = "D. J. Jeffrey, Y. Onishi, J. Fluid Mech. 139 (1984) 261",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.columns = TS_NEED(OMEGA) | TS_NEED(TORQUE),
+	.values = values,
+	.init = init,
+	.hook = { [TS_STAGE_POST_BUILD] = list_pairs, [TS_STAGE_POST_FORCE] = add_forces },
+	.plan = plan,
+	.fini = fini,
+};
