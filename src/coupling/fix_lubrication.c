@@ -25,6 +25,17 @@ struct state {
 
 /* ---- definition */
 
+static enum ts_status check_impacts(struct tsim *sim, const struct ts_word *word, const struct ts_wall *wall)
+{
+	if (!wall->exact)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &word->place,
+		       "fix lubrication: the wall %s has `impact exact`, which carries particles through an "
+		       "impact as if "
+		       "there were no fluid; use `impact resolved`",
+		       word->text);
+}
+
 static enum ts_status find_wall(struct tsim *sim, const struct ts_word *word,
 				const struct ts_primitive_wall **out)
 {
@@ -44,7 +55,7 @@ static enum ts_status find_wall(struct tsim *sim, const struct ts_word *word,
 		if (!ts_primitive_wall_plane(sim, *out, k, &plane))
 			*out = NULL;
 	if (*out)
-		return TS_OK;
+		return check_impacts(sim, word, fix->state);
 	return ts_fail(&sim->error, TS_STATE, &word->place,
 		       "fix lubrication: the wall %s is not made of planes (xplane, yplane, zplane); "
 		       "lubrication at "
@@ -283,9 +294,10 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 		TS_TRY(ts_report_limit(report, 2 / most, false, &self->where,
 				       "fix lubrication, 2/rate of a layer with the gap inner, %g",
 				       s->law.inner));
-	if (!report->limits_only)
-		ts_report_line(report, "lubrication", "%zu pairs within the skin, %zu walls", s->pairs.n,
-			       s->walls.n);
+	if (report->limits_only)
+		return TS_OK;
+	report->bytes += (double)ts_contact_list_bytes(&s->pairs);
+	ts_report_line(report, "lubrication", "%zu pairs within the skin, %zu walls", s->pairs.n, s->walls.n);
 	return TS_OK;
 }
 
@@ -323,40 +335,35 @@ static const struct ts_arg args[] = {
 static const char *const components[] = { "gap", "step" };
 static const struct ts_value values[] = {
 	{ "layers", "",
-	  "smallest present gap that is less than `outer` (length), infinite if there is none; largest "
-	  "stable time step "
-	  "of the present layers (time)",
+	  "smallest present gap that is less than `outer` (length), infinite if there is none; "
+	  "largest stable time step of the present layers (time)",
 	  TS_VECTOR, 2, components, eval },
 	{ .name = NULL },
 };
 
 static const char *const doc_more[] = {
-	"Particles and planes in contact keep the lubrication force, with the gap `inner`, in addition to "
-	"the force of "
-	"the contact law. The terms that remain finite as the gap closes are left out: far from contact the "
-	"force is "
-	"that of a drag (fix drag/stokes), which this fix does not include. The sum is accurate where h << "
-	"R. The "
-	"relative rotation about the line of centres has no force. At the gap `outer` the force jumps to "
-	"zero: the smaller "
-	"`outer`, the larger the jump 6 pi mu R^2 v_n/outer. Pairs of which one particle is not in the group "
-	"have no "
-	"force; neither have pairs without contact forces (neigh_modify exclude, special_bonds). Forces of "
-	"fluids that "
-	"are solved for (flow_style) are not changed.",
-	"The walls are fixes wall/gran primitive with xplane, yplane or zplane, which must be defined "
-	"before; their "
-	"motion (wiggle, shear, velocity) counts. Cylinders, meshes, height fields and regions, and members "
-	"of rigid "
-	"bodies, are refused. The force is not part of the force on the wall, f_ID of its fix.",
-	"The force is explicit and stiff: a layer slows down a particle of mass m at the rate 6 pi mu R^2/(h "
-	"m). Velocity "
-	"Verlet is stable for steps below 2/rate, with the rate the largest sum over the layers of a "
-	"particle (upper "
-	"bound of the rates of the system, and exact for two spheres and for a sphere at a plane). A run "
-	"with a larger "
-	"step is refused, the plan warns if it would be too large at the gap `inner`, and a run in which the "
-	"particles come so near that the step becomes too large stops with an error.",
+	"Particles and planes in contact keep the lubrication force, with the gap `inner`, in "
+	"addition to the force of the contact law. The terms that remain finite as the gap closes"
+	" are left out: far from contact the force is that of a drag (fix drag/stokes), which "
+	"this fix does not include. The sum is accurate where h << R. The relative rotation about"
+	" the line of centres has no force. At the gap `outer` the force jumps to zero: the "
+	"smaller `outer`, the larger the jump 6 pi mu R^2 v_n/outer. In two dimensions the forces"
+	" are those of spheres, too. Pairs of which one particle is not in the group have no "
+	"force; neither have pairs without contact forces (neigh_modify exclude, special_bonds). "
+	"Forces of fluids that are solved for (flow_style) are not changed.",
+	"The walls are fixes wall/gran primitive with xplane, yplane or zplane, which must be "
+	"defined before; their motion (wiggle, shear, velocity) counts. Cylinders, meshes, height"
+	" fields and regions, walls with `impact exact`, and members of rigid bodies are refused."
+	" The force is not part of the force on the wall, f_ID of its fix, nor of stresses of "
+	"contacts (compute pressure, compute stress/atom).",
+	"The force is explicit and stiff: a layer slows down a particle of mass m at the rate 6 "
+	"pi mu R^2/(h m). Velocity Verlet is stable for steps below 2/rate, with the rate the "
+	"largest sum over the layers of a particle (an upper bound of the rates of the system, "
+	"exact for two spheres and for a sphere at a plane). A run with a larger step is refused,"
+	" the plan warns if it would be too large at the gap `inner`, and a run in which the "
+	"particles come so near that the step becomes too large stops with an error. Where a layer "
+	"damps a stiff contact, with the limits h_c of the contact and h_l of the layer alone, a "
+	"step h is stable if (h/h_c)^2 + h/h_l < 1.",
 	NULL,
 };
 
@@ -366,27 +373,23 @@ const struct ts_style ts_fix_lubrication = {
 	.kind = TS_KIND_FIX,
 	.summary =
 		"forces of thin layers of viscous fluid between particles, and between particles and planes",
-	.doc = "Two spheres of radii a and b, or a sphere and a plane (b infinite), with the gap h < `outer` "
-	       "between their "
-	       "surfaces, get the forces and torques that diverge as the gap closes. With R = ab/(a + b), n "
-	       "the normal "
-	       "and v_n the normal velocity of separation, the squeeze flow gives\n\n"
+	.doc = "Two spheres of radii a and b, or a sphere and a plane (b infinite), with the gap h < "
+	       "`outer` between their surfaces, get the forces and torques that diverge as the gap "
+	       "closes. With R = ab/(a + b), n the normal and v_n the normal velocity of separation, the"
+	       " squeeze flow gives\n\n"
 	       "  F = -6 pi mu R^2/h v_n n.\n\n"
-	       "Slip and rolling along the surfaces give, with L = ln(min(a, b)/h), 0 where negative,\n\n"
+	       "Slip and rolling along the surfaces give, with L = ln(min(a, b)/h), 0 where "
+	       "negative,\n\n"
 	       "  S = v_t - ((a + h/2) omega_a + (b + h/2) omega_b) x n,  W = -(omega_a - omega_b) x n\n"
 	       "  F = -(A S + B W),  T_a = n x ((a + h/2) (A S + B W) + B S + C W)\n"
-	       "  A = 8/5 pi mu R L (2 - 3 ab/(a + b)^2),  B = 12/5 pi mu R^2 L (a - b)/(a + b),\n"
+	       "  A = 8/5 pi mu R L (2 - 3 ab/(a + b)^2),  B = 12/5 pi mu R^2 L (a - b)/(a + b)\n"
 	       "  C = 24/5 pi mu R^3 L,\n\n"
-	       "all logarithmic terms of the resistance functions of two spheres (Jeffrey and Onishi 1984; "
-	       "Kim and "
-	       "Karrila 1991) and of a sphere at a plane (Goldman, Cox and Brenner 1967). n points to a, and "
-	       "v_t is the "
-	       "velocity of the centre of a minus that of b, along the surface. In both, h is at least "
-	       "`inner`. A pair that moves as one rigid body has no force; momentum and angular momentum of "
-	       "a pair of "
-	       "spheres are conserved. All spheres rotate as their angular velocity says: use an integrator "
-	       "of rotation "
-	       "(nve/sphere).",
+	       "all logarithmic terms of the resistance functions of two spheres (Jeffrey and Onishi "
+	       "1984; Kim and Karrila 1991) and of a sphere at a plane (Goldman, Cox and Brenner 1967). "
+	       "n points to a, and v_t is the velocity of the centre of a minus that of b, along the "
+	       "surface. In both forces h is at least `inner`. A pair that moves as one rigid body has "
+	       "no force; momentum and angular momentum of a pair of spheres are conserved. Particles "
+	       "rotate only with an integrator of rotation (nve/sphere).",
 	.doc_more = doc_more,
 	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
 		   "fix layers all lubrication viscosity 1e-3 inner 1e-5 outer 2e-4 walls floor",

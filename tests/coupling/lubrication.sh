@@ -238,6 +238,8 @@ rejects "$(wall 'zplane -0.32')
 fix f all lubrication viscosity 1 inner 0.01 outer 0.1 walls w w" 'the wall w is given twice'
 rejects "$(wall 'zcylinder 2 0 0')
 fix f all lubrication viscosity 1 inner 0.01 outer 0.1 walls w" 'the wall w is not made of planes'
+rejects "$(wall 'zplane -0.32 impact exact')
+fix f all lubrication viscosity 1 inner 0.01 outer 0.1 walls w" 'the wall w has `impact exact`'
 rejects "$(spheres 0.01 'f f f')
 $layers
 unfix move
