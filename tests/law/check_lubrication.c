@@ -77,6 +77,22 @@ START_TEST(two_spheres)
 }
 END_TEST
 
+/* Two equal spheres that counter-rotate, so that both surfaces move with the speed U = a omega: Reynolds' equation
+ * div(H^3 grad p) = 12 mu U dH/dx in the gap H = h + r^2/a has the solution p = -12/5 mu U x/H^2. The shear stress
+ * H/2 dp/dx of one surface has the sum 6/5 pi mu a U ln(a/h), up to terms that remain finite, at the lever arm a. */
+START_TEST(counter_rotation)
+{
+	double a = 2, l = log(a / 1e-4), f[3], t[3];
+	struct ts_lubrication_pair c = { .radius = { a, a }, .gap = 1e-9, .n = { 0, 0, 1 } };
+
+	c.omega[0][1] = 0.8;
+	c.omega[1][1] = -0.8;
+	act(&c, f, t);
+	ck_assert_double_eq(f[0], 0);
+	assert_near(t[1], -6.0 / 5 * TS_PI * 1.7 * a * a * a * 0.8 * l, 1e-12);
+}
+END_TEST
+
 static const struct ts_lubrication_pair moving = { .radius = { 2.3, 0.9 },
 						   .gap = 0.013,
 						   .n = { 2.0 / 7, 3.0 / 7, 6.0 / 7 },
@@ -175,6 +191,7 @@ int main(void)
 
 	tcase_add_test(tcase, sphere_at_a_plane);
 	tcase_add_test(tcase, two_spheres);
+	tcase_add_test(tcase, counter_rotation);
 	tcase_add_test(tcase, conserved);
 	tcase_add_test(tcase, rigid_motion);
 	tcase_add_test(tcase, cut_off);
