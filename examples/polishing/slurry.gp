@@ -1,4 +1,4 @@
-# Pictures of in.slurry: gnuplot slurry.gp
+# Pictures of in.slurry, after both models: gnuplot slurry.gp
 set terminal pngcairo size 1300,420 font ",10"
 set output "post/slurry.png"
 set multiplot layout 1,3
@@ -17,7 +17,8 @@ set xlabel "speed of the pad (m/s)"
 set ylabel "mean pressure over ambient (Pa)"
 set xrange [0:3]
 set yrange [:0]
-plot "post/slurry.txt" u 1:2:3 w yerrorlines pt 7 t "rough pads", "" u 1:7 w linespoints pt 6 dt 2 t "smooth pad"
+plot "post/slurry.txt" u 1:2:3 w yerrorlines pt 7 t "rough pads", "" u 1:7 w linespoints pt 6 dt 2 t "smooth pad", \
+     "post/slurry_cfd.txt" u 1:2 w points pt 2 ps 2 t "smooth pad, full equations"
 set title "pressure (Pa), pad 1, speed 64; touching: white"
 set xlabel "x (um)"
 set ylabel "y (um)"
