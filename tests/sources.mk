@@ -209,6 +209,7 @@ unit_tests = \
 	tests/explain/check_price \
 	tests/film/check_film \
 	tests/film/check_film_cavitation \
+	tests/film/check_film_slip \
 	tests/film/check_film_style \
 	tests/flow/check_flow \
 	tests/flow/check_flow_measures \
@@ -362,6 +363,10 @@ tests_film_check_film_LDADD = $(tests_ldadd)
 tests_film_check_film_cavitation_SOURCES = tests/film/check_film_cavitation.c
 tests_film_check_film_cavitation_CFLAGS = $(tests_cflags)
 tests_film_check_film_cavitation_LDADD = $(tests_ldadd)
+
+tests_film_check_film_slip_SOURCES = tests/film/check_film_slip.c
+tests_film_check_film_slip_CFLAGS = $(tests_cflags)
+tests_film_check_film_slip_LDADD = $(tests_ldadd)
 
 tests_film_check_film_style_SOURCES = tests/film/check_film_style.c
 tests_film_check_film_style_CFLAGS = $(tests_cflags)

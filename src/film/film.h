@@ -11,7 +11,8 @@
  * second: angle in radians; velocities are radial and azimuthal). Fields are values at centres, [n[1]][n[0]].
  * Finite volumes of second order. The flow through a face is the exact solution of the equation in one dimension
  * between the centres, with a gap that is linear between them, or constant in each cell with a step on the face
- * (enum ts_film_shape). So the pressure of a plane slider and of a Rayleigh step is exact at the centres. Whatever
+ * (enum ts_film_shape). So the pressure of a plane slider and of a Rayleigh step is exact at the centres; with slip
+ * the integrals over the gap are by a rule of 5 points. Whatever
  * flows out of a cell flows into its neighbour.
  *
  * Cavitation (enum ts_film_cavitation), pc the pressure in the cavity:
@@ -27,6 +28,8 @@
  *              (1981) 350; as complementarity problem: M. Giacopini et al., J. Tribol. 132 (2010) 041702; by Newton's
  *              method: T. Woloszynski, P. Podsiadlo & G. W. Stachowiak, Tribol. Lett. 58 (2015) 18). Theta and the
  *              place where the film ruptures or reforms are of first order.
+ *
+ * With slip lengths the fluid slips over the surfaces: film_section.c has the flow and the stresses.
  *
  * The theory neglects inertia, terms of order (h/L)^2, and the curvature of the surfaces. */
 #ifndef TS_FILM_FILM_H
@@ -69,6 +72,7 @@ struct ts_film {
 	enum ts_film_shape shape;
 	enum ts_film_cavitation cavitation;
 	double viscosity, density; /* dynamic; both > 0 */
+	double slip[2];		   /* slip lengths of the surfaces [0 lower, 1 upper]; Cartesian grids only */
 	double cavity_pressure;	   /* pc */
 	double ambient; /* pressure on the other sides of the surfaces: loads are sums of p - ambient */
 	double edge_pressure[2][2];

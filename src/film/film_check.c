@@ -12,6 +12,10 @@ static enum ts_status check_constants(const struct ts_film *f, struct ts_error *
 		return ts_fail(error, TS_RANGE, NULL, "film: viscosity %g, expected > 0", f->viscosity);
 	if (!(f->density > 0 && isfinite(f->density)))
 		return ts_fail(error, TS_RANGE, NULL, "film: density %g, expected > 0", f->density);
+	for (int side = 0; side < 2; side++)
+		if (!(f->slip[side] >= 0 && isfinite(f->slip[side])))
+			return ts_fail(error, TS_RANGE, NULL, "film: slip length %g, expected >= 0",
+				       f->slip[side]);
 	if (!(f->time_step >= 0 && isfinite(f->time_step)))
 		return ts_fail(error, TS_RANGE, NULL, "film: time step %g, expected >= 0", f->time_step);
 	if (!isfinite(f->cavity_pressure) || !isfinite(f->ambient))
@@ -67,6 +71,9 @@ static enum ts_status check_polar(const struct ts_film *f, struct ts_error *erro
 	if (f->face[0][0] < 0)
 		return ts_fail(error, TS_RANGE, NULL, "film: the radius begins at %g, expected >= 0",
 			       f->face[0][0]);
+	if (ts_film_slips(f))
+		return ts_fail(error, TS_RANGE, NULL,
+			       "film: slip on a polar grid is not supported, expected slip lengths 0");
 	if (f->edge[0][0] == TS_FILM_PERIODIC || (f->face[0][0] == 0 && f->edge[0][0] != TS_FILM_NO_FLOW))
 		return ts_fail(error, TS_RANGE, NULL,
 			       "film: the inner edge of a polar grid %s, expected no flow",

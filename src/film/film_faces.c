@@ -64,43 +64,80 @@ double ts_film_edge_gap(const struct ts_film *f, int axis, int i, int j, bool hi
 	return fmax(h / 2, h + (h - f->gap[other]) * (x[2] - x[1]) / (x[1] - x[0]));
 }
 
-static double mean_velocity(const struct ts_film *f, int axis, int c)
-{
-	return (f->velocity[0][axis][c] + f->velocity[1][axis][c]) / 2;
-}
-
-double ts_film_entrainment(const struct ts_film *f, int axis, const struct ts_film_sides *s, int i, int j)
+void ts_film_face_velocity(const struct ts_film *f, int axis, const struct ts_film_sides *s, int i, int j,
+			   double u[2])
 {
 	int k = axis == 0 ? i : j;
-	double a, b;
+	double a = 0, b = 1;
 
-	if (s->low < 0 || s->high < 0)
-		return mean_velocity(f, axis, s->low < 0 ? s->high : s->low);
-	a = width_beside(f, axis, k, false);
-	b = width_beside(f, axis, k, true);
-	return (b * mean_velocity(f, axis, s->low) + a * mean_velocity(f, axis, s->high)) / (a + b);
+	if (s->low >= 0 && s->high >= 0) {
+		a = width_beside(f, axis, k, false);
+		b = width_beside(f, axis, k, true);
+	}
+	for (int side = 0; side < 2; side++) {
+		double low = f->velocity[side][axis][s->low < 0 ? s->high : s->low];
+		double high = f->velocity[side][axis][s->high < 0 ? s->low : s->high];
+
+		u[side] = (b * low + a * high) / (a + b);
+	}
 }
 
 /* A segment between two points with the gaps h[2] at the distances d[2] from the face: its resistance
- * int dx/h^3, and the gap int dx/h^2 / int dx/h^3 that multiplies the mean velocity. */
+ * int dx/h^3, and half of the gap int dx/h^2 / int dx/h^3, which multiplies the velocity of each surface. */
 static void integrate_segment(enum ts_film_shape shape, const double h[2], const double d[2],
-			      double *resistance, double *gap)
+			      double *resistance, double gap[2])
 {
 	if (shape == TS_FILM_STEPPED) {
 		double a = d[0] / (h[0] * h[0] * h[0]), b = d[1] / (h[1] * h[1] * h[1]);
 
 		*resistance = a + b;
-		*gap = (h[0] * a + h[1] * b) / (a + b);
+		gap[0] = (h[0] * a + h[1] * b) / (a + b) / 2;
 	} else {
 		*resistance = (d[0] + d[1]) * (h[0] + h[1]) / (2 * h[0] * h[0] * h[1] * h[1]);
-		*gap = 2 * h[0] * h[1] / (h[0] + h[1]);
+		gap[0] = h[0] * h[1] / (h[0] + h[1]);
 	}
+	gap[1] = gap[0];
+}
+
+/* Adds a part of the integrals int dx/poiseuille and int couette/poiseuille dx. */
+static void add_section(const struct ts_film *f, double h, double dx, double *resistance, double gap[2])
+{
+	struct ts_film_section s = ts_film_section(f, h);
+
+	*resistance += dx / s.poiseuille;
+	for (int side = 0; side < 2; side++)
+		gap[side] += dx * s.couette[side] / s.poiseuille;
+}
+
+/* The same with slip. Where the gap is linear, dx = (d0 + d1)/(h0 h1) h^2 dt with t = (1/h - 1/h0)/(1/h1 - 1/h0), and the
+ * integrands times h^2 are smooth functions of t, linear without slip: by the rule of Gauss. */
+static void integrate_slipping(const struct ts_film *f, const double h[2], const double d[2],
+			       double *resistance, double gap[2])
+{
+	static const double point[] = { 0.046910077030668004, 0.23076534494715845, 0.5, 0.76923465505284155,
+					0.953089922969332 };
+	static const double weight[] = { 0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
+					 0.23931433524968324, 0.11846344252809454 };
+
+	*resistance = gap[0] = gap[1] = 0;
+	if (f->shape == TS_FILM_STEPPED)
+		for (int side = 0; side < 2; side++)
+			add_section(f, h[side], d[side], resistance, gap);
+	else
+		for (int k = 0; k < 5; k++) {
+			double at = 1 / ((1 - point[k]) / h[0] + point[k] / h[1]);
+
+			add_section(f, at, weight[k] * (d[0] + d[1]) * (at / h[0]) * (at / h[1]), resistance,
+				    gap);
+		}
+	gap[0] /= *resistance;
+	gap[1] /= *resistance;
 }
 
 static void set_face(struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s)
 {
 	size_t at = ts_film_face(f, axis, i, j);
-	double length = ts_film_face_length(f, axis, i, j), d[2] = { 0 }, h[2], resistance, gap;
+	double length = ts_film_face_length(f, axis, i, j), d[2] = { 0 }, h[2], u[2], resistance, gap[2];
 	int k = axis == 0 ? i : j;
 
 	f->conductance[axis][at] = f->transport[axis][at] = 0;
@@ -113,11 +150,15 @@ static void set_face(struct ts_film *f, int axis, int i, int j, const struct ts_
 	h[0] = s->low >= 0 ? f->gap[s->low] : ts_film_edge_gap(f, axis, i, j, false);
 	h[1] = s->high >= 0 ? f->gap[s->high]
 			    : ts_film_edge_gap(f, axis, i - (axis == 0), j - (axis == 1), true);
-	integrate_segment(f->shape, h, d, &resistance, &gap);
+	if (ts_film_slips(f))
+		integrate_slipping(f, h, d, &resistance, gap);
+	else
+		integrate_segment(f->shape, h, d, &resistance, gap);
 	if (f->polar && axis == 1)
 		resistance *= ts_film_centre(f, 0, i);
 	f->conductance[axis][at] = length / (12 * f->viscosity * resistance);
-	f->transport[axis][at] = length * gap * ts_film_entrainment(f, axis, s, i, j);
+	ts_film_face_velocity(f, axis, s, i, j, u);
+	f->transport[axis][at] = length * (gap[0] * u[0] + gap[1] * u[1]);
 }
 
 void ts_film_each_face(struct ts_film *f, ts_film_face_fn *visit)

@@ -90,6 +90,7 @@ enum ts_status ts_film_coarsen(const struct ts_film *f, struct ts_film *coarse)
 				    .density = f->density,
 				    .cavity_pressure = f->cavity_pressure,
 				    .ambient = f->ambient,
+				    .slip = { f->slip[0], f->slip[1] },
 				    .time_step = f->time_step };
 	for (int axis = 0; axis < 2; axis++) {
 		coarse->n[axis] = f->n[axis] < FEWEST ? f->n[axis] : f->n[axis] / 2;

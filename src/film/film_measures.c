@@ -40,15 +40,18 @@ static double pressure_at_step(const struct ts_film *f, int axis, int i, int j, 
 	size_t at = ts_film_face(f, axis, i, j);
 	int k = axis == 0 ? s->low % f->n[0] : s->low / f->n[0];
 	double h = f->gap[s->low], d = (f->face[axis][k + 1] - f->face[axis][k]) / 2;
-	double full = h * ts_film_entrainment(f, axis, s, i, j), share = 1;
+	struct ts_film_section section = ts_film_section(f, h);
+	double u[2], full, share = 1;
 
+	ts_film_face_velocity(f, axis, s, i, j, u);
+	full = section.couette[0] * u[0] + section.couette[1] * u[1];
 	if (f->transport[axis][at] != 0)
 		share = (f->flow[axis][at] - f->conductance[axis][at] * (f->p[s->low] - f->p[s->high])) /
 			f->transport[axis][at];
 	if (f->polar && axis == 1)
 		d *= ts_film_centre(f, 0, i);
 	return f->p[s->low] -
-	       12 * f->viscosity * d / (h * h * h) * (f->flow[axis][at] / length - share * full);
+	       12 * f->viscosity * d / section.poiseuille * (f->flow[axis][at] / length - share * full);
 }
 
 static struct segment segment_of(const struct ts_film *f, int axis, int i, int j,
@@ -70,24 +73,29 @@ static struct segment segment_of(const struct ts_film *f, int axis, int i, int j
 	return g;
 }
 
-/* Of a segment: integrals of h dp and p dh; their sum is the difference of p h. */
+/* Of a segment: integrals of p dh, and for each surface of couette dp, together h dp. The sum of p dh and h dp is the
+ * difference of p h. */
 static void add_segment(const struct ts_film *f, struct ts_film_measures *m, int axis, int i, int j)
 {
 	struct ts_film_sides s = ts_film_sides_of(f, axis, i, j);
+	struct ts_film_section a, b;
 	struct segment g;
-	double h_dp, p_dh;
 
 	if (!s.open)
 		return;
 	g = segment_of(f, axis, i, j, &s);
-	if (f->shape == TS_FILM_STEPPED)
-		h_dp = g.h[0] * (g.inner - g.p[0]) + g.h[1] * (g.p[1] - g.inner);
-	else
-		h_dp = (g.h[0] + g.h[1]) / 2 * (g.p[1] - g.p[0]);
-	p_dh = (g.inner - f->ambient) * (g.h[1] - g.h[0]);
-	for (int side = 0; side < 2; side++)
-		add_force(f, axis, -h_dp / 2 * g.length, g.x, g.y, m->shear[side], &m->torque[side]);
-	add_force(f, axis, -p_dh * g.length, g.x, g.y, m->pressure_force, NULL);
+	a = ts_film_section(f, g.h[0]);
+	b = ts_film_section(f, g.h[1]);
+	for (int side = 0; side < 2; side++) {
+		double dp =
+			f->shape == TS_FILM_STEPPED
+				? a.couette[side] * (g.inner - g.p[0]) + b.couette[side] * (g.p[1] - g.inner)
+				: (a.couette[side] + b.couette[side]) / 2 * (g.p[1] - g.p[0]);
+
+		add_force(f, axis, -dp * g.length, g.x, g.y, m->shear[side], &m->torque[side]);
+	}
+	add_force(f, axis, -(g.inner - f->ambient) * (g.h[1] - g.h[0]) * g.length, g.x, g.y,
+		  m->pressure_force, NULL);
 }
 
 static void add_edges(const struct ts_film *f, struct ts_film_measures *m)
@@ -116,7 +124,7 @@ static void add_cell(const struct ts_film *f, struct ts_film_measures *m, int i,
 	m->least_gap = fmin(m->least_gap, f->gap[c]);
 	m->volume += f->gap[c] * (1 - f->empty[c]) * area;
 	for (int axis = 0; axis < 2; axis++) {
-		double drag = f->viscosity * (1 - f->empty[c]) / f->gap[c] *
+		double drag = f->viscosity * (1 - f->empty[c]) * ts_film_section(f, f->gap[c]).drag *
 			      (f->velocity[1][axis][c] - f->velocity[0][axis][c]) * area;
 
 		add_force(f, axis, drag, x, y, m->shear[0], &m->torque[0]);

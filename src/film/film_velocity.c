@@ -95,8 +95,9 @@ static double slope_along(const struct ts_film *f, const double *field, int axis
 }
 
 /* Mean velocity along an axis, if the gap were full also in the cavity. In polar coordinates r q varies linearly with
- * r^2, so that its divergence is constant in the cell. */
-static double mean_along(const struct ts_film *f, int axis, const struct place at[2], double gap)
+ * r^2, so that its divergence is constant in the cell. `rate`: derivative of q along the axis of a Cartesian grid. */
+static double mean_along(const struct ts_film *f, int axis, const struct place at[2], double gap,
+			 double *rate)
 {
 	int i = at[0].cell, j = at[1].cell, k = at[axis].cell;
 	double low = ts_film_full_flow(f, axis, i, j);
@@ -104,11 +105,33 @@ static double mean_along(const struct ts_film *f, int axis, const struct place a
 	double a = f->face[axis][k], b = f->face[axis][k + 1], t = (at[axis].x - a) / (b - a);
 	double length = axis == 0 ? f->face[1][j + 1] - f->face[1][j] : f->face[0][i + 1] - f->face[0][i];
 
+	*rate = (high - low) / (length * (b - a));
 	if (f->polar && axis == 0) {
 		t = (at[0].x * at[0].x - a * a) / (b * b - a * a);
 		length *= at[0].x;
 	}
 	return length > 0 ? (low + t * (high - low)) / (length * gap) : 0;
+}
+
+/* The velocities U1', U2' of the fluid at the surfaces and their derivatives along the axis. The condition of slip,
+ *   (h + 4 b1) U1' + 2 b1 U2' = h U1 + 6 b1 m,   m = q/h the mean,
+ * and that of the upper surface have derivatives of the same form: dU1', dU2' in place of U1', U2', (U1 - U1') dh/h in
+ * place of U1, and dm = (dq - m dh)/h in place of m. */
+static void add_slip(const struct ts_film *f, int axis, double flow_rate, struct ts_film_point *out)
+{
+	double mean = out->mean[axis], h = out->gap, rate = (flow_rate - mean * out->slope[axis]) / h;
+	double wall[2], fluid[2], change[2];
+
+	for (int side = 0; side < 2; side++)
+		wall[side] = out->wall[side][axis];
+	ts_film_slip_velocity(f, h, mean, wall, fluid);
+	for (int side = 0; side < 2; side++) {
+		out->fluid[side][axis] = fluid[side];
+		wall[side] = (wall[side] - fluid[side]) * out->slope[axis] / h;
+	}
+	ts_film_slip_velocity(f, h, rate, wall, change);
+	for (int side = 0; side < 2; side++)
+		out->stretch[side] += change[side];
 }
 
 static bool touches_solid(const struct ts_film *f, const struct place at[2])
@@ -167,21 +190,32 @@ void ts_film_sample(const struct ts_film *f, const double x[2], struct ts_film_p
 		for (int side = 0; side < 2; side++)
 			out->wall[side][axis] = interpolate(f, f->velocity[side][axis], at);
 	sample_gap(f, at, out);
-	for (int axis = 0; axis < 2; axis++)
-		out->mean[axis] = f->kind[c] == TS_FILM_SOLID ? (out->wall[0][axis] + out->wall[1][axis]) / 2
-							      : mean_along(f, axis, at, out->gap);
+	out->stretch[0] = out->stretch[1] = 0;
+	for (int axis = 0; axis < 2; axis++) {
+		double rate;
+
+		out->fluid[0][axis] = out->wall[0][axis];
+		out->fluid[1][axis] = out->wall[1][axis];
+		out->mean[axis] = (out->wall[0][axis] + out->wall[1][axis]) / 2;
+		if (f->kind[c] == TS_FILM_SOLID)
+			continue;
+		out->mean[axis] = mean_along(f, axis, at, out->gap, &rate);
+		if (ts_film_slips(f))
+			add_slip(f, axis, rate, out);
+	}
 }
 
 /* With S = int_h1^z u dz = h (f1 U1 + f2 U2) + f3 (q - h (U1 + U2)/2), div q = -dh/dt and grad s = -(grad h1 + s
- * grad h)/h: w = dh1/dt - div S at constant z. */
+ * grad h)/h: w = dh1/dt - div S at constant z; U1 and U2 are those of the fluid, of divergence `stretch`. */
 void ts_film_profile(const struct ts_film_point *point, double s, const double lower_slope[2],
 		     double lower_rate, double u[3])
 {
 	double f1 = s - s * s / 2, f2 = s * s / 2, f3 = s * s * (3 - 2 * s),
-	       w = lower_rate + f3 * point->rate;
+	       w = lower_rate + f3 * point->rate -
+		   point->gap * ((f1 - f3 / 2) * point->stretch[0] + (f2 - f3 / 2) * point->stretch[1]);
 
 	for (int axis = 0; axis < 2; axis++) {
-		double low = point->wall[0][axis], high = point->wall[1][axis], mean = (low + high) / 2;
+		double low = point->fluid[0][axis], high = point->fluid[1][axis], mean = (low + high) / 2;
 
 		u[axis] = low * (1 - s) + high * s + 6 * s * (1 - s) * (point->mean[axis] - mean);
 		w += u[axis] * (lower_slope[axis] + s * point->slope[axis]) -

@@ -9,7 +9,9 @@ struct ts_film_point {
 	double p, empty;
 	double gap, slope[2], rate; /* h, grad h, dh/dt */
 	double wall[2][2];	    /* velocity of the surface [0 lower, 1 upper] along [axis] */
-	double mean[2]; /* mean velocity over the gap, q/h; in the cavity that of the fluid there */
+	double fluid[2][2]; /* of the fluid at the surface; other than that of the surface with slip */
+	double stretch[2];  /* divergence of `fluid` along the film, due to slip */
+	double mean[2];	    /* mean velocity over the gap, q/h; in the cavity that of the fluid there */
 };
 
 /* Interpolates the film at a point; a point outside of the grid gets the values at the nearest point in it. Between
@@ -25,7 +27,8 @@ void ts_film_interpolate(const struct ts_film *f, const double *field, const dou
 
 /* Velocity at the height z = h1 + s h, 0 <= s <= 1: along the film Couette flow and a parabola,
  *   u = U1 (1 - s) + U2 s + 6 s (1 - s) (mean - (U1 + U2)/2),
- * and across it w, for which div u = 0 and which is that of the surfaces at s = 0 and s = 1. lower_slope = grad h1 and
+ * U1 and U2 those of the fluid at the surfaces, and across it w, for which div u = 0 and with which the fluid follows the
+ * surfaces at s = 0 and s = 1. lower_slope = grad h1 and
  * lower_rate = dh1/dt describe the lower surface z = h1(x, y, t). */
 void ts_film_profile(const struct ts_film_point *point, double s, const double lower_slope[2],
 		     double lower_rate, double u[3]);

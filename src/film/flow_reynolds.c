@@ -20,6 +20,7 @@ struct reynolds {
 	struct ts_words cells, set, closed;
 	double edge[2][2]; /* pressures given; NaN: ambient */
 	double viscosity, density, ambient, cavity;
+	double slip[2]; /* slip lengths, lower and upper */
 	int shape, cavitation, update, touching;
 	bool transient;
 
@@ -156,6 +157,8 @@ static enum ts_status make_film(struct ts_instance *self, struct tsim *sim)
 	f->viscosity = s->viscosity;
 	f->density = s->density;
 	f->ambient = s->ambient;
+	f->slip[0] = s->slip[0];
+	f->slip[1] = s->slip[1];
 	f->cavity_pressure = s->cavity;
 	f->shape = (enum ts_film_shape)s->shape;
 	f->cavitation = (enum ts_film_cavitation)s->cavitation;
@@ -418,6 +421,10 @@ static const struct ts_arg args[] = {
 		.help = "the material of the lower surface slides along its shape, which stays at its place"),
 	TS_FLAG("upper_stays", struct reynolds, flow.surface[1].stays,
 		.help = "the same for the upper surface"),
+	TS_REAL("lower_slip", struct reynolds, slip[0], .range = TS_NOT_NEGATIVE, .fallback = "0",
+		.unit = "length", .help = "slip length of the lower surface"),
+	TS_REAL("upper_slip", struct reynolds, slip[1], .range = TS_NOT_NEGATIVE, .fallback = "0",
+		.unit = "length", .help = "slip length of the upper surface"),
 	TS_REAL("viscosity", struct reynolds, viscosity, .range = TS_POSITIVE, .unit = "pressure time",
 		.help = "dynamic viscosity"),
 	TS_REAL("density", struct reynolds, density, .range = TS_POSITIVE, .unit = "mass/length^3",
@@ -458,7 +465,7 @@ static const char doc[] =
 	"  u = (1 - s) U1 + s U2 + 6 s (1 - s) (q/h - (U1 + U2)/2),\n\n"
 	"and across the gap the one with which div u = 0 and the fluid follows both surfaces. Drag fixes "
 	"use\n"
-	"it; particles do not change it. Outside of the gap the fluid moves with the nearest surface.\n\n"
+	"it; particles do not change it. Outside of the gap the fluid moves as at the nearest surface.\n\n"
 	"Heights are numbers, v_NAME, or the mean over each cell of the columns of fix surface/voxel. A\n"
 	"formula v_NAME is evaluated at the centres, whose coordinates are set in the internal-style\n"
 	"variables of `set` (afterwards 0); it may depend on time. The velocity must be consistent with such "
@@ -472,6 +479,11 @@ static const char doc[] =
 	"run`\n"
 	"only at the beginning of each run. A direct solver is used: 0.04 s for 256 x 64 cells.";
 static const char *const doc_more[] = {
+	"With the slip lengths b1 and b2 of `lower_slip` and `upper_slip` the fluid at the surfaces has the\n"
+	"velocities U1' = U1 + b1 du/dz and U2' = U2 - b2 du/dz (Navier), and with H = h + b1 + b2\n\n"
+	"  q = h [(h/2 + b2) U1 + (h/2 + b1) U2]/H - h^2 (h^2 + 4 h (b1 + b2) + 12 b1 b2)/(12 eta H) grad "
+	"p;\n\n"
+	"U1' and U2' then replace U1 and U2 in u. The viscosity is constant.",
 	"Edges are at the pressure `ambient`, or at one given by pressure_xlo ...; nothing flows through\n"
 	"`closed` edges; edges of a periodic box are periodic. Each part of the film needs an edge with a\n"
 	"given pressure.",

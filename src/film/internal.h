@@ -10,6 +10,20 @@ struct ts_film_sides {
 	bool open;
 };
 
+/* ---- film_section.c */
+
+/* Of a cross-section with the gap h: q = couette[0] U1 + couette[1] U2 - poiseuille/(12 eta) grad p. The shear force per
+ * area on the surface k is +-eta drag (U2 - U1) - couette[k] grad p; couette[0] + couette[1] = h. */
+struct ts_film_section {
+	double drag, poiseuille, couette[2];
+};
+struct ts_film_section ts_film_section(const struct ts_film *f, double h);
+/* Whether a slip length is given. */
+bool ts_film_slips(const struct ts_film *f);
+/* Velocities of the fluid at both surfaces along an axis, whose own velocities are `wall`; `mean` = q/h. */
+void ts_film_slip_velocity(const struct ts_film *f, double h, double mean, const double wall[2],
+			   double fluid[2]);
+
 /* ---- film_faces.c */
 
 /* Cells on both sides of the lower face of cell (i, j) along the axis; periodic faces have two cells. */
@@ -18,8 +32,9 @@ struct ts_film_sides ts_film_sides_of(const struct ts_film *f, int axis, int i, 
 double ts_film_edge_gap(const struct ts_film *f, int axis, int i, int j, bool high);
 /* Length of a face. */
 double ts_film_face_length(const struct ts_film *f, int axis, int i, int j);
-/* Mean velocity (U1 + U2)/2 along the axis at a face. */
-double ts_film_entrainment(const struct ts_film *f, int axis, const struct ts_film_sides *s, int i, int j);
+/* Velocities of both surfaces along the axis at a face. */
+void ts_film_face_velocity(const struct ts_film *f, int axis, const struct ts_film_sides *s, int i, int j,
+			   double u[2]);
 /* Computes conductance, transport and source. */
 void ts_film_set_faces(struct ts_film *f);
 /* Calls visit for all faces along axis 0, then axis 1. A periodic face is visited at both ends. */

@@ -1,4 +1,6 @@
 /* Flow_style reynolds and compute film: exact films, the velocity that drag fixes feel, surfaces, refusals. */
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "deck.h"
@@ -80,6 +82,43 @@ START_TEST(velocity_in_the_gap)
 	DECK_NEAR(deck_value(sim, "c_q[1][4]"), deck_value(sim, "fx[1]") / c, 1e-12);
 	DECK_NEAR(deck_value(sim, "fx[2]"), 0, 1e-15); /* above: at rest as the upper surface */
 	tsim_close(sim);
+}
+END_TEST
+
+/* Slip at both surfaces, b = h/2: the flow is that of the closed solution in any units, and the fluid at the surfaces
+ * moves as film/atom shows. */
+START_TEST(slip_in_all_units)
+{
+	/* integrals of couette/poiseuille and of 1/poiseuille over the gap */
+	const double q = (log(2 / 5.0) - log(1 / 4.0)) / 6 / (1 / 6.0 - (log(2 / 5.0) - log(1 / 4.0)) / 9);
+
+	for (int k = 0; k < 3; k++) {
+		double h = (const double[]){ 1e-9, 1e-3, 1e3 }[k], u = h, low, mean, high;
+		char words[200];
+		struct tsim *sim;
+
+		snprintf(words, sizeof words, "upper_slip %.17g lower_slip %.17g", h / 2, h / 2);
+		sim = slider(h, words);
+		snprintf(words, sizeof words, "create_atoms 1 single %.17g %.17g %.17g units box\n", 505 * h,
+			 250 * h, 1e-12 * h);
+		deck(sim, words);
+		snprintf(words, sizeof words, "create_atoms 1 single %.17g %.17g %.17g units box\n", 505 * h,
+			 250 * h, 2 * h);
+		deck(sim, words);
+		deck(sim, "compute q all film/atom\nrun 0\n");
+		DECK_NEAR(deck_value(sim, "c_film[15]") / (u * h * 500 * h), q, 1e-11);
+		low = deck_value(sim, "c_q[1][4]") / u;
+		high = deck_value(sim, "c_q[2][4]") / u;
+		/* (h + 4 b) U1' + 2 b U2' = h U1 + 6 b q/h and the same for U2', h = 1.495 */
+		mean = q / 1.495;
+		DECK_NEAR((1.495 + 2) * low + high, 1.495 + 3 * mean, 1e-9);
+		DECK_NEAR((1.495 + 2) * high + low, 3 * mean, 1e-9);
+		DECK_NEAR((deck_value(sim, "c_film[8]") + deck_value(sim, "c_film[10]") +
+			   deck_value(sim, "c_film[12]")) /
+				  (2.5 * u * 1000 * 500 * h),
+			  0, 1e-12);
+		tsim_close(sim);
+	}
 }
 END_TEST
 
@@ -251,6 +290,7 @@ START_TEST(refusals)
 	refuses("f f f", "cells 8 8 viscosity 0 density 1 upper 1 lower 0", "viscosity");
 	refuses("f f f", "cells 8 8 viscosity -1 density 1 upper 1 lower 0", "viscosity");
 	refuses("f f f", "cells 8 8 viscosity 1 density 0 upper 1 lower 0", "density");
+	refuses("f f f", FILM "upper 1 lower 0 lower_slip -1", "lower_slip");
 	refuses("f f f", "cells 8 viscosity 1 density 1 upper 1 lower 0", "NY");
 	refuses("f f f", "cells 0 8 viscosity 1 density 1 upper 1 lower 0", "NX");
 	refuses("f f f", "cells 9000 9000 viscosity 1 density 1 upper 1 lower 0",
@@ -285,6 +325,7 @@ int main(void)
 	tcase_set_timeout(tcase, 100);
 	tcase_add_test(tcase, slider_in_all_units);
 	tcase_add_test(tcase, velocity_in_the_gap);
+	tcase_add_test(tcase, slip_in_all_units);
 	tcase_add_test(tcase, moving_shapes);
 	tcase_add_test(tcase, squeeze_in_time);
 	tcase_add_test(tcase, voxel_step);
