@@ -385,6 +385,7 @@ library_sources = \
 	src/film/film_solve.c \
 	src/film/film_velocity.c \
 	src/film/film_velocity.h \
+	src/film/film_viscosity.c \
 	src/film/flow_reynolds.c \
 	src/film/grid_lu.c \
 	src/film/grid_lu.h \

@@ -211,6 +211,7 @@ unit_tests = \
 	tests/film/check_film_cavitation \
 	tests/film/check_film_slip \
 	tests/film/check_film_style \
+	tests/film/check_film_viscosity \
 	tests/flow/check_flow \
 	tests/flow/check_flow_measures \
 	tests/flow/check_scalar \
@@ -371,6 +372,10 @@ tests_film_check_film_slip_LDADD = $(tests_ldadd)
 tests_film_check_film_style_SOURCES = tests/film/check_film_style.c
 tests_film_check_film_style_CFLAGS = $(tests_cflags)
 tests_film_check_film_style_LDADD = $(tests_ldadd)
+
+tests_film_check_film_viscosity_SOURCES = tests/film/check_film_viscosity.c
+tests_film_check_film_viscosity_CFLAGS = $(tests_cflags)
+tests_film_check_film_viscosity_LDADD = $(tests_ldadd)
 
 tests_flow_check_flow_SOURCES = tests/flow/check_flow.c
 tests_flow_check_flow_CFLAGS = $(tests_cflags)

@@ -31,6 +31,8 @@
  *
  * With slip lengths the fluid slips over the surfaces: film_section.c has the flow and the stresses.
  *
+ * The viscosity may depend on the pressure: film_viscosity.c; flows, balances and cavitation are as above.
+ *
  * The theory neglects inertia, terms of order (h/L)^2, and the curvature of the surfaces. */
 #ifndef TS_FILM_FILM_H
 #define TS_FILM_FILM_H
@@ -55,6 +57,15 @@ enum ts_film_kind {
 enum ts_film_shape { TS_FILM_LINEAR, TS_FILM_STEPPED };
 enum ts_film_cavitation { TS_FILM_NONE, TS_FILM_HALF, TS_FILM_REYNOLDS, TS_FILM_JFO };
 
+/* How the viscosity depends on the pressure: film_viscosity.c. */
+enum ts_film_law { TS_FILM_CONSTANT, TS_FILM_BARUS, TS_FILM_ROELANDS };
+struct ts_film_piezo {
+	enum ts_film_law law;
+	double alpha;		    /* Barus (1/pressure), >= 0 */
+	double viscosity, pressure; /* Roelands: eta_r < viscosity of the film, p_r > 0 */
+	double exponent;	    /* Roelands: Z, 0 to 1 */
+};
+
 struct ts_film_report {
 	int solves;	   /* linear systems solved, those on coarser grids included */
 	bool driven;	   /* false: no sliding, no squeeze, one pressure at all edges: nothing flows */
@@ -71,9 +82,10 @@ struct ts_film {
 	enum ts_film_edge edge[2][2]; /* [axis][0 low, 1 high] */
 	enum ts_film_shape shape;
 	enum ts_film_cavitation cavitation;
-	double viscosity, density; /* dynamic; both > 0 */
-	double slip[2];		   /* slip lengths of the surfaces [0 lower, 1 upper]; Cartesian grids only */
-	double cavity_pressure;	   /* pc */
+	double viscosity, density; /* dynamic, at pressure 0; both > 0 */
+	struct ts_film_piezo piezo;
+	double slip[2];		/* slip lengths of the surfaces [0 lower, 1 upper]; Cartesian grids only */
+	double cavity_pressure; /* pc */
 	double ambient; /* pressure on the other sides of the surfaces: loads are sums of p - ambient */
 	double edge_pressure[2][2];
 	double edge_void[2][2]; /* jfo: theta of the film that enters, 0 <= theta < 1 */
@@ -143,7 +155,8 @@ enum ts_status ts_film_check(const struct ts_film *f, struct ts_error *error);
 /* ---- film_solve.c */
 
 /* Checks the input and solves for p, theta and flows. Further errors: TS_STATE if the equations do not determine
- * theta (jfo, no sliding, no time step), TS_PHYSICS if the iteration does not converge. */
+ * theta (jfo, no sliding, no time step), TS_PHYSICS if the iteration does not converge, or no
+ * pressure satisfies the equation with a viscosity that depends on it. */
 enum ts_status ts_film_solve(struct ts_film *f, struct ts_error *error);
 /* jfo in time: content = h (1 - theta) of the present solution, for the next step. */
 void ts_film_keep_content(struct ts_film *f);

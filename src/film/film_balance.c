@@ -33,11 +33,12 @@ double ts_film_full_flow(const struct ts_film *f, int axis, int i, int j)
 {
 	struct ts_film_sides s = ts_film_sides_of(f, axis, i, j);
 	size_t at = ts_film_face(f, axis, i, j);
+	double transport = f->transport[axis][at], empty;
 
-	if (!s.open)
-		return 0;
-	return f->transport[axis][at] + f->conductance[axis][at] * (pressure_beside(f, axis, s.low, false) -
-								    pressure_beside(f, axis, s.high, true));
+	if (!s.open || f->cavitation != TS_FILM_JFO)
+		return f->flow[axis][at];
+	empty = transport > 0 ? void_beside(f, axis, s.low, false) : void_beside(f, axis, s.high, true);
+	return f->flow[axis][at] + transport * empty;
 }
 
 static bool is_in_time(const struct ts_film *f)

@@ -22,7 +22,7 @@ static enum ts_status check_constants(const struct ts_film *f, struct ts_error *
 		return ts_fail(error, TS_RANGE, NULL,
 			       "film: the pressure of the cavity is %g, the ambient one %g",
 			       f->cavity_pressure, f->ambient);
-	return TS_OK;
+	return ts_film_check_viscosity(f, error);
 }
 
 static enum ts_status check_pressure(const struct ts_film *f, double p, const char *where,
@@ -30,6 +30,12 @@ static enum ts_status check_pressure(const struct ts_film *f, double p, const ch
 {
 	if (!isfinite(p))
 		return ts_fail(error, TS_RANGE, NULL, "film: the pressure given %s is %g", where, p);
+	if (!ts_film_can_reduce(f, p))
+		return ts_fail(error, TS_RANGE, NULL,
+			       "film: the pressure given %s, %g, is out of the range of the dependence of "
+			       "the "
+			       "viscosity on it",
+			       where, p);
 	if (f->cavitation != TS_FILM_NONE && p < f->cavity_pressure)
 		return ts_fail(error, TS_RANGE, NULL,
 			       "film: the pressure given %s, %g, is below that in the cavity, %g", where, p,
@@ -162,6 +168,12 @@ static enum ts_status check_connected(const struct ts_film *f, struct ts_error *
 enum ts_status ts_film_check(const struct ts_film *f, struct ts_error *error)
 {
 	TS_TRY(check_constants(f, error));
+	if (!ts_film_can_reduce(f, f->cavity_pressure))
+		return ts_fail(error, TS_RANGE, NULL,
+			       "film: the pressure of the cavity, %g, is out of the range of the dependence "
+			       "of "
+			       "the viscosity on it",
+			       f->cavity_pressure);
 	TS_TRY(check_axis(f, 0, error));
 	TS_TRY(check_axis(f, 1, error));
 	if (f->polar)

@@ -41,17 +41,18 @@ static double pressure_at_step(const struct ts_film *f, int axis, int i, int j, 
 	int k = axis == 0 ? s->low % f->n[0] : s->low / f->n[0];
 	double h = f->gap[s->low], d = (f->face[axis][k + 1] - f->face[axis][k]) / 2;
 	struct ts_film_section section = ts_film_section(f, h);
+	double low = ts_film_reduce(f, f->p[s->low]), high = ts_film_reduce(f, f->p[s->high]);
 	double u[2], full, share = 1;
 
 	ts_film_face_velocity(f, axis, s, i, j, u);
 	full = section.couette[0] * u[0] + section.couette[1] * u[1];
 	if (f->transport[axis][at] != 0)
-		share = (f->flow[axis][at] - f->conductance[axis][at] * (f->p[s->low] - f->p[s->high])) /
+		share = (f->flow[axis][at] - f->conductance[axis][at] * (low - high)) /
 			f->transport[axis][at];
 	if (f->polar && axis == 1)
 		d *= ts_film_centre(f, 0, i);
-	return f->p[s->low] -
-	       12 * f->viscosity * d / section.poiseuille * (f->flow[axis][at] / length - share * full);
+	low -= 12 * f->viscosity * d / section.poiseuille * (f->flow[axis][at] / length - share * full);
+	return ts_film_expand(f, low);
 }
 
 static struct segment segment_of(const struct ts_film *f, int axis, int i, int j,
@@ -124,7 +125,8 @@ static void add_cell(const struct ts_film *f, struct ts_film_measures *m, int i,
 	m->least_gap = fmin(m->least_gap, f->gap[c]);
 	m->volume += f->gap[c] * (1 - f->empty[c]) * area;
 	for (int axis = 0; axis < 2; axis++) {
-		double drag = f->viscosity * (1 - f->empty[c]) * ts_film_section(f, f->gap[c]).drag *
+		double drag = ts_film_viscosity(f, f->p[c]) * (1 - f->empty[c]) *
+			      ts_film_section(f, f->gap[c]).drag *
 			      (f->velocity[1][axis][c] - f->velocity[0][axis][c]) * area;
 
 		add_force(f, axis, drag, x, y, m->shear[0], &m->torque[0]);

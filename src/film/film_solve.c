@@ -192,9 +192,8 @@ static enum ts_status check_balance(const struct ts_film *f, struct ts_error *er
 		       f->report.balance / f->report.throughput);
 }
 
-enum ts_status ts_film_solve(struct ts_film *f, struct ts_error *error)
+static enum ts_status solve_checked(struct ts_film *f, struct ts_error *error)
 {
-	TS_TRY(ts_film_check(f, error));
 	start(f);
 	TS_TRY(order_unknowns(f, error));
 	ts_film_set_faces(f);
@@ -210,6 +209,13 @@ enum ts_status ts_film_solve(struct ts_film *f, struct ts_error *error)
 		report_clamped(f);
 	}
 	return TS_OK;
+}
+
+enum ts_status ts_film_solve(struct ts_film *f, struct ts_error *error)
+{
+	TS_TRY(ts_film_check(f, error));
+	return f->piezo.law == TS_FILM_CONSTANT ? solve_checked(f, error)
+						: ts_film_solve_reduced(f, solve_checked, error);
 }
 
 void ts_film_keep_content(struct ts_film *f)

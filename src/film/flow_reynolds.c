@@ -8,6 +8,7 @@
 #include "film/film_velocity.h"
 #include "flow/flow.h"
 #include "flow/flow_arguments.h"
+#include "flow/fluid.h"
 
 #include "base/banned.h"
 
@@ -17,10 +18,11 @@ enum { REFUSED, SOLID };
 
 struct reynolds {
 	struct ts_film_flow flow;
-	struct ts_words cells, set, closed;
+	struct ts_words cells, set, closed, roelands;
 	double edge[2][2]; /* pressures given; NaN: ambient */
 	double viscosity, density, ambient, cavity;
 	double slip[2]; /* slip lengths, lower and upper */
+	double barus;	/* NaN: not given */
 	int shape, cavitation, update, touching;
 	bool transient;
 
@@ -130,6 +132,42 @@ static enum ts_status set_edges(struct ts_instance *self, struct tsim *sim)
 		f->edge[word.edge / 2][word.edge % 2] = TS_FILM_NO_FLOW;
 	}
 	return TS_OK;
+}
+
+static const struct ts_arg roelands_rows[] = {
+	TS_REAL("ETA_R", struct ts_film_piezo, viscosity, .flags = TS_POSITIONAL, .range = TS_POSITIVE),
+	TS_REAL("P_R", struct ts_film_piezo, pressure, .flags = TS_POSITIONAL, .range = TS_POSITIVE),
+	TS_REAL("Z", struct ts_film_piezo, exponent, .flags = TS_POSITIONAL, .range = TS_POSITIVE),
+	TS_ARGS_END,
+};
+
+static enum ts_status read_viscosity(struct ts_instance *self, struct tsim *sim)
+{
+	struct reynolds *s = self->state;
+	struct ts_film_piezo *piezo = &s->flow.film.piezo;
+	const struct ts_instance *part;
+	size_t k = 0;
+
+	*piezo = (struct ts_film_piezo){ .law = TS_FILM_CONSTANT };
+	if (isnan(s->barus) && s->roelands.n == 0)
+		return TS_OK;
+	if (!isnan(s->barus) && s->roelands.n > 0)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "roelands"),
+			       "flow_style reynolds: expected either `barus` or `roelands`, found both");
+	part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k);
+	if (part)
+		return ts_fail(&sim->error, TS_STATE, &part->where,
+			       "fix %s takes one viscosity from the flow style, but in this film it depends "
+			       "on the pressure: expected flow_style reynolds without `barus` and `roelands`",
+			       part->style->name);
+	if (!isnan(s->barus)) {
+		piezo->law = TS_FILM_BARUS;
+		piezo->alpha = s->barus;
+		return TS_OK;
+	}
+	piezo->law = TS_FILM_ROELANDS;
+	return ts_args_parse(sim, "flow_style reynolds: roelands", roelands_rows, s->roelands,
+			     ts_instance_word(self, "roelands"), &self->arena, piezo);
 }
 
 static enum ts_status make_film(struct ts_instance *self, struct tsim *sim)
@@ -346,6 +384,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->flow.film.gap)
 		TS_TRY(make_film(self, sim));
 	TS_TRY(set_edges(self, sim));
+	TS_TRY(read_viscosity(self, sim));
 	s->ready = false;
 	return reset_coordinates(self, sim);
 }
@@ -426,7 +465,11 @@ static const struct ts_arg args[] = {
 	TS_REAL("upper_slip", struct reynolds, slip[1], .range = TS_NOT_NEGATIVE, .fallback = "0",
 		.unit = "length", .help = "slip length of the upper surface"),
 	TS_REAL("viscosity", struct reynolds, viscosity, .range = TS_POSITIVE, .unit = "pressure time",
-		.help = "dynamic viscosity"),
+		.help = "dynamic viscosity; with `barus` or `roelands` that at pressure 0"),
+	TS_REAL("barus", struct reynolds, barus, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
+		.unit = "1/pressure", .help = "coefficient alpha of the viscosity eta exp(alpha p)"),
+	TS_SOME_KEYWORD("roelands", struct reynolds, roelands, 0,
+			.help = "ETA_R P_R Z: a viscosity, a pressure and an exponent of Roelands' equation"),
 	TS_REAL("density", struct reynolds, density, .range = TS_POSITIVE, .unit = "mass/length^3",
 		.help = "density of the fluid"),
 	TS_REAL("ambient", struct reynolds, ambient, .fallback = "0", .unit = "pressure",
@@ -483,7 +526,18 @@ static const char *const doc_more[] = {
 	"velocities U1' = U1 + b1 du/dz and U2' = U2 - b2 du/dz (Navier), and with H = h + b1 + b2\n\n"
 	"  q = h [(h/2 + b2) U1 + (h/2 + b1) U2]/H - h^2 (h^2 + 4 h (b1 + b2) + 12 b1 b2)/(12 eta H) grad "
 	"p;\n\n"
-	"U1' and U2' then replace U1 and U2 in u. The viscosity is constant.",
+	"U1' and U2' then replace U1 and U2 in u.",
+	"The viscosity depends on the pressure p by Barus' equation, eta(p) = eta exp(alpha p), with\n"
+	"`barus`, and by Roelands' equation with `roelands`,\n\n"
+	"  eta(p) = eta (eta/ETA_R)^((1 + p/P_R)^Z - 1),   0 < Z <= 1.\n\n"
+	"For mineral oils ETA_R = 6.31e-5 Pa s and P_R = 1.96e8 Pa are usual; ln(eta/ETA_R) Z/P_R is Barus'\n"
+	"alpha at small pressures. Here p is 0 where the viscosity is `viscosity`: usually the ambient "
+	"pressure is 0.\n"
+	"The equation is solved for the reduced pressure, the integral of eta/eta(p) from 0 to p, which\n"
+	"satisfies the equation of constant viscosity, with each kind of cavitation. The reduced pressure "
+	"has\n"
+	"an upper limit, 1/alpha with Barus' equation; the run stops if the film needs more. Roelands'\n"
+	"equation is used for p > -P_R/2. Drag fixes are refused: they have one viscosity for all particles.",
 	"Edges are at the pressure `ambient`, or at one given by pressure_xlo ...; nothing flows through\n"
 	"`closed` edges; edges of a periodic box are periodic. Each part of the film needs an edge with a\n"
 	"given pressure.",

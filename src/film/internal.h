@@ -24,6 +24,20 @@ bool ts_film_slips(const struct ts_film *f);
 void ts_film_slip_velocity(const struct ts_film *f, double h, double mean, const double wall[2],
 			   double fluid[2]);
 
+/* ---- film_viscosity.c */
+
+/* Viscosity at a pressure. */
+double ts_film_viscosity(const struct ts_film *f, double p);
+/* The reduced pressure of a pressure, and the inverse: NaN if there is none. Without dependence the same. */
+double ts_film_reduce(const struct ts_film *f, double p);
+double ts_film_expand(const struct ts_film *f, double q);
+/* Whether a pressure given is in the range of the law. */
+bool ts_film_can_reduce(const struct ts_film *f, double p);
+enum ts_status ts_film_check_viscosity(const struct ts_film *f, struct ts_error *error);
+/* Solves for the reduced pressure by `solve`, which is for constant viscosity, and sets p. */
+typedef enum ts_status ts_film_solve_fn(struct ts_film *f, struct ts_error *error);
+enum ts_status ts_film_solve_reduced(struct ts_film *f, ts_film_solve_fn *solve, struct ts_error *error);
+
 /* ---- film_faces.c */
 
 /* Cells on both sides of the lower face of cell (i, j) along the axis; periodic faces have two cells. */

@@ -122,6 +122,28 @@ START_TEST(slip_in_all_units)
 }
 END_TEST
 
+/* Barus: the largest pressure is -ln(1 - alpha q)/alpha with that of constant viscosity, q = eta U L/(4 h^2), and the
+ * same in all units; Roelands with Z = 1 is the same. */
+START_TEST(viscosity_of_the_pressure)
+{
+	for (int k = 0; k < 6; k++) {
+		double h = (const double[]){ 1e-9, 1e-3, 1e3 }[k / 2], q = 2.5 * 1000 / 4.0;
+		char words[100];
+		struct tsim *sim;
+
+		if (k % 2)
+			snprintf(words, sizeof words, "roelands %.17g 1000 1", 2.5 * exp(-0.8));
+		else
+			snprintf(words, sizeof words, "barus 8e-4");
+		sim = slider(h, words);
+		deck(sim, "run 0\n");
+		DECK_NEAR(deck_value(sim, "c_film[4]") * 8e-4 / -log(1 - 8e-4 * q), 1, 1e-5);
+		DECK_NEAR(deck_value(sim, "c_film[15]") / (h * h * 500 * h), 2.0 / 3, 1e-11);
+		tsim_close(sim);
+	}
+}
+END_TEST
+
 /* A rigid slider that moves to the left over a plane at rest is the same film. If its shape stays while its material
  * slides, the gap does not change, and half of the film is due to each surface. */
 START_TEST(moving_shapes)
@@ -291,6 +313,12 @@ START_TEST(refusals)
 	refuses("f f f", "cells 8 8 viscosity -1 density 1 upper 1 lower 0", "viscosity");
 	refuses("f f f", "cells 8 8 viscosity 1 density 0 upper 1 lower 0", "density");
 	refuses("f f f", FILM "upper 1 lower 0 lower_slip -1", "lower_slip");
+	refuses("f f f", FILM "upper 1 lower 0 barus -1", "barus");
+	refuses("f f f", FILM "upper 1 lower 0 barus 1 roelands 0.1 1 0.6", "found both");
+	refuses("f f f", FILM "upper 1 lower 0 roelands 0.1 1", "Z");
+	refuses("f f f", FILM "upper 1 lower 0 roelands 2 1 0.6", "less than that at pressure 0, 1");
+	refuses("f f f", FILM "upper 1 lower 0 barus 1\nfix d all drag/stokes",
+		"takes one viscosity from the flow style");
 	refuses("f f f", "cells 8 viscosity 1 density 1 upper 1 lower 0", "NY");
 	refuses("f f f", "cells 0 8 viscosity 1 density 1 upper 1 lower 0", "NX");
 	refuses("f f f", "cells 9000 9000 viscosity 1 density 1 upper 1 lower 0",
@@ -326,6 +354,7 @@ int main(void)
 	tcase_add_test(tcase, slider_in_all_units);
 	tcase_add_test(tcase, velocity_in_the_gap);
 	tcase_add_test(tcase, slip_in_all_units);
+	tcase_add_test(tcase, viscosity_of_the_pressure);
 	tcase_add_test(tcase, moving_shapes);
 	tcase_add_test(tcase, squeeze_in_time);
 	tcase_add_test(tcase, voxel_step);
