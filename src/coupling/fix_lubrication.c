@@ -21,6 +21,8 @@ struct state {
 	size_t wall_capacity;
 	/* pairs whose gap may become less than `outer` before the next rebuild */
 	struct ts_contact_list pairs;
+	/* of all particles at the last force computation: smallest gap (length), largest rate (1/time) */
+	double gap, rate;
 };
 
 /* ---- definition */
@@ -81,6 +83,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 					       "fix lubrication: the wall %s is given twice",
 					       s->walls.word[k].text);
 	}
+	if (!(s->rate > 0)) /* no forces yet */
+		s->gap = INFINITY;
 	sim->neigh->fix_reach = fmax(sim->neigh->fix_reach, s->law.outer);
 	return TS_OK;
 }
@@ -115,7 +119,8 @@ struct task {
 	const struct tsim *sim;
 	const struct state *s;
 	int group;
-	bool forces; /* false: only rate and gap */
+	bool forces;	    /* false: only rate and gap */
+	double *gap, *rate; /* extremes of all particles; NULL if not `forces` */
 };
 
 static void add_layer(const struct task *t, size_t i, const struct ts_lubrication_pair *c, double other_imass,
@@ -193,17 +198,26 @@ static void sum_layers(const struct task *t, size_t i, struct sums *out)
 /* ---- forces */
 
 /* Velocity Verlet is stable for steps below 2/rate. */
-static bool is_unstable(const struct tsim *sim, const struct sums *sums)
+static bool is_unstable(const struct tsim *sim, double rate)
 {
-	return sums->rate * sim->clock.dt > 2;
+	return rate * sim->clock.dt > 2;
 }
 
-/* Returns the number of particles for which the step is too large. */
-static long add_forces_range(void *context, size_t from, size_t to)
+/* Smallest and largest numbers do not depend on the order. */
+static void keep_extremes(double gap, double rate, double *least, double *most)
+{
+#pragma omp critical(ts_lubrication_extremes)
+	{
+		*least = fmin(*least, gap);
+		*most = fmax(*most, rate);
+	}
+}
+
+static void add_forces_range(void *context, size_t from, size_t to)
 {
 	const struct task *t = context;
 	const struct ts_particles *p = t->sim->particles;
-	long unstable = 0;
+	double gap = INFINITY, rate = 0;
 
 	for (size_t i = from; i < to; i++) {
 		struct sums sums;
@@ -211,9 +225,10 @@ static long add_forces_range(void *context, size_t from, size_t to)
 		sum_layers(t, i, &sums);
 		ts_add(p->f[i], sums.force, p->f[i]);
 		ts_add(p->torque[i], sums.torque, p->torque[i]);
-		unstable += is_unstable(t->sim, &sums);
+		gap = fmin(gap, sums.least_gap);
+		rate = fmax(rate, sums.rate);
 	}
-	return unstable;
+	keep_extremes(gap, rate, t->gap, t->rate);
 }
 
 static enum ts_status fail_unstable(const struct ts_instance *self, struct tsim *sim, const struct task *t)
@@ -222,7 +237,7 @@ static enum ts_status fail_unstable(const struct ts_instance *self, struct tsim 
 	struct sums sums = { 0 };
 	size_t i = 0;
 
-	while (i < p->n && !is_unstable(sim, &sums))
+	while (i < p->n && !is_unstable(sim, sums.rate))
 		sum_layers(t, i++, &sums);
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 		       "fix lubrication: at step %" PRId64
@@ -235,11 +250,14 @@ static enum ts_status fail_unstable(const struct ts_instance *self, struct tsim 
 
 static enum ts_status add_forces(struct ts_instance *self, struct tsim *sim)
 {
-	struct task task = { sim, self->state, self->group, true };
+	struct state *s = self->state;
+	struct task task = { sim, s, self->group, true, &s->gap, &s->rate };
 	size_t n = sim->particles->n;
-	long unstable = ts_parallel_count(ts_team(sim, n), n, add_forces_range, &task);
 
-	return unstable && !sim->run.in_setup ? fail_unstable(self, sim, &task) : TS_OK;
+	s->gap = INFINITY;
+	s->rate = 0;
+	ts_parallel(ts_team(sim, n), n, add_forces_range, &task);
+	return is_unstable(sim, s->rate) && !sim->run.in_setup ? fail_unstable(self, sim, &task) : TS_OK;
 }
 
 /* ---- limits and outputs */
@@ -247,7 +265,7 @@ static enum ts_status add_forces(struct ts_instance *self, struct tsim *sim)
 /* The largest rate, and the smallest gap, of all particles. */
 static void find_extremes(const struct ts_instance *self, const struct tsim *sim, double *rate, double *gap)
 {
-	struct task task = { sim, self->state, self->group, false };
+	struct task task = { sim, self->state, self->group, false, NULL, NULL };
 
 	*rate = 0;
 	*gap = INFINITY;
@@ -305,12 +323,16 @@ enum { GAP, STEP };
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	double rate;
+	const struct state *s = self->state;
 
-	find_extremes(self, sim, &rate, &out->data[GAP]);
-	out->data[STEP] = rate > 0 ? 2 / rate : INFINITY;
+	(void)sim;
+	out->data[GAP] = s->gap;
+	out->data[STEP] = s->rate > 0 ? 2 / s->rate : INFINITY;
 	return TS_OK;
 }
+
+static const struct ts_saved saved[] = { TS_SAVE_F64(struct state, gap), TS_SAVE_F64(struct state, rate),
+					 TS_SAVED_ROWS_END };
 
 static void fini(struct ts_instance *self)
 {
@@ -335,8 +357,8 @@ static const struct ts_arg args[] = {
 static const char *const components[] = { "gap", "step" };
 static const struct ts_value values[] = {
 	{ "layers", "",
-	  "smallest present gap that is less than `outer` (length), infinite if there is none; "
-	  "largest stable time step of the present layers (time)",
+	  "of the last force computation: smallest gap that is less than `outer` (length), infinite "
+	  "if there is none; largest stable time step of the layers (time)",
 	  TS_VECTOR, 2, components, eval },
 	{ .name = NULL },
 };
@@ -361,9 +383,10 @@ static const char *const doc_more[] = {
 	"largest sum over the layers of a particle (an upper bound of the rates of the system, "
 	"exact for two spheres and for a sphere at a plane). A run with a larger step is refused,"
 	" the plan warns if it would be too large at the gap `inner`, and a run in which the "
-	"particles come so near that the step becomes too large stops with an error. Where a layer "
-	"damps a stiff contact, with the limits h_c of the contact and h_l of the layer alone, a "
-	"step h is stable if (h/h_c)^2 + h/h_l < 1.",
+	"particles come so near that the step becomes too large stops with an error. The limits "
+	"of several fixes lubrication are checked one by one, although their rates add up. Where "
+	"a layer damps a stiff contact, with the limits h_c of the contact and h_l of the layer "
+	"alone, a step h is stable if (h/h_c)^2 + h/h_l < 1.",
 	NULL,
 };
 
@@ -396,6 +419,7 @@ const struct ts_style ts_fix_lubrication = {
 	.cite = "D. J. Jeffrey, Y. Onishi, J. Fluid Mech. 139 (1984) 261",
 	.args = args,
 	.state_size = sizeof(struct state),
+	.saved = saved,
 	.columns = TS_NEED(OMEGA) | TS_NEED(TORQUE),
 	.values = values,
 	.init = init,
