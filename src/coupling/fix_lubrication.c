@@ -365,14 +365,18 @@ static const struct ts_value values[] = {
 
 static const char *const doc_more[] = {
 	"Particles and planes in contact keep the lubrication force, with the gap `inner`, in "
-	"addition to the force of the contact law. The terms that remain finite as the gap closes"
-	" are left out: far from contact the force is that of a drag (fix drag/stokes), which "
-	"this fix does not include. The sum is accurate where h << R. The relative rotation about"
-	" the line of centres has no force. At the gap `outer` the force jumps to zero: the "
-	"smaller `outer`, the larger the jump 6 pi mu R^2 v_n/outer. In two dimensions the forces"
-	" are those of spheres, too. Pairs of which one particle is not in the group have no "
-	"force; neither have pairs without contact forces (neigh_modify exclude, special_bonds). "
-	"Forces of fluids that are solved for (flow_style) are not changed.",
+	"addition to the force of the contact law. Left out are the logarithmic correction of the"
+	" squeeze force and all terms that remain finite as the gap closes: far from contact the "
+	"force is that of a drag (fix drag/stokes), which this fix does not include. The sum is "
+	"accurate where h << R. The relative rotation about the line of centres has no force. At "
+	"the gap `outer` the force jumps to zero: the smaller `outer`, the larger the jump 6 pi "
+	"mu R^2 v_n/outer. In two dimensions the forces are those of spheres, too. Pairs of which"
+	" one particle is not in the group have no force; neither have pairs without contact "
+	"forces (neigh_modify exclude, special_bonds). Forces of fluids that are solved for "
+	"(flow_style) are not changed.",
+	"For equal spheres the 1/h and the slip term are those of LAMMPS' pair lubricate (log 1), "
+	"whose rolling term is a quarter of C. C is that of Jeffrey and Onishi; the solution of "
+	"Reynolds' equation for counter-rotating spheres gives the same.",
 	"The walls are fixes wall/gran primitive with xplane, yplane or zplane, which must be "
 	"defined before; their motion (wiggle, shear, velocity) counts. Cylinders, meshes, height"
 	" fields and regions, walls with `impact exact`, and members of rigid bodies are refused."
@@ -397,9 +401,9 @@ const struct ts_style ts_fix_lubrication = {
 	.summary =
 		"forces of thin layers of viscous fluid between particles, and between particles and planes",
 	.doc = "Two spheres of radii a and b, or a sphere and a plane (b infinite), with the gap h < "
-	       "`outer` between their surfaces, get the forces and torques that diverge as the gap "
-	       "closes. With R = ab/(a + b), n the normal and v_n the normal velocity of separation, the"
-	       " squeeze flow gives\n\n"
+	       "`outer` between their surfaces, get the leading forces and torques of a closing gap. "
+	       "With R = ab/(a + b), n the normal and v_n the normal velocity of separation, the squeeze"
+	       " flow gives\n\n"
 	       "  F = -6 pi mu R^2/h v_n n.\n\n"
 	       "Slip and rolling along the surfaces give, with L = ln(min(a, b)/h), 0 where "
 	       "negative,\n\n"
@@ -407,12 +411,12 @@ const struct ts_style ts_fix_lubrication = {
 	       "  F = -(A S + B W),  T_a = n x ((a + h/2) (A S + B W) + B S + C W)\n"
 	       "  A = 8/5 pi mu R L (2 - 3 ab/(a + b)^2),  B = 12/5 pi mu R^2 L (a - b)/(a + b)\n"
 	       "  C = 24/5 pi mu R^3 L,\n\n"
-	       "all logarithmic terms of the resistance functions of two spheres (Jeffrey and Onishi "
-	       "1984; Kim and Karrila 1991) and of a sphere at a plane (Goldman, Cox and Brenner 1967). "
-	       "n points to a, and v_t is the velocity of the centre of a minus that of b, along the "
-	       "surface. In both forces h is at least `inner`. A pair that moves as one rigid body has "
-	       "no force; momentum and angular momentum of a pair of spheres are conserved. Particles "
-	       "rotate only with an integrator of rotation (nve/sphere).",
+	       "all logarithmic terms of the tangential resistance functions of two spheres (Jeffrey and"
+	       " Onishi 1984; Kim and Karrila 1991) and of a sphere at a plane (Goldman, Cox and Brenner"
+	       " 1967). n points to a, and v_t is the velocity of the centre of a minus that of b, along"
+	       " the surface. In both forces h is at least `inner`. A pair that moves as one rigid body "
+	       "has no force; momentum and angular momentum of a pair of spheres are conserved. "
+	       "Particles rotate only with an integrator of rotation (nve/sphere).",
 	.doc_more = doc_more,
 	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
 		   "fix layers all lubrication viscosity 1e-3 inner 1e-5 outer 2e-4 walls floor",

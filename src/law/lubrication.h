@@ -1,5 +1,6 @@
 /* Lubrication: the force and torque of a thin layer of viscous fluid between two spheres, or a sphere and a plane,
- * whose surfaces move relative to each other. Only the terms that diverge as the gap h closes, without inertia.
+ * whose surfaces move relative to each other. The leading terms as the gap h closes, without inertia: of the normal
+ * motion 1/h (not its correction in ln h, of X^A), of all others ln h.
  *
  * Notation: a, b the radii (b infinite: a plane), R = ab/(a + b), mu the dynamic viscosity, n the unit vector to
  * body a from body b, v the velocity of a minus that of b, omega_a and omega_b the angular velocities. Normal to the
@@ -16,7 +17,7 @@
  *   P = A S + B W,  Q = B S + C W,  F = -P,  T = n x (a' P + Q),
  *   A = 8/5 pi mu R L (2 - 3 ab/(a + b)^2),  B = 12/5 pi mu R^2 L (a - b)/(a + b),  C = 24/5 pi mu R^3 L.
  *
- * These are all terms in ln(h) of the resistance functions Y^A, Y^B and Y^C of two spheres (D. J. Jeffrey, Y. Onishi,
+ * A, B and C are all terms in ln(h) of the resistance functions Y^A, Y^B and Y^C of two spheres (D. J. Jeffrey, Y. Onishi,
  * J. Fluid Mech. 139 (1984) 261; S. Kim, S. J. Karrila, Microhydrodynamics, 1991, ch. 11) and, for a plane, those of
  * A. J. Goldman, R. G. Cox, H. Brenner, Chem. Eng. Sci. 22 (1967) 637: F = -6 pi mu a (8/15 L) U, T = 8 pi mu a^2
  * (1/10 L) U of a translating sphere, and F = 6 pi mu a^2 (2/15 L) omega, T = -8 pi mu a^3 (2/5 L) omega of a rotating
