@@ -120,7 +120,7 @@ const struct ts_style ts_compute_film = {
 	       "In the cavity of half and reynolds the whole gap is sheared. The array has a row\n"
 	       "for each cell, x varying fastest: x, y, gap, pressure, void fraction.",
 	.example = "compute oil all film\nthermo_style custom step c_oil[1] c_oil[4]\n"
-		   "fix out all ave/time 100 1 100 c_oil[1][*] mode vector file film.txt",
+		   "fix out all ave/time 100 1 100 c_oil[*] mode vector file film.txt",
 	.state_size = sizeof(struct state),
 	.values = values,
 	.init = init,
