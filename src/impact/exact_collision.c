@@ -19,7 +19,7 @@ enum mode { STICK, SLIDE };
 
 /* Largest estimated error of a step, relative to the scale of each number: that of the embedded scheme of order 7, the
  * state of order 8 is better by some powers of ten; largest number of steps and of changes of mode. */
-static const double TOLERANCE = 1e-10;
+static const double TOLERANCE = 2e-10;
 /* Friction below this part of the usual one has no effect on the motion, so the time in which its direction turns need
  * not be as short as the law has it. */
 static const double NEGLIGIBLE = 1e-6;
