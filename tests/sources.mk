@@ -209,6 +209,7 @@ unit_tests = \
 	tests/explain/check_price \
 	tests/film/check_film \
 	tests/film/check_film_cavitation \
+	tests/film/check_film_roughness \
 	tests/film/check_film_slip \
 	tests/film/check_film_style \
 	tests/film/check_film_viscosity \
@@ -364,6 +365,10 @@ tests_film_check_film_LDADD = $(tests_ldadd)
 tests_film_check_film_cavitation_SOURCES = tests/film/check_film_cavitation.c
 tests_film_check_film_cavitation_CFLAGS = $(tests_cflags)
 tests_film_check_film_cavitation_LDADD = $(tests_ldadd)
+
+tests_film_check_film_roughness_SOURCES = tests/film/check_film_roughness.c
+tests_film_check_film_roughness_CFLAGS = $(tests_cflags)
+tests_film_check_film_roughness_LDADD = $(tests_ldadd)
 
 tests_film_check_film_slip_SOURCES = tests/film/check_film_slip.c
 tests_film_check_film_slip_CFLAGS = $(tests_cflags)

@@ -117,7 +117,8 @@ const struct ts_style ts_compute_film = {
 	       "b1 + b2 they are +-eta (1 - theta) (U2 "
 	       "- U1)/H\n"
 	       "- h (h/2 + b2)/H grad p on the lower surface, and with b1 in place of b2 on the upper one.\n"
-	       "In the cavity of half and reynolds the whole gap is sheared. The array has a row\n"
+	       "Between rough surfaces they are NaN. In the cavity of half and reynolds the whole gap is "
+	       "sheared. The array has a row\n"
 	       "for each cell, x varying fastest: x, y, gap, pressure, void fraction.",
 	.example = "compute oil all film\nthermo_style custom step c_oil[1] c_oil[4]\n"
 		   "fix out all ave/time 100 1 100 c_oil[*] mode vector file film.txt",

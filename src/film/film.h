@@ -31,6 +31,8 @@
  *
  * With slip lengths the fluid slips over the surfaces: film_section.c has the flow and the stresses.
  *
+ * Rough surfaces have the mean flow of Patir and Cheng: film_roughness.c; h >= 3 standard deviations.
+ *
  * The viscosity may depend on the pressure: film_viscosity.c; flows, balances and cavitation are as above.
  *
  * The theory neglects inertia, terms of order (h/L)^2, and the curvature of the surfaces. */
@@ -66,6 +68,17 @@ struct ts_film_piezo {
 	double exponent;	    /* Roelands: Z, 0 to 1 */
 };
 
+/* Peklenik numbers of rough surfaces, correlation length along axis 0 by that along axis 1: 1/9 to 9. */
+enum ts_film_peklenik {
+	TS_FILM_PEKLENIK_1_9,
+	TS_FILM_PEKLENIK_1_6,
+	TS_FILM_PEKLENIK_1_3,
+	TS_FILM_PEKLENIK_1,
+	TS_FILM_PEKLENIK_3,
+	TS_FILM_PEKLENIK_6,
+	TS_FILM_PEKLENIK_9
+};
+
 struct ts_film_report {
 	int solves;	   /* linear systems solved, those on coarser grids included */
 	bool driven;	   /* false: no sliding, no squeeze, one pressure at all edges: nothing flows */
@@ -84,8 +97,10 @@ struct ts_film {
 	enum ts_film_cavitation cavitation;
 	double viscosity, density; /* dynamic, at pressure 0; both > 0 */
 	struct ts_film_piezo piezo;
-	double slip[2];		/* slip lengths of the surfaces [0 lower, 1 upper]; Cartesian grids only */
-	double cavity_pressure; /* pc */
+	double slip[2];	     /* slip lengths of the surfaces [0 lower, 1 upper]; Cartesian grids only */
+	double roughness[2]; /* standard deviations of the heights of the surfaces; h is the mean gap */
+	enum ts_film_peklenik peklenik; /* of both surfaces */
+	double cavity_pressure;		/* pc */
 	double ambient; /* pressure on the other sides of the surfaces: loads are sums of p - ambient */
 	double edge_pressure[2][2];
 	double edge_void[2][2]; /* jfo: theta of the film that enters, 0 <= theta < 1 */

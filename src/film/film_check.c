@@ -22,6 +22,7 @@ static enum ts_status check_constants(const struct ts_film *f, struct ts_error *
 		return ts_fail(error, TS_RANGE, NULL,
 			       "film: the pressure of the cavity is %g, the ambient one %g",
 			       f->cavity_pressure, f->ambient);
+	TS_TRY(ts_film_check_roughness(f, error));
 	return ts_film_check_viscosity(f, error);
 }
 
@@ -98,6 +99,11 @@ static enum ts_status check_cell(const struct ts_film *f, int i, int j, struct t
 		return ts_fail(error, TS_RANGE, NULL,
 			       "film: the gap is %g at (%g, %g), expected > 0: the surfaces touch or overlap",
 			       f->gap[c], x, y);
+	if (f->gap[c] < 3 * hypot(f->roughness[0], f->roughness[1]))
+		return ts_fail(error, TS_RANGE, NULL,
+			       "film: the gap is %g at (%g, %g), less than 3 standard deviations of the "
+			       "roughness, %g: the surfaces touch",
+			       f->gap[c], x, y, hypot(f->roughness[0], f->roughness[1]));
 	if (!isfinite(f->rate[c]) || !isfinite(f->velocity[0][0][c] + f->velocity[1][0][c]) ||
 	    !isfinite(f->velocity[0][1][c] + f->velocity[1][1][c]))
 		return ts_fail(error, TS_RANGE, NULL, "film: a velocity at (%g, %g) is not a finite number",

@@ -100,18 +100,19 @@ static void integrate_segment(enum ts_film_shape shape, const double h[2], const
 }
 
 /* Adds a part of the integrals int dx/poiseuille and int couette/poiseuille dx. */
-static void add_section(const struct ts_film *f, double h, double dx, double *resistance, double gap[2])
+static void add_section(const struct ts_film *f, int axis, double h, double dx, double *resistance,
+			double gap[2])
 {
-	struct ts_film_section s = ts_film_section(f, h);
+	struct ts_film_section s = ts_film_section(f, axis, h);
 
 	*resistance += dx / s.poiseuille;
 	for (int side = 0; side < 2; side++)
 		gap[side] += dx * s.couette[side] / s.poiseuille;
 }
 
-/* The same with slip. Where the gap is linear, dx = (d0 + d1)/(h0 h1) h^2 dt with t = (1/h - 1/h0)/(1/h1 - 1/h0), and the
- * integrands times h^2 are smooth functions of t, linear without slip: by the rule of Gauss. */
-static void integrate_slipping(const struct ts_film *f, const double h[2], const double d[2],
+/* The same with slip or roughness. Where the gap is linear, dx = (d0 + d1)/(h0 h1) h^2 dt with t = (1/h - 1/h0)/(1/h1 - 1/h0), and the
+ * integrands times h^2 are smooth functions of t, linear for plain surfaces: by the rule of Gauss. */
+static void integrate_sections(const struct ts_film *f, int axis, const double h[2], const double d[2],
 			       double *resistance, double gap[2])
 {
 	static const double point[] = { 0.046910077030668004, 0.23076534494715845, 0.5, 0.76923465505284155,
@@ -122,13 +123,13 @@ static void integrate_slipping(const struct ts_film *f, const double h[2], const
 	*resistance = gap[0] = gap[1] = 0;
 	if (f->shape == TS_FILM_STEPPED)
 		for (int side = 0; side < 2; side++)
-			add_section(f, h[side], d[side], resistance, gap);
+			add_section(f, axis, h[side], d[side], resistance, gap);
 	else
 		for (int k = 0; k < 5; k++) {
 			double at = 1 / ((1 - point[k]) / h[0] + point[k] / h[1]);
 
-			add_section(f, at, weight[k] * (d[0] + d[1]) * (at / h[0]) * (at / h[1]), resistance,
-				    gap);
+			add_section(f, axis, at, weight[k] * (d[0] + d[1]) * (at / h[0]) * (at / h[1]),
+				    resistance, gap);
 		}
 	gap[0] /= *resistance;
 	gap[1] /= *resistance;
@@ -150,10 +151,10 @@ static void set_face(struct ts_film *f, int axis, int i, int j, const struct ts_
 	h[0] = s->low >= 0 ? f->gap[s->low] : ts_film_edge_gap(f, axis, i, j, false);
 	h[1] = s->high >= 0 ? f->gap[s->high]
 			    : ts_film_edge_gap(f, axis, i - (axis == 0), j - (axis == 1), true);
-	if (ts_film_slips(f))
-		integrate_slipping(f, h, d, &resistance, gap);
-	else
+	if (ts_film_is_plain(f))
 		integrate_segment(f->shape, h, d, &resistance, gap);
+	else
+		integrate_sections(f, axis, h, d, &resistance, gap);
 	if (f->polar && axis == 1)
 		resistance *= ts_film_centre(f, 0, i);
 	f->conductance[axis][at] = length / (12 * f->viscosity * resistance);

@@ -40,7 +40,7 @@ static double pressure_at_step(const struct ts_film *f, int axis, int i, int j, 
 	size_t at = ts_film_face(f, axis, i, j);
 	int k = axis == 0 ? s->low % f->n[0] : s->low / f->n[0];
 	double h = f->gap[s->low], d = (f->face[axis][k + 1] - f->face[axis][k]) / 2;
-	struct ts_film_section section = ts_film_section(f, h);
+	struct ts_film_section section = ts_film_section(f, axis, h);
 	double low = ts_film_reduce(f, f->p[s->low]), high = ts_film_reduce(f, f->p[s->high]);
 	double u[2], full, share = 1;
 
@@ -85,8 +85,8 @@ static void add_segment(const struct ts_film *f, struct ts_film_measures *m, int
 	if (!s.open)
 		return;
 	g = segment_of(f, axis, i, j, &s);
-	a = ts_film_section(f, g.h[0]);
-	b = ts_film_section(f, g.h[1]);
+	a = ts_film_section(f, axis, g.h[0]);
+	b = ts_film_section(f, axis, g.h[1]);
 	for (int side = 0; side < 2; side++) {
 		double dp =
 			f->shape == TS_FILM_STEPPED
@@ -126,7 +126,7 @@ static void add_cell(const struct ts_film *f, struct ts_film_measures *m, int i,
 	m->volume += f->gap[c] * (1 - f->empty[c]) * area;
 	for (int axis = 0; axis < 2; axis++) {
 		double drag = ts_film_viscosity(f, f->p[c]) * (1 - f->empty[c]) *
-			      ts_film_section(f, f->gap[c]).drag *
+			      ts_film_section(f, axis, f->gap[c]).drag *
 			      (f->velocity[1][axis][c] - f->velocity[0][axis][c]) * area;
 
 		add_force(f, axis, drag, x, y, m->shear[0], &m->torque[0]);

@@ -14,7 +14,8 @@ struct ts_film_measures {
 	double least_gap;
 	/* Shear forces of the fluid on the surfaces [0 lower, 1 upper] along [axis]: sums over the area of
 	 * +-eta (1 - theta) (U2 - U1)/h - h/2 grad p, with slip those of film_section.c; half and reynolds shear the
-	 * whole gap also in the cavity. */
+	 * whole gap also in the cavity. NaN between
+	 * rough surfaces. */
 	double shear[2][2];
 	double torque[2]; /* moments of `shear` */
 	/* Forces of the pressure along the film, on both surfaces together: sum of -(p - ambient) grad h. They act on

@@ -9,16 +9,18 @@
 
 #include "base/banned.h"
 
-bool ts_film_slips(const struct ts_film *f)
+bool ts_film_is_plain(const struct ts_film *f)
 {
-	return f->slip[0] > 0 || f->slip[1] > 0;
+	return !ts_film_slips(f) && !ts_film_is_rough(f);
 }
 
-struct ts_film_section ts_film_section(const struct ts_film *f, double h)
+struct ts_film_section ts_film_section(const struct ts_film *f, int axis, double h)
 {
 	double b1 = f->slip[0], b2 = f->slip[1], sheared = h + b1 + b2;
 	struct ts_film_section s = { .drag = 1 / h, .poiseuille = h * h * h, .couette = { h / 2, h / 2 } };
 
+	if (ts_film_is_rough(f))
+		ts_film_add_roughness(f, axis, h, &s);
 	if (!ts_film_slips(f))
 		return s;
 	s.drag = 1 / sheared;

@@ -18,7 +18,7 @@ enum { REFUSED, SOLID };
 
 struct reynolds {
 	struct ts_film_flow flow;
-	struct ts_words cells, set, closed, roelands;
+	struct ts_words cells, set, closed, roelands, roughness;
 	double edge[2][2]; /* pressures given; NaN: ambient */
 	double viscosity, density, ambient, cavity;
 	double slip[2]; /* slip lengths, lower and upper */
@@ -131,6 +131,33 @@ static enum ts_status set_edges(struct ts_instance *self, struct tsim *sim)
 			return refuse_edge(self, sim, word.edge, "is closed, and a pressure is given there");
 		f->edge[word.edge / 2][word.edge % 2] = TS_FILM_NO_FLOW;
 	}
+	return TS_OK;
+}
+
+static const char *const peklenik_numbers[] = { "1/9", "1/6", "1/3", "1", "3", "6", "9", NULL };
+
+struct roughness {
+	double sigma[2];
+	int peklenik;
+};
+static const struct ts_arg roughness_rows[] = {
+	TS_REAL("SIGMA_LOWER", struct roughness, sigma[0], .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE),
+	TS_REAL("SIGMA_UPPER", struct roughness, sigma[1], .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE),
+	TS_ENUM("GAMMA", struct roughness, peklenik, peklenik_numbers, .flags = TS_POSITIONAL),
+	TS_ARGS_END,
+};
+
+static enum ts_status read_roughness(struct ts_instance *self, struct tsim *sim)
+{
+	struct reynolds *s = self->state;
+	struct roughness r = { .peklenik = TS_FILM_PEKLENIK_1 };
+
+	if (s->roughness.n > 0)
+		TS_TRY(ts_args_parse(sim, "flow_style reynolds: roughness", roughness_rows, s->roughness,
+				     ts_instance_word(self, "roughness"), &self->arena, &r));
+	s->flow.film.roughness[0] = r.sigma[0];
+	s->flow.film.roughness[1] = r.sigma[1];
+	s->flow.film.peklenik = (enum ts_film_peklenik)r.peklenik;
 	return TS_OK;
 }
 
@@ -385,6 +412,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(make_film(self, sim));
 	TS_TRY(set_edges(self, sim));
 	TS_TRY(read_viscosity(self, sim));
+	TS_TRY(read_roughness(self, sim));
 	s->ready = false;
 	return reset_coordinates(self, sim);
 }
@@ -464,6 +492,9 @@ static const struct ts_arg args[] = {
 		.unit = "length", .help = "slip length of the lower surface"),
 	TS_REAL("upper_slip", struct reynolds, slip[1], .range = TS_NOT_NEGATIVE, .fallback = "0",
 		.unit = "length", .help = "slip length of the upper surface"),
+	TS_SOME_KEYWORD("roughness", struct reynolds, roughness, 0,
+			.help = "SIGMA_LOWER SIGMA_UPPER GAMMA: standard deviations of the heights of rough "
+				"surfaces, and their Peklenik number: 1/9, 1/6, 1/3, 1, 3, 6 or 9"),
 	TS_REAL("viscosity", struct reynolds, viscosity, .range = TS_POSITIVE, .unit = "pressure time",
 		.help = "dynamic viscosity; with `barus` or `roelands` that at pressure 0"),
 	TS_REAL("barus", struct reynolds, barus, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
@@ -527,6 +558,16 @@ static const char *const doc_more[] = {
 	"  q = h [(h/2 + b2) U1 + (h/2 + b1) U2]/H - h^2 (h^2 + 4 h (b1 + b2) + 12 b1 b2)/(12 eta H) grad "
 	"p;\n\n"
 	"U1' and U2' then replace U1 and U2 in u.",
+	"With `roughness` the surfaces have Gaussian roughness that the grid does not resolve. h is the "
+	"mean\n"
+	"gap, and with sigma^2 = SIGMA_LOWER^2 + SIGMA_UPPER^2 the mean flow has the flow factors of Patir "
+	"and\n"
+	"Cheng (J. Lubr. Tech. 100 (1978) 12; 101 (1979) 220),\n\n"
+	"  q = h (U1 + U2)/2 + sigma phi_s (U1 - U2)/2 - phi_p h^3/(12 eta) grad p.\n\n"
+	"GAMMA is the correlation length along x by that along y: 1 is isotropic, 9 are grooves along x.\n"
+	"u is the profile between smooth surfaces with the flow q. `compute film` has NaN for the shear\n"
+	"forces: friction factors are not included. The run stops where h < 3 sigma, where the surfaces\n"
+	"would touch. Not with cavitation jfo, slip, `barus` and `roelands`.",
 	"The viscosity depends on the pressure p by Barus' equation, eta(p) = eta exp(alpha p), with\n"
 	"`barus`, and by Roelands' equation with `roelands`,\n\n"
 	"  eta(p) = eta (eta/ETA_R)^((1 + p/P_R)^Z - 1),   0 < Z <= 1.\n\n"

@@ -17,12 +17,25 @@ struct ts_film_sides {
 struct ts_film_section {
 	double drag, poiseuille, couette[2];
 };
-struct ts_film_section ts_film_section(const struct ts_film *f, double h);
+struct ts_film_section ts_film_section(const struct ts_film *f, int axis, double h);
+/* Whether the section is that of smooth surfaces without slip. */
+bool ts_film_is_plain(const struct ts_film *f);
 /* Whether a slip length is given. */
-bool ts_film_slips(const struct ts_film *f);
+static inline bool ts_film_slips(const struct ts_film *f)
+{
+	return f->slip[0] > 0 || f->slip[1] > 0;
+}
+
 /* Velocities of the fluid at both surfaces along an axis, whose own velocities are `wall`; `mean` = q/h. */
 void ts_film_slip_velocity(const struct ts_film *f, double h, double mean, const double wall[2],
 			   double fluid[2]);
+
+/* ---- film_roughness.c */
+
+bool ts_film_is_rough(const struct ts_film *f);
+/* Multiplies a section by the flow factors; its drag is not known and becomes NaN. */
+void ts_film_add_roughness(const struct ts_film *f, int axis, double h, struct ts_film_section *s);
+enum ts_status ts_film_check_roughness(const struct ts_film *f, struct ts_error *error);
 
 /* ---- film_viscosity.c */
 

@@ -144,6 +144,28 @@ START_TEST(viscosity_of_the_pressure)
 }
 END_TEST
 
+/* A plate that slides over a rough one at rest, in all units: q = U (h - sigma phi_s)/2; no shear forces. */
+START_TEST(rough_surfaces)
+{
+	for (int k = 0; k < 3; k++) {
+		double h = (const double[]){ 1e-9, 1e-3, 1e3 }[k];
+		struct tsim *sim = deck_open("units si\nboundary f f f\n"
+					     "region box block 0 %.17g 0 %.17g 0 %.17g units box\n"
+					     "create_box 1 box\n"
+					     "flow_style reynolds roughness %.17g 0 1/3 cells 20 3 lower 0 "
+					     "upper %.17g upper_velocity %.17g 0 0 viscosity 3 density 1 "
+					     "closed ylo yhi\n"
+					     "compute film all film\ntimestep 1e-9\nrun 0\n",
+					     100 * h, 10 * h, 9 * h, h, 8 * h, h);
+
+		DECK_NEAR(deck_value(sim, "c_film[15]") / (h * h * 10 * h), 4 - 1.561 * exp(-2) / 2, 1e-12);
+		ck_assert(isnan(deck_value(sim, "c_film[8]")));
+		ck_assert(isfinite(deck_value(sim, "c_film[1]")));
+		tsim_close(sim);
+	}
+}
+END_TEST
+
 /* A rigid slider that moves to the left over a plane at rest is the same film. If its shape stays while its material
  * slides, the gap does not change, and half of the film is due to each surface. */
 START_TEST(moving_shapes)
@@ -313,6 +335,13 @@ START_TEST(refusals)
 	refuses("f f f", "cells 8 8 viscosity -1 density 1 upper 1 lower 0", "viscosity");
 	refuses("f f f", "cells 8 8 viscosity 1 density 0 upper 1 lower 0", "density");
 	refuses("f f f", FILM "upper 1 lower 0 lower_slip -1", "lower_slip");
+	refuses("f f f", FILM "upper 1 lower 0 roughness 0.1 0.1", "GAMMA");
+	refuses("f f f", FILM "upper 1 lower 0 roughness 0.1 0.1 2", "'2'");
+	refuses("f f f", FILM "upper 1 lower 0 roughness -0.1 0.1 3", "SIGMA_LOWER");
+	refuses("f f f", FILM "upper 1 lower 0 roughness 0.3 0.3 3", "less than 3 standard deviations");
+	refuses("f f f", FILM "upper 1 lower 0 roughness 0.1 0.1 3 cavitation jfo",
+		"not known for cavitation jfo");
+	refuses("f f f", FILM "upper 1 lower 0 roughness 0.1 0.1 3 upper_slip 1", "not known for slip");
 	refuses("f f f", FILM "upper 1 lower 0 barus -1", "barus");
 	refuses("f f f", FILM "upper 1 lower 0 barus 1 roelands 0.1 1 0.6", "found both");
 	refuses("f f f", FILM "upper 1 lower 0 roelands 0.1 1", "Z");
@@ -354,6 +383,7 @@ int main(void)
 	tcase_add_test(tcase, slider_in_all_units);
 	tcase_add_test(tcase, velocity_in_the_gap);
 	tcase_add_test(tcase, slip_in_all_units);
+	tcase_add_test(tcase, rough_surfaces);
 	tcase_add_test(tcase, viscosity_of_the_pressure);
 	tcase_add_test(tcase, moving_shapes);
 	tcase_add_test(tcase, squeeze_in_time);
