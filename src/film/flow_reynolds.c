@@ -280,6 +280,49 @@ static void combine_surfaces(struct reynolds *s)
 	}
 }
 
+/* Whether heights change along an axis by steps: their second differences are as large as the first ones. */
+static bool has_steps(const struct ts_film *f, const double *z, int axis)
+{
+	size_t stride = axis == 0 ? 1 : (size_t)f->n[0];
+	double first = 0, second = 0;
+
+	for (int j = 0; j < f->n[1]; j++)
+		for (int i = 0; i < f->n[0]; i++) {
+			const double *at = z + ts_film_at(f, i, j);
+			int k = axis == 0 ? i : j;
+
+			if (k > 0)
+				first = fmax(first, fabs(at[0] - *(at - stride)));
+			if (k > 0 && k + 1 < f->n[axis])
+				second = fmax(second, fabs(at[stride] - 2 * at[0] + *(at - stride)));
+		}
+	return second > 0.5 * first;
+}
+
+/* At the steps of a gap that is constant in each cell -V.grad h is infinite: central differences, which the flow through
+ * faces does not have, would give a pressure of their own. */
+static enum ts_status check_steps_stay(struct ts_instance *self, struct tsim *sim, const struct reynolds *s)
+{
+	const struct ts_film *f = &s->flow.film;
+
+	for (int side = 0; side < 2 && f->shape == TS_FILM_STEPPED && !s->transient; side++)
+		for (int axis = 0; axis < 2; axis++) {
+			const struct ts_film_surface *surface = &s->flow.surface[side];
+			const double *v = surface->now;
+
+			if (v[axis] != 0 && !surface->stays && has_steps(f, surface->z, axis))
+				return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "stepped"),
+					       "flow_style reynolds: the %s surface has steps and slides "
+					       "with the "
+					       "velocity %g %g: `gap stepped` needs steps that stay in "
+					       "place; let "
+					       "the other surface slide with %g %g instead, or take `gap "
+					       "linear`",
+					       side ? "upper" : "lower", v[0], v[1], -v[0], -v[1]);
+		}
+	return TS_OK;
+}
+
 static uint64_t hash_input(const struct ts_film *f)
 {
 	struct ts_hash hash = ts_hash_start();
@@ -370,6 +413,7 @@ static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim, bool 
 		TS_TRY(ts_film_surface_evaluate(self, sim, &s->flow, &s->flow.surface[side]));
 	TS_TRY(reset_coordinates(self, sim));
 	combine_surfaces(s);
+	TS_TRY(check_steps_stay(self, sim, s));
 	if (s->transient && !s->began)
 		begin_content(s, sim->clock.dt);
 	s->ready = true;
@@ -595,7 +639,10 @@ static const char *const doc_more[] = {
 	"reforms is of first order. With `gap linear` the gap is linear between the centres of cells, and "
 	"the\n"
 	"pressure of a plane slider is exact; with `gap stepped` it is constant in each cell, for steps and\n"
-	"columns. The equation of Reynolds is the limit of thin gaps: it neglects inertia, of order Re h/L, "
+	"columns, which must not slide (unless `transient yes`): where both surfaces slide, subtract the "
+	"velocity of\n"
+	"the one with steps from both. The equation of Reynolds is the limit of thin gaps: it neglects "
+	"inertia, of order Re h/L, "
 	"and\n"
 	"terms of order (h/L)^2. For thicker gaps use flow_style projection.",
 	"Numbers: doc/film.md. Related: compute film, compute film/atom, fix surface/voxel, fix drag/stokes.",

@@ -311,7 +311,9 @@ static void refuses(const char *boundary, const char *words, const char *text)
 			  "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
 			  "variable cx internal 0\n"
 			  "fix pad all surface/voxel constant 0.1 type 1 cells 4 4 normal x base 0\n"
-			  "fix half all surface/voxel constant 0.1 type 1 cells 4 4 size 0.5 0.5\n",
+			  "fix half all surface/voxel constant 0.1 type 1 cells 4 4 size 0.5 0.5\n"
+			  "variable step equal 0.1*(v_cx>0.5)\n"
+			  "fix block all surface/voxel formula v_step x cx type 1 cells 4 4\n",
 			  boundary);
 
 	ck_assert_msg(!deck_accepts(sim, "flow_style reynolds %s\nrun 0\n", words), "accepted: %s", words);
@@ -329,6 +331,8 @@ START_TEST(refusals)
 	refuses("f f f", FILM "upper 1 lower_voxel none", "there is no height field 'none'");
 	refuses("f f f", FILM "upper 1 lower_voxel pad", "the normal of fix 'pad' is not z");
 	refuses("f f f", FILM "upper 1 lower_voxel half", "has no column at (0.5625, 0.0625)");
+	refuses("f f f", FILM "upper 1 lower_voxel block lower_velocity 2 0 0 gap stepped",
+		"the lower surface has steps and slides with the velocity 2 0");
 	refuses("f f f", FILM "upper 1 lower 1", "the gap is 0 at (0.0625, 0.0625), the surfaces touch");
 	refuses("f f f", FILM "upper 1 lower 2", "the gap is -1 at");
 	refuses("f f f", "cells 8 8 viscosity 0 density 1 upper 1 lower 0", "viscosity");

@@ -140,9 +140,10 @@ syn keyword tsimKeyword  force_ratio transition particles sio2 sic glass relaxat
 syn keyword tsimKeyword  section segment plastic ab2 rk2 rk3 backward substeps courant
 syn keyword tsimKeyword  quick cubista gamma form fv fd conservative quadratic body_force
 syn keyword tsimKeyword  pressure_level lower_voxel lower_velocity upper_velocity
-syn keyword tsimKeyword  lower_stays upper_stays lower_slip upper_slip barus roelands
-syn keyword tsimKeyword  ambient pressure_xlo pressure_xhi pressure_ylo pressure_yhi closed
-syn keyword tsimKeyword  cavitation half reynolds jfo cavity_pressure transient gap stepped
+syn keyword tsimKeyword  lower_stays upper_stays lower_slip upper_slip roughness barus
+syn keyword tsimKeyword  roelands ambient pressure_xlo pressure_xhi pressure_ylo
+syn keyword tsimKeyword  pressure_yhi closed cavitation half reynolds jfo cavity_pressure
+syn keyword tsimKeyword  transient gap stepped
 syn match tsimKeyword /\<run\>/ 
 syn keyword tsimKeyword  touching solid axisymmetric plane point span distance profile
 syn keyword tsimKeyword  potential generic hertz/material dmt mass_velocity viscoelastic
