@@ -17,6 +17,9 @@
 #       7    library/check_library_steps    library/check_library
 #       7    mesh/cell_regions.sh           region/regions.sh
 #       7    energy/energy_ledger.sh        energy/check_energy, energy/energy.sh
+#      14    examples/erosion.sh            wear/erosion_laws.sh, impact/exact_impacts.sh
+#       9    wear/evolve_voxel.sh           wear/evolve_mesh.sh
+#       7    examples/erosion_ladder.sh     insert/jet.sh, coupling/check_drag
 #       6    examples/drilling.sh           bond/check_bonds
 #       6    restart/restart.sh             restart/restart_changes.sh, restart/restart_streams.sh
 #       6    program/sandbox.sh             house/door.sh
@@ -26,6 +29,9 @@ crosschecks = $(filter tests/crosscheck/%,$(shell_tests))
 slow_tests = \
 	$(crosschecks) \
 	tests/examples/benchmarks.sh \
+	tests/examples/erosion.sh \
+	tests/examples/erosion_ladder.sh \
+	tests/wear/evolve_voxel.sh \
 	tests/core/check_alloc \
 	tests/library/check_library_steps \
 	tests/script/check_unbreakable \
