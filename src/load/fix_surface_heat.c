@@ -65,11 +65,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	const struct state *s = self->state;
 
 	(void)report;
-	if (!ts_surface_has_wall(sim, s->surface.by))
-		ts_warn(&sim->log, ts_instance_word(self, s->surface_id),
-			"fix surface/heat: no fix wall/gran is made of the surface %s, so no particle "
-			"touches it",
-			s->surface_id);
+	ts_surface_warn_without_wall(self, sim, s->surface.by, s->surface_id);
 	return TS_OK;
 }
 

@@ -78,7 +78,7 @@ enum ts_status ts_surface_contacts_collect(struct tsim *sim, struct ts_wall *w)
 	return TS_OK;
 }
 
-bool ts_surface_has_wall(const struct tsim *sim, const struct ts_instance *surface)
+static bool has_wall(const struct tsim *sim, const struct ts_instance *surface)
 {
 	const struct ts_wall *w;
 
@@ -86,6 +86,15 @@ bool ts_surface_has_wall(const struct tsim *sim, const struct ts_instance *surfa
 		if (ts_wall_find_surface(w, surface) != SIZE_MAX)
 			return true;
 	return false;
+}
+
+void ts_surface_warn_without_wall(struct ts_instance *self, struct tsim *sim,
+				  const struct ts_instance *surface, const char *word)
+{
+	if (!has_wall(sim, surface))
+		ts_warn(&sim->log, ts_instance_word(self, word),
+			"fix %s: no fix wall/gran is made of the surface %s, so no particle touches it",
+			self->style->name, surface->id);
 }
 
 bool ts_surface_contacts_listed(const struct tsim *sim, const struct ts_instance *surface)

@@ -67,8 +67,9 @@ static inline bool ts_surface_contact_in_group(const struct ts_surface_contact *
 {
 	return (c->groups >> group) & 1u;
 }
-/* Whether a wall is made of the surface. Valid after all init functions. */
-bool ts_surface_has_wall(const struct tsim *sim, const struct ts_instance *surface);
+/* Warns if no wall is made of the surface that the argument `word` of an instance names. In its plan. */
+void ts_surface_warn_without_wall(struct ts_instance *self, struct tsim *sim,
+				  const struct ts_instance *surface, const char *word);
 /* Whether some pair of a particle and an element of the surface is listed, touching or not. */
 bool ts_surface_contacts_listed(const struct tsim *sim, const struct ts_instance *surface);
 

@@ -64,7 +64,7 @@ enum ts_status ts_surface_rows_archive(struct tsim *sim, struct ts_surface_rows 
 
 	TS_TRY(ts_archive_array(archive, "touched", TS_SAVED_I32, (void **)&rows->touched,
 				&rows->touched_capacity, &rows->n));
-	TS_TRY(ts_archive_array(archive, "rows", TS_SAVED_F64, (void **)&rows->data, &rows->data_capacity,
+	TS_TRY(ts_archive_array(archive, "sums", TS_SAVED_F64, (void **)&rows->data, &rows->data_capacity,
 				&numbers));
 	return ts_archive_writing(archive) ? TS_OK : restore(sim, rows, numbers);
 }

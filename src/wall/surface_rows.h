@@ -21,7 +21,7 @@ enum ts_status ts_surface_rows_init(struct tsim *sim, struct ts_surface_rows *ro
 /* The numbers of an element, all 0 when it is touched for the first time; valid until the next call. */
 enum ts_status ts_surface_rows_at(struct tsim *sim, struct ts_surface_rows *rows, size_t element,
 				  double **out);
-/* Fields `touched` and `rows`. */
+/* Fields `touched` and `sums`. */
 enum ts_status ts_surface_rows_archive(struct tsim *sim, struct ts_surface_rows *rows,
 				       struct ts_archive *archive);
 void ts_surface_rows_release(struct ts_surface_rows *rows);

@@ -76,8 +76,6 @@ static enum ts_status reserve(struct tsim *sim, struct ts_evolution *e, size_t r
 enum ts_status ts_evolution_add(struct tsim *sim, struct ts_evolution *e, size_t row, double volume,
 				bool back)
 {
-	if (!e->on)
-		return TS_OK;
 	TS_TRY(reserve(sim, e, row + 1));
 	if (back)
 		e->sums[row].back += volume;
@@ -92,11 +90,11 @@ static size_t collect(const struct ts_wear *w, struct ts_recession_element *item
 	const struct ts_evolution_sums *s = w->evolution.sums;
 	size_t n = 0;
 
-	for (size_t k = 0; k < w->n; k++) {
-		double due = w->sums[k].volume - s[k].taken - s[k].surplus;
+	for (size_t k = 0; k < w->rows.n; k++) {
+		double due = ts_wear_sums(w, k)->volume - s[k].taken - s[k].surplus;
 
 		if (due > 0)
-			item[n++] = (struct ts_recession_element){ .element = (size_t)w->touched[k],
+			item[n++] = (struct ts_recession_element){ .element = (size_t)w->rows.touched[k],
 								   .due = due,
 								   .back = s[k].back };
 	}
@@ -137,7 +135,7 @@ static enum ts_status take_results(struct ts_instance *self, struct tsim *sim,
 
 	for (size_t k = 0; k < n; k++) {
 		const struct ts_recession_element *e = &item[k];
-		struct ts_evolution_sums *s = &w->evolution.sums[w->row[e->element] - 1];
+		struct ts_evolution_sums *s = &w->evolution.sums[w->rows.row[e->element] - 1];
 		double pending = fmax(e->due - e->taken - e->surplus, 0);
 
 		s->taken += e->taken;
@@ -159,9 +157,9 @@ enum ts_status ts_evolution_update(struct ts_instance *self, struct tsim *sim)
 
 	if (!e->on || sim->clock.step % e->every != 0)
 		return TS_OK;
-	if (TS_GROW(e->item, e->item_capacity, w->n) != TS_OK)
+	if (TS_GROW(e->item, e->item_capacity, w->rows.n) != TS_OK)
 		return ts_nomem(&sim->error);
-	TS_TRY(reserve(sim, e, w->n));
+	TS_TRY(reserve(sim, e, w->rows.n));
 	n = collect(w, e->item);
 	TS_TRY(ts_surface_recede(sim, &w->surface, &how, ts_instance_word(self, "evolve"), e->item, n));
 	return take_results(self, sim, e->item, n);

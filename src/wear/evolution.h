@@ -24,7 +24,7 @@ struct ts_evolution {
 	double thickness, layer; /* NaN: not given */
 	int through;		 /* enum ts_through */
 
-	struct ts_evolution_sums *sums;	   /* [n], in the order of the sums of struct ts_wear */
+	struct ts_evolution_sums *sums;	   /* [n], in the order of the rows of struct ts_wear */
 	struct ts_recession_element *item; /* buffer */
 	size_t n, capacity, item_capacity;
 };
@@ -50,7 +50,7 @@ extern const char *const ts_through_names[];
 
 /* In the init of a fix wear/LAW, whose surface has been found. */
 enum ts_status ts_evolution_init(struct ts_instance *self, struct tsim *sim);
-/* Row `row` of the sums of the fix has got this volume. */
+/* With `evolve yes`: row `row` of the fix has got this volume. */
 enum ts_status ts_evolution_add(struct tsim *sim, struct ts_evolution *e, size_t row, double volume,
 				bool back);
 /* At the end of a step: changes the geometry if it is time. */

@@ -11,7 +11,7 @@ static const struct ts_wear_law nothing_is_removed = { 0 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	return ts_wear_init(self, sim, &nothing_is_removed);
+	return ts_wear_find_surface(self, sim, &nothing_is_removed);
 }
 
 static const struct ts_arg args[] = {

@@ -14,24 +14,20 @@
 
 /* ---- surface and elements ---- */
 
-enum ts_status ts_wear_init(struct ts_instance *self, struct tsim *sim, const struct ts_wear_law *law)
+enum ts_status ts_wear_find_surface(struct ts_instance *self, struct tsim *sim, const struct ts_wear_law *law)
 {
 	struct ts_wear *w = self->state;
 	struct ts_word id = { .text = w->surface_id, .place = *ts_instance_word(self, w->surface_id) };
-	size_t elements;
 
 	w->law = law;
 	TS_TRY(ts_surface_require(sim, &id, &w->surface));
-	elements = ts_surface_elements(&w->surface);
-	if (w->n && elements != w->elements)
-		return ts_fail(&sim->error, TS_STATE, &id.place,
-			       "fix %s %s: surface '%s' has %zu elements, but had %zu when it was worn",
-			       self->style->name, self->id, id.text, elements, w->elements);
-	if (TS_GROW(w->row, w->row_capacity, elements) != TS_OK)
-		return ts_nomem(&sim->error);
-	w->elements = elements;
-	/* a style without a law has no words of evolution */
-	return law->impact || law->slide ? ts_evolution_init(self, sim) : TS_OK;
+	return ts_surface_rows_init(sim, &w->rows, &w->surface, TS_WEAR_SUMS, &id.place);
+}
+
+enum ts_status ts_wear_init(struct ts_instance *self, struct tsim *sim, const struct ts_wear_law *law)
+{
+	TS_TRY(ts_wear_find_surface(self, sim, law));
+	return ts_evolution_init(self, sim);
 }
 
 const struct ts_instance *ts_wear_surface(const struct ts_instance *self)
@@ -39,31 +35,25 @@ const struct ts_instance *ts_wear_surface(const struct ts_instance *self)
 	return ((const struct ts_wear *)self->state)->surface.by;
 }
 
-/* The sums of an element; makes them when it is touched for the first time. */
 static enum ts_status sums_of(struct tsim *sim, struct ts_wear *w, size_t element, struct ts_wear_sums **out)
 {
-	if (!w->row[element]) {
-		if (TS_GROW(w->touched, w->touched_capacity, w->n + 1) != TS_OK ||
-		    TS_GROW(w->sums, w->sums_capacity, w->n + 1) != TS_OK)
-			return ts_nomem(&sim->error);
-		w->sums[w->n] = (struct ts_wear_sums){ 0 };
-		w->touched[w->n++] = (int32_t)element;
-		w->row[element] = (int32_t)w->n;
-	}
-	*out = &w->sums[w->row[element] - 1];
+	double *at;
+
+	TS_TRY(ts_surface_rows_at(sim, &w->rows, element, &at));
+	*out = (struct ts_wear_sums *)at;
 	return TS_OK;
 }
 
 /* ---- a step ---- */
 
-static enum ts_status remove_volume(struct tsim *sim, struct ts_wear *w, struct ts_wear_sums *s,
-				    double volume, const double normal[3])
+static enum ts_status remove_volume(struct tsim *sim, struct ts_wear *w, size_t element,
+				    struct ts_wear_sums *s, double volume, const double normal[3])
 {
-	size_t row = (size_t)(s - w->sums);
-
 	s->volume += volume;
-	return ts_evolution_add(sim, &w->evolution, row, volume,
-				ts_surface_is_back(&w->surface, (size_t)w->touched[row], normal));
+	if (!w->evolution.on)
+		return TS_OK;
+	return ts_evolution_add(sim, &w->evolution, (size_t)w->rows.row[element] - 1, volume,
+				ts_surface_is_back(&w->surface, element, normal));
 }
 
 static enum ts_status add_impact(struct ts_instance *self, struct tsim *sim, const struct ts_impact_event *e)
@@ -81,7 +71,9 @@ static enum ts_status add_impact(struct ts_instance *self, struct tsim *sim, con
 	s->force = fmax(s->force, e->peak_force);
 	if (!w->law->slide) /* else it is added step by step */
 		s->work += e->work;
-	return w->law->impact ? remove_volume(sim, w, s, w->law->impact(self, e), e->normal) : TS_OK;
+	return w->law->impact
+		       ? remove_volume(sim, w, (size_t)e->element, s, w->law->impact(self, e), e->normal)
+		       : TS_OK;
 }
 
 static enum ts_status add_slide(struct ts_instance *self, struct tsim *sim,
@@ -102,7 +94,7 @@ static enum ts_status add_slide(struct ts_instance *self, struct tsim *sim,
 	ts_scale(1, c->velocity, slide.velocity);
 	TS_TRY(sums_of(sim, w, c->element, &s));
 	s->work += slide.work;
-	return remove_volume(sim, w, s, w->law->slide(self, &slide), slide.normal);
+	return remove_volume(sim, w, c->element, s, w->law->slide(self, &slide), slide.normal);
 }
 
 enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim)
@@ -129,10 +121,7 @@ enum ts_status ts_wear_plan(struct ts_instance *self, struct tsim *sim, struct t
 	const struct ts_wear *wear = self->state;
 
 	(void)report;
-	if (!ts_surface_has_wall(sim, wear->surface.by))
-		ts_warn(&sim->log, ts_instance_word(self, wear->surface_id),
-			"fix %s: no fix wall/gran is made of the surface %s, so no particle touches it",
-			self->style->name, wear->surface_id);
+	ts_surface_warn_without_wall(self, sim, wear->surface.by, wear->surface_id);
 	return TS_OK;
 }
 
@@ -141,9 +130,7 @@ enum ts_status ts_wear_plan(struct ts_instance *self, struct tsim *sim, struct t
 /* Sum of one member of struct ts_wear_sums over the elements: exact, rounded once. */
 static double total(const struct ts_wear *w, size_t member)
 {
-	const double *first = w->n ? &w->sums[0].hits : NULL;
-
-	return w->n ? ts_exactsum_of(first + member, w->n, TS_WEAR_SUMS) : 0;
+	return w->rows.n ? ts_exactsum_of(w->rows.data + member, w->rows.n, TS_WEAR_SUMS) : 0;
 }
 #define TOTAL(w, f) total((w), offsetof(struct ts_wear_sums, f) / sizeof(double))
 #define EVOLVED(w, f) \
@@ -230,15 +217,15 @@ enum {
 static enum ts_status list_elements(const struct ts_wear *w, const struct tsim *sim, size_t sums,
 				    size_t columns, struct ts_table *out)
 {
-	TS_TRY(ts_table_resize(out, w->elements, columns));
-	for (size_t k = 0; k < w->elements; k++) {
+	TS_TRY(ts_table_resize(out, w->rows.elements, columns));
+	for (size_t k = 0; k < w->rows.elements; k++) {
 		for (size_t c = 0; c < columns; c++)
 			out->data[k * columns + c] = 0;
 		ts_surface_centre(&w->surface, sim, k, out->data + k * columns + sums);
 	}
-	for (size_t k = 0; k < w->n; k++) {
-		const struct ts_wear_sums *s = &w->sums[k];
-		size_t element = (size_t)w->touched[k];
+	for (size_t k = 0; k < w->rows.n; k++) {
+		const struct ts_wear_sums *s = ts_wear_sums(w, k);
+		size_t element = (size_t)w->rows.touched[k];
 		double column[SUMS] = {
 			s->hits,
 			quotient(s->speed, s->hits),
@@ -263,7 +250,7 @@ static enum ts_status eval_elements(struct ts_instance *self, const struct tsim 
 
 	TS_TRY(list_elements(w, sim, SUMS, COLUMNS, out));
 	for (size_t k = 0; k < w->evolution.n; k++)
-		out->data[(size_t)w->touched[k] * COLUMNS + TAKEN] = w->evolution.sums[k].taken;
+		out->data[(size_t)w->rows.touched[k] * COLUMNS + TAKEN] = w->evolution.sums[k].taken;
 	return TS_OK;
 }
 
@@ -309,43 +296,19 @@ const struct ts_value ts_wear_impact_values[] = {
 
 /* ---- saved state ---- */
 
-/* After reading: finds the rows of elements; fails if the file does not fit. */
-static enum ts_status restore_rows(struct tsim *sim, struct ts_wear *w, size_t rows)
-{
-	for (size_t k = 0; k < w->n; k++) {
-		size_t element = (size_t)w->touched[k];
-
-		if (rows != w->n || w->touched[k] < 0 || element >= w->elements || w->row[element])
-			return ts_fail(&sim->error, TS_DAMAGED, NULL,
-				       "saved wear does not fit the surface '%s' of %zu elements",
-				       w->surface_id, w->elements);
-		w->row[element] = (int32_t)k + 1;
-	}
-	return TS_OK;
-}
-
 enum ts_status ts_wear_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
 	struct ts_wear *w = self->state;
-	size_t n = w->n * TS_WEAR_SUMS, capacity = w->sums_capacity * TS_WEAR_SUMS;
 
-	TS_TRY(ts_archive_array(archive, "touched", TS_SAVED_I32, (void **)&w->touched, &w->touched_capacity,
-				&w->n));
-	TS_TRY(ts_archive_array(archive, "sums", TS_SAVED_F64, (void **)&w->sums, &capacity, &n));
-	TS_TRY(ts_evolution_archive(archive, sim, &w->evolution, w->n));
-	if (ts_archive_writing(archive))
-		return TS_OK;
-	w->sums_capacity = capacity / TS_WEAR_SUMS;
-	return restore_rows(sim, w, n / TS_WEAR_SUMS);
+	TS_TRY(ts_surface_rows_archive(sim, &w->rows, archive));
+	return ts_evolution_archive(archive, sim, &w->evolution, w->rows.n);
 }
 
 void ts_wear_fini(struct ts_instance *self)
 {
 	struct ts_wear *w = self->state;
 
-	ts_free(w->row);
-	ts_free(w->touched);
-	ts_free(w->sums);
+	ts_surface_rows_release(&w->rows);
 	ts_evolution_release(&w->evolution);
 }
 

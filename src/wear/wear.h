@@ -3,8 +3,7 @@
  * A law is a table of two functions, numbers in, volume out. The machine calls `impact` once for each impact that has
  * ended (impact/impacts.h), `slide` for each touching contact in each step (wall/surface_contacts.h; of an impact that is
  * computed as a whole, for each node of a quadrature over its time), and sums for each
- * element what they give, beside speeds, angles and energies. Elements that no particle has touched take no time and
- * no memory but a number of 4 bytes.
+ * element what they give, beside speeds, angles and energies (wall/surface_rows.h).
  *
  * A style of a law begins its state with a struct ts_wear, its arguments with TS_WEAR_ARGS, and its table has
  *
@@ -16,7 +15,7 @@
 #define TS_WEAR_WEAR_H
 
 #include "impact/impact_event.h"
-#include "wall/surface.h"
+#include "wall/surface_rows.h"
 #include "wear/evolution.h"
 
 /* A touching contact in one step, or a part of an impact that is computed as a whole (wall/surface_contacts.h). */
@@ -60,12 +59,13 @@ struct ts_wear {
 
 	const struct ts_wear_law *law;
 	struct ts_surface surface;
-	size_t elements;	   /* of the surface */
-	int32_t *row;		   /* [elements] 1 + index in `sums`; 0: never touched */
-	int32_t *touched;	   /* [n] element of each row */
-	struct ts_wear_sums *sums; /* [n], in the order of the first touch */
-	size_t n, row_capacity, touched_capacity, sums_capacity;
+	struct ts_surface_rows rows; /* struct ts_wear_sums */
 };
+
+static inline const struct ts_wear_sums *ts_wear_sums(const struct ts_wear *w, size_t row)
+{
+	return (const struct ts_wear_sums *)(w->rows.data + row * TS_WEAR_SUMS);
+}
 
 #define TS_WEAR_SURFACE_ARG(T, f)                                                                       \
 	TS_WORD("surface", T, f.surface_id, .flags = TS_STATEFUL,                                       \
@@ -77,8 +77,11 @@ struct ts_wear {
 			.unit = "mass/length^3", .help = "of the surface, for the mass removed"), \
 		TS_EVOLUTION_ARGS(T, f.evolution)
 
-/* In the init of the style: finds the surface. */
+/* In the init of a style with TS_WEAR_ARGS: finds the surface, checks whether it can recede. */
 enum ts_status ts_wear_init(struct ts_instance *self, struct tsim *sim, const struct ts_wear_law *law);
+/* In the init of a style with TS_WEAR_SURFACE_ARG alone. */
+enum ts_status ts_wear_find_surface(struct ts_instance *self, struct tsim *sim,
+				    const struct ts_wear_law *law);
 
 /* Slots. */
 enum ts_status ts_wear_step(struct ts_instance *self, struct tsim *sim);
