@@ -9,6 +9,7 @@
 #include "deck.h"
 #include "film/film.h"
 #include "film/film_measures.h"
+#include "film/film_velocity.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -89,6 +90,22 @@ static inline void film_sommerfeld(const struct ts_film *f, double *number, doub
 		}
 	*number = length / PI / hypot(radial, tangential);
 	*attitude = atan2(tangential, radial) * 180 / PI;
+}
+
+/* Lower surface of inclined films. */
+static inline double film_lower_surface(double x, double y)
+{
+	return 0.2 * x - 0.1 * y;
+}
+
+/* Velocity in a film above it, at height z, which the lower surface leaves with 0.05. */
+static inline void film_velocity_at(const struct ts_film *f, double x, double y, double z, double u[3])
+{
+	const double slope[2] = { 0.2, -0.1 };
+	struct ts_film_point point;
+
+	ts_film_sample(f, (const double[]){ x, y }, &point);
+	ts_film_profile(&point, (z - film_lower_surface(x, y)) / point.gap, slope, 0.05, u);
 }
 
 #endif

@@ -27,6 +27,26 @@ same() {
 	report "$1" $? difference
 }
 
+# results WHAT SCRIPT NUMBER WORDS...: a run of a script has so many RESULT lines, all ok; output in `out`
+results() {
+	local what=$1 script=$2 number=$3
+	shift 3
+	"$TSIM" -in "$script" -log none "$@" >out 2>&1 </dev/null &&
+		[ "$(grep -c '^RESULT .* ok$' out)" = "$number" ] && ! grep -q '^RESULT .* off$' out
+	report "$what" $? out
+}
+
+# flow_case WHAT CASE -var NAME VALUE ...: the example in examples/flow runs and its RESULT lines hold; these
+# are in `lines`, those of all such cases in `all`
+flow_case() {
+	local what=$1 case=$2
+	shift 2
+	(cd "$top_srcdir/examples/flow/$case" && "$TSIM" -in in.$case -log none "$@") >out 2>&1 &&
+		grep '^RESULT' out >lines && ! grep -q 'off$' lines
+	report "$what" $? out
+	cat lines >>all 2>/dev/null
+}
+
 # has PROGRAM [PACKAGE]: whether the program is installed. If not, the log says that a part of the test is
 # skipped; ./setup counts these lines.
 has() {

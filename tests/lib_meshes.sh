@@ -49,6 +49,17 @@ funnel() {
 	}' | solid
 }
 
+# springs: frictionless contacts of two types, springs of 1e6 without damping
+springs() {
+	cat <<'END3'
+fix kn all property/global kn peratomtypepair 2 1e6 1e6 1e6 1e6
+fix kt all property/global kt peratomtypepair 2 0 0 0 0
+fix gn all property/global gamman peratomtypepair 2 0 0 0 0
+fix gt all property/global gammat peratomtypepair 2 0 0 0 0
+fix mu all property/global coefficientFriction peratomtypepair 2 0 0 0 0
+END3
+}
+
 # two_materials: a box of side 2 about the origin, for grains of type 1 and meshes of type 2
 two_materials() {
 	cat <<'END3'

@@ -5,15 +5,6 @@
 cp -r "$top_srcdir/examples/erosion" "$top_srcdir/examples/wear" "$top_srcdir/examples/flow" . || exit 99
 cd erosion || exit 99
 
-# results WHAT SCRIPT NUMBER WORDS...: so many RESULT lines, all ok
-results() {
-	local what=$1 script=$2 number=$3
-	shift 3
-	"$TSIM" -in "$script" -log none "$@" >out 2>&1 </dev/null &&
-		[ "$(grep -c '^RESULT .* ok$' out)" = "$number" ] && ! grep -q '^RESULT .* off$' out
-	report "$what" $? out
-}
-
 results 'a jet on three materials at two angles' in.erosion 5 -var dust 2e-7
 [ "$(grep -c '^[a-z]* [39]0 4237 ' out)" = 6 ]
 report 'the same impacts on all of them' $? out

@@ -5,15 +5,6 @@
 cp -r "$top_srcdir/examples/erosion" "$top_srcdir/examples/flow" . || exit 99
 cd erosion || exit 99
 
-# results WHAT SCRIPT NUMBER WORDS...: so many RESULT lines, all ok
-results() {
-	local what=$1 script=$2 number=$3
-	shift 3
-	"$TSIM" -in "$script" -log none "$@" >out 2>&1 </dev/null &&
-		[ "$(grep -c '^RESULT .* ok$' out)" = "$number" ] && ! grep -q '^RESULT .* off$' out
-	report "$what" $? out
-}
-
 # without scatter of speeds and directions the grains give the closed form itself
 results 'closed form and grains at 90 degrees' in.ladder 2 -var model closed jet -var dust 5e-8
 results 'closed form and grains at 30 degrees' in.ladder 2 -var model closed jet -var dust 5e-8 -var angle 30

@@ -4,16 +4,6 @@
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 
-# result WHAT CASE -var NAME VALUE ...: the example runs and its RESULT lines hold; they stay in lines
-results() {
-	local what=$1 case=$2
-	shift 2
-	(cd "$top_srcdir/examples/flow/$case" && "$TSIM" -in in.$case -log none "$@") >out 2>&1 &&
-		grep '^RESULT' out >lines && ! grep -q 'off$' lines
-	report "$what" $? out
-	cat lines >>all 2>/dev/null
-}
-
 # order WHAT LEAST NAME NAME: the value of the first result falls at least by 2^LEAST to that of the second
 order() {
 	awk -v least="$2" -v a="$3" -v b="$4" '
@@ -24,49 +14,49 @@ order() {
 	report "$1: order $2" $? out
 }
 
-results 'channel' poiseuille -var N 5 -var within 0.03
-results 'channel' poiseuille -var N 10 -var out "$work/channel"
+flow_case 'channel' poiseuille -var N 5 -var within 0.03
+flow_case 'channel' poiseuille -var N 10 -var out "$work/channel"
 [ "$(grep -vc '^#' channel)" = 101 ]
 report 'file of the channel' $? channel
 order 'profile of a channel' 1.9 plates.inlet.5.profile plates.inlet.10.profile
 # a parabola is exact in the scheme, whatever the grid
-results 'channel, pulled along' poiseuille -var N 4 -var drive force -var within 1e-6
-results 'channel, driven by pressures' poiseuille -var N 4 -var drive pressure -var within 1e-6
+flow_case 'channel, pulled along' poiseuille -var N 4 -var drive force -var within 1e-6
+flow_case 'channel, driven by pressures' poiseuille -var N 4 -var drive pressure -var within 1e-6
 for N in 4 8; do
-	results 'channel, driven by pressures' poiseuille -var N $N -var drive pressure -var wall linear -var within 0.1
+	flow_case 'channel, driven by pressures' poiseuille -var N $N -var drive pressure -var wall linear -var within 0.1
 done
 order 'profile driven by pressures' 1.95 plates.pressure.4.profile plates.pressure.8.profile
 # a duct has the errors that it has when it is pulled along
 for drive in force pressure; do
-	results 'duct, driven' poiseuille -var N 5 -var shape duct -var drive $drive -var within 0.05
+	flow_case 'duct, driven' poiseuille -var N 5 -var shape duct -var drive $drive -var within 0.05
 	awk '/profile/ { printf "%.5f\n", $3 }' lines >profile.$drive
 done
 same 'duct, driven' profile.force profile.pressure
-results 'duct' poiseuille -var N 5 -var shape duct -var within 0.07
-results 'duct' poiseuille -var N 10 -var shape duct -var within 0.02
+flow_case 'duct' poiseuille -var N 5 -var shape duct -var within 0.07
+flow_case 'duct' poiseuille -var N 10 -var shape duct -var within 0.02
 order 'profile of a duct' 1.9 duct.inlet.5.profile duct.inlet.10.profile
 
 for wall in linear quadratic; do
-	results 'started plate' plate -var N 10 -var part 0.1 -var within 0.025 -var wall $wall
-	results 'started plate' plate -var N 20 -var part 0.1 -var within 0.007 -var wall $wall
+	flow_case 'started plate' plate -var N 10 -var part 0.1 -var within 0.025 -var wall $wall
+	flow_case 'started plate' plate -var N 20 -var part 0.1 -var within 0.007 -var wall $wall
 done
 for t in 0.04 0.16 0.64; do
 	order "started plate at $t" 1.9 plate.10.linear.at.$t plate.20.linear.at.$t
 done
 order "started plate" 1.7 plate.10.quadratic.at.0.04 plate.20.quadratic.at.0.04
 
-results 'vortices' taylor_green -var N 16 -var steps 64
-results 'vortices' taylor_green -var N 32 -var steps 256
+flow_case 'vortices' taylor_green -var N 16 -var steps 64
+flow_case 'vortices' taylor_green -var N 32 -var steps 256
 order 'vortices' 1.9 taylor_green.16.velocity taylor_green.32.velocity
 
-results 'cavity' cavity -var N 16 -var longest 25 -var steady 0
-results 'cavity' cavity -var N 32 -var longest 25 -var steady 0 -var within 0.005
-results 'cavity, graded' cavity -var N 16 -var tanh 1.2 -var convection quick -var within 0.009 -var out "$work/cavity"
+flow_case 'cavity' cavity -var N 16 -var longest 25 -var steady 0
+flow_case 'cavity' cavity -var N 32 -var longest 25 -var steady 0 -var within 0.005
+flow_case 'cavity, graded' cavity -var N 16 -var tanh 1.2 -var convection quick -var within 0.009 -var out "$work/cavity"
 [ "$(grep -vc '^#' cavity.u)" = 130 ] && [ -s cavity.pvd ] && ls cavity*.vtr >/dev/null
 report 'files of the cavity' $? out
 order 'cavity' 1.8 cavity.100.16.central.fv.u cavity.100.32.central.fv.u
 
-results 'slider bearing' bearing -var N 8 -var aspect 12 -var out "$work/bearing"
+flow_case 'slider bearing' bearing -var N 8 -var aspect 12 -var out "$work/bearing"
 [ "$(grep -vc '^#' bearing)" = 49 ]
 report 'file of the bearing' $? bearing
 

@@ -1,6 +1,5 @@
 /* The Reynolds equation without cavitation: exact solutions, orders of convergence, conservation, wrong input. */
 #include "films.h"
-#include "film/film_velocity.h"
 
 /* ---- plane slider: h from K to 1 on a length of 1, the lower surface slides with speed 1 */
 
@@ -337,20 +336,6 @@ END_TEST
 
 /* Between curved surfaces h1 = lower(x, y), h2 = h1 + h. Velocities at s = 0 and 1 are those of the surfaces, the mean
  * is that of the flow, and the flow out of a small box in the fluid vanishes. */
-static double lower_surface(double x, double y)
-{
-	return 0.2 * x - 0.1 * y;
-}
-
-static void velocity_at(const struct ts_film *f, double x, double y, double z, double u[3])
-{
-	const double slope[2] = { 0.2, -0.1 };
-	struct ts_film_point point;
-
-	ts_film_sample(f, (const double[]){ x, y }, &point);
-	ts_film_profile(&point, (z - lower_surface(x, y)) / point.gap, slope, 0.05, u);
-}
-
 START_TEST(velocity_has_no_divergence)
 {
 	struct ts_film f = film_open(20, 12, 1, 1);
@@ -370,13 +355,15 @@ START_TEST(velocity_has_no_divergence)
 	film_solve(&f);
 	for (int k = 0; k < 50; k++) { /* inside of a cell, and of the rectangle of four centres */
 		double x = (k % 18 + 1 + 0.2) / 20, y = (k % 10 + 1 + 0.3) / 12;
-		double z = lower_surface(x, y) + (0.3 - 0.2 * x + 0.1 * y) * noise(k), divergence = 0;
+		double z = film_lower_surface(x, y) + (0.3 - 0.2 * x + 0.1 * y) * noise(k), divergence = 0;
 
 		for (int axis = 0; axis < 3; axis++) {
 			double low[3], high[3];
 
-			velocity_at(&f, x - (axis == 0) * d, y - (axis == 1) * d, z - (axis == 2) * d, low);
-			velocity_at(&f, x + (axis == 0) * d, y + (axis == 1) * d, z + (axis == 2) * d, high);
+			film_velocity_at(&f, x - (axis == 0) * d, y - (axis == 1) * d, z - (axis == 2) * d,
+					 low);
+			film_velocity_at(&f, x + (axis == 0) * d, y + (axis == 1) * d, z + (axis == 2) * d,
+					 high);
 			divergence += (high[axis] - low[axis]) / (2 * d);
 		}
 		DECK_NEAR(divergence, 0, 1e-6);

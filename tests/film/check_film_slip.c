@@ -1,6 +1,5 @@
 /* Films between surfaces that slip: closed solutions, the condition of Navier, forces, conservation. */
 #include "films.h"
-#include "film/film_velocity.h"
 
 /* Flow of the surface 1 and h^3 with slip, for the tests that need only values. */
 static double couette(double h, double b1, double b2)
@@ -177,20 +176,6 @@ START_TEST(slip_at_the_surfaces)
 }
 END_TEST
 
-static double lower_surface(double x, double y)
-{
-	return 0.2 * x - 0.1 * y;
-}
-
-static void velocity_at(const struct ts_film *f, double x, double y, double z, double u[3])
-{
-	const double slope[2] = { 0.2, -0.1 };
-	struct ts_film_point point;
-
-	ts_film_sample(f, (const double[]){ x, y }, &point);
-	ts_film_profile(&point, (z - lower_surface(x, y)) / point.gap, slope, 0.05, u);
-}
-
 /* Between inclined planes: no flow out of small boxes in the fluid; none through the surfaces. */
 START_TEST(velocity_has_no_divergence)
 {
@@ -211,19 +196,21 @@ START_TEST(velocity_has_no_divergence)
 	film_solve(&f);
 	for (int k = 0; k < 50; k++) { /* inside of a cell, and of the rectangle of four centres */
 		double x = (k % 18 + 1 + 0.2) / 20, y = (k % 10 + 1 + 0.3) / 12, h = 0.3 - 0.2 * x + 0.1 * y;
-		double z = lower_surface(x, y) + h * (k + 0.5) / 50, divergence = 0, u[3];
+		double z = film_lower_surface(x, y) + h * (k + 0.5) / 50, divergence = 0, u[3];
 
 		for (int axis = 0; axis < 3; axis++) {
 			double low[3], high[3];
 
-			velocity_at(&f, x - (axis == 0) * d, y - (axis == 1) * d, z - (axis == 2) * d, low);
-			velocity_at(&f, x + (axis == 0) * d, y + (axis == 1) * d, z + (axis == 2) * d, high);
+			film_velocity_at(&f, x - (axis == 0) * d, y - (axis == 1) * d, z - (axis == 2) * d,
+					 low);
+			film_velocity_at(&f, x + (axis == 0) * d, y + (axis == 1) * d, z + (axis == 2) * d,
+					 high);
 			divergence += (high[axis] - low[axis]) / (2 * d);
 		}
 		DECK_NEAR(divergence, 0, 1e-6);
-		velocity_at(&f, x, y, lower_surface(x, y), u);
+		film_velocity_at(&f, x, y, film_lower_surface(x, y), u);
 		DECK_NEAR(u[2], 0.05 + 0.2 * u[0] - 0.1 * u[1], 1e-12);
-		velocity_at(&f, x, y, lower_surface(x, y) + h, u);
+		film_velocity_at(&f, x, y, film_lower_surface(x, y) + h, u);
 		DECK_NEAR(u[2], 0.05 - 0.2 + (0.2 - 0.2) * u[0] + (-0.1 + 0.1) * u[1], 1e-12);
 	}
 	ts_film_release(&f);

@@ -7,6 +7,7 @@
 needs python3
 
 # Spheres of radius 0.05 held 0.045 above z = 0: type 1 with k = 43, c = 0.49, the wall of type 2 with k = 17.
+springs >in.springs
 cat >in.head <<'END'
 units si
 boundary p p f
@@ -15,11 +16,7 @@ create_box 2 b
 neighbor 0.02 bin
 fix k all property/global thermalConductivity peratomtype 43 17
 fix c all property/global thermalCapacity peratomtype 0.49 0.8
-fix kn all property/global kn peratomtypepair 2 1e6 1e6 1e6 1e6
-fix kt all property/global kt peratomtypepair 2 0 0 0 0
-fix gn all property/global gamman peratomtypepair 2 0 0 0 0
-fix gt all property/global gammat peratomtypepair 2 0 0 0 0
-fix mu all property/global coefficientFriction peratomtypepair 2 0 0 0 0
+include in.springs
 pair_style gran model hooke/stiffness
 pair_coeff * *
 timestep 1e-3

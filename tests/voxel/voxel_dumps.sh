@@ -6,17 +6,14 @@
 printf '%s\n' '0 0 2 1 0 2 1 1 2' | solid >cad.stl
 
 # Six columns of 1 x 1, the second one empty; a sphere falls on the third, which wears
+springs >in.springs
 cat >in.head <<'END'
 units si
 boundary f f f
 region b block 0 3 0 2 0 3 units box
 create_box 2 b
 neighbor 0.02 bin
-fix kn all property/global kn peratomtypepair 2 1e6 1e6 1e6 1e6
-fix kt all property/global kt peratomtypepair 2 0 0 0 0
-fix gn all property/global gamman peratomtypepair 2 0 0 0 0
-fix gt all property/global gammat peratomtypepair 2 0 0 0 0
-fix mu all property/global coefficientFriction peratomtypepair 2 0 0 0 0
+include in.springs
 fix move all nve/sphere
 timestep 1e-6
 variable cx internal 0

@@ -8,17 +8,14 @@
 printf '%s\n' '-0.5 -0.5 0 0.5 -0.5 0 0.5 0.5 0' '-0.5 -0.5 0 0.5 0.5 0 -0.5 0.5 0' | solid >flat.stl
 printf '%s\n' '0 0 0 0.5 -0.5 0 0.5 0.5 0' '0 0 0 0.5 0.5 0 -0.5 0.5 0' '0 0 0 -0.5 0.5 0 -0.5 -0.5 0' \
 	'0 0 0 -0.5 -0.5 0 0.5 -0.5 0' | solid >star.stl
+springs >in.springs
 cat >in.head <<'END'
 units si
 boundary p p f
 region b block -1 1 -1 1 -1 1 units box
 create_box 2 b
 neighbor 0.02 bin
-fix kn all property/global kn peratomtypepair 2 1e6 1e6 1e6 1e6
-fix kt all property/global kt peratomtypepair 2 0 0 0 0
-fix gn all property/global gamman peratomtypepair 2 0 0 0 0
-fix gt all property/global gammat peratomtypepair 2 0 0 0 0
-fix mu all property/global coefficientFriction peratomtypepair 2 0 0 0 0
+include in.springs
 pair_style gran model hooke/stiffness
 pair_coeff * *
 fix integrate all nve/sphere
