@@ -560,6 +560,8 @@ library_sources = \
 	src/immersed/solid_spheres.c \
 	src/immersed/virtual_mass_stabilization.c \
 	src/immersed/virtual_mass_stabilization.h \
+	src/impact/collision_forces.c \
+	src/impact/collision_forces.h \
 	src/impact/exact_collision.c \
 	src/impact/exact_collision.h \
 	src/impact/exact_impacts.c \
@@ -724,6 +726,8 @@ library_sources = \
 	src/math/fourier.h \
 	src/math/minstd.c \
 	src/math/minstd.h \
+	src/math/prince_dormand.c \
+	src/math/prince_dormand.h \
 	src/math/quaternion.h \
 	src/math/reduction.c \
 	src/math/reduction.h \

@@ -234,6 +234,7 @@ unit_tests = \
 	tests/library/check_library_null \
 	tests/library/check_library_steps \
 	tests/math/check_math \
+	tests/math/check_prince_dormand \
 	tests/mesh/check_mesh \
 	tests/mesh/check_mesh_doctor \
 	tests/mesh/check_mesh_files \
@@ -465,6 +466,10 @@ tests_library_check_library_steps_LDADD = $(tests_ldadd)
 tests_math_check_math_SOURCES = tests/math/check_math.c
 tests_math_check_math_CFLAGS = $(tests_cflags)
 tests_math_check_math_LDADD = $(tests_ldadd)
+
+tests_math_check_prince_dormand_SOURCES = tests/math/check_prince_dormand.c
+tests_math_check_prince_dormand_CFLAGS = $(tests_cflags)
+tests_math_check_prince_dormand_LDADD = $(tests_ldadd)
 
 tests_mesh_check_mesh_SOURCES = tests/mesh/check_mesh.c
 tests_mesh_check_mesh_CFLAGS = $(tests_cflags)

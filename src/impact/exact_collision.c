@@ -3,19 +3,11 @@
 #include <math.h>
 #include <string.h>
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
-
 #include "base/alloc.h"
-#include "law/granular_force.h"
+#include "impact/collision_forces.h"
 #include "law/granular_limit.h"
 
 #include "base/banned.h"
-
-/* The state, with d tangential dimensions: z, q', t; then d numbers each of v, w, xi, shift; slip path, work. While
- * the contact slides in two dimensions, xi is replaced by the angle of e; in one, by e = +-1. */
-enum { Z, U, TIME, TANGENTIAL, MOST = TANGENTIAL + 4 * 2 + 2 };
-enum mode { STICK, SLIDE };
 
 /* Largest estimated error of a step, relative to the scale of each number: that of the embedded scheme of order 7, the
  * state of order 8 is better by some powers of ten; largest number of steps and of changes of mode. */
@@ -25,11 +17,6 @@ static const double TOLERANCE = 2e-10;
 static const double NEGLIGIBLE = 1e-6;
 /* Factor of the tolerance of slip path and work. */
 static const double LESS_PRECISE = 1e4;
-/* If stick and slide both end at once - the dashpot, which acts on contacts that stick alone, can bring that about -
- * the motion follows the limit between them. Then slide is left only when s.e is below r' by a margin, in units of the
- * speed of approach, which grows with the number of changes. */
-static const double MARGIN = 1e-6, MARGIN_GROWS = 1.05;
-enum { FEW_CHANGES = 10 };
 /* Nodes and weights of Gauss' quadrature on (-1, 1) in each step. */
 enum { NODES = 3 };
 static const double gauss[NODES][2] = { { -0.77459666924148337704, 5.0 / 9 },
@@ -39,41 +26,9 @@ static const double gauss[NODES][2] = { { -0.77459666924148337704, 5.0 / 9 },
 static const double SHORT = 0.002;
 enum { STEPS_MOST = 20000, CHANGES_MOST = 200, HALVINGS = 60 };
 
-struct ts_collision_solver {
-	gsl_odeiv2_step *step[3]; /* by number of tangential dimensions */
-};
-
-struct motion {
-	const struct ts_granular_pair *law;
-	struct ts_granular_model model;
-	struct ts_touch *touch; /* overlap, distance and speed are set by each evaluation */
-	double inertia;		/* I */
-	int power;		/* p: q = z^p */
-	int d;			/* tangential dimensions */
-	double kappa, damping;	/* k ~ q^kappa, gamma ~ q^damping */
-	enum mode mode;
-	double margin; /* velocity */
-	double sign;   /* of F_n */
-	double scale[MOST];
-	double elongation;  /* scale of xi */
-	double least_limit; /* of friction, in the rate at which its direction turns */
-	double peak_force, peak_overlap;
-	double slips; /* sign of the slip along the axis before it reverses */
-	/* axes of the tangential dimensions, and the initial v and w along them */
-	double axis[2][3];
-};
-
-/* Forces at one moment. */
-struct moment {
-	struct ts_normal n;
-	double q, u, rate; /* rate: dt/dsigma */
-	double lever, arm;
-	double slip[2], force[2], xi[2]; /* force: F_t; xi: the derivative in time */
-};
-
-static size_t size_of(const struct motion *o)
+static size_t size_of(const struct ts_colliding *o)
 {
-	return TANGENTIAL + (o->d ? 4 * (size_t)o->d + 2 : 0);
+	return TS_AT_TANGENTIAL + (o->d ? 4 * (size_t)o->d + 2 : 0);
 }
 
 const char *ts_collision_unsupported(const struct ts_granular_model *m)
@@ -91,202 +46,105 @@ const char *ts_collision_unsupported(const struct ts_granular_model *m)
 	return m->multi ? "contacts must not influence each other (fix multicontact/halfspace)" : NULL;
 }
 
-struct ts_collision_solver *ts_collision_solver_new(void)
-{
-	struct ts_collision_solver *s = ts_alloc(1, sizeof *s);
-	gsl_error_handler_t *handler = gsl_set_error_handler_off();
-	bool good = s != NULL;
-
-	for (int d = 0; good && d < 3; d++) {
-		s->step[d] =
-			gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, size_of(&(struct motion){ .d = d }));
-		good = s->step[d] != NULL;
-	}
-	gsl_set_error_handler(handler);
-	if (good)
-		return s;
-	ts_collision_solver_free(s);
-	return NULL;
-}
-
-void ts_collision_solver_free(struct ts_collision_solver *s)
-{
-	for (int d = 0; s && d < 3; d++)
-		if (s->step[d])
-			gsl_odeiv2_step_free(s->step[d]);
-	ts_free(s);
-}
-
-/* ---- forces ---- */
-
-static double overlap_of(const struct motion *o, double z)
-{
-	return o->power == 1 ? z : o->power == 2 ? z * z : z * z * z * z;
-}
-
-static double length2(const double a[2], int d)
-{
-	return d == 2 ? sqrt(a[0] * a[0] + a[1] * a[1]) : fabs(a[0]);
-}
-
-/* Tangential force in the present mode, and the rate of what describes the spring. `x`: that part of the state. */
-static void tangential_force(const struct motion *o, const double *x, struct moment *m)
-{
-	double limit = o->law->friction * o->sign * m->n.limit, speed, e[2] = { x[0], 0 };
-
-	if (o->model.tangential == TS_TANGENTIAL_NO_HISTORY) {
-		speed = length2(m->slip, o->d);
-		for (int k = 0; k < o->d; k++)
-			m->force[k] = -m->slip[k] * (o->mode == STICK ? m->n.gammat
-						     : speed > 0      ? limit / speed
-								      : 0);
-	} else if (o->mode == STICK) {
-		for (int k = 0; k < o->d; k++) {
-			m->force[k] = -m->n.kt * x[k] - m->n.gammat * m->slip[k];
-			m->xi[k] = m->slip[k];
-		}
-	} else {
-		if (o->d == 2) {
-			e[0] = cos(x[0]);
-			e[1] = sin(x[0]);
-			m->xi[0] = (m->slip[1] * e[0] - m->slip[0] * e[1]) * m->n.kt /
-				   fmax(limit, o->least_limit);
-		}
-		for (int k = 0; k < o->d; k++)
-			m->force[k] = -limit * e[k];
-	}
-}
-
-static void evaluate(const struct motion *o, const double *y, struct moment *m)
-{
-	const double *v = y + TANGENTIAL, *w = v + o->d, *x = w + o->d;
-	struct ts_touch *t = o->touch;
-	double none = 0;
-
-	*m = (struct moment){ .q = overlap_of(o, y[Z]), .u = y[U] };
-	m->rate = o->power == 1 ? 1 : o->power == 2 ? y[Z] : y[Z] * y[Z] * y[Z];
-	t->overlap = m->q;
-	t->distance = t->radius[0] - m->q;
-	t->vn = -m->u;
-	ts_normal_force(&o->model, o->law, t, false, &none, &m->n);
-	ts_granular_arms(&o->model, t);
-	m->lever = t->lever[0];
-	m->arm = t->arm[0];
-	for (int k = 0; k < o->d; k++)
-		m->slip[k] = v[k] + m->lever * w[k];
-	if (o->d)
-		tangential_force(o, x, m);
-}
-
-static int derivative(double sigma, const double y[], double dy[], void *context)
-{
-	const struct motion *o = context;
-	double *v = dy + TANGENTIAL, *w = v + o->d, *x = w + o->d, *shift = x + o->d, *sums = shift + o->d;
-	struct moment m;
-
-	(void)sigma;
-	evaluate(o, y, &m);
-	dy[Z] = m.u / o->power;
-	dy[U] = -m.n.force / o->touch->m_eff * m.rate;
-	dy[TIME] = m.rate;
-	for (int k = 0; k < o->d; k++) {
-		v[k] = m.force[k] / o->touch->m_eff * m.rate;
-		w[k] = m.arm * m.force[k] / o->inertia * m.rate;
-		x[k] = m.xi[k] * m.rate;
-		shift[k] = y[TANGENTIAL + k] * m.rate;
-	}
-	if (o->d) {
-		sums[0] = length2(m.slip, o->d) * m.rate;
-		sums[1] = -(m.force[0] * m.slip[0] + m.force[1] * m.slip[1]) * m.rate;
-	}
-	return GSL_SUCCESS;
-}
-
-/* dF_n/dt of F_n = k q + gamma u: (1 + kappa) k u + gamma (damping u^2/q + u'), u' = -F_n/m. */
-static double force_rate(const struct motion *o, const struct moment *m)
-{
-	double stretch = o->damping > 0 ? o->damping * m->u * m->u / m->q : 0;
-
-	return (1 + o->kappa) * m->n.kn * m->u + m->n.gamman * (stretch - m->n.force / o->touch->m_eff);
-}
-
 /* ---- functions of the state whose sign changes from - to + are located */
 
-typedef double event_fn(const struct motion *o, const double *y);
+typedef double event_fn(const struct ts_colliding *o, const double *y);
 
-static double parts(const struct motion *o, const double *y)
+static double parts(const struct ts_colliding *o, const double *y)
 {
 	(void)o;
-	return -y[Z];
+	return -y[TS_AT_Z];
 }
 
-static double turns_back(const struct motion *o, const double *y)
+static double turns_back(const struct ts_colliding *o, const double *y)
 {
 	(void)o;
-	return -y[U];
+	return -y[TS_AT_U];
 }
 
-static double changes_sign(const struct motion *o, const double *y)
+static double changes_sign(const struct ts_colliding *o, const double *y)
 {
-	struct moment m;
+	struct ts_colliding_forces m;
 
-	evaluate(o, y, &m);
+	ts_colliding_evaluate(o, y, &m);
 	return -o->sign * m.n.force;
 }
 
-static double force_falls(const struct motion *o, const double *y)
+static double force_falls(const struct ts_colliding *o, const double *y)
 {
-	struct moment m;
+	struct ts_colliding_forces m;
 
-	evaluate(o, y, &m);
-	return m.q > 0 || !(o->damping > 0) ? -force_rate(o, &m) : -1;
+	ts_colliding_evaluate(o, y, &m);
+	return m.q > 0 || !(o->damping > 0) ? -ts_colliding_force_rate(o, &m) : -1;
 }
 
 /* In one dimension. */
-static double slip_reverses(const struct motion *o, const double *y)
+static double slip_reverses(const struct ts_colliding *o, const double *y)
 {
-	struct moment m;
+	struct ts_colliding_forces m;
 
-	evaluate(o, y, &m);
+	ts_colliding_evaluate(o, y, &m);
 	return -o->slips * m.slip[0];
 }
 
-/* Leaves the present mode of the tangential force. k_t r' = mu |F_n|' - mu |F_n| kappa u/q. */
-static double changes_mode(const struct motion *o, const double *y)
+/* Direction of the spring. */
+static void direction(const struct ts_colliding *o, const double *x, double e[2])
 {
-	const double *x = y + TANGENTIAL + 2 * (ptrdiff_t)o->d;
-	double limit, along, grows;
-	struct moment m;
+	double l = o->mode == TS_STICK ? ts_colliding_length(x, o->d) : 1;
 
-	evaluate(o, y, &m);
-	limit = o->law->friction * o->sign * m.n.limit;
+	e[0] = o->mode != TS_STICK && o->d == 2 ? cos(x[0]) : x[0] / l;
+	e[1] = o->d == 1 ? 0 : o->mode == TS_STICK ? x[1] / l : sin(x[0]);
+}
+
+/* Leaves the present mode of the tangential force. With history: |xi| > r, or r' > s.e. */
+static double changes_mode(const struct ts_colliding *o, const double *y)
+{
+	const double *x = y + TS_AT_TANGENTIAL + 2 * (ptrdiff_t)o->d;
+	struct ts_friction_limit r;
+	struct ts_colliding_forces m;
+	double e[2];
+
+	ts_colliding_evaluate(o, y, &m);
+	if (o->mode == TS_FOLLOW)
+		return fmax(m.turn.slides, -m.turn.sticks);
+	r = ts_colliding_limit(o, &m);
 	if (o->model.tangential == TS_TANGENTIAL_NO_HISTORY)
-		return (o->mode == STICK ? 1 : -1) * (m.n.gammat * length2(m.slip, o->d) - limit);
-	if (o->mode == STICK)
-		return m.n.kt * length2(x, o->d) - limit;
-	along = o->d == 2 ? m.slip[0] * cos(x[0]) + m.slip[1] * sin(x[0]) : m.slip[0] * x[0];
-	grows = o->law->friction * o->sign * force_rate(o, &m);
-	return grows - (o->kappa > 0 ? limit * o->kappa * m.u / m.q : 0) - m.n.kt * (along + o->margin);
+		return (o->mode == TS_STICK ? 1 : -1) *
+		       (m.n.gammat * ts_colliding_length(m.slip, o->d) - r.force);
+	if (o->mode == TS_STICK)
+		return ts_colliding_length(x, o->d) - r.force / m.n.kt;
+	direction(o, x, e);
+	return r.rate / m.n.kt - m.slip[0] * e[0] - m.slip[1] * e[1];
+}
+
+/* The rate of changes_mode, with history, changes from growth to decay. */
+static double change_recedes(const struct ts_colliding *o, const double *y)
+{
+	const double *x = y + TS_AT_TANGENTIAL + 2 * (ptrdiff_t)o->d;
+	struct ts_colliding_forces m;
+	double e[2];
+
+	ts_colliding_evaluate(o, y, &m);
+	direction(o, x, e);
+	return o->mode == TS_STICK
+		       ? ts_colliding_limit(o, &m).rate / m.n.kt - m.slip[0] * e[0] - m.slip[1] * e[1]
+		       : ts_colliding_turn(o, x, e, &m).slides;
 }
 
 /* ---- steps ---- */
 
 struct stepper {
-	struct motion *o;
-	gsl_odeiv2_step *step;
-	gsl_odeiv2_system system;
+	struct ts_colliding *o;
+	struct ts_prince_dormand scheme; /* starts from the present state */
 };
 
-/* The state `to` after a step sigma from `from`; returns the largest relative error. */
-static double make_step(const struct stepper *s, const double *from, double sigma, double *to)
+/* The state `to` after a step sigma from the present one; returns the largest relative error. */
+static double make_step(struct stepper *s, double sigma, double *to)
 {
-	double error[MOST], worst = 0;
-	size_t n = size_of(s->o);
+	double error[TS_COLLIDING_MOST], worst = 0;
 
-	memcpy(to, from, n * sizeof *to);
-	if (gsl_odeiv2_step_apply(s->step, 0, sigma, to, error, NULL, NULL, &s->system) != GSL_SUCCESS)
-		return INFINITY;
-	for (size_t k = 0; k < n; k++) {
+	ts_prince_dormand_step(&s->scheme, sigma, to, error);
+	for (size_t k = 0; k < s->scheme.n; k++) {
 		double e = fabs(error[k]) / s->o->scale[k];
 
 		worst = e <= worst ? worst : e;
@@ -305,10 +163,9 @@ static double reduction(double now, double before)
 
 /* The step up to which `event` changes its sign within the step *sigma; `to` becomes the state there, where event >= 0.
  * `precision`: of the step, relative. */
-static void locate(const struct stepper *s, event_fn *event, const double *from, double precision,
-		   double *sigma, double *to)
+static void locate(struct stepper *s, event_fn *event, double precision, double *sigma, double *to)
 {
-	double lo = 0, hi = *sigma, f = event(s->o, from), g = event(s->o, to), y[MOST];
+	double lo = 0, hi = *sigma, f = event(s->o, s->scheme.y), g = event(s->o, to), y[TS_COLLIDING_MOST];
 	double least = 0.5 * precision * hi;
 	int side = 0; /* of the root, of the last state: -1 before, 1 beyond */
 
@@ -322,7 +179,7 @@ static void locate(const struct stepper *s, event_fn *event, const double *from,
 			at = lo + least;
 		if (at > hi - least)
 			at = hi - least;
-		make_step(s, from, at, y);
+		make_step(s, at, y);
 		held = event(s->o, y);
 		if (held >= 0) {
 			f *= side > 0 ? reduction(held, g) : 1;
@@ -341,27 +198,28 @@ static void locate(const struct stepper *s, event_fn *event, const double *from,
 	*sigma = hi;
 }
 
-static void record_peaks(const struct stepper *s, const double *from, double sigma, const double *to)
+static void record_peaks(struct stepper *s, double sigma, const double *to)
 {
 	/* the maximum is flat: its error is the square of that of the time */
 	static const double PRECISION = 1e-5;
-	struct motion *o = s->o;
-	double y[MOST], part = sigma;
-	struct moment m;
+	struct ts_colliding *o = s->o;
+	const double *from = s->scheme.y;
+	double y[TS_COLLIDING_MOST], part = sigma;
+	struct ts_colliding_forces m;
 
-	evaluate(o, to, &m);
+	ts_colliding_evaluate(o, to, &m);
 	o->peak_force = fmax(o->peak_force, m.n.force);
 	o->peak_overlap = fmax(o->peak_overlap, m.q);
 	if (turns_back(o, from) < 0 && turns_back(o, to) >= 0) {
 		memcpy(y, to, sizeof y);
-		locate(s, turns_back, from, PRECISION, &part, y);
-		o->peak_overlap = fmax(o->peak_overlap, overlap_of(o, y[Z]));
+		locate(s, turns_back, PRECISION, &part, y);
+		o->peak_overlap = fmax(o->peak_overlap, ts_colliding_overlap(o, y[TS_AT_Z]));
 	}
 	if (force_falls(o, from) < 0 && force_falls(o, to) >= 0) {
 		memcpy(y, to, sizeof y);
 		part = sigma;
-		locate(s, force_falls, from, PRECISION, &part, y);
-		evaluate(o, y, &m);
+		locate(s, force_falls, PRECISION, &part, y);
+		ts_colliding_evaluate(o, y, &m);
 		o->peak_force = fmax(o->peak_force, m.n.force);
 	}
 }
@@ -369,47 +227,61 @@ static void record_peaks(const struct stepper *s, const double *from, double sig
 /* ---- modes ---- */
 
 /* Shortly after F_n has been 0, the spring being xi = s tau: whether it would exceed the limit. */
-static void choose_mode(struct motion *o, const double *y, double tau)
+static void choose_mode(struct ts_colliding *o, const double *y, double tau)
 {
-	double early[MOST], *x = early + TANGENTIAL + 2 * (ptrdiff_t)o->d;
-	struct moment m;
+	double early[TS_COLLIDING_MOST], *x = early + TS_AT_TANGENTIAL + 2 * (ptrdiff_t)o->d;
+	struct ts_colliding_forces m;
 
 	memcpy(early, y, sizeof early);
-	o->mode = STICK;
-	evaluate(o, y, &m);
+	o->mode = TS_STICK;
+	ts_colliding_evaluate(o, y, &m);
 	for (int k = 0; k < o->d; k++)
 		x[k] = m.slip[k] * tau;
-	o->mode = changes_mode(o, early) > 0 ? SLIDE : STICK;
+	o->mode = changes_mode(o, early) > 0 ? TS_SLIDE : TS_STICK;
 }
 
 /* Scales of the errors of the numbers that describe the spring, which depend on the mode. */
-static void scale_spring(struct motion *o)
+static void scale_spring(struct ts_colliding *o)
 {
 	for (int k = 0; k < o->d; k++)
-		o->scale[TANGENTIAL + 2 * o->d + k] = o->mode == SLIDE ? 1 : o->elongation;
+		o->scale[TS_AT_TANGENTIAL + 2 * o->d + k] = o->mode == TS_STICK ? o->elongation : 1;
 }
 
 /* Replaces the description of the spring by that of the mode; e: direction of the spring. */
-static void set_direction(const struct motion *o, double *x, const double e[2])
+static void set_direction(const struct ts_colliding *o, double *x, const double e[2])
 {
 	x[0] = o->d == 2 ? atan2(e[1], e[0]) : e[0] < 0 ? -1 : 1;
 	if (o->d == 2)
 		x[1] = 0;
 }
 
-static void enter_other_mode(struct motion *o, double *y)
+/* The mode after the present one, which ends in the state y. Where slide ends the contact sticks, unless stick would end
+ * at once too: then it follows the limit between them. */
+static enum ts_friction_mode next_mode(struct ts_colliding *o, const double *y)
 {
-	double *x = y + TANGENTIAL + 2 * (ptrdiff_t)o->d, e[2], r;
-	struct moment m;
+	struct ts_colliding_forces m;
 
-	evaluate(o, y, &m);
-	o->mode = o->mode == STICK ? SLIDE : STICK;
+	if (o->mode == TS_STICK || o->model.tangential == TS_TANGENTIAL_NO_HISTORY)
+		return o->mode == TS_STICK ? TS_SLIDE : TS_STICK;
+	o->mode = TS_FOLLOW;
+	ts_colliding_evaluate(o, y, &m);
+	return m.turn.sticks <= 0 ? TS_STICK : m.turn.slides >= 0 ? TS_SLIDE : TS_FOLLOW;
+}
+
+static void enter_next_mode(struct ts_colliding *o, double *y)
+{
+	double *x = y + TS_AT_TANGENTIAL + 2 * (ptrdiff_t)o->d, e[2], r;
+	enum ts_friction_mode before = o->mode;
+	struct ts_colliding_forces m;
+
+	o->mode = next_mode(o, y);
 	if (o->model.tangential == TS_TANGENTIAL_NO_HISTORY)
 		return;
-	if (o->mode == SLIDE) {
+	if (before == TS_STICK)
 		set_direction(o, x, (double[2]){ x[0], o->d == 2 ? x[1] : 0 });
+	if (o->mode != TS_STICK)
 		return;
-	}
+	ts_colliding_evaluate(o, y, &m);
 	r = m.n.kt > 0 ? o->law->friction * o->sign * m.n.limit / m.n.kt : 0;
 	e[0] = o->d == 2 ? cos(x[0]) : x[0];
 	e[1] = sin(x[0]);
@@ -418,44 +290,54 @@ static void enter_other_mode(struct motion *o, double *y)
 }
 
 /* The normal force has become a pull, for a law that does not limit it: the spring, which friction has shortened to
- * nothing, begins anew. */
-static void begin_pull(struct motion *o, double *y)
+ * nothing, begins anew. r' changes its sign; if it was the slip along e, then -e is the direction of the new spring, and
+ * all three modes may go on. Where both stick and slide can, small steps take either; here the contact sticks. */
+static void begin_pull(struct ts_colliding *o, double *y)
 {
-	double *x = y + TANGENTIAL + 2 * (ptrdiff_t)o->d, early[MOST], tau = 1e-6 * o->scale[TIME];
-	struct moment m;
+	double *x = y + TS_AT_TANGENTIAL + 2 * (ptrdiff_t)o->d, early[TS_COLLIDING_MOST],
+	       tau = 1e-6 * o->scale[TS_AT_TIME];
+	struct ts_colliding_forces m;
 
 	o->sign = -1;
 	for (int k = 0; k < o->d; k++)
 		x[k] = 0;
 	if (!o->d)
 		return;
-	memcpy(early, y, sizeof early);
-	early[Z] = pow(fmax(overlap_of(o, y[Z]) + tau * y[U], 0), 1.0 / o->power);
-	choose_mode(o, early, tau);
-	evaluate(o, y, &m);
-	if (o->mode == SLIDE && o->model.tangential == TS_TANGENTIAL_HISTORY)
+	ts_colliding_evaluate(o, y, &m);
+	if (o->mode == TS_FOLLOW) {
 		set_direction(o, x, m.slip);
+		o->mode = next_mode(o, y);
+	} else {
+		memcpy(early, y, sizeof early);
+		early[TS_AT_Z] =
+			pow(fmax(ts_colliding_overlap(o, y[TS_AT_Z]) + tau * y[TS_AT_U], 0), 1.0 / o->power);
+		choose_mode(o, early, tau);
+		if (o->mode != TS_STICK && o->model.tangential == TS_TANGENTIAL_HISTORY)
+			set_direction(o, x, m.slip);
+	}
+	if (o->mode == TS_STICK)
+		x[0] = 0;
 }
 
 /* Velocity, spin and displacement along the surface in the state y. */
-static void find_motion(const struct motion *o, const struct ts_collision *c, const double *start,
+static void find_motion(const struct ts_colliding *o, const struct ts_collision *c, const double *start,
 			const double *y, double velocity[3], double omega[3], double shift[3])
 {
-	const double *v = y + TANGENTIAL, *w = v + o->d, *moved = w + 2 * (ptrdiff_t)o->d;
+	const double *v = y + TS_AT_TANGENTIAL, *w = v + o->d, *moved = w + 2 * (ptrdiff_t)o->d;
 
 	ts_scale(1, c->velocity, velocity);
-	ts_axpy(start[U] - y[U], c->n, velocity);
+	ts_axpy(start[TS_AT_U] - y[TS_AT_U], c->n, velocity);
 	ts_scale(1, c->omega, omega);
-	ts_scale(y[TIME], c->velocity, shift);
+	ts_scale(y[TS_AT_TIME], c->velocity, shift);
 	ts_project(c->n, shift);
 	for (int k = 0; k < o->d; k++) {
 		double torque[3];
 
 		/* w = n x omega, so omega changes by w x n */
-		ts_axpy(v[k] - start[TANGENTIAL + k], o->axis[k], velocity);
+		ts_axpy(v[k] - start[TS_AT_TANGENTIAL + k], o->axis[k], velocity);
 		ts_cross(o->axis[k], c->n, torque);
-		ts_axpy(w[k] - start[TANGENTIAL + o->d + k], torque, omega);
-		ts_axpy(moved[k] - y[TIME] * start[TANGENTIAL + k], o->axis[k], shift);
+		ts_axpy(w[k] - start[TS_AT_TANGENTIAL + o->d + k], torque, omega);
+		ts_axpy(moved[k] - y[TS_AT_TIME] * start[TS_AT_TANGENTIAL + k], o->axis[k], shift);
 	}
 }
 
@@ -469,8 +351,7 @@ struct record {
 };
 
 /* Nodes in the part of a step from sigma = lo to hi. */
-static void add_nodes(const struct stepper *s, struct record *r, const double *from, double lo, double hi,
-		      bool is_short)
+static void add_nodes(struct stepper *s, struct record *r, double lo, double hi, bool is_short)
 {
 	struct ts_contact_nodes *nodes = r->c->nodes;
 	double half = 0.5 * (hi - lo);
@@ -481,14 +362,14 @@ static void add_nodes(const struct stepper *s, struct record *r, const double *f
 	}
 	for (int k = is_short ? NODES / 2 : 0; k < (is_short ? NODES / 2 + 1 : NODES); k++) {
 		struct ts_contact_node *to = &nodes->item[nodes->n];
-		struct moment m;
-		double y[MOST];
+		struct ts_colliding_forces m;
+		double y[TS_COLLIDING_MOST];
 
-		make_step(s, from, lo + half * (1 + gauss[k][0]), y);
-		evaluate(s->o, y, &m);
+		make_step(s, lo + half * (1 + gauss[k][0]), y);
+		ts_colliding_evaluate(s->o, y, &m);
 		if (!(m.rate > 0))
 			continue;
-		*to = (struct ts_contact_node){ .time = y[TIME],
+		*to = (struct ts_contact_node){ .time = y[TS_AT_TIME],
 						.duration = (is_short ? 2 : gauss[k][1]) * half * m.rate,
 						.overlap = m.q };
 		find_motion(s->o, r->c, r->start, y, to->velocity, to->omega, to->shift);
@@ -499,29 +380,29 @@ static void add_nodes(const struct stepper *s, struct record *r, const double *f
 	}
 }
 
-/* Nodes in the step sigma from `from` to `to`: before and after a reversal of the slip. */
-static void record_nodes(const struct stepper *s, struct record *r, const double *from, double sigma,
-			 const double *to)
+/* Nodes in the step sigma to `to`: before and after a reversal of the slip. */
+static void record_nodes(struct stepper *s, struct record *r, double sigma, const double *to)
 {
-	bool is_short = sigma < SHORT * s->o->power * s->o->scale[Z] / s->o->scale[U];
-	double y[MOST], at = sigma;
+	const double *from = s->scheme.y;
+	bool is_short = sigma < SHORT * s->o->power * s->o->scale[TS_AT_Z] / s->o->scale[TS_AT_U];
+	double y[TS_COLLIDING_MOST], at = sigma;
 
 	s->o->slips = 1;
 	if (s->o->d == 1 && slip_reverses(s->o, from) * slip_reverses(s->o, to) < 0) {
 		s->o->slips = slip_reverses(s->o, from) < 0 ? 1 : -1;
 		memcpy(y, to, sizeof y);
-		locate(s, slip_reverses, from, 1e-8, &at, y);
+		locate(s, slip_reverses, 1e-8, &at, y);
 	}
-	add_nodes(s, r, from, 0, at, is_short);
+	add_nodes(s, r, 0, at, is_short);
 	if (at < sigma && !r->full)
-		add_nodes(s, r, from, at, sigma, is_short);
+		add_nodes(s, r, at, sigma, is_short);
 }
 
 /* ---- the whole collision ---- */
 
 /* Directions along the surface: that of the slip and, if the velocity of the centre and the rotation are not along it
  * both and the lever arms change, a second one. */
-static void choose_axes(struct motion *o, const struct ts_collision *c, double *y)
+static void choose_axes(struct ts_colliding *o, const struct ts_collision *c, double *y)
 {
 	double along[3], turn[3], slip[3], speed, rim, v[2], w[2];
 
@@ -545,18 +426,18 @@ static void choose_axes(struct motion *o, const struct ts_collision *c, double *
 	for (int k = 0; k < o->d; k++) {
 		w[k] = ts_dot(turn, o->axis[k]);
 		v[k] = ts_dot(along, o->axis[k]);
-		y[TANGENTIAL + k] = v[k];
-		y[TANGENTIAL + o->d + k] = w[k];
+		y[TS_AT_TANGENTIAL + k] = v[k];
+		y[TS_AT_TANGENTIAL + o->d + k] = w[k];
 	}
 }
 
-static double speed_of_slip(const struct motion *o, const struct ts_collision *c, const double *y)
+static double speed_of_slip(const struct ts_colliding *o, const struct ts_collision *c, const double *y)
 {
 	double slip[2] = { 0, 0 };
 
 	for (int k = 0; k < o->d; k++)
-		slip[k] = y[TANGENTIAL + k] + c->radius * y[TANGENTIAL + o->d + k];
-	return length2(slip, o->d);
+		slip[k] = y[TS_AT_TANGENTIAL + k] + c->radius * y[TS_AT_TANGENTIAL + o->d + k];
+	return ts_colliding_length(slip, o->d);
 }
 
 /* Part e of the usual friction below which its direction may follow that of the slip more slowly than by the law. Fast
@@ -574,12 +455,12 @@ static double negligible(double x)
 }
 
 /* Sets model, constants, scales of all numbers and the state at the touch. `touch`: memory. */
-static void begin(struct motion *o, struct ts_touch *touch, const struct ts_collision *c, double *y)
+static void begin(struct ts_colliding *o, struct ts_touch *touch, const struct ts_collision *c, double *y)
 {
 	double u = -ts_dot(c->velocity, c->n), depth, speed, speeds, root;
 	struct ts_normal n;
 
-	*o = (struct motion){ .law = c->law, .model = *c->model, .touch = touch, .sign = 1 };
+	*o = (struct ts_colliding){ .law = c->law, .model = *c->model, .touch = touch, .sign = 1 };
 	o->model.no_tension = false;
 	*o->touch = (struct ts_touch){ .wall = true,
 				       .radius = { c->radius },
@@ -602,17 +483,17 @@ static void begin(struct motion *o, struct ts_touch *touch, const struct ts_coll
 		depth = u * sqrt(c->mass / n.kn);
 		o->power = 1;
 	}
-	memset(y, 0, MOST * sizeof *y);
-	y[U] = u;
+	memset(y, 0, TS_COLLIDING_MOST * sizeof *y);
+	y[TS_AT_U] = u;
 	choose_axes(o, c, y);
 	root = o->power == 1 ? depth : pow(depth, 1.0 / o->power);
 	speed = ts_norm(c->velocity) + c->radius * ts_norm(c->omega);
 	speeds = fmax(speed, u);
-	o->scale[Z] = root;
-	o->scale[U] = u;
-	o->scale[TIME] = depth / u;
+	o->scale[TS_AT_Z] = root;
+	o->scale[TS_AT_U] = u;
+	o->scale[TS_AT_TIME] = depth / u;
 	for (int k = 0; k < o->d; k++) {
-		double *at = o->scale + TANGENTIAL + k;
+		double *at = o->scale + TS_AT_TANGENTIAL + k;
 
 		at[0] = speeds;
 		at[o->d] = speeds / c->radius;
@@ -623,55 +504,83 @@ static void begin(struct motion *o, struct ts_touch *touch, const struct ts_coll
 		o->least_limit = negligible(c->law->friction * u / (speed_of_slip(o, c, y) + u)) *
 				 c->law->friction * c->mass * u * u / depth;
 		/* nothing depends on these sums; |s| has a kink where slip reverses */
-		o->scale[TANGENTIAL + 4 * o->d] = LESS_PRECISE * speeds * depth / u;
-		o->scale[TANGENTIAL + 4 * o->d + 1] = LESS_PRECISE * c->mass * speeds * speeds;
+		o->scale[TS_AT_TANGENTIAL + 4 * o->d] = LESS_PRECISE * speeds * depth / u;
+		o->scale[TS_AT_TANGENTIAL + 4 * o->d + 1] = LESS_PRECISE * c->mass * speeds * speeds;
 	}
 }
 
-static void choose_first_mode(struct motion *o, double *y)
+static void choose_first_mode(struct ts_colliding *o, double *y)
 {
 	static const double EARLY = 1e-9; /* of the largest overlap */
-	double at[MOST], depth = EARLY * overlap_of(o, o->scale[Z]);
-	struct moment m;
+	double at[TS_COLLIDING_MOST], depth = EARLY * ts_colliding_overlap(o, o->scale[TS_AT_Z]);
+	struct ts_colliding_forces m;
 
-	evaluate(o, y, &m);
+	ts_colliding_evaluate(o, y, &m);
 	o->peak_force = m.n.force; /* a linear dashpot may be strongest at the touch */
 	if (!o->d)
 		return;
 	memcpy(at, y, sizeof at);
-	at[Z] = o->power == 1 ? depth : pow(depth, 1.0 / o->power);
-	choose_mode(o, at, depth / y[U]);
-	if (o->mode == SLIDE && o->model.tangential == TS_TANGENTIAL_HISTORY)
-		set_direction(o, y + TANGENTIAL + 2 * (ptrdiff_t)o->d, m.slip);
+	at[TS_AT_Z] = o->power == 1 ? depth : pow(depth, 1.0 / o->power);
+	choose_mode(o, at, depth / y[TS_AT_U]);
+	if (o->mode == TS_SLIDE && o->model.tangential == TS_TANGENTIAL_HISTORY)
+		set_direction(o, y + TS_AT_TANGENTIAL + 2 * (ptrdiff_t)o->d, m.slip);
 }
 
 /* What a step has led to. */
 enum outcome { GOES_ON, CHANGES_MODE, PULLS, PARTS };
 
-/* Cuts the step *sigma from `y` to `to` at the first event in it. */
-static enum outcome cut_step(const struct stepper *s, const double *y, double *sigma, double *to)
+/* Whether the mode changes and changes back within the step *sigma to `to`; these then become the time and the state
+ * between. As changes_mode has a maximum there, its tangents at both ends meet above 0. */
+static bool changes_twice(struct stepper *s, double *sigma, double *to)
+{
+	static const double PRECISION = 1e-5;
+	const struct ts_colliding *o = s->o;
+	const double *from = s->scheme.y;
+	double time = to[TS_AT_TIME] - from[TS_AT_TIME], at = *sigma, y[TS_COLLIDING_MOST];
+	double grows, decays, meet;
+
+	if (o->mode == TS_FOLLOW || o->model.tangential != TS_TANGENTIAL_HISTORY)
+		return false;
+	grows = -change_recedes(o, from);
+	decays = -change_recedes(o, to);
+	if (!(grows > 0 && decays < 0))
+		return false;
+	meet = (changes_mode(o, to) - changes_mode(o, from) - decays * time) / (grows - decays);
+	if (!(changes_mode(o, from) + grows * meet > 0))
+		return false;
+	memcpy(y, to, sizeof y);
+	locate(s, change_recedes, PRECISION, &at, y);
+	if (!(changes_mode(o, y) > 0))
+		return false;
+	*sigma = at;
+	memcpy(to, y, sizeof y);
+	return true;
+}
+
+/* Cuts the step *sigma to `to` at the first event in it. */
+static enum outcome cut_step(struct stepper *s, double *sigma, double *to)
 {
 	/* other events are looked for up to shortly before the surfaces part, where all forces are 0 */
 	static const double SHORTLY = 1e-7;
-	const struct motion *o = s->o;
+	const struct ts_colliding *o = s->o;
 	enum outcome outcome = GOES_ON;
-	double cut = *sigma, seen[MOST];
+	double cut = *sigma, seen[TS_COLLIDING_MOST];
 
-	if (to[Z] <= 0) {
+	if (to[TS_AT_Z] <= 0) {
 		outcome = PARTS;
-		locate(s, parts, y, 1e-12, sigma, to);
+		locate(s, parts, 1e-12, sigma, to);
 		cut = (1 - SHORTLY) * *sigma;
-		make_step(s, y, cut, seen);
+		make_step(s, cut, seen);
 	} else {
 		memcpy(seen, to, sizeof seen);
 	}
-	if (o->sign > 0 && seen[U] < 0 && changes_sign(o, seen) >= 0) {
+	if (o->sign > 0 && seen[TS_AT_U] < 0 && changes_sign(o, seen) >= 0) {
 		outcome = PULLS;
-		locate(s, changes_sign, y, 1e-12, &cut, seen);
+		locate(s, changes_sign, 1e-12, &cut, seen);
 	}
-	if (o->d && changes_mode(o, seen) > 0) {
+	if (o->d && (changes_mode(o, seen) > 0 || changes_twice(s, &cut, seen))) {
 		outcome = CHANGES_MODE;
-		locate(s, changes_mode, y, 1e-12, &cut, seen);
+		locate(s, changes_mode, 1e-12, &cut, seen);
 	}
 	if (outcome == PULLS || outcome == CHANGES_MODE) {
 		*sigma = cut;
@@ -681,53 +590,60 @@ static enum outcome cut_step(const struct stepper *s, const double *y, double *s
 }
 
 /* Free flight until the surfaces part, as no force pulls. */
-static void fly(struct motion *o, double *y)
+static void fly(struct ts_colliding *o, double *y)
 {
-	double *v = y + TANGENTIAL, *sums = v + 4 * (ptrdiff_t)o->d, time, there[MOST];
-	struct moment from, to;
+	double *v = y + TS_AT_TANGENTIAL, *sums = v + 4 * (ptrdiff_t)o->d, time, there[TS_COLLIDING_MOST];
+	struct ts_colliding_forces from, to;
 
-	evaluate(o, y, &from);
-	time = from.q / -y[U];
+	ts_colliding_evaluate(o, y, &from);
+	time = from.q / -y[TS_AT_U];
 	memcpy(there, y, sizeof there);
-	there[Z] = 0;
-	evaluate(o, there, &to);
-	y[Z] = 0;
-	y[TIME] += time;
+	there[TS_AT_Z] = 0;
+	ts_colliding_evaluate(o, there, &to);
+	y[TS_AT_Z] = 0;
+	y[TS_AT_TIME] += time;
 	for (int k = 0; k < o->d; k++)
 		v[3 * o->d + k] += time * v[k];
 	if (o->d)
-		sums[0] += 0.5 * time * (length2(from.slip, o->d) + length2(to.slip, o->d));
+		sums[0] += 0.5 * time *
+			   (ts_colliding_length(from.slip, o->d) + ts_colliding_length(to.slip, o->d));
 }
 
-static enum ts_collision_end advance(const struct stepper *s, double *y, struct record *record)
+/* The next steps start from y, in the present mode. */
+static void start_steps(struct stepper *s, const double *y)
+{
+	scale_spring(s->o);
+	ts_prince_dormand_start(&s->scheme, y);
+}
+
+static enum ts_collision_end advance(struct stepper *s, double *y, struct record *record)
 {
 	const struct ts_collision *c = record->c;
-	struct motion *o = s->o;
-	double sigma = 0.1 * o->power * o->scale[Z] / o->scale[U], to[MOST];
+	struct ts_colliding *o = s->o;
+	double sigma = 0.1 * o->power * o->scale[TS_AT_Z] / o->scale[TS_AT_U], to[TS_COLLIDING_MOST];
 	int changes = 0;
 
+	start_steps(s, y);
 	for (int steps = 0; steps < STEPS_MOST && changes < CHANGES_MOST; steps++) {
 		double error, factor, made = sigma;
 		enum outcome outcome;
 
-		scale_spring(o);
-		error = make_step(s, y, sigma, to);
+		error = make_step(s, sigma, to);
 		factor = error > 0 ? 0.8 * pow(TOLERANCE / error, 0.125) : 5;
 
 		sigma *= factor < 0.2 ? 0.2 : factor < 5 ? factor : isnan(factor) ? 0.2 : 5;
 		if (!(error <= TOLERANCE))
 			continue;
-		outcome = cut_step(s, y, &made, to);
-		record_peaks(s, y, made, to);
+		outcome = cut_step(s, &made, to);
+		record_peaks(s, made, to);
 		if (c->nodes)
-			record_nodes(s, record, y, made, to);
+			record_nodes(s, record, made, to);
 		if (record->full)
 			return TS_COLLISION_NOMEM;
 		memcpy(y, to, sizeof to);
 		if (outcome == CHANGES_MODE) {
-			enter_other_mode(o, y);
-			if (++changes > FEW_CHANGES)
-				o->margin = MARGIN * pow(MARGIN_GROWS, changes) * o->scale[U];
+			enter_next_mode(o, y);
+			changes++;
 		} else if (outcome == PULLS && c->model->no_tension) {
 			fly(o, y);
 			outcome = PARTS;
@@ -735,43 +651,46 @@ static enum ts_collision_end advance(const struct stepper *s, double *y, struct 
 			begin_pull(o, y);
 		}
 		if (outcome == PARTS)
-			return y[TIME] <= c->longest ? TS_COLLISION_PARTS : TS_COLLISION_STAYS;
-		if (!(y[TIME] <= c->longest))
+			return y[TS_AT_TIME] <= c->longest ? TS_COLLISION_PARTS : TS_COLLISION_STAYS;
+		if (!(y[TS_AT_TIME] <= c->longest))
 			return TS_COLLISION_STAYS;
+		start_steps(s, y);
 	}
 	return TS_COLLISION_FAILS;
 }
 
-static void store_result(const struct motion *o, const struct ts_collision *c, const double *start,
+static void store_result(const struct ts_colliding *o, const struct ts_collision *c, const double *start,
 			 const double *y, struct ts_collision_result *out)
 {
-	const double *sums = y + TANGENTIAL + 4 * (ptrdiff_t)o->d;
+	const double *sums = y + TS_AT_TANGENTIAL + 4 * (ptrdiff_t)o->d;
 
-	*out = (struct ts_collision_result){ .duration = y[TIME],
+	*out = (struct ts_collision_result){ .duration = y[TS_AT_TIME],
 					     .peak_force = o->peak_force,
 					     .peak_overlap = o->peak_overlap,
-					     .impulse = c->mass * (start[U] - y[U]),
+					     .impulse = c->mass * (start[TS_AT_U] - y[TS_AT_U]),
 					     .slip = o->d ? sums[0] : 0,
 					     .work = o->d ? sums[1] : 0 };
 	find_motion(o, c, start, y, out->velocity, out->omega, out->shift);
 }
 
-enum ts_collision_end ts_collision_compute(struct ts_collision_solver *solver, const struct ts_collision *c,
-					   struct ts_collision_result *out)
+enum ts_collision_end ts_collision_compute(const struct ts_collision *c, struct ts_collision_result *out)
 {
-	double start[MOST], y[MOST];
+	double start[TS_COLLIDING_MOST], y[TS_COLLIDING_MOST];
 	struct record record = { c, start, false };
 	size_t nodes = c->nodes ? c->nodes->n : 0;
 	struct stepper s;
 	enum ts_collision_end end;
 	struct ts_touch touch;
-	struct motion o;
+	struct ts_colliding o;
 
 	begin(&o, &touch, c, start);
-	if (!(start[U] > 0) || !isfinite(o.scale[Z]))
+	if (!(start[TS_AT_U] > 0) || !isfinite(o.scale[TS_AT_Z]))
 		return TS_COLLISION_STAYS;
 	memcpy(y, start, sizeof y);
-	s = (struct stepper){ &o, solver->step[o.d], { derivative, NULL, size_of(&o), &o } };
+	s.o = &o;
+	s.scheme.derivative = ts_colliding_derivative;
+	s.scheme.context = &o;
+	s.scheme.n = size_of(&o);
 	choose_first_mode(&o, y);
 	end = advance(&s, y, &record);
 	if (end == TS_COLLISION_PARTS)

@@ -9,28 +9,28 @@
  *   stick   xi' = s, F_t = -k_t xi - gamma_t s, as long as k_t |xi| <= mu |F_n|
  *   slide   k_t |xi| = mu |F_n| and F_t = -mu |F_n| e, e = xi/|xi|, as long as the spring would grow beyond that:
  *           s.e > r', r = mu |F_n|/k_t; e turns by e' = (s - (s.e) e)/r
+ *   follow  where stick would end at once in slide and slide in stick, small steps alternate between them; their limit
+ *           has s.e = r': F_t = -mu |F_n| e - alpha gamma_t s with the alpha in (0, 1) for which (s.e)' = r''
+ *           (A. F. Filippov, Differential Equations with Discontinuous Righthand Sides, Kluwer 1988)
  *   no_history: F_t = -min(gamma_t, mu |F_n|/|s|) s
  *
- * Integrated by the Runge-Kutta scheme of order 8 of P. J. Prince, J. R. Dormand, J. Comput. Appl. Math. 7 (1981) 67
- * (GSL's rk8pd) with a step that follows the estimated error. Changes between stick and slide, the end of the contact
- * and the maxima are located within a step by regula falsi. The forces of Hertz' law are roots of the overlap, which no
- * scheme of high order can follow through q = 0: so q = z^p, and the independent variable is sigma, dt = z^(p-1)
- * dsigma. z' = q'/p, and with p = 4 (damping ~ q^(1/4)), 2 (damping ~ q^(1/2), or none) all forces are polynomials in z;
- * p = 1 for linear springs.
+ * Integrated by the Runge-Kutta scheme of order 8 of Prince and Dormand (math/prince_dormand.h) with a step that follows
+ * the estimated error. Changes between stick and slide, the end of the contact and the maxima are located within a step by
+ * regula falsi; so is a change that is undone within the same step. The forces of Hertz' law are roots of the overlap,
+ * which no scheme of high order can follow through q = 0: so q = z^p, and the independent variable is sigma,
+ * dt = z^(p-1) dsigma. z' = q'/p, and with p = 4 (damping ~ q^(1/4)), 2 (damping ~ q^(1/2), or none) all forces are
+ * polynomials in z; p = 1 for linear springs.
  *
  * A law that limits the normal force to F_n >= 0 ends before the surfaces part: the sphere then flies freely until
- * they do, and this is part of the collision. */
+ * they do, and this is part of the collision.
+ *
+ * When a force that is not limited begins to pull, both stick and slide may be possible; small steps take either by
+ * chance, here the contact sticks. */
 #ifndef TS_WALL_EXACT_COLLISION_H
 #define TS_WALL_EXACT_COLLISION_H
 
 #include "law/granular.h"
 #include "wall/contact_node.h"
-
-struct ts_collision_solver;
-
-/* Workspace of one thread. NULL: out of memory. */
-struct ts_collision_solver *ts_collision_solver_new(void);
-void ts_collision_solver_free(struct ts_collision_solver *solver);
 
 /* Why collisions under this law are not computed; NULL: they are. */
 const char *ts_collision_unsupported(const struct ts_granular_model *model);
@@ -67,7 +67,6 @@ enum ts_collision_end {
 	TS_COLLISION_FAILS, /* the integration does not converge: the result is not set */
 	TS_COLLISION_NOMEM  /* for the nodes: the result is not set */
 };
-enum ts_collision_end ts_collision_compute(struct ts_collision_solver *solver, const struct ts_collision *c,
-					   struct ts_collision_result *out);
+enum ts_collision_end ts_collision_compute(const struct ts_collision *c, struct ts_collision_result *out);
 
 #endif

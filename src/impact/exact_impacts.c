@@ -101,9 +101,6 @@ void ts_exact_fini(struct ts_wall *w)
 {
 	if (!w->exact)
 		return;
-	for (size_t k = 0; k < w->exact->nsolvers; k++)
-		ts_collision_solver_free(w->exact->solver[k]);
-	ts_free(w->exact->solver);
 	ts_free(w->exact->item);
 	ts_free(w->exact->nodes.item);
 	ts_free(w->exact->left);
@@ -160,7 +157,6 @@ struct left {
 
 /* What one thread finds. */
 struct share {
-	struct ts_collision_solver *solver;
 	struct ts_mesh_list list;
 	struct ts_contact_nodes nodes;
 	struct found *found;
@@ -346,7 +342,7 @@ static void leave_to_forces(const struct search *s, struct share *share, const s
 	struct ts_collision_result r;
 
 	if (!(*warned_of(s->target[target].wall->exact, s->sim->particles, f->i) > 0) &&
-	    ts_collision_compute(share->solver, c, &r) == TS_COLLISION_PARTS)
+	    ts_collision_compute(c, &r) == TS_COLLISION_PARTS)
 		left.duration = r.duration;
 	if (TS_GROW(share->left, share->left_capacity, share->nleft + 1) != TS_OK)
 		share->status = TS_NOMEM;
@@ -379,7 +375,7 @@ static bool carry_once(const struct search *s, struct share *share, struct fligh
 	if (s->target[target].wall->observers[touch.surface] & TS_OBSERVES_CONTACTS)
 		c.nodes = &share->nodes;
 	nodes = share->nodes.n;
-	end = ts_collision_compute(share->solver, &c, &r);
+	end = ts_collision_compute(&c, &r);
 	if (end == TS_COLLISION_FAILS)
 		share->failed = f->i + 1;
 	if (end == TS_COLLISION_NOMEM)
@@ -606,31 +602,13 @@ static void release_share(struct share *share)
 	ts_free(share->left);
 }
 
-/* Workspaces of the threads, kept by the first wall from step to step. Made by one thread, as that sets GSL's error
- * handler for a moment. */
-static enum ts_status reserve_solvers(struct tsim *sim, struct ts_exact_impacts *e, size_t n)
-{
-	if (TS_GROW(e->solver, e->solver_capacity, n) != TS_OK)
-		return ts_nomem(&sim->error);
-	while (e->nsolvers < n) {
-		e->solver[e->nsolvers] = ts_collision_solver_new();
-		if (!e->solver[e->nsolvers])
-			return ts_nomem(&sim->error);
-		e->nsolvers++;
-	}
-	return TS_OK;
-}
-
 static enum ts_status search(struct search *s)
 {
 	enum ts_status status = TS_OK;
 
-	TS_TRY(reserve_solvers(s->sim, s->target[0].wall->exact, s->shares));
 	s->share = ts_alloc(s->shares, sizeof *s->share);
 	if (!s->share)
 		return ts_nomem(&s->sim->error);
-	for (size_t k = 0; k < s->shares; k++)
-		s->share[k].solver = s->target[0].wall->exact->solver[k];
 	ts_parallel((int)s->shares, s->shares, search_range, s);
 	for (size_t k = 0; k < s->shares && status == TS_OK; k++)
 		status = take_share(s, &s->share[k]);

@@ -26,8 +26,6 @@ enum {
 	TS_EXACT_MOST = 100    /* impacts of one particle in one step */
 };
 
-struct ts_collision_solver;
-
 /* An impact that has been computed in this step. */
 struct ts_exact_impact {
 	struct ts_impact_event event;
@@ -46,9 +44,6 @@ struct ts_exact_impacts {
 	struct ts_contact_nodes nodes; /* of this step */
 	int32_t *left; /* tags of the particles that touch others in this step and are left to the forces */
 	size_t nleft, left_capacity;
-	struct ts_collision_solver *
-		*solver; /* [nsolvers] of the first wall of this sort: one for each thread */
-	size_t nsolvers, solver_capacity;
 	double warned_left, warned_body, warned_many; /* saved: 1: the warning has been given */
 };
 
