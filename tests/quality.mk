@@ -43,4 +43,4 @@ analyze:
 # Lays out all C files but the generated one as .clang-format says.
 format:
 	cd $(top_srcdir) && find src tests bench examples -name '*.[ch]' ! -path src/library/style_table.c \
-		-exec clang-format -i {} +
+		-exec sh src/build/format.sh {} +
