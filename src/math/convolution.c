@@ -273,13 +273,14 @@ enum ts_status ts_convolution_apply(struct ts_convolution *c, const double *in, 
 void ts_convolution_set_spectrum(struct ts_convolution *c, ts_kernel_fn *spectrum, const void *context)
 {
 	double points = (double)c->length[0] * (double)c->length[1];
+	int length = c->length[0];
 
-	for (int l = 0; l < c->modes; l++)
-		for (int k = 0; k < c->length[0]; k++) {
-			double value = spectrum(context, least(k, c->length[0] - k), l);
+	for (int l = 0; l < c->modes; l++) {
+		double *row = c->spectrum + (size_t)l * (size_t)length;
 
-			c->spectrum[(size_t)l * (size_t)c->length[0] + (size_t)k] = value / points;
-		}
+		for (int k = 0; k <= length / 2; k++)
+			row[k] = row[(length - k) % length] = spectrum(context, k, l) / points;
+	}
 }
 
 /* The transform of an even function along one axis is real: the cosine sums of all lines, [n][lines]. */
@@ -295,16 +296,30 @@ static enum ts_status transform_even(const struct ts_fourier *f, int lines, doub
 	return TS_OK;
 }
 
+/* The kernel is even: a quarter of its values, and their mirror images. */
+static void fill_even(const struct ts_convolution *c, ts_kernel_fn *kernel, const void *context,
+		      double *value)
+{
+	size_t m0 = (size_t)c->length[0], m1 = (size_t)c->length[1];
+
+	for (size_t j = 0; j <= m1 / 2; j++) {
+		double *row = value + j * m0;
+
+		for (size_t i = 0; i <= m0 / 2; i++)
+			row[i] = row[(m0 - i) % m0] = kernel(context, (int)i, (int)j);
+		if (j < m1 - j && j)
+			memcpy(value + (m1 - j) * m0, row, m0 * sizeof *row);
+	}
+}
+
 enum ts_status ts_convolution_set_kernel(struct ts_convolution *c, ts_kernel_fn *kernel, const void *context)
 {
 	size_t m0 = (size_t)c->length[0], m1 = (size_t)c->length[1];
 	double *across = ts_alloc(m0 * m1, sizeof *across), *along = ts_alloc(m0 * m1, sizeof *along);
 	enum ts_status status = across && along ? TS_OK : TS_NOMEM;
 
-	for (size_t j = 0; j < m1 && status == TS_OK; j++)
-		for (size_t i = 0; i < m0; i++)
-			across[j * m0 + i] =
-				kernel(context, least((int)i, (int)(m0 - i)), least((int)j, (int)(m1 - j)));
+	if (status == TS_OK)
+		fill_even(c, kernel, context, across);
 	if (status == TS_OK)
 		status = transform_even(&c->fourier[1], c->length[0], across);
 	for (size_t j = 0; j < m1 && status == TS_OK; j++)

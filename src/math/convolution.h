@@ -30,10 +30,11 @@ struct ts_convolution {
 enum ts_status ts_convolution_make(struct ts_convolution *c, const int n[2], bool periodic, int threads);
 void ts_convolution_release(struct ts_convolution *c);
 
-/* Sets the kernel from its values at distances of i columns and j rows. Returns TS_OK or TS_NOMEM. */
+/* Sets the kernel from its values at distances of 0 <= i <= length[0]/2 columns and 0 <= j <= length[1]/2
+ * rows. Returns TS_OK or TS_NOMEM. */
 typedef double ts_kernel_fn(const void *context, int i, int j);
 enum ts_status ts_convolution_set_kernel(struct ts_convolution *c, ts_kernel_fn *kernel, const void *context);
-/* Sets the spectrum of the kernel: its value for mode k, l, |k| <= length[0]/2, 0 <= l <= length[1]/2. */
+/* Sets the spectrum of the kernel: its value for mode k, l, 0 <= k <= length[0]/2, 0 <= l <= length[1]/2. */
 void ts_convolution_set_spectrum(struct ts_convolution *c, ts_kernel_fn *spectrum, const void *context);
 
 /* `out` may be `in`. Returns TS_OK or TS_NOMEM. */

@@ -43,7 +43,7 @@ static enum ts_status mean_product(struct ts_convolution *c, const struct operat
 	return TS_OK;
 }
 
-static double variance(size_t n, const double *height)
+double ts_rough_variance(size_t n, const double *height)
 {
 	double mean = 0, square = 0;
 
@@ -69,7 +69,7 @@ enum ts_status ts_rough_moments(const int n[2], const double width[2], const dou
 		status = work ? mean_product(&c, &first, height, work, &slope) : TS_NOMEM;
 	if (status == TS_OK)
 		status = mean_product(&c, &second, height, work, &curvature);
-	*out = (struct ts_rough_moments){ variance(cells, height), slope / 2, 3 * curvature / 8 };
+	*out = (struct ts_rough_moments){ ts_rough_variance(cells, height), slope / 2, 3 * curvature / 8 };
 	ts_convolution_release(&c);
 	ts_free(work);
 	return status;

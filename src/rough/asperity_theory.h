@@ -6,11 +6,16 @@
 #ifndef TS_ROUGH_ASPERITY_THEORY_H
 #define TS_ROUGH_ASPERITY_THEORY_H
 
+#include <stddef.h>
+
 #include "base/status.h"
 
 struct ts_rough_moments {
 	double m0, m2, m4; /* length^2, 1, 1/length^2 */
 };
+
+/* Mean square of the heights from their mean. */
+double ts_rough_variance(size_t n, const double *height);
 
 /* Of a periodic field of heights [n[1]][n[0]] with cells of these widths, derivatives taken in Fourier space. Returns
  * TS_OK or TS_NOMEM. */

@@ -6,11 +6,6 @@
 
 #include "base/banned.h"
 
-struct grid {
-	double width[2], modulus;
-	int n[2];
-};
-
 /* The indefinite integral of 1/r over x and y. */
 static double integral(double x, double y)
 {
@@ -19,7 +14,7 @@ static double integral(double x, double y)
 
 static double rectangle(const void *context, int i, int j)
 {
-	const struct grid *g = context;
+	const struct ts_half_space_grid *g = context;
 	double left = (i - 0.5) * g->width[0], right = (i + 0.5) * g->width[0];
 	double low = (j - 0.5) * g->width[1], high = (j + 0.5) * g->width[1];
 
@@ -29,27 +24,42 @@ static double rectangle(const void *context, int i, int j)
 
 static double wave(const void *context, int k, int l)
 {
-	const struct grid *g = context;
+	const struct ts_half_space_grid *g = context;
 	double q = 2 * TS_PI * hypot(k / (g->n[0] * g->width[0]), l / (g->n[1] * g->width[1]));
 
 	return q > 0 ? 2 / (g->modulus * q) : 0;
 }
 
-enum ts_status ts_half_space_make(struct ts_half_space *h, const int n[2], const double width[2],
-				  double modulus, bool periodic, int threads)
+static bool same_grid(const struct ts_half_space_grid *a, const struct ts_half_space_grid *b)
 {
-	const struct grid grid = { { width[0], width[1] }, modulus, { n[0], n[1] } };
+	bool same = a->periodic == b->periodic && !(a->modulus < b->modulus) && !(a->modulus > b->modulus);
 
-	TS_TRY(ts_convolution_make(&h->compliance, n, periodic, threads));
-	if (!periodic)
-		return ts_convolution_set_kernel(&h->compliance, rectangle, &grid);
-	ts_convolution_set_spectrum(&h->compliance, wave, &grid);
+	for (int d = 0; d < 2; d++)
+		same &= a->n[d] == b->n[d] && !(a->width[d] < b->width[d]) && !(a->width[d] > b->width[d]);
+	return same;
+}
+
+enum ts_status ts_half_space_make(struct ts_half_space *h, const struct ts_half_space_grid *grid, int threads)
+{
+	if (h->made && same_grid(&h->grid, grid)) {
+		h->compliance.threads = threads;
+		return TS_OK;
+	}
+	ts_half_space_release(h);
+	h->grid = *grid;
+	TS_TRY(ts_convolution_make(&h->compliance, grid->n, grid->periodic, threads));
+	if (grid->periodic)
+		ts_convolution_set_spectrum(&h->compliance, wave, grid);
+	else
+		TS_TRY(ts_convolution_set_kernel(&h->compliance, rectangle, grid));
+	h->made = true;
 	return TS_OK;
 }
 
 void ts_half_space_release(struct ts_half_space *h)
 {
 	ts_convolution_release(&h->compliance);
+	h->made = false;
 }
 
 enum ts_status ts_half_space_displace(struct ts_half_space *h, const double *pressure, double *displacement)

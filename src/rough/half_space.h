@@ -12,13 +12,24 @@
 
 #include "math/convolution.h"
 
-struct ts_half_space {
-	struct ts_convolution compliance;
+struct ts_half_space_grid {
+	int n[2];	 /* cells along both axes */
+	double width[2]; /* their edges, length */
+	double modulus;	 /* E*, pressure */
+	bool periodic;
 };
 
-/* n: cells along both axes; width: their edges, length; modulus: E*. To be released also after a failure. */
-enum ts_status ts_half_space_make(struct ts_half_space *h, const int n[2], const double width[2],
-				  double modulus, bool periodic, int threads);
+/* Zero-initialise. */
+struct ts_half_space {
+	struct ts_half_space_grid grid;
+	struct ts_convolution compliance;
+	bool made; /* for this grid */
+};
+
+/* Makes the kernel, unless it is that of this grid already. Returns TS_OK or TS_NOMEM; to be released also after a
+ * failure. */
+enum ts_status ts_half_space_make(struct ts_half_space *h, const struct ts_half_space_grid *grid,
+				  int threads);
 void ts_half_space_release(struct ts_half_space *h);
 /* pressure, displacement: [n[1]][n[0]]; may be the same array. Returns TS_OK or TS_NOMEM. */
 enum ts_status ts_half_space_displace(struct ts_half_space *h, const double *pressure, double *displacement);

@@ -137,6 +137,7 @@ enum ts_status ts_pressed_surface_solve(struct ts_instance *self)
 				      .width = { f->width[0], f->width[1] },
 				      .height = s->height,
 				      .periodic = periodic(s),
+				      .half_space = &s->half_space,
 				      .stiffness = s->stiffness,
 				      .hardness = isnan(s->hardness) ? INFINITY : s->hardness,
 				      .tolerance = s->tolerance,
@@ -166,6 +167,7 @@ enum ts_status ts_pressed_surface_solve(struct ts_instance *self)
 
 void ts_pressed_surface_release(struct ts_pressed_surface *s)
 {
+	ts_half_space_release(&s->half_space);
 	ts_free(s->height);
 }
 

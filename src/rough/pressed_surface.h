@@ -27,6 +27,7 @@ struct ts_pressed_surface {
 	size_t n;
 	double *height, *pressure, *gap; /* height: sum of both surfaces */
 	struct ts_rough_result result;
+	struct ts_half_space half_space;
 	double solved_pressure; /* it belongs to this mean pressure and these heights */
 	bool solved;
 };

@@ -4,7 +4,7 @@
 
 #include "base/alloc.h"
 #include "math/constants.h"
-#include "rough/half_space.h"
+#include "rough/asperity_theory.h"
 
 #include "base/banned.h"
 
@@ -50,19 +50,6 @@ void ts_rough_summarise(const struct ts_rough_problem *problem, struct ts_rough_
 	result->plastic_area = (double)plastic / (double)n;
 	result->mean_gap = gap / (double)n;
 	result->max_pressure = most;
-}
-
-/* Standard deviation of the heights. */
-static double deviation(const struct ts_rough_problem *problem)
-{
-	size_t n = cells(problem);
-	double mean = 0, square = 0;
-
-	for (size_t k = 0; k < n; k++)
-		mean += problem->height[k] / (double)n;
-	for (size_t k = 0; k < n; k++)
-		square += (problem->height[k] - mean) * (problem->height[k] - mean) / (double)n;
-	return sqrt(square);
 }
 
 /* ---- winkler ---- */
@@ -125,7 +112,7 @@ enum ts_status ts_rough_winkler(const struct ts_rough_problem *problem, struct t
 
 struct solver {
 	const struct ts_rough_problem *problem;
-	struct ts_half_space half_space;
+	struct ts_half_space *half_space;
 	size_t n;
 	double *p, *gap;	 /* of the result */
 	double *gradient;	 /* S p - h: the gap but for a constant */
@@ -168,7 +155,7 @@ static double contact_mean(const struct solver *s, const double *value)
 static enum ts_status find_gradient(struct solver *s)
 {
 	s->energy = 0;
-	TS_TRY(ts_half_space_displace(&s->half_space, s->p, s->gradient));
+	TS_TRY(ts_half_space_displace(s->half_space, s->p, s->gradient));
 	for (size_t k = 0; k < s->n; k++) {
 		s->energy += s->p[k] * (0.5 * s->gradient[k] - s->problem->height[k]);
 		s->gradient[k] -= s->problem->height[k];
@@ -254,7 +241,7 @@ static enum ts_status find_move(struct solver *s, double rate, struct model *m)
 		m->slope += s->gap[k] * s->move[k];
 		m->square += s->move[k] * s->move[k];
 	}
-	TS_TRY(ts_half_space_displace(&s->half_space, s->move, s->response));
+	TS_TRY(ts_half_space_displace(s->half_space, s->move, s->response));
 	for (size_t k = 0; k < s->n; k++) {
 		m->curvature += s->move[k] * s->response[k];
 		m->response += s->response[k] * s->response[k];
@@ -326,13 +313,36 @@ static enum ts_status iterate(struct solver *s, struct ts_rough_result *result)
 	}
 }
 
+static enum ts_status solve(struct solver *s, struct ts_rough_result *result)
+{
+	const struct ts_rough_problem *p = s->problem;
+	const struct ts_half_space_grid grid = {
+		{ p->n[0], p->n[1] }, { p->width[0], p->width[1] }, p->modulus, p->periodic
+	};
+	enum ts_status status = ts_half_space_make(s->half_space, &grid, p->threads);
+
+	s->gradient = ts_alloc(s->n, 3 * sizeof *s->gradient);
+	s->move = s->gradient + s->n;
+	s->response = s->move + s->n;
+	if (status == TS_OK && !s->gradient)
+		status = TS_NOMEM;
+	for (size_t k = 0; k < s->n; k++)
+		s->p[k] = p->mean_pressure;
+	if (status == TS_OK)
+		status = iterate(s, result);
+	ts_free(s->gradient);
+	return status;
+}
+
 enum ts_status ts_rough_half_space(const struct ts_rough_problem *problem, struct ts_rough_result *result)
 {
+	struct ts_half_space own = { 0 };
 	struct solver s = { .problem = problem,
+			    .half_space = problem->half_space ? problem->half_space : &own,
 			    .n = cells(problem),
 			    .p = result->pressure,
 			    .gap = result->gap,
-			    .deviation = deviation(problem),
+			    .deviation = sqrt(ts_rough_variance(cells(problem), problem->height)),
 			    .best = INFINITY,
 			    .limit = INFINITY,
 			    .largest = -INFINITY };
@@ -340,20 +350,9 @@ enum ts_status ts_rough_half_space(const struct ts_rough_problem *problem, struc
 
 	if (!(problem->mean_pressure < problem->hardness))
 		return TS_RANGE;
-	status = ts_half_space_make(&s.half_space, problem->n, problem->width, problem->modulus,
-				    problem->periodic, problem->threads);
-	s.gradient = ts_alloc(s.n, 3 * sizeof *s.gradient);
-	s.move = s.gradient + s.n;
-	s.response = s.move + s.n;
-	if (status == TS_OK && !s.gradient)
-		status = TS_NOMEM;
-	for (size_t k = 0; k < s.n; k++)
-		s.p[k] = problem->mean_pressure;
-	if (status == TS_OK)
-		status = iterate(&s, result);
+	status = solve(&s, result);
 	if (status != TS_NOMEM)
 		ts_rough_summarise(problem, result);
-	ts_half_space_release(&s.half_space);
-	ts_free(s.gradient);
+	ts_half_space_release(&own);
 	return status;
 }

@@ -18,7 +18,7 @@
 
 #include <stdbool.h>
 
-#include "base/status.h"
+#include "rough/half_space.h"
 
 struct ts_rough_problem {
 	int n[2];
@@ -26,6 +26,8 @@ struct ts_rough_problem {
 	const double *height; /* [n[1]][n[0]], length; up is towards the plane */
 	bool periodic;	      /* half space only */
 	double modulus;	      /* half space: E*, pressure */
+	/* half space: zero-initialised, keeps the kernel for further problems with the same grid; NULL: not kept */
+	struct ts_half_space *half_space;
 	double stiffness;     /* winkler: pressure/length */
 	double hardness;      /* pressure; INFINITY: elastic */
 	double mean_pressure; /* load over the area of the grid, > 0 and < hardness */

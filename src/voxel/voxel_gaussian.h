@@ -25,6 +25,8 @@ struct ts_voxel_gaussian {
 
 /* height: [n[1]][n[0]]. Returns TS_OK or TS_NOMEM. */
 enum ts_status ts_voxel_gaussian(const struct ts_voxel_gaussian *g, double *height);
+/* White noise: n normal numbers of variance 1; each is a function of the seed and its index alone. */
+void ts_voxel_noise(uint64_t seed, size_t n, double *noise);
 /* Filters noise of variance 1 in place, so that its covariance is that of the surface with deviation 1. */
 enum ts_status ts_voxel_gaussian_filter(const struct ts_voxel_gaussian *g, double *noise);
 /* Shifts and scales n numbers, not all equal, to mean 0 and standard deviation 1. */

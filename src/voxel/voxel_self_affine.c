@@ -5,7 +5,6 @@
 #include "base/alloc.h"
 #include "math/constants.h"
 #include "math/convolution.h"
-#include "math/rng.h"
 #include "voxel/voxel_gaussian.h"
 
 #include "base/banned.h"
@@ -55,11 +54,7 @@ enum ts_status ts_voxel_self_affine(const struct ts_voxel_self_affine *s, double
 
 	if (!(waves > 0))
 		return TS_RANGE;
-	for (size_t k = 0; k < n; k++) {
-		struct ts_rng rng = ts_rng_start(s->seed, k);
-
-		height[k] = ts_rng_normal(&rng);
-	}
+	ts_voxel_noise(s->seed, n, height);
 	status = ts_convolution_make(&c, s->n, true, 1);
 	if (status == TS_OK) {
 		ts_convolution_set_spectrum(&c, amplitude, &filter);
