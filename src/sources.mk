@@ -1038,6 +1038,8 @@ library_sources = \
 	src/voxel/voxel_grid.h \
 	src/voxel/voxel_image.c \
 	src/voxel/voxel_image.h \
+	src/voxel/voxel_noise.c \
+	src/voxel/voxel_noise.h \
 	src/voxel/voxel_png.c \
 	src/voxel/voxel_png.h \
 	src/voxel/voxel_recede.c \

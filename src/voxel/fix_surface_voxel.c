@@ -6,6 +6,7 @@
 #include "core/report.h"
 #include "math/constants.h"
 #include "math/vec3.h"
+#include "voxel/voxel_noise.h"
 #include "voxel/voxel_source.h"
 #include "voxel/voxel_surface.h"
 
@@ -31,6 +32,9 @@ struct state {
 };
 
 static const char *const normals[] = { "x", "y", "z", NULL };
+static const char *const noises[] = {
+	[TS_VOXEL_NOISE_COLUMNS] = "columns", [TS_VOXEL_NOISE_WAVES] = "waves", NULL
+};
 
 /* ---- the shape of the field */
 
@@ -416,6 +420,8 @@ static const struct ts_arg gaussian_rows[] = {
 			.help = "correlation length, or two along the first and second axis"),
 	TS_INT("seed", struct state, source.seed, .flags = TS_STATEFUL, .range = TS_POSITIVE,
 	       .help = "of the random numbers"),
+	TS_ENUM("noise", struct state, source.noise, noises, .flags = TS_STATEFUL, .fallback = "columns",
+		.help = "what the random numbers belong to: columns, or waves"),
 	TS_BOOL("exact", struct state, source.exact, .flags = TS_STATEFUL, .fallback = "yes",
 		.help = "whether the heights have the mean and deviation exactly, or only on average over "
 			"seeds"),
@@ -438,6 +444,8 @@ static const struct ts_arg self_affine_rows[] = {
 		.help = "longest wavelength; default: the larger size of the field"),
 	TS_INT("seed", struct state, source.seed, .flags = TS_STATEFUL, .range = TS_POSITIVE,
 	       .help = "of the random numbers"),
+	TS_ENUM("noise", struct state, source.noise, noises, .flags = TS_STATEFUL, .fallback = "columns",
+		.help = "what the random numbers belong to: columns, or waves"),
 	TS_BOOL("exact", struct state, source.exact, .flags = TS_STATEFUL, .fallback = "yes",
 		.help = "as for gaussian"),
 	TS_ARGS_END,
@@ -514,7 +522,8 @@ static const char doc[] =
 	"  <(h(x) - mean)(h(x + r) - mean)> = deviation^2 exp(-(r_1/l_1)^2 - (r_2/l_2)^2),\n\n"
 	"l being the correlation lengths. It is periodic along both axes: the covariance is the sum over the "
 	"periodic images. Correlation lengths may be at most half of the size. The random number of a "
-	"column depends on seed and column alone. With `exact yes` the heights are shifted and scaled to "
+	"column or wave depends on the seed and its index alone. With `exact yes` the heights are shifted "
+	"and scaled to "
 	"have "
 	"the mean and standard deviation given, before the datum is applied; with `exact no` they have them "
 	"on average over seeds.\n\n"
@@ -523,7 +532,17 @@ static const char doc[] =
 	"  C(q) = constant for longest >= 2 pi/q > roll\n"
 	"  C(q) ~ q^(-2 - 2 hurst) for roll >= 2 pi/q >= shortest\n"
 	"  C(q) = 0 for other wave numbers q.\n\n"
-	"It is periodic along both axes; seed and `exact` are those of a Gaussian surface.\n\n"
+	"It is periodic along both axes; seed, `noise` and `exact` are those of a Gaussian surface.\n\n"
+	"With `noise columns` each column has its random number, so that fields of other `cells` are other "
+	"surfaces. "
+	"With "
+	"`noise waves` each wave that is periodic in the field has its random amplitude and phase: the "
+	"surface is "
+	"the "
+	"same for any number of columns that resolve its spectrum, sampled at their centres. Use it to see "
+	"how "
+	"results "
+	"depend on the width of columns.\n\n"
 	"A particle touches the tops, sides, edges and corners of the columns: each point of the solid that "
 	"is nearer to the centre than all other points around it is one contact. There are no seams: a "
 	"particle on columns of equal height has one contact, as on a plane, with the same force bit for "

@@ -6,7 +6,6 @@
 
 #include "base/alloc.h"
 #include "math/constants.h"
-#include "math/rng.h"
 
 #include "base/banned.h"
 
@@ -117,15 +116,6 @@ enum ts_status ts_voxel_gaussian_filter(const struct ts_voxel_gaussian *g, doubl
 	return good ? TS_OK : TS_NOMEM;
 }
 
-void ts_voxel_noise(uint64_t seed, size_t n, double *noise)
-{
-	for (size_t k = 0; k < n; k++) {
-		struct ts_rng rng = ts_rng_start(seed, k);
-
-		noise[k] = ts_rng_normal(&rng);
-	}
-}
-
 void ts_voxel_normalise(double *value, size_t n)
 {
 	double mean = 0, square = 0;
@@ -145,7 +135,7 @@ enum ts_status ts_voxel_gaussian(const struct ts_voxel_gaussian *g, double *heig
 {
 	size_t n = (size_t)g->n[0] * (size_t)g->n[1];
 
-	ts_voxel_noise(g->seed, n, height);
+	TS_TRY(ts_voxel_noise(g->noise, g->seed, (int[2]){ (int)g->n[0], (int)g->n[1] }, height));
 	TS_TRY(ts_voxel_gaussian_filter(g, height));
 	if (g->exact)
 		ts_voxel_normalise(height, n);

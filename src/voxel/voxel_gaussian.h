@@ -3,8 +3,7 @@
  *   <(h(x) - m)(h(x + r) - m)> = s^2 exp(-(r_x/l_x)^2 - (r_y/l_y)^2),
  *
  * l being the correlation lengths, at which it has fallen to 1/e (N. Garcia, E. Stoll, Phys. Rev. Lett. 52 (1984)
- * 1798), summed over all periodic images, as the surface is periodic in x and y. White noise, a normal number for
- * each column, is filtered in Fourier space by the square root of the spectrum. */
+ * 1798), summed over all periodic images, as the surface is periodic in x and y. White noise is filtered in Fourier space by the square root of the spectrum. */
 #ifndef TS_VOXEL_VOXEL_GAUSSIAN_H
 #define TS_VOXEL_VOXEL_GAUSSIAN_H
 
@@ -13,20 +12,20 @@
 #include <stdint.h>
 
 #include "base/status.h"
+#include "voxel/voxel_noise.h"
 
 struct ts_voxel_gaussian {
 	int64_t n[2];
 	double width[2];	/* of the columns, length */
 	double mean, deviation; /* length */
 	double correlation[2];	/* length; 0: heights of neighbours are independent */
-	uint64_t seed;		/* the noise of a column is a function of seed and column */
-	bool exact;		/* the sample is shifted and scaled to have mean and deviation exactly */
+	uint64_t seed;
+	enum ts_voxel_noise noise;
+	bool exact; /* the sample is shifted and scaled to have mean and deviation exactly */
 };
 
 /* height: [n[1]][n[0]]. Returns TS_OK or TS_NOMEM. */
 enum ts_status ts_voxel_gaussian(const struct ts_voxel_gaussian *g, double *height);
-/* White noise: n normal numbers of variance 1; each is a function of the seed and its index alone. */
-void ts_voxel_noise(uint64_t seed, size_t n, double *noise);
 /* Filters noise of variance 1 in place, so that its covariance is that of the surface with deviation 1. */
 enum ts_status ts_voxel_gaussian_filter(const struct ts_voxel_gaussian *g, double *noise);
 /* Shifts and scales n numbers, not all equal, to mean 0 and standard deviation 1. */

@@ -54,7 +54,7 @@ enum ts_status ts_voxel_self_affine(const struct ts_voxel_self_affine *s, double
 
 	if (!(waves > 0))
 		return TS_RANGE;
-	ts_voxel_noise(s->seed, n, height);
+	TS_TRY(ts_voxel_noise(s->noise, s->seed, s->n, height));
 	status = ts_convolution_make(&c, s->n, true, 1);
 	if (status == TS_OK) {
 		ts_convolution_set_spectrum(&c, amplitude, &filter);

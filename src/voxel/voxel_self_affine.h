@@ -4,8 +4,7 @@
  *        ~ (q/q_roll)^(-2 - 2 H)      q_roll <= q <= q_short
  *        = 0                          else,          q = 2 pi/wavelength,
  *
- * H being the Hurst exponent (B. N. J. Persson et al, J. Phys.: Condens. Matter 17 (2005) R1). White noise, a normal
- * number for each column, is filtered in Fourier space by the square root of the spectrum; the surface is periodic. */
+ * H being the Hurst exponent (B. N. J. Persson et al, J. Phys.: Condens. Matter 17 (2005) R1). White noise is filtered in Fourier space by the square root of the spectrum; the surface is periodic. */
 #ifndef TS_VOXEL_VOXEL_SELF_AFFINE_H
 #define TS_VOXEL_VOXEL_SELF_AFFINE_H
 
@@ -13,6 +12,7 @@
 #include <stdint.h>
 
 #include "base/status.h"
+#include "voxel/voxel_noise.h"
 
 struct ts_voxel_self_affine {
 	int n[2];
@@ -20,7 +20,8 @@ struct ts_voxel_self_affine {
 	double mean, deviation;		/* length */
 	double hurst;			/* 0 < H <= 1 */
 	double longest, roll, shortest; /* wavelengths, length: longest >= roll >= shortest */
-	uint64_t seed;			/* the noise of a column is a function of seed and column */
+	uint64_t seed;
+	enum ts_voxel_noise noise;
 	bool exact; /* the sample is shifted and scaled to have mean and deviation exactly */
 };
 

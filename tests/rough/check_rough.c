@@ -10,6 +10,7 @@
 #include "rough/half_space.h"
 #include "rough/rough_contact.h"
 #include "tests/deck.h"
+#include "voxel/voxel_gaussian.h"
 #include "voxel/voxel_self_affine.h"
 
 /* ---- convolution ---- */
@@ -381,6 +382,75 @@ START_TEST(self_affine_spectrum)
 }
 END_TEST
 
+/* Largest difference of two fields, of n and of 3 n columns, where their columns have the same centre. */
+static double finer_difference(const int n[2], const double *coarse, const double *fine)
+{
+	double most = 0;
+
+	for (int j = 0; j < n[1]; j++)
+		for (int i = 0; i < n[0]; i++)
+			most = fmax(most,
+				    fabs(coarse[j * n[0] + i] - fine[(3 * j + 1) * 3 * n[0] + 3 * i + 1]));
+	return most;
+}
+
+/* With noise of waves a surface is the same on any grid that resolves it; with that of columns it is not. */
+START_TEST(waves_do_not_depend_on_columns)
+{
+	enum { NX = 36, NY = 21 };
+	double h[2][9 * NX * NY], g[2][9 * NX * NY];
+
+	for (int noise = TS_VOXEL_NOISE_COLUMNS; noise <= TS_VOXEL_NOISE_WAVES; noise++) {
+		for (int k = 0; k < 2; k++) {
+			const int finer = k ? 3 : 1, n[2] = { NX * finer, NY * finer };
+			const double width = 1.0 / n[0];
+			struct ts_voxel_self_affine s = { .n = { n[0], n[1] },
+							  .width = { width, width },
+							  .mean = 2,
+							  .deviation = 1,
+							  .hurst = 0.7,
+							  .longest = 1,
+							  .roll = 0.4,
+							  .shortest = 1.0 / 10,
+							  .seed = 5,
+							  .noise = (enum ts_voxel_noise)noise,
+							  .exact = true };
+			struct ts_voxel_gaussian t = { .n = { n[0], n[1] },
+						       .width = { width, width },
+						       .deviation = 1,
+						       .correlation = { 0.2, 0.25 },
+						       .seed = 6,
+						       .noise = s.noise };
+
+			ck_assert(ts_voxel_self_affine(&s, h[k]) == TS_OK);
+			ck_assert(ts_voxel_gaussian(&t, g[k]) == TS_OK);
+		}
+		if (noise == TS_VOXEL_NOISE_WAVES) {
+			DECK_NEAR(finer_difference((int[]){ NX, NY }, h[0], h[1]), 0, 1e-13);
+			DECK_NEAR(finer_difference((int[]){ NX, NY }, g[0], g[1]), 0, 1e-13);
+		} else
+			ck_assert(finer_difference((int[]){ NX, NY }, h[0], h[1]) > 0.1);
+	}
+}
+END_TEST
+
+/* Each number of the noise of waves has variance 1 and no correlation with others, as that of columns. */
+START_TEST(waves_are_white_noise)
+{
+	enum { NX = 12, NY = 9, SAMPLES = 4000 };
+	double h[NX * NY], product[NX * NY] = { 0 };
+
+	for (uint64_t seed = 1; seed <= SAMPLES; seed++) {
+		ck_assert(ts_voxel_noise(TS_VOXEL_NOISE_WAVES, seed, (int[]){ NX, NY }, h) == TS_OK);
+		for (int k = 0; k < NX * NY; k++)
+			product[k] += h[17] * h[k] / SAMPLES;
+	}
+	for (int k = 0; k < NX * NY;
+	     k++) /* standard error 1/sqrt(4000) = 0.016, sqrt(2) as much for the variance */
+		DECK_NEAR(product[k], k == 17, 0.07);
+}
+END_TEST
+
 /* Area over p/(E* sqrt<|grad h|^2>) at small loads: solutions for self-affine surfaces lie between Persson's theory,
  * sqrt(8/pi), and that of Bush, Gibson and Thomas, sqrt(2 pi). The corrected area depends little on the columns. */
 START_TEST(area_of_rough_contact)
@@ -464,6 +534,8 @@ int main(void)
 	tcase_set_timeout(statistics, 60);
 	tcase_add_test(statistics, moments_of_a_wave);
 	tcase_add_test(statistics, self_affine_spectrum);
+	tcase_add_test(statistics, waves_do_not_depend_on_columns);
+	tcase_add_test(statistics, waves_are_white_noise);
 	tcase_add_test(statistics, theories_in_their_limits);
 	suite_add_tcase(suite, statistics);
 	return deck_main(suite);

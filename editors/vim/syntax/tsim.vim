@@ -118,14 +118,15 @@ syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style d
 syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer peratomtype
 syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink delete_below
 syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple surface
-syn keyword tsimKeyword  constant black white formula mean correlation selfaffine hurst
-syn keyword tsimKeyword  shortest roll longest normal size datum base merge method divided
-syn keyword tsimKeyword  kernel reach least settled inertia_1 inertia_2 friction arm model
-syn keyword tsimKeyword  hooke hertz hooke/stiffness hertz/stiffness hooke/hysteresis jkr
-syn keyword tsimKeyword  tangential history no_history incremental_history jkr_tan
-syn keyword tsimKeyword  rolling_friction cdt epsd epsd2 epsd3 cohesion sjkr sjkr2
-syn keyword tsimKeyword  easo/capillary/viscous washino/capillary/viscous multicontact
-syn keyword tsimKeyword  limitForce tangential_damping absolute_damping ktToKnUser viscous
+syn keyword tsimKeyword  constant black white formula mean correlation noise columns waves
+syn keyword tsimKeyword  selfaffine hurst shortest roll longest normal size datum base
+syn keyword tsimKeyword  merge method divided kernel reach least settled inertia_1
+syn keyword tsimKeyword  inertia_2 friction arm model hooke hertz hooke/stiffness
+syn keyword tsimKeyword  hertz/stiffness hooke/hysteresis jkr tangential history no_history
+syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
+syn keyword tsimKeyword  cohesion sjkr sjkr2 easo/capillary/viscous
+syn keyword tsimKeyword  washino/capillary/viscous multicontact limitForce
+syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
 syn keyword tsimKeyword  tangential_reduce modifyLbVolume limitLiquidContent torsionTorque
 syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
