@@ -979,6 +979,8 @@ library_sources = \
 	src/rough/asperity_theory.c \
 	src/rough/asperity_theory.h \
 	src/rough/compute_surface_contact.c \
+	src/rough/contact_sweep.c \
+	src/rough/contact_sweep.h \
 	src/rough/half_space.c \
 	src/rough/half_space.h \
 	src/rough/pressed_surface.c \

@@ -145,6 +145,7 @@ static const char doc[] =
 	"c_ID[3] is corrected for that by (pi - 1 + ln 2)/24 columns for each border between a column in "
 	"contact and "
 	"one that is not.\n\n"
+	"With model winkler a column is in contact or not by its own height: c_ID[2] is meant.\n\n"
 	"Errors at 128 x 128 columns for a sphere with a contact radius of 38 columns: approach 2e-5, "
 	"largest "
 	"pressure 1.3e-4, area 0.6 %, corrected area 0.2 %.\n\n"

@@ -112,6 +112,13 @@ static enum ts_status say_failure(struct ts_instance *self, const struct ts_roug
 	const struct ts_pressed_surface *s = self->state;
 	struct ts_error *error = &s->sim->error;
 
+	if (status == TS_RANGE && p->mean_pressure < p->hardness)
+		return ts_fail(error, TS_RANGE, &self->where,
+			       "compute surface/contact %s: the mean pressure %g and the displacements by it "
+			       "are too large "
+			       "or too small for the arithmetic: check pressure, %s and units",
+			       self->id, p->mean_pressure,
+			       s->model == TS_PRESSED_WINKLER ? "stiffness" : "young");
 	if (status == TS_RANGE)
 		return ts_fail(error, TS_PHYSICS, &self->where,
 			       "compute surface/contact %s: the mean pressure %g cannot be carried: where "

@@ -2,9 +2,9 @@
 
 #include <math.h>
 
-#include "base/alloc.h"
 #include "math/constants.h"
 #include "rough/asperity_theory.h"
+#include "rough/contact_sweep.h"
 
 #include "base/banned.h"
 
@@ -105,7 +105,7 @@ enum ts_status ts_rough_winkler(const struct ts_rough_problem *problem, struct t
 	result->iterations = 1;
 	result->residual = 0;
 	ts_rough_summarise(problem, result);
-	return TS_OK;
+	return isfinite(result->plane) && isfinite(result->mean_gap) ? TS_OK : TS_RANGE;
 }
 
 /* ---- half space: the pressures of least energy p S p/2 - p h within 0 <= p <= hardness, sum p = load ---- */
@@ -113,12 +113,9 @@ enum ts_status ts_rough_winkler(const struct ts_rough_problem *problem, struct t
 struct solver {
 	const struct ts_rough_problem *problem;
 	struct ts_half_space *half_space;
-	size_t n;
-	double *p, *gap;	 /* of the result */
-	double *gradient;	 /* S p - h: the gap but for a constant */
-	double *move, *response; /* change of the pressures, and S times it */
-	double deviation;	 /* of the heights */
-	double energy, best;	 /* now, and the least so far */
+	struct ts_contact_sweep sweep;
+	double deviation;    /* of the heights */
+	double energy, best; /* now, and the least so far */
 	/* Nonmonotone line search: the energy may rise up to `limit`, which is set to the largest energy of the
 	 * last iterations, `largest`, if the best has not improved in PATIENCE of them. */
 	double limit, largest;
@@ -127,93 +124,61 @@ struct solver {
 
 enum { PATIENCE = 10, REFRESH = 50 /* iterations after which the gradient is computed anew */ };
 
-static bool elastic(const struct solver *s, size_t k)
+/* Where all contacts yield: the plane is where no cell violates the conditions, midway between the cells without
+ * contact and those that yield. */
+static double yielding_mean(const struct ts_contact_sweep *s)
 {
-	return s->p[k] > 0 && s->p[k] < s->problem->hardness;
-}
-
-/* Mean over the cells in elastic contact. If all contacts yield: the plane is where no cell violates the conditions,
- * midway between the cells without contact and those that yield. */
-static double contact_mean(const struct solver *s, const double *value)
-{
-	double sum = 0, open = INFINITY, yielding = -INFINITY;
-	size_t n = 0;
+	double open = INFINITY, yielding = -INFINITY;
 
 	for (size_t k = 0; k < s->n; k++)
-		if (elastic(s, k)) {
-			sum += value[k];
-			n++;
-		} else if (s->p[k] > 0)
-			yielding = fmax(yielding, value[k]);
+		if (s->p[k] > 0)
+			yielding = fmax(yielding, s->gradient[k]);
 		else
-			open = fmin(open, value[k]);
-	if (n)
-		return sum / (double)n;
+			open = fmin(open, s->gradient[k]);
 	return isfinite(open) ? 0.5 * (open + yielding) : yielding;
 }
 
 static enum ts_status find_gradient(struct solver *s)
 {
+	struct ts_contact_sweep *w = &s->sweep;
+
 	s->energy = 0;
-	TS_TRY(ts_half_space_displace(s->half_space, s->p, s->gradient));
-	for (size_t k = 0; k < s->n; k++) {
-		s->energy += s->p[k] * (0.5 * s->gradient[k] - s->problem->height[k]);
-		s->gradient[k] -= s->problem->height[k];
+	TS_TRY(ts_half_space_displace(s->half_space, w->p, w->gradient));
+	for (size_t k = 0; k < w->n; k++) {
+		s->energy += w->p[k] * (0.5 * w->gradient[k] - s->problem->height[k]);
+		w->gradient[k] -= s->problem->height[k];
 	}
 	return TS_OK;
 }
 
-/* Returns the height of the plane. */
-static double find_gap(struct solver *s)
+/* Sets the height of the plane, and the largest violation of the conditions of contact in units of the deviation of the
+ * heights. */
+static void find_gap(struct solver *s, struct ts_rough_result *result)
 {
-	double mean = contact_mean(s, s->gradient);
+	double elastic[2], mean, most;
 
-	for (size_t k = 0; k < s->n; k++)
-		s->gap[k] = s->gradient[k] - mean;
-	return -mean;
+	ts_contact_sweep_contacts(&s->sweep, elastic);
+	mean = elastic[1] > 0 ? elastic[0] / elastic[1] : yielding_mean(&s->sweep);
+	most = ts_contact_sweep_gap(&s->sweep, mean);
+	result->plane = -mean;
+	result->residual = s->deviation > 0 ? most / s->deviation : most;
 }
 
-/* The largest violation of the conditions of contact, in units of the deviation of the heights. */
-static double residual(const struct solver *s)
-{
-	double most = 0;
-
-	for (size_t k = 0; k < s->n; k++) {
-		double gap = s->gap[k];
-
-		if (elastic(s, k))
-			most = fmax(most, fabs(gap));
-		else
-			most = fmax(most, s->p[k] > 0 ? gap : -gap);
-	}
-	return s->deviation > 0 ? most / s->deviation : most;
-}
-
-static double within(const struct solver *s, double p)
-{
-	return fmin(fmax(p, 0), s->problem->hardness);
-}
-
-/* The shift for which pressures p + shift, brought within the limits, carry the load: their sum rises with it,
+/* The shift for which pressures `move` + shift, brought within the limits, carry the load: their sum rises with it,
  * piecewise linear; Newton's method, or bisection where it leaves the bracket. */
-static double find_shift(const struct solver *s, const double *p)
+static double find_shift(struct solver *s)
 {
-	const double load = s->problem->mean_pressure * (double)s->n;
+	const double load = s->problem->mean_pressure * (double)s->sweep.n;
 	double low = -INFINITY, high = INFINITY, shift = 0;
 
 	for (;;) {
-		double sum = 0, slope = 0, before = shift;
+		double sum[2], before = shift; /* of the pressures; its slope */
 
-		for (size_t c = 0; c < s->n; c++) {
-			double moved = p[c] + shift, kept = within(s, moved);
-
-			sum += kept;
-			slope += kept <= moved && kept >= moved;
-		}
-		if (fabs(sum - load) <= 1e-13 * load)
+		ts_contact_sweep_shift(&s->sweep, shift, sum);
+		if (fabs(sum[0] - load) <= 1e-13 * load)
 			return shift;
-		*(sum < load ? &low : &high) = shift;
-		shift += (load - sum) / fmax(slope, 1);
+		*(sum[0] < load ? &low : &high) = shift;
+		shift += (load - sum[0]) / fmax(sum[1], 1);
 		if (!(shift > low && shift < high))
 			shift = low + 0.5 * (high - low);
 		if (!(shift < before || shift > before)) /* the bracket is as narrow as numbers permit */
@@ -221,7 +186,7 @@ static double find_shift(const struct solver *s, const double *p)
 	}
 }
 
-/* What a move does to the energy: `slope` g d + `curvature` d S d/2. */
+/* What a move d does to the energy: `slope` g d + `curvature` d S d/2. */
 struct model {
 	double slope, curvature;
 	double square, response; /* d d, S d S d */
@@ -230,22 +195,17 @@ struct model {
 /* The move from p to the projection of p - rate gap. */
 static enum ts_status find_move(struct solver *s, double rate, struct model *m)
 {
-	double shift;
+	struct ts_contact_sweep *w = &s->sweep;
+	double sum[2];
 
-	*m = (struct model){ 0 };
-	for (size_t k = 0; k < s->n; k++)
-		s->move[k] = s->p[k] - rate * s->gap[k];
-	shift = find_shift(s, s->move);
-	for (size_t k = 0; k < s->n; k++) {
-		s->move[k] = within(s, s->move[k] + shift) - s->p[k];
-		m->slope += s->gap[k] * s->move[k];
-		m->square += s->move[k] * s->move[k];
-	}
-	TS_TRY(ts_half_space_displace(s->half_space, s->move, s->response));
-	for (size_t k = 0; k < s->n; k++) {
-		m->curvature += s->move[k] * s->response[k];
-		m->response += s->response[k] * s->response[k];
-	}
+	ts_contact_sweep_descend(w, rate);
+	ts_contact_sweep_limit(w, find_shift(s), sum);
+	m->slope = sum[0];
+	m->square = sum[1];
+	TS_TRY(ts_half_space_displace(s->half_space, w->move, w->change));
+	ts_contact_sweep_respond(w, sum);
+	m->curvature = sum[0];
+	m->response = sum[1];
 	return TS_OK;
 }
 
@@ -256,10 +216,7 @@ static void make_move(struct solver *s, const struct model *m)
 	double part = whole || !(m->curvature > 0) ? 1 : fmin(1, -m->slope / m->curvature);
 
 	s->energy += part * m->slope + part * part * m->curvature / 2;
-	for (size_t k = 0; k < s->n; k++) {
-		s->p[k] += part * s->move[k];
-		s->gradient[k] += part * s->response[k];
-	}
+	ts_contact_sweep_advance(&s->sweep, part);
 	if (s->energy < s->best) {
 		s->best = s->largest = s->energy;
 		s->waiting = 0;
@@ -287,8 +244,8 @@ static double first_rate(const struct solver *s)
 {
 	double most = 0;
 
-	for (size_t k = 0; k < s->n; k++)
-		most = fmax(most, fabs(s->gap[k]));
+	for (size_t k = 0; k < s->sweep.n; k++)
+		most = fmax(most, fabs(s->sweep.gap[k]));
 	return s->problem->mean_pressure / most;
 }
 
@@ -300,9 +257,10 @@ static enum ts_status iterate(struct solver *s, struct ts_rough_result *result)
 	for (int k = 0;; k++) {
 		if (k % REFRESH == 0)
 			TS_TRY(find_gradient(s));
-		result->plane = find_gap(s);
-		result->residual = residual(s);
+		find_gap(s, result);
 		result->iterations = k;
+		if (!isfinite(result->plane) || !isfinite(result->residual))
+			return TS_RANGE;
 		if (result->residual <= s->problem->tolerance)
 			return TS_OK;
 		if (k == s->problem->iterations)
@@ -319,19 +277,18 @@ static enum ts_status solve(struct solver *s, struct ts_rough_result *result)
 	const struct ts_half_space_grid grid = {
 		{ p->n[0], p->n[1] }, { p->width[0], p->width[1] }, p->modulus, p->periodic
 	};
-	enum ts_status status = ts_half_space_make(s->half_space, &grid, p->threads);
 
-	s->gradient = ts_alloc(s->n, 3 * sizeof *s->gradient);
-	s->move = s->gradient + s->n;
-	s->response = s->move + s->n;
-	if (status == TS_OK && !s->gradient)
-		status = TS_NOMEM;
-	for (size_t k = 0; k < s->n; k++)
-		s->p[k] = p->mean_pressure;
-	if (status == TS_OK)
-		status = iterate(s, result);
-	ts_free(s->gradient);
-	return status;
+	TS_TRY(ts_half_space_make(s->half_space, &grid, p->threads));
+	TS_TRY(ts_contact_sweep_make(&s->sweep));
+	for (size_t k = 0; k < s->sweep.n; k++)
+		result->pressure[k] = p->mean_pressure;
+	return iterate(s, result);
+}
+
+/* Squares of numbers of this size, and their products, can be represented. */
+static bool moderate(double x)
+{
+	return x > 1e-140 && x < 1e140;
 }
 
 enum ts_status ts_rough_half_space(const struct ts_rough_problem *problem, struct ts_rough_result *result)
@@ -339,20 +296,24 @@ enum ts_status ts_rough_half_space(const struct ts_rough_problem *problem, struc
 	struct ts_half_space own = { 0 };
 	struct solver s = { .problem = problem,
 			    .half_space = problem->half_space ? problem->half_space : &own,
-			    .n = cells(problem),
-			    .p = result->pressure,
-			    .gap = result->gap,
+			    .sweep = { .n = cells(problem),
+				       .threads = problem->threads,
+				       .top = problem->hardness,
+				       .p = result->pressure,
+				       .gap = result->gap },
 			    .deviation = sqrt(ts_rough_variance(cells(problem), problem->height)),
 			    .best = INFINITY,
 			    .limit = INFINITY,
 			    .largest = -INFINITY };
 	enum ts_status status;
 
-	if (!(problem->mean_pressure < problem->hardness))
+	if (!(problem->mean_pressure < problem->hardness) || !moderate(problem->mean_pressure) ||
+	    !moderate(problem->mean_pressure / problem->modulus * problem->width[0]))
 		return TS_RANGE;
 	status = solve(&s, result);
 	if (status != TS_NOMEM)
 		ts_rough_summarise(problem, result);
+	ts_contact_sweep_release(&s.sweep);
 	ts_half_space_release(&own);
 	return status;
 }

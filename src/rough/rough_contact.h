@@ -51,7 +51,8 @@ struct ts_rough_result {
 	double residual; /* as `tolerance` */
 };
 
-/* Returns TS_OK; TS_NOMEM; TS_RANGE: the hardness cannot carry the load; TS_PHYSICS: `iterations` were not enough. The
+/* Returns TS_OK; TS_NOMEM; TS_RANGE: the hardness cannot carry the load, or numbers are too large or too
+ * small (half space: pressures, and displacements of a cell by the mean pressure, beyond 1e-140 .. 1e140); TS_PHYSICS: `iterations` were not enough. The
  * result is what was reached. */
 enum ts_status ts_rough_half_space(const struct ts_rough_problem *problem, struct ts_rough_result *result);
 enum ts_status ts_rough_winkler(const struct ts_rough_problem *problem, struct ts_rough_result *result);

@@ -147,11 +147,34 @@ static void make_sphere(struct scene *s)
 
 /* ---- half space ---- */
 
+/* Root mean square difference, over the contact, of the pressures from the means over the columns (16 x 16 points) of
+ * those of Hertz, 2 E* /(pi R) sqrt(a^2 - r^2), by the mean pressure of the contact. */
+static double hertz_difference(const struct scene *s, double a)
+{
+	enum { POINTS = 16 };
+	double square = 0;
+
+	for (int j = 0; j < s->problem.n[1]; j++)
+		for (int i = 0; i < s->problem.n[0]; i++) {
+			double mean = 0;
+
+			for (int k = 0; k < POINTS * POINTS; k++) {
+				double x = (i + (k % POINTS + 0.5) / POINTS) * s->problem.width[0] - 0.5;
+				double y = (j + (k / POINTS + 0.5) / POINTS) * s->problem.width[1] - 0.5;
+
+				mean += 2 / TS_PI * sqrt(fmax(a * a - x * x - y * y, 0)) / (POINTS * POINTS);
+			}
+			mean -= s->result.pressure[j * s->problem.n[0] + i];
+			square += mean * mean * s->problem.width[0] * s->problem.width[1];
+		}
+	return sqrt(square / (TS_PI * a * a)) / (4 * a / (3 * TS_PI));
+}
+
 /* Hertz: a^3 = 3 F R/(4 E*), approach a^2/R, largest pressure 2 E* a/(pi R). */
 START_TEST(sphere_is_hertz)
 {
 	const double a = 0.3;
-	double step[3], error[3];
+	double step[3], error[3], root[3];
 
 	for (int k = 0; k < 3; k++) {
 		int n = 32 << k;
@@ -165,6 +188,7 @@ START_TEST(sphere_is_hertz)
 		step[k] = 1.0 / n;
 		error[k] = fabs(s.result.max_pressure / (2 * a / TS_PI) - 1);
 		area = s.result.smooth_area / (TS_PI * a * a) - 1;
+		root[k] = hertz_difference(&s, a);
 		if (n == 128) {
 			DECK_NEAR(-s.result.plane / (a * a), 1, 3e-5);
 			DECK_NEAR(error[k], 0, 2e-4);
@@ -173,6 +197,92 @@ START_TEST(sphere_is_hertz)
 		drop_scene(&s);
 	}
 	ck_assert_msg(deck_order(step, error, 3) > 1.8, "order %g", deck_order(step, error, 3));
+	/* first order, by the columns at the border */
+	ck_assert_msg(root[2] < 0.006 && deck_order(step, root, 3) > 0.9, "pressures %g, order %g", root[2],
+		      deck_order(step, root, 3));
+}
+END_TEST
+
+/* Heights -f(r), r the distance from the middle of the unit square. */
+static void make_body(struct scene *s, double (*f)(double r))
+{
+	for (int j = 0; j < s->problem.n[1]; j++)
+		for (int i = 0; i < s->problem.n[0]; i++)
+			s->height[j * s->problem.n[0] + i] = -f(hypot((i + 0.5) * s->problem.width[0] - 0.5,
+								      (j + 0.5) * s->problem.width[1] - 0.5));
+}
+
+static double cone(double r)
+{
+	return 0.1 * r;
+}
+
+static double punch(double r)
+{
+	return r < 0.3 ? 0 : 1;
+}
+
+/* I. N. Sneddon, Int. J. Eng. Sci. 3 (1965) 47: a cone of slope m has the contact radius a with F = pi a^2 m E* /2 and the
+ * approach pi a m/2; a flat punch of radius a the approach F/(2 E* a) and the pressure F/(2 pi a^2) in the middle. */
+START_TEST(cone_and_punch_are_sneddon)
+{
+	const double a = 0.3, m = 0.1;
+	double step[3], approach[3], punched[3];
+
+	for (int k = 0; k < 3; k++) {
+		int n = 64 << k;
+		struct scene s = make_scene(n, n, 1);
+		double load = TS_PI * a * a * m / 2;
+
+		step[k] = 1.0 / n;
+		s.problem.tolerance = 1e-7;
+		s.problem.mean_pressure = load;
+		make_body(&s, cone);
+		ck_assert(ts_rough_half_space(&s.problem, &s.result) == TS_OK);
+		is_contact(&s, 0.03);
+		approach[k] = fabs(-s.result.plane / (TS_PI * a * m / 2) - 1);
+		DECK_NEAR(s.result.smooth_area / (TS_PI * a * a), 1, 1.3 / n);
+		make_body(&s, punch);
+		ck_assert(ts_rough_half_space(&s.problem, &s.result) == TS_OK);
+		punched[k] = fabs(-s.result.plane / (load / (2 * a)) - 1);
+		DECK_NEAR(s.result.pressure[n / 2 * n + n / 2] / (load / (2 * TS_PI * a * a)), 1, 2.0 / n);
+		is_contact(&s, 0.5);
+		drop_scene(&s);
+	}
+	ck_assert_msg(approach[0] < 1e-4 && deck_order(step, approach, 3) > 1.6, "cone: %g, order %g",
+		      approach[0], deck_order(step, approach, 3));
+	ck_assert_msg(punched[2] < 0.002 && deck_order(step, punched, 3) > 0.9, "punch: %g, order %g",
+		      punched[2], deck_order(step, punched, 3));
+}
+END_TEST
+
+/* K. L. Johnson, J. A. Greenwood, J. G. Higginson, Int. J. Mech. Sci. 27 (1985) 383: heights A cos(2 pi x) cos(2 pi y),
+ * p* = sqrt(2) pi E* A: full contact at p*; area pi (3 p/(8 pi p*))^(2/3) for small pressures, and
+ * 1 - 3/(2 pi) (1 - p/p*) near p*. */
+START_TEST(two_waves_are_johnson)
+{
+	const double amplitude = 0.01, full = sqrt(2) * TS_PI * amplitude;
+	const double part[] = { 0.002, 0.97, 1.0001 };
+
+	for (int k = 0; k < 3; k++) {
+		int n = 256;
+		struct scene s = make_scene(n, n, 1);
+		double area = part[k] > 1     ? 1
+			      : part[k] < 0.5 ? TS_PI * pow(3 * part[k] / (8 * TS_PI), 2.0 / 3)
+					      : 1 - 1.5 / TS_PI * (1 - part[k]);
+
+		for (int c = 0; c < n * n; c++)
+			s.height[c] = amplitude * cos(2 * TS_PI * (c % n) / n) *
+				      cos(2 * TS_PI * (double)(c / n) / n);
+		s.problem.periodic = true;
+		s.problem.tolerance = 1e-7;
+		s.problem.mean_pressure = part[k] * full;
+		ck_assert(ts_rough_half_space(&s.problem, &s.result) == TS_OK);
+		is_contact(&s, amplitude);
+		/* the formulas are limits; relative to the smaller part, in contact or not */
+		DECK_NEAR(s.result.smooth_area, area, 0.02 * fmin(area, 1 - area));
+		drop_scene(&s);
+	}
 }
 END_TEST
 
@@ -248,6 +358,23 @@ START_TEST(soft_sphere_yields)
 	ck_assert(ts_rough_half_space(&s.problem, &s.result) == TS_RANGE);
 	ck_assert(ts_rough_winkler(&s.problem, &s.result) == TS_RANGE);
 	drop_scene(&s);
+}
+END_TEST
+
+/* A sphere begins to yield where the largest pressure of Hertz, 2 E* a/(pi R), is the hardness. */
+START_TEST(sphere_begins_to_yield)
+{
+	for (int k = 0; k < 2; k++) {
+		struct scene s = make_scene(128, 128, 1);
+
+		make_sphere(&s);
+		s.problem.mean_pressure = 4 * 0.027 / 3;
+		s.problem.hardness = (k ? 0.999 : 1.001) * 0.6 / TS_PI;
+		ck_assert(ts_rough_half_space(&s.problem, &s.result) == TS_OK);
+		is_contact(&s, 0.06);
+		ck_assert((s.result.plastic_area > 0) == (k == 1));
+		drop_scene(&s);
+	}
 }
 END_TEST
 
@@ -523,9 +650,12 @@ int main(void)
 	tcase_set_timeout(contact, 60);
 	tcase_add_test(contact, convolutions_are_sums);
 	tcase_add_test(contact, sphere_is_hertz);
+	tcase_add_test(contact, cone_and_punch_are_sneddon);
+	tcase_add_test(contact, two_waves_are_johnson);
 	tcase_add_test(contact, wave_is_westergaard);
 	tcase_add_test(contact, full_contact_is_exact);
 	tcase_add_test(contact, soft_sphere_yields);
+	tcase_add_test(contact, sphere_begins_to_yield);
 	tcase_add_test(contact, few_iterations_are_reported);
 	tcase_add_test(contact, units_do_not_matter);
 	tcase_add_test(contact, springs_are_exact);

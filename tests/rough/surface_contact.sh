@@ -78,6 +78,29 @@ no() {
 no 'the load' 'cannot be carried: where all columns yield it is the hardness 0.1' 'compute c all surface/contact s winkler 1 pressure 0.1 hardness 0.1
 run 0
 print "$(c_c)"'
+no 'the hardness is the load' 'the mean pressure 0.1 cannot be carried' 'compute c all surface/contact s halfspace young 1 poisson 0 pressure 0.1 hardness 0.1
+run 0
+print "$(c_c)"'
+no 'a negative modulus' 'young is -1, expected a number > 0' 'compute c all surface/contact s halfspace young -1 poisson 0 pressure 0.1
+run 0'
+no 'a negative modulus of the other solid' 'counter_young is -1, expected a number > 0' 'compute c all surface/contact s halfspace young 1 poisson 0 counter_young -1 pressure 0.1
+run 0'
+no 'a Poisson ratio above 1/2' 'poisson is 0.7, expected a number from -1 to 0.5' 'compute c all surface/contact s halfspace young 1 poisson 0.7 pressure 0.1
+run 0'
+no 'a negative hardness' 'hardness is -1, expected a number > 0' 'compute c all surface/contact s winkler 1 pressure 0.1 hardness -1
+run 0'
+no 'displacements that are no numbers' 'too large or too small for the arithmetic: check pressure, young and units' 'compute c all surface/contact s halfspace young 1e-320 poisson 0 pressure 0.1
+run 0
+print "$(c_c)"'
+no 'pressures whose squares underflow' 'too large or too small' 'compute c all surface/contact s halfspace young 1 poisson 0 pressure 1e-200
+run 0
+print "$(c_c)"'
+no 'columns of other widths' 'both need the same number, width and axis' 'fix t all surface/voxel constant 0 type 1 cells 64 64 size 0.5 0.5
+compute c all surface/contact s winkler 1 pressure 0.01 counter t
+run 0'
+echo '1 nan' >nan
+no 'heights that are no numbers' "'nan'" 'fix t all surface/voxel file nan type 1
+run 0'
 no 'no load' 'the mean pressure is 0, must be > 0' 'compute c all surface/contact s winkler 1 pressure 0
 run 0
 print "$(c_c)"'
