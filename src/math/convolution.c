@@ -7,7 +7,10 @@
 
 #include "base/banned.h"
 
-enum { LINES = 16 }; /* transformed at once; a block of 16 lines of 1000 complex numbers has 256 kB */
+enum {
+	LINES = 16 /* transformed at once; a block of 16 lines of 1000 complex numbers has 256 kB */,
+	TILE = 8
+};
 
 /* Smallest number >= n whose factors are 2, 3 and 5. */
 static int smooth_length(int n)
@@ -152,17 +155,20 @@ static void load_modes(const struct ts_convolution *c, int first, struct block *
 		bool mirrored = k >= c->modes;
 		double sign = mirrored ? -1 : 1;
 		size_t at = (size_t)(mirrored ? c->length[1] - k : k) * (size_t)c->n[0] + (size_t)first;
+		const double *xr = c->re + at, *xi = c->im + at, *yr = xr + c->pairs, *yi = xi + c->pairs;
 		double *zr = b->re + k * LINES, *zi = b->im + k * LINES;
 
-		for (int l = 0; l < LINES; l++) {
-			double xr = l < here ? c->re[at + (size_t)l] : 0;
-			double xi = l < here ? c->im[at + (size_t)l] : 0;
-			double yr = l < there ? c->re[at + (size_t)(c->pairs + l)] : 0;
-			double yi = l < there ? c->im[at + (size_t)(c->pairs + l)] : 0;
-
-			zr[l] = xr - sign * yi;
-			zi[l] = sign * xi + yr;
+		for (int l = 0; l < there; l++) {
+			zr[l] = xr[l] - sign * yi[l];
+			zi[l] = sign * xi[l] + yr[l];
 		}
+		for (int l = there > 0 ? there : 0; l < here;
+		     l++) { /* of an odd number of columns the last */
+			zr[l] = xr[l];
+			zi[l] = sign * xi[l];
+		}
+		for (int l = here; l < LINES; l++)
+			zr[l] = zi[l] = 0;
 	}
 }
 
@@ -198,44 +204,54 @@ static long invert_columns(void *context, size_t from, size_t to)
 
 /* ---- along the first axis ---- */
 
+/* Transposed by tiles of TILE columns, a cache line of each row. */
 static void load_rows(const struct ts_convolution *c, int first, struct block *b)
 {
+	int lines = least(LINES, c->modes - first);
+
 	memset(b->re, 0, (size_t)c->length[0] * LINES * sizeof *b->re);
 	memset(b->im, 0, (size_t)c->length[0] * LINES * sizeof *b->im);
-	for (int l = 0; l < least(LINES, c->modes - first); l++) {
-		const double *re = c->re + (size_t)(first + l) * (size_t)c->n[0];
-		const double *im = c->im + (size_t)(first + l) * (size_t)c->n[0];
+	for (int from = 0; from < c->n[0]; from += TILE)
+		for (int l = 0; l < lines; l++) {
+			const double *re = c->re + (size_t)(first + l) * (size_t)c->n[0];
+			const double *im = c->im + (size_t)(first + l) * (size_t)c->n[0];
 
-		for (int i = 0; i < c->n[0]; i++) {
-			b->re[i * LINES + l] = re[i];
-			b->im[i * LINES + l] = im[i];
+			for (int i = from; i < least(from + TILE, c->n[0]); i++) {
+				b->re[i * LINES + l] = re[i];
+				b->im[i * LINES + l] = im[i];
+			}
 		}
-	}
 }
 
 static void store_rows(struct ts_convolution *c, const struct block *b, int first)
 {
-	for (int l = 0; l < least(LINES, c->modes - first); l++) {
-		double *re = c->re + (size_t)(first + l) * (size_t)c->n[0];
-		double *im = c->im + (size_t)(first + l) * (size_t)c->n[0];
+	int lines = least(LINES, c->modes - first);
 
-		for (int i = 0; i < c->n[0]; i++) {
-			re[i] = b->re[i * LINES + l];
-			im[i] = b->im[i * LINES + l];
+	for (int from = 0; from < c->n[0]; from += TILE)
+		for (int l = 0; l < lines; l++) {
+			double *re = c->re + (size_t)(first + l) * (size_t)c->n[0];
+			double *im = c->im + (size_t)(first + l) * (size_t)c->n[0];
+
+			for (int i = from; i < least(from + TILE, c->n[0]); i++) {
+				re[i] = b->re[i * LINES + l];
+				im[i] = b->im[i * LINES + l];
+			}
 		}
-	}
 }
 
 static void multiply(const struct ts_convolution *c, int first, struct block *b)
 {
-	for (int l = 0; l < least(LINES, c->modes - first); l++) {
-		const double *spectrum = c->spectrum + (size_t)(first + l) * (size_t)c->length[0];
+	int lines = least(LINES, c->modes - first);
 
-		for (int i = 0; i < c->length[0]; i++) {
-			b->re[i * LINES + l] *= spectrum[i];
-			b->im[i * LINES + l] *= spectrum[i];
+	for (int from = 0; from < c->length[0]; from += TILE)
+		for (int l = 0; l < lines; l++) {
+			const double *spectrum = c->spectrum + (size_t)(first + l) * (size_t)c->length[0];
+
+			for (int i = from; i < least(from + TILE, c->length[0]); i++) {
+				b->re[i * LINES + l] *= spectrum[i];
+				b->im[i * LINES + l] *= spectrum[i];
+			}
 		}
-	}
 }
 
 static long convolve_rows(void *context, size_t from, size_t to)
