@@ -494,6 +494,7 @@ library_sources = \
 	src/formula/unknown.h \
 	src/formula/variable.c \
 	src/formula/variable.h \
+	src/formula/variable_columns.c \
 	src/formula/variable_file.c \
 	src/formula/variable_formula.c \
 	src/formula/variable_list.c \

@@ -8,6 +8,13 @@
 #include "core/archive.h"
 #include "core/value.h"
 
+enum { TS_SCRIPT_ROWS = 8 /* at most, in `columns` below */ };
+
+struct ts_script_rows {
+	const char *internal; /* name of a variable */
+	const double *row;
+};
+
 struct ts_script_api {
 	/* Executes command lines; `where` is the place of their errors. */
 	enum ts_status (*execute)(void *data, const char *text, const struct ts_place *where);
@@ -38,6 +45,10 @@ struct ts_script_api {
 	void (*expect_commands)(void *data, struct ts_words commands);
 	/* Sets the number of a variable of style internal, for formulas that use it. */
 	enum ts_status (*set)(void *data, const char *variable, const struct ts_place *where, double value);
+	/* out[k] = the present number of a variable with the numbers set[i].row[k] of `nset` variables of style internal,
+	 * k = 0 .. n-1, n >= 1: as `set` and `scalar` for each k, but faster. */
+	enum ts_status (*columns)(void *data, const char *variable, const struct ts_place *where,
+				  const struct ts_script_rows *set, size_t nset, size_t n, double *out);
 	/* Saves or restores state of formulas between runs: streams of random numbers, variables. */
 	enum ts_status (*archive)(void *data, struct ts_archive *archive);
 	/* Appends a line for each variable: name, style, definition, place. */

@@ -380,3 +380,16 @@ enum ts_status ts_expr_vector(struct ts_formulas *formulas, const char *text, co
 	ts_arena_release(&e.arena);
 	return status;
 }
+
+enum ts_status ts_expr_columns(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
+			       struct ts_table *out)
+{
+	struct ts_expr e = init_expr(formulas, text, place, TS_FORMULA_COLUMNS);
+	struct ts_operand value;
+	enum ts_status status = evaluate_formula(&e, &value);
+
+	if (status == TS_OK)
+		status = store_values(&e, &value, formulas->rows, out);
+	ts_arena_release(&e.arena);
+	return status;
+}

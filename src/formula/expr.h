@@ -22,6 +22,9 @@ enum ts_status ts_expr_peratom(struct ts_formulas *formulas, const char *text, c
 			       struct ts_table *out);
 enum ts_status ts_expr_vector(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 			      struct ts_table *out);
+/* A number for each row of the columns of variables of style internal. */
+enum ts_status ts_expr_columns(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
+			       struct ts_table *out);
 /* The condition of an `if`, where bare names are words that can be compared. */
 enum ts_status ts_expr_condition(struct ts_formulas *formulas, const char *text, const struct ts_place *place,
 				 enum ts_truth *out);
@@ -37,8 +40,9 @@ struct ts_operand {
 	size_t at, end;	  /* its position in the text */
 };
 
-/* Which values names may have in a formula: numbers; numbers and columns of particles; numbers and lists. */
-enum ts_formula { TS_FORMULA_SCALAR, TS_FORMULA_PERATOM, TS_FORMULA_VECTOR };
+/* Which values names may have in a formula: numbers; numbers and columns of particles; numbers and lists; numbers, and the
+ * columns of variables of style internal. */
+enum ts_formula { TS_FORMULA_SCALAR, TS_FORMULA_PERATOM, TS_FORMULA_VECTOR, TS_FORMULA_COLUMNS };
 
 struct ts_expr {
 	struct ts_formulas *formulas;

@@ -139,6 +139,9 @@ static enum ts_status read_variable(struct ts_expr *e, const char *name, size_t 
 	if (e->kind == TS_FORMULA_VECTOR && found->style->vector)
 		return ts_expr_take_table(e, ts_variable_vector(e->formulas, found, &place, &table), &table,
 					  out);
+	if (e->kind == TS_FORMULA_COLUMNS && found->style->columns)
+		return ts_expr_take_table(e, ts_variable_column(e->formulas, found, &place, &table), &table,
+					  out);
 	return ts_variable_number(e->formulas, found, &place, &out->scalar);
 }
 

@@ -278,6 +278,14 @@ enum ts_status ts_variable_vector(struct ts_formulas *formulas, struct ts_variab
 			      where);
 }
 
+enum ts_status ts_variable_column(struct ts_formulas *formulas, struct ts_variable *variable,
+				  const struct ts_place *where, struct ts_table *out)
+{
+	TS_TRY(begin_evaluation(formulas, variable, where));
+	return end_evaluation(formulas, variable, variable->style->columns(formulas, variable, where, out),
+			      where);
+}
+
 enum ts_status ts_variable_next(struct ts_formulas *formulas, struct ts_variable *variable,
 				const struct ts_place *where, bool *exhausted)
 {

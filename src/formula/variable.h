@@ -59,6 +59,9 @@ struct ts_variable_style {
 	/* a list of numbers; rows x 1 */
 	enum ts_status (*vector)(struct ts_formulas *formulas, struct ts_variable *variable,
 				 const struct ts_place *where, struct ts_table *out);
+	/* a number for each row of the columns that variables of style internal have; rows x 1 */
+	enum ts_status (*columns)(struct ts_formulas *formulas, struct ts_variable *variable,
+				  const struct ts_place *where, struct ts_table *out);
 	/* advances to the next value; *exhausted: there is none */
 	enum ts_status (*next)(struct ts_formulas *formulas, struct ts_variable *variable, bool *exhausted);
 	/* For restart files; false: there is nothing to save. */
@@ -80,6 +83,7 @@ struct ts_variable {
 	int64_t at, last;	/* present and last value; index: counted from 0, loop: the number itself */
 	int pad;		/* loop: digits */
 	double number;		/* internal, once, timer: the value; equal: its last value */
+	const double *column;	/* internal: numbers of the rows that are evaluated; NULL: `number` */
 	uint64_t evaluation;	/* formulas->evaluation when `number` or `kept` was evaluated */
 	struct ts_table kept;	/* atom, vector: values, cached within one evaluation */
 	struct ts_variable *next_kept;
@@ -121,6 +125,19 @@ enum ts_status ts_variable_peratom(struct ts_formulas *formulas, struct ts_varia
 				   const struct ts_place *where, struct ts_table *out);
 enum ts_status ts_variable_vector(struct ts_formulas *formulas, struct ts_variable *variable,
 				  const struct ts_place *where, struct ts_table *out);
+enum ts_status ts_variable_column(struct ts_formulas *formulas, struct ts_variable *variable,
+				  const struct ts_place *where, struct ts_table *out);
+
+/* The numbers `row` that a variable of style internal has, one after the other. */
+struct ts_variable_rows {
+	struct ts_variable *internal;
+	const double *row;
+};
+/* out[k] = the number of the variable with row k of each of the `nset` variables, k = 0 .. n-1, n >= 1: as setting them and
+ * ts_variable_number for each row, bit for bit; formulas are read twice rather than n times if they permit it. */
+enum ts_status ts_variable_columns(struct ts_formulas *formulas, struct ts_variable *variable,
+				   const struct ts_place *where, const struct ts_variable_rows *set,
+				   size_t nset, size_t n, double *out);
 enum ts_status ts_variable_next(struct ts_formulas *formulas, struct ts_variable *variable,
 				const struct ts_place *where, bool *exhausted);
 

@@ -13,13 +13,14 @@ static enum ts_status equal_number(struct ts_formulas *formulas, struct ts_varia
 	uint64_t drawn = formulas->drawn;
 
 	(void)where;
-	if (formulas->depth && variable->evaluation == formulas->evaluation) {
+	if (formulas->depth && !formulas->rows && variable->evaluation == formulas->evaluation) {
 		*out = variable->number;
 		return TS_OK;
 	}
 	TS_TRY(ts_expr_scalar(formulas, formula->text, &formula->place, out));
 	variable->number = *out;
-	variable->evaluation = drawn == formulas->drawn ? formulas->evaluation : 0;
+	if (!formulas->rows) /* else it tells of the column that is kept */
+		variable->evaluation = drawn == formulas->drawn ? formulas->evaluation : 0;
 	return TS_OK;
 }
 
@@ -92,6 +93,13 @@ static enum ts_status equal_peratom(struct ts_formulas *formulas, struct ts_vari
 	return ts_expr_peratom(formulas, formula->text, &formula->place, out);
 }
 
+static enum ts_status equal_columns(struct ts_formulas *formulas, struct ts_variable *variable,
+				    const struct ts_place *where, struct ts_table *out)
+{
+	(void)where;
+	return evaluate_once(formulas, variable, ts_expr_columns, out);
+}
+
 static enum ts_status formula_vector(struct ts_formulas *formulas, struct ts_variable *variable,
 				     const struct ts_place *where, struct ts_table *out)
 {
@@ -152,6 +160,7 @@ const struct ts_variable_style ts_var_equal = {
 	.text = equal_text,
 	.number = equal_number,
 	.peratom = equal_peratom,
+	.columns = equal_columns,
 };
 
 const struct ts_variable_style ts_var_atom = {

@@ -167,6 +167,24 @@ static enum ts_status define_internal(struct ts_formulas *formulas, struct ts_va
 	return TS_OK;
 }
 
+static enum ts_status internal_number(struct ts_formulas *formulas, struct ts_variable *variable,
+				      const struct ts_place *where, double *out)
+{
+	formulas->by_number |= variable->column != NULL;
+	return plain_number(formulas, variable, where, out);
+}
+
+static enum ts_status internal_columns(struct ts_formulas *formulas, struct ts_variable *variable,
+				       const struct ts_place *where, struct ts_table *out)
+{
+	(void)where;
+	if (ts_table_resize(out, formulas->rows, 1) != TS_OK)
+		return ts_nomem(&formulas->sim->error);
+	for (size_t k = 0; k < formulas->rows; k++)
+		out->data[k] = variable->column ? variable->column[k] : variable->number;
+	return TS_OK;
+}
+
 const struct ts_variable_style ts_var_internal = {
 	.name = "internal",
 	.values = "number",
@@ -175,5 +193,6 @@ const struct ts_variable_style ts_var_internal = {
 	.most = 1,
 	.define = define_internal,
 	.text = plain_text,
-	.number = plain_number,
+	.number = internal_number,
+	.columns = internal_columns,
 };

@@ -1,5 +1,7 @@
 /* The functions of struct ts_script_api (core/script_api.h), by which the core and the styles use the script
  * interpreter. */
+#include <assert.h>
+
 #include "formula/dry_run.h"
 #include "formula/unknown.h"
 #include "script/check.h"
@@ -125,16 +127,41 @@ static void api_expect_commands(void *data, struct ts_words commands)
 	script->expected = commands;
 }
 
+static enum ts_status require_internal(struct ts_formulas *formulas, const char *name,
+				       const struct ts_place *where, struct ts_variable **out)
+{
+	TS_TRY(ts_variable_require(formulas, name, where, out));
+	if ((*out)->style != &ts_var_internal)
+		return ts_fail(&formulas->sim->error, TS_STATE, where,
+			       "variable '%s' is of style %s; one of style internal is needed here", name,
+			       (*out)->style->name);
+	return TS_OK;
+}
+
+static enum ts_status api_columns(void *data, const char *name, const struct ts_place *where,
+				  const struct ts_script_rows *set, size_t nset, size_t n, double *out)
+{
+	struct ts_variable_rows rows[TS_SCRIPT_ROWS] = { { .row = NULL } };
+	struct ts_variable *variable;
+
+	TS_TRY(ts_variable_require(get_formulas(data), name, where, &variable));
+	assert(nset <= TS_SCRIPT_ROWS);
+	for (size_t k = 0; k < nset; k++) {
+		rows[k].row = set[k].row;
+		TS_TRY(require_internal(get_formulas(data), set[k].internal, where, &rows[k].internal));
+	}
+	TS_TRY(ts_variable_columns(get_formulas(data), variable, where, rows, nset, n, out));
+	for (size_t k = 0; k < n; k++)
+		out[k] = replace_unknown(data, out[k]);
+	return TS_OK;
+}
+
 static enum ts_status api_set(void *data, const char *name, const struct ts_place *where, double value)
 {
 	struct ts_script *script = data;
 	struct ts_variable *variable;
 
-	TS_TRY(ts_variable_require(&script->formulas, name, where, &variable));
-	if (variable->style != &ts_var_internal)
-		return ts_fail(&script->sim->error, TS_STATE, where,
-			       "variable '%s' is of style %s; one of style internal is needed here", name,
-			       variable->style->name);
+	TS_TRY(require_internal(&script->formulas, name, where, &variable));
 	variable->number = value;
 	script->formulas.evaluation++; /* values computed with the old number are void */
 	return TS_OK;
@@ -210,6 +237,7 @@ const struct ts_script_api ts_script_api_table = {
 	.is_peratom = api_is_peratom,
 	.is_vector = api_is_vector,
 	.set = api_set,
+	.columns = api_columns,
 	.check_variable = api_check_variable,
 	.check_commands = api_check_commands,
 	.check_text = api_check_text,

@@ -60,6 +60,18 @@ static enum ts_status fill_image(const struct filling *f)
 	return TS_OK;
 }
 
+enum { BATCH = 1024 /* columns at once */ };
+
+/* Coordinate d of the centres of the columns from, from + 1, .. to - 1. */
+static void fill_centres(const struct ts_voxel_field *field, int d, int64_t from, int64_t to, double *x)
+{
+	for (int64_t k = from; k < to; k++) {
+		int64_t column = d ? k / field->n[0] : k % field->n[0];
+
+		x[k - from] = field->origin[d] + ((double)column + 0.5) * field->width[d];
+	}
+}
+
 /* At the centre of each column. */
 static enum ts_status fill_formula(const struct filling *f)
 {
@@ -67,21 +79,26 @@ static enum ts_status fill_formula(const struct filling *f)
 	const struct ts_number *formula = &f->source->formula;
 	const struct ts_place *where =
 		ts_instance_word(f->self, formula->variable ? formula->variable : f->self->id);
+	double centre[2][BATCH], *height = ts_voxel_heights(field);
+	struct ts_script_rows set[2];
+	size_t nset = 0;
 
-	for (int64_t k = 0; k < field->n[0] * field->n[1]; k++) {
-		const int64_t column[2] = { k % field->n[0], k / field->n[0] };
+	for (int d = 0; d < 2; d++)
+		if (f->source->set[field->axis[d]])
+			set[nset++] = (struct ts_script_rows){ f->source->set[field->axis[d]], centre[d] };
+	for (int64_t k = 0, n = field->n[0] * field->n[1]; k < n; k += BATCH) {
+		int64_t end = k + BATCH < n ? k + BATCH : n;
 
-		if (k % 1024 == 0 && f->sim->requests.stop)
+		if (f->sim->requests.stop)
 			return ts_fail(&f->sim->error, TS_STOPPED, where,
 				       "stopped on request while heights were computed");
-		for (int d = 0; d < 2; d++) {
-			const char *name = f->source->set[field->axis[d]];
-			double x = field->origin[d] + ((double)column[d] + 0.5) * field->width[d];
-
-			if (name)
-				TS_TRY(f->sim->script_api->set(f->sim->script_api_data, name, where, x));
-		}
-		TS_TRY(ts_number_now(f->sim, formula, where, &ts_voxel_heights(field)[k]));
+		for (int d = 0; d < 2; d++)
+			fill_centres(field, d, k, end, centre[d]);
+		if (formula->variable)
+			TS_TRY(f->sim->script_api->columns(f->sim->script_api_data, formula->variable, where,
+							   set, nset, (size_t)(end - k), height + k));
+		for (int64_t c = k; c < end && !formula->variable; c++)
+			height[c] = formula->value;
 	}
 	return TS_OK;
 }

@@ -38,6 +38,22 @@ gives 'formula v_h x cx y cy type 1 cells 2 3 datum 152 base 152' 153 251 253
 gives 'formula v_h x cx y cy type 1 cells 2 1 origin 10 20 size 2 4' 2210.5 2211.5
 before='variable h equal v_cy+100*v_cz'
 gives 'formula v_h y cy z cz type 1 cells 2 1 normal x' 250.75 252.25
+before='variable a equal v_cx+1
+variable h equal v_a*v_a+100*v_cy'
+gives 'formula v_h x cx y cy type 1 cells 2 3' 54 66 154 166 254 266
+# formulas that are evaluated row by row: the coordinate is an index; random numbers
+before='variable l vector [10,20,30,40]
+variable h equal v_l[round(v_cx)]+v_cy'
+gives 'formula v_h x cx y cy type 1 cells 2 1' 11.5 31.5
+before='variable h equal random(0,1,7)'
+heights 'formula v_h type 1 cells 40 30'
+[ "$(sort -u heights | wc -l)" = 1200 ]
+report 'a random number for each column' $?
+before='variable h equal v_cx+100*v_cy'
+heights 'formula v_h x cx y cy type 1 cells 64 48'
+awk 'BEGIN { for (k = 0; k < 3072; k++) print (k % 64 + 0.5)/16 + 100*(int(k/64) + 0.5)/16 }' | awk '{ print $1 + 0 }' >expected
+awk '{ print $1 + 0 }' heights | diff - expected >difference
+report 'many columns' $? difference
 before='variable h equal 2'
 gives 'formula v_h type 1 cells 1 1' 2
 gives 'formula 7 type 1 cells 1 1' 7
@@ -157,6 +173,10 @@ printf '# nothing\n' >blank
 field 'file blank type 1' "'blank' has no heights"
 before='variable h equal 1/(v_cx-2)'
 field 'formula v_h x cx type 1 cells 1 1' 'division of 1 by zero'
+before='variable h equal 1/(v_cx-3)'
+field 'formula v_h x cx type 1 cells 2 1' 'division of 1 by zero'
+before='variable h equal sum(v_cx)'
+field 'formula v_h x cx type 1 cells 2 1' 'expected a list'
 before='variable h equal 1'
 field 'formula v_h x nobody type 1 cells 1 1' 'nobody'
 field 'formula v_nobody type 1 cells 1 1' 'nobody'
