@@ -637,6 +637,18 @@ library_sources = \
 	src/io/vtk_legacy.h \
 	src/io/vtk_xml.c \
 	src/io/vtk_xml.h \
+	src/kinetic/compute_granular_couette.c \
+	src/kinetic/granular_couette.c \
+	src/kinetic/granular_couette.h \
+	src/kinetic/granular_couette_equations.c \
+	src/kinetic/granular_couette_newton.c \
+	src/kinetic/granular_gas.c \
+	src/kinetic/granular_gas.h \
+	src/kinetic/internal.h \
+	src/kinetic/sheared_film.c \
+	src/kinetic/sheared_film.h \
+	src/kinetic/sheared_film_check.c \
+	src/kinetic/sheared_film_find.c \
 	src/law/active_particles.h \
 	src/law/archard.h \
 	src/law/buoyancy.h \
@@ -715,6 +727,8 @@ library_sources = \
 	src/material/material.h \
 	src/material/property.c \
 	src/material/property.h \
+	src/math/band.c \
+	src/math/band.h \
 	src/math/compensated.h \
 	src/math/constants.h \
 	src/math/convolution.c \

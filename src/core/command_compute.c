@@ -37,6 +37,5 @@ const struct ts_command_style ts_command_compute = {
 		.args = args,
 		.state_size = sizeof(struct ts_definition),
 	},
-	.needs_box = true,
 	.run = run_compute,
 };

@@ -1,0 +1,324 @@
+#include "kinetic/granular_couette.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "kinetic/internal.h"
+#include "math/band.h"
+#include "math/constants.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_couette_room(struct ts_couette *c, int n)
+{
+	size_t nodes = (size_t)n + 1;
+
+	TS_TRY(TS_GROW(c->node, c->capacity, nodes));
+	TS_TRY(TS_GROW(c->rate, c->rate_capacity, nodes));
+	TS_TRY(TS_GROW(c->step, c->step_capacity, 4 * nodes));
+	TS_TRY(TS_GROW(c->matrix, c->matrix_capacity, ts_band_length(4 * nodes, 5, 5)));
+	c->n = n;
+	return TS_OK;
+}
+
+void ts_couette_release(struct ts_couette *c)
+{
+	ts_free(c->node);
+	ts_free(c->rate);
+	ts_free(c->step);
+	ts_free(c->matrix);
+	c->node = NULL;
+	c->rate = NULL;
+	c->step = c->matrix = NULL;
+	c->capacity = c->rate_capacity = c->step_capacity = c->matrix_capacity = 0;
+	c->n = 0;
+}
+
+/* ---- starting values */
+
+void ts_couette_guess(struct ts_couette *c)
+{
+	double x = ts_couette_x(c, c->solids), loss = 0, slip = 0, s;
+	struct ts_couette_at at;
+
+	ts_couette_at(c, x, &at);
+	for (int w = 0; w < 2; w++) {
+		loss += ts_bumpy_wall_loss(&c->wall[w]);
+		slip += ts_bumpy_wall_slip(&c->wall[w]);
+	}
+	/* work of both walls s (slips + s a H) = dissipation */
+	s = sqrt((loss * at.root_t + at.loss * c->gap) / (slip * at.root_t + at.shear * c->gap));
+	for (int i = 0; i <= c->n; i++) {
+		double *z = c->node[i], y = c->gap * i / c->n;
+
+		z[0] = x;
+		z[1] = (s * s * ts_bumpy_wall_slip(&c->wall[0]) - ts_bumpy_wall_loss(&c->wall[0])) *
+			       at.root_t * (1 - y / c->gap) -
+		       (s * s * ts_bumpy_wall_slip(&c->wall[1]) - ts_bumpy_wall_loss(&c->wall[1])) *
+			       at.root_t * y / c->gap;
+		z[2] = at.nu * y;
+		z[3] = s;
+	}
+}
+
+/* Follows the solution from the gap `from`, where it is uniform, to the given one. */
+static enum ts_status widen(struct ts_couette *c, double from)
+{
+	double gap = c->gap, ratio = 2;
+	size_t bytes = ((size_t)c->n + 1) * sizeof *c->node;
+	double(*kept)[4] = ts_alloc(1, bytes);
+	enum ts_status status = TS_OK;
+
+	if (!kept)
+		return TS_NOMEM;
+	c->gap = fmin(gap, from);
+	c->reached = 0;
+	ts_couette_guess(c);
+	while (c->reached < gap && status == TS_OK) {
+		memcpy(kept, c->node, bytes);
+		status = ts_couette_newton(c);
+		if (status == TS_OK) {
+			c->reached = c->gap;
+		} else if (c->reached > 0 && ratio > 1.02) {
+			memcpy(c->node, kept, bytes);
+			ratio = sqrt(ratio);
+			status = TS_OK;
+		}
+		c->gap = fmin(gap, c->reached > 0 ? c->reached * ratio : gap);
+	}
+	c->gap = gap;
+	ts_free(kept);
+	return status;
+}
+
+enum ts_status ts_couette_solve_mesh(struct ts_couette *c, int intervals, bool warm)
+{
+	static const double narrow[] = { 2, 0.5 };
+	enum ts_status status = TS_PHYSICS;
+	double most = 0;
+
+	TS_TRY(ts_couette_room(c, intervals));
+	if (warm)
+		return ts_couette_newton(c);
+	for (int k = 0; k < 2 && status == TS_PHYSICS; k++) {
+		status = widen(c, narrow[k]);
+		most = fmax(most, c->reached);
+	}
+	c->reached = most;
+	return status;
+}
+
+/* ---- meshes */
+
+enum { MOST_INTERVALS = 1 << 16 };
+
+/* Twice as many intervals, by Hermite's cubics. */
+static enum ts_status refine(struct ts_couette *c)
+{
+	int n = c->n;
+	double width = c->gap / n;
+
+	TS_TRY(ts_couette_room(c, 2 * n));
+	for (int i = 0; i <= n; i++)
+		ts_couette_rate(c, c->node[i], &c->rate[i]);
+	for (int i = n; i > 0; i--) {
+		double high[4];
+
+		memcpy(high, c->node[i], sizeof high);
+		ts_couette_middle(width, c->node[i - 1], c->rate[i - 1].f, high, c->rate[i].f,
+				  c->node[2 * i - 1]);
+		memcpy(c->node[2 * i], high, sizeof high);
+	}
+	return TS_OK;
+}
+
+static double change(double a, double b)
+{
+	return fabs(a - b) / fmax(fabs(a), 1e-300);
+}
+
+/* Relative error of the finer of two solutions, of fourth order. */
+static double error_of(const struct ts_couette_figures *fine, const struct ts_couette_figures *coarse)
+{
+	double most = fmax(change(fine->speed, coarse->speed), change(fine->traction, coarse->traction));
+
+	for (int k = 0; k < 2; k++) {
+		most = fmax(most, change(fine->slip[k], coarse->slip[k]));
+		most = fmax(most, change(fine->centre[k], coarse->centre[k]));
+	}
+	return most / 15;
+}
+
+int ts_couette_intervals(double gap, int points)
+{
+	int n = points - 1;
+
+	while (n < 32 || (n < 2.5 * gap && n < MOST_INTERVALS))
+		n *= 2;
+	return n;
+}
+
+enum ts_status ts_couette_solve(struct ts_couette *c, int intervals, double tolerance)
+{
+	struct ts_couette_figures fine, coarse;
+
+	c->iterations = 0;
+	TS_TRY(ts_couette_solve_mesh(c, intervals, false));
+	ts_couette_figures(c, &fine);
+	do {
+		coarse = fine;
+		TS_TRY(refine(c));
+		TS_TRY(ts_couette_newton(c));
+		ts_couette_figures(c, &fine);
+		c->error = error_of(&fine, &coarse);
+	} while (c->error > tolerance && c->n < MOST_INTERVALS);
+	return c->error <= tolerance ? TS_OK : TS_PHYSICS;
+}
+
+/* ---- results */
+
+void ts_couette_profile(const struct ts_couette *c, int points, double (*out)[3])
+{
+	int stride = c->n / (points - 1);
+	double width = c->gap / c->n, s = c->node[0][3], u;
+	struct ts_couette_rate low, high;
+	struct ts_couette_at at;
+
+	ts_couette_at(c, c->node[c->n][0], &at);
+	u = s * ts_bumpy_wall_slip(&c->wall[1]) * at.root_t;
+	ts_couette_rate(c, c->node[c->n], &low);
+	for (int i = c->n; i >= 0; i--) {
+		struct ts_couette_at middle;
+		double z[4], before = at.shear;
+
+		ts_couette_at(c, c->node[i][0], &at);
+		if (i < c->n) {
+			high = low;
+			ts_couette_rate(c, c->node[i], &low);
+			ts_couette_middle(width, c->node[i], low.f, c->node[i + 1], high.f, z);
+			ts_couette_at(c, z[0], &middle);
+			u += width / 6 * s * (at.shear + 4 * middle.shear + before);
+		}
+		if (i % stride == 0) {
+			out[i / stride][0] = at.nu;
+			out[i / stride][1] = u;
+			out[i / stride][2] = at.root_t * at.root_t;
+		}
+	}
+}
+
+/* Integrals of the shear rate and of the dissipation over the gap, by the rule of the equations. */
+static void integrate(const struct ts_couette *c, double out[2])
+{
+	double width = c->gap / c->n, s = c->node[0][3];
+	struct ts_couette_rate low, high;
+	struct ts_couette_at at, middle;
+
+	out[0] = out[1] = 0;
+	ts_couette_rate(c, c->node[0], &high);
+	for (int i = 0; i <= c->n; i++) {
+		double end = i == 0 || i == c->n ? width / 6 : width / 3, z[4];
+
+		ts_couette_at(c, c->node[i][0], &at);
+		out[0] += end * s * at.shear;
+		out[1] += end * at.loss;
+		if (i == c->n)
+			break;
+		low = high;
+		ts_couette_rate(c, c->node[i + 1], &high);
+		ts_couette_middle(width, c->node[i], low.f, c->node[i + 1], high.f, z);
+		ts_couette_at(c, z[0], &middle);
+		out[0] += width * 2 / 3 * s * middle.shear;
+		out[1] += width * 2 / 3 * middle.loss;
+	}
+}
+
+static double centre_x(const struct ts_couette *c)
+{
+	int i = c->n / 2;
+	struct ts_couette_rate low, high;
+	double z[4];
+
+	if (c->n % 2 == 0)
+		return c->node[i][0];
+	ts_couette_rate(c, c->node[i], &low);
+	ts_couette_rate(c, c->node[i + 1], &high);
+	ts_couette_middle(c->gap / c->n, c->node[i], low.f, c->node[i + 1], high.f, z);
+	return z[0];
+}
+
+void ts_couette_figures(const struct ts_couette *c, struct ts_couette_figures *out)
+{
+	double sum[2], s = c->node[0][3], work, most = -INFINITY;
+	struct ts_couette_at at;
+
+	integrate(c, sum);
+	for (int i = 0; i <= c->n; i++)
+		most = fmax(most, c->node[i][0]);
+	ts_couette_at(c, most, &at);
+	out->most = at.nu;
+	out->traction = s;
+	out->speed = sum[0];
+	out->dissipation = sum[1];
+	for (int w = 0; w < 2; w++) {
+		ts_couette_at(c, c->node[w ? c->n : 0][0], &at);
+		out->slip[w] = s * ts_bumpy_wall_slip(&c->wall[w]) * at.root_t;
+		out->wall_loss[w] = ts_bumpy_wall_loss(&c->wall[w]) * at.root_t;
+		out->speed += out->slip[w];
+	}
+	ts_couette_at(c, centre_x(c), &at);
+	out->centre[0] = at.nu;
+	out->centre[1] = at.root_t * at.root_t;
+	work = s * out->speed;
+	out->imbalance = fabs(work - out->dissipation - out->wall_loss[0] - out->wall_loss[1]) / work;
+}
+
+/* ---- number of solutions */
+
+/* Whether two solutions on one mesh are the same. */
+static bool same(int n, double (*a)[4], double (*b)[4])
+{
+	for (int i = 0; i <= n; i++)
+		if (!(fabs(a[i][0] - b[i][0]) < 1e-5))
+			return false;
+	return true;
+}
+
+/* The profile of the guess, changed in the shape of a cosine with `waves` half waves. */
+static void bend(struct ts_couette *c, int waves, double height)
+{
+	ts_couette_guess(c);
+	for (int i = 0; i <= c->n; i++)
+		c->node[i][0] += height * cos(TS_PI * waves * i / c->n);
+}
+
+enum ts_status ts_couette_count(const struct ts_couette *given, int intervals, int *count)
+{
+	enum { SHAPES = 4, HEIGHTS = 4, TRIALS = SHAPES * HEIGHTS };
+	struct ts_couette c = { .gas = given->gas,
+				.wall = { given->wall[0], given->wall[1] },
+				.gap = given->gap,
+				.solids = given->solids };
+	size_t nodes = (size_t)intervals + 1;
+	double(*found)[4] = ts_alloc(nodes * (TRIALS + 1), sizeof *found);
+	enum ts_status status = found ? ts_couette_room(&c, intervals) : TS_NOMEM;
+
+	*count = 0;
+	for (int k = 0; k <= TRIALS && status == TS_OK; k++) {
+		static const double heights[HEIGHTS] = { -2, -0.7, 0.7, 2 };
+		bool known = false;
+
+		if (k < TRIALS)
+			bend(&c, 1 + k / HEIGHTS, heights[k % HEIGHTS]);
+		status = k < TRIALS ? ts_couette_newton(&c) : ts_couette_solve_mesh(&c, intervals, false);
+		for (int l = 0; l < *count && status == TS_OK; l++)
+			known |= same(intervals, c.node, found + (size_t)l * nodes);
+		if (status == TS_OK && !known)
+			memcpy(found + (size_t)(*count)++ * nodes, c.node, nodes * sizeof *found);
+		status = status == TS_PHYSICS ? TS_OK : status;
+	}
+	ts_couette_release(&c);
+	ts_free(found);
+	return status;
+}
