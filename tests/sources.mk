@@ -120,6 +120,7 @@ shell_tests = \
 	tests/integrate/integrators.sh \
 	tests/io/full_disk.sh \
 	tests/io/safety.sh \
+	tests/kinetic/granular_couette.sh \
 	tests/library/python.sh \
 	tests/limits/timestep.sh \
 	tests/load/mesh_servo.sh \

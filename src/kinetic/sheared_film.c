@@ -11,14 +11,9 @@ static enum ts_status no_solution(const struct ts_sheared_film *f, const struct 
 				  struct ts_error *error)
 {
 	return ts_fail(error, TS_PHYSICS, where,
-		       "sheared film: no solution was found at a gap of %g diameters and the solid fraction "
-		       "%g, "
-		       "only for gaps up to %g diameters: in wide gaps grains that dissipate much pack in "
-		       "the "
-		       "middle and come to rest, which kinetic theory does not describe; a larger "
-		       "`tolerance` "
-		       "helps "
-		       "if it is below round-off",
+		       "sheared film: no solution was found at a gap of %g diameters and the solid "
+		       "fraction %g, only for gaps up to %g diameters: in wide gaps grains that dissipate "
+		       "much pack in the middle and come to rest, which kinetic theory does not describe",
 		       f->couette.gap, f->couette.solids, f->couette.reached);
 }
 
@@ -33,8 +28,7 @@ static enum ts_status find_solids(struct ts_sheared_film *f, const struct ts_pla
 		return TS_OK;
 	return ts_fail(error, TS_PHYSICS, where,
 		       "sheared film: no solid fraction between %g and closest packing carries the load %g "
-		       "at "
-		       "the speed %g",
+		       "at the speed %g",
 		       least, f->load, f->speed);
 }
 
@@ -48,8 +42,8 @@ static enum ts_status find_gap(struct ts_sheared_film *f, const struct ts_place 
 	if (f->solutions)
 		return TS_OK;
 	return ts_fail(error, TS_PHYSICS, where,
-		       "sheared film: the load %g is too large: at the speed %g a gap of 2 diameters carries "
-		       "%g",
+		       "sheared film: the load %g is too large: at the speed %g a gap of 2 diameters "
+		       "carries %g",
 		       f->load, f->speed, f->density * f->speed * f->speed / (speed * speed));
 }
 
@@ -110,10 +104,9 @@ enum ts_status ts_sheared_film_solve(struct ts_sheared_film *f, const struct ts_
 	scale(f);
 	if (f->figures.most > f->gas.packing)
 		return ts_fail(error, TS_PHYSICS, where,
-			       "sheared film: the solid fraction reaches %g, above that at closest packing, "
-			       "%g: "
-			       "grains "
-			       "would come to rest, which kinetic theory does not describe",
+			       "sheared film: the solid fraction reaches %g, above that at closest "
+			       "packing, %g: grains would come to rest, which kinetic theory does not "
+			       "describe",
 			       f->figures.most, f->gas.packing);
 	return TS_OK;
 }

@@ -56,9 +56,7 @@ static enum ts_status check_unknown(const struct ts_sheared_film *f, const struc
 	if (unknown != 1)
 		return ts_fail(error, TS_STATE, where,
 			       "sheared film: of gap, solid fraction (or amount), speed and load %d are "
-			       "given, "
-			       "expected 3: "
-			       "the fourth is the result",
+			       "given, expected 3: the fourth is the result",
 			       4 - unknown);
 	return TS_OK;
 }
@@ -79,16 +77,14 @@ static enum ts_status check_walls(const struct ts_sheared_film *f, const struct 
 		if (!(wall->half_angle > 0 && wall->half_angle <= TS_PI / 2 * (1 + 1e-12)))
 			return ts_fail(error, TS_RANGE, where,
 				       "sheared film: half angle of the bumps of the %s wall %g degrees, "
-				       "expected > 0 and "
-				       "<= 90; a smooth wall (0) does not shear the grains, so they come to "
-				       "rest",
+				       "expected > 0 and <= 90; a smooth wall (0) does not shear the "
+				       "grains, so they come to rest",
 				       names[w], wall->half_angle * 180 / TS_PI);
 	}
 	if (f->gas.restitution >= 1 && f->wall[0].restitution >= 1 && f->wall[1].restitution >= 1)
 		return ts_fail(error, TS_STATE, where,
 			       "sheared film: there is no steady state: grains and walls are elastic "
-			       "(restitution 1), so the "
-			       "work of the walls heats the grains for ever");
+			       "(restitution 1), so the work of the walls heats the grains for ever");
 	return TS_OK;
 }
 
@@ -100,9 +96,7 @@ static enum ts_status check_content(const struct ts_sheared_film *f, const struc
 	if (f->gap < 2 * f->diameter)
 		return ts_fail(error, TS_RANGE, where,
 			       "sheared film: gap %g, expected at least 2 diameters, %g: kinetic theory is "
-			       "for "
-			       "several layers "
-			       "of grains",
+			       "for several layers of grains",
 			       f->gap, 2 * f->diameter);
 	if (solids >= f->gas.packing)
 		return ts_fail(error, TS_RANGE, where,
