@@ -76,6 +76,7 @@ shell_tests = \
 	tests/examples/drilling.sh \
 	tests/examples/erosion.sh \
 	tests/examples/erosion_ladder.sh \
+	tests/examples/film_kinetic.sh \
 	tests/examples/flow_bodies.sh \
 	tests/examples/flow_cases.sh \
 	tests/examples/polishing.sh \

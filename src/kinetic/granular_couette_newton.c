@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-enum { BAND = 5, ITERATIONS = 40 };
+enum { BAND = 5, ITERATIONS = 25 };
 
 /* Adds to the matrix the derivatives of Simpson's rule with the unknowns of one end of an interval: sign (1 of the
  * upper, -1 of the lower end) - width/6 (J + 4 Jm (1/2 - sign width/8 J)). */

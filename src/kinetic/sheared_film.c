@@ -54,7 +54,7 @@ static enum ts_status solve_given(struct ts_sheared_film *f)
 	c->gap = f->gap / f->diameter;
 	c->solids = isnan(f->solids) ? f->amount / f->gap : f->solids;
 	TS_TRY(ts_couette_solve(c, ts_couette_intervals(c->gap, f->points), f->tolerance));
-	return f->count ? ts_couette_count(c, ts_couette_intervals(c->gap, 65), &f->solutions) : TS_OK;
+	return f->count ? ts_couette_count(c, ts_couette_intervals(c->gap, 33), &f->solutions) : TS_OK;
 }
 
 /* The unknown one of gap, solid fraction, speed and load, and figures in units of the script. */
