@@ -23,7 +23,7 @@ struct state {
 	struct tsim *sim;
 	struct ts_sheared_film film;
 	double solved_for[NUMBERS];
-	bool solved;
+	bool solved, warned;
 };
 
 /* ---- arguments to film ---- */
@@ -103,6 +103,20 @@ static void set_numbers(struct state *s, const double number[NUMBERS])
 	f->count = s->count;
 }
 
+/* Where grains hardly move they touch for long: forces of kinetic theory are those of collisions only. */
+static void warn_of_rest(const struct ts_instance *self, struct state *s)
+{
+	if (s->warned || s->film.figures.coldest > 1e-6)
+		return;
+	s->warned = true;
+	ts_warn(&s->sim->log, &self->where,
+		"compute granular/couette: somewhere the granular temperature is only %.2g of its largest: "
+		"the grains there are at rest, packed to the solid fraction %g, which kinetic theory does "
+		"not "
+		"describe",
+		s->film.figures.coldest, s->film.figures.most);
+}
+
 static enum ts_status solve(struct ts_instance *self)
 {
 	struct state *s = self->state;
@@ -116,6 +130,7 @@ static enum ts_status solve(struct ts_instance *self)
 	TS_TRY(ts_sheared_film_solve(&s->film, &self->where, &s->sim->error));
 	memcpy(s->solved_for, number, sizeof number);
 	s->solved = true;
+	warn_of_rest(self, s);
 	return TS_OK;
 }
 
@@ -287,8 +302,10 @@ static const char *const doc_more[] = {
 	"so. The result is that which continues the only one of narrow gaps, symmetric if the walls are.",
 	"Refused are: a mean solid fraction of `packing` or more; a gap below 2 diameters; smooth walls; "
 	"elastic grains between elastic walls, which have no steady state; solid fractions that reach "
-	"`packing` with carnahan/starling; grains so dissipative, in gaps so wide, that they come to rest "
-	"in the middle.",
+	"`packing` with carnahan/starling; wide gaps up to which the solution of narrow gaps does not "
+	"continue. Where dissipative grains come to rest in the middle of a wide gap (T less than 1e-6 of "
+	"that "
+	"elsewhere) a warning is given: kinetic theory does not describe them.",
 	"Related: compute film, doc/granular-film.md.", NULL
 };
 

@@ -250,13 +250,18 @@ static double centre_x(const struct ts_couette *c)
 
 void ts_couette_figures(const struct ts_couette *c, struct ts_couette_figures *out)
 {
-	double sum[2], s = c->node[0][3], work, most = -INFINITY;
+	double sum[2], s = c->node[0][3], work, most = -INFINITY, least = INFINITY;
 	struct ts_couette_at at;
 
 	integrate(c, sum);
-	for (int i = 0; i <= c->n; i++)
+	for (int i = 0; i <= c->n; i++) {
 		most = fmax(most, c->node[i][0]);
+		least = fmin(least, c->node[i][0]);
+	}
+	ts_couette_at(c, least, &at);
+	out->coldest = 1 / (at.root_t * at.root_t);
 	ts_couette_at(c, most, &at);
+	out->coldest *= at.root_t * at.root_t;
 	out->most = at.nu;
 	out->traction = s;
 	out->speed = sum[0];

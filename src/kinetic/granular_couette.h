@@ -61,6 +61,7 @@ struct ts_couette_figures {
 	double slip[2];	    /* at the walls */
 	double centre[2];   /* nu and T at half the gap */
 	double most;	    /* largest nu at a node */
+	double coldest;	    /* smallest T at a node by the largest */
 	double dissipation; /* by collisions of grains, over the gap */
 	double wall_loss[2];
 	double imbalance; /* |work of the walls - all dissipation|/work */

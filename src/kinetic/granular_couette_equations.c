@@ -33,7 +33,7 @@ void ts_couette_at(const struct ts_couette *c, double x, struct ts_couette_at *o
 	struct ts_gas_functions g;
 
 	out->nu = part * ts_gas_limit(&c->gas);
-	ts_gas_functions(&c->gas, out->nu, &g);
+	ts_gas_functions_packed(&c->gas, out->nu, 1 / (1 + exp(x)), &g);
 	root = sqrt(g.pressure);
 	h = (g.conductivity * g.pressure_slope / g.pressure - g.dufour) / (g.pressure * root);
 	out->root_t = 1 / root;

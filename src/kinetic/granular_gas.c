@@ -11,9 +11,9 @@ double ts_gas_limit(const struct ts_gas *gas)
 	return gas->radial == TS_GAS_LUN_SAVAGE ? gas->packing : 1;
 }
 
-double ts_gas_radial(const struct ts_gas *gas, double nu, double *slope)
+static double radial(const struct ts_gas *gas, double nu, double free, double *slope)
 {
-	double free = 1 - nu / ts_gas_limit(gas), g0;
+	double g0;
 
 	if (gas->radial == TS_GAS_CARNAHAN_STARLING) {
 		*slope = (5 - 2 * nu) / (2 * free * free * free * free);
@@ -22,6 +22,11 @@ double ts_gas_radial(const struct ts_gas *gas, double nu, double *slope)
 	g0 = pow(free, -2.5 * gas->packing);
 	*slope = 2.5 * g0 / free;
 	return g0;
+}
+
+double ts_gas_radial(const struct ts_gas *gas, double nu, double *slope)
+{
+	return radial(gas, nu, 1 - nu / ts_gas_limit(gas), slope);
 }
 
 /* Lun et al. (1984), section 6, eta = (1 + e)/2. */
@@ -68,9 +73,9 @@ static void garzo_dufty(double e, double nu, double g0, double slope, struct ts_
 	g->dissipation *= 1 + 3.0 / 32 * c;
 }
 
-void ts_gas_functions(const struct ts_gas *gas, double nu, struct ts_gas_functions *out)
+void ts_gas_functions_packed(const struct ts_gas *gas, double nu, double free, struct ts_gas_functions *out)
 {
-	double e = gas->restitution, slope, g0 = ts_gas_radial(gas, nu, &slope);
+	double e = gas->restitution, slope, g0 = radial(gas, nu, free, &slope);
 
 	out->pressure = nu + 2 * (1 + e) * nu * nu * g0;
 	out->pressure_slope = 1 + 2 * (1 + e) * (2 * nu * g0 + nu * nu * slope);
@@ -79,6 +84,11 @@ void ts_gas_functions(const struct ts_gas *gas, double nu, struct ts_gas_functio
 		lun(e, nu, g0, slope, out);
 	else
 		garzo_dufty(e, nu, g0, slope, out);
+}
+
+void ts_gas_functions(const struct ts_gas *gas, double nu, struct ts_gas_functions *out)
+{
+	ts_gas_functions_packed(gas, nu, 1 - nu / ts_gas_limit(gas), out);
 }
 
 double ts_gas_sheared_temperature(const struct ts_gas *gas, double nu)

@@ -42,6 +42,8 @@ double ts_gas_limit(const struct ts_gas *gas);
 /* 0 < nu < ts_gas_limit. */
 double ts_gas_radial(const struct ts_gas *gas, double nu, double *slope);
 void ts_gas_functions(const struct ts_gas *gas, double nu, struct ts_gas_functions *out);
+/* The same where free = 1 - nu/limit is so small that nu does not tell it. */
+void ts_gas_functions_packed(const struct ts_gas *gas, double nu, double free, struct ts_gas_functions *out);
 
 /* T/(d du/dy)^2 = g2/g5 of the homogeneous shear flow, in which the work of the shear stress is dissipated where it is
  * done; e < 1. */

@@ -11,9 +11,9 @@ static enum ts_status no_solution(const struct ts_sheared_film *f, const struct 
 				  struct ts_error *error)
 {
 	return ts_fail(error, TS_PHYSICS, where,
-		       "sheared film: no solution was found at a gap of %g diameters and the solid "
-		       "fraction %g, only for gaps up to %g diameters: in wide gaps grains that dissipate "
-		       "much pack in the middle and come to rest, which kinetic theory does not describe",
+		       "sheared film: no solution was found at a gap of %g diameters and the solid fraction "
+		       "%g: "
+		       "that of narrow gaps was followed up to %g diameters",
 		       f->couette.gap, f->couette.solids, f->couette.reached);
 }
 

@@ -99,6 +99,10 @@ print 'done'" 'done'
 [ "$(grep -vc '^#' profile)" = 6 ] && awk '$1 == 3 && NF == 5 { ok = $2 > 1.999e-3 && $2 < 2.001e-3 && $3 > 0.999999 && $3 < 1.000001 && $4 > 0.409 && $4 < 0.4091 } END { exit !ok }' profile
 report 'profile in a file' $? profile
 
+# Grains at rest in the middle of a wide gap
+prints "compute c all granular/couette gap 40e-3 solid_fraction 0.5 speed 2 diameter 0.787e-3 density 2550 restitution 0.6 $walls count no
+print \"\$(c_c[11] > 0.6499)\"" 1 '*the grains there are at rest, packed to the solid fraction 0.65'
+
 # ---- what is refused
 
 rejects "compute c all granular/couette gap 4e-3 solid_fraction 0.65 speed 2 $grains $walls" \
@@ -122,8 +126,8 @@ rejects "$film diameter 0.787e-3 density 2550 restitution 0.1 $walls friction 0.
 rejects "$film $grains $walls packing 0.3" 'expected less than that at closest packing, 0.3'
 rejects "compute c all granular/couette gap 20e-3 solid_fraction 0.6 speed 2 $grains $walls radial carnahan/starling" \
 	'above that at closest packing'
-rejects "compute c all granular/couette gap 80e-3 solid_fraction 0.3 speed 2 diameter 0.787e-3 density 2550 restitution 0.1 $walls" \
-	'no solution was found at a gap of 101.652 diameters'
+rejects "compute c all granular/couette gap 78.7e-3 solid_fraction 0.63 speed 2 diameter 0.787e-3 density 2550 restitution 0.3 wall_restitution 0.65 roughness 1 tolerance 1e-5" \
+	'no solution was found at a gap of 100 diameters and the solid fraction 0.63: that of narrow gaps was followed'
 rejects "compute c all granular/couette solid_fraction 0.4 speed 2 load 1e9 $grains $walls" 'is too large'
 rejects "variable nu equal 0.7
 compute c all granular/couette gap 4e-3 solid_fraction v_nu speed 2 $grains $walls
