@@ -8,6 +8,21 @@ library_sources = \
 	src/advise/trial.h \
 	src/advise/verdict.c \
 	src/advise/verdict.h \
+	src/automaton/automaton.c \
+	src/automaton/automaton.h \
+	src/automaton/automaton_granular.c \
+	src/automaton/cell.h \
+	src/automaton/command_automaton_style.c \
+	src/automaton/compute_automaton_profile.c \
+	src/automaton/draws.h \
+	src/automaton/dump_automaton_png.c \
+	src/automaton/dump_automaton_vtk.c \
+	src/automaton/granule.h \
+	src/automaton/granule_lattice.c \
+	src/automaton/granule_lattice.h \
+	src/automaton/laws.h \
+	src/automaton/step.c \
+	src/automaton/step.h \
 	src/average/average.c \
 	src/average/average.h \
 	src/average/average_file.c \
@@ -624,6 +639,8 @@ library_sources = \
 	src/io/format.h \
 	src/io/lines.c \
 	src/io/lines.h \
+	src/io/png.c \
+	src/io/png.h \
 	src/io/replace.c \
 	src/io/replace.h \
 	src/io/series.c \

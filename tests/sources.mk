@@ -196,6 +196,7 @@ unit_tests = \
 	tests/accuracy/check_restitution \
 	tests/accuracy/check_settling \
 	tests/accuracy/check_staircase \
+	tests/automaton/check_automaton \
 	tests/base/check_files \
 	tests/bond/check_bonds \
 	tests/contact/check_contact_parts \
@@ -309,6 +310,10 @@ tests_accuracy_check_settling_LDADD = $(tests_ldadd)
 tests_accuracy_check_staircase_SOURCES = tests/accuracy/check_staircase.c
 tests_accuracy_check_staircase_CFLAGS = $(tests_cflags)
 tests_accuracy_check_staircase_LDADD = $(tests_ldadd)
+
+tests_automaton_check_automaton_SOURCES = tests/automaton/check_automaton.c
+tests_automaton_check_automaton_CFLAGS = $(tests_cflags)
+tests_automaton_check_automaton_LDADD = $(tests_ldadd)
 
 tests_base_check_files_SOURCES = tests/base/check_files.c
 tests_base_check_files_CFLAGS = $(tests_cflags)

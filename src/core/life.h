@@ -12,7 +12,7 @@ enum ts_status ts_sim_clear(struct tsim *sim);
 
 /* Creates, parses and initialises an instance. On failure the simulation is unchanged. An instance of the
  * same id and style is replaced in its place (LIGGGHTS); the same id with another style is refused. `id`
- * may be "" (pair, bond, flow: replaces the live one). `out` may be NULL. */
+ * may be "" (pair, bond, flow, automaton: replaces the live one). `out` may be NULL. */
 enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,
 			     const char *id, int group, struct ts_words args, const struct ts_place *where,
 			     struct ts_instance **out);

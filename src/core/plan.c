@@ -14,9 +14,9 @@
 #include "base/banned.h"
 
 /* The order of hooks in a stage. */
-static const enum ts_kind kind_order[] = { TS_KIND_SYSTEM, TS_KIND_PAIR,     TS_KIND_BOND,
-					   TS_KIND_FLOW,   TS_KIND_PRESSURE, TS_KIND_REGION,
-					   TS_KIND_FIX,	   TS_KIND_COMPUTE,  TS_KIND_DUMP };
+static const enum ts_kind kind_order[] = { TS_KIND_SYSTEM,   TS_KIND_PAIR,	TS_KIND_BOND,	TS_KIND_FLOW,
+					   TS_KIND_PRESSURE, TS_KIND_AUTOMATON, TS_KIND_REGION, TS_KIND_FIX,
+					   TS_KIND_COMPUTE,  TS_KIND_DUMP };
 enum { NORDER = sizeof kind_order / sizeof *kind_order };
 
 static enum ts_status append_action(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst,

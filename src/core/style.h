@@ -33,7 +33,8 @@ struct ts_tables;
 	X(REGION, "region")                                                                        \
 	X(DUMP, "dump")                                                                            \
 	X(FLOW, "flow")                                                                            \
-	X(PRESSURE, "pressure")
+	X(PRESSURE, "pressure")                                                                    \
+	X(AUTOMATON, "automaton")
 /* clang-format on */
 #define TS_KIND_ENUM(name, text) TS_KIND_##name,
 enum ts_kind { TS_KIND_LIST(TS_KIND_ENUM) TS_NKIND };
@@ -45,7 +46,7 @@ bool ts_kind_find(const char *name, enum ts_kind *out);
 /* The stages of a run, in order. SETUP is executed once, after the forces of the first step have been
  * computed. Of each step, PRE_EXCHANGE to POST_BUILD are executed if sim->run.rebuild is set (CHECK
  * decides), otherwise FORWARD. Particles are inserted in PRE_EXCHANGE, which the set-up of a run leaves
- * out. Within a stage hooks are called in this order: systems, pair, bond, flow, pressure, regions, fixes
+ * out. Within a stage hooks are called in this order: systems, pair, bond, flow, pressure, automaton, regions, fixes
  * in script order, computes, dumps. */
 /* clang-format off */
 #define TS_STAGE_LIST(X)                                                                           \

@@ -99,6 +99,7 @@ static void print_interaction_styles(struct tsim *sim, struct ts_str *out)
 	print_instances(sim, out, "Bond style", TS_KIND_BOND);
 	print_instances(sim, out, "Flow style", TS_KIND_FLOW);
 	print_instances(sim, out, "Pressure style", TS_KIND_PRESSURE);
+	print_instances(sim, out, "Automaton style", TS_KIND_AUTOMATON);
 }
 
 static void print_memory(struct tsim *sim, struct ts_str *out)

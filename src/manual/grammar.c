@@ -114,10 +114,15 @@ static const struct {
 	const char *command;
 	int words;
 } places[] = {
-	{ TS_KIND_FIX, "fix", 2 },	   { TS_KIND_COMPUTE, "compute", 2 },
-	{ TS_KIND_REGION, "region", 1 },   { TS_KIND_DUMP, "dump", 2 },
-	{ TS_KIND_PAIR, "pair_style", 0 }, { TS_KIND_BOND, "bond_style", 0 },
-	{ TS_KIND_FLOW, "flow_style", 0 }, { TS_KIND_PRESSURE, "pressure_style", 0 },
+	{ TS_KIND_FIX, "fix", 2 },
+	{ TS_KIND_COMPUTE, "compute", 2 },
+	{ TS_KIND_REGION, "region", 1 },
+	{ TS_KIND_DUMP, "dump", 2 },
+	{ TS_KIND_PAIR, "pair_style", 0 },
+	{ TS_KIND_BOND, "bond_style", 0 },
+	{ TS_KIND_FLOW, "flow_style", 0 },
+	{ TS_KIND_PRESSURE, "pressure_style", 0 },
+	{ TS_KIND_AUTOMATON, "automaton_style", 0 },
 };
 enum { NPLACES = sizeof places / sizeof *places };
 

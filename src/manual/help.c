@@ -22,10 +22,11 @@ static void add_heading(const char *text, bool markdown, struct ts_str *out)
 static void add_prefix(const struct ts_style *style, struct ts_str *out)
 {
 	static const char *const before[TS_NKIND] = {
-		[TS_KIND_FIX] = "fix ID GROUP ", [TS_KIND_COMPUTE] = "compute ID GROUP ",
-		[TS_KIND_REGION] = "region ID ", [TS_KIND_DUMP] = "dump ID GROUP ",
-		[TS_KIND_PAIR] = "pair_style ",	 [TS_KIND_BOND] = "bond_style ",
-		[TS_KIND_FLOW] = "flow_style ",	 [TS_KIND_PRESSURE] = "pressure_style ",
+		[TS_KIND_FIX] = "fix ID GROUP ",	  [TS_KIND_COMPUTE] = "compute ID GROUP ",
+		[TS_KIND_REGION] = "region ID ",	  [TS_KIND_DUMP] = "dump ID GROUP ",
+		[TS_KIND_PAIR] = "pair_style ",		  [TS_KIND_BOND] = "bond_style ",
+		[TS_KIND_FLOW] = "flow_style ",		  [TS_KIND_PRESSURE] = "pressure_style ",
+		[TS_KIND_AUTOMATON] = "automaton_style ",
 	};
 
 	ts_str_addf(out, "%s%s", before[style->kind] ? before[style->kind] : "", style->name);

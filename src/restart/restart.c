@@ -25,10 +25,12 @@ enum { BYTE_ORDER_MARK = 0x01020304, VERSION = 2, MAGIC_LENGTH = sizeof MAGIC - 
 enum { CLOCK_SECTION = 1000, SCRIPT_SECTION = 1001, END_SECTION = 0 };
 enum { NNAMES = 3, LONGEST_NAME = 4096, LARGEST_RATIO = 1040 /* zlib compresses no better */ };
 
-static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR,    TS_KIND_BOND, TS_KIND_FLOW,
-					    TS_KIND_FIX,    TS_KIND_COMPUTE, TS_KIND_DUMP, TS_KIND_PRESSURE };
+static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR,     TS_KIND_BOND,
+					    TS_KIND_FLOW,   TS_KIND_FIX,      TS_KIND_COMPUTE,
+					    TS_KIND_DUMP,   TS_KIND_PRESSURE, TS_KIND_AUTOMATON };
 
-_Static_assert(TS_KIND_FIX == 2 && TS_KIND_FLOW == 8, "restart files contain these numbers");
+_Static_assert(TS_KIND_FIX == 2 && TS_KIND_FLOW == 8 && TS_KIND_AUTOMATON == 10,
+	       "restart files contain these numbers");
 
 /* Header of a section, as in the file; names and compressed bytes follow. */
 struct section_head {

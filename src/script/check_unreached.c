@@ -14,10 +14,15 @@ static const struct {
 	enum ts_kind kind;
 	size_t word;
 } hands_on[] = {
-	{ "fix", TS_KIND_FIX, 3 },	   { "compute", TS_KIND_COMPUTE, 3 },
-	{ "region", TS_KIND_REGION, 2 },   { "dump", TS_KIND_DUMP, 3 },
-	{ "pair_style", TS_KIND_PAIR, 1 }, { "bond_style", TS_KIND_BOND, 1 },
-	{ "flow_style", TS_KIND_FLOW, 1 }, { "pressure_style", TS_KIND_PRESSURE, 1 },
+	{ "fix", TS_KIND_FIX, 3 },
+	{ "compute", TS_KIND_COMPUTE, 3 },
+	{ "region", TS_KIND_REGION, 2 },
+	{ "dump", TS_KIND_DUMP, 3 },
+	{ "pair_style", TS_KIND_PAIR, 1 },
+	{ "bond_style", TS_KIND_BOND, 1 },
+	{ "flow_style", TS_KIND_FLOW, 1 },
+	{ "pressure_style", TS_KIND_PRESSURE, 1 },
+	{ "automaton_style", TS_KIND_AUTOMATON, 1 },
 };
 
 static enum ts_status parse_arguments(struct ts_script *script, const struct ts_style *style,

@@ -19,8 +19,13 @@ syn match tsimContinuation /&\s*$/
 syn match tsimComment /#.*$/ contains=@Spell
 
 " keywords and words to choose from
-syn keyword tsimKeyword  all NULL INF EDGE SELF yes no on off then elif else stiffness
-syn keyword tsimKeyword  ultimate damping map array hash id first sort tilt small large
+syn keyword tsimKeyword  all NULL INF EDGE SELF yes no on off then elif else cell fill
+syn keyword tsimKeyword  restitution wall_restitution roughness lower upper start seed
+syn keyword tsimKeyword  obstacles order exact blocks contact offset centre any directions
+syn keyword tsimKeyword  random nearest partner turns keeps wall_normal speed
+syn match tsimKeyword /\<velocity\>/ 
+syn keyword tsimKeyword  stiffness ultimate damping map array hash id first sort tilt small
+syn keyword tsimKeyword  large
 syn match tsimKeyword /\<units\>/ 
 syn match tsimKeyword /\<lattice\>/ 
 syn match tsimKeyword /\<box\>/ 
@@ -28,24 +33,23 @@ syn keyword tsimKeyword  mode single multi multi/old vel cutoff cutoff/multi red
 syn match tsimKeyword /\<group\>/ 
 syn keyword tsimKeyword  brick tiled
 syn match tsimKeyword /\<region\>/ 
-syn keyword tsimKeyword  remap random overlap maxtry mesh basis ratio subset var
+syn keyword tsimKeyword  remap overlap maxtry mesh basis ratio subset var
 syn match tsimKeyword /\<set\>/ 
 syn keyword tsimKeyword  mol rotate many single/bond bond/types extra/bond/per/atom
 syn keyword tsimKeyword  extra/special/per/atom angle/types dihedral/types improper/types
 syn keyword tsimKeyword  extra/angle/per/atom extra/dihedral/per/atom
 syn keyword tsimKeyword  extra/improper/per/atom porosity fraction count
 syn match tsimKeyword /\<variable\>/ 
-syn keyword tsimKeyword  compress bond atom stats any remove special undo move ramp x y z
-syn keyword tsimKeyword  every thresh format pad delay append
+syn keyword tsimKeyword  compress bond atom stats remove special undo move ramp x y z every
+syn keyword tsimKeyword  thresh format pad delay append
 syn match tsimKeyword /\<label\>/ 
 syn keyword tsimKeyword  time maxfiles element scale image refresh header buffer compressor
 syn keyword tsimKeyword  none zlib lz4 flush pbc binary fileper nfile screen
 syn match tsimKeyword /\<log\>/ 
-syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi wall slip inlet outlet
-syn match tsimKeyword /\<velocity\>/ 
-syn keyword tsimKeyword  pressure hydrostatic update step once uniform geometric fine lo hi
-syn keyword tsimKeyword  tanh around before inside faces type union subtract intersect
-syn keyword tsimKeyword  empty initialize
+syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi wall slip inlet outlet pressure
+syn keyword tsimKeyword  hydrostatic update step once uniform geometric fine lo hi tanh
+syn keyword tsimKeyword  around before inside faces type union subtract intersect empty
+syn keyword tsimKeyword  initialize
 syn match tsimKeyword /\<clear\>/ 
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
@@ -53,10 +57,10 @@ syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex custom origi
 syn keyword tsimKeyword  spacing a1 a2 a3 file check binsize contact_distance_factor page
 syn keyword tsimKeyword  one cluster collection/type collection/interval exclude bin nsq
 syn keyword tsimKeyword  fixed omp grain shift tail mix arithmetic sixthpower universe grid
-syn keyword tsimKeyword  part numa add offset nocoeff extra/atom/types extra/bond/types
+syn keyword tsimKeyword  part numa add nocoeff extra/atom/types extra/bond/types
 syn keyword tsimKeyword  extra/angle/types extra/dihedral/types extra/improper/types
 syn match tsimKeyword /\<fix\>/ 
-syn keyword tsimKeyword  replace trim purge bbox last skip start stop
+syn keyword tsimKeyword  replace trim purge bbox last skip stop
 syn match tsimKeyword /\<dump\>/ 
 syn keyword tsimKeyword  post warn error upto pre unsafe diameter density density/disc
 syn match tsimKeyword /\<mass\>/ 
@@ -76,23 +80,23 @@ syn keyword tsimKeyword  id_multisphere ex_space ey_space ez_space bond/type reg
 syn keyword tsimKeyword  tracer periodic reset_marker min max ave sumsq avesq sumabs aveabs
 syn keyword tsimKeyword  minabs maxabs inputs peratom update_on_run_end winkler halfspace
 syn keyword tsimKeyword  young poisson counter_young counter_poisson tolerance iterations
-syn keyword tsimKeyword  counter adof cdof primitives reset coefficient fluid_acceleration
-syn keyword tsimKeyword  two_way energy sample running window overwrite title1 title2
-syn keyword tsimKeyword  title3 auto upper lower auto/upper auto/lower full prefactor
+syn keyword tsimKeyword  counter adof cdof primitives colour u v reset coefficient
+syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
+syn keyword tsimKeyword  title1 title2 title3 auto auto/upper auto/lower full prefactor
 syn keyword tsimKeyword  nevery cell_size_relative parallel basevolume_region scalar kind
 syn keyword tsimKeyword  global beyond end extra level dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate volume
-syn keyword tsimKeyword  wiggle xy xz yz v flip axes xyz scheme explicit exact implicit
-syn keyword tsimKeyword  lagged cell void sound C1 C2 wob spring body clearance summary
-syn keyword tsimKeyword  conductivity capacity initial source convection vanleer central
-syn keyword tsimKeyword  donor exchange ranz_marshall chute spherical hard soft continue
-syn keyword tsimKeyword  message path initial_temperature contact_area area_correction
-syn keyword tsimKeyword  store_contact_data euler centre min_cells relax virtual_mass
-syn keyword tsimKeyword  spheres seed distributiontemplate maxattempt overlapcheck all_in
-syn keyword tsimKeyword  position direction inner_diameter speed cone orientation
-syn keyword tsimKeyword  set_property nparticles particlerate massrate insert_every verbose
-syn keyword tsimKeyword  random_distribute uncorrelated compress_tags ntry_mc
+syn keyword tsimKeyword  wiggle xy xz yz flip axes xyz scheme explicit implicit lagged void
+syn keyword tsimKeyword  sound C1 C2 wob spring body clearance summary conductivity
+syn keyword tsimKeyword  capacity initial source convection vanleer central donor exchange
+syn keyword tsimKeyword  ranz_marshall chute spherical hard soft continue message path
+syn keyword tsimKeyword  initial_temperature contact_area area_correction
+syn keyword tsimKeyword  store_contact_data euler min_cells relax virtual_mass spheres
+syn keyword tsimKeyword  distributiontemplate maxattempt overlapcheck all_in position
+syn keyword tsimKeyword  direction inner_diameter cone orientation set_property nparticles
+syn keyword tsimKeyword  particlerate massrate insert_every verbose random_distribute
+syn keyword tsimKeyword  uncorrelated compress_tags ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
 syn keyword tsimKeyword  volumefraction_region mass_in_region max_rounds insertion_face
 syn keyword tsimKeyword  extrude_length duration law rubinow oesterle saffman mei viscosity
@@ -104,7 +108,7 @@ syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
 syn keyword tsimKeyword  auto_remove_duplicates surface_vel surface_ang_vel reference_point
 syn keyword tsimKeyword  stress wear finnie ctrlPV force axis target_val vel_max kp ki kd
 syn keyword tsimKeyword  pid rescale transrot linear/variable period rotate/variable
-syn keyword tsimKeyword  amplitude riggle viblin order phase vibrot linear/superposable
+syn keyword tsimKeyword  amplitude riggle viblin phase vibrot linear/superposable
 syn keyword tsimKeyword  linear/variable/superposable rotate/superposable
 syn keyword tsimKeyword  rotate/variable/superposable wiggle/superposable
 syn keyword tsimKeyword  riggle/superposable viblin/superposable vibrot/superposable
@@ -141,16 +145,15 @@ syn keyword tsimKeyword  force_ratio transition particles sio2 sic glass relaxat
 syn keyword tsimKeyword  section segment plastic ab2 rk2 rk3 backward substeps courant
 syn keyword tsimKeyword  quick cubista gamma form fv fd conservative quadratic body_force
 syn keyword tsimKeyword  pressure_level lower_voxel lower_velocity upper_velocity
-syn keyword tsimKeyword  lower_stays upper_stays lower_slip upper_slip roughness barus
-syn keyword tsimKeyword  roelands ambient pressure_xlo pressure_xhi pressure_ylo
-syn keyword tsimKeyword  pressure_yhi closed cavitation half reynolds jfo cavity_pressure
-syn keyword tsimKeyword  transient gap stepped
+syn keyword tsimKeyword  lower_stays upper_stays lower_slip upper_slip barus roelands
+syn keyword tsimKeyword  ambient pressure_xlo pressure_xhi pressure_ylo pressure_yhi closed
+syn keyword tsimKeyword  cavitation half reynolds jfo cavity_pressure transient gap stepped
 syn match tsimKeyword /\<run\>/ 
 syn keyword tsimKeyword  touching solid axisymmetric plane point span distance profile
 syn keyword tsimKeyword  potential generic hertz/material dmt mass_velocity viscoelastic
-syn keyword tsimKeyword  tsuji coeff_restitution rolling twisting heat restitution
-syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid side in out
-syn keyword tsimKeyword  center bounds angle0
+syn keyword tsimKeyword  tsuji coeff_restitution rolling twisting heat unfinished
+syn keyword tsimKeyword  preconditioner diagonal direct multigrid side in out center bounds
+syn keyword tsimKeyword  angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -171,7 +174,7 @@ syn keyword tsimName  true false on off
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
 " commands, at the start of a line
-syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|review\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|automaton_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|review\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
@@ -208,27 +211,28 @@ syn keyword tsim_fix contained wear/neilson/gilchrist wear/oka wear/zhao/chang
 syn keyword tsim_fix contained wear/zhao/chang/contact
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
-syn keyword tsim_compute contained active/pi active/pml aggregate/atom angmom/chunk bond/local bonds
-syn keyword tsim_compute contained chunk/atom chunk/spread/atom cluster/atom com com/chunk
-syn keyword tsim_compute contained contact/atom contacts coord/atom count/type displace/atom
-syn keyword tsim_compute contained erotate/multisphere erotate/sphere erotate erotate/sphere/atom
-syn keyword tsim_compute contained film film/atom flow/flux flow/force flow/line flow/plane
-syn keyword tsim_compute contained flow/probe fragment/atom group/group gyration gyration/chunk
-syn keyword tsim_compute contained inertia/chunk ke ke/atom ke/multisphere leave msd msd/chunk
-syn keyword tsim_compute contained multisphere rigid multisphere/single nbond/atom neighbor/atom
-syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local pair/local pe
-syn keyword tsim_compute contained pe/atom pressure property/atom property/chunk property/local rdf
-syn keyword tsim_compute contained reduce reduce/chunk reduce/region slice stress/atom
-syn keyword tsim_compute contained surface/contact temp temp/chunk temp/com torque/chunk vacf
-syn keyword tsim_compute contained vcm/chunk wall/gran/local
+syn keyword tsim_compute contained active/pi active/pml aggregate/atom angmom/chunk automaton/profile
+syn keyword tsim_compute contained bond/local bonds chunk/atom chunk/spread/atom cluster/atom com
+syn keyword tsim_compute contained com/chunk contact/atom contacts coord/atom count/type
+syn keyword tsim_compute contained displace/atom erotate/multisphere erotate/sphere erotate
+syn keyword tsim_compute contained erotate/sphere/atom film film/atom flow/flux flow/force flow/line
+syn keyword tsim_compute contained flow/plane flow/probe fragment/atom group/group gyration
+syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave msd
+syn keyword tsim_compute contained msd/chunk multisphere rigid multisphere/single nbond/atom
+syn keyword tsim_compute contained neighbor/atom nparticles/tracer/region omega/chunk pair/gran/local
+syn keyword tsim_compute contained pair/local pe pe/atom pressure property/atom property/chunk
+syn keyword tsim_compute contained property/local rdf reduce reduce/chunk reduce/region slice
+syn keyword tsim_compute contained stress/atom surface/contact temp temp/chunk temp/com torque/chunk
+syn keyword tsim_compute contained vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane
 syn keyword tsim_region contained prism sphere union wedge
 hi def link tsim_region Type
 syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
-syn keyword tsim_dump contained atom custom custom/vtk euler/vtk flow/vtk local local/gran/vtk
-syn keyword tsim_dump contained local/vtk mesh/stl stl mesh/vtk mesh/gran/VTK
+syn keyword tsim_dump contained atom automaton/png automaton/vtk custom custom/vtk euler/vtk
+syn keyword tsim_dump contained flow/vtk local local/gran/vtk local/vtk mesh/stl stl mesh/vtk
+syn keyword tsim_dump contained mesh/gran/VTK
 syn match tsim_dump /\<restart\>/ contained
 syn keyword tsim_dump contained voxel/vtk xyz
 hi def link tsim_dump Type
@@ -245,6 +249,9 @@ hi def link tsim_flow Type
 syn match tsimHead /^\s*pressure_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pressure
 syn keyword tsim_pressure contained cg direct hypre multigrid sor
 hi def link tsim_pressure Type
+syn match tsimHead /^\s*automaton_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_automaton
+syn keyword tsim_automaton contained granular
+hi def link tsim_automaton Type
 
 hi def link tsimCommand Statement
 hi def link tsimKeyword Identifier

@@ -1,0 +1,132 @@
+/* Collision laws of the granular automaton: V. K. Jasti and C. F. Higgs, J. Tribol. 128 (2006) 358, equations (6) to (9).
+ * Velocities are integers, in units of 1/TS_CELL_ONE cells a step. */
+#ifndef TS_AUTOMATON_LAWS_H
+#define TS_AUTOMATON_LAWS_H
+
+#include "automaton/cell.h"
+
+/* The line of centres of two granules in neighbouring cells, which are not resolved within their cells. */
+enum ts_laws_contact {
+	TS_LAWS_OFFSET, /* turned by 45 degrees to either side of the direction of motion, one of the two at random */
+	TS_LAWS_CENTRE, /* the direction of motion */
+	TS_LAWS_ANY	/* one of these three at random */
+};
+enum ts_laws_directions { TS_LAWS_RANDOM, TS_LAWS_NEAREST };
+enum ts_laws_partner { TS_LAWS_TURNS, TS_LAWS_KEEPS };
+enum ts_laws_normal { TS_LAWS_WALL_SPEED, TS_LAWS_WALL_NORMAL };
+
+enum { TS_LAWS_FRACTION = 16 }; /* bits of the coefficients */
+
+struct ts_laws {
+	int64_t pair;			     /* (1 + e_p)/2, times 2^16 */
+	int64_t wall_restitution, roughness; /* e_w and R, times 2^16 */
+	int wall[2];			     /* velocity of the lower and the upper wall along x */
+	int contact, directions, partner, normal;
+};
+
+struct ts_laws_velocity {
+	int x, y;
+};
+
+static inline int ts_laws_abs(int v)
+{
+	return v < 0 ? -v : v;
+}
+
+/* v coefficient/2^bits, v >= 0, to the nearest */
+static inline int ts_laws_scale(int64_t coefficient, int v, int bits)
+{
+	return (int)((coefficient * v + ((int64_t)1 << (bits - 1))) >> bits);
+}
+
+static inline struct ts_laws_velocity ts_laws_velocity_of(uint32_t w)
+{
+	const unsigned direction = ts_cell_direction(w);
+	const int s = ts_cell_speed(w);
+
+	return (struct ts_laws_velocity){ s * ts_cell_dx(direction), s * ts_cell_dy(direction) };
+}
+
+/* Equations (8) and (9) for the components along the line of centres, `normal`, from granule 1 to 2; the others stay.
+ * What granule 1 loses granule 2 gains. False, and no change: they do not approach. */
+static inline bool ts_laws_pair(const struct ts_laws *laws, unsigned normal, struct ts_laws_velocity *v1,
+				struct ts_laws_velocity *v2)
+{
+	const int dx = ts_cell_dx(normal), dy = ts_cell_dy(normal);
+	const int closing = (v1->x - v2->x) * dx + (v1->y - v2->y) * dy;
+	int d;
+
+	if (closing <= 0)
+		return false;
+	/* on a diagonal |(dx, dy)|^2 = 2 */
+	d = ts_laws_scale(laws->pair, closing, TS_LAWS_FRACTION + (normal & 1));
+	v1->x -= d * dx;
+	v1->y -= d * dy;
+	v2->x += d * dx;
+	v2->y += d * dy;
+	return true;
+}
+
+/* Equation (6): u + R (U - u) */
+static inline int ts_laws_along(const struct ts_laws *laws, int wall, int u)
+{
+	const int d = ts_laws_scale(laws->roughness, ts_laws_abs(wall - u), TS_LAWS_FRACTION);
+
+	return wall > u ? u + d : u - d;
+}
+
+/* Equation (7), U - e_w (U - u), for the speed u towards the wall; afterwards it is directed away from it. U is the speed
+ * of the wall, or its velocity along its normal, which is 0. */
+static inline int ts_laws_rebound(const struct ts_laws *laws, int wall, int u)
+{
+	const int fast = laws->normal == TS_LAWS_WALL_SPEED ? ts_laws_abs(wall) : 0;
+	const int d = ts_laws_scale(laws->wall_restitution, ts_laws_abs(fast - u), TS_LAWS_FRACTION);
+
+	return fast > u ? fast - d : fast + d;
+}
+
+/* A wall along an axis: `normal` 1 along y, 0 along x. */
+static inline struct ts_laws_velocity ts_laws_wall(const struct ts_laws *laws, int normal, int wall,
+						   struct ts_laws_velocity v)
+{
+	struct ts_laws_velocity after;
+	const int towards = normal ? v.y : v.x;
+	int away = ts_laws_rebound(laws, wall, ts_laws_abs(towards));
+
+	if (towards > 0)
+		away = -away;
+	if (normal) {
+		after.x = ts_laws_along(laws, wall, v.x);
+		after.y = away;
+	} else {
+		after.x = away;
+		after.y = ts_laws_along(laws, 0, v.y);
+	}
+	return after;
+}
+
+/* The granule w with the velocity v, by its speed max(|v_x|, |v_y|), at most 1, and a direction. v is between a direction
+ * along an axis and a diagonal: with a random number r = 0 .. 65535 the diagonal is chosen with the probability
+ * min/max, so that the mean velocity is v; with `nearest` the one with the smaller angle to v. */
+static inline uint32_t ts_laws_turn(const struct ts_laws *laws, uint32_t w, struct ts_laws_velocity v,
+				    unsigned r, bool *clipped)
+{
+	const int ax = ts_laws_abs(v.x), ay = ts_laws_abs(v.y);
+	const int most = ax > ay ? ax : ay, least = ax > ay ? ay : ax;
+	int dx = (v.x > 0) - (v.x < 0), dy = (v.y > 0) - (v.y < 0);
+	bool diagonal;
+
+	*clipped = most > TS_CELL_ONE;
+	if (most == 0)
+		return ts_cell_turned(w, 0, ts_cell_direction(w));
+	if (laws->directions == TS_LAWS_RANDOM)
+		diagonal = (int64_t)r * most < (int64_t)least << 16;
+	else
+		diagonal = least * 29 > most * 12; /* tan 22.5 degrees = 0.4142 */
+	/* no branches, which could not be predicted */
+	dx &= -(int)(diagonal | (ax >= ay));
+	dy &= -(int)(diagonal | (ax < ay));
+	return ts_cell_turned(w, *clipped ? TS_CELL_ONE : most, ts_cell_direction_of(dx, dy));
+}
+
+#endif
