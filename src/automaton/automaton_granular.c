@@ -324,7 +324,7 @@ static void fini(struct ts_instance *self)
 
 static const char *const orders[] = { "exact", "blocks", NULL };
 static const char *const contacts[] = { "offset", "centre", "any", NULL };
-static const char *const direction_names[] = { "random", "nearest", NULL };
+static const char *const direction_names[] = { "random", "nearest", "table", NULL };
 static const char *const partners[] = { "turns", "keeps", NULL };
 static const char *const normals[] = { "speed", "velocity", NULL };
 
@@ -358,7 +358,7 @@ static const struct ts_arg args[] = {
 			"to either side; along it; or any of these three"),
 	TS_ENUM("directions", struct granular, directions, direction_names, .fallback = "random",
 		.help = "how a velocity becomes one of the eight directions: at random, with the right mean, "
-			"or the nearest one"),
+			"or the nearest one; table: directions by a table, laws for speeds without sign"),
 	TS_ENUM("partner", struct granular, partner, partners, .fallback = "turns",
 		.help = "whether the granule that is hit takes its new direction, or only its new speed"),
 	TS_ENUM("wall_normal", struct granular, normal, normals, .fallback = "speed",
@@ -394,7 +394,11 @@ static const char *const doc_more[] = {
 	"right. With `centre` collisions are central, and the flow freezes.\n\n"
 	"directions - a velocity is between an axis and a diagonal. `random` chooses the diagonal with the\n"
 	"probability min(|u|, |v|)/max(|u|, |v|), so that the mean velocity is exact. This adds kinetic\n"
-	"energy. `nearest` conserves momentum less well.\n\n"
+	"energy. `nearest` conserves momentum less well. With `table` u1, u2 and u in the laws are speeds\n"
+	"without sign; the granule that is updated turns back from another one, to one of the two "
+	"directions\n"
+	"beside the opposite one, the other one keeps its direction; walls reflect, with (7) for directions\n"
+	"normal to the wall and (6) for diagonals. No momentum along x comes from the walls then.\n\n"
 	"partner - `keeps`: the granule that is hit keeps its direction and only its speed changes. "
 	"Momentum\n"
 	"is not conserved then, and layers may begin to move against the wall.\n\n"

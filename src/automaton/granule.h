@@ -49,6 +49,8 @@ static inline uint32_t ts_granule_rebound(const struct ts_automaton_lattice *l, 
 		along_x = below || !beside;
 		along_y = beside || !below;
 	}
+	if (laws->directions == TS_LAWS_TABLE)
+		return ts_laws_table_wall(laws, w, along_x, along_y, along_x ? wall : 0);
 	after = ts_laws_wall(laws, along_x, along_x ? wall : 0, v);
 	if (along_x && along_y)
 		after.x = ts_laws_wall(laws, 0, 0, v).x;
@@ -76,6 +78,11 @@ static inline bool ts_granule_collide(const struct ts_laws *laws, uint32_t *w, u
 	const unsigned before = ts_cell_direction(*other);
 	bool clipped[2];
 
+	if (laws->directions == TS_LAWS_TABLE) {
+		ts_laws_table_pair(laws, w, other, (unsigned)bits);
+		count->collided++;
+		return true;
+	}
 	if (!ts_laws_pair(laws, normal, &v1, &v2))
 		return false;
 	*w = ts_laws_turn(laws, *w, v1, (unsigned)(bits >> 16 & 0xffff), &clipped[0]);

@@ -11,7 +11,8 @@ enum ts_laws_contact {
 	TS_LAWS_CENTRE, /* the direction of motion */
 	TS_LAWS_ANY	/* one of these three at random */
 };
-enum ts_laws_directions { TS_LAWS_RANDOM, TS_LAWS_NEAREST };
+/* The direction after a collision: of the velocity that the laws give, or by a table, with laws of speeds without sign. */
+enum ts_laws_directions { TS_LAWS_RANDOM, TS_LAWS_NEAREST, TS_LAWS_TABLE };
 enum ts_laws_partner { TS_LAWS_TURNS, TS_LAWS_KEEPS };
 enum ts_laws_normal { TS_LAWS_WALL_SPEED, TS_LAWS_WALL_NORMAL };
 
@@ -104,6 +105,36 @@ static inline struct ts_laws_velocity ts_laws_wall(const struct ts_laws *laws, i
 	}
 	return after;
 }
+
+/* ---- laws of speeds, directions by a table */
+
+/* (8) and (9) for the speeds of both granules. Granule 1 turns back, to one of the two directions beside the opposite one;
+ * granule 2 keeps its direction. */
+static inline void ts_laws_table_pair(const struct ts_laws *laws, uint32_t *w1, uint32_t *w2, unsigned r)
+{
+	const int s1 = ts_cell_speed(*w1), s2 = ts_cell_speed(*w2);
+	const int d = ts_laws_scale(laws->pair, ts_laws_abs(s1 - s2), TS_LAWS_FRACTION);
+
+	*w1 = ts_cell_turned(*w1, s1 > s2 ? s1 - d : s1 + d, (ts_cell_direction(*w1) + (r & 1 ? 3 : 5)) & 7);
+	*w2 = ts_cell_turned(*w2, s1 > s2 ? s2 + d : s2 - d, ts_cell_direction(*w2));
+}
+
+/* Directions normal to the wall are reversed, with (7); those along a diagonal are reflected, with (6) for the speed of the
+ * wall. */
+static inline uint32_t ts_laws_table_wall(const struct ts_laws *laws, uint32_t w, bool along_x, bool along_y,
+					  int wall)
+{
+	const unsigned d = ts_cell_direction(w);
+	const unsigned after = ts_cell_direction_of(along_y ? -ts_cell_dx(d) : ts_cell_dx(d),
+						    along_x ? -ts_cell_dy(d) : ts_cell_dy(d));
+	const int s = ts_cell_speed(w);
+
+	if (d & 1)
+		return ts_cell_turned(w, ts_laws_along(laws, ts_laws_abs(wall), s), after);
+	return ts_cell_turned(w, ts_laws_rebound(laws, wall, s), after);
+}
+
+/* ---- the speed and the direction of a velocity */
 
 /* The granule w with the velocity v, by its speed max(|v_x|, |v_y|), at most 1, and a direction. v is between a direction
  * along an axis and a diagonal: with a random number r = 0 .. 65535 the diagonal is chosen with the probability

@@ -144,6 +144,23 @@ enum ts_status ts_op_need_number(struct ts_expr *e, const struct ts_operand *a)
 			    a->word, a->word);
 }
 
+/* Whether the list depends on a run that -check has left out; then its length is not known either. */
+static bool is_unknown(const struct ts_expr *e, const struct ts_operand *a)
+{
+	for (size_t i = 0; i < a->n; i++)
+		if (ts_unknown(e->sim, a->data[i]))
+			return true;
+	return false;
+}
+
+static enum ts_status unknown_list(struct ts_expr *e, size_t n, struct ts_operand *out)
+{
+	TS_TRY(ts_expr_array(e, n, out));
+	for (size_t i = 0; i < n; i++)
+		out->data[i] = NAN;
+	return TS_OK;
+}
+
 enum ts_status ts_op_binary(struct ts_expr *e, const struct ts_operator *op, size_t at,
 			    const struct ts_operand *a, const struct ts_operand *b, struct ts_operand *out)
 {
@@ -164,9 +181,12 @@ enum ts_status ts_op_binary(struct ts_expr *e, const struct ts_operator *op, siz
 	TS_TRY(ts_op_need_number(e, b));
 	if (!a->data && !b->data)
 		return apply_checked(e, op, at, a->scalar, b->scalar, &out->scalar);
-	if (a->data && b->data && a->n != b->n)
+	if (a->data && b->data && a->n != b->n) {
+		if (is_unknown(e, a) || is_unknown(e, b))
+			return unknown_list(e, a->n > b->n ? a->n : b->n, out);
 		return ts_expr_fail(e, TS_RANGE, a->at, b->end,
 				    "lists of %zu and %zu numbers cannot be combined", a->n, b->n);
+	}
 	TS_TRY(ts_expr_array(e, a->data ? a->n : b->n, out));
 	for (size_t i = 0; i < out->n; i++)
 		TS_TRY(apply_checked(e, op, at, a->data ? a->data[i] : a->scalar,

@@ -221,6 +221,30 @@ START_TEST(faces_of_obstacles)
 }
 END_TEST
 
+/* Directions by the table: (8) and (9) for speeds, whose sum is kept; the two ways back are equally frequent. */
+START_TEST(table_of_directions)
+{
+	const struct ts_laws laws = laws_of(0.85, 0.65, 0.35);
+	uint32_t w1, w2;
+
+	for (unsigned d = 0; d < 8; d++)
+		for (unsigned r = 0; r < 2; r++) {
+			w1 = ts_cell_granule(5000, 3, d);
+			w2 = ts_cell_granule(1000, 4, 7 - d);
+			ts_laws_table_pair(&laws, &w1, &w2, r);
+			ck_assert(w1 == ts_cell_granule(1300, 3, (d + (r ? 3 : 5)) % 8));
+			ck_assert(w2 == ts_cell_granule(4700, 4, 7 - d));
+		}
+	/* straight down, and down to the right, on a wall along x with the speed 8000 */
+	ck_assert(ts_laws_table_wall(&laws, ts_cell_granule(4000, 0, 6), true, false, 8000) ==
+		  ts_cell_granule(8000 - 2600, 0, 2));
+	ck_assert(ts_laws_table_wall(&laws, ts_cell_granule(4000, 0, 7), true, false, -8000) ==
+		  ts_cell_granule(4000 + 1400, 0, 1));
+	ck_assert(ts_laws_table_wall(&laws, ts_cell_granule(4000, 0, 7), true, true, 0) ==
+		  ts_cell_granule(2600, 0, 3));
+}
+END_TEST
+
 static double chi_square(const int *count, int n, double expected)
 {
 	double sum = 0;
@@ -487,6 +511,7 @@ int main(void)
 	tcase_add_test(tcase, wall_laws);
 	tcase_add_test(tcase, path_of_one_granule);
 	tcase_add_test(tcase, faces_of_obstacles);
+	tcase_add_test(tcase, table_of_directions);
 	tcase_add_test(tcase, orders_are_uniform);
 	tcase_add_test(tcase, granules_are_kept);
 	tcase_add_test(tcase, full_lattice);

@@ -21,6 +21,7 @@ part() {
 content() {
 	case $1 in
 	*.gz) gunzip -c "$1" ;;
+	*.png) cat "$1" ;;
 	*) grep -v '^#' "$1" ;;
 	esac
 }

@@ -22,7 +22,7 @@ syn match tsimComment /#.*$/ contains=@Spell
 syn keyword tsimKeyword  all NULL INF EDGE SELF yes no on off then elif else cell fill
 syn keyword tsimKeyword  restitution wall_restitution roughness lower upper start seed
 syn keyword tsimKeyword  obstacles order exact blocks contact offset centre any directions
-syn keyword tsimKeyword  random nearest partner turns keeps wall_normal speed
+syn keyword tsimKeyword  random nearest table partner turns keeps wall_normal speed
 syn match tsimKeyword /\<velocity\>/ 
 syn keyword tsimKeyword  stiffness ultimate damping map array hash id first sort tilt small
 syn keyword tsimKeyword  large

@@ -1,0 +1,164 @@
+#!/bin/bash
+# automaton_style granular in scripts: refusals, other units, a change of the time step, restart, pictures, the example.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+# scene WORDS...: a lattice of 40 x 8 cells of 0.1; later words of the style after the usual ones
+scene() {
+	cat <<END
+units si
+dimension ${dimension-2}
+boundary ${boundary-p f p}
+region box block 0 ${length-4} 0 ${height-0.8} -0.5 0.5 units box
+create_box 1 box
+region all block -1 9 -1 9 -1 1 units box
+region one block 0 0.19 0 0.1 -1 1 units box
+timestep ${dt-0.05}
+automaton_style granular cell ${cell-0.1} fill ${fill-0.7} restitution ${ep-0.85} wall_restitution ${ew-0.65} roughness ${R-0.5} lower ${U-2} seed ${seed-3} $*
+END
+}
+refuses() { # TEXT SCRIPT
+	rejects "$2" "$1"
+	refused "-check: $1" "$1" -check -in in.script
+}
+refuses 'fill 1.2 would be 384 granules in 320 cells, which hold one each' "$(fill=1.2 scene)"
+refuses "fill 0.001 of 320 cells is not one granule" "$(fill=0.001 scene)"
+refuses 'fill is -0.5, expected a number > 0' "$(fill=-0.5 scene)"
+refuses 'restitution is 1.2, expected a number from 0 to 1' "$(ep=1.2 scene)"
+refuses 'wall_restitution is -0.1, expected a number from 0 to 1' "$(ew=-0.1 scene)"
+refuses 'roughness is 2, expected a number from 0 to 1' "$(R=2 scene)"
+refuses 'seed is -3, expected a number > 0' "$(seed=-3 scene)"
+refuses 'the box has 1 cell along y; expected at least 2' "$(height=0.1 scene)"
+refuses 'the box has 8.5 cells along y; expected a whole number' "$(height=0.85 scene)"
+refuses 'the box has 2 cells along x; expected at least 3' "$(length=0.2 scene)"
+refuses 'the obstacles fill all cells' "$(scene obstacles all)"
+refuses "expected \`dimension 2\`" "$(dimension=3 scene)"
+refuses "expected \`boundary p f p\`" "$(boundary='f f p' scene)"
+refuses "order blocks\` needs 16 cells along x, the box has 4" "$(length=0.4 scene order blocks)"
+refuses "cells are too many" "$(cell=1e-5 scene)"
+refuses 'the speed 2 is 2 cells a step; granules move by at most one: expected a timestep of at most 0.05' "$(dt=0.1 scene)
+run 1"
+refuses 'less than the smallest one, 1/8192' "$(scene start 1e-6)
+run 1"
+refuses 'needs an automaton: use automaton_style before it' "$(scene | sed '$d')
+compute p all automaton/profile"
+refuses 'must end in .png' "$(scene)
+dump d all automaton/png 1 frame*.jpg"
+refuses 'must end in .vti' "$(scene)
+dump d all automaton/vtk 1 frame*.vtk"
+refuses "unknown automaton style 'granula'" "$(scene | sed 's/granular/granula/')"
+refuses 'the box has changed from 40 x 8 to 50 x 8 cells' "$(scene)
+change_box all x final 0 5
+run 1"
+
+# results of the same scene in units a million times as large or small are the same
+small() {
+	prints "$(scene)
+compute p all automaton/profile
+run 200
+print \"is \$(c_p[1]:%.9f) \$(c_p[3][2]:%.9f) \$(c_p[8][5]:%.9f) \$(c_p)\"" "$(grep '^is' known)"
+}
+printf '%s\n' "$(scene)" 'compute p all automaton/profile' 'run 200' \
+	'print "is $(c_p[1]:%.9f) $(c_p[3][2]:%.9f) $(c_p[8][5]:%.9f) $(c_p)"' >in.known
+"$TSIM" -in in.known -log none >known 2>&1
+report 'a scene' $? known
+[ "$(awk '/^is/ { print $5 }' known)" = 224 ]
+report 'granules' $? known
+length=4e6 height=0.8e6 cell=1e5 U=2 dt=0.05e6 small
+length=4e-6 height=0.8e-6 cell=1e-7 U=2 dt=0.05e-6 small
+
+# a style that begins anew, and one that ends
+prints "$(scene)
+run 10
+$(scene | tail -n 1)
+compute p all automaton/profile
+run 0
+print \"granules \$(c_p), moved \$(c_p[4])\"" 'granules 224, moved 0'
+prints "$(scene)
+run 3
+automaton_style none
+run 3
+print done" done
+
+# half the time step: velocities are the same at once
+prints "$(scene)
+compute p all automaton/profile
+run 100
+variable u once c_p[1]
+timestep 0.025
+run 1
+print \"step \$(abs(c_p[1]-v_u)<0.3)\"" 'step 1'
+
+# whole, and in two parts with a restart file; the second part with threads
+for order in exact blocks; do
+	{
+		scene order $order obstacles one
+		echo 'compute p all automaton/profile'
+	} >in.scene
+	finish_it='variable y loop 8
+label next
+print "row $(c_p[v_y][2]:%.17g) $(c_p[v_y][3]:%.17g) $(c_p[v_y][4]:%.17g) $(c_p[v_y][5]:%.17g)"
+next y
+jump SELF next
+print "row $(c_p[3]:%.17g) $(c_p[4]:%.17g) $(c_p[5]:%.17g) $(c_p[6]:%.17g)"'
+	printf '%s\n' 'include in.scene' 'run 97' "$finish_it" >in.whole
+	printf '%s\n' 'include in.scene' 'run 41' 'write_restart part.restart' >in.one
+	{
+		printf 'package omp 3 grain 1\nread_restart part.restart\n'
+		sed '/^create_box/d; /^units/d; /^dimension/d; /^boundary/d; /^region box/d; /^timestep/d' in.scene
+		printf '%s\n' 'run 56' "$finish_it"
+	} >in.two
+	for part in whole one two; do
+		"$TSIM" -in in.$part -log none >$part.out 2>&1
+		report "$order: $part" $? $part.out
+		grep '^row' $part.out >$part.rows
+	done
+	same "$order: continued" whole.rows two.rows
+done
+
+# a picture, read back: size, and the colours of wall, empty cell and granule
+if has python3; then
+	printf '%s\n' "$(scene)" 'dump d all automaton/png 5 frame*.png scale 3' 'dump v all automaton/vtk 5 frame*.vti' \
+		'run 5' >in.pictures
+	"$TSIM" -log none -in in.pictures >out 2>&1
+	report 'pictures' $? out
+	python3 - frame5.png >read 2>&1 <<'END'
+import struct, sys, zlib
+data = open(sys.argv[1], 'rb').read()
+assert data[:8] == b'\x89PNG\r\n\x1a\n'
+at, parts = 8, {}
+while at < len(data):
+    n, = struct.unpack('>I', data[at:at + 4])
+    kind, body = data[at + 4:at + 8], data[at + 8:at + 8 + n]
+    assert struct.unpack('>I', data[at + 8 + n:at + 12 + n])[0] == zlib.crc32(kind + body), kind
+    parts[kind] = body
+    at += 12 + n
+width, height = struct.unpack('>II', parts[b'IHDR'][:8])
+assert (width, height) == (120, 30) and b'IEND' in parts
+rows = zlib.decompress(parts[b'IDAT'])
+pixel = lambda x, y: tuple(rows[y * 361 + 1 + 3 * x:y * 361 + 4 + 3 * x])
+assert pixel(1, 1) == pixel(1, 28) == (90, 90, 90)
+cells = [pixel(3 * i + 1, 3 * j + 1) for i in range(40) for j in range(1, 9)]
+assert sum(c != (255, 255, 255) for c in cells) == 224
+END
+	report 'a picture' $? read
+	[ -s frame5.vti ] && grep -q 'WholeExtent="0 40 0 8 0 1"' frame5.vti
+	report 'a VTK file' $? out
+fi
+
+# -explain says what it is, and what it costs
+printf '%s\n' "$(scene)" 'run 1000' >in.explain
+"$TSIM" -log none -explain -in in.explain >out 2>&1
+shows '40 x 8 cells, 224 granules, fastest 1 cells a step, order exact' out && shows 'left out by its rules' out && shows 'duration: about' out
+report '-explain' $? out
+
+cp -r "$top_srcdir/examples/film" . && cd film || exit 99
+"$TSIM" -check -log none -in in.film >out 2>&1
+report 'example: -check' $? out
+"$TSIM" -in in.film -log none -var seeds 3 -var steps 4000 >out 2>&1 && [ "$(grep -c '^RESULT .* ok$' out)" = 4 ]
+report 'example: results' $? out
+awk '!/^#/ { n++; if ($1 != (n - 0.5)/10 || !($5 > 0)) bad = 1 } END { exit bad || n != 10 }' post/profile_automaton.txt
+report 'example: profile' $? post/profile_automaton.txt
+"$TSIM" -in in.automaton -log none -var seeds 2 -var steps 2000 >out 2>&1 && [ "$(grep -c '^RESULT .* ok$' out)" = 6 ]
+report 'example: slip falls as the roughness grows' $? out
+finish
