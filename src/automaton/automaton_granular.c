@@ -139,10 +139,6 @@ static enum ts_status make_lattice(struct ts_instance *self, struct tsim *sim, c
 	a->lattice.granules = granules;
 	if (!ts_automaton_step_make(&a->lattice, (enum ts_automaton_order)s->order))
 		return ts_nomem(&sim->error);
-	for (int d = 0; d < 3; d++) {
-		a->lo[d] = sim->domain->box.lo[d];
-		a->hi[d] = sim->domain->box.hi[d];
-	}
 	return TS_OK;
 }
 
@@ -226,6 +222,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       "automaton_style granular: the box has changed from %d x %d to %" PRId64
 			       " x %" PRId64 " cells: define the automaton again",
 			       a->lattice.nx, a->lattice.ny, n[0], n[1]);
+	for (int d = 0; d < 3; d++) {
+		a->lo[d] = sim->domain->box.lo[d];
+		a->hi[d] = sim->domain->box.hi[d];
+	}
 	a->cell = s->cell;
 	a->wall[0] = s->wall[0];
 	a->wall[1] = s->wall[1];

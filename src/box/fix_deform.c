@@ -71,6 +71,11 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 			       "the box: change the box before flow_style (`change_box`, or a run with this "
 			       "fix and `unfix`), or use flow_style uniform",
 			       ts_sim_only(sim, TS_KIND_FLOW)->where.line);
+	if (ts_sim_only(sim, TS_KIND_AUTOMATON))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix deform: the lattice of the automaton (automaton_style, line %d) does not "
+			       "change with the box: change the box before automaton_style",
+			       ts_sim_only(sim, TS_KIND_AUTOMATON)->where.line);
 	if (!sides)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix deform: expected x, y or z and its change");

@@ -51,6 +51,10 @@ refuses 'the box has changed from 40 x 8 to 50 x 8 cells' "$(scene)
 change_box all x final 0 5
 run 1"
 
+refuses 'the lattice of the automaton (automaton_style, line 9) does not change with the box' "$(scene)
+fix f all deform 1 x erate 0.1
+run 1"
+
 # results of the same scene in units a million times as large or small are the same
 small() {
 	prints "$(scene)
