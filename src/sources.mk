@@ -27,6 +27,8 @@ library_sources = \
 	src/average/average.h \
 	src/average/average_file.c \
 	src/average/average_file.h \
+	src/average/block_error.c \
+	src/average/block_error.h \
 	src/average/chunk.c \
 	src/average/chunk.h \
 	src/average/chunk_average.c \
@@ -50,6 +52,8 @@ library_sources = \
 	src/average/compute_reduce_region.c \
 	src/average/compute_slice.c \
 	src/average/compute_temp_chunk.c \
+	src/average/compute_temp_granular.c \
+	src/average/compute_temp_granular_chunk.c \
 	src/average/compute_torque_chunk.c \
 	src/average/compute_vcm_chunk.c \
 	src/average/dump_euler_vtk.c \
@@ -57,6 +61,7 @@ library_sources = \
 	src/average/fix_ave_atom.c \
 	src/average/fix_ave_chunk.c \
 	src/average/fix_ave_correlate.c \
+	src/average/fix_ave_error.c \
 	src/average/fix_ave_euler.c \
 	src/average/fix_ave_histo.c \
 	src/average/fix_ave_histo_weight.c \
@@ -64,6 +69,8 @@ library_sources = \
 	src/average/fix_ave_spatial.c \
 	src/average/fix_ave_time.c \
 	src/average/fix_vector.c \
+	src/average/granular_temperature.c \
+	src/average/granular_temperature.h \
 	src/average/histogram.c \
 	src/average/histogram.h \
 	src/average/particle_tally.c \

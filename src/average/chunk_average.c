@@ -14,8 +14,10 @@ enum { ALL, SAMPLE, NONE };
 const char *const ts_chunk_norms[] = { [ALL] = "all", [SAMPLE] = "sample", [NONE] = "none", NULL };
 
 /* What is averaged: a per-particle number, or one of these keywords. */
-enum kind { VALUE, DENSITY_NUMBER, DENSITY_MASS, TEMPERATURE };
-static const char *const kinds[] = { [VALUE] = "", "density/number", "density/mass", "temp" };
+enum kind { VALUE, DENSITY_NUMBER, DENSITY_MASS, TEMPERATURE, GRANULAR };
+static const char *const kinds[] = {
+	[VALUE] = "", "density/number", "density/mass", "temp", "temp/granular"
+};
 
 struct ts_chunk_column {
 	enum kind kind;
@@ -37,7 +39,7 @@ static enum ts_status read_columns(struct ts_instance *self, struct tsim *sim)
 
 		c->input.name = words.word[k].text;
 		c->input.where = words.word[k].place;
-		for (enum kind kind = DENSITY_NUMBER; kind <= TEMPERATURE; kind++)
+		for (enum kind kind = DENSITY_NUMBER; kind <= GRANULAR; kind++)
 			if (ts_streq(c->input.name, kinds[kind]))
 				c->kind = kind;
 	}
@@ -60,9 +62,42 @@ enum ts_status ts_chunk_average_init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Evaluates the number of each particle that is summed for each column. */
-static enum ts_status gather_columns(struct ts_chunk_average *s, struct tsim *sim)
+static void count_and_velocity(const struct tsim *sim, size_t i, size_t chunk, const void *context,
+			       double *term)
 {
+	(void)chunk, (void)context;
+	for (int d = 0; d < 3; d++)
+		term[d] = sim->particles->v[i][d];
+	term[3] = 1;
+}
+
+/* |v - u|^2/D of each particle with u the mean velocity of its chunk: its mean is the granular temperature. */
+static enum ts_status gather_fluctuations(struct ts_instance *self, struct tsim *sim,
+					  const struct ts_chunks *c, size_t column)
+{
+	struct ts_chunk_average *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	if (ts_chunk_sum(c, self->group, 4, count_and_velocity, NULL, &s->sums) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t i = 0; i < p->n; i++) {
+		double *value = &s->peratom.data[i * s->ncolumns + column];
+		const double *sum;
+
+		*value = 0;
+		if (!c->id[i] || !ts_in_group(p, i, self->group))
+			continue;
+		sum = s->sums.data + 4 * (size_t)(c->id[i] - 1);
+		for (int d = 0; d < 3; d++)
+			*value += pow(p->v[i][d] - sum[d] / sum[3], 2) / sim->dimension;
+	}
+	return TS_OK;
+}
+
+/* Evaluates the number of each particle that is summed for each column. */
+static enum ts_status gather_columns(struct ts_instance *self, struct tsim *sim, const struct ts_chunks *c)
+{
+	struct ts_chunk_average *s = self->state;
 	const struct ts_particles *p = sim->particles;
 	size_t m = s->ncolumns;
 
@@ -73,7 +108,9 @@ static enum ts_status gather_columns(struct ts_chunk_average *s, struct tsim *si
 
 		if (kind == VALUE)
 			TS_TRY(ts_ref_input_eval(sim, &s->column[k].input, &s->one));
-		for (size_t i = 0; i < p->n; i++)
+		if (kind == GRANULAR)
+			TS_TRY(gather_fluctuations(self, sim, c, k));
+		for (size_t i = 0; kind != GRANULAR && i < p->n; i++)
 			s->peratom.data[i * m + k] = kind == VALUE	      ? s->one.data[i]
 						     : kind == DENSITY_NUMBER ? 1
 						     : kind == DENSITY_MASS
@@ -123,7 +160,7 @@ static double average_value(const struct tsim *sim, const struct ts_chunk_averag
 
 	if (kind == TEMPERATURE && s->norm != SAMPLE)
 		return temperature(sim, s, sum, count, samples);
-	if (kind == VALUE && s->norm == ALL)
+	if ((kind == VALUE || kind == GRANULAR) && s->norm == ALL)
 		return count > 0 ? sum / count : 0;
 	return sum / samples;
 }
@@ -156,7 +193,7 @@ static enum ts_status add_sample(struct ts_instance *self, struct tsim *sim)
 	struct ts_chunks *c;
 
 	TS_TRY(s->source(self, sim, first ? TS_CHUNK_FIRST_SAMPLE : TS_CHUNK_NEXT_SAMPLE, &c));
-	TS_TRY(gather_columns(s, sim));
+	TS_TRY(gather_columns(self, sim, c));
 	if (ts_chunk_sum(c, self->group, width, row_terms, &s->peratom, &s->sums) != TS_OK)
 		return ts_nomem(&sim->error);
 	if (first) {

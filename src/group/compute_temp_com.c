@@ -39,7 +39,7 @@ const struct ts_style ts_compute_temp_com = {
 	.summary = "Temperature relative to the centre of mass",
 	.doc = "As compute temp for the velocities u relative to the velocity of the centre of mass of the "
 	       "group. Multiplied by k_B / m, with m the mass of a grain, it is the granular temperature of "
-	       "a cloud of equal grains with a mean velocity.",
+	       "a cloud of equal grains with a mean velocity, which compute temp/granular gives directly.",
 	.example = "compute heat gas temp/com",
 	.state_size = sizeof(struct ts_freedom),
 	.values = values,

@@ -165,6 +165,8 @@ TS_STYLE(compute, ts_style, ts_compute_surface_contact)
 TS_STYLE(compute, ts_style, ts_compute_temp)
 TS_STYLE(compute, ts_style, ts_compute_temp_chunk)
 TS_STYLE(compute, ts_style, ts_compute_temp_com)
+TS_STYLE(compute, ts_style, ts_compute_temp_granular)
+TS_STYLE(compute, ts_style, ts_compute_temp_granular_chunk)
 TS_STYLE(compute, ts_style, ts_compute_torque_chunk)
 TS_STYLE(compute, ts_style, ts_compute_vacf)
 TS_STYLE(compute, ts_style, ts_compute_vcm_chunk)
@@ -190,6 +192,7 @@ TS_STYLE(fix, ts_style, ts_fix_addforce)
 TS_STYLE(fix, ts_style, ts_fix_ave_atom)
 TS_STYLE(fix, ts_style, ts_fix_ave_chunk)
 TS_STYLE(fix, ts_style, ts_fix_ave_correlate)
+TS_STYLE(fix, ts_style, ts_fix_ave_error)
 TS_STYLE(fix, ts_style, ts_fix_ave_euler)
 TS_STYLE(fix, ts_style, ts_fix_ave_histo)
 TS_STYLE(fix, ts_style, ts_fix_ave_histo_weight)
@@ -478,6 +481,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_temp,
 	&ts_compute_temp_chunk,
 	&ts_compute_temp_com,
+	&ts_compute_temp_granular,
+	&ts_compute_temp_granular_chunk,
 	&ts_compute_torque_chunk,
 	&ts_compute_vacf,
 	&ts_compute_vcm_chunk,
@@ -503,6 +508,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_ave_atom,
 	&ts_fix_ave_chunk,
 	&ts_fix_ave_correlate,
+	&ts_fix_ave_error,
 	&ts_fix_ave_euler,
 	&ts_fix_ave_histo,
 	&ts_fix_ave_histo_weight,
