@@ -12,6 +12,7 @@ shell_tests = \
 	tests/box/box.sh \
 	tests/box/plane.sh \
 	tests/box/scales.sh \
+	tests/box/shear.sh \
 	tests/contact/bridges.sh \
 	tests/contact/contact_computes.sh \
 	tests/contact/gran_laws.sh \

@@ -5,7 +5,7 @@
 
 #include "base/banned.h"
 
-static enum ts_status begin(struct ts_blocks *b, const double *sample, size_t n)
+enum ts_status ts_blocks_resize(struct ts_blocks *b, size_t n)
 {
 	size_t numbers = (size_t)b->most * n;
 
@@ -14,9 +14,8 @@ static enum ts_status begin(struct ts_blocks *b, const double *sample, size_t n)
 		return TS_NOMEM;
 	b->n = b->first_n = n;
 	b->sum_n = numbers;
-	b->size = 1;
 	for (size_t k = 0; k < n; k++)
-		b->first[k] = sample[k];
+		b->first[k] = 0;
 	for (size_t k = 0; k < numbers; k++)
 		b->sum[k] = 0;
 	return TS_OK;
@@ -37,8 +36,12 @@ static void join_pairs(struct ts_blocks *b)
 
 enum ts_status ts_blocks_add(struct ts_blocks *b, const double *sample, size_t n)
 {
-	if (!b->size)
-		TS_TRY(begin(b, sample, n));
+	if (!b->size) {
+		TS_TRY(ts_blocks_resize(b, n));
+		b->size = 1;
+		for (size_t k = 0; k < n; k++)
+			b->first[k] = sample[k];
+	}
 	for (size_t k = 0; k < n; k++)
 		b->sum[(size_t)b->filled * n + k] += sample[k] - b->first[k];
 	if (++b->inside < b->size)
@@ -128,10 +131,11 @@ enum ts_status ts_blocks_archive(struct ts_archive *archive, struct ts_blocks *b
 
 bool ts_blocks_valid(const struct ts_blocks *b)
 {
+	if (b->sum_n != b->n * (size_t)b->most)
+		return false;
 	if (b->size == 0)
-		return b->n == 0 && b->filled == 0 && b->inside == 0;
-	return b->size > 0 && b->filled >= 0 && b->filled < b->most && b->inside >= 0 &&
-	       b->inside < b->size && b->sum_n == b->n * (size_t)b->most;
+		return b->filled == 0 && b->inside == 0;
+	return b->size > 0 && b->filled >= 0 && b->filled < b->most && b->inside >= 0 && b->inside < b->size;
 }
 
 void ts_blocks_release(struct ts_blocks *b)

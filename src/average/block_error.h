@@ -18,6 +18,8 @@ struct ts_blocks {
 	size_t first_n, sum_n, first_capacity, sum_capacity;
 };
 
+/* Allocates the arrays of n numbers, before any sample. */
+enum ts_status ts_blocks_resize(struct ts_blocks *blocks, size_t n);
 /* Adds a sample of n numbers, the same n in each call. Returns TS_NOMEM without memory. */
 enum ts_status ts_blocks_add(struct ts_blocks *blocks, const double *sample, size_t n);
 int64_t ts_blocks_samples(const struct ts_blocks *blocks);

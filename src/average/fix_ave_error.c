@@ -70,13 +70,26 @@ static enum ts_status take_sample(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* Before the first sample there are rows already, of NaN. */
+static enum ts_status set_up(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	size_t n;
+
+	if (!s->started) {
+		TS_TRY(evaluate(s, sim, &n));
+		if (ts_blocks_resize(&s->blocks, n) != TS_OK)
+			return ts_nomem(&sim->error);
+	}
+	return take_sample(self, sim);
+}
+
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct state *s = self->state;
 
 	TS_TRY(ts_blocks_archive(a, &s->blocks));
-	if (!ts_blocks_valid(&s->blocks) ||
-	    (s->mode == SCALAR && s->started && s->blocks.n != s->words.n && s->blocks.n != s->input.n))
+	if (!ts_blocks_valid(&s->blocks) || (s->mode == SCALAR && s->blocks.n && s->blocks.n != s->input.n))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix ave/error %s: the restart file holds averages of another number of "
 			       "values",
@@ -183,7 +196,7 @@ const struct ts_style ts_fix_ave_error = {
 	.values = values,
 	.init = init,
 	.hook = {
-		[TS_STAGE_SETUP] = take_sample,
+		[TS_STAGE_SETUP] = set_up,
 		[TS_STAGE_END_OF_STEP] = take_sample,
 	},
 	.fini = fini,

@@ -261,6 +261,7 @@ static enum ts_status change_box(struct tsim *sim, void *state, const struct ts_
 	struct work w = { .sim = sim, .state = state, .where = where, .changed = -1 };
 	enum ts_status status;
 
+	TS_TRY(ts_domain_refuse_shear(sim, "change_box", where));
 	ts_domain_units_said(sim, w.state->units, where);
 	memcpy(w.now.lo, domain->box.lo, sizeof w.now.lo);
 	memcpy(w.now.hi, domain->box.hi, sizeof w.now.hi);

@@ -202,6 +202,7 @@ static enum ts_status replicate_command(struct tsim *sim, void *state, const str
 	const struct ts_box *box = &sim->domain->box;
 	enum ts_status status;
 
+	TS_TRY(ts_domain_refuse_shear(sim, "replicate", where));
 	TS_TRY(check_replication(sim, state, where));
 	status = replicate(sim, &b, where);
 	ts_free(b.x);

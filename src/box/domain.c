@@ -16,17 +16,26 @@ enum ts_status ts_domain_require(struct tsim *sim, const struct ts_place *where)
 		       "there is no simulation box yet: use create_box or read_restart first");
 }
 
+enum ts_status ts_domain_refuse_shear(struct tsim *sim, const char *what, const struct ts_place *where)
+{
+	if (!sim->domain->box.shear.on)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, where,
+		       "%s: the box has been sheared by fix deform; use it before that fix", what);
+}
+
 void ts_domain_hold(struct ts_domain *domain)
 {
 	for (int k = 0; k < 3; k++) {
 		domain->held_lo[k] = domain->box.lo[k];
 		domain->held_hi[k] = domain->box.hi[k];
 	}
+	domain->held_offset = domain->box.shear.offset;
 }
 
 double ts_domain_moved(const struct ts_domain *domain)
 {
-	double square = 0;
+	double square = 0, slid = domain->box.shear.offset - domain->held_offset;
 
 	for (int k = 0; k < 3; k++) {
 		double d = ts_box_length(&domain->box, k) - (domain->held_hi[k] - domain->held_lo[k]);
@@ -34,7 +43,18 @@ double ts_domain_moved(const struct ts_domain *domain)
 		if (ts_box_periodic(&domain->box, k))
 			square += d * d;
 	}
-	return sqrt(square);
+	return sqrt(square) + fabs(slid);
+}
+
+void ts_domain_reduce_shear(struct ts_domain *domain)
+{
+	struct ts_shear *s = &domain->box.shear;
+	double length = ts_box_length(&domain->box, s->flow), turns = rint(s->offset / length);
+
+	if (!s->on || turns == 0)
+		return;
+	s->offset -= turns * length;
+	s->turns += (int64_t)turns;
 }
 
 bool ts_domain_all_fixed(const struct tsim *sim)
@@ -153,6 +173,7 @@ static enum ts_status init_domain(struct ts_instance *self, struct tsim *sim)
 
 	for (int k = 0; k < 3; k++)
 		d->drift[k] = 0; /* fix deform sets it again */
+	d->shear_drift = 0;
 	(void)sim;
 	if (!(d->lattice.constant > 0))
 		ts_lattice_clear(&d->lattice);
@@ -172,6 +193,8 @@ static void fingerprint_domain(const struct ts_instance *self, const struct tsim
 	ts_hash_add(hash, d->box.lo, sizeof d->box.lo);
 	ts_hash_add(hash, d->box.hi, sizeof d->box.hi);
 	ts_hash_add(hash, d->box.face, sizeof d->box.face);
+	if (d->box.shear.on)
+		ts_hash_add(hash, &d->box.shear.offset, sizeof d->box.shear.offset);
 }
 
 static enum ts_status report_box(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
@@ -188,6 +211,32 @@ static enum ts_status report_box(struct ts_instance *self, struct tsim *sim, str
 	}
 	ts_report_line(report, "box", "(%g %g %g) to (%g %g %g), faces %.8s", d->box.lo[0], d->box.lo[1],
 		       d->box.lo[2], d->box.hi[0], d->box.hi[1], d->box.hi[2], faces);
+	if (d->box.shear.on)
+		ts_report_line(report, "box", "images across %c displaced along %c by %g",
+			       'x' + d->box.shear.gradient, 'x' + d->box.shear.flow,
+			       d->box.shear.offset + (double)d->box.shear.turns *
+							     ts_box_length(&d->box, d->box.shear.flow));
+	return TS_OK;
+}
+
+/* Only of sheared boxes. */
+static enum ts_status archive_shear(struct ts_domain *d, struct ts_archive *a)
+{
+	struct ts_shear *s = &d->box.shear;
+	double number[5] = { s->flow, s->gradient, s->offset, (double)s->turns, d->held_offset };
+
+	if (ts_archive_writing(a) ? !s->on : !ts_archive_has(a, "shear"))
+		return TS_OK;
+	TS_TRY(ts_archive_fixed(a, "shear", TS_SAVED_F64, number, 5));
+	if (!(number[0] >= 0 && number[0] < number[1] && number[1] <= 2 && fabs(number[3]) < TS_TURNS_MOST &&
+	      isfinite(number[2]) && isfinite(number[4])))
+		return TS_DAMAGED;
+	*s = (struct ts_shear){ .on = true,
+				.flow = (int)number[0],
+				.gradient = (int)number[1],
+				.offset = number[2],
+				.turns = (int64_t)number[3] };
+	d->held_offset = number[4];
 	return TS_OK;
 }
 
@@ -232,6 +281,8 @@ static enum ts_status archive_domain(struct ts_instance *self, struct tsim *sim,
 		ts_domain_hold(d);
 	else
 		TS_TRY(archive_box_at_rebuild(d, a));
+	if (archive_shear(d, a) != TS_OK)
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible shear of the simulation box");
 	if (ts_archive_writing(a))
 		return TS_OK;
 	for (int k = 0; k < 3; k++)

@@ -13,7 +13,9 @@ struct ts_domain {
 	/* box at the last rebuild of the contact list: periodic images refer to it */
 	double held_lo[3], held_hi[3];
 	double drift[3]; /* velocity of a periodic image relative to its original, for fix deform remap v */
-	int drift_group; /* group whose velocities change by the drift when they cross a periodic face */
+	double held_offset; /* box.shear.offset at the last rebuild */
+	double shear_drift; /* velocity along box.shear.flow of the images across its sheared faces */
+	int drift_group;    /* group whose velocities change by the drift when they cross a periodic face */
 	struct ts_lattice lattice; /* lattice constant 1 without a `lattice` command */
 	bool units_warned;
 };
@@ -34,6 +36,10 @@ void ts_domain_hold(struct ts_domain *domain);
 /* Upper bound of the distance that periodic images have moved relative to their originals since the
  * last rebuild. */
 double ts_domain_moved(const struct ts_domain *domain);
+/* Returns an error if fix deform has sheared the box, which the command `what` does not know. */
+enum ts_status ts_domain_refuse_shear(struct tsim *sim, const char *what, const struct ts_place *where);
+/* Before a rebuild: keeps the offset of a sheared box within half its length. */
+void ts_domain_reduce_shear(struct ts_domain *domain);
 /* Whether all faces of the box are of style f, so that particles that cross a face are deleted. */
 bool ts_domain_all_fixed(const struct tsim *sim);
 /* Distance between an `s` or `m` face and the outermost particle. */

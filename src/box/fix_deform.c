@@ -11,6 +11,7 @@
 
 #include "base/banned.h"
 
+enum { SHEAR_VEL, SHEAR_ERATE, SHEAR_WIGGLE };
 enum { FINAL, DELTA, SCALE, VEL, ERATE, TRATE, VOLUME, WIGGLE, VARIABLE, NONE = -1 };
 enum { REMAP_X, REMAP_V, REMAP_NONE };
 
@@ -24,10 +25,15 @@ struct span {
 	double lo, hi, rate; /* rate: of the length */
 };
 
+struct shear {
+	int mode;
+	double a, b;
+};
+
 struct state {
 	int64_t every;
 	struct side side[3];
-	struct ts_words tilt[3];
+	struct shear shear[3]; /* xy, xz, yz */
 	int remap, units;
 	bool flip;
 
@@ -35,9 +41,162 @@ struct state {
 	int64_t started, begin; /* begin: first step of the run to which begin_lo, begin_hi belong */
 	double origin;		/* time when the fix was defined */
 	double made_lo[3], made_hi[3], begin_lo[3], begin_hi[3];
+	double made_slide; /* displacement of sheared images when the fix was defined */
 };
 
 static const char names[] = "xyz";
+
+/* ---- xy, xz, yz: periodic images that slide */
+
+static const int shear_flow[3] = { 0, 0, 1 }, shear_gradient[3] = { 1, 2, 2 };
+
+/* Which of xy, xz, yz; -1: none, 3: more than one. */
+static int sheared(const struct state *s)
+{
+	int which = -1;
+
+	for (int k = 0; k < 3; k++)
+		if (s->shear[k].mode != NONE)
+			which = which < 0 ? k : 3;
+	return which;
+}
+
+/* Fixes whose result does not depend on where periodic images are and how fast they move, but by contacts. */
+static const char *const with_shear[] = {
+	"adapt",
+	"addforce",
+	"ave/atom",
+	"ave/chunk",
+	"ave/correlate",
+	"ave/error",
+	"ave/histo",
+	"ave/histo/weight",
+	"ave/spatial",
+	"ave/time",
+	"aveforce",
+	"balance",
+	"check/timestep/gran",
+	"controller",
+	"deform",
+	"enforce2d",
+	"freeze",
+	"gravity",
+	"halt",
+	"heat/gran",
+	"langevin",
+	"lineforce",
+	"lubrication",
+	"momentum",
+	"nve",
+	"nve/limit",
+	"nve/noforce",
+	"nve/sphere",
+	"nve/symplectic",
+	"planeforce",
+	"print",
+	"property/atom",
+	"property/global",
+	"scale/diameter",
+	"setforce",
+	"store/force",
+	"store/state",
+	"vector",
+	"viscous",
+	"viscous/sphere",
+	"wall/gran",
+	"wall/reflect",
+};
+
+/* Styles that find the images across periodic faces on their own do not know that these slide. */
+static enum ts_status check_styles_with_shear(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	const struct ts_instance *bond = ts_sim_only(sim, TS_KIND_BOND);
+
+	if (bond)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix deform: xy, xz and yz cannot be used with bonds (bond_style, line %d)",
+			       bond->where.line);
+	for (size_t k = 0; k < fixes->n; k++) {
+		const char *name = fixes->item[k]->style->name;
+		bool known = false;
+
+		for (size_t j = 0; j < sizeof with_shear / sizeof *with_shear; j++)
+			known |= ts_streq(name, with_shear[j]);
+		if (!known)
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix deform: xy, xz and yz cannot be used with fix %s (line %d)", name,
+				       fixes->item[k]->where.line);
+	}
+	return TS_OK;
+}
+
+static enum ts_status check_shear(struct ts_instance *self, struct tsim *sim, int sides)
+{
+	const struct state *s = self->state;
+	const struct ts_box *box = &sim->domain->box;
+	int which = sheared(s);
+	const char *wrong = sides			       ? "x, y or z"
+			    : which == 3		       ? "another of xy, xz, yz"
+			    : s->remap != REMAP_V	       ? "remap x or none (say `remap v`)"
+			    : s->every != 1		       ? "N other than 1"
+			    : which > 0 && sim->dimension == 2 ? "dimension 2"
+							       : NULL;
+
+	if (wrong)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix deform: a sheared box (xy, xz or yz) cannot be used with %s", wrong);
+	if (!ts_box_periodic(box, shear_flow[which]) || !ts_box_periodic(box, shear_gradient[which]))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix deform: %c%c needs a box that is periodic in %c and %c",
+			       names[shear_flow[which]], names[shear_gradient[which]],
+			       names[shear_flow[which]], names[shear_gradient[which]]);
+	if (box->shear.on &&
+	    (box->shear.flow != shear_flow[which] || box->shear.gradient != shear_gradient[which]))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix deform: the box is sheared in %c%c already", names[box->shear.flow],
+			       names[box->shear.gradient]);
+	return check_styles_with_shear(self, sim);
+}
+
+/* Sets displacement and velocity of the images across the sheared faces to those at this time. */
+static void shear_box(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	int which = sheared(s), flow = shear_flow[which], gradient = shear_gradient[which];
+	const struct shear *shear = &s->shear[which];
+	struct ts_domain *domain = sim->domain;
+	double t = ts_sim_time(sim) - s->origin, w = 2 * TS_PI / shear->b, slide, rate;
+
+	if (shear->mode == SHEAR_WIGGLE) {
+		slide = shear->a * ts_domain_scale(sim, s->units, flow) * sin(w * t);
+		rate = shear->a * ts_domain_scale(sim, s->units, flow) * w * cos(w * t);
+	} else {
+		rate = shear->mode == SHEAR_ERATE ? shear->a * ts_box_length(&domain->box, gradient)
+						  : shear->a * ts_domain_scale(sim, s->units, flow);
+		slide = rate * t;
+	}
+	domain->drift_group = self->group;
+	domain->shear_drift = rate;
+	domain->box.shear.offset =
+		s->made_slide + slide - (double)domain->box.shear.turns * ts_box_length(&domain->box, flow);
+}
+
+/* From now on the box is one whose images may slide. */
+static void begin_shear(struct state *s, struct tsim *sim)
+{
+	struct ts_shear *shear = &sim->domain->box.shear;
+	int which = sheared(s);
+
+	if (which < 0)
+		return;
+	shear->on = true;
+	shear->flow = shear_flow[which];
+	shear->gradient = shear_gradient[which];
+	if (!s->started)
+		s->made_slide =
+			shear->offset + (double)shear->turns * ts_box_length(&sim->domain->box, shear->flow);
+}
 
 static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim)
 {
@@ -48,10 +207,6 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 	for (int k = 0; k < 3; k++) {
 		const enum ts_face *face = sim->domain->box.face[k];
 
-		if (s->tilt[k].n)
-			return ts_fail(&sim->error, TS_STATE, &s->tilt[k].word[0].place,
-				       "fix deform: boxes are never tilted here, xy, xz and yz do not "
-				       "exist; move a wall, or use periodic faces and `remap v`");
 		if (s->side[k].mode == NONE)
 			continue;
 		sides++;
@@ -76,9 +231,11 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 			       "fix deform: the lattice of the automaton (automaton_style, line %d) does not "
 			       "change with the box: change the box before automaton_style",
 			       ts_sim_only(sim, TS_KIND_AUTOMATON)->where.line);
+	if (sheared(s) >= 0)
+		return check_shear(self, sim, sides);
 	if (!sides)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix deform: expected x, y or z and its change");
+			       "fix deform: expected x, y, z, xy, xz or yz and its change");
 	for (size_t k = 0; k < fixes->n; k++)
 		if (fixes->item[k]->style == self->style && !ts_streq(fixes->item[k]->id, self->id))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
@@ -262,7 +419,12 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(check_arguments(self, sim));
 	sim->run.box_moves = true;
+	begin_shear(self->state, sim);
 	store_reference_box(self->state, sim);
+	if (sheared(self->state) >= 0) {
+		shear_box(self, sim);
+		return TS_OK;
+	}
 	if (sim->reading.explain || ((struct state *)self->state)->remap != REMAP_V)
 		return TS_OK;
 	TS_TRY(target_spans(self, sim, span));
@@ -286,13 +448,21 @@ static void remap_positions(const struct ts_instance *self, struct tsim *sim, co
 		}
 }
 
+/* Before forces: the images are where they belong at the time of the positions. */
+static enum ts_status slide_images(struct ts_instance *self, struct tsim *sim)
+{
+	if (sheared(self->state) >= 0)
+		shear_box(self, sim);
+	return TS_OK;
+}
+
 static enum ts_status deform_box(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 	struct ts_box *box = &sim->domain->box;
 	struct span span[3];
 
-	if (sim->clock.step % s->every != 0)
+	if (sim->clock.step % s->every != 0 || sheared(s) >= 0)
 		return TS_OK;
 	TS_TRY(target_spans(self, sim, span));
 	if (s->remap == REMAP_X)
@@ -305,9 +475,10 @@ static enum ts_status deform_box(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-#define NUMBER(k, field_, name_, unit_, help_, range_)                                                    \
-	TS_REAL(name_, struct state, side[k].field_, .flags = TS_POSITIONAL | TS_STATEFUL, .unit = unit_, \
+#define NUMBER_OF(part, k, field_, name_, unit_, help_, range_)                                           \
+	TS_REAL(name_, struct state, part[k].field_, .flags = TS_POSITIONAL | TS_STATEFUL, .unit = unit_, \
 		.help = help_, .range = (range_))
+#define NUMBER(k, field_, name_, unit_, help_, range_) NUMBER_OF(side, k, field_, name_, unit_, help_, range_)
 #define SIDE_ROWS(k)                                                                                        \
 	static const struct ts_arg final_##k[] = {                                                          \
 		NUMBER(k, a, "lo", "length", "low face at the end of the run", TS_ANY),                     \
@@ -349,6 +520,28 @@ static enum ts_status deform_box(struct ts_instance *self, struct tsim *sim)
 		[VARIABLE] = { "variable", "length and rate by variables", variable_##k },                  \
 		{ .name = NULL },                                                                           \
 	};
+#define SHEAR_ROWS(k)                                                                                       \
+	static const struct ts_arg shear_vel_##k[] = {                                                      \
+		NUMBER_OF(shear, k, a, "V", "velocity", "velocity of the images", TS_ANY), TS_ARGS_END      \
+	};                                                                                                  \
+	static const struct ts_arg shear_rate_##k[] = {                                                     \
+		NUMBER_OF(shear, k, a, "R", "1/time", "shear rate", TS_ANY), TS_ARGS_END                    \
+	};                                                                                                  \
+	static const struct ts_arg shear_wiggle_##k[] = {                                                   \
+		NUMBER_OF(shear, k, a, "A", "length", "amplitude of the displacement", TS_ANY),             \
+		NUMBER_OF(shear, k, b, "period", "time", "period of the oscillation", TS_POSITIVE),         \
+		TS_ARGS_END                                                                                 \
+	};                                                                                                  \
+	static const struct ts_mode shears_##k[] = {                                                        \
+		[SHEAR_VEL] = { "vel", "images across the faces slide with this velocity", shear_vel_##k }, \
+		[SHEAR_ERATE] = { "erate", "shear rate: the velocity is R times the length of the box",     \
+				  shear_rate_##k },                                                         \
+		[SHEAR_WIGGLE] = { "wiggle", "displacement A sin(2 pi t/period)", shear_wiggle_##k },       \
+		{ .name = NULL },                                                                           \
+	};
+SHEAR_ROWS(0)
+SHEAR_ROWS(1)
+SHEAR_ROWS(2)
 SIDE_ROWS(0)
 SIDE_ROWS(1)
 SIDE_ROWS(2)
@@ -359,11 +552,10 @@ SIDE_ROWS(2)
 		.offset = TS_FIELD(struct state, side[k].mode, int *), .modes = modes_##k, \
 		.help = "how the box changes in this direction"                            \
 	}
-#define TILT(k, name_)                                                                    \
-	{                                                                                 \
-		.name = name_, .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD, \
-		.offset = TS_FIELD(struct state, tilt[k], struct ts_words *),             \
-		.help = "refused: the box is orthogonal"                                  \
+#define SHEAR(k, name_, help_)                                                                             \
+	{                                                                                                  \
+		.name = name_, .type = TS_ARG_MODE, .flags = TS_OPTIONAL | TS_STATEFUL,                    \
+		.offset = TS_FIELD(struct state, shear[k].mode, int *), .modes = shears_##k, .help = help_ \
 	}
 
 static const char *const remaps[] = { [REMAP_X] = "x", [REMAP_V] = "v", [REMAP_NONE] = "none", NULL };
@@ -374,9 +566,9 @@ static const struct ts_arg args[] = {
 	SIDE(0, "x"),
 	SIDE(1, "y"),
 	SIDE(2, "z"),
-	TILT(0, "xy"),
-	TILT(1, "xz"),
-	TILT(2, "yz"),
+	SHEAR(0, "xy", "simple shear: the images across the y faces slide along x"),
+	SHEAR(1, "xz", "simple shear: the images across the z faces slide along x"),
+	SHEAR(2, "yz", "simple shear: the images across the z faces slide along y"),
 	TS_ENUM("remap", struct state, remap, remaps, .fallback = "x",
 		.help = "x: positions of the group are mapped with the box; v: velocities change by the "
 			"rate of the length when particles cross a periodic face; none"),
@@ -387,17 +579,22 @@ static const struct ts_arg args[] = {
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_I64(struct state, started),  TS_SAVE_I64(struct state, begin),
-	TS_SAVE_F64(struct state, origin),   TS_SAVE_F64(struct state, made_lo),
-	TS_SAVE_F64(struct state, made_hi),  TS_SAVE_F64(struct state, begin_lo),
-	TS_SAVE_F64(struct state, begin_hi), TS_SAVED_ROWS_END,
+	TS_SAVE_I64(struct state, started),
+	TS_SAVE_I64(struct state, begin),
+	TS_SAVE_F64(struct state, origin),
+	TS_SAVE_F64(struct state, made_lo),
+	TS_SAVE_F64(struct state, made_hi),
+	TS_SAVE_F64(struct state, begin_lo),
+	TS_SAVE_F64(struct state, begin_hi),
+	TS_SAVE_F64(struct state, made_slide),
+	TS_SAVED_ROWS_END,
 };
 
 TS_STYLE(fix, ts_style, ts_fix_deform)
 const struct ts_style ts_fix_deform = {
 	.name = "deform",
 	.kind = TS_KIND_FIX,
-	.summary = "changes the lengths of the box during a run",
+	.summary = "Changes the lengths of the box during a run, or shears it",
 	.doc = "The faces move at the end of each time step that is a multiple of N. The targets of "
 	       "`final`, `delta` and `scale` are approached linearly and reached at the end of each run "
 	       "(see `run N start S stop E` to treat several runs as one). For all other styles the time t "
@@ -408,13 +605,35 @@ const struct ts_style ts_fix_deform = {
 	       "box, and velocities do not change. With `remap v` positions are not mapped, and the "
 	       "velocity of a particle of the group that crosses a periodic face changes by the rate of "
 	       "that box length; contacts across the face use the same relative velocity.\n\n"
+	       "`xy`, `xz` and `yz` with `remap v` (and N 1) give a homogeneous simple shear of a box that "
+	       "is "
+	       "periodic in both dimensions. The box stays orthogonal; instead the periodic images across "
+	       "the "
+	       "faces of the second dimension slide along the first, the upper ones with the velocity V and "
+	       "the "
+	       "lower ones with -V (Lees and Edwards). V is R times the length of the box for the shear rate "
+	       "R. A "
+	       "particle of the group that crosses such a face is displaced along the first dimension, and "
+	       "its "
+	       "velocity changes by V. Particles start with the profile of the flow by `velocity all ramp`. "
+	       "A "
+	       "box in LAMMPS with the tilt xy = V t has the same images. Unwrapped positions include the "
+	       "displacements. The displacement remains after `unfix`. Bonds and fixes that find periodic "
+	       "images "
+	       "on their own (rigid bodies, meshes, prescribed motion, fluids, insertion, ledger) are "
+	       "refused.\n\n"
 	       "This fix cannot be used with a resolved fluid (flow_style projection), whose grid does not "
 	       "change with the box during a run. change_box before a run does change the grid.",
 	.example = "fix squeeze all deform 1 z erate -0.02 x volume y volume remap x\n"
-		   "fix shake all deform 10 x wiggle 0.001 0.1 remap v units box",
+		   "fix shake all deform 10 x wiggle 0.001 0.1 remap v units box\n"
+		   "fix shear all deform 1 xy erate 250 remap v",
+	.cite = "A. W. Lees, S. F. Edwards, J. Phys. C 5 (1972) 1921",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.init = init,
-	.hook[TS_STAGE_END_OF_STEP] = deform_box,
+	.hook = {
+		[TS_STAGE_POST_INTEGRATE] = slide_images,
+		[TS_STAGE_END_OF_STEP] = deform_box,
+	},
 };

@@ -1,9 +1,8 @@
 /* Compute com: center of mass. */
 #include "core/sim.h"
 
-#include "box/domain.h"
 #include "math/exactsum.h"
-#include "particle/particles.h"
+#include "particle/group_moments.h"
 
 #include "base/banned.h"
 
@@ -12,6 +11,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_exactsum mass = ts_exactsum_start(), moment[3];
+	double x[3];
 
 	for (int d = 0; d < 3; d++)
 		moment[d] = ts_exactsum_start();
@@ -19,10 +19,9 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 		if (!ts_in_group(p, i, self->group))
 			continue;
 		ts_exactsum_add(&mass, p->mass[i]);
+		ts_unwrapped(sim, i, x);
 		for (int d = 0; d < 3; d++)
-			ts_exactsum_add(&moment[d],
-					p->mass[i] * (p->x[i][d] +
-						      p->image[i][d] * ts_box_length(&sim->domain->box, d)));
+			ts_exactsum_add(&moment[d], p->mass[i] * x[d]);
 	}
 	for (int d = 0; d < 3; d++)
 		out->data[d] = ts_exactsum_value(&mass) > 0

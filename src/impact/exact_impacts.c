@@ -238,11 +238,12 @@ static bool meets_other(const struct tsim *sim, size_t i)
 		double x[3];
 
 		if (j >= p->n) {
-			const int8_t *shift = p->ghost_shift[j - p->n];
+			const int8_t *turns = p->ghost_shift[j - p->n];
+			const double shift[3] = { turns[0], turns[1], turns[2] };
 
 			j = (size_t)p->ghost_owner[j - p->n];
 			for (int d = 0; d < 3; d++)
-				x[d] = p->x[j][d] + shift[d] * ts_box_length(&sim->domain->box, d);
+				x[d] = p->x[j][d] + ts_box_shift(&sim->domain->box, shift, d);
 		} else {
 			ts_scale(1, p->x[j], x);
 		}

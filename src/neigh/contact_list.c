@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "box/domain.h"
 #include "neigh/coincide.h"
 #include "neigh/contact_history.h"
 #include "neigh/contact_search.h"
@@ -13,13 +14,15 @@
 
 /* x_i - x_j + turns L is the separation of the unwrapped positions (L the box lengths), so `turns` stays the
  * same when a particle is wrapped. */
-static int32_t winding_of(const struct ts_particles *p, size_t i, size_t j)
+static int32_t winding_of(const struct ts_particles *p, const struct ts_shear *shear, size_t i, size_t j)
 {
 	size_t owner = j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
 	int32_t turns[3];
 
 	for (int k = 0; k < 3; k++)
 		turns[k] = p->image[i][k] - p->image[owner][k] + (j < p->n ? 0 : p->ghost_shift[j - p->n][k]);
+	if (shear->on && j >= p->n)
+		turns[shear->flow] -= (int32_t)(shear->turns * p->ghost_shift[j - p->n][shear->gradient]);
 	return ts_winding(turns);
 }
 
@@ -63,15 +66,15 @@ static void clear_pairs(struct ts_contact_list *list, size_t from, size_t n)
 		memset(list->history + from * width, 0, n * width * sizeof *list->history);
 }
 
-static void write_pair(struct ts_contact_list *list, const struct ts_particles *p, size_t r, size_t i,
-		       size_t j)
+static void write_pair(struct ts_contact_list *list, const struct ts_particles *p,
+		       const struct ts_shear *shear, size_t r, size_t i, size_t j)
 {
 	list->i[r] = (int32_t)i;
 	list->j[r] = (int32_t)j;
 	list->tag[0][r] = p->tag[i];
 	list->tag[1][r] = p->tag[j];
 	list->image[r] = ts_contact_image(p, j);
-	list->winding[r] = winding_of(p, i, j);
+	list->winding[r] = winding_of(p, shear, i, j);
 }
 
 struct fill_task {
@@ -83,6 +86,7 @@ static void write_shares(void *context, size_t from, size_t to)
 {
 	const struct fill_task *f = context;
 	const struct ts_particles *p = f->found->sim->particles;
+	const struct ts_shear *shear = &f->found->sim->domain->box.shear;
 
 	for (size_t t = from; t < to; t++) {
 		const struct ts_contact_found *share = &f->found->share[t];
@@ -91,7 +95,7 @@ static void write_shares(void *context, size_t from, size_t to)
 		clear_pairs(f->list, r, share->n);
 		for (size_t i = share->from; i < share->to; i++)
 			for (size_t k = f->found->count[i]; k; k--)
-				write_pair(f->list, p, r++, i, (size_t)share->partner[at++]);
+				write_pair(f->list, p, shear, r++, i, (size_t)share->partner[at++]);
 	}
 }
 

@@ -25,6 +25,17 @@ static enum ts_status fail_position(struct tsim *sim, size_t i)
 /* Beyond this coordinate a squared distance overflows and no cell index can be computed. */
 static const double FARTHEST = 1e150;
 
+/* After particle i was wrapped by this number of turns across the sheared faces. */
+static bool wrap_sheared(struct tsim *sim, size_t i, int32_t turns)
+{
+	struct ts_particles *p = sim->particles;
+	const struct ts_domain *domain = sim->domain;
+
+	if (ts_in_group(p, i, domain->drift_group))
+		p->v[i][domain->box.shear.flow] -= turns * domain->shear_drift;
+	return ts_box_wrap_shear(&domain->box, p->x[i], p->image[i], turns);
+}
+
 static enum ts_status wrap_periodic(struct tsim *sim, int dim)
 {
 	struct ts_particles *p = sim->particles;
@@ -39,6 +50,9 @@ static enum ts_status wrap_periodic(struct tsim *sim, int dim)
 			return fail_position(sim, i);
 		if (ts_in_group(p, i, sim->domain->drift_group))
 			p->v[i][dim] -= (p->image[i][dim] - before) * sim->domain->drift[dim];
+		if (box->shear.on && dim == box->shear.gradient &&
+		    !wrap_sheared(sim, i, p->image[i][dim] - before))
+			return fail_position(sim, i);
 	}
 	return TS_OK;
 }
@@ -178,7 +192,8 @@ static void fit_all_faces(struct tsim *sim)
 enum ts_status ts_exchange_migrate(struct tsim *sim)
 {
 	sim->particles->nghost = 0;
-	for (int dim = 0; dim < 3; dim++)
+	ts_domain_reduce_shear(sim->domain);
+	for (int dim = 2; dim >= 0; dim--) /* of a sheared box `gradient` before `flow` */
 		TS_TRY(wrap_periodic(sim, dim));
 	TS_TRY(drop_lost(sim));
 	fit_all_faces(sim);
@@ -211,6 +226,7 @@ static void place_ghosts(const struct ts_particles *p, const struct ts_domain *d
 {
 	const double length[3] = { ts_box_length(&domain->box, 0), ts_box_length(&domain->box, 1),
 				   ts_box_length(&domain->box, 2) };
+	const struct ts_shear *s = &domain->box.shear;
 
 	for (size_t k = from; k < to; k++) {
 		size_t owner = (size_t)p->ghost_owner[k];
@@ -222,6 +238,10 @@ static void place_ghosts(const struct ts_particles *p, const struct ts_domain *d
 			p->x[p->n + k][d] = p->x[owner][d] + shift * length[d];
 			p->v[p->n + k][d] = p->v[owner][d] + (drifts ? shift * domain->drift[d] : 0);
 		}
+		if (!s->on)
+			continue;
+		p->x[p->n + k][s->flow] += p->ghost_shift[k][s->gradient] * s->offset;
+		p->v[p->n + k][s->flow] += drifts ? p->ghost_shift[k][s->gradient] * domain->shear_drift : 0;
 	}
 }
 
@@ -229,10 +249,13 @@ static void place_ghosts(const struct ts_particles *p, const struct ts_domain *d
 static void set_ghost_xhold(const struct ts_particles *p, const struct ts_domain *domain, size_t k)
 {
 	size_t owner = (size_t)p->ghost_owner[k];
+	const struct ts_shear *s = &domain->box.shear;
 
 	for (int d = 0; d < 3; d++)
 		p->xhold[p->n + k][d] =
 			p->xhold[owner][d] + p->ghost_shift[k][d] * (domain->held_hi[d] - domain->held_lo[d]);
+	if (s->on)
+		p->xhold[p->n + k][s->flow] += p->ghost_shift[k][s->gradient] * domain->held_offset;
 }
 
 static enum ts_status add_ghost(struct tsim *sim, size_t from, int dim, int shift)
@@ -265,11 +288,18 @@ static enum ts_status add_ghosts_of_faces(struct tsim *sim, int dim, double cuto
 	struct ts_particles *p = sim->particles;
 	double lo = sim->domain->held_lo[dim], hi = sim->domain->held_hi[dim];
 	size_t present = p->n + p->nghost; /* ghosts of ghosts fill edges and corners */
+	const struct ts_shear *s = &sim->domain->box.shear;
 
 	if (most > hi - lo && present > 0)
 		return ts_fail(&sim->error, TS_RANGE, NULL,
 			       "the periodic box is %g long in dimension %c, less than the reach %g of "
 			       "a contact: make it longer or the skin smaller",
+			       hi - lo, 'x' + dim, most);
+	if (s->on && dim == s->flow && 2 * most > hi - lo && present > 0)
+		return ts_fail(&sim->error, TS_RANGE, NULL,
+			       "the sheared periodic box is %g long in dimension %c, less than twice the "
+			       "reach %g of a "
+			       "contact: make it longer or the skin smaller",
 			       hi - lo, 'x' + dim, most);
 	for (size_t i = 0; i < present; i++) {
 		double x = p->xhold[i][dim];
@@ -287,9 +317,13 @@ enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double most)
 	sim->particles->nghost = 0;
 	if (!sim->particles->n) /* a box for a fluid alone may be smaller than the skin */
 		return TS_OK;
-	for (int dim = 0; dim < sim->dimension; dim++) /* in two dimensions there are no images in z */
+	for (int k = 0; k < sim->dimension; k++) { /* in two dimensions there are no images in z */
+		int dim =
+			sim->domain->box.shear.on ? sim->dimension - 1 - k : k; /* `gradient` before `flow` */
+
 		if (ts_box_periodic(&sim->domain->box, dim))
 			TS_TRY(add_ghosts_of_faces(sim, dim, cutoff, most));
+	}
 	return TS_OK;
 }
 

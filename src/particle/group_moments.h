@@ -6,13 +6,14 @@
 #include "box/domain.h"
 #include "particle/particles.h"
 
-/* Unwrapped position of particle i: x + image * box length. */
+/* Unwrapped position of particle i: x + image * box length, plus the displacements of sheared images. */
 static inline void ts_unwrapped(const struct tsim *sim, size_t i, double x[3])
 {
 	const struct ts_particles *p = sim->particles;
 
 	for (int d = 0; d < 3; d++)
 		x[d] = p->x[i][d] + p->image[i][d] * ts_box_length(&sim->domain->box, d);
+	ts_unwrap_shear(&sim->domain->box, p->image[i], x);
 }
 
 /* Number and mass of the particles in the group. */

@@ -1,5 +1,6 @@
 /* Command write_data: writes box and particles to a data file. */
 #include "bond/bonds.h"
+#include "box/domain.h"
 #include "contact/pair.h"
 #include "io/series.h"
 #include "particle/user_columns.h"
@@ -127,6 +128,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	struct ts_str path = { 0 };
 	enum ts_status status;
 
+	TS_TRY(ts_domain_refuse_shear(sim, "write_data", where));
 	if (sim->reading.explain)
 		return TS_OK;
 	ts_series_path(&path, c->file, (long long)sim->clock.step, 0);

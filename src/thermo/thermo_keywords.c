@@ -165,6 +165,27 @@ static enum ts_status etotal(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
+/* The displacement of sheared images, within half a length of the box; 0 of a box that is not sheared so. */
+static double shear_offset(const struct tsim *sim, int flow, int gradient)
+{
+	const struct ts_shear *s = &sim->domain->box.shear;
+	double length = ts_box_length(&sim->domain->box, flow);
+
+	if (!s->on || s->flow != flow || s->gradient != gradient)
+		return 0;
+	return s->offset - length * rint(s->offset / length);
+}
+
+#define SHEAR_NUMBER(name, flow, gradient)                        \
+	static enum ts_status name(struct tsim *sim, double *out) \
+	{                                                         \
+		*out = shear_offset(sim, flow, gradient);         \
+		return TS_OK;                                     \
+	}
+SHEAR_NUMBER(xy, 0, 1)
+SHEAR_NUMBER(xz, 0, 2)
+SHEAR_NUMBER(yz, 1, 2)
+
 static enum ts_status zero(struct tsim *sim, double *out)
 {
 	(void)sim;
@@ -311,9 +332,9 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "yhi", "Yhi", "length", "upper y of the box", TS_KEYWORD_BOX, yhi },
 	{ "zlo", "Zlo", "length", "lower z of the box", TS_KEYWORD_BOX, zlo },
 	{ "zhi", "Zhi", "length", "upper z of the box", TS_KEYWORD_BOX, zhi },
-	{ "xy", "Xy", "length", "tilt of the box: 0", TS_KEYWORD_CONSTANT, zero },
-	{ "xz", "Xz", "length", "tilt of the box: 0", TS_KEYWORD_CONSTANT, zero },
-	{ "yz", "Yz", "length", "tilt of the box: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "xy", "Xy", "length", "displacement along x of the images across the y faces (fix deform xy)", 0, xy },
+	{ "xz", "Xz", "length", "displacement along x of the images across the z faces (fix deform xz)", 0, xz },
+	{ "yz", "Yz", "length", "displacement along y of the images across the z faces (fix deform yz)", 0, yz },
 	{ "xlat", "Xlat", "length", "lattice spacing", 0, xlat },
 	{ "ylat", "Ylat", "length", "lattice spacing", 0, ylat },
 	{ "zlat", "Zlat", "length", "lattice spacing", 0, zlat },
