@@ -20,6 +20,16 @@ static bool samples_by_step(const struct ts_instance *fix)
 	return false;
 }
 
+/* Fixes whose motion is a function of the time since their definition save that time as `origin`: particles would
+ * jump if the time were set. */
+static bool moves_by_time(const struct ts_instance *fix)
+{
+	for (const struct ts_saved *row = fix->style->saved; row && row->name; row++)
+		if (ts_streq(row->name, "origin"))
+			return true;
+	return false;
+}
+
 /* Dumps may write a frame at the new step even if they have written one of this number. */
 static void clear_last_frames(struct tsim *sim)
 {
@@ -32,6 +42,7 @@ static void clear_last_frames(struct tsim *sim)
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
+	double time = isnan(s->time) ? (double)s->step * sim->clock.dt : s->time;
 
 	for (size_t k = 0; k < sim->instances[TS_KIND_FIX].n; k++) {
 		const struct ts_instance *fix = sim->instances[TS_KIND_FIX].item[k];
@@ -40,6 +51,14 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "fix %s (%s, line %d) counts steps: unfix it before reset_timestep",
 				       fix->id, fix->style->name, fix->where.line);
+		if (moves_by_time(fix) && time != ts_sim_time(sim))
+			return ts_fail(&sim->error, TS_STATE, where,
+				       "fix %s (%s, line %d) moves by the time since its definition, now %g: "
+				       "unfix it "
+				       "before reset_timestep, or keep the time: `reset_timestep %lld time "
+				       "$(time)`",
+				       fix->id, fix->style->name, fix->where.line, ts_sim_time(sim),
+				       (long long)s->step);
 	}
 	if (s->step != sim->clock.step) {
 		clear_last_frames(sim);
@@ -47,7 +66,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		sim->era++;
 	}
 	sim->clock.step = sim->clock.base_step = s->step;
-	sim->clock.base_time = isnan(s->time) ? (double)s->step * sim->clock.dt : s->time;
+	sim->clock.base_time = time;
 	return TS_OK;
 }
 
@@ -67,8 +86,10 @@ const struct ts_command_style ts_command_reset_timestep = {
 		.summary = "Sets the step counter",
 		.doc = "Sets the step counter. The simulated time is set to step times dt unless "
 		       "it is given. It is an error if there are fixes that average or sample over "
-		       "steps, such as fix ave/time.",
-		.example = "reset_timestep 0",
+		       "steps, such as fix ave/time, or if the time changes and there are fixes whose motion is a function of "
+		       "it, such as fix move.",
+		.example = "reset_timestep 0\n"
+			   "reset_timestep 0 time $(time)",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
