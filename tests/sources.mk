@@ -81,6 +81,7 @@ shell_tests = \
 	tests/examples/film_kinetic.sh \
 	tests/examples/flow_bodies.sh \
 	tests/examples/flow_cases.sh \
+	tests/examples/grains.sh \
 	tests/examples/polishing.sh \
 	tests/explain/info.sh \
 	tests/explain/price.sh \

@@ -184,7 +184,8 @@ const struct ts_style ts_fix_ave_error = {
 	       "that of the first, divided by the standard error of this difference. Of steady data it is "
 	       "within -2 and 2 in 19 cases of 20; beyond 3 the values drift. Errors, trends and correlations are "
 	       "NaN before there are two, four, four blocks. To leave out the initial transient, define the fix "
-	       "after a first run, or use `start`. Averages in progress are saved in restart files.",
+	       "after a first run, or use `start`; also for averages of other fixes, which are 0 before the first of "
+	       "them is complete (after `reset_timestep 0` the first average of N steps is complete at step N). Averages in progress are saved in restart files.",
 	.example = "fix load all ave/error 100 c_push[2] v_traction\n"
 		   "fix profile all ave/error 100 c_T[1] mode vector blocks 64\n"
 		   "print \"load $(f_load[1][1]) +- $(f_load[1][2])\"",
