@@ -115,10 +115,18 @@ library_sources = \
 	src/base/str.h \
 	src/base/words.c \
 	src/base/words.h \
+	src/bond/bond_arguments.c \
+	src/bond/bond_arguments.h \
 	src/bond/bond_contact.c \
 	src/bond/bond_force.c \
 	src/bond/bond_force.h \
 	src/bond/bond_loop.h \
+	src/bond/bond_moment.c \
+	src/bond/bond_moment.h \
+	src/bond/bond_moment_loop.c \
+	src/bond/bond_parallel.c \
+	src/bond/bond_reference.c \
+	src/bond/bond_reference.h \
 	src/bond/bond_slices.c \
 	src/bond/bond_slices.h \
 	src/bond/bonds.c \
@@ -474,6 +482,7 @@ library_sources = \
 	src/force/fix_addforce.c \
 	src/force/fix_aveforce.c \
 	src/force/fix_controller.c \
+	src/force/fix_damping_cundall.c \
 	src/force/fix_drag.c \
 	src/force/fix_drill_bit.c \
 	src/force/fix_enforce2d.c \
@@ -675,6 +684,8 @@ library_sources = \
 	src/kinetic/sheared_film_find.c \
 	src/law/active_particles.h \
 	src/law/archard.h \
+	src/law/bond_element.h \
+	src/law/bond_section.h \
 	src/law/buoyancy.h \
 	src/law/capillary.h \
 	src/law/cohesion.h \
@@ -911,6 +922,8 @@ library_sources = \
 	src/particle/identity.h \
 	src/particle/molecule.c \
 	src/particle/molecule.h \
+	src/particle/orientation.c \
+	src/particle/orientation.h \
 	src/particle/particles.c \
 	src/particle/particles.h \
 	src/particle/prescribed.c \

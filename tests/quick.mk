@@ -23,6 +23,7 @@
 #       6    examples/drilling.sh           bond/check_bonds
 #       6    restart/restart.sh             restart/restart_changes.sh, restart/restart_streams.sh
 #       6    program/sandbox.sh             house/door.sh
+#       5    bond/check_parallel            bond/check_element, bond/parallel.sh
 #       5    house/install.sh               library/check_library
 #       4    coupling/momentum.sh           coupling/check_coupling
 crosschecks = $(filter tests/crosscheck/%,$(shell_tests))
@@ -41,6 +42,7 @@ slow_tests = \
 	tests/examples/drilling.sh \
 	tests/fuzz/fuzz.sh \
 	tests/house/install.sh \
+	tests/bond/check_parallel \
 	tests/program/kill.sh \
 	tests/coupling/momentum.sh \
 	tests/core/omissions.sh \

@@ -8,6 +8,7 @@ shell_tests = \
 	tests/average/euler.sh \
 	tests/bench/charts.sh \
 	tests/bench/race.sh \
+	tests/bond/parallel.sh \
 	tests/bond/special_bonds.sh \
 	tests/box/box.sh \
 	tests/box/plane.sh \
@@ -202,6 +203,8 @@ unit_tests = \
 	tests/automaton/check_automaton \
 	tests/base/check_files \
 	tests/bond/check_bonds \
+	tests/bond/check_element \
+	tests/bond/check_parallel \
 	tests/contact/check_contact_parts \
 	tests/core/check_alloc \
 	tests/core/check_args \
@@ -325,6 +328,14 @@ tests_base_check_files_LDADD = $(tests_ldadd)
 tests_bond_check_bonds_SOURCES = tests/bond/check_bonds.c
 tests_bond_check_bonds_CFLAGS = $(tests_cflags)
 tests_bond_check_bonds_LDADD = $(tests_ldadd)
+
+tests_bond_check_element_SOURCES = tests/bond/check_element.c
+tests_bond_check_element_CFLAGS = $(tests_cflags)
+tests_bond_check_element_LDADD = $(tests_ldadd)
+
+tests_bond_check_parallel_SOURCES = tests/bond/check_parallel.c
+tests_bond_check_parallel_CFLAGS = $(tests_cflags)
+tests_bond_check_parallel_LDADD = $(tests_ldadd)
 
 tests_contact_check_contact_parts_SOURCES = tests/contact/check_contact_parts.c
 tests_contact_check_contact_parts_CFLAGS = $(tests_cflags)

@@ -1,16 +1,43 @@
 /* Bond forces, breakage, and the coefficients of bond styles. */
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
 #include "base/parallel.h"
 #include "bond/bond_force.h"
 #include "bond/bond_loop.h"
+#include "bond/bond_moment.h"
 #include "box/domain.h"
 #include "core/report.h"
+#include "math/constants.h"
 #include "neigh/neigh.h"
+#include "particle/orientation.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
+
+/* The mode of failure and the elastic energy of a bond that transmits moments. */
+static enum ts_status record_failure(struct tsim *sim, size_t b, struct ts_bond_event *e)
+{
+	struct ts_bond_element element;
+	struct ts_bond_answer state;
+	double energy[TS_BOND_MODES];
+
+	ts_bond_state_of(sim, b, &element, &state);
+	if (!(state.cosine > TS_BOND_TURN))
+		return ts_fail(&sim->error, TS_PHYSICS, NULL,
+			       "at step %" PRId64
+			       " particles %d and %d, bonded, have turned by %.0f degrees relative to "
+			       "each other; bonds that transmit moments are valid up to 90 degrees: give "
+			       "the bond a strength, or more stiffness",
+			       sim->clock.step, e->tag[0], e->tag[1],
+			       360 / TS_PI * acos(fmin(state.cosine, 1)));
+	ts_bond_energies(&element, &state, energy);
+	for (int k = 0; k < TS_BOND_MODES; k++)
+		e->energy += energy[k];
+	e->mode = (int32_t)ts_bond_failure_of(&element, &state);
+	return TS_OK;
+}
 
 static enum ts_status record_breakage(struct tsim *sim, size_t b)
 {
@@ -34,7 +61,7 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 	for (int s = 0; s < 2; s++)
 		e->tag[s] = bonds->tag[b][s];
 	bonds->broken++;
-	return TS_OK;
+	return bonds->transmits ? record_failure(sim, b, e) : TS_OK;
 }
 
 static enum ts_status remove_broken_bonds(struct tsim *sim)
@@ -71,9 +98,12 @@ enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 				  &bond->coeffs,
 				  &sim->domain->box,
 				  any_type_damped(self, sim),
-				  sim->run.complete || sim->bonds->shown };
+				  sim->run.complete || sim->bonds->shown,
+				  sim->bonds->transmits ? ts_orientation(sim) : NULL };
 	size_t slices = sim->bonds->slices.n;
 
+	if (sim->bonds->transmits && sim->bonds->n)
+		TS_TRY(ts_bond_moments_fill(sim));
 	if (!sim->bonds->n ||
 	    !ts_parallel_count(ts_team(sim, sim->bonds->n), slices, ts_bond_style_of(self)->compute, &t))
 		return TS_OK;
@@ -114,6 +144,7 @@ enum ts_status ts_bond_set_coeffs(struct tsim *sim, struct ts_types types, struc
 		TS_TRY(ts_bond_style_of(self)->complete(sim, entry, where));
 		bond->coeffs.given[t] = true;
 	}
+	sim->bonds->slices.filled = false;
 	return TS_OK;
 }
 
@@ -128,7 +159,9 @@ enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim)
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "there are bonds of type %d, but no `bond_coeff %d ...`",
 				       bonds->type[b], bonds->type[b]);
-	return TS_OK;
+	if (ts_bond_style_of(self)->element)
+		return ts_bond_moments_require(self, sim);
+	return ts_bonds_transmit(sim, false);
 }
 
 enum ts_status ts_bond_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
@@ -141,6 +174,8 @@ enum ts_status ts_bond_archive(struct ts_instance *self, struct tsim *sim, struc
 		if (bond->coeffs.given[k])
 			TS_TRY(ts_bond_style_of(self)->complete(sim, ts_coeff(&bond->coeffs, k),
 								&self->where));
+	if (ts_bond_style_of(self)->element)
+		return ts_orientation_archive(sim, a);
 	return TS_OK;
 }
 
@@ -161,10 +196,17 @@ enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim, struct t
 
 	if (!bonds->n)
 		return TS_OK;
+	if (style->element && sim->run.explicit_euler)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "bond_style %s transmits moments, but fix nve/euler does not integrate "
+			       "rotation; use fix nve/sphere",
+			       self->style->name);
 	for (size_t b = 0; b < bonds->n; b++) {
 		double imass = p->imass[bonds->row[b][0]] + p->imass[bonds->row[b][1]];
 
-		if (imass > 0)
+		if (style->element)
+			smallest = fmin(smallest, ts_bond_moment_limit(sim, b));
+		else if (imass > 0)
 			smallest =
 				fmin(smallest, style->limit(ts_coeff(&bond->coeffs, (size_t)bonds->type[b]),
 							    1 / imass, sim->run.explicit_euler));

@@ -19,8 +19,9 @@ struct ts_bond_task {
 	struct ts_bonds *bonds;
 	const struct ts_coeffs *coeffs;
 	const struct ts_box *box;
-	bool moving; /* some bond type is damped: relative velocities are needed */
-	bool store;  /* store the tensions: an output may read them */
+	bool moving;		  /* some bond type is damped: relative velocities are needed */
+	bool store;		  /* store the tensions: an output may read them */
+	double (*orientation)[4]; /* of the particles, if bonds transmit moments */
 };
 
 /* Rows of a slice that are computed at a time; few slices have more. */

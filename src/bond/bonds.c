@@ -16,6 +16,18 @@
 
 #include "base/banned.h"
 
+const char *ts_bond_failure_name(int mode)
+{
+	static const char *const name[TS_BOND_FAILURES] = {
+		[TS_BOND_FORCE] = "force",
+		[TS_BOND_TENSION] = "tension",
+		[TS_BOND_SHEARED] = "shear",
+		[TS_BOND_CRUSHED] = "compression",
+	};
+
+	return mode >= 0 && mode < TS_BOND_FAILURES ? name[mode] : "unknown";
+}
+
 static enum ts_status reserve_bonds(struct ts_bonds *b, size_t n)
 {
 	size_t start = b->capacity, capacity = start;
@@ -33,6 +45,31 @@ static enum ts_status reserve_bonds(struct ts_bonds *b, size_t n)
 	GROW_COLUMN(breaks);
 #undef GROW_COLUMN
 	b->capacity = capacity;
+	if (!b->transmits)
+		return TS_OK;
+	TS_TRY(TS_GROW(b->reference, b->reference_capacity, n));
+	return TS_GROW(b->load, b->load_capacity, n);
+}
+
+enum ts_status ts_bonds_transmit(struct tsim *sim, bool moments)
+{
+	struct ts_bonds *b = sim->bonds;
+
+	if (b->transmits == moments)
+		return TS_OK;
+	b->transmits = moments;
+	if (moments) {
+		if (reserve_bonds(b, b->n + 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		memset(b->reference, 0, b->n * sizeof *b->reference);
+		memset(b->load, 0, b->n * sizeof *b->load);
+		return TS_OK;
+	}
+	ts_free(b->reference);
+	ts_free(b->load);
+	b->reference = NULL;
+	b->load = NULL;
+	b->reference_capacity = b->load_capacity = 0;
 	return TS_OK;
 }
 
@@ -47,6 +84,10 @@ enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int 
 	b->type[b->n] = type;
 	b->rest[b->n] = rest;
 	b->tension[b->n] = 0;
+	if (b->transmits) {
+		b->reference[b->n] = (struct ts_bond_reference){ 0 };
+		b->load[b->n] = (struct ts_bond_load){ 0 };
+	}
 	b->n++;
 	b->created++;
 	return TS_OK;
@@ -62,6 +103,8 @@ static int compare_tags(const int32_t a[2], const int32_t b[2])
 struct record {
 	int32_t tag[2], type;
 	double rest;
+	struct ts_bond_reference reference;
+	struct ts_bond_load load;
 };
 
 static int compare_records(const void *a, const void *b)
@@ -75,13 +118,24 @@ void ts_bonds_sort(struct ts_bonds *b)
 
 	if (!r) /* the order only matters for the speed of look-up and for reproducible lists */
 		return;
-	for (size_t k = 0; k < b->n; k++)
-		r[k] = (struct record){ { b->tag[k][0], b->tag[k][1] }, b->type[k], b->rest[k] };
+	for (size_t k = 0; k < b->n; k++) {
+		r[k] = (struct record){ .tag = { b->tag[k][0], b->tag[k][1] },
+					.type = b->type[k],
+					.rest = b->rest[k] };
+		if (b->transmits) {
+			r[k].reference = b->reference[k];
+			r[k].load = b->load[k];
+		}
+	}
 	ts_sort(r, b->n, sizeof *r, compare_records);
 	for (size_t k = 0; k < b->n; k++) {
 		memcpy(b->tag[k], r[k].tag, sizeof b->tag[k]);
 		b->type[k] = r[k].type;
 		b->rest[k] = r[k].rest;
+		if (b->transmits) {
+			b->reference[k] = r[k].reference;
+			b->load[k] = r[k].load;
+		}
 	}
 	ts_free(r);
 }
@@ -116,6 +170,10 @@ void ts_bonds_delete(struct ts_bonds *b, const unsigned char *flag)
 		memcpy(b->row[kept], b->row[k], sizeof b->row[k]);
 		b->type[kept] = b->type[k];
 		b->rest[kept] = b->rest[k];
+		if (b->transmits) {
+			b->reference[kept] = b->reference[k];
+			b->load[kept] = b->load[k];
+		}
 		b->tension[kept++] = b->tension[k];
 	}
 	b->n = kept;
@@ -223,6 +281,17 @@ static enum ts_status check_restored_bonds(struct tsim *sim, const struct ts_bon
 	return TS_OK;
 }
 
+static enum ts_status archive_moments(struct tsim *sim, struct ts_bonds *b, struct ts_archive *a)
+{
+	enum { REFERENCE = sizeof *b->reference / sizeof(double), LOAD = sizeof *b->load / sizeof(double) };
+
+	if (ts_archive_writing(a) ? !b->transmits : !ts_archive_has(a, "reference"))
+		return TS_OK;
+	TS_TRY(ts_bonds_transmit(sim, true));
+	TS_TRY(ts_archive_fixed(a, "reference", TS_SAVED_F64, b->reference, REFERENCE * b->n));
+	return ts_archive_fixed(a, "load", TS_SAVED_F64, b->load, LOAD * b->n);
+}
+
 static enum ts_status archive_bonds(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct ts_bonds *b = self->state;
@@ -245,6 +314,7 @@ static enum ts_status archive_bonds(struct ts_instance *self, struct tsim *sim, 
 	TS_TRY(ts_archive_fixed(a, "type", TS_SAVED_I32, b->type, b->n));
 	TS_TRY(ts_archive_fixed(a, "rest", TS_SAVED_F64, b->rest, b->n));
 	TS_TRY(ts_archive_fixed(a, "tension", TS_SAVED_F64, b->tension, b->n));
+	TS_TRY(archive_moments(sim, b, a));
 	TS_TRY(ts_archive_fixed(a, "events", TS_SAVED_U8, b->event, b->nevents * sizeof *b->event));
 	return ts_archive_writing(a) ? TS_OK : check_restored_bonds(sim, b);
 }
@@ -260,6 +330,8 @@ static void fingerprint_bonds(const struct ts_instance *self, const struct tsim 
 	ts_hash_add(hash, b->tag, b->n * sizeof *b->tag);
 	ts_hash_add(hash, b->type, b->n * sizeof *b->type);
 	ts_hash_add(hash, b->rest, b->n * sizeof *b->rest);
+	if (b->transmits)
+		ts_hash_add(hash, b->reference, b->n * sizeof *b->reference);
 }
 
 static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
@@ -267,6 +339,9 @@ static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, 
 	const struct ts_bonds *b = self->state;
 	size_t bytes = 4 * sizeof(double) + 11 * sizeof(int32_t);
 
+	if (b->transmits)
+		bytes += sizeof *b->reference + sizeof *b->load +
+			 2 * sizeof(struct ts_bond_lanes) / TS_BOND_LANES - 2 * sizeof(double);
 	(void)sim;
 	report->bytes += (double)(b->n * bytes);
 	if (b->n)
@@ -284,6 +359,8 @@ static void release_bonds(struct ts_instance *self)
 	ts_free(b->row);
 	ts_free(b->tension);
 	ts_free(b->breaks);
+	ts_free(b->reference);
+	ts_free(b->load);
 	ts_gather_release(&b->gather);
 	ts_bond_slices_release(&b->slices);
 	ts_free(b->event);

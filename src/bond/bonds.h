@@ -17,6 +17,25 @@ struct ts_bond_event {
 	double time, x[3]; /* x: midpoint of the partners */
 	double force;	   /* along the bond when it broke, > 0 in tension */
 	int32_t tag[2], type;
+	int32_t mode;  /* what failed: enum ts_bond_failure */
+	double energy; /* elastic energy when it broke; bonds that transmit moments */
+};
+
+/* Why a bond broke. Contact bonds break by their force, in tension or compression. */
+enum ts_bond_failure { TS_BOND_FORCE, TS_BOND_TENSION, TS_BOND_SHEARED, TS_BOND_CRUSHED, TS_BOND_FAILURES };
+const char *ts_bond_failure_name(int mode);
+
+/* What a bond that transmits moments remembers of the state in which it is free of shear, bending and
+ * torque: bond/bond_reference.h. */
+struct ts_bond_reference {
+	double frame[2]
+		    [4];  /* first axis along the bond, as quaternion, seen from either partner; 0: not set */
+	double radius[2]; /* of the partners */
+};
+
+/* Forces and torques of a bond that transmits moments, on the first particle and on either. */
+struct ts_bond_load {
+	double force[3], torque[2][3];
 };
 
 struct ts_bonds {
@@ -29,6 +48,10 @@ struct ts_bonds {
 	/* force along the bond, > 0 attractive, of the last step at which it was stored
 	 * (sim->run.complete or shown) */
 	double *tension;
+	/* [n] if `transmits`: the bond style transmits moments. Loads are stored as tensions are. */
+	struct ts_bond_reference *reference;
+	struct ts_bond_load *load;
+	bool transmits;
 	bool shown;	       /* an output may read tensions at any step: they are stored in each step */
 	unsigned char *breaks; /* per bond: breaks in this step */
 
@@ -39,7 +62,7 @@ struct ts_bonds {
 	int64_t created, broken; /* totals over all runs */
 	int64_t gone;		 /* totals of unbroken bonds removed because a partner left the simulation */
 	struct ts_bond_event *event;
-	size_t nevents, event_capacity;
+	size_t nevents, event_capacity, reference_capacity, load_capacity;
 };
 
 /* Arguments of a bond law. */
@@ -52,6 +75,13 @@ struct ts_bond_state {
  * A bond at its rest length does not break. */
 typedef bool ts_bond_law(const void *coeff, const struct ts_bond_state *state, double *tension);
 
+struct ts_bond_element;
+/* One bond and its partners; what the constants of its element may depend on. */
+struct ts_bond_pair {
+	double rest, radius[2], mass[2], inertia[2];
+	int32_t tag[2];
+};
+
 struct ts_bond_style {
 	struct ts_style style;
 	/* bytes of the coefficients of one bond type, the arguments of bond_coeff (style.coeff) */
@@ -59,6 +89,9 @@ struct ts_bond_style {
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
 	ts_range_count_fn *compute;	   /* ts_bond_compute_slices with this law (bond/bond_loop.h) */
 	bool (*damped)(const void *coeff); /* whether the tension depends on the rate of extension */
+	/* Bonds that transmit moments: the constants of law/bond_element.h; `compute` is then
+	 * ts_bond_compute_moments, and the functions below are NULL. NULL: central springs. */
+	void (*element)(const void *coeff, const struct ts_bond_pair *pair, struct ts_bond_element *out);
 	double (*stiffness)(const void *coeff);
 	/* Elastic energy at this extension; NULL if the law has no potential. */
 	double (*energy)(const void *coeff, double extension);
@@ -81,6 +114,8 @@ static inline const struct ts_bond_style *ts_bond_style_of(const struct ts_insta
 enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest);
 void ts_bonds_sort(struct ts_bonds *bonds);
 bool ts_bonds_has(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b); /* sorted list */
+/* Makes the arrays of bonds that transmit moments, or frees them. */
+enum ts_status ts_bonds_transmit(struct tsim *sim, bool moments);
 /* Removes the bonds whose flag is set. */
 void ts_bonds_delete(struct ts_bonds *bonds, const unsigned char *flag);
 

@@ -1,3 +1,4 @@
+#include "bond/bond_reference.h"
 #include "core/life.h"
 
 #include "base/banned.h"
@@ -10,7 +11,8 @@ static enum ts_status choose_bond_style(struct tsim *sim, void *state, const str
 {
 	const struct style_line *line = state;
 
-	return ts_sim_choose(sim, TS_KIND_BOND, line->words, where);
+	TS_TRY(ts_sim_choose(sim, TS_KIND_BOND, line->words, where));
+	return ts_bond_reference_require(sim);
 }
 
 static const struct ts_arg args[] = {

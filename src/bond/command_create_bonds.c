@@ -1,3 +1,4 @@
+#include "bond/bond_reference.h"
 #include "bond/bonds.h"
 
 #include <inttypes.h>
@@ -143,6 +144,7 @@ static enum ts_status create_bonds_command(struct tsim *sim, void *state, const 
 	else
 		TS_TRY(create_single(sim, c, where));
 	TS_TRY(remove_duplicates(sim));
+	TS_TRY(ts_bond_reference_complete(sim));
 	ts_log(&sim->log, "Added %zu bonds, total bonds = %zu\n", sim->bonds->n - before, sim->bonds->n);
 	if (sim->bonds->n == before)
 		ts_warn(&sim->log, where,

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "bond/bond_reference.h"
 #include "bond/bonds.h"
 #include "box/domain.h"
 #include "particle/columns.h"
@@ -135,8 +136,10 @@ static void bond_shift(const struct before *b, size_t i, size_t j, int64_t shift
 }
 
 static enum ts_status copy_bond(struct tsim *sim, const struct before *b, const int32_t tag[2],
-				const int64_t shift[3], int type, double rest)
+				const int64_t shift[3], size_t bond)
 {
+	struct ts_bonds *bonds = sim->bonds;
+
 	for (int64_t k = 0; k < copies(b->state); k++) {
 		int64_t at[3], other;
 
@@ -145,7 +148,10 @@ static enum ts_status copy_bond(struct tsim *sim, const struct before *b, const 
 			at[d] += shift[d];
 		other = copy_at_cell(b->state, at);
 		TS_TRY(ts_bonds_add(sim, (int32_t)(tag[0] + k * b->max_tag),
-				    (int32_t)(tag[1] + other * b->max_tag), type, rest));
+				    (int32_t)(tag[1] + other * b->max_tag), bonds->type[bond],
+				    bonds->rest[bond]));
+		ts_bond_reference_copy(bonds, bond, bonds->n - 1,
+				       tag[0] + k * b->max_tag > tag[1] + other * b->max_tag);
 	}
 	return TS_OK;
 }
@@ -170,7 +176,7 @@ static enum ts_status copy_bonds(struct tsim *sim, const struct before *b)
 		if (row[0] < 0 || row[1] < 0)
 			continue;
 		bond_shift(b, (size_t)row[0], (size_t)row[1], shift);
-		TS_TRY(copy_bond(sim, b, tag, shift, bonds->type[k], bonds->rest[k]));
+		TS_TRY(copy_bond(sim, b, tag, shift, k));
 	}
 	old = ts_alloc(bonds->n, 1);
 	if (!old)

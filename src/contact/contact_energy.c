@@ -1,6 +1,6 @@
 #include "contact/contact_energy.h"
 
-#include "bond/bonds.h"
+#include "bond/bond_moment.h"
 #include "contact/contact_loop.h"
 #include "law/elastic_energy.h"
 #include "particle/group_moments.h"
@@ -44,13 +44,12 @@ static double energy_of_bonds(const struct tsim *sim, size_t i)
 	double sum = 0;
 
 	for (size_t k = g->first[i]; inst && k < g->first[i + 1]; k++) {
-		const struct ts_bond *state = inst->state;
-		size_t b = g->entry[k] >> 1;
-		struct ts_contact_view view;
+		double energy[TS_BOND_MODES], all = 0;
 
-		ts_contact_view_of_bond(sim, b, &view);
-		sum += ts_bond_style_of(inst)->energy(ts_coeff(&state->coeffs, (size_t)bonds->type[b]),
-						      view.distance - bonds->rest[b]);
+		ts_bond_energy(sim, g->entry[k] >> 1, energy);
+		for (int mode = 0; mode < TS_BOND_MODES; mode++)
+			all += energy[mode];
+		sum += all;
 	}
 	return sum;
 }
@@ -80,7 +79,8 @@ enum ts_status ts_contact_energy_require(struct tsim *sim, const struct ts_insta
 					 "release depends on the amount of liquid when they break"
 				       : "hooke/hysteresis has no potential energy: the energy that a "
 					 "contact releases after yielding depends on the path of unloading");
-	if (parts->bond && bond && sim->bonds->n && !ts_bond_style_of(bond)->energy)
+	if (parts->bond && bond && sim->bonds->n && !ts_bond_style_of(bond)->energy &&
+	    !ts_bond_style_of(bond)->element)
 		return ts_fail(&sim->error, TS_STATE, &self->where, "bond style %s has no potential energy",
 			       bond->style->name);
 	return ts_contacts_require(sim, self);

@@ -118,6 +118,11 @@ void ts_contact_view_of_bond(const struct tsim *sim, size_t b, struct ts_contact
 	ts_box_nearest(&sim->domain->box, view->d);
 	view->image = ts_distance2(view->d, direct) > 0;
 	view->distance = ts_norm(view->d);
+	if (bonds->transmits) {
+		for (int k = 0; k < 3; k++)
+			view->force[k] = bonds->load[b].force[k];
+		return;
+	}
 	/* computed as in the bond loop, since after a restart the tension is known before the force */
 	for (int k = 0; k < 3; k++)
 		view->force[k] =

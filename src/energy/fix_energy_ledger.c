@@ -100,14 +100,12 @@ static void log_heat(struct tsim *sim, const struct ts_ledger *l, const double v
 
 static enum ts_status log_summary(struct ts_instance *self, struct tsim *sim)
 {
-	static const char *const suspects[] = { "in normal springs between particles",
-						"",
-						"",
-						"in normal springs at walls",
-						"",
-						"",
-						"in bonds",
-						"in rotation of rigid bodies" };
+	static const char *const suspects[TS_NSTORE + 1] = {
+		[TS_STORE_NORMAL] = "in normal springs between particles",
+		[TS_NCONTACT_STORE + TS_STORE_NORMAL] = "in normal springs at walls",
+		[TS_LEDGER_BOND] = "in bonds",
+		[TS_NSTORE] = "in rotation of rigid bodies",
+	};
 	const struct ledger *s = self->state;
 	double v[TS_LEDGER_VALUES], drift[TS_NSTORE + 1];
 
@@ -126,7 +124,7 @@ static enum ts_status log_summary(struct ts_instance *self, struct tsim *sim)
 		       k == TS_LEDGER_DRIFT_VALUE ? "drift (time integration error)" : "closure (round-off)",
 		       v[k], relative_to_turnover(v, k));
 	for (int k = 0; k <= TS_NSTORE; k++)
-		if (*suspects[k])
+		if (suspects[k])
 			log_named_value(sim, "  drift", suspects[k], drift[k]);
 	log_value(sim, texts[TS_LEDGER_TURNOVER_VALUE], v[TS_LEDGER_TURNOVER_VALUE]);
 	if (s->books.heat.known)

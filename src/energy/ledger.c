@@ -292,7 +292,7 @@ enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
 				 *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct ts_ledger *l = self->state;
 
-	if (bond && !ts_bond_style_of(bond)->energy)
+	if (bond && !ts_bond_style_of(bond)->energy && !ts_bond_style_of(bond)->element)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s: bond style %s has no potential energy", self->style->name,
 			       bond->style->name);

@@ -16,6 +16,7 @@
 #ifndef TS_ENERGY_LEDGER_H
 #define TS_ENERGY_LEDGER_H
 
+#include "law/bond_element.h"
 #include "law/contact_parts.h"
 #include "math/compensated.h"
 #include "math/exactsum.h"
@@ -29,8 +30,8 @@ enum {
 	TS_CAUSE_BOND = TS_LEDGER_SIDES * TS_NPART,
 	TS_CAUSE_BOND_DASHPOT,
 	TS_NCAUSE,
-	TS_LEDGER_BOND = TS_LEDGER_SIDES * TS_NCONTACT_STORE,
-	TS_NSTORE
+	TS_LEDGER_BOND = TS_LEDGER_SIDES * TS_NCONTACT_STORE, /* by mode of law/bond_element.h */
+	TS_NSTORE = TS_LEDGER_BOND + TS_BOND_MODES
 };
 /* Layout of the numbers of one cause on one particle: force, torque, and the power that is transferred
  * to the drive of the surface. */
@@ -72,10 +73,14 @@ struct ts_ledger_heat {
 	double seen; /* total flux into all particles after the last action */
 };
 
+/* Elastic energies of a note: at most those of a bond, which has more modes than a contact has stores. */
+enum { TS_LEDGER_NOTE_ENERGIES = TS_BOND_MODES };
+_Static_assert((int)TS_LEDGER_NOTE_ENERGIES >= (int)TS_NCONTACT_STORE, "room for the energies of a contact");
+
 /* Elastic energy of a bond, or of one contact of a particle with a wall, in the last force computation. */
 struct ts_ledger_note {
 	int32_t tag[2];
-	double energy[TS_NCONTACT_STORE];
+	double energy[TS_LEDGER_NOTE_ENERGIES];
 };
 
 struct ts_ledger {
@@ -210,7 +215,11 @@ static inline double *ts_ledger_causes(const struct ts_ledger *l, const struct t
 	X(HEAT, "heat content of particles")                                                           \
 	X(HEAT_IN, "heat from walls, fluid and sources")                                           \
 	X(HEAT_MOVED, "heat set, added or removed with particles")                         \
-	X(HEAT_CLOSURE, "heat closure")
+	X(HEAT_CLOSURE, "heat closure")                                                                \
+	X(BOND_NORMAL, "elastic energy of bonds, normal")                                              \
+	X(BOND_SHEAR, "elastic energy of bonds, shear")                                                \
+	X(BOND_BENDING, "elastic energy of bonds, bending")                                            \
+	X(BOND_TWIST, "elastic energy of bonds, twist")
 /* clang-format on */
 #define TS_LEDGER_ENUM(name, text) TS_LEDGER_##name##_VALUE,
 enum { TS_LEDGER_LIST(TS_LEDGER_ENUM) TS_LEDGER_VALUES };

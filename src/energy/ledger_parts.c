@@ -1,7 +1,7 @@
 /* Forces and elastic energies of contacts and bonds by cause, right after the force computation. */
 #include <string.h>
 
-#include "bond/bonds.h"
+#include "bond/bond_moment.h"
 #include "contact/contact_loop.h"
 #include "contact/contact_view.h"
 #include "energy/ledger.h"
@@ -257,16 +257,23 @@ static double broken_energy(const struct tsim *sim, const struct ts_ledger_note 
 	const struct ts_bonds *bonds = sim->bonds;
 	const struct ts_bond *state = ts_sim_only(sim, TS_KIND_BOND)->state;
 	const struct ts_bond_style *style = ts_bond_style_of(ts_sim_only(sim, TS_KIND_BOND));
+	double before = was->energy[0];
+
+	for (int mode = 1; mode < TS_BOND_MODES; mode++)
+		before += was->energy[mode];
 
 	for (size_t e = bonds->nevents; e-- > 0 && bonds->event[e].step == sim->clock.step;) {
 		const struct ts_bond_event *event = &bonds->event[e];
 		const void *coeff = ts_coeff(&state->coeffs, (size_t)event->type);
 
 		if (event->tag[0] == was->tag[0] && event->tag[1] == was->tag[1])
-			return 0.5 * (was->energy[0] +
-				      style->energy(coeff, event->force / style->stiffness(coeff)));
+			return 0.5 *
+			       (before +
+				(style->element
+					 ? event->energy
+					 : style->energy(coeff, event->force / style->stiffness(coeff))));
 	}
-	return was->energy[0];
+	return before;
 }
 
 /* Accounts bonds that were listed in the last step and are not any more. Both lists are sorted by
@@ -289,21 +296,15 @@ static void account_broken_bonds(struct tsim *sim, struct ts_ledger *l)
 	ts_compensated_add(&l->broken, ts_exactsum_value(&broken));
 }
 
-static enum ts_status account_bond(struct tsim *sim, struct ts_ledger *l, size_t b, struct ts_exactsum *sum)
+static enum ts_status account_bond(struct tsim *sim, struct ts_ledger *l, size_t b, struct ts_exactsum sum[])
 {
-	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_BOND);
-	const struct ts_bond *state = inst->state;
-	const struct ts_bond_style *style = ts_bond_style_of(inst);
 	const struct ts_bonds *bonds = sim->bonds;
-	const void *coeff = ts_coeff(&state->coeffs, (size_t)bonds->type[b]);
 	struct ts_ledger_note entry = { .tag = { bonds->tag[b][0], bonds->tag[b][1] } };
 	struct ts_contact_view view;
-	double spring[3], extension;
+	struct ts_bond_load spring;
 
 	ts_contact_view_of_bond(sim, b, &view);
-	extension = view.distance - bonds->rest[b];
-	ts_scale(view.distance > 0 ? -style->stiffness(coeff) * extension / view.distance : 0, view.d,
-		 spring);
+	ts_bond_spring_load(sim, b, &spring);
 	for (int s = 0; s < 2; s++) {
 		double sign = s ? -1 : 1;
 		double *own = ts_ledger_causes(l, sim->particles, s ? view.b : view.a);
@@ -311,26 +312,34 @@ static enum ts_status account_bond(struct tsim *sim, struct ts_ledger *l, size_t
 
 		own[TS_LEDGER_NONZERO] = 1;
 		for (int d = 0; d < 3 && !l->already_accounted; d++) {
-			to[d] += sign * spring[d];
-			to[TS_CAUSE_NUMBERS + d] += sign * (view.force[d] - spring[d]);
+			to[d] += sign * spring.force[d];
+			to[TS_CAUSE_NUMBERS + d] += sign * (view.force[d] - spring.force[d]);
+			if (!bonds->transmits)
+				continue;
+			to[TS_CAUSE_TORQUE + d] += spring.torque[s][d];
+			to[TS_CAUSE_NUMBERS + TS_CAUSE_TORQUE + d] +=
+				bonds->load[b].torque[s][d] - spring.torque[s][d];
 		}
 	}
-	entry.energy[0] = style->energy(coeff, extension);
-	ts_exactsum_add(sum, entry.energy[0]);
+	ts_bond_energy(sim, b, entry.energy);
+	for (int mode = 0; mode < TS_BOND_MODES; mode++)
+		ts_exactsum_add(&sum[mode], entry.energy[mode]);
 	return append_note(sim, &l->bond, &l->bonds, &l->bond_capacity, entry);
 }
 
 enum ts_status ts_ledger_account_bonds(struct tsim *sim, struct ts_ledger *l)
 {
-	struct ts_exactsum sum = ts_exactsum_start();
+	struct ts_exactsum sum[TS_BOND_MODES];
 
+	for (int mode = 0; mode < TS_BOND_MODES; mode++)
+		sum[mode] = ts_exactsum_start();
 	if (l->stepping)
 		account_broken_bonds(sim, l);
 	l->bonds = 0;
 	for (size_t b = 0; b < sim->bonds->n; b++)
-		TS_TRY(account_bond(sim, l, b, &sum));
-	if (!l->already_accounted)
-		l->store[TS_LEDGER_BOND] = ts_exactsum_value(&sum);
+		TS_TRY(account_bond(sim, l, b, sum));
+	for (int mode = 0; mode < TS_BOND_MODES && !l->already_accounted; mode++)
+		l->store[TS_LEDGER_BOND + mode] = ts_exactsum_value(&sum[mode]);
 	return TS_OK;
 }
 
@@ -360,7 +369,7 @@ static void remove_pairs_of_deleted(struct tsim *sim, struct ts_ledger *l, const
 static void remove_notes_of_deleted(struct ts_ledger *l, struct ts_ledger_note *list, size_t *n, int store,
 				    int count, const struct ts_identities *map)
 {
-	struct ts_exactsum gone[TS_NCONTACT_STORE];
+	struct ts_exactsum gone[TS_LEDGER_NOTE_ENERGIES];
 	size_t kept = 0;
 
 	for (int k = 0; k < count; k++)
@@ -388,6 +397,6 @@ enum ts_status ts_ledger_account_removed(struct tsim *sim, struct ts_ledger *l)
 	remove_pairs_of_deleted(sim, l, &map);
 	remove_notes_of_deleted(l, l->note, &l->notes, ts_ledger_store(TS_LEDGER_WALL, 0), TS_NCONTACT_STORE,
 				&map);
-	remove_notes_of_deleted(l, l->bond, &l->bonds, TS_LEDGER_BOND, 1, &map);
+	remove_notes_of_deleted(l, l->bond, &l->bonds, TS_LEDGER_BOND, TS_BOND_MODES, &map);
 	return TS_OK;
 }

@@ -27,8 +27,11 @@ static double normal_spring_drift(const struct ts_ledger *l, int side)
 
 static double bond_drift(const struct ts_ledger *l)
 {
-	return elastic_energy_gain(l, TS_LEDGER_BOND) + ts_compensated_value(&l->work[TS_CAUSE_BOND]) +
-	       ts_compensated_value(&l->broken);
+	double gain = elastic_energy_gain(l, TS_LEDGER_BOND);
+
+	for (int mode = 1; mode < TS_BOND_MODES; mode++)
+		gain += elastic_energy_gain(l, TS_LEDGER_BOND + mode);
+	return gain + ts_compensated_value(&l->work[TS_CAUSE_BOND]) + ts_compensated_value(&l->broken);
 }
 
 /* Springs of sliding and rolling friction store a part of the work put in; the rest is dissipated. */
@@ -104,7 +107,10 @@ void ts_ledger_values(const struct ts_ledger *l, double out[TS_LEDGER_VALUES])
 	out[TS_LEDGER_ROTATION_VALUE] = l->kinetic[1];
 	for (int side = 0; side < TS_LEDGER_SIDES; side++)
 		add_side_values(l, side, out);
-	out[TS_LEDGER_BONDS_VALUE] = l->store[TS_LEDGER_BOND];
+	for (int mode = 0; mode < TS_BOND_MODES; mode++) {
+		out[TS_LEDGER_BOND_NORMAL_VALUE + mode] = l->store[TS_LEDGER_BOND + mode];
+		out[TS_LEDGER_BONDS_VALUE] += l->store[TS_LEDGER_BOND + mode];
+	}
 	for (int k = TS_LEDGER_TRANSLATION_VALUE; k <= TS_LEDGER_BONDS_VALUE; k++)
 		out[TS_LEDGER_TOTAL_VALUE] += out[k];
 	for (size_t a = 0; a < l->nactors; a++) {

@@ -14,6 +14,7 @@
 
 TS_STYLE(automaton, ts_automaton_style, ts_automaton_granular)
 TS_STYLE(bond, ts_bond_style, ts_bond_contact)
+TS_STYLE(bond, ts_bond_style, ts_bond_parallel)
 TS_STYLE(command, ts_command_style, ts_command_atom_modify)
 TS_STYLE(command, ts_command_style, ts_command_atom_style)
 TS_STYLE(command, ts_command_style, ts_command_automaton_style)
@@ -209,6 +210,7 @@ TS_STYLE(fix, ts_style, ts_fix_couple_cfd)
 TS_STYLE(fix, ts_style, ts_fix_couple_cfd_convection)
 TS_STYLE(fix, ts_style, ts_fix_couple_cfd_force)
 TS_STYLE(fix, ts_style, ts_fix_couple_cfd_force_implicit)
+TS_STYLE(fix, ts_style, ts_fix_damping_cundall)
 TS_STYLE(fix, ts_style, ts_fix_deform)
 TS_STYLE(fix, ts_style, ts_fix_drag)
 TS_STYLE(fix, ts_drag_style, ts_fix_drag_beetstra)
@@ -330,6 +332,7 @@ TS_STYLE(region, ts_region_style, ts_region_wedge)
 const struct ts_style *const ts_style_table[] = {
 	&ts_automaton_granular.style,
 	&ts_bond_contact.style,
+	&ts_bond_parallel.style,
 	&ts_command_atom_modify.style,
 	&ts_command_atom_style.style,
 	&ts_command_automaton_style.style,
@@ -525,6 +528,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_couple_cfd_convection,
 	&ts_fix_couple_cfd_force,
 	&ts_fix_couple_cfd_force_implicit,
+	&ts_fix_damping_cundall,
 	&ts_fix_deform,
 	&ts_fix_drag,
 	&ts_fix_drag_beetstra.style,

@@ -9,7 +9,7 @@
 
 #include "base/banned.h"
 
-enum { LANCZOS_STEPS = 18, DAMPING_ITERATIONS = 3, POWER_STEPS = 400 };
+enum { LANCZOS_STEPS = 18, DAMPING_ITERATIONS = 8, POWER_STEPS = 400 };
 
 void ts_lanczos_clear(struct ts_lanczos *network)
 {
@@ -50,16 +50,19 @@ static void relative_motion(const struct ts_lanczos *m, const struct ts_link *l,
 /* Adds (ck C + kk K) u of one link to the forces of its body a. */
 static void add_link(struct ts_lanczos *m, const struct ts_link *l, bool slip, double kk, double ck)
 {
-	double move[3], turn[3], force[3], torque[3], normal = kk * l->k[0] + ck * l->c[0];
-	double tangential = slip ? kk * l->k[1] + ck * l->c[1] : 0;
-	double rolling = slip ? kk * l->k[2] + ck * l->c[2] : 0;
+	double move[3], turn[3], force[3], torque[3],
+		normal = kk * l->k[TS_LINK_NORMAL] + ck * l->c[TS_LINK_NORMAL];
+	double tangential =
+		slip || l->bonded ? kk * l->k[TS_LINK_TANGENTIAL] + ck * l->c[TS_LINK_TANGENTIAL] : 0;
+	double rolling = slip || l->bonded ? kk * l->k[TS_LINK_ROLLING] + ck * l->c[TS_LINK_ROLLING] : 0;
+	double twisting = l->bonded ? kk * l->k[TS_LINK_TWISTING] + ck * l->c[TS_LINK_TWISTING] : 0;
 
 	relative_motion(m, l, move, turn);
 	ts_scale(tangential, move, force);
 	ts_axpy((normal - tangential) * ts_dot(move, l->n), l->n, force);
 	ts_cross(l->arm[0], force, torque);
 	ts_axpy(rolling, turn, torque);
-	ts_axpy(-rolling * ts_dot(turn, l->n), l->n, torque);
+	ts_axpy((twisting - rolling) * ts_dot(turn, l->n), l->n, torque);
 	ts_add(m->f[l->a], force, m->f[l->a]);
 	ts_add(m->f[l->a] + 3, torque, m->f[l->a] + 3);
 }
@@ -209,7 +212,7 @@ static int most_moving_body(const struct ts_lanczos *m)
 enum ts_status ts_lanczos_limit(struct ts_lanczos *network, bool slip, double near, double *limit, int *worst)
 {
 	size_t n = network->nbodies;
-	double stiffness, damping, before;
+	double mass, stiffness, damping, before;
 
 	*limit = near;
 	if (TS_GROW(network->u, network->u_capacity, n) != TS_OK ||
@@ -221,11 +224,12 @@ enum ts_status ts_lanczos_limit(struct ts_lanczos *network, bool slip, double ne
 	for (int time = 0; time < DAMPING_ITERATIONS; time++) {
 		find_fastest_mode(network, slip, 1, 2 / *limit);
 		before = *limit;
+		mass = scalar_product(network); /* 1, unless the basis has lost its orthogonality */
 		compute_forces(network, slip, 0, 1);
 		damping = scalar_product(network);
 		compute_forces(network, slip, 1, 0);
 		stiffness = scalar_product(network);
-		*limit = ts_oscillator_limit(stiffness, damping, 1, false);
+		*limit = ts_oscillator_limit(stiffness, damping, mass, false);
 		*worst = most_moving_body(network);
 		if (!(damping > 0) || !isfinite(*limit) || fabs(*limit - before) < 1e-3 * *limit)
 			break;

@@ -29,12 +29,16 @@ struct ts_lanczos_body {
 	double inverse_inertia[3][3];
 };
 
+enum { TS_LINK_NORMAL, TS_LINK_TANGENTIAL, TS_LINK_ROLLING, TS_LINK_TWISTING, TS_LINK_SPRINGS };
+
 /* A contact or bond as seen from body a; b has another link of its own. */
 struct ts_link {
 	int a, b; /* indices of bodies; b -1: immobile partner */
 	double n[3];
-	double arm[2][3];  /* lever arms from the centres to the contact point, length */
-	double k[3], c[3]; /* stiffness and damping in normal and tangential direction and of rolling */
+	double arm[2][3]; /* lever arms from the centres to the contact point, length */
+	/* stiffness and damping in normal and tangential direction, of rolling or bending, and of twisting */
+	double k[TS_LINK_SPRINGS], c[TS_LINK_SPRINGS];
+	bool bonded; /* all springs always act; else the tangential and rolling ones only with slip, below */
 };
 
 struct ts_lanczos {

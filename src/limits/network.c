@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
-#include "bond/bonds.h"
+#include "bond/bond_moment.h"
 #include "box/domain.h"
 #include "contact/limits.h"
 #include "limits/lanczos.h"
@@ -210,13 +210,37 @@ static double score_share(const struct network *w, size_t i, double k)
 	return k * (p->imass[local_of(p, i)] + (least > 0 ? ts_dot(arm, arm) / least : 0));
 }
 
+/* Bonds that transmit moments: the largest of the normal, torsional, and shear with bending parts. */
+static double score_moments(const struct network *w, const struct ts_bond_element *e, int side, size_t i)
+{
+	double inverse = inverse_mass(w, i), rate = 2 / w->sim->clock.dt, k[TS_BOND_MODES], arm, inertia;
+
+	if (!(inverse > 0))
+		return 0;
+	for (int m = 0; m < TS_BOND_MODES; m++)
+		k[m] = e->k[m] + e->c[m] * rate;
+	arm = (side ? 1 - e->fraction : e->fraction) * e->length;
+	inertia = w->rotates ? 1 / ts_inertia(w->sim, i) : 0;
+	return fmax(fmax(k[TS_BOND_NORMAL] * inverse, k[TS_BOND_TWIST] * inertia),
+		    k[TS_BOND_SHEAR] * inverse +
+			    (k[TS_BOND_SHEAR] * arm * arm + k[TS_BOND_BENDING]) * inertia);
+}
+
 static void score_bonds(struct network *w)
 {
 	const struct ts_bonds *bonds = w->sim->bonds;
 
 	for (size_t b = 0; w->bond && b < bonds->n; b++) {
+		struct ts_bond_element e;
 		double k, c;
 
+		if (bonds->transmits) {
+			ts_bond_constants(w->sim, b, &e);
+			for (int side = 0; side < 2; side++)
+				w->score[bonds->row[b][side]] +=
+					score_moments(w, &e, side, (size_t)bonds->row[b][side]);
+			continue;
+		}
 		bond_spring(w, b, &k, &c);
 		for (int side = 0; side < 2; side++)
 			w->score[node_of(w, (size_t)bonds->row[b][side])] +=
@@ -324,22 +348,23 @@ static void set_link_springs(const struct network *w, const struct ts_contact_ca
 			      .mass = { p->mass[i], p->mass[j] },
 			      .radius = { p->radius[i], p->radius[j] } };
 
-	link->k[0] = f.kn;
-	link->c[0] = f.gamman;
+	link->k[TS_LINK_NORMAL] = f.kn;
+	link->c[TS_LINK_NORMAL] = f.gamman;
 	if (c->model->tangential != TS_TANGENTIAL_OFF && c->law->friction > 0) {
-		link->k[1] = ts_tangential_remembers(c->model) ? f.kt : 0;
-		link->c[1] = f.gammat;
+		link->k[TS_LINK_TANGENTIAL] = ts_tangential_remembers(c->model) ? f.kt : 0;
+		link->c[TS_LINK_TANGENTIAL] = f.gammat;
 	}
 	if (ts_rolling_remembers_torque(c->model) && c->law->rolling_friction > 0) {
 		/* the k_n of the law, not its derivative */
 		f.kn = ts_granular_stiffens(c->model) ? f.kn / 1.5 : f.kn;
-		link->k[2] = ts_rolling_stiffness(c->model, c->law, &t, &f);
+		link->k[TS_LINK_ROLLING] = ts_rolling_stiffness(c->model, c->law, &t, &f);
 		if (c->model->rolling != TS_ROLLING_EPSD2)
-			link->c[2] = 2 * c->law->rolling_viscosity *
-				     sqrt(ts_rolling_inertia(c->model, &t) * link->k[2]);
+			link->c[TS_LINK_ROLLING] =
+				2 * c->law->rolling_viscosity *
+				sqrt(ts_rolling_inertia(c->model, &t) * link->k[TS_LINK_ROLLING]);
 	} else if (c->model->rolling == TS_ROLLING_SDS && c->law->rolling_friction > 0) {
-		link->k[2] = c->law->roll_stiffness * c->r_eff * c->r_eff;
-		link->c[2] = c->law->roll_damping * c->r_eff * c->r_eff;
+		link->k[TS_LINK_ROLLING] = c->law->roll_stiffness * c->r_eff * c->r_eff;
+		link->c[TS_LINK_ROLLING] = c->law->roll_damping * c->r_eff * c->r_eff;
 	}
 }
 
@@ -363,6 +388,27 @@ static enum ts_status add_contact_link(struct network *w, int a, size_t i, uint3
 	return add_link(w, link);
 }
 
+/* A bond that transmits moments; n points from the partner to the particle. */
+static void set_link_element(const struct network *w, uint32_t entry, struct ts_link *link)
+{
+	struct ts_bond_element e;
+	double own;
+
+	ts_bond_constants(w->sim, entry >> 1, &e);
+	own = (entry & 1 ? 1 - e.fraction : e.fraction) * e.length;
+	ts_scale(-own, link->n, link->arm[0]);
+	ts_scale(e.length - own, link->n, link->arm[1]);
+	link->bonded = true;
+	link->k[TS_LINK_NORMAL] = e.k[TS_BOND_NORMAL];
+	link->k[TS_LINK_TANGENTIAL] = e.k[TS_BOND_SHEAR];
+	link->k[TS_LINK_ROLLING] = e.k[TS_BOND_BENDING];
+	link->k[TS_LINK_TWISTING] = e.k[TS_BOND_TWIST];
+	link->c[TS_LINK_NORMAL] = e.c[TS_BOND_NORMAL];
+	link->c[TS_LINK_TANGENTIAL] = e.c[TS_BOND_SHEAR];
+	link->c[TS_LINK_ROLLING] = e.c[TS_BOND_BENDING];
+	link->c[TS_LINK_TWISTING] = e.c[TS_BOND_TWIST];
+}
+
 static enum ts_status add_bond_link(struct network *w, int a, size_t i, uint32_t entry)
 {
 	const struct ts_bonds *bonds = w->sim->bonds;
@@ -375,7 +421,11 @@ static enum ts_status add_bond_link(struct network *w, int a, size_t i, uint32_t
 	if (!(length > 0))
 		return TS_OK;
 	ts_scale(1 / length, link.n, link.n);
-	bond_spring(w, entry >> 1, &link.k[0], &link.c[0]);
+	if (bonds->transmits) {
+		set_link_element(w, entry, &link);
+		return add_link(w, link);
+	}
+	bond_spring(w, entry >> 1, &link.k[TS_LINK_NORMAL], &link.c[TS_LINK_NORMAL]);
 	arm_to(w, i, link.arm[0]);
 	arm_to(w, j, link.arm[1]);
 	return add_link(w, link);
@@ -454,7 +504,8 @@ static bool is_coupled(const struct network *w, bool slip)
 			return true;
 		joined[l->link[k].a] = true;
 	}
-	return l->nlinks && (slip ? l->link->k[2] > 0 : w->pair && ts_granular_stiffens(&w->pair->model));
+	return l->nlinks &&
+	       (slip ? l->link->k[TS_LINK_ROLLING] > 0 : w->pair && ts_granular_stiffens(&w->pair->model));
 }
 
 static enum ts_status report_local_network(struct network *w, struct ts_plan_report *report, bool slip)

@@ -8,6 +8,7 @@
 #include "math/rng.h"
 #include "math/vec3.h"
 #include "particle/exchange.h"
+#include "particle/orientation.h"
 #include "particle/particles.h"
 #include "region/region.h"
 
@@ -103,6 +104,7 @@ static enum ts_status rotate_positions(struct tsim *sim, const struct state *s, 
 		ts_cross(axis, a, b);
 		for (int d = 0; d < 3; d++)
 			p->x[i][d] = point[d] + along * axis[d] + cos(angle) * a[d] + sin(angle) * b[d];
+		ts_orientation_turn(sim, i, axis, angle);
 	}
 	return TS_OK;
 }

@@ -1,6 +1,7 @@
 /* Command read_data: reads box and particles from a data file. */
 #include <math.h>
 
+#include "bond/bond_reference.h"
 #include "bond/bonds.h"
 #include "box/domain.h"
 #include "core/life.h"
@@ -128,7 +129,8 @@ static enum ts_status make_bonds(struct tsim *sim, const struct ts_data *data,
 		TS_TRY(ts_bonds_add(sim, i, j, (int)type, length));
 	}
 	ts_bonds_sort(b);
-	return refuse_repeated(sim, data);
+	TS_TRY(refuse_repeated(sim, data));
+	return ts_bond_reference_complete(sim);
 }
 
 static enum ts_status apply_data(struct tsim *sim, struct read_data *c, const struct ts_data *data)

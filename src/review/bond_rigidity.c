@@ -106,7 +106,8 @@ enum ts_status ts_review_bonds(struct tsim *sim)
 	int32_t *parent;
 	enum ts_status status;
 
-	if (!sim->bonds->n || sim->bonds->broken || sim->bonds->gone || sim->review.stale)
+	if (!sim->bonds->n || sim->bonds->transmits || sim->bonds->broken || sim->bonds->gone ||
+	    sim->review.stale)
 		return TS_OK;
 	TS_TRY(ts_identities(sim, false, &map));
 	parent = ts_alloc(p->n, sizeof *parent);

@@ -3,8 +3,10 @@
 
 #include <stdio.h>
 
+#include "bond/bonds.h"
 #include "heat/heat.h"
 #include "integrate/integrators.h"
+#include "particle/identity.h"
 #include "rigid/rigid.h"
 #include "wall/wall.h"
 
@@ -88,6 +90,31 @@ static enum ts_status check_fix(struct tsim *sim, const struct ts_instance *fix)
 	return TS_OK;
 }
 
+/* Bonds that transmit moments turn particles. */
+static enum ts_status check_bonds(struct tsim *sim, const struct ts_instance *fix)
+{
+	const struct ts_bonds *b = sim->bonds;
+	struct ts_identities map;
+
+	if (!b->transmits || !b->n)
+		return TS_OK;
+	TS_TRY(ts_identities(sim, false, &map));
+	for (size_t k = 0; k < b->n; k++)
+		for (int s = 0; s < 2; s++) {
+			int32_t row = ts_identity_row(&map, b->tag[k][s]);
+
+			if (row >= 0 && ts_in_group(sim->particles, (size_t)row, fix->group))
+				return ts_review_report(sim, "rotation", &fix->where,
+							"fix %s does not integrate rotation, but the bonds "
+							"of particle %d (bond "
+							"style %s) exert torques; use `fix %s %s nve/sphere`",
+							fix->style->name, b->tag[k][s],
+							ts_sim_only(sim, TS_KIND_BOND)->style->name, fix->id,
+							ts_group_name(sim, fix->group));
+		}
+	return TS_OK;
+}
+
 enum ts_status ts_review_rotation(struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
@@ -96,7 +123,9 @@ enum ts_status ts_review_rotation(struct tsim *sim)
 	    sim->review.steps <= SET_UP_STEPS) /* clamped: fix nve/limit relaxes overlaps */
 		return TS_OK;
 	for (size_t k = 0; k < fixes->n; k++)
-		if (fixes->item[k]->style->integrates == (TS_MOVES | TS_OBEYS))
+		if (fixes->item[k]->style->integrates == (TS_MOVES | TS_OBEYS)) {
 			TS_TRY(check_fix(sim, fixes->item[k]));
+			TS_TRY(check_bonds(sim, fixes->item[k]));
+		}
 	return TS_OK;
 }

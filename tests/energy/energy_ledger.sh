@@ -458,7 +458,7 @@ timestep 1e-4
 run 1000
 S
 "$TSIM" -in in.script -log none >out 2>&1 && shows 'mostly in normal springs between particles' out &&
-	[ "$(grep -c '^[0-9]' books.txt)" = 11 ] && head -n 1 books.txt | grep -q '^# step time TRANSLATION .* HEAT_CLOSURE$'
+	[ "$(grep -c '^[0-9]' books.txt)" = 11 ] && head -n 1 books.txt | grep -q '^# step time TRANSLATION .* HEAT_CLOSURE BOND_NORMAL .* BOND_TWIST$'
 report 'file and warning' $? out
 
 finish

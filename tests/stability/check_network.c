@@ -50,6 +50,13 @@ struct scene {
 #define BONDED(reach)                                                                  \
 	"pair_style none\nbond_style contact\nbond_coeff 1 stiffness 1 ultimate 1e9\n" \
 	"create_bonds many all all 1 0.0 " reach "\nfix move all nve\n"
+#define CHAIN                                                                                       \
+	BOX("p f f", "0 8 -1 1 -1 1")                                                               \
+	"lattice sc 1.0\nregion line block 0 8 -0.1 0.1 -0.1 0.1 units box\ncreate_atoms 1 region " \
+	"line\n" UNIT
+#define PARALLEL(kn, ratio, lambda, damping)                                                          \
+	"pair_style none\nbond_style parallel\nbond_coeff 1 kn " kn " ratio " ratio " lambda " lambda \
+	" " damping "\ncreate_bonds many all all 1 0.0 1.01\nfix move all nve/sphere\n"
 #define BONDED_PAIR(mass)                                                                              \
 	OPEN "create_atoms 1 single 0 0 0\ncreate_atoms 1 single 1 0 0\n" UNIT "set atom 2 mass " mass \
 	     "\n" BONDED("1.01")
@@ -119,6 +126,25 @@ static const struct scene scenes[] = {
 	{ "face-centred cubic network of bonds",
 	  HEAD BOX("p p p", "0 4.5 0 4.5 0 4.5") "lattice fcc 1.5\ncreate_atoms 1 box\n" UNIT BONDED("1.07"),
 	  ALL, 0.70710678, false, 0.99, 1.002 },
+	/* radius of the section R_b, k_n = 1, bending k_b = R_b^2/4, m = 1, I = 0.1, modes of one grain against the
+	 * next: stretched, 4 k_n; bent, 4 k_b/I; grains that turn together: k_s l^2/I */
+	{ "chain of parallel bonds, stretched", HEAD CHAIN PARALLEL("1.2732395447", "4", "1", ""), ALL, 1,
+	  false, 0.99, 1.002 },
+	{ "chain of parallel bonds, bent", HEAD CHAIN PARALLEL("0.31830988618", "4", "2", ""), ALL,
+	  0.63245553, false, 0.99, 1.002 },
+	{ "chain of parallel bonds, sheared", HEAD CHAIN PARALLEL("1.2732395447", "1.25", "1", ""), ALL,
+	  0.70710678, false, 0.99, 1.002 },
+	{ "chain of parallel bonds, damped", HEAD CHAIN PARALLEL("1.2732395447", "4", "1.5", "damping 0.2"),
+	  ALL, 0.425229, false, 0.99, 1.012 },
+	{ "two parallel bonds of three grains",
+	  HEAD OPEN "create_atoms 1 single 0 0 0\ncreate_atoms 1 single 1 0 0\ncreate_atoms 1 single 1 1 "
+		    "0\n" UNIT PARALLEL("1.2732395447", "2", "1.2", ""),
+	  ALL, 0, false, 0.99, 1.002 },
+	{ "simple cubic network of parallel bonds",
+	  HEAD BOX("p p p",
+		   "0 4 0 4 0 4") "lattice sc 1.0\ncreate_atoms 1 box\n" UNIT PARALLEL("1.2732395447", "2",
+										       "1", ""),
+	  ALL, 0, false, 0.99, 1.002 },
 	{ "face-centred cubic crystal of grains", HEAD FCC GRAIN(SMOOTH) PAIR("off") MOVES, ALL, 0.70710678,
 	  false, 0.99, 1.012 },
 	{ "the same, gamma/omega of a contact 0.3",

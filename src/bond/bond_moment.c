@@ -1,0 +1,264 @@
+#include "bond/bond_moment.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/parallel.h"
+#include "bond/bond_reference.h"
+#include "box/domain.h"
+#include "math/vec3.h"
+#include "particle/identity.h"
+#include "particle/orientation.h"
+#include "particle/particles.h"
+#include "particle/sphere_shape.h"
+
+#include "base/banned.h"
+
+/* ---- constants */
+
+static const void *coeff_of(const struct tsim *sim, size_t b)
+{
+	const struct ts_bond *bond = ts_sim_only(sim, TS_KIND_BOND)->state;
+
+	return ts_coeff(&bond->coeffs, (size_t)sim->bonds->type[b]);
+}
+
+void ts_bond_constants(const struct tsim *sim, size_t b, struct ts_bond_element *out)
+{
+	const struct ts_bonds *bonds = sim->bonds;
+	const struct ts_particles *p = sim->particles;
+	struct ts_bond_pair pair = { .rest = bonds->rest[b] };
+
+	for (int s = 0; s < 2; s++) {
+		size_t i = (size_t)bonds->row[b][s];
+
+		pair.radius[s] = bonds->reference[b].radius[s];
+		pair.mass[s] = p->mass[i];
+		pair.inertia[s] = ts_inertia(sim, i);
+		pair.tag[s] = bonds->tag[b][s];
+	}
+	*out = (struct ts_bond_element){
+		.length = pair.rest, .tension = INFINITY, .shear = INFINITY, .compression = INFINITY
+	};
+	ts_bond_style_of(ts_sim_only(sim, TS_KIND_BOND))->element(coeff_of(sim, b), &pair, out);
+}
+
+static void fill_lane(const struct tsim *sim, struct ts_bond_lanes *l, uint32_t entry, size_t lane)
+{
+	struct ts_bond_element e = {
+		.length = 1, .tension = INFINITY, .shear = INFINITY, .compression = INFINITY
+	};
+	bool none = entry == TS_BOND_NONE;
+
+	if (!none)
+		ts_bond_constants(sim, entry >> 1, &e);
+	l->second[lane] = none ? 0 : entry & 1;
+	l->length[lane] = e.length;
+	l->fraction[lane] = e.fraction;
+	l->per_area[lane] = e.per_area;
+	l->per_moment[lane] = e.per_moment;
+	l->per_torque[lane] = e.per_torque;
+	l->tension[lane] = e.tension;
+	l->shear[lane] = e.shear;
+	l->compression[lane] = e.compression;
+	for (int k = 0; k < TS_BOND_MODES; k++) {
+		l->k[k][lane] = e.k[k];
+		l->c[k][lane] = e.c[k];
+		for (int s = 0; s < 2; s++)
+			l->frame[s][k][lane] = none ? k == 0 : sim->bonds->reference[entry >> 1].frame[s][k];
+	}
+}
+
+struct filling {
+	const struct tsim *sim;
+	struct ts_bond_slices *slices;
+};
+
+static void fill_rows(void *context, size_t from, size_t to)
+{
+	const struct filling *f = context;
+
+	for (size_t row = from; row < to; row++)
+		for (size_t lane = 0; lane < TS_BOND_LANES; lane++)
+			fill_lane(f->sim, &f->slices->lanes[row], f->slices->bond[row][lane], lane);
+}
+
+/* ---- checks */
+
+static enum ts_status refuse_member(struct ts_instance *self, struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+
+	if (!p->body || !p->body[i])
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "bond_style %s: particle %d belongs to a rigid body, whose rotation this bond "
+		       "style does not follow; use bond_style contact, or bond single particles",
+		       self->style->name, p->tag[i]);
+}
+
+enum ts_status ts_bond_moments_require(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_bonds *b = sim->bonds;
+	struct ts_identities map;
+
+	TS_TRY(ts_orientation_need(sim));
+	TS_TRY(ts_bond_reference_require(sim));
+	TS_TRY(ts_identities(sim, false, &map));
+	for (size_t k = 0; k < b->n; k++)
+		for (int s = 0; s < 2; s++) {
+			int32_t row = ts_identity_row(&map, b->tag[k][s]);
+
+			if (row >= 0)
+				TS_TRY(refuse_member(self, sim, (size_t)row));
+		}
+	return TS_OK;
+}
+
+/* Fails if a bond is so long that its periodic image cannot be told. */
+static enum ts_status check_length(struct tsim *sim, size_t b)
+{
+	const double most = 0.49; /* of the length of the box; at a half the image is ambiguous */
+	const struct ts_bonds *bonds = sim->bonds;
+	const struct ts_box *box = &sim->domain->box;
+	double d[3];
+
+	ts_bond_separation(sim, (size_t)bonds->row[b][0], (size_t)bonds->row[b][1], d);
+	for (int c = 0; c < 3; c++)
+		if (ts_box_periodic(box, c) && fabs(d[c]) > most * ts_box_length(box, c))
+			return ts_fail(&sim->error, TS_PHYSICS, NULL,
+				       "the bond of particles %d and %d extends by %g along %c, about "
+				       "half the periodic box of %g, so that it is ambiguous which image "
+				       "of the partner it holds; use a larger box",
+				       bonds->tag[b][0], bonds->tag[b][1], fabs(d[c]), "xyz"[c],
+				       ts_box_length(box, c));
+	return TS_OK;
+}
+
+enum ts_status ts_bond_moments_fill(struct tsim *sim)
+{
+	struct ts_bond_slices *s = &sim->bonds->slices;
+	struct filling f = { sim, s };
+
+	if (s->filled)
+		return TS_OK;
+	for (size_t b = 0; b < sim->bonds->n; b++)
+		TS_TRY(check_length(sim, b));
+	if (TS_RENEW(s->lanes, s->lanes_capacity, s->rows) != TS_OK)
+		return ts_nomem(&sim->error);
+	ts_parallel(ts_team(sim, s->rows * TS_BOND_LANES), s->rows, fill_rows, &f);
+	s->filled = true;
+	return TS_OK;
+}
+
+/* ---- the state of a bond */
+
+static struct ts_wxyz frame_of(const struct tsim *sim, size_t b, int side)
+{
+	const double *f = sim->bonds->reference[b].frame[side];
+	double q[4];
+
+	ts_orientation_of(sim, (size_t)sim->bonds->row[b][side], q);
+	return ts_wxyz_product((struct ts_wxyz){ q[0], q[1], q[2], q[3] },
+			       (struct ts_wxyz){ f[0], f[1], f[2], f[3] });
+}
+
+void ts_bond_state_of(const struct tsim *sim, size_t b, struct ts_bond_element *e, struct ts_bond_answer *out)
+{
+	struct ts_bond_ends s;
+	double d[3];
+
+	ts_bond_constants(sim, b, e);
+	ts_bond_separation(sim, (size_t)sim->bonds->row[b][1], (size_t)sim->bonds->row[b][0], d);
+	s.d = (struct ts_xyz){ d[0], d[1], d[2] };
+	for (int k = 0; k < 2; k++)
+		s.q[k] = frame_of(sim, b, k);
+	ts_bond_elastic(e, &s, out);
+	ts_bond_stress(e, out);
+}
+
+enum ts_bond_failure ts_bond_failure_of(const struct ts_bond_element *e, const struct ts_bond_answer *s)
+{
+	double most = s->tension / e->tension;
+	enum ts_bond_failure failure = TS_BOND_TENSION;
+
+	if (s->shear / e->shear > most) {
+		most = s->shear / e->shear;
+		failure = TS_BOND_SHEARED;
+	}
+	return s->compression / e->compression > most ? TS_BOND_CRUSHED : failure;
+}
+
+void ts_bond_energy(const struct tsim *sim, size_t b, double energy[TS_BOND_MODES])
+{
+	const struct ts_bond_style *style = ts_bond_style_of(ts_sim_only(sim, TS_KIND_BOND));
+	const struct ts_bonds *bonds = sim->bonds;
+	struct ts_bond_element e;
+	struct ts_bond_answer a;
+	double d[3];
+
+	if (style->element) {
+		ts_bond_state_of(sim, b, &e, &a);
+		ts_bond_energies(&e, &a, energy);
+		return;
+	}
+	memset(energy, 0, TS_BOND_MODES * sizeof *energy);
+	energy[TS_BOND_NORMAL] =
+		style->energy(coeff_of(sim, b),
+			      ts_bond_separation(sim, (size_t)bonds->row[b][0], (size_t)bonds->row[b][1], d) -
+				      bonds->rest[b]);
+}
+
+static void store_xyz(struct ts_xyz from, double sign, double to[3])
+{
+	to[0] = sign * from.x;
+	to[1] = sign * from.y;
+	to[2] = sign * from.z;
+}
+
+void ts_bond_spring_load(const struct tsim *sim, size_t b, struct ts_bond_load *out)
+{
+	const struct ts_bond_style *style = ts_bond_style_of(ts_sim_only(sim, TS_KIND_BOND));
+	const struct ts_bonds *bonds = sim->bonds;
+	struct ts_bond_element e;
+	struct ts_bond_answer a;
+	double d[3], distance;
+
+	memset(out, 0, sizeof *out);
+	if (style->element) {
+		ts_bond_state_of(sim, b, &e, &a);
+		store_xyz(a.force, -1, out->force);
+		store_xyz(a.torque[0], 1, out->torque[0]);
+		store_xyz(a.torque[1], 1, out->torque[1]);
+		return;
+	}
+	distance = ts_bond_separation(sim, (size_t)bonds->row[b][0], (size_t)bonds->row[b][1], d);
+	ts_scale(distance > 0 ? -style->stiffness(coeff_of(sim, b)) * (distance - bonds->rest[b]) / distance
+			      : 0,
+		 d, out->force);
+}
+
+double ts_bond_moment_limit(const struct tsim *sim, size_t b)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_bond_element e;
+	double mass[2], inertia[2];
+
+	for (int s = 0; s < 2; s++) {
+		size_t i = (size_t)sim->bonds->row[b][s];
+
+		mass[s] = p->imass[i];
+		inertia[s] = p->imass[i] > 0 ? 1 / ts_inertia(sim, i) : 0;
+	}
+	if (!(mass[0] + mass[1] > 0))
+		return INFINITY;
+	ts_bond_constants(sim, b, &e);
+	return ts_bond_element_limit(&e, mass, inertia);
+}
+
+enum ts_status ts_bond_turn(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	ts_orientation_advance(sim);
+	return TS_OK;
+}

@@ -1,0 +1,126 @@
+#include <math.h>
+
+#include "bond/bond_arguments.h"
+#include "bond/bond_force.h"
+#include "bond/bond_moment.h"
+#include "contact/contact_energy.h"
+#include "law/bond_section.h"
+
+#include "base/banned.h"
+
+struct parallel_bond {
+	struct ts_bond bond;
+};
+
+struct coeff {
+	double kn, ks, modulus, ratio; /* NaN: not given */
+	double lambda, beta;
+	double damping, damping_of[TS_BOND_MODES];
+	struct ts_bond_strength strength;
+	/* from these */
+	double damping_ratio[TS_BOND_MODES];
+};
+
+static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_place *where)
+{
+	struct coeff *c = coeff;
+
+	if (isnan(c->kn) == isnan(c->modulus))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "bond_coeff: expected either kn, the normal stiffness per area, or E, the "
+			       "modulus of the bond, kn = E/(R_a + R_b)");
+	if (isnan(c->ks) == isnan(c->ratio) || (!isnan(c->ks) && !isnan(c->modulus)))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "bond_coeff: expected either ratio, that of normal to shear stiffness kn/ks%s",
+			       isnan(c->modulus) ? ", or ks, the shear stiffness per area"
+						 : " (with E, not ks)");
+	for (int m = 0; m < TS_BOND_MODES; m++)
+		c->damping_ratio[m] = isnan(c->damping_of[m]) ? c->damping : c->damping_of[m];
+	return ts_bond_strength_complete(sim, &c->strength, where);
+}
+
+static void element(const void *coeff, const struct ts_bond_pair *pair, struct ts_bond_element *e)
+{
+	const struct coeff *c = coeff;
+	double radius = c->lambda * fmin(pair->radius[0], pair->radius[1]);
+	double kn = isnan(c->kn) ? c->modulus / (pair->radius[0] + pair->radius[1]) : c->kn;
+
+	e->fraction = ts_bond_fraction(pair->rest, pair->radius);
+	ts_bond_section_parallel(radius, kn, isnan(c->ks) ? kn / c->ratio : c->ks, e);
+	ts_bond_section_stress(radius, c->beta, e);
+	ts_bond_section_damping(c->damping_ratio, pair->mass, pair->inertia, e);
+	ts_bond_section_strength(&c->strength, pair->tag, e);
+}
+
+static bool damped(const void *coeff)
+{
+	return ts_bond_any_damping(((const struct coeff *)coeff)->damping_ratio);
+}
+
+static const struct ts_arg coeff_rows[] = {
+	TS_REAL("kn", struct coeff, kn, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "pressure/length",
+		.help = "normal stiffness per area of the section"),
+	TS_REAL("ks", struct coeff, ks, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "pressure/length",
+		.help = "shear stiffness per area of the section"),
+	TS_REAL("E", struct coeff, modulus, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "pressure",
+		.help = "modulus of the bond: kn = E/(R_a + R_b); instead of kn"),
+	TS_REAL("ratio", struct coeff, ratio, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "",
+		.help = "ratio kn/ks; instead of ks"),
+	TS_REAL("lambda", struct coeff, lambda, .fallback = "1", .range = TS_POSITIVE, .unit = "",
+		.help = "radius of the section divided by the smaller radius of the two particles"),
+	TS_BOND_STRENGTH_ROWS(struct coeff, strength),
+	TS_REAL("beta", struct coeff, beta, .fallback = "1", .range = TS_FRACTION, .unit = "",
+		.help = "share of the moments in the stresses, Potyondy 2011"),
+	TS_BOND_DAMPING_ROWS(struct coeff, damping, damping_of),
+	TS_ARGS_END,
+};
+
+static const char *const more[] = {
+	"Strengths: the largest stresses of the section are\n\n"
+	"  sigma = N/A + beta M R/I,   tau = V/A + beta |M_t| R/J\n\n"
+	"with the normal force N (> 0 in tension), shear force V, bending moment M and torque M_t. A bond "
+	"breaks for good when sigma >= sigma_c (mode tension) or tau >= tau_c (mode shear), or, if "
+	"sigma_compression is given, when -N/A + beta M R/I reaches it (mode compression). Dashpots do "
+	"not count. A strength that is not given is infinite. With `scatter normal` and `scatter weibull` "
+	"the strengths sigma_c and tau_c of each bond are independent random numbers with these means. "
+	"They are functions of `seed` and the IDs of the two particles, hence the same for any number of "
+	"threads, order of particles, and after a restart. A normal distribution is cut off at 0.",
+	TS_BOND_MOMENT_DOC, NULL
+};
+
+TS_STYLE(bond, ts_bond_style, ts_bond_parallel)
+const struct ts_bond_style ts_bond_parallel = {
+	.style = { .name = "parallel",
+		   .kind = TS_KIND_BOND,
+		   .summary = "parallel bond: a disc of cement with normal, shear, bending and torsional "
+			      "stiffness",
+		   .doc = "A disc of elastic material between two particles, midway between their "
+			  "surfaces, of radius R = lambda min(R_a, R_b), area A = pi R^2 and moments I = "
+			  "pi R^4/4, J = pi R^4/2. Relative motion of the particles at the disc gives "
+			  "forces and moments\n\n"
+			  "  dN = kn A dU_n,   dV = -ks A dU_s,   dM_t = -ks J dtheta_n,   dM = -kn I "
+			  "dtheta_s\n\n"
+			  "(Potyondy & Cundall 2004). tsim computes them in total form, from positions "
+			  "and orientations: the integral of these increments in the frame that rotates "
+			  "with the bond. So a rigid motion of the particles gives no force, however far "
+			  "they turn, and without damping energy, momentum and angular momentum are "
+			  "conserved.\n\n"
+			  "A straight chain of N bonds of length l = L/N with kn = E/l, ks = G/l has the "
+			  "exact deflections P L/(E A) by an axial force P, P L^3/(3 E I) (1 - 1/(4 N^2)) "
+			  "+ P L/(G A) by a transverse force, M L^2/(2 E I) by a moment M, and the twist "
+			  "T L/(G J) by a torque T.",
+		   .doc_more = more,
+		   .example = "bond_style parallel\n"
+			      "bond_coeff 1 E 62e9 ratio 2.5 sigma_c 175e6 tau_c 175e6 scatter normal "
+			      "deviation 0.23 seed 4711\n"
+			      "create_bonds many rock rock 1 0.0 1.05e-3",
+		   .cite = "D. O. Potyondy, P. A. Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329",
+		   .coeff = coeff_rows,
+		   .state_size = sizeof(struct parallel_bond),
+		   TS_BOND_MOMENT_SLOTS },
+	.coeff_size = sizeof(struct coeff),
+	.complete = complete,
+	.compute = ts_bond_compute_moments,
+	.damped = damped,
+	.element = element,
+};

@@ -1,0 +1,135 @@
+#!/bin/bash
+# Bonds that transmit moments: refused input, outputs by known answers, local damping.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+cat >in.two <<'END'
+units si
+boundary f f f
+region box block -2 2 -2 2 -2 2 units box
+create_box 1 box
+create_atoms 1 single 0 0 0 units box
+create_atoms 1 single 0.25 0 0 units box
+set atom 1 diameter 0.2 density 2385
+set atom 2 diameter 0.3 density 2385
+bond_style parallel
+thermo_modify norm no
+END
+
+# bad WHAT TEXT LINES: refused with this text, also by -check
+bad() {
+	printf 'include in.two\n%s\n' "$3" >in.bad
+	refused "$1" "$2" -in in.bad
+	refused "$1, -check" "$2" -check -in in.bad
+}
+bad 'no stiffness' 'expected either kn' 'bond_coeff 1 ratio 2'
+bad 'both stiffnesses' 'expected either kn' 'bond_coeff 1 kn 1 E 2 ratio 2'
+bad 'no shear stiffness' 'either ratio' 'bond_coeff 1 kn 1'
+bad 'E with ks' 'with E, not ks' 'bond_coeff 1 E 1 ks 1'
+bad 'negative stiffness' 'kn is -1, expected' 'bond_coeff 1 kn -1 ks 1'
+bad 'negative strength' 'sigma_c is -1, expected' 'bond_coeff 1 kn 1 ks 1 sigma_c -1'
+bad 'radius 0' 'lambda is 0, expected' 'bond_coeff 1 kn 1 ks 1 lambda 0'
+bad 'beta above 1' 'beta is 1.5, expected' 'bond_coeff 1 kn 1 ks 1 beta 1.5'
+bad 'scatter without deviation' "expected \`deviation\`" 'bond_coeff 1 kn 1 ks 1 sigma_c 1 scatter normal'
+bad 'deviation without scatter' "belongs to scatter normal" 'bond_coeff 1 kn 1 ks 1 sigma_c 1 deviation 0.1'
+bad 'scatter without strength' "to which it applies" 'bond_coeff 1 kn 1 ks 1 scatter weibull shape 2'
+bad 'a word of contact bonds' "unknown keyword 'stiffness'" 'bond_coeff 1 stiffness 1'
+bad 'a bond type without coefficients' "no \`bond_coeff 2" 'bond_coeff 1 kn 1 ks 1
+bond_coeff 2 kn 1 ks 1
+create_bonds single/bond 2 1 2
+bond_style parallel
+bond_coeff 1 kn 1 ks 1
+run 0'
+bad 'the same place' "at the same place" 'bond_coeff 1 kn 1 ks 1
+set atom 2 x 0
+create_bonds single/bond 1 1 2'
+bad 'a member of a rigid body' "belongs to a rigid body" 'bond_coeff 1 kn 1 ks 1
+create_bonds single/bond 1 1 2
+group one id 1
+fix body one rigid single
+run 0'
+bad 'explicit Euler' "fix nve/sphere" 'bond_coeff 1 kn 1 ks 1
+create_bonds single/bond 1 1 2
+fix move all nve/euler
+timestep 1e-3
+run 0'
+bad 'no rotation' "does not integrate rotation" 'bond_coeff 1 kn 1 ks 1
+create_bonds single/bond 1 1 2
+fix move all nve
+timestep 1e-3
+review error
+run 10'
+bad 'a step above the limit' "exceeds the stability limit" 'bond_coeff 1 kn 1e9 ks 1e9
+create_bonds single/bond 1 1 2
+fix move all nve/sphere
+timestep 1
+run 10'
+bad 'columns of moments for central springs' "transmit moments" 'bond_style contact
+bond_coeff 1 stiffness 1 ultimate 1
+create_bonds single/bond 1 1 2
+compute b all bond/local sigma
+run 0'
+printf 'include in.two\nbond_coeff 1 kn 1 ks 1\ncreate_bonds single/bond 1 1 2\nset atom 2 omegax 20\nfix m all nve/sphere\ntimestep 0.1\nrun 100\n' >in.turn
+refused 'turned too far' 'relative to each other; bonds' -in in.turn
+printf '%s\n' 'units si' 'boundary p p p' 'region box block 0 1 0 1 0 1 units box' 'create_box 1 box' \
+	'create_atoms 1 single 0 0 0 units box' 'create_atoms 1 single 0.495 0 0 units box' \
+	'set group all diameter 0.2 density 2385' 'bond_style parallel' 'bond_coeff 1 kn 1 ks 1' \
+	'create_bonds single/bond 1 1 2' 'run 0' >in.long
+refused 'half the periodic box' 'about half the periodic box' -in in.long
+
+# The section is midway between the surfaces, radius 0.9 min(R); the first particle is moved by a sideways step u, the
+# second one turned by u: forces, moments and stresses by Potyondy & Cundall.
+agree 'a sheared, bent, twisted bond' 'include in.two
+bond_coeff 1 kn 2.385e7 ks 0.9e7 lambda 0.9 sigma_c 3e6 tau_c 2e6 beta 0.6
+create_bonds single/bond 1 1 2
+compute f all bond/local force fx fy fz shear bending twist tx ty tz sigma tau sigma_c tau_c ratio mode
+variable u equal 1e-7
+displace_atoms all rotate 0 0 0 1 0 0 0 units box
+set atom 1 y ${u}
+compute all all reduce sum c_f[1] c_f[3] c_f[5] c_f[6] c_f[7] c_f[10] c_f[11] c_f[12] c_f[13] c_f[14] c_f[15] c_f[16]
+run 0
+variable A equal PI*0.09^2
+print "is shear $(abs(c_all[3]/(0.9e7*v_A*v_u)-1)<1e-10) 1"
+print "is fy $(abs(c_all[2]/(-0.9e7*v_A*v_u)-1)<1e-10) 1"
+print "is tz $(abs(c_all[6]/(-0.9e7*v_A*v_u*0.1)-1)<1e-10) 1"
+print "is tau $(abs(c_all[8]/(0.9e7*v_u)-1)<1e-10) 1"
+print "is strength $(c_all[9]+c_all[10]) 5e6"
+print "is mode $(c_all[12]) 2"
+print "is ratio $(abs(c_all[11]/(0.9e7*v_u/2e6)-1)<1e-10) 1"
+print "is straight $(abs(c_all[4])+abs(c_all[5])<1e-9) 1"
+print "is energy $(abs(ebond/(0.5*0.9e7*v_A*v_u^2)-1)<1e-10) 1"'
+
+# scatter none: all bonds break at the same stress; the mode is told
+cat >in.break <<'END'
+include in.two
+bond_coeff 1 kn 1e7 ks 1e7 sigma_c 10
+create_bonds single/bond 1 1 2
+fix move all nve/sphere
+velocity all set 0 0 0
+set atom 2 vx 1e-2
+fix cracks all bond/breakage file cracks.txt
+timestep 1e-6
+run 1000
+print "is broken $(brokenbonds) 1"
+END
+agree 'breakage' "$(cat in.break)"
+grep -q '^# step .* force mode$' cracks.txt && grep -q ' tension$' cracks.txt
+report 'the mode in the file' $? cracks.txt
+
+# Cundall: the force of a spring is (1-g) k x on the way in and (1+g) k x on the way out
+agree 'local damping' 'include in.two
+bond_coeff 1 kn 2e6 ks 1e6
+create_bonds single/bond 1 1 2
+group one id 1
+group two id 2
+fix move two nve/sphere
+fix calm two damping/cundall 0.3 0.3
+displace_atoms two move 1e-5 0 0 units box
+review off integrator
+variable w equal sqrt(2e6*PI*0.01/(2385*PI*0.3^3/6))
+variable n equal floor(PI/2/v_w*(1/sqrt(0.7)+1/sqrt(1.3))/1e-5+0.5)
+timestep 1e-5
+run ${n}
+variable left equal (xcm(two,x)-0.25)/1e-5
+print "is amplitude $(abs(v_left+sqrt(7/13))<1e-4) 1"'
+finish
