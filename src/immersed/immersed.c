@@ -31,29 +31,47 @@ static double pressure_part(const struct ts_fluid *fluid, int c, size_t at, int 
 	       grid->gap[c][index];
 }
 
-/* Velocity at a sample, trilinear between the points around it, minus their pressure parts. */
-static double sample_velocity(const struct ts_fluid *fluid, int c, const struct ts_immersed_sample *b,
-			      double dt)
+/* Velocity to be added at a sample for the old pressure gradient: trilinear between the points around it. */
+static double sample_pressure_part(const struct ts_fluid *fluid, int c, const struct ts_immersed_sample *b,
+				   double dt)
 {
 	const struct ts_grid *grid = &fluid->grid;
+	const ptrdiff_t *stride = grid->stride;
+	const double *p = fluid->p + b->corner;
+	double w[3][2] = { { 1 - b->t[0], b->t[0] }, { 1 - b->t[1], b->t[1] }, { 1 - b->t[2], b->t[2] } };
 	double sum = 0;
 
+	if (fluid->incremental)
+		return 0;
+	for (int m = 0; m < 2; m++)
+		w[c][m] *= dt / fluid->density / grid->gap[c][b->index + m];
 	for (int k = 0; k < (grid->dimensions > 2 ? 2 : 1); k++)
 		for (int j = 0; j < 2; j++)
 			for (int i = 0; i < 2; i++) {
-				const int step[3] = { i, j, k };
-				size_t at = b->corner;
-				double w = 1;
+				const double *at = p + i + j * stride[1] + k * stride[2];
 
-				for (int d = 0; d < grid->dimensions; d++) {
-					w *= step[d] ? b->t[d] : 1 - b->t[d];
-					at += (size_t)(step[d] * grid->stride[d]);
-				}
-				if (w != 0)
-					sum += w * (fluid->u[c][at] -
-						    pressure_part(fluid, c, at, b->index + step[c], dt, 1));
+				sum += w[0][i] * w[1][j] * w[2][k] * (at[0] - at[-stride[c]]);
 			}
 	return sum;
+}
+
+static inline double between(double a, double b, double t)
+{
+	return a * (1 - t) + b * t;
+}
+
+/* The value of a component at a sample, trilinear between the points around it. */
+static double sample_velocity(const struct ts_grid *grid, const double *u, const struct ts_immersed_sample *b)
+{
+	const double *t = b->t, *at = u + b->corner, *beside = at + grid->stride[1];
+	double plane = between(between(at[0], at[1], t[0]), between(beside[0], beside[1], t[0]), t[1]);
+
+	if (grid->dimensions == 2)
+		return plane;
+	at += grid->stride[2];
+	beside += grid->stride[2];
+	return between(plane, between(between(at[0], at[1], t[0]), between(beside[0], beside[1], t[0]), t[1]),
+		       t[2]);
 }
 
 static void force_inside(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
@@ -69,20 +87,36 @@ static void force_inside(struct ts_immersed *ib, struct ts_fluid *fluid, int c, 
 	}
 }
 
-static double outer_target_velocity(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c,
-				    double dt, const struct ts_immersed_outer *b)
+/* The part of the values of outer points that is the same in all iterations. */
+static void begin_outer_points(struct ts_immersed *ib, const struct ts_fluid *fluid, int c, double dt)
 {
-	const struct ts_immersed_point *p = &ib->point[b->point];
-	double u = b->surface + pressure_part(fluid, c, p->at, p->index, dt, OUTER_PRESSURE);
+	size_t first = ib->outer_first[c], end = ib->outer_first[c + 1];
+
+#pragma omp parallel for num_threads(ts_fluid_team(fluid, OUTER_ROUNDS *(end - first))) schedule(static)
+	for (size_t k = first; k < end; k++) {
+		struct ts_immersed_outer *b = &ib->outer[k];
+		const struct ts_immersed_point *p = &ib->point[b->point];
+
+		b->fixed = b->surface + pressure_part(fluid, c, p->at, p->index, dt, OUTER_PRESSURE);
+		for (int m = 0; m < 2; m++)
+			b->fixed -= b->out[m].count *
+				    (b->surface + sample_pressure_part(fluid, c, &b->out[m], dt));
+	}
+}
+
+static double outer_target_velocity(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c,
+				    const struct ts_immersed_outer *b)
+{
+	double before = ib->point[b->point].before, u = b->fixed;
 
 	for (int m = 0; m < 2; m++)
-		u += b->out[m].count * (sample_velocity(fluid, c, &b->out[m], dt) - b->surface);
-	return p->before + b->weight * (u - p->before);
+		u += b->out[m].count * sample_velocity(&fluid->grid, fluid->u[c], &b->out[m]);
+	return before + b->weight * (u - before);
 }
 
 /* All new values are computed from the old velocities: samples of an outer point may include other outer
  * points. */
-static void force_outer_points(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
+static void force_outer_points(struct ts_immersed *ib, struct ts_fluid *fluid, int c)
 {
 	size_t first = ib->outer_first[c], end = ib->outer_first[c + 1];
 
@@ -90,7 +124,7 @@ static void force_outer_points(struct ts_immersed *ib, struct ts_fluid *fluid, i
 	{
 #pragma omp for schedule(static)
 		for (size_t k = first; k < end; k++)
-			ib->outer[k].next = outer_target_velocity(ib, fluid, c, dt, &ib->outer[k]);
+			ib->outer[k].next = outer_target_velocity(ib, fluid, c, &ib->outer[k]);
 #pragma omp for schedule(static)
 		for (size_t k = first; k < end; k++)
 			fluid->u[c][ib->point[ib->outer[k].point].at] = ib->outer[k].next;
@@ -187,12 +221,14 @@ void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, size_t pa
 	const int dimensions = fluid->grid.dimensions;
 
 	scale_stage_sums(ib, dt, parts);
-	for (int c = 0; c < dimensions; c++)
+	for (int c = 0; c < dimensions; c++) {
 		force_inside(ib, fluid, c, dt);
+		begin_outer_points(ib, fluid, c, dt);
+	}
 	for (int m = 0; m < iterations && ib->nouter; m++) {
 		ts_fluid_fill_velocity(fluid, fluid->u);
 		for (int c = 0; c < dimensions; c++)
-			force_outer_points(ib, fluid, c, dt);
+			force_outer_points(ib, fluid, c);
 	}
 	parts_in_parallel(ib, fluid, parts, add_part_impulses, &(struct part_task){ ib, fluid });
 }

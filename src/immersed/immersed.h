@@ -56,7 +56,8 @@ struct ts_immersed_outer {
 	double weight;	/* of the forcing, 0 to 1 */
 	double surface; /* component of v_s */
 	struct ts_immersed_sample out[2];
-	double next; /* velocity after this iteration */
+	double fixed; /* the part of the velocity that does not depend on the samples, in this stage */
+	double next;  /* velocity after this iteration */
 };
 
 struct ts_immersed_sums {
