@@ -583,6 +583,7 @@ library_sources = \
 	src/immersed/fix_immersed_boundary.c \
 	src/immersed/immersed.c \
 	src/immersed/immersed.h \
+	src/immersed/immersed_conflicts.c \
 	src/immersed/immersed_points.c \
 	src/immersed/immersed_resolution.c \
 	src/immersed/solid.c \
@@ -590,6 +591,7 @@ library_sources = \
 	src/immersed/solid_mesh.c \
 	src/immersed/solid_region.c \
 	src/immersed/solid_spheres.c \
+	src/immersed/solid_voxel.c \
 	src/immersed/virtual_mass_stabilization.c \
 	src/immersed/virtual_mass_stabilization.h \
 	src/impact/collision_forces.c \
@@ -1084,6 +1086,8 @@ library_sources = \
 	src/thermo/thermo_keywords.c \
 	src/voxel/dump_voxel_vtk.c \
 	src/voxel/fix_surface_voxel.c \
+	src/voxel/voxel_distance.c \
+	src/voxel/voxel_distance.h \
 	src/voxel/voxel_field.c \
 	src/voxel/voxel_field.h \
 	src/voxel/voxel_gaussian.c \

@@ -113,6 +113,7 @@ shell_tests = \
 	tests/house/version.sh \
 	tests/immersed/immersed.sh \
 	tests/immersed/immersed_light.sh \
+	tests/immersed/immersed_surface.sh \
 	tests/impact/exact_impacts.sh \
 	tests/impact/exact_observers.sh \
 	tests/impact/exact_rough.sh \

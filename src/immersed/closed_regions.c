@@ -74,16 +74,6 @@ void ts_closed_search_add_body(struct ts_closed_search *s, const struct ts_insta
 
 /* ---- cells and their faces */
 
-static void cell_indices(const struct ts_grid *grid, size_t at, int i[3])
-{
-	ptrdiff_t rest = (ptrdiff_t)(at - grid->origin);
-
-	i[2] = grid->dimensions == 3 ? (int)(rest / grid->stride[2]) : 0;
-	rest -= grid->dimensions == 3 ? i[2] * grid->stride[2] : 0;
-	i[1] = (int)(rest / grid->stride[1]);
-	i[0] = (int)(rest % grid->stride[1]);
-}
-
 /* One face of a cell: its index in the field of the component, and the cell across. */
 struct link {
 	size_t face, cell;
@@ -184,7 +174,7 @@ static void fill_closed_region(struct ts_closed_search *s, int32_t label, struct
 		size_t at = s->stack[--s->nstack];
 		int i[3];
 
-		cell_indices(s->grid, at, i);
+		ts_grid_indices(s->grid, at, i);
 		for (int d = 0; d < s->grid->dimensions; d++) {
 			region->lo[d] = i[d] < region->lo[d] ? i[d] : region->lo[d];
 			region->hi[d] = i[d] > region->hi[d] ? i[d] : region->hi[d];
@@ -224,7 +214,7 @@ static inline void label_neighbor(struct ts_closed_search *s, size_t at, int d, 
 	}
 	if (s->label[cell] != OUTSIDE || !s->grid->periodic[d])
 		return;
-	cell_indices(s->grid, at, i);
+	ts_grid_indices(s->grid, at, i);
 	link = neighbour_link(s->grid, at, i, d, side);
 	if (!s->owner[d][link.face])
 		label_cell(s, link.cell, FREE);
@@ -314,7 +304,7 @@ static void add_body_flows(struct ts_closed_search *s, const struct body *body)
 
 			if (point->outside || point->target == 0)
 				continue;
-			cell_indices(s->grid, point->at, i);
+			ts_grid_indices(s->grid, point->at, i);
 			if (i[c] >= s->grid->n[c])
 				continue; /* beyond an open face */
 			flow = point->target * face_area(s->grid, i, c);

@@ -22,7 +22,7 @@
 
 #include "base/banned.h"
 
-enum { REGION, MESH, SPHERES };
+enum { REGION, MESH, SURFACE, SPHERES };
 
 /* Data of a part from the last step of the fluid. */
 struct record {
@@ -37,7 +37,7 @@ struct state {
 	struct ts_flow_part part; /* first */
 	int body;
 	struct ts_instance *region;
-	const char *mesh;
+	const char *mesh, *voxels;
 	struct ts_words velocity_words, omega_words;
 	struct ts_number velocity[3], omega[3];
 	double centre[3], relax, virtual_mass; /* centre NaN: not given */
@@ -57,6 +57,7 @@ struct state {
 	bool begun;			       /* a step of the fluid is in progress */
 	struct record own;		       /* saved: of a region or a mesh */
 	const struct ts_mesh_surface *surface; /* of a mesh */
+	const struct ts_voxel_surface *field;  /* a height field */
 	/* saved: position of the torque's reference point relative to the mean of the corners */
 	double lever[3];
 	size_t column, net_column; /* of spheres: columns of struct record and struct ts_net_force */
@@ -145,6 +146,18 @@ static enum ts_status make_mesh(struct ts_instance *self, struct tsim *sim, int 
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
 }
 
+static enum ts_status make_columns(struct ts_instance *self, struct tsim *sim, int dimensions)
+{
+	struct state *s = self->state;
+	struct ts_word id = { .text = s->voxels, .place = *ts_instance_word(self, s->voxels) };
+	struct ts_voxel_surface *surface;
+
+	TS_TRY(ts_voxel_surface_require(sim, &id, &surface));
+	s->field = surface;
+	s->solid = ts_solid_of_voxels(surface, dimensions, &s->prescribed);
+	return s->solid ? TS_OK : ts_nomem(&sim->error);
+}
+
 static enum ts_status make_spheres(struct ts_instance *self, struct tsim *sim, int dimensions)
 {
 	struct state *s = self->state;
@@ -163,6 +176,9 @@ static enum ts_status make_spheres(struct ts_instance *self, struct tsim *sim, i
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
+	static enum ts_status (*const make[])(struct ts_instance *, struct tsim *, int) = {
+		[REGION] = make_region, [MESH] = make_mesh, [SURFACE] = make_columns, [SPHERES] = make_spheres
+	};
 	struct state *s = self->state;
 	struct ts_fluid *fluid;
 
@@ -179,9 +195,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->solid = NULL;
 	s->placed = s->begun = s->stepped = s->free_mesh = false;
 	s->fluid = fluid;
-	if (s->body == REGION)
-		return make_region(self, sim, sim->dimension);
-	return (s->body == MESH ? make_mesh : make_spheres)(self, sim, sim->dimension);
+	return make[s->body](self, sim, sim->dimension);
 }
 
 static enum ts_status evaluate_prescribed_motion(struct ts_instance *self, struct tsim *sim)
@@ -202,12 +216,17 @@ static enum ts_status evaluate_prescribed_motion(struct ts_instance *self, struc
 static enum ts_status update_points(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
 {
 	struct state *s = self->state;
+	struct ts_solid_motion before = { .centre = { 0 } };
 	enum ts_status status;
 
+	if (s->placed && s->solid->parts)
+		before = *s->solid->motion;
 	TS_TRY(evaluate_prescribed_motion(self, sim));
 	TS_TRY(s->solid->kind->update(s->solid, sim));
-	if (s->placed && !s->solid->moved && !s->prescribed.velocity && !s->prescribed.omega)
+	if (s->placed && !s->solid->moved && memcmp(&before, s->solid->motion, sizeof before) == 0)
 		return TS_OK;
+	if (s->field)
+		TS_TRY(ts_immersed_check_voxels(sim, &self->where, s->voxels, s->field, &fluid->grid));
 	TS_TRY(ts_immersed_check_size(sim, &self->where, s->solid, &fluid->grid, s->body == SPHERES,
 				      s->least_cells));
 	status = ts_immersed_find_points(&s->immersed, s->solid, fluid);
@@ -215,23 +234,29 @@ static enum ts_status update_points(struct ts_instance *self, struct tsim *sim, 
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
 
-/* Warns once if the grid does not resolve the solid. */
-static void warn_unresolved(struct ts_instance *self, struct tsim *sim)
+/* Warns of bodies earlier in the script that overlap with this one and have another velocity. */
+static enum ts_status warn_overlaps(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	struct ts_instance *part;
+	size_t points;
 
-	if (s->warned || s->solid->parts == 0)
-		return;
-	if (s->immersed.inside == 0)
-		ts_warn(&sim->log, &self->where,
-			"fix immersed/boundary: no point of the grid is inside: the body is outside the grid "
-			"or thinner than a cell, and the fluid does not feel it");
-	else if (s->immersed.thickness < 2)
-		ts_warn(&sim->log, &self->where,
-			"fix immersed/boundary: the body is nowhere thicker than %.3g cells; the fluid leaks "
-			"through it; use at least 2",
-			s->immersed.thickness);
-	s->warned = true;
+	for (size_t k = 0;
+	     (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k)) && part != self;) {
+		const struct state *other = part->state;
+
+		if (part->style != self->style || !other->placed)
+			continue;
+		if (ts_immersed_overlap(&other->immersed, &s->immersed, s->fluid, &points) != TS_OK)
+			return ts_nomem(&sim->error);
+		if (points)
+			ts_warn(&sim->log, &self->where,
+				"fix immersed/boundary: the body and that of fix %s overlap with different "
+				"velocities, at %zu points of velocities: the forces on both contain their "
+				"friction",
+				part->id, points);
+	}
+	return TS_OK;
 }
 
 /* Whether the velocity of the body is not known yet: that of a moving region or mesh follows from a step. */
@@ -241,6 +266,24 @@ static bool velocity_unknown(const struct state *s)
 		return false;
 	return s->body == REGION ? ((const struct ts_region *)s->region->state)->moves
 				 : s->surface && s->surface->v;
+}
+
+/* Refuses a body without fluid around it, and warns once of what makes results wrong. */
+static enum ts_status check_room(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (s->warned || s->solid->parts == 0)
+		return TS_OK;
+	s->warned = true;
+	if (s->immersed.inside > 0 && s->immersed.nouter == 0)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix immersed/boundary: the body fills the whole grid: no fluid is left");
+	ts_immersed_warn_thin(sim, &self->where, &s->immersed);
+	if (s->field)
+		ts_immersed_warn_columns(sim, &self->where, s->voxels, &s->field->field, &s->fluid->grid);
+	ts_immersed_warn_walls(sim, &self->where, &s->immersed, s->fluid);
+	return warn_overlaps(self, sim);
 }
 
 static void mark_closed_faces(const struct ts_instance *self, struct ts_closed_search *search)
@@ -315,7 +358,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	TS_TRY(update_points(self, sim, fluid));
 	s->seen_at = fluid->time;
 	TS_TRY(initialize_inner_fluid(self, sim, fluid));
-	warn_unresolved(self, sim);
+	TS_TRY(check_room(self, sim));
 	TS_TRY(check_closed(self, sim));
 	ts_report_line(report, "immersed body", "%s: %zu points of velocities inside, %zu beside the surface",
 		       self->id, s->immersed.inside, s->immersed.nouter);
@@ -379,7 +422,7 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 				    double length)
 {
 	struct state *s = self->state;
-	double share = s->body == REGION ? 1 : s->relax;
+	double share = s->body == REGION || s->body == SURFACE ? 1 : s->relax;
 	/* masses of discs are per unit of depth */
 	const bool discs = s->body == SPHERES && sim->dimension == 2;
 	double depth = discs ? fluid->grid.width[2][0] : 1;
@@ -454,27 +497,12 @@ static bool explain_instability(const struct ts_instance *self, const struct ts_
 
 /* ---- forces on particles */
 
-/* Density of the body that particle i is or belongs to. */
-static double density_of(const struct tsim *sim, size_t i)
-{
-	const struct ts_body *body = ts_rigid_body_of(sim, i);
-	const struct ts_rigid *rigid = sim->rigid;
-	double volume = 0;
-	size_t b;
-
-	if (!body || body->density > 0)
-		return ts_rigid_material_density(sim, i);
-	b = (size_t)(body - rigid->body);
-	for (size_t k = rigid->start[b]; k < rigid->start[b + 1]; k++)
-		volume += ts_particle_volume(sim, sim->particles->radius[rigid->member[k]]);
-	return body->mass / volume;
-}
-
 static void stabilize_particle(struct state *s, const struct tsim *sim, size_t i)
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_net_force *net = net_force_of(s, sim, i);
-	double share = ts_virtual_mass_ratio(density_of(sim, i), s->virtual_mass, s->fluid->density);
+	double share =
+		ts_virtual_mass_ratio(ts_virtual_mass_density(sim, i), s->virtual_mass, s->fluid->density);
 	double change[3] = { -p->f[i][0], -p->f[i][1], -p->f[i][2] };
 
 	ts_net_force_stabilize(net, share, p->f[i], p->torque[i]);
@@ -591,13 +619,13 @@ static void fini(struct ts_instance *self)
 #define GIVEN_ROWS                                                                                           \
 	TS_SOME_KEYWORD("velocity", struct state, velocity_words, 0,                                         \
 			.help = "Vx Vy Vz, numbers or v_name: velocity of the centre, instead of "           \
-				"what the motion of the region or mesh says"),                               \
+				"what the motion of the region, mesh or field says"),                        \
 		TS_SOME_KEYWORD("omega", struct state, omega_words, 0,                                       \
 				.help = "Wx Wy Wz, numbers or v_name: angular velocity about the "           \
 					"centre, in radian per time"),                                       \
 		TS_VEC3("centre", struct state, centre, .flags = TS_OPTIONAL, .unit = "length",              \
 			.help = "reference point of the rotation and of the torque; default: the centre of " \
-				"the region's bounding box, the mean of the mesh's corners")
+				"the bounding box of the region or field, the mean of the mesh's corners")
 #define ITERATIONS                                                                                          \
 	TS_INT("iterations", struct state, iterations, .fallback = "3", .range = TS_WITHIN, .lo = 1,        \
 	       .hi = 100,                                                                                   \
@@ -630,6 +658,14 @@ static const struct ts_arg mesh_args[] = {
 	MIN_CELLS,
 	TS_ARGS_END,
 };
+static const struct ts_arg surface_args[] = {
+	TS_WORD("surface", struct state, voxels, .flags = TS_POSITIONAL,
+		.help = "ID of the fix surface/voxel; all below its tops"),
+	GIVEN_ROWS,
+	ITERATIONS,
+	MIN_CELLS,
+	TS_ARGS_END,
+};
 static const struct ts_arg sphere_args[] = {
 	RELAX,
 	ITERATIONS,
@@ -639,6 +675,7 @@ static const struct ts_arg sphere_args[] = {
 static const struct ts_mode bodies[] = {
 	[REGION] = { "region", "a region of the script", region_args },
 	[MESH] = { "mesh", "a closed mesh", mesh_args },
+	[SURFACE] = { "surface", "a height field", surface_args },
 	[SPHERES] = { "spheres", "the particles of the group, moved by the fluid", sphere_args },
 	{ .name = NULL },
 };
@@ -713,6 +750,10 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "`mesh`: a closed surface of fix mesh/surface. Position and velocity of the body are those "
 	       "of the mesh. Particles interact with the same mesh by fix wall/gran mesh; with fix "
 	       "move/mesh/free the body moves freely under the force of the fluid.\n\n"
+	       "`surface`: the columns of a fix surface/voxel, below their tops. They move as the field does "
+	       "(`move`), with its velocity; heights that wear have no velocity of their own. A field that "
+	       "is "
+	       "as long as the grid along an axis that is not periodic must cover it to both ends.\n\n"
 	       "`spheres`: each particle of the group is a body (in two dimensions a disc, with force and "
 	       "torque per unit depth, like its mass) that is large compared with the cells. The force on "
 	       "it is added in the next step, so integrators, contacts, fix rigid and fix multisphere work "
@@ -730,6 +771,7 @@ const struct ts_style ts_fix_immersed_boundary = {
 	.example = "region rod cylinder z 0 0 0.5 INF INF units box\n"
 		   "fix rod all immersed/boundary region rod\n"
 		   "fix spin all immersed/boundary region rod omega 0 0 2.385\n"
+		   "fix pad all immersed/boundary surface rough\n"
 		   "fix balls heavy immersed/boundary spheres",
 	.cite = "E. A. Fadlun, R. Verzicco, P. Orlandi, J. Mohd-Yusof, J. Comput. Phys. 161 (2000) 35; E. "
 		"Balaras, Comput. Fluids 33 (2004) 375; M. Uhlmann, J. Comput. Phys. 209 (2005) 448; S. "

@@ -27,6 +27,7 @@
 
 #include "flow/fluid.h"
 #include "immersed/solid.h"
+#include "voxel/voxel_surface.h"
 
 /* A point of one velocity component that is forced, or whose control volume is cut by the surface. */
 struct ts_immersed_point {
@@ -98,6 +99,23 @@ struct ts_immersed {
 enum ts_status ts_immersed_check_size(struct tsim *sim, const struct ts_place *where,
 				      const struct ts_solid *solid, const struct ts_grid *grid, bool spheres,
 				      double least);
+/* Refuses a height field that cannot be a body in the grid: in two dimensions one that varies along z, one that does
+ * not cover the grid although it is as long. */
+enum ts_status ts_immersed_check_voxels(struct tsim *sim, const struct ts_place *where, const char *id,
+					const struct ts_voxel_surface *surface, const struct ts_grid *grid);
+/* Warns of a body without points inside, or that is too thin. */
+void ts_immersed_warn_thin(struct tsim *sim, const struct ts_place *where, const struct ts_immersed *ib);
+/* Warns if columns that are thinner than cells make steps that are higher than cells. */
+void ts_immersed_warn_columns(struct tsim *sim, const struct ts_place *where, const char *id,
+			      const struct ts_voxel_field *f, const struct ts_grid *grid);
+
+/* ---- immersed_conflicts.c
+ * Warns of walls of which the body covers a part that moves along itself unlike the body. */
+void ts_immersed_warn_walls(struct tsim *sim, const struct ts_place *where, const struct ts_immersed *ib,
+			    const struct ts_fluid *fluid);
+/* Number of points inside two bodies that have different velocities there. Returns TS_OK or TS_NOMEM. */
+enum ts_status ts_immersed_overlap(const struct ts_immersed *a, const struct ts_immersed *b,
+				   const struct ts_fluid *fluid, size_t *points);
 
 /* ---- immersed_points.c
  * Finds the forced points, after the solid has moved. */

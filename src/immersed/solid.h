@@ -1,5 +1,5 @@
 /* Solids in a fluid: distance from their surface, and its velocity. One interface for regions, closed
- * meshes and spheres (particles). */
+ * meshes, height fields and spheres (particles). */
 #ifndef TS_IMMERSED_SOLID_H
 #define TS_IMMERSED_SOLID_H
 
@@ -9,6 +9,7 @@
 #include "grid/grid.h"
 
 struct ts_mesh_surface;
+struct ts_voxel_surface;
 
 /* The nearest point of the surface to a position. */
 struct ts_solid_surface {
@@ -65,7 +66,7 @@ static inline void ts_solid_velocity(const struct ts_solid_motion *m, const doub
 void ts_solid_rigid_velocity(const struct ts_solid_motion *motion, const double x[3],
 			     struct ts_solid_surface *surface);
 
-/* Motion of a region or mesh as prescribed by the keywords velocity, omega, centre of the fix. */
+/* Motion of a region, mesh or height field as prescribed by the keywords velocity, omega, centre of the fix. */
 struct ts_solid_prescribed {
 	bool velocity, omega, centre; /* which of them are prescribed */
 	struct ts_solid_motion motion;
@@ -85,6 +86,8 @@ struct ts_solid *ts_solid_of_region(struct ts_instance *region, int dimensions,
 				    struct ts_solid_pose *before);
 struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *mesh, int dimensions,
 				  const struct ts_solid_prescribed *prescribed);
+struct ts_solid *ts_solid_of_voxels(const struct ts_voxel_surface *surface, int dimensions,
+				    const struct ts_solid_prescribed *prescribed);
 struct ts_solid *ts_solid_of_spheres(int group, int dimensions);
 void ts_solid_free(struct ts_solid *solid);
 

@@ -25,6 +25,8 @@
 
 #include <stdbool.h>
 
+#include "core/sim.h"
+
 /* Net force and torque on a body; [0..2] force, [3..5] torque. Kept as a column of doubles in restart
  * files. */
 struct ts_net_force {
@@ -37,6 +39,8 @@ struct ts_net_force {
 };
 enum { TS_NET_FORCE_NUMBERS = sizeof(struct ts_net_force) / sizeof(double) }; /* all members are doubles */
 
+/* Density of the body that particle i is or belongs to. */
+double ts_virtual_mass_density(const struct tsim *sim, size_t i);
 /* s = m/(m + m_v) of a body, with m_v = coefficient * density of the fluid * volume. */
 static inline double ts_virtual_mass_ratio(double density, double coefficient, double fluid)
 {

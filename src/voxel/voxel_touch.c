@@ -7,9 +7,11 @@ struct search {
 	double x[3];		      /* along the axes of the field */
 	double aside;		      /* reach across the axis of the heights, for the highest column */
 	double reach, reach2;	      /* reach2: its square, enlarged by more than rounding */
-	struct ts_voxel_contact *out; /* NULL: only the least distance is needed */
+	struct ts_voxel_contact *out; /* NULL: only the nearest point is needed */
 	size_t n, most;
-	double least2; /* square of the least distance found */
+	double least2;	    /* square of the least distance found, */
+	int64_t nearest[2]; /* its column, */
+	double from[3];	    /* and the vector from that point to x, along the axes of the field */
 };
 
 /* The nearest point of a column, and on which of its borders that lies. */
@@ -60,25 +62,42 @@ static bool is_covered(const struct search *s, int64_t i, int64_t j, const struc
 	       (di && dj && is_covered_by(s, i, j, near, di, dj));
 }
 
-static void add_contact(struct search *s, int64_t i, int64_t j, const double r[3])
+static double length_of(const double r[3])
 {
-	double distance = sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
-	struct ts_voxel_contact *to;
-
 	/* along one axis the distance is exact, as at a plane */
 	for (int d = 0; d < 3; d++)
 		if (fabs(r[d]) > 0 && !(fabs(r[(d + 1) % 3]) > 0) && !(fabs(r[(d + 2) % 3]) > 0))
-			distance = fabs(r[d]);
-	if (!(distance < s->reach))
-		return;
-	if (s->n++ >= s->most)
-		return;
-	to = &s->out[s->n - 1];
+			return fabs(r[d]);
+	return sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
+}
+
+static void set_contact(const struct search *s, int64_t i, int64_t j, const double r[3], double distance,
+			struct ts_voxel_contact *to)
+{
 	to->column[0] = i;
 	to->column[1] = j;
 	to->distance = distance;
 	for (int d = 0; d < 3; d++)
 		to->n[s->f->axis[d]] = distance > 0 ? r[d] / distance : 0;
+}
+
+static void add_contact(struct search *s, int64_t i, int64_t j, const double r[3])
+{
+	double distance = length_of(r);
+
+	if (!(distance < s->reach))
+		return;
+	if (s->n++ < s->most)
+		set_contact(s, i, j, r, distance, &s->out[s->n - 1]);
+}
+
+static void keep_nearest(struct search *s, int64_t i, int64_t j, const double r[3], double r2)
+{
+	s->least2 = s->reach2 = r2; /* only nearer columns matter from now on */
+	s->nearest[0] = i;
+	s->nearest[1] = j;
+	for (int d = 0; d < 3; d++)
+		s->from[d] = r[d];
 }
 
 static void visit_column(struct search *s, int64_t i, int64_t j)
@@ -95,7 +114,7 @@ static void visit_column(struct search *s, int64_t i, int64_t j)
 	if (!(r2 < s->reach2))
 		return;
 	if (!s->out)
-		s->least2 = s->reach2 = r2; /* only nearer columns matter from now on */
+		keep_nearest(s, i, j, r, r2);
 	else if (!is_covered(s, i, j, &near))
 		add_contact(s, i, j, r);
 }
@@ -250,4 +269,18 @@ double ts_voxel_distance(const struct ts_voxel_field *f, const double x[3], doub
 
 	visit_all(&s);
 	return sqrt(s.least2) < reach ? sqrt(s.least2) : INFINITY;
+}
+
+bool ts_voxel_nearest(const struct ts_voxel_field *f, const double x[3], double reach,
+		      struct ts_voxel_contact *out)
+{
+	struct search s = start_search(f, x, reach);
+	double distance;
+
+	visit_all(&s);
+	if (!isfinite(s.least2))
+		return false;
+	distance = length_of(s.from);
+	set_contact(&s, s.nearest[0], s.nearest[1], s.from, distance, out);
+	return distance < reach;
 }

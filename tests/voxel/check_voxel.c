@@ -1,4 +1,5 @@
-/* Voxel height fields: contact points against a search of all local minima of the distance, maxima of blocks, and
+/* Voxel height fields: contact points against a search of all local minima of the distance, the signed distance
+ * against that from all columns, maxima of blocks, and
  * the statistics of Gaussian surfaces. */
 #include <stdlib.h>
 
@@ -6,6 +7,7 @@
 #include "math/rng.h"
 #include "math/vec3.h"
 #include "tests/deck.h"
+#include "voxel/voxel_distance.h"
 #include "voxel/voxel_gaussian.h"
 #include "voxel/voxel_touch.h"
 
@@ -207,6 +209,95 @@ START_TEST(flat_field_has_no_seams)
 }
 END_TEST
 
+/* ---- signed distance */
+
+/* Distance of c from the solid (`sign` 1), or from the space outside (-1), by all columns. */
+static double distance_to_all(const struct ts_voxel_field *f, const double c[3], int sign)
+{
+	double least = INFINITY;
+
+	for (int64_t j = -2 * f->n[1]; j < 3 * f->n[1]; j++)
+		for (int64_t i = -2 * f->n[0]; i < 3 * f->n[0]; i++) {
+			double top = ts_voxel_top(f, i, j), d[2], low = f->base - c[2];
+			double aside[3] = {
+				fmax(ts_voxel_border(f, 0, i) - c[0], c[0] - ts_voxel_border(f, 0, i + 1)),
+				fmax(ts_voxel_border(f, 1, j) - c[1], c[1] - ts_voxel_border(f, 1, j + 1)),
+				sign > 0 ? fmax(low, c[2] - top) : top - c[2]
+			};
+
+			if (sign > 0 && !(top > f->base))
+				continue;
+			d[0] = hypot(fmax(0, aside[0]), fmax(0, aside[1]));
+			d[1] = hypot(d[0], fmax(0, aside[2]));
+			least = fmin(least, sign < 0 && !(top > f->base) ? d[0] : d[1]);
+		}
+	return sign < 0 ? fmin(least, fmax(0, c[2] - f->base)) : least;
+}
+
+/* Whether there is a point outside (or inside) ahead of the surface point p along n, to some side: p may be on an
+ * edge. */
+static bool is_ahead(const struct ts_voxel_field *f, const double p[3], const double n[3], double step,
+		     bool outside)
+{
+	for (int corner = 0; corner < 8; corner++) {
+		double q[3];
+
+		for (int d = 0; d < 3; d++)
+			q[d] = p[d] + step * n[d] + (corner >> d & 1 ? 0.3 : -0.3) * step;
+		if ((distance_to_all(f, q, 1) > 0) == outside)
+			return true;
+	}
+	return false;
+}
+
+static void check_distance(const struct ts_voxel_field *f, const struct ts_voxel_space *space,
+			   const double c[3], double reach, int *count)
+{
+	double out = distance_to_all(f, c, 1), in = distance_to_all(f, c, -1), p[3] = { c[0], c[1], c[2] };
+	struct ts_voxel_distance found;
+	bool near = ts_voxel_signed_distance(f, space, c, reach, &found);
+
+	deck_assert(near == (fmax(out, in) < reach));
+	if (out > 0 || in > 0)
+		deck_assert(ts_voxel_inside(f, c) == (in > out));
+	if (!near)
+		return;
+	DECK_NEAR(found.distance, out > 0 ? out : -in, 1e-15);
+	DECK_NEAR(ts_norm(found.n), 1, 1e-15);
+	ts_axpy(-found.distance, found.n, p);
+	deck_assert(is_ahead(f, p, found.n, 1e-9, true) && is_ahead(f, p, found.n, -1e-9, false));
+	count[out > 0 ? 0 : in > 0 ? 1 : 2]++;
+}
+
+START_TEST(signed_distance_is_that_of_all_columns)
+{
+	struct ts_rng rng = ts_rng_start(86028121, 0);
+	int count[3] = { 0 };
+
+	for (int k = 0; k < 160; k++) {
+		struct ts_voxel_field f;
+		struct ts_voxel_space space = { .field = { .nlevels = 0 } };
+		bool changed;
+
+		make_field(&f, &rng, k % 7 + 1, k % 5 + 1, k & 1, k & 2);
+		ck_assert(ts_voxel_space_update(&space, &f, &changed) == TS_OK && changed);
+		ts_voxel_set_height(&f, 0, 0, 0.137);
+		ck_assert(ts_voxel_space_update(&space, &f, &changed) == TS_OK && changed);
+		ck_assert(ts_voxel_space_update(&space, &f, &changed) == TS_OK && !changed);
+		for (int l = 0; l < 80; l++) {
+			double c[3];
+
+			place_centre(&f, &rng, c);
+			check_distance(&f, &space, c, l % 2 ? 0.3 : 0.04, count);
+		}
+		ts_voxel_field_release(&f);
+		ts_voxel_field_release(&space.field);
+	}
+	for (int k = 0; k < 3; k++)
+		ck_assert_int_gt(count[k], 200);
+}
+END_TEST
+
 START_TEST(columns_contain_their_lower_border)
 {
 	struct ts_voxel_field f = { .n = { 1000, 1 }, .origin = { 0.1, 0 }, .width = { 0.3 / 7, 1 } };
@@ -368,6 +459,7 @@ int main(void)
 	tcase_set_timeout(touch, 60);
 	tcase_add_test(touch, contacts_are_all_local_minima);
 	tcase_add_test(touch, flat_field_has_no_seams);
+	tcase_add_test(touch, signed_distance_is_that_of_all_columns);
 	tcase_add_test(touch, columns_contain_their_lower_border);
 	tcase_add_test(touch, maxima_follow_changes);
 	suite_add_tcase(suite, touch);

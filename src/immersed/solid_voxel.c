@@ -1,0 +1,120 @@
+/* Height fields as solids. */
+#include "immersed/solid.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "math/vec3.h"
+#include "voxel/voxel_distance.h"
+#include "voxel/voxel_surface.h"
+
+#include "base/banned.h"
+
+struct columns {
+	struct ts_solid solid; /* first */
+	const struct ts_voxel_surface *surface;
+	struct ts_voxel_space space; /* owned */
+	const struct ts_solid_prescribed *prescribed;
+	double shift[3], low[3], high[3]; /* displacement, extents at the last update */
+};
+
+/* Extents, infinite along axes along which the field is periodic. */
+static void find_extents(struct columns *s)
+{
+	const struct ts_voxel_field *f = &s->surface->field;
+
+	for (int d = 0; d < 2; d++) {
+		s->low[f->axis[d]] = f->periodic[d] ? -INFINITY : f->origin[d] + s->shift[f->axis[d]];
+		s->high[f->axis[d]] =
+			f->periodic[d] ? INFINITY : ts_voxel_border(f, d, f->n[d]) + s->shift[f->axis[d]];
+	}
+	s->low[f->axis[2]] = f->base + s->shift[f->axis[2]];
+	s->high[f->axis[2]] = ts_voxel_highest(f) + s->shift[f->axis[2]];
+}
+
+static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
+{
+	struct columns *s = (struct columns *)solid;
+	struct ts_solid_motion *m = solid->motion;
+	bool reshaped;
+
+	if (ts_voxel_space_update(&s->space, &s->surface->field, &reshaped) != TS_OK)
+		return ts_nomem(&sim->error);
+	solid->moved = reshaped || memcmp(s->shift, s->surface->shift, sizeof s->shift) != 0;
+	memcpy(s->shift, s->surface->shift, sizeof s->shift);
+	find_extents(s);
+	for (int d = 0; d < 3; d++)
+		m->centre[d] =
+			isfinite(s->low[d]) && isfinite(s->high[d]) ? 0.5 * (s->low[d] + s->high[d]) : 0;
+	if (s->prescribed->centre)
+		memcpy(m->centre, s->prescribed->motion.centre, sizeof m->centre);
+	memcpy(m->velocity, s->prescribed->velocity ? s->prescribed->motion.velocity : s->surface->velocity,
+	       sizeof m->velocity);
+	memset(m->omega, 0, sizeof m->omega);
+	if (s->prescribed->omega)
+		memcpy(m->omega, s->prescribed->motion.omega, sizeof m->omega);
+	return TS_OK;
+}
+
+static void bounds(const struct ts_solid *solid, size_t part, double lo[3], double hi[3])
+{
+	const struct columns *s = (const struct columns *)solid;
+
+	(void)part;
+	memcpy(lo, s->low, sizeof s->low);
+	memcpy(hi, s->high, sizeof s->high);
+}
+
+static enum ts_status find_surface(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
+				   double reach, enum ts_solid_side *side,
+				   struct ts_solid_surface *surface_point)
+{
+	const struct columns *s = (const struct columns *)solid;
+	struct ts_voxel_distance near;
+	double y[3];
+
+	(void)worker;
+	(void)part;
+	ts_sub(x, s->shift, y);
+	*side = ts_voxel_signed_distance(&s->surface->field, &s->space, y, reach, &near) ? TS_SOLID_NEAR
+											 : TS_SOLID_FAR;
+	if (*side == TS_SOLID_FAR)
+		return TS_OK;
+	surface_point->distance = near.distance;
+	memcpy(surface_point->n, near.n, sizeof near.n);
+	ts_solid_rigid_velocity(solid->motion, x, surface_point);
+	return TS_OK;
+}
+
+static bool inside(const struct ts_solid *solid, size_t part, const double x[3])
+{
+	const struct columns *s = (const struct columns *)solid;
+	double y[3];
+
+	(void)part;
+	ts_sub(x, s->shift, y);
+	return ts_voxel_inside(&s->surface->field, y);
+}
+
+static void release(struct ts_solid *solid)
+{
+	ts_voxel_field_release(&((struct columns *)solid)->space.field);
+}
+
+static const struct ts_solid_kind kind = { update, bounds, find_surface, inside, release, NULL };
+
+struct ts_solid *ts_solid_of_voxels(const struct ts_voxel_surface *surface, int dimensions,
+				    const struct ts_solid_prescribed *prescribed)
+{
+	struct columns *s = ts_alloc(1, sizeof *s);
+
+	if (!s)
+		return NULL;
+	s->solid = (struct ts_solid){ .kind = &kind, .parts = 1, .dimensions = dimensions };
+	s->surface = surface;
+	s->prescribed = prescribed;
+	if (TS_GROW(s->solid.motion, s->solid.motion_capacity, 1) == TS_OK)
+		return &s->solid;
+	ts_free(s);
+	return NULL;
+}
