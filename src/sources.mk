@@ -411,6 +411,7 @@ library_sources = \
 	src/film/film_jfo.c \
 	src/film/film_measures.c \
 	src/film/film_measures.h \
+	src/film/film_parts.c \
 	src/film/film_roughness.c \
 	src/film/film_section.c \
 	src/film/film_solve.c \

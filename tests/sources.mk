@@ -219,6 +219,7 @@ unit_tests = \
 	tests/explain/check_price \
 	tests/film/check_film \
 	tests/film/check_film_cavitation \
+	tests/film/check_film_floating \
 	tests/film/check_film_roughness \
 	tests/film/check_film_slip \
 	tests/film/check_film_style \
@@ -389,6 +390,10 @@ tests_film_check_film_LDADD = $(tests_ldadd)
 tests_film_check_film_cavitation_SOURCES = tests/film/check_film_cavitation.c
 tests_film_check_film_cavitation_CFLAGS = $(tests_cflags)
 tests_film_check_film_cavitation_LDADD = $(tests_ldadd)
+
+tests_film_check_film_floating_SOURCES = tests/film/check_film_floating.c
+tests_film_check_film_floating_CFLAGS = $(tests_cflags)
+tests_film_check_film_floating_LDADD = $(tests_ldadd)
 
 tests_film_check_film_roughness_SOURCES = tests/film/check_film_roughness.c
 tests_film_check_film_roughness_CFLAGS = $(tests_cflags)

@@ -43,8 +43,9 @@ enum ts_status ts_film_make(struct ts_film *f)
 			return TS_NOMEM;
 	f->kind = ts_alloc(n, sizeof *f->kind);
 	f->free = ts_alloc(n, sizeof *f->free);
+	f->pinned = ts_alloc(n, sizeof *f->pinned);
 	f->row = ts_alloc(n, sizeof *f->row);
-	return f->kind && f->free && f->row ? TS_OK : TS_NOMEM;
+	return f->kind && f->free && f->pinned && f->row ? TS_OK : TS_NOMEM;
 }
 
 void ts_film_release(struct ts_film *f)
@@ -64,6 +65,7 @@ void ts_film_release(struct ts_film *f)
 	}
 	ts_free(f->kind);
 	ts_free(f->free);
+	ts_free(f->pinned);
 	ts_free(f->row);
 	ts_grid_lu_release(&f->lu);
 	*f = (struct ts_film){ .n = { 0, 0 } };

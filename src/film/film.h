@@ -102,6 +102,8 @@ struct ts_film {
 	enum ts_film_peklenik peklenik; /* of both surfaces */
 	double cavity_pressure;		/* pc */
 	double ambient; /* pressure on the other sides of the surfaces: loads are sums of p - ambient */
+	/* in parts of the film without any given pressure one cell has `ambient`; false: there must be none */
+	bool floating;
 	double edge_pressure[2][2];
 	double edge_void[2][2]; /* jfo: theta of the film that enters, 0 <= theta < 1 */
 	double time_step;	/* jfo: length of the step from `content` to now; 0: steady */
@@ -128,6 +130,7 @@ struct ts_film {
 	double *source;			       /* volume per time that the motion of the surfaces takes up */
 	double *value, *residual, *step;
 	double scale[2]; /* jfo: sums of |transport| and of the conductances */
+	bool *pinned;	 /* floating: the pressure of the cell is ambient */
 	bool *free;	 /* reynolds, jfo: the pressure of the cell is solved for */
 	struct ts_grid_row *row;
 	struct ts_grid_lu lu;
@@ -164,13 +167,14 @@ double ts_film_area(const struct ts_film *f, int i, int j);
 enum ts_status ts_film_make(struct ts_film *f);
 void ts_film_release(struct ts_film *f);
 /* Checks all input. Errors: TS_RANGE for values (gap, viscosity ...), TS_STATE for a part of the film whose pressure
- * is not determined, because no pressure is given on its border. */
+ * is not determined, because no pressure is given on its border and it may not float. */
 enum ts_status ts_film_check(const struct ts_film *f, struct ts_error *error);
 
 /* ---- film_solve.c */
 
 /* Checks the input and solves for p, theta and flows. Further errors: TS_STATE if the equations do not determine
- * theta (jfo, no sliding, no time step), TS_PHYSICS if the iteration does not converge, or no
+ * theta (jfo, no sliding, no time step), TS_PHYSICS if the iteration does not converge, a floating part
+ * of the film changes its volume, or no
  * pressure satisfies the equation with a viscosity that depends on it. */
 enum ts_status ts_film_solve(struct ts_film *f, struct ts_error *error);
 /* jfo in time: content = h (1 - theta) of the present solution, for the next step. */

@@ -31,11 +31,14 @@ static void set_face_flow(struct ts_film *f, int axis, int i, int j, const struc
 
 double ts_film_full_flow(const struct ts_film *f, int axis, int i, int j)
 {
-	struct ts_film_sides s = ts_film_sides_of(f, axis, i, j);
 	size_t at = ts_film_face(f, axis, i, j);
 	double transport = f->transport[axis][at], empty;
+	struct ts_film_sides s;
 
-	if (!s.open || f->cavitation != TS_FILM_JFO)
+	if (f->cavitation != TS_FILM_JFO)
+		return f->flow[axis][at];
+	s = ts_film_sides_of(f, axis, i, j);
+	if (!s.open)
 		return f->flow[axis][at];
 	empty = transport > 0 ? void_beside(f, axis, s.low, false) : void_beside(f, axis, s.high, true);
 	return f->flow[axis][at] + transport * empty;

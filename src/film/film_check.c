@@ -1,7 +1,6 @@
 /* Checks of the input of a film. */
 #include <math.h>
 
-#include "base/alloc.h"
 #include "film/internal.h"
 
 #include "base/banned.h"
@@ -22,6 +21,11 @@ static enum ts_status check_constants(const struct ts_film *f, struct ts_error *
 		return ts_fail(error, TS_RANGE, NULL,
 			       "film: the pressure of the cavity is %g, the ambient one %g",
 			       f->cavity_pressure, f->ambient);
+	if (f->floating && (f->cavitation != TS_FILM_NONE || f->piezo.law != TS_FILM_CONSTANT))
+		return ts_fail(error, TS_STATE, NULL,
+			       "film: a floating pressure is known but for a constant: expected no "
+			       "cavitation, and a "
+			       "viscosity that does not depend on it");
 	TS_TRY(ts_film_check_roughness(f, error));
 	return ts_film_check_viscosity(f, error);
 }
@@ -122,55 +126,6 @@ static enum ts_status check_cell(const struct ts_film *f, int i, int j, struct t
 	return TS_OK;
 }
 
-/* ---- parts of the film whose pressure is not determined */
-
-static int root_of(int *parent, int c)
-{
-	while (parent[c] != c)
-		c = parent[c] = parent[parent[c]];
-	return c;
-}
-
-/* Joins cells on both sides of a face; an edge or cell with a given pressure is the last node. */
-static void join_face(const struct ts_film *f, int *parent, int axis, int i, int j)
-{
-	struct ts_film_sides s = ts_film_sides_of(f, axis, i, j);
-	int given = (int)ts_film_cells(f), a, b;
-
-	if (!s.open)
-		return;
-	a = s.low < 0 || f->kind[s.low] == TS_FILM_GIVEN ? given : s.low;
-	b = s.high < 0 || f->kind[s.high] == TS_FILM_GIVEN ? given : s.high;
-	parent[root_of(parent, a)] = root_of(parent, b);
-}
-
-static enum ts_status check_connected(const struct ts_film *f, struct ts_error *error)
-{
-	size_t n = ts_film_cells(f), c;
-	int *parent = ts_alloc(n + 1, sizeof *parent);
-
-	if (!parent)
-		return ts_nomem(error);
-	for (c = 0; c <= n; c++)
-		parent[c] = (int)c;
-	for (int d = 0; d < 2; d++)
-		for (int j = 0; j < f->n[1] + (d == 1); j++)
-			for (int i = 0; i < f->n[0] + (d == 0); i++)
-				join_face(f, parent, d, i, j);
-	for (c = 0; c < n; c++)
-		if (f->kind[c] == TS_FILM_FLUID && root_of(parent, (int)c) != root_of(parent, (int)n))
-			break;
-	ts_free(parent);
-	if (c == n)
-		return TS_OK;
-	return ts_fail(error, TS_STATE, NULL,
-		       "film: no pressure is given at any border of the part of the film that contains (%g, "
-		       "%g), "
-		       "so that its pressure is not determined",
-		       ts_film_centre(f, 0, (int)(c % (size_t)f->n[0])),
-		       ts_film_centre(f, 1, (int)(c / (size_t)f->n[0])));
-}
-
 enum ts_status ts_film_check(const struct ts_film *f, struct ts_error *error)
 {
 	TS_TRY(check_constants(f, error));
@@ -187,5 +142,5 @@ enum ts_status ts_film_check(const struct ts_film *f, struct ts_error *error)
 	for (int j = 0; j < f->n[1]; j++)
 		for (int i = 0; i < f->n[0]; i++)
 			TS_TRY(check_cell(f, i, j, error));
-	return check_connected(f, error);
+	return ts_film_check_parts(f, error);
 }

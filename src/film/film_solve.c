@@ -211,11 +211,21 @@ static enum ts_status solve_checked(struct ts_film *f, struct ts_error *error)
 	return TS_OK;
 }
 
-enum ts_status ts_film_solve(struct ts_film *f, struct ts_error *error)
+static enum ts_status solve_pinned(struct ts_film *f, struct ts_error *error)
 {
 	TS_TRY(ts_film_check(f, error));
 	return f->piezo.law == TS_FILM_CONSTANT ? solve_checked(f, error)
 						: ts_film_solve_reduced(f, solve_checked, error);
+}
+
+enum ts_status ts_film_solve(struct ts_film *f, struct ts_error *error)
+{
+	enum ts_status status;
+
+	TS_TRY(ts_film_pin_parts(f, error));
+	status = solve_pinned(f, error);
+	ts_film_unpin_parts(f);
+	return status == TS_OK ? ts_film_check_pinned(f, error) : status;
 }
 
 void ts_film_keep_content(struct ts_film *f)

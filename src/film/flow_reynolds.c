@@ -24,7 +24,7 @@ struct reynolds {
 	double slip[2]; /* slip lengths, lower and upper */
 	double barus;	/* NaN: not given */
 	int shape, cavitation, update, touching;
-	bool transient;
+	bool floating, transient;
 
 	bool ready;	/* solved since the beginning of the run */
 	bool solved;	/* `input` is that of the present solution */
@@ -222,6 +222,7 @@ static enum ts_status make_film(struct ts_instance *self, struct tsim *sim)
 	f->viscosity = s->viscosity;
 	f->density = s->density;
 	f->ambient = s->ambient;
+	f->floating = s->floating;
 	f->slip[0] = s->slip[0];
 	f->slip[1] = s->slip[1];
 	f->cavity_pressure = s->cavity;
@@ -557,6 +558,10 @@ static const struct ts_arg args[] = {
 		.help = "the same for the lower edge along y"),
 	TS_REAL("pressure_yhi", struct reynolds, edge[1][1], .flags = TS_OPTIONAL, .unit = "pressure",
 		.help = "the same for the upper edge along y"),
+	TS_BOOL("floating", struct reynolds, floating, .fallback = "no",
+		.help = "whether parts of the film may have a pressure that is determined but for a "
+			"constant, "
+			"where none is given on their border"),
 	TS_SOME_KEYWORD("closed", struct reynolds, closed, 0,
 			.help = "edges through which nothing flows: walls or planes of symmetry"),
 	TS_ENUM("cavitation", struct reynolds, cavitation, cavitations, .fallback = "none",
@@ -625,7 +630,11 @@ static const char *const doc_more[] = {
 	"equation is used for p > -P_R/2. Drag fixes are refused: they have one viscosity for all particles.",
 	"Edges are at the pressure `ambient`, or at one given by pressure_xlo ...; nothing flows through\n"
 	"`closed` edges; edges of a periodic box are periodic. Each part of the film needs an edge with a\n"
-	"given pressure.",
+	"given pressure. With `floating yes` parts without one, in a periodic box or closed all around, "
+	"have\n"
+	"the pressure `ambient` in their first cell: the flow does not depend on that, loads do. The volume "
+	"of such\n"
+	"a part must not change. Not with cavitation, `barus` and `roelands`.",
 	"Cavitation: `none` accepts any pressure. `half` (half-Sommerfeld) replaces pressures below that of\n"
 	"the cavity afterwards; `reynolds` finds the film that ends with a smooth pressure; both do not\n"
 	"conserve volume in the cavity, which `compute film` reports as imbalance. `jfo` (Jakobsson, "

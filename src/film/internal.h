@@ -85,6 +85,16 @@ double ts_film_round_off(const struct ts_film *f);
 /* Fills the report from flow and residual, but for solves and driven. */
 void ts_film_set_report(struct ts_film *f);
 
+/* ---- film_parts.c */
+
+/* Fails if there is a part of the film whose pressure is not determined. */
+enum ts_status ts_film_check_parts(const struct ts_film *f, struct ts_error *error);
+/* With `floating`: gives one cell of each such part the ambient pressure; takes it back after the solution; checks that
+ * the balance of these cells holds, too. */
+enum ts_status ts_film_pin_parts(struct ts_film *f, struct ts_error *error);
+void ts_film_unpin_parts(struct ts_film *f);
+enum ts_status ts_film_check_pinned(const struct ts_film *f, struct ts_error *error);
+
 /* ---- film_guess.c */
 
 /* Whether the grid has enough cells for the following. */
