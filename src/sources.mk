@@ -970,9 +970,13 @@ library_sources = \
 	src/poisson/stencil.h \
 	src/poisson/transform.c \
 	src/poisson/transform.h \
+	src/polish/compute_active_paml.c \
 	src/polish/compute_active_pi.c \
 	src/polish/compute_active_pml.c \
+	src/polish/fix_insert_gap.c \
 	src/polish/fix_wafer.c \
+	src/polish/gap.c \
+	src/polish/gap.h \
 	src/polish/slurry.c \
 	src/polish/slurry.h \
 	src/polish/wafer.c \
@@ -1113,6 +1117,7 @@ library_sources = \
 	src/voxel/voxel_text.h \
 	src/voxel/voxel_touch.c \
 	src/voxel/voxel_touch.h \
+	src/wall/compute_squeeze_atom.c \
 	src/wall/compute_wall_gran_local.c \
 	src/wall/contact_node.h \
 	src/wall/exact_surface.h \
@@ -1131,6 +1136,8 @@ library_sources = \
 	src/wall/primitive_wall.h \
 	src/wall/region_wall.c \
 	src/wall/region_wall.h \
+	src/wall/squeeze.c \
+	src/wall/squeeze.h \
 	src/wall/surface.c \
 	src/wall/surface.h \
 	src/wall/surface_contacts.c \

@@ -103,6 +103,7 @@ TS_STYLE(command, ts_command_style, ts_command_write_data)
 TS_STYLE(command, ts_command_style, ts_command_write_dump)
 TS_STYLE(command, ts_command_style, ts_command_write_restart)
 TS_STYLE(command, ts_command_style, ts_command_write_restart_on_signal)
+TS_STYLE(compute, ts_style, ts_compute_active_paml)
 TS_STYLE(compute, ts_style, ts_compute_active_pi)
 TS_STYLE(compute, ts_style, ts_compute_active_pml)
 TS_STYLE(compute, ts_style, ts_compute_aggregate_atom)
@@ -161,6 +162,7 @@ TS_STYLE(compute, ts_style, ts_compute_reduce)
 TS_STYLE(compute, ts_style, ts_compute_reduce_chunk)
 TS_STYLE(compute, ts_style, ts_compute_reduce_region)
 TS_STYLE(compute, ts_style, ts_compute_slice)
+TS_STYLE(compute, ts_style, ts_compute_squeeze_atom)
 TS_STYLE(compute, ts_style, ts_compute_stress_atom)
 TS_STYLE(compute, ts_style, ts_compute_surface_contact)
 TS_STYLE(compute, ts_style, ts_compute_temp)
@@ -233,6 +235,7 @@ TS_STYLE(fix, ts_style, ts_fix_gravity)
 TS_STYLE(fix, ts_style, ts_fix_halt)
 TS_STYLE(fix, ts_style, ts_fix_heat_gran)
 TS_STYLE(fix, ts_style, ts_fix_immersed_boundary)
+TS_STYLE(fix, ts_style, ts_fix_insert_gap)
 TS_STYLE(fix, ts_style, ts_fix_insert_jet)
 TS_STYLE(fix, ts_style, ts_fix_insert_pack)
 TS_STYLE(fix, ts_style, ts_fix_insert_pack_dense)
@@ -421,6 +424,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_write_dump.style,
 	&ts_command_write_restart.style,
 	&ts_command_write_restart_on_signal.style,
+	&ts_compute_active_paml,
 	&ts_compute_active_pi,
 	&ts_compute_active_pml,
 	&ts_compute_aggregate_atom,
@@ -479,6 +483,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_reduce_chunk,
 	&ts_compute_reduce_region,
 	&ts_compute_slice,
+	&ts_compute_squeeze_atom,
 	&ts_compute_stress_atom,
 	&ts_compute_surface_contact,
 	&ts_compute_temp,
@@ -551,6 +556,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_halt,
 	&ts_fix_heat_gran,
 	&ts_fix_immersed_boundary,
+	&ts_fix_insert_gap,
 	&ts_fix_insert_jet,
 	&ts_fix_insert_pack,
 	&ts_fix_insert_pack_dense,
