@@ -53,12 +53,27 @@ static double normal_force(const struct ts_wall_report *r, const double x[3])
 	return distance > 0 ? ts_dot(r->force, n) / distance : 0;
 }
 
+/* A fix may have been deleted since the last run. */
+static enum ts_status check_walls(struct ts_instance *self, const struct ts_squeeze *s)
+{
+	for (int k = 0; k < 2; k++) {
+		const struct ts_instance *by = ts_sim_find(s->sim, TS_KIND_FIX, s->id[k]);
+
+		if (!by || by->state != s->wall[k])
+			return ts_fail(&s->sim->error, TS_STATE, &self->where,
+				       "compute %s %s: the wall %s has been deleted since the last run",
+				       self->style->name, self->id, s->id[k]);
+	}
+	return TS_OK;
+}
+
 enum ts_status ts_squeeze_find_forces(struct ts_instance *self, struct ts_squeeze *s)
 {
 	const struct ts_particles *p = s->sim->particles;
 
+	TS_TRY(check_walls(self, s));
 	if (TS_GROW(s->force, s->capacity, p->n + 1) != TS_OK)
-		return TS_NOMEM;
+		return ts_nomem(&s->sim->error);
 	for (size_t i = 0; i < p->n; i++)
 		s->force[i][0] = s->force[i][1] = 0;
 	for (int side = 0; side < 2; side++) {

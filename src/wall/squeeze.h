@@ -10,7 +10,7 @@ struct ts_squeeze {
 	const char *id[2];
 	double threshold; /* force */
 
-	const struct tsim *sim;
+	struct tsim *sim;
 	const struct ts_wall *wall[2]; /* found in init */
 	double (*force)[2];	       /* [n] of the last ts_squeeze_find_forces */
 	size_t capacity;

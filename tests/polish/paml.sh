@@ -75,6 +75,26 @@ thermo_style custom step c_paml
 run 0
 $(near active c_paml 2)" 'active ok'
 
+# between plates of which one slides a squeezed particle rolls with half its speed, under the same force
+prints "include in.plates
+delete_atoms group all
+unfix top
+fix top all wall/gran model hertz tangential history primitive type 2 zplane 1 shear x 0.5
+create_atoms 1 single 1 4 0.5 units box
+set group all diameter 1.03 density 2500
+timestep 1e-3
+variable speed equal vcm(all,x)
+fix mean all ave/time 1 100 100 c_paml[5] v_speed
+thermo_style custom step c_paml
+run 10000
+if \"abs(f_mean[2]-0.25) < 1e-6\" then \"print rolls\"
+$(near force 'f_mean[1]' v_f4)" rolls 'force ok'
+rejects "include in.plates
+thermo_style custom step c_paml
+run 0
+unfix top
+print \"\$(c_paml)\"" 'the wall top has been deleted since the last run'
+
 # ---- the gap: a quarter of the columns is 1 high, the others 0; the face at 3 ----
 cat >in.gap <<'END'
 units si
@@ -142,6 +162,15 @@ run 100
 $(near stacked 'f_seed[3]' '8*6+24*10')
 if \"(bound(all,zmin) > 0.1+0.149) && (bound(all,zmax) < 3.1-0.149)\" then \"print 'between both'\"" 'stacked ok' 'between both'
 
+# a second insertion sees the particles of the first one
+prints "include in.free
+fix seed all insert/gap seed 32452867 distributiontemplate mix lower pad upper top fraction 0.2
+fix more all insert/gap seed 32452877 distributiontemplate mixed lower pad upper top fraction 0.2 maxattempt 1000
+thermo_style custom step atoms c_most[1] c_most[2] c_most[3] f_seed[1] f_more[1]
+run 2
+$(near both 'count(all)' '2*round(0.2*288)')
+$none" 'both ok' 'no overlap'
+
 # positions: a function of the seed
 place() { # SEED THREADS FILE
 	printf 'package omp %s grain 1\ninclude in.free\nfix seed all insert/gap seed %s distributiontemplate mixed lower pad upper top fraction 0.4 contact no\ndump d all custom 1 %s id radius x y z\ndump_modify d sort id format float %%.17g\nrun 1\n' "$2" "$1" "$3" >in.place
@@ -154,6 +183,21 @@ place 32452869 1 other
 same 'any number of threads' one two
 ! cmp -s one other
 report 'another seed' $?
+
+# ---- the example, over a micrometre ----
+cp -r "$top_srcdir/examples/polishing" "$top_srcdir/examples/flow" . || exit 99
+cd polishing || exit 99
+"$TSIM" -in in.paml -log none -var pads 2 -var settle 0.5e-6 -var block 0.25e-6 -var blocks 2 >out 2>&1 &&
+	[ "$(grep -c '^RESULT .* ok$' out)" = 4 ] && ! grep -q '^RESULT .* off$' out
+report 'the example' $? out
+# particles: those that can be stacked, 0.04 of them; the closed forms: PML eligible n^(2/3) A
+awk '!/^#/ { n++; if (NF != 19 || $3 < 200 || $3 > 350 || ($11/380.239 - 1)^2 > 1e-10 || !($10 == $14)) bad = 1 }
+	END { exit bad || n != 2 }' post/paml.txt
+report 'its table' $? post/paml.txt
+"$TSIM" -in in.paml -log none -var pads 1 -var settle 1e-7 -var block 1e-7 -var blocks 1 -var lubrication yes \
+	-var spread 0 >out 2>&1 && shows 'in the gap' out
+report 'with lubrication, equal particles' $? out
+cd ..
 
 # ---- refused ----
 seed='fix seed all insert/gap seed 32452867 distributiontemplate mix lower pad upper top'
