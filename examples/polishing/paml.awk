@@ -39,7 +39,7 @@ function exponent(model, k,    i, b, v, sum, square, one) {
 	if (b == "nan") printf "%s nan nan\n", model
 	else {
 		v = square / most - (sum / most) ^ 2
-		printf "%s %.3f %.3f\n", model, b, v > 0 ? sqrt((most - 1) * v) : 0
+		printf "%s %.3f %.3f\n", model, b, (v > 0 ? sqrt((most - 1) * v) : 0)
 	}
 }
 END {
