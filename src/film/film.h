@@ -5,7 +5,7 @@
  * (O. Reynolds, Phil. Trans. 177 (1886) 157; B. J. Hamrock, S. R. Schmid & B. O. Jacobson, Fundamentals of Fluid
  * Film Lubrication, 2nd ed. (2004), chapter 7). U1 and U2 are the velocities of the surfaces along the film, q the
  * flow of volume per width. dh/dt is the rate at a fixed point (x, y): it is 0 where a shape at rest faces a
- * sliding plane, and -U2.grad h where a rigid upper surface slides over a plane at rest.
+ * sliding plane, and -U2.grad h where a rigid upper surface slides over a plane at rest (ts_film_carry).
  *
  * Grid: n[0] x n[1] cells between the given faces, in Cartesian coordinates, or in polar ones (first index: radius,
  * second: angle in radians; velocities are radial and azimuthal). Fields are values at centres, [n[1]][n[0]].
@@ -170,6 +170,14 @@ void ts_film_release(struct ts_film *f);
  * is not determined, because no pressure is given on its border and it may not float. */
 enum ts_status ts_film_check(const struct ts_film *f, struct ts_error *error);
 
+/* ---- film_faces.c */
+
+/* Adds to `rate` that of heights z at the centres of cells whose shape moves along the film with a velocity: -div(V z), z on
+ * a face with the weights of the flow through it. So the flow with both surfaces faster by W is that without and W h: a shape that
+ * moves has the pressure of one at rest below a surface that moves the other way, to round-off, also where it has steps.
+ * gap and kind are set; Cartesian grids. */
+void ts_film_carry(const struct ts_film *f, const double *z, const double velocity[2], double *rate);
+
 /* ---- film_solve.c */
 
 /* Checks the input and solves for p, theta and flows. Further errors: TS_STATE if the equations do not determine
@@ -177,6 +185,14 @@ enum ts_status ts_film_check(const struct ts_film *f, struct ts_error *error);
  * of the film changes its volume, or no
  * pressure satisfies the equation with a viscosity that depends on it. */
 enum ts_status ts_film_solve(struct ts_film *f, struct ts_error *error);
+/* ---- film_response.c: after a solution, of constant viscosity */
+
+/* Between begin and end, gap and rate may be changed by little. respond returns the change of p from that of the solution,
+ * to first order, until the next call. Gap and rate are those of the solution again when `end` is called. */
+enum ts_status ts_film_begin_response(struct ts_film *f, struct ts_error *error);
+const double *ts_film_respond(struct ts_film *f);
+void ts_film_end_response(struct ts_film *f);
+
 /* jfo in time: content = h (1 - theta) of the present solution, for the next step. */
 void ts_film_keep_content(struct ts_film *f);
 

@@ -47,21 +47,32 @@ static double width_beside(const struct ts_film *f, int axis, int k, bool high)
 	return f->face[axis][cell + 1] - f->face[axis][cell];
 }
 
-double ts_film_edge_gap(const struct ts_film *f, int axis, int i, int j, bool high)
+/* The values at an edge are those of the cell (i, j) and `reach` times the difference to those of the cell `other`: linear
+ * from two cells, shortened where the gap would be less than half of that of the cell. */
+static double reach_of_edge(const struct ts_film *f, int axis, int i, int j, bool high, size_t *other)
 {
-	double h = f->gap[ts_film_at(f, i, j)], x[3];
+	double h = f->gap[ts_film_at(f, i, j)], x[3], reach;
 	int k = axis == 0 ? i : j, next = high ? k - 1 : k + 1;
-	size_t other;
 
+	*other = ts_film_at(f, i, j);
 	if (f->shape == TS_FILM_STEPPED || next < 0 || next >= f->n[axis])
-		return h;
-	other = axis == 0 ? ts_film_at(f, next, j) : ts_film_at(f, i, next);
-	if (f->kind[other] == TS_FILM_SOLID)
-		return h;
+		return 0;
+	*other = axis == 0 ? ts_film_at(f, next, j) : ts_film_at(f, i, next);
+	if (f->kind[*other] == TS_FILM_SOLID)
+		return 0;
 	x[0] = ts_film_centre(f, axis, next);
 	x[1] = ts_film_centre(f, axis, k);
 	x[2] = f->face[axis][high ? k + 1 : k];
-	return fmax(h / 2, h + (h - f->gap[other]) * (x[2] - x[1]) / (x[1] - x[0]));
+	reach = (x[2] - x[1]) / (x[1] - x[0]);
+	return h + reach * (h - f->gap[*other]) < h / 2 ? h / 2 / (f->gap[*other] - h) : reach;
+}
+
+double ts_film_edge_gap(const struct ts_film *f, int axis, int i, int j, bool high)
+{
+	size_t other;
+	double h = f->gap[ts_film_at(f, i, j)], reach = reach_of_edge(f, axis, i, j, high, &other);
+
+	return h + reach * (h - f->gap[other]);
 }
 
 void ts_film_face_velocity(const struct ts_film *f, int axis, const struct ts_film_sides *s, int i, int j,
@@ -82,68 +93,76 @@ void ts_film_face_velocity(const struct ts_film *f, int axis, const struct ts_fi
 	}
 }
 
-/* A segment between two points with the gaps h[2] at the distances d[2] from the face: its resistance
- * int dx/h^3, and half of the gap int dx/h^2 / int dx/h^3, which multiplies the velocity of each surface. */
-static void integrate_segment(enum ts_film_shape shape, const double h[2], const double d[2],
-			      double *resistance, double gap[2])
+/* Between two points beside a face: resistance int dx/h^3; half of the gap int dx/h^2 / int dx/h^3, which multiplies the
+ * velocity of each surface; and `low`, with which a height that varies as the gap has the mean low z[0] + (1 - low) z[1]
+ * of the same weight 1/h^3. */
+struct face {
+	double resistance, gap[2], low;
+};
+
+/* The gaps are h[2] at the distances d[2] from the face. */
+static struct face integrate_segment(enum ts_film_shape shape, const double h[2], const double d[2])
 {
+	struct face face;
+
 	if (shape == TS_FILM_STEPPED) {
 		double a = d[0] / (h[0] * h[0] * h[0]), b = d[1] / (h[1] * h[1] * h[1]);
 
-		*resistance = a + b;
-		gap[0] = (h[0] * a + h[1] * b) / (a + b) / 2;
+		face.resistance = a + b;
+		face.gap[0] = (h[0] * a + h[1] * b) / (a + b) / 2;
+		face.low = a / (a + b);
 	} else {
-		*resistance = (d[0] + d[1]) * (h[0] + h[1]) / (2 * h[0] * h[0] * h[1] * h[1]);
-		gap[0] = h[0] * h[1] / (h[0] + h[1]);
+		face.resistance = (d[0] + d[1]) * (h[0] + h[1]) / (2 * h[0] * h[0] * h[1] * h[1]);
+		face.gap[0] = h[0] * h[1] / (h[0] + h[1]);
+		face.low = h[1] / (h[0] + h[1]);
 	}
-	gap[1] = gap[0];
+	face.gap[1] = face.gap[0];
+	return face;
 }
 
-/* Adds a part of the integrals int dx/poiseuille and int couette/poiseuille dx. */
-static void add_section(const struct ts_film *f, int axis, double h, double dx, double *resistance,
-			double gap[2])
+/* Adds a part of the integrals int dx/poiseuille, int couette/poiseuille dx and int low/poiseuille dx. */
+static void add_section(const struct ts_film *f, int axis, double h, double dx, double low, struct face *face)
 {
 	struct ts_film_section s = ts_film_section(f, axis, h);
 
-	*resistance += dx / s.poiseuille;
+	face->resistance += dx / s.poiseuille;
+	face->low += dx * low / s.poiseuille;
 	for (int side = 0; side < 2; side++)
-		gap[side] += dx * s.couette[side] / s.poiseuille;
+		face->gap[side] += dx * s.couette[side] / s.poiseuille;
 }
 
 /* The same with slip or roughness. Where the gap is linear, dx = (d0 + d1)/(h0 h1) h^2 dt with t = (1/h - 1/h0)/(1/h1 - 1/h0), and the
  * integrands times h^2 are smooth functions of t, linear for plain surfaces: by the rule of Gauss. */
-static void integrate_sections(const struct ts_film *f, int axis, const double h[2], const double d[2],
-			       double *resistance, double gap[2])
+static struct face integrate_sections(const struct ts_film *f, int axis, const double h[2], const double d[2])
 {
 	static const double point[] = { 0.046910077030668004, 0.23076534494715845, 0.5, 0.76923465505284155,
 					0.953089922969332 };
 	static const double weight[] = { 0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
 					 0.23931433524968324, 0.11846344252809454 };
+	struct face face = { .resistance = 0 };
 
-	*resistance = gap[0] = gap[1] = 0;
 	if (f->shape == TS_FILM_STEPPED)
 		for (int side = 0; side < 2; side++)
-			add_section(f, axis, h[side], d[side], resistance, gap);
+			add_section(f, axis, h[side], d[side], side == 0, &face);
 	else
 		for (int k = 0; k < 5; k++) {
 			double at = 1 / ((1 - point[k]) / h[0] + point[k] / h[1]);
 
 			add_section(f, axis, at, weight[k] * (d[0] + d[1]) * (at / h[0]) * (at / h[1]),
-				    resistance, gap);
+				    (1 - point[k]) * at / h[0], &face);
 		}
-	gap[0] /= *resistance;
-	gap[1] /= *resistance;
+	face.gap[0] /= face.resistance;
+	face.gap[1] /= face.resistance;
+	face.low /= face.resistance;
+	return face;
 }
 
-static void set_face(struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s)
+static struct face integrate_face(const struct ts_film *f, int axis, int i, int j,
+				  const struct ts_film_sides *s)
 {
-	size_t at = ts_film_face(f, axis, i, j);
-	double length = ts_film_face_length(f, axis, i, j), d[2] = { 0 }, h[2], u[2], resistance, gap[2];
+	double d[2] = { 0 }, h[2];
 	int k = axis == 0 ? i : j;
 
-	f->conductance[axis][at] = f->transport[axis][at] = 0;
-	if (!s->open)
-		return;
 	if (s->low >= 0)
 		d[0] = width_beside(f, axis, k, false) / 2;
 	if (s->high >= 0)
@@ -151,15 +170,24 @@ static void set_face(struct ts_film *f, int axis, int i, int j, const struct ts_
 	h[0] = s->low >= 0 ? f->gap[s->low] : ts_film_edge_gap(f, axis, i, j, false);
 	h[1] = s->high >= 0 ? f->gap[s->high]
 			    : ts_film_edge_gap(f, axis, i - (axis == 0), j - (axis == 1), true);
-	if (ts_film_is_plain(f))
-		integrate_segment(f->shape, h, d, &resistance, gap);
-	else
-		integrate_sections(f, axis, h, d, &resistance, gap);
+	return ts_film_is_plain(f) ? integrate_segment(f->shape, h, d) : integrate_sections(f, axis, h, d);
+}
+
+static void set_face(struct ts_film *f, int axis, int i, int j, const struct ts_film_sides *s)
+{
+	size_t at = ts_film_face(f, axis, i, j);
+	double length = ts_film_face_length(f, axis, i, j), u[2];
+	struct face face;
+
+	f->conductance[axis][at] = f->transport[axis][at] = 0;
+	if (!s->open)
+		return;
+	face = integrate_face(f, axis, i, j, s);
 	if (f->polar && axis == 1)
-		resistance *= ts_film_centre(f, 0, i);
-	f->conductance[axis][at] = length / (12 * f->viscosity * resistance);
+		face.resistance *= ts_film_centre(f, 0, i);
+	f->conductance[axis][at] = length / (12 * f->viscosity * face.resistance);
 	ts_film_face_velocity(f, axis, s, i, j, u);
-	f->transport[axis][at] = length * (gap[0] * u[0] + gap[1] * u[1]);
+	f->transport[axis][at] = length * (face.gap[0] * u[0] + face.gap[1] * u[1]);
 }
 
 void ts_film_each_face(struct ts_film *f, ts_film_face_fn *visit)
@@ -185,4 +213,48 @@ void ts_film_set_faces(struct ts_film *f)
 
 			f->source[c] = f->kind[c] == TS_FILM_FLUID ? rate * ts_film_area(f, i, j) : 0;
 		}
+}
+
+/* ---- shapes that move with their surfaces */
+
+/* Height on a face less that of the cell beside it: of the low side, or of the high one. Beside a solid cell it is the
+ * height of that cell; on an edge it is between that of the cell and the one extrapolated, as the gap. */
+static double rise_to_face(const struct ts_film *f, int axis, int i, int j, const double *z, bool from_high)
+{
+	struct ts_film_sides s = ts_film_sides_of(f, axis, i, j);
+	bool edge = s.low < 0 || s.high < 0;
+	double low, reach;
+	size_t other;
+
+	if (!edge && f->kind[s.low] == TS_FILM_SOLID)
+		low = 1;
+	else
+		low = !edge && f->kind[s.high] == TS_FILM_SOLID ? 0 : integrate_face(f, axis, i, j, &s).low;
+	if (edge) {
+		int cell = s.low < 0 ? s.high : s.low;
+
+		reach = reach_of_edge(f, axis, cell % f->n[0], cell / f->n[0], s.low >= 0, &other);
+		return (s.low < 0 ? low : 1 - low) * reach * (z[cell] - z[other]);
+	}
+	return from_high ? low * (z[s.low] - z[s.high]) : (1 - low) * (z[s.high] - z[s.low]);
+}
+
+void ts_film_carry(const struct ts_film *f, const double *z, const double velocity[2], double *rate)
+{
+	for (int axis = 0; axis < 2; axis++) {
+		if (!(fabs(velocity[axis]) > 0))
+			continue;
+		for (int j = 0; j < f->n[1]; j++)
+			for (int i = 0; i < f->n[0]; i++) {
+				int k = axis == 0 ? i : j;
+				double width = f->face[axis][k + 1] - f->face[axis][k], rise;
+
+				if (f->kind[ts_film_at(f, i, j)] == TS_FILM_SOLID)
+					continue;
+				rise = rise_to_face(f, axis, i + (axis == 0), j + (axis == 1), z, false) -
+				       rise_to_face(f, axis, i, j, z, true);
+
+				rate[ts_film_at(f, i, j)] -= velocity[axis] * rise / width;
+			}
+	}
 }

@@ -1,5 +1,5 @@
 /* The surfaces of flow_style reynolds: heights from numbers, formulas and voxel fields, and their rates. */
-#include "film/film_flow.h"
+#include "film/film_plane.h"
 
 #include <math.h>
 
@@ -21,11 +21,66 @@ enum ts_status ts_film_flow_require(struct tsim *sim, const char *who, const str
 	return TS_OK;
 }
 
+struct ts_instance *ts_film_flow_below(const struct tsim *sim, const struct ts_instance *plane)
+{
+	struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
+	const struct ts_film_flow *film;
+
+	if (!flow || !flow->style->family || !ts_streq(flow->style->family, TS_FAMILY_FILM))
+		return NULL;
+	film = flow->state;
+	return film->surface[1].plane_id && ts_streq(film->surface[1].plane_id, plane->id) ? flow : NULL;
+}
+
+static enum ts_status find_plane(struct ts_instance *self, struct tsim *sim, struct ts_film_surface *s)
+{
+	const struct ts_place *where = ts_instance_word(self, s->plane_id);
+	struct ts_instance *fix = ts_sim_find(sim, TS_KIND_FIX, s->plane_id);
+
+	if (s->voxel || !s->height.null)
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "flow_style reynolds: the upper surface is given twice, by `upper_wafer %s` "
+			       "and "
+			       "by `%s`; fix wafer has a plane face",
+			       s->plane_id, s->voxel ? "upper_voxel" : "upper");
+	if (!fix)
+		return ts_fail(&sim->error, TS_UNKNOWN, where,
+			       "flow_style reynolds: there is no fix '%s'; expected the ID of a fix wafer",
+			       s->plane_id);
+	if (!fix->style->family || !ts_streq(fix->style->family, TS_FAMILY_FILM_PLANE))
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "flow_style reynolds: fix '%s' is of style %s, expected wafer", s->plane_id,
+			       fix->style->name);
+	s->plane_fix = fix;
+	return TS_OK;
+}
+
+static enum ts_status find_field(struct ts_instance *self, struct tsim *sim, struct ts_film_surface *s)
+{
+	struct ts_word id = { .text = s->voxel, .place = *ts_instance_word(self, s->voxel) };
+
+	TS_TRY(ts_voxel_surface_require(sim, &id, &s->field));
+	if (s->field->field.axis[2] != 2)
+		return ts_fail(&sim->error, TS_STATE, &id.place,
+			       "flow_style reynolds: the normal of fix '%s' is not z, the normal of the film",
+			       s->voxel);
+	return TS_OK;
+}
+
 enum ts_status ts_film_surface_find(struct ts_instance *self, struct tsim *sim, struct ts_film_surface *s,
 				    const char *name)
 {
-	struct ts_word id = { .text = s->voxel };
+	bool upper = ts_streq(name, "upper");
 
+	s->plane_fix = NULL;
+	if (s->plane_id)
+		return find_plane(self, sim, s);
+	if (upper && s->voxel && s->height.null)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, s->voxel),
+			       "flow_style reynolds: from which height do the columns of '%s' hang? Give "
+			       "`upper` "
+			       "and a height",
+			       s->voxel);
 	if (!s->voxel && s->height.null)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "flow_style reynolds: where is the %s surface? Give `%s` and a height or "
@@ -33,17 +88,11 @@ enum ts_status ts_film_surface_find(struct ts_instance *self, struct tsim *sim, 
 			       name, name);
 	if (!s->voxel)
 		return TS_OK;
-	if (!s->height.null)
+	if (!upper && !s->height.null)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, s->voxel),
 			       "flow_style reynolds: the %s surface is given twice, as a height and as '%s'",
 			       name, s->voxel);
-	id.place = *ts_instance_word(self, s->voxel);
-	TS_TRY(ts_voxel_surface_require(sim, &id, &s->field));
-	if (s->field->field.axis[2] != 2)
-		return ts_fail(&sim->error, TS_STATE, &id.place,
-			       "flow_style reynolds: the normal of fix '%s' is not z, the normal of the film",
-			       s->voxel);
-	return TS_OK;
+	return find_field(self, sim, s);
 }
 
 static enum ts_status evaluate_formula(struct ts_instance *self, struct tsim *sim,
@@ -86,7 +135,7 @@ static double overlap(const struct ts_voxel_field *field, int d, int64_t i, cons
 static double mean_height(const struct ts_voxel_field *field, const double x[2], const double y[2])
 {
 	int64_t begin[2] = { ts_voxel_index(field, 0, x[0]) - 1, ts_voxel_index(field, 1, y[0]) - 1 };
-	double sum = 0, area = 0;
+	double sum = 0, area = 0, first = NAN; /* equal heights have exactly their mean */
 
 	for (int64_t j = begin[1]; ts_voxel_border(field, 1, j) < y[1]; j++)
 		for (int64_t i = begin[0]; ts_voxel_border(field, 0, i) < x[1]; i++) {
@@ -94,14 +143,18 @@ static double mean_height(const struct ts_voxel_field *field, const double x[2],
 
 			if (!(part > 0))
 				continue;
-			sum += part * ts_voxel_top(field, i, j);
+			if (isnan(first))
+				first = ts_voxel_top(field, i, j);
+			if (!isfinite(ts_voxel_top(field, i, j)))
+				return -INFINITY;
+			sum += part * (ts_voxel_top(field, i, j) - first);
 			area += part;
 		}
-	return sum / area;
+	return first + sum / area;
 }
 
 static enum ts_status read_columns(struct ts_instance *self, struct tsim *sim, const struct ts_film *f,
-				   struct ts_film_surface *s)
+				   struct ts_film_surface *s, bool hang)
 {
 	const double *shift = s->field->shift;
 
@@ -117,51 +170,31 @@ static enum ts_status read_columns(struct ts_instance *self, struct tsim *sim, c
 					       "where the film "
 					       "is",
 					       s->voxel, ts_film_centre(f, 0, i), ts_film_centre(f, 1, j));
-			s->z[ts_film_at(f, i, j)] = top + shift[2];
+			if (hang)
+				s->z[ts_film_at(f, i, j)] += shift[2] - top;
+			else
+				s->z[ts_film_at(f, i, j)] = top + shift[2];
 		}
 	return TS_OK;
 }
 
-/* Derivative of z along an axis by central differences, one-sided at edges that are not periodic. */
-static double slope(const struct ts_film *f, const double *z, int axis, int i, int j)
-{
-	int n = f->n[axis], k = axis == 0 ? i : j, low = k - 1, high = k + 1;
-	double period = 0, length = f->face[axis][n] - f->face[axis][0], rise;
-
-	if (f->edge[axis][0] == TS_FILM_PERIODIC) {
-		period = (low < 0) * length + (high >= n) * length;
-		low = (low + n) % n;
-		high %= n;
-	} else {
-		low = low < 0 ? 0 : low;
-		high = high >= n ? n - 1 : high;
-	}
-	if (low == high)
-		return 0;
-	rise = axis == 0 ? z[ts_film_at(f, high, j)] - z[ts_film_at(f, low, j)]
-			 : z[ts_film_at(f, i, high)] - z[ts_film_at(f, i, low)];
-	return rise / (ts_film_centre(f, axis, high) - ts_film_centre(f, axis, low) + period);
-}
-
-enum ts_status ts_film_surface_evaluate(struct ts_instance *self, struct tsim *sim,
-					const struct ts_film_flow *flow, struct ts_film_surface *s)
+enum ts_status ts_film_surface_evaluate(struct ts_instance *self, struct tsim *sim, struct ts_film_flow *flow,
+					int side)
 {
 	const struct ts_film *f = &flow->film;
+	struct ts_film_surface *s = &flow->surface[side];
 
 	for (int d = 0; d < 3; d++)
 		s->now[d] = s->velocity[d] + (s->voxel ? s->field->velocity[d] : 0);
-	if (s->voxel)
-		TS_TRY(read_columns(self, sim, f, s));
-	else
+	if (s->plane_fix) {
+		ts_film_plane_evaluate(flow);
+		return TS_OK;
+	}
+	if (!s->height.null)
 		TS_TRY(evaluate_formula(self, sim, flow, s));
-	for (int j = 0; j < f->n[1]; j++)
-		for (int i = 0; i < f->n[0]; i++) {
-			double *rate = &s->rate[ts_film_at(f, i, j)];
-
-			*rate = s->now[2];
-			for (int axis = 0; axis < 2 && !s->stays; axis++)
-				if (s->now[axis] != 0)
-					*rate -= s->now[axis] * slope(f, s->z, axis, i, j);
-		}
+	if (s->voxel)
+		TS_TRY(read_columns(self, sim, f, s, side == 1));
+	for (size_t c = 0; c < ts_film_cells(f); c++)
+		s->rate[c] = s->now[2];
 	return TS_OK;
 }

@@ -4,7 +4,7 @@
 #include "base/hash.h"
 #include "box/domain.h"
 #include "core/report.h"
-#include "film/film_flow.h"
+#include "film/film_plane.h"
 #include "film/film_velocity.h"
 #include "flow/flow.h"
 #include "flow/flow_arguments.h"
@@ -18,13 +18,13 @@ enum { REFUSED, SOLID };
 
 struct reynolds {
 	struct ts_film_flow flow;
-	struct ts_words cells, set, closed, roelands, roughness;
+	struct ts_words cells, set, closed, open, roelands, roughness;
 	double edge[2][2]; /* pressures given; NaN: ambient */
 	double viscosity, density, ambient, cavity;
 	double slip[2]; /* slip lengths, lower and upper */
 	double barus;	/* NaN: not given */
 	int shape, cavitation, update, touching;
-	bool floating, transient;
+	bool floating;
 
 	bool ready;	/* solved since the beginning of the run */
 	bool solved;	/* `input` is that of the present solution */
@@ -43,7 +43,7 @@ static void velocity(const struct ts_instance *self, const double x[3], double u
 	double z, slope[2], rate;
 
 	ts_film_sample(&flow->film, x, &point);
-	ts_film_interpolate(&flow->film, lower->z, x, &z, slope);
+	ts_film_interpolate(&flow->film, flow->bottom, x, &z, slope);
 	rate = lower->now[2];
 	if (!lower->stays)
 		rate -= lower->now[0] * slope[0] + lower->now[1] * slope[1];
@@ -102,34 +102,69 @@ static enum ts_status check_faces(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static enum ts_status read_edge(struct ts_instance *self, struct tsim *sim, const char *what,
+				struct ts_words words, size_t k, int *edge)
+{
+	struct ts_words one = ts_words_from(words, k);
+	struct edge_word word = { 0 };
+
+	one.n = 1;
+	TS_TRY(ts_args_parse(sim, what, edge_rows, one, &words.word[k].place, &self->arena, &word));
+	*edge = word.edge;
+	return TS_OK;
+}
+
+/* Edges of periodic axes at which the film ends nevertheless: a wafer above a pad that goes on. */
+static enum ts_status read_open(struct ts_instance *self, struct tsim *sim, bool open[4])
+{
+	struct reynolds *s = self->state;
+
+	for (size_t k = 0; k < s->open.n; k++) {
+		int edge;
+
+		TS_TRY(read_edge(self, sim, "flow_style reynolds: open", s->open, k, &edge));
+		if (!ts_box_periodic(&sim->domain->box, edge / 2))
+			return refuse_edge(self, sim, edge,
+					   "is open, but the box is not periodic there: it is open anyway, "
+					   "or closed");
+		open[edge] = true;
+	}
+	for (int d = 0; d < 2; d++)
+		if (open[2 * d] != open[2 * d + 1])
+			return refuse_edge(self, sim, 2 * d + open[2 * d],
+					   "is not open, but the opposite one is; expected both");
+	return TS_OK;
+}
+
 static enum ts_status set_edges(struct ts_instance *self, struct tsim *sim)
 {
 	struct reynolds *s = self->state;
 	struct ts_film *f = &s->flow.film;
+	bool open[4] = { false };
 
+	TS_TRY(read_open(self, sim, open));
 	for (int k = 0; k < 4; k++) {
 		bool given = !isnan(s->edge[k / 2][k % 2]);
 
 		f->edge[k / 2][k % 2] = TS_FILM_PRESSURE;
 		f->edge_pressure[k / 2][k % 2] = given ? s->edge[k / 2][k % 2] : s->ambient;
-		if (!ts_box_periodic(&sim->domain->box, k / 2))
+		if (!ts_box_periodic(&sim->domain->box, k / 2) || open[k])
 			continue;
 		f->edge[k / 2][k % 2] = TS_FILM_PERIODIC;
 		if (given)
-			return refuse_edge(self, sim, k, "has a pressure, but the box is periodic there");
+			return refuse_edge(self, sim, k,
+					   "has a pressure, but the box is periodic there and the edge is "
+					   "not `open`");
 	}
 	for (size_t k = 0; k < s->closed.n; k++) {
-		struct edge_word word = { 0 };
-		struct ts_words one = ts_words_from(s->closed, k);
+		int edge;
 
-		one.n = 1;
-		TS_TRY(ts_args_parse(sim, "flow_style reynolds: closed", edge_rows, one,
-				     &s->closed.word[k].place, &self->arena, &word));
-		if (f->edge[word.edge / 2][0] == TS_FILM_PERIODIC)
-			return refuse_edge(self, sim, word.edge, "is closed, but the box is periodic there");
-		if (!isnan(s->edge[word.edge / 2][word.edge % 2]))
-			return refuse_edge(self, sim, word.edge, "is closed, and a pressure is given there");
-		f->edge[word.edge / 2][word.edge % 2] = TS_FILM_NO_FLOW;
+		TS_TRY(read_edge(self, sim, "flow_style reynolds: closed", s->closed, k, &edge));
+		if (f->edge[edge / 2][0] == TS_FILM_PERIODIC)
+			return refuse_edge(self, sim, edge, "is closed, but the box is periodic there");
+		if (!isnan(s->edge[edge / 2][edge % 2]))
+			return refuse_edge(self, sim, edge, "is closed, and a pressure is given there");
+		f->edge[edge / 2][edge % 2] = TS_FILM_NO_FLOW;
 	}
 	return TS_OK;
 }
@@ -197,6 +232,14 @@ static enum ts_status read_viscosity(struct ts_instance *self, struct tsim *sim)
 			     ts_instance_word(self, "roelands"), &self->arena, piezo);
 }
 
+static enum ts_status make_field(struct ts_instance *self, struct tsim *sim, double **field)
+{
+	const struct reynolds *s = self->state;
+
+	*field = ts_arena_alloc(&self->arena, ts_film_cells(&s->flow.film), sizeof **field);
+	return *field ? TS_OK : ts_nomem(&sim->error);
+}
+
 static enum ts_status make_film(struct ts_instance *self, struct tsim *sim)
 {
 	struct reynolds *s = self->state;
@@ -229,13 +272,11 @@ static enum ts_status make_film(struct ts_instance *self, struct tsim *sim)
 	f->shape = (enum ts_film_shape)s->shape;
 	f->cavitation = (enum ts_film_cavitation)s->cavitation;
 	for (int side = 0; side < 2; side++) {
-		struct ts_film_surface *surface = &s->flow.surface[side];
-
-		surface->z = ts_arena_alloc(&self->arena, ts_film_cells(f), sizeof *surface->z);
-		surface->rate = ts_arena_alloc(&self->arena, ts_film_cells(f), sizeof *surface->rate);
-		if (!surface->z || !surface->rate)
-			return ts_nomem(&sim->error);
+		TS_TRY(make_field(self, sim, &s->flow.surface[side].z));
+		TS_TRY(make_field(self, sim, &s->flow.surface[side].rate));
 	}
+	TS_TRY(make_field(self, sim, &s->flow.bottom));
+	TS_TRY(make_field(self, sim, &s->flow.yield));
 	if (ts_film_make(f) == TS_OK)
 		return TS_OK;
 	ts_film_release(f);
@@ -263,65 +304,6 @@ static void set_cells(struct reynolds *s, const struct tsim *sim)
 		for (int i = 0; i <= f->n[d]; i++)
 			f->face[d][i] =
 				i == f->n[d] ? box->hi[d] : box->lo[d] + ts_box_length(box, d) * i / f->n[d];
-}
-
-static void combine_surfaces(struct reynolds *s)
-{
-	const struct ts_film_surface *lower = &s->flow.surface[0], *upper = &s->flow.surface[1];
-	struct ts_film *f = &s->flow.film;
-
-	for (size_t c = 0; c < ts_film_cells(f); c++) {
-		f->gap[c] = upper->z[c] - lower->z[c];
-		f->rate[c] = upper->rate[c] - lower->rate[c];
-		f->kind[c] = s->touching == SOLID && !(f->gap[c] > 0) ? TS_FILM_SOLID : TS_FILM_FLUID;
-		for (int axis = 0; axis < 2; axis++) {
-			f->velocity[0][axis][c] = lower->now[axis];
-			f->velocity[1][axis][c] = upper->now[axis];
-		}
-	}
-}
-
-/* Whether heights change along an axis by steps: their second differences are as large as the first ones. */
-static bool has_steps(const struct ts_film *f, const double *z, int axis)
-{
-	size_t stride = axis == 0 ? 1 : (size_t)f->n[0];
-	double first = 0, second = 0;
-
-	for (int j = 0; j < f->n[1]; j++)
-		for (int i = 0; i < f->n[0]; i++) {
-			const double *at = z + ts_film_at(f, i, j);
-			int k = axis == 0 ? i : j;
-
-			if (k > 0)
-				first = fmax(first, fabs(at[0] - *(at - stride)));
-			if (k > 0 && k + 1 < f->n[axis])
-				second = fmax(second, fabs(at[stride] - 2 * at[0] + *(at - stride)));
-		}
-	return second > 0.5 * first;
-}
-
-/* At the steps of a gap that is constant in each cell -V.grad h is infinite: central differences, which the flow through
- * faces does not have, would give a pressure of their own. */
-static enum ts_status check_steps_stay(struct ts_instance *self, struct tsim *sim, const struct reynolds *s)
-{
-	const struct ts_film *f = &s->flow.film;
-
-	for (int side = 0; side < 2 && f->shape == TS_FILM_STEPPED && !s->transient; side++)
-		for (int axis = 0; axis < 2; axis++) {
-			const struct ts_film_surface *surface = &s->flow.surface[side];
-			const double *v = surface->now;
-
-			if (v[axis] != 0 && !surface->stays && has_steps(f, surface->z, axis))
-				return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "stepped"),
-					       "flow_style reynolds: the %s surface has steps and slides "
-					       "with the "
-					       "velocity %g %g: `gap stepped` needs steps that stay in "
-					       "place; let "
-					       "the other surface slide with %g %g instead, or take `gap "
-					       "linear`",
-					       side ? "upper" : "lower", v[0], v[1], -v[0], -v[1]);
-		}
-	return TS_OK;
 }
 
 static uint64_t hash_input(const struct ts_film *f)
@@ -355,7 +337,7 @@ static enum ts_status check_cell(struct ts_instance *self, struct tsim *sim, siz
 			       "overlap; with "
 			       "`touching solid` there is no fluid in such cells",
 			       f->gap[c], x, y);
-	if (f->cavitation == TS_FILM_JFO && !s->transient && f->rate[c] != 0)
+	if (f->cavitation == TS_FILM_JFO && !s->flow.transient && f->rate[c] != 0)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "flow_style reynolds: the gap changes at (%g, %g) by %g per time; with "
 			       "cavitation jfo this "
@@ -397,28 +379,59 @@ static void begin_content(struct reynolds *s, double dt)
 	for (size_t c = 0; c < ts_film_cells(f); c++)
 		f->content[c] = fmax(f->gap[c] - f->rate[c] * dt, 0);
 	f->time_step = dt;
-	s->began = true;
 }
 
-/* At the present time; `advance`: one step after the present solution. */
-static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim, bool advance)
+/* Below the plane as it is. */
+static enum ts_status solve_below(struct ts_instance *self, struct tsim *sim)
 {
 	struct reynolds *s = self->state;
 
-	if (s->transient && advance) {
+	ts_film_plane_evaluate(&s->flow);
+	ts_film_combine(&s->flow);
+	if (s->flow.transient && !s->began)
+		begin_content(s, sim->clock.dt);
+	return solve(self, sim);
+}
+
+/* At the present time. */
+static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim, enum ts_film_move how)
+{
+	struct reynolds *s = self->state;
+	struct ts_instance *fix = s->flow.surface[1].plane_fix;
+
+	if (s->flow.transient && how == TS_FILM_STEP) {
 		ts_film_keep_content(&s->flow.film);
 		s->flow.film.time_step = sim->clock.dt;
 	}
 	set_cells(s, sim);
 	for (int side = 0; side < 2; side++)
-		TS_TRY(ts_film_surface_evaluate(self, sim, &s->flow, &s->flow.surface[side]));
+		TS_TRY(ts_film_surface_evaluate(self, sim, &s->flow, side));
 	TS_TRY(reset_coordinates(self, sim));
-	combine_surfaces(s);
-	TS_TRY(check_steps_stay(self, sim, s));
-	if (s->transient && !s->began)
-		begin_content(s, sim->clock.dt);
 	s->ready = true;
+	if (fix)
+		TS_TRY(((struct ts_film_plane *)fix->state)->move(fix, sim, self, how));
+	ts_film_combine(&s->flow);
+	if (s->flow.transient && !s->began)
+		begin_content(s, sim->clock.dt);
+	s->began = true;
 	return solve(self, sim);
+}
+
+static enum ts_status check_plane(struct ts_instance *self, struct tsim *sim)
+{
+	const struct reynolds *s = self->state;
+	const struct ts_film_surface *upper = &s->flow.surface[1];
+	const char *why = s->update == EACH_RUN		 ? "`update run`: the wafer moves in each step"
+			  : fabs(upper->velocity[2]) > 0 ? "a velocity along z: the wafer has its own"
+			  : s->flow.film.piezo.law != TS_FILM_CONSTANT
+				  ? "a viscosity that depends on the pressure"
+			  : s->cavitation == TS_FILM_HALF ? "cavitation half, which conserves no volume"
+							  : NULL;
+
+	if (!upper->plane_fix || !why)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, upper->plane_id),
+		       "flow_style reynolds: `upper_wafer %s` is not possible with %s", upper->plane_id, why);
 }
 
 static enum ts_status check_transient(struct ts_instance *self, struct tsim *sim)
@@ -430,7 +443,7 @@ static enum ts_status check_transient(struct ts_instance *self, struct tsim *sim
 		: s->touching == SOLID ? "conserves the fluid, but `touching solid` removes it from cells"
 				       : NULL;
 
-	if (!s->transient || !why)
+	if (!s->flow.transient || !why)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "transient"),
 		       "flow_style reynolds: `transient yes` %s", why);
@@ -458,6 +471,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(set_edges(self, sim));
 	TS_TRY(read_viscosity(self, sim));
 	TS_TRY(read_roughness(self, sim));
+	TS_TRY(check_plane(self, sim));
+	s->flow.solid = s->touching == SOLID;
+	s->flow.solve = solve_below;
 	s->ready = false;
 	return reset_coordinates(self, sim);
 }
@@ -466,13 +482,15 @@ static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct reynolds *s = self->state;
 
-	return s->ready && s->update == EACH_RUN ? TS_OK : evaluate(self, sim, !sim->run.in_setup);
+	return s->ready && s->update == EACH_RUN
+		       ? TS_OK
+		       : evaluate(self, sim, sim->run.in_setup ? TS_FILM_SETUP : TS_FILM_STEP);
 }
 
 /* At the beginning of a run, also of one that resumes with the forces of the last one. */
 static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 {
-	return ((const struct reynolds *)self->state)->ready ? TS_OK : evaluate(self, sim, false);
+	return ((const struct reynolds *)self->state)->ready ? TS_OK : evaluate(self, sim, TS_FILM_KEEP);
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
@@ -480,9 +498,9 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	const struct reynolds *s = self->state;
 
 	(void)sim;
-	return s->transient ? ts_archive_fixed(archive, "content", TS_SAVED_F64, s->flow.film.content,
-					       ts_film_cells(&s->flow.film))
-			    : TS_OK;
+	return s->flow.transient ? ts_archive_fixed(archive, "content", TS_SAVED_F64, s->flow.film.content,
+						    ts_film_cells(&s->flow.film))
+				 : TS_OK;
 }
 
 static const struct ts_saved saved[] = {
@@ -522,6 +540,10 @@ static const struct ts_arg args[] = {
 		  .help = "height of the upper surface"),
 	TS_WORD("lower_voxel", struct reynolds, flow.surface[0].voxel, .flags = TS_OPTIONAL,
 		.help = "instead of lower: ID of a fix surface/voxel with normal z"),
+	TS_WORD("upper_voxel", struct reynolds, flow.surface[1].voxel, .flags = TS_OPTIONAL,
+		.help = "ID of a fix surface/voxel with normal z, whose columns hang down from `upper`"),
+	TS_WORD("upper_wafer", struct reynolds, flow.surface[1].plane_id, .flags = TS_OPTIONAL,
+		.help = "instead of upper: ID of a fix wafer, which floats on the film"),
 	TS_SOME_KEYWORD("set", struct reynolds, set, 0,
 			.help = "`x NAME y NAME`: internal-style variables that receive the coordinates for "
 				"v_NAME"),
@@ -564,16 +586,20 @@ static const struct ts_arg args[] = {
 			"where none is given on their border"),
 	TS_SOME_KEYWORD("closed", struct reynolds, closed, 0,
 			.help = "edges through which nothing flows: walls or planes of symmetry"),
+	TS_SOME_KEYWORD("open", struct reynolds, open, 0,
+			.help = "edges where the film ends although the box is periodic, both of an axis"),
 	TS_ENUM("cavitation", struct reynolds, cavitation, cavitations, .fallback = "none",
 		.help = "what happens where the pressure would be below that of the cavity"),
 	TS_REAL("cavity_pressure", struct reynolds, cavity, .fallback = "0", .unit = "pressure",
 		.help = "pressure in the cavity"),
-	TS_BOOL("transient", struct reynolds, transient, .flags = TS_STATEFUL, .fallback = "no",
+	TS_BOOL("transient", struct reynolds, flow.transient, .flags = TS_STATEFUL, .fallback = "no",
 		.help = "cavitation jfo: the fluid in the gap is followed in time"),
 	TS_ENUM("gap", struct reynolds, shape, shapes, .fallback = "linear",
 		.help = "the gap between the centres of cells: linear, or constant in each cell"),
 	TS_ENUM("update", struct reynolds, update, updates, .fallback = "step",
 		.help = "heights are evaluated in each step, or at the beginning of each run"),
+	TS_REAL("least_gap", struct reynolds, flow.least, .range = TS_NOT_NEGATIVE, .fallback = "0",
+		.unit = "length", .help = "the gap tends to this length where the surfaces touch or overlap"),
 	TS_ENUM("touching", struct reynolds, touching, touchings, .fallback = "stop",
 		.help = "where the gap is not positive: the run stops, or the cell is solid, without fluid"),
 	TS_ARGS_END,
@@ -594,10 +620,14 @@ static const char doc[] =
 	"variables of `set` (afterwards 0); it may depend on time. The velocity must be consistent with such "
 	"a motion: it\n"
 	"is not integrated. The shape of a surface moves with its velocity V, dh/dt = V_z - V.grad h, "
-	"unless\n"
-	"`lower_stays` or `upper_stays` says that the material slides along a shape that stays, as a belt "
+	"as\n"
+	"-div(V h) with the weights of the flow through faces: surfaces with steps may slide, and an "
+	"observer\n"
+	"who moves along sees the same pressure to round-off. Exceptions are\n"
+	"`lower_stays` and `upper_stays`, where the material slides along a shape that stays, as a belt "
 	"or\n"
-	"the shaft of a bearing; then dh/dt = V_z.\n\n"
+	"the shaft of a bearing: dh/dt = V_z. The columns of `upper_voxel` hang down from the height "
+	"`upper`.\n\n"
 	"The film is solved again in each step in which heights or velocities have changed, with `update "
 	"run`\n"
 	"only at the beginning of each run. A direct solver is used: 0.04 s for 256 x 64 cells.";
@@ -628,8 +658,19 @@ static const char *const doc_more[] = {
 	"has\n"
 	"an upper limit, 1/alpha with Barus' equation; the run stops if the film needs more. Roelands'\n"
 	"equation is used for p > -P_R/2. Drag fixes are refused: they have one viscosity for all particles.",
+	"With `upper_wafer` the upper surface is the face of a fix wafer, which the film carries: the fix "
+	"finds its\n"
+	"height, slopes and their rates together with the pressure. `upper_velocity` slides the face in its "
+	"plane.\n"
+	"With `least_gap` l the gap is l + (d + sqrt(d^2 + l^2))/2, d = h - l, a smooth function of the "
+	"distance h of\n"
+	"the surfaces that tends to l where they touch or overlap: the fluid between the asperities of a "
+	"contact. So\n"
+	"the forces of the film are continuous functions of the place of the wafer. It changes gaps h > l by "
+	"about\n"
+	"l^2/(4 h).",
 	"Edges are at the pressure `ambient`, or at one given by pressure_xlo ...; nothing flows through\n"
-	"`closed` edges; edges of a periodic box are periodic. Each part of the film needs an edge with a\n"
+	"`closed` edges; edges of a periodic box are periodic unless they are `open`. Each part of the film needs an edge with a\n"
 	"given pressure. With `floating yes` parts without one, in a periodic box or closed all around, "
 	"have\n"
 	"the pressure `ambient` in their first cell: the flow does not depend on that, loads do. The volume "
@@ -648,9 +689,7 @@ static const char *const doc_more[] = {
 	"reforms is of first order. With `gap linear` the gap is linear between the centres of cells, and "
 	"the\n"
 	"pressure of a plane slider is exact; with `gap stepped` it is constant in each cell, for steps and\n"
-	"columns, which must not slide (unless `transient yes`): where both surfaces slide, subtract the "
-	"velocity of\n"
-	"the one with steps from both. The equation of Reynolds is the limit of thin gaps: it neglects "
+	"columns. The equation of Reynolds is the limit of thin gaps: it neglects "
 	"inertia, of order Re h/L, "
 	"and\n"
 	"terms of order (h/L)^2. For thicker gaps use flow_style projection.",

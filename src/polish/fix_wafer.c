@@ -1,8 +1,11 @@
 /* Fix wafer: a rigid wafer on a ball joint, pressed onto a polishing pad. */
 #include <math.h>
 
+#include "box/domain.h"
 #include "core/report.h"
+#include "film/film_plane.h"
 #include "math/constants.h"
+#include "polish/balance.h"
 #include "polish/wafer.h"
 #include "voxel/voxel_surface.h"
 
@@ -11,10 +14,12 @@
 enum { SETTLED, DYNAMIC };
 
 struct state {
+	struct ts_film_plane plane; /* height and slopes, and their rates */
 	const char *pad_id;
 	int motion;
 	struct ts_number pressure;
-	double friction, arm, mass, inertia[2], damping;
+	double friction, arm, joint[2], mass, inertia[2], damping;
+	double start[3]; /* NaN: not given */
 	int64_t every;
 
 	struct ts_wafer wafer;
@@ -23,10 +28,11 @@ struct state {
 	size_t column_capacity;
 	double area; /* of the face */
 	struct ts_wafer_forces forces;
+	struct ts_film_push push; /* of the film; 0 without one */
 	double mean_gap;
-	/* saved */
-	double pose[3], rate[3]; /* z and slopes, and their rates */
 	bool placed;
+	/* on a film: state a step ago, and the length of that step; 0: there is none */
+	double last_pose[3], last_rate[3], last_step;
 };
 
 /* ---- the pad below the wafer ---- */
@@ -71,11 +77,12 @@ static enum ts_status list_columns(struct ts_instance *self, struct tsim *sim)
 			int parts = segments_of(f, 0, i, shift[f->axis[0]], part);
 
 			for (int a = 0; a < rows * parts; a++)
-				s->column[n++] = (struct ts_wafer_column){
-					{ part[a / rows].centre, row[a % rows].centre },
-					part[a / rows].length * row[a % rows].length,
-					height
-				};
+				s->column[n++] =
+					(struct ts_wafer_column){ { part[a / rows].centre - s->joint[0],
+								    row[a % rows].centre - s->joint[1] },
+								  part[a / rows].length *
+									  row[a % rows].length,
+								  height };
 		}
 	}
 	s->wafer.column = s->column;
@@ -105,7 +112,9 @@ static enum ts_status find_load(struct ts_instance *self, struct tsim *sim)
 
 static struct ts_wafer_pose pose_of(const struct state *s)
 {
-	return (struct ts_wafer_pose){ s->pose[0], { s->pose[1], s->pose[2] } };
+	const double *q = s->plane.pose;
+
+	return (struct ts_wafer_pose){ q[0], { q[1], q[2] } };
 }
 
 static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
@@ -122,10 +131,9 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
 			       s->wafer.friction[1],
 			       0.5 * (double)s->pad->field.n[0] * s->pad->field.width[0],
 			       0.5 * (double)s->pad->field.n[1] * s->pad->field.width[1]);
-	s->pose[0] = pose.z;
-	s->pose[1] = pose.slope[0];
-	s->pose[2] = pose.slope[1];
-	s->placed = true;
+	s->plane.pose[0] = pose.z;
+	s->plane.pose[1] = pose.slope[0];
+	s->plane.pose[2] = pose.slope[1];
 	return TS_OK;
 }
 
@@ -144,6 +152,173 @@ static void find_forces(struct state *s)
 	s->mean_gap = gap / s->area;
 }
 
+/* The place at the beginning, if one is given. */
+static bool take_start(struct state *s)
+{
+	if (s->placed || isnan(s->start[0]))
+		return false;
+	for (int d = 0; d < 3; d++) {
+		s->plane.pose[d] = isnan(s->start[d]) ? 0 : s->start[d];
+		s->plane.rate[d] = 0;
+	}
+	s->placed = true;
+	return true;
+}
+
+/* ---- the film below the wafer ---- */
+
+struct floating {
+	struct state *s;
+	struct tsim *sim;
+	struct ts_instance *flow;
+	struct ts_film_flow *film;
+	double half[2]; /* lengths of the face */
+};
+
+static enum ts_status forces_on_film(void *context, const double q[3], const double v[3], double out[3])
+{
+	struct floating *at = context;
+	struct state *s = at->s;
+
+	for (int d = 0; d < 3; d++) {
+		s->plane.pose[d] = q[d];
+		s->plane.rate[d] = v[d];
+	}
+	TS_TRY(at->film->solve(at->flow, at->sim));
+	ts_film_plane_push(at->film, &s->push);
+	find_forces(s);
+	out[0] = s->forces.normal + s->push.normal - s->wafer.load;
+	for (int d = 0; d < 2; d++)
+		out[1 + d] = s->forces.moment[d] + s->forces.normal * s->wafer.friction[d] +
+			     s->push.moment[d] + s->arm * s->push.along[d];
+	for (int d = 0; d < 3 && s->motion == DYNAMIC; d++)
+		out[d] -= s->damping * (d == 0 ? 1 : s->inertia[d - 1] / s->mass) * v[d];
+	return TS_OK;
+}
+
+static enum ts_status slopes_on_film(void *context, double by_q[3][3], double by_v[3][3])
+{
+	struct floating *at = context;
+	const struct state *s = at->s;
+
+	TS_TRY(ts_film_plane_slopes(at->film, by_q, by_v, &at->sim->error));
+	for (int a = 0; a < 3; a++) {
+		for (int b = 0; b < 3; b++)
+			by_q[a][b] -= s->forces.stiffness[a][b] +
+				      (a > 0 ? s->wafer.friction[a - 1] * s->forces.stiffness[0][b] : 0);
+		if (s->motion == DYNAMIC)
+			by_v[a][a] -= s->damping * (a == 0 ? 1 : s->inertia[a - 1] / s->mass);
+	}
+	return TS_OK;
+}
+
+/* With a least gap the film follows the wafer into the pad: at most by the mean gap at once. Where nothing carries the wafer it
+ * would sink without end. */
+static double reach_on_film(void *context, const double change[3])
+{
+	const struct floating *at = context;
+	double clearance = ts_film_plane_clearance(at->film), most = 0;
+
+	for (int d = 0; d < 3; d++)
+		most += fabs(change[d]) * (d == 0 ? 1 : at->half[d - 1]);
+	if (clearance < 1e-9 * fmax(at->half[0], at->half[1]))
+		return 0;
+	return fmin(ts_film_plane_reach(at->film, change), fmax(at->s->mean_gap, clearance) / most);
+}
+
+static double length_on_film(void *context)
+{
+	return ts_film_plane_clearance(((const struct floating *)context)->film);
+}
+
+static enum ts_status balance_on_film(struct ts_instance *self, struct floating *at, bool step)
+{
+	struct state *s = self->state;
+	double dt = at->sim->clock.dt, old[2][3], speed[2][3], rest = 0;
+	struct ts_balance b = { .context = at,
+				.forces = forces_on_film,
+				.slopes = slopes_on_film,
+				.reach = reach_on_film,
+				.length = length_on_film,
+				.scale = { s->wafer.load, s->wafer.load * at->half[0],
+					   s->wafer.load * at->half[1] } };
+	enum ts_status status;
+
+	for (int d = 0; d < 3; d++) {
+		b.mass[d] = s->motion == DYNAMIC ? (d == 0 ? s->mass : s->inertia[d - 1]) : 0;
+		old[0][d] = s->plane.pose[d];
+		speed[0][d] = s->plane.rate[d];
+		old[1][d] = s->last_pose[d];
+		speed[1][d] = s->last_rate[d];
+	}
+	if (step)
+		ts_balance_step(&b, dt, s->last_step, (const double(*)[3])old, (const double(*)[3])speed);
+	status = ts_balance_solve(&b, s->plane.pose, &rest);
+	if (status == TS_PHYSICS && at->sim->error.status == TS_OK)
+		return ts_fail(&at->sim->error, TS_PHYSICS, &self->where,
+			       "fix wafer %s: no place above the film where forces balance: of the load %g "
+			       "the pad "
+			       "carries %g and the film %g at z = %g with slopes %g %g; the pad carries at "
+			       "most %g. "
+			       "Expected a joint above which the film and the pad can hold the wafer, or a "
+			       "`start` "
+			       "nearer to it",
+			       self->id, s->wafer.load, s->forces.normal, s->push.normal, s->plane.pose[0],
+			       s->plane.pose[1], s->plane.pose[2], s->wafer.hardness * s->area);
+	TS_TRY(status);
+	for (int d = 0; d < 3 && step; d++) {
+		s->last_pose[d] = old[0][d];
+		s->last_rate[d] = speed[0][d];
+	}
+	s->last_step = step ? dt : s->last_step;
+	return TS_OK;
+}
+
+/* Before the first balance: so high that the gap is a thousandth of the length of the face, where no columns touch. */
+static void place_above(struct state *s, const struct floating *at)
+{
+	double highest = -INFINITY;
+
+	for (size_t c = 0; c < ts_film_cells(&at->film->film); c++)
+		highest = fmax(highest, at->film->surface[0].z[c]);
+	s->plane.pose[0] = highest + 2e-3 * fmax(at->half[0], at->half[1]);
+	s->plane.pose[1] = s->plane.pose[2] = 0;
+}
+
+/* Forces where the wafer is. */
+static enum ts_status stay_on_film(struct floating *at)
+{
+	double q[3], v[3], unused[3];
+
+	for (int d = 0; d < 3; d++) {
+		q[d] = at->s->plane.pose[d];
+		v[d] = at->s->plane.rate[d];
+	}
+	return forces_on_film(at, q, v, unused);
+}
+
+static enum ts_status move(struct ts_instance *self, struct tsim *sim, struct ts_instance *flow,
+			   enum ts_film_move how)
+{
+	struct state *s = self->state;
+	const struct ts_voxel_field *f = &s->pad->field;
+	struct floating at = { s, sim, flow, flow->state, { 0 } };
+	bool due = s->motion == SETTLED && (how == TS_FILM_SETUP || sim->clock.step % s->every == 0), first;
+
+	for (int d = 0; d < 2; d++)
+		at.half[d] = 0.5 * (double)f->n[d] * f->width[d];
+	TS_TRY(list_columns(self, sim));
+	TS_TRY(find_load(self, sim));
+	first = !s->placed && !take_start(s);
+	if (first)
+		place_above(s, &at);
+	s->placed = true;
+	TS_TRY(stay_on_film(&at));
+	if (first || (due && how != TS_FILM_KEEP))
+		return balance_on_film(self, &at, false);
+	return s->motion == DYNAMIC && how == TS_FILM_STEP ? balance_on_film(self, &at, true) : TS_OK;
+}
+
 /* ---- stages ---- */
 
 static enum ts_status check_pad(struct ts_instance *self, struct tsim *sim)
@@ -158,9 +333,52 @@ static enum ts_status check_pad(struct ts_instance *self, struct tsim *sim)
 				       "periodic: it "
 				       "would leave the wafer",
 				       s->pad_id);
-	if (s->motion == DYNAMIC && !(s->mass > 0 && s->inertia[0] > 0 && s->inertia[1] > 0))
-		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix wafer dynamic: mass and both moments of inertia must be > 0");
+	for (int d = 0; d < 2; d++)
+		if (!(fabs(s->joint[d]) <= 0.5 * (double)f->n[d] * f->width[d]))
+			return ts_fail(&sim->error, TS_RANGE, &self->where,
+				       "fix wafer: the joint is %g from the middle of the wafer along axis "
+				       "%d, "
+				       "expected at most half of its length, %g",
+				       s->joint[d], d + 1, 0.5 * (double)f->n[d] * f->width[d]);
+	return TS_OK;
+}
+
+/* Films with a memory need a beginning, and films without one a gap that does not change. */
+static enum ts_status check_memory(struct ts_instance *self, struct tsim *sim,
+				   const struct ts_film_flow *film)
+{
+	const struct state *s = self->state;
+
+	if (film->transient && isnan(s->start[0]))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix wafer: in a film with `transient yes` the wafer needs a height at the "
+			       "beginning, "
+			       "when the gap is full: give `start` and a height");
+	if (film->film.cavitation == TS_FILM_JFO && !film->transient && s->motion == DYNAMIC)
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "dynamic"),
+			       "fix wafer dynamic: the gap changes; a film with cavitation jfo then needs "
+			       "`transient yes`");
+	return TS_OK;
+}
+
+/* The film covers the box, the wafer the pad. */
+static enum ts_status check_film(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_voxel_field *f = &s->pad->field;
+	const struct ts_box *box = &sim->domain->box;
+
+	for (int d = 0; d < 2; d++) {
+		double from = f->origin[d], to = ts_voxel_border(f, d, f->n[d]), length = to - from;
+
+		if (f->axis[2] != 2 || !(fabs(from - box->lo[d]) <= 1e-9 * length) ||
+		    !(fabs(to - box->hi[d]) <= 1e-9 * length))
+			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->pad_id),
+				       "fix wafer: the film below it covers the box, the wafer the pad %s; "
+				       "expected "
+				       "a pad with normal z of the size of the box, from %g to %g along %s",
+				       s->pad_id, box->lo[d], box->hi[d], d ? "y" : "x");
+	}
 	return TS_OK;
 }
 
@@ -169,25 +387,39 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 	struct ts_word id = { .text = s->pad_id, .place = *ts_instance_word(self, s->pad_id) };
 	struct ts_voxel_surface *pad;
+	struct ts_instance *flow;
 
 	TS_TRY(ts_voxel_surface_require(sim, &id, &pad));
 	s->pad = pad;
 	s->area = (double)(pad->field.n[0] * pad->field.n[1]) * pad->field.width[0] * pad->field.width[1];
 	if (isnan(s->wafer.hardness))
 		s->wafer.hardness = INFINITY;
-	return check_pad(self, sim);
+	for (int d = 0; d < 2; d++)
+		s->plane.place[d] =
+			(pad->field.origin[d] + ts_voxel_border(&pad->field, d, pad->field.n[d])) / 2 +
+			s->joint[d];
+	s->plane.move = move;
+	TS_TRY(check_pad(self, sim));
+	flow = ts_film_flow_below(sim, self);
+	if (!flow)
+		return TS_OK;
+	TS_TRY(check_memory(self, sim, flow->state));
+	return check_film(self, sim);
 }
 
-/* The pad has moved; the wafer settles, or forces are those at its new place. */
+/* The pad has moved; the wafer settles, or forces are those at its new place. On a film, the film has done it. */
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	bool due = s->motion == SETTLED && sim->clock.step % s->every == 0;
 
+	if (ts_film_flow_below(sim, self))
+		return TS_OK;
 	TS_TRY(list_columns(self, sim));
 	TS_TRY(find_load(self, sim));
-	if (due || !s->placed)
+	if (!take_start(s) && (due || !s->placed))
 		TS_TRY(settle(self, sim));
+	s->placed = true;
 	find_forces(s);
 	return TS_OK;
 }
@@ -201,18 +433,18 @@ static void kick(struct state *s, double half)
 				  s->forces.moment[1] + s->forces.normal * s->wafer.friction[1] };
 
 	for (int d = 0; d < 3; d++)
-		s->rate[d] += half * (force[d] / mass[d] - s->damping / s->mass * s->rate[d]);
+		s->plane.rate[d] += half * (force[d] / mass[d] - s->damping / s->mass * s->plane.rate[d]);
 }
 
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	if (s->motion == SETTLED)
+	if (s->motion == SETTLED || ts_film_flow_below(sim, self))
 		return TS_OK;
 	kick(s, 0.5 * sim->clock.dt);
 	for (int d = 0; d < 3; d++)
-		s->pose[d] += sim->clock.dt * s->rate[d];
+		s->plane.pose[d] += sim->clock.dt * s->plane.rate[d];
 	return TS_OK;
 }
 
@@ -220,9 +452,25 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 {
 	struct state *s = self->state;
 
-	if (s->motion == DYNAMIC)
+	if (s->motion == DYNAMIC && !ts_film_flow_below(sim, self))
 		kick(s, 0.5 * sim->clock.dt);
 	return TS_OK;
+}
+
+static void report_film(const struct ts_instance *self, const struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	const struct ts_instance *flow = ts_film_flow_below(sim, self);
+
+	if (!flow)
+		return;
+	ts_report_line(report, "wafer", "fix %s floats on the film, %s", self->id,
+		       s->motion == DYNAMIC
+			       ? "moved by an implicit method of second order, stable with any time step"
+		       : ((const struct ts_film_flow *)flow->state)->transient
+			       ? "without mass: its weight squeezes the film, by an implicit method of first "
+				 "order"
+			       : "in equilibrium at all times: no motion of its own squeezes the film");
 }
 
 /* All columns in elastic contact: the stiffest pad. */
@@ -232,8 +480,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	const struct ts_voxel_field *f = &s->pad->field;
 	double rate = s->wafer.stiffness * s->area / s->mass;
 
-	(void)sim;
-	if (s->motion == SETTLED)
+	report_film(self, sim, report);
+	if (s->motion == SETTLED || ts_film_flow_below(sim, self))
 		return TS_OK;
 	for (int d = 0; d < 2; d++) {
 		double size = (double)f->n[d] * f->width[d];
@@ -251,20 +499,21 @@ static enum ts_status eval_tilt(struct ts_instance *self, const struct tsim *sim
 	const struct state *s = self->state;
 
 	(void)sim;
-	out->data[0] = atan(hypot(s->pose[1], s->pose[2])) * 180 / TS_PI;
+	out->data[0] = atan(hypot(s->plane.pose[1], s->plane.pose[2])) * 180 / TS_PI;
 	return TS_OK;
 }
 
-static const char *const names[] = { "z", "slope_1", "slope_2", "load", "area", "mean_gap", "energy" };
+static const char *const names[] = { "z",      "slope_1", "slope_2", "load",   "area",	  "mean_gap",
+				     "energy", "film",	  "film_1",  "film_2", "along_1", "along_2" };
 enum { OUTPUTS = sizeof names / sizeof *names };
 
 static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
-	const double value[OUTPUTS] = {
-		s->pose[0],  s->pose[1],      s->pose[2], s->forces.normal, s->forces.area / s->area,
-		s->mean_gap, s->forces.energy
-	};
+	const double value[OUTPUTS] = { s->plane.pose[0],  s->plane.pose[1],	     s->plane.pose[2],
+					s->forces.normal,  s->forces.area / s->area, s->mean_gap,
+					s->forces.energy,  s->push.normal,	     s->push.moment[0],
+					s->push.moment[1], s->push.along[0],	     s->push.along[1] };
 
 	(void)sim;
 	for (int k = 0; k < OUTPUTS; k++)
@@ -274,10 +523,12 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 
 static const struct ts_value values[] = {
 	{ "tilt", "degrees", "angle between wafer and pad", TS_SCALAR, 1, NULL, eval_tilt },
-	{ "wafer", "length, -, -, force, -, length, energy",
+	{ "wafer", "length, -, -, force, -, length, energy, force, torque, torque, force, force",
 	  "height of the face below the joint, its slopes along the first and second axis of the pad, force "
 	  "of the pad, "
-	  "part of the area in contact, mean gap, energy of the springs",
+	  "part of the area in contact, mean gap, energy of the springs; of the film its force, moments "
+	  "about the "
+	  "joint for both slopes, and forces along both axes",
 	  TS_VECTOR, OUTPUTS, names, eval_vector },
 	{ .name = NULL },
 };
@@ -322,18 +573,36 @@ static const struct ts_arg args[] = {
 	TS_NUMBER("pressure", struct state, pressure, .unit = "pressure", .help = "on the back of the wafer"),
 	TS_REAL("friction", struct state, friction, .fallback = "0", .range = TS_NOT_NEGATIVE,
 		.help = "coefficient of friction of pad and wafer"),
-	TS_REAL("arm", struct state, arm, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "length",
-		.help = "distance of the joint from the face of the wafer"),
+	TS_REAL("arm", struct state, arm, .fallback = "0", .unit = "length",
+		.help = "height of the joint above the face of the wafer; negative: below it, a virtual "
+			"joint"),
+	TS_REAL("joint_1", struct state, joint[0], .fallback = "0", .unit = "length",
+		.help = "place of the joint along the first axis, from the middle of the wafer"),
+	TS_REAL("joint_2", struct state, joint[1], .fallback = "0", .unit = "length",
+		.help = "the same along the second axis"),
+	TS_REAL("start", struct state, start[0], .flags = TS_OPTIONAL, .unit = "length",
+		.help = "height of the face below the joint at the beginning; default: in equilibrium"),
+	TS_REAL("start_1", struct state, start[1], .flags = TS_OPTIONAL,
+		.help = "slope along the first axis at the beginning; default with `start`: 0"),
+	TS_REAL("start_2", struct state, start[2], .flags = TS_OPTIONAL,
+		.help = "the same along the second axis"),
 	TS_ARGS_END,
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_F64(struct state, pose[0]),
-	TS_SAVE_F64(struct state, pose[1]),
-	TS_SAVE_F64(struct state, pose[2]),
-	TS_SAVE_F64(struct state, rate[0]),
-	TS_SAVE_F64(struct state, rate[1]),
-	TS_SAVE_F64(struct state, rate[2]),
+	TS_SAVE_F64(struct state, plane.pose[0]),
+	TS_SAVE_F64(struct state, plane.pose[1]),
+	TS_SAVE_F64(struct state, plane.pose[2]),
+	TS_SAVE_F64(struct state, plane.rate[0]),
+	TS_SAVE_F64(struct state, last_pose[0]),
+	TS_SAVE_F64(struct state, last_rate[0]),
+	TS_SAVE_F64(struct state, plane.rate[1]),
+	TS_SAVE_F64(struct state, last_pose[1]),
+	TS_SAVE_F64(struct state, last_rate[1]),
+	TS_SAVE_F64(struct state, plane.rate[2]),
+	TS_SAVE_F64(struct state, last_pose[2]),
+	TS_SAVE_F64(struct state, last_rate[2]),
+	TS_SAVE_F64(struct state, last_step),
 	TS_SAVE_U8(struct state, placed),
 	/* forces of the last step: a run that is continued does not compute them again */
 	TS_SAVE_F64(struct state, forces.normal),
@@ -348,36 +617,60 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
-static const char doc[] = "A rigid, smooth wafer over the whole of a pad, a height field, is free to rise "
-			  "and to tilt about a ball joint above "
-			  "the middle of the field; slopes are small. Each column of the pad is a spring, "
-			  "pressed by its depth in the wafer, up to "
-			  "the hardness:\n\n"
-			  "  p = min(stiffness (h - z - s_1 x_1 - s_2 x_2), hardness) >= 0\n\n"
-			  "The back pressure presses on the whole area. The pad slides below the wafer with "
-			  "the velocity of its fix (`move`); "
-			  "friction, mu times the force of the pad, acts on the face along that velocity at "
-			  "the distance `arm` below the joint, "
-			  "and presses the leading edge, which the pad meets first, into the pad. The depth "
-			  "in a column that yields is not kept: "
-			  "the springs have no history.\n\n"
-			  "settled: at each step, or each `every` steps, the wafer is in the equilibrium of "
-			  "these forces. Their energy is convex, "
-			  "so there is only one; it is found by Newton's method. The run ends with a message "
-			  "if the pad cannot carry the load or "
-			  "the moment of friction.\n\n"
-			  "dynamic: height and slopes follow m z'' = N - P A - c z' and the same for the "
-			  "tilt. The motion begins in "
-			  "equilibrium. The largest stable time step is 2/omega, with omega^2 the largest of "
-			  "k A/m and k A L_d^2/(12 I_d).\n\n"
-			  "The pad must be periodic along the axes along which it slides. Wafer and "
-			  "particles do not act on each other.\n\n"
-			  "Related: fix surface/voxel, compute surface/contact, fix ave/time.";
+static const char doc[] =
+	"A rigid, smooth wafer over the whole of a pad, a height field, is free to rise "
+	"and to tilt about a ball joint above "
+	"the middle of the field; slopes are small. Each column of the pad is a spring, "
+	"pressed by its depth in the wafer, up to "
+	"the hardness:\n\n"
+	"  p = min(stiffness (h - z - s_1 x_1 - s_2 x_2), hardness) >= 0\n\n"
+	"The back pressure presses on the whole area. The pad slides below the wafer with "
+	"the velocity of its fix (`move`); "
+	"friction, mu times the force of the pad, acts on the face along that velocity at "
+	"the distance `arm` below the joint, "
+	"and presses the leading edge, which the pad meets first, into the pad; with a negative `arm`, a "
+	"virtual joint "
+	"below the face, it lifts it. The depth "
+	"in a column that yields is not kept: "
+	"the springs have no history.\n\n"
+	"settled: at each step, or each `every` steps, the wafer is in the equilibrium of "
+	"these forces. Their energy is convex, "
+	"so there is only one; it is found by Newton's method. The run ends with a message "
+	"if the pad cannot carry the load or "
+	"the moment of friction.\n\n"
+	"dynamic: height and slopes follow m z'' = N - P A - c z' and the same for the "
+	"tilt. The motion begins in "
+	"equilibrium. The largest stable time step is 2/omega, with omega^2 the largest of "
+	"k A/m and k A L_d^2/(12 I_d).\n\n"
+	"The pad must be periodic along the axes along which it slides. Wafer and "
+	"particles do not act on each other.\n\n"
+	"On a film: where `upper_wafer` of flow_style reynolds names the fix, the pressure p of the film "
+	"acts on the face, too: the forces on "
+	"z and the slopes are\n\n"
+	"  N + sum (p - ambient) A - P A,   M_d + mu N arm u_d + sum (p - ambient) A x_d + arm F_d,\n\n"
+	"F the force of the film along the face: shear, and the pressure on the slope. The load acts at "
+	"the joint. The film covers the "
+	"box, which has the size of the pad; its lower surface usually is the pad (`lower_voxel`). Springs "
+	"and film share the load where "
+	"columns reach the wafer: `least_gap` or `touching solid` of the flow style says what the film is "
+	"there. Define the fix before the flow style.\n\n"
+	"settled: equilibrium with the film of a wafer at rest above the pad that slides, by Newton's "
+	"method; with `transient yes` of the film its weight "
+	"squeezes the film. dynamic: the rates of height and slopes squeeze the film; the "
+	"motion and the film are solved together by "
+	"backward differences of second order, stable with any time step. The motion begins at rest, in "
+	"equilibrium or at `start`. An equilibrium exists only if the joint "
+	"is above a place where the film can carry the load: a plane wafer above a smooth pad needs a joint "
+	"behind its "
+	"middle, as a pivoted bearing. "
+	"The run ends with a message if there is none.\n\n"
+	"Related: fix surface/voxel, flow_style reynolds, compute surface/contact, fix ave/time.";
 
 TS_STYLE(fix, ts_style, ts_fix_wafer)
 const struct ts_style ts_fix_wafer = {
 	.name = "wafer",
 	.kind = TS_KIND_FIX,
+	.family = TS_FAMILY_FILM_PLANE,
 	.summary = "A wafer on a ball joint, pressed onto a polishing pad of springs",
 	.doc = doc,
 	.example = "fix pad all surface/voxel gaussian mean 5.31e-6 deviation 4.34e-6 correlation 0 seed 5 "

@@ -331,10 +331,25 @@ START_TEST(refusals)
 	refuses("f f f", FILM "upper 1 lower_voxel none", "there is no height field 'none'");
 	refuses("f f f", FILM "upper 1 lower_voxel pad", "the normal of fix 'pad' is not z");
 	refuses("f f f", FILM "upper 1 lower_voxel half", "has no column at (0.5625, 0.0625)");
-	refuses("f f f", FILM "upper 1 lower_voxel block lower_velocity 2 0 0 gap stepped",
-		"the lower surface has steps and slides with the velocity 2 0");
+	refuses("f f f", FILM "lower 0 upper_voxel block",
+		"from which height do the columns of 'block' hang?");
+	refuses("f f f", FILM "lower 0 upper 1 upper_voxel pad", "the normal of fix 'pad' is not z");
+	refuses("f f f", FILM "lower 0 upper 1 upper_voxel half", "has no column at (0.5625, 0.0625)");
+	refuses("f f f", FILM "lower 0 upper 0.05 upper_voxel block", "the gap is -0.05 at");
+	refuses("f f f", FILM "lower 0 upper_wafer w", "there is no fix 'w'; expected the ID of a fix wafer");
+	refuses("f f f", FILM "lower 0 upper_wafer pad", "is of style surface/voxel, expected wafer");
+	refuses("f f f", FILM "lower 0 upper 1 upper_wafer w", "is given twice");
+	refuses("f f f", FILM "lower 0 upper 1 least_gap -1", "least_gap");
+	refuses("f f f", FILM "upper 1 lower 0 open xlo xhi", "the box is not periodic there");
+	refuses("p f f", FILM "upper 1 lower 0 open xlo",
+		"the edge xhi is not open, but the opposite one is");
 	refuses("f f f", FILM "upper 1 lower 1", "the gap is 0 at (0.0625, 0.0625), the surfaces touch");
 	refuses("f f f", FILM "upper 1 lower 2", "the gap is -1 at");
+}
+END_TEST
+
+START_TEST(refused_fluids)
+{
 	refuses("f f f", "cells 8 8 viscosity 0 density 1 upper 1 lower 0", "viscosity");
 	refuses("f f f", "cells 8 8 viscosity -1 density 1 upper 1 lower 0", "viscosity");
 	refuses("f f f", "cells 8 8 viscosity 1 density 0 upper 1 lower 0", "density");
@@ -395,6 +410,7 @@ int main(void)
 	tcase_add_test(tcase, cavitation);
 	tcase_add_test(tcase, transient);
 	tcase_add_test(tcase, refusals);
+	tcase_add_test(tcase, refused_fluids);
 	suite_add_tcase(suite, tcase);
 	return deck_main(suite);
 }

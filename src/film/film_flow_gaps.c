@@ -1,0 +1,56 @@
+/* The gap between the surfaces of flow_style reynolds, and its rate. */
+#include <math.h>
+
+#include "film/film_flow.h"
+
+#include "base/banned.h"
+
+/* The gap is the distance h of the surfaces, or with a least gap l a smooth function of it: l + (d + sqrt(d^2 + l^2))/2,
+ * d = h - l, which is h + l^2/(4 h) above and tends to l where the surfaces overlap. Returns its derivative. */
+static double soften(double distance, double least, double *gap)
+{
+	double d = distance - least, root = sqrt(d * d + least * least);
+
+	*gap = distance;
+	if (!(least > 0))
+		return 1;
+	*gap = least + (d > 0 ? (d + root) / 2 : least * least / (root - d) / 2);
+	return (1 + d / root) / 2;
+}
+
+static void set_gaps(struct ts_film_flow *flow)
+{
+	const double *low = flow->surface[0].z, *high = flow->surface[1].z;
+	struct ts_film *f = &flow->film;
+
+	for (size_t c = 0; c < ts_film_cells(f); c++) {
+		flow->yield[c] = soften(high[c] - low[c], flow->least, &f->gap[c]);
+		f->kind[c] = flow->solid && !(f->gap[c] > 0) ? TS_FILM_SOLID : TS_FILM_FLUID;
+		flow->bottom[c] = low[c];
+		if (flow->least > 0 || f->kind[c] == TS_FILM_SOLID)
+			flow->bottom[c] = high[c] - fmax(f->gap[c], 0);
+	}
+}
+
+void ts_film_combine(struct ts_film_flow *flow)
+{
+	const struct ts_film_surface *lower = &flow->surface[0], *upper = &flow->surface[1];
+	const double back[2] = { -lower->now[0], -lower->now[1] };
+	struct ts_film *f = &flow->film;
+
+	set_gaps(flow);
+	for (size_t c = 0; c < ts_film_cells(f); c++) {
+		f->rate[c] = upper->rate[c] - lower->rate[c];
+		for (int axis = 0; axis < 2; axis++) {
+			f->velocity[0][axis][c] = lower->now[axis];
+			f->velocity[1][axis][c] = upper->now[axis];
+		}
+	}
+	if (!lower->stays)
+		ts_film_carry(f, flow->bottom, back, f->rate);
+	if (!upper->stays && !upper->plane_fix)
+		ts_film_carry(f, upper->z, upper->now, f->rate);
+	/* columns that are pressed down change the gap less than they move */
+	for (size_t c = 0; flow->least > 0 && c < ts_film_cells(f); c++)
+		f->rate[c] *= flow->yield[c];
+}
