@@ -402,6 +402,7 @@ library_sources = \
 	src/film/compute_film_atom.c \
 	src/film/film.c \
 	src/film/film.h \
+	src/film/film_asperity.c \
 	src/film/film_balance.c \
 	src/film/film_check.c \
 	src/film/film_faces.c \

@@ -44,17 +44,22 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 				  m.volume,
 				  (double)flow->film.report.cavitated,
 				  flow->film.report.balance,
-				  flow->film.report.imbalance };
+				  flow->film.report.imbalance,
+				  m.touch_load,
+				  m.touch_area,
+				  m.touch_friction[0],
+				  m.touch_friction[1] };
 
 	for (size_t k = 0; k < sizeof values / sizeof *values; k++)
 		out->data[k] = values[k];
 	return TS_OK;
 }
 
-static const char *const vector_names[] = {
-	"load", "cx",  "cy",   "pmax", "px",   "py",   "hmin",	 "flx",	 "fly",	    "fux",	"fuy",
-	"fpx",	"fpy", "qxlo", "qxhi", "qylo", "qyhi", "volume", "ncav", "balance", "imbalance"
-};
+static const char *const vector_names[] = { "load",	 "cx",	       "cy",	 "pmax", "px",
+					    "py",	 "hmin",       "flx",	 "fly",	 "fux",
+					    "fuy",	 "fpx",	       "fpy",	 "qxlo", "qxhi",
+					    "qylo",	 "qyhi",       "volume", "ncav", "balance",
+					    "imbalance", "asperities", "area",	 "fax",	 "fay" };
 enum { NVECTOR = sizeof vector_names / sizeof *vector_names };
 
 static enum ts_status eval_cells(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -110,14 +115,21 @@ const struct ts_style ts_compute_film = {
 	       "  18           volume of the fluid\n"
 	       "  19           number of cells in the cavity\n"
 	       "  20           largest error of the balance of volume of a cell, volume per time\n"
-	       "  21           volume per time that cavitation half or reynolds creates in the cavity\n\n"
+	       "  21           volume per time that cavitation half or reynolds creates in the cavity\n"
+	       "  22           load that `asperities` carry, in addition to the first\n"
+	       "  23           area of their contacts\n"
+	       "  24, 25       their friction on the upper surface, along x and y\n\n"
 	       "Shear stresses are +-eta (1 - theta) (U2 - U1)/h - h/2 grad p, theta being the void fraction "
 	       "of\n"
 	       "cavitation jfo and eta the viscosity at the pressure p. With slip lengths b1, b2 and H = h + "
 	       "b1 + b2 they are +-eta (1 - theta) (U2 "
 	       "- U1)/H\n"
 	       "- h (h/2 + b2)/H grad p on the lower surface, and with b1 in place of b2 on the upper one.\n"
-	       "Between rough surfaces they are NaN. In the cavity of half and reynolds the whole gap is "
+	       "Between rough surfaces they have the factors of Patir and Cheng (flow_style reynolds): what "
+	       "is missing on a\n"
+	       "rough surface is the force of the pressure on its asperities, so that the force on a smooth "
+	       "one is that between "
+	       "both. In the cavity of half and reynolds the whole gap is "
 	       "sheared. The array has a row\n"
 	       "for each cell, x varying fastest: x, y, gap, pressure, void fraction.",
 	.example = "compute oil all film\nthermo_style custom step c_oil[1] c_oil[4]\n"

@@ -31,7 +31,8 @@
  *
  * With slip lengths the fluid slips over the surfaces: film_section.c has the flow and the stresses.
  *
- * Rough surfaces have the mean flow of Patir and Cheng: film_roughness.c; h >= 3 standard deviations.
+ * Rough surfaces have the mean flow and friction of Patir and Cheng: film_roughness.c. Nearer than 3 standard deviations
+ * asperities touch: film_asperity.c.
  *
  * The viscosity may depend on the pressure: film_viscosity.c; flows, balances and cavitation are as above.
  *
@@ -79,6 +80,13 @@ enum ts_film_peklenik {
 	TS_FILM_PEKLENIK_9
 };
 
+/* Asperities of rough surfaces: film_asperity.c. */
+struct ts_film_asperity {
+	double density; /* number per area; 0: the surfaces may not touch */
+	double radius, modulus;
+	double friction; /* coefficient */
+};
+
 struct ts_film_report {
 	int solves;	   /* linear systems solved, those on coarser grids included */
 	bool driven;	   /* false: no sliding, no squeeze, one pressure at all edges: nothing flows */
@@ -100,7 +108,8 @@ struct ts_film {
 	double slip[2];	     /* slip lengths of the surfaces [0 lower, 1 upper]; Cartesian grids only */
 	double roughness[2]; /* standard deviations of the heights of the surfaces; h is the mean gap */
 	enum ts_film_peklenik peklenik; /* of both surfaces */
-	double cavity_pressure;		/* pc */
+	struct ts_film_asperity asperity;
+	double cavity_pressure; /* pc */
 	double ambient; /* pressure on the other sides of the surfaces: loads are sums of p - ambient */
 	/* in parts of the film without any given pressure one cell has `ambient`; false: there must be none */
 	bool floating;
@@ -169,6 +178,17 @@ void ts_film_release(struct ts_film *f);
 /* Checks all input. Errors: TS_RANGE for values (gap, viscosity ...), TS_STATE for a part of the film whose pressure
  * is not determined, because no pressure is given on its border and it may not float. */
 enum ts_status ts_film_check(const struct ts_film *f, struct ts_error *error);
+
+/* The least gap for which the film is known: 0, or a multiple of the roughness. */
+double ts_film_least_gap(const struct ts_film *f);
+
+/* ---- film_asperity.c */
+
+/* Pressure of the asperities at a gap, its derivative, and the part of the area in contact. */
+struct ts_film_touch {
+	double pressure, slope, area;
+};
+struct ts_film_touch ts_film_touch(const struct ts_film *f, double h);
 
 /* ---- film_faces.c */
 

@@ -103,11 +103,13 @@ static enum ts_status check_cell(const struct ts_film *f, int i, int j, struct t
 		return ts_fail(error, TS_RANGE, NULL,
 			       "film: the gap is %g at (%g, %g), expected > 0: the surfaces touch or overlap",
 			       f->gap[c], x, y);
-	if (f->gap[c] < 3 * hypot(f->roughness[0], f->roughness[1]))
+	if (f->gap[c] < ts_film_least_gap(f))
 		return ts_fail(error, TS_RANGE, NULL,
-			       "film: the gap is %g at (%g, %g), less than 3 standard deviations of the "
-			       "roughness, %g: the surfaces touch",
-			       f->gap[c], x, y, hypot(f->roughness[0], f->roughness[1]));
+			       "film: the gap is %g at (%g, %g), %g standard deviations of the roughness: %s",
+			       f->gap[c], x, y, f->gap[c] / hypot(f->roughness[0], f->roughness[1]),
+			       f->asperity.density > 0
+				       ? "flow factors are not known for so near surfaces"
+				       : "below 3 the surfaces touch; expected `asperities`, or a wider gap");
 	if (!isfinite(f->rate[c]) || !isfinite(f->velocity[0][0][c] + f->velocity[1][0][c]) ||
 	    !isfinite(f->velocity[0][1][c] + f->velocity[1][1][c]))
 		return ts_fail(error, TS_RANGE, NULL, "film: a velocity at (%g, %g) is not a finite number",

@@ -209,7 +209,12 @@ void ts_film_set_faces(struct ts_film *f)
 	for (int j = 0; j < f->n[1]; j++)
 		for (int i = 0; i < f->n[0]; i++) {
 			size_t c = ts_film_at(f, i, j);
-			double rate = in_time ? (f->gap[c] - f->content[c]) / f->time_step : f->rate[c];
+			double rate = in_time ? (f->gap[c] - f->content[c]) / f->time_step : f->rate[c], part;
+
+			if (ts_film_is_rough(f)) {
+				ts_film_volume(f, f->gap[c], &part);
+				rate *= part;
+			}
 
 			f->source[c] = f->kind[c] == TS_FILM_FLUID ? rate * ts_film_area(f, i, j) : 0;
 		}

@@ -93,6 +93,7 @@ enum ts_status ts_film_coarsen(const struct ts_film *f, struct ts_film *coarse)
 				    .slip = { f->slip[0], f->slip[1] },
 				    .roughness = { f->roughness[0], f->roughness[1] },
 				    .peklenik = f->peklenik,
+				    .asperity = f->asperity,
 				    .time_step = f->time_step };
 	for (int axis = 0; axis < 2; axis++) {
 		coarse->n[axis] = f->n[axis] < FEWEST ? f->n[axis] : f->n[axis] / 2;

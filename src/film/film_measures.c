@@ -88,10 +88,9 @@ static void add_segment(const struct ts_film *f, struct ts_film_measures *m, int
 	a = ts_film_section(f, axis, g.h[0]);
 	b = ts_film_section(f, axis, g.h[1]);
 	for (int side = 0; side < 2; side++) {
-		double dp =
-			f->shape == TS_FILM_STEPPED
-				? a.couette[side] * (g.inner - g.p[0]) + b.couette[side] * (g.p[1] - g.inner)
-				: (a.couette[side] + b.couette[side]) / 2 * (g.p[1] - g.p[0]);
+		double dp = f->shape == TS_FILM_STEPPED
+				    ? a.grip[side] * (g.inner - g.p[0]) + b.grip[side] * (g.p[1] - g.inner)
+				    : (a.grip[side] + b.grip[side]) / 2 * (g.p[1] - g.p[0]);
 
 		add_force(f, axis, -dp * g.length, g.x, g.y, m->shear[side], &m->torque[side]);
 	}
@@ -111,11 +110,26 @@ static void add_edges(const struct ts_film *f, struct ts_film_measures *m)
 		}
 }
 
+/* Asperities: Cartesian grids. Their friction on the upper surface acts along the velocity of the lower one relative to it. */
+static void add_touch(const struct ts_film *f, struct ts_film_measures *m, size_t c, double area)
+{
+	struct ts_film_touch touch = ts_film_touch(f, f->gap[c]);
+	double u[2], speed;
+
+	for (int axis = 0; axis < 2; axis++)
+		u[axis] = f->velocity[0][axis][c] - f->velocity[1][axis][c];
+	speed = hypot(u[0], u[1]);
+	m->touch_load += touch.pressure * area;
+	m->touch_area += touch.area * area;
+	for (int axis = 0; axis < 2 && speed > 0; axis++)
+		m->touch_friction[axis] += f->asperity.friction * touch.pressure * area * u[axis] / speed;
+}
+
 static void add_cell(const struct ts_film *f, struct ts_film_measures *m, int i, int j)
 {
 	size_t c = ts_film_at(f, i, j);
 	double area = ts_film_area(f, i, j), x = ts_film_centre(f, 0, i), y = ts_film_centre(f, 1, j);
-	double push = (f->p[c] - f->ambient) * area;
+	double push = (f->p[c] - f->ambient) * area, unused;
 
 	if (f->kind[c] == TS_FILM_SOLID)
 		return;
@@ -123,15 +137,17 @@ static void add_cell(const struct ts_film *f, struct ts_film_measures *m, int i,
 	m->centre[0] += push * (f->polar ? x * cos(y) : x);
 	m->centre[1] += push * (f->polar ? x * sin(y) : y);
 	m->least_gap = fmin(m->least_gap, f->gap[c]);
-	m->volume += f->gap[c] * (1 - f->empty[c]) * area;
+	m->volume += ts_film_volume(f, f->gap[c], &unused) * (1 - f->empty[c]) * area;
 	for (int axis = 0; axis < 2; axis++) {
+		struct ts_film_section section = ts_film_section(f, axis, f->gap[c]);
 		double drag = ts_film_viscosity(f, f->p[c]) * (1 - f->empty[c]) *
-			      ts_film_section(f, axis, f->gap[c]).drag *
 			      (f->velocity[1][axis][c] - f->velocity[0][axis][c]) * area;
 
-		add_force(f, axis, drag, x, y, m->shear[0], &m->torque[0]);
-		add_force(f, axis, -drag, x, y, m->shear[1], &m->torque[1]);
+		add_force(f, axis, section.drag[0] * drag, x, y, m->shear[0], &m->torque[0]);
+		add_force(f, axis, -section.drag[1] * drag, x, y, m->shear[1], &m->torque[1]);
 	}
+	if (f->asperity.density > 0)
+		add_touch(f, m, c, area);
 }
 
 /* Height and place of the maximum of the parabola through three points; the middle one is the highest. */

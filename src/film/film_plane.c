@@ -50,18 +50,41 @@ static void sum_moments(const struct ts_film_flow *flow, const double *p, double
 	}
 }
 
+/* Adds the moments of the asperities to the first column, or their derivatives by the pose to all. */
+static void add_touch(const struct ts_film_flow *flow, bool slopes, double out[3][3])
+{
+	const struct ts_film *f = &flow->film;
+
+	for (size_t c = 0; f->asperity.density > 0 && c < ts_film_cells(f); c++) {
+		struct ts_film_touch touch = ts_film_touch(f, f->gap[c]);
+		double area = ts_film_area(f, (int)(c % (size_t)f->n[0]), (int)(c / (size_t)f->n[0])), arm[3];
+
+		if (f->kind[c] == TS_FILM_SOLID)
+			continue;
+		arms_of(flow, c, arm);
+		for (int a = 0; a < 3; a++) {
+			if (!slopes)
+				out[a][0] += touch.pressure * area * arm[a];
+			for (int b = 0; b < 3 && slopes; b++)
+				out[a][b] += touch.slope * flow->yield[c] * area * arm[a] * arm[b];
+		}
+	}
+}
+
 void ts_film_plane_push(const struct ts_film_flow *flow, struct ts_film_push *out)
 {
 	const struct ts_film_plane *plane = ts_film_plane_of(&flow->surface[1]);
 	struct ts_film_measures m;
-	double sum[3];
+	double sum[3], touch[3][3] = { { 0 } };
 
 	ts_film_measure(&flow->film, &m);
 	sum_moments(flow, flow->film.p, flow->film.ambient, sum);
-	out->normal = sum[0];
+	add_touch(flow, false, touch);
+	out->normal = sum[0] + touch[0][0];
+	out->touch = touch[0][0];
 	for (int d = 0; d < 2; d++) {
-		out->moment[d] = sum[1 + d];
-		out->along[d] = m.shear[1][d] - sum[0] * plane->pose[1 + d];
+		out->moment[d] = sum[1 + d] + touch[1 + d][0];
+		out->along[d] = m.shear[1][d] + m.touch_friction[d] - sum[0] * plane->pose[1 + d];
 	}
 }
 
@@ -73,21 +96,21 @@ double ts_film_plane_clearance(const struct ts_film_flow *flow)
 	for (size_t c = 0; c < ts_film_cells(f); c++)
 		if (f->kind[c] != TS_FILM_SOLID)
 			least = fmin(least, f->gap[c]);
-	return least;
+	return least - ts_film_least_gap(f);
 }
 
 double ts_film_plane_reach(const struct ts_film_flow *flow, const double change[3])
 {
 	const struct ts_film *f = &flow->film;
-	double reach = 1;
+	double reach = 1, least = ts_film_least_gap(f);
 
 	for (size_t c = 0; c < ts_film_cells(f); c++) {
-		double arm[3], sink;
+		double arm[3], sink, room = 2.0 / 3 * (f->gap[c] - least);
 
 		arms_of(flow, c, arm);
 		sink = -(change[0] + change[1] * arm[1] + change[2] * arm[2]) * flow->yield[c];
-		if (f->kind[c] != TS_FILM_SOLID && reach * sink > 2.0 / 3 * f->gap[c])
-			reach = 2.0 / 3 * f->gap[c] / sink;
+		if (f->kind[c] != TS_FILM_SOLID && reach * sink > room)
+			reach = room / sink;
 	}
 	return reach;
 }
@@ -133,5 +156,6 @@ enum ts_status ts_film_plane_slopes(struct ts_film_flow *flow, double by_pose[3]
 	}
 	restore(flow);
 	ts_film_end_response(&flow->film);
+	add_touch(flow, true, by_pose);
 	return TS_OK;
 }

@@ -31,9 +31,10 @@ static inline struct ts_film_plane *ts_film_plane_of(const struct ts_film_surfac
 void ts_film_plane_evaluate(struct ts_film_flow *flow);
 
 /* Forces of the film on its plane: along z, moments of these about the axes through place (sums of p - ambient times x and y),
- * and along x and y: of shear and of the pressure on the slope. */
+ * and along x and y: of shear, of the pressure on the slope, of the friction of asperities. */
 struct ts_film_push {
 	double normal, moment[2], along[2];
+	double touch; /* the part of asperities in `normal` */
 };
 void ts_film_plane_push(const struct ts_film_flow *flow, struct ts_film_push *out);
 
@@ -41,7 +42,8 @@ void ts_film_plane_push(const struct ts_film_flow *flow, struct ts_film_push *ou
 enum ts_status ts_film_plane_slopes(struct ts_film_flow *flow, double by_pose[3][3], double by_rate[3][3],
 				    struct ts_error *error);
 
-/* Least gap, and the largest part, at most 1, of a change of the pose that leaves each cell a third of its gap. */
+/* Least gap, less that for which the film is known, and the largest part, at most 1, of a change of the pose that leaves each
+ * cell a third of it. */
 double ts_film_plane_clearance(const struct ts_film_flow *flow);
 double ts_film_plane_reach(const struct ts_film_flow *flow, const double change[3]);
 

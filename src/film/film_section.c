@@ -17,16 +17,19 @@ bool ts_film_is_plain(const struct ts_film *f)
 struct ts_film_section ts_film_section(const struct ts_film *f, int axis, double h)
 {
 	double b1 = f->slip[0], b2 = f->slip[1], sheared = h + b1 + b2;
-	struct ts_film_section s = { .drag = 1 / h, .poiseuille = h * h * h, .couette = { h / 2, h / 2 } };
+	struct ts_film_section s = { .drag = { 1 / h, 1 / h },
+				     .poiseuille = h * h * h,
+				     .couette = { h / 2, h / 2 },
+				     .grip = { h / 2, h / 2 } };
 
 	if (ts_film_is_rough(f))
 		ts_film_add_roughness(f, axis, h, &s);
 	if (!ts_film_slips(f))
 		return s;
-	s.drag = 1 / sheared;
+	s.drag[0] = s.drag[1] = 1 / sheared;
 	s.poiseuille = h * h * (h * h + 4 * h * (b1 + b2) + 12 * b1 * b2) / sheared;
-	s.couette[0] = h * (h / 2 + b2) / sheared;
-	s.couette[1] = h * (h / 2 + b1) / sheared;
+	s.couette[0] = s.grip[0] = h * (h / 2 + b2) / sheared;
+	s.couette[1] = s.grip[1] = h * (h / 2 + b1) / sheared;
 	return s;
 }
 

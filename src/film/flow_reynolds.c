@@ -18,7 +18,7 @@ enum { REFUSED, SOLID };
 
 struct reynolds {
 	struct ts_film_flow flow;
-	struct ts_words cells, set, closed, open, roelands, roughness;
+	struct ts_words cells, set, closed, open, roelands, roughness, asperities;
 	double edge[2][2]; /* pressures given; NaN: ambient */
 	double viscosity, density, ambient, cavity;
 	double slip[2]; /* slip lengths, lower and upper */
@@ -194,6 +194,30 @@ static enum ts_status read_roughness(struct ts_instance *self, struct tsim *sim)
 	s->flow.film.roughness[1] = r.sigma[1];
 	s->flow.film.peklenik = (enum ts_film_peklenik)r.peklenik;
 	return TS_OK;
+}
+
+static const struct ts_arg asperity_rows[] = {
+	TS_REAL("DENSITY", struct ts_film_asperity, density, .flags = TS_POSITIONAL, .range = TS_POSITIVE),
+	TS_REAL("RADIUS", struct ts_film_asperity, radius, .flags = TS_POSITIONAL, .range = TS_POSITIVE),
+	TS_REAL("MODULUS", struct ts_film_asperity, modulus, .flags = TS_POSITIONAL, .range = TS_POSITIVE),
+	TS_REAL("FRICTION", struct ts_film_asperity, friction, .flags = TS_POSITIONAL,
+		.range = TS_NOT_NEGATIVE),
+	TS_ARGS_END,
+};
+
+static enum ts_status read_asperities(struct ts_instance *self, struct tsim *sim)
+{
+	struct reynolds *s = self->state;
+
+	s->flow.film.asperity = (struct ts_film_asperity){ 0 };
+	if (s->asperities.n == 0)
+		return TS_OK;
+	if (s->roughness.n == 0)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "asperities"),
+			       "flow_style reynolds: `asperities` are those of rough surfaces; expected "
+			       "`roughness`, too");
+	return ts_args_parse(sim, "flow_style reynolds: asperities", asperity_rows, s->asperities,
+			     ts_instance_word(self, "asperities"), &self->arena, &s->flow.film.asperity);
 }
 
 static const struct ts_arg roelands_rows[] = {
@@ -471,6 +495,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(set_edges(self, sim));
 	TS_TRY(read_viscosity(self, sim));
 	TS_TRY(read_roughness(self, sim));
+	TS_TRY(read_asperities(self, sim));
 	TS_TRY(check_plane(self, sim));
 	s->flow.solid = s->touching == SOLID;
 	s->flow.solve = solve_below;
@@ -562,6 +587,10 @@ static const struct ts_arg args[] = {
 	TS_SOME_KEYWORD("roughness", struct reynolds, roughness, 0,
 			.help = "SIGMA_LOWER SIGMA_UPPER GAMMA: standard deviations of the heights of rough "
 				"surfaces, and their Peklenik number: 1/9, 1/6, 1/3, 1, 3, 6 or 9"),
+	TS_SOME_KEYWORD("asperities", struct reynolds, asperities, 0,
+			.help = "DENSITY RADIUS MODULUS FRICTION: of rough surfaces that touch: number per "
+				"area, radius, "
+				"E', coefficient of friction"),
 	TS_REAL("viscosity", struct reynolds, viscosity, .range = TS_POSITIVE, .unit = "pressure time",
 		.help = "dynamic viscosity; with `barus` or `roelands` that at pressure 0"),
 	TS_REAL("barus", struct reynolds, barus, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
@@ -644,9 +673,22 @@ static const char *const doc_more[] = {
 	"Cheng (J. Lubr. Tech. 100 (1978) 12; 101 (1979) 220),\n\n"
 	"  q = h (U1 + U2)/2 + sigma phi_s (U1 - U2)/2 - phi_p h^3/(12 eta) grad p.\n\n"
 	"GAMMA is the correlation length along x by that along y: 1 is isotropic, 9 are grooves along x.\n"
-	"u is the profile between smooth surfaces with the flow q. `compute film` has NaN for the shear\n"
-	"forces: friction factors are not included. The run stops where h < 3 sigma, where the surfaces\n"
-	"would touch. Not with cavitation jfo, slip, `barus` and `roelands`.",
+	"u is the profile between smooth surfaces with the flow q. The mean shear stresses on the lower and "
+	"the upper\n"
+	"surface are\n\n"
+	"  +-eta (U2 - U1)/h (phi_f -+ phi_fs) - phi_fp h/2 grad p.\n\n"
+	"The run stops where h < 3 sigma, where the surfaces touch, unless there are `asperities`: their "
+	"elastic\n"
+	"contacts (J. A. Greenwood and J. H. Tripp, Proc. Inst. Mech. Eng. 185 (1970) 625) have the mean "
+	"pressure\n\n"
+	"  16 sqrt(2) pi/15 (DENSITY RADIUS sigma)^2 MODULUS sqrt(sigma/RADIUS) F_5/2(h/sigma),\n\n"
+	"1/MODULUS = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, and FRICTION times this as shear stress; `compute "
+	"film` has\n"
+	"both. h is then the distance of the mean heights, and the mean gap h_T > h takes its place in q and "
+	"dh/dt.\n"
+	"The factors are known for h > sigma with GAMMA 1/9, 1/6, 6 and 9, 0.75 sigma with 1/3 and 3, 0.5 "
+	"sigma with 1. Not\n"
+	"with cavitation jfo, slip, `barus` and `roelands`.",
 	"The viscosity depends on the pressure p by Barus' equation, eta(p) = eta exp(alpha p), with\n"
 	"`barus`, and by Roelands' equation with `roelands`,\n\n"
 	"  eta(p) = eta (eta/ETA_R)^((1 + p/P_R)^Z - 1),   0 < Z <= 1.\n\n"

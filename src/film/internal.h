@@ -13,9 +13,10 @@ struct ts_film_sides {
 /* ---- film_section.c */
 
 /* Of a cross-section with the gap h: q = couette[0] U1 + couette[1] U2 - poiseuille/(12 eta) grad p. The shear force per
- * area on the surface k is +-eta drag (U2 - U1) - couette[k] grad p; couette[0] + couette[1] = h. */
+ * area on the surface k is +-eta drag[k] (U2 - U1) - grip[k] grad p. couette[0] + couette[1] is the volume per area; grip =
+ * couette between smooth surfaces. */
 struct ts_film_section {
-	double drag, poiseuille, couette[2];
+	double drag[2], poiseuille, couette[2], grip[2];
 };
 struct ts_film_section ts_film_section(const struct ts_film *f, int axis, double h);
 /* Whether the section is that of smooth surfaces without slip. */
@@ -33,8 +34,10 @@ void ts_film_slip_velocity(const struct ts_film *f, double h, double mean, const
 /* ---- film_roughness.c */
 
 bool ts_film_is_rough(const struct ts_film *f);
-/* Multiplies a section by the flow factors; its drag is not known and becomes NaN. */
+/* Multiplies a section of smooth surfaces by the flow and shear stress factors. */
 void ts_film_add_roughness(const struct ts_film *f, int axis, double h, struct ts_film_section *s);
+/* Volume per area, and its derivative by the gap. */
+double ts_film_volume(const struct ts_film *f, double h, double *derivative);
 enum ts_status ts_film_check_roughness(const struct ts_film *f, struct ts_error *error);
 
 /* ---- film_viscosity.c */

@@ -503,19 +503,22 @@ static enum ts_status eval_tilt(struct ts_instance *self, const struct tsim *sim
 	return TS_OK;
 }
 
-static const char *const names[] = { "z",      "slope_1", "slope_2", "load",   "area",	  "mean_gap",
-				     "energy", "film",	  "film_1",  "film_2", "along_1", "along_2" };
+static const char *const names[] = { "z",	 "slope_1", "slope_2",	 "load",   "area",
+				     "mean_gap", "energy",  "film",	 "film_1", "film_2",
+				     "along_1",	 "along_2", "asperities" };
 enum { OUTPUTS = sizeof names / sizeof *names };
 
 static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
-	const double value[OUTPUTS] = { s->plane.pose[0],  s->plane.pose[1],	     s->plane.pose[2],
-					s->forces.normal,  s->forces.area / s->area, s->mean_gap,
-					s->forces.energy,  s->push.normal,	     s->push.moment[0],
-					s->push.moment[1], s->push.along[0],	     s->push.along[1] };
+	const double value[] = { s->plane.pose[0],  s->plane.pose[1],	      s->plane.pose[2],
+				 s->forces.normal,  s->forces.area / s->area, s->mean_gap,
+				 s->forces.energy,  s->push.normal,	      s->push.moment[0],
+				 s->push.moment[1], s->push.along[0],	      s->push.along[1],
+				 s->push.touch };
 
 	(void)sim;
+	_Static_assert(sizeof value == OUTPUTS * sizeof *value, "a value for each name");
 	for (int k = 0; k < OUTPUTS; k++)
 		out->data[k] = value[k];
 	return TS_OK;
@@ -523,12 +526,12 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 
 static const struct ts_value values[] = {
 	{ "tilt", "degrees", "angle between wafer and pad", TS_SCALAR, 1, NULL, eval_tilt },
-	{ "wafer", "length, -, -, force, -, length, energy, force, torque, torque, force, force",
+	{ "wafer", "length, -, -, force, -, length, energy, force, torque, torque, force, force, force",
 	  "height of the face below the joint, its slopes along the first and second axis of the pad, force "
 	  "of the pad, "
 	  "part of the area in contact, mean gap, energy of the springs; of the film its force, moments "
 	  "about the "
-	  "joint for both slopes, and forces along both axes",
+	  "joint for both slopes, forces along both axes, and the part of its asperities",
 	  TS_VECTOR, OUTPUTS, names, eval_vector },
 	{ .name = NULL },
 };

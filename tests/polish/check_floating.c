@@ -262,6 +262,48 @@ START_TEST(volume_is_kept)
 }
 END_TEST
 
+/* A rough wafer at rest stands on its asperities, h = sigma where P = 16 sqrt(2) pi/15 (n b sigma)^2 E' sqrt(sigma/b) F_5/2(1);
+ * the faster the pad, the more the film carries and the smaller is the friction. */
+START_TEST(rough_wafer)
+{
+	const double crowd = 0.05, pressure = 16 * sqrt(2) * 3.14159265358979324 / 15 * crowd * crowd * 1e9 *
+					      sqrt(0.1) * 0.0805623;
+	double film[4], friction[4];
+
+	for (int k = 0; k < 4; k++) {
+		struct tsim *sim =
+			deck_open("units si\nboundary f f f\nregion box block 0 1e-3 0 5e-4 -1e-4 1e-3 units "
+				  "box\n"
+				  "create_box 1 box\nfix pad all surface/voxel constant -5e-5 type 1 cells 4 "
+				  "4\n"
+				  "fix w all wafer pad settled stiffness 1e3 pressure %.17g joint_1 %g\n"
+				  "flow_style reynolds cells 20 8 lower 0 lower_velocity %g 0 0 upper_wafer "
+				  "w viscosity 1e-2 density "
+				  "1000 roughness 1e-6 0 1 asperities 5e9 1e-5 1e9 0.1 closed ylo "
+				  "yhi\ncompute film all "
+				  "film\nrun 0\n",
+				  pressure, k ? 7e-5 : 0, k ? 1e-4 * pow(70, k - 1) : 0);
+		double load = pressure * 5e-7, asperities = deck_value(sim, "f_w[13]");
+
+		DECK_NEAR(deck_value(sim, "f_w[8]") / load, 1, 1e-11);
+		DECK_NEAR(deck_value(sim, "c_film[1]+c_film[22]") / load, 1, 1e-11);
+		DECK_NEAR(asperities, deck_value(sim, "c_film[22]"), 1e-12 * load);
+		film[k] = 1 - asperities / load;
+		friction[k] = deck_value(sim, "-c_film[8]+c_film[24]") / load;
+		if (k == 0) {
+			DECK_NEAR(deck_value(sim, "f_w[1]") / 1e-6, 1, 1e-6);
+			DECK_NEAR(film[0], 0, 1e-11);
+			DECK_NEAR(friction[0], 0, 1e-12);
+		} else {
+			ck_assert(film[k] > film[k - 1]);
+		}
+		tsim_close(sim);
+	}
+	ck_assert_msg(film[3] > 0.9 && friction[1] > 0.09 && friction[2] < friction[1], "%g %g %g %g %g",
+		      film[1], film[2], film[3], friction[1], friction[2]);
+}
+END_TEST
+
 static void refuses(const char *wafer, const char *film, const char *text)
 {
 	struct tsim *sim =
@@ -333,6 +375,7 @@ int main(void)
 	tcase_add_test(tcase, small_oscillation);
 	tcase_add_test(tcase, film_and_pad);
 	tcase_add_test(tcase, volume_is_kept);
+	tcase_add_test(tcase, rough_wafer);
 	tcase_add_test(tcase, refusals);
 	suite_add_tcase(suite, tcase);
 	return deck_main(suite);
