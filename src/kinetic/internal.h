@@ -39,9 +39,9 @@ enum ts_status ts_couette_newton(struct ts_couette *c);
 /* ---- sheared film */
 
 /* Find the solid fraction or the gap at which the speed is `target` times sqrt(N/rho), and solve there. Without a
- * solution `solutions` is 0; *least is the smallest solid fraction tried, *speed the speed/sqrt(N/rho) in the narrowest
- * gap. Returns TS_OK, TS_NOMEM, or TS_PHYSICS: the equations could not be solved. */
+ * solution `solutions` is 0; *least is the smallest solid fraction tried, `speed` the speed/sqrt(N/rho) in the narrowest and
+ * the widest gap that have a solution, the one by which it fails being that of the couette; NaN: none has. Returns TS_OK, TS_NOMEM, or TS_PHYSICS: the equations could not be solved. */
 enum ts_status ts_sheared_film_find_solids(struct ts_sheared_film *f, double target, double *least);
-enum ts_status ts_sheared_film_find_gap(struct ts_sheared_film *f, double target, double *speed);
+enum ts_status ts_sheared_film_find_gap(struct ts_sheared_film *f, double target, double speed[2]);
 
 #endif

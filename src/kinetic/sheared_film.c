@@ -35,16 +35,20 @@ static enum ts_status find_solids(struct ts_sheared_film *f, const struct ts_pla
 static enum ts_status find_gap(struct ts_sheared_film *f, const struct ts_place *where,
 			       struct ts_error *error)
 {
-	double speed;
+	double target = f->speed / sqrt(f->load / f->density), speed[2];
+	enum ts_status status;
+	bool large;
 
 	f->couette.solids = f->solids;
-	TS_TRY(ts_sheared_film_find_gap(f, f->speed / sqrt(f->load / f->density), &speed));
-	if (f->solutions)
-		return TS_OK;
+	status = ts_sheared_film_find_gap(f, target, speed);
+	if (f->solutions || status == TS_NOMEM || isnan(speed[0]))
+		return status;
+	large = speed[0] >= target;
 	return ts_fail(error, TS_PHYSICS, where,
-		       "sheared film: the load %g is too large: at the speed %g a gap of 2 diameters "
-		       "carries %g",
-		       f->load, f->speed, f->density * f->speed * f->speed / (speed * speed));
+		       "sheared film: the load %g is too %s: at the speed %g the %s gap for which there is a "
+		       "solution, %g diameters, carries %g",
+		       f->load, large ? "large" : "small", f->speed, large ? "narrowest" : "widest",
+		       f->couette.gap, f->density * pow(f->speed / speed[large ? 0 : 1], 2));
 }
 
 static enum ts_status solve_given(struct ts_sheared_film *f)
@@ -102,6 +106,10 @@ enum ts_status ts_sheared_film_solve(struct ts_sheared_film *f, const struct ts_
 	if (status != TS_OK) /* the first message stays */
 		return no_solution(f, where, error);
 	scale(f);
+	if (!(f->load > 0 && isfinite(f->load) && isfinite(f->figures.traction * f->load * f->speed)))
+		return ts_fail(error, TS_RANGE, where,
+			       "sheared film: the load, %g, or the power is out of the range of numbers",
+			       f->load);
 	if (f->figures.most > f->gas.packing)
 		return ts_fail(error, TS_PHYSICS, where,
 			       "sheared film: the solid fraction reaches %g, above that at closest "

@@ -98,7 +98,16 @@ static enum ts_status check_content(const struct ts_sheared_film *f, const struc
 			       "sheared film: gap %g, expected at least 2 diameters, %g: kinetic theory is "
 			       "for several layers of grains",
 			       f->gap, 2 * f->diameter);
-	if (solids >= f->gas.packing)
+	if (f->gap > 2000 * f->diameter)
+		return ts_fail(error, TS_RANGE, where,
+			       "sheared film: gap %g, expected at most 2000 diameters, %g", f->gap,
+			       2000 * f->diameter);
+	if (f->amount > 2000 * f->diameter * f->gas.packing)
+		return ts_fail(error, TS_RANGE, where,
+			       "sheared film: amount %g, expected less than fills a gap of 2000 diameters, "
+			       "%g",
+			       f->amount, 2000 * f->diameter * f->gas.packing);
+	if (solids >= (1 - 1e-7) * f->gas.packing) /* nearer, round-off governs */
 		return ts_fail(error, TS_RANGE, where,
 			       "sheared film: mean solid fraction %g, expected less than that at closest "
 			       "packing, %g",

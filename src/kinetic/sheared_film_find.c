@@ -120,25 +120,26 @@ enum ts_status ts_sheared_film_find_solids(struct ts_sheared_film *f, double tar
 	return f->solutions ? refine_root(&s, at, at + step) : TS_OK;
 }
 
-enum ts_status ts_sheared_film_find_gap(struct ts_sheared_film *f, double target, double *speed)
+enum ts_status ts_sheared_film_find_gap(struct ts_sheared_film *f, double target, double speed[2])
 {
 	struct search s = { .f = f, .gap = true, .target = target };
-	double x = log(2), before;
+	double x = log(2), now;
 
 	if (!isnan(f->amount))
 		x = fmax(x, log(f->amount / f->diameter / limit_of(f) * (1 + 1e-6)));
 	f->solutions = 0;
-	before = coarse(&s, x, false);
-	*speed = target * exp(before);
-	for (int k = 0; k < WIDENINGS && before < 0 && s.status == TS_OK; k++) {
-		double now = coarse(&s, x + widening, true);
-
+	now = coarse(&s, x, false);
+	speed[0] = speed[1] = target * exp(now);
+	for (int k = 0; k < WIDENINGS && now < 0; k++, x += widening) {
+		now = coarse(&s, x + widening, true);
 		if (now >= 0) {
 			f->solutions = 1;
 			return refine_root(&s, x, x + widening);
 		}
-		x += widening;
-		before = now;
+		if (s.status == TS_OK)
+			speed[1] = target * exp(now);
 	}
-	return s.status == TS_OK && before < 0 ? TS_PHYSICS : s.status;
+	if (s.status != TS_OK) /* the widest that has a solution */
+		f->couette.gap = exp(x - widening);
+	return s.status;
 }

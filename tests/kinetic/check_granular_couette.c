@@ -387,6 +387,24 @@ START_TEST(dilute_grains_meet_only_walls)
 }
 END_TEST
 
+/* Towards closest packing stresses grow as g0, here the power -2.5 nu_max of the free part 1 - nu/nu_max; slip and
+ * traction tend to a limit. */
+START_TEST(packed_grains)
+{
+	struct ts_couette c = reference();
+	struct ts_couette_figures g[2];
+
+	for (int k = 0; k < 2; k++) {
+		c.solids = 0.65 * (1 - (k ? 1e-6 : 1e-5));
+		g[k] = solved(&c);
+	}
+	DECK_NEAR(pow(g[0].speed / g[1].speed, 2) / pow(10, 2.5 * 0.65), 1, 3e-5);
+	DECK_NEAR(g[1].traction / g[0].traction, 1, 1e-6);
+	DECK_NEAR(g[1].slip[0] / g[1].speed / (g[0].slip[0] / g[0].speed), 1, 1e-5);
+	ts_couette_release(&c);
+}
+END_TEST
+
 START_TEST(elastic_grains_between_walls_that_dissipate)
 {
 	struct ts_couette c = reference();
@@ -643,6 +661,7 @@ int main(void)
 	tcase_add_test(flow, homogeneous_flow);
 	tcase_add_test(flow, quadratures);
 	tcase_add_test(flow, dilute_grains_meet_only_walls);
+	tcase_add_test(flow, packed_grains);
 	tcase_add_test(flow, elastic_grains_between_walls_that_dissipate);
 	tcase_add_test(flow, order_is_four);
 	tcase_add_test(flow, solutions_are_found_and_balance);

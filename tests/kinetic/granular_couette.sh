@@ -128,7 +128,13 @@ rejects "compute c all granular/couette gap 20e-3 solid_fraction 0.6 speed 2 $gr
 	'above that at closest packing'
 rejects "compute c all granular/couette gap 78.7e-3 solid_fraction 0.63 speed 2 diameter 0.787e-3 density 2550 restitution 0.3 wall_restitution 0.65 roughness 1 tolerance 1e-5" \
 	'no solution was found at a gap of 100 diameters and the solid fraction 0.63: that of narrow gaps was followed'
-rejects "compute c all granular/couette solid_fraction 0.4 speed 2 load 1e9 $grains $walls" 'is too large'
+rejects "compute c all granular/couette solid_fraction 0.4 speed 2 load 1e9 $grains $walls" \
+	'the load 1e+09 is too large: at the speed 2 the narrowest gap for which there is a solution, 2 diameters, carries'
+rejects "compute c all granular/couette amount 1e-9 speed 2 load 1e-8 $grains $walls tolerance 1e-3" 'the load 1e-08 is too small'
+rejects "compute c all granular/couette amount 3 speed 2 load 1 $grains $walls" 'expected less than fills a gap of 2000 diameters'
+rejects "compute c all granular/couette gap 4e-3 speed 2 load 1e30 $grains $walls" 'no solid fraction between'
+rejects "compute c all granular/couette gap 4 solid_fraction 0.4 speed 2 $grains $walls" 'expected at most 2000 diameters'
+rejects "compute c all granular/couette gap 4e-3 solid_fraction 0.4 speed 1e200 $grains $walls" 'out of the range of numbers'
 rejects "variable nu equal 0.7
 compute c all granular/couette gap 4e-3 solid_fraction v_nu speed 2 $grains $walls
 print \"\$(c_c[2])\"" 'mean solid fraction 0.7, expected less'
