@@ -112,8 +112,7 @@ static void warn_of_rest(const struct ts_instance *self, struct state *s)
 	ts_warn(&s->sim->log, &self->where,
 		"compute granular/couette: somewhere the granular temperature is only %.2g of its largest: "
 		"the grains there are at rest, packed to the solid fraction %g, which kinetic theory does "
-		"not "
-		"describe",
+		"not describe",
 		s->film.figures.coldest, s->film.figures.most);
 }
 
@@ -259,8 +258,9 @@ static const char doc[] =
 	"the stresses, by the kinetic theory of inelastic spheres. It reads nothing of the simulation; no "
 	"box or run is needed. There is no gravity, and nothing varies along the walls.\n\n"
 	"Three of gap, solid_fraction (or amount), speed and load are given; the fourth is the result. For "
-	"a load and a gap several solid fractions may be found (in wide gaps a dilute, an unstable and a "
-	"dense one): `branch` chooses. An unknown gap is the narrowest that carries the load.\n\n"
+	"a load and a gap several solid fractions may be found (in wide gaps a dilute one, a dense one and "
+	"one between): `branch` chooses one of the first two. An unknown gap is the narrowest that carries "
+	"the load.\n\n"
 	"Equations (N, S normal and shear stress, constant; rho, d density and diameter of the "
 	"grains):\n\n"
 	"  N = rho g1 T,  S = rho d g2 sqrt(T) |du/dy|\n"
@@ -298,14 +298,13 @@ static const char *const doc_more[] = {
 	"solid fraction, T.",
 	"Method: collocation of fourth order, Newton's method, continuation from narrow gaps; the mesh is "
 	"refined until the estimated error is below `tolerance`. In gaps of more than about 10 diameters, "
-	"of nearly elastic grains more, there may be further solutions, dense at one wall: 16 says "
-	"so. The result is that which continues the only one of narrow gaps, symmetric if the walls are.",
+	"of nearly elastic grains more, there may be further solutions, dense at one wall: 16 says so. The "
+	"result is that which continues the only one of narrow gaps, symmetric if the walls are.",
 	"Refused are: a mean solid fraction of `packing` or more; a gap below 2 diameters; smooth walls; "
 	"elastic grains between elastic walls, which have no steady state; solid fractions that reach "
 	"`packing` with carnahan/starling; wide gaps up to which the solution of narrow gaps does not "
 	"continue. Where dissipative grains come to rest in the middle of a wide gap (T less than 1e-6 of "
-	"that "
-	"elsewhere) a warning is given: kinetic theory does not describe them.",
+	"that elsewhere) a warning is given: kinetic theory does not describe them.",
 	"Related: compute film, doc/granular-film.md.", NULL
 };
 
