@@ -408,11 +408,15 @@ library_sources = \
 	src/film/film_faces.c \
 	src/film/film_flow.c \
 	src/film/film_flow.h \
+	src/film/film_flow_gaps.c \
 	src/film/film_guess.c \
 	src/film/film_jfo.c \
 	src/film/film_measures.c \
 	src/film/film_measures.h \
 	src/film/film_parts.c \
+	src/film/film_plane.c \
+	src/film/film_plane.h \
+	src/film/film_response.c \
 	src/film/film_roughness.c \
 	src/film/film_section.c \
 	src/film/film_solve.c \
@@ -971,6 +975,8 @@ library_sources = \
 	src/poisson/stencil.h \
 	src/poisson/transform.c \
 	src/poisson/transform.h \
+	src/polish/balance.c \
+	src/polish/balance.h \
 	src/polish/compute_active_paml.c \
 	src/polish/compute_active_pi.c \
 	src/polish/compute_active_pml.c \

@@ -6,6 +6,7 @@ shell_tests = \
 	tests/average/averages.sh \
 	tests/average/chunk_values.sh \
 	tests/average/euler.sh \
+	tests/average/granular_temperature.sh \
 	tests/bench/charts.sh \
 	tests/bench/race.sh \
 	tests/bond/parallel.sh \
@@ -203,6 +204,7 @@ unit_tests = \
 	tests/accuracy/check_settling \
 	tests/accuracy/check_staircase \
 	tests/automaton/check_automaton \
+	tests/average/check_block_error \
 	tests/base/check_files \
 	tests/bond/check_bonds \
 	tests/bond/check_element \
@@ -221,6 +223,7 @@ unit_tests = \
 	tests/film/check_film \
 	tests/film/check_film_cavitation \
 	tests/film/check_film_floating \
+	tests/film/check_film_motion \
 	tests/film/check_film_roughness \
 	tests/film/check_film_slip \
 	tests/film/check_film_style \
@@ -259,6 +262,7 @@ unit_tests = \
 	tests/neigh/check_pairs \
 	tests/particle/check_particles \
 	tests/poisson/check_poisson \
+	tests/polish/check_floating \
 	tests/polish/check_wafer \
 	tests/program/check_crosscheck \
 	tests/rigid/check_rigid \
@@ -323,6 +327,10 @@ tests_accuracy_check_staircase_LDADD = $(tests_ldadd)
 tests_automaton_check_automaton_SOURCES = tests/automaton/check_automaton.c
 tests_automaton_check_automaton_CFLAGS = $(tests_cflags)
 tests_automaton_check_automaton_LDADD = $(tests_ldadd)
+
+tests_average_check_block_error_SOURCES = tests/average/check_block_error.c
+tests_average_check_block_error_CFLAGS = $(tests_cflags)
+tests_average_check_block_error_LDADD = $(tests_ldadd)
 
 tests_base_check_files_SOURCES = tests/base/check_files.c
 tests_base_check_files_CFLAGS = $(tests_cflags)
@@ -395,6 +403,10 @@ tests_film_check_film_cavitation_LDADD = $(tests_ldadd)
 tests_film_check_film_floating_SOURCES = tests/film/check_film_floating.c
 tests_film_check_film_floating_CFLAGS = $(tests_cflags)
 tests_film_check_film_floating_LDADD = $(tests_ldadd)
+
+tests_film_check_film_motion_SOURCES = tests/film/check_film_motion.c
+tests_film_check_film_motion_CFLAGS = $(tests_cflags)
+tests_film_check_film_motion_LDADD = $(tests_ldadd)
 
 tests_film_check_film_roughness_SOURCES = tests/film/check_film_roughness.c
 tests_film_check_film_roughness_CFLAGS = $(tests_cflags)
@@ -547,6 +559,10 @@ tests_particle_check_particles_LDADD = $(tests_ldadd)
 tests_poisson_check_poisson_SOURCES = tests/poisson/check_poisson.c
 tests_poisson_check_poisson_CFLAGS = $(tests_cflags)
 tests_poisson_check_poisson_LDADD = $(tests_ldadd)
+
+tests_polish_check_floating_SOURCES = tests/polish/check_floating.c
+tests_polish_check_floating_CFLAGS = $(tests_cflags)
+tests_polish_check_floating_LDADD = $(tests_ldadd)
 
 tests_polish_check_wafer_SOURCES = tests/polish/check_wafer.c
 tests_polish_check_wafer_CFLAGS = $(tests_cflags)
