@@ -166,6 +166,7 @@ shell_tests = \
 	tests/restart/restart_streams.sh \
 	tests/review/review.sh \
 	tests/rigid/rigid.sh \
+	tests/rough/load_curve.sh \
 	tests/rough/surface_contact.sh \
 	tests/script/accepted.sh \
 	tests/script/commands.sh \

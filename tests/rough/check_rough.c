@@ -617,6 +617,63 @@ START_TEST(area_of_rough_contact)
 }
 END_TEST
 
+/* kappa = area over p/(E* g), g = rms gradient, at 0.1, and u0 = -du/d ln p of the mean gap u from 0.05 to 0.1 in standard
+ * deviations of the heights: means over random surfaces, and the standard error of kappa. */
+struct rough_numbers {
+	double kappa, error, slope;
+};
+
+static struct rough_numbers measure_rough(double shortest)
+{
+	enum { N = 192, SURFACES = 6 };
+	struct scene s = make_scene(N, N, 1);
+	struct ts_voxel_self_affine surface = { .n = { N, N },
+						.width = { 1.0 / N, 1.0 / N },
+						.deviation = 1e-3,
+						.hurst = 0.8,
+						.longest = 0.25,
+						.roll = 0.25,
+						.shortest = shortest,
+						.noise = TS_VOXEL_NOISE_WAVES,
+						.exact = true };
+	struct rough_numbers out = { 0, 0, 0 };
+	struct ts_rough_moments m;
+	double square = 0, gap;
+
+	s.problem.periodic = true;
+	s.problem.tolerance = 1e-4;
+	for (surface.seed = 1; surface.seed <= SURFACES; surface.seed++) {
+		ck_assert(ts_voxel_self_affine(&surface, s.height) == TS_OK);
+		ck_assert(ts_rough_moments(s.problem.n, s.problem.width, s.height, &m) == TS_OK);
+		s.problem.mean_pressure = 0.05 * sqrt(2 * m.m2);
+		ck_assert(ts_rough_half_space(&s.problem, &s.result) == TS_OK);
+		gap = s.result.mean_gap;
+		s.problem.mean_pressure *= 2;
+		ck_assert(ts_rough_half_space(&s.problem, &s.result) == TS_OK);
+		out.slope += (gap - s.result.mean_gap) / (log(2) * 1e-3 * SURFACES);
+		out.kappa += s.result.smooth_area / (0.1 * SURFACES);
+		square += s.result.smooth_area * s.result.smooth_area / (0.01 * SURFACES);
+	}
+	out.error = sqrt(fmax(square - out.kappa * out.kappa, 0) / (SURFACES - 1));
+	drop_scene(&s);
+	return out;
+}
+
+/* Published of self-affine surfaces: kappa is slightly greater than 2 (J. S. van Dokkum et al, Tribol. Lett. 66 (2018) 115), and
+ * falls with the breadth of the spectrum (V. A. Yastrebov et al, J. Mech. Phys. Solids 107 (2017) 469); p ~ exp(-u/u0) with u0 of
+ * the order of the deviation (B. Lorenz, B. N. J. Persson, J. Phys.: Condens. Matter 21 (2009) 015003). */
+START_TEST(rough_contact_as_published)
+{
+	struct rough_numbers narrow = measure_rough(1.0 / 8), broad = measure_rough(1.0 / 32);
+
+	ck_assert_msg(narrow.kappa < 2.3 && broad.kappa > 1.9, "kappa %g, %g", narrow.kappa, broad.kappa);
+	ck_assert_msg(narrow.kappa - broad.kappa > hypot(narrow.error, broad.error),
+		      "kappa %g +- %g, %g +- %g", narrow.kappa, narrow.error, broad.kappa, broad.error);
+	DECK_NEAR(narrow.slope, 0.47, 0.04);
+	DECK_NEAR(broad.slope, 0.48, 0.04);
+}
+END_TEST
+
 START_TEST(theories_in_their_limits)
 {
 	const struct ts_rough_moments m = { 1e-12, 0.02, 4e9 };
@@ -660,6 +717,7 @@ int main(void)
 	tcase_add_test(contact, units_do_not_matter);
 	tcase_add_test(contact, springs_are_exact);
 	tcase_add_test(contact, area_of_rough_contact);
+	tcase_add_test(contact, rough_contact_as_published);
 	suite_add_tcase(suite, contact);
 	tcase_set_timeout(statistics, 60);
 	tcase_add_test(statistics, moments_of_a_wave);
