@@ -20,9 +20,11 @@ enum ts_status ts_contact_sweep_make(struct ts_contact_sweep *s)
 {
 	s->part = ts_alloc(blocks(s), sizeof *s->part);
 	s->gradient = ts_alloc(s->n, 3 * sizeof *s->gradient);
+	if (!s->part || !s->gradient)
+		return TS_NOMEM;
 	s->move = s->gradient + s->n;
 	s->change = s->move + s->n;
-	return s->part && s->gradient ? TS_OK : TS_NOMEM;
+	return TS_OK;
 }
 
 void ts_contact_sweep_release(struct ts_contact_sweep *s)

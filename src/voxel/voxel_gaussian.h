@@ -20,7 +20,7 @@ struct ts_voxel_gaussian {
 	double mean, deviation; /* length */
 	double correlation[2];	/* length; 0: heights of neighbours are independent */
 	uint64_t seed;
-	enum ts_voxel_noise noise;
+	enum ts_voxel_noise_kind noise;
 	bool exact; /* the sample is shifted and scaled to have mean and deviation exactly */
 };
 

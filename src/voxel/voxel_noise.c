@@ -108,7 +108,7 @@ static enum ts_status fill_waves(struct waves *w, uint64_t seed, const int n[2],
 	return TS_OK;
 }
 
-enum ts_status ts_voxel_noise(enum ts_voxel_noise kind, uint64_t seed, const int n[2], double *noise)
+enum ts_status ts_voxel_noise(enum ts_voxel_noise_kind kind, uint64_t seed, const int n[2], double *noise)
 {
 	struct waves w = { .cells = 0 };
 	enum ts_status status;

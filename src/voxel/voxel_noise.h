@@ -10,9 +10,9 @@
 
 #include "base/status.h"
 
-enum ts_voxel_noise { TS_VOXEL_NOISE_COLUMNS, TS_VOXEL_NOISE_WAVES };
+enum ts_voxel_noise_kind { TS_VOXEL_NOISE_COLUMNS, TS_VOXEL_NOISE_WAVES };
 
 /* noise: [n[1]][n[0]]. Returns TS_OK or TS_NOMEM. */
-enum ts_status ts_voxel_noise(enum ts_voxel_noise kind, uint64_t seed, const int n[2], double *noise);
+enum ts_status ts_voxel_noise(enum ts_voxel_noise_kind kind, uint64_t seed, const int n[2], double *noise);
 
 #endif

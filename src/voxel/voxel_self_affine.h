@@ -21,7 +21,7 @@ struct ts_voxel_self_affine {
 	double hurst;			/* 0 < H <= 1 */
 	double longest, roll, shortest; /* wavelengths, length: longest >= roll >= shortest */
 	uint64_t seed;
-	enum ts_voxel_noise noise;
+	enum ts_voxel_noise_kind noise;
 	bool exact; /* the sample is shifted and scaled to have mean and deviation exactly */
 };
 

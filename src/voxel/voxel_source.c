@@ -146,7 +146,7 @@ static enum ts_status fill_gaussian(const struct filling *f)
 				       .mean = source->mean,
 				       .deviation = source->deviation,
 				       .seed = (uint64_t)source->seed,
-				       .noise = (enum ts_voxel_noise)source->noise,
+				       .noise = (enum ts_voxel_noise_kind)source->noise,
 				       .exact = source->exact };
 
 	TS_TRY(read_correlation(f, g.correlation));
@@ -176,7 +176,7 @@ static enum ts_status fill_self_affine(const struct filling *f)
 					  .deviation = source->deviation,
 					  .hurst = source->hurst,
 					  .seed = (uint64_t)source->seed,
-					  .noise = (enum ts_voxel_noise)source->noise,
+					  .noise = (enum ts_voxel_noise_kind)source->noise,
 					  .exact = source->exact };
 	enum ts_status status;
 

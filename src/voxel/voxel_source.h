@@ -29,7 +29,7 @@ struct ts_voxel_source {
 	/* and its wavelengths, length; NaN: twice the width of the columns, the longest, the size of the field */
 	double shortest, roll, longest;
 	int64_t seed;
-	int noise;  /* enum ts_voxel_noise */
+	int noise;  /* enum ts_voxel_noise_kind */
 	bool exact; /* its sample has the mean and deviation given */
 };
 

@@ -540,7 +540,7 @@ START_TEST(waves_do_not_depend_on_columns)
 							  .roll = 0.4,
 							  .shortest = 1.0 / 10,
 							  .seed = 5,
-							  .noise = (enum ts_voxel_noise)noise,
+							  .noise = (enum ts_voxel_noise_kind)noise,
 							  .exact = true };
 			struct ts_voxel_gaussian t = { .n = { n[0], n[1] },
 						       .width = { width, width },
