@@ -20,6 +20,8 @@ library_sources = \
 	src/automaton/granule.h \
 	src/automaton/granule_lattice.c \
 	src/automaton/granule_lattice.h \
+	src/automaton/lanes.c \
+	src/automaton/lanes.h \
 	src/automaton/laws.h \
 	src/automaton/step.c \
 	src/automaton/step.h \

@@ -163,9 +163,9 @@ static void set_laws(const struct granular *s, double dt, struct ts_laws *laws)
 {
 	const double one = 1 << TS_LAWS_FRACTION;
 
-	*laws = (struct ts_laws){ .pair = (int64_t)nearbyint(one * (1 + s->restitution) / 2),
-				  .wall_restitution = (int64_t)nearbyint(one * s->wall_restitution),
-				  .roughness = (int64_t)nearbyint(one * s->roughness),
+	*laws = (struct ts_laws){ .pair = (uint32_t)nearbyint(one * (1 + s->restitution) / 2),
+				  .wall_restitution = (uint32_t)nearbyint(one * s->wall_restitution),
+				  .roughness = (uint32_t)nearbyint(one * s->roughness),
 				  .contact = s->contact,
 				  .directions = s->directions,
 				  .partner = s->partner,

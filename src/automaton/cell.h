@@ -14,6 +14,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "base/inline.h"
+
 enum {
 	TS_CELL_ONE = 1 << 13, /* one cell a step */
 	TS_CELL_PHASE = 14,    /* first bit of the phase, of the direction, of the state */
@@ -40,40 +42,40 @@ enum ts_cell_fixed {
 	TS_CELL_RIGHT_PORTAL
 };
 
-static inline unsigned ts_cell_state(uint32_t w)
+TS_INLINE unsigned ts_cell_state(uint32_t w)
 {
 	return w >> TS_CELL_STATE;
 }
 
 /* Bit 30 is set in granules, and only there. */
-static inline bool ts_cell_is_granule(uint32_t w)
+TS_INLINE bool ts_cell_is_granule(uint32_t w)
 {
 	return w >> TS_CELL_STATE & 1;
 }
 
-static inline int ts_cell_speed(uint32_t w)
+TS_INLINE int ts_cell_speed(uint32_t w)
 {
 	return (int)(w & TS_CELL_SPEED);
 }
 
-static inline unsigned ts_cell_direction(uint32_t w)
+TS_INLINE unsigned ts_cell_direction(uint32_t w)
 {
 	return w >> TS_CELL_DIRECTION & 7;
 }
 
-static inline uint32_t ts_cell_fixed(enum ts_cell_fixed kind)
+TS_INLINE uint32_t ts_cell_fixed(enum ts_cell_fixed kind)
 {
 	return (uint32_t)TS_CELL_FIXED << TS_CELL_STATE | (uint32_t)kind << TS_CELL_DIRECTION;
 }
 
-static inline uint32_t ts_cell_granule(int speed, int phase, unsigned direction)
+TS_INLINE uint32_t ts_cell_granule(int speed, int phase, unsigned direction)
 {
 	return (uint32_t)TS_CELL_GRANULE << TS_CELL_STATE | (uint32_t)direction << TS_CELL_DIRECTION |
 	       (uint32_t)phase << TS_CELL_PHASE | (uint32_t)speed;
 }
 
 /* The same granule with another speed and direction. */
-static inline uint32_t ts_cell_turned(uint32_t w, int speed, unsigned direction)
+TS_INLINE uint32_t ts_cell_turned(uint32_t w, int speed, unsigned direction)
 {
 	const uint32_t kept = (uint32_t)3 << TS_CELL_STATE | (uint32_t)TS_CELL_LOW << TS_CELL_PHASE;
 
@@ -81,19 +83,19 @@ static inline uint32_t ts_cell_turned(uint32_t w, int speed, unsigned direction)
 }
 
 /* Components -1, 0, 1 of the directions, counter-clockwise from +x (figure 4 of the paper). Two bits for each, so that
- * no memory is read. */
-static inline int ts_cell_dx(unsigned direction)
+ * no memory is read; with bit 31 gcc does not compute in 16 bits, for which there are no shifts of vectors. */
+TS_INLINE int ts_cell_dx(unsigned direction)
 {
-	return (int)(0x901A >> 2 * direction & 3) - 1;
+	return (int)(0x8000901Au >> 2 * direction & 3) - 1;
 }
 
-static inline int ts_cell_dy(unsigned direction)
+TS_INLINE int ts_cell_dy(unsigned direction)
 {
 	return ts_cell_dx((direction + 6) & 7);
 }
 
 /* The direction with these components, not both 0. */
-static inline unsigned ts_cell_direction_of(int dx, int dy)
+TS_INLINE unsigned ts_cell_direction_of(int dx, int dy)
 {
 	/* rows dy = -1, 0, 1; columns dx = -1, 0, 1; four bits each */
 	return (unsigned)(UINT64_C(0x123004765) >> 4 * (3 * (dy + 1) + dx + 1) & 7);

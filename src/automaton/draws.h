@@ -8,6 +8,7 @@
 
 #include <stdint.h>
 
+#include "base/inline.h"
 #include "math/rng.h"
 
 enum ts_draws_purpose { TS_DRAWS_ORDER, TS_DRAWS_LAWS, TS_DRAWS_BLOCKS, TS_DRAWS_PLACES };
@@ -29,13 +30,16 @@ static inline struct ts_draws_stream ts_draws_start(uint64_t seed, int64_t step,
 					 ((uint64_t)word[3] << 32 | word[2]) | 1 };
 }
 
-static inline uint64_t ts_draws_next(struct ts_draws_stream *s)
+TS_INLINE uint64_t ts_draws_mix(uint64_t z)
 {
-	uint64_t z = s->at += s->increment;
-
 	z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
 	z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
 	return z ^ z >> 31;
+}
+
+static inline uint64_t ts_draws_next(struct ts_draws_stream *s)
+{
+	return ts_draws_mix(s->at += s->increment);
 }
 
 /* Uniform in 0 .. n-1: the upper word of bits n, in 96 bits; the bias is below n/2^64. */

@@ -40,7 +40,7 @@ static inline uint32_t ts_granule_rebound(const struct ts_automaton_lattice *l, 
 	const int wall = kind <= TS_CELL_UPPER_WALL ? laws->wall[kind] : 0;
 	const struct ts_laws_velocity v = ts_laws_velocity_of(w);
 	struct ts_laws_velocity after;
-	bool along_x = dy != 0, along_y = dx != 0, clipped;
+	bool along_x = dy != 0, along_y = dx != 0;
 
 	if (along_x && along_y) {
 		const bool below = ts_granule_faces_fixed(l, c, ts_cell_direction_of(0, dy));
@@ -54,12 +54,11 @@ static inline uint32_t ts_granule_rebound(const struct ts_automaton_lattice *l, 
 	after = ts_laws_wall(laws, along_x, along_x ? wall : 0, v);
 	if (along_x && along_y)
 		after.x = ts_laws_wall(laws, 0, 0, v).x;
-	w = ts_laws_turn(laws, w, after, (unsigned)(ts_draws_next(draws) & 0xffff), &clipped);
-	count->clipped += clipped;
-	return w;
+	count->clipped += ts_laws_is_clipped(after);
+	return ts_laws_turn(laws, w, after, (unsigned)(ts_draws_next(draws) & 0xffff));
 }
 
-static inline unsigned ts_granule_normal(const struct ts_laws *laws, unsigned direction, unsigned r)
+TS_INLINE unsigned ts_granule_normal(const struct ts_laws *laws, unsigned direction, unsigned r)
 {
 	if (laws->contact == TS_LAWS_OFFSET)
 		return (direction + (r & 1 ? 1 : 7)) & 7;
@@ -74,23 +73,28 @@ static inline bool ts_granule_collide(const struct ts_laws *laws, uint32_t *w, u
 {
 	const uint64_t bits = ts_draws_next(draws);
 	const unsigned normal = ts_granule_normal(laws, ts_cell_direction(*w), (unsigned)(bits & 0xffff));
-	struct ts_laws_velocity v1 = ts_laws_velocity_of(*w), v2 = ts_laws_velocity_of(*other);
+	const struct ts_laws_velocity v1 = ts_laws_velocity_of(*w), v2 = ts_laws_velocity_of(*other);
+	const int closing = ts_laws_closing(normal, v1, v2);
 	const unsigned before = ts_cell_direction(*other);
-	bool clipped[2];
+	struct ts_laws_velocity u1, u2;
+	int d;
 
 	if (laws->directions == TS_LAWS_TABLE) {
 		ts_laws_table_pair(laws, w, other, (unsigned)bits);
 		count->collided++;
 		return true;
 	}
-	if (!ts_laws_pair(laws, normal, &v1, &v2))
+	if (closing <= 0)
 		return false;
-	*w = ts_laws_turn(laws, *w, v1, (unsigned)(bits >> 16 & 0xffff), &clipped[0]);
-	*other = ts_laws_turn(laws, *other, v2, (unsigned)(bits >> 32 & 0xffff), &clipped[1]);
+	d = ts_laws_impulse(laws, normal, closing);
+	u1 = ts_laws_changed(v1, normal, -d);
+	u2 = ts_laws_changed(v2, normal, d);
+	*w = ts_laws_turn(laws, *w, u1, (unsigned)(bits >> 16 & 0xffff));
+	*other = ts_laws_turn(laws, *other, u2, (unsigned)(bits >> 32 & 0xffff));
 	if (laws->partner == TS_LAWS_KEEPS)
 		*other = ts_cell_turned(*other, ts_cell_speed(*other), before);
 	count->collided++;
-	count->clipped += clipped[0] + clipped[1];
+	count->clipped += ts_laws_is_clipped(u1) + ts_laws_is_clipped(u2);
 	return true;
 }
 

@@ -19,9 +19,9 @@ enum ts_laws_normal { TS_LAWS_WALL_SPEED, TS_LAWS_WALL_NORMAL };
 enum { TS_LAWS_FRACTION = 16 }; /* bits of the coefficients */
 
 struct ts_laws {
-	int64_t pair;			     /* (1 + e_p)/2, times 2^16 */
-	int64_t wall_restitution, roughness; /* e_w and R, times 2^16 */
-	int wall[2];			     /* velocity of the lower and the upper wall along x */
+	uint32_t pair;			      /* (1 + e_p)/2, times 2^16 */
+	uint32_t wall_restitution, roughness; /* e_w and R, times 2^16 */
+	int wall[2];			      /* velocity of the lower and the upper wall along x */
 	int contact, directions, partner, normal;
 };
 
@@ -29,18 +29,18 @@ struct ts_laws_velocity {
 	int x, y;
 };
 
-static inline int ts_laws_abs(int v)
+TS_INLINE int ts_laws_abs(int v)
 {
 	return v < 0 ? -v : v;
 }
 
-/* v coefficient/2^bits, v >= 0, to the nearest */
-static inline int ts_laws_scale(int64_t coefficient, int v, int bits)
+/* v coefficient/2^bits to the nearest; 0 <= v <= 4 cells a step, so that 32 bits suffice */
+TS_INLINE int ts_laws_scale(uint32_t coefficient, int v, unsigned bits)
 {
-	return (int)((coefficient * v + ((int64_t)1 << (bits - 1))) >> bits);
+	return (int)((coefficient * (uint32_t)v + ((uint32_t)1 << (bits - 1))) >> bits);
 }
 
-static inline struct ts_laws_velocity ts_laws_velocity_of(uint32_t w)
+TS_INLINE struct ts_laws_velocity ts_laws_velocity_of(uint32_t w)
 {
 	const unsigned direction = ts_cell_direction(w);
 	const int s = ts_cell_speed(w);
@@ -48,28 +48,27 @@ static inline struct ts_laws_velocity ts_laws_velocity_of(uint32_t w)
 	return (struct ts_laws_velocity){ s * ts_cell_dx(direction), s * ts_cell_dy(direction) };
 }
 
-/* Equations (8) and (9) for the components along the line of centres, `normal`, from granule 1 to 2; the others stay.
- * What granule 1 loses granule 2 gains. False, and no change: they do not approach. */
-static inline bool ts_laws_pair(const struct ts_laws *laws, unsigned normal, struct ts_laws_velocity *v1,
-				struct ts_laws_velocity *v2)
+/* How fast granule 1 approaches granule 2 along their line of centres, `normal`; on a diagonal times sqrt(2). */
+TS_INLINE int ts_laws_closing(unsigned normal, struct ts_laws_velocity v1, struct ts_laws_velocity v2)
 {
-	const int dx = ts_cell_dx(normal), dy = ts_cell_dy(normal);
-	const int closing = (v1->x - v2->x) * dx + (v1->y - v2->y) * dy;
-	int d;
+	return (v1.x - v2.x) * ts_cell_dx(normal) + (v1.y - v2.y) * ts_cell_dy(normal);
+}
 
-	if (closing <= 0)
-		return false;
+/* Equations (8) and (9) for the components along the line of centres; the others stay. What granule 1 loses of each
+ * component, times that of the line, granule 2 gains. closing > 0 */
+TS_INLINE int ts_laws_impulse(const struct ts_laws *laws, unsigned normal, int closing)
+{
 	/* on a diagonal |(dx, dy)|^2 = 2 */
-	d = ts_laws_scale(laws->pair, closing, TS_LAWS_FRACTION + (normal & 1));
-	v1->x -= d * dx;
-	v1->y -= d * dy;
-	v2->x += d * dx;
-	v2->y += d * dy;
-	return true;
+	return ts_laws_scale(laws->pair, closing, TS_LAWS_FRACTION + (normal & 1));
+}
+
+TS_INLINE struct ts_laws_velocity ts_laws_changed(struct ts_laws_velocity v, unsigned normal, int by)
+{
+	return (struct ts_laws_velocity){ v.x + by * ts_cell_dx(normal), v.y + by * ts_cell_dy(normal) };
 }
 
 /* Equation (6): u + R (U - u) */
-static inline int ts_laws_along(const struct ts_laws *laws, int wall, int u)
+TS_INLINE int ts_laws_along(const struct ts_laws *laws, int wall, int u)
 {
 	const int d = ts_laws_scale(laws->roughness, ts_laws_abs(wall - u), TS_LAWS_FRACTION);
 
@@ -78,7 +77,7 @@ static inline int ts_laws_along(const struct ts_laws *laws, int wall, int u)
 
 /* Equation (7), U - e_w (U - u), for the speed u towards the wall; afterwards it is directed away from it. U is the speed
  * of the wall, or its velocity along its normal, which is 0. */
-static inline int ts_laws_rebound(const struct ts_laws *laws, int wall, int u)
+TS_INLINE int ts_laws_rebound(const struct ts_laws *laws, int wall, int u)
 {
 	const int fast = laws->normal == TS_LAWS_WALL_SPEED ? ts_laws_abs(wall) : 0;
 	const int d = ts_laws_scale(laws->wall_restitution, ts_laws_abs(fast - u), TS_LAWS_FRACTION);
@@ -87,8 +86,8 @@ static inline int ts_laws_rebound(const struct ts_laws *laws, int wall, int u)
 }
 
 /* A wall along an axis: `normal` 1 along y, 0 along x. */
-static inline struct ts_laws_velocity ts_laws_wall(const struct ts_laws *laws, int normal, int wall,
-						   struct ts_laws_velocity v)
+TS_INLINE struct ts_laws_velocity ts_laws_wall(const struct ts_laws *laws, int normal, int wall,
+					       struct ts_laws_velocity v)
 {
 	struct ts_laws_velocity after;
 	const int towards = normal ? v.y : v.x;
@@ -110,7 +109,7 @@ static inline struct ts_laws_velocity ts_laws_wall(const struct ts_laws *laws, i
 
 /* (8) and (9) for the speeds of both granules. Granule 1 turns back, to one of the two directions beside the opposite one;
  * granule 2 keeps its direction. */
-static inline void ts_laws_table_pair(const struct ts_laws *laws, uint32_t *w1, uint32_t *w2, unsigned r)
+TS_INLINE void ts_laws_table_pair(const struct ts_laws *laws, uint32_t *w1, uint32_t *w2, unsigned r)
 {
 	const int s1 = ts_cell_speed(*w1), s2 = ts_cell_speed(*w2);
 	const int d = ts_laws_scale(laws->pair, ts_laws_abs(s1 - s2), TS_LAWS_FRACTION);
@@ -121,8 +120,8 @@ static inline void ts_laws_table_pair(const struct ts_laws *laws, uint32_t *w1, 
 
 /* Directions normal to the wall are reversed, with (7); those along a diagonal are reflected, with (6) for the speed of the
  * wall. */
-static inline uint32_t ts_laws_table_wall(const struct ts_laws *laws, uint32_t w, bool along_x, bool along_y,
-					  int wall)
+TS_INLINE uint32_t ts_laws_table_wall(const struct ts_laws *laws, uint32_t w, bool along_x, bool along_y,
+				      int wall)
 {
 	const unsigned d = ts_cell_direction(w);
 	const unsigned after = ts_cell_direction_of(along_y ? -ts_cell_dx(d) : ts_cell_dx(d),
@@ -136,28 +135,30 @@ static inline uint32_t ts_laws_table_wall(const struct ts_laws *laws, uint32_t w
 
 /* ---- the speed and the direction of a velocity */
 
+TS_INLINE uint32_t ts_laws_is_clipped(struct ts_laws_velocity v)
+{
+	return (uint32_t)(TS_CELL_ONE - ts_laws_abs(v.x)) >> 31 |
+	       (uint32_t)(TS_CELL_ONE - ts_laws_abs(v.y)) >> 31;
+}
+
 /* The granule w with the velocity v, by its speed max(|v_x|, |v_y|), at most 1, and a direction. v is between a direction
  * along an axis and a diagonal: with a random number r = 0 .. 65535 the diagonal is chosen with the probability
- * min/max, so that the mean velocity is v; with `nearest` the one with the smaller angle to v. */
-static inline uint32_t ts_laws_turn(const struct ts_laws *laws, uint32_t w, struct ts_laws_velocity v,
-				    unsigned r, bool *clipped)
+ * min/max, so that the mean velocity is v; with `nearest` the one with the smaller angle to v. Without branches, which
+ * could not be predicted. */
+TS_INLINE uint32_t ts_laws_turn(const struct ts_laws *laws, uint32_t w, struct ts_laws_velocity v, unsigned r)
 {
 	const int ax = ts_laws_abs(v.x), ay = ts_laws_abs(v.y);
 	const int most = ax > ay ? ax : ay, least = ax > ay ? ay : ax;
-	int dx = (v.x > 0) - (v.x < 0), dy = (v.y > 0) - (v.y < 0);
-	bool diagonal;
+	/* r most is below 2^31, as |v| < 4 cells a step; tan 22.5 degrees = 0.4142 */
+	const unsigned diagonal = laws->directions == TS_LAWS_RANDOM
+					  ? (r * (unsigned)most - ((unsigned)least << 16)) >> 31
+					  : (unsigned)(most * 12 - least * 29) >> 31;
+	/* by the signs of v_x and v_y, and whether |v_x| >= |v_y|; four bits each */
+	const unsigned k = (unsigned)(v.x < 0) | (unsigned)(v.y < 0) << 1 | (unsigned)(ax >= ay) << 2;
+	const unsigned direction = (diagonal ? 0x57315731u : 0x40406622u) >> 4 * k & 7;
 
-	*clipped = most > TS_CELL_ONE;
-	if (most == 0)
-		return ts_cell_turned(w, 0, ts_cell_direction(w));
-	if (laws->directions == TS_LAWS_RANDOM)
-		diagonal = (int64_t)r * most < (int64_t)least << 16;
-	else
-		diagonal = least * 29 > most * 12; /* tan 22.5 degrees = 0.4142 */
-	/* no branches, which could not be predicted */
-	dx &= -(int)(diagonal | (ax >= ay));
-	dy &= -(int)(diagonal | (ax < ay));
-	return ts_cell_turned(w, *clipped ? TS_CELL_ONE : most, ts_cell_direction_of(dx, dy));
+	return ts_cell_turned(w, most > TS_CELL_ONE ? TS_CELL_ONE : most,
+			      most == 0 ? ts_cell_direction(w) : direction);
 }
 
 #endif

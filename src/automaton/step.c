@@ -1,6 +1,7 @@
 #include "automaton/step.h"
 
 #include "automaton/granule.h"
+#include "automaton/lanes.h"
 #include "base/alloc.h"
 #include "base/clones.h"
 #include "base/parallel.h"
@@ -59,6 +60,20 @@ static void draw_some(uint32_t *entry, uint32_t n, uint32_t take, struct ts_draw
 	}
 }
 
+/* The entries in the order in which they are drawn, from the last to the first. */
+static void shuffle(uint32_t *entry, uint32_t n, struct ts_draws_stream order)
+{
+	uint32_t drawn[AHEAD], take;
+
+	/* they take the places at the end that draw_some has freed */
+	for (uint32_t left = n; left > 0; left -= take) {
+		take = left < AHEAD ? left : AHEAD;
+		draw_some(entry, left, take, &order, drawn);
+		for (uint32_t k = 0; k < take; k++)
+			entry[left - k - 1] = drawn[k];
+	}
+}
+
 /* Updates the granules of the n cells, in random order. */
 static void update_all(struct ts_automaton_lattice *l, const struct ts_laws *laws, uint32_t *mover,
 		       uint32_t n, struct ts_draws_stream order, struct ts_draws_stream draws,
@@ -91,7 +106,8 @@ static void add_count(struct ts_automaton_count *to, const struct ts_automaton_c
 
 /* ---- blocks */
 
-enum { WIDTH = 64, HEIGHT = 32 }; /* the largest block; it fits into the first cache */
+enum { WIDTH = 32, HEIGHT = 32 }; /* the largest block: those of all lanes fit into the cache */
+enum { MOST = (WIDTH + 1) * HEIGHT + 1 };
 
 struct blocks {
 	struct ts_automaton_lattice *l;
@@ -139,21 +155,66 @@ static uint32_t list_block(const struct blocks *b, int i, int j, uint32_t *mover
 	return n;
 }
 
-static void update_blocks(void *context, size_t from, size_t to)
+static uint32_t block_number(const struct blocks *b, size_t k, int *i, int *j)
 {
-	struct blocks *b = context;
-	uint32_t mover[(WIDTH + 1) * HEIGHT + 1];
+	const size_t across = (size_t)b->n[0] / 2;
+
+	*i = 2 * (int)(k % across) + b->colour[0];
+	*j = 2 * (int)(k / across) + b->colour[1];
+	return (uint32_t)*j * (uint32_t)b->n[0] + (uint32_t)*i;
+}
+
+static void update_one_by_one(const struct blocks *b, size_t from, size_t to)
+{
+	uint32_t mover[MOST];
 
 	for (size_t k = from; k < to; k++) {
-		const int across = b->n[0] / 2;
-		const int i = 2 * (int)(k % (size_t)across) + b->colour[0],
-			  j = 2 * (int)(k / (size_t)across) + b->colour[1];
-		const uint32_t block = (uint32_t)j * (uint32_t)b->n[0] + (uint32_t)i;
+		int i, j;
+		const uint32_t block = block_number(b, k, &i, &j);
 
 		update_all(b->l, b->laws, mover, list_block(b, i, j, mover),
 			   ts_draws_start(b->seed, b->step, block, TS_DRAWS_ORDER),
 			   ts_draws_start(b->seed, b->step, block, TS_DRAWS_LAWS), &b->l->count[block]);
 	}
+}
+
+static void update_in_lanes(const struct blocks *b, size_t from, size_t to)
+{
+	uint32_t mover[TS_LANES * MOST];
+	struct ts_lanes lanes = { .mover = mover };
+
+	for (size_t first = from; first < to; first += TS_LANES) {
+		struct ts_automaton_count count = { 0 };
+		int i, j;
+
+		for (size_t k = 0; k < TS_LANES; k++) {
+			uint32_t *list = mover + k * MOST, block;
+
+			lanes.first[k] = (int32_t)(k * MOST);
+			lanes.left[k] = 0;
+			list[0] = 0;
+			if (first + k >= to)
+				continue;
+			block = block_number(b, first + k, &i, &j);
+			lanes.left[k] = (int32_t)list_block(b, i, j, list);
+			shuffle(list, (uint32_t)lanes.left[k],
+				ts_draws_start(b->seed, b->step, block, TS_DRAWS_ORDER));
+			lanes.draws[k] = ts_draws_start(b->seed, b->step, block, TS_DRAWS_LAWS);
+			b->l->count[block] = count;
+		}
+		ts_lanes_update(b->l, b->laws, &lanes, &count);
+		b->l->count[block_number(b, first, &i, &j)] = count;
+	}
+}
+
+static void update_blocks(void *context, size_t from, size_t to)
+{
+	const struct blocks *b = context;
+
+	if (ts_lanes_suit(b->laws) && to - from >= TS_LANES / 2)
+		update_in_lanes(b, from, to);
+	else
+		update_one_by_one(b, from, to);
 }
 
 static void step_blocks(struct blocks *b, int threads, struct ts_automaton_count *count)
@@ -213,14 +274,5 @@ void ts_automaton_step(struct ts_automaton_lattice *l, const struct ts_laws *law
 
 void ts_automaton_shuffle(uint32_t *entry, uint32_t n, uint64_t seed, int64_t step)
 {
-	struct ts_draws_stream order = ts_draws_start(seed, step, 0, TS_DRAWS_ORDER);
-	uint32_t drawn[AHEAD], take;
-
-	/* the drawn entries take the places at the end that draw_some has freed */
-	for (uint32_t left = n; left > 0; left -= take) {
-		take = left < AHEAD ? left : AHEAD;
-		draw_some(entry, left, take, &order, drawn);
-		for (uint32_t k = 0; k < take; k++)
-			entry[left - k - 1] = drawn[k];
-	}
+	shuffle(entry, n, ts_draws_start(seed, step, 0, TS_DRAWS_ORDER));
 }
