@@ -279,6 +279,11 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	TS_TRY(check_speed(self, sim, "lower", s->wall[0]));
 	TS_TRY(check_speed(self, sim, "upper", s->wall[1]));
 	TS_TRY(check_speed(self, sim, "start", start_speed(s)));
+	if (s->automaton.steps == 0 && start_speed(s) == 0)
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "start"),
+			       "automaton_style granular: all granules are at rest, and a granule at rest "
+			       "never "
+			       "collides: expected start > 0");
 	if (fastest * sim->clock.dt > s->cell * (1 + 1e-9))
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "automaton_style granular: the speed %g is %g cells a step; granules move by "

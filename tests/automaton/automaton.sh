@@ -40,6 +40,10 @@ refuses 'the speed 2 is 2 cells a step; granules move by at most one: expected a
 run 1"
 refuses 'less than the smallest one, 1/8192' "$(scene start 1e-6)
 run 1"
+refuses 'all granules are at rest' "$(scene start 0)
+run 1"
+refuses 'all granules are at rest' "$(U=0 scene)
+run 1"
 refuses 'needs an automaton: use automaton_style before it' "$(scene | sed '$d')
 compute p all automaton/profile"
 refuses 'must end in .png' "$(scene)
