@@ -307,14 +307,22 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 {
 	struct ts_automaton_lattice *l = &automaton_of(self)->lattice;
 
-	(void)sim;
-	return ts_archive_fixed(archive, "cells", TS_SAVED_I32, l->cell, l->stride * ((size_t)l->ny + 2));
+	TS_TRY(ts_archive_fixed(archive, "cells", TS_SAVED_I32, l->cell, l->stride * ((size_t)l->ny + 2)));
+	if (ts_archive_writing(archive))
+		return TS_OK;
+	if (!ts_automaton_accept(l))
+		return ts_fail(&sim->error, TS_DAMAGED, &self->where,
+			       "automaton_style granular: the cells in the restart file are damaged");
+	/* there may be other obstacles than those of the script, and so another number of granules */
+	return ts_automaton_step_make(l,
+				      (enum ts_automaton_order)((const struct granular *)self->state)->order)
+		       ? TS_OK
+		       : ts_nomem(&sim->error);
 }
 
 static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct granular, automaton.dt),
 	TS_SAVE_I64(struct granular, automaton.steps),
-	TS_SAVE_I64(struct granular, automaton.lattice.granules),
 	TS_SAVE_I64(struct granular, automaton.count.due),
 	TS_SAVE_I64(struct granular, automaton.count.moved),
 	TS_SAVE_I64(struct granular, automaton.count.collided),

@@ -57,6 +57,51 @@ int64_t ts_automaton_count_open(const struct ts_automaton_lattice *l)
 	return open;
 }
 
+static bool is_possible(uint32_t w)
+{
+	switch (ts_cell_state(w)) {
+	case TS_CELL_EMPTY:
+		return w == 0;
+	case TS_CELL_GRANULE:
+		return ts_cell_speed(w) <= TS_CELL_ONE;
+	case TS_CELL_FIXED:
+		return w == ts_cell_fixed(TS_CELL_OBSTACLE);
+	default:
+		return false;
+	}
+}
+
+static bool has_walls(const struct ts_automaton_lattice *l)
+{
+	const size_t upper = (size_t)(l->ny + 1) * l->stride;
+	bool good = true;
+
+	for (int y = 0; y < l->ny; y++)
+		good &= l->cell[ts_automaton_at(l, -1, y)] == ts_cell_fixed(TS_CELL_LEFT_PORTAL) &&
+			l->cell[ts_automaton_at(l, l->nx, y)] == ts_cell_fixed(TS_CELL_RIGHT_PORTAL);
+	for (size_t c = 0; c < l->stride; c++)
+		good &= l->cell[c] == ts_cell_fixed(TS_CELL_LOWER_WALL) &&
+			l->cell[upper + c] == ts_cell_fixed(TS_CELL_UPPER_WALL);
+	return good;
+}
+
+bool ts_automaton_accept(struct ts_automaton_lattice *l)
+{
+	if (!has_walls(l))
+		return false;
+	l->granules = 0;
+	for (int y = 0; y < l->ny; y++)
+		for (int x = 0; x < l->nx; x++) {
+			const uint32_t w = l->cell[ts_automaton_at(l, x, y)];
+
+			if (!is_possible(w))
+				return false;
+			l->granules += ts_cell_is_granule(w);
+		}
+	l->open = ts_automaton_count_open(l);
+	return true;
+}
+
 /* Selection sampling: D. E. Knuth, The Art of Computer Programming 2, 3.4.2, algorithm S. */
 void ts_automaton_place(struct ts_automaton_lattice *l, uint64_t seed, int64_t granules, int speed)
 {

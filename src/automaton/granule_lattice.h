@@ -47,6 +47,8 @@ void ts_automaton_release(struct ts_automaton_lattice *l);
  * directions and phases. */
 void ts_automaton_place(struct ts_automaton_lattice *l, uint64_t seed, int64_t granules, int speed);
 int64_t ts_automaton_count_open(const struct ts_automaton_lattice *l);
+/* For cells from a file: sets `granules` and `open`. False: walls are not in their places, or a cell has an impossible value. */
+bool ts_automaton_accept(struct ts_automaton_lattice *l);
 
 void ts_automaton_sum_row(const struct ts_automaton_lattice *l, int y, struct ts_automaton_row *sum);
 

@@ -241,6 +241,10 @@ static void step_blocks(struct blocks *b, int threads, struct ts_automaton_count
 
 bool ts_automaton_step_make(struct ts_automaton_lattice *l, enum ts_automaton_order order)
 {
+	ts_free(l->count);
+	ts_free(l->mover);
+	l->count = NULL;
+	l->mover = NULL;
 	if (order == TS_AUTOMATON_BLOCKS) {
 		l->ncounts = (size_t)blocks_along(l->nx) * (size_t)most_blocks_across(l->ny);
 		l->count = ts_alloc(l->ncounts, sizeof *l->count);

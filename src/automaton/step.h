@@ -14,7 +14,7 @@ enum ts_automaton_order {
 /* Fewest cells along x with the order `blocks`. */
 enum { TS_AUTOMATON_BLOCKS_LEAST = 16 };
 
-/* Allocates what the order needs; false: no memory. */
+/* Allocates what the order needs for the present number of granules; false: no memory. */
 bool ts_automaton_step_make(struct ts_automaton_lattice *l, enum ts_automaton_order order);
 /* The result does not depend on the number of threads. */
 void ts_automaton_step(struct ts_automaton_lattice *l, const struct ts_laws *laws,

@@ -122,6 +122,13 @@ print "row $(c_p[3]:%.17g) $(c_p[4]:%.17g) $(c_p[5]:%.17g) $(c_p[6]:%.17g)"'
 		grep '^row' $part.out >$part.rows
 	done
 	same "$order: continued" whole.rows two.rows
+	# the obstacles of the restart file stay, whatever the script has
+	prints "read_restart part.restart
+$(scene order $order | tail -n 1)
+compute p all automaton/profile
+run 20
+variable n equal 38*c_p[1][4]
+print \"granules \$(c_p), cells \$(abs(v_n-round(v_n))<1e-9)\"" 'granules 223, cells 1'
 done
 
 # a picture, read back: size, and the colours of wall, empty cell and granule

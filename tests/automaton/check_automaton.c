@@ -495,6 +495,30 @@ START_TEST(orders_give_the_same_flow)
 }
 END_TEST
 
+/* Cells from a file are checked: walls, states, speeds. */
+START_TEST(impossible_cells)
+{
+	struct ts_automaton_lattice l = lattice_of(20, 10, 0.5, 1, TS_AUTOMATON_EXACT);
+	const size_t places[] = { ts_automaton_at(&l, 3, 4), ts_automaton_at(&l, -1, 4),
+				  ts_automaton_at(&l, 20, 4), ts_automaton_at(&l, 5, -1),
+				  ts_automaton_at(&l, 5, 10) };
+	const uint32_t values[] = { 17, ts_cell_fixed(TS_CELL_LEFT_PORTAL), 0xc0000000u, 0x80000001u,
+				    ts_cell_granule(TS_CELL_ONE + 1, 0, 3) };
+
+	l.granules = 0;
+	ck_assert(ts_automaton_accept(&l) && l.granules == 100 && l.open == 200);
+	for (size_t k = 0; k < DECK_LENGTH(places); k++)
+		for (size_t v = 0; v < DECK_LENGTH(values); v++) {
+			const uint32_t before = l.cell[places[k]];
+
+			l.cell[places[k]] = values[v];
+			ck_assert(ts_automaton_accept(&l) == (before == values[v]));
+			l.cell[places[k]] = before;
+		}
+	ts_automaton_release(&l);
+}
+END_TEST
+
 START_TEST(out_of_memory)
 {
 	for (long k = 1; k <= 2; k++) {
@@ -534,6 +558,7 @@ int main(void)
 	tcase_add_test(tcase, full_lattice);
 	tcase_add_test(tcase, threads_do_not_matter);
 	tcase_add_test(tcase, orders_give_the_same_flow);
+	tcase_add_test(tcase, impossible_cells);
 	tcase_add_test(tcase, out_of_memory);
 	suite_add_tcase(suite, tcase);
 	return deck_main(suite);
