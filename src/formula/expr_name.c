@@ -92,7 +92,8 @@ static enum ts_status element_of_vector(struct ts_expr *e, struct ts_variable *v
 {
 	struct ts_table table = { 0 };
 	enum ts_status status = ts_variable_vector(e->formulas, variable, place, &table);
-	bool open = k == OPEN_INDEX;
+	/* with -check a list that a run would fill is empty, or has unknown numbers */
+	bool open = k == OPEN_INDEX || (status == TS_OK && !table.rows && ts_unknown(e->sim, NAN));
 
 	for (size_t i = 0; i < table.rows; i++)
 		open |= ts_unknown(e->sim, table.data[i]) && (size_t)k > table.rows;
