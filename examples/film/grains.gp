@@ -21,9 +21,11 @@ set key bottom left
 plot file("profile_dem.txt") u 3:1:6 w xerrorlines ls 1 t "grains", known ? theory : 1/0 u 3:1 w l ls 2 t "kinetic theory"
 set key off
 set xlabel "T/U^2"
+set xtics 0.005
 plot file("profile_dem.txt") u 4:1:7 w xerrorlines ls 1 t "grains", known ? theory : 1/0 u 4:1 w l ls 2 t "kinetic theory"
 unset multiplot
 
+set xtics autofreq
 set output file("rheology.png")
 set multiplot layout 1,2
 set xrange [0:0.3]

@@ -121,18 +121,18 @@ static int64_t shell_of(const struct ts_chunks *c, const double x[3])
 {
 	const struct ts_box *box = &c->sim->domain->box;
 	bool sphere = c->style == TS_CHUNK_SPHERE;
-	double r2 = 0, width = (c->outer - c->inner) / (double)c->shells;
+	double r2 = 0, width = (c->outer - c->inner) / (double)c->shells, d[3] = { 0 };
 	int k = 0;
 
+	for (int dim = 0; dim < 3; dim++)
+		if (sphere || dim != c->axis[0].dim)
+			d[dim] = x[dim] - c->centre[k++];
+	if (c->periodic)
+		ts_box_nearest(box, d);
 	for (int dim = 0; dim < 3; dim++) {
-		double d;
-
 		if (!sphere && dim == c->axis[0].dim)
 			continue;
-		d = x[dim] - c->centre[k++];
-		if (c->periodic && ts_box_periodic(box, dim))
-			d -= ts_box_length(box, dim) * rint(d / ts_box_length(box, dim));
-		r2 += d * d;
+		r2 += d[dim] * d[dim];
 	}
 	return clamp_bin(floor((sqrt(r2) - c->inner) / width), c->shells, c->discard == TS_DISCARD_YES,
 			 c->discard == TS_DISCARD_YES);

@@ -16,6 +16,7 @@ struct axis {
 
 struct grid {
 	struct axis axis[3];
+	const struct ts_shear *shear;
 	int32_t *start, *list; /* points of cell c: list[start[c]] .. list[start[c + 1] - 1] */
 	int32_t (*place)[3];   /* cell of each point, along each axis */
 	int32_t (*turns)[3];   /* number of box lengths that a point is outside of the periodic box */
@@ -45,6 +46,16 @@ static void axis_divide(struct axis *a, size_t n, double cutoff)
 	a->reach = a->length > 0 && (a->periodic || a->cells > 1)
 			   ? (int32_t)fmin(ceil(reach * a->inverse), 1e6)
 			   : 0;
+}
+
+/* Along the flow of a sheared box there is one cell: its images, which the shear displaces, are all visited. */
+static void axis_shear(struct axis *a, const struct ts_shear *shear, double cutoff)
+{
+	double reach = cutoff * (1 + 1e-9) + 2 * fabs(shear->offset);
+
+	a->cells = 1;
+	a->inverse = 1 / a->length;
+	a->reach = (int32_t)fmin(ceil(reach * a->inverse), 1e6);
 }
 
 static void axis_locate(const struct axis *a, double x, int32_t *cell, int32_t *turns)
@@ -94,14 +105,18 @@ static void visit_cell(const struct search *s, size_t i, const int32_t cell[3], 
 	for (int32_t k = g->start[c]; k < g->start[c + 1]; k++) {
 		size_t j = (size_t)g->list[k];
 		double d[3];
-		int32_t away = 0;
+		int32_t away = 0, across = 0;
 
 		for (int m = 0; m < 3; m++) {
 			int32_t turns = g->turns[i][m] - g->turns[j][m] + image[m];
 
 			away |= turns;
 			d[m] = (s->x[i][m] - s->x[j][m]) - turns * g->axis[m].length;
+			if (m == g->shear->gradient)
+				across = turns;
 		}
+		if (g->shear->on)
+			d[g->shear->flow] -= across * g->shear->offset;
 		if ((i != j || away) && d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < s->cutoff2)
 			s->visit(s->context, i, j, d);
 	}
@@ -139,7 +154,7 @@ static void search_around(const struct search *s, size_t i)
 enum ts_status ts_pairs_visit(const struct ts_box *box, const double (*x)[3], size_t n, double cutoff,
 			      ts_pair_fn *visit, void *context)
 {
-	struct grid g = { .start = NULL };
+	struct grid g = { .shear = &box->shear };
 	struct search s = { &g, x, cutoff * cutoff, visit, context };
 	enum ts_status status = TS_NOMEM;
 	size_t cells = 1;
@@ -147,6 +162,8 @@ enum ts_status ts_pairs_visit(const struct ts_box *box, const double (*x)[3], si
 	for (int d = 0; d < 3; d++) {
 		axis_extent(box, x, n, d, &g.axis[d]);
 		axis_divide(&g.axis[d], n, cutoff);
+		if (box->shear.on && d == box->shear.flow)
+			axis_shear(&g.axis[d], &box->shear, cutoff);
 		cells *= (size_t)g.axis[d].cells;
 	}
 	g.start = ts_alloc(cells + 2, sizeof *g.start);

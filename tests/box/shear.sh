@@ -92,6 +92,9 @@ timestep 4e-6
 fix i all nve
 fix shear all deform 1 xy erate $g remap v
 compute p all pressure NULL virial
+compute near all coord/atom cutoff 1.9e-3
+compute coord all reduce sum c_near
+compute rdf all rdf 5 cutoff 2.5e-3
 END
 agree 'a gas, moved' 'variable s equal 0
 include in.gas
@@ -100,6 +103,9 @@ run 700
 variable pxy equal $(c_p[4])
 variable pyy equal $(c_p[2])
 variable u equal $(vz[17])
+variable coord equal $(c_coord)
+variable rdf equal $(c_rdf[4][2])
+print "is some $(v_coord>2000) 1"
 print "is momentum $(vcm(all,y)) ${vy} 1"
 print "is pushed $(abs(v_pxy)>0.1) 1"
 clear
@@ -109,7 +115,9 @@ include in.gas
 run 700
 print "is pxy $(c_p[4]) ${pxy} 1e6"
 print "is pyy $(c_p[2]) ${pyy} 1e6"
-print "is u $(vz[17]) ${u} 1e4"'
+print "is u $(vz[17]) ${u} 1e4"
+print "is coord $(c_coord) ${coord}"
+print "is rdf $(c_rdf[4][2]) ${rdf}"'
 
 # One particle through the upper face: y falls by the length of the box, x by the displacement 0.007 - 0.003 of the
 # images, vx by their velocity; the unwrapped position does not change.
