@@ -40,8 +40,8 @@ size_t ts_voxel_contacts(const struct ts_voxel_field *f, const double x[3], doub
 /* Distance of x from the solid, 0 inside of it; infinite if it is not less than `reach`. */
 double ts_voxel_distance(const struct ts_voxel_field *f, const double x[3], double reach);
 /* Finds the point of the solid nearest to x, which may be no contact point if x is in the solid (distance 0, no
- * normal); false: it is not nearer than `reach`. Of equally near ones the first in an order that depends on the
- * field and x alone. */
+ * normal); false: it is not nearer than `reach`. Of equally near ones that of the column of x, else the first in an
+ * order that depends on the field and x alone. */
 bool ts_voxel_nearest(const struct ts_voxel_field *f, const double x[3], double reach,
 		      struct ts_voxel_contact *out);
 
