@@ -340,6 +340,18 @@ static void add_row(const struct ts_trial_results *b, const struct ts_trial *t, 
 	ts_str_add(out, "\n");
 }
 
+/* Whether any column changes in the present trial: those that do not say nothing about a setting. */
+static bool any_column_changes(const struct ts_trial_results *b)
+{
+	const struct ts_trial *t = find_trial(b, TS_SUBJECT_PRESENT);
+
+	for (int c = 0; t && c < b->columns; c++)
+		for (int k = 1; k <= t->samples; k++)
+			if (!(t->column[k][c] <= t->column[0][c] && t->column[k][c] >= t->column[0][c]))
+				return true;
+	return !t;
+}
+
 static void add_table(const struct ts_trial_results *b, struct ts_str *out)
 {
 	int shown[TS_TRIAL_COLUMNS], n = choose_columns(b, shown);
@@ -366,6 +378,10 @@ static void add_table(const struct ts_trial_results *b, struct ts_str *out)
 			    "intervals in steps, scaled to the same physical time with other time steps: "
 			    "%s\n",
 			    b->interval_fixes);
+	if (!any_column_changes(b))
+		ts_str_add(out,
+			   "No column changes in the trials, so nothing is known about the accuracy of the "
+			   "settings: add what matters to\nthermo_style\n");
 	if (n < b->columns)
 		ts_str_addf(out, "%d columns with smaller differences are not shown\n", b->columns - n);
 }

@@ -157,4 +157,20 @@ report 'an error of the scene' $? ../err
 sed -i '/^run/d' in.scene
 advise 1 -var step 2e-5 && shows 'runs no time steps' ../err
 report 'a scene that runs nothing' $? ../err
+# columns that do not change say nothing
+cat >in.scene <<'END'
+units si
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+flow_style projection cells 6 6 6 viscosity 1 density 1 body_force 1 0 0
+thermo_style custom step ${column}
+timestep 1e-4
+run 200
+END
+for column in atoms flow_px; do
+	advise 0 2 -var column $column
+	shows 'No column changes in the trials' ../out
+	[ $? = "$([ $column = atoms ] && echo 0 || echo 1)" ]
+	report "columns that do not change: $column" $? ../out
+done
 finish
