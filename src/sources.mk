@@ -422,6 +422,7 @@ library_sources = \
 	src/film/film_roughness.c \
 	src/film/film_section.c \
 	src/film/film_solve.c \
+	src/film/film_validity.c \
 	src/film/film_velocity.c \
 	src/film/film_velocity.h \
 	src/film/film_viscosity.c \

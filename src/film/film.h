@@ -216,4 +216,13 @@ void ts_film_end_response(struct ts_film *f);
 /* jfo in time: content = h (1 - theta) of the present solution, for the next step. */
 void ts_film_keep_content(struct ts_film *f);
 
+/* What the theory neglects, of which the relative errors are multiples: by the mean gap h, the length L of the film between
+ * edges of given pressure, the largest difference U of the velocities of the surfaces. 0: L is not known. */
+struct ts_film_validity {
+	double inertia;	  /* rho U h/eta * h/L */
+	double thickness; /* h/L; its square is neglected */
+	double slope;	  /* largest slope of the gap between cells; its square is neglected */
+};
+struct ts_film_validity ts_film_validity(const struct ts_film *f);
+
 #endif

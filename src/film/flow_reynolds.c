@@ -16,6 +16,9 @@ enum { MOST_CELLS = 4000000 };
 enum { EACH_STEP, EACH_RUN };
 enum { REFUSED, SOLID };
 
+/* Slope of the gap above which the plan of a run says that a film is no model of it. */
+static const double STEEP = 0.3;
+
 struct reynolds {
 	struct ts_film_flow flow;
 	struct ts_words cells, set, closed, open, roelands, roughness, asperities;
@@ -405,6 +408,17 @@ static void begin_content(struct reynolds *s, double dt)
 	f->time_step = dt;
 }
 
+/* The lower surface, and the upper one unless it is a plane that moves with the film. */
+static enum ts_status find_surfaces(struct ts_instance *self, struct tsim *sim)
+{
+	struct reynolds *s = self->state;
+
+	set_cells(s, sim);
+	for (int side = 0; side < 2; side++)
+		TS_TRY(ts_film_surface_evaluate(self, sim, &s->flow, side));
+	return reset_coordinates(self, sim);
+}
+
 /* Below the plane as it is. */
 static enum ts_status solve_below(struct ts_instance *self, struct tsim *sim)
 {
@@ -427,10 +441,7 @@ static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim, enum 
 		ts_film_keep_content(&s->flow.film);
 		s->flow.film.time_step = sim->clock.dt;
 	}
-	set_cells(s, sim);
-	for (int side = 0; side < 2; side++)
-		TS_TRY(ts_film_surface_evaluate(self, sim, &s->flow, side));
-	TS_TRY(reset_coordinates(self, sim));
+	TS_TRY(find_surfaces(self, sim));
 	s->ready = true;
 	if (fix)
 		TS_TRY(((struct ts_film_plane *)fix->state)->move(fix, sim, self, how));
@@ -544,16 +555,37 @@ static const char *const shapes[] = { "linear", "stepped", NULL };
 static const char *const updates[] = { "step", "run", NULL };
 static const char *const touchings[] = { "stop", "solid", NULL };
 
+/* What the theory of films neglects. A plane that moves with the film is not known yet. */
+static enum ts_status tell_validity(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	struct reynolds *s = self->state;
+	struct ts_film_validity v;
+
+	if (s->flow.surface[1].plane_fix)
+		return TS_OK;
+	TS_TRY(find_surfaces(self, sim));
+	ts_film_combine(&s->flow);
+	v = ts_film_validity(&s->flow.film);
+	ts_report_line(report, "theory of films",
+		       "neglects inertia, rho U h^2/(eta L) = %.2g, and slopes, (h/L)^2 = %.2g, largest "
+		       "%.2g; errors are some times these",
+		       v.inertia, v.thickness * v.thickness, v.slope);
+	if (v.slope > STEEP)
+		ts_report_line(report, "", "the surfaces are too steep for a film: flow_style projection");
+	return TS_OK;
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct reynolds *s = self->state;
 	const struct ts_film *f = &s->flow.film;
 
-	(void)sim;
+	if (report->limits_only)
+		return TS_OK;
 	ts_report_line(report, "fluid", "film of %d x %d cells, viscosity %g, cavitation %s, solved %s",
 		       f->n[0], f->n[1], s->viscosity, cavitations[s->cavitation],
 		       s->update == EACH_RUN ? "once in each run" : "when its surfaces have changed");
-	return TS_OK;
+	return tell_validity(self, sim, report);
 }
 
 static const struct ts_arg args[] = {
