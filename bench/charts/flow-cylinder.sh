@@ -5,7 +5,7 @@ reference='48 cells per diameter; for the Strouhal number 40 cells and averages 
 setting='cells per diameter'
 also='cells per diameter'
 kind=Fluid
-budget=95
+budget=75
 pick='12 cells per diameter for errors of a few per cent in the Strouhal number and the bubble length and less than 1 % in the
 drag, 16 for 1 %, 24 for 0.5 %. The cost grows with the third power, and faster where viscosity limits the step. Use `convection quick`
 for 12 cells or more; with fewer cells `central` gives a better Strouhal number.'
