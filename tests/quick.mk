@@ -21,6 +21,7 @@
 #       9    wear/evolve_voxel.sh           wear/evolve_mesh.sh
 #       7    examples/erosion_ladder.sh     insert/jet.sh, coupling/check_drag
 #       6    examples/drilling.sh           bond/check_bonds
+#       6    examples/polishing.sh          film/check_film, immersed/immersed_surface.sh
 #       6    restart/restart.sh             restart/restart_changes.sh, restart/restart_streams.sh
 #       6    program/sandbox.sh             house/door.sh
 #       5    bond/check_parallel            bond/check_element, bond/parallel.sh
@@ -32,6 +33,7 @@ slow_tests = \
 	tests/examples/benchmarks.sh \
 	tests/examples/erosion.sh \
 	tests/examples/erosion_ladder.sh \
+	tests/examples/polishing.sh \
 	tests/wear/evolve_voxel.sh \
 	tests/core/check_alloc \
 	tests/library/check_library_steps \

@@ -5,7 +5,7 @@ reference='the converged profiles of tests/data/cavity_profiles_129.csv, error 1
 setting='cells per side'
 also='cells per side'
 kind=Fluid
-budget=100
+budget=90
 pick='`convection quick`, the default, on cells graded towards the walls (`flow_grid ... tanh 1.2`): two thirds of the error of
 uniform cells at the same cost, with a third of the cells. The second choice is `central`; use `cubista` if values must not
 overshoot. Donor cells and `form fd` have errors several times as large: use them only if no other scheme is stable.'

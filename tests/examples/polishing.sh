@@ -1,12 +1,18 @@
 #!/bin/bash
-# The converging gap of examples/polishing by the film and by the full equations: the RESULT lines are ok; the load by the full
-# equations exceeds that of the film by the neglected terms, about 4.5 (h/L)^2.
+# The converging gap of examples/polishing by a closed form, the film and the full equations: the RESULT lines are ok; the load by
+# the full equations exceeds that of the film by the neglected terms, about 4.5 (h/L)^2. Slurry by the film and the full equations.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 cp -r "$top_srcdir/examples/polishing" "$top_srcdir/examples/flow" . || exit 99
 cd polishing || exit 99
 
+results 'closed form' in.gap 3 -var model analytic -var within 1e-12
+results 'closed form, another slope' in.gap 3 -var model analytic -var K 3 -var aspect 7 -var within 1e-12
 results 'film' in.gap 3 -var within 2e-5
+"$TSIM" -explain -in in.gap -var aspect 10 -var Re 2 >out 2>&1
+# mean gap 1.5, length 10: Re 2 * 1.5^2/10, (1.5/10)^2, 1/10
+shows 'inertia, rho U h^2/(eta L) = 0.45, and slopes, (h/L)^2 = 0.022, largest 0.1;' out && ! shows 'too steep' out
+report 'what the theory of films neglects' $? out
 results 'film, another slope' in.gap 3 -var K 3 -var aspect 100 -var M 400 -var within 2e-5
 results 'full equations' in.gap 3 -var model cfd -var N 10 -var aspect 8 -var within 0.15
 awk '$2 == "gap.cfd.load" { off = ($3/$4 - 1)*8^2; print off; exit !(off > 3 && off < 6) }' out >ratio
@@ -30,6 +36,12 @@ report 'in proportion to the speed' $? post/slurry.txt
 slurry 'a gap that closes' 'slider ratio.of.64.and.16' -var M 2 -var pads 2 -var tilt -2.2
 awk '$1 !~ /^#/ && !($2 > 0) { bad = 1 } END { exit bad }' post/slurry.txt
 report 'above ambient' $? post/slurry.txt
-slurry 'slurry, full equations' 'cfd.16.by.film cfd.32.by.film cfd.48.by.film cfd.64.by.film falls.with.speed' \
-	-var model cfd -var N 12
+"$TSIM" -explain -in in.slurry -var M 1 -var pads 2 >out 2>&1
+shows 'the surfaces are too steep for a film: flow_style projection' out
+report 'a film of steep columns' $? out
+slurry 'smooth pad, full equations' 'smooth.16.by.film smooth.32.by.film smooth.48.by.film smooth.64.by.film falls.with.speed' \
+	-var model smooth -var N 12
+# a short time at each speed
+slurry 'rough pad, full equations' \
+	'cfd.falls.with.speed cfd.part.below.ambient cfd.ratio.of.64.and.16 cfd.correlation.with.film' -var model cfd -var settle 24
 finish
