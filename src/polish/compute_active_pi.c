@@ -47,7 +47,7 @@ const struct ts_style ts_compute_active_pi = {
 	       "Volume of the gap and area of the contacts are those of a compute surface/contact. Particles "
 	       "do not "
 	       "change the contact, and no particle is simulated.\n\n"
-	       "Related: compute active/pml, compute surface/contact.",
+	       "Related: compute active/pml, compute active/paml, compute surface/contact.",
 	.example = "compute press all surface/contact pad winkler 2.7e10 pressure 41400 hardness 5e6\n"
 		   "compute pi all active/pi press radius 0.272e-6 fraction 0.04 deviation 0.086e-6 hardness "
 		   "2e9",

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "box/domain.h"
+#include "core/unclaimed_state.h"
 #include "insert/insertion.h"
 #include "insert/sites.h"
 #include "particle/sphere_shape.h"
@@ -203,7 +204,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_insertion_init(self, sim, &first));
 	TS_TRY(check_templates(self, sim));
 	TS_TRY(ts_gap_find(self, sim, s->lower_id, s->upper_id, &s->gap));
-	return first ? find_number(self, sim, &room, &n) : TS_OK;
+	if (!first ||
+	    ts_unclaimed_exists(sim, self)) /* continued from a restart file: the surfaces have moved */
+		return TS_OK;
+	return find_number(self, sim, &room, &n);
 }
 
 static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)

@@ -184,6 +184,24 @@ same 'any number of threads' one two
 ! cmp -s one other
 report 'another seed' $?
 
+# continued after the insertion, when the wafer has come down to the pad
+cat >in.first <<'END'
+include in.free
+fix seed all insert/gap seed 32452867 distributiontemplate mix lower pad upper top fraction 0.01
+run 1
+write_restart gap.restart
+END
+"$TSIM" -in in.first -log none >out 2>&1
+report 'until the insertion' $? out
+{ echo 'read_restart gap.restart'; sed -n '/^soft/,$p' in.gap; } >in.again
+prints "include in.again
+fix top all wall/gran model hertz tangential history primitive type 2 zplane 0.9
+fix seed all insert/gap seed 32452867 distributiontemplate mix lower pad upper top fraction 0.01
+thermo_style custom step f_seed[1]
+run 0
+$(near number 'f_seed[1]' 3)
+$(near there 'count(all)' 3)" 'number ok' 'there ok'
+
 # ---- the example, over a micrometre ----
 cp -r "$top_srcdir/examples/polishing" "$top_srcdir/examples/flow" . || exit 99
 cd polishing || exit 99
