@@ -119,6 +119,7 @@ library_sources = \
 	src/base/words.h \
 	src/bond/bond_arguments.c \
 	src/bond/bond_arguments.h \
+	src/bond/bond_beam.c \
 	src/bond/bond_contact.c \
 	src/bond/bond_force.c \
 	src/bond/bond_force.h \
@@ -695,6 +696,7 @@ library_sources = \
 	src/kinetic/sheared_film_find.c \
 	src/law/active_particles.h \
 	src/law/archard.h \
+	src/law/beam.h \
 	src/law/bond_element.h \
 	src/law/bond_section.h \
 	src/law/buoyancy.h \

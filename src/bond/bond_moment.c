@@ -58,6 +58,7 @@ static void fill_lane(const struct tsim *sim, struct ts_bond_lanes *l, uint32_t 
 	l->per_area[lane] = e.per_area;
 	l->per_moment[lane] = e.per_moment;
 	l->per_torque[lane] = e.per_torque;
+	l->lever[lane] = e.lever;
 	l->tension[lane] = e.tension;
 	l->shear[lane] = e.shear;
 	l->compression[lane] = e.compression;

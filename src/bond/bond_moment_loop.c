@@ -104,6 +104,7 @@ TS_INLINE long evaluate(struct row *r, const struct ts_bond_lanes *l, size_t k, 
 					   .per_area = l->per_area[k],
 					   .per_moment = l->per_moment[k],
 					   .per_torque = l->per_torque[k],
+					   .lever = l->lever[k],
 					   .tension = l->tension[k],
 					   .shear = l->shear[k],
 					   .compression = l->compression[k] };

@@ -33,7 +33,8 @@ struct ts_bond_lanes {
 	double second[TS_BOND_LANES]; /* 1: the particle is the second partner of the bond, else 0 */
 	double frame[2][4][TS_BOND_LANES];
 	double length[TS_BOND_LANES], fraction[TS_BOND_LANES], k[4][TS_BOND_LANES];
-	double per_area[TS_BOND_LANES], per_moment[TS_BOND_LANES], per_torque[TS_BOND_LANES];
+	double per_area[TS_BOND_LANES], per_moment[TS_BOND_LANES], per_torque[TS_BOND_LANES],
+		lever[TS_BOND_LANES];
 	double tension[TS_BOND_LANES], shear[TS_BOND_LANES], compression[TS_BOND_LANES];
 	double c[4][TS_BOND_LANES];
 };

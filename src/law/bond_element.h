@@ -41,8 +41,9 @@ struct ts_bond_element {
 	double length, fraction; /* l; c */
 	double k[TS_BOND_MODES]; /* force/length, force/length, moment, moment */
 	double c[TS_BOND_MODES]; /* damping: the same times time */
-	/* the largest stresses are N/area + M lever_m and V/area + |M_t| lever_t */
+	/* the largest stresses are N per_area + (M + V lever) per_moment and V per_area + |M_t| per_torque */
 	double per_area, per_moment, per_torque;
+	double lever;			    /* from the section to where the largest moment acts, length */
 	double tension, shear, compression; /* strengths, stress; INFINITY: never breaks */
 };
 
@@ -207,7 +208,8 @@ TS_INLINE void ts_bond_viscous(const struct ts_bond_element *e, const struct ts_
 TS_INLINE void ts_bond_stress(const struct ts_bond_element *e, struct ts_bond_answer *out)
 {
 	const double normal = out->load[TS_BOND_NORMAL] * e->per_area;
-	const double bending = out->load[TS_BOND_BENDING] * e->per_moment;
+	const double bending =
+		(out->load[TS_BOND_BENDING] + out->load[TS_BOND_SHEAR] * e->lever) * e->per_moment;
 
 	out->tension = bending + normal;
 	out->compression = bending - normal;

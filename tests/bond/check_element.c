@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "law/beam.h"
 #include "law/bond_element.h"
 #include "law/bond_section.h"
 #include "math/constants.h"
@@ -185,6 +186,7 @@ END_TEST
 enum { N = 10, FREE = 6 * N };
 
 struct chain {
+	int n; /* elements, at most N */
 	struct ts_bond_element e;
 	struct ts_xyz x[N + 1];
 	struct ts_wxyz q[N + 1];
@@ -195,9 +197,9 @@ static void residual(const struct chain *c, double r[FREE])
 {
 	struct ts_xyz f[N + 1][2] = { { { 0 } } };
 
-	f[N][0] = c->force;
-	f[N][1] = c->torque;
-	for (int k = 0; k < N; k++) {
+	f[c->n][0] = c->force;
+	f[c->n][1] = c->torque;
+	for (int k = 0; k < c->n; k++) {
 		struct ts_bond_ends s = { .d = ts_xyz_add(c->x[k + 1], -1, c->x[k]),
 					  .q = { c->q[k], c->q[k + 1] } };
 		struct ts_bond_answer a;
@@ -223,14 +225,14 @@ static void displace(struct chain *c, int at, double h)
 }
 
 /* Gauss-Jordan elimination with pivots. */
-static void solve(double a[FREE][FREE], double b[FREE])
+static void solve(int n, double a[FREE][FREE], double b[FREE])
 {
-	for (int k = 0; k < FREE; k++) {
+	for (int k = 0; k < n; k++) {
 		int best = k;
 
-		for (int i = k; i < FREE; i++)
+		for (int i = k; i < n; i++)
 			best = fabs(a[i][k]) > fabs(a[best][k]) ? i : best;
-		for (int j = 0; j < FREE; j++) {
+		for (int j = 0; j < n; j++) {
 			double t = a[k][j];
 
 			a[k][j] = a[best][j];
@@ -242,15 +244,15 @@ static void solve(double a[FREE][FREE], double b[FREE])
 			b[k] = b[best];
 			b[best] = t;
 		}
-		for (int i = 0; i < FREE; i++) {
+		for (int i = 0; i < n; i++) {
 			double factor = i == k ? 0 : a[i][k] / a[k][k];
 
-			for (int j = 0; j < FREE && factor != 0; j++)
+			for (int j = 0; j < n && factor != 0; j++)
 				a[i][j] -= factor * a[k][j];
 			b[i] -= factor * b[k];
 		}
 	}
-	for (int k = 0; k < FREE; k++)
+	for (int k = 0; k < n; k++)
 		b[k] /= a[k][k];
 }
 
@@ -258,8 +260,9 @@ static void solve(double a[FREE][FREE], double b[FREE])
 static void stiffness(const struct chain *c, double a[FREE][FREE])
 {
 	const double h = 1e-5;
+	const int n = 6 * c->n;
 
-	for (int j = 0; j < FREE; j++) {
+	for (int j = 0; j < n; j++) {
 		struct chain plus = *c, minus = *c;
 		double up[FREE], down[FREE];
 
@@ -267,7 +270,7 @@ static void stiffness(const struct chain *c, double a[FREE][FREE])
 		displace(&minus, j, -h);
 		residual(&plus, up);
 		residual(&minus, down);
-		for (int i = 0; i < FREE; i++)
+		for (int i = 0; i < n; i++)
 			a[i][j] = (down[i] - up[i]) / (2 * h);
 	}
 }
@@ -280,8 +283,8 @@ static void equilibrate(struct chain *c)
 	for (int round = 0; round < 12; round++) {
 		residual(c, r);
 		stiffness(c, a);
-		solve(a, r);
-		for (int j = 0; j < FREE; j++)
+		solve(6 * c->n, a, r);
+		for (int j = 0; j < 6 * c->n; j++)
 			displace(c, j, r[j]);
 	}
 }
@@ -292,7 +295,7 @@ static const double E = 2.385e3, G = 0.93e3, RADIUS = 0.23, LENGTH = 7.1;
 
 static struct chain straight(void)
 {
-	struct chain c = { .e = { .length = LENGTH / N, .fraction = 0.5 } };
+	struct chain c = { .n = N, .e = { .length = LENGTH / N, .fraction = 0.5 } };
 
 	ts_bond_section_parallel(RADIUS, E * N / LENGTH, G * N / LENGTH, &c.e);
 	for (int k = 0; k <= N; k++) {
@@ -356,6 +359,38 @@ START_TEST(circle)
 }
 END_TEST
 
+/* Beam elements: the deflections of the continuum, whatever their number. */
+START_TEST(beams)
+{
+	const int n = _i + 1;
+	const double p = 1e-6, kappa = ts_beam_shear_coefficient(0.3);
+	struct chain c = straight(), start;
+
+	c.n = n;
+	c.e = (struct ts_bond_element){ .length = LENGTH / n };
+	ts_beam_element(RADIUS, E, G, kappa, &c.e);
+	for (int k = 0; k <= n; k++)
+		c.x[k].x = k * LENGTH / n;
+	start = c;
+	c.force.z = p;
+	equilibrate(&c);
+	DECK_NEAR(c.x[n].z / (p * pow(LENGTH, 3) / (3 * E * INERTIA) + p * LENGTH / (kappa * G * AREA)), 1,
+		  1e-9);
+	c = start;
+	c.torque.z = p;
+	equilibrate(&c);
+	DECK_NEAR(c.x[n].y / (p * LENGTH * LENGTH / (2 * E * INERTIA)), 1, 1e-9);
+	c = start;
+	c.torque.x = p;
+	equilibrate(&c);
+	DECK_NEAR(2 * c.q[n].x / (p * LENGTH / (G * 2 * INERTIA)), 1, 1e-9);
+	c = start;
+	c.force.x = 1;
+	equilibrate(&c);
+	DECK_NEAR((c.x[n].x - LENGTH) / (LENGTH / (E * AREA)), 1, 1e-9);
+}
+END_TEST
+
 /* ---- strengths */
 
 START_TEST(scatter)
@@ -407,6 +442,7 @@ int main(void)
 	tcase_add_test(tests, rotation_vector);
 	tcase_add_test(tests, cantilever);
 	tcase_add_test(tests, circle);
+	tcase_add_loop_test(tests, beams, 0, N);
 	tcase_add_loop_test(tests, scatter, 0, 2);
 	suite_add_tcase(suite, tests);
 	return deck_main(suite);

@@ -338,6 +338,27 @@ START_TEST(breaking_load)
 }
 END_TEST
 
+/* Beams: the deflection of the continuum with 3 bonds, and the first one breaks at P L R/I = sigma_c. */
+START_TEST(beam)
+{
+	enum { N = 3 };
+	const double sigma = 40, load = sigma * BEAM_I / (0.5 * N), g = KN / 2.6, kappa = 7.8 / 8.8;
+	struct tsim *sim = cantilever(N, "\nbond_style beam\nbond_coeff 1 E 1e9 nu 0.3 sigma_c 40", 3e-4);
+
+	calm(sim, N);
+	deck(sim, "variable p equal %.17g*(1-exp(-step/300))\nfix load tip addforce 0 v_p 0\nrun 8000",
+	     0.9995 * load);
+	ck_assert_int_eq(sim->bonds->broken, 0);
+	DECK_NEAR(deck_value(sim, "xcm(tip,y)") /
+			  (0.9995 * load * (pow(N, 3) / (3 * KN * BEAM_I) + N / (kappa * g * BEAM_A))),
+		  1, 1e-9);
+	deck(sim, "variable p equal %.17g+%.17g*(step-8000)/4000\nrun 4000", 0.9995 * load, 0.0015 * load);
+	ck_assert_int_eq(sim->bonds->broken, 1);
+	ck_assert_int_eq(sim->bonds->event[0].tag[0], 1);
+	tsim_close(sim);
+}
+END_TEST
+
 /* Torque breaks by shear, load along the axis by tension or compression. */
 START_TEST(modes)
 {
@@ -409,6 +430,7 @@ int main(void)
 	tcase_add_loop_test(tests, deflections, 0, 2);
 	tcase_add_test(tests, vibration);
 	tcase_add_test(tests, breaking_load);
+	tcase_add_test(tests, beam);
 	tcase_add_loop_test(tests, modes, 0, 4);
 	tcase_add_test(tests, no_drift);
 	tcase_add_test(tests, order);

@@ -34,6 +34,12 @@ bad 'scatter without deviation' "expected \`deviation\`" 'bond_coeff 1 kn 1 ks 1
 bad 'deviation without scatter' "belongs to scatter normal" 'bond_coeff 1 kn 1 ks 1 sigma_c 1 deviation 0.1'
 bad 'scatter without strength' "to which it applies" 'bond_coeff 1 kn 1 ks 1 scatter weibull shape 2'
 bad 'a word of contact bonds' "unknown keyword 'stiffness'" 'bond_coeff 1 stiffness 1'
+bad 'a beam without nu or G' 'expected either nu' 'bond_style beam
+bond_coeff 1 E 1'
+bad 'a beam with both' 'expected either nu' 'bond_style beam
+bond_coeff 1 E 1 nu 0.3 G 1'
+bad 'nu above a half' 'nu is 0.6' 'bond_style beam
+bond_coeff 1 E 1 nu 0.6'
 bad 'a bond type without coefficients' "no \`bond_coeff 2" 'bond_coeff 1 kn 1 ks 1
 bond_coeff 2 kn 1 ks 1
 create_bonds single/bond 2 1 2
