@@ -123,6 +123,7 @@ library_sources = \
 	src/bond/bond_contact.c \
 	src/bond/bond_force.c \
 	src/bond/bond_force.h \
+	src/bond/bond_gran.c \
 	src/bond/bond_loop.h \
 	src/bond/bond_moment.c \
 	src/bond/bond_moment.h \

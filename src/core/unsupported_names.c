@@ -11,8 +11,9 @@
 	"and /convection; tsim can also compute the fluid (flow_style)"
 #define SHAPES "particles are spheres; other shapes are modelled by bonded spheres (bond_style)"
 #define CHEMISTRY "chemical reactions are not supported"
-#define BONDS                                                                                          \
-	"bonds are created by create_bonds and broken by the bond style (bond_style contact), not by " \
+#define BONDS                                                                                             \
+	"bonds are created by create_bonds and broken by the bond style (bond_style contact, parallel), " \
+	"not by "                                                                                         \
 	"cohesion models or fixes"
 #define FRAGMENTS "particles do not break into fragments; use bonded spheres (bond_style)"
 #define OTHER_EDITION "it belongs to another edition of LIGGGHTS and is not in 3.8 either"
@@ -99,7 +100,6 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	  "write `fix ID GROUP insert/rate/region seed S distributiontemplate D nparticles N particlerate "
 	  "RATE insert_every STEPS region REGION`" },
 	{ TS_KIND_FIX, "property/atom/timetracer", "its present name is property/atom/regiontracer/time" },
-	{ TS_KIND_BOND, "gran", "use bond_style contact" },
 	{ TS_KIND_BOND, "harmonic*", MOLECULAR },
 	{ TS_KIND_COMPUTE, "bond/counter",
 	  "write `compute ID GROUP bonds`: c_ID is the number of unbroken bonds; `fix ID GROUP "

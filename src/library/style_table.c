@@ -14,6 +14,7 @@
 
 TS_STYLE(automaton, ts_automaton_style, ts_automaton_granular)
 TS_STYLE(bond, ts_bond_style, ts_bond_contact)
+TS_STYLE(bond, ts_bond_style, ts_bond_gran)
 TS_STYLE(bond, ts_bond_style, ts_bond_parallel)
 TS_STYLE(command, ts_command_style, ts_command_atom_modify)
 TS_STYLE(command, ts_command_style, ts_command_atom_style)
@@ -335,6 +336,7 @@ TS_STYLE(region, ts_region_style, ts_region_wedge)
 const struct ts_style *const ts_style_table[] = {
 	&ts_automaton_granular.style,
 	&ts_bond_contact.style,
+	&ts_bond_gran.style,
 	&ts_bond_parallel.style,
 	&ts_command_atom_modify.style,
 	&ts_command_atom_style.style,

@@ -96,7 +96,7 @@ static enum ts_status check_bonds(struct tsim *sim, const struct ts_instance *fi
 	const struct ts_bonds *b = sim->bonds;
 	struct ts_identities map;
 
-	if (!b->transmits || !b->n)
+	if (!b->transmits || !b->n || !ts_sim_only(sim, TS_KIND_BOND))
 		return TS_OK;
 	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t k = 0; k < b->n; k++)

@@ -40,6 +40,14 @@ bad 'a beam with both' 'expected either nu' 'bond_style beam
 bond_coeff 1 E 1 nu 0.3 G 1'
 bad 'nu above a half' 'nu is 0.6' 'bond_style beam
 bond_coeff 1 E 1 nu 0.6'
+bad 'gran: ring inside out' 'expected less than the outer radius' 'bond_style gran
+bond_coeff 1 0.5 0.6 1 1 0 0 1 1 1'
+bad 'gran: nonlinear damping' 'nonlinear damping depends on the time step' 'bond_style gran
+bond_coeff 1 1 0 1 1 2 0 0.1 0 1 1 1'
+bad 'gran: soft breakage' 'break style 5 is not supported' 'bond_style gran
+bond_coeff 1 1 0 1 1 1 0.1 5 1 1'
+bad 'gran: a number is missing' 'tau' 'bond_style gran
+bond_coeff 1 1 0 1 1 1 0.1 1 1'
 bad 'a bond type without coefficients' "no \`bond_coeff 2" 'bond_coeff 1 kn 1 ks 1
 bond_coeff 2 kn 1 ks 1
 create_bonds single/bond 2 1 2
@@ -104,6 +112,42 @@ print "is mode $(c_all[12]) 2"
 print "is ratio $(abs(c_all[11]/(0.9e7*v_u/2e6)-1)<1e-10) 1"
 print "is straight $(abs(c_all[4])+abs(c_all[5])<1e-9) 1"
 print "is energy $(abs(ebond/(0.5*0.9e7*v_A*v_u^2)-1)<1e-10) 1"'
+
+# A ring of radii 0.08 and 0.04: stiffnesses of stretching, shear and twist; through a restart file
+gran='include in.two
+bond_style gran
+bond_coeff 1 0.8 0.4 2.385e6 0.9e6 1 0.1 1 7e3 5e3
+create_bonds single/bond 1 1 2
+compute f all bond/local shear twist sigma tau sigma_c ratio
+compute all all reduce sum c_f[1] c_f[2] c_f[3] c_f[4] c_f[5] c_f[6]
+variable u equal 1e-5
+set atom 2 y ${u}'
+told='variable A equal PI*(0.08^2-0.04^2)
+print "is shear $(abs(c_all[1]/(0.9e6*v_A/0.25*v_u)-1)<1e-8) 1"
+print "is tau $(abs(c_all[4]/(0.9e6/0.25*v_u)-1)<1e-8) 1"
+print "is sigma_c $(c_all[5]) 7e3"
+print "is ratio $(abs(c_all[6]/(0.9e6/0.25*v_u/5e3)-1)<1e-8) 1"'
+agree 'bond_style gran' "$gran
+run 0
+$told
+write_restart one.restart"
+agree 'bond_style gran, restarted' "read_restart one.restart
+bond_style gran
+compute f all bond/local shear twist sigma tau sigma_c ratio
+compute all all reduce sum c_f[1] c_f[2] c_f[3] c_f[4] c_f[5] c_f[6]
+variable u equal 1e-5
+run 0
+$told"
+agree 'bond_style gran: by the distance' "include in.two
+bond_style gran
+bond_coeff 1 1.0 0.0 1e6 1e6 0 0 0 0.126
+create_bonds single/bond 1 1 2
+set atom 2 x 0.2519
+run 0
+print 'is whole \$(bonds) 1'
+set atom 2 x 0.2521
+run 0
+print 'is broken \$(bonds) 0'"
 
 # scatter none: all bonds break at the same stress; the mode is told
 cat >in.break <<'END'
