@@ -148,6 +148,7 @@ library_sources = \
 	src/bond/compute_fragment_atom.c \
 	src/bond/compute_nbond_atom.c \
 	src/bond/fix_bond_breakage.c \
+	src/bond/fix_bond_create_gran.c \
 	src/box/comm.c \
 	src/box/comm.h \
 	src/box/command_balance.c \

@@ -251,10 +251,9 @@ static enum ts_status refuse_coincident_partners(struct tsim *sim, const struct 
 	return TS_OK;
 }
 
-/* After a rebuild local indices have changed, and particles may have left. */
-static enum ts_status update_partner_indices(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_bonds_connect(struct tsim *sim)
 {
-	struct ts_bonds *b = self->state;
+	struct ts_bonds *b = sim->bonds;
 	struct ts_identities map;
 
 	if (!b->n)
@@ -266,6 +265,13 @@ static enum ts_status update_partner_indices(struct ts_instance *self, struct ts
 			b->row[k][s] = ts_identity_row(&map, b->tag[k][s]);
 	TS_TRY(refuse_coincident_partners(sim, b));
 	return ts_bonds_build_index(sim);
+}
+
+/* After a rebuild local indices have changed, and particles may have left. */
+static enum ts_status update_partner_indices(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	return ts_bonds_connect(sim);
 }
 
 static enum ts_status check_restored_bonds(struct tsim *sim, const struct ts_bonds *b)

@@ -119,6 +119,9 @@ enum ts_status ts_bonds_transmit(struct tsim *sim, bool moments);
 /* Removes the bonds whose flag is set. */
 void ts_bonds_delete(struct ts_bonds *bonds, const unsigned char *flag);
 
+/* Finds the local indices of the partners, deletes bonds of particles that have left, and rebuilds the lists of
+ * bonds by particle. */
+enum ts_status ts_bonds_connect(struct tsim *sim);
 /* Rebuilds the lists of bonds by particle after the list or the local indices have changed. */
 enum ts_status ts_bonds_build_index(struct tsim *sim);
 

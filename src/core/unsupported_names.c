@@ -82,7 +82,6 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	  "cell_size_relative C parallel no` averages over a regular grid, `compute ID GROUP reduce/region "
 	  "REGION ave vx vy vz` over a region" },
 	{ TS_KIND_FIX, "bond/create", BONDS },
-	{ TS_KIND_FIX, "bond/create/gran", BONDS },
 	{ TS_KIND_FIX, "bond/break", BONDS },
 	{ TS_KIND_FIX, "break/particle", FRAGMENTS },
 	{ TS_KIND_FIX, "check/timestep/bond",

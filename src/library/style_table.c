@@ -206,6 +206,7 @@ TS_STYLE(fix, ts_style, ts_fix_ave_time)
 TS_STYLE(fix, ts_style, ts_fix_aveforce)
 TS_STYLE(fix, ts_style, ts_fix_balance)
 TS_STYLE(fix, ts_style, ts_fix_bond_breakage)
+TS_STYLE(fix, ts_style, ts_fix_bond_create_gran)
 TS_STYLE(fix, ts_style, ts_fix_buoyancy)
 TS_STYLE(fix, ts_style, ts_fix_check_timestep_gran)
 TS_STYLE(fix, ts_style, ts_fix_controller)
@@ -528,6 +529,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_aveforce,
 	&ts_fix_balance,
 	&ts_fix_bond_breakage,
+	&ts_fix_bond_create_gran,
 	&ts_fix_buoyancy,
 	&ts_fix_check_timestep_gran,
 	&ts_fix_controller,

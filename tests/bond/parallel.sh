@@ -149,6 +149,59 @@ set atom 2 x 0.2521
 run 0
 print 'is broken \$(bonds) 0'"
 
+# A script of LIGGGHTS with bonds; as many bonds as create_bonds, whichever way, of a crystal across periodic faces
+cat >in.crystal <<'END'
+atom_style hybrid granular bond/gran n_bondtypes 1 bonds_per_atom 6
+atom_modify map array
+units si
+boundary p p p
+newton off
+communicate single vel yes
+lattice sc 1.0
+region box block 0 4 0 3 0 5 units box
+create_box 2 box
+create_atoms 1 box
+set group all diameter 1 density 1000
+set group all type/fraction 2 0.3 4711
+bond_style gran
+bond_coeff 1 1.0 0.0 1e6 4e5 1 0.1 1 1e9 1e9
+fix move all nve/sphere
+timestep 1e-4
+END
+agree 'fix bond/create/gran: as many as create_bonds' 'include in.crystal
+fix b all bond/create/gran 1 1 1 1.01 1 6
+fix c all bond/create/gran 1 1 2 1.01 1 6
+fix d all bond/create/gran 1 2 2 1.01 1 6
+run 1
+fix_modify b every 0
+print "is all $(bonds) 180"
+print "is sum $(f_b+f_c+f_d) 180"
+delete_bonds all
+create_bonds many all all 1 0 1.01
+print "is same $(bonds) 180"'
+agree 'fix bond/create/gran: at most newperts' 'include in.crystal
+set group all type 1
+fix b all bond/create/gran 2 1 1 1.01 1 1
+run 1
+print "is none $(bonds) 0"
+run 1
+compute n all bonds
+compute most all reduce max c_n
+run 0
+print "is one $(c_most) 1"
+run 30
+print "is all $(bonds) 180"
+fix_modify b every 0
+delete_bonds all
+run 4
+print "is stopped $(bonds) 0"'
+bad 'fix bond/create/gran without bond_coeff' 'it must come before' 'fix b all bond/create/gran 1 1 1 0.3 1 6'
+bad 'fix bond/create/gran: no such type' 'particle type 2' 'bond_coeff 1 kn 1 ks 1
+fix b all bond/create/gran 1 1 2 0.3 1 6'
+printf '%s\n' 'include in.two' 'bond_coeff 1 kn 1 ks 1' 'set atom 2 x 0' 'fix b all bond/create/gran 1 1 1 0.3 1 6' \
+	'fix m all nve/sphere' 'timestep 1e-4' 'run 1' >in.same
+refused 'fix bond/create/gran: the same place' 'at the same place' -in in.same
+
 # scatter none: all bonds break at the same stress; the mode is told
 cat >in.break <<'END'
 include in.two
