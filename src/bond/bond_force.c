@@ -17,7 +17,7 @@
 #include "base/banned.h"
 
 /* The mode of failure and the elastic energy of a bond that transmits moments. */
-static enum ts_status record_failure(struct tsim *sim, size_t b, struct ts_bond_event *e)
+static enum ts_status record_failure(struct tsim *sim, size_t b, struct ts_bond_event *e, double *all)
 {
 	struct ts_bond_element element;
 	struct ts_bond_answer state;
@@ -34,7 +34,7 @@ static enum ts_status record_failure(struct tsim *sim, size_t b, struct ts_bond_
 			       360 / TS_PI * acos(fmin(state.cosine, 1)));
 	ts_bond_energies(&element, &state, energy);
 	for (int k = 0; k < TS_BOND_MODES; k++)
-		e->energy += energy[k];
+		*all += energy[k];
 	e->mode = (int32_t)ts_bond_failure_of(&element, &state);
 	return TS_OK;
 }
@@ -47,8 +47,10 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 	struct ts_bond_event *e;
 	double d[3];
 
-	if (TS_GROW(bonds->event, bonds->event_capacity, bonds->nevents + 1) != TS_OK)
+	if (TS_GROW(bonds->event, bonds->event_capacity, bonds->nevents + 1) != TS_OK ||
+	    TS_GROW(bonds->event_energy, bonds->energy_capacity, bonds->nevents + 1) != TS_OK)
 		return ts_nomem(&sim->error);
+	bonds->event_energy[bonds->nevents] = 0;
 	e = &bonds->event[bonds->nevents++];
 	memset(e, 0, sizeof *e); /* events are archived as bytes, padding included */
 	e->step = sim->clock.step;
@@ -61,7 +63,7 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 	for (int s = 0; s < 2; s++)
 		e->tag[s] = bonds->tag[b][s];
 	bonds->broken++;
-	return bonds->transmits ? record_failure(sim, b, e) : TS_OK;
+	return bonds->transmits ? record_failure(sim, b, e, &bonds->event_energy[bonds->nevents - 1]) : TS_OK;
 }
 
 static enum ts_status remove_broken_bonds(struct tsim *sim)

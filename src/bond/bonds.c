@@ -370,6 +370,7 @@ static void release_bonds(struct ts_instance *self)
 	ts_gather_release(&b->gather);
 	ts_bond_slices_release(&b->slices);
 	ts_free(b->event);
+	ts_free(b->event_energy);
 }
 
 static enum ts_status count_bonds(struct tsim *sim, double *out)

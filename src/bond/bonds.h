@@ -17,8 +17,7 @@ struct ts_bond_event {
 	double time, x[3]; /* x: midpoint of the partners */
 	double force;	   /* along the bond when it broke, > 0 in tension */
 	int32_t tag[2], type;
-	int32_t mode;  /* what failed: enum ts_bond_failure */
-	double energy; /* elastic energy when it broke; bonds that transmit moments */
+	int32_t mode; /* what failed: enum ts_bond_failure */
 };
 
 /* Why a bond broke. Contact bonds break by their force, in tension or compression. */
@@ -62,7 +61,8 @@ struct ts_bonds {
 	int64_t created, broken; /* totals over all runs */
 	int64_t gone;		 /* totals of unbroken bonds removed because a partner left the simulation */
 	struct ts_bond_event *event;
-	size_t nevents, event_capacity, reference_capacity, load_capacity;
+	double *event_energy; /* elastic energy of the bond when it broke; bonds that transmit moments, this run */
+	size_t nevents, event_capacity, energy_capacity, reference_capacity, load_capacity;
 };
 
 /* Arguments of a bond law. */

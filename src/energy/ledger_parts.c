@@ -266,12 +266,15 @@ static double broken_energy(const struct tsim *sim, const struct ts_ledger_note 
 		const struct ts_bond_event *event = &bonds->event[e];
 		const void *coeff = ts_coeff(&state->coeffs, (size_t)event->type);
 
-		if (event->tag[0] == was->tag[0] && event->tag[1] == was->tag[1])
-			return 0.5 *
-			       (before +
-				(style->element
-					 ? event->energy
-					 : style->energy(coeff, event->force / style->stiffness(coeff))));
+		double energy;
+
+		if (event->tag[0] != was->tag[0] || event->tag[1] != was->tag[1])
+			continue;
+		if (style->element)
+			energy = e < bonds->energy_capacity ? bonds->event_energy[e] : before;
+		else
+			energy = style->energy(coeff, event->force / style->stiffness(coeff));
+		return 0.5 * (before + energy);
 	}
 	return before;
 }
