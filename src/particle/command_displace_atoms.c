@@ -205,7 +205,8 @@ const struct ts_command_style ts_command_displace_atoms = {
 		       "ramp interpolates the displacement linearly between clo and chi; it is constant\n"
 		       "outside of them. random draws each component uniformly from -most to +most; the\n"
 		       "numbers are functions of seed and atom ID. rotate rotates the positions in the\n"
-		       "box, not the unwrapped ones.\n\n"
+		       "box, not the unwrapped ones, and the orientations of particles that have one\n"
+		       "(bond_style parallel).\n\n"
 		       "Afterwards positions are wrapped into the periodic box, particles outside of\n"
 		       "fixed faces are lost (see thermo_modify lost), and faces with boundary s and m\n"
 		       "are fitted to the particles.",
