@@ -45,7 +45,9 @@ static enum ts_status find_plane(struct ts_instance *self, struct tsim *sim, str
 			       s->plane_id, s->voxel ? "upper_voxel" : "upper");
 	if (!fix)
 		return ts_fail(&sim->error, TS_UNKNOWN, where,
-			       "flow_style reynolds: there is no fix '%s'; expected the ID of a fix wafer",
+			       "flow_style reynolds: there is no fix '%s'; expected the ID of a fix wafer "
+			       "defined "
+			       "before",
 			       s->plane_id);
 	if (!fix->style->family || !ts_streq(fix->style->family, TS_FAMILY_FILM_PLANE))
 		return ts_fail(&sim->error, TS_STATE, where,

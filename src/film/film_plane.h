@@ -16,7 +16,7 @@ struct ts_film_plane {
 	double pose[3];	 /* z, s_1, s_2 */
 	double rate[3];	 /* their rates */
 	/* Called by the flow style, which has evaluated all else: moves the plane to its place at this time and solves the film
-	 * below it by flow->solve. */
+	 * below it by flow->solve. NULL: its init has failed. */
 	enum ts_status (*move)(struct ts_instance *self, struct tsim *sim, struct ts_instance *flow,
 			       enum ts_film_move how);
 };

@@ -431,6 +431,18 @@ static enum ts_status solve_below(struct ts_instance *self, struct tsim *sim)
 	return solve(self, sim);
 }
 
+/* Where -check goes on after an error, a fix may have failed. */
+static enum ts_status move_plane(struct ts_instance *self, struct tsim *sim, struct ts_instance *fix,
+				 enum ts_film_move how)
+{
+	const struct ts_film_plane *plane = fix->state;
+
+	if (!plane->move)
+		return ts_fail(&sim->error, TS_STATE, &fix->where,
+			       "fix %s is not ready, so that the film has no upper surface", fix->id);
+	return plane->move(fix, sim, self, how);
+}
+
 /* At the present time. */
 static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim, enum ts_film_move how)
 {
@@ -444,7 +456,7 @@ static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim, enum 
 	TS_TRY(find_surfaces(self, sim));
 	s->ready = true;
 	if (fix)
-		TS_TRY(((struct ts_film_plane *)fix->state)->move(fix, sim, self, how));
+		TS_TRY(move_plane(self, sim, fix, how));
 	ts_film_combine(&s->flow);
 	if (s->flow.transient && !s->began)
 		begin_content(s, sim->clock.dt);

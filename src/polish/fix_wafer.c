@@ -389,6 +389,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_voxel_surface *pad;
 	struct ts_instance *flow;
 
+	s->plane.move = NULL;
 	TS_TRY(ts_voxel_surface_require(sim, &id, &pad));
 	s->pad = pad;
 	s->area = (double)(pad->field.n[0] * pad->field.n[1]) * pad->field.width[0] * pad->field.width[1];
@@ -398,13 +399,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		s->plane.place[d] =
 			(pad->field.origin[d] + ts_voxel_border(&pad->field, d, pad->field.n[d])) / 2 +
 			s->joint[d];
-	s->plane.move = move;
 	TS_TRY(check_pad(self, sim));
 	flow = ts_film_flow_below(sim, self);
-	if (!flow)
-		return TS_OK;
-	TS_TRY(check_memory(self, sim, flow->state));
-	return check_film(self, sim);
+	if (flow) {
+		TS_TRY(check_memory(self, sim, flow->state));
+		TS_TRY(check_film(self, sim));
+	}
+	s->plane.move = move;
+	return TS_OK;
 }
 
 /* The pad has moved; the wafer settles, or forces are those at its new place. On a film, the film has done it. */

@@ -26,7 +26,7 @@ slurry() {
 		[ "$(awk '$1 == "RESULT" && $6 == "ok" { printf "%s ", $2 }' out)" = "$good " ]
 	report "$what" $? out
 }
-slurry 'slurry, a gap that opens' 'slider ratio.of.64.and.16 falls.with.speed part.below.ambient' -var M 2 -var pads 2
+slurry 'slurry, a gap that opens' 'slider ratio.of.64.and.16 falls.with.speed part.below.ambient' -var M 4 -var pads 2
 awk '$1 !~ /^#/ { n++; p[n] = $2; if ($6 < -101325 || $4 < 0.5 || $2 >= 0) bad = 1 }
 	END { exit bad || n != 4 || !(p[4]/p[1] < 4) }' post/slurry.txt
 report 'its table' $? post/slurry.txt
