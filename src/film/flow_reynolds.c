@@ -472,6 +472,7 @@ static enum ts_status check_plane(struct ts_instance *self, struct tsim *sim)
 			  : fabs(upper->velocity[2]) > 0 ? "a velocity along z: the wafer has its own"
 			  : s->flow.film.piezo.law != TS_FILM_CONSTANT
 				  ? "a viscosity that depends on the pressure"
+			  : s->touching == SOLID ? "`touching solid`: its forces jump; expected `least_gap`"
 			  : s->cavitation == TS_FILM_HALF ? "cavitation half, which conserves no volume"
 							  : NULL;
 

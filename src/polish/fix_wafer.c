@@ -261,10 +261,13 @@ static enum ts_status balance_on_film(struct ts_instance *self, struct floating 
 			       "carries %g and the film %g at z = %g with slopes %g %g; the pad carries at "
 			       "most %g. "
 			       "Expected a joint above which the film and the pad can hold the wafer, or a "
-			       "`start` "
-			       "nearer to it",
+			       "`start` nearer to it%s",
 			       self->id, s->wafer.load, s->forces.normal, s->push.normal, s->plane.pose[0],
-			       s->plane.pose[1], s->plane.pose[2], s->wafer.hardness * s->area);
+			       s->plane.pose[1], s->plane.pose[2], s->wafer.hardness * s->area,
+			       at->film->least > 0
+				       ? ""
+				       : "; columns of a pad reach the wafer only if the flow style has a "
+					 "`least_gap`");
 	TS_TRY(status);
 	for (int d = 0; d < 3 && step; d++) {
 		s->last_pose[d] = old[0][d];
@@ -297,6 +300,27 @@ static enum ts_status stay_on_film(struct floating *at)
 	return forces_on_film(at, q, v, unused);
 }
 
+/* The film covers the box, the wafer the pad. */
+static enum ts_status check_film(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_voxel_field *f = &s->pad->field;
+	const struct ts_box *box = &sim->domain->box;
+
+	for (int d = 0; d < 2; d++) {
+		double from = f->origin[d], to = ts_voxel_border(f, d, f->n[d]), length = to - from;
+
+		if (f->axis[2] != 2 || !(fabs(from - box->lo[d]) <= 1e-9 * length) ||
+		    !(fabs(to - box->hi[d]) <= 1e-9 * length))
+			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->pad_id),
+				       "fix wafer: the film below it covers the box, the wafer the pad %s; "
+				       "expected "
+				       "a pad with normal z of the size of the box, from %g to %g along %s",
+				       s->pad_id, box->lo[d], box->hi[d], d ? "y" : "x");
+	}
+	return TS_OK;
+}
+
 static enum ts_status move(struct ts_instance *self, struct tsim *sim, struct ts_instance *flow,
 			   enum ts_film_move how)
 {
@@ -307,6 +331,7 @@ static enum ts_status move(struct ts_instance *self, struct tsim *sim, struct ts
 
 	for (int d = 0; d < 2; d++)
 		at.half[d] = 0.5 * (double)f->n[d] * f->width[d];
+	TS_TRY(check_film(self, sim)); /* boxes may move */
 	TS_TRY(list_columns(self, sim));
 	TS_TRY(find_load(self, sim));
 	first = !s->placed && !take_start(s);
@@ -358,27 +383,6 @@ static enum ts_status check_memory(struct ts_instance *self, struct tsim *sim,
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "dynamic"),
 			       "fix wafer dynamic: the gap changes; a film with cavitation jfo then needs "
 			       "`transient yes`");
-	return TS_OK;
-}
-
-/* The film covers the box, the wafer the pad. */
-static enum ts_status check_film(struct ts_instance *self, struct tsim *sim)
-{
-	const struct state *s = self->state;
-	const struct ts_voxel_field *f = &s->pad->field;
-	const struct ts_box *box = &sim->domain->box;
-
-	for (int d = 0; d < 2; d++) {
-		double from = f->origin[d], to = ts_voxel_border(f, d, f->n[d]), length = to - from;
-
-		if (f->axis[2] != 2 || !(fabs(from - box->lo[d]) <= 1e-9 * length) ||
-		    !(fabs(to - box->hi[d]) <= 1e-9 * length))
-			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->pad_id),
-				       "fix wafer: the film below it covers the box, the wafer the pad %s; "
-				       "expected "
-				       "a pad with normal z of the size of the box, from %g to %g along %s",
-				       s->pad_id, box->lo[d], box->hi[d], d ? "y" : "x");
-	}
 	return TS_OK;
 }
 

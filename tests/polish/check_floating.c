@@ -341,6 +341,12 @@ START_TEST(refusals)
 	/* the pad yields everywhere */
 	refuses("hills settled hardness 5" SPRINGS,
 		"lower_voxel hills least_gap 1e-3 gap stepped open xlo xhi", "the pad carries at most 5");
+	refuses("hills settled" SPRINGS, "lower_voxel hills gap stepped open xlo xhi",
+		"columns of a pad reach the wafer only if the flow style has a `least_gap`");
+	refuses("hills settled" SPRINGS, "lower_voxel hills gap stepped open xlo xhi touching solid",
+		"its forces jump; expected `least_gap`");
+	refuses("pad settled joint_1 0.07" SPRINGS, SLIDES "\nfix grow all deform 1 x final 0 1.1",
+		"the film below it covers the box, the wafer the pad pad");
 	refuses("half settled" SPRINGS, SLIDES,
 		"expected a pad with normal z of the size of the box, from 0 to 1 along x");
 	refuses("belt settled" SPRINGS, SLIDES, "it would leave the wafer");
