@@ -136,7 +136,9 @@ struct ts_film {
 
 	/* internal */
 	double *conductance[2], *transport[2]; /* of faces: flow = conductance dp + transport (1 - theta) */
-	double *source;			       /* volume per time that the motion of the surfaces takes up */
+	double *ride
+		[2]; /* of faces: flow per width in the cell below, less that through the face: a moving step takes up the rest */
+	double *source; /* volume per time that the motion of the surfaces takes up */
 	double *value, *residual, *step;
 	double scale[2]; /* jfo: sums of |transport| and of the conductances */
 	bool *pinned;	 /* floating: the pressure of the cell is ambient */
@@ -195,8 +197,8 @@ struct ts_film_touch ts_film_touch(const struct ts_film *f, double h);
 /* Adds to `rate` that of heights z at the centres of cells whose shape moves along the film with a velocity: -div(V z), z on
  * a face with the weights of the flow through it. So the flow with both surfaces faster by W is that without and W h: a shape that
  * moves has the pressure of one at rest below a surface that moves the other way, to round-off, also where it has steps.
- * gap and kind are set; Cartesian grids. */
-void ts_film_carry(const struct ts_film *f, const double *z, const double velocity[2], double *rate);
+ * gap and kind are set; Cartesian grids. Adds to `ride`, too. */
+void ts_film_carry(struct ts_film *f, const double *z, const double velocity[2], double *rate);
 
 /* ---- film_solve.c */
 

@@ -244,22 +244,25 @@ static double rise_to_face(const struct ts_film *f, int axis, int i, int j, cons
 	return from_high ? low * (z[s.low] - z[s.high]) : (1 - low) * (z[s.high] - z[s.low]);
 }
 
-void ts_film_carry(const struct ts_film *f, const double *z, const double velocity[2], double *rate)
+static void carry_cell(struct ts_film *f, int axis, int i, int j, const double *z, double velocity,
+		       double *rate)
 {
-	for (int axis = 0; axis < 2; axis++) {
-		if (!(fabs(velocity[axis]) > 0))
-			continue;
-		for (int j = 0; j < f->n[1]; j++)
-			for (int i = 0; i < f->n[0]; i++) {
-				int k = axis == 0 ? i : j;
-				double width = f->face[axis][k + 1] - f->face[axis][k], rise;
+	int k = axis == 0 ? i : j;
+	double width = f->face[axis][k + 1] - f->face[axis][k];
+	double above = rise_to_face(f, axis, i + (axis == 0), j + (axis == 1), z, false);
 
-				if (f->kind[ts_film_at(f, i, j)] == TS_FILM_SOLID)
-					continue;
-				rise = rise_to_face(f, axis, i + (axis == 0), j + (axis == 1), z, false) -
-				       rise_to_face(f, axis, i, j, z, true);
+	rate[ts_film_at(f, i, j)] -= velocity * (above - rise_to_face(f, axis, i, j, z, true)) / width;
+	f->ride[axis][ts_film_face(f, axis, i + (axis == 0), j + (axis == 1))] -= velocity * above;
+	if (f->edge[axis][0] == TS_FILM_PERIODIC && k == f->n[axis] - 1) /* the same face */
+		f->ride[axis][ts_film_face(f, axis, axis == 0 ? 0 : i, axis == 1 ? 0 : j)] -=
+			velocity * above;
+}
 
-				rate[ts_film_at(f, i, j)] -= velocity[axis] * rise / width;
-			}
-	}
+void ts_film_carry(struct ts_film *f, const double *z, const double velocity[2], double *rate)
+{
+	for (int axis = 0; axis < 2; axis++)
+		for (int j = 0; j < f->n[1] && fabs(velocity[axis]) > 0; j++)
+			for (int i = 0; i < f->n[0]; i++)
+				if (f->kind[ts_film_at(f, i, j)] != TS_FILM_SOLID)
+					carry_cell(f, axis, i, j, z, velocity[axis], rate);
 }

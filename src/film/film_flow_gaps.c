@@ -39,6 +39,10 @@ void ts_film_combine(struct ts_film_flow *flow)
 	struct ts_film *f = &flow->film;
 
 	set_gaps(flow);
+	for (int axis = 0; axis < 2; axis++)
+		for (int j = 0; j < f->n[1] + (axis == 1); j++)
+			for (int i = 0; i < f->n[0] + (axis == 0); i++)
+				f->ride[axis][ts_film_face(f, axis, i, j)] = 0;
 	for (size_t c = 0; c < ts_film_cells(f); c++) {
 		f->rate[c] = upper->rate[c] - lower->rate[c];
 		for (int axis = 0; axis < 2; axis++) {

@@ -51,7 +51,8 @@ static double pressure_at_step(const struct ts_film *f, int axis, int i, int j, 
 			f->transport[axis][at];
 	if (f->polar && axis == 1)
 		d *= ts_film_centre(f, 0, i);
-	low -= 12 * f->viscosity * d / section.poiseuille * (f->flow[axis][at] / length - share * full);
+	low -= 12 * f->viscosity * d / section.poiseuille *
+	       (f->flow[axis][at] / length + f->ride[axis][at] - share * full);
 	return ts_film_expand(f, low);
 }
 

@@ -15,7 +15,11 @@ static const char scene[] =
 
 static void near_film(struct tsim *a, struct tsim *b, double within)
 {
-	double most = fabs(deck_value(a, "c_film[4]"));
+	double most = fabs(deck_value(a, "c_film[4]")), shear = fabs(deck_value(a, "c_film[8]"));
+
+	DECK_NEAR(deck_value(a, "c_film[8]"), deck_value(b, "c_film[8]"), 10 * within * shear);
+	DECK_NEAR(deck_value(a, "c_film[10]"), deck_value(b, "c_film[10]"), 10 * within * shear);
+	DECK_NEAR(deck_value(a, "c_film[12]"), deck_value(b, "c_film[12]"), 10 * within * shear);
 
 	for (int c = 1; c <= 24 * 12; c += 7) {
 		char name[40];
@@ -25,7 +29,7 @@ static void near_film(struct tsim *a, struct tsim *b, double within)
 	}
 }
 
-/* Both surfaces faster by the same velocity: the pressure is that before; all kinds of sections, edges, directions. */
+/* Both surfaces faster by the same velocity: pressure and forces are those before; all kinds of sections, edges, directions. */
 START_TEST(moving_observers)
 {
 	static const char *const words[] = { "",
