@@ -30,7 +30,7 @@ struct state {
 	struct ts_wafer_forces forces;
 	struct ts_film_push push; /* of the film; 0 without one */
 	double mean_gap;
-	bool placed;
+	bool placed, told; /* told: the warning of warn_of_speeds */
 	/* on a film: state a step ago, and the length of that step; 0: there is none */
 	double last_pose[3], last_rate[3], last_step;
 };
@@ -321,6 +321,23 @@ static enum ts_status check_film(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* A pad that slides below a film whose lower surface does not slide with it is probably forgotten. */
+static void warn_of_speeds(struct ts_instance *self, struct tsim *sim, const struct ts_film_flow *film)
+{
+	struct state *s = self->state;
+	const double *pad = s->pad->velocity, *low = film->surface[0].now;
+	double speed = hypot(pad[0], pad[1]);
+
+	if (s->told || !(hypot(pad[0] - low[0], pad[1] - low[1]) > 1e-9 * speed) || !(speed > 0))
+		return;
+	s->told = true;
+	ts_warn(&sim->log, &self->where,
+		"fix wafer: the pad %s slides with %g %g, the lower surface of the film with %g %g; expected "
+		"the same: "
+		"give flow_style reynolds `lower_voxel %s`, or `lower_velocity`",
+		s->pad_id, pad[0], pad[1], low[0], low[1], s->pad_id);
+}
+
 static enum ts_status move(struct ts_instance *self, struct tsim *sim, struct ts_instance *flow,
 			   enum ts_film_move how)
 {
@@ -332,6 +349,7 @@ static enum ts_status move(struct ts_instance *self, struct tsim *sim, struct ts
 	for (int d = 0; d < 2; d++)
 		at.half[d] = 0.5 * (double)f->n[d] * f->width[d];
 	TS_TRY(check_film(self, sim)); /* boxes may move */
+	warn_of_speeds(self, sim, at.film);
 	TS_TRY(list_columns(self, sim));
 	TS_TRY(find_load(self, sim));
 	first = !s->placed && !take_start(s);

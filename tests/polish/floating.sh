@@ -61,6 +61,11 @@ as_usual 'the film anew' "$wafer" "$film" "$thermo" 'run 1' 'flow_style none' "$
 as_usual 'springs before' "$wafer" "$thermo" 'run 1' "$film" 'unfix w' "$wafer" 'run 1'
 as_usual 'a joint below the face' "$wafer arm -0.0" "$film" "$thermo" 'run 1'
 
+# a pad that slides alone
+sed 's/boundary f/boundary p/; s/type 1 cells 4 4/& move linear 2 0 0/' in.scene >in.slides
+printf '%s\n' 'include in.slides' "$wafer" "$film open xlo xhi" 'run 0' >in.script
+"$TSIM" -in in.script -log none >out 2>&1 && grep -q 'the pad pad slides with 2 0, the lower surface of the film with 6 0; expected the same' out
+report 'a warning of two speeds' $? out
 printf '%s\n' 'include in.scene' "${wafer/settled/dynamic mass 1 inertia_1 1 inertia_2 1}" "$film" 'run 1' >in.script
 "$TSIM" -explain -in in.script >out 2>&1 && grep -q 'fix w floats on the film, moved by an implicit method of second order' out
 report 'explain' $? out
