@@ -154,7 +154,7 @@ static enum ts_status make_columns(struct ts_instance *self, struct tsim *sim, i
 
 	TS_TRY(ts_voxel_surface_require(sim, &id, &surface));
 	s->field = surface;
-	s->solid = ts_solid_of_voxels(surface, dimensions, &s->prescribed);
+	s->solid = ts_solid_of_voxels(surface, &s->fluid->grid, dimensions, &s->prescribed);
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
 }
 
@@ -753,7 +753,8 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "`surface`: the columns of a fix surface/voxel, below their tops. They move as the field does "
 	       "(`move`), with its velocity; heights that wear have no velocity of their own. A field that "
 	       "is "
-	       "as long as the grid along an axis that is not periodic must cover it to both ends.\n\n"
+	       "as long as the grid along an axis that is not periodic must cover it to both ends; the ends "
+	       "of the grid are no surface.\n\n"
 	       "`spheres`: each particle of the group is a body (in two dimensions a disc, with force and "
 	       "torque per unit depth, like its mass) that is large compared with the cells. The force on "
 	       "it is added in the next step, so integrators, contacts, fix rigid and fix multisphere work "

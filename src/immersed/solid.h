@@ -86,8 +86,8 @@ struct ts_solid *ts_solid_of_region(struct ts_instance *region, int dimensions,
 				    struct ts_solid_pose *before);
 struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *mesh, int dimensions,
 				  const struct ts_solid_prescribed *prescribed);
-struct ts_solid *ts_solid_of_voxels(const struct ts_voxel_surface *surface, int dimensions,
-				    const struct ts_solid_prescribed *prescribed);
+struct ts_solid *ts_solid_of_voxels(const struct ts_voxel_surface *surface, const struct ts_grid *grid,
+				    int dimensions, const struct ts_solid_prescribed *prescribed);
 struct ts_solid *ts_solid_of_spheres(int group, int dimensions);
 void ts_solid_free(struct ts_solid *solid);
 

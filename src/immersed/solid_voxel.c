@@ -13,23 +13,40 @@
 struct columns {
 	struct ts_solid solid; /* first */
 	const struct ts_voxel_surface *surface;
+	const struct ts_grid *grid;
 	struct ts_voxel_space space; /* owned */
 	const struct ts_solid_prescribed *prescribed;
 	double shift[3], low[3], high[3]; /* displacement, extents at the last update */
 };
 
-/* Extents, infinite along axes along which the field is periodic. */
+/* Relative tolerance for round-off of lengths in the script. */
+static const double ROUNDING = 1e-9;
+
+/* Extents, infinite where the field is periodic or reaches the end of the grid: what is beyond does not matter, and the
+ * end of the field there is no surface. */
 static void find_extents(struct columns *s)
 {
 	const struct ts_voxel_field *f = &s->surface->field;
+	double base;
+	int up;
 
 	for (int d = 0; d < 2; d++) {
-		s->low[f->axis[d]] = f->periodic[d] ? -INFINITY : f->origin[d] + s->shift[f->axis[d]];
-		s->high[f->axis[d]] =
-			f->periodic[d] ? INFINITY : ts_voxel_border(f, d, f->n[d]) + s->shift[f->axis[d]];
+		int axis = f->axis[d];
+		double lo = f->origin[d] + s->shift[axis],
+		       hi = ts_voxel_border(f, d, f->n[d]) + s->shift[axis];
+		double from = s->grid->face[axis][0], to = s->grid->face[axis][s->grid->n[axis]];
+		bool across = !s->grid->periodic[axis];
+
+		s->space.continues[d][0] = across && lo <= from + ROUNDING * (to - from);
+		s->space.continues[d][1] = across && hi >= to - ROUNDING * (to - from);
+		s->low[axis] = f->periodic[d] || s->space.continues[d][0] ? -INFINITY : lo;
+		s->high[axis] = f->periodic[d] || s->space.continues[d][1] ? INFINITY : hi;
 	}
-	s->low[f->axis[2]] = f->base + s->shift[f->axis[2]];
-	s->high[f->axis[2]] = ts_voxel_highest(f) + s->shift[f->axis[2]];
+	up = f->axis[2];
+	base = f->base + s->shift[up];
+	s->space.bottomless = !s->grid->periodic[up] && base <= s->grid->face[up][0];
+	s->low[up] = s->space.bottomless ? -INFINITY : base;
+	s->high[up] = ts_voxel_highest(f) + s->shift[up];
 }
 
 static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
@@ -103,8 +120,8 @@ static void release(struct ts_solid *solid)
 
 static const struct ts_solid_kind kind = { update, bounds, find_surface, inside, release, NULL };
 
-struct ts_solid *ts_solid_of_voxels(const struct ts_voxel_surface *surface, int dimensions,
-				    const struct ts_solid_prescribed *prescribed)
+struct ts_solid *ts_solid_of_voxels(const struct ts_voxel_surface *surface, const struct ts_grid *grid,
+				    int dimensions, const struct ts_solid_prescribed *prescribed)
 {
 	struct columns *s = ts_alloc(1, sizeof *s);
 
@@ -112,6 +129,7 @@ struct ts_solid *ts_solid_of_voxels(const struct ts_voxel_surface *surface, int 
 		return NULL;
 	s->solid = (struct ts_solid){ .kind = &kind, .parts = 1, .dimensions = dimensions };
 	s->surface = surface;
+	s->grid = grid;
 	s->prescribed = prescribed;
 	if (TS_GROW(s->solid.motion, s->solid.motion_capacity, 1) == TS_OK)
 		return &s->solid;

@@ -49,7 +49,8 @@ static void keep_nearer(struct ts_voxel_distance *out, double depth, int axis, d
 
 /* The normal at a point exactly on the surface: of the top of its column, or of the side of a higher column, of
  * which the border across index d is at x. */
-static void find_normal(const struct ts_voxel_field *f, const double x[3], struct ts_voxel_distance *out)
+static void find_normal(const struct ts_voxel_field *f, const struct ts_voxel_space *space, const double x[3],
+			struct ts_voxel_distance *out)
 {
 	int64_t at[2] = { ts_voxel_index(f, 0, x[f->axis[0]]), ts_voxel_index(f, 1, x[f->axis[1]]) };
 	double z = x[f->axis[2]];
@@ -57,39 +58,44 @@ static void find_normal(const struct ts_voxel_field *f, const double x[3], struc
 
 	*out = (struct ts_voxel_distance){ .distance = 0 };
 	for (int d = 0; d < 2; d++) {
-		bool before = solid == (z <= ts_voxel_top(f, at[0] - (d == 0), at[1] - (d == 1)));
+		bool end = !f->periodic[d] &&
+			   (at[d] == 0 ? space->continues[d][0] : at[d] == f->n[d] && space->continues[d][1]);
+		bool before = end || solid == (z <= ts_voxel_top(f, at[0] - (d == 0), at[1] - (d == 1)));
 
 		if (before || x[f->axis[d]] > ts_voxel_border(f, d, at[d]))
 			continue;
 		out->n[f->axis[d]] = solid ? -1 : 1;
 		return;
 	}
-	out->n[f->axis[2]] = z <= f->base ? -1 : 1;
+	out->n[f->axis[2]] = z <= f->base && !space->bottomless ? -1 : 1;
 }
 
 /* Distance of a point inside from the space outside. */
-static bool find_depth(const struct ts_voxel_field *f, const struct ts_voxel_field *free, const double x[3],
+static bool find_depth(const struct ts_voxel_field *f, const struct ts_voxel_space *space, const double x[3],
 		       double reach, struct ts_voxel_distance *out)
 {
 	double y[3] = { x[0], x[1], x[2] };
-	struct ts_voxel_contact space;
+	struct ts_voxel_contact near;
 
 	*out = (struct ts_voxel_distance){ .distance = -reach };
 	y[f->axis[2]] = -y[f->axis[2]];
-	if (ts_voxel_nearest(free, y, reach, &space)) {
-		out->distance = -space.distance;
+	if (ts_voxel_nearest(&space->field, y, reach, &near)) {
+		out->distance = -near.distance;
 		for (int d = 0; d < 3; d++)
-			out->n[f->axis[d]] = (d < 2 ? -1 : 1) * space.n[f->axis[d]];
+			out->n[f->axis[d]] = (d < 2 ? -1 : 1) * near.n[f->axis[d]];
 	}
 	for (int d = 0; d < 2; d++) {
 		if (f->periodic[d])
 			continue;
-		keep_nearer(out, x[f->axis[d]] - f->origin[d], f->axis[d], -1);
-		keep_nearer(out, ts_voxel_border(f, d, f->n[d]) - x[f->axis[d]], f->axis[d], 1);
+		if (!space->continues[d][0])
+			keep_nearer(out, x[f->axis[d]] - f->origin[d], f->axis[d], -1);
+		if (!space->continues[d][1])
+			keep_nearer(out, ts_voxel_border(f, d, f->n[d]) - x[f->axis[d]], f->axis[d], 1);
 	}
-	keep_nearer(out, x[f->axis[2]] - f->base, f->axis[2], -1);
+	if (!space->bottomless)
+		keep_nearer(out, x[f->axis[2]] - f->base, f->axis[2], -1);
 	if (!(out->distance < 0))
-		find_normal(f, x, out);
+		find_normal(f, space, x, out);
 	return -out->distance < reach;
 }
 
@@ -101,7 +107,7 @@ bool ts_voxel_signed_distance(const struct ts_voxel_field *f, const struct ts_vo
 	if (!ts_voxel_nearest(f, x, reach, &solid))
 		return false;
 	if (!(solid.distance > 0))
-		return find_depth(f, &space->field, x, reach, out);
+		return find_depth(f, space, x, reach, out);
 	out->distance = solid.distance;
 	for (int d = 0; d < 3; d++)
 		out->n[d] = solid.n[d];

@@ -10,9 +10,13 @@
 
 #include "voxel/voxel_field.h"
 
-/* The space above a field, upside down. Zero-initialise; released by ts_voxel_field_release. */
+/* The space above a field, upside down. Zero-initialise; `field` is released by ts_voxel_field_release. */
 struct ts_voxel_space {
 	struct ts_voxel_field field;
+	/* [index][0 low, 1 high]: the solid continues beyond this end of a field that is not periodic, where no
+	 * point is asked for: it is no surface. Set by the caller */
+	bool continues[2][2];
+	bool bottomless; /* the same for the base */
 };
 
 struct ts_voxel_distance {

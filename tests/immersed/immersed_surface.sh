@@ -45,6 +45,35 @@ flat 'surface still velocity 0.4 0.1 0' >rows.still
 same 'a field of one height is a plane' rows.region rows.surface
 same 'one that slides in itself' rows.region rows.still
 
+# ---- in a box that is not periodic it ends at the faces of the grid, which is no surface: a piston
+cat >in.piston <<'END2'
+units si
+boundary f p f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+flow_style projection cells 10 6 10 viscosity 1 density 1
+timestep 1e-3
+flow_boundary all slip
+flow_boundary zhi outlet
+variable z equal time
+variable nil equal 0
+region plane plane 0 0 0.4 0 0 -1 units box move v_nil v_nil v_z
+fix field all surface/voxel constant 0.4 type 1 cells 5 5 move linear 0 0 1
+fix based all surface/voxel constant 0.4 type 1 cells 1 1 base -0.4 move linear 0 0 1
+fix body all immersed/boundary ${body}
+thermo 50
+thermo_style custom step f_body[1] f_body[2] f_body[3] f_body[4] f_body[7] flow_ke
+thermo_modify format float %.9f
+run 400
+END2
+for body in 'region plane' 'surface field' 'surface based'; do
+	"$TSIM" -in in.piston -log none -var body "$body" >out 2>&1 && ! grep -q warning out
+	report "piston: $body" $? out
+	numbers out | awk 'NR > 2' >"piston.${body##* }"
+done
+same 'a piston' piston.plane piston.field
+same 'a piston whose base comes to the bottom of the grid' piston.plane piston.based
+
 # ---- ribs in a channel: the union of a floor and blocks; what flows in flows out
 cat >in.ribs <<'END2'
 units si
