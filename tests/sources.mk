@@ -150,6 +150,7 @@ shell_tests = \
 	tests/particle/velocity_words.sh \
 	tests/poisson/pressure.sh \
 	tests/polish/active.sh \
+	tests/polish/floating.sh \
 	tests/polish/paml.sh \
 	tests/program/command_line.sh \
 	tests/program/crosscheck_mode.sh \

@@ -13,6 +13,7 @@
 #include "base/banned.h"
 
 TS_STYLE(automaton, ts_automaton_style, ts_automaton_granular)
+TS_STYLE(bond, ts_bond_style, ts_bond_beam)
 TS_STYLE(bond, ts_bond_style, ts_bond_contact)
 TS_STYLE(bond, ts_bond_style, ts_bond_gran)
 TS_STYLE(bond, ts_bond_style, ts_bond_parallel)
@@ -336,6 +337,7 @@ TS_STYLE(region, ts_region_style, ts_region_wedge)
 
 const struct ts_style *const ts_style_table[] = {
 	&ts_automaton_granular.style,
+	&ts_bond_beam.style,
 	&ts_bond_contact.style,
 	&ts_bond_gran.style,
 	&ts_bond_parallel.style,

@@ -24,7 +24,10 @@ syn keyword tsimKeyword  restitution wall_restitution roughness lower upper star
 syn keyword tsimKeyword  obstacles order exact blocks contact offset centre any directions
 syn keyword tsimKeyword  random nearest table partner turns keeps wall_normal speed
 syn match tsimKeyword /\<velocity\>/ 
-syn keyword tsimKeyword  stiffness ultimate damping map array hash id first sort tilt small
+syn keyword tsimKeyword  E nu G kappa lambda sigma_c tau_c sigma_compression scatter none
+syn keyword tsimKeyword  normal weibull deviation shape damping damping_normal
+syn keyword tsimKeyword  damping_shear damping_bending damping_twist stiffness ultimate 0 1
+syn keyword tsimKeyword  2 3 4 5 kn ks ratio beta map array hash id first sort tilt small
 syn keyword tsimKeyword  large
 syn match tsimKeyword /\<units\>/ 
 syn match tsimKeyword /\<lattice\>/ 
@@ -33,7 +36,7 @@ syn keyword tsimKeyword  mode single multi multi/old vel cutoff cutoff/multi red
 syn match tsimKeyword /\<group\>/ 
 syn keyword tsimKeyword  brick tiled
 syn match tsimKeyword /\<region\>/ 
-syn keyword tsimKeyword  remap overlap maxtry mesh basis ratio subset var
+syn keyword tsimKeyword  remap overlap maxtry mesh basis subset var
 syn match tsimKeyword /\<set\>/ 
 syn keyword tsimKeyword  mol rotate many single/bond bond/types extra/bond/per/atom
 syn keyword tsimKeyword  extra/special/per/atom angle/types dihedral/types improper/types
@@ -44,7 +47,7 @@ syn keyword tsimKeyword  compress bond atom stats remove special undo move ramp 
 syn keyword tsimKeyword  thresh format pad delay append
 syn match tsimKeyword /\<label\>/ 
 syn keyword tsimKeyword  time maxfiles element scale image refresh header buffer compressor
-syn keyword tsimKeyword  none zlib lz4 flush pbc binary fileper nfile screen
+syn keyword tsimKeyword  zlib lz4 flush pbc binary fileper nfile screen
 syn match tsimKeyword /\<log\>/ 
 syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi wall slip inlet outlet pressure
 syn keyword tsimKeyword  hydrostatic update step once uniform geometric fine lo hi tanh
@@ -72,18 +75,23 @@ syn keyword tsimKeyword  string getenv
 syn match tsimKeyword /\<timer\>/ 
 syn keyword tsimKeyword  internal atomfile equal vector create zero linear angular
 syn keyword tsimKeyword  angularIndividual sum dist gaussian mom rot local geom bias pair
-syn keyword tsimKeyword  ii ij nofix modify noinit radius deviation hardness discard
+syn keyword tsimKeyword  ii ij nofix modify noinit threshold radius hardness discard
 syn keyword tsimKeyword  default mixed bound reduced nchunk limit ids nfreq between cells
-syn keyword tsimKeyword  values interpolation cubic kspace tensor com average property xcm
-syn keyword tsimKeyword  vcm fcm torque quat angmom masstotal inertia clumptype
-syn keyword tsimKeyword  id_multisphere ex_space ey_space ez_space bond/type region_count
-syn keyword tsimKeyword  tracer periodic reset_marker min max ave sumsq avesq sumabs aveabs
-syn keyword tsimKeyword  minabs maxabs inputs peratom update_on_run_end winkler halfspace
-syn keyword tsimKeyword  young poisson counter_young counter_poisson tolerance iterations
-syn keyword tsimKeyword  counter adof cdof primitives colour u v reset coefficient
+syn keyword tsimKeyword  values interpolation cubic gap solid_fraction amount load
+syn keyword tsimKeyword  bumpiness upper_wall_restitution upper_roughness upper_bumpiness
+syn keyword tsimKeyword  friction tangential packing theory lun garzo/dufty radial
+syn keyword tsimKeyword  lun/savage carnahan/starling branch dense dilute points tolerance
+syn keyword tsimKeyword  kspace tensor com average property xcm vcm fcm torque quat angmom
+syn keyword tsimKeyword  masstotal inertia clumptype id_multisphere ex_space ey_space
+syn keyword tsimKeyword  ez_space bond/type region_count tracer periodic reset_marker min
+syn keyword tsimKeyword  max ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
+syn keyword tsimKeyword  update_on_run_end winkler halfspace young poisson counter_young
+syn keyword tsimKeyword  counter_poisson iterations counter adof cdof mean linear/x
+syn keyword tsimKeyword  linear/y linear/z weight number motion translation rotation
+syn keyword tsimKeyword  unbiased primitives colour u v reset coefficient
 syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
 syn keyword tsimKeyword  title1 title2 title3 auto auto/upper auto/lower full prefactor
-syn keyword tsimKeyword  nevery cell_size_relative parallel basevolume_region scalar kind
+syn keyword tsimKeyword  scalar nevery cell_size_relative parallel basevolume_region kind
 syn keyword tsimKeyword  global beyond end extra level dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate volume
@@ -92,11 +100,11 @@ syn keyword tsimKeyword  sound C1 C2 wob spring body clearance summary conductiv
 syn keyword tsimKeyword  capacity initial source convection vanleer central donor exchange
 syn keyword tsimKeyword  ranz_marshall chute spherical hard soft continue message path
 syn keyword tsimKeyword  initial_temperature contact_area area_correction
-syn keyword tsimKeyword  store_contact_data euler min_cells relax virtual_mass spheres
-syn keyword tsimKeyword  distributiontemplate maxattempt overlapcheck all_in position
-syn keyword tsimKeyword  direction inner_diameter cone orientation set_property nparticles
-syn keyword tsimKeyword  particlerate massrate insert_every verbose random_distribute
-syn keyword tsimKeyword  uncorrelated compress_tags ntry_mc
+syn keyword tsimKeyword  store_contact_data euler min_cells relax virtual_mass surface
+syn keyword tsimKeyword  spheres distributiontemplate maxattempt overlapcheck stacked
+syn keyword tsimKeyword  orientation set_property verbose all_in position direction
+syn keyword tsimKeyword  inner_diameter cone nparticles particlerate massrate insert_every
+syn keyword tsimKeyword  random_distribute uncorrelated compress_tags ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
 syn keyword tsimKeyword  volumefraction_region mass_in_region max_rounds insertion_face
 syn keyword tsimKeyword  extrude_length duration law rubinow oesterle saffman mei viscosity
@@ -121,16 +129,15 @@ syn keyword tsimKeyword  molfrac rigid shake title ghost writedata add_region
 syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style dirac
 syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer peratomtype
 syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink delete_below
-syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple surface
-syn keyword tsimKeyword  constant black white formula mean correlation noise columns waves
-syn keyword tsimKeyword  selfaffine hurst shortest roll longest normal size datum base
-syn keyword tsimKeyword  merge method divided kernel reach least settled inertia_1
-syn keyword tsimKeyword  inertia_2 friction arm model hooke hertz hooke/stiffness
-syn keyword tsimKeyword  hertz/stiffness hooke/hysteresis jkr tangential history no_history
-syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
-syn keyword tsimKeyword  cohesion sjkr sjkr2 easo/capillary/viscous
-syn keyword tsimKeyword  washino/capillary/viscous multicontact limitForce
-syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
+syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple constant black
+syn keyword tsimKeyword  white formula correlation noise columns waves selfaffine hurst
+syn keyword tsimKeyword  shortest roll longest size datum base merge method divided kernel
+syn keyword tsimKeyword  reach least settled inertia_1 inertia_2 arm joint_1 joint_2
+syn keyword tsimKeyword  start_1 start_2 model hooke hertz hooke/stiffness hertz/stiffness
+syn keyword tsimKeyword  hooke/hysteresis jkr history no_history incremental_history
+syn keyword tsimKeyword  jkr_tan rolling_friction cdt epsd epsd2 epsd3 cohesion sjkr sjkr2
+syn keyword tsimKeyword  easo/capillary/viscous washino/capillary/viscous multicontact
+syn keyword tsimKeyword  limitForce tangential_damping absolute_damping ktToKnUser viscous
 syn keyword tsimKeyword  tangential_reduce modifyLbVolume limitLiquidContent torsionTorque
 syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
@@ -139,21 +146,22 @@ syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes voxels
 syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear impact resolved
 syn keyword tsimKeyword  store_force contacts store_force_contact
 syn keyword tsimKeyword  store_force_contact_stress evolve evolve_every thickness layer
-syn keyword tsimKeyword  through open k deformation cutting yield modulus threshold
-syn keyword tsimKeyword  cutting_constant elastic_constant factor flow_stress depth_ratio
-syn keyword tsimKeyword  force_ratio transition particles sio2 sic glass relaxation crater
-syn keyword tsimKeyword  section segment plastic ab2 rk2 rk3 backward substeps courant
-syn keyword tsimKeyword  quick cubista gamma form fv fd conservative quadratic body_force
-syn keyword tsimKeyword  pressure_level lower_voxel lower_velocity upper_velocity
-syn keyword tsimKeyword  lower_stays upper_stays lower_slip upper_slip barus roelands
-syn keyword tsimKeyword  ambient pressure_xlo pressure_xhi pressure_ylo pressure_yhi closed
-syn keyword tsimKeyword  cavitation half reynolds jfo cavity_pressure transient gap stepped
+syn keyword tsimKeyword  through open k deformation cutting yield modulus cutting_constant
+syn keyword tsimKeyword  elastic_constant factor flow_stress depth_ratio force_ratio
+syn keyword tsimKeyword  transition particles sio2 sic glass relaxation crater section
+syn keyword tsimKeyword  segment plastic ab2 rk2 rk3 backward substeps courant quick
+syn keyword tsimKeyword  cubista gamma form fv fd conservative quadratic body_force
+syn keyword tsimKeyword  pressure_level lower_voxel upper_voxel upper_wafer lower_velocity
+syn keyword tsimKeyword  upper_velocity lower_stays upper_stays lower_slip upper_slip
+syn keyword tsimKeyword  asperities barus roelands ambient pressure_xlo pressure_xhi
+syn keyword tsimKeyword  pressure_ylo pressure_yhi floating closed cavitation half reynolds
+syn keyword tsimKeyword  jfo cavity_pressure transient stepped
 syn match tsimKeyword /\<run\>/ 
-syn keyword tsimKeyword  touching solid axisymmetric plane point span distance profile
-syn keyword tsimKeyword  potential generic hertz/material dmt mass_velocity viscoelastic
-syn keyword tsimKeyword  tsuji coeff_restitution rolling twisting heat unfinished
-syn keyword tsimKeyword  preconditioner diagonal direct multigrid side in out center bounds
-syn keyword tsimKeyword  angle0
+syn keyword tsimKeyword  least_gap touching solid axisymmetric plane point span distance
+syn keyword tsimKeyword  profile potential generic hertz/material dmt mass_velocity
+syn keyword tsimKeyword  viscoelastic tsuji coeff_restitution rolling twisting heat
+syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid side in out
+syn keyword tsimKeyword  center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -179,16 +187,17 @@ syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|automaton_style\|balance\
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
 syn keyword tsim_fix contained adapt added_mass addforce ave/atom ave/chunk ave/correlate
-syn keyword tsim_fix contained ave/euler ave/histo ave/histo/weight ave/period ave/spatial
-syn keyword tsim_fix contained ave/time aveforce
+syn keyword tsim_fix contained ave/error ave/euler ave/histo ave/histo/weight ave/period
+syn keyword tsim_fix contained ave/spatial ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
-syn keyword tsim_fix contained bond/breakage buoyancy check/timestep/gran controller couple/cfd
-syn keyword tsim_fix contained couple/cfd/convection couple/cfd/force couple/cfd/force/implicit
-syn keyword tsim_fix contained deform drag drag/beetstra drag/carlson_hoglund drag/di_felice
-syn keyword tsim_fix contained drag/ergun drag/gidaspow drag/koch_hill drag/schiller_naumann
-syn keyword tsim_fix contained drag/stokes drag/wen_yu drill/bit energy/ledger enforce2d
-syn keyword tsim_fix contained evaporate flow/pressure_gradient flow/scalar freeze gravity halt
-syn keyword tsim_fix contained heat/gran heat/gran/conduction immersed/boundary insert/jet
+syn keyword tsim_fix contained bond/breakage bond/create/gran buoyancy check/timestep/gran
+syn keyword tsim_fix contained controller couple/cfd couple/cfd/convection couple/cfd/force
+syn keyword tsim_fix contained couple/cfd/force/implicit damping/cundall deform drag
+syn keyword tsim_fix contained drag/beetstra drag/carlson_hoglund drag/di_felice drag/ergun
+syn keyword tsim_fix contained drag/gidaspow drag/koch_hill drag/schiller_naumann drag/stokes
+syn keyword tsim_fix contained drag/wen_yu drill/bit energy/ledger enforce2d evaporate
+syn keyword tsim_fix contained flow/pressure_gradient flow/scalar freeze gravity halt heat/gran
+syn keyword tsim_fix contained heat/gran/conduction immersed/boundary insert/gap insert/jet
 syn keyword tsim_fix contained insert/pack insert/pack/dense insert/rate/region insert/stream
 syn keyword tsim_fix contained langevin lift/magnus lift/saffman lineforce lubrication
 syn keyword tsim_fix contained massflow/mesh mesh/surface mesh/surface/planar mesh/surface/stress
@@ -211,19 +220,20 @@ syn keyword tsim_fix contained wear/neilson/gilchrist wear/oka wear/zhao/chang
 syn keyword tsim_fix contained wear/zhao/chang/contact
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
-syn keyword tsim_compute contained active/pi active/pml aggregate/atom angmom/chunk automaton/profile
-syn keyword tsim_compute contained bond/local bonds chunk/atom chunk/spread/atom cluster/atom com
-syn keyword tsim_compute contained com/chunk contact/atom contacts coord/atom count/type
-syn keyword tsim_compute contained displace/atom erotate/multisphere erotate/sphere erotate
-syn keyword tsim_compute contained erotate/sphere/atom film film/atom flow/flux flow/force flow/line
-syn keyword tsim_compute contained flow/plane flow/probe fragment/atom group/group gyration
-syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave msd
-syn keyword tsim_compute contained msd/chunk multisphere rigid multisphere/single nbond/atom
-syn keyword tsim_compute contained neighbor/atom nparticles/tracer/region omega/chunk pair/gran/local
-syn keyword tsim_compute contained pair/local pe pe/atom pressure property/atom property/chunk
-syn keyword tsim_compute contained property/local rdf reduce reduce/chunk reduce/region slice
-syn keyword tsim_compute contained stress/atom surface/contact temp temp/chunk temp/com torque/chunk
-syn keyword tsim_compute contained vacf vcm/chunk wall/gran/local
+syn keyword tsim_compute contained active/paml active/pi active/pml aggregate/atom angmom/chunk
+syn keyword tsim_compute contained automaton/profile bond/local bonds chunk/atom chunk/spread/atom
+syn keyword tsim_compute contained cluster/atom com com/chunk contact/atom contacts coord/atom
+syn keyword tsim_compute contained count/type displace/atom erotate/multisphere erotate/sphere
+syn keyword tsim_compute contained erotate erotate/sphere/atom film film/atom flow/flux flow/force
+syn keyword tsim_compute contained flow/line flow/plane flow/probe fragment/atom granular/couette
+syn keyword tsim_compute contained group/group gyration gyration/chunk inertia/chunk ke ke/atom
+syn keyword tsim_compute contained ke/multisphere leave msd msd/chunk multisphere rigid
+syn keyword tsim_compute contained multisphere/single nbond/atom neighbor/atom
+syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local pair/local pe
+syn keyword tsim_compute contained pe/atom pressure property/atom property/chunk property/local rdf
+syn keyword tsim_compute contained reduce reduce/chunk reduce/region slice squeeze/atom stress/atom
+syn keyword tsim_compute contained surface/contact temp temp/chunk temp/com temp/granular
+syn keyword tsim_compute contained temp/granular/chunk torque/chunk vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane
@@ -241,7 +251,7 @@ syn keyword tsim_pair contained gran gran/hertz/history gran/hooke gran/hooke/hi
 syn keyword tsim_pair contained spring/dashpot
 hi def link tsim_pair Type
 syn match tsimHead /^\s*bond_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_bond
-syn keyword tsim_bond contained contact
+syn keyword tsim_bond contained beam contact gran parallel
 hi def link tsim_bond Type
 syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_flow
 syn keyword tsim_flow contained projection reynolds stagnation uniform
