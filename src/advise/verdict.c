@@ -379,9 +379,8 @@ static void add_table(const struct ts_trial_results *b, struct ts_str *out)
 			    "%s\n",
 			    b->interval_fixes);
 	if (!any_column_changes(b))
-		ts_str_add(out,
-			   "No column changes in the trials, so nothing is known about the accuracy of the "
-			   "settings: add what matters to\nthermo_style\n");
+		ts_str_add(out, "No column changes in the trials, so nothing is known about the accuracy of "
+				"the settings: add what matters to\nthermo_style\n");
 	if (n < b->columns)
 		ts_str_addf(out, "%d columns with smaller differences are not shown\n", b->columns - n);
 }

@@ -36,13 +36,11 @@ static enum ts_status check_box(struct ts_instance *self, struct tsim *sim)
 	if (sim->dimension != 2)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "automaton_style granular: its eight directions are those of a plane: "
-			       "expected "
-			       "`dimension 2`");
+			       "expected `dimension 2`");
 	if (!ts_box_periodic(box, 0) || box->face[1][0] != TS_FACE_FIXED || box->face[1][1] != TS_FACE_FIXED)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "automaton_style granular: the lattice is periodic along x and has walls at "
-			       "ylo "
-			       "and yhi: expected `boundary p f p`");
+			       "ylo and yhi: expected `boundary p f p`");
 	return TS_OK;
 }
 
@@ -63,8 +61,7 @@ static enum ts_status count_cells(struct ts_instance *self, struct tsim *sim, in
 		if (cells < least - 0.5)
 			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "cell"),
 				       "automaton_style granular: the box has %.0f cell%s along %c; expected "
-				       "at "
-				       "least %.0f",
+				       "at least %.0f",
 				       cells, cells < 1.5 ? "" : "s", "xy"[d], least);
 		n[d] = cells < 4e9 ? (int64_t)nearbyint(cells) : INT64_C(4000000000);
 	}
@@ -263,8 +260,7 @@ static enum ts_status check_speed(struct ts_instance *self, struct tsim *sim, co
 	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, word),
 		       "automaton_style granular: the speed %g (%s) is %.2g cells a step, less than the "
 		       "smallest one, 1/%d: expected a timestep of about %g, with which the fastest wall "
-		       "moves "
-		       "by one cell a step",
+		       "moves by one cell a step",
 		       speed, word, fabs(speed) * sim->clock.dt / s->cell, TS_CELL_ONE,
 		       s->cell / fmax(fastest_wall(s), fabs(speed)));
 }
@@ -282,13 +278,11 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	if (s->automaton.steps == 0 && start_speed(s) == 0)
 		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "start"),
 			       "automaton_style granular: all granules are at rest, and a granule at rest "
-			       "never "
-			       "collides: expected start > 0");
+			       "never collides: expected start > 0");
 	if (fastest * sim->clock.dt > s->cell * (1 + 1e-9))
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "automaton_style granular: the speed %g is %g cells a step; granules move by "
-			       "at "
-			       "most one: expected a timestep of at most %g",
+			       "at most one: expected a timestep of at most %g",
 			       fastest, fastest * sim->clock.dt / s->cell, s->cell / fastest);
 	if (report->limits_only)
 		return TS_OK;

@@ -100,9 +100,8 @@ static const struct ts_value values[] = {
 	{ "granules", "", "number of granules, counted", TS_SCALAR, 1, NULL, eval_granules },
 	{ "numbers", "",
 	  "slip_lower, slip_upper: velocity of the wall minus that of the row beside it [velocity]; due, "
-	  "moved, "
-	  "collided, clipped: granules that were to move, that did, collisions with granules, and results of "
-	  "collisions that were reduced to one cell a step, by granules and steps so far",
+	  "moved, collided, clipped: granules that were to move, that did, collisions with granules, and "
+	  "results of collisions that were reduced to one cell a step, by granules and steps so far",
 	  TS_VECTOR, NNUMBERS, numbers, eval_numbers },
 	{ "rows", "", "one row for each row of cells, from ylo on: y u v nu T", TS_ARRAY, NCOLUMNS, columns,
 	  eval_rows },

@@ -44,8 +44,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!strchr(file, '*') || !ts_ends_with(file, ".png"))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, file),
 			       "dump automaton/png writes one file per frame: the name '%s' needs a `*` for "
-			       "the "
-			       "step and must end in .png",
+			       "the step and must end in .png",
 			       file);
 	if (s->scale * a->lattice.nx > MOST_PIXELS || s->scale * (a->lattice.ny + 2) > MOST_PIXELS)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,

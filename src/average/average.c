@@ -17,8 +17,8 @@ enum ts_status ts_average_init(struct ts_instance *self, struct tsim *sim, struc
 {
 	if (a->freq % a->every != 0 || a->repeat > a->freq / a->every)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "fix %s: Nfreq (%lld) must be a multiple of Nevery (%lld) and "
-			       "not less than Nrepeat (%lld) times Nevery",
+			       "fix %s: Nfreq (%lld) must be a multiple of Nevery (%lld) and not less than "
+			       "Nrepeat (%lld) times Nevery",
 			       self->style->name, (long long)a->freq, (long long)a->every,
 			       (long long)a->repeat);
 	if (!a->started)

@@ -49,9 +49,9 @@ static const struct ts_saved saved[] = { TS_CHUNK_SAVED(struct state), TS_SAVED_
 
 static const struct ts_arg args[] = {
 	TS_LIST_STATEFUL("style", struct state, chunks.words,
-			 .help = "bin/1d, bin/2d or bin/3d and for each axis dim origin delta; bin/sphere "
-				 "x y z rmin rmax nbin; bin/cylinder dim origin delta c1 c2 rmin rmax "
-				 "nbin; type; or c_ID, f_ID, v_NAME, whose integer part is the chunk"),
+			 .help = "bin/1d, bin/2d or bin/3d and for each axis dim origin delta; bin/sphere x "
+				 "y z rmin rmax nbin; bin/cylinder dim origin delta c1 c2 rmin rmax nbin; "
+				 "type; or c_ID, f_ID, v_NAME, whose integer part is the chunk"),
 	TS_CHUNK_KEYWORDS(struct state),
 	TS_ENUM("nchunk", struct state, chunks.number, ts_chunk_numbers, .fallback = "default",
 		.flags = TS_STATEFUL,
@@ -78,21 +78,19 @@ const struct ts_style ts_compute_chunk_atom = {
 	.name = "chunk/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Assigns particles to chunks",
-	.doc = "Assigns each particle of the group to a chunk and gives it the number of that "
-	       "chunk, from 1, or 0 if it is in none. fix ave/chunk and the computes with /chunk "
-	       "in their names sum over the particles of each chunk.\n\n"
-	       "Bins along an axis have the width delta. One of them starts at the origin, and "
-	       "they extend to just beyond the box, or the `bound` of that axis. In 2d and 3d the "
-	       "bin index along the last axis varies fastest. The shells of spheres and cylinders "
-	       "divide the range rmin to rmax evenly; for cylinders the bin index along the axis "
-	       "varies fastest, and c1 c2 are the coordinates of the axis along the other two "
-	       "directions in the order x, y, z. Coordinates are wrapped into a periodic box "
-	       "first. Particles outside the bins are in the nearest bin; with `discard yes`, or "
-	       "outside a `bound`, they are in no chunk.\n\n"
-	       "With `compress yes` the chunks that have particles are renumbered from 1. `limit` "
-	       "sets the largest (max) or the exact number of chunks; for bins it requires "
-	       "`compress yes`. Particles in chunks beyond the limit are in no chunk, with "
-	       "`discard no` in the last one.",
+	.doc = "Assigns each particle of the group to a chunk and gives it the number of that chunk, from 1, "
+	       "or 0 if it is in none. fix ave/chunk and the computes with /chunk in their names sum over "
+	       "the particles of each chunk.\n\n"
+	       "Bins along an axis have the width delta. One of them starts at the origin, and they extend "
+	       "to just beyond the box, or the `bound` of that axis. In 2d and 3d the bin index along the "
+	       "last axis varies fastest. The shells of spheres and cylinders divide the range rmin to rmax "
+	       "evenly; for cylinders the bin index along the axis varies fastest, and c1 c2 are the "
+	       "coordinates of the axis along the other two directions in the order x, y, z. Coordinates are "
+	       "wrapped into a periodic box first. Particles outside the bins are in the nearest bin; with "
+	       "`discard yes`, or outside a `bound`, they are in no chunk.\n\n"
+	       "With `compress yes` the chunks that have particles are renumbered from 1. `limit` sets the "
+	       "largest (max) or the exact number of chunks; for bins it requires `compress yes`. Particles "
+	       "in chunks beyond the limit are in no chunk, with `discard no` in the last one.",
 	.example =
 		"compute layers all chunk/atom bin/1d z lower 0.01 units box\n"
 		"compute rings all chunk/atom bin/cylinder z lower 0.1 0 0 0 0.05 10 units box discard yes\n"

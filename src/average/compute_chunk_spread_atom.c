@@ -31,8 +31,8 @@ static enum ts_status spread_input(struct ts_instance *self, const struct ts_chu
 	TS_TRY(ts_ref_input_eval(s->user.sim, input, &s->each));
 	if (s->each.rows != chunks->n)
 		return ts_fail(&s->user.sim->error, TS_STATE, &input->where,
-			       "compute chunk/spread/atom: '%s' has %zu numbers, but there are %zu "
-			       "chunks in '%s'",
+			       "compute chunk/spread/atom: '%s' has %zu numbers, but there are %zu chunks in "
+			       "'%s'",
 			       input->name, s->each.rows, chunks->n, s->user.id);
 	for (size_t i = 0; i < p->n; i++) {
 		bool has = chunks->id[i] > 0 && ts_in_group(p, i, self->group);
@@ -84,10 +84,9 @@ const struct ts_style ts_compute_chunk_spread_atom = {
 	.name = "chunk/spread/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Spreads values of chunks to their particles",
-	.doc = "Gives each particle of the group the values of the chunk to which compute "
-	       "chunk/atom assigns it; particles in no chunk have 0. Thus the size of a cluster, "
-	       "or the mean velocity of a layer, can colour its particles in a dump, or be used in "
-	       "an atom-style variable.",
+	.doc = "Gives each particle of the group the values of the chunk to which compute chunk/atom assigns "
+	       "it; particles in no chunk have 0. Thus the size of a cluster, or the mean velocity of a "
+	       "layer, can colour its particles in a dump, or be used in an atom-style variable.",
 	.example = "compute heap all cluster/atom 0.01\n"
 		   "compute heaps all chunk/atom c_heap compress yes\n"
 		   "compute mass all reduce/chunk heaps sum mass\n"

@@ -68,10 +68,10 @@ const struct ts_style ts_compute_gyration_chunk = {
 	.name = "gyration/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Radius of gyration of each chunk",
-	.doc = "As compute gyration, for the particles of the group in each chunk of compute "
-	       "chunk/atom: c_ID[i] is the radius of gyration of chunk i; with `tensor` c_ID[i][1] "
-	       "... c_ID[i][6] are the components xx, yy, zz, xy, xz, yz of the gyration tensor. A "
-	       "chunk without particles has 0.",
+	.doc = "As compute gyration, for the particles of the group in each chunk of compute chunk/atom: "
+	       "c_ID[i] is the radius of gyration of chunk i; with `tensor` c_ID[i][1] ... c_ID[i][6] are "
+	       "the components xx, yy, zz, xy, xz, yz of the gyration tensor. A chunk without particles has "
+	       "0.",
 	.example = "compute size all gyration/chunk pieces\ncompute shape all gyration/chunk pieces tensor",
 	.args = args,
 	.state_size = sizeof(struct state),

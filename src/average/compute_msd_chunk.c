@@ -90,10 +90,10 @@ const struct ts_style ts_compute_msd_chunk = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Squared displacement of each chunk",
 	.doc = "Calculates the squared displacement of the centre of mass of each chunk of compute "
-	       "chunk/atom since this compute was defined: c_ID[i][1], c_ID[i][2], c_ID[i][3] "
-	       "along x, y, z, and c_ID[i][4] their sum, for chunk i. Positions are without "
-	       "periodic wrapping. A chunk should consist of the same particles all the time (`ids "
-	       "once`, or chunks by type). The initial positions are saved in restart files.",
+	       "chunk/atom since this compute was defined: c_ID[i][1], c_ID[i][2], c_ID[i][3] along x, y, z, "
+	       "and c_ID[i][4] their sum, for chunk i. Positions are without periodic wrapping. A chunk "
+	       "should consist of the same particles all the time (`ids once`, or chunks by type). The "
+	       "initial positions are saved in restart files.",
 	.example = "compute way all msd/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

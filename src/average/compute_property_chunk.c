@@ -88,10 +88,10 @@ const struct ts_style ts_compute_property_chunk = {
 	.name = "property/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Particle count, original number and coordinates of chunks",
-	.doc = "Lists properties of each chunk of compute chunk/atom: count, the number of its "
-	       "particles that are in the group; id, its number before `compress`; coord1, coord2, "
-	       "coord3, the coordinates of the centre of its bin. c_ID[i] is the property of chunk "
-	       "i; with several properties c_ID[i][j] is the j-th.",
+	.doc = "Lists properties of each chunk of compute chunk/atom: count, the number of its particles "
+	       "that are in the group; id, its number before `compress`; coord1, coord2, coord3, the "
+	       "coordinates of the centre of its bin. c_ID[i] is the property of chunk i; with several "
+	       "properties c_ID[i][j] is the j-th.",
 	.example = "compute n all property/chunk layers count coord1",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -92,11 +92,10 @@ const struct ts_style ts_compute_reduce_chunk = {
 	.name = "reduce/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Sum, minimum, maximum or mean of per-particle values over each chunk",
-	.doc = "As compute reduce, over the particles of the group in each chunk of compute "
-	       "chunk/atom: their sum, minimum (min), maximum (max), mean (ave) and so on. c_ID[i] "
-	       "is the result for chunk i; with several inputs c_ID[i][k] is that of input k. Sums "
-	       "are exact, rounded once, and do not depend on the order. A chunk without particles "
-	       "of the group has 0.",
+	.doc = "As compute reduce, over the particles of the group in each chunk of compute chunk/atom: "
+	       "their sum, minimum (min), maximum (max), mean (ave) and so on. c_ID[i] is the result for "
+	       "chunk i; with several inputs c_ID[i][k] is that of input k. Sums are exact, rounded once, "
+	       "and do not depend on the order. A chunk without particles of the group has 0.",
 	.example = "compute heap all cluster/atom 0.01\n"
 		   "compute heaps all chunk/atom c_heap compress yes\n"
 		   "compute mass all reduce/chunk heaps sum mass\n"

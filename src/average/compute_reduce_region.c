@@ -20,8 +20,8 @@ const struct ts_style ts_compute_reduce_region = {
 	.name = "reduce/region",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Sum, minimum, maximum or mean of per-particle values in a region",
-	.doc = "As compute reduce, over the particles of the group that are in the region at the "
-	       "time of evaluation.",
+	.doc = "As compute reduce, over the particles of the group that are in the region at the time of "
+	       "evaluation.",
 	.example = "compute fast all reduce/region top max vx vy vz",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -89,9 +89,8 @@ const struct ts_style ts_compute_slice = {
 	.name = "slice",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Every n-th element of vectors",
-	.doc = "Extracts the elements Nstart, Nstart + Nskip ... up to Nstop of each input vector. "
-	       "c_ID[i] is element i of the slice of the first input, c_ID[i][j] element i of that "
-	       "of input j.",
+	.doc = "Extracts the elements Nstart, Nstart + Nskip ... up to Nstop of each input vector. c_ID[i] "
+	       "is element i of the slice of the first input, c_ID[i][j] element i of that of input j.",
 	.example = "compute tail all slice 50 100 5 c_g[2]",
 	.args = args,
 	.state_size = sizeof(struct state),

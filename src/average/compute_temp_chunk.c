@@ -178,15 +178,14 @@ const struct ts_style ts_compute_temp_chunk = {
 	.name = "temp/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Temperature of chunks",
-	.doc = "Calculates for each chunk of compute chunk/atom a column for each of the values: "
-	       "temp, the temperature\n\n"
+	.doc = "Calculates for each chunk of compute chunk/atom a column for each of the values: temp, the "
+	       "temperature\n\n"
 	       "    T = sum m u^2 / (k_B (adof N + cdof))\n\n"
-	       "kecom, the kinetic energy of the motion of the centre of mass; internal, the "
-	       "kinetic energy of the motion relative to it. u is the velocity v of the particle, "
-	       "with `com yes` its velocity relative to the centre of mass of the chunk. The "
-	       "default of adof is 3, in two dimensions 2; that of cdof 0. c_ID alone is the "
-	       "temperature of all particles in chunks together, c_ID[k] their sums of m u_a u_b "
-	       "for xx, yy, zz, xy, xz, yz.",
+	       "kecom, the kinetic energy of the motion of the centre of mass; internal, the kinetic energy "
+	       "of the motion relative to it. u is the velocity v of the particle, with `com yes` its "
+	       "velocity relative to the centre of mass of the chunk. The default of adof is 3, in two "
+	       "dimensions 2; that of cdof 0. c_ID alone is the temperature of all particles in chunks "
+	       "together, c_ID[k] their sums of m u_a u_b for xx, yy, zz, xy, xz, yz.",
 	.example = "compute t all temp/chunk layers temp com yes cdof -3",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -105,17 +105,14 @@ const struct ts_style ts_compute_temp_granular_chunk = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Granular temperature of chunks",
 	.doc = "The granular temperature of the particles of the group in each chunk of compute chunk/atom, "
-	       "as "
-	       "by compute temp/granular with the mean velocity of each chunk: c_ID[i][1] is T, c_ID[i][2] "
-	       "to "
-	       "c_ID[i][7] the tensor <u'_a u'_b>, c_ID[i][8] the number N of particles of chunk i. T is 0 "
-	       "in "
-	       "chunks where it is not defined, with a single particle or without any. c_ID is the mean of T "
-	       "over the particles, those of a chunk with its T.\n\n"
+	       "as by compute temp/granular with the mean velocity of each chunk: c_ID[i][1] is T, "
+	       "c_ID[i][2] to c_ID[i][7] the tensor <u'_a u'_b>, c_ID[i][8] the number N of particles of "
+	       "chunk i. T is 0 in chunks where it is not defined, with a single particle or without any. "
+	       "c_ID is the mean of T over the particles, those of a chunk with its T.\n\n"
 	       "`fix ave/time ... c_ID[1] mode vector` averages the temperatures over time, every sample "
 	       "alike, and `fix ave/error` gives their standard errors; the value temp/granular of fix "
-	       "ave/chunk "
-	       "averages over the particles of all samples. In chunks of few particles use `unbiased yes`.",
+	       "ave/chunk averages over the particles of all samples. In chunks of few particles use "
+	       "`unbiased yes`.",
 	.example = "compute layers all chunk/atom bin/1d y lower 0.001 units box\n"
 		   "compute T grains temp/granular/chunk layers unbiased yes",
 	.cite = "C. K. K. Lun, S. B. Savage, D. J. Jeffrey, N. Chepurniy, J. Fluid Mech. 140 (1984) 223",

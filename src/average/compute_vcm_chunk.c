@@ -53,9 +53,9 @@ const struct ts_style ts_compute_vcm_chunk = {
 	.name = "vcm/chunk",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Velocity of the center of mass of each chunk",
-	.doc = "Calculates the velocity of the centre of mass, sum m v / sum m, of the particles "
-	       "of the group in each chunk of compute chunk/atom. c_ID[i][1], c_ID[i][2], "
-	       "c_ID[i][3] are the components for chunk i; a chunk without particles has 0.",
+	.doc = "Calculates the velocity of the centre of mass, sum m v / sum m, of the particles of the "
+	       "group in each chunk of compute chunk/atom. c_ID[i][1], c_ID[i][2], c_ID[i][3] are the "
+	       "components for chunk i; a chunk without particles has 0.",
 	.example = "compute v all vcm/chunk pieces",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -95,10 +95,10 @@ const struct ts_style ts_dump_euler_vtk = {
 	.name = "euler/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "The cells of fix ave/euler as points for ParaView",
-	.doc = "Writes a point at the centre of each cell of fix ave/euler with the values of its "
-	       "last evaluation: v_avg, volumefraction, radius, pressure, count, mass, and stress "
-	       "(xx yy zz xy xz yz). File formats are those of dump custom/vtk; text files .vtk "
-	       "are of version 2.0, with SCALARS and VECTORS as LIGGGHTS writes them.",
+	.doc = "Writes a point at the centre of each cell of fix ave/euler with the values of its last "
+	       "evaluation: v_avg, volumefraction, radius, pressure, count, mass, and stress (xx yy zz xy xz "
+	       "yz). File formats are those of dump custom/vtk; text files .vtk are of version 2.0, with "
+	       "SCALARS and VECTORS as LIGGGHTS writes them.",
 	.example = "fix cells all ave/euler nevery 1000 cell_size_relative 4 parallel no\n"
 		   "dump cells all euler/vtk 1000 post/cells*.vtk",
 	.args = args,

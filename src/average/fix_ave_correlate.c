@@ -96,8 +96,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if (s->freq % s->every != 0 || (s->repeat - 1) * s->every > s->freq)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "fix ave/correlate: Nfreq (%lld) must be a multiple of Nevery (%lld) and "
-			       "not less than Nrepeat - 1 (%lld) times Nevery",
+			       "fix ave/correlate: Nfreq (%lld) must be a multiple of Nevery (%lld) and not "
+			       "less than Nrepeat - 1 (%lld) times Nevery",
 			       (long long)s->freq, (long long)s->every, (long long)s->repeat - 1);
 	TS_TRY(ts_ref_list_init(sim, "fix ave/correlate", &self->arena, s->words, TS_WANT(SCALAR),
 				&s->input));
@@ -283,8 +283,8 @@ static const struct ts_arg args[] = {
 static const struct ts_value values[] = {
 	{ .name = "correlations",
 	  .unit = "",
-	  .help = "a row for each lag: the lag in steps, number of products, then their mean for each "
-		  "pair of values",
+	  .help = "a row for each lag: the lag in steps, number of products, then their mean for each pair "
+		  "of values",
 	  .shape = TS_ARRAY,
 	  .eval = eval },
 	{ .name = NULL },
@@ -305,10 +305,10 @@ const struct ts_style ts_fix_ave_correlate = {
 	.summary = "Time correlation functions of global values",
 	.doc = "Calculates the time correlation functions of pairs of values,\n\n"
 	       "    C_ij(lag) = prefactor < V_i(t) V_j(t + lag) >\n\n"
-	       "where < > is the mean over all samples. Every Nfreq steps the results are updated "
-	       "and written to the file; with `ave one` the sums are then set to zero, and the "
-	       "sample of that step is the first of the next result. trap(f_ID[3]) is the integral "
-	       "of the first correlation over the lag in units of Nevery steps.",
+	       "where < > is the mean over all samples. Every Nfreq steps the results are updated and written "
+	       "to the file; with `ave one` the sums are then set to zero, and the sample of that step is the "
+	       "first of the next result. trap(f_ID[3]) is the integral of the first correlation over the lag "
+	       "in units of Nevery steps.",
 	.example = "fix memory all ave/correlate 5 20 1000 c_force[1] c_force[2] type auto ave running file "
 		   "acf.txt",
 	.args = args,

@@ -318,8 +318,8 @@ const struct ts_style ts_fix_ave_euler = {
 	.summary = "Averages velocity, volume fraction, stress ... over the cells of a grid",
 	.doc = "Divides the box into cells of equal size. Their edges are at least cell_size_relative "
 	       "diameters of the largest particle present at the first evaluation; after that the number of "
-	       "cells is fixed, and their size follows the box. Every nevery steps, for the particles of "
-	       "the group whose centres are in a cell of volume V:\n\n"
+	       "cells is fixed, and their size follows the box. Every nevery steps, for the particles of the "
+	       "group whose centres are in a cell of volume V:\n\n"
 	       "    v = sum m v_i / sum m\n"
 	       "    volumefraction = sum 4/3 pi R^3 / V\n"
 	       "    radius = mean R\n"
@@ -327,9 +327,9 @@ const struct ts_style ts_fix_ave_euler = {
 	       "    pressure = -1/3 trace of the stress\n\n"
 	       "with F_ij the force of a contact or bond with particle j; contacts with walls are not "
 	       "included. Cells without particles have 0. In two dimensions areas replace volumes, and the "
-	       "pressure is -1/2 of the trace. f_ID[i][k] is quantity k of cell i at the last evaluation, "
-	       "in the order centre (3), velocity (3), volumefraction, radius, pressure, number of "
-	       "particles, mass, stress xx yy zz xy xz yz. `dump euler/vtk` writes them to files.",
+	       "pressure is -1/2 of the trace. f_ID[i][k] is quantity k of cell i at the last evaluation, in "
+	       "the order centre (3), velocity (3), volumefraction, radius, pressure, number of particles, "
+	       "mass, stress xx yy zz xy xz yz. `dump euler/vtk` writes them to files.",
 	.example = "fix cells all ave/euler nevery 1000 cell_size_relative 4 parallel no\n"
 		   "dump cells all euler/vtk 1000 post/cells*.vtk",
 	.args = args,

@@ -205,8 +205,8 @@ static const struct ts_arg args[] = {
 	TS_INT("every", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_POSITIVE,
 	       .help = "steps between samples"),
 	TS_LIST_STATEFUL("values", struct state, words,
-			 .help = "the signal, then more values to be averaged: c_ID, c_ID[k], f_ID, "
-				 "f_ID[k], v_NAME or thermo keywords"),
+			 .help = "the signal, then more values to be averaged: c_ID, c_ID[k], f_ID, f_ID[k], "
+				 "v_NAME or thermo keywords"),
 	TS_REAL("level", struct state, level, .flags = TS_STATEFUL, .fallback = "0",
 		.help = "a period begins where the signal rises through this value"),
 	TS_INT("start", struct state, start, .flags = TS_STATEFUL, .fallback = "0",
@@ -248,14 +248,13 @@ const struct ts_style ts_fix_ave_period = {
 	.name = "ave/period",
 	.kind = TS_KIND_FIX,
 	.summary = "Frequency of a signal, and averages of values over its completed periods",
-	.doc = "Determines the frequency of the first value, the signal, and averages all values "
-	       "over whole periods of it. Samples are taken at the start of a run and at the end "
-	       "of each step that is a multiple of N. A period begins where the signal rises "
-	       "through `level`; between samples all values are interpolated linearly. f_ID[1] is "
-	       "the number of completed periods divided by the time from the first to the last of "
-	       "these crossings, f_ID[2] that number; f_ID[i][1] ... f_ID[i][4] are the mean, the "
-	       "smallest and largest sample, and the rms deviation from the mean of value i over "
-	       "this time. All are 0 before the first period is complete.",
+	.doc = "Determines the frequency of the first value, the signal, and averages all values over whole "
+	       "periods of it. Samples are taken at the start of a run and at the end of each step that is a "
+	       "multiple of N. A period begins where the signal rises through `level`; between samples all "
+	       "values are interpolated linearly. f_ID[1] is the number of completed periods divided by the "
+	       "time from the first to the last of these crossings, f_ID[2] that number; f_ID[i][1] ... "
+	       "f_ID[i][4] are the mean, the smallest and largest sample, and the rms deviation from the "
+	       "mean of value i over this time. All are 0 before the first period is complete.",
 	.example = "fix ib all immersed/boundary region rod\n"
 		   "fix wake all ave/period 1 f_ib[2] f_ib[1] start 20000\n"
 		   "variable St equal f_wake[1]*1.0/2.0",

@@ -187,8 +187,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	TS_TRY(ts_average_archive(self, sim, a, &s->average));
 	if (s->rows < 0 || s->average.n != s->input.n * (size_t)s->rows)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix ave/time %s: the restart file holds averages of another number "
-			       "of values or another window",
+			       "fix ave/time %s: the restart file holds averages of another number of values "
+			       "or another window",
 			       self->id);
 	return TS_OK;
 }
@@ -307,12 +307,12 @@ const struct ts_style ts_fix_ave_time = {
 	.name = "ave/time",
 	.kind = TS_KIND_FIX,
 	.summary = "Time averages of global values",
-	.doc = "Calculates every Nfreq steps the mean of Nrepeat samples taken Nevery steps apart, "
-	       "the last at that step: with 2 6 100 the samples of steps 90, 92, 94, 96, 98, 100. "
-	       "f_ID[k] is the average of value k, f_ID that of the first; with `mode vector` "
-	       "f_ID[i] is element i of the first vector, f_ID[i][k] that of the k-th. Averages "
-	       "are 0 before the first one is complete. A value that is `off` is that of the last "
-	       "sample. Averages in progress are saved in restart files.",
+	.doc = "Calculates every Nfreq steps the mean of Nrepeat samples taken Nevery steps apart, the last "
+	       "at that step: with 2 6 100 the samples of steps 90, 92, 94, 96, 98, 100. f_ID[k] is the "
+	       "average of value k, f_ID that of the first; with `mode vector` f_ID[i] is element i of the "
+	       "first vector, f_ID[i][k] that of the k-th. Averages are 0 before the first one is complete. A "
+	       "value that is `off` is that of the last sample. Averages in progress are saved in restart "
+	       "files.",
 	.example = "fix speed all ave/time 10 100 1000 v_rop c_energy file post/speed.txt ave window 5",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -92,8 +92,8 @@ static const struct ts_value values[] = {
 	  .eval = eval },
 	{ .name = "series",
 	  .unit = "",
-	  .help = "for several values all samples so far: f_ID[i][j] is sample i of value j, f_ID[j] "
-		  "all samples of value j",
+	  .help = "for several values all samples so far: f_ID[i][j] is sample i of value j, f_ID[j] all "
+		  "samples of value j",
 	  .shape = TS_ARRAY,
 	  .eval = eval },
 	{ .name = NULL },
@@ -106,10 +106,10 @@ const struct ts_style ts_fix_vector = {
 	.name = "vector",
 	.kind = TS_KIND_FIX,
 	.summary = "Collects global values every N steps into a growing vector or array",
-	.doc = "Takes samples at the start of a run and at the end of each step that is a multiple "
-	       "of N, at most once per step. A single value makes a vector, several values an "
-	       "array with a column for each: slope(f_ID[2]) is the slope of the second value over "
-	       "the sample number. All samples are saved in restart files.",
+	.doc = "Takes samples at the start of a run and at the end of each step that is a multiple of N, at "
+	       "most once per step. A single value makes a vector, several values an array with a column for "
+	       "each: slope(f_ID[2]) is the slope of the second value over the sample number. All samples are "
+	       "saved in restart files.",
 	.example = "fix heights all vector 100 f_bit[1]\n"
 		   "fix path all vector 10 time c_centre[*]",
 	.args = args,

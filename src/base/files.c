@@ -281,9 +281,8 @@ static int check_plain_file(struct ts_files *files, int descriptor, struct stat 
 	if (!S_ISREG(info->st_mode))
 		return refuse(files, "with -sandbox a script opens plain files only");
 	if (info->st_nlink > 1)
-		return refuse(files,
-			      "the file has other names (hard links), which may lie anywhere; with -sandbox "
-			      "a script does not open it");
+		return refuse(files, "the file has other names (hard links), which may lie anywhere; with "
+				     "-sandbox a script does not open it");
 	return 0;
 }
 

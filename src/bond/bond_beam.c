@@ -77,10 +77,9 @@ static const char *const more[] = {
 	"Strengths: the largest stresses are those at the end with the larger bending moment,\n\n"
 	"  sigma = N/A + (M + V l/2) R/I,   tau = V/A + |M_t| R/J\n\n"
 	"with normal force N (> 0 in tension), shear force V, torque M_t, and the bending moment M in the "
-	"middle. (If V and M are not in the same plane this is an upper bound.) A beam breaks for good "
-	"when sigma >= sigma_c (mode tension), tau >= tau_c (mode shear), or, if given, when the "
-	"compressive stress reaches sigma_compression (mode compression). Scatter is described at bond "
-	"parallel.",
+	"middle. (If V and M are not in the same plane this is an upper bound.) A beam breaks for good when "
+	"sigma >= sigma_c (mode tension), tau >= tau_c (mode shear), or, if given, when the compressive "
+	"stress reaches sigma_compression (mode compression). Scatter is described at bond parallel.",
 	TS_BOND_MOMENT_DOC, NULL
 };
 
@@ -93,11 +92,11 @@ const struct ts_bond_style ts_bond_beam = {
 			  "the distance when the bond was created. The element is the cubic one of "
 			  "Timoshenko in a frame that moves with the beam (co-rotational):\n\n"
 			  "  k_n = E A/l,   k_s = 12 E I/(l^3 (1 + Phi)),   k_b = E I/l,   k_t = G J/l\n\n"
-			  "with Phi = 12 E I/(kappa G A l^2), k_b for the difference of the rotations of "
-			  "the two ends, k_s for the displacement across the beam by their mean. A "
-			  "straight cantilever has the exact deflection P L^3/(3 E I) + P L/(kappa G A) "
-			  "with any number of bonds; compare bond parallel, which needs many. Fibres, "
-			  "grass, fabrics. The mass of the beam is that of the particles.",
+			  "with Phi = 12 E I/(kappa G A l^2), k_b for the difference of the rotations of the "
+			  "two ends, k_s for the displacement across the beam by their mean. A straight "
+			  "cantilever has the exact deflection P L^3/(3 E I) + P L/(kappa G A) with any "
+			  "number of bonds; compare bond parallel, which needs many. Fibres, grass, fabrics. "
+			  "The mass of the beam is that of the particles.",
 		   .doc_more = more,
 		   .example = "bond_style beam\n"
 			      "bond_coeff 1 E 3.1e9 nu 0.3 lambda 1 sigma_c 60e6 damping 0.05",

@@ -76,8 +76,7 @@ static const struct ts_arg coeff_rows[] = {
 		.help = "strength: the bond breaks when |K U| exceeds this"),
 	TS_REAL("damping", struct coeff, damping, .range = TS_NOT_NEGATIVE, .fallback = "0",
 		.unit = "force/velocity",
-		.help = "viscous damping along the bond; its force does not count "
-			"for breaking"),
+		.help = "viscous damping along the bond; its force does not count for breaking"),
 	TS_ARGS_END,
 };
 
@@ -94,11 +93,10 @@ const struct ts_bond_style ts_bond_contact = {
 			  "are counted by the thermo keyword brokenbonds and listed with time and position "
 			  "by fix bond/breakage.\n\n"
 			  "Bonded particles that overlap interact by the pair style as well, unless "
-			  "special_bonds switches that off. A single bond with the reduced mass m* is "
-			  "stable for time steps below 2 sqrt(m*/K), with damping below 2 (sqrt(w^2 + g^2) "
-			  "- g)/w^2, w^2 = K/m*, g = damping/(2 m*); the limit of a network of bonds is "
-			  "lower; tsim estimates it at the stiffest parts of the network, see "
-			  "doc/stability.md.",
+			  "special_bonds switches that off. A single bond with the reduced mass m* is stable "
+			  "for time steps below 2 sqrt(m*/K), with damping below 2 (sqrt(w^2 + g^2) - "
+			  "g)/w^2, w^2 = K/m*, g = damping/(2 m*); the limit of a network of bonds is lower; "
+			  "tsim estimates it at the stiffest parts of the network, see doc/stability.md.",
 		   .example = "bond_style contact\n"
 			      "bond_coeff 1 stiffness 2.0e5 ultimate 3.0\n"
 			      "create_bonds many rock rock 1 0.0 1.05e-3",

@@ -27,9 +27,9 @@ static enum ts_status record_failure(struct tsim *sim, size_t b, struct ts_bond_
 	if (!(state.cosine > TS_BOND_TURN))
 		return ts_fail(&sim->error, TS_PHYSICS, NULL,
 			       "at step %" PRId64
-			       " particles %d and %d, bonded, have turned by %.0f degrees relative to "
-			       "each other; bonds that transmit moments are valid up to 90 degrees: give "
-			       "the bond a strength, or more stiffness",
+			       " particles %d and %d, bonded, have turned by %.0f degrees relative to each "
+			       "other; bonds that transmit moments are valid up to 90 degrees: give the bond "
+			       "a strength, or more stiffness",
 			       sim->clock.step, e->tag[0], e->tag[1],
 			       360 / TS_PI * acos(fmin(state.cosine, 1)));
 	ts_bond_energies(&element, &state, energy);

@@ -33,8 +33,8 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 			       c->ri, c->ro);
 	if (c->damp_style == DAMP_NONLINEAR)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "bond_coeff: nonlinear damping depends on the time step and is not "
-			       "supported; use damp style 1");
+			       "bond_coeff: nonlinear damping depends on the time step and is not supported; "
+			       "use damp style 1");
 	if (c->break_style > BREAK_STRESS)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "bond_coeff: break style %d is not supported; use 0 (distance) or 1 (stress)",
@@ -129,12 +129,12 @@ static const struct ts_arg coeff_rows[] = {
 static const char *const more[] = {
 	"Compared with the documentation of LIGGGHTS Flexible Fibers "
 	"(github.com/schrummy14/LIGGGHTS_Flexible_Fibers, doc/wiki/bond_gran.md), not with the program: "
-	"order and meaning of the arguments, stiffnesses, linear damping, break styles 0 and 1. Forces "
-	"are in total form, as those of bond parallel, where LIGGGHTS adds up increments. The section is "
-	"midway between the surfaces, so that spheres that overlap bend about the middle of the bond; "
-	"LIGGGHTS takes the slip at the surfaces. Not supported: nonlinear damping and break styles 2 to "
-	"5, and the arguments of LIGGGHTS-PFM and of richti83/LIGGGHTS-WITH-BONDS, which have other "
-	"numbers in another order. create_bonds creates the bonds.",
+	"order and meaning of the arguments, stiffnesses, linear damping, break styles 0 and 1. Forces are "
+	"in total form, as those of bond parallel, where LIGGGHTS adds up increments. The section is midway "
+	"between the surfaces, so that spheres that overlap bend about the middle of the bond; LIGGGHTS "
+	"takes the slip at the surfaces. Not supported: nonlinear damping and break styles 2 to 5, and the "
+	"arguments of LIGGGHTS-PFM and of richti83/LIGGGHTS-WITH-BONDS, which have other numbers in another "
+	"order. create_bonds creates the bonds.",
 	TS_BOND_MOMENT_DOC, NULL
 };
 
@@ -144,14 +144,14 @@ const struct ts_bond_style ts_bond_gran = {
 		   .kind = TS_KIND_BOND,
 		   .summary = "bond with shear, bending and torsion, with the arguments of LIGGGHTS Flexible "
 			      "Fibers",
-		   .doc = "The bond of LIGGGHTS for flexible fibres, for its scripts; bond parallel and "
-			  "beam say the same by keywords. The section is a ring of outer and inner radius "
-			  "r_o, r_i, with A = pi (r_o^2 - r_i^2) and J = pi/2 (r_o^4 - r_i^4):\n\n"
+		   .doc = "The bond of LIGGGHTS for flexible fibres, for its scripts; bond parallel and beam "
+			  "say the same by keywords. The section is a ring of outer and inner radius r_o, "
+			  "r_i, with A = pi (r_o^2 - r_i^2) and J = pi/2 (r_o^4 - r_i^4):\n\n"
 			  "  k_n = Y A/L,   k_s = G A/L,   k_t = G J/L,   k_b = Y J/(2 L)\n\n"
-			  "with the length L at creation. damp_style 1 are dashpots 2 damp sqrt(k m*) "
-			  "with the reduced mass, or moment of inertia. break_style 0: the bond breaks "
-			  "when the centres are farther apart than 2 r_break. break_style 1: when |N|/A + "
-			  "2 M (r_o - r_i)/J reaches sigma, or V/A + |M_t| (r_o - r_i)/J reaches tau.",
+			  "with the length L at creation. damp_style 1 are dashpots 2 damp sqrt(k m*) with "
+			  "the reduced mass, or moment of inertia. break_style 0: the bond breaks when the "
+			  "centres are farther apart than 2 r_break. break_style 1: when |N|/A + 2 M (r_o - "
+			  "r_i)/J reaches sigma, or V/A + |M_t| (r_o - r_i)/J reaches tau.",
 		   .doc_more = more,
 		   .example = "bond_style gran\n"
 			      "bond_coeff 1 1.0 0.0 1.5e9 1.0e9 1 0.1 1 1.5e6 1.0e6\n"

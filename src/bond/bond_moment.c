@@ -93,8 +93,8 @@ static enum ts_status refuse_member(struct ts_instance *self, struct tsim *sim, 
 	if (!p->body || !p->body[i])
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "bond_style %s: particle %d belongs to a rigid body, whose rotation this bond "
-		       "style does not follow; use bond_style contact, or bond single particles",
+		       "bond_style %s: particle %d belongs to a rigid body, whose rotation this bond style "
+		       "does not follow; use bond_style contact, or bond single particles",
 		       self->style->name, p->tag[i]);
 }
 
@@ -128,9 +128,9 @@ static enum ts_status check_length(struct tsim *sim, size_t b)
 	for (int c = 0; c < 3; c++)
 		if (ts_box_periodic(box, c) && fabs(d[c]) > most * ts_box_length(box, c))
 			return ts_fail(&sim->error, TS_PHYSICS, NULL,
-				       "the bond of particles %d and %d extends by %g along %c, about "
-				       "half the periodic box of %g, so that it is ambiguous which image "
-				       "of the partner it holds; use a larger box",
+				       "the bond of particles %d and %d extends by %g along %c, about half "
+				       "the periodic box of %g, so that it is ambiguous which image of the "
+				       "partner it holds; use a larger box",
 				       bonds->tag[b][0], bonds->tag[b][1], fabs(d[c]), "xyz"[c],
 				       ts_box_length(box, c));
 	return TS_OK;

@@ -80,11 +80,11 @@ static const char *const more[] = {
 	"  sigma = N/A + beta M R/I,   tau = V/A + beta |M_t| R/J\n\n"
 	"with the normal force N (> 0 in tension), shear force V, bending moment M and torque M_t. A bond "
 	"breaks for good when sigma >= sigma_c (mode tension) or tau >= tau_c (mode shear), or, if "
-	"sigma_compression is given, when -N/A + beta M R/I reaches it (mode compression). Dashpots do "
-	"not count. A strength that is not given is infinite. With `scatter normal` and `scatter weibull` "
-	"the strengths sigma_c and tau_c of each bond are independent random numbers with these means. "
-	"They are functions of `seed` and the IDs of the two particles, hence the same for any number of "
-	"threads, order of particles, and after a restart. A normal distribution is cut off at 0.",
+	"sigma_compression is given, when -N/A + beta M R/I reaches it (mode compression). Dashpots do not "
+	"count. A strength that is not given is infinite. With `scatter normal` and `scatter weibull` the "
+	"strengths sigma_c and tau_c of each bond are independent random numbers with these means. They are "
+	"functions of `seed` and the IDs of the two particles, hence the same for any number of threads, "
+	"order of particles, and after a restart. A normal distribution is cut off at 0.",
 	TS_BOND_MOMENT_DOC, NULL
 };
 
@@ -94,21 +94,20 @@ const struct ts_bond_style ts_bond_parallel = {
 		   .kind = TS_KIND_BOND,
 		   .summary = "parallel bond: a disc of cement with normal, shear, bending and torsional "
 			      "stiffness",
-		   .doc = "A disc of elastic material between two particles, midway between their "
-			  "surfaces, of radius R = lambda min(R_a, R_b), area A = pi R^2 and moments I = "
-			  "pi R^4/4, J = pi R^4/2. Relative motion of the particles at the disc gives "
-			  "forces and moments\n\n"
+		   .doc = "A disc of elastic material between two particles, midway between their surfaces, "
+			  "of radius R = lambda min(R_a, R_b), area A = pi R^2 and moments I = pi R^4/4, J = "
+			  "pi R^4/2. Relative motion of the particles at the disc gives forces and "
+			  "moments\n\n"
 			  "  dN = kn A dU_n,   dV = -ks A dU_s,   dM_t = -ks J dtheta_n,   dM = -kn I "
 			  "dtheta_s\n\n"
-			  "(Potyondy & Cundall 2004). tsim computes them in total form, from positions "
-			  "and orientations: the integral of these increments in the frame that rotates "
-			  "with the bond. So a rigid motion of the particles gives no force, however far "
-			  "they turn, and without damping energy, momentum and angular momentum are "
-			  "conserved.\n\n"
+			  "(Potyondy & Cundall 2004). tsim computes them in total form, from positions and "
+			  "orientations: the integral of these increments in the frame that rotates with the "
+			  "bond. So a rigid motion of the particles gives no force, however far they turn, "
+			  "and without damping energy, momentum and angular momentum are conserved.\n\n"
 			  "A straight chain of N bonds of length l = L/N with kn = E/l, ks = G/l has the "
-			  "exact deflections P L/(E A) by an axial force P, P L^3/(3 E I) (1 - 1/(4 N^2)) "
-			  "+ P L/(G A) by a transverse force, M L^2/(2 E I) by a moment M, and the twist "
-			  "T L/(G J) by a torque T.",
+			  "exact deflections P L/(E A) by an axial force P, P L^3/(3 E I) (1 - 1/(4 N^2)) + "
+			  "P L/(G A) by a transverse force, M L^2/(2 E I) by a moment M, and the twist T "
+			  "L/(G J) by a torque T.",
 		   .doc_more = more,
 		   .example = "bond_style parallel\n"
 			      "bond_coeff 1 E 62e9 ratio 2.5 sigma_c 175e6 tau_c 175e6 scatter normal "

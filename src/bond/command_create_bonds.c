@@ -148,9 +148,8 @@ static enum ts_status create_bonds_command(struct tsim *sim, void *state, const 
 	ts_log(&sim->log, "Added %zu bonds, total bonds = %zu\n", sim->bonds->n - before, sim->bonds->n);
 	if (sim->bonds->n == before)
 		ts_warn(&sim->log, where,
-			"create_bonds created no bond: no pair has a distance from %g to "
-			"%g",
-			c->rmin, c->rmax);
+			"create_bonds created no bond: no pair has a distance from %g to %g", c->rmin,
+			c->rmax);
 	return TS_OK;
 }
 

@@ -27,8 +27,8 @@ static enum ts_status set_special_bonds(struct tsim *sim, void *state, const str
 			       "special_bonds: expected lj or lj/coul with three factors");
 	if (factor[0] != 0 && factor[0] != 1)
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "special_bonds: the first factor, for bonded particles, must be 0 or 1, "
-			       "found %g",
+			       "special_bonds: the first factor, for bonded particles, must be 0 or 1, found "
+			       "%g",
 			       factor[0]);
 	if (factor[1] != 1 || factor[2] != 1)
 		return ts_fail(&sim->error, TS_RANGE, where,

@@ -92,8 +92,8 @@ static enum ts_status refuse_central_springs(const struct ts_instance *self, str
 	for (size_t k = 0; k < s->list.n; k++)
 		if (is_of_moments(s->list.item[k]) && !(style && ts_bond_style_of(style)->element))
 			return ts_fail(&sim->error, TS_STATE, &s->words.word[k].place,
-				       "compute bond/local: %s is known of bonds that transmit moments, "
-				       "such as bond_style parallel; %s%s",
+				       "compute bond/local: %s is known of bonds that transmit moments, such "
+				       "as bond_style parallel; %s%s",
 				       s->words.word[k].text,
 				       style ? "the bond style is " : "there is no bond style",
 				       style ? style->style->name : "");
@@ -157,16 +157,16 @@ const struct ts_style ts_compute_bond_local = {
 	.name = "bond/local",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "length, force, moments and stresses of each bond",
-	.doc = "A local array with one row for each bond whose partners are both in the group. Columns: "
-	       "dist (length), rest (rest length), force (force along the bond, > 0 repulsive), fx fy fz "
-	       "(force on the partner with the smaller ID), dx dy dz (vector from the other partner to "
-	       "it). Of bonds that transmit moments also: shear (shear force), bending (bending moment) "
-	       "and twist (torque about the bond, with its sign), without damping; tx ty tz (torque on "
-	       "the partner with the smaller ID); sigma and tau (largest stresses of the section, as "
-	       "defined by the bond style); sigma_c and tau_c (strengths of this bond, inf: none); ratio "
-	       "(largest ratio of stress and strength); mode (that of this ratio: 1 tension, 2 shear, 3 "
-	       "compression; 0: the bond has no strengths). Forces are those of the last force "
-	       "computation. Compute property/local gives the IDs of the partners in the same order.",
+	.doc = "A local array with one row for each bond whose partners are both in the group. Columns: dist "
+	       "(length), rest (rest length), force (force along the bond, > 0 repulsive), fx fy fz (force "
+	       "on the partner with the smaller ID), dx dy dz (vector from the other partner to it). Of "
+	       "bonds that transmit moments also: shear (shear force), bending (bending moment) and twist "
+	       "(torque about the bond, with its sign), without damping; tx ty tz (torque on the partner "
+	       "with the smaller ID); sigma and tau (largest stresses of the section, as defined by the bond "
+	       "style); sigma_c and tau_c (strengths of this bond, inf: none); ratio (largest ratio of "
+	       "stress and strength); mode (that of this ratio: 1 tension, 2 shear, 3 compression; 0: the "
+	       "bond has no strengths). Forces are those of the last force computation. Compute "
+	       "property/local gives the IDs of the partners in the same order.",
 	.example = "compute b all bond/local dist force\n"
 		   "compute s all bond/local sigma tau ratio mode",
 	.args = args,

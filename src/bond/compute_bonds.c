@@ -84,10 +84,10 @@ const struct ts_style ts_compute_bonds = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "number, coordination number and list of bonds",
 	.doc = "Considers bonds with both partners in the group. The scalar c_ID is their number, the "
-	       "per-atom vector c_ID the number of bonds of each particle, and the local array c_ID[k] "
-	       "(dump local) lists them: IDs i and j of the partners, bond type, rest length, tension and "
-	       "the positions of both. The tension is the force along the bond in the last force "
-	       "computation, > 0 attractive.",
+	       "per-atom vector c_ID the number of bonds of each particle, and the local array c_ID[k] (dump "
+	       "local) lists them: IDs i and j of the partners, bond type, rest length, tension and the "
+	       "positions of both. The tension is the force along the bond in the last force computation, > "
+	       "0 attractive.",
 	.example = "compute nb rock bonds\ndump b all local/vtk 1000 post/bonds*.vtp c_nb",
 	.values = values,
 	.init = request_tensions,

@@ -55,8 +55,8 @@ const struct ts_style ts_compute_nbond_atom = {
 	.name = "nbond/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "number of bonds of each particle",
-	.doc = "Counts the unbroken bonds of each particle of the group, those to partners outside the "
-	       "group included. Particles outside the group have 0.",
+	.doc = "Counts the unbroken bonds of each particle of the group, those to partners outside the group "
+	       "included. Particles outside the group have 0.",
 	.example = "compute held rock nbond/atom\ncompute two rock nbond/atom bond/type 2",
 	.args = args,
 	.state_size = sizeof(struct state),

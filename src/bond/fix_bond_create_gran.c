@@ -254,13 +254,13 @@ const struct ts_style ts_fix_bond_create_gran = {
 	.summary = "bonds particles that are near each other, during a run",
 	.doc = "In every step that is a multiple of `every`, pairs of the group with these types, closer "
 	       "than the cutoff and not bonded, get a bond of the given type, whose rest length is their "
-	       "distance. A particle gets at most `newperts` bonds in a step; pairs are taken in the "
-	       "order of their IDs. `fix_modify ID every N` changes the interval, 0 ends the creation: "
-	       "LIGGGHTS scripts do this after `run 1`. f_ID is the number of bonds created. For bonds at "
-	       "the start of a run create_bonds is simpler.\n\n"
+	       "distance. A particle gets at most `newperts` bonds in a step; pairs are taken in the order "
+	       "of their IDs. `fix_modify ID every N` changes the interval, 0 ends the creation: LIGGGHTS "
+	       "scripts do this after `run 1`. f_ID is the number of bonds created. For bonds at the start "
+	       "of a run create_bonds is simpler.\n\n"
 	       "The grammar is that of LIGGGHTS with bonds (richti83/LIGGGHTS-WITH-BONDS, LIGGGHTS-PFM, "
-	       "Flexible Fibers). There `bonds_per_atom` of atom_style also limits the number of bonds; "
-	       "here it does not.",
+	       "Flexible Fibers). There `bonds_per_atom` of atom_style also limits the number of bonds; here "
+	       "it does not.",
 	.example = "fix bonds all bond/create/gran 1 1 1 1.05e-3 1 6\n"
 		   "run 1\n"
 		   "fix_modify bonds every 0",

@@ -18,8 +18,8 @@ static enum ts_status set_boundary(struct tsim *sim, void *state, const struct t
 
 	if (sim->has_box)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "boundary must come before the simulation box is created; later it "
-			       "is `change_box all boundary x y z`");
+			       "boundary must come before the simulation box is created; later it is "
+			       "`change_box all boundary x y z`");
 	TS_TRY(ts_domain_read_faces(sim, s->face, where, face));
 	memcpy(sim->domain->box.face, face, sizeof face);
 	return TS_OK;
@@ -40,12 +40,10 @@ const struct ts_command_style ts_command_boundary = {
 		.kind = TS_KIND_COMMAND,
 		.summary = "sets the boundary conditions of the box",
 		.doc = "p: periodic. f: fixed, particles that cross the face are deleted (see thermo_modify "
-		       "lost). s: shrink-wrapped, the face follows the outermost particle. m: "
-		       "shrink-wrapped, but the box does not become smaller than it was created. Default: p "
-		       "p p.\n\n"
-		       "A shrink-wrapped face is placed 1e-4 of the initial box length outside the "
-		       "outermost particle centre. It is moved when the contact list is rebuilt, not in "
-		       "each step.",
+		       "lost). s: shrink-wrapped, the face follows the outermost particle. m: shrink-wrapped, "
+		       "but the box does not become smaller than it was created. Default: p p p.\n\n"
+		       "A shrink-wrapped face is placed 1e-4 of the initial box length outside the outermost "
+		       "particle centre. It is moved when the contact list is rebuilt, not in each step.",
 		.example = "boundary p p f\n"
 		       "boundary f f fs",
 		.args = args,

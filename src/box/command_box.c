@@ -21,8 +21,8 @@ const struct ts_command_style ts_command_box = {
 		.name = "box",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "In LAMMPS this command sets properties of triclinic boxes. The box of tsim is "
-		       "always orthogonal.",
+		.doc = "In LAMMPS this command sets properties of triclinic boxes. The box of tsim is always "
+		       "orthogonal.",
 		.example = "box tilt large",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -280,8 +280,8 @@ static const struct ts_arg args[] = {
 	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL,
 		 .help = "group of particles moved by remap"),
 	TS_LIST("operations", struct state, operations,
-		.help = "x, y or z final lo hi | delta dlo dhi | scale factor | volume; boundary x y z; "
-			"set; remap"),
+		.help = "x, y or z final lo hi | delta dlo dhi | scale factor | volume; boundary x y z; set; "
+			"remap"),
 	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
 		.help = "lengths in lattice spacings (lattice) or in the units of the script (box)"),
 	TS_ARGS_END,
@@ -293,17 +293,17 @@ const struct ts_command_style ts_command_change_box = {
 		.name = "change_box",
 		.kind = TS_KIND_COMMAND,
 		.summary = "changes lengths and boundary conditions of the box",
-		.doc = "The operations are applied one after another. scale and volume keep the centre of "
-		       "the box. volume changes a length so that it compensates the change of volume by the "
-		       "preceding x, y or z operation; two consecutive volume operations each compensate "
-		       "the square root of it.\n\n"
+		.doc = "The operations are applied one after another. scale and volume keep the centre of the "
+		       "box. volume changes a length so that it compensates the change of volume by the "
+		       "preceding x, y or z operation; two consecutive volume operations each compensate the "
+		       "square root of it.\n\n"
 		       "Particle positions do not change except by remap, which maps the particles of the "
 		       "group from the reference box to the current one, x -> lo' + (x - lo) l'/l. The "
 		       "reference is the box at the last set or remap, or that before the command.\n\n"
-		       "Finally positions are wrapped into the periodic box, particles outside of fixed "
-		       "faces are lost (see thermo_modify lost), faces of style s and m are fitted to the "
-		       "particles, and the new box becomes the minimum box of m faces. In dimensions that "
-		       "are no longer periodic the image counts (ix iy iz) are set to 0.",
+		       "Finally positions are wrapped into the periodic box, particles outside of fixed faces "
+		       "are lost (see thermo_modify lost), faces of style s and m are fitted to the "
+		       "particles, and the new box becomes the minimum box of m faces. In dimensions that are "
+		       "no longer periodic the image counts (ix iy iz) are set to 0.",
 		.example = "change_box all x scale 1.1 y volume z volume remap units box\n"
 			   "change_box all z final 0 0.5 boundary p p f units box",
 		.args = args,

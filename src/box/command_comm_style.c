@@ -20,8 +20,8 @@ const struct ts_command_style ts_command_comm_style = {
 		.name = "comm_style",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "In LAMMPS this command sets how the box is divided among processes. tsim "
-		       "distributes particles over threads, independent of their positions.",
+		.doc = "In LAMMPS this command sets how the box is divided among processes. tsim distributes "
+		       "particles over threads, independent of their positions.",
 		.example = "comm_style tiled",
 		.args = args,
 		.state_size = sizeof(struct state),

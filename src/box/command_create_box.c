@@ -25,8 +25,8 @@ static enum ts_status create_box(struct tsim *sim, void *state, const struct ts_
 	for (int k = 0; k < 6; k++)
 		if (s->none[k])
 			return ts_fail(&sim->error, TS_RANGE, where,
-				       "create_box: particles have bonds, but no angles, dihedrals "
-				       "or impropers");
+				       "create_box: particles have bonds, but no angles, dihedrals or "
+				       "impropers");
 	if (ts_streq(s->region->style->name, "prism"))
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "region '%s' is a prism: boxes with tilted faces are not supported",
@@ -72,8 +72,7 @@ const struct ts_command_style ts_command_create_box = {
 		.summary = "creates the simulation box",
 		.doc = "The simulation box is the bounding box of the region, which must be finite. Atom "
 		       "types are 1 to `types`. Faces of boundary style s start 1e-4 of the box length "
-		       "outside. With dimension 2 the box must be periodic in z and contain the plane z = "
-		       "0.",
+		       "outside. With dimension 2 the box must be periodic in z and contain the plane z = 0.",
 		.example = "region box block 0 1 0 1 0 1 units box\n"
 		       "create_box 2 box",
 		.args = args,

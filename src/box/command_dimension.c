@@ -32,12 +32,11 @@ const struct ts_command_style ts_command_dimension = {
 		.name = "dimension",
 		.kind = TS_KIND_COMMAND,
 		.summary = "sets the number of dimensions",
-		.doc = "In two dimensions particles are discs in the plane z = 0: their mass is density "
-		       "times pi r^2, and fix nve/sphere uses the moment of inertia of discs by default. "
-		       "The box must be periodic in z and contain the plane z = 0; the thermo keyword vol "
-		       "is its area. The script must avoid forces and velocities out of the plane (fix "
-		       "enforce2d removes them); a run warns if a particle is out of the plane or moves out "
-		       "of it.",
+		.doc = "In two dimensions particles are discs in the plane z = 0: their mass is density times "
+		       "pi r^2, and fix nve/sphere uses the moment of inertia of discs by default. The box "
+		       "must be periodic in z and contain the plane z = 0; the thermo keyword vol is its "
+		       "area. The script must avoid forces and velocities out of the plane (fix enforce2d "
+		       "removes them); a run warns if a particle is out of the plane or moves out of it.",
 		.example = "dimension 2",
 		.args = args,
 		.state_size = sizeof(struct state),

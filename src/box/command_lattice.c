@@ -76,8 +76,8 @@ static enum ts_status set_orientation(struct tsim *sim, const struct state *s, s
 	for (int d = 0; d < 3; d++)
 		if (!(ts_norm(l->turn[d]) > 0) || ts_dot(l->turn[d], l->turn[(d + 1) % 3]) != 0)
 			return ts_fail(&sim->error, TS_RANGE, where,
-				       "lattice: the directions of orient must be at right angles to "
-				       "each other");
+				       "lattice: the directions of orient must be at right angles to each "
+				       "other");
 	ts_cross(l->turn[0], l->turn[1], cross);
 	if (!(ts_dot(cross, l->turn[2]) > 0))
 		return ts_fail(&sim->error, TS_RANGE, where,
@@ -199,16 +199,16 @@ static const struct ts_arg args[] = {
 	TS_VEC3("origin", struct state, origin, .fallback = "0 0 0",
 		.help = "shift of the lattice in units of the spacings, each from 0 to below 1"),
 	TS_SOME_KEYWORD("orient", struct state, orient, TS_REPEAT,
-			.help = "dim i j k: the direction (i j k) of the crystal points along dim, x, "
-				"y or z; may be repeated"),
+			.help = "dim i j k: the direction (i j k) of the crystal points along dim, x, y or "
+				"z; may be repeated"),
 	TS_VEC3("spacing", struct state, spacing, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
 		.help = "spacings in units of the lattice constant, instead of the extent of the unit cell"),
 	EDGE("a1", 0),
 	EDGE("a2", 1),
 	EDGE("a3", 2),
 	TS_SOME_KEYWORD("basis", struct state, basis, TS_REPEAT,
-			.help = "x y z: a point of the unit cell in units of its edges (custom); may "
-				"be repeated"),
+			.help = "x y z: a point of the unit cell in units of its edges (custom); may be "
+				"repeated"),
 	TS_ARGS_END,
 };
 
@@ -220,15 +220,15 @@ const struct ts_command_style ts_command_lattice = {
 		.summary = "defines a lattice",
 		.doc = "create_atoms box and create_atoms region place particles on the lattice points\n\n"
 		       "  x = R c (n1 a1 + n2 a2 + n3 a3 + basis) + origin\n\n"
-		       "with integers n, the lattice constant c and the rotation R given by orient. c is "
-		       "the scale; with units lj the scale is a reduced density, and c = (points per cell / "
-		       "cell volume / scale)^(1/dimension).\n\n"
-		       "The spacings are the extents of the rotated unit cell along x, y and z. Lengths "
-		       "given with `units lattice` are multiplied by the spacing of their dimension, "
-		       "lengths with `units box` are not. If a command gives neither, the default is box, "
-		       "as in LIGGGHTS, but lattice with units lj, as in LAMMPS; a warning is printed where "
-		       "this makes a difference. The style none has no points and its spacings are the "
-		       "scale. Without a lattice command the spacings are 1.\n\n"
+		       "with integers n, the lattice constant c and the rotation R given by orient. c is the "
+		       "scale; with units lj the scale is a reduced density, and c = (points per cell / cell "
+		       "volume / scale)^(1/dimension).\n\n"
+		       "The spacings are the extents of the rotated unit cell along x, y and z. Lengths given "
+		       "with `units lattice` are multiplied by the spacing of their dimension, lengths with "
+		       "`units box` are not. If a command gives neither, the default is box, as in LIGGGHTS, "
+		       "but lattice with units lj, as in LAMMPS; a warning is printed where this makes a "
+		       "difference. The style none has no points and its spacings are the scale. Without a "
+		       "lattice command the spacings are 1.\n\n"
 		       "The cells of hex and hcp have the edges 1, sqrt(3) and (hcp) sqrt(8/3). The styles "
 		       "sq, sq2 and hex are for dimension 2, the styles sc, bcc, fcc, hcp and diamond for "
 		       "dimension 3.",

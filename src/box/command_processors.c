@@ -36,8 +36,8 @@ static const struct ts_arg args[] = {
 		.help = "number of processes along x, y, z, or *: no effect, there is one process"),
 	WORDS("grid", "method, with its arguments: no effect, there is one process"),
 	WORDS("map", "order of the processes in the grid: no effect, there is one process"),
-	WORDS("part", "partitions whose grids are multiples of each other: no effect, there is one "
-		      "partition"),
+	WORDS("part",
+	      "partitions whose grids are multiples of each other: no effect, there is one partition"),
 	WORDS("numa", "mapping of processes to nodes: no effect, there is one process"),
 	WORDS("file", "no effect: no map of processes is written"),
 	TS_ARGS_END,
@@ -49,9 +49,9 @@ const struct ts_command_style ts_command_processors = {
 		.name = "processors",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Accepted for compatibility; has no effect",
-		.doc = "In LAMMPS this command sets how the box is divided among processes. tsim "
-		       "distributes particles over threads, independent of their positions, and results do "
-		       "not depend on the number of threads.",
+		.doc = "In LAMMPS this command sets how the box is divided among processes. tsim distributes "
+		       "particles over threads, independent of their positions, and results do not depend on "
+		       "the number of threads.",
 		.example = "processors 2 2 1",
 		.args = args,
 		.state_size = sizeof(struct state),

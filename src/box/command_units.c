@@ -44,9 +44,9 @@ const struct ts_command_style ts_command_units = {
 		.summary = "sets the system of units",
 		.doc = "All input and output is in the given system of units; tsim converts nothing. The "
 		       "command also sets the default time step: lj 0.005, si 1e-8 s, cgs 1e-8 s, micro 2 "
-		       "microseconds. Default: lj. If `units lj` is given, energies in the thermo output "
-		       "are divided by the number of particles (see thermo_modify norm). real, metal, "
-		       "electron and nano are for atoms and are refused.",
+		       "microseconds. Default: lj. If `units lj` is given, energies in the thermo output are "
+		       "divided by the number of particles (see thermo_modify norm). real, metal, electron "
+		       "and nano are for atoms and are refused.",
 		.example = "units si",
 		.args = args,
 		.state_size = sizeof(struct state),

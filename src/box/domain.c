@@ -160,11 +160,10 @@ void ts_domain_units_said(struct tsim *sim, int units, const struct ts_place *wh
 		return;
 	sim->domain->units_warned = true;
 	ts_warn(&sim->log, where, "%s; say `units lattice` or `units box`",
-		sim->units == TS_UNITS_LJ
-			? "with units lj lengths are multiplied by the lattice spacings, as in LAMMPS, "
-			  "LIGGGHTS takes them as they are"
-			: "lengths are taken as they are, as in LIGGGHTS, LAMMPS multiplies them by the "
-			  "lattice spacings");
+		sim->units == TS_UNITS_LJ ? "with units lj lengths are multiplied by the lattice spacings, "
+					    "as in LAMMPS, LIGGGHTS takes them as they are"
+					  : "lengths are taken as they are, as in LIGGGHTS, LAMMPS "
+					    "multiplies them by the lattice spacings");
 }
 
 static enum ts_status init_domain(struct ts_instance *self, struct tsim *sim)

@@ -216,8 +216,8 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 		for (int j = 0; j < 2; j++)
 			if (face[j] == TS_FACE_SHRINK || face[j] == TS_FACE_MINIMUM)
 				return ts_fail(&sim->error, TS_STATE, &self->where,
-					       "fix deform: the faces of %c follow the particles, "
-					       "expected boundary p or f",
+					       "fix deform: the faces of %c follow the particles, expected "
+					       "boundary p or f",
 					       names[k]);
 	}
 	if (ts_flow_fluid(sim))
@@ -570,8 +570,8 @@ static const struct ts_arg args[] = {
 	SHEAR(1, "xz", "simple shear: the images across the z faces slide along x"),
 	SHEAR(2, "yz", "simple shear: the images across the z faces slide along y"),
 	TS_ENUM("remap", struct state, remap, remaps, .fallback = "x",
-		.help = "x: positions of the group are mapped with the box; v: velocities change by the "
-			"rate of the length when particles cross a periodic face; none"),
+		.help = "x: positions of the group are mapped with the box; v: velocities change by the rate "
+			"of the length when particles cross a periodic face; none"),
 	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
 		.help = "lengths in lattice spacings (lattice) or in the units of the script (box)"),
 	TS_BOOL("flip", struct state, flip, .fallback = "yes", .help = "no effect"),
@@ -595,33 +595,26 @@ const struct ts_style ts_fix_deform = {
 	.name = "deform",
 	.kind = TS_KIND_FIX,
 	.summary = "Changes the lengths of the box during a run, or shears it",
-	.doc = "The faces move at the end of each time step that is a multiple of N. The targets of "
-	       "`final`, `delta` and `scale` are approached linearly and reached at the end of each run "
-	       "(see `run N start S stop E` to treat several runs as one). For all other styles the time t "
-	       "and the initial length L0 are counted from the definition of the fix, over any number of "
-	       "runs. The centre of the box is kept, except with `final` and `delta`. One or two dimensions "
-	       "with `volume` change so that the volume is that when the fix was defined.\n\n"
-	       "With `remap x` the positions of the particles of the group are mapped affinely with the "
-	       "box, and velocities do not change. With `remap v` positions are not mapped, and the "
-	       "velocity of a particle of the group that crosses a periodic face changes by the rate of "
-	       "that box length; contacts across the face use the same relative velocity.\n\n"
-	       "`xy`, `xz` and `yz` with `remap v` (and N 1) give a homogeneous simple shear of a box that "
-	       "is "
-	       "periodic in both dimensions. The box stays orthogonal; instead the periodic images across "
-	       "the "
+	.doc = "The faces move at the end of each time step that is a multiple of N. The targets of `final`, "
+	       "`delta` and `scale` are approached linearly and reached at the end of each run (see `run N "
+	       "start S stop E` to treat several runs as one). For all other styles the time t and the "
+	       "initial length L0 are counted from the definition of the fix, over any number of runs. The "
+	       "centre of the box is kept, except with `final` and `delta`. One or two dimensions with "
+	       "`volume` change so that the volume is that when the fix was defined.\n\n"
+	       "With `remap x` the positions of the particles of the group are mapped affinely with the box, "
+	       "and velocities do not change. With `remap v` positions are not mapped, and the velocity of a "
+	       "particle of the group that crosses a periodic face changes by the rate of that box length; "
+	       "contacts across the face use the same relative velocity.\n\n"
+	       "`xy`, `xz` and `yz` with `remap v` (and N 1) give a homogeneous simple shear of a box that is "
+	       "periodic in both dimensions. The box stays orthogonal; instead the periodic images across the "
 	       "faces of the second dimension slide along the first, the upper ones with the velocity V and "
-	       "the "
-	       "lower ones with -V (Lees and Edwards). V is R times the length of the box for the shear rate "
-	       "R. A "
-	       "particle of the group that crosses such a face is displaced along the first dimension, and "
-	       "its "
-	       "velocity changes by V. Particles start with the profile of the flow by `velocity all ramp`. "
-	       "A "
-	       "box in LAMMPS with the tilt xy = V t has the same images. Unwrapped positions include the "
-	       "displacements. The displacement remains after `unfix`. Bonds and fixes that find periodic "
-	       "images "
-	       "on their own (rigid bodies, meshes, prescribed motion, fluids, insertion, ledger) are "
-	       "refused.\n\n"
+	       "the lower ones with -V (Lees and Edwards). V is R times the length of the box for the shear "
+	       "rate R. A particle of the group that crosses such a face is displaced along the first "
+	       "dimension, and its velocity changes by V. Particles start with the profile of the flow by "
+	       "`velocity all ramp`. A box in LAMMPS with the tilt xy = V t has the same images. Unwrapped "
+	       "positions include the displacements. The displacement remains after `unfix`. Bonds and fixes "
+	       "that find periodic images on their own (rigid bodies, meshes, prescribed motion, fluids, "
+	       "insertion, ledger) are refused.\n\n"
 	       "This fix cannot be used with a resolved fluid (flow_style projection), whose grid does not "
 	       "change with the box during a run. change_box before a run does change the grid.",
 	.example = "fix squeeze all deform 1 z erate -0.02 x volume y volume remap x\n"

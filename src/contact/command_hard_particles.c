@@ -26,11 +26,11 @@ const struct ts_command_style ts_command_hard_particles = {
 		.name = "hard_particles",
 		.kind = TS_KIND_COMMAND,
 		.summary = "allows a Young's modulus above 1e9 Pa",
-		.doc = "In units si and cgs, the models of pair_style gran that use youngsModulus require "
-		       "it to be between 5e6 and 1e9 Pa (5e7 and 1e10 in cgs). Harder particles need very "
-		       "small time steps, and where overlaps stay small their motion is often the same. "
-		       "This command removes the upper bound. Other units have no such bounds, nor have "
-		       "laws whose stiffness is given.",
+		.doc = "In units si and cgs, the models of pair_style gran that use youngsModulus require it "
+		       "to be between 5e6 and 1e9 Pa (5e7 and 1e10 in cgs). Harder particles need very small "
+		       "time steps, and where overlaps stay small their motion is often the same. This "
+		       "command removes the upper bound. Other units have no such bounds, nor have laws whose "
+		       "stiffness is given.",
 		.example = "hard_particles yes",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -30,8 +30,8 @@ const struct ts_command_style ts_command_pair_style = {
 	.style = { .name = "pair_style",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "chooses the contact law between particles",
-		   .doc = "Replaces the present pair style and its coefficients. Without a pair style "
-			  "there are no contact forces between particles; `none` removes the present one.",
+		   .doc = "Replaces the present pair style and its coefficients. Without a pair style there "
+			  "are no contact forces between particles; `none` removes the present one.",
 		   .example = "pair_style spring/dashpot",
 		   .args = args,
 		   .state_size = sizeof(struct style_line) },

@@ -26,11 +26,11 @@ const struct ts_command_style ts_command_soft_particles = {
 		.name = "soft_particles",
 		.kind = TS_KIND_COMMAND,
 		.summary = "allows a Young's modulus below 5e6 Pa",
-		.doc = "In units si and cgs, the models of pair_style gran that use youngsModulus require "
-		       "it to be between 5e6 and 1e9 Pa (5e7 and 1e10 in cgs). The overlaps of softer "
-		       "particles are so large that the contact laws of spheres do not hold any more. This "
-		       "command removes the lower bound. Other units have no such bounds, nor have laws "
-		       "whose stiffness is given.",
+		.doc = "In units si and cgs, the models of pair_style gran that use youngsModulus require it "
+		       "to be between 5e6 and 1e9 Pa (5e7 and 1e10 in cgs). The overlaps of softer particles "
+		       "are so large that the contact laws of spheres do not hold any more. This command "
+		       "removes the lower bound. Other units have no such bounds, nor have laws whose "
+		       "stiffness is given.",
 		.example = "soft_particles yes",
 		.args = args,
 		.state_size = sizeof(struct state),

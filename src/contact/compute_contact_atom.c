@@ -60,8 +60,8 @@ const struct ts_style ts_compute_contact_atom = {
 	.name = "contact/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Number of contacts of each particle",
-	.doc = "Counts, for each particle of the group, the other particles, of any group, whose distance "
-	       "is less than the sum of the radii. It uses positions and radii only, so overlaps without a "
+	.doc = "Counts, for each particle of the group, the other particles, of any group, whose distance is "
+	       "less than the sum of the radii. It uses positions and radii only, so overlaps without a "
 	       "force (excluded pairs, no pair_style) count as well. Periodic images count.",
 	.example = "compute z all contact/atom\ncompute mean all reduce ave c_z",
 	.args = args,

@@ -122,10 +122,10 @@ const struct ts_style ts_compute_contacts = {
 	.name = "contacts",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "number, coordination and list of the contacts",
-	.doc = "c_ID is the number of touching pairs with both particles in the group, c_ID per particle "
-	       "its number of contacts. c_ID[k] in dump local is the list of contacts: both IDs, overlap, "
-	       "both positions, force on the first particle, midpoint of the centres. Contacts are those "
-	       "of the last force computation.",
+	.doc = "c_ID is the number of touching pairs with both particles in the group, c_ID per particle its "
+	       "number of contacts. c_ID[k] in dump local is the list of contacts: both IDs, overlap, both "
+	       "positions, force on the first particle, midpoint of the centres. Contacts are those of the "
+	       "last force computation.",
 	.example = "compute nc all contacts\ndump c all local 1000 post/contacts*.txt c_nc[1] c_nc[2]",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -150,15 +150,15 @@ const struct ts_style ts_compute_pair_gran_local = {
 	.name = "pair/gran/local",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Forces, positions and other quantities of each contact",
-	.doc = "A table with a row for each contact whose particles are both in the group. The particle "
-	       "with the smaller ID is the first. The columns follow in this order, whatever the order of "
-	       "the words: pos, positions of both (6); vel, velocities of both (6); id, both IDs, and 1 if "
-	       "the contact is across a periodic face, else 0 (3); force on the first (3); its normal and "
+	.doc = "A table with a row for each contact whose particles are both in the group. The particle with "
+	       "the smaller ID is the first. The columns follow in this order, whatever the order of the "
+	       "words: pos, positions of both (6); vel, velocities of both (6); id, both IDs, and 1 if the "
+	       "contact is across a periodic face, else 0 (3); force on the first (3); its normal and "
 	       "tangential parts force_normal (3) and force_tangential (3); torque on the first by the "
 	       "tangential force, about its centre and without rolling friction (3); history, the history "
 	       "numbers of the contact law; contactArea, area of the circle in which the spheres intersect "
-	       "(1); delta, the overlap (1); contactPoint, which divides the line of centres in the ratio "
-	       "of the radii (3); heatFlux, heat per time that fix heat/gran conducts into the first (1). "
+	       "(1); delta, the overlap (1); contactPoint, which divides the line of centres in the ratio of "
+	       "the radii (3); heatFlux, heat per time that fix heat/gran conducts into the first (1). "
 	       "Without words: pos vel id force history contactArea.\n\n"
 	       "Contacts and forces are those of the last force computation; positions and velocities are "
 	       "the present ones. LIGGGHTS computes the forces again with the velocities at the end of the "

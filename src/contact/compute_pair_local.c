@@ -69,8 +69,8 @@ const struct ts_style ts_compute_pair_local = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Distance and force of each contact",
 	.doc = "A table with a row for each contact whose particles are both in the group: dist is the "
-	       "distance of the centres, force the force along the line of centres, > 0 if repulsive; fx "
-	       "fy fz is the force on the particle with the smaller ID, dx dy dz the vector to it from the "
+	       "distance of the centres, force the force along the line of centres, > 0 if repulsive; fx fy "
+	       "fz is the force on the particle with the smaller ID, dx dy dz the vector to it from the "
 	       "other one. Periodic images are taken into account. Contacts are those of the last force "
 	       "computation; compute property/local gives the IDs, in the same order. There is no column "
 	       "`eng`.",

@@ -129,8 +129,8 @@ const struct ts_style ts_compute_property_local = {
 	.doc = "A table with a row for each pair whose particles are both in the group. Words with n list "
 	       "the pairs of the neighbour list, those with p the contacts, those with b the bonds; atom1, "
 	       "atom2 are IDs, type1, type2 particle types, btype is the bond type. The rows are those of "
-	       "compute pair/local, pair/gran/local and bond/local, in the same order. Contacts are those "
-	       "of the last force computation.",
+	       "compute pair/local, pair/gran/local and bond/local, in the same order. Contacts are those of "
+	       "the last force computation.",
 	.example = "compute who all property/local patom1 patom2\n"
 		   "compute how all pair/local dist force\n"
 		   "dump d all local 100 post/pairs*.txt index c_who[1] c_who[2] c_how[1] c_how[2]",

@@ -62,8 +62,8 @@ static const struct ts_value values[] = {
 
 static const struct ts_arg args[] = {
 	TS_REST_OPTIONAL("parts", struct stress, words,
-			 .help = "ke, pair, bond, fix, virial (all but ke); none: all. NULL, "
-				 "thermo_temp or a compute temp may stand before them"),
+			 .help = "ke, pair, bond, fix, virial (all but ke); none: all. NULL, thermo_temp or "
+				 "a compute temp may stand before them"),
 	TS_ARGS_END,
 };
 
@@ -72,11 +72,11 @@ const struct ts_style ts_compute_stress_atom = {
 	.name = "stress/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Stress of each particle times its volume",
-	.doc = "S_ab = -(m v_a v_b + 1/2 sum d_a F_b), the sum over the contacts and bonds of the "
-	       "particle, d the vector from the partner and F its force on the particle, for ab = xx, yy, "
-	       "zz, xy, xz, yz. The unit is pressure times volume: the sum over all particles divided by "
-	       "the volume of the box is the stress of the system, < 0 under pressure. Forces of walls and "
-	       "other fixes are not included, so `fix` adds nothing. Forces are those of the last step.",
+	.doc = "S_ab = -(m v_a v_b + 1/2 sum d_a F_b), the sum over the contacts and bonds of the particle, "
+	       "d the vector from the partner and F its force on the particle, for ab = xx, yy, zz, xy, xz, "
+	       "yz. The unit is pressure times volume: the sum over all particles divided by the volume of "
+	       "the box is the stress of the system, < 0 under pressure. Forces of walls and other fixes are "
+	       "not included, so `fix` adds nothing. Forces are those of the last step.",
 	.example = "compute s all stress/atom\ncompute sum all reduce sum c_s[1] c_s[2] c_s[3]",
 	.args = args,
 	.state_size = sizeof(struct stress),

@@ -112,9 +112,8 @@ static const struct quantity {
 };
 _Static_assert(sizeof quantities / sizeof *quantities == TS_CONTACT_COLUMNS + 1, "one flag each");
 
-const char ts_contact_columns_help[] =
-	"pos, vel, id, force, force_normal, force_tangential, torque, history, contactArea, delta, "
-	"contactPoint, heatFlux";
+const char ts_contact_columns_help[] = "pos, vel, id, force, force_normal, force_tangential, torque, "
+				       "history, contactArea, delta, contactPoint, heatFlux";
 
 enum ts_status ts_contact_columns_init(struct ts_instance *self, struct tsim *sim)
 {

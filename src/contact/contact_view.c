@@ -46,8 +46,8 @@ enum ts_status ts_contacts_require(struct tsim *sim, const struct ts_instance *s
 	    bonds_current(sim->bonds, sim->particles))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "%s %s %s: contacts are known only after a run, and not if particles have been "
-		       "added or deleted since; `run 0` finds them",
+		       "%s %s %s: contacts are known only after a run, and not if particles have been added "
+		       "or deleted since; `run 0` finds them",
 		       ts_kind_name(self->style->kind), self->id, self->style->name);
 }
 

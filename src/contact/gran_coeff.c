@@ -264,13 +264,13 @@ static enum ts_status check_combination(struct tsim *sim, const struct ts_gran_c
 			       normals[c->normal].name);
 	if (restitution && !(c->prefactor > 0 && c->prefactor <= 1))
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "granular: the coefficient of restitution is %g, expected a number > 0 "
-			       "and <= 1",
+			       "granular: the coefficient of restitution is %g, expected a number > 0 and <= "
+			       "1",
 			       c->prefactor);
 	if (c->heat.n && !(c->heat.n == 1 && ts_streq(c->heat.word[0].text, "none")))
 		return ts_fail(&sim->error, TS_STATE, &c->heat.word[0].place,
-			       "granular: heat %s is not supported: use fix heat/gran for conduction "
-			       "through contacts",
+			       "granular: heat %s is not supported: use fix heat/gran for conduction through "
+			       "contacts",
 			       c->heat.word[0].text);
 	return TS_OK;
 }

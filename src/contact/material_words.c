@@ -117,8 +117,8 @@ static enum ts_status check_laws(struct tsim *sim, const struct ts_instance *sel
 			       who);
 	if (w->limit_liquid)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "limitLiquidContent"),
-			       "%s: limitLiquidContent on is not supported: the liquid content of "
-			       "particles is not limited; use `limitLiquidContent off`",
+			       "%s: limitLiquidContent on is not supported: the liquid content of particles "
+			       "is not limited; use `limitLiquidContent off`",
 			       who);
 	if (w->cohesion >= TS_COHESION_EASO && !has_normal(w))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "cohesion"),

@@ -190,8 +190,8 @@ static enum ts_status check_usual_modulus(struct tsim *sim, const struct given *
 	}
 	if (g->value > 1e9 * pascal && !sim->hard_particles) {
 		snprintf(expected, sizeof expected,
-			 "at most %g: harder particles need very small time steps; "
-			 "`hard_particles yes` allows it",
+			 "at most %g: harder particles need very small time steps; `hard_particles yes` "
+			 "allows it",
 			 1e9 * pascal);
 		return refuse_value(sim, g, expected);
 	}

@@ -182,8 +182,8 @@ static enum ts_status check_given(struct tsim *sim, struct ts_instance *self)
 				continue;
 			ts_free(present);
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "particles of types %d and %d exist, but there is no "
-				       "`pair_coeff %d %d ...`",
+				       "particles of types %d and %d exist, but there is no `pair_coeff %d "
+				       "%d ...`",
 				       a, b, a, b);
 		}
 	}

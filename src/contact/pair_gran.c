@@ -142,40 +142,38 @@ static const struct ts_arg coeff[] = { TS_ARGS_END };
 
 static const char normal_laws[] =
 	"With delta the overlap, n the unit normal towards i, R* = R_i R_j/(R_i+R_j), m* = m_i "
-	"m_j/(m_i+m_j), v_n the normal velocity (negative while approaching) and v_t the tangential "
-	"velocity at the contact point, the force on i is F_n n + F_t with F_n = k_n delta - gamma_n v_n. "
-	"Frozen particles have infinite mass.\n\n"
+	"m_j/(m_i+m_j), v_n the normal velocity (negative while approaching) and v_t the tangential velocity "
+	"at the contact point, the force on i is F_n n + F_t with F_n = k_n delta - gamma_n v_n. Frozen "
+	"particles have infinite mass.\n\n"
 	"Normal laws (`model`). Y* and G* are the effective moduli, 1/Y* = sum (1-nu^2)/Y, 1/G* = sum "
 	"2(2-nu)(1+nu)/Y over both particles. `hertz`: k_n = 4/3 Y* sqrt(R* delta), k_t = 8 G* sqrt(R* "
 	"delta), gamma = -2 sqrt(5/6) beta sqrt(S m*) with S_n = 2 Y* sqrt(R* delta), S_t = k_t, beta = ln "
 	"e/sqrt(ln^2 e + pi^2). `hooke`: k_n = k_t = 16/15 sqrt(R*) Y* (15 m* V^2/(16 sqrt(R*) Y*))^(1/5), "
 	"gamma = sqrt(4 m* k_n/(1 + (pi/ln e)^2)). `hooke/stiffness` and `hertz/stiffness`: k and m* gamma "
 	"as given, the latter times sqrt(R* delta). `hooke/hysteresis`: loading with the k_n of hooke, "
-	"steeper unloading, adhesion at the end. `jkr`: adhesive contact, F_n = 4 Y* a^3/(3 R*) - sqrt(8 "
-	"pi W Y* a^3) with the contact radius a from delta = a^2/R* - sqrt(2 pi W a/Y*), W the work of "
+	"steeper unloading, adhesion at the end. `jkr`: adhesive contact, F_n = 4 Y* a^3/(3 R*) - sqrt(8 pi "
+	"W Y* a^3) with the contact radius a from delta = a^2/R* - sqrt(2 pi W a/Y*), W the work of "
 	"adhesion; once surfaces have touched they attract beyond the touch and separate at the pull-off "
-	"force 3/2 pi W R* (K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) "
-	"301). k_t = 8 G* a; damping as hertz, sqrt(R* delta) replaced by a.";
+	"force 3/2 pi W R* (K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301). "
+	"k_t = 8 G* a; damping as hertz, sqrt(R* delta) replaced by a.";
 
 static const char other_laws[] =
-	"Tangential laws. `tangential history`: F_t = -k_t xi - gamma_t v_t, xi the tangential "
-	"displacement since the first touch; where the spring force k_t |xi| exceeds mu |F_n|, xi is "
-	"shortened to mu |F_n|/k_t, and there is no damping. `no_history`: F_t = -min(gamma_t, mu "
-	"|F_n|/|v_t|) v_t. `incremental_history`: as `history`, but the stored quantity is the spring "
-	"force, changed by -k_t v_t dt with the present k_t (C. Thornton, S. J. Cummins, P. W. Cleary, "
-	"Powder Technol. 210 (2011) 189); for constant k_t both are the same. `jkr_tan`, for model jkr "
-	"only: LAMMPS' `mindlin`, with a limit for spring plus dashpot. With model jkr the limit of "
-	"friction is mu (F_e + 3 pi W R*), F_e the force without damping, as long as the surfaces "
-	"adhere.\n\n"
+	"Tangential laws. `tangential history`: F_t = -k_t xi - gamma_t v_t, xi the tangential displacement "
+	"since the first touch; where the spring force k_t |xi| exceeds mu |F_n|, xi is shortened to mu "
+	"|F_n|/k_t, and there is no damping. `no_history`: F_t = -min(gamma_t, mu |F_n|/|v_t|) v_t. "
+	"`incremental_history`: as `history`, but the stored quantity is the spring force, changed by -k_t "
+	"v_t dt with the present k_t (C. Thornton, S. J. Cummins, P. W. Cleary, Powder Technol. 210 (2011) "
+	"189); for constant k_t both are the same. `jkr_tan`, for model jkr only: LAMMPS' `mindlin`, with a "
+	"limit for spring plus dashpot. With model jkr the limit of friction is mu (F_e + 3 pi W R*), F_e "
+	"the force without damping, as long as the surfaces adhere.\n\n"
 	"`rolling_friction cdt`: torque mu_r k_n delta R* against the relative rotation; `epsd`, `epsd2`, "
 	"`epsd3`: a rolling spring and dashpot, limited to mu_r |F_n| R*. `cohesion sjkr`: an attraction k "
 	"A, A the area in which the spheres intersect; `sjkr2`: A = 4 pi delta R*. `easo/...`, "
-	"`washino/...`: liquid bridges (doc/bridges.md). `surface multicontact`: fix "
-	"multicontact/halfspace.";
+	"`washino/...`: liquid bridges (doc/bridges.md). `surface multicontact`: fix multicontact/halfspace.";
 
 static const char usage[] =
-	"The constants are defined by fix property/global. Per type: youngsModulus, poissonsRatio. Per "
-	"pair of types: coefficientRestitution, coefficientFriction, coefficientRollingFriction, "
+	"The constants are defined by fix property/global. Per type: youngsModulus, poissonsRatio. Per pair "
+	"of types: coefficientRestitution, coefficientFriction, coefficientRollingFriction, "
 	"coefficientRollingViscousDamping (epsd, epsd3), cohesionEnergyDensity, workOfAdhesion (jkr; "
 	"resolutionJKR has no effect), kn, kt, gamman, gammat (the stiffness laws; gamman_abs, gammat_abs "
 	"with absolute_damping), coefficientMaxElasticStiffness, coefficientAdhesionStiffness, "
@@ -203,15 +201,14 @@ const struct ts_pair_style ts_pair_gran = {
 		   .summary = "contact laws of granular materials",
 		   .doc = normal_laws,
 		   .doc_more = doc_more,
-		   .cite = "P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47; Y. Tsuji, T. "
-			   "Tanaka, T. Ishida, Powder Technol. 71 (1992) 239; J. Ai, J.-F. Chen, J. M. "
-			   "Rotter, J. Y. Ooi, Powder Technol. 206 (2011) 269. Bridges of liquid: F. "
-			   "Soulie, F. Cherblanc, M. S. El Youssoufi, C. Saix, Int. J. Numer. Anal. "
-			   "Methods Geomech. 30 (2006) 213; Y. I. Rabinovich, M. S. Esayanur, B. M. "
-			   "Moudgil, Langmuir 21 (2005) 10992; G. Lian, C. Thornton, M. J. Adams, J. "
-			   "Colloid Interface Sci. 161 (1993) 138; D. Shi, J. J. McCarthy, Powder Technol. "
-			   "184 (2008) 64; S. T. Nase, W. L. Vargas, A. A. Abatan, J. J. McCarthy, Powder "
-			   "Technol. 116 (2001) 214",
+		   .cite = "P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47; Y. Tsuji, T. Tanaka, "
+			   "T. Ishida, Powder Technol. 71 (1992) 239; J. Ai, J.-F. Chen, J. M. Rotter, J. Y. "
+			   "Ooi, Powder Technol. 206 (2011) 269. Bridges of liquid: F. Soulie, F. Cherblanc, "
+			   "M. S. El Youssoufi, C. Saix, Int. J. Numer. Anal. Methods Geomech. 30 (2006) "
+			   "213; Y. I. Rabinovich, M. S. Esayanur, B. M. Moudgil, Langmuir 21 (2005) 10992; "
+			   "G. Lian, C. Thornton, M. J. Adams, J. Colloid Interface Sci. 161 (1993) 138; D. "
+			   "Shi, J. J. McCarthy, Powder Technol. 184 (2008) 64; S. T. Nase, W. L. Vargas, A. "
+			   "A. Abatan, J. J. McCarthy, Powder Technol. 116 (2001) 214",
 		   .example = "pair_style gran model hertz tangential history\n"
 			      "pair_coeff * *",
 		   .args = args,

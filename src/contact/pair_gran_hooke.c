@@ -14,11 +14,11 @@ const struct ts_pair_style ts_pair_gran_hooke = {
 		   .kind = TS_KIND_PAIR,
 		   .summary = "linear spring and dashpot with sliding friction, in LAMMPS' syntax",
 		   .doc = TS_GRAN_NUMBERS_DOC
-		   "F_n = kn delta - m* gamma_n v_n and F_t = -min(m* gamma_t, xmu |F_n|/|v_t|) v_t. kt "
-		   "has no effect.\n\n"
-		   "The lever arms of F_t are the full radii, as in LAMMPS, with whose results it agrees "
-		   "to round-off; in `pair_style gran` they are the distances to the contact point. "
-		   "pair_coeff has no coefficients.",
+		   "F_n = kn delta - m* gamma_n v_n and F_t = -min(m* gamma_t, xmu |F_n|/|v_t|) v_t. kt has "
+		   "no effect.\n\n"
+		   "The lever arms of F_t are the full radii, as in LAMMPS, with whose results it agrees to "
+		   "round-off; in `pair_style gran` they are the distances to the contact point. pair_coeff "
+		   "has no coefficients.",
 		   .cite = "L. E. Silbert et al., Phys. Rev. E 64 (2001) 051302; N. V. Brilliantov et al., "
 			   "Phys. Rev. E 53 (1996) 5382",
 		   .example = "pair_style gran/hooke 200000.0 NULL 50.0 NULL 0.5 1\n"

@@ -15,11 +15,11 @@ const struct ts_pair_style ts_pair_gran_hooke_history = {
 		   .summary = "linear spring and dashpot, normal and tangential, in LAMMPS' syntax",
 		   .doc = TS_GRAN_NUMBERS_DOC
 		   "F_n = kn delta - m* gamma_n v_n and F_t = -kt xi - m* gamma_t v_t, xi the tangential "
-		   "displacement since the first touch. Where |F_t| would exceed xmu |F_n| it is reduced "
-		   "to that, and xi to the value for which spring and dashpot give this force.\n\n"
-		   "The lever arms of F_t are the full radii, as in LAMMPS, with whose results it agrees "
-		   "to round-off; in `pair_style gran` they are the distances to the contact point. "
-		   "pair_coeff has no coefficients.",
+		   "displacement since the first touch. Where |F_t| would exceed xmu |F_n| it is reduced to "
+		   "that, and xi to the value for which spring and dashpot give this force.\n\n"
+		   "The lever arms of F_t are the full radii, as in LAMMPS, with whose results it agrees to "
+		   "round-off; in `pair_style gran` they are the distances to the contact point. pair_coeff "
+		   "has no coefficients.",
 		   .cite = "L. E. Silbert et al., Phys. Rev. E 64 (2001) 051302",
 		   .example = "pair_style gran/hooke/history 200000.0 NULL 50.0 NULL 0.5 1\n"
 			      "pair_coeff * *",

@@ -32,8 +32,8 @@ static enum ts_status mix_types(struct ts_instance *self, struct tsim *sim, int 
 		return TS_OK;
 	if (!ts_gran_coeff_alike(one, other))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "types %d and %d have different laws, which cannot be mixed: give "
-			       "`pair_coeff %d %d ...`",
+			       "types %d and %d have different laws, which cannot be mixed: give `pair_coeff "
+			       "%d %d ...`",
 			       a, b, a, b);
 	ts_gran_coeff_mix(one, other, entry_of(pair, a, b));
 	ts_gran_coeff_mix(one, other, entry_of(pair, b, a));
@@ -103,16 +103,15 @@ const struct ts_pair_style ts_pair_granular = {
 		   .summary = "contact laws of granular materials, given by pair_coeff, in LAMMPS' syntax",
 		   .doc = TS_GRAN_COEFF_DOC
 		   "\n\n"
-		   "Each pair of types has its own laws. Where `pair_coeff I J` is missing, the "
-		   "coefficients of I I and J J are mixed, if their laws are the same: by geometric means, "
-		   "but E* = 1/((1 - nu_I^2)/E_I + (1 - nu_J^2)/E_J). The tangential velocity is computed "
-		   "with the radii as lever arms, torques with the distances to the contact point, as in "
-		   "LAMMPS, with whose results (29 Sep 2021) it agrees to round-off except for two errors "
-		   "there: its limit of friction is undefined with dmt, and mixed types lose their "
-		   "laws.\n\n"
-		   "An oblique impact never gains energy, except for hooke with mindlin or "
-		   "mindlin_rescale: at its beginning, where a is small, the dashpot leaves a long spring, "
-		   "whose energy grows with a.",
+		   "Each pair of types has its own laws. Where `pair_coeff I J` is missing, the coefficients "
+		   "of I I and J J are mixed, if their laws are the same: by geometric means, but E* = 1/((1 "
+		   "- nu_I^2)/E_I + (1 - nu_J^2)/E_J). The tangential velocity is computed with the radii as "
+		   "lever arms, torques with the distances to the contact point, as in LAMMPS, with whose "
+		   "results (29 Sep 2021) it agrees to round-off except for two errors there: its limit of "
+		   "friction is undefined with dmt, and mixed types lose their laws.\n\n"
+		   "An oblique impact never gains energy, except for hooke with mindlin or mindlin_rescale: "
+		   "at its beginning, where a is small, the dashpot leaves a long spring, whose energy grows "
+		   "with a.",
 		   .cite = "S. Luding, Granul. Matter 10 (2008) 235; J. S. Marshall, J. Comput. Phys. 228 "
 			   "(2009) 1541; C. Thornton, S. J. Cummins, P. W. Cleary, Powder Technol. 233 "
 			   "(2013) 30",

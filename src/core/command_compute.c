@@ -30,8 +30,10 @@ const struct ts_command_style ts_command_compute = {
 		.name = "compute",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Defines a quantity computed from particles",
-		.doc = "A compute is evaluated when its value c_ID is needed: by a thermo keyword, a variable, a fix or\n"
-		       "a dump. See the pages of the compute styles. `update_on_run_end yes|no` of LIGGGHTS behind the\n"
+		.doc = "A compute is evaluated when its value c_ID is needed: by a thermo keyword, a "
+		       "variable, a fix or\n"
+		       "a dump. See the pages of the compute styles. `update_on_run_end yes|no` of LIGGGHTS "
+		       "behind the\n"
 		       "style has no effect.",
 		.example = "compute energy all ke",
 		.args = args,

@@ -77,8 +77,10 @@ const struct ts_command_style ts_command_compute_modify = {
 		.name = "compute_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Changes the degrees of freedom of a temperature",
-		.doc = "extra M: the temperature is computed with D N - M degrees of freedom instead of D (N - 1),\n"
-		       "where D is the dimension and N the number of particles. The id thermo_temp is the temperature\n"
+		.doc = "extra M: the temperature is computed with D N - M degrees of freedom instead of D (N "
+		       "- 1),\n"
+		       "where D is the dimension and N the number of particles. The id thermo_temp is the "
+		       "temperature\n"
 		       "of the thermo keyword temp; the ids thermo_press and thermo_pe are accepted, too.",
 		.example = "compute_modify thermo_temp dynamic yes\ncompute_modify heat extra 0",
 		.args = args,

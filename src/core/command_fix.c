@@ -20,8 +20,10 @@ const struct ts_command_style ts_command_fix = {
 		.name = "fix",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Defines an operation that is applied in each step of a run",
-		.doc = "Fixes of the same stage of a step are applied in the order of their definition. A fix with the\n"
-		       "id of one of the same style replaces it, in its place of that order. See the pages of the fix\n"
+		.doc = "Fixes of the same stage of a step are applied in the order of their definition. A fix "
+		       "with the\n"
+		       "id of one of the same style replaces it, in its place of that order. See the pages of "
+		       "the fix\n"
 		       "styles.",
 		.example = "fix fall all gravity 9.81 vector 0 0 -1",
 		.args = args,

@@ -144,11 +144,16 @@ const struct ts_command_style ts_command_fix_modify = {
 		.name = "fix_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Changes options of a fix",
-		.doc = "energy yes: the potential energy of the fix (gravity, addforce, spring, spring/self) is part of\n"
-		       "the thermo keywords pe and etotal and of compute pe; by default it is not. dynamic/dof and respa\n"
-		       "have no effect: degrees of freedom are counted whenever a temperature is computed, and all forces\n"
-		       "have the same time step. virial yes, temp and press are refused: pressures have contributions of\n"
-		       "contacts, bonds and motion, and no fix takes a temperature or a pressure from another compute.\n"
+		.doc = "energy yes: the potential energy of the fix (gravity, addforce, spring, spring/self) "
+		       "is part of\n"
+		       "the thermo keywords pe and etotal and of compute pe; by default it is not. "
+		       "dynamic/dof and respa\n"
+		       "have no effect: degrees of freedom are counted whenever a temperature is computed, "
+		       "and all forces\n"
+		       "have the same time step. virial yes, temp and press are refused: pressures have "
+		       "contributions of\n"
+		       "contacts, bonds and motion, and no fix takes a temperature or a pressure from another "
+		       "compute.\n"
 		       "Further options are described on the pages of the fixes that have them.",
 		.example = "fix_modify fall energy yes",
 		.args = args,

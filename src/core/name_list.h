@@ -22,7 +22,8 @@ enum ts_status ts_name_list_room(struct tsim *sim, struct ts_arena *arena, size_
 enum ts_status ts_name_list_find(struct tsim *sim, const char *what, const struct ts_word *word,
 				 const void *table, size_t stride, int *index);
 
-/* Fails at the first word that is not among the keywords `names`, closed by NULL: "compute pe: unknown keyword 'x'". */
+/* Fails at the first word that is not among the keywords `names`, closed by NULL: "compute pe: unknown "
+										   "keyword 'x'". */
 enum ts_status ts_name_list_check_keywords(struct tsim *sim, const char *what, struct ts_words words,
 					   const char *const *names);
 

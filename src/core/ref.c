@@ -403,8 +403,8 @@ enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref, const s
 	value = now.inst ? ts_value_find(now.inst, TS_VECTOR) : NULL;
 	if (!value)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "expected a compute or fix with a vector output, or a variable of "
-			       "style vector");
+			       "expected a compute or fix with a vector output, or a variable of style "
+			       "vector");
 	return copy_table(sim, now.inst, value, out);
 }
 

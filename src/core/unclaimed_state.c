@@ -109,8 +109,8 @@ static enum ts_status restore_instance(struct tsim *sim, struct ts_instance *ins
 static enum ts_status check_identity(struct tsim *sim, const struct ts_instance *inst,
 				     const struct ts_unclaimed *p, const char *what)
 {
-	static const char hint[] = "the saved state is valid only with that; use it again, or give "
-				   "another id to start without that state";
+	static const char hint[] = "the saved state is valid only with that; use it again, or give another "
+				   "id to start without that state";
 	const char *group = ts_group_name(sim, inst->group);
 
 	if (p->kind != TS_KIND_FIX && p->kind != TS_KIND_COMPUTE)

@@ -157,14 +157,14 @@ const struct ts_style ts_fix_buoyancy = {
 	.kind = TS_KIND_FIX,
 	.summary = "Buoyancy of particles in a fluid at rest",
 	.doc = "F = -rho V g, with V the volume of the part of the particle that is below the level (on the "
-	       "side to which gravity points): the whole sphere, or a cap of volume pi h^2 (3 R - h)/3. g "
-	       "is the acceleration of fix gravity, of which there must be exactly one, parallel to `dim`. "
-	       "In two dimensions V is the area of a segment of the disc. f_ID[1] ... [3] is the total "
+	       "side to which gravity points): the whole sphere, or a cap of volume pi h^2 (3 R - h)/3. g is "
+	       "the acceleration of fix gravity, of which there must be exactly one, parallel to `dim`. In "
+	       "two dimensions V is the area of a segment of the disc. f_ID[1] ... [3] is the total "
 	       "force.\n\n"
 	       "If the fluid is solved for and has a body_force along `dim` that boundaries balance, the "
-	       "buoyancy is contained in its pressure: this fix together with fix flow/pressure_gradient "
-	       "(or with fix immersed/boundary of particles) would count it twice and is refused. In a grid "
-	       "that is periodic along `dim` no pressure balances the weight.",
+	       "buoyancy is contained in its pressure: this fix together with fix flow/pressure_gradient (or "
+	       "with fix immersed/boundary of particles) would count it twice and is refused. In a grid that "
+	       "is periodic along `dim` no pressure balances the weight.",
 	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0\n"
 		   "fix pond all buoyancy level 0.06 dim z density 1000",
 	.args = args,

@@ -269,8 +269,8 @@ const struct ts_style ts_fix_couple_cfd = {
 	       "velocities and radii by tsim_column_read, and advances the simulation by tsim_step. "
 	       "examples/library/fluid.c is an example. Dumps and formulas refer to the values as "
 	       "f_dragforce[1], f_Ksl ...; restart files contain them.\n\n"
-	       "If a script is run without such a program the values are zero, as in LIGGGHTS, and a "
-	       "message is printed once. For a fluid that tsim itself solves for see flow_style and fix "
+	       "If a script is run without such a program the values are zero, as in LIGGGHTS, and a message "
+	       "is printed once. For a fluid that tsim itself solves for see flow_style and fix "
 	       "drag/gidaspow.",
 	.example = "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix drag all couple/cfd/force/implicit",
@@ -312,11 +312,11 @@ const struct ts_style ts_fix_couple_cfd_force_implicit = {
 	.summary = "Adds a drag from coefficients and fluid velocities given by another program",
 	.doc = "f += dragforce + Ksl (uf - v), evaluated in each step with the present velocity v of the "
 	       "particle, so that the force follows v between two exchanges. dragforce (vector), Ksl "
-	       "(scalar) and uf (vector) are values of each particle that the program coupled to tsim "
-	       "writes (fix couple/cfd). With CrankNicolson a the drag is that of the velocity (1 - a) v + "
-	       "a v', where v' is the velocity after a step h under the drag alone, m (v' - v) = h Ksl (uf "
-	       "- (1 - a) v - a v'). Without it time steps must be shorter than 2 m/Ksl. f_ID is the sum of "
-	       "the forces over the group.",
+	       "(scalar) and uf (vector) are values of each particle that the program coupled to tsim writes "
+	       "(fix couple/cfd). With CrankNicolson a the drag is that of the velocity (1 - a) v + a v', "
+	       "where v' is the velocity after a step h under the drag alone, m (v' - v) = h Ksl (uf - (1 - "
+	       "a) v - a v'). Without it time steps must be shorter than 2 m/Ksl. f_ID is the sum of the "
+	       "forces over the group.",
 	.example = "fix cfd all couple/cfd couple_every 10 mpi\n"
 		   "fix drag all couple/cfd/force/implicit CrankNicolson 0.5",
 	.args = implicit_args,

@@ -18,7 +18,8 @@ const struct ts_drag_style ts_fix_drag_gidaspow = {
 	.style = {
 		.name = "drag/gidaspow",
 		.summary = "drag by Ergun in beds, by Wen and Yu in suspensions",
-		.doc = "Above a void fraction of 0.8 the drag of fix drag/wen_yu, otherwise that of fix drag/ergun. The force is discontinuous at 0.8.\n\n"
+		.doc = "Above a void fraction of 0.8 the drag of fix drag/wen_yu, otherwise that of fix "
+		       "drag/ergun. The force is discontinuous at 0.8.\n\n"
 		       TS_DRAG_CROWD_DOC TS_DRAG_DOC,
 		.example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3 density 1000\n"
 			   "fix drag all drag/gidaspow void 0.63",

@@ -58,8 +58,8 @@ const struct ts_coupling_force_style ts_fix_lift_magnus = {
 			"total force.",
 		.example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3 density 1000\n"
 			   "fix curve all lift/magnus",
-		.cite = "S. I. Rubinow, J. B. Keller, J. Fluid Mech. 11 (1961) 447; B. Oesterle, T. Bui "
-			"Dinh, Exp. Fluids 25 (1998) 16",
+		.cite = "S. I. Rubinow, J. B. Keller, J. Fluid Mech. 11 (1961) 447; B. Oesterle, T. Bui Dinh, "
+			"Exp. Fluids 25 (1998) 16",
 		.args = args,
 		.state_size = sizeof(struct state),
 		.columns = TS_NEED(OMEGA) | TS_NEED(TORQUE),

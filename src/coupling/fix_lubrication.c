@@ -33,8 +33,7 @@ static enum ts_status check_impacts(struct tsim *sim, const struct ts_word *word
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &word->place,
 		       "fix lubrication: the wall %s has `impact exact`, which carries particles through an "
-		       "impact as if "
-		       "there were no fluid; use `impact resolved`",
+		       "impact as if there were no fluid; use `impact resolved`",
 		       word->text);
 }
 
@@ -60,8 +59,7 @@ static enum ts_status find_wall(struct tsim *sim, const struct ts_word *word,
 		return check_impacts(sim, word, fix->state);
 	return ts_fail(&sim->error, TS_STATE, &word->place,
 		       "fix lubrication: the wall %s is not made of planes (xplane, yplane, zplane); "
-		       "lubrication at "
-		       "cylinders, meshes and height fields is not supported",
+		       "lubrication at cylinders, meshes and height fields is not supported",
 		       word->text);
 }
 
@@ -241,10 +239,8 @@ static enum ts_status fail_unstable(const struct ts_instance *self, struct tsim 
 		sum_layers(t, i++, &sums);
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 		       "fix lubrication: at step %" PRId64
-		       " the gap at particle %d is %g, and the time step %g "
-		       "exceeds the stability limit %g of its layers of fluid; use a smaller `timestep`, or "
-		       "a larger "
-		       "`inner`",
+		       " the gap at particle %d is %g, and the time step %g exceeds the stability limit %g "
+		       "of its layers of fluid; use a smaller `timestep`, or a larger `inner`",
 		       sim->clock.step, p->tag[i - 1], sums.least_gap, sim->clock.dt, 2 / sums.rate);
 }
 
@@ -357,39 +353,37 @@ static const struct ts_arg args[] = {
 static const char *const components[] = { "gap", "step" };
 static const struct ts_value values[] = {
 	{ "layers", "",
-	  "of the last force computation: smallest gap that is less than `outer` (length), infinite "
-	  "if there is none; largest stable time step of the layers (time)",
+	  "of the last force computation: smallest gap that is less than `outer` (length), infinite if there "
+	  "is none; largest stable time step of the layers (time)",
 	  TS_VECTOR, 2, components, eval },
 	{ .name = NULL },
 };
 
 static const char *const doc_more[] = {
-	"Particles and planes in contact keep the lubrication force, with the gap `inner`, in "
-	"addition to the force of the contact law. Left out are the logarithmic correction of the"
-	" squeeze force and all terms that remain finite as the gap closes: far from contact the "
-	"force is that of a drag (fix drag/stokes), which this fix does not include. The sum is "
-	"accurate where h << R. The relative rotation about the line of centres has no force. At "
-	"the gap `outer` the force jumps to zero: the smaller `outer`, the larger the jump 6 pi "
-	"mu R^2 v_n/outer. In two dimensions the forces are those of spheres, too. Pairs of which"
-	" one particle is not in the group have no force; neither have pairs without contact "
-	"forces (neigh_modify exclude, special_bonds). Forces of fluids that are solved for "
+	"Particles and planes in contact keep the lubrication force, with the gap `inner`, in addition to "
+	"the force of the contact law. Left out are the logarithmic correction of the squeeze force and all "
+	"terms that remain finite as the gap closes: far from contact the force is that of a drag (fix "
+	"drag/stokes), which this fix does not include. The sum is accurate where h << R. The relative "
+	"rotation about the line of centres has no force. At the gap `outer` the force jumps to zero: the "
+	"smaller `outer`, the larger the jump 6 pi mu R^2 v_n/outer. In two dimensions the forces are those "
+	"of spheres, too. Pairs of which one particle is not in the group have no force; neither have pairs "
+	"without contact forces (neigh_modify exclude, special_bonds). Forces of fluids that are solved for "
 	"(flow_style) are not changed.",
-	"For equal spheres the 1/h and the slip term are those of LAMMPS' pair lubricate (log 1), "
-	"whose rolling term is a quarter of C. C is that of Jeffrey and Onishi; the solution of "
-	"Reynolds' equation for counter-rotating spheres gives the same.",
-	"The walls are fixes wall/gran primitive with xplane, yplane or zplane, which must be "
-	"defined before; their motion (wiggle, shear, velocity) counts. Cylinders, meshes, height"
-	" fields and regions, walls with `impact exact`, and members of rigid bodies are refused."
-	" The force is not part of the force on the wall, f_ID of its fix, nor of stresses of "
-	"contacts (compute pressure, compute stress/atom).",
-	"The force is explicit and stiff: a layer slows down a particle of mass m at the rate 6 "
-	"pi mu R^2/(h m). Velocity Verlet is stable for steps below 2/rate, with the rate the "
-	"largest sum over the layers of a particle (an upper bound of the rates of the system, "
-	"exact for two spheres and for a sphere at a plane). A run with a larger step is refused,"
-	" the plan warns if it would be too large at the gap `inner`, and a run in which the "
-	"particles come so near that the step becomes too large stops with an error. The limits "
-	"of several fixes lubrication are checked one by one, although their rates add up. Where "
-	"a layer damps a stiff contact, with the limits h_c of the contact and h_l of the layer "
+	"For equal spheres the 1/h and the slip term are those of LAMMPS' pair lubricate (log 1), whose "
+	"rolling term is a quarter of C. C is that of Jeffrey and Onishi; the solution of Reynolds' equation "
+	"for counter-rotating spheres gives the same.",
+	"The walls are fixes wall/gran primitive with xplane, yplane or zplane, which must be defined "
+	"before; their motion (wiggle, shear, velocity) counts. Cylinders, meshes, height fields and "
+	"regions, walls with `impact exact`, and members of rigid bodies are refused. The force is not part "
+	"of the force on the wall, f_ID of its fix, nor of stresses of contacts (compute pressure, compute "
+	"stress/atom).",
+	"The force is explicit and stiff: a layer slows down a particle of mass m at the rate 6 pi mu R^2/(h "
+	"m). Velocity Verlet is stable for steps below 2/rate, with the rate the largest sum over the layers "
+	"of a particle (an upper bound of the rates of the system, exact for two spheres and for a sphere at "
+	"a plane). A run with a larger step is refused, the plan warns if it would be too large at the gap "
+	"`inner`, and a run in which the particles come so near that the step becomes too large stops with "
+	"an error. The limits of several fixes lubrication are checked one by one, although their rates add "
+	"up. Where a layer damps a stiff contact, with the limits h_c of the contact and h_l of the layer "
 	"alone, a step h is stable if (h/h_c)^2 + h/h_l < 1.",
 	NULL,
 };
@@ -400,23 +394,21 @@ const struct ts_style ts_fix_lubrication = {
 	.kind = TS_KIND_FIX,
 	.summary =
 		"forces of thin layers of viscous fluid between particles, and between particles and planes",
-	.doc = "Two spheres of radii a and b, or a sphere and a plane (b infinite), with the gap h < "
-	       "`outer` between their surfaces, get the leading forces and torques of a closing gap. "
-	       "With R = ab/(a + b), n the normal and v_n the normal velocity of separation, the squeeze"
-	       " flow gives\n\n"
+	.doc = "Two spheres of radii a and b, or a sphere and a plane (b infinite), with the gap h < `outer` "
+	       "between their surfaces, get the leading forces and torques of a closing gap. With R = ab/(a "
+	       "+ b), n the normal and v_n the normal velocity of separation, the squeeze flow gives\n\n"
 	       "  F = -6 pi mu R^2/h v_n n.\n\n"
-	       "Slip and rolling along the surfaces give, with L = ln(min(a, b)/h), 0 where "
-	       "negative,\n\n"
+	       "Slip and rolling along the surfaces give, with L = ln(min(a, b)/h), 0 where negative,\n\n"
 	       "  S = v_t - ((a + h/2) omega_a + (b + h/2) omega_b) x n,  W = -(omega_a - omega_b) x n\n"
 	       "  F = -(A S + B W),  T_a = n x ((a + h/2) (A S + B W) + B S + C W)\n"
 	       "  A = 8/5 pi mu R L (2 - 3 ab/(a + b)^2),  B = 12/5 pi mu R^2 L (a - b)/(a + b)\n"
 	       "  C = 24/5 pi mu R^3 L,\n\n"
-	       "all logarithmic terms of the tangential resistance functions of two spheres (Jeffrey and"
-	       " Onishi 1984; Kim and Karrila 1991) and of a sphere at a plane (Goldman, Cox and Brenner"
-	       " 1967). n points to a, and v_t is the velocity of the centre of a minus that of b, along"
-	       " the surface. In both forces h is at least `inner`. A pair that moves as one rigid body "
-	       "has no force; momentum and angular momentum of a pair of spheres are conserved. "
-	       "Particles rotate only with an integrator of rotation (nve/sphere).",
+	       "all logarithmic terms of the tangential resistance functions of two spheres (Jeffrey and "
+	       "Onishi 1984; Kim and Karrila 1991) and of a sphere at a plane (Goldman, Cox and Brenner "
+	       "1967). n points to a, and v_t is the velocity of the centre of a minus that of b, along the "
+	       "surface. In both forces h is at least `inner`. A pair that moves as one rigid body has no "
+	       "force; momentum and angular momentum of a pair of spheres are conserved. Particles rotate "
+	       "only with an integrator of rotation (nve/sphere).",
 	.doc_more = doc_more,
 	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
 		   "fix layers all lubrication viscosity 1e-3 inner 1e-5 outer 2e-4 walls floor",

@@ -14,11 +14,10 @@ static void warn_outside(struct tsim *sim, const struct ts_instance *self, size_
 	while (i + 1 < p->n && p->tag[i] != tag)
 		i++;
 	ts_warn(&sim->log, &self->where,
-		"fix %s: at step %" PRId64
-		" %zu of its particles are outside the grid of the fluid, where no force of "
-		"the fluid acts (particle %" PRId64
-		" at %g %g %g); let the region of flow_style reach as far as the "
-		"particles do (printed once in a run)",
+		"fix %s: at step %" PRId64 " %zu of its particles are outside the grid of the fluid, where "
+		"no force of the fluid acts (particle %" PRId64
+		" at %g %g %g); let the region of flow_style reach as far as the particles do (printed once "
+		"in a run)",
 		self->style->name, sim->clock.step, n, tag, p->x[i][0], p->x[i][1], p->x[i][2]);
 }
 

@@ -20,10 +20,9 @@ const struct ts_command_style ts_command_dump = {
 		.name = "dump",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Writes snapshots to files during runs",
-		.doc = "Defines a dump, which writes snapshots to files during runs; the styles "
-		       "have pages of their own. dump_modify changes the settings of a dump, "
-		       "undump ends it. Folders in the path of the file are created if they do not "
-		       "exist.",
+		.doc = "Defines a dump, which writes snapshots to files during runs; the styles have pages of "
+		       "their own. dump_modify changes the settings of a dump, undump ends it. Folders in the "
+		       "path of the file are created if they do not exist.",
 		.example = "dump rock all custom 1000 post/rock.dump id type x y z radius",
 		.args = args,
 		.state_size = sizeof(struct ts_definition),

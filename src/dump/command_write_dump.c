@@ -83,8 +83,8 @@ const struct ts_command_style ts_command_write_dump = {
 		.name = "write_dump",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Writes one snapshot",
-		.doc = "Writes one snapshot of the current state. Arguments are those of the "
-		       "command dump without ID and interval. Forces are those of the last step.",
+		.doc = "Writes one snapshot of the current state. Arguments are those of the command dump "
+		       "without ID and interval. Forces are those of the last step.",
 		.example = "write_dump all custom post/rock.dump id type x y z radius\n"
 			   "write_dump all atom post/rock.*.dump modify scale no sort id pad 8",
 		.args = args,

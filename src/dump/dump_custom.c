@@ -40,12 +40,11 @@ const struct ts_style ts_dump_custom = {
 	.name = "custom",
 	.kind = TS_KIND_DUMP,
 	.summary = "Selected quantities of particles as text, readable by OVITO",
-	.doc = "Writes a frame when the step is a multiple of N, including the first step of a "
-	       "run, but never twice for the same step. Each frame begins with ITEM lines: step, "
-	       "number of particles, bounds of the box, names of the columns. Particles are "
-	       "written in the order of their ids (see dump_modify sort), so that the file does "
-	       "not depend on the number of threads or on the order in memory. If a run is "
-	       "interrupted, all previous frames are complete.",
+	.doc = "Writes a frame when the step is a multiple of N, including the first step of a run, but "
+	       "never twice for the same step. Each frame begins with ITEM lines: step, number of particles, "
+	       "bounds of the box, names of the columns. Particles are written in the order of their ids "
+	       "(see dump_modify sort), so that the file does not depend on the number of threads or on the "
+	       "order in memory. If a run is interrupted, all previous frames are complete.",
 	.example = "dump rock all custom 1000 post/rock.dump id type x y z vx vy vz radius\n"
 		   "dump rock all custom 1000 post/rock*.dump.gz id x y z c_strain",
 	.args = args,

@@ -72,8 +72,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 }
 
 static const struct ts_arg args[] = {
-	TS_DUMP_VTK_ARGS(struct state, "quantities: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], "
-				       "v_NAME"),
+	TS_DUMP_VTK_ARGS(struct state,
+			 "quantities: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], v_NAME"),
 	TS_ARGS_END,
 };
 
@@ -92,10 +92,10 @@ const struct ts_style ts_dump_custom_vtk = {
 	       "by renaming, so that it is complete at any time. With .vtk the simulation box is written to "
 	       "a file with boundingBox_ before the step, as in LIGGGHTS.\n\n"
 	       "Positions are always written; a column that is named twice is written once. Components are "
-	       "merged into vectors: vx vy vz into v, fx fy fz into f, three columns c_ID[1] c_ID[2] "
-	       "c_ID[3] into c_ID[1-3]. The order of the arrays is that of LIGGGHTS, not that of the "
-	       "command: id, type, mass, v, f, radius, omega and so on, then c_, f_ and v_ in the order of "
-	       "the command. A variable v_NAME is written as NAME.\n\n"
+	       "merged into vectors: vx vy vz into v, fx fy fz into f, three columns c_ID[1] c_ID[2] c_ID[3] "
+	       "into c_ID[1-3]. The order of the arrays is that of LIGGGHTS, not that of the command: id, "
+	       "type, mass, v, f, radius, omega and so on, then c_, f_ and v_ in the order of the command. A "
+	       "variable v_NAME is written as NAME.\n\n"
 	       "Files .vtk are of version 5.1, the format of VTK 9 (ParaView 5.9). They equal those of "
 	       "LIGGGHTS byte for byte, except for the title, which contains the time, and for positions, "
 	       "which are in double precision; with `legacy yes` in single precision as in LIGGGHTS.",

@@ -39,10 +39,9 @@ const struct ts_style ts_dump_local = {
 	.name = "local",
 	.kind = TS_KIND_DUMP,
 	.summary = "Local arrays of computes and fixes, such as bonds and contacts, as text",
-	.doc = "All columns must have the same number of rows. Rows are sorted by the first "
-	       "column, then by the second, and so on; with `dump_modify sort off` they are "
-	       "written in the order of the compute or fix. index numbers the rows in the order of "
-	       "writing.",
+	.doc = "All columns must have the same number of rows. Rows are sorted by the first column, then by "
+	       "the second, and so on; with `dump_modify sort off` they are written in the order of the "
+	       "compute or fix. index numbers the rows in the order of writing.",
 	.example = "dump bonds all local 1000 post/bonds.dump index c_bonds[1] c_bonds[2] c_bonds[3]",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -23,8 +23,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_sim_require(sim, TS_KIND_COMPUTE, &id, &s->contacts));
 	if (!s->contacts->style->family || !ts_streq(s->contacts->style->family, TS_FAMILY_CONTACTS))
 		return ts_fail(&sim->error, TS_STATE, &id.place,
-			       "dump local/gran/vtk needs a compute pair/gran/local or wall/gran/local; "
-			       "'%s' is %s",
+			       "dump local/gran/vtk needs a compute pair/gran/local or wall/gran/local; '%s' "
+			       "is %s",
 			       s->compute, s->contacts->style->name);
 	return TS_OK;
 }
@@ -98,14 +98,13 @@ const struct ts_style ts_dump_local_gran_vtk = {
 	.name = "local/gran/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "Contacts as lines with forces and other data for ParaView",
-	.doc = "Writes a line for each contact of the compute, from the centre of the first "
-	       "particle to the nearest periodic image of the second, or from the wall to the "
-	       "particle. The other quantities of the compute are data of the lines: vel1, vel2, "
-	       "id1, id2, id3, force, force_normal, force_tangential, torque, history, "
-	       "contact_area, delta, contact_point. ParaView's filter Tube shows them as force "
-	       "chains. Files are as with dump custom/vtk.\n\n"
-	       "LIGGGHTS writes a triangle of both centres and the contact point, with the same "
-	       "data three times; here a contact is one line.",
+	.doc = "Writes a line for each contact of the compute, from the centre of the first particle to the "
+	       "nearest periodic image of the second, or from the wall to the particle. The other quantities "
+	       "of the compute are data of the lines: vel1, vel2, id1, id2, id3, force, force_normal, "
+	       "force_tangential, torque, history, contact_area, delta, contact_point. ParaView's filter "
+	       "Tube shows them as force chains. Files are as with dump custom/vtk.\n\n"
+	       "LIGGGHTS writes a triangle of both centres and the contact point, with the same data three "
+	       "times; here a contact is one line.",
 	.example = "compute chain all pair/gran/local pos id force\n"
 		   "dump chains all local/gran/vtk 1000 post/chains*.vtp chain",
 	.args = args,

@@ -18,8 +18,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if (s->vtk.names.n < 2)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "dump local/vtk: the first two columns must be the ids of the ends, "
-			       "found %zu column",
+			       "dump local/vtk: the first two columns must be the ids of the ends, found %zu "
+			       "column",
 			       s->vtk.names.n);
 	TS_TRY(ts_dump_vtk_init(self, sim, true));
 	s->vtk.common.column[0].integer = s->vtk.common.column[1].integer = true;
@@ -81,9 +81,9 @@ const struct ts_style ts_dump_local_vtk = {
 	.name = "local/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "Bonds or contacts as lines between particles for ParaView",
-	.doc = "The first two columns are the ids of two particles; a line is drawn from the first "
-	       "to the nearest periodic image of the second. All columns are written as data of "
-	       "the lines. Files are as with dump custom/vtk.",
+	.doc = "The first two columns are the ids of two particles; a line is drawn from the first to the "
+	       "nearest periodic image of the second. All columns are written as data of the lines. Files "
+	       "are as with dump custom/vtk.",
 	.example = "dump bonds all local/vtk 1000 post/bonds*.vtp c_bonds[1] c_bonds[2] c_bonds[3]",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -47,8 +47,8 @@ static enum ts_status set_sort(struct tsim *sim, struct ts_dump_common *d, const
 	if (!ts_parse_int(sort, &column) || column == 0 || column > (int64_t)d->ncolumns ||
 	    -column > (int64_t)d->ncolumns)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "dump_modify: sort is '%s', expected id, off, or N or -N with the number "
-			       "of a column from 1 to %zu",
+			       "dump_modify: sort is '%s', expected id, off, or N or -N with the number of a "
+			       "column from 1 to %zu",
 			       sort, d->ncolumns);
 	d->sort_by = column;
 	return TS_OK;
@@ -91,8 +91,8 @@ static enum ts_status set_maxfiles(struct tsim *sim, struct ts_dump_common *d, i
 {
 	if (most == 0 || (most > 0 && !strchr(d->file, '*')))
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "dump_modify: maxfiles %lld: expected a number > 0 for a dump whose file "
-			       "has a `*`, or -1",
+			       "dump_modify: maxfiles %lld: expected a number > 0 for a dump whose file has "
+			       "a `*`, or -1",
 			       (long long)most);
 	for (int64_t k = 0; k < d->nold; k++)
 		ts_free(d->old[k]);

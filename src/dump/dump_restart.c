@@ -89,9 +89,9 @@ const struct ts_style ts_dump_restart = {
 	.name = "restart",
 	.kind = TS_KIND_DUMP,
 	.summary = "Writes restart files every N steps",
-	.doc = "Writes a restart file every N steps, as write_restart does. Define it after all "
-	       "other dumps: the file then contains which frames they have written, and a "
-	       "continued run does not write a frame twice.",
+	.doc = "Writes a restart file every N steps, as write_restart does. Define it after all other dumps: "
+	       "the file then contains which frames they have written, and a continued run does not write a "
+	       "frame twice.",
 	.example = "dump save all restart 10000 a.restart b.restart",
 	.args = args,
 	.state_size = sizeof(struct state),

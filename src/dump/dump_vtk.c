@@ -14,8 +14,8 @@ enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim
 
 	if (!ts_vtk_is_supported(file))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, file),
-			       "dump %s: the name of the file must end in .vtk, .vtp, .vtu, .pvtp or "
-			       ".pvtu, found '%s'",
+			       "dump %s: the name of the file must end in .vtk, .vtp, .vtu, .pvtp or .pvtu, "
+			       "found '%s'",
 			       self->style->name, file);
 	return TS_OK;
 }

@@ -46,9 +46,8 @@ const struct ts_style ts_dump_xyz = {
 	.name = "xyz",
 	.kind = TS_KIND_DUMP,
 	.summary = "Type and position of particles in the XYZ format",
-	.doc = "Writes frames in the XYZ format: the number of particles, a line with the step, "
-	       "and a line `type x y z` for each particle. `dump_modify element` replaces the "
-	       "types by names.",
+	.doc = "Writes frames in the XYZ format: the number of particles, a line with the step, and a line "
+	       "`type x y z` for each particle. `dump_modify element` replaces the types by names.",
 	.example = "dump rock all xyz 1000 post/rock.xyz\ndump_modify rock element granite bit",
 	.args = args,
 	.state_size = sizeof(struct state),

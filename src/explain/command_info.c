@@ -299,8 +299,8 @@ static enum ts_status print_subjects(struct tsim *sim, struct ts_words words, st
 			TS_TRY(print_subject(sim, word, out));
 		if (!used)
 			return ts_fail(&sim->error, TS_SYNTAX, &word->place,
-				       "info: expected out log, out screen, out append FILE or out "
-				       "overwrite FILE");
+				       "info: expected out log, out screen, out append FILE or out overwrite "
+				       "FILE");
 	}
 	return TS_OK;
 }
@@ -333,10 +333,10 @@ const struct ts_command_style ts_command_info = {
 		.name = "info",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Prints the current state of the simulation",
-		.doc = "Prints the current state to the log: box and particles, groups, regions, "
-		       "computes, fixes, dumps and variables with the lines of the script that "
-		       "defined them, the pair and bond styles. all does not include styles, the "
-		       "list of everything a script can name, or of one kind (styles fix).",
+		.doc = "Prints the current state to the log: box and particles, groups, regions, computes, "
+		       "fixes, dumps and variables with the lines of the script that defined them, the pair "
+		       "and bond styles. all does not include styles, the list of everything a script can "
+		       "name, or of one kind (styles fix).",
 		.example = "info system groups\ninfo all out overwrite state.txt\ninfo styles compute",
 		.args = args,
 		.state_size = sizeof(struct info),

@@ -122,15 +122,13 @@ const struct ts_style ts_compute_film = {
 	       "Shear stresses are +-eta (1 - theta) (U2 - U1)/h - h/2 grad p, theta being the void fraction "
 	       "of\n"
 	       "cavitation jfo and eta the viscosity at the pressure p. With slip lengths b1, b2 and H = h + "
-	       "b1 + b2 they are +-eta (1 - theta) (U2 "
-	       "- U1)/H\n"
+	       "b1 + b2 they are +-eta (1 - theta) (U2 - U1)/H\n"
 	       "- h (h/2 + b2)/H grad p on the lower surface, and with b1 in place of b2 on the upper one.\n"
 	       "Between rough surfaces they have the factors of Patir and Cheng (flow_style reynolds): what "
 	       "is missing on a\n"
 	       "rough surface is the force of the pressure on its asperities, so that the force on a smooth "
-	       "one is that between "
-	       "both. In the cavity of half and reynolds the whole gap is "
-	       "sheared. The array has a row\n"
+	       "one is that between both. In the cavity of half and reynolds the whole gap is sheared. The "
+	       "array has a row\n"
 	       "for each cell, x varying fastest: x, y, gap, pressure, void fraction.",
 	.example = "compute oil all film\nthermo_style custom step c_oil[1] c_oil[4]\n"
 		   "fix out all ave/time 100 1 100 c_oil[*] mode vector file film.txt",

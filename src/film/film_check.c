@@ -24,8 +24,7 @@ static enum ts_status check_constants(const struct ts_film *f, struct ts_error *
 	if (f->floating && (f->cavitation != TS_FILM_NONE || f->piezo.law != TS_FILM_CONSTANT))
 		return ts_fail(error, TS_STATE, NULL,
 			       "film: a floating pressure is known but for a constant: expected no "
-			       "cavitation, and a "
-			       "viscosity that does not depend on it");
+			       "cavitation, and a viscosity that does not depend on it");
 	TS_TRY(ts_film_check_roughness(f, error));
 	return ts_film_check_viscosity(f, error);
 }
@@ -38,8 +37,7 @@ static enum ts_status check_pressure(const struct ts_film *f, double p, const ch
 	if (!ts_film_can_reduce(f, p))
 		return ts_fail(error, TS_RANGE, NULL,
 			       "film: the pressure given %s, %g, is out of the range of the dependence of "
-			       "the "
-			       "viscosity on it",
+			       "the viscosity on it",
 			       where, p);
 	if (f->cavitation != TS_FILM_NONE && p < f->cavity_pressure)
 		return ts_fail(error, TS_RANGE, NULL,
@@ -134,8 +132,7 @@ enum ts_status ts_film_check(const struct ts_film *f, struct ts_error *error)
 	if (!ts_film_can_reduce(f, f->cavity_pressure))
 		return ts_fail(error, TS_RANGE, NULL,
 			       "film: the pressure of the cavity, %g, is out of the range of the dependence "
-			       "of "
-			       "the viscosity on it",
+			       "of the viscosity on it",
 			       f->cavity_pressure);
 	TS_TRY(check_axis(f, 0, error));
 	TS_TRY(check_axis(f, 1, error));

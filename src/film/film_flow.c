@@ -40,14 +40,12 @@ static enum ts_status find_plane(struct ts_instance *self, struct tsim *sim, str
 	if (s->voxel || !s->height.null)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "flow_style reynolds: the upper surface is given twice, by `upper_wafer %s` "
-			       "and "
-			       "by `%s`; fix wafer has a plane face",
+			       "and by `%s`; fix wafer has a plane face",
 			       s->plane_id, s->voxel ? "upper_voxel" : "upper");
 	if (!fix)
 		return ts_fail(&sim->error, TS_UNKNOWN, where,
 			       "flow_style reynolds: there is no fix '%s'; expected the ID of a fix wafer "
-			       "defined "
-			       "before",
+			       "defined before",
 			       s->plane_id);
 	if (!fix->style->family || !ts_streq(fix->style->family, TS_FAMILY_FILM_PLANE))
 		return ts_fail(&sim->error, TS_STATE, where,
@@ -80,8 +78,7 @@ enum ts_status ts_film_surface_find(struct ts_instance *self, struct tsim *sim, 
 	if (upper && s->voxel && s->height.null)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, s->voxel),
 			       "flow_style reynolds: from which height do the columns of '%s' hang? Give "
-			       "`upper` "
-			       "and a height",
+			       "`upper` and a height",
 			       s->voxel);
 	if (!s->voxel && s->height.null)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
@@ -115,8 +112,7 @@ static enum ts_status evaluate_formula(struct ts_instance *self, struct tsim *si
 			if (!isfinite(*z))
 				return ts_fail(&sim->error, TS_RANGE, where,
 					       "flow_style reynolds: the height %s is %g at (%g, %g), which "
-					       "is not a "
-					       "finite number",
+					       "is not a finite number",
 					       name ? name : "", *z, x[0], x[1]);
 		}
 	return TS_OK;
@@ -169,8 +165,7 @@ static enum ts_status read_columns(struct ts_instance *self, struct tsim *sim, c
 			if (!isfinite(top))
 				return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->voxel),
 					       "flow_style reynolds: fix '%s' has no column at (%g, %g), "
-					       "where the film "
-					       "is",
+					       "where the film is",
 					       s->voxel, ts_film_centre(f, 0, i), ts_film_centre(f, 1, j));
 			if (hang)
 				s->z[ts_film_at(f, i, j)] += shift[2] - top;

@@ -49,8 +49,8 @@ static enum ts_status factorize(struct ts_film *f, double scale, struct ts_error
 	if (bad >= 0)
 		return ts_fail(error, TS_STATE, NULL,
 			       "film: the void fraction at (%g, %g) is not determined: fluid neither enters "
-			       "nor leaves the cavity "
-			       "there; give a pressure above that of the cavity at an edge, or a time step",
+			       "nor leaves the cavity there; give a pressure above that of the cavity at an "
+			       "edge, or a time step",
 			       ts_film_centre(f, 0, bad % f->n[0]), ts_film_centre(f, 1, bad / f->n[0]));
 	f->report.solves++;
 	return TS_OK;

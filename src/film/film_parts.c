@@ -67,8 +67,7 @@ enum ts_status ts_film_check_parts(const struct ts_film *f, struct ts_error *err
 		return TS_OK;
 	return ts_fail(error, TS_STATE, NULL,
 		       "film: no pressure is given at any border of the part of the film that contains (%g, "
-		       "%g), so that "
-		       "its pressure is not determined but for a constant; see `floating`",
+		       "%g), so that its pressure is not determined but for a constant; see `floating`",
 		       ts_film_centre(f, 0, (int)(c % (size_t)f->n[0])),
 		       ts_film_centre(f, 1, (int)(c / (size_t)f->n[0])));
 }
@@ -122,10 +121,8 @@ enum ts_status ts_film_check_pinned(const struct ts_film *f, struct ts_error *er
 			if (f->pinned[ts_film_at(f, i, j)] && !(fabs(growth) <= most))
 				return ts_fail(error, TS_PHYSICS, NULL,
 					       "film: the volume of the part of the film that contains (%g, "
-					       "%g) "
-					       "changes, by %g per time, and no pressure is given at its "
-					       "border: "
-					       "the fluid cannot leave it",
+					       "%g) changes, by %g per time, and no pressure is given at its "
+					       "border: the fluid cannot leave it",
 					       ts_film_centre(f, 0, i), ts_film_centre(f, 1, j), growth);
 		}
 	return TS_OK;

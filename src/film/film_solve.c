@@ -187,8 +187,7 @@ static enum ts_status check_balance(const struct ts_film *f, struct ts_error *er
 		return TS_OK;
 	return ts_fail(error, TS_PHYSICS, NULL,
 		       "film: the flows out of a cell add up to %g of the mean flow through a face, expected "
-		       "0: the gap "
-		       "varies too much for the solver",
+		       "0: the gap varies too much for the solver",
 		       f->report.balance / f->report.throughput);
 }
 

@@ -99,8 +99,7 @@ static enum ts_status check_faces(struct ts_instance *self, struct tsim *sim)
 		if (box->face[k / 2][k % 2] != TS_FACE_FIXED && box->face[k / 2][k % 2] != TS_FACE_PERIODIC)
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "flow_style reynolds: the film ends at the faces of the box, but %s "
-				       "follows the "
-				       "particles: use `boundary f f ...` or p along x and y",
+				       "follows the particles: use `boundary f f ...` or p along x and y",
 				       edges[k]);
 	return TS_OK;
 }
@@ -285,8 +284,7 @@ static enum ts_status make_film(struct ts_instance *self, struct tsim *sim)
 		if (ts_box_periodic(&sim->domain->box, d) && f->n[d] < 3)
 			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "cells"),
 				       "flow_style reynolds: %d cells along %s, where the box is periodic; "
-				       "expected at "
-				       "least 3",
+				       "expected at least 3",
 				       f->n[d], d ? "y" : "x");
 	}
 	f->viscosity = s->viscosity;
@@ -361,14 +359,12 @@ static enum ts_status check_cell(struct ts_instance *self, struct tsim *sim, siz
 	if (f->kind[c] == TS_FILM_FLUID && !(f->gap[c] > 0))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "flow_style reynolds: the gap is %g at (%g, %g), the surfaces touch or "
-			       "overlap; with "
-			       "`touching solid` there is no fluid in such cells",
+			       "overlap; with `touching solid` there is no fluid in such cells",
 			       f->gap[c], x, y);
 	if (f->cavitation == TS_FILM_JFO && !s->flow.transient && f->rate[c] != 0)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "flow_style reynolds: the gap changes at (%g, %g) by %g per time; with "
-			       "cavitation jfo this "
-			       "needs `transient yes`",
+			       "cavitation jfo this needs `transient yes`",
 			       x, y, f->rate[c]);
 	return TS_OK;
 }
@@ -392,8 +388,7 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim)
 		s->told = true;
 		ts_warn(&sim->log, &self->where,
 			"flow_style reynolds: the surfaces neither slide nor approach each other, and the "
-			"pressure is "
-			"the same at all edges: the fluid is at rest");
+			"pressure is the same at all edges: the fluid is at rest");
 	}
 	return TS_OK;
 }
@@ -634,8 +629,7 @@ static const struct ts_arg args[] = {
 				"surfaces, and their Peklenik number: 1/9, 1/6, 1/3, 1, 3, 6 or 9"),
 	TS_SOME_KEYWORD("asperities", struct reynolds, asperities, 0,
 			.help = "DENSITY RADIUS MODULUS FRICTION: of rough surfaces that touch: number per "
-				"area, radius, "
-				"E', coefficient of friction"),
+				"area, radius, E', coefficient of friction"),
 	TS_REAL("viscosity", struct reynolds, viscosity, .range = TS_POSITIVE, .unit = "pressure time",
 		.help = "dynamic viscosity; with `barus` or `roelands` that at pressure 0"),
 	TS_REAL("barus", struct reynolds, barus, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
@@ -656,8 +650,7 @@ static const struct ts_arg args[] = {
 		.help = "the same for the upper edge along y"),
 	TS_BOOL("floating", struct reynolds, floating, .fallback = "no",
 		.help = "whether parts of the film may have a pressure that is determined but for a "
-			"constant, "
-			"where none is given on their border"),
+			"constant, where none is given on their border"),
 	TS_SOME_KEYWORD("closed", struct reynolds, closed, 0,
 			.help = "edges through which nothing flows: walls or planes of symmetry"),
 	TS_SOME_KEYWORD("open", struct reynolds, open, 0,
@@ -693,13 +686,11 @@ static const char doc[] =
 	"formula v_NAME is evaluated at the centres, whose coordinates are set in the internal-style\n"
 	"variables of `set` (afterwards 0); it may depend on time. The velocity must be consistent with such "
 	"a motion: it\n"
-	"is not integrated. The shape of a surface moves with its velocity V, dh/dt = V_z - V.grad h, "
-	"as\n"
+	"is not integrated. The shape of a surface moves with its velocity V, dh/dt = V_z - V.grad h, as\n"
 	"-div(V h) with the weights of the flow through faces: surfaces with steps may slide, and an "
 	"observer\n"
 	"who moves along sees the same pressure to round-off. Exceptions are\n"
-	"`lower_stays` and `upper_stays`, where the material slides along a shape that stays, as a belt "
-	"or\n"
+	"`lower_stays` and `upper_stays`, where the material slides along a shape that stays, as a belt or\n"
 	"the shaft of a bearing: dh/dt = V_z. The columns of `upper_voxel` hang down from the height "
 	"`upper`.\n\n"
 	"The film is solved again in each step in which heights or velocities have changed, with `update "
@@ -757,7 +748,8 @@ static const char *const doc_more[] = {
 	"about\n"
 	"l^2/(4 h).",
 	"Edges are at the pressure `ambient`, or at one given by pressure_xlo ...; nothing flows through\n"
-	"`closed` edges; edges of a periodic box are periodic unless they are `open`. Each part of the film needs an edge with a\n"
+	"`closed` edges; edges of a periodic box are periodic unless they are `open`. Each part of the film "
+	"needs an edge with a\n"
 	"given pressure. With `floating yes` parts without one, in a periodic box or closed all around, "
 	"have\n"
 	"the pressure `ambient` in their first cell: the flow does not depend on that, loads do. The volume "
@@ -776,8 +768,7 @@ static const char *const doc_more[] = {
 	"reforms is of first order. With `gap linear` the gap is linear between the centres of cells, and "
 	"the\n"
 	"pressure of a plane slider is exact; with `gap stepped` it is constant in each cell, for steps and\n"
-	"columns. The equation of Reynolds is the limit of thin gaps: it neglects "
-	"inertia, of order Re h/L, "
+	"columns. The equation of Reynolds is the limit of thin gaps: it neglects inertia, of order Re h/L, "
 	"and\n"
 	"terms of order (h/L)^2. For thicker gaps use flow_style projection.",
 	"Numbers: doc/film.md. Related: compute film, compute film/atom, fix surface/voxel, fix drag/stokes.",
@@ -793,11 +784,10 @@ const struct ts_flow_style ts_flow_reynolds = {
 		   .doc_more = doc_more,
 		   .example = "variable cx internal 0\nvariable wedge equal 2e-6-1e-6*v_cx/1e-3\n"
 			      "flow_style reynolds cells 100 10 lower 0 lower_velocity 0.1 0 0 upper v_wedge "
-			      "set x cx "
-			      "viscosity 1e-3 density 1000 closed ylo yhi",
+			      "set x cx viscosity 1e-3 density 1000 closed ylo yhi",
 		   .cite = "O. Reynolds, Phil. Trans. R. Soc. 177 (1886) 157; B. J. Hamrock, S. R. Schmid "
-			   "and B. O. "
-			   "Jacobson, Fundamentals of Fluid Film Lubrication, 2nd ed. (2004), chapter 7",
+			   "and B. O. Jacobson, Fundamentals of Fluid Film Lubrication, 2nd ed. (2004), "
+			   "chapter 7",
 		   .args = args,
 		   .family = TS_FAMILY_FILM,
 		   .state_size = sizeof(struct reynolds),

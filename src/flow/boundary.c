@@ -285,9 +285,9 @@ enum ts_status ts_projection_net_outflow(struct ts_instance *self, struct tsim *
 			net += face_outflow(&p->fluid, d, (enum ts_grid_side)side, &size);
 	if (fabs(net) > UNEVEN * size)
 		return ts_fail(&sim->error, TS_PHYSICS, place_of_flow(self, net),
-			       "the fluid cannot %s: through all faces together it flows %s at %g per "
-			       "time, and it is incompressible; make a face an outlet (flow_boundary "
-			       "xhi outlet) or let the velocities given balance",
+			       "the fluid cannot %s: through all faces together it flows %s at %g per time, "
+			       "and it is incompressible; make a face an outlet (flow_boundary xhi outlet) "
+			       "or let the velocities given balance",
 			       net < 0 ? "leave" : "come in", net < 0 ? "in" : "out", fabs(net));
 	for (int d = 0; d < 3; d++)
 		volume *= grid->face[d][grid->n[d]] - grid->face[d][0];

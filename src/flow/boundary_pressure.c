@@ -367,15 +367,15 @@ enum ts_status ts_projection_check_pressure(struct ts_instance *self, struct tsi
 			return ts_fail(&sim->error, TS_STATE, &condition->where,
 				       "flow_boundary %s: the body_force of flow_style acts along this face, "
 				       "along %c, and the pressure on it is uniform: that would drive a jet "
-				       "through it; give it `hydrostatic yes`, with which a fluid at "
-				       "rest stays at rest, or `hydrostatic no` if the pressure outside is "
+				       "through it; give it `hydrostatic yes`, with which a fluid at rest "
+				       "stays at rest, or `hydrostatic no` if the pressure outside is "
 				       "uniform",
 				       ts_flow_face_names[face], "xyz"[a]);
 		if (p->level.variable || p->level.value != 0)
 			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "pressure_level"),
 				       "flow_style projection: pressure_level is for a fluid without open "
-				       "faces; here "
-				       "flow_boundary %s gives the pressure: use `pressure P` there",
+				       "faces; here flow_boundary %s gives the pressure: use `pressure P` "
+				       "there",
 				       ts_flow_face_names[face]);
 	}
 	return TS_OK;

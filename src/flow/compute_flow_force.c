@@ -67,12 +67,12 @@ const struct ts_style ts_compute_flow_force = {
 	.name = "flow/force",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Force of the fluid on a face of its grid",
-	.doc = "The force of the fluid on a wall, inlet or outlet: c_ID[1] to [3] is the total force, [4] "
-	       "to [6] the pressure force, [7] to [9] the shear force with stress mu du/dn, [10] the area. "
-	       "The pressure on the face is extrapolated from the two adjacent cells. The shear stress is "
-	       "the momentum flux in the equations of the fluid, so in a steady flow the momentum balance "
-	       "along the face holds to round-off. Without an open face the pressure is known up to a "
-	       "constant: its mean is zero. For bodies in the fluid see fix immersed/boundary.",
+	.doc = "The force of the fluid on a wall, inlet or outlet: c_ID[1] to [3] is the total force, [4] to "
+	       "[6] the pressure force, [7] to [9] the shear force with stress mu du/dn, [10] the area. The "
+	       "pressure on the face is extrapolated from the two adjacent cells. The shear stress is the "
+	       "momentum flux in the equations of the fluid, so in a steady flow the momentum balance along "
+	       "the face holds to round-off. Without an open face the pressure is known up to a constant: "
+	       "its mean is zero. For bodies in the fluid see fix immersed/boundary.",
 	.example = "compute lid all flow/force yhi\nthermo_style custom step c_lid[7]",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -226,11 +226,11 @@ const struct ts_style ts_dump_flow_vtk = {
 	.kind = TS_KIND_DUMP,
 	.summary = "Writes the fields of the fluid to VTK files for ParaView",
 	.doc = "Cell values: velocity (mean over the faces of the cell), pressure, void fraction, vorticity "
-	       "curl u (mean over the edges of the cell), and scalars of fix flow/scalar (f_ID). A .vti "
-	       "file (image data) stores three spacings in place of coordinates, for uniform grids; a .vtr "
-	       "file (rectilinear grid) stores the faces along all axes. With `*` in the name, one file is "
-	       "written for each frame, and a collection NAME.pvd with the times of all frames, which is "
-	       "the file to open in ParaView. Files and collection are renamed into place when they are "
+	       "curl u (mean over the edges of the cell), and scalars of fix flow/scalar (f_ID). A .vti file "
+	       "(image data) stores three spacings in place of coordinates, for uniform grids; a .vtr file "
+	       "(rectilinear grid) stores the faces along all axes. With `*` in the name, one file is "
+	       "written for each frame, and a collection NAME.pvd with the times of all frames, which is the "
+	       "file to open in ParaView. Files and collection are renamed into place when they are "
 	       "complete.",
 	.example = "dump fields all flow/vtk 1000 post/flow*.vti\n"
 		   "dump speed all flow/vtk 1000 post/speed*.vtr velocity",

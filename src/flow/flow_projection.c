@@ -272,8 +272,8 @@ static enum ts_status report_plan(struct ts_instance *self, struct tsim *sim, st
 	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.void_fraction)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, viscous_names[p->viscous]),
 			       "flow_style projection: viscous %s cannot be used with a void fraction (fix "
-			       "void_fraction): use viscous explicit, with substeps auto if it limits "
-			       "the step",
+			       "void_fraction): use viscous explicit, with substeps auto if it limits the "
+			       "step",
 			       viscous_names[p->viscous]);
 	warn_of_walls(self, sim);
 	ts_report_line(report, "fluid", "%d x %d x %d cells, convection %s (%s), time %s", grid->n[0],

@@ -208,8 +208,7 @@ static enum ts_status report_wiggle(const struct ts_instance *self, struct tsim 
 	return ts_review_report(sim, "flow_resolution", &self->where,
 				"the cells are too wide for the flow: at time %.4g the velocity alternates "
 				"from cell to cell along %c by %.2g %% of the largest speed %.4g at (%.4g "
-				"%.4g "
-				"%.4g), where the cell Reynolds number |u| h/nu is %.3g (convection %s "
+				"%.4g %.4g), where the cell Reynolds number |u| h/nu is %.3g (convection %s "
 				"oscillates above 2 where the flow changes within a cell); %s there "
 				"(flow_grid)",
 				fluid->time, "xyz"[w.axis], 100 * w.size / fastest, fastest, w.x[0], w.x[1],

@@ -266,8 +266,8 @@ enum ts_status ts_flow_sampler_inside(struct ts_instance *self, struct tsim *sim
 	for (int d = 0; d < 3; d++)
 		if (ts_grid_find(&fluid->grid, d, x[d]) < 0)
 			return ts_fail(&sim->error, TS_RANGE, where,
-				       "compute %s: %s = %g is outside of the fluid's grid, which goes "
-				       "from %g to %g",
+				       "compute %s: %s = %g is outside of the fluid's grid, which goes from "
+				       "%g to %g",
 				       self->style->name, names[d], x[d], fluid->grid.face[d][0],
 				       fluid->grid.face[d][fluid->grid.n[d]]);
 	return TS_OK;

@@ -179,9 +179,8 @@ const struct ts_flow_style ts_flow_stagnation = {
 		   .kind = TS_KIND_FLOW,
 		   .summary = "A prescribed flow against a plane: axisymmetric or plane stagnation flow",
 		   .doc = doc,
-		   .example =
-			   "flow_style stagnation axisymmetric point 0 0 0 normal 0 0 1 speed 105 distance "
-			   "0.01 viscosity 1.8e-5 density 1.2",
+		   .example = "flow_style stagnation axisymmetric point 0 0 0 normal 0 0 1 speed 105 "
+			      "distance 0.01 viscosity 1.8e-5 density 1.2",
 		   .cite = "H. Schlichting, Boundary-Layer Theory, 7th ed. (1979), chapter V",
 		   .args = args,
 		   .state_size = sizeof(struct stagnation),

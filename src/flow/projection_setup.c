@@ -48,8 +48,8 @@ static enum ts_status grid_bounds(struct ts_instance *self, struct tsim *sim, do
 		hi[d] = fmin(hi[d], box->hi[d]);
 		if (!(hi[d] > lo[d]))
 			return ts_fail(&sim->error, TS_RANGE, &self->where,
-				       "flow_style projection: the region of the grid has no part in the "
-				       "box along %c",
+				       "flow_style projection: the region of the grid has no part in the box "
+				       "along %c",
 				       "xyz"[d]);
 	}
 	return TS_OK;
@@ -73,8 +73,8 @@ static enum ts_status check_cells(struct ts_instance *self, struct tsim *sim, co
 	for (int d = 0; d < dimensions; d++)
 		if (p->cells[d] < 2 && !periodic[d])
 			return ts_fail(&sim->error, TS_RANGE, &self->where,
-				       "flow_style projection: there must be at least two cells between "
-				       "the boundaries along %c; for a flow in a plane take one along z",
+				       "flow_style projection: there must be at least two cells between the "
+				       "boundaries along %c; for a flow in a plane take one along z",
 				       "xyz"[d]);
 	return TS_OK;
 }

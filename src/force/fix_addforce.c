@@ -111,8 +111,8 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_NUMBER("fx", struct addforce, f[0], .flags = TS_POSITIONAL, .unit = "force",
-		  .help = "x component of the force on each particle; a number, or v_NAME for an "
-			  "equal-style or atom-style variable"),
+		  .help = "x component of the force on each particle; a number, or v_NAME for an equal-style "
+			  "or atom-style variable"),
 	TS_NUMBER("fy", struct addforce, f[1], .flags = TS_POSITIONAL, .unit = "force",
 		  .help = "y component"),
 	TS_NUMBER("fz", struct addforce, f[2], .flags = TS_POSITIONAL, .unit = "force",
@@ -140,9 +140,9 @@ const struct ts_style ts_fix_addforce = {
 	.kind = TS_KIND_FIX,
 	.summary = "adds a force to each particle of the group",
 	.doc = "Adds the force (fx, fy, fz) to each particle of the group (that is in the region). The "
-	       "potential energy of the constant components is -f . x with unwrapped positions x; "
-	       "components that are variables have no energy unless the keyword `energy` gives one. The "
-	       "energy counts in compute pe if `fix_modify ID energy yes` is set.",
+	       "potential energy of the constant components is -f . x with unwrapped positions x; components "
+	       "that are variables have no energy unless the keyword `energy` gives one. The energy counts "
+	       "in compute pe if `fix_modify ID energy yes` is set.",
 	.example = "fix push tool addforce 0.0 0.0 -2.5\n"
 		   "fix swing all addforce v_fx 0.0 0.0 every 10 region left energy v_e",
 	.args = args,

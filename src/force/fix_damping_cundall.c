@@ -62,14 +62,14 @@ const struct ts_style ts_fix_damping_cundall = {
 	.summary = "local damping: opposes the motion in proportion to the force",
 	.doc = "Adds to each component of the force -gamma_l |F| sgn(v), with the force F on the particle "
 	       "that the pair and bond styles and the fixes defined before have exerted, and to each "
-	       "component of the torque -gamma_a |T| sgn(omega). The damping of a vibration does not "
-	       "depend on its frequency: the amplitude of a spring changes by the factor sqrt((1 - "
-	       "gamma)/(1 + gamma)) in half a period, as its force is smaller on the way back and larger "
-	       "on the way out. In equilibrium it exerts no force, so it is used to find static states. "
-	       "It also damps the acceleration by gravity: do not use it for free flight.",
+	       "component of the torque -gamma_a |T| sgn(omega). The damping of a vibration does not depend "
+	       "on its frequency: the amplitude of a spring changes by the factor sqrt((1 - gamma)/(1 + "
+	       "gamma)) in half a period, as its force is smaller on the way back and larger on the way out. "
+	       "In equilibrium it exerts no force, so it is used to find static states. It also damps the "
+	       "acceleration by gravity: do not use it for free flight.",
 	.example = "fix calm all damping/cundall 0.7 0.7",
-	.cite = "P. A. Cundall, in: Analytical and Computational Methods in Engineering Rock Mechanics, "
-		"ed. E. T. Brown (Allen & Unwin, 1987), ch. 4",
+	.cite = "P. A. Cundall, in: Analytical and Computational Methods in Engineering Rock Mechanics, ed. "
+		"E. T. Brown (Allen & Unwin, 1987), ch. 4",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.init = init,

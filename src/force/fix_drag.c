@@ -97,9 +97,8 @@ const struct ts_style ts_fix_drag = {
 	.kind = TS_KIND_FIX,
 	.summary = "adds a force of constant magnitude towards a point",
 	.doc = "Adds f = -fmag d/|d| to each particle of the group whose distance |d| from the point is "
-	       "larger than delta, where d is the vector from the nearest periodic image of the point to "
-	       "the particle. Components that are NULL are 0 in d. For the drag of a fluid see fix "
-	       "drag/stokes.",
+	       "larger than delta, where d is the vector from the nearest periodic image of the point to the "
+	       "particle. Components that are NULL are 0 in d. For the drag of a fluid see fix drag/stokes.",
 	.example = "fix gather all drag 0.5 NULL 0.0 2.385 0.01",
 	.args = args,
 	.state_size = sizeof(struct state),

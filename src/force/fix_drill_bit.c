@@ -292,14 +292,13 @@ const struct ts_style ts_fix_drill_bit = {
 	.doc = "Models a drag bit. The group contains its four cutters. Their x and y are prescribed, 90 "
 	       "degrees apart on a circle around the axis:\n\n"
 	       "  x_k = x + D/2 cos(angle + k pi/2),  y_k = y + D/2 sin(angle + k pi/2),  k = 0 ... 3,\n\n"
-	       "D being the diameter; the angle starts at 0 and grows with omega. Each cutter moves "
-	       "freely in z under a quarter of the weight on bit, the contact forces, and a spring and "
-	       "dashpot to the mean z of the four, which is the bit height. The `body` particle moves on "
-	       "the axis at `clearance` above that height and keeps cuttings out of the space of the bit.\n\n"
-	       "The fix integrates its particles itself by velocity Verlet: exclude them from fix nve, "
-	       "and define this fix after those that act on the cutters. Outputs are f_ID, the bit "
-	       "height, and f_ID[1..7]; forces are those of contacts with the rock, without weight and "
-	       "spring.",
+	       "D being the diameter; the angle starts at 0 and grows with omega. Each cutter moves freely "
+	       "in z under a quarter of the weight on bit, the contact forces, and a spring and dashpot to "
+	       "the mean z of the four, which is the bit height. The `body` particle moves on the axis at "
+	       "`clearance` above that height and keeps cuttings out of the space of the bit.\n\n"
+	       "The fix integrates its particles itself by velocity Verlet: exclude them from fix nve, and "
+	       "define this fix after those that act on the cutters. Outputs are f_ID, the bit height, and "
+	       "f_ID[1..7]; forces are those of contacts with the rock, without weight and spring.",
 	.example = "fix bit cutters drill/bit 5.0 5.0 diameter 5.0 omega 0.1 wob 0.2 spring 100 &\n"
 		   "    body nose clearance 1.0",
 	.args = args,

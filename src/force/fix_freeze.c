@@ -91,10 +91,10 @@ const struct ts_style ts_fix_freeze = {
 	.name = "freeze",
 	.kind = TS_KIND_FIX,
 	.summary = "keeps the particles of the group at rest",
-	.doc = "Sets force and torque of the particles of the group to zero. Particles at rest stay at "
-	       "rest; moving ones keep their velocity, so set it to zero first. Frozen particles have "
-	       "infinite mass in contact laws, and contacts between two frozen particles are not evaluated. "
-	       "Define this fix after the fixes whose forces it cancels.",
+	.doc = "Sets force and torque of the particles of the group to zero. Particles at rest stay at rest; "
+	       "moving ones keep their velocity, so set it to zero first. Frozen particles have infinite "
+	       "mass in contact laws, and contacts between two frozen particles are not evaluated. Define "
+	       "this fix after the fixes whose forces it cancels.",
 	.example = "velocity wall set 0 0 0\nfix hold wall freeze",
 	.state_size = sizeof(struct freeze),
 	.archive = archive,

@@ -189,10 +189,10 @@ const struct ts_style ts_fix_gravity = {
 	.name = "gravity",
 	.kind = TS_KIND_FIX,
 	.summary = "adds gravity: the same acceleration for all particles of the group",
-	.doc = "Adds the force f = m g to each particle of the group. The direction of g is given by "
-	       "`vector x y z` (normalised), by `chute angle` (in the x-z plane, angle in degrees from -z "
-	       "towards +x) or by `spherical phi theta` (degrees). In two dimensions y takes the role of z, "
-	       "and phi has no effect.\n\n"
+	.doc = "Adds the force f = m g to each particle of the group. The direction of g is given by `vector "
+	       "x y z` (normalised), by `chute angle` (in the x-z plane, angle in degrees from -z towards "
+	       "+x) or by `spherical phi theta` (degrees). In two dimensions y takes the role of z, and phi "
+	       "has no effect.\n\n"
 	       "The scalar f_ID is the potential energy -sum m g . x with unwrapped positions x; it counts "
 	       "in compute pe if `fix_modify ID energy yes` is set. Rigid bodies with a member in the group "
 	       "are accelerated as a whole, with the mass of the body.",

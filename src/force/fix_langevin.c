@@ -132,11 +132,11 @@ const struct ts_style ts_fix_langevin = {
 	       "  f = -m v/damp + sqrt(24 k T m/(damp dt)) u\n\n"
 	       "with Boltzmann's constant k, the time step dt and u uniformly distributed in (-1/2, 1/2) in "
 	       "each component, so that the translational degrees of freedom approach the temperature T. T "
-	       "changes linearly from Tstart to Tstop over each run (see `run N start S stop E`). The "
-	       "random numbers are functions of seed, time step and particle ID only, so results do not "
-	       "depend on the number of threads.\n\n"
-	       "This fix does not integrate the motion: use it with fix nve. The time step must be less "
-	       "than 2 damp.",
+	       "changes linearly from Tstart to Tstop over each run (see `run N start S stop E`). The random "
+	       "numbers are functions of seed, time step and particle ID only, so results do not depend on "
+	       "the number of threads.\n\n"
+	       "This fix does not integrate the motion: use it with fix nve. The time step must be less than "
+	       "2 damp.",
 	.example = "fix bath all langevin 300 300 0.1 86028157",
 	.args = args,
 	.state_size = sizeof(struct state),

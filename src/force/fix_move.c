@@ -401,14 +401,16 @@ const struct ts_style ts_fix_move = {
 	.name = "move",
 	.kind = TS_KIND_FIX,
 	.summary = "prescribes the motion of particles",
-	.doc = "Replaces the time integration for the particles of the group: their position is a function "
-	       "of the time t since the fix was defined, independent of the forces on them. With the "
-	       "position x0 at t = 0\n\n"
+	.doc = "Replaces the time integration for the particles of the group: their position is a function of "
+	       "the time t since the fix was defined, independent of the forces on them. With the position x0 "
+	       "at t = 0\n\n"
 	       "    linear    x = x0 + V t\n"
 	       "    wiggle    x = x0 + A sin(2 pi t/period)\n"
-	       "    rotate    x = P + C + A cos(wt) + B sin(wt), x0 - P = C + A, C along the axis e, B = e x A\n"
+	       "    rotate    x = P + C + A cos(wt) + B sin(wt), x0 - P = C + A, C along the axis e, B = e x "
+	       "A\n"
 	       "    transrot  the same + V t\n"
-	       "    variable  x = x0 + (dx, dy, dz), or x += h (vx, vy, vz) where no displacement is given\n\n"
+	       "    variable  x = x0 + (dx, dy, dz), or x += h (vx, vy, vz) where no displacement is "
+	       "given\n\n"
 	       "with the time step h and w = 2 pi/period. Velocities are the time derivatives; with rotate "
 	       "and transrot the angular velocity of the particles is set to w e. With `variable` "
 	       "displacement and velocity should be consistent, which is not checked. Particles that are "

@@ -31,8 +31,8 @@ const struct ts_style ts_fix_planeforce = {
 	.kind = TS_KIND_FIX,
 	.summary = "keeps only the component of the force in a plane",
 	.doc = "Removes the force component normal to the plane from each particle of the group, f = f - (f "
-	       ". e) e with the unit normal e. Particles that start at rest then move in planes. Define "
-	       "this fix after the fixes that add forces.",
+	       ". e) e with the unit normal e. Particles that start at rest then move in planes. Define this "
+	       "fix after the fixes that add forces.",
 	.example = "fix table all planeforce 0 0 1",
 	.args = args,
 	.state_size = sizeof(struct ts_force_filter),

@@ -61,9 +61,9 @@ const struct ts_style ts_fix_viscous_sphere = {
 	.name = "viscous/sphere",
 	.kind = TS_KIND_FIX,
 	.summary = "adds a viscous torque proportional to the angular velocity",
-	.doc = "Adds the torque T = -gamma omega to each particle of the group; `scale` multiplies gamma "
-	       "for a type. Velocity Verlet is stable for time steps below 2 I/gamma with the smallest "
-	       "moment of inertia I.",
+	.doc = "Adds the torque T = -gamma omega to each particle of the group; `scale` multiplies gamma for "
+	       "a type. Velocity Verlet is stable for time steps below 2 I/gamma with the smallest moment of "
+	       "inertia I.",
 	.example = "fix calm all viscous/sphere 1e-6 scale 2 2.385",
 	.args = args,
 	.state_size = sizeof(struct state),

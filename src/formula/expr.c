@@ -159,8 +159,8 @@ static enum ts_status read_list(struct ts_expr *e, struct ts_operand *out)
 
 	if (e->kind != TS_FORMULA_VECTOR)
 		return ts_expr_fail(e, TS_SYNTAX, at, at + 1,
-				    "a list [..] is allowed only in a variable of style vector and "
-				    "in sum(), ave() and the like; one number is needed here");
+				    "a list [..] is allowed only in a variable of style vector and in sum(), "
+				    "ave() and the like; one number is needed here");
 	for (const char *c = e->text + at; *c && *c != ']'; c++)
 		n += *c == ',';
 	TS_TRY(ts_expr_array(e, n, out));

@@ -159,8 +159,8 @@ static enum ts_status call_on_list(struct ts_expr *e, const struct ts_expr_funct
 	}
 	if (!arg->data)
 		return ts_expr_fail(e, TS_SYNTAX, arg->at, arg->end,
-				    "expected a list: the vector of a compute or fix, a variable "
-				    "of style vector, or [1,2.5,3]");
+				    "expected a list: the vector of a compute or fix, a variable of style "
+				    "vector, or [1,2.5,3]");
 	if (f->map) {
 		f->map(arg->data, n);
 		*out = *arg;
@@ -229,8 +229,8 @@ enum ts_status ts_expr_call_group(struct ts_expr *e, const struct ts_function *f
 	}
 	if (!f->eval)
 		return ts_expr_fail(e, TS_STATE, at, e->at,
-				    "%s has a value for each particle; it is allowed only in a "
-				    "variable of style atom",
+				    "%s has a value for each particle; it is allowed only in a variable of "
+				    "style atom",
 				    f->name);
 	status = ts_expr_or_unknown(e, f->name, f->eval(e->sim, words, &out->scalar), out);
 	TS_TRY(ts_expr_locate_error(e, status, at, e->at));

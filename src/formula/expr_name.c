@@ -120,8 +120,8 @@ static enum ts_status element_of_variable(struct ts_expr *e, struct ts_variable 
 	if (variable->style->peratom && !variable->style->number)
 		return variable_of_particle(e, variable, place, k, at, out);
 	return ts_expr_fail(e, TS_SYNTAX, at, e->at,
-			    "variable '%s' (style %s) has one value; '[' is allowed only "
-			    "behind a variable of style vector or atom",
+			    "variable '%s' (style %s) has one value; '[' is allowed only behind a variable "
+			    "of style vector or atom",
 			    variable->name, variable->style->name);
 }
 

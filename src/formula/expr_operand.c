@@ -139,8 +139,8 @@ enum ts_status ts_op_need_number(struct ts_expr *e, const struct ts_operand *a)
 	if (!a->is_word)
 		return TS_OK;
 	return ts_expr_fail(e, TS_SYNTAX, a->at, a->end,
-			    "'%s' is a word here, a number is needed; the value of a keyword or "
-			    "variable is written $(%s) or v_NAME",
+			    "'%s' is a word here, a number is needed; the value of a keyword or variable is "
+			    "written $(%s) or v_NAME",
 			    a->word, a->word);
 }
 

@@ -209,7 +209,7 @@ const struct ts_expr_function ts_special_functions[] = {
 	ASK("is_available", "category,style", 2, eval_is_available,
 	    "1 if tsim has a command, fix, pair, ... of that name"),
 	ASK("extract_setting", "name", 1, eval_extract_setting,
-	    "one of dimension, box_exist, nthreads, world_size, world_rank, universe_size, "
-	    "universe_rank, triclinic, newton_bond, newton_pair"),
+	    "one of dimension, box_exist, nthreads, world_size, world_rank, universe_size, universe_rank, "
+	    "triclinic, newton_bond, newton_pair"),
 	{ .name = NULL },
 };

@@ -133,8 +133,8 @@ static enum ts_status eval_logfreq3(struct ts_expr *e, const double *arg, double
 	truncate_to_steps(arg, 3, a);
 	if (!(a[0] > 0 && a[1] > 1 && a[2] > a[0] && a[2] - a[0] + 1 >= a[1]))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
-			       "logfreq3(x,y,z) needs 0 < x < z and 1 < y <= z - x + 1, found %.6g, "
-			       "%.6g, %.6g",
+			       "logfreq3(x,y,z) needs 0 < x < z and 1 < y <= z - x + 1, found %.6g, %.6g, "
+			       "%.6g",
 			       arg[0], arg[1], arg[2]);
 	*out = a[0];
 	if (step < a[0])

@@ -121,8 +121,8 @@ static enum ts_status check_existing(struct ts_formulas *formulas, const struct 
 
 	if (old->style != style)
 		return ts_fail(error, TS_STATE, &name->place,
-			       "variable '%s' exists with style %s (%s:%d); 'variable %s delete' "
-			       "first, or declare it here with style index",
+			       "variable '%s' exists with style %s (%s:%d); 'variable %s delete' first, or "
+			       "declare it here with style index",
 			       name->text, old->style->name, old->where.file, old->where.line, name->text);
 	if (old->busy)
 		return ts_fail(error, TS_STATE, &name->place,
@@ -201,8 +201,8 @@ enum ts_status ts_variable_text(struct ts_formulas *formulas, struct ts_variable
 
 	if (!variable->style->text)
 		return ts_fail(error, TS_STATE, where,
-			       "variable '%s' (style %s) has a value for each particle and cannot "
-			       "be put into a line",
+			       "variable '%s' (style %s) has a value for each particle and cannot be put "
+			       "into a line",
 			       variable->name, variable->style->name);
 	if (variable->open && variable->style->number && ts_unknown_read(formulas, variable->name)) {
 		ts_unknown_add(formulas->sim, out, "%g", NAN);
@@ -258,8 +258,8 @@ enum ts_status ts_variable_peratom(struct ts_formulas *formulas, struct ts_varia
 {
 	if (!variable->style->peratom)
 		return ts_fail(&formulas->sim->error, TS_STATE, where,
-			       "variable '%s' is of style %s; values for each particle need style "
-			       "atom or atomfile",
+			       "variable '%s' is of style %s; values for each particle need style atom or "
+			       "atomfile",
 			       variable->name, variable->style->name);
 	TS_TRY(begin_evaluation(formulas, variable, where));
 	return end_evaluation(formulas, variable, variable->style->peratom(formulas, variable, where, out),

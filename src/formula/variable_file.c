@@ -54,8 +54,7 @@ static enum ts_status read_row(struct ts_formulas *formulas, struct ts_variable_
 			feed->line.text = "";
 			return ts_fail(&formulas->sim->error, TS_RANGE, &feed->line,
 				       "the line has more than %zu bytes; if that is intended, raise the "
-				       "limit by "
-				       "-input-limit GB, of which a line may have a thousandth",
+				       "limit by -input-limit GB, of which a line may have a thousandth",
 				       most);
 		}
 		ts_str_add_n(&feed->row, &byte, 1);

@@ -79,8 +79,8 @@ const struct ts_variable_style ts_var_index = {
 const struct ts_variable_style ts_var_loop = {
 	.name = "loop",
 	.values = "N | N1 N2 [pad]",
-	.help = "an integer from 1 to N or from N1 to N2; `next` advances to the next one; pad: with "
-		"leading zeros, all as long as the last",
+	.help = "an integer from 1 to N or from N1 to N2; `next` advances to the next one; pad: with leading "
+		"zeros, all as long as the last",
 	.least = 1,
 	.most = 3,
 	.keeps = true,

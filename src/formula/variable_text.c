@@ -143,8 +143,7 @@ const struct ts_variable_style ts_var_once = {
 	.name = "once",
 	.values = "formula",
 	.help = "the value of a formula when this line is executed first; it is saved in restart files, and "
-		"a "
-		"script that continues from one gets the saved value",
+		"a script that continues from one gets the saved value",
 	.least = 1,
 	.most = 1,
 	.keeps = true,

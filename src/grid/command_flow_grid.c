@@ -228,8 +228,7 @@ static const struct ts_arg around_args[] = {
 
 static const struct ts_arg faces_args[] = {
 	TS_REST("faces", struct state, faces,
-		.help = "coordinates of all faces, one more than the number "
-			"of cells"),
+		.help = "coordinates of all faces, one more than the number of cells"),
 	TS_ARGS_END,
 };
 
@@ -256,9 +255,9 @@ const struct ts_command_style ts_command_flow_grid = {
 	.style = { .name = "flow_grid",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "sets the cell widths of the fluid grid along an axis",
-		   .doc = "Sets the positions of the cell faces along one axis. flow_style projection, "
-			  "which sets the number of cells, must come before. Default: uniform cells. Each "
-			  "axis is graded independently, so the grid stays Cartesian.\n\n"
+		   .doc = "Sets the positions of the cell faces along one axis. flow_style projection, which "
+			  "sets the number of cells, must come before. Default: uniform cells. Each axis is "
+			  "graded independently, so the grid stays Cartesian.\n\n"
 			  "The discretisation is of second order if cell widths change smoothly, by a few "
 			  "per cent from cell to cell.",
 		   .example = "flow_grid y tanh 1.7\nflow_grid x geometric 4.0 fine hi\n"

@@ -24,8 +24,8 @@ const struct ts_style ts_compute_erotate_sphere = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Rotational kinetic energy",
 	.doc = "Sum of I omega^2 / 2 over the group with I = 0.4 m R^2 (0.5 m R^2 for discs). The sum is "
-	       "exact and rounded once. It is 0 if no style of the script makes particles rotate. Spheres "
-	       "of clumps of fix multisphere are not included: see compute erotate/multisphere.",
+	       "exact and rounded once. It is 0 if no style of the script makes particles rotate. Spheres of "
+	       "clumps of fix multisphere are not included: see compute erotate/multisphere.",
 	.example = "compute rotation all erotate/sphere",
 	.values = values,
 };

@@ -303,8 +303,8 @@ static enum ts_status eval_omega(struct tsim *sim, struct ts_words args, double 
 	trace = tensor[0][0] + tensor[1][1] + tensor[2][2];
 	if (!(whole > 1e-12 * trace * trace * trace))
 		return ts_fail(&sim->error, TS_STATE, &args.word[0].place,
-			       "the particles of group '%s' lie on one line: the angular velocity "
-			       "about it is not defined",
+			       "the particles of group '%s' lie on one line: the angular velocity about it "
+			       "is not defined",
 			       args.word[0].text);
 	for (int a = 0; a < 3; a++)
 		tensor[a][dim] = sum_terms(&c, angular_momentum_term, a, 0);

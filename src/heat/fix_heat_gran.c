@@ -37,12 +37,12 @@ static const char doc[] =
 	"another, and `set ... property/atom heatSource S` sets a heat source S (energy/time).\n\n"
 	"The scalar f_ID is the heat content, the sum of m c T over all particles. Per-atom properties for "
 	"output: f_Temp; f_heatFlux, the heat flow into the particle in the last step (energy/time); "
-	"f_heatSource; and f_directionalHeatFlux[1] ... [3], the sum over the contacts of half the heat "
-	"flow times the vector between the centres.\n\n"
+	"f_heatSource; and f_directionalHeatFlux[1] ... [3], the sum over the contacts of half the heat flow "
+	"times the vector between the centres.\n\n"
 	"`scheme euler` is the explicit scheme of LIGGGHTS, of first order. Its limit is the smallest m "
-	"c/sum h of a particle; above it temperatures oscillate, and the run warns. A run whose "
-	"temperatures diverge stops with an error. `scheme exact` solves the linear system exactly over "
-	"each time step, with the contacts at the end of the step, and has no limit.";
+	"c/sum h of a particle; above it temperatures oscillate, and the run warns. A run whose temperatures "
+	"diverge stops with an error. `scheme exact` solves the linear system exactly over each time step, "
+	"with the contacts at the end of the step, and has no limit.";
 
 TS_STYLE(fix, ts_style, ts_fix_heat_gran)
 const struct ts_style ts_fix_heat_gran = {

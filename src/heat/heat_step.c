@@ -127,8 +127,8 @@ enum ts_status ts_heat_check_divergence(struct ts_instance *self, struct tsim *s
 		       self->style->name, sim->particles->tag[i], temperature, h->advanced,
 		       sim->clock.dt < limit
 			       ? "a source, a wall or a value that was set is not finite"
-			       : "the time step exceeds the stability limit of explicit heat conduction: "
-				 "use a smaller one, a smaller thermalConductivity or `scheme exact`");
+			       : "the time step exceeds the stability limit of explicit heat conduction: use "
+				 "a smaller one, a smaller thermalConductivity or `scheme exact`");
 }
 
 static void check_time_step(struct ts_instance *self, struct tsim *sim)
@@ -248,8 +248,8 @@ static enum ts_status advance_exact(struct ts_instance *self, struct tsim *sim)
 
 	if (!(parts <= 1e6))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-			       "fix %s: the time step %g is more than 500000 times the time constant of "
-			       "heat conduction between particles",
+			       "fix %s: the time step %g is more than 500000 times the time constant of heat "
+			       "conduction between particles",
 			       self->style->name, sim->clock.dt);
 	parts = fmax(parts, 1);
 	s = sim->clock.dt / parts;

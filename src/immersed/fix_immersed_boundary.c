@@ -120,8 +120,8 @@ static enum ts_status make_region(struct ts_instance *self, struct tsim *sim, in
 	if (isnan(ts_region_depth(s->region, somewhere)))
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->region->id),
 			       "fix immersed/boundary: the distance from the surface is not available for a "
-			       "region of style %s; use block, cone, cylinder, plane, prism, sphere, "
-			       "wedge, or a union or intersect of these, or a mesh",
+			       "region of style %s; use block, cone, cylinder, plane, prism, sphere, wedge, "
+			       "or a union or intersect of these, or a mesh",
 			       s->region->style->name);
 	s->solid = ts_solid_of_region(s->region, dimensions, &s->prescribed, &s->stand);
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
@@ -707,23 +707,21 @@ static const struct ts_saved saved[] = {
 };
 
 static const char forces_and_limits[] =
-	"The force on the body is the opposite of the force that the forcing exerts on the fluid, "
-	"plus the rate of change of the momentum of the fluid inside,\n\n"
+	"The force on the body is the opposite of the force that the forcing exerts on the fluid, plus the "
+	"rate of change of the momentum of the fluid inside,\n\n"
 	"    F = -sum rho (u_forced - u) V/dt + d/dt int rho u dV,\n\n"
-	"and 0 before the first step. With `viscous implicit` velocities next to the body have an "
-	"error of first order in the step: keep the step near h^2/nu. Bodies of fewer than "
-	"`min_cells` cells across, along the axis where they are fewest, are refused: with 4 the "
-	"error of the drag is 5 to 13 %, with 8 it is 1 to 4 %. The thickness of a clump is that of "
-	"its largest sphere. A body that is nowhere thicker than two cells leaks, and a warning is "
-	"printed.\n\n"
-	"The pressure cannot drive fluid through a body. At the beginning of a run, and when bodies "
-	"move, all cells are marked that are connected with an outlet (or an inlet with given "
-	"pressure) through faces of cells whose centre is in the fluid. A body is refused, and the "
-	"position reported, if it closes off a part of the fluid into which more flows through faces "
-	"of the grid than out of it, or, for a region or mesh, if its motion displaces fluid in a "
-	"closed part that is at least three cells wide. Closed parts without inflow are allowed. A "
-	"body may touch walls and outlets; it may touch an inlet with given velocity only if that is "
-	"the velocity of the body.";
+	"and 0 before the first step. With `viscous implicit` velocities next to the body have an error of "
+	"first order in the step: keep the step near h^2/nu. Bodies of fewer than `min_cells` cells across, "
+	"along the axis where they are fewest, are refused: with 4 the error of the drag is 5 to 13 %, with "
+	"8 it is 1 to 4 %. The thickness of a clump is that of its largest sphere. A body that is nowhere "
+	"thicker than two cells leaks, and a warning is printed.\n\n"
+	"The pressure cannot drive fluid through a body. At the beginning of a run, and when bodies move, "
+	"all cells are marked that are connected with an outlet (or an inlet with given pressure) through "
+	"faces of cells whose centre is in the fluid. A body is refused, and the position reported, if it "
+	"closes off a part of the fluid into which more flows through faces of the grid than out of it, or, "
+	"for a region or mesh, if its motion displaces fluid in a closed part that is at least three cells "
+	"wide. Closed parts without inflow are allowed. A body may touch walls and outlets; it may touch an "
+	"inlet with given velocity only if that is the velocity of the body.";
 
 static const char *const doc_more[] = { forces_and_limits, NULL };
 
@@ -736,10 +734,10 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "surface it is set to the value on the parabola along the normal n through the surface and "
 	       "the fluid farther out,\n\n"
 	       "    u(x) = v_s + 2 d/(d + l) (u(x + l n) - v_s) - d/(d + 2 l) (u(x + 2 l n) - v_s)\n\n"
-	       "with d the distance from the surface, v_s the velocity of the surface and l the grid "
-	       "spacing along n: no slip to second order. The grid need not conform to the body, any "
-	       "pressure_style can be used, and bodies may move through the grid. Define the fix after "
-	       "flow_style; use one fix for each body.\n\n"
+	       "with d the distance from the surface, v_s the velocity of the surface and l the grid spacing "
+	       "along n: no slip to second order. The grid need not conform to the body, any pressure_style "
+	       "can be used, and bodies may move through the grid. Define the fix after flow_style; use one "
+	       "fix for each body.\n\n"
 	       "`region`: the body has the position of the region, including its `move` and `rotate`, and "
 	       "the velocity that follows from its positions in two steps of the fluid. `velocity` and "
 	       "`omega` give the velocity instead: exactly, if formulas for it are known, or for a surface "
@@ -747,27 +745,26 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "encloses the fluid. If not the region as a whole but its members or sizes change, the "
 	       "surface has only the velocity given by `velocity` and `omega`. A body that extends through "
 	       "the whole box must end at INF, not at EDGE.\n\n"
-	       "`mesh`: a closed surface of fix mesh/surface. Position and velocity of the body are those "
-	       "of the mesh. Particles interact with the same mesh by fix wall/gran mesh; with fix "
+	       "`mesh`: a closed surface of fix mesh/surface. Position and velocity of the body are those of "
+	       "the mesh. Particles interact with the same mesh by fix wall/gran mesh; with fix "
 	       "move/mesh/free the body moves freely under the force of the fluid.\n\n"
 	       "`surface`: the columns of a fix surface/voxel, below their tops. They move as the field does "
 	       "(`move`), with its velocity; heights that wear have no velocity of their own. A field that "
-	       "is "
-	       "as long as the grid along an axis that is not periodic must cover it to both ends; the ends "
-	       "of the grid are no surface.\n\n"
+	       "is as long as the grid along an axis that is not periodic must cover it to both ends; the "
+	       "ends of the grid are no surface.\n\n"
 	       "`spheres`: each particle of the group is a body (in two dimensions a disc, with force and "
-	       "torque per unit depth, like its mass) that is large compared with the cells. The force on "
-	       "it is added in the next step, so integrators, contacts, fix rigid and fix multisphere work "
-	       "as usual. Weight and buoyancy are those of the script: the pressure has no hydrostatic "
-	       "part, unless flow_style has a body_force.\n\n"
+	       "torque per unit depth, like its mass) that is large compared with the cells. The force on it "
+	       "is added in the next step, so integrators, contacts, fix rigid and fix multisphere work as "
+	       "usual. Weight and buoyancy are those of the script: the pressure has no hydrostatic part, "
+	       "unless flow_style has a body_force.\n\n"
 	       "For particles and for meshes of fix move/mesh/free a virtual mass m_v, `virtual_mass` times "
 	       "that of the displaced fluid, is added to both sides of the equation of motion,\n\n"
 	       "    (m + m_v) a = F + (all other forces) + m_v a',\n\n"
-	       "with a' the mean acceleration over the last step of the fluid. It stabilizes bodies that "
-	       "are as light as the fluid or lighter, with an error of first order in the step. It is "
-	       "applied when all other forces are known, regardless of the order in the script. Bodies "
-	       "whose added mass is more than 4.5 times the mass of the displaced fluid (light ones in "
-	       "narrow channels) need a larger value, or `relax`.",
+	       "with a' the mean acceleration over the last step of the fluid. It stabilizes bodies that are "
+	       "as light as the fluid or lighter, with an error of first order in the step. It is applied "
+	       "when all other forces are known, regardless of the order in the script. Bodies whose added "
+	       "mass is more than 4.5 times the mass of the displaced fluid (light ones in narrow channels) "
+	       "need a larger value, or `relax`.",
 	.doc_more = doc_more,
 	.example = "region rod cylinder z 0 0 0.5 INF INF units box\n"
 		   "fix rod all immersed/boundary region rod\n"

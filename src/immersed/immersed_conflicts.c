@@ -51,9 +51,8 @@ void ts_immersed_warn_walls(struct tsim *sim, const struct ts_place *where, cons
 		    rubs_on_wall(ib, fluid, face / 2, face % 2))
 			ts_warn(&sim->log, where,
 				"fix immersed/boundary: the body covers a part of the wall %s, which has "
-				"another "
-				"velocity than the body: the force on the body contains their friction; use "
-				"`flow_boundary %s slip`",
+				"another velocity than the body: the force on the body contains their "
+				"friction; use `flow_boundary %s slip`",
 				ts_flow_face_names[face], ts_flow_face_names[face]);
 }
 

@@ -90,15 +90,13 @@ static enum ts_status check_plane(struct tsim *sim, const struct ts_place *where
 	if (f->axis[2] == 2)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "fix immersed/boundary: in two dimensions the heights of %s cannot be along "
-			       "z; "
-			       "use `normal y` or `normal x`",
+			       "z; use `normal y` or `normal x`",
 			       id);
 	if (f->n[d] == 1 && f->periodic[d])
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, where,
 		       "fix immersed/boundary: in two dimensions %s must have one column along z, as long as "
-		       "the "
-		       "box; use `cells %s`, without `origin` and `size`",
+		       "the box; use `cells %s`, without `origin` and `size`",
 		       id, d == 0 ? "1 N" : "N 1");
 }
 
@@ -120,10 +118,8 @@ enum ts_status ts_immersed_check_voxels(struct tsim *sim, const struct ts_place 
 			continue;
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "fix immersed/boundary: %s has moved away from an end of the grid: it reaches "
-			       "from "
-			       "%g to %g along %c, the grid from %g to %g; make the box periodic along %c, "
-			       "or the "
-			       "field longer by `origin` and `size`",
+			       "from %g to %g along %c, the grid from %g to %g; make the box periodic along "
+			       "%c, or the field longer by `origin` and `size`",
 			       id, lo, hi, "xyz"[axis], from, to, "xyz"[axis]);
 	}
 	return TS_OK;
@@ -168,8 +164,7 @@ void ts_immersed_warn_columns(struct tsim *sim, const struct ts_place *where, co
 			continue;
 		ts_warn(&sim->log, where,
 			"fix immersed/boundary: columns of %s are %.3g cells wide along %c: the fluid does "
-			"not feel "
-			"those between its grid points; use two cells or more a column",
+			"not feel those between its grid points; use two cells or more a column",
 			id, f->width[d] / cell, "xyz"[f->axis[d]]);
 		return;
 	}

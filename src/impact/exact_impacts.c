@@ -58,8 +58,7 @@ static enum ts_status refuse_observers(struct ts_instance *self, struct tsim *si
 		if (by)
 			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "impact"),
 				       "fix %s impact exact: fix %s %s reads resolved contacts only and "
-				       "would miss "
-				       "the impacts; leave `impact exact` out",
+				       "would miss the impacts; leave `impact exact` out",
 				       self->style->name, by->style->name, by->id);
 	}
 	return TS_OK;
@@ -479,9 +478,8 @@ static enum ts_status check_left(const struct search *s, const struct left *left
 		return TS_OK;
 	return ts_fail(&s->sim->error, TS_PHYSICS, &by->where,
 		       "impact exact: particle %d %s, so its contact with wall %s is resolved by time steps; "
-		       "but they "
-		       "approach each other by %g in a step, more than its radius %g; use a shorter time "
-		       "step",
+		       "but they approach each other by %g in a step, more than its radius %g; use a shorter "
+		       "time step",
 		       p->tag[left->i],
 		       ts_rigid_member(p, left->i) ? "is in a rigid body" : "touches another particle, too",
 		       by->id, way, p->radius[left->i]);
@@ -500,14 +498,12 @@ static void warn_left(const struct search *s, const struct left *left)
 	if (ts_rigid_member(p, left->i))
 		ts_warn(&s->sim->log, &by->where,
 			"impact exact: particle %d is in a rigid body, whose contacts with wall %s are "
-			"resolved by time "
-			"steps; this one lasts about %.3g, only %.2g steps of %g",
+			"resolved by time steps; this one lasts about %.3g, only %.2g steps of %g",
 			p->tag[left->i], by->id, left->duration, left->duration / h, h);
 	else
 		ts_warn(&s->sim->log, &by->where,
 			"impact exact: particle %d touches another particle and wall %s in the same step, so "
-			"this "
-			"contact is resolved by time steps; it lasts %.3g, only %.2g steps of %g",
+			"this contact is resolved by time steps; it lasts %.3g, only %.2g steps of %g",
 			p->tag[left->i], by->id, left->duration, left->duration / h, h);
 }
 
@@ -535,8 +531,8 @@ static void warn_many(const struct search *s, size_t i)
 	e->warned_many = 1;
 	ts_warn(&s->sim->log, &s->target[0].by->where,
 		"impact exact: particle %d at (%g %g %g) has had %d impacts in one step, as between two "
-		"surfaces nearer "
-		"to each other than its diameter; it stays where it is for the rest of the step",
+		"surfaces nearer to each other than its diameter; it stays where it is for the rest of the "
+		"step",
 		p->tag[i], p->x[i][0], p->x[i][1], p->x[i][2], TS_EXACT_MOST);
 }
 
@@ -566,8 +562,8 @@ static enum ts_status take_share(const struct search *s, const struct share *sha
 	if (share->failed)
 		return ts_fail(&s->sim->error, TS_PHYSICS, &s->target[0].by->where,
 			       "impact exact: the impact of particle %d at (%g %g %g), velocity (%g %g %g), "
-			       "could not be "
-			       "integrated; use `impact resolved` and a time step that resolves contacts",
+			       "could not be integrated; use `impact resolved` and a time step that resolves "
+			       "contacts",
 			       p->tag[share->failed - 1], p->x[share->failed - 1][0],
 			       p->x[share->failed - 1][1], p->x[share->failed - 1][2],
 			       p->v[share->failed - 1][0], p->v[share->failed - 1][1],

@@ -177,8 +177,8 @@ static enum ts_status read_basis(struct tsim *sim, const struct state *s, const 
 				     &b));
 		if (b.point > (int64_t)nbasis || b.type > sim->particles->ntypes)
 			return ts_fail(&sim->error, TS_RANGE, &s->basis.word[k].place,
-				       "create_atoms: basis %lld %lld: the unit cell has %zu points, "
-				       "and types go from 1 to %d",
+				       "create_atoms: basis %lld %lld: the unit cell has %zu points, and "
+				       "types go from 1 to %d",
 				       (long long)b.point, (long long)b.type, nbasis, sim->particles->ntypes);
 		type[b.point - 1] = (int)b.type;
 	}
@@ -377,8 +377,8 @@ static enum ts_status check_arguments(struct tsim *sim, const struct state *s, c
 		return ts_fail(&sim->error, TS_STATE, where, "create_atoms mesh is not supported");
 	if (s->molecule.n || s->rotate.n)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "create_atoms: molecules are not supported; make particles and bond them "
-			       "with create_bonds");
+			       "create_atoms: molecules are not supported; make particles and bond them with "
+			       "create_bonds");
 	if (!lattice && (s->basis.n || s->ratio.n || s->subset.n))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "create_atoms: basis, ratio and subset are for box and region");

@@ -98,9 +98,9 @@ const struct ts_style ts_compute_leave = {
 	.name = "leave",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Counts particles that leave a region",
-	.doc = "At the end of each step the particles of the group in the region are counted. Particles "
-	       "that are no longer there count as having left, also if they were lost through a fixed face "
-	       "or deleted: left = entered - inside.",
+	.doc = "At the end of each step the particles of the group in the region are counted. Particles that "
+	       "are no longer there count as having left, also if they were lost through a fixed face or "
+	       "deleted: left = entered - inside.",
 	.example = "region hole block INF INF INF INF INF 0.02\ncompute out rock leave hole",
 	.args = args,
 	.state_size = sizeof(struct leave),

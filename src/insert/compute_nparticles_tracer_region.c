@@ -145,8 +145,8 @@ const struct ts_style ts_compute_nparticles_tracer_region = {
 	.name = "nparticles/tracer/region",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Counts particles, and particles marked by a tracer, in a region",
-	.doc = "c_ID[1] and c_ID[2] are the number of particles of the group in the region and the number "
-	       "of marked ones among them; c_ID[3] and c_ID[4] are the masses of both.\n\n"
+	.doc = "c_ID[1] and c_ID[2] are the number of particles of the group in the region and the number of "
+	       "marked ones among them; c_ID[3] and c_ID[4] are the masses of both.\n\n"
 	       "With reset_marker yes a marked particle is counted once: the evaluation of the compute "
 	       "removes its mark. All evaluations in one step give the same values. Lines of the thermo "
 	       "table that are printed only because a run begins or ends do not remove marks.\n\n"

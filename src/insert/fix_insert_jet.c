@@ -289,9 +289,8 @@ static enum ts_status check_way(struct ts_instance *self, struct tsim *sim, size
 		snprintf(advice, sizeof advice, "take insert_every %.0f or less, or move the nozzle", steps);
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 		       "fix insert/jet %s: particle %d has left the nozzle %.3g ago and met wall %s on its "
-		       "way, "
-		       "at the distance %.3g from the nozzle, before it was inserted beyond it in step %lld; "
-		       "%s",
+		       "way, at the distance %.3g from the nozzle, before it was inserted beyond it in step "
+		       "%lld; %s",
 		       self->id, p->tag[wall.i], wall.flown, wall.id, wall.met * ts_norm(p->v[wall.i]),
 		       (long long)sim->clock.step, advice);
 }
@@ -414,8 +413,7 @@ static const struct ts_arg args[] = {
 				"at three deviations"),
 	TS_LIST_KEYWORD("cone", struct jet, cone_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,
 			.help = "uniform ANGLE | gaussian DEVIATION | linear ANGLE: directions about the "
-				"axis "
-				"in degrees; default: parallel"),
+				"axis in degrees; default: parallel"),
 	TS_INSERTION_MOTION_ARGS(struct jet),
 	TS_INSERTION_RATE_ARGS(struct jet),
 	TS_REAL("time", struct jet, duration, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "time",
@@ -448,47 +446,35 @@ const struct ts_style ts_fix_insert_jet = {
 	       "one.\n\n"
 	       "The rate is exact: a particle leaves when the mass (or number) that the rate has delivered "
 	       "exceeds that of the particles before it by half of a mean particle. So the inserted mass "
-	       "never "
-	       "differs from massrate times time by more than the largest particle, and particles leave "
-	       "evenly spaced in time, many in a step or one in many steps. Each is inserted at the end "
-	       "of the step at x + v t, where t is the time since it left the nozzle. With insert_every N > "
-	       "1 "
-	       "t is up to N steps: forces do not act until then, and the distance v N dt from the nozzle "
-	       "must "
-	       "be free of walls: the run stops if a particle has met one on its way for more than a step, "
-	       "or "
-	       "a wall with `impact exact` at all. (Region walls that move are not looked at, meshes that "
-	       "rotate are taken to be at rest.) Since the contact list is only rebuilt when particles are "
-	       "inserted, this "
-	       "is "
-	       "cheaper where particles interact.\n\n"
+	       "never differs from massrate times time by more than the largest particle, and particles "
+	       "leave evenly spaced in time, many in a step or one in many steps. Each is inserted at the "
+	       "end of the step at x + v t, where t is the time since it left the nozzle. With insert_every "
+	       "N > 1 t is up to N steps: forces do not act until then, and the distance v N dt from the "
+	       "nozzle must be free of walls: the run stops if a particle has met one on its way for more "
+	       "than a step, or a wall with `impact exact` at all. (Region walls that move are not looked "
+	       "at, meshes that rotate are taken to be at rest.) Since the contact list is only rebuilt when "
+	       "particles are inserted, this is cheaper where particles interact.\n\n"
 	       "Forces of the step act on a new particle for the second half of the step, as in the other "
-	       "fixes "
-	       "insert/..., instead of for t, which is half a step on average.\n\n"
+	       "fixes insert/..., instead of for t, which is half a step on average.\n\n"
 	       "`cone uniform A`: directions are uniformly distributed over the solid angle within A of the "
 	       "axis. `cone gaussian S`: the density per solid angle at the angle t from the axis is "
 	       "proportional to exp(-(t/S)^2/2), truncated at 3 S. `cone linear A`: tan t = (r/R) tan A at "
-	       "the "
-	       "distance r from the axis, R the outer radius; the paths of particles start from one apex. "
-	       "Speed and direction are independent; both distributions are those of the particles that "
-	       "leave "
-	       "(of the flux).\n\n"
+	       "the distance r from the axis, R the outer radius; the paths of particles start from one "
+	       "apex. Speed and direction are independent; both distributions are those of the particles "
+	       "that leave (of the flux).\n\n"
 	       "With overlapcheck yes a particle that overlaps another one is moved to another point of the "
 	       "opening, at most maxattempt times; if none is free it waits, without loss of mass, and a "
 	       "warning is given. With overlapcheck no nothing is searched: for dilute jets whose particles "
-	       "do "
-	       "not interact, without pair_style, where it is cheaper.\n\n"
+	       "do not interact, without pair_style, where it is cheaper.\n\n"
 	       "The jet ends after `time`, or when the number of particles nparticles or the mass, to half a "
 	       "mean particle, is reached. -explain prints the volume fraction at the nozzle and the mean "
-	       "free "
-	       "path; if that is long compared with the scene, no pair_style is needed.",
-	.example =
-		"fix dust all particletemplate/sphere 15485863 atom_type 1 density constant 2900 radius "
-		"lognormal 11.024e-6 0.5 volume_limit 1e-18\n"
-		"fix mix all particledistribution/discrete 32452843 1 dust 1.0\n"
-		"fix jet all insert/jet seed 32452867 distributiontemplate mix position 0 0 0.01 direction 0 "
-		"0 -1 diameter 1.5e-3 speed gaussian 105 5 cone gaussian 2 massrate 3.33e-5 time 1e-3 "
-		"overlapcheck no",
+	       "free path; if that is long compared with the scene, no pair_style is needed.",
+	.example = "fix dust all particletemplate/sphere 15485863 atom_type 1 density constant 2900 radius "
+		   "lognormal 11.024e-6 0.5 volume_limit 1e-18\n"
+		   "fix mix all particledistribution/discrete 32452843 1 dust 1.0\n"
+		   "fix jet all insert/jet seed 32452867 distributiontemplate mix position 0 0 0.01 "
+		   "direction 0 0 -1 diameter 1.5e-3 speed gaussian 105 5 cone gaussian 2 massrate 3.33e-5 "
+		   "time 1e-3 overlapcheck no",
 	.args = args,
 	.state_size = sizeof(struct jet),
 	.saved = saved,

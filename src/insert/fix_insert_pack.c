@@ -20,8 +20,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (targets == 1)
 		return ts_insertion_region_init(self, sim);
 	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-		       "fix insert/pack: %d of particles_in_region, volumefraction_region and "
-		       "mass_in_region are given, expected one",
+		       "fix insert/pack: %d of particles_in_region, volumefraction_region and mass_in_region "
+		       "are given, expected one",
 		       targets);
 }
 
@@ -97,8 +97,8 @@ const struct ts_style ts_fix_insert_pack = {
 	       "order of decreasing size. For each, random positions in the region are tried until it "
 	       "overlaps no other particle. All tries together are limited to the number of particles times "
 	       "maxattempt, divided by the fraction of the target that is missing; if some particles were "
-	       "not placed, a warning gives their number. New particles belong to the groups of the fix, "
-	       "the mixture and the template, and are subject to forces from this step on.\n\n"
+	       "not placed, a warning gives their number. New particles belong to the groups of the fix, the "
+	       "mixture and the template, and are subject to forces from this step on.\n\n"
 	       "The random streams are those of LIGGGHTS 3.8: a script gives the same particles at the same "
 	       "positions. With all_in yes and a union of regions, a particle must lie completely in one "
 	       "member of the union, even if members share a surface.",

@@ -253,8 +253,8 @@ static const struct ts_arg args[] = {
 	TS_INT("start", struct state, base.start, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
 	       .help = "step of the insertion; default: the next step"),
 	TS_LIST_KEYWORD("vel", struct state, base.velocity_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,
-			.help = "constant vx vy vz | uniform vx vy vz dx dy dz | gaussian vx vy vz "
-				"sx sy sz: velocity; 0 by default"),
+			.help = "constant vx vy vz | uniform vx vy vz dx dy dz | gaussian vx vy vz sx sy sz: "
+				"velocity; 0 by default"),
 	TS_LIST_KEYWORD("omega", struct state, base.omega_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,
 			.help = "constant wx wy wz: angular velocity, 0 by default"),
 	TS_BOOL("verbose", struct state, base.verbose, .fallback = "yes",
@@ -277,16 +277,16 @@ const struct ts_style ts_fix_insert_pack_dense = {
 	       "other with a force equal to the overlap, the surface of the region repels them, and "
 	       "particles that were present before do not move. The method FIRE (Bitzek et al., Phys. Rev. "
 	       "Lett. 97 (2006) 170201) minimises the overlaps until none is left and each particle lies "
-	       "completely in the region. A gap of about 1e-3 of their radii is left between neighbours. "
-	       "The packing is random and isotropic, except for layers at the surface of the region. No "
+	       "completely in the region. A gap of about 1e-3 of their radii is left between neighbours. The "
+	       "packing is random and isotropic, except for layers at the surface of the region. No "
 	       "particles are in contact: under gravity the packing settles.\n\n"
 	       "Random packings of equal spheres reach a fraction of at most 0.64. Some hundred iterations "
 	       "are sufficient up to 0.55, thousands are needed beyond 0.57, and narrow regions hold less. "
 	       "It is an error if overlaps remain after max_rounds iterations. fix insert/pack, which tries "
 	       "random positions, reaches about 0.3.\n\n"
 	       "The fix exists in another edition of LIGGGHTS (PFM), which gives other positions.",
-	.example = "fix bed all insert/pack/dense seed 32452867 distributiontemplate mix region "
-		   "drum volumefraction_region 0.55",
+	.example = "fix bed all insert/pack/dense seed 32452867 distributiontemplate mix region drum "
+		   "volumefraction_region 0.55",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

@@ -127,8 +127,8 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 			       s->base.every_word ? "insert_every" : "extrude_length");
 	if (s->base.every < 1)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "fix insert/stream: particles move %g in a step, the space behind the face "
-			       "is %g long; raise extrude_length or take a smaller step",
+			       "fix insert/stream: particles move %g in a step, the space behind the face is "
+			       "%g long; raise extrude_length or take a smaller step",
 			       travel, s->length);
 	ts_insertion_rate_print(self, sim, &s->rate);
 	return TS_OK;
@@ -229,13 +229,13 @@ static enum ts_status check_space_in_box(struct ts_instance *self, struct tsim *
 	}
 	if (outside > NMEASURE / 10)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "fix insert/stream: %.0f%% of the space behind the face, %g long, are "
-			       "outside the box; make the box larger, or extrude_length smaller",
+			       "fix insert/stream: %.0f%% of the space behind the face, %g long, are outside "
+			       "the box; make the box larger, or extrude_length smaller",
 			       100.0 * outside / NMEASURE, s->length);
 	if (outside && !s->base.warned)
 		ts_warn(&sim->log, &self->where,
-			"fix insert/stream: %.2f%% of the space behind the face, %g long, are outside "
-			"the box: no particle will come from there",
+			"fix insert/stream: %.2f%% of the space behind the face, %g long, are outside the "
+			"box: no particle will come from there",
 			100.0 * outside / NMEASURE, s->length);
 	return TS_OK;
 }
@@ -554,15 +554,15 @@ const struct ts_style ts_fix_insert_stream = {
 	       "same order. With overlapcheck yes centers lie between R and L + R behind the face, and "
 	       "positions are drawn again if particles overlap or extend beyond the box; else they lie "
 	       "between R and L - R. all_in yes keeps particles within the outer edges of the face. The "
-	       "number of particles is rounded up or down at random so that the mean is exact. The face "
-	       "must not move.\n\n"
+	       "number of particles is rounded up or down at random so that the mean is exact. The face must "
+	       "not move.\n\n"
 	       "A rigid clump is released when its centre of mass reaches the face; it does not rotate "
 	       "before. LIGGGHTS does not give it the angular velocity at the face; neither does tsim with "
 	       "`legacy yes`.\n\n"
-	       "As in LIGGGHTS, f_release_fix_insert_stream[1] to [14] are per-particle quantities: "
-	       "position (1 to 3) and step (4) of the insertion, step of the release (5), velocity until "
-	       "then (6 to 8), velocity (9 to 11) and angular velocity (12 to 14) at the release. They are "
-	       "0 for other particles.",
+	       "As in LIGGGHTS, f_release_fix_insert_stream[1] to [14] are per-particle quantities: position "
+	       "(1 to 3) and step (4) of the insertion, step of the release (5), velocity until then (6 to "
+	       "8), velocity (9 to 11) and angular velocity (12 to 14) at the release. They are 0 for other "
+	       "particles.",
 	.example = "fix pour all insert/stream seed 32452867 distributiontemplate mix nparticles 5000 vel "
 		   "constant 0 -0.5 -2 particlerate 1000 overlapcheck yes insertion_face hole extrude_length "
 		   "0.6",

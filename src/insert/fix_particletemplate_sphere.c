@@ -41,8 +41,8 @@ const struct ts_style ts_fix_particletemplate_sphere = {
 	.name = "particletemplate/sphere",
 	.kind = TS_KIND_FIX,
 	.summary = "Template of spheres for insertion",
-	.doc = "Defines radius and density of spheres, which fix particledistribution/discrete mixes and "
-	       "fix insert/... inserts. Inserted particles also become members of the group of this fix.\n\n"
+	.doc = "Defines radius and density of spheres, which fix particledistribution/discrete mixes and fix "
+	       "insert/... inserts. Inserted particles also become members of the group of this fix.\n\n"
 	       "Radius and density are constant or distributed: uniform between two values, gaussian with "
 	       "mean and standard deviation, truncated at three standard deviations from the mean, or "
 	       "lognormal with median and standard deviation of the logarithm, truncated in the same way. "

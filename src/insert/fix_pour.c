@@ -134,14 +134,14 @@ static enum ts_status check_sizes(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	if ((int64_t)s->sizes.n != 2 * s->nsizes)
 		return ts_fail(&sim->error, TS_SYNTAX, &s->diameter_words.word[1].place,
-			       "fix pour: diam poly %lld is followed by so many diameters, each with "
-			       "its share, found %zu words",
+			       "fix pour: diam poly %lld is followed by so many diameters, each with its "
+			       "share, found %zu words",
 			       (long long)s->nsizes, s->sizes.n);
 	for (int64_t k = 0; k < s->nsizes; k++) {
 		if (!read_size(s, k, &diameter, &share))
 			return ts_fail(&sim->error, TS_RANGE, &s->sizes.word[2 * k].place,
-				       "fix pour: diam poly: expected a diameter > 0 and a share >= 0, "
-				       "found '%s %s'",
+				       "fix pour: diam poly: expected a diameter > 0 and a share >= 0, found "
+				       "'%s %s'",
 				       s->sizes.word[2 * k].text, s->sizes.word[2 * k + 1].text);
 		sum += share;
 	}
@@ -158,8 +158,8 @@ static enum ts_status refuse_molecules(struct ts_instance *self, struct tsim *si
 	for (int k = 0; k < MOLECULES; k++)
 		if (s->refused[k].n)
 			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, molecule_words[k]),
-				       "fix pour: '%s' is not supported: molecules are clumps here, "
-				       "poured by fix insert/stream from fix particletemplate/multisphere",
+				       "fix pour: '%s' is not supported: molecules are clumps here, poured "
+				       "by fix insert/stream from fix particletemplate/multisphere",
 				       molecule_words[k]);
 	return TS_OK;
 }
@@ -269,8 +269,8 @@ static enum ts_status find_gravity(struct ts_instance *self, struct tsim *sim, d
 
 	if (!fix)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix pour needs fix gravity before it: particles are poured again when "
-			       "those before have fallen out of the region");
+			       "fix pour needs fix gravity before it: particles are poured again when those "
+			       "before have fallen out of the region");
 	if (gravity->magnitude.variable)
 		return ts_fail(&sim->error, TS_STATE, &fix->where,
 			       "fix pour needs a constant fix gravity, found %s",
@@ -307,8 +307,8 @@ static enum ts_status check_region(struct ts_instance *self, struct tsim *sim)
 	for (int d = 0; d <= s->up; d++)
 		if (!(s->lo[d] >= box->lo[d] && s->hi[d] <= box->hi[d]))
 			return ts_fail(&sim->error, TS_RANGE, where,
-				       "fix pour: region %s reaches from %c = %g to %g, beyond the box "
-				       "from %g to %g",
+				       "fix pour: region %s reaches from %c = %g to %g, beyond the box from "
+				       "%g to %g",
 				       s->region->id, 'x' + d, s->lo[d], s->hi[d], box->lo[d], box->hi[d]);
 	if (!(region_room(s) > 0) || !(s->up == 1 ? is_block(s) : is_upright(s)))
 		return ts_fail(&sim->error, TS_STATE, where,
@@ -345,8 +345,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		s->base.every = steps_between(s, sim, g);
 	if (s->each < 1)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "fix pour: no particle fits, for `vol` asks for %g of the region's "
-			       "volume %g, and a particle has %g",
+			       "fix pour: no particle fits, for `vol` asks for %g of the region's volume %g, "
+			       "and a particle has %g",
 			       s->fraction, region_room(s), counted_volume(s, sim));
 	return TS_OK;
 }
@@ -487,14 +487,14 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 	now = steps_between(s, sim, g);
 	if (now != s->base.every)
 		ts_warn(&sim->log, &self->where,
-			"fix pour %s: particles need %lld steps to leave the region, but with time "
-			"step and gravity as they were here it took %lld, and so often they come; "
-			"define it after them",
+			"fix pour %s: particles need %lld steps to leave the region, but with time step and "
+			"gravity as they were here it took %lld, and so often they come; define it after "
+			"them",
 			self->id, (long long)now, (long long)s->base.every);
 	if (s->base.every < 1)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "fix pour: particles would leave the region within a step; it is %g "
-			       "high, the time step is %g",
+			       "fix pour: particles would leave the region within a step; it is %g high, the "
+			       "time step is %g",
 			       s->hi[s->up] - s->lo[s->up], sim->clock.dt);
 	ts_log(&sim->log, "Particle insertion: %lld every %lld steps, %lld by step %lld\n",
 	       (long long)s->each, (long long)s->base.every, (long long)s->n,
@@ -580,8 +580,8 @@ const struct ts_style ts_fix_pour = {
 	.kind = TS_KIND_FIX,
 	.summary = "Pours particles into a region, as in LAMMPS",
 	.doc = doc,
-	.example = "fix rain all pour 3000 1 300719 region slab vol 0.13 50 diam range 0.004 0.006 dens "
-		   "2500 2500",
+	.example = "fix rain all pour 3000 1 300719 region slab vol 0.13 50 diam range 0.004 0.006 dens 2500 "
+		   "2500",
 	.args = args,
 	.family = TS_FAMILY_PROSPECT,
 	.state_size = sizeof(struct pour),

@@ -155,8 +155,8 @@ const struct ts_style ts_fix_property_atom_regiontracer_time = {
 	.kind = TS_KIND_FIX,
 	.summary = "Residence times of particles in the box and in regions",
 	.doc = "In each step dt is added to the time in the box of each particle of the group, and to the "
-	       "time in the regions that contained its center at the last check. Particles that are "
-	       "inserted later start at 0.\n\n"
+	       "time in the regions that contained its center at the last check. Particles that are inserted "
+	       "later start at 0.\n\n"
 	       "f_ID of a particle, or f_ID[1], f_ID[2] ... with regions, are the times in the box and in "
 	       "the regions in the given order. f_ID[k] as a vector are the means over all particles, "
 	       "including those outside the group, whose times are 0.",

@@ -56,8 +56,8 @@ const struct ts_style ts_fix_property_atom_tracer = {
 	       "the particles of the group whose centers are in the region are marked; with heaviside in "
 	       "every such step. A particle keeps the mark until compute nparticles/tracer/region removes "
 	       "it. Both together measure residence time distributions.\n\n"
-	       "f_ID of a particle is 1 if it is marked, else 0. f_ID as a scalar is the number of "
-	       "particles marked since its last evaluation in another step.",
+	       "f_ID of a particle is 1 if it is marked, else 0. f_ID as a scalar is the number of particles "
+	       "marked since its last evaluation in another step.",
 	.example = "region mark block INF INF INF INF 0.2 0.25 units box\n"
 		   "fix tracer all property/atom/tracer region_mark mark mark_step 10000 marker_style dirac "
 		   "check_mark_every 10",

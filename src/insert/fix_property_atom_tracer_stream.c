@@ -69,8 +69,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(find_stream(self, sim));
 	if (!ts_streq(s->every_word, "once") && (!ts_parse_int(s->every_word, &s->every) || s->every < 1))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, s->every_word),
-			       "fix property/atom/tracer/stream: every is '%s', expected once or a number "
-			       "of steps > 0",
+			       "fix property/atom/tracer/stream: every is '%s', expected once or a number of "
+			       "steps > 0",
 			       s->every_word);
 	TS_TRY(ts_tracer_init(self, sim));
 	if (s->started)
@@ -226,8 +226,8 @@ const struct ts_style ts_fix_property_atom_tracer_stream = {
 	       "If an insertion has too few particles, those of the next one are marked; what is missing "
 	       "after that is dropped with a warning, except with `every once`. Of a rigid clump the first "
 	       "sphere is marked.\n\n"
-	       "f_ID of a particle is 1 if it is marked, else 0. f_ID as a scalar is the number of "
-	       "particles marked since its last evaluation in another step.",
+	       "f_ID of a particle is 1 if it is marked, else 0. f_ID as a scalar is the number of particles "
+	       "marked since its last evaluation in another step.",
 	.example = "fix tracer all property/atom/tracer/stream mark_step 10000 insert_stream pour n_tracer "
 		   "20 every 10000",
 	.family = TS_FAMILY_TRACER,

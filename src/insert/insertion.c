@@ -183,9 +183,9 @@ static void check_seeds(const struct ts_instance *self, struct tsim *sim)
 			if (seed_of(s, j) != seed_of(s, k))
 				continue;
 			ts_warn(&sim->log, &self->where,
-				"fix %s: the seed %lld of fix %s is used twice: both draw the same "
-				"random numbers, so sizes and positions are correlated; give each "
-				"fix a seed of its own%s",
+				"fix %s: the seed %lld of fix %s is used twice: both draw the same random "
+				"numbers, so sizes and positions are correlated; give each fix a seed of its "
+				"own%s",
 				self->style->name, (long long)seed_of(s, k),
 				k == 1 ? s->distribution->id : d->template[k - 2] -> id,
 				sim -> legacy ? " (LIGGGHTS 3.8 refuses it)" : "");
@@ -204,8 +204,7 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 			       self->style->name);
 	if (s->compress_tags)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "compress_tags"),
-			       "fix %s: compress_tags yes is not supported: particles keep their atom "
-			       "IDs",
+			       "fix %s: compress_tags yes is not supported: particles keep their atom IDs",
 			       self->style->name);
 	if (d->largest_type > sim->particles->ntypes)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,

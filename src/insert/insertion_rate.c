@@ -55,8 +55,8 @@ void ts_insertion_rate_print(struct ts_instance *self, struct tsim *sim, struct 
 		return;
 	rate->told = true;
 	ts_log(&sim->log,
-	       "INFO: Particle insertion %s: %f particles every %lld steps - particle rate %f, (mass "
-	       "rate %e)\n",
+	       "INFO: Particle insertion %s: %f particles every %lld steps - particle rate %f, (mass rate "
+	       "%e)\n",
 	       self->id, each, (long long)s->every, rate->rate, rate->rate * d->mass);
 	if (rate->total >= 0)
 		ts_log(&sim->log, "      %lld particles (mass %e) within %.0f steps\n",
@@ -72,8 +72,8 @@ int64_t ts_insertion_rate_count(struct ts_instance *self, struct tsim *sim, stru
 	if (n == 0 && !s->warned) {
 		s->warned = true;
 		ts_warn(&sim->log, &self->where,
-			"fix %s %s: no particle is due in the event of step %lld, for the rate gives %g "
-			"in %lld steps; a larger interval draws less often (said once)",
+			"fix %s %s: no particle is due in the event of step %lld, for the rate gives %g in "
+			"%lld steps; a larger interval draws less often (said once)",
 			self->style->name, self->id, (long long)sim->clock.step, per_event(s, sim, rate),
 			(long long)s->every);
 	}

@@ -38,8 +38,8 @@ static enum ts_status fail_no_volume(struct ts_instance *self, struct tsim *sim)
 	const struct ts_distribution *d = s->base.distribution->state;
 
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
-		       "fix %s: none of %lld random points in the box around region %s lies in it%s; %s "
-		       "a larger region or smaller particles (radius up to %g), or a larger ntry_mc",
+		       "fix %s: none of %lld random points in the box around region %s lies in it%s; %s a "
+		       "larger region or smaller particles (radius up to %g), or a larger ntry_mc",
 		       self->style->name, (long long)s->ntry_mc, s->region->id,
 		       s->base.all_in ? " and so deep that the largest particle fits" : "",
 		       s->base.all_in ? "take" : "it is too small:", d->largest);
@@ -102,8 +102,8 @@ static enum ts_status check_region(struct ts_instance *self, struct tsim *sim)
 		if ((box->face[d][0] == TS_FACE_FIXED && lo[d] < box->lo[d]) ||
 		    (box->face[d][1] == TS_FACE_FIXED && hi[d] > box->hi[d]))
 			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, s->region->id),
-				       "fix %s: region %s reaches from %c = %g to %g, beyond the fixed "
-				       "faces of the box at %g and %g; make it smaller, or the boundary m",
+				       "fix %s: region %s reaches from %c = %g to %g, beyond the fixed faces "
+				       "of the box at %g and %g; make it smaller, or the boundary m",
 				       self->style->name, s->region->id, 'x' + d, lo[d], hi[d], box->lo[d],
 				       box->hi[d]);
 	}

@@ -86,8 +86,8 @@ static enum ts_status check_spread(struct tsim *sim, const char *what, const str
 		return TS_OK;
 	if (s->shape == TS_SPREAD_NORMAL)
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "%s: three deviations below the mean are %g, expected a number > 0; "
-			       "take a smaller deviation, or lognormal",
+			       "%s: three deviations below the mean are %g, expected a number > 0; take a "
+			       "smaller deviation, or lognormal",
 			       what, ts_spread_smallest(s));
 	return ts_fail(&sim->error, TS_RANGE, where, "%s: found %g, expected a number > 0", what, s->a);
 }

@@ -21,9 +21,9 @@ const struct ts_style ts_fix_nve = {
 	.name = "nve",
 	.kind = TS_KIND_FIX,
 	.summary = "integrates the motion of the group by velocity Verlet",
-	.doc = "Each step of length h is v += h/2 f/m; x += h v; computation of the forces f; v += h/2 "
-	       "f/m. Velocity Verlet is of second order and symplectic, and stable for h < 2/omega, omega "
-	       "the highest angular frequency. Contact forces use the velocities of the half step, as in "
+	.doc = "Each step of length h is v += h/2 f/m; x += h v; computation of the forces f; v += h/2 f/m. "
+	       "Velocity Verlet is of second order and symplectic, and stable for h < 2/omega, omega the "
+	       "highest angular frequency. Contact forces use the velocities of the half step, as in "
 	       "LIGGGHTS and LAMMPS. Rotation is not integrated; see fix nve/sphere.",
 	.example = "fix move rock nve",
 	.cite = "W. C. Swope et al., J. Chem. Phys. 76 (1982) 637",

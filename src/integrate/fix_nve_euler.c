@@ -24,11 +24,11 @@ const struct ts_style ts_fix_nve_euler = {
 	.name = "nve/euler",
 	.kind = TS_KIND_FIX,
 	.summary = "integrates the motion of the group by the explicit Euler scheme",
-	.doc = "Each step of length h is x += h v; v += h f/m, both with the values at the beginning of "
-	       "the step. The scheme is of first order. An undamped oscillator of angular frequency omega "
-	       "gains energy in every step, its amplitude growing by the factor sqrt(1 + omega^2 h^2); one "
-	       "with stiffness k and damping beta is stable for h < beta/k. Larger steps cause only a "
-	       "warning. The fix exists to reproduce earlier work; otherwise use fix nve.",
+	.doc = "Each step of length h is x += h v; v += h f/m, both with the values at the beginning of the "
+	       "step. The scheme is of first order. An undamped oscillator of angular frequency omega gains "
+	       "energy in every step, its amplitude growing by the factor sqrt(1 + omega^2 h^2); one with "
+	       "stiffness k and damping beta is stable for h < beta/k. Larger steps cause only a warning. "
+	       "The fix exists to reproduce earlier work; otherwise use fix nve.",
 	.example = "fix move rock nve/euler",
 	.init = init,
 	.integrates = TS_MOVES | TS_OBEYS,

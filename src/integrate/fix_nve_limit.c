@@ -35,8 +35,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (n > 2 || (n == 2 && s->mode == ABSOLUTE && !ts_streq(word[0].text, "absolute")) ||
 	    !ts_parse_real(word[n - 1].text, &s->limit) || !(s->limit > 0))
 		return ts_fail(&sim->error, TS_SYNTAX, &word[n - 1].place,
-			       "fix nve/limit: found '%s', expected a length > 0, or radius_ratio and "
-			       "a number > 0",
+			       "fix nve/limit: found '%s', expected a length > 0, or radius_ratio and a "
+			       "number > 0",
 			       word[n - 1].text);
 	sim->run.clamped = true; /* diverging motion is limited, so limits of the step are warnings only */
 	return TS_OK;
@@ -117,9 +117,9 @@ const struct ts_style ts_fix_nve_limit = {
 	.name = "nve/limit",
 	.kind = TS_KIND_FIX,
 	.summary = "velocity Verlet with a limited displacement per step",
-	.doc = "As fix nve, but after each half kick a velocity that would move its particle by more than "
-	       "the limit in a step is reduced to it. The fix is for scenes that begin with overlaps; "
-	       "energy is not conserved while it acts.",
+	.doc = "As fix nve, but after each half kick a velocity that would move its particle by more than the "
+	       "limit in a step is reduced to it. The fix is for scenes that begin with overlaps; energy is "
+	       "not conserved while it acts.",
 	.example = "fix part all nve/limit radius_ratio 0.01\nfix part all nve/limit 1e-4",
 	.args = args,
 	.state_size = sizeof(struct state),

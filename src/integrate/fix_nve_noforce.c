@@ -31,9 +31,8 @@ const struct ts_style ts_fix_nve_noforce = {
 	.name = "nve/noforce",
 	.kind = TS_KIND_FIX,
 	.summary = "moves the particles of the group with constant velocity",
-	.doc = "Each step of length h is x += h v; forces do not change the velocity v. Use it for "
-	       "particles that exert forces on others but do not respond to any. See fix move for "
-	       "prescribed paths.",
+	.doc = "Each step of length h is x += h v; forces do not change the velocity v. Use it for particles "
+	       "that exert forces on others but do not respond to any. See fix move for prescribed paths.",
 	.example = "velocity piston set 0 0 -0.1\nfix push piston nve/noforce",
 	.integrates = TS_MOVES,
 	.hook[TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,

@@ -64,8 +64,8 @@ static const char *const inertias[] = { "by_dimension", "sphere", "disc", NULL }
 
 static const struct ts_arg args[] = {
 	TS_ENUM("inertia", struct nve_sphere, inertia, inertias, .fallback = "by_dimension",
-		.help = "moment of inertia: 2/5 m r^2 of a sphere, 1/2 m r^2 of a disc (in two "
-			"dimensions only); by dimension: disc in two"),
+		.help = "moment of inertia: 2/5 m r^2 of a sphere, 1/2 m r^2 of a disc (in two dimensions "
+			"only); by dimension: disc in two"),
 	TS_FLAG("disc", struct nve_sphere, disc, .help = "the same as inertia disc"),
 	TS_ARGS_END,
 };
@@ -75,11 +75,11 @@ const struct ts_style ts_fix_nve_sphere = {
 	.name = "nve/sphere",
 	.kind = TS_KIND_FIX,
 	.summary = "integrates translation and rotation of the group by velocity Verlet",
-	.doc = "As fix nve, and in addition omega += h/2 T/I before and after the computation of forces "
-	       "and torques T, with I = 0.4 m r^2. Where no style computes torques or reads the rotation, "
-	       "this is left out, as it would change nothing.\n\n"
-	       "In two dimensions particles rotate as discs, I = 0.5 m r^2, and a warning says so unless "
-	       "the inertia is given; `inertia sphere` lets spheres roll in a plane. The rotational energy "
+	.doc = "As fix nve, and in addition omega += h/2 T/I before and after the computation of forces and "
+	       "torques T, with I = 0.4 m r^2. Where no style computes torques or reads the rotation, this "
+	       "is left out, as it would change nothing.\n\n"
+	       "In two dimensions particles rotate as discs, I = 0.5 m r^2, and a warning says so unless the "
+	       "inertia is given; `inertia sphere` lets spheres roll in a plane. The rotational energy "
 	       "(thermo keyword erotate, compute erotate/sphere) uses the same I.",
 	.example = "fix move all nve/sphere\n"
 		   "fix move all nve/sphere inertia sphere",

@@ -36,8 +36,8 @@ static enum ts_status refuse_two_integrators(struct tsim *sim, size_t i, const s
 {
 	return ts_fail(&sim->error, TS_STATE, &second->where,
 		       "fix %s (%s) moves particle %d (type %d), which fix %s (%s, line %d) moves, too: it "
-		       "would be moved twice in each step; give the fixes groups that share no particles, "
-		       "or `unfix` one of them",
+		       "would be moved twice in each step; give the fixes groups that share no particles, or "
+		       "`unfix` one of them",
 		       second->id, second->style->name, sim->particles->tag[i], sim->particles->type[i],
 		       first->id, first->style->name, first->where.line);
 }

@@ -76,8 +76,8 @@ static enum ts_status set_column(struct ts_formats *f, struct ts_error *err, str
 
 	if (!ts_parse_int(pair.word[0].text, &k) || k < 1 || (size_t)k > columns)
 		return ts_fail(err, TS_SYNTAX, &pair.word[0].place,
-			       "format is '%s', expected float, int, line, none or the number of a "
-			       "column from 1 to %zu",
+			       "format is '%s', expected float, int, line, none or the number of a column "
+			       "from 1 to %zu",
 			       pair.word[0].text, columns);
 	if (!all || ts_words_copy(arena, pair, &pair) != TS_OK)
 		return ts_nomem(err);

@@ -107,7 +107,7 @@ void ts_vtk_add_opening(struct ts_str *out, const char *type)
 
 void ts_vtk_add_time(struct ts_str *out, double time)
 {
-	ts_str_add(out, "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" "
-			"NumberOfTuples=\"1\" format=\"ascii\">\n");
+	ts_str_add(out, "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+			"format=\"ascii\">\n");
 	ts_str_addf(out, "%.17g\n</DataArray>\n</FieldData>\n", time);
 }

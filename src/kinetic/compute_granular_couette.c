@@ -36,8 +36,8 @@ static enum ts_status set_wall(struct ts_instance *self, struct state *s, int w)
 
 	if (isnan(s->roughness[from]) == isnan(s->bumpiness[from]))
 		return ts_fail(&s->sim->error, TS_SYNTAX, &self->where,
-			       "compute granular/couette: %s of roughness and bumpiness are given for the "
-			       "%s wall, expected one of them",
+			       "compute granular/couette: %s of roughness and bumpiness are given for the %s "
+			       "wall, expected one of them",
 			       isnan(s->roughness[from]) ? "none" : "both", names[w]);
 	wall->half_angle =
 		isnan(s->roughness[from]) ? s->bumpiness[from] * TS_PI / 180 : asin(s->roughness[from]);
@@ -253,31 +253,30 @@ static const struct ts_arg args[] = {
 };
 
 static const char doc[] =
-	"Steady flow of grains that fill the gap between two parallel rough walls, sheared by the motion "
-	"of the lower one: profiles of velocity, solid fraction and granular temperature T = <C^2>/3, and "
-	"the stresses, by the kinetic theory of inelastic spheres. It reads nothing of the simulation; no "
-	"box or run is needed. There is no gravity, and nothing varies along the walls.\n\n"
-	"Three of gap, solid_fraction (or amount), speed and load are given; the fourth is the result. For "
-	"a load and a gap several solid fractions may be found (in wide gaps a dilute one, a dense one and "
-	"one between): `branch` chooses one of the first two. An unknown gap is the narrowest that carries "
-	"the load.\n\n"
-	"Equations (N, S normal and shear stress, constant; rho, d density and diameter of the "
-	"grains):\n\n"
+	"Steady flow of grains that fill the gap between two parallel rough walls, sheared by the motion of "
+	"the lower one: profiles of velocity, solid fraction and granular temperature T = <C^2>/3, and the "
+	"stresses, by the kinetic theory of inelastic spheres. It reads nothing of the simulation; no box or "
+	"run is needed. There is no gravity, and nothing varies along the walls.\n\n"
+	"Three of gap, solid_fraction (or amount), speed and load are given; the fourth is the result. For a "
+	"load and a gap several solid fractions may be found (in wide gaps a dilute one, a dense one and one "
+	"between): `branch` chooses one of the first two. An unknown gap is the narrowest that carries the "
+	"load.\n\n"
+	"Equations (N, S normal and shear stress, constant; rho, d density and diameter of the grains):\n\n"
 	"  N = rho g1 T,  S = rho d g2 sqrt(T) |du/dy|\n"
 	"  dq/dy = S |du/dy| - (rho/d) g5 T^1.5,  q = -rho d (g3 sqrt(T) dT/dy + g4 T^1.5 dnu/dy)\n\n"
 	"with g1 to g5 functions of nu and the restitution: theory lun is that of Lun et al. (1984), for "
 	"nearly elastic grains; garzo/dufty that of Garzo and Dufty (1999), for any restitution. Radial "
-	"distribution at contact: lun/savage (1 - nu/packing)^(-2.5 packing); carnahan/starling (2 - "
-	"nu)/(2 (1 - nu)^3).\n\n"
+	"distribution at contact: lun/savage (1 - nu/packing)^(-2.5 packing); carnahan/starling (2 - nu)/(2 "
+	"(1 - nu)^3).\n\n"
 	"Walls are covered with spheres (Jenkins and Richman 1986; Richman 1988; leading order). With the "
 	"half angle theta of the bumps and c = 2 (1 - cos theta)/sin^2 theta the slip is\n\n"
 	"  u_s = sqrt(pi/2) f sqrt(T) S/N,  1/f = 2/3 (c - cos theta)\n\n"
-	"and the flux of energy into the flow q = S u_s - sqrt(2/pi) (1 - e_w) c N sqrt(T). roughness is "
-	"sin theta: near 0 walls are smooth, and hold less and less shear; at 1 a grain fits between two "
+	"and the flux of energy into the flow q = S u_s - sqrt(2/pi) (1 - e_w) c N sqrt(T). roughness is sin "
+	"theta: near 0 walls are smooth, and hold less and less shear; at 1 a grain fits between two "
 	"bumps.\n\n"
-	"friction: the restitution is replaced by that of smooth grains with the same dissipation, for "
-	"small friction (Jenkins and Zhang 2002; about e - pi mu/2 + 9 mu^2/2). Friction on the walls is "
-	"not modelled.";
+	"friction: the restitution is replaced by that of smooth grains with the same dissipation, for small "
+	"friction (Jenkins and Zhang 2002; about e - pi mu/2 + 9 mu^2/2). Friction on the walls is not "
+	"modelled.";
 
 static const char *const doc_more[] = {
 	"The vector:\n\n"
@@ -297,8 +296,8 @@ static const char *const doc_more[] = {
 	"The array has a row for each point of the profile, from the lower to the upper wall: y, velocity, "
 	"solid fraction, T.",
 	"Method: collocation of fourth order, Newton's method, continuation from narrow gaps; the mesh is "
-	"refined until the estimated error is below `tolerance`. In gaps of more than about 10 diameters, "
-	"of nearly elastic grains more, there may be further solutions, dense at one wall: 16 says so. The "
+	"refined until the estimated error is below `tolerance`. In gaps of more than about 10 diameters, of "
+	"nearly elastic grains more, there may be further solutions, dense at one wall: 16 says so. The "
 	"result is that which continues the only one of narrow gaps, symmetric if the walls are.",
 	"Refused are: a mean solid fraction of `packing` or more; a gap below 2 diameters; smooth walls; "
 	"elastic grains between elastic walls, which have no steady state; solid fractions that reach "

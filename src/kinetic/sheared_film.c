@@ -11,8 +11,8 @@ static enum ts_status no_solution(const struct ts_sheared_film *f, const struct 
 				  struct ts_error *error)
 {
 	return ts_fail(error, TS_PHYSICS, where,
-		       "sheared film: no solution was found at a gap of %g diameters and the solid "
-		       "fraction %g: that of narrow gaps was followed up to %g diameters",
+		       "sheared film: no solution was found at a gap of %g diameters and the solid fraction "
+		       "%g: that of narrow gaps was followed up to %g diameters",
 		       f->couette.gap, f->couette.solids, f->couette.reached);
 }
 
@@ -44,8 +44,8 @@ static enum ts_status find_gap(struct ts_sheared_film *f, const struct ts_place 
 		return status;
 	large = speed[0] >= target;
 	return ts_fail(error, TS_PHYSICS, where,
-		       "sheared film: the load %g is too %s: at the speed %g the %s gap for which there is "
-		       "a solution, %g diameters, carries %g",
+		       "sheared film: the load %g is too %s: at the speed %g the %s gap for which there is a "
+		       "solution, %g diameters, carries %g",
 		       f->load, large ? "large" : "small", f->speed, large ? "narrowest" : "widest",
 		       f->couette.gap, f->density * pow(f->speed / speed[large ? 0 : 1], 2));
 }
@@ -111,9 +111,8 @@ enum ts_status ts_sheared_film_solve(struct ts_sheared_film *f, const struct ts_
 			       f->load);
 	if (f->figures.most > f->gas.packing)
 		return ts_fail(error, TS_PHYSICS, where,
-			       "sheared film: the solid fraction reaches %g, above that at closest "
-			       "packing, %g: grains would come to rest, which kinetic theory does not "
-			       "describe",
+			       "sheared film: the solid fraction reaches %g, above that at closest packing, "
+			       "%g: grains would come to rest, which kinetic theory does not describe",
 			       f->figures.most, f->gas.packing);
 	return TS_OK;
 }

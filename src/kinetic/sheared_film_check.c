@@ -77,8 +77,8 @@ static enum ts_status check_walls(const struct ts_sheared_film *f, const struct 
 		if (!(wall->half_angle > 0 && wall->half_angle <= TS_PI / 2 * (1 + 1e-12)))
 			return ts_fail(error, TS_RANGE, where,
 				       "sheared film: half angle of the bumps of the %s wall %g degrees, "
-				       "expected > 0 and <= 90; a smooth wall (0) does not shear the "
-				       "grains, so they come to rest",
+				       "expected > 0 and <= 90; a smooth wall (0) does not shear the grains, "
+				       "so they come to rest",
 				       names[w], wall->half_angle * 180 / TS_PI);
 	}
 	if (f->gas.restitution >= 1 && f->wall[0].restitution >= 1 && f->wall[1].restitution >= 1)

@@ -92,8 +92,8 @@ static enum ts_status check_writable(struct tsim *sim, const char *name)
 
 	if (kind == TS_ASSIGN_FORCE && stage < 0)
 		return ts_fail(&sim->error, TS_STATE, NULL,
-			       "'%s' can be written only by a function of tsim_on_step: a run begins "
-			       "with computing forces",
+			       "'%s' can be written only by a function of tsim_on_step: a run begins with "
+			       "computing forces",
 			       name);
 	if (kind == TS_ASSIGN_MOTION && stage >= 0 && stage != TSIM_END_OF_STEP)
 		return ts_fail(&sim->error, TS_STATE, NULL,

@@ -161,8 +161,8 @@ const struct ts_style ts_fix_check_timestep_gran = {
 	       "speed plus that of a mesh, whichever is larger. All ratios are 0 before the first check.\n\n"
 	       "With `legacy yes` (or the command legacy) t_H is that of LIGGGHTS: each particle collides "
 	       "with an equal one, but with its mass m instead of m* = m/2, so that t_H is 1.32 times as "
-	       "long; it is 1e6 where all particles are at rest. f_ID[3] > 1 is reported as well; in tsim "
-	       "it has little meaning, since no contact is missed whatever the skin.\n\n"
+	       "long; it is 1e6 where all particles are at rest. f_ID[3] > 1 is reported as well; in tsim it "
+	       "has little meaning, since no contact is missed whatever the skin.\n\n"
 	       "The plan of a run (tsim -explain) reports these times, too, and the limits of stability "
 	       "themselves.",
 	.example = "fix ts all check/timestep/gran 1000 0.1 0.1\nthermo_style custom step f_ts[1] f_ts[2]",

@@ -42,8 +42,8 @@ const struct ts_style ts_fix_mesh_surface_stress = {
 	       "position of reference_point, which moves with the mesh. All are those of the last complete "
 	       "step, 0 before the first one. The keywords scale, move and rotate do not change "
 	       "reference_point.\n\n"
-	       "For each triangle of area A with the unit normal n and the force F, dump mesh/vtk writes "
-	       "the normal stress |F.n|/A, the shear stress |F - (F.n) n|/A, and F/A.\n\n"
+	       "For each triangle of area A with the unit normal n and the force F, dump mesh/vtk writes the "
+	       "normal stress |F.n|/A, the shear stress |F - (F.n) n|/A, and F/A.\n\n"
 	       "With `wear finnie` each contact that does not separate increases the worn depth of its "
 	       "triangle in a step by\n\n"
 	       "  2 k v F f(g) h / A,  f = cos^2 g / 3 for tan g > 1/3, else sin 2g - 3 sin^2 g,\n\n"
@@ -51,14 +51,13 @@ const struct ts_style ts_fix_mesh_surface_stress = {
 	       "velocity and the surface, F the magnitude of the contact force, h the time step and k the "
 	       "property k_finnie of both types.\n\n"
 	       "With `impact exact` of fix wall/gran an impact counts as a whole in the step of the touch: "
-	       "force "
-	       "and torque are their impulses over h, and the wear is the integral over the impact.\n\n"
-	       "Related: fix mesh/surface, fix wall/gran, fix mesh/surface/stress/servo, fix "
-	       "move/mesh/free, dump mesh/vtk.",
+	       "force and torque are their impulses over h, and the wear is the integral over the impact.\n\n"
+	       "Related: fix mesh/surface, fix wall/gran, fix mesh/surface/stress/servo, fix move/mesh/free, "
+	       "dump mesh/vtk.",
 	.cite = "I. Finnie, Wear 3 (1960) 87",
-	.example = "fix k all property/global k_finnie peratomtypepair 1 1e-9\n"
-		   "fix chute all mesh/surface/stress file chute.stl type 1 reference_point 0 0 0.1 wear "
-		   "finnie",
+	.example =
+		"fix k all property/global k_finnie peratomtypepair 1 1e-9\n"
+		"fix chute all mesh/surface/stress file chute.stl type 1 reference_point 0 0 0.1 wear finnie",
 	.args = args,
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),

@@ -477,8 +477,8 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	       "P being the force or torque that the mesh exerts on particles along the axis, the opposite "
 	       "of f_ID[1..3] or f_ID[4..6]. In the next step the speed is vel_max o, with\n\n"
 	       "  o = kp e + ki sum(e h) + kd (e - e_last)/h,  |o| <= 1,\n\n"
-	       "h being the time step. Where o exceeds its limit, sum(e h) is set so that kp e + ki sum(e "
-	       "h) equals the opposite limit, as in LIGGGHTS. With ctrlPV torque this is the speed of the "
+	       "h being the time step. Where o exceeds its limit, sum(e h) is set so that kp e + ki sum(e h) "
+	       "equals the opposite limit, as in LIGGGHTS. With ctrlPV torque this is the speed of the "
 	       "corner farthest from the axis.\n\n"
 	       "`mode auto`: the speed is vel_max while no particle is listed near the mesh; else it is "
 	       "ratio R_min/h, R_min being the smallest radius, times min(|e|, 1) g, with g = 0.1 up to |e| "
@@ -495,17 +495,16 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	       "target_val/N, with N = A/(4 R^2), R being their radius and A the area of the mesh projected "
 	       "along the axis; N is at most the number of particles if none are inserted. If target_val is "
 	       "a variable, its value at that time counts. With `legacy yes` kp is always 0.01.\n\n"
-	       "Gains in the script are used as they are. If they exceed the limit for the present "
-	       "contacts, or for a single contact, a warning is printed before the run; so is one during "
-	       "the run if the speed oscillates (doc/review.md, servo).\n\n"
+	       "Gains in the script are used as they are. If they exceed the limit for the present contacts, "
+	       "or for a single contact, a warning is printed before the run; so is one during the run if "
+	       "the speed oscillates (doc/review.md, servo).\n\n"
 	       "vel_max must be below skin/(2 h). A fix move/mesh cannot move a servo. Between runs, "
-	       "`fix_modify ID servo/integrate stop` stops the mesh and the controller (particles still "
-	       "feel the velocity it had, as with LIGGGHTS), `start` continues; `servo/target_val T`, "
+	       "`fix_modify ID servo/integrate stop` stops the mesh and the controller (particles still feel "
+	       "the velocity it had, as with LIGGGHTS), `start` continues; `servo/target_val T`, "
 	       "`servo/vel_max V` and `servo/ctrlParam kp ki kd` change their values.\n\n"
 	       "Related: fix mesh/surface/stress, fix wall/gran.",
-	.example =
-		"fix lid all mesh/surface/stress/servo file lid.stl type 1 com 0 0 0.1 ctrlPV force axis 0 0 "
-		"-1 target_val 10 vel_max 0.1",
+	.example = "fix lid all mesh/surface/stress/servo file lid.stl type 1 com 0 0 0.1 ctrlPV force axis "
+		   "0 0 -1 target_val 10 vel_max 0.1",
 	.args = args,
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),

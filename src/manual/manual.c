@@ -14,8 +14,8 @@
 void ts_manual_index(const struct ts_tables *tables, struct ts_str *out)
 {
 	ts_str_add(out, "# Commands and styles\n\nGenerated from the tables of the program; `tsim -help "
-			"NAME` shows the same pages. Suffixes of accelerated variants\n(/omp, /opt, "
-			"/kk, /intel, /gpu) select the style itself.\n\n## language\n\n");
+			"NAME` shows the same pages. Suffixes of accelerated variants\n(/omp, /opt, /kk, "
+			"/intel, /gpu) select the style itself.\n\n## language\n\n");
 	for (const struct ts_topic *t = ts_topics; t->name; t++)
 		ts_str_addf(out, "- [%s](%s.md) — %s\n", t->name, t->name, t->summary);
 	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++) {

@@ -51,8 +51,8 @@ static enum ts_status check_symmetry(struct tsim *sim, const struct state *s)
 			if (fabs(p->value[a * p->columns + b] - p->value[b * p->columns + a]) > 0)
 				return ts_fail(&sim->error, TS_RANGE,
 					       &s->words.word[1 + a * p->columns + b].place,
-					       "fix property/global %s: the value of types %zu and %zu "
-					       "must be that of types %zu and %zu",
+					       "fix property/global %s: the value of types %zu and %zu must "
+					       "be that of types %zu and %zu",
 					       p->name, a + 1, b + 1, b + 1, a + 1);
 	return TS_OK;
 }

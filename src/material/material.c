@@ -41,13 +41,13 @@ static enum ts_status read_value(struct tsim *sim, const struct ts_word *number,
 			       "material: expected a number, found '%s'", number->text);
 	if (isnan(factor))
 		return ts_fail(&sim->error, TS_SYNTAX, &unit->place,
-			       "material: unknown unit '%s', expected one of 1, Pa, J/m3, kg/m3, "
-			       "m/s, W/m/K, J/kg/K",
+			       "material: unknown unit '%s', expected one of 1, Pa, J/m3, kg/m3, m/s, W/m/K, "
+			       "J/kg/K",
 			       unit->text);
 	if (!(factor > 0))
 		return ts_fail(&sim->error, TS_STATE, &unit->place,
-			       "material: units lj have no %s; use si, cgs or micro, or give the "
-			       "property by fix property/global",
+			       "material: units lj have no %s; use si, cgs or micro, or give the property by "
+			       "fix property/global",
 			       unit->text);
 	*out *= factor;
 	return TS_OK;

@@ -86,8 +86,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 static const struct ts_arg args[] = {
 	TS_DUMP_MESH_ARGS(struct state, "*.stl",
-			  "ids of `fix mesh/surface`, else all meshes; `region ID`: only triangles "
-			  "with their centre in it; local, owned and all are accepted, ghost writes none"),
+			  "ids of `fix mesh/surface`, else all meshes; `region ID`: only triangles with "
+			  "their centre in it; local, owned and all are accepted, ghost writes none"),
 	TS_ARGS_END,
 };
 

@@ -422,8 +422,8 @@ const struct ts_style ts_dump_mesh_vtk = {
 	       "mesh is a fix mesh/surface/stress, velocities only if a mesh moves, and Temp only if a mesh "
 	       "has a temperature. LIGGGHTS 3.8 writes the temperature for the first triangle of a mesh "
 	       "only.\n\n"
-	       "f_ID[k] writes an array of this name with column k of an output of fix ID that has a row "
-	       "for each triangle of its mesh, and 0 for the triangles of other meshes. f_ID[*] writes all "
+	       "f_ID[k] writes an array of this name with column k of an output of fix ID that has a row for "
+	       "each triangle of its mesh, and 0 for the triangles of other meshes. f_ID[*] writes all "
 	       "columns.\n\n"
 	       "Related: dump mesh/stl, fix mesh/surface, fix mesh/surface/stress.",
 	.example = "dump stress all mesh/vtk 200 post/mesh*.vtk id area vel\n"

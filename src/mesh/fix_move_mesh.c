@@ -149,8 +149,8 @@ static enum ts_status read_list(struct ts_instance *self, struct tsim *sim, cons
 
 	if (words.n != (size_t)s->nterms)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, name),
-			       "fix move/mesh: %s has %zu numbers, expected one for each of the %d "
-			       "terms of `order`",
+			       "fix move/mesh: %s has %zu numbers, expected one for each of the %d terms of "
+			       "`order`",
 			       name, words.n, (int)s->nterms);
 	for (size_t k = 0; k < words.n; k++) {
 		double *out = (double *)(void *)((char *)&s->term[k] + offset);
@@ -388,8 +388,8 @@ const struct ts_style ts_fix_move_mesh = {
 	.name = "move/mesh",
 	.kind = TS_KIND_FIX,
 	.summary = "Prescribed motion of a mesh",
-	.doc = "Moves the mesh of a `fix mesh/surface` as a rigid body. With the time t since the "
-	       "definition of the fix and w = 2 pi/period:\n\n"
+	.doc = "Moves the mesh of a `fix mesh/surface` as a rigid body. With the time t since the definition "
+	       "of the fix and w = 2 pi/period:\n\n"
 	       "  linear            x = x0 + V t\n"
 	       "  rotate            rotation about the axis by the angle w t\n"
 	       "  wiggle            velocity A w cos(w t)\n"
@@ -402,15 +402,14 @@ const struct ts_style ts_fix_move_mesh = {
 	       "velocity at its end times the time step, as LIGGGHTS does, so that wiggle differs from A "
 	       "sin(w t) in the order of the time step. Contact laws use the velocity of the surface at the "
 	       "contact point.\n\n"
-	       "Several fixes may move one mesh: they act one after the other in each step, and each of "
-	       "them also moves the origins of those after it. If a fix is deleted, the mesh stays where it "
-	       "is. A mesh with surface_vel or surface_ang_vel cannot move.\n\n"
+	       "Several fixes may move one mesh: they act one after the other in each step, and each of them "
+	       "also moves the origins of those after it. If a fix is deleted, the mesh stays where it is. A "
+	       "mesh with surface_vel or surface_ang_vel cannot move.\n\n"
 	       "Related: fix mesh/surface, fix move/mesh/free, fix mesh/surface/stress/servo.",
-	.example =
-		"fix lift all move/mesh mesh cad linear 0 0 0.1\n"
-		"fix spin all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 1 period 2.385\n"
-		"fix shake all move/mesh mesh cad viblin axis 0 0 1 order 2 amplitude 0.01 0.002 phase 0 1.3 "
-		"period 0.1 0.031",
+	.example = "fix lift all move/mesh mesh cad linear 0 0 0.1\n"
+		   "fix spin all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 1 period 2.385\n"
+		   "fix shake all move/mesh mesh cad viblin axis 0 0 1 order 2 amplitude 0.01 0.002 phase 0 "
+		   "1.3 period 0.1 0.031",
 	.args = args,
 	.family = TS_FAMILY_MESH_MOVER,
 	.state_size = sizeof(struct state),

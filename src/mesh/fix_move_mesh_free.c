@@ -54,8 +54,8 @@ static enum ts_status check_arguments(struct ts_instance *self, struct tsim *sim
 		if (inst != self &&
 		    ts_streq(((const struct ts_mesh_mover *)inst->state)->mesh, s->mover.mesh))
 			return fail_mesh(self, sim,
-					 "is moved by another fix, too; a body that is free is "
-					 "moved by this one alone");
+					 "is moved by another fix, too; a body that is free is moved by this "
+					 "one alone");
 	if (isnan(s->density) == isnan(s->mass))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix move/mesh/free: say either `density` or `mass`");
@@ -318,24 +318,24 @@ const struct ts_style ts_fix_move_mesh_free = {
 	.name = "move/mesh/free",
 	.kind = TS_KIND_FIX,
 	.summary = "A closed mesh that moves as a free rigid body",
-	.doc = "The body that the mesh of a `fix mesh/surface/stress` encloses moves freely under the "
-	       "forces of contacts with particles, of fluids and of gravity:\n\n"
+	.doc = "The body that the mesh of a `fix mesh/surface/stress` encloses moves freely under the forces "
+	       "of contacts with particles, of fluids and of gravity:\n\n"
 	       "  m dv/dt = F,  dL/dt = T,  omega = R I^-1 R^T L,\n\n"
-	       "integrated by velocity Verlet, the orientation as with fix rigid. The mass m, the centre "
-	       "of mass and the moments of inertia I are those of a homogeneous body, as sums over the "
+	       "integrated by velocity Verlet, the orientation as with fix rigid. The mass m, the centre of "
+	       "mass and the moments of inertia I are those of a homogeneous body, as sums over the "
 	       "tetrahedra of each triangle and a common point, exact to round-off.\n\n"
-	       "F and T are those of the particles that touch the mesh by `fix wall/gran ... mesh`; those "
-	       "of each `fix immersed/boundary mesh` made of the mesh, at the last step of the fluid, "
-	       "with its virtual mass added to that of the body; and the weight. Buoyancy must be in the "
-	       "script: the pressure of the fluid does not include the hydrostatic part, unless "
-	       "flow_style has a body_force.\n\n"
-	       "A contact is damped as one between the particle and a wall of infinite mass, with the "
-	       "mass of the particle alone. With friction, the lever arm of the particle ends between its "
-	       "surface and that of the mesh, the arm of the mesh at its own surface; so angular momentum "
-	       "is conserved to half an overlap, else to round-off.\n\n"
+	       "F and T are those of the particles that touch the mesh by `fix wall/gran ... mesh`; those of "
+	       "each `fix immersed/boundary mesh` made of the mesh, at the last step of the fluid, with its "
+	       "virtual mass added to that of the body; and the weight. Buoyancy must be in the script: the "
+	       "pressure of the fluid does not include the hydrostatic part, unless flow_style has a "
+	       "body_force.\n\n"
+	       "A contact is damped as one between the particle and a wall of infinite mass, with the mass "
+	       "of the particle alone. With friction, the lever arm of the particle ends between its surface "
+	       "and that of the mesh, the arm of the mesh at its own surface; so angular momentum is "
+	       "conserved to half an overlap, else to round-off.\n\n"
 	       "Meshes do not interact with each other, nor with walls. In two dimensions the motion is "
-	       "restricted to the plane, with the mass of the whole mesh, including the part beyond the "
-	       "box along z (give `mass` in this case). No other fix may move the mesh.\n\n"
+	       "restricted to the plane, with the mass of the whole mesh, including the part beyond the box "
+	       "along z (give `mass` in this case). No other fix may move the mesh.\n\n"
 	       "Related: fix mesh/surface/stress, fix wall/gran, fix immersed/boundary, fix rigid.",
 	.example = "fix box all mesh/surface/stress file box.stl type 2\n"
 		   "fix free all move/mesh/free mesh box density 700 velocity 0.1 0 0",

@@ -168,8 +168,8 @@ static enum ts_status remove_left_out(struct admission *a)
 	a->soup->n = n;
 	if (!n)
 		return ts_fail(&a->sim->error, TS_DAMAGED, a->where,
-			       "%s: no triangle is left: all have two corners at the same place, within "
-			       "the `precision` of %g",
+			       "%s: no triangle is left: all have two corners at the same place, within the "
+			       "`precision` of %g",
 			       a->soup->file, a->how->precision);
 	return build_mesh(a);
 }

@@ -213,8 +213,8 @@ enum ts_status ts_mesh_mover_check(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(moved_mesh(self, sim, &s));
 	if (s->v && !s->nmotions)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix %s: a mesh with surface_vel or surface_ang_vel cannot move, and one "
-			       "that is a servo moves by itself",
+			       "fix %s: a mesh with surface_vel or surface_ang_vel cannot move, and one that "
+			       "is a servo moves by itself",
 			       self->style->name);
 	return TS_OK;
 }

@@ -139,8 +139,7 @@ enum ts_status ts_mesh_recede_check(struct tsim *sim, struct ts_mesh_surface *s,
 	if (s->v && !s->home)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "mesh %s cannot recede: with surface_vel or surface_ang_vel its material "
-			       "moves "
-			       "along the mesh, away from where it has been worn",
+			       "moves along the mesh, away from where it has been worn",
 			       name_of(sim, s));
 	return make_state(sim, s, where);
 }
@@ -171,9 +170,8 @@ static enum ts_status add_sides(struct tsim *sim, struct ts_mesh_surface *s, con
 		    fmin(worn[0], worn[1]) > OTHER_SIDE * (worn[0] + worn[1]))
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "mesh %s is worn on both sides, by volumes of %g and %g, see its "
-				       "triangle "
-				       "%zu: it can recede from one side only; make it a closed body, or two "
-				       "meshes",
+				       "triangle %zu: it can recede from one side only; make it a closed "
+				       "body, or two meshes",
 				       name_of(sim, s), worn[0], worn[1], e[k].element + 1);
 	}
 	return TS_OK;
@@ -219,9 +217,8 @@ static enum ts_status refuse_fold(struct tsim *sim, const struct ts_mesh_surface
 		snprintf(other, sizeof other, ", triangle %zu", f->other + 1);
 	return ts_fail(&sim->error, TS_PHYSICS, where,
 		       "mesh %s: triangle %zu at (%g, %g, %g) %s%s, if it receded by the volume worn; evolve "
-		       "in "
-		       "smaller steps, end the wear earlier by `thickness`, or remesh this part with larger "
-		       "triangles",
+		       "in smaller steps, end the wear earlier by `thickness`, or remesh this part with "
+		       "larger triangles",
 		       id, f->triangle + 1, at[0], at[1], at[2], ts_mesh_recession_texts[f->fault], other);
 }
 

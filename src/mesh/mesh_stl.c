@@ -89,8 +89,8 @@ static enum ts_status read_facet(struct ts_scan *s, struct ts_triangle *t)
 	for (int k = 0; ts_scan_is(s, "vertex"); k++) {
 		if (k == 3)
 			return ts_scan_fail(s, TS_DAMAGED,
-					    "the facet of line %d has more than three corners, but STL "
-					    "is made of triangles; export the surface triangulated",
+					    "the facet of line %d has more than three corners, but STL is "
+					    "made of triangles; export the surface triangulated",
 					    t->line);
 		TS_TRY(ts_scan_real(s, "x of the corner", &t->v[k][0]));
 		TS_TRY(ts_scan_real(s, "y of the corner", &t->v[k][1]));
@@ -98,8 +98,8 @@ static enum ts_status read_facet(struct ts_scan *s, struct ts_triangle *t)
 		ts_scan_word(s);
 		if (k < 2 && !ts_scan_is(s, "vertex"))
 			return ts_scan_fail(s, TS_DAMAGED,
-					    "the facet of line %d has %d corner%s, expected 3, but here "
-					    "is %s",
+					    "the facet of line %d has %d corner%s, expected 3, but here is "
+					    "%s",
 					    t->line, k + 1, k ? "s" : "", ts_scan_found(s).text);
 	}
 	if (ts_scan_is(s, "endloop"))
@@ -171,8 +171,8 @@ enum ts_status ts_stl_read(struct ts_scan *s, struct ts_triangles *soup)
 	*s = start;
 	if (s->n < HEAD)
 		return ts_scan_refuse(s, TS_DAMAGED,
-				      "'%s' is no STL file: it does not begin with 'solid', and for a "
-				      "binary one its %zu bytes are too few",
+				      "'%s' is no STL file: it does not begin with 'solid', and for a binary "
+				      "one its %zu bytes are too few",
 				      s->file, s->n);
 	if (need < s->n && !memchr(s->bytes, '\0', s->n))
 		return ts_scan_refuse(s, TS_DAMAGED,

@@ -318,8 +318,8 @@ static enum ts_status read_section(struct vtk *v)
 		if (ts_scan_is(v->s, sections[k].name))
 			return sections[k].read ? sections[k].read(v) : read_cells(v, sections[k].shape);
 	return ts_scan_fail(v->s, TS_UNKNOWN,
-			    "%s is no part of a file of cells; known: POINTS, CELLS, "
-			    "CELL_TYPES, POLYGONS, TRIANGLE_STRIPS, CELL_DATA, POINT_DATA",
+			    "%s is no part of a file of cells; known: POINTS, CELLS, CELL_TYPES, POLYGONS, "
+			    "TRIANGLE_STRIPS, CELL_DATA, POINT_DATA",
 			    ts_scan_found(v->s).text);
 }
 
@@ -406,8 +406,8 @@ static enum ts_status split_cell(struct ts_scan *s, const struct ts_vtk_cells *c
 	if (n < 3 || (c->type[k] == TRIANGLE && n != 3) ||
 	    ((c->type[k] == PIXEL || c->type[k] == QUAD) && n != 4))
 		return ts_scan_refuse(s, TS_DAMAGED,
-				      "'%s': cell %zu has %" PRId64 " corners, which does "
-				      "not fit its type %d",
+				      "'%s': cell %zu has %" PRId64
+				      " corners, which does not fit its type %d",
 				      s->file, k + 1, n, c->type[k]);
 	if (c->type[k] == PIXEL) {
 		memcpy(pixel, (int64_t[]){ at[0], at[1], at[3], at[2] }, sizeof pixel);

@@ -158,8 +158,8 @@ const struct ts_command_style ts_command_neigh_modify = {
 		       "contact force. `exclude type m n` excludes pairs of particles of types m and n, "
 		       "`exclude group a b` pairs with one particle in group a and the other in group b. "
 		       "`exclude molecule/intra a` excludes pairs of members of group a with the same "
-		       "molecule ID, `molecule/inter a` those with different ones (`fix property/atom "
-		       "mol`). `include a`: only members of group a have contacts.\n\n"
+		       "molecule ID, `molecule/inter a` those with different ones (`fix property/atom mol`). "
+		       "`include a`: only members of group a have contacts.\n\n"
 		       "The neighbour list is rebuilt exactly when a particle has moved half the skin (see "
 		       "neighbor), so no contact is missed, and keywords that say when and how to build it "
 		       "have no effect.",

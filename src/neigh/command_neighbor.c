@@ -38,20 +38,20 @@ const struct ts_command_style ts_command_neighbor = {
 		.name = "neighbor",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the skin of the neighbour list",
-		.doc = "The neighbour list has all pairs of particles whose distance is less than the sum "
-		       "of their radii plus the skin. It is rebuilt when a particle has moved half the "
-		       "skin. With a larger skin builds are rarer and the list is longer; results do not "
-		       "depend on it.\n\n"
+		.doc = "The neighbour list has all pairs of particles whose distance is less than the sum of "
+		       "their radii plus the skin. It is rebuilt when a particle has moved half the skin. "
+		       "With a larger skin builds are rarer and the list is longer; results do not depend on "
+		       "it.\n\n"
 		       "At each build a skin s is chosen that suits the present speeds. With v dt the "
 		       "displacement of the fastest particle in a step and d the smallest diameter, s = "
-		       "sqrt(6 v dt d), at least d/100 and at most the given skin. If the next build would "
-		       "be due in less than 40 steps, and all faces of the box are fixed, s is larger than "
-		       "given, up to s = 1.6 d (v dt/d)^(1/4). It is not less than given while meshes, "
-		       "walls or the box move. It is exactly the given one with `fixed yes`, with `legacy "
-		       "yes`, where outputs depend on it, and with `thermo_modify lost ignore`: particles "
-		       "that have left the box are deleted, and others wrapped into a periodic box, when "
-		       "some particle has moved half the given skin; if all faces are fixed, this is "
-		       "checked apart from builds, and s may be larger.",
+		       "sqrt(6 v dt d), at least d/100 and at most the given skin. If the next build would be "
+		       "due in less than 40 steps, and all faces of the box are fixed, s is larger than "
+		       "given, up to s = 1.6 d (v dt/d)^(1/4). It is not less than given while meshes, walls "
+		       "or the box move. It is exactly the given one with `fixed yes`, with `legacy yes`, "
+		       "where outputs depend on it, and with `thermo_modify lost ignore`: particles that have "
+		       "left the box are deleted, and others wrapped into a periodic box, when some particle "
+		       "has moved half the given skin; if all faces are fixed, this is checked apart from "
+		       "builds, and s may be larger.",
 		.example = "neighbor 0.001 bin\nneighbor 0.001 bin fixed yes",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -48,8 +48,8 @@ const struct ts_style ts_compute_neighbor_atom = {
 	.name = "neighbor/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Number of neighbours of each particle",
-	.doc = "Number of other particles, of any group, that were nearer than the sum of the radii plus "
-	       "the skin (command neighbor) when the neighbour list was built last. Periodic images count, "
+	.doc = "Number of other particles, of any group, that were nearer than the sum of the radii plus the "
+	       "skin (command neighbor) when the neighbour list was built last. Periodic images count, "
 	       "excluded pairs do not. As long as this compute exists, the list is built with the given "
 	       "skin.",
 	.example = "compute n all neighbor/atom\ncompute mean all reduce ave c_n",

@@ -192,8 +192,8 @@ const struct ts_style ts_compute_rdf = {
 	       "columns follow for each pair of types:\n\n"
 	       "    g(r) = V n(r) / (4/3 pi (r_o^3 - r_i^3) N_i N_j'),  coord(r) = sum n(r') / N_i, r' <= "
 	       "r\n\n"
-	       "n(r) is the number of ordered pairs i, j of the group whose distance is in the bin, from "
-	       "r_i to r_o, N_i the number of particles of the first types, N_j' that of the second types "
+	       "n(r) is the number of ordered pairs i, j of the group whose distance is in the bin, from r_i "
+	       "to r_o, N_i the number of particles of the first types, N_j' that of the second types "
 	       "without the central particle itself, V the volume of the box. In two dimensions pi (r_o^2 - "
 	       "r_i^2) and the area take the place of the volumes. Periodic images count, also beyond half "
 	       "the box; there is no correction for fixed faces. Average it with fix ave/time mode vector.",

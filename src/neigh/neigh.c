@@ -79,17 +79,17 @@ static enum ts_status fail_runaway(struct tsim *sim, size_t i, const char *past)
 	describe_contacts(sim, i, &contacts);
 	status = ts_fail(&sim->error, TS_PHYSICS, NULL,
 			 "particle %d (type %d) %s at step %" PRId64
-			 "%s: position (%g %g %g), velocity (%g %g %g); last contacts: %.300s; "
-			 "probable cause: %s",
+			 "%s: position (%g %g %g), velocity (%g %g %g); last contacts: %.300s; probable "
+			 "cause: %s",
 			 p->tag[i], p->type[i],
 			 finite ? "moves more than its radius in one step"
 				: "has a position or velocity that is not a number",
 			 sim->clock.step, past, x[0], x[1], x[2], v[0], v[1], v[2],
 			 contacts.length ? contacts.text : "none",
-			 contacts.length ? "the time step is too large for the stiffness, or particles "
-					   "overlapped when they were created"
-					 : "a force or a velocity that was set is too large for the "
-					   "time step");
+			 contacts.length
+				 ? "the time step is too large for the stiffness, or particles overlapped "
+				   "when they were created"
+				 : "a force or a velocity that was set is too large for the time step");
 	ts_str_release(&contacts);
 	return status;
 }

@@ -78,8 +78,8 @@ enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_
 		if (p->column[*index].width == width)
 			return TS_OK;
 		return ts_fail(&sim->error, TS_STATE, NULL,
-			       "there is a column '%s' of %zu numbers per particle already, this "
-			       "one would have %zu; use another name",
+			       "there is a column '%s' of %zu numbers per particle already, this one would "
+			       "have %zu; use another name",
 			       name, p->column[*index].width, width);
 	}
 	if (TS_GROW(p->column, p->column_capacity, p->ncolumns + 1) != TS_OK)

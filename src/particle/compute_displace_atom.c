@@ -107,9 +107,9 @@ const struct ts_style ts_compute_displace_atom = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Displacement of each particle",
 	.doc = "Displacement of each particle of the group from its reference position: that at the time "
-	       "when the compute was defined, or when the particle was inserted if that was later. "
-	       "Positions are unwrapped: periodic wrapping does not change the displacement. Reference "
-	       "positions are written to restart files.",
+	       "when the compute was defined, or when the particle was inserted if that was later. Positions "
+	       "are unwrapped: periodic wrapping does not change the displacement. Reference positions are "
+	       "written to restart files.",
 	.example = "compute way all displace/atom\ndump d all custom 100 post/way*.txt id c_way[4]",
 	.args = args,
 	.state_size = sizeof(struct displace),

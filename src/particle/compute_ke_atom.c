@@ -29,8 +29,8 @@ const struct ts_style ts_compute_ke_atom = {
 	.name = "ke/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Translational kinetic energy of each particle",
-	.doc = "m v^2 / 2 of each particle of the group, without rotation (see compute "
-	       "erotate/sphere/atom). For the spheres of a clump v is the velocity of its centre of mass.",
+	.doc = "m v^2 / 2 of each particle of the group, without rotation (see compute erotate/sphere/atom). "
+	       "For the spheres of a clump v is the velocity of its centre of mass.",
 	.example = "compute energy all ke/atom",
 	.values = values,
 };

@@ -94,9 +94,8 @@ static enum ts_status report_lost(struct tsim *sim, size_t i, int face)
 	if (p->describe_contacts)
 		p->describe_contacts(sim, i, &contacts);
 	if (travel > 0.1)
-		ts_str_add(&cause,
-			   "it moves a large part of its radius in a step: the time step is too large or "
-			   "something is too stiff");
+		ts_str_add(&cause, "it moves a large part of its radius in a step: the time step is too "
+				   "large or something is too stiff");
 	else if (p->explain_loss)
 		p->explain_loss(sim, i, face, &cause);
 	snprintf(text, sizeof text,
@@ -292,14 +291,13 @@ static enum ts_status add_ghosts_of_faces(struct tsim *sim, int dim, double cuto
 
 	if (most > hi - lo && present > 0)
 		return ts_fail(&sim->error, TS_RANGE, NULL,
-			       "the periodic box is %g long in dimension %c, less than the reach %g of "
-			       "a contact: make it longer or the skin smaller",
+			       "the periodic box is %g long in dimension %c, less than the reach %g of a "
+			       "contact: make it longer or the skin smaller",
 			       hi - lo, 'x' + dim, most);
 	if (s->on && dim == s->flow && 2 * most > hi - lo && present > 0)
 		return ts_fail(&sim->error, TS_RANGE, NULL,
 			       "the sheared periodic box is %g long in dimension %c, less than twice the "
-			       "reach %g of a "
-			       "contact: make it longer or the skin smaller",
+			       "reach %g of a contact: make it longer or the skin smaller",
 			       hi - lo, 'x' + dim, most);
 	for (size_t i = 0; i < present; i++) {
 		double x = p->xhold[i][dim];

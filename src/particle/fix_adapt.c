@@ -381,8 +381,8 @@ const struct ts_style ts_fix_adapt = {
 	.kind = TS_KIND_FIX,
 	.summary = "Changes properties of particles or coefficients of contacts during a run",
 	.doc = "At the start of the first run, and in each step that is a multiple of N, the variables are "
-	       "evaluated and assigned: to the diameter, density or mass of the particles in the group, or "
-	       "to a number of `pair_coeff` for all pairs of the types I and J.\n\n"
+	       "evaluated and assigned: to the diameter, density or mass of the particles in the group, or to "
+	       "a number of `pair_coeff` for all pairs of the types I and J.\n\n"
 	       "With `scale yes` a variable is a factor of the value at the time when the fix was defined, "
 	       "however many runs there have been since. With `mass no` a change of the diameter keeps the "
 	       "mass.\n\n"

@@ -111,8 +111,8 @@ const struct ts_style ts_fix_momentum = {
 	.name = "momentum",
 	.kind = TS_KIND_FIX,
 	.summary = "Removes linear and angular momentum of a group",
-	.doc = "Every N steps, at the end of the step, the velocity of the centre of mass is subtracted "
-	       "from the velocities of the group (linear), then the rigid-body rotation omega x (x - x_cm) "
+	.doc = "Every N steps, at the end of the step, the velocity of the centre of mass is subtracted from "
+	       "the velocities of the group (linear), then the rigid-body rotation omega x (x - x_cm) "
 	       "(angular), where omega follows from the angular momentum L = I omega of the group. The "
 	       "angular velocities of the particles themselves do not change.",
 	.example = "fix still all momentum 100 linear 1 1 0 angular",

@@ -41,8 +41,8 @@ static enum ts_status read_flag(struct tsim *sim, const struct ts_word *word, bo
 	if (*out || ts_streq(word->text, "no"))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, &word->place,
-		       "fix property/atom: found '%s', expected yes or no: NAME scalar|vector restart "
-		       "ghost reverse value ...",
+		       "fix property/atom: found '%s', expected yes or no: NAME scalar|vector restart ghost "
+		       "reverse value ...",
 		       word->text);
 }
 
@@ -117,8 +117,8 @@ static enum ts_status read_lammps(struct ts_instance *self, struct tsim *sim)
 		if (!several && !one)
 			return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
 				       "fix property/atom: found '%s', expected mol, q, rmass, i_NAME, "
-				       "d_NAME, i2_NAME N or d2_NAME N, or NAME scalar|vector restart "
-				       "ghost reverse value ...",
+				       "d_NAME, i2_NAME N or d2_NAME N, or NAME scalar|vector restart ghost "
+				       "reverse value ...",
 				       name);
 		if (several && (k + 1 == s->words.n || !ts_parse_int(s->words.word[++k].text, &width) ||
 				width < 1 || width > MOST))

@@ -125,9 +125,8 @@ const struct ts_style ts_fix_recenter = {
 	.kind = TS_KIND_FIX,
 	.summary = "Keeps the centre of mass of a group at a given position",
 	.doc = "In each step, after positions have been integrated, the particles of the shifted group are "
-	       "moved together so that the centre of mass of the fix's group (unwrapped positions) is at "
-	       "the given coordinates. Velocities do not change. Define the fix after the fixes that "
-	       "integrate.",
+	       "moved together so that the centre of mass of the fix's group (unwrapped positions) is at the "
+	       "given coordinates. Velocities do not change. Define the fix after the fixes that integrate.",
 	.example = "fix still ball recenter INIT INIT NULL shift all",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -115,8 +115,8 @@ static enum ts_status find_candidates(struct ts_instance *self, struct tsim *sim
 			continue;
 		if (ts_rigid_member(p, i))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix remove: particle %d belongs to a rigid body, which cannot "
-				       "lose mass; give the fix a group without such particles",
+				       "fix remove: particle %d belongs to a rigid body, which cannot lose "
+				       "mass; give the fix a group without such particles",
 				       p->tag[i]);
 		rng.counter = (uint64_t)sim->clock.step;
 		s->candidate[s->n++] = (struct candidate){ ts_rng_uniform(&rng), p->tag[i], i };
@@ -319,15 +319,14 @@ const struct ts_style ts_fix_remove = {
 	       "them,\n\n"
 	       "    m' = m (1 - rate*t/M),   R' = R (m'/m)^(1/3)   (exponent 1/2 in two dimensions)\n\n"
 	       "The density is kept. A particle that would become smaller than delete_below is deleted.\n\n"
-	       "f_ID[1] is the mass removed, f_ID[2] the number of particles deleted, f_ID[3] the mass "
-	       "still due (negative if too much was removed). Random numbers are functions of seed, step "
-	       "and atom ID: results do not depend on the number of threads and are the same after a "
-	       "restart.\n\n"
-	       "Particles of rigid bodies are an error. The fix exists in another edition of LIGGGHTS "
-	       "(PFM), which chooses other particles.",
-	.example = "fix out all remove nevery 500 massrate 3.5 style delete seed 5143 region hole atomtype "
-		   "1\n"
-		   "fix burn all remove nevery 500 massrate v_rate style shrink delete_below 0.001 seed 7543",
+	       "f_ID[1] is the mass removed, f_ID[2] the number of particles deleted, f_ID[3] the mass still "
+	       "due (negative if too much was removed). Random numbers are functions of seed, step and atom "
+	       "ID: results do not depend on the number of threads and are the same after a restart.\n\n"
+	       "Particles of rigid bodies are an error. The fix exists in another edition of LIGGGHTS (PFM), "
+	       "which chooses other particles.",
+	.example =
+		"fix out all remove nevery 500 massrate 3.5 style delete seed 5143 region hole atomtype 1\n"
+		"fix burn all remove nevery 500 massrate v_rate style shrink delete_below 0.001 seed 7543",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

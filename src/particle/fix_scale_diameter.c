@@ -85,8 +85,8 @@ static enum ts_status scale_diameters(struct ts_instance *self, struct tsim *sim
 		if (ts_rigid_member(p, i))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix scale/diameter: particle %d belongs to a rigid body, whose mass "
-				       "and inertia "
-				       "would not follow; give the fix a group without such particles",
+				       "and inertia would not follow; give the fix a group without such "
+				       "particles",
 				       p->tag[i]);
 		set_size(s, sim, i, diameter_factor(s, p->x[i], scale));
 	}

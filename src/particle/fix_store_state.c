@@ -122,8 +122,8 @@ static const struct ts_arg args[] = {
 static const struct ts_value values[] = {
 	{ .name = "stored",
 	  .unit = "",
-	  .help = "the stored inputs, one column each; 0 for particles outside the group and for "
-		  "those inserted later",
+	  .help = "the stored inputs, one column each; 0 for particles outside the group and for those "
+		  "inserted later",
 	  .shape = TS_PERATOM,
 	  .eval = eval },
 	{ .name = NULL },

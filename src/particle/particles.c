@@ -218,8 +218,8 @@ static void warn_out_of_plane(struct tsim *sim)
 		if (p->x[i][2] == 0 && p->v[i][2] == 0 && !spins)
 			continue;
 		ts_warn(&sim->log, NULL,
-			"dimension 2: particle %d is out of the plane z = 0, moves out of it or turns "
-			"about an axis in it; fix enforce2d keeps particles in the plane",
+			"dimension 2: particle %d is out of the plane z = 0, moves out of it or turns about "
+			"an axis in it; fix enforce2d keeps particles in the plane",
 			p->tag[i]);
 		return;
 	}

@@ -70,8 +70,7 @@ static const struct ts_value values[] = {
 	{ "active", "-", "number of active particles", TS_SCALAR, 1, NULL, eval_active },
 	{ "numbers", "-, -, -, force, force, force",
 	  "number of particles in the gap, of those eligible, and of the active ones; mean force that "
-	  "squeezes an "
-	  "active particle (0 if there is none), sum of these forces, the largest of them",
+	  "squeezes an active particle (0 if there is none), sum of these forces, the largest of them",
 	  TS_VECTOR, 6, names, eval_numbers },
 	{ .name = NULL },
 };
@@ -87,19 +86,13 @@ const struct ts_style ts_compute_active_paml = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Active particles in chemical-mechanical polishing: particle-augmented mixed lubrication",
 	.doc = "Number of abrasive particles that are pressed between a pad and a wafer in a simulation of "
-	       "the "
-	       "particles: contact laws, the motion of the pad or the wafer, and the drag of the slurry "
-	       "decide "
-	       "which are. Both walls press on an active particle at once with more than the `threshold`; "
-	       "the "
-	       "force of a wall is the sum of the normal forces of its contacts with the particle. A "
-	       "particle that "
-	       "the fluid merely drags along a surface is pressed by the drag, of the order of 6 pi mu a U: "
-	       "the "
-	       "threshold should be larger than that.\n\n"
+	       "the particles: contact laws, the motion of the pad or the wafer, and the drag of the slurry "
+	       "decide which are. Both walls press on an active particle at once with more than the "
+	       "`threshold`; the force of a wall is the sum of the normal forces of its contacts with the "
+	       "particle. A particle that the fluid merely drags along a surface is pressed by the drag, of "
+	       "the order of 6 pi mu a U: the threshold should be larger than that.\n\n"
 	       "All particles of the group are in the gap, and all of them are eligible. Values are those of "
-	       "the "
-	       "last force computation: average them over time (fix ave/time).\n\n"
+	       "the last force computation: average them over time (fix ave/time).\n\n"
 	       "Related: compute active/pml, compute active/pi, compute squeeze/atom, fix insert/gap, fix "
 	       "wear/zhao/chang/contact.",
 	.example = "fix pad all wall/gran model hertz tangential history primitive type 2 zplane 0.0\n"

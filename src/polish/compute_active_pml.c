@@ -19,15 +19,12 @@ const struct ts_style ts_compute_active_pml = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Active particles in chemical-mechanical polishing: particle mono-layer model",
 	.doc = "Number of abrasive particles that are pressed between a pad and a wafer. The particles, of "
-	       "mean volume "
-	       "V_p, fill the volume fraction phi of the slurry evenly; those of the layer next to the wafer "
-	       "are "
-	       "eligible, and active are those in the real contacts of pad and wafer:\n\n"
+	       "mean volume V_p, fill the volume fraction phi of the slurry evenly; those of the layer next "
+	       "to the wafer are eligible, and active are those in the real contacts of pad and wafer:\n\n"
 	       "  N_all = phi V_gap/V_p, lambda = (phi/V_p)^(1/3), N_elig = lambda^2 A_nom, N_act = lambda^2 "
 	       "A_real.\n\n"
 	       "Volume of the gap and area of the contacts are those of a compute surface/contact. Particles "
-	       "do not "
-	       "change the contact, and no particle is simulated.\n\n"
+	       "do not change the contact, and no particle is simulated.\n\n"
 	       "Related: compute active/pi, compute active/paml, compute surface/contact.",
 	.example = "compute press all surface/contact pad winkler 2.7e10 pressure 41400 hardness 5e6\n"
 		   "compute pml all active/pml press radius 0.272e-6 fraction 0.04\n"

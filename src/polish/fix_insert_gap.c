@@ -46,8 +46,7 @@ static enum ts_status refuse_overlap(struct ts_instance *self, struct tsim *sim,
 
 	return ts_fail(&sim->error, TS_PHYSICS, ts_instance_word(self, s->upper_id),
 		       "fix insert/gap: the surfaces interpenetrate: %lld of %lld columns of %s reach up to "
-		       "%g into %s; "
-		       "if they are in contact say `contact yes`",
+		       "%g into %s; if they are in contact say `contact yes`",
 		       (long long)r->touching, (long long)r->columns, s->lower_id, r->depth, s->upper_id);
 }
 
@@ -117,8 +116,8 @@ static enum ts_status refuse_place(struct ts_instance *self, struct tsim *sim, s
 			       placed, s->base.list.n);
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 		       "fix insert/gap: %zu of %zu particles found a place between %s and %s without "
-		       "overlap, in %lld "
-		       "tries; insert fewer (`fraction`), smaller ones, or raise `maxattempt`",
+		       "overlap, in %lld tries; insert fewer (`fraction`), smaller ones, or raise "
+		       "`maxattempt`",
 		       placed, s->base.list.n, s->lower_id, s->upper_id, (long long)tries);
 }
 
@@ -240,8 +239,7 @@ static const char *const names[] = { "number", "mass", "stacked", "volume", "fil
 static const struct ts_value values[] = {
 	{ "inserted", "-, mass, -, length^3, -",
 	  "number and mass of the particles inserted; number of spheres that could be stacked; volume of the "
-	  "gap, "
-	  "and the fraction of it that particles fill",
+	  "gap, and the fraction of it that particles fill",
 	  TS_VECTOR, 5, names, eval },
 	{ .name = NULL },
 };
@@ -253,8 +251,7 @@ static const struct ts_arg args[] = {
 	TS_WORD("lower", struct state, lower_id, .help = "ID of a fix surface/voxel: the lower surface"),
 	TS_WORD("upper", struct state, upper_id,
 		.help = "ID of a fix wall/gran with a plane, or of a fix surface/voxel with a `base`: the "
-			"upper "
-			"surface"),
+			"upper surface"),
 	TS_REAL("fraction", struct state, fraction, .range = TS_POSITIVE,
 		.help = "volume fraction phi of the particles, at most 0.6"),
 	TS_ENUM("count", struct state, count, counts, .fallback = "stacked",
@@ -276,29 +273,22 @@ static const struct ts_saved saved[] = { TS_INSERTION_SAVED(struct state), TS_SA
 static const char doc[] =
 	"In the step after the definition, or in the step start, particles are placed at random between two "
 	"surfaces, so that they overlap neither these nor each other nor present particles. Over the column "
-	"i of "
-	"the lower surface the gap has the height H_i up to the upper one. The number of particles is, "
-	"rounded to "
-	"the nearest integer,\n\n"
+	"i of the lower surface the gap has the height H_i up to the upper one. The number of particles is, "
+	"rounded to the nearest integer,\n\n"
 	"  N = fraction * sum of floor(H_i/d_max)     count stacked\n"
 	"  N = fraction * sum of H_i A_i/V_p          count volume\n\n"
 	"with the largest diameter d_max and the mean volume V_p of the mixture and the area A_i of a "
-	"column. The "
-	"first one counts a single stack over each column, however wide it is. The second one fills the "
-	"volume "
-	"fraction of the gap.\n\n"
+	"column. The first one counts a single stack over each column, however wide it is. The second one "
+	"fills the volume fraction of the gap.\n\n"
 	"Particles are drawn from a mixture, fix particledistribution/discrete, and placed in the order of "
 	"decreasing size, each at the first of a sequence of random points, uniform over the gap, where it "
-	"fits. "
-	"If N * maxattempt points are not enough, the run stops. It also stops, or is refused, if there is "
-	"no place "
-	"for a single particle, or if the surfaces interpenetrate; with `contact yes` columns that reach "
-	"into the "
-	"upper surface are in contact with it. Other walls are not looked at. The positions are those of the "
-	"surfaces in the step of the insertion; `seed` defines them, whatever the number of threads.\n\n"
+	"fits. If N * maxattempt points are not enough, the run stops. It also stops, or is refused, if "
+	"there is no place for a single particle, or if the surfaces interpenetrate; with `contact yes` "
+	"columns that reach into the upper surface are in contact with it. Other walls are not looked at. "
+	"The positions are those of the surfaces in the step of the insertion; `seed` defines them, whatever "
+	"the number of threads.\n\n"
 	"The upper surface is a plane across the axis of the heights, or the underside of a second height "
-	"field on "
-	"the same rectangle.\n\n"
+	"field on the same rectangle.\n\n"
 	"Related: compute active/paml, fix insert/pack, compute surface/contact.";
 
 TS_STYLE(fix, ts_style, ts_fix_insert_gap)
@@ -308,16 +298,13 @@ const struct ts_style ts_fix_insert_gap = {
 	.summary = "Inserts particles into the gap between a rough surface and a face above it",
 	.doc = doc,
 	.example = "fix silica all particletemplate/sphere 15485863 atom_type 1 density constant 2000 radius "
-		   "gaussian "
-		   "number 0.272e-6 0.043e-6 volume_limit 1e-25\n"
+		   "gaussian number 0.272e-6 0.043e-6 volume_limit 1e-25\n"
 		   "fix mix all particledistribution/discrete 32452843 1 silica 1.0\n"
 		   "fix pad all surface/voxel gaussian mean 10.5e-6 deviation 4.7e-6 correlation 0 seed 1 "
-		   "type 2 cells "
-		   "25 25\n"
+		   "type 2 cells 25 25\n"
 		   "fix wafer all wall/gran primitive type 3 zplane 20e-6\n"
 		   "fix slurry all insert/gap seed 32452867 distributiontemplate mix lower pad upper wafer "
-		   "fraction "
-		   "0.04 contact yes",
+		   "fraction 0.04 contact yes",
 	.cite = "E. J. Terrell, C. F. Higgs III, J. Tribol. 131 (2009) 012201",
 	.args = args,
 	.state_size = sizeof(struct state),

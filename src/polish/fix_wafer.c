@@ -125,8 +125,8 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
 	if (ts_wafer_settle(&s->wafer, &pose) != TS_OK)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "fix wafer %s: no equilibrium: the pad can carry at most %g of the load %g, "
-			       "and friction "
-			       "moves the load by %g and %g from the joint, where the face reaches %g and %g",
+			       "and friction moves the load by %g and %g from the joint, where the face "
+			       "reaches %g and %g",
 			       self->id, s->wafer.hardness * s->area, s->wafer.load, s->wafer.friction[0],
 			       s->wafer.friction[1],
 			       0.5 * (double)s->pad->field.n[0] * s->pad->field.width[0],
@@ -257,17 +257,14 @@ static enum ts_status balance_on_film(struct ts_instance *self, struct floating 
 	if (status == TS_PHYSICS && at->sim->error.status == TS_OK)
 		return ts_fail(&at->sim->error, TS_PHYSICS, &self->where,
 			       "fix wafer %s: no place above the film where forces balance: of the load %g "
-			       "the pad "
-			       "carries %g and the film %g at z = %g with slopes %g %g; the pad carries at "
-			       "most %g. "
-			       "Expected a joint above which the film and the pad can hold the wafer, or a "
-			       "`start` nearer to it%s",
+			       "the pad carries %g and the film %g at z = %g with slopes %g %g; the pad "
+			       "carries at most %g. Expected a joint above which the film and the pad can "
+			       "hold the wafer, or a `start` nearer to it%s",
 			       self->id, s->wafer.load, s->forces.normal, s->push.normal, s->plane.pose[0],
 			       s->plane.pose[1], s->plane.pose[2], s->wafer.hardness * s->area,
-			       at->film->least > 0
-				       ? ""
-				       : "; columns of a pad reach the wafer only if the flow style has a "
-					 "`least_gap`");
+			       at->film->least > 0 ? ""
+						   : "; columns of a pad reach the wafer only if the flow "
+						     "style has a `least_gap`");
 	TS_TRY(status);
 	for (int d = 0; d < 3 && step; d++) {
 		s->last_pose[d] = old[0][d];
@@ -314,8 +311,8 @@ static enum ts_status check_film(struct ts_instance *self, struct tsim *sim)
 		    !(fabs(to - box->hi[d]) <= 1e-9 * length))
 			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->pad_id),
 				       "fix wafer: the film below it covers the box, the wafer the pad %s; "
-				       "expected "
-				       "a pad with normal z of the size of the box, from %g to %g along %s",
+				       "expected a pad with normal z of the size of the box, from %g to %g "
+				       "along %s",
 				       s->pad_id, box->lo[d], box->hi[d], d ? "y" : "x");
 	}
 	return TS_OK;
@@ -333,8 +330,7 @@ static void warn_of_speeds(struct ts_instance *self, struct tsim *sim, const str
 	s->told = true;
 	ts_warn(&sim->log, &self->where,
 		"fix wafer: the pad %s slides with %g %g, the lower surface of the film with %g %g; expected "
-		"the same: "
-		"give flow_style reynolds `lower_voxel %s`, or `lower_velocity`",
+		"the same: give flow_style reynolds `lower_voxel %s`, or `lower_velocity`",
 		s->pad_id, pad[0], pad[1], low[0], low[1], s->pad_id);
 }
 
@@ -373,15 +369,13 @@ static enum ts_status check_pad(struct ts_instance *self, struct tsim *sim)
 		if (fabs(s->pad->velocity[f->axis[d]]) > 0 && !f->periodic[d])
 			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->pad_id),
 				       "fix wafer: the pad %s slides along an axis along which it is not "
-				       "periodic: it "
-				       "would leave the wafer",
+				       "periodic: it would leave the wafer",
 				       s->pad_id);
 	for (int d = 0; d < 2; d++)
 		if (!(fabs(s->joint[d]) <= 0.5 * (double)f->n[d] * f->width[d]))
 			return ts_fail(&sim->error, TS_RANGE, &self->where,
 				       "fix wafer: the joint is %g from the middle of the wafer along axis "
-				       "%d, "
-				       "expected at most half of its length, %g",
+				       "%d, expected at most half of its length, %g",
 				       s->joint[d], d + 1, 0.5 * (double)f->n[d] * f->width[d]);
 	return TS_OK;
 }
@@ -395,8 +389,7 @@ static enum ts_status check_memory(struct ts_instance *self, struct tsim *sim,
 	if (film->transient && isnan(s->start[0]))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix wafer: in a film with `transient yes` the wafer needs a height at the "
-			       "beginning, "
-			       "when the gap is full: give `start` and a height");
+			       "beginning, when the gap is full: give `start` and a height");
 	if (film->film.cavitation == TS_FILM_JFO && !film->transient && s->motion == DYNAMIC)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "dynamic"),
 			       "fix wafer dynamic: the gap changes; a film with cavitation jfo then needs "
@@ -552,10 +545,8 @@ static const struct ts_value values[] = {
 	{ "tilt", "degrees", "angle between wafer and pad", TS_SCALAR, 1, NULL, eval_tilt },
 	{ "wafer", "length, -, -, force, -, length, energy, force, torque, torque, force, force, force",
 	  "height of the face below the joint, its slopes along the first and second axis of the pad, force "
-	  "of the pad, "
-	  "part of the area in contact, mean gap, energy of the springs; of the film its force, moments "
-	  "about the "
-	  "joint for both slopes, forces along both axes, and the part of its asperities",
+	  "of the pad, part of the area in contact, mean gap, energy of the springs; of the film its force, "
+	  "moments about the joint for both slopes, forces along both axes, and the part of its asperities",
 	  TS_VECTOR, OUTPUTS, names, eval_vector },
 	{ .name = NULL },
 };
@@ -645,52 +636,38 @@ static const struct ts_saved saved[] = {
 };
 
 static const char doc[] =
-	"A rigid, smooth wafer over the whole of a pad, a height field, is free to rise "
-	"and to tilt about a ball joint above "
-	"the middle of the field; slopes are small. Each column of the pad is a spring, "
-	"pressed by its depth in the wafer, up to "
-	"the hardness:\n\n"
+	"A rigid, smooth wafer over the whole of a pad, a height field, is free to rise and to tilt about a "
+	"ball joint above the middle of the field; slopes are small. Each column of the pad is a spring, "
+	"pressed by its depth in the wafer, up to the hardness:\n\n"
 	"  p = min(stiffness (h - z - s_1 x_1 - s_2 x_2), hardness) >= 0\n\n"
-	"The back pressure presses on the whole area. The pad slides below the wafer with "
-	"the velocity of its fix (`move`); "
-	"friction, mu times the force of the pad, acts on the face along that velocity at "
-	"the distance `arm` below the joint, "
-	"and presses the leading edge, which the pad meets first, into the pad; with a negative `arm`, a "
-	"virtual joint "
-	"below the face, it lifts it. The depth "
-	"in a column that yields is not kept: "
-	"the springs have no history.\n\n"
-	"settled: at each step, or each `every` steps, the wafer is in the equilibrium of "
-	"these forces. Their energy is convex, "
-	"so there is only one; it is found by Newton's method. The run ends with a message "
-	"if the pad cannot carry the load or "
-	"the moment of friction.\n\n"
-	"dynamic: height and slopes follow m z'' = N - P A - c z' and the same for the "
-	"tilt. The motion begins in "
-	"equilibrium. The largest stable time step is 2/omega, with omega^2 the largest of "
-	"k A/m and k A L_d^2/(12 I_d).\n\n"
-	"The pad must be periodic along the axes along which it slides. Wafer and "
-	"particles do not act on each other.\n\n"
+	"The back pressure presses on the whole area. The pad slides below the wafer with the velocity of "
+	"its fix (`move`); friction, mu times the force of the pad, acts on the face along that velocity at "
+	"the distance `arm` below the joint, and presses the leading edge, which the pad meets first, into "
+	"the pad; with a negative `arm`, a virtual joint below the face, it lifts it. The depth in a column "
+	"that yields is not kept: the springs have no history.\n\n"
+	"settled: at each step, or each `every` steps, the wafer is in the equilibrium of these forces. "
+	"Their energy is convex, so there is only one; it is found by Newton's method. The run ends with a "
+	"message if the pad cannot carry the load or the moment of friction.\n\n"
+	"dynamic: height and slopes follow m z'' = N - P A - c z' and the same for the tilt. The motion "
+	"begins in equilibrium. The largest stable time step is 2/omega, with omega^2 the largest of k A/m "
+	"and k A L_d^2/(12 I_d).\n\n"
+	"The pad must be periodic along the axes along which it slides. Wafer and particles do not act on "
+	"each other.\n\n"
 	"On a film: where `upper_wafer` of flow_style reynolds names the fix, the pressure p of the film "
-	"acts on the face, too: the forces on "
-	"z and the slopes are\n\n"
+	"acts on the face, too: the forces on z and the slopes are\n\n"
 	"  N + sum (p - ambient) A - P A,   M_d + mu N arm u_d + sum (p - ambient) A x_d + arm F_d,\n\n"
-	"F the force of the film along the face: shear, and the pressure on the slope. The load acts at "
-	"the joint. The film covers the "
-	"box, which has the size of the pad; its lower surface usually is the pad (`lower_voxel`). Springs "
-	"and film share the load where "
-	"columns reach the wafer: `least_gap` or `touching solid` of the flow style says what the film is "
-	"there. Define the fix before the flow style.\n\n"
+	"F the force of the film along the face: shear, and the pressure on the slope. The load acts at the "
+	"joint. The film covers the box, which has the size of the pad; its lower surface usually is the pad "
+	"(`lower_voxel`). Springs and film share the load where columns reach the wafer: `least_gap` or "
+	"`touching solid` of the flow style says what the film is there. Define the fix before the flow "
+	"style.\n\n"
 	"settled: equilibrium with the film of a wafer at rest above the pad that slides, by Newton's "
-	"method; with `transient yes` of the film its weight "
-	"squeezes the film. dynamic: the rates of height and slopes squeeze the film; the "
-	"motion and the film are solved together by "
-	"backward differences of second order, stable with any time step. The motion begins at rest, in "
-	"equilibrium or at `start`. An equilibrium exists only if the joint "
-	"is above a place where the film can carry the load: a plane wafer above a smooth pad needs a joint "
-	"behind its "
-	"middle, as a pivoted bearing. "
-	"The run ends with a message if there is none.\n\n"
+	"method; with `transient yes` of the film its weight squeezes the film. dynamic: the rates of height "
+	"and slopes squeeze the film; the motion and the film are solved together by backward differences of "
+	"second order, stable with any time step. The motion begins at rest, in equilibrium or at `start`. "
+	"An equilibrium exists only if the joint is above a place where the film can carry the load: a plane "
+	"wafer above a smooth pad needs a joint behind its middle, as a pivoted bearing. The run ends with a "
+	"message if there is none.\n\n"
 	"Related: fix surface/voxel, flow_style reynolds, compute surface/contact, fix ave/time.";
 
 TS_STYLE(fix, ts_style, ts_fix_wafer)
@@ -701,13 +678,11 @@ const struct ts_style ts_fix_wafer = {
 	.summary = "A wafer on a ball joint, pressed onto a polishing pad of springs",
 	.doc = doc,
 	.example = "fix pad all surface/voxel gaussian mean 5.31e-6 deviation 4.34e-6 correlation 0 seed 5 "
-		   "type 1 cells 31 31 datum "
-		   "1e-9 move linear 0.1 0.0 0.0\n"
+		   "type 1 cells 31 31 datum 1e-9 move linear 0.1 0.0 0.0\n"
 		   "fix wafer all wafer pad settled stiffness 1e12 pressure 137895 friction 0.3 arm 20e-6\n"
 		   "fix tilt all ave/time 1 1000 1000 f_wafer f_wafer[2] file tilt.txt\n"
 		   "fix wafer all wafer pad dynamic mass 1e-9 inertia_1 2e-19 inertia_2 2e-19 damping 1e-3 "
-		   "stiffness 1e12 pressure "
-		   "137895",
+		   "stiffness 1e12 pressure 137895",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

@@ -80,8 +80,7 @@ static enum ts_status find_face(struct ts_instance *self, struct tsim *sim, cons
 	}
 	return ts_fail(&sim->error, TS_STATE, &id.place,
 		       "fix %s: fix %s, of style %s, is no surface: expected a fix wall/gran with a plane or "
-		       "a fix "
-		       "surface/voxel",
+		       "a fix surface/voxel",
 		       self->style->name, by->id, by->style->name);
 }
 
@@ -94,8 +93,7 @@ static enum ts_status check_columns(struct ts_instance *self, struct tsim *sim, 
 		if (!(ts_voxel_heights(f)[k] > f->base))
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "fix %s: column %lld, %lld of the lower surface is empty: the gap has "
-				       "no "
-				       "bottom there",
+				       "no bottom there",
 				       self->style->name, (long long)(k % f->n[0] + 1),
 				       (long long)(k / f->n[0] + 1));
 	return TS_OK;

@@ -125,8 +125,7 @@ static int set_input_limit(const char *text)
 
 	if (!ts_parse_real(text, &value) || value < 1e-6 || value > 1e6)
 		return ts_program_usage_error("expected a number of GB from 1e-6 to 1e6 after -input-limit, "
-					      "found "
-					      "'%s'%s",
+					      "found '%s'%s",
 					      text, "");
 	if (setenv(TS_INPUT_LIMIT, text, 1) != 0)
 		return ts_program_usage_error("-input-limit: the environment is full%s%s", "", "");
@@ -147,8 +146,7 @@ static int set_full(struct tsim *sim, char *const *value, int n)
 			part++;
 		if (!parts[part])
 			return ts_program_usage_error("expected columns, rows, history, rebuilds, threads or "
-						      "looks "
-						      "after -full, found '%s'%s",
+						      "looks after -full, found '%s'%s",
 						      value[k], "");
 		sim->full |= 1u << part;
 	}
@@ -295,8 +293,7 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 
 		if (name == text)
 			return ts_program_usage_error("expected an option, found '%s'%s; a script is given "
-						      "by "
-						      "-in FILE",
+						      "by -in FILE",
 						      text, "");
 		while (id < NOPTIONS && !ts_streq(options[id].name, name) &&
 		       !(name[0] == options[id].name[0] && !name[1] && strchr("ivleh", name[0])))

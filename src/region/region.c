@@ -341,8 +341,8 @@ enum ts_status ts_region_coord(struct ts_instance *self, struct tsim *sim, doubl
 	if (!isnan(*out))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "region %s: EDGE is a face of the box, and there is no box yet; use INF, or "
-		       "define the region after create_box",
+		       "region %s: EDGE is a face of the box, and there is no box yet; use INF, or define "
+		       "the region after create_box",
 		       self->style->name);
 }
 

@@ -172,8 +172,8 @@ const struct ts_region_style ts_region_wedge = {
 		.doc = "All points of a cylinder between two half-planes from its axis, at angle0 and at\n"
 		       "angle0 + angle. Angles are in degrees and increase from y to z about axis x,\n"
 		       "from z to x about y, from x to y about z.",
-		.example = "region slice wedge axis z center 0 0 radius 0.25 bounds 0 1 angle0 -22.5 angle "
-			   "45 &\n"
+		.example = "region slice wedge axis z center 0 0 radius 0.25 bounds 0 1 angle0 -22.5 angle 45 "
+			   "&\n"
 			   "  units box",
 		.args = args,
 		.state_size = sizeof(struct wedge),

@@ -63,8 +63,8 @@ static enum ts_status read_offset(struct tsim *sim, struct read_data *c)
 
 		if (k == 5 || !ts_parse_int(word->text, &value) || value < -10000 || value > 10000)
 			return ts_fail(&sim->error, TS_SYNTAX, &word->place,
-				       "read_data: offset is '%s', expected up to five integers from "
-				       "-10000 to 10000",
+				       "read_data: offset is '%s', expected up to five integers from -10000 "
+				       "to 10000",
 				       word->text);
 		if (k < 2)
 			*(k ? &c->options.bond_type_offset : &c->options.type_offset) = value;
@@ -232,8 +232,8 @@ static const struct ts_arg args[] = {
 		.help = "name of the file; it may be compressed with gzip"),
 	TS_SOME_KEYWORD("add", struct read_data, add, TS_NAMED,
 			.help = "add to existing particles: append (ids follow the largest existing one), "
-				"merge (ids as in the file), a number that is added to the ids, or "
-				"nothing: as merge, and the box does not change"),
+				"merge (ids as in the file), a number that is added to the ids, or nothing: "
+				"as merge, and the box does not change"),
 	{ .name = "offset",
 	  .type = TS_ARG_REST,
 	  .flags = TS_OPTIONAL | TS_TO_KEYWORD,
@@ -259,8 +259,7 @@ static const struct ts_arg args[] = {
 	UNUSED("extra/special/per/atom", 7),
 	TS_SOME_KEYWORD("fix", struct read_data, fix, TS_REPEAT,
 			.help = "ID of a fix property/atom, NULL or a text that marks header lines to be "
-				"ignored, and the title of the section with its numbers; may be "
-				"repeated"),
+				"ignored, and the title of the section with its numbers; may be repeated"),
 	TS_ARGS_END,
 };
 
@@ -270,22 +269,21 @@ const struct ts_command_style ts_command_read_data = {
 		.name = "read_data",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Reads a box and particles from a data file",
-		.doc = "Reads a data file in the format of LAMMPS and LIGGGHTS: a title line, a "
-		       "header (`N atoms`, `N atom types`, `N bonds`, `N bond types`, `LO HI xlo "
-		       "xhi` ...), then sections in any order, except that Atoms comes before "
-		       "Velocities and Bonds: Atoms (id type diameter density x y z [ix iy iz] for "
-		       "atom_style sphere and granular; a comment such as `Atoms # bpm/sphere` "
-		       "selects another style: atomic, bond, molecular, bpm/sphere, hybrid), "
-		       "Velocities (id vx vy vz omegax omegay omegaz), Bonds (number type id id), "
-		       "Masses (type mass), Pair Coeffs, PairIJ Coeffs and Bond Coeffs, whose "
-		       "lines are those of pair_coeff and bond_coeff. Molecule ids are ignored. "
-		       "The mass of a particle is its density times 4/3 pi R^3. The equilibrium "
-		       "length of a bond is the current distance of its particles. Positions are "
-		       "wrapped into periodic boxes; positions outside a fixed face are an error. "
-		       "If the file has an error, nothing is changed.\n\n"
-		       "`fix ID NULL TITLE`: the section TITLE holds the numbers of fix "
-		       "property/atom ID; each line has a particle id and the numbers in the order "
-		       "of the fix, one line for each particle.",
+		.doc = "Reads a data file in the format of LAMMPS and LIGGGHTS: a title line, a header (`N "
+		       "atoms`, `N atom types`, `N bonds`, `N bond types`, `LO HI xlo xhi` ...), then "
+		       "sections in any order, except that Atoms comes before Velocities and Bonds: Atoms (id "
+		       "type diameter density x y z [ix iy iz] for atom_style sphere and granular; a comment "
+		       "such as `Atoms # bpm/sphere` selects another style: atomic, bond, molecular, "
+		       "bpm/sphere, hybrid), Velocities (id vx vy vz omegax omegay omegaz), Bonds (number "
+		       "type id id), Masses (type mass), Pair Coeffs, PairIJ Coeffs and Bond Coeffs, whose "
+		       "lines are those of pair_coeff and bond_coeff. Molecule ids are ignored. The mass of a "
+		       "particle is its density times 4/3 pi R^3. The equilibrium length of a bond is the "
+		       "current distance of its particles. Positions are wrapped into periodic boxes; "
+		       "positions outside a fixed face are an error. If the file has an error, nothing is "
+		       "changed.\n\n"
+		       "`fix ID NULL TITLE`: the section TITLE holds the numbers of fix property/atom ID; "
+		       "each line has a particle id and the numbers in the order of the fix, one line for "
+		       "each particle.",
 		.example = "read_data bed.data\n"
 			   "read_data rock.data.gz add append shift 0 0 0.25 group rock\n"
 			   "read_data clumps.data fix marks NULL Molecules",

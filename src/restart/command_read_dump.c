@@ -71,11 +71,11 @@ const struct ts_command_style ts_command_read_dump = {
 		.name = "read_dump",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets properties of particles from a frame of a dump",
-		.doc = "Sets the quantities of particles from a frame of a dump. Particles are "
-		       "identified by their ids, which must be unique in a frame. Incomplete "
-		       "frames, as left by a run that was killed or had a full disk, are skipped "
-		       "with a warning. Positions are read from columns x, xs, xu or xsu. Numbers "
-		       "have the precision of the text: a dump with the format %g has six digits.",
+		.doc = "Sets the quantities of particles from a frame of a dump. Particles are identified by "
+		       "their ids, which must be unique in a frame. Incomplete frames, as left by a run that "
+		       "was killed or had a full disk, are skipped with a warning. Positions are read from "
+		       "columns x, xs, xu or xsu. Numbers have the precision of the text: a dump with the "
+		       "format %g has six digits.",
 		.example = "read_dump post/rock.dump 1000 x y z vx vy vz\n"
 			   "read_dump post/rock.dump.gz 1000 x y z radius box no purge yes add yes",
 		.args = args,

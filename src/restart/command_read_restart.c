@@ -54,11 +54,10 @@ const struct ts_command_style ts_command_read_restart = {
 		.name = "read_restart",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Reads the state of a simulation from a restart file",
-		.doc = "Replaces create_box. Box, particles, groups, bonds, contacts, clock, and "
-		       "units are restored at once. The script defines its styles again; each "
-		       "style whose kind, name and ID match gets its state back, including the "
-		       "coefficients of pair and bond styles. A damaged file is an error and "
-		       "changes nothing.",
+		.doc = "Replaces create_box. Box, particles, groups, bonds, contacts, clock, and units are "
+		       "restored at once. The script defines its styles again; each style whose kind, name "
+		       "and ID match gets its state back, including the coefficients of pair and bond styles. "
+		       "A damaged file is an error and changes nothing.",
 		.example = "read_restart rock.restart\nread_restart rock.*.restart",
 		.args = args,
 		.state_size = sizeof(struct state),

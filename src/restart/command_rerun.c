@@ -175,14 +175,13 @@ const struct ts_command_style ts_command_rerun = {
 		.name = "rerun",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Computes forces and output for the frames of dumps",
-		.doc = "For each frame the quantities of the particles are set from the file, "
-		       "neighbours and forces are computed as at the start of a run (contact "
-		       "histories do not evolve), fixes that act at the end of a step are invoked, "
-		       "and thermo output and dumps are written when they are due. No time "
-		       "integration is done. Incomplete frames, as left by a run that was killed "
-		       "or had a full disk, are skipped with a warning; a .gz file is read up to "
-		       "the position where it is cut off. A frame in which a particle id occurs "
-		       "twice is an error.",
+		.doc = "For each frame the quantities of the particles are set from the file, neighbours and "
+		       "forces are computed as at the start of a run (contact histories do not evolve), fixes "
+		       "that act at the end of a step are invoked, and thermo output and dumps are written "
+		       "when they are due. No time integration is done. Incomplete frames, as left by a run "
+		       "that was killed or had a full disk, are skipped with a warning; a .gz file is read up "
+		       "to the position where it is cut off. A frame in which a particle id occurs twice is "
+		       "an error.",
 		.example = "rerun post/rock.dump first 1000 every 500 dump x y z vx vy vz\n"
 			   "rerun post/rock_*.dump.gz dump x y z",
 		.args = args,

@@ -74,10 +74,10 @@ const struct ts_command_style ts_command_restart = {
 		.name = "restart",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Writes restart files every N steps during runs",
-		.doc = "Defines a dump of style restart with the ID restart, which writes its "
-		       "files after the dumps defined before it. Files are written under a "
-		       "temporary name and renamed, so that a file is complete at any time. To "
-		       "write the same file repeatedly use dump style restart.",
+		.doc = "Defines a dump of style restart with the ID restart, which writes its files after the "
+		       "dumps defined before it. Files are written under a temporary name and renamed, so "
+		       "that a file is complete at any time. To write the same file repeatedly use dump style "
+		       "restart.",
 		.example = "restart 10000 a.restart b.restart\n"
 			   "restart 50000 post/rock.*.restart\n"
 			   "restart 0",

@@ -160,13 +160,12 @@ const struct ts_command_style ts_command_write_data = {
 		.name = "write_data",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Writes box and particles to a data file",
-		.doc = "Writes a text file for read_data of tsim, LAMMPS and LIGGGHTS; LAMMPS and "
-		       "LIGGGHTS can read the coefficients of few pair styles of tsim: use "
-		       "`nocoeff` for them. Particles are sorted by id. Numbers have as many "
-		       "digits as are needed to read back the same value, so that a file that is "
-		       "read and written again is the same, byte for byte. Contact histories, "
-		       "equilibrium lengths of bonds, groups and fixes are not written; use "
-		       "write_restart for them. If there are bonds, the columns are those of "
+		.doc = "Writes a text file for read_data of tsim, LAMMPS and LIGGGHTS; LAMMPS and LIGGGHTS "
+		       "can read the coefficients of few pair styles of tsim: use `nocoeff` for them. "
+		       "Particles are sorted by id. Numbers have as many digits as are needed to read back "
+		       "the same value, so that a file that is read and written again is the same, byte for "
+		       "byte. Contact histories, equilibrium lengths of bonds, groups and fixes are not "
+		       "written; use write_restart for them. If there are bonds, the columns are those of "
 		       "atom_style hybrid sphere bond.",
 		.example = "write_data bed.data\n"
 			   "write_data rock.*.data.gz nocoeff",

@@ -37,11 +37,10 @@ const struct ts_command_style ts_command_write_restart = {
 		.name = "write_restart",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Writes the state of the simulation to a restart file",
-		.doc = "The file is compressed and has checksums. It is written under a temporary "
-		       "name and renamed: a previous file of the same name is complete until the "
-		       "new one is. A run continued from the file gives the same numbers, bit for "
-		       "bit, as an uninterrupted run. Folders in the path of the file are created "
-		       "if they do not exist.",
+		.doc = "The file is compressed and has checksums. It is written under a temporary name and "
+		       "renamed: a previous file of the same name is complete until the new one is. A run "
+		       "continued from the file gives the same numbers, bit for bit, as an uninterrupted run. "
+		       "Folders in the path of the file are created if they do not exist.",
 		.example = "write_restart rock.restart",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -132,8 +132,8 @@ static enum ts_status check_header(struct reader *r)
 	for (int dim = 0; dim < 3; dim++)
 		if (!r->found[dim])
 			return ts_lines_fail(r->l, TS_DAMAGED, SIZE_MAX,
-					     "the header ends here, but has no line "
-					     "`LO HI %clo %chi` with the bounds of the box",
+					     "the header ends here, but has no line `LO HI %clo %chi` with "
+					     "the bounds of the box",
 					     'x' + dim, 'x' + dim);
 	if (r->d->natoms && !r->d->ntypes)
 		return ts_lines_fail(r->l, TS_DAMAGED, SIZE_MAX,
@@ -455,8 +455,8 @@ static enum ts_status refuse_section(struct reader *r)
 
 	if (ts_parse_real(r->l->word[0], &number))
 		return ts_lines_fail(r->l, TS_DAMAGED, SIZE_MAX,
-				     "expected the title of a section or a line of the header: the "
-				     "section above may have more lines than the header says");
+				     "expected the title of a section or a line of the header: the section "
+				     "above may have more lines than the header says");
 	for (size_t k = 0; k < NSECTIONS; k++)
 		if (sections[k].line)
 			ts_suggest_try(&suggest, sections[k].title);

@@ -273,8 +273,8 @@ static bool read_bytes(struct reader *r, void *to, size_t n)
 static enum ts_status refuse_version(struct reader *r, const char *text)
 {
 	return ts_fail(&r->sim->error, TS_DAMAGED, r->where,
-		       "restart file '%s' has version %.*s of the format, and this program reads "
-		       "versions 1 to %d: it was written by a newer tsim, or is damaged",
+		       "restart file '%s' has version %.*s of the format, and this program reads versions 1 "
+		       "to %d: it was written by a newer tsim, or is damaged",
 		       r->path, (int)strcspn(text, "\n"), text, VERSION);
 }
 

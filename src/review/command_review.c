@@ -49,17 +49,15 @@ const struct ts_command_style ts_command_review = {
 		.name = "review",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the treatment of the findings of the review before a run",
-		.doc = "Before the first step of a run the set-up is reviewed for settings that "
-		       "are allowed but usually a mistake. Each finding is printed once per "
-		       "script, as a warning with numbers, the line of the script, a proposed "
-		       "change, and at its end the name of the check, such as `(review: overlap)`. "
-		       "`tsim -check` prints the findings without running. doc/review.md describes "
-		       "all checks.\n\n"
-		       "`review error` refuses runs with findings, `review off` makes no checks; "
-		       "both may be restricted to the named checks. The default is `review warn`, "
-		       "also after `clear`.\n\n"
-		       "The review takes no longer than about a step and changes no result. It is "
-		       "made when a run begins, but not again by a run that continues it.",
+		.doc = "Before the first step of a run the set-up is reviewed for settings that are allowed "
+		       "but usually a mistake. Each finding is printed once per script, as a warning with "
+		       "numbers, the line of the script, a proposed change, and at its end the name of the "
+		       "check, such as `(review: overlap)`. `tsim -check` prints the findings without "
+		       "running. doc/review.md describes all checks.\n\n"
+		       "`review error` refuses runs with findings, `review off` makes no checks; both may be "
+		       "restricted to the named checks. The default is `review warn`, also after `clear`.\n\n"
+		       "The review takes no longer than about a step and changes no result. It is made when a "
+		       "run begins, but not again by a run that continues it.",
 		.example = "review error\n"
 			   "review off overlap wall_overlap",
 		.args = args,

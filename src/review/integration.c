@@ -106,8 +106,8 @@ static enum ts_status check_bonds(struct tsim *sim, const struct ts_instance *fi
 			if (row >= 0 && ts_in_group(sim->particles, (size_t)row, fix->group))
 				return ts_review_report(sim, "rotation", &fix->where,
 							"fix %s does not integrate rotation, but the bonds "
-							"of particle %d (bond "
-							"style %s) exert torques; use `fix %s %s nve/sphere`",
+							"of particle %d (bond style %s) exert torques; use "
+							"`fix %s %s nve/sphere`",
 							fix->style->name, b->tag[k][s],
 							ts_sim_only(sim, TS_KIND_BOND)->style->name, fix->id,
 							ts_group_name(sim, fix->group));

@@ -154,9 +154,9 @@ const struct ts_style ts_compute_multisphere_single = {
 	.name = "multisphere/single",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "A property of one rigid body",
-	.doc = "A property of one rigid body: c_ID, or c_ID[1], c_ID[2] ... if it has several components. "
-	       "It is 0 while there is no body with this id. (LIGGGHTS 3.8 always gives the first body.) "
-	       "The group has no effect.",
+	.doc = "A property of one rigid body: c_ID, or c_ID[1], c_ID[2] ... if it has several components. It "
+	       "is 0 while there is no body with this id. (LIGGGHTS 3.8 always gives the first body.) The "
+	       "group has no effect.",
 	.example = "compute centre all multisphere/single id 1 property xcm\n"
 		   "thermo_style custom step c_centre[3]",
 	.args = args_of_one,

@@ -217,11 +217,11 @@ const struct ts_style ts_fix_rigid = {
 	.doc = "Creates rigid bodies when the fix is defined, from the present positions, masses, radii and "
 	       "velocities of the particles. The inertia is that of spheres, which may overlap:\n\n"
 	       "    M = sum m,   I = sum (0.4 m R^2 + m (d^2 1 - d d))\n\n"
-	       "with the vector d from the centre of mass. The bodies are integrated by M dV/dt = F, dL/dt "
-	       "= T as described for fix multisphere.\n\n"
+	       "with the vector d from the centre of mass. The bodies are integrated by M dV/dt = F, dL/dt = "
+	       "T as described for fix multisphere.\n\n"
 	       "Members do not interact with each other; in contacts with others they have the mass of the "
-	       "body. After unfix they are independent particles again. The particles must not be "
-	       "integrated by another fix.",
+	       "body. After unfix they are independent particles again. The particles must not be integrated "
+	       "by another fix.",
 	.example = "fix dumbbell pair rigid single\n"
 		   "fix parts all rigid group 2 left right force 1 on on off torque * off off on",
 	.args = args,

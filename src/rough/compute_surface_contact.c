@@ -57,9 +57,8 @@ static const struct ts_value values[] = {
 	{ "area", "-", "part of the area in contact", TS_SCALAR, 1, NULL, eval_area },
 	{ "figures", "length, -, -, -, length, pressure, -, -",
 	  "height of the plane, as heights of the surface; part of the area in contact; the same, corrected "
-	  "for the "
-	  "error of counting columns; part of the area that yields; mean gap; largest pressure; iterations; "
-	  "residual",
+	  "for the error of counting columns; part of the area that yields; mean gap; largest pressure; "
+	  "iterations; residual",
 	  TS_VECTOR, FIGURES, figure_names, eval_figures },
 	{ "columns", "pressure, length",
 	  "of each column: pressure and gap; negative gap: permanent indentation", TS_SURFACE, 2,
@@ -116,39 +115,29 @@ static const struct ts_arg args[] = {
 
 static const char doc[] =
 	"Frictionless contact of a height field with a plane that is pressed onto it along the axis of the "
-	"heights: "
-	"pressure and gap of each column such that\n\n"
+	"heights: pressure and gap of each column such that\n\n"
 	"  gap = plane - height + displacement >= 0, 0 <= pressure <= hardness, pressure = 0 where gap > "
 	"0,\n\n"
 	"with the mean pressure given. Pressure and heights are those at the time of the evaluation; "
-	"particles take "
-	"no part.\n\n"
+	"particles take no part.\n\n"
 	"Model winkler: displacement = pressure/stiffness of the column alone. The solution is exact.\n\n"
 	"Model halfspace: both solids are elastic half-spaces with 1/E* = (1 - nu_1^2)/E_1 + (1 - "
-	"nu_2^2)/E_2. Each "
-	"column displaces all others by the integral of 1/(pi E* r) over its cross-section, or, in a field "
-	"that is "
-	"periodic along both axes, by 2/(E* q) for each wave number q /= 0; then heights and `plane` are "
-	"relative to "
-	"the mean displacement, which an infinite plane has none of. Sums are made by Fourier transforms, "
-	"the "
-	"contact is found by projected gradients, one sum in each iteration.\n\n"
+	"nu_2^2)/E_2. Each column displaces all others by the integral of 1/(pi E* r) over its "
+	"cross-section, or, in a field that is periodic along both axes, by 2/(E* q) for each wave number q "
+	"/= 0; then heights and `plane` are relative to the mean displacement, which an infinite plane has "
+	"none of. Sums are made by Fourier transforms, the contact is found by projected gradients, one sum "
+	"in each iteration.\n\n"
 	"Columns at the hardness yield: their pressure stays there, and the negative gap is their permanent "
 	"indentation (rigid, ideally plastic; the displacement of the material is not modelled). The "
-	"solution is "
-	"that of a first loading: it does not depend on what was before.\n\n"
+	"solution is that of a first loading: it does not depend on what was before.\n\n"
 	"With `counter` the heights of both fields are added, as if the second lay upside down on the first, "
-	"its "
-	"columns opposite to those of the same index.\n\n"
+	"its columns opposite to those of the same index.\n\n"
 	"Columns at the border of a contact count as a whole, so the area is too large by a part of their "
-	"number. "
-	"c_ID[3] is corrected for that by (pi - 1 + ln 2)/24 columns for each border between a column in "
-	"contact and "
-	"one that is not.\n\n"
+	"number. c_ID[3] is corrected for that by (pi - 1 + ln 2)/24 columns for each border between a "
+	"column in contact and one that is not.\n\n"
 	"With model winkler a column is in contact or not by its own height: c_ID[2] is meant.\n\n"
 	"Errors at 128 x 128 columns for a sphere with a contact radius of 38 columns: approach 2e-5, "
-	"largest "
-	"pressure 1.3e-4, area 0.6 %, corrected area 0.2 %.\n\n"
+	"largest pressure 1.3e-4, area 0.6 %, corrected area 0.2 %.\n\n"
 	"Related: fix surface/voxel, dump voxel/vtk.";
 
 TS_STYLE(compute, ts_style, ts_compute_surface_contact)

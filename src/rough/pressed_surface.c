@@ -33,8 +33,7 @@ static enum ts_status find_surfaces(struct ts_instance *self, struct tsim *sim)
 		    !(fabs(s->counter->width[d] - s->field->width[d]) <= 1e-9 * s->field->width[d]))
 			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->counter_id),
 				       "compute surface/contact: the columns of %s are not those of %s: both "
-				       "need "
-				       "the same number, width and axis of columns",
+				       "need the same number, width and axis of columns",
 				       s->counter_id, s->surface_id);
 	return TS_OK;
 }
@@ -51,8 +50,7 @@ static enum ts_status check_model(struct ts_instance *self, struct tsim *sim)
 	if (s->model == TS_PRESSED_HALF_SPACE && s->field->periodic[0] != s->field->periodic[1])
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->surface_id),
 			       "compute surface/contact: %s is periodic along one axis only; model halfspace "
-			       "needs "
-			       "fields that are periodic along both axes or along none",
+			       "needs fields that are periodic along both axes or along none",
 			       s->surface_id);
 	return TS_OK;
 }
@@ -115,23 +113,19 @@ static enum ts_status say_failure(struct ts_instance *self, const struct ts_roug
 	if (status == TS_RANGE && p->mean_pressure < p->hardness)
 		return ts_fail(error, TS_RANGE, &self->where,
 			       "compute surface/contact %s: the mean pressure %g and the displacements by it "
-			       "are too large "
-			       "or too small for the arithmetic: check pressure, %s and units",
+			       "are too large or too small for the arithmetic: check pressure, %s and units",
 			       self->id, p->mean_pressure,
 			       s->model == TS_PRESSED_WINKLER ? "stiffness" : "young");
 	if (status == TS_RANGE)
 		return ts_fail(error, TS_PHYSICS, &self->where,
 			       "compute surface/contact %s: the mean pressure %g cannot be carried: where "
-			       "all columns "
-			       "yield it is the hardness %g",
+			       "all columns yield it is the hardness %g",
 			       self->id, p->mean_pressure, p->hardness);
 	if (status == TS_PHYSICS)
 		return ts_fail(error, TS_PHYSICS, &self->where,
 			       "compute surface/contact %s: no solution within %g of the standard deviation "
-			       "of the "
-			       "heights after %d iterations, but within %g: give more `iterations` or a "
-			       "larger "
-			       "`tolerance`",
+			       "of the heights after %d iterations, but within %g: give more `iterations` or "
+			       "a larger `tolerance`",
 			       self->id, p->tolerance, p->iterations, s->result.residual);
 	return ts_nomem(error);
 }

@@ -54,9 +54,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		if (moves_by_time(fix) && time != ts_sim_time(sim))
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "fix %s (%s, line %d) moves by the time since its definition, now %g: "
-				       "unfix it "
-				       "before reset_timestep, or keep the time: `reset_timestep %lld time "
-				       "$(time)`",
+				       "unfix it before reset_timestep, or keep the time: `reset_timestep "
+				       "%lld time $(time)`",
 				       fix->id, fix->style->name, fix->where.line, ts_sim_time(sim),
 				       (long long)s->step);
 	}
@@ -84,9 +83,9 @@ const struct ts_command_style ts_command_reset_timestep = {
 		.name = "reset_timestep",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the step counter",
-		.doc = "Sets the step counter. The simulated time is set to step times dt unless "
-		       "it is given. It is an error if there are fixes that average or sample over "
-		       "steps, such as fix ave/time, or if the time changes and there are fixes whose motion is a function of "
+		.doc = "Sets the step counter. The simulated time is set to step times dt unless it is given. "
+		       "It is an error if there are fixes that average or sample over steps, such as fix "
+		       "ave/time, or if the time changes and there are fixes whose motion is a function of "
 		       "it, such as fix move.",
 		.example = "reset_timestep 0\n"
 			   "reset_timestep 0 time $(time)",

@@ -188,25 +188,23 @@ const struct ts_command_style ts_command_run = {
 	.style = { .name = "run",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "Runs the simulation for N steps",
-		   .doc = "Plans the run (see -explain), checks the time step against the "
-			  "stability limits of all styles, and runs N steps. Forces are recomputed "
-			  "at its start only if something they depend on has changed since the "
-			  "last step, so that a run cut into several gives the same results, bit "
-			  "for bit.\n\n"
-			  "`every M \"command\" ...` interrupts the run every M steps to execute "
-			  "the commands; variables in them are substituted each time. Before the "
-			  "first step they are checked, including those of `if`: commands, styles, "
-			  "arguments and variables must exist.\n\n"
-			  "Quantities that change over a run, such as ramp(), change from its "
-			  "first to its last step. With `start` and `stop` several runs, or a run "
-			  "and its continuation from a restart file, count as one.\n\n"
-			  "A time step beyond a stability limit is an error. During the run the "
-			  "limits are evaluated again, since stiffnesses, masses and velocities "
-			  "change: from 80 % of a limit on there is a warning, once for each "
-			  "cause, and a run that stays beyond a limit is stopped with a message "
-			  "about the cause, its location and a sufficiently small time step "
-			  "(doc/stability.md; thermo keyword stable_fraction). `unsafe yes` turns "
-			  "these errors into warnings; it is meant for tests of the limits.",
+		   .doc = "Plans the run (see -explain), checks the time step against the stability limits "
+			  "of all styles, and runs N steps. Forces are recomputed at its start only if "
+			  "something they depend on has changed since the last step, so that a run cut into "
+			  "several gives the same results, bit for bit.\n\n"
+			  "`every M \"command\" ...` interrupts the run every M steps to execute the "
+			  "commands; variables in them are substituted each time. Before the first step they "
+			  "are checked, including those of `if`: commands, styles, arguments and variables "
+			  "must exist.\n\n"
+			  "Quantities that change over a run, such as ramp(), change from its first to its "
+			  "last step. With `start` and `stop` several runs, or a run and its continuation "
+			  "from a restart file, count as one.\n\n"
+			  "A time step beyond a stability limit is an error. During the run the limits are "
+			  "evaluated again, since stiffnesses, masses and velocities change: from 80 % of a "
+			  "limit on there is a warning, once for each cause, and a run that stays beyond a "
+			  "limit is stopped with a message about the cause, its location and a sufficiently "
+			  "small time step (doc/stability.md; thermo keyword stable_fraction). `unsafe yes` "
+			  "turns these errors into warnings; it is meant for tests of the limits.",
 		   .example = "run 20000\nrun 100000 upto\nrun 5000 every 1000 \"print 'step $(step)'\"",
 		   .args = args,
 		   .state_size = sizeof(struct run) },

@@ -109,11 +109,11 @@ const struct ts_command_style ts_command_timer = {
 		.name = "timer",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Limits the wall time of runs",
-		.doc = "A run that reaches the limit ends after the current step in the same way "
-		       "as at its last step; later runs do nothing until the next `timer timeout`, "
-		       "so that a script can still write a restart file. The wall time is checked "
-		       "every 10 steps of a run, or as `every` says. The wall times of the stages "
-		       "of a step are always measured and printed after a run.",
+		.doc = "A run that reaches the limit ends after the current step in the same way as at its "
+		       "last step; later runs do nothing until the next `timer timeout`, so that a script can "
+		       "still write a restart file. The wall time is checked every 10 steps of a run, or as "
+		       "`every` says. The wall times of the stages of a step are always measured and printed "
+		       "after a run.",
 		.example = "timer timeout 2:30:00 every 100\ntimer timeout reset",
 		.args = args,
 		.state_size = sizeof(struct state),

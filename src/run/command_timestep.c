@@ -32,8 +32,8 @@ const struct ts_command_style ts_command_timestep = {
 		.name = "timestep",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the time step",
-		.doc = "Sets the time step of the integration. Each run compares it with the "
-		       "stability limits of all styles; -explain prints them.",
+		.doc = "Sets the time step of the integration. Each run compares it with the stability limits "
+		       "of all styles; -explain prints them.",
 		.example = "timestep 1e-5",
 		.args = args,
 		.state_size = sizeof(struct state),

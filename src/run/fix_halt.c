@@ -185,8 +185,8 @@ static const struct ts_arg args[] = {
 	TS_REAL("limit", struct state, limit, .flags = TS_POSITIONAL,
 		.help = "value with which it is compared"),
 	TS_ENUM("error", struct state, error, errors, .fallback = "soft",
-		.help = "hard: stop with an error; soft: end this run and skip all later ones; "
-			"continue: end this run"),
+		.help = "hard: stop with an error; soft: end this run and skip all later ones; continue: end "
+			"this run"),
 	TS_BOOL("message", struct state, message, .fallback = "yes",
 		.help = "whether a message is printed (always with hard)"),
 	TS_WORD("path", struct state, path, .fallback = ".",
@@ -199,11 +199,10 @@ const struct ts_style ts_fix_halt = {
 	.name = "halt",
 	.kind = TS_KIND_FIX,
 	.summary = "Ends a run early when a condition is met",
-	.doc = "Compares the attribute with the limit at the end of each step that is a multiple "
-	       "of N. If the comparison holds, this step becomes the last of the run: its output "
-	       "is written and the script continues. After a soft halt (the default) later `run` "
-	       "commands do nothing, so that a script can write its state and end; `timer timeout "
-	       "reset` enables them again.",
+	.doc = "Compares the attribute with the limit at the end of each step that is a multiple of N. If "
+	       "the comparison holds, this step becomes the last of the run: its output is written and the "
+	       "script continues. After a soft halt (the default) later `run` commands do nothing, so that a "
+	       "script can write its state and end; `timer timeout reset` enables them again.",
 	.example = "variable speed equal vcm(all,z)\n"
 		   "fix calm all halt 100 v_speed > -1e-4 error continue\n"
 		   "fix apart all halt 10 bondmax > 0.023",

@@ -13,8 +13,8 @@ struct condition {
 
 static const struct ts_arg if_args[] = {
 	TS_REST("condition then commands", struct condition, words,
-		.help = "a condition in quotes, `then`, and one or more commands, each in quotes; "
-			"`elif \"condition\" commands` and `else commands` may follow"),
+		.help = "a condition in quotes, `then`, and one or more commands, each in quotes; `elif "
+			"\"condition\" commands` and `else commands` may follow"),
 	TS_ARGS_END
 };
 
@@ -59,8 +59,8 @@ enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const
 			       "expected: if \"condition\" then \"command\" ...");
 	if (!is_bare_word(&word[1], "then"))
 		return ts_fail(&sim->error, TS_SYNTAX, &word[1].place,
-			       "expected 'then' after the condition, found '%s' (a condition with "
-			       "blanks needs quotes)",
+			       "expected 'then' after the condition, found '%s' (a condition with blanks "
+			       "needs quotes)",
 			       word[1].text);
 	for (size_t k = 0, end; k < words.n; k = end) {
 		bool otherwise = is_bare_word(&word[k], "else");
@@ -155,15 +155,14 @@ const struct ts_command_style ts_command_if = {
 		.name = "if",
 		.kind = TS_KIND_COMMAND,
 		.summary = "executes commands if a condition is true",
-		.doc = "The condition is a formula: numbers, v_NAME, c_ID, functions, comparisons, "
-		       "&& and ||; it is true if its value is not 0. Bare names are words, which can "
-		       "be compared by == and !=; words with blanks need quotes. The word "
-		       "property_NAME is 1 if there is a material property NAME (fix "
-		       "property/global), else 0. Variables in the condition and in the commands are substituted "
-		       "when these are evaluated and executed. `include` is not allowed among the commands; use "
-		       "`jump`.",
-		.example = "if \"${n} > 3 && ${mode} == drill\" then \"print 'deep enough'\" \"quit\" "
-			   "else \"print 'go on'\"",
+		.doc = "The condition is a formula: numbers, v_NAME, c_ID, functions, comparisons, && and ||; "
+		       "it is true if its value is not 0. Bare names are words, which can be compared by == "
+		       "and !=; words with blanks need quotes. The word property_NAME is 1 if there is a "
+		       "material property NAME (fix property/global), else 0. Variables in the condition and "
+		       "in the commands are substituted when these are evaluated and executed. `include` is "
+		       "not allowed among the commands; use `jump`.",
+		.example = "if \"${n} > 3 && ${mode} == drill\" then \"print 'deep enough'\" \"quit\" else "
+			   "\"print 'go on'\"",
 		.args = if_args,
 		.state_size = sizeof(struct condition),
 	},

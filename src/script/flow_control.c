@@ -44,8 +44,8 @@ static enum ts_status run_jump(struct tsim *sim, void *state, const struct ts_pl
 		return TS_OK;
 	if (ts_streq(jump->file, "SELF") && script->source->stream && !script->source->owns_stream)
 		return ts_fail(&sim->error, TS_STATE, ts_script_place(script, 1, where),
-			       "a script on standard input cannot go back to an earlier line; start it "
-			       "with -in FILE");
+			       "a script on standard input cannot go back to an earlier line; start it with "
+			       "-in FILE");
 	if (ts_streq(jump->file, "SELF")) {
 		ts_source_rewind(script->source);
 		if (jump->label && ts_source_seek_label(script->source, jump->label))
@@ -68,10 +68,10 @@ const struct ts_command_style ts_command_jump = {
 		.name = "jump",
 		.kind = TS_KIND_COMMAND,
 		.summary = "continues with another line or script",
-		.doc = "Execution continues with the first line of the file, or with the line behind "
-		       "the label. Lines that are skipped are neither substituted nor checked. The "
-		       "first jump after a `next` that has found no further value does nothing, which ends a "
-		       "loop. A script that is read from standard input cannot jump to SELF.",
+		.doc = "Execution continues with the first line of the file, or with the line behind the "
+		       "label. Lines that are skipped are neither substituted nor checked. The first jump "
+		       "after a `next` that has found no further value does nothing, which ends a loop. A "
+		       "script that is read from standard input cannot jump to SELF.",
 		.example = "variable n loop 3\nlabel again\nprint \"round $n\"\nnext n\njump SELF again",
 		.args = jump_args,
 		.state_size = sizeof(struct jump),
@@ -146,8 +146,8 @@ const struct ts_command_style ts_command_next = {
 		.name = "next",
 		.kind = TS_KIND_COMMAND,
 		.summary = "advances index, loop and file variables to their next value",
-		.doc = "A variable that has no further value is deleted, and the next `jump` does "
-		       "nothing. Several variables are advanced together.",
+		.doc = "A variable that has no further value is deleted, and the next `jump` does nothing. "
+		       "Several variables are advanced together.",
 		.example = "next n\nnext n rock",
 		.args = next_args,
 		.state_size = sizeof(struct next),
@@ -167,8 +167,8 @@ static enum ts_status run_include(struct tsim *sim, void *state, const struct ts
 	TS_TRY(ts_script_of(sim, where, &script));
 	if (script->branches)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "include is not allowed within an if; use jump, or set a variable to "
-			       "the file's name and include it in a line of its own");
+			       "include is not allowed within an if; use jump, or set a variable to the "
+			       "file's name and include it in a line of its own");
 	return ts_script_include(script, file->name, ts_script_place(script, 1, where));
 }
 
@@ -230,8 +230,9 @@ const struct ts_command_style ts_command_clear = {
 		.name = "clear",
 		.kind = TS_KIND_COMMAND,
 		.summary = "deletes the simulation, but not the variables",
-		.doc = "Box, particles and all styles are deleted, and settings and the step counter are reset "
-		       "to those at the start of the program; variables, working folder and log file are kept.",
+		.doc = "Box, particles and all styles are deleted, and settings and the step counter are "
+		       "reset to those at the start of the program; variables, working folder and log file "
+		       "are kept.",
 		.example = "clear",
 	},
 	.run = run_clear,

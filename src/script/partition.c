@@ -60,9 +60,9 @@ const struct ts_command_style ts_command_partition = {
 		.name = "partition",
 		.kind = TS_KIND_COMMAND,
 		.summary = "executes a command in some of several partitions",
-		.doc = "LIGGGHTS and LAMMPS can run several simulations at the same time, in partitions; tsim has "
-		       "one, number 1. The command is executed if the range includes (yes) or does not include "
-		       "(no) that number.",
+		.doc = "LIGGGHTS and LAMMPS can run several simulations at the same time, in partitions; tsim "
+		       "has one, number 1. The command is executed if the range includes (yes) or does not "
+		       "include (no) that number.",
 		.example = "partition yes 1 print \"the first\"",
 		.args = args,
 		.state_size = sizeof(struct partition),

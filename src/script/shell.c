@@ -133,8 +133,8 @@ static enum ts_status unknown_action(struct tsim *sim, const struct ts_word *wor
 	for (size_t a = 0; a < sizeof actions / sizeof *actions; a++)
 		ts_suggest_try(&suggest, actions[a].name);
 	return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
-		       "shell knows mkdir, mv, rm, rmdir and cd, not '%s'%s; tsim starts other "
-		       "programs only with the option -shell yes",
+		       "shell knows mkdir, mv, rm, rmdir and cd, not '%s'%s; tsim starts other programs only "
+		       "with the option -shell yes",
 		       word->text, suggest.best ? ts_suggest_text(&suggest) : "");
 }
 
@@ -203,14 +203,14 @@ const struct ts_command_style ts_command_shell = {
 		.name = "shell",
 		.kind = TS_KIND_COMMAND,
 		.summary = "creates folders, moves and removes files",
-		.doc = "mkdir also creates the parent folders; a folder that exists is no error. rm or rmdir of a "
-		       "name that does not exist gives a warning; rm does not remove folders. Options such as -p "
-		       "and -rf have no effect. rm, rmdir and mv act only below the folder in which tsim was "
-		       "started; symbolic links are resolved. With the option -shell yes of the command line they "
-		       "act everywhere, putenv sets environment variables, and any other words are executed by "
-		       "the system's shell; without it these are refused. doc/language.md describes which files "
-		       "a script may change by other commands; scripts from unknown sources can be run with "
-		       "-sandbox.",
+		.doc = "mkdir also creates the parent folders; a folder that exists is no error. rm or rmdir "
+		       "of a name that does not exist gives a warning; rm does not remove folders. Options "
+		       "such as -p and -rf have no effect. rm, rmdir and mv act only below the folder in "
+		       "which tsim was started; symbolic links are resolved. With the option -shell yes of "
+		       "the command line they act everywhere, putenv sets environment variables, and any "
+		       "other words are executed by the system's shell; without it these are refused. "
+		       "doc/language.md describes which files a script may change by other commands; scripts "
+		       "from unknown sources can be run with -sandbox.",
 		.example = "shell mkdir post\nshell mv profile.txt post/profile_old.txt",
 		.args = shell_args,
 		.state_size = sizeof(struct shell),

@@ -107,8 +107,7 @@ static enum ts_status fetch_line(struct ts_source *source, struct tsim *sim)
 		if (++n > most)
 			return ts_fail(&sim->error, TS_RANGE, &place,
 				       "the line has more than %zu bytes; if that is intended, raise the "
-				       "limit by "
-				       "-input-limit GB, of which a line may have a thousandth",
+				       "limit by -input-limit GB, of which a line may have a thousandth",
 				       most);
 		ts_str_add_n(&source->text, &byte, 1);
 	}

@@ -87,9 +87,9 @@ const struct ts_command_style ts_command_print = {
 		.name = "print",
 		.kind = TS_KIND_COMMAND,
 		.summary = "prints a line of text",
-		.doc = "The text is written to the screen, to the log file, and to the file given by `file` or "
-		       "`append`. Variables in the text are substituted; $(formula:%.3f) prints a number with "
-		       "this format.",
+		.doc = "The text is written to the screen, to the log file, and to the file given by `file` "
+		       "or `append`. Variables in the text are substituted; $(formula:%.3f) prints a number "
+		       "with this format.",
 		.example = "print \"depth ${depth} m, energy $(ke:%.4g) J\" append depth.txt",
 		.args = print_args,
 		.state_size = sizeof(struct print),

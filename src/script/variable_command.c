@@ -20,9 +20,9 @@ static const struct ts_arg variable_args[] = {
 	TS_ENUM("style", struct variable, style, styles, .flags = TS_POSITIONAL,
 		.help = "style of the variable; delete: deletes the variable of that name"),
 	TS_REST_OPTIONAL("values", struct variable, values,
-			 .help = "index, universe: words; loop, uloop: N, or N1 N2, and pad; string, "
-				 "getenv, world: one word; equal, atom, vector: a formula; format: a "
-				 "variable and a format; internal: a number; file, atomfile: a path"),
+			 .help = "index, universe: words; loop, uloop: N, or N1 N2, and pad; string, getenv, "
+				 "world: one word; equal, atom, vector: a formula; format: a variable and a "
+				 "format; internal: a number; file, atomfile: a path"),
 	TS_ARGS_END
 };
 
@@ -57,15 +57,16 @@ const struct ts_command_style ts_command_variable = {
 		.name = "variable",
 		.kind = TS_KIND_COMMAND,
 		.summary = "defines a variable",
-		.doc = "`tsim -help variables` describes the value of each style. A definition of style index, loop, "
-		       "world, universe, uloop, file or atomfile has no effect if a variable of that name exists, "
-		       "so that the option -var overrides it; the other styles replace a variable of the same "
-		       "style. `equal`, `atom` and `vector` store a formula, which is evaluated each time the "
-		       "variable is used; the page `functions` describes formulas. `delete` deletes the variable, "
-		       "if it exists.\n\n"
-		       "${name} (or $x for a one-letter name) outside of quotes is replaced by the value before "
-		       "the line is executed; v_name is the value inside a formula; $(formula) is replaced by the "
-		       "value of the formula. ${name:%.3f} and $(formula:%.3f) set the format of the number.",
+		.doc = "`tsim -help variables` describes the value of each style. A definition of style "
+		       "index, loop, world, universe, uloop, file or atomfile has no effect if a variable of "
+		       "that name exists, so that the option -var overrides it; the other styles replace a "
+		       "variable of the same style. `equal`, `atom` and `vector` store a formula, which is "
+		       "evaluated each time the variable is used; the page `functions` describes formulas. "
+		       "`delete` deletes the variable, if it exists.\n\n"
+		       "${name} (or $x for a one-letter name) outside of quotes is replaced by the value "
+		       "before the line is executed; v_name is the value inside a formula; $(formula) is "
+		       "replaced by the value of the formula. ${name:%.3f} and $(formula:%.3f) set the format "
+		       "of the number.",
 		.example = "variable wob index 2000\nvariable area equal PI*v_r^2\n"
 			   "variable n loop 5\nvariable deep atom z<0.05\n"
 			   "variable edges vector [0,0.1,0.25]",

@@ -38,11 +38,10 @@ const struct ts_command_style ts_command_thermo = {
 		.name = "thermo",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the interval of thermo output",
-		.doc = "Thermo output is a table in the log file and on the screen. A row is "
-		       "written at the first and the last step of each run and when the step is a "
-		       "multiple of N. The default is 0. A variable v_NAME is evaluated at the "
-		       "start of a run and after each row; its value is the step of the next row. "
-		       "See also thermo_style, thermo_modify.",
+		.doc = "Thermo output is a table in the log file and on the screen. A row is written at the "
+		       "first and the last step of each run and when the step is a multiple of N. The default "
+		       "is 0. A variable v_NAME is evaluated at the start of a run and after each row; its "
+		       "value is the step of the next row. See also thermo_style, thermo_modify.",
 		.example = "thermo 1000\nthermo v_next",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -68,8 +68,8 @@ static const struct ts_arg args[] = {
 	  .type = TS_ARG_REST,
 	  .flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT,
 	  .offset = TS_FIELD(struct state, format, struct ts_words *),
-	  .help = "format of numbers: float F, int F, the number of a column and F, line \"F F ...\" "
-		  "with one for each column, or none for the defaults; F is a C format such as %20.15g" },
+	  .help = "format of numbers: float F, int F, the number of a column and F, line \"F F ...\" with "
+		  "one for each column, or none for the defaults; F is a C format such as %20.15g" },
 	TS_ARGS_END,
 };
 
@@ -79,15 +79,14 @@ const struct ts_command_style ts_command_thermo_modify = {
 		.name = "thermo_modify",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the format of thermo output and the treatment of lost particles",
-		.doc = "Defaults: format float %14.8g, format int %8d, with `line multi` %14.4f "
-		       "and %14d; norm yes after the command `units lj`, otherwise no. "
-		       "thermo_style restores the defaults, except for lost. temp and press change "
-		       "only these keywords: ke and etotal are still those of all particles. The "
-		       "format of a column takes precedence over those of float and int, and these "
-		       "over the format of the line.\n\n"
-		       "A particle that leaves the box is deleted in that step. With `lost ignore` "
-		       "it is deleted at the next rebuild of the neighbor list, as in LIGGGHTS and "
-		       "LAMMPS, and is counted until then; this is faster if many particles leave.",
+		.doc = "Defaults: format float %14.8g, format int %8d, with `line multi` %14.4f and %14d; "
+		       "norm yes after the command `units lj`, otherwise no. thermo_style restores the "
+		       "defaults, except for lost. temp and press change only these keywords: ke and etotal "
+		       "are still those of all particles. The format of a column takes precedence over those "
+		       "of float and int, and these over the format of the line.\n\n"
+		       "A particle that leaves the box is deleted in that step. With `lost ignore` it is "
+		       "deleted at the next rebuild of the neighbor list, as in LIGGGHTS and LAMMPS, and is "
+		       "counted until then; this is faster if many particles leave.",
 		.example = "thermo_modify lost warn norm no\n"
 			   "thermo_modify format float %20.15g format 3 %10.4f",
 		.args = args,

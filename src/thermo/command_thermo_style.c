@@ -48,13 +48,12 @@ const struct ts_command_style ts_command_thermo_style = {
 		.name = "thermo_style",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the columns of thermo output",
-		.doc = "Keywords: step elapsed time dt cpu tpcpu spcpu cpuremain atoms ke erotate "
-		       "fmax fnorm vol density lx ly lz xlo xhi ylo yhi zlo zhi, and those of "
-		       "other parts of the program. The title of a compute, fix or variable is its "
-		       "name, with `legacy yes` its first eight characters. The default style is "
-		       "one.\n\n"
-		       "Keywords, and computes, fixes and variables that exist, are checked by "
-		       "this command; others may be defined later, before the first run.",
+		.doc = "Keywords: step elapsed time dt cpu tpcpu spcpu cpuremain atoms ke erotate fmax fnorm "
+		       "vol density lx ly lz xlo xhi ylo yhi zlo zhi, and those of other parts of the "
+		       "program. The title of a compute, fix or variable is its name, with `legacy yes` its "
+		       "first eight characters. The default style is one.\n\n"
+		       "Keywords, and computes, fixes and variables that exist, are checked by this command; "
+		       "others may be defined later, before the first run.",
 		.example = "thermo_style custom step time ke c_energy f_bit[1] v_depth",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -100,8 +100,8 @@ static const struct ts_arg args[] = {
 	TS_BOOL("screen", struct state, screen, .fallback = "yes",
 		.help = "whether the line is also written to the screen and the log"),
 	TS_WORD("title", struct state, title, .flags = TS_OPTIONAL,
-		.help = "first line of the file instead of '# Fix print output for fix ID'; none: "
-			"no such line"),
+		.help = "first line of the file instead of '# Fix print output for fix ID'; none: no such "
+			"line"),
 	TS_ARGS_END,
 };
 
@@ -110,10 +110,9 @@ const struct ts_style ts_fix_print = {
 	.name = "print",
 	.kind = TS_KIND_FIX,
 	.summary = "Prints a line of text every N steps",
-	.doc = "Prints the line at the end of each step that is a multiple of N; ${name} and "
-	       "$(formula) in it are replaced by their current values. Before the first step of a "
-	       "run they are checked: variables, computes and fixes must exist and have values of "
-	       "the right shape.",
+	.doc = "Prints the line at the end of each step that is a multiple of N; ${name} and $(formula) in "
+	       "it are replaced by their current values. Before the first step of a run they are checked: "
+	       "variables, computes and fixes must exist and have values of the right shape.",
 	.example = "fix depth all print 1000 \"$(step) ${depth}\" file post/depth.txt screen no",
 	.args = args,
 	.state_size = sizeof(struct state),

@@ -296,7 +296,8 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "spcpu", "S/CPU", "1/s", "steps per second of wall time since the previous row", 0, spcpu },
 	{ "cpuremain", "CPULeft", "s", "estimated wall time of the rest of the run", 0, cpuremain },
 	{ "timeremain", "TimeoutLeft", "s", "wall time left before `timer timeout`; 0 without it", 0, timeremain },
-	{ "cu", "Cu", "1/s", "Cundall number: particles times steps divided by the wall time of the run so far", 0, cundall },
+	{ "cu", "Cu", "1/s", "Cundall number: particles times steps divided by the wall time of the run so "
+	  "far", 0, cundall },
 	{ "atoms", "Atoms", "", "number of particles", 1, atoms },
 	{ "ke", "KinEng", "energy", "kinetic energy of translation", 0, ke },
 	{ "erotate", "RotEng", "energy", "kinetic energy of rotation", 0, erotate },

@@ -150,8 +150,7 @@ static const struct ts_arg args[] = {
 	TS_WORD("surface", struct state, id, .flags = TS_POSITIONAL, .help = "ID of a fix surface/voxel"),
 	TS_REST_OPTIONAL("outputs", struct state, inputs.names,
 			 .help = "f_ID[k] or f_ID[*]: columns of outputs that have a row for each column of "
-				 "the "
-				 "surface, as of the fixes wear/..."),
+				 "the surface, as of the fixes wear/..."),
 	TS_ARGS_END,
 };
 
@@ -163,8 +162,7 @@ const struct ts_style ts_dump_voxel_vtk = {
 	.kind = TS_KIND_DUMP,
 	.summary = "The tops of the columns of a height field, as legacy VTK for ParaView",
 	.doc = "Writes one file per frame, PolyData of version 3.0 as text: a square for the top of each "
-	       "column at "
-	       "its present position; empty columns are left out. Cell data:\n\n"
+	       "column at its present position; empty columns are left out. Cell data:\n\n"
 	       "  column   number of the column, from 0; the first index varies fastest\n"
 	       "  height   height of the column, without the displacement of the field\n"
 	       "  f_ID[k]  of the column, by an output of a fix about this surface\n\n"

@@ -118,16 +118,14 @@ static enum ts_status read_extent(struct ts_instance *self, struct tsim *sim)
 		else if (ts_box_periodic(box, axis) && extent > length)
 			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "size"),
 				       "fix surface/voxel: the field is longer than the periodic box along "
-				       "%s, "
-				       "%g and %g: it would overlap its own images",
+				       "%s, %g and %g: it would overlap its own images",
 				       normals[axis], extent, length);
 		end = ts_voxel_border(f, d, f->n[d]);
 		if (ts_voxel_border(f, d, 1) > f->origin[d] && end > ts_voxel_border(f, d, f->n[d] - 1))
 			continue;
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "fix surface/voxel: columns of width %g from %g to %g along %s: neighbours "
-			       "have the "
-			       "same coordinate, rounded",
+			       "have the same coordinate, rounded",
 			       f->width[d], f->origin[d], end, normals[axis]);
 	}
 	return TS_OK;
@@ -142,8 +140,7 @@ static enum ts_status read_base(struct ts_instance *self, struct tsim *sim)
 	if (isnan(s->base) && ts_box_periodic(&sim->domain->box, f->axis[2]))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix surface/voxel: the box is periodic along %s, the axis of the heights, "
-			       "and the "
-			       "columns have no bottom: give a `base`, or let the box be fixed there "
+			       "and the columns have no bottom: give a `base`, or let the box be fixed there "
 			       "(`boundary`)",
 			       normals[f->axis[2]]);
 	return TS_OK;
@@ -189,8 +186,7 @@ static enum ts_status check_period(struct ts_instance *self, struct tsim *sim)
 		if (f->periodic[d] && !(fabs((double)f->n[d] * f->width[d] - length) <= 1e-9 * length))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "fix surface/voxel: the field has spanned the periodic box along %s, "
-				       "whose "
-				       "length has changed from %g to %g",
+				       "whose length has changed from %g to %g",
 				       normals[f->axis[d]], (double)f->n[d] * f->width[d], length);
 	}
 	return TS_OK;
@@ -466,8 +462,7 @@ static const struct ts_arg args[] = {
 	       .help = "particle type whose material the surface has"),
 	TS_SOME_KEYWORD("cells", struct state, cells, TS_STATEFUL,
 			.help = "number of columns along the first and second axis; file and image: that of "
-				"the "
-				"file"),
+				"the file"),
 	TS_ENUM("normal", struct state, normal, normals, .flags = TS_STATEFUL, .fallback = "z",
 		.help = "axis of the heights; the first and second axis are the next ones in cyclic order"),
 	TS_SOME_KEYWORD("origin", struct state, origin, TS_STATEFUL, .unit = "length",
@@ -500,18 +495,15 @@ static const struct ts_saved saved[] = {
 
 static const char doc[] =
 	"A solid made of columns, for walls with rough or worn surfaces. The first and second axis are "
-	"divided "
-	"into cells of equal size; the column on each cell reaches from its height down to `base`, or "
-	"without "
-	"end. The field covers the box, or the rectangle from `origin` of the lengths `size`. A field alone "
-	"has no effect on particles: `fix wall/gran voxels ID` makes a wall of it.\n\n"
+	"divided into cells of equal size; the column on each cell reaches from its height down to `base`, "
+	"or without end. The field covers the box, or the rectangle from `origin` of the lengths `size`. A "
+	"field alone has no effect on particles: `fix wall/gran voxels ID` makes a wall of it.\n\n"
 	"Heights:\n\n"
 	"  constant H          one height\n"
 	"  file NAME           numbers, times `scale`; each line is a row\n"
 	"  image NAME          grey values: `black` and `white` are the heights of black and white\n"
 	"  formula v_NAME      an equal-style variable, evaluated at the centre of each column; the "
-	"coordinates "
-	"are set in the internal-style variables named by `x`, `y`, `z`\n"
+	"coordinates are set in the internal-style variables named by `x`, `y`, `z`\n"
 	"  gaussian            a Gaussian random surface\n"
 	"  selfaffine          a self-affine random surface\n\n"
 	"Files and images are seen from above, with the first axis to the right: their first row is the one "
@@ -521,12 +513,10 @@ static const char doc[] =
 	"The heights of a Gaussian surface have a normal distribution with the covariance\n\n"
 	"  <(h(x) - mean)(h(x + r) - mean)> = deviation^2 exp(-(r_1/l_1)^2 - (r_2/l_2)^2),\n\n"
 	"l being the correlation lengths. It is periodic along both axes: the covariance is the sum over the "
-	"periodic images. Correlation lengths may be at most half of the size. The random number of a "
-	"column or wave depends on the seed and its index alone. With `exact yes` the heights are shifted "
-	"and scaled to "
-	"have "
-	"the mean and standard deviation given, before the datum is applied; with `exact no` they have them "
-	"on average over seeds.\n\n"
+	"periodic images. Correlation lengths may be at most half of the size. The random number of a column "
+	"or wave depends on the seed and its index alone. With `exact yes` the heights are shifted and "
+	"scaled to have the mean and standard deviation given, before the datum is applied; with `exact no` "
+	"they have them on average over seeds.\n\n"
 	"The heights of a self-affine surface have a normal distribution with the isotropic power "
 	"spectrum\n\n"
 	"  C(q) = constant for longest >= 2 pi/q > roll\n"
@@ -534,34 +524,25 @@ static const char doc[] =
 	"  C(q) = 0 for other wave numbers q.\n\n"
 	"It is periodic along both axes; seed, `noise` and `exact` are those of a Gaussian surface.\n\n"
 	"With `noise columns` each column has its random number, so that fields of other `cells` are other "
-	"surfaces. "
-	"With "
-	"`noise waves` each wave that is periodic in the field has its random amplitude and phase: the "
-	"surface is "
-	"the "
-	"same for any number of columns that resolve its spectrum, sampled at their centres. Use it to see "
-	"how "
-	"results "
-	"depend on the width of columns.\n\n"
+	"surfaces. With `noise waves` each wave that is periodic in the field has its random amplitude and "
+	"phase: the surface is the same for any number of columns that resolve its spectrum, sampled at "
+	"their centres. Use it to see how results depend on the width of columns.\n\n"
 	"A particle touches the tops, sides, edges and corners of the columns: each point of the solid that "
 	"is nearer to the centre than all other points around it is one contact. There are no seams: a "
 	"particle on columns of equal height has one contact, as on a plane, with the same force bit for "
 	"bit. The history of a contact that slides from column to column is kept, see fix wall/gran. If the "
 	"centre of a particle gets into the solid the run stops.\n\n"
 	"Where columns are narrower than the contact area, as on a ramp of narrow columns, a particle "
-	"touches "
-	"several edges, each of which is a contact of its own, and the wall is stiffer than the plane. With "
-	"`merge yes` a contact point p belongs to a deeper one p_1 if\n\n"
+	"touches several edges, each of which is a contact of its own, and the wall is stiffer than the "
+	"plane. With `merge yes` a contact point p belongs to a deeper one p_1 if\n\n"
 	"  |p - p_1|^2 < 2 (R^2 - d_1^2),\n\n"
 	"d_1 being the distance of p_1 from the centre: sqrt(R^2 - d_1^2) is the radius of the circle in "
-	"which "
-	"the sphere cuts the tangent plane. Only the deepest contact of an area acts, so that the force "
-	"converges "
-	"to that of the smooth surface as the columns become narrower, with an error of first order in their "
-	"width. Contacts with sides and in corners stay apart as long as overlaps are small.\n\n"
+	"which the sphere cuts the tangent plane. Only the deepest contact of an area acts, so that the "
+	"force converges to that of the smooth surface as the columns become narrower, with an error of "
+	"first order in their width. Contacts with sides and in corners stay apart as long as overlaps are "
+	"small.\n\n"
 	"The field is periodic along an axis along which it spans a periodic box. Elsewhere it ends with "
-	"side "
-	"faces. In a box that is periodic along the heights a `base` is needed.\n\n"
+	"side faces. In a box that is periodic along the heights a `base` is needed.\n\n"
 	"The time t of `move` counts from the definition of the fix. Fixes wear/... with `evolve yes` lower "
 	"the columns. Restart files contain the heights.\n\n"
 	"Related: fix wall/gran, fix mesh/surface, dump voxel/vtk.";
@@ -572,14 +553,13 @@ const struct ts_style ts_fix_surface_voxel = {
 	.kind = TS_KIND_FIX,
 	.summary = "A height field of columns: from a formula, a file, an image, or random",
 	.doc = doc,
-	.example =
-		"fix flat all surface/voxel constant 0.0 type 1 cells 100 100\n"
-		"variable cx internal 0\nvariable cy internal 0\nvariable height equal "
-		"0.2*v_cx+0.1*sin(v_cy)\n"
-		"fix ramp all surface/voxel formula v_height x cx y cy type 1 cells 200 1\n"
-		"fix plate all surface/voxel image plate.pgm black 0.0 white 1e-05 type 2 datum 2e-06\n"
-		"fix rough all surface/voxel gaussian mean 0.0 deviation 1e-06 correlation 5e-06 8e-06 seed "
-		"17 type 1 cells 256 256 move linear 0.1 0.0 0.0",
+	.example = "fix flat all surface/voxel constant 0.0 type 1 cells 100 100\n"
+		   "variable cx internal 0\nvariable cy internal 0\nvariable height equal "
+		   "0.2*v_cx+0.1*sin(v_cy)\n"
+		   "fix ramp all surface/voxel formula v_height x cx y cy type 1 cells 200 1\n"
+		   "fix plate all surface/voxel image plate.pgm black 0.0 white 1e-05 type 2 datum 2e-06\n"
+		   "fix rough all surface/voxel gaussian mean 0.0 deviation 1e-06 correlation 5e-06 8e-06 "
+		   "seed 17 type 1 cells 256 256 move linear 0.1 0.0 0.0",
 	.args = args,
 	.family = TS_FAMILY_VOXEL,
 	.state_size = sizeof(struct state),

@@ -49,8 +49,7 @@ enum ts_status ts_voxel_recede_check(struct tsim *sim, struct ts_voxel_surface *
 	if (isinf(f->base) && isinf(how->thickness))
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "evolve: the columns of the height field have no bottom; give a `thickness`, "
-			       "or "
-			       "fix surface/voxel a `base`");
+			       "or fix surface/voxel a `base`");
 	TS_TRY(keep_original(sim, s));
 	thick = how->through == TS_THROUGH_OPEN ? find_thick(s, how->thickness) : SIZE_MAX;
 	if (thick == SIZE_MAX)

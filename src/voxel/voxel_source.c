@@ -131,8 +131,7 @@ static enum ts_status read_correlation(const struct filling *f, double out[2])
 		if (out[d] > 0.5 * size)
 			return ts_fail(&f->sim->error, TS_RANGE, &both[0].place,
 				       "fix surface/voxel: the correlation length %g is more than half of "
-				       "the size "
-				       "%g of the field, which then has no such statistics",
+				       "the size %g of the field, which then has no such statistics",
 				       out[d], size);
 	}
 	return TS_OK;
@@ -184,21 +183,18 @@ static enum ts_status fill_self_affine(const struct filling *f)
 	if (!(s.shortest <= s.roll && s.roll <= s.longest))
 		return ts_fail(&f->sim->error, TS_RANGE, &f->self->where,
 			       "fix surface/voxel: the wavelengths shortest %g, roll %g, longest %g are not "
-			       "in "
-			       "this order",
+			       "in this order",
 			       s.shortest, s.roll, s.longest);
 	if (s.shortest < 2 * fmin(s.width[0], s.width[1]) * (1 - 1e-9))
 		return ts_fail(&f->sim->error, TS_RANGE, &f->self->where,
 			       "fix surface/voxel: waves of length %g need columns of at most half this "
-			       "width; "
-			       "the columns are %g x %g",
+			       "width; the columns are %g x %g",
 			       s.shortest, s.width[0], s.width[1]);
 	status = ts_voxel_self_affine(&s, ts_voxel_heights(f->field));
 	if (status == TS_RANGE)
 		return ts_fail(&f->sim->error, TS_RANGE, &f->self->where,
 			       "fix surface/voxel: no wave that is periodic in the field of %g x %g has a "
-			       "length "
-			       "from %g to %g",
+			       "length from %g to %g",
 			       s.n[0] * s.width[0], s.n[1] * s.width[1], s.shortest, s.longest);
 	return status == TS_OK ? TS_OK : ts_nomem(&f->sim->error);
 }

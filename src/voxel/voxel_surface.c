@@ -28,8 +28,7 @@ enum ts_status ts_voxel_surface_require(struct tsim *sim, const struct ts_word *
 	if (fix)
 		return ts_fail(&sim->error, TS_STATE, &id->place,
 			       "fix %s is no height field, but of style %s; height fields come from `fix ID "
-			       "all "
-			       "surface/voxel ...`",
+			       "all surface/voxel ...`",
 			       id->text, fix->style->name);
 	return ts_fail(&sim->error, TS_UNKNOWN, &id->place,
 		       "there is no height field '%s' of `fix %s all surface/voxel ...`%s", id->text,

@@ -41,8 +41,7 @@ static const char *const columns[] = { "squeeze", "first", "second" };
 static const struct ts_value values[] = {
 	{ "forces", "force, force, force",
 	  "force that squeezes the particle, 0 if it is not squeezed; normal force of the first and of the "
-	  "second "
-	  "wall; 0 for particles outside the group",
+	  "second wall; 0 for particles outside the group",
 	  TS_PERATOM, COLUMNS, columns, eval },
 	{ .name = NULL },
 };
@@ -59,8 +58,8 @@ const struct ts_style ts_compute_squeeze_atom = {
 	.summary = "Particles squeezed between two walls",
 	.doc = "A particle of the group is squeezed if both walls press on it at once with more than the "
 	       "`threshold`. The force of a wall is the sum of the normal forces of its contacts with the "
-	       "particle, "
-	       "in the last force computation; the smaller of both forces squeezes the particle.\n\n"
+	       "particle, in the last force computation; the smaller of both forces squeezes the "
+	       "particle.\n\n"
 	       "Walls with `impact exact` are refused.\n\n"
 	       "Related: compute active/paml, compute wall/gran/local, fix wall/gran.",
 	.example = "fix floor all wall/gran model hertz primitive type 1 zplane 0.0\n"

@@ -165,8 +165,7 @@ static const struct ts_arg args[] = {
 	TS_PRIMITIVE_WALL_ARGS(struct wall, primitive),
 	TS_ENUM("impact", struct wall, impact, impacts, .flags = TS_STATEFUL, .fallback = "resolved",
 		.help = "resolved: contacts are resolved by time steps; exact: a particle that hits the wall "
-			"alone is "
-			"carried through the whole impact in one step"),
+			"alone is carried through the whole impact in one step"),
 	TS_WALL_ARGS(struct wall, wall),
 	TS_ARGS_END,
 };
@@ -202,51 +201,47 @@ static const char doc[] =
 	"and there is no force. A plane or mesh that moves by more than the radius of a particle near it in "
 	"one step would pass through it without a contact: the run stops, and the message says which time "
 	"step is small enough.\n\n"
-	"The centre of a cylinder is given along the next two axes in cyclic order: xcylinder y z, "
-	"ycylinder z x, zcylinder x y.\n\n"
-	"`shear DIM V`: the surface moves with the velocity V along DIM, but the wall stays in place. If "
-	"DIM is not the axis of a cylinder, the cylinder rotates about its axis. As in LIGGGHTS, V is then "
-	"the angular velocity (radian/time), and a point of the surface at d from the axis of direction a "
-	"has the velocity V a x d. (LIGGGHTS interchanges two components for ycylinder, as `legacy yes` "
-	"does.) With the laws of LAMMPS, V is the speed of the surface, clockwise as seen from the tip of "
-	"the axis. (LAMMPS' program adds V along DIM; here nothing is added.)\n\n"
+	"The centre of a cylinder is given along the next two axes in cyclic order: xcylinder y z, ycylinder "
+	"z x, zcylinder x y.\n\n"
+	"`shear DIM V`: the surface moves with the velocity V along DIM, but the wall stays in place. If DIM "
+	"is not the axis of a cylinder, the cylinder rotates about its axis. As in LIGGGHTS, V is then the "
+	"angular velocity (radian/time), and a point of the surface at d from the axis of direction a has "
+	"the velocity V a x d. (LIGGGHTS interchanges two components for ycylinder, as `legacy yes` does.) "
+	"With the laws of LAMMPS, V is the speed of the surface, clockwise as seen from the tip of the axis. "
+	"(LAMMPS' program adds V along DIM; here nothing is added.)\n\n"
 	"`wiggle DIM A T`: the displacement is A (1 - cos(2 pi t/T)), t being the time since the definition "
 	"of the fix. Along the surface only the velocity has an effect.\n\n"
 	"`temperature T`: with fix heat/gran, each touching particle of temperature T_i receives the heat "
 	"flow\n\n"
 	"  Q = h (T - T_i),  h = 4 k k_wall/(k + k_wall) sqrt(A),\n\n"
-	"k and k_wall being the conductivities. The contact area is A = pi (R^2 - r^2), r being the "
-	"distance of the centre from the wall, or as `contact_area` says.\n\n"
+	"k and k_wall being the conductivities. The contact area is A = pi (R^2 - r^2), r being the distance "
+	"of the centre from the wall, or as `contact_area` says.\n\n"
 	"`store_force yes` stores the force of the wall on each particle as f_force_ID[1] ... [3].\n\n"
 	"A wall of meshes interacts with the particles of the groups of both this fix and the fix of the "
 	"mesh, at faces, edges and corners and from both sides. See fix mesh/surface for the edges and "
 	"corners that are active, and for the temperature of a mesh. A contact that moves from one triangle "
 	"to a flat neighbour keeps its history. Laws that act beyond the touch (model jkr) do so on meshes "
-	"as on planes: each point of the mesh that is nearest to the particle in all triangles that share "
-	"it is one contact, which keeps its history when it moves across edges and corners, too.";
+	"as on planes: each point of the mesh that is nearest to the particle in all triangles that share it "
+	"is one contact, which keeps its history when it moves across edges and corners, too.";
 
 static const char *const doc_more[] = {
 	"`voxels ID` makes a wall of a height field, see fix surface/voxel. Particles of the groups of both "
 	"fixes interact with it from outside; a particle whose centre gets into the solid stops the run. "
-	"Each "
-	"point of the surface that is nearer to the centre than all other points around it is one contact: "
-	"on a top, a side, an edge or a corner of the columns. A contact that slides to another column keeps "
-	"its history: a new contact continues the one that has ended in the same step, of several that "
-	"with the nearest normal, if the angle between the normals is less than 8 degrees.",
+	"Each point of the surface that is nearer to the centre than all other points around it is one "
+	"contact: on a top, a side, an edge or a corner of the columns. A contact that slides to another "
+	"column keeps its history: a new contact continues the one that has ended in the same step, of "
+	"several that with the nearest normal, if the angle between the normals is less than 8 degrees.",
 	"`impact exact`: a particle that hits the wall alone is carried through the whole impact in one time "
 	"step. From the first touch on its path the motion under the contact law is integrated until the "
 	"surfaces separate; the free flight then continues. If the step ends before the separation, the "
 	"particle waits (particle column impact_wait). The surface is taken as flat, other forces as zero. "
 	"f_ID[1..3] is the mean force, impulse over time step; other outputs contain resolved contacts only: "
 	"those that exist when the run begins, that last longer than 50 steps, of particles that touch "
-	"another one in "
-	"the step, or of rigid bodies (a warning says if they last less than 10 steps). The fixes wear/... "
-	"count the impacts; wear/archard, "
-	"wear/zhao/chang/contact "
-	"and the load and wear of mesh/surface/stress are integrals over each impact, in the step of its "
-	"touch, for the element touched first. Laws: hooke, hertz, hooke/stiffness, hertz/stiffness; "
-	"tangential off, no_history, history. Walls must not rotate; fix "
-	"mesh/surface/stress/servo, explicit Euler and heat are refused.",
+	"another one in the step, or of rigid bodies (a warning says if they last less than 10 steps). The "
+	"fixes wear/... count the impacts; wear/archard, wear/zhao/chang/contact and the load and wear of "
+	"mesh/surface/stress are integrals over each impact, in the step of its touch, for the element "
+	"touched first. Laws: hooke, hertz, hooke/stiffness, hertz/stiffness; tangential off, no_history, "
+	"history. Walls must not rotate; fix mesh/surface/stress/servo, explicit Euler and heat are refused.",
 	"Related: fix wall/gran/region, fix mesh/surface, fix surface/voxel, fix heat/gran, compute "
 	"wall/gran/local.",
 	NULL

@@ -44,8 +44,8 @@ static const struct ts_arg args[] = {
 	TS_WALL_LAW_ARGS(struct wall, law),
 	TS_REGION("region", struct wall, region.region, .help = "ID of the region whose surface is the wall"),
 	TS_INT("type", struct wall, wall.type, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
-	       .help = "with `model` or the law of the pair style: particle type whose material the "
-		       "wall has"),
+	       .help = "with `model` or the law of the pair style: particle type whose material the wall "
+		       "has"),
 	TS_WALL_ARGS(struct wall, wall),
 	TS_ARGS_END,
 };
@@ -70,13 +70,13 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 static const char doc[] =
 	"Particles of the group interact with the surface of a region: a block, cone, cylinder, plane or "
 	"sphere, or a union or intersection of such. They interact with the side that the region defines: "
-	"`side in` keeps them inside, `side out` outside; a particle whose centre is on the other side "
-	"feels no force, and one whose centre lies in the surface itself stops the run. If faces of the "
-	"region are `open`, the other faces act from both sides.\n\n"
-	"A particle inside has a contact with each face in range (three in a corner of a block), a "
-	"particle outside one contact, at the nearest point of the surface. The surface of a union or "
-	"intersection consists of the parts of its members' faces that bound the whole. Where faces of two "
-	"members coincide neither counts: let one member reach a little farther.\n\n"
+	"`side in` keeps them inside, `side out` outside; a particle whose centre is on the other side feels "
+	"no force, and one whose centre lies in the surface itself stops the run. If faces of the region are "
+	"`open`, the other faces act from both sides.\n\n"
+	"A particle inside has a contact with each face in range (three in a corner of a block), a particle "
+	"outside one contact, at the nearest point of the surface. The surface of a union or intersection "
+	"consists of the parts of its members' faces that bound the whole. Where faces of two members "
+	"coincide neither counts: let one member reach a little farther.\n\n"
 	"The contact laws are those of fix wall/gran. With the law of Hertz and those that depend on the "
 	"contact area the curvature of the surface enters by the effective radius\n\n"
 	"  R* = R/(1 + kappa R),\n\n"
@@ -87,8 +87,8 @@ static const char doc[] =
 	"change of the variables since the step before, divided by the time step. (In LAMMPS the length of "
 	"the axis of `rotate` is a factor of this velocity; here it has no effect.) Either a union or "
 	"intersection moves, or its members do; LAMMPS leaves out the velocity of the members. A change of "
-	"size contributes nothing to the surface velocity. A surface that moves by more than the radius of "
-	"a particle near it in one step stops the run (doc/stability.md).\n\n"
+	"size contributes nothing to the surface velocity. A surface that moves by more than the radius of a "
+	"particle near it in one step stops the run (doc/stability.md).\n\n"
 	"Related: fix wall/gran, region, compute wall/gran/local.";
 
 TS_STYLE(fix, ts_style, ts_fix_wall_gran_region)

@@ -124,8 +124,8 @@ const struct ts_style ts_fix_wall_reflect = {
 	.name = "wall/reflect",
 	.kind = TS_KIND_FIX,
 	.summary = "Walls that reflect the centres of particles",
-	.doc = "If the centre of a particle has passed the wall by the distance d in a step, it is placed "
-	       "at d in front of the wall, and the velocity component normal to the wall is reversed. The "
+	.doc = "If the centre of a particle has passed the wall by the distance d in a step, it is placed at "
+	       "d in front of the wall, and the velocity component normal to the wall is reversed. The "
 	       "radius of the particle has no effect; see fix wall/gran for walls that interact with the "
 	       "surfaces of particles. A wall can move (v_NAME), but its velocity is not transferred to "
 	       "particles.",

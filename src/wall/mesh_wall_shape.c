@@ -48,8 +48,8 @@ static enum ts_status check_words(struct ts_instance *self, struct tsim *sim, co
 	if (ts_wall_has_law(w, sim) && ts_cohesion_bridges(ts_wall_model(w, sim)))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix wall/gran: bridges of liquid reach beyond the touch, which contacts with "
-			       "triangles do "
-			       "not follow; take a plane, a cylinder or a region, or leave cohesion out");
+			       "triangles do not follow; take a plane, a cylinder or a region, or leave "
+			       "cohesion out");
 	return TS_OK;
 }
 

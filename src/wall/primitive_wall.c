@@ -96,13 +96,13 @@ static enum ts_status check_periodic(struct ts_instance *self, struct tsim *sim,
 
 	if (w->lammps)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "fix wall/gran: a plane wall across the periodic dimension %c; let the "
-			       "box be fixed there (`boundary`)",
+			       "fix wall/gran: a plane wall across the periodic dimension %c; let the box be "
+			       "fixed there (`boundary`)",
 			       'x' + shape);
 	ts_warn(&sim->log, where,
 		"fix wall/gran: a plane wall across the periodic dimension %c: images do not feel it, so "
-		"particles pass through the face of the box, and touch each other through it; walls at "
-		"both faces need `boundary` f along %c",
+		"particles pass through the face of the box, and touch each other through it; walls at both "
+		"faces need `boundary` f along %c",
 		'x' + shape, 'x' + shape);
 	return TS_OK;
 }
@@ -422,8 +422,7 @@ static enum ts_status refuse_recession(struct tsim *sim, const struct ts_instanc
 	(void)how;
 	return ts_fail(&sim->error, TS_STATE, where,
 		       "evolve: a plane or cylinder, as of fix %s, is one element and keeps its shape; make "
-		       "the "
-		       "wall of a height field: `fix ID all surface/voxel constant HEIGHT ...`",
+		       "the wall of a height field: `fix ID all surface/voxel constant HEIGHT ...`",
 		       by->id);
 }
 
@@ -519,9 +518,9 @@ static bool pumps(const struct ts_primitive_wall *w)
 
 static const char *not_exact(const struct ts_wall *wall)
 {
-	return pumps(wall->geometry) ? "the surface of a plane that stays in place has no velocity along its "
-				       "normal"
-				     : NULL;
+	return pumps(wall->geometry)
+		       ? "the surface of a plane that stays in place has no velocity along its normal"
+		       : NULL;
 }
 
 /* First touch of element k. The wall moves along its normal with the mean velocity of the step. */

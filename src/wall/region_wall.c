@@ -27,8 +27,8 @@ static enum ts_status find_region(struct ts_instance *self, struct tsim *sim, st
 	if (!w->faces)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "fix wall/gran/region: region %s is of style %s, whose surface is no wall; "
-			       "expected block, cone, cylinder, plane, sphere, or a union or intersection "
-			       "of them",
+			       "expected block, cone, cylinder, plane, sphere, or a union or intersection of "
+			       "them",
 			       w->region->id, w->region->style->name);
 	w->nmovers = ts_region_movers(w->region, NULL, 0);
 	w->point = ts_arena_alloc(&self->arena, (size_t)w->faces, sizeof *w->point);
@@ -54,8 +54,8 @@ static enum ts_status find(struct ts_instance *self, struct tsim *sim)
 
 	if (wall->type == INT64_MIN && !wall->given)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix wall/gran/region: which law? `hertz/history ...`, `granular ...`, or "
-			       "the `type` of its material");
+			       "fix wall/gran/region: which law? `hertz/history ...`, `granular ...`, or the "
+			       "`type` of its material");
 	if (wall->type == INT64_MIN) /* LAMMPS' walls have no material */
 		wall->type = 1;
 	return find_region(self, sim, wall->geometry);

@@ -38,8 +38,7 @@ static enum ts_status unknown_surface(struct tsim *sim, const struct ts_word *id
 			ts_suggest_try(&suggest, fixes->item[k]->id);
 	return ts_fail(&sim->error, TS_UNKNOWN, &id->place,
 		       "there is no surface '%s': expected the ID of a fix mesh/surface, a fix "
-		       "surface/voxel, or "
-		       "a fix wall/gran with a plane or cylinder%s",
+		       "surface/voxel, or a fix wall/gran with a plane or cylinder%s",
 		       id->text, ts_suggest_text(&suggest));
 }
 

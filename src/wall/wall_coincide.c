@@ -35,15 +35,15 @@ enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall)
 		wall->shape->name(wall, k, &where);
 	status = ts_fail(&sim->error, TS_PHYSICS, by ? &by->where : NULL,
 			 "at step %" PRId64
-			 " the centre of particle %d (type %d) at (%g %g %g) lies in the %s of wall "
-			 "%s%s: %s, and no contact force has a direction there; %s",
+			 " the centre of particle %d (type %d) at (%g %g %g) lies in the %s of wall %s%s: "
+			 "%s, and no contact force has a direction there; %s",
 			 sim->clock.step, p->tag[i], p->type[i], p->x[i][0], p->x[i][1], p->x[i][2],
 			 wall->shape->solid ? "solid" : "surface", by ? by->id : "", ts_str_text(&where),
 			 wall->shape->solid ? "it is inside" : "it is on neither side",
 			 sim->run.in_setup || sim->reading.explain
 				 ? "place it a radius away from the wall, or move the wall"
-				 : "the time step is too large or the contact too soft, or the "
-				   "particle was put there");
+				 : "the time step is too large or the contact too soft, or the particle was "
+				   "put there");
 	ts_str_release(&where);
 	return status;
 }

@@ -27,8 +27,8 @@ static bool explain_plane(struct tsim *sim, size_t i, int dim, struct ts_str *ou
 		else
 			ts_str_addf(out,
 				    "its centre was beyond wall %s at %c = %g, which repels particles on "
-				    "both sides: it was placed there, or the contact is too soft "
-				    "for its speed",
+				    "both sides: it was placed there, or the contact is too soft for its "
+				    "speed",
 				    by->id, 'x' + dim, position);
 		return true;
 	}

@@ -24,8 +24,8 @@ static enum ts_status contact_load(struct tsim *sim, const struct ts_wall *w, si
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, where,
 		       "fix multicontact/halfspace: the surface of particle %d stands out by %.3g radii at a "
-		       "wall, "
-		       "the limit is %g: the grains are pressed too far for the theory of small strains",
+		       "wall, the limit is %g: the grains are pressed too far for the theory of small "
+		       "strains",
 		       p->tag[i], memory[TS_MULTI_BULGE] / radius, TS_BULGE_MOST);
 }
 

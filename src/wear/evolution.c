@@ -37,8 +37,7 @@ static enum ts_status check_alone(struct ts_instance *self, struct tsim *sim)
 		if (by != self && other->evolution.on && ts_streq(other->surface_id, mine->surface_id))
 			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "evolve"),
 				       "fix %s: surface '%s' recedes by fix %s already; only one fix may "
-				       "change "
-				       "its geometry",
+				       "change its geometry",
 				       self->style->name, mine->surface_id, by->id);
 	}
 	return TS_OK;
@@ -120,8 +119,7 @@ static enum ts_status tell_through(struct ts_instance *self, struct tsim *sim, s
 		return TS_OK;
 	ts_warn(&sim->log, ts_instance_word(self, "evolve"),
 		"fix %s: element %zu of surface %s, at (%g %g %g), is the first that is worn through, at "
-		"step "
-		"%lld; %s",
+		"step %lld; %s",
 		self->style->name, element + 1, w->surface_id, x[0], x[1], x[2], (long long)sim->clock.step,
 		w->evolution.through == TS_THROUGH_OPEN ? "particles pass there"
 							: "it gives no more volume: f_ID[11] and f_ID[12]");

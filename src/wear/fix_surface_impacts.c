@@ -25,11 +25,10 @@ const struct ts_style ts_fix_surface_impacts = {
 	.kind = TS_KIND_FIX,
 	.summary = "number, speed, angle, energy and force of the impacts on the elements of a surface",
 	.doc = "Counts the impacts of the particles of the group on each element of a surface, with the "
-	       "columns of "
-	       "the fixes wear/LAW, but without a law of wear and its volumes." TS_WEAR_IMPACT_DOC
-	       "\n\n" TS_WEAR_ELEMENTS_DOC "f_ID[1..10] are those of each element, f_ID is the number of "
-	       "impacts on the whole surface, and "
-	       "f_ID[1..4] are its totals elsewhere.\n\n"
+	       "columns of the fixes wear/LAW, but without a law of wear and its volumes." TS_WEAR_IMPACT_DOC
+	       "\n\n" TS_WEAR_ELEMENTS_DOC
+	       "f_ID[1..10] are those of each element, f_ID is the number of impacts on the whole surface, "
+	       "and f_ID[1..4] are its totals elsewhere.\n\n"
 	       "Related: fix wear/finnie, fix surface/heat, fix mesh/surface, fix surface/voxel, fix "
 	       "wall/gran.",
 	.example = "fix chute all mesh/surface file chute.stl type 2\n"

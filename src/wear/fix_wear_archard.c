@@ -39,12 +39,10 @@ const struct ts_style ts_fix_wear_archard = {
 	.doc = "In each step each contact with the surface removes the volume\n\n"
 	       "  V = k F s/H\n\n"
 	       "F being the normal force, s the path of the contact point of the particle along the surface "
-	       "in this "
-	       "step, with the rotation of the particle: one that rolls without sliding removes nothing. The "
-	       "volume "
-	       "belongs to the element in contact. A pulling force (adhesion) removes nothing. The work of "
-	       "friction is "
-	       "summed step by step, too; the other columns count impacts. " TS_WEAR_EXACT TS_WEAR_DOC
+	       "in this step, with the rotation of the particle: one that rolls without sliding removes "
+	       "nothing. The volume belongs to the element in contact. A pulling force (adhesion) removes "
+	       "nothing. The work of friction is summed step by step, too; the other columns count "
+	       "impacts. " TS_WEAR_EXACT TS_WEAR_DOC
 	       "Related: fix wear/finnie, fix mesh/surface, fix wall/gran.",
 	.cite = "J. F. Archard, J. Appl. Phys. 24 (1953) 981",
 	.example = "fix worn all wear/archard surface chute k 1e-4 hardness 1.2e9\n"

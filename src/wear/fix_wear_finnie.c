@@ -46,19 +46,15 @@ const struct ts_style ts_fix_wear_finnie = {
 	.kind = TS_KIND_FIX,
 	.summary = "Volume that impacts remove from a surface of ductile material by cutting (Finnie)",
 	.doc = "Each impact of a particle of mass m at the speed V and the angle a to the surface removes "
-	       "the "
-	       "volume\n\n"
+	       "the volume\n\n"
 	       "  Q = c m V^2/(p psi K) f(a)\n"
 	       "  f = sin 2a - (6/K) sin^2 a for tan a <= K/6, else (K/6) cos^2 a\n\n"
 	       "by cutting: the particle leaves the surface while it cuts at small angles, and comes to rest "
-	       "in "
-	       "its groove at larger ones. With K = 2 the largest volume is at 16.8 degrees; at 90 degrees "
-	       "there "
-	       "is none, where ductile metals in fact lose 0.3 to 0.5 of the largest volume. Only entry "
-	       "speed and "
-	       "angle count, not the contact law. fix mesh/surface/stress with `wear finnie` sums another "
-	       "form of "
-	       "the law, over the steps of a contact, as LIGGGHTS does." TS_WEAR_DOC
+	       "in its groove at larger ones. With K = 2 the largest volume is at 16.8 degrees; at 90 "
+	       "degrees there is none, where ductile metals in fact lose 0.3 to 0.5 of the largest volume. "
+	       "Only entry speed and angle count, not the contact law. fix mesh/surface/stress with `wear "
+	       "finnie` sums another form of the law, over the steps of a contact, as LIGGGHTS "
+	       "does." TS_WEAR_DOC
 	       "Related: fix wear/archard, fix mesh/surface/stress, fix mesh/surface, fix wall/gran.",
 	.cite = "I. Finnie, Wear 3 (1960) 87",
 	.example = "fix worn all wear/finnie surface chute flow_stress 1.2e9\n"

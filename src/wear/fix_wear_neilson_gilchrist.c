@@ -30,8 +30,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (s->transition > 0)
 		return ts_wear_init(self, sim, &law);
 	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "transition"),
-		       "fix wear/neilson/gilchrist: the transition angle is 0, expected an angle above 0 "
-		       "and up to 90 degrees");
+		       "fix wear/neilson/gilchrist: the transition angle is 0, expected an angle above 0 and "
+		       "up to 90 degrees");
 }
 
 static const struct ts_arg args[] = {
@@ -59,8 +59,8 @@ const struct ts_style ts_fix_wear_neilson_gilchrist = {
 	       "volume\n\n"
 	       "    m V^2 cos^2(alpha) sin(90 alpha/alpha0)/(2 phi) + m (V sin(alpha) - K)^2/(2 epsilon)\n\n"
 	       "The sine, of 90 alpha/alpha0 degrees, is 1 above alpha0; the second part is 0 if V "
-	       "sin(alpha) is below K. phi, epsilon, K and alpha0 are fitted to measured volumes of one "
-	       "pair of materials." TS_WEAR_DOC "Related: fix wear/bitter, fix wear/oka, fix wear/finnie.",
+	       "sin(alpha) is below K. phi, epsilon, K and alpha0 are fitted to measured volumes of one pair "
+	       "of materials." TS_WEAR_DOC "Related: fix wear/bitter, fix wear/oka, fix wear/finnie.",
 	.example = "fix target all wall/gran model hertz primitive type 2 zplane 0\n"
 		   "fix scar all wear/neilson/gilchrist surface target cutting 1.3e10 deformation 3.1e10 "
 		   "transition 24",

@@ -82,8 +82,8 @@ const struct ts_style ts_fix_wear_oka = {
 	       "extrapolations. With `relaxation` the dependence on the hardness is that of the load "
 	       "relaxation measured for a metal. `factor` may account for another shape of the particles. "
 	       "Restrictions: units si, cgs or micro." TS_WEAR_DOC
-	       "Related: fix wear/bitter, fix wear/neilson/gilchrist, fix "
-	       "wear/zhao/chang, fix wear/finnie, fix wear/formula.",
+	       "Related: fix wear/bitter, fix wear/neilson/gilchrist, fix wear/zhao/chang, fix wear/finnie, "
+	       "fix wear/formula.",
 	.example = "fix target all wall/gran model hertz primitive type 2 zplane 0\n"
 		   "fix scar all wear/oka surface target particles sio2 hardness 1.1e9",
 	.cite = "Y. I. Oka, K. Okamura, T. Yoshida, Wear 259 (2005) 95; Y. I. Oka, T. Yoshida, Wear 259 "

@@ -136,14 +136,14 @@ const struct ts_style ts_fix_wear_zhao_chang = {
 	.name = "wear/zhao/chang",
 	.kind = TS_KIND_FIX,
 	.summary = "wear of a surface by the groove and the crater of each impact (Zhao, Chang)",
-	.doc = LAW_DOC "The section is integrated over the duration of each impact with the tangential speed "
-		       "t at its begin. `force hertz`: with the force of an elastic impact, the elastic "
-		       "groove being 2 sqrt(2) m n t/E*; the volumes are those of fix "
-		       "wear/zhao/chang/contact with model hertz without damping and friction. On metals at "
-		       "100 m/s they are about twice those of `force plastic`, as the surface does not bear "
-		       "the elastic force. `force plastic`: with the force pi d H delta, until the particle "
-		       "stops; the groove grows as n^1.5 t." TS_WEAR_DOC
-		       "Related: fix wear/oka, fix wear/archard, fix wear/finnie.",
+	.doc = LAW_DOC
+	"The section is integrated over the duration of each impact with the tangential speed t at its "
+	"begin. `force hertz`: with the force of an elastic impact, the elastic groove being 2 sqrt(2) m n "
+	"t/E*; the volumes are those of fix wear/zhao/chang/contact with model hertz without damping and "
+	"friction. On metals at 100 m/s they are about twice those of `force plastic`, as the surface does "
+	"not bear the elastic force. `force plastic`: with the force pi d H delta, until the particle stops; "
+	"the groove grows as n^1.5 t." TS_WEAR_DOC
+	"Related: fix wear/oka, fix wear/archard, fix wear/finnie.",
 	.example = "fix target all wall/gran model hertz primitive type 2 zplane 0\n"
 		   "fix scar all wear/zhao/chang surface target hardness 1.1e9 modulus 5.3e10 crater 0.05",
 	.cite = "Y. Zhao, L. Chang, Wear 252 (2002) 220; K. L. Johnson, Contact Mechanics, 1985, 11.4",

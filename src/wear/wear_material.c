@@ -27,8 +27,7 @@ enum ts_status ts_wear_hardness(const struct ts_instance *self, struct tsim *sim
 	if (*out > 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
-		       "fix %s: the hardness of the surface is %g, expected a "
-		       "number above 0",
+		       "fix %s: the hardness of the surface is %g, expected a number above 0",
 		       self->style->name, *out);
 }
 
@@ -44,8 +43,7 @@ static enum ts_status find_compliance(const struct ts_instance *self, struct tsi
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
 		       "fix %s: youngsModulus %g and poissonsRatio %g of type %d, expected a modulus above 0 "
-		       "and a "
-		       "ratio below 1",
+		       "and a ratio below 1",
 		       self->style->name, young, poisson, type);
 }
 

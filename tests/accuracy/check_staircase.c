@@ -75,26 +75,26 @@ static double rebound_error(double width)
 {
 	const double slope = tan(20 * acos(-1) / 180), c = cos(atan(slope)), n[2] = { -slope * c, c };
 	double vx[PHASES], vz[PHASES], sum = 0;
-	struct tsim *sim = deck_open("units si\n"
-				     "boundary f p f\n"
-				     "newton off\n"
-				     "communicate single vel yes\n"
-				     "neighbor 0.01 bin\n"
-				     "region box block -0.5 0.5 0 4 -1 1 units box\n"
-				     "create_box 1 box\n"
-				     "timestep 1e-5\n"
-				     "fix kn all property/global kn peratomtypepair 1 1e6\n"
-				     "fix kt all property/global kt peratomtypepair 1 1e-13\n"
-				     "fix gn all property/global gamman peratomtypepair 1 1e-13\n"
-				     "fix gt all property/global gammat peratomtypepair 1 1e-13\n"
-				     "fix mu all property/global coefficientFriction peratomtypepair 1 0\n"
-				     "variable cx internal 0\n"
-				     "variable h equal %.17g*v_cx\n"
-				     "fix ramp all surface/voxel formula v_h x cx type 1 cells %d 1\n"
-				     "fix wall all wall/gran model hooke/stiffness tangential no_history "
-				     "voxels ramp\n"
-				     "fix move all nve",
-				     slope, (int)rint(1 / width));
+	struct tsim *sim =
+		deck_open("units si\n"
+			  "boundary f p f\n"
+			  "newton off\n"
+			  "communicate single vel yes\n"
+			  "neighbor 0.01 bin\n"
+			  "region box block -0.5 0.5 0 4 -1 1 units box\n"
+			  "create_box 1 box\n"
+			  "timestep 1e-5\n"
+			  "fix kn all property/global kn peratomtypepair 1 1e6\n"
+			  "fix kt all property/global kt peratomtypepair 1 1e-13\n"
+			  "fix gn all property/global gamman peratomtypepair 1 1e-13\n"
+			  "fix gt all property/global gammat peratomtypepair 1 1e-13\n"
+			  "fix mu all property/global coefficientFriction peratomtypepair 1 0\n"
+			  "variable cx internal 0\n"
+			  "variable h equal %.17g*v_cx\n"
+			  "fix ramp all surface/voxel formula v_h x cx type 1 cells %d 1\n"
+			  "fix wall all wall/gran model hooke/stiffness tangential no_history voxels ramp\n"
+			  "fix move all nve",
+			  slope, (int)rint(1 / width));
 
 	for (int k = 0; k < PHASES; k++) {
 		/* the first contact is near x = 0 */
@@ -159,8 +159,7 @@ static double force_error(int columns)
 			  "variable cx internal 0\n"
 			  "variable h equal %.17g*(v_cx-%.17g)\n"
 			  "fix ramp all surface/voxel formula v_h x cx type 1 cells %d 1 merge yes\n"
-			  "fix wall all wall/gran model hooke/stiffness tangential no_history "
-			  "voxels ramp",
+			  "fix wall all wall/gran model hooke/stiffness tangential no_history voxels ramp",
 			  slope, 0.5 / columns, columns);
 
 	for (int k = 0; k < PHASES; k++) {

@@ -20,8 +20,8 @@ static const char strong[] = "bond_coeff 1 kn 5e4 ks 2e4\nbond_coeff 2 kn 8e4 ra
 static const char weak[] =
 	"bond_coeff 1 kn 5e4 ks 2e4 sigma_c 40 tau_c 60 scatter normal deviation 0.3 seed 5\n"
 	"bond_coeff 2 kn 8e4 ratio 3 lambda 0.8 sigma_c 40 scatter weibull shape 3\n"
-	"bond_coeff 3 E 4e3 ratio 2.5 lambda 1.2 sigma_c 40 tau_c 60 sigma_compression 90 "
-	"beta 0.5 damping 0.1 damping_twist 0.2\n";
+	"bond_coeff 3 E 4e3 ratio 2.5 lambda 1.2 sigma_c 40 tau_c 60 sigma_compression 90 beta 0.5 damping "
+	"0.1 damping_twist 0.2\n";
 
 /* A random network, periodic in y, that vibrates. */
 static struct tsim *network(int threads, int sorts, const char *coefficients)
@@ -40,8 +40,7 @@ static struct tsim *network(int threads, int sorts, const char *coefficients)
 			 "velocity all create 1 15485863\n"
 			 "group a type 1\n"
 			 "group b type 2\n"
-			 "bond_style parallel\n%s"
-			 "create_bonds many a a 1 0 0.17\n"
+			 "bond_style parallel\n%screate_bonds many a a 1 0 0.17\n"
 			 "create_bonds many b b 2 0 0.2\n"
 			 "create_bonds many a b 3 0 0.12\n"
 			 "fix move all nve/sphere\n"

@@ -82,8 +82,8 @@ static double moved_load(int cells, double shift, const char *upper)
 			  "box\n"
 			  "variable cx internal 0\nvariable s equal 0.1*(v_cx>0.5)\n"
 			  "fix pad all surface/voxel formula v_s x cx type 1 cells 10 1 move linear 2 0 0\n"
-			  "flow_style reynolds cells %d 1 %s viscosity 0.5 "
-			  "density 1 gap stepped closed ylo yhi open xlo xhi\n"
+			  "flow_style reynolds cells %d 1 %s viscosity 0.5 density 1 gap stepped closed ylo "
+			  "yhi open xlo xhi\n"
 			  "compute film all film\ntimestep %.17g\nrun 1\n",
 			  cells, upper, shift / 2);
 	double load = deck_value(sim, "c_film[1]");
@@ -125,14 +125,11 @@ static struct tsim *two_fields(const char *low, const char *high, double across,
 	return deck_open("units si\nboundary p p f\nregion box block 0 1 0 0.5 -1 1 units box\ncreate_box 1 "
 			 "box\n"
 			 "fix a all surface/voxel gaussian mean 0.1 deviation 0.02 correlation 0.1 seed 3 "
-			 "type 1 cells 20 10 "
-			 "datum 0 move linear 1.0 %g 0\n"
+			 "type 1 cells 20 10 datum 0 move linear 1.0 %g 0\n"
 			 "fix b all surface/voxel gaussian mean 0.1 deviation 0.02 correlation 0.1 seed 4 "
-			 "type 1 cells 20 10 "
-			 "datum 0 move linear -0.5 %g 0\n"
+			 "type 1 cells 20 10 datum 0 move linear -0.5 %g 0\n"
 			 "flow_style reynolds cells %s lower_voxel %s upper_voxel %s upper 0.5 viscosity 0.5 "
-			 "density 1 gap "
-			 "%s open xlo xhi ylo yhi\n"
+			 "density 1 gap %s open xlo xhi ylo yhi\n"
 			 "compute film all film\ntimestep 0.0113\nrun 5\n",
 			 across, -2 * across, cells, low, high, shape);
 }

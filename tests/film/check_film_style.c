@@ -17,8 +17,7 @@ static struct tsim *slider(double h, const char *words)
 			 "variable cx internal 0\n"
 			 "variable wedge equal %.17g*(2-v_cx/%.17g)\n"
 			 "flow_style reynolds cells 200 3 lower 0 upper v_wedge set x cx lower_velocity "
-			 "%.17g 0 0 "
-			 "viscosity 2.5 density 1000 closed ylo yhi %s\n"
+			 "%.17g 0 0 viscosity 2.5 density 1000 closed ylo yhi %s\n"
 			 "compute film all film\n"
 			 "timestep 1e-9\n",
 			 1000 * h, 500 * h, 3 * h, h, 1000 * h, h, words);
@@ -149,14 +148,14 @@ START_TEST(rough_surfaces)
 {
 	for (int k = 0; k < 3; k++) {
 		double h = (const double[]){ 1e-9, 1e-3, 1e3 }[k];
-		struct tsim *sim = deck_open("units si\nboundary f f f\n"
-					     "region box block 0 %.17g 0 %.17g 0 %.17g units box\n"
-					     "create_box 1 box\n"
-					     "flow_style reynolds roughness %.17g 0 1/3 cells 20 3 lower 0 "
-					     "upper %.17g upper_velocity %.17g 0 0 viscosity 3 density 1 "
-					     "closed ylo yhi\n"
-					     "compute film all film\ntimestep 1e-9\nrun 0\n",
-					     100 * h, 10 * h, 9 * h, h, 8 * h, h);
+		struct tsim *sim =
+			deck_open("units si\nboundary f f f\n"
+				  "region box block 0 %.17g 0 %.17g 0 %.17g units box\n"
+				  "create_box 1 box\n"
+				  "flow_style reynolds roughness %.17g 0 1/3 cells 20 3 lower 0 upper %.17g "
+				  "upper_velocity %.17g 0 0 viscosity 3 density 1 closed ylo yhi\n"
+				  "compute film all film\ntimestep 1e-9\nrun 0\n",
+				  100 * h, 10 * h, 9 * h, h, 8 * h, h);
 
 		DECK_NEAR(deck_value(sim, "c_film[15]") / (h * h * 10 * h), 4 - 1.561 * exp(-2) / 2, 1e-12);
 		DECK_NEAR(deck_value(sim, "c_film[8]/c_film[10]"), -1, 1e-12); /* 8 standard deviations */
@@ -178,18 +177,15 @@ START_TEST(moving_shapes)
 	load = deck_value(sim, "c_film[1]");
 	deck(sim, "flow_style none\n"
 		  "flow_style reynolds cells 200 3 lower 0 upper v_wedge set x cx upper_velocity -1 0 0 "
-		  "viscosity 2.5 "
-		  "density 1000 closed ylo yhi\nrun 0\n");
+		  "viscosity 2.5 density 1000 closed ylo yhi\nrun 0\n");
 	DECK_NEAR(deck_value(sim, "c_film[1]") / load, 1, 1e-4);
 	deck(sim, "flow_style none\n"
 		  "flow_style reynolds cells 200 3 lower 0 upper v_wedge set x cx upper_velocity 1 0 0 "
-		  "upper_stays "
-		  "viscosity 2.5 density 1000 closed ylo yhi\nrun 0\n");
+		  "upper_stays viscosity 2.5 density 1000 closed ylo yhi\nrun 0\n");
 	DECK_NEAR(deck_value(sim, "c_film[1]") / load, 1, 1e-12);
 	deck(sim, "flow_style none\n"
 		  "flow_style reynolds cells 200 3 lower 0 upper v_wedge set x cx upper_velocity 1 0 0 "
-		  "upper_stays "
-		  "lower_velocity -1 0 0 viscosity 2.5 density 1000 closed ylo yhi\nrun 0\n");
+		  "upper_stays lower_velocity -1 0 0 viscosity 2.5 density 1000 closed ylo yhi\nrun 0\n");
 	DECK_NEAR(deck_value(sim, "c_film[1]") / load, 0, 1e-12);
 	tsim_close(sim);
 }
@@ -205,8 +201,7 @@ START_TEST(squeeze_in_time)
 				  "create_box 1 box\n"
 				  "variable h equal 0.1-0.5*time\n"
 				  "flow_style reynolds cells 100 3 lower 0 upper v_h upper_velocity 0 0 -0.5 "
-				  "viscosity "
-				  "3 density 1 closed ylo yhi update %s\n"
+				  "viscosity 3 density 1 closed ylo yhi update %s\n"
 				  "compute film all film\ntimestep 0.01\nrun 10\n",
 				  once ? "run" : "step");
 		double h = once ? 0.1 : 0.05;
@@ -260,8 +255,7 @@ START_TEST(cavitation)
 				  "create_box 1 box\n"
 				  "variable cx internal 0\nvariable h equal 1+0.5*cos(PI*v_cx)\n"
 				  "flow_style reynolds cells 200 3 lower 0 lower_velocity 1 0 0 upper v_h "
-				  "set x cx "
-				  "viscosity 1 density 1 cavitation %s ambient 5 cavity_pressure 5 "
+				  "set x cx viscosity 1 density 1 cavitation %s ambient 5 cavity_pressure 5 "
 				  "pressure_xhi 5.1\n"
 				  "compute film all film\nrun 0\n",
 				  names[k]);

@@ -109,21 +109,21 @@ START_TEST(bounds)
 }
 END_TEST
 
-static const char suspension[] = "units si\nboundary f p f\nnewton off\ncommunicate single vel yes\n"
-				 "region box block 0 1 0 1.3 0 0.7 units box\n"
-				 "region in block 0.05 0.95 0.1 1.2 0.05 0.65 units box\n"
-				 "create_box 1 box\ncreate_atoms 1 random 150 2385 in\n"
-				 "set group all diameter 0.0731 density 2385\n"
-				 "fix k all property/global thermalConductivity peratomtype 0\n"
-				 "fix c all property/global thermalCapacity peratomtype 31\n"
-				 "fix heat all heat/gran initial_temperature 300\n"
-				 "flow_style projection cells 7 8 6 viscosity 1.3 density 731 %s\n"
-				 "flow_boundary zhi wall velocity 0 1.5 0\n"
-				 "fix e all void_fraction method %s\n"
-				 "fix d all drag/di_felice scheme implicit\n"
-				 "fix T all flow/scalar conductivity 23.85 capacity 17 initial 400 exchange "
-				 "ranz_marshall\n"
-				 "fix m all nve\ntimestep 1e-3\n";
+static const char suspension[] =
+	"units si\nboundary f p f\nnewton off\ncommunicate single vel yes\n"
+	"region box block 0 1 0 1.3 0 0.7 units box\n"
+	"region in block 0.05 0.95 0.1 1.2 0.05 0.65 units box\n"
+	"create_box 1 box\ncreate_atoms 1 random 150 2385 in\n"
+	"set group all diameter 0.0731 density 2385\n"
+	"fix k all property/global thermalConductivity peratomtype 0\n"
+	"fix c all property/global thermalCapacity peratomtype 31\n"
+	"fix heat all heat/gran initial_temperature 300\n"
+	"flow_style projection cells 7 8 6 viscosity 1.3 density 731 %s\n"
+	"flow_boundary zhi wall velocity 0 1.5 0\n"
+	"fix e all void_fraction method %s\n"
+	"fix d all drag/di_felice scheme implicit\n"
+	"fix T all flow/scalar conductivity 23.85 capacity 17 initial 400 exchange ranz_marshall\n"
+	"fix m all nve\ntimestep 1e-3\n";
 
 /* Heat of particles that move, and of the fluid between them. */
 START_TEST(heat_is_kept)
@@ -160,17 +160,16 @@ END_TEST
 /* One hot sphere in much cold fluid at rest: T - T_f dies by exp(-pi d^2 h t/(m c)), Nu = 2. */
 START_TEST(one_sphere_cools)
 {
-	struct tsim *sim =
-		deck_open("units si\nboundary p p p\nnewton off\ncommunicate single vel yes\n"
-			  "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
-			  "create_atoms 1 single 0.43 0.57 0.61 units box\n"
-			  "set group all diameter 0.01 density 2385\n"
-			  "fix k all property/global thermalConductivity peratomtype 0\n"
-			  "fix c all property/global thermalCapacity peratomtype 31\n"
-			  "fix heat all heat/gran initial_temperature 500\n"
-			  "flow_style projection cells 4 4 4 viscosity 1.3 density 731\n"
-			  "fix T all flow/scalar conductivity 0.73 capacity 4e9 initial 300 exchange "
-			  "ranz_marshall\ntimestep 1e-3\nrun 2000");
+	struct tsim *sim = deck_open("units si\nboundary p p p\nnewton off\ncommunicate single vel yes\n"
+				     "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
+				     "create_atoms 1 single 0.43 0.57 0.61 units box\n"
+				     "set group all diameter 0.01 density 2385\n"
+				     "fix k all property/global thermalConductivity peratomtype 0\n"
+				     "fix c all property/global thermalCapacity peratomtype 31\n"
+				     "fix heat all heat/gran initial_temperature 500\n"
+				     "flow_style projection cells 4 4 4 viscosity 1.3 density 731\n"
+				     "fix T all flow/scalar conductivity 0.73 capacity 4e9 initial 300 "
+				     "exchange ranz_marshall\ntimestep 1e-3\nrun 2000");
 	double rate = 12 * 0.73 / (2385 * 31 * 0.01 * 0.01), temperature;
 
 	temperature = deck_value(sim, "f_heat/(31*mass(all))");
@@ -186,23 +185,22 @@ START_TEST(gas_through_a_bed)
 {
 	const double d = 0.001, u = 3.1, rho = 1.21, mu = 1.85e-5, k = 0.026, c = 1005;
 	const double by_volume = 1 / pow(0.0015, 3); /* spheres */
-	struct tsim *sim =
-		deck_open("units si\nboundary p p f\nnewton off\ncommunicate single vel yes\n"
-			  "region box block 0 0.003 0 0.003 0 0.06 units box\n"
-			  "region bed block 0 0.003 0 0.003 0.015 0.045 units box\n"
-			  "create_box 1 box\nlattice sc 0.0015 origin 0.5 0.5 0.5\n"
-			  "create_atoms 1 region bed\nset group all diameter 0.001 density 2385\n"
-			  "group none empty\nfix hold all freeze\n"
-			  "fix k all property/global thermalConductivity peratomtype 0\n"
-			  "fix c all property/global thermalCapacity peratomtype 31\n"
-			  "fix heat none heat/gran initial_temperature 300\n"
-			  "flow_style projection cells 1 1 160 viscosity 1.85e-5 density 1.21\n"
-			  "flow_boundary zlo inlet velocity 0 0 3.1\nflow_boundary zhi outlet\n"
-			  "fix e all void_fraction method kernel reach 1.5\n"
-			  "fix d all drag/ergun scheme exact\n"
-			  "fix T all flow/scalar conductivity 0.026 capacity 1005 initial 300 zlo value 400 "
-			  "exchange ranz_marshall\n"
-			  "timestep 2e-5\nrun 2500");
+	struct tsim *sim = deck_open("units si\nboundary p p f\nnewton off\ncommunicate single vel yes\n"
+				     "region box block 0 0.003 0 0.003 0 0.06 units box\n"
+				     "region bed block 0 0.003 0 0.003 0.015 0.045 units box\n"
+				     "create_box 1 box\nlattice sc 0.0015 origin 0.5 0.5 0.5\n"
+				     "create_atoms 1 region bed\nset group all diameter 0.001 density 2385\n"
+				     "group none empty\nfix hold all freeze\n"
+				     "fix k all property/global thermalConductivity peratomtype 0\n"
+				     "fix c all property/global thermalCapacity peratomtype 31\n"
+				     "fix heat none heat/gran initial_temperature 300\n"
+				     "flow_style projection cells 1 1 160 viscosity 1.85e-5 density 1.21\n"
+				     "flow_boundary zlo inlet velocity 0 0 3.1\nflow_boundary zhi outlet\n"
+				     "fix e all void_fraction method kernel reach 1.5\n"
+				     "fix d all drag/ergun scheme exact\n"
+				     "fix T all flow/scalar conductivity 0.026 capacity 1005 initial 300 zlo "
+				     "value 400 exchange ranz_marshall\n"
+				     "timestep 2e-5\nrun 2500");
 	double re = rho * u * d / mu, nu = 2 + 0.6 * sqrt(re) * cbrt(mu * c / k);
 	double rate = PI * d * nu * k * by_volume / (rho * c * u), here[2];
 	const struct ts_table *table = cells(sim);

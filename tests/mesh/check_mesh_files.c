@@ -83,15 +83,15 @@ START_TEST(stl_text)
 	ck_assert_str_eq(soup.t[2].solid, "z");
 	/* other case, DOS and Macintosh lines, exponents, tabs, a byte order mark, a comment */
 	expect("a.stl",
-	       "\xef\xbb\xbfSOLID X\r\n\tFACET NORMAL -1.0E+000 nan 0\r\n OUTER LOOP\r\n VERTEX "
-	       "1.25e-001 +2.5E+001 -.5\r\nVERTEX 1.D0 2.d-1 3\r\nVertex 4 5 6 # peak\r\nENDLOOP "
-	       "ENDFACET\r\nENDSOLID X",
+	       "\xef\xbb\xbfSOLID X\r\n\tFACET NORMAL -1.0E+000 nan 0\r\n OUTER LOOP\r\n VERTEX 1.25e-001 "
+	       "+2.5E+001 -.5\r\nVERTEX 1.D0 2.d-1 3\r\nVertex 4 5 6 # peak\r\nENDLOOP ENDFACET\r\nENDSOLID "
+	       "X",
 	       1);
 	corner(0, 0, 0.125, 25, -0.5);
 	corner(0, 1, 1, 0.2, 3);
 	expect("a.stl",
-	       "solid\rfacet normal 0 0 1\router loop\rvertex 0 0 0\rvertex 1 0 0\rvertex 0 1 0\r"
-	       "endloop\rendfacet\rendsolid\r",
+	       "solid\rfacet normal 0 0 1\router loop\rvertex 0 0 0\rvertex 1 0 0\rvertex 0 1 "
+	       "0\rendloop\rendfacet\rendsolid\r",
 	       1);
 	ck_assert_int_eq(soup.t[0].line, 2);
 	/* neither a head nor loops nor normals */
@@ -110,8 +110,8 @@ START_TEST(stl_text_broken)
 	refuse("a.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0,5 0 1\n", 4,
 	       "x of the corner should be a number, but here is '0,5'");
 	refuse("a.stl",
-	       "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex "
-	       "0 1 0\n",
+	       "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 "
+	       "0\n",
 	       7, "more than three corners");
 	refuse("a.stl", "solid\n" FACET "shell\n", 9, "but here is 'shell'");
 	refuse("a.stl", "solid\nfacet normal 0 0 1\nouter circle\n", 3, "expected 'loop'");
@@ -119,8 +119,8 @@ START_TEST(stl_text_broken)
 	refuse("a.stl", "solid\nfacet normal 0 0 1\nvertex 0 0 1e999\n", 3, "'1e999'");
 	refuse("a.stl", "<html><body>404</body>", 0, "no STL file");
 	refuse("a.stl",
-	       "<html><body>The page that you asked for is not where it was, so here is some text, "
-	       "which is much longer than a binary head would be, but no file of triangles at all",
+	       "<html><body>The page that you asked for is not where it was, so here is some text, which is "
+	       "much longer than a binary head would be, but no file of triangles at all",
 	       0, "cut short, or no STL file");
 }
 END_TEST
@@ -174,8 +174,8 @@ START_TEST(obj)
 {
 	expect("c.obj",
 	       "# cube\nmtllib x.mtl\no box\nv 0 0 0\nv 1 0 0 1.0\nv 1 1.5 0 0.1 0.2 0.3\nv 0 1.5 0\n"
-	       "vt 0 0\nvn 0 0 1\ns off\nf 1 2 3\nf 1/1 2/1 3/1\ng side\nf 1//1 3//1 4//1\nf -4/1/1 "
-	       "-3/1/1 -2/1/1 -1/1/1\nl 1 2\n",
+	       "vt 0 0\nvn 0 0 1\ns off\nf 1 2 3\nf 1/1 2/1 3/1\ng side\nf 1//1 3//1 4//1\nf -4/1/1 -3/1/1 "
+	       "-2/1/1 -1/1/1\nl 1 2\n",
 	       5);
 	corner(0, 2, 1, 1.5, 0);
 	corner(2, 2, 0, 1.5, 0);
@@ -222,9 +222,9 @@ START_TEST(vtk_text)
 	/* version 5 */
 	expect("d.vtk",
 	       "# vtk DataFile Version 5.1\nvtk output\nASCII\nDATASET POLYDATA\nFIELD FieldData 1\nTime 1 1 "
-	       "double\n0.5\n" POINTS "METADATA\nINFORMATION 1\nNAME L2 LOCATION "
-	       "x\nDATA 2\n\nPOLYGONS 3 7\nOFFSETS vtktypeint64\n0 3 7\nCONNECTIVITY "
-	       "vtktypeint64\n0 1 2 0 1 2 3\n",
+	       "double\n0.5\n" POINTS
+	       "METADATA\nINFORMATION 1\nNAME L2 LOCATION x\nDATA 2\n\nPOLYGONS 3 7\nOFFSETS vtktypeint64\n0 "
+	       "3 7\nCONNECTIVITY vtktypeint64\n0 1 2 0 1 2 3\n",
 	       3);
 	corner(2, 2, 0, 1.5, 0);
 }

@@ -33,8 +33,7 @@ static const char scene[] =
 	"units si\nboundary f f f\nregion box block 0 %.17g 0 %.17g %.17g %.17g units box\ncreate_box 1 box\n"
 	"fix pad all surface/voxel constant %.17g type 1 cells 4 4\n"
 	"fix w all wafer pad %s stiffness 1e3 pressure %.17g joint_1 %.17g\n"
-	"%s"
-	"timestep %.17g\n";
+	"%stimestep %.17g\n";
 
 static struct tsim *slider(double h, int cells, const char *motion, double pressure, double joint, double dt,
 			   const char *more)
@@ -43,8 +42,7 @@ static struct tsim *slider(double h, int cells, const char *motion, double press
 
 	snprintf(film, sizeof film,
 		 "flow_style reynolds cells %d 1 lower 0 lower_velocity %.17g 0 0 upper_wafer w viscosity "
-		 "2.5 "
-		 "density 1 closed ylo yhi %s\n",
+		 "2.5 density 1 closed ylo yhi %s\n",
 		 cells, h, more);
 	return deck_open(scene, 1000 * h, 500 * h, -10 * h, 100 * h, -5 * h, motion, pressure,
 			 joint * 1000 * h, film, dt);
@@ -206,12 +204,10 @@ START_TEST(film_and_pad)
 				  "units box\n"
 				  "create_box 1 box\n"
 				  "fix pad all surface/voxel gaussian mean 5e-6 deviation 3e-6 correlation "
-				  "4e-6 seed 2 type 1 "
-				  "cells 25 20 datum 0 move linear 0.7 0.2 0\n"
+				  "4e-6 seed 2 type 1 cells 25 20 datum 0 move linear 0.7 0.2 0\n"
 				  "fix w all wafer pad %s stiffness 1e12 pressure 1e5 friction 0.3 arm 3e-6\n"
 				  "flow_style reynolds cells 25 20 lower_voxel pad upper_wafer w viscosity "
-				  "0.5 density 1000 "
-				  "gap stepped least_gap 4e-7 open xlo xhi ylo yhi %s\n"
+				  "0.5 density 1000 gap stepped least_gap 4e-7 open xlo xhi ylo yhi %s\n"
 				  "compute film all film\ntimestep 1e-7\nrun 0\n",
 				  motions[k / 2], films[k % 2]);
 		double most = 0;
@@ -242,12 +238,10 @@ START_TEST(volume_is_kept)
 		"variable p equal 300*(1+0.5*sin(9*time))\n"
 		"fix pad all surface/voxel constant -0.5 type 1 cells 4 4\n"
 		"fix w all wafer pad dynamic mass 0.1 inertia_1 0.01 inertia_2 0.01 joint_1 0.02 arm 0.1 "
-		"stiffness 1e3 "
-		"pressure v_p start 0.05 start_1 -0.01\n"
+		"stiffness 1e3 pressure v_p start 0.05 start_1 -0.01\n"
 		"variable cx internal 0\nvariable wave equal 0.01*sin(20*v_cx)\n"
 		"flow_style reynolds cells 20 20 lower v_wave set x cx lower_stays upper_wafer w "
-		"lower_velocity 6 0 0 viscosity 1 density 1 "
-		"cavitation jfo transient yes\n"
+		"lower_velocity 6 0 0 viscosity 1 density 1 cavitation jfo transient yes\n"
 		"compute film all film\ntimestep 0.02\nrun 0\n");
 	double volume = deck_value(sim, "c_film[18]"), cavity = 0;
 
@@ -278,10 +272,8 @@ START_TEST(rough_wafer)
 				  "4\n"
 				  "fix w all wafer pad settled stiffness 1e3 pressure %.17g joint_1 %g\n"
 				  "flow_style reynolds cells 20 8 lower 0 lower_velocity %g 0 0 upper_wafer "
-				  "w viscosity 1e-2 density "
-				  "1000 roughness 1e-6 0 1 asperities 5e9 1e-5 1e9 0.1 closed ylo "
-				  "yhi\ncompute film all "
-				  "film\nrun 0\n",
+				  "w viscosity 1e-2 density 1000 roughness 1e-6 0 1 asperities 5e9 1e-5 1e9 "
+				  "0.1 closed ylo yhi\ncompute film all film\nrun 0\n",
 				  pressure, k ? 7e-5 : 0, k ? 1e-4 * pow(70, k - 1) : 0);
 		double load = pressure * 5e-7, asperities = deck_value(sim, "f_w[13]");
 
@@ -317,8 +309,7 @@ static void refuses(const char *wafer, const char *film, const char *text)
 
 	ck_assert_msg(!deck_accepts(sim,
 				    "fix w all wafer %s\nflow_style reynolds cells 8 8 upper_wafer w "
-				    "viscosity 1 "
-				    "density 1 %s\nrun 2\n",
+				    "viscosity 1 density 1 %s\nrun 2\n",
 				    wafer, film),
 		      "accepted: %s; %s", wafer, film);
 	ck_assert_msg(strstr(tsim_error(sim), text) != NULL, "%s; %s: %s", wafer, film, tsim_error(sim));
