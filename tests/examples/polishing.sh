@@ -44,4 +44,33 @@ slurry 'smooth pad, full equations' 'smooth.16.by.film smooth.32.by.film smooth.
 # a short time at each speed
 slurry 'rough pad, full equations' \
 	'cfd.falls.with.speed cfd.part.below.ambient cfd.ratio.of.64.and.16 cfd.correlation.with.film' -var model cfd -var settle 24
+# -check does not know the lists that results of a run are, nor their lengths; it knows others
+for model in film smooth cfd; do
+	"$TSIM" -check -in in.slurry -var model $model >out 2>&1
+	report "-check of the slurry: $model" $? out
+done
+cat >in.lists <<'END'
+units si
+boundary f p f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+flow_style reynolds cells 5 5 lower 0 upper 0.1 lower_velocity 1 0 0 viscosity 1 density 1 update run
+compute film all film
+fix cells all ave/time 1 1 1 c_film[*] mode vector
+run 0
+variable gap vector f_cells[3]
+variable gap vector ${gap}
+variable three vector [1,2,3]
+variable both vector v_three*v_${with}
+print "$(sum(v_both))"
+END
+"$TSIM" -check -in in.lists -var with gap >out 2>&1
+report '-check: a list that is not known' $? out
+"$TSIM" -in in.lists -log none -var with gap >out 2>&1
+[ $? = 1 ] && shows 'lists of 3 and 25 numbers cannot be combined' out
+report 'in the run it is known' $? out
+sed -i 's/^variable three.*/&\nvariable two vector [1,2]/' in.lists
+"$TSIM" -check -in in.lists -var with two >out 2>&1
+[ $? = 1 ] && shows 'lists of 3 and 2 numbers cannot be combined' out
+report '-check: lists that are known' $? out
 finish
