@@ -430,6 +430,8 @@ library_sources = \
 	src/film/film_velocity.h \
 	src/film/film_viscosity.c \
 	src/film/flow_reynolds.c \
+	src/film/flow_reynolds.h \
+	src/film/flow_reynolds_words.c \
 	src/film/grid_lu.c \
 	src/film/grid_lu.h \
 	src/film/internal.h \

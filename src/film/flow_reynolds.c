@@ -6,6 +6,7 @@
 #include "core/report.h"
 #include "film/film_plane.h"
 #include "film/film_velocity.h"
+#include "film/flow_reynolds.h"
 #include "flow/flow.h"
 #include "flow/flow_arguments.h"
 #include "flow/fluid.h"
@@ -18,23 +19,6 @@ enum { REFUSED, SOLID };
 
 /* Slope of the gap above which the plan of a run says that a film is no model of it. */
 static const double STEEP = 0.3;
-
-struct reynolds {
-	struct ts_film_flow flow;
-	struct ts_words cells, set, closed, open, roelands, roughness, asperities;
-	double edge[2][2]; /* pressures given; NaN: ambient */
-	double viscosity, density, ambient, cavity;
-	double slip[2]; /* slip lengths, lower and upper */
-	double barus;	/* NaN: not given */
-	int shape, cavitation, update, touching;
-	bool floating;
-
-	bool ready;	/* solved since the beginning of the run */
-	bool solved;	/* `input` is that of the present solution */
-	bool began;	/* transient: content is set; saved */
-	bool told;	/* the warning that nothing drives the film */
-	uint64_t input; /* hash of all that the solution depends on */
-};
 
 /* ---- the fluid at a place */
 
@@ -55,12 +39,12 @@ static void velocity(const struct ts_instance *self, const double x[3], double u
 
 static double viscosity(const struct ts_instance *self)
 {
-	return ((const struct reynolds *)self->state)->viscosity;
+	return ((const struct ts_reynolds *)self->state)->viscosity;
 }
 
 static double density(const struct ts_instance *self)
 {
-	return ((const struct reynolds *)self->state)->density;
+	return ((const struct ts_reynolds *)self->state)->density;
 }
 
 /* ---- geometry and edges, once */
@@ -74,193 +58,9 @@ static const struct ts_arg pair_rows[] = {
 	TS_ARGS_END,
 };
 
-static const char *const edges[] = { "xlo", "xhi", "ylo", "yhi", NULL };
-
-struct edge_word {
-	int edge;
-};
-static const struct ts_arg edge_rows[] = {
-	TS_ENUM("edge", struct edge_word, edge, edges, .flags = TS_POSITIONAL),
-	TS_ARGS_END,
-};
-
-static enum ts_status refuse_edge(struct ts_instance *self, struct tsim *sim, int k, const char *why)
-{
-	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, edges[k]),
-		       "flow_style reynolds: the edge %s %s", edges[k], why);
-}
-
-/* The film ends at the faces of the box, which must not follow particles. */
-static enum ts_status check_faces(struct ts_instance *self, struct tsim *sim)
-{
-	const struct ts_box *box = &sim->domain->box;
-
-	for (int k = 0; k < 4; k++)
-		if (box->face[k / 2][k % 2] != TS_FACE_FIXED && box->face[k / 2][k % 2] != TS_FACE_PERIODIC)
-			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "flow_style reynolds: the film ends at the faces of the box, but %s "
-				       "follows the particles: use `boundary f f ...` or p along x and y",
-				       edges[k]);
-	return TS_OK;
-}
-
-static enum ts_status read_edge(struct ts_instance *self, struct tsim *sim, const char *what,
-				struct ts_words words, size_t k, int *edge)
-{
-	struct ts_words one = ts_words_from(words, k);
-	struct edge_word word = { 0 };
-
-	one.n = 1;
-	TS_TRY(ts_args_parse(sim, what, edge_rows, one, &words.word[k].place, &self->arena, &word));
-	*edge = word.edge;
-	return TS_OK;
-}
-
-/* Edges of periodic axes at which the film ends nevertheless: a wafer above a pad that goes on. */
-static enum ts_status read_open(struct ts_instance *self, struct tsim *sim, bool open[4])
-{
-	struct reynolds *s = self->state;
-
-	for (size_t k = 0; k < s->open.n; k++) {
-		int edge;
-
-		TS_TRY(read_edge(self, sim, "flow_style reynolds: open", s->open, k, &edge));
-		if (!ts_box_periodic(&sim->domain->box, edge / 2))
-			return refuse_edge(self, sim, edge,
-					   "is open, but the box is not periodic there: it is open anyway, "
-					   "or closed");
-		open[edge] = true;
-	}
-	for (int d = 0; d < 2; d++)
-		if (open[2 * d] != open[2 * d + 1])
-			return refuse_edge(self, sim, 2 * d + open[2 * d],
-					   "is not open, but the opposite one is; expected both");
-	return TS_OK;
-}
-
-static enum ts_status set_edges(struct ts_instance *self, struct tsim *sim)
-{
-	struct reynolds *s = self->state;
-	struct ts_film *f = &s->flow.film;
-	bool open[4] = { false };
-
-	TS_TRY(read_open(self, sim, open));
-	for (int k = 0; k < 4; k++) {
-		bool given = !isnan(s->edge[k / 2][k % 2]);
-
-		f->edge[k / 2][k % 2] = TS_FILM_PRESSURE;
-		f->edge_pressure[k / 2][k % 2] = given ? s->edge[k / 2][k % 2] : s->ambient;
-		if (!ts_box_periodic(&sim->domain->box, k / 2) || open[k])
-			continue;
-		f->edge[k / 2][k % 2] = TS_FILM_PERIODIC;
-		if (given)
-			return refuse_edge(self, sim, k,
-					   "has a pressure, but the box is periodic there and the edge is "
-					   "not `open`");
-	}
-	for (size_t k = 0; k < s->closed.n; k++) {
-		int edge;
-
-		TS_TRY(read_edge(self, sim, "flow_style reynolds: closed", s->closed, k, &edge));
-		if (f->edge[edge / 2][0] == TS_FILM_PERIODIC)
-			return refuse_edge(self, sim, edge, "is closed, but the box is periodic there");
-		if (!isnan(s->edge[edge / 2][edge % 2]))
-			return refuse_edge(self, sim, edge, "is closed, and a pressure is given there");
-		f->edge[edge / 2][edge % 2] = TS_FILM_NO_FLOW;
-	}
-	return TS_OK;
-}
-
-static const char *const peklenik_numbers[] = { "1/9", "1/6", "1/3", "1", "3", "6", "9", NULL };
-
-struct roughness {
-	double sigma[2];
-	int peklenik;
-};
-static const struct ts_arg roughness_rows[] = {
-	TS_REAL("SIGMA_LOWER", struct roughness, sigma[0], .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE),
-	TS_REAL("SIGMA_UPPER", struct roughness, sigma[1], .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE),
-	TS_ENUM("GAMMA", struct roughness, peklenik, peklenik_numbers, .flags = TS_POSITIONAL),
-	TS_ARGS_END,
-};
-
-static enum ts_status read_roughness(struct ts_instance *self, struct tsim *sim)
-{
-	struct reynolds *s = self->state;
-	struct roughness r = { .peklenik = TS_FILM_PEKLENIK_1 };
-
-	if (s->roughness.n > 0)
-		TS_TRY(ts_args_parse(sim, "flow_style reynolds: roughness", roughness_rows, s->roughness,
-				     ts_instance_word(self, "roughness"), &self->arena, &r));
-	s->flow.film.roughness[0] = r.sigma[0];
-	s->flow.film.roughness[1] = r.sigma[1];
-	s->flow.film.peklenik = (enum ts_film_peklenik)r.peklenik;
-	return TS_OK;
-}
-
-static const struct ts_arg asperity_rows[] = {
-	TS_REAL("DENSITY", struct ts_film_asperity, density, .flags = TS_POSITIONAL, .range = TS_POSITIVE),
-	TS_REAL("RADIUS", struct ts_film_asperity, radius, .flags = TS_POSITIONAL, .range = TS_POSITIVE),
-	TS_REAL("MODULUS", struct ts_film_asperity, modulus, .flags = TS_POSITIONAL, .range = TS_POSITIVE),
-	TS_REAL("FRICTION", struct ts_film_asperity, friction, .flags = TS_POSITIONAL,
-		.range = TS_NOT_NEGATIVE),
-	TS_ARGS_END,
-};
-
-static enum ts_status read_asperities(struct ts_instance *self, struct tsim *sim)
-{
-	struct reynolds *s = self->state;
-
-	s->flow.film.asperity = (struct ts_film_asperity){ 0 };
-	if (s->asperities.n == 0)
-		return TS_OK;
-	if (s->roughness.n == 0)
-		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "asperities"),
-			       "flow_style reynolds: `asperities` are those of rough surfaces; expected "
-			       "`roughness`, too");
-	return ts_args_parse(sim, "flow_style reynolds: asperities", asperity_rows, s->asperities,
-			     ts_instance_word(self, "asperities"), &self->arena, &s->flow.film.asperity);
-}
-
-static const struct ts_arg roelands_rows[] = {
-	TS_REAL("ETA_R", struct ts_film_piezo, viscosity, .flags = TS_POSITIONAL, .range = TS_POSITIVE),
-	TS_REAL("P_R", struct ts_film_piezo, pressure, .flags = TS_POSITIONAL, .range = TS_POSITIVE),
-	TS_REAL("Z", struct ts_film_piezo, exponent, .flags = TS_POSITIONAL, .range = TS_POSITIVE),
-	TS_ARGS_END,
-};
-
-static enum ts_status read_viscosity(struct ts_instance *self, struct tsim *sim)
-{
-	struct reynolds *s = self->state;
-	struct ts_film_piezo *piezo = &s->flow.film.piezo;
-	const struct ts_instance *part;
-	size_t k = 0;
-
-	*piezo = (struct ts_film_piezo){ .law = TS_FILM_CONSTANT };
-	if (isnan(s->barus) && s->roelands.n == 0)
-		return TS_OK;
-	if (!isnan(s->barus) && s->roelands.n > 0)
-		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "roelands"),
-			       "flow_style reynolds: expected either `barus` or `roelands`, found both");
-	part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k);
-	if (part)
-		return ts_fail(&sim->error, TS_STATE, &part->where,
-			       "fix %s takes one viscosity from the flow style, but in this film it depends "
-			       "on the pressure: expected flow_style reynolds without `barus` and `roelands`",
-			       part->style->name);
-	if (!isnan(s->barus)) {
-		piezo->law = TS_FILM_BARUS;
-		piezo->alpha = s->barus;
-		return TS_OK;
-	}
-	piezo->law = TS_FILM_ROELANDS;
-	return ts_args_parse(sim, "flow_style reynolds: roelands", roelands_rows, s->roelands,
-			     ts_instance_word(self, "roelands"), &self->arena, piezo);
-}
-
 static enum ts_status make_field(struct ts_instance *self, struct tsim *sim, double **field)
 {
-	const struct reynolds *s = self->state;
+	const struct ts_reynolds *s = self->state;
 
 	*field = ts_arena_alloc(&self->arena, ts_film_cells(&s->flow.film), sizeof **field);
 	return *field ? TS_OK : ts_nomem(&sim->error);
@@ -268,7 +68,7 @@ static enum ts_status make_field(struct ts_instance *self, struct tsim *sim, dou
 
 static enum ts_status make_film(struct ts_instance *self, struct tsim *sim)
 {
-	struct reynolds *s = self->state;
+	struct ts_reynolds *s = self->state;
 	struct ts_film *f = &s->flow.film;
 	struct pair cells = { .n = { 0 } };
 
@@ -316,11 +116,11 @@ static enum ts_status reset_coordinates(struct ts_instance *self, struct tsim *s
 {
 	static const double origin[3] = { 0 };
 
-	return ts_flow_set_coordinates(sim, ((const struct reynolds *)self->state)->flow.set, origin,
+	return ts_flow_set_coordinates(sim, ((const struct ts_reynolds *)self->state)->flow.set, origin,
 				       &self->where);
 }
 
-static void set_cells(struct reynolds *s, const struct tsim *sim)
+static void set_cells(struct ts_reynolds *s, const struct tsim *sim)
 {
 	struct ts_film *f = &s->flow.film;
 	const struct ts_box *box = &sim->domain->box;
@@ -351,7 +151,7 @@ static uint64_t hash_input(const struct ts_film *f)
 
 static enum ts_status check_cell(struct ts_instance *self, struct tsim *sim, size_t c)
 {
-	const struct reynolds *s = self->state;
+	const struct ts_reynolds *s = self->state;
 	const struct ts_film *f = &s->flow.film;
 	double x = ts_film_centre(f, 0, (int)(c % (size_t)f->n[0]));
 	double y = ts_film_centre(f, 1, (int)(c / (size_t)f->n[0]));
@@ -371,7 +171,7 @@ static enum ts_status check_cell(struct ts_instance *self, struct tsim *sim, siz
 
 static enum ts_status solve(struct ts_instance *self, struct tsim *sim)
 {
-	struct reynolds *s = self->state;
+	struct ts_reynolds *s = self->state;
 	struct ts_error error = { .status = TS_OK };
 	uint64_t input = hash_input(&s->flow.film);
 
@@ -394,7 +194,7 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim)
 }
 
 /* Transient: before the first step the film was full. */
-static void begin_content(struct reynolds *s, double dt)
+static void begin_content(struct ts_reynolds *s, double dt)
 {
 	struct ts_film *f = &s->flow.film;
 
@@ -406,7 +206,7 @@ static void begin_content(struct reynolds *s, double dt)
 /* The lower surface, and the upper one unless it is a plane that moves with the film. */
 static enum ts_status find_surfaces(struct ts_instance *self, struct tsim *sim)
 {
-	struct reynolds *s = self->state;
+	struct ts_reynolds *s = self->state;
 
 	set_cells(s, sim);
 	for (int side = 0; side < 2; side++)
@@ -417,7 +217,7 @@ static enum ts_status find_surfaces(struct ts_instance *self, struct tsim *sim)
 /* Below the plane as it is. */
 static enum ts_status solve_below(struct ts_instance *self, struct tsim *sim)
 {
-	struct reynolds *s = self->state;
+	struct ts_reynolds *s = self->state;
 
 	ts_film_plane_evaluate(&s->flow);
 	ts_film_combine(&s->flow);
@@ -441,7 +241,7 @@ static enum ts_status move_plane(struct ts_instance *self, struct tsim *sim, str
 /* At the present time. */
 static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim, enum ts_film_move how)
 {
-	struct reynolds *s = self->state;
+	struct ts_reynolds *s = self->state;
 	struct ts_instance *fix = s->flow.surface[1].plane_fix;
 
 	if (s->flow.transient && how == TS_FILM_STEP) {
@@ -461,7 +261,7 @@ static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim, enum 
 
 static enum ts_status check_plane(struct ts_instance *self, struct tsim *sim)
 {
-	const struct reynolds *s = self->state;
+	const struct ts_reynolds *s = self->state;
 	const struct ts_film_surface *upper = &s->flow.surface[1];
 	const char *why = s->update == EACH_RUN		 ? "`update run`: the wafer moves in each step"
 			  : fabs(upper->velocity[2]) > 0 ? "a velocity along z: the wafer has its own"
@@ -479,7 +279,7 @@ static enum ts_status check_plane(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status check_transient(struct ts_instance *self, struct tsim *sim)
 {
-	const struct reynolds *s = self->state;
+	const struct ts_reynolds *s = self->state;
 	const char *why =
 		s->cavitation != TS_FILM_JFO ? "is for cavitation jfo only: other films have no memory"
 		: s->update == EACH_RUN	     ? "needs `update step`"
@@ -494,13 +294,13 @@ static enum ts_status check_transient(struct ts_instance *self, struct tsim *sim
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	struct reynolds *s = self->state;
+	struct ts_reynolds *s = self->state;
 
 	if (sim->dimension == 2)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "flow_style reynolds: the gap is along z, so it needs three dimensions");
 	TS_TRY(ts_domain_require(sim, &self->where));
-	TS_TRY(check_faces(self, sim));
+	TS_TRY(ts_reynolds_check_faces(self, sim));
 	TS_TRY(check_transient(self, sim));
 	TS_TRY(ts_flow_read_set(sim, "flow_style reynolds: set", s->set, &self->where, &self->arena,
 				s->flow.set));
@@ -511,10 +311,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_film_surface_find(self, sim, &s->flow.surface[1], "upper"));
 	if (!s->flow.film.gap)
 		TS_TRY(make_film(self, sim));
-	TS_TRY(set_edges(self, sim));
-	TS_TRY(read_viscosity(self, sim));
-	TS_TRY(read_roughness(self, sim));
-	TS_TRY(read_asperities(self, sim));
+	TS_TRY(ts_reynolds_read_edges(self, sim));
+	TS_TRY(ts_reynolds_read_viscosity(self, sim));
+	TS_TRY(ts_reynolds_read_roughness(self, sim));
+	TS_TRY(ts_reynolds_read_asperities(self, sim));
 	TS_TRY(check_plane(self, sim));
 	s->flow.solid = s->touching == SOLID;
 	s->flow.solve = solve_below;
@@ -524,7 +324,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 {
-	const struct reynolds *s = self->state;
+	const struct ts_reynolds *s = self->state;
 
 	return s->ready && s->update == EACH_RUN
 		       ? TS_OK
@@ -534,12 +334,12 @@ static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 /* At the beginning of a run, also of one that resumes with the forces of the last one. */
 static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 {
-	return ((const struct reynolds *)self->state)->ready ? TS_OK : evaluate(self, sim, TS_FILM_KEEP);
+	return ((const struct ts_reynolds *)self->state)->ready ? TS_OK : evaluate(self, sim, TS_FILM_KEEP);
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
-	const struct reynolds *s = self->state;
+	const struct ts_reynolds *s = self->state;
 
 	(void)sim;
 	return s->flow.transient ? ts_archive_fixed(archive, "content", TS_SAVED_F64, s->flow.film.content,
@@ -548,14 +348,14 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 }
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_U8(struct reynolds, began),
-	TS_SAVE_F64(struct reynolds, flow.film.time_step),
+	TS_SAVE_U8(struct ts_reynolds, began),
+	TS_SAVE_F64(struct ts_reynolds, flow.film.time_step),
 	TS_SAVED_ROWS_END,
 };
 
 static void fini(struct ts_instance *self)
 {
-	ts_film_release(&((struct reynolds *)self->state)->flow.film);
+	ts_film_release(&((struct ts_reynolds *)self->state)->flow.film);
 }
 
 static const char *const cavitations[] = { "none", "half", "reynolds", "jfo", NULL };
@@ -566,7 +366,7 @@ static const char *const touchings[] = { "stop", "solid", NULL };
 /* What the theory of films neglects. A plane that moves with the film is not known yet. */
 static enum ts_status tell_validity(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
-	struct reynolds *s = self->state;
+	struct ts_reynolds *s = self->state;
 	struct ts_film_validity v;
 
 	if (s->flow.surface[1].plane_fix)
@@ -585,7 +385,7 @@ static enum ts_status tell_validity(struct ts_instance *self, struct tsim *sim, 
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
-	const struct reynolds *s = self->state;
+	const struct ts_reynolds *s = self->state;
 	const struct ts_film *f = &s->flow.film;
 
 	if (report->limits_only)
@@ -597,77 +397,77 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 }
 
 static const struct ts_arg args[] = {
-	TS_LIST_KEYWORD("cells", struct reynolds, cells, .flags = TS_TO_KEYWORD | TS_STATEFUL,
+	TS_LIST_KEYWORD("cells", struct ts_reynolds, cells, .flags = TS_TO_KEYWORD | TS_STATEFUL,
 			.help = "NX NY: numbers of cells along x and y"),
-	TS_NUMBER("lower", struct reynolds, flow.surface[0].height, .flags = TS_OPTIONAL, .unit = "length",
+	TS_NUMBER("lower", struct ts_reynolds, flow.surface[0].height, .flags = TS_OPTIONAL, .unit = "length",
 		  .help = "height of the lower surface, or v_NAME, a function of the coordinates"),
-	TS_NUMBER("upper", struct reynolds, flow.surface[1].height, .flags = TS_OPTIONAL, .unit = "length",
+	TS_NUMBER("upper", struct ts_reynolds, flow.surface[1].height, .flags = TS_OPTIONAL, .unit = "length",
 		  .help = "height of the upper surface"),
-	TS_WORD("lower_voxel", struct reynolds, flow.surface[0].voxel, .flags = TS_OPTIONAL,
+	TS_WORD("lower_voxel", struct ts_reynolds, flow.surface[0].voxel, .flags = TS_OPTIONAL,
 		.help = "instead of lower: ID of a fix surface/voxel with normal z"),
-	TS_WORD("upper_voxel", struct reynolds, flow.surface[1].voxel, .flags = TS_OPTIONAL,
+	TS_WORD("upper_voxel", struct ts_reynolds, flow.surface[1].voxel, .flags = TS_OPTIONAL,
 		.help = "ID of a fix surface/voxel with normal z, whose columns hang down from `upper`"),
-	TS_WORD("upper_wafer", struct reynolds, flow.surface[1].plane_id, .flags = TS_OPTIONAL,
+	TS_WORD("upper_wafer", struct ts_reynolds, flow.surface[1].plane_id, .flags = TS_OPTIONAL,
 		.help = "instead of upper: ID of a fix wafer, which floats on the film"),
-	TS_SOME_KEYWORD("set", struct reynolds, set, 0,
+	TS_SOME_KEYWORD("set", struct ts_reynolds, set, 0,
 			.help = "`x NAME y NAME`: internal-style variables that receive the coordinates for "
 				"v_NAME"),
-	TS_VEC3("lower_velocity", struct reynolds, flow.surface[0].velocity, .fallback = "0 0 0",
+	TS_VEC3("lower_velocity", struct ts_reynolds, flow.surface[0].velocity, .fallback = "0 0 0",
 		.unit = "velocity", .help = "of the lower surface; is added to that of the voxel field"),
-	TS_VEC3("upper_velocity", struct reynolds, flow.surface[1].velocity, .fallback = "0 0 0",
+	TS_VEC3("upper_velocity", struct ts_reynolds, flow.surface[1].velocity, .fallback = "0 0 0",
 		.unit = "velocity", .help = "of the upper surface"),
-	TS_FLAG("lower_stays", struct reynolds, flow.surface[0].stays,
+	TS_FLAG("lower_stays", struct ts_reynolds, flow.surface[0].stays,
 		.help = "the material of the lower surface slides along its shape, which stays at its place"),
-	TS_FLAG("upper_stays", struct reynolds, flow.surface[1].stays,
+	TS_FLAG("upper_stays", struct ts_reynolds, flow.surface[1].stays,
 		.help = "the same for the upper surface"),
-	TS_REAL("lower_slip", struct reynolds, slip[0], .range = TS_NOT_NEGATIVE, .fallback = "0",
+	TS_REAL("lower_slip", struct ts_reynolds, slip[0], .range = TS_NOT_NEGATIVE, .fallback = "0",
 		.unit = "length", .help = "slip length of the lower surface"),
-	TS_REAL("upper_slip", struct reynolds, slip[1], .range = TS_NOT_NEGATIVE, .fallback = "0",
+	TS_REAL("upper_slip", struct ts_reynolds, slip[1], .range = TS_NOT_NEGATIVE, .fallback = "0",
 		.unit = "length", .help = "slip length of the upper surface"),
-	TS_SOME_KEYWORD("roughness", struct reynolds, roughness, 0,
+	TS_SOME_KEYWORD("roughness", struct ts_reynolds, roughness, 0,
 			.help = "SIGMA_LOWER SIGMA_UPPER GAMMA: standard deviations of the heights of rough "
 				"surfaces, and their Peklenik number: 1/9, 1/6, 1/3, 1, 3, 6 or 9"),
-	TS_SOME_KEYWORD("asperities", struct reynolds, asperities, 0,
+	TS_SOME_KEYWORD("asperities", struct ts_reynolds, asperities, 0,
 			.help = "DENSITY RADIUS MODULUS FRICTION: of rough surfaces that touch: number per "
 				"area, radius, E', coefficient of friction"),
-	TS_REAL("viscosity", struct reynolds, viscosity, .range = TS_POSITIVE, .unit = "pressure time",
+	TS_REAL("viscosity", struct ts_reynolds, viscosity, .range = TS_POSITIVE, .unit = "pressure time",
 		.help = "dynamic viscosity; with `barus` or `roelands` that at pressure 0"),
-	TS_REAL("barus", struct reynolds, barus, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
+	TS_REAL("barus", struct ts_reynolds, barus, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
 		.unit = "1/pressure", .help = "coefficient alpha of the viscosity eta exp(alpha p)"),
-	TS_SOME_KEYWORD("roelands", struct reynolds, roelands, 0,
+	TS_SOME_KEYWORD("roelands", struct ts_reynolds, roelands, 0,
 			.help = "ETA_R P_R Z: a viscosity, a pressure and an exponent of Roelands' equation"),
-	TS_REAL("density", struct reynolds, density, .range = TS_POSITIVE, .unit = "mass/length^3",
+	TS_REAL("density", struct ts_reynolds, density, .range = TS_POSITIVE, .unit = "mass/length^3",
 		.help = "density of the fluid"),
-	TS_REAL("ambient", struct reynolds, ambient, .fallback = "0", .unit = "pressure",
+	TS_REAL("ambient", struct ts_reynolds, ambient, .fallback = "0", .unit = "pressure",
 		.help = "pressure around the film, on its edges and on the other sides of the surfaces"),
-	TS_REAL("pressure_xlo", struct reynolds, edge[0][0], .flags = TS_OPTIONAL, .unit = "pressure",
+	TS_REAL("pressure_xlo", struct ts_reynolds, edge[0][0], .flags = TS_OPTIONAL, .unit = "pressure",
 		.help = "pressure at this edge; default: ambient"),
-	TS_REAL("pressure_xhi", struct reynolds, edge[0][1], .flags = TS_OPTIONAL, .unit = "pressure",
+	TS_REAL("pressure_xhi", struct ts_reynolds, edge[0][1], .flags = TS_OPTIONAL, .unit = "pressure",
 		.help = "the same for the upper edge along x"),
-	TS_REAL("pressure_ylo", struct reynolds, edge[1][0], .flags = TS_OPTIONAL, .unit = "pressure",
+	TS_REAL("pressure_ylo", struct ts_reynolds, edge[1][0], .flags = TS_OPTIONAL, .unit = "pressure",
 		.help = "the same for the lower edge along y"),
-	TS_REAL("pressure_yhi", struct reynolds, edge[1][1], .flags = TS_OPTIONAL, .unit = "pressure",
+	TS_REAL("pressure_yhi", struct ts_reynolds, edge[1][1], .flags = TS_OPTIONAL, .unit = "pressure",
 		.help = "the same for the upper edge along y"),
-	TS_BOOL("floating", struct reynolds, floating, .fallback = "no",
+	TS_BOOL("floating", struct ts_reynolds, floating, .fallback = "no",
 		.help = "whether parts of the film may have a pressure that is determined but for a "
 			"constant, where none is given on their border"),
-	TS_SOME_KEYWORD("closed", struct reynolds, closed, 0,
+	TS_SOME_KEYWORD("closed", struct ts_reynolds, closed, 0,
 			.help = "edges through which nothing flows: walls or planes of symmetry"),
-	TS_SOME_KEYWORD("open", struct reynolds, open, 0,
+	TS_SOME_KEYWORD("open", struct ts_reynolds, open, 0,
 			.help = "edges where the film ends although the box is periodic, both of an axis"),
-	TS_ENUM("cavitation", struct reynolds, cavitation, cavitations, .fallback = "none",
+	TS_ENUM("cavitation", struct ts_reynolds, cavitation, cavitations, .fallback = "none",
 		.help = "what happens where the pressure would be below that of the cavity"),
-	TS_REAL("cavity_pressure", struct reynolds, cavity, .fallback = "0", .unit = "pressure",
+	TS_REAL("cavity_pressure", struct ts_reynolds, cavity, .fallback = "0", .unit = "pressure",
 		.help = "pressure in the cavity"),
-	TS_BOOL("transient", struct reynolds, flow.transient, .flags = TS_STATEFUL, .fallback = "no",
+	TS_BOOL("transient", struct ts_reynolds, flow.transient, .flags = TS_STATEFUL, .fallback = "no",
 		.help = "cavitation jfo: the fluid in the gap is followed in time"),
-	TS_ENUM("gap", struct reynolds, shape, shapes, .fallback = "linear",
+	TS_ENUM("gap", struct ts_reynolds, shape, shapes, .fallback = "linear",
 		.help = "the gap between the centres of cells: linear, or constant in each cell"),
-	TS_ENUM("update", struct reynolds, update, updates, .fallback = "step",
+	TS_ENUM("update", struct ts_reynolds, update, updates, .fallback = "step",
 		.help = "heights are evaluated in each step, or at the beginning of each run"),
-	TS_REAL("least_gap", struct reynolds, flow.least, .range = TS_NOT_NEGATIVE, .fallback = "0",
+	TS_REAL("least_gap", struct ts_reynolds, flow.least, .range = TS_NOT_NEGATIVE, .fallback = "0",
 		.unit = "length", .help = "the gap tends to this length where the surfaces touch or overlap"),
-	TS_ENUM("touching", struct reynolds, touching, touchings, .fallback = "stop",
+	TS_ENUM("touching", struct ts_reynolds, touching, touchings, .fallback = "stop",
 		.help = "where the gap is not positive: the run stops, or the cell is solid, without fluid"),
 	TS_ARGS_END,
 };
@@ -790,7 +590,7 @@ const struct ts_flow_style ts_flow_reynolds = {
 			   "chapter 7",
 		   .args = args,
 		   .family = TS_FAMILY_FILM,
-		   .state_size = sizeof(struct reynolds),
+		   .state_size = sizeof(struct ts_reynolds),
 		   .saved = saved,
 		   .archive = archive,
 		   .init = init,
