@@ -207,7 +207,7 @@ TS_INLINE long compute_slice(const struct ts_bond_task *t, const struct ts_bond_
 	return broken;
 }
 
-TS_CLONES long ts_bond_compute_moments(void *task, size_t from, size_t to)
+TS_CLONES static long compute_slices(void *task, size_t from, size_t to)
 {
 	const struct ts_bond_task *t = task;
 	long broken = 0;
@@ -216,4 +216,9 @@ TS_CLONES long ts_bond_compute_moments(void *task, size_t from, size_t to)
 		broken += t->moving ? compute_slice(t, &t->bonds->slices.slice[k], true)
 				    : compute_slice(t, &t->bonds->slices.slice[k], false);
 	return broken;
+}
+
+long ts_bond_compute_moments(void *task, size_t from, size_t to)
+{
+	return compute_slices(task, from, to);
 }

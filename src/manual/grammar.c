@@ -23,8 +23,9 @@ static void add_word(struct word_list *list, const char *word)
 {
 	bool plain = strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/-") ==
 		     strlen(word);
+	bool number = strspn(word, "0123456789") == strlen(word);
 
-	if (!plain || ts_map_get(&list->seen, word))
+	if (!plain || number || ts_map_get(&list->seen, word))
 		return;
 	list->failed |= TS_GROW(list->word, list->capacity, list->n + 1) != TS_OK ||
 			ts_map_set(&list->seen, word, list) != TS_OK;

@@ -26,9 +26,8 @@ syn keyword tsimKeyword  random nearest table partner turns keeps wall_normal sp
 syn match tsimKeyword /\<velocity\>/ 
 syn keyword tsimKeyword  E nu G kappa lambda sigma_c tau_c sigma_compression scatter none
 syn keyword tsimKeyword  normal weibull deviation shape damping damping_normal
-syn keyword tsimKeyword  damping_shear damping_bending damping_twist stiffness ultimate 0 1
-syn keyword tsimKeyword  2 3 4 5 kn ks ratio beta map array hash id first sort tilt small
-syn keyword tsimKeyword  large
+syn keyword tsimKeyword  damping_shear damping_bending damping_twist stiffness ultimate kn
+syn keyword tsimKeyword  ks ratio beta map array hash id first sort tilt small large
 syn match tsimKeyword /\<units\>/ 
 syn match tsimKeyword /\<lattice\>/ 
 syn match tsimKeyword /\<box\>/ 
