@@ -95,6 +95,8 @@ static enum ts_status element_of_vector(struct ts_expr *e, struct ts_variable *v
 	/* with -check a list that a run would fill is empty, or has unknown numbers */
 	bool open = k == OPEN_INDEX || (status == TS_OK && !table.rows && ts_unknown(e->sim, NAN));
 
+	/* rows of chunks, say, are counted in a run */
+	open |= status == TS_OK && !table.rows && ts_unknown_read(e->formulas, variable->name);
 	for (size_t i = 0; i < table.rows; i++)
 		open |= ts_unknown(e->sim, table.data[i]) && (size_t)k > table.rows;
 	if (status == TS_OK && open)

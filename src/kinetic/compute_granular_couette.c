@@ -23,7 +23,7 @@ struct state {
 	struct tsim *sim;
 	struct ts_sheared_film film;
 	double solved_for[NUMBERS];
-	bool solved, warned;
+	bool solved, warned, told;
 };
 
 /* ---- arguments to film ---- */
@@ -133,12 +133,38 @@ static enum ts_status solve(struct ts_instance *self)
 	return TS_OK;
 }
 
+/* Whether a compute of this style stands before this one in the script. */
+static bool is_another(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_instances *list = &sim->instances[TS_KIND_COMPUTE];
+
+	for (size_t k = 0; k < list->n && list->item[k] != self; k++)
+		if (list->item[k]->style == self->style)
+			return true;
+	return false;
+}
+
+/* -explain: what the theory leaves out, told by the first compute. */
+static void explain(struct ts_instance *self, struct state *s, struct tsim *sim)
+{
+	if (!sim->reading.explain || sim->reading.check || s->told || is_another(self, sim))
+		return;
+	s->told = true;
+	ts_log(&sim->log,
+	       "\nCompute granular/couette:\n"
+	       "  left out by kinetic theory: single grains and their layers at the walls, contacts that "
+	       "last, collisions of more than two,\n"
+	       "  correlations of velocities, gradients beyond the first, changes in time%s\n",
+	       s->friction > 0 ? "" : ", friction of the grains");
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	bool constant = true;
 
 	s->sim = sim;
+	explain(self, s, sim);
 	TS_TRY(set_gas(self, s));
 	TS_TRY(set_wall(self, s, 0));
 	TS_TRY(set_wall(self, s, 1));
