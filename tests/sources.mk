@@ -84,6 +84,7 @@ shell_tests = \
 	tests/examples/flow_bodies.sh \
 	tests/examples/flow_cases.sh \
 	tests/examples/grains.sh \
+	tests/examples/granular_film.sh \
 	tests/examples/polishing.sh \
 	tests/explain/info.sh \
 	tests/explain/price.sh \

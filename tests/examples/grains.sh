@@ -19,7 +19,7 @@ results 'a sheared gas' in.sheared_gas 2 -var n 216 -var nu 0.3 -var e 0.8 -var 
 awk '$1 == 0.3 { n++; if ($10 <= $11) bad = 1 } END { exit bad || n != 1 }' post/sheared_gas.txt
 report 'fluctuations are larger along the flow' $? post/sheared_gas.txt
 results 'dense discs' in.rheology 2 -var n 100 -var strain 3 -var phi 0.74 -var kn 2e5 -var tolerance 0.035
-results 'a film' in.grains 5 -var length 5 -var depth 5 -var relax 8 -var average 12 -var R 0.7
+results 'a film' in.grains 5 -var L 5 -var depth 5 -var relax 8 -var average 12 -var R 0.7
 # the lower plate drags the grains, which slip at both; as many as there should be
 awk '$1 !~ /^#/ { n++; u[n] = $2; sum += $3; if ($4 <= 0 || $5 <= 0) bad = 1 }
 	END { exit bad || n != 10 || u[1] > 0.95 || u[1] < 0.6 || u[10] < 0.05 || u[10] > 0.4 || sum/n < 0.999 || sum/n > 1.001 }' post/profile_dem.txt
