@@ -4,7 +4,7 @@ error='relative error of the volume'
 reference='groove: closed form; rebound: impact exact with steps of 3 ns (its own tolerance is 1e-10)'
 setting='time step (ns)'
 kind=Grains
-budget=30
+budget=20
 pick='`impact exact` of `fix wall/gran`: the volume does not depend on the time step, which follows the flight. Contacts last some
 20 ns: resolved, they need steps of 0.4 ns for an error of 2e-5 in the groove, which depends on the contact itself, and of 1e-3 after a
 rebound with friction, to which smaller steps converge with order one. The flight is 0.2 mm here; over the 10 mm of a real jet resolved

@@ -5,7 +5,7 @@ reference='sub-step contact detection with 1600 steps per contact; velocities: r
 setting='steps per contact'
 also='steps per contact'
 kind=Grains
-budget=30
+budget=20
 pick='`located yes`, for the pair style and for walls, if the trajectories or the dissipated energy of collisions are important.
 With 25 steps per contact the error is that of 200 to 400 steps without, in half the processor time or less, although a step costs 1.3
 to 3.5 times as much (most for models with a vectorised loop of their own). With `tangential history` and its dashpot the

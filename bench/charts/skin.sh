@@ -5,7 +5,7 @@ error='relative difference of positions'
 reference='a skin of 0.2 diameters'
 setting='skin / grain diameter'
 price='skin / grain diameter'
-budget=25
+budget=15
 deck=$here/collapse.in
 pick='any value if all faces are fixed, because each search chooses a skin suitable for the present speeds. With other faces,
 and if lost particles are ignored, the skin is at most the given one: use 0.2 diameters or more. The skin affects only the computing
