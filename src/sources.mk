@@ -717,6 +717,7 @@ library_sources = \
 	src/law/erosion_neilson.h \
 	src/law/erosion_oka.h \
 	src/law/erosion_zhao_chang.h \
+	src/law/foundation.h \
 	src/law/granular.h \
 	src/law/granular_force.h \
 	src/law/granular_limit.h \
@@ -1160,6 +1161,8 @@ library_sources = \
 	src/wall/surface_contacts.h \
 	src/wall/surface_rows.c \
 	src/wall/surface_rows.h \
+	src/wall/voxel_foundation.c \
+	src/wall/voxel_foundation.h \
 	src/wall/voxel_wall.c \
 	src/wall/voxel_wall.h \
 	src/wall/voxel_wall_queue.c \

@@ -182,6 +182,7 @@ shell_tests = \
 	tests/stability/guard.sh \
 	tests/stability/refusal.sh \
 	tests/thermo/thermo.sh \
+	tests/voxel/foundation.sh \
 	tests/voxel/voxel_dumps.sh \
 	tests/voxel/voxel_heights.sh \
 	tests/voxel/voxel_walls.sh \

@@ -4,6 +4,7 @@
 #include "core/report.h"
 #include "energy/ledger.h"
 #include "io/textfile.h"
+#include "wall/wall.h"
 
 #include "base/banned.h"
 
@@ -208,11 +209,29 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return write_row(self, sim);
 }
 
+/* The energy of a surface that is a spring under particles is in no store. */
+static enum ts_status check_walls(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_instance *by;
+	const struct ts_wall *w;
+	size_t k = 0;
+
+	while ((w = ts_walls_next(sim, &k, &by)))
+		if (w->yields)
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix energy/ledger: the surface of wall %s is a spring under "
+				       "particles (`winkler` of fix surface/voxel), whose energy is not "
+				       "known",
+				       by->id);
+	return TS_OK;
+}
+
 static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ledger *s = self->state;
 	size_t numbers = TS_LEDGER_COLUMN;
 
+	TS_TRY(check_walls(self, sim));
 	for (size_t a = 0; a < s->books.nactors; a++)
 		numbers += s->books.actor[a].pushes ? TS_CAUSE_NUMBERS : 0;
 	ts_report_line(report, "energy ledger", "%zu bytes per particle", numbers * sizeof(double));

@@ -478,6 +478,10 @@ static const struct ts_arg args[] = {
 		.help = "whether contact points within the contact area of a deeper one belong to it"),
 	TS_REAL("temperature", struct state, surface.temperature, .flags = TS_OPTIONAL, .unit = "temperature",
 		.help = "for fix heat/gran"),
+	TS_REAL("winkler", struct state, surface.winkler, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+		.unit = "pressure/length",
+		.help = "stiffness of the columns per area: each is a spring under a particle; default: they "
+			"are rigid"),
 	TS_SOME_KEYWORD("move", struct state, move_words, TS_STATEFUL,
 			.help = "`linear Vx Vy Vz`: velocity; `wiggle Ax Ay Az T`: displacement A sin(2 pi "
 				"t/T)"),
@@ -544,8 +548,21 @@ static const char doc[] =
 	"The field is periodic along an axis along which it spans a periodic box. Elsewhere it ends with "
 	"side faces. In a box that is periodic along the heights a `base` is needed.\n\n"
 	"The time t of `move` counts from the definition of the fix. Fixes wear/... with `evolve yes` lower "
-	"the columns. Restart files contain the heights.\n\n"
-	"Related: fix wall/gran, fix mesh/surface, dump voxel/vtk.";
+	"the columns. Restart files contain the heights.";
+
+static const char *const doc_more[] = {
+	"With `winkler K` each column is a spring under a particle, K times its cross-section stiff: the "
+	"Winkler foundation of compute surface/contact. Contact law and spring are in series, and the top is "
+	"in balance at any time: the point of contact goes back by u along the axis of the heights, where\n\n"
+	"  K A u = F_n(delta) n_a,\n\n"
+	"delta being the overlap with the deflected point and n_a the component of the normal. Without "
+	"damping no energy is lost; damping acts on the rate of delta. At sides, n_a = 0, columns are rigid. "
+	"Springs do not know of each other: each contact has that of a whole column, and other columns are "
+	"where they are without load; so is the surface for all other styles. The contact is softer than "
+	"without `winkler`, so the same time step is stable. It needs a law of type hooke or hertz; `impact "
+	"exact` and fix energy/ledger are refused.",
+	"Related: fix wall/gran, fix mesh/surface, dump voxel/vtk, compute surface/contact.", NULL
+};
 
 TS_STYLE(fix, ts_style, ts_fix_surface_voxel)
 const struct ts_style ts_fix_surface_voxel = {
@@ -553,6 +570,7 @@ const struct ts_style ts_fix_surface_voxel = {
 	.kind = TS_KIND_FIX,
 	.summary = "A height field of columns: from a formula, a file, an image, or random",
 	.doc = doc,
+	.doc_more = doc_more,
 	.example = "fix flat all surface/voxel constant 0.0 type 1 cells 100 100\n"
 		   "variable cx internal 0\nvariable cy internal 0\nvariable height equal "
 		   "0.2*v_cx+0.1*sin(v_cy)\n"

@@ -15,6 +15,7 @@ struct ts_voxel_surface {
 	int64_t type;		     /* particle type whose material it has */
 	bool merges;		     /* contact points within one contact area are one contact */
 	double temperature;	     /* for fix heat/gran; NaN: it conducts no heat */
+	double winkler;		     /* stiffness of the columns, pressure/length; NaN: they are rigid */
 	double shift[3];	     /* displacement from the reference position, length */
 	double velocity[3];	     /* of the surface */
 	/* upper bound of the displacement since the last rebuild, length; infinite: columns have grown */

@@ -5,6 +5,7 @@
 #include "box/domain.h"
 #include "math/vec3.h"
 #include "neigh/neigh.h"
+#include "wall/voxel_foundation.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_queue.h"
 
@@ -285,6 +286,8 @@ static void compute_point(const struct force_task *t, struct ts_wall_queue *q, s
 	own[TS_VOXEL_COLUMN] = t->vw->column[at];
 	for (int d = 0; d < 3; d++)
 		own[TS_VOXEL_NORMAL + d] = from->n[d];
+	if (!isnan(s->winkler))
+		ts_voxel_foundation_yield(s, q, k, &point);
 	ts_wall_enqueue_contact(q, k, &point);
 }
 

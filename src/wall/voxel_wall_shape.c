@@ -4,6 +4,7 @@
 #include "box/domain.h"
 #include "math/vec3.h"
 #include "voxel/voxel_recede.h"
+#include "wall/voxel_foundation.h"
 #include "wall/voxel_wall.h"
 #include "wall/voxel_wall_queue.h"
 
@@ -30,6 +31,7 @@ static enum ts_status find(struct ts_instance *self, struct tsim *sim)
 	vw->surface = surface;
 	vw->by = ts_sim_find(sim, TS_KIND_FIX, vw->id);
 	w->warm = !isnan(surface->temperature);
+	w->yields = !isnan(surface->winkler);
 	return ts_wall_check_type(self, sim, surface->type, vw->id);
 }
 
@@ -162,6 +164,7 @@ const struct ts_wall_shape ts_voxel_wall_shape = {
 	.solid = true,
 	.given = given,
 	.find = find,
+	.check_law = ts_voxel_foundation_check,
 	.release = release,
 	.surfaces = ts_wall_one_surface,
 	.fix = fix_of_surface,
@@ -182,4 +185,5 @@ const struct ts_wall_shape ts_voxel_wall_shape = {
 	.gap = ts_voxel_wall_gap,
 	.name = name_column,
 	.exact = &ts_voxel_wall_exact,
+	.not_exact = ts_voxel_foundation_not_exact,
 };

@@ -379,6 +379,8 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, struct t
 	const struct ts_wall *w = self->state;
 	size_t n = ts_wall_surfaces(w);
 
+	if (w->shape->check_law)
+		TS_TRY(w->shape->check_law(self, sim));
 	if (w->shape->plan)
 		w->shape->plan(self, sim);
 	for (size_t k = 0; k < n; k++)

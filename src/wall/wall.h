@@ -84,6 +84,7 @@ struct ts_wall {
 					  * type of the particle] */
 	bool warm;			 /* a part of the wall has a temperature; set in init */
 	bool moves;			 /* a primitive wall that moves along its normal; set in init */
+	bool yields;			 /* its surface is a spring under particles; set in init */
 	struct ts_heat_contact area;	 /* area for heat conduction */
 	double *conductivity;		 /* 4 k k'/(k + k'), same shape as `law` */
 	int ntypes;

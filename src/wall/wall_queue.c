@@ -71,6 +71,15 @@ void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k
 	}
 }
 
+void ts_wall_queue_touch(const struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *point,
+			 struct ts_touch *t)
+{
+	struct ts_wall_ends ends;
+
+	load_ends(q->sim->particles, (size_t)q->w->contacts.row[k], point, &ends);
+	ts_wall_ends_touch(&ends, q->model, t);
+}
+
 /* ---- results of the contact law */
 
 /* The fourth components: overlap, R*, unused. */

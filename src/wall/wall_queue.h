@@ -32,6 +32,9 @@ static inline bool ts_wall_touches(const struct ts_wall_queue *q, size_t k,
 /* Queues contact k, which touches at this contact point: its force and torque act on the particle, the
  * opposite force on the wall. */
 void ts_wall_enqueue_contact(struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *point);
+/* The input of the contact law for contact k at this contact point. */
+void ts_wall_queue_touch(const struct ts_wall_queue *q, size_t k, const struct ts_wall_contact_point *point,
+			 struct ts_touch *t);
 /* Computes the contacts that are queued. */
 void ts_wall_queue_end(struct ts_wall_queue *q);
 

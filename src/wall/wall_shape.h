@@ -50,8 +50,10 @@ struct ts_wall_shape {
 
 	/* Number of words of the line that ask for this shape; more than 1 is an error. */
 	int (*given)(const void *geometry);
-	/* In init, which is called again before each run: resolves the words; sets w->warm and w->moves. */
+	/* In init, which is called again before each run: resolves the words; sets w->warm, w->moves and w->yields. */
 	enum ts_status (*find)(struct ts_instance *self, struct tsim *sim);
+	/* Before a run: fails if walls of this shape cannot have the contact law. NULL: they have any. */
+	enum ts_status (*check_law)(struct ts_instance *self, struct tsim *sim);
 	/* Warnings before a run. NULL: none. */
 	void (*plan)(struct ts_instance *self, struct tsim *sim);
 	/* Saved state, also of a shape that the wall does not have. NULL: none. */
