@@ -215,6 +215,9 @@ report 'its table' $? post/paml.txt
 "$TSIM" -in in.paml -log none -var pads 1 -var settle 1e-7 -var block 1e-7 -var blocks 1 -var lubrication yes \
 	-var spread 0 >out 2>&1 && shows 'in the gap' out
 report 'with lubrication, equal particles' $? out
+"$TSIM" -in in.paml -log none -var pads 1 -var settle 1e-7 -var block 1e-7 -var blocks 1 -var stiffer 1 >out 2>&1 &&
+	shows 'in the gap' out
+report 'columns as springs' $? out
 cd ..
 
 # ---- refused ----

@@ -53,6 +53,13 @@ done
 # springs in series
 agree linear "$(step 'hooke 2e5 NULL 0 NULL 0 0' 'winkler 1e6' -0.6 1.2 "run 0
 print \"is force \$(-f_w[3]:%.17g) \$((1.25-1.2)/(1/2e5+1/(1e6*0.2)):%.17g)\"")"
+agree hooke "$(step 'model hooke tangential history' 'winkler 1e6' -0.6 1.2 "fix v all property/global characteristicVelocity scalar 2
+run 0
+$constants
+variable a equal 0.5*v_E
+variable m equal 2385*4/3*PI*0.25^3
+variable k equal 16/15*v_a*(15/16*v_m*4/v_a)^0.2
+print \"is force \$(-f_w[3]:%.17g) \$((1.25-1.2)/(1/v_k+1/(1e6*0.2)):%.17g)\"")"
 # at an edge the column goes down, and the normal turns; with 3e4 it leaves the sphere by most of its overlap
 for K in 3e4 3e7; do
 	agree "edge, $K" "$(step "$hertz" "winkler $K" 0.1 1.12 "run 0
