@@ -18,7 +18,7 @@ struct ts_lanes {
 
 /* Whether there are lanes for these options; if not, blocks are updated one after the other. */
 bool ts_lanes_suit(const struct ts_laws *laws);
-void ts_lanes_update(struct ts_automaton_lattice *l, const struct ts_laws *laws, struct ts_lanes *lanes,
+void ts_lanes_update(struct ts_automaton_lattice *l, const struct ts_laws *laws, const struct ts_lanes *lanes,
 		     struct ts_automaton_count *count);
 
 #endif
