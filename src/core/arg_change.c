@@ -108,12 +108,15 @@ static const struct ts_place *place_of_argument(const struct comparison *c, cons
 static enum ts_status refuse_change(const struct comparison *c, const struct ts_arg *row, bool was, bool is)
 {
 	const char *kind = ts_kind_name(c->inst->style->kind);
+	const bool has_id = c->inst->id && *c->inst->id;
 
 	return ts_fail(&c->sim->error, TS_STATE, place_of_argument(c, row),
 		       "%s: %s is '%s' here but '%s' in the restart file, and the saved state is valid only "
-		       "with that; use it again, or give this %s another id to start without that state",
+		       "with that; use it again, or %s%s%s",
 		       c->what, row->name, is ? ts_str_text(&c->now) : "not given",
-		       was ? ts_str_text(&c->before) : "not given", kind);
+		       was ? ts_str_text(&c->before) : "not given",
+		       has_id ? "give this " : "start without a restart file", has_id ? kind : "",
+		       has_id ? " another id to start without that state" : "");
 }
 
 static enum ts_status compare_argument(struct comparison *c, const struct ts_arg *row)

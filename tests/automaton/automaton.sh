@@ -131,6 +131,16 @@ variable n equal 38*c_p[1][4]
 print \"granules \$(c_p), cells \$(abs(v_n-round(v_n))<1e-9)\"" 'granules 223, cells 1'
 done
 
+# an automaton has no id to change: the refusal names what can be done
+scene order blocks | sed '/^units/d; /^dimension/d; /^boundary/d; /^region box/d; /^create_box/d; /^timestep/d' >changed
+refuses_text() {
+	printf 'read_restart part.restart\n%s\nrun 1\n' "$(sed 's/cell 0.1/cell 0.2/' changed)" >in.changed
+	"$TSIM" -in in.changed -log none >out 2>&1
+	grep -q 'or start without a restart file' out && ! grep -q 'another id' out
+}
+refuses_text
+report 'a changed argument: what to do' $? out
+
 # a picture, read back: size, and the colours of wall, empty cell and granule
 if has python3; then
 	printf '%s\n' "$(scene)" 'dump d all automaton/png 5 frame*.png scale 3' 'dump v all automaton/vtk 5 frame*.vti' \
