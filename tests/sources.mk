@@ -35,6 +35,7 @@ shell_tests = \
 	tests/coupling/couple_cfd.sh \
 	tests/coupling/coupling.sh \
 	tests/coupling/lubrication.sh \
+	tests/coupling/lubrication_walls.sh \
 	tests/coupling/momentum.sh \
 	tests/crosscheck/bridges.sh \
 	tests/crosscheck/data_files.sh \

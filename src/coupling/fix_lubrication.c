@@ -1,4 +1,4 @@
-/* Fix lubrication: forces of thin layers of fluid between particles, and between particles and planes. */
+/* Fix lubrication: forces of thin layers of fluid between particles, and between particles and walls. */
 #include "law/lubrication.h"
 
 #include <inttypes.h>
@@ -6,10 +6,12 @@
 #include "base/alloc.h"
 #include "base/parallel.h"
 #include "core/report.h"
+#include "mesh/mesh_motion.h"
 #include "neigh/neigh.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 #include "wall/primitive_wall.h"
+#include "wall/wall.h"
 
 #include "base/banned.h"
 
@@ -17,7 +19,7 @@ struct state {
 	struct ts_lubrication law;
 	struct ts_words walls;
 
-	const struct ts_primitive_wall **wall; /* [walls.n] Owned */
+	const struct ts_wall **wall; /* [walls.n] Owned */
 	size_t wall_capacity;
 	/* pairs whose gap may become less than `outer` before the next rebuild */
 	struct ts_contact_list pairs;
@@ -37,11 +39,58 @@ static enum ts_status check_impacts(struct tsim *sim, const struct ts_word *word
 		       word->text);
 }
 
-static enum ts_status find_wall(struct tsim *sim, const struct ts_word *word,
-				const struct ts_primitive_wall **out)
+/* Whether the fix makes or moves this surface, and integrates its motion under the forces on it. */
+static bool is_driven_by(const struct ts_instance *fix, const struct ts_instance *surface)
+{
+	const struct ts_style *style = fix->style;
+
+	if (fix == surface)
+		return style->hook[TS_STAGE_INITIAL_INTEGRATE] && style->hook[TS_STAGE_FINAL_INTEGRATE];
+	return style->family && ts_streq(style->family, TS_FAMILY_MESH_MOVER) &&
+	       style->hook[TS_STAGE_FINAL_INTEGRATE] &&
+	       ts_streq(((const struct ts_mesh_mover *)fix->state)->mesh, surface->id);
+}
+
+/* A surface does not get the reaction of the layers: its motion must not depend on the forces on it. */
+static enum ts_status check_motion(struct tsim *sim, const struct ts_word *word, const struct ts_wall *wall)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < ts_wall_surfaces(wall); k++) {
+		const struct ts_instance *surface = ts_wall_surface(wall, k);
+
+		for (size_t m = 0; m < fixes->n; m++)
+			if (surface != wall->by && is_driven_by(fixes->item[m], surface))
+				return ts_fail(&sim->error, TS_STATE, &word->place,
+					       "fix lubrication: surface %s of the wall %s moves under the "
+					       "forces on it (fix %s %s), which do not include those of "
+					       "lubrication; use a prescribed motion (fix move/mesh)",
+					       surface->id, word->text, fixes->item[m]->style->name,
+					       fixes->item[m]->id);
+	}
+	return check_impacts(sim, word, wall);
+}
+
+/* A wall of planes, a height field or meshes. */
+static enum ts_status check_shape(struct tsim *sim, const struct ts_word *word, const struct ts_wall *wall)
+{
+	const struct ts_primitive_wall *primitive = ts_primitive_wall_of(wall);
+	bool near = wall->shape->near != NULL;
+	struct ts_primitive_plane plane;
+
+	for (int k = 0; primitive && k < primitive->n; k++)
+		near &= ts_primitive_wall_plane(sim, primitive, k, &plane);
+	if (near)
+		return check_motion(sim, word, wall);
+	return ts_fail(&sim->error, TS_STATE, &word->place,
+		       "fix lubrication: the wall %s is not made of planes (xplane, yplane, zplane), a "
+		       "height field or meshes; lubrication at cylinders and regions is not supported",
+		       word->text);
+}
+
+static enum ts_status find_wall(struct tsim *sim, const struct ts_word *word, struct ts_wall **out)
 {
 	const struct ts_instance *fix = ts_sim_find(sim, TS_KIND_FIX, word->text);
-	struct ts_primitive_plane plane;
 
 	if (!fix)
 		return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
@@ -51,16 +100,8 @@ static enum ts_status find_wall(struct tsim *sim, const struct ts_word *word,
 		return ts_fail(&sim->error, TS_STATE, &word->place,
 			       "fix lubrication: fix %s is no wall, but of style %s", word->text,
 			       fix->style->name);
-	*out = ts_primitive_wall_of(fix->state);
-	for (int k = 0; *out && k < (*out)->n; k++)
-		if (!ts_primitive_wall_plane(sim, *out, k, &plane))
-			*out = NULL;
-	if (*out)
-		return check_impacts(sim, word, fix->state);
-	return ts_fail(&sim->error, TS_STATE, &word->place,
-		       "fix lubrication: the wall %s is not made of planes (xplane, yplane, zplane); "
-		       "lubrication at cylinders, meshes and height fields is not supported",
-		       word->text);
+	*out = fix->state;
+	return check_shape(sim, word, *out);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -74,7 +115,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (TS_GROW(s->wall, s->wall_capacity, s->walls.n) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->walls.n; k++) {
-		TS_TRY(find_wall(sim, &s->walls.word[k], &s->wall[k]));
+		struct ts_wall *wall = NULL;
+
+		TS_TRY(find_wall(sim, &s->walls.word[k], &wall));
+		wall->look = fmax(wall->look, s->law.outer);
+		s->wall[k] = wall;
 		for (size_t l = 0; l < k; l++)
 			if (s->wall[l] == s->wall[k])
 				return ts_fail(&sim->error, TS_SYNTAX, &s->walls.word[k].place,
@@ -157,25 +202,36 @@ static void add_pair(const struct task *t, size_t i, size_t j, struct sums *out)
 	add_layer(t, i, &c, p->imass[j], out);
 }
 
-static void add_planes(const struct task *t, size_t i, const struct ts_primitive_wall *wall, struct sums *out)
+struct at_wall {
+	const struct task *t;
+	size_t i;
+	struct sums *out;
+};
+
+static void add_point(void *context, const struct ts_wall_near_point *point)
+{
+	const struct at_wall *at = context;
+	const struct ts_particles *p = at->t->sim->particles;
+	struct ts_lubrication_pair c = { .radius = { p->radius[at->i], INFINITY } };
+
+	ts_scale(1, point->n, c.n);
+	c.gap = point->distance - c.radius[0];
+	ts_sub(p->v[at->i], point->velocity, c.v);
+	ts_scale(1, p->omega[at->i], c.omega[0]);
+	add_layer(at->t, at->i, &c, 0, at->out);
+}
+
+static void add_wall(const struct task *t, size_t i, const struct ts_wall *wall, struct sums *out)
 {
 	const struct ts_particles *p = t->sim->particles;
-	struct ts_primitive_plane plane;
+	struct at_wall at = { t, i, out };
 
-	for (int k = 0; k < wall->n && ts_primitive_wall_plane(t->sim, wall, k, &plane); k++) {
-		struct ts_lubrication_pair c = { .radius = { p->radius[i], INFINITY } };
-		double height = p->x[i][plane.dim] - plane.position;
-
-		c.n[plane.dim] = height < 0 ? -1 : 1;
-		c.gap = fabs(height) - c.radius[0];
-		ts_sub(p->v[i], plane.velocity, c.v);
-		ts_scale(1, p->omega[i], c.omega[0]);
-		add_layer(t, i, &c, 0, out);
-	}
+	if (ts_in_group(p, i, wall->by->group))
+		wall->shape->near(wall, t->sim, i, p->radius[i] + t->s->law.outer, add_point, &at);
 }
 
 /* Pairs in the order of the identities of the partners, so that sums depend neither on threads nor on the order of
- * particles in memory; then planes in the order of the line. */
+ * particles in memory; then walls in the order of the line. */
 static void sum_layers(const struct task *t, size_t i, struct sums *out)
 {
 	const struct ts_contact_list *pairs = &t->s->pairs;
@@ -190,7 +246,7 @@ static void sum_layers(const struct task *t, size_t i, struct sums *out)
 		add_pair(t, i, (size_t)(g->entry[k] & 1 ? pairs->i[r] : pairs->j[r]), out);
 	}
 	for (size_t k = 0; k < t->s->walls.n; k++)
-		add_planes(t, i, t->s->wall[k], out);
+		add_wall(t, i, t->s->wall[k], out);
 }
 
 /* ---- forces */
@@ -346,7 +402,8 @@ static const struct ts_arg args[] = {
 	TS_REAL("outer", struct state, law.outer, .range = TS_POSITIVE, .unit = "length",
 		.help = "gap from which on there is no force"),
 	TS_SOME_KEYWORD("walls", struct state, walls, TS_REPEAT,
-			.help = "IDs of fixes wall/gran made of planes; without: no walls"),
+			.help = "IDs of fixes wall/gran made of planes, height fields or meshes; without: no "
+				"walls"),
 	TS_ARGS_END,
 };
 
@@ -372,11 +429,23 @@ static const char *const doc_more[] = {
 	"For equal spheres the 1/h and the slip term are those of LAMMPS' pair lubricate (log 1), whose "
 	"rolling term is a quarter of C. C is that of Jeffrey and Onishi; the solution of Reynolds' equation "
 	"for counter-rotating spheres gives the same.",
-	"The walls are fixes wall/gran primitive with xplane, yplane or zplane, which must be defined "
-	"before; their motion (wiggle, shear, velocity) counts. Cylinders, meshes, height fields and "
-	"regions, walls with `impact exact`, and members of rigid bodies are refused. The force is not part "
-	"of the force on the wall, f_ID of its fix, nor of stresses of contacts (compute pressure, compute "
-	"stress/atom).",
+	"The walls are fixes wall/gran with xplane, yplane or zplane, voxels, or meshes, which must be "
+	"defined before; their motion (wiggle, shear, velocity, `move` of the field, fix move/mesh) counts "
+	"by the velocity of the surface at its point nearest to the particle. Particles that are not in the "
+	"group of the wall, or of the fix of its surface, have no layers there. Cylinders, regions, walls "
+	"with `impact exact`, and members of rigid bodies are refused. The force is not part of the force on "
+	"the wall, f_ID of its fix, nor of that on a mesh (fix mesh/surface/stress), nor of stresses of "
+	"contacts (compute pressure, compute stress/atom). So meshes that move under the forces on them (fix "
+	"move/mesh/free, fix mesh/surface/stress/servo) are refused.",
+	"Height fields and meshes: each point of the surface at which the distance from the centre of the "
+	"particle has a local minimum, and is less than its radius plus `outer`, has a layer: with one face "
+	"one layer, at the bottom of a groove one for each face. A surface that is flat has one, wherever "
+	"the particle is above its columns or triangles, and the force is that of the plane (triangles of "
+	"one mesh; where flat meshes meet, each has its own). Inside a face the force is that of the plane "
+	"of the face as if it were infinite. At an edge or corner the formulas of the plane are used with "
+	"the normal from the nearest point: an approximation, which is too large, since fluid escapes more "
+	"easily there; so is the sum over steps or asperities within the area of a layer, of radius sqrt(2 R "
+	"h). Immobile particles have no layers at meshes.",
 	"The force is explicit and stiff: a layer slows down a particle of mass m at the rate 6 pi mu R^2/(h "
 	"m). Velocity Verlet is stable for steps below 2/rate, with the rate the largest sum over the layers "
 	"of a particle (an upper bound of the rates of the system, exact for two spheres and for a sphere at "
@@ -393,7 +462,7 @@ const struct ts_style ts_fix_lubrication = {
 	.name = "lubrication",
 	.kind = TS_KIND_FIX,
 	.summary =
-		"forces of thin layers of viscous fluid between particles, and between particles and planes",
+		"forces of thin layers of viscous fluid between particles, and between particles and walls",
 	.doc = "Two spheres of radii a and b, or a sphere and a plane (b infinite), with the gap h < `outer` "
 	       "between their surfaces, get the leading forces and torques of a closing gap. With R = ab/(a "
 	       "+ b), n the normal and v_n the normal velocity of separation, the squeeze flow gives\n\n"

@@ -7,8 +7,11 @@ struct search {
 	double x[3];		      /* along the axes of the field */
 	double aside;		      /* reach across the axis of the heights, for the highest column */
 	double reach, reach2;	      /* reach2: its square, enlarged by more than rounding */
-	struct ts_voxel_contact *out; /* NULL: only the nearest point is needed */
+	bool all;		      /* false: only the nearest point is needed */
+	struct ts_voxel_contact *out; /* [most] of all */
 	size_t n, most;
+	ts_voxel_contact_fn *take; /* NULL, or called for each */
+	void *context;
 	double least2;	    /* square of the least distance found, */
 	int64_t nearest[2]; /* its column, */
 	double from[3];	    /* and the vector from that point to x, along the axes of the field */
@@ -87,6 +90,12 @@ static void add_contact(struct search *s, int64_t i, int64_t j, const double r[3
 
 	if (!(distance < s->reach))
 		return;
+	if (s->take) {
+		struct ts_voxel_contact c;
+
+		set_contact(s, i, j, r, distance, &c);
+		s->take(s->context, &c);
+	}
 	if (s->n++ < s->most)
 		set_contact(s, i, j, r, distance, &s->out[s->n - 1]);
 }
@@ -113,7 +122,7 @@ static void visit_column(struct search *s, int64_t i, int64_t j)
 	r2 = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
 	if (!(r2 < s->reach2))
 		return;
-	if (!s->out)
+	if (!s->all)
 		keep_nearest(s, i, j, r, r2);
 	else if (!is_covered(s, i, j, &near))
 		add_contact(s, i, j, r);
@@ -257,10 +266,22 @@ size_t ts_voxel_contacts(const struct ts_voxel_field *f, const double x[3], doub
 {
 	struct search s = start_search(f, x, reach);
 
+	s.all = true;
 	s.out = out;
 	s.most = most;
 	visit_all(&s);
 	return s.n;
+}
+
+void ts_voxel_contacts_visit(const struct ts_voxel_field *f, const double x[3], double reach,
+			     ts_voxel_contact_fn *take, void *context)
+{
+	struct search s = start_search(f, x, reach);
+
+	s.all = true;
+	s.take = take;
+	s.context = context;
+	visit_all(&s);
 }
 
 double ts_voxel_distance(const struct ts_voxel_field *f, const double x[3], double reach)

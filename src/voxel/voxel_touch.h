@@ -37,6 +37,10 @@ struct ts_voxel_contact {
  * depends on the field and x alone. Returns their number, and stores the first `most` of them. */
 size_t ts_voxel_contacts(const struct ts_voxel_field *f, const double x[3], double reach,
 			 struct ts_voxel_contact *out, size_t most);
+/* The same for any number of them: calls `take` for each. */
+typedef void ts_voxel_contact_fn(void *context, const struct ts_voxel_contact *contact);
+void ts_voxel_contacts_visit(const struct ts_voxel_field *f, const double x[3], double reach,
+			     ts_voxel_contact_fn *take, void *context);
 /* Distance of x from the solid, 0 inside of it; infinite if it is not less than `reach`. */
 double ts_voxel_distance(const struct ts_voxel_field *f, const double x[3], double reach);
 /* Finds the point of the solid nearest to x, which may be no contact point if x is in the solid (distance 0, no

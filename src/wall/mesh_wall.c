@@ -79,7 +79,8 @@ static enum ts_status add_contact(struct tsim *sim, struct ts_wall *w, struct ts
 		code = 3 * code + modulo3(p->image[f->i][d] % 3 + f->shift[d]);
 	if (TS_GROW(mw->near, mw->near_capacity, k + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	if (ts_wall_long_ranged(w, sim) && TS_GROW(mw->place, mw->place_capacity, k + 1) != TS_OK)
+	if ((ts_wall_long_ranged(w, sim) || w->look > 0) &&
+	    TS_GROW(mw->place, mw->place_capacity, k + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	mw->near[k] = (struct ts_mesh_near){
 		f->mesh,
@@ -201,7 +202,9 @@ static void search_range(void *context, size_t from, size_t to)
 			for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++)
 				if (is_candidate(s, mesh, i))
 					find_images(s->sim, s->mw, mesh, i,
-						    pulls ? ts_wall_reach(s->w, s->sim, p->radius[i]) : 0,
+						    fmax(s->w->look,
+							 pulls ? ts_wall_reach(s->w, s->sim, p->radius[i])
+							       : 0),
 						    share);
 		for (size_t mesh = 0; mesh < s->mw->nmeshes && share->vicinity; mesh++)
 			ts_free(share->vicinity[mesh].leaf.item);

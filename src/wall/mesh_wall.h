@@ -59,8 +59,8 @@ struct ts_mesh_wall {
 
 	struct ts_mesh_part_of_wall *mesh;
 	size_t nmeshes;
-	struct ts_mesh_near *near;	   /* [contacts] */
-	struct ts_mesh_place *place;	   /* [contacts], if the law acts at a distance; else NULL */
+	struct ts_mesh_near *near;   /* [contacts] */
+	struct ts_mesh_place *place; /* [contacts], if the law acts at a distance or w->look > 0; else NULL */
 	struct ts_mesh_neighbor *neighbor; /* [nneighbors] */
 	size_t nneighbors, near_capacity, place_capacity, neighbor_capacity;
 	double length[3]; /* of the box at the last force computation */

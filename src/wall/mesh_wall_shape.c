@@ -3,6 +3,7 @@
 
 #include "mesh/mesh_distance.h"
 #include "mesh/mesh_recede.h"
+#include "wall/mesh_stick.h"
 #include "wall/mesh_wall.h"
 #include "wall/mesh_wall_queue.h"
 
@@ -58,6 +59,7 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim, st
 	size_t first = 0;
 
 	release_trees(mw);
+	mw->nneighbors = 0; /* until they are listed again */
 	if (!mw->mesh)
 		mw->mesh = ts_arena_alloc(&self->arena, mw->names.n, sizeof *mw->mesh);
 	if (!mw->mesh)
@@ -186,6 +188,45 @@ static void name_triangle(const struct ts_wall *w, size_t k, struct ts_str *out)
 	ts_str_addf(out, ", triangle %d of mesh %s", near->triangle + 1, mw->mesh[near->mesh].by->id);
 }
 
+/* The triangles near particle i, which are listed by particle; NULL: none. */
+static const struct ts_mesh_neighbor *find_neighbor(const struct ts_mesh_wall *mw, size_t i)
+{
+	size_t lo = 0, hi = mw->nneighbors;
+
+	while (lo < hi) {
+		size_t mid = (lo + hi) / 2;
+
+		if (mw->neighbor[mid].i < i)
+			lo = mid + 1;
+		else
+			hi = mid;
+	}
+	return lo < mw->nneighbors && mw->neighbor[lo].i == i ? &mw->neighbor[lo] : NULL;
+}
+
+static void near_points(const struct ts_wall *w, const struct tsim *sim, size_t i, double reach,
+			ts_wall_near_fn *take, void *context)
+{
+	const struct ts_mesh_wall *mw = ts_mesh_wall_of(w);
+	const struct ts_mesh_neighbor *v = find_neighbor(mw, i);
+
+	if (!v || mw->place_capacity < w->contacts.n)
+		return;
+	ts_mesh_places(sim, mw, v, reach - v->radius);
+	for (size_t k = v->first; k < v->first + v->n; k++) {
+		const struct ts_mesh_place *place = &mw->place[k];
+		struct ts_wall_near_point point;
+
+		if (!place->own || !(place->at.distance < reach) || !(place->at.distance > 0))
+			continue;
+		point.distance = place->at.distance;
+		ts_scale(1, place->at.n, point.n);
+		ts_mesh_surface_velocity(mw->mesh[mw->near[k].mesh].surface, (size_t)mw->near[k].triangle,
+					 place->at.weight, point.velocity);
+		take(context, &point);
+	}
+}
+
 const struct ts_wall_shape ts_mesh_wall_shape = {
 	.made_of = "meshes",
 	.sums = true,
@@ -209,6 +250,7 @@ const struct ts_wall_shape ts_mesh_wall_shape = {
 	.check_displacement = ts_mesh_wall_check_displacement,
 	.enqueue = ts_mesh_wall_enqueue_contacts,
 	.distance = contact_distance,
+	.near = near_points,
 	.name = name_triangle,
 	.exact = &ts_mesh_wall_exact,
 };

@@ -606,6 +606,25 @@ static enum ts_status archive(struct ts_archive *a, void *geometry)
 	return TS_OK;
 }
 
+/* Of planes; cylinders have none. */
+static void near_points(const struct ts_wall *w, const struct tsim *sim, size_t i, double reach,
+			ts_wall_near_fn *take, void *context)
+{
+	const struct ts_primitive_wall *pw = w->geometry;
+	struct ts_primitive_plane plane;
+
+	for (int k = 0; k < pw->n && ts_primitive_wall_plane(sim, pw, k, &plane); k++) {
+		double height = sim->particles->x[i][plane.dim] - plane.position;
+		struct ts_wall_near_point point = { .distance = fabs(height) };
+
+		if (!(point.distance < reach) || !(point.distance > 0))
+			continue;
+		point.n[plane.dim] = height < 0 ? -1 : 1;
+		ts_scale(1, plane.velocity, point.velocity);
+		take(context, &point);
+	}
+}
+
 const struct ts_wall_shape ts_primitive_wall_shape = {
 	.made_of = "planes or cylinders",
 	.given = given,
@@ -628,6 +647,7 @@ const struct ts_wall_shape ts_primitive_wall_shape = {
 	.enqueue = enqueue,
 	.distance = contact_distance,
 	.gap = gap,
+	.near = near_points,
 	.exact = &exact,
 	.not_exact = not_exact,
 };

@@ -147,6 +147,38 @@ static double contact_distance(const struct ts_wall *w, const struct tsim *sim, 
 	return ts_voxel_wall_distance(vw, sim, sim->particles->x[i], sim->particles->radius[i]);
 }
 
+struct taking {
+	const struct ts_voxel_surface *surface;
+	ts_wall_near_fn *take;
+	void *context;
+};
+
+static void take_contact(void *context, const struct ts_voxel_contact *c)
+{
+	const struct taking *t = context;
+	struct ts_wall_near_point point = { .distance = c->distance };
+
+	if (!(c->distance > 0))
+		return;
+	ts_scale(1, c->n, point.n);
+	ts_scale(1, t->surface->velocity, point.velocity);
+	t->take(t->context, &point);
+}
+
+static void near_points(const struct ts_wall *w, const struct tsim *sim, size_t i, double reach,
+			ts_wall_near_fn *take, void *context)
+{
+	const struct ts_voxel_wall *vw = ts_voxel_wall_of(w);
+	struct taking t = { vw->surface, take, context };
+	struct ts_voxel_images images;
+
+	if (!ts_in_group(sim->particles, i, vw->by->group))
+		return;
+	ts_voxel_images(vw->surface, &sim->domain->box, sim->particles->x[i], &images);
+	for (int k = 0; k < images.n; k++)
+		ts_voxel_contacts_visit(&vw->surface->field, images.x[k], reach, take_contact, &t);
+}
+
 static void name_column(const struct ts_wall *w, size_t k, struct ts_str *out)
 {
 	const struct ts_voxel_wall *vw = ts_voxel_wall_of(w);
@@ -183,6 +215,7 @@ const struct ts_wall_shape ts_voxel_wall_shape = {
 	.enqueue = ts_voxel_wall_enqueue_contacts,
 	.distance = contact_distance,
 	.gap = ts_voxel_wall_gap,
+	.near = near_points,
 	.name = name_column,
 	.exact = &ts_voxel_wall_exact,
 	.not_exact = ts_voxel_foundation_not_exact,

@@ -88,6 +88,9 @@ struct ts_wall {
 	struct ts_heat_contact area;	 /* area for heat conduction */
 	double *conductivity;		 /* 4 k k'/(k + k'), same shape as `law` */
 	int ntypes;
+	/* distance from their surface up to which particles are listed, as others ask for near points, length; 0:
+	 * those that may touch. Set, and only enlarged, in the init of these others */
+	double look;
 	double bridges; /* maximum rupture length of a liquid bridge, in radii of the particle */
 };
 

@@ -14,6 +14,14 @@
 struct ts_exact_surface;
 struct ts_wall;
 
+/* A point of a wall at which the distance from the centre of a particle has a local minimum. */
+struct ts_wall_near_point {
+	double n[3];	    /* unit vector from the point to the centre */
+	double distance;    /* of the centre from the point, length, > 0 */
+	double velocity[3]; /* of the surface there */
+};
+typedef void ts_wall_near_fn(void *context, const struct ts_wall_near_point *point);
+
 /* Where a contact of a wall is on its surfaces. */
 struct ts_wall_place {
 	size_t surface, element; /* number of the surface of the wall; number of its element */
@@ -89,6 +97,12 @@ struct ts_wall_shape {
 	/* Present distance of a point from the wall, less the displacement of the wall in a step. NULL: the gap of
 	 * all surfaces of the sort is looked at, whether a wall is made of them or not. */
 	double (*gap)(const struct ts_wall *w, const struct tsim *sim, const double x[3]);
+	/* Calls `take` for each point of the surface that is a local minimum of the distance from the centre of
+	 * particle i and nearer than `reach`, at most its radius plus w->look: a flat surface has one such point,
+	 * whatever its elements are. In an order that does not depend on threads; threads may ask for different
+	 * particles at once. After `list`. NULL: not available. */
+	void (*near)(const struct ts_wall *w, const struct tsim *sim, size_t i, double reach,
+		     ts_wall_near_fn *take, void *context);
 	/* Appends the name of the element of contact k: ", triangle 12 of mesh cad". NULL: the ID of the wall tells. */
 	void (*name)(const struct ts_wall *w, size_t k, struct ts_str *out);
 
