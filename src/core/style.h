@@ -153,6 +153,9 @@ struct ts_style {
 	/* Appends limits of the time step and other lines to the report of the plan; see core/report.h.
 	 * Also called after steps of a run, and must not change anything then. */
 	enum ts_status (*plan)(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *);
+	/* Fixes: upper bound of the rate [1/time] at which its forces, other than those of contacts, slow down particle
+	 * i at its present place: for the limit of the step of contacts that are damped so. NULL: no such forces. */
+	double (*damping)(const struct ts_instance *self, const struct tsim *sim, size_t i);
 	/* Checks of the scene that only this style can make; reported by ts_review_report, see
 	 * core/review.h. */
 	ts_hook_fn *review;

@@ -330,6 +330,16 @@ static void find_extremes(const struct ts_instance *self, const struct tsim *sim
 	}
 }
 
+/* Of the layers of particle i. */
+static double damping(const struct ts_instance *self, const struct tsim *sim, size_t i)
+{
+	struct task task = { sim, self->state, self->group, false, NULL, NULL };
+	struct sums sums;
+
+	sum_layers(&task, i, &sums);
+	return sums.rate;
+}
+
 /* The largest rate of one layer with the gap `inner`, between the particle and an equal one or a plane. */
 static double largest_rate(const struct ts_instance *self, const struct tsim *sim)
 {
@@ -453,7 +463,8 @@ static const char *const doc_more[] = {
 	"`inner`, and a run in which the particles come so near that the step becomes too large stops with "
 	"an error. The limits of several fixes lubrication are checked one by one, although their rates add "
 	"up. Where a layer damps a stiff contact, with the limits h_c of the contact and h_l of the layer "
-	"alone, a step h is stable if (h/h_c)^2 + h/h_l < 1.",
+	"alone, a step h is stable if (h/h_c)^2 + h/h_l < 1: the plan reports this limit of the particles "
+	"that have both, and a larger step is warned of.",
 	NULL,
 };
 
@@ -489,6 +500,7 @@ const struct ts_style ts_fix_lubrication = {
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_POST_BUILD] = list_pairs, [TS_STAGE_POST_FORCE] = add_forces },
+	.damping = damping,
 	.plan = plan,
 	.fini = fini,
 };

@@ -40,6 +40,7 @@ struct network {
 	/* bits of the groups that integrators move, and of those with prescribed motion */
 	uint32_t moving, prescribed;
 	bool rotates; /* particles rotate */
+	bool damped;  /* with the rates of the slot `damping` of fixes; else contacts and bonds alone */
 	struct ts_lanczos modes;
 };
 
@@ -107,6 +108,40 @@ static void arm_to(const struct network *w, size_t i, double arm[3])
 	ts_rotate(m, p->body_x[local_of(p, i)], arm);
 }
 
+/* Rate at which fixes damp particle i, 1/time. */
+static double damping_rate(const struct tsim *sim, size_t i)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	double sum = 0;
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if (fixes->item[k]->style->damping)
+			sum += fixes->item[k]->style->damping(fixes->item[k], sim, i);
+	return sum;
+}
+
+/* The last fix that damps particles; NULL: there is none. */
+static const struct ts_instance *damping_fix(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	const struct ts_instance *found = NULL;
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if (fixes->item[k]->style->damping)
+			found = fixes->item[k];
+	return found;
+}
+
+static void set_drag(const struct network *w, size_t node, struct ts_lanczos_body *b)
+{
+	double rate = w->damped ? damping_rate(w->sim, node) : 0;
+
+	if (!(rate > 0) || !(b->inverse_mass > 0))
+		return;
+	b->drag[0] = rate / b->inverse_mass;
+	b->drag[1] = w->rotates ? rate * ts_inertia(w->sim, node) : 0;
+}
+
 static struct ts_lanczos_body body_of_node(const struct network *w, size_t node)
 {
 	const struct tsim *sim = w->sim;
@@ -118,6 +153,7 @@ static struct ts_lanczos_body body_of_node(const struct network *w, size_t node)
 		b.inverse_mass = inverse_mass(w, node);
 		for (int d = 0; d < 3 && w->rotates && b.inverse_mass > 0; d++)
 			b.inverse_inertia[d][d] = 1 / ts_inertia(sim, node);
+		set_drag(w, node, &b);
 		return b;
 	}
 	b.inverse_mass = 1 / sim->rigid->body[node - p->n].mass;
@@ -280,6 +316,19 @@ static void score_contacts(struct network *w)
 			w->score[node_of(w, (size_t)contacts->j[r])] +=
 				score_share(w, (size_t)contacts->j[r], w->k[r]);
 	}
+}
+
+static void sum_scores(struct network *w)
+{
+	size_t nodes = w->sim->particles->n + w->sim->rigid->n;
+
+	for (size_t k = 0; k < nodes; k++) {
+		w->score[k] = 0;
+		w->local_index[k] = 0;
+	}
+	score_contacts(w);
+	score_walls(w);
+	score_bonds(w);
 }
 
 static double highest_score(const struct network *w, size_t *at)
@@ -565,6 +614,37 @@ static enum ts_status search_places(struct network *w, struct ts_plan_report *re
 	return TS_OK;
 }
 
+/* Contacts and layers of fluid together, where a particle has both: sufficient for stability, and the limit itself where
+ * both act along the same line. */
+static enum ts_status report_damped(struct network *w, struct ts_plan_report *report)
+{
+	const struct ts_particles *p = w->sim->particles;
+	const struct ts_instance *by = damping_fix(w->sim);
+	size_t node = 0;
+	double limit, most;
+	int worst;
+
+	w->damped = by != NULL;
+	for (size_t i = 0; w->damped && i < p->n; i++)
+		if (w->score[i] > 0 && inverse_mass(w, i) > 0) {
+			double rate = damping_rate(w->sim, i);
+
+			w->score[i] = rate > 0 ? w->score[i] + 2 * rate / w->sim->clock.dt : 0;
+		}
+	for (size_t k = 0; k < w->sim->rigid->n; k++)
+		w->score[p->n + k] = 0;
+	most = w->damped ? highest_score(w, &node) : 0;
+	if (!(most > 0) || 2 / sqrt(2 * most) > report->enough)
+		return TS_OK;
+	TS_TRY(build_local_network(w, node));
+	if (ts_lanczos_limit(&w->modes, false, w->sim->clock.dt, &limit, &worst) != TS_OK)
+		return ts_nomem(&w->sim->error);
+	return ts_report_limit(report, limit, false, &by->where,
+			       "contacts together with the damping of fix %s, about particle %d at (%.4g "
+			       "%.4g %.4g)",
+			       by->style->name, p->tag[node], p->x[node][0], p->x[node][1], p->x[node][2]);
+}
+
 static enum ts_status compute_scores(struct network *w)
 {
 	struct tsim *sim = w->sim;
@@ -576,9 +656,7 @@ static enum ts_status compute_scores(struct network *w)
 	if (!w->k || !w->score || !w->local_index)
 		return ts_nomem(&sim->error);
 	ts_parallel(ts_team(sim, contacts), contacts, compute_stiffness_share, w);
-	score_contacts(w);
-	score_walls(w);
-	score_bonds(w);
+	sum_scores(w);
 	return TS_OK;
 }
 
@@ -597,6 +675,11 @@ enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim
 		return TS_OK;
 	TS_TRY(ts_rigid_list(sim));
 	status = compute_scores(&w);
+	if (status == TS_OK && damping_fix(sim)) {
+		status = report_damped(&w, report);
+		w.damped = false;
+		sum_scores(&w);
+	}
 	if (status == TS_OK)
 		status = search_places(&w, report);
 	ts_lanczos_release(&w.modes);

@@ -229,6 +229,35 @@ print 'decayed \$(abs(vz[1])<1e-13)'" 'decayed 1'
 timestep \$(1.01*2*mass(all)*0.02/v_k/100)
 run 1" 'of fix lubrication, 2/rate of the present layers, smallest gap 0.02'
 done
+# ---- a contact that a layer damps: a step h is stable for k h^2/4 + gamma h/2 < m; alone the contact and the
+# layer would allow 2 sqrt(m/k) and 2 m/gamma
+
+# both FACTOR STEPS: a sphere pressed onto a field, without other damping, and disturbed
+both() {
+	scene si 1 1 1 "$field" | sed '/coefficientRestitution/s/0.5/1/'
+	cat <<END
+fix layers all lubrication viscosity 5 inner 1e-3 outer 0.2 walls w
+fix move all nve/sphere
+set atom 1 z 0.299
+run 0
+variable m equal \$(mass(all))
+variable k equal \$(fz[1]/1e-3)
+variable c equal 6*PI*5*0.3^2/1e-3
+variable limit equal (sqrt(0.25*v_c^2+v_k*v_m)-0.5*v_c)*2/v_k
+print "limit \$(v_limit:%.3g) alone \$(2*sqrt(v_m/v_k):%.3g) \$(2*v_m/v_c:%.3g)"
+fix push all addforce 0 0 \$(-v_k*1e-3)
+velocity all set 0 0 1e-6 units box
+timestep \$($1*v_limit)
+run 1
+variable before equal \$(abs(vz[1]))
+run $2
+print "grown \$(abs(vz[1])>20*v_before) decayed \$(abs(vz[1])<0.05*v_before)"
+END
+}
+prints "$(both 0.99 400)" 'grown 0 decayed 1'
+prints "$(both 1.02 60)" 'grown 1 decayed 0' \
+	'*of contacts together with the damping of fix lubrication, about particle 1'
+
 cuboid 0.4 0.4 0.4 >cuboid.stl
 rejects "$(scene si 1 1 1 "fix s all mesh/surface/stress file cuboid.stl type 1 move 0 0 -0.4
 fix w all $walls mesh n_meshes 1 meshes s")
