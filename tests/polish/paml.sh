@@ -212,9 +212,11 @@ report 'the example' $? out
 awk '!/^#/ { n++; if (NF != 19 || $3 < 200 || $3 > 350 || ($11/380.239 - 1)^2 > 1e-10 || !($10 == $14)) bad = 1 }
 	END { exit bad || n != 2 }' post/paml.txt
 report 'its table' $? post/paml.txt
-"$TSIM" -in in.paml -log none -var pads 1 -var settle 1e-7 -var block 1e-7 -var blocks 1 -var lubrication yes \
-	-var spread 0 >out 2>&1 && shows 'in the gap' out
-report 'with lubrication, equal particles' $? out
+for at in yes both; do
+	"$TSIM" -in in.paml -log none -var pads 1 -var settle 1e-7 -var block 1e-7 -var blocks 1 -var lubrication $at \
+		-var spread 0 >out 2>&1 && shows 'in the gap' out
+	report "with lubrication ($at), equal particles" $? out
+done
 "$TSIM" -in in.paml -log none -var pads 1 -var settle 1e-7 -var block 1e-7 -var blocks 1 -var stiffer 1 >out 2>&1 &&
 	shows 'in the gap' out
 report 'columns as springs' $? out
