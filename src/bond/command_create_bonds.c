@@ -13,12 +13,13 @@
 
 #include "base/banned.h"
 
-enum { MANY, SINGLE };
+enum { MANY, GAP, SINGLE };
 
 struct create_bonds {
 	int mode, group_a, group_b;
 	int64_t type, tag_a, tag_b;
 	double rmin, rmax;
+	double gap; /* largest distance of the surfaces, with GAP */
 	const struct ts_place *where;
 };
 
@@ -37,7 +38,15 @@ static bool matches_groups(const struct create_bonds *c, const struct ts_particl
 	       (ts_in_group(p, i, c->group_b) && ts_in_group(p, j, c->group_a));
 }
 
-/* Bonds particle i to all partners of larger identity within rmin .. rmax. */
+static bool matches_distance(const struct create_bonds *c, const struct ts_particles *p, size_t i, size_t j,
+			     double d)
+{
+	if (c->mode == GAP)
+		return d - (p->radius[i] + p->radius[j]) <= c->gap;
+	return d >= c->rmin && d <= c->rmax;
+}
+
+/* Bonds particle i to all partners of larger identity that match; they are within rmax. */
 static enum ts_status bond_to_neighbors(struct tsim *sim, const struct create_bonds *c,
 					const struct ts_level *level, size_t i)
 {
@@ -58,7 +67,7 @@ static enum ts_status bond_to_neighbors(struct tsim *sim, const struct create_bo
 				if (p->tag[j] <= p->tag[i] || !matches_groups(c, p, i, j))
 					continue;
 				d = nearest_image_distance(sim, i, j);
-				if (d < c->rmin || d > c->rmax)
+				if (!matches_distance(c, p, i, j, d))
 					continue;
 				TS_TRY(ts_coincide_bond(sim, c->where, i, j, d));
 				TS_TRY(ts_bonds_add(sim, p->tag[i], p->tag[j], (int)c->type, d));
@@ -85,6 +94,17 @@ static enum ts_status remove_duplicates(struct tsim *sim)
 	ts_bonds_delete(b, drop);
 	ts_free(drop);
 	return TS_OK;
+}
+
+/* The largest distance of the centres at which two particles can have the gap; 0: no two can. */
+static double reach_of_gap(const struct create_bonds *c, const struct ts_particles *p)
+{
+	double radius = 0;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (p->mask[i] & (1u << c->group_a | 1u << c->group_b))
+			radius = fmax(radius, p->radius[i]);
+	return radius > 0 ? fmax(2 * radius + c->gap, 0) : 0;
 }
 
 static enum ts_status create_many(struct tsim *sim, const struct create_bonds *c)
@@ -127,6 +147,18 @@ static enum ts_status create_single(struct tsim *sim, const struct create_bonds 
 	return ts_bonds_add(sim, (int32_t)c->tag_a, (int32_t)c->tag_b, (int)c->type, d);
 }
 
+static void warn_no_bond(struct tsim *sim, const struct create_bonds *c)
+{
+	if (c->mode == GAP)
+		ts_warn(&sim->log, c->where,
+			"create_bonds created no bond: no pair that is not bonded has a gap of at most %g",
+			c->gap);
+	else
+		ts_warn(&sim->log, c->where,
+			"create_bonds created no bond: no pair has a distance from %g to %g", c->rmin,
+			c->rmax);
+}
+
 static enum ts_status create_bonds_command(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	struct create_bonds *c = state;
@@ -139,17 +171,17 @@ static enum ts_status create_bonds_command(struct tsim *sim, void *state, const 
 	if (c->mode == MANY && c->rmin > c->rmax)
 		return ts_fail(&sim->error, TS_RANGE, where, "create_bonds: rmin (%g) is above rmax (%g)",
 			       c->rmin, c->rmax);
-	if (c->mode == MANY)
-		TS_TRY(create_many(sim, c));
-	else
+	if (c->mode == GAP)
+		c->rmax = reach_of_gap(c, sim->particles);
+	if (c->mode == SINGLE)
 		TS_TRY(create_single(sim, c, where));
+	else if (c->rmax > 0)
+		TS_TRY(create_many(sim, c));
 	TS_TRY(remove_duplicates(sim));
 	TS_TRY(ts_bond_reference_complete(sim));
 	ts_log(&sim->log, "Added %zu bonds, total bonds = %zu\n", sim->bonds->n - before, sim->bonds->n);
 	if (sim->bonds->n == before)
-		ts_warn(&sim->log, where,
-			"create_bonds created no bond: no pair has a distance from %g to %g", c->rmin,
-			c->rmax);
+		warn_no_bond(sim, c);
 	return TS_OK;
 }
 
@@ -166,6 +198,18 @@ static const struct ts_arg many_rows[] = {
 		.unit = "length", .help = "maximum distance of the centres"),
 	TS_ARGS_END,
 };
+static const struct ts_arg gap_rows[] = {
+	TS_GROUP("group_a", struct create_bonds, group_a, .flags = TS_POSITIONAL,
+		 .help = "group of one partner"),
+	TS_GROUP("group_b", struct create_bonds, group_b, .flags = TS_POSITIONAL,
+		 .help = "group of the other partner; may be the same group"),
+	TS_INT("type", struct create_bonds, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "bond type"),
+	TS_REAL("gap", struct create_bonds, gap, .flags = TS_POSITIONAL, .unit = "length",
+		.help = "largest distance of the surfaces; 0: particles that touch, < 0: that overlap by "
+			"more"),
+	TS_ARGS_END,
+};
 static const struct ts_arg single_rows[] = {
 	TS_INT("type", struct create_bonds, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "bond type"),
@@ -177,6 +221,7 @@ static const struct ts_arg single_rows[] = {
 };
 static const struct ts_mode modes[] = {
 	{ "many", "all pairs of the two groups with a distance from rmin to rmax", many_rows },
+	{ "gap", "all pairs of the two groups whose surfaces are at most this far apart", gap_rows },
 	{ "single/bond", "one pair", single_rows },
 	{ .name = NULL },
 };
@@ -194,7 +239,8 @@ const struct ts_command_style ts_command_create_bonds = {
 		   .doc = "The rest length of each bond is the current distance of the centres. Pairs that "
 			  "are bonded already keep their bond. Two particles at the same position cannot be "
 			  "bonded, as the bond has no direction: this is an error.",
-		   .example = "create_bonds many rock rock 1 0.0 1.05e-3\ncreate_bonds single/bond 1 12 17",
+		   .example = "create_bonds many rock rock 1 0.0 1.05e-3\ncreate_bonds gap rock rock 1 1e-6\n"
+			      "create_bonds single/bond 1 12 17",
 		   .args = args,
 		   .state_size = sizeof(struct create_bonds) },
 	.needs_box = true,

@@ -179,6 +179,22 @@ print "is sum $(f_b+f_c+f_d) 180"
 delete_bonds all
 create_bonds many all all 1 0 1.01
 print "is same $(bonds) 180"'
+# Radii 0.1 and 0.15, the centres 0.25 apart; a third one 0.01 from the second
+agree 'create_bonds gap: by the surfaces' 'include in.two
+set atom 1 diameter 0.2 density 2385
+create_atoms 1 single 0.46 0 0 units box
+set atom 3 diameter 0.1 density 2385
+bond_coeff 1 kn 1 ks 1
+create_bonds gap all all 1 -0.001
+print "is overlap $(bonds) 0"
+create_bonds gap all all 1 1e-12
+print "is touch $(bonds) 1"
+create_bonds gap all all 1 0.011
+print "is near $(bonds) 2"
+create_bonds gap all all 1 -10
+print "is none $(bonds) 2"'
+bad 'create_bonds gap: no number' 'gap' 'bond_coeff 1 kn 1 ks 1
+create_bonds gap all all 1 near'
 agree 'fix bond/create/gran: at most newperts' 'include in.crystal
 set group all type 1
 fix b all bond/create/gran 2 1 1 1.01 1 1
