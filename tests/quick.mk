@@ -22,6 +22,7 @@
 #       7    examples/erosion_ladder.sh     insert/jet.sh, coupling/check_drag
 #       6    examples/drilling.sh           bond/check_bonds
 #       6    examples/polishing.sh          film/check_film, immersed/immersed_surface.sh
+#       7    examples/rock.sh               bond/check_element, bond/parallel.sh
 #       6    restart/restart.sh             restart/restart_changes.sh, restart/restart_streams.sh
 #       6    program/sandbox.sh             house/door.sh
 #       5    bond/check_parallel            bond/check_element, bond/parallel.sh
@@ -34,6 +35,7 @@ slow_tests = \
 	tests/examples/erosion.sh \
 	tests/examples/erosion_ladder.sh \
 	tests/examples/polishing.sh \
+	tests/examples/rock.sh \
 	tests/wear/evolve_voxel.sh \
 	tests/core/check_alloc \
 	tests/library/check_library_steps \

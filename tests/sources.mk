@@ -87,6 +87,7 @@ shell_tests = \
 	tests/examples/grains.sh \
 	tests/examples/granular_film.sh \
 	tests/examples/polishing.sh \
+	tests/examples/rock.sh \
 	tests/explain/info.sh \
 	tests/explain/price.sh \
 	tests/flow/flow_closed.sh \

@@ -37,7 +37,7 @@ syn keyword tsimKeyword  brick tiled
 syn match tsimKeyword /\<region\>/ 
 syn keyword tsimKeyword  remap overlap maxtry mesh basis subset var
 syn match tsimKeyword /\<set\>/ 
-syn keyword tsimKeyword  mol rotate many single/bond bond/types extra/bond/per/atom
+syn keyword tsimKeyword  mol rotate many gap single/bond bond/types extra/bond/per/atom
 syn keyword tsimKeyword  extra/special/per/atom angle/types dihedral/types improper/types
 syn keyword tsimKeyword  extra/angle/per/atom extra/dihedral/per/atom
 syn keyword tsimKeyword  extra/improper/per/atom porosity fraction count
@@ -76,11 +76,11 @@ syn keyword tsimKeyword  internal atomfile equal vector create zero linear angul
 syn keyword tsimKeyword  angularIndividual sum dist gaussian mom rot local geom bias pair
 syn keyword tsimKeyword  ii ij nofix modify noinit threshold radius hardness discard
 syn keyword tsimKeyword  default mixed bound reduced nchunk limit ids nfreq between cells
-syn keyword tsimKeyword  values interpolation cubic gap solid_fraction amount load
-syn keyword tsimKeyword  bumpiness upper_wall_restitution upper_roughness upper_bumpiness
-syn keyword tsimKeyword  friction tangential packing theory lun garzo/dufty radial
-syn keyword tsimKeyword  lun/savage carnahan/starling branch dense dilute points tolerance
-syn keyword tsimKeyword  kspace tensor com average property xcm vcm fcm torque quat angmom
+syn keyword tsimKeyword  values interpolation cubic solid_fraction amount load bumpiness
+syn keyword tsimKeyword  upper_wall_restitution upper_roughness upper_bumpiness friction
+syn keyword tsimKeyword  tangential packing theory lun garzo/dufty radial lun/savage
+syn keyword tsimKeyword  carnahan/starling branch dense dilute points tolerance kspace
+syn keyword tsimKeyword  tensor com average property xcm vcm fcm torque quat angmom
 syn keyword tsimKeyword  masstotal inertia clumptype id_multisphere ex_space ey_space
 syn keyword tsimKeyword  ez_space bond/type region_count tracer periodic reset_marker min
 syn keyword tsimKeyword  max ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
