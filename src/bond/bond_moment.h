@@ -6,7 +6,7 @@
 #include "law/bond_element.h"
 
 /* The loop over slices: slot `compute` of the style. */
-ts_range_count_fn ts_bond_compute_moments;
+long ts_bond_compute_moments(void *task, size_t from, size_t to);
 /* Turns the particles: hook of the style in POST_INTEGRATE. */
 enum ts_status ts_bond_turn(struct ts_instance *self, struct tsim *sim);
 
