@@ -40,6 +40,17 @@ enum ts_status ts_expr_arguments(struct ts_expr *e, struct ts_operand *arg, size
 	}
 }
 
+/* A word with ${ in it has not been replaced: that of a formula in $( ). */
+static enum ts_status check_reference(struct ts_expr *e, size_t first, size_t end)
+{
+	for (; first + 1 < end; first++)
+		if (e->text[first] == '$' && e->text[first + 1] == '{')
+			return ts_expr_fail(e, TS_SYNTAX, first, end,
+					    "variables are not replaced inside $( ): give the formula to "
+					    "`variable NAME equal ...` and use that");
+	return TS_OK;
+}
+
 enum ts_status ts_expr_words(struct ts_expr *e, size_t at, struct ts_word *word, size_t most, size_t *n)
 {
 	int depth = 0;
@@ -64,6 +75,7 @@ enum ts_status ts_expr_words(struct ts_expr *e, size_t at, struct ts_word *word,
 			end--;
 		if (*n == most)
 			return ts_expr_fail(e, TS_SYNTAX, first, end, "too many arguments");
+		TS_TRY(check_reference(e, first, end));
 		if (first == end && (*n || e->text[e->at] == ','))
 			return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1,
 					    "an argument is missing before this");

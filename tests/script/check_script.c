@@ -80,6 +80,7 @@ START_TEST(formula_errors)
 	expect_error("print \"$(sin())\"", 1, 10, 5, "takes 1 argument, found 0");
 	expect_error("print \"$(2+)\"", 1, 11, 1, "found the end of the formula");
 	expect_error("print \"$((2+3)\"", 1, 8, 2, "'$(' is never closed");
+	expect_error("variable f string a\nprint \"$(is_file(${f}))\"", 2, 18, 4, "not replaced inside $( )");
 	expect_error("print \"$(2 3)\"", 1, 12, 1, "expected an operator");
 	expect_error("print \"$(2+3x)\"", 1, 12, 2, "'3x' is not a number");
 	expect_error("print \"$(1.2.3)\"", 1, 10, 5, "'1.2.3' is not a number");
