@@ -29,10 +29,16 @@ enum ts_status ts_bond_strength_complete(struct tsim *sim, const struct ts_bond_
 	return TS_OK;
 }
 
-bool ts_bond_any_damping(const double ratio[TS_BOND_MODES])
+void ts_bond_damping_complete(struct ts_bond_damping *d)
 {
 	for (int m = 0; m < TS_BOND_MODES; m++)
-		if (ratio[m] > 0)
+		d->ratio[m] = isnan(d->of[m]) ? d->all : d->of[m];
+}
+
+bool ts_bond_any_damping(const struct ts_bond_damping *d)
+{
+	for (int m = 0; m < TS_BOND_MODES; m++)
+		if (d->ratio[m] > 0)
 			return true;
 	return false;
 }

@@ -10,7 +10,15 @@ extern const char *const ts_bond_scatter_names[];
 /* Checks that the numbers of the distribution are given. */
 enum ts_status ts_bond_strength_complete(struct tsim *sim, const struct ts_bond_strength *strength,
 					 const struct ts_place *where);
-bool ts_bond_any_damping(const double ratio[TS_BOND_MODES]);
+
+/* Viscous damping of the modes, as fractions of the critical one. */
+struct ts_bond_damping {
+	double all, of[TS_BOND_MODES]; /* arguments; NaN: as `all` */
+	double ratio[TS_BOND_MODES];   /* from these */
+};
+
+void ts_bond_damping_complete(struct ts_bond_damping *damping);
+bool ts_bond_any_damping(const struct ts_bond_damping *damping);
 
 #define TS_BOND_STRENGTH_ROWS(T, f)                                                                          \
 	TS_REAL("sigma_c", T, f.tension, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "pressure",     \
@@ -31,11 +39,11 @@ bool ts_bond_any_damping(const double ratio[TS_BOND_MODES]);
 		TS_INT("seed", T, f.seed, .fallback = "1", .range = TS_POSITIVE,                             \
 		       .help = "seed of the random strengths")
 
-#define TS_BOND_DAMPING_ROW(T, f, mode, name_, text)                                           \
-	TS_REAL(name_, T, f[mode], .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE, .unit = "", \
+#define TS_BOND_DAMPING_ROW(T, f, mode, name_, text)                                              \
+	TS_REAL(name_, T, f.of[mode], .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE, .unit = "", \
 		.help = "the same for " text "; none: that of `damping`")
-#define TS_BOND_DAMPING_ROWS(T, all, f)                                                                   \
-	TS_REAL("damping", T, all, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "",                 \
+#define TS_BOND_DAMPING_ROWS(T, f)                                                                        \
+	TS_REAL("damping", T, f.all, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "",               \
 		.help = "viscous damping of all modes, as a fraction of the critical damping of the two " \
 			"particles"),                                                                     \
 		TS_BOND_DAMPING_ROW(T, f, TS_BOND_NORMAL, "damping_normal", "the normal force"),          \

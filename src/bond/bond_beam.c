@@ -17,10 +17,10 @@ struct coeff {
 	double modulus, poisson, shear_modulus; /* the last two: NaN if not given */
 	double kappa;				/* NaN: of Cowper */
 	double lambda;
-	double damping, damping_of[TS_BOND_MODES];
+	struct ts_bond_damping damping;
 	struct ts_bond_strength strength;
 	/* from these */
-	double g, shear_coefficient, damping_ratio[TS_BOND_MODES];
+	double g, shear_coefficient;
 };
 
 static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_place *where)
@@ -35,8 +35,7 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 	c->g = isnan(c->poisson) ? c->shear_modulus : c->modulus / (2 * (1 + c->poisson));
 	poisson = isnan(c->poisson) ? fmin(fmax(c->modulus / (2 * c->g) - 1, 0), 0.5) : c->poisson;
 	c->shear_coefficient = isnan(c->kappa) ? ts_beam_shear_coefficient(poisson) : c->kappa;
-	for (int m = 0; m < TS_BOND_MODES; m++)
-		c->damping_ratio[m] = isnan(c->damping_of[m]) ? c->damping : c->damping_of[m];
+	ts_bond_damping_complete(&c->damping);
 	return ts_bond_strength_complete(sim, &c->strength, where);
 }
 
@@ -47,13 +46,13 @@ static void element(const void *coeff, const struct ts_bond_pair *pair, struct t
 
 	ts_beam_element(radius, c->modulus, c->g, c->shear_coefficient, e);
 	ts_bond_section_stress(radius, 1, e);
-	ts_bond_section_damping(c->damping_ratio, pair->mass, pair->inertia, e);
+	ts_bond_section_damping(c->damping.ratio, pair->mass, pair->inertia, e);
 	ts_bond_section_strength(&c->strength, pair->tag, e);
 }
 
 static bool damped(const void *coeff)
 {
-	return ts_bond_any_damping(((const struct coeff *)coeff)->damping_ratio);
+	return ts_bond_any_damping(&((const struct coeff *)coeff)->damping);
 }
 
 static const struct ts_arg coeff_rows[] = {
@@ -69,7 +68,7 @@ static const struct ts_arg coeff_rows[] = {
 	TS_REAL("lambda", struct coeff, lambda, .fallback = "1", .range = TS_POSITIVE, .unit = "",
 		.help = "radius of the section divided by the smaller radius of the two particles"),
 	TS_BOND_STRENGTH_ROWS(struct coeff, strength),
-	TS_BOND_DAMPING_ROWS(struct coeff, damping, damping_of),
+	TS_BOND_DAMPING_ROWS(struct coeff, damping),
 	TS_ARGS_END,
 };
 

@@ -15,10 +15,8 @@ struct parallel_bond {
 struct coeff {
 	double kn, ks, modulus, ratio; /* NaN: not given */
 	double lambda, beta;
-	double damping, damping_of[TS_BOND_MODES];
+	struct ts_bond_damping damping;
 	struct ts_bond_strength strength;
-	/* from these */
-	double damping_ratio[TS_BOND_MODES];
 };
 
 static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_place *where)
@@ -34,8 +32,7 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 			       "bond_coeff: expected either ratio, that of normal to shear stiffness kn/ks%s",
 			       isnan(c->modulus) ? ", or ks, the shear stiffness per area"
 						 : " (with E, not ks)");
-	for (int m = 0; m < TS_BOND_MODES; m++)
-		c->damping_ratio[m] = isnan(c->damping_of[m]) ? c->damping : c->damping_of[m];
+	ts_bond_damping_complete(&c->damping);
 	return ts_bond_strength_complete(sim, &c->strength, where);
 }
 
@@ -48,13 +45,13 @@ static void element(const void *coeff, const struct ts_bond_pair *pair, struct t
 	e->fraction = ts_bond_fraction(pair->rest, pair->radius);
 	ts_bond_section_parallel(radius, kn, isnan(c->ks) ? kn / c->ratio : c->ks, e);
 	ts_bond_section_stress(radius, c->beta, e);
-	ts_bond_section_damping(c->damping_ratio, pair->mass, pair->inertia, e);
+	ts_bond_section_damping(c->damping.ratio, pair->mass, pair->inertia, e);
 	ts_bond_section_strength(&c->strength, pair->tag, e);
 }
 
 static bool damped(const void *coeff)
 {
-	return ts_bond_any_damping(((const struct coeff *)coeff)->damping_ratio);
+	return ts_bond_any_damping(&((const struct coeff *)coeff)->damping);
 }
 
 static const struct ts_arg coeff_rows[] = {
@@ -71,7 +68,7 @@ static const struct ts_arg coeff_rows[] = {
 	TS_BOND_STRENGTH_ROWS(struct coeff, strength),
 	TS_REAL("beta", struct coeff, beta, .fallback = "1", .range = TS_FRACTION, .unit = "",
 		.help = "share of the moments in the stresses, Potyondy 2011"),
-	TS_BOND_DAMPING_ROWS(struct coeff, damping, damping_of),
+	TS_BOND_DAMPING_ROWS(struct coeff, damping),
 	TS_ARGS_END,
 };
 

@@ -52,7 +52,7 @@ struct ts_friction_turn ts_colliding_turn(const struct ts_colliding *o, const do
 /* Tangential force in the present mode, and the rate of what describes the spring. `x`: that part of the state. */
 static void tangential_force(const struct ts_colliding *o, const double *x, struct ts_colliding_forces *m)
 {
-	double limit = o->law->friction * o->sign * m->n.limit, speed, alpha = 0, e[2] = { x[0], 0 };
+	double limit = o->law->friction * o->sign * m->n.limit, speed, alpha = 0, e[2];
 
 	if (o->model.tangential == TS_TANGENTIAL_NO_HISTORY) {
 		speed = ts_colliding_length(m->slip, o->d);
@@ -69,11 +69,9 @@ static void tangential_force(const struct ts_colliding *o, const double *x, stru
 		}
 		return;
 	}
-	if (o->d == 2) {
-		e[0] = cos(x[0]);
-		e[1] = sin(x[0]);
+	ts_colliding_direction(o->d, x, e);
+	if (o->d == 2)
 		m->xi[0] = (m->slip[1] * e[0] - m->slip[0] * e[1]) * m->n.kt / fmax(limit, o->least_limit);
-	}
 	if (o->mode == TS_FOLLOW) { /* s.e = r' */
 		m->turn = ts_colliding_turn(o, x, e, m);
 		alpha = m->turn.slides / (m->turn.slides - m->turn.sticks);

@@ -58,6 +58,13 @@ static inline double ts_colliding_length(const double a[2], int d)
 	return d == 2 ? sqrt(a[0] * a[0] + a[1] * a[1]) : fabs(a[0]);
 }
 
+/* e, unless the contact sticks; x: that part of the state. */
+static inline void ts_colliding_direction(int d, const double *x, double e[2])
+{
+	e[0] = d == 2 ? cos(x[0]) : x[0];
+	e[1] = d == 2 ? sin(x[0]) : 0;
+}
+
 /* The overlap q = z^p. */
 double ts_colliding_overlap(const struct ts_colliding *o, double z);
 void ts_colliding_evaluate(const struct ts_colliding *o, const double *y, struct ts_colliding_forces *m);

@@ -90,10 +90,14 @@ static double slip_reverses(const struct ts_colliding *o, const double *y)
 /* Direction of the spring. */
 static void direction(const struct ts_colliding *o, const double *x, double e[2])
 {
-	double l = o->mode == TS_STICK ? ts_colliding_length(x, o->d) : 1;
+	double l = ts_colliding_length(x, o->d);
 
-	e[0] = o->mode != TS_STICK && o->d == 2 ? cos(x[0]) : x[0] / l;
-	e[1] = o->d == 1 ? 0 : o->mode == TS_STICK ? x[1] / l : sin(x[0]);
+	if (o->mode != TS_STICK) {
+		ts_colliding_direction(o->d, x, e);
+		return;
+	}
+	e[0] = x[0] / l;
+	e[1] = o->d == 2 ? x[1] / l : 0;
 }
 
 /* Leaves the present mode of the tangential force. With history: |xi| > r, or r' > s.e. */
@@ -283,8 +287,7 @@ static void enter_next_mode(struct ts_colliding *o, double *y)
 		return;
 	ts_colliding_evaluate(o, y, &m);
 	r = m.n.kt > 0 ? o->law->friction * o->sign * m.n.limit / m.n.kt : 0;
-	e[0] = o->d == 2 ? cos(x[0]) : x[0];
-	e[1] = sin(x[0]);
+	ts_colliding_direction(o->d, x, e);
 	for (int k = 0; k < o->d; k++)
 		x[k] = r * e[k];
 }
