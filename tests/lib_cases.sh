@@ -47,6 +47,21 @@ flow_case() {
 	cat lines >>all 2>/dev/null
 }
 
+# resumes WHAT FILTER N: in.whole, on one and on three threads, and in.again after the restart file that in.whole has
+# written; the last N rows of numbers that FILTER finds in their output are the same
+resumes() {
+	local what=$1 filter=$2 n=$3 run
+	for run in whole again; do
+		"$TSIM" -in in.$run -log none >$run 2>&1
+		report "$what: $run" $? $run
+		"$filter" $run | tail -n "$n" >rows.$run
+	done
+	same "$what: restart" rows.whole rows.again
+	OMP_NUM_THREADS=3 "$TSIM" -in in.whole -log none >three 2>&1
+	"$filter" three | tail -n "$n" >rows.three
+	same "$what: threads" rows.whole rows.three
+}
+
 # has PROGRAM [PACKAGE]: whether the program is installed. If not, the log says that a part of the test is
 # skipped; ./setup counts these lines.
 has() {

@@ -274,16 +274,7 @@ velocity all set 0.5 0 0
 END2
 { cat in.head in.materials in.free; echo 'run 12'; echo 'write_restart restart'; echo 'run 8'; } >in.whole
 { echo 'newton off'; echo 'communicate single vel yes'; echo 'read_restart restart'; cat in.materials in.free; echo 'run 8'; } >in.again
-"$TSIM" -in in.whole -log none >whole 2>&1
-report 'bodies that are free' $? whole
-"$TSIM" -in in.again -log none >again 2>&1
-report 'bodies after a restart' $? again
-rows whole | tail -n 3 >rows.whole
-rows again | tail -n 3 >rows.again
-same 'restart' rows.whole rows.again
-OMP_NUM_THREADS=3 "$TSIM" -in in.whole -log none >three 2>&1
-rows three | tail -n 3 >rows.three
-same 'threads' rows.whole rows.three
+resumes 'bodies that are free' rows 3
 
 # ---- faults
 scene='units si

@@ -220,16 +220,7 @@ create_box 1 box
 END2
 { cat in.head in.part; echo 'run 12'; echo 'write_restart restart'; echo 'run 8'; } >in.whole
 { echo 'read_restart restart'; cat in.part; echo 'run 8'; } >in.again
-"$TSIM" -in in.whole -log none >whole 2>&1
-report 'a rough pad that swings' $? whole
-"$TSIM" -in in.again -log none >again 2>&1
-report 'a rough pad after a restart' $? again
-numbers whole | tail -n 2 >rows.whole
-numbers again | tail -n 2 >rows.again
-same 'restart' rows.whole rows.again
-OMP_NUM_THREADS=3 "$TSIM" -in in.whole -log none >three 2>&1
-numbers three | tail -n 2 >rows.three
-same 'threads' rows.whole rows.three
+resumes 'a rough pad that swings' numbers 2
 
 # ---- faults
 scene='units si
