@@ -260,6 +260,7 @@ NORMAL(spring, TS_NORMAL_SPRING)
 NORMAL(hooke, TS_NORMAL_HOOKE)
 NORMAL(hertz, TS_NORMAL_HERTZ)
 NORMAL(hooke_stiffness, TS_NORMAL_HOOKE_STIFFNESS)
+NORMAL(hooke_modulus, TS_NORMAL_HOOKE_MODULUS)
 NORMAL(hertz_stiffness, TS_NORMAL_HERTZ_STIFFNESS)
 NORMAL(hooke_hysteresis, TS_NORMAL_HOOKE_HYSTERESIS)
 NORMAL(area_hooke, TS_NORMAL_AREA_HOOKE)
@@ -309,6 +310,7 @@ static stage_fn *const normals[TS_NNORMAL] = {
 	[TS_NORMAL_HOOKE] = hooke,
 	[TS_NORMAL_HERTZ] = hertz,
 	[TS_NORMAL_HOOKE_STIFFNESS] = hooke_stiffness,
+	[TS_NORMAL_HOOKE_MODULUS] = hooke_modulus,
 	[TS_NORMAL_HERTZ_STIFFNESS] = hertz_stiffness,
 	[TS_NORMAL_HOOKE_HYSTERESIS] = hooke_hysteresis,
 	[TS_NORMAL_AREA_HOOKE] = area_hooke,

@@ -5,10 +5,16 @@
 
 #include "base/banned.h"
 
-const char *const ts_normal_names[] = {
-	"off", "spring", "hooke", "hertz", "hooke/stiffness", "hertz/stiffness", "hooke/hysteresis",
-	"jkr", NULL
-};
+const char *const ts_normal_names[] = { "off",
+					"spring",
+					"hooke",
+					"hertz",
+					"hooke/stiffness",
+					"hooke/modulus",
+					"hertz/stiffness",
+					"hooke/hysteresis",
+					"jkr",
+					NULL };
 const char *const ts_tangential_names[] = { "off",     "history", "no_history", "incremental_history",
 					    "jkr_tan", NULL };
 const char *const ts_rolling_names[] = { "off", "cdt", "epsd", "epsd2", "epsd3", NULL };

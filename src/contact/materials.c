@@ -49,7 +49,8 @@ enum needs {
 	COHESION = 4096,
 	ADHESION = 8192,
 	BRIDGES = 16384,
-	BRIDGE_SHARE = 32768
+	BRIDGE_SHARE = 32768,
+	MODULUS = 65536
 };
 
 static unsigned needs_of(const struct ts_granular_model *m)
@@ -58,6 +59,7 @@ static unsigned needs_of(const struct ts_granular_model *m)
 		[TS_NORMAL_HOOKE] = ELASTIC | VELOCITY,
 		[TS_NORMAL_HERTZ] = ELASTIC | RESTITUTION,
 		[TS_NORMAL_HOOKE_STIFFNESS] = STIFFNESS,
+		[TS_NORMAL_HOOKE_MODULUS] = MODULUS | RESTITUTION,
 		[TS_NORMAL_HERTZ_STIFFNESS] = STIFFNESS | STIFFNESS_DAMPING,
 		[TS_NORMAL_HOOKE_HYSTERESIS] = ELASTIC | VELOCITY | HYSTERESIS,
 		[TS_NORMAL_AREA_JKR] = ELASTIC | RESTITUTION | ADHESION,
@@ -122,6 +124,8 @@ struct property {
 static const struct property of_pairs[] = {
 	PAIR(STIFFNESS, "kn", kn, POSITIVE),
 	PAIR(STIFFNESS, "kt", kt, NOT_NEGATIVE),
+	PAIR(MODULUS, "contactModulus", kn, POSITIVE),
+	PAIR(MODULUS, "contactStiffnessRatio", kt, POSITIVE),
 	PAIR(STIFFNESS_DAMPING, "gamman", gamman, NOT_NEGATIVE),
 	PAIR(STIFFNESS_DAMPING, "gammat", gammat, NOT_NEGATIVE),
 	PAIR(ABSOLUTE_DAMPING, "gamman_abs", gamman, NOT_NEGATIVE),
@@ -298,6 +302,10 @@ enum ts_status ts_contact_law_of_materials(struct tsim *sim, const struct ts_gra
 
 		out->log_restitution = l;
 		out->damping = l / sqrt(l * l + TS_PI * TS_PI);
+	}
+	if (needs & MODULUS) {
+		out->kn *= 4;
+		out->kt = out->kn / out->kt;
 	}
 	if (needs & ADHESION)
 		set_jkr_constants(out);

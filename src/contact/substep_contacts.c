@@ -10,8 +10,8 @@ enum ts_status ts_substep_check(struct tsim *sim, const struct ts_granular_model
 	if (!model->located)
 		return TS_OK;
 	if (!ts_substep_supports(model))
-		why = "the normal law must be spring, hooke, hertz, hooke/stiffness or hertz/stiffness, and "
-		      "not viscous";
+		why = "the normal law must be spring, hooke, hertz, hooke/stiffness, hooke/modulus or "
+		      "hertz/stiffness, and not viscous";
 	else if (sim->run.explicit_euler)
 		why = "fix nve/euler moves particles by the velocities before the step; use fix nve";
 	else if (sim->legacy)

@@ -34,7 +34,8 @@ static size_t size_of(const struct ts_colliding *o)
 const char *ts_collision_unsupported(const struct ts_granular_model *m)
 {
 	if (m->normal < TS_NORMAL_SPRING || m->normal > TS_NORMAL_HERTZ_STIFFNESS)
-		return "the normal law must be hooke, hertz, hooke/stiffness or hertz/stiffness";
+		return "the normal law must be hooke, hertz, hooke/stiffness, hooke/modulus or "
+		       "hertz/stiffness";
 	if (m->tangential > TS_TANGENTIAL_NO_HISTORY)
 		return "the tangential law must be off, no_history or history";
 	if (m->cohesion != TS_COHESION_OFF)

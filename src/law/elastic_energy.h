@@ -1,7 +1,7 @@
 /* Elastic energy of a contact: the energy it would return if it opened without losses. Dashpots and
  * sliders store none.
  *
- *   spring, hooke, hooke/stiffness  1/2 k_n delta^2
+ *   spring, hooke, hooke/stiffness, hooke/modulus  1/2 k_n delta^2
  *   hertz, hertz/stiffness          2/5 k_n delta^2, since k_n ~ sqrt(delta)
  *   sjkr                            -k V, V the integral of the contact area over delta: with the
  *                                   distance r, s = Ri + Rj, D = Ri - Rj: V = pi/4 delta^2 ((2 s + r)/3

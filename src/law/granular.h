@@ -12,6 +12,7 @@ enum ts_normal_law {
 	TS_NORMAL_HOOKE,
 	TS_NORMAL_HERTZ,
 	TS_NORMAL_HOOKE_STIFFNESS,
+	TS_NORMAL_HOOKE_MODULUS,
 	TS_NORMAL_HERTZ_STIFFNESS,
 	TS_NORMAL_HOOKE_HYSTERESIS,
 	/* based on the radius of the contact area: law/normal_area.h */
@@ -110,7 +111,7 @@ struct ts_granular_pair {
 	double log_restitution;	       /* ln e */
 	double damping;		       /* beta = ln e / sqrt(ln^2 e + pi^2), <= 0 */
 	double velocity;	       /* characteristic velocity V */
-	double kn, kt, gamman, gammat; /* given stiffness and damping coefficients */
+	double kn, kt, gamman, gammat; /* given stiffness (hooke/modulus: by R*) and damping coefficients */
 	double gamman_root;	       /* spring: gamma_n += gamman_root sqrt(m*) */
 	double friction;	       /* mu */
 	double rolling_friction, rolling_viscosity, rolling_stiffness; /* mu_r, eta_r */

@@ -10,6 +10,8 @@
  *           force
  *   hooke/stiffness, hertz/stiffness  k as given, gamma as given times m* (unless absolute_damping);
  *                                     hertz/stiffness: both times sqrt(R* delta)
+ *   hooke/modulus     springs 4 R_i E_c of both grains in series, k_n = 4 E_c R*, k_t = k_n/kappa, gamma of hooke
+ *                     (D. O. Potyondy, P. A. Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329)
  *   hooke/hysteresis  loading k_1 (k_n of hooke), unloading k_2 up to k_2max, adhesion k_c (O. R.
  *                     Walton, R. L. Braun, J. Rheol. 30 (1986) 949; S. Luding, Granul. Matter 10 (2008)
  *                     235) */
@@ -82,6 +84,14 @@ TS_INLINE void ts_normal_given(const struct ts_granular_model *m, const struct t
 	f->gammat = damping * c->gammat;
 }
 
+TS_INLINE void ts_normal_modulus(const struct ts_granular_pair *c, const struct ts_touch *t,
+				 struct ts_normal *f)
+{
+	f->kn = c->kn * t->r_eff;
+	f->kt = c->kt * t->r_eff;
+	f->gamman = f->gammat = ts_hooke_damping(f->kn, t->m_eff, c->log_restitution);
+}
+
 /* Elastic force of hooke/hysteresis. *deepest: largest overlap so far; changed only if `advance`. */
 TS_INLINE double ts_hysteretic_force(const struct ts_granular_pair *c, const struct ts_touch *t, double k1,
 				     bool advance, double *deepest)
@@ -128,6 +138,9 @@ TS_INLINE void ts_normal_force(const struct ts_granular_model *m, const struct t
 		break;
 	case TS_NORMAL_HOOKE_STIFFNESS:
 		ts_normal_given(m, c, t, 1, f);
+		break;
+	case TS_NORMAL_HOOKE_MODULUS:
+		ts_normal_modulus(c, t, f);
 		break;
 	case TS_NORMAL_HERTZ_STIFFNESS:
 		ts_normal_given(m, c, t, sqrt(t->r_eff * t->overlap), f);

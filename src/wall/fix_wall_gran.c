@@ -240,8 +240,9 @@ static const char *const doc_more[] = {
 	"another one in the step, or of rigid bodies (a warning says if they last less than 10 steps). The "
 	"fixes wear/... count the impacts; wear/archard, wear/zhao/chang/contact and the load and wear of "
 	"mesh/surface/stress are integrals over each impact, in the step of its touch, for the element "
-	"touched first. Laws: hooke, hertz, hooke/stiffness, hertz/stiffness; tangential off, no_history, "
-	"history. Walls must not rotate; fix mesh/surface/stress/servo, explicit Euler and heat are refused.",
+	"touched first. Laws: hooke, hertz, hooke/stiffness, hooke/modulus, hertz/stiffness; tangential off, "
+	"no_history, history. Walls must not rotate; fix mesh/surface/stress/servo, explicit Euler and heat "
+	"are refused.",
 	"Related: fix wall/gran/region, fix mesh/surface, fix surface/voxel, fix heat/gran, compute "
 	"wall/gran/local.",
 	NULL

@@ -88,6 +88,25 @@ alike 'a constant k_t: increments of the force are those of the slip' 1e-10 hook
 ! cmp -s hertz.history hertz.incremental_history
 report 'with k_t that changes they are not' $?
 
+# Grains of the radii 10 and 12 mm and the modulus E_c: k_n = 4 E_c R*, k_t = k_n/1.5, the dashpot of e = 0.61.
+properties="$properties
+fix k5 all property/global contactModulus peratomtypepair 2 1.1e6 1.1e6 1.1e6 1.1e6
+fix k6 all property/global contactStiffnessRatio peratomtypepair 2 1.5 1.5 1.5 1.5"
+reduced='(0.010*0.012/0.022)'
+masses='(4/3*PI*2385*0.01^3*1900*0.012^3/(2385*0.01^3+1900*0.012^3))'
+gamma="sqrt(4*4*1.1e6*$reduced/$masses*ln(0.61)^2/(ln(0.61)^2+PI^2))"
+energies 'hooke/modulus' modulus 'pair_style gran model hooke/modulus tangential history' 'pair_coeff * *'
+properties=$(echo "$properties" | grep -v '^fix k[1-4]')
+energies 'hooke/stiffness with its constants' stiffness \
+	"fix k1 all property/global kn peratomtypepair 2 \$(4*1.1e6*$reduced) 1 1 1" \
+	"fix k2 all property/global kt peratomtypepair 2 \$(4*1.1e6*$reduced/1.5) 1 1 1" \
+	"fix k3 all property/global gamman peratomtypepair 2 \$($gamma) 1 1 1" \
+	"fix k4 all property/global gammat peratomtypepair 2 \$($gamma) 1 1 1" \
+	'pair_style gran model hooke/stiffness tangential history' 'pair_coeff * *'
+alike 'the grains of hooke/modulus are springs in series' 1e-10 modulus stiffness
+rejects "$(printf '%s\n' "$(scene 1 2 | grep -v ' k6 ')" 'pair_style gran model hooke/modulus' 'pair_coeff * *' 'run 0')" \
+	'contactStiffnessRatio'
+
 # Two spheres of unlike materials are pressed together and pulled apart slowly with a tangential load that sticks; the
 # force of incremental_history is the integral of k_t over the slip: after loading at one depth and turning
 # back to another it is that of the first depth.

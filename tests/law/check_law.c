@@ -88,6 +88,9 @@ START_TEST(hertz_and_hooke_at_rest)
 		 t.m_eff * v2 / pow(pow(15.0 / 16 * t.m_eff * v2 / a, 0.4), 2) * t.overlap, 1e-13);
 	m.normal = TS_NORMAL_HOOKE_STIFFNESS;
 	close_to(contact(&m, t, still, still, still, NULL).normal, stuff.kn * t.overlap, 1e-15);
+	m.normal = TS_NORMAL_HOOKE_MODULUS; /* 4 R E of both grains in series; here kn = 4 E */
+	close_to(contact(&m, t, still, still, still, NULL).normal,
+		 t.overlap / (1 / (stuff.kn * t.radius[0]) + 1 / (stuff.kn * t.radius[1])), 1e-14);
 	m.normal = TS_NORMAL_HERTZ_STIFFNESS;
 	close_to(contact(&m, t, still, still, still, NULL).normal,
 		 stuff.kn * t.overlap * sqrt(t.r_eff * t.overlap), 1e-14);
@@ -236,9 +239,9 @@ static double restitution(const struct ts_granular_model *m, const struct ts_gra
 
 START_TEST(restitution_is_kept)
 {
-	static const int laws[] = { TS_NORMAL_HERTZ, TS_NORMAL_HOOKE };
-	struct ts_granular_model m = { .normal = laws[_i % 2] };
-	double e = 0.95 - 0.15 * (double)(_i / 2), log_e = log(e);
+	static const int laws[] = { TS_NORMAL_HERTZ, TS_NORMAL_HOOKE, TS_NORMAL_HOOKE_MODULUS };
+	struct ts_granular_model m = { .normal = laws[_i % 3] };
+	double e = 0.95 - 0.15 * (double)(_i / 3), log_e = log(e);
 	struct ts_granular_pair c = stuff;
 
 	c.log_restitution = log_e;
@@ -251,9 +254,10 @@ END_TEST
 /* The motion of a single contact (law/impact.h), known at one overlap, has the force of the law at any other. */
 START_TEST(impact_has_the_force_of_the_law)
 {
-	static const int laws[] = { TS_NORMAL_SPRING, TS_NORMAL_HERTZ, TS_NORMAL_HOOKE,
-				    TS_NORMAL_HOOKE_STIFFNESS, TS_NORMAL_HERTZ_STIFFNESS };
-	struct ts_granular_model m = { .normal = laws[_i % 5], .absolute_damping = _i >= 5 };
+	static const int laws[] = { TS_NORMAL_SPRING,	     TS_NORMAL_HERTZ,
+				    TS_NORMAL_HOOKE,	     TS_NORMAL_HOOKE_STIFFNESS,
+				    TS_NORMAL_HOOKE_MODULUS, TS_NORMAL_HERTZ_STIFFNESS };
+	struct ts_granular_model m = { .normal = laws[_i % 6], .absolute_damping = _i >= 6 };
 	const double at = 0.00037, overlaps[] = { 0.00023, 0.00037, 0.00111 };
 	struct ts_touch t = touch(0.0123, 0.0231, at, false);
 	struct ts_impact o;
@@ -326,8 +330,8 @@ int main(void)
 	tcase_add_loop_test(c, wall_is_the_limit, 0, 48);
 	tcase_add_loop_test(c, wall_is_the_limit_of_areas, 0, 120);
 	tcase_add_test(c, sticky_surfaces);
-	tcase_add_loop_test(c, restitution_is_kept, 0, 8);
-	tcase_add_loop_test(c, impact_has_the_force_of_the_law, 0, 10);
+	tcase_add_loop_test(c, restitution_is_kept, 0, 12);
+	tcase_add_loop_test(c, impact_has_the_force_of_the_law, 0, 12);
 	tcase_add_test(c, hysteresis_loses_energy);
 	tcase_add_test(c, friction_is_limited);
 	suite_add_tcase(suite, c);

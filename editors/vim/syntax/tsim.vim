@@ -132,11 +132,12 @@ syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple con
 syn keyword tsimKeyword  white formula correlation noise columns waves selfaffine hurst
 syn keyword tsimKeyword  shortest roll longest size datum base merge method divided kernel
 syn keyword tsimKeyword  reach least settled inertia_1 inertia_2 arm joint_1 joint_2
-syn keyword tsimKeyword  start_1 start_2 model hooke hertz hooke/stiffness hertz/stiffness
-syn keyword tsimKeyword  hooke/hysteresis jkr history no_history incremental_history
-syn keyword tsimKeyword  jkr_tan rolling_friction cdt epsd epsd2 epsd3 cohesion sjkr sjkr2
-syn keyword tsimKeyword  easo/capillary/viscous washino/capillary/viscous multicontact
-syn keyword tsimKeyword  limitForce tangential_damping absolute_damping ktToKnUser viscous
+syn keyword tsimKeyword  start_1 start_2 model hooke hertz hooke/stiffness hooke/modulus
+syn keyword tsimKeyword  hertz/stiffness hooke/hysteresis jkr history no_history
+syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
+syn keyword tsimKeyword  cohesion sjkr sjkr2 easo/capillary/viscous
+syn keyword tsimKeyword  washino/capillary/viscous multicontact limitForce
+syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
 syn keyword tsimKeyword  tangential_reduce modifyLbVolume limitLiquidContent torsionTorque
 syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
