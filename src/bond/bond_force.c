@@ -39,18 +39,27 @@ static enum ts_status record_failure(struct tsim *sim, size_t b, struct ts_bond_
 	return TS_OK;
 }
 
+/* The elastic energy of a central spring that broke under this force. */
+static double energy_at_force(const struct tsim *sim, const struct ts_bond_event *e)
+{
+	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_BOND);
+	const struct ts_bond_style *style = ts_bond_style_of(inst);
+	const void *coeff = ts_coeff(&((const struct ts_bond *)inst->state)->coeffs, (size_t)e->type);
+
+	return style->energy ? style->energy(coeff, e->force / style->stiffness(coeff)) : NAN;
+}
+
 static enum ts_status record_breakage(struct tsim *sim, size_t b)
 {
 	struct ts_bonds *bonds = sim->bonds;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)bonds->row[b][0], j = (size_t)bonds->row[b][1];
 	struct ts_bond_event *e;
-	double d[3];
+	double d[3], *energy;
 
 	if (TS_GROW(bonds->event, bonds->event_capacity, bonds->nevents + 1) != TS_OK ||
 	    TS_GROW(bonds->event_energy, bonds->energy_capacity, bonds->nevents + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	bonds->event_energy[bonds->nevents] = 0;
 	e = &bonds->event[bonds->nevents++];
 	memset(e, 0, sizeof *e); /* events are archived as bytes, padding included */
 	e->step = sim->clock.step;
@@ -63,7 +72,9 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 	for (int s = 0; s < 2; s++)
 		e->tag[s] = bonds->tag[b][s];
 	bonds->broken++;
-	return bonds->transmits ? record_failure(sim, b, e, &bonds->event_energy[bonds->nevents - 1]) : TS_OK;
+	energy = &bonds->event_energy[bonds->nevents - 1];
+	*energy = bonds->transmits ? 0 : energy_at_force(sim, e);
+	return bonds->transmits ? record_failure(sim, b, e, energy) : TS_OK;
 }
 
 static enum ts_status remove_broken_bonds(struct tsim *sim)

@@ -312,7 +312,8 @@ static enum ts_status archive_bonds(struct ts_instance *self, struct tsim *sim, 
 	TS_TRY(ts_archive_expect(a, "tag", TS_SAVED_I32, 2 * (size_t)n[0]));
 	TS_TRY(ts_archive_expect(a, "events", TS_SAVED_U8, (size_t)n[1] * sizeof *b->event));
 	if (reserve_bonds(b, (size_t)n[0]) != TS_OK ||
-	    TS_GROW(b->event, b->event_capacity, (size_t)n[1]) != TS_OK)
+	    TS_GROW(b->event, b->event_capacity, (size_t)n[1]) != TS_OK ||
+	    TS_GROW(b->event_energy, b->energy_capacity, (size_t)n[1]) != TS_OK)
 		return ts_nomem(&sim->error);
 	b->n = (size_t)n[0];
 	b->nevents = (size_t)n[1];
@@ -322,6 +323,11 @@ static enum ts_status archive_bonds(struct ts_instance *self, struct tsim *sim, 
 	TS_TRY(ts_archive_fixed(a, "tension", TS_SAVED_F64, b->tension, b->n));
 	TS_TRY(archive_moments(sim, b, a));
 	TS_TRY(ts_archive_fixed(a, "events", TS_SAVED_U8, b->event, b->nevents * sizeof *b->event));
+	if (ts_archive_writing(a) || ts_archive_has(a, "event_energy"))
+		TS_TRY(ts_archive_fixed(a, "event_energy", TS_SAVED_F64, b->event_energy, b->nevents));
+	else
+		for (size_t k = 0; k < b->nevents; k++)
+			b->event_energy[k] = NAN;
 	return ts_archive_writing(a) ? TS_OK : check_restored_bonds(sim, b);
 }
 

@@ -61,7 +61,7 @@ struct ts_bonds {
 	int64_t created, broken; /* totals over all runs */
 	int64_t gone;		 /* totals of unbroken bonds removed because a partner left the simulation */
 	struct ts_bond_event *event;
-	double *event_energy; /* elastic energy of the bond when it broke; bonds that transmit moments, this run */
+	double *event_energy; /* elastic energy of the bond when it broke; NaN: no potential, or an old restart file */
 	size_t nevents, event_capacity, energy_capacity, reference_capacity, load_capacity;
 };
 

@@ -6,7 +6,7 @@
 
 #include "base/banned.h"
 
-enum { COLUMNS = 10 };
+enum { COLUMNS = 11 };
 
 struct breakage {
 	const char *path;
@@ -22,7 +22,7 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	TS_TRY(ts_textfile_open(&s->file, sim, ts_instance_word(self, s->path), s->path, s->written > 0));
 	if (!s->written)
-		TS_TRY(ts_textfile_printf(&s->file, "# step time i j type x y z force%s\n",
+		TS_TRY(ts_textfile_printf(&s->file, "# step time i j type x y z force%s energy\n",
 					  sim->bonds->transmits ? " mode" : ""));
 	return TS_OK;
 }
@@ -37,10 +37,12 @@ static enum ts_status write_new_events(struct ts_instance *self, struct tsim *si
 	for (; s->written < (int64_t)bonds->nevents; s->written++) {
 		const struct ts_bond_event *e = &bonds->event[s->written];
 
-		TS_TRY(ts_textfile_printf(&s->file, "%" PRId64 " %.9g %d %d %d %.9g %.9g %.9g %.9g%s%s\n",
-					  e->step, e->time, e->tag[0], e->tag[1], e->type, e->x[0], e->x[1],
-					  e->x[2], e->force, bonds->transmits ? " " : "",
-					  bonds->transmits ? ts_bond_failure_name(e->mode) : ""));
+		TS_TRY(ts_textfile_printf(&s->file,
+					  "%" PRId64 " %.9g %d %d %d %.9g %.9g %.9g %.9g%s%s %.9g\n", e->step,
+					  e->time, e->tag[0], e->tag[1], e->type, e->x[0], e->x[1], e->x[2],
+					  e->force, bonds->transmits ? " " : "",
+					  bonds->transmits ? ts_bond_failure_name(e->mode) : "",
+					  bonds->event_energy[s->written]));
 	}
 	return ts_textfile_flush(&s->file);
 }
@@ -60,8 +62,17 @@ static enum ts_status eval_events(struct ts_instance *self, const struct tsim *s
 	TS_TRY(ts_table_resize(out, bonds->nevents, COLUMNS));
 	for (size_t k = 0; k < bonds->nevents; k++) {
 		const struct ts_bond_event *e = &bonds->event[k];
-		const double row[COLUMNS] = { (double)e->step, e->time, e->tag[0], e->tag[1], e->type,
-					      e->x[0],	       e->x[1], e->x[2],   e->force,  e->mode };
+		const double row[COLUMNS] = { (double)e->step,
+					      e->time,
+					      e->tag[0],
+					      e->tag[1],
+					      e->type,
+					      e->x[0],
+					      e->x[1],
+					      e->x[2],
+					      e->force,
+					      e->mode,
+					      bonds->event_energy[k] };
 
 		memcpy(out->data + COLUMNS * k, row, sizeof row);
 	}
@@ -79,7 +90,8 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
-static const char *const event_names[] = { "step", "time", "i", "j", "type", "x", "y", "z", "force", "mode" };
+static const char *const event_names[] = { "step", "time", "i",	    "j",    "type",  "x",
+					   "y",	   "z",	   "force", "mode", "energy" };
 static const struct ts_value values[] = {
 	{ "count", "", "bonds broken so far", TS_SCALAR, 1, NULL, eval_count },
 	{ "events", "", "one row per broken bond", TS_LOCAL, COLUMNS, event_names, eval_events },
@@ -98,9 +110,10 @@ const struct ts_style ts_fix_bond_breakage = {
 	.summary = "lists broken bonds with time and position",
 	.doc = "Writes one line for each bond that breaks: step, time, IDs i and j of the partners, bond "
 	       "type, midpoint x y z of the partners, and the bond force at breakage (> 0 in tension); for "
-	       "bonds that transmit moments also the mode of failure: tension, shear or compression. The "
-	       "same list is available as a local array for dump local, with the mode as number: 0 force "
-	       "(contact bonds), 1 tension, 2 shear, 3 compression. Bonds of all groups are listed.",
+	       "bonds that transmit moments also the mode of failure: tension, shear or compression; last "
+	       "the elastic energy of the bond, which is lost. The same list is available as a local array "
+	       "for dump local, with the mode as number: 0 force (contact bonds), 1 tension, 2 shear, 3 "
+	       "compression. Bonds of all groups are listed.",
 	.example = "fix crack all bond/breakage file post/broken.txt",
 	.args = args,
 	.state_size = sizeof(struct breakage),

@@ -255,8 +255,6 @@ enum ts_status ts_ledger_account_wall(struct tsim *sim, struct ts_ledger *l, con
 static double broken_energy(const struct tsim *sim, const struct ts_ledger_note *was)
 {
 	const struct ts_bonds *bonds = sim->bonds;
-	const struct ts_bond *state = ts_sim_only(sim, TS_KIND_BOND)->state;
-	const struct ts_bond_style *style = ts_bond_style_of(ts_sim_only(sim, TS_KIND_BOND));
 	double before = was->energy[0];
 
 	for (int mode = 1; mode < TS_BOND_MODES; mode++)
@@ -264,17 +262,9 @@ static double broken_energy(const struct tsim *sim, const struct ts_ledger_note 
 
 	for (size_t e = bonds->nevents; e-- > 0 && bonds->event[e].step == sim->clock.step;) {
 		const struct ts_bond_event *event = &bonds->event[e];
-		const void *coeff = ts_coeff(&state->coeffs, (size_t)event->type);
 
-		double energy;
-
-		if (event->tag[0] != was->tag[0] || event->tag[1] != was->tag[1])
-			continue;
-		if (style->element)
-			energy = e < bonds->energy_capacity ? bonds->event_energy[e] : before;
-		else
-			energy = style->energy(coeff, event->force / style->stiffness(coeff));
-		return 0.5 * (before + energy);
+		if (event->tag[0] == was->tag[0] && event->tag[1] == was->tag[1])
+			return 0.5 * (before + bonds->event_energy[e]);
 	}
 	return before;
 }
