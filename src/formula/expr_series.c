@@ -9,6 +9,13 @@
 
 #include "base/banned.h"
 
+static enum ts_status eval_length(const double *x, size_t n, double *out)
+{
+	(void)x;
+	*out = (double)n;
+	return TS_OK;
+}
+
 static enum ts_status eval_sum(const double *x, size_t n, double *out)
 {
 	*out = ts_exactsum_of(x, n, 1);
@@ -91,6 +98,7 @@ static void map_rsort(double *x, size_t n)
 	}
 
 const struct ts_expr_function ts_series_functions[] = {
+	SERIES("length", eval_length, 0, "how many numbers a list has"),
 	SERIES("sum", eval_sum, 0, "sum of all numbers of a list"),
 	SERIES("ave", eval_ave, 1, "mean of all numbers of a list"),
 	SERIES("min", eval_min, 1, "least number of a list"),

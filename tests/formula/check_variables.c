@@ -129,6 +129,7 @@ START_TEST(vectors)
 		      "variable p vector atan2([1,1],[1,-1])*4/PI\nprint ${p}\n",
 		      "[1,2.5,8]\n[3,6,17] 6 17\n[-1,2,3] [3,2,-1]\n[1,2.5,8]\n[7]\n[1,3]\n");
 	expect_value("sum(v_v)+ave([1,2,6])+min(v_s)+max(v_s)", 11.5 + 3 - 1 + 3);
+	expect_value("length([1,2,4])", 3);
 	expect_value("trap([1,2,4])+slope([1,3,5.5])", 4.5 + 2.25);
 	expect_value("sum([2])", 2);
 	expect_error("print $(v_v[4])", 1, 9, 6, "variable 'v' has 3");
