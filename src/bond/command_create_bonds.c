@@ -149,14 +149,20 @@ static enum ts_status create_single(struct tsim *sim, const struct create_bonds 
 
 static void warn_no_bond(struct tsim *sim, const struct create_bonds *c)
 {
-	if (c->mode == GAP)
+	if (c->mode == SINGLE)
+		ts_warn(&sim->log, c->where,
+			"create_bonds created no bond: particles %" PRId64 " and %" PRId64
+			" are bonded already",
+			c->tag_a, c->tag_b);
+	else if (c->mode == GAP)
 		ts_warn(&sim->log, c->where,
 			"create_bonds created no bond: no pair that is not bonded has a gap of at most %g",
 			c->gap);
 	else
 		ts_warn(&sim->log, c->where,
-			"create_bonds created no bond: no pair has a distance from %g to %g", c->rmin,
-			c->rmax);
+			"create_bonds created no bond: no pair that is not bonded has a distance from %g to "
+			"%g",
+			c->rmin, c->rmax);
 }
 
 static enum ts_status create_bonds_command(struct tsim *sim, void *state, const struct ts_place *where)

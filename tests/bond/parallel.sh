@@ -2,6 +2,8 @@
 # Bonds that transmit moments: refused input, outputs by known answers, local damping.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
+# shellcheck source=tests/lib_meshes.sh
+. "$top_srcdir/tests/lib_meshes.sh"
 
 cat >in.two <<'END'
 units si
@@ -217,6 +219,42 @@ fix b all bond/create/gran 1 1 2 0.3 1 6'
 printf '%s\n' 'include in.two' 'bond_coeff 1 kn 1 ks 1' 'set atom 2 x 0' 'fix b all bond/create/gran 1 1 1 0.3 1 6' \
 	'fix m all nve/sphere' 'timestep 1e-4' 'run 1' >in.same
 refused 'fix bond/create/gran: the same place' 'at the same place' -in in.same
+
+# A bond holds across a wall of triangles that neither partner touches, to a frozen and to a moved partner.
+plate 2 0 >plate.stl
+for held in 'freeze' 'move wiggle 0 0 0.003 0.02' 'move rotate 0 0 0 0 0 1 0.1'; do
+	for wall in '' 'fix wall all mesh/surface file plate.stl type 1
+fix walls all wall/gran model hooke/modulus tangential history mesh n_meshes 1 meshes wall'; do
+		cat >in.across <<END
+include in.two
+fix e all property/global contactModulus peratomtypepair 1 1e7
+fix k all property/global contactStiffnessRatio peratomtypepair 1 2
+fix r all property/global coefficientRestitution peratomtypepair 1 1
+fix mu all property/global coefficientFriction peratomtypepair 1 0.5
+pair_style gran model hooke/modulus tangential history
+pair_coeff * *
+set atom 1 diameter 0.2 x 0 y 0 z -0.125
+set atom 2 diameter 0.2 x 0.02 y 0 z 0.125
+bond_coeff 1 kn 1e6 ks 1e6
+create_bonds single/bond 1 1 2
+$wall
+group one id 1
+group two id 2
+fix held one $held
+fix move two nve/sphere
+velocity two set 0.03 0.02 0.05
+timestep 1e-5
+run 2000
+variable x equal x[2]
+variable z equal z[2]
+variable w equal omegay[2]
+print "IS \$(v_x):%.17g \$(v_z):%.17g \$(v_w):%.17g bonds \$(bonds)"
+END
+		"$TSIM" -in in.across -log none 2>&1 | grep ^IS >"across${wall:+.wall}"
+	done
+	grep -q 'bonds 1' across && cmp across across.wall >out 2>&1
+	report "a bond across triangles, fix $held" $? out
+done
 
 # scatter none: all bonds break at the same stress; the mode is told
 cat >in.break <<'END'
