@@ -133,6 +133,8 @@ library_sources = \
 	src/bond/bond_reference.h \
 	src/bond/bond_slices.c \
 	src/bond/bond_slices.h \
+	src/bond/bond_yield.c \
+	src/bond/bond_yield.h \
 	src/bond/bonds.c \
 	src/bond/bonds.h \
 	src/bond/clusters.c \
@@ -728,6 +730,7 @@ library_sources = \
 	src/law/lubrication.h \
 	src/law/normal.h \
 	src/law/normal_area.h \
+	src/law/plastic_hinge.h \
 	src/law/rolling.h \
 	src/law/servo.h \
 	src/law/spring_dashpot.h \

@@ -215,6 +215,7 @@ unit_tests = \
 	tests/bond/check_bonds \
 	tests/bond/check_element \
 	tests/bond/check_parallel \
+	tests/bond/check_yield \
 	tests/contact/check_contact_parts \
 	tests/core/check_alloc \
 	tests/core/check_args \
@@ -353,6 +354,10 @@ tests_bond_check_element_LDADD = $(tests_ldadd)
 tests_bond_check_parallel_SOURCES = tests/bond/check_parallel.c
 tests_bond_check_parallel_CFLAGS = $(tests_cflags)
 tests_bond_check_parallel_LDADD = $(tests_ldadd)
+
+tests_bond_check_yield_SOURCES = tests/bond/check_yield.c
+tests_bond_check_yield_CFLAGS = $(tests_cflags)
+tests_bond_check_yield_LDADD = $(tests_ldadd)
 
 tests_contact_check_contact_parts_SOURCES = tests/contact/check_contact_parts.c
 tests_contact_check_contact_parts_CFLAGS = $(tests_cflags)

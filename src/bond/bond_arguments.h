@@ -63,9 +63,11 @@ bool ts_bond_any_damping(const struct ts_bond_damping *damping);
 	"error. In two dimensions the section is a circle as well.\n\nThe limit of the time step " \
 	"includes bending and torsion, which limit short bonds; see doc/stability.md."
 
-#define TS_BOND_MOMENT_SLOTS                                                                    \
-	.archive = ts_bond_archive, .fingerprint = ts_bond_fingerprint, .init = ts_bond_init,   \
-	.hook = { [TS_STAGE_POST_INTEGRATE] = ts_bond_turn, [TS_STAGE_FORCE] = ts_bond_force }, \
+/* `turn`: turns the particles after they have moved. */
+#define TS_BOND_MOMENT_SLOTS_WITH(turn)                                                       \
+	.archive = ts_bond_archive, .fingerprint = ts_bond_fingerprint, .init = ts_bond_init, \
+	.hook = { [TS_STAGE_POST_INTEGRATE] = (turn), [TS_STAGE_FORCE] = ts_bond_force },     \
 	.energy = ts_contact_energy_of_bonds, .plan = ts_bond_plan, .fini = ts_bond_fini
+#define TS_BOND_MOMENT_SLOTS TS_BOND_MOMENT_SLOTS_WITH(ts_bond_turn)
 
 #endif

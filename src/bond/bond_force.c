@@ -167,6 +167,7 @@ enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim)
 	const struct ts_bonds *bonds = sim->bonds;
 
 	TS_TRY(resize_coeffs(sim, self));
+	sim->bonds->flow = 0;
 	for (size_t b = 0; b < bonds->n; b++)
 		if (!bond->coeffs.given[bonds->type[b]])
 			return ts_fail(&sim->error, TS_STATE, &self->where,

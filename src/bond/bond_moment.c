@@ -23,7 +23,7 @@ static const void *coeff_of(const struct tsim *sim, size_t b)
 	return ts_coeff(&bond->coeffs, (size_t)sim->bonds->type[b]);
 }
 
-void ts_bond_constants(const struct tsim *sim, size_t b, struct ts_bond_element *out)
+struct ts_bond_pair ts_bond_pair_of(const struct tsim *sim, size_t b)
 {
 	const struct ts_bonds *bonds = sim->bonds;
 	const struct ts_particles *p = sim->particles;
@@ -37,6 +37,13 @@ void ts_bond_constants(const struct tsim *sim, size_t b, struct ts_bond_element 
 		pair.inertia[s] = ts_inertia(sim, i);
 		pair.tag[s] = bonds->tag[b][s];
 	}
+	return pair;
+}
+
+void ts_bond_constants(const struct tsim *sim, size_t b, struct ts_bond_element *out)
+{
+	const struct ts_bond_pair pair = ts_bond_pair_of(sim, b);
+
 	*out = (struct ts_bond_element){
 		.length = pair.rest, .tension = INFINITY, .shear = INFINITY, .compression = INFINITY
 	};
@@ -164,16 +171,22 @@ static struct ts_wxyz frame_of(const struct tsim *sim, size_t b, int side)
 			       (struct ts_wxyz){ f[0], f[1], f[2], f[3] });
 }
 
+void ts_bond_ends_of(const struct tsim *sim, size_t b, struct ts_bond_ends *out)
+{
+	double d[3];
+
+	ts_bond_separation(sim, (size_t)sim->bonds->row[b][1], (size_t)sim->bonds->row[b][0], d);
+	out->d = (struct ts_xyz){ d[0], d[1], d[2] };
+	for (int k = 0; k < 2; k++)
+		out->q[k] = frame_of(sim, b, k);
+}
+
 void ts_bond_state_of(const struct tsim *sim, size_t b, struct ts_bond_element *e, struct ts_bond_answer *out)
 {
 	struct ts_bond_ends s;
-	double d[3];
 
 	ts_bond_constants(sim, b, e);
-	ts_bond_separation(sim, (size_t)sim->bonds->row[b][1], (size_t)sim->bonds->row[b][0], d);
-	s.d = (struct ts_xyz){ d[0], d[1], d[2] };
-	for (int k = 0; k < 2; k++)
-		s.q[k] = frame_of(sim, b, k);
+	ts_bond_ends_of(sim, b, &s);
 	ts_bond_elastic(e, &s, out);
 	ts_bond_stress(e, out);
 }

@@ -17,6 +17,8 @@ enum ts_status ts_bond_moments_fill(struct tsim *sim);
 enum ts_status ts_bond_moments_require(struct ts_instance *self, struct tsim *sim);
 
 /* Constants and present state of bond b, without damping. */
+struct ts_bond_pair ts_bond_pair_of(const struct tsim *sim, size_t b);
+void ts_bond_ends_of(const struct tsim *sim, size_t b, struct ts_bond_ends *out); /* without velocities */
 void ts_bond_constants(const struct tsim *sim, size_t b, struct ts_bond_element *out);
 void ts_bond_state_of(const struct tsim *sim, size_t b, struct ts_bond_element *element,
 		      struct ts_bond_answer *out);

@@ -53,6 +53,7 @@ struct ts_bonds {
 	bool transmits;
 	bool shown;	       /* an output may read tensions at any step: they are stored in each step */
 	unsigned char *breaks; /* per bond: breaks in this step */
+	double flow;	       /* work lost in bonds that yield, in this step: bond/bond_yield.h */
 
 	struct ts_gather gather; /* bonds of each local particle */
 	struct ts_bond_slices slices;
@@ -76,6 +77,7 @@ struct ts_bond_state {
 typedef bool ts_bond_law(const void *coeff, const struct ts_bond_state *state, double *tension);
 
 struct ts_bond_element;
+struct ts_plastic_section;
 /* One bond and its partners; what the constants of its element may depend on. */
 struct ts_bond_pair {
 	double rest, radius[2], mass[2], inertia[2];
@@ -92,6 +94,8 @@ struct ts_bond_style {
 	/* Bonds that transmit moments: the constants of law/bond_element.h; `compute` is then
 	 * ts_bond_compute_moments, and the functions below are NULL. NULL: central springs. */
 	void (*element)(const void *coeff, const struct ts_bond_pair *pair, struct ts_bond_element *out);
+	/* What a bond yields at; returns false if bonds of this type do not yield. NULL: none does. */
+	bool (*section)(const void *coeff, const struct ts_bond_pair *pair, struct ts_plastic_section *out);
 	double (*stiffness)(const void *coeff);
 	/* Elastic energy at this extension; NULL if the law has no potential. */
 	double (*energy)(const void *coeff, double extension);

@@ -94,9 +94,9 @@ struct ts_ledger {
 	double start_kinetic[2], start_store[TS_NSTORE];
 	double kinetic[2], store[TS_NSTORE]; /* now */
 	/* Energies: work of each cause; work of moving walls; work of a deforming box on contacts across its
-	 * faces; elastic energy of broken bonds; error of the rotation of rigid bodies; constraints: particles
+	 * faces; elastic energy of broken bonds; work lost in bonds that yield; error of the rotation of rigid bodies; constraints: particles
 	 * that are not integrated, and fixed directions of bodies; changes by commands between runs. */
-	struct ts_compensated_sum work[TS_NCAUSE], drive, box, broken, turning, held, between;
+	struct ts_compensated_sum work[TS_NCAUSE], drive, box, broken, yielded, turning, held, between;
 	/* energy of tangential springs dissipated by slip */
 	struct ts_compensated_sum slip[TS_LEDGER_SIDES];
 	/* elastic energy that came or went with particles, or changed between runs */
@@ -205,7 +205,7 @@ static inline double *ts_ledger_causes(const struct ts_ledger *l, const struct t
 	X(FRICTION, "dissipated by sliding friction")                                                                \
 	X(SPRINGS, "lost by rotated or released tangential springs")                            \
 	X(ROLLING, "dissipated by rolling and twisting friction")                                                 \
-	X(PLASTIC, "dissipated in plastic or adhesive contacts")                                         \
+	X(PLASTIC, "dissipated in plastic or adhesive contacts, and bonds that yield")                                 \
 	X(BOND_DASHPOTS, "dissipated by bond dashpots")                                              \
 	X(BROKEN, "elastic energy of broken bonds")                                                        \
 	X(LOST, "total dissipation")                                                                \

@@ -326,8 +326,10 @@ enum ts_status ts_ledger_account_bonds(struct tsim *sim, struct ts_ledger *l)
 
 	for (int mode = 0; mode < TS_BOND_MODES; mode++)
 		sum[mode] = ts_exactsum_start();
-	if (l->stepping)
+	if (l->stepping) {
 		account_broken_bonds(sim, l);
+		ts_compensated_add(&l->yielded, sim->bonds->flow);
+	}
 	l->bonds = 0;
 	for (size_t b = 0; b < sim->bonds->n; b++)
 		TS_TRY(account_bond(sim, l, b, sum));

@@ -31,7 +31,8 @@ static double bond_drift(const struct ts_ledger *l)
 
 	for (int mode = 1; mode < TS_BOND_MODES; mode++)
 		gain += elastic_energy_gain(l, TS_LEDGER_BOND + mode);
-	return gain + ts_compensated_value(&l->work[TS_CAUSE_BOND]) + ts_compensated_value(&l->broken);
+	return gain + ts_compensated_value(&l->work[TS_CAUSE_BOND]) + ts_compensated_value(&l->broken) +
+	       ts_compensated_value(&l->yielded);
 }
 
 /* Springs of sliding and rolling friction store a part of the work put in; the rest is dissipated. */
@@ -123,6 +124,7 @@ void ts_ledger_values(const struct ts_ledger *l, double out[TS_LEDGER_VALUES])
 	for (int k = 0; k < TS_NSTORE; k++)
 		out[TS_LEDGER_MOVED_VALUE] += ts_compensated_value(&l->moved[k]);
 	out[TS_LEDGER_BOND_DASHPOTS_VALUE] = -ts_compensated_value(&l->work[TS_CAUSE_BOND_DASHPOT]);
+	out[TS_LEDGER_PLASTIC_VALUE] += ts_compensated_value(&l->yielded);
 	out[TS_LEDGER_BROKEN_VALUE] = ts_compensated_value(&l->broken);
 	for (int k = TS_LEDGER_NORMAL_DASHPOTS_VALUE; k <= TS_LEDGER_BROKEN_VALUE; k++)
 		out[TS_LEDGER_LOST_VALUE] += out[k];
@@ -149,6 +151,7 @@ static enum ts_status archive_numbers(struct ts_archive *a, struct ts_ledger *l)
 	TS_TRY(ts_archive_fixed(a, "heat", TS_SAVED_F64, &l->heat, sizeof l->heat / sizeof(double)));
 	TS_TRY(ts_archive_fixed(a, "slip", TS_SAVED_F64, l->slip, 3 * TS_LEDGER_SIDES));
 	TS_TRY(ts_archive_fixed(a, "broken", TS_SAVED_F64, &l->broken, 3));
+	TS_TRY(ts_archive_fixed(a, "yielded", TS_SAVED_F64, &l->yielded, 3));
 	TS_TRY(ts_archive_fixed(a, "turning", TS_SAVED_F64, &l->turning, 3));
 	TS_TRY(ts_archive_fixed(a, "held", TS_SAVED_F64, &l->held, 3));
 	TS_TRY(ts_archive_fixed(a, "between", TS_SAVED_F64, &l->between, 3));

@@ -40,6 +40,8 @@ bad 'a beam without nu or G' 'expected either nu' 'bond_style beam
 bond_coeff 1 E 1'
 bad 'a beam with both' 'expected either nu' 'bond_style beam
 bond_coeff 1 E 1 nu 0.3 G 1'
+bad 'yield beyond the modulus' 'is not below' 'bond_style beam
+bond_coeff 1 E 1 nu 0.3 yield 1'
 bad 'nu above a half' 'nu is 0.6' 'bond_style beam
 bond_coeff 1 E 1 nu 0.6'
 bad 'gran: ring inside out' 'expected less than the outer radius' 'bond_style gran
@@ -248,7 +250,7 @@ run 2000
 variable x equal x[2]
 variable z equal z[2]
 variable w equal omegay[2]
-print "IS \$(v_x):%.17g \$(v_z):%.17g \$(v_w):%.17g bonds \$(bonds)"
+print "IS \$(v_x) \$(v_z) \$(v_w) bonds \$(bonds)"
 END
 		"$TSIM" -in in.across -log none 2>&1 | grep ^IS >"across${wall:+.wall}"
 	done
@@ -275,6 +277,32 @@ awk '/^#/ { names = / force mode energy$/; next }
 	{ found = $10 == "tension" && ($9 * $9 / (2 * 1e7 * 4 * atan2(1, 1) * 0.01) / $11 - 1) ^ 2 < 1e-14 }
 	END { exit !(names && found) }' cracks.txt
 report 'mode and energy in the file' $? cracks.txt
+
+# A beam that yields in bending, torsion and tension: the ledger closes with second order in the time step.
+for h in 2e-5 5e-6; do
+	cat >in.yields <<END
+include in.two
+set atom 2 diameter 0.2 density 2385
+bond_style beam
+bond_coeff 1 E 1e9 nu 0.3 lambda 0.2 yield 1e6
+create_bonds single/bond 1 1 2
+group one id 1
+group two id 2
+fix held one freeze
+fix move two nve/sphere
+velocity two set 0.02 0.3 0.1
+set atom 2 omegax 5
+fix books all energy/ledger every 1 summary no tolerance 1
+timestep $h
+run \$(round(0.02/$h))
+print "IS \$(f_books[15]) \$(f_books[20]) \$(ke+erotate)"
+END
+	"$TSIM" -in in.yields -log none 2>&1 | grep ^IS
+done >yields
+awk '{ lost[NR] = $2; drift[NR] = $3 / ($2 + $4) }
+	END { r = drift[1] / drift[2]; exit !(NR == 2 && lost[2] > 0.4 && (lost[1] / lost[2] - 1) ^ 2 < 1e-10 &&
+		drift[1] ^ 2 < 4e-12 && r > 10) }' yields
+report 'the energy of a beam that yields' $? yields
 
 # Cundall: the force of a spring is (1-g) k x on the way in and (1+g) k x on the way out
 agree 'local damping' 'include in.two

@@ -24,8 +24,8 @@ syn keyword tsimKeyword  restitution wall_restitution roughness lower upper star
 syn keyword tsimKeyword  obstacles order exact blocks contact offset centre any directions
 syn keyword tsimKeyword  random nearest table partner turns keeps wall_normal speed
 syn match tsimKeyword /\<velocity\>/ 
-syn keyword tsimKeyword  E nu G kappa lambda sigma_c tau_c sigma_compression scatter none
-syn keyword tsimKeyword  normal weibull deviation shape damping damping_normal
+syn keyword tsimKeyword  E nu G kappa lambda yield sigma_c tau_c sigma_compression scatter
+syn keyword tsimKeyword  none normal weibull deviation shape damping damping_normal
 syn keyword tsimKeyword  damping_shear damping_bending damping_twist stiffness ultimate kn
 syn keyword tsimKeyword  ks ratio beta map array hash id first sort tilt small large
 syn match tsimKeyword /\<units\>/ 
@@ -146,7 +146,7 @@ syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes voxels
 syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear impact resolved
 syn keyword tsimKeyword  store_force contacts store_force_contact
 syn keyword tsimKeyword  store_force_contact_stress evolve evolve_every thickness layer
-syn keyword tsimKeyword  through open k deformation cutting yield modulus cutting_constant
+syn keyword tsimKeyword  through open k deformation cutting modulus cutting_constant
 syn keyword tsimKeyword  elastic_constant factor flow_stress depth_ratio force_ratio
 syn keyword tsimKeyword  transition particles sio2 sic glass relaxation crater section
 syn keyword tsimKeyword  segment plastic ab2 rk2 rk3 backward substeps courant quick
