@@ -673,6 +673,8 @@ library_sources = \
 	src/io/format.h \
 	src/io/lines.c \
 	src/io/lines.h \
+	src/io/movie.c \
+	src/io/movie.h \
 	src/io/png.c \
 	src/io/png.h \
 	src/io/replace.c \

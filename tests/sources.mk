@@ -246,6 +246,7 @@ unit_tests = \
 	tests/impact/check_impact_event \
 	tests/insert/check_insertion \
 	tests/io/check_io \
+	tests/io/check_movie \
 	tests/kinetic/check_granular_couette \
 	tests/law/check_active_particles \
 	tests/law/check_erosion \
@@ -478,6 +479,10 @@ tests_insert_check_insertion_LDADD = $(tests_ldadd)
 tests_io_check_io_SOURCES = tests/io/check_io.c
 tests_io_check_io_CFLAGS = $(tests_cflags)
 tests_io_check_io_LDADD = $(tests_ldadd)
+
+tests_io_check_movie_SOURCES = tests/io/check_movie.c
+tests_io_check_movie_CFLAGS = $(tests_cflags)
+tests_io_check_movie_LDADD = $(tests_ldadd)
 
 tests_kinetic_check_granular_couette_SOURCES = tests/kinetic/check_granular_couette.c
 tests_kinetic_check_granular_couette_CFLAGS = $(tests_cflags)

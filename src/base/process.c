@@ -2,8 +2,11 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +22,8 @@ _Noreturn static void execute_program(const struct ts_process *p, int in, int ou
 	ssize_t told;
 	int code;
 
+	if (p->apart)
+		setpgid(0, 0);
 	if (dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0 && dup2(out, STDERR_FILENO) >= 0 &&
 	    (!p->folder || chdir(p->folder) == 0))
 		execvp(p->words[0], (char *const *)p->words);
@@ -39,7 +44,16 @@ static int read_report(int report)
 	return n == (ssize_t)sizeof code ? code : 0;
 }
 
-static int start_process(struct ts_process *p, int in, int out, pid_t *child)
+static int wait_for(pid_t child)
+{
+	int status = 0;
+
+	while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+		;
+	return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+static int start_process(const struct ts_process *p, int in, int out, pid_t *child)
 {
 	int report[2], code;
 
@@ -60,24 +74,126 @@ static int start_process(struct ts_process *p, int in, int out, pid_t *child)
 
 enum ts_status ts_process_run(struct ts_process *p, struct ts_error *err)
 {
-	int in = open("/dev/null", O_RDONLY | O_CLOEXEC), status = 0, code;
+	int in = open("/dev/null", O_RDONLY | O_CLOEXEC), code;
 	int out = open(p->output, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
 	double begin = ts_clock();
 	pid_t child = -1;
 
 	code = in < 0 || out < 0 ? errno : start_process(p, in, out, &child);
 	if (child > 0)
-		while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-			;
+		p->status = wait_for(child);
 	if (in >= 0)
 		close(in);
 	if (out >= 0)
 		close(out);
 	if (code)
 		return ts_fail(err, TS_IO, NULL, "cannot start '%s': %s", p->words[0], strerror(code));
-	p->status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 	p->seconds = ts_clock() - begin;
 	return TS_OK;
+}
+
+/* ---- a program that is fed */
+
+int ts_feed_start(struct ts_feed *feed, const char *const *words)
+{
+	const struct ts_process process = { .words = words, .apart = true };
+	int end[2], code;
+	pid_t child;
+
+	*feed = (struct ts_feed){ 0 };
+	if (socketpair(AF_UNIX, SOCK_STREAM, 0, end) != 0)
+		return errno;
+	fcntl(end[0], F_SETFD, FD_CLOEXEC);
+	fcntl(end[1], F_SETFD, FD_CLOEXEC);
+	code = start_process(&process, end[1], end[1], &child);
+	close(end[1]);
+	if (code) {
+		close(end[0]);
+		if (child > 0)
+			wait_for(child);
+		return code;
+	}
+	feed->child = child;
+	feed->socket = end[0];
+	return 0;
+}
+
+/* Keeps the end of what has been printed. */
+static void keep_said(struct ts_feed *feed, const char *text, size_t n)
+{
+	const size_t room = sizeof feed->said - 1;
+	size_t had = strlen(feed->said), drop;
+
+	if (n > room) {
+		text += n - room;
+		n = room;
+	}
+	drop = had + n > room ? had + n - room : 0;
+	memmove(feed->said, feed->said + drop, had - drop);
+	had -= drop;
+	for (size_t k = 0; k < n; k++)
+		feed->said[had + k] = (unsigned char)text[k] < ' ' || text[k] == 127 ? ' ' : text[k];
+	feed->said[had + n] = '\0';
+}
+
+/* Reads what the program prints; false: it has ended. */
+static bool listen_to(struct ts_feed *feed, int flags)
+{
+	char text[512];
+	ssize_t n;
+
+	do
+		n = recv(feed->socket, text, sizeof text, flags);
+	while (n < 0 && errno == EINTR);
+	if (n > 0)
+		keep_said(feed, text, (size_t)n);
+	return n > 0 || (n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK));
+}
+
+int ts_feed_write(struct ts_feed *feed, const void *bytes, size_t n)
+{
+	struct pollfd ready = { .fd = feed->socket, .events = POLLIN | POLLOUT };
+	const char *next = bytes;
+
+	if (!feed->child)
+		return EPIPE;
+	while (n > 0) {
+		ssize_t taken = 0;
+
+		if (poll(&ready, 1, -1) < 0 && errno != EINTR)
+			return errno;
+		if (!listen_to(feed, MSG_DONTWAIT))
+			return EPIPE;
+		if (ready.revents & POLLOUT)
+			taken = send(feed->socket, next, n, MSG_NOSIGNAL | MSG_DONTWAIT);
+		if (taken < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR)
+			return errno;
+		taken = taken < 0 ? 0 : taken;
+		next += taken;
+		n -= (size_t)taken;
+	}
+	return 0;
+}
+
+int ts_feed_end(struct ts_feed *feed)
+{
+	const pid_t child = feed->child;
+
+	if (!child)
+		return 0;
+	shutdown(feed->socket, SHUT_WR);
+	while (listen_to(feed, 0))
+		;
+	close(feed->socket);
+	feed->child = 0;
+	return wait_for(child);
+}
+
+void ts_feed_kill(struct ts_feed *feed)
+{
+	if (feed->child)
+		kill(feed->child, SIGKILL);
+	ts_feed_end(feed);
 }
 
 /* Absolute path, valid in any working directory. */
