@@ -131,6 +131,8 @@ library_sources = \
 	src/bond/bond_parallel.c \
 	src/bond/bond_reference.c \
 	src/bond/bond_reference.h \
+	src/bond/bond_rows.c \
+	src/bond/bond_rows.h \
 	src/bond/bond_slices.c \
 	src/bond/bond_slices.h \
 	src/bond/bond_yield.c \

@@ -103,6 +103,17 @@ static bool any_type_damped(const struct ts_instance *self, const struct tsim *s
 	return any;
 }
 
+/* Computes all bonds; returns how many break, some counted twice. */
+static long compute_bonds(const struct ts_instance *self, const struct tsim *sim, struct ts_bond_task *t)
+{
+	const struct ts_bonds *b = sim->bonds;
+
+	if (b->transmits)
+		return ts_parallel_count(b->rows.shares, (size_t)b->rows.shares,
+					 ts_bond_style_of(self)->compute, t);
+	return ts_parallel_count(ts_team(sim, b->n), b->slices.n, ts_bond_style_of(self)->compute, t);
+}
+
 enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_bond *bond = self->state;
@@ -113,12 +124,12 @@ enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 				  any_type_damped(self, sim),
 				  sim->run.complete || sim->bonds->shown,
 				  sim->bonds->transmits ? ts_orientation(sim) : NULL };
-	size_t slices = sim->bonds->slices.n;
 
-	if (sim->bonds->transmits && sim->bonds->n)
-		TS_TRY(ts_bond_moments_fill(sim));
-	if (!sim->bonds->n ||
-	    !ts_parallel_count(ts_team(sim, sim->bonds->n), slices, ts_bond_style_of(self)->compute, &t))
+	if (!sim->bonds->n)
+		return TS_OK;
+	if (sim->bonds->transmits)
+		TS_TRY(ts_bond_moments_fill(sim, t.moving));
+	if (!compute_bonds(self, sim, &t))
 		return TS_OK;
 	TS_TRY(remove_broken_bonds(sim));
 	return ts_bonds_build_index(sim);
@@ -157,7 +168,7 @@ enum ts_status ts_bond_set_coeffs(struct tsim *sim, struct ts_types types, struc
 		TS_TRY(ts_bond_style_of(self)->complete(sim, entry, where));
 		bond->coeffs.given[t] = true;
 	}
-	sim->bonds->slices.filled = false;
+	sim->bonds->rows.filled = false;
 	return TS_OK;
 }
 

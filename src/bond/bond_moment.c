@@ -50,45 +50,48 @@ void ts_bond_constants(const struct tsim *sim, size_t b, struct ts_bond_element 
 	ts_bond_style_of(ts_sim_only(sim, TS_KIND_BOND))->element(coeff_of(sim, b), &pair, out);
 }
 
-static void fill_lane(const struct tsim *sim, struct ts_bond_lanes *l, uint32_t entry, size_t lane)
+static void fill_lane(const struct tsim *sim, struct ts_bond_row *r, struct ts_bond_dashpots *dashpots,
+		      size_t lane)
 {
 	struct ts_bond_element e = {
 		.length = 1, .tension = INFINITY, .shear = INFINITY, .compression = INFINITY
 	};
-	bool none = entry == TS_BOND_NONE;
+	uint32_t b = r->bond[lane];
 
-	if (!none)
-		ts_bond_constants(sim, entry >> 1, &e);
-	l->second[lane] = none ? 0 : entry & 1;
-	l->length[lane] = e.length;
-	l->fraction[lane] = e.fraction;
-	l->per_area[lane] = e.per_area;
-	l->per_moment[lane] = e.per_moment;
-	l->per_torque[lane] = e.per_torque;
-	l->lever[lane] = e.lever;
-	l->tension[lane] = e.tension;
-	l->shear[lane] = e.shear;
-	l->compression[lane] = e.compression;
+	if (b != TS_BOND_NONE)
+		ts_bond_constants(sim, b, &e);
+	r->length[lane] = e.length;
+	r->fraction[lane] = e.fraction;
+	r->per_area[lane] = e.per_area;
+	r->per_moment[lane] = e.per_moment;
+	r->per_torque[lane] = e.per_torque;
+	r->lever[lane] = e.lever;
+	r->tension[lane] = e.tension;
+	r->shear[lane] = e.shear;
+	r->compression[lane] = e.compression;
 	for (int k = 0; k < TS_BOND_MODES; k++) {
-		l->k[k][lane] = e.k[k];
-		l->c[k][lane] = e.c[k];
+		r->k[k][lane] = e.k[k];
+		if (dashpots)
+			dashpots->c[k][lane] = e.c[k];
 		for (int s = 0; s < 2; s++)
-			l->frame[s][k][lane] = none ? k == 0 : sim->bonds->reference[entry >> 1].frame[s][k];
+			r->frame[s][k][lane] =
+				b == TS_BOND_NONE ? k == 0 : sim->bonds->reference[b].frame[s][k];
 	}
 }
 
 struct filling {
 	const struct tsim *sim;
-	struct ts_bond_slices *slices;
+	bool damped;
 };
 
 static void fill_rows(void *context, size_t from, size_t to)
 {
 	const struct filling *f = context;
+	const struct ts_bond_rows *rows = &f->sim->bonds->rows;
 
-	for (size_t row = from; row < to; row++)
-		for (size_t lane = 0; lane < TS_BOND_LANES; lane++)
-			fill_lane(f->sim, &f->slices->lanes[row], f->slices->bond[row][lane], lane);
+	for (size_t r = from; r < to; r++)
+		for (size_t lane = 0; lane < TS_BOND_ROW_LANES; lane++)
+			fill_lane(f->sim, &rows->row[r], f->damped ? &rows->dashpots[r] : NULL, lane);
 }
 
 /* ---- checks */
@@ -143,19 +146,19 @@ static enum ts_status check_length(struct tsim *sim, size_t b)
 	return TS_OK;
 }
 
-enum ts_status ts_bond_moments_fill(struct tsim *sim)
+enum ts_status ts_bond_moments_fill(struct tsim *sim, bool damped)
 {
-	struct ts_bond_slices *s = &sim->bonds->slices;
-	struct filling f = { sim, s };
+	struct ts_bond_rows *rows = &sim->bonds->rows;
+	struct filling f = { sim, damped };
 
-	if (s->filled)
+	if (rows->filled)
 		return TS_OK;
 	for (size_t b = 0; b < sim->bonds->n; b++)
 		TS_TRY(check_length(sim, b));
-	if (TS_RENEW(s->lanes, s->lanes_capacity, s->rows) != TS_OK)
+	if (damped && TS_RENEW(rows->dashpots, rows->dashpots_capacity, rows->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	ts_parallel(ts_team(sim, s->rows * TS_BOND_LANES), s->rows, fill_rows, &f);
-	s->filled = true;
+	ts_parallel(ts_team(sim, rows->n * TS_BOND_ROW_LANES), rows->n, fill_rows, &f);
+	rows->filled = true;
 	return TS_OK;
 }
 

@@ -5,14 +5,14 @@
 #include "bond/bonds.h"
 #include "law/bond_element.h"
 
-/* The loop over slices: slot `compute` of the style. */
+/* The loop over the rows of shares: slot `compute` of the style. */
 long ts_bond_compute_moments(void *task, size_t from, size_t to);
 /* Turns the particles: hook of the style in POST_INTEGRATE. */
 enum ts_status ts_bond_turn(struct ts_instance *self, struct tsim *sim);
 
-/* Computes the constants of the slices if they have been rebuilt; fails if a bond is so long that its periodic
- * image cannot be told. */
-enum ts_status ts_bond_moments_fill(struct tsim *sim);
+/* Computes the constants of the rows if they have been rebuilt, with dashpots if any bond is damped; fails if a
+ * bond is so long that its periodic image cannot be told. */
+enum ts_status ts_bond_moments_fill(struct tsim *sim, bool damped);
 /* Adds the columns, and refuses bonds that the style cannot describe. */
 enum ts_status ts_bond_moments_require(struct ts_instance *self, struct tsim *sim);
 

@@ -7,49 +7,59 @@ TS_UNROLLED
 
 #include "base/banned.h"
 
-enum { LANES = TS_BOND_LANES };
+/* ROWS: that are loaded, computed and stored together. Loads of eight numbers that follow stores of four too
+ * closely would wait for these. */
+enum { LANES = TS_BOND_ROW_LANES, ROWS = 4 };
 
-/* The two ends of the bonds of a row: differences partner minus particle, and states of both. */
+/* Both ends of the bonds of a row: differences second minus first partner, and states of both. */
 struct row {
 	double d[3][LANES], v[3][LANES];
 	double q[2][4][LANES], omega[2][4][LANES];
-	double force[3][LANES], torque[3][LANES]; /* on the particle */
+	double force[3][LANES], torque[2][3][LANES]; /* force on the second partner */
 	double axial[LANES], holds[LANES];
 } __attribute__((aligned(64)));
 
-TS_INLINE void load_columns(const double (*x)[3], const int32_t *particle, double (*to)[LANES])
-{
-	ts_four column[4];
+/* ---- inputs */
 
-	for (size_t half = 0; half < 2; half++) {
-		ts_bond_load_columns(x, particle + 4 * half, column);
-		for (int c = 0; c < 3; c++)
-			*(ts_four *)&to[c][4 * half] = column[c];
-	}
-}
-
-TS_INLINE void load_orientations(const double (*q)[4], const int32_t *particle, double (*to)[LANES])
+/* Of eight particles; to[3] is undefined if these are vectors of three. */
+TS_INLINE void load_columns(const double *x, size_t width, const int32_t *particle, double (*to)[LANES])
 {
 	for (size_t half = 0; half < 2; half++) {
 		ts_four column[4];
 
 		for (size_t k = 0; k < 4; k++)
-			column[k] = TS_FOUR_LOAD(q[particle[4 * half + k]]);
+			column[k] = TS_FOUR_LOAD(x + width * (size_t)particle[4 * half + k]);
 		ts_four_transpose(column);
-		for (int c = 0; c < 4; c++)
+		for (size_t c = 0; c < width; c++)
 			*(ts_four *)&to[c][4 * half] = column[c];
 	}
 }
 
-/* own: x or v of the particles; changed to that of the partners minus own. */
-TS_INLINE void load_difference(const double (*x)[3], const int32_t *partner, double (*own)[LANES],
-			       double (*to)[LANES])
+/* x of the second partners minus that of the first. */
+TS_INLINE void load_differences(const double (*x)[3], const struct ts_bond_row *l, double (*to)[LANES])
 {
-	load_columns(x, partner, to);
-	for (int c = 0; c < 3; c++)
-#pragma omp simd
-		for (size_t k = 0; k < LANES; k++)
-			to[c][k] -= own[c][k];
+	for (size_t half = 0; half < 2; half++) {
+		ts_four d[4];
+
+		for (size_t k = 0; k < 4; k++)
+			d[k] = TS_FOUR_LOAD(x[l->particle[1][4 * half + k]]) -
+			       TS_FOUR_LOAD(x[l->particle[0][4 * half + k]]);
+		ts_four_transpose(d);
+		for (int c = 0; c < 3; c++)
+			*(ts_four *)&to[c][4 * half] = d[c];
+	}
+}
+
+TS_INLINE void load_row(const struct ts_bond_task *t, const struct ts_bond_row *l, bool moving, struct row *r)
+{
+	load_differences((const double(*)[3])t->p->x, l, r->d);
+	for (int s = 0; s < 2; s++)
+		load_columns(t->orientation[0], 4, l->particle[s], r->q[s]);
+	if (!moving)
+		return;
+	load_differences((const double(*)[3])t->p->v, l, r->v);
+	for (int s = 0; s < 2; s++)
+		load_columns(t->p->omega[0], 3, l->particle[s], r->omega[s]);
 }
 
 TS_INLINE void apply_nearest_image(const struct ts_box *box, struct row *r)
@@ -65,50 +75,41 @@ TS_INLINE void apply_nearest_image(const struct ts_box *box, struct row *r)
 	}
 }
 
-/* Both copies of a bond are computed from the point of view of its first partner, so that their bits are the
- * same. */
-TS_INLINE void ends_of(const struct row *r, const struct ts_bond_lanes *e, size_t k, bool moving,
+/* ---- the law */
+
+TS_INLINE void ends_of(const struct row *r, const struct ts_bond_row *l, size_t k, bool moving,
 		       struct ts_bond_ends *s)
 {
-	const double second = e->second[k], sign = 1 - 2 * second;
-	double q[2][4];
-
-	for (int c = 0; c < 4; c++) {
-		q[0][c] = second > 0 ? r->q[1][c][k] : r->q[0][c][k];
-		q[1][c] = second > 0 ? r->q[0][c][k] : r->q[1][c][k];
-	}
-	s->d = (struct ts_xyz){ sign * r->d[0][k], sign * r->d[1][k], sign * r->d[2][k] };
+	s->d = (struct ts_xyz){ r->d[0][k], r->d[1][k], r->d[2][k] };
 	for (int p = 0; p < 2; p++)
-		s->q[p] = ts_wxyz_product((struct ts_wxyz){ q[p][0], q[p][1], q[p][2], q[p][3] },
-					  (struct ts_wxyz){ e->frame[p][0][k], e->frame[p][1][k],
-							    e->frame[p][2][k], e->frame[p][3][k] });
+		s->q[p] = ts_wxyz_product((struct ts_wxyz){ r->q[p][0][k], r->q[p][1][k], r->q[p][2][k],
+							    r->q[p][3][k] },
+					  (struct ts_wxyz){ l->frame[p][0][k], l->frame[p][1][k],
+							    l->frame[p][2][k], l->frame[p][3][k] });
 	if (!moving)
 		return;
-	s->v = (struct ts_xyz){ sign * r->v[0][k], sign * r->v[1][k], sign * r->v[2][k] };
-	for (int p = 0; p < 2; p++) {
-		double w[3];
-
-		for (int c = 0; c < 3; c++)
-			w[c] = second > 0 ? r->omega[1 - p][c][k] : r->omega[p][c][k];
-		s->omega[p] = (struct ts_xyz){ w[0], w[1], w[2] };
-	}
+	s->v = (struct ts_xyz){ r->v[0][k], r->v[1][k], r->v[2][k] };
+	for (int p = 0; p < 2; p++)
+		s->omega[p] = (struct ts_xyz){ r->omega[p][0][k], r->omega[p][1][k], r->omega[p][2][k] };
 }
 
-TS_INLINE long evaluate(struct row *r, const struct ts_bond_lanes *l, size_t k, bool moving)
+TS_INLINE long evaluate(struct row *r, const struct ts_bond_row *l, const struct ts_bond_dashpots *dashpots,
+			size_t k, bool moving)
 {
-	const struct ts_bond_element e = { .length = l->length[k],
-					   .fraction = l->fraction[k],
-					   .k = { l->k[0][k], l->k[1][k], l->k[2][k], l->k[3][k] },
-					   .c = { moving ? l->c[0][k] : 0, moving ? l->c[1][k] : 0,
-						  moving ? l->c[2][k] : 0, moving ? l->c[3][k] : 0 },
-					   .per_area = l->per_area[k],
-					   .per_moment = l->per_moment[k],
-					   .per_torque = l->per_torque[k],
-					   .lever = l->lever[k],
-					   .tension = l->tension[k],
-					   .shear = l->shear[k],
-					   .compression = l->compression[k] };
-	const double second = l->second[k], sign = 2 * second - 1;
+	const struct ts_bond_element e = {
+		.length = l->length[k],
+		.fraction = l->fraction[k],
+		.k = { l->k[0][k], l->k[1][k], l->k[2][k], l->k[3][k] },
+		.c = { moving ? dashpots->c[0][k] : 0, moving ? dashpots->c[1][k] : 0,
+		       moving ? dashpots->c[2][k] : 0, moving ? dashpots->c[3][k] : 0 },
+		.per_area = l->per_area[k],
+		.per_moment = l->per_moment[k],
+		.per_torque = l->per_torque[k],
+		.lever = l->lever[k],
+		.tension = l->tension[k],
+		.shear = l->shear[k],
+		.compression = l->compression[k]
+	};
 	struct ts_bond_ends s;
 	struct ts_bond_answer a;
 	bool holds;
@@ -123,102 +124,147 @@ TS_INLINE long evaluate(struct row *r, const struct ts_bond_lanes *l, size_t k, 
 	whole = holds ? 1 : 0;
 	r->axial[k] = holds ? a.axial : a.load[TS_BOND_NORMAL];
 	r->holds[k] = whole;
-	r->force[0][k] = whole * (sign * a.force.x);
-	r->force[1][k] = whole * (sign * a.force.y);
-	r->force[2][k] = whole * (sign * a.force.z);
-	r->torque[0][k] = whole * (second > 0 ? a.torque[1].x : a.torque[0].x);
-	r->torque[1][k] = whole * (second > 0 ? a.torque[1].y : a.torque[0].y);
-	r->torque[2][k] = whole * (second > 0 ? a.torque[1].z : a.torque[0].z);
+	r->force[0][k] = whole * a.force.x;
+	r->force[1][k] = whole * a.force.y;
+	r->force[2][k] = whole * a.force.z;
+	for (int p = 0; p < 2; p++) {
+		r->torque[p][0][k] = whole * a.torque[p].x;
+		r->torque[p][1][k] = whole * a.torque[p].y;
+		r->torque[p][2][k] = whole * a.torque[p].z;
+	}
 	return !holds;
 }
 
-TS_INLINE long evaluate_row(struct row *restrict r, const struct ts_bond_lanes *restrict l, bool moving)
+TS_INLINE long evaluate_row(struct row *restrict r, const struct ts_bond_row *restrict l,
+			    const struct ts_bond_dashpots *restrict dashpots, bool moving)
 {
 	long broken = 0;
 
 #pragma omp simd reduction(+ : broken)
 	for (size_t k = 0; k < LANES; k++)
-		broken += evaluate(r, l, k, moving);
+		broken += evaluate(r, l, dashpots, k, moving);
 	return broken;
 }
 
-static void store_loads(const struct row *r, const uint32_t *bond, struct ts_bonds *bonds)
+/* ---- results */
+
+TS_INLINE void store_columns(double (*from)[LANES], size_t half, ts_four to[4])
+{
+	for (int c = 0; c < 3; c++)
+		to[c] = *(const ts_four *)&from[c][4 * half];
+	to[3] = (ts_four){ 0 };
+	ts_four_transpose(to);
+}
+
+TS_INLINE void store_results(struct row *r, const uint32_t *slot, struct ts_bond_result *result)
+{
+	for (size_t half = 0; half < 2; half++) {
+		ts_four force[4], torque[2][4];
+
+		store_columns(r->force, half, force);
+		for (int s = 0; s < 2; s++)
+			store_columns(r->torque[s], half, torque[s]);
+		for (size_t k = 0; k < 4; k++) {
+			struct ts_bond_result *to = &result[slot[4 * half + k]];
+
+			*(ts_four *)to->force = force[k];
+			for (int s = 0; s < 2; s++)
+				*(ts_four *)to->torque[s] = torque[s][k];
+		}
+	}
+}
+
+/* Loads, tensions and breakage; bonds to particles before `begin` are stored by another share. */
+static void store_loads(const struct row *r, const struct ts_bond_row *l, size_t begin,
+			struct ts_bonds *bonds)
 {
 	for (size_t k = 0; k < LANES; k++) {
-		size_t b = bond[k] >> 1, side = bond[k] & 1;
+		size_t b = l->bond[k];
 
-		if (bond[k] == TS_BOND_NONE)
+		if (l->bond[k] == TS_BOND_NONE || (size_t)l->particle[0][k] < begin ||
+		    (size_t)l->particle[1][k] < begin)
 			continue;
-		for (int c = 0; c < 3; c++)
-			bonds->load[b].torque[side][c] = r->torque[c][k];
-		if (side)
-			continue;
-		for (int c = 0; c < 3; c++)
-			bonds->load[b].force[c] = r->force[c][k];
+		for (int c = 0; c < 3; c++) {
+			bonds->load[b].force[c] = -r->force[c][k];
+			for (int s = 0; s < 2; s++)
+				bonds->load[b].torque[s][c] = r->torque[s][c][k];
+		}
 		bonds->tension[b] = r->axial[k];
 		bonds->breaks[b] = r->holds[k] == 0;
 	}
 }
 
-TS_INLINE void add_row(double (*from)[LANES], ts_four sum[2][4])
+/* Adds the results of the bonds of particle i. */
+TS_INLINE void sum_particle(const struct ts_bonds *b, size_t i, double *f, double *torque)
 {
-	for (size_t half = 0; half < 2; half++)
-		for (int c = 0; c < 3; c++)
-			sum[half][c] += *(const ts_four *)&from[c][4 * half];
+	static const double sign[2] = { -1, 1 };
+	ts_four sum[2] = { { 0 } };
+
+	for (size_t k = b->gather.first[i]; k < b->gather.first[i + 1]; k++) {
+		const uint32_t side = b->rows.sum[k] & 1;
+		const struct ts_bond_result *r = &b->rows.result[b->rows.sum[k] >> 1];
+
+		sum[0] += sign[side] * *(const ts_four *)r->force;
+		sum[1] += *(const ts_four *)r->torque[side];
+	}
+	for (int c = 0; c < 3; c++) {
+		f[c] += sum[0][c];
+		torque[c] += sum[1][c];
+	}
 }
 
-TS_INLINE long compute_slice(const struct ts_bond_task *t, const struct ts_bond_slice *slice, bool moving)
+/* ---- the loop */
+
+/* Rows from .. from + n - 1, n at most ROWS, of the share whose first particle is `begin`. */
+TS_INLINE long compute_rows(const struct ts_bond_task *t, size_t from, size_t n, size_t begin, bool moving)
 {
-	const struct ts_bond_slices *s = &t->bonds->slices;
-	const struct ts_particles *p = t->p;
-	const double(*x)[3] = (const double(*)[3])p->x, (*v)[3] = (const double(*)[3])p->v,
-	      (*w)[3] = (const double(*)[3])p->omega, (*q)[4] = (const double(*)[4])t->orientation;
-	double own[2][3][LANES] __attribute__((aligned(64)));
-	ts_four force[2][4] = { { { 0 } } }, torque[2][4] = { { { 0 } } };
-	struct row r;
+	const struct ts_bond_rows *rows = &t->bonds->rows;
+	const struct ts_bond_row *l = rows->row + from;
+	struct row r[ROWS];
 	long broken = 0;
 
-	load_columns(x, slice->particle, own[0]);
-	load_orientations(q, slice->particle, r.q[0]);
-	if (moving) {
-		load_columns(v, slice->particle, own[1]);
-		load_columns(w, slice->particle, r.omega[0]);
+	for (size_t k = 0; k < n; k++)
+		load_row(t, &l[k], moving, &r[k]);
+	for (size_t k = 0; k < n; k++) {
+		apply_nearest_image(t->box, &r[k]);
+		broken += evaluate_row(&r[k], &l[k], moving ? &rows->dashpots[from + k] : NULL, moving);
 	}
-	for (size_t row = slice->first; row < slice->first + slice->depth; row++) {
-		const int32_t *partner = s->partner[row];
-		long less;
-
-		load_difference(x, partner, own[0], r.d);
-		load_orientations(q, partner, r.q[1]);
-		if (moving) {
-			load_difference(v, partner, own[1], r.v);
-			load_columns(w, partner, r.omega[1]);
-		}
-		apply_nearest_image(t->box, &r);
-		less = evaluate_row(&r, &s->lanes[row], moving);
-		if (less || t->store)
-			store_loads(&r, s->bond[row], t->bonds);
-		add_row(r.force, force);
-		add_row(r.torque, torque);
-		broken += less;
-	}
-	ts_bond_add_forces(p->f, slice, force);
-	ts_bond_add_forces(p->torque, slice, torque);
+	for (size_t k = 0; k < n; k++)
+		store_results(&r[k], l[k].slot, rows->result);
+	for (size_t k = 0; (broken || t->store) && k < n; k++)
+		store_loads(&r[k], &l[k], begin, t->bonds);
 	return broken;
 }
 
-TS_CLONES static long compute_slices(void *task, size_t from, size_t to)
+TS_INLINE long compute_share(const struct ts_bond_task *t, size_t share, bool moving)
+{
+	const struct ts_bond_rows *rows = &t->bonds->rows;
+	size_t chunk = ts_bond_share_begin(rows, share), end = ts_bond_share_begin(rows, share + 1);
+	const size_t begin = chunk * TS_BOND_CHUNK;
+	long broken = 0;
+
+	for (size_t c = chunk; c < end; c++) {
+		for (size_t r = rows->first[c], n; r < rows->first[c + 1]; r += n) {
+			n = rows->first[c + 1] - r < ROWS ? rows->first[c + 1] - r : ROWS;
+			broken += compute_rows(t, r, n, begin, moving);
+		}
+		for (size_t i = c * TS_BOND_CHUNK; i < ts_bond_chunk_end(rows, c); i++)
+			sum_particle(t->bonds, i, t->p->f[i], t->p->torque[i]);
+	}
+	return broken;
+}
+
+TS_CLONES static long compute_shares(void *task, size_t from, size_t to)
 {
 	const struct ts_bond_task *t = task;
 	long broken = 0;
 
 	for (size_t k = from; k < to; k++)
-		broken += t->moving ? compute_slice(t, &t->bonds->slices.slice[k], true)
-				    : compute_slice(t, &t->bonds->slices.slice[k], false);
+		broken += t->moving ? compute_share(t, k, true) : compute_share(t, k, false);
 	return broken;
 }
 
 long ts_bond_compute_moments(void *task, size_t from, size_t to)
 {
-	return compute_slices(task, from, to);
+	return compute_shares(task, from, to);
 }

@@ -120,7 +120,6 @@ enum ts_status ts_bond_slices_build(const struct tsim *sim, struct ts_bonds *bon
 	TS_TRY(TS_RENEW(s->bond, s->bond_capacity, rows));
 	ts_parallel(ts_team(sim, n), s->n, fill_slices, &t);
 	s->rows = rows;
-	s->filled = false;
 	return TS_OK;
 }
 
@@ -130,6 +129,5 @@ void ts_bond_slices_release(struct ts_bond_slices *s)
 	ts_free(s->partner);
 	ts_free(s->rest);
 	ts_free(s->bond);
-	ts_free(s->lanes);
 	*s = (struct ts_bond_slices){ 0 };
 }

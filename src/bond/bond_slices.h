@@ -27,18 +27,6 @@ struct ts_bond_slice {
 	int32_t particle[TS_BOND_LANES];
 };
 
-/* Bonds that transmit moments: the constants of one row of bonds. Where there is no bond, all stiffnesses are
- * 0. */
-struct ts_bond_lanes {
-	double second[TS_BOND_LANES]; /* 1: the particle is the second partner of the bond, else 0 */
-	double frame[2][4][TS_BOND_LANES];
-	double length[TS_BOND_LANES], fraction[TS_BOND_LANES], k[4][TS_BOND_LANES];
-	double per_area[TS_BOND_LANES], per_moment[TS_BOND_LANES], per_torque[TS_BOND_LANES],
-		lever[TS_BOND_LANES];
-	double tension[TS_BOND_LANES], shear[TS_BOND_LANES], compression[TS_BOND_LANES];
-	double c[4][TS_BOND_LANES];
-};
-
 struct ts_bond_slices {
 	struct ts_bond_slice *slice; /* particles without bonds are in no slice */
 	size_t n;
@@ -48,9 +36,7 @@ struct ts_bond_slices {
 	double (*rest)[TS_BOND_LANES];
 	uint32_t (*bond)[TS_BOND_LANES]; /* entry of ts_bonds.gather: 2 bond + side */
 	size_t rows;
-	struct ts_bond_lanes *lanes; /* per row, if bonds transmit moments */
-	bool filled;		     /* lanes are up to date */
-	size_t capacity, partner_capacity, rest_capacity, bond_capacity, lanes_capacity;
+	size_t capacity, partner_capacity, rest_capacity, bond_capacity;
 };
 #define TS_BOND_NONE UINT32_MAX
 

@@ -206,7 +206,8 @@ enum ts_status ts_bonds_build_index(struct tsim *sim)
 	}
 	if (b->n)
 		memset(b->breaks, 0, b->n);
-	if (ts_gather_index(sim, &b->gather, &pairs) != TS_OK || ts_bond_slices_build(sim, b) != TS_OK)
+	if (ts_gather_index(sim, &b->gather, &pairs) != TS_OK ||
+	    (b->transmits ? ts_bond_rows_build(sim, b) : ts_bond_slices_build(sim, b)) != TS_OK)
 		return ts_nomem(&sim->error);
 	return TS_OK;
 }
@@ -352,8 +353,7 @@ static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, 
 	size_t bytes = 4 * sizeof(double) + 11 * sizeof(int32_t);
 
 	if (b->transmits)
-		bytes += sizeof *b->reference + sizeof *b->load +
-			 2 * sizeof(struct ts_bond_lanes) / TS_BOND_LANES - 2 * sizeof(double);
+		bytes += sizeof *b->reference + sizeof *b->load + sizeof(struct ts_bond_row) / TS_BOND_LANES;
 	(void)sim;
 	report->bytes += (double)(b->n * bytes);
 	if (b->n)
@@ -375,6 +375,7 @@ static void release_bonds(struct ts_instance *self)
 	ts_free(b->load);
 	ts_gather_release(&b->gather);
 	ts_bond_slices_release(&b->slices);
+	ts_bond_rows_release(&b->rows);
 	ts_free(b->event);
 	ts_free(b->event_energy);
 }

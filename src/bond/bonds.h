@@ -6,6 +6,7 @@
 #define TS_BOND_BONDS_H
 
 #include "base/parallel.h"
+#include "bond/bond_rows.h"
 #include "bond/bond_slices.h"
 #include "core/coeff.h"
 #include "core/sim.h"
@@ -56,7 +57,9 @@ struct ts_bonds {
 	double flow;	       /* work lost in bonds that yield, in this step: bond/bond_yield.h */
 
 	struct ts_gather gather; /* bonds of each local particle */
+	/* the order in which bonds are computed: central springs by slices, bonds that transmit moments by rows */
 	struct ts_bond_slices slices;
+	struct ts_bond_rows rows;
 
 	int ntypes;
 	int64_t created, broken; /* totals over all runs */

@@ -256,11 +256,14 @@ static inline double ts_bond_frequency2(const struct ts_bond_element *e, const d
 static inline double ts_bond_element_limit(const struct ts_bond_element *e, const double inverse_mass[2],
 					   const double inverse_inertia[2])
 {
-	double h = 2 / sqrt(ts_bond_frequency2(e, inverse_mass, inverse_inertia, 0));
+	double h = 2 / sqrt(ts_bond_frequency2(e, inverse_mass, inverse_inertia, 0)), before = INFINITY;
 
-	/* h^2 (k + 2 c/h) <= 4: h converges from above, the distance in log h at least halves each time */
-	for (int n = 0; n < 60 && h > 0 && isfinite(h); n++)
+	/* h^2 (k + 2 c/h) <= 4: h converges from above, the distance in log h at least halves each time; without
+	 * damping the first h is the limit */
+	for (int n = 0; n < 60 && h > 0 && h < before && isfinite(h); n++) {
+		before = h;
 		h = 2 / sqrt(ts_bond_frequency2(e, inverse_mass, inverse_inertia, 2 / h));
+	}
 	return h;
 }
 

@@ -1,12 +1,15 @@
-#include "particle/orientation.h"
+#include "base/clones.h"
+TS_UNROLLED
 
 #include <math.h>
 #include <string.h>
 
+#include "base/four.h"
 #include "base/parallel.h"
 #include "math/quaternion.h"
 #include "math/vec3.h"
 #include "particle/columns.h"
+#include "particle/orientation.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -58,17 +61,69 @@ void ts_orientation_of(const struct tsim *sim, size_t i, double q[4])
 		q[k] = all ? all[i][k] : k == 0;
 }
 
-/* cos(a) and sin(a)/a, of x = a^2; for x < 0.02 by their series, to rounding. */
-static void rotation_of(double x, double *cosine, double *sine)
-{
-	if (x < 0.02) {
-		*cosine = 1 - x / 2 * (1 - x / 12 * (1 - x / 30 * (1 - x / 56 * (1 - x / 90))));
-		*sine = 1 - x / 6 * (1 - x / 20 * (1 - x / 42 * (1 - x / 72)));
-	} else {
-		double a = sqrt(x);
+/* Rotations q of particles, and half the angles that they turn by in a step. */
+struct turns {
+	double half[4][TS_BATCH]; /* the fourth is not used */
+	double q[4][TS_BATCH];
+} __attribute__((aligned(64)));
 
-		*cosine = cos(a);
-		*sine = sin(a) / a;
+/* Squares of half the angles that are small: cos(a) and sin(a)/a are their series in x = a^2, to rounding. */
+#define SMALL 0.02
+
+TS_INLINE double cosine_of(double x)
+{
+	return 1 - x * (1. / 2 - x * (1. / 24 - x * (1. / 720 - x * (1. / 40320 - x * (1. / 3628800)))));
+}
+
+TS_INLINE double sine_of(double x)
+{
+	return 1 - x * (1. / 6 - x * (1. / 120 - x * (1. / 5040 - x * (1. / 362880))));
+}
+
+TS_INLINE double square_of(const struct turns *b, size_t k)
+{
+	return b->half[0][k] * b->half[0][k] + b->half[1][k] * b->half[1][k] + b->half[2][k] * b->half[2][k];
+}
+
+TS_INLINE void turn(struct turns *b, size_t k, double cosine, double sine)
+{
+	const double by[4] = { cosine, sine * b->half[0][k], sine * b->half[1][k], sine * b->half[2][k] };
+	const double old[4] = { b->q[0][k], b->q[1][k], b->q[2][k], b->q[3][k] };
+	double q[4], norm;
+
+	ts_quaternion_multiply(by, old, q);
+	/* |q| - 1 is a rounding error: one step of Newton for 1/|q| */
+	norm = 1.5 - 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+	for (int c = 0; c < 4; c++)
+		b->q[c][k] = norm * q[c];
+}
+
+TS_INLINE void turn_batch(struct turns *b, size_t n)
+{
+	double largest = 0;
+
+#pragma omp simd reduction(max : largest)
+	for (size_t k = 0; k < n; k++) {
+		double x = square_of(b, k);
+
+		largest = x > largest ? x : largest;
+	}
+	if (!(largest < SMALL)) {
+		for (size_t k = 0; k < n; k++) {
+			double x = square_of(b, k), angle = sqrt(x);
+
+			if (x < SMALL)
+				turn(b, k, cosine_of(x), sine_of(x));
+			else
+				turn(b, k, cos(angle), sin(angle) / angle);
+		}
+		return;
+	}
+#pragma omp simd
+	for (size_t k = 0; k < n; k++) {
+		double x = square_of(b, k);
+
+		turn(b, k, cosine_of(x), sine_of(x));
 	}
 }
 
@@ -77,22 +132,39 @@ struct turning {
 	double (*omega)[3], (*q)[4];
 };
 
-static void advance(void *context, size_t from, size_t to)
+/* Particles from .. from + n - 1, n at most TS_BATCH; lanes behind the last repeat it. */
+TS_INLINE void advance_batch(const struct turning *t, size_t from, size_t n)
+{
+	struct turns b;
+
+	for (size_t at = 0; at < n; at += 4) {
+		ts_four half[4], q[4];
+
+		for (size_t k = 0; k < 4; k++) {
+			size_t i = from + (at + k < n ? at + k : n - 1);
+
+			half[k] = 0.5 * t->dt * TS_FOUR_LOAD(t->omega[i]);
+			q[k] = TS_FOUR_LOAD(t->q[i]);
+		}
+		ts_four_columns(half, b.half, at);
+		ts_four_columns(q, b.q, at);
+	}
+	turn_batch(&b, n);
+	for (size_t at = 0; at < n; at += 4) {
+		ts_four q[4];
+
+		ts_four_rows((const double(*)[TS_BATCH])b.q, at, q);
+		for (size_t k = 0; k < 4 && at + k < n; k++)
+			*(ts_four_anywhere *)t->q[from + at + k] = q[k];
+	}
+}
+
+TS_CLONES static void advance(void *context, size_t from, size_t to)
 {
 	const struct turning *t = context;
 
-	for (size_t i = from; i < to; i++) {
-		double turn[4], q[4], sine, norm;
-
-		ts_scale(0.5 * t->dt, t->omega[i], turn + 1);
-		rotation_of(ts_dot(turn + 1, turn + 1), &turn[0], &sine);
-		ts_scale(sine, turn + 1, turn + 1);
-		ts_quaternion_multiply(turn, t->q[i], q);
-		/* |q| - 1 is a rounding error: one step of Newton for 1/|q| */
-		norm = 1.5 - 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-		for (int k = 0; k < 4; k++)
-			t->q[i][k] = norm * q[k];
-	}
+	for (size_t i = from; i < to; i += TS_BATCH)
+		advance_batch(t, i, to - i < TS_BATCH ? to - i : TS_BATCH);
 }
 
 void ts_orientation_advance(struct tsim *sim)
