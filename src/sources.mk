@@ -754,6 +754,7 @@ library_sources = \
 	src/library/style_table.c \
 	src/library/tsim_tables.c \
 	src/library/tsim_tables.h \
+	src/limits/fix_check_timestep_bond.c \
 	src/limits/fix_check_timestep_gran.c \
 	src/limits/lanczos.c \
 	src/limits/lanczos.h \
@@ -761,6 +762,8 @@ library_sources = \
 	src/limits/limits_system.h \
 	src/limits/network.c \
 	src/limits/network.h \
+	src/limits/step_check.c \
+	src/limits/step_check.h \
 	src/limits/tunnelling.c \
 	src/limits/tunnelling.h \
 	src/load/fix_mesh_surface_stress.c \

@@ -133,6 +133,7 @@ shell_tests = \
 	tests/kinetic/granular_couette.sh \
 	tests/library/python.sh \
 	tests/limits/timestep.sh \
+	tests/limits/timestep_bonds.sh \
 	tests/load/mesh_servo.sh \
 	tests/load/mesh_stress.sh \
 	tests/load/surface_heat.sh \

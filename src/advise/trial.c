@@ -73,13 +73,14 @@ static int64_t present_interval(const struct ts_instance *inst, const struct ts_
 	return n > 1 ? n : 0; /* an action in each step remains one in each step */
 }
 
-/* Averages over a number of steps are averages over another time if dt differs, and fix check/timestep/gran
- * measures dt itself. */
+/* Averages over a number of steps are averages over another time if dt differs, and fixes
+ * check/timestep/... measure dt itself. */
 static bool depends_on_steps(const struct ts_ref *ref)
 {
 	return ref->kind == TS_REF_FIX && ref->inst &&
 	       (next_interval(ref->inst->style->args) ||
-		ts_streq(ref->inst->style->name, "check/timestep/gran"));
+		ts_streq(ref->inst->style->name, "check/timestep/gran") ||
+		ts_streq(ref->inst->style->name, "check/timestep/bond"));
 }
 
 static bool acts_in_step(const struct ts_instance *inst)

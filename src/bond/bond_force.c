@@ -211,12 +211,47 @@ void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_coeffs_fingerprint(&bond->coeffs, sim, hash);
 }
 
+/* 1/m_i + 1/m_j */
+static double inverse_mass(const struct tsim *sim, size_t b)
+{
+	const struct ts_particles *p = sim->particles;
+
+	return p->imass[sim->bonds->row[b][0]] + p->imass[sim->bonds->row[b][1]];
+}
+
+static const void *coeff_of(const struct tsim *sim, size_t b)
+{
+	const struct ts_bond *bond = ts_sim_only(sim, TS_KIND_BOND)->state;
+
+	return ts_coeff(&bond->coeffs, (size_t)sim->bonds->type[b]);
+}
+
+double ts_bond_limit(const struct tsim *sim, size_t b, bool explicit_euler)
+{
+	const struct ts_bond_style *style = ts_bond_style_of(ts_sim_only(sim, TS_KIND_BOND));
+	double imass = inverse_mass(sim, b);
+
+	if (style->element)
+		return ts_bond_moment_limit(sim, b);
+	return imass > 0 ? style->limit(coeff_of(sim, b), 1 / imass, explicit_euler) : INFINITY;
+}
+
+double ts_bond_stretch_time(const struct tsim *sim, size_t b)
+{
+	const struct ts_bond_style *style = ts_bond_style_of(ts_sim_only(sim, TS_KIND_BOND));
+	double imass = inverse_mass(sim, b);
+	struct ts_bond_element e;
+
+	if (!style->element)
+		return 1 / sqrt(style->stiffness(coeff_of(sim, b)) * imass);
+	ts_bond_constants(sim, b, &e);
+	return 1 / sqrt(e.k[TS_BOND_NORMAL] * imass);
+}
+
 enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_bond_style *style = ts_bond_style_of(self);
-	const struct ts_bond *bond = self->state;
 	const struct ts_bonds *bonds = sim->bonds;
-	const struct ts_particles *p = sim->particles;
 	double smallest = INFINITY;
 
 	if (!bonds->n)
@@ -226,16 +261,8 @@ enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim, struct t
 			       "bond_style %s transmits moments, but fix nve/euler does not integrate "
 			       "rotation; use fix nve/sphere",
 			       self->style->name);
-	for (size_t b = 0; b < bonds->n; b++) {
-		double imass = p->imass[bonds->row[b][0]] + p->imass[bonds->row[b][1]];
-
-		if (style->element)
-			smallest = fmin(smallest, ts_bond_moment_limit(sim, b));
-		else if (imass > 0)
-			smallest =
-				fmin(smallest, style->limit(ts_coeff(&bond->coeffs, (size_t)bonds->type[b]),
-							    1 / imass, sim->run.explicit_euler));
-	}
+	for (size_t b = 0; b < bonds->n; b++)
+		smallest = fmin(smallest, ts_bond_limit(sim, b, sim->run.explicit_euler));
 	return ts_report_limit(report, smallest, !sim->run.explicit_euler, &self->where, "a single bond%s",
 			       sim->run.explicit_euler ? " under fix nve/euler" : "");
 }

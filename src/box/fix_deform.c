@@ -75,6 +75,7 @@ static const char *const with_shear[] = {
 	"ave/time",
 	"aveforce",
 	"balance",
+	"check/timestep/bond",
 	"check/timestep/gran",
 	"controller",
 	"deform",

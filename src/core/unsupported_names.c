@@ -84,8 +84,6 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ TS_KIND_FIX, "bond/create", BONDS },
 	{ TS_KIND_FIX, "bond/break", BONDS },
 	{ TS_KIND_FIX, "break/particle", FRAGMENTS },
-	{ TS_KIND_FIX, "check/timestep/bond",
-	  "runs with a time step beyond the stability limit of the bonds are refused without this fix" },
 	{ TS_KIND_FIX, "forcecontrol/region", RESOLUTION },
 	{ TS_KIND_FIX, "insert/pack/face", RESOLUTION },
 	{ TS_KIND_FIX, "mesh/surface/stress/6dof",

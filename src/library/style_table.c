@@ -209,6 +209,7 @@ TS_STYLE(fix, ts_style, ts_fix_balance)
 TS_STYLE(fix, ts_style, ts_fix_bond_breakage)
 TS_STYLE(fix, ts_style, ts_fix_bond_create_gran)
 TS_STYLE(fix, ts_style, ts_fix_buoyancy)
+TS_STYLE(fix, ts_style, ts_fix_check_timestep_bond)
 TS_STYLE(fix, ts_style, ts_fix_check_timestep_gran)
 TS_STYLE(fix, ts_style, ts_fix_controller)
 TS_STYLE(fix, ts_style, ts_fix_couple_cfd)
@@ -533,6 +534,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_bond_breakage,
 	&ts_fix_bond_create_gran,
 	&ts_fix_buoyancy,
+	&ts_fix_check_timestep_bond,
 	&ts_fix_check_timestep_gran,
 	&ts_fix_controller,
 	&ts_fix_couple_cfd,

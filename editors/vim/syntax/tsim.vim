@@ -190,10 +190,10 @@ syn keyword tsim_fix contained adapt added_mass addforce ave/atom ave/chunk ave/
 syn keyword tsim_fix contained ave/error ave/euler ave/histo ave/histo/weight ave/period
 syn keyword tsim_fix contained ave/spatial ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
-syn keyword tsim_fix contained bond/breakage bond/create/gran buoyancy check/timestep/gran
-syn keyword tsim_fix contained controller couple/cfd couple/cfd/convection couple/cfd/force
-syn keyword tsim_fix contained couple/cfd/force/implicit damping/cundall deform drag
-syn keyword tsim_fix contained drag/beetstra drag/carlson_hoglund drag/di_felice drag/ergun
+syn keyword tsim_fix contained bond/breakage bond/create/gran buoyancy check/timestep/bond
+syn keyword tsim_fix contained check/timestep/gran controller couple/cfd couple/cfd/convection
+syn keyword tsim_fix contained couple/cfd/force couple/cfd/force/implicit damping/cundall deform
+syn keyword tsim_fix contained drag drag/beetstra drag/carlson_hoglund drag/di_felice drag/ergun
 syn keyword tsim_fix contained drag/gidaspow drag/koch_hill drag/schiller_naumann drag/stokes
 syn keyword tsim_fix contained drag/wen_yu drill/bit energy/ledger enforce2d evaporate
 syn keyword tsim_fix contained flow/pressure_gradient flow/scalar freeze gravity halt heat/gran
