@@ -51,6 +51,12 @@ reason() {
 	'dump column') said="quantity '$2' is known, .*" ;;
 	'pair gran' | wall/gran | set) said="keyword '$2' is known, .*" ;;
 	esac
+	case $1:$2 in
+	material:*Bondnonlinear | material:stiffnessPerUnitArea*)
+		echo 'it belongs to cohesion bond/nonlinear, which is refused'
+		return
+		;;
+	esac
 	grep -hoE -- "$said" "$work/errors" | sed 's/.*but tsim does not have it: //' | head -n 1
 }
 
@@ -79,7 +85,7 @@ judge() {
 	function) page "$2" functions.md ;;
 	gravity) page "$2" fix_gravity.md ;;
 	insert) page "$2" fix_insert_pack.md fix_insert_stream.md fix_insert_rate_region.md ;;
-	material) page "$2" 'pair_gran.md' fix_*.md ;;
+	material) page "$2" pair_gran.md bond_cohesion.md fix_*.md ;;
 	mesh) page "$2" fix_mesh_surface*.md ;;
 	move/mesh) page "$2" fix_move_mesh.md ;;
 	property) page "$2" fix_property_*.md ;;

@@ -186,10 +186,15 @@ void ts_bond_ends_of(const struct tsim *sim, size_t b, struct ts_bond_ends *out)
 
 void ts_bond_state_of(const struct tsim *sim, size_t b, struct ts_bond_element *e, struct ts_bond_answer *out)
 {
-	struct ts_bond_ends s;
+	ts_bond_single_law *law = ts_bond_style_of(ts_sim_only(sim, TS_KIND_BOND))->law;
+	struct ts_bond_ends s = { .v = { 0, 0, 0 } };
 
 	ts_bond_constants(sim, b, e);
 	ts_bond_ends_of(sim, b, &s);
+	if (law) {
+		(void)law(coeff_of(sim, b), e, &s, false, out);
+		return;
+	}
 	ts_bond_elastic(e, &s, out);
 	ts_bond_stress(e, out);
 }

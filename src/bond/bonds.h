@@ -81,6 +81,12 @@ typedef bool ts_bond_law(const void *coeff, const struct ts_bond_state *state, d
 
 struct ts_bond_element;
 struct ts_plastic_section;
+struct ts_bond_ends;
+struct ts_bond_answer;
+/* Evaluates a bond that transmits moments, with the constants e, which it may change. `whole`: all forces; else
+ * only the part that has the potential energy ts_bond_energies, without damping. Returns false if the bond breaks. */
+typedef bool ts_bond_single_law(const void *coeff, struct ts_bond_element *e, const struct ts_bond_ends *s,
+				bool whole, struct ts_bond_answer *out);
 /* One bond and its partners; what the constants of its element may depend on. */
 struct ts_bond_pair {
 	double rest, radius[2], mass[2], inertia[2];
@@ -99,6 +105,9 @@ struct ts_bond_style {
 	void (*element)(const void *coeff, const struct ts_bond_pair *pair, struct ts_bond_element *out);
 	/* What a bond yields at; returns false if bonds of this type do not yield. NULL: none does. */
 	bool (*section)(const void *coeff, const struct ts_bond_pair *pair, struct ts_plastic_section *out);
+	/* Their law, if it is not that of law/bond_element.h with dashpots and largest stresses; `compute` may
+	 * then be ts_bond_compute_singles with it (bond/bond_single_loop.h). NULL: it is. */
+	ts_bond_single_law *law;
 	double (*stiffness)(const void *coeff);
 	/* Elastic energy at this extension; NULL if the law has no potential. */
 	double (*energy)(const void *coeff, double extension);

@@ -1,11 +1,5 @@
 /* Fix bond/create/gran: bonds between particles that are near each other, during a run. */
-#include <math.h>
-
-#include "base/sort.h"
-#include "bond/bond_reference.h"
-#include "box/domain.h"
-#include "neigh/coincide.h"
-#include "neigh/neigh.h"
+#include "bond/bond_search.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -16,135 +10,25 @@ struct create {
 	int64_t created; /* saved */
 };
 
-/* A pair to be bonded; the smaller identity first. */
-struct candidate {
-	int32_t tag[2];
-	size_t row[2];
-	double distance;
-};
-
-struct candidates {
-	struct candidate *pair;
-	size_t n, capacity;
-};
-
-/* Position along x, for the sweep. */
-struct place {
-	double x;
-	size_t i;
-};
-
-static int compare_places(const void *a, const void *b)
+static bool has_types(const void *context, const struct tsim *sim, size_t i, size_t j, double distance)
 {
-	double x = ((const struct place *)a)->x, y = ((const struct place *)b)->x;
+	const struct create *c = context;
+	const struct ts_particles *p = sim->particles;
 
-	return (x > y) - (x < y);
-}
-
-static int compare_candidates(const void *a, const void *b)
-{
-	const int32_t *s = ((const struct candidate *)a)->tag, *t = ((const struct candidate *)b)->tag;
-
-	return s[0] != t[0] ? (s[0] > t[0]) - (s[0] < t[0]) : (s[1] > t[1]) - (s[1] < t[1]);
-}
-
-static bool has_types(const struct create *c, const struct ts_particles *p, size_t i, size_t j)
-{
+	(void)distance;
 	return (p->type[i] == c->itype && p->type[j] == c->jtype) ||
 	       (p->type[i] == c->jtype && p->type[j] == c->itype);
 }
 
-static enum ts_status consider_pair(struct tsim *sim, const struct ts_instance *self, size_t i, size_t j,
-				    struct candidates *out)
-{
-	const struct create *c = self->state;
-	const struct ts_particles *p = sim->particles;
-	double d[3], distance;
-
-	if (p->tag[i] > p->tag[j]) {
-		size_t k = i;
-
-		i = j;
-		j = k;
-	}
-	if (!has_types(c, p, i, j))
-		return TS_OK;
-	distance = ts_bond_separation(sim, i, j, d);
-	if (!(distance < c->cutoff) || ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]))
-		return TS_OK;
-	TS_TRY(ts_coincide_bond(sim, &self->where, i, j, distance));
-	if (TS_GROW(out->pair, out->capacity, out->n + 1) != TS_OK)
-		return ts_nomem(&sim->error);
-	out->pair[out->n++] = (struct candidate){ { p->tag[i], p->tag[j] }, { i, j }, distance };
-	return TS_OK;
-}
-
-/* Sweep along x, around a periodic box. */
-static enum ts_status sweep(struct tsim *sim, const struct ts_instance *self, const struct place *place,
-			    size_t n, struct candidates *out)
-{
-	const struct create *c = self->state;
-	const struct ts_box *box = &sim->domain->box;
-	double length = ts_box_length(box, 0);
-	bool around = ts_box_periodic(box, 0);
-
-	for (size_t k = 0; k < n; k++)
-		for (size_t step = 1; step < n; step++) {
-			size_t m = k + step;
-			double shift = 0;
-
-			if (m >= n && !around)
-				break;
-			if (m >= n) {
-				m -= n;
-				shift = length;
-			}
-			if (!(place[m].x + shift - place[k].x < c->cutoff))
-				break;
-			TS_TRY(consider_pair(sim, self, place[k].i, place[m].i, out));
-		}
-	return TS_OK;
-}
-
-static enum ts_status find_candidates(struct tsim *sim, const struct ts_instance *self,
-				      struct candidates *out)
-{
-	const struct ts_particles *p = sim->particles;
-	const struct ts_box *box = &sim->domain->box;
-	double length = ts_box_length(box, 0);
-	struct place *place = ts_alloc(p->n, sizeof *place);
-	enum ts_status status;
-	size_t n = 0;
-
-	if (!place)
-		return ts_nomem(&sim->error);
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group)) {
-			double x = p->x[i][0] - box->lo[0];
-
-			place[n++] =
-				(struct place){ ts_box_periodic(box, 0) ? x - length * floor(x / length) : x,
-						i };
-		}
-	ts_sort(place, n, sizeof *place, compare_places);
-	status = sweep(sim, self, place, n, out);
-	ts_free(place);
-	/* by identities: which bonds are created does not depend on the order of particles */
-	ts_sort(out->pair, out->n, sizeof *out->pair, compare_candidates);
-	return status;
-}
-
-static enum ts_status add_bonds(struct tsim *sim, struct create *c, const struct candidates *found)
+static enum ts_status add_bonds(struct tsim *sim, struct create *c, const struct ts_bond_candidates *found)
 {
 	int64_t *fresh = ts_alloc(sim->particles->n, sizeof *fresh);
 	enum ts_status status = fresh ? TS_OK : ts_nomem(&sim->error);
 
 	for (size_t k = 0; status == TS_OK && k < found->n; k++) {
-		const struct candidate *p = &found->pair[k];
+		const struct ts_bond_candidate *p = &found->pair[k];
 
-		/* in a small periodic box a pair is found twice */
-		if ((k && !compare_candidates(p, p - 1)) || fresh[p->row[0]] >= c->most ||
-		    fresh[p->row[1]] >= c->most)
+		if (fresh[p->row[0]] >= c->most || fresh[p->row[1]] >= c->most)
 			continue;
 		fresh[p->row[0]]++;
 		fresh[p->row[1]]++;
@@ -158,22 +42,17 @@ static enum ts_status add_bonds(struct tsim *sim, struct create *c, const struct
 static enum ts_status create_bonds(struct ts_instance *self, struct tsim *sim)
 {
 	struct create *c = self->state;
-	struct candidates found = { 0 };
+	struct ts_bond_candidates found = { 0 };
 	int64_t before = c->created;
 	enum ts_status status;
 
 	if (!c->every || sim->clock.step % c->every)
 		return TS_OK;
-	status = find_candidates(sim, self, &found);
+	status = ts_bond_search(sim, self->group, c->cutoff, has_types, c, &self->where, &found);
 	if (status == TS_OK)
 		status = add_bonds(sim, c, &found);
 	ts_free(found.pair);
-	if (status != TS_OK || c->created == before)
-		return status;
-	ts_bonds_sort(sim->bonds);
-	TS_TRY(ts_bond_reference_complete(sim));
-	sim->neigh->stale |= sim->neigh->skip_bonded;
-	return ts_bonds_connect(sim);
+	return status != TS_OK || c->created == before ? status : ts_bonds_added(sim);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)

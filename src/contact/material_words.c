@@ -19,7 +19,7 @@ const char *const ts_tangential_names[] = { "off",     "history", "no_history", 
 					    "jkr_tan", NULL };
 const char *const ts_rolling_names[] = { "off", "cdt", "epsd", "epsd2", "epsd3", NULL };
 const char *const ts_cohesion_names[] = {
-	"off", "sjkr", "sjkr2", "easo/capillary/viscous", "washino/capillary/viscous", NULL
+	"off", "sjkr", "sjkr2", "easo/capillary/viscous", "washino/capillary/viscous", "bond", NULL
 };
 const char *const ts_surface_names[] = { "default", "multicontact", NULL };
 
@@ -56,15 +56,25 @@ static bool has_tangential_history(const struct ts_granular_words *w)
 	return w->tangential == TS_TANGENTIAL_HISTORY;
 }
 
+static bool has_bonds(const struct ts_granular_words *w)
+{
+	return w->cohesion == TS_WORD_BOND;
+}
+
+static bool has_bridges(const struct ts_granular_words *w)
+{
+	return w->cohesion == TS_COHESION_EASO || w->cohesion == TS_COHESION_WASHINO;
+}
+
 static bool can_be_located(const struct ts_granular_words *w)
 {
 	return has_normal(w) && w->normal != TS_WORD_JKR && w->tangential < TS_TANGENTIAL_INCREMENTAL &&
-	       w->cohesion < TS_COHESION_EASO;
+	       !has_bridges(w);
 }
 
 static bool can_be_multicontact(const struct ts_granular_words *w)
 {
-	return is_hertz_or_hooke(w) && w->cohesion == TS_COHESION_OFF && !w->located;
+	return is_hertz_or_hooke(w) && (w->cohesion == TS_COHESION_OFF || has_bonds(w)) && !w->located;
 }
 
 static bool has_rolling(const struct ts_granular_words *w)
@@ -74,7 +84,7 @@ static bool has_rolling(const struct ts_granular_words *w)
 
 static bool has_cohesion(const struct ts_granular_words *w)
 {
-	return w->cohesion != TS_COHESION_OFF;
+	return w->cohesion != TS_COHESION_OFF && !has_bonds(w);
 }
 
 static bool is_washino(const struct ts_granular_words *w)
@@ -94,7 +104,7 @@ static const struct {
 	{ "absolute_damping", "model hooke/stiffness", is_stiffness },
 	{ "ktToKnUser", "model hooke or hooke/hysteresis", is_hooke },
 	{ "viscous", "model hooke or hooke/hysteresis", is_hooke },
-	{ "tangential_reduce", "a cohesion model", has_cohesion },
+	{ "tangential_reduce", "a cohesion model with a force in contact", has_cohesion },
 	{ "modifyLbVolume", "cohesion washino/capillary/viscous", is_washino },
 	{ "limitLiquidContent", "cohesion washino/capillary/viscous", is_washino },
 	{ "torsionTorque", "a rolling_friction model", has_rolling },
@@ -117,7 +127,7 @@ static enum ts_status check_laws(struct tsim *sim, const struct ts_instance *sel
 	if (w->tangential == TS_WORD_JKR_TAN && !jkr)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "jkr_tan"),
 			       "%s: 'jkr_tan' belongs to model jkr, which is not chosen here", who);
-	if (jkr && w->cohesion != TS_COHESION_OFF)
+	if (jkr && has_cohesion(w))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "cohesion"),
 			       "%s: model jkr has its own adhesion (workOfAdhesion); leave cohesion out",
 			       who);
@@ -126,9 +136,15 @@ static enum ts_status check_laws(struct tsim *sim, const struct ts_instance *sel
 			       "%s: limitLiquidContent on is not supported: the liquid content of particles "
 			       "is not limited; use `limitLiquidContent off`",
 			       who);
-	if (w->cohesion >= TS_COHESION_EASO && !has_normal(w))
+	if (has_bridges(w) && !has_normal(w))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "cohesion"),
 			       "%s: liquid bridges need a normal model: `model hertz`", who);
+	if (has_bonds(w) && w->unbonded)
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "disableNormalWhenBonded"),
+			       "%s: disableNormalWhenBonded on is not supported with cohesion bond: "
+			       "`special_bonds lj 0 1 1` switches all contact forces between bonded "
+			       "particles off",
+			       who);
 	if (jkr && w->limit_force)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "limitForce"),
 			       "%s: 'limitForce' does not go with model jkr, which attracts", who);
@@ -167,6 +183,13 @@ enum ts_status ts_granular_words_check(struct tsim *sim, const struct ts_instanc
 		if (rank >= 0 && rank < last)
 			return refuse_order(sim, who, word, order[last]);
 		last = rank >= 0 ? rank : last;
+		if (ts_cohesive_word(word->text)) {
+			keyword = word->text;
+			if (!has_bonds(words))
+				return ts_fail(&sim->error, TS_SYNTAX, &word->place,
+					       "%s: '%s' belongs to cohesion bond, which is not chosen here",
+					       who, word->text);
+		}
 		for (size_t n = 0; n < sizeof keywords / sizeof *keywords; n++) {
 			if (!ts_streq(word->text, keywords[n].name))
 				continue;

@@ -3,6 +3,7 @@
 #ifndef TS_CONTACT_MATERIAL_WORDS_H
 #define TS_CONTACT_MATERIAL_WORDS_H
 
+#include "contact/cohesive_bonds.h"
 #include "core/sim.h"
 #include "law/granular.h"
 
@@ -11,9 +12,14 @@ struct ts_granular_words {
 	int normal, tangential, rolling, cohesion, surface;
 	bool limit_force, tangential_damping, absolute_damping, kt_to_kn, viscous, reduce, torsion;
 	bool heating[2], potential, dissipated, unbonded, located, modify_share, limit_liquid;
+	struct ts_cohesive_words bonds; /* of `cohesion bond` */
 };
 /* Words whose number is not that of their law in law/granular.h. */
-enum { TS_WORD_JKR = TS_NORMAL_HOOKE_HYSTERESIS + 1, TS_WORD_JKR_TAN = TS_TANGENTIAL_INCREMENTAL + 1 };
+enum {
+	TS_WORD_JKR = TS_NORMAL_HOOKE_HYSTERESIS + 1,
+	TS_WORD_JKR_TAN = TS_TANGENTIAL_INCREMENTAL + 1,
+	TS_WORD_BOND = TS_COHESION_WASHINO + 1
+};
 enum { TS_SURFACE_DEFAULT, TS_SURFACE_MULTICONTACT };
 extern const char *const ts_normal_names[],
 	*const ts_tangential_names[], *const ts_rolling_names[], *const ts_cohesion_names[],
@@ -26,7 +32,8 @@ extern const char *const ts_normal_names[],
 		TS_ENUM("rolling_friction", T, f.rolling, ts_rolling_names, .fallback = "off",               \
 			.help = "rolling law"),                                                              \
 		TS_ENUM("cohesion", T, f.cohesion, ts_cohesion_names, .fallback = "off",                     \
-			.help = "cohesion law; easo/... and washino/... are liquid bridges "                 \
+			.help = "cohesion law; bond: bonds between particles (bond_style cohesion); "        \
+				"easo/... and washino/... are liquid bridges "                               \
 				"(doc/bridges.md), which take the properties surfaceTension, "               \
 				"fluidViscosity, contactAngle, minSeparationDistanceRatio, "                 \
 				"maxSeparationDistanceRatio, surfaceLiquidContentInitial and "               \
@@ -61,6 +68,7 @@ extern const char *const ts_normal_names[],
 		TS_BOOL("computeDissipatedEnergy", T, f.dissipated, .fallback = "off", .help = "no effect"), \
 		TS_BOOL("disableNormalWhenBonded", T, f.unbonded, .fallback = "off",                         \
 			.help = "no effect; see special_bonds"),                                             \
+		TS_COHESIVE_ARGS(T, f.bonds),                                                                \
 		TS_BOOL("located", T, f.located, .fallback = "no",                                           \
 			.help = "sub-step contact detection: begin and end of contacts within a step are "   \
 				"resolved")

@@ -17,7 +17,7 @@ struct ts_granular_model ts_contact_model_of_words(const struct tsim *sim, const
 		.damping = sticks ? TS_DAMPING_RESTITUTION : TS_DAMPING_VELOCITY,
 		.tangential = w->tangential == TS_WORD_JKR_TAN ? TS_TANGENTIAL_MINDLIN : w->tangential,
 		.rolling = w->rolling,
-		.cohesion = w->cohesion,
+		.cohesion = w->cohesion == TS_WORD_BOND ? TS_COHESION_OFF : w->cohesion,
 		.no_tension = w->limit_force,
 		.no_tangential_damping = !w->tangential_damping,
 		.absolute_damping = w->absolute_damping,

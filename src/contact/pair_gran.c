@@ -41,6 +41,8 @@ static enum ts_status check_words(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "pair gran needs a model first: `model hertz tangential history`");
 	TS_TRY(ts_granular_words_check(sim, self, "pair gran", &g->words));
+	if (g->words.cohesion == TS_WORD_BOND)
+		TS_TRY(ts_cohesive_bonds_require(sim, self));
 	if (sim->newton_on && ts_tangential_remembers(&g->pair.model))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "pair gran with tangential history needs `newton off`");
@@ -90,6 +92,8 @@ static enum ts_status chosen(struct ts_instance *self, struct tsim *sim)
 	struct gran *g = self->state;
 	const struct ts_granular_model m = ts_contact_model_of_words(sim, &g->words);
 
+	if (g->words.cohesion == TS_WORD_BOND)
+		return ts_cohesive_bonds_choose(sim, self);
 	return ts_cohesion_bridges(&m) ? ts_liquid_columns(sim, self, &g->pair.liquid) : TS_OK;
 }
 
@@ -170,8 +174,9 @@ static const char other_laws[] =
 	"the force without damping, as long as the surfaces adhere.\n\n"
 	"`rolling_friction cdt`: torque mu_r k_n delta R* against the relative rotation; `epsd`, `epsd2`, "
 	"`epsd3`: a rolling spring and dashpot, limited to mu_r |F_n| R*. `cohesion sjkr`: an attraction k "
-	"A, A the area in which the spheres intersect; `sjkr2`: A = 4 pi delta R*. `easo/...`, "
-	"`washino/...`: liquid bridges (doc/bridges.md). `surface multicontact`: fix multicontact/halfspace.";
+	"A, A the area in which the spheres intersect; `sjkr2`: A = 4 pi delta R*. `bond`: bonds that "
+	"transmit shear, bending and torsion and break, bond_style cohesion. `easo/...`, `washino/...`: "
+	"liquid bridges (doc/bridges.md). `surface multicontact`: fix multicontact/halfspace.";
 
 static const char usage[] =
 	"The constants are defined by fix property/global. Per type: youngsModulus, poissonsRatio. Per pair "

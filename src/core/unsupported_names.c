@@ -98,15 +98,9 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	  "RATE insert_every STEPS region REGION`" },
 	{ TS_KIND_FIX, "property/atom/timetracer", "its present name is property/atom/regiontracer/time" },
 	{ TS_KIND_BOND, "harmonic*", MOLECULAR },
-	{ TS_KIND_COMPUTE, "bond/counter",
-	  "write `compute ID GROUP bonds`: c_ID is the number of unbroken bonds; `fix ID GROUP "
-	  "bond/breakage` gives the broken ones" },
 	{ TS_KIND_FIX, "massflow/mesh/face",
 	  "faces of a mesh are not numbered; write a `fix mesh/surface` for each face, and for each of them "
 	  "`fix ID GROUP massflow/mesh mesh MESH vec_side X Y Z`" },
-	{ TS_KIND_COMPUTE, "pair/gran/local/bond",
-	  "write `compute ID GROUP bond/local dist force fx fy fz`, and `compute ID2 GROUP property/local "
-	  "batom1 batom2 btype` for the bonded particles" },
 	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process; the box has no subdomains" },
 	{ TS_KIND_DUMP, "image", "images are made from dumps by other programs (ParaView, OVITO)" },
 	{ TS_KIND_DUMP, "movie", "images are made from dumps by other programs (ParaView, OVITO)" },
@@ -122,16 +116,13 @@ static const struct {
 	{ "model", "hysteretic/nonlinear2", UNPUBLISHED "; hooke/hysteresis is a similar law" },
 	{ "model", "luding", "hooke/hysteresis is a similar law" },
 	{ "rolling_friction", "cdtnonlinear2", UNPUBLISHED "; cdt is a similar law" },
-	{ "cohesion", "bond", BONDS },
-	{ "cohesion", "bond/nonlinear", BONDS },
+	{ "cohesion", "bond/nonlinear",
+	  "no description of its law is public; `cohesion bond` is the linear law, bond_style beam and "
+	  "parallel have other options" },
 	{ "cohesion", "capillary", BRIDGES },
 	{ "surface", "superquadric", SHAPES },
-	{ "pair gran", "createBondAlways", BONDS },
-	{ "pair gran", "stressBreak", BONDS },
 	{ "pair gran", "capillaryModel", BRIDGES },
 	{ "pair gran", "Willett", BRIDGES },
-	{ "fix wall/gran", "createBondAlways", BONDS },
-	{ "fix wall/gran", "stressBreak", BONDS },
 	{ "fix wall/gran", "general_plane",
 	  "for planes at any angle use a region: `region W plane PX PY PZ NX NY NZ` and `fix ID GROUP "
 	  "wall/gran/region model ... type T region W`" },

@@ -195,11 +195,12 @@ static enum ts_status add_force_differences(struct tsim *sim, struct ts_ledger *
 
 static enum ts_status account_forces(struct tsim *sim, struct ts_ledger *l, struct ts_instance *by)
 {
+	bool computed = sim->acted.stage == TS_STAGE_FORCE; /* bonds may also act before, to be created */
 	size_t actor;
 
-	if (by->style->kind == TS_KIND_PAIR)
+	if (computed && by->style->kind == TS_KIND_PAIR)
 		TS_TRY(ts_ledger_account_pairs(sim, l));
-	else if (by->style->kind == TS_KIND_BOND)
+	else if (computed && by->style->kind == TS_KIND_BOND)
 		TS_TRY(ts_ledger_account_bonds(sim, l));
 	TS_TRY(ts_ledger_actor(sim, l, by, &actor));
 	if (is_wall(by))

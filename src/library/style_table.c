@@ -14,6 +14,7 @@
 
 TS_STYLE(automaton, ts_automaton_style, ts_automaton_granular)
 TS_STYLE(bond, ts_bond_style, ts_bond_beam)
+TS_STYLE(bond, ts_bond_style, ts_bond_cohesion)
 TS_STYLE(bond, ts_bond_style, ts_bond_contact)
 TS_STYLE(bond, ts_bond_style, ts_bond_gran)
 TS_STYLE(bond, ts_bond_style, ts_bond_parallel)
@@ -111,6 +112,7 @@ TS_STYLE(compute, ts_style, ts_compute_active_pml)
 TS_STYLE(compute, ts_style, ts_compute_aggregate_atom)
 TS_STYLE(compute, ts_style, ts_compute_angmom_chunk)
 TS_STYLE(compute, ts_style, ts_compute_automaton_profile)
+TS_STYLE(compute, ts_style, ts_compute_bond_counter)
 TS_STYLE(compute, ts_style, ts_compute_bond_local)
 TS_STYLE(compute, ts_style, ts_compute_bonds)
 TS_STYLE(compute, ts_style, ts_compute_chunk_atom)
@@ -152,6 +154,7 @@ TS_STYLE(compute, ts_style, ts_compute_neighbor_atom)
 TS_STYLE(compute, ts_style, ts_compute_nparticles_tracer_region)
 TS_STYLE(compute, ts_style, ts_compute_omega_chunk)
 TS_STYLE(compute, ts_style, ts_compute_pair_gran_local)
+TS_STYLE(compute, ts_style, ts_compute_pair_gran_local_bond)
 TS_STYLE(compute, ts_style, ts_compute_pair_local)
 TS_STYLE(compute, ts_style, ts_compute_pe)
 TS_STYLE(compute, ts_style, ts_compute_pe_atom)
@@ -339,6 +342,7 @@ TS_STYLE(region, ts_region_style, ts_region_wedge)
 const struct ts_style *const ts_style_table[] = {
 	&ts_automaton_granular.style,
 	&ts_bond_beam.style,
+	&ts_bond_cohesion.style,
 	&ts_bond_contact.style,
 	&ts_bond_gran.style,
 	&ts_bond_parallel.style,
@@ -436,6 +440,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_aggregate_atom,
 	&ts_compute_angmom_chunk,
 	&ts_compute_automaton_profile,
+	&ts_compute_bond_counter,
 	&ts_compute_bond_local,
 	&ts_compute_bonds,
 	&ts_compute_chunk_atom,
@@ -477,6 +482,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_nparticles_tracer_region,
 	&ts_compute_omega_chunk,
 	&ts_compute_pair_gran_local,
+	&ts_compute_pair_gran_local_bond,
 	&ts_compute_pair_local,
 	&ts_compute_pe,
 	&ts_compute_pe_atom,

@@ -134,6 +134,11 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 	struct ts_wall *w = self->state;
 
 	TS_TRY(ts_granular_words_check(sim, self, "fix wall/gran", &w->words));
+	if (w->words.cohesion == TS_WORD_BOND)
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "cohesion"),
+			       "fix %s: bonds with walls are not supported; leave `cohesion bond` out: "
+			       "particles are bonded to each other by pair_style gran",
+			       self->style->name);
 	TS_TRY(ts_heat_read_area(sim, "fix wall/gran", w->area_words, &w->area));
 	if (w->store_force)
 		TS_TRY(add_force_column(self, sim));
