@@ -59,10 +59,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	g->pair.model = ts_contact_model_of_words(sim, &g->words);
 	g->pair.sticks = ts_granular_reaches(&g->pair.model) || g->pair.model.multi;
+	if (sim->particles->ntypes) /* also where the words are refused: with -check the scene is reviewed then */
+		TS_TRY(ts_pair_prepare(sim, self));
 	TS_TRY(check_words(self, sim));
 	if (!sim->particles->ntypes)
 		return TS_OK;
-	TS_TRY(ts_pair_prepare(sim, self));
 	TS_TRY(read_materials(self, sim));
 	if (ts_cohesion_bridges(&g->pair.model))
 		TS_TRY(ts_liquid_init(sim, self, &g->pair.liquid));

@@ -146,6 +146,9 @@ $gran cohesion bond" 'bond_style contact is in use'
 rejects "$gran cohesion bond
 bond_style contact
 bond_coeff 1 stiffness 1 ultimate 1" 'they were replaced by bond_style contact'
+printf '%s\n' 'include in.chain' 'pair_style gran model hertz tangential history cohesion bond' 'bond_style contact' \
+	'include in.spheres' 'run 1' >in.script
+refused 'replaced bonds, no pair_coeff' 'they were replaced by' -check -in in.script
 rejects "$gran
 fix w all wall/gran model hertz tangential history cohesion bond primitive type 1 zplane 0" 'bonds with walls are not supported'
 rejects "$gran cohesion bond
