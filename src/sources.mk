@@ -133,6 +133,10 @@ library_sources = \
 	src/bond/bond_reference.h \
 	src/bond/bond_rows.c \
 	src/bond/bond_rows.h \
+	src/bond/bond_search.c \
+	src/bond/bond_search.h \
+	src/bond/bond_shares.h \
+	src/bond/bond_single_loop.h \
 	src/bond/bond_slices.c \
 	src/bond/bond_slices.h \
 	src/bond/bond_yield.c \
@@ -146,6 +150,7 @@ library_sources = \
 	src/bond/command_create_bonds.c \
 	src/bond/command_delete_bonds.c \
 	src/bond/command_special_bonds.c \
+	src/bond/compute_bond_counter.c \
 	src/bond/compute_bond_local.c \
 	src/bond/compute_bonds.c \
 	src/bond/compute_cluster_atom.c \
@@ -177,6 +182,9 @@ library_sources = \
 	src/box/fix_deform.c \
 	src/box/lattice.c \
 	src/box/lattice.h \
+	src/contact/bond_cohesion.c \
+	src/contact/cohesive_bonds.c \
+	src/contact/cohesive_bonds.h \
 	src/contact/command_hard_particles.c \
 	src/contact/command_pair_coeff.c \
 	src/contact/command_pair_modify.c \
@@ -186,6 +194,7 @@ library_sources = \
 	src/contact/compute_contacts.c \
 	src/contact/compute_group_group.c \
 	src/contact/compute_pair_gran_local.c \
+	src/contact/compute_pair_gran_local_bond.c \
 	src/contact/compute_pair_local.c \
 	src/contact/compute_pressure.c \
 	src/contact/compute_property_local.c \
@@ -708,6 +717,7 @@ library_sources = \
 	src/law/archard.h \
 	src/law/beam.h \
 	src/law/bond_element.h \
+	src/law/bond_local_damping.h \
 	src/law/bond_section.h \
 	src/law/buoyancy.h \
 	src/law/capillary.h \

@@ -16,6 +16,7 @@ shell_tests = \
 	tests/box/scales.sh \
 	tests/box/shear.sh \
 	tests/contact/bridges.sh \
+	tests/contact/cohesive_bonds.sh \
 	tests/contact/contact_computes.sh \
 	tests/contact/gran_laws.sh \
 	tests/contact/gran_numbers.sh \
@@ -217,6 +218,7 @@ unit_tests = \
 	tests/bond/check_element \
 	tests/bond/check_parallel \
 	tests/bond/check_yield \
+	tests/contact/check_cohesive_bonds \
 	tests/contact/check_contact_parts \
 	tests/core/check_alloc \
 	tests/core/check_args \
@@ -360,6 +362,10 @@ tests_bond_check_parallel_LDADD = $(tests_ldadd)
 tests_bond_check_yield_SOURCES = tests/bond/check_yield.c
 tests_bond_check_yield_CFLAGS = $(tests_cflags)
 tests_bond_check_yield_LDADD = $(tests_ldadd)
+
+tests_contact_check_cohesive_bonds_SOURCES = tests/contact/check_cohesive_bonds.c
+tests_contact_check_cohesive_bonds_CFLAGS = $(tests_cflags)
+tests_contact_check_cohesive_bonds_LDADD = $(tests_ldadd)
 
 tests_contact_check_contact_parts_SOURCES = tests/contact/check_contact_parts.c
 tests_contact_check_contact_parts_CFLAGS = $(tests_cflags)

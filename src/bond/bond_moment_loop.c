@@ -4,6 +4,7 @@ TS_UNROLLED
 
 #include "bond/bond_loop.h"
 #include "bond/bond_moment.h"
+#include "bond/bond_shares.h"
 
 #include "base/banned.h"
 
@@ -194,25 +195,6 @@ static void store_loads(const struct row *r, const struct ts_bond_row *l, size_t
 	}
 }
 
-/* Adds the results of the bonds of particle i. */
-TS_INLINE void sum_particle(const struct ts_bonds *b, size_t i, double *f, double *torque)
-{
-	static const double sign[2] = { -1, 1 };
-	ts_four sum[2] = { { 0 } };
-
-	for (size_t k = b->gather.first[i]; k < b->gather.first[i + 1]; k++) {
-		const uint32_t side = b->rows.sum[k] & 1;
-		const struct ts_bond_result *r = &b->rows.result[b->rows.sum[k] >> 1];
-
-		sum[0] += sign[side] * *(const ts_four *)r->force;
-		sum[1] += *(const ts_four *)r->torque[side];
-	}
-	for (int c = 0; c < 3; c++) {
-		f[c] += sum[0][c];
-		torque[c] += sum[1][c];
-	}
-}
-
 /* ---- the loop */
 
 /* Rows from .. from + n - 1, n at most ROWS, of the share whose first particle is `begin`. */
@@ -236,22 +218,14 @@ TS_INLINE long compute_rows(const struct ts_bond_task *t, size_t from, size_t n,
 	return broken;
 }
 
-TS_INLINE long compute_share(const struct ts_bond_task *t, size_t share, bool moving)
+TS_INLINE long compute_moving(const struct ts_bond_task *t, size_t from, size_t n, size_t begin)
 {
-	const struct ts_bond_rows *rows = &t->bonds->rows;
-	size_t chunk = ts_bond_share_begin(rows, share), end = ts_bond_share_begin(rows, share + 1);
-	const size_t begin = chunk * TS_BOND_CHUNK;
-	long broken = 0;
+	return compute_rows(t, from, n, begin, true);
+}
 
-	for (size_t c = chunk; c < end; c++) {
-		for (size_t r = rows->first[c], n; r < rows->first[c + 1]; r += n) {
-			n = rows->first[c + 1] - r < ROWS ? rows->first[c + 1] - r : ROWS;
-			broken += compute_rows(t, r, n, begin, moving);
-		}
-		for (size_t i = c * TS_BOND_CHUNK; i < ts_bond_chunk_end(rows, c); i++)
-			sum_particle(t->bonds, i, t->p->f[i], t->p->torque[i]);
-	}
-	return broken;
+TS_INLINE long compute_undamped(const struct ts_bond_task *t, size_t from, size_t n, size_t begin)
+{
+	return compute_rows(t, from, n, begin, false);
 }
 
 TS_CLONES static long compute_shares(void *task, size_t from, size_t to)
@@ -260,7 +234,8 @@ TS_CLONES static long compute_shares(void *task, size_t from, size_t to)
 	long broken = 0;
 
 	for (size_t k = from; k < to; k++)
-		broken += t->moving ? compute_share(t, k, true) : compute_share(t, k, false);
+		broken += t->moving ? ts_bond_compute_share(t, k, ROWS, compute_moving)
+				    : ts_bond_compute_share(t, k, ROWS, compute_undamped);
 	return broken;
 }
 

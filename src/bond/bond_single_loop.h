@@ -2,20 +2,19 @@
  * transcendental functions, which the vectorised loop (bond_moment_loop.c) does not have. A bond style defines its law,
  * a ts_bond_single_law, and calls ts_bond_compute_singles with it, which is inlined.
  *
- * Each bond is computed for both partners, from the point of view of the first, so the bits depend neither on
- * threads nor on the order of particles. */
+ * The order is that of bond_rows.h, so the bits depend neither on threads nor on the order of particles. */
 #ifndef TS_BOND_BOND_SINGLE_LOOP_H
 #define TS_BOND_BOND_SINGLE_LOOP_H
 
-#include "bond/bond_loop.h"
+#include "bond/bond_shares.h"
 #include "law/bond_element.h"
 
-TS_INLINE void ts_bond_element_of_lane(const struct ts_bond_lanes *l, size_t k, struct ts_bond_element *e)
+TS_INLINE void ts_bond_element_of_lane(const struct ts_bond_row *l, const struct ts_bond_dashpots *dashpots,
+				       size_t k, struct ts_bond_element *e)
 {
 	*e = (struct ts_bond_element){ .length = l->length[k],
 				       .fraction = l->fraction[k],
 				       .k = { l->k[0][k], l->k[1][k], l->k[2][k], l->k[3][k] },
-				       .c = { l->c[0][k], l->c[1][k], l->c[2][k], l->c[3][k] },
 				       .per_area = l->per_area[k],
 				       .per_moment = l->per_moment[k],
 				       .per_torque = l->per_torque[k],
@@ -23,14 +22,16 @@ TS_INLINE void ts_bond_element_of_lane(const struct ts_bond_lanes *l, size_t k, 
 				       .tension = l->tension[k],
 				       .shear = l->shear[k],
 				       .compression = l->compression[k] };
+	for (int m = 0; dashpots && m < TS_BOND_MODES; m++)
+		e->c[m] = dashpots->c[m][k];
 }
 
-/* State of both partners of bond b; l, k: its lane. */
-TS_INLINE void ts_bond_ends_of(const struct ts_bond_task *t, size_t b, const struct ts_bond_lanes *l,
-			       size_t k, struct ts_bond_ends *s)
+/* State of both partners of the bond of a lane. */
+TS_INLINE void ts_bond_ends_of_lane(const struct ts_bond_task *t, const struct ts_bond_row *l, size_t k,
+				    struct ts_bond_ends *s)
 {
 	const struct ts_particles *p = t->p;
-	const size_t i = (size_t)t->bonds->row[b][0], j = (size_t)t->bonds->row[b][1];
+	const size_t i = (size_t)l->particle[0][k], j = (size_t)l->particle[1][k];
 	const size_t row[2] = { i, j };
 	double d[3], v[3] = { 0, 0, 0 };
 
@@ -67,52 +68,57 @@ TS_INLINE void ts_bond_store_single(struct ts_bonds *bonds, size_t b, const stru
 	bonds->breaks[b] = !holds;
 }
 
-/* Computes the bonds of one particle of a slice; returns how many of them break. */
-TS_INLINE long ts_bond_compute_lane(const struct ts_bond_task *t, const struct ts_bond_slice *slice,
-				    size_t lane, ts_bond_single_law *law)
+/* Computes the bond of a lane; returns whether it breaks. */
+TS_INLINE bool ts_bond_compute_lane(const struct ts_bond_task *t, size_t row, size_t lane, size_t begin,
+				    ts_bond_single_law *law)
 {
-	const struct ts_bond_slices *s = &t->bonds->slices;
-	double *f = t->p->f[slice->particle[lane]], *torque = t->p->torque[slice->particle[lane]];
+	const struct ts_bond_rows *rows = &t->bonds->rows;
+	const struct ts_bond_row *l = &rows->row[row];
+	const size_t b = l->bond[lane];
+	struct ts_bond_element e;
+	struct ts_bond_ends ends;
+	struct ts_bond_answer a;
+	bool holds;
+
+	ts_bond_element_of_lane(l, t->moving ? &rows->dashpots[row] : NULL, lane, &e);
+	ts_bond_ends_of_lane(t, l, lane, &ends);
+	holds = law(ts_coeff(t->coeffs, (size_t)t->bonds->type[b]), &e, &ends, true, &a);
+	if ((!holds || t->store) && (size_t)l->particle[0][lane] >= begin &&
+	    (size_t)l->particle[1][lane] >= begin)
+		ts_bond_store_single(t->bonds, b, &a, holds);
+	rows->result[l->slot[lane]] =
+		holds ? (struct ts_bond_result){ { a.force.x, a.force.y, a.force.z, 0 },
+						 { { a.torque[0].x, a.torque[0].y, a.torque[0].z, 0 },
+						   { a.torque[1].x, a.torque[1].y, a.torque[1].z, 0 } } }
+		      : (struct ts_bond_result){ .force = { 0 } };
+	return !holds;
+}
+
+TS_INLINE long ts_bond_compute_single_rows(const struct ts_bond_task *t, size_t from, size_t n, size_t begin,
+					   ts_bond_single_law *law)
+{
 	long broken = 0;
 
-	for (size_t row = slice->first; row < slice->first + slice->depth; row++) {
-		const uint32_t entry = s->bond[row][lane];
-		const size_t b = entry >> 1, side = entry & 1;
-		struct ts_bond_element e;
-		struct ts_bond_ends ends;
-		struct ts_bond_answer a;
-		double sign = side ? 1 : -1;
-		bool holds;
+	for (size_t row = from; row < from + n; row++)
+		for (size_t lane = 0; lane < TS_BOND_ROW_LANES; lane++)
+			if (t->bonds->rows.row[row].bond[lane] != TS_BOND_NONE)
+				broken += ts_bond_compute_lane(t, row, lane, begin, law);
+	return broken;
+}
 
-		if (entry == TS_BOND_NONE)
-			continue;
-		ts_bond_element_of_lane(&s->lanes[row], lane, &e);
-		ts_bond_ends_of(t, b, &s->lanes[row], lane, &ends);
-		holds = law(ts_coeff(t->coeffs, (size_t)t->bonds->type[b]), &e, &ends, true, &a);
-		broken += !holds;
-		if (!side && (!holds || t->store))
-			ts_bond_store_single(t->bonds, b, &a, holds);
-		if (!holds)
-			continue;
-		f[0] += sign * a.force.x;
-		f[1] += sign * a.force.y;
-		f[2] += sign * a.force.z;
-		torque[0] += a.torque[side].x;
-		torque[1] += a.torque[side].y;
-		torque[2] += a.torque[side].z;
+/* Defines the slot `compute` of a style, `name`, with its law. */
+#define TS_BOND_SINGLE_LOOP(name, law)                                                             \
+	static long name##_rows(const struct ts_bond_task *t, size_t from, size_t n, size_t begin) \
+	{                                                                                          \
+		return ts_bond_compute_single_rows(t, from, n, begin, law);                        \
+	}                                                                                          \
+	static long name(void *task, size_t from, size_t to)                                       \
+	{                                                                                          \
+		long broken = 0;                                                                   \
+                                                                                                   \
+		for (size_t k = from; k < to; k++)                                                 \
+			broken += ts_bond_compute_share(task, k, 1, name##_rows);                  \
+		return broken;                                                                     \
 	}
-	return broken;
-}
-
-TS_INLINE long ts_bond_compute_singles(const struct ts_bond_task *t, size_t from, size_t to,
-				       ts_bond_single_law *law)
-{
-	long broken = 0;
-
-	for (size_t k = from; k < to; k++)
-		for (size_t lane = 0; lane < t->bonds->slices.slice[k].n; lane++)
-			broken += ts_bond_compute_lane(t, &t->bonds->slices.slice[k], lane, law);
-	return broken;
-}
 
 #endif

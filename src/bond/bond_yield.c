@@ -111,7 +111,7 @@ enum ts_status ts_bond_turn_and_yield(struct ts_instance *self, struct tsim *sim
 	ts_parallel(ts_team(sim, bonds->n), bonds->n, yield_bonds, &t);
 	bonds->flow = ts_exactsum_of(t.work, bonds->n, 1);
 	if (bonds->flow != 0)
-		bonds->slices.filled = false;
+		bonds->rows.filled = false;
 	ts_free(t.work);
 	return TS_OK;
 }

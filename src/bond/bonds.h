@@ -106,7 +106,7 @@ struct ts_bond_style {
 	/* What a bond yields at; returns false if bonds of this type do not yield. NULL: none does. */
 	bool (*section)(const void *coeff, const struct ts_bond_pair *pair, struct ts_plastic_section *out);
 	/* Their law, if it is not that of law/bond_element.h with dashpots and largest stresses; `compute` may
-	 * then be ts_bond_compute_singles with it (bond/bond_single_loop.h). NULL: it is. */
+	 * then be TS_BOND_SINGLE_LOOP with it (bond/bond_single_loop.h). NULL: it is. */
 	ts_bond_single_law *law;
 	double (*stiffness)(const void *coeff);
 	/* Elastic energy at this extension; NULL if the law has no potential. */

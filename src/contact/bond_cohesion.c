@@ -67,10 +67,7 @@ static bool law(const void *coeff, struct ts_bond_element *e, const struct ts_bo
 	return cohesive_law(coeff, e, s, whole, out);
 }
 
-static long compute(void *task, size_t from, size_t to)
-{
-	return ts_bond_compute_singles(task, from, to, cohesive_law);
-}
+TS_BOND_SINGLE_LOOP(compute, cohesive_law)
 
 static bool damped(const void *coeff)
 {
@@ -168,7 +165,7 @@ static enum ts_status read_materials(struct ts_instance *self, struct tsim *sim)
 						ts_coeff(&s->bond.coeffs, (size_t)t)));
 			s->bond.coeffs.given[t] = true;
 		}
-	sim->bonds->slices.filled = false;
+	sim->bonds->rows.filled = false;
 	return TS_OK;
 }
 

@@ -59,7 +59,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	g->pair.model = ts_contact_model_of_words(sim, &g->words);
 	g->pair.sticks = ts_granular_reaches(&g->pair.model) || g->pair.model.multi;
-	if (sim->particles->ntypes) /* also where the words are refused: with -check the scene is reviewed then */
+	if (sim->particles
+		    ->ntypes) /* also where the words are refused: with -check the scene is reviewed then */
 		TS_TRY(ts_pair_prepare(sim, self));
 	TS_TRY(check_words(self, sim));
 	if (!sim->particles->ntypes)

@@ -26,8 +26,12 @@ syn keyword tsimKeyword  random nearest table partner turns keeps wall_normal sp
 syn match tsimKeyword /\<velocity\>/ 
 syn keyword tsimKeyword  E nu G kappa lambda yield sigma_c tau_c sigma_compression scatter
 syn keyword tsimKeyword  none normal weibull deviation shape damping damping_normal
-syn keyword tsimKeyword  damping_shear damping_bending damping_twist stiffness ultimate kn
-syn keyword tsimKeyword  ks ratio beta map array hash id first sort tilt small large
+syn keyword tsimKeyword  damping_shear damping_bending damping_twist stressBreak
+syn keyword tsimKeyword  createBondAlways tensionStress compressionStress shearStress
+syn keyword tsimKeyword  normalTorqueStress shearTorqueStress dampingBond
+syn keyword tsimKeyword  ratioTensionCompression temperatureBreak dampingBondSmooth
+syn keyword tsimKeyword  dissipationBond druckerPrager stiffness ultimate kn ks ratio beta
+syn keyword tsimKeyword  map array hash id first sort tilt small large
 syn match tsimKeyword /\<units\>/ 
 syn match tsimKeyword /\<lattice\>/ 
 syn match tsimKeyword /\<box\>/ 
@@ -221,19 +225,20 @@ syn keyword tsim_fix contained wear/zhao/chang/contact
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained active/paml active/pi active/pml aggregate/atom angmom/chunk
-syn keyword tsim_compute contained automaton/profile bond/local bonds chunk/atom chunk/spread/atom
-syn keyword tsim_compute contained cluster/atom com com/chunk contact/atom contacts coord/atom
-syn keyword tsim_compute contained count/type displace/atom erotate/multisphere erotate/sphere
-syn keyword tsim_compute contained erotate erotate/sphere/atom film film/atom flow/flux flow/force
-syn keyword tsim_compute contained flow/line flow/plane flow/probe fragment/atom granular/couette
-syn keyword tsim_compute contained group/group gyration gyration/chunk inertia/chunk ke ke/atom
-syn keyword tsim_compute contained ke/multisphere leave msd msd/chunk multisphere rigid
+syn keyword tsim_compute contained automaton/profile bond/counter bond/local bonds chunk/atom
+syn keyword tsim_compute contained chunk/spread/atom cluster/atom com com/chunk contact/atom contacts
+syn keyword tsim_compute contained coord/atom count/type displace/atom erotate/multisphere
+syn keyword tsim_compute contained erotate/sphere erotate erotate/sphere/atom film film/atom
+syn keyword tsim_compute contained flow/flux flow/force flow/line flow/plane flow/probe fragment/atom
+syn keyword tsim_compute contained granular/couette group/group gyration gyration/chunk inertia/chunk
+syn keyword tsim_compute contained ke ke/atom ke/multisphere leave msd msd/chunk multisphere rigid
 syn keyword tsim_compute contained multisphere/single nbond/atom neighbor/atom
-syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local pair/local pe
-syn keyword tsim_compute contained pe/atom pressure property/atom property/chunk property/local rdf
-syn keyword tsim_compute contained reduce reduce/chunk reduce/region slice squeeze/atom stress/atom
-syn keyword tsim_compute contained surface/contact temp temp/chunk temp/com temp/granular
-syn keyword tsim_compute contained temp/granular/chunk torque/chunk vacf vcm/chunk wall/gran/local
+syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local
+syn keyword tsim_compute contained pair/gran/local/bond pair/local pe pe/atom pressure property/atom
+syn keyword tsim_compute contained property/chunk property/local rdf reduce reduce/chunk
+syn keyword tsim_compute contained reduce/region slice squeeze/atom stress/atom surface/contact temp
+syn keyword tsim_compute contained temp/chunk temp/com temp/granular temp/granular/chunk torque/chunk
+syn keyword tsim_compute contained vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane
@@ -251,7 +256,7 @@ syn keyword tsim_pair contained gran gran/hertz/history gran/hooke gran/hooke/hi
 syn keyword tsim_pair contained spring/dashpot
 hi def link tsim_pair Type
 syn match tsimHead /^\s*bond_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_bond
-syn keyword tsim_bond contained beam contact gran parallel
+syn keyword tsim_bond contained beam cohesion contact gran parallel
 hi def link tsim_bond Type
 syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_flow
 syn keyword tsim_flow contained projection reynolds stagnation uniform
