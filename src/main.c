@@ -10,6 +10,7 @@
 #include "advise/advise.h"
 #include "base/alloc.h"
 #include "base/clock.h"
+#include "core/life.h"
 #include "core/saver.h"
 #include "core/sim.h"
 #include "crosscheck/crosscheck.h"
@@ -268,7 +269,7 @@ static int run(struct tsim *sim, struct ts_setup *setup)
 		ts_script_quit(sim->script_api_data, &quit);
 		if (setup->check)
 			quit = report_check(sim);
-		if (ts_log_close(&sim->log, &sim->error) != TS_OK) {
+		if (ts_sim_close(sim) != TS_OK || ts_log_close(&sim->log, &sim->error) != TS_OK) {
 			report_error(sim);
 			quit = EXIT_FAILURE;
 		}

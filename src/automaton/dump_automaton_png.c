@@ -1,10 +1,12 @@
 /* Dump automaton/png: pictures of the granules. */
+#include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
 #include "automaton/automaton.h"
 #include "base/alloc.h"
 #include "dump/dump_vtk.h"
+#include "io/movie.h"
 #include "io/png.h"
 
 #include "base/banned.h"
@@ -17,6 +19,8 @@ struct state {
 	struct ts_dump_common common;
 	int64_t scale;
 	int colour;
+	const char *film; /* file of the movie; NULL: none */
+	struct ts_movie movie;
 	unsigned char *rgb;
 	size_t capacity;
 };
@@ -32,6 +36,27 @@ static struct size size_of(const struct state *s, const struct ts_automaton *a)
 {
 	return (struct size){ (uint32_t)(s->scale * a->lattice.nx),
 			      (uint32_t)(s->scale * (a->lattice.ny + 2)) };
+}
+
+/* Without ffmpeg the frames are written nevertheless. */
+static enum ts_status check_movie(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const char *obstacle = ts_movie_obstacle(sim);
+
+	if (!s->film)
+		return TS_OK;
+	if (!ts_movie_is_name(s->film))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, s->film),
+			       "dump automaton/png: movie '%s': expected a name that ends "
+			       "in " TS_MOVIE_ENDINGS,
+			       s->film);
+	if (obstacle) {
+		ts_warn(&sim->log, ts_instance_word(self, s->film),
+			"dump automaton/png: there will be frames, but no movie '%s': %s", s->film, obstacle);
+		s->film = NULL;
+	}
+	return TS_OK;
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -51,7 +76,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       "dump automaton/png: %d x %d cells of %d pixels are a picture of more than %d "
 			       "pixels along an edge: use a smaller scale, or dump automaton/vtk",
 			       a->lattice.nx, a->lattice.ny, (int)s->scale, MOST_PIXELS);
-	return TS_OK;
+	return check_movie(self, sim);
 }
 
 /* -1 blue, 0 light grey, 1 red */
@@ -110,6 +135,21 @@ static void draw(const struct state *s, const struct ts_automaton *a)
 		}
 }
 
+/* After a restart the movie begins anew. */
+static enum ts_status add_to_movie(struct ts_instance *self, struct tsim *sim, struct size size)
+{
+	struct state *s = self->state;
+
+	if (!s->film)
+		return TS_OK;
+	if (s->movie.frames == 0 && s->common.frames > 1)
+		ts_warn(&sim->log, &self->where,
+			"dump automaton/png: the movie '%s' begins at step %" PRId64
+			"; frames before the restart are pictures only",
+			s->film, sim->clock.step);
+	return ts_movie_add(&s->movie, sim, &self->where, s->film, size.width, size.height, s->rgb);
+}
+
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -126,7 +166,15 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 		return ts_nomem(&sim->error);
 	draw(s, a);
 	TS_TRY(ts_dump_vtk_path(&s->common, sim));
-	return ts_png_write(sim, ts_str_text(&s->common.path), &self->where, size.width, size.height, s->rgb);
+	TS_TRY(ts_png_write(sim, ts_str_text(&s->common.path), &self->where, size.width, size.height,
+			    s->rgb));
+	return add_to_movie(self, sim, size);
+}
+
+static enum ts_status complete_movie(struct ts_instance *self, struct tsim *sim)
+{
+	(void)sim;
+	return ts_movie_end(&((struct state *)self->state)->movie);
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
@@ -142,7 +190,10 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 static void fini(struct ts_instance *self)
 {
-	ts_free(((struct state *)self->state)->rgb);
+	struct state *s = self->state;
+
+	ts_movie_end(&s->movie);
+	ts_free(s->rgb);
 	ts_dump_fini(self);
 }
 
@@ -155,6 +206,10 @@ static const struct ts_arg args[] = {
 	       .help = "pixels along the edge of a cell"),
 	TS_ENUM("colour", struct state, colour, colours, .fallback = "u",
 		.help = "velocity along x, along y, or the speed, by the speed of the faster wall"),
+	TS_WORD("movie", struct state, film, .flags = TS_OPTIONAL | TS_WRITES,
+		.help = "file for a movie of the frames, made by ffmpeg: its name ends in " TS_MOVIE_ENDINGS),
+	TS_REAL("framerate", struct state, movie.rate, .range = TS_POSITIVE, .fallback = "24",
+		.help = "frames a second of the movie"),
 	TS_ARGS_END,
 };
 
@@ -167,15 +222,25 @@ const struct ts_style ts_dump_automaton_png = {
 	.summary = "Writes pictures of an automaton",
 	.doc = "Each granule is a disc (with a scale below 4 a square) with the colour of its velocity: red "
 	       "as\n"
-	       "the faster wall, grey at rest, blue against it. Walls and obstacles are dark. Frames become "
-	       "a\n"
-	       "movie by `ffmpeg -i frame%06d.png film.mp4`, with names that `dump_modify ID pad 6` makes.",
-	.example = "dump picture all automaton/png 10 post/frame*.png scale 8\ndump_modify picture pad 6",
+	       "the faster wall, grey at rest, blue against it. Walls and obstacles are dark.\n"
+	       "\n"
+	       "With `movie` the program ffmpeg, which must be on the PATH, makes a movie of the frames; "
+	       "without\n"
+	       "ffmpeg there is a warning, and the frames are written. The movie is complete after `undump` "
+	       "or at\n"
+	       "the end of the script; after a restart it begins anew. If ffmpeg fails, for instance as the "
+	       "disk is\n"
+	       "full, the run ends with its message. A movie is also made of frames by `ffmpeg -i "
+	       "frame%06d.png\n"
+	       "film.mp4`, with names that `dump_modify ID pad 6` makes.",
+	.example = "dump picture all automaton/png 10 post/frame*.png scale 8 movie post/film.mp4\n"
+		   "dump_modify picture pad 6",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.init = init,
 	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
+	.close = complete_movie,
 	.fini = fini,
 };

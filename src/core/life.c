@@ -121,6 +121,24 @@ static void free_instance_list(struct ts_instances *list)
 	*list = (struct ts_instances){ 0 };
 }
 
+static enum ts_status close_instance(struct ts_instance *inst, struct tsim *sim)
+{
+	return inst->style->close ? inst->style->close(inst, sim) : TS_OK;
+}
+
+enum ts_status ts_sim_close(struct tsim *sim)
+{
+	enum ts_status status = TS_OK;
+
+	for (int kind = 0; kind < TS_NKIND; kind++)
+		for (size_t k = 0; k < sim->instances[kind].n; k++) {
+			const enum ts_status closed = close_instance(sim->instances[kind].item[k], sim);
+
+			status = status == TS_OK ? closed : status;
+		}
+	return status;
+}
+
 /* In reverse order: instances of a kind may point to those of kinds before it, systems to none. */
 static void free_all_instances(struct tsim *sim)
 {
@@ -145,6 +163,7 @@ void ts_sim_free(struct tsim *sim)
 
 enum ts_status ts_sim_clear(struct tsim *sim)
 {
+	TS_TRY(ts_sim_close(sim));
 	free_all_instances(sim);
 	set_defaults(sim);
 	sim->era++;
@@ -251,10 +270,12 @@ static enum ts_status remove_from_list(struct tsim *sim, enum ts_kind kind, cons
 enum ts_status ts_sim_destroy(struct tsim *sim, enum ts_kind kind, const struct ts_word *id)
 {
 	struct ts_instance *inst = NULL;
+	enum ts_status status;
 
 	TS_TRY(remove_from_list(sim, kind, id, &inst));
+	status = close_instance(inst, sim);
 	instance_free(inst);
-	return TS_OK;
+	return status;
 }
 
 enum ts_status ts_sim_retire(struct tsim *sim, enum ts_kind kind, const struct ts_word *id)

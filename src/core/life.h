@@ -9,6 +9,8 @@ struct tsim *ts_sim_new(const struct ts_tables *tables);
 void ts_sim_free(struct tsim *sim);
 /* Command `clear`: resets everything but log, error, string pool and script interpreter. */
 enum ts_status ts_sim_clear(struct tsim *sim);
+/* Completes the files of all instances (slot `close`), after the script. The first error is returned. */
+enum ts_status ts_sim_close(struct tsim *sim);
 
 /* Creates, parses and initialises an instance. On failure the simulation is unchanged. An instance of the
  * same id and style is replaced in its place (LIGGGHTS); the same id with another style is refused. `id`

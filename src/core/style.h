@@ -163,6 +163,9 @@ struct ts_style {
 	/* Fixes: enlarges lo..hi [length] of one dimension (0..2) to include its geometry, for faces of
 	 * the box that follow what they enclose (boundary s, m). */
 	void (*extent)(const struct ts_instance *self, int dim, double *lo, double *hi);
+	/* Completes files that are not complete after each step (movies): called when it is removed and after the script.
+	 * fini, which follows, does the same after an error, but cannot report another one. */
+	ts_hook_fn *close;
 	void (*fini)(struct ts_instance *self);
 };
 

@@ -166,19 +166,18 @@ static enum ts_status begin(struct ts_movie *m, struct tsim *sim, const struct t
 enum ts_status ts_movie_add(struct ts_movie *m, struct tsim *sim, const struct ts_place *where,
 			    const char *path, uint32_t width, uint32_t height, const unsigned char *rgb)
 {
-	if (sim->reading.explain)
-		return TS_OK;
 	if (m->frames == 0) {
 		m->width = width;
 		m->height = height;
-		TS_TRY(begin(m, sim, where, path));
+		if (!sim->reading.explain)
+			TS_TRY(begin(m, sim, where, path));
 	}
 	if (width != m->width || height != m->height)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "movie '%s': a frame has %" PRIu32 " x %" PRIu32
 			       " pixels, those before it %" PRIu32 " x %" PRIu32 ": end the dump before",
 			       path, width, height, m->width, m->height);
-	if (ts_feed_write(&m->ffmpeg, rgb, 3 * (size_t)width * height) != 0) {
+	if (!sim->reading.explain && ts_feed_write(&m->ffmpeg, rgb, 3 * (size_t)width * height) != 0) {
 		const enum ts_status status = report_failure(m, ts_feed_end(&m->ffmpeg));
 
 		ts_movie_abandon(m);

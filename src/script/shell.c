@@ -208,9 +208,10 @@ const struct ts_command_style ts_command_shell = {
 		       "such as -p and -rf have no effect. rm, rmdir and mv act only below the folder in "
 		       "which tsim was started; symbolic links are resolved. With the option -shell yes of "
 		       "the command line they act everywhere, putenv sets environment variables, and any "
-		       "other words are executed by the system's shell; without it these are refused. "
-		       "doc/language.md describes which files a script may change by other commands; scripts "
-		       "from unknown sources can be run with -sandbox.",
+		       "other words are executed by the system's shell; without it these are refused. The "
+		       "only program that a script can start without it is ffmpeg, with fixed arguments, for "
+		       "movies (dump automaton/png). doc/language.md describes which files a script may "
+		       "change by other commands; scripts from unknown sources can be run with -sandbox.",
 		.example = "shell mkdir post\nshell mv profile.txt post/profile_old.txt",
 		.args = shell_args,
 		.state_size = sizeof(struct shell),

@@ -171,6 +171,51 @@ END
 	report 'a VTK file' $? out
 fi
 
+# a movie: a script stands for ffmpeg and keeps the pixels, 120 x 30 of each frame
+mkdir bin && cat >bin/ffmpeg <<'END'
+#!/bin/sh
+for file; do :; done
+cat >"${file#file:}"
+[ ! -e full ] || { echo No space left on device >&2; exit 1; }
+END
+chmod +x bin/ffmpeg
+filmed="$(scene)
+dump d all automaton/png 5 movie/f*.png scale 3 movie movie/film.mkv
+run 20"
+with_ffmpeg() { PATH=$PWD/bin:$PATH "$TSIM" "$@" >out 2>&1; }
+has_files() { [ "$(find movie -type f | wc -l)" = "$1" ]; }
+printf '%s\n' "$filmed" >in.movie
+with_ffmpeg -log none -in in.movie && [ "$(wc -c <movie/film.mkv)" = $((5 * 3 * 120 * 30)) ] && has_files 6
+report 'a movie' $? out
+rm -r movie
+with_ffmpeg -log none -explain -in in.movie && [ ! -e movie ] && ! grep -q 'warning: dump' out
+report 'a movie: -explain' $? out
+printf '%s\n' "$filmed" 'undump d' 'shell mv movie/film.mkv movie/one.mkv' 'run 1' >in.undump
+with_ffmpeg -log none -in in.undump && [ -s movie/one.mkv ]
+report 'a movie: complete after undump' $? out
+touch full
+rm -r movie
+with_ffmpeg -log none -in in.movie
+[ $? = 1 ] && grep -q "film.mkv': ffmpeg failed after 5 frames with exit status 1: No space left" out && has_files 5
+report 'a movie: the disk is full' $? out
+printf '%s\n' "$filmed" 'clear' 'print never' >in.clear
+with_ffmpeg -log none -in in.clear
+[ $? = 1 ] && grep -q '^in.clear:10:.*ffmpeg failed after 5' out && ! grep -q '^never' out
+report 'a movie: the disk is full at clear' $? out
+rm -r movie full
+(PATH=$PWD/none && "$TSIM" -log none -in in.movie) >out 2>&1
+[ $? = 0 ] && grep -q 'there will be frames, but no movie .*not on the PATH' out && has_files 5
+report 'a movie: no ffmpeg' $? out
+if command -v ffmpeg >/dev/null; then
+	"$TSIM" -log none -in in.movie >out 2>&1 &&
+		ffmpeg -v error -i movie/film.mkv -f rawvideo -pix_fmt rgb24 - >pixels 2>>out </dev/null &&
+		[ "$(wc -c <pixels)" = $((5 * 3 * 120 * 30)) ] &&
+		[ "$(od -An -tu1 -N 3 pixels | awk '{ print ($1 > 75 && $1 < 105) }')" = 1 ]
+	report 'a movie by ffmpeg itself, read back' $? out
+fi
+refuses "movie 'f.txt': expected a name that ends in .mp4" "$(scene)
+dump d all automaton/png 5 f*.png movie f.txt"
+
 # -explain says what it is, and what it costs
 printf '%s\n' "$(scene)" 'run 1000' >in.explain
 "$TSIM" -log none -explain -in in.explain >out 2>&1

@@ -91,7 +91,7 @@ syn keyword tsimKeyword  max ave sumsq avesq sumabs aveabs minabs maxabs inputs 
 syn keyword tsimKeyword  update_on_run_end winkler halfspace young poisson counter_young
 syn keyword tsimKeyword  counter_poisson iterations counter adof cdof mean linear/x
 syn keyword tsimKeyword  linear/y linear/z weight number motion translation rotation
-syn keyword tsimKeyword  unbiased primitives colour u v reset coefficient
+syn keyword tsimKeyword  unbiased primitives colour u v movie framerate reset coefficient
 syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
 syn keyword tsimKeyword  title1 title2 title3 auto auto/upper auto/lower full prefactor
 syn keyword tsimKeyword  scalar nevery cell_size_relative parallel basevolume_region kind
