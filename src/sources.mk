@@ -605,6 +605,16 @@ library_sources = \
 	src/heat/heat_contacts.c \
 	src/heat/heat_flow.c \
 	src/heat/heat_step.c \
+	src/image/dump_image.c \
+	src/image/image.h \
+	src/image/image_bonds.c \
+	src/image/image_box.c \
+	src/image/image_colour.c \
+	src/image/image_frame.c \
+	src/image/image_map.c \
+	src/image/image_modify.c \
+	src/image/image_particles.c \
+	src/image/image_words.c \
 	src/immersed/closed_regions.c \
 	src/immersed/closed_regions.h \
 	src/immersed/fix_immersed_boundary.c \
@@ -688,6 +698,8 @@ library_sources = \
 	src/io/movie.h \
 	src/io/png.c \
 	src/io/png.h \
+	src/io/ppm.c \
+	src/io/ppm.h \
 	src/io/replace.c \
 	src/io/replace.h \
 	src/io/series.c \
@@ -1032,6 +1044,24 @@ library_sources = \
 	src/region/region_sphere.c \
 	src/region/region_union_intersect.c \
 	src/region/region_wedge.c \
+	src/render/camera.c \
+	src/render/camera.h \
+	src/render/colour.c \
+	src/render/colour.h \
+	src/render/colour_map.c \
+	src/render/colour_map.h \
+	src/render/items.c \
+	src/render/items.h \
+	src/render/occlusion.c \
+	src/render/occlusion.h \
+	src/render/picture.c \
+	src/render/picture.h \
+	src/render/scene.c \
+	src/render/scene.h \
+	src/render/shade.c \
+	src/render/shade.h \
+	src/render/tile.c \
+	src/render/tile.h \
 	src/restart/command_read_data.c \
 	src/restart/command_read_dump.c \
 	src/restart/command_read_restart.c \

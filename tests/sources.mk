@@ -116,6 +116,7 @@ shell_tests = \
 	tests/house/styles_current.sh \
 	tests/house/symbols.sh \
 	tests/house/version.sh \
+	tests/image/image.sh \
 	tests/immersed/immersed.sh \
 	tests/immersed/immersed_light.sh \
 	tests/immersed/immersed_surface.sh \
@@ -276,6 +277,7 @@ unit_tests = \
 	tests/polish/check_floating \
 	tests/polish/check_wafer \
 	tests/program/check_crosscheck \
+	tests/render/check_render \
 	tests/rigid/check_rigid \
 	tests/rough/check_rough \
 	tests/script/check_script \
@@ -594,6 +596,10 @@ tests_polish_check_wafer_LDADD = $(tests_ldadd)
 tests_program_check_crosscheck_SOURCES = tests/program/check_crosscheck.c
 tests_program_check_crosscheck_CFLAGS = $(tests_cflags)
 tests_program_check_crosscheck_LDADD = $(tests_ldadd)
+
+tests_render_check_render_SOURCES = tests/render/check_render.c
+tests_render_check_render_CFLAGS = $(tests_cflags)
+tests_render_check_render_LDADD = $(tests_ldadd)
 
 tests_rigid_check_rigid_SOURCES = tests/rigid/check_rigid.c
 tests_rigid_check_rigid_CFLAGS = $(tests_cflags)

@@ -59,7 +59,8 @@ static enum ts_status read_rest(struct ts_parse *p, const struct ts_arg *row, st
 				const struct ts_arg *common)
 {
 	struct ts_words rest;
-	size_t least = row->flags & TS_REPEAT ? 1 : 0; /* words taken even if they are keywords */
+	/* words taken even if they are keywords */
+	size_t least = row->least ? row->least : row->flags & TS_REPEAT ? 1 : 0;
 
 	if (row->count)
 		least = words_counted_by_row(row, out, common);

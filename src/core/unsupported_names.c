@@ -102,8 +102,6 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	  "faces of a mesh are not numbered; write a `fix mesh/surface` for each face, and for each of them "
 	  "`fix ID GROUP massflow/mesh mesh MESH vec_side X Y Z`" },
 	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process; the box has no subdomains" },
-	{ TS_KIND_DUMP, "image", "images are made from dumps by other programs (ParaView, OVITO)" },
-	{ TS_KIND_DUMP, "movie", "images are made from dumps by other programs (ParaView, OVITO)" },
 	{ .name = NULL },
 };
 

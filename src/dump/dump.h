@@ -68,6 +68,7 @@ struct ts_dump_changes {
 	int compressor;
 	const char *label, *sort, *region, *refresh;
 	struct ts_words format, thresh, element;
+	struct ts_words picture; /* keywords of dumps image and movie with their values, as written */
 };
 enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump,
 			      const struct ts_dump_changes *changes, const struct ts_place *where);

@@ -132,6 +132,27 @@ static void set_answers(struct ts_dump_common *d, const struct ts_dump_changes *
 		d->delay = c->delay;
 }
 
+/* Keywords of the style itself. */
+static enum ts_status modify_picture(struct tsim *sim, struct ts_instance *dump, struct ts_words words)
+{
+	size_t used;
+
+	for (; words.n; words = ts_words_from(words, used)) {
+		used = 0;
+		if (dump->style->modify)
+			TS_TRY(dump->style->modify(dump, sim, words, &used));
+		if (used)
+			continue;
+		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
+			       dump->style->modify
+				       ? "dump_modify: unexpected '%s'; dump %s has no such keyword, or the "
+					 "keyword before it has fewer words"
+				       : "dump_modify: %s is for pictures, which dump %s does not make",
+			       words.word[0].text, dump->style->name);
+	}
+	return TS_OK;
+}
+
 enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump, const struct ts_dump_changes *c,
 			      const struct ts_place *where)
 {
@@ -140,6 +161,7 @@ enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump, const 
 	set_answers(d, c);
 	if (c->element.n && ts_words_copy(&dump->arena, c->element, &d->element) != TS_OK)
 		return ts_nomem(&sim->error);
+	TS_TRY(modify_picture(sim, dump, c->picture));
 	if (dump->style->init) /* `image` and `scale` change the columns */
 		TS_TRY(dump->style->init(dump, sim));
 	TS_TRY(set_every(sim, dump, &c->every, where));

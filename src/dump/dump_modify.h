@@ -17,6 +17,9 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 		.name = name_, .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD | (flags_), \
 		.offset = TS_FIELD(T, changes.field, struct ts_words *), .help = help_               \
 	}
+/* Keywords that only some styles have, which read them in their slot `modify`. */
+#define TS_DUMP_PICTURE(T, name_, help_) \
+	TS_DUMP_WORDS(T, name_, picture, TS_REPEAT | TS_NAMED, "dump image, movie: " help_)
 
 /* clang-format off */
 #define TS_DUMP_MODIFY_ROWS(T)                                                                  \
@@ -61,7 +64,26 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 	TS_DUMP_ANSWER(T, "binary", binary, "binary instead of text in .vtk files; other VTK files are " \
 					    "always binary"),      \
 	TS_DUMP_COUNT(T, "fileper", fileper, 1, 1000000, "no effect: there is one process"),    \
-	TS_DUMP_COUNT(T, "nfile", nfile, 1, 1000000, "no effect: there is one process")
+	TS_DUMP_COUNT(T, "nfile", nfile, 1, 1000000, "no effect: there is one process"), \
+	TS_DUMP_PICTURE(T, "acolor", \
+			"TYPE COLOR: color of a type or a range of types; red/green/blue ...: in turn"), \
+	TS_DUMP_PICTURE(T, "adiam", "TYPE DIAMETER of a type or a range of types (length)"), \
+	TS_DUMP_PICTURE(T, "amap", \
+			"LO HI STYLE DELTA N ENTRIES: map from numbers to colors, with " \
+			"the range LO..HI (min, max: that of the frame). STYLE: c continuous, d discrete, " \
+			"s sequential, then a: values or f: fractions of the range. DELTA: width of the " \
+			"bins of s. N entries: VALUE COLOR, LO HI COLOR, or COLOR"), \
+	TS_DUMP_PICTURE(T, "backcolor", "color of the background (black)"), \
+	TS_DUMP_PICTURE(T, "backcolor2", "color of its upper edge, for a gradient; none"), \
+	TS_DUMP_PICTURE(T, "bcolor", "TYPE COLOR, as acolor, of bonds"), \
+	TS_DUMP_PICTURE(T, "bdiam", "TYPE DIAMETER, as adiam, of bonds"), \
+	TS_DUMP_PICTURE(T, "bitrate", "kbit/s of movies (2000)"), \
+	TS_DUMP_PICTURE(T, "bmap", "as amap, for bonds"), \
+	TS_DUMP_PICTURE(T, "boxcolor", "color of the edges of the box (gold)"), \
+	TS_DUMP_PICTURE(T, "color", \
+			"NAME R G B or NAME 0xRRGGBB: defines a color; numbers from 0 to 1"), \
+	TS_DUMP_PICTURE(T, "framerate", "frames per second of movies (24)"), \
+	TS_DUMP_PICTURE(T, "lights", "AMBIENT KEY FILL BACK: lights from 0 to 1 (0 0.9 0.45 0.9)")
 /* clang-format on */
 
 #endif

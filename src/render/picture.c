@@ -1,0 +1,277 @@
+#include "render/picture.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/parallel.h"
+#include "render/items.h"
+#include "render/occlusion.h"
+#include "render/shade.h"
+#include "render/tile.h"
+
+#include "base/banned.h"
+
+struct ts_picture_work {
+	struct ts_items items;
+	unsigned char *sample; /* [height][width][3] with four samples per pixel, else not used */
+	float *depth;	       /* [height][width] with occlusion */
+	size_t sample_capacity, depth_capacity;
+};
+
+/* One picture on its way. */
+struct drawing {
+	const struct ts_scene *scene;
+	const struct ts_items *items;
+	const struct ts_picture_style *style;
+	struct ts_shade shade;
+	uint32_t width, height; /* samples */
+	unsigned char *rgb;	/* of samples */
+	float *depth;		/* of samples; NULL: not kept */
+	struct ts_occlusion occlusion;
+	struct ts_picture *picture;
+};
+
+/* Colours of a tile while it is drawn. */
+struct canvas {
+	const struct drawing *d;
+	struct ts_tile tile;
+	float light[TS_TILE_SAMPLES][3];
+	const struct ts_item *glass; /* the transparent triangle that is drawn */
+};
+
+/* ---- shading */
+
+static struct ts_colour background(const struct drawing *d, uint32_t y)
+{
+	const double t = d->height > 1 ? (double)y / (d->height - 1) : 1;
+
+	return ts_colour_mix(d->style->ground[1], d->style->ground[0], t);
+}
+
+/* Normal of a sphere or rod at a sample: from the nearest point of its axis. */
+static void round_normal(const struct ts_item_round *s, double x, double y, double z, float n[3])
+{
+	double w[3] = { x - s->a[0], y - s->a[1], z - s->a[2] }, u[3], length2 = 0, along = 0, size;
+
+	for (int k = 0; k < 3; k++) {
+		u[k] = s->b[k] - s->a[k];
+		length2 += u[k] * u[k];
+		along += u[k] * w[k];
+	}
+	along = length2 > 0 ? fmin(fmax(along / length2, 0), 1) : 0;
+	for (int k = 0; k < 3; k++)
+		w[k] -= along * u[k];
+	size = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+	size = size > 0 ? size : 1;
+	n[0] = (float)(w[0] / size);
+	n[1] = (float)(-w[1] / size);
+	n[2] = (float)(w[2] / size);
+}
+
+static const struct ts_colour *colour_of(const struct drawing *d, const struct ts_item *item)
+{
+	if (item->kind == TS_ITEM_SPHERE)
+		return &d->scene->sphere[item->index].colour;
+	if (item->kind == TS_ITEM_ROD)
+		return &d->scene->rod[item->index - d->scene->nspheres].colour;
+	return &d->scene->triangle[item->index].colour;
+}
+
+static void shade_sample(struct canvas *c, int i, int j)
+{
+	const struct drawing *d = c->d;
+	const int k = j * TS_TILE + i;
+	const struct ts_item *item;
+	float n[3];
+
+	if (c->tile.seen[k] == TS_TILE_NOTHING) {
+		const struct ts_colour ground = background(d, c->tile.y + (uint32_t)j);
+
+		memcpy(c->light[k], ground.c, sizeof c->light[k]);
+		return;
+	}
+	item = &d->items->item[c->tile.seen[k]];
+	if (item->kind <= TS_ITEM_ROD)
+		round_normal(&d->items->round[item->index], (double)c->tile.x + i + 0.5,
+			     (double)c->tile.y + j + 0.5, (double)c->tile.depth[k], n);
+	else
+		memcpy(n, d->items->triangle[item->index].normal, sizeof n);
+	ts_shade_surface(&d->shade, n, colour_of(d, item), c->light[k]);
+}
+
+/* ---- tiles */
+
+/* Samples of the tile that are in the picture. */
+static int samples_along(uint32_t first, uint32_t size)
+{
+	return size - first < TS_TILE ? (int)(size - first) : TS_TILE;
+}
+
+static void blend(void *context, uint32_t sample, float z)
+{
+	struct canvas *c = context;
+	const struct ts_scene_triangle *t = &c->d->scene->triangle[c->glass->index];
+	float light[3];
+
+	(void)z;
+	ts_shade_surface(&c->d->shade, c->d->items->triangle[c->glass->index].normal, &t->colour, light);
+	for (int k = 0; k < 3; k++)
+		c->light[sample][k] += t->opacity * (fminf(light[k], 1) - fminf(c->light[sample][k], 1));
+}
+
+/* Transparent triangles, from the farthest to the nearest. */
+static void draw_glass(struct canvas *c, size_t number)
+{
+	const struct ts_items *items = c->d->items;
+
+	for (uint32_t k = items->first[number + 1]; k-- > items->first[number];) {
+		c->glass = &items->item[items->touch[k]];
+		if (c->glass->kind == TS_ITEM_GLASS)
+			ts_tile_triangle(&c->tile, &items->triangle[c->glass->index], blend, c);
+	}
+}
+
+static void store(const struct canvas *c)
+{
+	const struct drawing *d = c->d;
+	const int width = samples_along(c->tile.x, d->width), height = samples_along(c->tile.y, d->height);
+
+	for (int j = 0; j < height; j++) {
+		unsigned char *to = d->rgb + 3 * ((size_t)(c->tile.y + (uint32_t)j) * d->width + c->tile.x);
+		const float *from = c->light[j * TS_TILE];
+
+		for (int k = 0; k < 3 * width; k++)
+			to[k] = (unsigned char)(255 * fminf(fmaxf(from[k], 0), 1) + 0.5F);
+	}
+}
+
+static void shade_tile(struct canvas *c)
+{
+	const struct drawing *d = c->d;
+	const int width = samples_along(c->tile.x, d->width), height = samples_along(c->tile.y, d->height);
+
+	for (int j = 0; j < height; j++)
+		for (int i = 0; i < width; i++) {
+			const int k = j * TS_TILE + i;
+			float open = 1;
+
+			shade_sample(c, i, j);
+			if (d->depth)
+				open = ts_occlusion_at(&d->occlusion, c->tile.x + (uint32_t)i,
+						       c->tile.y + (uint32_t)j);
+			for (int b = 0; b < 3 && open < 1; b++)
+				c->light[k][b] = open * fminf(c->light[k][b], 1);
+		}
+}
+
+static void draw_tiles(void *context, size_t from, size_t to)
+{
+	struct canvas c = { .d = context };
+
+	for (size_t number = from; number < to; number++) {
+		ts_tile_cover(&c.tile, c.d->items, number);
+		shade_tile(&c);
+		draw_glass(&c, number);
+		store(&c);
+	}
+}
+
+/* With occlusion all depths are computed before the first sample is shaded. */
+static void find_depths(void *context, size_t from, size_t to)
+{
+	struct canvas c = { .d = context };
+
+	for (size_t number = from; number < to; number++) {
+		ts_tile_cover(&c.tile, c.d->items, number);
+		for (int j = 0, height = samples_along(c.tile.y, c.d->height); j < height; j++)
+			memcpy(c.d->depth + (size_t)(c.tile.y + (uint32_t)j) * c.d->width + c.tile.x,
+			       c.tile.depth + j * TS_TILE,
+			       (size_t)samples_along(c.tile.x, c.d->width) * sizeof *c.d->depth);
+	}
+}
+
+/* ---- the picture */
+
+/* Means of four samples. */
+static void average_rows(void *context, size_t from, size_t to)
+{
+	const struct drawing *d = context;
+	const size_t row = 3 * (size_t)d->width;
+
+	for (size_t y = from; y < to; y++)
+		for (size_t x = 0; x < d->picture->width; x++)
+			for (size_t k = 0; k < 3; k++) {
+				const unsigned char *s = d->rgb + 2 * y * row + 6 * x + k;
+
+				d->picture->rgb[3 * (y * d->picture->width + x) + k] =
+					(unsigned char)((s[0] + s[3] + s[row] + s[row + 3] + 2) / 4);
+			}
+}
+
+static enum ts_status reserve(struct drawing *d, struct ts_picture_work *w)
+{
+	struct ts_picture *p = d->picture;
+	const size_t samples = (size_t)d->width * d->height;
+
+	TS_TRY(TS_GROW(p->rgb, p->capacity, 3 * (size_t)p->width * p->height));
+	d->rgb = p->rgb;
+	if (d->style->smooth) {
+		TS_TRY(TS_GROW(w->sample, w->sample_capacity, 3 * samples));
+		d->rgb = w->sample;
+	}
+	if (d->style->occlusion > 0) {
+		TS_TRY(TS_GROW(w->depth, w->depth_capacity, samples));
+		d->depth = w->depth;
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_picture_draw(struct ts_picture *p, const struct ts_scene *scene,
+			       const struct ts_camera *camera, const struct ts_picture_style *style,
+			       int threads)
+{
+	const uint32_t finer = style->smooth ? 2 : 1;
+	struct ts_camera samples = *camera;
+	struct drawing d = { .scene = scene, .style = style, .shade = ts_shade_make(style), .picture = p };
+	size_t tiles;
+
+	if (!p->work)
+		p->work = ts_alloc(1, sizeof *p->work);
+	if (!p->work)
+		return TS_NOMEM;
+	p->width = camera->width;
+	p->height = camera->height;
+	d.width = samples.width = finer * camera->width;
+	d.height = samples.height = finer * camera->height;
+	samples.scale *= finer;
+	TS_TRY(reserve(&d, p->work));
+	TS_TRY(ts_items_collect(&p->work->items, scene, &samples));
+	d.items = &p->work->items;
+	tiles = (size_t)d.items->columns * d.items->rows;
+	d.occlusion = (struct ts_occlusion){ .width = d.width,
+					     .height = d.height,
+					     .depth = d.depth,
+					     .background = TS_TILE_FAR,
+					     .strength = style->occlusion,
+					     .reach = samples.scale * style->crevice,
+					     .seed = style->seed };
+	if (d.depth)
+		ts_parallel(threads, tiles, find_depths, &d);
+	ts_parallel(threads, tiles, draw_tiles, &d);
+	if (style->smooth)
+		ts_parallel(threads, p->height, average_rows, &d);
+	return TS_OK;
+}
+
+void ts_picture_release(struct ts_picture *p)
+{
+	if (p->work) {
+		ts_items_release(&p->work->items);
+		ts_free(p->work->sample);
+		ts_free(p->work->depth);
+	}
+	ts_free(p->work);
+	ts_free(p->rgb);
+	memset(p, 0, sizeof *p);
+}

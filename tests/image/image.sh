@@ -1,0 +1,177 @@
+#!/bin/bash
+# dump image: pixels at known places, colours, sizes, bonds across periodic faces, words, threads, restart, and what is
+# refused.
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+# pixel FILE COLUMN ROW: "r g b" of a .ppm file
+pixel() {
+	local width head
+	width=$(head -n 2 "$1" | tail -n 1 | cut -d' ' -f1)
+	head=$(head -n 3 "$1" | wc -c)
+	tail -c +$((head + 3 * ($3 * width + $2) + 1)) "$1" | head -c 3 | od -An -tu1 | xargs
+}
+# is WHAT FILE COLUMN ROW COLOUR
+is() {
+	[ "$(pixel "$2" "$3" "$4")" = "$5" ]
+	report "$1: $(pixel "$2" "$3" "$4"), expected $5" $?
+}
+
+# Seen from above a unit is 20 pixels at zoom 2: the box has the edges 0..10, the picture 200 x 200 pixels. Light from all
+# sides only, so that colours are exact.
+base='units lj
+atom_style sphere
+boundary p p p
+region box block 0 10 0 10 0 10
+create_box 3 box
+create_atoms 1 single 2.5 2.5 5 units box
+create_atoms 2 single 7.5 2.5 5 units box
+create_atoms 3 single 7.5 7.5 5 units box
+set type * diameter 2 density 1'
+above='view 0 0 up 0 1 0 zoom 2 size 200 200 box no shiny 0'
+flat='lights 1 0 0 0'
+
+prints "$base
+write_dump all image a.ppm type diameter $above modify $flat"
+is 'type 1 is red' a.ppm 50 149 '255 0 0'
+is 'type 2 is forestgreen' a.ppm 150 149 '34 139 34'
+is 'type 3 is blue' a.ppm 150 50 '0 0 255'
+is 'background' a.ppm 50 50 '0 0 0'
+is 'edge of the sphere, inside' a.ppm 31 149 '255 0 0'
+is 'edge of the sphere, outside' a.ppm 29 149 '0 0 0'
+
+prints "$base
+write_dump all image a.ppm x type $above modify $flat adiam 1 0.5 adiam 2* 4 backcolor white boxcolor red color mud 0.5 0.25 0 &
+	amap 2.5 7.5 ca 0 3 min mud 5 lime max blue"
+is 'amap: lower end' a.ppm 50 149 '128 64 0'
+is 'amap: upper end' a.ppm 150 50 '0 0 255'
+is 'adiam 0.5' a.ppm 57 149 '255 255 255'
+is 'adiam 4' a.ppm 188 149 '0 0 255'
+
+# a quantity as diameter; thresh, region, group; element
+prints "$base
+variable d atom 3*(id==2)
+region left block 0 5 INF INF INF INF units box
+write_dump all image a.ppm type v_d $above modify $flat
+write_dump all image b.ppm element diameter $above modify $flat element Fe Cu Fe thresh id > 1
+write_dump all image c.ppm type diameter $above modify $flat region left
+write_dump all image d.ppm type diameter $above adiam 1 atom no modify $flat
+write_dump all image e.ppm type type adiam 1 $above modify $flat acolor * gold/0x102030"
+is 'diameter 0 is not drawn' a.ppm 50 149 '0 0 0'
+is 'diameter 3' a.ppm 177 149 '34 139 34'
+is 'thresh' b.ppm 50 149 '0 0 0'
+is 'one colour for an element' b.ppm 150 50 '255 0 0'
+is 'within the region' c.ppm 50 149 '255 0 0'
+is 'outside of the region' c.ppm 150 149 '0 0 0'
+is 'atom no' d.ppm 50 149 '0 0 0'
+is 'acolor, the first' e.ppm 50 149 '255 215 0'
+is 'acolor, the second' e.ppm 150 149 '16 32 48'
+
+# a bond across a periodic face: one half at each face, nothing between; the box
+bonded="${base/create_box 3 box/create_box 3 box bond/types 1 extra/bond/per/atom 2}
+set type 3 x 9.5 y 2.5
+bond_style contact
+bond_coeff 1 stiffness 1 ultimate 1
+create_bonds single/bond 1 1 3"
+prints "$bonded
+write_dump all image a.ppm type diameter $above atom no bond atom 1 modify $flat
+write_dump all image b.ppm type diameter $above atom no bond type type modify $flat bcolor 1 cyan bdiam 1 0.5
+write_dump all image c.ppm type diameter ${above/box no/box yes 0.1} bond strain atom modify $flat bmap -1 1 ca 0 2 min black max white"
+is 'half at the left face' a.ppm 20 149 '255 0 0'
+is 'half at the right face' a.ppm 195 149 '0 0 255'
+is 'nothing between' a.ppm 100 149 '0 0 0'
+is 'bond beside' a.ppm 20 160 '0 0 0'
+is 'bcolor' b.ppm 20 149 '0 255 255'
+is 'bdiam' b.ppm 20 156 '0 0 0'
+is 'box' c.ppm 100 0 '255 215 0'
+
+# frames of a run on one and on three threads, and after a restart
+cat >in.whole <<END
+$base
+pair_style gran model hertz
+fix m1 all property/global youngsModulus peratomtype 1e3 1e3 1e3
+fix m2 all property/global poissonsRatio peratomtype 0.3 0.3 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 3 .5 .5 .5 .5 .5 .5 .5 .5 .5
+fix m4 all property/global coefficientFriction peratomtypepair 3 .5 .5 .5 .5 .5 .5 .5 .5 .5
+pair_coeff * *
+velocity all set 1 0.3 0.2
+fix 1 all nve/sphere
+timestep 1e-3
+variable turn equal 30+step/10
+dump film all image 100 whole.*.png vx diameter view 60 v_turn fsaa yes ssao yes 7 0.5 size 120 90
+dump_modify film pad 4 first yes
+run 200
+write_restart mid.restart
+run 200
+END
+"$TSIM" -in in.whole -log none >out 2>&1
+report 'frames' $? out
+[ "$(echo whole.*.png)" = 'whole.0000.png whole.0100.png whole.0200.png whole.0300.png whole.0400.png' ]
+report "names: $(echo whole.*.png)" $?
+mkdir whole && mv whole.*.png whole
+OMP_NUM_THREADS=3 "$TSIM" -in in.whole -log none >out 2>&1
+for step in 0000 0200 0400; do same "three threads, $step" whole.$step.png whole/whole.$step.png; done
+rm whole.*.png
+{
+	echo read_restart mid.restart
+	sed -n '/^pair_style/,/^pair_coeff/p; /^fix 1/,/^dump_modify/p' in.whole
+	echo run 200
+} >in.again
+"$TSIM" -in in.again -log none >out 2>&1
+report 'after a restart' $? out
+for step in 0300 0400; do same "restart, $step" whole.$step.png whole/whole.$step.png; done
+"$TSIM" -in in.whole -log none -check >out 2>&1
+report '-check' $? out
+ls whole.0000.png >/dev/null 2>&1 && report '-check writes nothing' 1
+
+# a view that variables make impossible leaves out the picture, not the run; a file without `*`
+prints "$base
+fix 1 all nve/sphere
+timestep 1e-3
+variable z equal 2-step
+dump 1 all image 1 zoom.*.ppm type type zoom v_z size 20 20
+dump 2 all image 1 same.ppm type type size 20 20
+run 3" '*no picture at step 2' '*each picture replaces the one before'
+[ -s zoom.1.ppm ] && [ ! -e zoom.2.ppm ]
+report 'zoom 0' $?
+prints "$base
+group none empty
+write_dump none image a.png type type size 20 20"
+
+rejects "$base
+dump 1 all image 1 a.*.jpg type type" 'name it .png'
+rejects "$base
+dump 1 all image 1 a.*.bmp type type" 'must end in .png or .ppm'
+rejects "$base
+dump 1 all image 1 a.*.png tpye type" 'type'
+rejects "$base
+dump 1 all image 1 a.*.png type type size 0 20" 'width'
+rejects "$base
+dump 1 all image 1 a.*.png type type size 1000000 20" 'width'
+rejects "$base
+dump 1 all image 1 a.*.png type type size 16384 16384 fsaa yes" 'choose a smaller size'
+rejects "$base
+dump 1 all image 1 a.*.png type type zoom 0" 'zoom'
+rejects "$base
+dump 1 all image 1 a.*.png type type view 190 0" 'from 0 to 180'
+rejects "$base
+dump 1 all image 1 a.*.png type type view 0 0" 'parallel to the view'
+rejects "$base
+dump 1 all image 1 a.*.png type type persp 0.5" 'projection is parallel'
+rejects "$base
+dump 1 all image 1 a.*.png type type zoom v_missing
+run 0" 'missing'
+rejects "$base
+dump 1 all image 1 a.*.png type type bond atom -1" 'length > 0'
+rejects "$base
+write_dump all image a.png type type modify acolor 1 rde" "did you mean 'red'"
+rejects "$base
+write_dump all image a.png type type modify acolor 7 red" 'beyond the last type'
+rejects "$base
+write_dump all image a.png type type modify acolor 1 red blue" "unexpected 'blue'"
+rejects "$base
+write_dump all image a.png type type modify amap min max cf 0 2 0.1 red max blue" 'begins with min'
+rejects "$base
+write_dump all image a.png type type modify amap min max cf 0 3 min red max blue" '3 entries of 2 words'
+rejects "$base
+write_dump all custom a.dump id modify acolor 1 red" 'is for pictures'
+finish
