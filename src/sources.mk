@@ -612,8 +612,13 @@ library_sources = \
 	src/image/image_colour.c \
 	src/image/image_frame.c \
 	src/image/image_map.c \
+	src/image/image_mesh.c \
 	src/image/image_modify.c \
 	src/image/image_particles.c \
+	src/image/image_surfaces.c \
+	src/image/image_surfaces.h \
+	src/image/image_voxel.c \
+	src/image/image_wall.c \
 	src/image/image_words.c \
 	src/immersed/closed_regions.c \
 	src/immersed/closed_regions.h \

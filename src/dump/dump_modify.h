@@ -83,7 +83,8 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 	TS_DUMP_PICTURE(T, "color", \
 			"NAME R G B or NAME 0xRRGGBB: defines a color; numbers from 0 to 1"), \
 	TS_DUMP_PICTURE(T, "framerate", "frames per second of movies (24)"), \
-	TS_DUMP_PICTURE(T, "lights", "AMBIENT KEY FILL BACK: lights from 0 to 1 (0 0.9 0.45 0.9)")
+	TS_DUMP_PICTURE(T, "lights", "AMBIENT KEY FILL BACK: lights from 0 to 1 (0 0.9 0.45 0.9)"), \
+	TS_DUMP_PICTURE(T, "smap", "as amap, for surfaces")
 /* clang-format on */
 
 #endif

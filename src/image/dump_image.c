@@ -84,6 +84,12 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 }
 
 #define WORDS(name, f, ...) TS_SOME_KEYWORD(name, struct ts_image, f, 0, .help = __VA_ARGS__)
+#define SURFACE(name_, help_)                                                                          \
+	{                                                                                              \
+		.name = name_, .type = TS_ARG_REST,                                                    \
+		.flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT | TS_NAMED,                           \
+		.offset = TS_FIELD(struct ts_image, surface_words, struct ts_words *), .help = (help_) \
+	}
 static const struct ts_arg args[] = {
 	TS_INT("every", struct ts_image, common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "steps between frames"),
@@ -98,6 +104,11 @@ static const struct ts_arg args[] = {
 	TS_REAL("adiam", struct ts_image, adiam, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "length",
 		.help = "one diameter for all spheres, in place of DIAMETER"),
 	WORDS("bond", bond_words, "COLOR WIDTH of bonds (none none)", .least = 2),
+	SURFACE("mesh", "ID|all [color C] [trans T] [value f_ID[k]|stress|wear]: triangle meshes; trans from "
+			"0, invisible, to 1, opaque (silver, 1)"),
+	SURFACE("voxel", "ID|all [color C] [trans T] [value f_ID[k]|c_ID[k]|height]: height fields (tan, 1)"),
+	SURFACE("wall", "ID|all [color C] [trans T] [value f_ID[k]]: planes and cylinders of fix wall/gran "
+			"within the box (lightsteelblue, 0.3)"),
 	WORDS("size", size_words, "width and height in pixels (512 512)"),
 	WORDS("view", view_words,
 	      "THETA PHI: direction of the camera, its angle from the z axis and that around it from the x "
@@ -151,6 +162,13 @@ static const char *const more[] = {
 	"its partner; `type`: dump_modify bcolor; `strain`: length / rest length - 1; c_ID[k]: a compute "
 	"such as bond/local with a row for each bond; numbers go through dump_modify bmap. Width `atom`: the "
 	"lesser diameter of the partners; `type`: dump_modify bdiam, else half of the lesser diameter.",
+	"Surfaces: `mesh`, `voxel` and `wall` may be given several times. With `value` the color of each "
+	"triangle, column or wall is that of its number in the map of dump_modify smap, whose range min and "
+	"max is that of each surface: an output with a row for each element (fix wear/finnie, fix "
+	"surface/heat, compute surface/contact ...), or what the surface has: stress (normal) and wear of "
+	"fix mesh/surface/stress, height. A mesh that moves is drawn where it is, removed triangles are not "
+	"drawn. Of height fields with more than 262144 columns blocks of columns are drawn, with the height "
+	"of their highest.",
 	"The projection is parallel. The directions of the lights, the default view and the scale at zoom 1 "
 	"(the height of the picture is twice the longest edge of the box) are those of LAMMPS. Particles are "
 	"drawn at their wrapped positions. The picture is the same for any number of threads and after a "

@@ -9,6 +9,11 @@
 /* Columns of the dump: what colours and sizes of the particles are made of. */
 enum { TS_IMAGE_COLOUR, TS_IMAGE_DIAMETER, TS_IMAGE_COLUMNS };
 
+/* Colour of values that are no numbers: magenta. */
+#define TS_IMAGE_NAN 0xff00ffu
+
+struct ts_image_surface;
+
 /* Sources of a colour or a size other than numbers of particles or bonds. */
 enum ts_image_by {
 	TS_IMAGE_NONE,
@@ -78,13 +83,16 @@ struct ts_image {
 	struct ts_image_lines box, axes, subbox;
 	struct ts_image_occlusion ssao;
 	struct ts_image_bond bond;
+	struct ts_words surface_words;
+	struct ts_image_surface *surface; /* [nsurfaces] image_surfaces.h */
+	size_t nsurfaces;
 	double first_box[2][3]; /* lower and upper corner of the box at the definition; saved */
 	bool placed;		/* first_box is set; saved */
 
 	/* settings of dump_modify */
 	struct ts_image_types atom_types, bond_types;
 	struct ts_palette palette;
-	struct ts_colour_map atom_map, bond_map;
+	struct ts_colour_map atom_map, bond_map, surface_map;
 	struct ts_colour ground, box_colour;
 	bool gradient;
 	struct ts_colour ground_top;
@@ -124,6 +132,10 @@ enum ts_status ts_image_find_colour(struct tsim *sim, const struct ts_image *s, 
 enum ts_status ts_image_add_particles(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_image_add_bonds(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_image_add_box(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_image_add_surfaces(struct ts_instance *self, struct tsim *sim);
+/* In init: reads the words of the keywords mesh, voxel and wall. */
+enum ts_status ts_image_read_surfaces(struct ts_instance *self, struct tsim *sim);
+void ts_image_release_surfaces(struct ts_image *s);
 /* Colour of a type of atoms or bonds. */
 struct ts_colour ts_image_type_colour(const struct ts_image_types *types, double type);
 /* Diameter of a type; NaN: not set. */

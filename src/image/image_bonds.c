@@ -65,7 +65,7 @@ static struct ts_colour colour_of(const struct ts_image *s, const struct tsim *s
 	if (s->bond.colour_by == TS_IMAGE_TYPE)
 		return ts_image_type_colour(&s->bond_types, sim->bonds->type[b->bond]);
 	if (isnan(b->value))
-		return ts_colour_of_hex(0xff00ff);
+		return ts_colour_of_hex(TS_IMAGE_NAN);
 	return ts_colour_map_at(&s->bond_map, s->range[1][0], s->range[1][1], b->value);
 }
 

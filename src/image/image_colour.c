@@ -1,5 +1,7 @@
-/* Colours of a picture by name. */
-#include "image/image.h"
+/* Colours of a picture by name, and of the elements of surfaces. */
+#include <math.h>
+
+#include "image/image_surfaces.h"
 
 #include "base/banned.h"
 
@@ -15,4 +17,14 @@ enum ts_status ts_image_find_colour(struct tsim *sim, const struct ts_image *s, 
 		       "dump image: there is no color '%s'%s; `dump_modify color` defines others, and "
 		       "0xRRGGBB is one, too",
 		       word->text, suggest.best ? ts_suggest_text(&suggest) : "");
+}
+
+struct ts_colour ts_image_element_colour(const struct ts_image_surface *s, size_t element)
+{
+	const double value = element < s->values.rows ? s->values.data[element] : 0;
+
+	if (!s->values.rows)
+		return s->colour;
+	return isnan(value) ? ts_colour_of_hex(TS_IMAGE_NAN)
+			    : ts_colour_map_at(s->map, s->range[0], s->range[1], value);
 }

@@ -86,6 +86,7 @@ enum ts_status ts_image_draw(struct ts_instance *self, struct tsim *sim, bool *d
 	ts_scene_clear(&s->scene);
 	TS_TRY(ts_image_add_particles(self, sim));
 	TS_TRY(ts_image_add_bonds(self, sim));
+	TS_TRY(ts_image_add_surfaces(self, sim));
 	TS_TRY(ts_image_add_box(self, sim));
 	style = style_of(s, sim);
 	if (ts_picture_draw(&s->picture, &s->scene, &camera, &style, sim->threads) != TS_OK)
@@ -97,6 +98,7 @@ void ts_image_release(struct ts_instance *self)
 {
 	struct ts_image *s = self->state;
 
+	ts_image_release_surfaces(s);
 	ts_scene_release(&s->scene);
 	ts_picture_release(&s->picture);
 	ts_table_release(&s->bond.values);

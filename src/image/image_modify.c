@@ -13,7 +13,7 @@ void ts_image_set_defaults(struct ts_image *s)
 	if (s->modified)
 		return;
 	s->modified = true;
-	s->atom_map = s->bond_map = ts_colour_map_default;
+	s->atom_map = s->bond_map = s->surface_map = ts_colour_map_default;
 	s->box_colour = ts_colour_of_hex(0xffd700); /* gold */
 	s->lights = (struct ts_lights)TS_LIGHTS_DEFAULT;
 	s->framerate = 24;
@@ -252,16 +252,31 @@ static enum ts_status bmap(struct ts_instance *self, struct tsim *sim, struct ts
 	return ts_image_read_map(self, sim, "bmap", words, &((struct ts_image *)self->state)->bond_map, used);
 }
 
+static enum ts_status smap(struct ts_instance *self, struct tsim *sim, struct ts_words words, size_t *used)
+{
+	return ts_image_read_map(self, sim, "smap", words, &((struct ts_image *)self->state)->surface_map,
+				 used);
+}
+
 static const struct {
 	const char *name;
 	size_t words; /* after the name */
 	keyword_fn *take;
 } keywords[] = {
-	{ "acolor", 2, acolor },       { "adiam", 2, adiam },		{ "amap", 6, amap },
-	{ "backcolor", 1, backcolor }, { "backcolor2", 1, backcolor2 }, { "bcolor", 2, bcolor },
-	{ "bdiam", 2, bdiam },	       { "bitrate", 1, bitrate },	{ "bmap", 6, bmap },
-	{ "boxcolor", 1, boxcolor },   { "color", 2, color },		{ "framerate", 1, framerate },
+	{ "acolor", 2, acolor },
+	{ "adiam", 2, adiam },
+	{ "amap", 6, amap },
+	{ "backcolor", 1, backcolor },
+	{ "backcolor2", 1, backcolor2 },
+	{ "bcolor", 2, bcolor },
+	{ "bdiam", 2, bdiam },
+	{ "bitrate", 1, bitrate },
+	{ "bmap", 6, bmap },
+	{ "boxcolor", 1, boxcolor },
+	{ "color", 2, color },
+	{ "framerate", 1, framerate },
 	{ "lights", 4, lights },
+	{ "smap", 6, smap },
 };
 
 enum ts_status ts_image_modify(struct ts_instance *self, struct tsim *sim, struct ts_words words,

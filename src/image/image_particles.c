@@ -6,8 +6,6 @@
 
 #include "base/banned.h"
 
-static const unsigned NOT_A_NUMBER = 0xff00ff; /* magenta: the colour of values that are no numbers */
-
 struct ts_colour ts_image_type_colour(const struct ts_image_types *types, double type)
 {
 	const size_t t = type >= 1 ? (size_t)type : 1;
@@ -55,7 +53,7 @@ static struct ts_colour colour_of(struct ts_instance *self, struct tsim *sim, si
 		return ts_image_type_colour(&s->atom_types, value);
 	if (isnan(value)) {
 		warn_nan(self, sim, c->input.name);
-		return ts_colour_of_hex(NOT_A_NUMBER);
+		return ts_colour_of_hex(TS_IMAGE_NAN);
 	}
 	return ts_colour_map_at(&s->atom_map, s->range[0][0], s->range[0][1], value);
 }

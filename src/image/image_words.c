@@ -226,6 +226,7 @@ enum ts_status ts_image_read(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(read_keywords(self, sim));
 	TS_TRY(read_bond_colour(self, sim));
 	TS_TRY(read_bond_width(self, sim));
+	TS_TRY(ts_image_read_surfaces(self, sim));
 	TS_TRY(check_view(self, sim));
 	TS_TRY(check_size(self, sim));
 	for (int d = 0; d < 3 && !s->placed; d++) {

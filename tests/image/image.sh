@@ -84,6 +84,67 @@ is 'bcolor' b.ppm 20 149 '0 255 255'
 is 'bdiam' b.ppm 20 156 '0 0 0'
 is 'box' c.ppm 100 0 '255 215 0'
 
+# a mesh, a height field and a wall, opaque and transparent, colored by a value; light from all sides
+cat >plate.stl <<'END'
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0 0 5
+vertex 5 0 5
+vertex 0 5 5
+endloop
+endfacet
+facet normal 0 0 1
+outer loop
+vertex 5 0 5
+vertex 5 5 5
+vertex 0 5 5
+endloop
+endfacet
+endsolid plate
+END
+surfaces='units lj
+atom_style sphere
+boundary f f f
+region box block 0 10 0 10 0 10
+create_box 1 box
+fix m1 all property/global youngsModulus peratomtype 1e3
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 1 .5
+fix m4 all property/global coefficientFriction peratomtypepair 1 .5
+pair_style gran model hertz
+pair_coeff * *
+variable xx internal 0
+variable h equal v_xx
+fix plate all mesh/surface/stress file plate.stl type 1
+fix slope all surface/voxel formula v_h x xx cells 10 10 type 1
+fix side all wall/gran model hertz primitive type 1 xplane 9
+fix lid all wall/gran model hertz primitive type 1 zplane 9'
+prints "$surfaces
+write_dump all image a.ppm type type $above mesh plate color blue modify $flat
+write_dump all image b.ppm type type $above mesh all color 0xff0000 trans 0.5 wall lid color blue trans 0.5 modify $flat
+write_dump all image c.ppm type type $above voxel slope value height modify $flat smap 0 10 ca 0 2 min black max white
+write_dump all image d.ppm type type $above mesh plate value f_plate[1] modify $flat
+write_dump all image e.ppm type type ${above/view 0 0 up 0 1 0/view 90 0 up 0 0 1} wall side color lime modify $flat"
+is 'mesh' a.ppm 30 170 '0 0 255'
+is 'beside the mesh' a.ppm 130 170 '0 0 0'
+is 'half of red behind half of blue' b.ppm 30 170 '64 0 128'
+is 'half of blue alone' b.ppm 130 170 '0 0 128'
+is 'height 8.5 of 10' c.ppm 170 100 '217 217 217'
+is 'height 0.5 of 10' c.ppm 10 100 '13 13 13'
+is 'all triangles the same' d.ppm 30 170 '0 0 255'
+is 'wall at half of its color' e.ppm 100 100 '0 77 0'
+rejects "$surfaces
+write_dump all image a.png type type mesh plat" 'plat'
+rejects "$surfaces
+write_dump all image a.png type type wall slope" 'no wall'
+rejects "$surfaces
+write_dump all image a.png type type voxel slope value f_plate[1]" 'has 2 rows'
+rejects "$surfaces
+write_dump all image a.png type type mesh plate value wear2" 'has no value'
+rejects "$surfaces
+write_dump all image a.png type type mesh all value f_plate[1]" 'name this in place of all'
+
 # frames of a run on one and on three threads, and after a restart
 cat >in.whole <<END
 $base
