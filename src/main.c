@@ -314,6 +314,19 @@ static int advise(struct tsim *sim, const struct ts_setup *setup)
 	return ts_program_print(&text) ? EXIT_FAILURE : status;
 }
 
+/* Many runs of scripts. A signal ends them; what has ended is kept. */
+static int study(struct tsim *sim, struct ts_setup *setup, const char *called)
+{
+	int status;
+
+	catch_signals(sim);
+	status = ts_program_study(sim, setup, called);
+	interrupted = NULL;
+	if (sim->error.status)
+		fputs(tsim_error(sim), stderr);
+	return sim->error.status == TS_STOPPED && signal_number ? 128 + signal_number : status;
+}
+
 static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
 {
 	int status = ts_program_options(sim, setup, argc, argv);
@@ -330,6 +343,8 @@ static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, 
 		return ts_program_grammar(setup->grammar);
 	if (setup->doc)
 		return ts_program_manual(setup->doc);
+	if (setup->studied)
+		return study(sim, setup, argv[0]);
 	if (setup->sandboxed && (setup->advised || setup->crosscheck.n))
 		return ts_program_sandbox(sim, setup, &(struct ts_str){ 0 }); /* prints why it is refused */
 	if (setup->advised)

@@ -1153,6 +1153,26 @@ library_sources = \
 	src/script/substitute.c \
 	src/script/text.c \
 	src/script/variable_command.c \
+	src/study/calibration.c \
+	src/study/calibration.h \
+	src/study/calibration_report.c \
+	src/study/secant.c \
+	src/study/secant.h \
+	src/study/study.h \
+	src/study/study_batch.c \
+	src/study/study_batch.h \
+	src/study/study_calibrate.c \
+	src/study/study_output.c \
+	src/study/study_output.h \
+	src/study/study_runs.c \
+	src/study/study_runs.h \
+	src/study/study_script.c \
+	src/study/study_script.h \
+	src/study/study_summary.c \
+	src/study/study_summary.h \
+	src/study/study_sweep.c \
+	src/study/study_words.c \
+	src/study/study_words.h \
 	src/thermo/command_thermo.c \
 	src/thermo/command_thermo_log.c \
 	src/thermo/command_thermo_modify.c \

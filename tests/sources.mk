@@ -186,6 +186,8 @@ shell_tests = \
 	tests/script/refusals.sh \
 	tests/stability/guard.sh \
 	tests/stability/refusal.sh \
+	tests/study/calibrate.sh \
+	tests/study/sweep.sh \
 	tests/thermo/thermo.sh \
 	tests/voxel/foundation.sh \
 	tests/voxel/voxel_dumps.sh \
@@ -289,6 +291,7 @@ unit_tests = \
 	tests/stability/check_limits \
 	tests/stability/check_network \
 	tests/stability/check_relaxation \
+	tests/study/check_secant \
 	tests/voxel/check_voxel
 libtests_a_SOURCES = \
 	tests/cloud.c \
@@ -644,6 +647,10 @@ tests_stability_check_network_LDADD = $(tests_ldadd)
 tests_stability_check_relaxation_SOURCES = tests/stability/check_relaxation.c
 tests_stability_check_relaxation_CFLAGS = $(tests_cflags)
 tests_stability_check_relaxation_LDADD = $(tests_ldadd)
+
+tests_study_check_secant_SOURCES = tests/study/check_secant.c
+tests_study_check_secant_CFLAGS = $(tests_cflags)
+tests_study_check_secant_LDADD = $(tests_ldadd)
 
 tests_voxel_check_voxel_SOURCES = tests/voxel/check_voxel.c
 tests_voxel_check_voxel_CFLAGS = $(tests_cflags)

@@ -6,6 +6,9 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,6 +27,10 @@ _Noreturn static void execute_program(const struct ts_process *p, int in, int ou
 
 	if (p->apart)
 		setpgid(0, 0);
+#ifdef __linux__
+	if (p->follows)
+		prctl(PR_SET_PDEATHSIG, SIGTERM);
+#endif
 	if (dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0 && dup2(out, STDERR_FILENO) >= 0 &&
 	    (!p->folder || chdir(p->folder) == 0))
 		execvp(p->words[0], (char *const *)p->words);
@@ -44,13 +51,18 @@ static int read_report(int report)
 	return n == (ssize_t)sizeof code ? code : 0;
 }
 
+static int exit_status(int status)
+{
+	return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
 static int wait_for(pid_t child)
 {
 	int status = 0;
 
 	while (waitpid(child, &status, 0) < 0 && errno == EINTR)
 		;
-	return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+	return exit_status(status);
 }
 
 static int start_process(const struct ts_process *p, int in, int out, pid_t *child)
@@ -72,23 +84,58 @@ static int start_process(const struct ts_process *p, int in, int out, pid_t *chi
 	return code;
 }
 
-enum ts_status ts_process_run(struct ts_process *p, struct ts_error *err)
+enum ts_status ts_process_start(struct ts_process *p, struct ts_error *err)
 {
 	int in = open("/dev/null", O_RDONLY | O_CLOEXEC), code;
 	int out = open(p->output, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-	double begin = ts_clock();
-	pid_t child = -1;
 
-	code = in < 0 || out < 0 ? errno : start_process(p, in, out, &child);
-	if (child > 0)
-		p->status = wait_for(child);
+	p->begin = ts_clock();
+	p->child = 0;
+	code = in < 0 || out < 0 ? errno : start_process(p, in, out, &p->child);
 	if (in >= 0)
 		close(in);
 	if (out >= 0)
 		close(out);
-	if (code)
-		return ts_fail(err, TS_IO, NULL, "cannot start '%s': %s", p->words[0], strerror(code));
-	p->seconds = ts_clock() - begin;
+	if (!code)
+		return TS_OK;
+	if (p->child > 0)
+		waitpid(p->child, NULL, 0); /* it has reported that it ends */
+	p->child = 0;
+	return ts_fail(err, TS_IO, NULL, "cannot start '%s': %s", p->words[0], strerror(code));
+}
+
+/* Waits for the end with the options of waitpid; false: not ended. */
+static bool wait_for_end(struct ts_process *p, int options)
+{
+	int status = 0;
+	pid_t ended;
+
+	do
+		ended = waitpid(p->child, &status, options);
+	while (ended < 0 && errno == EINTR);
+	if (ended == 0)
+		return false;
+	p->child = 0;
+	p->status = ended < 0 ? 127 : exit_status(status); /* < 0: somebody else has waited for it */
+	p->seconds = ts_clock() - p->begin;
+	return true;
+}
+
+bool ts_process_ended(struct ts_process *p)
+{
+	return p->child <= 0 || wait_for_end(p, WNOHANG);
+}
+
+void ts_process_signal(const struct ts_process *p, int number)
+{
+	if (p->child > 0)
+		kill(p->child, number);
+}
+
+enum ts_status ts_process_run(struct ts_process *p, struct ts_error *err)
+{
+	TS_TRY(ts_process_start(p, err));
+	wait_for_end(p, 0);
 	return TS_OK;
 }
 

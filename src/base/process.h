@@ -2,6 +2,7 @@
 #ifndef TS_BASE_PROCESS_H
 #define TS_BASE_PROCESS_H
 
+#include <stdbool.h>
 #include <sys/types.h>
 
 #include "base/status.h"
@@ -12,13 +13,22 @@ struct ts_process {
 	const char *folder;	  /* working directory; NULL: the current one */
 	const char *output;	  /* file for standard output and standard error */
 	bool apart;		  /* in a process group of its own */
+	bool follows;		  /* it is terminated when this process is killed, where Linux does that */
+	/* while it runs */
+	pid_t child;  /* 0: it does not run */
+	double begin; /* ts_clock at the start */
 	/* results */
 	int status;	/* exit status, or 128 + signal number */
 	double seconds; /* wall time */
 };
 
-/* Runs the program and waits for its end. Its standard input is empty. Returns an error only if it
- * could not be started. */
+/* Starts the program. Its standard input is empty. */
+enum ts_status ts_process_start(struct ts_process *process, struct ts_error *err);
+/* Whether the program has ended; if so, the results are set. */
+bool ts_process_ended(struct ts_process *process);
+void ts_process_signal(const struct ts_process *process, int number);
+
+/* Runs the program and waits for its end. Returns an error only if it could not be started. */
 enum ts_status ts_process_run(struct ts_process *process, struct ts_error *err);
 
 /* A program that runs beside this one and reads from its standard input what is written to it. It is in a process group

@@ -16,13 +16,18 @@ struct ts_word_list {
 
 /* The options of the command line. */
 struct ts_setup {
-	const char *input, *log, *screen, *doc, *grammar;
+	const char *input, *log, *screen, *doc, *grammar, *results;
 	bool help, version, log_given, check, explain, advised, programs, sandboxed;
 	const char *help_kind, *help_style;
 	FILE *screen_file; /* of -screen; the caller closes it */
 	/* arguments of options; variables and own: -var, -threads and -shell, for programs that -crosscheck
 	 * and -advise run */
 	struct ts_word_list crosscheck, advise, sandbox, variables, own;
+	/* -in, and arguments of -sweep, -calibrate, -vary and -replicate */
+	struct ts_word_list inputs, sweep, calibrate, vary, replicate;
+	double tolerance; /* 0: not given */
+	int64_t jobs;	  /* 0: not given */
+	bool studied;	  /* -sweep or -calibrate */
 };
 
 /* Reads the options into the setup and, if they are settings of the simulation, into sim. */
@@ -36,6 +41,9 @@ int ts_program_usage_error(const char *format, const char *what, const char *mor
  * means. */
 int ts_program_sandbox(struct tsim *sim, const struct ts_setup *setup, struct ts_str *said);
 void ts_program_sandbox_help(struct ts_str *out);
+
+/* -sweep and -calibrate; returns the exit status. `called`: argv[0]. */
+int ts_program_study(struct tsim *sim, struct ts_setup *setup, const char *called);
 
 /* Prints the text and releases it. */
 int ts_program_print(struct ts_str *text);

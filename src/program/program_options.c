@@ -27,6 +27,13 @@ enum option_id {
 	OPT_FULL,
 	OPT_ADVISE,
 	OPT_CROSSCHECK,
+	OPT_SWEEP,
+	OPT_CALIBRATE,
+	OPT_VARY,
+	OPT_REPLICATE,
+	OPT_TOLERANCE,
+	OPT_JOBS,
+	OPT_RESULTS,
 	OPT_HELP,
 	OPT_DOC,
 	OPT_GRAMMAR,
@@ -64,6 +71,15 @@ static const struct {
 			 0 },
 	[OPT_CROSSCHECK] = { "crosscheck", "PROGRAM [WORDS]",
 			     "run the script also with liggghts or lammps and compare all outputs", 1 },
+	[OPT_SWEEP] = { "sweep", "NAME=VALUES ...", "run the script with all combinations of values", 1 },
+	[OPT_CALIBRATE] = { "calibrate", "NAME=VALUE ...", "find variables for which results hit targets",
+			    1 },
+	[OPT_VARY] = { "vary", "NAME=START ...", "with -calibrate: the variables", 1 },
+	[OPT_REPLICATE] = { "replicate", "NAME[=VALUES]",
+			    "with both: the variable over which results are averaged", 1 },
+	[OPT_TOLERANCE] = { "tolerance", "X", "with -calibrate: how near to a target, relative (0.05)", 1 },
+	[OPT_JOBS] = { "j", "N", "with both: number of runs side by side (as many as processors)", 1 },
+	[OPT_RESULTS] = { "results", "FOLDER", "with both: folder of the table and the runs (results)", 1 },
 	[OPT_HELP] = { "help", "[KIND] [NAME]", "manual page, e.g. -help fix gravity, -help ave/time", 0 },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
 	[OPT_GRAMMAR] = { "grammar", "vim|vscode", "print the grammar file for that editor", 1 },
@@ -182,13 +198,53 @@ static int add_words(struct ts_word_list *list, const char *option, char *const 
 	return 0;
 }
 
+static int set_jobs(struct ts_setup *setup, const char *text)
+{
+	if (!ts_parse_int(text, &setup->jobs) || setup->jobs < 1 || setup->jobs > 1024)
+		return ts_program_usage_error("expected a number from 1 to 1024 after -j, found '%s'%s", text,
+					      "");
+	return 0;
+}
+
+static int set_tolerance(struct ts_setup *setup, const char *text)
+{
+	if (!ts_parse_real(text, &setup->tolerance) || setup->tolerance <= 0 || setup->tolerance >= 1)
+		return ts_program_usage_error("expected a number above 0 and below 1 after -tolerance, found "
+					      "'%s'%s",
+					      text, "");
+	return 0;
+}
+
 static int usage_status(bool wrong)
 {
 	return wrong ? TS_EXIT_USAGE : 0;
 }
 
+/* Options of -sweep and -calibrate. */
+static int apply_study(struct ts_setup *setup, enum option_id id, char *const *value, int n)
+{
+	setup->studied |= id == OPT_SWEEP || id == OPT_CALIBRATE;
+	switch (id) {
+	case OPT_SWEEP:
+		return add_words(&setup->sweep, NULL, value, n);
+	case OPT_CALIBRATE:
+		return add_words(&setup->calibrate, NULL, value, n);
+	case OPT_VARY:
+		return add_words(&setup->vary, NULL, value, n);
+	case OPT_REPLICATE:
+		return add_words(&setup->replicate, NULL, value, n);
+	case OPT_TOLERANCE:
+		return set_tolerance(setup, value[0]);
+	case OPT_JOBS:
+		return set_jobs(setup, value[0]);
+	default:
+		setup->results = value[0];
+		return 0;
+	}
+}
+
 /* Options that print a page. */
-static void apply_page(struct ts_setup *setup, enum option_id id, char *const *value, int n)
+static int apply_page(struct ts_setup *setup, enum option_id id, char *const *value, int n)
 {
 	if (id == OPT_HELP) {
 		setup->help = true;
@@ -201,6 +257,7 @@ static void apply_page(struct ts_setup *setup, enum option_id id, char *const *v
 	} else {
 		setup->version = true;
 	}
+	return 0;
 }
 
 static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id id, char *const *value,
@@ -209,7 +266,7 @@ static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id
 	switch (id) {
 	case OPT_IN:
 		setup->input = value[0];
-		break;
+		return add_words(&setup->inputs, NULL, value, n);
 	case OPT_VAR:
 		return usage_status(add_words(&setup->variables, "-var", value, n) ||
 				    set_variable(sim, value, n));
@@ -252,14 +309,8 @@ static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id
 		return add_words(&setup->advise, NULL, value, n);
 	case OPT_CROSSCHECK:
 		return add_words(&setup->crosscheck, NULL, value, n);
-	case OPT_HELP:
-	case OPT_DOC:
-	case OPT_GRAMMAR:
-	case OPT_VERSION:
-		apply_page(setup, id, value, n);
-		break;
-	case NOPTIONS:
-		break;
+	default:
+		return id < OPT_HELP ? apply_study(setup, id, value, n) : apply_page(setup, id, value, n);
 	}
 	return 0;
 }
@@ -279,6 +330,23 @@ static int unknown_option(const char *text)
 	if (suggest.best)
 		return ts_program_usage_error("unknown option '%s'; did you mean '-%s'?", text, suggest.best);
 	return ts_program_usage_error("unknown option '%s'%s", text, "");
+}
+
+/* Options that need another one. */
+static int check_together(const struct ts_setup *setup)
+{
+	bool left =
+		setup->vary.n || setup->replicate.n || setup->tolerance > 0 || setup->jobs || setup->results;
+
+	if (!setup->studied && left)
+		return ts_program_usage_error("-vary, -replicate, -tolerance, -j and -results belong to "
+					      "-sweep or -calibrate, and neither is given%s%s",
+					      "", "");
+	if (!setup->studied && setup->inputs.n > 1)
+		return ts_program_usage_error("two scripts are given, '%s' and '%s': only -sweep and "
+					      "-calibrate run several",
+					      setup->inputs.word[0].text, setup->inputs.word[1].text);
+	return 0;
 }
 
 int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
@@ -301,7 +369,8 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 		if (id == NOPTIONS)
 			return unknown_option(text);
 		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_ADVISE || id == OPT_FULL ||
-			   id == OPT_CROSSCHECK || id == OPT_SANDBOX;
+			   id == OPT_CROSSCHECK || id == OPT_SANDBOX ||
+			   (id >= OPT_SWEEP && id <= OPT_REPLICATE);
 		while (k + n < argc && !is_option(argv[k + n]) && (variadic || n < options[id].least))
 			n++;
 		if (n < options[id].least)
@@ -312,5 +381,5 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 			return status;
 		k += n;
 	}
-	return 0;
+	return check_together(setup);
 }

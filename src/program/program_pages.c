@@ -12,6 +12,7 @@
 #include "manual/manual.h"
 #include "manual/topics.h"
 #include "program/program.h"
+#include "study/study.h"
 
 #include "base/banned.h"
 
@@ -32,6 +33,9 @@ static void print_usage(void)
 	ts_program_list_options();
 	puts("\nafter -advise");
 	ts_advise_help(&text);
+	ts_program_print(&text);
+	puts("\n-sweep and -calibrate");
+	ts_study_help(&text);
 	ts_program_print(&text);
 	puts("\nafter -sandbox");
 	ts_program_sandbox_help(&text);
