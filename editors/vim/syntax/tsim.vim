@@ -50,7 +50,9 @@ syn keyword tsimKeyword  compress bond atom stats remove special undo move ramp 
 syn keyword tsimKeyword  thresh format pad delay append
 syn match tsimKeyword /\<label\>/ 
 syn keyword tsimKeyword  time maxfiles element scale image refresh header buffer compressor
-syn keyword tsimKeyword  zlib lz4 flush pbc binary fileper nfile screen
+syn keyword tsimKeyword  zlib lz4 flush pbc binary fileper nfile acolor adiam amap
+syn keyword tsimKeyword  backcolor backcolor2 bcolor bdiam bitrate bmap boxcolor color
+syn keyword tsimKeyword  framerate lights smap screen
 syn match tsimKeyword /\<log\>/ 
 syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi wall slip inlet outlet pressure
 syn keyword tsimKeyword  hydrostatic update step once uniform geometric fine lo hi tanh
@@ -91,14 +93,15 @@ syn keyword tsimKeyword  max ave sumsq avesq sumabs aveabs minabs maxabs inputs 
 syn keyword tsimKeyword  update_on_run_end winkler halfspace young poisson counter_young
 syn keyword tsimKeyword  counter_poisson iterations counter adof cdof mean linear/x
 syn keyword tsimKeyword  linear/y linear/z weight number motion translation rotation
-syn keyword tsimKeyword  unbiased primitives colour u v movie framerate reset coefficient
+syn keyword tsimKeyword  unbiased primitives colour u v movie voxel size view center up
+syn keyword tsimKeyword  zoom persp axes subbox shiny fsaa ssao reset coefficient
 syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
 syn keyword tsimKeyword  title1 title2 title3 auto auto/upper auto/lower full prefactor
 syn keyword tsimKeyword  scalar nevery cell_size_relative parallel basevolume_region kind
 syn keyword tsimKeyword  global beyond end extra level dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate volume
-syn keyword tsimKeyword  wiggle xy xz yz flip axes xyz scheme explicit implicit lagged void
+syn keyword tsimKeyword  wiggle xy xz yz flip xyz scheme explicit implicit lagged void
 syn keyword tsimKeyword  sound C1 C2 wob spring body clearance summary conductivity
 syn keyword tsimKeyword  capacity initial source convection vanleer central donor exchange
 syn keyword tsimKeyword  ranz_marshall chute spherical hard soft continue message path
@@ -134,9 +137,9 @@ syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer perat
 syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink delete_below
 syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple constant black
 syn keyword tsimKeyword  white formula correlation noise columns waves selfaffine hurst
-syn keyword tsimKeyword  shortest roll longest size datum base merge method divided kernel
-syn keyword tsimKeyword  reach least settled inertia_1 inertia_2 arm joint_1 joint_2
-syn keyword tsimKeyword  start_1 start_2 model hooke hertz hooke/stiffness hooke/modulus
+syn keyword tsimKeyword  shortest roll longest datum base merge method divided kernel reach
+syn keyword tsimKeyword  least settled inertia_1 inertia_2 arm joint_1 joint_2 start_1
+syn keyword tsimKeyword  start_2 model hooke hertz hooke/stiffness hooke/modulus
 syn keyword tsimKeyword  hertz/stiffness hooke/hysteresis jkr history no_history
 syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
 syn keyword tsimKeyword  cohesion sjkr sjkr2 easo/capillary/viscous
@@ -165,7 +168,7 @@ syn keyword tsimKeyword  least_gap touching solid axisymmetric plane point span 
 syn keyword tsimKeyword  profile potential generic hertz/material dmt mass_velocity
 syn keyword tsimKeyword  viscoelastic tsuji coeff_restitution rolling twisting heat
 syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid side in out
-syn keyword tsimKeyword  center bounds angle0
+syn keyword tsimKeyword  bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -246,8 +249,8 @@ syn keyword tsim_region contained prism sphere union wedge
 hi def link tsim_region Type
 syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
 syn keyword tsim_dump contained atom automaton/png automaton/vtk custom custom/vtk euler/vtk
-syn keyword tsim_dump contained flow/vtk local local/gran/vtk local/vtk mesh/stl stl mesh/vtk
-syn keyword tsim_dump contained mesh/gran/VTK
+syn keyword tsim_dump contained flow/vtk image local local/gran/vtk local/vtk mesh/stl stl
+syn keyword tsim_dump contained mesh/vtk mesh/gran/VTK
 syn match tsim_dump /\<restart\>/ contained
 syn keyword tsim_dump contained voxel/vtk xyz
 hi def link tsim_dump Type
