@@ -43,7 +43,7 @@ static inline uint64_t ts_draws_next(struct ts_draws_stream *s)
 }
 
 /* Uniform in 0 .. n-1: the upper word of bits n, in 96 bits; the bias is below n/2^64. */
-static inline uint32_t ts_draws_below(uint64_t bits, uint32_t n)
+TS_INLINE uint32_t ts_draws_below(uint64_t bits, uint32_t n)
 {
 	return (uint32_t)(((bits >> 32) * n + ((bits & 0xffffffffu) * n >> 32)) >> 32);
 }

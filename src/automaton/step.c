@@ -44,54 +44,94 @@ static uint32_t list_due(const uint32_t *cell, size_t from, size_t to, uint32_t 
 
 enum { AHEAD = 32 }; /* entries whose memory is fetched ahead */
 
-/* Takes `take` <= AHEAD of the n entries at random (R. Durstenfeld, Commun. ACM 7 (1964) 420). */
-static void draw_some(uint32_t *entry, uint32_t n, uint32_t take, struct ts_draws_stream *order,
-		      uint32_t *out)
+/* at[k]: uniform in 0 .. n-k-1 for k < n */
+TS_CLONES static void draw_places(struct ts_draws_stream order, uint32_t n, uint32_t at[AHEAD])
 {
+#pragma omp simd
+	for (uint32_t k = 0; k < AHEAD; k++)
+		at[k] = ts_draws_below(ts_draws_mix(order.at + (k + 1) * order.increment), n - k);
+}
+
+/* Entries that are taken in random order (R. Durstenfeld, Commun. ACM 7 (1964) 420). The places of the next AHEAD are known
+ * before they are needed, and their memory is fetched. */
+struct urn {
+	uint32_t *entry;
+	uint32_t left;
+	struct ts_draws_stream order;
 	uint32_t at[AHEAD];
+};
+
+static uint32_t next_take(const struct urn *u)
+{
+	return u->left < AHEAD ? u->left : AHEAD;
+}
+
+static void look_ahead(struct urn *u)
+{
+	draw_places(u->order, u->left, u->at);
+	u->order.at += AHEAD * u->order.increment;
+	for (uint32_t k = 0; k < next_take(u); k++)
+		__builtin_prefetch(u->entry + u->at[k]);
+}
+
+static struct urn urn_of(uint32_t *entry, uint32_t n, struct ts_draws_stream order)
+{
+	struct urn u = { .entry = entry, .left = n, .order = order };
+
+	look_ahead(&u);
+	return u;
+}
+
+/* Takes up to AHEAD entries; those at the end of the list are free then. Returns their number, 0 at the end. */
+static uint32_t take_some(struct urn *u, uint32_t out[AHEAD])
+{
+	const uint32_t take = next_take(u);
 
 	for (uint32_t k = 0; k < take; k++) {
-		at[k] = ts_draws_below(ts_draws_next(order), n - k);
-		__builtin_prefetch(entry + at[k]);
+		out[k] = u->entry[u->at[k]];
+		u->entry[u->at[k]] = u->entry[u->left - k - 1];
 	}
-	for (uint32_t k = 0; k < take; k++) {
-		out[k] = entry[at[k]];
-		entry[at[k]] = entry[n - k - 1];
-	}
+	u->left -= take;
+	if (u->left > 0)
+		look_ahead(u);
+	return take;
 }
 
 /* The entries in the order in which they are drawn, from the last to the first. */
 static void shuffle(uint32_t *entry, uint32_t n, struct ts_draws_stream order)
 {
+	struct urn u = urn_of(entry, n, order);
 	uint32_t drawn[AHEAD], take;
 
-	/* they take the places at the end that draw_some has freed */
-	for (uint32_t left = n; left > 0; left -= take) {
-		take = left < AHEAD ? left : AHEAD;
-		draw_some(entry, left, take, &order, drawn);
+	while ((take = take_some(&u, drawn)) > 0)
 		for (uint32_t k = 0; k < take; k++)
-			entry[left - k - 1] = drawn[k];
-	}
+			entry[u.left + take - k - 1] = drawn[k];
 }
 
-/* Updates the granules of the n cells, in random order. */
+static void fetch_around(const struct ts_automaton_lattice *l, uint32_t c)
+{
+	__builtin_prefetch(l->cell + c - l->stride);
+	__builtin_prefetch(l->cell + c);
+	__builtin_prefetch(l->cell + c + l->stride);
+}
+
+/* Updates the granules of the n cells, in random order. With each that is updated, the cells around one of the next are
+ * fetched: all at a time would wait for each other. */
 static void update_all(struct ts_automaton_lattice *l, const struct ts_laws *laws, uint32_t *mover,
 		       uint32_t n, struct ts_draws_stream order, struct ts_draws_stream draws,
 		       struct ts_automaton_count *count)
 {
+	struct urn u = urn_of(mover, n, order);
 	struct ts_automaton_count here = { 0 };
-	uint32_t next[AHEAD], take;
+	uint32_t c[2][AHEAD] = { { 0 } }, due = take_some(&u, c[0]), next;
 
-	for (; n > 0; n -= take) {
-		take = n < AHEAD ? n : AHEAD;
-		draw_some(mover, n, take, &order, next);
-		for (uint32_t k = 0; k < take; k++) {
-			__builtin_prefetch(l->cell + next[k] - l->stride);
-			__builtin_prefetch(l->cell + next[k]);
-			__builtin_prefetch(l->cell + next[k] + l->stride);
+	for (int turn = 0; due > 0; turn = !turn, due = next) {
+		next = take_some(&u, c[!turn]);
+		for (uint32_t k = 0; k < due; k++) {
+			if (k < next)
+				fetch_around(l, c[!turn][k]);
+			ts_granule_update(l, laws, c[turn][k], &draws, &here);
 		}
-		for (uint32_t k = 0; k < take; k++)
-			ts_granule_update(l, laws, next[k], &draws, &here);
 	}
 	*count = here;
 }
@@ -178,33 +218,39 @@ static void update_one_by_one(const struct blocks *b, size_t from, size_t to)
 	}
 }
 
+/* The blocks that lanes take. */
+struct supply {
+	const struct blocks *b;
+	size_t next, to;
+};
+
+static bool next_block(void *context, struct ts_lane *lane)
+{
+	struct supply *s = context;
+	const struct blocks *b = s->b;
+	uint32_t block;
+	int i, j;
+
+	if (s->next == s->to)
+		return false;
+	block = block_number(b, s->next++, &i, &j);
+	lane->left = (int32_t)list_block(b, i, j, lane->mover);
+	shuffle(lane->mover, (uint32_t)lane->left, ts_draws_start(b->seed, b->step, block, TS_DRAWS_ORDER));
+	lane->draws = ts_draws_start(b->seed, b->step, block, TS_DRAWS_LAWS);
+	b->l->count[block] = (struct ts_automaton_count){ 0 };
+	return true;
+}
+
 static void update_in_lanes(const struct blocks *b, size_t from, size_t to)
 {
 	uint32_t mover[TS_LANES * MOST];
-	struct ts_lanes lanes = { .mover = mover };
+	struct supply supply = { b, from, to };
+	const struct ts_lanes lanes = { mover, MOST, next_block, &supply };
+	struct ts_automaton_count count = { 0 };
+	int i, j;
 
-	for (size_t first = from; first < to; first += TS_LANES) {
-		struct ts_automaton_count count = { 0 };
-		int i, j;
-
-		for (size_t k = 0; k < TS_LANES; k++) {
-			uint32_t *list = mover + k * MOST, block;
-
-			lanes.first[k] = (int32_t)(k * MOST);
-			lanes.left[k] = 0;
-			list[0] = 0;
-			if (first + k >= to)
-				continue;
-			block = block_number(b, first + k, &i, &j);
-			lanes.left[k] = (int32_t)list_block(b, i, j, list);
-			shuffle(list, (uint32_t)lanes.left[k],
-				ts_draws_start(b->seed, b->step, block, TS_DRAWS_ORDER));
-			lanes.draws[k] = ts_draws_start(b->seed, b->step, block, TS_DRAWS_LAWS);
-			b->l->count[block] = count;
-		}
-		ts_lanes_update(b->l, b->laws, &lanes, &count);
-		b->l->count[block_number(b, first, &i, &j)] = count;
-	}
+	ts_lanes_update(b->l, b->laws, &lanes, &count);
+	b->l->count[block_number(b, from, &i, &j)] = count;
 }
 
 static void update_blocks(void *context, size_t from, size_t to)
@@ -220,16 +266,16 @@ static void update_blocks(void *context, size_t from, size_t to)
 static void step_blocks(struct blocks *b, int threads, struct ts_automaton_count *count)
 {
 	struct ts_draws_stream draws = ts_draws_start(b->seed, b->step, 0, TS_DRAWS_BLOCKS);
-	uint32_t colours[4] = { 0, 1, 2, 3 }, order[4];
+	uint32_t colours[4] = { 0, 1, 2, 3 };
 
 	b->n[0] = blocks_along(b->l->nx);
 	b->first[0] = (int)ts_draws_below(ts_draws_next(&draws), (uint32_t)b->l->nx);
 	b->first[1] = (int)ts_draws_below(ts_draws_next(&draws), HEIGHT);
 	b->n[1] = (b->l->ny + b->first[1] + HEIGHT - 1) / HEIGHT;
-	draw_some(colours, 4, 4, &draws, order);
-	for (int k = 0; k < 4; k++) {
-		b->colour[0] = (int)(order[k] & 1);
-		b->colour[1] = (int)(order[k] >> 1);
+	shuffle(colours, 4, draws);
+	for (int k = 3; k >= 0; k--) {
+		b->colour[0] = (int)(colours[k] & 1);
+		b->colour[1] = (int)(colours[k] >> 1);
 		ts_parallel(threads, (size_t)(b->n[0] / 2) * (size_t)((b->n[1] + 1 - b->colour[1]) / 2),
 			    update_blocks, b);
 	}
@@ -250,7 +296,7 @@ bool ts_automaton_step_make(struct ts_automaton_lattice *l, enum ts_automaton_or
 		l->count = ts_alloc(l->ncounts, sizeof *l->count);
 		return l->count;
 	}
-	l->mover = ts_alloc((size_t)l->granules + 1, sizeof *l->mover);
+	l->mover = ts_alloc_aligned((size_t)l->granules + 1, sizeof *l->mover);
 	return l->mover;
 }
 
