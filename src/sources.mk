@@ -719,12 +719,15 @@ library_sources = \
 	src/io/vtk_xml.c \
 	src/io/vtk_xml.h \
 	src/kinetic/compute_granular_couette.c \
+	src/kinetic/compute_granular_shear.c \
 	src/kinetic/granular_couette.c \
 	src/kinetic/granular_couette.h \
 	src/kinetic/granular_couette_equations.c \
 	src/kinetic/granular_couette_newton.c \
 	src/kinetic/granular_gas.c \
 	src/kinetic/granular_gas.h \
+	src/kinetic/granular_shear.c \
+	src/kinetic/granular_shear.h \
 	src/kinetic/internal.h \
 	src/kinetic/sheared_film.c \
 	src/kinetic/sheared_film.h \

@@ -133,6 +133,7 @@ shell_tests = \
 	tests/io/full_disk.sh \
 	tests/io/safety.sh \
 	tests/kinetic/granular_couette.sh \
+	tests/kinetic/granular_shear.sh \
 	tests/library/python.sh \
 	tests/limits/timestep.sh \
 	tests/limits/timestep_bonds.sh \
@@ -254,6 +255,7 @@ unit_tests = \
 	tests/io/check_io \
 	tests/io/check_movie \
 	tests/kinetic/check_granular_couette \
+	tests/kinetic/check_granular_shear \
 	tests/law/check_active_particles \
 	tests/law/check_erosion \
 	tests/law/check_law \
@@ -499,6 +501,10 @@ tests_io_check_movie_LDADD = $(tests_ldadd)
 tests_kinetic_check_granular_couette_SOURCES = tests/kinetic/check_granular_couette.c
 tests_kinetic_check_granular_couette_CFLAGS = $(tests_cflags)
 tests_kinetic_check_granular_couette_LDADD = $(tests_ldadd)
+
+tests_kinetic_check_granular_shear_SOURCES = tests/kinetic/check_granular_shear.c
+tests_kinetic_check_granular_shear_CFLAGS = $(tests_cflags)
+tests_kinetic_check_granular_shear_LDADD = $(tests_ldadd)
 
 tests_law_check_active_particles_SOURCES = tests/law/check_active_particles.c
 tests_law_check_active_particles_CFLAGS = $(tests_cflags)

@@ -228,7 +228,7 @@ static void fini(struct ts_instance *self)
 /* ---- arguments ---- */
 
 static const char *const theories[] = { "lun", "garzo/dufty", NULL };
-static const char *const radials[] = { "lun/savage", "carnahan/starling", NULL };
+static const char *const radials[] = { "lun/savage", "carnahan/starling", "torquato", NULL };
 static const char *const branches[] = { "dense", "dilute", NULL };
 
 static const struct ts_arg args[] = {
@@ -293,7 +293,8 @@ static const char doc[] =
 	"with g1 to g5 functions of nu and the restitution: theory lun is that of Lun et al. (1984), for "
 	"nearly elastic grains; garzo/dufty that of Garzo and Dufty (1999), for any restitution. Radial "
 	"distribution at contact: lun/savage (1 - nu/packing)^(-2.5 packing); carnahan/starling (2 - nu)/(2 "
-	"(1 - nu)^3).\n\n"
+	"(1 - nu)^3); torquato the same up to freezing, nu = 0.49, then its value there times (packing - "
+	"0.49)/(packing - nu).\n\n"
 	"Walls are covered with spheres (Jenkins and Richman 1986; Richman 1988; leading order). With the "
 	"half angle theta of the bumps and c = 2 (1 - cos theta)/sin^2 theta the slip is\n\n"
 	"  u_s = sqrt(pi/2) f sqrt(T) S/N,  1/f = 2/3 (c - cos theta)\n\n"

@@ -8,20 +8,47 @@
 
 double ts_gas_limit(const struct ts_gas *gas)
 {
-	return gas->radial == TS_GAS_LUN_SAVAGE ? gas->packing : 1;
+	return gas->radial == TS_GAS_CARNAHAN_STARLING ? 1 : gas->packing;
+}
+
+static double carnahan_starling(double nu, double *slope)
+{
+	double free = 1 - nu;
+
+	*slope = (5 - 2 * nu) / (2 * free * free * free * free);
+	return (2 - nu) / (2 * free * free * free);
+}
+
+/* free = 1 - nu/limit */
+static double torquato(double packing, double nu, double free, double *slope)
+{
+	double g0;
+
+	if (nu <= TS_GAS_FREEZING)
+		return carnahan_starling(nu, slope);
+	g0 = carnahan_starling(TS_GAS_FREEZING, slope) * (1 - TS_GAS_FREEZING / packing) / free;
+	*slope = g0 / (packing * free);
+	return g0;
+}
+
+static double lun_savage(double packing, double free, double *slope)
+{
+	double g0 = pow(free, -2.5 * packing);
+
+	*slope = 2.5 * g0 / free;
+	return g0;
 }
 
 static double radial(const struct ts_gas *gas, double nu, double free, double *slope)
 {
-	double g0;
-
-	if (gas->radial == TS_GAS_CARNAHAN_STARLING) {
-		*slope = (5 - 2 * nu) / (2 * free * free * free * free);
-		return (2 - nu) / (2 * free * free * free);
+	switch (gas->radial) {
+	case TS_GAS_CARNAHAN_STARLING:
+		return carnahan_starling(nu, slope);
+	case TS_GAS_TORQUATO:
+		return torquato(gas->packing, nu, free, slope);
+	default:
+		return lun_savage(gas->packing, free, slope);
 	}
-	g0 = pow(free, -2.5 * gas->packing);
-	*slope = 2.5 * g0 / free;
-	return g0;
 }
 
 double ts_gas_radial(const struct ts_gas *gas, double nu, double *slope)

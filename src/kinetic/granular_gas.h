@@ -20,8 +20,10 @@ enum ts_gas_theory { TS_GAS_LUN, TS_GAS_GARZO_DUFTY };
 
 /* Radial distribution at contact, g0:
  *   lun/savage          (1 - nu/nu_max)^(-2.5 nu_max); C. K. K. Lun, S. B. Savage, Acta Mech. 63 (1986) 15
- *   carnahan/starling   (2 - nu)/(2 (1 - nu)^3); N. F. Carnahan, K. E. Starling, J. Chem. Phys. 51 (1969) 635 */
-enum ts_gas_radial { TS_GAS_LUN_SAVAGE, TS_GAS_CARNAHAN_STARLING };
+ *   carnahan/starling   (2 - nu)/(2 (1 - nu)^3); N. F. Carnahan, K. E. Starling, J. Chem. Phys. 51 (1969) 635
+ *   torquato            the same up to freezing, nu_f = 0.49; from there its value at nu_f times
+ *                       (nu_max - nu_f)/(nu_max - nu); S. Torquato, Phys. Rev. E 51 (1995) 3170; nu_max > nu_f */
+enum ts_gas_radial { TS_GAS_LUN_SAVAGE, TS_GAS_CARNAHAN_STARLING, TS_GAS_TORQUATO };
 
 struct ts_gas {
 	enum ts_gas_theory theory;
@@ -36,6 +38,9 @@ struct ts_gas_functions {
 	double dufour;			 /* g4 */
 	double dissipation;		 /* g5 */
 };
+
+/* Solid fraction of spheres at freezing. */
+#define TS_GAS_FREEZING 0.49
 
 /* Solid fraction at which g0 is infinite. */
 double ts_gas_limit(const struct ts_gas *gas);

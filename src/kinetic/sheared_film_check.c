@@ -36,6 +36,11 @@ static enum ts_status check_numbers(const struct ts_sheared_film *f, const struc
 		return ts_fail(error, TS_RANGE, where,
 			       "sheared film: solid fraction at closest packing %g, expected < 1",
 			       f->gas.packing);
+	if (f->gas.radial == TS_GAS_TORQUATO && !(f->gas.packing > TS_GAS_FREEZING))
+		return ts_fail(error, TS_RANGE, where,
+			       "sheared film: solid fraction at closest packing %g, expected more than that "
+			       "at freezing, %g",
+			       f->gas.packing, TS_GAS_FREEZING);
 	if (!(f->gas.restitution >= 0 && f->gas.restitution <= 1))
 		return ts_fail(error, TS_RANGE, where,
 			       "sheared film: restitution %g of the grains, expected 0 to 1",

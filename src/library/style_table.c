@@ -137,6 +137,7 @@ TS_STYLE(compute, ts_style, ts_compute_flow_plane)
 TS_STYLE(compute, ts_style, ts_compute_flow_probe)
 TS_STYLE(compute, ts_style, ts_compute_fragment_atom)
 TS_STYLE(compute, ts_style, ts_compute_granular_couette)
+TS_STYLE(compute, ts_style, ts_compute_granular_shear)
 TS_STYLE(compute, ts_style, ts_compute_group_group)
 TS_STYLE(compute, ts_style, ts_compute_gyration)
 TS_STYLE(compute, ts_style, ts_compute_gyration_chunk)
@@ -466,6 +467,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_flow_probe,
 	&ts_compute_fragment_atom,
 	&ts_compute_granular_couette,
+	&ts_compute_granular_shear,
 	&ts_compute_group_group,
 	&ts_compute_gyration,
 	&ts_compute_gyration_chunk,

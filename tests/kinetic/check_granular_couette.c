@@ -116,7 +116,7 @@ END_TEST
 
 START_TEST(slopes_are_derivatives)
 {
-	for (int radial = 0; radial < 2; radial++)
+	for (int radial = 0; radial < 3; radial++)
 		for (size_t k = 1; k < DECK_LENGTH(fractions); k++) {
 			struct ts_gas gas = { TS_GAS_LUN, (enum ts_gas_radial)radial, 0.7, 0.65 };
 			double nu = fractions[k], step = 1e-5, slope, ignored;
@@ -291,7 +291,7 @@ END_TEST
 START_TEST(homogeneous_flow)
 {
 	for (int theory = 0; theory < 2; theory++)
-		for (int radial = 0; radial < 2; radial++)
+		for (int radial = 0; radial < 3; radial++)
 			for (size_t k = 1; k < DECK_LENGTH(fractions); k++) {
 				struct ts_couette c = reference();
 				struct ts_gas_functions g;
