@@ -40,3 +40,22 @@ set yrange [0.7:0.82]
 set key top right
 plot file("rheology.txt") u 2:1:3 w xerrorbars ls 1 t "discs", 0.81 - 0.3*x ls 2 t "da Cruz et al. (2005)"
 unset multiplot
+
+# spheres: in.rheology -var dim 3
+spheres = file("rheology3.txt")
+if (system("test -e ".spheres." && echo 1") eq "1") {
+	set output file("rheology3.png")
+	set multiplot layout 1,2
+	set xrange [0:0.6]
+	set yrange [0.3:0.8]
+	set xlabel "inertial number I"
+	set ylabel "friction coefficient mu"
+	set key top left
+	plot spheres u 2:4:3:5 w xyerrorbars ls 1 t "spheres", 0.382 + 0.37/((0.32/x)**1.5 + 1) ls 2 t "Chialvo et al. (2012)", \
+	     0.38 + 0.26/(0.279/x + 1) ls 3 t "Jop et al. (2006), glass"
+	set ylabel "solid fraction"
+	set yrange [0.5:0.6]
+	set key top right
+	plot spheres u 2:1:3 w xerrorbars ls 1 t "spheres", 0.587 ls 2 t "yield, Chialvo et al. (2012)"
+	unset multiplot
+}

@@ -15,10 +15,11 @@ results() {
 }
 
 results 'free cooling' in.cooling 1 -var runs 2 -var n 343 -var e 0.7 -var tolerance 0.08
-results 'a sheared gas' in.sheared_gas 2 -var n 216 -var nu 0.3 -var e 0.8 -var strains 8 -var tolerance 0.15
+results 'a sheared gas' in.sheared_gas 5 -var box 7 -var nu 0.3 -var e 0.8 -var samples 1200 -var tolerance 0.1
 awk '$1 == 0.3 { n++; if ($10 <= $11) bad = 1 } END { exit bad || n != 1 }' post/sheared_gas.txt
 report 'fluctuations are larger along the flow' $? post/sheared_gas.txt
 results 'dense discs' in.rheology 2 -var n 100 -var strain 3 -var phi 0.74 -var kn 2e5 -var tolerance 0.035
+results 'dense spheres' in.rheology 3 -var dim 3 -var n 100 -var strain 3 -var phi 0.55 0.52 -var kn 5e4 -var mu_tolerance 0.08
 results 'a film' in.grains 5 -var L 5 -var depth 5 -var relax 8 -var average 12 -var R 0.7
 # the lower plate drags the grains, which slip at both; as many as there should be
 awk '$1 !~ /^#/ { n++; u[n] = $2; sum += $3; if ($4 <= 0 || $5 <= 0) bad = 1 }
@@ -35,4 +36,5 @@ stops() {
 stops 'a film that is too full' 'grains flow up to about 0.6' -in in.grains -var solids 0.63
 stops 'bumps that cannot be' 'R is 1.2, expected 0.1 to 1' -in in.grains -var R 1.2
 stops 'discs that are packed' 'do not flow' -in in.rheology -var phi 0.9
+stops 'spheres that are packed' 'do not flow' -in in.rheology -var dim 3 -var phi 0.63
 finish
