@@ -336,13 +336,15 @@ enum ts_status ts_study_run_all(struct ts_study *s, struct ts_study_task *task, 
 
 /* ---- the study */
 
-/* Whether -check finds that the script uses the variable. */
-static enum ts_status find_use(struct ts_study *s, const char *screen, const char *name, bool *uses)
+/* Whether a script uses the variable: -check finds that it does, or, as it may end early with the first values, the
+ * name stands in the text. */
+static enum ts_status find_use(struct ts_study *s, size_t script, const char *screen, const char *name,
+			       bool *uses)
 {
 	bool unused = false;
 
 	TS_TRY(ts_study_output_unused(s->sim, screen, name, &unused));
-	*uses = !unused;
+	*uses = !unused || ts_study_script_mentions(&s->script[script], name);
 	return TS_OK;
 }
 
@@ -368,8 +370,8 @@ static enum ts_status check_script(struct ts_study *s, size_t script, const char
 		return status;
 	}
 	for (size_t k = 0; k < s->words.variables; k++)
-		TS_TRY(find_use(s, p.output, s->words.variable[k].name, &uses[k]));
-	TS_TRY(find_use(s, p.output, "out", &s->sets_out[script]));
+		TS_TRY(find_use(s, script, p.output, s->words.variable[k].name, &uses[k]));
+	TS_TRY(find_use(s, script, p.output, "out", &s->sets_out[script]));
 	s->sets_out[script] &= ts_study_words_find(&s->words, "out") == SIZE_MAX;
 	ts_files_remove(NULL, p.output);
 	return TS_OK;

@@ -1,5 +1,6 @@
 #include "study/study_script.h"
 
+#include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
@@ -48,8 +49,10 @@ static enum ts_status read_file(struct reading *r, const char *path)
 		status = ts_lines_next_filled(&l, &more);
 		if (status != TS_OK || !more)
 			break;
-		for (size_t k = 0; k < l.nwords; k++)
+		for (size_t k = 0; k < l.nwords; k++) {
 			ts_hash_text(&r->hash, l.word[k]);
+			ts_str_addf(&r->script->text, " %s", l.word[k]);
+		}
 		ts_hash_text(&r->hash, "\n");
 		if (l.nwords < 2)
 			continue;
@@ -73,8 +76,33 @@ enum ts_status ts_study_script_read(struct ts_study_script *script, const char *
 
 	script->path = path;
 	TS_TRY(read_file(&r, path));
+	if (script->text.failed)
+		return ts_nomem(&sim->error);
 	snprintf(script->version, sizeof script->version, "%016" PRIx64, ts_hash_value(&r.hash));
 	return TS_OK;
+}
+
+static bool is_name(char c)
+{
+	return isalnum((unsigned char)c) || c == '_';
+}
+
+bool ts_study_script_mentions(const struct ts_study_script *script, const char *name)
+{
+	const char *text = ts_str_text(&script->text), *at = text;
+	size_t n = strlen(name);
+
+	for (; (at = strstr(at, name)) != NULL; at++) {
+		bool begins = at == text || !is_name(at[-1]);
+
+		begins |= at - text >= 2 && at[-2] == 'v' && at[-1] == '_' &&
+			  (at - text == 2 || !is_name(at[-3]));
+		if (begins && !is_name(at[n]))
+			return true;
+		if (n == 1 && at > text && at[-1] == '$')
+			return true;
+	}
+	return false;
 }
 
 void ts_study_script_suggest(const struct ts_study_script *script, const char *name, struct ts_str *out)
@@ -88,6 +116,7 @@ void ts_study_script_suggest(const struct ts_study_script *script, const char *n
 
 void ts_study_script_release(struct ts_study_script *script)
 {
+	ts_str_release(&script->text);
 	ts_free(script->variable);
 	script->variable = NULL;
 }

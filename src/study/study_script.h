@@ -8,6 +8,7 @@ struct ts_study_script {
 	const char *path;
 	char version
 		[20]; /* hash of the words of the script and of the files that it includes by their names */
+	struct ts_str text;    /* all words */
 	const char **variable; /* [variables]: names that its lines `variable NAME ...` define */
 	size_t variables, capacity;
 };
@@ -15,6 +16,8 @@ struct ts_study_script {
 /* Reads the script. Names live as long as the arena. */
 enum ts_status ts_study_script_read(struct ts_study_script *script, const char *path, struct tsim *sim,
 				    struct ts_arena *arena);
+/* Whether the name of a variable stands somewhere in the script: NAME, v_NAME, or $x for a single letter. */
+bool ts_study_script_mentions(const struct ts_study_script *script, const char *name);
 /* Appends ": did you mean ...", or the variables of the script. */
 void ts_study_script_suggest(const struct ts_study_script *script, const char *name, struct ts_str *out);
 void ts_study_script_release(struct ts_study_script *script);

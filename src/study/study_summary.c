@@ -47,22 +47,33 @@ bool ts_study_summary_has(const struct ts_study *s, const struct ts_study_task *
 	return false;
 }
 
+/* Whether a run of the script prints the result. */
+static bool prints(const struct ts_study *s, size_t script, size_t result)
+{
+	for (size_t k = 0; k < s->runs.n; k++) {
+		const struct ts_study_run *run = &s->runs.run[k];
+
+		if (ts_streq(run->script, s->script[script].path) && result < run->results &&
+		    *run->result[result])
+			return true;
+	}
+	return false;
+}
+
 enum ts_status ts_study_summary_check_names(struct ts_study *s)
 {
-	for (size_t r = 0; r < s->runs.results; r++) {
-		const char *script = NULL;
+	for (size_t r = 0; r < s->runs.results && s->scripts > 1; r++) {
+		const char *first = NULL;
 
-		for (size_t k = 0; k < s->runs.n; k++) {
-			const struct ts_study_run *run = &s->runs.run[k];
-
-			if (r >= run->results || !*run->result[r])
+		for (size_t f = 0; f < s->scripts; f++) {
+			if (!prints(s, f, r))
 				continue;
-			if (script && !ts_streq(script, run->script))
+			if (first)
 				return ts_fail(&s->sim->error, TS_STATE, NULL,
 					       "both %s and %s print the result '%s': give it another name "
 					       "in one of them",
-					       script, run->script, s->runs.result[r]);
-			script = run->script;
+					       first, s->script[f].path, s->runs.result[r]);
+			first = s->script[f].path;
 		}
 	}
 	return TS_OK;
@@ -118,7 +129,7 @@ static void write_csv(struct ts_study *s, const struct ts_study_task *task, size
 				ts_str_addf(out, "%.9g", m.mean);
 			ts_str_add(out, ",");
 			if (!isnan(m.error))
-				ts_str_addf(out, "%.3g", m.error);
+				ts_str_addf(out, "%.9g", m.error);
 			ts_str_addf(out, ",%zu", m.n);
 			comma = ",";
 		}

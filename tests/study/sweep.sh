@@ -99,6 +99,12 @@ sweep 'slow=0,1 a=1,2' -in in.wait -j 2 && shows '1 of them now, 0 failed' out
 report 'a killed run is repeated' $? out
 rm -r results
 
+# a script that ends early with the first values
+printf '%s\n' 'variable a index 1' 'if "${a} == 0" then quit' 'print "RESULT u $(v_b*v_a) $x"' >in.early
+sweep 'a=0,1 x=2,3 b=4' -in in.early && [ "$(cell '^1,3,4,' u results/summary.csv)" = 4 ] && [ "$(wc -l <results/runs.csv)" = 5 ]
+report 'a script that ends early' $? err
+rm -r results
+
 # two scripts: a run of one that does not use the variable is not repeated
 printf 'variable c index 1\nprint "RESULT u $(v_c) 1 1 ok"\n' >in.other
 sweep 'a=1,2,3 c=5' -in in.power -in in.other && [ "$(wc -l <results/runs.csv)" = 5 ] && [ "$(cell '^3,5,' u results/summary.csv)" = 5 ] &&
