@@ -361,6 +361,8 @@ static enum ts_status check_script(struct ts_study *s, size_t script, const char
 	if (!p.words)
 		return ts_nomem(&s->sim->error);
 	TS_TRY(ts_process_run(&p, &s->sim->error));
+	if (s->sim->requests.stop)
+		return ts_fail(&s->sim->error, TS_STOPPED, NULL, "interrupted");
 	if (p.status) {
 		status = ts_study_output_error(s->sim, p.output, &text);
 		if (status == TS_OK)
@@ -440,6 +442,26 @@ static enum ts_status read_table(struct ts_study *s)
 	return TS_OK;
 }
 
+/* Two studies must not write the same table. The lock ends with the process. */
+static enum ts_status lock_folder(struct ts_study *s)
+{
+	const char *path = path_in(s, "lock");
+
+	if (ts_mkdirs(NULL, s->folder) != 0)
+		return ts_fail(&s->sim->error, TS_IO, NULL, "cannot create the folder '%s': %s", s->folder,
+			       strerror(errno));
+	s->lock = path ? ts_files_open(NULL, path, "a") : NULL;
+	if (!s->lock)
+		return ts_fail(&s->sim->error, TS_IO, NULL, "cannot write in the folder '%s': %s", s->folder,
+			       strerror(errno));
+	if (lockf(fileno(s->lock), F_TLOCK, 0) != 0 && (errno == EACCES || errno == EAGAIN))
+		return ts_fail(&s->sim->error, TS_STATE, NULL,
+			       "another study is running in the folder '%s': wait for its end, or give this "
+			       "one another folder, -results FOLDER",
+			       s->folder);
+	return TS_OK;
+}
+
 enum ts_status ts_study_open(struct ts_study *s, const char *const *first)
 {
 	struct ts_str program = { 0 };
@@ -452,10 +474,8 @@ enum ts_status ts_study_open(struct ts_study *s, const char *const *first)
 	s->uses = ts_arena_alloc(&s->arena, s->scripts * s->words.variables + 1, sizeof *s->uses);
 	if (!s->table || !s->program || !s->uses)
 		return ts_nomem(&s->sim->error);
+	TS_TRY(lock_folder(s));
 	TS_TRY(read_table(s));
-	if (ts_mkdirs(NULL, s->folder) != 0)
-		return ts_fail(&s->sim->error, TS_IO, NULL, "cannot create the folder '%s': %s", s->folder,
-			       strerror(errno));
 	for (size_t k = 0; k < s->scripts; k++)
 		TS_TRY(check_script(s, k, first));
 	return check_variables(s);
@@ -471,6 +491,8 @@ int ts_study_end(struct ts_study *s, enum ts_status status, int verdict)
 
 void ts_study_release(struct ts_study *s)
 {
+	if (s->lock)
+		fclose(s->lock);
 	for (size_t k = 0; k < s->scripts; k++)
 		ts_study_script_release(&s->script[k]);
 	ts_study_words_release(&s->words);

@@ -25,6 +25,7 @@ struct ts_study {
 	int64_t last;	/* number of the last run */
 	size_t started; /* number of runs of this process */
 	bool misused;	/* the error is one of the command line */
+	FILE *lock;	/* of the folder */
 };
 
 /* A run that is wanted. */
@@ -48,7 +49,7 @@ void ts_study_name_values(const struct ts_study *s, const char *const *value, st
 enum ts_status ts_study_tie(struct ts_study *s, const char **value);
 /* An error of the command line; returns the status. */
 #define ts_study_misuse(s, ...) ((s)->misused = true, ts_fail(&(s)->sim->error, TS_SYNTAX, NULL, __VA_ARGS__))
-/* Prints the first message of the simulation and returns the exit status. */
+/* Releases the study and returns the exit status: `verdict` unless there is an error. */
 int ts_study_end(struct ts_study *s, enum ts_status status, int verdict);
 /* Replaces a file of the folder of results by the text. */
 enum ts_status ts_study_write(struct ts_study *s, const char *name, const struct ts_str *text);

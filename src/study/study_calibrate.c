@@ -389,7 +389,9 @@ static enum ts_status run(struct ts_calibration *c)
 	struct ts_study *s = &c->study;
 	const char **first;
 
+	s->misused = true; /* until the words are read */
 	TS_TRY(parse(c));
+	s->misused = false;
 	first = ts_arena_alloc(&s->arena, s->words.variables + 1, sizeof *first);
 	c->jacobian = ts_arena_alloc(&s->arena, s->words.targets * c->n, sizeof *c->jacobian);
 	c->f = ts_arena_alloc(&s->arena, s->words.targets, sizeof *c->f);

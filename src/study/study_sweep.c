@@ -115,7 +115,9 @@ static enum ts_status run(struct sweep *w, struct ts_str *text, size_t *failed)
 {
 	struct ts_study *s = &w->study;
 
+	s->misused = true; /* until the words are read */
 	TS_TRY(parse(s));
+	s->misused = false;
 	if (!s->in->scripts.n)
 		return ts_study_misuse(s, "-sweep needs a script: -in FILE");
 	TS_TRY(make_tasks(w));

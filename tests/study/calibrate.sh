@@ -130,15 +130,15 @@ off() {
 off 'an unknown variable' 2 "does not use the variable 'aa'; did you mean 'a'?" -calibrate q=2 -vary aa=1 -in in.closed
 off 'an unknown target' 2 "has the target 'E_GP'; did you mean 'E_GPa'?" -calibrate E_GP=2 -vary a=1 -in in.closed
 off 'a tolerance' 2 'expected a number above 0 and below 1 after -tolerance' -calibrate q=2 -vary a=1 -in in.closed -tolerance 0
-off 'a tolerance of a target' 1 "expected a tolerance above 0 and below 1 for 'q', found -0.1" -calibrate q=2:-0.1 -vary a=1 -in in.closed
-off 'a target 0' 1 "the target of 'q' is 0" -calibrate q=0 -vary a=1 -in in.closed
+off 'a tolerance of a target' 2 "expected a tolerance above 0 and below 1 for 'q', found -0.1" -calibrate q=2:-0.1 -vary a=1 -in in.closed
+off 'a target 0' 2 "the target of 'q' is 0" -calibrate q=0 -vary a=1 -in in.closed
 off 'a target of the other sign' 1 'different signs' -calibrate q=-2 -vary a=1 -in in.closed
-off 'no number' 1 "expected VALUE or VALUE:TOLERANCE for 'q', found 'x'" -calibrate q=x -vary a=1 -in in.closed
-off 'the same target twice' 1 "the target 'q' is given twice" -calibrate 'q=1 q=2' -vary a=1 -in in.closed
-off 'the same variable twice' 1 "the variable 'a' is given twice" -calibrate 'q=1' -vary 'a=1 a=2' -in in.closed
-off 'varied and replicate' 1 "the variable 'seed' is given twice" -calibrate 'q=1' -vary 'seed=1' -replicate seed=1,2 -in in.closed
-off 'no start' 1 'start and bounds are positive' -calibrate q=2 -vary a=0 -in in.closed
-off 'bounds' 1 'expected LO < HI with START between them' -calibrate q=2 -vary a=1:2:3 -in in.closed
+off 'no number' 2 "expected VALUE or VALUE:TOLERANCE for 'q', found 'x'" -calibrate q=x -vary a=1 -in in.closed
+off 'the same target twice' 2 "the target 'q' is given twice" -calibrate 'q=1 q=2' -vary a=1 -in in.closed
+off 'the same variable twice' 2 "the variable 'a' is given twice" -calibrate 'q=1' -vary 'a=1 a=2' -in in.closed
+off 'varied and replicate' 2 "the variable 'seed' is given twice" -calibrate 'q=1' -vary 'seed=1' -replicate seed=1,2 -in in.closed
+off 'no start' 2 'start and bounds are positive' -calibrate q=2 -vary a=0 -in in.closed
+off 'bounds' 2 'expected LO < HI with START between them' -calibrate q=2 -vary a=1:2:3 -in in.closed
 off 'no variables' 2 '-calibrate needs variables' -calibrate q=2 -in in.closed
 off 'too many variables' 2 '-vary takes at most 8' -calibrate q=2 -vary 'a=1 b=1 c=1 d=1 e=1 f=1 g=1 h=1 i=1' -in in.closed
 off 'no script' 2 '-calibrate needs a script' -calibrate q=2 -vary a=1

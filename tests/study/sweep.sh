@@ -93,6 +93,25 @@ report 'an interruption' $? err
 touch go
 sweep 'slow=0,1 a=1,2' -in in.wait -j 2 && shows '4 runs, 2 of them now, 0 failed' out
 report 'and resumption' $? out
+# a study that is killed takes its runs with it; while it runs no other one has the folder
+rm -r go results
+if [ "$(uname)" = Linux ]; then
+	"$TSIM" -sweep 'slow=0,1 a=1,2' -in in.wait -j 1 >out 2>err </dev/null &
+	child=$!
+	wait_for has_rows
+	"$TSIM" -sweep 'slow=0,1 a=1,2' -in in.wait -j 1 >second 2>&1 </dev/null
+	[ $? = 1 ] && shows 'another study is running' second
+	report 'two studies in one folder' $? second
+	waiting=$(pgrep -P "$child")
+	kill -KILL "$child"
+	wait "$child" 2>/dev/null
+	gone() { ! kill -0 "$waiting"; }
+	[ -n "$waiting" ] && wait_for gone
+	report 'a killed study' $?
+fi
+touch go
+sweep 'slow=0,1 a=1,2' -in in.wait -j 2 && shows '4 runs, 2 of them now, 0 failed' out
+report 'and its resumption' $? out
 # a run that a signal has ended is run again
 sed -i '2s/^\(.*\),0,\([0-9.]*\),\([0-9]*\),,/\1,137,\2,\3,,/' results/runs.csv
 sweep 'slow=0,1 a=1,2' -in in.wait -j 2 && shows '1 of them now, 0 failed' out
@@ -130,13 +149,13 @@ off 'a script that is not there' 1 "'in.none'" -sweep 'a=1' -in in.none
 echo 'foo $a' >in.bad
 off 'a script with errors' 1 'in.bad does not pass -check: in.bad:1:1: error: unknown command' -sweep 'a=1' -in in.bad
 off 'the same script twice' 2 "'in.power' is given twice" -sweep 'a=1' -in in.power -in in.power
-off 'the same variable twice' 1 "the variable 'a' is given twice" -sweep 'a=1 a=2' -in in.power
-off 'the same variable in -var' 1 "the variable 'a' is given twice" -sweep 'a=1' -var a 2 -in in.power
-off 'the same value twice' 1 "the value 2 of 'a' is given twice" -sweep 'a=2,1:3:3' -in in.power
-off 'no values' 1 "expected NAME=VALUE, found 'a='" -sweep 'a=' -in in.power
-off 'a range' 1 "expected LO:HI:N or LO:HI:N:log with N from 2 to 100000 for 'a', found '1:2:1'" -sweep 'a=1:2:1' -in in.power
-off 'a logarithmic range' 1 'one sign' -sweep 'a=0:2:3:log' -in in.power
-off 'a comma' 1 "a value of 'a' is missing beside a comma" -sweep 'a=1,,2' -in in.power
+off 'the same variable twice' 2 "the variable 'a' is given twice" -sweep 'a=1 a=2' -in in.power
+off 'the same variable in -var' 2 "the variable 'a' is given twice" -sweep 'a=1' -var a 2 -in in.power
+off 'the same value twice' 2 "the value 2 of 'a' is given twice" -sweep 'a=2,1:3:3' -in in.power
+off 'no values' 2 "expected NAME=VALUE, found 'a='" -sweep 'a=' -in in.power
+off 'a range' 2 "expected LO:HI:N or LO:HI:N:log with N from 2 to 100000 for 'a', found '1:2:1'" -sweep 'a=1:2:1' -in in.power
+off 'a logarithmic range' 2 'one sign' -sweep 'a=0:2:3:log' -in in.power
+off 'a comma' 2 "a value of 'a' is missing beside a comma" -sweep 'a=1,,2' -in in.power
 off 'too many' 2 'more than 10000 combinations' -sweep 'a=1:1000:1000 b=1:1000:1000' -in in.power
 off 'two replicates' 2 '-replicate takes one variable' -sweep 'a=1 seed=1,2' -replicate 'b=1,2 slow=0,1' -in in.power
 off 'jobs' 2 'expected a number from 1 to 1024 after -j' -sweep 'a=1' -in in.power -j 0
@@ -158,5 +177,5 @@ off 'another file' 1 'this is no table of runs' -sweep 'a=1,2' -in in.power
 cp -r kept results && echo '3,4' >>results/runs.csv
 off 'a damaged table' 1 'results/runs.csv:4: error: expected' -sweep 'a=1,2' -in in.power
 touch results
-off 'a file in the place of the folder' 1 "cannot read 'results/runs.csv'" -sweep 'a=1,2' -in in.power
+off 'a file in the place of the folder' 1 "cannot create the folder 'results'" -sweep 'a=1,2' -in in.power
 finish
