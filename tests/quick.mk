@@ -23,6 +23,7 @@
 #       6    examples/drilling.sh           bond/check_bonds
 #       6    examples/polishing.sh          film/check_film, immersed/immersed_surface.sh
 #      11    examples/rock.sh               bond/check_element, bond/parallel.sh
+#      12    examples/scratch.sh            bond/check_element, bond/parallel.sh
 #       6    restart/restart.sh             restart/restart_changes.sh, restart/restart_streams.sh
 #       6    program/sandbox.sh             house/door.sh
 #       5    bond/check_parallel            bond/check_element, bond/parallel.sh
@@ -36,6 +37,7 @@ slow_tests = \
 	tests/examples/erosion_ladder.sh \
 	tests/examples/polishing.sh \
 	tests/examples/rock.sh \
+	tests/examples/scratch.sh \
 	tests/wear/evolve_voxel.sh \
 	tests/core/check_alloc \
 	tests/library/check_library_steps \

@@ -89,6 +89,7 @@ shell_tests = \
 	tests/examples/granular_film.sh \
 	tests/examples/polishing.sh \
 	tests/examples/rock.sh \
+	tests/examples/scratch.sh \
 	tests/explain/info.sh \
 	tests/explain/price.sh \
 	tests/flow/flow_closed.sh \

@@ -139,10 +139,16 @@ static void search_text(struct search *s, const char *name, const char *text)
 	}
 }
 
+/* A variable that a branch not taken would define: what uses it may be in a file that was not read. */
+static bool is_absent(const struct search *s, const struct definition *d)
+{
+	return d->kind == defining[0] && !ts_variable_find(&s->script->formulas, d->name);
+}
+
 static void warn_unused(struct search *s)
 {
 	for (const struct definition *d = s->first; d; d = d->next) {
-		if (s->failed || ts_map_get(&s->used, d->name))
+		if (s->failed || ts_map_get(&s->used, d->name) || is_absent(s, d))
 			continue;
 		ts_warn(&s->script->sim->log, &d->where, "%s '%s' is never used", d->kind, d->name);
 		s->failed |= ts_map_set(&s->used, d->name, s) != TS_OK; /* once */
