@@ -606,7 +606,9 @@ library_sources = \
 	src/heat/heat_flow.c \
 	src/heat/heat_step.c \
 	src/image/dump_image.c \
+	src/image/dump_movie.c \
 	src/image/image.h \
+	src/image/image_args.c \
 	src/image/image_bonds.c \
 	src/image/image_box.c \
 	src/image/image_colour.c \
@@ -1060,6 +1062,10 @@ library_sources = \
 	src/render/colour_map.h \
 	src/render/items.c \
 	src/render/items.h \
+	src/render/legend.c \
+	src/render/legend.h \
+	src/render/letters.c \
+	src/render/letters.h \
 	src/render/occlusion.c \
 	src/render/occlusion.h \
 	src/render/picture.c \

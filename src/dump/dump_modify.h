@@ -77,7 +77,7 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 	TS_DUMP_PICTURE(T, "backcolor2", "color of its upper edge, for a gradient; none"), \
 	TS_DUMP_PICTURE(T, "bcolor", "TYPE COLOR, as acolor, of bonds"), \
 	TS_DUMP_PICTURE(T, "bdiam", "TYPE DIAMETER, as adiam, of bonds"), \
-	TS_DUMP_PICTURE(T, "bitrate", "kbit/s of movies (2000)"), \
+	TS_DUMP_PICTURE(T, "bitrate", "kbit/s of movies (chosen by the encoder)"), \
 	TS_DUMP_PICTURE(T, "bmap", "as amap, for bonds"), \
 	TS_DUMP_PICTURE(T, "boxcolor", "color of the edges of the box (gold)"), \
 	TS_DUMP_PICTURE(T, "color", \

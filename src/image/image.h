@@ -57,6 +57,10 @@ struct ts_image_occlusion {
 	int64_t seed;
 	double strength;
 };
+struct ts_image_legend {
+	bool on;
+	const char *title; /* NULL: the name of the quantity */
+};
 struct ts_image_bond {
 	const char *colour, *width; /* as written */
 	enum ts_image_by colour_by, width_by;
@@ -71,7 +75,7 @@ struct ts_image {
 	/* arguments as words; those of keywords are read into the structs below by init */
 	const char *quantity[TS_IMAGE_COLUMNS];
 	struct ts_words bond_words, size_words, view_words, center_words, up_words, box_words, axes_words,
-		subbox_words, ssao_words;
+		subbox_words, ssao_words, legend_words;
 	struct ts_number zoom;
 	double persp, shiny, adiam;
 	bool atoms, fsaa;
@@ -83,6 +87,7 @@ struct ts_image {
 	struct ts_image_lines box, axes, subbox;
 	struct ts_image_occlusion ssao;
 	struct ts_image_bond bond;
+	struct ts_image_legend legend;
 	struct ts_words surface_words;
 	struct ts_image_surface *surface; /* [nsurfaces] image_surfaces.h */
 	size_t nsurfaces;
@@ -97,7 +102,7 @@ struct ts_image {
 	bool gradient;
 	struct ts_colour ground_top;
 	struct ts_lights lights;
-	double framerate, bitrate; /* of movies: frames per second, kbit/s */
+	double framerate, bitrate; /* of movies: frames per second; kbit/s, 0: chosen by the encoder */
 	bool modified;		   /* the defaults of these are set */
 
 	/* of the present frame */
@@ -110,6 +115,12 @@ struct ts_image {
 	struct ts_picture picture;
 	bool told_nan, told_range, told_view; /* warnings are given once */
 };
+
+/* ---- image_args.c: tables of both styles */
+
+extern const struct ts_arg ts_image_args[];
+extern const struct ts_saved ts_image_saved[];
+extern const char *const ts_image_text[];
 
 /* ---- image_words.c: arguments and defaults */
 
@@ -135,6 +146,8 @@ enum ts_status ts_image_add_box(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_image_add_surfaces(struct ts_instance *self, struct tsim *sim);
 /* In init: reads the words of the keywords mesh, voxel and wall. */
 enum ts_status ts_image_read_surfaces(struct ts_instance *self, struct tsim *sim);
+/* Colour of an element of a surface in the present frame. */
+struct ts_colour ts_image_element_colour(const struct ts_image_surface *s, size_t element);
 void ts_image_release_surfaces(struct ts_image *s);
 /* Colour of a type of atoms or bonds. */
 struct ts_colour ts_image_type_colour(const struct ts_image_types *types, double type);

@@ -2,7 +2,8 @@
 #include <math.h>
 
 #include "box/domain.h"
-#include "image/image.h"
+#include "image/image_surfaces.h"
+#include "render/legend.h"
 
 #include "base/banned.h"
 
@@ -73,6 +74,30 @@ static struct ts_picture_style style_of(const struct ts_image *s, const struct t
 	};
 }
 
+/* The map whose colours the picture has: of particles, of bonds or of a surface. */
+static void add_legend(struct ts_image *s)
+{
+	const struct ts_dump_column *c = &s->common.column[TS_IMAGE_COLOUR];
+	const float *ground = s->gradient ? s->ground_top.c : s->ground.c;
+	const struct ts_colour ink =
+		ts_colour_of_hex(ground[0] + 2 * ground[1] + ground[2] > 2 ? 0 : 0xffffff);
+	const bool coloured = !c->element && !ts_streq(c->input.name, "type") && s->atoms;
+	const struct ts_image_surface *surface = NULL;
+
+	for (size_t k = s->nsurfaces; k-- > 0;)
+		if (s->surface[k].values.rows)
+			surface = &s->surface[k];
+	if (coloured)
+		ts_legend_draw(&s->picture, &s->atom_map, s->range[0][0], s->range[0][1],
+			       s->legend.title ? s->legend.title : c->input.name, ink);
+	else if (s->bond.colour_by >= TS_IMAGE_NUMBER)
+		ts_legend_draw(&s->picture, &s->bond_map, s->range[1][0], s->range[1][1],
+			       s->legend.title ? s->legend.title : s->bond.colour, ink);
+	else if (surface)
+		ts_legend_draw(&s->picture, surface->map, surface->range[0], surface->range[1],
+			       s->legend.title ? s->legend.title : surface->value, ink);
+}
+
 enum ts_status ts_image_draw(struct ts_instance *self, struct tsim *sim, bool *drawn)
 {
 	struct ts_image *s = self->state;
@@ -91,6 +116,8 @@ enum ts_status ts_image_draw(struct ts_instance *self, struct tsim *sim, bool *d
 	style = style_of(s, sim);
 	if (ts_picture_draw(&s->picture, &s->scene, &camera, &style, sim->threads) != TS_OK)
 		return ts_nomem(&sim->error);
+	if (s->legend.on)
+		add_legend(s);
 	return TS_OK;
 }
 

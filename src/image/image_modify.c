@@ -17,7 +17,6 @@ void ts_image_set_defaults(struct ts_image *s)
 	s->box_colour = ts_colour_of_hex(0xffd700); /* gold */
 	s->lights = (struct ts_lights)TS_LIGHTS_DEFAULT;
 	s->framerate = 24;
-	s->bitrate = 2000;
 }
 
 /* ---- types */

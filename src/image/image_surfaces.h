@@ -41,7 +41,4 @@ struct ts_image_surface {
 	double range[2];
 };
 
-/* Color of an element. */
-struct ts_colour ts_image_element_colour(const struct ts_image_surface *s, size_t element);
-
 #endif

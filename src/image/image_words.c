@@ -64,6 +64,12 @@ static const struct ts_arg ssao_rows[] = {
 		.fallback = "0.6", .help = "strength"),
 	TS_ARGS_END,
 };
+static const struct ts_arg legend_rows[] = {
+	TS_BOOL("shown", struct ts_image_legend, on, .flags = TS_POSITIONAL, .help = "yes or no"),
+	TS_WORD("title", struct ts_image_legend, title, .flags = TS_POSITIONAL | TS_OPTIONAL,
+		.help = "text above it"),
+	TS_ARGS_END,
+};
 static const struct ts_arg bond_rows[] = {
 	TS_WORD("color", struct ts_image_bond, colour, .flags = TS_POSITIONAL,
 		.help = "atom, type, none, strain, or c_ID[k] of a compute with a row for each bond"),
@@ -95,6 +101,7 @@ static const struct {
 	KEYWORD(box, box, "yes 0.02", "yes 0.02"),
 	KEYWORD(axes, axes, "no", "no"),
 	KEYWORD(ssao, ssao, "no", "no"),
+	KEYWORD(legend, legend, "no", "no"),
 	KEYWORD(bond, bond, "none none", "none none"),
 	{ "dump image: subbox",
 	  box_rows,

@@ -1,5 +1,7 @@
 #include "io/png.h"
 
+#include <limits.h>
+#include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
 
@@ -32,12 +34,66 @@ static enum ts_status write_chunk(struct ts_replace *file, const char *type, con
 	return ts_replace_write(file, sum, sizeof sum);
 }
 
-/* Rows with the byte 0 before them, "no filter", compressed. */
+/* ---- filters: a byte is predicted from that of the pixel to the left (a), above (b), left and above (c); only the
+ * difference is stored (ISO/IEC 15948, 9.2) */
+
+enum { NONE, LEFT, UP, PAETH = 4 };
+
+static int predict(int filter, int a, int b, int c)
+{
+	const int p = a + b - c;
+
+	if (filter == LEFT)
+		return a;
+	if (filter == UP)
+		return b;
+	if (filter != PAETH)
+		return 0;
+	if (abs(p - a) <= abs(p - b) && abs(p - a) <= abs(p - c))
+		return a;
+	return abs(p - b) <= abs(p - c) ? b : c;
+}
+
+/* Returns the sum of the differences as signed bytes: the least one compresses best, as a rule. */
+static unsigned long filter_row(int filter, const unsigned char *row, const unsigned char *above, size_t n,
+				unsigned char *out)
+{
+	unsigned long sum = 0;
+
+	for (size_t k = 0; k < n; k++) {
+		const int a = k < 3 ? 0 : row[k - 3], b = above ? above[k] : 0,
+			  c = above && k >= 3 ? above[k - 3] : 0;
+
+		out[k] = (unsigned char)(row[k] - predict(filter, a, b, c));
+		sum += (unsigned long)(out[k] < 128 ? out[k] : 256 - out[k]);
+	}
+	return sum;
+}
+
+/* The best filter of a row, its number first; `spare`: memory for a row. */
+static void choose_filter(const unsigned char *row, const unsigned char *above, size_t n,
+			  unsigned char *spare, unsigned char *out)
+{
+	static const int filters[] = { NONE, LEFT, UP, PAETH };
+	unsigned long least = ULONG_MAX;
+
+	for (size_t k = 0; k < sizeof filters / sizeof *filters; k++) {
+		const unsigned long sum = filter_row(filters[k], row, above, n, spare);
+
+		if (sum >= least)
+			continue;
+		least = sum;
+		out[0] = (unsigned char)filters[k];
+		memcpy(out + 1, spare, n);
+	}
+}
+
+/* Rows after their filters, compressed. */
 static enum ts_status pack(struct tsim *sim, uint32_t width, uint32_t height, const unsigned char *rgb,
 			   unsigned char **packed, uLong *n)
 {
 	const size_t row = 3 * (size_t)width;
-	unsigned char *plain = ts_alloc(height, row + 1);
+	unsigned char *plain = ts_alloc(height + 1, row + 1); /* and a row to try filters */
 	int code;
 
 	*n = compressBound((uLong)(height * (row + 1)));
@@ -47,7 +103,8 @@ static enum ts_status pack(struct tsim *sim, uint32_t width, uint32_t height, co
 		return ts_nomem(&sim->error);
 	}
 	for (size_t y = 0; y < height; y++)
-		memcpy(plain + y * (row + 1) + 1, rgb + y * row, row);
+		choose_filter(rgb + y * row, y ? rgb + (y - 1) * row : NULL, row, plain + height * (row + 1),
+			      plain + y * (row + 1));
 	code = compress2(*packed, n, plain, (uLong)(height * (row + 1)), 6);
 	ts_free(plain);
 	return code == Z_OK ? TS_OK : ts_nomem(&sim->error);

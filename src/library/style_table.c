@@ -193,6 +193,7 @@ TS_STYLE(dump, ts_style, ts_dump_local_gran_vtk)
 TS_STYLE(dump, ts_style, ts_dump_local_vtk)
 TS_STYLE(dump, ts_style, ts_dump_mesh_stl)
 TS_STYLE(dump, ts_style, ts_dump_mesh_vtk)
+TS_STYLE(dump, ts_style, ts_dump_movie)
 TS_STYLE(dump, ts_style, ts_dump_restart)
 TS_STYLE(dump, ts_style, ts_dump_voxel_vtk)
 TS_STYLE(dump, ts_style, ts_dump_xyz)
@@ -523,6 +524,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_local_vtk,
 	&ts_dump_mesh_stl,
 	&ts_dump_mesh_vtk,
+	&ts_dump_movie,
 	&ts_dump_restart,
 	&ts_dump_voxel_vtk,
 	&ts_dump_xyz,

@@ -30,6 +30,7 @@ struct drawing {
 	float *depth;		/* of samples; NULL: not kept */
 	struct ts_occlusion occlusion;
 	struct ts_picture *picture;
+	size_t tiles, stride; /* the k-th tile to be drawn is k stride modulo tiles */
 };
 
 /* Colours of a tile while it is drawn. */
@@ -169,7 +170,9 @@ static void draw_tiles(void *context, size_t from, size_t to)
 {
 	struct canvas c = { .d = context };
 
-	for (size_t number = from; number < to; number++) {
+	for (size_t k = from; k < to; k++) {
+		const size_t number = k * c.d->stride % c.d->tiles;
+
 		ts_tile_cover(&c.tile, c.d->items, number);
 		shade_tile(&c);
 		draw_glass(&c, number);
@@ -182,8 +185,8 @@ static void find_depths(void *context, size_t from, size_t to)
 {
 	struct canvas c = { .d = context };
 
-	for (size_t number = from; number < to; number++) {
-		ts_tile_cover(&c.tile, c.d->items, number);
+	for (size_t k = from; k < to; k++) {
+		ts_tile_cover(&c.tile, c.d->items, k * c.d->stride % c.d->tiles);
 		for (int j = 0, height = samples_along(c.tile.y, c.d->height); j < height; j++)
 			memcpy(c.d->depth + (size_t)(c.tile.y + (uint32_t)j) * c.d->width + c.tile.x,
 			       c.tile.depth + j * TS_TILE,
@@ -207,6 +210,25 @@ static void average_rows(void *context, size_t from, size_t to)
 				d->picture->rgb[3 * (y * d->picture->width + x) + k] =
 					(unsigned char)((s[0] + s[3] + s[row] + s[row + 3] + 2) / 4);
 			}
+}
+
+/* A number without a common divisor with n, near 0.618 n: each thread gets tiles from everywhere, as some parts of a picture
+ * take longer than others. */
+static size_t stride_of(size_t n)
+{
+	for (size_t s = n * 618 / 1000; s > 1; s--) {
+		size_t a = n, b = s;
+
+		while (b) {
+			const size_t rest = a % b;
+
+			a = b;
+			b = rest;
+		}
+		if (a == 1)
+			return s;
+	}
+	return 1;
 }
 
 static enum ts_status reserve(struct drawing *d, struct ts_picture_work *w)
@@ -234,7 +256,6 @@ enum ts_status ts_picture_draw(struct ts_picture *p, const struct ts_scene *scen
 	const uint32_t finer = style->smooth ? 2 : 1;
 	struct ts_camera samples = *camera;
 	struct drawing d = { .scene = scene, .style = style, .shade = ts_shade_make(style), .picture = p };
-	size_t tiles;
 
 	if (!p->work)
 		p->work = ts_alloc(1, sizeof *p->work);
@@ -248,7 +269,8 @@ enum ts_status ts_picture_draw(struct ts_picture *p, const struct ts_scene *scen
 	TS_TRY(reserve(&d, p->work));
 	TS_TRY(ts_items_collect(&p->work->items, scene, &samples));
 	d.items = &p->work->items;
-	tiles = (size_t)d.items->columns * d.items->rows;
+	d.tiles = (size_t)d.items->columns * d.items->rows;
+	d.stride = stride_of(d.tiles);
 	d.occlusion = (struct ts_occlusion){ .width = d.width,
 					     .height = d.height,
 					     .depth = d.depth,
@@ -257,8 +279,8 @@ enum ts_status ts_picture_draw(struct ts_picture *p, const struct ts_scene *scen
 					     .reach = samples.scale * style->crevice,
 					     .seed = style->seed };
 	if (d.depth)
-		ts_parallel(threads, tiles, find_depths, &d);
-	ts_parallel(threads, tiles, draw_tiles, &d);
+		ts_parallel(threads, d.tiles, find_depths, &d);
+	ts_parallel(threads, d.tiles, draw_tiles, &d);
 	if (style->smooth)
 		ts_parallel(threads, p->height, average_rows, &d);
 	return TS_OK;

@@ -145,6 +145,51 @@ write_dump all image a.png type type mesh plate value wear2" 'has no value'
 rejects "$surfaces
 write_dump all image a.png type type mesh all value f_plate[1]" 'name this in place of all'
 
+# a legend: bar from the least to the largest value, with a frame
+prints "$base
+write_dump all image a.ppm x diameter $above legend yes modify $flat
+write_dump all image b.ppm type diameter $above legend yes modify $flat
+write_dump all image c.ppm x diameter $above legend yes 'a long title that does not fit in' modify $flat backcolor white"
+is 'upper end' a.ppm 150 40 '255 0 0'
+is 'lower end' a.ppm 150 159 '0 0 255'
+is 'frame' a.ppm 143 100 '255 255 255'
+is 'no legend of types' b.ppm 143 100 '0 0 0'
+is 'dark letters on a light ground' c.ppm 143 100 '0 0 0'
+
+# PNG: the same pixels as PPM
+if has ffmpeg; then
+	prints "$base
+write_dump all image same.ppm x diameter size 61 47 fsaa yes modify backcolor white backcolor2 navy
+write_dump all image same.png x diameter size 61 47 fsaa yes modify backcolor white backcolor2 navy"
+	ffmpeg -loglevel error -y -i same.png -pix_fmt rgb24 -f rawvideo same.raw </dev/null
+	tail -c $((3 * 61 * 47)) same.ppm >same.pixels
+	same 'PNG and PPM' same.pixels same.raw
+
+	# a movie has all frames; it is there after undump, and at the end of the script
+	prints "$base
+fix 1 all nve/sphere
+timestep 1e-3
+dump 1 all movie 2 one.mp4 type diameter size 64 48
+dump_modify 1 framerate 10 bitrate 500
+dump 2 all movie 5 two.mkv type diameter size 33 21
+run 10
+undump 1
+shell mv one.mp4 moved.mp4
+run 10"
+	for film in 'moved.mp4 6 64 48' 'two.mkv 5 34 22'; do
+		read -r file frames width height <<<"$film"
+		ffmpeg -loglevel error -y -i "$file" -pix_fmt rgb24 -f rawvideo -vsync 0 film.raw </dev/null
+		[ "$(wc -c <film.raw)" = $((3 * frames * width * height)) ]
+		report "$file has $(wc -c <film.raw) bytes" $?
+	done
+fi
+rejects "$base
+dump 1 all movie 1 film.txt type type" 'must end in .mp4'
+printf '%s\n' "$base" 'dump 1 all movie 1 film.mp4 type type' >in.script
+PATH=/nowhere "$TSIM" -in in.script -log none >out 2>&1
+shows 'dump image writes the frames' out
+report 'no ffmpeg' $? out
+
 # frames of a run on one and on three threads, and after a restart
 cat >in.whole <<END
 $base

@@ -1,0 +1,45 @@
+#include "render/legend.h"
+
+#include <stdio.h>
+
+#include "render/letters.h"
+
+#include "base/banned.h"
+
+enum { TICKS = 5, DOTS = 260 /* height of the picture for which a dot is a pixel */ };
+
+void ts_legend_draw(struct ts_picture *p, const struct ts_colour_map *map, double lo, double hi,
+		    const char *title, struct ts_colour ink)
+{
+	const int scale = p->height < DOTS ? 1 : (int)((p->height + DOTS / 2) / DOTS),
+		  line = TS_LETTER_HEIGHT * scale;
+	const int64_t height = (int64_t)p->height * 6 / 10, top = ((int64_t)p->height - height) / 2,
+		      width = 2 * line;
+	int64_t widest = 0, left;
+	char text[TICKS][24];
+
+	for (int k = 0; k < TICKS; k++) {
+		const double part = (double)k / (TICKS - 1);
+
+		snprintf(text[k], sizeof text[k], "%.3g", (1 - part) * hi + part * lo);
+		widest =
+			ts_letters_width(text[k], scale) > widest ? ts_letters_width(text[k], scale) : widest;
+	}
+	left = (int64_t)p->width - widest - width - 2 * line;
+	ts_letters_fill(p, left - scale, top - scale, width + 2 * scale, height + 2 * scale, ink);
+	for (int64_t y = 0; y < height; y++) {
+		const double part = height > 1 ? (double)y / (double)(height - 1) : 0;
+
+		ts_letters_fill(p, left, top + y, width, 1,
+				ts_colour_map_at(map, lo, hi, (1 - part) * hi + part * lo));
+	}
+	for (int k = 0; k < TICKS; k++) {
+		const int64_t y = top + (height - 1) * k / (TICKS - 1);
+
+		ts_letters_fill(p, left + width + scale, y, 2 * scale, scale, ink);
+		ts_letters_draw(p, left + width + 4 * scale, y - 3 * scale, scale, text[k], ink);
+	}
+	/* the title ends at the right edge */
+	left = (int64_t)p->width - line - ts_letters_width(title, scale);
+	ts_letters_draw(p, left > line ? left : line, top - 2 * line, scale, title, ink);
+}

@@ -1,0 +1,18 @@
+/* Letters in pictures: the usual 5 x 7 dots of character displays, ASCII only, enlarged by whole numbers. */
+#ifndef TS_RENDER_LETTERS_H
+#define TS_RENDER_LETTERS_H
+
+#include "render/picture.h"
+
+enum { TS_LETTER_WIDTH = 6, TS_LETTER_HEIGHT = 8 /* dots, with the gap to the next */ };
+
+/* Width of a text in pixels with `scale` pixels to a dot. */
+int64_t ts_letters_width(const char *text, int scale);
+/* Writes it with the upper left corner at x, y; what is outside of the picture is left out. */
+void ts_letters_draw(struct ts_picture *p, int64_t x, int64_t y, int scale, const char *text,
+		     struct ts_colour colour);
+/* Fills a rectangle, as far as it is in the picture. */
+void ts_letters_fill(struct ts_picture *p, int64_t x, int64_t y, int64_t width, int64_t height,
+		     struct ts_colour colour);
+
+#endif
