@@ -22,8 +22,8 @@
 #       7    examples/erosion_ladder.sh     insert/jet.sh, coupling/check_drag
 #       6    examples/drilling.sh           bond/check_bonds
 #       6    examples/polishing.sh          film/check_film, immersed/immersed_surface.sh
-#      11    examples/rock.sh               bond/check_element, bond/parallel.sh
 #      12    examples/scratch.sh            bond/check_element, bond/parallel.sh
+#      16    examples/rock.sh               bond/check_element, bond/parallel.sh
 #       6    restart/restart.sh             restart/restart_changes.sh, restart/restart_streams.sh
 #       6    program/sandbox.sh             house/door.sh
 #       5    bond/check_parallel            bond/check_element, bond/parallel.sh

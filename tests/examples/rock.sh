@@ -55,6 +55,18 @@ broken triaxial.10e6
 report 'in.brazilian ends well' $? out
 number sigma_B_MPa 20 60
 broken brazilian
+"$TSIM" -in in.triaxial -var shape cylinder -var width 6 -var length 10 -var confine 2e7 -var steps 2000 -log none \
+	>out 2>&1
+report 'in.triaxial ends well with a cylinder' $? out
+awk '/sigma_1 / { ok = $4 > 200 && $4 < 400 } END { exit !ok }' out
+report 'a cylinder is stronger under pressure' $? out
+"$TSIM" -in in.bending -var length 6 -var notch 0.3 -var steps 4000 -var settle 2000 -log none >out 2>&1
+report 'in.bending ends well' $? out
+number K_IC 3 15
+broken bending
+"$TSIM" -in in.triaxial $small -var steps 200 -var strain 1e-6 -var confine 1e6 >out 2>&1
+grep -q ' broken bonds  *= 0, 0 of them' out && grep -q 'has not failed yet' out
+report 'a specimen under confining pressure alone is whole' $? out
 
 # ---- what is refused ----
 # refused WORDS SCRIPT OPTIONS...
@@ -71,4 +83,10 @@ refused 'no other depth' in.ucs -var shape cylinder -var depth 7
 refused 'no other length' in.brazilian -var width 10 -var length 12
 refused 'not a block' in.brazilian -var shape block
 refused 'is negative' in.triaxial -var confine -1e6
+refused 'Jaws of 0 degrees' in.brazilian -var arc 0
+refused 'less than 1' in.bending -var notch 1.2
+refused '3 grains above the notch' in.bending -var length 6
+refused 'span of four times' in.bending -var width 30
+refused 'cannot be reached' in.ucs -var width 5 -var length 10 -var strain -1e-3
+refused 'are equal' in.triaxial $small -var steps 200 -var strain 1e-6 -var squeeze 200 -var confine 1e6 1e6
 finish
