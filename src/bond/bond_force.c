@@ -85,7 +85,12 @@ static enum ts_status remove_broken_bonds(struct tsim *sim)
 	for (size_t b = 0; b < bonds->n; b++)
 		if (broken[b])
 			TS_TRY(record_breakage(sim, b));
-	ts_bonds_delete(bonds, broken);
+	if (bonds->transmits) {
+		TS_TRY(ts_bond_moments_remove(sim, broken));
+	} else {
+		ts_bonds_delete(bonds, broken);
+		TS_TRY(ts_bonds_build_index(sim));
+	}
 	/* unbonded pairs may be in contact from now on: rebuild the contact list */
 	sim->neigh->stale = sim->neigh->skip_bonded;
 	return TS_OK;
@@ -131,8 +136,7 @@ enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_bond_moments_fill(sim, t.moving));
 	if (!compute_bonds(self, sim, &t))
 		return TS_OK;
-	TS_TRY(remove_broken_bonds(sim));
-	return ts_bonds_build_index(sim);
+	return remove_broken_bonds(sim);
 }
 
 static enum ts_status resize_coeffs(struct tsim *sim, struct ts_instance *self)

@@ -94,6 +94,66 @@ static void fill_rows(void *context, size_t from, size_t to)
 			fill_lane(f->sim, &rows->row[r], f->damped ? &rows->dashpots[r] : NULL, lane);
 }
 
+/* ---- broken bonds */
+
+static void empty_lane(const struct tsim *sim, size_t r, size_t lane)
+{
+	const struct ts_bond_rows *rows = &sim->bonds->rows;
+	struct ts_bond_row *row = &rows->row[r];
+
+	row->bond[lane] = TS_BOND_NONE;
+	row->particle[1][lane] = row->particle[0][lane];
+	fill_lane(sim, row, rows->dashpots_capacity >= rows->n ? &rows->dashpots[r] : NULL, lane);
+}
+
+/* Removes the entries of bonds that have no new number from the sums of all particles. */
+static void shorten_sums(struct ts_bonds *b, const uint32_t *number)
+{
+	struct ts_gather *g = &b->gather;
+	size_t kept = 0, k = 0;
+
+	for (size_t i = 0; i < b->rows.particles; i++) {
+		size_t end = g->first[i + 1];
+
+		g->first[i] = kept;
+		for (; k < end; k++) {
+			uint32_t entry = g->entry[k];
+
+			if (number[entry >> 1] == TS_BOND_NONE)
+				continue;
+			g->entry[kept] = 2 * number[entry >> 1] | (entry & 1);
+			b->rows.sum[kept++] = b->rows.sum[k];
+		}
+	}
+	g->first[b->rows.particles] = kept;
+}
+
+enum ts_status ts_bond_moments_remove(struct tsim *sim, const unsigned char *broken)
+{
+	struct ts_bonds *b = sim->bonds;
+	uint32_t *number = ts_alloc(b->n, sizeof *number), kept = 0;
+
+	if (!number)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < b->n; k++)
+		number[k] = broken[k] ? TS_BOND_NONE : kept++;
+	for (size_t r = 0; r < b->rows.n; r++)
+		for (size_t lane = 0; lane < TS_BOND_ROW_LANES; lane++) {
+			uint32_t *bond = &b->rows.row[r].bond[lane];
+
+			if (*bond == TS_BOND_NONE)
+				continue;
+			*bond = number[*bond];
+			if (*bond == TS_BOND_NONE)
+				empty_lane(sim, r, lane);
+		}
+	shorten_sums(b, number);
+	ts_free(number);
+	ts_bonds_delete(b, broken);
+	memset(b->breaks, 0, b->n);
+	return TS_OK;
+}
+
 /* ---- checks */
 
 static enum ts_status refuse_member(struct ts_instance *self, struct tsim *sim, size_t i)

@@ -32,6 +32,16 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim,
 		ts_exactsum_add(&sum[k], sign * view->force[k]);
 }
 
+/* Whether one particle is in the group and the other in the other group: few pairs are, the others need no view. */
+static bool concerns(const struct ts_instance *self, const struct ts_particles *p, size_t i, size_t j)
+{
+	const struct state *s = self->state;
+
+	j = j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
+	return (ts_in_group(p, i, self->group) && ts_in_group(p, j, s->other)) ||
+	       (ts_in_group(p, j, self->group) && ts_in_group(p, i, s->other));
+}
+
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
@@ -43,12 +53,18 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	for (int k = 0; k < 3; k++)
 		sum[k] = ts_exactsum_start();
 	for (size_t r = 0; s->pair && r < list->n; r++) {
-		if (!list->touching[r] || !ts_contact_counts(sim, r, 0))
+		if (!list->touching[r] ||
+		    !concerns(self, sim->particles, (size_t)list->i[r], (size_t)list->j[r]) ||
+		    !ts_contact_counts(sim, r, 0))
 			continue;
 		ts_contact_view(sim, r, &view);
 		add_force(self, sim, &view, sum);
 	}
 	for (size_t b = 0; s->bond && b < sim->bonds->n; b++) {
+		const int32_t *row = sim->bonds->row[b];
+
+		if (!concerns(self, sim->particles, (size_t)row[0], (size_t)row[1]))
+			continue;
 		ts_contact_view_of_bond(sim, b, &view);
 		add_force(self, sim, &view, sum);
 	}

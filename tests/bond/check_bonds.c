@@ -1,9 +1,10 @@
 /* Forces of bonds are those of a plain loop, bit for bit, whatever types and threads there are; each bond
- * stands in the slices once for either partner. */
+ * stands in the slices once for either partner. Bonds that transmit moments: each is computed once. */
 #include "deck.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bond/bonds.h"
 #include "core/sim.h"
@@ -160,6 +161,100 @@ START_TEST(same_bits)
 }
 END_TEST
 
+/* Bonds that transmit moments, one type. */
+static struct tsim *stiff_network(int threads)
+{
+	return deck_open("package omp %d grain 1\n"
+			 "units lj\n"
+			 "atom_style sphere\n"
+			 "boundary f p f\n"
+			 "region box block 0 1 0 1 0 1 units box\n"
+			 "create_box 1 box\n"
+			 "create_atoms 1 random 700 49979687 box\n"
+			 "set type 1 diameter 0.05 density 2000\n"
+			 "velocity all create 1 15485863\n"
+			 "bond_style parallel\n"
+			 "bond_coeff 1 kn 1e4 ks 4e3 sigma_c 60\n"
+			 "create_bonds many all all 1 0 0.17\n"
+			 "fix move all nve/sphere\n"
+			 "timestep 1e-5\n",
+			 threads);
+}
+
+/* Which bond has written each slot last. */
+struct slots {
+	uint32_t bond[20000];
+	size_t computed;
+};
+
+static void compute_chunk(const struct ts_bond_rows *rows, size_t c, struct slots *s)
+{
+	for (size_t r = rows->first[c]; r < rows->first[c + 1]; r++)
+		for (int k = 0; k < TS_BOND_ROW_LANES; k++) {
+			if (rows->row[r].bond[k] == TS_BOND_NONE)
+				continue;
+			ck_assert_uint_lt(rows->row[r].slot[k], sizeof s->bond / sizeof *s->bond);
+			s->bond[rows->row[r].slot[k]] = rows->row[r].bond[k];
+			s->computed++;
+		}
+}
+
+/* A bond between two shares is computed in both, any other once; a slot is not used again before both particles
+ * have summed it. */
+START_TEST(each_once)
+{
+	struct tsim *sim = stiff_network(_i);
+	const struct ts_bonds *b = sim->bonds;
+	const struct ts_bond_rows *rows = &b->rows;
+	struct slots s = { .computed = 0 };
+	size_t between = 0;
+
+	deck(sim, "run 0");
+	ck_assert_uint_gt(b->n, 3000);
+	ck_assert_int_eq(rows->shares, _i);
+	for (size_t share = 0; share < (size_t)rows->shares; share++) {
+		size_t c = ts_bond_share_begin(rows, share), end = ts_bond_share_begin(rows, share + 1);
+		const size_t begin = c * TS_BOND_CHUNK, n = end * TS_BOND_CHUNK - begin;
+
+		for (size_t k = 0; k < b->n; k++) /* of one end in this share */
+			between += ((size_t)b->row[k][0] - begin < n) != ((size_t)b->row[k][1] - begin < n);
+		for (; c < end; c++) {
+			compute_chunk(rows, c, &s);
+			for (size_t k = b->gather.first[c * TS_BOND_CHUNK];
+			     k < b->gather.first[ts_bond_chunk_end(rows, c)]; k++) {
+				ck_assert_uint_eq(rows->sum[k] & 1, b->gather.entry[k] & 1);
+				ck_assert_uint_eq(s.bond[rows->sum[k] >> 1], b->gather.entry[k] >> 1);
+			}
+		}
+	}
+	ck_assert_uint_eq(s.computed, b->n + between / 2);
+	tsim_close(sim);
+}
+END_TEST
+
+/* Bonds that transmit moments: threads and stored loads change nothing, also while bonds break. */
+START_TEST(same_moments)
+{
+	struct tsim *one = stiff_network(1), *other = stiff_network(3);
+
+	deck(one, "run 300");
+	deck(other, "compute c all bond/local dist force\nrun 120\nrun 180");
+	ck_assert_int_gt(one->bonds->broken, 20);
+	ck_assert_uint_eq(one->bonds->n, other->bonds->n);
+	for (size_t k = 0; k < one->bonds->n; k++)
+		ck_assert_int_eq(memcmp(&one->bonds->load[k], &other->bonds->load[k],
+					sizeof one->bonds->load[k]),
+				 0);
+	for (size_t i = 0; i < one->particles->n; i++)
+		for (int k = 0; k < 3; k++) {
+			ck_assert_double_eq(one->particles->x[i][k], other->particles->x[i][k]);
+			ck_assert_double_eq(one->particles->omega[i][k], other->particles->omega[i][k]);
+		}
+	tsim_close(one);
+	tsim_close(other);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("bonds");
@@ -169,6 +264,8 @@ int main(void)
 	tcase_add_loop_test(tests, plain_loop, 0, 4);
 	tcase_add_test(tests, slices);
 	tcase_add_test(tests, same_bits);
+	tcase_add_loop_test(tests, each_once, 1, 4);
+	tcase_add_test(tests, same_moments);
 	suite_add_tcase(suite, tests);
 	return deck_main(suite);
 }
