@@ -1,7 +1,7 @@
 # shellcheck shell=bash disable=SC2034,SC2154
 # For bench/race and bench/profile: how scenes are prepared, run, and compared. Sourced in an empty folder, with
 # $tsim, $bench and $size (tiny, quick or full) set.
-all_scenes='packing filling chute drum bonded bidisperse hot'
+all_scenes='packing filling chute drum bonded rock bidisperse hot'
 scenes=$bench/scenes
 
 # pick TINY QUICK FULL: the one for this size
@@ -67,7 +67,7 @@ mirrored() {
 
 # of_scene NAME: what its file says (see bench/scenes/*/scene), and its start in this folder
 of_scene() {
-	dialects='liggghts lammps' why='' period='0 0 0' near=1e-9 far=1e-6 centre='' energy=1e-6 column='' words=()
+	dialects='liggghts lammps' why='' period='0 0 0' near=1e-9 far=1e-6 centre='' energy=1e-6 column='' words=() peers='' compared=yes
 	scene=$1
 	rm -f bonds ./*.dump ./*.usage ./*.log ./*.loop
 	# shellcheck source=/dev/null
@@ -91,6 +91,13 @@ run_of() {
 		form="format \"%d$(for ((n = 1; n < count; n++)); do printf ' %%.15g'; done)\""
 		;;
 	lammps) command=(lmp) ;;
+	esys) # a master and one worker, which does the work; root is refused without these two words
+		command=(env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1
+			mpirun --oversubscribe -np 2 bash "$scenes/common/worker" esysparticle "$scenes/$scene/with_esys.py"
+			"$2" "$3.dump" "$3.log")
+		return
+		;;
+	yade) command=(yade -j1 -n -x "$scenes/$scene/with_yade.py" "$2" "$3.dump" "$3.log") && return ;;
 	esac
 	command+=(-in "$scenes/$scene/in" -log "$3.log" -var scenes "$scenes" -var program "$program" -var dialect "$dialect"
 		-var steps "$2" -var after "${after:-nothing}" -var out "$3.dump" -var columns "$columns" -var form "$form"
@@ -103,21 +110,31 @@ go() {
 	local how TIMEFORMAT='%3U %3S'
 	for how in warm all; do
 		run_of "$1" "$([ $how = all ] && echo $((warm + steps)) || echo "$warm")" "$1.$how"
+		rm -f worker.seconds
 		{ time command time -f %M -o memory "${command[@]}" >output 2>&1; } 2>seconds ||
 			{ echo "$scene: $1:"; tail -n 5 output; return 1; }
+		[ ! -e worker.seconds ] || mv worker.seconds seconds
 		echo "$(awk '{ print $1 + $2 }' seconds)" "$(loop_time "$1.$how.log")" "$(tail -n 1 memory)" >>"$1.$how.usage"
 	done
 }
 
 loop_time() { sed -n 's/^Loop time of \([^ ]*\).*/\1/p' "$1" | tail -n 1; }
 
-command_of() { [ "$1" = lammps ] && echo lmp || echo "$1"; }
+command_of() {
+	case $1 in
+	lammps) echo lmp ;;
+	esys) echo esysparticle ;;
+	*) echo "$1" ;;
+	esac
+}
 name_of() {
 	case $1 in
 	tsim.1.*) echo 'tsim, 1 thread' ;;
 	tsim.*) echo "tsim, $(cut -d . -f 2 <<<"$1") threads" ;;
 	liggghts.*) echo LIGGGHTS ;;
 	lammps.*) echo LAMMPS ;;
+	esys.*) echo ESyS-Particle ;;
+	yade.*) echo Yade ;;
 	esac
 }
 

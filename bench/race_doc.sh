@@ -13,18 +13,23 @@ END
 	awk -F , '
 		$4 == "tsim" && $5 == 1 { order[++n] = $1 FS $6; one[$1, $6] = $0; next }
 		$4 == "tsim" { two[$1, $6] = $9; next }
-		{ peer[$1, $6] = $0 }
+		{ peer[$1, $6, ++peers[$1, $6]] = $0 }
 		function over(a, b) { return b > 0 ? sprintf("%.2f", a / b) : "-" }
+		function name(program) {
+			return program == "lammps" ? "LAMMPS" : program == "liggghts" ? "LIGGGHTS" : program == "esys" ? "ESyS-Particle" : "Yade"
+		}
 		END {
 			for (k = 1; k <= n; k++) {
 				split(order[k], key, FS)
 				split(one[key[1], key[2]], a, FS)
-				m = split(peer[key[1], key[2]], p, FS)
-				printf "| %s | %d | %s | %.1f (%.1f) | %.1f | %s | ", a[1], a[2], a[6] == "lammps" ? "LAMMPS" : "LIGGGHTS", a[7], a[8], a[9],
-					(key[1], key[2]) in two ? sprintf("%.1f", two[key[1], key[2]]) : "-"
-				if (m) printf "%.1f (%.1f) | %.1f | %.1f | %d : %d | %d | %s | %s |\n", p[7], p[8], p[9], a[14], a[12], p[12], a[13],
-					over(p[7], a[7]), over(p[9], a[9])
-				else printf "- | - | %.1f | %d : - | %d | - | - |\n", a[14], a[12], a[13]
+				for (j = 1; j == 1 || j <= peers[key[1], key[2]]; j++) {
+					m = split(peer[key[1], key[2], j], p, FS)
+					printf "| %s | %d | %s | %.1f (%.1f) | %.1f | %s | ", a[1], a[2], name(m ? p[4] : a[6]), a[7], a[8], a[9],
+						(key[1], key[2]) in two ? sprintf("%.1f", two[key[1], key[2]]) : "-"
+					if (m) printf "%.1f (%.1f) | %.1f | %.1f | %d : %d | %d | %s | %s |\n", p[7], p[8], p[9], a[14], a[12], p[12], a[13],
+						over(p[7], a[7]), over(p[9], a[9])
+					else printf "- | - | %.1f | %d : - | %d | - | - |\n", a[14], a[12], a[13]
+				}
 			}
 		}' <(tail -n +2 all.csv)
 } >table.md
