@@ -120,6 +120,8 @@ library_sources = \
 	src/bond/bond_arguments.c \
 	src/bond/bond_arguments.h \
 	src/bond/bond_beam.c \
+	src/bond/bond_bpm_rotational.c \
+	src/bond/bond_bpm_spring.c \
 	src/bond/bond_contact.c \
 	src/bond/bond_force.c \
 	src/bond/bond_force.h \
@@ -143,6 +145,8 @@ library_sources = \
 	src/bond/bond_yield.h \
 	src/bond/bonds.c \
 	src/bond/bonds.h \
+	src/bond/bpm_words.c \
+	src/bond/bpm_words.h \
 	src/bond/clusters.c \
 	src/bond/clusters.h \
 	src/bond/command_bond_coeff.c \
@@ -158,6 +162,7 @@ library_sources = \
 	src/bond/compute_nbond_atom.c \
 	src/bond/fix_bond_breakage.c \
 	src/bond/fix_bond_create_gran.c \
+	src/bond/fix_bond_store_local.c \
 	src/box/comm.c \
 	src/box/comm.h \
 	src/box/command_balance.c \
@@ -238,6 +243,7 @@ library_sources = \
 	src/contact/multicontact.h \
 	src/contact/pair.c \
 	src/contact/pair.h \
+	src/contact/pair_bpm_spring.c \
 	src/contact/pair_columns.c \
 	src/contact/pair_columns.h \
 	src/contact/pair_gran.c \
@@ -741,6 +747,7 @@ library_sources = \
 	src/law/bond_element.h \
 	src/law/bond_local_damping.h \
 	src/law/bond_section.h \
+	src/law/bpm_bond.h \
 	src/law/buoyancy.h \
 	src/law/capillary.h \
 	src/law/cohesion.h \

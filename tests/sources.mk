@@ -9,6 +9,7 @@ shell_tests = \
 	tests/average/granular_temperature.sh \
 	tests/bench/charts.sh \
 	tests/bench/race.sh \
+	tests/bond/bpm.sh \
 	tests/bond/parallel.sh \
 	tests/bond/special_bonds.sh \
 	tests/box/box.sh \
@@ -38,6 +39,7 @@ shell_tests = \
 	tests/coupling/lubrication.sh \
 	tests/coupling/lubrication_walls.sh \
 	tests/coupling/momentum.sh \
+	tests/crosscheck/bpm.sh \
 	tests/crosscheck/bridges.sh \
 	tests/crosscheck/data_files.sh \
 	tests/crosscheck/fixes.sh \
@@ -220,6 +222,7 @@ unit_tests = \
 	tests/average/check_block_error \
 	tests/base/check_files \
 	tests/bond/check_bonds \
+	tests/bond/check_bpm \
 	tests/bond/check_element \
 	tests/bond/check_parallel \
 	tests/bond/check_yield \
@@ -358,6 +361,10 @@ tests_base_check_files_LDADD = $(tests_ldadd)
 tests_bond_check_bonds_SOURCES = tests/bond/check_bonds.c
 tests_bond_check_bonds_CFLAGS = $(tests_cflags)
 tests_bond_check_bonds_LDADD = $(tests_ldadd)
+
+tests_bond_check_bpm_SOURCES = tests/bond/check_bpm.c
+tests_bond_check_bpm_CFLAGS = $(tests_cflags)
+tests_bond_check_bpm_LDADD = $(tests_ldadd)
 
 tests_bond_check_element_SOURCES = tests/bond/check_element.c
 tests_bond_check_element_CFLAGS = $(tests_cflags)

@@ -51,21 +51,30 @@ static bool damped(const void *coeff)
 	return ((const struct coeff *)coeff)->damping > 0;
 }
 
-static double stiffness(const void *coeff)
+static double stiffness(const void *coeff, double rest)
 {
+	(void)rest;
 	return ((const struct coeff *)coeff)->stiffness;
 }
 
-static double energy(const void *coeff, double extension)
+static double spring(const void *coeff, double extension, double rest)
 {
+	(void)rest;
+	return ((const struct coeff *)coeff)->stiffness * extension;
+}
+
+static double energy(const void *coeff, double extension, double rest)
+{
+	(void)rest;
 	return 0.5 * ((const struct coeff *)coeff)->stiffness * extension * extension;
 }
 
-static double contact_bond_time_limit(const void *coeff, double mass, bool explicit_euler)
+static double contact_bond_time_limit(const void *coeff, double rest, double mass, bool explicit_euler)
 {
 	const struct coeff *c = coeff;
 	const struct ts_granular_pair same = { .kn = c->stiffness, .gamman = c->damping };
 
+	(void)rest;
 	return ts_spring_dashpot_limit(&same, mass, explicit_euler);
 }
 
@@ -115,6 +124,7 @@ const struct ts_bond_style ts_bond_contact = {
 	.compute = compute_contact_bonds,
 	.damped = damped,
 	.stiffness = stiffness,
+	.spring = spring,
 	.energy = energy,
 	.limit = contact_bond_time_limit,
 };

@@ -39,14 +39,17 @@ static enum ts_status record_failure(struct tsim *sim, size_t b, struct ts_bond_
 	return TS_OK;
 }
 
-/* The elastic energy of a central spring that broke under this force. */
-static double energy_at_force(const struct tsim *sim, const struct ts_bond_event *e)
+/* The elastic energy of a central spring; NaN if the law has none. */
+static enum ts_status record_spring(const struct tsim *sim, size_t b, double *all)
 {
-	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_BOND);
-	const struct ts_bond_style *style = ts_bond_style_of(inst);
-	const void *coeff = ts_coeff(&((const struct ts_bond *)inst->state)->coeffs, (size_t)e->type);
+	double energy[TS_BOND_MODES];
 
-	return style->energy ? style->energy(coeff, e->force / style->stiffness(coeff)) : NAN;
+	*all = NAN;
+	if (!ts_bond_style_of(ts_sim_only(sim, TS_KIND_BOND))->energy)
+		return TS_OK;
+	ts_bond_energy(sim, b, energy);
+	*all = energy[TS_BOND_NORMAL];
+	return TS_OK;
 }
 
 static enum ts_status record_breakage(struct tsim *sim, size_t b)
@@ -55,7 +58,7 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)bonds->row[b][0], j = (size_t)bonds->row[b][1];
 	struct ts_bond_event *e;
-	double d[3], *energy;
+	double d[3];
 
 	if (TS_GROW(bonds->event, bonds->event_capacity, bonds->nevents + 1) != TS_OK ||
 	    TS_GROW(bonds->event_energy, bonds->energy_capacity, bonds->nevents + 1) != TS_OK)
@@ -72,9 +75,8 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 	for (int s = 0; s < 2; s++)
 		e->tag[s] = bonds->tag[b][s];
 	bonds->broken++;
-	energy = &bonds->event_energy[bonds->nevents - 1];
-	*energy = bonds->transmits ? 0 : energy_at_force(sim, e);
-	return bonds->transmits ? record_failure(sim, b, e, energy) : TS_OK;
+	return bonds->transmits ? record_failure(sim, b, e, &bonds->event_energy[bonds->nevents - 1])
+				: record_spring(sim, b, &bonds->event_energy[bonds->nevents - 1]);
 }
 
 static enum ts_status remove_broken_bonds(struct tsim *sim)
@@ -237,7 +239,9 @@ double ts_bond_limit(const struct tsim *sim, size_t b, bool explicit_euler)
 
 	if (style->element)
 		return ts_bond_moment_limit(sim, b);
-	return imass > 0 ? style->limit(coeff_of(sim, b), 1 / imass, explicit_euler) : INFINITY;
+	if (!(imass > 0))
+		return INFINITY;
+	return style->limit(coeff_of(sim, b), sim->bonds->rest[b], 1 / imass, explicit_euler);
 }
 
 double ts_bond_stretch_time(const struct tsim *sim, size_t b)
@@ -247,7 +251,7 @@ double ts_bond_stretch_time(const struct tsim *sim, size_t b)
 	struct ts_bond_element e;
 
 	if (!style->element)
-		return 1 / sqrt(style->stiffness(coeff_of(sim, b)) * imass);
+		return 1 / sqrt(style->stiffness(coeff_of(sim, b), sim->bonds->rest[b]) * imass);
 	ts_bond_constants(sim, b, &e);
 	return 1 / sqrt(e.k[TS_BOND_NORMAL] * imass);
 }

@@ -45,7 +45,7 @@ TS_INLINE bool ts_bond_evaluate_law(struct ts_bond_batch *b, const double *rest,
 {
 	double x = b->d[0][k], y = b->d[1][k], z = b->d[2][k];
 	double length = sqrt(x * x + y * y + z * z), inverse = length > 0 ? 1 / length : 0, tension;
-	struct ts_bond_state state = { .extension = length - rest[k] };
+	struct ts_bond_state state = { .extension = length - rest[k], .rest = rest[k] };
 	bool holds;
 
 	x *= inverse;

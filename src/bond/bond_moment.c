@@ -288,7 +288,8 @@ void ts_bond_energy(const struct tsim *sim, size_t b, double energy[TS_BOND_MODE
 	energy[TS_BOND_NORMAL] =
 		style->energy(coeff_of(sim, b),
 			      ts_bond_separation(sim, (size_t)bonds->row[b][0], (size_t)bonds->row[b][1], d) -
-				      bonds->rest[b]);
+				      bonds->rest[b],
+			      bonds->rest[b]);
 }
 
 static void store_xyz(struct ts_xyz from, double sign, double to[3])
@@ -315,7 +316,8 @@ void ts_bond_spring_load(const struct tsim *sim, size_t b, struct ts_bond_load *
 		return;
 	}
 	distance = ts_bond_separation(sim, (size_t)bonds->row[b][0], (size_t)bonds->row[b][1], d);
-	ts_scale(distance > 0 ? -style->stiffness(coeff_of(sim, b)) * (distance - bonds->rest[b]) / distance
+	ts_scale(distance > 0 ? -style->spring(coeff_of(sim, b), distance - bonds->rest[b], bonds->rest[b]) /
+					distance
 			      : 0,
 		 d, out->force);
 }

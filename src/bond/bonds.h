@@ -73,6 +73,7 @@ struct ts_bonds {
 struct ts_bond_state {
 	double extension; /* length minus rest length */
 	double rate;	  /* time derivative of the extension; 0 if no bond is damped */
+	double rest;	  /* rest length; 0 where there is no bond */
 };
 
 /* Evaluates the force along the bond (> 0 attractive) into *tension; returns false if the bond breaks.
@@ -98,6 +99,8 @@ struct ts_bond_style {
 	/* bytes of the coefficients of one bond type, the arguments of bond_coeff (style.coeff) */
 	size_t coeff_size;
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
+	/* called when the style is chosen: makes what scripts may name from then on; or NULL */
+	enum ts_status (*chosen)(struct ts_instance *self, struct tsim *sim);
 	ts_range_count_fn *compute;	   /* ts_bond_compute_slices with this law (bond/bond_loop.h) */
 	bool (*damped)(const void *coeff); /* whether the tension depends on the rate of extension */
 	/* Bonds that transmit moments: the constants of law/bond_element.h; `compute` is then
@@ -108,11 +111,13 @@ struct ts_bond_style {
 	/* Their law, if it is not that of law/bond_element.h with dashpots and largest stresses; `compute` may
 	 * then be TS_BOND_SINGLE_LOOP with it (bond/bond_single_loop.h). NULL: it is. */
 	ts_bond_single_law *law;
-	double (*stiffness)(const void *coeff);
-	/* Elastic energy at this extension; NULL if the law has no potential. */
-	double (*energy)(const void *coeff, double extension);
+	double (*stiffness)(const void *coeff, double rest); /* the largest */
+	/* Force without damping, > 0 attractive, and elastic energy at this extension; NULL if the law has no
+	 * potential. */
+	double (*spring)(const void *coeff, double extension, double rest);
+	double (*energy)(const void *coeff, double extension, double rest);
 	/* Largest stable time step of one bond with the reduced mass `mass` = 1/(1/m_i + 1/m_j). */
-	double (*limit)(const void *coeff, double mass, bool explicit_euler);
+	double (*limit)(const void *coeff, double rest, double mass, bool explicit_euler);
 };
 
 /* First member of the state of every bond style. */

@@ -11,7 +11,12 @@ static enum ts_status choose_bond_style(struct tsim *sim, void *state, const str
 {
 	const struct style_line *line = state;
 
+	struct ts_instance *bond;
+
 	TS_TRY(ts_sim_choose(sim, TS_KIND_BOND, line->words, where));
+	bond = ts_sim_only(sim, TS_KIND_BOND);
+	if (bond && ts_bond_style_of(bond)->chosen)
+		TS_TRY(ts_bond_style_of(bond)->chosen(bond, sim));
 	return ts_bond_reference_require(sim);
 }
 

@@ -357,7 +357,8 @@ static stage_fn *const twistings[] = {
 
 bool ts_stages_for(const struct ts_granular_model *m)
 {
-	return normals[m->normal] && !m->located && !m->viscous && !m->multi && !ts_cohesion_bridges(m);
+	return normals[m->normal] && !m->located && !m->fades && !m->viscous && !m->multi &&
+	       !ts_cohesion_bridges(m);
 }
 
 void ts_stages_compute(struct ts_stages *s, size_t n, const struct ts_granular_model *m,

@@ -82,7 +82,8 @@ struct ts_granular_model {
 	bool solved;
 	/* multi-contact model: contacts of one particle influence each other: law/halfspace.h */
 	bool multi;
-	bool wide; /* the history has room for all laws, as contacts of other types may have other laws */
+	bool fades; /* spring: damping times 1 - (r/(R_i + R_j))^8 */
+	bool wide;  /* the history has room for all laws, as contacts of other types may have other laws */
 };
 
 /* Compares member by member, as padding is undefined. */
@@ -96,7 +97,7 @@ static inline bool ts_granular_same_model(const struct ts_granular_model *a,
 	       a->tangential_stiffness_2_7 == b->tangential_stiffness_2_7 && a->viscous == b->viscous &&
 	       a->reduce == b->reduce && a->torsion == b->torsion && a->plane == b->plane &&
 	       a->full_arms == b->full_arms && a->full_slip == b->full_slip && a->located == b->located &&
-	       a->multi == b->multi && a->wide == b->wide && a->shares == b->shares;
+	       a->multi == b->multi && a->wide == b->wide && a->shares == b->shares && a->fades == b->fades;
 }
 
 /* Whether the cohesion law is a liquid bridge. */

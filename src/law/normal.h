@@ -128,6 +128,8 @@ TS_INLINE void ts_normal_force(const struct ts_granular_model *m, const struct t
 		*f = (struct ts_normal){ .kn = c->kn, .gamman = c->gamman };
 		if (c->gamman_root != 0)
 			f->gamman = c->gamman_root * sqrt(t->m_eff);
+		if (m->fades)
+			f->gamman *= 1 - pow(t->distance / (t->distance + t->overlap), 8);
 		break;
 	case TS_NORMAL_HERTZ:
 		ts_normal_hertz(c, t, f);

@@ -14,6 +14,8 @@
 
 TS_STYLE(automaton, ts_automaton_style, ts_automaton_granular)
 TS_STYLE(bond, ts_bond_style, ts_bond_beam)
+TS_STYLE(bond, ts_bond_style, ts_bond_bpm_rotational)
+TS_STYLE(bond, ts_bond_style, ts_bond_bpm_spring)
 TS_STYLE(bond, ts_bond_style, ts_bond_cohesion)
 TS_STYLE(bond, ts_bond_style, ts_bond_contact)
 TS_STYLE(bond, ts_bond_style, ts_bond_gran)
@@ -214,6 +216,7 @@ TS_STYLE(fix, ts_style, ts_fix_aveforce)
 TS_STYLE(fix, ts_style, ts_fix_balance)
 TS_STYLE(fix, ts_style, ts_fix_bond_breakage)
 TS_STYLE(fix, ts_style, ts_fix_bond_create_gran)
+TS_STYLE(fix, ts_style, ts_fix_bond_store_local)
 TS_STYLE(fix, ts_style, ts_fix_buoyancy)
 TS_STYLE(fix, ts_style, ts_fix_check_timestep_bond)
 TS_STYLE(fix, ts_style, ts_fix_check_timestep_gran)
@@ -318,6 +321,7 @@ TS_STYLE(flow, ts_flow_style, ts_flow_projection)
 TS_STYLE(flow, ts_flow_style, ts_flow_reynolds)
 TS_STYLE(flow, ts_flow_style, ts_flow_stagnation)
 TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
+TS_STYLE(pair, ts_pair_style, ts_pair_bpm_spring)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran_hertz_history)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran_hooke)
@@ -345,6 +349,8 @@ TS_STYLE(region, ts_region_style, ts_region_wedge)
 const struct ts_style *const ts_style_table[] = {
 	&ts_automaton_granular.style,
 	&ts_bond_beam.style,
+	&ts_bond_bpm_rotational.style,
+	&ts_bond_bpm_spring.style,
 	&ts_bond_cohesion.style,
 	&ts_bond_contact.style,
 	&ts_bond_gran.style,
@@ -545,6 +551,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_balance,
 	&ts_fix_bond_breakage,
 	&ts_fix_bond_create_gran,
+	&ts_fix_bond_store_local,
 	&ts_fix_buoyancy,
 	&ts_fix_check_timestep_bond,
 	&ts_fix_check_timestep_gran,
@@ -649,6 +656,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_flow_reynolds.style,
 	&ts_flow_stagnation.style,
 	&ts_flow_uniform.style,
+	&ts_pair_bpm_spring.style,
 	&ts_pair_gran.style,
 	&ts_pair_gran_hertz_history.style,
 	&ts_pair_gran_hooke.style,

@@ -221,9 +221,9 @@ static void bond_spring(const struct network *w, size_t b, double *k, double *c)
 	const struct ts_bond_style *style = ts_bond_style_of(w->bond);
 	const struct ts_bond *bond = w->bond->state;
 	const void *coeff = ts_coeff(&bond->coeffs, (size_t)w->sim->bonds->type[b]);
-	double h = style->limit(coeff, 1, false);
+	double rest = w->sim->bonds->rest[b], h = style->limit(coeff, rest, 1, false);
 
-	*k = style->stiffness(coeff);
+	*k = style->stiffness(coeff, rest);
 	*c = fmax((4 - h * h * *k) / (2 * h), 0);
 	if (*c < 1e-9 * h * *k) /* round-off */
 		*c = 0;

@@ -1,0 +1,89 @@
+#!/bin/bash
+# Bonds of LAMMPS' package BPM: what scripts say, refused input, the list of broken bonds, the energy ledger.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+cat >in.two <<'END2'
+units lj
+atom_style bpm/sphere
+boundary f f f
+newton on off
+region box block -2 2 -2 2 -2 2 units box
+create_box 1 box bond/types 1 extra/bond/per/atom 4
+create_atoms 1 single 0 0 0 units box
+create_atoms 1 single 1.1 0 0 units box
+create_bonds single/bond 1 1 2
+fix 1 all nve/bpm/sphere
+timestep 1e-3
+END2
+bad() { # WHAT TEXT LINES
+	printf 'include in.two\n%s\nrun 0\n' "$3" >in.bad
+	refused "$1" "$2" -in in.bad
+	refused "$1, -check" "$2" -check -in in.bad
+}
+hooke='pair_style gran/hooke/history 1.0 NULL 0.5 NULL 0.1 1
+pair_coeff 1 1'
+spring='bond_style bpm/spring'
+bad 'no special_bonds' 'needs `special_bonds lj 0 1 1 coul 1 1 1`' "$hooke
+$spring
+bond_coeff 1 1 0.1 0"
+bad 'special_bonds with overlay' 'overlay/pair yes contradicts special_bonds' "$hooke
+special_bonds lj 0 1 1 coul 1 1 1
+$spring overlay/pair yes
+bond_coeff 1 1 0.1 0"
+bad 'break no with smooth' '`break no` needs `smooth no`' "$spring break no
+bond_coeff 1 1 0.1 0"
+bad 'break/no with smooth' '`break no` needs `smooth no`' 'bond_style bpm/rotational break/no
+bond_coeff 1 1 1 1 1 1 1 1 1 1 1 1 1'
+bad 'volume factor' 'volume/factor yes is not supported' "$spring volume/factor yes
+bond_coeff 1 1 0.1 0"
+bad 'too few numbers' 'gamma' "$spring
+bond_coeff 1 1 0.1"
+bad 'eleven numbers' 'gamma_t' 'bond_style bpm/rotational
+bond_coeff 1 1 1 1 1 1 1 1 1 1 1 1'
+bad 'no strain' 'epsilon_c is 0, expected' "$spring
+bond_coeff 1 1 0 1"
+bad 'store/local without a quantity' 'expected store/local FIX N QUANTITIES' "$spring store/local broken 100
+bond_coeff 1 1 0.1 1"
+bad 'store/local: x/ref' "'x/ref'" "$spring store/local broken 100 time x/ref
+bond_coeff 1 1 0.1 1"
+bad 'anharmonic' 'anharmonic yes is not supported' 'pair_style bpm/spring anharmonic yes
+pair_coeff 1 1 1 1 1'
+bad 'a cutoff that is not the contact' 'the cutoff of types 1 and 1 is 1.5, but their radii add up to 1' 'special_bonds lj 0 1 1
+pair_style bpm/spring
+pair_coeff 1 1 1 1.5 1'
+bad 'no coefficients' 'no `bond_coeff 1' "$spring"
+
+# each broken bond once in a dump every N steps, at the step at which it broke; of bonds that break at steps 1, 3, 11
+cat >in.list <<'END2'
+include in.two
+create_atoms 1 single 0 0.6 0 units box
+create_atoms 1 single 0 -0.6 0 units box
+create_atoms 1 single 0 0 1 units box
+create_bonds single/bond 1 1 3
+create_bonds single/bond 1 1 4
+create_bonds single/bond 1 1 5
+bond_style bpm/spring store/local broken 10 time id1 id2
+bond_coeff 1 1e-9 0.1 0
+dump d all local 10 broken.txt f_broken[1] f_broken[2] f_broken[3]
+set atom 2 vx 130
+set atom 3 vy 20.5
+set atom 4 vy -5.5
+run 30 unsafe yes
+END2
+"$TSIM" -in in.list -log none >out 2>&1
+awk '/ENTRIES f/ { on = 1; next } /^ITEM/ { on = 0 } on' broken.txt >found
+printf '%s\n' '1 1 2 ' '3 1 3 ' '11 1 4 ' >expected
+same 'broken bonds' expected found
+
+# the ledger of energy closes with smoothing, dashpots and breakage; no drift of the central spring without dashpots
+for deck in bpm bpm_spring; do
+	sed 's/tolerance 1/tolerance 0.002/; s/summary no//; /^pair_/d' "$top_srcdir/tests/decks/in.$deck" >in.ledger
+	"$TSIM" -in in.ledger -var out ledger -log none >out 2>&1 &&
+		awk '/closure/ { for (k = 1; k < NF; k++) if ($k == "of") x = $(k - 1); n = x < 1e-12 && x > -1e-12 }
+			/tolerance|the energy drift/ { bad = 1 } END { exit !n || bad }' out
+	report "ledger of $deck" $? out
+	awk '/^ +200 / && $5 > 10 { n++ } END { exit !n }' out
+	report "bonds of $deck break" $? out
+done
+finish
