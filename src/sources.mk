@@ -122,6 +122,8 @@ library_sources = \
 	src/bond/bond_beam.c \
 	src/bond/bond_bpm_rotational.c \
 	src/bond/bond_bpm_spring.c \
+	src/bond/bond_choice.c \
+	src/bond/bond_choice.h \
 	src/bond/bond_contact.c \
 	src/bond/bond_force.c \
 	src/bond/bond_force.h \
@@ -160,7 +162,9 @@ library_sources = \
 	src/bond/compute_cluster_atom.c \
 	src/bond/compute_fragment_atom.c \
 	src/bond/compute_nbond_atom.c \
+	src/bond/fix_bond_break.c \
 	src/bond/fix_bond_breakage.c \
+	src/bond/fix_bond_create.c \
 	src/bond/fix_bond_create_gran.c \
 	src/bond/fix_bond_store_local.c \
 	src/box/comm.c \

@@ -39,6 +39,7 @@ shell_tests = \
 	tests/coupling/lubrication.sh \
 	tests/coupling/lubrication_walls.sh \
 	tests/coupling/momentum.sh \
+	tests/crosscheck/bond_create.sh \
 	tests/crosscheck/bpm.sh \
 	tests/crosscheck/bridges.sh \
 	tests/crosscheck/data_files.sh \

@@ -79,7 +79,7 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 				: record_spring(sim, b, &bonds->event_energy[bonds->nevents - 1]);
 }
 
-static enum ts_status remove_broken_bonds(struct tsim *sim)
+enum ts_status ts_bonds_break(struct tsim *sim)
 {
 	struct ts_bonds *bonds = sim->bonds;
 	unsigned char *broken = bonds->breaks;
@@ -94,7 +94,7 @@ static enum ts_status remove_broken_bonds(struct tsim *sim)
 		TS_TRY(ts_bonds_build_index(sim));
 	}
 	/* unbonded pairs may be in contact from now on: rebuild the contact list */
-	sim->neigh->stale = sim->neigh->skip_bonded;
+	sim->neigh->stale |= sim->neigh->skip_bonded;
 	return TS_OK;
 }
 
@@ -138,7 +138,7 @@ enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_bond_moments_fill(sim, t.moving));
 	if (!compute_bonds(self, sim, &t))
 		return TS_OK;
-	return remove_broken_bonds(sim);
+	return ts_bonds_break(sim);
 }
 
 static enum ts_status resize_coeffs(struct tsim *sim, struct ts_instance *self)

@@ -15,6 +15,9 @@ void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report);
 void ts_bond_fini(struct ts_instance *self);
 
+/* Breaks the bonds whose flag `breaks` is set: records and removes them. */
+enum ts_status ts_bonds_break(struct tsim *sim);
+
 /* Largest stable time step of bond b alone, time; infinite if both partners are immobile. */
 double ts_bond_limit(const struct tsim *sim, size_t b, bool explicit_euler);
 /* 1/omega of the stretching of bond b alone without damping, omega^2 = k_n/m, m the reduced mass; time */

@@ -11,10 +11,6 @@
 	"and /convection; tsim can also compute the fluid (flow_style)"
 #define SHAPES "particles are spheres; other shapes are modelled by bonded spheres (bond_style)"
 #define CHEMISTRY "chemical reactions are not supported"
-#define BONDS                                                                                             \
-	"bonds are created by create_bonds and broken by the bond style (bond_style contact, parallel), " \
-	"not by "                                                                                         \
-	"cohesion models or fixes"
 #define FRAGMENTS "particles do not break into fragments; use bonded spheres (bond_style)"
 #define OTHER_EDITION "it belongs to another edition of LIGGGHTS and is not in 3.8 either"
 #define UNPUBLISHED "it belongs to another edition of LIGGGHTS, and no description of it is public"
@@ -81,8 +77,6 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	  "averages over the cells of a hexahedral mesh are not supported; `fix ID GROUP ave/euler nevery N "
 	  "cell_size_relative C parallel no` averages over a regular grid, `compute ID GROUP reduce/region "
 	  "REGION ave vx vy vz` over a region" },
-	{ TS_KIND_FIX, "bond/create", BONDS },
-	{ TS_KIND_FIX, "bond/break", BONDS },
 	{ TS_KIND_FIX, "break/particle", FRAGMENTS },
 	{ TS_KIND_FIX, "forcecontrol/region", RESOLUTION },
 	{ TS_KIND_FIX, "insert/pack/face", RESOLUTION },

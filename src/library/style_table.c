@@ -214,7 +214,9 @@ TS_STYLE(fix, ts_style, ts_fix_ave_spatial)
 TS_STYLE(fix, ts_style, ts_fix_ave_time)
 TS_STYLE(fix, ts_style, ts_fix_aveforce)
 TS_STYLE(fix, ts_style, ts_fix_balance)
+TS_STYLE(fix, ts_style, ts_fix_bond_break)
 TS_STYLE(fix, ts_style, ts_fix_bond_breakage)
+TS_STYLE(fix, ts_style, ts_fix_bond_create)
 TS_STYLE(fix, ts_style, ts_fix_bond_create_gran)
 TS_STYLE(fix, ts_style, ts_fix_bond_store_local)
 TS_STYLE(fix, ts_style, ts_fix_buoyancy)
@@ -549,7 +551,9 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_ave_time,
 	&ts_fix_aveforce,
 	&ts_fix_balance,
+	&ts_fix_bond_break,
 	&ts_fix_bond_breakage,
+	&ts_fix_bond_create,
 	&ts_fix_bond_create_gran,
 	&ts_fix_bond_store_local,
 	&ts_fix_buoyancy,
