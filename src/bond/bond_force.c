@@ -75,8 +75,11 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 	for (int s = 0; s < 2; s++)
 		e->tag[s] = bonds->tag[b][s];
 	bonds->broken++;
-	return bonds->transmits ? record_failure(sim, b, e, &bonds->event_energy[bonds->nevents - 1])
-				: record_spring(sim, b, &bonds->event_energy[bonds->nevents - 1]);
+	TS_TRY(bonds->transmits ? record_failure(sim, b, e, &bonds->event_energy[bonds->nevents - 1])
+				: record_spring(sim, b, &bonds->event_energy[bonds->nevents - 1]));
+	if (bonds->breaks[b] > 1)
+		e->mode = bonds->breaks[b] - TS_BOND_BREAKS_BY(0);
+	return TS_OK;
 }
 
 enum ts_status ts_bonds_break(struct tsim *sim)

@@ -5,6 +5,7 @@
 #include "bond/bond_moment.h"
 #include "contact/contact_energy.h"
 #include "law/bond_section.h"
+#include "particle/particles.h"
 
 #include "base/banned.h"
 
@@ -19,7 +20,7 @@ struct coeff {
 	double ro, ri, modulus, shear_modulus;
 	int damp_style, break_style;
 	double damping, nonlinear[3]; /* the second is refused */
-	double r_break, sigma, tau, unused;
+	double r_break, sigma, tau, temperature;
 };
 
 static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_place *where)
@@ -35,9 +36,10 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "bond_coeff: nonlinear damping depends on the time step and is not supported; "
 			       "use damp style 1");
-	if (c->break_style > BREAK_STRESS)
+	if (c->break_style > BREAK_TEMPERATURE)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "bond_coeff: break style %d is not supported; use 0 (distance) or 1 (stress)",
+			       "bond_coeff: break style %d is not supported; use 0 (distance), 1 (stress) or "
+			       "2 (stress and temperature)",
 			       c->break_style);
 	return TS_OK;
 }
@@ -75,6 +77,69 @@ static bool damped(const void *coeff)
 	return c->damp_style == DAMP_LINEAR && c->damping > 0;
 }
 
+/* ---- breakage by temperature */
+
+static bool any_by_temperature(const struct ts_bond *bond)
+{
+	for (size_t t = 1; t < bond->coeffs.n; t++)
+		if (bond->coeffs.given[t] &&
+		    ((const struct coeff *)ts_coeff(&bond->coeffs, t))->break_style == BREAK_TEMPERATURE)
+			return true;
+	return false;
+}
+
+/* The column of fix heat/gran; NULL: there is none. */
+static const double *temperatures(const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t k = TS_NCOLUMN_BUILTIN; k < p->ncolumns; k++)
+		if (p->column[k].width == 1 && ts_streq(p->column[k].name, "Temp"))
+			return p->column[k].data;
+	return NULL;
+}
+
+/* Breaks bonds whose particles have a mean temperature above the critical one. */
+static enum ts_status break_hot_bonds(const struct ts_bond *bond, struct tsim *sim)
+{
+	struct ts_bonds *b = sim->bonds;
+	const double *temperature = temperatures(sim);
+	bool any = false;
+
+	for (size_t k = 0; temperature && k < b->n; k++) {
+		const struct coeff *c = ts_coeff(&bond->coeffs, (size_t)b->type[k]);
+		double mean = 0.5 * (temperature[b->row[k][0]] + temperature[b->row[k][1]]);
+
+		if (c->break_style != BREAK_TEMPERATURE || !(mean > c->temperature))
+			continue;
+		b->breaks[k] = TS_BOND_BREAKS_BY(TS_BOND_HEATED);
+		any = true;
+	}
+	return any ? ts_bonds_break(sim) : TS_OK;
+}
+
+static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	const struct gran_bond *s = self->state;
+
+	TS_TRY(ts_bond_turn(self, sim));
+	return any_by_temperature(&s->bond) ? break_hot_bonds(&s->bond, sim) : TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct gran_bond *s = self->state;
+
+	TS_TRY(ts_bond_init(self, sim));
+	if (sim->bonds->n && any_by_temperature(&s->bond) && !temperatures(sim))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "bond_style gran: break style 2 needs the temperatures of `fix ID all "
+			       "heat/gran initial_temperature T`");
+	return TS_OK;
+}
+
+/* ---- arguments */
+
 #define NUMBER(name, field, of, text)                                                                    \
 	TS_REAL(name, struct coeff, field, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE, .unit = of, \
 		.help = text)
@@ -86,13 +151,16 @@ static const struct ts_arg distance_rows[] = {
 	NUMBER("r_break", r_break, "length", "the bond breaks at the distance 2 r_break"), TS_ARGS_END
 };
 static const struct ts_arg stress_rows[] = { STRENGTHS, TS_ARGS_END };
-static const struct ts_arg temperature_rows[] = { STRENGTHS, NUMBER("T", unused, "temperature", "refused"),
-						  TS_ARGS_END };
+static const struct ts_arg temperature_rows[] = {
+	STRENGTHS, NUMBER("T", temperature, "temperature", "largest mean temperature"), TS_ARGS_END
+};
+static const struct ts_arg refused_rows[] = { STRENGTHS, NUMBER("T", temperature, "temperature", "refused"),
+					      TS_ARGS_END };
 static const struct ts_mode break_modes[] = {
 	[BREAK_DISTANCE] = { "0", "by the distance", distance_rows },
 	[BREAK_STRESS] = { "1", "by the largest stress", stress_rows },
-	[BREAK_TEMPERATURE] = { "2", "refused: also by temperature", temperature_rows },
-	[BREAK_SOFT] = { "3", "refused", temperature_rows },
+	[BREAK_TEMPERATURE] = { "2", "by the largest stress, or by temperature", temperature_rows },
+	[BREAK_SOFT] = { "3", "refused", refused_rows },
 	[BREAK_SOFT_HERTZ] = { "4", "refused", stress_rows },
 	[BREAK_SOFT_STRESS] = { "5", "refused", stress_rows },
 	{ .name = NULL },
@@ -129,12 +197,13 @@ static const struct ts_arg coeff_rows[] = {
 static const char *const more[] = {
 	"Compared with the documentation of LIGGGHTS Flexible Fibers "
 	"(github.com/schrummy14/LIGGGHTS_Flexible_Fibers, doc/wiki/bond_gran.md), not with the program: "
-	"order and meaning of the arguments, stiffnesses, linear damping, break styles 0 and 1. Forces are "
-	"in total form, as those of bond parallel, where LIGGGHTS adds up increments. The section is midway "
-	"between the surfaces, so that spheres that overlap bend about the middle of the bond; LIGGGHTS "
-	"takes the slip at the surfaces. Not supported: nonlinear damping and break styles 2 to 5, and the "
-	"arguments of LIGGGHTS-PFM and of richti83/LIGGGHTS-WITH-BONDS, which have other numbers in another "
-	"order. create_bonds creates the bonds.",
+	"order and meaning of the arguments, stiffnesses, linear damping, break styles 0, 1 and 2. Forces "
+	"are in total form, as those of bond parallel, where LIGGGHTS adds up increments. The section is "
+	"midway between the surfaces, so that spheres that overlap bend about the middle of the bond; "
+	"LIGGGHTS takes the slip at the surfaces. Not supported: nonlinear damping, whose formula the "
+	"documentation has as an image only, break styles 3 to 5, whose bonds repel after they have broken, "
+	"and the arguments of LIGGGHTS-PFM and of richti83/LIGGGHTS-WITH-BONDS, which have other numbers in "
+	"another order. create_bonds creates the bonds.",
 	TS_BOND_MOMENT_DOC, NULL
 };
 
@@ -151,7 +220,9 @@ const struct ts_bond_style ts_bond_gran = {
 			  "with the length L at creation. damp_style 1 are dashpots 2 damp sqrt(k m*) with "
 			  "the reduced mass, or moment of inertia. break_style 0: the bond breaks when the "
 			  "centres are farther apart than 2 r_break. break_style 1: when |N|/A + 2 M (r_o - "
-			  "r_i)/J reaches sigma, or V/A + |M_t| (r_o - r_i)/J reaches tau.",
+			  "r_i)/J reaches sigma, or V/A + |M_t| (r_o - r_i)/J reaches tau. break_style 2: "
+			  "the same, and when the mean temperature of the two particles (fix heat/gran) "
+			  "exceeds T; it is compared at the begin of each step, before the forces.",
 		   .doc_more = more,
 		   .example = "bond_style gran\n"
 			      "bond_coeff 1 1.0 0.0 1.5e9 1.0e9 1 0.1 1 1.5e6 1.0e6\n"
@@ -160,7 +231,13 @@ const struct ts_bond_style ts_bond_gran = {
 			   "Plouffe, D. Harby, Biosyst. Eng. 186 (2019) 349",
 		   .coeff = coeff_rows,
 		   .state_size = sizeof(struct gran_bond),
-		   TS_BOND_MOMENT_SLOTS },
+		   .archive = ts_bond_archive,
+		   .fingerprint = ts_bond_fingerprint,
+		   .init = init,
+		   .hook = { [TS_STAGE_POST_INTEGRATE] = post_integrate, [TS_STAGE_FORCE] = ts_bond_force },
+		   .energy = ts_contact_energy_of_bonds,
+		   .plan = ts_bond_plan,
+		   .fini = ts_bond_fini },
 	.coeff_size = sizeof(struct coeff),
 	.complete = complete,
 	.compute = ts_bond_compute_moments,

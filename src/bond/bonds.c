@@ -19,10 +19,9 @@
 const char *ts_bond_failure_name(int mode)
 {
 	static const char *const name[TS_BOND_FAILURES] = {
-		[TS_BOND_FORCE] = "force",
-		[TS_BOND_TENSION] = "tension",
-		[TS_BOND_SHEARED] = "shear",
-		[TS_BOND_CRUSHED] = "compression",
+		[TS_BOND_FORCE] = "force",   [TS_BOND_TENSION] = "tension",
+		[TS_BOND_SHEARED] = "shear", [TS_BOND_CRUSHED] = "compression",
+		[TS_BOND_CUT] = "cut",	     [TS_BOND_HEATED] = "temperature",
 	};
 
 	return mode >= 0 && mode < TS_BOND_FAILURES ? name[mode] : "unknown";

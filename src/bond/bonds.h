@@ -21,8 +21,18 @@ struct ts_bond_event {
 	int32_t mode; /* what failed: enum ts_bond_failure */
 };
 
-/* Why a bond broke. Contact bonds break by their force, in tension or compression. */
-enum ts_bond_failure { TS_BOND_FORCE, TS_BOND_TENSION, TS_BOND_SHEARED, TS_BOND_CRUSHED, TS_BOND_FAILURES };
+/* Why a bond broke. Central springs break by their force, in tension or compression; TS_BOND_CUT: by fix bond/break. */
+enum ts_bond_failure {
+	TS_BOND_FORCE,
+	TS_BOND_TENSION,
+	TS_BOND_SHEARED,
+	TS_BOND_CRUSHED,
+	TS_BOND_CUT,
+	TS_BOND_HEATED,
+	TS_BOND_FAILURES
+};
+/* Values of ts_bonds.breaks: 0: holds; 1: breaks by its law, which tells the mode; else breaks by this mode. */
+#define TS_BOND_BREAKS_BY(mode) ((unsigned char)((mode) + 2))
 const char *ts_bond_failure_name(int mode);
 
 /* What a bond that transmits moments remembers of the state in which it is free of shear, bending and

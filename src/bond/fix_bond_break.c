@@ -75,7 +75,7 @@ static enum ts_status break_bonds(struct ts_instance *self, struct tsim *sim)
 		status = ts_bond_choose(sim, option, n, &c->chance, chosen);
 	c->number[0] = 0;
 	for (size_t k = 0; status == TS_OK && k < n; k++) {
-		bonds->breaks[bond[k]] = chosen[k];
+		bonds->breaks[bond[k]] = chosen[k] ? TS_BOND_BREAKS_BY(TS_BOND_CUT) : 0;
 		c->number[0] += chosen[k];
 	}
 	c->number[1] += c->number[0];

@@ -110,10 +110,11 @@ const struct ts_style ts_fix_bond_breakage = {
 	.summary = "lists broken bonds with time and position",
 	.doc = "Writes one line for each bond that breaks: step, time, IDs i and j of the partners, bond "
 	       "type, midpoint x y z of the partners, and the bond force at breakage (> 0 in tension); for "
-	       "bonds that transmit moments also the mode of failure: tension, shear or compression; last "
-	       "the elastic energy of the bond, which is lost. The same list is available as a local array "
-	       "for dump local, with the mode as number: 0 force (contact bonds), 1 tension, 2 shear, 3 "
-	       "compression. Bonds of all groups are listed.",
+	       "bonds that transmit moments also the mode of failure: tension, shear, compression, cut (by "
+	       "fix bond/break) or temperature; last the elastic energy of the bond, which is lost. The same "
+	       "list is available as a local array for dump local, with the mode as number: 0 force (central "
+	       "springs), 1 tension, 2 shear, 3 compression, 4 cut, 5 temperature. Bonds of all groups are "
+	       "listed.",
 	.example = "fix crack all bond/breakage file post/broken.txt",
 	.args = args,
 	.state_size = sizeof(struct breakage),

@@ -320,4 +320,55 @@ timestep 1e-5
 run ${n}
 variable left equal (xcm(two,x)-0.25)/1e-5
 print "is amplitude $(abs(v_left+sqrt(7/13))<1e-4) 1"'
+# bond_style gran, break style 2: a bond whose particles have a mean temperature above 330 breaks
+cat >in.hot <<'END2'
+units si
+atom_style granular
+boundary f f f
+newton off
+communicate single vel yes
+region box block -2 2 -2 2 -2 2 units box
+create_box 1 box
+create_atoms 1 single 0 0 0 units box
+create_atoms 1 single 0.25 0 0 units box
+set group all diameter 0.2 density 2385
+fix m1 all property/global youngsModulus peratomtype 5.e6
+fix m2 all property/global poissonsRatio peratomtype 0.45
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.9
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
+fix ftco all property/global thermalConductivity peratomtype 5.
+fix ftca all property/global thermalCapacity peratomtype 10.
+pair_style gran model hertz tangential history
+pair_coeff * *
+bond_style gran
+bond_coeff 1 1 0 1e6 4e5 1 0.1 2 1e9 1e9 330
+create_bonds single/bond 1 1 2
+fix n all nve/sphere
+timestep 1e-5
+END2
+agree 'breakage by temperature' 'include in.hot
+fix heat all heat/gran initial_temperature 300
+fix c all bond/breakage file broken.txt
+set atom 2 property/atom Temp 359.9
+run 3
+print "is broken $(brokenbonds) 0"
+set atom 2 property/atom Temp 360.1
+run 3
+print "is broken $(brokenbonds) 1"'
+grep -q '^4 .* temperature$' broken.txt
+report 'mode temperature' $? broken.txt
+echo 'include in.hot
+run 1' >in.bad
+refused 'no temperatures' 'needs the temperatures of `fix ID all heat/gran' -in in.bad
+refused 'no temperatures, -check' 'needs the temperatures of `fix ID all heat/gran' -check -in in.bad
+echo 'include in.hot
+unfix n
+bond_style contact
+bond_coeff 1 stiffness 1 ultimate 1
+fix cut all bond/break 2 1 0.2
+fix c all bond/breakage file cut.txt
+compute e all pe bond
+run 5' >in.cut
+"$TSIM" -in in.cut -log none >out 2>&1 && grep -q '^2 ' cut.txt
+report 'cut by fix bond/break' $? out
 finish
