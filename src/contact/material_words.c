@@ -104,7 +104,7 @@ static const struct {
 	{ "absolute_damping", "model hooke/stiffness", is_stiffness },
 	{ "ktToKnUser", "model hooke or hooke/hysteresis", is_hooke },
 	{ "viscous", "model hooke or hooke/hysteresis", is_hooke },
-	{ "tangential_reduce", "a cohesion model with a force in contact", has_cohesion },
+	{ "tangential_reduce", "a cohesion model", has_cohesion },
 	{ "modifyLbVolume", "cohesion washino/capillary/viscous", is_washino },
 	{ "limitLiquidContent", "cohesion washino/capillary/viscous", is_washino },
 	{ "torsionTorque", "a rolling_friction model", has_rolling },
