@@ -67,7 +67,7 @@ mirrored() {
 
 # of_scene NAME: what its file says (see bench/scenes/*/scene), and its start in this folder
 of_scene() {
-	dialects='liggghts lammps' why='' period='0 0 0' near=1e-9 far=1e-6 centre='' energy=1e-6 column='' words=() peers='' compared=yes
+	dialects='liggghts lammps' why='' period='0 0 0' near=1e-9 far=1e-6 centre='' energy=1e-6 column='' words=() peers='' compared=yes bond_bytes=16
 	scene=$1
 	rm -f bonds ./*.dump ./*.usage ./*.log ./*.loop
 	# shellcheck source=/dev/null
