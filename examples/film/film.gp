@@ -6,6 +6,8 @@ set terminal pngcairo size 1000,400 font ",10"
 file(model) = sprintf("%s/profile_%s.txt", out, model)
 set output sprintf("%s/film.png", out)
 set multiplot layout 1,3
+set bmargin at screen 0.15 # the same for all, whatever the height of the labels
+set tmargin at screen 0.96
 set ylabel "y/H"
 set yrange [0:1]
 set key top right
