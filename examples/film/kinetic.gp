@@ -26,6 +26,7 @@ set ylabel "gap in diameters"
 set xrange [1:25]
 set yrange [0:*]
 set logscale x
+set xtics (1, 2, 5, 10, 20)
 plot for [k=0:3] film i k u 2:3 w linespoints ls k+1 t "amount ".word("1.5 2 3 5", k+1)." diameters"
 set ylabel "traction coefficient"
 set yrange [0.28:0.36]
@@ -34,6 +35,7 @@ set key bottom left
 set xlabel "gap in diameters"
 set ylabel "load by (density of a grain * speed^2)"
 set xrange [2:20]
+set ytics format "10^{%T}"
 set yrange [1e-4:1]
 set logscale y
 plot for [k=0:3] film i k u 3:(1/$2**2) w linespoints ls k+1 t "amount ".word("1.5 2 3 5", k+1)." diameters"
