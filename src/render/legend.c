@@ -6,13 +6,21 @@
 
 #include "base/banned.h"
 
-enum { TICKS = 5, DOTS = 260 /* height of the picture for which a dot is a pixel */ };
+enum { TICKS = 5, WIDE = 400, HIGH = 260 /* size of the picture for which a dot is a pixel */ };
+
+/* Pixels to a dot. */
+static int scale_of(const struct ts_picture *p)
+{
+	const int x = (int)((p->width + WIDE / 2) / WIDE), y = (int)((p->height + HIGH / 2) / HIGH);
+	const int least = x < y ? x : y;
+
+	return least > 1 ? least : 1;
+}
 
 void ts_legend_draw(struct ts_picture *p, const struct ts_colour_map *map, double lo, double hi,
 		    const char *title, struct ts_colour ink)
 {
-	const int scale = p->height < DOTS ? 1 : (int)((p->height + DOTS / 2) / DOTS),
-		  line = TS_LETTER_HEIGHT * scale;
+	const int scale = scale_of(p), line = TS_LETTER_HEIGHT * scale;
 	const int64_t height = (int64_t)p->height * 6 / 10, top = ((int64_t)p->height - height) / 2,
 		      width = 2 * line;
 	int64_t widest = 0, left;
@@ -37,7 +45,7 @@ void ts_legend_draw(struct ts_picture *p, const struct ts_colour_map *map, doubl
 		const int64_t y = top + (height - 1) * k / (TICKS - 1);
 
 		ts_letters_fill(p, left + width + scale, y, 2 * scale, scale, ink);
-		ts_letters_draw(p, left + width + 4 * scale, y - 3 * scale, scale, text[k], ink);
+		ts_letters_draw(p, left + width + 6 * scale, y - 3 * scale, scale, text[k], ink);
 	}
 	/* the title ends at the right edge */
 	left = (int64_t)p->width - line - ts_letters_width(title, scale);
