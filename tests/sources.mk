@@ -61,6 +61,7 @@ shell_tests = \
 	tests/crosscheck/mesh_servo.sh \
 	tests/crosscheck/mesh_stress.sh \
 	tests/crosscheck/meshes.sh \
+	tests/crosscheck/pictures.sh \
 	tests/crosscheck/pour.sh \
 	tests/crosscheck/race.sh \
 	tests/crosscheck/refusals.sh \

@@ -113,7 +113,7 @@ struct ts_image {
 	size_t drawn_capacity, colour_capacity, diameter_capacity;
 	struct ts_scene scene;
 	struct ts_picture picture;
-	bool told_nan, told_range, told_view; /* warnings are given once */
+	bool told_nan, told_radius, told_view; /* warnings are given once */
 };
 
 /* ---- image_args.c: tables of both styles */

@@ -217,12 +217,27 @@ static enum ts_status check_size(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* The value is the diameter, as in LAMMPS. */
+static void warn_of_radius(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_image *s = self->state;
+
+	if (s->told_radius || !ts_streq(s->quantity[TS_IMAGE_DIAMETER], "radius") || !isnan(s->adiam))
+		return;
+	s->told_radius = true;
+	ts_warn(&sim->log, &self->where,
+		"dump %s: with the diameter 'radius' spheres are drawn at half of their size; 'diameter' "
+		"draws them at their size",
+		self->id);
+}
+
 enum ts_status ts_image_read(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_image *s = self->state;
 	struct ts_word name[TS_IMAGE_COLUMNS];
 
 	ts_image_set_defaults(s);
+	warn_of_radius(self, sim);
 	for (int k = 0; k < TS_IMAGE_COLUMNS; k++)
 		name[k] = (struct ts_word){ .text = s->quantity[k],
 					    .place = *ts_instance_word(self, s->quantity[k]) };

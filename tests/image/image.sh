@@ -240,6 +240,13 @@ run 3" '*no picture at step 2' '*each picture replaces the one before'
 [ -s zoom.1.ppm ] && [ ! -e zoom.2.ppm ]
 report 'zoom 0' $?
 prints "$base
+fix 1 all nve/sphere
+timestep 1e-3
+dump 1 all image 1 many.*.ppm type radius size 4 4
+variable one equal 1
+fix h all halt 1 v_one > 0 error continue
+run 200000" '*this run writes 200000 pictures' '*drawn at half of their size'
+prints "$base
 group none empty
 write_dump none image a.png type type size 20 20"
 
@@ -280,4 +287,5 @@ rejects "$base
 write_dump all image a.png type type modify amap min max cf 0 3 min red max blue" '3 entries of 2 words'
 rejects "$base
 write_dump all custom a.dump id modify acolor 1 red" 'is for pictures'
+
 finish

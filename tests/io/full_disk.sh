@@ -76,6 +76,7 @@ full 'dump for ParaView' 'out.*.vtp' "out.0.vtp' failed: $reason" 'create_atoms 
 full 'dump of a fluid' 'out.*.vti' "out.0.vti' failed: $reason" \
 	'flow_style projection cells 16 16 16 viscosity 1 density 1' 'variable u equal random(0,1,7)' \
 	'flow_set velocity v_u 0 0' 'dump d all flow/vtk 1 ${file}' 'run 10'
+full 'dump of pictures' 'out.*.ppm' "out.0.ppm' failed: $reason" 'dump d all image 1 ${file} type type' 'run 10'
 full write_dump out.dump "out.dump' failed: $reason" 'create_atoms 1 random 3000 7 box' \
 	'write_dump all custom ${file} id x y z'
 full write_data out.data "out.data' failed: $reason" 'create_atoms 1 random 3000 7 box' \
