@@ -423,7 +423,7 @@ static enum ts_status read_table(struct ts_study *s)
 {
 	for (size_t k = 0; k < s->words.variables; k++)
 		TS_TRY(ts_study_runs_add_variable(&s->runs, s->words.variable[k].name, &s->sim->error));
-	TS_TRY(ts_study_runs_read(&s->runs, s->table, &s->sim->error));
+	TS_TRY(ts_study_runs_read(&s->runs, s->sim, s->table));
 	for (size_t k = 0; k < s->runs.n; k++) {
 		const struct ts_study_run *run = &s->runs.run[k];
 

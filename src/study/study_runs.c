@@ -323,8 +323,9 @@ static enum ts_status read_text(struct ts_study_runs *runs, const char *path, ch
 	return status;
 }
 
-enum ts_status ts_study_runs_read(struct ts_study_runs *runs, const char *path, struct ts_error *err)
+enum ts_status ts_study_runs_read(struct ts_study_runs *runs, struct tsim *sim, const char *path)
 {
+	struct ts_error *err = &sim->error;
 	FILE *file = ts_files_open(NULL, path, "r");
 	struct ts_str text = { 0 };
 	char bytes[4096];
@@ -344,7 +345,9 @@ enum ts_status ts_study_runs_read(struct ts_study_runs *runs, const char *path, 
 	if (bad)
 		status = ts_fail(err, TS_IO, NULL, "reading '%s' failed", path);
 	else
-		status = text.failed || !text.text ? ts_nomem(err) : read_text(runs, path, text.text, err);
+		status = text.failed || !text.text
+				 ? ts_nomem(err)
+				 : read_text(runs, ts_pool_get(sim->pool, path), text.text, err);
 	ts_str_release(&text);
 	return status;
 }

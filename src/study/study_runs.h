@@ -28,7 +28,7 @@ struct ts_study_runs {
 };
 
 /* Reads the file if it exists. Refuses one whose variables are not those of the table. */
-enum ts_status ts_study_runs_read(struct ts_study_runs *runs, const char *path, struct ts_error *err);
+enum ts_status ts_study_runs_read(struct ts_study_runs *runs, struct tsim *sim, const char *path);
 /* Replaces the file. */
 enum ts_status ts_study_runs_write(const struct ts_study_runs *runs, struct tsim *sim, const char *path);
 
