@@ -355,7 +355,7 @@ print "is broken $(brokenbonds) 0"
 set atom 2 property/atom Temp 360.1
 run 3
 print "is broken $(brokenbonds) 1"'
-grep -q '^4 .* temperature$' broken.txt
+grep -q '^4 .* temperature [^ ]*$' broken.txt
 report 'mode temperature' $? broken.txt
 echo 'include in.hot
 run 1' >in.bad
