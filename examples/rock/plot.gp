@@ -19,7 +19,8 @@ set ytics nomirror
 set y2tics
 set yrange [0:*]
 set y2range [0:1<*]
-set key top left
+set key top left Left reverse samplen 1.5
+set offsets 0, 0, graph 0.25, 0
 set xlabel 'strain (%)'
 set y2label 'broken bonds'
 do for [t in tests] {
@@ -27,14 +28,14 @@ do for [t in tests] {
 	set title name(t)
 	set ylabel load(t)
 	plot table using 2:4 with lines lw 2 lc rgb 'black' title 'load', \
-	     '' using 2:5 axes x1y2 with lines lw 2 lc rgb tearing title 'broken by tension', \
+	     '' using 2:5 axes x1y2 with lines lw 2 lc rgb tearing title 'bonds broken by tension', \
 	     '' using 2:6 axes x1y2 with lines lw 2 lc rgb shearing title 'by shear'
 }
 unset multiplot
 
 set output out.'/cracks.png'
 set multiplot layout rows, columns
-unset grid; unset y2tics; unset y2label
+unset grid; unset offsets; unset y2tics; unset y2label
 set key bmargin center horizontal
 set bmargin 5
 set samples 401
