@@ -1,7 +1,6 @@
 # Plots of the two laws of bonds: called by ./study-bonds
 set grid lc rgb '#dddddd'
 set bars small
-set yrange [-0.001:*]
 set ylabel 'ROP*'
 array name[4] = ['Fult', 'WOB', 'eta', 'omega']
 array label[4] = ['bond strength F_{ult}*', 'weight on bit WOB*', 'viscosity {/Symbol h}*', 'angular velocity {/Symbol w}*']

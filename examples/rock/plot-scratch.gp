@@ -13,20 +13,20 @@ do for [format in "svg png"] {
 	if (format eq "png") { set terminal pngcairo size 1000,(study ? 800 : 700) font 'Helvetica,11' }
 	set output out.'.'.format
 	set multiplot
-	set key top right
+	set key top right spacing 1.1
 	if (study) {
 		set size 0.5,0.42
 		set origin 0,0.58
 		set logscale xy
 		set xrange [0.4:5]
-		set yrange [3:500]
+		set yrange [3:10000]
 		set xlabel 'depth of cut (grains)'
 		set ylabel 'F_t/(w d) (MPa)'
 		plot strength with lines dt 2 lc rgb '#777777' title 'strength: the rule of ductile cutting', \
 		     table using ($1 == 5 ? $2 : NaN):4:5 with yerrorbars lw 2 pt 7 ps 0.9 lc rgb '#1f4e79' title 'mean', \
 		     table using ($1 == 5 ? $2 : NaN):7 with points pt 6 ps 0.9 lc rgb '#1f4e79' title 'largest', \
 		     table using ($1 != 5 ? $2 : NaN):4:5 with yerrorbars lw 2 pt 5 ps 0.9 lc rgb '#c55a11' title 'other speeds', \
-		     20/sqrt(x) with lines lc rgb '#c55a11' title 'd^{-1/2}'
+		     14/sqrt(x) with lines lc rgb '#c55a11' title 'd^{-1/2}'
 		unset logscale
 	}
 	set size (study ? 0.5 : 1),0.42

@@ -26,9 +26,10 @@ syn keyword tsimKeyword  random nearest table partner turns keeps wall_normal sp
 syn match tsimKeyword /\<velocity\>/ 
 syn keyword tsimKeyword  E nu G kappa lambda yield sigma_c tau_c sigma_compression scatter
 syn keyword tsimKeyword  none normal weibull deviation shape damping damping_normal
-syn keyword tsimKeyword  damping_shear damping_bending damping_twist stressBreak
-syn keyword tsimKeyword  createBondAlways tensionStress compressionStress shearStress
-syn keyword tsimKeyword  normalTorqueStress shearTorqueStress dampingBond
+syn keyword tsimKeyword  damping_shear damping_bending damping_twist store/local
+syn keyword tsimKeyword  overlay/pair smooth normalize break break/no volume/factor
+syn keyword tsimKeyword  stressBreak createBondAlways tensionStress compressionStress
+syn keyword tsimKeyword  shearStress normalTorqueStress shearTorqueStress dampingBond
 syn keyword tsimKeyword  ratioTensionCompression temperatureBreak dampingBondSmooth
 syn keyword tsimKeyword  dissipationBond druckerPrager stiffness ultimate kn ks ratio beta
 syn keyword tsimKeyword  map array hash id first sort tilt small large
@@ -85,20 +86,21 @@ syn keyword tsimKeyword  default mixed bound reduced nchunk limit ids nfreq betw
 syn keyword tsimKeyword  values interpolation cubic solid_fraction amount load bumpiness
 syn keyword tsimKeyword  upper_wall_restitution upper_roughness upper_bumpiness friction
 syn keyword tsimKeyword  tangential packing theory lun garzo/dufty radial lun/savage
-syn keyword tsimKeyword  carnahan/starling branch dense dilute points tolerance kspace
-syn keyword tsimKeyword  tensor com average property xcm vcm fcm torque quat angmom
-syn keyword tsimKeyword  masstotal inertia clumptype id_multisphere ex_space ey_space
-syn keyword tsimKeyword  ez_space bond/type region_count tracer periodic reset_marker min
-syn keyword tsimKeyword  max ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
-syn keyword tsimKeyword  update_on_run_end winkler halfspace young poisson counter_young
-syn keyword tsimKeyword  counter_poisson iterations counter adof cdof mean linear/x
-syn keyword tsimKeyword  linear/y linear/z weight number motion translation rotation
-syn keyword tsimKeyword  unbiased primitives colour u v movie voxel size view center up
-syn keyword tsimKeyword  zoom persp axes subbox shiny fsaa ssao reset coefficient
-syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
-syn keyword tsimKeyword  title1 title2 title3 auto auto/upper auto/lower full prefactor
-syn keyword tsimKeyword  scalar nevery cell_size_relative parallel basevolume_region kind
-syn keyword tsimKeyword  global beyond end extra level dim vmax
+syn keyword tsimKeyword  carnahan/starling torquato branch dense dilute points tolerance
+syn keyword tsimKeyword  shear_rate kspace tensor com average property xcm vcm fcm torque
+syn keyword tsimKeyword  quat angmom masstotal inertia clumptype id_multisphere ex_space
+syn keyword tsimKeyword  ey_space ez_space bond/type region_count tracer periodic
+syn keyword tsimKeyword  reset_marker min max ave sumsq avesq sumabs aveabs minabs maxabs
+syn keyword tsimKeyword  inputs peratom update_on_run_end winkler halfspace young poisson
+syn keyword tsimKeyword  counter_young counter_poisson iterations counter adof cdof mean
+syn keyword tsimKeyword  linear/x linear/y linear/z weight number motion translation
+syn keyword tsimKeyword  rotation unbiased primitives colour u v movie voxel size view
+syn keyword tsimKeyword  center up zoom persp axes subbox shiny fsaa ssao legend reset
+syn keyword tsimKeyword  coefficient fluid_acceleration two_way energy sample running
+syn keyword tsimKeyword  window overwrite title1 title2 title3 auto auto/upper auto/lower
+syn keyword tsimKeyword  full prefactor scalar nevery cell_size_relative parallel
+syn keyword tsimKeyword  basevolume_region kind global beyond end extra level prob iparam
+syn keyword tsimKeyword  jparam dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate volume
 syn keyword tsimKeyword  wiggle xy xz yz flip xyz scheme explicit implicit lagged void
@@ -165,10 +167,10 @@ syn keyword tsimKeyword  pressure_ylo pressure_yhi floating closed cavitation ha
 syn keyword tsimKeyword  jfo cavity_pressure transient stepped
 syn match tsimKeyword /\<run\>/ 
 syn keyword tsimKeyword  least_gap touching solid axisymmetric plane point span distance
-syn keyword tsimKeyword  profile potential generic hertz/material dmt mass_velocity
-syn keyword tsimKeyword  viscoelastic tsuji coeff_restitution rolling twisting heat
-syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid side in out
-syn keyword tsimKeyword  bounds angle0
+syn keyword tsimKeyword  profile potential anharmonic generic hertz/material dmt
+syn keyword tsimKeyword  mass_velocity viscoelastic tsuji coeff_restitution rolling
+syn keyword tsimKeyword  twisting heat unfinished preconditioner diagonal direct multigrid
+syn keyword tsimKeyword  side in out bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -197,10 +199,11 @@ syn keyword tsim_fix contained adapt added_mass addforce ave/atom ave/chunk ave/
 syn keyword tsim_fix contained ave/error ave/euler ave/histo ave/histo/weight ave/period
 syn keyword tsim_fix contained ave/spatial ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
-syn keyword tsim_fix contained bond/breakage bond/create/gran buoyancy check/timestep/bond
-syn keyword tsim_fix contained check/timestep/gran controller couple/cfd couple/cfd/convection
-syn keyword tsim_fix contained couple/cfd/force couple/cfd/force/implicit damping/cundall deform
-syn keyword tsim_fix contained drag drag/beetstra drag/carlson_hoglund drag/di_felice drag/ergun
+syn keyword tsim_fix contained bond/break bond/breakage bond/create bond/create/gran
+syn keyword tsim_fix contained bond/store/local buoyancy check/timestep/bond check/timestep/gran
+syn keyword tsim_fix contained controller couple/cfd couple/cfd/convection couple/cfd/force
+syn keyword tsim_fix contained couple/cfd/force/implicit damping/cundall deform drag
+syn keyword tsim_fix contained drag/beetstra drag/carlson_hoglund drag/di_felice drag/ergun
 syn keyword tsim_fix contained drag/gidaspow drag/koch_hill drag/schiller_naumann drag/stokes
 syn keyword tsim_fix contained drag/wen_yu drill/bit energy/ledger enforce2d evaporate
 syn keyword tsim_fix contained flow/pressure_gradient flow/scalar freeze gravity halt heat/gran
@@ -210,8 +213,8 @@ syn keyword tsim_fix contained langevin lift/magnus lift/saffman lineforce lubri
 syn keyword tsim_fix contained massflow/mesh mesh/surface mesh/surface/planar mesh/surface/stress
 syn keyword tsim_fix contained mesh/surface/stress/servo momentum move move/mesh move/mesh/free
 syn keyword tsim_fix contained multicontact/halfspace multisphere nve nve/euler nve/limit
-syn keyword tsim_fix contained nve/noforce nve/sphere nve/symplectic
-syn keyword tsim_fix contained particledistribution/discrete
+syn keyword tsim_fix contained nve/noforce nve/sphere nve/bpm/sphere nve/sphere/bpm
+syn keyword tsim_fix contained nve/symplectic particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased
 syn keyword tsim_fix contained particletemplate/multiplespheres particletemplate/multisphere
@@ -233,10 +236,10 @@ syn keyword tsim_compute contained chunk/spread/atom cluster/atom com com/chunk 
 syn keyword tsim_compute contained coord/atom count/type displace/atom erotate/multisphere
 syn keyword tsim_compute contained erotate/sphere erotate erotate/sphere/atom film film/atom
 syn keyword tsim_compute contained flow/flux flow/force flow/line flow/plane flow/probe fragment/atom
-syn keyword tsim_compute contained granular/couette group/group gyration gyration/chunk inertia/chunk
-syn keyword tsim_compute contained ke ke/atom ke/multisphere leave msd msd/chunk multisphere rigid
-syn keyword tsim_compute contained multisphere/single nbond/atom neighbor/atom
-syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local
+syn keyword tsim_compute contained granular/couette granular/shear group/group gyration
+syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave msd
+syn keyword tsim_compute contained msd/chunk multisphere rigid multisphere/single nbond/atom
+syn keyword tsim_compute contained neighbor/atom nparticles/tracer/region omega/chunk pair/gran/local
 syn keyword tsim_compute contained pair/gran/local/bond pair/local pe pe/atom pressure property/atom
 syn keyword tsim_compute contained property/chunk property/local rdf reduce reduce/chunk
 syn keyword tsim_compute contained reduce/region slice squeeze/atom stress/atom surface/contact temp
@@ -250,16 +253,16 @@ hi def link tsim_region Type
 syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
 syn keyword tsim_dump contained atom automaton/png automaton/vtk custom custom/vtk euler/vtk
 syn keyword tsim_dump contained flow/vtk image local local/gran/vtk local/vtk mesh/stl stl
-syn keyword tsim_dump contained mesh/vtk mesh/gran/VTK
+syn keyword tsim_dump contained mesh/vtk mesh/gran/VTK movie
 syn match tsim_dump /\<restart\>/ contained
 syn keyword tsim_dump contained voxel/vtk xyz
 hi def link tsim_dump Type
 syn match tsimHead /^\s*pair_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pair
-syn keyword tsim_pair contained gran gran/hertz/history gran/hooke gran/hooke/history granular
-syn keyword tsim_pair contained spring/dashpot
+syn keyword tsim_pair contained bpm/spring gran gran/hertz/history gran/hooke gran/hooke/history
+syn keyword tsim_pair contained granular spring/dashpot
 hi def link tsim_pair Type
 syn match tsimHead /^\s*bond_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_bond
-syn keyword tsim_bond contained beam cohesion contact gran parallel
+syn keyword tsim_bond contained beam bpm/rotational bpm/spring cohesion contact gran parallel
 hi def link tsim_bond Type
 syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_flow
 syn keyword tsim_flow contained projection reynolds stagnation uniform
