@@ -10,7 +10,8 @@
 
 #include "base/banned.h"
 
-enum { MANY = 100000 /* frames of a run that are worth a warning */ };
+/* Frames of a run that are worth a warning; more are those of a rerun, whose last step is not known. */
+static const int64_t MANY = 100000, NO_END = INT64_C(1000000000000);
 
 static enum ts_status check_name(struct ts_instance *self, struct tsim *sim)
 {
@@ -46,7 +47,7 @@ static void warn_of_frames(struct ts_instance *self, struct tsim *sim)
 		ts_warn(&sim->log, &self->where,
 			"dump %s: '%s' has no `*` for the step: each picture replaces the one before",
 			self->id, d->file);
-	if (d->frames == 1 && sim->run.inside && frames > MANY)
+	if (d->frames == 1 && sim->run.inside && frames > MANY && frames < NO_END)
 		ts_warn(&sim->log, &self->where, "dump %s: this run writes %lld pictures, one in %lld steps",
 			self->id, (long long)frames, (long long)d->every);
 }
