@@ -160,8 +160,20 @@ while at < len(data):
     at += 12 + n
 width, height = struct.unpack('>II', parts[b'IHDR'][:8])
 assert (width, height) == (120, 30) and b'IEND' in parts
-rows = zlib.decompress(parts[b'IDAT'])
-pixel = lambda x, y: tuple(rows[y * 361 + 1 + 3 * x:y * 361 + 4 + 3 * x])
+packed = zlib.decompress(parts[b'IDAT'])
+
+def predict(kind, a, b, c):
+    p = a + b - c
+    return [0, a, b, (a + b) // 2, min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]][kind]
+
+rows, above = [], [0] * 363
+for y in range(height):
+    kind, row = packed[361 * y], [0] * 3
+    for k in range(360):
+        row.append((packed[361 * y + 1 + k] + predict(kind, row[k], above[3 + k], above[k])) % 256)
+    rows.append(row)
+    above = row
+pixel = lambda x, y: tuple(rows[y][3 + 3 * x:6 + 3 * x])
 assert pixel(1, 1) == pixel(1, 28) == (90, 90, 90)
 cells = [pixel(3 * i + 1, 3 * j + 1) for i in range(40) for j in range(1, 9)]
 assert sum(c != (255, 255, 255) for c in cells) == 224
