@@ -511,7 +511,6 @@ bad 'massflow/mesh mesh MESH vec_side' 'fix m all massflow/mesh/face mesh m'
 bad 'fix ID all move/mesh/free mesh M density D' 'fix m all mesh/surface/stress/6dof file x.stl type 1'
 bad 'ave/euler nevery N cell_size_relative C' 'fix m all ave/euler/region nevery 10 region left'
 bad 'particles are spheres' 'set group all shape 1 1 1'
-bad 'belongs to cohesion bond' 'pair_style gran model hertz tangential history createBondAlways on'
 bad 'coupling of coarse and fine grains' 'fix m all forcecontrol/region ctrlPV stress'
 script <<'END'
 units si
