@@ -62,7 +62,7 @@ static enum ts_status set_type_colours(struct ts_instance *self, struct tsim *si
 	const struct ts_image *s = self->state;
 	struct ts_word part = word[1];
 	char *text = ts_arena_strdup(&self->arena, word[1].text), *rest;
-	size_t lo, hi, n = 0, first = 0;
+	size_t lo = 1, hi = 0, n = 0, first = 0;
 	struct ts_colour colour[64];
 
 	if (!text)
@@ -83,7 +83,7 @@ static enum ts_status set_type_colours(struct ts_instance *self, struct tsim *si
 static enum ts_status set_type_diameters(struct tsim *sim, struct ts_image_types *types,
 					 const struct ts_word *word)
 {
-	size_t lo, hi;
+	size_t lo = 1, hi = 0;
 	double diameter;
 
 	TS_TRY(read_types(sim, &word[0], types, &lo, &hi));

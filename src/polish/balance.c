@@ -139,7 +139,7 @@ static enum ts_status finish(struct search *s, double q[3], double *rest)
 enum ts_status ts_balance_solve(const struct ts_balance *b, double q[3], double *rest)
 {
 	struct search s = { .b = b }, next;
-	double ridge, matrix[3][3], damping[3][3];
+	double ridge, matrix[3][3] = { { 0 } }, damping[3][3] = { { 0 } };
 	bool fresh = false;
 
 	memcpy(s.q, q, sizeof s.q);
