@@ -17,7 +17,7 @@ number() {
 broken() {
 	local all shear
 	all=$(grep -vc '^#' "post/$1.broken.txt")
-	shear=$(grep -c 'shear$' "post/$1.broken.txt")
+	shear=$(grep -c ' shear ' "post/$1.broken.txt")
 	[ "$all" -gt 0 ] && grep -q " broken bonds  *= $all, $shear of them by shear" out
 	report "$1: each broken bond is listed" $? out
 }
