@@ -33,6 +33,7 @@ static enum ts_status record_failure(struct tsim *sim, size_t b, struct ts_bond_
 			       sim->clock.step, e->tag[0], e->tag[1],
 			       360 / TS_PI * acos(fmin(state.cosine, 1)));
 	ts_bond_energies(&element, &state, energy);
+	*all = 0;
 	for (int k = 0; k < TS_BOND_MODES; k++)
 		*all += energy[k];
 	e->mode = (int32_t)ts_bond_failure_of(&element, &state);
