@@ -51,18 +51,19 @@ static int read_report(int report)
 	return n == (ssize_t)sizeof code ? code : 0;
 }
 
-static int exit_status(int status)
+/* Waits for the child with the options of waitpid; false: not ended. *status: its exit status, or 128 + signal number. */
+static bool wait_for(pid_t child, int options, int *status)
 {
-	return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-}
+	int code = 0;
+	pid_t ended;
 
-static int wait_for(pid_t child)
-{
-	int status = 0;
-
-	while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-		;
-	return exit_status(status);
+	do
+		ended = waitpid(child, &code, options);
+	while (ended < 0 && errno == EINTR);
+	*status = ended < 0	      ? 127 /* somebody else has waited for it */
+		  : WIFSIGNALED(code) ? 128 + WTERMSIG(code)
+				      : WEXITSTATUS(code);
+	return ended != 0;
 }
 
 static int start_process(const struct ts_process *p, int in, int out, pid_t *child)
@@ -104,26 +105,21 @@ enum ts_status ts_process_start(struct ts_process *p, struct ts_error *err)
 	return ts_fail(err, TS_IO, NULL, "cannot start '%s': %s", p->words[0], strerror(code));
 }
 
-/* Waits for the end with the options of waitpid; false: not ended. */
-static bool wait_for_end(struct ts_process *p, int options)
+static bool end_process(struct ts_process *p, int options)
 {
-	int status = 0;
-	pid_t ended;
+	int status;
 
-	do
-		ended = waitpid(p->child, &status, options);
-	while (ended < 0 && errno == EINTR);
-	if (ended == 0)
+	if (!wait_for(p->child, options, &status))
 		return false;
+	p->status = status;
 	p->child = 0;
-	p->status = ended < 0 ? 127 : exit_status(status); /* < 0: somebody else has waited for it */
 	p->seconds = ts_clock() - p->begin;
 	return true;
 }
 
 bool ts_process_ended(struct ts_process *p)
 {
-	return p->child <= 0 || wait_for_end(p, WNOHANG);
+	return p->child <= 0 || end_process(p, WNOHANG);
 }
 
 void ts_process_signal(const struct ts_process *p, int number)
@@ -135,7 +131,7 @@ void ts_process_signal(const struct ts_process *p, int number)
 enum ts_status ts_process_run(struct ts_process *p, struct ts_error *err)
 {
 	TS_TRY(ts_process_start(p, err));
-	wait_for_end(p, 0);
+	end_process(p, 0);
 	return TS_OK;
 }
 
@@ -144,7 +140,7 @@ enum ts_status ts_process_run(struct ts_process *p, struct ts_error *err)
 int ts_feed_start(struct ts_feed *feed, const char *const *words)
 {
 	const struct ts_process process = { .words = words, .apart = true };
-	int end[2], code;
+	int end[2], code, status;
 	pid_t child;
 
 	*feed = (struct ts_feed){ 0 };
@@ -157,7 +153,7 @@ int ts_feed_start(struct ts_feed *feed, const char *const *words)
 	if (code) {
 		close(end[0]);
 		if (child > 0)
-			wait_for(child);
+			wait_for(child, 0, &status);
 		return code;
 	}
 	feed->child = child;
@@ -225,6 +221,7 @@ int ts_feed_write(struct ts_feed *feed, const void *bytes, size_t n)
 int ts_feed_end(struct ts_feed *feed)
 {
 	const pid_t child = feed->child;
+	int status;
 
 	if (!child)
 		return 0;
@@ -233,7 +230,8 @@ int ts_feed_end(struct ts_feed *feed)
 		;
 	close(feed->socket);
 	feed->child = 0;
-	return wait_for(child);
+	wait_for(child, 0, &status);
+	return status;
 }
 
 void ts_feed_kill(struct ts_feed *feed)

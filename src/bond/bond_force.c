@@ -41,16 +41,14 @@ static enum ts_status record_failure(struct tsim *sim, size_t b, struct ts_bond_
 }
 
 /* The elastic energy of a central spring; NaN if the law has none. */
-static enum ts_status record_spring(const struct tsim *sim, size_t b, double *all)
+static double spring_energy(const struct tsim *sim, size_t b)
 {
 	double energy[TS_BOND_MODES];
 
-	*all = NAN;
 	if (!ts_bond_style_of(ts_sim_only(sim, TS_KIND_BOND))->energy)
-		return TS_OK;
+		return NAN;
 	ts_bond_energy(sim, b, energy);
-	*all = energy[TS_BOND_NORMAL];
-	return TS_OK;
+	return energy[TS_BOND_NORMAL];
 }
 
 static enum ts_status record_breakage(struct tsim *sim, size_t b)
@@ -76,8 +74,10 @@ static enum ts_status record_breakage(struct tsim *sim, size_t b)
 	for (int s = 0; s < 2; s++)
 		e->tag[s] = bonds->tag[b][s];
 	bonds->broken++;
-	TS_TRY(bonds->transmits ? record_failure(sim, b, e, &bonds->event_energy[bonds->nevents - 1])
-				: record_spring(sim, b, &bonds->event_energy[bonds->nevents - 1]));
+	if (bonds->transmits)
+		TS_TRY(record_failure(sim, b, e, &bonds->event_energy[bonds->nevents - 1]));
+	else
+		bonds->event_energy[bonds->nevents - 1] = spring_energy(sim, b);
 	if (bonds->breaks[b] > 1)
 		e->mode = bonds->breaks[b] - TS_BOND_BREAKS_BY(0);
 	return TS_OK;

@@ -95,6 +95,14 @@ TS_INLINE struct ts_wxyz ts_wxyz_product(struct ts_wxyz a, struct ts_wxyz b)
 				 a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w };
 }
 
+/* Rotation by the vector a, small or not. */
+static inline struct ts_wxyz ts_wxyz_of_vector(struct ts_xyz a)
+{
+	const double angle = sqrt(ts_xyz_dot(a, a)), s = angle > 0 ? sin(0.5 * angle) / angle : 0.5;
+
+	return (struct ts_wxyz){ cos(0.5 * angle), s * a.x, s * a.y, s * a.z };
+}
+
 /* The rotation from b to a, seen from b: conj(b) a. */
 TS_INLINE struct ts_wxyz ts_wxyz_from(struct ts_wxyz b, struct ts_wxyz a)
 {

@@ -35,14 +35,6 @@ static inline struct ts_plastic_section ts_plastic_circle(double radius, double 
 					    .torque = 2.0 / 3 * TS_PI * r3 * yield / sqrt(3) };
 }
 
-/* Rotation by the vector a, small or not. */
-static inline struct ts_wxyz ts_wxyz_of_vector(struct ts_xyz a)
-{
-	const double angle = sqrt(ts_xyz_dot(a, a)), s = angle > 0 ? sin(0.5 * angle) / angle : 0.5;
-
-	return (struct ts_wxyz){ cos(0.5 * angle), s * a.x, s * a.y, s * a.z };
-}
-
 /* The moments at the three places, as they act on the bodies: perpendicular to the element at its ends, and about it. */
 static inline void ts_plastic_moments(const struct ts_bond_element *e, const struct ts_bond_ends *s,
 				      struct ts_xyz out[TS_PLASTIC_PLACES])

@@ -31,24 +31,16 @@ static struct ts_xyz random_vector(struct ts_rng *rng, double size)
 	return a;
 }
 
-/* The rotation by the vector a. */
-static struct ts_wxyz rotation(struct ts_xyz a)
-{
-	double angle = sqrt(ts_xyz_dot(a, a)), s = angle > 0 ? sin(angle / 2) / angle : 0.5;
-
-	return (struct ts_wxyz){ cos(angle / 2), s * a.x, s * a.y, s * a.z };
-}
-
 /* Deformed by about a third, relative rotation up to 60 degrees; both ends turned at random. */
 static struct ts_bond_ends random_ends(struct ts_rng *rng)
 {
-	const struct ts_wxyz all = rotation(random_vector(rng, 2));
+	const struct ts_wxyz all = ts_wxyz_of_vector(random_vector(rng, 2));
 	struct ts_bond_ends s;
 
 	s.d = ts_wxyz_rotate(all,
 			     ts_xyz_add((struct ts_xyz){ sample.length, 0, 0 }, 1, random_vector(rng, 0.3)));
 	for (int k = 0; k < 2; k++) {
-		s.q[k] = ts_wxyz_product(all, rotation(random_vector(rng, 0.3)));
+		s.q[k] = ts_wxyz_product(all, ts_wxyz_of_vector(random_vector(rng, 0.3)));
 		s.omega[k] = random_vector(rng, 1);
 	}
 	s.v = random_vector(rng, 1);
@@ -76,7 +68,7 @@ static double energy_at(const struct ts_bond_ends *s, int k, double h)
 	if (k < 3)
 		t.d = ts_xyz_add(t.d, 1, step);
 	else
-		t.q[k / 3 - 1] = ts_wxyz_product(rotation(step), t.q[k / 3 - 1]);
+		t.q[k / 3 - 1] = ts_wxyz_product(ts_wxyz_of_vector(step), t.q[k / 3 - 1]);
 	return energy_of(&t, &a);
 }
 
@@ -132,7 +124,7 @@ END_TEST
 START_TEST(rigid_motion)
 {
 	struct ts_rng rng = ts_rng_start(2393, (uint64_t)_i);
-	const struct ts_wxyz by = rotation(random_vector(&rng, 3));
+	const struct ts_wxyz by = ts_wxyz_of_vector(random_vector(&rng, 3));
 	const struct ts_xyz omega = random_vector(&rng, 2);
 	struct ts_bond_ends s = random_ends(&rng), t = s, rest = s;
 	struct ts_bond_answer a, b;
@@ -170,10 +162,10 @@ START_TEST(rotation_vector)
 		struct ts_bond_ends s = { .d = { 1, 0, 0 }, .q = { { 1, 0, 0, 0 } } };
 		struct ts_bond_answer a;
 
-		s.q[1] = rotation((struct ts_xyz){ -angle, 0, 0 });
+		s.q[1] = ts_wxyz_of_vector((struct ts_xyz){ -angle, 0, 0 });
 		ts_bond_elastic(&sample, &s, &a);
 		DECK_NEAR(a.load[TS_BOND_TWIST], -sample.k[TS_BOND_TWIST] * angle, 1e-15);
-		s.q[1] = rotation((struct ts_xyz){ 0, 0.6 * angle, 0.8 * angle });
+		s.q[1] = ts_wxyz_of_vector((struct ts_xyz){ 0, 0.6 * angle, 0.8 * angle });
 		ts_bond_elastic(&sample, &s, &a);
 		DECK_NEAR(a.load[TS_BOND_BENDING], sample.k[TS_BOND_BENDING] * angle, 2e-15);
 		DECK_NEAR(a.cosine, cos(angle / 2), 2e-16);
@@ -221,7 +213,7 @@ static void displace(struct chain *c, int at, double h)
 	if (at % 6 < 3)
 		c->x[node] = ts_xyz_add(c->x[node], 1, step);
 	else
-		c->q[node] = ts_wxyz_product(rotation(step), c->q[node]);
+		c->q[node] = ts_wxyz_product(ts_wxyz_of_vector(step), c->q[node]);
 }
 
 /* Gauss-Jordan elimination with pivots. */
