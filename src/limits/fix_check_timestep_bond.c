@@ -16,7 +16,7 @@
 enum { BOND, SKIN, STABLE };
 
 struct state {
-	struct ts_step_check check;
+	struct ts_step_check check; /* first: ts_step_check_eval */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -83,14 +83,6 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return ts_step_check_judge_skin(self, sim, c, SKIN);
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
-{
-	(void)sim;
-	for (int k = 0; k < TS_STEP_RATIOS; k++)
-		out->data[k] = ((const struct state *)self->state)->check.ratio[k];
-	return TS_OK;
-}
-
 static const struct ts_arg args[] = {
 	TS_LIST("when", struct state, check.words,
 		.help = "number of steps between checks, or `check_every_time T`; then the largest allowed "
@@ -102,7 +94,7 @@ static const struct ts_arg args[] = {
 static const char *const names[] = { "bond", "skin", "stable" };
 static const struct ts_value values[] = {
 	{ "ratios", "", "dt by the time of the bonds, displacement per step by the skin, dt by the limit",
-	  TS_VECTOR, TS_STEP_RATIOS, names, eval },
+	  TS_VECTOR, TS_STEP_RATIOS, names, ts_step_check_eval },
 	{ .name = NULL },
 };
 static const struct ts_saved saved[] = { TS_SAVE_F64(struct state, check.ratio), TS_SAVED_ROWS_END };

@@ -11,7 +11,7 @@
 enum { RAYLEIGH, HERTZ, SKIN };
 
 struct state {
-	struct ts_step_check check;
+	struct ts_step_check check; /* first: ts_step_check_eval */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -43,14 +43,6 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return ts_step_check_judge_skin(self, sim, c, SKIN);
 }
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
-{
-	(void)sim;
-	for (int k = 0; k < TS_STEP_RATIOS; k++)
-		out->data[k] = ((const struct state *)self->state)->check.ratio[k];
-	return TS_OK;
-}
-
 static const struct ts_arg args[] = {
 	TS_LIST("when", struct state, check.words,
 		.help = "number of steps between checks, or `check_every_time T`; then the largest allowed "
@@ -62,7 +54,7 @@ static const struct ts_arg args[] = {
 static const char *const names[] = { "rayleigh", "hertz", "skin" };
 static const struct ts_value values[] = {
 	{ "ratios", "", "dt by the Rayleigh time, dt by the Hertz time, displacement per step by the skin",
-	  TS_VECTOR, TS_STEP_RATIOS, names, eval },
+	  TS_VECTOR, TS_STEP_RATIOS, names, ts_step_check_eval },
 	{ .name = NULL },
 };
 static const struct ts_saved saved[] = { TS_SAVE_F64(struct state, check.ratio), TS_SAVED_ROWS_END };

@@ -2,6 +2,7 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <string.h>
 
 #include "mesh/mesh_surface.h"
 #include "particle/prescribed.h"
@@ -105,5 +106,14 @@ enum ts_status ts_step_check_judge_skin(const struct ts_instance *self, struct t
 			"fix %s: particles may come %g of the skin nearer in a step: the neighbour list is "
 			"rebuilt all the time",
 			self->style->name, c->ratio[which]);
+	return TS_OK;
+}
+
+enum ts_status ts_step_check_eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct ts_step_check *c = self->state;
+
+	(void)sim;
+	memcpy(out->data, c->ratio, sizeof c->ratio);
 	return TS_OK;
 }

@@ -41,5 +41,7 @@ enum ts_status ts_step_check_judge(const struct ts_instance *self, struct tsim *
 /* The same for ratio[which], the displacement in a step as a fraction of the skin: with `legacy` only. */
 enum ts_status ts_step_check_judge_skin(const struct ts_instance *self, struct tsim *sim,
 					struct ts_step_check *c, int which);
+/* Output of the ratios, of a fix whose state begins with its ts_step_check. */
+enum ts_status ts_step_check_eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out);
 
 #endif
