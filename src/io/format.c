@@ -138,15 +138,29 @@ enum ts_status ts_formats_choose(const struct ts_formats *f, struct ts_error *er
 	return ts_format_check(word->text, integer, out) ? TS_OK : refuse_format(err, word, integer);
 }
 
+/* The digits of a format %g or %.Ng; 0 for all others. */
+static int digits_of_g(const char *format)
+{
+	int n = 6;
+
+	if (*format++ != '%')
+		return 0;
+	if (*format == '.')
+		for (n = 0, format++; *format >= '0' && *format <= '9' && n <= TS_DECIMAL_DIGITS; format++)
+			n = 10 * n + (*format - '0');
+	return n <= TS_DECIMAL_DIGITS && format[0] == 'g' && !format[1] ? n : 0;
+}
+
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
 void ts_format_add(struct ts_str *out, const char *format, bool integer, double value)
 {
 	char text[TS_DECIMAL_SIZE];
+	int digits = integer ? 0 : digits_of_g(format);
 
 	if (integer && ts_streq(format, "%lld"))
 		ts_str_add_n(out, text, ts_decimal_lld((long long)value, text));
-	else if (!integer && ts_streq(format, "%g"))
-		ts_str_add_n(out, text, ts_decimal_g(value, text));
+	else if (digits)
+		ts_str_add_n(out, text, ts_decimal_g(value, digits, text));
 	else if (integer)
 		ts_str_addf(out, format, (long long)value);
 	else
