@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "box/domain.h"
+#include "io/decimal.h"
 #include "particle/identity.h"
 #include "particle/sphere_shape.h"
 #include "particle/user_columns.h"
@@ -41,15 +42,16 @@ static double density_of(double mass, double volume)
 /* The shortest of %.15g, %.16g, %.17g that is read back to the same bits. */
 static void add_number(struct ts_str *out, double value)
 {
-	char text[32];
+	char text[TS_DECIMAL_SIZE + 1];
 	double back;
 
 	for (int digits = 15; digits <= 17; digits++) {
-		snprintf(text, sizeof text, "%.*g", digits, value);
+		text[ts_decimal_g(value, digits, text)] = '\0';
 		if (ts_parse_real(text, &back) && back == value)
 			break;
 	}
-	ts_str_addf(out, " %s", text);
+	ts_str_add(out, " ");
+	ts_str_add(out, text);
 }
 
 static void add_header(struct tsim *sim, struct ts_str *out, struct ts_data_counts counts)
