@@ -1010,6 +1010,16 @@ library_sources = \
 	src/particle/type_factors.h \
 	src/particle/user_columns.c \
 	src/particle/user_columns.h \
+	src/plot/plot.c \
+	src/plot/plot.h \
+	src/plot/plot_layout.c \
+	src/plot/plot_layout.h \
+	src/plot/plot_scale.c \
+	src/plot/plot_scale.h \
+	src/plot/plot_svg.c \
+	src/plot/plot_svg.h \
+	src/plot/plot_trace.c \
+	src/plot/plot_trace.h \
 	src/poisson/command_pressure_style.c \
 	src/poisson/conjugate_gradient.c \
 	src/poisson/conjugate_gradient.h \

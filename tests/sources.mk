@@ -283,6 +283,7 @@ unit_tests = \
 	tests/neigh/check_order \
 	tests/neigh/check_pairs \
 	tests/particle/check_particles \
+	tests/plot/check_plot \
 	tests/poisson/check_poisson \
 	tests/polish/check_floating \
 	tests/polish/check_wafer \
@@ -599,6 +600,10 @@ tests_neigh_check_pairs_LDADD = $(tests_ldadd)
 tests_particle_check_particles_SOURCES = tests/particle/check_particles.c
 tests_particle_check_particles_CFLAGS = $(tests_cflags)
 tests_particle_check_particles_LDADD = $(tests_ldadd)
+
+tests_plot_check_plot_SOURCES = tests/plot/check_plot.c
+tests_plot_check_plot_CFLAGS = $(tests_cflags)
+tests_plot_check_plot_LDADD = $(tests_ldadd)
 
 tests_poisson_check_poisson_SOURCES = tests/poisson/check_poisson.c
 tests_poisson_check_poisson_CFLAGS = $(tests_cflags)

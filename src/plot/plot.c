@@ -1,0 +1,55 @@
+#include "plot/plot.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+enum { FEW = 40 };
+/* Beyond it the width of a range is no number. */
+static const double LARGEST = 1e300, LEAST = 1e-300;
+
+unsigned ts_plot_colour(size_t k, bool dark)
+{
+	/* blue, vermilion, bluish green, reddish purple, orange, sky blue, ink; on a dark ground all lighter */
+	static const unsigned colour[2][TS_PLOT_COLOURS] = {
+		{ 0x0072b2, 0xd55e00, 0x009e73, 0xb8578f, 0xc98500, 0x3a9bd0, 0x333333 },
+		{ 0x4aa8e8, 0xf58a42, 0x2fc79c, 0xe8a0cb, 0xf0b840, 0x9ad6f7, 0xdddddd },
+	};
+
+	return colour[dark][k % TS_PLOT_COLOURS];
+}
+
+size_t ts_plot_colour_of(const struct ts_plot *plot, size_t series)
+{
+	const int own = plot->series[series].colour;
+
+	return (own > 0 ? (size_t)own - 1 : series) % TS_PLOT_COLOURS;
+}
+
+size_t ts_plot_marker_of(const struct ts_plot *plot, size_t series)
+{
+	(void)plot;
+	return series % TS_PLOT_MARKERS;
+}
+
+bool ts_plot_has_line(const struct ts_plot_series *s)
+{
+	return s->style != TS_PLOT_POINTS;
+}
+
+bool ts_plot_has_points(const struct ts_plot_series *s)
+{
+	if (s->style == TS_PLOT_AUTO)
+		return s->n <= FEW || s->error;
+	return s->style == TS_PLOT_POINTS || s->style == TS_PLOT_BOTH;
+}
+
+double ts_plot_x(const struct ts_plot_series *s, size_t k)
+{
+	return s->x ? s->x[k] : (double)k;
+}
+
+bool ts_plot_shows(const struct ts_plot_axis *axis, double value)
+{
+	return fabs(value) <= LARGEST && (!axis->log || value >= LEAST);
+}

@@ -1,0 +1,443 @@
+/* Plots: ticks, ranges, values without a place, what is left of a million points, and SVG that is well-formed. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "deck.h"
+#include "math/rng.h"
+#include "plot/plot_svg.h"
+#include "plot/plot_trace.h"
+
+static struct ts_plot_scale scale_of(const struct ts_plot *plot, int axis, int ticks)
+{
+	struct ts_plot_extent extent;
+	struct ts_plot_scale scale;
+
+	ts_plot_extent(plot, &extent);
+	ts_plot_scale_set(&scale, plot, &extent, axis, ticks);
+	return scale;
+}
+
+/* "TEXT TEXT ..." of the ticks of y values, with '|' for minor ones; then the title of the axis. */
+static const char *ticks_of(const double *y, size_t n, bool log, char out[256])
+{
+	const struct ts_plot_series s = { .y = y, .n = n };
+	const struct ts_plot p = { .y = { .label = "y", .log = log }, .series = &s, .n = 1 };
+	const struct ts_plot_scale scale = scale_of(&p, 1, 6);
+	struct ts_str text = { 0 };
+
+	for (size_t k = 0; k < scale.n; k++)
+		ts_str_addf(&text, "%s ", *scale.tick[k].text ? scale.tick[k].text : "|");
+	ts_plot_scale_title(&scale, &p.y, &text);
+	snprintf(out, 256, "%s", ts_str_text(&text));
+	ts_str_release(&text);
+	return out;
+}
+
+#define TICKS(log, expected, ...)                                                                     \
+	do {                                                                                          \
+		const double ticks_y[] = { __VA_ARGS__ };                                             \
+		char ticks_text[256];                                                                 \
+		ck_assert_str_eq(ticks_of(ticks_y, DECK_LENGTH(ticks_y), log, ticks_text), expected); \
+	} while (0)
+
+START_TEST(ticks_are_round)
+{
+	TICKS(false, "0 2 4 6 8 10 y", 0, 1, 9.7);
+	TICKS(false, "-1.0 -0.5 0.0 0.5 1.0 y", -1.05, 1.02);
+	TICKS(false, "3.40 3.42 3.44 3.46 3.48 3.50 y", 3.4, 3.5);
+	TICKS(false, "0 5 10 15 20 y (10\u207b\u2076)", 2e-6, 2e-5);
+	TICKS(false, "0.0 0.2 0.4 0.6 0.8 1.0 y (10\u2076)", 0, 1e6);
+	TICKS(false, "0 20000 40000 60000 80000 y", 0, 8e4);
+	TICKS(false, "0 20 40 60 80 100 y (10\u00b2\u2079\u2077)", 0, 1e299);
+}
+END_TEST
+
+/* A range that is small against its distance from zero: the numbers are differences. */
+START_TEST(far_from_zero)
+{
+	TICKS(false, "2 4 6 8 10 12 14 y \u2212 1234567 (10\u207b\u2076)", 1234567.000002, 1234567.000014);
+	TICKS(false, "-54321.8 -54321.6 -54321.4 -54321.2 -54321.0 y", -54321.8, -54321.0);
+	TICKS(false, "1.0 1.2 1.4 1.6 1.8 2.0 y + 7654322", -7654321, -7654320);
+}
+END_TEST
+
+START_TEST(ticks_of_logarithms)
+{
+	TICKS(true, "0.001 0.01 0.1 1 10 100 1000 y", 1.1e-3, 990);
+	TICKS(true, "1e-8 1e-6 1e-4 1e-2 1e0 1e2 1e4 1e6 1e8 y", 1e-8, 1e8);
+	TICKS(true, "0.2 0.5 1 2 5 10 20 y", 0.2, 18);
+	TICKS(true, "3.0 3.2 3.4 3.6 3.8 4.0 y", 3.0, 4.0);
+	TICKS(true, "1e5 1e6 1e7 1e8 | | | | | | | y", 1e5, 3.1e8);
+}
+END_TEST
+
+/* A constant, one point, none: there is a range, and the value is in its middle. */
+START_TEST(ranges_without_width)
+{
+	const double values[] = { 0, 7.3, -1e-9, 1e300, -1e300, 1e-300 };
+	struct ts_plot_scale scale;
+
+	for (size_t k = 0; k < DECK_LENGTH(values); k++)
+		for (size_t n = 0; n < 3; n++) {
+			const double y[] = { values[k], values[k] };
+			const struct ts_plot_series s = { .y = y, .n = n };
+			const struct ts_plot p = { .series = &s, .n = 1 };
+
+			scale = scale_of(&p, 1, 5);
+			ck_assert(scale.lo < scale.hi && isfinite(scale.hi - scale.lo));
+			ck_assert(scale.n >= 2);
+			if (n)
+				DECK_NEAR(ts_plot_scale_at(&scale, values[k]), 0.5, 1e-9);
+		}
+}
+END_TEST
+
+static void count(const double *y, size_t n, bool log, size_t hidden, double lo, double hi)
+{
+	const struct ts_plot_series s = { .y = y, .n = n };
+	const struct ts_plot p = { .y = { .log = log }, .series = &s, .n = 1 };
+	struct ts_plot_extent e;
+
+	ts_plot_extent(&p, &e);
+	ck_assert_uint_eq(e.points, n);
+	ck_assert_uint_eq(e.hidden, hidden);
+	ck_assert(e.lo[1] == lo && e.hi[1] == hi);
+}
+
+START_TEST(values_without_a_place)
+{
+	const double y[] = { NAN, 3, INFINITY, -2, 0, -INFINITY, 1e301, 0.5 };
+
+	count(y, 8, false, 4, -2, 3);
+	count(y, 8, true, 6, 0.5, 3);
+	count(y, 1, true, 1, INFINITY, -INFINITY);
+}
+END_TEST
+
+/* Ends that are given hold exactly; the other axis then shows what is between them. */
+START_TEST(given_ends)
+{
+	const double x[] = { 1, 2, 3, 4 }, y[] = { 10, 20, 30, 1000 };
+	const struct ts_plot_series s = { .x = x, .y = y, .n = 4 };
+	const struct ts_plot p = { .x = { .lo = 1.5, .hi = 3.25 }, .series = &s, .n = 1 };
+	const struct ts_plot half = { .x = { .lo = NAN, .hi = 2.5 }, .series = &s, .n = 1 };
+	struct ts_plot_scale scale = scale_of(&p, 0, 5);
+
+	ck_assert(scale.lo == 1.5 && scale.hi == 3.25);
+	scale = scale_of(&p, 1, 5);
+	ck_assert(scale.hi < 31 && scale.hi >= 30);
+	scale = scale_of(&half, 0, 5);
+	ck_assert(scale.lo <= 1 && scale.hi == 2.5);
+}
+END_TEST
+
+/* Errors and marks are in the range; below zero on a logarithmic axis an error bar ends at the edge. */
+START_TEST(errors_and_marks)
+{
+	const double y[] = { 1, 2 }, error[] = { 1.5, 0.25 };
+	const struct ts_plot_series s = { .y = y, .error = error, .n = 2 };
+	const struct ts_plot_mark mark = { .at = 40 };
+	struct ts_plot p = { .series = &s, .n = 1, .mark = &mark, .marks = 1 };
+	const struct ts_plot_font font = { 7, 17 };
+	struct ts_plot_layout l;
+	struct ts_plot_extent e;
+	double top, bottom;
+
+	ts_plot_extent(&p, &e);
+	ck_assert(e.lo[1] == -0.5 && e.hi[1] == 40);
+	p.y.log = true;
+	ts_plot_extent(&p, &e);
+	ck_assert(e.lo[1] == 1 && e.hi[1] == 40);
+	ck_assert(ts_plot_layout_set(&l, &p, &font) == TS_OK);
+	ck_assert(ts_plot_error_bar(&l, &s, 0, &top, &bottom));
+	ck_assert(bottom == l.bottom && top > l.top && top < bottom);
+	ts_plot_layout_release(&l);
+}
+END_TEST
+
+/* ---- a million points */
+
+enum { MANY = 1000000 };
+
+static double *noise(void)
+{
+	double *y = ts_alloc(MANY, sizeof *y);
+	struct ts_rng rng = ts_rng_start(4711, 0);
+
+	ck_assert_ptr_nonnull(y);
+	for (size_t k = 0; k < MANY; k++)
+		y[k] = ts_rng_uniform(&rng);
+	return y;
+}
+
+/* Of each column of half a unit the extremes are kept, in particular a single spike; the number is bounded by the width. */
+START_TEST(thinning_keeps_extremes)
+{
+	double *y = noise();
+	const struct ts_plot_series s = { .y = y, .n = MANY, .style = TS_PLOT_LINES };
+	const struct ts_plot p = { .series = &s, .n = 1 };
+	const struct ts_plot_font font = { 7, 17 };
+	struct ts_plot_layout l;
+	struct ts_plot_trace t = { 0 };
+	double *lowest, *highest, top = INFINITY;
+	size_t columns;
+
+	y[271828] = 5;
+	ck_assert(ts_plot_layout_set(&l, &p, &font) == TS_OK);
+	ck_assert(ts_plot_trace_line(&t, &l, &s) == TS_OK);
+	columns = (size_t)(2 * l.width) + 2;
+	ck_assert_uint_le(t.n, 4 * columns);
+	lowest = ts_alloc(columns, sizeof *lowest);
+	highest = ts_alloc(columns, sizeof *highest);
+	for (size_t k = 0; k < columns; k++)
+		lowest[k] = INFINITY, highest[k] = -INFINITY;
+	for (size_t k = 0; k < t.n; k++) {
+		const size_t column = (size_t)floor(2 * t.vertex[k].x);
+
+		lowest[column] = fmin(lowest[column], t.vertex[k].y);
+		highest[column] = fmax(highest[column], t.vertex[k].y);
+		top = fmin(top, t.vertex[k].y);
+	}
+	for (size_t k = 0; k < MANY; k++) {
+		const double x = l.left + ts_plot_scale_at(&l.x, (double)k) * (l.right - l.left),
+			     at = l.bottom - ts_plot_scale_at(&l.y, y[k]) * (l.bottom - l.top);
+		const size_t column = (size_t)floor(2 * x);
+
+		deck_assert(at >= lowest[column] - 1e-9 && at <= highest[column] + 1e-9);
+	}
+	DECK_NEAR(top, l.bottom - ts_plot_scale_at(&l.y, 5) * (l.bottom - l.top), 1e-9);
+	ts_free(lowest);
+	ts_free(highest);
+	ts_plot_trace_release(&t);
+	ts_plot_layout_release(&l);
+	ts_free(y);
+}
+END_TEST
+
+/* Gaps lift the pen, a point between two gaps is a dot, and lines end at the edge of the frame. */
+START_TEST(gaps_and_edges)
+{
+	const double y[] = { 1, 2, NAN, 3, NAN, 4, 5, 60 };
+	const struct ts_plot_series s = { .y = y, .n = 8, .style = TS_PLOT_LINES };
+	const struct ts_plot p = {
+		.x = { .lo = 0, .hi = 7 }, .y = { .lo = 0, .hi = 10 }, .series = &s, .n = 1
+	};
+	const struct ts_plot_font font = { 7, 17 };
+	struct ts_plot_layout l;
+	struct ts_plot_trace t = { 0 };
+
+	ck_assert(ts_plot_layout_set(&l, &p, &font) == TS_OK);
+	ck_assert(ts_plot_trace_line(&t, &l, &s) == TS_OK);
+	ck_assert_uint_eq(t.n, 5);
+	ck_assert(t.vertex[0].begins && !t.vertex[1].begins && t.vertex[2].begins && !t.vertex[4].begins);
+	DECK_NEAR(t.vertex[4].y, l.top, 1e-9);
+	ck_assert(t.vertex[4].x > t.vertex[3].x && t.vertex[4].x < l.right);
+	ck_assert(ts_plot_trace_points(&t, &l, &s) == TS_OK);
+	ck_assert_uint_eq(t.n, 1);
+	ck_assert_uint_eq(t.vertex[0].point, 3);
+	ts_plot_trace_release(&t);
+	ts_plot_layout_release(&l);
+}
+END_TEST
+
+/* A histogram: horizontal and vertical lines only, edges half way between. */
+START_TEST(steps)
+{
+	const double x[] = { 1, 2, 4 }, y[] = { 1, 3, 2 };
+	const struct ts_plot_series s = { .x = x, .y = y, .n = 3, .style = TS_PLOT_STEPS };
+	const struct ts_plot p = { .x = { .lo = 0, .hi = 6 }, .series = &s, .n = 1 };
+	const struct ts_plot_font font = { 7, 17 };
+	const double edge[] = { 0.5, 1.5, 1.5, 3, 3, 5 };
+	struct ts_plot_layout l;
+	struct ts_plot_trace t = { 0 };
+
+	ck_assert(ts_plot_layout_set(&l, &p, &font) == TS_OK);
+	ck_assert(ts_plot_trace_line(&t, &l, &s) == TS_OK);
+	ck_assert_uint_eq(t.n, 6);
+	for (size_t k = 0; k < 6; k++)
+		DECK_NEAR(t.vertex[k].x, l.left + edge[k] / 6 * (l.right - l.left), 1e-9);
+	ts_plot_trace_release(&t);
+	ts_plot_layout_release(&l);
+}
+END_TEST
+
+/* ---- SVG */
+
+static size_t occurrences(const char *text, const char *part)
+{
+	size_t n = 0;
+
+	for (; (text = strstr(text, part)); text++)
+		n++;
+	return n;
+}
+
+/* Elements that are opened are closed in turn, and there is no `&` or `<` that is not one. */
+static void assert_well_formed(const char *text)
+{
+	char open[16][16];
+	size_t depth = 0;
+
+	for (const char *c = text; *c; c++) {
+		ck_assert((unsigned char)*c >= ' ' || *c == '\n');
+		if (*c == '&')
+			ck_assert(!strncmp(c, "&amp;", 5) || !strncmp(c, "&lt;", 4) ||
+				  !strncmp(c, "&gt;", 4));
+		if (*c != '<')
+			continue;
+		const char *end = strchr(c, '>');
+		const size_t n = strcspn(c + 1, " >/");
+
+		ck_assert(end && end > c + 1);
+		if (c[1] == '/') {
+			ck_assert(depth > 0);
+			depth--;
+			ck_assert(!strncmp(c + 2, open[depth], strlen(open[depth])));
+		} else if (end[-1] != '/') {
+			ck_assert(depth < 16 && n < 16);
+			snprintf(open[depth], sizeof *open, "%.*s", (int)n, c + 1);
+			depth++;
+		}
+		c = end;
+	}
+	ck_assert_uint_eq(depth, 0);
+}
+
+START_TEST(svg_is_well_formed)
+{
+	const double x[] = { 0.1, 0.2, 0.3 }, y[] = { 1, NAN, 3 }, error[] = { 0.1, 0.1, 0.2 };
+	const struct ts_plot_series s[] = { { "a < b & \xff\xc3(", x, y, error, 3, TS_PLOT_AUTO, 0 },
+					    { NULL, x, y, NULL, 3, TS_PLOT_STEPS, 0 },
+					    { "none", x, y, NULL, 0, TS_PLOT_LINES, 3 } };
+	const struct ts_plot_mark mark[] = { { "<limit>", 2, false }, { NULL, 0.15, true } };
+	const struct ts_plot p = { .title = "T\x01 \u00b5 <svg>",
+				   .x = { "x", "m", .log = true },
+				   .y = { "y & z", NULL },
+				   .series = s,
+				   .n = 3,
+				   .mark = mark,
+				   .marks = 2 };
+	const struct ts_plot empty = { 0 };
+	struct ts_str text = { 0 };
+
+	ck_assert(ts_plot_svg_add(&p, &text) == TS_OK);
+	assert_well_formed(text.text);
+	ck_assert_uint_eq(occurrences(text.text, "a &lt; b &amp; \ufffd\ufffd("), 1);
+	ck_assert_uint_eq(occurrences(text.text, "T\ufffd \u00b5 &lt;svg&gt;"), 2);
+	ck_assert_uint_eq(occurrences(text.text, ">2 of 6 points not shown: not finite, or"), 1);
+	ck_assert_uint_eq(occurrences(text.text, "viewBox=\"0 0 480 320\""), 1);
+	ts_str_clear(&text);
+	ck_assert(ts_plot_svg_add(&empty, &text) == TS_OK);
+	assert_well_formed(text.text);
+	ck_assert_uint_eq(occurrences(text.text, ">no data<"), 1);
+	ts_str_release(&text);
+}
+END_TEST
+
+/* The curve of the picture, read back: three points of known places. */
+START_TEST(svg_has_the_points)
+{
+	const double x[] = { 0, 1, 2 }, y[] = { 0, 4, 1 };
+	const struct ts_plot_series s = { .x = x, .y = y, .n = 3, .style = TS_PLOT_LINES };
+	const struct ts_plot p = {
+		.x = { .lo = 0, .hi = 2 }, .y = { .lo = 0, .hi = 4 }, .series = &s, .n = 1
+	};
+	const struct ts_plot_font font = { 7, 17 };
+	struct ts_plot_layout l;
+	struct ts_str text = { 0 };
+	double v[6];
+	const char *path;
+
+	ck_assert(ts_plot_svg_add(&p, &text) == TS_OK);
+	ck_assert(ts_plot_layout_set(&l, &p, &font) == TS_OK);
+	path = strstr(text.text, "<g class=\"c1\">\n<path d=\"M");
+	ck_assert_ptr_nonnull(path);
+	ck_assert_int_eq(sscanf(path, "<g class=\"c1\">\n<path d=\"M%lf %lfl%lf %lfl%lf %lf", v, v + 1, v + 2,
+				v + 3, v + 4, v + 5),
+			 6);
+	DECK_NEAR(v[0], l.left, 0.051);
+	DECK_NEAR(v[1], l.bottom, 0.051);
+	DECK_NEAR(v[0] + v[2], 0.5 * (l.left + l.right), 0.051);
+	DECK_NEAR(v[1] + v[3], l.top, 0.051);
+	DECK_NEAR(v[0] + v[2] + v[4], l.right, 0.051);
+	DECK_NEAR(v[1] + v[3] + v[5], 0.75 * l.bottom + 0.25 * l.top, 0.051);
+	ts_plot_layout_release(&l);
+	ts_str_release(&text);
+}
+END_TEST
+
+/* Every allocation may fail. */
+START_TEST(memory)
+{
+	const double y[] = { 1, NAN, 3, 2 }, error[] = { 1, 1, 1, 1 };
+	const struct ts_plot_series s = { "s", NULL, y, error, 4, TS_PLOT_AUTO, 0 };
+	const struct ts_plot p = { .title = "t", .y = { "y", "m" }, .series = &s, .n = 1 };
+	const long before = ts_alloc_balance();
+
+	for (long k = 1;; k++) {
+		struct ts_str text = { 0 };
+		enum ts_status status;
+
+		ts_alloc_fail_at(k);
+		status = ts_plot_svg_add(&p, &text);
+		ts_alloc_fail_at(0);
+		ts_str_release(&text);
+		ck_assert_int_eq(ts_alloc_balance(), before);
+		if (status == TS_OK) {
+			ck_assert_int_gt(k, 5);
+			break;
+		}
+		ck_assert_int_eq(status, TS_NOMEM);
+	}
+}
+END_TEST
+
+/* Luminance against the ground, by WCAG 2.1: graphics need a contrast of 3. */
+static double luminance(unsigned rgb)
+{
+	static const double weight[] = { 0.0722, 0.7152, 0.2126 };
+	double sum = 0;
+
+	for (int k = 0; k < 3; k++, rgb >>= 8) {
+		const double c = (rgb & 255) / 255.0;
+
+		sum += weight[k] * (c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4));
+	}
+	return sum;
+}
+
+START_TEST(colours_are_seen)
+{
+	for (size_t k = 0; k < TS_PLOT_COLOURS; k++) {
+		ck_assert_double_ge(1.05 / (luminance(ts_plot_colour(k, false)) + 0.05), 3);
+		ck_assert_double_ge((luminance(ts_plot_colour(k, true)) + 0.05) /
+					    (luminance(0x16181c) + 0.05),
+				    3);
+	}
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("plot");
+	TCase *tcase = tcase_create("plot");
+
+	tcase_add_test(tcase, ticks_are_round);
+	tcase_add_test(tcase, far_from_zero);
+	tcase_add_test(tcase, ticks_of_logarithms);
+	tcase_add_test(tcase, ranges_without_width);
+	tcase_add_test(tcase, values_without_a_place);
+	tcase_add_test(tcase, given_ends);
+	tcase_add_test(tcase, errors_and_marks);
+	tcase_add_test(tcase, thinning_keeps_extremes);
+	tcase_add_test(tcase, gaps_and_edges);
+	tcase_add_test(tcase, steps);
+	tcase_add_test(tcase, svg_is_well_formed);
+	tcase_add_test(tcase, svg_has_the_points);
+	tcase_add_test(tcase, memory);
+	tcase_add_test(tcase, colours_are_seen);
+	suite_add_tcase(suite, tcase);
+	return deck_main(suite);
+}
