@@ -23,6 +23,8 @@
 
 #include "base/banned.h"
 
+static const double PATIENCE = 10; /* s without output after which a terminal shows the progress of a run */
+
 /* The simulation that the signal handlers act on. */
 static struct tsim *volatile interrupted;
 static volatile sig_atomic_t signal_number;
@@ -367,6 +369,7 @@ int main(int argc, char **argv)
 		exit(EXIT_FAILURE);
 	}
 	sim->log.echo_file = true;
+	sim->log.patience = PATIENCE;
 	status = run_command_line(sim, &setup, argc, argv);
 	sim->log.screen = NULL;
 	if (setup.screen_file && fclose(setup.screen_file) != 0)

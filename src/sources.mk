@@ -1208,6 +1208,8 @@ library_sources = \
 	src/thermo/command_thermo_modify.c \
 	src/thermo/command_thermo_style.c \
 	src/thermo/fix_print.c \
+	src/thermo/progress.c \
+	src/thermo/progress.h \
 	src/thermo/thermo.c \
 	src/thermo/thermo.h \
 	src/thermo/thermo_keywords.c \

@@ -194,6 +194,7 @@ shell_tests = \
 	tests/stability/refusal.sh \
 	tests/study/calibrate.sh \
 	tests/study/sweep.sh \
+	tests/thermo/progress.sh \
 	tests/thermo/thermo.sh \
 	tests/voxel/foundation.sh \
 	tests/voxel/voxel_dumps.sh \
@@ -301,6 +302,7 @@ unit_tests = \
 	tests/stability/check_network \
 	tests/stability/check_relaxation \
 	tests/study/check_secant \
+	tests/thermo/check_progress \
 	tests/voxel/check_voxel
 libtests_a_SOURCES = \
 	tests/cloud.c \
@@ -672,6 +674,10 @@ tests_stability_check_relaxation_LDADD = $(tests_ldadd)
 tests_study_check_secant_SOURCES = tests/study/check_secant.c
 tests_study_check_secant_CFLAGS = $(tests_cflags)
 tests_study_check_secant_LDADD = $(tests_ldadd)
+
+tests_thermo_check_progress_SOURCES = tests/thermo/check_progress.c
+tests_thermo_check_progress_CFLAGS = $(tests_cflags)
+tests_thermo_check_progress_LDADD = $(tests_ldadd)
 
 tests_voxel_check_voxel_SOURCES = tests/voxel/check_voxel.c
 tests_voxel_check_voxel_CFLAGS = $(tests_cflags)

@@ -3,11 +3,27 @@
 #include <errno.h>
 #include <stdarg.h>
 #include <string.h>
+#include <sys/ioctl.h>
 
+#include "base/clock.h"
 #include "base/mkdirs.h"
 #include "base/str.h"
 
 #include "base/banned.h"
+
+/* Output less than BURST seconds after the last is part of it. */
+static void note_output(struct ts_log *log)
+{
+	static const double BURST = 1;
+	double now;
+
+	if (!log->progress)
+		return;
+	now = ts_clock();
+	if (now - log->spoke > BURST)
+		log->seldom = log->spoke > 0 && now - log->spoke > log->patience;
+	log->spoke = now;
+}
 
 static void erase_progress_line(struct ts_log *log)
 {
@@ -38,6 +54,7 @@ static void write_to_streams(struct ts_log *log, bool screen, bool file, const c
 		ts_str_release(&text);
 	}
 	if (screen && log->screen) {
+		note_output(log);
 		erase_progress_line(log);
 		va_copy(again, args);
 		if (vfprintf(log->screen, format, again) < 0)
@@ -111,6 +128,21 @@ void ts_log_progress(struct ts_log *log, const char *text)
 		log->progress_shown = true;
 	}
 	fflush(log->screen);
+}
+
+bool ts_log_shows_progress(const struct ts_log *log)
+{
+	return log->progress && log->screen && !log->quiet &&
+	       (log->seldom || ts_clock() - log->spoke >= log->patience);
+}
+
+int ts_log_width(const struct ts_log *log)
+{
+	struct winsize size;
+
+	if (log->screen && ioctl(fileno(log->screen), TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+		return size.ws_col;
+	return 80;
 }
 
 static void flush_stream(struct ts_log *log, FILE *stream)

@@ -17,6 +17,9 @@ struct ts_log {
 	FILE *screen, *file;
 	bool echo_screen, echo_file; /* whether input lines are echoed (command echo) */
 	bool progress;		     /* the screen is a terminal: show a progress line */
+	double patience;	     /* seconds without other output after which a run shows it */
+	double spoke;		     /* ts_clock() of the last other output, s */
+	bool seldom;		     /* there were `patience` seconds before that */
 	bool progress_shown;	     /* a progress line is shown on the screen */
 	bool quiet;		     /* print warnings only */
 	int warnings;
@@ -33,6 +36,11 @@ void ts_warn(struct ts_log *log, const struct ts_place *place, const char *forma
 	__attribute__((format(printf, 3, 4)));
 /* Replaces the progress line of a terminal; an empty text removes it. */
 void ts_log_progress(struct ts_log *log, const char *text);
+/* Whether a run shows its progress now: on a terminal, where nothing else has been printed for a while or is
+ * printed only at long intervals. */
+bool ts_log_shows_progress(const struct ts_log *log);
+/* Columns of the terminal; 80 if not known. */
+int ts_log_width(const struct ts_log *log);
 /* Flushes both streams. */
 enum ts_status ts_log_flush(struct ts_log *log, struct ts_error *err);
 /* Returns an error if a write has failed: disk full, or the reader of the screen has closed it. */

@@ -1,4 +1,5 @@
 /* The options of the command line. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +16,7 @@ enum option_id {
 	OPT_VAR,
 	OPT_LOG,
 	OPT_SCREEN,
+	OPT_PROGRESS,
 	OPT_ECHO,
 	OPT_THREADS,
 	OPT_LEGACY,
@@ -49,6 +51,8 @@ static const struct {
 	[OPT_VAR] = { "var", "NAME VALUE ...", "set an index variable of the script", 2 },
 	[OPT_LOG] = { "log", "FILE|none", "log file (log.tsim)", 1 },
 	[OPT_SCREEN] = { "screen", "FILE|none", "file for the screen output", 1 },
+	[OPT_PROGRESS] = { "progress", "SECONDS|none",
+			   "how long a terminal is silent before a run shows its progress (10)", 1 },
 	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are echoed (log)", 1 },
 	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
 	[OPT_LEGACY] = { "legacy", "", "results of LIGGGHTS where they differ, see -help legacy", 0 },
@@ -113,6 +117,17 @@ static int set_echo(struct tsim *sim, const char *where)
 		return 0;
 	}
 	return ts_program_usage_error("expected none, screen, log or both after -echo, found '%s'%s", where,
+				      "");
+}
+
+static int set_progress(struct tsim *sim, const char *text)
+{
+	double *patience = &sim->log.patience;
+
+	*patience = HUGE_VAL;
+	if (ts_streq(text, "none") || (ts_parse_real(text, patience) && *patience >= 0))
+		return 0;
+	return ts_program_usage_error("expected seconds >= 0 or none after -progress, found '%s'%s", text,
 				      "");
 }
 
@@ -277,6 +292,8 @@ static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id
 	case OPT_SCREEN:
 		setup->screen = value[0];
 		break;
+	case OPT_PROGRESS:
+		return set_progress(sim, value[0]);
 	case OPT_ECHO:
 		return set_echo(sim, value[0]);
 	case OPT_THREADS:

@@ -1,4 +1,5 @@
 /* Command rerun: computes forces and output for the frames of dumps. */
+#include "base/clock.h"
 #include "core/plan.h"
 #include "io/series.h"
 #include "restart/frames.h"
@@ -50,8 +51,11 @@ static enum ts_status apply_and_compute(struct tsim *sim, struct rerun *c, struc
 	bool first = c->done++ == 0;
 
 	sim->clock.step = f->step;
-	if (first)
+	if (first) {
 		sim->clock.first_step = c->start >= 0 ? c->start : f->step;
+		sim->clock.command_step = sim->clock.goal = f->step;
+		sim->clock.wall_start = ts_clock();
+	}
 	if (!first && f->step <= sim->clock.first_step)
 		return ts_fail(&sim->error, TS_DAMAGED, where,
 			       "'%s': the frame of step %lld comes after one of a later step", f->lines.file,

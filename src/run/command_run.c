@@ -151,6 +151,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			       sim->clock.step, last);
 	if (sim->run.watch)
 		TS_TRY(sim->run.watch->before(sim->run.watch, sim, where, &last));
+	sim->clock.command_step = sim->clock.step;
 	sim->clock.goal = last;
 	sim->clock.ramp_first = r->start >= 0 ? r->start : sim->clock.step;
 	sim->clock.ramp_last = r->stop >= 0 ? r->stop : last;

@@ -249,22 +249,6 @@ static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 	return TS_OK;
 }
 
-static void show_progress(struct ts_thermo *t, struct tsim *sim)
-{
-	const struct ts_clock *c = &sim->clock;
-	double now = ts_clock(), spent = now - c->wall_start, left, percent;
-	char text[128];
-
-	if (now < t->progress_due || sim->run.in_pieces || c->step == c->first_step)
-		return;
-	t->progress_due = now + 0.2;
-	percent = 100 * (double)(c->step - c->first_step) / (double)(c->last_step - c->first_step);
-	left = spent * (100 - percent) / percent;
-	snprintf(text, sizeof text, "%5.1f %%  step %" PRId64 " of %" PRId64 "  %.0f s, %.0f s left", percent,
-		 c->step, c->last_step, spent, left);
-	ts_log_progress(&sim->log, text);
-}
-
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_thermo *t = self->state;
@@ -276,7 +260,8 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 		ts_deferred_loops_run(sim);
 	if (first) {
 		t->last_row_step = c->step;
-		t->last_row_time = t->progress_due = 0;
+		t->last_row_time = 0;
+		ts_progress_begin(&t->progress, sim);
 		TS_TRY(resolve_columns(t, sim));
 		if (!t->multi)
 			TS_TRY(write_titles(t, sim));
@@ -286,8 +271,8 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 		ts_deferred_loops_run(sim);
 	status = due ? write_row(t, sim) : TS_OK;
 	sim->reading.probing = false;
-	if (sim->log.progress || sim->log.sink)
-		show_progress(t, sim);
+	if (!first)
+		ts_progress_step(&t->progress, sim);
 	return status;
 }
 

@@ -7,6 +7,7 @@
 #include "group/temperature.h"
 #include "io/format.h"
 #include "io/textfile.h"
+#include "thermo/progress.h"
 
 struct ts_thermo_column {
 	const char *title;
@@ -27,8 +28,8 @@ struct ts_thermo {
 	struct ts_formats formats;
 	struct ts_textfile file; /* of thermo_log */
 	struct ts_str line;	 /* current row */
-	double progress_due;	 /* ts_clock() of the next progress line */
-	double last_row_time;	 /* of the last row, in seconds since the start of the run */
+	struct ts_progress progress;
+	double last_row_time; /* of the last row, in seconds since the start of the run */
 	int64_t last_row_step;
 	int64_t counted; /* 1 + step of the last row due by `every` or `variable`; in restart files */
 };
