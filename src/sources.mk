@@ -117,6 +117,11 @@ library_sources = \
 	src/base/str.h \
 	src/base/words.c \
 	src/base/words.h \
+	src/bed/component.c \
+	src/bed/component.h \
+	src/bed/compute_mixing.c \
+	src/bed/mixing_samples.c \
+	src/bed/mixing_samples.h \
 	src/bond/bond_arguments.c \
 	src/bond/bond_arguments.h \
 	src/bond/bond_beam.c \

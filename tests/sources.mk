@@ -7,6 +7,7 @@ shell_tests = \
 	tests/average/chunk_values.sh \
 	tests/average/euler.sh \
 	tests/average/granular_temperature.sh \
+	tests/bed/mixing.sh \
 	tests/bench/charts.sh \
 	tests/bench/race.sh \
 	tests/bond/bpm.sh \

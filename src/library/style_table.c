@@ -148,6 +148,7 @@ TS_STYLE(compute, ts_style, ts_compute_ke)
 TS_STYLE(compute, ts_style, ts_compute_ke_atom)
 TS_STYLE(compute, ts_style, ts_compute_ke_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_leave)
+TS_STYLE(compute, ts_style, ts_compute_mixing)
 TS_STYLE(compute, ts_style, ts_compute_msd)
 TS_STYLE(compute, ts_style, ts_compute_msd_chunk)
 TS_STYLE(compute, ts_style, ts_compute_multisphere)
@@ -485,6 +486,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_ke_atom,
 	&ts_compute_ke_multisphere,
 	&ts_compute_leave,
+	&ts_compute_mixing,
 	&ts_compute_msd,
 	&ts_compute_msd_chunk,
 	&ts_compute_multisphere,

@@ -87,26 +87,26 @@ syn keyword tsimKeyword  values interpolation cubic solid_fraction amount load b
 syn keyword tsimKeyword  upper_wall_restitution upper_roughness upper_bumpiness friction
 syn keyword tsimKeyword  tangential packing theory lun garzo/dufty radial lun/savage
 syn keyword tsimKeyword  carnahan/starling torquato branch dense dilute points tolerance
-syn keyword tsimKeyword  shear_rate kspace tensor com average property xcm vcm fcm torque
-syn keyword tsimKeyword  quat angmom masstotal inertia clumptype id_multisphere ex_space
-syn keyword tsimKeyword  ey_space ez_space bond/type region_count tracer periodic
+syn keyword tsimKeyword  shear_rate kspace tensor lacey kramer poole rsd intensity above
+syn keyword tsimKeyword  chunks weight number volume least com average property xcm vcm fcm
+syn keyword tsimKeyword  torque quat angmom masstotal inertia clumptype id_multisphere
+syn keyword tsimKeyword  ex_space ey_space ez_space bond/type region_count tracer periodic
 syn keyword tsimKeyword  reset_marker min max ave sumsq avesq sumabs aveabs minabs maxabs
 syn keyword tsimKeyword  inputs peratom update_on_run_end winkler halfspace young poisson
 syn keyword tsimKeyword  counter_young counter_poisson iterations counter adof cdof mean
-syn keyword tsimKeyword  linear/x linear/y linear/z weight number motion translation
-syn keyword tsimKeyword  rotation unbiased primitives colour u v movie voxel size view
-syn keyword tsimKeyword  center up zoom persp axes subbox shiny fsaa ssao legend reset
-syn keyword tsimKeyword  coefficient fluid_acceleration two_way energy sample running
-syn keyword tsimKeyword  window overwrite title1 title2 title3 auto auto/upper auto/lower
-syn keyword tsimKeyword  full prefactor scalar nevery cell_size_relative parallel
-syn keyword tsimKeyword  basevolume_region kind global beyond end extra level prob iparam
-syn keyword tsimKeyword  jparam dim vmax
+syn keyword tsimKeyword  linear/x linear/y linear/z motion translation rotation unbiased
+syn keyword tsimKeyword  primitives colour u v movie voxel size view center up zoom persp
+syn keyword tsimKeyword  axes subbox shiny fsaa ssao legend reset coefficient
+syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
+syn keyword tsimKeyword  title1 title2 title3 auto auto/upper auto/lower full prefactor
+syn keyword tsimKeyword  scalar nevery cell_size_relative parallel basevolume_region kind
+syn keyword tsimKeyword  global beyond end extra level prob iparam jparam dim vmax
 syn match tsimKeyword /\<legacy\>/ 
-syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate volume
-syn keyword tsimKeyword  wiggle xy xz yz flip xyz scheme explicit implicit lagged void
-syn keyword tsimKeyword  sound C1 C2 wob spring body clearance summary conductivity
-syn keyword tsimKeyword  capacity initial source convection vanleer central donor exchange
-syn keyword tsimKeyword  ranz_marshall chute spherical hard soft continue message path
+syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate wiggle
+syn keyword tsimKeyword  xy xz yz flip xyz scheme explicit implicit lagged void sound C1 C2
+syn keyword tsimKeyword  wob spring body clearance summary conductivity capacity initial
+syn keyword tsimKeyword  source convection vanleer central donor exchange ranz_marshall
+syn keyword tsimKeyword  chute spherical hard soft continue message path
 syn keyword tsimKeyword  initial_temperature contact_area area_correction
 syn keyword tsimKeyword  store_contact_data euler min_cells relax virtual_mass surface
 syn keyword tsimKeyword  spheres distributiontemplate maxattempt overlapcheck stacked
@@ -140,13 +140,12 @@ syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink de
 syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple constant black
 syn keyword tsimKeyword  white formula correlation noise columns waves selfaffine hurst
 syn keyword tsimKeyword  shortest roll longest datum base merge method divided kernel reach
-syn keyword tsimKeyword  least settled inertia_1 inertia_2 arm joint_1 joint_2 start_1
-syn keyword tsimKeyword  start_2 model hooke hertz hooke/stiffness hooke/modulus
-syn keyword tsimKeyword  hertz/stiffness hooke/hysteresis jkr history no_history
-syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
-syn keyword tsimKeyword  cohesion sjkr sjkr2 easo/capillary/viscous
-syn keyword tsimKeyword  washino/capillary/viscous multicontact limitForce
-syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
+syn keyword tsimKeyword  settled inertia_1 inertia_2 arm joint_1 joint_2 start_1 start_2
+syn keyword tsimKeyword  model hooke hertz hooke/stiffness hooke/modulus hertz/stiffness
+syn keyword tsimKeyword  hooke/hysteresis jkr history no_history incremental_history
+syn keyword tsimKeyword  jkr_tan rolling_friction cdt epsd epsd2 epsd3 cohesion sjkr sjkr2
+syn keyword tsimKeyword  easo/capillary/viscous washino/capillary/viscous multicontact
+syn keyword tsimKeyword  limitForce tangential_damping absolute_damping ktToKnUser viscous
 syn keyword tsimKeyword  tangential_reduce modifyLbVolume limitLiquidContent torsionTorque
 syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
@@ -237,14 +236,14 @@ syn keyword tsim_compute contained coord/atom count/type displace/atom erotate/m
 syn keyword tsim_compute contained erotate/sphere erotate erotate/sphere/atom film film/atom
 syn keyword tsim_compute contained flow/flux flow/force flow/line flow/plane flow/probe fragment/atom
 syn keyword tsim_compute contained granular/couette granular/shear group/group gyration
-syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave msd
-syn keyword tsim_compute contained msd/chunk multisphere rigid multisphere/single nbond/atom
-syn keyword tsim_compute contained neighbor/atom nparticles/tracer/region omega/chunk pair/gran/local
-syn keyword tsim_compute contained pair/gran/local/bond pair/local pe pe/atom pressure property/atom
-syn keyword tsim_compute contained property/chunk property/local rdf reduce reduce/chunk
-syn keyword tsim_compute contained reduce/region slice squeeze/atom stress/atom surface/contact temp
-syn keyword tsim_compute contained temp/chunk temp/com temp/granular temp/granular/chunk torque/chunk
-syn keyword tsim_compute contained vacf vcm/chunk wall/gran/local
+syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave
+syn keyword tsim_compute contained mixing msd msd/chunk multisphere rigid multisphere/single
+syn keyword tsim_compute contained nbond/atom neighbor/atom nparticles/tracer/region omega/chunk
+syn keyword tsim_compute contained pair/gran/local pair/gran/local/bond pair/local pe pe/atom
+syn keyword tsim_compute contained pressure property/atom property/chunk property/local rdf reduce
+syn keyword tsim_compute contained reduce/chunk reduce/region slice squeeze/atom stress/atom
+syn keyword tsim_compute contained surface/contact temp temp/chunk temp/com temp/granular
+syn keyword tsim_compute contained temp/granular/chunk torque/chunk vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane
