@@ -120,8 +120,13 @@ library_sources = \
 	src/bed/component.c \
 	src/bed/component.h \
 	src/bed/compute_mixing.c \
+	src/bed/compute_mixing_contact.c \
+	src/bed/compute_mixing_gmmi.c \
+	src/bed/compute_mixing_neighbor.c \
 	src/bed/mixing_samples.c \
 	src/bed/mixing_samples.h \
+	src/bed/nearest.c \
+	src/bed/nearest.h \
 	src/bond/bond_arguments.c \
 	src/bond/bond_arguments.h \
 	src/bond/bond_beam.c \

@@ -8,6 +8,7 @@ shell_tests = \
 	tests/average/euler.sh \
 	tests/average/granular_temperature.sh \
 	tests/bed/mixing.sh \
+	tests/bed/mixing_neighbors.sh \
 	tests/bench/charts.sh \
 	tests/bench/race.sh \
 	tests/bond/bpm.sh \
@@ -225,6 +226,7 @@ unit_tests = \
 	tests/automaton/check_automaton \
 	tests/average/check_block_error \
 	tests/base/check_files \
+	tests/bed/check_nearest \
 	tests/bond/check_bonds \
 	tests/bond/check_bpm \
 	tests/bond/check_element \
@@ -363,6 +365,10 @@ tests_average_check_block_error_LDADD = $(tests_ldadd)
 tests_base_check_files_SOURCES = tests/base/check_files.c
 tests_base_check_files_CFLAGS = $(tests_cflags)
 tests_base_check_files_LDADD = $(tests_ldadd)
+
+tests_bed_check_nearest_SOURCES = tests/bed/check_nearest.c
+tests_bed_check_nearest_CFLAGS = $(tests_cflags)
+tests_bed_check_nearest_LDADD = $(tests_ldadd)
 
 tests_bond_check_bonds_SOURCES = tests/bond/check_bonds.c
 tests_bond_check_bonds_CFLAGS = $(tests_cflags)

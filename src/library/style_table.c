@@ -149,6 +149,9 @@ TS_STYLE(compute, ts_style, ts_compute_ke_atom)
 TS_STYLE(compute, ts_style, ts_compute_ke_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_leave)
 TS_STYLE(compute, ts_style, ts_compute_mixing)
+TS_STYLE(compute, ts_style, ts_compute_mixing_contact)
+TS_STYLE(compute, ts_style, ts_compute_mixing_gmmi)
+TS_STYLE(compute, ts_style, ts_compute_mixing_neighbor)
 TS_STYLE(compute, ts_style, ts_compute_msd)
 TS_STYLE(compute, ts_style, ts_compute_msd_chunk)
 TS_STYLE(compute, ts_style, ts_compute_multisphere)
@@ -487,6 +490,9 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_ke_multisphere,
 	&ts_compute_leave,
 	&ts_compute_mixing,
+	&ts_compute_mixing_contact,
+	&ts_compute_mixing_gmmi,
+	&ts_compute_mixing_neighbor,
 	&ts_compute_msd,
 	&ts_compute_msd_chunk,
 	&ts_compute_multisphere,

@@ -88,19 +88,20 @@ syn keyword tsimKeyword  upper_wall_restitution upper_roughness upper_bumpiness 
 syn keyword tsimKeyword  tangential packing theory lun garzo/dufty radial lun/savage
 syn keyword tsimKeyword  carnahan/starling torquato branch dense dilute points tolerance
 syn keyword tsimKeyword  shear_rate kspace tensor lacey kramer poole rsd intensity above
-syn keyword tsimKeyword  chunks weight number volume least com average property xcm vcm fcm
-syn keyword tsimKeyword  torque quat angmom masstotal inertia clumptype id_multisphere
-syn keyword tsimKeyword  ex_space ey_space ez_space bond/type region_count tracer periodic
-syn keyword tsimKeyword  reset_marker min max ave sumsq avesq sumabs aveabs minabs maxabs
-syn keyword tsimKeyword  inputs peratom update_on_run_end winkler halfspace young poisson
-syn keyword tsimKeyword  counter_young counter_poisson iterations counter adof cdof mean
-syn keyword tsimKeyword  linear/x linear/y linear/z motion translation rotation unbiased
-syn keyword tsimKeyword  primitives colour u v movie voxel size view center up zoom persp
-syn keyword tsimKeyword  axes subbox shiny fsaa ssao legend reset coefficient
-syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
-syn keyword tsimKeyword  title1 title2 title3 auto auto/upper auto/lower full prefactor
-syn keyword tsimKeyword  scalar nevery cell_size_relative parallel basevolume_region kind
-syn keyword tsimKeyword  global beyond end extra level prob iparam jparam dim vmax
+syn keyword tsimKeyword  chunks weight number volume least particles contacts reference
+syn keyword tsimKeyword  neighbors com average property xcm vcm fcm torque quat angmom
+syn keyword tsimKeyword  masstotal inertia clumptype id_multisphere ex_space ey_space
+syn keyword tsimKeyword  ez_space bond/type region_count tracer periodic reset_marker min
+syn keyword tsimKeyword  max ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
+syn keyword tsimKeyword  update_on_run_end winkler halfspace young poisson counter_young
+syn keyword tsimKeyword  counter_poisson iterations counter adof cdof mean linear/x
+syn keyword tsimKeyword  linear/y linear/z motion translation rotation unbiased primitives
+syn keyword tsimKeyword  colour u v movie voxel size view center up zoom persp axes subbox
+syn keyword tsimKeyword  shiny fsaa ssao legend reset coefficient fluid_acceleration
+syn keyword tsimKeyword  two_way energy sample running window overwrite title1 title2
+syn keyword tsimKeyword  title3 auto auto/upper auto/lower full prefactor scalar nevery
+syn keyword tsimKeyword  cell_size_relative parallel basevolume_region kind global beyond
+syn keyword tsimKeyword  end extra level prob iparam jparam dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate wiggle
 syn keyword tsimKeyword  xy xz yz flip xyz scheme explicit implicit lagged void sound C1 C2
@@ -152,18 +153,17 @@ syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
 syn keyword tsimKeyword  disableNormalWhenBonded located hooke/history hertz/history
 syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes voxels xplane
 syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear impact resolved
-syn keyword tsimKeyword  store_force contacts store_force_contact
-syn keyword tsimKeyword  store_force_contact_stress evolve evolve_every thickness layer
-syn keyword tsimKeyword  through open k deformation cutting modulus cutting_constant
-syn keyword tsimKeyword  elastic_constant factor flow_stress depth_ratio force_ratio
-syn keyword tsimKeyword  transition particles sio2 sic glass relaxation crater section
-syn keyword tsimKeyword  segment plastic ab2 rk2 rk3 backward substeps courant quick
-syn keyword tsimKeyword  cubista gamma form fv fd conservative quadratic body_force
-syn keyword tsimKeyword  pressure_level lower_voxel upper_voxel upper_wafer lower_velocity
-syn keyword tsimKeyword  upper_velocity lower_stays upper_stays lower_slip upper_slip
-syn keyword tsimKeyword  asperities barus roelands ambient pressure_xlo pressure_xhi
-syn keyword tsimKeyword  pressure_ylo pressure_yhi floating closed cavitation half reynolds
-syn keyword tsimKeyword  jfo cavity_pressure transient stepped
+syn keyword tsimKeyword  store_force store_force_contact store_force_contact_stress evolve
+syn keyword tsimKeyword  evolve_every thickness layer through open k deformation cutting
+syn keyword tsimKeyword  modulus cutting_constant elastic_constant factor flow_stress
+syn keyword tsimKeyword  depth_ratio force_ratio transition sio2 sic glass relaxation
+syn keyword tsimKeyword  crater section segment plastic ab2 rk2 rk3 backward substeps
+syn keyword tsimKeyword  courant quick cubista gamma form fv fd conservative quadratic
+syn keyword tsimKeyword  body_force pressure_level lower_voxel upper_voxel upper_wafer
+syn keyword tsimKeyword  lower_velocity upper_velocity lower_stays upper_stays lower_slip
+syn keyword tsimKeyword  upper_slip asperities barus roelands ambient pressure_xlo
+syn keyword tsimKeyword  pressure_xhi pressure_ylo pressure_yhi floating closed cavitation
+syn keyword tsimKeyword  half reynolds jfo cavity_pressure transient stepped
 syn match tsimKeyword /\<run\>/ 
 syn keyword tsimKeyword  least_gap touching solid axisymmetric plane point span distance
 syn keyword tsimKeyword  profile potential anharmonic generic hertz/material dmt
@@ -237,13 +237,14 @@ syn keyword tsim_compute contained erotate/sphere erotate erotate/sphere/atom fi
 syn keyword tsim_compute contained flow/flux flow/force flow/line flow/plane flow/probe fragment/atom
 syn keyword tsim_compute contained granular/couette granular/shear group/group gyration
 syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave
-syn keyword tsim_compute contained mixing msd msd/chunk multisphere rigid multisphere/single
-syn keyword tsim_compute contained nbond/atom neighbor/atom nparticles/tracer/region omega/chunk
-syn keyword tsim_compute contained pair/gran/local pair/gran/local/bond pair/local pe pe/atom
-syn keyword tsim_compute contained pressure property/atom property/chunk property/local rdf reduce
-syn keyword tsim_compute contained reduce/chunk reduce/region slice squeeze/atom stress/atom
-syn keyword tsim_compute contained surface/contact temp temp/chunk temp/com temp/granular
-syn keyword tsim_compute contained temp/granular/chunk torque/chunk vacf vcm/chunk wall/gran/local
+syn keyword tsim_compute contained mixing mixing/contact mixing/gmmi mixing/neighbor msd msd/chunk
+syn keyword tsim_compute contained multisphere rigid multisphere/single nbond/atom neighbor/atom
+syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local
+syn keyword tsim_compute contained pair/gran/local/bond pair/local pe pe/atom pressure property/atom
+syn keyword tsim_compute contained property/chunk property/local rdf reduce reduce/chunk
+syn keyword tsim_compute contained reduce/region slice squeeze/atom stress/atom surface/contact temp
+syn keyword tsim_compute contained temp/chunk temp/com temp/granular temp/granular/chunk torque/chunk
+syn keyword tsim_compute contained vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane
