@@ -87,6 +87,8 @@ static bool find_local_flow(const struct ts_instance *self, const struct ts_part
 	memcpy(around->place, p->x[i], sizeof around->place);
 	if (s->fluid && !ts_coupling_locate(s->fluid, p->x[i], around->place, around->cell))
 		return false;
+	if (style_of(self)->at_rest)
+		return true;
 	fluid_velocity(s, around->place, around->u);
 	for (int k = 0; k < 3; k++)
 		around->slip[k] = around->u[k] - p->v[i][k];
@@ -104,18 +106,16 @@ static void add_reaction(void *data, size_t i)
 {
 	const struct context *context = data;
 	struct ts_fluid *fluid = context->force->fluid;
+	struct ts_coupling_weights weights[3];
 	double place[3];
 	int cell[3];
 
 	if (!ts_coupling_locate(fluid, context->particles->x[i], place, cell))
 		return;
-	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		struct ts_coupling_weights weights;
-
-		ts_coupling_weights_face(fluid, c, place, cell, TS_INTERPOLATE_LINEAR, &weights);
-		ts_coupling_distribute_force(&fluid->grid, &weights, c, fluid->u[c],
+	ts_coupling_weights_faces(fluid, place, cell, TS_INTERPOLATE_LINEAR, weights);
+	for (int c = 0; c < fluid->grid.dimensions; c++)
+		ts_coupling_distribute_force(&fluid->grid, &weights[c], c, fluid->u[c],
 					     context->force->total.note[i][c], 0, fluid->force[c], NULL);
-	}
 }
 
 enum ts_status ts_coupling_force_add_to_fluid(struct ts_instance *self, struct tsim *sim)

@@ -34,6 +34,7 @@ struct ts_coupling_force_style {
 	/* Adds the force on particle i to f, and its torque, if any, to `torque`. */
 	void (*force)(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		      const struct ts_coupling_local_flow *around, double f[3], double torque[3]);
+	bool at_rest;  /* does not depend on velocities: u, slip and gradient are not computed */
 	bool sheared;  /* needs the velocity gradient */
 	bool solved;   /* needs a fluid that is solved for */
 	bool internal; /* the reaction is part of the equations of the fluid */

@@ -24,23 +24,21 @@ static void add_reaction(void *context, size_t i)
 	struct tsim *sim = ((struct tsim **)context)[1];
 	struct ts_drag *s = self->state;
 	struct ts_fluid *fluid = s->fluid;
+	struct ts_coupling_weights weights[3];
 	double place[3];
 	int cell[3];
 
 	if (!ts_coupling_locate(fluid, sim->particles->x[i], place, cell))
 		return;
-	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		struct ts_coupling_weights st;
-
-		if (!ts_drag_acts_along(s, c))
-			continue;
-		ts_coupling_weights_face(fluid, c, place, cell,
-					 (enum ts_coupling_interpolation)s->interpolation, &st);
-		s->exchange[i].fluid_velocity[c] =
-			ts_coupling_distribute_force(&fluid->grid, &st, c, fluid->u[c], s->total.note[i][c],
-						     s->exchange[i].slope[c], fluid->force[c],
-						     s->lagged ? NULL : fluid->exchange[c]);
-	}
+	ts_coupling_weights_faces(fluid, place, cell, (enum ts_coupling_interpolation)s->interpolation,
+				  weights);
+	for (int c = 0; c < fluid->grid.dimensions; c++)
+		if (ts_drag_acts_along(s, c))
+			s->exchange[i].fluid_velocity[c] =
+				ts_coupling_distribute_force(&fluid->grid, &weights[c], c, fluid->u[c],
+							     s->total.note[i][c], s->exchange[i].slope[c],
+							     fluid->force[c],
+							     s->lagged ? NULL : fluid->exchange[c]);
 }
 
 enum ts_status ts_drag_add_to_fluid(struct ts_instance *self, struct tsim *sim)
@@ -60,6 +58,7 @@ static void correct_particle(const struct ts_instance *self, const struct tsim *
 {
 	struct ts_drag *s = self->state;
 	struct ts_particles *p = sim->particles;
+	struct ts_coupling_weights weights[3];
 	double place[3], more[3] = { 0 };
 	const double *slope = s->exchange[i].slope;
 	int cell[3];
@@ -68,16 +67,14 @@ static void correct_particle(const struct ts_instance *self, const struct tsim *
 		return;
 	if (!ts_coupling_locate(fluid, p->x[i], place, cell))
 		return;
+	ts_coupling_weights_faces(fluid, place, cell, (enum ts_coupling_interpolation)s->interpolation,
+				  weights);
 	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		struct ts_coupling_weights st;
-
 		if (slope[c] == 0)
 			continue;
-		ts_coupling_weights_face(fluid, c, place, cell,
-					 (enum ts_coupling_interpolation)s->interpolation, &st);
-		more[c] =
-			slope[c] * (ts_coupling_interpolate(&fluid->grid, &st, fluid->exchange_velocity[c]) -
-				    s->exchange[i].fluid_velocity[c]);
+		more[c] = slope[c] *
+			  (ts_coupling_interpolate(&fluid->grid, &weights[c], fluid->exchange_velocity[c]) -
+			   s->exchange[i].fluid_velocity[c]);
 		s->total.note[i][c] += more[c];
 	}
 	ts_restraints_apply(&s->restraints, sim, i, more);

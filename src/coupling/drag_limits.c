@@ -39,16 +39,16 @@ static void sum_coefficients(const struct ts_instance *self, const struct tsim *
 	memset(k, 0, fluid->grid.size * sizeof *k);
 	for (size_t i = 0; i < p->n; i++) {
 		struct ts_slip slip = { .density = fluid->density, .viscosity = fluid->viscosity };
-		struct ts_coupling_weights st;
+		struct ts_coupling_weights weights[3];
 		double w[3], place[3];
 		int cell[3];
 
 		if (!ts_in_group(p, i, self->group) || !ts_drag_slip_at(self, p, i, &slip, w) ||
 		    !ts_coupling_locate(fluid, p->x[i], place, cell))
 			continue;
-		ts_coupling_weights_face(fluid, c, place, cell,
-					 (enum ts_coupling_interpolation)s->interpolation, &st);
-		ts_coupling_distribute_force(&fluid->grid, &st, c, fluid->u[c],
+		ts_coupling_weights_faces(fluid, place, cell,
+					  (enum ts_coupling_interpolation)s->interpolation, weights);
+		ts_coupling_distribute_force(&fluid->grid, &weights[c], c, fluid->u[c],
 					     -ts_drag_style_of(self)->coefficient(s, &slip), 0, k, NULL);
 	}
 }

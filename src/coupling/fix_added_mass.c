@@ -25,9 +25,11 @@ static void fluid_acceleration(const struct state *s, const struct ts_coupling_l
 {
 	const struct ts_fluid *fluid = s->mass.force.fluid;
 
-	for (int c = 0; c < 3; c++) {
-		struct ts_coupling_weights weights;
+	struct ts_coupling_weights weights[3];
 
+	if (fluid && s->accelerates && s->size)
+		ts_coupling_weights_faces(fluid, around->place, around->cell, TS_INTERPOLATE_LINEAR, weights);
+	for (int c = 0; c < 3; c++) {
 		a[c] = 0;
 		if (!fluid || !s->accelerates)
 			continue;
@@ -35,9 +37,7 @@ static void fluid_acceleration(const struct state *s, const struct ts_coupling_l
 			a[c] += around->u[k] * around->gradient[c][k];
 		if (!s->size || c >= fluid->grid.dimensions)
 			continue;
-		ts_coupling_weights_face(fluid, c, around->place, around->cell, TS_INTERPOLATE_LINEAR,
-					 &weights);
-		a[c] += ts_coupling_interpolate(&fluid->grid, &weights, s->rate[c]);
+		a[c] += ts_coupling_interpolate(&fluid->grid, &weights[c], s->rate[c]);
 	}
 }
 

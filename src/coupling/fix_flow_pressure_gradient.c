@@ -78,19 +78,17 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 	const struct state *s = self->state;
 	const struct ts_fluid *fluid = s->force.fluid;
 	double volume = ts_particle_volume(sim, sim->particles->radius[i]);
+	struct ts_coupling_weights weights[3];
 
 	(void)torque;
 	if (s->how == BY_VOLUME) {
 		force_by_volume(s, sim, i, around->place, around->cell, fluid->p, f);
 		return;
 	}
-	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		struct ts_coupling_weights weights;
-
-		ts_coupling_weights_face(fluid, c, around->place, around->cell,
-					 (enum ts_coupling_interpolation)s->how, &weights);
-		f[c] = -volume * ts_coupling_interpolate_gradient(&fluid->grid, &weights, c, fluid->p);
-	}
+	ts_coupling_weights_faces(fluid, around->place, around->cell, (enum ts_coupling_interpolation)s->how,
+				  weights);
+	for (int c = 0; c < fluid->grid.dimensions; c++)
+		f[c] = -volume * ts_coupling_interpolate_gradient(&fluid->grid, &weights[c], c, fluid->p);
 }
 
 /* ---- correction by the pressure of the step, which is known after it */
@@ -231,6 +229,7 @@ const struct ts_coupling_force_style ts_fix_flow_pressure_gradient = {
 		TS_COUPLING_FORCE_SLOTS,
 	},
 	.force = add_force,
+	.at_rest = true,
 	.solved = true,
 	.internal = true,
 };

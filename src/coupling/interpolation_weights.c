@@ -65,22 +65,21 @@ static void along_faces(const struct ts_grid *grid, int d, double x, int cell,
 		s->index[d][1] = last;
 }
 
-void ts_coupling_weights_face(const struct ts_fluid *fluid, int c, const double place[3], const int cell[3],
-			      enum ts_coupling_interpolation how, struct ts_coupling_weights *out)
-{
-	for (int d = 0; d < 3; d++) {
-		if (d == c && fluid->grid.ghosts[d])
-			along_faces(&fluid->grid, d, place[d], cell[d], how, out);
-		else
-			along_centres(&fluid->grid, d, place[d], cell[d], how, out);
-	}
-}
-
 void ts_coupling_weights_centre(const struct ts_fluid *fluid, const double place[3], const int cell[3],
 				enum ts_coupling_interpolation how, struct ts_coupling_weights *out)
 {
 	for (int d = 0; d < 3; d++)
 		along_centres(&fluid->grid, d, place[d], cell[d], how, out);
+}
+
+void ts_coupling_weights_faces(const struct ts_fluid *fluid, const double place[3], const int cell[3],
+			       enum ts_coupling_interpolation how, struct ts_coupling_weights out[3])
+{
+	ts_coupling_weights_centre(fluid, place, cell, how, &out[0]);
+	out[1] = out[2] = out[0];
+	for (int d = 0; d < 3; d++)
+		if (fluid->grid.ghosts[d])
+			along_faces(&fluid->grid, d, place[d], cell[d], how, &out[d]);
 }
 
 /* Field index and weight of corner b of eight. */

@@ -24,9 +24,9 @@ struct ts_coupling_weights {
 /* Finds the image of x in the grid, across periodic faces, and its cell; false if x is outside the grid. */
 bool ts_coupling_locate(const struct ts_fluid *fluid, const double x[3], double place[3], int cell[3]);
 
-/* Weights for component c of the velocity, at a place found by ts_coupling_locate. */
-void ts_coupling_weights_face(const struct ts_fluid *fluid, int c, const double place[3], const int cell[3],
-			      enum ts_coupling_interpolation how, struct ts_coupling_weights *out);
+/* Weights for each component of the velocity, at a place found by ts_coupling_locate. */
+void ts_coupling_weights_faces(const struct ts_fluid *fluid, const double place[3], const int cell[3],
+			       enum ts_coupling_interpolation how, struct ts_coupling_weights out[3]);
 /* Weights for a field at centres. */
 void ts_coupling_weights_centre(const struct ts_fluid *fluid, const double place[3], const int cell[3],
 				enum ts_coupling_interpolation how, struct ts_coupling_weights *out);

@@ -29,7 +29,18 @@ int ts_coupling_volume_reach(const struct ts_grid *grid, const struct ts_couplin
 struct span {
 	int first, n;
 	double face[TS_VOLUME_MAX_CELLS + 2];
+	int cell[TS_VOLUME_MAX_CELLS + 1]; /* in the grid: of those across a periodic face their images */
 };
+
+static void find_images(const struct ts_grid *grid, int d, struct span *s)
+{
+	int cell = (s->first % grid->n[d] + grid->n[d]) % grid->n[d];
+
+	for (int k = 0; k < s->n; k++) {
+		s->cell[k] = cell;
+		cell = cell + 1 < grid->n[d] ? cell + 1 : 0;
+	}
+}
 
 /* Width of cell i, which may be a periodic image. */
 static double cell_width(const struct ts_grid *grid, int d, int i)
@@ -67,13 +78,10 @@ struct visitor {
 	void *context;
 };
 
-static void add_to_cell(const struct ts_grid *grid, const struct span s[3], int i, int j, int k,
-			double volume, const struct visitor *to)
+static void add_to_cell(const struct span s[3], int i, int j, int k, double volume, const struct visitor *to)
 {
-	int index[3] = { s[0].first + i, s[1].first + j, s[2].first + k };
+	int index[3] = { s[0].cell[i], s[1].cell[j], s[2].cell[k] };
 
-	for (int d = 0; d < 3; d++)
-		index[d] = (index[d] % grid->n[d] + grid->n[d]) % grid->n[d];
 	to->visit(to->context, index, volume);
 }
 
@@ -93,8 +101,7 @@ static double cell_difference(double (*a)[TS_VOLUME_MAX_CELLS + 2], int i, int j
 	return a[j][i] - a[j][i + 1] - a[j + 1][i] + a[j + 1][i + 1];
 }
 
-static void distribute_exactly(const struct ts_grid *grid, const struct span s[3], bool disc, double unit,
-			       const struct visitor *to)
+static void distribute_exactly(const struct span s[3], bool disc, double unit, const struct visitor *to)
 {
 	layer layers[2];
 
@@ -110,7 +117,7 @@ static void distribute_exactly(const struct ts_grid *grid, const struct span s[3
 				double part =
 					cell_difference(low, i, j) - (disc ? 0 : cell_difference(high, i, j));
 
-				add_to_cell(grid, s, i, j, k, fmax(part, 0) * unit, to);
+				add_to_cell(s, i, j, k, fmax(part, 0) * unit, to);
 			}
 	}
 }
@@ -122,13 +129,12 @@ static double kernel_fraction(const struct span *s, int i)
 	return b > a ? 0.5 * (b - a + (sin(TS_PI * b) - sin(TS_PI * a)) / TS_PI) : 0;
 }
 
-static void distribute_by_kernel(const struct ts_grid *grid, const struct span s[3], double volume,
-				 const struct visitor *to)
+static void distribute_by_kernel(const struct span s[3], double volume, const struct visitor *to)
 {
 	for (int k = 0; k < s[2].n; k++)
 		for (int j = 0; j < s[1].n; j++)
 			for (int i = 0; i < s[0].n; i++)
-				add_to_cell(grid, s, i, j, k,
+				add_to_cell(s, i, j, k,
 					    volume * kernel_fraction(&s[0], i) * kernel_fraction(&s[1], j) *
 						    kernel_fraction(&s[2], k),
 					    to);
@@ -162,11 +168,12 @@ void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_co
 			span_one_cell(d, s);
 		else
 			find_cell_range(grid, d, place[d], cell[d], reach, &s[d]);
+		find_images(grid, d, &s[d]);
 	}
 	if (how->method == TS_VOLUME_DIVIDED)
-		distribute_exactly(grid, s, how->disc, unit, &to);
+		distribute_exactly(s, how->disc, unit, &to);
 	else
-		distribute_by_kernel(grid, s, volume, &to);
+		distribute_by_kernel(s, volume, &to);
 }
 
 struct sum {

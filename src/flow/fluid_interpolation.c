@@ -66,13 +66,11 @@ static bool gives_tangential_velocity(enum ts_flow_face face)
 	return face == TS_FLOW_WALL || face == TS_FLOW_INLET;
 }
 
-/* Stencil along axis d for component c of the velocity. */
-static struct stencil velocity_stencil(const struct ts_fluid *fluid, int c, int d, double x)
+/* Stencil along axis d for the components of the velocity along the other axes. */
+static struct stencil tangential_stencil(const struct ts_fluid *fluid, int d, double x)
 {
 	const struct ts_grid *grid = &fluid->grid;
 
-	if (c == d && grid->ghosts[d])
-		return at_faces(grid, d, x);
 	if (!grid->periodic[d] && grid->ghosts[d]) {
 		if (x < grid->centre[d][0] && gives_tangential_velocity(fluid->face[d][TS_LOW]))
 			return beside_wall(grid, d, TS_LOW, x, fluid->ghost_weights[d][TS_LOW]);
@@ -84,20 +82,21 @@ static struct stencil velocity_stencil(const struct ts_fluid *fluid, int c, int 
 
 /* Sum over the points of three stencils; along axis `derived` (-1: none) with the weights of the
  * derivative. */
-static double sum_stencil(const struct ts_grid *grid, const double *field, const struct stencil s[3],
+static double sum_stencil(const struct ts_grid *grid, const double *field, const struct stencil *const s[3],
 			  int derived)
 {
 	const double *w[3];
 	double sum = 0;
 
 	for (int d = 0; d < 3; d++)
-		w[d] = d == derived ? s[d].slope : s[d].weight;
-	for (int k = 0; k < s[2].n; k++)
-		for (int j = 0; j < s[1].n; j++) {
-			const double *row = field + ts_at(grid, s[0].first, s[1].first + j, s[2].first + k);
+		w[d] = d == derived ? s[d]->slope : s[d]->weight;
+	for (int k = 0; k < s[2]->n; k++)
+		for (int j = 0; j < s[1]->n; j++) {
+			const double *row =
+				field + ts_at(grid, s[0]->first, s[1]->first + j, s[2]->first + k);
 			double part = 0;
 
-			for (int i = 0; i < s[0].n; i++)
+			for (int i = 0; i < s[0]->n; i++)
 				part += w[0][i] * row[i];
 			sum += w[2][k] * w[1][j] * part;
 		}
@@ -106,16 +105,20 @@ static double sum_stencil(const struct ts_grid *grid, const double *field, const
 
 void ts_fluid_velocity(const struct ts_fluid *fluid, const double x[3], double u[3])
 {
-	double at[3];
+	const struct ts_grid *grid = &fluid->grid;
+	struct stencil normal[3], tangential[3];
 
-	for (int d = 0; d < 3; d++)
-		at[d] = wrap_or_clamp(&fluid->grid, d, x[d]);
+	for (int d = 0; d < 3; d++) {
+		double at = wrap_or_clamp(grid, d, x[d]);
+
+		tangential[d] = tangential_stencil(fluid, d, at);
+		normal[d] = grid->ghosts[d] ? at_faces(grid, d, at) : tangential[d];
+	}
 	for (int c = 0; c < 3; c++) {
-		struct stencil s[3];
+		const struct stencil *s[3] = { &tangential[0], &tangential[1], &tangential[2] };
 
-		for (int d = 0; d < 3; d++)
-			s[d] = velocity_stencil(fluid, c, d, at[d]);
-		u[c] = sum_stencil(&fluid->grid, fluid->u[c], s, -1);
+		s[c] = &normal[c];
+		u[c] = sum_stencil(grid, fluid->u[c], s, -1);
 	}
 }
 
@@ -123,10 +126,11 @@ double ts_fluid_value(const struct ts_fluid *fluid, const double *field, const d
 		      double gradient[3])
 {
 	const struct ts_grid *grid = &fluid->grid;
-	struct stencil s[3];
+	struct stencil along[3];
+	const struct stencil *s[3] = { &along[0], &along[1], &along[2] };
 
 	for (int d = 0; d < 3; d++)
-		s[d] = at_centres(grid, d, wrap_or_clamp(grid, d, x[d]));
+		along[d] = at_centres(grid, d, wrap_or_clamp(grid, d, x[d]));
 	for (int d = 0; gradient && d < 3; d++)
 		gradient[d] = sum_stencil(grid, field, s, d);
 	return sum_stencil(grid, field, s, -1);

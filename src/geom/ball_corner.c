@@ -57,18 +57,39 @@ static double cap_volume(double a)
 	return TS_PI / 3 * (1 - a) * (1 - a) * (2 + a);
 }
 
+/* x >= a, y >= b, z >= 0 with a, b >= 0: the corner (a, b, 0) in the same arithmetic, without the angles that are
+ * right or zero there. */
+static double positive_edge_volume(double a, double b)
+{
+	static const double right = TS_PI / 2;
+	double sa = 1 - a * a, sb = 1 - b * b, ra = sqrt(sa), rb = sqrt(sb), ta, tb, flat, round;
+
+	if (a * a + b * b >= 1)
+		return 0;
+	ta = acos(clamp(b / ra));
+	tb = right - asin(clamp(a / rb));
+	flat = a * (0.5 * (sa * ta - b * sqrt(fmax(sa - b * b, 0)))) +
+	       b * (0.5 * (sb * tb - a * (sqrt(fmax(sb - a * a, 0)))));
+	round = 2 * TS_PI - exterior_angle(a, b) - right - right - a * ta - b * tb;
+	return fmax((round - flat) / 3, 0);
+}
+
 /* x >= a, y >= b */
 static double edge_volume(double a, double b)
 {
+	if (a >= 1 || b >= 1)
+		return 0;
 	if (a < 0)
 		return cap_volume(b) - edge_volume(-a, b);
 	if (b < 0)
 		return cap_volume(a) - edge_volume(a, -b);
-	return 2 * positive_corner_volume(a, b, 0);
+	return 2 * positive_edge_volume(a, b);
 }
 
 double ts_ball_corner(double a, double b, double c)
 {
+	if (a >= 1 || b >= 1 || c >= 1) /* common: faces of cells at the ends of the ball */
+		return 0;
 	if (a < 0)
 		return edge_volume(b, c) - ts_ball_corner(-a, b, c);
 	if (b < 0)

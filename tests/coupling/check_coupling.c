@@ -84,6 +84,15 @@ static double control_volume(const struct ts_grid *grid, int c, const int i[3])
 	return volume;
 }
 
+static struct ts_coupling_weights face_weights(const struct ts_fluid *fluid, int c, const double place[3],
+					       const int cell[3], enum ts_coupling_interpolation how)
+{
+	struct ts_coupling_weights all[3];
+
+	ts_coupling_weights_faces(fluid, place, cell, how, all);
+	return all[c];
+}
+
 /* What a particle at x lays down is all of it, none of it on the boundary. */
 static void lays_down_all(struct ts_fluid *fluid, const double x[3], int c,
 			  enum ts_coupling_interpolation how)
@@ -100,7 +109,7 @@ static void lays_down_all(struct ts_fluid *fluid, const double x[3], int c,
 	if (c < 0)
 		ts_coupling_weights_centre(fluid, place, cell, how, &share);
 	else
-		ts_coupling_weights_face(fluid, c, place, cell, how, &share);
+		share = face_weights(fluid, c, place, cell, how);
 	mean = ts_coupling_distribute_force(grid, &share, c, q, 2.385, 0.73, source, rate);
 	DECK_NEAR(mean, ts_coupling_interpolate(grid, &share, q), 1e-15);
 	for (i[2] = 0; i[2] < grid->n[2]; i[2]++)
