@@ -1022,12 +1022,20 @@ library_sources = \
 	src/particle/user_columns.h \
 	src/plot/plot.c \
 	src/plot/plot.h \
+	src/plot/plot_ascii.c \
+	src/plot/plot_ascii.h \
+	src/plot/plot_canvas.c \
+	src/plot/plot_canvas.h \
 	src/plot/plot_layout.c \
 	src/plot/plot_layout.h \
+	src/plot/plot_raster.c \
+	src/plot/plot_raster.h \
 	src/plot/plot_scale.c \
 	src/plot/plot_scale.h \
 	src/plot/plot_svg.c \
 	src/plot/plot_svg.h \
+	src/plot/plot_terminal.c \
+	src/plot/plot_terminal.h \
 	src/plot/plot_trace.c \
 	src/plot/plot_trace.h \
 	src/poisson/command_pressure_style.c \

@@ -101,7 +101,7 @@ static double widest_tick(struct ts_plot_layout *l, const struct ts_plot_scale *
 	return widest;
 }
 
-static void add_note(const struct ts_plot *plot, const struct ts_plot_extent *extent, struct ts_str *out)
+void ts_plot_note(const struct ts_plot *plot, const struct ts_plot_extent *extent, struct ts_str *out)
 {
 	if (!extent->points)
 		ts_str_add(out, "no data");
@@ -125,7 +125,7 @@ static void place(struct ts_plot_layout *l, const struct ts_plot *plot, const st
 	l->right = l->width - EDGE - fmin(0.5 * widest, TICK_SPACE);
 	ts_plot_scale_title(&l->x, &plot->x, &l->x_text);
 	ts_plot_scale_title(&l->y, &plot->y, &l->y_text);
-	add_note(plot, extent, &l->note_text);
+	ts_plot_note(plot, extent, &l->note_text);
 
 	break_text(l, &l->title, plot->title, most * (1 - 0.15)); /* is bold */
 	break_text(l, &l->y_title, ts_str_text(&l->y_text), most);

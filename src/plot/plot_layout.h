@@ -44,6 +44,8 @@ enum ts_status ts_plot_layout_set(struct ts_plot_layout *l, const struct ts_plot
 				  const struct ts_plot_font *font);
 void ts_plot_layout_release(struct ts_plot_layout *l);
 
+/* Appends how many points are not shown; nothing if all are. */
+void ts_plot_note(const struct ts_plot *plot, const struct ts_plot_extent *extent, struct ts_str *out);
 /* Number of letters, not bytes. */
 size_t ts_plot_letters(const char *text, size_t bytes);
 

@@ -104,6 +104,14 @@ static const unsigned char letters[][5] = {
 };
 enum { NLETTERS = sizeof letters / sizeof *letters };
 
+bool ts_letters_dot(char letter, int column, int row)
+{
+	const int which = letter - ' ';
+
+	return which >= 0 && which < NLETTERS && column >= 0 && column < 5 && row >= 0 && row < 7 &&
+	       letters[which][column] >> row & 1;
+}
+
 int64_t ts_letters_width(const char *text, int scale)
 {
 	return (int64_t)strlen(text) * TS_LETTER_WIDTH * scale;
@@ -122,13 +130,9 @@ void ts_letters_fill(struct ts_picture *p, int64_t x, int64_t y, int64_t width, 
 static void draw_letter(struct ts_picture *p, int64_t x, int64_t y, int scale, char letter,
 			struct ts_colour colour)
 {
-	const int which = letter - ' ';
-
-	if (which < 0 || which >= NLETTERS)
-		return;
 	for (int column = 0; column < 5; column++)
 		for (int row = 0; row < 7; row++)
-			if (letters[which][column] >> row & 1)
+			if (ts_letters_dot(letter, column, row))
 				ts_letters_fill(p, x + column * scale, y + row * scale, scale, scale, colour);
 }
 

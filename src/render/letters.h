@@ -6,6 +6,8 @@
 
 enum { TS_LETTER_WIDTH = 6, TS_LETTER_HEIGHT = 8 /* dots, with the gap to the next */ };
 
+/* Whether the dot of an ASCII letter in column 0 to 4 from the left, row 0 to 6 from the top, is set. */
+bool ts_letters_dot(char letter, int column, int row);
 /* Width of a text in pixels with `scale` pixels to a dot. */
 int64_t ts_letters_width(const char *text, int scale);
 /* Writes it with the upper left corner at x, y; what is outside of the picture is left out. */

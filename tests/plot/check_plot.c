@@ -6,7 +6,9 @@
 
 #include "deck.h"
 #include "math/rng.h"
+#include "plot/plot_raster.h"
 #include "plot/plot_svg.h"
+#include "plot/plot_terminal.h"
 #include "plot/plot_trace.h"
 
 static struct ts_plot_scale scale_of(const struct ts_plot *plot, int axis, int ticks)
@@ -352,9 +354,9 @@ START_TEST(svg_has_the_points)
 
 	ck_assert(ts_plot_svg_add(&p, &text) == TS_OK);
 	ck_assert(ts_plot_layout_set(&l, &p, &font) == TS_OK);
-	path = strstr(text.text, "<g class=\"c1\">\n<path d=\"M");
+	path = strstr(text.text, "<path class=\"c1\" d=\"M");
 	ck_assert_ptr_nonnull(path);
-	ck_assert_int_eq(sscanf(path, "<g class=\"c1\">\n<path d=\"M%lf %lfl%lf %lfl%lf %lf", v, v + 1, v + 2,
+	ck_assert_int_eq(sscanf(path, "<path class=\"c1\" d=\"M%lf %lfl%lf %lfl%lf %lf", v, v + 1, v + 2,
 				v + 3, v + 4, v + 5),
 			 6);
 	DECK_NEAR(v[0], l.left, 0.051);
@@ -368,6 +370,103 @@ START_TEST(svg_has_the_points)
 }
 END_TEST
 
+/* ---- pixels */
+
+static int darkness(const struct ts_picture *p, double x, double y)
+{
+	const unsigned char *rgb = p->rgb + 3 * ((size_t)y * p->width + (size_t)x);
+
+	return 765 - rgb[0] - rgb[1] - rgb[2];
+}
+
+/* The curve of a straight line passes through its pixels and leaves those beside it white; its colour is the first one. */
+START_TEST(pixels_of_a_line)
+{
+	const double x[] = { 0, 3 }, y[] = { 0, 3 };
+	const struct ts_plot_series s = { .x = x, .y = y, .n = 2, .style = TS_PLOT_LINES };
+	const struct ts_plot p = {
+		.x = { .lo = 0, .hi = 3 }, .y = { .lo = 0, .hi = 3 }, .series = &s, .n = 1
+	};
+	const struct ts_plot_font font = { 6, 15 };
+	struct ts_plot_layout l;
+	struct ts_picture picture = { 0 };
+
+	ck_assert(ts_plot_layout_set(&l, &p, &font) == TS_OK);
+	ck_assert(ts_plot_raster(&p, 2, &picture) == TS_OK);
+	ck_assert_uint_eq(picture.width, 960);
+	ck_assert_uint_eq(picture.height, 640);
+	for (double part = 0.03; part < 1; part += 0.1) { /* between lines of the grid */
+		const double px = 2 * (l.left + part * (l.right - l.left)),
+			     py = 2 * (l.bottom - part * (l.bottom - l.top));
+		const unsigned char *rgb = picture.rgb + 3 * ((size_t)py * 960 + (size_t)px);
+
+		ck_assert_uint_eq((unsigned)rgb[0] << 16 | (unsigned)rgb[1] << 8 | rgb[2],
+				  ts_plot_colour(0, false));
+		ck_assert_int_eq(darkness(&picture, px + 8, py), 0);
+		ck_assert_int_eq(darkness(&picture, px, py + 8), 0);
+	}
+	ts_picture_release(&picture);
+	ck_assert(ts_plot_raster(&p, 1000, &picture) == TS_RANGE);
+	ts_picture_release(&picture);
+	ts_plot_layout_release(&l);
+}
+END_TEST
+
+/* ---- terminal */
+
+static void assert_terminal(const struct ts_plot *p, bool unicode, const char *expected)
+{
+	const struct ts_plot_terminal terminal = { .columns = 30, .rows = 9, .unicode = unicode };
+	struct ts_str text = { 0 };
+
+	ck_assert(ts_plot_terminal(p, &terminal, &text) == TS_OK);
+	ck_assert_str_eq(text.text, expected);
+	ts_str_release(&text);
+}
+
+START_TEST(terminal)
+{
+	const double x[] = { 0, 1, 2 }, y[] = { 0, 1, 0 }, low[] = { 1, NAN, 1 };
+	const struct ts_plot_series s[] = {
+		{ .name = "up", .x = x, .y = y, .n = 3, .style = TS_PLOT_LINES },
+		{ .name = "low", .x = x, .y = low, .n = 3, .style = TS_PLOT_POINTS }
+	};
+	struct ts_plot p = {
+		.title = "T\u00b2", .x = { "t", "\u00b5s", .lo = 0, .hi = 2 }, .series = s, .n = 1
+	};
+
+	p.y = (struct ts_plot_axis){ "y", "m", .lo = 0, .hi = 1 };
+	assert_terminal(&p, true,
+			"T\u00b2\n"
+			"\u2812\u2812 up\n"
+			"y (m)\n"
+			"1.0\u2524          \u2880\u2824\u280a\u2811\u2824\u2840          \n"
+			"   \u2502        \u2860\u2812\u2801    \u2808\u2812\u2884        \n"
+			"0.5\u2524     \u28c0\u2814\u2809          \u2809\u2822\u28c0     \n"
+			"   \u2502  \u2880\u2824\u280a                \u2811\u2824\u2840  \n"
+			"0.0\u2524\u2860\u2812\u2801                    \u2808\u2812\u2884\n"
+			"   "
+			"\u2514\u252c\u2500\u2500\u2500\u2500\u2500\u2500\u2500\u2500\u2500\u2500\u2500\u2500"
+			"\u252c\u2500\u2500\u2500\u2500\u2500\u2500\u2500\u2500\u2500\u2500\u2500\u252c\n"
+			"    0            1           2\n"
+			"                        t (\u00b5s)\n");
+	p.n = 2;
+	assert_terminal(&p, false,
+			"T^2\n"
+			"* up   + low\n"
+			"y (m)\n"
+			"1.0++          ****          +\n"
+			"   |        ***    ***        \n"
+			"0.5+     ***          ***     \n"
+			"   |  ***                ***  \n"
+			"0.0+**                      **\n"
+			"   ++------------+-----------+\n"
+			"    0            1           2\n"
+			"                        t (us)\n"
+			"1 of 6 points not shown: not finite\n");
+}
+END_TEST
+
 /* Every allocation may fail. */
 START_TEST(memory)
 {
@@ -376,21 +475,27 @@ START_TEST(memory)
 	const struct ts_plot p = { .title = "t", .y = { "y", "m" }, .series = &s, .n = 1 };
 	const long before = ts_alloc_balance();
 
-	for (long k = 1;; k++) {
-		struct ts_str text = { 0 };
-		enum ts_status status;
+	for (int way = 0; way < 3; way++)
+		for (long k = 1;; k++) {
+			const struct ts_plot_terminal small = { .colour = true, .unicode = true };
+			struct ts_str text = { 0 };
+			struct ts_picture picture = { 0 };
+			enum ts_status status;
 
-		ts_alloc_fail_at(k);
-		status = ts_plot_svg_add(&p, &text);
-		ts_alloc_fail_at(0);
-		ts_str_release(&text);
-		ck_assert_int_eq(ts_alloc_balance(), before);
-		if (status == TS_OK) {
-			ck_assert_int_gt(k, 5);
-			break;
+			ts_alloc_fail_at(k);
+			status = way == 0   ? ts_plot_svg_add(&p, &text)
+				 : way == 1 ? ts_plot_raster(&p, 1, &picture)
+					    : ts_plot_terminal(&p, &small, &text);
+			ts_alloc_fail_at(0);
+			ts_str_release(&text);
+			ts_picture_release(&picture);
+			ck_assert_int_eq(ts_alloc_balance(), before);
+			if (status == TS_OK) {
+				ck_assert_int_gt(k, 5);
+				break;
+			}
+			ck_assert_int_eq(status, TS_NOMEM);
 		}
-		ck_assert_int_eq(status, TS_NOMEM);
-	}
 }
 END_TEST
 
@@ -436,6 +541,8 @@ int main(void)
 	tcase_add_test(tcase, steps);
 	tcase_add_test(tcase, svg_is_well_formed);
 	tcase_add_test(tcase, svg_has_the_points);
+	tcase_add_test(tcase, pixels_of_a_line);
+	tcase_add_test(tcase, terminal);
 	tcase_add_test(tcase, memory);
 	tcase_add_test(tcase, colours_are_seen);
 	suite_add_tcase(suite, tcase);
