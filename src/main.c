@@ -329,6 +329,16 @@ static int study(struct tsim *sim, struct ts_setup *setup, const char *called)
 	return sim->error.status == TS_STOPPED && signal_number ? 128 + signal_number : status;
 }
 
+/* Draws columns of files. */
+static int plot(struct tsim *sim, const struct ts_setup *setup)
+{
+	int status = ts_program_plot(sim, setup);
+
+	if (sim->error.status)
+		fputs(tsim_error(sim), stderr);
+	return status;
+}
+
 static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
 {
 	int status = ts_program_options(sim, setup, argc, argv);
@@ -345,6 +355,8 @@ static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, 
 		return ts_program_grammar(setup->grammar);
 	if (setup->doc)
 		return ts_program_manual(setup->doc);
+	if (setup->plot.n)
+		return plot(sim, setup);
 	if (setup->studied)
 		return study(sim, setup, argv[0]);
 	if (setup->sandboxed && (setup->advised || setup->crosscheck.n))

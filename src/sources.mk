@@ -715,6 +715,8 @@ library_sources = \
 	src/integrate/integrate.h \
 	src/integrate/integrators.c \
 	src/integrate/integrators.h \
+	src/io/csv.c \
+	src/io/csv.h \
 	src/io/decimal.c \
 	src/io/decimal.h \
 	src/io/format.c \
@@ -1201,6 +1203,14 @@ library_sources = \
 	src/script/substitute.c \
 	src/script/text.c \
 	src/script/variable_command.c \
+	src/sheet/internal.h \
+	src/sheet/sheet.c \
+	src/sheet/sheet.h \
+	src/sheet/sheet_csv.c \
+	src/sheet/sheet_log.c \
+	src/sheet/sheet_read.c \
+	src/sheet/sheet_read.h \
+	src/sheet/sheet_rows.c \
 	src/study/calibration.c \
 	src/study/calibration.h \
 	src/study/calibration_report.c \
@@ -1210,6 +1220,8 @@ library_sources = \
 	src/study/study_batch.c \
 	src/study/study_batch.h \
 	src/study/study_calibrate.c \
+	src/study/study_chart.c \
+	src/study/study_chart.h \
 	src/study/study_output.c \
 	src/study/study_output.h \
 	src/study/study_runs.c \
@@ -1231,6 +1243,14 @@ library_sources = \
 	src/thermo/thermo.c \
 	src/thermo/thermo.h \
 	src/thermo/thermo_keywords.c \
+	src/view/internal.h \
+	src/view/view.c \
+	src/view/view.h \
+	src/view/view_data.h \
+	src/view/view_data_columns.c \
+	src/view/view_data_curves.c \
+	src/view/view_overview.c \
+	src/view/view_overview.h \
 	src/voxel/dump_voxel_vtk.c \
 	src/voxel/fix_surface_voxel.c \
 	src/voxel/voxel_distance.c \

@@ -198,6 +198,7 @@ shell_tests = \
 	tests/study/sweep.sh \
 	tests/thermo/progress.sh \
 	tests/thermo/thermo.sh \
+	tests/view/plot.sh \
 	tests/voxel/foundation.sh \
 	tests/voxel/voxel_dumps.sh \
 	tests/voxel/voxel_heights.sh \
@@ -297,6 +298,7 @@ unit_tests = \
 	tests/rough/check_rough \
 	tests/script/check_script \
 	tests/script/check_unbreakable \
+	tests/sheet/check_sheet \
 	tests/stability/check_contacts \
 	tests/stability/check_couplings \
 	tests/stability/check_drag_lag \
@@ -649,6 +651,10 @@ tests_script_check_script_LDADD = $(tests_ldadd)
 tests_script_check_unbreakable_SOURCES = tests/script/check_unbreakable.c
 tests_script_check_unbreakable_CFLAGS = $(tests_cflags)
 tests_script_check_unbreakable_LDADD = $(tests_ldadd)
+
+tests_sheet_check_sheet_SOURCES = tests/sheet/check_sheet.c
+tests_sheet_check_sheet_CFLAGS = $(tests_cflags)
+tests_sheet_check_sheet_LDADD = $(tests_ldadd)
 
 tests_stability_check_contacts_SOURCES = tests/stability/check_contacts.c
 tests_stability_check_contacts_CFLAGS = $(tests_cflags)

@@ -165,3 +165,38 @@ void ts_plot_layout_release(struct ts_plot_layout *l)
 	ts_str_release(&l->note_text);
 	*l = (struct ts_plot_layout){ 0 };
 }
+
+enum ts_status ts_plot_panels_set(struct ts_plot_panels *p, const struct ts_plot *plot, size_t n,
+				  size_t columns, const struct ts_plot_font *font)
+{
+	double x = 0, y = 0, row = 0; /* next place, height of the row */
+
+	*p = (struct ts_plot_panels){ .place = ts_alloc(n, sizeof *p->place) };
+	if (!p->place)
+		return TS_NOMEM;
+	for (size_t k = 0; k < n; k++) {
+		struct ts_plot_layout l;
+		enum ts_status status = ts_plot_layout_set(&l, &plot[k], font);
+
+		if (k % columns == 0) {
+			x = 0;
+			y += row;
+			row = 0;
+		}
+		p->place[k][0] = x;
+		p->place[k][1] = y;
+		x += l.width;
+		row = fmax(row, l.height);
+		p->width = fmax(p->width, x);
+		p->height = fmax(p->height, y + l.height);
+		ts_plot_layout_release(&l);
+		TS_TRY(status);
+	}
+	return TS_OK;
+}
+
+void ts_plot_panels_release(struct ts_plot_panels *p)
+{
+	ts_free(p->place);
+	*p = (struct ts_plot_panels){ 0 };
+}

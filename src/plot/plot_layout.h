@@ -44,6 +44,16 @@ enum ts_status ts_plot_layout_set(struct ts_plot_layout *l, const struct ts_plot
 				  const struct ts_plot_font *font);
 void ts_plot_layout_release(struct ts_plot_layout *l);
 
+/* Several plots as one picture: the place of the upper left corner of each, rows as high as their highest plot. */
+struct ts_plot_panels {
+	double width, height;
+	double (*place)[2]; /* [n] */
+};
+/* n >= 1, columns >= 1. Returns TS_OK or TS_NOMEM; in both cases the panels are to be released. */
+enum ts_status ts_plot_panels_set(struct ts_plot_panels *p, const struct ts_plot *plot, size_t n,
+				  size_t columns, const struct ts_plot_font *font);
+void ts_plot_panels_release(struct ts_plot_panels *p);
+
 /* Appends how many points are not shown; nothing if all are. */
 void ts_plot_note(const struct ts_plot *plot, const struct ts_plot_extent *extent, struct ts_str *out);
 /* Number of letters, not bytes. */

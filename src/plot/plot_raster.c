@@ -16,7 +16,7 @@ static const double STROKE = 0.95, BOLD = 1.5; /* widths of strokes of letters, 
 struct raster {
 	struct ts_plot_canvas base;
 	struct ts_picture *picture;
-	double scale;
+	double scale, left, top; /* pixels to a unit; upper left corner of the plot in units */
 	/* the path: width and dashes in units, colour mixed with what is there */
 	double width, opacity, dash, gone; /* gone: length since the first dash */
 	struct ts_colour colour;
@@ -47,7 +47,8 @@ static double within(double part)
 static void stroke(const struct raster *r, double x0, double y0, double x1, double y1, double width)
 {
 	struct ts_picture *p = r->picture;
-	const double s = r->scale, ax = s * x0, ay = s * y0, dx = s * x1 - ax, dy = s * y1 - ay;
+	const double s = r->scale, ax = s * (r->left + x0), ay = s * (r->top + y0), dx = s * (x1 - x0),
+		     dy = s * (y1 - y0);
 	const double half = 0.5 * fmax(s * width, 1), length2 = dx * dx + dy * dy, reach = half + 1;
 	const int64_t top = clamp_to(fmin(ay, ay + dy) - reach, p->height),
 		      bottom = clamp_to(fmax(ay, ay + dy) + reach + 1, p->height);
@@ -201,27 +202,44 @@ static void text(struct ts_plot_canvas *c, double x, double y, enum ts_plot_alig
 
 /* ---- picture */
 
+/* A white picture. */
+static enum ts_status prepare(struct ts_picture *out, double width, double height)
+{
+	if (fmax(width, height) > TS_PICTURE_EDGE)
+		return TS_RANGE;
+	out->width = (uint32_t)ceil(width);
+	out->height = (uint32_t)ceil(height);
+	TS_TRY(TS_GROW(out->rgb, out->capacity, (size_t)3 * out->width * out->height));
+	memset(out->rgb, 255, (size_t)3 * out->width * out->height);
+	return TS_OK;
+}
+
 enum ts_status ts_plot_raster(const struct ts_plot *plot, double scale, struct ts_picture *out)
+{
+	return ts_plot_raster_panels(plot, 1, 1, scale, out);
+}
+
+enum ts_status ts_plot_raster_panels(const struct ts_plot *plot, size_t n, size_t columns, double scale,
+				     struct ts_picture *out)
 {
 	struct raster r = { .base = { begin, move, line, end, markers, text },
 			    .picture = out,
 			    .scale = scale };
-	struct ts_plot_layout l;
-	enum ts_status status = ts_plot_layout_set(&l, plot, &FONT);
+	struct ts_plot_panels p;
+	enum ts_status status = ts_plot_panels_set(&p, plot, n, columns, &FONT);
 
-	if (status == TS_OK && fmax(l.width, l.height) * scale > TS_PICTURE_EDGE)
-		status = TS_RANGE;
-	if (status == TS_OK) {
-		const size_t bytes = 3 * (size_t)ceil(l.width * scale) * (size_t)ceil(l.height * scale);
-
-		out->width = (uint32_t)ceil(l.width * scale);
-		out->height = (uint32_t)ceil(l.height * scale);
-		status = TS_GROW(out->rgb, out->capacity, bytes);
-		if (status == TS_OK)
-			memset(out->rgb, 255, bytes);
-	}
 	if (status == TS_OK)
-		status = ts_plot_canvas_draw(&r.base, plot, &l);
-	ts_plot_layout_release(&l);
+		status = prepare(out, p.width * scale, p.height * scale);
+	for (size_t k = 0; k < n && status == TS_OK; k++) {
+		struct ts_plot_layout l;
+
+		r.left = p.place[k][0];
+		r.top = p.place[k][1];
+		status = ts_plot_layout_set(&l, &plot[k], &FONT);
+		if (status == TS_OK)
+			status = ts_plot_canvas_draw(&r.base, &plot[k], &l);
+		ts_plot_layout_release(&l);
+	}
+	ts_plot_panels_release(&p);
 	return status;
 }

@@ -63,12 +63,26 @@ static void include_point(struct ts_plot_extent *e, const struct ts_plot *plot,
 	include(e, plot, 1, y + error);
 }
 
+/* The first and the last step reach beyond their points. */
+static void include_steps(struct ts_plot_extent *e, const struct ts_plot *plot,
+			  const struct ts_plot_series *s)
+{
+	const size_t n = s->n;
+
+	if (s->style != TS_PLOT_STEPS || n < 2)
+		return;
+	include(e, plot, 0, 1.5 * ts_plot_x(s, 0) - 0.5 * ts_plot_x(s, 1));
+	include(e, plot, 0, 1.5 * ts_plot_x(s, n - 1) - 0.5 * ts_plot_x(s, n - 2));
+}
+
 void ts_plot_extent(const struct ts_plot *plot, struct ts_plot_extent *e)
 {
 	*e = (struct ts_plot_extent){ .lo = { INFINITY, INFINITY }, .hi = { -INFINITY, -INFINITY } };
-	for (size_t k = 0; k < plot->n; k++)
+	for (size_t k = 0; k < plot->n; k++) {
 		for (size_t j = 0; j < plot->series[k].n; j++)
 			include_point(e, plot, &plot->series[k], j);
+		include_steps(e, plot, &plot->series[k]);
+	}
 	for (size_t k = 0; k < plot->marks; k++)
 		include(e, plot, !plot->mark[k].vertical, plot->mark[k].at);
 }
@@ -76,7 +90,7 @@ void ts_plot_extent(const struct ts_plot *plot, struct ts_plot_extent *e)
 static bool has_bare_lines(const struct ts_plot *plot)
 {
 	for (size_t k = 0; k < plot->n; k++)
-		if (ts_plot_has_points(&plot->series[k]) || plot->series[k].style == TS_PLOT_STEPS)
+		if (ts_plot_has_points(&plot->series[k]))
 			return false;
 	return true;
 }

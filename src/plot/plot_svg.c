@@ -219,33 +219,66 @@ static void add_style(struct ts_str *out)
 	ts_str_add(out, "}</style>\n");
 }
 
-static void add_head(struct ts_str *out, const struct ts_plot_layout *l, const struct ts_plot *plot)
+/* With `place`: a picture within another one, at this place. */
+static void add_head(struct ts_str *out, const struct ts_plot *plot, double width, double height,
+		     const double *place)
 {
-	ts_str_add(out,
-		   "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ts-plot\" role=\"img\" viewBox=\"0 0 ");
-	add_pair(out, tenths(l->width), tenths(l->height));
+	ts_str_add(out, place ? "<svg"
+			      : "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ts-plot\" role=\"img\"");
+	if (place) {
+		add_attribute(out, "x", place[0]);
+		add_attribute(out, "y", place[1]);
+		add_attribute(out, "width", width);
+		add_attribute(out, "height", height);
+	}
+	ts_str_add(out, " viewBox=\"0 0 ");
+	add_pair(out, tenths(width), tenths(height));
 	ts_str_add(out, "\">\n");
 	if (plot->title) {
 		ts_str_add(out, "<title>");
 		add_text(out, plot->title, strlen(plot->title));
 		ts_str_add(out, "</title>\n");
 	}
+	if (place)
+		return;
 	add_style(out);
 	ts_str_add(out, "<rect class=\"ground\" width=\"100%\" height=\"100%\"/>\n");
 }
 
-enum ts_status ts_plot_svg_add(const struct ts_plot *plot, struct ts_str *out)
+static enum ts_status add_plot(struct ts_str *out, const struct ts_plot *plot, const double *place)
 {
 	struct svg s = { { begin, move, line, end, markers, text }, .out = out };
 	struct ts_plot_layout l;
 	enum ts_status status = ts_plot_layout_set(&l, plot, &FONT);
 
 	if (status == TS_OK) {
-		add_head(out, &l, plot);
+		add_head(out, plot, l.width, l.height, place);
 		status = ts_plot_canvas_draw(&s.base, plot, &l);
 		ts_str_add(out, "</svg>\n");
 	}
 	ts_plot_layout_release(&l);
+	return status == TS_OK && out->failed ? TS_NOMEM : status;
+}
+
+enum ts_status ts_plot_svg_add(const struct ts_plot *plot, struct ts_str *out)
+{
+	return add_plot(out, plot, NULL);
+}
+
+enum ts_status ts_plot_svg_panels(const struct ts_plot *plot, size_t n, size_t columns, struct ts_str *out)
+{
+	struct ts_plot_panels p;
+	enum ts_status status;
+
+	if (n == 1)
+		return ts_plot_svg_add(plot, out);
+	status = ts_plot_panels_set(&p, plot, n, columns, &FONT);
+	if (status == TS_OK)
+		add_head(out, &(struct ts_plot){ 0 }, p.width, p.height, NULL);
+	for (size_t k = 0; k < n && status == TS_OK; k++)
+		status = add_plot(out, &plot[k], p.place[k]);
+	ts_str_add(out, "</svg>\n");
+	ts_plot_panels_release(&p);
 	return status == TS_OK && out->failed ? TS_NOMEM : status;
 }
 

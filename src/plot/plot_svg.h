@@ -17,5 +17,7 @@
 enum ts_status ts_plot_svg(const struct ts_plot *plot, FILE *out);
 /* Appends the same text. */
 enum ts_status ts_plot_svg_add(const struct ts_plot *plot, struct ts_str *out);
+/* Several plots in one picture, so many in a row. n >= 1. */
+enum ts_status ts_plot_svg_panels(const struct ts_plot *plot, size_t n, size_t columns, struct ts_str *out);
 
 #endif

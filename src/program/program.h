@@ -14,6 +14,11 @@ struct ts_word_list {
 	size_t n;
 };
 
+/* Words of options that belong to -plot; NULL: not given. */
+struct ts_plot_words {
+	const char *out, *x, *xrange, *yrange, *style, *part, *by, *title;
+};
+
 /* The options of the command line. */
 struct ts_setup {
 	const char *input, *log, *screen, *doc, *grammar, *results;
@@ -25,9 +30,11 @@ struct ts_setup {
 	struct ts_word_list crosscheck, advise, sandbox, variables, own;
 	/* -in, and arguments of -sweep, -calibrate, -vary and -replicate */
 	struct ts_word_list inputs, sweep, calibrate, vary, replicate;
-	double tolerance; /* 0: not given */
-	int64_t jobs;	  /* 0: not given */
-	bool studied;	  /* -sweep or -calibrate */
+	double tolerance;	  /* 0: not given */
+	int64_t jobs;		  /* 0: not given */
+	bool studied;		  /* -sweep or -calibrate */
+	struct ts_word_list plot; /* "-plot" FILE COLUMN ..., once a file */
+	struct ts_plot_words plotted;
 };
 
 /* Reads the options into the setup and, if they are settings of the simulation, into sim. */
@@ -44,6 +51,9 @@ void ts_program_sandbox_help(struct ts_str *out);
 
 /* -sweep and -calibrate; returns the exit status. `called`: argv[0]. */
 int ts_program_study(struct tsim *sim, struct ts_setup *setup, const char *called);
+
+/* -plot; returns the exit status. The message of an error is in sim->error. */
+int ts_program_plot(struct tsim *sim, const struct ts_setup *setup);
 
 /* Prints the text and releases it. */
 int ts_program_print(struct ts_str *text);

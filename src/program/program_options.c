@@ -36,6 +36,15 @@ enum option_id {
 	OPT_TOLERANCE,
 	OPT_JOBS,
 	OPT_RESULTS,
+	OPT_PLOT,
+	OPT_OUT,
+	OPT_X,
+	OPT_XRANGE,
+	OPT_YRANGE,
+	OPT_STYLE,
+	OPT_PART,
+	OPT_BY,
+	OPT_TITLE,
 	OPT_HELP,
 	OPT_DOC,
 	OPT_GRAMMAR,
@@ -84,6 +93,16 @@ static const struct {
 	[OPT_TOLERANCE] = { "tolerance", "X", "with -calibrate: how near to a target, relative (0.05)", 1 },
 	[OPT_JOBS] = { "j", "N", "with both: number of runs side by side (as many as processors)", 1 },
 	[OPT_RESULTS] = { "results", "FOLDER", "with both: folder of the table and the runs (results)", 1 },
+	[OPT_PLOT] = { "plot", "FILE [COLUMN ...]", "draw columns of a log or table; several times: of all",
+		       1 },
+	[OPT_OUT] = { "o", "FILE", "with -plot: picture, .svg or .png; without it the terminal is used", 1 },
+	[OPT_X] = { "x", "COLUMN", "with -plot: of the horizontal axis; -log x|y|xy: logarithmic axes", 1 },
+	[OPT_XRANGE] = { "xrange", "LO:HI", "with -plot: ends of the axis, either may be left out", 1 },
+	[OPT_YRANGE] = { "yrange", "LO:HI", "with -plot: the same of the vertical axis", 1 },
+	[OPT_STYLE] = { "style", "lines|points|both|steps", "with -plot: how curves are drawn", 1 },
+	[OPT_PART] = { "part", "N|last|all", "with -plot: which run of a log, which block of an average", 1 },
+	[OPT_BY] = { "by", "COLUMN,...", "with -plot: a curve for each value of these columns", 1 },
+	[OPT_TITLE] = { "title", "TEXT", "with -plot: title, '' for none (name of the file)", 1 },
 	[OPT_HELP] = { "help", "[KIND] [NAME]", "manual page, e.g. -help fix gravity, -help ave/time", 0 },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
 	[OPT_GRAMMAR] = { "grammar", "vim|vscode", "print the grammar file for that editor", 1 },
@@ -258,6 +277,23 @@ static int apply_study(struct ts_setup *setup, enum option_id id, char *const *v
 	}
 }
 
+/* Options of -plot. */
+static int apply_plot(struct ts_setup *setup, enum option_id id, char *const *value, int n)
+{
+	struct ts_plot_words *w = &setup->plotted;
+	const char **const place[] = {
+		[OPT_OUT - OPT_PLOT] = &w->out,	      [OPT_X - OPT_PLOT] = &w->x,
+		[OPT_XRANGE - OPT_PLOT] = &w->xrange, [OPT_YRANGE - OPT_PLOT] = &w->yrange,
+		[OPT_STYLE - OPT_PLOT] = &w->style,   [OPT_PART - OPT_PLOT] = &w->part,
+		[OPT_BY - OPT_PLOT] = &w->by,	      [OPT_TITLE - OPT_PLOT] = &w->title
+	};
+
+	if (id == OPT_PLOT)
+		return add_words(&setup->plot, "-plot", value, n);
+	*place[id - OPT_PLOT] = value[0];
+	return 0;
+}
+
 /* Options that print a page. */
 static int apply_page(struct ts_setup *setup, enum option_id id, char *const *value, int n)
 {
@@ -327,7 +363,9 @@ static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id
 	case OPT_CROSSCHECK:
 		return add_words(&setup->crosscheck, NULL, value, n);
 	default:
-		return id < OPT_HELP ? apply_study(setup, id, value, n) : apply_page(setup, id, value, n);
+		return id < OPT_PLOT   ? apply_study(setup, id, value, n)
+		       : id < OPT_HELP ? apply_plot(setup, id, value, n)
+				       : apply_page(setup, id, value, n);
 	}
 	return 0;
 }
@@ -355,6 +393,14 @@ static int check_together(const struct ts_setup *setup)
 	bool left =
 		setup->vary.n || setup->replicate.n || setup->tolerance > 0 || setup->jobs || setup->results;
 
+	const struct ts_plot_words *w = &setup->plotted;
+	bool left_of_plot =
+		w->out || w->x || w->xrange || w->yrange || w->style || w->part || w->by || w->title;
+
+	if (!setup->plot.n && left_of_plot)
+		return ts_program_usage_error("-o, -x, -xrange, -yrange, -style, -part, -by and -title "
+					      "belong to -plot, which is not given%s%s",
+					      "", "");
 	if (!setup->studied && left)
 		return ts_program_usage_error("-vary, -replicate, -tolerance, -j and -results belong to "
 					      "-sweep or -calibrate, and neither is given%s%s",
@@ -386,7 +432,7 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 		if (id == NOPTIONS)
 			return unknown_option(text);
 		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_ADVISE || id == OPT_FULL ||
-			   id == OPT_CROSSCHECK || id == OPT_SANDBOX ||
+			   id == OPT_CROSSCHECK || id == OPT_SANDBOX || id == OPT_PLOT ||
 			   (id >= OPT_SWEEP && id <= OPT_REPLICATE);
 		while (k + n < argc && !is_option(argv[k + n]) && (variadic || n < options[id].least))
 			n++;

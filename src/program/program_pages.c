@@ -13,6 +13,7 @@
 #include "manual/topics.h"
 #include "program/program.h"
 #include "study/study.h"
+#include "view/view.h"
 
 #include "base/banned.h"
 
@@ -36,6 +37,9 @@ static void print_usage(void)
 	ts_program_print(&text);
 	puts("\n-sweep and -calibrate");
 	ts_study_help(&text);
+	ts_program_print(&text);
+	puts("\n-plot");
+	ts_view_help(&text);
 	ts_program_print(&text);
 	puts("\nafter -sandbox");
 	ts_program_sandbox_help(&text);

@@ -4,6 +4,7 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "io/csv.h"
 #include "io/replace.h"
 
 #include "base/banned.h"
@@ -14,18 +15,6 @@ enum { ENDED_BY_SIGNAL = 128 };
 static const char *const front[] = { "run", "script", "version" };
 static const char *const middle[] = { "status", "seconds", "off", "error" };
 enum { FRONT = sizeof front / sizeof *front, MIDDLE = sizeof middle / sizeof *middle };
-
-void ts_study_runs_cell(struct ts_str *out, const char *text)
-{
-	if (!strpbrk(text, ",\"\n")) {
-		ts_str_add(out, text);
-		return;
-	}
-	ts_str_add(out, "\"");
-	for (; *text; text++)
-		ts_str_add_n(out, *text == '"' ? "\"\"" : *text == '\n' ? " " : text, *text == '"' ? 2 : 1);
-	ts_str_add(out, "\"");
-}
 
 static enum ts_status add_name(struct ts_study_runs *r, const char ***list, size_t *n, size_t *capacity,
 			       const char *name, struct ts_error *err)
@@ -153,17 +142,17 @@ size_t ts_study_runs_find(const struct ts_study_runs *r, const char *script, con
 static void add_row(const struct ts_study_runs *r, const struct ts_study_run *run, struct ts_str *out)
 {
 	ts_str_addf(out, "%" PRId64 ",", run->number);
-	ts_study_runs_cell(out, run->script);
+	ts_csv_add_cell(out, run->script);
 	ts_str_addf(out, ",%s", run->version);
 	for (size_t k = 0; k < r->variables; k++) {
 		ts_str_add(out, ",");
-		ts_study_runs_cell(out, run->value[k]);
+		ts_csv_add_cell(out, run->value[k]);
 	}
 	ts_str_addf(out, ",%d,%.3f,%d,", run->status, run->seconds, run->off);
-	ts_study_runs_cell(out, run->error);
+	ts_csv_add_cell(out, run->error);
 	for (size_t k = 0; k < r->results; k++) {
 		ts_str_add(out, ",");
-		ts_study_runs_cell(out, k < run->results ? run->result[k] : "");
+		ts_csv_add_cell(out, k < run->results ? run->result[k] : "");
 	}
 	ts_str_add(out, "\n");
 }
@@ -173,7 +162,7 @@ static void add_names(const char *const *name, size_t n, struct ts_str *out)
 	for (size_t k = 0; k < n; k++) {
 		if (out->length)
 			ts_str_add(out, ",");
-		ts_study_runs_cell(out, name[k]);
+		ts_csv_add_cell(out, name[k]);
 	}
 }
 
@@ -201,81 +190,35 @@ enum ts_status ts_study_runs_write(const struct ts_study_runs *r, struct tsim *s
 	return status;
 }
 
-/* A file that is read cell by cell. */
+/* A file that is read row by row. */
 struct reader {
 	struct ts_study_runs *runs;
 	struct ts_error *err;
-	struct ts_place where;
-	char *at;	   /* next cell; NULL: end of the line */
-	char *line;	   /* next line */
-	const char **cell; /* [cells]: of the present line */
-	size_t cells, capacity;
+	struct ts_csv csv;
 };
-
-/* Takes a cell off the line, without its quotes. */
-static char *next_cell(struct reader *f)
-{
-	char *begin = f->at, *to = begin, *from = begin;
-	bool quoted = *from == '"';
-
-	from += quoted;
-	begin = to = from;
-	while (*from && (quoted || *from != ',')) {
-		if (quoted && *from == '"' && *++from != '"') {
-			quoted = false;
-			continue;
-		}
-		*to++ = *from++;
-	}
-	f->at = *from == ',' ? from + 1 : NULL;
-	*to = '\0';
-	return begin;
-}
-
-static enum ts_status next_line(struct reader *f, bool *more)
-{
-	char *end;
-
-	*more = *f->line;
-	if (!*more)
-		return TS_OK;
-	f->where.line++;
-	f->at = f->line;
-	end = f->line + strcspn(f->line, "\n");
-	f->line = *end ? end + 1 : end;
-	*end = '\0';
-	if (end > f->at && end[-1] == '\r')
-		end[-1] = '\0';
-	for (f->cells = 0; f->at; f->cells++) {
-		if (TS_GROW(f->cell, f->capacity, f->cells + 1) != TS_OK)
-			return ts_nomem(f->err);
-		f->cell[f->cells] = next_cell(f);
-	}
-	return TS_OK;
-}
 
 /* Compares the columns with the variables of the study; takes over the names of the results. */
 static enum ts_status read_names(struct reader *f)
 {
 	struct ts_study_runs *r = f->runs;
 	size_t k = FRONT, results = FRONT + r->variables + MIDDLE;
-	bool good = f->cells >= FRONT + MIDDLE && ts_streq(f->cell[0], front[0]) &&
-		    ts_streq(f->cell[1], front[1]);
+	bool good = f->csv.cells >= FRONT + MIDDLE && ts_streq(f->csv.cell[0], front[0]) &&
+		    ts_streq(f->csv.cell[1], front[1]);
 
 	if (!good)
-		return ts_fail(f->err, TS_DAMAGED, &f->where,
+		return ts_fail(f->err, TS_DAMAGED, &f->csv.where,
 			       "this is no table of runs: its columns are not '%s', '%s' ...", front[0],
 			       front[1]);
 	for (size_t v = 0; v < r->variables && good; v++, k++)
-		good = k < f->cells && ts_streq(f->cell[k], r->variable[v]);
+		good = k < f->csv.cells && ts_streq(f->csv.cell[k], r->variable[v]);
 	for (size_t m = 0; m < MIDDLE && good; m++, k++)
-		good = k < f->cells && ts_streq(f->cell[k], middle[m]);
+		good = k < f->csv.cells && ts_streq(f->csv.cell[k], middle[m]);
 	if (!good)
-		return ts_fail(f->err, TS_STATE, &f->where,
+		return ts_fail(f->err, TS_STATE, &f->csv.where,
 			       "the table has runs of a study with other variables, in another order, or set "
 			       "by other -var than this one: give this one another folder, -results FOLDER");
-	for (k = results; k < f->cells; k++)
-		TS_TRY(add_result(r, f->cell[k], f->err));
+	for (k = results; k < f->csv.cells; k++)
+		TS_TRY(add_result(r, f->csv.cell[k], f->err));
 	return TS_OK;
 }
 
@@ -283,16 +226,16 @@ static enum ts_status read_row(struct reader *f)
 {
 	struct ts_study_runs *r = f->runs;
 	size_t v = r->variables, results = FRONT + v + MIDDLE;
-	const char **cell = f->cell, **last = cell + FRONT + v;
+	const char **cell = f->csv.cell, **last = cell + FRONT + v;
 	struct ts_study_run run = { .script = cell[1], .version = cell[2], .value = cell + FRONT };
 	int64_t status = 0, off = 0;
 
-	if (f->cells != results + r->results)
-		return ts_fail(f->err, TS_DAMAGED, &f->where, "expected %zu cells, found %zu",
-			       results + r->results, f->cells);
+	if (f->csv.cells != results + r->results)
+		return ts_fail(f->err, TS_DAMAGED, &f->csv.where, "expected %zu cells, found %zu",
+			       results + r->results, f->csv.cells);
 	if (!ts_parse_int(cell[0], &run.number) || !ts_parse_int(last[0], &status) ||
 	    !ts_parse_real(last[1], &run.seconds) || !ts_parse_int(last[2], &off))
-		return ts_fail(f->err, TS_DAMAGED, &f->where,
+		return ts_fail(f->err, TS_DAMAGED, &f->csv.where,
 			       "expected numbers in the columns run, status, seconds and off");
 	run.status = (int)status;
 	run.off = (int)off;
@@ -305,50 +248,34 @@ static enum ts_status read_row(struct reader *f)
 	return TS_OK;
 }
 
-static enum ts_status read_text(struct ts_study_runs *runs, const char *path, char *text,
-				struct ts_error *err)
+static enum ts_status read_rows(struct reader *f)
 {
-	struct reader f = { .runs = runs, .err = err, .where = { .file = path }, .line = text };
-	bool more = true;
-	enum ts_status status = next_line(&f, &more);
+	bool more;
 
-	if (status == TS_OK && more)
-		status = read_names(&f);
-	while (status == TS_OK && more) {
-		status = next_line(&f, &more);
-		if (status == TS_OK && more)
-			status = read_row(&f);
+	TS_TRY(ts_csv_next(&f->csv, &more));
+	if (more)
+		TS_TRY(read_names(f));
+	while (more) {
+		TS_TRY(ts_csv_next(&f->csv, &more));
+		if (more)
+			TS_TRY(read_row(f));
 	}
-	ts_free(f.cell);
-	return status;
+	return TS_OK;
 }
 
 enum ts_status ts_study_runs_read(struct ts_study_runs *runs, struct tsim *sim, const char *path)
 {
-	struct ts_error *err = &sim->error;
-	FILE *file = ts_files_open(NULL, path, "r");
-	struct ts_str text = { 0 };
-	char bytes[4096];
+	struct reader f = { .runs = runs, .err = &sim->error };
+	struct stat about;
 	enum ts_status status;
-	size_t n;
-	bool bad;
 
-	if (!file && errno == ENOENT)
+	if (ts_files_stat(NULL, path, &about) != 0 && errno == ENOENT)
 		return TS_OK;
-	if (!file)
-		return ts_fail(err, TS_IO, NULL, "cannot read '%s': %s", path, strerror(errno));
-	ts_str_add(&text, "");
-	while ((n = fread(bytes, 1, sizeof bytes, file)) > 0)
-		ts_str_add_n(&text, bytes, n);
-	bad = ferror(file) != 0;
-	fclose(file);
-	if (bad)
-		status = ts_fail(err, TS_IO, NULL, "reading '%s' failed", path);
-	else
-		status = text.failed || !text.text
-				 ? ts_nomem(err)
-				 : read_text(runs, ts_pool_get(sim->pool, path), text.text, err);
-	ts_str_release(&text);
+	path = ts_pool_get(sim->pool, path);
+	status = path ? ts_csv_open(&f.csv, NULL, f.err, path) : ts_nomem(f.err);
+	if (status == TS_OK)
+		status = read_rows(&f);
+	ts_csv_close(&f.csv);
 	return status;
 }
 

@@ -48,7 +48,4 @@ size_t ts_study_runs_find(const struct ts_study_runs *runs, const char *script, 
 			  const char *const *value);
 void ts_study_runs_release(struct ts_study_runs *runs);
 
-/* Appends a cell of a CSV file, in quotes where it needs them. */
-void ts_study_runs_cell(struct ts_str *out, const char *text);
-
 #endif

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "io/csv.h"
+
 #include "base/banned.h"
 
 enum { BLOCK = 5 /* results side by side in the table */, CELL = 24 };
@@ -105,7 +107,7 @@ static void write_csv(struct ts_study *s, const struct ts_study_task *task, size
 
 			ts_str_addf(&name, "%s%s", s->runs.result[r], ending[k]);
 			ts_str_add(out, k ? "," : "");
-			ts_study_runs_cell(out, ts_str_text(&name));
+			ts_csv_add_cell(out, ts_str_text(&name));
 			ts_str_release(&name);
 		}
 		comma = ",";
@@ -116,7 +118,7 @@ static void write_csv(struct ts_study *s, const struct ts_study_task *task, size
 			if (!is_listed(&s->words.variable[v]))
 				continue;
 			ts_str_add(out, comma);
-			ts_study_runs_cell(out, label[g][v]);
+			ts_csv_add_cell(out, label[g][v]);
 			comma = ",";
 		}
 		for (size_t r = 0; r < s->runs.results; r++) {
@@ -221,7 +223,7 @@ static enum ts_status write_plot(struct ts_study *s, const struct ts_study_task 
 		return TS_OK;
 	ts_str_addf(&text,
 		    "# in this folder: gnuplot plot.gp\nset terminal pngcairo size 560, %zu\nset output "
-		    "'summary.png'\n"
+		    "'gnuplot.png'\n"
 		    "set datafile separator ','\nset multiplot layout %zu, 1\nset xlabel '%s' "
 		    "noenhanced\nunset key\n",
 		    320 * charts, charts, s->words.variable[at].name);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "study/study_batch.h"
+#include "study/study_chart.h"
 #include "study/study_summary.h"
 
 #include "base/banned.h"
@@ -125,6 +126,7 @@ static enum ts_status run(struct sweep *w, struct ts_str *text, size_t *failed)
 	TS_TRY(ts_study_run_all(s, w->task, w->tasks));
 	TS_TRY(ts_study_summary_check_names(s));
 	TS_TRY(ts_study_summary_write(s, w->task, w->tasks, w->label, w->groups, text));
+	TS_TRY(ts_study_chart(s, w->task, w->tasks, w->label, w->groups, text));
 	*failed = ts_study_summary_failures(s, w->task, w->tasks, text);
 	ts_str_addf(text, "\n%zu runs, %zu of them now, %zu failed: %s; means: %s/summary.csv\n", w->tasks,
 		    s->started, *failed, s->table, s->folder);

@@ -28,7 +28,7 @@ if [ -n "$found" ]; then
 fi
 
 found=$(grep -rnE "(^|[^_a-zA-Z.>])(getenv|secure_getenv|setenv|putenv|unsetenv|clearenv)\(" --include='*.[ch]' . |
-	grep -vE '^\./(base/process\.c|core/(life|coeff)\.c|crosscheck/folder\.c|advise/advise\.c|program/program_(options|sandbox)\.c|base/input_limit\.c|script/shell\.c|formula/variable_text\.c):')
+	grep -vE '^\./(base/process\.c|core/(life|coeff)\.c|crosscheck/folder\.c|advise/advise\.c|program/program_(options|plot|sandbox)\.c|base/input_limit\.c|script/shell\.c|formula/variable_text\.c):')
 if [ -n "$found" ]; then
 	echo 'who reads the environment must do without it in -sandbox:'
 	echo "$found"

@@ -46,6 +46,9 @@ report 'means and standard errors' $? results/summary.csv
 report 'the columns of a run' $? results/runs.csv
 [ "$(cat "results/$(cell ',2,3,4,0,' run results/runs.csv)/a.txt")" = 2 ] && [ -s results/1/log ] && [ ! -e post ]
 report 'each run has a folder' $?
+[ "$(grep -c '<text[^>]*>b [248]</text>' results/summary.svg)" = 15 ] && grep -q '>in.power<' results/summary.svg &&
+	[ "$(grep -c ' bar"' results/summary.svg)" = 3 ] && [ -s results/summary.png ]
+report 'a chart: a curve for each b, five results, the errors of one' $? results/summary.csv
 cp results/runs.csv before
 sweep 'a=1:3:3 seed=1,2,3' b=2:8:3:log -in in.power -j 2 && shows '0 of them now' out
 report 'nothing is run twice' $? out
@@ -59,10 +62,10 @@ rm -r results
 
 # one variable: a chart; a tied one; -replicate
 sweep 'b=1,2,4 a=b*0.5' -replicate seed=1,2 -in in.power -log none && [ "$(cell '^4,2,' y results/summary.csv)" = 15.76 ] &&
-	[ ! -e results/1/log ] && [ ! -e results/plot.gp ]
+	[ ! -e results/1/log ] && [ ! -e results/plot.gp ] && grep -q ">b<" results/summary.svg && ! grep -q ">a " results/summary.svg
 report 'a tied variable, another replicate, no log' $? out
 rm -r results
-sweep 'b=1,2,4' -in in.power && shows 'column(3)' results/plot.gp && [ "$(cell '^2,' y_runs results/summary.csv)" = 1 ]
+sweep 'b=1,2,4' -in in.power && shows 'column(3)' results/plot.gp && grep -q '>b<' results/summary.svg && [ "$(cell '^2,' y_runs results/summary.csv)" = 1 ]
 report 'a chart' $? out
 rm -r results
 

@@ -1,0 +1,105 @@
+/* -plot on the command line. */
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "program/program.h"
+#include "view/view.h"
+
+#include "base/banned.h"
+
+enum { COLUMNS = 80, ROWS = 24, MOST_FILES = 16 };
+
+/* Whether text is UTF-8: the first of these variables that is set decides. */
+static bool is_utf8(void)
+{
+	static const char *const names[] = { "LC_ALL", "LC_CTYPE", "LANG" };
+
+	for (int k = 0; k < 3; k++) {
+		const char *value = getenv(names[k]);
+
+		if (value && *value)
+			return strstr(value, "UTF-8") || strstr(value, "utf8") || strstr(value, "utf-8");
+	}
+	return false;
+}
+
+static struct ts_plot_terminal terminal_of(void)
+{
+	const char *type = getenv("TERM"), *plain = getenv("NO_COLOR");
+	struct ts_plot_terminal t = { .columns = COLUMNS, .rows = ROWS, .unicode = is_utf8() };
+	struct winsize size;
+
+	if (!isatty(STDOUT_FILENO))
+		return t;
+	t.colour = type && !ts_streq(type, "dumb") && !(plain && *plain);
+	if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0) {
+		t.columns = size.ws_col;
+		t.rows = size.ws_row - 5 < 40 ? size.ws_row - 5 : 40; /* title, legend, prompt */
+	}
+	return t;
+}
+
+/* Options of runs. */
+static int refuse_conflicts(const struct ts_setup *setup)
+{
+	const char *other = setup->input	  ? "-in"
+			    : setup->studied	  ? "-sweep or -calibrate"
+			    : setup->check	  ? "-check"
+			    : setup->explain	  ? "-explain"
+			    : setup->advised	  ? "-advise"
+			    : setup->crosscheck.n ? "-crosscheck"
+			    : setup->sandboxed	  ? "-sandbox"
+			    : setup->screen	  ? "-screen"
+			    : setup->variables.n  ? "-var"
+						  : NULL;
+
+	return other ? ts_program_usage_error("-plot and %s cannot be given together%s", other, "") : 0;
+}
+
+/* The words are "-plot" FILE COLUMN ... for each file. */
+static int read_sources(const struct ts_word_list *list, struct ts_view_source *source, size_t *n)
+{
+	*n = 0;
+	for (size_t k = 0; k < list->n;) {
+		struct ts_view_source *s = &source[*n];
+
+		if (++*n > MOST_FILES)
+			return ts_program_usage_error("more than 16 times -plot%s%s", "", "");
+		s->path = list->word[k + 1].text;
+		s->columns = (struct ts_words){ &list->word[k + 2], 0 };
+		for (k += 2; k < list->n && !ts_streq(list->word[k].text, "-plot"); k++)
+			s->columns.n++;
+	}
+	return 0;
+}
+
+int ts_program_plot(struct tsim *sim, const struct ts_setup *setup)
+{
+	const struct ts_plot_words *w = &setup->plotted;
+	struct ts_view_source source[MOST_FILES + 1];
+	struct ts_view_input in = { .source = source,
+				    .out = w->out,
+				    .x = w->x,
+				    .log = setup->log_given ? setup->log : NULL,
+				    .by = w->by,
+				    .part = w->part,
+				    .style = w->style,
+				    .title = w->title,
+				    .xrange = w->xrange,
+				    .yrange = w->yrange,
+				    .terminal = terminal_of() };
+	struct ts_str text = { 0 };
+	int status = refuse_conflicts(setup);
+
+	if (!status)
+		status = read_sources(&setup->plot, source, &in.n);
+	if (status)
+		return status;
+	sim->log.screen = stdout;
+	status = ts_view(sim, &in, &text) == TS_OK ? EXIT_SUCCESS : EXIT_FAILURE;
+	if (ts_program_print(&text))
+		status = EXIT_FAILURE;
+	return status;
+}

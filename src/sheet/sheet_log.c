@@ -1,0 +1,189 @@
+/* Logs of tsim, LIGGGHTS and LAMMPS. The table of a run begins with a line of titles, the next line has as many numbers; it
+ * ends with "Loop time". Lines in between that are no rows are messages of the script. The programs write a step in eight
+ * letters, so a row begins with a blank, which tells it from messages of numbers. With `line multi` a row is a block:
+ *   ---------------- Step       60 ----- CPU =      0.0000 (sec) ----------------
+ *   Temp     =         0.4828 TotEng   =        -5.2536 */
+#include <stdio.h>
+#include <string.h>
+
+#include "sheet/internal.h"
+
+#include "base/banned.h"
+
+struct log {
+	struct ts_sheet_reader *reader;
+	struct ts_sheet_names titles; /* of the line before, or of the blocks */
+	struct ts_sheet_names values; /* of a block that is being read */
+	bool inside, multi, block;    /* in a table; it has blocks; one of them has begun */
+	bool bare;		      /* its first row begins without a blank */
+	int runs;
+};
+
+static enum ts_status begin_table(struct log *g, size_t n)
+{
+	char title[32];
+
+	snprintf(title, sizeof title, "run %d", ++g->runs);
+	g->inside = true;
+	return ts_sheet_begin(g->reader, &g->titles, n, title);
+}
+
+/* A line of words that are no numbers. */
+static enum ts_status keep_titles(struct log *g)
+{
+	const struct ts_lines *l = &g->reader->lines;
+	double value;
+
+	g->titles.n = 0;
+	for (size_t k = 0; k < l->nwords; k++)
+		if (ts_sheet_number(l->word[k], &value) || strchr("=:", *l->word[k]))
+			return TS_OK;
+	for (size_t k = 0; k < l->nwords; k++)
+		TS_TRY(ts_sheet_add_name(g->reader, &g->titles, l->word[k], strlen(l->word[k])));
+	return TS_OK;
+}
+
+enum { STEP_LETTERS = 8 };
+
+static bool is_padded(const struct ts_lines *l)
+{
+	return l->word[0] > l->line || strlen(l->word[0]) >= STEP_LETTERS;
+}
+
+/* Whether a table begins with this row: below titles; within another table, that of a run which has been ended, if they
+ * are those of a thermo table. */
+static bool begins_table(const struct log *g)
+{
+	const struct ts_lines *l = &g->reader->lines;
+
+	if (g->titles.n != l->nwords || (l->nwords < 2 && !is_padded(l)))
+		return false;
+	return !g->inside || ts_streq(g->titles.name[0], "Step");
+}
+
+/* ---- blocks */
+
+static enum ts_status end_block(struct log *g)
+{
+	struct ts_sheets *t = g->reader->sheets;
+
+	if (!g->block)
+		return TS_OK;
+	g->block = false;
+	if (!g->inside)
+		TS_TRY(begin_table(g, g->titles.n));
+	if (g->values.n != t->sheet[t->n - 1].columns)
+		return ts_lines_fail(&g->reader->lines, TS_SYNTAX, SIZE_MAX,
+				     "the block above has %zu numbers, expected %zu as the first one of the "
+				     "run",
+				     g->values.n, t->sheet[t->n - 1].columns);
+	return ts_sheet_add_row(g->reader, g->values.name, g->reader->lines.number);
+}
+
+static enum ts_status add_pair(struct log *g, const char *name, const char *value)
+{
+	if (!g->inside)
+		TS_TRY(ts_sheet_add_name(g->reader, &g->titles, name, strlen(name)));
+	return ts_sheet_add_name(g->reader, &g->values, value, strlen(value));
+}
+
+/* "---- Step 60 ---- CPU = 0.1 (sec) ----" begins a block. */
+static enum ts_status begin_block(struct log *g)
+{
+	const struct ts_lines *l = &g->reader->lines;
+
+	TS_TRY(end_block(g));
+	g->block = g->multi = true;
+	g->values.n = 0;
+	if (!g->inside)
+		g->titles.n = 0;
+	TS_TRY(add_pair(g, "Step", l->word[2]));
+	return add_pair(g, "CPU", l->word[6]);
+}
+
+static bool begins_block(const struct ts_lines *l)
+{
+	return l->nwords >= 7 && strncmp(l->word[0], "----", 4) == 0 && ts_streq(l->word[1], "Step") &&
+	       ts_streq(l->word[4], "CPU");
+}
+
+/* NAME = VALUE NAME = VALUE ... */
+static bool is_pairs(const struct ts_lines *l)
+{
+	double value;
+
+	if (!l->nwords || l->nwords % 3)
+		return false;
+	for (size_t k = 0; k < l->nwords; k += 3)
+		if (!ts_streq(l->word[k + 1], "=") || !ts_sheet_number(l->word[k + 2], &value))
+			return false;
+	return true;
+}
+
+static enum ts_status add_pairs(struct log *g)
+{
+	const struct ts_lines *l = &g->reader->lines;
+
+	for (size_t k = 0; k < l->nwords; k += 3)
+		if (!ts_streq(l->word[k], "Step")) /* is in the first line */
+			TS_TRY(add_pair(g, l->word[k], l->word[k + 2]));
+	return TS_OK;
+}
+
+/* ---- the whole */
+
+static enum ts_status read_line(struct log *g)
+{
+	struct ts_sheet_reader *r = g->reader;
+	const struct ts_lines *l = &r->lines;
+	const struct ts_sheets *t = r->sheets;
+
+	if (l->nwords > 2 && ts_streq(l->word[0], "Loop") && ts_streq(l->word[1], "time")) {
+		TS_TRY(end_block(g));
+		g->inside = g->multi = false;
+		g->titles.n = 0;
+		return TS_OK;
+	}
+	if (begins_block(l))
+		return begin_block(g);
+	if (g->block && is_pairs(l))
+		return add_pairs(g);
+	if (g->multi)
+		return TS_OK;
+	if (ts_sheet_is_row(l)) {
+		if (begins_table(g)) {
+			TS_TRY(begin_table(g, l->nwords));
+			g->bare = !is_padded(l);
+		}
+		g->titles.n = 0;
+		if (g->inside && l->nwords == t->sheet[t->n - 1].columns && (g->bare || is_padded(l)))
+			return ts_sheet_add_row(r, (const char *const *)l->word, l->number);
+		return TS_OK;
+	}
+	return keep_titles(g);
+}
+
+static enum ts_status read_all(struct log *g)
+{
+	struct ts_lines *l = &g->reader->lines;
+	bool more;
+
+	for (;;) {
+		TS_TRY(ts_lines_next(l, &more));
+		if (!more)
+			break;
+		if (l->nwords || !*l->comment)
+			TS_TRY(read_line(g));
+	}
+	return end_block(g);
+}
+
+enum ts_status ts_sheet_read_log(struct ts_sheet_reader *r)
+{
+	struct log g = { .reader = r };
+	enum ts_status status = read_all(&g);
+
+	ts_free(g.titles.name);
+	ts_free(g.values.name);
+	return status;
+}

@@ -1,0 +1,263 @@
+#include "view/view.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "io/png.h"
+#include "io/replace.h"
+#include "plot/plot_raster.h"
+#include "plot/plot_svg.h"
+#include "view/view_data.h"
+#include "view/view_overview.h"
+
+#include "base/banned.h"
+
+static const double PIXELS = 3; /* to a unit of a plot */
+
+/* What is drawn: plots side by side. */
+struct picture {
+	struct ts_view_data *data;
+	struct ts_plot *plot; /* [plots] */
+	size_t plots;
+	struct ts_plot_axis x, y; /* settings for all */
+	enum ts_plot_style style;
+};
+
+/* ---- words */
+
+/* "LO:HI" */
+static enum ts_status parse_range(struct ts_error *err, const char *option, const char *text,
+				  struct ts_plot_axis *axis)
+{
+	const char *colon = text ? strchr(text, ':') : NULL;
+	struct ts_str low = { 0 };
+	bool good;
+
+	if (!text)
+		return TS_OK;
+	axis->lo = axis->hi = NAN;
+	if (colon)
+		ts_str_add_n(&low, text, (size_t)(colon - text));
+	good = colon && (!low.length || ts_parse_real(ts_str_text(&low), &axis->lo)) &&
+	       (!colon[1] || ts_parse_real(colon + 1, &axis->hi)) && !(axis->lo >= axis->hi);
+	ts_str_release(&low);
+	return good ? TS_OK
+		    : ts_fail(err, TS_SYNTAX, NULL,
+			      "%s is '%s', expected LO:HI with LO below HI, such as 0:2.5 or 0:", option,
+			      text);
+}
+
+static enum ts_status parse_style(struct ts_error *err, const char *text, enum ts_plot_style *style)
+{
+	static const char *const names[] = { [TS_PLOT_LINES] = "lines",
+					     [TS_PLOT_POINTS] = "points",
+					     [TS_PLOT_BOTH] = "both",
+					     [TS_PLOT_STEPS] = "steps" };
+	struct ts_suggest suggest = ts_suggest_start(text ? text : "");
+
+	for (int k = TS_PLOT_LINES; text && k <= TS_PLOT_STEPS; k++) {
+		ts_suggest_try(&suggest, names[k]);
+		if (ts_streq(names[k], text)) {
+			*style = (enum ts_plot_style)k;
+			return TS_OK;
+		}
+	}
+	return text ? ts_fail(err, TS_SYNTAX, NULL, "-style is '%s', expected lines, points, both or steps%s",
+			      text, suggest.best ? ts_suggest_text(&suggest) : "")
+		    : TS_OK;
+}
+
+static enum ts_status parse_words(struct picture *p)
+{
+	const struct ts_view_input *in = p->data->in;
+	struct ts_error *err = &p->data->sim->error;
+	const char *log = in->log ? in->log : "";
+
+	if (in->log && !ts_streq(log, "x") && !ts_streq(log, "y") && !ts_streq(log, "xy"))
+		return ts_fail(err, TS_SYNTAX, NULL, "-log is '%s', expected x, y or xy with -plot", log);
+	p->x.log = strchr(log, 'x') != NULL;
+	p->y.log = strchr(log, 'y') != NULL;
+	if (in->out && !ts_ends_with(in->out, ".svg") && !ts_ends_with(in->out, ".png"))
+		return ts_fail(err, TS_SYNTAX, NULL, "-o is '%s', expected a name that ends in .svg or .png",
+			       in->out);
+	TS_TRY(parse_range(err, "-xrange", in->xrange, &p->x));
+	TS_TRY(parse_range(err, "-yrange", in->yrange, &p->y));
+	return parse_style(err, in->style, &p->style);
+}
+
+/* ---- plots */
+
+/* "speed (m/s)" has a unit. */
+static enum ts_status set_label(struct picture *p, struct ts_plot_axis *axis, const char *name)
+{
+	char *copy = ts_arena_strdup(&p->data->arena, name), *unit = copy ? strstr(copy, " (") : NULL;
+
+	if (!copy)
+		return ts_nomem(&p->data->sim->error);
+	axis->label = copy;
+	if (unit && ts_ends_with(unit, ")")) {
+		*unit = '\0';
+		unit += 2;
+		unit[strlen(unit) - 1] = '\0';
+		axis->unit = unit;
+	}
+	return TS_OK;
+}
+
+/* Name in the legend: the column where the plot has several, and what else tells the curve from others. */
+static enum ts_status name_series(struct picture *p, struct ts_view_curve *c, bool many)
+{
+	struct ts_str text = { 0 };
+
+	ts_str_addf(&text, "%s%s%s", many ? c->column : "", many && *c->name ? ", " : "", c->name);
+	c->series.name = ts_arena_strdup(&p->data->arena, ts_str_text(&text));
+	text.failed |= !c->series.name;
+	c->series.style = p->style;
+	return ts_str_release(&text), text.failed || !c->series.name ? ts_nomem(&p->data->sim->error) : TS_OK;
+}
+
+/* A histogram: columns Bin and Coord. */
+static bool is_histogram(const struct ts_sheet *t)
+{
+	return t->columns >= 3 && ts_streq(t->column[0].name, "Bin") && ts_streq(t->column[1].name, "Coord");
+}
+
+/* Fills a plot with the curves from index `from` on. */
+static enum ts_status fill_plot(struct picture *p, struct ts_plot *plot, size_t from, bool title)
+{
+	struct ts_view_data *v = p->data;
+	const struct ts_view_file *f = &v->file[0];
+	const size_t n = v->curves - from;
+	struct ts_plot_series *series = ts_arena_alloc(&v->arena, n, sizeof *series);
+	bool many = false;
+
+	if (!series)
+		return ts_nomem(&v->sim->error);
+	for (size_t k = from; k < v->curves; k++)
+		many |= !ts_streq(v->curve[k].column, v->curve[from].column);
+	for (size_t k = 0; k < n; k++) {
+		TS_TRY(name_series(p, &v->curve[from + k], many));
+		series[k] = v->curve[from + k].series;
+	}
+	*plot = (struct ts_plot){ .x = p->x, .y = p->y, .series = series, .n = n };
+	if (title && v->in->title)
+		plot->title = v->in->title;
+	else if (title && v->in->n == 1)
+		plot->title = f->source->path;
+	if (f->x != SIZE_MAX)
+		TS_TRY(set_label(p, &plot->x, f->part[0]->column[f->x].name));
+	return many ? TS_OK : set_label(p, &plot->y, v->curve[from].column);
+}
+
+/* Columns that are named share a plot; without names each has its own. */
+static enum ts_status make_plots(struct picture *p)
+{
+	struct ts_view_data *v = p->data;
+	const bool named = v->in->source[0].columns.n > 0;
+	const size_t panels = named ? 1 : v->file[0].ny;
+
+	p->plot = ts_arena_alloc(&v->arena, panels, sizeof *p->plot);
+	if (!p->plot)
+		return ts_nomem(&v->sim->error);
+	if (p->style == TS_PLOT_AUTO && is_histogram(v->file[0].part[0]))
+		p->style = TS_PLOT_STEPS;
+	for (size_t panel = 0; panel < panels; panel++) {
+		const size_t from = v->curves;
+
+		for (size_t k = 0; k < v->in->n; k++)
+			for (size_t c = named ? 0 : panel; c < (named ? v->file[k].ny : panel + 1); c++)
+				if (c < v->file[k].ny)
+					TS_TRY(ts_view_data_curves(v, &v->file[k], v->file[k].y[c]));
+		TS_TRY(fill_plot(p, &p->plot[p->plots++], from, panel == 0));
+	}
+	return TS_OK;
+}
+
+/* ---- files */
+
+static enum ts_status write_svg(struct picture *p, const char *path, size_t columns)
+{
+	struct tsim *sim = p->data->sim;
+	struct ts_replace file = { 0 };
+	struct ts_str text = { 0 };
+	enum ts_status status = ts_plot_svg_panels(p->plot, p->plots, columns, &text);
+
+	status = status != TS_OK ? ts_nomem(&sim->error)
+				 : ts_replace_begin(&file, sim, &(struct ts_place){ 0 }, path);
+	if (status == TS_OK)
+		status = ts_replace_write(&file, text.text, text.length);
+	if (status == TS_OK)
+		status = ts_replace_commit(&file, false);
+	ts_replace_abandon(&file);
+	ts_str_release(&text);
+	return status;
+}
+
+static enum ts_status write_png(struct picture *p, const char *path, size_t columns)
+{
+	struct tsim *sim = p->data->sim;
+	struct ts_picture pixels = { 0 };
+	enum ts_status status = TS_RANGE;
+
+	for (double scale = PIXELS; status == TS_RANGE && scale >= 1; scale--)
+		status = ts_plot_raster_panels(p->plot, p->plots, columns, scale, &pixels);
+	if (status == TS_OK)
+		status = ts_png_write(sim, path, &(struct ts_place){ 0 }, pixels.width, pixels.height,
+				      pixels.rgb);
+	else if (status == TS_RANGE)
+		ts_fail(&sim->error, status, NULL, "%zu plots do not fit in a picture: name some columns",
+			p->plots);
+	else
+		status = ts_nomem(&sim->error);
+	ts_picture_release(&pixels);
+	return status;
+}
+
+static enum ts_status show(struct picture *p, struct ts_str *text)
+{
+	const struct ts_view_input *in = p->data->in;
+	const size_t columns = p->plots > 3 ? 2 : 1;
+
+	if (in->out)
+		return (ts_ends_with(in->out, ".svg") ? write_svg : write_png)(p, in->out, columns);
+	for (size_t k = 0; k < p->plots; k++)
+		if (ts_plot_terminal(&p->plot[k], &in->terminal, text) != TS_OK)
+			return ts_nomem(&p->data->sim->error);
+	return TS_OK;
+}
+
+enum ts_status ts_view(struct tsim *sim, const struct ts_view_input *in, struct ts_str *text)
+{
+	struct ts_view_data data = { .sim = sim, .in = in };
+	struct picture p = { .data = &data };
+	enum ts_status status = parse_words(&p);
+
+	if (status == TS_OK)
+		status = ts_view_data_read(&data);
+	if (status == TS_OK && !in->out && !in->source[0].columns.n) {
+		for (size_t k = 0; k < in->n && status == TS_OK; k++)
+			status = ts_view_overview(&data, &data.file[k], text);
+	} else if (status == TS_OK) {
+		status = make_plots(&p);
+		if (status == TS_OK)
+			status = show(&p, text);
+	}
+	ts_view_data_release(&data);
+	return status;
+}
+
+void ts_view_help(struct ts_str *out)
+{
+	ts_str_add(out,
+		   "  tsim -plot FILE                                list of all columns, with their course\n"
+		   "  tsim -plot FILE COLUMN ... [-x COLUMN]         on the terminal\n"
+		   "  tsim -plot FILE [COLUMN ...] -o FILE.svg       picture, .svg or .png\n"
+		   "  tsim -plot FILE COLUMN -plot FILE2 [COLUMN]    curves of several files\n"
+		   "  -log x|y|xy  -xrange LO:HI  -yrange LO:HI  -style lines|points|both|steps  -title "
+		   "TEXT\n"
+		   "  -part N|last|all  run of a log, block of an average;  -by COLUMN,...  a curve for each "
+		   "value\n"
+		   "  FILE is a log of tsim, LIGGGHTS or LAMMPS, a file of fix ave/time, ave/histo, "
+		   "ave/chunk, ave/correlate or\n"
+		   "  print, a table of -sweep, or any table of numbers. doc/plots.md says more.\n");
+}
