@@ -2,7 +2,10 @@
  * ends with "Loop time". Lines in between that are no rows are messages of the script. The programs write a step in eight
  * letters, so a row begins with a blank, which tells it from messages of numbers. With `line multi` a row is a block:
  *   ---------------- Step       60 ----- CPU =      0.0000 (sec) ----------------
- *   Temp     =         0.4828 TotEng   =        -5.2536 */
+ *   Temp     =         0.4828 TotEng   =        -5.2536
+ * and with `thermo_style yaml` of LAMMPS the titles and the rows are lists:
+ *   keywords: ['Step', 'Temp', ]
+ *     - [0, 1.0, ] */
 #include <stdio.h>
 #include <string.h>
 
@@ -50,15 +53,21 @@ static bool is_padded(const struct ts_lines *l)
 	return l->word[0] > l->line || strlen(l->word[0]) >= STEP_LETTERS;
 }
 
-/* Whether a table begins with this row: below titles; within another table, that of a run which has been ended, if they
- * are those of a thermo table. */
+static bool begins_with_step(const struct ts_sheet_names *titles)
+{
+	return titles->n > 1 && ts_streq(titles->name[0], "Step");
+}
+
+/* Whether a table begins with this row, which stands below as many titles. A row that does not begin with a blank (a format
+ * of thermo_modify without a width) may be a message, as may be one within a table that has not ended; then the titles
+ * must be those of a thermo table. */
 static bool begins_table(const struct log *g)
 {
 	const struct ts_lines *l = &g->reader->lines;
 
-	if (g->titles.n != l->nwords || (l->nwords < 2 && !is_padded(l)))
+	if (g->titles.n != l->nwords)
 		return false;
-	return !g->inside || ts_streq(g->titles.name[0], "Step");
+	return (!g->inside && is_padded(l)) || begins_with_step(&g->titles);
 }
 
 /* ---- blocks */
@@ -130,6 +139,41 @@ static enum ts_status add_pairs(struct log *g)
 	return TS_OK;
 }
 
+/* ---- lists */
+
+/* Words from index `from` on without brackets, quotes and commas. */
+static enum ts_status read_list(struct log *g, size_t from, struct ts_sheet_names *list)
+{
+	static const char around[] = "[]',\"";
+	const struct ts_lines *l = &g->reader->lines;
+
+	list->n = 0;
+	for (size_t k = from; k < l->nwords; k++) {
+		const char *word = l->word[k] + strspn(l->word[k], around);
+
+		if (*word)
+			TS_TRY(ts_sheet_add_name(g->reader, list, word, strcspn(word, around)));
+	}
+	return TS_OK;
+}
+
+static bool is_list(const struct ts_lines *l, const char *first)
+{
+	return l->nwords > 1 && ts_streq(l->word[0], first) && *l->word[1] == '[';
+}
+
+static enum ts_status add_list(struct log *g)
+{
+	struct ts_sheets *t = g->reader->sheets;
+
+	TS_TRY(read_list(g, 1, &g->values));
+	if (g->values.n != t->sheet[t->n - 1].columns)
+		return ts_lines_fail(&g->reader->lines, TS_SYNTAX, SIZE_MAX,
+				     "the row has %zu numbers, expected %zu as the keywords", g->values.n,
+				     t->sheet[t->n - 1].columns);
+	return ts_sheet_add_row(g->reader, g->values.name, g->reader->lines.number);
+}
+
 /* ---- the whole */
 
 static enum ts_status read_line(struct log *g)
@@ -146,6 +190,13 @@ static enum ts_status read_line(struct log *g)
 	}
 	if (begins_block(l))
 		return begin_block(g);
+	if (is_list(l, "keywords:")) {
+		TS_TRY(read_list(g, 1, &g->titles));
+		g->multi = true;
+		return begin_table(g, g->titles.n);
+	}
+	if (g->inside && is_list(l, "-"))
+		return add_list(g);
 	if (g->block && is_pairs(l))
 		return add_pairs(g);
 	if (g->multi)

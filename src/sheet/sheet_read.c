@@ -87,11 +87,14 @@ enum ts_status ts_sheets_read(struct ts_sheets *t, struct ts_files *files, struc
 			      struct ts_pool *pool, const char *path)
 {
 	struct ts_sheet_reader r = { .sheets = t, .files = files, .err = err, .pool = pool };
+	struct stat about;
 	size_t rows = 0;
 
 	t->path = ts_pool_get(pool, path);
 	if (!t->path)
 		return ts_nomem(err);
+	if (ts_files_stat(files, path, &about) == 0 && !S_ISREG(about.st_mode)) /* is read twice */
+		return ts_fail(err, TS_IO, NULL, "'%s' is not a regular file", path);
 	TS_TRY(read_kind(&r));
 	for (size_t k = 0; k < t->n; k++)
 		rows += t->sheet[k].rows;

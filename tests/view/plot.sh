@@ -90,6 +90,12 @@ printf 'LIGGGHTS (Version 3)\n%s\n%s\n%s\n%s\n%s\n%s\nLoop time of 1 on 1\n' \
 	'Temp     =         0.2500 TotEng   =        -5.2540 ' 'Press    =        -1.75 ' >log.multi
 draws 'thermo in blocks' '1 run, 2 rows, 5 columns' log.multi
 is 'a name in blocks' Press '-1.5 -1.75 -1.75 -1.5 -1.625'
+printf "LAMMPS (2 Aug 2023)\n---\nkeywords: ['Step', 'Temp', ]\ndata:\n  - [0, 1.5, ]\n  - [10, 2, ]\n...\nLoop time of 1\n" >log.yaml
+draws 'thermo as lists' '1 run, 2 rows, 2 columns' log.yaml
+is 'a name in lists' Temp '1.5 2 1.5 2 1.75'
+printf 'tsim 0\nke pe\n1 2\n    KinEng  PotEng\n  3  4\n5 6\n  7 8\nLoop time of 1\n' >log.print
+draws 'messages above and within a table' '1 run, 2 rows' log.print
+is 'are no part of it' KinEng '3 7 3 7 5'
 printf 'tsim 0\n%s\n 0 1\n 1 2\nLoop time of 1\n%s\n 2 3 4\nLoop time of 1\n' '  Step a' '  Step a b' >log.two
 "$TSIM" -plot log.two >out 2>&1
 shows 'log.two: 1 of 2 runs left out' out && shows '1 rows, 3 columns' out
@@ -169,6 +175,9 @@ report 'columns by number, of both files' $?
 fails 'no column' 1 "log.tsim has no column 'kineng'; did you mean 'KinEng'?" -plot log.tsim kineng
 fails 'no x' 1 "log.tsim has no column 'Tmie'; did you mean 'Time'?" -plot log.tsim KinEng -x Tmie
 fails 'words' 1 "words.csv:2: error: column 'name' has 'a', expected a number" -plot words.csv name
+fails 'folder' 1 "'.' is not a regular file" -plot .
+mkfifo pipe
+fails 'pipe' 1 "'pipe' is not a regular file" -plot pipe
 fails 'no file' 1 "cannot open 'none'" -plot none
 fails 'no table' 1 "'in.fall' has no table" -plot in.fall
 : >empty
