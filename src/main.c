@@ -355,7 +355,7 @@ static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, 
 		return ts_program_grammar(setup->grammar);
 	if (setup->doc)
 		return ts_program_manual(setup->doc);
-	if (setup->plot.n)
+	if (setup->plots)
 		return plot(sim, setup);
 	if (setup->studied)
 		return study(sim, setup, argv[0]);

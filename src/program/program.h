@@ -16,7 +16,7 @@ struct ts_word_list {
 
 /* Words of options that belong to -plot; NULL: not given. */
 struct ts_plot_words {
-	const char *out, *x, *xrange, *yrange, *style, *part, *by, *title;
+	const char *out, *xrange, *yrange, *part, *by, *title, *xlabel, *ylabel;
 };
 
 /* The options of the command line. */
@@ -30,10 +30,13 @@ struct ts_setup {
 	struct ts_word_list crosscheck, advise, sandbox, variables, own;
 	/* -in, and arguments of -sweep, -calibrate, -vary and -replicate */
 	struct ts_word_list inputs, sweep, calibrate, vary, replicate;
-	double tolerance;	  /* 0: not given */
-	int64_t jobs;		  /* 0: not given */
-	bool studied;		  /* -sweep or -calibrate */
-	struct ts_word_list plot; /* "-plot" FILE COLUMN ..., once a file */
+	double tolerance; /* 0: not given */
+	int64_t jobs;	  /* 0: not given */
+	bool studied;	  /* -sweep or -calibrate */
+	/* "-plot" FILE COLUMN ..., "-x" COLUMN, "-style" STYLE, in the order of the command line */
+	struct ts_word_list plot;
+	struct ts_word_list marks;
+	bool plots, plot_words; /* -plot is given; options that belong to it are */
 	struct ts_plot_words plotted;
 };
 

@@ -37,14 +37,17 @@ enum option_id {
 	OPT_JOBS,
 	OPT_RESULTS,
 	OPT_PLOT,
-	OPT_OUT,
 	OPT_X,
+	OPT_STYLE,
+	OPT_MARK,
+	OPT_OUT,
 	OPT_XRANGE,
 	OPT_YRANGE,
-	OPT_STYLE,
 	OPT_PART,
 	OPT_BY,
 	OPT_TITLE,
+	OPT_XLABEL,
+	OPT_YLABEL,
 	OPT_HELP,
 	OPT_DOC,
 	OPT_GRAMMAR,
@@ -93,16 +96,19 @@ static const struct {
 	[OPT_TOLERANCE] = { "tolerance", "X", "with -calibrate: how near to a target, relative (0.05)", 1 },
 	[OPT_JOBS] = { "j", "N", "with both: number of runs side by side (as many as processors)", 1 },
 	[OPT_RESULTS] = { "results", "FOLDER", "with both: folder of the table and the runs (results)", 1 },
-	[OPT_PLOT] = { "plot", "FILE [COLUMN ...]", "draw columns of a log or table; several times: of all",
-		       1 },
-	[OPT_OUT] = { "o", "FILE", "with -plot: picture, .svg or .png; without it the terminal is used", 1 },
+	[OPT_PLOT] = { "plot", "FILE [COLUMN ...]",
+		       "draw columns of a log or table; several times: of all files", 1 },
 	[OPT_X] = { "x", "COLUMN", "with -plot: of the horizontal axis; -log x|y|xy: logarithmic axes", 1 },
+	[OPT_STYLE] = { "style", "lines|points|both|steps", "with -plot: how curves are drawn", 1 },
+	[OPT_MARK] = { "mark", "x|y=VALUE[:NAME] ...", "with -plot: lines across", 1 },
+	[OPT_OUT] = { "o", "FILE", "with -plot: picture, .svg or .png; without it the terminal is used", 1 },
 	[OPT_XRANGE] = { "xrange", "LO:HI", "with -plot: ends of the axis, either may be left out", 1 },
 	[OPT_YRANGE] = { "yrange", "LO:HI", "with -plot: the same of the vertical axis", 1 },
-	[OPT_STYLE] = { "style", "lines|points|both|steps", "with -plot: how curves are drawn", 1 },
 	[OPT_PART] = { "part", "N|last|all", "with -plot: which run of a log, which block of an average", 1 },
 	[OPT_BY] = { "by", "COLUMN,...", "with -plot: a curve for each value of these columns", 1 },
 	[OPT_TITLE] = { "title", "TEXT", "with -plot: title, '' for none (name of the file)", 1 },
+	[OPT_XLABEL] = { "xlabel", "TEXT", "with -plot: name of the axis, its unit in parentheses", 1 },
+	[OPT_YLABEL] = { "ylabel", "TEXT", "with -plot: the same of the vertical axis", 1 },
 	[OPT_HELP] = { "help", "[KIND] [NAME]", "manual page, e.g. -help fix gravity, -help ave/time", 0 },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
 	[OPT_GRAMMAR] = { "grammar", "vim|vscode", "print the grammar file for that editor", 1 },
@@ -282,16 +288,27 @@ static int apply_plot(struct ts_setup *setup, enum option_id id, char *const *va
 {
 	struct ts_plot_words *w = &setup->plotted;
 	const char **const place[] = {
-		[OPT_OUT - OPT_PLOT] = &w->out,	      [OPT_X - OPT_PLOT] = &w->x,
-		[OPT_XRANGE - OPT_PLOT] = &w->xrange, [OPT_YRANGE - OPT_PLOT] = &w->yrange,
-		[OPT_STYLE - OPT_PLOT] = &w->style,   [OPT_PART - OPT_PLOT] = &w->part,
-		[OPT_BY - OPT_PLOT] = &w->by,	      [OPT_TITLE - OPT_PLOT] = &w->title
+		[OPT_OUT - OPT_OUT] = &w->out,	     [OPT_XRANGE - OPT_OUT] = &w->xrange,
+		[OPT_YRANGE - OPT_OUT] = &w->yrange, [OPT_PART - OPT_OUT] = &w->part,
+		[OPT_BY - OPT_OUT] = &w->by,	     [OPT_TITLE - OPT_OUT] = &w->title,
+		[OPT_XLABEL - OPT_OUT] = &w->xlabel, [OPT_YLABEL - OPT_OUT] = &w->ylabel
 	};
 
-	if (id == OPT_PLOT)
+	setup->plots |= id == OPT_PLOT;
+	setup->plot_words |= id != OPT_PLOT;
+	switch (id) {
+	case OPT_PLOT:
 		return add_words(&setup->plot, "-plot", value, n);
-	*place[id - OPT_PLOT] = value[0];
-	return 0;
+	case OPT_X:
+		return add_words(&setup->plot, "-x", value, n);
+	case OPT_STYLE:
+		return add_words(&setup->plot, "-style", value, n);
+	case OPT_MARK:
+		return add_words(&setup->marks, NULL, value, n);
+	default:
+		*place[id - OPT_OUT] = value[0];
+		return 0;
+	}
 }
 
 /* Options that print a page. */
@@ -393,11 +410,7 @@ static int check_together(const struct ts_setup *setup)
 	bool left =
 		setup->vary.n || setup->replicate.n || setup->tolerance > 0 || setup->jobs || setup->results;
 
-	const struct ts_plot_words *w = &setup->plotted;
-	bool left_of_plot =
-		w->out || w->x || w->xrange || w->yrange || w->style || w->part || w->by || w->title;
-
-	if (!setup->plot.n && left_of_plot)
+	if (!setup->plots && setup->plot_words)
 		return ts_program_usage_error("-o, -x, -xrange, -yrange, -style, -part, -by and -title "
 					      "belong to -plot, which is not given%s%s",
 					      "", "");

@@ -58,19 +58,48 @@ static int refuse_conflicts(const struct ts_setup *setup)
 	return other ? ts_program_usage_error("-plot and %s cannot be given together%s", other, "") : 0;
 }
 
-/* The words are "-plot" FILE COLUMN ... for each file. */
+static bool is_mark_of_option(const char *text)
+{
+	return ts_streq(text, "-plot") || ts_streq(text, "-x") || ts_streq(text, "-style");
+}
+
+/* The words are "-plot" FILE COLUMN ..., "-x" COLUMN, "-style" STYLE. The last two hold for the file before them; for all
+ * files if they are given once. */
 static int read_sources(const struct ts_word_list *list, struct ts_view_source *source, size_t *n)
 {
+	const char *x = NULL, *style = NULL;
+	size_t xs = 0, styles = 0;
+
 	*n = 0;
 	for (size_t k = 0; k < list->n;) {
-		struct ts_view_source *s = &source[*n];
+		const char *option = list->word[k].text, *value = list->word[k + 1].text;
+		struct ts_view_source *last = *n ? &source[*n - 1] : NULL;
 
-		if (++*n > MOST_FILES)
-			return ts_program_usage_error("more than 16 times -plot%s%s", "", "");
-		s->path = list->word[k + 1].text;
-		s->columns = (struct ts_words){ &list->word[k + 2], 0 };
-		for (k += 2; k < list->n && !ts_streq(list->word[k].text, "-plot"); k++)
-			s->columns.n++;
+		k += 2;
+		if (ts_streq(option, "-plot")) {
+			if (*n == MOST_FILES)
+				return ts_program_usage_error("-plot is given more than 16 times%s%s", "",
+							      "");
+			source[*n] =
+				(struct ts_view_source){ .path = value, .columns = { &list->word[k], 0 } };
+			for (; k < list->n && !is_mark_of_option(list->word[k].text); k++)
+				source[*n].columns.n++;
+			++*n;
+		} else if (ts_streq(option, "-x")) {
+			x = value;
+			xs++;
+			if (last)
+				last->x = value;
+		} else {
+			style = value;
+			styles++;
+			if (last)
+				last->style = value;
+		}
+	}
+	for (size_t k = 0; k < *n; k++) {
+		source[k].x = xs == 1 ? x : source[k].x;
+		source[k].style = styles == 1 ? style : source[k].style;
 	}
 	return 0;
 }
@@ -78,15 +107,16 @@ static int read_sources(const struct ts_word_list *list, struct ts_view_source *
 int ts_program_plot(struct tsim *sim, const struct ts_setup *setup)
 {
 	const struct ts_plot_words *w = &setup->plotted;
-	struct ts_view_source source[MOST_FILES + 1];
+	struct ts_view_source source[MOST_FILES];
 	struct ts_view_input in = { .source = source,
 				    .out = w->out,
-				    .x = w->x,
 				    .log = setup->log_given ? setup->log : NULL,
 				    .by = w->by,
 				    .part = w->part,
-				    .style = w->style,
 				    .title = w->title,
+				    .xlabel = w->xlabel,
+				    .ylabel = w->ylabel,
+				    .marks = { setup->marks.word, setup->marks.n },
 				    .xrange = w->xrange,
 				    .yrange = w->yrange,
 				    .terminal = terminal_of() };

@@ -12,6 +12,7 @@
 
 #include "base/banned.h"
 
+enum { HISTOGRAM = 4 /* columns of fix ave/histo */ };
 static const double PIXELS = 3; /* to a unit of a plot */
 
 /* What is drawn: plots side by side. */
@@ -19,8 +20,9 @@ struct picture {
 	struct ts_view_data *data;
 	struct ts_plot *plot; /* [plots] */
 	size_t plots;
-	struct ts_plot_axis x, y; /* settings for all */
-	enum ts_plot_style style;
+	struct ts_plot_axis x, y;  /* settings for all */
+	struct ts_plot_mark *mark; /* [marks] */
+	size_t marks;
 };
 
 /* ---- words */
@@ -67,6 +69,35 @@ static enum ts_status parse_style(struct ts_error *err, const char *text, enum t
 		    : TS_OK;
 }
 
+/* x=VALUE[:NAME] or y=VALUE[:NAME] */
+static enum ts_status parse_mark(struct picture *p, const char *text, struct ts_plot_mark *mark)
+{
+	const char *colon = strchr(text, ':');
+	struct ts_str value = { 0 };
+	bool good = (text[0] == 'x' || text[0] == 'y') && text[1] == '=';
+
+	*mark = (struct ts_plot_mark){ .name = colon ? colon + 1 : NULL, .vertical = text[0] == 'x' };
+	if (good)
+		ts_str_add_n(&value, text + 2, colon ? (size_t)(colon - text) - 2 : strlen(text + 2));
+	good = good && ts_parse_real(ts_str_text(&value), &mark->at);
+	ts_str_release(&value);
+	return good ? TS_OK
+		    : ts_fail(&p->data->sim->error, TS_SYNTAX, NULL,
+			      "-mark is '%s', expected x=VALUE or y=VALUE, with :NAME or without", text);
+}
+
+static enum ts_status parse_marks(struct picture *p)
+{
+	const struct ts_words *words = &p->data->in->marks;
+
+	p->mark = ts_arena_alloc(&p->data->arena, words->n, sizeof *p->mark);
+	if (!p->mark)
+		return ts_nomem(&p->data->sim->error);
+	for (size_t k = 0; k < words->n; k++)
+		TS_TRY(parse_mark(p, words->word[k].text, &p->mark[p->marks++]));
+	return TS_OK;
+}
+
 static enum ts_status parse_words(struct picture *p)
 {
 	const struct ts_view_input *in = p->data->in;
@@ -82,7 +113,24 @@ static enum ts_status parse_words(struct picture *p)
 			       in->out);
 	TS_TRY(parse_range(err, "-xrange", in->xrange, &p->x));
 	TS_TRY(parse_range(err, "-yrange", in->yrange, &p->y));
-	return parse_style(err, in->style, &p->style);
+	return parse_marks(p);
+}
+
+/* Styles of the files; histograms have steps. */
+static enum ts_status set_styles(struct picture *p)
+{
+	struct ts_view_data *v = p->data;
+
+	for (size_t k = 0; k < v->in->n; k++) {
+		struct ts_view_file *f = &v->file[k];
+		const struct ts_sheet *t = f->part[0];
+
+		if (t->columns == HISTOGRAM && ts_streq(t->column[0].name, "Bin") &&
+		    ts_streq(t->column[1].name, "Coord"))
+			f->style = TS_PLOT_STEPS;
+		TS_TRY(parse_style(&v->sim->error, f->source->style, &f->style));
+	}
+	return TS_OK;
 }
 
 /* ---- plots */
@@ -112,14 +160,7 @@ static enum ts_status name_series(struct picture *p, struct ts_view_curve *c, bo
 	ts_str_addf(&text, "%s%s%s", many ? c->column : "", many && *c->name ? ", " : "", c->name);
 	c->series.name = ts_arena_strdup(&p->data->arena, ts_str_text(&text));
 	text.failed |= !c->series.name;
-	c->series.style = p->style;
 	return ts_str_release(&text), text.failed || !c->series.name ? ts_nomem(&p->data->sim->error) : TS_OK;
-}
-
-/* A histogram: columns Bin and Coord. */
-static bool is_histogram(const struct ts_sheet *t)
-{
-	return t->columns >= 3 && ts_streq(t->column[0].name, "Bin") && ts_streq(t->column[1].name, "Coord");
 }
 
 /* Fills a plot with the curves from index `from` on. */
@@ -139,14 +180,18 @@ static enum ts_status fill_plot(struct picture *p, struct ts_plot *plot, size_t 
 		TS_TRY(name_series(p, &v->curve[from + k], many));
 		series[k] = v->curve[from + k].series;
 	}
-	*plot = (struct ts_plot){ .x = p->x, .y = p->y, .series = series, .n = n };
+	*plot = (struct ts_plot){
+		.x = p->x, .y = p->y, .series = series, .n = n, .mark = p->mark, .marks = p->marks
+	};
 	if (title && v->in->title)
 		plot->title = v->in->title;
 	else if (title && v->in->n == 1)
 		plot->title = f->source->path;
-	if (f->x != SIZE_MAX)
-		TS_TRY(set_label(p, &plot->x, f->part[0]->column[f->x].name));
-	return many ? TS_OK : set_label(p, &plot->y, v->curve[from].column);
+	if (v->in->xlabel || f->x != SIZE_MAX)
+		TS_TRY(set_label(p, &plot->x, v->in->xlabel ? v->in->xlabel : f->part[0]->column[f->x].name));
+	if (v->in->ylabel || !many)
+		TS_TRY(set_label(p, &plot->y, v->in->ylabel ? v->in->ylabel : v->curve[from].column));
+	return TS_OK;
 }
 
 /* Columns that are named share a plot; without names each has its own. */
@@ -159,15 +204,13 @@ static enum ts_status make_plots(struct picture *p)
 	p->plot = ts_arena_alloc(&v->arena, panels, sizeof *p->plot);
 	if (!p->plot)
 		return ts_nomem(&v->sim->error);
-	if (p->style == TS_PLOT_AUTO && is_histogram(v->file[0].part[0]))
-		p->style = TS_PLOT_STEPS;
 	for (size_t panel = 0; panel < panels; panel++) {
 		const size_t from = v->curves;
 
 		for (size_t k = 0; k < v->in->n; k++)
 			for (size_t c = named ? 0 : panel; c < (named ? v->file[k].ny : panel + 1); c++)
 				if (c < v->file[k].ny)
-					TS_TRY(ts_view_data_curves(v, &v->file[k], v->file[k].y[c]));
+					TS_TRY(ts_view_data_curves(v, &v->file[k], &v->file[k].y[c]));
 		TS_TRY(fill_plot(p, &p->plot[p->plots++], from, panel == 0));
 	}
 	return TS_OK;
@@ -234,6 +277,8 @@ enum ts_status ts_view(struct tsim *sim, const struct ts_view_input *in, struct 
 
 	if (status == TS_OK)
 		status = ts_view_data_read(&data);
+	if (status == TS_OK)
+		status = set_styles(&p);
 	if (status == TS_OK && !in->out && !in->source[0].columns.n) {
 		for (size_t k = 0; k < in->n && status == TS_OK; k++)
 			status = ts_view_overview(&data, &data.file[k], text);

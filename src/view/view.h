@@ -5,23 +5,28 @@
 #include "core/sim.h"
 #include "plot/plot_terminal.h"
 
+/* Words of the command line; NULL: not given. */
 struct ts_view_source {
 	const char *path;
-	struct ts_words columns; /* by name or number; none: those of the source before, else all */
+	/* NAME[+-ERROR][=LABEL], by name or number; none: those of the source before, else all */
+	struct ts_words columns;
+	const char *x;	   /* column of the horizontal axis */
+	const char *style; /* lines, points, both, steps */
 };
 
-/* Words of the command line; NULL: not given. */
 struct ts_view_input {
 	const struct ts_view_source *source;
-	size_t n;		     /* >= 1 */
-	const char *out;	     /* .svg or .png; NULL: terminal */
-	const char *x;		     /* column */
-	const char *log;	     /* x, y or xy */
-	const char *by;		     /* columns, separated by commas: a curve for each set of their values */
-	const char *part;	     /* number of the run or block; last, all */
-	const char *style;	     /* lines, points, both, steps */
-	const char *title;	     /* "": none */
+	size_t n;	   /* >= 1 */
+	const char *out;   /* .svg or .png; NULL: terminal */
+	const char *x;	   /* column */
+	const char *log;   /* x, y or xy */
+	const char *by;	   /* columns, separated by commas: a curve for each set of their values */
+	const char *part;  /* number of the run or block; last, all */
+	const char *style; /* lines, points, both, steps */
+	const char *title; /* "": none */
+	const char *xlabel, *ylabel;
 	const char *xrange, *yrange; /* LO:HI, either may be absent */
+	struct ts_words marks;	     /* x=VALUE[:NAME], y=VALUE[:NAME] */
 	struct ts_plot_terminal terminal;
 };
 

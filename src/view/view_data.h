@@ -5,6 +5,12 @@
 #include "sheet/sheet.h"
 #include "view/view.h"
 
+/* A column to be drawn. */
+struct ts_view_column {
+	size_t column, error; /* error: SIZE_MAX: none */
+	const char *label;    /* NULL: its name */
+};
+
 /* A file. Its parts that are drawn have the same columns. */
 struct ts_view_file {
 	const struct ts_view_source *source;
@@ -13,14 +19,16 @@ struct ts_view_file {
 	size_t parts, left_out;	      /* left_out: parts with other columns */
 	bool joined;		      /* all parts are one curve */
 	size_t x;		      /* column; SIZE_MAX: the number of the row */
-	size_t *y, ny;		      /* columns to be drawn */
+	struct ts_view_column *y;     /* [ny] */
+	size_t ny;
+	enum ts_plot_style style;
 	size_t *by, nby;	      /* columns that tell curves apart */
 	size_t first_result, results; /* columns of results of a study; 0, 0: it is none */
 };
 
 struct ts_view_curve {
-	const char *name; /* what tells it from other curves of the column; "": nothing */
-	const char *column;
+	const char *name;   /* what tells it from other curves of the column; "": nothing */
+	const char *column; /* its label */
 	struct ts_plot_series series;
 	double *x, *y, *error;
 	size_t capacity[3];
@@ -38,14 +46,13 @@ struct ts_view_data {
 /* Reads the files, chooses parts and columns. */
 enum ts_status ts_view_data_read(struct ts_view_data *v);
 /* Makes the curves of a column of a file. */
-enum ts_status ts_view_data_curves(struct ts_view_data *v, const struct ts_view_file *f, size_t column);
+enum ts_status ts_view_data_curves(struct ts_view_data *v, const struct ts_view_file *f,
+				   const struct ts_view_column *column);
 /* Removes all curves. */
 void ts_view_data_forget(struct ts_view_data *v);
 void ts_view_data_release(struct ts_view_data *v);
 
 /* Columns that are x, a variable, an error or a number of runs are not drawn unless they are named. */
 bool ts_view_is_drawn(const struct ts_view_file *f, size_t column);
-/* The column NAME_error of a column NAME; SIZE_MAX: there is none. */
-size_t ts_view_error_of(const struct ts_sheet *table, size_t column);
 
 #endif

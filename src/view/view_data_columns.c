@@ -20,11 +20,6 @@ static size_t find_beside(const struct ts_sheet *t, size_t column, const char *e
 	return SIZE_MAX;
 }
 
-size_t ts_view_error_of(const struct ts_sheet *t, size_t column)
-{
-	return find_beside(t, column, "_error");
-}
-
 /* Whether the column is the error or the number of runs of another one. */
 static bool is_attached(const struct ts_sheet *t, size_t column)
 {
@@ -233,8 +228,8 @@ static enum ts_status set_x(const struct ts_view_data *v, struct ts_view_file *f
 					     "Coord", "Coord1",	  "TimeDelta" };
 	const struct ts_sheet *t = f->part[0];
 
-	if (v->in->x)
-		return ts_view_find(v, f, v->in->x, &f->x);
+	if (f->source->x)
+		return ts_view_find(v, f, f->source->x, &f->x);
 	for (size_t k = 0; k < sizeof names / sizeof *names && f->x == SIZE_MAX; k++)
 		for (size_t c = 0; c < t->columns && f->x == SIZE_MAX; c++)
 			if (ts_streq(t->column[c].name, names[k]))
@@ -242,6 +237,46 @@ static enum ts_status set_x(const struct ts_view_data *v, struct ts_view_file *f
 	for (size_t c = 0; c < t->columns && f->x == SIZE_MAX && t->columns > 1; c++)
 		if (!t->column[c].text)
 			f->x = c;
+	return TS_OK;
+}
+
+/* A copy of a part of a text. */
+static const char *part_of(struct ts_view_data *v, const char *from, size_t n)
+{
+	char *copy = ts_arena_alloc(&v->arena, n + 1, 1);
+
+	if (copy)
+		memcpy(copy, from, n);
+	return copy;
+}
+
+/* NAME[+-ERROR][=LABEL]; a column that has the whole word as its name goes first. */
+static enum ts_status parse_column(struct ts_view_data *v, struct ts_view_file *f, const char *word,
+				   struct ts_view_column *out)
+{
+	const char *equal = strchr(word, '='), *error = strstr(word, "+-"), *name = word, *error_name = NULL;
+	size_t n = strlen(word);
+
+	*out = (struct ts_view_column){ .error = SIZE_MAX };
+	if (ts_sheet_find(f->part[0], word) == SIZE_MAX) {
+		if (equal) {
+			out->label = equal + 1;
+			n = (size_t)(equal - word);
+		}
+		if (error && error < word + n) {
+			error_name = part_of(v, error + 2, (size_t)(word + n - error) - 2);
+			n = (size_t)(error - word);
+			if (!error_name)
+				return ts_nomem(&v->sim->error);
+			TS_TRY(ts_view_find(v, f, error_name, &out->error));
+		}
+		name = part_of(v, word, n);
+		if (!name)
+			return ts_nomem(&v->sim->error);
+	}
+	TS_TRY(ts_view_find(v, f, name, &out->column));
+	if (!error_name)
+		out->error = find_beside(f->part[0], out->column, "_error");
 	return TS_OK;
 }
 
@@ -253,10 +288,10 @@ static enum ts_status set_y(struct ts_view_data *v, struct ts_view_file *f, cons
 	if (!f->y)
 		return ts_nomem(&v->sim->error);
 	for (size_t k = 0; k < named->n; k++)
-		TS_TRY(ts_view_find(v, f, named->word[k].text, &f->y[f->ny++]));
+		TS_TRY(parse_column(v, f, named->word[k].text, &f->y[f->ny++]));
 	for (size_t k = 0; k < t->columns && !named->n; k++)
 		if (ts_view_is_drawn(f, k))
-			f->y[f->ny++] = k;
+			f->y[f->ny++] = (struct ts_view_column){ k, find_beside(t, k, "_error"), NULL };
 	return f->ny ? TS_OK
 		     : ts_fail(&v->sim->error, TS_SYNTAX, NULL, "%s has no column to be drawn besides '%s'",
 			       f->source->path, f->x == SIZE_MAX ? "" : t->column[f->x].name);
@@ -277,7 +312,7 @@ static enum ts_status read_file(struct ts_view_data *v, struct ts_view_file *f, 
 		ts_warn(&sim->log, NULL,
 			"%s: %zu of %zu runs left out, which have other columns; -part N shows one",
 			f->source->path, f->left_out, f->sheets.n);
-	if (v->in->x)
+	if (f->source->x)
 		TS_TRY(set_x(v, f));
 	TS_TRY(set_roles(v, f));
 	TS_TRY(set_by(v, f));

@@ -12,7 +12,8 @@ enum { MOST_CURVES = 64 };
 /* What a curve consists of: parts [from, to) of a file, rows of a group. */
 struct strand {
 	const struct ts_view_file *file;
-	size_t column, from, to;
+	const struct ts_view_column *y;
+	size_t from, to;
 	size_t model; /* row of the first part that has the values of the group; SIZE_MAX: no groups */
 };
 
@@ -48,19 +49,19 @@ static bool is_absent(const struct ts_sheet_column *c, size_t row)
 	return c->cell && !*c->cell[row];
 }
 
-static enum ts_status add_points(struct ts_view_curve *c, const struct strand *s, size_t error)
+static enum ts_status add_points(struct ts_view_curve *c, const struct strand *s)
 {
-	const size_t x = s->file->x;
+	const size_t x = s->file->x, error = s->y->error;
 
 	for (size_t p = s->from; p < s->to; p++) {
 		const struct ts_sheet *t = s->file->part[p];
 
 		for (size_t row = 0; row < t->rows; row++)
-			if (is_in_group(s, t, row) && !is_absent(&t->column[s->column], row))
+			if (is_in_group(s, t, row) && !is_absent(&t->column[s->y->column], row))
 				TS_TRY(add_point(c,
 						 x == SIZE_MAX ? (double)c->series.n
 							       : t->column[x].value[row],
-						 t->column[s->column].value[row],
+						 t->column[s->y->column].value[row],
 						 error == SIZE_MAX ? NAN : t->column[error].value[row]));
 	}
 	return TS_OK;
@@ -128,7 +129,6 @@ static enum ts_status name_curve(struct ts_view_data *v, struct ts_view_curve *c
 static enum ts_status add_curve(struct ts_view_data *v, const struct strand *s)
 {
 	const struct ts_sheet *t = s->file->part[0];
-	const size_t error = ts_view_error_of(t, s->column);
 	struct ts_view_curve *c;
 	enum ts_status status;
 
@@ -138,15 +138,16 @@ static enum ts_status add_curve(struct ts_view_data *v, const struct strand *s)
 	if (TS_GROW(v->curve, v->capacity, v->curves + 1) != TS_OK)
 		return ts_nomem(&v->sim->error);
 	c = &v->curve[v->curves++];
-	c->column = t->column[s->column].name;
-	status = add_points(c, s, error);
+	c->column = s->y->label ? s->y->label : t->column[s->y->column].name;
+	status = add_points(c, s);
 	if (status == TS_OK && s->file->results && s->file->x != SIZE_MAX)
 		status = sort_points(c);
 	if (status == TS_OK)
 		status = name_curve(v, c, s);
 	c->series.x = c->x;
 	c->series.y = c->y;
-	c->series.error = error == SIZE_MAX ? NULL : c->error;
+	c->series.error = s->y->error == SIZE_MAX ? NULL : c->error;
+	c->series.style = s->file->style;
 	return status == TS_OK ? TS_OK : ts_nomem(&v->sim->error);
 }
 
@@ -169,9 +170,10 @@ static enum ts_status add_groups(struct ts_view_data *v, struct strand s)
 	return TS_OK;
 }
 
-enum ts_status ts_view_data_curves(struct ts_view_data *v, const struct ts_view_file *f, size_t column)
+enum ts_status ts_view_data_curves(struct ts_view_data *v, const struct ts_view_file *f,
+				   const struct ts_view_column *column)
 {
-	struct strand s = { .file = f, .column = column, .to = f->parts, .model = SIZE_MAX };
+	struct strand s = { .file = f, .y = column, .to = f->parts, .model = SIZE_MAX };
 
 	if (f->joined)
 		return add_groups(v, s);

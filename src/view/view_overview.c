@@ -1,6 +1,7 @@
 #include "view/view_overview.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "plot/plot_layout.h"
@@ -110,7 +111,7 @@ enum ts_status ts_view_overview(struct ts_view_data *v, const struct ts_view_fil
 			ts_str_addf(out, " words, such as '%.40s'\n", t->column[k].text);
 			continue;
 		}
-		TS_TRY(ts_view_data_curves(v, &plain, k));
+		TS_TRY(ts_view_data_curves(v, &plain, &(struct ts_view_column){ k, SIZE_MAX, NULL }));
 		c = &v->curve[v->curves - 1];
 		s = summarize(c);
 		if (!s.n)

@@ -170,6 +170,16 @@ report 'two files' $?
 "$TSIM" -plot ave 2 -x 1 -plot print -o first.svg && grep -q '>ke, print<' first.svg
 report 'columns by number, of both files' $?
 
+"$TSIM" -plot ave '2=mean, in 10 steps' -x 1 -style points -plot print ke+-one=now -style lines -o words.svg \
+	-mark y=0.01:limit x=50 -xlabel 'step (10 us)' -ylabel energy -title '' &&
+	grep -q '>mean, in 10 steps, ave<' words.svg && grep -q '>now, print<' words.svg && grep -q '>limit<' words.svg &&
+	[ "$(grep -c 'class="mark"' words.svg)" = 2 ] && grep -q '>step (10 us)<' words.svg &&
+	[ "$(grep -c 'class="c[12] bar"' words.svg)" = 1 ] && [ "$(grep -c 'path class="c1"' words.svg)" = 0 ] &&
+	[ "$(grep -c 'path class="c2"' words.svg)" = 2 ]
+report 'labels, errors, styles by file, marks' $?
+printf '# a=b c\n1 2\n' >equal
+draws 'a name with =' 'a=b' equal a=b -x c
+
 # ---- refused
 
 fails 'no column' 1 "log.tsim has no column 'kineng'; did you mean 'KinEng'?" -plot log.tsim kineng
@@ -199,6 +209,9 @@ fails 'folder' 1 "cannot write" -plot ave c_ke -o ave/x.svg
 fails 'axes' 1 "-log is 'z', expected x, y or xy" -plot ave c_ke -log z
 fails 'range' 1 "-xrange is '2:1', expected LO:HI" -plot ave c_ke -xrange 2:1
 fails 'style' 1 "-style is 'line', expected lines, points, both or steps" -plot ave c_ke -style line
+fails 'mark' 1 "-mark is 'z=1', expected x=VALUE or y=VALUE" -plot ave c_ke -mark z=1
+fails 'mark without number' 1 "-mark is 'y=:a', expected x=VALUE or y=VALUE" -plot ave c_ke -mark y=:a
+fails 'no error' 1 "ave has no column 'e'" -plot ave c_ke+-e=x
 fails 'part' 1 "-part is '5', expected all, last, or a number from 1 to 2" -plot log.tsim -part 5
 fails 'together' 2 '-plot and -in cannot be given together' -plot ave -in in.fall
 fails 'alone' 2 'belong to -plot, which is not given' -x a -in in.fall
