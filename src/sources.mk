@@ -717,6 +717,8 @@ library_sources = \
 	src/integrate/integrators.h \
 	src/io/csv.c \
 	src/io/csv.h \
+	src/io/csv_read.c \
+	src/io/csv_read.h \
 	src/io/decimal.c \
 	src/io/decimal.h \
 	src/io/format.c \

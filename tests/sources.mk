@@ -137,6 +137,7 @@ shell_tests = \
 	tests/insert/pour.sh \
 	tests/insert/tracers.sh \
 	tests/integrate/integrators.sh \
+	tests/io/csv.sh \
 	tests/io/full_disk.sh \
 	tests/io/safety.sh \
 	tests/kinetic/granular_couette.sh \
@@ -263,6 +264,7 @@ unit_tests = \
 	tests/impact/check_exact_collision \
 	tests/impact/check_impact_event \
 	tests/insert/check_insertion \
+	tests/io/check_csv \
 	tests/io/check_io \
 	tests/io/check_movie \
 	tests/kinetic/check_granular_couette \
@@ -511,6 +513,10 @@ tests_impact_check_impact_event_LDADD = $(tests_ldadd)
 tests_insert_check_insertion_SOURCES = tests/insert/check_insertion.c
 tests_insert_check_insertion_CFLAGS = $(tests_cflags)
 tests_insert_check_insertion_LDADD = $(tests_ldadd)
+
+tests_io_check_csv_SOURCES = tests/io/check_csv.c
+tests_io_check_csv_CFLAGS = $(tests_cflags)
+tests_io_check_csv_LDADD = $(tests_ldadd)
 
 tests_io_check_io_SOURCES = tests/io/check_io.c
 tests_io_check_io_CFLAGS = $(tests_cflags)

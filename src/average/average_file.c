@@ -1,5 +1,9 @@
 #include "average/average_file.h"
 
+#include <string.h>
+
+#include "io/csv.h"
+
 #include "base/banned.h"
 
 enum ts_status ts_average_file_init(struct ts_instance *self, struct tsim *sim, struct ts_average_file *f)
@@ -14,6 +18,11 @@ enum ts_status ts_average_file_init(struct ts_instance *self, struct tsim *sim, 
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix %s: format '%s' is not a format of a number, such as %%g or %%12.5f",
 			       self->style->name, f->format);
+	f->csv = ts_csv_is(f->file ? f->file : f->append);
+	if (f->csv && (f->title[0] || f->title[1] || f->title[2]))
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix %s: a table of comma-separated values has no title lines",
+			       self->style->name);
 	return TS_OK;
 }
 
@@ -42,8 +51,33 @@ void ts_average_file_title(struct ts_average_file *f, int k, const char *usual)
 
 void ts_average_file_number(struct ts_average_file *f, double value)
 {
-	ts_str_add(&f->text, " ");
-	ts_format_add(&f->text, f->checked, false, value);
+	struct ts_str cell = { 0 };
+
+	if (!f->csv) {
+		ts_str_add(&f->text, " ");
+		ts_format_add(&f->text, f->checked, false, value);
+	} else if (ts_streq(f->format, "%g")) {
+		ts_csv_real(&f->text, value);
+	} else {
+		ts_format_add(&cell, f->checked, false, value);
+		ts_csv_text(&f->text, ts_str_text(&cell) + strspn(ts_str_text(&cell), " "));
+		f->text.failed |= cell.failed;
+		ts_str_release(&cell);
+	}
+}
+
+void ts_average_file_place(struct ts_average_file *f, double value)
+{
+	if (f->csv)
+		ts_csv_real(&f->text, value);
+	else
+		ts_str_addf(&f->text, " %g", value);
+}
+
+enum ts_status ts_average_file_names_done(struct tsim *sim, struct ts_average_file *f)
+{
+	ts_csv_end(&f->text);
+	return ts_csv_begin(&f->out, sim, &f->text);
 }
 
 enum ts_status ts_average_file_end(struct tsim *sim, struct ts_average_file *f)

@@ -12,10 +12,12 @@ struct ts_average_file {
 	struct ts_textfile out;
 	struct ts_str text;	      /* the current block */
 	char checked[TS_FORMAT_SIZE]; /* `format` after ts_format_check */
+	bool csv;		      /* a table of comma-separated values: io/csv.h */
 };
 #define TS_AVERAGE_FILE_ARGS(T, F)                                                                          \
 	TS_WORD("file", T, F.file, .flags = TS_OPTIONAL | TS_WRITES,                                        \
-		.help = "file to write; an existing one is replaced"),                                      \
+		.help = "file to write; an existing one is replaced; a table of comma-separated values if " \
+			"its name ends in .csv"),                                                           \
 		TS_WORD("append", T, F.append, .flags = TS_OPTIONAL | TS_WRITES,                            \
 			.help = "file to append to"),                                                       \
 		TS_FLAG("overwrite", T, F.overwrite, .help = "the file holds only the last average"),       \
@@ -33,8 +35,13 @@ enum ts_status ts_average_file_begin(struct ts_instance *self, struct tsim *sim,
 				     bool *titles);
 /* Adds title line k (0, 1, 2): that of the keyword title1 ... title3, else `usual`. */
 void ts_average_file_title(struct ts_average_file *f, int k, const char *usual);
-/* Adds a blank and the number in the format of the keyword `format`. */
+/* Adds a blank and the number in the format of the keyword `format`; to a table a cell, with all digits unless a
+ * format is given. */
 void ts_average_file_number(struct ts_average_file *f, double value);
+/* Adds a number with all digits to a table, else a blank and the number by %g. */
+void ts_average_file_place(struct ts_average_file *f, double value);
+/* After the names of the columns of a table have been added instead of titles. */
+enum ts_status ts_average_file_names_done(struct tsim *sim, struct ts_average_file *f);
 /* Writes the block. */
 enum ts_status ts_average_file_end(struct tsim *sim, struct ts_average_file *f);
 void ts_average_file_release(struct ts_average_file *f);

@@ -5,6 +5,7 @@
 
 #include "core/group.h"
 #include "core/units.h"
+#include "io/csv.h"
 #include "math/vec3.h"
 #include "particle/particles.h"
 
@@ -260,30 +261,63 @@ static enum ts_status add_titles(struct ts_instance *self, struct tsim *sim)
 	return failed ? ts_nomem(&sim->error) : TS_OK;
 }
 
-static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
+static enum ts_status add_csv_names(struct ts_chunk_average *s, struct tsim *sim)
 {
-	struct ts_chunk_average *s = self->state;
-	size_t width = 1 + s->ncolumns, n = s->average.n / width;
-	size_t places = n ? s->place_n / n : 0;
-	double total = 0;
-	bool titles;
+	struct ts_str *text = &s->file.text;
+	char name[24];
 
-	if (!ts_average_file_wanted(&s->file))
-		return TS_OK;
-	TS_TRY(ts_average_file_begin(self, sim, &s->file, &titles));
-	if (titles)
-		TS_TRY(add_titles(self, sim));
+	ts_csv_text(text, "step");
+	ts_csv_text(text, s->spatial ? "bin" : "chunk");
+	if (s->compressed)
+		ts_csv_text(text, "original");
+	for (int64_t d = 1; d <= s->ncoordinates; d++) {
+		snprintf(name, sizeof name, "coord%d", (int)d);
+		ts_csv_text(text, name);
+	}
+	ts_csv_text(text, "count");
+	for (size_t k = 0; k < s->ncolumns; k++)
+		ts_csv_text(text, s->column[k].input.name);
+	return ts_average_file_names_done(sim, &s->file);
+}
+
+/* The first line of an average, which a table does not have. */
+static void add_sums(struct ts_chunk_average *s, const struct tsim *sim, size_t n, size_t width)
+{
+	double total = 0;
+
+	if (s->file.csv)
+		return;
 	ts_str_addf(&s->file.text, "%lld %zu", (long long)sim->clock.step, n);
 	for (size_t k = 0; k < n; k++)
 		total += s->average.result[k * width];
 	if (!s->spatial)
 		ts_str_addf(&s->file.text, " %g", total * (double)ts_average_weight(&s->average));
 	ts_str_add(&s->file.text, "\n");
+}
+
+static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_chunk_average *s = self->state;
+	size_t width = 1 + s->ncolumns, n = s->average.n / width;
+	size_t places = n ? s->place_n / n : 0;
+	bool titles;
+
+	if (!ts_average_file_wanted(&s->file))
+		return TS_OK;
+	TS_TRY(ts_average_file_begin(self, sim, &s->file, &titles));
+	if (titles)
+		TS_TRY(s->file.csv ? add_csv_names(s, sim) : add_titles(self, sim));
+	add_sums(s, sim, n, width);
 	for (size_t k = 0; k < n; k++) {
-		ts_str_addf(&s->file.text, "  %zu", k + 1);
+		if (s->file.csv)
+			ts_csv_int(&s->file.text, sim->clock.step);
+		if (s->file.csv)
+			ts_csv_int(&s->file.text, (int64_t)k + 1);
+		else
+			ts_str_addf(&s->file.text, "  %zu", k + 1);
 		for (size_t j = 0; j < places; j++)
-			ts_str_addf(&s->file.text, " %g", s->place[k * places + j]);
-		ts_str_addf(&s->file.text, " %g", s->average.result[k * width]);
+			ts_average_file_place(&s->file, s->place[k * places + j]);
+		ts_average_file_place(&s->file, s->average.result[k * width]);
 		for (size_t j = 1; j < width; j++)
 			ts_average_file_number(&s->file, s->average.result[k * width + j]);
 		ts_str_add(&s->file.text, "\n");

@@ -1,6 +1,7 @@
 /* Fix ave/correlate: time correlation functions of global values. */
 #include "core/ref_list.h"
 #include "core/sim.h"
+#include "io/csv.h"
 #include "io/textfile.h"
 
 #include <string.h>
@@ -99,6 +100,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       "fix ave/correlate: Nfreq (%lld) must be a multiple of Nevery (%lld) and not "
 			       "less than Nrepeat - 1 (%lld) times Nevery",
 			       (long long)s->freq, (long long)s->every, (long long)s->repeat - 1);
+	if (ts_csv_is(s->file) && (s->title[0] || s->title[1] || s->title[2]))
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix ave/correlate: a table of comma-separated values has no title lines");
 	TS_TRY(ts_ref_list_init(sim, "fix ave/correlate", &self->arena, s->words, TS_WANT(SCALAR),
 				&s->input));
 	if (s->started)
@@ -155,9 +159,46 @@ static void add_titles(const struct ts_instance *self)
 	ts_str_add(&s->text, "\n");
 }
 
+static void add_csv_names(struct state *s)
+{
+	static const char *const names[] = { "step", "index", "lag", "count" };
+
+	ts_csv_names(&s->text, names, sizeof names / sizeof *names);
+	for (size_t k = 0; k < s->npairs; k++) {
+		struct ts_str name = { 0 };
+
+		ts_str_addf(&name, "%s*%s", s->input.item[s->pair[k][0]].name,
+			    s->input.item[s->pair[k][1]].name);
+		ts_csv_text(&s->text, ts_str_text(&name));
+		s->text.failed |= name.failed;
+		ts_str_release(&name);
+	}
+	ts_csv_end(&s->text);
+}
+
+static void add_csv_row(struct state *s, const struct tsim *sim, size_t lag)
+{
+	ts_csv_int(&s->text, sim->clock.step);
+	ts_csv_int(&s->text, (int64_t)lag + 1);
+	for (size_t k = 0; k < 2 + s->npairs; k++)
+		ts_csv_real(&s->text, s->result[lag * (s->npairs + 2) + k]);
+	ts_csv_end(&s->text);
+}
+
+static void add_row(struct state *s, size_t lag)
+{
+	const double *row = s->result + lag * (s->npairs + 2);
+
+	ts_str_addf(&s->text, "%zu %.0f %.0f", lag + 1, row[0], row[1]);
+	for (size_t k = 0; k < s->npairs; k++)
+		ts_str_addf(&s->text, " %g", row[2 + k]);
+	ts_str_add(&s->text, "\n");
+}
+
 static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	bool csv = ts_csv_is(s->file);
 
 	if (!s->file)
 		return TS_OK;
@@ -166,16 +207,18 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 	ts_str_clear(&s->text);
 	if (!ts_textfile_is_open(&s->out)) {
 		TS_TRY(ts_textfile_open(&s->out, sim, &self->where, s->file, false));
-		add_titles(self);
+		if (csv)
+			add_csv_names(s);
+		else
+			add_titles(self);
 	}
-	ts_str_addf(&s->text, "%lld %lld\n", (long long)sim->clock.step, (long long)s->repeat);
+	if (!csv)
+		ts_str_addf(&s->text, "%lld %lld\n", (long long)sim->clock.step, (long long)s->repeat);
 	for (size_t lag = 0; lag < (size_t)s->repeat; lag++) {
-		const double *row = s->result + lag * (s->npairs + 2);
-
-		ts_str_addf(&s->text, "%zu %.0f %.0f", lag + 1, row[0], row[1]);
-		for (size_t k = 0; k < s->npairs; k++)
-			ts_str_addf(&s->text, " %g", row[2 + k]);
-		ts_str_add(&s->text, "\n");
+		if (csv)
+			add_csv_row(s, sim, lag);
+		else
+			add_row(s, lag);
 	}
 	if (s->text.failed)
 		return ts_nomem(&sim->error);
@@ -272,7 +315,8 @@ static const struct ts_arg args[] = {
 	       .help = "no samples before this step"),
 	TS_REAL("prefactor", struct state, prefactor, .flags = TS_STATEFUL, .fallback = "1",
 		.help = "factor by which the results are multiplied"),
-	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL | TS_WRITES, .help = "file to write"),
+	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL | TS_WRITES,
+		.help = "file to write; a table of comma-separated values if its name ends in .csv"),
 	TS_FLAG("overwrite", struct state, overwrite, .help = "the file holds only the last result"),
 	TS_WORD("title1", struct state, title[0], .flags = TS_OPTIONAL, .help = "first line of the file"),
 	TS_WORD("title2", struct state, title[1], .flags = TS_OPTIONAL, .help = "second line of the file"),

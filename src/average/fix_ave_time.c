@@ -1,6 +1,7 @@
 /* Fix ave/time: time averages of global values. */
 #include "average/average.h"
 #include "average/average_file.h"
+#include "io/csv.h"
 #include "core/ref_list.h"
 #include "core/report.h"
 
@@ -130,6 +131,31 @@ static enum ts_status add_titles(struct ts_instance *self, struct tsim *sim)
 	return failed ? ts_nomem(&sim->error) : TS_OK;
 }
 
+static enum ts_status add_csv_names(struct state *s, struct tsim *sim)
+{
+	ts_csv_text(&s->file.text, "step");
+	if (s->mode == VECTOR)
+		ts_csv_text(&s->file.text, "row");
+	for (size_t k = 0; k < s->input.n; k++)
+		ts_csv_text(&s->file.text, s->input.item[k].name);
+	return ts_average_file_names_done(sim, &s->file);
+}
+
+/* The numbers before the values of a row: in a table the step is in each. */
+static void begin_row(struct state *s, const struct tsim *sim, size_t row)
+{
+	struct ts_str *text = &s->file.text;
+
+	if (!s->file.csv) {
+		ts_str_addf(text, "%lld",
+			    s->mode == VECTOR ? (long long)row + 1 : (long long)sim->clock.step);
+		return;
+	}
+	ts_csv_int(text, sim->clock.step);
+	if (s->mode == VECTOR)
+		ts_csv_int(text, (int64_t)row + 1);
+}
+
 static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -141,11 +167,11 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	TS_TRY(ts_average_file_begin(self, sim, &s->file, &titles));
 	if (titles)
-		TS_TRY(add_titles(self, sim));
-	if (s->mode == VECTOR)
+		TS_TRY(s->file.csv ? add_csv_names(s, sim) : add_titles(self, sim));
+	if (s->mode == VECTOR && !s->file.csv)
 		ts_str_addf(text, "%lld %zu\n", (long long)sim->clock.step, rows);
 	for (size_t i = 0; i < rows; i++) {
-		ts_str_addf(text, "%lld", s->mode == VECTOR ? (long long)i + 1 : (long long)sim->clock.step);
+		begin_row(s, sim, i);
 		for (size_t k = 0; k < s->input.n; k++)
 			ts_average_file_number(&s->file, s->average.result[k * rows + i]);
 		ts_str_add(text, "\n");

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "io/csv.h"
 #include "math/exactsum.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
@@ -172,6 +173,30 @@ static double fraction(const struct ts_histogram *h, size_t bin)
 	return total > 0 ? h->average.result[bin] / total : 0;
 }
 
+static enum ts_status add_csv_names(struct ts_histogram *h, struct tsim *sim)
+{
+	static const char *const names[] = { "step",  "bin",	 "coord", "count", "fraction",
+					     "total", "missing", "min",	  "max" };
+
+	ts_csv_names(&h->file.text, names, sizeof names / sizeof *names);
+	return ts_average_file_names_done(sim, &h->file);
+}
+
+/* A row of a table has the statistics of its histogram, too. */
+static void add_csv_row(struct ts_histogram *h, const struct tsim *sim, size_t bin)
+{
+	struct ts_average_file *f = &h->file;
+
+	ts_csv_int(&f->text, sim->clock.step);
+	ts_csv_int(&f->text, (int64_t)bin + 1);
+	ts_average_file_number(f, bin_centre(h, bin));
+	ts_average_file_number(f, h->average.result[bin]);
+	ts_average_file_number(f, fraction(h, bin));
+	for (size_t k = 0; k < NSTATISTICS; k++)
+		ts_average_file_number(f, h->average.result[count_bins(h) + k]);
+	ts_csv_end(&f->text);
+}
+
 static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_histogram *h = self->state;
@@ -183,7 +208,11 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	TS_TRY(ts_average_file_begin(self, sim, &h->file, &titles));
 	if (titles)
-		TS_TRY(add_titles(self, sim));
+		TS_TRY(h->file.csv ? add_csv_names(h, sim) : add_titles(self, sim));
+	for (size_t b = 0; h->file.csv && b < n; b++)
+		add_csv_row(h, sim, b);
+	if (h->file.csv)
+		return ts_average_file_end(sim, &h->file);
 	ts_str_addf(text, "%lld %zu", (long long)sim->clock.step, n);
 	for (size_t k = 0; k < NSTATISTICS; k++)
 		ts_average_file_number(&h->file, h->average.result[n + k]);

@@ -2,17 +2,59 @@
 #include <string.h>
 
 #include "bond/bonds.h"
-#include "io/textfile.h"
+#include "io/csv.h"
 
 #include "base/banned.h"
 
 enum { COLUMNS = 11 };
+enum { MODE = 9 }; /* column */
+
+static const char *const event_names[] = { "step", "time", "i",	    "j",    "type",  "x",
+					   "y",	   "z",	   "force", "mode", "energy" };
 
 struct breakage {
 	const char *path;
 	struct ts_textfile file;
 	int64_t written; /* number of events already in the file */
 };
+
+static enum ts_status begin_table(struct breakage *s, struct tsim *sim)
+{
+	struct ts_str row = { 0 };
+
+	ts_csv_names(&row, event_names, MODE);
+	ts_csv_names(&row, event_names + MODE + !sim->bonds->transmits,
+		     (size_t)(COLUMNS - MODE - !sim->bonds->transmits));
+	ts_csv_end(&row);
+	return ts_csv_begin(&s->file, sim, &row);
+}
+
+static void add_table_row(struct ts_str *row, const struct ts_bonds *bonds, int64_t k)
+{
+	const struct ts_bond_event *e = &bonds->event[k];
+
+	ts_csv_int(row, e->step);
+	ts_csv_real(row, e->time);
+	ts_csv_int(row, e->tag[0]);
+	ts_csv_int(row, e->tag[1]);
+	ts_csv_int(row, e->type);
+	for (int d = 0; d < 3; d++)
+		ts_csv_real(row, e->x[d]);
+	ts_csv_real(row, e->force);
+	if (bonds->transmits)
+		ts_csv_text(row, ts_bond_failure_name(e->mode));
+	ts_csv_real(row, bonds->event_energy[k]);
+	ts_csv_end(row);
+}
+
+static enum ts_status write_table(struct breakage *s, struct tsim *sim)
+{
+	struct ts_str rows = { 0 };
+
+	for (; s->written < (int64_t)sim->bonds->nevents; s->written++)
+		add_table_row(&rows, sim->bonds, s->written);
+	return ts_csv_write(&s->file, sim, &rows);
+}
 
 static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 {
@@ -21,6 +63,8 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 	if (ts_textfile_is_open(&s->file) || !s->path || sim->reading.explain)
 		return TS_OK;
 	TS_TRY(ts_textfile_open(&s->file, sim, ts_instance_word(self, s->path), s->path, s->written > 0));
+	if (ts_csv_is(s->path))
+		return begin_table(s, sim);
 	if (!s->written)
 		TS_TRY(ts_textfile_printf(&s->file, "# step time i j type x y z force%s energy\n",
 					  sim->bonds->transmits ? " mode" : ""));
@@ -34,6 +78,8 @@ static enum ts_status write_new_events(struct ts_instance *self, struct tsim *si
 
 	if (!ts_textfile_is_open(&s->file) || s->written == (int64_t)bonds->nevents)
 		return TS_OK;
+	if (ts_csv_is(s->path))
+		return write_table(s, sim);
 	for (; s->written < (int64_t)bonds->nevents; s->written++) {
 		const struct ts_bond_event *e = &bonds->event[s->written];
 
@@ -86,12 +132,10 @@ static void fini(struct ts_instance *self)
 
 static const struct ts_arg args[] = {
 	TS_WORD("file", struct breakage, path, .flags = TS_OPTIONAL | TS_WRITES,
-		.help = "text file with one line per broken bond"),
+		.help = "text file with one line per broken bond; comma-separated values if it ends in .csv"),
 	TS_ARGS_END,
 };
 
-static const char *const event_names[] = { "step", "time", "i",	    "j",    "type",  "x",
-					   "y",	   "z",	   "force", "mode", "energy" };
 static const struct ts_value values[] = {
 	{ "count", "", "bonds broken so far", TS_SCALAR, 1, NULL, eval_count },
 	{ "events", "", "one row per broken bond", TS_LOCAL, COLUMNS, event_names, eval_events },

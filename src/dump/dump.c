@@ -5,6 +5,7 @@
 
 #include "box/domain.h"
 #include "core/units.h"
+#include "io/csv.h"
 #include "io/series.h"
 
 #include "base/banned.h"
@@ -145,16 +146,70 @@ enum ts_status ts_dump_frame_done(struct ts_dump_common *d, struct tsim *sim)
 	return d->nold && !sim->reading.explain ? remove_oldest_frame(d, sim) : TS_OK;
 }
 
+/* The names of the columns of a table; every frame begins its rows with its step. */
+static enum ts_status begin_table(struct ts_dump_common *d, struct tsim *sim)
+{
+	struct ts_str row = { 0 };
+
+	ts_csv_text(&row, "step");
+	if (d->time)
+		ts_csv_text(&row, "time");
+	for (size_t k = 0; k < d->ncolumns; k++)
+		ts_csv_text(&row, d->column[k].input.name);
+	ts_csv_end(&row);
+	return ts_csv_begin(&d->out, sim, &row);
+}
+
+/* A cell with all digits, unless dump_modify has changed the usual format. */
+static void add_cell(struct ts_dump_common *d, const struct ts_dump_column *c, double value)
+{
+	bool usual = ts_streq(c->format, "%g") || ts_streq(c->format, "%lld");
+	size_t n = d->text.length;
+
+	if (usual && !c->element) {
+		ts_csv_real(&d->text, value);
+		return;
+	}
+	ts_str_add_n(&d->text, ",", 1); /* the step is before it */
+	add_item(d, c, value);
+	if (c->element && !d->text.failed && strpbrk(d->text.text + n + 1, ",\" ")) {
+		d->text.length = n;
+		ts_csv_text(&d->text, d->element.word[(size_t)value - 1].text);
+	}
+}
+
+static enum ts_status write_table(struct ts_dump_common *d, struct tsim *sim)
+{
+	for (size_t row = 0; row < d->nrows; row++) {
+		ts_csv_int(&d->text, sim->clock.step);
+		if (d->time)
+			ts_csv_real(&d->text, ts_sim_time(sim));
+		for (size_t k = 0; k < d->ncolumns; k++)
+			add_cell(d, &d->column[k], d->column[k].values.data[d->order[row]]);
+		ts_csv_end(&d->text);
+		if (d->text.length > CHUNK)
+			TS_TRY(write_text(d, sim));
+	}
+	return write_text(d, sim);
+}
+
 enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool local)
 {
 	struct ts_dump_common *d = self->state;
-	bool due;
+	bool due, is_new;
 
 	TS_TRY(ts_dump_due(self, sim, &due));
 	if (!due)
 		return TS_OK;
 	TS_TRY(ts_dump_gather(self, sim, local));
+	is_new = !ts_textfile_is_open(&d->out);
 	TS_TRY(ts_dump_open(self, sim));
+	if (ts_csv_is(d->file)) {
+		if (is_new && !d->headless)
+			TS_TRY(begin_table(d, sim));
+		TS_TRY(write_table(d, sim));
+		return ts_dump_frame_done(d, sim);
+	}
 	if (!d->headless)
 		ts_dump_header(d, sim, local ? "ENTRIES" : "ATOMS");
 	TS_TRY(ts_dump_write_rows(d, sim, true));

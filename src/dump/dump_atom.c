@@ -46,7 +46,8 @@ const struct ts_style ts_dump_atom = {
 	.kind = TS_KIND_DUMP,
 	.summary = "Id, type and position of particles as text",
 	.doc = "As dump custom with the columns id type xs ys zs: positions are scaled from 0 to 1 across "
-	       "the box. `dump_modify scale no` writes x y z instead, `image yes` adds ix iy iz.",
+	       "the box. `dump_modify scale no` writes x y z instead, `image yes` adds ix iy iz. A file "
+	       "whose name ends in .csv is a table of comma-separated values, as of dump custom.",
 	.example = "dump rock all atom 1000 post/rock*.dump\ndump_modify rock scale no image yes",
 	.args = args,
 	.state_size = sizeof(struct state),

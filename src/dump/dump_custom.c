@@ -44,7 +44,11 @@ const struct ts_style ts_dump_custom = {
 	       "never twice for the same step. Each frame begins with ITEM lines: step, number of particles, "
 	       "bounds of the box, names of the columns. Particles are written in the order of their ids "
 	       "(see dump_modify sort), so that the file does not depend on the number of threads or on the "
-	       "order in memory. If a run is interrupted, all previous frames are complete.",
+	       "order in memory. If a run is interrupted, all previous frames are complete.\n\nA file whose "
+	       "name ends in .csv or .csv.gz is a table of comma-separated values instead: one line with the "
+	       "names of the columns, then a row for each particle of each frame, which begins with the step "
+	       "(`dump_modify time yes`: and the time); numbers have all digits unless dump_modify gives a "
+	       "format.",
 	.example = "dump rock all custom 1000 post/rock.dump id type x y z vx vy vz radius\n"
 		   "dump rock all custom 1000 post/rock*.dump.gz id x y z c_strain",
 	.args = args,

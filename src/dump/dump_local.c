@@ -41,7 +41,11 @@ const struct ts_style ts_dump_local = {
 	.summary = "Local arrays of computes and fixes, such as bonds and contacts, as text",
 	.doc = "All columns must have the same number of rows. Rows are sorted by the first column, then by "
 	       "the second, and so on; with `dump_modify sort off` they are written in the order of the "
-	       "compute or fix. index numbers the rows in the order of writing.",
+	       "compute or fix. index numbers the rows in the order of writing.\n\nA file whose name ends in "
+	       ".csv or .csv.gz is a table of comma-separated values instead: one line with the names of the "
+	       "columns, then a row for each local row of each frame, which begins with the step "
+	       "(`dump_modify time yes`: and the time); numbers have all digits unless dump_modify gives a "
+	       "format.",
 	.example = "dump bonds all local 1000 post/bonds.dump index c_bonds[1] c_bonds[2] c_bonds[3]",
 	.args = args,
 	.state_size = sizeof(struct state),

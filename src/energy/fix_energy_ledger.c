@@ -3,7 +3,7 @@
 
 #include "core/report.h"
 #include "energy/ledger.h"
-#include "io/textfile.h"
+#include "io/csv.h"
 #include "wall/wall.h"
 
 #include "base/banned.h"
@@ -165,6 +165,29 @@ static enum ts_status finish_run(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static enum ts_status begin_table(struct ledger *s, struct tsim *sim)
+{
+	struct ts_str row = { 0 };
+
+	ts_csv_text(&row, "step");
+	ts_csv_text(&row, "time");
+	ts_csv_names(&row, names, TS_LEDGER_VALUES);
+	ts_csv_end(&row);
+	return ts_csv_begin(&s->file, sim, &row);
+}
+
+static enum ts_status add_table_row(struct ledger *s, struct tsim *sim, const double v[])
+{
+	struct ts_str row = { 0 };
+
+	ts_csv_int(&row, sim->clock.step);
+	ts_csv_real(&row, ts_sim_time(sim));
+	for (int k = 0; k < TS_LEDGER_VALUES; k++)
+		ts_csv_real(&row, v[k]);
+	ts_csv_end(&row);
+	return ts_csv_write(&s->file, sim, &row);
+}
+
 static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 {
 	struct ledger *s = self->state;
@@ -172,6 +195,8 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 	if (!s->path || ts_textfile_is_open(&s->file))
 		return TS_OK;
 	TS_TRY(ts_textfile_open(&s->file, sim, ts_instance_word(self, s->path), s->path, false));
+	if (ts_csv_is(s->path))
+		return begin_table(s, sim);
 	TS_TRY(ts_textfile_printf(&s->file, "# step time"));
 	for (int k = 0; k < TS_LEDGER_VALUES; k++)
 		TS_TRY(ts_textfile_printf(&s->file, " %s", names[k]));
@@ -187,6 +212,8 @@ static enum ts_status write_row(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	TS_TRY(open_file(self, sim));
 	ts_ledger_values(&s->books, v);
+	if (ts_csv_is(s->path))
+		return add_table_row(s, sim, v);
 	TS_TRY(ts_textfile_printf(&s->file, "%" PRId64 " %.9g", sim->clock.step, ts_sim_time(sim)));
 	for (int k = 0; k < TS_LEDGER_VALUES; k++)
 		TS_TRY(ts_textfile_printf(&s->file, " %.12g", v[k]));
@@ -271,7 +298,7 @@ static const struct ts_arg args[] = {
 	TS_INT("every", struct ledger, every, .range = TS_POSITIVE, .fallback = "1000",
 	       .help = "number of time steps between lines of the file"),
 	TS_WORD("file", struct ledger, path, .flags = TS_OPTIONAL | TS_WRITES,
-		.help = "text file with all values"),
+		.help = "text file with all values; comma-separated values if it ends in .csv"),
 	TS_REAL("tolerance", struct ledger, tolerance, .range = TS_POSITIVE, .fallback = "0.01", .unit = "",
 		.help = "relative drift, divided by the largest turnover, above which a warning is printed"),
 	TS_BOOL("summary", struct ledger, summary, .fallback = "yes",

@@ -71,6 +71,20 @@ static void end_incomplete_line(struct ts_textfile *file, const char *path)
 		fclose(old);
 }
 
+/* Cuts off an incomplete last line of a table, in which a mark would count as a value. */
+static void cut_incomplete_line(struct ts_textfile *file, const char *path)
+{
+	FILE *old = ts_files_open(file->files, path, "r");
+	int64_t end = file->whole;
+
+	while (old && end > 0 && fseek(old, (long)end - 1, SEEK_SET) == 0 && getc(old) != '\n')
+		end--;
+	if (old)
+		fclose(old);
+	if (end < file->whole && ftruncate(fileno(file->file), (off_t)end) == 0)
+		file->whole = end;
+}
+
 /* Appending to a .gz file is refused if its compressed data are cut off. */
 static enum ts_status check_gz(struct ts_textfile *file, const char *path)
 {
@@ -124,7 +138,9 @@ static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *s
 		file->whole = info.st_size;
 	if (file->gz && append && file->whole > 0)
 		return check_gz(file, path);
-	if (append && file->whole > 0)
+	if (append && file->whole > 0 && ts_ends_with(path, ".csv"))
+		cut_incomplete_line(file, path);
+	else if (append && file->whole > 0)
 		end_incomplete_line(file, path);
 	return TS_OK;
 }

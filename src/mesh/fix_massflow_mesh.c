@@ -1,6 +1,6 @@
 /* Fix massflow/mesh: mass and number of particles that pass a mesh. */
 #include "base/sort.h"
-#include "io/textfile.h"
+#include "io/csv.h"
 #include "mesh/mesh_surface.h"
 #include "mesh/mesh_touch.h"
 #include "mesh/mesh_tree.h"
@@ -162,6 +162,36 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return find_property(self, sim);
 }
 
+static enum ts_status begin_table(struct state *s, struct tsim *sim)
+{
+	static const char *const names[] = { "diameter", "x", "y", "z", "vx", "vy", "vz" };
+	struct ts_str row = { 0 };
+
+	ts_csv_text(&row, "id");
+	if (s->write_time)
+		ts_csv_text(&row, "time");
+	ts_csv_names(&row, names, sizeof names / sizeof *names);
+	ts_csv_end(&row);
+	return ts_csv_begin(&s->out, sim, &row);
+}
+
+static enum ts_status write_table_row(struct state *s, struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_str row = { 0 };
+
+	ts_csv_int(&row, p->tag[i]);
+	if (s->write_time)
+		ts_csv_real(&row, ts_sim_time(sim));
+	ts_csv_real(&row, 2 * p->radius[i]);
+	for (int d = 0; d < 3; d++)
+		ts_csv_real(&row, p->x[i][d]);
+	for (int d = 0; d < 3; d++)
+		ts_csv_real(&row, p->v[i][d]);
+	ts_csv_end(&row);
+	return ts_csv_write(&s->out, sim, &row);
+}
+
 static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -170,6 +200,8 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 	if (!path || ts_textfile_is_open(&s->out))
 		return TS_OK;
 	TS_TRY(ts_textfile_open(&s->out, sim, ts_instance_word(self, path), path, s->append != NULL));
+	if (ts_csv_is(path))
+		return begin_table(s, sim);
 	TS_TRY(ts_textfile_printf(&s->out, "# ID %sdiameter x y z u v w  (ex ey ez, color)\n",
 				  s->write_time ? "time  " : ""));
 	return ts_textfile_flush(&s->out);
@@ -190,6 +222,8 @@ static enum ts_status write_passage(struct state *s, struct tsim *sim, size_t i)
 		ts_log(&sim->log, " %" PRId32 " %s%s \n", p->tag[i], time, text);
 	if (!ts_textfile_is_open(&s->out))
 		return TS_OK;
+	if (ts_csv_is(s->file ? s->file : s->append))
+		return write_table_row(s, sim, i);
 	TS_TRY(ts_textfile_printf(&s->out, "%" PRId32 " %s%s\n", p->tag[i], time, text));
 	return ts_textfile_flush(&s->out);
 }
@@ -470,7 +504,8 @@ static const struct ts_arg args[] = {
 		.help = "a point on the outer side of any mesh"),
 	TS_FLAG("inside_out", struct state, inside_out, .help = "the point is on the inner side"),
 	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL | TS_WRITES,
-		.help = "file to which a line is written for each particle that passes"),
+		.help = "file to which a line is written for each particle that passes; comma-separated "
+			"values if it ends in .csv"),
 	TS_WORD("append", struct state, append, .flags = TS_OPTIONAL | TS_WRITES,
 		.help = "the same, appended to the file"),
 	TS_BOOL("screen", struct state, screen, .fallback = "no",

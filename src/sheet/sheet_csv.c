@@ -1,7 +1,7 @@
 /* Comma-separated values: names in the first line. */
 #include <string.h>
 
-#include "io/csv.h"
+#include "io/csv_read.h"
 #include "sheet/internal.h"
 
 #include "base/banned.h"

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "io/csv.h"
+#include "io/csv_read.h"
 #include "io/replace.h"
 
 #include "base/banned.h"

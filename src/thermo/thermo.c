@@ -7,6 +7,7 @@
 #include "base/clock.h"
 #include "core/report.h"
 #include "core/settings.h"
+#include "io/csv.h"
 
 #include "base/banned.h"
 
@@ -139,13 +140,36 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return sim->run.inside ? resolve_columns(t, sim) : TS_OK;
 }
 
+/* The table of thermo_log as comma-separated values: names as in thermo_style. */
+static enum ts_status begin_table(struct ts_thermo *t, struct tsim *sim)
+{
+	struct ts_str row = { 0 };
+
+	for (size_t k = 0; k < t->n; k++)
+		ts_csv_text(&row, t->column[k].input.name);
+	ts_csv_end(&row);
+	if (!row.failed && t->table.length && ts_streq(ts_str_text(&row), ts_str_text(&t->table))) {
+		ts_str_release(&row);
+		return TS_OK;
+	}
+	if (t->table.length) {
+		ts_str_release(&row);
+		return ts_fail(&sim->error, TS_STATE, &t->file.where,
+			       "thermo_log: the columns have changed since the table '%s' was begun; use "
+			       "thermo_log again, with another file",
+			       t->file.path);
+	}
+	ts_str_add(&t->table, ts_str_text(&row));
+	return ts_csv_begin(&t->file, sim, &row);
+}
+
 static enum ts_status write_line(struct ts_thermo *t, struct tsim *sim)
 {
 	if (t->line.failed)
 		return ts_nomem(&sim->error);
 	ts_log(&sim->log, "%s\n", ts_str_text(&t->line));
 	TS_TRY(ts_log_flush(&sim->log, &sim->error));
-	if (!ts_textfile_is_open(&t->file))
+	if (!ts_textfile_is_open(&t->file) || t->csv)
 		return TS_OK;
 	TS_TRY(ts_textfile_printf(&t->file, "%s\n", ts_str_text(&t->line)));
 	return ts_textfile_flush(&t->file);
@@ -205,6 +229,8 @@ static enum ts_status write_row(struct ts_thermo *t, struct tsim *sim)
 		double value;
 
 		TS_TRY(ts_ref_input_scalar(sim, &c->input, &value));
+		if (t->csv)
+			ts_csv_real(&t->table_row, value);
 		if (t->multi) {
 			add_named(t, k, value);
 			continue;
@@ -213,6 +239,10 @@ static enum ts_status write_row(struct ts_thermo *t, struct tsim *sim)
 	}
 	t->last_row_time = ts_clock() - sim->clock.wall_start;
 	t->last_row_step = sim->clock.step;
+	if (t->csv) {
+		ts_csv_end(&t->table_row);
+		TS_TRY(ts_csv_write(&t->file, sim, &t->table_row));
+	}
 	return write_line(t, sim);
 }
 
@@ -265,6 +295,8 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(resolve_columns(t, sim));
 		if (!t->multi)
 			TS_TRY(write_titles(t, sim));
+		if (t->csv)
+			TS_TRY(begin_table(t, sim));
 	}
 	TS_TRY(is_due(t, sim, &due));
 	if (due)
@@ -288,6 +320,8 @@ static void fini(struct ts_instance *self)
 	struct ts_thermo *t = self->state;
 
 	ts_textfile_close(&t->file);
+	ts_str_release(&t->table);
+	ts_str_release(&t->table_row);
 	ts_str_release(&t->line);
 	ts_arena_release(&t->arena);
 }

@@ -27,7 +27,10 @@ struct ts_thermo {
 	struct ts_arena arena; /* of columns and their names */
 	struct ts_formats formats;
 	struct ts_textfile file; /* of thermo_log */
-	struct ts_str line;	 /* current row */
+	bool csv;		 /* `file` is a table of comma-separated values */
+	struct ts_str table;	 /* the names of its columns; "": not yet written */
+	struct ts_str table_row; /* its current row */
+	struct ts_str line;	 /* current row of the log */
 	struct ts_progress progress;
 	double last_row_time; /* of the last row, in seconds since the start of the run */
 	int64_t last_row_step;

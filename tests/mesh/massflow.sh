@@ -95,6 +95,19 @@ print 'mark \$(c_mark)'
 run 60
 print 'mark \$(c_mark)'" 'mark 0' 'mark 2' '* 1  0.051   0.1  0.1  0.1 -0.0005'
 
+# the lines in a file, and as a table with all digits
+for f in passed.txt passed.csv; do
+	printf '%s\n' "$start" 'create_atoms 1 single 0.1 0.1 0.0505 units box' 'set type 1 diameter 0.1 density 2385' \
+		'velocity all set 0 0 -1 units box' 'fix move all nve/sphere' \
+		"fix flow all massflow/mesh mesh cad vec_side 0 0 -1 count once writeTime file $f" 'run 80' >in.script
+	"$TSIM" -in in.script -log none >out 2>&1
+	report "a line in $f" $? out
+done
+awk -F, 'NR == 1 && $0 != "id,time,diameter,x,y,z,vx,vy,vz" { exit 1 }
+	NR > 1 { print $1 + 0, $2 + 0, $3 + 0, $4 + 0, $5 + 0, sprintf("%.4g", $6), $7 + 0, $8 + 0, $9 + 0 }' passed.csv >rows
+awk '!/^#/ { print $1 + 0, $2 + 0, $3 + 0, $4 + 0, $5 + 0, $6, $7 + 0, $8 + 0, $9 + 0 }' passed.txt >want
+same 'the line as a table' want rows
+
 # a clump counts sphere by sphere, and is deleted when all of it has passed; ages are 2 and 3
 agree 'clumps' "$start
 fix clump all particletemplate/multisphere 15485863 atom_type 1 density constant 2385 nspheres 2 ntry 20000 &
