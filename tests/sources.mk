@@ -81,6 +81,7 @@ shell_tests = \
 	tests/dump/dumps.sh \
 	tests/dump/vtk.sh \
 	tests/dump/vtk_formats.sh \
+	tests/dump/vtk_surfaces.sh \
 	tests/energy/energy.sh \
 	tests/energy/energy_ledger.sh \
 	tests/examples/benchmarks.sh \

@@ -46,7 +46,8 @@ static void fill(const struct ts_automaton *a, double *state, double *velocity)
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_vtk_array array[NFIELDS] = { { "state", NULL, 1, true }, { "velocity", NULL, 3, false } };
+	struct ts_vtk_array array[NFIELDS] = { { "state", NULL, 1, true, false },
+					       { "velocity", NULL, 3, false, false } };
 	struct ts_vtk_grid grid = { .uniform = true, .cell_data = array, .ncell_data = NFIELDS };
 	struct ts_table faces = { 0 };
 	struct ts_automaton *a;

@@ -55,7 +55,7 @@ static void fill_arrays(struct state *s, const struct ts_euler *euler)
 		for (int d = 0; d < 3; d++)
 			*point++ = euler->cell[c * TS_EULER_COLUMNS + TS_EULER_X + (size_t)d];
 	for (int k = 0; k < NARRAYS; k++) {
-		s->array[k] = (struct ts_vtk_array){ what[k].name, to, what[k].components, false };
+		s->array[k] = (struct ts_vtk_array){ what[k].name, to, what[k].components, false, false };
 		for (size_t c = 0; c < euler->ncells; c++)
 			for (size_t j = 0; j < what[k].components; j++)
 				*to++ = euler->cell[c * TS_EULER_COLUMNS + (size_t)what[k].column + j];

@@ -126,16 +126,17 @@ enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bo
 	return write_text(d, sim);
 }
 
-/* `maxfiles`: removes the file of the oldest frame after a new one is written. */
-static enum ts_status remove_oldest_frame(struct ts_dump_common *d, struct tsim *sim)
+enum ts_status ts_dump_keep_latest(struct ts_dump_common *d, struct tsim *sim)
 {
-	char **slot = &d->old[d->frames % d->nold];
+	char **slot = d->nold ? &d->old[d->frames % d->nold] : NULL;
 
+	if (!slot || sim->reading.explain)
+		return TS_OK;
 	if (*slot)
 		ts_files_remove(&sim->files, *slot);
 	ts_free(*slot);
 	*slot = ts_strdup(ts_str_text(&d->path));
-	return *slot ? TS_OK : TS_NOMEM;
+	return *slot ? TS_OK : ts_nomem(&sim->error);
 }
 
 enum ts_status ts_dump_frame_done(struct ts_dump_common *d, struct tsim *sim)
@@ -143,7 +144,7 @@ enum ts_status ts_dump_frame_done(struct ts_dump_common *d, struct tsim *sim)
 	if (!one_file_per_frame(d))
 		return ts_textfile_flush(&d->out);
 	TS_TRY(ts_textfile_close(&d->out));
-	return d->nold && !sim->reading.explain ? remove_oldest_frame(d, sim) : TS_OK;
+	return ts_dump_keep_latest(d, sim);
 }
 
 /* The names of the columns of a table; every frame begins its rows with its step. */

@@ -106,6 +106,8 @@ enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bo
 enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim);
 /* Adds the ITEM lines of a frame to common.text. `what`: "ATOMS" or "ENTRIES". */
 void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what);
+/* `maxfiles`: remembers common.path, the file of this frame, and removes that of the oldest one. */
+enum ts_status ts_dump_keep_latest(struct ts_dump_common *d, struct tsim *sim);
 /* Flushes the file after a frame; closes it if there is one file per frame. */
 enum ts_status ts_dump_frame_done(struct ts_dump_common *d, struct tsim *sim);
 /* Writes a frame of a text dump, header and rows, if it is due. */

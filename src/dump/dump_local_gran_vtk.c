@@ -50,7 +50,7 @@ static enum ts_status fill_arrays(struct state *s, struct tsim *sim, const struc
 		return ts_nomem(&sim->error);
 	to = s->vtk.merged.data;
 	for (size_t k = 0; k < n; k++) {
-		s->array[k] = (struct ts_vtk_array){ array[k].name, to, array[k].components, false };
+		s->array[k] = (struct ts_vtk_array){ array[k].name, to, array[k].components, false, false };
 		for (size_t row = 0; row < table->rows; row++)
 			for (size_t c = 0; c < array[k].components; c++)
 				*to++ = table->data[row * table->columns + array[k].first + c];

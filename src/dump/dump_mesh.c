@@ -33,10 +33,10 @@ enum ts_status ts_dump_mesh_init(struct ts_instance *self, struct tsim *sim, ts_
 	struct ts_dump_mesh *d = self->state;
 	struct ts_mesh_surface *surface;
 
-	if (!strchr(d->common.file, '*'))
-		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, d->common.file),
+	if (!strchr(d->vtk.common.file, '*'))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, d->vtk.common.file),
 			       "dump %s writes one file per frame: the name '%s' needs a `*` for the step",
-			       self->style->name, d->common.file);
+			       self->style->name, d->vtk.common.file);
 	d->nsurfaces = 0;
 	TS_TRY(find_named(self, sim, word));
 	if (d->nsurfaces)
@@ -77,5 +77,5 @@ void ts_dump_mesh_fini(struct ts_instance *self)
 	struct ts_dump_mesh *d = self->state;
 
 	ts_free(d->surface);
-	ts_dump_fini(self);
+	ts_dump_vtk_fini(self);
 }

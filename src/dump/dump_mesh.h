@@ -2,24 +2,24 @@
 #ifndef TS_DUMP_DUMP_MESH_H
 #define TS_DUMP_DUMP_MESH_H
 
-#include "dump/dump.h"
+#include "dump/dump_vtk.h"
 #include "mesh/mesh_surface.h"
 
 /* First member of their states. */
 struct ts_dump_mesh {
-	struct ts_dump_common common;
+	struct ts_dump_vtk vtk;		  /* of dumps of STL files only its member `common` is used */
 	struct ts_words words;		  /* arguments after the file name */
 	struct ts_mesh_surface **surface; /* [nsurfaces] meshes to write */
 	size_t nsurfaces, capacity;
 };
 
-#define TS_DUMP_MESH_ARGS(T, ending, help_)                                                  \
-	TS_INT("every", T, mesh.common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,  \
-	       .help = "steps between frames"),                                              \
-		TS_WORD("file", T, mesh.common.file, .flags = TS_POSITIONAL | TS_WRITES,     \
-			.help = "name of the frames (" ending "), with a `*` for the step"), \
+#define TS_DUMP_MESH_ARGS(T, ending, help_)                                                     \
+	TS_INT("every", T, mesh.vtk.common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE, \
+	       .help = "steps between frames"),                                                 \
+		TS_WORD("file", T, mesh.vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,    \
+			.help = "name of the frames (" ending "), with a `*` for the step"),    \
 		TS_REST_OPTIONAL("words", T, mesh.words, .help = (help_))
-#define TS_DUMP_MESH_SAVED(T) TS_SAVE_I64(T, mesh.common.last), TS_SAVE_I64(T, mesh.common.frames)
+#define TS_DUMP_MESH_SAVED(T) TS_SAVE_I64(T, mesh.vtk.common.last), TS_SAVE_I64(T, mesh.vtk.common.frames)
 
 /* Parses arguments of the style itself. *taken: number of words used; 0: the word must be the id of a
  * mesh. */

@@ -31,8 +31,8 @@ const struct ts_instance *ts_dump_surface_of(const struct ts_dump_surface_inputs
 	return inst->style->surface(inst);
 }
 
-enum ts_status ts_dump_surface_begin_array(struct tsim *sim, struct ts_dump_surface_inputs *in, size_t k,
-					   size_t elements, size_t n, struct ts_str *text)
+enum ts_status ts_dump_surface_eval(struct tsim *sim, struct ts_dump_surface_inputs *in, size_t k,
+				    size_t elements)
 {
 	const struct ts_ref_input *input = &in->list.item[k];
 
@@ -41,7 +41,6 @@ enum ts_status ts_dump_surface_begin_array(struct tsim *sim, struct ts_dump_surf
 		return ts_fail(&sim->error, TS_STATE, &input->where,
 			       "'%s' has %zu rows, but surface %s has %zu elements", input->name,
 			       in->values.rows, ts_dump_surface_of(in, k)->id, elements);
-	ts_str_addf(text, "%s 1 %zu double\n", input->name, n);
 	return TS_OK;
 }
 

@@ -1,5 +1,5 @@
 /* Shared by the dumps of surfaces (meshes, height fields): outputs with a row for each element of a surface, written as
- * arrays of a legacy VTK file. */
+ * arrays of a VTK file. */
 #ifndef TS_DUMP_DUMP_SURFACE_H
 #define TS_DUMP_DUMP_SURFACE_H
 
@@ -20,10 +20,9 @@ enum ts_status ts_dump_surface_find(struct ts_instance *self, struct tsim *sim,
 				    ts_dump_surface_writes_fn *writes, struct ts_dump_surface_inputs *in);
 /* The fix of the surface that output k is about. */
 const struct ts_instance *ts_dump_surface_of(const struct ts_dump_surface_inputs *in, size_t k);
-/* Evaluates output k into in->values and appends the title of its array of n numbers; fails unless it has a row for each
- * of these elements. */
-enum ts_status ts_dump_surface_begin_array(struct tsim *sim, struct ts_dump_surface_inputs *in, size_t k,
-					   size_t elements, size_t n, struct ts_str *text);
+/* Evaluates output k into in->values; fails unless it has a row for each of these elements. */
+enum ts_status ts_dump_surface_eval(struct tsim *sim, struct ts_dump_surface_inputs *in, size_t k,
+				    size_t elements);
 void ts_dump_surface_release(struct ts_dump_surface_inputs *in);
 
 #endif

@@ -192,6 +192,10 @@ enum ts_status ts_dump_vtk_list(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	}
 	TS_TRY(ts_vtk_series_add(sim, &s->series, sim->clock.step, ts_sim_time(sim)));
+	if (d->nold) {
+		TS_TRY(ts_dump_keep_latest(d, sim));
+		ts_vtk_series_keep(&s->series, (size_t)d->nold);
+	}
 	return ts_vtk_series_write(sim, &s->series, d->file, (int)d->pad, &self->where);
 }
 
@@ -214,7 +218,7 @@ enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim, str
 
 	poly->time = ts_sim_time(sim);
 	poly->binary = d->binary;
-	poly->single_points = sim->legacy;
+	poly->single_points |= sim->legacy;
 	TS_TRY(ts_dump_vtk_path(d, sim));
 	TS_TRY(ts_vtk_write_poly(sim, ts_str_text(&d->path), &self->where, poly));
 	return ts_dump_vtk_list(self, sim);

@@ -162,7 +162,7 @@ static enum ts_status fill_fields(struct ts_instance *self, struct tsim *sim, co
 
 		if (field == TS_FLOW_SCALAR)
 			TS_TRY(ts_flow_scalar_field(sim, "dump flow/vtk", &s->chosen.word[k], &carried));
-		s->array[k] = (struct ts_vtk_array){ s->chosen.word[k].text, to, n, false };
+		s->array[k] = (struct ts_vtk_array){ s->chosen.word[k].text, to, n, false, false };
 		fill_cells(fluid, carried ? NULL : fields[field].fill, carried, n, to);
 		to += ts_grid_cells(&fluid->grid) * n;
 	}

@@ -53,6 +53,7 @@ static enum ts_status add_points(struct tsim *sim, struct ts_str *out, const str
 static enum ts_status add_poly(struct tsim *sim, struct ts_str *out, const struct ts_vtk_poly *poly)
 {
 	size_t size = ts_vtk_cell_size(poly), verts = size == 1 ? poly->npoints : 0;
+	size_t polygons = poly->ntriangles + poly->nquads;
 
 	ts_vtk_add_opening(out, "PolyData");
 	ts_str_add(out, "<PolyData>\n");
@@ -60,18 +61,19 @@ static enum ts_status add_poly(struct tsim *sim, struct ts_str *out, const struc
 	ts_str_addf(out,
 		    "<Piece NumberOfPoints=\"%zu\" NumberOfVerts=\"%zu\" NumberOfLines=\"%zu\" "
 		    "NumberOfStrips=\"0\" NumberOfPolys=\"%zu\">\n",
-		    poly->npoints, verts, poly->nlines, poly->ntriangles);
+		    poly->npoints, verts, poly->nlines, polygons);
 	TS_TRY(add_points(sim, out, poly));
 	TS_TRY(add_cells(sim, out, "Verts", verts, 1));
 	TS_TRY(add_cells(sim, out, "Lines", poly->nlines, 2));
-	TS_TRY(add_cells(sim, out, "Polys", poly->ntriangles, 3));
+	TS_TRY(add_cells(sim, out, "Polys", polygons, size));
 	ts_str_add(out, "</Piece>\n</PolyData>\n</VTKFile>\n");
 	return out->failed ? ts_nomem(&sim->error) : TS_OK;
 }
 
 static enum ts_status add_cell_types(struct tsim *sim, struct ts_str *out, size_t n, size_t size)
 {
-	static const unsigned char types[] = { 0, 1 /* vertex */, 3 /* line */, 5 /* triangle */ };
+	static const unsigned char types[] = { 0, 1 /* vertex */, 3 /* line */, 5 /* triangle */,
+					       9 /* quad */ };
 	unsigned char *type = ts_alloc(n, 1);
 	enum ts_status status;
 
@@ -227,7 +229,7 @@ enum ts_status ts_vtk_series_add(struct tsim *sim, struct ts_vtk_series *s, int6
 	return TS_OK;
 }
 
-/* Name of the collection: post/rock*.vtp -> post/rock.pvd */
+/* Name of the collection: post/rock*.vtp, post/rock.*.vtp -> post/rock.pvd; post/ *.vtp -> post/frames.pvd */
 static void add_collection_path(struct ts_str *out, const char *pattern, const char *ending)
 {
 	const char *star = strchr(pattern, '*'), *dot = strrchr(pattern, '.');
@@ -235,6 +237,10 @@ static void add_collection_path(struct ts_str *out, const char *pattern, const c
 	ts_str_add_n(out, pattern, (size_t)(star - pattern));
 	if (dot > star)
 		ts_str_add_n(out, star + 1, (size_t)(dot - star - 1));
+	if (!out->failed && out->length && out->text[out->length - 1] == '.')
+		out->text[--out->length] = 0;
+	if (!out->failed && (!out->length || out->text[out->length - 1] == '/'))
+		ts_str_add(out, "frames");
 	ts_str_add(out, ending);
 }
 
@@ -295,6 +301,17 @@ enum ts_status ts_vtk_series_archive(struct ts_archive *archive, struct ts_vtk_s
 	if (n < series->n)
 		series->n = n;
 	return TS_OK;
+}
+
+void ts_vtk_series_keep(struct ts_vtk_series *series, size_t n)
+{
+	size_t gone = series->n > n ? series->n - n : 0;
+
+	if (!gone)
+		return;
+	series->n = n;
+	memmove(series->step, series->step + gone, n * sizeof *series->step);
+	memmove(series->time, series->time + gone, n * sizeof *series->time);
 }
 
 void ts_vtk_series_release(struct ts_vtk_series *series)

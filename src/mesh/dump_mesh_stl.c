@@ -56,7 +56,7 @@ static void add_facet(struct ts_str *out, const struct ts_mesh *m, size_t t)
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_str *text = &s->mesh.common.text;
+	struct ts_str *text = &s->mesh.vtk.common.text;
 	bool due;
 
 	TS_TRY(ts_dump_mesh_begin(self, sim, &due));

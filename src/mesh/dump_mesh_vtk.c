@@ -1,9 +1,10 @@
-/* Dump mesh/vtk: meshes at their present position with quantities of each triangle, as legacy VTK (text). */
+/* Dump mesh/vtk: meshes at their present position with quantities of each triangle, for ParaView. */
 #include <string.h>
 
 #include "core/sim.h"
 #include "dump/dump_mesh.h"
 #include "dump/dump_surface.h"
+#include "io/vtk_legacy.h"
 #include "load/mesh_stress.h"
 
 #include "base/banned.h"
@@ -12,8 +13,7 @@ struct state {
 	struct ts_dump_mesh mesh;
 	unsigned chosen; /* bit k: quantities[k] is written */
 	struct ts_dump_surface_inputs inputs;
-	int form;      /* FACE, INTERPOLATE or ORIGINAL */
-	size_t column; /* numbers in the present line */
+	int form; /* FACE, INTERPOLATE or ORIGINAL */
 };
 
 enum { FACE, INTERPOLATE, ORIGINAL };
@@ -235,6 +235,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->form = FACE;
 	TS_TRY(ts_dump_mesh_init(self, sim, read_word));
 	TS_TRY(ts_dump_surface_find(self, sim, writes, &s->inputs));
+	if (!s->mesh.vtk.array)
+		s->mesh.vtk.array = ts_arena_alloc(&self->arena, NQUANTITIES + s->inputs.list.n,
+						   sizeof *s->mesh.vtk.array);
+	if (!s->mesh.vtk.array)
+		return ts_nomem(&sim->error);
 	if (s->chosen || s->inputs.list.n)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
@@ -244,58 +249,47 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 /* ---- the file ---- */
 
-/* Nine numbers per line, each followed by a blank, as VTK's own writer does. */
-static void add_number(struct state *s, const char *format, double value)
+/* Copies of a number of a triangle: one for each corner, or one. */
+static int copies(const struct state *s)
 {
-	struct ts_str *text = &s->mesh.common.text;
-
-	ts_str_addf(text, format, value);
-	if (++s->column % 9 == 0)
-		ts_str_add(text, "\n");
+	return s->form == INTERPOLATE ? 3 : 1;
 }
 
-static void end_numbers(struct state *s)
+/* Files that are not one of the formats of io/vtk.h are legacy text, as .vtk. */
+static bool is_text(const struct state *s)
 {
-	s->column = 0;
-	ts_str_add(&s->mesh.common.text, "\n");
+	const struct ts_dump_common *d = &s->mesh.vtk.common;
+
+	return !ts_vtk_is_supported(d->file) || (ts_ends_with(d->file, ".vtk") && !d->binary);
 }
 
-static void add_points(struct state *s)
+static enum ts_status fill_points(struct state *s, struct tsim *sim, size_t n)
 {
+	struct ts_table *points = &s->mesh.vtk.points;
+	bool single = is_text(s);
+	double *to;
+
+	if (ts_table_resize(points, 3 * n, 3) != TS_OK)
+		return ts_nomem(&sim->error);
+	to = points->data;
 	for (size_t k = 0; k < s->mesh.nsurfaces; k++) {
 		const struct ts_mesh *m = &s->mesh.surface[k]->mesh;
 
-		for (size_t c = 0; c < 9 * m->n; c++)
+		for (size_t c = 0; c < 9 * m->n; c++) {
+			double x = m->x[c / 9][c / 3 % 3][c % 3];
+
 			if (!ts_mesh_is_removed(m, c / 9))
-				add_number(s, "%g ", (double)(float)m->x[c / 9][c / 3 % 3][c % 3]);
+				*to++ = single ? (double)(float)x : x;
+		}
 	}
-	end_numbers(s);
+	return TS_OK;
 }
 
-static void add_cells(struct state *s, size_t n)
-{
-	struct ts_str *text = &s->mesh.common.text;
-
-	ts_str_addf(text, "POLYGONS %zu %zu\nOFFSETS vtktypeint64\n", n + 1, 3 * n);
-	for (size_t t = 0; t <= n; t++)
-		add_number(s, "%.0f ", 3 * (double)t);
-	end_numbers(s);
-	ts_str_add(text, "CONNECTIVITY vtktypeint64\n");
-	for (size_t c = 0; c < 3 * n; c++)
-		add_number(s, "%.0f ", (double)c);
-	end_numbers(s);
-}
-
-static void add_array(struct state *s, const struct quantity *q, size_t n)
+static void fill_quantity(const struct state *s, const struct quantity *q, double *to)
 {
 	bool points = s->form == INTERPOLATE;
-	const char *format = !q->integer ? "%.11g " : points ? "%g " : "%.0f ";
 	double value[3] = { 0 };
 
-	ts_str_addf(&s->mesh.common.text, "%s %d %zu %s\n", q->name, q->components, points ? 3 * n : n,
-		    !q->integer ? "double"
-		    : points	? "float"
-				: "int");
 	for (size_t k = 0; k < s->mesh.nsurfaces; k++)
 		for (size_t t = 0; t < s->mesh.surface[k]->mesh.n; t++)
 			for (int corner = points ? 0 : -1; corner < (points ? 3 : 0); corner++) {
@@ -303,25 +297,21 @@ static void add_array(struct state *s, const struct quantity *q, size_t n)
 					continue;
 				q->get(s->mesh.surface[k], t, corner, value);
 				for (int d = 0; d < q->components; d++)
-					add_number(s, format, value[d]);
+					*to++ = value[d];
 			}
-	end_numbers(s);
 }
 
 /* Output k of those named; 0 for the triangles of other meshes. */
-static enum ts_status add_input(struct state *s, struct tsim *sim, size_t k, size_t n)
+static enum ts_status fill_input(struct state *s, struct tsim *sim, size_t k, double *to)
 {
 	const struct ts_mesh_surface *of = ts_dump_surface_of(&s->inputs, k)->state;
-	size_t copies = s->form == INTERPOLATE ? 3 : 1; /* one for each corner */
 
-	TS_TRY(ts_dump_surface_begin_array(sim, &s->inputs, k, of->mesh.n, n * copies, &s->mesh.common.text));
+	TS_TRY(ts_dump_surface_eval(sim, &s->inputs, k, of->mesh.n));
 	for (size_t m = 0; m < s->mesh.nsurfaces; m++)
 		for (size_t t = 0; t < s->mesh.surface[m]->mesh.n; t++)
-			for (size_t c = 0; c < copies && !ts_mesh_is_removed(&s->mesh.surface[m]->mesh, t);
+			for (int c = 0; c < copies(s) && !ts_mesh_is_removed(&s->mesh.surface[m]->mesh, t);
 			     c++)
-				add_number(s, "%.11g ",
-					   s->mesh.surface[m] == of ? s->inputs.values.data[t] : 0);
-	end_numbers(s);
+				*to++ = s->mesh.surface[m] == of ? s->inputs.values.data[t] : 0;
 	return TS_OK;
 }
 
@@ -335,52 +325,104 @@ static bool written(const struct state *s, int k)
 	return there && (s->chosen & 1u << k);
 }
 
-static enum ts_status add_arrays(struct state *s, struct tsim *sim, size_t n)
+/* Lists the arrays in the order of LIGGGHTS, which writes integers at points in single precision. */
+static void list_arrays(struct state *s)
 {
+	struct ts_dump_vtk *v = &s->mesh.vtk;
 	bool points = s->form == INTERPOLATE;
-	int count = (int)s->inputs.list.n;
 
-	for (int k = 0; k < NQUANTITIES; k++)
-		count += written(s, k);
-	if (!count)
-		return TS_OK;
-	ts_str_addf(&s->mesh.common.text, "%s %zu\nFIELD FieldData %d\n", points ? "POINT_DATA" : "CELL_DATA",
-		    points ? 3 * n : n, count);
+	v->narrays = 0;
 	for (int k = 0; k < NQUANTITIES; k++) {
 		int which = !points ? k : k ? k - 1 : VELOCITY;
+		const struct quantity *q = &quantities[which];
 
 		if (written(s, which))
-			add_array(s, &quantities[which], n);
+			v->array[v->narrays++] = (struct ts_vtk_array){ q->name, NULL, (size_t)q->components,
+									q->integer, q->integer && points };
 	}
 	for (size_t k = 0; k < s->inputs.list.n; k++)
-		TS_TRY(add_input(s, sim, k, n));
+		v->array[v->narrays++] =
+			(struct ts_vtk_array){ .name = s->inputs.list.item[k].name, .components = 1 };
+}
+
+static const struct quantity *quantity_named(const char *name)
+{
+	const struct quantity *q = quantities;
+
+	while (!ts_streq(q->name, name))
+		q++;
+	return q;
+}
+
+static enum ts_status fill_arrays(struct state *s, struct tsim *sim, size_t n)
+{
+	struct ts_dump_vtk *v = &s->mesh.vtk;
+	size_t rows = n * (size_t)copies(s), width = 0, inputs = s->inputs.list.n;
+	double *to;
+
+	list_arrays(s);
+	for (size_t k = 0; k < v->narrays; k++)
+		width += v->array[k].components;
+	if (ts_table_resize(&v->merged, rows, width) != TS_OK)
+		return ts_nomem(&sim->error);
+	to = v->merged.data;
+	for (size_t k = 0; k < v->narrays; k++) {
+		size_t others = v->narrays - inputs;
+
+		if (k < others)
+			fill_quantity(s, quantity_named(v->array[k].name), to);
+		else
+			TS_TRY(fill_input(s, sim, k - others, to));
+		v->array[k].data = to;
+		to += rows * v->array[k].components;
+	}
 	return TS_OK;
+}
+
+static enum ts_status write_text(struct ts_instance *self, struct tsim *sim, struct ts_vtk_poly *poly)
+{
+	struct ts_dump_common *d = self->state;
+
+	TS_TRY(ts_dump_open(self, sim));
+	poly->time = ts_sim_time(sim);
+	ts_vtk_legacy_poly(&d->text, poly);
+	return ts_dump_mesh_end(self, sim);
 }
 
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	struct ts_dump_vtk *v = &s->mesh.vtk;
 	size_t n = ts_dump_mesh_triangles(&s->mesh);
+	struct ts_vtk_poly poly = { .ntriangles = n, .npoints = 3 * n, .single_points = is_text(s) };
 	bool due;
 
-	TS_TRY(ts_dump_mesh_begin(self, sim, &due));
+	TS_TRY(ts_dump_due(self, sim, &due));
 	if (!due)
 		return TS_OK;
-	ts_str_addf(&s->mesh.common.text,
-		    "# vtk DataFile Version 5.1\nGenerated by LIGGGHTS\nASCII\nDATASET POLYDATA\n"
-		    "POINTS %zu float\n",
-		    3 * n);
-	add_points(s);
-	add_cells(s, n);
-	TS_TRY(add_arrays(s, sim, n));
-	return ts_dump_mesh_end(self, sim);
+	TS_TRY(fill_points(s, sim, n));
+	TS_TRY(fill_arrays(s, sim, n));
+	poly.points = v->points.data;
+	poly.title = is_text(s) ? "Generated by LIGGGHTS" : NULL; /* text is the same byte for byte */
+	if (s->form == INTERPOLATE) {
+		poly.point_data = v->array;
+		poly.npoint_data = v->narrays;
+	} else {
+		poly.cell_data = v->array;
+		poly.ncell_data = v->narrays;
+	}
+	return ts_vtk_is_supported(v->common.file) ? ts_dump_vtk_write(self, sim, &poly)
+						   : write_text(self, sim, &poly);
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
 
-	return ts_dump_price_frame(self, sim, 200 + 150 * (double)ts_dump_mesh_triangles(&s->mesh), report);
+	double triangle = is_text(s) ? 150 : 60; /* bytes, measured */
+
+	return ts_dump_price_frame(self, sim, 200 + triangle * (double)ts_dump_mesh_triangles(&s->mesh),
+				   report);
 }
 
 static void fini(struct ts_instance *self)
@@ -392,7 +434,7 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_arg args[] = {
-	TS_DUMP_MESH_ARGS(struct state, "*.vtk",
+	TS_DUMP_MESH_ARGS(struct state, "*.vtk, *.vtp, *.vtu",
 			  "in any order: ids of `fix mesh/surface`, else all meshes; what to write of each "
 			  "triangle: stress, stresscomponents, id, wear, temp, owner, area, aedges, "
 			  "acorners, index, nneighs, vel (liquid and distaa are accepted, but no mesh has "
@@ -407,10 +449,15 @@ TS_STYLE(dump, ts_style, ts_dump_mesh_vtk)
 const struct ts_style ts_dump_mesh_vtk = {
 	.name = "mesh/vtk",
 	.kind = TS_KIND_DUMP,
-	.summary = "Meshes with quantities of each triangle, as legacy VTK for ParaView",
-	.doc = "Writes one file per frame, PolyData of version 5.1 as text; each triangle has points of its "
-	       "own. With `output interpolate` the quantities are point data, else (face, original) cell "
-	       "data. Arrays:\n\n"
+	.summary = "Meshes with quantities of each triangle, for ParaView",
+	.doc = "Writes one file per frame; each triangle has points of its own. The ending of the name "
+	       "selects the format, as for dump custom/vtk: .vtp and .vtu are compressed VTK XML, .vtk is "
+	       "the legacy format 5.1 as text, with positions of six digits as of LIGGGHTS, with "
+	       "`dump_modify binary yes` as binary with all digits; .pvtp, .pvtu: a list with one piece; any "
+	       "other name: as .vtk. The collection NAME.pvd, for .vtk NAME.vtk.series, lists the frames "
+	       "with their times: open this file in ParaView.\n\n"
+	       "With `output interpolate` the quantities are point data, else (face, original) cell data. "
+	       "Arrays:\n\n"
 	       "  stress             normal_stress_average, shear_stress_average\n"
 	       "  stresscomponents   stress, the vector F/A\n"
 	       "  id                 meshid\n"
@@ -432,6 +479,7 @@ const struct ts_style ts_dump_mesh_vtk = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
+	.archive = ts_dump_vtk_archive,
 	.init = init,
 	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
