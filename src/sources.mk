@@ -629,14 +629,25 @@ library_sources = \
 	src/image/dump_movie.c \
 	src/image/image.h \
 	src/image/image_args.c \
+	src/image/image_arrow.c \
+	src/image/image_arrow.h \
 	src/image/image_bonds.c \
 	src/image/image_box.c \
+	src/image/image_clip.c \
+	src/image/image_clip.h \
 	src/image/image_colour.c \
+	src/image/image_contact.c \
+	src/image/image_contact.h \
 	src/image/image_frame.c \
+	src/image/image_groups.c \
+	src/image/image_groups.h \
+	src/image/image_legend.c \
 	src/image/image_map.c \
 	src/image/image_mesh.c \
 	src/image/image_modify.c \
 	src/image/image_particles.c \
+	src/image/image_slice.c \
+	src/image/image_slice.h \
 	src/image/image_surfaces.c \
 	src/image/image_surfaces.h \
 	src/image/image_voxel.c \
@@ -648,6 +659,7 @@ library_sources = \
 	src/immersed/immersed.c \
 	src/immersed/immersed.h \
 	src/immersed/immersed_conflicts.c \
+	src/immersed/immersed_distance.c \
 	src/immersed/immersed_points.c \
 	src/immersed/immersed_resolution.c \
 	src/immersed/solid.c \
@@ -1103,6 +1115,8 @@ library_sources = \
 	src/render/colour.h \
 	src/render/colour_map.c \
 	src/render/colour_map.h \
+	src/render/item_surface.c \
+	src/render/item_surface.h \
 	src/render/items.c \
 	src/render/items.h \
 	src/render/legend.c \
@@ -1113,6 +1127,8 @@ library_sources = \
 	src/render/occlusion.h \
 	src/render/picture.c \
 	src/render/picture.h \
+	src/render/round.c \
+	src/render/round.h \
 	src/render/scene.c \
 	src/render/scene.h \
 	src/render/shade.c \

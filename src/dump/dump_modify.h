@@ -72,7 +72,10 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 			"LO HI STYLE DELTA N ENTRIES: map from numbers to colors, with " \
 			"the range LO..HI (min, max: that of the frame). STYLE: c continuous, d discrete, " \
 			"s sequential, then a: values or f: fractions of the range. DELTA: width of the " \
-			"bins of s. N entries: VALUE COLOR, LO HI COLOR, or COLOR"), \
+			"bins of s. N entries: VALUE COLOR, LO HI COLOR, or COLOR. Or LO HI and one " \
+			"of viridis, coolwarm, gray"), \
+	TS_DUMP_PICTURE(T, "atrans", \
+			"TYPE T: opacity of a type or a range of types, from 0, invisible, to 1, opaque"), \
 	TS_DUMP_PICTURE(T, "backcolor", "color of the background (black)"), \
 	TS_DUMP_PICTURE(T, "backcolor2", "color of its upper edge, for a gradient; none"), \
 	TS_DUMP_PICTURE(T, "bcolor", "TYPE COLOR, as acolor, of bonds"), \
@@ -80,9 +83,11 @@ extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 	TS_DUMP_PICTURE(T, "bitrate", "kbit/s of movies (chosen by the encoder)"), \
 	TS_DUMP_PICTURE(T, "bmap", "as amap, for bonds"), \
 	TS_DUMP_PICTURE(T, "boxcolor", "color of the edges of the box (gold)"), \
+	TS_DUMP_PICTURE(T, "cmap", "as amap, for forces of contacts"), \
 	TS_DUMP_PICTURE(T, "color", \
 			"NAME R G B or NAME 0xRRGGBB: defines a color; numbers from 0 to 1"), \
 	TS_DUMP_PICTURE(T, "framerate", "frames per second of movies (24)"), \
+	TS_DUMP_PICTURE(T, "gmap", "as amap, for slices of the fluid"), \
 	TS_DUMP_PICTURE(T, "lights", "AMBIENT KEY FILL BACK: lights from 0 to 1 (0 0.9 0.45 0.9)"), \
 	TS_DUMP_PICTURE(T, "smap", "as amap, for surfaces")
 /* clang-format on */

@@ -12,11 +12,15 @@
 enum { LINEAR, CUBIC };
 const char *const ts_flow_interpolations[] = { [LINEAR] = "linear", [CUBIC] = "cubic", NULL };
 
-enum { X, Y, Z, S, VX, VY, VZ, SPEED, P, VOID, WX, WY, WZ };
-static const char *const names[] = {
-	[X] = "x",	   [Y] = "y", [Z] = "z",       [S] = "s",   [VX] = "vx", [VY] = "vy", [VZ] = "vz",
-	[SPEED] = "speed", [P] = "p", [VOID] = "void", [WX] = "wx", [WY] = "wy", [WZ] = "wz", NULL
-};
+enum { X, Y, Z, S, VX, VY, VZ, SPEED, P, VOID, WX, WY, WZ, VORTICITY };
+static const char *const names[] = { [X] = "x",	  [Y] = "y",
+				     [Z] = "z",	  [S] = "s",
+				     [VX] = "vx", [VY] = "vy",
+				     [VZ] = "vz", [SPEED] = "speed",
+				     [P] = "p",	  [VOID] = "void",
+				     [WX] = "wx", [WY] = "wy",
+				     [WZ] = "wz", [VORTICITY] = "vorticity",
+				     NULL };
 static const int default_columns[] = { VX, VY, VZ, P };
 enum { NUSUAL = sizeof default_columns / sizeof *default_columns };
 
@@ -192,14 +196,28 @@ static double vorticity(const struct ts_fluid *fluid, int component, const doubl
 	return sum_stencils(s, fluid, edge_vorticity, &component);
 }
 
+static double sample_value(int what, const struct ts_fluid *fluid, const double x[3], int count)
+{
+	double v[3];
+
+	if (what == P)
+		return sample_centred(fluid, fluid->p, x, count);
+	if (what == VOID)
+		return fluid->void_fraction ? sample_centred(fluid, fluid->void_fraction, x, count) : 1;
+	if (what >= VX && what <= VZ)
+		return velocity(fluid, what - VX, x, count);
+	if (what >= WX && what <= WZ)
+		return vorticity(fluid, what - WX, x);
+	for (int d = 0; d < 3; d++)
+		v[d] = what == SPEED ? velocity(fluid, d, x, count) : vorticity(fluid, d, x);
+	return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
 void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid *fluid, const double x[3],
 		    double s, double *out)
 {
 	int count = sampler->interpolation == CUBIC ? 4 : 2;
-	double u[3];
 
-	for (int d = 0; d < 3; d++)
-		u[d] = velocity(fluid, d, x, count);
 	for (size_t k = 0; k < sampler->list.n; k++) {
 		int what = sampler->list.item[k];
 
@@ -207,29 +225,17 @@ void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid
 			out[k] = sample_centred(fluid, sampler->carried[k], x, count);
 		else if (what <= Z)
 			out[k] = x[what];
-		else if (what == S)
-			out[k] = s;
-		else if (what <= VZ)
-			out[k] = u[what - VX];
-		else if (what == SPEED)
-			out[k] = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-		else if (what == P)
-			out[k] = sample_centred(fluid, fluid->p, x, count);
-		else if (what == VOID)
-			out[k] = fluid->void_fraction ? sample_centred(fluid, fluid->void_fraction, x, count)
-						      : 1;
 		else
-			out[k] = vorticity(fluid, what - WX, x);
+			out[k] = what == S ? s : sample_value(what, fluid, x, count);
 	}
 }
 
 /* The default columns, if no words are given. */
-static enum ts_status select_default_columns(struct ts_instance *self, struct tsim *sim)
+static enum ts_status select_default_columns(struct ts_name_list *list, struct tsim *sim,
+					     struct ts_arena *arena)
 {
-	struct ts_name_list *list = &((struct ts_flow_sampler *)self->state)->list;
-
 	if (!list->item)
-		list->item = ts_arena_alloc(&self->arena, NUSUAL, sizeof *list->item);
+		list->item = ts_arena_alloc(arena, NUSUAL, sizeof *list->item);
 	if (!list->item)
 		return ts_nomem(&sim->error);
 	memcpy(list->item, default_columns, sizeof default_columns);
@@ -237,24 +243,29 @@ static enum ts_status select_default_columns(struct ts_instance *self, struct ts
 	return TS_OK;
 }
 
-enum ts_status ts_flow_sampler_init(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_flow_sampler_read(struct ts_flow_sampler *s, struct tsim *sim, struct ts_arena *arena,
+				    const char *who, const struct ts_place *where)
 {
-	struct ts_flow_sampler *s = self->state;
-	struct ts_str who = { 0 };
 	struct ts_fluid *fluid;
-	enum ts_status status;
 
 	s->sim = sim;
+	TS_TRY(ts_flow_require_fluid(sim, who, where, &fluid));
+	TS_TRY(s->words.n ? ts_flow_read_names(sim, who, arena, s->words, names, sizeof *names, &s->list)
+			  : select_default_columns(&s->list, sim, arena));
+	if (!s->carried)
+		s->carried = ts_arena_alloc(arena, s->list.n, sizeof *s->carried);
+	return s->carried ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_flow_sampler_init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_str who = { 0 };
+	enum ts_status status;
+
 	ts_str_addf(&who, "compute %s", self->style->name);
-	status = ts_flow_require_fluid(sim, ts_str_text(&who), &self->where, &fluid);
-	if (status == TS_OK)
-		status = s->words.n ? ts_flow_read_names(sim, ts_str_text(&who), &self->arena, s->words,
-							 names, sizeof *names, &s->list)
-				    : select_default_columns(self, sim);
+	status = ts_flow_sampler_read(self->state, sim, &self->arena, ts_str_text(&who), &self->where);
 	ts_str_release(&who);
-	if (status == TS_OK && !s->carried)
-		s->carried = ts_arena_alloc(&self->arena, s->list.n, sizeof *s->carried);
-	return status == TS_OK && !s->carried ? ts_nomem(&sim->error) : status;
+	return status;
 }
 
 enum ts_status ts_flow_sampler_inside(struct ts_instance *self, struct tsim *sim, const double x[3],
@@ -273,16 +284,22 @@ enum ts_status ts_flow_sampler_inside(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
+enum ts_status ts_flow_sampler_fetch(struct ts_flow_sampler *s, struct tsim *sim, const char *who,
+				     const struct ts_place *where, struct ts_fluid **fluid)
+{
+	TS_TRY(ts_flow_require_fluid(sim, who, where, fluid));
+	for (size_t k = 0; k < s->list.n; k++)
+		if (s->list.item[k] == TS_FLOW_SCALAR)
+			TS_TRY(ts_flow_scalar_field(sim, who, &s->words.word[k], &s->carried[k]));
+	return TS_OK;
+}
+
 enum ts_status ts_flow_sampler_begin(struct ts_instance *self, size_t rows, struct ts_table *out,
 				     struct ts_fluid **fluid)
 {
 	struct ts_flow_sampler *s = self->state;
 
-	TS_TRY(ts_flow_require_fluid(s->sim, self->style->name, &self->where, fluid));
-	for (size_t k = 0; k < s->list.n; k++)
-		if (s->list.item[k] == TS_FLOW_SCALAR)
-			TS_TRY(ts_flow_scalar_field(s->sim, self->style->name, &s->words.word[k],
-						    &s->carried[k]));
+	TS_TRY(ts_flow_sampler_fetch(s, s->sim, self->style->name, &self->where, fluid));
 	return ts_table_resize(out, rows, s->list.n);
 }
 

@@ -23,7 +23,9 @@ extern const char *const ts_flow_interpolations[];
 #define TS_FLOW_SAMPLE_ARGS(T)                                                                             \
 	TS_SOME_KEYWORD("values", T, sampler.words, 0,                                                     \
 			.help = "columns: x, y, z, s (distance from the first point), vx, vy, vz, speed, " \
-				"p, void, wx, wy, wz (vorticity), f_ID (a scalar of fix flow/scalar); "    \
+				"p, void, wx, wy, wz (vorticity), vorticity (its magnitude), f_ID (a "     \
+				"scalar "                                                                  \
+				"of fix flow/scalar); "                                                    \
 				"default: vx vy vz p"),                                                    \
 		TS_ENUM("interpolation", T, sampler.interpolation, ts_flow_interpolations,                 \
 			.fallback = "linear", .help = "through the nearest 2 or 4 values along each axis")
@@ -34,6 +36,12 @@ extern const char *const ts_flow_interpolations[];
 	"`interpolation cubic` through 4, of which the velocity on a wall is one; vorticity is always\n" \
 	"interpolated linearly."
 
+/* Reads the words as names of values, for an owner `who` ("compute flow/probe"); checks that there is a fluid. */
+enum ts_status ts_flow_sampler_read(struct ts_flow_sampler *sampler, struct tsim *sim, struct ts_arena *arena,
+				    const char *who, const struct ts_place *where);
+/* Before samples are taken: finds the fluid and the scalar fields. */
+enum ts_status ts_flow_sampler_fetch(struct ts_flow_sampler *sampler, struct tsim *sim, const char *who,
+				     const struct ts_place *where, struct ts_fluid **fluid);
 /* Called in the init of such a compute: reads the words, checks that there is a fluid. */
 enum ts_status ts_flow_sampler_init(struct ts_instance *self, struct tsim *sim);
 /* An error at `where` if x is outside the grid. */

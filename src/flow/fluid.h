@@ -182,6 +182,10 @@ struct ts_flow_part {
 	 * (immersed/virtual_mass_stabilization.h). */
 	void (*mesh_load)(const struct ts_instance *self, const struct ts_mesh_surface *mesh,
 			  double load[2][3], double *virtual_density);
+	/* Lowers distance[k] to that of the surface of the body from x[k], < 0 inside; beyond `reach` its size is not
+	 * exact. No effect before the body has its place. */
+	enum ts_status (*distance)(struct ts_instance *self, struct tsim *sim, size_t n, const double (*x)[3],
+				   double reach, double *distance);
 	/* Called when a step of length dt has become unstable: returns whether the speed of freely moving
 	 * bodies may be the cause, and writes the cause and the remedy to `cause`. */
 	bool (*explain_instability)(const struct ts_instance *self, const struct ts_fluid *fluid, double dt,

@@ -13,6 +13,10 @@ enum { TS_IMAGE_COLOUR, TS_IMAGE_DIAMETER, TS_IMAGE_COLUMNS };
 #define TS_IMAGE_NAN 0xff00ffu
 
 struct ts_image_surface;
+struct ts_image_clip;
+struct ts_image_slice;
+struct ts_image_arrows;
+struct ts_image_contacts;
 
 /* Sources of a colour or a size other than numbers of particles or bonds. */
 enum ts_image_by {
@@ -30,6 +34,7 @@ enum ts_image_axes { TS_AXES_NO, TS_AXES_YES, TS_AXES_LOWERLEFT, TS_AXES_CENTER 
 struct ts_image_types {
 	struct ts_colour *colour; /* [n + 1]; NULL: those of ts_colour_of_type */
 	double *diameter;	  /* [n + 1] length; NaN: not set; NULL: none is set */
+	double *opacity;	  /* [n + 1]; NULL: 1 */
 	size_t n;
 };
 
@@ -59,7 +64,7 @@ struct ts_image_occlusion {
 };
 struct ts_image_legend {
 	bool on;
-	const char *title; /* NULL: the name of the quantity */
+	const char *title[2]; /* at the right and at the left edge; NULL: the name of the quantity */
 };
 struct ts_image_bond {
 	const char *colour, *width; /* as written */
@@ -91,13 +96,20 @@ struct ts_image {
 	struct ts_words surface_words;
 	struct ts_image_surface *surface; /* [nsurfaces] image_surfaces.h */
 	size_t nsurfaces;
+	/* image_clip.h, image_slice.h, image_arrow.h, image_contact.h */
+	struct ts_words clip_words, slice_words, arrow_words, contact_words;
+	struct ts_image_clip *clip;
+	struct ts_image_slice *slice;
+	struct ts_image_arrows *arrows;
+	struct ts_image_contacts *contacts;
+	size_t nclips, nslices, narrows, ncontacts;
 	double first_box[2][3]; /* lower and upper corner of the box at the definition; saved */
 	bool placed;		/* first_box is set; saved */
 
 	/* settings of dump_modify */
 	struct ts_image_types atom_types, bond_types;
 	struct ts_palette palette;
-	struct ts_colour_map atom_map, bond_map, surface_map;
+	struct ts_colour_map atom_map, bond_map, surface_map, field_map, contact_map;
 	struct ts_colour ground, box_colour;
 	bool gradient;
 	struct ts_colour ground_top;
@@ -129,7 +141,7 @@ enum ts_status ts_image_read(struct ts_instance *self, struct tsim *sim);
 /* Slot `modify`: keywords of dump_modify. */
 enum ts_status ts_image_modify(struct ts_instance *self, struct tsim *sim, struct ts_words words,
 			       size_t *used);
-/* Reads `lo hi style delta N entries` after the keyword `what`; *used: the number of these words. */
+/* Reads `lo hi style delta N entries`, or `lo hi name`, after the keyword `what`; *used: the number of these words. */
 enum ts_status ts_image_read_map(struct ts_instance *self, struct tsim *sim, const char *what,
 				 struct ts_words words, struct ts_colour_map *map, size_t *used);
 /* Sets the defaults of the settings of dump_modify, once. */
@@ -138,12 +150,17 @@ void ts_image_set_defaults(struct ts_image *s);
 enum ts_status ts_image_find_colour(struct tsim *sim, const struct ts_image *s, const struct ts_word *word,
 				    struct ts_colour *out);
 
+/* Warns once of values that are drawn in magenta. */
+void ts_image_warn_nan(struct ts_instance *self, struct tsim *sim, const char *what);
+
 /* ---- parts of a frame, added to s->scene */
 
 enum ts_status ts_image_add_particles(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_image_add_bonds(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_image_add_box(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_image_add_surfaces(struct ts_instance *self, struct tsim *sim);
+/* After the picture is drawn. */
+void ts_image_add_legends(struct ts_image *s);
 /* In init: reads the words of the keywords mesh, voxel and wall. */
 enum ts_status ts_image_read_surfaces(struct ts_instance *self, struct tsim *sim);
 /* Colour of an element of a surface in the present frame. */
@@ -151,6 +168,8 @@ struct ts_colour ts_image_element_colour(const struct ts_image_surface *s, size_
 void ts_image_release_surfaces(struct ts_image *s);
 /* Colour of a type of atoms or bonds. */
 struct ts_colour ts_image_type_colour(const struct ts_image_types *types, double type);
+/* 1, or that of dump_modify atrans. */
+double ts_image_type_opacity(const struct ts_image_types *types, double type);
 /* Diameter of a type; NaN: not set. */
 double ts_image_type_diameter(const struct ts_image_types *types, double type);
 

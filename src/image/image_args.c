@@ -5,11 +5,11 @@
 #include "base/banned.h"
 
 #define WORDS(name, f, ...) TS_SOME_KEYWORD(name, struct ts_image, f, 0, .help = __VA_ARGS__)
-#define SURFACE(name_, help_)                                                                          \
-	{                                                                                              \
-		.name = name_, .type = TS_ARG_REST,                                                    \
-		.flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT | TS_NAMED,                           \
-		.offset = TS_FIELD(struct ts_image, surface_words, struct ts_words *), .help = (help_) \
+#define PART(name_, f, help_)                                                              \
+	{                                                                                  \
+		.name = name_, .type = TS_ARG_REST,                                        \
+		.flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT | TS_NAMED,               \
+		.offset = TS_FIELD(struct ts_image, f, struct ts_words *), .help = (help_) \
 	}
 const struct ts_arg ts_image_args[] = {
 	TS_INT("every", struct ts_image, common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
@@ -26,11 +26,28 @@ const struct ts_arg ts_image_args[] = {
 	TS_REAL("adiam", struct ts_image, adiam, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "length",
 		.help = "one diameter for all spheres, in place of DIAMETER"),
 	WORDS("bond", bond_words, "COLOR WIDTH of bonds (none none)", .least = 2),
-	SURFACE("mesh", "ID|all [color C] [trans T] [value f_ID[k]|stress|wear]: triangle meshes; trans from "
-			"0, invisible, to 1, opaque (silver, 1)"),
-	SURFACE("voxel", "ID|all [color C] [trans T] [value f_ID[k]|c_ID[k]|height]: height fields (tan, 1)"),
-	SURFACE("wall", "ID|all [color C] [trans T] [value f_ID[k]]: planes and cylinders of fix wall/gran "
-			"within the box (lightsteelblue, 0.3)"),
+	PART("mesh", surface_words,
+	     "ID|all [color C] [trans T] [value f_ID[k]|stress|wear]: triangle meshes; trans from 0, "
+	     "invisible, to 1, opaque (silver, 1)"),
+	PART("voxel", surface_words,
+	     "ID|all [color C] [trans T] [value f_ID[k]|c_ID[k]|height]: height fields (tan, 1)"),
+	PART("wall", surface_words,
+	     "ID|all [color C] [trans T] [value f_ID[k]]: planes and cylinders of fix wall/gran within the "
+	     "box (lightsteelblue, 0.3)"),
+	PART("clip", clip_words,
+	     "x|y|z POSITION above|below: removes what is above or below that coordinate; particles, bonds "
+	     "and contacts are cut through"),
+	PART("slice", slice_words,
+	     "x|y|z POSITION QUANTITY [trans T] [body C] [arrows SPACING] [length L|factor F] [width W] "
+	     "[color C]: field of the fluid in a plane (QUANTITY speed, vx, vy, vz, p, void, wx, wy, wz, "
+	     "vorticity, f_ID or none), and arrows of its velocity (1, gray, no arrows, length SPACING, "
+	     "black)"),
+	PART("arrow", arrow_words,
+	     "VX VY VZ [length L|factor F] [width W] [color C]: arrows of a vector of the particles (length "
+	     "4 diameters, color atom: that of the particle)"),
+	PART("contact", contact_words,
+	     "ID [width W|factor F] [color C]: rods of the contacts of a compute pair/gran/local or "
+	     "wall/gran/local, as wide as their force is large (half of the mean diameter, force: by cmap)"),
 	WORDS("size", size_words, "width and height in pixels (512 512)"),
 	WORDS("view", view_words,
 	      "THETA PHI: direction of the camera, its angle from the z axis and that around it from the x "
@@ -59,8 +76,8 @@ const struct ts_arg ts_image_args[] = {
 	WORDS("ssao", ssao_words,
 	      "yes|no SEED DFACTOR: darkens crevices, with strength DFACTOR from 0 to 1 (no)"),
 	WORDS("legend", legend_words,
-	      "yes|no TITLE: bar of the color map with numbers, of the particles, else of the bonds, else of "
-	      "the first surface with a value; the title is its name by default (no)"),
+	      "yes|no TITLE TITLE2: bars of the color maps with numbers, the first one at the right, the "
+	      "second at the left; the titles are their names by default (no)"),
 	TS_ARGS_END,
 };
 

@@ -2,8 +2,10 @@
 #include <math.h>
 
 #include "box/domain.h"
+#include "image/image_clip.h"
+#include "image/image_contact.h"
+#include "image/image_slice.h"
 #include "image/image_surfaces.h"
-#include "render/legend.h"
 
 #include "base/banned.h"
 
@@ -74,30 +76,6 @@ static struct ts_picture_style style_of(const struct ts_image *s, const struct t
 	};
 }
 
-/* The map whose colours the picture has: of particles, of bonds or of a surface. */
-static void add_legend(struct ts_image *s)
-{
-	const struct ts_dump_column *c = &s->common.column[TS_IMAGE_COLOUR];
-	const float *ground = s->gradient ? s->ground_top.c : s->ground.c;
-	const struct ts_colour ink =
-		ts_colour_of_hex(ground[0] + 2 * ground[1] + ground[2] > 2 ? 0 : 0xffffff);
-	const bool coloured = !c->element && !ts_streq(c->input.name, "type") && s->atoms;
-	const struct ts_image_surface *surface = NULL;
-
-	for (size_t k = s->nsurfaces; k-- > 0;)
-		if (s->surface[k].values.rows)
-			surface = &s->surface[k];
-	if (coloured)
-		ts_legend_draw(&s->picture, &s->atom_map, s->range[0][0], s->range[0][1],
-			       s->legend.title ? s->legend.title : c->input.name, ink);
-	else if (s->bond.colour_by >= TS_IMAGE_NUMBER)
-		ts_legend_draw(&s->picture, &s->bond_map, s->range[1][0], s->range[1][1],
-			       s->legend.title ? s->legend.title : s->bond.colour, ink);
-	else if (surface)
-		ts_legend_draw(&s->picture, surface->map, surface->range[0], surface->range[1],
-			       s->legend.title ? s->legend.title : surface->value, ink);
-}
-
 enum ts_status ts_image_draw(struct ts_instance *self, struct tsim *sim, bool *drawn)
 {
 	struct ts_image *s = self->state;
@@ -109,15 +87,20 @@ enum ts_status ts_image_draw(struct ts_instance *self, struct tsim *sim, bool *d
 		return TS_OK;
 	TS_TRY(ts_dump_gather(self, sim, false));
 	ts_scene_clear(&s->scene);
+	TS_TRY(ts_image_add_clips(self, sim));
 	TS_TRY(ts_image_add_particles(self, sim));
 	TS_TRY(ts_image_add_bonds(self, sim));
+	TS_TRY(ts_image_add_contacts(self, sim));
 	TS_TRY(ts_image_add_surfaces(self, sim));
+	s->scene.whole = true; /* not cut */
+	TS_TRY(ts_image_add_slices(self, sim));
+	TS_TRY(ts_image_add_arrows(self, sim));
 	TS_TRY(ts_image_add_box(self, sim));
 	style = style_of(s, sim);
 	if (ts_picture_draw(&s->picture, &s->scene, &camera, &style, sim->threads) != TS_OK)
 		return ts_nomem(&sim->error);
 	if (s->legend.on)
-		add_legend(s);
+		ts_image_add_legends(s);
 	return TS_OK;
 }
 
@@ -126,6 +109,8 @@ void ts_image_release(struct ts_instance *self)
 	struct ts_image *s = self->state;
 
 	ts_image_release_surfaces(s);
+	ts_image_release_slices(s);
+	ts_image_release_arrows(s);
 	ts_scene_release(&s->scene);
 	ts_picture_release(&s->picture);
 	ts_table_release(&s->bond.values);

@@ -1,4 +1,4 @@
-/* Colour maps: `amap lo hi style delta N entries`, and the like for bonds and surfaces. */
+/* Colour maps: `amap lo hi style delta N entries` or `amap lo hi NAME`, and the like for bonds, surfaces ... */
 #include <math.h>
 
 #include "image/image.h"
@@ -33,7 +33,7 @@ static enum ts_status read_style(struct tsim *sim, const char *what, const struc
 			map->fractional = word->text[1] == 'f';
 			return TS_OK;
 		}
-	return fail(sim, what, word, "one of ca, cf, da, df, sa, sf");
+	return fail(sim, what, word, "one of ca, cf, da, df, sa, sf, viridis, coolwarm, gray");
 }
 
 /* Words of an entry: value color; lo hi color; color. */
@@ -78,17 +78,23 @@ static enum ts_status check_entries(struct tsim *sim, const char *what, const st
 	return TS_OK;
 }
 
-static enum ts_status read_head(struct tsim *sim, const char *what, const struct ts_word *word,
-				struct ts_colour_map *map, size_t *n)
+static enum ts_status read_range(struct tsim *sim, const char *what, const struct ts_word *word,
+				 struct ts_colour_map *map)
 {
-	int64_t number;
-
 	if (!read_end(word[LO].text, "min", NAN, &map->lo))
 		return fail(sim, what, &word[LO], "a number or min");
 	if (!read_end(word[HI].text, "max", NAN, &map->hi))
 		return fail(sim, what, &word[HI], "a number or max");
 	if (map->lo > map->hi)
 		return fail(sim, what, &word[HI], "an upper end that is not below the lower one");
+	return TS_OK;
+}
+
+static enum ts_status read_head(struct tsim *sim, const char *what, const struct ts_word *word,
+				struct ts_colour_map *map, size_t *n)
+{
+	int64_t number;
+
 	TS_TRY(read_style(sim, what, &word[STYLE], map));
 	if (!ts_parse_real(word[DELTA].text, &map->bin) ||
 	    (map->style == TS_MAP_SEQUENTIAL && !(map->bin > 0)))
@@ -104,9 +110,27 @@ enum ts_status ts_image_read_map(struct ts_instance *self, struct tsim *sim, con
 				 struct ts_words words, struct ts_colour_map *map, size_t *used)
 {
 	struct ts_colour_map new = { 0 };
+	const struct ts_colour_map *named = ts_colour_map_named(words.word[STYLE].text);
 	struct ts_colour_map_entry *entry;
 	size_t width;
 
+	TS_TRY(read_range(sim, what, words.word, &new));
+	if (named) {
+		const double lo = new.lo, hi = new.hi;
+
+		*map = *named;
+		map->lo = lo;
+		map->hi = hi;
+		*used = STYLE + 1;
+		return TS_OK;
+	}
+	if (words.n < ENTRIES) {
+		TS_TRY(read_style(sim, what, &words.word[STYLE], &new));
+		return ts_fail(&sim->error, TS_SYNTAX, &words.word[STYLE].place,
+			       "dump_modify: %s takes 6 words or more: LO HI STYLE DELTA N ENTRIES, or LO HI "
+			       "and the name of a map",
+			       what);
+	}
 	TS_TRY(read_head(sim, what, words.word, &new, &new.n));
 	width = entry_words(new.style);
 	*used = ENTRIES + new.n *width;

@@ -13,7 +13,7 @@ void ts_image_set_defaults(struct ts_image *s)
 	if (s->modified)
 		return;
 	s->modified = true;
-	s->atom_map = s->bond_map = s->surface_map = ts_colour_map_default;
+	s->atom_map = s->bond_map = s->surface_map = s->field_map = s->contact_map = ts_colour_map_default;
 	s->box_colour = ts_colour_of_hex(0xffd700); /* gold */
 	s->lights = (struct ts_lights)TS_LIGHTS_DEFAULT;
 	s->framerate = 24;
@@ -28,12 +28,14 @@ static enum ts_status reserve_types(struct ts_instance *self, struct tsim *sim, 
 		return TS_OK;
 	types->colour = ts_arena_alloc(&self->arena, n + 1, sizeof *types->colour);
 	types->diameter = ts_arena_alloc(&self->arena, n + 1, sizeof *types->diameter);
-	if (!types->colour || !types->diameter)
+	types->opacity = ts_arena_alloc(&self->arena, n + 1, sizeof *types->opacity);
+	if (!types->colour || !types->diameter || !types->opacity)
 		return ts_nomem(&sim->error);
 	types->n = n;
 	for (size_t t = 0; t <= n; t++) {
 		types->colour[t] = ts_colour_of_type(t - 1);
 		types->diameter[t] = NAN;
+		types->opacity[t] = 1;
 	}
 	return TS_OK;
 }
@@ -95,6 +97,23 @@ static enum ts_status set_type_diameters(struct tsim *sim, struct ts_image_types
 	return TS_OK;
 }
 
+static enum ts_status set_type_opacities(struct tsim *sim, struct ts_image_types *types,
+					 const struct ts_word *word)
+{
+	size_t lo = 1, hi = 0;
+	double opacity;
+
+	TS_TRY(read_types(sim, &word[0], types, &lo, &hi));
+	if (!ts_parse_real(word[1].text, &opacity) || !(opacity >= 0 && opacity <= 1))
+		return ts_fail(&sim->error, TS_SYNTAX, &word[1].place,
+			       "dump_modify: atrans: found '%s', expected a number from 0, invisible, to 1, "
+			       "opaque",
+			       word[1].text);
+	for (size_t t = lo; t <= hi; t++)
+		types->opacity[t] = opacity;
+	return TS_OK;
+}
+
 /* ---- the keywords: each gets the words after its name, at least as many as its row says, and reports in *used how many
  * it has taken */
 
@@ -137,6 +156,15 @@ static enum ts_status adiam(struct ts_instance *self, struct tsim *sim, struct t
 
 	(void)used;
 	return status == TS_OK ? set_type_diameters(sim, types, words.word) : status;
+}
+
+static enum ts_status atrans(struct ts_instance *self, struct tsim *sim, struct ts_words words, size_t *used)
+{
+	enum ts_status status;
+	struct ts_image_types *types = types_of(self, sim, false, &status);
+
+	(void)used;
+	return status == TS_OK ? set_type_opacities(sim, types, words.word) : status;
 }
 
 static enum ts_status bdiam(struct ts_instance *self, struct tsim *sim, struct ts_words words, size_t *used)
@@ -257,25 +285,29 @@ static enum ts_status smap(struct ts_instance *self, struct tsim *sim, struct ts
 				 used);
 }
 
+static enum ts_status gmap(struct ts_instance *self, struct tsim *sim, struct ts_words words, size_t *used)
+{
+	return ts_image_read_map(self, sim, "gmap", words, &((struct ts_image *)self->state)->field_map,
+				 used);
+}
+
+static enum ts_status cmap(struct ts_instance *self, struct tsim *sim, struct ts_words words, size_t *used)
+{
+	return ts_image_read_map(self, sim, "cmap", words, &((struct ts_image *)self->state)->contact_map,
+				 used);
+}
+
 static const struct {
 	const char *name;
 	size_t words; /* after the name */
 	keyword_fn *take;
 } keywords[] = {
-	{ "acolor", 2, acolor },
-	{ "adiam", 2, adiam },
-	{ "amap", 6, amap },
-	{ "backcolor", 1, backcolor },
-	{ "backcolor2", 1, backcolor2 },
-	{ "bcolor", 2, bcolor },
-	{ "bdiam", 2, bdiam },
-	{ "bitrate", 1, bitrate },
-	{ "bmap", 6, bmap },
-	{ "boxcolor", 1, boxcolor },
-	{ "color", 2, color },
-	{ "framerate", 1, framerate },
-	{ "lights", 4, lights },
-	{ "smap", 6, smap },
+	{ "acolor", 2, acolor }, { "adiam", 2, adiam },		{ "amap", 3, amap },
+	{ "atrans", 2, atrans }, { "backcolor", 1, backcolor }, { "backcolor2", 1, backcolor2 },
+	{ "bcolor", 2, bcolor }, { "bdiam", 2, bdiam },		{ "bitrate", 1, bitrate },
+	{ "bmap", 3, bmap },	 { "boxcolor", 1, boxcolor },	{ "cmap", 3, cmap },
+	{ "color", 2, color },	 { "framerate", 1, framerate }, { "gmap", 3, gmap },
+	{ "lights", 4, lights }, { "smap", 3, smap },
 };
 
 enum ts_status ts_image_modify(struct ts_instance *self, struct tsim *sim, struct ts_words words,
@@ -288,7 +320,7 @@ enum ts_status ts_image_modify(struct ts_instance *self, struct tsim *sim, struc
 		if (words.n <= keywords[k].words)
 			return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 				       "dump_modify: %s takes %zu words%s", keywords[k].name,
-				       keywords[k].words, keywords[k].words == 6 ? " or more" : "");
+				       keywords[k].words, keywords[k].words == 3 ? " or more" : "");
 		*used = keywords[k].words;
 		TS_TRY(keywords[k].take(self, sim, ts_words_from(words, 1), used));
 		++*used;

@@ -30,7 +30,12 @@ static struct ts_colour element_colour(const struct ts_image *s, double type)
 	return ts_image_type_colour(&s->atom_types, names->n ? type : 1);
 }
 
-static void warn_nan(struct ts_instance *self, struct tsim *sim, const char *what)
+double ts_image_type_opacity(const struct ts_image_types *types, double type)
+{
+	return types->opacity && type >= 1 && type <= (double)types->n ? types->opacity[(size_t)type] : 1;
+}
+
+void ts_image_warn_nan(struct ts_instance *self, struct tsim *sim, const char *what)
 {
 	struct ts_image *s = self->state;
 
@@ -52,7 +57,7 @@ static struct ts_colour colour_of(struct ts_instance *self, struct tsim *sim, si
 	if (ts_streq(c->input.name, "type"))
 		return ts_image_type_colour(&s->atom_types, value);
 	if (isnan(value)) {
-		warn_nan(self, sim, c->input.name);
+		ts_image_warn_nan(self, sim, c->input.name);
 		return ts_colour_of_hex(TS_IMAGE_NAN);
 	}
 	return ts_colour_map_at(&s->atom_map, s->range[0][0], s->range[0][1], value);
@@ -105,8 +110,10 @@ enum ts_status ts_image_add_particles(struct ts_instance *self, struct tsim *sim
 		s->drawn[i] = 1;
 		s->colour[i] = colour_of(self, sim, i);
 		s->diameter[i] = diameter_of(s, sim, i);
-		if (s->atoms && ts_scene_add_sphere(&s->scene, sim->particles->x[i], 0.5 * s->diameter[i],
-						    s->colour[i]) != TS_OK)
+		if (s->atoms &&
+		    ts_scene_add_sphere(&s->scene, sim->particles->x[i], 0.5 * s->diameter[i], s->colour[i],
+					ts_image_type_opacity(&s->atom_types, sim->particles->type[i])) !=
+			    TS_OK)
 			return ts_nomem(&sim->error);
 	}
 	return TS_OK;

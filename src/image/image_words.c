@@ -3,7 +3,9 @@
 #include <string.h>
 
 #include "box/domain.h"
-#include "image/image.h"
+#include "image/image_clip.h"
+#include "image/image_contact.h"
+#include "image/image_slice.h"
 
 #include "base/banned.h"
 
@@ -66,8 +68,10 @@ static const struct ts_arg ssao_rows[] = {
 };
 static const struct ts_arg legend_rows[] = {
 	TS_BOOL("shown", struct ts_image_legend, on, .flags = TS_POSITIONAL, .help = "yes or no"),
-	TS_WORD("title", struct ts_image_legend, title, .flags = TS_POSITIONAL | TS_OPTIONAL,
-		.help = "text above it"),
+	TS_WORD("title", struct ts_image_legend, title[0], .flags = TS_POSITIONAL | TS_OPTIONAL,
+		.help = "text above the bar at the right"),
+	TS_WORD("title2", struct ts_image_legend, title[1], .flags = TS_POSITIONAL | TS_OPTIONAL,
+		.help = "text above the bar at the left"),
 	TS_ARGS_END,
 };
 static const struct ts_arg bond_rows[] = {
@@ -249,6 +253,10 @@ enum ts_status ts_image_read(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(read_bond_colour(self, sim));
 	TS_TRY(read_bond_width(self, sim));
 	TS_TRY(ts_image_read_surfaces(self, sim));
+	TS_TRY(ts_image_read_clips(self, sim));
+	TS_TRY(ts_image_read_slices(self, sim));
+	TS_TRY(ts_image_read_arrows(self, sim));
+	TS_TRY(ts_image_read_contacts(self, sim));
 	TS_TRY(check_view(self, sim));
 	TS_TRY(check_size(self, sim));
 	for (int d = 0; d < 3 && !s->placed; d++) {

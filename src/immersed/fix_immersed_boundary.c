@@ -174,6 +174,16 @@ static enum ts_status make_spheres(struct ts_instance *self, struct tsim *sim, i
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
 }
 
+static enum ts_status find_distances(struct ts_instance *self, struct tsim *sim, size_t n,
+				     const double (*x)[3], double reach, double *distance)
+{
+	struct state *s = self->state;
+
+	if (s->placed && s->body == SPHERES) /* their rows may have changed since the step */
+		TS_TRY(s->solid->kind->update(s->solid, sim));
+	return s->placed ? ts_immersed_distances(s->solid, &s->fluid->grid, n, x, reach, distance) : TS_OK;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	static enum ts_status (*const make[])(struct ts_instance *, struct tsim *, int) = {
@@ -189,6 +199,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 					 .after_step = update_forces,
 					 .mesh_load = add_mesh_load,
 					 .mark_closed = mark_closed_faces,
+					 .distance = find_distances,
 					 .explain_instability = explain_instability };
 	TS_TRY(read_motion(self, sim));
 	ts_solid_free(s->solid);

@@ -117,6 +117,12 @@ void ts_immersed_warn_walls(struct tsim *sim, const struct ts_place *where, cons
 enum ts_status ts_immersed_overlap(const struct ts_immersed *a, const struct ts_immersed *b,
 				   const struct ts_fluid *fluid, size_t *points);
 
+/* ---- immersed_distance.c
+ * Lowers distance[k] to that of the surface of any part, or its periodic images, from x[k]: < 0 inside; exact within
+ * `reach`. The solid has its place. */
+enum ts_status ts_immersed_distances(struct ts_solid *solid, const struct ts_grid *grid, size_t n,
+				     const double (*x)[3], double reach, double *distance);
+
 /* ---- immersed_points.c
  * Finds the forced points, after the solid has moved. */
 enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *solid,

@@ -10,6 +10,55 @@ const struct ts_colour_map ts_colour_map_default = {
 	.lo = NAN, .hi = NAN, .style = TS_MAP_CONTINUOUS, .fractional = true, .entry = blue_red, .n = 2
 };
 
+#define HEX(from_, r, g, b)                                        \
+	{                                                          \
+		from_, 0,                                          \
+		{                                                  \
+			{                                          \
+				r / 255.0F, g / 255.0F, b / 255.0F \
+			}                                          \
+		}                                                  \
+	}
+#define MAP(e)                                                                                      \
+	{                                                                                           \
+		.lo = NAN, .hi = NAN, .style = TS_MAP_CONTINUOUS, .fractional = true, .entry = (e), \
+		.n = sizeof(e) / sizeof *(e)                                                        \
+	}
+/* S. van der Walt, N. Smith, 2015: even steps for the eye, also in gray; ten of its 256 colours. */
+static const struct ts_colour_map_entry viridis[] = {
+	HEX(-INFINITY, 68, 1, 84),  HEX(1.0 / 9, 72, 40, 120),	HEX(2.0 / 9, 62, 73, 137),
+	HEX(3.0 / 9, 49, 104, 142), HEX(4.0 / 9, 38, 130, 142), HEX(5.0 / 9, 31, 158, 137),
+	HEX(6.0 / 9, 53, 183, 121), HEX(7.0 / 9, 110, 206, 88), HEX(8.0 / 9, 181, 222, 43),
+	HEX(INFINITY, 253, 231, 37)
+};
+/* K. Moreland, ISVC 2009, LNCS 5876, 92: from blue through gray to red, for numbers of both signs. */
+static const struct ts_colour_map_entry coolwarm[] = {
+	HEX(-INFINITY, 59, 76, 192), HEX(1.0 / 8, 103, 136, 238), HEX(2.0 / 8, 154, 187, 255),
+	HEX(3.0 / 8, 201, 215, 240), HEX(4.0 / 8, 221, 221, 221), HEX(5.0 / 8, 237, 209, 194),
+	HEX(6.0 / 8, 247, 168, 137), HEX(7.0 / 8, 226, 105, 82),  HEX(INFINITY, 180, 4, 38)
+};
+static const struct ts_colour_map_entry gray[] = { HEX(-INFINITY, 0, 0, 0), HEX(INFINITY, 255, 255, 255) };
+
+static const struct {
+	const char *name;
+	struct ts_colour_map map;
+} named[] = { { "viridis", MAP(viridis) }, { "coolwarm", MAP(coolwarm) }, { "gray", MAP(gray) } };
+enum { NAMED = sizeof named / sizeof *named };
+
+const struct ts_colour_map *ts_colour_map_named(const char *name)
+{
+	for (int k = 0; k < NAMED; k++)
+		if (ts_streq(named[k].name, name))
+			return &named[k].map;
+	return NULL;
+}
+
+void ts_colour_map_suggest(struct ts_suggest *suggest)
+{
+	for (int k = 0; k < NAMED; k++)
+		ts_suggest_try(suggest, named[k].name);
+}
+
 void ts_colour_map_extend(const double *value, size_t n, size_t stride, double *lo, double *hi)
 {
 	for (size_t k = 0; k < n; k++) {

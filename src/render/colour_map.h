@@ -27,6 +27,11 @@ struct ts_colour_map {
 /* Blue at the least, red at the largest value drawn. */
 extern const struct ts_colour_map ts_colour_map_default;
 
+/* Maps that have a name: viridis, coolwarm, gray; entries as fractions of the range. NULL: there is none of this name. */
+const struct ts_colour_map *ts_colour_map_named(const char *name);
+/* Offers their names as corrections. */
+void ts_colour_map_suggest(struct ts_suggest *suggest);
+
 /* Enlarges lo..hi by the finite numbers among n values with this stride. Start with lo > hi. */
 void ts_colour_map_extend(const double *value, size_t n, size_t stride, double *lo, double *hi);
 /* The range of the map: its own ends, else lo..hi of the values drawn. */

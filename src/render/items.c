@@ -10,38 +10,58 @@
 
 /* ---- projection */
 
-/* Adds an item if any of it may be in the picture. */
-static void add(struct ts_items *items, enum ts_item_kind kind, size_t index, double nearest)
+static void add(struct ts_items *items, struct ts_item item, size_t index, double nearest)
 {
-	items->item[items->n++] = (struct ts_item){ (float)nearest, kind, (uint32_t)index };
+	item.index = (uint32_t)index;
+	item.nearest = (float)nearest;
+	items->item[items->n++] = item;
+}
+
+/* Whether all of a ball is beyond a plane that cuts. */
+static bool is_cut_off(const struct ts_items *items, const double at[3], double radius)
+{
+	for (int k = 0; k < items->ncuts; k++)
+		if (ts_dot(items->cut[k].place, at) - items->cut[k].offset >
+		    radius * ts_norm(items->cut[k].place))
+			return true;
+	return false;
 }
 
 static void project_sphere(struct ts_items *items, const struct ts_camera *camera,
 			   const struct ts_scene_sphere *from, size_t k)
 {
 	struct ts_item_round *to = &items->round[k];
+	const struct ts_item item = { .kind = TS_ITEM_SPHERE,
+				      .glass = from->opacity < 1,
+				      .whole = from->whole || !items->ncuts };
 
 	ts_camera_project(camera, from->x, to->a);
 	memcpy(to->b, to->a, sizeof to->b);
 	to->radius = camera->scale * from->radius;
-	add(items, TS_ITEM_SPHERE, k, to->a[2] + to->radius);
+	if (item.whole || !is_cut_off(items, to->a, to->radius))
+		add(items, item, k, to->a[2] + to->radius);
 }
 
 static void project_rod(struct ts_items *items, const struct ts_camera *camera,
 			const struct ts_scene_rod *from, size_t k)
 {
 	struct ts_item_round *to = &items->round[k];
+	const struct ts_item item = { .kind = from->cone ? TS_ITEM_CONE : TS_ITEM_ROD,
+				      .whole = from->whole || !items->ncuts };
 
 	ts_camera_project(camera, from->end[0], to->a);
 	ts_camera_project(camera, from->end[1], to->b);
 	to->radius = camera->scale * from->radius;
-	add(items, TS_ITEM_ROD, k, fmax(to->a[2], to->b[2]) + to->radius);
+	add(items, item, k, fmax(to->a[2], to->b[2]) + to->radius);
 }
 
 static void project_triangle(struct ts_items *items, const struct ts_camera *camera,
 			     const struct ts_scene_triangle *from, size_t k)
 {
 	struct ts_item_triangle *to = &items->triangle[k];
+	const struct ts_item item = { .kind = TS_ITEM_TRIANGLE,
+				      .glass = from->opacity < 1,
+				      .whole = from->whole || !items->ncuts };
 	double e[3], f[3], n[3], length, sign;
 
 	for (int c = 0; c < 3; c++)
@@ -56,8 +76,7 @@ static void project_triangle(struct ts_items *items, const struct ts_camera *cam
 	to->normal[0] = (float)(sign * n[0] / length);
 	to->normal[1] = (float)(-sign * n[1] / length);
 	to->normal[2] = (float)(sign * n[2] / length);
-	add(items, from->opacity < 1 ? TS_ITEM_GLASS : TS_ITEM_TRIANGLE, k,
-	    fmax(fmax(to->corner[0][2], to->corner[1][2]), to->corner[2][2]));
+	add(items, item, k, fmax(fmax(to->corner[0][2], to->corner[1][2]), to->corner[2][2]));
 }
 
 /* ---- order */
@@ -103,7 +122,7 @@ static struct rectangle extent(const struct ts_items *items, const struct ts_ite
 	struct rectangle r;
 
 	for (int d = 0; d < 2; d++) {
-		if (item->kind <= TS_ITEM_ROD) {
+		if (item->kind != TS_ITEM_TRIANGLE) {
 			const struct ts_item_round *s = &items->round[item->index];
 
 			r.lo[d] = fmin(s->a[d], s->b[d]) - s->radius;
@@ -158,7 +177,8 @@ static void visit_tiles(struct ts_items *items, size_t k, visit_fn *visit)
 		return;
 	for (uint32_t row = first[1]; row <= last[1]; row++)
 		for (uint32_t column = first[0]; column <= last[0]; column++)
-			if (item->kind != TS_ITEM_ROD || rod_touches(&items->round[item->index], column, row))
+			if ((item->kind != TS_ITEM_ROD && item->kind != TS_ITEM_CONE) ||
+			    rod_touches(&items->round[item->index], column, row))
 				visit(items, row * items->columns + column, k);
 }
 
@@ -196,6 +216,22 @@ static enum ts_status find_tiles(struct ts_items *items)
 	return TS_OK;
 }
 
+/* The planes in the coordinates of samples: x = centre + ((X - W/2) right - (Y - H/2) up + Z towards) / scale. */
+static void project_cuts(struct ts_items *items, const struct ts_scene *scene, const struct ts_camera *camera)
+{
+	items->ncuts = scene->ncuts;
+	for (int k = 0; k < scene->ncuts; k++) {
+		const struct ts_scene_cut *from = &scene->cut[k];
+		struct ts_item_cut *to = &items->cut[k];
+
+		to->place[0] = ts_dot(from->normal, camera->right);
+		to->place[1] = -ts_dot(from->normal, camera->up);
+		to->place[2] = ts_dot(from->normal, camera->towards);
+		to->offset = camera->scale * (from->offset - ts_dot(from->normal, camera->centre)) +
+			     0.5 * (camera->width * to->place[0] + camera->height * to->place[1]);
+	}
+}
+
 enum ts_status ts_items_collect(struct ts_items *items, const struct ts_scene *scene,
 				const struct ts_camera *camera)
 {
@@ -209,6 +245,7 @@ enum ts_status ts_items_collect(struct ts_items *items, const struct ts_scene *s
 	TS_TRY(TS_GROW(items->item, items->capacity, most));
 	TS_TRY(TS_GROW(items->round, items->round_capacity, nround));
 	TS_TRY(TS_GROW(items->triangle, items->triangle_capacity, scene->ntriangles));
+	project_cuts(items, scene, camera);
 	for (size_t k = 0; k < scene->nspheres; k++)
 		project_sphere(items, camera, &scene->sphere[k], k);
 	for (size_t k = 0; k < scene->nrods; k++)

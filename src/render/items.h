@@ -7,7 +7,7 @@
 
 enum { TS_TILE = 64 /* samples along the edge of a tile */ };
 
-/* A sphere, or a rod from a to b, in samples: x to the right, y downwards, z towards the camera. */
+/* A sphere, or a rod or cone from a to b, in samples: x to the right, y downwards, z towards the camera. */
 struct ts_item_round {
 	double a[3], b[3], radius;
 };
@@ -16,24 +16,26 @@ struct ts_item_triangle {
 	float normal[3]; /* unit vector, towards the camera; y upwards */
 };
 
-enum ts_item_kind {
-	TS_ITEM_SPHERE,
-	TS_ITEM_ROD,
-	TS_ITEM_TRIANGLE,
-	TS_ITEM_GLASS /* a transparent triangle */
-};
+enum ts_item_kind { TS_ITEM_SPHERE, TS_ITEM_ROD, TS_ITEM_CONE, TS_ITEM_TRIANGLE };
 
 struct ts_item {
-	float nearest; /* z of its nearest point */
-	enum ts_item_kind kind;
+	float nearest;	/* z of its nearest point */
+	uint8_t kind;	/* enum ts_item_kind */
+	bool glass;	/* transparent */
+	bool whole;	/* not cut */
 	uint32_t index; /* in the array of its kind */
+};
+
+/* A plane that cuts: samples with place . (x, y, z) > offset are removed. */
+struct ts_item_cut {
+	double place[3], offset;
 };
 
 /* Zero-initialise. */
 struct ts_items {
 	struct ts_item *item; /* [n], from the nearest to the farthest */
 	size_t n, capacity;
-	struct ts_item_round *round; /* spheres, then rods */
+	struct ts_item_round *round; /* spheres, then rods and cones */
 	struct ts_item_triangle *triangle;
 	size_t round_capacity, triangle_capacity;
 	uint32_t columns, rows;	 /* tiles */
@@ -41,6 +43,8 @@ struct ts_items {
 	size_t first_capacity, touch_capacity, ntouch;
 	uint64_t *key; /* for sorting */
 	size_t key_capacity;
+	struct ts_item_cut cut[TS_SCENE_CUTS];
+	int ncuts;
 };
 
 /* Projects the scene to width x height samples, sorts its parts and finds their tiles. `camera` has the size and the scale

@@ -1,5 +1,6 @@
 #include "render/legend.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "render/letters.h"
@@ -17,8 +18,14 @@ static int scale_of(const struct ts_picture *p)
 	return least > 1 ? least : 1;
 }
 
-void ts_legend_draw(struct ts_picture *p, const struct ts_colour_map *map, double lo, double hi,
-		    const char *title, struct ts_colour ink)
+/* Numbers that are nothing beside the range are zero. */
+static double rounded(double value, double range)
+{
+	return fabs(value) < 1e-6 * range ? 0 : value;
+}
+
+void ts_legend_draw(struct ts_picture *p, enum ts_legend_side side, const struct ts_colour_map *map,
+		    double lo, double hi, const char *title, struct ts_colour ink)
 {
 	const int scale = scale_of(p), line = TS_LETTER_HEIGHT * scale;
 	const int64_t height = (int64_t)p->height * 6 / 10, top = ((int64_t)p->height - height) / 2,
@@ -29,11 +36,11 @@ void ts_legend_draw(struct ts_picture *p, const struct ts_colour_map *map, doubl
 	for (int k = 0; k < TICKS; k++) {
 		const double part = (double)k / (TICKS - 1);
 
-		snprintf(text[k], sizeof text[k], "%.3g", (1 - part) * hi + part * lo);
+		snprintf(text[k], sizeof text[k], "%.3g", rounded((1 - part) * hi + part * lo, hi - lo));
 		widest =
 			ts_letters_width(text[k], scale) > widest ? ts_letters_width(text[k], scale) : widest;
 	}
-	left = (int64_t)p->width - widest - width - 2 * line;
+	left = side == TS_LEGEND_LEFT ? line : (int64_t)p->width - widest - width - 2 * line;
 	ts_letters_fill(p, left - scale, top - scale, width + 2 * scale, height + 2 * scale, ink);
 	for (int64_t y = 0; y < height; y++) {
 		const double part = height > 1 ? (double)y / (double)(height - 1) : 0;
@@ -47,7 +54,7 @@ void ts_legend_draw(struct ts_picture *p, const struct ts_colour_map *map, doubl
 		ts_letters_fill(p, left + width + scale, y, 2 * scale, scale, ink);
 		ts_letters_draw(p, left + width + 6 * scale, y - 3 * scale, scale, text[k], ink);
 	}
-	/* the title ends at the right edge */
-	left = (int64_t)p->width - line - ts_letters_width(title, scale);
+	/* the title begins at the left edge or ends at the right one */
+	left = side == TS_LEGEND_LEFT ? line : (int64_t)p->width - line - ts_letters_width(title, scale);
 	ts_letters_draw(p, left > line ? left : line, top - 2 * line, scale, title, ink);
 }

@@ -8,6 +8,7 @@
 #include "render/items.h"
 #include "render/occlusion.h"
 #include "render/shade.h"
+#include "render/item_surface.h"
 #include "render/tile.h"
 
 #include "base/banned.h"
@@ -38,7 +39,7 @@ struct canvas {
 	const struct drawing *d;
 	struct ts_tile tile;
 	float light[TS_TILE_SAMPLES][3];
-	const struct ts_item *glass; /* the transparent triangle that is drawn */
+	const struct ts_item *glass; /* the transparent item that is drawn */
 };
 
 /* ---- shading */
@@ -50,41 +51,28 @@ static struct ts_colour background(const struct drawing *d, uint32_t y)
 	return ts_colour_mix(d->style->ground[1], d->style->ground[0], t);
 }
 
-/* Normal of a sphere or rod at a sample: from the nearest point of its axis. */
-static void round_normal(const struct ts_item_round *s, double x, double y, double z, float n[3])
+/* Light of an item at a sample of the tile at depth z. */
+static void light_of(const struct canvas *c, const struct ts_item *item, uint32_t sample, float z,
+		     float out[3])
 {
-	double w[3] = { x - s->a[0], y - s->a[1], z - s->a[2] }, u[3], length2 = 0, along = 0, size;
+	const struct drawing *d = c->d;
+	const double x = c->tile.x + sample % TS_TILE + 0.5, y = c->tile.y + (double)(sample / TS_TILE) + 0.5;
+	const struct ts_colour colour = ts_item_colour(d->scene, d->items, item, x, y);
+	float n[3];
 
-	for (int k = 0; k < 3; k++) {
-		u[k] = s->b[k] - s->a[k];
-		length2 += u[k] * u[k];
-		along += u[k] * w[k];
+	if (ts_item_is_unlit(d->scene, item)) {
+		memcpy(out, colour.c, sizeof colour.c);
+		return;
 	}
-	along = length2 > 0 ? fmin(fmax(along / length2, 0), 1) : 0;
-	for (int k = 0; k < 3; k++)
-		w[k] -= along * u[k];
-	size = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-	size = size > 0 ? size : 1;
-	n[0] = (float)(w[0] / size);
-	n[1] = (float)(-w[1] / size);
-	n[2] = (float)(w[2] / size);
-}
-
-static const struct ts_colour *colour_of(const struct drawing *d, const struct ts_item *item)
-{
-	if (item->kind == TS_ITEM_SPHERE)
-		return &d->scene->sphere[item->index].colour;
-	if (item->kind == TS_ITEM_ROD)
-		return &d->scene->rod[item->index - d->scene->nspheres].colour;
-	return &d->scene->triangle[item->index].colour;
+	if (!ts_tile_is_cut_face(&c->tile, d->items, item, sample, z, n))
+		ts_item_normal(d->items, item, x, y, (double)z, n);
+	ts_shade_surface(&d->shade, n, &colour, out);
 }
 
 static void shade_sample(struct canvas *c, int i, int j)
 {
 	const struct drawing *d = c->d;
 	const int k = j * TS_TILE + i;
-	const struct ts_item *item;
-	float n[3];
 
 	if (c->tile.seen[k] == TS_TILE_NOTHING) {
 		const struct ts_colour ground = background(d, c->tile.y + (uint32_t)j);
@@ -92,13 +80,7 @@ static void shade_sample(struct canvas *c, int i, int j)
 		memcpy(c->light[k], ground.c, sizeof c->light[k]);
 		return;
 	}
-	item = &d->items->item[c->tile.seen[k]];
-	if (item->kind <= TS_ITEM_ROD)
-		round_normal(&d->items->round[item->index], (double)c->tile.x + i + 0.5,
-			     (double)c->tile.y + j + 0.5, (double)c->tile.depth[k], n);
-	else
-		memcpy(n, d->items->triangle[item->index].normal, sizeof n);
-	ts_shade_surface(&d->shade, n, colour_of(d, item), c->light[k]);
+	light_of(c, &d->items->item[c->tile.seen[k]], (uint32_t)k, c->tile.depth[k], c->light[k]);
 }
 
 /* ---- tiles */
@@ -112,24 +94,23 @@ static int samples_along(uint32_t first, uint32_t size)
 static void blend(void *context, uint32_t sample, float z)
 {
 	struct canvas *c = context;
-	const struct ts_scene_triangle *t = &c->d->scene->triangle[c->glass->index];
+	const float opacity = ts_item_opacity(c->d->scene, c->glass);
 	float light[3];
 
-	(void)z;
-	ts_shade_surface(&c->d->shade, c->d->items->triangle[c->glass->index].normal, &t->colour, light);
+	light_of(c, c->glass, sample, z, light);
 	for (int k = 0; k < 3; k++)
-		c->light[sample][k] += t->opacity * (fminf(light[k], 1) - fminf(c->light[sample][k], 1));
+		c->light[sample][k] += opacity * (fminf(light[k], 1) - fminf(c->light[sample][k], 1));
 }
 
-/* Transparent triangles, from the farthest to the nearest. */
+/* Transparent spheres and triangles, from the farthest to the nearest. */
 static void draw_glass(struct canvas *c, size_t number)
 {
 	const struct ts_items *items = c->d->items;
 
 	for (uint32_t k = items->first[number + 1]; k-- > items->first[number];) {
 		c->glass = &items->item[items->touch[k]];
-		if (c->glass->kind == TS_ITEM_GLASS)
-			ts_tile_triangle(&c->tile, &items->triangle[c->glass->index], blend, c);
+		if (c->glass->glass)
+			ts_tile_visit(&c->tile, items, c->glass, blend, c);
 	}
 }
 
@@ -147,6 +128,13 @@ static void store(const struct canvas *c)
 	}
 }
 
+static bool is_unlit(const struct canvas *c, int sample)
+{
+	const uint32_t seen = c->tile.seen[sample];
+
+	return seen != TS_TILE_NOTHING && ts_item_is_unlit(c->d->scene, &c->d->items->item[seen]);
+}
+
 static void shade_tile(struct canvas *c)
 {
 	const struct drawing *d = c->d;
@@ -158,7 +146,7 @@ static void shade_tile(struct canvas *c)
 			float open = 1;
 
 			shade_sample(c, i, j);
-			if (d->depth)
+			if (d->depth && !is_unlit(c, k))
 				open = ts_occlusion_at(&d->occlusion, c->tile.x + (uint32_t)i,
 						       c->tile.y + (uint32_t)j);
 			for (int b = 0; b < 3 && open < 1; b++)

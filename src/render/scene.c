@@ -11,22 +11,23 @@ static bool finite3(const double x[3])
 }
 
 enum ts_status ts_scene_add_sphere(struct ts_scene *s, const double x[3], double radius,
-				   struct ts_colour colour)
+				   struct ts_colour colour, double opacity)
 {
 	struct ts_scene_sphere *to;
 
-	if (!finite3(x) || !(radius > 0) || isinf(radius))
+	if (!finite3(x) || !(radius > 0) || isinf(radius) || !(opacity > 0))
 		return TS_OK;
 	TS_TRY(TS_GROW(s->sphere, s->sphere_capacity, s->nspheres + 1));
 	to = &s->sphere[s->nspheres++];
+	*to = (struct ts_scene_sphere){
+		.radius = radius, .colour = colour, .opacity = (float)fmin(opacity, 1), .whole = s->whole
+	};
 	memcpy(to->x, x, sizeof to->x);
-	to->radius = radius;
-	to->colour = colour;
 	return TS_OK;
 }
 
-enum ts_status ts_scene_add_rod(struct ts_scene *s, const double a[3], const double b[3], double radius,
-				struct ts_colour colour)
+static enum ts_status add_rod(struct ts_scene *s, const double a[3], const double b[3], double radius,
+			      struct ts_colour colour, bool cone)
 {
 	struct ts_scene_rod *to;
 
@@ -34,26 +35,45 @@ enum ts_status ts_scene_add_rod(struct ts_scene *s, const double a[3], const dou
 		return TS_OK;
 	TS_TRY(TS_GROW(s->rod, s->rod_capacity, s->nrods + 1));
 	to = &s->rod[s->nrods++];
+	*to = (struct ts_scene_rod){ .radius = radius, .colour = colour, .cone = cone, .whole = s->whole };
 	memcpy(to->end[0], a, sizeof to->end[0]);
 	memcpy(to->end[1], b, sizeof to->end[1]);
-	to->radius = radius;
-	to->colour = colour;
+	return TS_OK;
+}
+
+enum ts_status ts_scene_add_rod(struct ts_scene *s, const double a[3], const double b[3], double radius,
+				struct ts_colour colour)
+{
+	return add_rod(s, a, b, radius, colour, false);
+}
+
+enum ts_status ts_scene_add_cone(struct ts_scene *s, const double base[3], const double tip[3], double radius,
+				 struct ts_colour colour)
+{
+	return add_rod(s, base, tip, radius, colour, true);
+}
+
+enum ts_status ts_scene_add_painted(struct ts_scene *s, const struct ts_scene_triangle *t)
+{
+	struct ts_scene_triangle *to;
+
+	if (!finite3(t->corner[0]) || !finite3(t->corner[1]) || !finite3(t->corner[2]) || !(t->opacity > 0))
+		return TS_OK;
+	TS_TRY(TS_GROW(s->triangle, s->triangle_capacity, s->ntriangles + 1));
+	to = &s->triangle[s->ntriangles++];
+	*to = *t;
+	to->opacity = fminf(t->opacity, 1);
+	to->whole = s->whole;
 	return TS_OK;
 }
 
 enum ts_status ts_scene_add_triangle(struct ts_scene *s, const double corner[3][3], struct ts_colour colour,
 				     double opacity)
 {
-	struct ts_scene_triangle *to;
+	struct ts_scene_triangle t = { .colour = colour, .opacity = (float)opacity };
 
-	if (!finite3(corner[0]) || !finite3(corner[1]) || !finite3(corner[2]) || !(opacity > 0))
-		return TS_OK;
-	TS_TRY(TS_GROW(s->triangle, s->triangle_capacity, s->ntriangles + 1));
-	to = &s->triangle[s->ntriangles++];
-	memcpy(to->corner, corner, sizeof to->corner);
-	to->colour = colour;
-	to->opacity = (float)fmin(opacity, 1);
-	return TS_OK;
+	memcpy(t.corner, corner, sizeof t.corner);
+	return ts_scene_add_painted(s, &t);
 }
 
 enum ts_status ts_scene_add_quadrangle(struct ts_scene *s, const double corner[4][3], struct ts_colour colour,
@@ -73,6 +93,8 @@ enum ts_status ts_scene_add_quadrangle(struct ts_scene *s, const double corner[4
 void ts_scene_clear(struct ts_scene *s)
 {
 	s->nspheres = s->nrods = s->ntriangles = 0;
+	s->ncuts = 0;
+	s->whole = false;
 }
 
 void ts_scene_release(struct ts_scene *s)

@@ -4,6 +4,7 @@
 
 #include "base/clones.h"
 #include "base/inline.h"
+#include "render/round.h"
 
 #include "base/banned.h"
 
@@ -58,57 +59,73 @@ static void cover_sphere(struct ts_tile *tile, const struct ts_item_round *s, ui
 	}
 }
 
-/* ---- rods: cylinder between two spheres */
+/* ---- planes that cut */
 
-struct rod {
-	double a[3], b[3], u[3]; /* relative to the tile; u: unit vector from a to b */
-	double length, radius2;
-};
+/* The face of a cut is drawn a little in front of its plane, so that what lies in the plane does not show through. */
+static const double IN_FRONT = 0.01;
 
-static struct rod make_rod(const struct ts_tile *tile, const struct ts_item_round *s)
+/* The depth of a plane at a sample, and whether it removes what is in front (1), behind (-1), all (2) or nothing (0). */
+static int meet_cut(const struct ts_item_cut *cut, double x, double y, double *z)
 {
-	struct rod r = { .radius2 = s->radius * s->radius };
-	const double corner[3] = { tile->x, tile->y, 0 };
+	const double rest = cut->offset - cut->place[0] * x - cut->place[1] * y;
 
-	for (int d = 0; d < 3; d++) {
-		r.a[d] = s->a[d] - corner[d];
-		r.b[d] = s->b[d] - corner[d];
-		r.length += (r.b[d] - r.a[d]) * (r.b[d] - r.a[d]);
+	if (fabs(cut->place[2]) < 1e-9)
+		return rest < 0 ? 2 : 0;
+	*z = rest / cut->place[2];
+	if (cut->place[2] > 0)
+		*z += IN_FRONT;
+	return cut->place[2] > 0 ? 1 : -1;
+}
+
+static void find_cuts(struct ts_tile *tile, const struct ts_items *items)
+{
+	for (int s = 0; items->ncuts && s < TS_TILE_SAMPLES; s++) {
+		float high = HUGE_VALF, low = -HUGE_VALF;
+
+		for (int k = 0; k < items->ncuts; k++) {
+			double z = 0;
+			const int side = meet_cut(&items->cut[k], (double)tile->x + s % TS_TILE + 0.5,
+						  tile->y + (double)(s / TS_TILE) + 0.5, &z);
+
+			if (side == 1)
+				high = fminf(high, (float)z);
+			else if (side == -1)
+				low = fmaxf(low, (float)z);
+			else if (side == 2)
+				high = -HUGE_VALF;
+		}
+		tile->high[s] = high;
+		tile->low[s] = low;
 	}
-	r.length = sqrt(r.length);
-	for (int d = 0; d < 3 && r.length > 0; d++)
-		r.u[d] = (r.b[d] - r.a[d]) / r.length;
-	return r;
 }
 
-/* z of the sphere around an end at x, y; -HUGE_VAL: missed */
-static double end_depth(const double end[3], double radius2, double x, double y)
+bool ts_tile_is_cut_face(const struct ts_tile *tile, const struct ts_items *items, const struct ts_item *item,
+			 uint32_t sample, float z, float normal[3])
 {
-	const double dx = x - end[0], dy = y - end[1], rest = radius2 - dx * dx - dy * dy;
+	if (item->whole || item->kind == TS_ITEM_TRIANGLE || z < tile->high[sample])
+		return false;
+	for (int k = 0; k < items->ncuts; k++) {
+		const double *place = items->cut[k].place;
+		double at = 0;
+		const int side = meet_cut(&items->cut[k], tile->x + sample % TS_TILE + 0.5,
+					  tile->y + (double)(sample / TS_TILE) + 0.5, &at);
 
-	return rest >= 0 ? end[2] + sqrt(rest) : -HUGE_VAL;
-}
-
-/* The line through x, y along z meets the cylinder where |w - (w.u) u| = r, w from the end a: a quadratic for z. */
-static double rod_depth(const struct rod *r, double x, double y)
-{
-	const double wx = x - r->a[0], wy = y - r->a[1], along = wx * r->u[0] + wy * r->u[1];
-	const double a = r->u[0] * r->u[0] + r->u[1] * r->u[1], b = -along * r->u[2];
-	const double c = wx * wx + wy * wy - along * along - r->radius2, root = b * b - a * c;
-	double z = fmax(end_depth(r->a, r->radius2, x, y), end_depth(r->b, r->radius2, x, y));
-
-	if (root >= 0 && a > 1e-12) {
-		const double t = (-b + sqrt(root)) / a, s = along + t * r->u[2];
-
-		if (s >= 0 && s <= r->length)
-			z = fmax(z, r->a[2] + t);
+		if (side != 1 || (float)at > z)
+			continue;
+		normal[0] = (float)place[0];
+		normal[1] = (float)-place[1];
+		normal[2] = (float)place[2];
+		return true;
 	}
-	return z;
+	return false;
 }
 
-static void cover_rod(struct ts_tile *tile, const struct ts_item_round *s, uint32_t item)
+/* ---- spheres that are cut or transparent, rods and cones */
+
+static void visit_round(const struct ts_tile *tile, const struct ts_item *item, const struct ts_item_round *s,
+			ts_tile_visit_fn *visit, void *context)
 {
-	const struct rod r = make_rod(tile, s);
+	const struct ts_round r = ts_round_make(s, (enum ts_item_kind)item->kind, tile->x, tile->y);
 	const struct span rows =
 		samples_within(fmin(r.a[1], r.b[1]) - s->radius, fmax(r.a[1], r.b[1]) + s->radius);
 	const struct span along =
@@ -116,12 +133,20 @@ static void cover_rod(struct ts_tile *tile, const struct ts_item_round *s, uint3
 
 	for (int j = rows.first; j <= rows.last; j++)
 		for (int i = along.first; i <= along.last; i++) {
-			const float z = (float)rod_depth(&r, i + 0.5, j + 0.5);
+			const int k = j * TS_TILE + i;
+			double near, far;
+			float z;
 
-			if (z > tile->depth[j * TS_TILE + i]) {
-				tile->depth[j * TS_TILE + i] = z;
-				tile->seen[j * TS_TILE + i] = item;
+			if (!ts_round_span(&r, i + 0.5, j + 0.5, &near, &far))
+				continue;
+			z = (float)near;
+			if (!item->whole) {
+				z = fminf(z, tile->high[k]);
+				if (z < (float)far || z < tile->low[k])
+					continue;
 			}
+			if (z > tile->depth[k])
+				visit(context, (uint32_t)k, z);
 		}
 }
 
@@ -153,8 +178,8 @@ TS_INLINE bool is_inside(const struct edge *e, double x, double y)
 	return value > 0 || (value == 0 && e->owns);
 }
 
-void ts_tile_triangle(const struct ts_tile *tile, const struct ts_item_triangle *t, ts_tile_visit_fn *visit,
-		      void *context)
+static void visit_triangle(const struct ts_tile *tile, const struct ts_item *item,
+			   const struct ts_item_triangle *t, ts_tile_visit_fn *visit, void *context)
 {
 	const double(*c)[3] = (const double(*)[3])t->corner;
 	const double ex = c[1][0] - c[0][0], ey = c[1][1] - c[0][1], fx = c[2][0] - c[0][0],
@@ -175,15 +200,29 @@ void ts_tile_triangle(const struct ts_tile *tile, const struct ts_item_triangle 
 	for (int j = rows.first; j <= rows.last; j++)
 		for (int i = along.first; i <= along.last; i++) {
 			const double x = (double)tile->x + i + 0.5, y = (double)tile->y + j + 0.5;
+			const int k = j * TS_TILE + i;
 			float z;
 
 			if (!is_inside(&edge[0], x, y) || !is_inside(&edge[1], x, y) ||
 			    !is_inside(&edge[2], x, y))
 				continue;
 			z = (float)(c[0][2] + zx * (x - c[0][0]) + zy * (y - c[0][1]));
-			if (z > tile->depth[j * TS_TILE + i])
-				visit(context, (uint32_t)(j * TS_TILE + i), z);
+			if (!item->whole && (z > tile->high[k] || z < tile->low[k]))
+				continue;
+			if (z > tile->depth[k])
+				visit(context, (uint32_t)k, z);
 		}
+}
+
+/* ---- a tile */
+
+void ts_tile_visit(const struct ts_tile *tile, const struct ts_items *items, const struct ts_item *item,
+		   ts_tile_visit_fn *visit, void *context)
+{
+	if (item->kind == TS_ITEM_TRIANGLE)
+		visit_triangle(tile, item, &items->triangle[item->index], visit, context);
+	else
+		visit_round(tile, item, &items->round[item->index], visit, context);
 }
 
 struct cover {
@@ -199,8 +238,6 @@ static void cover_sample(void *context, uint32_t sample, float z)
 	c->tile->seen[sample] = c->item;
 }
 
-/* ---- a tile */
-
 static float farthest(const struct ts_tile *tile)
 {
 	float z = tile->depth[0];
@@ -215,12 +252,12 @@ static void cover(struct ts_tile *tile, const struct ts_items *items, uint32_t n
 	const struct ts_item *item = &items->item[number];
 	struct cover context = { tile, number };
 
-	if (item->kind == TS_ITEM_SPHERE)
+	if (item->glass)
+		return;
+	if (item->kind == TS_ITEM_SPHERE && item->whole)
 		cover_sphere(tile, &items->round[item->index], number);
-	else if (item->kind == TS_ITEM_ROD)
-		cover_rod(tile, &items->round[item->index], number);
-	else if (item->kind == TS_ITEM_TRIANGLE)
-		ts_tile_triangle(tile, &items->triangle[item->index], cover_sample, &context);
+	else
+		ts_tile_visit(tile, items, item, cover_sample, &context);
 }
 
 void ts_tile_cover(struct ts_tile *tile, const struct ts_items *items, size_t number)
@@ -234,6 +271,7 @@ void ts_tile_cover(struct ts_tile *tile, const struct ts_items *items, size_t nu
 		tile->depth[k] = TS_TILE_FAR;
 		tile->seen[k] = TS_TILE_NOTHING;
 	}
+	find_cuts(tile, items);
 	/* from the nearest item on: those behind the farthest sample are not seen, nor are all after them */
 	for (uint32_t k = items->first[number], n = 0; k < end; k++, n++) {
 		if (n % LOOK_AFTER == 0)

@@ -59,7 +59,7 @@ START_TEST(sphere_covers_its_disc)
 	struct ts_scene scene = { 0 };
 	struct ts_picture p;
 
-	ck_assert(ts_scene_add_sphere(&scene, x, r, red) == TS_OK);
+	ck_assert(ts_scene_add_sphere(&scene, x, r, red, 1) == TS_OK);
 	p = draw(&scene, &c, &flat, 1);
 	for (uint32_t j = 0; j < p.height; j++)
 		for (uint32_t i = 0; i < p.width; i++) {
@@ -86,7 +86,7 @@ START_TEST(nearer_surface_is_seen)
 
 		for (int k = 0; k < 2; k++)
 			ck_assert(ts_scene_add_sphere(&scene, x[k ^ order], r[k ^ order],
-						      k ^ order ? blue : red) == TS_OK);
+						      k ^ order ? blue : red, 1) == TS_OK);
 		p = draw(&scene, &c, &flat, 1);
 		for (uint32_t j = 0; j < p.height; j++)
 			for (uint32_t i = 0; i < p.width; i++) {
@@ -169,19 +169,178 @@ START_TEST(shared_edges_are_drawn_once)
 }
 END_TEST
 
+/* A cone seen from the side is a triangle; along its axis, from either end, a disc; obliquely its base is an ellipse, and the
+ * tangents from the tip touch it: the area between them and the ellipse follows from the eccentric angle of contact. */
+START_TEST(cone_covers_its_silhouette)
+{
+	const struct ts_camera c = camera_of(400, 300);
+	const double r = 61.3, length = 117.7;
+
+	for (int tilt = -90; tilt <= 90; tilt += 15) {
+		const double along = length * cos(tilt * PI / 180), depth = length * sin(tilt * PI / 180);
+		const double half = r * fabs(sin(tilt * PI / 180)); /* of the ellipse, along the axis */
+		const double base[3] = { -0.5 * along * 0.8, -0.5 * along * 0.6, 0 };
+		const double tip[3] = { 0.5 * along * 0.8, 0.5 * along * 0.6, depth };
+		const double touch = along > half ? acos(half / along) : 0;
+		const double area = r * (along * sin(touch) + half * (PI - touch));
+		struct ts_scene scene = { 0 };
+		struct ts_picture p;
+
+		ck_assert(ts_scene_add_cone(&scene, base, tip, r, red) == TS_OK);
+		p = draw(&scene, &c, &flat, 1);
+		ck_assert_double_eq_tol(lit(&p, 0), area, 0.006 * area);
+		ts_picture_release(&p);
+		ts_scene_release(&scene);
+	}
+}
+END_TEST
+
+/* Light from the camera only: the brightness of a surface is the cosine of its angle. */
+static const struct ts_picture_style headlight = { .lights = { .ambient = 0.25, .fill = 0.75 } };
+
+/* A plane that faces the camera cuts off the front of a sphere: the same disc, with a flat face in its middle. */
+START_TEST(cut_faces_are_closed)
+{
+	const struct ts_camera c = camera_of(200, 200);
+	const double x[3] = { 3.3, -5.2, 10 }, r = 71.9, height = 31.3, face = sqrt(r * r - height * height);
+	const double square[3][3] = { { -90, -90, 0 }, { 90, -90, 0 }, { -90, 90, 0 } };
+	struct ts_scene scene = { .cut = { { { 0, 0, 1 }, x[2] + height } }, .ncuts = 1 }, plane = { 0 };
+	struct ts_picture p, q;
+	int on_face = 0, disc = 0;
+
+	ck_assert(ts_scene_add_sphere(&scene, x, r, red, 1) == TS_OK);
+	ck_assert(ts_scene_add_triangle(&plane, square, red, 1) == TS_OK);
+	p = draw(&scene, &c, &headlight, 1);
+	q = draw(&plane, &c, &headlight, 1);
+	for (uint32_t j = 0; j < 200; j++)
+		for (uint32_t i = 0; i < 200; i++) {
+			const double dx = i + 0.5 - 100 - x[0], dy = 99.5 - j - x[1],
+				     d = sqrt(dx * dx + dy * dy);
+
+			disc += at(&p, i, j)[0] > 0;
+			if (d < face - 0.05) {
+				on_face++;
+				ck_assert_int_eq(at(&p, i, j)[0], at(&q, 30, 150)[0]);
+			}
+		}
+	ck_assert_double_eq_tol(disc, PI * r * r, 0.004 * PI * r * r);
+	ck_assert_double_eq_tol(on_face, PI * face * face, 0.006 * PI * face * face);
+	ts_picture_release(&p);
+	ts_picture_release(&q);
+	ts_scene_release(&scene);
+	ts_scene_release(&plane);
+}
+END_TEST
+
+/* A plane seen from its edge halves spheres, rods, cones and triangles; one that faces away opens them; what is whole is
+ * not cut; two planes leave a quarter. */
+START_TEST(cuts_remove_what_is_beyond)
+{
+	const struct ts_camera c = camera_of(200, 200);
+	const struct ts_scene_cut right = { { 1, 0, 0 }, 0 }, upper = { { 0, 1, 0 }, 0 };
+	const struct ts_scene_cut back = { { 0, 0, -1 }, -20 }, all = { { 0, 0, 1 }, -80 };
+	const double o[3] = { 0 }, a[3] = { -60, 0, 0 }, b[3] = { 60, 0, 0 };
+	const double flag[3][3] = { { -60, 0, 0 }, { 60, 0, 0 }, { 0, 60, 0 } };
+	const struct {
+		struct ts_scene_cut cut[2];
+		int ncuts, sphere, rod, triangle; /* part that is left, in quarters; -1: that of the cap */
+	} cases[] = {
+		{ { right }, 1, 2, 2, 2 },
+		{ { right, upper }, 2, 1, 1, 0 },
+		{ { all }, 1, 0, 0, 0 },
+		{ { back }, 1, -1, 0, 0 },
+	};
+	const double r = 60, ball = PI * r * r, rod = 120 * 20 + PI * 100, cap = PI * (r * r - 400);
+
+	for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
+		for (int what = 0; what < 4; what++) {
+			struct ts_scene scene = { .ncuts = cases[k].ncuts };
+			struct ts_picture p;
+			const double whole = what == 0 ? ball : what == 1 ? rod : 3600;
+			const int part = what == 0   ? cases[k].sphere
+					 : what == 1 ? cases[k].rod
+					 : what == 2 ? cases[k].triangle
+						     : 4;
+			const double area = part < 0 ? cap : whole * part / 4;
+
+			memcpy(scene.cut, cases[k].cut, sizeof cases[k].cut);
+			scene.whole = what == 3;
+			if (what == 0)
+				ck_assert(ts_scene_add_sphere(&scene, o, r, red, 1) == TS_OK);
+			else if (what == 1)
+				ck_assert(ts_scene_add_rod(&scene, a, b, 10, red) == TS_OK);
+			else
+				ck_assert(ts_scene_add_triangle(&scene, flag, red, 1) == TS_OK);
+			p = draw(&scene, &c, &flat, 1);
+			ck_assert_double_eq_tol(lit(&p, 0), area, 0.01 * whole);
+			ts_picture_release(&p);
+			ts_scene_release(&scene);
+		}
+}
+END_TEST
+
+/* Numbers between the corners of a triangle are linear; its colours do not depend on the lights. */
+START_TEST(painted_triangles_show_numbers)
+{
+	const struct ts_camera c = camera_of(100, 100);
+	const struct ts_scene_scale scale = { ts_colour_map_named("gray"), -50, 50 };
+	struct ts_scene_triangle t = { .corner = { { -50, -50, 0 }, { 50, -50, 30 }, { -50, 50, -20 } },
+				       .opacity = 1,
+				       .unlit = true,
+				       .scale = &scale,
+				       .value = { -50, 50, -50 } }; /* x */
+	struct ts_scene scene = { 0 };
+	struct ts_picture p;
+
+	ck_assert(ts_scene_add_painted(&scene, &t) == TS_OK);
+	t.value[1] = NAN;
+	t.corner[0][0] = t.corner[0][1] = 50; /* the other half of the square */
+	ck_assert(ts_scene_add_painted(&scene, &t) == TS_OK);
+	p = draw(&scene, &c, &headlight, 1);
+	for (uint32_t i = 0; i < 90; i++)
+		ck_assert_int_le(abs(at(&p, i, 98)[0] - (int)(255 * (i + 0.5) / 100 + 0.5)), 1);
+	ck_assert(at(&p, 95, 10)[0] == 255 && at(&p, 95, 10)[1] == 0 && at(&p, 95, 10)[2] == 255);
+	ts_picture_release(&p);
+	ts_scene_release(&scene);
+}
+END_TEST
+
+/* A quarter of red over blue. */
+START_TEST(transparent_spheres_are_blended)
+{
+	const struct ts_camera c = camera_of(100, 100);
+	const double near[3] = { 0, 0, 50 }, far[3] = { 0, 0, -50 };
+	struct ts_scene scene = { 0 };
+	struct ts_picture p;
+
+	ck_assert(ts_scene_add_sphere(&scene, near, 20, red, 0.25) == TS_OK);
+	ck_assert(ts_scene_add_sphere(&scene, far, 40, blue, 1) == TS_OK);
+	ck_assert(ts_scene_add_sphere(&scene, far, 45, red, 0) == TS_OK);
+	p = draw(&scene, &c, &flat, 1);
+	ck_assert(at(&p, 50, 50)[0] == 64 && at(&p, 50, 50)[2] == 191);
+	ck_assert(at(&p, 50, 20)[0] == 0 && at(&p, 50, 20)[2] == 255);
+	ck_assert(at(&p, 50, 8)[2] == 0);
+	ts_picture_release(&p);
+	ts_scene_release(&scene);
+}
+END_TEST
+
 static void add_random(struct ts_scene *scene)
 {
+	const struct ts_scene_cut oblique = { { 0.6, 0, 0.8 }, 20 };
 	struct ts_rng rng = ts_rng_start(49979687, 0);
 	double x[4][3];
 
+	scene->cut[scene->ncuts++] = oblique;
 	for (int k = 0; k < 600; k++) {
 		for (int c = 0; c < 4; c++)
 			for (int d = 0; d < 3; d++)
 				x[c][d] = (c ? 0.2 : 1) * 200 * (ts_rng_uniform(&rng) - 0.5) +
 					  (c ? x[0][d] : 0);
 		ck_assert(ts_scene_add_sphere(scene, x[0], 2 + 10 * ts_rng_uniform(&rng),
-					      ts_colour_of_type((size_t)k)) == TS_OK);
+					      ts_colour_of_type((size_t)k), k % 3 ? 1 : 0.5) == TS_OK);
 		ck_assert(ts_scene_add_rod(scene, x[0], x[1], 2, red) == TS_OK);
+		ck_assert(ts_scene_add_cone(scene, x[1], x[2], 4, blue) == TS_OK);
 		ck_assert(ts_scene_add_triangle(scene, (const double(*)[3])x + 1, blue, k % 2 ? 1 : 0.4) ==
 			  TS_OK);
 	}
@@ -248,11 +407,11 @@ START_TEST(odd_scenes)
 	struct ts_picture p = draw(&scene, &c, &flat, 2);
 
 	ck_assert_int_eq(at(&p, 0, 0)[0], 0);
-	ck_assert(ts_scene_add_sphere(&scene, nan3, 1, red) == TS_OK);
-	ck_assert(ts_scene_add_sphere(&scene, zero, 0, red) == TS_OK);
-	ck_assert(ts_scene_add_sphere(&scene, zero, NAN, red) == TS_OK);
+	ck_assert(ts_scene_add_sphere(&scene, nan3, 1, red, 1) == TS_OK);
+	ck_assert(ts_scene_add_sphere(&scene, zero, 0, red, 1) == TS_OK);
+	ck_assert(ts_scene_add_sphere(&scene, zero, NAN, red, 1) == TS_OK);
 	ck_assert_uint_eq(scene.nspheres, 0);
-	ck_assert(ts_scene_add_sphere(&scene, far, 1, red) == TS_OK);
+	ck_assert(ts_scene_add_sphere(&scene, far, 1, red, 1) == TS_OK);
 	ck_assert(ts_scene_add_rod(&scene, far, zero, 1e-3, red) == TS_OK);
 	ck_assert(ts_scene_add_rod(&scene, zero, zero, 3, blue) == TS_OK); /* a ball */
 	ck_assert(ts_picture_draw(&p, &scene, &c, &flat, 1) == TS_OK);
@@ -356,6 +515,11 @@ int main(void)
 	tcase_add_test(tests, sphere_covers_its_disc);
 	tcase_add_test(tests, nearer_surface_is_seen);
 	tcase_add_test(tests, rod_covers_its_silhouette);
+	tcase_add_test(tests, cone_covers_its_silhouette);
+	tcase_add_test(tests, cut_faces_are_closed);
+	tcase_add_test(tests, cuts_remove_what_is_beyond);
+	tcase_add_test(tests, painted_triangles_show_numbers);
+	tcase_add_test(tests, transparent_spheres_are_blended);
 	tcase_add_test(tests, shared_edges_are_drawn_once);
 	tcase_add_test(tests, threads_change_nothing);
 	tcase_add_test(tests, tiles_do_not_show);
