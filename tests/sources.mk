@@ -125,6 +125,7 @@ shell_tests = \
 	tests/house/symbols.sh \
 	tests/house/version.sh \
 	tests/image/image.sh \
+	tests/image/parts.sh \
 	tests/immersed/immersed.sh \
 	tests/immersed/immersed_light.sh \
 	tests/immersed/immersed_surface.sh \

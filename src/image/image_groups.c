@@ -19,13 +19,14 @@ enum ts_status ts_image_read_groups(struct ts_instance *self, struct tsim *sim, 
 {
 	const size_t most = count(words, name);
 	char what[64];
+	size_t k;
 
 	if (most && !*array)
 		*array = ts_arena_alloc(&self->arena, most, size);
 	if (most && !*array)
 		return ts_nomem(&sim->error);
 	snprintf(what, sizeof what, "dump image: %s", name);
-	for (size_t k = 0; words.n; k++) {
+	for (k = 0; words.n; k++) {
 		struct ts_image_group *group = (void *)((char *)*array + k * size);
 		size_t used = 1;
 
@@ -33,11 +34,11 @@ enum ts_status ts_image_read_groups(struct ts_instance *self, struct tsim *sim, 
 			used++;
 		group->keyword = words.word[0];
 		group->words = (struct ts_words){ words.word + 1, used - 1 };
-		*n = k + 1 > *n ? k + 1 : *n;
 		TS_TRY(ts_args_parse(sim, what, rows, group->words, &group->keyword.place, &self->arena,
 				     group));
 		words = ts_words_from(words, used);
 	}
+	*n = k;
 	return TS_OK;
 }
 

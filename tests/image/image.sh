@@ -2,19 +2,7 @@
 # dump image: pixels at known places, colours, sizes, bonds across periodic faces, words, threads, restart, and what is
 # refused.
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-
-# pixel FILE COLUMN ROW: "r g b" of a .ppm file
-pixel() {
-	local width head
-	width=$(head -n 2 "$1" | tail -n 1 | cut -d' ' -f1)
-	head=$(head -n 3 "$1" | wc -c)
-	tail -c +$((head + 3 * ($3 * width + $2) + 1)) "$1" | head -c 3 | od -An -tu1 | xargs
-}
-# is WHAT FILE COLUMN ROW COLOUR
-is() {
-	[ "$(pixel "$2" "$3" "$4")" = "$5" ]
-	report "$1: $(pixel "$2" "$3" "$4"), expected $5" $?
-}
+. "$top_srcdir/tests/lib_pictures.sh" || exit 99
 
 # Seen from above a unit is 20 pixels at zoom 2: the box has the edges 0..10, the picture 200 x 200 pixels. Light from all
 # sides only, so that colours are exact.
