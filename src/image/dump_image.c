@@ -2,16 +2,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/report.h"
 #include "dump/dump_vtk.h"
+#include "core/report.h"
 #include "image/image.h"
 #include "io/png.h"
 #include "io/ppm.h"
 
 #include "base/banned.h"
-
-/* Frames of a run that are worth a warning; more are those of a rerun, whose last step is not known. */
-static const int64_t MANY = 100000, NO_END = INT64_C(1000000000000);
 
 static enum ts_status check_name(struct ts_instance *self, struct tsim *sim)
 {
@@ -36,20 +33,25 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_image_read(self, sim);
 }
 
+/* Estimated size of a file, bytes: of .png files as measured of packings of spheres. */
+static double file_size(const struct ts_image *s)
+{
+	return (ts_ends_with(s->common.file, ".png") ? 0.75 : 3) * (double)s->size.width *
+	       (double)s->size.height;
+}
+
 /* Without a `*` the second frame replaces the first. */
 static void warn_of_frames(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_image *s = self->state;
 	const struct ts_dump_common *d = &s->common;
-	const int64_t frames = d->variable ? 0 : ts_report_count(sim, d->every);
+	const bool several = strchr(d->file, '*') != NULL;
 
-	if (d->frames == 2 && !strchr(d->file, '*'))
+	if (d->frames == 2 && !several)
 		ts_warn(&sim->log, &self->where,
 			"dump %s: '%s' has no `*` for the step: each picture replaces the one before",
 			self->id, d->file);
-	if (d->frames == 1 && sim->run.inside && frames > MANY && frames < NO_END)
-		ts_warn(&sim->log, &self->where, "dump %s: this run writes %lld pictures, one in %lld steps",
-			self->id, (long long)frames, (long long)d->every);
+	ts_image_warn_frames(self, sim, several ? file_size(s) : 0);
 }
 
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
@@ -77,11 +79,9 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_image *s = self->state;
-	const double packed =
-		ts_ends_with(s->common.file, ".png") ? 0.25 : 1; /* measured of packings of spheres */
 
-	return ts_dump_price_frame(self, sim, 3 * packed * (double)s->size.width * (double)s->size.height,
-				   report);
+	report->bytes += ts_image_memory(s);
+	return ts_dump_price_frame(self, sim, file_size(s), report);
 }
 
 TS_STYLE(dump, ts_style, ts_dump_image)

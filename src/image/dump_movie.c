@@ -1,5 +1,6 @@
 /* Dump movie: the pictures of dump image as a movie, encoded by ffmpeg. */
-#include <math.h>
+#include <inttypes.h>
+#include <string.h>
 
 #include "core/report.h"
 #include "image/image.h"
@@ -10,6 +11,7 @@
 struct state {
 	struct ts_image image;
 	struct ts_movie movie;
+	struct ts_str part; /* name of the file of this run, if it is not that of the script */
 };
 
 static enum ts_status check_name(struct ts_instance *self, struct tsim *sim)
@@ -35,14 +37,24 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_image_read(self, sim);
 }
 
-/* Frames before a restart are not in the new file. */
-static void warn_of_restart(struct ts_instance *self, struct tsim *sim)
+/* Frames before a restart are in the file of the run before, which is kept: the new ones get a name with the step, as
+ * film.12000.mp4 for film.mp4. */
+static enum ts_status name_part(struct ts_instance *self, struct tsim *sim)
 {
-	const struct state *s = self->state;
+	struct state *s = self->state;
+	const char *file = s->image.common.file, *ending = strrchr(file, '.');
 
-	if (s->movie.frames == 0 && s->image.common.frames > 1)
-		ts_warn(&sim->log, &self->where, "dump %s: the movie '%s' begins at step %lld", self->id,
-			s->image.common.file, (long long)sim->clock.step);
+	if (s->movie.frames > 0 || s->image.common.frames <= 1)
+		return TS_OK;
+	ts_str_clear(&s->part);
+	ts_str_addf(&s->part, "%.*s.%" PRId64 "%s", (int)(ending - file), file, sim->clock.step, ending);
+	if (s->part.failed)
+		return ts_nomem(&sim->error);
+	ts_warn(&sim->log, &self->where,
+		"dump %s: the movie '%s' goes on from this restart file in '%s'; `ffmpeg -f concat` joins "
+		"them",
+		self->id, file, ts_str_text(&s->part));
+	return TS_OK;
 }
 
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
@@ -57,11 +69,13 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_image_draw(self, sim, &drawn));
 	if (!drawn)
 		return TS_OK;
-	warn_of_restart(self, sim);
+	TS_TRY(name_part(self, sim));
+	ts_image_warn_frames(self, sim, 0);
 	s->movie.rate = s->image.framerate;
 	s->movie.bitrate = (int64_t)s->image.bitrate;
 	return ts_movie_add(&s->movie, sim, ts_instance_word(self, s->image.common.file),
-			    s->image.common.file, p->width, p->height, p->rgb);
+			    s->part.length ? ts_str_text(&s->part) : s->image.common.file, p->width,
+			    p->height, p->rgb);
 }
 
 static enum ts_status complete(struct ts_instance *self, struct tsim *sim)
@@ -75,12 +89,16 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	const struct ts_image *s = self->state;
 	const double kbit = s->bitrate > 0 ? s->bitrate : 2000;
 
+	report->bytes += ts_image_memory(s);
 	return ts_dump_price_frame(self, sim, 125 * kbit / s->framerate, report);
 }
 
 static void fini(struct ts_instance *self)
 {
-	ts_movie_end(&((struct state *)self->state)->movie);
+	struct state *s = self->state;
+
+	ts_movie_end(&s->movie);
+	ts_str_release(&s->part);
 	ts_image_release(self);
 }
 
@@ -91,7 +109,8 @@ const struct ts_style ts_dump_movie = {
 	.summary = "Makes a movie of the pictures of dump image",
 	.doc = "Draws what dump image draws and gives the pictures to the program ffmpeg, which must be on "
 	       "the PATH. The movie is complete after `undump` or at the end of the script; after a restart "
-	       "it begins anew. dump_modify framerate and bitrate are those of the movie.",
+	       "the frames that follow are in a file with the step in its name, film.12000.mp4 for film.mp4. "
+	       "dump_modify framerate and bitrate are those of the movie.",
 	.doc_more = ts_image_text,
 	.example = "dump film all movie 500 post/film.mp4 vx diameter size 1280 720 fsaa yes\n"
 		   "dump_modify film framerate 30 backcolor white",

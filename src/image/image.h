@@ -183,4 +183,11 @@ enum ts_status ts_image_camera(struct ts_instance *self, struct tsim *sim, struc
 enum ts_status ts_image_draw(struct ts_instance *self, struct tsim *sim, bool *drawn);
 void ts_image_release(struct ts_instance *self);
 
+/* ---- image_price.c */
+
+/* Memory of the pixels of a picture while it is drawn, bytes. */
+double ts_image_memory(const struct ts_image *s);
+/* At the first frame of a run: warns if it has very many, and how much they are, each of `bytes` (0: not told). */
+void ts_image_warn_frames(struct ts_instance *self, struct tsim *sim, double bytes);
+
 #endif
