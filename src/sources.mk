@@ -839,6 +839,8 @@ library_sources = \
 	src/load/fix_mesh_surface_stress.c \
 	src/load/fix_mesh_surface_stress_servo.c \
 	src/load/fix_surface_heat.c \
+	src/load/mesh_quantities.c \
+	src/load/mesh_quantities.h \
 	src/load/mesh_stress.c \
 	src/load/mesh_stress.h \
 	src/load/mesh_wear.c \

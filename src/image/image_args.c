@@ -27,8 +27,8 @@ const struct ts_arg ts_image_args[] = {
 		.help = "one diameter for all spheres, in place of DIAMETER"),
 	WORDS("bond", bond_words, "COLOR WIDTH of bonds (none none)", .least = 2),
 	PART("mesh", surface_words,
-	     "ID|all [color C] [trans T] [value f_ID[k]|stress|wear]: triangle meshes; trans from 0, "
-	     "invisible, to 1, opaque (silver, 1)"),
+	     "ID|all [color C] [trans T] [value f_ID[k]|NAME]: triangle meshes; trans from 0, invisible, to "
+	     "1, opaque (silver, 1)"),
 	PART("voxel", surface_words,
 	     "ID|all [color C] [trans T] [value f_ID[k]|c_ID[k]|height]: height fields (tan, 1)"),
 	PART("wall", surface_words,
@@ -107,10 +107,11 @@ const char *const ts_image_text[] = {
 	"Surfaces: `mesh`, `voxel` and `wall` may be given several times. With `value` the color of each "
 	"triangle, column or wall is that of its number in the map of dump_modify smap, whose range min and "
 	"max is that of each surface: an output with a row for each element (fix wear/finnie, fix "
-	"surface/heat, compute surface/contact ...), or what the surface has: stress (normal) and wear of "
-	"fix mesh/surface/stress, height. A mesh that moves is drawn where it is, removed triangles are not "
-	"drawn. Of height fields with more than 262144 columns blocks of columns are drawn, with the height "
-	"of their highest.",
+	"surface/heat, compute surface/contact ...), or what the surface has: of meshes the quantities of "
+	"dump mesh/vtk (stress: normal, shear_stress_average, stresscomponents: the size of the vector, "
+	"wear, vel: the speed, temp, area ...), of height fields height. A mesh that moves is drawn where it "
+	"is, removed triangles are not drawn. Of height fields with more than 262144 columns blocks of "
+	"columns are drawn, with the height of their highest.",
 	"The projection is parallel. The directions of the lights, the default view and the scale at zoom 1 "
 	"(the height of the picture is twice the longest edge of the box) are those of LAMMPS. Particles are "
 	"drawn at their wrapped positions. The picture is the same for any number of threads and after a "

@@ -1,6 +1,6 @@
 /* Triangle meshes of a picture. */
 #include "image/image_surfaces.h"
-#include "load/mesh_stress.h"
+#include "load/mesh_quantities.h"
 #include "mesh/mesh_surface.h"
 
 #include "base/banned.h"
@@ -26,16 +26,7 @@ static size_t elements(const struct ts_instance *by)
 
 static bool value(const struct ts_instance *by, const char *name, double *out)
 {
-	const struct ts_mesh_surface *s = by->state;
-	const double *from = NULL;
-
-	if (s->stress && ts_streq(name, "stress"))
-		from = s->stress->normal;
-	else if (s->stress && ts_streq(name, "wear"))
-		from = s->stress->wear.depth;
-	for (size_t t = 0; from && t < s->mesh.n; t++)
-		out[t] = from[t];
-	return from != NULL;
+	return ts_mesh_quantity_sizes(by->state, name, out);
 }
 
 static enum ts_status add(struct tsim *sim, const struct ts_instance *by, struct ts_scene *scene,

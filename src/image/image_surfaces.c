@@ -124,8 +124,9 @@ static enum ts_status evaluate(struct tsim *sim, struct ts_image_surface *s, con
 		return TS_OK;
 	s->values.rows = 0;
 	return ts_fail(&sim->error, TS_UNKNOWN, &s->id_word.place,
-		       "dump image: %s %s has no value '%s': a fix mesh/surface/stress has `stress`, with "
-		       "`wear` also `wear`, a height field `height`; others are f_ID[k], c_ID[k]",
+		       "dump image: %s %s has no value '%s': a mesh has those of dump mesh/vtk (stress and "
+		       "wear if it is a fix mesh/surface/stress with them, vel, temp, area ...), a height "
+		       "field `height`; others are f_ID[k], c_ID[k]",
 		       s->sort->name, by->id, s->value);
 }
 

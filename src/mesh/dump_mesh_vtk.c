@@ -5,13 +5,13 @@
 #include "dump/dump_mesh.h"
 #include "dump/dump_surface.h"
 #include "io/vtk_legacy.h"
-#include "load/mesh_stress.h"
+#include "load/mesh_quantities.h"
 
 #include "base/banned.h"
 
 struct state {
 	struct ts_dump_mesh mesh;
-	unsigned chosen; /* bit k: quantities[k] is written */
+	unsigned chosen; /* bit k: ts_mesh_quantities[k] is written */
 	struct ts_dump_surface_inputs inputs;
 	int form; /* FACE, INTERPOLATE or ORIGINAL */
 };
@@ -19,155 +19,8 @@ struct state {
 enum { FACE, INTERPOLATE, ORIGINAL };
 static const char *const forms[] = { "face", "interpolate", "original", NULL };
 
-/* ---- quantities ---- */
-
-/* Stores a scalar or vector of triangle t, or of one of its corners 0 .. 2 (-1: of the triangle as a
- * whole). */
-typedef void get_fn(const struct ts_mesh_surface *s, size_t t, int corner, double out[3]);
-
-static bool tracked(const struct ts_mesh_surface *s)
-{
-	return s->stress && s->stress->tracks;
-}
-
-static bool worn(const struct ts_mesh_surface *s)
-{
-	return s->stress && s->stress->wear.law != TS_MESH_WEAR_OFF;
-}
-
-static bool moves(const struct ts_mesh_surface *s)
-{
-	return s->v != NULL;
-}
-
-static void get_normal_stress(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
-{
-	(void)corner;
-	out[0] = tracked(s) ? s->stress->normal[t] : 0;
-}
-
-static void get_shear_stress(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
-{
-	(void)corner;
-	out[0] = tracked(s) ? s->stress->shear[t] : 0;
-}
-
-static void get_stress(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
-{
-	(void)corner;
-	for (int d = 0; d < 3; d++)
-		out[d] = tracked(s) ? s->stress->load[t][d] / s->mesh.area[t] : 0;
-}
-
-static void get_wear(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
-{
-	(void)corner;
-	out[0] = worn(s) ? s->stress->wear.depth[t] : 0;
-}
-
-static bool warm(const struct ts_mesh_surface *s)
-{
-	return !isnan(s->temperature);
-}
-
-static void get_temperature(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
-{
-	(void)t;
-	(void)corner;
-	out[0] = warm(s) ? s->temperature : 0;
-}
-
-static void get_index(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
-{
-	(void)s;
-	(void)corner;
-	out[0] = (double)t;
-}
-
-static void get_owner(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
-{
-	(void)s;
-	(void)t;
-	(void)corner;
-	out[0] = 0;
-}
-
-static void get_area(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
-{
-	(void)corner;
-	out[0] = s->mesh.area[t];
-}
-
-static void get_active_edges(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
-{
-	(void)corner;
-	out[0] = 0;
-	for (int k = 0; k < 3; k++)
-		out[0] += ts_mesh_edge_active(&s->mesh, t, k);
-}
-
-static void get_active_corners(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
-{
-	(void)corner;
-	out[0] = 0;
-	for (int k = 0; k < 3; k++)
-		out[0] += ts_mesh_corner_active(&s->mesh, t, k);
-}
-
-static bool has_vertex(const struct ts_mesh *m, size_t t, int32_t vertex)
-{
-	return m->vertex[t][0] == vertex || m->vertex[t][1] == vertex || m->vertex[t][2] == vertex;
-}
-
-static void get_neighbours(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
-{
-	const struct ts_mesh *m = &s->mesh;
-
-	(void)corner;
-	out[0] = 0;
-	for (int k = 0; k < 3; k++) {
-		out[0] += m->neighbour[t][k] >= 0;
-		for (size_t o = 0; m->neighbour[t][k] == TS_MESH_MANY && o < m->n; o++)
-			out[0] += o != t && has_vertex(m, o, m->vertex[t][k]) &&
-				  has_vertex(m, o, m->vertex[t][(k + 1) % 3]);
-	}
-}
-
-static void get_velocity(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
-{
-	for (int d = 0; d < 3; d++) {
-		out[d] = 0;
-		for (int k = 0; s->v && k < 3; k++)
-			if (corner < 0 || corner == k)
-				out[d] += s->v[t][k][d] / (corner < 0 ? 3 : 1);
-	}
-}
-
-/* In the order in which they are written; `vel` comes first with `output interpolate`. */
-static const struct quantity {
-	const char *word, *name;
-	int components;
-	bool integer;
-	get_fn *get;
-	bool (*of)(const struct ts_mesh_surface *s); /* whether the mesh has it; NULL: all have */
-} quantities[] = {
-	{ "stress", "normal_stress_average", 1, false, get_normal_stress, tracked },
-	{ "stress", "shear_stress_average", 1, false, get_shear_stress, tracked },
-	{ "stresscomponents", "stress", 3, false, get_stress, tracked },
-	{ "id", "meshid", 1, true, get_index, NULL },
-	{ "wear", "wear", 1, false, get_wear, worn },
-	{ "temp", "Temp", 1, false, get_temperature, warm },
-	{ "owner", "owner", 1, true, get_owner, NULL },
-	{ "area", "area", 1, false, get_area, NULL },
-	{ "aedges", "active_edges", 1, true, get_active_edges, NULL },
-	{ "acorners", "active_corners", 1, true, get_active_corners, NULL },
-	{ "index", "index", 1, true, get_index, NULL },
-	{ "nneighs", "nneighs", 1, true, get_neighbours, NULL },
-	{ "vel", "v", 3, false, get_velocity, moves },
-};
 /* Keywords of LIGGGHTS for quantities that no mesh has here: their arrays are not written. */
 static const char *const missing[] = { "liquid", "distaa", NULL };
-enum { NQUANTITIES = sizeof quantities / sizeof *quantities, VELOCITY = NQUANTITIES - 1 };
 
 /* ---- arguments ---- */
 
@@ -198,8 +51,8 @@ static enum ts_status read_word(struct ts_instance *self, struct tsim *sim, stru
 	struct state *s = self->state;
 
 	*taken = 0;
-	for (int k = 0; k < NQUANTITIES; k++)
-		if (ts_streq(rest.word[0].text, quantities[k].word)) {
+	for (int k = 0; k < TS_MESH_QUANTITIES; k++)
+		if (ts_streq(rest.word[0].text, ts_mesh_quantities[k].word)) {
 			s->chosen |= 1u << k;
 			*taken = 1;
 		}
@@ -236,7 +89,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_dump_mesh_init(self, sim, read_word));
 	TS_TRY(ts_dump_surface_find(self, sim, writes, &s->inputs));
 	if (!s->mesh.vtk.array)
-		s->mesh.vtk.array = ts_arena_alloc(&self->arena, NQUANTITIES + s->inputs.list.n,
+		s->mesh.vtk.array = ts_arena_alloc(&self->arena, TS_MESH_QUANTITIES + s->inputs.list.n,
 						   sizeof *s->mesh.vtk.array);
 	if (!s->mesh.vtk.array)
 		return ts_nomem(&sim->error);
@@ -285,7 +138,7 @@ static enum ts_status fill_points(struct state *s, struct tsim *sim, size_t n)
 	return TS_OK;
 }
 
-static void fill_quantity(const struct state *s, const struct quantity *q, double *to)
+static void fill_quantity(const struct state *s, const struct ts_mesh_quantity *q, double *to)
 {
 	bool points = s->form == INTERPOLATE;
 	double value[3] = { 0 };
@@ -318,10 +171,10 @@ static enum ts_status fill_input(struct state *s, struct tsim *sim, size_t k, do
 /* Whether quantity k is chosen and at least one mesh of the dump has it. */
 static bool written(const struct state *s, int k)
 {
-	bool there = !quantities[k].of;
+	bool there = !ts_mesh_quantities[k].of;
 
 	for (size_t m = 0; m < s->mesh.nsurfaces && !there; m++)
-		there = quantities[k].of(s->mesh.surface[m]);
+		there = ts_mesh_quantities[k].of(s->mesh.surface[m]);
 	return there && (s->chosen & 1u << k);
 }
 
@@ -332,9 +185,9 @@ static void list_arrays(struct state *s)
 	bool points = s->form == INTERPOLATE;
 
 	v->narrays = 0;
-	for (int k = 0; k < NQUANTITIES; k++) {
-		int which = !points ? k : k ? k - 1 : VELOCITY;
-		const struct quantity *q = &quantities[which];
+	for (int k = 0; k < TS_MESH_QUANTITIES; k++) {
+		int which = !points ? k : k ? k - 1 : TS_MESH_VELOCITY;
+		const struct ts_mesh_quantity *q = &ts_mesh_quantities[which];
 
 		if (written(s, which))
 			v->array[v->narrays++] = (struct ts_vtk_array){ q->name, NULL, (size_t)q->components,
@@ -345,9 +198,9 @@ static void list_arrays(struct state *s)
 			(struct ts_vtk_array){ .name = s->inputs.list.item[k].name, .components = 1 };
 }
 
-static const struct quantity *quantity_named(const char *name)
+static const struct ts_mesh_quantity *quantity_named(const char *name)
 {
-	const struct quantity *q = quantities;
+	const struct ts_mesh_quantity *q = ts_mesh_quantities;
 
 	while (!ts_streq(q->name, name))
 		q++;

@@ -122,6 +122,11 @@ is 'height 8.5 of 10' c.ppm 170 100 '217 217 217'
 is 'height 0.5 of 10' c.ppm 10 100 '13 13 13'
 is 'all triangles the same' d.ppm 30 170 '0 0 255'
 is 'wall at half of its color' e.ppm 100 100 '0 77 0'
+prints "$surfaces
+write_dump all image f.ppm type type $above mesh plate value id modify $flat smap 0 2 gray
+write_dump all image g.ppm type type $above mesh plate value stresscomponents modify $flat smap 0 1 gray backcolor red"
+near 'the second triangle' f.ppm 80 120 '128 128 128'
+is 'a mesh without load' g.ppm 20 180 '0 0 0'
 rejects "$surfaces
 write_dump all image a.png type type mesh plat" 'plat'
 rejects "$surfaces
@@ -129,7 +134,7 @@ write_dump all image a.png type type wall slope" 'no wall'
 rejects "$surfaces
 write_dump all image a.png type type voxel slope value f_plate[1]" 'has 2 rows'
 rejects "$surfaces
-write_dump all image a.png type type mesh plate value wear2" 'has no value'
+write_dump all image a.png type type mesh plate value wear" 'has no value'
 rejects "$surfaces
 write_dump all image a.png type type mesh all value f_plate[1]" 'name this in place of all'
 
