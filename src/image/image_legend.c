@@ -8,7 +8,7 @@
 
 struct legends {
 	struct ts_image *d;
-	struct ts_colour ink;
+	struct ts_colour ink, ground;
 	int n;
 };
 
@@ -20,7 +20,7 @@ static void add(struct legends *l, const struct ts_colour_map *map, const double
 		return;
 	title = l->d->legend.title[l->n];
 	ts_legend_draw(&l->d->picture, (enum ts_legend_side)l->n, map, range[0], range[1],
-		       title ? title : name, l->ink);
+		       title ? title : name, l->ink, l->ground);
 	l->n++;
 }
 
@@ -69,11 +69,10 @@ static bool shows_particles(const struct ts_image *d)
 void ts_image_add_legends(struct ts_image *d)
 {
 	const struct ts_dump_column *c = &d->common.column[TS_IMAGE_COLOUR];
-	const float *ground = d->gradient ? d->ground_top.c : d->ground.c;
-	struct legends l = {
-		.d = d, .ink = ts_colour_of_hex(ground[0] + 2 * ground[1] + ground[2] > 2 ? 0 : 0xffffff)
-	};
+	struct legends l = { .d = d, .ground = d->gradient ? d->ground_top : d->ground };
+	const float *ground = l.ground.c;
 
+	l.ink = ts_colour_of_hex(ground[0] + 2 * ground[1] + ground[2] > 2 ? 0 : 0xffffff);
 	if (!c->element && !ts_streq(c->input.name, "type") && shows_particles(d))
 		add(&l, &d->atom_map, d->range[0], c->input.name);
 	if (d->bond.colour_by >= TS_IMAGE_NUMBER)

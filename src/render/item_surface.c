@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/vec3.h"
 #include "render/round.h"
 
 #include "base/banned.h"
@@ -58,6 +59,14 @@ void ts_item_normal(const struct ts_items *items, const struct ts_item *item, do
 {
 	struct ts_round r;
 
+	if (item->kind == TS_ITEM_SPHERE) {
+		const double *c = items->round[item->index].a, w[3] = { x - c[0], c[1] - y, z - c[2] };
+		const double size = ts_norm(w), scale = size > 0 ? 1 / size : 0;
+
+		for (int k = 0; k < 3; k++)
+			n[k] = (float)(scale * w[k]);
+		return;
+	}
 	if (item->kind == TS_ITEM_TRIANGLE) {
 		memcpy(n, items->triangle[item->index].normal, sizeof items->triangle->normal);
 		return;

@@ -7,8 +7,9 @@
 
 enum ts_legend_side { TS_LEGEND_RIGHT, TS_LEGEND_LEFT, TS_LEGEND_SIDES };
 
-/* Draws the bar of the map for values from lo to hi; ink: colour of the letters and of the frame. */
+/* Draws the bar of the map for values from lo to hi. ink: colour of the letters and of the frame; ground: of what is
+ * behind them, mostly over the scene. */
 void ts_legend_draw(struct ts_picture *p, enum ts_legend_side side, const struct ts_colour_map *map,
-		    double lo, double hi, const char *title, struct ts_colour ink);
+		    double lo, double hi, const char *title, struct ts_colour ink, struct ts_colour ground);
 
 #endif

@@ -117,14 +117,25 @@ int64_t ts_letters_width(const char *text, int scale)
 	return (int64_t)strlen(text) * TS_LETTER_WIDTH * scale;
 }
 
+void ts_letters_veil(struct ts_picture *p, int64_t x, int64_t y, int64_t width, int64_t height,
+		     struct ts_colour colour, double opacity)
+{
+	const float part = (float)opacity;
+
+	for (int64_t j = y < 0 ? 0 : y; j < y + height && j < p->height; j++)
+		for (int64_t i = x < 0 ? 0 : x; i < x + width && i < p->width; i++)
+			for (int k = 0; k < 3; k++) {
+				unsigned char *to = &p->rgb[3 * (j * p->width + i) + k];
+
+				*to = (unsigned char)(255 * part * colour.c[k] + (1 - part) * (float)*to +
+						      0.5F);
+			}
+}
+
 void ts_letters_fill(struct ts_picture *p, int64_t x, int64_t y, int64_t width, int64_t height,
 		     struct ts_colour colour)
 {
-	for (int64_t j = y < 0 ? 0 : y; j < y + height && j < p->height; j++)
-		for (int64_t i = x < 0 ? 0 : x; i < x + width && i < p->width; i++)
-			for (int k = 0; k < 3; k++)
-				p->rgb[3 * (j * p->width + i) + k] =
-					(unsigned char)(255 * colour.c[k] + 0.5F);
+	ts_letters_veil(p, x, y, width, height, colour, 1);
 }
 
 static void draw_letter(struct ts_picture *p, int64_t x, int64_t y, int scale, char letter,

@@ -17,4 +17,8 @@ void ts_letters_draw(struct ts_picture *p, int64_t x, int64_t y, int scale, cons
 void ts_letters_fill(struct ts_picture *p, int64_t x, int64_t y, int64_t width, int64_t height,
 		     struct ts_colour colour);
 
+/* The same with a colour of this opacity. */
+void ts_letters_veil(struct ts_picture *p, int64_t x, int64_t y, int64_t width, int64_t height,
+		     struct ts_colour colour, double opacity);
+
 #endif

@@ -60,11 +60,11 @@ static void light_of(const struct canvas *c, const struct ts_item *item, uint32_
 	const struct ts_colour colour = ts_item_colour(d->scene, d->items, item, x, y);
 	float n[3];
 
-	if (ts_item_is_unlit(d->scene, item)) {
+	if (item->kind == TS_ITEM_TRIANGLE && ts_item_is_unlit(d->scene, item)) {
 		memcpy(out, colour.c, sizeof colour.c);
 		return;
 	}
-	if (!ts_tile_is_cut_face(&c->tile, d->items, item, sample, z, n))
+	if (item->whole || !ts_tile_is_cut_face(&c->tile, d->items, item, sample, z, n))
 		ts_item_normal(d->items, item, x, y, (double)z, n);
 	ts_shade_surface(&d->shade, n, &colour, out);
 }

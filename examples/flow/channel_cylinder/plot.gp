@@ -1,28 +1,11 @@
 # Called by ./study: results/channel_cylinder.png. sizes: cells to the diameter
 load '../style.gp'
-finest = word(sizes, words(sizes))
-set terminal pngcairo size 1100,640 font 'Helvetica,10'
+set terminal pngcairo size 1100,380 font 'Helvetica,10'
 set output 'results/channel_cylinder.png'
 set multiplot
-set size 1,0.42; set origin 0,0.56
-set lmargin at screen 0.06; set rmargin at screen 0.93
-set title '2D-2, Re = 100: vorticity, 1/s, '.finest.' cells to the diameter'
-set size ratio -1
-unset grid
-set xrange [0:2.2]; set yrange [0:0.41]
-set xtics 0.2; set ytics 0.1
-set cbrange [-100:100]; set cbtics 50
-set palette defined (-1 '#0b3c5d', -0.4 '#328cc1', -0.05 '#e8eef2', 0 '#ffffff', 0.05 '#f6ece4', 0.4 '#d9782d', 1 '#8c3b0c')
-set pm3d map interpolate 3,3
-set object 1 circle at 0.2,0.2 size 0.05 front fc rgb '#444444' fs solid
-splot 'results/'.finest.'.field' using 1:2:3 with pm3d notitle
-unset object 1
-unset pm3d
-set size noratio
 set grid lc rgb '#e5e5e5' lt 1
 set lmargin at screen 0.06; set rmargin at screen 0.36
-set size 0.34,0.5; set origin 0.02,0.02
-set tmargin at screen 0.49; set bmargin at screen 0.09
+set tmargin at screen 0.92; set bmargin at screen 0.14
 set title 'drag (dashed: greatest and least, converged)'
 set xlabel 't, s'; set ylabel 'C_D'
 set xrange [0:8]; set xtics 2
