@@ -94,6 +94,7 @@ shell_tests = \
 	tests/examples/flow_cases.sh \
 	tests/examples/grains.sh \
 	tests/examples/granular_film.sh \
+	tests/examples/pictures.sh \
 	tests/examples/polishing.sh \
 	tests/examples/rock.sh \
 	tests/examples/scratch.sh \

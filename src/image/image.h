@@ -119,6 +119,7 @@ struct ts_image {
 
 	/* of the present frame */
 	double range[2][2];	  /* of the values of atoms and of bonds that colours belong to */
+	double contact_range[2];  /* of the forces of all keywords contact */
 	unsigned char *drawn;	  /* [particles] whether the particle is drawn */
 	struct ts_colour *colour; /* [particles] of those drawn */
 	double *diameter;	  /* [particles] of those drawn, length */

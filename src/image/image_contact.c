@@ -112,28 +112,36 @@ static double usual_width(const struct ts_image *d)
 	return d->common.nrows ? 0.5 * sum / (double)d->common.nrows : 0;
 }
 
-static enum ts_status add_all(struct ts_image *d, const struct tsim *sim, struct ts_image_contacts *c)
+/* The range of the forces of all keywords, and the largest force. */
+static void find_range(struct ts_image *d, double range[2], double *largest)
+{
+	range[0] = INFINITY;
+	range[1] = -INFINITY;
+	for (size_t n = 0; n < d->ncontacts; n++)
+		for (size_t row = 0; row < d->contacts[n].compute->table.rows; row++) {
+			const double force = force_of(&d->contacts[n], row);
+
+			ts_colour_map_extend(&force, 1, 1, &range[0], &range[1]);
+		}
+	*largest = fmax(range[1], 0);
+	ts_colour_map_range(&d->contact_map, &range[0], &range[1]);
+}
+
+static enum ts_status add_all(struct ts_image *d, const struct tsim *sim, const struct ts_image_contacts *c,
+			      double largest)
 {
 	const struct ts_table *t = &c->compute->table;
+	const double *range = d->contact_range;
 	const bool mapped = ts_streq(c->colour_name, "force");
-	double factor = c->factor, largest = 0;
+	double factor = c->factor;
 
-	c->range[0] = INFINITY;
-	c->range[1] = -INFINITY;
-	for (size_t row = 0; row < t->rows; row++) {
-		const double force = force_of(c, row);
-
-		ts_colour_map_extend(&force, 1, 1, &c->range[0], &c->range[1]);
-	}
-	largest = fmax(c->range[1], 0);
-	ts_colour_map_range(&d->contact_map, &c->range[0], &c->range[1]);
 	if (isnan(factor))
 		factor = (isnan(c->width) ? usual_width(d) : c->width) / largest;
 	for (size_t row = 0; row < t->rows; row++) {
 		const double force = force_of(c, row);
 
 		TS_TRY(add_contact(&d->scene, sim, t->data + row * t->columns + c->pos, factor * force,
-				   mapped ? ts_colour_map_at(&d->contact_map, c->range[0], c->range[1], force)
+				   mapped ? ts_colour_map_at(&d->contact_map, range[0], range[1], force)
 					  : c->colour));
 	}
 	return TS_OK;
@@ -142,14 +150,17 @@ static enum ts_status add_all(struct ts_image *d, const struct tsim *sim, struct
 enum ts_status ts_image_add_contacts(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_image *d = self->state;
+	double largest;
 
 	for (size_t n = 0; n < d->ncontacts; n++) {
-		struct ts_image_contacts *c = &d->contacts[n];
+		struct ts_instance *compute = d->contacts[n].compute;
 
-		TS_TRY(ts_value_cached(c->compute, sim, ts_value_find(c->compute, TS_LOCAL)));
-		TS_TRY(find_columns(sim, c));
-		if (add_all(d, sim, c) != TS_OK)
-			return ts_nomem(&sim->error);
+		TS_TRY(ts_value_cached(compute, sim, ts_value_find(compute, TS_LOCAL)));
+		TS_TRY(find_columns(sim, &d->contacts[n]));
 	}
+	find_range(d, d->contact_range, &largest);
+	for (size_t n = 0; n < d->ncontacts; n++)
+		if (add_all(d, sim, &d->contacts[n], largest) != TS_OK)
+			return ts_nomem(&sim->error);
 	return TS_OK;
 }

@@ -12,7 +12,6 @@ struct ts_image_contacts {
 	struct ts_colour colour;
 	/* of the present frame */
 	size_t pos, force; /* columns */
-	double range[2];   /* of the forces */
 };
 enum ts_status ts_image_read_contacts(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_image_add_contacts(struct ts_instance *self, struct tsim *sim);

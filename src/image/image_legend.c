@@ -28,7 +28,7 @@ static void add_contacts(struct legends *l)
 {
 	for (size_t n = 0; n < l->d->ncontacts; n++)
 		if (ts_streq(l->d->contacts[n].colour_name, "force")) {
-			add(l, &l->d->contact_map, l->d->contacts[n].range, "force");
+			add(l, &l->d->contact_map, l->d->contact_range, "force");
 			return;
 		}
 }

@@ -197,12 +197,15 @@ static enum ts_status reserve(struct ts_image_slice *s, size_t n)
 }
 
 /* Places, distances and values of all corners. */
-static enum ts_status sample(struct tsim *sim, struct ts_image_slice *s, const struct ts_fluid *fluid)
+static enum ts_status sample(struct tsim *sim, struct ts_image_slice *s, struct ts_fluid *fluid)
 {
 	const int a = axis_of(s, 0), b = axis_of(s, 1);
 	struct sampling context = { s, fluid };
 	double reach;
 
+	if (ts_streq(s->quantity, "none"))
+		return TS_OK;
+	TS_TRY(ts_flow_sampler_fetch(&s->sampler, sim, who, &s->group.keyword.place, &fluid));
 	if (make_all_corners(s, &fluid->grid) != TS_OK || reserve(s, s->n[0] * s->n[1]) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t j = 0; j < s->n[1]; j++)
@@ -219,18 +222,23 @@ static enum ts_status sample(struct tsim *sim, struct ts_image_slice *s, const s
 	return TS_OK;
 }
 
-/* Range of the values in the fluid; whether some of them are no numbers. */
-static bool find_range(struct ts_image_slice *s, const struct ts_colour_map *map)
+/* Range of the values of all slices of that quantity, in the fluid; whether some of them are no numbers. */
+static bool find_range(const struct ts_image *d, struct ts_image_slice *s)
 {
 	bool numbers = true;
 
-	s->scale = (struct ts_scene_scale){ map, INFINITY, -INFINITY };
-	for (size_t k = 0; k < s->n[0] * s->n[1]; k++)
-		if (s->distance[k] >= 0) {
-			ts_colour_map_extend(&s->value[k], 1, 1, &s->scale.lo, &s->scale.hi);
-			numbers &= !isnan(s->value[k]);
-		}
-	ts_colour_map_range(map, &s->scale.lo, &s->scale.hi);
+	s->scale = (struct ts_scene_scale){ &d->field_map, INFINITY, -INFINITY };
+	for (size_t n = 0; n < d->nslices; n++) {
+		const struct ts_image_slice *other = &d->slice[n];
+
+		for (size_t k = 0; ts_streq(other->quantity, s->quantity) && k < other->n[0] * other->n[1];
+		     k++)
+			if (other->distance[k] >= 0) {
+				ts_colour_map_extend(&other->value[k], 1, 1, &s->scale.lo, &s->scale.hi);
+				numbers &= !isnan(other->value[k]);
+			}
+	}
+	ts_colour_map_range(&d->field_map, &s->scale.lo, &s->scale.hi);
 	return numbers;
 }
 
@@ -345,7 +353,7 @@ static enum ts_status add_arrows(struct ts_scene *scene, struct tsim *sim, struc
 	double largest = 0, u[3];
 	size_t n;
 
-	if (isnan(s->spacing))
+	if (isnan(s->spacing) || !s->valid)
 		return TS_OK;
 	if (place_arrows(s, &fluid->grid, &n) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -367,50 +375,41 @@ static enum ts_status add_arrows(struct ts_scene *scene, struct tsim *sim, struc
 
 /* ---- frames */
 
-/* The position at this step; *valid: it is in the grid. */
-static enum ts_status find_position(struct ts_instance *self, struct tsim *sim, struct ts_image_slice *s,
-				    const struct ts_grid *grid, bool *valid)
+/* The position at this step; no corners if it is not in the grid. */
+static enum ts_status begin(struct ts_instance *self, struct tsim *sim, struct ts_image_slice *s,
+			    struct ts_fluid *fluid)
 {
+	s->n[0] = s->n[1] = 0;
 	TS_TRY(ts_number_now(sim, &s->position, &s->group.keyword.place, &s->at));
-	*valid = is_in_grid(grid, s->axis, s->at);
-	if (s->axis >= grid->dimensions && *valid) /* the fields are the same everywhere */
-		*valid = isfinite(s->at);
-	if (!*valid && !s->told) {
-		s->told = true;
+	s->valid = is_in_grid(&fluid->grid, s->axis, s->at) && isfinite(s->at);
+	if (s->valid)
+		return sample(sim, s, fluid);
+	if (!s->told)
 		ts_warn(&sim->log, &s->group.keyword.place,
 			"dump %s: no slice at step %lld: %s = %g is outside of the fluid's grid", self->id,
 			(long long)sim->clock.step, axes[s->axis], s->at);
-	}
+	s->told = true;
 	return TS_OK;
-}
-
-static enum ts_status add_one(struct ts_instance *self, struct tsim *sim, struct ts_image_slice *s)
-{
-	struct ts_image *d = self->state;
-	struct ts_fluid *fluid;
-	bool valid;
-
-	TS_TRY(ts_flow_require_fluid(sim, who, &s->group.keyword.place, &fluid));
-	TS_TRY(find_position(self, sim, s, &fluid->grid, &valid));
-	if (!valid)
-		return TS_OK;
-	if (!ts_streq(s->quantity, "none")) {
-		TS_TRY(ts_flow_sampler_fetch(&s->sampler, sim, who, &s->group.keyword.place, &fluid));
-		TS_TRY(sample(sim, s, fluid));
-		if (!find_range(s, &d->field_map))
-			ts_image_warn_nan(self, sim, s->quantity);
-		if (add_triangles(&d->scene, s) != TS_OK)
-			return ts_nomem(&sim->error);
-	}
-	return add_arrows(&d->scene, sim, s, fluid);
 }
 
 enum ts_status ts_image_add_slices(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_image *d = self->state;
+	struct ts_fluid *fluid;
 
+	if (!d->nslices)
+		return TS_OK;
+	TS_TRY(ts_flow_require_fluid(sim, who, &d->slice->group.keyword.place, &fluid));
 	for (size_t n = 0; n < d->nslices; n++)
-		TS_TRY(add_one(self, sim, &d->slice[n]));
+		TS_TRY(begin(self, sim, &d->slice[n], fluid));
+	for (size_t n = 0; n < d->nslices; n++) {
+		if (!find_range(d, &d->slice[n]))
+			ts_image_warn_nan(self, sim, d->slice[n].quantity);
+		if (add_triangles(&d->scene, &d->slice[n]) != TS_OK)
+			return ts_nomem(&sim->error);
+	}
+	for (size_t n = 0; n < d->nslices; n++) /* they use the memory of the corners */
+		TS_TRY(add_arrows(&d->scene, sim, &d->slice[n], fluid));
 	return TS_OK;
 }
 

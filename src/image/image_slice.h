@@ -19,6 +19,7 @@ struct ts_image_slice {
 	struct ts_word word; /* of the sampler */
 	/* of the present frame */
 	double at;	 /* position */
+	bool valid;	 /* it is in the grid */
 	double *node[2]; /* [n] coordinates of the corners along the axes of the plane */
 	size_t n[2], node_capacity[2], capacity, place_capacity, distance_capacity;
 	double *value; /* [n[1]][n[0]] at the corners */

@@ -32,6 +32,9 @@ write_dump all image d.ppm type type $above slice z 5 wz modify $flat gmap -0.2 
 write_dump all image e.ppm type type $above slice z 5 none arrows 2 length 1.5 width 0.3 color lime modify $flat
 write_dump all image f.ppm type type $above slice z 5 none arrows 2 factor 1 width 0.3 color lime modify $flat
 write_dump all image g.ppm type type $above slice z v_yy vx modify $flat gmap 0 1 gray"
+prints "$couette
+write_dump all image h.ppm type type view 90 90 up 0 0 1 zoom 2 size 200 200 box no slice y 5 vx slice y 1 vx slice y 0 vx legend yes modify gmap min max gray"
+near 'the range of all slices' h.ppm 100 100 '255 255 255'
 near 'u at y = 2.525' a.ppm 60 149 '64 64 64'
 near 'u at y = 7.575' a.ppm 120 48 '193 193 193'
 near 'u beside the wall' a.ppm 10 0 '254 254 254'
@@ -153,6 +156,13 @@ is 'the lesser force, outside' a.ppm 5 154 '0 0 0'
 is 'colour of the largest' b.ppm 118 49 '255 0 0'
 is 'colour of the least' b.ppm 195 149 '0 0 255'
 is 'too thin' c.ppm 118 49 '0 0 0'
+# several keywords have one range and one width
+prints "$contacts
+group one id 1 2
+compute d one pair/gran/local pos force
+write_dump all image a.ppm type diameter $above atom no contact d width 1 contact c width 1 modify $flat"
+is 'inside of the lesser force' a.ppm 5 152 '0 0 255'
+is 'outside of it' a.ppm 5 154 '0 0 0'
 rejects "$contacts
 write_dump all image a.png type type contact p" 'has no pos'
 rejects "$contacts

@@ -96,7 +96,7 @@ done
 for file in $(grep -lE '\.(saved|archive) = ' "$top_srcdir"/src/*/{fix,compute,dump}_*.c); do
 	style=$(sed -n '/^TS_STYLE/,$s/.*\.name = "\([^"]*\)",.*/\1/p' "$file" | head -n 1)
 	[ "$style" = restart ] && continue
-	[ "$style" = movie ] && continue # begins anew, and needs ffmpeg; its pictures are those of dump image
+	[ "$style" = movie ] && continue # goes on in another file, and needs ffmpeg; its pictures are those of dump image
 	kind=$(basename "$file")
 	kind=${kind%%_*}
 	grep -hE "^$kind[[:space:]]" "$top_srcdir"/tests/decks/in.* | awk '{ print $4, $3 }' | grep -qw "$style"
