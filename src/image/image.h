@@ -82,7 +82,7 @@ struct ts_image {
 	struct ts_words bond_words, size_words, view_words, center_words, up_words, box_words, axes_words,
 		subbox_words, ssao_words, legend_words;
 	struct ts_number zoom;
-	double persp, shiny, adiam;
+	double persp, shiny, depthcue, adiam;
 	bool atoms, fsaa;
 
 	struct ts_image_size size;

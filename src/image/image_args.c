@@ -71,6 +71,8 @@ const struct ts_arg ts_image_args[] = {
 	WORDS("subbox", subbox_words, "yes|no DIAM: as `box`, since there is one process (no)"),
 	TS_REAL("shiny", struct ts_image, shiny, .range = TS_FRACTION, .fallback = "1",
 		.help = "0: dull surfaces, 1: highlights"),
+	TS_REAL("depthcue", struct ts_image, depthcue, .range = TS_FRACTION, .fallback = "0",
+		.help = "part of the background in the color of the farthest surface; the nearest has none"),
 	TS_BOOL("fsaa", struct ts_image, fsaa, .fallback = "no",
 		.help = "whether edges are smoothed: four samples per pixel"),
 	WORDS("ssao", ssao_words,

@@ -36,9 +36,28 @@ static enum ts_status find_compute(struct tsim *sim, struct ts_image_contacts *c
 		       prefixed, c->compute->style->name);
 }
 
+/* Finds the columns of positions and forces, which stand before those that depend on the contact law. */
+static enum ts_status find_columns(struct tsim *sim, struct ts_image_contacts *c)
+{
+	struct ts_contact_array array[TS_CONTACT_ARRAYS];
+	const size_t width = ts_contact_columns_width(c->compute->state, 0);
+	const size_t n = ts_contact_columns_arrays(c->compute->state, width, array, &c->pos);
+
+	c->force = SIZE_MAX;
+	for (size_t k = 0; k < n; k++)
+		if (ts_streq(array[k].name, "force"))
+			c->force = array[k].first;
+	if (c->pos != SIZE_MAX && c->force != SIZE_MAX)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, ts_image_group_word(&c->group, c->id),
+		       "dump image: contact: compute %s has no %s: add that keyword to it", c->compute->id,
+		       c->pos == SIZE_MAX ? "pos" : "force");
+}
+
 static enum ts_status read_one(struct ts_instance *self, struct tsim *sim, struct ts_image_contacts *c)
 {
 	TS_TRY(find_compute(sim, c));
+	TS_TRY(find_columns(sim, c));
 	if (!isnan(c->width) && !isnan(c->factor))
 		return ts_fail(&sim->error, TS_SYNTAX, &c->group.keyword.place,
 			       "dump image: contact: give the width of the largest force or a factor, not "
@@ -62,24 +81,6 @@ enum ts_status ts_image_read_contacts(struct ts_instance *self, struct tsim *sim
 }
 
 /* ---- frames */
-
-/* Finds the columns, which depend on the contact law. */
-static enum ts_status find_columns(struct tsim *sim, struct ts_image_contacts *c)
-{
-	struct ts_contact_array array[TS_CONTACT_ARRAYS];
-	const size_t n =
-		ts_contact_columns_arrays(c->compute->state, c->compute->table.columns, array, &c->pos);
-
-	c->force = SIZE_MAX;
-	for (size_t k = 0; k < n; k++)
-		if (ts_streq(array[k].name, "force"))
-			c->force = array[k].first;
-	if (c->pos != SIZE_MAX && c->force != SIZE_MAX)
-		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, ts_image_group_word(&c->group, c->id),
-		       "dump image: contact: compute %s has no %s: add that keyword to it", c->compute->id,
-		       c->pos == SIZE_MAX ? "pos" : "force");
-}
 
 static double force_of(const struct ts_image_contacts *c, size_t row)
 {
@@ -156,7 +157,6 @@ enum ts_status ts_image_add_contacts(struct ts_instance *self, struct tsim *sim)
 		struct ts_instance *compute = d->contacts[n].compute;
 
 		TS_TRY(ts_value_cached(compute, sim, ts_value_find(compute, TS_LOCAL)));
-		TS_TRY(find_columns(sim, &d->contacts[n]));
 	}
 	find_range(d, d->contact_range, &largest);
 	for (size_t n = 0; n < d->ncontacts; n++)

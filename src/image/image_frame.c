@@ -69,6 +69,7 @@ static struct ts_picture_style style_of(const struct ts_image *s, const struct t
 		.ground = { s->ground, s->gradient ? s->ground_top : s->ground },
 		.lights = s->lights,
 		.shiny = s->shiny,
+		.haze = s->depthcue,
 		.smooth = s->fsaa,
 		.occlusion = s->ssao.on ? s->ssao.strength : 0,
 		.crevice = 0.05 * largest,

@@ -30,6 +30,39 @@ static const struct ts_image_sort *sort_of(const char *word)
 
 /* ---- words */
 
+/* Values that the surface itself has. */
+static enum ts_status find_own_values(struct tsim *sim, struct ts_image_surface *s,
+				      const struct ts_instance *by)
+{
+	if (ts_table_resize(&s->values, s->sort->elements(by), 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	if (s->sort->value && s->sort->value(by, s->value, s->values.data))
+		return TS_OK;
+	s->values.rows = 0;
+	return ts_fail(&sim->error, TS_UNKNOWN, &s->id_word.place,
+		       "dump image: %s %s has no value '%s': a mesh has those of dump mesh/vtk (stress and "
+		       "wear if it is a fix mesh/surface/stress with them, vel, temp, area ...), a height "
+		       "field `height`; others are f_ID[k], c_ID[k]",
+		       s->sort->name, by->id, s->value);
+}
+
+/* Whether the surface is one of those that the words name. */
+static bool is_named(const struct ts_image_surface *s, const struct ts_instance *by)
+{
+	return ts_streq(s->id, "all") || ts_streq(s->id, by->id);
+}
+
+/* In init: all surfaces named have the value. */
+static enum ts_status check_own_values(struct tsim *sim, struct ts_image_surface *s)
+{
+	const struct ts_instance *by;
+
+	for (size_t k = 0; s->value && !s->input.name && (by = s->sort->next(sim, &k));)
+		if (is_named(s, by))
+			TS_TRY(find_own_values(sim, s, by));
+	return TS_OK;
+}
+
 static enum ts_status read_value(struct tsim *sim, struct ts_image_surface *s, const struct ts_place *where)
 {
 	if (!s->value || (strncmp(s->value, "f_", 2) != 0 && strncmp(s->value, "c_", 2) != 0))
@@ -65,7 +98,9 @@ static enum ts_status read_one(struct ts_instance *self, struct tsim *sim, struc
 	if (isnan(s->opacity))
 		s->opacity = s->sort->opacity;
 	TS_TRY(read_value(sim, s, s->value ? ts_instance_word(self, s->value) : &words.word[0].place));
-	return ts_streq(s->id, "all") ? TS_OK : s->sort->require(sim, &s->id_word);
+	if (!ts_streq(s->id, "all"))
+		TS_TRY(s->sort->require(sim, &s->id_word));
+	return check_own_values(sim, s);
 }
 
 /* Number of words up to the next keyword. */
@@ -103,31 +138,19 @@ enum ts_status ts_image_read_surfaces(struct ts_instance *self, struct tsim *sim
 static enum ts_status evaluate(struct tsim *sim, struct ts_image_surface *s, const struct ts_instance *by)
 {
 	const size_t n = s->sort->elements(by);
-	bool known;
 
 	s->values.rows = 0;
 	if (!s->value)
 		return TS_OK;
-	if (s->input.name) {
-		TS_TRY(ts_ref_input_eval(sim, &s->input, &s->values));
-		if (s->values.rows == n && s->values.columns == 1)
-			return TS_OK;
-		return ts_fail(&sim->error, TS_STATE, &s->input.where,
-			       "dump image: %s: '%s' has %zu rows, but %s has %zu elements: it belongs to "
-			       "another surface, or lacks [k]",
-			       s->sort->name, s->value, s->values.rows, by->id, n);
-	}
-	if (ts_table_resize(&s->values, n, 1) != TS_OK)
-		return ts_nomem(&sim->error);
-	known = s->sort->value && s->sort->value(by, s->value, s->values.data);
-	if (known)
+	if (!s->input.name)
+		return find_own_values(sim, s, by);
+	TS_TRY(ts_ref_input_eval(sim, &s->input, &s->values));
+	if (s->values.rows == n && s->values.columns == 1)
 		return TS_OK;
-	s->values.rows = 0;
-	return ts_fail(&sim->error, TS_UNKNOWN, &s->id_word.place,
-		       "dump image: %s %s has no value '%s': a mesh has those of dump mesh/vtk (stress and "
-		       "wear if it is a fix mesh/surface/stress with them, vel, temp, area ...), a height "
-		       "field `height`; others are f_ID[k], c_ID[k]",
-		       s->sort->name, by->id, s->value);
+	return ts_fail(&sim->error, TS_STATE, &s->input.where,
+		       "dump image: %s: '%s' has %zu rows, but %s has %zu elements: it belongs to another "
+		       "surface, or lacks [k]",
+		       s->sort->name, s->value, s->values.rows, by->id, n);
 }
 
 static enum ts_status add_one(struct ts_image *d, struct tsim *sim, struct ts_image_surface *s,
@@ -151,7 +174,7 @@ enum ts_status ts_image_add_surfaces(struct ts_instance *self, struct tsim *sim)
 		const struct ts_instance *by;
 
 		for (size_t k = 0; (by = s->sort->next(sim, &k));)
-			if (ts_streq(s->id, "all") || ts_streq(s->id, by->id))
+			if (is_named(s, by))
 				TS_TRY(add_one(d, sim, s, by));
 	}
 	return TS_OK;

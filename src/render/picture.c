@@ -26,9 +26,10 @@ struct drawing {
 	const struct ts_items *items;
 	const struct ts_picture_style *style;
 	struct ts_shade shade;
-	uint32_t width, height; /* samples */
-	unsigned char *rgb;	/* of samples */
-	float *depth;		/* of samples; NULL: not kept */
+	uint32_t width, height;	 /* samples */
+	unsigned char *rgb;	 /* of samples */
+	float *depth;		 /* of samples; NULL: not kept */
+	float nearest, farthest; /* z of the items that haze begins and ends at; equal: no haze */
 	struct ts_occlusion occlusion;
 	struct ts_picture *picture;
 	size_t tiles, stride; /* the k-th tile to be drawn is k stride modulo tiles */
@@ -135,6 +136,18 @@ static bool is_unlit(const struct canvas *c, int sample)
 	return seen != TS_TILE_NOTHING && ts_item_is_unlit(c->d->scene, &c->d->items->item[seen]);
 }
 
+/* Mixes in the background, the more the farther the surface is. */
+static void add_haze(struct canvas *c, int sample, uint32_t y)
+{
+	const struct drawing *d = c->d;
+	const struct ts_colour ground = background(d, y);
+	const float t = (d->nearest - c->tile.depth[sample]) / (d->nearest - d->farthest);
+	const float part = (float)d->style->haze * fminf(fmaxf(t, 0), 1);
+
+	for (int k = 0; k < 3; k++)
+		c->light[sample][k] += part * (ground.c[k] - fminf(c->light[sample][k], 1));
+}
+
 static void shade_tile(struct canvas *c)
 {
 	const struct drawing *d = c->d;
@@ -151,6 +164,8 @@ static void shade_tile(struct canvas *c)
 						       c->tile.y + (uint32_t)j);
 			for (int b = 0; b < 3 && open < 1; b++)
 				c->light[k][b] = open * fminf(c->light[k][b], 1);
+			if (d->farthest < d->nearest && c->tile.seen[k] != TS_TILE_NOTHING && !is_unlit(c, k))
+				add_haze(c, k, c->tile.y + (uint32_t)j);
 		}
 }
 
@@ -266,6 +281,10 @@ enum ts_status ts_picture_draw(struct ts_picture *p, const struct ts_scene *scen
 					     .strength = style->occlusion,
 					     .reach = samples.scale * style->crevice,
 					     .seed = style->seed };
+	if (style->haze > 0 && d.items->n) {
+		d.nearest = d.items->item[0].nearest;
+		d.farthest = d.items->item[d.items->n - 1].nearest;
+	}
 	if (d.depth)
 		ts_parallel(threads, d.tiles, find_depths, &d);
 	ts_parallel(threads, d.tiles, draw_tiles, &d);

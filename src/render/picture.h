@@ -21,6 +21,7 @@ struct ts_picture_style {
 	struct ts_colour ground[2]; /* background: at the lower and at the upper edge */
 	struct ts_lights lights;
 	double shiny;	  /* 0: dull; 1: highlights */
+	double haze;	  /* part of the background in the colour of the farthest surface; 0: none */
 	bool smooth;	  /* four samples per pixel */
 	double occlusion; /* 0: none; 1: crevices are black */
 	double crevice;	  /* distance within which surfaces darken each other, length */

@@ -325,6 +325,30 @@ START_TEST(transparent_spheres_are_blended)
 }
 END_TEST
 
+/* The farthest surface has half of the colour of the ground, one in the middle a quarter. */
+START_TEST(haze_grows_with_depth)
+{
+	const struct ts_picture_style style = { .lights = { .ambient = 1 },
+						.ground = { blue, blue },
+						.haze = 0.5 };
+	const struct ts_camera c = camera_of(90, 30);
+	struct ts_scene scene = { 0 };
+	struct ts_picture p;
+
+	for (int k = 0; k < 3; k++) {
+		const double x = 30 * k - 45, z = 40 * k;
+		const double corner[3][3] = { { x, -15, z }, { x + 30, -15, z }, { x, 15, z } };
+
+		ck_assert(ts_scene_add_triangle(&scene, corner, red, 1) == TS_OK);
+	}
+	p = draw(&scene, &c, &style, 1);
+	for (uint32_t k = 0; k < 3; k++)
+		ck_assert_int_le(abs(at(&p, 30 * k + 5, 25)[2] - (int)(64 * (2 - k))), 1);
+	ts_picture_release(&p);
+	ts_scene_release(&scene);
+}
+END_TEST
+
 static void add_random(struct ts_scene *scene)
 {
 	const struct ts_scene_cut oblique = { { 0.6, 0, 0.8 }, 20 };
@@ -520,6 +544,7 @@ int main(void)
 	tcase_add_test(tests, cuts_remove_what_is_beyond);
 	tcase_add_test(tests, painted_triangles_show_numbers);
 	tcase_add_test(tests, transparent_spheres_are_blended);
+	tcase_add_test(tests, haze_grows_with_depth);
 	tcase_add_test(tests, shared_edges_are_drawn_once);
 	tcase_add_test(tests, threads_change_nothing);
 	tcase_add_test(tests, tiles_do_not_show);
