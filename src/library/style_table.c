@@ -63,6 +63,7 @@ TS_STYLE(command, ts_command_style, ts_command_legacy)
 TS_STYLE(command, ts_command_style, ts_command_log)
 TS_STYLE(command, ts_command_style, ts_command_mass)
 TS_STYLE(command, ts_command_style, ts_command_material)
+TS_STYLE(command, ts_command_style, ts_command_mesh_primitive)
 TS_STYLE(command, ts_command_style, ts_command_modify_timing)
 TS_STYLE(command, ts_command_style, ts_command_neigh_modify)
 TS_STYLE(command, ts_command_style, ts_command_neighbor)
@@ -404,6 +405,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_log.style,
 	&ts_command_mass.style,
 	&ts_command_material.style,
+	&ts_command_mesh_primitive.style,
 	&ts_command_modify_timing.style,
 	&ts_command_neigh_modify.style,
 	&ts_command_neighbor.style,

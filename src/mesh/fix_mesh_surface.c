@@ -23,11 +23,13 @@ TS_STYLE(fix, ts_style, ts_fix_mesh_surface)
 const struct ts_style ts_fix_mesh_surface = {
 	.name = "mesh/surface",
 	.kind = TS_KIND_FIX,
-	.summary = "A surface of triangles from a file, for walls and insertion faces",
-	.doc = "Reads triangles from a file, scales, moves and rotates them in the order of the keywords, "
-	       "and determines which of them share corners and edges. A mesh alone has no effect on "
-	       "particles: `fix wall/gran mesh` makes a wall of it, `fix move/mesh` moves it. Normals in the "
-	       "file are ignored; they follow from the order of the corners by the right-hand rule.\n\n"
+	.summary = "A surface of triangles from a file or of given sizes, for walls and insertion faces",
+	.doc = "Reads triangles from a file, or makes those of a shape of given sizes (`primitive`: box, "
+	       "plate, disk, cylinder, tube, cone, hopper, wedge, drum, sphere, screw ..., see command "
+	       "mesh_primitive), scales, moves and rotates them in the order of the keywords, and determines "
+	       "which of them share corners and edges. A mesh alone has no effect on particles: `fix "
+	       "wall/gran mesh` makes a wall of it, `fix move/mesh` moves it. Normals in the file are "
+	       "ignored; they follow from the order of the corners by the right-hand rule.\n\n"
 	       "Particles must not feel the edges between triangles where the surface is flat, and must have "
 	       "one contact with each edge or corner elsewhere. Triangles that share corners and whose "
 	       "planes include an angle less than `curvature` are one flat surface: the edge between them is "
@@ -46,9 +48,11 @@ const struct ts_style ts_fix_mesh_surface = {
 	       "`extrude_planar L` of a planar mesh and `fix ID` of another mesh make a rim: the faces that "
 	       "the outer edges sweep when they are translated by L against the normal, two triangles for "
 	       "each edge.\n\n"
-	       "Related: fix wall/gran, fix move/mesh, fix mesh/surface/stress, fix mesh/surface/planar, fix "
-	       "insert/stream, fix massflow/mesh, dump mesh/vtk.",
+	       "Related: mesh_primitive, fix wall/gran, fix move/mesh, fix mesh/surface/stress, fix "
+	       "mesh/surface/planar, fix insert/stream, fix massflow/mesh, dump mesh/vtk.",
 	.example = "fix cad all mesh/surface file hopper.stl type 1 scale 0.001 move 0 0 -0.1\n"
+		   "fix mill all mesh/surface primitive drum radius 0.15 length 0.3 lifters 8 axis 0 1 0 "
+		   "type 1\n"
 		   "fix belt all mesh/surface file belt.stl type 2 rotate axis 1 0 0 angle 12.5 surface_vel "
 		   "0.3 0 0\n"
 		   "fix bottom all mesh/surface file disc.stl type 1 extrude_planar 0.1\n"

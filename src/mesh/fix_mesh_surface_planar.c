@@ -35,10 +35,11 @@ TS_STYLE(fix, ts_style, ts_fix_mesh_surface_planar)
 const struct ts_style ts_fix_mesh_surface_planar = {
 	.name = "mesh/surface/planar",
 	.kind = TS_KIND_FIX,
-	.summary = "A flat surface of triangles from a file, for walls and insertion faces",
+	.summary = "A flat surface of triangles from a file or of given sizes, for walls and insertion faces",
 	.doc = "The same as fix mesh/surface, but the mesh is refused if the planes of two triangles that "
 	       "share an edge include an angle larger than `curvature`.",
-	.example = "fix inlet all mesh/surface/planar file inlet.stl type 1 scale 0.001",
+	.example = "fix inlet all mesh/surface/planar file inlet.stl type 1 scale 0.001\n"
+		   "fix face all mesh/surface/planar primitive disk radius 0.02 base 0 0 0.1 type 1",
 	.args = args,
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),

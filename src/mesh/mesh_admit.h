@@ -5,7 +5,7 @@
 
 #include "core/sim.h"
 #include "mesh/mesh_doctor.h"
-#include "mesh/triangles.h"
+#include "geom/triangles.h"
 
 struct ts_mesh_admission {
 	double precision, curvature; /* see ts_mesh_build */

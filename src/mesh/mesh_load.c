@@ -1,6 +1,7 @@
 #include "mesh/mesh_load.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "box/domain.h"
 #include "math/vec3.h"
@@ -87,26 +88,48 @@ static const char *exclusion_output(const struct ts_mesh_words *w)
 	return writes ? w->exclusion.word[1].text : NULL;
 }
 
-/* The word of the line that names the source of the triangles: a file or another mesh. */
+/* The word of the line that names the source of the triangles: a file, another mesh, or `primitive`. */
 static struct ts_word triangle_source(const struct ts_instance *self, const struct ts_mesh_words *w)
 {
-	const char *text = w->file ? w->file : w->other;
+	const char *text = w->file ? w->file : w->other ? w->other : "primitive";
 
 	return (struct ts_word){ .text = text, .place = *ts_instance_word(self, text) };
+}
+
+static enum ts_status make_primitive(struct ts_instance *self, struct tsim *sim,
+				     const struct ts_mesh_words *w, struct ts_triangles *soup)
+{
+	struct ts_shape_report report = { 0 };
+	char what[80];
+
+	snprintf(what, sizeof what, "fix %s", self->style->name);
+	if (w->exclusion.n)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "element_exclusion_list"),
+			       "%s: element_exclusion_list lists lines of a file, but a primitive has none",
+			       what);
+	soup->file = "primitive";
+	return ts_shape_read(sim, what, w->primitive, &self->arena, soup, &report);
 }
 
 static enum ts_status read_soup(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_words *w,
 				struct ts_triangles *soup)
 {
 	struct ts_word source;
+	int sources = !!w->file + !!w->other + !!w->primitive.n;
 
-	if (!w->file == !w->other)
+	if (sources != 1)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix %s: expected one of `file NAME` and `fix ID`, found %s",
-			       self->style->name, w->file ? "both" : "none");
+			       "fix %s: expected one of `file NAME`, `primitive SHAPE ...` and `fix ID`, "
+			       "found %s",
+			       self->style->name,
+			       sources == 2 ? "both"
+			       : sources    ? "all"
+					    : "none");
 	source = triangle_source(self, w);
 	if (w->file)
 		TS_TRY(ts_mesh_read(soup, &sim->files, &sim->error, sim->pool, &source.place, w->file));
+	else if (w->primitive.n)
+		TS_TRY(make_primitive(self, sim, w, soup));
 	else
 		TS_TRY(ts_mesh_soup_extrude(self, sim, &source, soup));
 	TS_TRY(ts_mesh_soup_choose(self, sim, w, soup));
@@ -129,26 +152,6 @@ static enum ts_status check_extrusion(struct ts_instance *self, struct tsim *sim
 		       self->id, bend / 3 + 1);
 }
 
-/* Corners nearer to each other than this length are the same. The default is relative to the size of the
- * mesh, as is the rounding of files in single precision (LIGGGHTS: 1e-8 in units of length, too much for a
- * mesh of micrometres in m). */
-static double precision_of(const struct ts_mesh_words *w, const struct ts_triangles *soup)
-{
-	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY },
-	       longest = 0;
-
-	if (!isnan(w->precision))
-		return w->precision;
-	for (size_t t = 0; t < soup->n; t++)
-		for (int k = 0; k < 9; k++) {
-			lo[k % 3] = fmin(lo[k % 3], soup->t[t].v[k / 3][k % 3]);
-			hi[k % 3] = fmax(hi[k % 3], soup->t[t].v[k / 3][k % 3]);
-		}
-	for (int d = 0; d < 3; d++)
-		longest = fmax(longest, hi[d] - lo[d]);
-	return longest > 0 ? 1e-7 * longest : 1;
-}
-
 static enum ts_status load_mesh(struct ts_instance *self, struct tsim *sim, const struct ts_mesh_words *w,
 				struct ts_mesh_surface *surface)
 {
@@ -165,7 +168,8 @@ static enum ts_status load_mesh(struct ts_instance *self, struct tsim *sim, cons
 
 	if (status == TS_OK) {
 		source = triangle_source(self, w);
-		how.precision = precision_of(w, &soup);
+		/* LIGGGHTS: 1e-8 in units of length, too much for a mesh of micrometres in m */
+		how.precision = isnan(w->precision) ? ts_triangles_precision(&soup) : w->precision;
 		if (sim->requests.stop)
 			status = ts_fail(&sim->error, TS_STOPPED, &source.place,
 					 "stopped on request before the mesh was built");

@@ -5,7 +5,7 @@
 
 #include "base/files.h"
 #include "mesh/mesh_vtk.h"
-#include "mesh/triangles.h"
+#include "geom/triangles.h"
 
 struct ts_pool;
 

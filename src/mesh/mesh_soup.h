@@ -3,7 +3,7 @@
 #define TS_MESH_MESH_SOUP_H
 
 #include "mesh/mesh_load.h"
-#include "mesh/triangles.h"
+#include "geom/triangles.h"
 
 /* Removes triangles outside of `region`, in the coordinates of the file, and those of
  * element_exclusion_list. */

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "mesh/triangles.h"
+#include "geom/triangles.h"
 
 struct ts_scan;
 

@@ -1,6 +1,6 @@
 /* Triangles as listed in a file, without connectivity ("triangle soup"). */
-#ifndef TS_MESH_TRIANGLES_H
-#define TS_MESH_TRIANGLES_H
+#ifndef TS_GEOM_TRIANGLES_H
+#define TS_GEOM_TRIANGLES_H
 
 #include <stddef.h>
 
@@ -20,6 +20,9 @@ struct ts_triangles {
 };
 
 enum ts_status ts_triangles_add(struct ts_triangles *soup, const struct ts_triangle *t);
+/* Corners nearer to each other than this length are taken for one: a fraction of the size of the mesh, as is the rounding
+ * of files in single precision. */
+double ts_triangles_precision(const struct ts_triangles *soup);
 void ts_triangles_release(struct ts_triangles *soup);
 
 #endif
