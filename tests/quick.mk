@@ -23,6 +23,7 @@
 #       6    examples/drilling.sh           bond/check_bonds
 #       6    examples/polishing.sh          film/check_film, immersed/immersed_surface.sh
 #      12    examples/scratch.sh            bond/check_element, bond/parallel.sh
+#      25    examples/everyday.sh           mesh/mesh_primitive.sh, shape/check_shapes
 #      16    examples/rock.sh               bond/check_element, bond/parallel.sh
 #       6    restart/restart.sh             restart/restart_changes.sh, restart/restart_streams.sh
 #       6    program/sandbox.sh             house/door.sh
@@ -34,6 +35,7 @@ slow_tests = \
 	$(crosschecks) \
 	tests/examples/benchmarks.sh \
 	tests/examples/erosion.sh \
+	tests/examples/everyday.sh \
 	tests/examples/erosion_ladder.sh \
 	tests/examples/polishing.sh \
 	tests/examples/rock.sh \

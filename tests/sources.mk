@@ -89,6 +89,7 @@ shell_tests = \
 	tests/examples/drilling.sh \
 	tests/examples/erosion.sh \
 	tests/examples/erosion_ladder.sh \
+	tests/examples/everyday.sh \
 	tests/examples/film_kinetic.sh \
 	tests/examples/flow_bodies.sh \
 	tests/examples/flow_cases.sh \

@@ -1,0 +1,20 @@
+#!/bin/bash
+# The everyday examples, smaller and shorter than they are: all RESULT lines are ok, and there is a picture of each.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+cp -r "$top_srcdir/examples/everyday" "$top_srcdir/examples/flow" . || exit 99
+cd everyday || exit 99
+
+results 'a hopper by the law of Beverloo' in.hopper 1 -var grains 2000 -var outlet 6 -var bin 7 -var steps 10000
+results 'a drum with two sizes of grains' in.drum 2 -var R 0.03 -var length 0.01 -var rpm 40 -var start 30000 -var steps 45000
+results 'a screw conveyor' in.screw 1 -var fill 0.15 -var d 0.008 -var rpm 120 -var start 16667 -var steps 16667 -var within 0.05
+results 'a heap under a tube' in.heap 2 -var grains 1000 -var R 0.04 -var speed 0.15 -var steps 30000 -var tolerance 12
+results 'a powder under a punch' in.compaction 2 -var grains 600 -var R 0.012 -var steps 32000
+results 'grains that roll down a chute' in.chute 1 -var steps 6000
+results 'grains that slide' in.chute 1 -var slope 60 -var steps 6000
+for picture in hopper drum screw heap compaction chute; do
+	[ -s post/$picture.png ]
+	report "picture of $picture" $?
+done
+
+finish
