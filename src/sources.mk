@@ -981,6 +981,8 @@ library_sources = \
 	src/neigh/neigh_skin.c \
 	src/neigh/order.c \
 	src/neigh/order.h \
+	src/neigh/touching_sums.c \
+	src/neigh/touching_sums.h \
 	src/particle/assign.c \
 	src/particle/assign.h \
 	src/particle/assign_words.c \

@@ -302,14 +302,11 @@ TS_INLINE void ts_batch_block(const struct ts_contact_task *task, const struct t
 			      const struct ts_contact_list *list, const struct ts_granular_model *m,
 			      size_t parts, ts_batch_fn *contacts, struct ts_active_block *block)
 {
-	const struct ts_active_pair *active = list->active + block->first;
 	uint64_t touching[TS_ACTIVE_BLOCK / TS_BATCH];
 
 	ts_batch_prefetch_list(list, block + 2);
 	ts_batch_prefetch(list, m, block + 1);
 	ts_batch_begin_contacts(list, block);
-	for (size_t at = block->touching; at < block->n; at++)
-		ts_contact_clear_result(list, active[at].slot, parts);
 	for (size_t part = 0; part * TS_BATCH < block->touching; part++)
 		touching[part] = ts_batch_compute_part(task, p, list, m, parts, contacts, block, part);
 	ts_batch_end_contacts(list, block, touching, task->keep);

@@ -108,6 +108,7 @@ static void end_contact(const struct ts_contact_task *task, struct ts_active_blo
 	bool breaks = ts_cohesion_bridges(m) &&
 		      *ts_contact_memory(list, block, at, (size_t)ts_granular_met_at(m)) > 0;
 
+	ts_contact_clear_result(list, list->active[block->first + at].slot, (size_t)list->parts);
 	ts_contact_end(list, block, at, task->keep);
 	if (!breaks)
 		return;
@@ -123,7 +124,6 @@ void ts_contact_share_generic(void *context, size_t from, size_t to)
 
 	for (size_t b = from; b < to; b++) {
 		struct ts_active_block *block = &list->block[b];
-		const struct ts_active_pair *active = list->active + block->first;
 
 		for (size_t k = block->touching; k < block->n; k++)
 			if (is_in_contact(task, block, k))
@@ -131,11 +131,8 @@ void ts_contact_share_generic(void *context, size_t from, size_t to)
 		for (size_t k = block->touching; k-- > 0;)
 			if (!is_in_contact(task, block, k))
 				end_contact(task, block, k);
-		for (size_t k = 0; k < block->n; k++)
-			if (k < block->touching)
-				compute_pair(task, block, k);
-			else
-				ts_contact_clear_result(list, active[k].slot, (size_t)list->parts);
+		for (size_t k = 0; k < block->touching; k++)
+			compute_pair(task, block, k);
 	}
 }
 

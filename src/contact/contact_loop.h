@@ -10,6 +10,7 @@
 #include "contact/pair.h"
 #include "law/granular_force.h"
 #include "neigh/contact_memory.h"
+#include "neigh/touching_sums.h"
 
 struct ts_contact_task {
 	const struct ts_particles *p;
@@ -33,6 +34,7 @@ TS_INLINE void ts_contact_begin(const struct ts_contact_list *list, struct ts_ac
 			*ts_contact_history(list, block, block->touching, c);
 	block->touching++;
 	list->touching[pair.row] = 1;
+	ts_touching_sums_expire(list, &pair);
 }
 
 /* Ends a contact: the touching pair `at` becomes the first of those that do not touch. Its history is set to
@@ -52,6 +54,7 @@ TS_INLINE void ts_contact_end(const struct ts_contact_list *list, struct ts_acti
 	active[at] = active[block->touching];
 	active[block->touching] = pair;
 	list->touching[pair.row] = 0;
+	ts_touching_sums_expire(list, &pair);
 }
 
 /* Sets the force and torques of a slot to zero; `parts` as in struct ts_contact_list. */

@@ -4,6 +4,7 @@
 
 #include "neigh/force_slots.h"
 #include "neigh/neigh.h"
+#include "neigh/touching_sums.h"
 
 #include "base/banned.h"
 
@@ -18,6 +19,7 @@ static void sum_chunk(const struct pass_task *w, size_t c)
 	size_t from = c * TS_CONTACT_CHUNK, n = list->particles,
 	       to = n - from < TS_CONTACT_CHUNK ? n : from + TS_CONTACT_CHUNK;
 
+	ts_touching_sums_update(list, from, to);
 	for (int k = 0; k < 2; k++)
 		if (w->pass[k] && (w->pass[k]->sum_all || list->chunk[c].end > 0))
 			w->pass[k]->sum(w->pass[k]->context, from, to);

@@ -14,19 +14,20 @@ TS_INLINE void add_or_set(double to[3], const ts_four *sum, bool overwrite)
 		to[d] = overwrite ? (*sum)[d] : to[d] + (*sum)[d];
 }
 
-/* Sums the results of the active pairs of each particle; `parts` as in struct ts_contact_list. */
+/* Sums the results of the touching pairs of each particle; `parts` as in struct ts_contact_list. */
 TS_INLINE void sum_forces(const struct ts_contact_list *list, const struct ts_particles *p, size_t from,
 			  size_t to, size_t parts)
 {
-	const uint32_t *first = list->sum_first, *sum = list->sum;
+	const size_t *first = list->gather.first;
 	const ts_four *results = (const ts_four *)list->result;
 	bool overwrite = list->overwrite_sums;
 
 	for (size_t i = from; i < to; i++) {
 		ts_four f = { 0 }, torque = { 0 };
 		double radius = list->sphere[i].position[3];
+		const uint32_t *sum = list->sum + first[i];
 
-		for (size_t k = first[i]; k < first[i + 1]; k++) {
+		for (size_t k = 0; k < list->sums[i]; k++) {
 			const ts_four *result = results + parts * (sum[k] >> 1);
 			double sign = signs[sum[k] & 1];
 

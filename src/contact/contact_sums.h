@@ -4,7 +4,7 @@
 
 #include "neigh/contact_list.h"
 
-/* Adds the forces and torques of their active pairs to p->f and p->torque of the particles from .. to-1, or
+/* Adds the forces and torques of their touching pairs to p->f and p->torque of the particles from .. to-1, or
  * overwrites these (list->overwrite_sums). */
 typedef void ts_contact_sums_fn(const struct ts_contact_list *list, const struct ts_particles *p, size_t from,
 				size_t to);

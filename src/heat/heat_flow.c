@@ -123,7 +123,7 @@ TS_CLONES static void sum_flows_range(void *context, size_t from, size_t to)
 {
 	const struct ts_heat *h = ((const struct ts_instance *)context)->state;
 	const struct ts_heat_pairs *pairs = h->pairs;
-	const uint32_t *first = pairs->rows->sum_first, *sums = pairs->rows->sum;
+	const struct ts_contact_list *rows = pairs->rows;
 	double *inner = h->inner, *directed = ts_heat_column(h->sim, h->directed);
 	bool known = h->fused_pass.begun, held = pairs[1].rows->n > 0;
 
@@ -131,7 +131,7 @@ TS_CLONES static void sum_flows_range(void *context, size_t from, size_t to)
 		ts_four sum = { 0 };
 
 		if (known)
-			add_flows(pairs->flow, sums + first[i], first[i + 1] - first[i], &sum);
+			add_flows(pairs->flow, rows->sum + rows->gather.first[i], rows->sums[i], &sum);
 		else
 			add_flows_of_list(&pairs[0], i, &sum);
 		if (held)

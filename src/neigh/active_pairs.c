@@ -120,7 +120,7 @@ static size_t collect_active(const struct choice *c, size_t *r, size_t end, uint
 		       reach = a[3] + b[3] + list->inner_skin;
 
 		chosen[n] = (uint32_t)k;
-		list->active_index[k] = TS_PAIR_INACTIVE;
+		list->slot_of[k] = TS_PAIR_INACTIVE;
 		n += (x * x + y * y + z * z < reach * reach) | list->touching[k];
 	}
 	*r = k;
@@ -166,7 +166,7 @@ static void append_pairs(struct ts_contact_list *list, struct ts_contact_span *s
 	for (size_t k = 0; k < n; k++) {
 		uint32_t r = chosen[k];
 
-		list->active_index[r] = (uint32_t)span->active_end;
+		list->slot_of[r] = (uint32_t)span->active_end;
 		list->active[span->active_end++] = (struct ts_active_pair){ r, r, list->i[r], list->j[r] };
 	}
 }
@@ -244,7 +244,7 @@ static enum ts_status reserve_lists(const struct choice *c)
 			  TS_BLOCKS_AHEAD;
 	}
 	TS_TRY(TS_RENEW(list->active, list->active_capacity, list->n));
-	TS_TRY(TS_RENEW(list->active_index, list->active_index_capacity,
+	TS_TRY(TS_RENEW(list->slot_of, list->slot_of_capacity,
 			list->n + 1)); /* never NULL: pointers into it are computed even if it is empty */
 	return TS_RENEW(list->block, list->block_capacity, blocks);
 }

@@ -214,7 +214,7 @@ size_t ts_contact_list_bytes(const struct ts_contact_list *list)
 	size_t entry = sizeof *list->gather.entry + sizeof *list->sum;
 	size_t row = sizeof *list->i + sizeof *list->j + 2 * sizeof *list->tag[0] + sizeof *list->image +
 		     sizeof *list->winding + sizeof *list->touching + sizeof *list->active +
-		     sizeof *list->active_index + sizeof *list->sums_left +
+		     sizeof *list->slot_of + sizeof *list->sums_left +
 		     list->history_width * sizeof *list->history + 2 * entry;
 	size_t results = list->n * (size_t)list->parts; /* all results are kept at the end of a run */
 
@@ -239,10 +239,10 @@ void ts_contact_list_release(struct ts_contact_list *list)
 	ts_free(list->span);
 	ts_free(list->active);
 	ts_free(list->block);
-	ts_free(list->active_index);
+	ts_free(list->slot_of);
 	ts_free(list->sums_left);
-	ts_free(list->sum_first);
 	ts_free(list->sum);
+	ts_free(list->sums);
 	ts_free(list->chunk);
 	ts_free(list->chunk_summed);
 	ts_gather_release(&list->gather);

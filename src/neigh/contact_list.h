@@ -118,18 +118,18 @@ struct ts_contact_list {
 	struct ts_active_pair *active;
 	struct ts_active_block *block;
 	const struct ts_contact_bulge *bulge; /* by pair; NULL: no surface is displaced */
-	/* by pair: index in `active`, or TS_PAIR_INACTIVE; later in the preparation: a stack of free slots */
-	uint32_t *active_index;
+	/* by pair: the slot of an active pair, or TS_PAIR_INACTIVE; while slots are assigned: index in `active` */
+	uint32_t *slot_of;
 	uint8_t *sums_left; /* by active pair: how many of its two particles have not summed it yet */
-	size_t span_capacity, active_capacity, block_capacity, memory_capacity, active_index_capacity,
+	size_t span_capacity, active_capacity, block_capacity, memory_capacity, slot_of_capacity,
 		sums_left_capacity;
 
-	/* The slots that particle i sums: sum[sum_first[i]] .. sum[sum_first[i+1]-1], as 2 slot + side like
-	 * the entries of the gather lists, but of active pairs only */
-	uint32_t *sum_first, *sum;
+	/* The slots that particle i sums, see touching_sums.h: sums[i] of them from sum[gather.first[i]] on, as
+	 * 2 slot + side like the entries of the gather lists, but of touching pairs only */
+	uint32_t *sum, *sums;
 	struct ts_contact_chunk *chunk; /* chunk k: particles from k TS_CONTACT_CHUNK on */
 	uint8_t *chunk_summed;		/* by chunk: summed in this force evaluation */
-	size_t chunks, sum_first_capacity, sum_capacity, chunk_capacity, chunk_summed_capacity;
+	size_t chunks, sum_capacity, sums_capacity, chunk_capacity, chunk_summed_capacity;
 };
 
 enum { TS_IMAGE_SELF = 13 };

@@ -5,74 +5,48 @@
 #include "base/parallel.h"
 #include "neigh/active_pairs.h"
 #include "neigh/contact_memory.h"
+#include "neigh/touching_sums.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
-
-/* ---- which active pairs each particle sums; at first as indices of active pairs */
 
 static size_t particles_end(const struct ts_contact_list *list, size_t c)
 {
 	return c + 1 < list->chunks ? (c + 1) * TS_CONTACT_CHUNK : list->particles;
 }
 
-static void count_sums_share(void *context, size_t from, size_t to)
-{
-	const struct ts_contact_list *list = context;
-	const struct ts_gather *g = &list->gather;
+/* ---- which active pairs each chunk of particles has */
 
-	for (size_t i = from; i < to; i++) {
-		uint32_t n = 0;
-
-		for (size_t k = g->first[i]; k < g->first[i + 1]; k++)
-			n += list->active_index[g->entry[k] >> 1] != TS_PAIR_INACTIVE;
-		list->sum_first[i + 1] = n;
-	}
-}
-
-static struct ts_contact_chunk list_chunk_sums(const struct ts_contact_list *list, size_t from, size_t to)
+static struct ts_contact_chunk chunk_of_particles(const struct ts_contact_list *list, size_t from, size_t to)
 {
 	const struct ts_gather *g = &list->gather;
 	struct ts_contact_chunk c = { SIZE_MAX, 0 };
-	uint32_t *out = list->sum + list->sum_first[from];
 
 	for (size_t k = g->first[from]; k < g->first[to]; k++) {
-		uint32_t at = list->active_index[g->entry[k] >> 1];
+		uint32_t at = list->slot_of[g->entry[k] >> 1];
 
 		if (at == TS_PAIR_INACTIVE)
 			continue;
-		*out++ = 2 * at | (g->entry[k] & 1);
 		c.first = at < c.first ? at : c.first;
 		c.end = at >= c.end ? at + 1 : c.end;
 	}
 	return c.end ? c : (struct ts_contact_chunk){ 0 };
 }
 
-static void list_sums_share(void *context, size_t from, size_t to)
+static void find_chunks_share(void *context, size_t from, size_t to)
 {
 	const struct ts_contact_list *list = context;
 
 	for (size_t c = from; c < to; c++)
-		list->chunk[c] = list_chunk_sums(list, c * TS_CONTACT_CHUNK, particles_end(list, c));
+		list->chunk[c] = chunk_of_particles(list, c * TS_CONTACT_CHUNK, particles_end(list, c));
 }
 
-static enum ts_status list_sums(struct tsim *sim, struct ts_contact_list *list)
+static enum ts_status find_chunks(struct tsim *sim, struct ts_contact_list *list)
 {
-	size_t n = list->particles;
-
-	list->chunks = list->n ? (n + TS_CONTACT_CHUNK - 1) / TS_CONTACT_CHUNK : 0;
+	list->chunks = list->n ? (list->particles + TS_CONTACT_CHUNK - 1) / TS_CONTACT_CHUNK : 0;
 	TS_TRY(TS_RENEW(list->chunk, list->chunk_capacity, list->chunks));
 	TS_TRY(TS_RENEW(list->chunk_summed, list->chunk_summed_capacity, list->chunks));
-	TS_TRY(TS_RENEW(list->sum_first, list->sum_first_capacity, n + 1));
-	if (!list->n)
-		return TS_OK;
-	ts_parallel(ts_team(sim, list->n), n, count_sums_share, list);
-	list->sum_first[0] = 0;
-	for (size_t i = 0; i < n; i++)
-		list->sum_first[i + 1] += list->sum_first[i];
-	/* never NULL: pointers into it are computed even if it is empty */
-	TS_TRY(TS_RENEW(list->sum, list->sum_capacity, list->sum_first[n] + 1));
-	ts_parallel(ts_team(sim, list->n), list->chunks, list_sums_share, list);
+	ts_parallel(ts_team(sim, list->n), list->chunks, find_chunks_share, list);
 	return TS_OK;
 }
 
@@ -87,12 +61,13 @@ struct slot_task {
  * free slots. */
 static size_t release_slots(const struct ts_contact_list *list, size_t c, uint32_t *free, size_t n)
 {
-	size_t end = list->sum_first[particles_end(list, c)];
+	const struct ts_gather *g = &list->gather;
+	size_t end = g->first[particles_end(list, c)];
 
-	for (size_t k = list->sum_first[c * TS_CONTACT_CHUNK]; k < end; k++) {
-		size_t at = list->sum[k] >> 1;
+	for (size_t k = g->first[c * TS_CONTACT_CHUNK]; k < end; k++) {
+		uint32_t at = list->slot_of[g->entry[k] >> 1];
 
-		if (!--list->sums_left[at])
+		if (at != TS_PAIR_INACTIVE && !--list->sums_left[at])
 			free[n++] = list->active[at].slot;
 	}
 	return n;
@@ -103,8 +78,8 @@ static void assign_slots(const struct slot_task *s, size_t share)
 {
 	struct ts_contact_list *list = s->list;
 	const struct ts_contact_span *span = &list->span[share];
-	/* no longer needed as the index of active pairs: the sums have been listed */
-	uint32_t used = 0, *free = list->active_index + span->active;
+	/* the sums are not listed yet: their memory serves as a stack */
+	uint32_t used = 0, *free = list->sum + 2 * span->active;
 	size_t c = 0, done, n = 0;
 
 	for (size_t b = span->block; b < span->block_end; b++) {
@@ -157,12 +132,13 @@ static enum ts_status assign_reused_slots(struct ts_contact_list *list, size_t *
 	return TS_OK;
 }
 
-static void sums_to_slots_share(void *context, size_t from, size_t to)
+static void write_slots_share(void *context, size_t from, size_t to)
 {
 	const struct ts_contact_list *list = context;
 
 	for (size_t k = from; k < to; k++)
-		list->sum[k] = 2 * list->active[list->sum[k] >> 1].slot | (list->sum[k] & 1);
+		for (size_t at = list->span[k].active; at < list->span[k].active_end; at++)
+			list->slot_of[list->active[at].row] = list->active[at].slot;
 }
 
 /* ---- preparation of a force evaluation */
@@ -178,15 +154,15 @@ static enum ts_status clear_results(struct ts_contact_list *list, size_t room)
 	return TS_OK;
 }
 
-static enum ts_status list_and_assign(struct tsim *sim, struct ts_contact_list *list, bool kept)
+static enum ts_status assign_and_clear(struct tsim *sim, struct ts_contact_list *list, bool kept)
 {
-	size_t room = list->n, sums;
+	size_t room = list->n;
 
-	TS_TRY(list_sums(sim, list));
+	TS_TRY(find_chunks(sim, list));
+	TS_TRY(ts_touching_sums_reset(list));
 	if (!kept)
 		TS_TRY(assign_reused_slots(list, &room));
-	sums = list->n ? list->sum_first[list->particles] : 0;
-	ts_parallel(ts_team(sim, sums), sums, sums_to_slots_share, list);
+	ts_parallel(list->shares, (size_t)list->shares, write_slots_share, list);
 	return clear_results(list, room);
 }
 
@@ -201,7 +177,7 @@ enum ts_status ts_force_slots_prepare(struct tsim *sim, struct ts_contact_list *
 	list->shares = ts_team(sim, list->n);
 	TS_TRY(ts_active_pairs_choose(sim, list));
 	TS_TRY(ts_contacts_load_history(sim, list));
-	if (list_and_assign(sim, list, kept) != TS_OK)
+	if (assign_and_clear(sim, list, kept) != TS_OK)
 		return ts_nomem(&sim->error);
 	list->results = results;
 	list->active_chosen = true;

@@ -7,6 +7,7 @@
 #include "neigh/active_pairs.h"
 #include "neigh/force_slots.h"
 #include "neigh/neigh.h"
+#include "neigh/touching_sums.h"
 #include "particle/particles.h"
 
 enum { N = 6000 };
@@ -40,26 +41,35 @@ struct watch {
 	uint8_t *waiting; /* of each row: partners that have not added it */
 };
 
-/* Entries of the gather without far rows are those of the sum. */
+/* Each near row of the chunk is still in its slot; the sums are those of the touching rows, in the order of the
+ * gather. */
 static void add_chunk(const struct watch *w, size_t c)
 {
 	const struct ts_contact_list *rows = w->rows;
 	size_t last =
 		(c + 1) * TS_CONTACT_CHUNK < rows->particles ? (c + 1) * TS_CONTACT_CHUNK : rows->particles;
-	size_t at = rows->sum_first[c * TS_CONTACT_CHUNK];
+	const struct ts_gather *g = &rows->gather;
 
-	for (size_t k = rows->gather.first[c * TS_CONTACT_CHUNK]; k < rows->gather.first[last]; k++) {
-		size_t r = rows->gather.entry[k] >> 1, slot = rows->sum[at] >> 1;
+	ts_touching_sums_update(rows, c * TS_CONTACT_CHUNK, last);
+	for (size_t i = c * TS_CONTACT_CHUNK; i < last; i++) {
+		size_t n = 0;
 
-		if (!w->waiting[r]) /* far */
-			continue;
-		deck_assert((rows->sum[at++] & 1) == (rows->gather.entry[k] & 1));
-		deck_assert(w->place[slot] != 0); /* nobody has written over it */
-		deck_assert(rows->active[w->place[slot] - 1].row == r);
-		if (!--w->waiting[r])
-			w->place[slot] = 0;
+		for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
+			size_t r = g->entry[k] >> 1, slot = rows->slot_of[r];
+
+			if (!w->waiting[r]) { /* far */
+				deck_assert(!rows->touching[r]);
+				continue;
+			}
+			deck_assert(w->place[slot] != 0); /* nobody has written over it */
+			deck_assert(rows->active[w->place[slot] - 1].row == r);
+			if (rows->touching[r])
+				deck_assert(rows->sum[g->first[i] + n++] == 2 * slot + (g->entry[k] & 1));
+			if (!--w->waiting[r])
+				w->place[slot] = 0;
+		}
+		deck_assert(rows->sums[i] == n);
 	}
-	deck_assert(at == rows->sum_first[last]);
 }
 
 /* The loop over rows, without forces. */
@@ -124,6 +134,25 @@ START_TEST(one_row_at_a_time)
 }
 END_TEST
 
+/* The slots that particles sum are those of the rows that touch now, though contacts have begun and ended. */
+static void sums_current(const struct ts_contact_list *rows)
+{
+	const struct ts_gather *g = &rows->gather;
+
+	for (size_t i = 0; i < rows->particles; i++) {
+		size_t n = 0;
+
+		for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
+			uint32_t r = g->entry[k] >> 1;
+
+			if (rows->touching[r])
+				deck_assert(rows->sum[g->first[i] + n++] ==
+					    2 * rows->slot_of[r] + (g->entry[k] & 1));
+		}
+		deck_assert(rows->sums[i] == n);
+	}
+}
+
 /* Of rows that are not looked at none touches, though particles have moved since these were chosen. */
 START_TEST(none_missed)
 {
@@ -140,6 +169,7 @@ START_TEST(none_missed)
 
 			deck_assert(rows->touching[r] == (x * x + y * y + z * z < 0.072 * 0.072));
 		}
+		sums_current(rows);
 		for (int k = 0; k < rows->shares; k++)
 			far += rows->n / (size_t)rows->shares -
 			       (rows->span[k].active_end - rows->span[k].active);
