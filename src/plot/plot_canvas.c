@@ -1,5 +1,6 @@
 #include "plot/plot_canvas.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/banned.h"
@@ -96,6 +97,18 @@ static void draw_error_bars(struct ts_plot_canvas *c, const struct ts_plot_layou
 	c->end(c);
 }
 
+/* A line of the usual width would cover more than a fifth of the frame. */
+static bool is_dense(const struct ts_plot_layout *l, const struct ts_plot_trace *t)
+{
+	double length = 0;
+
+	for (size_t k = 1; k < t->n; k++)
+		if (!t->vertex[k].begins)
+			length += hypot(t->vertex[k].x - t->vertex[k - 1].x,
+					t->vertex[k].y - t->vertex[k - 1].y);
+	return 1.5 * length > (l->right - l->left) * (l->bottom - l->top) / 5;
+}
+
 static enum ts_status draw_series(struct ts_plot_canvas *c, const struct ts_plot_layout *l,
 				  const struct ts_plot *plot, size_t k, struct ts_plot_trace *t)
 {
@@ -104,13 +117,14 @@ static enum ts_status draw_series(struct ts_plot_canvas *c, const struct ts_plot
 
 	if (ts_plot_has_line(s)) {
 		TS_TRY(ts_plot_trace_line(t, l, s));
-		c->begin(c, TS_PLOT_CURVE, colour);
+		c->begin(c, is_dense(l, t) ? TS_PLOT_THIN : TS_PLOT_CURVE, colour);
 		for (size_t v = 0; v < t->n; v++)
 			(t->vertex[v].begins ? c->move : c->line)(c, t->vertex[v].x, t->vertex[v].y);
 		c->end(c);
 	}
-	TS_TRY(ts_plot_trace_points(t, l, s));
+	TS_TRY(ts_plot_trace_errors(t, l, s));
 	draw_error_bars(c, l, s, t, colour);
+	TS_TRY(ts_plot_trace_points(t, l, s));
 	if (t->n)
 		c->markers(c, t->vertex, t->n, t->n > TS_PLOT_CROWD ? TS_PLOT_FINE : marker, colour);
 	return TS_OK;

@@ -4,7 +4,15 @@
 
 #include "plot/plot_trace.h"
 
-enum ts_plot_pen { TS_PLOT_MINOR, TS_PLOT_GRID, TS_PLOT_FRAME, TS_PLOT_CURVE, TS_PLOT_BAR, TS_PLOT_DASHED };
+enum ts_plot_pen {
+	TS_PLOT_MINOR,
+	TS_PLOT_GRID,
+	TS_PLOT_FRAME,
+	TS_PLOT_CURVE,
+	TS_PLOT_THIN, /* a curve that would fill its frame */
+	TS_PLOT_BAR,
+	TS_PLOT_DASHED
+};
 enum ts_plot_align { TS_PLOT_START, TS_PLOT_MIDDLE, TS_PLOT_END };
 enum ts_plot_letter { TS_PLOT_NORMAL, TS_PLOT_BOLD, TS_PLOT_SMALL };
 /* Instead of the number of a colour: that of the letters. */

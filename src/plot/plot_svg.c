@@ -116,7 +116,8 @@ static void move(struct ts_plot_canvas *c, double x, double y)
 {
 	static const char *const class[] = {
 		[TS_PLOT_MINOR] = "minor", [TS_PLOT_GRID] = "grid", [TS_PLOT_FRAME] = "frame",
-		[TS_PLOT_CURVE] = "",	   [TS_PLOT_BAR] = "bar",   [TS_PLOT_DASHED] = "mark",
+		[TS_PLOT_CURVE] = "",	   [TS_PLOT_THIN] = "thin", [TS_PLOT_BAR] = "bar",
+		[TS_PLOT_DASHED] = "mark",
 	};
 	struct svg *s = (struct svg *)c;
 
@@ -206,8 +207,9 @@ static void add_style(struct ts_str *out)
 		   "round}.ts-plot .grid{stroke-width:.6;opacity:.25}.ts-plot "
 		   ".minor{stroke-width:.6;opacity:.1}.ts-plot .frame{stroke-width:1;opacity:.6}.ts-plot "
 		   ".mark{stroke-width:1.2;stroke-dasharray:5 4;opacity:.8}.ts-plot "
-		   ".dot{stroke-width:5.5}.ts-plot .fine{stroke-width:2}.ts-plot "
-		   ".solid{fill:currentColor;stroke-width:1}.ts-plot .bar{stroke-width:1}");
+		   ".dot{stroke-width:5.5}.ts-plot .thin{stroke-width:.6}.ts-plot "
+		   ".fine{stroke-width:2}.ts-plot .solid{fill:currentColor;stroke-width:1}.ts-plot "
+		   ".bar{stroke-width:1}");
 	for (int dark = 0; dark < 2; dark++) {
 		if (dark)
 			ts_str_add(out, "@media screen and "

@@ -68,14 +68,16 @@ static enum ts_status draw_series(struct screen *s, size_t k, struct ts_plot_tra
 				draw_line(s, t->vertex[v - 1].x, t->vertex[v - 1].y, t->vertex[v].x,
 					  t->vertex[v].y, k);
 	}
-	TS_TRY(ts_plot_trace_points(t, &s->layout, series));
+	TS_TRY(ts_plot_trace_errors(t, &s->layout, series));
 	for (size_t v = 0; v < t->n; v++) {
 		double top, bottom;
 
-		set_dot(s, t->vertex[v].x, t->vertex[v].y, k);
 		if (ts_plot_error_bar(&s->layout, series, t->vertex[v].point, &top, &bottom))
 			draw_line(s, t->vertex[v].x, top, t->vertex[v].x, bottom, k);
 	}
+	TS_TRY(ts_plot_trace_points(t, &s->layout, series));
+	for (size_t v = 0; v < t->n; v++)
+		set_dot(s, t->vertex[v].x, t->vertex[v].y, k);
 	return TS_OK;
 }
 

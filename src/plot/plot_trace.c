@@ -210,17 +210,15 @@ static bool take(struct raster *r, const struct ts_plot_layout *l, const struct 
 	return true;
 }
 
-enum ts_status ts_plot_trace_points(struct ts_plot_trace *t, const struct ts_plot_layout *l,
-				    const struct ts_plot_series *s)
+/* All points, or those without a neighbour. */
+static enum ts_status trace(struct ts_plot_trace *t, const struct ts_plot_layout *l,
+			    const struct ts_plot_series *s, bool all)
 {
-	const bool all = ts_plot_has_points(s);
 	struct raster raster = { .width = (size_t)((l->right - l->left) / COLUMN) + 1,
 				 .height = (size_t)((l->bottom - l->top) / COLUMN) + 1 };
 	enum ts_status status = TS_OK;
 
 	t->n = 0;
-	if (s->style == TS_PLOT_STEPS)
-		return TS_OK;
 	if (s->n > FEW) {
 		raster.taken = ts_alloc(raster.width * raster.height, 1);
 		if (!raster.taken)
@@ -235,6 +233,20 @@ enum ts_status ts_plot_trace_points(struct ts_plot_trace *t, const struct ts_plo
 	}
 	ts_free(raster.taken);
 	return status;
+}
+
+enum ts_status ts_plot_trace_points(struct ts_plot_trace *t, const struct ts_plot_layout *l,
+				    const struct ts_plot_series *s)
+{
+	t->n = 0;
+	return s->style == TS_PLOT_STEPS ? TS_OK : trace(t, l, s, ts_plot_has_points(s));
+}
+
+enum ts_status ts_plot_trace_errors(struct ts_plot_trace *t, const struct ts_plot_layout *l,
+				    const struct ts_plot_series *s)
+{
+	t->n = 0;
+	return s->error ? trace(t, l, s, true) : TS_OK;
 }
 
 void ts_plot_trace_release(struct ts_plot_trace *t)

@@ -24,8 +24,11 @@ struct ts_plot_trace {
 /* Replace the vertices. Return TS_OK or TS_NOMEM. */
 enum ts_status ts_plot_trace_line(struct ts_plot_trace *t, const struct ts_plot_layout *l,
 				  const struct ts_plot_series *s);
-/* Points with markers; of a line without markers those that have no neighbour to be joined with. */
+/* Points with markers: all, or of a line without markers those that have no neighbour to be joined with. */
 enum ts_status ts_plot_trace_points(struct ts_plot_trace *t, const struct ts_plot_layout *l,
+				    const struct ts_plot_series *s);
+/* Points with error bars. */
+enum ts_status ts_plot_trace_errors(struct ts_plot_trace *t, const struct ts_plot_layout *l,
 				    const struct ts_plot_series *s);
 void ts_plot_trace_release(struct ts_plot_trace *t);
 

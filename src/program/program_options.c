@@ -48,6 +48,7 @@ enum option_id {
 	OPT_TITLE,
 	OPT_XLABEL,
 	OPT_YLABEL,
+	OPT_SIZE,
 	OPT_HELP,
 	OPT_DOC,
 	OPT_GRAMMAR,
@@ -109,6 +110,7 @@ static const struct {
 	[OPT_TITLE] = { "title", "TEXT", "with -plot: title, '' for none (name of the file)", 1 },
 	[OPT_XLABEL] = { "xlabel", "TEXT", "with -plot: name of the axis, its unit in parentheses", 1 },
 	[OPT_YLABEL] = { "ylabel", "TEXT", "with -plot: the same of the vertical axis", 1 },
+	[OPT_SIZE] = { "size", "WIDTHxHEIGHT", "with -plot: of a plot, letters are 13 high (480x320)", 1 },
 	[OPT_HELP] = { "help", "[KIND] [NAME]", "manual page, e.g. -help fix gravity, -help ave/time", 0 },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
 	[OPT_GRAMMAR] = { "grammar", "vim|vscode", "print the grammar file for that editor", 1 },
@@ -287,11 +289,12 @@ static int apply_study(struct ts_setup *setup, enum option_id id, char *const *v
 static int apply_plot(struct ts_setup *setup, enum option_id id, char *const *value, int n)
 {
 	struct ts_plot_words *w = &setup->plotted;
-	const char **const place[] = {
+	const char **const place[OPT_SIZE - OPT_OUT + 1] = {
 		[OPT_OUT - OPT_OUT] = &w->out,	     [OPT_XRANGE - OPT_OUT] = &w->xrange,
 		[OPT_YRANGE - OPT_OUT] = &w->yrange, [OPT_PART - OPT_OUT] = &w->part,
 		[OPT_BY - OPT_OUT] = &w->by,	     [OPT_TITLE - OPT_OUT] = &w->title,
-		[OPT_XLABEL - OPT_OUT] = &w->xlabel, [OPT_YLABEL - OPT_OUT] = &w->ylabel
+		[OPT_XLABEL - OPT_OUT] = &w->xlabel, [OPT_YLABEL - OPT_OUT] = &w->ylabel,
+		[OPT_SIZE - OPT_OUT] = &w->size
 	};
 
 	setup->plots |= id == OPT_PLOT;
@@ -445,7 +448,7 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 		if (id == NOPTIONS)
 			return unknown_option(text);
 		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_ADVISE || id == OPT_FULL ||
-			   id == OPT_CROSSCHECK || id == OPT_SANDBOX || id == OPT_PLOT ||
+			   id == OPT_CROSSCHECK || id == OPT_SANDBOX || id == OPT_PLOT || id == OPT_MARK ||
 			   (id >= OPT_SWEEP && id <= OPT_REPLICATE);
 		while (k + n < argc && !is_option(argv[k + n]) && (variadic || n < options[id].least))
 			n++;

@@ -116,6 +116,7 @@ int ts_program_plot(struct tsim *sim, const struct ts_setup *setup)
 				    .title = w->title,
 				    .xlabel = w->xlabel,
 				    .ylabel = w->ylabel,
+				    .size = w->size,
 				    .marks = { setup->marks.word, setup->marks.n },
 				    .xrange = w->xrange,
 				    .yrange = w->yrange,

@@ -12,7 +12,7 @@
 
 #include "base/banned.h"
 
-enum { HISTOGRAM = 4 /* columns of fix ave/histo */ };
+enum { HISTOGRAM = 4 /* columns of fix ave/histo */, LEAST_SIZE = 160, MOST_SIZE = 4000 };
 static const double PIXELS = 3; /* to a unit of a plot */
 
 /* What is drawn: plots side by side. */
@@ -20,7 +20,8 @@ struct picture {
 	struct ts_view_data *data;
 	struct ts_plot *plot; /* [plots] */
 	size_t plots;
-	struct ts_plot_axis x, y;  /* settings for all */
+	struct ts_plot_axis x, y; /* settings for all */
+	int width, height;
 	struct ts_plot_mark *mark; /* [marks] */
 	size_t marks;
 };
@@ -69,6 +70,29 @@ static enum ts_status parse_style(struct ts_error *err, const char *text, enum t
 		    : TS_OK;
 }
 
+/* WIDTHxHEIGHT */
+static enum ts_status parse_size(struct picture *p, const char *text)
+{
+	const char *x = text ? strchr(text, 'x') : NULL;
+	struct ts_str width = { 0 };
+	int64_t w = 0, h = 0;
+	bool good;
+
+	if (!text)
+		return TS_OK;
+	if (x)
+		ts_str_add_n(&width, text, (size_t)(x - text));
+	good = x && ts_parse_int(ts_str_text(&width), &w) && ts_parse_int(x + 1, &h) && w >= LEAST_SIZE &&
+	       h >= LEAST_SIZE && w <= MOST_SIZE && h <= MOST_SIZE;
+	ts_str_release(&width);
+	p->width = (int)w;
+	p->height = (int)h;
+	return good ? TS_OK
+		    : ts_fail(&p->data->sim->error, TS_SYNTAX, NULL,
+			      "-size is '%s', expected WIDTHxHEIGHT from %d to %d, such as 480x320", text,
+			      LEAST_SIZE, MOST_SIZE);
+}
+
 /* x=VALUE[:NAME] or y=VALUE[:NAME] */
 static enum ts_status parse_mark(struct picture *p, const char *text, struct ts_plot_mark *mark)
 {
@@ -111,6 +135,7 @@ static enum ts_status parse_words(struct picture *p)
 	if (in->out && !ts_ends_with(in->out, ".svg") && !ts_ends_with(in->out, ".png"))
 		return ts_fail(err, TS_SYNTAX, NULL, "-o is '%s', expected a name that ends in .svg or .png",
 			       in->out);
+	TS_TRY(parse_size(p, in->size));
 	TS_TRY(parse_range(err, "-xrange", in->xrange, &p->x));
 	TS_TRY(parse_range(err, "-yrange", in->yrange, &p->y));
 	return parse_marks(p);
@@ -180,9 +205,14 @@ static enum ts_status fill_plot(struct picture *p, struct ts_plot *plot, size_t 
 		TS_TRY(name_series(p, &v->curve[from + k], many));
 		series[k] = v->curve[from + k].series;
 	}
-	*plot = (struct ts_plot){
-		.x = p->x, .y = p->y, .series = series, .n = n, .mark = p->mark, .marks = p->marks
-	};
+	*plot = (struct ts_plot){ .x = p->x,
+				  .y = p->y,
+				  .series = series,
+				  .n = n,
+				  .mark = p->mark,
+				  .marks = p->marks,
+				  .width = p->width,
+				  .height = p->height };
 	if (title && v->in->title)
 		plot->title = v->in->title;
 	else if (title && v->in->n == 1)

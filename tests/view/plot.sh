@@ -163,6 +163,8 @@ fi
 report 'PNG' $?
 "$TSIM" -plot log.tsim -o all.png && [ "$(png all.png)" = '1440 2880' ]
 report 'PNG of all columns' $?
+"$TSIM" -plot log.tsim KinEng -size 720x240 -o wide.png && [ "$(png wide.png)" = '2160 720' ]
+report 'size' $?
 OMP_NUM_THREADS=3 "$TSIM" -plot log.tsim KinEng -o again.png && same 'the same bytes' one.png again.png
 "$TSIM" -plot ave c_ke -plot log.tsim KinEng -o two.svg && grep -q 'c_ke, ave<' two.svg &&
 	grep -q 'KinEng, log.tsim<' two.svg
@@ -209,6 +211,7 @@ fails 'folder' 1 "cannot write" -plot ave c_ke -o ave/x.svg
 fails 'axes' 1 "-log is 'z', expected x, y or xy" -plot ave c_ke -log z
 fails 'range' 1 "-xrange is '2:1', expected LO:HI" -plot ave c_ke -xrange 2:1
 fails 'style' 1 "-style is 'line', expected lines, points, both or steps" -plot ave c_ke -style line
+fails 'size' 1 "-size is '480', expected WIDTHxHEIGHT" -plot ave c_ke -size 480
 fails 'mark' 1 "-mark is 'z=1', expected x=VALUE or y=VALUE" -plot ave c_ke -mark z=1
 fails 'mark without number' 1 "-mark is 'y=:a', expected x=VALUE or y=VALUE" -plot ave c_ke -mark y=:a
 fails 'no error' 1 "ave has no column 'e'" -plot ave c_ke+-e=x
