@@ -101,7 +101,7 @@ static enum ts_status sort_points(struct ts_view_curve *c)
 
 /* ---- names */
 
-/* "step 500, mu 0.3, file.txt": what tells the curve from others of the column. */
+/* "step 500, mu 0.3, file.txt": what tells the curve from others of the column. A label says from which file it is. */
 static enum ts_status name_curve(struct ts_view_data *v, struct ts_view_curve *c, const struct strand *s)
 {
 	const struct ts_view_file *f = s->file;
@@ -119,7 +119,7 @@ static enum ts_status name_curve(struct ts_view_data *v, struct ts_view_curve *c
 	}
 	if (!f->joined && f->sheets.n > 1)
 		ts_str_addf(&text, "%s%s", text.length ? ", " : "", t->title);
-	if (v->in->n > 1)
+	if (v->in->n > 1 && !s->y->label)
 		ts_str_addf(&text, "%s%s", text.length ? ", " : "", f->source->path);
 	c->name = text.failed ? NULL : ts_arena_strdup(&v->arena, ts_str_text(&text));
 	ts_str_release(&text);

@@ -174,7 +174,7 @@ report 'columns by number, of both files' $?
 
 "$TSIM" -plot ave '2=mean, in 10 steps' -x 1 -style points -plot print ke+-one=now -style lines -o words.svg \
 	-mark y=0.01:limit x=50 -xlabel 'step (10 us)' -ylabel energy -title '' &&
-	grep -q '>mean, in 10 steps, ave<' words.svg && grep -q '>now, print<' words.svg && grep -q '>limit<' words.svg &&
+	grep -q '>mean, in 10 steps<' words.svg && grep -q '>now<' words.svg && grep -q '>limit<' words.svg &&
 	[ "$(grep -c 'class="mark"' words.svg)" = 2 ] && grep -q '>step (10 us)<' words.svg &&
 	[ "$(grep -c 'class="c[12] bar"' words.svg)" = 1 ] && [ "$(grep -c 'path class="c1"' words.svg)" = 0 ] &&
 	[ "$(grep -c 'path class="c2"' words.svg)" = 2 ]
