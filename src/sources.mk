@@ -595,6 +595,8 @@ library_sources = \
 	src/geom/spherehash.h \
 	src/geom/sweep.c \
 	src/geom/sweep.h \
+	src/geom/triangles.c \
+	src/geom/triangles.h \
 	src/grid/command_flow_grid.c \
 	src/grid/grid.c \
 	src/grid/grid.h \
@@ -892,6 +894,7 @@ library_sources = \
 	src/math/vec3.h \
 	src/mesh/cell_region.c \
 	src/mesh/cell_region.h \
+	src/mesh/command_mesh_primitive.c \
 	src/mesh/dump_mesh_stl.c \
 	src/mesh/dump_mesh_vtk.c \
 	src/mesh/fix_massflow_mesh.c \
@@ -949,8 +952,6 @@ library_sources = \
 	src/mesh/mesh_vtk.h \
 	src/mesh/region_mesh_hex.c \
 	src/mesh/region_mesh_tet.c \
-	src/mesh/triangles.c \
-	src/mesh/triangles.h \
 	src/neigh/active_pairs.c \
 	src/neigh/active_pairs.h \
 	src/neigh/cells.c \
@@ -1226,6 +1227,20 @@ library_sources = \
 	src/script/substitute.c \
 	src/script/text.c \
 	src/script/variable_command.c \
+	src/shape/facets.c \
+	src/shape/facets.h \
+	src/shape/internal.h \
+	src/shape/lathe.c \
+	src/shape/lathe.h \
+	src/shape/shape.c \
+	src/shape/shape.h \
+	src/shape/shape_box.c \
+	src/shape/shape_drum.c \
+	src/shape/shape_mixer.c \
+	src/shape/shape_round.c \
+	src/shape/shape_screw.c \
+	src/shape/shape_sphere.c \
+	src/shape/shape_wedge.c \
 	src/sheet/internal.h \
 	src/sheet/sheet.c \
 	src/sheet/sheet.h \

@@ -160,6 +160,7 @@ shell_tests = \
 	tests/mesh/free_mesh.sh \
 	tests/mesh/massflow.sh \
 	tests/mesh/mesh_dumps.sh \
+	tests/mesh/mesh_primitive.sh \
 	tests/mesh/mesh_rim.sh \
 	tests/neigh/identities.sh \
 	tests/neigh/neigh_words.sh \
@@ -304,6 +305,7 @@ unit_tests = \
 	tests/rough/check_rough \
 	tests/script/check_script \
 	tests/script/check_unbreakable \
+	tests/shape/check_shapes \
 	tests/sheet/check_sheet \
 	tests/stability/check_contacts \
 	tests/stability/check_couplings \
@@ -661,6 +663,10 @@ tests_script_check_script_LDADD = $(tests_ldadd)
 tests_script_check_unbreakable_SOURCES = tests/script/check_unbreakable.c
 tests_script_check_unbreakable_CFLAGS = $(tests_cflags)
 tests_script_check_unbreakable_LDADD = $(tests_ldadd)
+
+tests_shape_check_shapes_SOURCES = tests/shape/check_shapes.c
+tests_shape_check_shapes_CFLAGS = $(tests_cflags)
+tests_shape_check_shapes_LDADD = $(tests_ldadd)
 
 tests_sheet_check_sheet_SOURCES = tests/sheet/check_sheet.c
 tests_sheet_check_sheet_CFLAGS = $(tests_cflags)

@@ -33,9 +33,9 @@ void ts_csv_add_cell(struct ts_str *out, const char *text)
 	}
 	ts_str_add_n(out, "\"", 1);
 	for (; *text; text++)
-		ts_str_add(out, *text == '"'			    ? "\"\""
+		ts_str_add(out, *text == '"'			 ? "\"\""
 				: *text == '\n' || *text == '\r' ? " "
-								    : (const char[]){ *text, 0 });
+								 : (const char[]){ *text, 0 });
 	ts_str_add_n(out, "\"", 1);
 }
 
