@@ -201,7 +201,7 @@ size_t ts_decimal_lld(long long value, char out[TS_DECIMAL_SIZE])
 	return n;
 }
 
-/* d.ddde+XX, or d.ddde+XXX */
+/* d.ddde+09, d.ddde-120 */
 static char *write_exponential(char *to, const char *digit, size_t n, int exponent)
 {
 	char text[TS_DECIMAL_SIZE], *end = text + sizeof text, *begin;

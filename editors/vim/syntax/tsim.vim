@@ -51,9 +51,9 @@ syn keyword tsimKeyword  compress bond atom stats remove special undo move ramp 
 syn keyword tsimKeyword  thresh format pad delay append
 syn match tsimKeyword /\<label\>/ 
 syn keyword tsimKeyword  time maxfiles element scale image refresh header buffer compressor
-syn keyword tsimKeyword  zlib lz4 flush pbc binary fileper nfile acolor adiam amap
-syn keyword tsimKeyword  backcolor backcolor2 bcolor bdiam bitrate bmap boxcolor color
-syn keyword tsimKeyword  framerate lights smap screen
+syn keyword tsimKeyword  zlib lz4 flush pbc binary fileper nfile acolor adiam amap atrans
+syn keyword tsimKeyword  backcolor backcolor2 bcolor bdiam bitrate bmap boxcolor cmap color
+syn keyword tsimKeyword  framerate gmap lights smap screen
 syn match tsimKeyword /\<log\>/ 
 syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi wall slip inlet outlet pressure
 syn keyword tsimKeyword  hydrostatic update step once uniform geometric fine lo hi tanh
@@ -63,27 +63,32 @@ syn match tsimKeyword /\<clear\>/
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
 syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex custom origin orient
-syn keyword tsimKeyword  spacing a1 a2 a3 file check binsize contact_distance_factor page
-syn keyword tsimKeyword  one cluster collection/type collection/interval exclude bin nsq
-syn keyword tsimKeyword  fixed omp grain shift tail mix arithmetic sixthpower universe grid
-syn keyword tsimKeyword  part numa add nocoeff extra/atom/types extra/bond/types
-syn keyword tsimKeyword  extra/angle/types extra/dihedral/types extra/improper/types
+syn keyword tsimKeyword  spacing a1 a2 a3 file open plate length width disk radius hole
+syn keyword tsimKeyword  sphere cylinder tube thickness cone radlo radhi revolve hopper
+syn keyword tsimKeyword  half_angle height stem wedge depth ends drum lifters screw shaft
+syn keyword tsimKeyword  pitch hand right left periodic mixer blades at base axis angle
+syn keyword tsimKeyword  segments error size normals outward inward primitive check binsize
+syn keyword tsimKeyword  contact_distance_factor page one cluster collection/type
+syn keyword tsimKeyword  collection/interval exclude bin nsq fixed omp grain shift tail mix
+syn keyword tsimKeyword  arithmetic sixthpower universe grid part numa add nocoeff
+syn keyword tsimKeyword  extra/atom/types extra/bond/types extra/angle/types
+syn keyword tsimKeyword  extra/dihedral/types extra/improper/types
 syn match tsimKeyword /\<fix\>/ 
 syn keyword tsimKeyword  replace trim purge bbox last skip stop
 syn match tsimKeyword /\<dump\>/ 
-syn keyword tsimKeyword  post warn error upto pre unsafe diameter density density/disc
+syn keyword tsimKeyword  post warn upto pre unsafe diameter density density/disc
 syn match tsimKeyword /\<mass\>/ 
 syn keyword tsimKeyword  vx vy vz omegax omegay omegaz omega type/fraction type/ratio
 syn keyword tsimKeyword  type/subset property/atom d_NAME i_NAME d2_NAME i2_NAME lj coul
-syn keyword tsimKeyword  lj/coul angle dihedral lost ignore lost/bond norm line temp press
-syn keyword tsimKeyword  si cgs micro real metal electron nano index loop world uloop
-syn keyword tsimKeyword  string getenv
+syn keyword tsimKeyword  lj/coul dihedral lost ignore lost/bond norm line temp press si cgs
+syn keyword tsimKeyword  micro real metal electron nano index loop world uloop string
+syn keyword tsimKeyword  getenv
 syn match tsimKeyword /\<timer\>/ 
 syn keyword tsimKeyword  internal atomfile equal vector create zero linear angular
 syn keyword tsimKeyword  angularIndividual sum dist gaussian mom rot local geom bias pair
-syn keyword tsimKeyword  ii ij nofix modify noinit threshold radius hardness discard
-syn keyword tsimKeyword  default mixed bound reduced nchunk limit ids nfreq between cells
-syn keyword tsimKeyword  values interpolation cubic solid_fraction amount load bumpiness
+syn keyword tsimKeyword  ii ij nofix modify noinit threshold hardness discard default mixed
+syn keyword tsimKeyword  bound reduced nchunk limit ids nfreq between cells values
+syn keyword tsimKeyword  interpolation cubic solid_fraction amount load bumpiness
 syn keyword tsimKeyword  upper_wall_restitution upper_roughness upper_bumpiness friction
 syn keyword tsimKeyword  tangential packing theory lun garzo/dufty radial lun/savage
 syn keyword tsimKeyword  carnahan/starling torquato branch dense dilute points tolerance
@@ -91,17 +96,17 @@ syn keyword tsimKeyword  shear_rate kspace tensor lacey kramer poole rsd intensi
 syn keyword tsimKeyword  chunks weight number volume least particles contacts reference
 syn keyword tsimKeyword  neighbors com average property xcm vcm fcm torque quat angmom
 syn keyword tsimKeyword  masstotal inertia clumptype id_multisphere ex_space ey_space
-syn keyword tsimKeyword  ez_space bond/type region_count tracer periodic reset_marker min
-syn keyword tsimKeyword  max ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
+syn keyword tsimKeyword  ez_space bond/type region_count tracer reset_marker min max ave
+syn keyword tsimKeyword  sumsq avesq sumabs aveabs minabs maxabs inputs peratom
 syn keyword tsimKeyword  update_on_run_end winkler halfspace young poisson counter_young
 syn keyword tsimKeyword  counter_poisson iterations counter adof cdof mean linear/x
 syn keyword tsimKeyword  linear/y linear/z motion translation rotation unbiased primitives
-syn keyword tsimKeyword  colour u v movie voxel size view center up zoom persp axes subbox
-syn keyword tsimKeyword  shiny fsaa ssao legend reset coefficient fluid_acceleration
-syn keyword tsimKeyword  two_way energy sample running window overwrite title1 title2
-syn keyword tsimKeyword  title3 auto auto/upper auto/lower full prefactor scalar nevery
-syn keyword tsimKeyword  cell_size_relative parallel basevolume_region kind global beyond
-syn keyword tsimKeyword  end extra level prob iparam jparam dim vmax
+syn keyword tsimKeyword  colour u v movie voxel clip slice arrow view center up zoom persp
+syn keyword tsimKeyword  axes subbox shiny depthcue fsaa ssao legend reset coefficient
+syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
+syn keyword tsimKeyword  title1 title2 title3 auto auto/upper auto/lower full prefactor
+syn keyword tsimKeyword  scalar nevery cell_size_relative parallel basevolume_region kind
+syn keyword tsimKeyword  global beyond end extra level prob iparam jparam dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate wiggle
 syn keyword tsimKeyword  xy xz yz flip xyz scheme explicit implicit lagged void sound C1 C2
@@ -112,7 +117,7 @@ syn keyword tsimKeyword  initial_temperature contact_area area_correction
 syn keyword tsimKeyword  store_contact_data euler min_cells relax virtual_mass surface
 syn keyword tsimKeyword  spheres distributiontemplate maxattempt overlapcheck stacked
 syn keyword tsimKeyword  orientation set_property verbose all_in position direction
-syn keyword tsimKeyword  inner_diameter cone nparticles particlerate massrate insert_every
+syn keyword tsimKeyword  inner_diameter nparticles particlerate massrate insert_every
 syn keyword tsimKeyword  random_distribute uncorrelated compress_tags ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
 syn keyword tsimKeyword  volumefraction_region mass_in_region max_rounds insertion_face
@@ -123,16 +128,16 @@ syn match tsimKeyword /\<delete_atoms\>/
 syn keyword tsimKeyword  interval sum_property temperature element_exclusion_list precision
 syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
 syn keyword tsimKeyword  auto_remove_duplicates surface_vel surface_ang_vel reference_point
-syn keyword tsimKeyword  stress wear finnie ctrlPV force axis target_val vel_max kp ki kd
-syn keyword tsimKeyword  pid rescale transrot linear/variable period rotate/variable
-syn keyword tsimKeyword  amplitude riggle viblin phase vibrot linear/superposable
+syn keyword tsimKeyword  stress wear finnie ctrlPV force target_val vel_max kp ki kd pid
+syn keyword tsimKeyword  rescale transrot linear/variable period rotate/variable amplitude
+syn keyword tsimKeyword  riggle viblin phase vibrot linear/superposable
 syn keyword tsimKeyword  linear/variable/superposable rotate/superposable
 syn keyword tsimKeyword  rotate/variable/superposable wiggle/superposable
 syn keyword tsimKeyword  riggle/superposable viblin/superposable vibrot/superposable
 syn keyword tsimKeyword  gravity geometric_prefactor allow_group_and_set allow_heatsource
-syn keyword tsimKeyword  by_dimension sphere disc atom_type volume_limit relative nspheres
-syn keyword tsimKeyword  ntry inertia_tensor use_volume use_density fflag tflag diam dens
-syn keyword tsimKeyword  vol rate
+syn keyword tsimKeyword  by_dimension disc atom_type volume_limit relative nspheres ntry
+syn keyword tsimKeyword  inertia_tensor use_volume use_density fflag tflag diam dens vol
+syn keyword tsimKeyword  rate
 syn match tsimKeyword /\<next\>/ 
 syn keyword tsimKeyword  molfrac rigid shake title ghost writedata add_region
 syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style dirac
@@ -140,7 +145,7 @@ syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer perat
 syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink delete_below
 syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple constant black
 syn keyword tsimKeyword  white formula correlation noise columns waves selfaffine hurst
-syn keyword tsimKeyword  shortest roll longest datum base merge method divided kernel reach
+syn keyword tsimKeyword  shortest roll longest datum merge method divided kernel reach
 syn keyword tsimKeyword  settled inertia_1 inertia_2 arm joint_1 joint_2 start_1 start_2
 syn keyword tsimKeyword  model hooke hertz hooke/stiffness hooke/modulus hertz/stiffness
 syn keyword tsimKeyword  hooke/hysteresis jkr history no_history incremental_history
@@ -151,19 +156,19 @@ syn keyword tsimKeyword  tangential_reduce modifyLbVolume limitLiquidContent tor
 syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
 syn keyword tsimKeyword  disableNormalWhenBonded located hooke/history hertz/history
-syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes voxels xplane
-syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear impact resolved
-syn keyword tsimKeyword  store_force store_force_contact store_force_contact_stress evolve
-syn keyword tsimKeyword  evolve_every thickness layer through open k deformation cutting
-syn keyword tsimKeyword  modulus cutting_constant elastic_constant factor flow_stress
-syn keyword tsimKeyword  depth_ratio force_ratio transition sio2 sic glass relaxation
-syn keyword tsimKeyword  crater section segment plastic ab2 rk2 rk3 backward substeps
-syn keyword tsimKeyword  courant quick cubista gamma form fv fd conservative quadratic
-syn keyword tsimKeyword  body_force pressure_level lower_voxel upper_voxel upper_wafer
-syn keyword tsimKeyword  lower_velocity upper_velocity lower_stays upper_stays lower_slip
-syn keyword tsimKeyword  upper_slip asperities barus roelands ambient pressure_xlo
-syn keyword tsimKeyword  pressure_xhi pressure_ylo pressure_yhi floating closed cavitation
-syn keyword tsimKeyword  half reynolds jfo cavity_pressure transient stepped
+syn keyword tsimKeyword  granular limit_damping n_meshes meshes voxels xplane yplane zplane
+syn keyword tsimKeyword  xcylinder ycylinder zcylinder shear impact resolved store_force
+syn keyword tsimKeyword  store_force_contact store_force_contact_stress evolve evolve_every
+syn keyword tsimKeyword  layer through k deformation cutting modulus cutting_constant
+syn keyword tsimKeyword  elastic_constant factor flow_stress depth_ratio force_ratio
+syn keyword tsimKeyword  transition sio2 sic glass relaxation crater section segment
+syn keyword tsimKeyword  plastic ab2 rk2 rk3 backward substeps courant quick cubista gamma
+syn keyword tsimKeyword  form fv fd conservative quadratic body_force pressure_level
+syn keyword tsimKeyword  lower_voxel upper_voxel upper_wafer lower_velocity upper_velocity
+syn keyword tsimKeyword  lower_stays upper_stays lower_slip upper_slip asperities barus
+syn keyword tsimKeyword  roelands ambient pressure_xlo pressure_xhi pressure_ylo
+syn keyword tsimKeyword  pressure_yhi floating closed cavitation half reynolds jfo
+syn keyword tsimKeyword  cavity_pressure transient stepped
 syn match tsimKeyword /\<run\>/ 
 syn keyword tsimKeyword  least_gap touching solid axisymmetric plane point span distance
 syn keyword tsimKeyword  profile potential anharmonic generic hertz/material dmt
@@ -190,7 +195,7 @@ syn keyword tsimName  true false on off
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|length\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
 " commands, at the start of a line
-syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|automaton_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|review\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|automaton_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|mesh_primitive\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|review\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
