@@ -12,8 +12,8 @@ unsigned ts_plot_colour(size_t k, bool dark)
 {
 	/* blue, vermilion, bluish green, reddish purple, orange, sky blue, ink; on a dark ground all lighter */
 	static const unsigned colour[2][TS_PLOT_COLOURS] = {
-		{ 0x0072b2, 0xd55e00, 0x009e73, 0xb8578f, 0xc98500, 0x3a9bd0, 0x333333 },
-		{ 0x4aa8e8, 0xf58a42, 0x2fc79c, 0xe8a0cb, 0xf0b840, 0x9ad6f7, 0xdddddd },
+		{ 0x005191, 0xb33e17, 0x00ab61, 0xad6186, 0xd77f00, 0x5a7ef1, 0x333333 },
+		{ 0x3586e1, 0xe36e2f, 0x4be385, 0xd37eb0, 0xf8ca35, 0xa4d1ff, 0xdddddd },
 	};
 
 	return colour[dark][k % TS_PLOT_COLOURS];

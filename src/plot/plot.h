@@ -58,9 +58,10 @@ struct ts_plot {
 	int width, height;
 };
 
-/* Number of colours that are told apart by people who confuse red and green: those of Okabe and Ito (2008), Color
- * Universal Design, without yellow, which is not seen on white; then the colour of the letters. Series beyond repeat
- * them; markers differ, too. */
+/* Number of colours: those of Okabe and Ito (2008), Color Universal Design, without yellow, which is not seen on white, and
+ * moved apart: with a contrast to the ground of at least 3, all pairs differ by at least 22 of CIELAB for the three kinds of
+ * colour blindness as well (model of Machado, Oliveira and Fernandes, IEEE Trans. Vis. Comput. Graph. 15 (2009) 1291); the
+ * originals differ by 16. The last is that of the letters. Series beyond repeat them; markers differ, too. */
 enum { TS_PLOT_COLOURS = 7, TS_PLOT_MARKERS = 4 };
 /* With more points than these their markers are small dots. */
 enum { TS_PLOT_CROWD = 1000 };

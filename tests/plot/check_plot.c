@@ -499,20 +499,28 @@ START_TEST(memory)
 }
 END_TEST
 
-/* Luminance against the ground, by WCAG 2.1: graphics need a contrast of 3. */
-static double luminance(unsigned rgb)
+/* ---- colours */
+
+/* Red, green, blue of light. */
+static void light_of(unsigned rgb, double out[3])
 {
-	static const double weight[] = { 0.0722, 0.7152, 0.2126 };
-	double sum = 0;
+	for (int k = 0; k < 3; k++) {
+		const double c = (rgb >> (16 - 8 * k) & 255) / 255.0;
 
-	for (int k = 0; k < 3; k++, rgb >>= 8) {
-		const double c = (rgb & 255) / 255.0;
-
-		sum += weight[k] * (c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4));
+		out[k] = c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
 	}
-	return sum;
 }
 
+/* WCAG 2.1. */
+static double luminance(unsigned rgb)
+{
+	double c[3];
+
+	light_of(rgb, c);
+	return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+}
+
+/* Graphics need a contrast of 3 to their ground. */
 START_TEST(colours_are_seen)
 {
 	for (size_t k = 0; k < TS_PLOT_COLOURS; k++) {
@@ -521,6 +529,58 @@ START_TEST(colours_are_seen)
 					    (luminance(0x16181c) + 0.05),
 				    3);
 	}
+}
+END_TEST
+
+static double cube_root(double t)
+{
+	return t > 0.008856 ? cbrt(t) : 7.787 * t + 16.0 / 116;
+}
+
+/* CIELAB for D65 of a colour as seen through a matrix on its light. */
+static void seen(unsigned rgb, const double m[3][3], double lab[3])
+{
+	double c[3], s[3], f[3];
+
+	light_of(rgb, c);
+	for (int k = 0; k < 3; k++)
+		s[k] = fmin(fmax(m[k][0] * c[0] + m[k][1] * c[1] + m[k][2] * c[2], 0), 1);
+	f[0] = cube_root((0.4124 * s[0] + 0.3576 * s[1] + 0.1805 * s[2]) / 0.9505);
+	f[1] = cube_root(0.2126 * s[0] + 0.7152 * s[1] + 0.0722 * s[2]);
+	f[2] = cube_root((0.0193 * s[0] + 0.1192 * s[1] + 0.9505 * s[2]) / 1.089);
+	lab[0] = 116 * f[1] - 16;
+	lab[1] = 500 * (f[0] - f[1]);
+	lab[2] = 200 * (f[1] - f[2]);
+}
+
+/* For people without one kind of cones, too: Machado et al. (2009), table 1, severity 1. */
+START_TEST(colours_are_told_apart)
+{
+	static const double vision[4][3][3] = {
+		{ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+		{ { 0.152286, 1.052583, -0.204868 },
+		  { 0.114503, 0.786281, 0.099216 },
+		  { -0.003882, -0.048116, 1.051998 } },
+		{ { 0.367322, 0.860646, -0.227968 },
+		  { 0.280085, 0.672501, 0.047413 },
+		  { -0.011820, 0.042940, 0.968881 } },
+		{ { 1.255528, -0.076749, -0.178779 },
+		  { -0.078411, 0.930809, 0.147602 },
+		  { 0.004733, 0.691367, 0.303900 } },
+	};
+
+	for (int v = 0; v < 4; v++)
+		for (size_t i = 1; i < TS_PLOT_COLOURS; i++)
+			for (size_t j = 0; j < i; j++)
+				for (int dark = 0; dark < 2; dark++) {
+					double a[3], b[3];
+
+					seen(ts_plot_colour(i, dark), vision[v], a);
+					seen(ts_plot_colour(j, dark), vision[v], b);
+					ck_assert_double_ge(hypot(hypot(a[0] - b[0], a[1] - b[1]),
+								  a[2] - b[2]),
+							    22);
+				}
 }
 END_TEST
 
@@ -545,6 +605,7 @@ int main(void)
 	tcase_add_test(tcase, terminal);
 	tcase_add_test(tcase, memory);
 	tcase_add_test(tcase, colours_are_seen);
+	tcase_add_test(tcase, colours_are_told_apart);
 	suite_add_tcase(suite, tcase);
 	return deck_main(suite);
 }
