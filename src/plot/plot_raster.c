@@ -77,10 +77,10 @@ static void begin(struct ts_plot_canvas *c, enum ts_plot_pen pen, size_t colour)
 	static const struct {
 		double width, opacity, dash;
 	} pens[] = {
-		[TS_PLOT_MINOR] = { 0.6, 0.1, 0 },    [TS_PLOT_GRID] = { 0.6, 0.25, 0 },
-		[TS_PLOT_FRAME] = { 1, 0.6, 0 },      [TS_PLOT_CURVE] = { 1.5, 1, 0 },
-		[TS_PLOT_THIN] = { 0.6, 1, 0 },	      [TS_PLOT_BAR] = { 1, 1, 0 },
-		[TS_PLOT_DASHED] = { 1.2, 0.8, 4.5 },
+		[TS_PLOT_MINOR] = { 0.6, 0.1, 0 },  [TS_PLOT_GRID] = { 0.6, 0.25, 0 },
+		[TS_PLOT_FRAME] = { 1, 0.6, 0 },    [TS_PLOT_CURVE] = { 1.5, 1, 0 },
+		[TS_PLOT_THIN] = { 0.6, 1, 0 },	    [TS_PLOT_BAR] = { 1, 1, 0 },
+		[TS_PLOT_DASHED] = { 1, 0.6, 4.5 },
 	};
 	struct raster *r = (struct raster *)c;
 
