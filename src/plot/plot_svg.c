@@ -199,17 +199,13 @@ static void text(struct ts_plot_canvas *c, double x, double y, enum ts_plot_alig
 
 static void add_style(struct ts_str *out)
 {
-	ts_str_add(out,
-		   "<style>.ts-plot{color:#222;font:13px system-ui,sans-serif;fill:currentColor}.ts-plot "
-		   ".ground{fill:#fff}.ts-plot .t{font-weight:bold}.ts-plot .m{text-anchor:middle}.ts-plot "
-		   ".e{text-anchor:end}.ts-plot .small{font-size:11px}.ts-plot "
-		   "path{fill:none;stroke:currentColor;stroke-width:1.5;stroke-linecap:round;stroke-linejoin:"
-		   "round}.ts-plot .grid{stroke-width:.6;opacity:.25}.ts-plot "
-		   ".minor{stroke-width:.6;opacity:.1}.ts-plot .frame{stroke-width:1;opacity:.6}.ts-plot "
-		   ".mark{stroke-width:1.2;stroke-dasharray:5 4;opacity:.8}.ts-plot "
-		   ".dot{stroke-width:5.5}.ts-plot .thin{stroke-width:.6}.ts-plot "
-		   ".fine{stroke-width:2}.ts-plot .solid{fill:currentColor;stroke-width:1}.ts-plot "
-		   ".bar{stroke-width:1}");
+	/* clang-format off */
+	ts_str_add(out, "<style>.ts-plot{color:#222;font:13px system-ui,sans-serif;fill:currentColor}.ts-plot "
+			".ground{fill:#fff}.ts-plot .t{font-weight:bold}.ts-plot "
+			".m{text-anchor:middle}.ts-plot .e{text-anchor:end}.ts-plot "
+			".small{font-size:11px}.ts-plot "
+			"path{fill:none;stroke:currentColor;stroke-width:1.5;stroke-linecap:round;stroke-linejoin:round}.ts-plot .grid{stroke-width:.6;opacity:.25}.ts-plot .minor{stroke-width:.6;opacity:.1}.ts-plot .frame{stroke-width:1;opacity:.6}.ts-plot .mark{stroke-width:1;stroke-dasharray:5 4;opacity:.6}.ts-plot .thin{stroke-width:.6}.ts-plot .bar{stroke-width:1}.ts-plot .dot{stroke-width:5.5}.ts-plot .fine{stroke-width:2}.ts-plot .solid{fill:currentColor;stroke-width:1}");
+	/* clang-format on */
 	for (int dark = 0; dark < 2; dark++) {
 		if (dark)
 			ts_str_add(out, "@media screen and "
