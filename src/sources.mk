@@ -649,6 +649,8 @@ library_sources = \
 	src/image/image_modify.c \
 	src/image/image_particles.c \
 	src/image/image_price.c \
+	src/image/image_region.c \
+	src/image/image_region.h \
 	src/image/image_slice.c \
 	src/image/image_slice.h \
 	src/image/image_surfaces.c \

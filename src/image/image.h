@@ -17,6 +17,7 @@ struct ts_image_clip;
 struct ts_image_slice;
 struct ts_image_arrows;
 struct ts_image_contacts;
+struct ts_image_region;
 
 /* Sources of a colour or a size other than numbers of particles or bonds. */
 enum ts_image_by {
@@ -96,13 +97,14 @@ struct ts_image {
 	struct ts_words surface_words;
 	struct ts_image_surface *surface; /* [nsurfaces] image_surfaces.h */
 	size_t nsurfaces;
-	/* image_clip.h, image_slice.h, image_arrow.h, image_contact.h */
-	struct ts_words clip_words, slice_words, arrow_words, contact_words;
+	/* image_clip.h, image_slice.h, image_arrow.h, image_contact.h, image_region.h */
+	struct ts_words clip_words, slice_words, arrow_words, contact_words, region_words;
 	struct ts_image_clip *clip;
 	struct ts_image_slice *slice;
 	struct ts_image_arrows *arrows;
 	struct ts_image_contacts *contacts;
-	size_t nclips, nslices, narrows, ncontacts;
+	struct ts_image_region *region;
+	size_t nclips, nslices, narrows, ncontacts, nregions;
 	double first_box[2][3]; /* lower and upper corner of the box at the definition; saved */
 	bool placed;		/* first_box is set; saved */
 

@@ -34,6 +34,9 @@ const struct ts_arg ts_image_args[] = {
 	PART("wall", surface_words,
 	     "ID|all [color C] [trans T] [value f_ID[k]]: planes and cylinders of fix wall/gran within the "
 	     "box (lightsteelblue, 0.3)"),
+	PART("region", region_words,
+	     "ID COLOR filled|transparent OPACITY: the surface of a region, as far as it is in the box "
+	     "(opacity 0.5)"),
 	PART("clip", clip_words,
 	     "x|y|z POSITION above|below: removes what is above or below that coordinate; particles, bonds "
 	     "and contacts are cut through"),

@@ -4,6 +4,7 @@
 #include "box/domain.h"
 #include "image/image_clip.h"
 #include "image/image_contact.h"
+#include "image/image_region.h"
 #include "image/image_slice.h"
 #include "image/image_surfaces.h"
 
@@ -93,6 +94,7 @@ enum ts_status ts_image_draw(struct ts_instance *self, struct tsim *sim, bool *d
 	TS_TRY(ts_image_add_bonds(self, sim));
 	TS_TRY(ts_image_add_contacts(self, sim));
 	TS_TRY(ts_image_add_surfaces(self, sim));
+	TS_TRY(ts_image_add_regions(self, sim));
 	s->scene.whole = true; /* not cut */
 	TS_TRY(ts_image_add_slices(self, sim));
 	TS_TRY(ts_image_add_arrows(self, sim));
@@ -112,6 +114,7 @@ void ts_image_release(struct ts_instance *self)
 	ts_image_release_surfaces(s);
 	ts_image_release_slices(s);
 	ts_image_release_arrows(s);
+	ts_image_release_regions(s);
 	ts_scene_release(&s->scene);
 	ts_picture_release(&s->picture);
 	ts_table_release(&s->bond.values);

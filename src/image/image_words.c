@@ -5,6 +5,7 @@
 #include "box/domain.h"
 #include "image/image_clip.h"
 #include "image/image_contact.h"
+#include "image/image_region.h"
 #include "image/image_slice.h"
 
 #include "base/banned.h"
@@ -257,6 +258,7 @@ enum ts_status ts_image_read(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_image_read_slices(self, sim));
 	TS_TRY(ts_image_read_arrows(self, sim));
 	TS_TRY(ts_image_read_contacts(self, sim));
+	TS_TRY(ts_image_read_regions(self, sim));
 	TS_TRY(check_view(self, sim));
 	TS_TRY(check_size(self, sim));
 	for (int d = 0; d < 3 && !s->placed; d++) {

@@ -193,6 +193,29 @@ write_dump all image a.png type type clip x 5 beyond" 'above'
 rejects "$base
 write_dump all image a.png type type $(for k in 1 2 3 4 5 6 7; do echo "clip x $k above"; done | xargs)" 'more than 6'
 
+# regions: a ball and a block that is larger than the box, one that moves, one that is outside
+prints "$base
+region ball sphere 5 5 5 2 units box
+region right block 8 20 8 20 8 20 units box
+region both union 2 ball right
+region far block 20 30 20 30 20 30 units box
+variable up equal 2
+region up sphere 5 5 5 1 units box move NULL v_up NULL
+write_dump all image a.ppm type type $above atom no region both blue filled region far red filled modify $flat
+write_dump all image b.ppm type type $above atom no region ball red transparent 0.5 region up lime filled modify $flat"
+is 'a ball' a.ppm 138 99 '0 0 255'
+is 'outside of it' a.ppm 142 99 '0 0 0'
+is 'a block' a.ppm 162 38 '0 0 255'
+is 'outside of it' a.ppm 157 43 '0 0 0'
+is 'front and rear, half of each' b.ppm 100 110 '191 0 0'
+is 'a ball that has moved' b.ppm 100 43 '0 255 0'
+is 'beyond it' b.ppm 100 38 '0 0 0'
+rejects "$base
+write_dump all image a.png type type region bal red filled" 'bal'
+rejects "$base
+region ball sphere 5 5 5 2 units box
+write_dump all image a.png type type region ball red frame 0.1" 'filled'
+
 # transparent particles
 prints "$base
 set type 2 x 2.5 z 7
