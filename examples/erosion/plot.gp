@@ -1,27 +1,9 @@
-# gnuplot plot.gp: pictures of in.erosion and in.angles, in post/
-set terminal pngcairo size 1200,800 font "sans,11"
+# gnuplot plot.gp: profiles of in.erosion, and in.angles, in post/
+set terminal pngcairo size 900,600 font "sans,11"
 newest(m, a) = system("ls -t post/".m.".".a.".*.txt | head -n 1")
-set output "post/maps.png"
-set multiplot layout 2,3 title "Depth worn over that of the deepest column, which is named above each map"
-set size ratio -1
-set xrange [-6:8]
-set yrange [-5:5]
-set xlabel "x (mm), downstream"
-set ylabel "y (mm)"
-set palette rgbformulae 21,22,23 negative
-do for [a in "90 30"] {
-	do for [m in "steel aluminium acrylic"] {
-		f = newest(m, a)
-		stats f skip 9 using 3 nooutput
-		set title sprintf("%s, %s degrees: %.3g nm", m, a, 1e9*STATS_max)
-		plot f skip 9 using (1e3*$1):(1e3*$2):($3/STATS_max) with image notitle
-	}
-}
-unset multiplot
-
 set output "post/profile.png"
-set size noratio
 set xrange [-8:8]
+set xlabel "x (mm), downstream"
 set yrange [*:*]
 set ylabel "depth (nm)"
 set title "Depth of the scar in steel along the jet, mean over 1 mm across"
