@@ -108,6 +108,10 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(find_gravity(self, sim));
 	s->down = s->gravity->direction[s->dim] > 0 ? 1 : -1;
+	if (s->gravity->turns)
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "dim"),
+			       "fix buoyancy: the direction of gravity is a variable, but the surface of the "
+			       "fluid does not turn with it");
 	for (int d = 0; d < 3; d++)
 		if (d != s->dim && s->gravity->direction[d] != 0)
 			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "dim"),

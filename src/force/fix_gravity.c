@@ -18,19 +18,19 @@ enum { VECTOR, CHUTE, SPHERICAL };
 struct gravity {
 	struct ts_gravity base; /* read by other styles */
 	int mode;
-	double vector[3], angle, phi, theta;
+	struct ts_number given[3]; /* components; the angle; or phi and theta */
 	struct tsim *sim;
 };
 
-static void direction_3d(const struct gravity *g, double d[3])
+static void direction_3d(int mode, const double given[3], double d[3])
 {
 	const double degree = TS_PI / 180;
-	double theta = g->theta * degree, phi = g->phi * degree, tilt = g->angle * degree;
+	double tilt = given[0] * degree, phi = given[0] * degree, theta = given[1] * degree;
 
-	if (g->mode == VECTOR) {
+	if (mode == VECTOR) {
 		for (int k = 0; k < 3; k++)
-			d[k] = g->vector[k];
-	} else if (g->mode == CHUTE) {
+			d[k] = given[k];
+	} else if (mode == CHUTE) {
 		d[0] = sin(tilt);
 		d[1] = 0;
 		d[2] = -cos(tilt);
@@ -42,27 +42,30 @@ static void direction_3d(const struct gravity *g, double d[3])
 }
 
 /* As in LAMMPS, y takes the role of z in two dimensions, and phi has no effect. */
-static void reduce_direction_to_2d(const struct gravity *g, double d[3])
+static void reduce_direction_to_2d(int mode, const double given[3], double d[3])
 {
-	if (g->mode == VECTOR) {
+	if (mode == VECTOR) {
 		d[2] = 0;
 		return;
 	}
 	d[1] = d[2];
 	d[2] = 0;
-	if (g->mode == SPHERICAL)
-		d[0] = sin(g->theta * TS_PI / 180);
+	if (mode == SPHERICAL)
+		d[0] = sin(given[1] * TS_PI / 180);
 }
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+/* The present direction, of unit length. */
+static enum ts_status set_direction(struct ts_instance *self, struct tsim *sim)
 {
+	static const int numbers[] = { [VECTOR] = 3, [CHUTE] = 1, [SPHERICAL] = 2 };
 	struct gravity *g = self->state;
-	double *d = g->base.direction, length;
+	double *d = g->base.direction, length, given[3] = { 0 };
 
-	g->sim = sim;
-	direction_3d(g, d);
+	for (int k = 0; k < numbers[g->mode]; k++)
+		TS_TRY(ts_number_now(sim, &g->given[k], &self->where, &given[k]));
+	direction_3d(g->mode, given, d);
 	if (sim->dimension == 2)
-		reduce_direction_to_2d(g, d);
+		reduce_direction_to_2d(g->mode, given, d);
 	length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 	if (!(length > 0))
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
@@ -70,6 +73,15 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	for (int k = 0; k < 3; k++)
 		d[k] /= length;
 	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct gravity *g = self->state;
+
+	g->sim = sim;
+	g->base.turns = g->given[0].variable || g->given[1].variable || g->given[2].variable;
+	return set_direction(self, sim);
 }
 
 struct task {
@@ -113,8 +125,10 @@ static enum ts_status add_gravity(struct ts_instance *self, struct tsim *sim)
 	struct task task = { .p = p, .group = self->group };
 	double magnitude;
 
-	if (g->base.magnitude.variable) /* the variable may read forces */
+	if (g->base.magnitude.variable || g->base.turns) /* the variable may read forces */
 		ts_deferred_loops_run(sim);
+	if (g->base.turns)
+		TS_TRY(set_direction(self, sim));
 	TS_TRY(ts_number_now(sim, &g->base.magnitude, &self->where, &magnitude));
 	ts_scale(magnitude, g->base.direction, task.a);
 	TS_DEFER_LOOP(sim, p->n, self->group == 0 && !p->body ? accelerate_all : accelerate_group, &task);
@@ -153,21 +167,22 @@ static const struct ts_value values[] = {
 	{ .name = NULL },
 };
 
+#define GIVEN(name_, k, unit_, help_)                                                     \
+	TS_NUMBER(name_, struct gravity, given[k], .flags = TS_POSITIONAL, .unit = unit_, \
+		  .help = help_ "; a number or v_NAME")
 static const struct ts_arg vector_rows[] = {
-	TS_VEC3("direction", struct gravity, vector, .flags = TS_POSITIONAL,
-		.help = "direction of the acceleration; normalised"),
+	GIVEN("x", 0, "", "x component of the direction, which is normalised"),
+	GIVEN("y", 1, "", "y component"),
+	GIVEN("z", 2, "", "z component"),
 	TS_ARGS_END,
 };
 static const struct ts_arg chute_rows[] = {
-	TS_REAL("angle", struct gravity, angle, .flags = TS_POSITIONAL, .unit = "degree",
-		.help = "angle of the direction from -z towards +x"),
+	GIVEN("angle", 0, "degree", "angle of the direction from -z towards +x"),
 	TS_ARGS_END,
 };
 static const struct ts_arg spherical_rows[] = {
-	TS_REAL("phi", struct gravity, phi, .flags = TS_POSITIONAL, .unit = "degree",
-		.help = "azimuth: angle in the x-y plane from +x"),
-	TS_REAL("theta", struct gravity, theta, .flags = TS_POSITIONAL, .unit = "degree",
-		.help = "polar angle from +z"),
+	GIVEN("phi", 0, "degree", "azimuth: angle in the x-y plane from +x"),
+	GIVEN("theta", 1, "degree", "polar angle from +z"),
 	TS_ARGS_END,
 };
 static const struct ts_mode modes[] = {
@@ -192,11 +207,13 @@ const struct ts_style ts_fix_gravity = {
 	.doc = "Adds the force f = m g to each particle of the group. The direction of g is given by `vector "
 	       "x y z` (normalised), by `chute angle` (in the x-z plane, angle in degrees from -z towards "
 	       "+x) or by `spherical phi theta` (degrees). In two dimensions y takes the role of z, and phi "
-	       "has no effect.\n\n"
+	       "has no effect. With variables the direction is that of each step, as in a box that is "
+	       "tilted.\n\n"
 	       "The scalar f_ID is the potential energy -sum m g . x with unwrapped positions x; it counts "
 	       "in compute pe if `fix_modify ID energy yes` is set. Rigid bodies with a member in the group "
 	       "are accelerated as a whole, with the mass of the body.",
-	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0",
+	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0\n"
+		   "fix tilt all gravity 9.81 chute v_angle",
 	.args = args,
 	.family = TS_FAMILY_GRAVITY,
 	.state_size = sizeof(struct gravity),

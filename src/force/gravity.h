@@ -9,7 +9,8 @@
 /* First member of the state of styles of that family. */
 struct ts_gravity {
 	struct ts_number magnitude;
-	double direction[3]; /* unit vector */
+	double direction[3]; /* unit vector, at present */
+	bool turns;	     /* the direction is given by variables */
 };
 
 #endif

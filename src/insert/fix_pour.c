@@ -271,10 +271,10 @@ static enum ts_status find_gravity(struct ts_instance *self, struct tsim *sim, d
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix pour needs fix gravity before it: particles are poured again when those "
 			       "before have fallen out of the region");
-	if (gravity->magnitude.variable)
+	if (gravity->magnitude.variable || gravity->turns)
 		return ts_fail(&sim->error, TS_STATE, &fix->where,
 			       "fix pour needs a constant fix gravity, found %s",
-			       gravity->magnitude.variable);
+			       gravity->turns ? "variables for its direction" : gravity->magnitude.variable);
 	*out = gravity->magnitude.value;
 	if (*out > 0 && gravity->direction[s->up] < -1 + 1e-3)
 		return TS_OK;

@@ -12,7 +12,8 @@ results 'a heap under a tube' in.heap 2 -var grains 1000 -var R 0.04 -var speed 
 results 'a powder under a punch' in.compaction 2 -var grains 600 -var R 0.012 -var steps 32000
 results 'grains that roll down a chute' in.chute 1 -var steps 6000
 results 'grains that slide' in.chute 1 -var slope 60 -var steps 6000
-for picture in hopper drum screw heap compaction chute; do
+results 'a box that is tilted' in.tilt 1 -var rolling 0.1 -var speed 8
+for picture in hopper drum screw heap compaction chute tilt; do
 	[ -s post/$picture.png ]
 	report "picture of $picture" $?
 done

@@ -316,6 +316,33 @@ print "brake $(f_c/(2.385*9.81):%.3f) $(v_fall:%.3f) $(abs(f_c-v_up)<1e-12)"
 END
 says 'controller' 'brake 1.000 -0.250 1'
 
+# gravity that turns: the velocity of a free particle is the integral of g (sin, -cos), to second order in the step; a
+# direction of constant variables is that of the numbers, bit for bit
+script <<'END'
+create_box 1 box
+create_atoms 1 single 0.5 0.5 0.5 units box
+set group all diameter 0.1 density 2385
+variable angle equal 30*step*dt
+variable x equal sin(30*step*dt*PI/180)
+variable z equal -cos(30*step*dt*PI/180)
+variable w equal PI/6
+variable vx equal vcm(all,x)
+variable vz equal vcm(all,z)
+fix n all nve/sphere
+fix g all gravity 0.1 chute v_angle
+timestep 1e-3
+run 2000
+variable one equal $(v_vx)
+print "turns $((v_vx*v_w/0.1-0.5)/1e-3^2*12:%.2f) $(abs(v_vz*v_w/0.1+sin(2*v_w))<1e-6)"
+velocity all set 0 0 0
+reset_timestep 0
+unfix g
+fix g all gravity 0.1 vector v_x 0 v_z
+run 2000
+print "the same $(abs(v_vx-v_one)<1e-15)"
+END
+says 'gravity that turns' "turns $(awk 'BEGIN { w = atan2(0, -1) / 6; printf "%.2f", -0.5 * w * w }') 1" 'the same 1'
+
 # particles that vanish: so many each time, of the right ones, until none is left
 script <<'END'
 create_box 2 box
@@ -556,6 +583,12 @@ bad 'the factor v_q is 0' 'variable q equal 0' 'region o sphere 0 0 0 0.5 units 
 bad 'scale_width is 1.5' 'region o sphere 0 0 0 0.5 units box' 'fix s all scale/diameter 5 region o scale 2 scale_width 1.5'
 bad 'there are no molecules' 'fix e all evaporate 5 4 left 49892 molecule yes'
 bad 'expected c_ID' 'variable c internal 1' 'fix c all controller 5 1 1 1 1 ke 1 c'
+bad 'a constant fix gravity' 'variable a equal step' 'fix g all gravity 9.81 chute v_a' 'region R block 0.2 0.8 0.2 0.8 0.2 0.8 units box' \
+	'fix rain all pour 100 1 29494 region R vol 0.2 50 diam range 0.01 0.012 dens 2500 2500 vel 0 0 0 0 -1'
+bad 'the direction of gravity is a variable' 'variable a equal step*0' 'fix g all gravity 9.81 chute v_a' \
+	'fix b all buoyancy level 0 dim z density 1000' 'run 1'
+bad 'the direction has no length' 'variable a equal 0' 'fix g all gravity 9.81 vector v_a v_a v_a'
+bad "unknown variable 'b'" 'variable a equal 0' 'fix g all gravity 9.81 chute v_b'
 bad 'expected a length > 0' 'fix l all nve/limit radius 0.1'
 bad 'say `remap v`' 'fix d all deform 1 xy erate 0.1'
 bad 'expected x, y, z, xy, xz or yz' 'fix d all deform 1 remap v'
