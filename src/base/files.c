@@ -617,3 +617,14 @@ void ts_files_release(struct ts_files *files)
 	ts_free(files->own);
 	*files = (struct ts_files){ 0 };
 }
+
+bool ts_files_beside(struct ts_str *out, const char *file, const char *path)
+{
+	const char *slash = *path == '/' ? NULL : strrchr(file, '/');
+
+	if (slash) {
+		ts_str_add_n(out, file, (size_t)(slash + 1 - file));
+		ts_str_add(out, path);
+	}
+	return slash != NULL;
+}

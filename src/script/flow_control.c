@@ -177,8 +177,9 @@ const struct ts_command_style ts_command_include = {
 		.name = "include",
 		.kind = TS_KIND_COMMAND,
 		.summary = "executes another script, then continues here",
-		.doc = "The other script shares all variables. Its jumps stay inside of it. Includes can be "
-		       "nested 50 deep. Not allowed within `if`.",
+		.doc = "A relative name that is not found in the working folder is looked for in the folder "
+		       "of the script with this command. The other script shares all variables. Its jumps "
+		       "stay inside of it. Includes can be nested 50 deep. Not allowed within `if`.",
 		.example = "include materials.in",
 		.args = include_args,
 		.state_size = sizeof(struct name),

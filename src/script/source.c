@@ -17,11 +17,31 @@ static enum ts_status init_source(struct ts_source *source, struct tsim *sim, co
 	return source->name ? TS_OK : ts_nomem(&sim->error);
 }
 
+/* Opens the path in the folder of the script that names it. */
+static enum ts_status open_beside(struct ts_source *source, struct tsim *sim, const char *path,
+				  const struct ts_place *where)
+{
+	struct ts_str beside = { 0 };
+	enum ts_status status;
+
+	if (!where || !where->file || !ts_files_beside(&beside, where->file, path))
+		return TS_OK;
+	if (beside.failed)
+		return ts_nomem(&sim->error);
+	status = init_source(source, sim, ts_str_text(&beside));
+	if (status == TS_OK)
+		source->stream = ts_files_open(&sim->files, source->name, "r");
+	ts_str_release(&beside);
+	return status;
+}
+
 enum ts_status ts_source_open(struct ts_source *source, struct tsim *sim, const char *path,
 			      const struct ts_place *where)
 {
 	TS_TRY(init_source(source, sim, path));
 	source->stream = ts_files_open(&sim->files, path, "r");
+	if (!source->stream && errno == ENOENT)
+		TS_TRY(open_beside(source, sim, path, where));
 	source->owns_stream = true;
 	if (!source->stream)
 		return ts_fail(&sim->error, TS_IO, where, "cannot open script '%s': %s", path,

@@ -35,6 +35,35 @@ static enum ts_status add_variable(struct reading *r, const char *name)
 	return TS_OK;
 }
 
+static enum ts_status read_file(struct reading *r, const char *path);
+
+static bool is_file(struct reading *r, const char *path)
+{
+	struct stat info;
+
+	return ts_files_stat(&r->sim->files, path, &info) == 0 && S_ISREG(info.st_mode);
+}
+
+/* Like command include: in the working folder, or beside the script `by`. A name with variables is no file. */
+static enum ts_status read_included(struct reading *r, const char *by, const char *path)
+{
+	struct ts_str beside = { 0 };
+	enum ts_status status = TS_OK;
+
+	if (r->depth >= DEEPEST)
+		return TS_OK;
+	r->depth++;
+	if (is_file(r, path))
+		status = read_file(r, path);
+	else if (ts_files_beside(&beside, by, path) && !beside.failed && is_file(r, beside.text))
+		status = read_file(r, beside.text);
+	else if (beside.failed)
+		status = ts_nomem(&r->sim->error);
+	ts_str_release(&beside);
+	r->depth--;
+	return status;
+}
+
 /* Reads a file and those it includes. */
 static enum ts_status read_file(struct reading *r, const char *path)
 {
@@ -44,8 +73,6 @@ static enum ts_status read_file(struct reading *r, const char *path)
 					      &(struct ts_place){ 0 }, path);
 
 	while (status == TS_OK) {
-		struct stat info;
-
 		status = ts_lines_next_filled(&l, &more);
 		if (status != TS_OK || !more)
 			break;
@@ -58,12 +85,8 @@ static enum ts_status read_file(struct reading *r, const char *path)
 			continue;
 		if (ts_streq(l.word[0], "variable"))
 			status = add_variable(r, l.word[1]);
-		else if (ts_streq(l.word[0], "include") && r->depth < DEEPEST &&
-			 ts_files_stat(&r->sim->files, l.word[1], &info) == 0 && S_ISREG(info.st_mode)) {
-			r->depth++;
-			status = read_file(r, l.word[1]);
-			r->depth--;
-		}
+		else if (ts_streq(l.word[0], "include"))
+			status = read_included(r, path, l.word[1]);
 	}
 	ts_lines_close(&l);
 	return status;

@@ -57,4 +57,17 @@ rejects "$box
 fix f all mesh/surface file nothing/a.stl type 1" "there is no folder 'nothing'"
 ! grep -q mkdir err
 report 'no advice for meshes' $? err
+
+# scripts beside the one that names them are found from any working folder; those in the working folder come first
+mkdir -p beside/parts
+printf 'include parts/a\n' >beside/in.main
+printf 'include b\ninclude c\n' >beside/parts/a
+printf 'print "b beside a"\n' >beside/parts/b
+printf 'print "c beside a"\n' >beside/parts/c
+printf 'print "c here, n is ${n}"\n' >c
+"$TSIM" -in beside/in.main -var n 7 -log none >out 2>&1 </dev/null && shows 'b beside a' out && shows 'c here, n is 7' out
+report 'included scripts are found beside the script' $? out
+"$TSIM" -sweep 'n=7,8' -in beside/in.main -results swept >out 2>&1 </dev/null
+report 'a study knows the variables of such scripts' $? out
+rejects 'include nowhere/at/all' "cannot open script 'nowhere/at/all': No such file"
 finish
