@@ -233,7 +233,7 @@ static bool save_interrupted(struct tsim *sim, const struct ts_setup *setup)
 }
 
 /* Runs the script; returns the exit status. */
-static int run(struct tsim *sim, struct ts_setup *setup)
+static int run(struct tsim *sim, struct ts_setup *setup, char **argv)
 {
 	struct saver saver = { { save_and_go_on }, setup };
 	struct ts_str said = { 0 };
@@ -250,13 +250,14 @@ static int run(struct tsim *sim, struct ts_setup *setup)
 		ts_log(&sim->log, "tsim %s\n%s", tsim_version(), ts_str_text(&said));
 	ts_str_release(&said);
 	sim->log.quiet = setup->check && !setup->explain;
+	status = status ? status : ts_program_report(sim, setup, argv);
 	if (!status && setup->input)
 		status = tsim_file(sim, setup->input);
 	else if (!status)
 		status = tsim_stream(sim, stdin, "stdin");
 	if (status) {
 		report_error(sim);
-		quit = EXIT_FAILURE;
+		quit = ts_program_report_end(sim, EXIT_FAILURE);
 		if (signal_number == SIGXCPU)
 			fputs("the processor time that -sandbox allows is used up (-sandbox time)\n", stderr);
 		if (sim->error.status == TS_STOPPED && signal_number) {
@@ -271,7 +272,12 @@ static int run(struct tsim *sim, struct ts_setup *setup)
 		ts_script_quit(sim->script_api_data, &quit);
 		if (setup->check)
 			quit = report_check(sim);
-		if (ts_sim_close(sim) != TS_OK || ts_log_close(&sim->log, &sim->error) != TS_OK) {
+		if (ts_sim_close(sim) != TS_OK) {
+			report_error(sim);
+			quit = EXIT_FAILURE;
+		}
+		quit = ts_program_report_end(sim, quit);
+		if (ts_log_close(&sim->log, &sim->error) != TS_OK) {
 			report_error(sim);
 			quit = EXIT_FAILURE;
 		}
@@ -365,7 +371,7 @@ static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, 
 		return advise(sim, setup);
 	if (setup->crosscheck.n)
 		return crosscheck(sim, setup, argv[0]);
-	return run(sim, setup);
+	return run(sim, setup, argv);
 }
 
 int main(int argc, char **argv)

@@ -305,6 +305,7 @@ library_sources = \
 	src/core/number_or_peratom.h \
 	src/core/plan.c \
 	src/core/plan.h \
+	src/core/recorder.h \
 	src/core/ref.c \
 	src/core/ref.h \
 	src/core/ref_list.c \
@@ -1143,6 +1144,22 @@ library_sources = \
 	src/render/shade.h \
 	src/render/tile.c \
 	src/render/tile.h \
+	src/report/command_report.c \
+	src/report/page.c \
+	src/report/page.h \
+	src/report/page_head.c \
+	src/report/page_pictures.c \
+	src/report/page_script.c \
+	src/report/page_tables.c \
+	src/report/page_text.c \
+	src/report/page_times.c \
+	src/report/record.c \
+	src/report/record.h \
+	src/report/record_lines.c \
+	src/report/record_rows.c \
+	src/report/record_views.c \
+	src/report/rows.c \
+	src/report/rows.h \
 	src/restart/command_read_data.c \
 	src/restart/command_read_dump.c \
 	src/restart/command_read_restart.c \

@@ -38,21 +38,34 @@ static void record_write_error(struct ts_log *log)
 		log->trouble = errno ? errno : EIO;
 }
 
+static void call_back(struct ts_log *log, enum ts_log_level level, const char *text)
+{
+	if (log->sink && level != TS_LOG_SETTING)
+		log->sink(log->sink_data, level, text);
+	if (log->copy && level != TS_LOG_PROGRESS)
+		log->copy(log->copy_data, level, text);
+}
+
+static void call_back_formatted(struct ts_log *log, const char *format, va_list args)
+{
+	struct ts_str text = { 0 };
+	va_list again;
+
+	va_copy(again, args);
+	ts_str_vaddf(&text, format, again);
+	va_end(again);
+	call_back(log, TS_LOG_TEXT, ts_str_text(&text));
+	ts_str_release(&text);
+}
+
 static void write_to_streams(struct ts_log *log, bool screen, bool file, const char *format, va_list args)
 {
 	va_list again;
 
 	if (log->quiet)
 		return;
-	if (screen && log->sink) {
-		struct ts_str text = { 0 };
-
-		va_copy(again, args);
-		ts_str_vaddf(&text, format, again);
-		va_end(again);
-		log->sink(log->sink_data, TS_LOG_TEXT, ts_str_text(&text));
-		ts_str_release(&text);
-	}
+	if (screen && (log->sink || log->copy))
+		call_back_formatted(log, format, args);
 	if (screen && log->screen) {
 		note_output(log);
 		erase_progress_line(log);
@@ -92,9 +105,26 @@ void ts_log_file(struct ts_log *log, const char *format, ...)
 	va_end(args);
 }
 
+static bool keeps_settings(const struct ts_log *log)
+{
+	return log->file && log->echo_file && !log->quiet;
+}
+
+bool ts_log_wants_settings(const struct ts_log *log)
+{
+	return keeps_settings(log) || log->copy;
+}
+
+void ts_log_setting(struct ts_log *log, const char *line)
+{
+	if (keeps_settings(log))
+		ts_log_file(log, "%s\n", line);
+	call_back(log, TS_LOG_SETTING, line);
+}
+
 void ts_warn(struct ts_log *log, const struct ts_place *place, const char *format, ...)
 {
-	ts_log_sink_fn *sink = log->sink;
+	ts_log_sink_fn *sink = log->sink, *copy = log->copy;
 	bool quiet = log->quiet;
 	char where[256] = "", text[1024 + sizeof where];
 	size_t n;
@@ -107,19 +137,19 @@ void ts_warn(struct ts_log *log, const struct ts_place *place, const char *forma
 	va_start(args, format);
 	vsnprintf(text + n, sizeof text - n, format, args);
 	va_end(args);
-	log->sink = NULL; /* the callback gets the warning once, below, with its level */
+	log->sink = log->copy = NULL; /* the callbacks get the warning once, below, with its level */
 	log->quiet = false;
 	ts_log(log, "%s\n", text);
 	log->sink = sink;
+	log->copy = copy;
 	log->quiet = quiet;
-	if (sink)
-		sink(log->sink_data, TS_LOG_WARNING, text);
+	call_back(log, TS_LOG_WARNING, text);
 }
 
 void ts_log_progress(struct ts_log *log, const char *text)
 {
-	if (log->sink && *text)
-		log->sink(log->sink_data, TS_LOG_PROGRESS, text);
+	if (*text)
+		call_back(log, TS_LOG_PROGRESS, text);
 	if (!log->progress || !log->screen)
 		return;
 	erase_progress_line(log);

@@ -8,7 +8,7 @@
 #include "base/files.h"
 #include "base/status.h"
 
-enum ts_log_level { TS_LOG_TEXT, TS_LOG_WARNING, TS_LOG_PROGRESS };
+enum ts_log_level { TS_LOG_TEXT, TS_LOG_WARNING, TS_LOG_PROGRESS, TS_LOG_SETTING };
 typedef void ts_log_sink_fn(void *data, enum ts_log_level level, const char *text);
 
 /* Either stream may be NULL. The log closes `file`, not `screen`. */
@@ -25,12 +25,19 @@ struct ts_log {
 	int warnings;
 	ts_log_sink_fn *sink; /* callback that gets all screen output, even without a screen; or NULL */
 	void *sink_data;
+	/* Callback that gets a copy of what is printed to the screen, of warnings and of settings: the report of a
+	 * run; or NULL. */
+	ts_log_sink_fn *copy;
+	void *copy_data;
 	int trouble; /* errno of the first failed write */
 };
 
 void ts_log(struct ts_log *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void ts_log_screen(struct ts_log *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void ts_log_file(struct ts_log *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Whether settings are recorded, in the log file or the copy; writes a line with settings there. */
+bool ts_log_wants_settings(const struct ts_log *log);
+void ts_log_setting(struct ts_log *log, const char *line);
 /* Prints "file:line: warning: ..." to screen and log. place may be NULL. */
 void ts_warn(struct ts_log *log, const struct ts_place *place, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));

@@ -152,6 +152,8 @@ void ts_sim_free(struct tsim *sim)
 {
 	if (!sim)
 		return;
+	if (sim->recorder)
+		sim->recorder->release(sim->recorder, sim);
 	free_all_instances(sim);
 	ts_log_close(&sim->log, &sim->error);
 	ts_shared_buffers_end(&sim->holds);
@@ -163,6 +165,8 @@ void ts_sim_free(struct tsim *sim)
 
 enum ts_status ts_sim_clear(struct tsim *sim)
 {
+	if (sim->recorder)
+		sim->recorder->clear(sim->recorder, sim);
 	TS_TRY(ts_sim_close(sim));
 	free_all_instances(sim);
 	set_defaults(sim);

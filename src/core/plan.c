@@ -112,6 +112,8 @@ static enum ts_status refuse_retired(struct tsim *sim)
 
 enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 {
+	if (sim->recorder)
+		TS_TRY(ts_sim_defer_error(sim, sim->recorder->begin(sim->recorder, sim)));
 	for (int stage = 0; stage < TS_NSTAGE; stage++)
 		plan->n[stage] = 0;
 	plan->watch = (struct ts_stopwatch){ .first = ts_ticks(), .begin = ts_clock() };
@@ -172,6 +174,32 @@ double ts_plan_seconds(const struct ts_plan *plan, enum ts_stage stage)
 	double ticks = (double)(ts_ticks() - watch->first);
 
 	return ticks > 0 ? (double)watch->spent[stage] / ticks * (ts_clock() - watch->begin) : 0;
+}
+
+static const struct {
+	const char *name;
+	enum ts_stage first, last;
+} parts[TS_PLAN_PARTS] = {
+	{ "Move", TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_POST_INTEGRATE },
+	{ "Neigh", TS_STAGE_CHECK, TS_STAGE_POST_BUILD },
+	{ "Comm", TS_STAGE_FORWARD, TS_STAGE_FORWARD },
+	{ "Force", TS_STAGE_PRE_FORCE, TS_STAGE_FORCE },
+	{ "Fixes", TS_STAGE_POST_FORCE, TS_STAGE_END_OF_STEP },
+	{ "Outpt", TS_STAGE_OUTPUT, TS_STAGE_FINISH },
+};
+
+const char *ts_plan_part_name(int part)
+{
+	return parts[part].name;
+}
+
+double ts_plan_part_seconds(const struct ts_plan *plan, int part)
+{
+	double seconds = 0;
+
+	for (int s = (int)parts[part].first; s <= (int)parts[part].last; s++)
+		seconds += ts_plan_seconds(plan, (enum ts_stage)s);
+	return seconds;
 }
 
 static enum ts_status run_stage(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage)
@@ -314,9 +342,14 @@ enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 		status = ts_plan_step(plan, sim);
 		if (status == TS_OK && sim->requests.saving)
 			status = ts_saver_save(sim);
+		if (status == TS_OK && sim->recorder)
+			sim->recorder->step(sim->recorder, sim);
 		check_timeout(sim);
 	}
-	return leave_run(sim, status);
+	status = leave_run(sim, status);
+	if (sim->recorder)
+		sim->recorder->stop(sim->recorder, sim, plan);
+	return status;
 }
 
 enum ts_status ts_plan_finish(struct ts_plan *plan, struct tsim *sim)

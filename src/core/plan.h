@@ -33,6 +33,11 @@ enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_sta
 void ts_plan_release(struct ts_plan *plan);
 /* Wall time spent in the stage in this run, s. */
 double ts_plan_seconds(const struct ts_plan *plan, enum ts_stage stage);
+/* Parts of a step, each of several stages, with the names of LAMMPS: Move, Neigh, Comm, Force, Fixes, Outpt. */
+enum { TS_PLAN_PARTS = 6 };
+const char *ts_plan_part_name(int part);
+/* Wall time spent in the part in this run, s. */
+double ts_plan_part_seconds(const struct ts_plan *plan, int part);
 
 /* Steps until sim->clock.last_step or a request to stop. `setup`: first rebuild the contact list and
  * compute forces, unless nothing that forces depend on has changed since the last step. With

@@ -54,6 +54,9 @@ struct ts_script_api {
 	/* Appends a line for each variable: name, style, definition, place. */
 	enum ts_status (*list_variables)(void *data, struct ts_str *out);
 	void (*suggest_variable)(void *data, struct ts_suggest *suggest);
+	/* Name, and text as far as it has been read, of the k-th script; NULL: there are no more. Scripts that have been
+	 * left and are read again appear twice. */
+	const char *(*script_text)(void *data, size_t k, const char **name);
 	/* -check: records the message of an error and returns TS_OK, so that further errors are found. */
 	enum ts_status (*defer_error)(void *data, enum ts_status status);
 	/* -check: records a run, or a file that would be written or changed. */

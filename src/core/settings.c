@@ -17,11 +17,6 @@ void ts_setting(struct ts_str *out, bool is_default, const char *format, ...)
 	ts_str_add(out, is_default ? " (default)" : "");
 }
 
-static bool is_log_written(const struct tsim *sim)
-{
-	return sim->log.file && sim->log.echo_file && !sim->log.quiet;
-}
-
 static bool is_given(const struct ts_arg *row, struct ts_words words, size_t position)
 {
 	if (row->flags & TS_POSITIONAL)
@@ -60,12 +55,16 @@ void ts_settings_log(struct tsim *sim, const char *what, const struct ts_arg *ro
 		     struct ts_words words)
 {
 	struct record record = { 0 };
+	struct ts_str line = { 0 };
 
-	if (is_log_written(sim))
-		append_arguments(sim, rows, base, words, 0, &record);
+	if (!ts_log_wants_settings(&sim->log))
+		return;
+	append_arguments(sim, rows, base, words, 0, &record);
+	ts_str_addf(&line, "# %s:%s%s by default:%s", what, ts_str_text(&record.given),
+		    record.given.length ? ";" : "", ts_str_text(&record.defaults));
 	if (record.defaults.length)
-		ts_log_file(&sim->log, "# %s:%s%s by default:%s\n", what, ts_str_text(&record.given),
-			    record.given.length ? ";" : "", ts_str_text(&record.defaults));
+		ts_log_setting(&sim->log, ts_str_text(&line));
+	ts_str_release(&line);
 	ts_str_release(&record.given);
 	ts_str_release(&record.defaults);
 }
@@ -77,8 +76,9 @@ void ts_settings_log_run(struct tsim *sim)
 	struct ts_str line = { 0 };
 	const char *text;
 
-	if (!is_log_written(sim))
+	if (!ts_log_wants_settings(&sim->log))
 		return;
+	ts_str_add(&line, "# settings:");
 	ts_setting(&line, sim->units == TS_UNITS_LJ, "units %s", ts_units_name(sim->units));
 	ts_setting(&line, sim->dimension == 3, "dimension %d", sim->dimension);
 	ts_setting(&line, !(sim->clock.dt < dt || sim->clock.dt > dt), "timestep %.15g", sim->clock.dt);
@@ -91,7 +91,7 @@ void ts_settings_log_run(struct tsim *sim)
 	}
 	text = line.failed ? NULL : ts_pool_get(sim->pool, ts_str_text(&line));
 	if (text && text != sim->settings)
-		ts_log_file(&sim->log, "# settings:%s\n", text);
+		ts_log_setting(&sim->log, text);
 	sim->settings = text;
 	ts_str_release(&line);
 }

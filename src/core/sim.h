@@ -13,6 +13,7 @@
 #include "base/str.h"
 #include "core/deferred_loops.h"
 #include "core/group.h"
+#include "core/recorder.h"
 #include "core/ref.h"
 #include "core/review.h"
 #include "core/script_api.h"
@@ -219,10 +220,11 @@ struct tsim {
 	struct ts_thermo *thermo;
 	struct ts_guard *guard;
 
-	struct ts_library *library; /* state of the C library; NULL without it */
-	struct ts_review review;    /* checks of the scene before a run */
-	const char *settings;	    /* the last record of settings in the log; core/settings.h */
-	struct ts_words line;	    /* words of the command being executed */
+	struct ts_library *library;   /* state of the C library; NULL without it */
+	struct ts_review review;      /* checks of the scene before a run */
+	struct ts_recorder *recorder; /* or NULL */
+	const char *settings;	      /* the last record of settings in the log; core/settings.h */
+	struct ts_words line;	      /* words of the command being executed */
 	const struct ts_script_api *script_api;
 	void *script_api_data;
 };

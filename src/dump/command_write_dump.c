@@ -1,6 +1,6 @@
 /* Command write_dump: writes one snapshot. */
 #include "core/life.h"
-#include "dump/dump_modify.h"
+#include "dump/dump.h"
 
 #include "base/banned.h"
 
@@ -8,12 +8,6 @@ struct state {
 	int group;
 	struct ts_words rest, modify;
 };
-
-/* Arguments after the keyword modify. */
-struct modify {
-	struct ts_dump_changes changes;
-};
-static const struct ts_arg modify_args[] = { TS_DUMP_MODIFY_ROWS(struct modify), TS_ARGS_END };
 
 /* Arguments of a dump of the same style with a frame at every step. */
 static enum ts_status make_dump_words(struct tsim *sim, struct ts_arena *arena, struct ts_words rest,
@@ -30,15 +24,6 @@ static enum ts_status make_dump_words(struct tsim *sim, struct ts_arena *arena, 
 	return TS_OK;
 }
 
-static enum ts_status apply_modify(struct tsim *sim, struct ts_instance *dump, struct ts_words words,
-				   struct ts_arena *arena, const struct ts_place *where)
-{
-	struct modify m = { 0 };
-
-	TS_TRY(ts_args_parse(sim, "write_dump modify", modify_args, words, where, arena, &m));
-	return ts_dump_modify(sim, dump, &m.changes, where);
-}
-
 static enum ts_status write_snapshot(struct tsim *sim, const struct state *s, struct ts_arena *arena,
 				     const struct ts_place *where)
 {
@@ -51,7 +36,7 @@ static enum ts_status write_snapshot(struct tsim *sim, const struct state *s, st
 	TS_TRY(ts_style_require(sim, TS_KIND_DUMP, &s->rest.word[0], &style));
 	TS_TRY(make_dump_words(sim, arena, s->rest, &words));
 	TS_TRY(ts_sim_create(sim, TS_KIND_DUMP, style, id.text, s->group, words, where, &dump));
-	status = apply_modify(sim, dump, s->modify, arena, where);
+	status = ts_dump_modify_words(sim, "write_dump modify", dump, s->modify, arena, where);
 	if (status == TS_OK && !sim->reading.explain)
 		status = dump->style->hook[TS_STAGE_OUTPUT](dump, sim);
 	if (status != TS_OK)

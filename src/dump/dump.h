@@ -72,6 +72,10 @@ struct ts_dump_changes {
 };
 enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump,
 			      const struct ts_dump_changes *changes, const struct ts_place *where);
+/* The same from keywords as written; `what` is the name of their owner for messages. */
+enum ts_status ts_dump_modify_words(struct tsim *sim, const char *what, struct ts_instance *dump,
+				    struct ts_words words, struct ts_arena *arena,
+				    const struct ts_place *where);
 
 /* Condition for a particle to be written: value OPERATOR limit, or value OPERATOR its value at the last frame
  * (LAST). */

@@ -179,3 +179,18 @@ enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump, const 
 				 d->ncolumns));
 	return dump->style->init ? dump->style->init(dump, sim) : TS_OK;
 }
+
+struct modify {
+	struct ts_dump_changes changes;
+};
+static const struct ts_arg modify_rows[] = { TS_DUMP_MODIFY_ROWS(struct modify), TS_ARGS_END };
+
+enum ts_status ts_dump_modify_words(struct tsim *sim, const char *what, struct ts_instance *dump,
+				    struct ts_words words, struct ts_arena *arena,
+				    const struct ts_place *where)
+{
+	struct modify m = { 0 };
+
+	TS_TRY(ts_args_parse(sim, what, modify_rows, words, where, arena, &m));
+	return ts_dump_modify(sim, dump, &m.changes, where);
+}

@@ -191,6 +191,8 @@ enum ts_status ts_plan_judge(struct ts_plan *plan, struct tsim *sim, int64_t ste
 		status = price_left_out(&report, plan, sim, &price);
 	if (status == TS_OK && sim->reading.explain)
 		print_report(plan, &report, sim, steps);
+	if (status == TS_OK && sim->recorder)
+		sim->recorder->planned(sim->recorder, sim, &report);
 	if (status == TS_OK)
 		status = ts_guard_judge(sim, &report);
 	if (status == TS_OK && priced)

@@ -16,8 +16,7 @@ static void big_endian(uint32_t value, unsigned char out[4])
 		out[k] = (unsigned char)(value >> (24 - 8 * k));
 }
 
-static enum ts_status write_chunk(struct ts_replace *file, const char *type, const unsigned char *data,
-				  uint32_t n)
+static void add_chunk(struct ts_str *out, const char *type, const unsigned char *data, uint32_t n)
 {
 	unsigned char head[8], sum[4];
 	uLong crc = crc32(0, NULL, 0);
@@ -28,10 +27,10 @@ static enum ts_status write_chunk(struct ts_replace *file, const char *type, con
 	if (n) /* without data crc32_z begins anew */
 		crc = crc32_z(crc, data, n);
 	big_endian((uint32_t)crc, sum);
-	TS_TRY(ts_replace_write(file, head, sizeof head));
+	ts_str_add_n(out, (const char *)head, sizeof head);
 	if (n)
-		TS_TRY(ts_replace_write(file, data, n));
-	return ts_replace_write(file, sum, sizeof sum);
+		ts_str_add_n(out, (const char *)data, n);
+	ts_str_add_n(out, (const char *)sum, sizeof sum);
 }
 
 /* ---- filters: a byte is predicted from that of the pixel to the left (a), above (b), left and above (c); only the
@@ -89,8 +88,8 @@ static void choose_filter(const unsigned char *row, const unsigned char *above, 
 }
 
 /* Rows after their filters, compressed. */
-static enum ts_status pack(struct tsim *sim, uint32_t width, uint32_t height, const unsigned char *rgb,
-			   unsigned char **packed, uLong *n)
+static enum ts_status pack(uint32_t width, uint32_t height, const unsigned char *rgb, unsigned char **packed,
+			   uLong *n)
 {
 	const size_t row = 3 * (size_t)width;
 	unsigned char *plain = ts_alloc(height + 1, row + 1); /* and a row to try filters */
@@ -100,45 +99,50 @@ static enum ts_status pack(struct tsim *sim, uint32_t width, uint32_t height, co
 	*packed = ts_alloc(*n, 1);
 	if (!plain || !*packed) {
 		ts_free(plain);
-		return ts_nomem(&sim->error);
+		return TS_NOMEM;
 	}
 	for (size_t y = 0; y < height; y++)
 		choose_filter(rgb + y * row, y ? rgb + (y - 1) * row : NULL, row, plain + height * (row + 1),
 			      plain + y * (row + 1));
 	code = compress2(*packed, n, plain, (uLong)(height * (row + 1)), 6);
 	ts_free(plain);
-	return code == Z_OK ? TS_OK : ts_nomem(&sim->error);
+	return code == Z_OK ? TS_OK : TS_NOMEM;
 }
 
-static enum ts_status write_chunks(struct ts_replace *file, uint32_t width, uint32_t height,
-				   const unsigned char *packed, uLong n)
+enum ts_status ts_png_encode(uint32_t width, uint32_t height, const unsigned char *rgb, struct ts_str *out)
 {
 	static const unsigned char signature[8] = { 137, 'P', 'N', 'G', 13, 10, 26, 10 };
 	/* 8 bits, true colour, deflate, adaptive filters, not interlaced */
-	unsigned char head[13] = { [8] = 8, [9] = 2 };
+	unsigned char head[13] = { [8] = 8, [9] = 2 }, *packed = NULL;
+	uLong n = 0;
+	const enum ts_status status = pack(width, height, rgb, &packed, &n);
 
 	big_endian(width, head);
 	big_endian(height, head + 4);
-	TS_TRY(ts_replace_write(file, signature, sizeof signature));
-	TS_TRY(write_chunk(file, "IHDR", head, sizeof head));
-	TS_TRY(write_chunk(file, "IDAT", packed, (uint32_t)n));
-	TS_TRY(write_chunk(file, "IEND", NULL, 0));
-	return ts_replace_commit(file, false);
+	ts_str_add_n(out, (const char *)signature, sizeof signature);
+	add_chunk(out, "IHDR", head, sizeof head);
+	if (status == TS_OK)
+		add_chunk(out, "IDAT", packed, (uint32_t)n);
+	add_chunk(out, "IEND", NULL, 0);
+	ts_free(packed);
+	return out->failed ? TS_NOMEM : status;
 }
 
 enum ts_status ts_png_write(struct tsim *sim, const char *path, const struct ts_place *where, uint32_t width,
 			    uint32_t height, const unsigned char *rgb)
 {
 	struct ts_replace file = { 0 };
-	unsigned char *packed = NULL;
-	uLong n = 0;
-	enum ts_status status = pack(sim, width, height, rgb, &packed, &n);
+	struct ts_str png = { 0 };
+	enum ts_status status =
+		ts_png_encode(width, height, rgb, &png) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 
 	if (status == TS_OK)
 		status = ts_replace_begin(&file, sim, where, path);
 	if (status == TS_OK)
-		status = write_chunks(&file, width, height, packed, n);
+		status = ts_replace_write(&file, png.text, png.length);
+	if (status == TS_OK)
+		status = ts_replace_commit(&file, false);
 	ts_replace_abandon(&file);
-	ts_free(packed);
+	ts_str_release(&png);
 	return status;
 }

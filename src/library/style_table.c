@@ -84,6 +84,7 @@ TS_STYLE(command, ts_command_style, ts_command_read_dump)
 TS_STYLE(command, ts_command_style, ts_command_read_restart)
 TS_STYLE(command, ts_command_style, ts_command_region)
 TS_STYLE(command, ts_command_style, ts_command_replicate)
+TS_STYLE(command, ts_command_style, ts_command_report)
 TS_STYLE(command, ts_command_style, ts_command_rerun)
 TS_STYLE(command, ts_command_style, ts_command_reset_timestep)
 TS_STYLE(command, ts_command_style, ts_command_restart)
@@ -426,6 +427,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_read_restart.style,
 	&ts_command_region.style,
 	&ts_command_replicate.style,
+	&ts_command_report.style,
 	&ts_command_rerun.style,
 	&ts_command_reset_timestep.style,
 	&ts_command_restart.style,

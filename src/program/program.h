@@ -30,9 +30,10 @@ struct ts_setup {
 	struct ts_word_list crosscheck, advise, sandbox, variables, own;
 	/* -in, and arguments of -sweep, -calibrate, -vary and -replicate */
 	struct ts_word_list inputs, sweep, calibrate, vary, replicate;
-	double tolerance; /* 0: not given */
-	int64_t jobs;	  /* 0: not given */
-	bool studied;	  /* -sweep or -calibrate */
+	struct ts_word_list report; /* FILE and words of `report file` */
+	double tolerance;	    /* 0: not given */
+	int64_t jobs;		    /* 0: not given */
+	bool studied;		    /* -sweep or -calibrate */
 	/* "-plot" FILE COLUMN ..., "-x" COLUMN, "-style" STYLE, in the order of the command line */
 	struct ts_word_list plot;
 	struct ts_word_list marks;
@@ -57,6 +58,11 @@ int ts_program_study(struct tsim *sim, struct ts_setup *setup, const char *calle
 
 /* -plot; returns the exit status. The message of an error is in sim->error. */
 int ts_program_plot(struct tsim *sim, const struct ts_setup *setup);
+/* -report: refuses options that do not go with it; begins the report, after the options have been read; ends it with the
+ * script, and returns the exit status, which a page that cannot be written changes. */
+int ts_program_check_report(const struct ts_setup *setup);
+int ts_program_report(struct tsim *sim, const struct ts_setup *setup, char **argv);
+int ts_program_report_end(struct tsim *sim, int quit);
 
 /* Prints the text and releases it. */
 int ts_program_print(struct ts_str *text);

@@ -24,6 +24,7 @@ enum option_id {
 	OPT_SHELL,
 	OPT_SANDBOX,
 	OPT_CHECK,
+	OPT_REPORT,
 	OPT_SIGNAL,
 	OPT_EXPLAIN,
 	OPT_FULL,
@@ -80,6 +81,7 @@ static const struct {
 	[OPT_SANDBOX] = { "sandbox", "[WORDS]",
 			  "run an untrusted script: files of its folder only, with limits", 0 },
 	[OPT_CHECK] = { "check", "", "run nothing: print all errors and what the script would do", 0 },
+	[OPT_REPORT] = { "report", "FILE [WORDS]", "write a page about the run: -help report", 1 },
 	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "restart file of an interrupted run", 1 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
 	[OPT_FULL] = { "full", "[PART ...]",
@@ -361,6 +363,8 @@ static int apply_option(struct tsim *sim, struct ts_setup *setup, enum option_id
 	case OPT_SIGNAL:
 		sim->requests.restart_file = ts_streq(value[0], "none") ? "" : value[0];
 		break;
+	case OPT_REPORT:
+		return add_words(&setup->report, NULL, value, n);
 	case OPT_SANDBOX:
 		setup->sandboxed = true;
 		return add_words(&setup->sandbox, NULL, value, n);
@@ -425,7 +429,7 @@ static int check_together(const struct ts_setup *setup)
 		return ts_program_usage_error("two scripts are given, '%s' and '%s': only -sweep and "
 					      "-calibrate run several",
 					      setup->inputs.word[0].text, setup->inputs.word[1].text);
-	return 0;
+	return ts_program_check_report(setup);
 }
 
 int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
@@ -449,6 +453,7 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 			return unknown_option(text);
 		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_ADVISE || id == OPT_FULL ||
 			   id == OPT_CROSSCHECK || id == OPT_SANDBOX || id == OPT_PLOT || id == OPT_MARK ||
+			   id == OPT_REPORT ||
 			   (id >= OPT_SWEEP && id <= OPT_REPLICATE);
 		while (k + n < argc && !is_option(argv[k + n]) && (variadic || n < options[id].least))
 			n++;

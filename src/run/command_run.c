@@ -16,27 +16,12 @@ struct run {
 	const struct ts_place *where;
 };
 
-/* Wall time of each part of a step, with the names of LAMMPS. */
 static void print_times(const struct ts_plan *plan, struct tsim *sim, double wall)
 {
-	static const struct {
-		const char *name;
-		enum ts_stage first, last;
-	} part[] = {
-		{ "Move", TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_POST_INTEGRATE },
-		{ "Neigh", TS_STAGE_CHECK, TS_STAGE_POST_BUILD },
-		{ "Comm", TS_STAGE_FORWARD, TS_STAGE_FORWARD },
-		{ "Force", TS_STAGE_PRE_FORCE, TS_STAGE_FORCE },
-		{ "Fixes", TS_STAGE_POST_FORCE, TS_STAGE_END_OF_STEP },
-		{ "Outpt", TS_STAGE_OUTPUT, TS_STAGE_FINISH },
-	};
+	for (int part = 0; part < TS_PLAN_PARTS; part++) {
+		const double seconds = ts_plan_part_seconds(plan, part);
 
-	for (size_t k = 0; k < sizeof part / sizeof *part; k++) {
-		double seconds = 0;
-
-		for (int s = (int)part[k].first; s <= (int)part[k].last; s++)
-			seconds += ts_plan_seconds(plan, (enum ts_stage)s);
-		ts_log(&sim->log, "%-5s time (%%) = %g (%.3g)\n", part[k].name, seconds,
+		ts_log(&sim->log, "%-5s time (%%) = %g (%.3g)\n", ts_plan_part_name(part), seconds,
 		       wall > 0 ? 100 * seconds / wall : 0);
 	}
 }

@@ -53,6 +53,7 @@ static enum ts_status run_jump(struct tsim *sim, void *state, const struct ts_pl
 	} else {
 		TS_TRY(ts_source_open(&source, sim, jump->file, ts_script_place(script, 1, where)));
 		TS_TRY(ts_script_store_text(script, script->source));
+		source.outer = script->source->outer;
 		ts_source_close(script->source);
 		*script->source = source;
 	}

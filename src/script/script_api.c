@@ -204,6 +204,42 @@ static enum ts_status api_list_variables(void *data, struct ts_str *out)
 	return TS_OK;
 }
 
+/* The k-th script that is being read, the outermost first; NULL: there are fewer. */
+static const struct ts_source *get_source(const struct ts_script *script, size_t k)
+{
+	const struct ts_source *source = script->source;
+	size_t n = 0;
+
+	for (const struct ts_source *s = source; s; s = s->outer)
+		n++;
+	if (k >= n)
+		return NULL;
+	for (n -= k + 1; n; n--)
+		source = source->outer;
+	return source;
+}
+
+/* Scripts being read, from the outermost on, then those that have ended, from the last one back. */
+static const char *api_script_text(void *data, size_t k, const char **name)
+{
+	const struct ts_script *script = data;
+	const struct ts_source *source = get_source(script, k);
+	size_t active = 0;
+
+	if (source) {
+		*name = source->name;
+		return ts_str_text(&source->text);
+	}
+	while (get_source(script, active))
+		active++;
+	for (const struct ts_script_text *t = script->text; t; t = t->next)
+		if (active++ == k) {
+			*name = t->name;
+			return t->text;
+		}
+	return NULL;
+}
+
 static enum ts_status api_defer_error(void *data, enum ts_status status)
 {
 	return ts_check_defer_error(data, status);
@@ -245,6 +281,7 @@ const struct ts_script_api ts_script_api_table = {
 	.archive = api_archive,
 	.list_variables = api_list_variables,
 	.suggest_variable = api_suggest_variable,
+	.script_text = api_script_text,
 	.defer_error = api_defer_error,
 	.planned = api_planned,
 	.would_write = api_would_write,

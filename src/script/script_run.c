@@ -126,32 +126,43 @@ static enum ts_status run_lines(struct ts_script *script)
 	return status;
 }
 
-enum ts_status ts_script_store_text(struct ts_script *script, struct ts_source *source)
+static bool is_stored(const struct ts_script *script, const char *name)
+{
+	for (const struct ts_script_text *text = script->text; text; text = text->next)
+		if (ts_streq(text->name, name))
+			return true;
+	return false;
+}
+
+static enum ts_status store_text(struct ts_script *script, struct ts_source *source, bool whole)
 {
 	struct ts_script_text *text;
 
-	if (!source->stream)
+	if (!source->stream || is_stored(script, source->name))
 		return TS_OK;
-	for (text = script->text; text; text = text->next)
-		if (ts_streq(text->name, source->name))
-			return TS_OK;
-	if (source->owns_stream || script->sim->reading.check)
+	if (whole)
 		TS_TRY(ts_source_read_all(source, script->sim));
 	text = ts_arena_alloc(&script->arena, 1, sizeof *text);
 	if (!text)
 		return ts_nomem(&script->sim->error);
 	text->name = source->name;
 	text->text = ts_arena_strdup(&script->arena, ts_str_text(&source->text));
+	if (!text->text)
+		return ts_nomem(&script->sim->error);
 	text->next = script->text;
 	script->text = text;
-	return text->text ? TS_OK : ts_nomem(&script->sim->error);
+	return TS_OK;
+}
+
+enum ts_status ts_script_store_text(struct ts_script *script, struct ts_source *source)
+{
+	return store_text(script, source, source->owns_stream || script->sim->reading.check);
 }
 
 /* Executes the lines of the source and closes it. */
 static enum ts_status run_source(struct ts_script *script, struct ts_source *source,
 				 const struct ts_place *where)
 {
-	struct ts_source *outer = script->source;
 	enum ts_status status;
 
 	if (script->depth >= DEEPEST) {
@@ -160,13 +171,16 @@ static enum ts_status run_source(struct ts_script *script, struct ts_source *sou
 			       "scripts include each other more than %d deep", DEEPEST);
 	}
 	script->depth++;
+	source->outer = script->source;
 	script->source = source;
 	script->label = NULL;
 	status = run_lines(script);
 	if (status == TS_OK)
 		status = ts_script_store_text(script, source);
+	else /* for the report; the first error remains */
+		store_text(script, source, source->owns_stream && status != TS_STOPPED);
 	script->label = NULL;
-	script->source = outer;
+	script->source = source->outer;
 	script->depth--;
 	ts_source_close(source);
 	return status;

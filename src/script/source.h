@@ -17,7 +17,8 @@ struct ts_source_label {
 
 /* All text read is stored, so that `jump SELF` works with a pipe, too. */
 struct ts_source {
-	const char *name; /* owned by sim->pool */
+	struct ts_source *outer; /* the script that has included this one, or NULL */
+	const char *name;	 /* owned by sim->pool */
 	struct ts_str text;
 	size_t at; /* offset of the next line, bytes */
 	int line;  /* number of lines before it */

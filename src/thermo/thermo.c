@@ -226,16 +226,15 @@ static enum ts_status write_row(struct ts_thermo *t, struct tsim *sim)
 			    sim->clock.step, cpu);
 	for (size_t k = 0; k < t->n; k++) {
 		struct ts_thermo_column *c = &t->column[k];
-		double value;
 
-		TS_TRY(ts_ref_input_scalar(sim, &c->input, &value));
+		TS_TRY(ts_ref_input_scalar(sim, &c->input, &c->value));
 		if (t->csv)
-			ts_csv_real(&t->table_row, value);
+			ts_csv_real(&t->table_row, c->value);
 		if (t->multi) {
-			add_named(t, k, value);
+			add_named(t, k, c->value);
 			continue;
 		}
-		add_column(t, k, value);
+		add_column(t, k, c->value);
 	}
 	t->last_row_time = ts_clock() - sim->clock.wall_start;
 	t->last_row_step = sim->clock.step;
@@ -243,6 +242,8 @@ static enum ts_status write_row(struct ts_thermo *t, struct tsim *sim)
 		ts_csv_end(&t->table_row);
 		TS_TRY(ts_csv_write(&t->file, sim, &t->table_row));
 	}
+	if (sim->recorder)
+		sim->recorder->row(sim->recorder, sim);
 	return write_line(t, sim);
 }
 

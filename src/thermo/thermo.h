@@ -12,6 +12,7 @@
 struct ts_thermo_column {
 	const char *title;
 	struct ts_ref_input input; /* resolved at the start of a run */
+	double value;		   /* in the last row */
 	char format[TS_FORMAT_SIZE];
 };
 

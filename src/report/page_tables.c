@@ -1,0 +1,186 @@
+/* Tables of the log as plots, and the time step against its limits. */
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "plot/plot_svg.h"
+#include "report/page.h"
+
+#include "base/banned.h"
+
+static void add_plot(struct ts_page *page, const struct ts_record_table *table, size_t column,
+		     const char *label, const char *unit, const struct ts_plot_mark *mark)
+{
+	double x[2 * TS_ROWS_MOST], y[2 * TS_ROWS_MOST];
+	const size_t n = ts_rows_curve(&table->rows, column, x, y);
+	const struct ts_plot_series series = {
+		.x = x, .y = y, .n = n, .style = n > 40 ? TS_PLOT_LINES : TS_PLOT_AUTO
+	};
+	const struct ts_plot plot = { .x = { .label = "time", .unit = ts_page_time_unit(page->sim) },
+				      .y = { .label = label, .unit = unit },
+				      .series = &series,
+				      .n = 1,
+				      .mark = mark,
+				      .marks = mark != NULL,
+				      .width = 420,
+				      .height = 270 };
+
+	page->out.failed |= ts_plot_svg_add(&plot, &page->out) != TS_OK;
+}
+
+static bool is_plotted(const struct ts_record_table *table, size_t column)
+{
+	return !table->column[column].clock && !ts_rows_is_constant(&table->rows, column);
+}
+
+static void add_plots(struct ts_page *page, const struct ts_record_table *table)
+{
+	struct ts_str *out = &page->out;
+
+	ts_str_add(out, "<div class=\"plots\">\n");
+	for (size_t k = 0; k < table->n; k++) {
+		const struct ts_record_column *c = &table->column[k];
+
+		if (!is_plotted(table, k))
+			continue;
+		ts_str_add(out, "<div class=\"card\"><h3>");
+		ts_page_text(out, c->title);
+		ts_str_add(out, "</h3>");
+		if (c->help) {
+			ts_str_add(out, "<small>");
+			ts_page_text(out, c->help);
+			ts_str_add(out, "</small>");
+		}
+		add_plot(page, table, k, c->title, NULL, NULL);
+		ts_str_add(out, "</div>\n");
+	}
+	ts_str_add(out, "</div>\n");
+}
+
+static void add_cell(struct ts_str *out, double value)
+{
+	ts_str_add(out, "<td class=\"n\">");
+	ts_page_number(out, value);
+	ts_str_add(out, "</td>");
+}
+
+static void add_numbers(struct ts_page *page, const struct ts_record_table *table)
+{
+	struct ts_str *out = &page->out;
+
+	ts_str_add(out, "<details><summary>Columns in "
+			"numbers</summary><div><table>\n<thead><tr><th>Column</th><th "
+			"class=\"n\">first</th><th class=\"n\">last</th><th class=\"n\">least</th><th "
+			"class=\"n\">greatest</th></tr></thead>\n<tbody>\n");
+	for (size_t k = 0; k < table->n; k++) {
+		const struct ts_rows_sum *s = &table->rows.sum[k];
+
+		ts_str_add(out, "<tr><td>");
+		ts_page_text(out, table->column[k].title);
+		if (s->odd)
+			ts_str_addf(out, " <small class=\"off\">%" PRId64 " are no numbers</small>", s->odd);
+		ts_str_add(out, "</td>");
+		add_cell(out, s->finite ? s->first : NAN);
+		add_cell(out, s->finite ? s->last : NAN);
+		add_cell(out, s->finite ? s->least : NAN);
+		add_cell(out, s->finite ? s->greatest : NAN);
+		ts_str_add(out, "</tr>\n");
+	}
+	ts_str_add(out, "</tbody>\n</table></div></details>\n");
+}
+
+static void add_table(struct ts_page *page, const struct ts_record_table *table)
+{
+	struct ts_str *out = &page->out;
+
+	ts_str_addf(out, "<p class=\"soft\">Steps %" PRId64 " to %" PRId64 ", %" PRId64 " rows",
+		    table->first_step, table->last_step, table->rows.count);
+	if (table->runs > 1)
+		ts_str_addf(out, ", %zu runs", table->runs);
+	if (table->rows.each > 1)
+		ts_str_addf(out, "; of each %" PRId64 " rows the least and the greatest value are drawn",
+			    table->rows.each);
+	ts_str_add(out, "</p>\n");
+	add_plots(page, table);
+	add_numbers(page, table);
+}
+
+void ts_page_tables(struct ts_page *page)
+{
+	const struct ts_record *r = page->record;
+
+	if (!r->ntables)
+		return;
+	ts_page_section(&page->out, "log", "Table of the log");
+	for (size_t k = 0; k < r->ntables; k++)
+		add_table(page, &r->table[k]);
+	if (r->tables_left)
+		ts_str_addf(&page->out, "<p class=\"soft\">%" PRId64 " more tables are in the log.</p>\n",
+			    r->tables_left);
+	ts_page_end_section(&page->out);
+}
+
+/* ---- limits of the time step */
+
+static bool same_limit(const struct ts_record_run *a, const struct ts_record_run *b)
+{
+	if (!a->limit_of || !b->limit_of)
+		return a->limit_of == b->limit_of;
+	return ts_streq(a->limit_of, b->limit_of) && !(a->dt < b->dt) && !(a->dt > b->dt);
+}
+
+static void add_limit(struct ts_str *out, const struct ts_record_run *run, size_t first, size_t last)
+{
+	ts_str_addf(out, first == last ? "<tr><td>%zu</td>" : "<tr><td>%zu to %zu</td>", first, last);
+	add_cell(out, run->dt);
+	add_cell(out, run->limit_of ? run->limit : NAN);
+	if (run->limit_of)
+		ts_str_addf(out, "<td class=\"n\">%.3g %%</td><td>", 100 * run->dt / run->limit);
+	else
+		ts_str_add(out, "<td class=\"n\">-</td><td>");
+	ts_page_text(out, run->limit_of ? run->limit_of : "no style has a limit");
+	ts_str_add(out, "</td></tr>\n");
+}
+
+static void add_fractions(struct ts_page *page)
+{
+	const struct ts_record *r = page->record;
+	const struct ts_plot_mark limit = { .name = "limit", .at = 1 };
+
+	ts_str_add(&page->out, "<div class=\"plots\">\n");
+	for (size_t k = 0; k < r->ntables; k++) {
+		const struct ts_record_table *t = &r->table[k];
+
+		if (ts_rows_is_constant(&t->rows, t->n))
+			continue;
+		ts_str_add(&page->out, "<div class=\"card\"><h3>Time step / its limit</h3><small>as checked "
+				       "during the run</small>");
+		add_plot(page, t, t->n, "step / limit", NULL,
+			 t->rows.sum[t->n].greatest > 0.5 ? &limit : NULL);
+		ts_str_add(&page->out, "</div>\n");
+	}
+	ts_str_add(&page->out, "</div>\n");
+}
+
+void ts_page_limits(struct ts_page *page)
+{
+	const struct ts_record *r = page->record;
+	struct ts_str *out = &page->out;
+	size_t first = 0;
+
+	if (!r->nruns)
+		return;
+	ts_page_section(out, "limits", "Time step and its limits");
+	ts_str_add(out, "<div class=\"scroll\"><table>\n<thead><tr><th>Run</th><th class=\"n\">time "
+			"step</th><th class=\"n\">limit</th><th class=\"n\">share</th><th>set by, at the "
+			"start of the run</th></tr></thead>\n<tbody>\n");
+	for (size_t k = 1; k <= r->nruns; k++) {
+		if (k < r->nruns && same_limit(&r->run[k], &r->run[first]))
+			continue;
+		add_limit(out, &r->run[first], first + 1, k);
+		first = k;
+	}
+	ts_str_add(out, "</tbody>\n</table></div>\n");
+	add_fractions(page);
+	ts_page_end_section(out);
+}
