@@ -361,6 +361,8 @@ static int run_command_line(struct tsim *sim, struct ts_setup *setup, int argc, 
 		return ts_program_grammar(setup->grammar);
 	if (setup->doc)
 		return ts_program_manual(setup->doc);
+	if (ts_program_check_report(setup))
+		return TS_EXIT_USAGE;
 	if (setup->plots)
 		return plot(sim, setup);
 	if (setup->studied)

@@ -178,6 +178,8 @@ shell_tests = \
 	tests/program/sandbox.sh \
 	tests/program/signal.sh \
 	tests/region/regions.sh \
+	tests/report/browser.sh \
+	tests/report/report.sh \
 	tests/restart/data_files.sh \
 	tests/restart/data_words.sh \
 	tests/restart/rerun.sh \
@@ -301,6 +303,7 @@ unit_tests = \
 	tests/polish/check_wafer \
 	tests/program/check_crosscheck \
 	tests/render/check_render \
+	tests/report/check_rows \
 	tests/rigid/check_rigid \
 	tests/rough/check_rough \
 	tests/script/check_script \
@@ -647,6 +650,10 @@ tests_program_check_crosscheck_LDADD = $(tests_ldadd)
 tests_render_check_render_SOURCES = tests/render/check_render.c
 tests_render_check_render_CFLAGS = $(tests_cflags)
 tests_render_check_render_LDADD = $(tests_ldadd)
+
+tests_report_check_rows_SOURCES = tests/report/check_rows.c
+tests_report_check_rows_CFLAGS = $(tests_cflags)
+tests_report_check_rows_LDADD = $(tests_ldadd)
 
 tests_rigid_check_rigid_SOURCES = tests/rigid/check_rigid.c
 tests_rigid_check_rigid_CFLAGS = $(tests_cflags)

@@ -33,21 +33,17 @@ static enum ts_status keep_command_line(struct tsim *sim, char **argv)
 }
 
 /* Options with which a script is not run once. */
-static int refuse_conflicts(const struct ts_setup *setup)
+int ts_program_check_report(const struct ts_setup *setup)
 {
 	const char *other = setup->studied	  ? setup->sweep.n ? "-sweep" : "-calibrate"
 			    : setup->advised	  ? "-advise"
 			    : setup->crosscheck.n ? "-crosscheck"
 						  : NULL;
 
-	return other ? ts_program_usage_error("-report and %s cannot be given together%s", other,
-					      ": a report is that of one run of a script")
-		     : 0;
-}
-
-int ts_program_check_report(const struct ts_setup *setup)
-{
-	return setup->report.n ? refuse_conflicts(setup) : 0;
+	return setup->report.n && other
+		       ? ts_program_usage_error("-report and %s cannot be given together%s", other,
+						": a report is that of one run of a script")
+		       : 0;
 }
 
 int ts_program_report(struct tsim *sim, const struct ts_setup *setup, char **argv)

@@ -171,7 +171,7 @@ static void add_speed(struct ts_page *page)
 	if (!(work > 0))
 		return;
 	begin_tile(&page->out);
-	ts_str_addf(&page->out, "%.3g ns", 1e9 * wall / work);
+	ts_str_addf(&page->out, wall / work < 1e-6 ? "%.3g ns" : "%.4g ns", 1e9 * wall / work);
 	end_tile(&page->out, "per particle and step");
 }
 
@@ -182,13 +182,17 @@ static void add_state(struct ts_page *page)
 	struct ts_str *out = &page->out;
 
 	begin_tile(out);
-	ts_str_addf(out, "%" PRId64, sim->clock.step);
-	if (page->record->end == TS_RECORD_RUNNING && sim->clock.goal > sim->clock.step)
-		ts_str_addf(out, " <small>of %" PRId64 "</small>", sim->clock.goal);
-	end_tile(out, "steps");
+	if (page->record->end == TS_RECORD_RUNNING && sim->clock.goal > sim->clock.step) {
+		ts_str_addf(out, "%" PRId64 " <small>of %" PRId64 "</small>", sim->clock.step,
+			    sim->clock.goal);
+		end_tile(out, "steps");
+	} else {
+		ts_str_addf(out, "%" PRId64, page->record->steps);
+		end_tile(out, "steps in all");
+	}
 	begin_tile(out);
 	ts_str_addf(out, "%.4g%s%s", ts_sim_time(sim), unit ? " " : "", unit ? unit : "");
-	end_tile(out, "time simulated");
+	end_tile(out, page->record->end == TS_RECORD_RUNNING ? "time" : "time at the end");
 	begin_tile(out);
 	ts_str_addf(out, "%zu", sim->particles->n);
 	end_tile(out, "particles");

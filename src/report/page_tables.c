@@ -8,11 +8,26 @@
 
 #include "base/banned.h"
 
+/* Removes points before the first check of the limits. */
+static size_t drop_unknown(double *x, double *y, size_t n)
+{
+	size_t kept = 0;
+
+	for (size_t k = 0; k < n; k++) {
+		if (isnan(y[k]))
+			continue;
+		x[kept] = x[k];
+		y[kept++] = y[k];
+	}
+	return kept;
+}
+
 static void add_plot(struct ts_page *page, const struct ts_record_table *table, size_t column,
 		     const char *label, const char *unit, const struct ts_plot_mark *mark)
 {
 	double x[2 * TS_ROWS_MOST], y[2 * TS_ROWS_MOST];
-	const size_t n = ts_rows_curve(&table->rows, column, x, y);
+	const size_t all = ts_rows_curve(&table->rows, column, x, y);
+	const size_t n = column == table->n ? drop_unknown(x, y, all) : all;
 	const struct ts_plot_series series = {
 		.x = x, .y = y, .n = n, .style = n > 40 ? TS_PLOT_LINES : TS_PLOT_AUTO
 	};

@@ -113,7 +113,7 @@ struct ts_record {
 	bool left_out;	     /* the present one */
 	struct ts_record_run run[TS_RECORD_RUNS];
 	size_t nruns;
-	int64_t runs;		   /* of the script so far */
+	int64_t runs, steps;	   /* of the script so far; steps of runs that have ended */
 	struct ts_record_run rest; /* sums of runs without a place */
 	double limit;
 	const char *limit_of;

@@ -175,6 +175,7 @@ void ts_record_run(struct ts_record *record, struct tsim *sim, const struct ts_p
 
 	for (int part = 0; part < TS_PLAN_PARTS; part++)
 		run.part[part] = ts_plan_part_seconds(plan, part);
+	record->steps += run.last - (again ? last->last : run.first);
 	if (again)
 		*last = run;
 	else if (record->nruns < TS_RECORD_RUNS)

@@ -160,7 +160,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 }
 
 static const struct ts_style picture_style = {
-	.name = "picture of the report",
+	.name = "report picture",
 	.kind = TS_KIND_DUMP,
 	.args = ts_image_args,
 	.state_size = sizeof(struct view),
