@@ -6,7 +6,47 @@
 #include "base/banned.h"
 
 static const double COLUMN = 0.5; /* width of a column in units: a third of that of a line */
-enum { FEW = 4000 };		  /* so many points are all drawn */
+enum { FEW = 4000, MANY = 20000 /* so many points, vertices of a line are all drawn */ };
+
+/* ---- squares of the frame where something is drawn */
+
+struct raster {
+	unsigned char *taken; /* NULL: not used */
+	size_t width, height;
+};
+
+static enum ts_status raster_start(struct raster *r, const struct ts_plot_layout *l)
+{
+	r->width = (size_t)((l->right - l->left) / COLUMN) + 1;
+	r->height = (size_t)((l->bottom - l->top) / COLUMN) + 1;
+	r->taken = ts_alloc(r->width * r->height, 1);
+	return r->taken ? TS_OK : TS_NOMEM;
+}
+
+/* Takes the square at a place; whether it was free. */
+static bool take(struct raster *r, const struct ts_plot_layout *l, double x, double y)
+{
+	const size_t i = (size_t)fmax((x - l->left) / COLUMN, 0), j = (size_t)fmax((y - l->top) / COLUMN, 0);
+	unsigned char *square =
+		&r->taken[(j < r->height ? j : r->height - 1) * r->width + (i < r->width ? i : r->width - 1)];
+
+	if (*square)
+		return false;
+	*square = 1;
+	return true;
+}
+
+/* Takes all squares along a line; whether one was free. */
+static bool take_line(struct raster *r, const struct ts_plot_layout *l, const struct ts_plot_vertex *a,
+		      const struct ts_plot_vertex *b)
+{
+	const int steps = (int)(fmax(fabs(b->x - a->x), fabs(b->y - a->y)) / COLUMN) + 1;
+	bool any = false;
+
+	for (int k = 0; k <= steps; k++)
+		any |= take(r, l, a->x + (b->x - a->x) * k / steps, a->y + (b->y - a->y) * k / steps);
+	return any;
+}
 
 /* Successive points in one column that are not yet vertices. */
 struct run {
@@ -20,6 +60,7 @@ struct maker {
 	struct ts_plot_trace *trace;
 	const struct ts_plot_layout *layout;
 	struct run run;
+	struct raster raster; /* of a line with many vertices */
 	struct ts_plot_vertex pen;
 	bool down, failed; /* down: a line leads from `pen` to the next vertex */
 };
@@ -65,19 +106,36 @@ static struct ts_plot_vertex between(const struct ts_plot_vertex *a, const struc
 	return (struct ts_plot_vertex){ a->x + t * (b->x - a->x), a->y + t * (b->y - a->y), b->point, false };
 }
 
-static void draw_to(struct maker *m, struct ts_plot_vertex v)
+/* Of a line with many vertices, as one that goes forth and back in x, parts that are drawn already are left out. */
+static bool is_needed(struct maker *m, const struct ts_plot_vertex *a, const struct ts_plot_vertex *b)
+{
+	if (m->trace->n < MANY)
+		return true;
+	if (!m->raster.taken && raster_start(&m->raster, m->layout) != TS_OK) {
+		m->failed = true;
+		return false;
+	}
+	return take_line(&m->raster, m->layout, a, b);
+}
+
+static void add_line(struct maker *m, struct ts_plot_vertex begin, struct ts_plot_vertex end)
 {
 	const struct ts_plot_trace *t = m->trace;
+
+	if (!is_needed(m, &begin, &end))
+		return;
+	begin.begins = true;
+	if (!t->n || t->vertex[t->n - 1].x != begin.x || t->vertex[t->n - 1].y != begin.y)
+		m->failed |= add(m->trace, begin) != TS_OK;
+	m->failed |= add(m->trace, end) != TS_OK;
+}
+
+static void draw_to(struct maker *m, struct ts_plot_vertex v)
+{
 	double from, to;
 
-	if (m->down && clip(m->layout, &m->pen, &v, &from, &to)) {
-		struct ts_plot_vertex begin = between(&m->pen, &v, from), end = between(&m->pen, &v, to);
-
-		begin.begins = true;
-		if (!t->n || t->vertex[t->n - 1].x != begin.x || t->vertex[t->n - 1].y != begin.y)
-			m->failed |= add(m->trace, begin) != TS_OK;
-		m->failed |= add(m->trace, end) != TS_OK;
-	}
+	if (m->down && clip(m->layout, &m->pen, &v, &from, &to))
+		add_line(m, between(&m->pen, &v, from), between(&m->pen, &v, to));
 	m->pen = v;
 	m->down = true;
 }
@@ -170,6 +228,7 @@ enum ts_status ts_plot_trace_line(struct ts_plot_trace *t, const struct ts_plot_
 			add_to_line(&m, v);
 	}
 	lift(&m);
+	ts_free(m.raster.taken);
 	return m.failed ? TS_NOMEM : TS_OK;
 }
 
@@ -188,47 +247,21 @@ static bool is_alone(const struct ts_plot_layout *l, const struct ts_plot_series
 	return !(k > 0 && is_shown(l, s, k - 1, &v)) && !is_shown(l, s, k + 1, &v);
 }
 
-/* Squares of the frame that have a point. */
-struct raster {
-	unsigned char *taken;
-	size_t width, height;
-};
-
-static bool take(struct raster *r, const struct ts_plot_layout *l, const struct ts_plot_vertex *v)
-{
-	const size_t x = (size_t)fmax((v->x - l->left) / COLUMN, 0),
-		     y = (size_t)fmax((v->y - l->top) / COLUMN, 0);
-	unsigned char *square;
-
-	if (!r->taken)
-		return true;
-	square =
-		&r->taken[(y < r->height ? y : r->height - 1) * r->width + (x < r->width ? x : r->width - 1)];
-	if (*square)
-		return false;
-	*square = 1;
-	return true;
-}
-
 /* All points, or those without a neighbour. */
 static enum ts_status trace(struct ts_plot_trace *t, const struct ts_plot_layout *l,
 			    const struct ts_plot_series *s, bool all)
 {
-	struct raster raster = { .width = (size_t)((l->right - l->left) / COLUMN) + 1,
-				 .height = (size_t)((l->bottom - l->top) / COLUMN) + 1 };
+	struct raster raster = { 0 };
 	enum ts_status status = TS_OK;
 
 	t->n = 0;
-	if (s->n > FEW) {
-		raster.taken = ts_alloc(raster.width * raster.height, 1);
-		if (!raster.taken)
-			return TS_NOMEM;
-	}
+	if (s->n > FEW)
+		TS_TRY(raster_start(&raster, l));
 	for (size_t k = 0; k < s->n && status == TS_OK; k++) {
 		struct ts_plot_vertex v;
 
 		if (is_shown(l, s, k, &v) && (all || is_alone(l, s, k)) && is_inside(l, &v) &&
-		    take(&raster, l, &v))
+		    (!raster.taken || take(&raster, l, v.x, v.y)))
 			status = add(t, v);
 	}
 	ts_free(raster.taken);

@@ -1,9 +1,10 @@
 /* A series as it is drawn: vertices in units of the plot, inside the frame, and no more of them than are seen.
  *
- * Of successive points in a column of half a unit, a third of the width of a line, the first, the lowest, the highest and the last
- * are kept (Jugel, Jerzak, Hackenbroich and Markl 2014, M4: A visualization-oriented time series data aggregation,
- * Proc. VLDB Endowment 7, 797): the curve covers the same pixels and no extreme is lost. Of points without lines one
- * is kept in each square of that size. */
+ * Of successive points in a column of half a unit, a third of the width of a line, the first, the lowest, the highest
+ * and the last are kept (Jugel, Jerzak, Hackenbroich and Markl 2014, M4: A visualization-oriented time series data
+ * aggregation, Proc. VLDB Endowment 7, 797): the curve covers the same pixels and no extreme is lost. Of points without
+ * lines one is kept in each square of that size. A line that goes forth and back, with more than 20 000 vertices, is
+ * drawn on only where it reaches squares without a line. */
 #ifndef TS_PLOT_PLOT_TRACE_H
 #define TS_PLOT_PLOT_TRACE_H
 

@@ -218,6 +218,40 @@ START_TEST(thinning_keeps_extremes)
 }
 END_TEST
 
+/* A curve that goes around many times: its picture is whole, its size bounded. */
+START_TEST(many_rounds)
+{
+	double *x = noise(), *y = noise();
+	const struct ts_plot_series s = { .x = x, .y = y, .n = MANY, .style = TS_PLOT_LINES };
+	const struct ts_plot p = { .series = &s, .n = 1 };
+	const struct ts_plot_font font = { 7, 17 };
+	struct ts_plot_layout l;
+	struct ts_plot_trace t = { 0 };
+	double lo = INFINITY, hi = -INFINITY;
+
+	for (size_t k = 0; k < MANY; k++) {
+		const double r = 1 + 0.1 * x[k];
+
+		x[k] = r * cos(0.1 * (double)k);
+		y[k] = r * sin(0.1 * (double)k);
+	}
+	ck_assert(ts_plot_layout_set(&l, &p, &font) == TS_OK);
+	ck_assert(ts_plot_trace_line(&t, &l, &s) == TS_OK);
+	ck_assert_uint_ge(t.n, 20000);
+	ck_assert_uint_le(t.n, 80000);
+	for (size_t k = 0; k < t.n; k++) {
+		lo = fmin(lo, t.vertex[k].x);
+		hi = fmax(hi, t.vertex[k].x);
+	}
+	DECK_NEAR(lo, l.left + ts_plot_scale_at(&l.x, -1.1) * (l.right - l.left), 0.5);
+	DECK_NEAR(hi, l.left + ts_plot_scale_at(&l.x, 1.1) * (l.right - l.left), 0.5);
+	ts_plot_trace_release(&t);
+	ts_plot_layout_release(&l);
+	ts_free(x);
+	ts_free(y);
+}
+END_TEST
+
 /* Gaps lift the pen, a point between two gaps is a dot, and lines end at the edge of the frame. */
 START_TEST(gaps_and_edges)
 {
@@ -597,6 +631,7 @@ int main(void)
 	tcase_add_test(tcase, given_ends);
 	tcase_add_test(tcase, errors_and_marks);
 	tcase_add_test(tcase, thinning_keeps_extremes);
+	tcase_add_test(tcase, many_rounds);
 	tcase_add_test(tcase, gaps_and_edges);
 	tcase_add_test(tcase, steps);
 	tcase_add_test(tcase, svg_is_well_formed);
