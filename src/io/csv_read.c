@@ -27,6 +27,8 @@ enum ts_status ts_csv_open(struct ts_csv *csv, struct ts_files *files, struct ts
 	if (bad)
 		return TS_IO;
 	csv->line = csv->text.text;
+	if (!csv->text.failed && strncmp(csv->line, "\xef\xbb\xbf", 3) == 0) /* byte order mark */
+		csv->line += 3;
 	return csv->text.failed ? ts_nomem(err) : TS_OK;
 }
 

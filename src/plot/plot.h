@@ -54,7 +54,8 @@ struct ts_plot {
 	size_t n;
 	const struct ts_plot_mark *mark;
 	size_t marks;
-	/* Size in units; letters are 13 units high. 0: 480 and 320. A long legend makes the plot higher. */
+	/* Size in units; letters are 13 units high. 0: 480 and 320; less than 160: 160. A long legend makes
+	 * the plot higher. */
 	int width, height;
 };
 

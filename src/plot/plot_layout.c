@@ -5,7 +5,14 @@
 
 #include "base/banned.h"
 
-enum { WIDTH = 480, HEIGHT = 320, EDGE = 8, GAP = 6, TICK_SPACE = 62 /* units for a number on the x axis */ };
+enum {
+	WIDTH = 480,
+	HEIGHT = 320,
+	LEAST = 160,
+	EDGE = 8,
+	GAP = 6,
+	TICK_SPACE = 62 /* units for a number on the x axis */
+};
 
 size_t ts_plot_letters(const char *text, size_t bytes)
 {
@@ -147,8 +154,8 @@ enum ts_status ts_plot_layout_set(struct ts_plot_layout *l, const struct ts_plot
 	struct ts_plot_extent extent;
 
 	*l = (struct ts_plot_layout){ .font = *font,
-				      .width = plot->width > 0 ? plot->width : WIDTH,
-				      .height = plot->height > 0 ? plot->height : HEIGHT };
+				      .width = plot->width > 0 ? fmax(plot->width, LEAST) : WIDTH,
+				      .height = plot->height > 0 ? fmax(plot->height, LEAST) : HEIGHT };
 	l->entry = ts_alloc(plot->n, sizeof *l->entry);
 	if (!l->entry)
 		return TS_NOMEM;

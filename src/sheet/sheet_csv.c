@@ -35,8 +35,13 @@ static enum ts_status read_all(struct ts_sheet_reader *r, struct ts_csv *csv)
 enum ts_status ts_sheet_read_csv(struct ts_sheet_reader *r)
 {
 	struct ts_csv csv = { 0 };
-	enum ts_status status = ts_csv_open(&csv, r->files, r->err, r->sheets->path);
+	enum ts_status status;
 
+	if (ts_ends_with(r->sheets->path, ".gz"))
+		return ts_fail(r->err, TS_SYNTAX, NULL,
+			       "comma-separated values are not read compressed: gunzip '%s'",
+			       r->sheets->path);
+	status = ts_csv_open(&csv, r->files, r->err, r->sheets->path);
 	if (status == TS_OK)
 		status = read_all(r, &csv);
 	ts_csv_close(&csv);

@@ -135,6 +135,29 @@ START_TEST(given_ends)
 }
 END_TEST
 
+/* However small the picture and wide the numbers, there is a frame. */
+START_TEST(small_pictures)
+{
+	const double y[] = { -123456.78901, -123456.78902 };
+	const struct ts_plot_series s = {
+		"a long name of a series that fills a line alone", NULL, y, NULL, 2, 0, 0
+	};
+	const struct ts_plot p = { .title = "words and words and words and words and words",
+				   .y = { "also a rather long name of an axis", "m" },
+				   .series = &s,
+				   .n = 1,
+				   .width = 1,
+				   .height = 1 };
+	const struct ts_plot_font font = { 7, 17 };
+	struct ts_plot_layout l;
+
+	ck_assert(ts_plot_layout_set(&l, &p, &font) == TS_OK);
+	ck_assert(l.right > l.left + 20 && l.bottom >= l.top + 0.49 * 160);
+	ck_assert(l.width == 160 && l.height > 160);
+	ts_plot_layout_release(&l);
+}
+END_TEST
+
 /* Errors and marks are in the range; below zero on a logarithmic axis an error bar ends at the edge. */
 START_TEST(errors_and_marks)
 {
@@ -629,6 +652,7 @@ int main(void)
 	tcase_add_test(tcase, ranges_without_width);
 	tcase_add_test(tcase, values_without_a_place);
 	tcase_add_test(tcase, given_ends);
+	tcase_add_test(tcase, small_pictures);
 	tcase_add_test(tcase, errors_and_marks);
 	tcase_add_test(tcase, thinning_keeps_extremes);
 	tcase_add_test(tcase, many_rounds);

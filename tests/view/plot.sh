@@ -121,6 +121,10 @@ printf 'name,x,"y, m"\na,1,2\n"b ""c""",2,\nd,3,5\n' >words.csv
 draws 'words in a column' "words, such as 'a'" words.csv
 draws 'cells in quotes, empty cells' 'y, m' words.csv 'y, m' -x x
 
+printf '\357\273\277x,y\r\n1,2\r\n3,4\r\n' >mark.csv
+draws 'byte order mark, line ends of DOS' 'draws columns against x' mark.csv
+is 'its first column' x '1 3 1 3 2'
+
 # ---- studies
 
 cat >summary.csv <<'END'
@@ -186,6 +190,8 @@ draws 'a name with =' 'a=b' equal a=b -x c
 
 fails 'no column' 1 "log.tsim has no column 'kineng'; did you mean 'KinEng'?" -plot log.tsim kineng
 fails 'no x' 1 "log.tsim has no column 'Tmie'; did you mean 'Time'?" -plot log.tsim KinEng -x Tmie
+gzip -c mark.csv >mark.csv.gz
+fails 'compressed CSV' 1 "not read compressed: gunzip 'mark.csv.gz'" -plot mark.csv.gz
 fails 'words' 1 "words.csv:2: error: column 'name' has 'a', expected a number" -plot words.csv name
 fails 'folder' 1 "'.' is not a regular file" -plot .
 mkfifo pipe
