@@ -8,7 +8,7 @@
 
 #include "base/banned.h"
 
-static const struct ts_plot_font FONT = { 7.0, 17 }; /* of 13 units */
+static const struct ts_plot_font FONT = { 7.5, 17 }; /* of 13 units; sans-serif fonts have 6.5 to 7.8 */
 
 struct svg {
 	struct ts_plot_canvas base;

@@ -17,6 +17,7 @@ struct ts_word_list {
 /* Words of options that belong to -plot; NULL: not given. */
 struct ts_plot_words {
 	const char *out, *xrange, *yrange, *part, *by, *title, *xlabel, *ylabel, *size;
+	bool panels;
 };
 
 /* The options of the command line. */

@@ -41,6 +41,7 @@ enum option_id {
 	OPT_X,
 	OPT_STYLE,
 	OPT_MARK,
+	OPT_PANELS,
 	OPT_OUT,
 	OPT_XRANGE,
 	OPT_YRANGE,
@@ -104,6 +105,7 @@ static const struct {
 	[OPT_X] = { "x", "COLUMN", "with -plot: of the horizontal axis; -log x|y|xy: logarithmic axes", 1 },
 	[OPT_STYLE] = { "style", "lines|points|both|steps", "with -plot: how curves are drawn", 1 },
 	[OPT_MARK] = { "mark", "x|y=VALUE[:NAME] ...", "with -plot: lines across", 1 },
+	[OPT_PANELS] = { "panels", "", "with -plot: a plot for each column, below each other", 0 },
 	[OPT_OUT] = { "o", "FILE", "with -plot: picture, .svg or .png; without it the terminal is used", 1 },
 	[OPT_XRANGE] = { "xrange", "LO:HI", "with -plot: ends of the axis, either may be left out", 1 },
 	[OPT_YRANGE] = { "yrange", "LO:HI", "with -plot: the same of the vertical axis", 1 },
@@ -310,6 +312,9 @@ static int apply_plot(struct ts_setup *setup, enum option_id id, char *const *va
 		return add_words(&setup->plot, "-style", value, n);
 	case OPT_MARK:
 		return add_words(&setup->marks, NULL, value, n);
+	case OPT_PANELS:
+		w->panels = true;
+		return 0;
 	default:
 		*place[id - OPT_OUT] = value[0];
 		return 0;
@@ -418,8 +423,9 @@ static int check_together(const struct ts_setup *setup)
 		setup->vary.n || setup->replicate.n || setup->tolerance > 0 || setup->jobs || setup->results;
 
 	if (!setup->plots && setup->plot_words)
-		return ts_program_usage_error("-o, -x, -xrange, -yrange, -style, -part, -by and -title "
-					      "belong to -plot, which is not given%s%s",
+		return ts_program_usage_error("-x, -style, -mark, -panels, -o, -xrange, -yrange, -part, -by, "
+					      "-title, -xlabel, -ylabel and -size belong to -plot, which is "
+					      "not given%s%s",
 					      "", "");
 	if (!setup->studied && left)
 		return ts_program_usage_error("-vary, -replicate, -tolerance, -j and -results belong to "

@@ -117,6 +117,7 @@ int ts_program_plot(struct tsim *sim, const struct ts_setup *setup)
 				    .xlabel = w->xlabel,
 				    .ylabel = w->ylabel,
 				    .size = w->size,
+				    .panels = w->panels,
 				    .marks = { setup->marks.word, setup->marks.n },
 				    .xrange = w->xrange,
 				    .yrange = w->yrange,

@@ -224,12 +224,12 @@ static enum ts_status fill_plot(struct picture *p, struct ts_plot *plot, size_t 
 	return TS_OK;
 }
 
-/* Columns that are named share a plot; without names each has its own. */
+/* Columns that are named share a plot, unless panels are wanted; without names each has its own. */
 static enum ts_status make_plots(struct picture *p)
 {
 	struct ts_view_data *v = p->data;
-	const bool named = v->in->source[0].columns.n > 0;
-	const size_t panels = named ? 1 : v->file[0].ny;
+	const bool together = v->in->source[0].columns.n > 0 && !v->in->panels;
+	const size_t panels = together ? 1 : v->file[0].ny;
 
 	p->plot = ts_arena_alloc(&v->arena, panels, sizeof *p->plot);
 	if (!p->plot)
@@ -238,7 +238,7 @@ static enum ts_status make_plots(struct picture *p)
 		const size_t from = v->curves;
 
 		for (size_t k = 0; k < v->in->n; k++)
-			for (size_t c = named ? 0 : panel; c < (named ? v->file[k].ny : panel + 1); c++)
+			for (size_t c = together ? 0 : panel; c < (together ? v->file[k].ny : panel + 1); c++)
 				if (c < v->file[k].ny)
 					TS_TRY(ts_view_data_curves(v, &v->file[k], &v->file[k].y[c]));
 		TS_TRY(fill_plot(p, &p->plot[p->plots++], from, panel == 0));
@@ -323,16 +323,21 @@ enum ts_status ts_view(struct tsim *sim, const struct ts_view_input *in, struct 
 
 void ts_view_help(struct ts_str *out)
 {
+	/* clang-format off */
 	ts_str_add(out,
 		   "  tsim -plot FILE                                list of all columns, with their course\n"
 		   "  tsim -plot FILE COLUMN ... [-x COLUMN]         on the terminal\n"
 		   "  tsim -plot FILE [COLUMN ...] -o FILE.svg       picture, .svg or .png\n"
 		   "  tsim -plot FILE COLUMN -plot FILE2 [COLUMN]    curves of several files\n"
-		   "  -log x|y|xy  -xrange LO:HI  -yrange LO:HI  -style lines|points|both|steps  -title "
-		   "TEXT\n"
+		   "  COLUMN is NAME[+-ERROR][=LABEL]; names may be numbers from 1 on\n"
+		   "  -log x|y|xy  -xrange LO:HI  -yrange LO:HI  -style lines|points|both|steps\n"
+		   "  -mark y=VALUE[:NAME]  -title TEXT  -xlabel TEXT  -ylabel TEXT  -size WIDTHxHEIGHT  "
+		   "-panels\n"
 		   "  -part N|last|all  run of a log, block of an average;  -by COLUMN,...  a curve for each "
 		   "value\n"
 		   "  FILE is a log of tsim, LIGGGHTS or LAMMPS, a file of fix ave/time, ave/histo, "
-		   "ave/chunk, ave/correlate or\n"
-		   "  print, a table of -sweep, or any table of numbers. doc/plots.md says more.\n");
+		   "ave/chunk,\n"
+		   "  ave/correlate or print, a table of -sweep, or any table of numbers. doc/plots.md says "
+		   "more.\n");
+	/* clang-format on */
 }

@@ -25,6 +25,7 @@ struct ts_view_input {
 	const char *style; /* lines, points, both, steps */
 	const char *title; /* "": none */
 	const char *xlabel, *ylabel;
+	bool panels;		     /* a plot for each column, also if they are named */
 	const char *size;	     /* WIDTHxHEIGHT of a plot in units of plot.h */
 	const char *xrange, *yrange; /* LO:HI, either may be absent */
 	struct ts_words marks;	     /* x=VALUE[:NAME], y=VALUE[:NAME] */

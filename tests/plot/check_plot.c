@@ -403,7 +403,7 @@ START_TEST(svg_has_the_points)
 	const struct ts_plot p = {
 		.x = { .lo = 0, .hi = 2 }, .y = { .lo = 0, .hi = 4 }, .series = &s, .n = 1
 	};
-	const struct ts_plot_font font = { 7, 17 };
+	const struct ts_plot_font font = { 7.5, 17 };
 	struct ts_plot_layout l;
 	struct ts_str text = { 0 };
 	double v[6];

@@ -167,6 +167,9 @@ fi
 report 'PNG' $?
 "$TSIM" -plot log.tsim -o all.png && [ "$(png all.png)" = '1440 2880' ]
 report 'PNG of all columns' $?
+"$TSIM" -plot log.tsim Time KinEng=energy -panels -o panels.svg && [ "$(grep -c '^<svg' panels.svg)" = 3 ] &&
+	grep -q '>Time<' panels.svg && grep -q '>energy<' panels.svg && ! grep -q '>Atoms<' panels.svg
+report 'panels of named columns' $?
 "$TSIM" -plot log.tsim KinEng -size 720x240 -o wide.png && [ "$(png wide.png)" = '2160 720' ]
 report 'size' $?
 OMP_NUM_THREADS=3 "$TSIM" -plot log.tsim KinEng -o again.png && same 'the same bytes' one.png again.png
