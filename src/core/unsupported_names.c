@@ -99,6 +99,22 @@ const struct ts_unsupported ts_unsupported_table[] = {
 	{ .name = NULL },
 };
 
+#define GRID_LINES "`box` draws the edges of the box, `slice` the fields of the fluid"
+#define SEGMENTS                                                                                        \
+	"particles are drawn as spheres; meshes, height fields, walls and regions by `mesh`, `voxel`, " \
+	"`wall`, `region`"
+#define TRANSPARENT "particles (atrans), surfaces and slices (trans) can be transparent, bonds and lines not"
+/* Keywords of both dumps of pictures, and of both commands that change dumps. */
+#define PICTURES(word_, remark_)             \
+	{ "dump image", word_, remark_ },    \
+	{                                    \
+		"dump movie", word_, remark_ \
+	}
+#define CHANGES(word_, remark_)                     \
+	{ "dump_modify", word_, remark_ },          \
+	{                                           \
+		"write_dump modify", word_, remark_ \
+	}
 #define BRIDGES "use easo/capillary/viscous or washino/capillary/viscous"
 
 static const struct {
@@ -126,6 +142,18 @@ static const struct {
 	{ "set", "shape", SHAPES },
 	{ "set", "meso_rho", SPH },
 	{ "set", "sphkernel", SPH },
+	PICTURES("grid", "fields of the fluid are drawn by `slice x|y|z POSITION QUANTITY`"),
+	PICTURES("gridline", GRID_LINES),
+	PICTURES("gridlines", GRID_LINES),
+	PICTURES("line", SEGMENTS),
+	PICTURES("tri", SEGMENTS),
+	PICTURES("ellipsoid", SHAPES),
+	PICTURES("body", SHAPES),
+	PICTURES("fix", SEGMENTS),
+	PICTURES("compute", SEGMENTS),
+	CHANGES("btrans", TRANSPARENT),
+	CHANGES("boxtrans", TRANSPARENT),
+	CHANGES("axestrans", TRANSPARENT),
 	{ TS_UNSUPPORTED_QUANTITY, "p", SPH },
 	{ TS_UNSUPPORTED_QUANTITY, "rho", SPH },
 	{ TS_UNSUPPORTED_QUANTITY, "blockiness*", SHAPES },

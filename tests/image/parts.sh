@@ -216,6 +216,14 @@ rejects "$base
 region ball sphere 5 5 5 2 units box
 write_dump all image a.png type type region ball red frame 0.1" 'filled'
 
+# words of LAMMPS that are not here
+for word in 'grid c_1 2' 'line type 0.1' 'body type 0 1' 'compute c type 1'; do
+	rejects "$base
+write_dump all image a.png type type $word" 'tsim does not have it'
+done
+rejects "$base
+write_dump all image a.png type type shyny 0.5" "did you mean 'shiny'"
+
 # transparent particles
 prints "$base
 set type 2 x 2.5 z 7
