@@ -634,6 +634,8 @@ library_sources = \
 	src/image/image_args.c \
 	src/image/image_arrow.c \
 	src/image/image_arrow.h \
+	src/image/image_body.c \
+	src/image/image_body.h \
 	src/image/image_bonds.c \
 	src/image/image_box.c \
 	src/image/image_clip.c \
@@ -654,6 +656,8 @@ library_sources = \
 	src/image/image_region.h \
 	src/image/image_slice.c \
 	src/image/image_slice.h \
+	src/image/image_stream.c \
+	src/image/image_stream.h \
 	src/image/image_surfaces.c \
 	src/image/image_surfaces.h \
 	src/image/image_voxel.c \

@@ -41,10 +41,10 @@ const struct ts_arg ts_image_args[] = {
 	     "x|y|z POSITION above|below: removes what is above or below that coordinate; particles, bonds "
 	     "and contacts are cut through"),
 	PART("slice", slice_words,
-	     "x|y|z POSITION QUANTITY [trans T] [body C] [arrows SPACING] [length L|factor F] [width W] "
-	     "[color C]: field of the fluid in a plane (QUANTITY speed, vx, vy, vz, p, void, wx, wy, wz, "
-	     "vorticity, f_ID or none), and arrows of its velocity (1, gray, no arrows, length SPACING, "
-	     "black)"),
+	     "x|y|z POSITION QUANTITY [trans T] [body C] [arrows SPACING] [streams SPACING] [length L|factor "
+	     "F] [width W] [color C]: field of the fluid in a plane (QUANTITY speed, vx, vy, vz, p, void, "
+	     "wx, wy, wz, vorticity, f_ID or none), arrows of its velocity, streamlines (1, gray, no arrows, "
+	     "length SPACING, black)"),
 	PART("arrow", arrow_words,
 	     "VX VY VZ [length L|factor F] [width W] [color C]: arrows of a vector of the particles (length "
 	     "4 diameters, color atom: that of the particle)"),

@@ -9,7 +9,8 @@
 
 #include "base/parallel.h"
 #include "flow/flow.h"
-#include "image/image_slice.h"
+#include "image/image_body.h"
+#include "image/image_stream.h"
 #include "math/vec3.h"
 
 #include "base/banned.h"
@@ -32,6 +33,8 @@ static const struct ts_arg rows[] = {
 		.help = "color inside of bodies of fix immersed/boundary; none: not drawn there"),
 	TS_REAL("arrows", struct ts_image_slice, spacing, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
 		.unit = "length", .help = "distance of arrows of the velocity"),
+	TS_REAL("streams", struct ts_image_slice, streams, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+		.unit = "length", .help = "distance of streamlines"),
 	TS_IMAGE_ARROW_ROWS(struct ts_image_slice, style, "black"),
 	TS_ARGS_END,
 };
@@ -64,19 +67,19 @@ static double extent(const struct ts_grid *grid, int d)
 	return grid->face[d][grid->n[d]] - grid->face[d][0];
 }
 
-static enum ts_status check_spacing(struct tsim *sim, const struct ts_image_slice *s,
-				    const struct ts_grid *grid)
+static enum ts_status check_spacing(struct tsim *sim, const struct ts_image_slice *s, const char *what,
+				    double spacing, const struct ts_grid *grid)
 {
 	double n = 1;
 
 	for (int k = 0; k < 2; k++)
-		n *= extent(grid, axis_of(s, k)) / s->spacing + 1;
-	if (isnan(s->spacing) || n <= MOST_ARROWS)
+		n *= extent(grid, axis_of(s, k)) / spacing + 1;
+	if (isnan(spacing) || n <= MOST_ARROWS)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &s->group.keyword.place,
-		       "dump image: slice: arrows %g apart are about %.2g, more than %d: choose a larger "
+		       "dump image: slice: %s %g apart are about %.2g, more than %d: choose a larger "
 		       "distance",
-		       s->spacing, n, MOST_ARROWS);
+		       what, spacing, n, MOST_ARROWS);
 }
 
 static enum ts_status read_one(struct ts_instance *self, struct tsim *sim, struct ts_image_slice *s)
@@ -98,7 +101,8 @@ static enum ts_status read_one(struct ts_instance *self, struct tsim *sim, struc
 		return ts_fail(&sim->error, TS_SYNTAX, ts_image_group_word(&s->group, "atom"),
 			       "dump image: slice: arrows of the fluid have no color of a particle");
 	TS_TRY(check_position(sim, s, &fluid->grid));
-	return check_spacing(sim, s, &fluid->grid);
+	TS_TRY(check_spacing(sim, s, "arrows", s->spacing, &fluid->grid));
+	return check_spacing(sim, s, "streamlines", s->streams, &fluid->grid);
 }
 
 enum ts_status ts_image_read_slices(struct ts_instance *self, struct tsim *sim)
@@ -172,23 +176,6 @@ static void sample_rows(void *context, size_t from, size_t to)
 		ts_flow_sample(&s->sampler, c->fluid, s->place[at], 0, &s->value[at]);
 }
 
-/* Distances of places from all bodies; positive where there is none. */
-static enum ts_status find_distances(struct tsim *sim, size_t n, const double (*place)[3], double reach,
-				     double *distance)
-{
-	struct ts_instance *fix;
-
-	for (size_t k = 0; k < n; k++)
-		distance[k] = reach;
-	for (size_t k = 0; (fix = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
-		const struct ts_flow_part *part = fix->state;
-
-		if (part->distance)
-			TS_TRY(part->distance(fix, sim, n, place, reach, distance));
-	}
-	return TS_OK;
-}
-
 static enum ts_status reserve(struct ts_image_slice *s, size_t n)
 {
 	TS_TRY(TS_GROW(s->place, s->place_capacity, n));
@@ -217,7 +204,8 @@ static enum ts_status sample(struct tsim *sim, struct ts_image_slice *s, struct 
 			x[b] = s->node[1][j];
 		}
 	reach = fmax(extent(&fluid->grid, a), extent(&fluid->grid, b)) / FINE * 4;
-	TS_TRY(find_distances(sim, s->n[0] * s->n[1], (const double(*)[3])s->place, reach, s->distance));
+	TS_TRY(ts_image_body_distances(sim, s->n[0] * s->n[1], (const double(*)[3])s->place, reach,
+				       s->distance));
 	ts_parallel(sim->threads, s->n[1], sample_rows, &context);
 	return TS_OK;
 }
@@ -357,7 +345,7 @@ static enum ts_status add_arrows(struct ts_scene *scene, struct tsim *sim, struc
 		return TS_OK;
 	if (place_arrows(s, &fluid->grid, &n) != TS_OK)
 		return ts_nomem(&sim->error);
-	TS_TRY(find_distances(sim, n, (const double(*)[3])s->place, s->spacing, s->distance));
+	TS_TRY(ts_image_body_distances(sim, n, (const double(*)[3])s->place, s->spacing, s->distance));
 	for (int pass = 0; pass < 2; pass++) {
 		size = ts_image_arrow_size(&s->style, largest, s->spacing);
 		for (size_t k = 0; k < n; k++) {
@@ -408,8 +396,10 @@ enum ts_status ts_image_add_slices(struct ts_instance *self, struct tsim *sim)
 		if (add_triangles(&d->scene, &d->slice[n]) != TS_OK)
 			return ts_nomem(&sim->error);
 	}
-	for (size_t n = 0; n < d->nslices; n++) /* they use the memory of the corners */
+	for (size_t n = 0; n < d->nslices; n++) { /* they use the memory of the corners */
 		TS_TRY(add_arrows(&d->scene, sim, &d->slice[n], fluid));
+		TS_TRY(ts_image_add_streams(&d->scene, sim, &d->slice[n], fluid));
+	}
 	return TS_OK;
 }
 

@@ -14,6 +14,7 @@ struct ts_image_slice {
 	const char *body; /* colour inside of bodies, or "none" */
 	struct ts_colour body_colour;
 	double spacing; /* of arrows of the velocity, length; NaN: none */
+	double streams; /* distance of streamlines, length; NaN: none */
 	struct ts_image_arrow_style style;
 	struct ts_flow_sampler sampler;
 	struct ts_word word; /* of the sampler */

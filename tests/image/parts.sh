@@ -54,6 +54,16 @@ is 'factor: end of 0.9' f.ppm 36 19 '0 255 0'
 is 'factor: beyond its end' f.ppm 40 19 '0 0 0'
 near 'a variable place' g.ppm 60 149 '64 64 64'
 
+prints "$couette
+write_dump all image a.ppm type type $above slice z 5 none streams 2 color lime width 0.2 modify $flat
+write_dump all image b.ppm type type $above slice z 5 none streams 0.5 color lime modify $flat"
+is 'a streamline' a.ppm 150 19 '0 255 0'
+is 'the next one' a.ppm 150 59 '0 255 0'
+is 'nothing between' a.ppm 150 39 '0 0 0'
+is 'its head' a.ppm 22 21 '0 255 0'
+rejects "$couette
+write_dump all image a.png type type slice z 5 none streams 1e-4" 'streamlines 0.0001 apart'
+
 # a body: its colour inside, with a sharp edge, or nothing; no arrows in it; at a periodic face both parts
 prints "${couette/cylinder z 4 5 2/cylinder z 9 5 2}
 fix rod all immersed/boundary region rod velocity 0.5 0 0 min_cells 3
