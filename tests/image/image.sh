@@ -175,6 +175,24 @@ run 10"
 		[ "$(wc -c <film.raw)" = $((3 * frames * width * height)) ]
 		report "$file has $(wc -c <film.raw) bytes" $?
 	done
+
+	# after a restart the first movie is kept, and the frames that follow are in a second one
+	prints "$base
+fix 1 all nve/sphere
+timestep 1e-3
+dump 1 all movie 5 film.mp4 type diameter size 64 48
+run 20
+write_restart film.restart"
+	cp film.mp4 first.mp4
+	prints 'read_restart film.restart
+fix 1 all nve/sphere
+timestep 1e-3
+dump 1 all movie 5 film.mp4 type diameter size 64 48
+run 10' "*goes on from this restart file in 'film.25.mp4'"
+	same 'the first movie' first.mp4 film.mp4
+	ffmpeg -loglevel error -y -i film.25.mp4 -pix_fmt rgb24 -f rawvideo -vsync 0 film.raw </dev/null
+	[ "$(wc -c <film.raw)" = $((3 * 2 * 64 * 48)) ]
+	report "the second movie has $(wc -c <film.raw) bytes" $?
 fi
 rejects "$base
 dump 1 all movie 1 film.txt type type" 'must end in .mp4'
