@@ -713,6 +713,8 @@ library_sources = \
 	src/insert/insertion.c \
 	src/insert/insertion.h \
 	src/insert/insertion_make.c \
+	src/insert/insertion_meshes.c \
+	src/insert/insertion_meshes.h \
 	src/insert/insertion_rate.c \
 	src/insert/insertion_rate.h \
 	src/insert/insertion_region.c \

@@ -134,6 +134,7 @@ shell_tests = \
 	tests/impact/exact_impacts.sh \
 	tests/impact/exact_observers.sh \
 	tests/impact/exact_rough.sh \
+	tests/insert/avoid_meshes.sh \
 	tests/insert/clump_stream.sh \
 	tests/insert/insertion.sh \
 	tests/insert/jet.sh \

@@ -73,6 +73,7 @@ static const struct ts_arg args[] = {
 	TS_WORD("insert_every", struct state, base.every_word,
 		.help = "steps between insertions, or once: only in the step after the definition"),
 	TS_INSERTION_REGION_ARGS(struct state),
+	TS_INSERTION_AVOID_ARG(struct state),
 	TS_INT("particles_in_region", struct state, number, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
 	       .help = "target: number of particles in the region"),
 	TS_REAL("volumefraction_region", struct state, fraction, .flags = TS_OPTIONAL, .range = TS_WITHIN,
@@ -101,7 +102,9 @@ const struct ts_style ts_fix_insert_pack = {
 	       "mixture and the template, and are subject to forces from this step on.\n\n"
 	       "The random streams are those of LIGGGHTS 3.8: a script gives the same particles at the same "
 	       "positions. With all_in yes and a union of regions, a particle must lie completely in one "
-	       "member of the union, even if members share a surface.",
+	       "member of the union, even if members share a surface. Walls are not looked at, so that a "
+	       "particle that is inserted where a thin solid of triangles is, as the flight of a screw, "
+	       "stays inside of it; avoid_meshes prevents this.",
 	.example = "fix fill all insert/pack seed 32452867 distributiontemplate mix insert_every once "
 		   "overlapcheck yes all_in yes vel constant 0 0 -0.5 region bed volumefraction_region 0.3",
 	.args = args,

@@ -53,6 +53,7 @@ static const struct ts_arg args[] = {
 	TS_INSERTION_RATE_ARGS(struct state),
 	TS_WORD("insert_every", struct state, base.every_word, .help = "steps between insertions"),
 	TS_INSERTION_REGION_ARGS(struct state),
+	TS_INSERTION_AVOID_ARG(struct state),
 	TS_ARGS_END,
 };
 

@@ -3,6 +3,7 @@
 #include <inttypes.h>
 
 #include "box/domain.h"
+#include "insert/insertion_meshes.h"
 #include "particle/particles.h"
 #include "particle/sphere_shape.h"
 
@@ -120,6 +121,10 @@ enum ts_status ts_insertion_region_init(struct ts_instance *self, struct tsim *s
 	bool first;
 
 	TS_TRY(ts_insertion_init(self, sim, &first));
+	if (s->avoid.n && !s->base.overlapcheck)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "avoid_meshes"),
+			       "fix %s: avoid_meshes needs overlapcheck yes", self->style->name);
+	TS_TRY(ts_insertion_meshes_check(sim, &s->avoid));
 	if (!first)
 		return TS_OK;
 	TS_TRY(ts_region_update(s->region, sim));
@@ -154,6 +159,7 @@ struct search {
 	const struct ts_box *box;
 	double lo[3], hi[3]; /* box in which points are drawn */
 	struct ts_spherehash occupied;
+	struct ts_insertion_meshes meshes;
 	int64_t tries, most_tries;
 	int64_t patience; /* limit of `tries` after a request to stop; 0: no request */
 };
@@ -211,6 +217,7 @@ static enum ts_status place_particle(struct ts_instance *self, struct tsim *sim,
 				     struct ts_new_particle *one)
 {
 	struct ts_insertion_region *s = self->state;
+	bool touches = false;
 
 	while (!one->placed && search->tries < search->most_tries) {
 		TS_TRY(check_stop_request(self, sim, search));
@@ -223,6 +230,10 @@ static enum ts_status place_particle(struct ts_instance *self, struct tsim *sim,
 			return TS_OK;
 		draw_motion(&s->base, one);
 		one->placed = !ts_insertion_overlaps(sim, &search->occupied, one);
+		if (one->placed && search->meshes.n)
+			TS_TRY(ts_insertion_meshes_touch(&search->meshes, sim, one->x, one->radius,
+							 &touches));
+		one->placed = one->placed && !touches;
 	}
 	return one->placed ? ts_insertion_hash_add(sim, &search->occupied, one) : TS_OK;
 }
@@ -251,10 +262,13 @@ static enum ts_status place_particles(struct ts_instance *self, struct tsim *sim
 	}
 	if (s->base.overlapcheck)
 		status = ts_insertion_hash_particles(sim, &search.occupied);
+	if (status == TS_OK && s->avoid.n)
+		status = ts_insertion_meshes_start(&search.meshes, sim, &s->avoid);
 	for (size_t k = 0; status == TS_OK && k < s->base.list.n; k++)
 		status = (s->base.overlapcheck ? place_particle : place_unchecked)(self, sim, &search,
 										   &s->base.list.item[k]);
 	ts_spherehash_release(&search.occupied);
+	ts_insertion_meshes_release(&search.meshes);
 	return status;
 }
 

@@ -12,7 +12,8 @@ struct ts_insertion_region {
 	struct ts_instance *region;
 	int64_t ntry_mc; /* random points for the volume */
 	bool check_border, warn_region;
-	double volume; /* of the region, by Monte Carlo integration; saved */
+	struct ts_words avoid; /* IDs of meshes that particles must not touch */
+	double volume;	       /* of the region, by Monte Carlo integration; saved */
 };
 #define TS_INSERTION_REGION_SAVED(T) TS_INSERTION_SAVED(T), TS_SAVE_F64(T, place.volume)
 #define TS_INSERTION_REGION_ARGS(T)                                                                         \
@@ -26,6 +27,11 @@ struct ts_insertion_region {
 				"at least its radius"),                                                     \
 		TS_BOOL("warn_region", T, place.warn_region, .fallback = "yes",                             \
 			.help = "no effect: a region that does not fit is an error")
+/* For the fixes that check overlaps. */
+#define TS_INSERTION_AVOID_ARG(T)                                                                        \
+	TS_SOME_KEYWORD("avoid_meshes", T, place.avoid, 0,                                               \
+			.help = "IDs of meshes: inserted particles must not touch their triangles, nor " \
+				"clumps with the sphere around them")
 
 enum ts_status ts_insertion_region_init(struct ts_instance *self, struct tsim *sim);
 /* Content of the region before an insertion: particles whose centres lie in it. */

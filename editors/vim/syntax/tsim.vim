@@ -119,11 +119,11 @@ syn keyword tsimKeyword  spheres distributiontemplate maxattempt overlapcheck st
 syn keyword tsimKeyword  orientation set_property verbose all_in position direction
 syn keyword tsimKeyword  inner_diameter nparticles particlerate massrate insert_every
 syn keyword tsimKeyword  random_distribute uncorrelated compress_tags ntry_mc
-syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
-syn keyword tsimKeyword  volumefraction_region mass_in_region max_rounds insertion_face
-syn keyword tsimKeyword  extrude_length duration law rubinow oesterle saffman mei viscosity
-syn keyword tsimKeyword  inner outer walls vec_side multiple point_at_outlet inside_out
-syn keyword tsimKeyword  writeTime
+syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region avoid_meshes
+syn keyword tsimKeyword  particles_in_region volumefraction_region mass_in_region
+syn keyword tsimKeyword  max_rounds insertion_face extrude_length duration law rubinow
+syn keyword tsimKeyword  oesterle saffman mei viscosity inner outer walls vec_side multiple
+syn keyword tsimKeyword  point_at_outlet inside_out writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
 syn keyword tsimKeyword  interval sum_property temperature element_exclusion_list precision
 syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
