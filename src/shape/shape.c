@@ -45,7 +45,7 @@ static int choose_segments(const struct ts_shape_sizes *s, double radius)
 		n = 4 * ceil(fmax(n, 8) / 4);
 	}
 	if (!isnan(s->size))
-		n = fmax(n, ceil(2 * TS_PI * radius / s->size));
+		n = fmax(n, 4 * ceil(2 * TS_PI * radius / s->size / 4));
 	return n < INT32_MAX ? (int)n : INT32_MAX;
 }
 

@@ -146,15 +146,35 @@ double ts_shape_revolve_radius(const struct ts_shape_sizes *s)
 	return most;
 }
 
-/* Whether a line that is closed, or that is completed by lines to the axis, is traced clockwise: then its normals
- * would point inwards. */
-static bool is_clockwise(const double (*p)[2], size_t n)
+/* Whether the volume that a line encloses, if it is closed or completed by lines to the axis, is negative: pi times the
+ * integral of r^2 dz. Then its normals would point inwards. */
+static bool is_reversed(const double (*p)[2], size_t n)
 {
-	double area = 0;
+	double volume = 0;
 
 	for (size_t k = 0; k + 1 < n; k++)
-		area += (p[k][0] + p[k + 1][0]) / 2 * (p[k + 1][1] - p[k][1]);
-	return area < 0;
+		volume += (p[k][0] * p[k][0] + p[k][0] * p[k + 1][0] + p[k + 1][0] * p[k + 1][0]) *
+			  (p[k + 1][1] - p[k][1]);
+	return volume < 0;
+}
+
+/* Twice the area of the triangle a b c, > 0 if anticlockwise. */
+static double side_of(const double a[2], const double b[2], const double c[2])
+{
+	return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/* Refuses lines that cross themselves, which enclose no volume. */
+static void check_crossings(struct ts_facets *f, const double (*p)[2], size_t n)
+{
+	for (size_t i = 0; i + 1 < n; i++)
+		for (size_t j = i + 2; j + 1 < n && f->status == TS_OK; j++)
+			if (side_of(p[i], p[i + 1], p[j]) * side_of(p[i], p[i + 1], p[j + 1]) < 0 &&
+			    side_of(p[j], p[j + 1], p[i]) * side_of(p[j], p[j + 1], p[i + 1]) < 0)
+				ts_facets_fail(f, TS_RANGE,
+					       "%s: the line crosses itself between points %zu and %zu, and "
+					       "%zu and %zu",
+					       f->name, i + 1, i + 2, j + 1, j + 2);
 }
 
 void ts_shape_revolve(struct ts_facets *f, const struct ts_shape_sizes *s)
@@ -173,8 +193,9 @@ void ts_shape_revolve(struct ts_facets *f, const struct ts_shape_sizes *s)
 			ts_facets_fail(f, TS_RANGE,
 				       "%s: points %zu and %zu are the same, or both on the axis", f->name,
 				       k + 1, k + 2);
+	check_crossings(f, (const double(*)[2])p, w->n / 2);
 	if (f->status == TS_OK) {
-		f->reversed = is_clockwise((const double(*)[2])p, w->n / 2);
+		f->reversed = is_reversed((const double(*)[2])p, w->n / 2);
 		ts_lathe(f, (const double(*)[2])p, w->n / 2);
 		f->reversed = false;
 	}

@@ -388,6 +388,7 @@ static const struct refusal {
 	{ "revolve -1 0 1 1", "pairs of numbers" },
 	{ "revolve 1 0 1 0", "are the same" },
 	{ "revolve 1 0 x 1", "pairs of numbers" },
+	{ "revolve 0 0 1 1 1 0 0 1", "crosses itself between points 1 and 2, and 3 and 4" },
 	{ "hopper radius 1 outlet 1.5 half_angle 30", "not narrower" },
 	{ "hopper radius 1 outlet 0.5 half_angle 0", "straight bin" },
 	{ "wedge width 1 outlet 1 depth 1 half_angle 30", "not narrower" },
