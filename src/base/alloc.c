@@ -126,6 +126,23 @@ enum ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size)
 	return TS_OK;
 }
 
+enum ts_status ts_grow_text(char **text, size_t *capacity, size_t need)
+{
+	size_t bigger = *capacity * 2 > need ? *capacity * 2 : need;
+	char *p;
+
+	if (need <= *capacity)
+		return TS_OK;
+	p = must_fail() ? NULL : realloc(*text, bigger);
+	if (!p)
+		return TS_NOMEM;
+	if (!*text)
+		atomic_fetch_add_explicit(&live_blocks, 1, memory_order_relaxed);
+	*text = p;
+	*capacity = bigger;
+	return TS_OK;
+}
+
 enum ts_status ts_renew(void **array, size_t *capacity, size_t need, size_t size)
 {
 	size_t bigger = need + need / 16 + 8;

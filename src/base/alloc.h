@@ -23,7 +23,11 @@ void ts_free(void *p);
 enum ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size);
 #define TS_GROW(array, capacity, need) ts_grow((void **)&(array), &(capacity), (need), sizeof *(array))
 
-/* The same, but the contents are lost, and little more memory than needed is allocated. */
+/* The same for text, whose new bytes are not set: a large text is not copied, and takes only the memory of what has
+ * been written to it. */
+enum ts_status ts_grow_text(char **text, size_t *capacity, size_t need);
+
+/* As ts_grow, but the contents are lost, and little more memory than needed is allocated. */
 enum ts_status ts_renew(void **array, size_t *capacity, size_t need, size_t size);
 #define TS_RENEW(array, capacity, need) ts_renew((void **)&(array), &(capacity), (need), sizeof *(array))
 

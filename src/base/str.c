@@ -10,7 +10,7 @@
 
 void ts_str_add_n(struct ts_str *s, const char *text, size_t n)
 {
-	if (s->failed || ts_grow((void **)&s->text, &s->capacity, s->length + n + 1, 1) != TS_OK) {
+	if (s->failed || ts_grow_text(&s->text, &s->capacity, s->length + n + 1) != TS_OK) {
 		s->failed = true;
 		return;
 	}
@@ -32,8 +32,7 @@ void ts_str_vaddf(struct ts_str *s, const char *format, va_list args)
 	va_copy(again, args);
 	n = vsnprintf(NULL, 0, format, again);
 	va_end(again);
-	if (n < 0 || s->failed ||
-	    ts_grow((void **)&s->text, &s->capacity, s->length + (size_t)n + 1, 1) != TS_OK) {
+	if (n < 0 || s->failed || ts_grow_text(&s->text, &s->capacity, s->length + (size_t)n + 1) != TS_OK) {
 		s->failed = true;
 		return;
 	}

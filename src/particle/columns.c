@@ -36,7 +36,8 @@ static enum ts_status reallocate_column(struct tsim *sim, struct ts_column *c, s
 enum ts_status ts_particles_reserve(struct tsim *sim, size_t rows)
 {
 	struct ts_particles *p = sim->particles;
-	size_t capacity = rows > 2 * p->capacity ? rows : 2 * p->capacity;
+	/* by a quarter: columns take about 200 bytes a particle, and most runs need room for a few ghosts only */
+	size_t more = p->capacity + p->capacity / 4, capacity = rows > more ? rows : more;
 
 	if (rows <= p->capacity)
 		return TS_OK;
