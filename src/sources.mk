@@ -404,6 +404,7 @@ library_sources = \
 	src/dump/dump_columns.c \
 	src/dump/dump_custom.c \
 	src/dump/dump_custom_vtk.c \
+	src/dump/dump_h5md.c \
 	src/dump/dump_local.c \
 	src/dump/dump_local_gran_vtk.c \
 	src/dump/dump_local_vtk.c \
@@ -747,6 +748,10 @@ library_sources = \
 	src/io/decimal.h \
 	src/io/format.c \
 	src/io/format.h \
+	src/io/h5file.c \
+	src/io/h5file.h \
+	src/io/h5md.c \
+	src/io/h5md.h \
 	src/io/lines.c \
 	src/io/lines.h \
 	src/io/movie.c \

@@ -79,6 +79,7 @@ shell_tests = \
 	tests/crosscheck/words_lammps.sh \
 	tests/dump/dump_words.sh \
 	tests/dump/dumps.sh \
+	tests/dump/h5md.sh \
 	tests/dump/vtk.sh \
 	tests/dump/vtk_formats.sh \
 	tests/dump/vtk_surfaces.sh \

@@ -195,6 +195,7 @@ TS_STYLE(dump, ts_style, ts_dump_custom)
 TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
 TS_STYLE(dump, ts_style, ts_dump_euler_vtk)
 TS_STYLE(dump, ts_style, ts_dump_flow_vtk)
+TS_STYLE(dump, ts_style, ts_dump_h5md)
 TS_STYLE(dump, ts_style, ts_dump_image)
 TS_STYLE(dump, ts_style, ts_dump_local)
 TS_STYLE(dump, ts_style, ts_dump_local_gran_vtk)
@@ -538,6 +539,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_custom_vtk,
 	&ts_dump_euler_vtk,
 	&ts_dump_flow_vtk,
+	&ts_dump_h5md,
 	&ts_dump_image,
 	&ts_dump_local,
 	&ts_dump_local_gran_vtk,

@@ -257,7 +257,7 @@ syn keyword tsim_region contained prism sphere union wedge
 hi def link tsim_region Type
 syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
 syn keyword tsim_dump contained atom automaton/png automaton/vtk custom custom/vtk euler/vtk
-syn keyword tsim_dump contained flow/vtk image local local/gran/vtk local/vtk mesh/stl stl
+syn keyword tsim_dump contained flow/vtk h5md image local local/gran/vtk local/vtk mesh/stl stl
 syn keyword tsim_dump contained mesh/vtk mesh/gran/VTK movie
 syn match tsim_dump /\<restart\>/ contained
 syn keyword tsim_dump contained voxel/vtk xyz
