@@ -26,9 +26,8 @@ size_t ts_plot_colour_of(const struct ts_plot *plot, size_t series)
 	return (own > 0 ? (size_t)own - 1 : series) % TS_PLOT_COLOURS;
 }
 
-size_t ts_plot_marker_of(const struct ts_plot *plot, size_t series)
+size_t ts_plot_marker_of(size_t series)
 {
-	(void)plot;
 	return series % TS_PLOT_MARKERS;
 }
 

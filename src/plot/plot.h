@@ -70,7 +70,7 @@ enum { TS_PLOT_CROWD = 1000 };
 unsigned ts_plot_colour(size_t k, bool dark);
 /* Colour and marker of a series, from 0. */
 size_t ts_plot_colour_of(const struct ts_plot *plot, size_t series);
-size_t ts_plot_marker_of(const struct ts_plot *plot, size_t series);
+size_t ts_plot_marker_of(size_t series);
 /* Whether lines and points are drawn. */
 bool ts_plot_has_line(const struct ts_plot_series *s);
 bool ts_plot_has_points(const struct ts_plot_series *s);

@@ -113,7 +113,7 @@ static enum ts_status draw_series(struct ts_plot_canvas *c, const struct ts_plot
 				  const struct ts_plot *plot, size_t k, struct ts_plot_trace *t)
 {
 	const struct ts_plot_series *s = &plot->series[k];
-	const size_t colour = ts_plot_colour_of(plot, k), marker = ts_plot_marker_of(plot, k);
+	const size_t colour = ts_plot_colour_of(plot, k), marker = ts_plot_marker_of(k);
 
 	if (ts_plot_has_line(s)) {
 		TS_TRY(ts_plot_trace_line(t, l, s));
@@ -167,7 +167,7 @@ static void draw_legend(struct ts_plot_canvas *c, const struct ts_plot_layout *l
 		}
 		if (ts_plot_has_points(s))
 			c->markers(c, (struct ts_plot_vertex[]){ { .x = x + 10, .y = y } }, 1,
-				   ts_plot_marker_of(plot, k), colour);
+				   ts_plot_marker_of(k), colour);
 		c->text(c, x + TS_PLOT_SAMPLE, l->entry[k].y, TS_PLOT_START, TS_PLOT_NORMAL, s->name,
 			strlen(s->name));
 	}

@@ -197,23 +197,41 @@ static void text(struct ts_plot_canvas *c, double x, double y, enum ts_plot_alig
 
 /* ---- picture */
 
+static void add_colours(struct ts_str *out, bool dark)
+{
+	for (size_t k = 0; k < TS_PLOT_COLOURS; k++)
+		ts_str_addf(out, ".ts-plot .c%zu{color:#%06x}", k + 1, ts_plot_colour(k, dark));
+}
+
 static void add_style(struct ts_str *out)
 {
-	/* clang-format off */
-	ts_str_add(out, "<style>.ts-plot{color:#222;font:13px system-ui,sans-serif;fill:currentColor}.ts-plot "
-			".ground{fill:#fff}.ts-plot .t{font-weight:bold}.ts-plot "
-			".m{text-anchor:middle}.ts-plot .e{text-anchor:end}.ts-plot "
-			".small{font-size:11px}.ts-plot "
-			"path{fill:none;stroke:currentColor;stroke-width:1.5;stroke-linecap:round;stroke-linejoin:round}.ts-plot .grid{stroke-width:.6;opacity:.25}.ts-plot .minor{stroke-width:.6;opacity:.1}.ts-plot .frame{stroke-width:1;opacity:.6}.ts-plot .mark{stroke-width:1;stroke-dasharray:5 4;opacity:.6}.ts-plot .thin{stroke-width:.6}.ts-plot .bar{stroke-width:1}.ts-plot .dot{stroke-width:5.5}.ts-plot .fine{stroke-width:2}.ts-plot .solid{fill:currentColor;stroke-width:1}");
-	/* clang-format on */
-	for (int dark = 0; dark < 2; dark++) {
-		if (dark)
-			ts_str_add(out, "@media screen and "
-					"(prefers-color-scheme:dark){.ts-plot{color:#ddd}.ts-plot "
-					".ground{fill:#16181c}");
-		for (size_t k = 0; k < TS_PLOT_COLOURS; k++)
-			ts_str_addf(out, ".ts-plot .c%zu{color:#%06x}", k + 1, ts_plot_colour(k, dark));
-	}
+	static const char *const rules[] = {
+		"{color:#222;font:13px system-ui,sans-serif;fill:currentColor}",
+		" .ground{fill:#fff}",
+		" .t{font-weight:bold}",
+		" .m{text-anchor:middle}",
+		" .e{text-anchor:end}",
+		" .small{font-size:11px}",
+		" path{fill:none;stroke:currentColor;stroke-width:1.5}",
+		" path{stroke-linecap:round;stroke-linejoin:round}",
+		" .grid{stroke-width:.6;opacity:.25}",
+		" .minor{stroke-width:.6;opacity:.1}",
+		" .frame{stroke-width:1;opacity:.6}",
+		" .mark{stroke-width:1;stroke-dasharray:5 4;opacity:.6}",
+		" .thin{stroke-width:.6}",
+		" .bar{stroke-width:1}",
+		" .dot{stroke-width:5.5}",
+		" .fine{stroke-width:2}",
+		" .solid{fill:currentColor;stroke-width:1}",
+	};
+
+	ts_str_add(out, "<style>");
+	for (size_t k = 0; k < sizeof rules / sizeof *rules; k++)
+		ts_str_addf(out, ".ts-plot%s", rules[k]);
+	add_colours(out, false);
+	ts_str_add(out, "@media screen and (prefers-color-scheme:dark){");
+	ts_str_add(out, ".ts-plot{color:#ddd}.ts-plot .ground{fill:#16181c}");
+	add_colours(out, true);
 	ts_str_add(out, "}</style>\n");
 }
 

@@ -58,7 +58,8 @@ static int refuse_conflicts(const struct ts_setup *setup)
 	return other ? ts_program_usage_error("-plot and %s cannot be given together%s", other, "") : 0;
 }
 
-static bool is_mark_of_option(const char *text)
+/* The options that the list of words has. */
+static bool begins_words(const char *text)
 {
 	return ts_streq(text, "-plot") || ts_streq(text, "-x") || ts_streq(text, "-style");
 }
@@ -82,7 +83,7 @@ static int read_sources(const struct ts_word_list *list, struct ts_view_source *
 							      "");
 			source[*n] =
 				(struct ts_view_source){ .path = value, .columns = { &list->word[k], 0 } };
-			for (; k < list->n && !is_mark_of_option(list->word[k].text); k++)
+			for (; k < list->n && !begins_words(list->word[k].text); k++)
 				source[*n].columns.n++;
 			++*n;
 		} else if (ts_streq(option, "-x")) {

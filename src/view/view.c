@@ -183,9 +183,9 @@ static enum ts_status name_series(struct picture *p, struct ts_view_curve *c, bo
 	struct ts_str text = { 0 };
 
 	ts_str_addf(&text, "%s%s%s", many ? c->column : "", many && *c->name ? ", " : "", c->name);
-	c->series.name = ts_arena_strdup(&p->data->arena, ts_str_text(&text));
-	text.failed |= !c->series.name;
-	return ts_str_release(&text), text.failed || !c->series.name ? ts_nomem(&p->data->sim->error) : TS_OK;
+	c->series.name = text.failed ? NULL : ts_arena_strdup(&p->data->arena, ts_str_text(&text));
+	ts_str_release(&text);
+	return c->series.name ? TS_OK : ts_nomem(&p->data->sim->error);
 }
 
 /* Fills a plot with the curves from index `from` on. */
@@ -323,7 +323,6 @@ enum ts_status ts_view(struct tsim *sim, const struct ts_view_input *in, struct 
 
 void ts_view_help(struct ts_str *out)
 {
-	/* clang-format off */
 	ts_str_add(out,
 		   "  tsim -plot FILE                                list of all columns, with their course\n"
 		   "  tsim -plot FILE COLUMN ... [-x COLUMN]         on the terminal\n"
@@ -339,5 +338,4 @@ void ts_view_help(struct ts_str *out)
 		   "ave/chunk,\n"
 		   "  ave/correlate or print, a table of -sweep, or any table of numbers. doc/plots.md says "
 		   "more.\n");
-	/* clang-format on */
 }
