@@ -119,14 +119,20 @@ library_sources = \
 	src/base/words.h \
 	src/bed/component.c \
 	src/bed/component.h \
+	src/bed/compute_bed_height.c \
 	src/bed/compute_mixing.c \
 	src/bed/compute_mixing_contact.c \
 	src/bed/compute_mixing_gmmi.c \
 	src/bed/compute_mixing_neighbor.c \
+	src/bed/compute_repose_angle.c \
+	src/bed/heap_surface.c \
+	src/bed/heap_surface.h \
 	src/bed/mixing_samples.c \
 	src/bed/mixing_samples.h \
 	src/bed/nearest.c \
 	src/bed/nearest.h \
+	src/bed/robust_fit.c \
+	src/bed/robust_fit.h \
 	src/bond/bond_arguments.c \
 	src/bond/bond_arguments.h \
 	src/bond/bond_beam.c \

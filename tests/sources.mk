@@ -9,6 +9,7 @@ shell_tests = \
 	tests/average/granular_temperature.sh \
 	tests/bed/mixing.sh \
 	tests/bed/mixing_neighbors.sh \
+	tests/bed/repose.sh \
 	tests/bench/charts.sh \
 	tests/bench/race.sh \
 	tests/bond/bpm.sh \

@@ -116,6 +116,7 @@ TS_STYLE(compute, ts_style, ts_compute_active_pml)
 TS_STYLE(compute, ts_style, ts_compute_aggregate_atom)
 TS_STYLE(compute, ts_style, ts_compute_angmom_chunk)
 TS_STYLE(compute, ts_style, ts_compute_automaton_profile)
+TS_STYLE(compute, ts_style, ts_compute_bed_height)
 TS_STYLE(compute, ts_style, ts_compute_bond_counter)
 TS_STYLE(compute, ts_style, ts_compute_bond_local)
 TS_STYLE(compute, ts_style, ts_compute_bonds)
@@ -175,6 +176,7 @@ TS_STYLE(compute, ts_style, ts_compute_rdf)
 TS_STYLE(compute, ts_style, ts_compute_reduce)
 TS_STYLE(compute, ts_style, ts_compute_reduce_chunk)
 TS_STYLE(compute, ts_style, ts_compute_reduce_region)
+TS_STYLE(compute, ts_style, ts_compute_repose_angle)
 TS_STYLE(compute, ts_style, ts_compute_slice)
 TS_STYLE(compute, ts_style, ts_compute_squeeze_atom)
 TS_STYLE(compute, ts_style, ts_compute_stress_atom)
@@ -460,6 +462,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_aggregate_atom,
 	&ts_compute_angmom_chunk,
 	&ts_compute_automaton_profile,
+	&ts_compute_bed_height,
 	&ts_compute_bond_counter,
 	&ts_compute_bond_local,
 	&ts_compute_bonds,
@@ -519,6 +522,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_reduce,
 	&ts_compute_reduce_chunk,
 	&ts_compute_reduce_region,
+	&ts_compute_repose_angle,
 	&ts_compute_slice,
 	&ts_compute_squeeze_atom,
 	&ts_compute_stress_atom,
