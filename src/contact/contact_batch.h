@@ -204,13 +204,15 @@ TS_INLINE void ts_batch_begin_contacts(const struct ts_contact_list *list, struc
 	const struct ts_active_pair *active = list->active + block->first;
 
 	for (size_t from = block->touching; from < block->n; from += TS_BATCH) {
-		size_t n = block->n - from < TS_BATCH ? block->n - from : TS_BATCH;
+		size_t n = block->n - from < TS_BATCH ? block->n - from : TS_BATCH, k = 0;
 		union {
 			ts_four_marks four[TS_BATCH / 4];
 			long long one[TS_BATCH];
 		} touch;
 
-		for (size_t k = 0; k < n; k += 4)
+		for (; k + 4 <= n; k += 4)
+			ts_batch_find_touching(list, active + from + k, 4, &touch.four[k / 4]);
+		if (k < n)
 			ts_batch_find_touching(list, active + from + k, n - k, &touch.four[k / 4]);
 		for (uint64_t bits = ts_batch_bits(touch.one, n); bits; bits &= bits - 1)
 			ts_contact_begin(list, block, from + (size_t)__builtin_ctzll(bits));
