@@ -275,6 +275,7 @@ unit_tests = \
 	tests/impact/check_impact_event \
 	tests/insert/check_insertion \
 	tests/io/check_csv \
+	tests/io/check_h5file \
 	tests/io/check_io \
 	tests/io/check_movie \
 	tests/kinetic/check_granular_couette \
@@ -529,6 +530,10 @@ tests_insert_check_insertion_LDADD = $(tests_ldadd)
 tests_io_check_csv_SOURCES = tests/io/check_csv.c
 tests_io_check_csv_CFLAGS = $(tests_cflags)
 tests_io_check_csv_LDADD = $(tests_ldadd)
+
+tests_io_check_h5file_SOURCES = tests/io/check_h5file.c
+tests_io_check_h5file_CFLAGS = $(tests_cflags)
+tests_io_check_h5file_LDADD = $(tests_ldadd)
 
 tests_io_check_io_SOURCES = tests/io/check_io.c
 tests_io_check_io_CFLAGS = $(tests_cflags)

@@ -6,6 +6,7 @@
 
 #ifdef TS_WITH_HDF5
 #include <hdf5.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 
