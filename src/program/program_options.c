@@ -459,8 +459,7 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 			return unknown_option(text);
 		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_ADVISE || id == OPT_FULL ||
 			   id == OPT_CROSSCHECK || id == OPT_SANDBOX || id == OPT_PLOT || id == OPT_MARK ||
-			   id == OPT_REPORT ||
-			   (id >= OPT_SWEEP && id <= OPT_REPLICATE);
+			   id == OPT_REPORT || (id >= OPT_SWEEP && id <= OPT_REPLICATE);
 		while (k + n < argc && !is_option(argv[k + n]) && (variadic || n < options[id].least))
 			n++;
 		if (n < options[id].least)

@@ -74,7 +74,7 @@ syn keyword tsimKeyword  arithmetic sixthpower universe grid part numa add nocoe
 syn keyword tsimKeyword  extra/atom/types extra/bond/types extra/angle/types
 syn keyword tsimKeyword  extra/dihedral/types extra/improper/types
 syn match tsimKeyword /\<fix\>/ 
-syn keyword tsimKeyword  replace trim purge bbox last skip stop
+syn keyword tsimKeyword  replace trim purge bbox title renew picture last skip stop
 syn match tsimKeyword /\<dump\>/ 
 syn keyword tsimKeyword  post warn upto pre unsafe diameter density density/disc
 syn match tsimKeyword /\<mass\>/ 
@@ -86,27 +86,28 @@ syn keyword tsimKeyword  getenv
 syn match tsimKeyword /\<timer\>/ 
 syn keyword tsimKeyword  internal atomfile equal vector create zero linear angular
 syn keyword tsimKeyword  angularIndividual sum dist gaussian mom rot local geom bias pair
-syn keyword tsimKeyword  ii ij nofix modify noinit threshold hardness discard default mixed
-syn keyword tsimKeyword  bound reduced nchunk limit ids nfreq between cells values
-syn keyword tsimKeyword  interpolation cubic solid_fraction amount load bumpiness
-syn keyword tsimKeyword  upper_wall_restitution upper_roughness upper_bumpiness friction
-syn keyword tsimKeyword  tangential packing theory lun garzo/dufty radial lun/savage
-syn keyword tsimKeyword  carnahan/starling torquato branch dense dilute points tolerance
-syn keyword tsimKeyword  shear_rate kspace tensor lacey kramer poole rsd intensity above
-syn keyword tsimKeyword  chunks weight number volume least particles contacts reference
-syn keyword tsimKeyword  neighbors com average property xcm vcm fcm torque quat angmom
-syn keyword tsimKeyword  masstotal inertia clumptype id_multisphere ex_space ey_space
-syn keyword tsimKeyword  ez_space bond/type region_count tracer reset_marker min max ave
-syn keyword tsimKeyword  sumsq avesq sumabs aveabs minabs maxabs inputs peratom
-syn keyword tsimKeyword  update_on_run_end winkler halfspace young poisson counter_young
-syn keyword tsimKeyword  counter_poisson iterations counter adof cdof mean linear/x
-syn keyword tsimKeyword  linear/y linear/z motion translation rotation unbiased primitives
-syn keyword tsimKeyword  colour u v movie voxel clip slice arrow view center up zoom persp
-syn keyword tsimKeyword  axes subbox shiny depthcue fsaa ssao legend reset coefficient
-syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
-syn keyword tsimKeyword  title1 title2 title3 auto auto/upper auto/lower full prefactor
-syn keyword tsimKeyword  scalar nevery cell_size_relative parallel basevolume_region kind
-syn keyword tsimKeyword  global beyond end extra level prob iparam jparam dim vmax
+syn keyword tsimKeyword  ii ij nofix modify noinit threshold hardness up column quantile
+syn keyword tsimKeyword  area discard default mixed bound reduced nchunk limit ids nfreq
+syn keyword tsimKeyword  between cells values interpolation cubic solid_fraction amount
+syn keyword tsimKeyword  load bumpiness upper_wall_restitution upper_roughness
+syn keyword tsimKeyword  upper_bumpiness friction tangential packing theory lun garzo/dufty
+syn keyword tsimKeyword  radial lun/savage carnahan/starling torquato branch dense dilute
+syn keyword tsimKeyword  points tolerance shear_rate kspace tensor lacey kramer poole rsd
+syn keyword tsimKeyword  intensity above chunks weight number volume least particles
+syn keyword tsimKeyword  contacts reference neighbors com average property xcm vcm fcm
+syn keyword tsimKeyword  torque quat angmom masstotal inertia clumptype id_multisphere
+syn keyword tsimKeyword  ex_space ey_space ez_space bond/type region_count tracer
+syn keyword tsimKeyword  reset_marker min max ave sumsq avesq sumabs aveabs minabs maxabs
+syn keyword tsimKeyword  inputs peratom update_on_run_end ridge plane center winkler
+syn keyword tsimKeyword  halfspace young poisson counter_young counter_poisson iterations
+syn keyword tsimKeyword  counter adof cdof mean linear/x linear/y linear/z motion
+syn keyword tsimKeyword  translation rotation unbiased primitives colour u v movie voxel
+syn keyword tsimKeyword  clip slice arrow view zoom persp axes subbox shiny depthcue fsaa
+syn keyword tsimKeyword  ssao legend reset coefficient fluid_acceleration two_way energy
+syn keyword tsimKeyword  sample running window overwrite title1 title2 title3 auto
+syn keyword tsimKeyword  auto/upper auto/lower full prefactor scalar nevery
+syn keyword tsimKeyword  cell_size_relative parallel basevolume_region kind global beyond
+syn keyword tsimKeyword  end extra level prob iparam jparam dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate wiggle
 syn keyword tsimKeyword  xy xz yz flip xyz scheme explicit implicit lagged void sound C1 C2
@@ -139,9 +140,9 @@ syn keyword tsimKeyword  by_dimension disc atom_type volume_limit relative nsphe
 syn keyword tsimKeyword  inertia_tensor use_volume use_density fflag tflag diam dens vol
 syn keyword tsimKeyword  rate
 syn match tsimKeyword /\<next\>/ 
-syn keyword tsimKeyword  molfrac rigid shake title ghost writedata add_region
-syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style dirac
-syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer peratomtype
+syn keyword tsimKeyword  molfrac rigid shake ghost writedata add_region check_region_every
+syn keyword tsimKeyword  region_mark mark_step marker_style dirac heaviside
+syn keyword tsimKeyword  check_mark_every insert_stream n_tracer peratomtype
 syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink delete_below
 syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple constant black
 syn keyword tsimKeyword  white formula correlation noise columns waves selfaffine hurst
@@ -170,11 +171,11 @@ syn keyword tsimKeyword  roelands ambient pressure_xlo pressure_xhi pressure_ylo
 syn keyword tsimKeyword  pressure_yhi floating closed cavitation half reynolds jfo
 syn keyword tsimKeyword  cavity_pressure transient stepped
 syn match tsimKeyword /\<run\>/ 
-syn keyword tsimKeyword  least_gap touching solid axisymmetric plane point span distance
-syn keyword tsimKeyword  profile potential anharmonic generic hertz/material dmt
-syn keyword tsimKeyword  mass_velocity viscoelastic tsuji coeff_restitution rolling
-syn keyword tsimKeyword  twisting heat unfinished preconditioner diagonal direct multigrid
-syn keyword tsimKeyword  side in out bounds angle0
+syn keyword tsimKeyword  least_gap touching solid axisymmetric point span distance profile
+syn keyword tsimKeyword  potential anharmonic generic hertz/material dmt mass_velocity
+syn keyword tsimKeyword  viscoelastic tsuji coeff_restitution rolling twisting heat
+syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid side in out
+syn keyword tsimKeyword  bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -195,7 +196,7 @@ syn keyword tsimName  true false on off
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|length\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
 " commands, at the start of a line
-syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|automaton_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|mesh_primitive\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|review\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|automaton_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|mesh_primitive\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|report\|rerun\|reset_timestep\|restart\|review\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
@@ -235,21 +236,21 @@ syn keyword tsim_fix contained wear/zhao/chang/contact
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained active/paml active/pi active/pml aggregate/atom angmom/chunk
-syn keyword tsim_compute contained automaton/profile bond/counter bond/local bonds chunk/atom
-syn keyword tsim_compute contained chunk/spread/atom cluster/atom com com/chunk contact/atom contacts
-syn keyword tsim_compute contained coord/atom count/type displace/atom erotate/multisphere
-syn keyword tsim_compute contained erotate/sphere erotate erotate/sphere/atom film film/atom
-syn keyword tsim_compute contained flow/flux flow/force flow/line flow/plane flow/probe fragment/atom
-syn keyword tsim_compute contained granular/couette granular/shear group/group gyration
-syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave
-syn keyword tsim_compute contained mixing mixing/contact mixing/gmmi mixing/neighbor msd msd/chunk
-syn keyword tsim_compute contained multisphere rigid multisphere/single nbond/atom neighbor/atom
-syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local
-syn keyword tsim_compute contained pair/gran/local/bond pair/local pe pe/atom pressure property/atom
-syn keyword tsim_compute contained property/chunk property/local rdf reduce reduce/chunk
-syn keyword tsim_compute contained reduce/region slice squeeze/atom stress/atom surface/contact temp
-syn keyword tsim_compute contained temp/chunk temp/com temp/granular temp/granular/chunk torque/chunk
-syn keyword tsim_compute contained vacf vcm/chunk wall/gran/local
+syn keyword tsim_compute contained automaton/profile bed/height bond/counter bond/local bonds
+syn keyword tsim_compute contained chunk/atom chunk/spread/atom cluster/atom com com/chunk
+syn keyword tsim_compute contained contact/atom contacts coord/atom count/type displace/atom
+syn keyword tsim_compute contained erotate/multisphere erotate/sphere erotate erotate/sphere/atom
+syn keyword tsim_compute contained film film/atom flow/flux flow/force flow/line flow/plane
+syn keyword tsim_compute contained flow/probe fragment/atom granular/couette granular/shear
+syn keyword tsim_compute contained group/group gyration gyration/chunk inertia/chunk ke ke/atom
+syn keyword tsim_compute contained ke/multisphere leave mixing mixing/contact mixing/gmmi
+syn keyword tsim_compute contained mixing/neighbor msd msd/chunk multisphere rigid multisphere/single
+syn keyword tsim_compute contained nbond/atom neighbor/atom nparticles/tracer/region omega/chunk
+syn keyword tsim_compute contained pair/gran/local pair/gran/local/bond pair/local pe pe/atom
+syn keyword tsim_compute contained pressure property/atom property/chunk property/local rdf reduce
+syn keyword tsim_compute contained reduce/chunk reduce/region repose/angle slice squeeze/atom
+syn keyword tsim_compute contained stress/atom surface/contact temp temp/chunk temp/com temp/granular
+syn keyword tsim_compute contained temp/granular/chunk torque/chunk vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane
