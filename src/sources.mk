@@ -120,6 +120,7 @@ library_sources = \
 	src/bed/component.c \
 	src/bed/component.h \
 	src/bed/compute_bed_height.c \
+	src/bed/compute_coordination.c \
 	src/bed/compute_mixing.c \
 	src/bed/compute_mixing_contact.c \
 	src/bed/compute_mixing_gmmi.c \

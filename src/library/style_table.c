@@ -128,6 +128,7 @@ TS_STYLE(compute, ts_style, ts_compute_com_chunk)
 TS_STYLE(compute, ts_style, ts_compute_contact_atom)
 TS_STYLE(compute, ts_style, ts_compute_contacts)
 TS_STYLE(compute, ts_style, ts_compute_coord_atom)
+TS_STYLE(compute, ts_style, ts_compute_coordination)
 TS_STYLE(compute, ts_style, ts_compute_count_type)
 TS_STYLE(compute, ts_style, ts_compute_displace_atom)
 TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
@@ -474,6 +475,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_contact_atom,
 	&ts_compute_contacts,
 	&ts_compute_coord_atom,
+	&ts_compute_coordination,
 	&ts_compute_count_type,
 	&ts_compute_displace_atom,
 	&ts_compute_erotate_multisphere,

@@ -238,12 +238,12 @@ syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVa
 syn keyword tsim_compute contained active/paml active/pi active/pml aggregate/atom angmom/chunk
 syn keyword tsim_compute contained automaton/profile bed/height bond/counter bond/local bonds
 syn keyword tsim_compute contained chunk/atom chunk/spread/atom cluster/atom com com/chunk
-syn keyword tsim_compute contained contact/atom contacts coord/atom count/type displace/atom
-syn keyword tsim_compute contained erotate/multisphere erotate/sphere erotate erotate/sphere/atom
-syn keyword tsim_compute contained film film/atom flow/flux flow/force flow/line flow/plane
-syn keyword tsim_compute contained flow/probe fragment/atom granular/couette granular/shear
-syn keyword tsim_compute contained group/group gyration gyration/chunk inertia/chunk ke ke/atom
-syn keyword tsim_compute contained ke/multisphere leave mixing mixing/contact mixing/gmmi
+syn keyword tsim_compute contained contact/atom contacts coord/atom coordination count/type
+syn keyword tsim_compute contained displace/atom erotate/multisphere erotate/sphere erotate
+syn keyword tsim_compute contained erotate/sphere/atom film film/atom flow/flux flow/force flow/line
+syn keyword tsim_compute contained flow/plane flow/probe fragment/atom granular/couette
+syn keyword tsim_compute contained granular/shear group/group gyration gyration/chunk inertia/chunk
+syn keyword tsim_compute contained ke ke/atom ke/multisphere leave mixing mixing/contact mixing/gmmi
 syn keyword tsim_compute contained mixing/neighbor msd msd/chunk multisphere rigid multisphere/single
 syn keyword tsim_compute contained nbond/atom neighbor/atom nparticles/tracer/region omega/chunk
 syn keyword tsim_compute contained pair/gran/local pair/gran/local/bond pair/local pe pe/atom
