@@ -801,6 +801,7 @@ library_sources = \
 	src/law/bond_element.h \
 	src/law/bond_local_damping.h \
 	src/law/bond_section.h \
+	src/law/bond_softening.h \
 	src/law/bpm_bond.h \
 	src/law/buoyancy.h \
 	src/law/capillary.h \

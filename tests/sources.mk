@@ -244,6 +244,7 @@ unit_tests = \
 	tests/bond/check_bpm \
 	tests/bond/check_element \
 	tests/bond/check_parallel \
+	tests/bond/check_soften \
 	tests/bond/check_yield \
 	tests/contact/check_cohesive_bonds \
 	tests/contact/check_contact_parts \
@@ -403,6 +404,10 @@ tests_bond_check_element_LDADD = $(tests_ldadd)
 tests_bond_check_parallel_SOURCES = tests/bond/check_parallel.c
 tests_bond_check_parallel_CFLAGS = $(tests_cflags)
 tests_bond_check_parallel_LDADD = $(tests_ldadd)
+
+tests_bond_check_soften_SOURCES = tests/bond/check_soften.c
+tests_bond_check_soften_CFLAGS = $(tests_cflags)
+tests_bond_check_soften_LDADD = $(tests_ldadd)
 
 tests_bond_check_yield_SOURCES = tests/bond/check_yield.c
 tests_bond_check_yield_CFLAGS = $(tests_cflags)

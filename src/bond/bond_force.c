@@ -10,6 +10,7 @@
 #include "box/domain.h"
 #include "core/report.h"
 #include "math/constants.h"
+#include "math/exactsum.h"
 #include "neigh/neigh.h"
 #include "particle/orientation.h"
 #include "particle/particles.h"
@@ -114,6 +115,30 @@ static bool any_type_damped(const struct ts_instance *self, const struct tsim *s
 	return any;
 }
 
+static bool any_type_softens(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_bond *bond = self->state;
+	const struct ts_bond_style *style = ts_bond_style_of(self);
+	bool any = false;
+
+	for (int type = 1; style->softens && type <= sim->bonds->ntypes; type++)
+		any |= bond->coeffs.given[type] && style->softens(ts_coeff(&bond->coeffs, (size_t)type));
+	return any;
+}
+
+/* The work that was lost in bonds that soften, in this step. */
+static double collect_lost(struct ts_bonds *b)
+{
+	struct ts_exactsum sum = ts_exactsum_start();
+
+	for (size_t k = 0; k < b->n; k++)
+		if (b->lost[k] > 0) {
+			ts_exactsum_add(&sum, b->lost[k]);
+			b->lost[k] = 0;
+		}
+	return ts_exactsum_value(&sum);
+}
+
 /* Computes all bonds; returns how many break, some counted twice. */
 static long compute_bonds(const struct ts_instance *self, const struct tsim *sim, struct ts_bond_task *t)
 {
@@ -134,15 +159,18 @@ enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 				  &sim->domain->box,
 				  any_type_damped(self, sim),
 				  sim->run.complete || sim->bonds->shown,
+				  sim->bonds->softens,
 				  sim->bonds->transmits ? ts_orientation(sim) : NULL };
+	long broken;
 
 	if (!sim->bonds->n)
 		return TS_OK;
 	if (sim->bonds->transmits)
-		TS_TRY(ts_bond_moments_fill(sim, t.moving));
-	if (!compute_bonds(self, sim, &t))
-		return TS_OK;
-	return ts_bonds_break(sim);
+		TS_TRY(ts_bond_moments_fill(sim, t.moving, t.softens));
+	broken = compute_bonds(self, sim, &t);
+	if (t.softens)
+		sim->bonds->flow = collect_lost(sim->bonds);
+	return broken ? ts_bonds_break(sim) : TS_OK;
 }
 
 static enum ts_status resize_coeffs(struct tsim *sim, struct ts_instance *self)
@@ -194,6 +222,7 @@ enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim)
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "there are bonds of type %d, but no `bond_coeff %d ...`",
 				       bonds->type[b], bonds->type[b]);
+	TS_TRY(ts_bonds_soften(sim, any_type_softens(self, sim)));
 	if (ts_bond_style_of(self)->element)
 		return ts_bond_moments_require(self, sim);
 	return ts_bonds_transmit(sim, false);

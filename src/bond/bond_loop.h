@@ -21,6 +21,7 @@ struct ts_bond_task {
 	const struct ts_box *box;
 	bool moving;		  /* some bond type is damped: relative velocities are needed */
 	bool store;		  /* store the tensions: an output may read them */
+	bool softens;		  /* some bond type softens */
 	double (*orientation)[4]; /* of the particles, if bonds transmit moments */
 };
 

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "bond/bond_reference.h"
 #include "box/domain.h"
+#include "law/bond_softening.h"
 #include "math/vec3.h"
 #include "particle/identity.h"
 #include "particle/orientation.h"
@@ -47,19 +48,36 @@ void ts_bond_constants(const struct tsim *sim, size_t b, struct ts_bond_element 
 	*out = (struct ts_bond_element){
 		.length = pair.rest, .tension = INFINITY, .shear = INFINITY, .compression = INFINITY
 	};
+	ts_bond_never_softens(out);
 	ts_bond_style_of(ts_sim_only(sim, TS_KIND_BOND))->element(coeff_of(sim, b), &pair, out);
 }
 
+static void fill_softening(const struct ts_bonds *b, const struct ts_bond_element *e, uint32_t bond,
+			   struct ts_bond_softening *s, size_t lane)
+{
+	const struct ts_bond_damage damage =
+		bond == TS_BOND_NONE ? (struct ts_bond_damage){ 0, 0 } : b->damage[bond];
+
+	s->onset[lane] = e->onset;
+	s->rupture[lane] = e->rupture;
+	s->reached[lane] = damage.reached;
+	s->release[lane] = damage.release;
+}
+
+/* Constants of the bond of a lane, or of none. `dashpots`, `soft`: NULL if there are none. */
 static void fill_lane(const struct tsim *sim, struct ts_bond_row *r, struct ts_bond_dashpots *dashpots,
-		      size_t lane)
+		      struct ts_bond_softening *soft, size_t lane)
 {
 	struct ts_bond_element e = {
 		.length = 1, .tension = INFINITY, .shear = INFINITY, .compression = INFINITY
 	};
 	uint32_t b = r->bond[lane];
 
+	ts_bond_never_softens(&e);
 	if (b != TS_BOND_NONE)
 		ts_bond_constants(sim, b, &e);
+	if (soft)
+		fill_softening(sim->bonds, &e, b, soft, lane);
 	r->length[lane] = e.length;
 	r->fraction[lane] = e.fraction;
 	r->per_area[lane] = e.per_area;
@@ -81,7 +99,7 @@ static void fill_lane(const struct tsim *sim, struct ts_bond_row *r, struct ts_b
 
 struct filling {
 	const struct tsim *sim;
-	bool damped;
+	bool damped, softens;
 };
 
 static void fill_rows(void *context, size_t from, size_t to)
@@ -91,7 +109,8 @@ static void fill_rows(void *context, size_t from, size_t to)
 
 	for (size_t r = from; r < to; r++)
 		for (size_t lane = 0; lane < TS_BOND_ROW_LANES; lane++)
-			fill_lane(f->sim, &rows->row[r], f->damped ? &rows->dashpots[r] : NULL, lane);
+			fill_lane(f->sim, &rows->row[r], f->damped ? &rows->dashpots[r] : NULL,
+				  f->softens ? &rows->soft[r] : NULL, lane);
 }
 
 /* ---- broken bonds */
@@ -103,7 +122,8 @@ static void empty_lane(const struct tsim *sim, size_t r, size_t lane)
 
 	row->bond[lane] = TS_BOND_NONE;
 	row->particle[1][lane] = row->particle[0][lane];
-	fill_lane(sim, row, rows->dashpots_capacity >= rows->n ? &rows->dashpots[r] : NULL, lane);
+	fill_lane(sim, row, rows->dashpots_capacity >= rows->n ? &rows->dashpots[r] : NULL,
+		  sim->bonds->softens ? &rows->soft[r] : NULL, lane);
 }
 
 /* Removes the entries of bonds that have no new number from the sums of all particles. */
@@ -206,16 +226,18 @@ static enum ts_status check_length(struct tsim *sim, size_t b)
 	return TS_OK;
 }
 
-enum ts_status ts_bond_moments_fill(struct tsim *sim, bool damped)
+enum ts_status ts_bond_moments_fill(struct tsim *sim, bool damped, bool softens)
 {
 	struct ts_bond_rows *rows = &sim->bonds->rows;
-	struct filling f = { sim, damped };
+	struct filling f = { sim, damped, softens };
 
 	if (rows->filled)
 		return TS_OK;
 	for (size_t b = 0; b < sim->bonds->n; b++)
 		TS_TRY(check_length(sim, b));
 	if (damped && TS_RENEW(rows->dashpots, rows->dashpots_capacity, rows->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	if (softens && TS_RENEW(rows->soft, rows->soft_capacity, rows->n) != TS_OK)
 		return ts_nomem(&sim->error);
 	ts_parallel(ts_team(sim, rows->n * TS_BOND_ROW_LANES), rows->n, fill_rows, &f);
 	rows->filled = true;
@@ -257,6 +279,8 @@ void ts_bond_state_of(const struct tsim *sim, size_t b, struct ts_bond_element *
 	}
 	ts_bond_elastic(e, &s, out);
 	ts_bond_stress(e, out);
+	if (sim->bonds->softens)
+		ts_bond_soften_state(sim->bonds->damage[b].reached, &s, e, out);
 }
 
 enum ts_bond_failure ts_bond_failure_of(const struct ts_bond_element *e, const struct ts_bond_answer *s)

@@ -12,7 +12,7 @@ enum ts_status ts_bond_turn(struct ts_instance *self, struct tsim *sim);
 
 /* Computes the constants of the rows if they have been rebuilt, with dashpots if any bond is damped; fails if a
  * bond is so long that its periodic image cannot be told. */
-enum ts_status ts_bond_moments_fill(struct tsim *sim, bool damped);
+enum ts_status ts_bond_moments_fill(struct tsim *sim, bool damped, bool softens);
 /* Deletes the bonds whose flag is set; the rows stay, with empty lanes, so that constants are not computed again. */
 enum ts_status ts_bond_moments_remove(struct tsim *sim, const unsigned char *broken);
 /* Adds the columns, and refuses bonds that the style cannot describe. */

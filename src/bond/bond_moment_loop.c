@@ -5,6 +5,7 @@ TS_UNROLLED
 #include "bond/bond_loop.h"
 #include "bond/bond_moment.h"
 #include "bond/bond_shares.h"
+#include "law/bond_softening.h"
 
 #include "base/banned.h"
 
@@ -18,6 +19,7 @@ struct row {
 	double q[2][4][LANES], omega[2][4][LANES];
 	double force[3][LANES], torque[2][3][LANES]; /* force on the second partner */
 	double axial[LANES], holds[LANES];
+	double reached[LANES], release[LANES], lost[LANES]; /* of bonds that soften */
 } __attribute__((aligned(64)));
 
 /* ---- inputs */
@@ -78,6 +80,11 @@ TS_INLINE void apply_nearest_image(const struct ts_box *box, struct row *r)
 
 /* ---- the law */
 
+/* Which parts of the law the bonds need. */
+struct parts {
+	bool moving, softens;
+};
+
 TS_INLINE void ends_of(const struct row *r, const struct ts_bond_row *l, size_t k, bool moving,
 		       struct ts_bond_ends *s)
 {
@@ -94,23 +101,41 @@ TS_INLINE void ends_of(const struct row *r, const struct ts_bond_row *l, size_t 
 		s->omega[p] = (struct ts_xyz){ r->omega[p][0][k], r->omega[p][1][k], r->omega[p][2][k] };
 }
 
-TS_INLINE long evaluate(struct row *r, const struct ts_bond_row *l, const struct ts_bond_dashpots *dashpots,
-			size_t k, bool moving)
+/* The damage of the bond of lane k, if it holds, and its forces. */
+TS_INLINE void soften(struct row *r, const struct ts_bond_softening *soft, size_t k, bool holds,
+		      struct ts_bond_element *e, const struct ts_bond_ends *s, struct ts_bond_answer *a)
 {
-	const struct ts_bond_element e = {
-		.length = l->length[k],
-		.fraction = l->fraction[k],
-		.k = { l->k[0][k], l->k[1][k], l->k[2][k], l->k[3][k] },
-		.c = { moving ? dashpots->c[0][k] : 0, moving ? dashpots->c[1][k] : 0,
-		       moving ? dashpots->c[2][k] : 0, moving ? dashpots->c[3][k] : 0 },
-		.per_area = l->per_area[k],
-		.per_moment = l->per_moment[k],
-		.per_torque = l->per_torque[k],
-		.lever = l->lever[k],
-		.tension = l->tension[k],
-		.shear = l->shear[k],
-		.compression = l->compression[k]
-	};
+	const struct ts_bond_damage before = { soft->reached[k], soft->release[k] };
+	double lost, intact;
+	const struct ts_bond_damage now = ts_bond_crack(e, before, a, &lost);
+
+	r->reached[k] = holds ? now.reached : before.reached;
+	r->release[k] = holds ? now.release : before.release;
+	r->lost[k] = holds ? lost : 0;
+	intact = ts_bond_intact(e->rupture, r->reached[k]);
+	ts_bond_soften(intact, s, a);
+	for (int m = 0; m < TS_BOND_MODES; m++)
+		e->c[m] *= intact;
+}
+
+TS_INLINE long evaluate(struct row *r, const struct ts_bond_row *l, const struct ts_bond_dashpots *dashpots,
+			const struct ts_bond_softening *soft, size_t k, struct parts with)
+{
+	const bool moving = with.moving, softens = with.softens;
+	struct ts_bond_element e = { .length = l->length[k],
+				     .fraction = l->fraction[k],
+				     .k = { l->k[0][k], l->k[1][k], l->k[2][k], l->k[3][k] },
+				     .c = { moving ? dashpots->c[0][k] : 0, moving ? dashpots->c[1][k] : 0,
+					    moving ? dashpots->c[2][k] : 0, moving ? dashpots->c[3][k] : 0 },
+				     .per_area = l->per_area[k],
+				     .per_moment = l->per_moment[k],
+				     .per_torque = l->per_torque[k],
+				     .lever = l->lever[k],
+				     .tension = l->tension[k],
+				     .shear = l->shear[k],
+				     .compression = l->compression[k],
+				     .onset = softens ? soft->onset[k] : 0,
+				     .rupture = softens ? soft->rupture[k] : 0 };
 	struct ts_bond_ends s;
 	struct ts_bond_answer a;
 	bool holds;
@@ -120,6 +145,8 @@ TS_INLINE long evaluate(struct row *r, const struct ts_bond_row *l, const struct
 	ts_bond_elastic(&e, &s, &a);
 	ts_bond_stress(&e, &a);
 	holds = ts_bond_holds(&e, &a);
+	if (softens)
+		soften(r, soft, k, holds, &e, &s, &a);
 	if (moving)
 		ts_bond_viscous(&e, &s, &a);
 	whole = holds ? 1 : 0;
@@ -137,13 +164,14 @@ TS_INLINE long evaluate(struct row *r, const struct ts_bond_row *l, const struct
 }
 
 TS_INLINE long evaluate_row(struct row *restrict r, const struct ts_bond_row *restrict l,
-			    const struct ts_bond_dashpots *restrict dashpots, bool moving)
+			    const struct ts_bond_dashpots *restrict dashpots,
+			    const struct ts_bond_softening *restrict soft, struct parts with)
 {
 	long broken = 0;
 
 #pragma omp simd reduction(+ : broken)
 	for (size_t k = 0; k < LANES; k++)
-		broken += evaluate(r, l, dashpots, k, moving);
+		broken += evaluate(r, l, dashpots, soft, k, with);
 	return broken;
 }
 
@@ -195,10 +223,29 @@ static void store_loads(const struct row *r, const struct ts_bond_row *l, size_t
 	}
 }
 
+/* Damage that has changed; in the lists of bonds by the share that stores their loads. */
+static void store_damage(const struct row *r, const struct ts_bond_row *l, struct ts_bond_softening *soft,
+			 size_t begin, struct ts_bonds *bonds)
+{
+	for (size_t k = 0; k < LANES; k++) {
+		size_t b = l->bond[k];
+
+		if (r->reached[k] == soft->reached[k] && r->release[k] == soft->release[k])
+			continue;
+		soft->reached[k] = r->reached[k];
+		soft->release[k] = r->release[k];
+		if ((size_t)l->particle[0][k] < begin || (size_t)l->particle[1][k] < begin)
+			continue;
+		bonds->damage[b] = (struct ts_bond_damage){ r->reached[k], r->release[k] };
+		bonds->lost[b] = r->lost[k];
+	}
+}
+
 /* ---- the loop */
 
 /* Rows from .. from + n - 1, n at most ROWS, of the share whose first particle is `begin`. */
-TS_INLINE long compute_rows(const struct ts_bond_task *t, size_t from, size_t n, size_t begin, bool moving)
+TS_INLINE long compute_rows(const struct ts_bond_task *t, size_t from, size_t n, size_t begin,
+			    struct parts with)
 {
 	const struct ts_bond_rows *rows = &t->bonds->rows;
 	const struct ts_bond_row *l = rows->row + from;
@@ -206,26 +253,39 @@ TS_INLINE long compute_rows(const struct ts_bond_task *t, size_t from, size_t n,
 	long broken = 0;
 
 	for (size_t k = 0; k < n; k++)
-		load_row(t, &l[k], moving, &r[k]);
+		load_row(t, &l[k], with.moving, &r[k]);
 	for (size_t k = 0; k < n; k++) {
 		apply_nearest_image(t->box, &r[k]);
-		broken += evaluate_row(&r[k], &l[k], moving ? &rows->dashpots[from + k] : NULL, moving);
+		broken += evaluate_row(&r[k], &l[k], with.moving ? &rows->dashpots[from + k] : NULL,
+				       with.softens ? &rows->soft[from + k] : NULL, with);
 	}
 	for (size_t k = 0; k < n; k++)
 		store_results(&r[k], l[k].slot, rows->result);
 	for (size_t k = 0; (broken || t->store) && k < n; k++)
 		store_loads(&r[k], &l[k], begin, t->bonds);
+	for (size_t k = 0; with.softens && k < n; k++)
+		store_damage(&r[k], &l[k], &rows->soft[from + k], begin, t->bonds);
 	return broken;
 }
 
 TS_INLINE long compute_moving(const struct ts_bond_task *t, size_t from, size_t n, size_t begin)
 {
-	return compute_rows(t, from, n, begin, true);
+	return compute_rows(t, from, n, begin, (struct parts){ .moving = true });
 }
 
 TS_INLINE long compute_undamped(const struct ts_bond_task *t, size_t from, size_t n, size_t begin)
 {
-	return compute_rows(t, from, n, begin, false);
+	return compute_rows(t, from, n, begin, (struct parts){ .moving = false });
+}
+
+TS_INLINE long compute_softening(const struct ts_bond_task *t, size_t from, size_t n, size_t begin)
+{
+	return compute_rows(t, from, n, begin, (struct parts){ .softens = true });
+}
+
+TS_INLINE long compute_softening_moving(const struct ts_bond_task *t, size_t from, size_t n, size_t begin)
+{
+	return compute_rows(t, from, n, begin, (struct parts){ .moving = true, .softens = true });
 }
 
 TS_CLONES static long compute_shares(void *task, size_t from, size_t to)
@@ -239,7 +299,20 @@ TS_CLONES static long compute_shares(void *task, size_t from, size_t to)
 	return broken;
 }
 
+TS_CLONES static long compute_soft_shares(void *task, size_t from, size_t to)
+{
+	const struct ts_bond_task *t = task;
+	long broken = 0;
+
+	for (size_t k = from; k < to; k++)
+		broken += t->moving ? ts_bond_compute_share(t, k, ROWS, compute_softening_moving)
+				    : ts_bond_compute_share(t, k, ROWS, compute_softening);
+	return broken;
+}
+
 long ts_bond_compute_moments(void *task, size_t from, size_t to)
 {
-	return compute_shares(task, from, to);
+	const struct ts_bond_task *t = task;
+
+	return t->softens ? compute_soft_shares(task, from, to) : compute_shares(task, from, to);
 }

@@ -5,6 +5,7 @@
 #include "bond/bond_moment.h"
 #include "contact/contact_energy.h"
 #include "law/bond_section.h"
+#include "law/bond_softening.h"
 
 #include "base/banned.h"
 
@@ -15,6 +16,7 @@ struct parallel_bond {
 struct coeff {
 	double kn, ks, modulus, ratio; /* NaN: not given */
 	double lambda, beta;
+	double soften; /* NaN: brittle */
 	struct ts_bond_damping damping;
 	struct ts_bond_strength strength;
 };
@@ -32,6 +34,9 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 			       "bond_coeff: expected either ratio, that of normal to shear stiffness kn/ks%s",
 			       isnan(c->modulus) ? ", or ks, the shear stiffness per area"
 						 : " (with E, not ks)");
+	if (!isnan(c->soften) && isnan(c->strength.tension))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "bond_coeff: soften: expected sigma_c, the stress at which softening begins");
 	ts_bond_damping_complete(&c->damping);
 	return ts_bond_strength_complete(sim, &c->strength, where);
 }
@@ -47,6 +52,13 @@ static void element(const void *coeff, const struct ts_bond_pair *pair, struct t
 	ts_bond_section_stress(radius, c->beta, e);
 	ts_bond_section_damping(c->damping.ratio, pair->mass, pair->inertia, e);
 	ts_bond_section_strength(&c->strength, pair->tag, e);
+	if (!isnan(c->soften))
+		ts_bond_softens_by(c->soften, e);
+}
+
+static bool softens(const void *coeff)
+{
+	return !isnan(((const struct coeff *)coeff)->soften);
 }
 
 static bool damped(const void *coeff)
@@ -66,6 +78,9 @@ static const struct ts_arg coeff_rows[] = {
 	TS_REAL("lambda", struct coeff, lambda, .fallback = "1", .range = TS_POSITIVE, .unit = "",
 		.help = "radius of the section divided by the smaller radius of the two particles"),
 	TS_BOND_STRENGTH_ROWS(struct coeff, strength),
+	TS_REAL("soften", struct coeff, soften, .flags = TS_OPTIONAL, .range = TS_POSITIVE, .unit = "",
+		.help = "slope at which the tensile stress falls with the opening beyond sigma_c, by that of "
+			"the elastic bond; none: it breaks at sigma_c"),
 	TS_REAL("beta", struct coeff, beta, .fallback = "1", .range = TS_FRACTION, .unit = "",
 		.help = "share of the moments in the stresses, Potyondy 2011"),
 	TS_BOND_DAMPING_ROWS(struct coeff, damping),
@@ -82,6 +97,17 @@ static const char *const more[] = {
 	"strengths sigma_c and tau_c of each bond are independent random numbers with these means. They are "
 	"functions of `seed` and the IDs of the two particles, hence the same for any number of threads, "
 	"order of particles, and after a restart. A normal distribution is cut off at 0.",
+	"`soften B`: displacement softening (Ma & Huang 2018). At sigma_c the bond does not break, but "
+	"begins to crack. With the largest opening X that it has had, as stress of the whole section by "
+	"sigma_c, the fraction g = (rho - X)/((rho - 1) X), rho = 1 + 1/B, of the section is intact: it has "
+	"g times all forces and moments of the whole bond, to which the crack adds its share of the normal "
+	"force in compression. So the stress of a bond that is pulled falls linearly to 0 at the opening rho "
+	"sigma_c/kn, where it breaks (mode tension); unloading goes back to the origin, and compression is "
+	"that of the whole bond. The work per area until then is sigma_c^2 rho/(2 kn). Strengths in shear "
+	"and compression are those of the intact part: compared are the stresses that the whole section "
+	"would have, as `sigma` and `tau` of compute bond/local are, whose sigma_c is rho times that of "
+	"bond_coeff. Dashpots are multiplied by g. What is lost is f_ID of fix energy/ledger, dissipated in "
+	"plastic contacts and bonds. The limit of the time step is that of the whole bond.",
 	TS_BOND_MOMENT_DOC, NULL
 };
 
@@ -110,7 +136,8 @@ const struct ts_bond_style ts_bond_parallel = {
 			      "bond_coeff 1 E 62e9 ratio 2.5 sigma_c 175e6 tau_c 175e6 scatter normal "
 			      "deviation 0.23 seed 4711\n"
 			      "create_bonds many rock rock 1 0.0 1.05e-3",
-		   .cite = "D. O. Potyondy, P. A. Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329",
+		   .cite = "D. O. Potyondy, P. A. Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329; Y. "
+			   "Ma, H. Huang, Int. J. Rock Mech. Min. Sci. 104 (2018) 9",
 		   .coeff = coeff_rows,
 		   .state_size = sizeof(struct parallel_bond),
 		   TS_BOND_MOMENT_SLOTS },
@@ -119,4 +146,5 @@ const struct ts_bond_style ts_bond_parallel = {
 	.compute = ts_bond_compute_moments,
 	.damped = damped,
 	.element = element,
+	.softens = softens,
 };

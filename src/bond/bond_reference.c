@@ -76,6 +76,8 @@ void ts_bond_reference_copy(struct ts_bonds *b, size_t from, size_t to, bool swa
 	static const double back[4] = { 0, 0, 1, 0 }; /* half a turn: the first axis points back */
 	const struct ts_bond_reference *r;
 
+	if (b->softens)
+		b->damage[to] = b->damage[from];
 	if (!b->transmits)
 		return;
 	r = &b->reference[from];

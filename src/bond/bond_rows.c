@@ -221,6 +221,7 @@ void ts_bond_rows_release(struct ts_bond_rows *rows)
 	ts_free(rows->first);
 	ts_free(rows->row);
 	ts_free(rows->dashpots);
+	ts_free(rows->soft);
 	ts_free(rows->sum);
 	ts_free(rows->result);
 	*rows = (struct ts_bond_rows){ 0 };

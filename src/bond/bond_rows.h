@@ -38,6 +38,12 @@ struct ts_bond_dashpots {
 	double c[4][TS_BOND_ROW_LANES];
 };
 
+/* Softening of a row (law/bond_softening.h): constants, and what the bonds remember. */
+struct ts_bond_softening {
+	double onset[TS_BOND_ROW_LANES], rupture[TS_BOND_ROW_LANES];
+	double reached[TS_BOND_ROW_LANES], release[TS_BOND_ROW_LANES];
+};
+
 /* Force on the second partner and torques on both, each with an unused fourth number. */
 struct ts_bond_result {
 	double force[4], torque[2][4];
@@ -47,13 +53,14 @@ struct ts_bond_rows {
 	size_t *first;			   /* rows of chunk c: first[c] .. first[c + 1] - 1 */
 	struct ts_bond_row *row;	   /* [n] */
 	struct ts_bond_dashpots *dashpots; /* [n] if a bond is damped, else NULL */
+	struct ts_bond_softening *soft;	   /* [n] if a bond softens, else NULL */
 	/* 2 slot + side of the bonds of each particle, in the order of ts_bonds.gather */
 	uint32_t *sum;
 	struct ts_bond_result *result; /* slots; the first of each share is for lanes without a bond */
 	size_t n, particles, chunks;
 	int shares;
 	bool filled; /* constants are up to date */
-	size_t first_capacity, row_capacity, dashpots_capacity, sum_capacity, result_capacity;
+	size_t first_capacity, row_capacity, dashpots_capacity, soft_capacity, sum_capacity, result_capacity;
 };
 
 /* Lists the bonds; their gather must be up to date. The constants are not filled in. */

@@ -44,6 +44,10 @@ static enum ts_status reserve_bonds(struct ts_bonds *b, size_t n)
 	GROW_COLUMN(breaks);
 #undef GROW_COLUMN
 	b->capacity = capacity;
+	if (b->softens) {
+		TS_TRY(TS_GROW(b->damage, b->damage_capacity, n));
+		TS_TRY(TS_GROW(b->lost, b->lost_capacity, n));
+	}
 	if (!b->transmits)
 		return TS_OK;
 	TS_TRY(TS_GROW(b->reference, b->reference_capacity, n));
@@ -72,6 +76,27 @@ enum ts_status ts_bonds_transmit(struct tsim *sim, bool moments)
 	return TS_OK;
 }
 
+enum ts_status ts_bonds_soften(struct tsim *sim, bool softens)
+{
+	struct ts_bonds *b = sim->bonds;
+
+	if (b->softens == softens)
+		return TS_OK;
+	b->softens = softens;
+	if (softens) {
+		if (reserve_bonds(b, b->n + 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		memset(b->damage, 0, b->n * sizeof *b->damage);
+		return TS_OK;
+	}
+	ts_free(b->damage);
+	ts_free(b->lost);
+	b->damage = NULL;
+	b->lost = NULL;
+	b->damage_capacity = b->lost_capacity = 0;
+	return TS_OK;
+}
+
 enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest)
 {
 	struct ts_bonds *b = sim->bonds;
@@ -87,6 +112,8 @@ enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int 
 		b->reference[b->n] = (struct ts_bond_reference){ 0 };
 		b->load[b->n] = (struct ts_bond_load){ 0 };
 	}
+	if (b->softens)
+		b->damage[b->n] = (struct ts_bond_damage){ 0 };
 	b->n++;
 	b->created++;
 	return TS_OK;
@@ -104,6 +131,7 @@ struct record {
 	double rest;
 	struct ts_bond_reference reference;
 	struct ts_bond_load load;
+	struct ts_bond_damage damage;
 };
 
 static int compare_records(const void *a, const void *b)
@@ -125,6 +153,8 @@ void ts_bonds_sort(struct ts_bonds *b)
 			r[k].reference = b->reference[k];
 			r[k].load = b->load[k];
 		}
+		if (b->softens)
+			r[k].damage = b->damage[k];
 	}
 	ts_sort(r, b->n, sizeof *r, compare_records);
 	for (size_t k = 0; k < b->n; k++) {
@@ -135,6 +165,8 @@ void ts_bonds_sort(struct ts_bonds *b)
 			b->reference[k] = r[k].reference;
 			b->load[k] = r[k].load;
 		}
+		if (b->softens)
+			b->damage[k] = r[k].damage;
 	}
 	ts_free(r);
 }
@@ -173,6 +205,8 @@ void ts_bonds_delete(struct ts_bonds *b, const unsigned char *flag)
 			b->reference[kept] = b->reference[k];
 			b->load[kept] = b->load[k];
 		}
+		if (b->softens)
+			b->damage[kept] = b->damage[k];
 		b->tension[kept++] = b->tension[k];
 	}
 	b->n = kept;
@@ -298,6 +332,16 @@ static enum ts_status archive_moments(struct tsim *sim, struct ts_bonds *b, stru
 	return ts_archive_fixed(a, "load", TS_SAVED_F64, b->load, LOAD * b->n);
 }
 
+static enum ts_status archive_damage(struct tsim *sim, struct ts_bonds *b, struct ts_archive *a)
+{
+	enum { DAMAGE = sizeof *b->damage / sizeof(double) };
+
+	if (ts_archive_writing(a) ? !b->softens : !ts_archive_has(a, "damage"))
+		return TS_OK;
+	TS_TRY(ts_bonds_soften(sim, true));
+	return ts_archive_fixed(a, "damage", TS_SAVED_F64, b->damage, DAMAGE * b->n);
+}
+
 static enum ts_status archive_bonds(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct ts_bonds *b = self->state;
@@ -322,6 +366,7 @@ static enum ts_status archive_bonds(struct ts_instance *self, struct tsim *sim, 
 	TS_TRY(ts_archive_fixed(a, "rest", TS_SAVED_F64, b->rest, b->n));
 	TS_TRY(ts_archive_fixed(a, "tension", TS_SAVED_F64, b->tension, b->n));
 	TS_TRY(archive_moments(sim, b, a));
+	TS_TRY(archive_damage(sim, b, a));
 	TS_TRY(ts_archive_fixed(a, "events", TS_SAVED_U8, b->event, b->nevents * sizeof *b->event));
 	if (ts_archive_writing(a) || ts_archive_has(a, "event_energy"))
 		TS_TRY(ts_archive_fixed(a, "event_energy", TS_SAVED_F64, b->event_energy, b->nevents));
@@ -344,6 +389,8 @@ static void fingerprint_bonds(const struct ts_instance *self, const struct tsim 
 	ts_hash_add(hash, b->rest, b->n * sizeof *b->rest);
 	if (b->transmits)
 		ts_hash_add(hash, b->reference, b->n * sizeof *b->reference);
+	if (b->softens)
+		ts_hash_add(hash, b->damage, b->n * sizeof *b->damage);
 }
 
 static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
@@ -353,6 +400,9 @@ static enum ts_status report_memory(struct ts_instance *self, struct tsim *sim, 
 
 	if (b->transmits)
 		bytes += sizeof *b->reference + sizeof *b->load + sizeof(struct ts_bond_row) / TS_BOND_LANES;
+	if (b->softens)
+		bytes += sizeof *b->damage + sizeof *b->lost +
+			 sizeof(struct ts_bond_softening) / TS_BOND_LANES;
 	(void)sim;
 	report->bytes += (double)(b->n * bytes);
 	if (b->n)
@@ -372,6 +422,8 @@ static void release_bonds(struct ts_instance *self)
 	ts_free(b->breaks);
 	ts_free(b->reference);
 	ts_free(b->load);
+	ts_free(b->damage);
+	ts_free(b->lost);
 	ts_gather_release(&b->gather);
 	ts_bond_slices_release(&b->slices);
 	ts_bond_rows_release(&b->rows);

@@ -10,6 +10,7 @@
 #include "bond/bond_slices.h"
 #include "core/coeff.h"
 #include "core/sim.h"
+#include "law/bond_softening.h"
 #include "neigh/gather.h"
 
 /* Record of a bond that broke. */
@@ -62,9 +63,13 @@ struct ts_bonds {
 	struct ts_bond_reference *reference;
 	struct ts_bond_load *load;
 	bool transmits;
+	/* [n] if `softens`: a bond type softens (law/bond_softening.h); lost: work in this step */
+	struct ts_bond_damage *damage;
+	double *lost;
+	bool softens;
 	bool shown;	       /* an output may read tensions at any step: they are stored in each step */
 	unsigned char *breaks; /* per bond: breaks in this step */
-	double flow;	       /* work lost in bonds that yield, in this step: bond/bond_yield.h */
+	double flow;	       /* work lost in bonds that yield or soften, in this step */
 
 	struct ts_gather gather; /* bonds of each local particle */
 	/* the order in which bonds are computed: central springs by slices, bonds that transmit moments by rows */
@@ -76,7 +81,8 @@ struct ts_bonds {
 	int64_t gone;		 /* totals of unbroken bonds removed because a partner left the simulation */
 	struct ts_bond_event *event;
 	double *event_energy; /* elastic energy of the bond when it broke; NaN: no potential, or an old restart file */
-	size_t nevents, event_capacity, energy_capacity, reference_capacity, load_capacity;
+	size_t nevents, event_capacity, energy_capacity, reference_capacity, load_capacity, damage_capacity,
+		lost_capacity;
 };
 
 /* Arguments of a bond law. */
@@ -116,6 +122,7 @@ struct ts_bond_style {
 	/* Bonds that transmit moments: the constants of law/bond_element.h; `compute` is then
 	 * ts_bond_compute_moments, and the functions below are NULL. NULL: central springs. */
 	void (*element)(const void *coeff, const struct ts_bond_pair *pair, struct ts_bond_element *out);
+	bool (*softens)(const void *coeff); /* NULL: no bond does */
 	/* What a bond yields at; returns false if bonds of this type do not yield. NULL: none does. */
 	bool (*section)(const void *coeff, const struct ts_bond_pair *pair, struct ts_plastic_section *out);
 	/* Their law, if it is not that of law/bond_element.h with dashpots and largest stresses; `compute` may
@@ -147,6 +154,8 @@ void ts_bonds_sort(struct ts_bonds *bonds);
 bool ts_bonds_has(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b); /* sorted list */
 /* Makes the arrays of bonds that transmit moments, or frees them. */
 enum ts_status ts_bonds_transmit(struct tsim *sim, bool moments);
+/* The same for bonds that soften. */
+enum ts_status ts_bonds_soften(struct tsim *sim, bool softens);
 /* Removes the bonds whose flag is set. */
 void ts_bonds_delete(struct ts_bonds *bonds, const unsigned char *flag);
 

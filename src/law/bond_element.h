@@ -45,6 +45,8 @@ struct ts_bond_element {
 	double per_area, per_moment, per_torque;
 	double lever;			    /* from the section to where the largest moment acts, length */
 	double tension, shear, compression; /* strengths, stress; INFINITY: never breaks */
+	/* law/bond_softening.h: the stress where softening begins, INFINITY: never; and rho */
+	double onset, rupture;
 };
 
 /* State of the two bodies. */

@@ -35,6 +35,8 @@ bad 'beta above 1' 'beta is 1.5, expected' 'bond_coeff 1 kn 1 ks 1 beta 1.5'
 bad 'scatter without deviation' "expected \`deviation\`" 'bond_coeff 1 kn 1 ks 1 sigma_c 1 scatter normal'
 bad 'deviation without scatter' "belongs to scatter normal" 'bond_coeff 1 kn 1 ks 1 sigma_c 1 deviation 0.1'
 bad 'scatter without strength' "to which it applies" 'bond_coeff 1 kn 1 ks 1 scatter weibull shape 2'
+bad 'softening 0' 'soften is 0, expected' 'bond_coeff 1 kn 1 ks 1 sigma_c 1 soften 0'
+bad 'softening without a strength' 'expected sigma_c' 'bond_coeff 1 kn 1 ks 1 soften 0.1'
 bad 'a word of contact bonds' "unknown keyword 'stiffness'" 'bond_coeff 1 stiffness 1'
 bad 'a beam without nu or G' 'expected either nu' 'bond_style beam
 bond_coeff 1 E 1'
@@ -311,6 +313,17 @@ awk '{ lost[NR] = $2; drift[NR] = $3 / ($2 + $4) }
 	END { r = drift[1] / drift[2]; exit !(NR == 2 && lost[2] > 0.4 && (lost[1] / lost[2] - 1) ^ 2 < 1e-10 &&
 		drift[1] ^ 2 < 4e-12 && r > 10) }' yields
 report 'the energy of a beam that yields' $? yields
+
+# A bond that softens, pulled, sheared and bent, and that breaks at last: the same
+for h in 8e-5 5e-6; do
+	sed -e 's/^bond_style.*/bond_style parallel/; s/^bond_coeff.*/bond_coeff 1 kn 1e9 ks 4e8 lambda 0.2 sigma_c 1e5 soften 0.1/' \
+		-e "s/^timestep.*/timestep $h/; s/^run.*/run \$(round(0.006\/$h))/" in.yields >in.softens
+	"$TSIM" -in in.softens -log none 2>&1 | grep ^IS
+done >softens
+awk '{ lost[NR] = $2; drift[NR] = $3 / ($2 + $4) }
+	END { r = drift[1] / drift[2]; exit !(NR == 2 && lost[2] > 1e-3 && (lost[1] / lost[2] - 1) ^ 2 < 1e-5 &&
+		drift[1] ^ 2 < 1e-8 && r > 100) }' softens
+report 'the energy of a bond that softens' $? softens
 
 # Cundall: the force of a spring is (1-g) k x on the way in and (1+g) k x on the way out
 agree 'local damping' 'include in.two

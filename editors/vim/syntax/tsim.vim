@@ -31,8 +31,8 @@ syn keyword tsimKeyword  overlay/pair smooth normalize break break/no volume/fac
 syn keyword tsimKeyword  stressBreak createBondAlways tensionStress compressionStress
 syn keyword tsimKeyword  shearStress normalTorqueStress shearTorqueStress dampingBond
 syn keyword tsimKeyword  ratioTensionCompression temperatureBreak dampingBondSmooth
-syn keyword tsimKeyword  dissipationBond druckerPrager stiffness ultimate kn ks ratio beta
-syn keyword tsimKeyword  map array hash id first sort tilt small large
+syn keyword tsimKeyword  dissipationBond druckerPrager stiffness ultimate kn ks ratio
+syn keyword tsimKeyword  soften beta map array hash id first sort tilt small large
 syn match tsimKeyword /\<units\>/ 
 syn match tsimKeyword /\<lattice\>/ 
 syn match tsimKeyword /\<box\>/ 
