@@ -37,6 +37,11 @@ same 'with the same curve' first.txt post/ucs.txt
 "$TSIM" -in in.ucs $small -var steps 2000 -var Ec 248e9 -var Ebond 248e9 -var strength 700e6 -var locked 4e6 >four 2>&1
 q=$(awk '$2 == "q_u_MPa" { print $3 }' out)
 number q_u_MPa "$(awk "BEGIN { print 3.96*$q }")" "$(awk "BEGIN { print 4.04*$q }")" four
+# tougher cement, the same elastic rock; loads hardly less than those of brittle bonds
+"$TSIM" -in in.ucs $small -var steps 2000 -var soften 0.3 >soft 2>&1
+report 'in.ucs ends well with bonds that soften' $? soft
+number E_GPa 40 60 soft
+number q_u_MPa "$(awk "BEGIN { print 0.98*$q }")" 400 soft
 "$TSIM" -in in.ucs -var shape cylinder -var width 6 -var length 10 -var steps 2000 -log none >out 2>&1
 report 'a cylinder' $? out
 number E_GPa 40 65
