@@ -1169,6 +1169,7 @@ library_sources = \
 	src/report/page_head.c \
 	src/report/page_pictures.c \
 	src/report/page_script.c \
+	src/report/page_style.c \
 	src/report/page_tables.c \
 	src/report/page_text.c \
 	src/report/page_times.c \

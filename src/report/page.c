@@ -68,7 +68,7 @@ static void add_footer(struct ts_page *page)
 	const double wall = page->now - r->start;
 
 	ts_str_addf(&page->out, "</main>\n<footer>tsim %s.", PACKAGE_VERSION);
-	if (wall > 0 && r->pages)
+	if (wall > 0 && r->cost + r->drawing > 0)
 		ts_str_addf(&page->out,
 			    " This report has taken %.2g %% of the time%s, %.2g s of it for pictures.",
 			    100 * (r->cost + r->drawing) / wall, r->end == TS_RECORD_RUNNING ? " so far" : "",

@@ -15,9 +15,9 @@ struct ts_page {
 /* Writes the page in place of the one before. */
 enum ts_status ts_page_write(const struct ts_record *record, struct tsim *sim);
 
-/* ---- page_text.c */
+extern const char *const ts_page_style[]; /* page_style.c: the style sheet, closed by NULL */
 
-extern const char *const ts_page_style[]; /* the style sheet, closed by NULL */
+/* ---- page_text.c */
 
 /* Appends a text with <, >, &, quotes replaced; bytes that HTML does not permit become `?`. */
 void ts_page_text(struct ts_str *out, const char *text);

@@ -48,6 +48,14 @@ static bool is_plotted(const struct ts_record_table *table, size_t column)
 	return !table->column[column].clock && !ts_rows_is_constant(&table->rows, column);
 }
 
+static bool has_plots(const struct ts_record_table *table)
+{
+	for (size_t k = 0; k < table->n; k++)
+		if (is_plotted(table, k))
+			return true;
+	return false;
+}
+
 static void add_plots(struct ts_page *page, const struct ts_record_table *table)
 {
 	struct ts_str *out = &page->out;
@@ -116,7 +124,8 @@ static void add_table(struct ts_page *page, const struct ts_record_table *table)
 		ts_str_addf(out, "; of each %" PRId64 " rows the least and the greatest value are drawn",
 			    table->rows.each);
 	ts_str_add(out, "</p>\n");
-	add_plots(page, table);
+	if (has_plots(table))
+		add_plots(page, table);
 	add_numbers(page, table);
 }
 

@@ -50,6 +50,8 @@ static void add_parts(struct ts_page *page)
 			    100 * part[k] / sum, name_of(k));
 	ts_str_add(out, "</div>\n<div class=\"key\">");
 	for (int k = 0; k <= TS_PLAN_PARTS; k++) {
+		if (part[k] < 5e-4 * sum)
+			continue;
 		ts_str_addf(out, "<span><i class=\"q%d\"></i>%s %.3g %% (", k, name_of(k),
 			    100 * part[k] / sum);
 		ts_page_duration(out, part[k]);
