@@ -167,9 +167,8 @@ static const struct ts_value values[] = {
 	{ .name = NULL },
 };
 
-#define GIVEN(name_, k, unit_, help_)                                                     \
-	TS_NUMBER(name_, struct gravity, given[k], .flags = TS_POSITIONAL, .unit = unit_, \
-		  .help = help_ "; a number or v_NAME")
+#define GIVEN(name_, k, unit_, help_) \
+	TS_NUMBER(name_, struct gravity, given[k], .flags = TS_POSITIONAL, .unit = unit_, .help = help_)
 static const struct ts_arg vector_rows[] = {
 	GIVEN("x", 0, "", "x component of the direction, which is normalised"),
 	GIVEN("y", 1, "", "y component"),
@@ -194,7 +193,7 @@ static const struct ts_mode modes[] = {
 
 static const struct ts_arg args[] = {
 	TS_NUMBER("magnitude", struct gravity, base.magnitude, .flags = TS_POSITIONAL, .unit = "acceleration",
-		  .help = "magnitude of the acceleration; a number or v_NAME"),
+		  .help = "magnitude of the acceleration"),
 	TS_MODE("mode", struct gravity, mode, modes, .help = "how the direction is given"),
 	TS_ARGS_END,
 };

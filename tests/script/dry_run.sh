@@ -72,7 +72,7 @@ errors 'all errors at once' <<'END'
 4:1: unknown command 'regio'; did you mean 'region'?
 5:11: unknown region style 'blok'
 11:11: unknown fix style 'gravty'
-12:11: direction is missing
+12:11: z is missing
 13:7: there is no group 'sme'
 14:16: unknown compute style 'kee'
 16:35: unknown quantity 'foo'
