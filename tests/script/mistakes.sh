@@ -66,7 +66,7 @@ fix 1 gravity all 9.81 vector 0 0 -1
 => 9:7: error: there is no group 'gravity'; known: all; 'gravity' is a style, the group stands before it
 $box
 fix g all gravity vector 0 0 -1
-=> 9:19: error: fix gravity: magnitude is 'vector', expected a number or v_name (magnitude of the acceleration; a number or v_NAME)
+=> 9:19: error: fix gravity: magnitude is 'vector', expected a number or v_name (magnitude of the acceleration)
 $box
 fix g all gravity 9.81 0 0 -1
 => 9:24: error: fix gravity: mode is '0', expected one of vector, chute ...
