@@ -20,9 +20,10 @@ const struct ts_style ts_compute_reduce = {
 	.summary = "Sum, minimum, maximum or mean of per-particle or local values",
 	.doc = "Reduces values to a single number, over the particles of the group or over all rows of a "
 	       "local array (contacts, bonds): sum, minimum (min), maximum (max), mean (ave), sum and mean "
-	       "of squares (sumsq, avesq), and the same of absolute values (sumabs, aveabs, minabs, maxabs). "
-	       "c_ID is the result of the first input, c_ID[k] that of the k-th. Sums are exact, rounded "
-	       "once, and do not depend on the order. If there are no values, all results are 0.\n\n"
+	       "of squares (sumsq, avesq), and the same of absolute values (sumabs, aveabs, minabs, maxabs); "
+	       "std is the standard deviation sqrt(<(x - <x>)^2>), which LAMMPS has not. c_ID is the result "
+	       "of the first input, c_ID[k] that of the k-th. Sums are exact, rounded once, and do not "
+	       "depend on the order. If there are no values, all results are 0.\n\n"
 	       "With `replace m n` result m is the value of input m at the particle where input n is minimal "
 	       "or maximal; if there are several such particles, at that of the smallest id.",
 	.example = "compute fastest all reduce max vx vy vz\n"

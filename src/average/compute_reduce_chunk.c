@@ -6,9 +6,12 @@
 
 #include "base/banned.h"
 
+enum { ZERO, SKIP };
+static const char *const empties[] = { [ZERO] = "zero", [SKIP] = "skip", NULL };
+
 struct state {
 	struct ts_chunk_user user;
-	int mode;
+	int mode, empty;
 	struct ts_words words;
 	struct ts_ref_list input;
 	struct ts_table each;
@@ -47,18 +50,37 @@ static double reduce_chunk(const struct ts_instance *self, const struct ts_chunk
 	return ts_reduction_value(&tally, (enum ts_reduction_mode)s->mode);
 }
 
+/* Whether the chunk has a row: with `empty skip` if it has particles of the group. */
+static bool has_row(const struct ts_instance *self, const struct ts_chunks *chunks, size_t c)
+{
+	const struct state *s = self->state;
+
+	if (s->empty == ZERO)
+		return true;
+	for (size_t k = chunks->first[c]; k < chunks->first[c + 1]; k++)
+		if (ts_in_group(s->user.sim->particles, (size_t)chunks->member[k], self->group))
+			return true;
+	return false;
+}
+
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct state *s = self->state;
 	struct ts_chunks *chunks;
+	size_t rows = 0;
 
 	(void)sim;
 	TS_TRY(ts_chunk_user_assign(self, &chunks));
-	TS_TRY(ts_table_resize(out, chunks->n, s->input.n));
+	for (size_t c = 1; c <= chunks->n; c++)
+		rows += has_row(self, chunks, c);
+	TS_TRY(ts_table_resize(out, rows, s->input.n));
 	for (size_t k = 0; k < s->input.n; k++) {
 		TS_TRY(ts_ref_input_eval(s->user.sim, &s->input.item[k], &s->each));
+		rows = 0;
 		for (size_t c = 1; c <= chunks->n; c++)
-			out->data[(c - 1) * s->input.n + k] = reduce_chunk(self, chunks, c, s->each.data);
+			if (has_row(self, chunks, c))
+				out->data[rows++ * s->input.n + k] =
+					reduce_chunk(self, chunks, c, s->each.data);
 	}
 	return TS_OK;
 }
@@ -73,8 +95,9 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_value values[] = {
-	{ "values", "", "of a single input, for each chunk", TS_VECTOR, 0, NULL, eval },
-	{ "table", "", "of several inputs: a row for each chunk", TS_ARRAY, 0, NULL, eval },
+	{ "values", "", "of a single input, for each chunk that has a row", TS_VECTOR, 0, NULL, eval },
+	{ "table", "", "of several inputs: a row for each chunk, or for each that is not empty", TS_ARRAY, 0,
+	  NULL, eval },
 	{ .name = NULL },
 };
 
@@ -84,6 +107,8 @@ static const struct ts_arg args[] = {
 		.help = "reduction of the values"),
 	TS_LIST("values", struct state, words,
 		.help = "x, vx, radius ..., c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k] or v_name"),
+	TS_ENUM("empty", struct state, empty, empties, .fallback = "zero",
+		.help = "chunks without particles of the group: 0, or no row"),
 	TS_ARGS_END,
 };
 
@@ -91,15 +116,23 @@ TS_STYLE(compute, ts_style, ts_compute_reduce_chunk)
 const struct ts_style ts_compute_reduce_chunk = {
 	.name = "reduce/chunk",
 	.kind = TS_KIND_COMPUTE,
-	.summary = "Sum, minimum, maximum or mean of per-particle values over each chunk",
+	.summary = "Sum, minimum, maximum, mean or deviation of per-particle values over each chunk",
 	.doc = "As compute reduce, over the particles of the group in each chunk of compute chunk/atom: "
-	       "their sum, minimum (min), maximum (max), mean (ave) and so on. c_ID[i] is the result for "
-	       "chunk i; with several inputs c_ID[i][k] is that of input k. Sums are exact, rounded once, "
-	       "and do not depend on the order. A chunk without particles of the group has 0.",
+	       "their sum, minimum (min), maximum (max), mean (ave), standard deviation (std) and so on. "
+	       "c_ID[i] is the result for chunk i; with several inputs c_ID[i][k] is that of input k. Sums "
+	       "are exact, rounded once, and do not depend on the order. A chunk without particles of the "
+	       "group has 0.\n\n"
+	       "With `empty skip` such a chunk has no row, and c_ID[i] is the result for the i-th chunk that "
+	       "is not empty: ave(c_ID), min(c_ID), sort(c_ID) in variables then count no zeros that stand "
+	       "for nothing. An input such as a coordinate tells which row is whose; length(c_ID) is the "
+	       "number of rows. It may change from step to step, which `mode vector` of fix ave/time and "
+	       "compute chunk/spread/atom refuse; thermo_style prints a variable.",
 	.example = "compute heap all cluster/atom 0.01\n"
 		   "compute heaps all chunk/atom c_heap compress yes\n"
 		   "compute mass all reduce/chunk heaps sum mass\n"
-		   "compute top all reduce/chunk heaps max z vz",
+		   "compute top all reduce/chunk heaps max z vz\n"
+		   "compute rough all reduce/chunk columns max z empty skip\n"
+		   "variable height equal ave(c_rough)",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.values = values,

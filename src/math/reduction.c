@@ -6,11 +6,39 @@
 const char *const ts_reduction_names[] = { TS_REDUCTION_LIST(NAME) NULL };
 #undef NAME
 
+/* Adds a b: the rounded product and its rounding error, which together are exact. */
+static void add_product(struct ts_exactsum *sum, double a, double b)
+{
+	double product = a * b;
+
+	ts_exactsum_add(sum, product);
+	if (isfinite(product))
+		ts_exactsum_add(sum, fma(a, b, -product));
+}
+
+/* n times the variance is sum x^2 - 2 m sum x + n m^2 with the rounded mean m: all terms are added exactly, so that
+ * nothing cancels even where the mean is large beside the deviation. */
+static double deviation(const struct ts_reduction *tally)
+{
+	struct ts_exactsum square = tally->squares, rest = tally->sum;
+	double n = (double)tally->n, sum = ts_exactsum_value(&tally->sum), mean = sum / n, variance;
+
+	ts_exactsum_add(&rest, -sum);
+	add_product(&square, -2 * mean, sum);
+	add_product(&square, -2 * mean, ts_exactsum_value(&rest));
+	add_product(&square, n, mean * mean);
+	add_product(&square, n, fma(mean, mean, -(mean * mean)));
+	variance = ts_exactsum_value(&square) / n;
+	return variance < 0 ? 0 : sqrt(variance);
+}
+
 void ts_reduction_add(struct ts_reduction *tally, enum ts_reduction_mode mode, double value)
 {
 	if (mode == TS_REDUCTION_SUMSQ || mode == TS_REDUCTION_AVESQ)
 		value *= value;
-	if (mode >= TS_REDUCTION_SUMABS)
+	if (mode == TS_REDUCTION_STD)
+		add_product(&tally->squares, value, value);
+	if (mode >= TS_REDUCTION_SUMABS && mode <= TS_REDUCTION_MAXABS)
 		value = fabs(value);
 	ts_exactsum_add(&tally->sum, value);
 	tally->min = fmin(tally->min, value);
@@ -33,6 +61,8 @@ double ts_reduction_value(const struct ts_reduction *tally, enum ts_reduction_mo
 	case TS_REDUCTION_AVESQ:
 	case TS_REDUCTION_AVEABS:
 		return ts_exactsum_value(&tally->sum) / (double)tally->n;
+	case TS_REDUCTION_STD:
+		return deviation(tally);
 	default:
 		return ts_exactsum_value(&tally->sum);
 	}

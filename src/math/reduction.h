@@ -17,7 +17,8 @@
 	X(SUMABS, "sumabs")                                                                        \
 	X(AVEABS, "aveabs")                                                                        \
 	X(MINABS, "minabs")                                                                        \
-	X(MAXABS, "maxabs")
+	X(MAXABS, "maxabs")                                                                            \
+	X(STD, "std")
 /* clang-format on */
 #define TS_REDUCTION_ENUM(name, text) TS_REDUCTION_##name,
 enum ts_reduction_mode { TS_REDUCTION_LIST(TS_REDUCTION_ENUM) TS_NREDUCTION };
@@ -25,18 +26,18 @@ enum ts_reduction_mode { TS_REDUCTION_LIST(TS_REDUCTION_ENUM) TS_NREDUCTION };
 extern const char *const ts_reduction_names[]; /* for argument tables, NULL-terminated */
 
 struct ts_reduction {
-	struct ts_exactsum sum;
+	struct ts_exactsum sum, squares; /* squares: of STD only */
 	double min, max;
 	size_t n;
 };
 
 static inline struct ts_reduction ts_reduction_start(void)
 {
-	return (struct ts_reduction){ ts_exactsum_start(), INFINITY, -INFINITY, 0 };
+	return (struct ts_reduction){ ts_exactsum_start(), ts_exactsum_start(), INFINITY, -INFINITY, 0 };
 }
 
 void ts_reduction_add(struct ts_reduction *tally, enum ts_reduction_mode mode, double value);
-/* Result; 0 without values. */
+/* Result; 0 without values. STD is the standard deviation of the values, sqrt(<(x - <x>)^2>), without cancellation. */
 double ts_reduction_value(const struct ts_reduction *tally, enum ts_reduction_mode mode);
 
 #endif

@@ -98,7 +98,7 @@ syn keyword tsimKeyword  contacts reference neighbors com average property xcm v
 syn keyword tsimKeyword  torque quat angmom masstotal inertia clumptype id_multisphere
 syn keyword tsimKeyword  ex_space ey_space ez_space bond/type region_count tracer
 syn keyword tsimKeyword  reset_marker min max ave sumsq avesq sumabs aveabs minabs maxabs
-syn keyword tsimKeyword  inputs peratom update_on_run_end ridge plane center winkler
+syn keyword tsimKeyword  std inputs peratom update_on_run_end ridge plane center winkler
 syn keyword tsimKeyword  halfspace young poisson counter_young counter_poisson iterations
 syn keyword tsimKeyword  counter adof cdof mean linear/x linear/y linear/z motion
 syn keyword tsimKeyword  translation rotation unbiased primitives colour u v movie voxel
