@@ -49,6 +49,7 @@ library_sources = \
 	src/average/compute_msd_chunk.c \
 	src/average/compute_omega_chunk.c \
 	src/average/compute_property_chunk.c \
+	src/average/compute_quantile.c \
 	src/average/compute_reduce.c \
 	src/average/compute_reduce_chunk.c \
 	src/average/compute_reduce_region.c \
@@ -914,6 +915,8 @@ library_sources = \
 	src/math/symmetric3.h \
 	src/math/unionfind.h \
 	src/math/vec3.h \
+	src/math/weighted_quantile.c \
+	src/math/weighted_quantile.h \
 	src/mesh/cell_region.c \
 	src/mesh/cell_region.h \
 	src/mesh/command_mesh_primitive.c \
@@ -1064,6 +1067,8 @@ library_sources = \
 	src/particle/type_factors.h \
 	src/particle/user_columns.c \
 	src/particle/user_columns.h \
+	src/particle/weight.c \
+	src/particle/weight.h \
 	src/plot/plot.c \
 	src/plot/plot.h \
 	src/plot/plot_ascii.c \

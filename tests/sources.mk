@@ -7,6 +7,7 @@ shell_tests = \
 	tests/average/chunk_values.sh \
 	tests/average/euler.sh \
 	tests/average/granular_temperature.sh \
+	tests/average/quantile.sh \
 	tests/average/reduce.sh \
 	tests/bed/coordination.sh \
 	tests/bed/mixing.sh \

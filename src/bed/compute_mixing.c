@@ -78,8 +78,8 @@ static enum ts_status take_samples(struct ts_instance *self, size_t *nsamples, s
 	TS_TRY(ts_component_update(self));
 	TS_TRY(list_members(self, &n, nchunks));
 	ts_mixing_sort(s->member, n);
-	ts_mixing_tally(&s->component, (enum ts_mixing_weight)s->weight, s->member, n, (size_t)s->least,
-			s->sample, nsamples, out);
+	ts_mixing_tally(&s->component, (enum ts_weight)s->weight, s->member, n, (size_t)s->least, s->sample,
+			nsamples, out);
 	return TS_OK;
 }
 
@@ -188,7 +188,7 @@ static const struct ts_arg args[] = {
 		.help = "edge length of cubic cells, each of which is a sample (squares in two dimensions)"),
 	TS_VEC3("origin", struct state, origin, .fallback = "0 0 0", .unit = "length",
 		.help = "a corner of a cell"),
-	TS_ENUM("weight", struct state, weight, ts_mixing_weights, .fallback = "number",
+	TS_ENUM("weight", struct state, weight, ts_weight_names, .fallback = "number",
 		.help = "what concentrations and sizes of samples are measured by"),
 	TS_INT("least", struct state, least, .fallback = "1", .range = TS_POSITIVE,
 	       .help = "samples of fewer particles are left out"),

@@ -1,12 +1,8 @@
 #include "bed/mixing_samples.h"
 
 #include "base/sort.h"
-#include "particle/particles.h"
-#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
-
-const char *const ts_mixing_weights[] = { "number", "mass", "volume", NULL };
 
 static int compare_keys(const double a[3], const double b[3])
 {
@@ -29,21 +25,13 @@ void ts_mixing_sort(struct ts_mixing_member *member, size_t n)
 	ts_sort(member, n, sizeof *member, compare_members);
 }
 
-static double weight_of(const struct tsim *sim, enum ts_mixing_weight weight, size_t i)
-{
-	if (weight == TS_MIXING_NUMBER)
-		return 1;
-	return weight == TS_MIXING_MASS ? sim->particles->mass[i]
-					: ts_particle_volume(sim, sim->particles->radius[i]);
-}
-
 /* Sums over the samples that count: weights, and squares of weights, of the component [1] and of the rest [0]. */
 struct sums {
 	double weight[2], square[2];
 };
 
 /* The sample that begins with the first of n members; returns its number of particles. */
-static size_t tally_sample(const struct ts_component *c, enum ts_mixing_weight weight,
+static size_t tally_sample(const struct ts_component *c, enum ts_weight weight,
 			   const struct ts_mixing_member *member, size_t n, struct ts_mixing_sample *out,
 			   struct sums *sums)
 {
@@ -51,7 +39,7 @@ static size_t tally_sample(const struct ts_component *c, enum ts_mixing_weight w
 
 	*sums = (struct sums){ 0 };
 	for (; k < n && compare_keys(member[k].key, member[0].key) == 0; k++) {
-		double w = weight_of(c->sim, weight, (size_t)member[k].row);
+		double w = ts_particle_weight(c->sim, weight, (size_t)member[k].row);
 		bool has = ts_component_has(c, (size_t)member[k].row);
 
 		sums->weight[has] += w;
@@ -88,7 +76,7 @@ static void enter_statistics(const struct sums *sums, const struct ts_mixing_sam
 	out->defined = out->samples > 1 && out->samples < out->particles && out->random < out->segregated;
 }
 
-void ts_mixing_tally(const struct ts_component *component, enum ts_mixing_weight weight,
+void ts_mixing_tally(const struct ts_component *component, enum ts_weight weight,
 		     const struct ts_mixing_member *member, size_t n, size_t least,
 		     struct ts_mixing_sample *sample, size_t *nsamples, struct ts_mixing_statistics *out)
 {

@@ -16,9 +16,7 @@
 #define TS_BED_MIXING_SAMPLES_H
 
 #include "bed/component.h"
-
-enum ts_mixing_weight { TS_MIXING_NUMBER, TS_MIXING_MASS, TS_MIXING_VOLUME };
-extern const char *const ts_mixing_weights[]; /* for argument tables */
+#include "particle/weight.h"
 
 /* One particle and its sample; sorted by sample, then by id of the particle. */
 struct ts_mixing_member {
@@ -42,7 +40,7 @@ struct ts_mixing_statistics {
 void ts_mixing_sort(struct ts_mixing_member *member, size_t n);
 /* Tallies sorted members into samples, and samples of at least `least` particles into statistics. `sample` has room for
  * n samples; *nsamples is their number. */
-void ts_mixing_tally(const struct ts_component *component, enum ts_mixing_weight weight,
+void ts_mixing_tally(const struct ts_component *component, enum ts_weight weight,
 		     const struct ts_mixing_member *member, size_t n, size_t least,
 		     struct ts_mixing_sample *sample, size_t *nsamples, struct ts_mixing_statistics *out);
 

@@ -173,6 +173,7 @@ TS_STYLE(compute, ts_style, ts_compute_pressure)
 TS_STYLE(compute, ts_style, ts_compute_property_atom)
 TS_STYLE(compute, ts_style, ts_compute_property_chunk)
 TS_STYLE(compute, ts_style, ts_compute_property_local)
+TS_STYLE(compute, ts_style, ts_compute_quantile)
 TS_STYLE(compute, ts_style, ts_compute_rdf)
 TS_STYLE(compute, ts_style, ts_compute_reduce)
 TS_STYLE(compute, ts_style, ts_compute_reduce_chunk)
@@ -520,6 +521,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_property_atom,
 	&ts_compute_property_chunk,
 	&ts_compute_property_local,
+	&ts_compute_quantile,
 	&ts_compute_rdf,
 	&ts_compute_reduce,
 	&ts_compute_reduce_chunk,

@@ -247,8 +247,8 @@ syn keyword tsim_compute contained ke ke/atom ke/multisphere leave mixing mixing
 syn keyword tsim_compute contained mixing/neighbor msd msd/chunk multisphere rigid multisphere/single
 syn keyword tsim_compute contained nbond/atom neighbor/atom nparticles/tracer/region omega/chunk
 syn keyword tsim_compute contained pair/gran/local pair/gran/local/bond pair/local pe pe/atom
-syn keyword tsim_compute contained pressure property/atom property/chunk property/local rdf reduce
-syn keyword tsim_compute contained reduce/chunk reduce/region repose/angle slice squeeze/atom
+syn keyword tsim_compute contained pressure property/atom property/chunk property/local quantile rdf
+syn keyword tsim_compute contained reduce reduce/chunk reduce/region repose/angle slice squeeze/atom
 syn keyword tsim_compute contained stress/atom surface/contact temp temp/chunk temp/com temp/granular
 syn keyword tsim_compute contained temp/granular/chunk torque/chunk vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
