@@ -85,6 +85,7 @@ struct ts_image {
 	struct ts_number zoom;
 	double persp, shiny, depthcue, adiam;
 	bool atoms, fsaa;
+	bool unless_empty; /* no picture of the box alone; set by who makes the dump */
 
 	struct ts_image_size size;
 	struct ts_image_view view;
@@ -182,7 +183,7 @@ double ts_image_type_diameter(const struct ts_image_types *types, double type);
  * script are the cause, and a warning has been given. */
 enum ts_status ts_image_camera(struct ts_instance *self, struct tsim *sim, struct ts_camera *out,
 			       bool *valid);
-/* Draws the present state. *drawn: false if there is no valid view. */
+/* Draws the present state. *drawn: false if there is no valid view, or nothing in it (unless_empty). */
 enum ts_status ts_image_draw(struct ts_instance *self, struct tsim *sim, bool *drawn);
 void ts_image_release(struct ts_instance *self);
 

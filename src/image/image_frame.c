@@ -98,6 +98,9 @@ enum ts_status ts_image_draw(struct ts_instance *self, struct tsim *sim, bool *d
 	s->scene.whole = true; /* not cut */
 	TS_TRY(ts_image_add_slices(self, sim));
 	TS_TRY(ts_image_add_arrows(self, sim));
+	*drawn = !s->unless_empty || s->scene.nspheres || s->scene.ntriangles;
+	if (!*drawn)
+		return TS_OK;
 	TS_TRY(ts_image_add_box(self, sim));
 	style = style_of(s, sim);
 	if (ts_picture_draw(&s->picture, &s->scene, &camera, &style, sim->threads) != TS_OK)

@@ -55,8 +55,7 @@ static void add_begin(struct ts_page *page)
 	ts_str_addf(out, "<meta name=\"generator\" content=\"tsim %s\">\n<title>", PACKAGE_VERSION);
 	ts_page_text(out, title_of(r, page->sim));
 	ts_str_add(out, "</title>\n<style>\n");
-	for (const char *const *part = ts_page_style; *part; part++)
-		ts_str_addf(out, "%s\n", *part);
+	ts_page_style(out);
 	ts_str_add(out, "</style>\n</head>\n<body>\n<header>\n<h1>");
 	ts_page_text(out, title_of(r, page->sim));
 	ts_str_add(out, "</h1>\n");

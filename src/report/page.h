@@ -15,7 +15,8 @@ struct ts_page {
 /* Writes the page in place of the one before. */
 enum ts_status ts_page_write(const struct ts_record *record, struct tsim *sim);
 
-extern const char *const ts_page_style[]; /* page_style.c: the style sheet, closed by NULL */
+/* Appends the style sheet. */
+void ts_page_style(struct ts_str *out);
 
 /* ---- page_text.c */
 

@@ -1,5 +1,6 @@
 /* Pictures: the first state, states in between, the last state. */
 #include <inttypes.h>
+#include <string.h>
 
 #include "report/page.h"
 
@@ -57,17 +58,27 @@ static void add_remarks(struct ts_str *out, const struct ts_record_view *view)
 	ts_str_add(out, "</p>\n");
 }
 
+/* Nothing has changed: one picture is enough. */
+static bool is_same(const struct ts_record_picture *a, const struct ts_record_picture *b)
+{
+	return a->data && b->data && a->step == b->step && a->length == b->length &&
+	       !memcmp(a->data, b->data, a->length);
+}
+
 static void add_view(struct ts_page *page, const struct ts_record_view *view)
 {
 	struct ts_str *out = &page->out;
 
+	const bool same = is_same(&view->first, &view->last);
+
 	add_words(out, view);
 	ts_str_add(out, "<div class=\"pictures\">\n");
-	add_picture(page, &view->first, "first state, ");
+	add_picture(page, &view->first, same ? "first and last state, " : "first state, ");
 	for (size_t k = 0; k < view->n; k++)
 		if (!view->last.data || view->picture[k].step != view->last.step)
 			add_picture(page, &view->picture[k], "");
-	add_picture(page, &view->last, "last state, ");
+	if (!same)
+		add_picture(page, &view->last, "last state, ");
 	ts_str_add(out, "</div>\n");
 	add_remarks(out, view);
 }

@@ -116,13 +116,16 @@ static void add_table(struct ts_page *page, const struct ts_record_table *table)
 {
 	struct ts_str *out = &page->out;
 
-	ts_str_addf(out, "<p class=\"soft\">Steps %" PRId64 " to %" PRId64 ", %" PRId64 " rows",
-		    table->first_step, table->last_step, table->rows.count);
+	ts_str_addf(out, "<p class=\"soft\">Steps %" PRId64 " to %" PRId64 ", %" PRId64 " row%s",
+		    table->first_step, table->last_step, table->rows.count,
+		    table->rows.count == 1 ? "" : "s");
 	if (table->runs > 1)
 		ts_str_addf(out, ", %zu runs", table->runs);
 	if (table->rows.each > 1)
 		ts_str_addf(out, "; of each %" PRId64 " rows the least and the greatest value are drawn",
 			    table->rows.each);
+	if (table->rows.count > 1 && !has_plots(table))
+		ts_str_add(out, "; no column varies");
 	ts_str_add(out, "</p>\n");
 	if (has_plots(table))
 		add_plots(page, table);
@@ -146,6 +149,8 @@ void ts_page_tables(struct ts_page *page)
 
 /* ---- limits of the time step */
 
+enum { FEW_LIMITS = 8 }; /* shown openly */
+
 static bool same_limit(const struct ts_record_run *a, const struct ts_record_run *b)
 {
 	if (!a->limit_of || !b->limit_of)
@@ -164,6 +169,63 @@ static void add_limit(struct ts_str *out, const struct ts_record_run *run, size_
 		ts_str_add(out, "<td class=\"n\">-</td><td>");
 	ts_page_text(out, run->limit_of ? run->limit_of : "no style has a limit");
 	ts_str_add(out, "</td></tr>\n");
+}
+
+static void begin_limits(struct ts_str *out)
+{
+	ts_str_add(out, "<table>\n<thead><tr><th>Run</th><th class=\"n\">time step</th><th "
+			"class=\"n\">limit</th><th class=\"n\">share</th><th>set by, at the start of the "
+			"run</th></tr></thead>\n<tbody>\n");
+}
+
+static void end_limits(struct ts_str *out)
+{
+	ts_str_add(out, "</tbody>\n</table>");
+}
+
+/* The end of the runs with the limit of run k. */
+static size_t end_of_limit(const struct ts_record *r, size_t k)
+{
+	size_t end = k + 1;
+
+	while (end < r->nruns && same_limit(&r->run[end], &r->run[k]))
+		end++;
+	return end;
+}
+
+static size_t count_limits(const struct ts_record *r)
+{
+	size_t n = 0;
+
+	for (size_t k = 0; k < r->nruns; k = end_of_limit(r, k))
+		n++;
+	return n;
+}
+
+static void add_limits(struct ts_page *page)
+{
+	const struct ts_record *r = page->record;
+
+	begin_limits(&page->out);
+	for (size_t k = 0; k < r->nruns; k = end_of_limit(r, k))
+		add_limit(&page->out, &r->run[k], k + 1, end_of_limit(r, k));
+	end_limits(&page->out);
+}
+
+static size_t nearest_limit(const struct ts_record *r)
+{
+	size_t nearest = 0;
+	double most = 0;
+
+	for (size_t k = 0; k < r->nruns; k++) {
+		const double share = r->run[k].limit_of ? r->run[k].dt / r->run[k].limit : 0;
+
+		if (share > most) {
+			most = share;
+			nearest = k;
+		}
+	}
+	return nearest;
 }
 
 static void add_fractions(struct ts_page *page)
@@ -190,21 +252,26 @@ void ts_page_limits(struct ts_page *page)
 {
 	const struct ts_record *r = page->record;
 	struct ts_str *out = &page->out;
-	size_t first = 0;
 
 	if (!r->nruns)
 		return;
 	ts_page_section(out, "limits", "Time step and its limits");
-	ts_str_add(out, "<div class=\"scroll\"><table>\n<thead><tr><th>Run</th><th class=\"n\">time "
-			"step</th><th class=\"n\">limit</th><th class=\"n\">share</th><th>set by, at the "
-			"start of the run</th></tr></thead>\n<tbody>\n");
-	for (size_t k = 1; k <= r->nruns; k++) {
-		if (k < r->nruns && same_limit(&r->run[k], &r->run[first]))
-			continue;
-		add_limit(out, &r->run[first], first + 1, k);
-		first = k;
+	if (count_limits(r) <= FEW_LIMITS) {
+		ts_str_add(out, "<div class=\"scroll\">");
+		add_limits(page);
+		ts_str_add(out, "</div>\n");
+	} else {
+		const size_t k = nearest_limit(r);
+
+		ts_str_add(out, "<p class=\"soft\">The run that began nearest to its limit</p>\n"
+				"<div class=\"scroll\">");
+		begin_limits(out);
+		add_limit(out, &r->run[k], k + 1, k + 1);
+		end_limits(out);
+		ts_str_addf(out, "</div>\n<details><summary>All %zu runs</summary><div>", r->nruns);
+		add_limits(page);
+		ts_str_add(out, "</div></details>\n");
 	}
-	ts_str_add(out, "</tbody>\n</table></div>\n");
 	add_fractions(page);
 	ts_page_end_section(out);
 }

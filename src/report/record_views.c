@@ -87,12 +87,6 @@ static enum ts_status keep(struct ts_record *record, struct ts_record_view *view
 
 /* ---- drawing */
 
-/* What nobody has asked for is shown only if there is more than the box. */
-static bool is_worth(const struct ts_record_view *view, const struct ts_image *image)
-{
-	return !view->automatic || image->scene.nspheres || image->scene.ntriangles;
-}
-
 static enum ts_status encode(struct tsim *sim, const struct ts_picture *from, struct ts_record_picture *out)
 {
 	struct ts_str png = { 0 }, text = { 0 };
@@ -124,7 +118,7 @@ static enum ts_status draw(struct ts_instance *self, struct tsim *sim, struct ts
 	*out = (struct ts_record_picture){ 0 };
 	ts_deferred_loops_run(sim);
 	TS_TRY(ts_image_draw(self, sim, &drawn));
-	if (drawn && is_worth(view_of(self), &v->image))
+	if (drawn)
 		TS_TRY(encode(sim, &v->image.picture, out));
 	if (out->length > TS_RECORD_BYTES / 2) {
 		view_of(self)->too_large++;
@@ -233,13 +227,14 @@ static enum ts_status define(struct ts_record *record, struct tsim *sim, size_t 
 	struct ts_words words;
 	struct view *state;
 
-	if (!view->words.n)
+	if (view->automatic) /* the box may be another one after `clear` */
 		TS_TRY(default_words(record, sim, view));
 	TS_TRY(dump_words(record, sim, view, &words));
 	TS_TRY(ts_sim_create(sim, TS_KIND_DUMP, &picture_style, view->id, 0, words, &view->where, &dump));
 	state = dump->state;
 	state->record = record;
 	state->number = k;
+	state->image.unless_empty = view->automatic;
 	TS_TRY(ts_dump_modify_words(sim, "report picture: modify", dump, view->modify, &record->arena,
 				    &view->where));
 	view->tried = true;

@@ -1,6 +1,7 @@
 #!/bin/bash
 # A browser shows a report as it is meant: at the width of a screen and of a telephone nothing is cut off, pictures and
-# plots have a size, and the dark style has a dark ground.
+# plots have a size; a reader who asks for dark pages has a dark ground with light letters, and bars have the colours of
+# the curves in both.
 # shellcheck source=tests/lib_cases.sh
 . "${top_srcdir:-$(dirname "$0")/../..}/tests/lib_cases.sh" || exit 99
 
@@ -32,24 +33,31 @@ END
 "$TSIM" -in in.gas -report run.html -log none >out 2>&1
 report "run with a report" $? out
 
-# The page measures itself: its script replaces the text by what it finds.
-measured() { # WHAT WIDTH WORDS...
-	local what=$1 width=$2
-	shift 2
+# The page measures itself: its script replaces the text by what it finds. The colour of a bar is that of the first curve.
+measured() { # WHAT WIDTH COLOURS WORDS...
+	local what=$1 width=$2 colours=$3
+	shift 3
 	sed "s|</body>|<script>addEventListener('load',function(){\
-var wide=document.documentElement.scrollWidth>innerWidth,small=0,dark=getComputedStyle(document.body).backgroundColor;\
+var wide=document.documentElement.scrollWidth>innerWidth,small=0,style=getComputedStyle(document.body);\
+var colour=function(e,of){return getComputedStyle(document.querySelector(e))[of].replace(/ /g,'')};\
+var bar=colour('.q0','backgroundColor'),curve=colour('.ts-plot .c1','color');\
 document.querySelectorAll('img,svg').forEach(function(e){var r=e.getBoundingClientRect();\
 small+=r.width<200\|\|r.height<100\|\|r.right>innerWidth});\
-document.body.innerHTML='WIDE '+wide+' SMALL '+small+' GROUND '+dark+' WIDTH '+innerWidth+' END'})</script></body>|" \
+document.body.innerHTML='WIDE '+wide+' SMALL '+small+' COLOURS '+[style.backgroundColor,style.color].join(' ').replace(/, /g,',')+\
+' '+(bar==curve\&\&bar)+' WIDTH '+innerWidth+' END'})</script></body>|" \
 		run.html >measure.html
 	timeout 60 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$work/profile" "$@" \
 		--window-size="$width,900" --dump-dom "file://$work/measure.html" >dom 2>browser.log
 	grep -o 'WIDE .* END' dom >measure
-	grep -q 'WIDE false SMALL 0 ' measure
+	grep -qF "WIDE false SMALL 0 COLOURS $colours WIDTH" measure
 	report "$what" $? measure
 }
-measured "screen" 1280
-measured "telephone" 500
+# ground, letters and first curve: page_style.c and ts_plot_colour
+light='rgb(246,246,243) rgb(29,33,38) rgb(0,81,145)'
+dark='rgb(21,24,28) rgb(228,230,232) rgb(53,134,225)'
+measured "screen" 1280 "$light" --blink-settings=preferredColorScheme=1
+measured "telephone" 500 "$light" --blink-settings=preferredColorScheme=1
+measured "dark" 1280 "$dark" --blink-settings=preferredColorScheme=0
 timeout 60 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$work/profile" --hide-scrollbars \
 	--screenshot=shot.png --window-size=800,600 "file://$work/run.html" >browser.log 2>&1
 [ "$(head -c 8 shot.png | tail -c 7 | head -c 3)" = PNG ]
