@@ -2,6 +2,7 @@
 # length L = aspect h. The same scene by a closed form, by the film, flow_style reynolds, or by the full equations,
 # flow_style projection; doc/charts.md has their errors and prices (gap-ladder):
 #	tsim -in in.gap [-var model analytic|film|cfd] [-var K 2] [-var aspect 20] [-var M 200] [-var N 12]
+#	tsim -report run.html -in in.gap		a page with pictures and plots (doc/report.md)
 # Load, friction and largest pressure are compared with the exact solution of Reynolds' equation,
 #	d/dx (h^3 dp/dx) = 6 mu U dh/dx,  p = 0 at both ends,
 # from which the full equations differ by terms of (h/L)^2 and Re h/L.

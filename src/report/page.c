@@ -5,6 +5,9 @@
 
 #include "base/banned.h"
 
+/* What has taken less, s, is not told. */
+static const double LEAST_COST = 1e-3;
+
 static void add_link(struct ts_str *out, bool shown, const char *id, const char *text)
 {
 	if (shown)
@@ -64,15 +67,18 @@ static void add_begin(struct ts_page *page)
 static void add_footer(struct ts_page *page)
 {
 	const struct ts_record *r = page->record;
-	const double wall = page->now - r->start;
+	const double wall = page->now - r->start, cost = r->cost + r->drawing;
+	struct ts_str *out = &page->out;
 
-	ts_str_addf(&page->out, "</main>\n<footer>tsim %s.", PACKAGE_VERSION);
-	if (wall > 0 && r->cost + r->drawing > 0)
-		ts_str_addf(&page->out,
-			    " This report has taken %.2g %% of the time%s, %.2g s of it for pictures.",
-			    100 * (r->cost + r->drawing) / wall, r->end == TS_RECORD_RUNNING ? " so far" : "",
-			    r->drawing);
-	ts_str_add(&page->out, "</footer>\n</body>\n</html>\n");
+	ts_str_addf(out, "</main>\n<footer>tsim %s.", PACKAGE_VERSION);
+	if (wall > 0 && cost > LEAST_COST) {
+		ts_str_addf(out, " This report has taken %.2g %% of the time%s", 100 * cost / wall,
+			    r->end == TS_RECORD_RUNNING ? " so far" : "");
+		if (r->drawing > LEAST_COST)
+			ts_str_addf(out, ", %.2g s of it for pictures", r->drawing);
+		ts_str_add(out, ".");
+	}
+	ts_str_add(out, "</footer>\n</body>\n</html>\n");
 }
 
 static void make(struct ts_page *page)

@@ -153,9 +153,11 @@ enum { FEW_LIMITS = 8 }; /* shown openly */
 
 static bool same_limit(const struct ts_record_run *a, const struct ts_record_run *b)
 {
+	if (a->dt < b->dt || a->dt > b->dt)
+		return false;
 	if (!a->limit_of || !b->limit_of)
 		return a->limit_of == b->limit_of;
-	return ts_streq(a->limit_of, b->limit_of) && !(a->dt < b->dt) && !(a->dt > b->dt);
+	return ts_streq(a->limit_of, b->limit_of);
 }
 
 static void add_limit(struct ts_str *out, const struct ts_record_run *run, size_t first, size_t last)
@@ -212,40 +214,56 @@ static void add_limits(struct ts_page *page)
 	end_limits(&page->out);
 }
 
-static size_t nearest_limit(const struct ts_record *r)
+/* The run that began nearest to its limit; NULL: no run has one. */
+static const struct ts_record_run *nearest_limit(const struct ts_record *r)
 {
-	size_t nearest = 0;
-	double most = 0;
+	const struct ts_record_run *nearest = NULL;
 
 	for (size_t k = 0; k < r->nruns; k++) {
-		const double share = r->run[k].limit_of ? r->run[k].dt / r->run[k].limit : 0;
+		const struct ts_record_run *run = &r->run[k];
 
-		if (share > most) {
-			most = share;
-			nearest = k;
-		}
+		if (run->limit_of && (!nearest || run->dt / run->limit > nearest->dt / nearest->limit))
+			nearest = run;
 	}
 	return nearest;
+}
+
+static void add_nearest(struct ts_page *page)
+{
+	const struct ts_record *r = page->record;
+	const struct ts_record_run *nearest = nearest_limit(r);
+	struct ts_str *out = &page->out;
+
+	if (!nearest)
+		return;
+	ts_str_add(out, "<p class=\"soft\">Of the runs below, the one that began nearest to its limit</p>\n"
+			"<div class=\"scroll\">");
+	begin_limits(out);
+	add_limit(out, nearest, (size_t)(nearest - r->run) + 1, (size_t)(nearest - r->run) + 1);
+	end_limits(out);
+	ts_str_add(out, "</div>\n");
 }
 
 static void add_fractions(struct ts_page *page)
 {
 	const struct ts_record *r = page->record;
 	const struct ts_plot_mark limit = { .name = "limit", .at = 1 };
+	bool any = false;
 
-	ts_str_add(&page->out, "<div class=\"plots\">\n");
 	for (size_t k = 0; k < r->ntables; k++) {
 		const struct ts_record_table *t = &r->table[k];
 
 		if (ts_rows_is_constant(&t->rows, t->n))
 			continue;
+		ts_str_add(&page->out, any ? "" : "<div class=\"plots\">\n");
+		any = true;
 		ts_str_add(&page->out, "<div class=\"card\"><h3>Time step / its limit</h3><small>as checked "
 				       "during the run</small>");
 		add_plot(page, t, t->n, "step / limit", NULL,
 			 t->rows.sum[t->n].greatest > 0.5 ? &limit : NULL);
 		ts_str_add(&page->out, "</div>\n");
 	}
-	ts_str_add(&page->out, "</div>\n");
+	ts_str_add(&page->out, any ? "</div>\n" : "");
 }
 
 void ts_page_limits(struct ts_page *page)
@@ -261,14 +279,13 @@ void ts_page_limits(struct ts_page *page)
 		add_limits(page);
 		ts_str_add(out, "</div>\n");
 	} else {
-		const size_t k = nearest_limit(r);
-
-		ts_str_add(out, "<p class=\"soft\">The run that began nearest to its limit</p>\n"
-				"<div class=\"scroll\">");
-		begin_limits(out);
-		add_limit(out, &r->run[k], k + 1, k + 1);
-		end_limits(out);
-		ts_str_addf(out, "</div>\n<details><summary>All %zu runs</summary><div>", r->nruns);
+		add_nearest(page);
+		ts_str_add(out, "<details><summary>");
+		if ((size_t)r->runs > r->nruns)
+			ts_str_addf(out, "The first %zu of %" PRId64 " runs", r->nruns, r->runs);
+		else
+			ts_str_addf(out, "All %zu runs", r->nruns);
+		ts_str_add(out, "</summary><div>");
 		add_limits(page);
 		ts_str_add(out, "</div></details>\n");
 	}

@@ -142,6 +142,21 @@ has "both runs are in it" c.html 'A &lt;title&gt;' '2 of 4 results ok' '>2 runs<
 "$TSIM" -in in.command -report d.html -log none >out 2>&1 && grep -q 'written to d.html, as the command line says' out
 report "the option replaces the file" $? out
 has "its pictures stay" d.html 'vx diameter size 64 48'
+sed '/^run/,$d; s/diameter 0.002/diameter 0.00501/' in.fall >in.steps
+for k in $(seq 9); do printf 'timestep %de-6\nrun 1 post no\n' "$k"; done >>in.steps
+"$TSIM" -in in.steps -report s.html -log none >out 2>&1 && grep -q 'All 9 runs' s.html &&
+	grep -q '<tr><td>9</td><td class="n">9e-06</td>' s.html
+report "many limits of the time step are folded behind the nearest" $? out
+wellformed "its page" s.html
+sed '/^create_atoms/d; /^set/d; /^velocity/d; /^fix.*wall/d; /^run/,$d' in.fall >in.empty
+printf 'run 10\nrun 10\n' >>in.empty
+"$TSIM" -in in.empty -report t.html -log none >out 2>&1 && ! grep -q '<img' t.html && ! grep -q 'for pictures' t.html
+report "nothing to be seen: no picture" $? out
+sed '/^run/,$d' in.fall >in.still
+echo 'run 0' >>in.still
+"$TSIM" -in in.still -report u.html -log none >out 2>&1 && [ "$(grep -c '<img' u.html)" = 1 ] &&
+	grep -q 'first and last state, step 0' u.html
+report "nothing has changed: one picture" $? out
 (echo 'report picture none' && cat in.fall) >in.none
 "$TSIM" -in in.none -report e.html -log none >out 2>&1 && ! grep -q '<img' e.html
 report "picture none" $? out
