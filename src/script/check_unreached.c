@@ -53,6 +53,13 @@ static enum ts_status find_style_unless_foreign(struct ts_script *script, enum t
 	return ts_style_require(script->sim, kind, name, style);
 }
 
+/* `region ID delete`, `flow_style none`: a word that stands for no style. */
+static bool removes(struct ts_words words, size_t n)
+{
+	return ts_streq(words.word[n].text, "delete") ||
+	       (n == 1 && words.n == 2 && ts_streq(words.word[n].text, "none"));
+}
+
 static enum ts_status parse_command(struct ts_script *script, struct ts_words words, bool open)
 {
 	const struct ts_style *style;
@@ -67,8 +74,7 @@ static enum ts_status parse_command(struct ts_script *script, struct ts_words wo
 	for (size_t k = 0; k < sizeof hands_on / sizeof *hands_on; k++) {
 		size_t n = hands_on[k].word;
 
-		if (!ts_streq(hands_on[k].command, style->name) || n >= words.n ||
-		    ts_streq(words.word[n].text, "delete"))
+		if (!ts_streq(hands_on[k].command, style->name) || n >= words.n || removes(words, n))
 			continue;
 		TS_TRY(find_style_unless_foreign(script, hands_on[k].kind, &words.word[n], &style));
 		return style && !open ? parse_arguments(script, style, ts_words_from(words, n + 1),

@@ -440,8 +440,8 @@ for deck in drilling; do
 	"$TSIM" -check -in in.$deck >out 2>err
 	report "examples/$deck has no errors" $? err
 done
-cp -r "$top_srcdir/examples/flow" "$top_srcdir/examples/film" .
-for deck in flow/*/in.* film/in.*; do
+cp -r "$top_srcdir"/examples/{flow,film,everyday,rock,polishing} .
+for deck in flow/*/in.* film/in.* everyday/in.* rock/in.* polishing/in.{wafer,gap,paml,stribeck}; do
 	(cd "${deck%/*}" && "$TSIM" -check -in "${deck##*/}") >out 2>err
 	report "examples/$deck has no errors" $? err
 done
