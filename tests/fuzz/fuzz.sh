@@ -36,6 +36,7 @@ if ! [ -f Makefile ]; then
 		"$top_srcdir/configure" -q --disable-openmp >configure.out 2>&1 ||
 		{ cat configure.out; exit 1; }
 fi
+libraries=$(sed -nE 's/^(GSL|ZLIB|PNG|HDF5|HYPRE)_LIBS = //p' Makefile | tr '\n' ' ') # those that configure has found
 make -s -j"${FUZZ_JOBS:-2}" libtsim.a >make.out 2>&1 || { tail -20 make.out; exit 1; }
 
 # words of the language, from the tables; scripts are also mutated by lines and words (tokens.c)
@@ -48,7 +49,7 @@ for target in "${targets[@]}"; do
 	parts=("$here/sandbox.c")
 	case $target in script | check | explain) parts+=("$here"/{scripts,tokens}.c) ;; esac
 	$clang $flags -fsanitize=fuzzer -D_GNU_SOURCE -I"$top_srcdir/src" "$here/fuzz_$target.c" \
-		"${parts[@]}" libtsim.a -lgsl -lgslcblas -lz $(pkg-config --libs libpng 2>/dev/null) -lm @"$here/wrap.ld" \
+		"${parts[@]}" libtsim.a $libraries -lm @"$here/wrap.ld" \
 		-o "fuzz_$target" || exit 1
 	mkdir -p "corpus.$target" "found.$target" "empty.$target"
 	(
