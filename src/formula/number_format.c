@@ -7,7 +7,7 @@
 
 enum { WIDEST = 3 /* digits of a width or precision */ };
 
-/* The letter of the conversion that begins behind a %, or NULL; *end is the position behind it. */
+/* The letter of the conversion that begins behind a %, or NULL; *end is the position behind it, or the end of the text. */
 static const char *find_conversion(const char *text, const char **end)
 {
 	const char *c = text + strspn(text, "-+ 0#");
@@ -18,7 +18,7 @@ static const char *find_conversion(const char *text, const char **end)
 		precision = strspn(c + 1, "0123456789");
 		c += 1 + precision;
 	}
-	*end = c + 1;
+	*end = *c ? c + 1 : c; /* the text may end before the letter */
 	return *c && strchr("eEfFgGd", *c) && width <= WIDEST && precision <= WIDEST ? c : NULL;
 }
 
