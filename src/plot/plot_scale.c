@@ -178,7 +178,7 @@ static void add_tick(struct ts_plot_scale *scale, double at, const char *text)
 	if (scale->n == TS_PLOT_TICKS || !(at >= -1e-9 && at <= 1 + 1e-9))
 		return;
 	*tick = (struct ts_plot_tick){ .at = fmin(fmax(at, 0), 1) };
-	snprintf(tick->text, sizeof tick->text, "%s", text);
+	snprintf(tick->text, sizeof tick->text, "%.*s", (int)sizeof tick->text - 1, text);
 	scale->n++;
 }
 
