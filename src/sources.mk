@@ -219,6 +219,7 @@ library_sources = \
 	src/contact/command_soft_particles.c \
 	src/contact/compute_contact_atom.c \
 	src/contact/compute_contacts.c \
+	src/contact/compute_fabric.c \
 	src/contact/compute_group_group.c \
 	src/contact/compute_pair_gran_local.c \
 	src/contact/compute_pair_gran_local_bond.c \

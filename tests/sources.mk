@@ -25,6 +25,7 @@ shell_tests = \
 	tests/contact/bridges.sh \
 	tests/contact/cohesive_bonds.sh \
 	tests/contact/contact_computes.sh \
+	tests/contact/fabric.sh \
 	tests/contact/gran_laws.sh \
 	tests/contact/gran_numbers.sh \
 	tests/contact/granular.sh \

@@ -134,6 +134,7 @@ TS_STYLE(compute, ts_style, ts_compute_displace_atom)
 TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
+TS_STYLE(compute, ts_style, ts_compute_fabric)
 TS_STYLE(compute, ts_style, ts_compute_film)
 TS_STYLE(compute, ts_style, ts_compute_film_atom)
 TS_STYLE(compute, ts_style, ts_compute_flow_flux)
@@ -482,6 +483,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_erotate_multisphere,
 	&ts_compute_erotate_sphere,
 	&ts_compute_erotate_sphere_atom,
+	&ts_compute_fabric,
 	&ts_compute_film,
 	&ts_compute_film_atom,
 	&ts_compute_flow_flux,

@@ -88,23 +88,23 @@ syn keyword tsimKeyword  internal atomfile equal vector create zero linear angul
 syn keyword tsimKeyword  angularIndividual sum dist gaussian mom rot local geom bias pair
 syn keyword tsimKeyword  ii ij nofix modify noinit threshold hardness up column quantile
 syn keyword tsimKeyword  area discard default mixed bound reduced nchunk limit ids nfreq
-syn keyword tsimKeyword  between cells values interpolation cubic solid_fraction amount
-syn keyword tsimKeyword  load bumpiness upper_wall_restitution upper_roughness
-syn keyword tsimKeyword  upper_bumpiness friction tangential packing theory lun garzo/dufty
-syn keyword tsimKeyword  radial lun/savage carnahan/starling torquato branch dense dilute
-syn keyword tsimKeyword  points tolerance shear_rate kspace tensor lacey kramer poole rsd
-syn keyword tsimKeyword  intensity above chunks weight number volume least particles
-syn keyword tsimKeyword  contacts reference neighbors com average property xcm vcm fcm
-syn keyword tsimKeyword  torque quat angmom masstotal inertia clumptype id_multisphere
-syn keyword tsimKeyword  ex_space ey_space ez_space bond/type region_count tracer
-syn keyword tsimKeyword  reset_marker min max ave sumsq avesq sumabs aveabs minabs maxabs
-syn keyword tsimKeyword  std inputs peratom update_on_run_end ridge plane center winkler
-syn keyword tsimKeyword  halfspace young poisson counter_young counter_poisson iterations
-syn keyword tsimKeyword  counter adof cdof mean linear/x linear/y linear/z motion
-syn keyword tsimKeyword  translation rotation unbiased primitives colour u v movie voxel
-syn keyword tsimKeyword  clip slice arrow view zoom persp axes subbox shiny depthcue fsaa
-syn keyword tsimKeyword  ssao legend reset coefficient fluid_acceleration two_way energy
-syn keyword tsimKeyword  sample running window overwrite title1 title2 title3 auto
+syn keyword tsimKeyword  type/include between cells values interpolation cubic
+syn keyword tsimKeyword  solid_fraction amount load bumpiness upper_wall_restitution
+syn keyword tsimKeyword  upper_roughness upper_bumpiness friction tangential packing theory
+syn keyword tsimKeyword  lun garzo/dufty radial lun/savage carnahan/starling torquato
+syn keyword tsimKeyword  branch dense dilute points tolerance shear_rate kspace tensor
+syn keyword tsimKeyword  lacey kramer poole rsd intensity above chunks weight number volume
+syn keyword tsimKeyword  least particles contacts reference neighbors com average property
+syn keyword tsimKeyword  xcm vcm fcm torque quat angmom masstotal inertia clumptype
+syn keyword tsimKeyword  id_multisphere ex_space ey_space ez_space bond/type region_count
+syn keyword tsimKeyword  tracer reset_marker min max ave sumsq avesq sumabs aveabs minabs
+syn keyword tsimKeyword  maxabs std inputs peratom update_on_run_end ridge plane center
+syn keyword tsimKeyword  winkler halfspace young poisson counter_young counter_poisson
+syn keyword tsimKeyword  iterations counter adof cdof mean linear/x linear/y linear/z
+syn keyword tsimKeyword  motion translation rotation unbiased primitives colour u v movie
+syn keyword tsimKeyword  voxel clip slice arrow view zoom persp axes subbox shiny depthcue
+syn keyword tsimKeyword  fsaa ssao legend reset coefficient fluid_acceleration two_way
+syn keyword tsimKeyword  energy sample running window overwrite title1 title2 title3 auto
 syn keyword tsimKeyword  auto/upper auto/lower full prefactor scalar nevery
 syn keyword tsimKeyword  cell_size_relative parallel basevolume_region kind global beyond
 syn keyword tsimKeyword  end extra level prob iparam jparam dim vmax
@@ -240,8 +240,8 @@ syn keyword tsim_compute contained automaton/profile bed/height bond/counter bon
 syn keyword tsim_compute contained chunk/atom chunk/spread/atom cluster/atom com com/chunk
 syn keyword tsim_compute contained contact/atom contacts coord/atom coordination count/type
 syn keyword tsim_compute contained displace/atom erotate/multisphere erotate/sphere erotate
-syn keyword tsim_compute contained erotate/sphere/atom film film/atom flow/flux flow/force flow/line
-syn keyword tsim_compute contained flow/plane flow/probe fragment/atom granular/couette
+syn keyword tsim_compute contained erotate/sphere/atom fabric film film/atom flow/flux flow/force
+syn keyword tsim_compute contained flow/line flow/plane flow/probe fragment/atom granular/couette
 syn keyword tsim_compute contained granular/shear group/group gyration gyration/chunk inertia/chunk
 syn keyword tsim_compute contained ke ke/atom ke/multisphere leave mixing mixing/contact mixing/gmmi
 syn keyword tsim_compute contained mixing/neighbor msd msd/chunk multisphere rigid multisphere/single
