@@ -761,6 +761,8 @@ library_sources = \
 	src/io/h5file.h \
 	src/io/h5md.c \
 	src/io/h5md.h \
+	src/io/h5out.c \
+	src/io/h5out.h \
 	src/io/lines.c \
 	src/io/lines.h \
 	src/io/movie.c \
@@ -782,6 +784,8 @@ library_sources = \
 	src/io/vtk_legacy.h \
 	src/io/vtk_xml.c \
 	src/io/vtk_xml.h \
+	src/io/vtkhdf.c \
+	src/io/vtkhdf.h \
 	src/kinetic/compute_granular_couette.c \
 	src/kinetic/compute_granular_shear.c \
 	src/kinetic/granular_couette.c \

@@ -50,6 +50,7 @@ shell_tests = \
 	tests/crosscheck/bpm.sh \
 	tests/crosscheck/bridges.sh \
 	tests/crosscheck/data_files.sh \
+	tests/crosscheck/fabric.sh \
 	tests/crosscheck/fixes.sh \
 	tests/crosscheck/granular.sh \
 	tests/crosscheck/heat.sh \
@@ -88,6 +89,7 @@ shell_tests = \
 	tests/dump/vtk.sh \
 	tests/dump/vtk_formats.sh \
 	tests/dump/vtk_surfaces.sh \
+	tests/dump/vtkhdf.sh \
 	tests/energy/energy.sh \
 	tests/energy/energy_ledger.sh \
 	tests/examples/benchmarks.sh \

@@ -87,7 +87,8 @@ const struct ts_style ts_dump_custom_vtk = {
 	.doc = "Writes one file per frame; the ending of its name selects the format. .vtp: compressed VTK "
 	       "XML (PolyData), recommended; .vtu: the same as UnstructuredGrid; .vtk: the legacy format as "
 	       "text, with `dump_modify binary yes` as binary; .pvtp, .pvtu: a list of pieces, with one "
-	       "piece. A collection, named like the frames without the `*` and ending in .pvd (for .vtk in "
+	       "piece; .vtkhdf: all frames in one HDF5 file, see below. A collection, named like the frames "
+	       "without the `*` and ending in .pvd (for .vtk in "
 	       ".vtk.series), lists the frames with their times; open this file in ParaView. It is replaced "
 	       "by renaming, so that it is complete at any time. With .vtk the simulation box is written to "
 	       "a file with boundingBox_ before the step, as in LIGGGHTS.\n\n"
@@ -98,9 +99,21 @@ const struct ts_style ts_dump_custom_vtk = {
 	       "variable v_NAME is written as NAME.\n\n"
 	       "Files .vtk are of version 5.1, the format of VTK 9 (ParaView 5.9). They equal those of "
 	       "LIGGGHTS byte for byte, except for the title, which contains the time, and for positions, "
-	       "which are in double precision; with `legacy yes` in single precision as in LIGGGHTS.",
+	       "which are in double precision; with `legacy yes` in single precision as in LIGGGHTS.\n\n"
+	       "NAME.vtkhdf (VTKHDF 2.0, UnstructuredGrid) has no `*` in its name: each frame is added to "
+	       "the "
+	       "file, which ParaView from version 5.12 on opens as a series with its times. It is closed "
+	       "after "
+	       "each frame: a run that is killed or fills the disk leaves all frames before. A continued run "
+	       "adds to it and replaces frames of the present step and later ones; `dump_modify append yes` "
+	       "adds "
+	       "to the file of another run, whose frames have the same quantities. Its data set /tsim/step "
+	       "has "
+	       "the steps. Older ParaView shows all frames at once. tsim must have been built with the HDF5 "
+	       "library (libhdf5-dev).",
 	.example = "dump rock all custom/vtk 1000 post/rock*.vtp id type x y z vx vy vz radius\n"
-		   "dump old all custom/vtk 1000 post/old*.vtk id type radius",
+		   "dump old all custom/vtk 1000 post/old*.vtk id type radius\n"
+		   "dump one all custom/vtk 1000 post/rock.vtkhdf id type vx vy vz radius",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

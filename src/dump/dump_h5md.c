@@ -5,6 +5,7 @@
 #include "core/sim.h"
 #include "dump/dump.h"
 #include "io/h5md.h"
+#include "io/h5out.h"
 #include "io/series.h"
 
 #include "base/banned.h"
@@ -182,7 +183,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	if (!ts_h5md_available())
+	if (!ts_h5out_available())
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "dump h5md: this tsim was built without HDF5 (apt-get install libhdf5-dev, "
 			       "then ./configure); dump custom needs no library");

@@ -32,8 +32,10 @@ enum ts_status ts_dump_mesh_init(struct ts_instance *self, struct tsim *sim, ts_
 {
 	struct ts_dump_mesh *d = self->state;
 	struct ts_mesh_surface *surface;
+	bool in_one =
+		self->style->archive == ts_dump_vtk_archive && ts_vtk_has_all_frames(d->vtk.common.file);
 
-	if (!strchr(d->vtk.common.file, '*'))
+	if (!in_one && !strchr(d->vtk.common.file, '*'))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, d->vtk.common.file),
 			       "dump %s writes one file per frame: the name '%s' needs a `*` for the step",
 			       self->style->name, d->vtk.common.file);

@@ -4,9 +4,38 @@
 #include <string.h>
 
 #include "box/domain.h"
+#include "io/h5out.h"
 #include "io/series.h"
 
 #include "base/banned.h"
+
+/* A .vtkhdf file has all frames of one dump. */
+static enum ts_status check_all_frames(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_instances *dumps = &sim->instances[TS_KIND_DUMP];
+	const char *file = ((const struct ts_dump_vtk *)self->state)->common.file;
+	const struct ts_place *where = ts_instance_word(self, file);
+
+	if (!ts_h5out_available())
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "dump %s: this tsim was built without HDF5, which .vtkhdf needs (apt-get "
+			       "install "
+			       "libhdf5-dev, then ./configure); .vtp needs no library",
+			       self->style->name);
+	if (strchr(file, '*'))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "dump %s: a file .vtkhdf has all frames: leave out the `*` of '%s'",
+			       self->style->name, file);
+	for (size_t k = 0; k < dumps->n && dumps->item[k] != self; k++) {
+		const struct ts_dump_vtk *other = dumps->item[k]->state;
+
+		if (dumps->item[k]->style->archive == ts_dump_vtk_archive &&
+		    ts_streq(other->common.file, file))
+			return ts_fail(&sim->error, TS_STATE, where, "dump %s: dump %s writes '%s', too",
+				       self->style->name, dumps->item[k]->id, file);
+	}
+	return TS_OK;
+}
 
 enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim)
 {
@@ -14,10 +43,10 @@ enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim
 
 	if (!ts_vtk_is_supported(file))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, file),
-			       "dump %s: the name of the file must end in .vtk, .vtp, .vtu, .pvtp or .pvtu, "
-			       "found '%s'",
+			       "dump %s: the name of the file must end in .vtk, .vtp, .vtu, .pvtp, .pvtu or "
+			       ".vtkhdf, found '%s'",
 			       self->style->name, file);
-	return TS_OK;
+	return ts_vtk_has_all_frames(file) ? check_all_frames(self, sim) : TS_OK;
 }
 
 /* Rank of a column in the order of arrays in files of LIGGGHTS; other columns come last. */
@@ -183,6 +212,8 @@ enum ts_status ts_dump_vtk_list(struct ts_instance *self, struct tsim *sim)
 	struct ts_dump_vtk *s = self->state;
 	struct ts_dump_common *d = &s->common;
 
+	if (ts_vtk_has_all_frames(d->file))
+		return TS_OK;
 	if (!strchr(d->file, '*')) { /* there is one frame, the last */
 		if (d->frames == 2)
 			ts_warn(&sim->log, ts_instance_word(self, d->file),
@@ -218,6 +249,7 @@ enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim, str
 
 	poly->time = ts_sim_time(sim);
 	poly->binary = d->binary;
+	poly->first = d->frames == 1 && !d->append;
 	poly->single_points |= sim->legacy;
 	TS_TRY(ts_dump_vtk_path(d, sim));
 	TS_TRY(ts_vtk_write_poly(sim, ts_str_text(&d->path), &self->where, poly));

@@ -21,7 +21,7 @@ struct ts_dump_vtk {
 	       .help = "steps between frames"),                                                         \
 		TS_WORD("file", T, vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,                 \
 			.help = "name of the frames, ending in .vtk, .vtp, .vtu, .pvtp or .pvtu, with " \
-				"a `*` for the step")
+				"a `*` for the step; of all frames: .vtkhdf")
 #define TS_DUMP_VTK_ARGS(T, columns_help) \
 	TS_DUMP_VTK_FILE_ARGS(T), TS_REST("columns", T, vtk.names, .help = (columns_help))
 #define TS_DUMP_VTK_SAVED(T) TS_SAVE_I64(T, vtk.common.last), TS_SAVE_I64(T, vtk.common.frames)

@@ -1,13 +1,11 @@
 #include "io/h5md.h"
 
 #ifdef TS_WITH_HDF5
-#include <errno.h>
 #include <hdf5.h>
 #include <math.h>
 #include <string.h>
 
-#include "base/mkdirs.h"
-#include "io/h5file.h"
+#include "io/h5out.h"
 
 #include "base/banned.h"
 
@@ -20,14 +18,6 @@ enum {
 }; /* bytes reserved for a data set; sets of an element, of the box */
 enum { MOST_RANK = 3 };
 
-struct file {
-	struct tsim *sim;
-	const char *path;
-	const struct ts_place *where;
-	struct ts_h5file h5;
-	char reason[160]; /* innermost message of the library */
-};
-
 /* A data set with a row for each frame. */
 struct layout {
 	const char *name;
@@ -38,79 +28,14 @@ struct layout {
 	double missing;		     /* value of what a frame does not have */
 };
 
-bool ts_h5md_available(void)
-{
-	return true;
-}
-
-/* ---- errors ---- */
-
-static herr_t take_reason(unsigned n, const H5E_error2_t *error, void *data)
-{
-	struct file *f = data;
-
-	if (n == 0)
-		snprintf(f->reason, sizeof f->reason, "%s", error->desc ? error->desc : "");
-	return 0;
-}
-
-static enum ts_status fail(struct file *f, const char *what)
-{
-	int code = errno;
-
-	H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_reason, f);
-	errno = code;
-	return ts_fail(&f->sim->error, TS_IO, f->where, "%s '%s' failed: %s", what, f->path,
-		       f->reason[0] ? f->reason : ts_files_why(&f->sim->files));
-}
-
-/* ---- groups, attributes ---- */
-
-static bool exists(hid_t at, const char *name)
-{
-	return H5Lexists(at, name, H5P_DEFAULT) > 0;
-}
-
-static hid_t open_group(hid_t at, const char *name)
-{
-	return exists(at, name) ? H5Gopen2(at, name, H5P_DEFAULT)
-				: H5Gcreate2(at, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-}
-
-static bool write_attribute(hid_t at, const char *name, hid_t type, hsize_t n, const void *value)
-{
-	hid_t space = n ? H5Screate_simple(1, &n, NULL) : H5Screate(H5S_SCALAR);
-	hid_t attribute = H5Acreate2(at, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
-	bool good = attribute >= 0 && H5Awrite(attribute, type, value) >= 0;
-
-	H5Aclose(attribute);
-	H5Sclose(space);
-	return good;
-}
-
-/* n texts of the same size, with their zeros; n 0: one, as a scalar. */
-static bool write_texts(hid_t at, const char *name, hsize_t n, const char *text, size_t size)
-{
-	hid_t type = H5Tcopy(H5T_C_S1);
-	bool good = H5Tset_size(type, size) >= 0 && write_attribute(at, name, type, n, text);
-
-	H5Tclose(type);
-	return good;
-}
-
-static bool write_text(hid_t at, const char *name, const char *text)
-{
-	return write_texts(at, name, 0, text, strlen(text) + 1);
-}
-
 static bool describe(hid_t file, const struct ts_h5md_frame *frame)
 {
 	static const int version[2] = { 1, 1 };
-	hid_t head = open_group(file, "h5md"), author = open_group(head, "author");
-	hid_t creator = open_group(head, "creator");
-	bool good = write_attribute(head, "version", H5T_NATIVE_INT, 2, version) &&
-		    write_text(author, "name", frame->author) && write_text(creator, "name", "tsim") &&
-		    write_text(creator, "version", PACKAGE_VERSION);
+	hid_t head = ts_h5out_group(file, "h5md"), author = ts_h5out_group(head, "author");
+	hid_t creator = ts_h5out_group(head, "creator");
+	bool good = ts_h5out_attribute(head, "version", H5T_NATIVE_INT, 2, version) &&
+		    ts_h5out_text(author, "name", frame->author) && ts_h5out_text(creator, "name", "tsim") &&
+		    ts_h5out_text(creator, "version", PACKAGE_VERSION);
 
 	H5Gclose(creator);
 	H5Gclose(author);
@@ -154,7 +79,7 @@ static hid_t create_set(hid_t at, const struct layout *l)
 }
 
 /* *now: the extent. Fails if the set has another shape than the layout. */
-static enum ts_status check_set(struct file *f, hid_t set, const struct layout *l, hsize_t now[MOST_RANK])
+static enum ts_status check_set(struct ts_h5out *f, hid_t set, const struct layout *l, hsize_t now[MOST_RANK])
 {
 	hid_t space = H5Dget_space(set);
 	bool same = H5Sget_simple_extent_ndims(space) == l->rank;
@@ -187,8 +112,8 @@ static bool write_row(hid_t set, const struct layout *l, hsize_t row, hid_t type
 	return good;
 }
 
-static enum ts_status store_row(struct file *f, hid_t set, const struct layout *l, hsize_t row, hid_t type,
-				const void *data)
+static enum ts_status store_row(struct ts_h5out *f, hid_t set, const struct layout *l, hsize_t row,
+				hid_t type, const void *data)
 {
 	hsize_t now[MOST_RANK];
 	bool good = true;
@@ -204,25 +129,25 @@ static enum ts_status store_row(struct file *f, hid_t set, const struct layout *
 	good = good && H5Dset_extent(set, now) >= 0;
 	if (good && (l->rank == 1 || l->size[0]))
 		good = write_row(set, l, row, type, data);
-	return good ? TS_OK : fail(f, "writing");
+	return good ? TS_OK : ts_h5out_fail(f, "writing");
 }
 
-static enum ts_status put_row(struct file *f, hid_t at, const struct layout *l, hsize_t row, hid_t type,
+static enum ts_status put_row(struct ts_h5out *f, hid_t at, const struct layout *l, hsize_t row, hid_t type,
 			      const void *data)
 {
-	bool there = exists(at, l->name);
+	bool there = ts_h5out_exists(at, l->name);
 	hid_t set = there ? H5Dopen2(at, l->name, H5P_DEFAULT) : create_set(at, l);
-	enum ts_status status = set < 0 ? fail(f, "writing") : TS_OK;
+	enum ts_status status = set < 0 ? ts_h5out_fail(f, "writing") : TS_OK;
 
 	if (status == TS_OK)
 		status = store_row(f, set, l, row, type, data);
 	if (set >= 0 && H5Dclose(set) < 0 && status == TS_OK)
-		status = fail(f, "writing");
+		status = ts_h5out_fail(f, "writing");
 	return status;
 }
 
 /* *row: the number of rows of an element with steps before this one. */
-static enum ts_status find_row(struct file *f, hid_t element, int64_t step, hsize_t *row)
+static enum ts_status find_row(struct ts_h5out *f, hid_t element, int64_t step, hsize_t *row)
 {
 	hid_t set, space;
 	int64_t *steps;
@@ -230,7 +155,7 @@ static enum ts_status find_row(struct file *f, hid_t element, int64_t step, hsiz
 	bool good;
 
 	*row = 0;
-	if (!exists(element, "step"))
+	if (!ts_h5out_exists(element, "step"))
 		return TS_OK;
 	set = H5Dopen2(element, "step", H5P_DEFAULT);
 	space = H5Dget_space(set);
@@ -245,37 +170,38 @@ static enum ts_status find_row(struct file *f, hid_t element, int64_t step, hsiz
 	if (!steps)
 		return ts_nomem(&f->sim->error);
 	ts_free(steps);
-	return good ? TS_OK : fail(f, "reading");
+	return good ? TS_OK : ts_h5out_fail(f, "reading");
 }
 
 /* ---- a frame ---- */
 
 /* Steps and times of an element: its own, or those of the group, by hard links. */
-static enum ts_status put_time(struct file *f, hid_t element, hid_t common, const struct ts_h5md_frame *frame,
-			       hsize_t row)
+static enum ts_status put_time(struct ts_h5out *f, hid_t element, hid_t common,
+			       const struct ts_h5md_frame *frame, hsize_t row)
 {
 	struct layout step = { .name = "step", .type = H5T_STD_I64LE, .rank = 1, .missing = -1 };
 	struct layout time = { .name = "time", .type = H5T_IEEE_F64LE, .rank = 1, .missing = NAN };
 
-	if (common >= 0 && exists(element, "step"))
+	if (common >= 0 && ts_h5out_exists(element, "step"))
 		return TS_OK;
 	if (common >= 0)
 		return H5Lcreate_hard(common, "step", element, "step", H5P_DEFAULT, H5P_DEFAULT) >= 0 &&
 				       H5Lcreate_hard(common, "time", element, "time", H5P_DEFAULT,
 						      H5P_DEFAULT) >= 0
 			       ? TS_OK
-			       : fail(f, "writing");
+			       : ts_h5out_fail(f, "writing");
 	TS_TRY(put_row(f, element, &step, row, H5T_NATIVE_INT64, &frame->step));
 	return put_row(f, element, &time, row, H5T_NATIVE_DOUBLE, &frame->time);
 }
 
 /* Adds the value of an element, of the row that its steps have, and its step. `common` < 0: it has its own. */
-static enum ts_status put_value(struct file *f, hid_t group, hid_t common, const struct ts_h5md_frame *frame,
-				hsize_t row, const char *name, const struct layout *l, const double *data)
+static enum ts_status put_value(struct ts_h5out *f, hid_t group, hid_t common,
+				const struct ts_h5md_frame *frame, hsize_t row, const char *name,
+				const struct layout *l, const double *data)
 {
-	bool begins = !exists(group, name);
-	hid_t element = open_group(group, name);
-	enum ts_status status = element < 0 ? fail(f, "writing") : TS_OK;
+	bool begins = !ts_h5out_exists(group, name);
+	hid_t element = ts_h5out_group(group, name);
+	enum ts_status status = element < 0 ? ts_h5out_fail(f, "writing") : TS_OK;
 
 	if (begins && row > 0 && common >= 0)
 		status = ts_fail(&f->sim->error, TS_STATE, f->where,
@@ -290,7 +216,7 @@ static enum ts_status put_value(struct file *f, hid_t group, hid_t common, const
 	return status;
 }
 
-static enum ts_status put_element(struct file *f, hid_t group, hid_t common,
+static enum ts_status put_element(struct ts_h5out *f, hid_t group, hid_t common,
 				  const struct ts_h5md_frame *frame, hsize_t row,
 				  const struct ts_h5md_element *e)
 {
@@ -315,19 +241,19 @@ static bool describe_box(hid_t box, const struct ts_h5md_frame *frame)
 		return true;
 	for (int d = 0; d < 3; d++)
 		snprintf(face[d], sizeof face[d], "%s", frame->periodic[d] ? "periodic" : "none");
-	return write_attribute(box, "dimension", H5T_NATIVE_INT, 0, &dimension) &&
-	       write_texts(box, "boundary", 3, face[0], sizeof face[0]);
+	return ts_h5out_attribute(box, "dimension", H5T_NATIVE_INT, 0, &dimension) &&
+	       ts_h5out_texts(box, "boundary", 3, face[0], sizeof face[0]);
 }
 
-static enum ts_status put_box(struct file *f, hid_t group, hid_t common, const struct ts_h5md_frame *frame,
-			      hsize_t row)
+static enum ts_status put_box(struct ts_h5out *f, hid_t group, hid_t common,
+			      const struct ts_h5md_frame *frame, hsize_t row)
 {
 	struct layout l = {
 		.name = "value", .type = H5T_IEEE_F64LE, .rank = 2, .size = { 3, 3 }, .missing = NAN
 	};
 	double length[3];
-	hid_t box = open_group(group, "box");
-	enum ts_status status = box < 0 || !describe_box(box, frame) ? fail(f, "writing") : TS_OK;
+	hid_t box = ts_h5out_group(group, "box");
+	enum ts_status status = box < 0 || !describe_box(box, frame) ? ts_h5out_fail(f, "writing") : TS_OK;
 
 	for (int d = 0; d < 3; d++)
 		length[d] = frame->edges[d][d];
@@ -342,11 +268,11 @@ static enum ts_status put_box(struct file *f, hid_t group, hid_t common, const s
 }
 
 /* The first element has the steps of all that are not apart. */
-static enum ts_status put_frame(struct file *f, hid_t group, const struct ts_h5md_frame *frame)
+static enum ts_status put_frame(struct ts_h5out *f, hid_t group, const struct ts_h5md_frame *frame)
 {
-	bool begins = !exists(group, frame->element[0].name);
-	hid_t common = open_group(group, frame->element[0].name);
-	enum ts_status status = common < 0 ? fail(f, "writing") : TS_OK;
+	bool begins = !ts_h5out_exists(group, frame->element[0].name);
+	hid_t common = ts_h5out_group(group, frame->element[0].name);
+	enum ts_status status = common < 0 ? ts_h5out_fail(f, "writing") : TS_OK;
 	hsize_t row = 0;
 
 	if (status == TS_OK && !begins)
@@ -362,84 +288,33 @@ static enum ts_status put_frame(struct file *f, hid_t group, const struct ts_h5m
 	return status;
 }
 
-static enum ts_status put_group(struct file *f, const struct ts_h5md_frame *frame)
+static enum ts_status put_group(struct ts_h5out *f, const struct ts_h5md_frame *frame)
 {
-	hid_t particles = open_group(f->h5.id, "particles"), group = open_group(particles, frame->group);
-	enum ts_status status = group < 0 ? fail(f, "writing") : put_frame(f, group, frame);
+	hid_t particles = ts_h5out_group(f->h5.id, "particles"),
+	      group = ts_h5out_group(particles, frame->group);
+	enum ts_status status = group < 0 ? ts_h5out_fail(f, "writing") : put_frame(f, group, frame);
 
 	H5Gclose(group);
 	H5Gclose(particles);
 	return status;
 }
 
-/* ---- the file ---- */
-
-/* Opens the file, or creates it, and then adds to it. */
-static enum ts_status change_file(struct file *f, const struct ts_h5md_frame *frame, bool create)
+static enum ts_status write_frame(struct ts_h5out *f, bool created, const void *data)
 {
-	FILE *file = ts_files_open(&f->sim->files, f->path, create ? "w+" : "r+");
-	enum ts_status status = TS_OK;
+	const struct ts_h5md_frame *frame = data;
 
-	if (!file)
-		return fail(f, "writing");
-	f->h5 = (struct ts_h5file){ 0 };
-	if (ts_h5file_open(&f->h5, file, f->path, create) < 0)
-		status = fail(f, "opening");
-	else if (create && !describe(f->h5.id, frame))
-		status = fail(f, "writing");
-	if (status == TS_OK)
-		status = put_group(f, frame);
-	if (ts_h5file_close(&f->h5, status == TS_OK))
-		return status;
-	if (f->h5.error) { /* the reason of what the library tells */
-		ts_error_clear(&f->sim->error);
-		f->reason[0] = 0;
-		H5Eclear2(H5E_DEFAULT);
-		errno = f->h5.error;
-		return fail(f, "writing");
-	}
-	return status == TS_OK ? fail(f, "writing") : status;
-}
-
-static enum ts_status append(struct file *f, const struct ts_h5md_frame *frame, bool fresh)
-{
-	struct stat info;
-
-	ts_mkdirs_for(&f->sim->files, f->path); /* an error shows when the file is opened */
-	if (fresh || ts_files_stat(&f->sim->files, f->path, &info) != 0 || info.st_size == 0)
-		return change_file(f, frame, true);
-	if (H5Fis_hdf5(f->path) > 0)
-		return change_file(f, frame, false);
-	return ts_fail(&f->sim->error, TS_DAMAGED, f->where,
-		       "cannot append to '%s': it is not an HDF5 file, or it is damaged", f->path);
+	if (created && !describe(f->h5.id, frame))
+		return ts_h5out_fail(f, "writing");
+	return put_group(f, frame);
 }
 
 enum ts_status ts_h5md_append(struct tsim *sim, const char *path, const struct ts_place *where,
 			      const struct ts_h5md_frame *frame, bool fresh)
 {
-	struct file f = { .sim = sim, .path = path, .where = where };
-	H5E_auto2_t print;
-	void *print_data;
-	enum ts_status status;
-
-	if (ts_files_closed(&sim->files))
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "HDF5 files cannot be written with -sandbox: their library opens files "
-			       "itself");
-	H5Eget_auto2(H5E_DEFAULT, &print, &print_data);
-	H5Eset_auto2(H5E_DEFAULT, NULL, NULL); /* errors are reported here */
-	status = append(&f, frame, fresh);
-	H5Eclear2(H5E_DEFAULT);
-	H5Eset_auto2(H5E_DEFAULT, print, print_data);
-	return status;
+	return ts_h5out_append(sim, path, where, fresh, write_frame, frame);
 }
 #else
 #include "base/banned.h"
-
-bool ts_h5md_available(void)
-{
-	return false;
-}
 
 enum ts_status ts_h5md_append(struct tsim *sim, const char *path, const struct ts_place *where,
 			      const struct ts_h5md_frame *frame, bool fresh)

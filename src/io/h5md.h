@@ -28,7 +28,6 @@ struct ts_h5md_frame {
 	size_t nelements;
 };
 
-bool ts_h5md_available(void);
 /* Adds a frame to the group of the file, which is created if it does not exist or if it is `fresh`. Stored frames of this
  * step and later ones, left by a run that was continued from before, are removed. */
 enum ts_status ts_h5md_append(struct tsim *sim, const char *path, const struct ts_place *where,

@@ -7,6 +7,7 @@
 #include "io/textfile.h"
 #include "io/vtk_legacy.h"
 #include "io/vtk_xml.h"
+#include "io/vtkhdf.h"
 
 #include "base/banned.h"
 
@@ -174,7 +175,12 @@ static const struct format *format_of(const char *path)
 
 bool ts_vtk_is_supported(const char *path)
 {
-	return format_of(path) != NULL;
+	return format_of(path) != NULL || ts_vtk_has_all_frames(path);
+}
+
+bool ts_vtk_has_all_frames(const char *path)
+{
+	return ts_ends_with(path, ".vtkhdf");
 }
 
 static enum ts_status write_single_file(struct tsim *sim, const char *path, const struct ts_place *where,
@@ -212,9 +218,13 @@ enum ts_status ts_vtk_write_poly(struct tsim *sim, const char *path, const struc
 {
 	const struct format *format = format_of(path);
 
+	if (ts_vtk_has_all_frames(path))
+		return ts_vtkhdf_append(sim, path, where, poly, poly->first);
 	if (!format)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "'%s': the name of a VTK file ends in .vtk, .vtp, .vtu, .pvtp or .pvtu", path);
+			       "'%s': the name of a VTK file ends in .vtk, .vtp, .vtu, .pvtp, .pvtu or "
+			       ".vtkhdf",
+			       path);
 	return format->pieces ? write_pieces(sim, path, where, poly, format)
 			      : write_single_file(sim, path, where, poly, format->build);
 }

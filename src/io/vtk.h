@@ -1,7 +1,7 @@
 /* VTK files for ParaView. The ending of the name selects the format: .vtp XML PolyData, .vtu XML
  * UnstructuredGrid, .vtk the legacy format, .pvtp and .pvtu a list of one piece and that piece; for grids
- * .vti XML ImageData, .vtr XML RectilinearGrid. Frames are listed with their times in a collection, .pvd,
- * for legacy files .vtk.series. Layout of XML files: io/vtk_xml.h. */
+ * .vti XML ImageData, .vtr XML RectilinearGrid. Frames are listed with their times in a collection, .pvd, for legacy files
+ * .vtk.series; a .vtkhdf file has all of them (io/vtkhdf.h). Layout of XML files: io/vtk_xml.h. */
 #ifndef TS_IO_VTK_H
 #define TS_IO_VTK_H
 
@@ -30,6 +30,7 @@ struct ts_vtk_poly {
 	bool binary;
 	bool single_points; /* positions in single precision */
 	bool plain;	    /* as ts_vtk_legacy_plain */
+	bool first;	    /* .vtkhdf: an existing file is replaced, otherwise the frame is added to it */
 };
 /* Number of points of a cell: vertex, line, triangle or quad. */
 static inline size_t ts_vtk_cell_size(const struct ts_vtk_poly *poly)
@@ -38,6 +39,8 @@ static inline size_t ts_vtk_cell_size(const struct ts_vtk_poly *poly)
 }
 /* Whether the ending of the name is one that ts_vtk_write_poly supports. */
 bool ts_vtk_is_supported(const char *path);
+/* Whether the file has all frames: .vtkhdf. */
+bool ts_vtk_has_all_frames(const char *path);
 /* Writes a file, which replaces an existing one when it is complete. */
 enum ts_status ts_vtk_write_text(struct tsim *sim, const char *path, const struct ts_place *where,
 				 const struct ts_str *text);

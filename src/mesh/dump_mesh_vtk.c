@@ -88,6 +88,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->form = FACE;
 	TS_TRY(ts_dump_mesh_init(self, sim, read_word));
 	TS_TRY(ts_dump_surface_find(self, sim, writes, &s->inputs));
+	if (ts_vtk_is_supported(s->mesh.vtk.common.file))
+		TS_TRY(ts_dump_vtk_check_name(self, sim));
 	if (!s->mesh.vtk.array)
 		s->mesh.vtk.array = ts_arena_alloc(&self->arena, TS_MESH_QUANTITIES + s->inputs.list.n,
 						   sizeof *s->mesh.vtk.array);
@@ -306,7 +308,8 @@ const struct ts_style ts_dump_mesh_vtk = {
 	.doc = "Writes one file per frame; each triangle has points of its own. The ending of the name "
 	       "selects the format, as for dump custom/vtk: .vtp and .vtu are compressed VTK XML, .vtk is "
 	       "the legacy format 5.1 as text, with positions of six digits as of LIGGGHTS, with "
-	       "`dump_modify binary yes` as binary with all digits; .pvtp, .pvtu: a list with one piece; any "
+	       "`dump_modify binary yes` as binary with all digits; .pvtp, .pvtu: a list with one piece; "
+	       ".vtkhdf: all frames in one file; any "
 	       "other name: as .vtk. The collection NAME.pvd, for .vtk NAME.vtk.series, lists the frames "
 	       "with their times: open this file in ParaView.\n\n"
 	       "With `output interpolate` the quantities are point data, else (face, original) cell data. "

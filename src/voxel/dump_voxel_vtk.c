@@ -26,7 +26,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_word id = { .text = s->id, .place = *ts_instance_word(self, s->id) };
 	struct ts_voxel_surface *surface;
 
-	if (!strchr(s->vtk.common.file, '*'))
+	if (ts_vtk_has_all_frames(s->vtk.common.file))
+		TS_TRY(ts_dump_vtk_check_name(self, sim));
+	else if (!strchr(s->vtk.common.file, '*'))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, s->vtk.common.file),
 			       "dump voxel/vtk writes one file per frame: the name '%s' needs a `*` for the "
 			       "step",
@@ -261,7 +263,9 @@ const struct ts_style ts_dump_voxel_vtk = {
 	.doc = "Writes one file per frame: a square for the top of each column at its present position; "
 	       "empty columns are left out. The ending of the name selects the format, as for dump "
 	       "custom/vtk: .vtp and .vtu are compressed VTK XML, .vtk is the legacy format as text (version "
-	       "3.0), with `dump_modify binary yes` as binary (version 5.1); any other name: as text. The "
+	       "3.0), with `dump_modify binary yes` as binary (version 5.1); .vtkhdf: all frames in one "
+	       "file; any "
+	       "other name: as text. The "
 	       "collection NAME.pvd, for .vtk NAME.vtk.series, lists the frames with their times: open this "
 	       "file in ParaView. Cell data:\n\n"
 	       "  column   number of the column, from 0; the first index varies fastest\n"
