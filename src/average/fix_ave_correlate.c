@@ -16,7 +16,7 @@ struct state {
 	struct ts_words words;
 	int type, ave;
 	double prefactor;
-	const char *file, *title[3];
+	const char *file, *append, *title[3];
 	bool overwrite;
 	struct ts_ref_list input;
 	size_t (*pair)[2], npairs; /* [npairs] indices of the inputs V_i, V_j */
@@ -91,6 +91,11 @@ static enum ts_status allocate_arrays(struct state *s, struct tsim *sim)
 	return TS_OK;
 }
 
+static const char *path_of(const struct state *s)
+{
+	return s->file ? s->file : s->append;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -100,7 +105,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       "fix ave/correlate: Nfreq (%lld) must be a multiple of Nevery (%lld) and not "
 			       "less than Nrepeat - 1 (%lld) times Nevery",
 			       (long long)s->freq, (long long)s->every, (long long)s->repeat - 1);
-	if (ts_csv_is(s->file) && (s->title[0] || s->title[1] || s->title[2]))
+	if (s->append && (s->file || s->overwrite))
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix ave/correlate: append cannot be used with %s",
+			       s->file ? "file" : "overwrite");
+	if (ts_csv_is(path_of(s)) && (s->title[0] || s->title[1] || s->title[2]))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix ave/correlate: a table of comma-separated values has no title lines");
 	TS_TRY(ts_ref_list_init(sim, "fix ave/correlate", &self->arena, s->words, TS_WANT(SCALAR),
@@ -159,7 +168,7 @@ static void add_titles(const struct ts_instance *self)
 	ts_str_add(&s->text, "\n");
 }
 
-static void add_csv_names(struct state *s)
+static enum ts_status begin_table(struct state *s, struct tsim *sim)
 {
 	static const char *const names[] = { "step", "index", "lag", "count" };
 
@@ -174,6 +183,7 @@ static void add_csv_names(struct state *s)
 		ts_str_release(&name);
 	}
 	ts_csv_end(&s->text);
+	return ts_csv_begin(&s->out, sim, &s->text);
 }
 
 static void add_csv_row(struct state *s, const struct tsim *sim, size_t lag)
@@ -198,17 +208,18 @@ static void add_row(struct state *s, size_t lag)
 static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	bool csv = ts_csv_is(s->file);
+	const char *path = path_of(s);
+	bool csv = ts_csv_is(path);
 
-	if (!s->file)
+	if (!path)
 		return TS_OK;
 	if (s->overwrite)
 		TS_TRY(ts_textfile_close(&s->out));
 	ts_str_clear(&s->text);
 	if (!ts_textfile_is_open(&s->out)) {
-		TS_TRY(ts_textfile_open(&s->out, sim, &self->where, s->file, false));
+		TS_TRY(ts_textfile_open(&s->out, sim, ts_instance_word(self, path), path, s->append != NULL));
 		if (csv)
-			add_csv_names(s);
+			TS_TRY(begin_table(s, sim));
 		else
 			add_titles(self);
 	}
@@ -317,6 +328,8 @@ static const struct ts_arg args[] = {
 		.help = "factor by which the results are multiplied"),
 	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL | TS_WRITES,
 		.help = "file to write; a table of comma-separated values if its name ends in .csv"),
+	TS_WORD("append", struct state, append, .flags = TS_OPTIONAL | TS_WRITES,
+		.help = "file to append to"),
 	TS_FLAG("overwrite", struct state, overwrite, .help = "the file holds only the last result"),
 	TS_WORD("title1", struct state, title[0], .flags = TS_OPTIONAL, .help = "first line of the file"),
 	TS_WORD("title2", struct state, title[1], .flags = TS_OPTIONAL, .help = "second line of the file"),

@@ -1,6 +1,7 @@
 /* Dump xyz: type and position of particles in the XYZ format. */
 #include "core/sim.h"
 #include "dump/dump.h"
+#include "io/csv.h"
 
 #include "base/banned.h"
 
@@ -11,8 +12,15 @@ struct state {
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	static const char *const names[] = { "element", "x", "y", "z" };
+	const struct state *s = self->state;
 	struct ts_word word[4];
 
+	if (ts_csv_is(s->common.file))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, s->common.file),
+			       "dump xyz writes the XYZ format: for a table of comma-separated values take "
+			       "`dump ID "
+			       "GROUP custom N %s type x y z`",
+			       s->common.file);
 	for (size_t k = 0; k < 4; k++)
 		word[k] = (struct ts_word){ .text = names[k], .place = self->where };
 	return ts_dump_columns(self, sim, (struct ts_words){ word, 4 }, false);

@@ -58,6 +58,48 @@ print "is group $(c_s) $(4/3)"
 print "is group $(c_s[2]) $((4-2)/1)"
 print "is empty $(c_e) 0"
 print "is empty $(c_e[2]) 0"'
+# A ball in the corner of two planes and a mesh, one on the floor, one on that, one outside the group
+box='units si
+boundary f f f
+region box block 0 4 0 4 0 4 units box
+create_box 1 box
+create_atoms 1 single 0.499 0.499 0.499 units box
+create_atoms 1 single 2 2 0.499 units box
+create_atoms 1 single 2 2 1.498 units box
+create_atoms 1 single 3.4 3.4 0.499 units box
+set group all diameter 1 density 1000
+group in id 1:3
+fix m1 all property/global youngsModulus peratomtype 5e6
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.5
+pair_style gran model hertz
+pair_coeff * *
+timestep 1e-6
+fix move all nve/sphere'
+mesh_floor='mesh_primitive floor.stl plate length 3.9 width 3.9 base 2 2 0
+fix floor all mesh/surface file floor.stl type 1
+fix z all wall/gran model hertz mesh n_meshes 1 meshes floor'
+plane_floor='fix z all wall/gran model hertz primitive type 1 zplane 0'
+for floor in "$mesh_floor" "$plane_floor"; do
+	agree 'walls' "$box
+fix x all wall/gran model hertz primitive type 1 xplane 0
+fix y all wall/gran model hertz primitive type 1 yplane 0
+$floor
+compute w in coordination walls yes
+compute z in coordination
+run 1
+print \"is walls \$(c_w[8]) 4\"
+print \"is contacts \$(c_w[6]) 1\"
+print \"is Z \$(c_w) \$((3+2+1)/3)\"
+print \"is one \$(c_w[4]) 1\"
+print \"is mechanical \$(c_w[2]) \$(5/2)\"
+print \"is without \$(c_z) \$(2/3)\"
+print \"is without \$(c_z[8]) 0\""
+done
+rejects "$box
+compute w in coordination walls yes
+thermo_style custom step c_w
+run 0" 'there is no fix wall/gran'
 rejects 'units si
 region box block 0 1 0 1 0 1 units box
 create_box 1 box

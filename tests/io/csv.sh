@@ -182,6 +182,8 @@ wrong() { # WHAT LINE TEXT
 	refused "$1" "$3" -in in.wrong
 }
 wrong 'titles' 'fix t all ave/time 1 1 10 v_a file t.csv title1 "# a"' 'a table of comma-separated values has no title lines'
+wrong 'correlations appended and replaced' 'fix t all ave/correlate 1 4 10 v_a file t.csv append u.csv' 'append cannot be used with file'
+wrong 'XYZ as a table' 'dump t all xyz 10 t.csv' 'take `dump ID GROUP custom N t.csv type x y z`'
 wrong 'titles of correlations' 'fix t all ave/correlate 1 4 10 v_a file t.csv title3 "# a"' 'has no title lines'
 wrong 'a title too short' 'fix t all print 10 "$(step) ${a}" file t.csv title step' 'the title names 1 columns, but the text has 2 parts'
 echo 'step,other' >old.csv
@@ -190,4 +192,14 @@ wrong 'columns that change' 'thermo_log t.csv
 run 0
 thermo_style custom step' 'the columns have changed since the table'
 
+# correlations appended to those of a run before
+for e in txt csv; do
+	{ cat model start; printf '%s\n' 'fix move all nve/sphere' 'variable a equal vcm(all,x)' \
+		"fix t all ave/correlate 1 4 10 v_a append more.$e" 'run 20'; } >in.more
+	"$TSIM" -in in.more -log none >out 2>&1 && cp more.$e once.$e && "$TSIM" -in in.more -log none >out 2>&1
+	report "correlations appended, $e" $? out
+	cat once.$e once.$e >twice.$e
+	[ $e = csv ] && { cat once.csv; tail -n +2 once.csv; } >twice.csv
+	same "rows of both runs, $e" twice.$e more.$e
+done
 finish

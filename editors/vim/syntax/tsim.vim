@@ -88,7 +88,7 @@ syn keyword tsimKeyword  internal atomfile equal vector create zero linear angul
 syn keyword tsimKeyword  angularIndividual sum dist gaussian mom rot local geom bias pair
 syn keyword tsimKeyword  ii ij nofix modify noinit threshold hardness up column quantile
 syn keyword tsimKeyword  area discard default mixed bound reduced nchunk limit ids nfreq
-syn keyword tsimKeyword  type/include between cells values interpolation cubic
+syn keyword tsimKeyword  walls type/include between cells values interpolation cubic
 syn keyword tsimKeyword  solid_fraction amount load bumpiness upper_wall_restitution
 syn keyword tsimKeyword  upper_roughness upper_bumpiness friction tangential packing theory
 syn keyword tsimKeyword  lun garzo/dufty radial lun/savage carnahan/starling torquato
@@ -123,7 +123,7 @@ syn keyword tsimKeyword  random_distribute uncorrelated compress_tags ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region avoid_meshes
 syn keyword tsimKeyword  particles_in_region volumefraction_region mass_in_region
 syn keyword tsimKeyword  max_rounds insertion_face extrude_length duration law rubinow
-syn keyword tsimKeyword  oesterle saffman mei viscosity inner outer walls vec_side multiple
+syn keyword tsimKeyword  oesterle saffman mei viscosity inner outer vec_side multiple
 syn keyword tsimKeyword  point_at_outlet inside_out writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
 syn keyword tsimKeyword  interval sum_property temperature element_exclusion_list precision
