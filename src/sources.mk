@@ -127,6 +127,7 @@ library_sources = \
 	src/bed/compute_mixing_gmmi.c \
 	src/bed/compute_mixing_neighbor.c \
 	src/bed/compute_repose_angle.c \
+	src/bed/compute_stress_region.c \
 	src/bed/heap_surface.c \
 	src/bed/heap_surface.h \
 	src/bed/mixing_samples.c \

@@ -183,6 +183,7 @@ TS_STYLE(compute, ts_style, ts_compute_repose_angle)
 TS_STYLE(compute, ts_style, ts_compute_slice)
 TS_STYLE(compute, ts_style, ts_compute_squeeze_atom)
 TS_STYLE(compute, ts_style, ts_compute_stress_atom)
+TS_STYLE(compute, ts_style, ts_compute_stress_region)
 TS_STYLE(compute, ts_style, ts_compute_surface_contact)
 TS_STYLE(compute, ts_style, ts_compute_temp)
 TS_STYLE(compute, ts_style, ts_compute_temp_chunk)
@@ -532,6 +533,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_slice,
 	&ts_compute_squeeze_atom,
 	&ts_compute_stress_atom,
+	&ts_compute_stress_region,
 	&ts_compute_surface_contact,
 	&ts_compute_temp,
 	&ts_compute_temp_chunk,

@@ -249,8 +249,9 @@ syn keyword tsim_compute contained nbond/atom neighbor/atom nparticles/tracer/re
 syn keyword tsim_compute contained pair/gran/local pair/gran/local/bond pair/local pe pe/atom
 syn keyword tsim_compute contained pressure property/atom property/chunk property/local quantile rdf
 syn keyword tsim_compute contained reduce reduce/chunk reduce/region repose/angle slice squeeze/atom
-syn keyword tsim_compute contained stress/atom surface/contact temp temp/chunk temp/com temp/granular
-syn keyword tsim_compute contained temp/granular/chunk torque/chunk vacf vcm/chunk wall/gran/local
+syn keyword tsim_compute contained stress/atom stress/region surface/contact temp temp/chunk temp/com
+syn keyword tsim_compute contained temp/granular temp/granular/chunk torque/chunk vacf vcm/chunk
+syn keyword tsim_compute contained wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane
