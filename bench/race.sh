@@ -1,7 +1,7 @@
 # shellcheck shell=bash disable=SC2034,SC2154
 # For bench/race and bench/profile: how scenes are prepared, run, and compared. Sourced in an empty folder, with
 # $tsim, $bench and $size (tiny, quick or full) set.
-all_scenes='packing shaken filling chute drum bonded rock bidisperse hot'
+all_scenes='packing block shaken shaker shear filling chute drum hopper bonded rock bidisperse hot'
 scenes=$bench/scenes
 
 # pick TINY QUICK FULL: the one for this size
