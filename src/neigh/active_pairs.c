@@ -47,12 +47,16 @@ struct packing {
 static void pack_share(void *context, size_t from, size_t to)
 {
 	const struct packing *g = context;
-	double most[4], displacement;
+	double most[4], displacement, known;
 
 	pack_spheres(g->p, g->list->sphere, from, to, most);
 	/* after a change of radius there is no bound of the approach of surfaces */
 	displacement = most[3] > 0 ? INFINITY : sqrt(most[0] + most[1] + most[2]);
-#pragma omp critical
+#pragma omp atomic read
+	known = g->list->displacement;
+	if (displacement <= known) /* as a rule: blocks are small, and a lock for each would be contended */
+		return;
+#pragma omp critical(ts_displacement)
 	g->list->displacement = fmax(g->list->displacement, displacement);
 }
 

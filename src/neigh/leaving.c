@@ -53,6 +53,8 @@ TS_CLONES static void count_moved_share(void *context, size_t from, size_t to)
 
 		moved += a * a + b * b + c * c > w.far2;
 	}
+	if (!moved)
+		return;
 #pragma omp atomic
 	*w.moved += (long)moved;
 }

@@ -154,6 +154,8 @@ static void check_share(void *context, size_t from, size_t to)
 
 		beyond += 1 - within;
 	}
+	if (!beyond) /* as a rule: threads that wrote to one counter for every block would wait for each other */
+		return;
 #pragma omp atomic
 	*l.beyond += (long)beyond;
 }
